@@ -1,0 +1,153 @@
+//! `vitrum info`: what a volume is, and what the reader assumed about it.
+
+use crate::failure::{Failure, Status};
+use crate::{input, output};
+use clap::Args;
+use serde_json::json;
+use std::fmt::Write;
+use std::process::ExitCode;
+use vitrum::builtin;
+use vitrum::io::{OpenOptions, Volume, Voxels};
+use vitrum::scene::VolumeSource;
+
+/// Show what a volume is: format, size, spacing, range, orientation, histogram
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// A volume file, a scene file (.toml; its volume is shown), or builtin:NAME
+    input: String,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Columns of the histogram.
+const BINS: usize = 64;
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let opened = input::open(&arguments.input)?;
+    let volume = read(&opened.scene.volume, &opened.base)?;
+    if arguments.json {
+        output::print_json(&json(&volume))?;
+    } else {
+        output::print(&text(&volume))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The volume itself, without the rest of the scene's files.
+fn read(source: &VolumeSource, base: &std::path::Path) -> Result<Volume, Failure> {
+    if let Some(file) = &source.file {
+        return Ok(vitrum::io::open(&base.join(file), &OpenOptions::default())?);
+    }
+    let name = source.builtin.as_deref().unwrap_or_default();
+    match builtin::volume(name, source.resolution) {
+        Some(volume) => Ok(volume?),
+        None => {
+            let message = format!("there is no built-in volume `{name}`");
+            Err(Failure::new(Status::Input, message, "`vitrum scenes` lists the built-in scenes"))
+        }
+    }
+}
+
+fn text(volume: &Volume) -> String {
+    let [nx, ny, nz] = volume.dimensions;
+    let [sx, sy, sz] = volume.spacing;
+    let [ex, ey, ez] = volume.extent();
+    let [low, high] = volume.range;
+    let source = &volume.source;
+    let mut text = String::new();
+    let mut row = |name: &str, value: String| {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{name:12}{value}");
+    };
+    row("volume", volume.name.clone());
+    row("format", if source.format.is_empty() { "computed".to_owned() } else { source.format.to_owned() });
+    row("voxels", format!("{nx} x {ny} x {nz} ({} in memory)", bytes(volume.bytes())));
+    let file = [&*source.sample_type, &*source.encoding].into_iter().filter(|part| !part.is_empty());
+    let file = file.map(|part| format!("{part}, ")).collect::<String>();
+    row("type", format!("{file}{} in memory", stored(volume)));
+    row("spacing", format!("{sx} x {sy} x {sz}"));
+    row("extent", format!("{ex} x {ey} x {ez}"));
+    row("origin", format!("{:?}", volume.origin));
+    row("axes", format!("x {:?}, y {:?}, z {:?}", volume.axes[0], volume.axes[1], volume.axes[2]));
+    row("range", format!("{low} to {high}"));
+    row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
+    for (index, assumption) in source.assumptions.iter().enumerate() {
+        row(if index == 0 { "assumed" } else { "" }, assumption.clone());
+    }
+    text
+}
+
+fn json(volume: &Volume) -> serde_json::Value {
+    json!({
+        "name": volume.name,
+        "format": volume.source.format,
+        "sample_type": volume.source.sample_type,
+        "encoding": volume.source.encoding,
+        "dimensions": volume.dimensions,
+        "spacing": volume.spacing,
+        "extent": volume.extent(),
+        "origin": volume.origin,
+        "axes": volume.axes,
+        "stored_as": stored(volume),
+        "value_scale": volume.value_scale,
+        "value_offset": volume.value_offset,
+        "range": volume.range,
+        "bytes": volume.bytes(),
+        "histogram": volume.histogram(BINS),
+        "assumptions": volume.source.assumptions,
+    })
+}
+
+fn stored(volume: &Volume) -> &'static str {
+    match volume.voxels {
+        Voxels::U8(_) => "8-bit",
+        Voxels::U16(_) => "16-bit",
+        Voxels::F32(_) => "float32",
+    }
+}
+
+/// A count of bytes in the unit that keeps it short.
+fn bytes(count: usize) -> String {
+    const UNITS: [&str; 4] = ["bytes", "KiB", "MiB", "GiB"];
+    let mut count = count as f64;
+    let mut unit = 0;
+    while count >= 1024.0 && unit + 1 < UNITS.len() {
+        count /= 1024.0;
+        unit += 1;
+    }
+    if unit == 0 { format!("{count} bytes") } else { format!("{count:.1} {}", UNITS[unit]) }
+}
+
+/// One character a bin, its height the logarithm of the count; empty bins are blank.
+fn bars(counts: &[u64]) -> String {
+    const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+    let most = counts.iter().copied().max().unwrap_or(0);
+    let scale = ((most as f64) + 1.0).ln();
+    let bar = |&count: &u64| match count {
+        0 => ' ',
+        // The cast saturates, and the largest count is the last height.
+        count => HEIGHTS[(((count as f64 + 1.0).ln() / scale * 8.0) as usize).min(7)],
+    };
+    counts.iter().map(bar).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{bars, bytes};
+
+    #[test]
+    fn bars_grow_with_the_logarithm() {
+        assert_eq!(bars(&[0, 1, 1_000_000]), " ▁█");
+        assert_eq!(bars(&[]), "");
+        assert_eq!(bars(&[0, 0]), "  ");
+    }
+
+    #[test]
+    fn bytes_are_short() {
+        assert_eq!(bytes(17), "17 bytes");
+        assert_eq!(bytes(27_543_608), "26.3 MiB");
+        assert_eq!(bytes(usize::MAX), "17179869184.0 GiB");
+    }
+}

@@ -1,0 +1,30 @@
+//! One file a command: its arguments, and what it does.
+
+pub mod completions;
+pub mod devices;
+pub mod diff;
+pub mod info;
+pub mod presets;
+pub mod render;
+pub mod scene;
+pub mod scenes;
+pub mod schema;
+
+use crate::arguments::Command;
+use crate::failure::Failure;
+use std::process::ExitCode;
+
+/// Runs a command; its exit code, or why it failed.
+pub fn run(command: Command) -> Result<ExitCode, Failure> {
+    match command {
+        Command::Render(arguments) => render::run(&arguments),
+        Command::Info(arguments) => info::run(&arguments),
+        Command::Diff(arguments) => diff::run(&arguments),
+        Command::Scene(arguments) => scene::run(&arguments),
+        Command::Devices(arguments) => devices::run(&arguments),
+        Command::Presets(arguments) => presets::run(&arguments),
+        Command::Scenes(arguments) => scenes::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
+    }
+}

@@ -1,0 +1,31 @@
+//! `vitrum presets`: the looks that fit any volume.
+
+use crate::failure::Failure;
+use crate::output;
+use clap::Args;
+use serde_json::json;
+use std::process::ExitCode;
+use vitrum::preset;
+
+/// List the presets: looks that fit themselves to any volume
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    print_names(preset::names(), arguments.json)
+}
+
+/// Prints names and descriptions, as a table or as JSON.
+pub fn print_names(names: &[(&str, &str)], as_json: bool) -> Result<ExitCode, Failure> {
+    if as_json {
+        let entries = names.iter().map(|(name, description)| json!({ "name": name, "description": description }));
+        output::print_json(&entries.collect())?;
+    } else {
+        output::print_table(names.iter().copied())?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

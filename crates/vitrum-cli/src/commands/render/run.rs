@@ -1,0 +1,71 @@
+//! The course of a render: check, read, render, write.
+
+use super::Arguments;
+use super::write::{check_outputs, write_outputs};
+use crate::failure::Failure;
+use crate::input::Prepared;
+use crate::progress::Bar;
+use crate::{interrupt, output};
+use std::process::ExitCode;
+use vitrum::backend::{self, Backend};
+use vitrum::{Frame, Statistics};
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    interrupt::listen();
+    // What can be refused at once is refused before any work.
+    check_outputs(arguments)?;
+    let prepared = arguments.scene.prepare()?;
+    let device = &arguments.device;
+    let mut backend = backend::open(device.backend.into(), device.adapter.as_deref(), device.threads.map(usize::from))?;
+    if !arguments.quiet {
+        eprintln!("rendering on {} ({})", backend.name(), backend.adapter());
+    }
+    let frame = render(arguments, &prepared, backend.as_mut())?;
+    write_outputs(arguments, &prepared.scene, &frame)?;
+    if !arguments.quiet {
+        eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
+    }
+    if arguments.json {
+        output::print(&statistics_json(&frame.statistics))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The last of `--frames` frames, with the times of all.
+fn render(arguments: &Arguments, prepared: &Prepared, backend: &mut dyn Backend) -> Result<Frame, Failure> {
+    let bar = Bar::new(arguments.frames, arguments.quiet);
+    let mut frame_ms = Vec::new();
+    let mut index = 0;
+    loop {
+        let mut progress = |progress| {
+            bar.update(index, &progress);
+            !interrupt::requested()
+        };
+        let mut frame = vitrum::render(&prepared.scene, &prepared.inputs, backend, &mut progress)?;
+        frame_ms.append(&mut frame.statistics.frame_ms);
+        index += 1;
+        if index >= arguments.frames {
+            frame.statistics.frame_ms = frame_ms;
+            return Ok(frame);
+        }
+    }
+}
+
+/// The statistics as `--stats` and `--json` give them.
+pub(super) fn statistics_json(statistics: &Statistics) -> String {
+    // Numbers, texts and lists of them always have a JSON form.
+    let value = serde_json::to_value(statistics).unwrap_or_default();
+    format!("{value:#}\n")
+}
+
+/// Size and time in a line: the median of the frames.
+fn summary(statistics: &Statistics) -> String {
+    let mut times = statistics.frame_ms.clone();
+    times.sort_by(f64::total_cmp);
+    let size = format!("{} x {} pixels", statistics.width, statistics.height);
+    match times.get(times.len() / 2) {
+        Some(median) if times.len() > 1 => format!("{size}, {} frames, median {median:.1} ms", times.len()),
+        Some(time) => format!("{size} in {time:.1} ms"),
+        None => size,
+    }
+}

@@ -1,0 +1,59 @@
+//! The files that a render leaves.
+
+use super::Arguments;
+use super::run::statistics_json;
+use crate::failure::{Failure, Status};
+use crate::output;
+use std::path::Path;
+use vitrum::io::{Picture, check_writable, write_picture};
+use vitrum::scene::Scene;
+use vitrum::{Frame, Statistics};
+
+/// Whether every output could be written now, and each to a file of its own.
+pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
+    let pictures = std::iter::once(&arguments.output).chain(arguments.aov.iter().map(|aov| &aov.file));
+    let mut seen: Vec<&Path> = Vec::new();
+    for file in pictures.clone().chain(&arguments.stats) {
+        if seen.contains(&file.as_path()) {
+            let message = format!("{}: two outputs go to this file", file.display());
+            return Err(Failure::new(Status::WrongUse, message, "give each output a file of its own"));
+        }
+        seen.push(file);
+    }
+    for file in pictures {
+        check_writable(file).map_err(|error| Failure::output(&error))?;
+    }
+    arguments.stats.as_deref().map_or(Ok(()), output::check_writable)
+}
+
+/// Writes the picture, the named outputs and the statistics.
+pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Result<(), Failure> {
+    let metadata = metadata(scene, &frame.statistics)?;
+    let write = |file: &Path, picture: &Picture| {
+        write_picture(file, picture, &metadata).map_err(|error| Failure::output(&error))
+    };
+    // Formats without layers write the first one, the color.
+    write(&arguments.output, &frame.picture())?;
+    for aov in &arguments.aov {
+        let picture = frame.aov(aov.name).ok_or_else(|| {
+            let message = format!("this scene has no output `{}`", aov.name);
+            Failure::new(Status::WrongUse, message, "leave it out")
+        })?;
+        write(&aov.file, &picture)?;
+    }
+    match &arguments.stats {
+        Some(file) => output::write_text(file, &statistics_json(&frame.statistics)),
+        None => Ok(()),
+    }
+}
+
+/// What it takes to render the picture again.
+fn metadata(scene: &Scene, statistics: &Statistics) -> Result<Vec<(String, String)>, Failure> {
+    let entries = [
+        ("Software", format!("vitrum {}", env!("CARGO_PKG_VERSION"))),
+        ("vitrum.scene", scene.to_toml()?),
+        ("vitrum.backend", statistics.backend.clone()),
+        ("vitrum.adapter", statistics.adapter.clone()),
+    ];
+    Ok(entries.map(|(key, value)| (key.to_owned(), value)).into())
+}

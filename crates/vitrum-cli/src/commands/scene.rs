@@ -1,0 +1,55 @@
+//! `vitrum scene`: the scene that a render with the same flags would show, as a scene file.
+
+use crate::failure::Failure;
+use crate::input::SceneArguments;
+use crate::output;
+use clap::Args;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use vitrum::scene::Scene;
+
+/// Write the scene file of what would be rendered, every key with its value
+///
+/// A volume file gives a scene to start from: its preset's thresholds are written out, ready to be changed.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+
+    /// The scene file; standard output if absent
+    #[arg(short, long, value_name = "FILE.toml")]
+    output: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    arguments.output.as_deref().map_or(Ok(()), output::check_writable)?;
+    let prepared = arguments.scene.prepare()?;
+    let mut scene = prepared.scene;
+    let folder = arguments.output.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+    if !same_folder(&prepared.base, folder) {
+        make_absolute(&mut scene, &prepared.base);
+    }
+    let text = scene.to_toml()?;
+    match &arguments.output {
+        Some(file) => output::write_text(file, &text)?,
+        None => output::print(&text)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A scene that moves to another folder must name its files by absolute paths.
+fn make_absolute(scene: &mut Scene, base: &Path) {
+    let sources = std::iter::once(&mut scene.volume).chain(&mut scene.ior_volume);
+    let files = sources.filter_map(|source| source.file.as_mut()).chain(&mut scene.environment.file);
+    for file in files {
+        if let Ok(absolute) = std::path::absolute(base.join(&*file)) {
+            *file = absolute;
+        }
+    }
+}
+
+fn same_folder(one: &Path, other: &Path) -> bool {
+    let real = |folder: &Path| fs::canonicalize(if folder == Path::new("") { Path::new(".") } else { folder }).ok();
+    real(one) == real(other)
+}

@@ -1,0 +1,114 @@
+//! Why a command failed, as the user reads it.
+
+use std::process::ExitCode;
+use vitrum::backend::BackendError;
+use vitrum::preset::PresetError;
+use vitrum::scene::{Origin, SceneError};
+
+/// What kind of failure it is; the numbers are the exit codes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    WrongUse = 2,
+    Input = 3,
+    Device = 4,
+    /// 128 + SIGINT, as shells have it.
+    Interrupted = 130,
+}
+
+/// A message, what to do about it, and the exit code.
+#[derive(Debug)]
+pub struct Failure {
+    status: Status,
+    message: String,
+    help: Option<String>,
+}
+
+impl Failure {
+    pub fn new(status: Status, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { status, message: message.into(), help: Some(help.into()) }
+    }
+
+    /// Errors of libraries end in their advice, which becomes the help: it is cut from the message.
+    fn with_advice(status: Status, error: &dyn std::error::Error, advice: Option<String>) -> Self {
+        let mut message = error.to_string();
+        let help = advice.filter(|advice| !advice.is_empty());
+        if let Some(head) = help.as_ref().and_then(|help| message.strip_suffix(help)?.strip_suffix("; ")) {
+            message.truncate(head.len());
+        }
+        Self { status, message, help }
+    }
+
+    /// An output that cannot be written: the user named it.
+    pub fn output(error: &vitrum::io::Error) -> Self {
+        Self::with_advice(Status::WrongUse, error, advice(error))
+    }
+
+    /// Prints it to standard error.
+    pub fn report(&self) -> ExitCode {
+        eprintln!("error: {}", self.message);
+        if let Some(help) = &self.help {
+            eprintln!("help: {help}");
+        }
+        ExitCode::from(self.status as u8)
+    }
+}
+
+/// An input that cannot be read.
+impl From<vitrum::io::Error> for Failure {
+    fn from(error: vitrum::io::Error) -> Self {
+        Self::with_advice(Status::Input, &error, advice(&error))
+    }
+}
+
+/// A scene that a file holds is an input; one that flags changed is a matter of use.
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        let status = match error.origin {
+            Origin::File { .. } => Status::Input,
+            Origin::Setting(_) | Origin::Memory => Status::WrongUse,
+        };
+        Self::new(status, error.to_string(), error.help())
+    }
+}
+
+impl From<PresetError> for Failure {
+    fn from(error: PresetError) -> Self {
+        Self::new(Status::WrongUse, error.to_string(), error.help())
+    }
+}
+
+impl From<vitrum::Error> for Failure {
+    fn from(error: vitrum::Error) -> Self {
+        match error {
+            vitrum::Error::Io(error) => error.into(),
+            vitrum::Error::SceneFile(error) => error.into(),
+            vitrum::Error::Backend(error) => error.into(),
+            // What no single value shows, but the scene and its files do together.
+            vitrum::Error::Scene(problem) => {
+                let (message, help) = problem.rsplit_once("; ").unwrap_or((&problem, "change the scene"));
+                Self::new(Status::Input, message, help)
+            }
+        }
+    }
+}
+
+impl From<BackendError> for Failure {
+    fn from(error: BackendError) -> Self {
+        match error {
+            BackendError::Cancelled => Self::new(Status::Interrupted, "interrupted", "no output was written"),
+            error => Self::with_advice(Status::Device, &error, error.help().map(str::to_owned)),
+        }
+    }
+}
+
+fn advice(error: &vitrum::io::Error) -> Option<String> {
+    use vitrum::io::Error;
+    match error {
+        Error::Unreadable { advice, .. }
+        | Error::Invalid { advice, .. }
+        | Error::Unsupported { advice, .. }
+        | Error::TooLarge { advice, .. }
+        | Error::Write { advice, .. } => Some(advice.clone()),
+        _ => None,
+    }
+}

@@ -1,0 +1,115 @@
+//! What the user wants to see: a scene file, a volume file or a built-in scene, changed by flags.
+
+use crate::failure::{Failure, Status};
+use crate::size::Size;
+use clap::Args;
+use std::fs;
+use std::path::{Path, PathBuf};
+use vitrum::scene::{Scene, VolumeSource};
+use vitrum::suggest::nearest;
+use vitrum::{Inputs, builtin, preset};
+
+/// The input and the flags that change its scene.
+#[derive(Debug, Args)]
+pub struct SceneArguments {
+    /// A scene file (.toml), a volume file, or builtin:NAME (`vitrum scenes` lists them)
+    pub input: String,
+
+    /// Give the scene the look of a preset (`vitrum presets` lists them); volume files without it take `amber`
+    #[arg(long, value_name = "NAME")]
+    pub preset: Option<String>,
+
+    /// Set a scene key, such as light.softness=3; repeatable, applied in order, after --preset
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+
+    /// Pixels across and down, such as 1024x768
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+}
+
+/// The scene that is rendered, and what it is rendered from.
+pub struct Prepared {
+    pub scene: Scene,
+    /// The folder that relative paths in the scene start at.
+    pub base: PathBuf,
+    pub inputs: Inputs,
+}
+
+impl SceneArguments {
+    /// Reads the scene and its files, and applies the flags.
+    pub fn prepare(&self) -> Result<Prepared, Failure> {
+        // Names first: a slip should not cost the time to read a volume.
+        self.preset.as_deref().map_or(Ok(()), preset::check)?;
+        let opened = open(&self.input)?;
+        let mut scene = self.changed(opened.scene)?;
+        let inputs = Inputs::load(&scene, &opened.base)?;
+        let preset = self.preset.as_deref().or(opened.bare_volume.then_some(preset::DEFAULT));
+        if let Some(name) = preset {
+            preset::apply(name, &inputs.volume, &mut scene)?;
+            scene = self.changed(scene)?;
+        }
+        Ok(Prepared { scene, base: opened.base, inputs })
+    }
+
+    fn changed(&self, mut scene: Scene) -> Result<Scene, Failure> {
+        if let Some(Size { width, height }) = self.size {
+            scene.film.width = width;
+            scene.film.height = height;
+        }
+        for assignment in &self.set {
+            scene.set(assignment)?;
+        }
+        scene.validate()?;
+        Ok(scene)
+    }
+}
+
+/// An input before flags.
+pub struct Opened {
+    pub scene: Scene,
+    /// The folder that relative paths in the scene start at.
+    pub base: PathBuf,
+    /// Whether there is a volume and nobody has said how it looks.
+    pub bare_volume: bool,
+}
+
+/// Finds out what `input` is. Volumes are not read yet.
+pub fn open(input: &str) -> Result<Opened, Failure> {
+    if let Some(name) = input.strip_prefix("builtin:") {
+        let scene = builtin::scene(name).ok_or_else(|| unknown_builtin(name))?;
+        return Ok(Opened { scene, base: PathBuf::new(), bare_volume: false });
+    }
+    let path = Path::new(input);
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
+        let base = path.parent().unwrap_or(Path::new("")).to_owned();
+        return Ok(Opened { scene: read_scene(path)?, base, bare_volume: false });
+    }
+    let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };
+    Ok(Opened { scene: Scene { volume, ..Scene::default() }, base: PathBuf::new(), bare_volume: true })
+}
+
+fn read_scene(path: &Path) -> Result<Scene, Failure> {
+    // Scenes are small; anything else by that name should not fill the memory.
+    const MOST_BYTES: u64 = 16 << 20;
+    let shown = path.display();
+    let unreadable = |problem: String, help: &str| Failure::new(Status::Input, format!("{shown}: {problem}"), help);
+    let length =
+        fs::metadata(path).map_err(|error| unreadable(format!("cannot be read: {error}"), "check the path"))?.len();
+    if length > MOST_BYTES {
+        let problem = format!("{length} bytes are no scene, the limit is {MOST_BYTES}");
+        return Err(unreadable(problem, "give a scene file; volumes have other extensions"));
+    }
+    let text = fs::read_to_string(path)
+        .map_err(|error| unreadable(format!("cannot be read: {error}"), "give a text file in UTF-8"))?;
+    Ok(Scene::from_toml(&text, &shown.to_string())?)
+}
+
+fn unknown_builtin(name: &str) -> Failure {
+    let names = || builtin::names().iter().map(|&(name, _)| name);
+    let help = match nearest(name, names()) {
+        Some(near) => format!("did you mean `builtin:{near}`?"),
+        None => format!("the built-in scenes are: {}", names().collect::<Vec<_>>().join(", ")),
+    };
+    Failure::new(Status::WrongUse, format!("there is no built-in scene `{name}`"), help)
+}

@@ -1,0 +1,127 @@
+//! What the program refuses: exit codes and messages, and that nothing is left behind.
+
+mod common;
+
+use common::{Folder, nrrd};
+
+const BALL: [&str; 4] = ["render", "builtin:ball", "-o", "out.png"];
+
+fn ball<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&BALL, more].concat()
+}
+
+#[test]
+fn scene_files_with_mistakes_exit_3_and_name_the_line() {
+    let folder = Folder::new();
+    let render = ["render", "scene.toml", "-o", "out.png"];
+    folder.write("scene.toml", "volume.builtin = \"ball\"\n\n[light]\nsoftnes = 3\n");
+    folder.refuse(
+        &render,
+        3,
+        &["scene.toml, line 4", "`light.softnes`", "unknown key", "did you mean `light.softness`?"],
+    );
+    folder.write("scene.toml", "volume.builtin = \"ball\"\nfilm.width = 0\n");
+    folder.refuse(&render, 3, &["line 2", "`film.width`", "found 0", "1 to 16384"]);
+    folder.write("scene.toml", "volume.builtin = \"ball\"\n[film]\nwidth = 16384\nheight = 16384\nsupersampling = 4\n");
+    folder.refuse(&render, 3, &["16384 x 16384", "4294967296", "268435456"]);
+    folder.write("scene.toml", "volume.builtin = \"ball\nlight = 3");
+    folder.refuse(&render, 3, &["scene.toml, line 1"]);
+    folder.write("scene.toml", "volume.file = \"missing.nrrd\"\n");
+    folder.refuse(&render, 3, &["missing.nrrd", "cannot be read"]);
+    folder.write("scene.toml", "volume.builtin = \"bal\"\n");
+    folder.refuse(&render, 3, &["bal"]);
+    folder.write("scene.toml", b"\xff\xfe");
+    folder.refuse(&render, 3, &["scene.toml", "UTF-8"]);
+    folder.refuse(&["render", "missing.toml", "-o", "out.png"], 3, &["missing.toml", "cannot be read"]);
+}
+
+#[test]
+fn wrong_flags_exit_2() {
+    let folder = Folder::new();
+    for (flags, words) in [
+        (&["--size", "0x32"][..], &["the width is 0 pixels", "1 to 16384"][..]),
+        (&["--size", "100000x100000"], &["the width is 100000 pixels", "1 to 16384"]),
+        (&["--size", "32"], &["WIDTHxHEIGHT"]),
+        (&["--size", "16384x16384", "--set", "film.supersampling=2"], &["1073741824", "268435456"]),
+        (&["--set", "light.softness"], &["there is no `=`", "KEY=VALUE"]),
+        (&["--set", "light.softnes=3"], &["unknown key", "did you mean `light.softness`?"]),
+        (&["--set", "light.softness=90"], &["found 90", "0 to 45"]),
+        (&["--set", "light.softness=nan"], &["found nan", "0 to 45"]),
+        (&["--set", "volume.file=x.nrrd"], &["both `file` and `builtin`"]),
+        (&["--preset", "ambr"], &["no preset `ambr`", "did you mean `amber`?"]),
+        (&["--preset", "zzz"], &["no preset `zzz`", "plain, bone, amber, glass, xray, haze"]),
+        (&["--aov", "dept=d.exr"], &["no output `dept`", "did you mean `depth`?"]),
+        (&["--aov", "depth"], &["NAME=FILE"]),
+        (&["--aov", "depth=out.png"], &["out.png", "two outputs"]),
+        (&["--frames", "0"], &["0 is not in 1.."]),
+        (&["--threads", "0"], &["0 is not in 1.."]),
+        (&["--backend", "tpu"], &["tpu", "auto, cpu, gpu"]),
+        (&["--stats", "nowhere/s.json"], &["nowhere"]),
+        (&["--sise", "3x3"], &["--size"]),
+    ] {
+        folder.refuse(&ball(flags), 2, words);
+    }
+    folder.refuse(
+        &["render", "builtin:bal", "-o", "out.png"],
+        2,
+        &["no built-in scene `bal`", "did you mean `builtin:ball`?"],
+    );
+    folder.refuse(&["rendr"], 2, &["render"]);
+}
+
+#[test]
+fn outputs_that_cannot_be_written_exit_2_before_any_work() {
+    let folder = Folder::new();
+    folder.refuse(&["render", "builtin:ball", "-o", "nowhere/out.png"], 2, &["out.png", "nowhere"]);
+    folder.refuse(&["render", "builtin:ball", "-o", "out.bmp"], 2, &["out.bmp", ".png", ".exr"]);
+    folder.refuse(&["render", "builtin:ball", "-o", "out"], 2, &["extension"]);
+    folder.refuse(&["diff", "a.png", "b.png", "-o", "nowhere/out.png"], 2, &["nowhere"]);
+    folder.refuse(&["scene", "builtin:ball", "-o", "nowhere/out.toml"], 2, &["nowhere"]);
+}
+
+#[test]
+fn volume_files_with_mistakes_exit_3() {
+    let folder = Folder::new();
+    let small = |fields: &str| nrrd("4 4 4", fields, &[7; 64]);
+    let mut not_a_number =
+        b"NRRD0004\ntype: float\ndimension: 3\nsizes: 2 1 1\nencoding: raw\nendian: little\n\n".to_vec();
+    not_a_number.extend([1.0_f32.to_le_bytes(), f32::NAN.to_le_bytes()].concat());
+    folder.write("truncated.nrrd", nrrd("4 4 4", "", &[7; 63]));
+    folder.write("huge.nrrd", nrrd("10000 10000 10000", "", &[7; 900]));
+    folder.write("nan.nrrd", not_a_number);
+    folder.write("flat.nrrd", small("spacings: 1 0 1\n"));
+    folder.write("empty.nrrd", b"");
+    folder.write("noise.nrrd", [0x9d; 300]);
+    folder.write("noise.xyz", [0x9d; 300]);
+    for (file, words) in [
+        ("missing.nrrd", &["cannot be read"][..]),
+        ("truncated.nrrd", &["63"]),
+        ("huge.nrrd", &["1000000000000"]),
+        ("nan.nrrd", &["voxel (1, 0, 0)", "NaN"]),
+        ("flat.nrrd", &["spacing"]),
+        ("empty.nrrd", &[]),
+        ("noise.nrrd", &[]),
+        ("noise.xyz", &["NRRD"]),
+        (".", &["folder"]),
+    ] {
+        let words = if file == "." { words.to_vec() } else { [&[file], words].concat() };
+        folder.refuse(&["render", file, "-o", "out.png"], 3, &words);
+        folder.refuse(&["info", file], 3, &words);
+    }
+}
+
+#[test]
+fn pictures_that_cannot_be_compared_exit_3() {
+    let folder = Folder::new();
+    folder.write("noise.png", [0x9d; 300]);
+    folder.refuse(&["diff", "missing.png", "missing.png"], 3, &["missing.png", "cannot be read"]);
+    folder.refuse(&["diff", "noise.png", "noise.png"], 3, &["noise.png"]);
+    folder.refuse(&["diff", "a.png", "b.png", "--max-abs", "-1"], 2, &["-1"]);
+    folder.refuse(&["diff", "a.png", "b.png", "--max-rmse", "nan"], 2, &["finite"]);
+}
+
+#[test]
+fn an_adapter_that_is_not_there_exits_4() {
+    let folder = Folder::new();
+    folder.refuse(&ball(&["--backend", "gpu", "--adapter", "no adapter has this name"]), 4, &["adapter"]);
+}

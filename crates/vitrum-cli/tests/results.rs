@@ -1,0 +1,184 @@
+//! What the program makes: pictures, named outputs, statistics, descriptions.
+
+mod common;
+
+use common::{Folder, nrrd};
+use serde_json::Value;
+use std::fs;
+use vitrum_io::read_picture;
+
+/// A render that is small enough to be quick on one core.
+const SMALL: [&str; 8] =
+    ["render", "builtin:ball", "--set", "volume.resolution=16", "--size", "32x24", "--backend", "cpu"];
+
+fn small<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&SMALL, more].concat()
+}
+
+/// A bright ball, 16 voxels across, in a file.
+fn write_ball(folder: &Folder) {
+    let voxel = |index: i32| {
+        let distance = |coordinate: i32| (2 * coordinate - 15).pow(2);
+        let squared = distance(index % 16) + distance(index / 16 % 16) + distance(index / 256);
+        if squared < 144 { 200 } else { 3 }
+    };
+    folder.write("ball.nrrd", nrrd("16 16 16", "spacings: 1 1 1\n", &(0..4096).map(voxel).collect::<Vec<u8>>()));
+}
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+#[test]
+fn every_picture_format_can_be_read_again() {
+    let folder = Folder::new();
+    for name in ["out.png", "out.exr", "out.hdr", "out.jpg", "out.tif"] {
+        assert_eq!(folder.succeed(&small(&["-o", name])), "", "{name}");
+        let picture = read_picture(&folder.file(name)).expect(name);
+        assert_eq!((picture.width, picture.height), (32, 24), "{name}");
+        let color = picture.color();
+        assert!(color.iter().any(|pixel| *pixel != color[0]), "{name} shows nothing");
+    }
+    assert_eq!(folder.names().len(), 5, "nothing else is left: {:?}", folder.names());
+}
+
+#[test]
+fn exr_keeps_every_output_and_aov_writes_one() {
+    let folder = Folder::new();
+    folder.succeed(&small(&["-o", "out.exr", "--aov", "depth=depth.exr", "--aov", "light=light.exr"]));
+    let picture = read_picture(&folder.file("out.exr")).expect("the file is whole");
+    let layer = |name: &str| picture.layers.iter().find(|layer| layer.name == name);
+    for name in ["color", "opacity", "medium", "depth", "direction", "position", "status"] {
+        assert!(layer(name).is_some(), "there is no {name}");
+    }
+    let depth = read_picture(&folder.file("depth.exr")).expect("the file is whole");
+    assert_eq!(depth.layers.first(), layer("depth"));
+    read_picture(&folder.file("light.exr")).expect("the file is whole");
+    let bytes = fs::read(folder.file("out.exr")).expect("the file is there");
+    let holds = |text: &str| bytes.windows(text.len()).any(|window| window == text.as_bytes());
+    assert!(holds("vitrum.scene") && holds("builtin = \"ball\""), "the scene is in the metadata");
+}
+
+#[test]
+fn statistics_are_json_with_every_field() {
+    let folder = Folder::new();
+    let printed = folder.succeed(&small(&["-o", "out.png", "--frames", "3", "--stats", "stats.json", "--json"]));
+    let stats = json(&fs::read_to_string(folder.file("stats.json")).expect("the file is there"));
+    assert_eq!(json(&printed), stats);
+    assert_eq!((&stats["width"], &stats["height"], &stats["backend"]), (&32.into(), &24.into(), &"cpu".into()));
+    assert_eq!(stats["frame_ms"].as_array().map(Vec::len), Some(3));
+    assert!(stats["planes"].as_u64() > Some(0));
+    for field in ["method", "adapter", "rays_turned", "upload_ms", "peak_rss_bytes", "gpu_bytes", "version"] {
+        assert!(stats.get(field).is_some(), "there is no {field}: {stats}");
+    }
+}
+
+#[test]
+fn messages_go_to_standard_error_and_quiet_silences_them() {
+    let folder = Folder::new();
+    let loud = folder.vitrum(&small(&["-o", "out.png"]));
+    assert_eq!((loud.code, loud.stdout.as_str()), (Some(0), ""));
+    assert!(loud.stderr.contains("cpu") && loud.stderr.contains("32 x 24"), "{}", loud.stderr);
+    let quiet = folder.vitrum(&small(&["-o", "out.png", "--quiet"]));
+    assert_eq!((quiet.code, quiet.stdout.as_str(), quiet.stderr.as_str()), (Some(0), "", ""));
+}
+
+#[test]
+fn every_preset_renders_a_volume_file() {
+    let folder = Folder::new();
+    write_ball(&folder);
+    for preset in ["plain", "bone", "amber", "glass", "xray", "haze"] {
+        let arguments =
+            ["render", "ball.nrrd", "-o", "out.exr", "--size", "24x24", "--backend", "cpu", "--preset", preset];
+        folder.succeed(&arguments);
+        let color = read_picture(&folder.file("out.exr")).expect("the file is whole").color();
+        assert!(color.iter().flatten().all(|value| value.is_finite()), "{preset}");
+        assert!(color.iter().any(|pixel| *pixel != color[0]), "{preset} shows nothing");
+    }
+}
+
+#[test]
+fn a_written_scene_renders_the_same_picture() {
+    let folder = Folder::new();
+    write_ball(&folder);
+    fs::create_dir(folder.file("scenes")).expect("the folder is writable");
+    let changes = ["--preset", "glass", "--size", "24x24", "--set", "camera.azimuth=40"];
+    folder.succeed(&[&["render", "ball.nrrd", "-o", "a.exr", "--backend", "cpu"][..], &changes].concat());
+    // In another folder the scene still finds its volume.
+    folder.succeed(&[&["scene", "ball.nrrd", "-o", "scenes/ball.toml"][..], &changes].concat());
+    folder.succeed(&["render", "scenes/ball.toml", "-o", "b.exr", "--backend", "cpu"]);
+    folder.succeed(&["diff", "a.exr", "b.exr", "--max-abs", "0"]);
+}
+
+#[test]
+fn diff_measures_and_checks() {
+    let folder = Folder::new();
+    folder.succeed(&small(&["-o", "a.exr"]));
+    folder.succeed(&small(&["-o", "b.exr", "--set", "film.exposure=1"]));
+    assert!(folder.succeed(&["diff", "a.exr", "a.exr"]).contains("RMSE"));
+    let measured = json(&folder.succeed(&["diff", "a.exr", "b.exr", "--json", "-o", "difference.png"]));
+    assert!(measured["max_abs"].as_f64() > Some(0.0) && measured["passed"].is_null(), "{measured}");
+    read_picture(&folder.file("difference.png")).expect("the file is whole");
+    folder.succeed(&["diff", "a.exr", "b.exr", "--max-abs", "1e6", "--max-rmse", "1e6", "--max-flip", "1"]);
+    let breach = folder.vitrum(&["diff", "a.exr", "b.exr", "--max-rmse", "1e-9"]);
+    assert_eq!(breach.code, Some(1));
+    assert!(breach.stdout.contains("RMSE") && breach.stdout.contains("exceeds"), "{}", breach.stdout);
+    let breach = folder.vitrum(&["diff", "a.exr", "b.exr", "--max-abs", "0", "--json"]);
+    assert_eq!((breach.code, &json(&breach.stdout)["passed"]), (Some(1), &Value::Bool(false)));
+}
+
+#[test]
+fn info_describes_files_scenes_and_built_in_volumes() {
+    let folder = Folder::new();
+    write_ball(&folder);
+    folder.write("scene.toml", "volume.file = \"ball.nrrd\"\n");
+    for input in ["ball.nrrd", "scene.toml"] {
+        let text = folder.succeed(&["info", input]);
+        for word in ["NRRD", "16 x 16 x 16", "3 to 200", "histogram", "uint8"] {
+            assert!(text.contains(word), "there is no `{word}`:\n{text}");
+        }
+    }
+    let info = json(&folder.succeed(&["info", "ball.nrrd", "--json"]));
+    assert_eq!((&info["dimensions"], &info["range"]), (&json("[16, 16, 16]"), &json("[3.0, 200.0]")));
+    let counted: u64 = info["histogram"].as_array().into_iter().flatten().filter_map(Value::as_u64).sum();
+    assert_eq!(counted, 4096);
+    assert!(folder.succeed(&["info", "builtin:ball"]).contains("voxels"));
+}
+
+#[test]
+fn lists_are_for_people_and_for_machines() {
+    let folder = Folder::new();
+    for (command, name) in [("presets", "amber"), ("scenes", "ball"), ("devices", "CPU")] {
+        assert!(folder.succeed(&[command]).contains(name), "{command}");
+        let listed = json(&folder.succeed(&[command, "--json"]));
+        assert!(listed.as_array().into_iter().flatten().any(|entry| entry["name"] == name), "{command}: {listed}");
+    }
+    let schema = json(&folder.succeed(&["schema"]));
+    assert!(schema["properties"]["light"].is_object());
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        assert!(folder.succeed(&["completions", shell]).contains("vitrum"), "{shell}");
+    }
+    for help in ["--help", "--version"] {
+        assert!(folder.succeed(&[help]).contains("itrum"));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_no_file_and_exits_130() {
+    use std::process::{Command, Stdio};
+    use std::time::Duration;
+    let folder = Folder::new();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_vitrum"))
+        .args(["render", "builtin:ball", "-o", "out.png", "--backend", "cpu", "--size", "64x64", "--frames", "100000"])
+        .current_dir(folder.path())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    std::thread::sleep(Duration::from_millis(1500));
+    let interrupted = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill is there");
+    assert!(interrupted.success());
+    let status = child.wait().expect("the program ends");
+    assert_eq!(status.code(), Some(130));
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+}

@@ -1,0 +1,147 @@
+//! How much two pictures or buffers may differ.
+
+use std::fmt;
+
+use crate::comparison::Comparison;
+
+/// How much two pictures or buffers may differ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bound {
+    /// Every value has the same bits as its counterpart, and none is NaN.
+    BitEqual,
+    /// No value is more than so many representable numbers from its counterpart, and none is NaN.
+    Ulp(u32),
+    /// Stated quantities stay below stated limits.
+    Tolerance(Tolerance),
+}
+
+/// Limits on measured quantities; what is `None` is not limited, except that a NaN is never let through.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tolerance {
+    /// Whether `max_abs`, `rmse` and the threshold of `share_above` are in units of the reference's peak.
+    pub relative_to_peak: bool,
+    /// The largest difference.
+    pub max_abs: Option<f64>,
+    /// The root mean squared difference.
+    pub rmse: Option<f64>,
+    /// A threshold, and the share of pixels (0 to 1) that may be off by more.
+    pub share_above: Option<(f64, f64)>,
+    /// The mean ꟻLIP error.
+    pub mean_flip: Option<f64>,
+}
+
+/// What a bound can limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// The largest distance in representable numbers.
+    Ulp,
+    /// The number of values that are NaN in either picture.
+    Undefined,
+    /// The largest difference.
+    MaxAbs,
+    /// The root mean squared difference.
+    Rmse,
+    /// The share of pixels beyond the threshold.
+    Share,
+    /// The mean ꟻLIP error.
+    MeanFlip,
+}
+
+/// One limit that does not hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Breach {
+    /// What was limited.
+    pub quantity: Quantity,
+    /// What was measured, or nothing if the comparison did not measure it.
+    pub measured: Option<f64>,
+    /// The limit, in the unit of the measurement.
+    pub limit: f64,
+}
+
+/// The outcome of a check.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use]
+pub enum Verdict {
+    /// Every limit holds.
+    Pass,
+    /// These limits do not hold.
+    Fail(Vec<Breach>),
+}
+
+impl Verdict {
+    /// Whether every limit holds.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        matches!(self, Self::Pass)
+    }
+}
+
+impl Bound {
+    /// Holds a comparison against the bound.
+    pub fn check(&self, comparison: &Comparison) -> Verdict {
+        let undefined = (Quantity::Undefined, Some(comparison.ulps.undefined as f64), Some(0.0));
+        let distance = |limit: u32| (Quantity::Ulp, Some(f64::from(comparison.ulps.max)), Some(f64::from(limit)));
+        let limits = match *self {
+            Self::BitEqual => vec![undefined, distance(0)],
+            Self::Ulp(limit) => vec![undefined, distance(limit)],
+            Self::Tolerance(tolerance) => {
+                let unit = if tolerance.relative_to_peak { comparison.peak } else { 1.0 };
+                let share = tolerance.share_above.map(|(threshold, _)| comparison.share_above(threshold * unit));
+                vec![
+                    undefined,
+                    (Quantity::MaxAbs, Some(comparison.max_abs), tolerance.max_abs.map(|limit| limit * unit)),
+                    (Quantity::Rmse, Some(comparison.rmse), tolerance.rmse.map(|limit| limit * unit)),
+                    (Quantity::Share, share, tolerance.share_above.map(|(_, share)| share)),
+                    (Quantity::MeanFlip, comparison.mean_flip, tolerance.mean_flip),
+                ]
+            }
+        };
+        let breaches: Vec<Breach> = limits
+            .into_iter()
+            .filter_map(|(quantity, measured, limit)| Some(Breach { quantity, measured, limit: limit? }))
+            // Not `measured > limit`: a quantity that is missing or NaN is a breach.
+            .filter(|breach| !breach.measured.is_some_and(|measured| measured <= breach.limit))
+            .collect();
+        if breaches.is_empty() { Verdict::Pass } else { Verdict::Fail(breaches) }
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Ulp => "largest distance in ULP",
+            Self::Undefined => "number of NaN values",
+            Self::MaxAbs => "largest difference",
+            Self::Rmse => "RMSE",
+            Self::Share => "share of pixels beyond the threshold",
+            Self::MeanFlip => "mean FLIP",
+        })
+    }
+}
+
+/// For example `RMSE 3.2e-4 exceeds 1e-4`.
+impl fmt::Display for Breach {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { quantity, measured, limit } = self;
+        match (quantity, measured) {
+            (_, None) => write!(formatter, "{quantity} is limited to {limit:e} but was not measured"),
+            (Quantity::Ulp | Quantity::Undefined, Some(measured)) => {
+                write!(formatter, "{quantity} {measured} exceeds {limit}")
+            }
+            (_, Some(measured)) => write!(formatter, "{quantity} {measured:.3e} exceeds {limit:e}"),
+        }
+    }
+}
+
+/// `pass`, or the breaches separated by semicolons.
+impl fmt::Display for Verdict {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Pass => formatter.write_str("pass"),
+            Self::Fail(breaches) => {
+                let texts: Vec<String> = breaches.iter().map(ToString::to_string).collect();
+                formatter.write_str(&texts.join("; "))
+            }
+        }
+    }
+}

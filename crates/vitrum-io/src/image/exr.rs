@@ -1,0 +1,143 @@
+//! OpenEXR: every layer with its name, float32, and metadata.
+
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::path::Path;
+
+use exr::meta::MetaData;
+use exr::meta::attribute::{AttributeValue, Text};
+use exr::meta::header::standard_names;
+use exr::prelude::{
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, ImageAttributes, IntegerBounds, LayerAttributes,
+    ReadChannels, ReadLayers, Vec2, WritableImage, read,
+};
+
+use super::picture::{COLOR, Channel, Layer, Picture};
+use super::read::check_size;
+use super::write::{Metadata, Sink, WriteOptions};
+use crate::error::{Error, Place, Report};
+
+/// The first four bytes of a file.
+pub(super) const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
+
+pub(super) fn encode(
+    sink: &mut Sink,
+    picture: &Picture,
+    metadata: &Metadata,
+    _options: WriteOptions,
+) -> io::Result<()> {
+    let size = Vec2(picture.width as usize, picture.height as usize);
+    let mut attributes = ImageAttributes::new(IntegerBounds::from_dimensions(size));
+    for (key, value) in metadata {
+        // A name of the format's own would make the file wrong.
+        let reserved = standard_names::ALL.contains(&key.as_bytes());
+        let key = if reserved { format!("vitrum.{key}") } else { key.clone() };
+        attributes.other.insert(text(&key), AttributeValue::Text(text(value)));
+    }
+    let layers: Vec<_> = picture.layers.iter().map(|layer| encoded_layer(size, layer)).collect();
+    let image = Image::from_layers(attributes, layers);
+    image.write().to_buffered(sink).map_err(|error| match error {
+        exr::error::Error::Io(error) => error,
+        other => io::Error::other(other),
+    })
+}
+
+fn encoded_layer(size: Vec2<usize>, layer: &Layer) -> exr::image::Layer<AnyChannels<FlatSamples>> {
+    let channels = layer
+        .channels
+        .iter()
+        .map(|channel| AnyChannel::new(text(&channel.name), FlatSamples::F32(channel.data.clone())));
+    exr::image::Layer::new(
+        size,
+        LayerAttributes::named(text(&layer.name)),
+        Encoding::SMALL_LOSSLESS,
+        AnyChannels::sort(channels.collect()),
+    )
+}
+
+/// The file format says bytes; everybody writes UTF-8.
+fn text(string: &str) -> Text {
+    Text::from_bytes_unchecked(string.bytes().collect())
+}
+
+fn string(text: &Text) -> String {
+    String::from_utf8_lossy(text.as_slice()).into_owned()
+}
+
+/// Reads every layer: a part by its name, and channels such as `depth.Z` as a layer `depth`.
+pub(super) fn decode(path: &Path, report: Report) -> Result<Picture, Error> {
+    let wrong = |error: exr::error::Error| match error {
+        exr::error::Error::Io(error) if error.kind() != io::ErrorKind::UnexpectedEof => report.unreadable(error),
+        other => report.invalid(
+            Place::File,
+            format!("this OpenEXR file cannot be decoded: {other}"),
+            "write it anew with flat, uncompressed or ZIP-compressed layers",
+        ),
+    };
+    let open = || File::open(path).map(BufReader::new).map_err(|error| report.unreadable(error));
+    let metadata = MetaData::read_from_buffered(open()?, false).map_err(wrong)?;
+    for header in &metadata.headers {
+        let Vec2(width, height) = header.layer_size;
+        check_size(report, width as u64, height as u64, header.channels.list.len() as u64)?;
+    }
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .all_layers()
+        .all_attributes()
+        .from_buffered(open()?)
+        .map_err(wrong)?;
+    let Some(size) = image.layer_data.first().map(|layer| layer.size) else {
+        return Err(report.invalid(Place::File, "there are no layers", "write it anew"));
+    };
+    let mut layers: Vec<Layer> = Vec::new();
+    for part in image.layer_data {
+        let name = part.attributes.layer_name.as_ref().map_or(String::new(), string);
+        if part.size != size {
+            return Err(report.unsupported(
+                Place::File,
+                format!("layer `{name}` has another size than the first"),
+                "write all layers with one size",
+            ));
+        }
+        for channel in part.channel_data.list {
+            let full_name = string(&channel.name);
+            if channel.sampling != Vec2(1, 1) {
+                return Err(report.unsupported(
+                    Place::File,
+                    format!("channel `{full_name}` has fewer samples than there are pixels"),
+                    "write it with a sample a pixel",
+                ));
+            }
+            let data = channel.sample_data.values_as_f32().collect();
+            add_channel(&mut layers, &name, &full_name, data);
+        }
+    }
+    sort_colors(&mut layers);
+    Ok(Picture { width: size.0 as u32, height: size.1 as u32, layers })
+}
+
+fn add_channel(layers: &mut Vec<Layer>, part: &str, full_name: &str, data: Vec<f32>) {
+    let (prefix, name) = full_name.rsplit_once('.').unwrap_or(("", full_name));
+    let layer_name = match (part, prefix) {
+        ("", "") => COLOR.to_owned(),
+        (part, "") => part.to_owned(),
+        ("", prefix) => prefix.to_owned(),
+        (part, prefix) => format!("{part}.{prefix}"),
+    };
+    let channel = Channel { name: name.to_owned(), data };
+    match layers.iter_mut().find(|layer| layer.name == layer_name) {
+        Some(layer) => layer.channels.push(channel),
+        None => layers.push(Layer { name: layer_name, channels: vec![channel] }),
+    }
+}
+
+/// Files hold channels by alphabet: put colours as R, G, B, A again, and their layer first.
+fn sort_colors(layers: &mut [Layer]) {
+    for layer in layers.iter_mut() {
+        let rank = |channel: &Channel| ["R", "G", "B", "A"].iter().position(|n| *n == channel.name);
+        layer.channels.sort_by_key(|channel| rank(channel).unwrap_or(usize::MAX));
+    }
+    layers.sort_by_key(|layer| layer.channel("R").is_none() && layer.name != COLOR);
+}

@@ -1,0 +1,23 @@
+//! JPEG: sRGB in 8 bits, without alpha.
+
+use std::io;
+
+use image::ExtendedColorType;
+use image::codecs::jpeg::JpegEncoder;
+
+use super::picture::Picture;
+use super::srgb::{linear_to_srgb, to_8_bits};
+use super::write::{Metadata, Sink, WriteOptions};
+
+pub(super) fn encode(
+    sink: &mut Sink,
+    picture: &Picture,
+    _metadata: &Metadata,
+    options: WriteOptions,
+) -> io::Result<()> {
+    let code = |value| to_8_bits(linear_to_srgb(value));
+    let bytes: Vec<u8> = picture.color().into_iter().flat_map(|pixel| pixel.map(code)).collect();
+    JpegEncoder::new_with_quality(sink, options.jpeg_quality)
+        .encode(&bytes, picture.width, picture.height, ExtendedColorType::Rgb8)
+        .map_err(io::Error::other)
+}

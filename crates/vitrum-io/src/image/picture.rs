@@ -1,0 +1,126 @@
+//! A picture in memory.
+
+/// Layers of channels of one size. Values are linear and unbounded; row 0 is on top.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// Pixels along x.
+    pub width: u32,
+    /// Pixels along y.
+    pub height: u32,
+    /// The first is the picture itself; others, such as depth, go to OpenEXR alone.
+    pub layers: Vec<Layer>,
+}
+
+/// Channels that belong together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// Its name, unique in the picture.
+    pub name: String,
+    /// `R`, `G`, `B` and perhaps a straight `A`; `Y` where it is gray; else what it says.
+    pub channels: Vec<Channel>,
+}
+
+/// One number a pixel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Its name, unique in the layer.
+    pub name: String,
+    /// `width * height` values, row by row from the top.
+    pub data: Vec<f32>,
+}
+
+impl Picture {
+    /// A picture of one layer, `color`, with channels R, G and B.
+    ///
+    /// Whether the pixels are as many as the size says is checked when it is written.
+    #[must_use]
+    pub fn rgb(width: u32, height: u32, pixels: Vec<[f32; 3]>) -> Self {
+        Self::interleaved(width, height, ["R", "G", "B"], pixels)
+    }
+
+    /// As [`Self::rgb`] with a straight alpha A from 0, clear, to 1, opaque.
+    #[must_use]
+    pub fn rgba(width: u32, height: u32, pixels: Vec<[f32; 4]>) -> Self {
+        Self::interleaved(width, height, ["R", "G", "B", "A"], pixels)
+    }
+
+    /// As [`Self::rgb`] with one channel, Y.
+    #[must_use]
+    pub fn gray(width: u32, height: u32, pixels: Vec<f32>) -> Self {
+        let channels = vec![Channel { name: "Y".to_owned(), data: pixels }];
+        Self { width, height, layers: vec![Layer { name: COLOR.to_owned(), channels }] }
+    }
+
+    fn interleaved<const CHANNELS: usize>(
+        width: u32,
+        height: u32,
+        names: [&str; CHANNELS],
+        pixels: Vec<[f32; CHANNELS]>,
+    ) -> Self {
+        let mut planes = [(); CHANNELS].map(|()| Vec::with_capacity(pixels.len()));
+        for pixel in pixels {
+            for (plane, value) in planes.iter_mut().zip(pixel) {
+                plane.push(value);
+            }
+        }
+        let channels = names.into_iter().zip(planes);
+        let channels = channels.map(|(name, data)| Channel { name: name.to_owned(), data });
+        let layer = Layer { name: COLOR.to_owned(), channels: channels.collect() };
+        Self { width, height, layers: vec![layer] }
+    }
+
+    /// The first layer's pixels. One without R, G and B is gray: its first channel, repeated.
+    #[must_use]
+    pub fn color(&self) -> Vec<[f32; 3]> {
+        let Some(layer) = self.layers.first() else {
+            return Vec::new();
+        };
+        match layer.samples() {
+            Samples::Color([r, g, b]) => r.iter().zip(g).zip(b).map(|((&r, &g), &b)| [r, g, b]).collect(),
+            Samples::Gray(gray) => gray.iter().map(|&gray| [gray; 3]).collect(),
+        }
+    }
+}
+
+/// The name of the first layer.
+pub(super) const COLOR: &str = "color";
+
+/// What a format without named channels writes of a layer.
+pub(super) enum Samples<'a> {
+    Color([&'a [f32]; 3]),
+    Gray(&'a [f32]),
+}
+
+impl Layer {
+    /// The values of a channel.
+    #[must_use]
+    pub fn channel(&self, name: &str) -> Option<&[f32]> {
+        let channel = self.channels.iter().find(|channel| channel.name == name)?;
+        Some(&channel.data)
+    }
+
+    pub(super) fn samples(&self) -> Samples<'_> {
+        match (self.channel("R"), self.channel("G"), self.channel("B")) {
+            (Some(r), Some(g), Some(b)) => Samples::Color([r, g, b]),
+            _ => Samples::Gray(self.channels.first().map_or(&[], |channel| &channel.data)),
+        }
+    }
+
+    /// The first layer's channels pixel by pixel, gray or colour, each through `color` and an
+    /// alpha at the end through `alpha`; and how many channels that makes, 1 to 4.
+    pub(super) fn interleave<T>(&self, color: impl Fn(f32) -> T, alpha: impl Fn(f32) -> T) -> (Vec<T>, usize) {
+        let planes = match self.samples() {
+            Samples::Color(planes) => planes.to_vec(),
+            Samples::Gray(plane) => vec![plane],
+        };
+        let coverage = self.channel("A");
+        let channels = planes.len() + usize::from(coverage.is_some());
+        let pixels = planes.first().map_or(0, |plane| plane.len());
+        let mut out = Vec::with_capacity(pixels * channels);
+        for pixel in 0..pixels {
+            out.extend(planes.iter().filter_map(|plane| plane.get(pixel)).map(|&v| color(v)));
+            out.extend(coverage.and_then(|plane| plane.get(pixel)).map(|&v| alpha(v)));
+        }
+        (out, channels)
+    }
+}

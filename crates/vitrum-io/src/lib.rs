@@ -1,0 +1,39 @@
+//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI) and pictures (PNG, OpenEXR,
+//! Radiance HDR, JPEG, TIFF).
+//!
+//! Files come from anywhere, so nothing in them is believed before it is checked: sizes are held
+//! against the bytes that are there and the memory that may be used before anything is allocated,
+//! and a wrong file ends in an [`Error`] that names the place and the remedy, never in a panic.
+//! Pictures are written beside their path and renamed onto it, so a path never holds half of one.
+//!
+//! ```no_run
+//! use std::path::Path;
+//! use vitrum_io::{OpenOptions, Picture, open, write_picture};
+//!
+//! let volume = open(Path::new("head.nrrd"), &OpenOptions::default())?;
+//! println!("{:?} voxels from {} to {}", volume.dimensions, volume.range[0], volume.range[1]);
+//! let gray = Picture::gray(2, 1, vec![0.0, 0.5]);
+//! write_picture(Path::new("gray.png"), &gray, &[])?;
+//! # Ok::<(), vitrum_io::Error>(())
+//! ```
+
+mod error;
+pub mod image;
+mod memory;
+mod nifti;
+mod nrrd;
+mod open;
+mod placement;
+mod samples;
+mod stream;
+mod volume;
+mod voxels;
+
+pub use error::{Error, Place};
+pub use image::{
+    Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear, write_picture,
+    write_picture_with,
+};
+pub use open::{Input, OpenOptions, VolumeReader, open, readers};
+pub use volume::{Source, Volume};
+pub use voxels::Voxels;

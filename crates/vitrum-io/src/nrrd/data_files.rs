@@ -1,0 +1,182 @@
+//! Which files hold the data of a NRRD header.
+
+use std::fs;
+use std::path::{Component, Path};
+
+use super::description::Description;
+use super::header::{Field, Header, clip};
+use crate::error::{Error, Place, Report};
+use crate::open::{Input, display_name};
+
+/// More files than this for one volume are a mistake in the header.
+const MOST_FILES: u64 = 1_000_000;
+
+/// One file, and where its data segment starts.
+#[derive(Debug)]
+pub(super) struct DataFile {
+    pub path: std::path::PathBuf,
+    /// Its name for messages.
+    pub name: String,
+    /// Its size in bytes.
+    pub length: u64,
+    /// Where lines and bytes are skipped from.
+    pub start: u64,
+}
+
+/// The files in the order of their slices, each with the same share of the voxels.
+pub(super) fn locate(
+    header: &Header,
+    description: &Description,
+    input: &Input,
+    report: Report,
+) -> Result<Vec<DataFile>, Error> {
+    let Some(field) = header.get("datafile") else {
+        if !header.closed {
+            return Err(report.invalid(
+                Place::File,
+                "the header has neither a `data file` nor a blank line with the data behind it",
+                "name the data file, or get the whole file",
+            ));
+        }
+        return Ok(vec![DataFile {
+            path: input.path.to_owned(),
+            name: input.name.clone(),
+            length: input.length,
+            start: header.length,
+        }]);
+    };
+    let folder = input.path.parent().unwrap_or(Path::new(""));
+    let names = names(header, field, description, report)?;
+    names.iter().map(|name| data_file(report, field, folder, name)).collect()
+}
+
+/// File names as the header writes them: one, a list, or a numbered pattern.
+fn names(header: &Header, field: &Field, description: &Description, report: Report) -> Result<Vec<String>, Error> {
+    if field.text.split_whitespace().next() == Some("LIST") {
+        let rest = field.text.trim_start_matches("LIST").trim();
+        let subdim = if rest.is_empty() { None } else { Some(subdim(report, field, rest)?) };
+        let count = header.listed_files.len() as u64;
+        check_file_count(report, field, description, subdim, count)?;
+        return Ok(header.listed_files.clone());
+    }
+    let Some(pattern) = Pattern::parse(&field.text) else {
+        return Ok(vec![field.text.clone()]);
+    };
+    let count = pattern.count();
+    let subdim = pattern.subdim.map(|text| subdim(report, field, text)).transpose()?;
+    check_file_count(report, field, description, subdim, count.unwrap_or(0))?;
+    let numbers = (0..count.unwrap_or(0)).map(|index| pattern.first + index as i64 * pattern.step);
+    let names: Option<Vec<_>> = numbers.map(|number| expand(pattern.name, number)).collect();
+    names.ok_or_else(|| {
+        report.invalid(
+            field.place(),
+            format!("`{}` is not a name with one number such as %d or %03d", clip(pattern.name)),
+            "write `data file: slice%03d.raw FIRST LAST STEP`",
+        )
+    })
+}
+
+/// `<name with %d> <first> <last> <step> [<subdim>]`.
+struct Pattern<'a> {
+    name: &'a str,
+    first: i64,
+    last: i64,
+    step: i64,
+    subdim: Option<&'a str>,
+}
+
+impl<'a> Pattern<'a> {
+    /// `None` for a plain file name, which may have spaces and percent signs.
+    fn parse(text: &'a str) -> Option<Self> {
+        let words: Vec<_> = text.split_whitespace().collect();
+        let (&name, numbers) = words.split_first()?;
+        let (&[first, last, step], subdim) = match numbers {
+            [numbers @ .., subdim] if numbers.len() == 3 => (numbers.as_array()?, Some(*subdim)),
+            numbers => (numbers.as_array()?, None),
+        };
+        let [first, last, step] = [first, last, step].map(|word| word.parse::<i32>().ok());
+        let (first, last, step) = (first?.into(), last?.into(), step?.into());
+        name.contains('%').then_some(Self { name, first, last, step, subdim })
+    }
+
+    /// `None` where the step never gets from first to last.
+    fn count(&self) -> Option<u64> {
+        let steps = (self.last - self.first).checked_div(self.step)?;
+        u64::try_from(steps).ok().map(|steps| steps + 1)
+    }
+}
+
+/// `name` with its one `%d`, `%i` or `%u`, perhaps with a width such as `%03d`, put in numbers.
+fn expand(name: &str, number: i64) -> Option<String> {
+    let (before, after) = name.split_once('%')?;
+    let conversion = after.find(['d', 'i', 'u'])?;
+    let (width, rest) = after.split_at(conversion);
+    let rest = &rest[1..];
+    if rest.contains('%') {
+        return None;
+    }
+    let digits = match width {
+        "" => number.to_string(),
+        _ => match (width.strip_prefix('0'), width.parse::<usize>().ok()?) {
+            (_, 33..) => return None,
+            (Some(_), width) => format!("{number:0width$}"),
+            (None, width) => format!("{number:width$}"),
+        },
+    };
+    Some(format!("{before}{digits}{rest}"))
+}
+
+fn subdim(report: Report, field: &Field, text: &str) -> Result<usize, Error> {
+    text.parse().ok().filter(|subdim| (1..=3).contains(subdim)).ok_or_else(|| {
+        report.invalid(
+            field.place(),
+            format!("`{}` is not the dimension of a file's data, 1, 2 or 3", clip(text)),
+            "give 1 for rows, 2 for slices, 3 for slabs, or nothing for slices",
+        )
+    })
+}
+
+/// Each file holds a slice, or what `subdim` says: rows (1), slices (2) or slabs of slices (3).
+fn check_file_count(
+    report: Report,
+    field: &Field,
+    description: &Description,
+    subdim: Option<usize>,
+    count: u64,
+) -> Result<(), Error> {
+    let [_, height, depth] = description.dimensions.map(u64::from);
+    let (fits, expected) = match subdim {
+        Some(1) => (count == height * depth, format!("{} rows", height * depth)),
+        Some(3) => (count > 0 && depth.is_multiple_of(count), format!("equal slabs of {depth} slices")),
+        _ => (count == depth, format!("{depth} slices")),
+    };
+    if !fits || count > MOST_FILES {
+        return Err(report.invalid(
+            field.place(),
+            format!("{count} data files for {expected}, where at most {MOST_FILES} are read"),
+            "give one file for each, and check the numbers behind the pattern",
+        ));
+    }
+    Ok(())
+}
+
+/// Finds a file that the header names. A header may come from anywhere, so it reaches only regular
+/// files in its own folder and below.
+fn data_file(report: Report, field: &Field, folder: &Path, name: &str) -> Result<DataFile, Error> {
+    let relative = Path::new(name);
+    let inside = relative.components().all(|component| matches!(component, Component::Normal(_) | Component::CurDir));
+    let refuse = |problem: String| {
+        let advice = "put a regular file beside the header, and name it relative to that";
+        report.invalid(field.place(), problem, advice)
+    };
+    if !inside || name.is_empty() {
+        return Err(refuse(format!("the data file `{}` is not below the header", clip(name))));
+    }
+    let path = folder.join(relative);
+    let metadata = fs::metadata(&path)
+        .map_err(|error| refuse(format!("the data file `{}` cannot be read: {error}", clip(name))))?;
+    if !metadata.is_file() {
+        return Err(refuse(format!("the data file `{}` is not a regular file", clip(name))));
+    }
+    Ok(DataFile { name: display_name(&path), length: metadata.len(), path, start: 0 })
+}

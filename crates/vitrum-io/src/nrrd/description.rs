@@ -1,0 +1,247 @@
+//! What the fields of a NRRD header mean.
+
+use std::str::FromStr;
+
+use super::header::{Field, Header, clip};
+use super::space;
+use crate::error::{Error, Place, Report};
+use crate::placement::Placement;
+use crate::samples::{Endian, SampleType};
+
+/// How the samples are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Raw,
+    Gzip,
+    Text,
+    Hex,
+}
+
+impl Encoding {
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Raw => "raw",
+            Self::Gzip => "gzip",
+            Self::Text => "text",
+            Self::Hex => "hex",
+        }
+    }
+}
+
+/// Where the data starts, behind the skipped lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ByteSkip {
+    /// So many bytes on; with gzip, so many decompressed ones.
+    Forward(u64),
+    /// Where it has to, to end with the file.
+    FromEnd,
+}
+
+/// A header understood: all that reading the data takes.
+#[derive(Debug)]
+pub(super) struct Description {
+    pub sample: SampleType,
+    pub endian: Endian,
+    pub encoding: Encoding,
+    pub dimensions: [u32; 3],
+    /// Bytes of data, decoded to the file's sample type.
+    pub data_bytes: u64,
+    pub line_skip: u64,
+    pub byte_skip: ByteSkip,
+    pub placement: Placement,
+    pub assumptions: Vec<String>,
+}
+
+impl Description {
+    pub fn new(header: &Header, report: Report) -> Result<Self, Error> {
+        let sample = sample_type(header, report)?;
+        let encoding = encoding(header, report)?;
+        let endian = endian(header, report, sample, encoding)?;
+        let dimensions = dimensions(header, report)?;
+        let data_bytes = data_bytes(header, report, dimensions, sample)?;
+        let (line_skip, byte_skip) = skips(header, report, encoding)?;
+        let mut assumptions = Vec::new();
+        let placement = space::placement(header, report, &mut assumptions)?;
+        assumptions.extend(sample.rounding_note());
+        assumptions
+            .extend(header.unknown(KNOWN).map(|name| format!("the field `{}` was left out of account", clip(name))));
+        Ok(Self { sample, endian, encoding, dimensions, data_bytes, line_skip, byte_skip, placement, assumptions })
+    }
+
+    pub fn voxel_count(&self) -> u64 {
+        self.data_bytes / self.sample.size() as u64
+    }
+}
+
+/// Fields that are read, or that say nothing about the picture.
+const KNOWN: &[&str] = &[
+    "blocksize",
+    "byteskip",
+    "centerings",
+    "centers",
+    "content",
+    "datafile",
+    "dimension",
+    "encoding",
+    "endian",
+    "kinds",
+    "labels",
+    "lineskip",
+    "max",
+    "measurementframe",
+    "min",
+    "number",
+    "sampleunits",
+    "sizes",
+    "space",
+    "spacedimension",
+    "spacedirections",
+    "spaceorigin",
+    "spaceunits",
+    "spacings",
+    "thicknesses",
+    "type",
+    "units",
+];
+
+fn sample_type(header: &Header, report: Report) -> Result<SampleType, Error> {
+    let field = header.require(report, "type", "type: uint8")?;
+    // "unsigned  short" has been seen with two spaces.
+    let words: Vec<_> = field.text.split_whitespace().collect();
+    match words.join(" ").to_ascii_lowercase().as_str() {
+        "signed char" | "int8" | "int8_t" => Ok(SampleType::I8),
+        "uchar" | "unsigned char" | "uint8" | "uint8_t" => Ok(SampleType::U8),
+        "short" | "short int" | "signed short" | "signed short int" | "int16" | "int16_t" => Ok(SampleType::I16),
+        "ushort" | "unsigned short" | "unsigned short int" | "uint16" | "uint16_t" => Ok(SampleType::U16),
+        "int" | "signed int" | "int32" | "int32_t" => Ok(SampleType::I32),
+        "uint" | "unsigned int" | "uint32" | "uint32_t" => Ok(SampleType::U32),
+        "longlong"
+        | "long long"
+        | "long long int"
+        | "signed long long"
+        | "signed long long int"
+        | "int64"
+        | "int64_t" => Ok(SampleType::I64),
+        "ulonglong" | "unsigned long long" | "unsigned long long int" | "uint64" | "uint64_t" => Ok(SampleType::U64),
+        "float" => Ok(SampleType::F32),
+        "double" => Ok(SampleType::F64),
+        "block" => Err(report.unsupported(
+            field.place(),
+            "`block` samples have no number in them",
+            "convert them to a number type",
+        )),
+        other => Err(report.invalid(
+            field.place(),
+            format!("`{}` is not a sample type", clip(other)),
+            "use one of int8, uint8, int16, uint16, int32, uint32, int64, uint64, float, double",
+        )),
+    }
+}
+
+fn encoding(header: &Header, report: Report) -> Result<Encoding, Error> {
+    let field = header.require(report, "encoding", "encoding: raw")?;
+    match field.text.to_ascii_lowercase().as_str() {
+        "raw" => Ok(Encoding::Raw),
+        "gzip" | "gz" => Ok(Encoding::Gzip),
+        "txt" | "text" | "ascii" => Ok(Encoding::Text),
+        "hex" => Ok(Encoding::Hex),
+        name @ ("bzip2" | "bz2" | "zrl") => Err(report.unsupported(
+            field.place(),
+            format!("the encoding `{name}` is not raw, gzip, text or hex"),
+            "convert the file, for example by `unu save -f nrrd -e gzip`",
+        )),
+        other => Err(report.invalid(
+            field.place(),
+            format!("`{}` is not an encoding", clip(other)),
+            "use one of raw, gzip, text, hex",
+        )),
+    }
+}
+
+fn endian(header: &Header, report: Report, sample: SampleType, encoding: Encoding) -> Result<Endian, Error> {
+    let Some(field) = header.get("endian") else {
+        if sample.size() == 1 || encoding == Encoding::Text {
+            return Ok(Endian::Little);
+        }
+        return Err(report.invalid(
+            Place::File,
+            format!("the header has no `endian`, which {} samples in {} need", sample.name(), encoding.name()),
+            "add a line `endian: little` or `endian: big`",
+        ));
+    };
+    match field.text.to_ascii_lowercase().as_str() {
+        "little" => Ok(Endian::Little),
+        "big" => Ok(Endian::Big),
+        other => Err(report.invalid(
+            field.place(),
+            format!("`endian: {}` is neither little nor big", clip(other)),
+            "use one of the two",
+        )),
+    }
+}
+
+fn dimensions(header: &Header, report: Report) -> Result<[u32; 3], Error> {
+    let field = header.require(report, "dimension", "dimension: 3")?;
+    let dimension: u32 = numbers(report, field, 1)?[0];
+    if dimension != 3 {
+        return Err(report.unsupported(
+            field.place(),
+            format!("the data has {dimension} dimensions, and a scalar volume has 3"),
+            "pick out one volume or component first, for example by `unu slice -a AXIS -p INDEX`",
+        ));
+    }
+    let field = header.require(report, "sizes", "sizes: 64 64 64")?;
+    let sizes: Vec<u32> = numbers(report, field, 3)?;
+    if sizes.contains(&0) {
+        return Err(report.invalid(
+            field.place(),
+            format!("`sizes: {}` has no voxels", clip(&field.text)),
+            "give each axis a size of at least 1",
+        ));
+    }
+    Ok([sizes[0], sizes[1], sizes[2]])
+}
+
+fn data_bytes(header: &Header, report: Report, dimensions: [u32; 3], sample: SampleType) -> Result<u64, Error> {
+    let bytes = dimensions.into_iter().map(u128::from).product::<u128>() * sample.size() as u128;
+    // Half of the address space, so that no sum of sizes and offsets can overflow.
+    u64::try_from(bytes).ok().filter(|&bytes| bytes <= u64::MAX >> 1).ok_or_else(|| {
+        let place = header.get("sizes").map_or(Place::File, Field::place);
+        report.invalid(place, format!("the sizes make {bytes} bytes, more than any file holds"), "correct the sizes")
+    })
+}
+
+fn skips(header: &Header, report: Report, encoding: Encoding) -> Result<(u64, ByteSkip), Error> {
+    let line_skip = match header.get("lineskip") {
+        Some(field) => numbers(report, field, 1)?[0],
+        None => 0,
+    };
+    let Some(field) = header.get("byteskip") else {
+        return Ok((line_skip, ByteSkip::Forward(0)));
+    };
+    let skip: i64 = numbers(report, field, 1)?[0];
+    match (u64::try_from(skip), encoding) {
+        (Ok(skip), _) => Ok((line_skip, ByteSkip::Forward(skip))),
+        (Err(_), Encoding::Raw) if skip == -1 => Ok((line_skip, ByteSkip::FromEnd)),
+        _ => Err(report.invalid(
+            field.place(),
+            format!("`byte skip: {skip}` with {} encoding", encoding.name()),
+            "give 0 or more, or -1 with raw encoding for data at the end of the file",
+        )),
+    }
+}
+
+/// Exactly `count` numbers.
+pub(super) fn numbers<T: FromStr>(report: Report, field: &Field, count: usize) -> Result<Vec<T>, Error> {
+    let parsed = field.text.split_whitespace().map(str::parse).collect::<Result<Vec<T>, _>>();
+    parsed.ok().filter(|values| values.len() == count).ok_or_else(|| {
+        // The types in use are f64 and the integers.
+        let float = std::any::type_name::<T>().starts_with('f');
+        let expected = match (float, count) {
+            (true, _) => format!("{count} numbers"),
+            (false, 1) => "a whole number in range".to_owned(),
+            (false, _) => format!("{count} whole numbers in range"),
+        };
+        report.invalid(field.place(), format!("`{}` is not {expected}", clip(&field.text)), format!("write {expected}"))
+    })
+}

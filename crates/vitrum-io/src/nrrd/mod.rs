@@ -1,0 +1,196 @@
+//! NRRD, "nearly raw raster data": a text header, with the data behind it or in files beside it.
+//!
+//! The format: <https://teem.sourceforge.net/nrrd/format.html>.
+
+mod data_files;
+mod description;
+mod encodings;
+mod header;
+mod space;
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use flate2::bufread::MultiGzDecoder;
+
+use self::data_files::DataFile;
+use self::description::{ByteSkip, Description, Encoding};
+use self::header::Header;
+use crate::error::{Error, Place, Report};
+use crate::memory;
+use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::samples::VoxelBuffer;
+use crate::stream;
+use crate::volume::{Source, Volume};
+use crate::voxels::Voxels;
+
+/// The reader of `.nrrd` and `.nhdr` files.
+pub(crate) struct Nrrd;
+
+impl VolumeReader for Nrrd {
+    fn name(&self) -> &'static str {
+        "NRRD"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &[".nrrd", ".nhdr"]
+    }
+
+    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
+        head.starts_with(b"NRRD00")
+    }
+
+    fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
+        let report = Report::new(&input.name);
+        if input.gzipped {
+            return Err(report.unsupported(
+                Place::File,
+                "a NRRD file compressed as a whole",
+                "decompress it by `gunzip`; inside, `encoding: gzip` compresses the data alone",
+            ));
+        }
+        let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
+        let header = Header::read(BufReader::new(file), report)?;
+        let mut description = Description::new(&header, report)?;
+        let voxels = read_data(&header, &mut description, input, options)?;
+        let placement = &description.placement;
+        let name = input.name.clone();
+        let mut volume = Volume::new(name, description.dimensions, placement.spacing, voxels)?;
+        placement.apply(&mut volume);
+        let offset = description.sample.value_offset();
+        if offset != 0.0 {
+            volume = volume.with_value_mapping(1.0, offset)?;
+        }
+        volume.source = Source {
+            format: self.name(),
+            sample_type: description.sample.name().to_owned(),
+            encoding: match description.sample.size() {
+                1 => description.encoding.name().to_owned(),
+                _ => format!("{}, {}", description.encoding.name(), description.endian.name()),
+            },
+            assumptions: description.assumptions,
+        };
+        Ok(volume)
+    }
+}
+
+fn read_data(
+    header: &Header,
+    description: &mut Description,
+    input: &Input,
+    options: &OpenOptions,
+) -> Result<Voxels, Error> {
+    let report = Report::new(&input.name);
+    let count = description.voxel_count();
+    // Lies about the size come first: they are the better message, and need no memory.
+    let files = data_files::locate(header, description, input, report)?;
+    let share = count / files.len() as u64;
+    for file in &files {
+        check_possible(file, description, share)?;
+    }
+    memory::check(report, count * description.sample.stored_size() as u64, options.max_bytes)?;
+    let capacity = usize::try_from(count).unwrap_or(usize::MAX);
+    let mut voxels = VoxelBuffer::reserve(report, description.sample, description.endian, capacity)?;
+    let mut unread = 0;
+    for file in &files {
+        unread += read_file(file, description, &mut voxels, capacity / files.len())?;
+    }
+    let notes = &mut description.assumptions;
+    if files.len() > 1 {
+        notes.push(format!("the data was put together from {} files", files.len()));
+    }
+    if unread > 0 {
+        notes.push(format!("{unread} bytes behind the last voxel were left unread"));
+    }
+    Ok(voxels.into_voxels())
+}
+
+/// Fails where a file is too short for its share of voxels, however its bytes may be spread.
+fn check_possible(file: &DataFile, description: &Description, share: u64) -> Result<(), Error> {
+    let report = Report::new(&file.name);
+    let bytes = share * description.sample.size() as u64;
+    let there = file.length.saturating_sub(file.start);
+    match description.encoding {
+        Encoding::Gzip => stream::check_deflate(report, bytes, there),
+        Encoding::Raw => stream::check_length(report, bytes, file.start, there),
+        Encoding::Hex => stream::check_length(report, 2 * bytes, file.start, there),
+        Encoding::Text => encodings::check_text_length(report, share, file.start, there),
+    }
+}
+
+/// Decodes a file's `count` voxels, and returns how many bytes of raw data it has behind them.
+///
+/// Those may be padding or another program's. Surplus in any other encoding is an error: nothing
+/// pads inside a compressed stream or a list of numbers.
+fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffer, count: usize) -> Result<u64, Error> {
+    let report = Report::new(&file.name);
+    let unreadable = |error| report.unreadable(error);
+    let mut reader = BufReader::new(File::open(&file.path).map_err(unreadable)?);
+    reader.seek(SeekFrom::Start(file.start)).map_err(unreadable)?;
+    skip_lines(report, &mut reader, description.line_skip)?;
+    let size = description.sample.size();
+    let bytes = count as u64 * size as u64;
+    match description.encoding {
+        Encoding::Raw => {
+            let here = reader.stream_position().map_err(unreadable)?;
+            let start = match description.byte_skip {
+                ByteSkip::Forward(skip) => here.saturating_add(skip),
+                // A file too short for that is told so by the check below.
+                ByteSkip::FromEnd => file.length.saturating_sub(bytes).max(here),
+            };
+            let there = file.length.saturating_sub(start);
+            stream::check_length(report, bytes, start, there)?;
+            reader.seek(SeekFrom::Start(start)).map_err(unreadable)?;
+            stream::fill(report, voxels, &mut reader, count, size)?;
+            return Ok(there - bytes);
+        }
+        Encoding::Gzip => {
+            let mut inflated = MultiGzDecoder::new(reader);
+            skip_bytes(report, &mut inflated, description.byte_skip)?;
+            stream::fill(report, voxels, &mut inflated, count, size)?;
+            stream::refuse_surplus(report, &mut inflated, bytes)?;
+        }
+        Encoding::Hex => {
+            skip_bytes(report, &mut reader, description.byte_skip)?;
+            let mut decoded = encodings::HexReader::new(reader);
+            stream::fill(report, voxels, &mut decoded, count, size)?;
+            stream::refuse_surplus(report, &mut decoded, bytes)?;
+        }
+        Encoding::Text => {
+            skip_bytes(report, &mut reader, description.byte_skip)?;
+            let name = description.sample.name();
+            encodings::read_text(report, voxels, &mut reader, count, name)?;
+        }
+    }
+    Ok(0)
+}
+
+fn skip_lines(report: Report, reader: &mut impl BufRead, lines: u64) -> Result<(), Error> {
+    for line in 0..lines {
+        let skipped = reader.skip_until(b'\n').map_err(|error| report.unreadable(error))?;
+        if skipped == 0 {
+            return Err(report.invalid(
+                Place::File,
+                format!("the header skips {lines} lines of data, {line} are there"),
+                "correct `line skip` in the header",
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn skip_bytes(report: Report, reader: &mut impl Read, skip: ByteSkip) -> Result<(), Error> {
+    // Skipping from the end is refused with the encodings that come here.
+    let ByteSkip::Forward(bytes) = skip else { return Ok(()) };
+    let skipped = io::copy(&mut reader.take(bytes), &mut io::sink());
+    match skipped {
+        Ok(skipped) if skipped == bytes => Ok(()),
+        Ok(skipped) => Err(report.invalid(
+            Place::File,
+            format!("the header skips {bytes} bytes of data, {skipped} are there"),
+            "correct `byte skip` in the header",
+        )),
+        Err(error) => Err(stream::damaged(report, 0, bytes, error)),
+    }
+}

@@ -1,0 +1,178 @@
+//! Where a NRRD file says its grid lies: `space`, its directions and origin, spacings and units.
+
+use super::description::numbers;
+use super::header::{Field, Header, clip};
+use crate::error::{Error, Place, Report};
+use crate::placement::{Placement, narrow_origin};
+use crate::volume::{IDENTITY, check_spacing};
+
+pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<String>) -> Result<Placement, Error> {
+    refuse_components(header, report)?;
+    let (signs, space_note) = signs(header, report)?;
+    let scale = unit_scale(header, assumptions);
+    let to_world = |vector: [f64; 3]| -> [f64; 3] { std::array::from_fn(|axis| vector[axis] * signs[axis] * scale) };
+    let origin = header.get("spaceorigin").map(|field| vectors::<1>(report, field)).transpose()?;
+    let origin = origin.map(|[origin]| to_world(origin));
+    if let Some(field) = header.get("spacedirections") {
+        let columns = vectors::<3>(report, field)?.map(to_world);
+        let placement = Placement::from_columns(columns, origin)
+            .map_err(|problem| report.invalid(field.place(), problem, "correct the directions or the origin"))?;
+        assumptions.extend(space_note.map(str::to_owned));
+        assumptions.extend(placement.shear_note());
+        return Ok(placement);
+    }
+    if header.get("space").is_some() {
+        assumptions.push(
+            "the file names a space but no `space directions`: the index axes were taken for the \
+             world's, so the picture may be turned or mirrored"
+                .to_owned(),
+        );
+    }
+    let spacing = match header.get("spacings") {
+        Some(field) => {
+            let spacing: Vec<f64> = numbers(report, field, 3)?;
+            let spacing = [0, 1, 2].map(|axis| (spacing[axis] * scale) as f32);
+            check_spacing(report, spacing).map_err(|error| at(error, field.place()))?;
+            spacing
+        }
+        None => {
+            assumptions.push("the file says no spacings: 1 was taken along each axis".to_owned());
+            [1.0; 3]
+        }
+    };
+    let origin = origin.map(narrow_origin).transpose().map_err(|problem| {
+        let place = header.get("spaceorigin").map_or(Place::File, Field::place);
+        report.invalid(place, problem, "correct the origin")
+    })?;
+    Ok(Placement { spacing, axes: IDENTITY, origin })
+}
+
+/// Signs that turn the file's space into RAS+: x to the right, y to anterior, z to superior; with
+/// a sentence where the space is no patient's.
+fn signs(header: &Header, report: Report) -> Result<([f64; 3], Option<&'static str>), Error> {
+    if let Some(field) = header.get("spacedimension") {
+        let dimension: u32 = numbers(report, field, 1)?[0];
+        if dimension != 3 {
+            return Err(report.unsupported(
+                field.place(),
+                format!("a space of {dimension} dimensions, not 3"),
+                "write the volume in a space of 3 dimensions",
+            ));
+        }
+    }
+    let Some(field) = header.get("space") else {
+        return Ok(([1.0; 3], None));
+    };
+    match field.text.to_ascii_lowercase().as_str() {
+        "right-anterior-superior" | "ras" => Ok(([1.0, 1.0, 1.0], None)),
+        "left-anterior-superior" | "las" => Ok(([-1.0, 1.0, 1.0], None)),
+        "left-posterior-superior" | "lps" => Ok(([-1.0, -1.0, 1.0], None)),
+        "scanner-xyz" | "3d-right-handed" => {
+            Ok(([1.0; 3], Some("the file's space is no patient's: its x, y, z were taken for the world's")))
+        }
+        "3d-left-handed" => {
+            Ok(([-1.0, 1.0, 1.0], Some("the file's space is left-handed: its x was turned round to make the world's")))
+        }
+        name if name.ends_with("-time") || matches!(name, "rast" | "last" | "lpst") => Err(report.unsupported(
+            field.place(),
+            format!("`{}` is a space with time", clip(name)),
+            "pick out one point in time first",
+        )),
+        other => Err(report.invalid(
+            field.place(),
+            format!("`{}` is not a space", clip(other)),
+            "use one of right-anterior-superior, left-anterior-superior, left-posterior-superior, \
+             scanner-xyz, 3D-right-handed, 3D-left-handed",
+        )),
+    }
+}
+
+/// An axis of colours or vector components is none of a scalar volume's.
+fn refuse_components(header: &Header, report: Report) -> Result<(), Error> {
+    let spatial = |kind: &str| matches!(kind, "domain" | "space" | "???" | "none");
+    for name in ["kinds", "spacedirections"] {
+        let Some(field) = header.get(name) else { continue };
+        let lower = field.text.to_ascii_lowercase();
+        let other = lower.split_whitespace().find(|word| match name {
+            "kinds" => !spatial(word),
+            _ => *word == "none",
+        });
+        if let Some(word) = other {
+            return Err(report.unsupported(
+                field.place(),
+                format!("`{}` is an axis without extent in space", clip(word)),
+                "pick out one component first, for example by `unu slice -a AXIS -p INDEX`",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Millimetres per unit of the file, where it names one and the same for all axes; otherwise 1.
+fn unit_scale(header: &Header, assumptions: &mut Vec<String>) -> f64 {
+    let Some(field) = header.get("spaceunits").or_else(|| header.get("units")) else {
+        assumptions.push("the file names no unit of length: its own was kept".to_owned());
+        return 1.0;
+    };
+    let names: Vec<_> = field.text.split('"').skip(1).step_by(2).map(str::trim).collect();
+    let scales: Option<Vec<_>> = names.iter().map(|name| millimetres(name)).collect();
+    match scales.as_deref() {
+        Some(&[x, y, z]) if x == y && y == z => {
+            if x != 1.0 {
+                assumptions.push(format!("lengths in {} were turned into mm", names[0]));
+            }
+            x
+        }
+        _ => {
+            let text = clip(&field.text);
+            assumptions.push(format!("`{text}` is no known unit of length: it was kept"));
+            1.0
+        }
+    }
+}
+
+fn millimetres(unit: &str) -> Option<f64> {
+    match unit {
+        "m" | "meter" | "meters" => Some(1e3),
+        "cm" => Some(1e1),
+        "mm" | "millimeter" | "millimeters" => Some(1.0),
+        "um" | "µm" | "μm" | "micron" | "microns" | "micrometer" | "micrometers" => Some(1e-3),
+        "nm" => Some(1e-6),
+        _ => None,
+    }
+}
+
+/// `(1,0,0) (0, 1, 0)`: exactly `COUNT` vectors of 3, spaces allowed anywhere.
+fn vectors<const COUNT: usize>(report: Report, field: &Field) -> Result<[[f64; 3]; COUNT], Error> {
+    let parse = || {
+        let mut vectors = [[0.0; 3]; COUNT];
+        let mut rest = field.text.trim();
+        for vector in &mut vectors {
+            let (inside, after) = rest.strip_prefix('(')?.split_once(')')?;
+            let mut components = inside.split(',');
+            for component in vector {
+                *component = components.next()?.trim().parse().ok()?;
+            }
+            if components.next().is_some() {
+                return None;
+            }
+            rest = after.trim_start();
+        }
+        rest.is_empty().then_some(vectors)
+    };
+    parse().ok_or_else(|| {
+        report.invalid(
+            field.place(),
+            format!("`{}` is not {COUNT} vector(s) of 3 numbers", clip(&field.text)),
+            "write each vector as (x,y,z)",
+        )
+    })
+}
+
+/// The same error at a place that is known only here.
+fn at(error: Error, line: Place) -> Error {
+    match error {
+        Error::Invalid { file, problem, advice, .. } => Error::Invalid { file, place: line, problem, advice },
+        other => other,
+    }
+}

@@ -1,0 +1,87 @@
+//! Where a grid lies in the world, from the direction columns that medical files give.
+
+use crate::volume::Volume;
+
+/// Spacing, axes and, where the file says it, origin.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Placement {
+    pub spacing: [f32; 3],
+    pub axes: [[f32; 3]; 3],
+    /// `None` centres the grid on the world's origin.
+    pub origin: Option<[f32; 3]>,
+}
+
+impl Placement {
+    /// From the world step of each index axis, in columns: spacing is a column's length.
+    ///
+    /// Fails, with the problem, where a number is not finite or the columns do not span space.
+    pub fn from_columns(columns: [[f64; 3]; 3], origin: Option<[f64; 3]>) -> Result<Self, String> {
+        let lengths = columns.map(|[x, y, z]| x.hypot(y).hypot(z));
+        let unit: [[f64; 3]; 3] = std::array::from_fn(|axis| columns[axis].map(|component| component / lengths[axis]));
+        // Of unit columns: 1 at right angles, 0 where two or three fall together.
+        let [a, b, c] = unit;
+        let volume = dot(a, cross(b, c)).abs();
+        if lengths.iter().any(|&length| !(length > 0.0 && length.is_finite())) || volume < 1e-4 {
+            return Err(format!(
+                "the axis directions {} {} {} do not span space",
+                vector(columns[0]),
+                vector(columns[1]),
+                vector(columns[2])
+            ));
+        }
+        let origin = origin.map(narrow_origin).transpose()?;
+        Ok(Self { spacing: lengths.map(|length| length as f32), axes: unit.map(narrow), origin })
+    }
+
+    /// A sentence for [`crate::Source::assumptions`] where the axes are not at right angles.
+    pub fn shear_note(&self) -> Option<String> {
+        let [a, b, c] = self.axes.map(|axis| axis.map(f64::from));
+        let skew = [dot(a, b), dot(b, c), dot(c, a)].into_iter().fold(0.0, |most, cosine| f64::max(most, cosine.abs()));
+        (skew > 1e-3).then(|| {
+            let degrees = 90.0 - skew.min(1.0).acos().to_degrees();
+            format!("the axes are up to {degrees:.1}° off right angles, as the file says")
+        })
+    }
+
+    /// Moves `volume`, which has this spacing already.
+    pub fn apply(&self, volume: &mut Volume) {
+        volume.axes = self.axes;
+        volume.origin = self.origin.unwrap_or_else(|| {
+            // Step back from the world's origin by half of the grid along each axis.
+            std::array::from_fn(|component| {
+                -(0..3)
+                    .map(|axis| {
+                        let half = 0.5 * (volume.dimensions[axis] - 1) as f32;
+                        half * self.spacing[axis] * self.axes[axis][component]
+                    })
+                    .sum::<f32>()
+            })
+        });
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// A world position in float32, or the problem with it.
+pub(crate) fn narrow_origin(origin: [f64; 3]) -> Result<[f32; 3], String> {
+    let narrowed = narrow(origin);
+    if narrowed.iter().all(|value| value.is_finite()) {
+        Ok(narrowed)
+    } else {
+        Err(format!("the origin {} is not finite in float32", vector(origin)))
+    }
+}
+
+fn narrow(values: [f64; 3]) -> [f32; 3] {
+    values.map(|value| value as f32)
+}
+
+fn vector([x, y, z]: [f64; 3]) -> String {
+    format!("({x:?}, {y:?}, {z:?})")
+}

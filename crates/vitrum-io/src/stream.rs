@@ -1,0 +1,92 @@
+//! Checks between what a header promises and what the bytes behind it hold.
+
+use std::io::{self, Read};
+
+use crate::error::{Error, Place, Report};
+use crate::samples::{VoxelBuffer, read_up_to};
+
+/// Fails where `available` bytes cannot hold `needed`, before anything is allocated for them.
+pub(crate) fn check_length(report: Report, needed: u64, start: u64, available: u64) -> Result<(), Error> {
+    if available < needed {
+        return Err(report.invalid(
+            Place::Byte(start),
+            format!("the header promises {needed} bytes of data from here, {available} are there"),
+            "correct the sizes or the sample type in the header, or get the whole file",
+        ));
+    }
+    Ok(())
+}
+
+/// Fails where a deflate stream of `compressed` bytes cannot possibly hold `expected`.
+///
+/// Deflate codes at most 258 bytes in 2 bits, a ratio of 1032: a small file that promises more
+/// lies, and is refused without inflating it.
+pub(crate) fn check_deflate(report: Report, expected: u64, compressed: u64) -> Result<(), Error> {
+    let most = compressed.saturating_mul(1032);
+    if expected > most {
+        return Err(report.invalid(
+            Place::File,
+            format!(
+                "the header promises {expected} bytes of data, and the {compressed} compressed \
+                 bytes can hold {most} at most"
+            ),
+            "correct the sizes or the sample type in the header, or get the whole file",
+        ));
+    }
+    Ok(())
+}
+
+/// Decodes exactly `count` samples of `size` bytes from `reader` into `voxels`.
+pub(crate) fn fill(
+    report: Report,
+    voxels: &mut VoxelBuffer,
+    reader: &mut dyn Read,
+    count: usize,
+    size: usize,
+) -> Result<(), Error> {
+    let expected = count as u64 * size as u64;
+    let (found, outcome) = voxels.append(reader, count);
+    if let Err(error) = outcome {
+        return Err(damaged(report, found, expected, error));
+    }
+    if found < expected {
+        return Err(report.invalid(
+            Place::File,
+            format!("the header promises {expected} bytes of data, {found} were found"),
+            "correct the sizes or the sample type in the header, or get the whole file",
+        ));
+    }
+    Ok(())
+}
+
+/// Fails where a compressed stream goes on behind the `expected` bytes of data.
+///
+/// Reads to the end of the stream as long as that is near, which also checks its checksum, and
+/// gives up soon behind: a stream may inflate to a thousand times its size.
+pub(crate) fn refuse_surplus(report: Report, reader: &mut dyn Read, expected: u64) -> Result<(), Error> {
+    const SLACK: usize = 64 * 1024;
+    let (surplus, outcome) = read_up_to(reader, &mut vec![0; SLACK]);
+    let found = expected + surplus as u64;
+    outcome.map_err(|error| damaged(report, found, expected, error))?;
+    if surplus > 0 {
+        let more = if surplus == SLACK { "at least " } else { "" };
+        return Err(report.invalid(
+            Place::File,
+            format!("the header promises {expected} bytes of data, {more}{found} were found"),
+            "correct the sizes or the sample type in the header",
+        ));
+    }
+    Ok(())
+}
+
+/// An error out of a decoder is the file's fault, any other the system's.
+pub(crate) fn damaged(report: Report, found: u64, expected: u64, error: io::Error) -> Error {
+    match error.kind() {
+        io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput | io::ErrorKind::UnexpectedEof => report.invalid(
+            Place::File,
+            format!("the data is damaged after {found} of {expected} bytes: {error}"),
+            "get the file again, or write it anew",
+        ),
+        _ => report.unreadable(error),
+    }
+}

@@ -1,0 +1,224 @@
+//! A scalar volume in memory, as the kernels take it.
+
+use crate::error::{Error, Place, Report};
+use crate::voxels::Voxels;
+
+/// What a reader found in a file and what it had to assume, for people to read.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Source {
+    /// The file format, such as `NRRD`; empty for volumes that no file holds.
+    pub format: &'static str,
+    /// The file's sample type, such as `int16`.
+    pub sample_type: String,
+    /// How the file stores its samples, such as `gzip, little-endian`.
+    pub encoding: String,
+    /// What the file did not say or what was changed in reading, one sentence each.
+    pub assumptions: Vec<String>,
+}
+
+/// A scalar field on a regular grid, placed in the world.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Volume {
+    /// For messages: the file's name, or `builtin:NAME`.
+    pub name: String,
+    /// Voxels along x, y and z, each at least 1.
+    pub dimensions: [u32; 3],
+    /// The stored voxels.
+    pub voxels: Voxels,
+    /// `physical = stored * value_scale + value_offset`.
+    pub value_scale: f32,
+    /// See [`Self::value_scale`].
+    pub value_offset: f32,
+    /// Distance between voxel centres along each index axis, in world units, above 0: millimetres
+    /// where the file names a unit.
+    pub spacing: [f32; 3],
+    /// World position of the centre of voxel (0, 0, 0).
+    pub origin: [f32; 3],
+    /// Unit world direction of each index axis: `axes[0]` is that of +x. In medical files world x
+    /// points to the patient's right, y to anterior and z to superior (RAS+).
+    pub axes: [[f32; 3]; 3],
+    /// Smallest and largest physical value over the voxels, both finite.
+    pub range: [f32; 2],
+    /// Where the volume comes from.
+    pub source: Source,
+}
+
+impl Volume {
+    /// A volume centred on the world's origin with its axes along the world's, whose physical
+    /// values are the stored ones.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] where the voxels are not as many as `dimensions` says, or none; where a
+    /// spacing is not finite and above 0, or an extent above 1e18; where a voxel is NaN or infinite.
+    pub fn new(
+        name: impl Into<String>,
+        dimensions: [u32; 3],
+        spacing: [f32; 3],
+        voxels: Voxels,
+    ) -> Result<Self, Error> {
+        let name = name.into();
+        let report = Report::new(&name);
+        check_count(report, dimensions, &voxels)?;
+        check_spacing(report, spacing)?;
+        check_extent(report, dimensions, spacing)?;
+        check_finite(report, dimensions, &voxels)?;
+        // `check_count` refuses an empty volume, so the extremes are always there.
+        let range = voxels.extremes().unwrap_or_default();
+        let origin = std::array::from_fn(|axis| -0.5 * (dimensions[axis] - 1) as f32 * spacing[axis]);
+        Ok(Self {
+            dimensions,
+            voxels,
+            value_scale: 1.0,
+            value_offset: 0.0,
+            spacing,
+            origin,
+            axes: IDENTITY,
+            range,
+            source: Source::default(),
+            name,
+        })
+    }
+
+    /// The same voxels under `physical = stored * scale + offset`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] where `scale` is 0, or where either number or a physical value is not
+    /// finite.
+    pub fn with_value_mapping(mut self, scale: f32, offset: f32) -> Result<Self, Error> {
+        let mut range = self.voxels.extremes().unwrap_or_default().map(|end| end * scale + offset);
+        range.sort_by(f32::total_cmp);
+        if scale == 0.0 || !scale.is_finite() || range.iter().any(|end| !end.is_finite()) {
+            return Err(Report::new(&self.name).invalid(
+                Place::File,
+                format!("value scale {scale} and offset {offset} do not give finite, distinct values"),
+                "give a finite scale other than 0 and a finite offset",
+            ));
+        }
+        self.value_scale = scale;
+        self.value_offset = offset;
+        self.range = range;
+        Ok(self)
+    }
+
+    /// Number of voxels.
+    #[must_use]
+    pub fn voxel_count(&self) -> usize {
+        self.voxels.len()
+    }
+
+    /// Bytes of memory that the voxels take.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.voxels.bytes()
+    }
+
+    /// World size of the grid along each index axis, `dimensions * spacing`: from the outer face
+    /// of the first voxel to that of the last.
+    #[must_use]
+    pub fn extent(&self) -> [f32; 3] {
+        std::array::from_fn(|axis| self.dimensions[axis] as f32 * self.spacing[axis])
+    }
+
+    /// The physical value at a voxel; an index beyond the grid takes the last voxel of its axis.
+    ///
+    /// NaN only where the public fields were made to contradict each other.
+    #[must_use]
+    pub fn value(&self, x: u32, y: u32, z: u32) -> f32 {
+        let [width, height, depth] = self.dimensions;
+        let inside = |index: u32, size: u32| index.min(size.saturating_sub(1)) as usize;
+        let slice = width as usize * height as usize;
+        let index = inside(x, width) + inside(y, height) * width as usize + inside(z, depth) * slice;
+        self.voxels.stored(index).map_or(f32::NAN, |stored| stored * self.value_scale + self.value_offset)
+    }
+
+    /// How many voxels fall into each of `bins` equal parts of [`Self::range`].
+    ///
+    /// The largest value counts to the last part. Where all voxels are equal, all count to the
+    /// first.
+    #[must_use]
+    pub fn histogram(&self, bins: usize) -> Vec<u64> {
+        let mut counts = vec![0; bins];
+        if bins == 0 {
+            return counts;
+        }
+        let [low, high] = self.range.map(f64::from);
+        let per_unit = if high > low { bins as f64 / (high - low) } else { 0.0 };
+        let (scale, offset) = (f64::from(self.value_scale), f64::from(self.value_offset));
+        // The cast saturates, so that rounding below the range still counts to the first part.
+        let bin = |stored: f64| (((stored * scale + offset - low) * per_unit) as usize).min(bins - 1);
+        match &self.voxels {
+            Voxels::U8(voxels) => {
+                voxels.iter().for_each(|&voxel| counts[bin(f64::from(voxel))] += 1);
+            }
+            Voxels::U16(voxels) => {
+                voxels.iter().for_each(|&voxel| counts[bin(f64::from(voxel))] += 1);
+            }
+            Voxels::F32(voxels) => {
+                voxels.iter().for_each(|&voxel| counts[bin(f64::from(voxel))] += 1);
+            }
+        }
+        counts
+    }
+}
+
+pub(crate) const IDENTITY: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+fn check_count(report: Report, dimensions: [u32; 3], voxels: &Voxels) -> Result<(), Error> {
+    let expected: u128 = dimensions.into_iter().map(u128::from).product();
+    if expected == 0 || expected != voxels.len() as u128 {
+        let [x, y, z] = dimensions;
+        return Err(report.invalid(
+            Place::File,
+            format!("{x} x {y} x {z} voxels are {expected}, and {} were given", voxels.len()),
+            "give at least one voxel, and as many as the dimensions say",
+        ));
+    }
+    Ok(())
+}
+
+pub(crate) fn check_spacing(report: Report, spacing: [f32; 3]) -> Result<(), Error> {
+    for (axis, value) in ["x", "y", "z"].into_iter().zip(spacing) {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(report.invalid(
+                Place::File,
+                format!("the spacing along {axis} is {value}, not a finite number above 0"),
+                "correct the spacing",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Far below the end of float32, so that no sum or square root of positions overflows.
+fn check_extent(report: Report, dimensions: [u32; 3], spacing: [f32; 3]) -> Result<(), Error> {
+    const LARGEST: f32 = 1e18;
+    let extents = dimensions.iter().zip(spacing).map(|(&size, spacing)| size as f32 * spacing);
+    let largest = extents.fold(0.0, f32::max);
+    if largest > LARGEST {
+        return Err(report.invalid(
+            Place::File,
+            format!("the volume is {largest:e} long, and {LARGEST:e} is the most"),
+            "correct the spacing or its unit",
+        ));
+    }
+    Ok(())
+}
+
+fn check_finite(report: Report, dimensions: [u32; 3], voxels: &Voxels) -> Result<(), Error> {
+    let Voxels::F32(voxels) = voxels else {
+        return Ok(());
+    };
+    let count = voxels.iter().filter(|voxel| !voxel.is_finite()).count();
+    let Some(first) = voxels.iter().position(|voxel| !voxel.is_finite()) else {
+        return Ok(());
+    };
+    let [width, height, _] = dimensions.map(|size| size as usize);
+    let index = [first % width, first / width % height, first / (width * height)];
+    Err(report.invalid(
+        Place::Voxel(index.map(|index| index as u32)),
+        format!("{count} of {} voxels are NaN, infinite or beyond float32; this is the first", voxels.len()),
+        "replace them by a finite value, such as the background's",
+    ))
+}

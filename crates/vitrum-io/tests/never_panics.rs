@@ -1,0 +1,111 @@
+//! Properties: whatever the bytes are, opening them ends, in a volume, a picture or an error.
+
+mod common;
+
+use std::sync::LazyLock;
+
+use common::{Folder, NiftiHeader, attached, gzip, nrrd};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use vitrum_io::{OpenOptions, Picture, read_picture, write_picture};
+
+/// Bytes to overwrite, as positions and values, and how much to cut off the end.
+type Damage = (Vec<(usize, u8)>, usize);
+
+fn damage() -> impl Strategy<Value = Damage> {
+    (vec((any::<usize>(), any::<u8>()), 1..12), prop_oneof![4 => Just(0_usize), 1 => any::<usize>()])
+}
+
+fn damaged(file: &[u8], (changes, cut): &Damage) -> Vec<u8> {
+    let mut file = file.to_vec();
+    for (position, value) in changes {
+        let position = position % file.len();
+        file[position] = *value;
+    }
+    file.truncate(file.len() - cut % file.len());
+    file
+}
+
+fn volumes() -> Vec<Vec<u8>> {
+    let more = "endian: big\nspace: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1,2,3)\n";
+    let nifti = NiftiHeader::new(4, 2, false).with(&[1; 24]);
+    vec![
+        attached(&nrrd("int16", "raw", more), &[1; 24]),
+        attached(&nrrd("float", "gzip", more), &gzip(&[1; 48])),
+        attached(&nrrd("uint8", "text", "spacings: 1 2 3\n"), b"1 2 3 4 5 6 7 8 9 10 11 12"),
+        attached(&nrrd("uint8", "hex", "byte skip: 0\nline skip: 0\n"), b"0102030405060708090a0b0c"),
+        nrrd("uint8", "raw", "data file: slice%d 1 2 1 2\n").into_bytes(),
+        nrrd("uint8", "raw", "data file: LIST\nslice1\nslice2\n").into_bytes(),
+        gzip(&nifti),
+        nifti,
+    ]
+}
+
+/// One file of each picture format, written once.
+static PICTURES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
+    let folder = Folder::new();
+    let pixels = (0..16).map(|index| [index as f32 / 16.0, 0.5, 2.0]).collect();
+    let picture = Picture::rgb(4, 4, pixels);
+    ["png", "exr", "hdr", "jpg", "tif"]
+        .map(|extension| {
+            let path = folder.path(&format!("a.{extension}"));
+            write_picture(&path, &picture, &[]).unwrap();
+            std::fs::read(path).unwrap()
+        })
+        .to_vec()
+});
+
+fn open(folder: &Folder, name: &str, content: &[u8]) {
+    let path = folder.write(name, content);
+    let options = OpenOptions { max_bytes: Some(1 << 20) };
+    if let Ok(volume) = vitrum_io::open(&path, &options) {
+        assert!(volume.bytes() <= 1 << 20);
+        assert!(volume.range[0] <= volume.range[1] && volume.range.iter().all(|end| end.is_finite()));
+        assert!(volume.spacing.iter().all(|spacing| *spacing > 0.0 && spacing.is_finite()));
+        assert!(volume.origin.iter().chain(volume.axes.as_flattened()).all(|value| value.is_finite()));
+        assert_eq!(volume.histogram(7).iter().sum::<u64>(), volume.voxel_count() as u64);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn damaged_volumes(damage in damage()) {
+        let folder = Folder::new();
+        folder.write("slice1", [1; 6]);
+        folder.write("slice2", [2; 6]);
+        for file in volumes() {
+            open(&folder, "a", &damaged(&file, &damage));
+        }
+    }
+
+    #[test]
+    fn random_header_lines(lines in vec("(type|sizes|space|spacings|encoding|endian|data ?file|byte skip|line skip|space directions|space origin|units|kinds|LIST)[:= ]{1,3}[-0-9a-z%., ()\"]{0,24}", 0..6)) {
+        let header = nrrd("uint8", "raw", "");
+        let header: String = header.lines().filter(|line| {
+            let name = line.split(':').next().unwrap_or_default();
+            name.is_empty() || !lines.iter().any(|other| other.starts_with(name))
+        }).map(|line| format!("{line}\n")).collect();
+        let header = format!("{}{}\n\n", header.trim_end_matches('\n').to_owned() + "\n", lines.join("\n"));
+        open(&Folder::new(), "a.nrrd", &attached(&header, &[1; 12]));
+    }
+
+    #[test]
+    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|png|x") {
+        let folder = Folder::new();
+        open(&folder, &format!("a.{extension}"), &bytes);
+        let _ = read_picture(&folder.path(&format!("a.{extension}")));
+    }
+
+    #[test]
+    fn damaged_pictures(damage in damage()) {
+        let folder = Folder::new();
+        for file in PICTURES.iter() {
+            let path = folder.write("a", damaged(file, &damage));
+            if let Ok(picture) = read_picture(&path) {
+                assert_eq!(picture.color().len() as u64, u64::from(picture.width) * u64::from(picture.height));
+            }
+        }
+    }
+}

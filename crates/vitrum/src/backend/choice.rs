@@ -1,0 +1,93 @@
+//! Choosing a backend.
+
+use super::gpu::{adapters, describe, is_hardware};
+use super::{Backend, BackendError, CpuBackend, GpuBackend};
+use serde::Serialize;
+use vitrum_kernels::kernel::InstructionSet;
+
+/// Which backend is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Choice {
+    /// A hardware GPU if there is one, else the CPU. A software Vulkan driver does not count as a GPU.
+    #[default]
+    Auto,
+    /// The CPU.
+    Cpu,
+    /// A graphics adapter, a software one if there is no other.
+    Gpu,
+}
+
+/// Something kernels can run on.
+#[derive(Debug, Clone, Serialize)]
+pub struct DeviceInfo {
+    /// Its name.
+    pub name: String,
+    /// `cpu` or `gpu`: what `--backend` takes.
+    pub backend: &'static str,
+    /// `DiscreteGpu`, `IntegratedGpu`, `Cpu` …
+    pub kind: String,
+    /// Interface and driver.
+    pub driver: String,
+    /// The most bytes one buffer may have.
+    pub largest_buffer: u64,
+    /// Whether SPIR-V reaches the driver unchanged, which bit-equal results need.
+    pub passes_through: bool,
+    /// Whether `auto` takes it.
+    pub chosen_by_auto: bool,
+}
+
+/// Everything kernels can run on, the CPU last.
+pub fn devices() -> Vec<DeviceInfo> {
+    let mut found: Vec<DeviceInfo> = adapters()
+        .iter()
+        .map(|adapter| {
+            let info = adapter.get_info();
+            DeviceInfo {
+                name: info.name.clone(),
+                backend: "gpu",
+                kind: format!("{:?}", info.device_type),
+                driver: describe(&info),
+                largest_buffer: adapter
+                    .limits()
+                    .max_storage_buffer_binding_size
+                    .min(adapter.limits().max_buffer_size),
+                passes_through: adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+                    && info.backend == wgpu::Backend::Vulkan,
+                chosen_by_auto: is_hardware(&info),
+            }
+        })
+        .collect();
+    // `auto` takes the first hardware adapter only.
+    let mut taken = false;
+    for device in &mut found {
+        device.chosen_by_auto &= !taken;
+        taken |= device.chosen_by_auto;
+    }
+    found.push(DeviceInfo {
+        name: "CPU".to_owned(),
+        backend: "cpu",
+        kind: "Cpu".to_owned(),
+        driver: format!("native, {:?}", InstructionSet::best()),
+        largest_buffer: (i32::MAX as u64) * 4,
+        passes_through: true,
+        chosen_by_auto: !taken,
+    });
+    found
+}
+
+/// Opens a backend. `adapter` picks a graphics adapter by a part of its name, and then even `auto` takes a software one.
+pub fn open(
+    choice: Choice,
+    adapter: Option<&str>,
+    threads: Option<usize>,
+) -> Result<Box<dyn Backend>, BackendError> {
+    let cpu = || CpuBackend::new(threads).map(|backend| Box::new(backend) as Box<dyn Backend>);
+    let gpu = || GpuBackend::new(adapter).map(|backend| Box::new(backend) as Box<dyn Backend>);
+    match choice {
+        Choice::Cpu => cpu(),
+        Choice::Gpu => gpu(),
+        Choice::Auto if adapter.is_some() => gpu(),
+        Choice::Auto if adapters().iter().any(|found| is_hardware(&found.get_info())) => gpu(),
+        Choice::Auto => cpu(),
+    }
+}

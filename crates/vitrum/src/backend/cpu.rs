@@ -1,0 +1,212 @@
+//! The CPU backend: the kernels' own functions over rows, in parallel.
+
+use super::{Backend, BackendError, Buffer, Pass, PassList};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use vitrum_kernels::kernel::{Access, Chunk, InstructionSet};
+
+/// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
+const CHUNK_ROWS: u32 = 8;
+
+/// Passes between two calls of the progress function.
+const PASSES_PER_REPORT: usize = 24;
+
+/// Runs kernels natively, compiled per instruction set.
+pub struct CpuBackend {
+    pool: rayon::ThreadPool,
+    set: InstructionSet,
+    buffers: Vec<Option<Vec<u32>>>,
+}
+
+impl CpuBackend {
+    /// A backend with `threads` worker threads (all processors if `None`) and the machine's best instruction set.
+    pub fn new(threads: Option<usize>) -> Result<Self, BackendError> {
+        Self::with_instruction_set(threads, InstructionSet::best())
+    }
+
+    /// A backend that uses `set`, which must be available on this machine (else the best one is used).
+    pub fn with_instruction_set(threads: Option<usize>, set: InstructionSet) -> Result<Self, BackendError> {
+        let threads = threads.unwrap_or(0);
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .thread_name(|index| format!("vitrum-{index}"))
+            .build()
+            .map_err(|error| BackendError::Threads {
+                threads,
+                reason: error.to_string(),
+            })?;
+        let set = if set.is_available() { set } else { InstructionSet::best() };
+        Ok(Self {
+            pool,
+            set,
+            buffers: Vec::new(),
+        })
+    }
+
+    fn add(&mut self, words: Vec<u32>) -> Buffer {
+        let free = self.buffers.iter().position(Option::is_none);
+        let index = free.unwrap_or_else(|| {
+            self.buffers.push(None);
+            self.buffers.len() - 1
+        });
+        self.buffers[index] = Some(words);
+        Buffer(index)
+    }
+
+    /// Runs one pass; whether any invocation had work to do.
+    fn run_pass(&mut self, pass: &Pass) -> Result<bool, BackendError> {
+        pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
+        let declaration = &pass.kernel.declaration;
+        let written = declaration.bindings[1..]
+            .iter()
+            .position(|binding| matches!(binding.access, Access::Write | Access::Update));
+        let Some(written) = written.map(|index| pass.buffers[index]) else {
+            return Ok(false);
+        };
+        // Taken out for the time of the pass, so that the others can be borrowed beside it.
+        let mut output = self.buffers[written.0].take().unwrap_or_default();
+        let reads: Vec<&[u32]> = pass
+            .buffers
+            .iter()
+            .filter(|buffer| **buffer != written)
+            .filter_map(|buffer| self.buffers[buffer.0].as_deref())
+            .collect();
+        let busy = self.pool.install(|| rows(pass, self.set, &reads, &mut output));
+        self.buffers[written.0] = Some(output);
+        Ok(busy)
+    }
+}
+
+/// Runs a pass over all its rows.
+fn rows(pass: &Pass, set: InstructionSet, reads: &[&[u32]], output: &mut [u32]) -> bool {
+    let (width, height) = (pass.width, pass.height);
+    let count = width as usize * height as usize;
+    if count == 0 {
+        return false;
+    }
+    let chunk_len = width as usize * CHUNK_ROWS as usize;
+    let components = pass.kernel.declaration.components;
+    // Chunk by chunk, each component's part.
+    let mut chunks: Vec<Vec<&mut [f32]>> = (0..count.div_ceil(chunk_len))
+        .map(|_| Vec::with_capacity(components))
+        .collect();
+    for plane in bytemuck::cast_slice_mut::<u32, f32>(output)[..count * components].chunks_mut(count) {
+        for (chunk, part) in chunks.iter_mut().zip(plane.chunks_mut(chunk_len)) {
+            chunk.push(part);
+        }
+    }
+    // The kernels' uniform blocks are aligned to 16 bytes.
+    let uniforms: Vec<Aligned> = pass.uniforms.chunks(16).map(Aligned::from_bytes).collect();
+    let uniforms = &bytemuck::cast_slice::<Aligned, u8>(&uniforms)[..pass.uniforms.len()];
+    let busy = AtomicBool::new(false);
+    chunks.par_iter_mut().enumerate().for_each(|(index, output)| {
+        let first_row = index as u32 * CHUNK_ROWS;
+        let worked = (pass.kernel.run)(
+            set,
+            &mut Chunk {
+                first_row,
+                rows: CHUNK_ROWS.min(height - first_row),
+                width,
+                uniforms,
+                reads,
+                output,
+            },
+        );
+        if worked {
+            busy.store(true, Ordering::Relaxed);
+        }
+    });
+    busy.into_inner()
+}
+
+/// Sixteen aligned bytes.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C, align(16))]
+struct Aligned([u8; 16]);
+
+impl Aligned {
+    fn from_bytes(bytes: &[u8]) -> Self {
+        let mut aligned = Self([0; 16]);
+        aligned.0[..bytes.len()].copy_from_slice(bytes);
+        aligned
+    }
+}
+
+impl Backend for CpuBackend {
+    fn name(&self) -> &'static str {
+        "cpu"
+    }
+
+    fn adapter(&self) -> String {
+        format!("{} threads, {:?}", self.pool.current_num_threads(), self.set)
+    }
+
+    fn largest_buffer(&self) -> u64 {
+        // Kernels index words by a signed 32-bit number.
+        (i32::MAX as u64) * 4
+    }
+
+    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
+        self.check_size(label, contents.len() as u64)?;
+        Ok(self.add(bytemuck::pod_collect_to_vec(contents)))
+    }
+
+    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
+        self.check_size(label, bytes)?;
+        let words = usize::try_from(bytes / 4).unwrap_or(usize::MAX);
+        let mut buffer = Vec::new();
+        buffer.try_reserve_exact(words).map_err(|_| BackendError::OutOfMemory {
+            adapter: self.adapter(),
+            what: format!("{label}, {bytes} bytes"),
+        })?;
+        buffer.resize(words, 0);
+        Ok(self.add(buffer))
+    }
+
+    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+        let mut idle = false;
+        for (index, pass) in passes.passes.iter().enumerate() {
+            if index % PASSES_PER_REPORT == 0 && !progress(index) {
+                return Err(BackendError::Cancelled);
+            }
+            let name = pass.kernel.declaration.name;
+            if idle && passes.while_busy.contains(&name) {
+                continue;
+            }
+            let busy = self.run_pass(pass)?;
+            idle |= !busy && passes.ends_with == Some(name);
+        }
+        progress(passes.passes.len());
+        Ok(())
+    }
+
+    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
+        Ok(self.buffers[buffer.0]
+            .as_deref()
+            .map(|words| bytemuck::cast_slice(words).to_vec())
+            .unwrap_or_default())
+    }
+
+    fn free(&mut self, buffer: Buffer) {
+        self.buffers[buffer.0] = None;
+    }
+
+    fn device_bytes(&self) -> Option<u64> {
+        None
+    }
+}
+
+impl CpuBackend {
+    fn check_size(&self, label: &str, bytes: u64) -> Result<(), BackendError> {
+        debug_assert!(bytes > 0 && bytes.is_multiple_of(4), "{label} has {bytes} bytes");
+        if bytes > self.largest_buffer() {
+            return Err(BackendError::TooLarge {
+                label: label.to_owned(),
+                needed: bytes,
+                limit: self.largest_buffer(),
+                adapter: "the CPU backend".to_owned(),
+            });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,84 @@
+//! What can go wrong on a backend.
+
+/// Why a backend could not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum BackendError {
+    /// No adapter can be used.
+    #[error("no usable graphics adapter: {reason}")]
+    NoAdapter {
+        /// What was found instead.
+        reason: String,
+    },
+    /// The adapter lacks something.
+    #[error("adapter {adapter} lacks {what}")]
+    Unsupported {
+        /// The adapter.
+        adapter: String,
+        /// What it lacks.
+        what: String,
+    },
+    /// A buffer is larger than the device allows.
+    #[error("{label} needs {needed} bytes; {adapter} allows {limit} in one buffer")]
+    TooLarge {
+        /// What the buffer is for.
+        label: String,
+        /// Bytes needed.
+        needed: u64,
+        /// Bytes allowed.
+        limit: u64,
+        /// The adapter.
+        adapter: String,
+    },
+    /// The device has no memory left.
+    #[error("{adapter} is out of memory: {what}")]
+    OutOfMemory {
+        /// The adapter.
+        adapter: String,
+        /// What was being made.
+        what: String,
+    },
+    /// The device stopped working.
+    #[error("{adapter} failed: {reason}")]
+    DeviceLost {
+        /// The adapter.
+        adapter: String,
+        /// What the driver said.
+        reason: String,
+    },
+    /// A pass does not fit its kernel's declaration: a mistake in a method.
+    #[error("pass of kernel {kernel}: {what}")]
+    Misuse {
+        /// The kernel.
+        kernel: &'static str,
+        /// What does not fit.
+        what: String,
+    },
+    /// Worker threads could not be started.
+    #[error("{threads} threads cannot be started: {reason}")]
+    Threads {
+        /// Threads asked for.
+        threads: usize,
+        /// What the system said.
+        reason: String,
+    },
+    /// The caller cancelled the run.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl BackendError {
+    /// What to do about it.
+    pub fn help(&self) -> Option<&'static str> {
+        match self {
+            Self::NoAdapter { .. } => Some(
+                "use --backend cpu, or install a Vulkan driver (Debian: mesa-vulkan-drivers libvulkan1); `vitrum devices` lists what is found",
+            ),
+            Self::Unsupported { .. } | Self::DeviceLost { .. } => Some("use --backend cpu, or another adapter (--adapter)"),
+            Self::TooLarge { .. } | Self::OutOfMemory { .. } => {
+                Some("use --backend cpu, a smaller picture (--size) or a smaller volume")
+            }
+            Self::Threads { .. } => Some("ask for fewer (--threads)"),
+            Self::Misuse { .. } | Self::Cancelled => None,
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Finding an adapter and opening its device.
+
+use crate::backend::BackendError;
+use std::sync::{Arc, Mutex};
+
+/// What the driver reported while nobody was waiting for it.
+pub(super) type Failure = Arc<Mutex<Option<String>>>;
+
+/// All adapters of the platform's native interfaces.
+pub(crate) fn adapters() -> Vec<wgpu::Adapter> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::VULKAN | wgpu::Backends::METAL | wgpu::Backends::DX12,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()))
+}
+
+/// Whether an adapter is a graphics processor rather than a driver that runs on the CPU.
+pub(crate) fn is_hardware(info: &wgpu::AdapterInfo) -> bool {
+    info.device_type != wgpu::DeviceType::Cpu
+}
+
+/// Best first: discrete, integrated, virtual, other, software.
+fn rank(info: &wgpu::AdapterInfo) -> u32 {
+    match info.device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    }
+}
+
+/// The adapter's own words: name, interface, driver.
+pub(crate) fn describe(info: &wgpu::AdapterInfo) -> String {
+    let driver = [info.driver.as_str(), info.driver_info.as_str()]
+        .into_iter()
+        .filter(|text| !text.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ");
+    format!("{} ({:?}, {driver})", info.name, info.backend)
+}
+
+/// The best adapter whose description contains `wanted` (any case).
+pub(super) fn choose(wanted: Option<&str>) -> Result<wgpu::Adapter, BackendError> {
+    let mut found = adapters();
+    found.sort_by_key(|adapter| rank(&adapter.get_info()));
+    let names: Vec<String> = found.iter().map(|adapter| describe(&adapter.get_info())).collect();
+    let lowered = wanted.unwrap_or("").to_lowercase();
+    let index = names.iter().position(|name| name.to_lowercase().contains(&lowered));
+    index.map(|index| found.swap_remove(index)).ok_or_else(|| {
+        let reason = if names.is_empty() {
+            "no Vulkan, Metal or DX12 driver was found".to_owned()
+        } else {
+            format!("no adapter is called '{}'; there are: {}", wanted.unwrap_or(""), names.join(", "))
+        };
+        BackendError::NoAdapter { reason }
+    })
+}
+
+/// An open device.
+pub(super) struct Opened {
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
+    pub(super) failure: Failure,
+    /// Whether SPIR-V goes to the driver as it is.
+    pub(super) passes_through: bool,
+}
+
+/// Opens an adapter's device with all its limits.
+pub(super) fn open(adapter: &wgpu::Adapter) -> Result<Opened, BackendError> {
+    let name = describe(&adapter.get_info());
+    let passes_through = adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+        && adapter.get_info().backend == wgpu::Backend::Vulkan;
+    let required_features = if passes_through {
+        wgpu::Features::PASSTHROUGH_SHADERS
+    } else {
+        wgpu::Features::empty()
+    };
+    // SAFETY: pass-through hands the driver a module that wgpu did not check. Only the committed modules are passed; spirv-val
+    // has checked them, their bindings come from the declarations they were compiled from, and all their accesses are
+    // limited to the buffers.
+    let experimental_features = unsafe { wgpu::ExperimentalFeatures::enabled() };
+    let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+        label: Some("vitrum"),
+        required_features,
+        required_limits: adapter.limits(),
+        experimental_features,
+        ..Default::default()
+    }))
+    .map_err(|error| BackendError::Unsupported {
+        adapter: name,
+        what: error.to_string(),
+    })?;
+    let failure = Failure::default();
+    let lost = Arc::clone(&failure);
+    device.set_device_lost_callback(move |reason, message| {
+        if reason != wgpu::DeviceLostReason::Destroyed {
+            note(&lost, format!("device lost: {message}"));
+        }
+    });
+    let uncaptured = Arc::clone(&failure);
+    device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
+    Ok(Opened {
+        device,
+        queue,
+        failure,
+        passes_through,
+    })
+}
+
+/// Keeps the first failure.
+fn note(failure: &Failure, message: String) {
+    let mut slot = failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    slot.get_or_insert(message);
+}

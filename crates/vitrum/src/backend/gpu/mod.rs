@@ -1,0 +1,272 @@
+//! The GPU backend: the kernels' SPIR-V through wgpu, on Vulkan, Metal or DX12, without a window.
+
+mod adapter;
+mod modules;
+mod pipeline;
+
+pub(crate) use adapter::{adapters, describe, is_hardware};
+
+use super::{Backend, BackendError, Buffer, Pass, PassList};
+use adapter::Opened;
+use pipeline::Pipeline;
+use std::collections::HashMap;
+use vitrum_kernels::kernel::WORKGROUP;
+
+/// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
+const PASSES_PER_SUBMISSION: usize = 96;
+
+/// Runs kernels on a graphics adapter.
+pub struct GpuBackend {
+    opened: Opened,
+    adapter: String,
+    limits: wgpu::Limits,
+    pipelines: HashMap<&'static str, Pipeline>,
+    buffers: Vec<Option<wgpu::Buffer>>,
+}
+
+impl GpuBackend {
+    /// Opens the best adapter whose name, interface or driver contains `wanted`; software adapters come last.
+    pub fn new(wanted: Option<&str>) -> Result<Self, BackendError> {
+        let adapter = adapter::choose(wanted)?;
+        Ok(Self {
+            opened: adapter::open(&adapter)?,
+            adapter: describe(&adapter.get_info()),
+            limits: adapter.limits(),
+            pipelines: HashMap::new(),
+            buffers: Vec::new(),
+        })
+    }
+
+    /// The device's failure, if it had one.
+    fn check(&self) -> Result<(), BackendError> {
+        let mut slot = self.opened.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        match slot.take() {
+            None => Ok(()),
+            Some(reason) => Err(BackendError::DeviceLost {
+                adapter: self.adapter.clone(),
+                reason,
+            }),
+        }
+    }
+
+    /// Waits for a submission.
+    fn wait(&self, submission: wgpu::SubmissionIndex) -> Result<(), BackendError> {
+        self.opened
+            .device
+            .poll(wgpu::PollType::Wait {
+                submission_index: Some(submission),
+                timeout: None,
+            })
+            .map_err(|error| BackendError::DeviceLost {
+                adapter: self.adapter.clone(),
+                reason: error.to_string(),
+            })?;
+        self.check()
+    }
+
+    fn allocate(&mut self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer, BackendError> {
+        if bytes > self.largest_buffer() {
+            return Err(BackendError::TooLarge {
+                label: label.to_owned(),
+                needed: bytes,
+                limit: self.largest_buffer(),
+                adapter: self.adapter.clone(),
+            });
+        }
+        let scope = self.opened.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let buffer = self.opened.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: bytes,
+            usage: usage | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: false,
+        });
+        match pollster::block_on(scope.pop()) {
+            None => Ok(buffer),
+            Some(_) => Err(BackendError::OutOfMemory {
+                adapter: self.adapter.clone(),
+                what: format!("{label}, {bytes} bytes"),
+            }),
+        }
+    }
+
+    fn add(&mut self, buffer: wgpu::Buffer) -> Buffer {
+        let free = self.buffers.iter().position(Option::is_none);
+        let index = free.unwrap_or_else(|| {
+            self.buffers.push(None);
+            self.buffers.len() - 1
+        });
+        self.buffers[index] = Some(buffer);
+        Buffer(index)
+    }
+
+    fn get(&self, buffer: Buffer) -> Result<&wgpu::Buffer, BackendError> {
+        self.buffers[buffer.0].as_ref().ok_or_else(|| BackendError::Misuse {
+            kernel: "-",
+            what: format!("buffer {} is freed", buffer.0),
+        })
+    }
+
+    /// All passes' uniform blocks in one buffer; the stride between them.
+    fn upload_uniforms(&mut self, passes: &[Pass]) -> Result<(wgpu::Buffer, u64), BackendError> {
+        let largest = passes.iter().map(|pass| pass.uniforms.len()).max().unwrap_or(0) as u64;
+        let alignment = u64::from(self.limits.min_uniform_buffer_offset_alignment).max(16);
+        let stride = largest.max(16).next_multiple_of(alignment);
+        let mut bytes = vec![0; (stride * passes.len().max(1) as u64) as usize];
+        for (slot, pass) in bytes.chunks_mut(stride as usize).zip(passes) {
+            slot[..pass.uniforms.len()].copy_from_slice(&pass.uniforms);
+        }
+        let buffer = self.allocate("uniforms", bytes.len() as u64, wgpu::BufferUsages::UNIFORM)?;
+        self.opened.queue.write_buffer(&buffer, 0, &bytes);
+        Ok((buffer, stride))
+    }
+
+    fn prepare_pipelines(&mut self, passes: &[Pass]) -> Result<(), BackendError> {
+        for pass in passes {
+            pass.check(|buffer| self.buffers[buffer.0].as_ref().map(wgpu::Buffer::size))?;
+            let declaration = &pass.kernel.declaration;
+            if !self.pipelines.contains_key(declaration.name) {
+                let pipeline = Pipeline::new(&self.opened, &self.adapter, declaration)?;
+                self.pipelines.insert(declaration.name, pipeline);
+            }
+        }
+        Ok(())
+    }
+
+    fn bind_group(&self, pass: &Pass, uniforms: &wgpu::Buffer) -> Result<wgpu::BindGroup, BackendError> {
+        let declaration = &pass.kernel.declaration;
+        let block = wgpu::BufferBinding {
+            buffer: uniforms,
+            offset: 0,
+            size: std::num::NonZeroU64::new(declaration.uniform_bytes as u64),
+        };
+        let mut entries = vec![wgpu::BindGroupEntry {
+            binding: 0,
+            resource: wgpu::BindingResource::Buffer(block),
+        }];
+        for (buffer, binding) in pass.buffers.iter().zip(&declaration.bindings[1..]) {
+            entries.push(wgpu::BindGroupEntry {
+                binding: binding.binding,
+                resource: self.get(*buffer)?.as_entire_binding(),
+            });
+        }
+        Ok(self.opened.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(declaration.name),
+            layout: &self.pipelines[declaration.name].layout,
+            entries: &entries,
+        }))
+    }
+}
+
+impl Backend for GpuBackend {
+    fn name(&self) -> &'static str {
+        "gpu"
+    }
+
+    fn adapter(&self) -> String {
+        self.adapter.clone()
+    }
+
+    fn largest_buffer(&self) -> u64 {
+        // Kernels index words by a signed 32-bit number.
+        self.limits
+            .max_storage_buffer_binding_size
+            .min(self.limits.max_buffer_size)
+            .min((i32::MAX as u64) * 4)
+    }
+
+    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
+        let buffer = self.allocate(label, contents.len() as u64, wgpu::BufferUsages::STORAGE)?;
+        self.opened.queue.write_buffer(&buffer, 0, contents);
+        // Without this the copy waits in host memory until the first pass.
+        let submission = self.opened.queue.submit([]);
+        self.wait(submission)?;
+        Ok(self.add(buffer))
+    }
+
+    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
+        // wgpu clears new buffers.
+        let buffer = self.allocate(label, bytes, wgpu::BufferUsages::STORAGE)?;
+        Ok(self.add(buffer))
+    }
+
+    fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+        let passes = &list.passes;
+        self.prepare_pipelines(passes)?;
+        let (uniforms, stride) = self.upload_uniforms(passes)?;
+        let mut groups: HashMap<(&str, &[Buffer]), wgpu::BindGroup> = HashMap::new();
+        let mut under_way = None;
+        for (batch, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
+            let first = batch * PASSES_PER_SUBMISSION;
+            if !progress(first) {
+                return Err(BackendError::Cancelled);
+            }
+            for pass in chunk {
+                let key = (pass.kernel.declaration.name, pass.buffers.as_slice());
+                if !groups.contains_key(&key) {
+                    groups.insert(key, self.bind_group(pass, &uniforms)?);
+                }
+            }
+            let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            {
+                let mut compute = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+                for (index, pass) in chunk.iter().enumerate() {
+                    let name = pass.kernel.declaration.name;
+                    compute.set_pipeline(&self.pipelines[name].pipeline);
+                    let offset = ((first + index) as u64 * stride) as u32;
+                    compute.set_bind_group(0, &groups[&(name, pass.buffers.as_slice())], &[offset]);
+                    compute.dispatch_workgroups(pass.width.div_ceil(WORKGROUP), pass.height.div_ceil(WORKGROUP), 1);
+                }
+            }
+            let submission = self.opened.queue.submit([encoder.finish()]);
+            // One submission runs while the next is recorded.
+            if let Some(previous) = under_way.replace(submission) {
+                self.wait(previous)?;
+            }
+        }
+        if let Some(last) = under_way {
+            self.wait(last)?;
+        }
+        progress(passes.len());
+        Ok(())
+    }
+
+    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
+        let source = self.get(buffer)?.clone();
+        let staging = self.opened.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size: source.size(),
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(&source, 0, &staging, 0, source.size());
+        let submission = self.opened.queue.submit([encoder.finish()]);
+        let (sender, receiver) = std::sync::mpsc::channel();
+        staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+            // The receiver is gone only if this function already returned with an error.
+            let _ = sender.send(result);
+        });
+        self.wait(submission)?;
+        let lost = |reason: String| BackendError::DeviceLost {
+            adapter: self.adapter.clone(),
+            reason,
+        };
+        receiver
+            .recv()
+            .map_err(|error| lost(error.to_string()))?
+            .map_err(|error| lost(error.to_string()))?;
+        let view = staging
+            .slice(..)
+            .get_mapped_range()
+            .map_err(|error| lost(error.to_string()))?;
+        Ok(view.to_vec())
+    }
+
+    fn free(&mut self, buffer: Buffer) {
+        self.buffers[buffer.0] = None;
+    }
+
+    fn device_bytes(&self) -> Option<u64> {
+        Some(self.buffers.iter().flatten().map(wgpu::Buffer::size).sum())
+    }
+}

@@ -1,0 +1,94 @@
+//! Pipelines, made from the kernels' declarations.
+
+use super::adapter::Opened;
+use super::modules::module;
+use crate::backend::BackendError;
+use std::borrow::Cow;
+use vitrum_kernels::kernel::{Access, Binding, Declaration, WORKGROUP};
+
+/// A kernel on the device.
+pub(super) struct Pipeline {
+    pub(super) pipeline: wgpu::ComputePipeline,
+    pub(super) layout: wgpu::BindGroupLayout,
+}
+
+fn layout_entry(binding: &Binding, uniform_bytes: usize) -> wgpu::BindGroupLayoutEntry {
+    let uniform = binding.access == Access::Uniform;
+    let ty = match binding.access {
+        Access::Uniform => wgpu::BufferBindingType::Uniform,
+        Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
+        Access::Write | Access::Update => wgpu::BufferBindingType::Storage { read_only: false },
+    };
+    wgpu::BindGroupLayoutEntry {
+        binding: binding.binding,
+        visibility: wgpu::ShaderStages::COMPUTE,
+        ty: wgpu::BindingType::Buffer {
+            ty,
+            has_dynamic_offset: uniform,
+            min_binding_size: std::num::NonZeroU64::new(if uniform { uniform_bytes as u64 } else { 4 }),
+        },
+        count: None,
+    }
+}
+
+impl Pipeline {
+    /// Compiles a kernel for the device.
+    pub(super) fn new(opened: &Opened, adapter: &str, declaration: &Declaration) -> Result<Self, BackendError> {
+        let name = declaration.name;
+        let missing = || BackendError::Misuse {
+            kernel: name,
+            what: "has no SPIR-V; run `cargo xtask shaders`".to_owned(),
+        };
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(module(name).ok_or_else(missing)?);
+        let device = &opened.device;
+        let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let shader = if opened.passes_through {
+            // SAFETY: see `adapter::open`.
+            unsafe {
+                device.create_shader_module_passthrough(wgpu::ShaderModuleDescriptorPassthrough {
+                    label: Some(name),
+                    entry_points: Cow::Owned(vec![wgpu::PassthroughShaderEntryPoint {
+                        name: Cow::Borrowed(name),
+                        workgroup_size: (WORKGROUP, WORKGROUP, 1),
+                    }]),
+                    spirv: Some(Cow::Owned(words)),
+                    ..Default::default()
+                })
+            }
+        } else {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(name),
+                source: wgpu::ShaderSource::SpirV(Cow::Owned(words)),
+            })
+        };
+        let entries: Vec<_> = declaration
+            .bindings
+            .iter()
+            .map(|binding| layout_entry(binding, declaration.uniform_bytes))
+            .collect();
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some(name),
+            entries: &entries,
+        });
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(name),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(name),
+            layout: Some(&pipeline_layout),
+            module: &shader,
+            entry_point: Some(name),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        match pollster::block_on(scope.pop()) {
+            None => Ok(Self { pipeline, layout }),
+            Some(error) => Err(BackendError::Unsupported {
+                adapter: adapter.to_owned(),
+                what: format!("what kernel {name} needs: {error}"),
+            }),
+        }
+    }
+}

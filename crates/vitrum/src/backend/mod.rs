@@ -1,0 +1,47 @@
+//! Backends: where kernels run.
+//!
+//! A method is written once, against [`Backend`]: it makes buffers, lists passes, reads buffers. No method knows which backend
+//! runs it.
+
+mod choice;
+mod cpu;
+mod error;
+mod gpu;
+mod pass;
+
+pub use choice::{Choice, DeviceInfo, devices, open};
+pub use cpu::CpuBackend;
+pub use error::BackendError;
+pub use gpu::GpuBackend;
+pub use pass::{Buffer, Pass, PassList};
+
+/// Runs passes over buffers.
+pub trait Backend {
+    /// `cpu` or `gpu`.
+    fn name(&self) -> &'static str;
+
+    /// The processor or graphics adapter, in its own words.
+    fn adapter(&self) -> String;
+
+    /// The most bytes one buffer may have.
+    fn largest_buffer(&self) -> u64;
+
+    /// A buffer with `contents` (not empty; whole words).
+    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError>;
+
+    /// A buffer of `bytes` zero bytes (not 0; whole words).
+    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError>;
+
+    /// Runs all passes in order. `progress` is told how many are done from time to time; when it returns `false` the run ends
+    /// early with [`BackendError::Cancelled`].
+    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
+
+    /// The contents of a buffer.
+    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError>;
+
+    /// Frees a buffer.
+    fn free(&mut self, buffer: Buffer);
+
+    /// Bytes of graphics memory that buffers take; `None` for the CPU.
+    fn device_bytes(&self) -> Option<u64>;
+}

@@ -1,0 +1,146 @@
+//! Procedural volumes and the scenes that show them: nothing to download.
+//!
+//! All volumes are centred on the world's origin, stand upright along +z and are 2 world units along their longest edge (the
+//! ball and the Luneburg lens have a radius of exactly 1, and a margin). They are computed with additions, multiplications and
+//! square roots only, so that every machine makes the same voxels.
+
+mod ball;
+mod combustion;
+mod curves;
+mod glass;
+mod grid;
+mod head;
+mod luneburg;
+mod noise;
+mod shapes;
+mod supernova;
+
+use crate::scene::Scene;
+use std::sync::LazyLock;
+use vitrum_io::{Error, Volume};
+
+/// Name, one-line description and maker of a scene.
+type SceneEntry = (&'static str, &'static str, fn() -> Scene);
+
+/// Name, default resolution and maker of a volume.
+type VolumeEntry = (&'static str, u32, fn(&str, u32) -> Result<Volume, Error>);
+
+const SCENES: [&[SceneEntry]; 6] =
+    [glass::SCENES, supernova::SCENES, head::SCENES, combustion::SCENES, ball::SCENES, luneburg::SCENES];
+
+const VOLUMES: [VolumeEntry; 7] = [
+    ("glass", 256, glass::volume),
+    ("supernova", 256, supernova::volume),
+    ("head", 256, head::volume),
+    ("combustion", 256, combustion::volume),
+    ("combustion-mixture", 256, combustion::mixture_volume),
+    ("ball", 192, ball::volume),
+    ("luneburg", 160, luneburg::volume),
+];
+
+/// The built-in scenes and what each shows; a variant is named `SCENE/VARIANT`.
+#[must_use]
+pub fn names() -> &'static [(&'static str, &'static str)] {
+    static NAMES: LazyLock<Vec<(&str, &str)>> =
+        LazyLock::new(|| entries().map(|&(name, description, _)| (name, description)).collect());
+    &NAMES
+}
+
+/// The built-in scene of that name: volume, camera, light, materials and receivers.
+#[must_use]
+pub fn scene(name: &str) -> Option<Scene> {
+    entries().find(|entry| entry.0 == name).map(|entry| entry.2())
+}
+
+/// Computes the procedural volume of that name ([`crate::scene::VolumeSource::builtin`]), with `resolution` voxels along its
+/// longest edge (16 to 1024), or as many as suit a first picture.
+#[must_use]
+pub fn volume(name: &str, resolution: Option<u32>) -> Option<Result<Volume, Error>> {
+    let &(name, default, make) = VOLUMES.iter().find(|entry| entry.0 == name)?;
+    Some(make(name, resolution.unwrap_or(default)))
+}
+
+fn entries() -> impl Iterator<Item = &'static SceneEntry> {
+    SCENES.iter().copied().flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Attachment, Light};
+    use vitrum_io::Voxels;
+
+    #[test]
+    fn names_resolve_and_are_different() {
+        for (index, (name, description)) in names().iter().enumerate() {
+            assert!(scene(name).is_some(), "{name}");
+            assert!(!description.is_empty() && names()[..index].iter().all(|other| other.0 != *name), "{name}");
+        }
+        assert!(scene("glas").is_none() && scene("glass/").is_none() && volume("glass/beer", None).is_none());
+    }
+
+    #[test]
+    fn scenes_are_valid_and_differ_from_their_siblings() {
+        for (name, scene) in entries().map(|entry| (entry.0, entry.2())) {
+            scene.validate().unwrap_or_else(|error| panic!("{name}: {error}"));
+            for source in [Some(&scene.volume), scene.ior_volume.as_ref()].into_iter().flatten() {
+                let volume = source.builtin.as_deref().unwrap();
+                assert!(VOLUMES.iter().any(|entry| entry.0 == volume), "{name}: {volume}");
+            }
+            assert!(scene.transfer.reference_length.is_some(), "{name}: the look depends on the resolution");
+            let base = name.split('/').next().unwrap();
+            let same = entries().filter(|entry| entry.0.starts_with(base) && entry.2() == scene).count();
+            assert!(same <= if names().iter().any(|other| other.0 == base) { 2 } else { 1 }, "{name}");
+        }
+    }
+
+    #[test]
+    fn light_shines_away_from_the_camera() {
+        for (name, scene) in entries().map(|entry| (entry.0, entry.2())) {
+            let Light { attachment, azimuth, elevation, direction, .. } = scene.light;
+            assert_eq!((attachment, direction), (Attachment::Camera, None), "{name}");
+            let cosine = azimuth.to_radians().cos() * elevation.to_radians().cos();
+            assert!(cosine > 85_f32.to_radians().cos(), "{name}");
+        }
+    }
+
+    #[test]
+    fn air_is_empty_in_every_scene() {
+        for (name, scene) in entries().map(|entry| (entry.0, entry.2())) {
+            let volume = volume(scene.volume.builtin.as_deref().unwrap(), Some(32)).unwrap().unwrap();
+            let transfer = scene.transfer;
+            assert!(transfer.opacity[0].opacity == 0.0 && transfer.opacity[0].value >= volume.range[0], "{name}");
+            assert!(transfer.ior.first().is_none_or(|point| point.ior == 1.0), "{name}");
+            assert!(transfer.medium.first().is_none_or(|point| point.color == [1.0; 3]), "{name}");
+            let air = volume.histogram(50)[0] as f32 / volume.voxel_count() as f32;
+            assert!((0.3..0.9).contains(&air), "{name}: {air} is air");
+        }
+    }
+
+    /// FNV-1a of the stored voxels: they are the same on every machine.
+    fn fingerprint(volume: &Volume) -> u64 {
+        let bytes: Vec<u8> = match &volume.voxels {
+            Voxels::U8(voxels) => voxels.clone(),
+            Voxels::U16(voxels) => voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect(),
+            Voxels::F32(voxels) => voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect(),
+        };
+        bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    }
+
+    #[test]
+    fn voxels_are_the_same_everywhere() {
+        let found: Vec<(&str, u64)> =
+            VOLUMES.iter().map(|&(name, ..)| (name, fingerprint(&volume(name, Some(48)).unwrap().unwrap()))).collect();
+        assert_eq!(found, FINGERPRINTS);
+    }
+
+    const FINGERPRINTS: [(&str, u64); 7] = [
+        ("glass", 0),
+        ("supernova", 0),
+        ("head", 0),
+        ("combustion", 0),
+        ("combustion-mixture", 0),
+        ("ball", 0),
+        ("luneburg", 0),
+    ];
+}

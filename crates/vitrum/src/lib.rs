@@ -1,0 +1,19 @@
+//! Refractive volume rendering: one kernel source in Rust, on the GPU and on the CPU.
+//!
+//! The way data flows: [`vitrum_io::open`] reads a volume, a [`scene::Scene`] says how it is shown, [`render`] prepares
+//! tables and buffers, hands a list of passes to a [`backend::Backend`] and returns a [`Frame`].
+
+pub mod backend;
+pub mod builtin;
+mod frame;
+mod inputs;
+pub mod method;
+pub mod preset;
+mod render;
+pub mod scene;
+pub mod suggest;
+
+pub use frame::{Frame, Statistics};
+pub use inputs::Inputs;
+pub use render::{Error, Progress, render};
+pub use vitrum_io as io;

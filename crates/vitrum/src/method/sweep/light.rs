@@ -1,0 +1,143 @@
+//! The light's direction and its grid.
+
+use super::planes::Planes;
+use super::view::{View, corners, from_angles, vector};
+use crate::render::Error;
+use crate::scene::{Attachment, Light, Scene};
+use glam::{DVec2, DVec3};
+use vitrum_io::Volume;
+
+/// The steepest angle between light and viewing direction, in degrees (sweep §7).
+const STEEPEST: f64 = 85.0;
+/// The grid follows the light up to this slope; beyond, texels would have to cover too wide a strip.
+const STEEPEST_SHEAR: f64 = 2.0;
+/// The most texels along an edge.
+const MOST_TEXELS: f64 = 8192.0;
+
+/// The grid of light texels: one rectangle per plane, shifted from plane to plane along the light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LightGrid {
+    /// Corner of texel (0, 0) on plane 0, in the sweep frame.
+    pub corner: DVec2,
+    /// Edge of a texel, world units.
+    pub texel: f64,
+    /// Texels across and up.
+    pub size: [u32; 2],
+    /// Shift per unit of depth.
+    pub shear: DVec2,
+    /// Unit direction in which the light starts.
+    pub direction: DVec3,
+}
+
+/// The unit direction in which light travels, in the sweep frame; an error if it is too far from the viewing direction.
+pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
+    let travels = match (light.attachment, light.direction) {
+        (Attachment::Camera, Some(v)) => {
+            let v = vector(v);
+            DVec3::new(v.x, v.y, -v.z)
+        }
+        (Attachment::World, Some(v)) => view.direction(vector(v)),
+        (Attachment::Camera, None) => {
+            let (azimuth, elevation) = (
+                f64::from(light.azimuth).to_radians(),
+                f64::from(light.elevation).to_radians(),
+            );
+            DVec3::new(
+                -azimuth.sin() * elevation.cos(),
+                -elevation.sin(),
+                azimuth.cos() * elevation.cos(),
+            )
+        }
+        (Attachment::World, None) => {
+            view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation))
+        }
+    };
+    let Some(unit) = travels.try_normalize() else {
+        return Err(Error::Scene("light.direction has no length: give three numbers that are not all 0".to_owned()));
+    };
+    let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
+    if angle > STEEPEST {
+        return Err(Error::Scene(format!(
+            "the light travels at {angle:.1}° to the viewing direction, at most {STEEPEST}° are possible: it must shine away from \
+             the camera; turn light.azimuth or light.elevation towards 0, or use light.attachment = \"camera\""
+        )));
+    }
+    Ok(unit)
+}
+
+impl LightGrid {
+    pub(super) fn new(
+        scene: &Scene,
+        view: &View,
+        volumes: &[&Volume],
+        planes: &Planes,
+        direction: DVec3,
+    ) -> Result<Self, Error> {
+        let slope = direction.truncate() / direction.z;
+        let shear = slope.clamp_length_max(STEEPEST_SHEAR);
+        let first = planes.depth(0);
+        let last = planes.depth(planes.count - 1);
+        // Along the sheared grid, unrefracted light stays where it is: the volume's outline is all that can hold shadow. Where
+        // the shear is limited, shadows drift on to the last plane.
+        let drift = (slope - shear) * (last - first);
+        let mut low = DVec2::INFINITY;
+        let mut high = DVec2::NEG_INFINITY;
+        for corner in volumes.iter().flat_map(|volume| corners(volume)) {
+            let point = view.point(corner);
+            let outline = point.truncate() - shear * (point.z - first);
+            low = low.min(outline).min(outline + drift);
+            high = high.max(outline).max(outline + drift);
+        }
+        let margin = (high - low) * f64::from(scene.light.margin);
+        let (low, high) = (low - margin, high + margin);
+        let rays = scene.film.height * scene.film.supersampling;
+        let depth = 0.5 * (planes.volume_depths[0].max(planes.volume_depths[1] * 0.1) + planes.volume_depths[1]);
+        let pixel = view.pixel_size(rays, depth.abs().max(1e-6)) / f64::from(scene.light.resolution);
+        let extent = high - low;
+        // Close up, pixels get finer than any voxel; light needs no more than a few texels a voxel.
+        let voxel = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let finest = (f64::from(voxel) / (4.0 * f64::from(scene.light.resolution))).max(extent.max_element() / MOST_TEXELS);
+        let texel = pixel.clamp(finest, extent.max_element() / 16.0);
+        let count = |length: f64| (length / texel).ceil().clamp(4.0, MOST_TEXELS) as u32;
+        let size = [count(extent.x), count(extent.y)];
+        let centre = (low + high) * 0.5;
+        let half = DVec2::new(f64::from(size[0]), f64::from(size[1])) * (0.5 * texel);
+        Ok(Self {
+            corner: centre - half,
+            texel,
+            size,
+            shear,
+            direction,
+        })
+    }
+
+    /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
+    ///
+    /// The taps lie on an ellipse, stretched along the light's tilt and turned by a hash of the plane's index. Blurring n times
+    /// adds variances, so a radius of Δz·tan(softness) would blur by √n instead of n and depend on the sample distance. The
+    /// radius is chosen so that the blur over the volume's depth D is that of a source with half-angle `softness`: three taps
+    /// have variance r²/2 an axis, a disc R²/4, and n r²/2 = (D tan)²/4 gives r = tan √(Δz D / 2).
+    pub(super) fn taps(&self, softness: f32, planes: &Planes, index: u32) -> [DVec2; 3] {
+        let depth = planes.volume_depths[1] - planes.volume_depths[0];
+        let tangent = f64::from(softness).to_radians().tan();
+        let radius = tangent * (planes.distance * depth * 0.5).sqrt() / self.texel;
+        let along = self.direction.truncate().try_normalize().unwrap_or(DVec2::X);
+        let across = along.perp();
+        let start = hash(index) * std::f64::consts::TAU;
+        std::array::from_fn(|tap| {
+            let angle = start + tap as f64 * std::f64::consts::TAU / 3.0;
+            (along * (angle.cos() / self.direction.z) + across * angle.sin()) * radius
+        })
+    }
+}
+
+/// A number in 0…1 for a plane, the same everywhere (the finaliser of MurmurHash3).
+fn hash(index: u32) -> f64 {
+    let mut h = index.wrapping_add(0x9e37_79b9);
+    h ^= h >> 16;
+    h = h.wrapping_mul(0x85eb_ca6b);
+    h ^= h >> 13;
+    h = h.wrapping_mul(0xc2b2_ae35);
+    h ^= h >> 16;
+    f64::from(h) / 4_294_967_296.0
+}

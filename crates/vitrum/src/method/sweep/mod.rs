@@ -1,0 +1,112 @@
+//! The plane sweep (Magnus & Bruckner 2017): refraction, coloured transmission, soft shadows and caustics in scalar volumes.
+//!
+//! [`Sweep::prepare`] turns a scene into tables, buffers and a pass list; [`Sweep::run`] hands the list to the backend;
+//! [`Sweep::film`] and [`Sweep::light`] read what came out.
+
+mod environment;
+mod light;
+mod occupancy;
+mod passes;
+mod planes;
+mod receivers;
+mod tables;
+mod uniforms;
+mod view;
+mod voxels;
+
+pub use light::LightGrid;
+pub use planes::Planes;
+pub use tables::Tables;
+pub use view::View;
+
+use crate::backend::{Backend, BackendError, Buffer, PassList};
+use crate::inputs::Inputs;
+use crate::render::Error;
+use crate::scene::Scene;
+use uniforms::Fixed;
+use vitrum_kernels::abi::record;
+
+/// A frame that is ready to run.
+pub struct Sweep {
+    /// The passes.
+    pub passes: PassList,
+    /// The planes.
+    pub planes: Planes,
+    /// The light grid.
+    pub light_grid: LightGrid,
+    /// Rays across and down.
+    pub rays: [u32; 2],
+    buffers: Buffers,
+}
+
+/// The buffers of a frame.
+struct Buffers {
+    all: Vec<Buffer>,
+    light: [Buffer; 2],
+    rays: Buffer,
+    film: Buffer,
+}
+
+impl Sweep {
+    /// Builds tables, uploads buffers and lists the passes.
+    pub fn prepare(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
+        let fixed = Fixed::new(scene, inputs)?;
+        let mut created = Vec::new();
+        let result = passes::build(scene, inputs, &fixed, backend, &mut created);
+        match result {
+            Ok((passes, buffers)) => Ok(Self {
+                passes,
+                planes: fixed.planes,
+                light_grid: fixed.light_grid,
+                rays: fixed.rays,
+                buffers,
+            }),
+            Err(error) => {
+                for buffer in created {
+                    backend.free(buffer);
+                }
+                Err(error)
+            }
+        }
+    }
+
+    /// Runs all passes; `progress` gets the planes that are done and returns whether to go on.
+    pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u32) -> bool) -> Result<(), BackendError> {
+        let total = self.passes.passes.len().max(1);
+        let planes = self.planes.count;
+        backend.run(&self.passes, &mut |done| {
+            progress((done as u64 * u64::from(planes) / total as u64) as u32)
+        })
+    }
+
+    /// The finished pixels: planar records as [`record::film`] describes, for `rays` pixels.
+    pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.film)?))
+    }
+
+    /// The viewing rays as they are now: planar records as [`record::ray`] describes.
+    pub fn ray_records(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.rays)?))
+    }
+
+    /// The light on the last plane: planar records as [`record::light`] describes, for the light grid's texels.
+    pub fn light(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        self.light_on(backend, self.planes.count - 1)
+    }
+
+    /// The light buffer that plane `index` was written to.
+    pub fn light_on(&self, backend: &mut dyn Backend, index: u32) -> Result<Vec<f32>, BackendError> {
+        let buffer = self.buffers.light[index as usize % 2];
+        Ok(bytemuck::pod_collect_to_vec(&backend.read(buffer)?))
+    }
+
+    /// Components of a light record.
+    pub const LIGHT_COMPONENTS: usize = record::light::SIZE;
+
+    /// Frees the frame's buffers.
+    pub fn free(self, backend: &mut dyn Backend) {
+        for buffer in self.buffers.all {
+            backend.free(buffer);
+        }
+    }
+}

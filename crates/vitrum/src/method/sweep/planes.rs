@@ -1,0 +1,82 @@
+//! The planes of a sweep.
+
+use super::receivers::Receivers;
+use super::view::{View, corners};
+use crate::render::Error;
+use crate::scene::Scene;
+use glam::DVec3;
+use vitrum_io::Volume;
+
+/// The most planes of one frame.
+const MOST_PLANES: f64 = 65_536.0;
+
+/// Planes at equal distances, from in front of the volume to behind it and behind its shadow on the receivers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Planes {
+    /// Depth of plane 0.
+    pub first_depth: f64,
+    /// Distance of neighbouring planes, world units.
+    pub distance: f64,
+    /// Number of planes.
+    pub count: u32,
+    /// The first plane with viewing rays: those before it are behind the eye.
+    pub first_visible: u32,
+    /// Depth of the volume's near and far ends.
+    pub volume_depths: [f64; 2],
+}
+
+impl Planes {
+    pub(super) fn new(
+        scene: &Scene,
+        view: &View,
+        volumes: &[&Volume],
+        receivers: &Receivers,
+        light: DVec3,
+    ) -> Result<Self, Error> {
+        let edge = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let distance = f64::from(edge) * f64::from(scene.sweep.sample_distance);
+        let points: Vec<DVec3> = volumes
+            .iter()
+            .flat_map(|volume| corners(volume))
+            .map(|corner| view.point(corner))
+            .collect();
+        let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
+        let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
+        // Where the volume's shadow falls on a receiver, but not endlessly far.
+        let limit = far + 2.0 * (far - near);
+        let reach = points
+            .iter()
+            .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))
+            .fold(far, f64::max)
+            .min(limit);
+        let first_depth = near - 0.5 * distance;
+        let steps = ((reach - first_depth) / distance).ceil() + 1.0;
+        if steps > MOST_PLANES {
+            return Err(Error::Scene(format!(
+                "sweep.sample_distance = {} makes {steps} planes; at most {MOST_PLANES} are possible: make it larger",
+                scene.sweep.sample_distance
+            )));
+        }
+        let count = steps as u32 + 1;
+        // Just in front of the eye: rays start there.
+        let start = if view.orthographic { f64::NEG_INFINITY } else { 1e-3 * (far - near) };
+        let first_visible = ((start - first_depth) / distance).ceil().max(0.0);
+        if first_visible >= f64::from(count) {
+            return Err(Error::Scene(
+                "the whole volume is behind the camera: move camera.position or camera.target".to_owned(),
+            ));
+        }
+        Ok(Self {
+            first_depth,
+            distance,
+            count,
+            first_visible: first_visible as u32,
+            volume_depths: [near, far],
+        })
+    }
+
+    /// Depth of plane `index`.
+    pub fn depth(&self, index: u32) -> f64 {
+        self.first_depth + f64::from(index) * self.distance
+    }
+}

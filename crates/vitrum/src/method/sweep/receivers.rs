@@ -1,0 +1,50 @@
+//! Ground and wall as planes of the sweep frame.
+
+use super::view::{View, bounding_sphere, corners, from_angles};
+use crate::scene::Scene;
+use glam::{DVec3, DVec4};
+use vitrum_io::Volume;
+
+/// Planes of the sweep frame: signed distance = xyz · point + w, positive on the visible side; all 0 if absent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Receivers {
+    pub(super) ground: DVec4,
+    pub(super) wall: DVec4,
+}
+
+/// The plane through `point` with `normal` (world), in the sweep frame.
+pub(super) fn plane(view: &View, normal: DVec3, point: DVec3) -> DVec4 {
+    view.direction(normal).extend((view.eye - point).dot(normal))
+}
+
+impl Receivers {
+    pub(super) fn new(scene: &Scene, view: &View, volume: &Volume) -> Self {
+        let (centre, radius) = bounding_sphere(volume);
+        let ground = scene.ground.as_ref().map_or(DVec4::ZERO, |ground| {
+            let lowest = corners(volume)
+                .iter()
+                .map(|corner| corner.dot(view.up))
+                .fold(f64::INFINITY, f64::min);
+            let height = ground.height.map_or(lowest, f64::from);
+            plane(view, view.up, view.up * height)
+        });
+        let wall = scene.wall.as_ref().map_or(DVec4::ZERO, |wall| {
+            let facing = from_angles(view.up, view.front, wall.azimuth, 0.0);
+            let distance = wall.distance.map_or(radius, f64::from);
+            plane(view, facing, centre - facing * distance)
+        });
+        Self { ground, wall }
+    }
+
+    /// How far `direction` leads from `point` to the first receiver, in units of `direction`.
+    pub(super) fn first(&self, point: DVec3, direction: DVec3) -> Option<f64> {
+        [self.ground, self.wall]
+            .iter()
+            .filter_map(|plane| {
+                let distance = plane.truncate().dot(point) + plane.w;
+                let speed = -plane.truncate().dot(direction);
+                (distance > 0.0 && speed > 1e-9).then(|| distance / speed)
+            })
+            .min_by(f64::total_cmp)
+    }
+}

@@ -1,0 +1,216 @@
+//! The uniform block, from the scene.
+
+use super::environment::Prepared;
+use super::light::{LightGrid, direction};
+use super::planes::Planes;
+use super::receivers::{Receivers, plane};
+use super::tables::Tables;
+use super::view::{View, bounding_sphere, vector};
+use super::voxels::{chosen_format, grid};
+use crate::inputs::Inputs;
+use crate::render::Error;
+use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene};
+use glam::{DVec4, UVec4, Vec4};
+use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
+
+/// The smallest v_z / |v| of a ray that goes on: 89°. Beyond, one plane's step would cross dozens of voxels.
+const SMALLEST_COSINE: f32 = 0.017_452;
+/// The most clipping planes.
+const MOST_CLIPS: usize = 4;
+
+/// What does not change from plane to plane.
+pub(super) struct Fixed {
+    pub(super) view: View,
+    pub(super) planes: Planes,
+    pub(super) light_grid: LightGrid,
+    pub(super) rays: [u32; 2],
+    pub(super) tables: Tables,
+    pub(super) environment: Prepared,
+    /// One of [`vitrum_kernels::abi::grid::format`].
+    pub(super) format: u32,
+    /// The farthest step, in voxels, over which a brick's range holds.
+    pub(super) reach: [u32; 2],
+    /// [`mode`] of viewing rays.
+    pub(super) mode: u32,
+    block: SweepUniforms,
+    softness: f32,
+}
+
+fn single(v: DVec4) -> Vec4 {
+    v.as_vec4()
+}
+
+fn rgb(color: [f32; 3]) -> Vec4 {
+    Vec4::new(color[0], color[1], color[2], 0.0)
+}
+
+/// Steps up to one and a half times the plane distance (48° to the planes' normal) stay within a brick's range.
+fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
+    let finest = volume.spacing.iter().copied().fold(f32::INFINITY, f32::min);
+    (1.5 * distance / f64::from(finest)).ceil().clamp(1.0, 64.0) as u32
+}
+
+impl Fixed {
+    pub(super) fn new(scene: &Scene, inputs: &Inputs) -> Result<Self, Error> {
+        let shown = &inputs.volume;
+        let bending = inputs.ior_volume.as_ref();
+        let volumes: Vec<_> = std::iter::once(shown).chain(bending).collect();
+        let view = View::new(scene, shown);
+        let towards = direction(&scene.light, &view)?;
+        let receivers = Receivers::new(scene, &view, shown);
+        let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
+        let light_grid = LightGrid::new(scene, &view, &volumes, &planes, towards)?;
+        let tables = Tables::new(
+            &scene.transfer,
+            scene.sweep.refraction,
+            shown,
+            bending.unwrap_or(shown),
+        );
+        let environment = Prepared::new(&scene.environment, inputs.environment.as_ref(), &view);
+        let supersampling = scene.film.supersampling;
+        let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
+        let reach = [
+            reach(shown, planes.distance),
+            bending.map_or(1, |volume| reach(volume, planes.distance)),
+        ];
+        let mode = match (tables.refracts, scene.sweep.gradient) {
+            (false, _) => mode::STRAIGHT,
+            (true, Gradient::Central) => mode::CENTRAL,
+            (true, Gradient::Chain) => mode::CHAIN,
+        };
+        let first_ior_brick: u32 = super::voxels::bricks(shown).iter().product();
+        let mut block = SweepUniforms {
+            dispatch: UVec4::new(0, 0, 0, flags(scene)),
+            size: UVec4::new(rays[0], rays[1], light_grid.size[0], light_grid.size[1]),
+            grid: grid(shown, &view, reach[0], 0),
+            light_grid: Vec4::new(
+                light_grid.corner.x as f32,
+                light_grid.corner.y as f32,
+                light_grid.texel as f32,
+                (1.0 / light_grid.texel) as f32,
+            ),
+            light_shear: Vec4::new(
+                light_grid.shear.x as f32,
+                light_grid.shear.y as f32,
+                planes.depth(0) as f32,
+                0.0,
+            ),
+            light_direction: towards.as_vec3().extend(0.0),
+            camera: Vec4::new(
+                view.half_size[0] as f32,
+                view.half_size[1] as f32,
+                planes.depth(planes.first_visible) as f32,
+                if view.orthographic { 1.0 } else { 0.0 },
+            ),
+            ground_plane: single(receivers.ground),
+            ground_color: scene.ground.as_ref().map_or(Vec4::ZERO, |ground| rgb(ground.color)),
+            wall_plane: single(receivers.wall),
+            wall_color: scene.wall.as_ref().map_or(Vec4::ZERO, |wall| rgb(wall.color)),
+            ambient: rgb(scene.shading.ambient),
+            shading: Vec4::new(scene.shading.roughness, scene.shading.specular, SMALLEST_COSINE, 0.0),
+            environment: environment.shape,
+            environment_x: environment.rows[0],
+            environment_y: environment.rows[1],
+            environment_z: environment.rows[2],
+            environment_color: environment.color,
+            environment_horizon: environment.horizon,
+            environment_nadir: environment.nadir,
+            ..SweepUniforms::default()
+        };
+        block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, &view, reach[1], first_ior_brick));
+        block.light_initial = initial_light(scene, &block);
+        let reference = scene
+            .transfer
+            .reference_length
+            .unwrap_or_else(|| shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
+        block.plane.z = planes.distance as f32;
+        block.plane.w = 1.0 / reference;
+        set_clips(&mut block, scene, &view, shown)?;
+        Ok(Self {
+            view,
+            planes,
+            light_grid,
+            rays,
+            tables,
+            environment,
+            format: chosen_format(shown, bending),
+            reach,
+            mode,
+            block,
+            softness: scene.light.softness,
+        })
+    }
+
+    /// The block of a pass over `width` × `height` invocations that leads to plane `index`.
+    pub(super) fn block(&self, width: u32, height: u32, mode: u32, index: u32) -> SweepUniforms {
+        let mut block = self.block;
+        block.dispatch.x = width;
+        block.dispatch.y = height;
+        block.dispatch.z = mode;
+        block.plane.x = self.planes.depth(index.saturating_sub(1)) as f32;
+        block.plane.y = self.planes.depth(index) as f32;
+        let [a, b, c] = self.light_grid.taps(self.softness, &self.planes, index);
+        block.taps_a = Vec4::new(a.x as f32, a.y as f32, b.x as f32, b.y as f32);
+        block.taps_b = Vec4::new(c.x as f32, c.y as f32, 0.0, 0.0);
+        block
+    }
+
+    /// [`mode`] of light.
+    pub(super) fn light_mode(&self) -> u32 {
+        if self.softness > 0.0 { self.mode + mode::FILTERED } else { self.mode }
+    }
+}
+
+fn flags(scene: &Scene) -> u32 {
+    let mut flags = 0;
+    if scene.sweep.integrator == Integrator::Euler {
+        flags |= flag::EULER;
+    }
+    flags |= match scene.sweep.intensity {
+        Intensity::Jacobian => 0,
+        Intensity::Paper => flag::PAPER_INTENSITY | flag::STORE_RADIANCE,
+        Intensity::None => flag::NO_INTENSITY | flag::STORE_RADIANCE,
+    };
+    if !scene.clip.is_empty() {
+        flags |= flag::CLIP;
+    }
+    if scene.sweep.empty_space_skipping {
+        flags |= flag::SKIP_EMPTY;
+    }
+    flags
+}
+
+/// Unoccluded light as it is stored.
+fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec4 {
+    let stored = if block.dispatch.w & flag::STORE_RADIANCE != 0 { 1.0 } else { block.light_direction.z };
+    let factor = scene.light.intensity * stored;
+    let [r, g, b] = scene.light.color;
+    Vec4::new(r * factor, g * factor, b * factor, 0.0)
+}
+
+fn set_clips(
+    block: &mut SweepUniforms,
+    scene: &Scene,
+    view: &View,
+    volume: &vitrum_io::Volume,
+) -> Result<(), Error> {
+    if scene.clip.len() > MOST_CLIPS {
+        return Err(Error::Scene(format!(
+            "{} clipping planes are given, at most {MOST_CLIPS} are possible",
+            scene.clip.len()
+        )));
+    }
+    let (centre, _) = bounding_sphere(volume);
+    let mut planes = [Vec4::ZERO; MOST_CLIPS];
+    let mut everything = [0.0; MOST_CLIPS];
+    for (slot, clip) in scene.clip.iter().enumerate() {
+        let normal = vector(clip.normal)
+            .try_normalize()
+            .ok_or_else(|| Error::Scene(format!("clip.{slot}.normal has no length: give three numbers that are not all 0")))?;
+        planes[slot] = single(plane(view, normal, centre + normal * f64::from(clip.offset)));
+        everything[slot] = if clip.removes == Removes::Everything { 1.0 } else { 0.0 };
+    }
+    [block.clip_0, block.clip_1, block.clip_2, block.clip_3] = planes;
+    block.clip_everything = Vec4::from_array(everything);
+    Ok(())
+}

@@ -1,0 +1,137 @@
+//! The sweep frame: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
+
+use crate::scene::{Camera, Projection, Scene, Vector};
+use glam::{DMat3, DVec3};
+use vitrum_io::Volume;
+
+/// The share of the bounding sphere's radius that `zoom = 1` fits into the picture: a box seen face on fills it well, and
+/// only a box seen exactly corner on touches the edge.
+const FIT: f64 = 0.87;
+
+/// Where the picture is taken from.
+#[derive(Debug, Clone, Copy)]
+pub struct View {
+    /// The eye, in the world.
+    pub eye: DVec3,
+    /// Unit vectors of the sweep frame, in the world, as columns: right, up, away from the eye.
+    pub axes: DMat3,
+    /// Whether rays are parallel.
+    pub orthographic: bool,
+    /// Half the picture's width and height: at depth 1 (perspective), or anywhere (orthographic).
+    pub half_size: [f64; 2],
+    /// The world's up as the camera has it.
+    pub up: DVec3,
+    /// The horizontal direction from which azimuth 0 looks.
+    pub front: DVec3,
+    /// Depth of the target.
+    pub target_depth: f64,
+}
+
+/// A scene vector in double precision.
+pub(super) fn vector(v: Vector) -> DVec3 {
+    DVec3::new(f64::from(v[0]), f64::from(v[1]), f64::from(v[2]))
+}
+
+/// Columns: the world vector of one voxel step along each axis of the volume.
+pub(super) fn voxel_steps(volume: &Volume) -> DMat3 {
+    let step = |axis: usize| vector(volume.axes[axis]) * f64::from(volume.spacing[axis]);
+    DMat3::from_cols(step(0), step(1), step(2))
+}
+
+/// The eight corners of the volume's box (whole voxels), in the world.
+pub(super) fn corners(volume: &Volume) -> [DVec3; 8] {
+    let steps = voxel_steps(volume);
+    let origin = vector(volume.origin);
+    std::array::from_fn(|corner| {
+        let end = |axis: usize| {
+            let far = f64::from(volume.dimensions[axis]) - 0.5;
+            if corner >> axis & 1 == 0 { -0.5 } else { far }
+        };
+        origin + steps * DVec3::new(end(0), end(1), end(2))
+    })
+}
+
+/// Centre and radius of the sphere around the volume's box.
+pub(super) fn bounding_sphere(volume: &Volume) -> (DVec3, f64) {
+    let corners = corners(volume);
+    let centre = corners.iter().sum::<DVec3>() / 8.0;
+    let radius = corners
+        .iter()
+        .map(|corner| (*corner - centre).length())
+        .fold(0.0, f64::max);
+    (centre, radius)
+}
+
+/// The world's up and, across it, the direction from which azimuth 0 looks.
+fn up_and_front(camera: &Camera) -> (DVec3, DVec3) {
+    let up = vector(camera.up).try_normalize().unwrap_or(DVec3::Z);
+    let front = if up.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
+    (up, (front - up * front.dot(up)).normalize())
+}
+
+/// The direction from the centre towards (azimuth, elevation), in degrees: 0, 0 is `front`, positive azimuth to the right of a
+/// viewer who stands there.
+pub(super) fn from_angles(up: DVec3, front: DVec3, azimuth: f32, elevation: f32) -> DVec3 {
+    let right = (-front).cross(up);
+    let (azimuth, elevation) = (f64::from(azimuth).to_radians(), f64::from(elevation).to_radians());
+    (front * azimuth.cos() + right * azimuth.sin()) * elevation.cos() + up * elevation.sin()
+}
+
+impl View {
+    /// The view of a scene's camera on a volume.
+    pub fn new(scene: &Scene, volume: &Volume) -> Self {
+        let camera = &scene.camera;
+        let (centre, radius) = bounding_sphere(volume);
+        let target = camera.target.map_or(centre, vector);
+        let (up, front) = up_and_front(camera);
+        let orthographic = camera.projection == Projection::Orthographic;
+        let aspect = f64::from(scene.film.width) / f64::from(scene.film.height);
+        let tangent = (f64::from(camera.field_of_view) * 0.5).to_radians().tan();
+        let zoom = f64::from(camera.zoom);
+        // The narrower side of the picture decides what fits.
+        let narrow = tangent * aspect.min(1.0);
+        let fit = FIT * radius / zoom;
+        let distance = if orthographic {
+            4.0 * radius
+        } else {
+            fit * (1.0 + narrow * narrow).sqrt() / narrow
+        };
+        let towards_eye = from_angles(up, front, camera.azimuth, camera.elevation);
+        let eye = camera.position.map_or(target + towards_eye * distance, vector);
+        let away = (target - eye).try_normalize().unwrap_or(-towards_eye);
+        let right = away.cross(up).try_normalize().unwrap_or_else(|| away.any_orthonormal_vector());
+        let (sin, cos) = f64::from(camera.roll).to_radians().sin_cos();
+        let above = right.cross(away);
+        let axes = DMat3::from_cols(right * cos + above * sin, above * cos - right * sin, away);
+        let half_height = if orthographic {
+            fit / aspect.min(1.0)
+        } else {
+            tangent
+        };
+        Self {
+            eye,
+            axes,
+            orthographic,
+            half_size: [half_height * aspect, half_height],
+            up,
+            front,
+            target_depth: (target - eye).dot(away),
+        }
+    }
+
+    /// A world point in the sweep frame.
+    pub fn point(&self, world: DVec3) -> DVec3 {
+        self.direction(world - self.eye)
+    }
+
+    /// A world direction in the sweep frame.
+    pub fn direction(&self, world: DVec3) -> DVec3 {
+        self.axes.transpose() * world
+    }
+
+    /// The edge of a pixel, in world units, at `depth`.
+    pub fn pixel_size(&self, height: u32, depth: f64) -> f64 {
+        let at = if self.orthographic { 1.0 } else { depth };
+        2.0 * self.half_size[1] * at / f64::from(height)
+    }
+}

@@ -1,0 +1,101 @@
+//! Volumes as kernels read them: padded, packed into words.
+
+use super::view::{View, vector, voxel_steps};
+use glam::{DVec3, IVec4, Vec4};
+use vitrum_io::{Volume, Voxels};
+use vitrum_kernels::abi::grid::{BRICK_SHIFT, Grid, PADDING, format};
+
+/// How a volume is stored, and whether a second one gives η.
+pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> u32 {
+    match (&shown.voxels, ior) {
+        (_, Some(_)) => format::F32_WITH_IOR,
+        (Voxels::U8(_), None) => format::U8,
+        (Voxels::U16(_), None) => format::U16,
+        (Voxels::F32(_), None) => format::F32,
+    }
+}
+
+/// Voxels with padding along each axis.
+pub(super) fn padded(volume: &Volume) -> [usize; 3] {
+    volume.dimensions.map(|n| n as usize + 2 * PADDING as usize)
+}
+
+/// Bytes of the padded volume in `stored` format, whole words.
+pub(super) fn padded_bytes(volume: &Volume, stored: u32) -> u64 {
+    let voxels: u64 = padded(volume).iter().map(|&n| n as u64).product();
+    let size = match stored {
+        format::U8 => 1,
+        format::U16 => 2,
+        _ => 4,
+    };
+    (voxels * size).next_multiple_of(4)
+}
+
+/// The voxels with [`PADDING`] copies of the nearest voxel on every side, as little-endian bytes, whole words.
+pub(super) fn pack(volume: &Volume, stored: u32) -> Vec<u8> {
+    match (&volume.voxels, stored) {
+        (Voxels::U8(voxels), format::U8) => pad(volume, |at| [voxels[at]]),
+        (Voxels::U16(voxels), format::U16) => pad(volume, |at| voxels[at].to_le_bytes()),
+        (Voxels::U8(voxels), _) => pad(volume, |at| f32::from(voxels[at]).to_le_bytes()),
+        (Voxels::U16(voxels), _) => pad(volume, |at| f32::from(voxels[at]).to_le_bytes()),
+        (Voxels::F32(voxels), _) => pad(volume, |at| voxels[at].to_le_bytes()),
+    }
+}
+
+fn pad<const BYTES: usize>(volume: &Volume, voxel: impl Fn(usize) -> [u8; BYTES]) -> Vec<u8> {
+    let [nx, ny, nz] = volume.dimensions.map(|n| n as usize);
+    let [px, py, pz] = padded(volume);
+    let limit = |i: usize, n: usize| i.saturating_sub(PADDING as usize).min(n - 1);
+    let mut bytes = Vec::with_capacity((px * py * pz * BYTES).next_multiple_of(4));
+    for z in 0..pz {
+        for y in 0..py {
+            let row = (limit(z, nz) * ny + limit(y, ny)) * nx;
+            for x in 0..px {
+                bytes.extend_from_slice(&voxel(row + limit(x, nx)));
+            }
+        }
+    }
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    bytes
+}
+
+/// Bricks along each axis.
+pub(super) fn bricks(volume: &Volume) -> [u32; 3] {
+    volume.dimensions.map(|n| n.div_ceil(1 << BRICK_SHIFT))
+}
+
+/// Where a volume lies in the sweep frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
+/// bricks start in the occupancy buffer.
+pub(super) fn grid(volume: &Volume, view: &View, reach: u32, first_brick: u32) -> Grid {
+    let inverse = voxel_steps(volume).inverse();
+    let along = inverse * view.axes;
+    let start = inverse * (view.eye - vector(volume.origin));
+    let row = |axis: usize| {
+        let row: DVec3 = along.row(axis);
+        row.as_vec3().extend(start[axis] as f32)
+    };
+    let [px, py, _] = padded(volume).map(|n| n as i32);
+    let slice = px * py;
+    let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
+    let inverse_scale = if scale > 0.0 { 1.0 / scale } else { 0.0 };
+    let [bx, by, bz] = bricks(volume).map(|n| n as i32);
+    Grid {
+        row_x: row(0),
+        row_y: row(1),
+        row_z: row(2),
+        size: Vec4::new(
+            volume.dimensions[0] as f32,
+            volume.dimensions[1] as f32,
+            volume.dimensions[2] as f32,
+            reach as f32,
+        ),
+        value: Vec4::new(
+            (f64::from(volume.value_scale) * inverse_scale) as f32,
+            ((f64::from(volume.value_offset) - f64::from(volume.range[0])) * inverse_scale) as f32,
+            0.0,
+            0.0,
+        ),
+        pitch: IVec4::new(px, slice, PADDING * (1 + px + slice), 0),
+        bricks: IVec4::new(bx, by, bz, first_brick as i32),
+    }
+}

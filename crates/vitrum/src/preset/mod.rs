@@ -1,0 +1,103 @@
+//! Presets: ready-made looks that fit themselves to any volume.
+//!
+//! A preset sets what a volume looks like — `transfer`, `light`, `shading`, `environment`, `ground` and `wall` — and
+//! leaves alone what is shown and from where: `volume`, `camera`, `clip`, `sweep` and `film`. It reads the volume's own
+//! values (`subject`), so that an 8-bit CT, a signed CT and a simulation between 0 and 1 each get thresholds of
+//! theirs, and it states absorption for a share of the volume's size, so that 64³ and 512³ voxels look alike.
+
+mod amber;
+mod bone;
+mod glass;
+mod haze;
+mod histogram;
+mod plain;
+mod subject;
+mod xray;
+
+use crate::scene::Scene;
+use crate::suggest::nearest;
+use subject::Subject;
+use vitrum_io::Volume;
+
+/// What a volume is shown with when nobody says how.
+///
+/// Of all presets, `amber` shows most of what is in an unknown volume at first sight: its outer shape by refraction and
+/// colour, what is dense inside by opacity, and where they lie by shadow. The others show one of these alone.
+pub const DEFAULT: &str = "amber";
+
+struct Preset {
+    name: &'static str,
+    description: &'static str,
+    apply: fn(&Subject, &mut Scene),
+}
+
+const PRESETS: [Preset; 6] = [plain::PRESET, bone::PRESET, amber::PRESET, glass::PRESET, xray::PRESET, haze::PRESET];
+
+const NAMES: [(&str, &str); PRESETS.len()] = {
+    let mut names = [("", ""); PRESETS.len()];
+    let mut index = 0;
+    while index < names.len() {
+        names[index] = (PRESETS[index].name, PRESETS[index].description);
+        index += 1;
+    }
+    names
+};
+
+/// Why a preset was not applied.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PresetError {
+    /// There is no preset of this name.
+    #[error("there is no preset `{name}`")]
+    Unknown {
+        /// The name that was asked for.
+        name: String,
+        /// The name that was most likely meant.
+        nearest: Option<&'static str>,
+    },
+}
+
+impl PresetError {
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn help(&self) -> String {
+        match self {
+            Self::Unknown { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
+            Self::Unknown { nearest: None, .. } => {
+                format!("the presets are: {}", NAMES.map(|(name, _)| name).join(", "))
+            }
+        }
+    }
+}
+
+/// Name and description of every preset.
+#[must_use]
+pub fn names() -> &'static [(&'static str, &'static str)] {
+    &NAMES
+}
+
+/// Whether there is a preset of this name; worth asking before reading a volume.
+///
+/// # Errors
+///
+/// [`PresetError::Unknown`].
+pub fn check(name: &str) -> Result<(), PresetError> {
+    find(name).map(drop)
+}
+
+/// Gives `scene` the look of the preset `name`, fitted to the values in `volume`.
+///
+/// # Errors
+///
+/// [`PresetError::Unknown`]; the scene is then unchanged.
+pub fn apply(name: &str, volume: &Volume, scene: &mut Scene) -> Result<(), PresetError> {
+    (find(name)?.apply)(&Subject::of(volume), scene);
+    Ok(())
+}
+
+fn find(name: &str) -> Result<&'static Preset, PresetError> {
+    PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| PresetError::Unknown {
+        name: name.to_owned(),
+        nearest: nearest(name, NAMES.iter().map(|&(name, _)| name)),
+    })
+}

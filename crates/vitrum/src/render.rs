@@ -1,0 +1,161 @@
+//! From a scene to a frame.
+
+use crate::backend::{Backend, BackendError};
+use crate::frame::{Frame, Statistics, layer};
+use crate::inputs::Inputs;
+use crate::method::sweep::Sweep;
+use crate::scene::{Scene, SceneError};
+use std::time::Instant;
+use vitrum_io::Picture;
+use vitrum_kernels::abi::record::{film, status};
+
+/// Why a frame could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A file could not be read or written, or is not valid.
+    #[error(transparent)]
+    Io(#[from] vitrum_io::Error),
+    /// A scene file is not valid.
+    #[error(transparent)]
+    SceneFile(#[from] SceneError),
+    /// The scene asks for something impossible.
+    #[error("{0}")]
+    Scene(String),
+    /// The backend failed.
+    #[error(transparent)]
+    Backend(#[from] BackendError),
+}
+
+impl Error {
+    /// The program's exit code: 3 for inputs, 4 for devices.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Io(_) | Self::SceneFile(_) | Self::Scene(_) => 3,
+            Self::Backend(_) => 4,
+        }
+    }
+
+    /// What to do about it, if that is not in the message.
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::Backend(error) => error.help().map(str::to_owned),
+            Self::Io(_) | Self::SceneFile(_) | Self::Scene(_) => None,
+        }
+    }
+
+    /// Whether the caller cancelled.
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self, Self::Backend(BackendError::Cancelled))
+    }
+}
+
+/// How far a frame is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Planes done.
+    pub done: u32,
+    /// All planes.
+    pub total: u32,
+}
+
+/// Renders a scene. `progress` is called from time to time and cancels the frame by returning `false`.
+pub fn render(
+    scene: &Scene,
+    inputs: &Inputs,
+    backend: &mut dyn Backend,
+    progress: &mut dyn FnMut(Progress) -> bool,
+) -> Result<Frame, Error> {
+    scene.validate()?;
+    let started = Instant::now();
+    let sweep = Sweep::prepare(scene, inputs, backend)?;
+    let upload_ms = started.elapsed().as_secs_f64() * 1e3;
+    let result = finish(scene, &sweep, backend, progress, upload_ms);
+    sweep.free(backend);
+    result
+}
+
+fn finish(
+    scene: &Scene,
+    sweep: &Sweep,
+    backend: &mut dyn Backend,
+    progress: &mut dyn FnMut(Progress) -> bool,
+    upload_ms: f64,
+) -> Result<Frame, Error> {
+    let total = sweep.planes.count;
+    let started = Instant::now();
+    sweep.run(backend, &mut |done| progress(Progress { done, total }))?;
+    let records = sweep.film(backend)?;
+    let frame_ms = started.elapsed().as_secs_f64() * 1e3;
+    let (width, height) = (scene.film.width, scene.film.height);
+    let rays = sweep.rays[0] as usize * sweep.rays[1] as usize;
+    let turned = records[film::STATUS * rays..]
+        .iter()
+        .filter(|&&fate| fate == status::TURNED)
+        .count();
+    Ok(Frame {
+        width,
+        height,
+        layers: layers(scene, &records),
+        light: light_picture(sweep, &sweep.light(backend)?),
+        statistics: Statistics {
+            method: "sweep".to_owned(),
+            backend: backend.name().to_owned(),
+            adapter: backend.adapter(),
+            width,
+            height,
+            planes: total,
+            light_texels: sweep.light_grid.size,
+            rays_turned: turned as u64,
+            frame_ms: vec![frame_ms],
+            upload_ms: Some(upload_ms),
+            peak_rss_bytes: peak_rss_bytes(),
+            gpu_bytes: backend.device_bytes(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+        },
+    })
+}
+
+fn layers(scene: &Scene, records: &[f32]) -> Vec<vitrum_io::Layer> {
+    let size = [scene.film.width, scene.film.height];
+    let edge = scene.film.supersampling;
+    let make = |name: &str, channels: &[(&str, usize)]| layer(name, records, size, edge, channels);
+    let color = film::COLOR;
+    let mut first = make("color", &[("R", color), ("G", color + 1), ("B", color + 2), ("A", color + 3)]);
+    let exposure = scene.film.exposure.exp2();
+    for channel in first.channels.iter_mut().take(3) {
+        for value in &mut channel.data {
+            *value *= exposure;
+        }
+    }
+    let vector = |from: usize| [("X", from), ("Y", from + 1), ("Z", from + 2)];
+    let medium = film::MEDIUM;
+    vec![
+        first,
+        make("opacity", &[("Y", film::OPACITY)]),
+        make("medium", &[("R", medium), ("G", medium + 1), ("B", medium + 2)]),
+        make("depth", &[("Z", film::DEPTH)]),
+        make("direction", &vector(film::DIRECTION)),
+        make("position", &vector(film::POSITION)),
+        make("status", &[("Y", film::STATUS)]),
+    ]
+}
+
+/// The light on the last plane; the grid's rows go up, a picture's down.
+fn light_picture(sweep: &Sweep, records: &[f32]) -> Picture {
+    let [width, height] = sweep.light_grid.size;
+    let texels = width as usize * height as usize;
+    let pixels = (0..height as usize)
+        .rev()
+        .flat_map(|row| (0..width as usize).map(move |column| row * width as usize + column))
+        .map(|at| [records[at], records[texels + at], records[2 * texels + at]])
+        .collect();
+    Picture::rgb(width, height, pixels)
+}
+
+/// The most memory this process had, where the system tells (Linux).
+fn peak_rss_bytes() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let kibibytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kibibytes * 1024)
+}

@@ -1,0 +1,143 @@
+//! What can be wrong with a scene, told so that the reader of the message can act on it.
+
+use std::fmt;
+
+/// Why a scene, or a change to one, was refused.
+///
+/// The display names the file, the line, the key and what was expected; [`SceneError::help`] says what to do.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SceneError {
+    /// Where the scene comes from.
+    pub origin: Origin,
+    /// The dotted path of the key, such as `light.softness` or `clip.0.offset`; empty for the scene as a whole.
+    pub key: String,
+    /// What is wrong there.
+    pub problem: Box<Problem>,
+}
+
+/// Where a refused value was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// In a scene file.
+    File {
+        /// The file's name.
+        name: String,
+        /// The line, counted from 1, where it is known.
+        line: Option<usize>,
+    },
+    /// In a setting, `KEY=VALUE`, which is given here.
+    Setting(String),
+    /// In a scene that a program made.
+    Memory,
+}
+
+/// What is wrong with a scene.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Problem {
+    /// The text is not TOML, or a setting is not `KEY=VALUE`.
+    #[error("{0}")]
+    Syntax(String),
+
+    /// No such key.
+    #[error("unknown key")]
+    UnknownKey {
+        /// The key that was most likely meant, as a full path.
+        nearest: Option<String>,
+        /// The keys that are known in its place.
+        known: Vec<String>,
+    },
+
+    /// A key that has no default is not there.
+    #[error("this key is missing")]
+    MissingKey {
+        /// What its value should be.
+        expected: String,
+    },
+
+    /// The value is of the wrong type, out of range, not finite or not one of the choices.
+    #[error("found {found}, expected {expected}")]
+    WrongValue {
+        /// The value, as it was written.
+        found: String,
+        /// What is valid.
+        expected: String,
+        /// The choice that was most likely meant.
+        nearest: Option<String>,
+        /// The value that the key has where it is left out.
+        default: Option<String>,
+    },
+
+    /// Each value is valid, but they contradict each other.
+    #[error("{problem}")]
+    Contradiction {
+        /// What contradicts what.
+        problem: String,
+        /// What to do.
+        advice: String,
+    },
+}
+
+impl SceneError {
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn help(&self) -> String {
+        match &*self.problem {
+            Problem::Syntax(_) if matches!(self.origin, Origin::Setting(_)) => {
+                "write KEY=VALUE with a scene key and a TOML value, such as light.softness=3".to_owned()
+            }
+            Problem::Syntax(_) => "correct the TOML there; docs/scene.md describes every key".to_owned(),
+            Problem::UnknownKey { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
+            Problem::UnknownKey { known, .. } if known.is_empty() => "this value has no keys inside".to_owned(),
+            Problem::UnknownKey { known, .. } => format!("the keys here are: {}", known.join(", ")),
+            Problem::MissingKey { expected } => format!("give it {expected}"),
+            Problem::WrongValue { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
+            Problem::WrongValue { default: Some(default), .. } => {
+                format!("correct the value, or leave the key out for its default, {default}")
+            }
+            Problem::WrongValue { .. } => "correct the value, or leave the key out".to_owned(),
+            Problem::Contradiction { advice, .. } => advice.clone(),
+        }
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.origin {
+            Origin::File { name, line: Some(line) } => write!(f, "{name}, line {line}: ")?,
+            Origin::File { name, line: None } => write!(f, "{name}: ")?,
+            Origin::Setting(setting) => write!(f, "setting {setting}: ")?,
+            Origin::Memory => f.write_str("scene: ")?,
+        }
+        if !self.key.is_empty() {
+            write!(f, "`{}`: ", self.key)?;
+        }
+        write!(f, "{}", self.problem)
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+/// A problem and the key path it was found at, before its origin is known.
+#[derive(Debug)]
+pub(super) struct Fault {
+    pub path: Vec<String>,
+    pub problem: Problem,
+}
+
+impl Fault {
+    pub fn at(path: &[String], problem: Problem) -> Self {
+        Self { path: path.to_vec(), problem }
+    }
+
+    pub fn contradiction(key: &str, problem: impl Into<String>, advice: impl Into<String>) -> Self {
+        Self {
+            path: key.split('.').filter(|part| !part.is_empty()).map(str::to_owned).collect(),
+            problem: Problem::Contradiction { problem: problem.into(), advice: advice.into() },
+        }
+    }
+
+    pub fn from(self, origin: Origin) -> SceneError {
+        SceneError { origin, key: self.path.join("."), problem: Box::new(self.problem) }
+    }
+}

@@ -1,0 +1,80 @@
+//! The scene: everything a picture depends on, and nothing else.
+//!
+//! A [`Scene`] is plain data. It is read from TOML ([`Scene::from_toml`]), every key has a default, unknown keys are
+//! errors, and `docs/scene.md` documents each key. Lengths are world units (the volume's spacing gives them), angles are
+//! degrees, colours are linear RGB.
+
+mod camera;
+mod check;
+mod clip;
+mod environment;
+mod error;
+mod film;
+mod light;
+mod lines;
+mod load;
+mod receiver;
+mod schema;
+mod set;
+mod shading;
+mod sweep;
+mod transfer;
+mod validate;
+mod volume;
+mod write;
+
+pub use camera::{Camera, Projection};
+pub use clip::{Clip, Removes};
+pub use environment::{Environment, EnvironmentKind};
+pub use error::{Origin, Problem, SceneError};
+pub use film::Film;
+pub use light::{Attachment, Light};
+pub use receiver::{Ground, Wall};
+pub use shading::Shading;
+pub use sweep::{Gradient, Integrator, Intensity, Sweep};
+pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
+pub use volume::VolumeSource;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Linear RGB, each component 0 or more: a reflectance or a transmittance up to 1, a radiance up to 1e6.
+pub type Rgb = [f32; 3];
+
+/// A vector in world units.
+pub type Vector = [f32; 3];
+
+/// Everything a picture depends on.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Scene {
+    /// The volume that is shown.
+    pub volume: VolumeSource,
+    /// A second volume whose scalar gives the index of refraction instead (sweep, Figs. 11e and 12e).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ior_volume: Option<VolumeSource>,
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// The one distant light.
+    pub light: Light,
+    /// Colour, opacity, index of refraction and medium colour over the scalar.
+    pub transfer: TransferFunction,
+    /// How light and viewing rays travel from plane to plane.
+    pub sweep: Sweep,
+    /// Specular reflection and ambient light.
+    pub shading: Shading,
+    /// What a ray sees behind everything.
+    pub environment: Environment,
+    /// A horizontal, diffuse plane that shows shadow and caustics.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ground: Option<Ground>,
+    /// A vertical, diffuse plane behind the volume that shows shadow and caustics.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall: Option<Wall>,
+    /// Half-spaces in which opacity, or everything, is removed; at most four.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 4))]
+    pub clip: Vec<Clip>,
+    /// Size and exposure of the picture.
+    pub film: Film,
+}

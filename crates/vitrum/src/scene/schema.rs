@@ -1,0 +1,176 @@
+//! The scene's JSON schema, and the questions that checking asks it.
+//!
+//! Ranges stand once, as `#[schemars(…)]` attributes on the scene's fields: the published schema, the checks of scene
+//! files and settings, and the test that holds `docs/scene.md` against the code all read them from here.
+
+use super::Scene;
+use schemars::schema_for;
+use serde_json::Value;
+use std::sync::LazyLock;
+
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+    let mut schema = schema_for!(Scene).to_value();
+    shorten_defaults(&mut schema, false);
+    schema
+});
+
+impl Scene {
+    /// The JSON schema (draft 2020-12) of scene files, for editors and other programs.
+    #[must_use]
+    pub fn json_schema() -> String {
+        format!("{:#}", *SCHEMA)
+    }
+}
+
+/// Turns 0.30000001192092896, an f32 default widened to f64, back into 0.3.
+fn shorten_defaults(value: &mut Value, inside_default: bool) {
+    match value {
+        Value::Number(number) if inside_default && number.is_f64() => {
+            let narrow = number.as_f64().map(|wide| (wide as f32).to_string());
+            if let Some(short) = narrow.and_then(|text| text.parse().ok()).and_then(serde_json::Number::from_f64) {
+                *number = short;
+            }
+        }
+        Value::Array(items) => items.iter_mut().for_each(|item| shorten_defaults(item, inside_default)),
+        Value::Object(members) => {
+            for (name, member) in members {
+                shorten_defaults(member, inside_default || name == "default");
+            }
+        }
+        _ => {}
+    }
+}
+
+/// What a value may be.
+pub(super) enum Kind<'a> {
+    Table,
+    List { least: usize, most: usize },
+    Choice(Vec<&'a str>),
+    Number,
+    WholeNumber,
+    Switch,
+    Text,
+}
+
+/// The schema of one key.
+#[derive(Clone, Copy)]
+pub(super) struct Shape<'a> {
+    /// The schema as it stands at the key: default, and for optional keys the alternative null.
+    outer: &'a Value,
+    /// The schema of its values, with references followed.
+    inner: &'a Value,
+}
+
+impl Shape<'static> {
+    /// The whole scene.
+    pub fn scene() -> Self {
+        Self::new(&SCHEMA)
+    }
+}
+
+impl<'a> Shape<'a> {
+    fn new(outer: &'a Value) -> Self {
+        let mut inner = outer;
+        loop {
+            let alternatives = inner["anyOf"].as_array();
+            if let Some(name) = inner["$ref"].as_str().and_then(|path| path.strip_prefix("#/$defs/")) {
+                inner = &SCHEMA["$defs"][name];
+            } else if let Some(some) = alternatives.and_then(|all| all.iter().find(|one| one["type"] != "null")) {
+                inner = some;
+            } else {
+                return Self { outer, inner };
+            }
+        }
+    }
+
+    pub fn kind(self) -> Kind<'a> {
+        let types = &self.inner["type"];
+        let is = |name: &str| types == name || types.as_array().is_some_and(|all| all.iter().any(|one| one == name));
+        let length = |name: &str| self.inner[name].as_u64().map(|length| length as usize);
+        if let Some(choices) = self.inner["oneOf"].as_array() {
+            Kind::Choice(choices.iter().filter_map(|choice| choice["const"].as_str()).collect())
+        } else if is("object") {
+            Kind::Table
+        } else if is("array") {
+            Kind::List { least: length("minItems").unwrap_or(0), most: length("maxItems").unwrap_or(usize::MAX) }
+        } else if is("integer") {
+            Kind::WholeNumber
+        } else if is("number") {
+            Kind::Number
+        } else if is("boolean") {
+            Kind::Switch
+        } else {
+            Kind::Text
+        }
+    }
+
+    /// Whether the key can be left out for good, such as `ground`.
+    pub fn optional(self) -> bool {
+        let null = |one: &Value| one == "null" || one["type"] == "null";
+        ["anyOf", "type"].iter().any(|name| self.outer[name].as_array().is_some_and(|all| all.iter().any(null)))
+    }
+
+    /// The names of a table's keys, in their order of declaration.
+    pub fn keys(self) -> Vec<&'a str> {
+        self.inner["properties"].as_object().map_or_else(Vec::new, |keys| keys.keys().map(String::as_str).collect())
+    }
+
+    /// The keys of a table that have no default.
+    pub fn required(self) -> impl Iterator<Item = &'a str> {
+        self.inner["required"].as_array().into_iter().flatten().filter_map(Value::as_str)
+    }
+
+    /// What a key of a table, or an index into a list, leads to.
+    pub fn child(self, segment: &str) -> Option<Self> {
+        match self.kind() {
+            Kind::Table => self.inner["properties"].get(segment).map(Self::new),
+            Kind::List { .. } => segment.parse::<usize>().ok().map(|_| self.item()),
+            _ => None,
+        }
+    }
+
+    /// The items of a list.
+    pub fn item(self) -> Self {
+        Self::new(&self.inner["items"])
+    }
+
+    /// Least value, greatest value, and whether the least is excluded.
+    pub fn range(self) -> (f32, f32, bool) {
+        let bound = |name: &str| self.inner[name].as_f64().map(|bound| bound as f32);
+        let excluded = bound("exclusiveMinimum");
+        let least = excluded.or(bound("minimum")).unwrap_or(f32::NEG_INFINITY);
+        (least, bound("maximum").unwrap_or(f32::INFINITY), excluded.is_some())
+    }
+
+    /// The value of a key that is left out, in words; `None` where that has no short name.
+    pub fn default(self) -> Option<String> {
+        match self.outer.get("default")? {
+            Value::Null | Value::Object(_) => None,
+            Value::Array(items) if items.iter().any(|item| !item.is_number()) => None,
+            default => Some(default.to_string()),
+        }
+    }
+
+    /// What is valid, in words.
+    pub fn expected(self) -> String {
+        let numbers = |noun: &str| match self.range() {
+            (f32::NEG_INFINITY, f32::INFINITY, _) => format!("a finite {noun}"),
+            (least, f32::INFINITY, true) => format!("a finite {noun} above {least}"),
+            (least, f32::INFINITY, false) => format!("a finite {noun} of at least {least}"),
+            (least, most, _) => format!("a {noun} from {least} to {most}"),
+        };
+        match self.kind() {
+            Kind::Table => format!("a table of the keys {}", self.keys().join(", ")),
+            Kind::List { least, most } if least == most => {
+                format!("a list of {least} items, each {}", self.item().expected())
+            }
+            Kind::List { most: usize::MAX, .. } => format!("a list, each item {}", self.item().expected()),
+            Kind::List { most, .. } => format!("a list of at most {most} items, each {}", self.item().expected()),
+            Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
+            Kind::Number => numbers("number"),
+            Kind::WholeNumber => numbers("whole number"),
+            Kind::Switch => "true or false".to_owned(),
+            Kind::Text => "a text in quotes".to_owned(),
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! The rules that tie several keys of a scene together.
+
+use super::check::check_table;
+use super::error::{Fault, Origin, SceneError};
+use super::schema::Shape;
+use super::{Camera, Environment, EnvironmentKind, Film, Scene, TransferFunction, Vector, VolumeSource};
+
+impl Scene {
+    /// Checks every value's range, and that the values do not contradict each other.
+    ///
+    /// Scenes read by [`Scene::from_toml`] have passed; one that was changed since may have lost it.
+    ///
+    /// # Errors
+    ///
+    /// Where a value is out of its documented range or not finite; where a volume has not exactly one of `file` and
+    /// `builtin`; where a direction has no length, the eye stands on its target, the points of a transfer function are
+    /// not sorted, an environment map has no file, or the film is beyond 2^28 rays.
+    pub fn validate(&self) -> Result<(), SceneError> {
+        let check = || {
+            check_table(Shape::scene(), &self.to_table()?, &mut Vec::new())?;
+            self.check_consistency()
+        };
+        check().map_err(|fault: Fault| fault.from(Origin::Memory))
+    }
+
+    /// The part of [`Scene::validate`] that looks at several keys at once.
+    pub(super) fn check_consistency(&self) -> Result<(), Fault> {
+        check_source("volume", &self.volume)?;
+        self.ior_volume.as_ref().map_or(Ok(()), |source| check_source("ior_volume", source))?;
+        check_camera(&self.camera)?;
+        self.light.direction.map_or(Ok(()), |direction| check_direction("light.direction", direction))?;
+        for (index, clip) in self.clip.iter().enumerate() {
+            check_direction(&format!("clip.{index}.normal"), clip.normal)?;
+        }
+        check_transfer(&self.transfer)?;
+        check_environment(&self.environment)?;
+        check_film(&self.film)
+    }
+}
+
+fn check_source(key: &str, source: &VolumeSource) -> Result<(), Fault> {
+    match (&source.file, &source.builtin) {
+        (Some(_), Some(_)) => {
+            Err(Fault::contradiction(key, "both `file` and `builtin` are given", "leave one of them out"))
+        }
+        (None, None) => Err(Fault::contradiction(
+            key,
+            "neither `file` nor `builtin` is given",
+            format!("name a volume, such as `{key}.builtin = \"ball\"`"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+fn check_camera(camera: &Camera) -> Result<(), Fault> {
+    check_direction("camera.up", camera.up)?;
+    if camera.position.is_some() && camera.position == camera.target {
+        return Err(Fault::contradiction(
+            "camera.position",
+            "the eye stands on its target, so there is no viewing direction",
+            "move `camera.position` or `camera.target`",
+        ));
+    }
+    Ok(())
+}
+
+/// A direction may have any length that survives being squared in f32.
+fn check_direction(key: &str, direction: Vector) -> Result<(), Fault> {
+    let length = direction.iter().fold(0.0, |length: f64, &component| length.hypot(f64::from(component)));
+    if (1e-15..=1e15).contains(&length) {
+        return Ok(());
+    }
+    Err(Fault::contradiction(
+        key,
+        format!("{direction:?} is {length} long and gives no direction"),
+        "give a vector whose length is from 1e-15 to 1e15, such as one of length 1",
+    ))
+}
+
+fn check_transfer(transfer: &TransferFunction) -> Result<(), Fault> {
+    check_sorted("transfer.color", transfer.color.iter().map(|point| point.value))?;
+    check_sorted("transfer.opacity", transfer.opacity.iter().map(|point| point.value))?;
+    check_sorted("transfer.ior", transfer.ior.iter().map(|point| point.value))?;
+    check_sorted("transfer.medium", transfer.medium.iter().map(|point| point.value))
+}
+
+fn check_sorted(key: &str, values: impl Iterator<Item = f32>) -> Result<(), Fault> {
+    let mut previous = f32::NEG_INFINITY;
+    for (index, value) in values.enumerate() {
+        if value < previous {
+            return Err(Fault::contradiction(
+                &format!("{key}.{index}.value"),
+                format!("{value} comes after {previous}"),
+                "sort the points by `value`; two points at the same value make a step",
+            ));
+        }
+        previous = value;
+    }
+    Ok(())
+}
+
+fn check_environment(environment: &Environment) -> Result<(), Fault> {
+    if environment.kind == EnvironmentKind::Map && environment.file.is_none() {
+        return Err(Fault::contradiction(
+            "environment.kind",
+            "`map` needs a picture, and `environment.file` is not given",
+            "name an equirectangular picture in `environment.file`, or take another kind",
+        ));
+    }
+    Ok(())
+}
+
+fn check_film(film: &Film) -> Result<(), Fault> {
+    let Film { width, height, supersampling, .. } = *film;
+    // Each factor has passed its range, so that the product fits easily.
+    let rays = u64::from(width) * u64::from(height) * u64::from(supersampling).pow(2);
+    if rays > Film::MOST_RAYS {
+        return Err(Fault::contradiction(
+            "film",
+            format!(
+                "{width} x {height} pixels with supersampling {supersampling} are {rays} viewing rays, and the limit is {}",
+                Film::MOST_RAYS
+            ),
+            "make the picture smaller, or lower `film.supersampling`",
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,57 @@
+//! Writing scenes as TOML.
+
+use super::Scene;
+use super::error::{Origin, SceneError};
+use std::fmt::Write;
+use toml::Value;
+
+impl Scene {
+    /// The scene as the text of a scene file, with every key that has a value, in the order of `docs/scene.md`.
+    ///
+    /// [`Scene::from_toml`] gives an equal scene back. Sections are tables; lists stand in them with an item a line.
+    ///
+    /// # Errors
+    ///
+    /// Where the name of a file is not valid Unicode.
+    pub fn to_toml(&self) -> Result<String, SceneError> {
+        let table = self.to_table().map_err(|fault| fault.from(Origin::Memory))?;
+        let mut text = String::new();
+        let (lists, sections): (Vec<_>, Vec<_>) = table.iter().partition(|(_, value)| value.is_array());
+        // Lists come first: what follows a section's head would belong to the section.
+        for (key, value) in lists {
+            push_line(&mut text, key, value);
+        }
+        for (key, section) in sections {
+            let separator = if text.is_empty() { "" } else { "\n" };
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "{separator}[{key}]");
+            for (key, value) in section.as_table().into_iter().flatten() {
+                push_line(&mut text, key, value);
+            }
+        }
+        Ok(text)
+    }
+}
+
+fn push_line(text: &mut String, key: &str, value: &Value) {
+    let _ = match value {
+        Value::Array(items) if items.iter().any(Value::is_table) => {
+            let lines: String = items.iter().map(|item| format!("  {},\n", inline(item))).collect();
+            writeln!(text, "{key} = [\n{lines}]")
+        }
+        _ => writeln!(text, "{key} = {}", inline(value)),
+    };
+}
+
+/// The value on one line. The scene's floats are f32: written as such, 0.3 is not 0.30000001192092896.
+fn inline(value: &Value) -> String {
+    match value {
+        Value::Float(number) => format!("{:?}", *number as f32),
+        Value::Array(items) => format!("[{}]", items.iter().map(inline).collect::<Vec<_>>().join(", ")),
+        Value::Table(table) => {
+            let members = table.iter().map(|(key, value)| format!("{key} = {}", inline(value)));
+            format!("{{ {} }}", members.collect::<Vec<_>>().join(", "))
+        }
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,198 @@
+//! Scene files and settings: what is read, what is refused, and with which words.
+
+use vitrum::scene::{Clip, EnvironmentKind, Ground, Removes, Scene, VolumeSource};
+
+const BALL: &str = "volume.builtin = \"ball\"\n";
+
+fn ball() -> Scene {
+    Scene::from_toml(BALL, "ball.toml").expect("the smallest scene is valid")
+}
+
+/// The message and the help that a scene file of this text is refused with.
+fn refusal(text: &str) -> String {
+    let error = Scene::from_toml(&format!("{BALL}{text}"), "ball.toml").expect_err("the scene is invalid");
+    format!("{error}\n{}", error.help())
+}
+
+/// The same of a setting.
+fn set_refusal(assignment: &str) -> String {
+    let mut scene = ball();
+    let error = scene.set(assignment).expect_err("the setting is invalid");
+    assert_eq!(scene, ball(), "a refused setting changes nothing");
+    format!("{error}\n{}", error.help())
+}
+
+#[test]
+fn everything_left_out_takes_its_default() {
+    let volume = VolumeSource { builtin: Some("ball".to_owned()), ..VolumeSource::default() };
+    assert_eq!(ball(), Scene { volume, ..Scene::default() });
+}
+
+#[test]
+fn unknown_keys_name_their_line_and_the_nearest_key() {
+    assert_eq!(
+        refusal("[light]\nsoftnes = 3\n"),
+        "ball.toml, line 3: `light.softnes`: unknown key\ndid you mean `light.softness`?"
+    );
+    assert_eq!(
+        refusal("[ground]\nfriction = 3\n"),
+        "ball.toml, line 3: `ground.friction`: unknown key\nthe keys here are: height, color"
+    );
+}
+
+#[test]
+fn values_out_of_range_name_the_range_and_the_default() {
+    assert_eq!(
+        refusal("[light]\nsoftness = 400\n"),
+        "ball.toml, line 3: `light.softness`: found 400, expected a number from 0 to 45\n\
+         correct the value, or leave the key out for its default, 1.0"
+    );
+    assert_eq!(
+        refusal("[film]\nwidth = 0\n"),
+        "ball.toml, line 3: `film.width`: found 0, expected a whole number from 1 to 16384\n\
+         correct the value, or leave the key out for its default, 512"
+    );
+    assert!(
+        refusal("volume.spacing = [1, 0, 1]").contains("`volume.spacing.1`: found 0, expected a finite number above 0")
+    );
+    assert!(refusal("[[transfer.ior]]\nvalue = 0\nior = 9\n").contains("line 4: `transfer.ior.0.ior`: found 9"));
+}
+
+#[test]
+fn values_of_the_wrong_type_and_numbers_that_are_not_finite_are_refused() {
+    assert!(refusal("light.softness = \"soft\"").contains("found \"soft\", expected a number from 0 to 45"));
+    assert!(refusal("light.softness = nan").contains("found nan, expected a number from 0 to 45"));
+    assert!(refusal("camera.azimuth = inf").contains("found inf, expected a finite number"));
+    assert!(refusal("camera.azimuth = 1e300").contains("expected a finite number"));
+    assert!(refusal("camera.up = [0, 1]").contains("found a list of 2 items, expected a list of 3 items"));
+    assert!(refusal("film.width = 512.5").contains("expected a whole number"));
+    assert!(refusal("light = 3").contains("found 3, expected a table of the keys attachment, azimuth"));
+    assert_eq!(
+        refusal("sweep.integrator = \"simplectic\""),
+        "ball.toml, line 2: `sweep.integrator`: found \"simplectic\", expected one of symplectic, euler\n\
+         did you mean `symplectic`?"
+    );
+}
+
+#[test]
+fn bounds_themselves_are_valid() {
+    for text in ["shading.roughness = 0.02", "sweep.sample_distance = 0.05", "light.softness = 45"] {
+        Scene::from_toml(&format!("{BALL}{text}"), "ball.toml").expect(text);
+    }
+}
+
+#[test]
+fn values_that_contradict_each_other_are_refused() {
+    assert!(refusal("volume.file = \"head.nrrd\"").contains("line 1: `volume`: both `file` and `builtin` are given"));
+    assert!(refusal("[ior_volume]").contains("line 2: `ior_volume`: neither `file` nor `builtin` is given"));
+    assert!(refusal("camera.up = [0, 0, 0]").contains("gives no direction"));
+    assert!(refusal("camera.position = [1, 2, 3]\ncamera.target = [1, 2, 3]").contains("the eye stands on its target"));
+    assert!(refusal("environment.kind = \"map\"").contains("`environment.file` is not given"));
+    assert!(
+        refusal("film.width = 16384\nfilm.height = 16384\nfilm.supersampling = 2")
+            .contains("are 1073741824 viewing rays")
+    );
+    let unsorted = "transfer.ior = [\n  { value = 2, ior = 1 },\n  { value = 1, ior = 1 },\n]\n";
+    assert!(refusal(unsorted).contains("line 4: `transfer.ior.1.value`: 1 comes after 2"));
+    let many = "[[clip]]\n".repeat(5);
+    assert!(refusal(&many).contains("found a list of 5 items, expected a list of at most 4 items"));
+}
+
+#[test]
+fn a_step_of_two_points_at_one_value_is_valid() {
+    let text = "transfer.ior = [{ value = 1, ior = 1 }, { value = 1, ior = 1.5 }]";
+    Scene::from_toml(&format!("{BALL}{text}"), "ball.toml").expect("a step is sorted");
+}
+
+#[test]
+fn text_that_is_not_toml_names_its_line() {
+    assert_eq!(
+        refusal("[light]\nsoftness = [1,\n"),
+        "ball.toml, line 3: unclosed array, expected `]`\ncorrect the TOML there; docs/scene.md describes every key"
+    );
+    assert!(refusal("volume.builtin = \"head\"").contains("duplicate key"));
+}
+
+#[test]
+fn settings_reach_every_kind_of_key() {
+    let mut scene = ball();
+    for setting in [
+        "light.softness=3",
+        "camera.up = [0, 1, 0]",
+        "environment.kind=checkerboard",
+        "sweep.refraction=false",
+        "ground.color=[0.5, 0.5, 0.5]",
+        "clip=[{ normal = [1, 0, 0] }]",
+        "clip.0.offset=2.5",
+        "clip.1.removes=opacity",
+        "transfer.opacity=[{ value = 0, opacity = 0 }, { value = 1, opacity = 1 }]",
+        "transfer.opacity.1.value=7",
+        "volume.file=C:\\scans\\2024=1.nrrd",
+        "volume.builtin=none",
+        "sweep.intensity=none",
+    ] {
+        scene.set(setting).unwrap_or_else(|error| panic!("{setting}: {error}"));
+    }
+    assert_eq!(scene.light.softness, 3.0);
+    assert_eq!(scene.camera.up, [0.0, 1.0, 0.0]);
+    assert_eq!(scene.environment.kind, EnvironmentKind::Checkerboard);
+    assert!(!scene.sweep.refraction);
+    assert_eq!(scene.ground, Some(Ground { height: None, color: [0.5; 3] }));
+    assert_eq!(
+        scene.clip,
+        [
+            Clip { normal: [1.0, 0.0, 0.0], offset: 2.5, ..Clip::default() },
+            Clip { removes: Removes::Opacity, ..Clip::default() }
+        ]
+    );
+    assert_eq!(scene.transfer.opacity[1].value, 7.0);
+    assert_eq!(scene.volume.file.as_deref(), Some("C:\\scans\\2024=1.nrrd".as_ref()));
+    assert_eq!(scene.volume.builtin, None);
+    scene.validate().expect("the scene is valid again");
+    scene.set("ground=none").expect("the ground is optional");
+    assert_eq!(scene.ground, None);
+}
+
+#[test]
+fn refused_settings_say_why() {
+    assert_eq!(
+        set_refusal("light.softnes=3"),
+        "setting light.softnes=3: `light.softnes`: unknown key\ndid you mean `light.softness`?"
+    );
+    assert!(set_refusal("light.softness=soft").contains("found \"soft\", expected a number from 0 to 45"));
+    assert!(set_refusal("light.softness").contains("there is no `=`"));
+    assert!(set_refusal("=3").contains("there is no key"));
+    assert!(set_refusal("light..softness=3").contains("a part of it is empty"));
+    assert!(set_refusal("light.softness.x=3").contains("unknown key\nthis value has no keys inside"));
+    assert!(set_refusal("clip.1.offset=3").contains("the list has 0 items"));
+    assert!(set_refusal("clip.0.ofset=3").contains("did you mean `clip.0.offset`?"));
+    assert!(set_refusal("clip=[{").contains("`clip`: "));
+    assert!(set_refusal("camera=none").contains("expected a table"));
+    assert!(set_refusal("transfer.ior.0.ior=1.5").contains("`transfer.ior.0.value`: this key is missing"));
+}
+
+#[test]
+fn a_scene_survives_being_written_and_read() {
+    let mut scene = ball();
+    for setting in [
+        "clip=[{ normal = [0.1, 0.2, 0.3] }]",
+        "transfer.medium=[{ value = -1000, color = [0.3, 1e-7, 1] }]",
+        "wall={}",
+        "volume.spacing=[0.1, 0.2, 0.3]",
+        "ior_volume.file=it's \"quoted\".nrrd",
+    ] {
+        scene.set(setting).expect(setting);
+    }
+    let text = scene.to_toml().expect("every name is Unicode");
+    assert_eq!(Scene::from_toml(&text, "written").expect(&text), scene);
+    assert!(text.contains("normal = [0.1, 0.2, 0.3]"), "floats are written as the f32 that they are:\n{text}");
+}
+
+#[test]
+fn scenes_that_programs_make_are_checked_too() {
+    let mut scene = ball();
+    scene.validate().expect("valid");
+    scene.light.softness = f32::NAN;
+    let error = scene.validate().expect_err("NaN is no softness");
+    assert_eq!(error.to_string(), "scene: `light.softness`: found nan, expected a number from 0 to 45");
+}

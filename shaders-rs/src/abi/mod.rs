@@ -1,0 +1,7 @@
+//! What host and kernels share: uniform blocks, record layouts and table layouts.
+
+pub mod environment;
+pub mod grid;
+pub mod record;
+pub mod sweep;
+pub mod tables;

@@ -1,0 +1,73 @@
+//! Records: what a kernel returns for one index. Component `c` of record `i` out of `n` lies at `c·n + i` (planar).
+
+/// A light texel: plane irradiance (or radiance, see [`super::sweep::SweepUniforms`]), and the optical direction.
+pub mod light {
+    /// Components.
+    pub const SIZE: usize = 6;
+    /// Red; green and blue follow.
+    pub const RED: usize = 0;
+    /// Optical direction v, x; y and z (depth) follow.
+    pub const DIRECTION_X: usize = 3;
+}
+
+/// A back-traced point, in texels.
+pub mod trace {
+    /// Components.
+    pub const SIZE: usize = 2;
+}
+
+/// A viewing ray.
+pub mod ray {
+    /// Components.
+    pub const SIZE: usize = 16;
+    /// Position in the sweep frame; its depth is the plane's.
+    pub const X: usize = 0;
+    /// See `X`.
+    pub const Y: usize = 1;
+    /// Optical direction v, x; y and z (depth) follow.
+    pub const DIRECTION_X: usize = 2;
+    /// Normalised scalar at the position; −1 if it was not sampled.
+    pub const FRONT: usize = 5;
+    /// One of [`super::status`].
+    pub const STATUS: usize = 6;
+    /// Opacity-weighted sum of depths.
+    pub const DEPTH: usize = 7;
+    /// Particle colour C, red; green and blue follow.
+    pub const COLOR: usize = 8;
+    /// Opacity A.
+    pub const OPACITY: usize = 11;
+    /// Medium colour M, red; green and blue follow.
+    pub const MEDIUM: usize = 12;
+    /// η at the position; meaningful where `FRONT` was sampled.
+    pub const IOR: usize = 15;
+}
+
+/// What became of a viewing ray.
+pub mod status {
+    /// Under way.
+    pub const ACTIVE: f32 = 0.0;
+    /// Opaque, or ended on a receiver.
+    pub const ENDED: f32 = 1.0;
+    /// Its depth component reached ε: turned back or grazing; the plane sweep cannot follow.
+    pub const TURNED: f32 = 2.0;
+}
+
+/// A finished pixel.
+pub mod film {
+    /// Components.
+    pub const SIZE: usize = 16;
+    /// Linear radiance, red; green, blue and coverage follow.
+    pub const COLOR: usize = 0;
+    /// Opacity A.
+    pub const OPACITY: usize = 4;
+    /// Medium colour M, red; green and blue follow.
+    pub const MEDIUM: usize = 5;
+    /// Opacity-weighted mean depth from the eye, world units; 0 where nothing is opaque.
+    pub const DEPTH: usize = 8;
+    /// Final unit direction in view space (looking along −z), x; y and z follow.
+    pub const DIRECTION: usize = 9;
+    /// Final position in view space, world units, x; y and z follow.
+    pub const POSITION: usize = 12;
+    /// One of [`super::status`].
+    pub const STATUS: usize = 15;
+}

@@ -1,0 +1,66 @@
+//! The SPIR-V entry points, generated from the list of kernels: they read their record, call the kernel, store its record.
+
+use crate::abi::grid::format;
+use crate::abi::record::{film, light, ray, trace};
+use crate::abi::sweep::SweepUniforms;
+use crate::for_each_kernel;
+use crate::kernel::record;
+use crate::sweep::*;
+use spirv_std::glam::UVec3;
+use spirv_std::spirv;
+
+macro_rules! body {
+    (writes [$size:expr], $module:ident [$($generic:expr),*], plain, $id:ident, $u:ident, $count:ident, $index:ident,
+     $out:ident, ($($read:ident),*)) => {
+        record::store::<{ $size }>($out, $index, $count,
+            $module::invoke($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
+    };
+    (writes [$size:expr], $module:ident [$($generic:expr),*], levels [1 2], $id:ident, $u:ident, $count:ident, $index:ident,
+     $out:ident, ($($read:ident),*)) => {
+        let level = $module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*);
+        if level == 1 {
+            record::store::<{ $size }>($out, $index, $count,
+                $module::invoke::<$({ $generic },)* 1>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
+        } else {
+            record::store::<{ $size }>($out, $index, $count,
+                $module::invoke::<$({ $generic },)* 2>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
+        }
+    };
+    (updates [$size:expr], $module:ident [$($generic:expr),*], levels [1 2 3], $id:ident, $u:ident, $count:ident, $index:ident,
+     $out:ident, ($($read:ident),*)) => {
+        let before = record::load::<{ $size }>($out, $index, $count);
+        let level = $module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*);
+        if level == 1 {
+            record::store::<{ $size }>($out, $index, $count,
+                $module::invoke::<$({ $generic },)* 1>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*));
+        } else if level > 1 {
+            record::store::<{ $size }>($out, $index, $count,
+                $module::invoke::<$({ $generic },)* 3>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*));
+        }
+    };
+}
+
+macro_rules! entry_points {
+    ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
+       $access:ident $out:literal $size:tt,
+       $module:ident $generics:tt, $levels:ident $([$($level:literal)*])?, modes $modes:tt;)*) => {
+        $(
+            #[spirv(compute(threads(8, 8)))]
+            pub fn $name(
+                #[spirv(global_invocation_id)] id: UVec3,
+                #[spirv(uniform, descriptor_set = 0, binding = 0)] u: &$uniforms,
+                $(#[spirv(storage_buffer, descriptor_set = 0, binding = $number)] $read: &[$element],)*
+                #[spirv(storage_buffer, descriptor_set = 0, binding = $out)] out: &mut [f32],
+            ) {
+                let (width, height) = (u.dispatch.x, u.dispatch.y);
+                if id.x < width && id.y < height {
+                    let count = width * height;
+                    let index = id.y * width + id.x;
+                    body!($access $size, $module $generics, $levels $([$($level)*])?, id, u, count, index, out, ($($read),*));
+                }
+            }
+        )*
+    };
+}
+
+for_each_kernel!(entry_points);

@@ -1,0 +1,54 @@
+//! The one way a kernel reads a buffer: the index is limited to the buffer, so that no index is out of bounds and no bounds
+//! check with its panic path gets into the loop.
+
+/// `buffer[index]`, the index limited to the buffer. The buffer must not be empty (backends refuse empty ones).
+#[inline(always)]
+pub fn read<T: Copy>(buffer: &[T], index: i32) -> T {
+    let last = buffer.len() as i32 - 1;
+    let index = if index < last { index } else { last };
+    let index = if index > 0 { index } else { 0 };
+    #[cfg(target_arch = "spirv")]
+    {
+        use spirv_std::arch::IndexUnchecked as _;
+        // SAFETY: limited to the buffer above.
+        unsafe { *buffer.index_unchecked(index as usize) }
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        debug_assert!(!buffer.is_empty());
+        // SAFETY: limited to the buffer above, and backends refuse empty buffers. A checked access keeps the loop from
+        // becoming vector code; the signed offset makes it a 32-bit gather.
+        unsafe { *buffer.as_ptr().offset(index as isize) }
+    }
+}
+
+/// The four bytes that start at byte `offset` of `buffer`, little endian, limited to the buffer.
+#[inline(always)]
+pub fn read_bytes(buffer: &[u32], offset: i32) -> u32 {
+    #[cfg(target_arch = "spirv")]
+    {
+        let word = offset >> 2;
+        let shift = ((offset & 3) * 8) as u32;
+        let low = read(buffer, word) >> shift;
+        // Two shifts, since a shift by 32 is undefined.
+        let high = (read(buffer, word + 1) << 1) << (31 - shift);
+        low | high
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        debug_assert!(!buffer.is_empty());
+        let last = (buffer.len() as i32).wrapping_mul(4).wrapping_sub(4);
+        let offset = if offset < last { offset } else { last };
+        let offset = if offset > 0 { offset } else { 0 };
+        // SAFETY: four bytes from `offset` lie inside the buffer. One unaligned load instead of two and a shift; the hosts'
+        // byte order is little endian, which `kernel` asserts at compile time.
+        unsafe {
+            buffer
+                .as_ptr()
+                .cast::<u8>()
+                .offset(offset as isize)
+                .cast::<u32>()
+                .read_unaligned()
+        }
+    }
+}

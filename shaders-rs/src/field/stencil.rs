@@ -1,0 +1,137 @@
+//! Trilinear interpolation, alone and with the six neighbours at one voxel's distance.
+//!
+//! The seven values share one neighbourhood of 32 voxels instead of reading 56.
+
+use super::voxels::{pair, quad};
+use crate::abi::grid::Grid;
+use crate::math::{clamp, dot, floor_to_int, lerp, xyz};
+use spirv_std::glam::Vec3;
+
+/// Scalars, normalised to 0…1, at a point and at one voxel's distance along each axis.
+#[derive(Clone, Copy)]
+pub struct Stencil {
+    /// At the point.
+    pub centre: f32,
+    /// At x − 1 and x + 1.
+    pub x: (f32, f32),
+    /// At y − 1 and y + 1.
+    pub y: (f32, f32),
+    /// At z − 1 and z + 1.
+    pub z: (f32, f32),
+}
+
+/// Where a point lies among the voxels.
+struct Cell {
+    base: i32,
+    fraction: Vec3,
+}
+
+/// The voxel coordinates of a point of the sweep frame.
+#[inline(always)]
+pub fn voxel_coordinates(grid: &Grid, point: Vec3) -> Vec3 {
+    Vec3::new(
+        dot(xyz(grid.row_x), point) + grid.row_x.w,
+        dot(xyz(grid.row_y), point) + grid.row_y.w,
+        dot(xyz(grid.row_z), point) + grid.row_z.w,
+    )
+}
+
+/// The grid's voxels fill −½ … size − ½.
+#[inline(always)]
+pub fn limit_to_grid(grid: &Grid, at: Vec3) -> Vec3 {
+    Vec3::new(
+        clamp(at.x, -0.5, grid.size.x - 0.5),
+        clamp(at.y, -0.5, grid.size.y - 0.5),
+        clamp(at.z, -0.5, grid.size.z - 0.5),
+    )
+}
+
+#[inline(always)]
+fn cell(grid: &Grid, at: Vec3) -> Cell {
+    let at = limit_to_grid(grid, at);
+    let x = floor_to_int(at.x, -1.0, grid.size.x);
+    let y = floor_to_int(at.y, -1.0, grid.size.y);
+    let z = floor_to_int(at.z, -1.0, grid.size.z);
+    Cell {
+        base: grid.pitch.z + x + y * grid.pitch.x + z * grid.pitch.y,
+        fraction: Vec3::new(at.x - x as f32, at.y - y as f32, at.z - z as f32),
+    }
+}
+
+/// The normalised scalar at voxel coordinates `at`; beyond the grid, that of the nearest point of the grid.
+#[inline(always)]
+pub fn scalar<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> f32 {
+    let Cell { base, fraction } = cell(grid, at);
+    let (row, slice) = (grid.pitch.x, grid.pitch.y);
+    let along_x = |offset: i32| {
+        let (a, b) = pair::<FORMAT>(voxels, base + offset);
+        lerp(a, b, fraction.x)
+    };
+    let near = lerp(along_x(0), along_x(row), fraction.y);
+    let far = lerp(along_x(slice), along_x(slice + row), fraction.y);
+    normalise(grid, lerp(near, far, fraction.z))
+}
+
+/// The normalised scalars at voxel coordinates `at` and around it.
+#[inline(always)]
+pub fn stencil<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> Stencil {
+    let Cell { base, fraction: f } = cell(grid, at);
+    let (row, slice) = (grid.pitch.x, grid.pitch.y);
+    // Along x at the four inner rows: (left, centre, right) of the point.
+    let inner = |offset: i32| {
+        let (a, b, c, d) = quad::<FORMAT>(voxels, base + offset);
+        (lerp(a, b, f.x), lerp(b, c, f.x), lerp(c, d, f.x))
+    };
+    let outer = |offset: i32| {
+        let (a, b) = pair::<FORMAT>(voxels, base + offset);
+        lerp(a, b, f.x)
+    };
+    let (l00, c00, r00) = inner(0);
+    let (l10, c10, r10) = inner(row);
+    let (l01, c01, r01) = inner(slice);
+    let (l11, c11, r11) = inner(slice + row);
+    let (below0, above0) = (outer(-row), outer(2 * row));
+    let (below1, above1) = (outer(slice - row), outer(slice + 2 * row));
+    let (before0, behind0) = (outer(-slice), outer(2 * slice));
+    let (before1, behind1) = (outer(row - slice), outer(row + 2 * slice));
+
+    let near = lerp(c00, c10, f.y);
+    let far = lerp(c01, c11, f.y);
+    let left = lerp(lerp(l00, l10, f.y), lerp(l01, l11, f.y), f.z);
+    let right = lerp(lerp(r00, r10, f.y), lerp(r01, r11, f.y), f.z);
+    let below = lerp(lerp(below0, c00, f.y), lerp(below1, c01, f.y), f.z);
+    let above = lerp(lerp(c10, above0, f.y), lerp(c11, above1, f.y), f.z);
+    let before = lerp(lerp(before0, before1, f.y), near, f.z);
+    let behind = lerp(far, lerp(behind0, behind1, f.y), f.z);
+    Stencil {
+        centre: normalise(grid, lerp(near, far, f.z)),
+        x: (normalise(grid, left), normalise(grid, right)),
+        y: (normalise(grid, below), normalise(grid, above)),
+        z: (normalise(grid, before), normalise(grid, behind)),
+    }
+}
+
+#[inline(always)]
+fn normalise(grid: &Grid, stored: f32) -> f32 {
+    clamp(stored * grid.value.x + grid.value.y, 0.0, 1.0)
+}
+
+/// A gradient over voxel coordinates, turned into the sweep frame (per world unit).
+#[inline(always)]
+pub fn to_sweep_frame(grid: &Grid, gradient: Vec3) -> Vec3 {
+    Vec3::new(
+        (grid.row_x.x * gradient.x + grid.row_y.x * gradient.y) + grid.row_z.x * gradient.z,
+        (grid.row_x.y * gradient.x + grid.row_y.y * gradient.y) + grid.row_z.y * gradient.z,
+        (grid.row_x.z * gradient.x + grid.row_y.z * gradient.y) + grid.row_z.z * gradient.z,
+    )
+}
+
+/// Central differences of the scalar over voxel coordinates.
+#[inline(always)]
+pub fn central_differences(s: &Stencil) -> Vec3 {
+    Vec3::new(
+        0.5 * (s.x.1 - s.x.0),
+        0.5 * (s.y.1 - s.y.0),
+        0.5 * (s.z.1 - s.z.0),
+    )
+}

@@ -1,0 +1,103 @@
+//! Look-ups in the transfer function tables.
+
+use super::access::read;
+use crate::abi::tables::{IOR_OFFSET, IOR_SIZE, SEGMENT_EXPONENT, SEGMENT_SIZE, SEGMENT_WORDS};
+use crate::math::{floor_to_int, half_to_f32, lerp};
+use spirv_std::glam::Vec3;
+
+/// What lies between two scalars, for a segment of the reference length.
+#[derive(Clone, Copy)]
+pub struct Segment {
+    /// Optical depth of the particles, τ.
+    pub particles: f32,
+    /// Optical depth of the medium for each colour, κ.
+    pub medium: Vec3,
+    /// τ · particle colour, q. Zero in [`attenuation`].
+    pub emission: Vec3,
+}
+
+/// Index of refraction at a normalised scalar.
+#[inline(always)]
+pub fn ior(tables: &[u32], scalar: f32) -> f32 {
+    ior_and_slope(tables, scalar).0
+}
+
+/// Index of refraction at a normalised scalar, and its derivative over the scalar.
+#[inline(always)]
+pub fn ior_and_slope(tables: &[u32], scalar: f32) -> (f32, f32) {
+    let last = (IOR_SIZE - 1) as f32;
+    let at = scalar * last;
+    let index = floor_to_int(at, 0.0, last - 1.0);
+    let a = f32::from_bits(read(tables, IOR_OFFSET as i32 + index));
+    let b = f32::from_bits(read(tables, IOR_OFFSET as i32 + index + 1));
+    (lerp(a, b, at - index as f32), (b - a) * last)
+}
+
+/// Where (front, back) lies in the table.
+struct Cell {
+    base: i32,
+    front: f32,
+    back: f32,
+}
+
+#[inline(always)]
+fn cell(front: f32, back: f32) -> Cell {
+    let last = (SEGMENT_SIZE - 1) as f32;
+    let (f, b) = (front * last, back * last);
+    let i = floor_to_int(f, 0.0, last - 1.0);
+    let j = floor_to_int(b, 0.0, last - 1.0);
+    Cell {
+        base: (i * SEGMENT_SIZE as i32 + j) * SEGMENT_WORDS as i32,
+        front: f - i as f32,
+        back: b - j as f32,
+    }
+}
+
+/// Bilinear interpolation of the pair of halves in word `word` of the entries around a cell.
+#[inline(always)]
+fn interpolate(tables: &[u32], cell: &Cell, word: i32) -> (f32, f32) {
+    let words = SEGMENT_WORDS as i32;
+    let row = SEGMENT_SIZE as i32 * words;
+    let w00 = read(tables, cell.base + word);
+    let w01 = read(tables, cell.base + word + words);
+    let w10 = read(tables, cell.base + word + row);
+    let w11 = read(tables, cell.base + word + row + words);
+    let mix = |a: u32, b: u32, c: u32, d: u32| {
+        let e = SEGMENT_EXPONENT;
+        let front = lerp(half_to_f32(a, e), half_to_f32(b, e), cell.back);
+        let back = lerp(half_to_f32(c, e), half_to_f32(d, e), cell.back);
+        lerp(front, back, cell.front)
+    };
+    (
+        mix(w00, w01, w10, w11),
+        mix(w00 >> 16, w01 >> 16, w10 >> 16, w11 >> 16),
+    )
+}
+
+/// Attenuation between the scalars `front` and `back`: what light needs.
+#[inline(always)]
+pub fn attenuation(tables: &[u32], front: f32, back: f32) -> Segment {
+    let cell = cell(front, back);
+    let (particles, red) = interpolate(tables, &cell, 0);
+    let (green, blue) = interpolate(tables, &cell, 1);
+    Segment {
+        particles,
+        medium: Vec3::new(red, green, blue),
+        emission: Vec3::new(0.0, 0.0, 0.0),
+    }
+}
+
+/// Attenuation and colour between the scalars `front` and `back`: what a viewing ray needs.
+#[inline(always)]
+pub fn segment(tables: &[u32], front: f32, back: f32) -> Segment {
+    let cell = cell(front, back);
+    let (particles, medium_red) = interpolate(tables, &cell, 0);
+    let (medium_green, medium_blue) = interpolate(tables, &cell, 1);
+    let (red, green) = interpolate(tables, &cell, 2);
+    let (blue, _) = interpolate(tables, &cell, 3);
+    Segment {
+        particles,
+        medium: Vec3::new(medium_red, medium_green, medium_blue),
+        emission: Vec3::new(red, green, blue),
+    }
+}

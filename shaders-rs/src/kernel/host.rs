@@ -1,0 +1,119 @@
+//! What a backend knows of a kernel.
+
+#[cfg(target_endian = "big")]
+compile_error!("kernels read packed voxels as little-endian words");
+
+/// The most invocations a block of the CPU dispatch has; one AVX-512 register of floats.
+pub const LANES: usize = 16;
+
+/// A buffer's element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// 32-bit words.
+    U32,
+    /// 32-bit floats.
+    F32,
+}
+
+/// How a kernel uses a binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// A uniform block.
+    Uniform,
+    /// A storage buffer that is read anywhere.
+    Read,
+    /// A planar storage buffer, one record an invocation, written.
+    Write,
+    /// A planar storage buffer, one record an invocation, read and written.
+    Update,
+}
+
+/// One binding of bind group 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// Number; dense from 0.
+    pub binding: u32,
+    /// The kernel's name for it.
+    pub name: &'static str,
+    /// Element type; [`Element::U32`] for the uniform block.
+    pub element: Element,
+    /// Use.
+    pub access: Access,
+}
+
+/// What is said once about a kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct Declaration {
+    /// Name of the kernel, of its SPIR-V entry point and of its `.spv` file.
+    pub name: &'static str,
+    /// Bytes of its uniform block.
+    pub uniform_bytes: usize,
+    /// Floats in a record of its output.
+    pub components: usize,
+    /// Bindings of group 0, in order.
+    pub bindings: &'static [Binding],
+}
+
+/// Rows of a dispatch, for the CPU.
+pub struct Chunk<'a> {
+    /// The first row.
+    pub first_row: u32,
+    /// Rows in the chunk.
+    pub rows: u32,
+    /// Invocations in a row.
+    pub width: u32,
+    /// The uniform block.
+    pub uniforms: &'a [u8],
+    /// The buffers that are read, in order of their bindings. Not empty.
+    pub reads: &'a [&'a [u32]],
+    /// For each component of the output, this chunk's part: `rows · width` floats.
+    pub output: &'a mut [&'a mut [f32]],
+}
+
+/// Instruction sets the CPU dispatch is compiled for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum InstructionSet {
+    /// What the target guarantees (SSE2 on x86-64, NEON on AArch64).
+    Baseline,
+    /// AVX2.
+    Avx2,
+    /// AVX-512 F, BW, CD, DQ, VL.
+    Avx512,
+}
+
+impl InstructionSet {
+    /// All of them, slowest first.
+    pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
+
+    /// Whether this machine has it.
+    pub fn is_available(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => std::arch::is_x86_feature_detected!("avx2"),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                std::arch::is_x86_feature_detected!("avx512f")
+                    && std::arch::is_x86_feature_detected!("avx512bw")
+                    && std::arch::is_x86_feature_detected!("avx512cd")
+                    && std::arch::is_x86_feature_detected!("avx512dq")
+                    && std::arch::is_x86_feature_detected!("avx512vl")
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => false,
+        }
+    }
+
+    /// The best this machine has.
+    pub fn best() -> Self {
+        Self::ALL.into_iter().rfind(|set| set.is_available()).unwrap_or(Self::Baseline)
+    }
+}
+
+/// A kernel as the CPU runs it.
+pub struct Kernel {
+    /// What is said about it.
+    pub declaration: Declaration,
+    /// Runs it over a chunk; the instruction set must be available. Returns whether any invocation had work to do.
+    pub run: fn(InstructionSet, &mut Chunk<'_>) -> bool,
+}

@@ -1,0 +1,45 @@
+//! Records in planar buffers: component `c` of record `index` out of `count` lies at `c · count + index`.
+//!
+//! Unrolled by hand: an array indexed by a variable would live in memory on the GPU.
+
+/// Reads the record at `index`.
+#[inline(always)]
+pub fn load<const N: usize>(buffer: &[f32], index: u32, count: u32) -> [f32; N] {
+    let mut record = [0.0; N];
+    macro_rules! component {
+        ($($c:literal)*) => {
+            $(if N > $c {
+                record[$c] = crate::field::access::read(buffer, ($c * count + index) as i32);
+            })*
+        };
+    }
+    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    record
+}
+
+/// Writes the record at `index`; `index` must be below `count`, and the buffer hold `N · count` floats.
+#[inline(always)]
+pub fn store<const N: usize>(buffer: &mut [f32], index: u32, count: u32, record: [f32; N]) {
+    macro_rules! component {
+        ($($c:literal)*) => {
+            $(if N > $c {
+                put(buffer, ($c * count + index) as usize, record[$c]);
+            })*
+        };
+    }
+    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+}
+
+#[inline(always)]
+fn put(buffer: &mut [f32], at: usize, value: f32) {
+    #[cfg(target_arch = "spirv")]
+    {
+        use spirv_std::arch::IndexUnchecked as _;
+        // SAFETY: entry points run for indices below `count` only, and backends check the buffer's size before a pass.
+        unsafe { *buffer.index_unchecked_mut(at) = value }
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        buffer[at] = value;
+    }
+}

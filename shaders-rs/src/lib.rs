@@ -1,0 +1,22 @@
+//! Vitrum's kernels, each written once: rust-gpu compiles them to SPIR-V, and the same functions run on the CPU.
+//!
+//! - [`abi`] is what host and kernels share: uniforms, record layouts, table layouts.
+//! - [`math`], [`field`] and [`optics`] are the building blocks.
+//! - [`sweep`] holds the kernels of Magnus & Bruckner 2017, one file a kernel.
+//! - [`kernel`] is the one place where a kernel is declared; `entry_points` and the CPU dispatch come from it.
+//!
+//! A kernel maps an index (x, y) to a record of floats. It reads uniforms and whole buffers, it has no side effects, and
+//! its arithmetic is `+ − × ÷`, `sqrt`, comparisons and integers, so that both backends give the same bits.
+#![cfg_attr(target_arch = "spirv", no_std)]
+
+pub mod abi;
+pub mod field;
+pub mod kernel;
+pub mod math;
+pub mod optics;
+pub mod sweep;
+
+#[cfg(target_arch = "spirv")]
+pub mod entry_points;
+
+pub use spirv_std::glam;

@@ -1,0 +1,62 @@
+//! Compositing along a viewing ray (sweep Eq. 14).
+
+use crate::field::tables::Segment;
+use crate::math::{exp, max};
+use spirv_std::glam::Vec3;
+
+/// What a ray has gathered.
+#[derive(Clone, Copy)]
+pub struct Gathered {
+    /// Particle colour C.
+    pub color: Vec3,
+    /// Opacity A.
+    pub opacity: f32,
+    /// Medium colour M.
+    pub medium: Vec3,
+}
+
+/// A segment's transmittances and emission for its real length.
+#[derive(Clone, Copy)]
+pub struct Layer {
+    /// 1 − α.
+    pub clear: f32,
+    /// α.
+    pub opacity: f32,
+    /// m.
+    pub medium: Vec3,
+    /// α · c.
+    pub color: Vec3,
+}
+
+/// The layer a segment makes: lengths in units of the reference length, of particles and of medium.
+///
+/// 1 − α = e^(−τℓ), m = e^(−κℓ), α c = q ℓ (1 − e^(−τℓ)) / (τℓ).
+#[inline(always)]
+pub fn layer(segment: &Segment, particle_length: f32, medium_length: f32) -> Layer {
+    let depth = segment.particles * particle_length;
+    let clear = exp(-depth);
+    let opacity = 1.0 - clear;
+    // q/τ is the mean colour; where nothing is there, q is 0 too.
+    let scale = opacity / max(segment.particles, 1e-12);
+    Layer {
+        clear,
+        opacity,
+        medium: Vec3::new(
+            exp(-(segment.medium.x * medium_length)),
+            exp(-(segment.medium.y * medium_length)),
+            exp(-(segment.medium.z * medium_length)),
+        ),
+        color: segment.emission * scale,
+    }
+}
+
+/// C += (1 − A) M (α c i_d + i_s); A += (1 − A) α; M *= m.
+#[inline(always)]
+pub fn over(g: Gathered, layer: &Layer, diffuse: Vec3, specular: Vec3) -> Gathered {
+    let clear = 1.0 - g.opacity;
+    Gathered {
+        color: g.color + (g.medium * (layer.color * diffuse + specular)) * clear,
+        opacity: g.opacity + clear * layer.opacity,
+        medium: g.medium * layer.medium,
+    }
+}

@@ -1,0 +1,128 @@
+//! What the volume does along a segment: where it lies, how it bends.
+
+use crate::abi::grid::Grid;
+use crate::abi::sweep::mode;
+use crate::field::stencil::{Stencil, central_differences, scalar, stencil, to_sweep_frame};
+use crate::field::tables::{ior, ior_and_slope};
+use crate::math::{absolute, clamp, max, min, select};
+use spirv_std::glam::Vec3;
+
+/// The medium at a point.
+#[derive(Clone, Copy)]
+pub struct Medium {
+    /// Normalised scalar.
+    pub scalar: f32,
+    /// ∇f in the sweep frame. Zero where rays are straight.
+    pub scalar_gradient: Vec3,
+    /// η.
+    pub ior: f32,
+    /// ½∇(η²) in the sweep frame.
+    pub acceleration: Vec3,
+    /// ∇η in the sweep frame.
+    pub ior_gradient: Vec3,
+}
+
+/// The share of the segment between voxel coordinates `from` and `to` that lies inside the grid.
+#[inline(always)]
+pub fn share_inside(grid: &Grid, from: Vec3, to: Vec3) -> f32 {
+    let (ax, bx) = slab(from.x, to.x, grid.size.x);
+    let (ay, by) = slab(from.y, to.y, grid.size.y);
+    let (az, bz) = slab(from.z, to.z, grid.size.z);
+    max(min(min(bx, by), bz) - max(max(ax, ay), az), 0.0)
+}
+
+/// Where a segment enters and leaves −½ … size − ½ along one axis, 0 to 1.
+#[inline(always)]
+fn slab(from: f32, to: f32, size: f32) -> (f32, f32) {
+    let (low, high) = (-0.5, size - 0.5);
+    let along = to - from;
+    let tiny = absolute(along) < 1e-12;
+    let inverse = 1.0 / select(tiny, 1.0, along);
+    let (p, q) = ((low - from) * inverse, (high - from) * inverse);
+    let within = (from >= low) & (from <= high);
+    (
+        select(tiny, select(within, 0.0, 2.0), clamp(min(p, q), 0.0, 1.0)),
+        select(tiny, 1.0, clamp(max(p, q), 0.0, 1.0)),
+    )
+}
+
+/// 1 inside the grid, 0 outside.
+#[inline(always)]
+fn inside(grid: &Grid, at: Vec3) -> f32 {
+    let within = (at.x >= -0.5)
+        & (at.x <= grid.size.x - 0.5)
+        & (at.y >= -0.5)
+        & (at.y <= grid.size.y - 0.5)
+        & (at.z >= -0.5)
+        & (at.z <= grid.size.z - 0.5);
+    select(within, 1.0, 0.0)
+}
+
+/// η and its gradients from the scalars around a point; ∇ in voxel coordinates.
+#[inline(always)]
+fn refraction(tables: &[u32], s: &Stencil, chosen: u32) -> (f32, Vec3, Vec3) {
+    let (eta, slope) = ior_and_slope(tables, s.centre);
+    if chosen == mode::CHAIN {
+        let gradient = central_differences(s) * slope;
+        (eta, gradient, gradient * eta)
+    } else {
+        let (x0, x1) = (ior(tables, s.x.0), ior(tables, s.x.1));
+        let (y0, y1) = (ior(tables, s.y.0), ior(tables, s.y.1));
+        let (z0, z1) = (ior(tables, s.z.0), ior(tables, s.z.1));
+        let gradient = Vec3::new(0.5 * (x1 - x0), 0.5 * (y1 - y0), 0.5 * (z1 - z0));
+        // ½ the difference of η²/2: what a ray gains is then exactly the difference of potentials.
+        let acceleration = Vec3::new(
+            0.25 * ((x1 - x0) * (x1 + x0)),
+            0.25 * ((y1 - y0) * (y1 + y0)),
+            0.25 * ((z1 - z0) * (z1 + z0)),
+        );
+        (eta, gradient, acceleration)
+    }
+}
+
+/// The medium at voxel coordinates `at` of the grid (`at_ior` of the second one). Outside the grid nothing bends.
+#[inline(always)]
+pub fn medium<const FORMAT: u32, const SECOND: bool>(
+    grids: (&Grid, &Grid),
+    chosen: u32,
+    voxels: &[u32],
+    ior_voxels: &[u32],
+    tables: &[u32],
+    at: Vec3,
+    at_ior: Vec3,
+) -> Medium {
+    let (grid, ior_grid) = grids;
+    if chosen == mode::STRAIGHT {
+        let zero = Vec3::new(0.0, 0.0, 0.0);
+        Medium {
+            scalar: scalar::<FORMAT>(voxels, grid, at),
+            scalar_gradient: zero,
+            ior: 1.0,
+            acceleration: zero,
+            ior_gradient: zero,
+        }
+    } else if SECOND {
+        let shown = stencil::<FORMAT>(voxels, grid, at);
+        let bending = stencil::<FORMAT>(ior_voxels, ior_grid, at_ior);
+        let (eta, gradient, acceleration) = refraction(tables, &bending, chosen);
+        let within = inside(ior_grid, at_ior);
+        Medium {
+            scalar: shown.centre,
+            scalar_gradient: to_sweep_frame(ior_grid, central_differences(&bending)),
+            ior: eta,
+            acceleration: to_sweep_frame(ior_grid, acceleration) * within,
+            ior_gradient: to_sweep_frame(ior_grid, gradient) * within,
+        }
+    } else {
+        let shown = stencil::<FORMAT>(voxels, grid, at);
+        let (eta, gradient, acceleration) = refraction(tables, &shown, chosen);
+        let within = inside(grid, at);
+        Medium {
+            scalar: shown.centre,
+            scalar_gradient: to_sweep_frame(grid, central_differences(&shown)),
+            ior: eta,
+            acceleration: to_sweep_frame(grid, acceleration) * within,
+            ior_gradient: to_sweep_frame(grid, gradient) * within,
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Step 2: arithmetic that no driver may change.
+//!
+//! A driver may contract `a · b + c` and an optimiser may turn `x / c` into `x · (1/c)`; rustc does neither. `NoContraction` on
+//! every float operation forbids both, and spirv-opt respects it. The memory model becomes GLSL450, which is what wgpu
+//! enables.
+
+use anyhow::{Result, anyhow};
+use rspirv::binary::Assemble as _;
+use rspirv::dr::{Instruction, Operand};
+use rspirv::spirv::{AddressingModel, Capability, Decoration, MemoryModel, Op};
+
+/// Whether an operation's float result could be contracted or re-associated.
+fn is_float_arithmetic(op: Op) -> bool {
+    matches!(
+        op,
+        Op::FAdd
+            | Op::FSub
+            | Op::FMul
+            | Op::FDiv
+            | Op::FNegate
+            | Op::FRem
+            | Op::FMod
+            | Op::VectorTimesScalar
+            | Op::MatrixTimesScalar
+            | Op::VectorTimesMatrix
+            | Op::MatrixTimesVector
+            | Op::MatrixTimesMatrix
+            | Op::Dot
+    )
+}
+
+/// The module with every float operation marked `NoContraction`, in the GLSL450 memory model.
+pub fn pin(bytes: &[u8]) -> Result<Vec<u32>> {
+    let mut module = rspirv::dr::load_bytes(bytes).map_err(|state| anyhow!("not a SPIR-V module: {state:?}"))?;
+    module.capabilities.retain(|capability| {
+        !capability
+            .operands
+            .contains(&Operand::Capability(Capability::VulkanMemoryModel))
+    });
+    module.extensions.retain(|extension| {
+        !extension
+            .operands
+            .contains(&Operand::LiteralString("SPV_KHR_vulkan_memory_model".to_owned()))
+    });
+    module.memory_model = Some(Instruction::new(
+        Op::MemoryModel,
+        None,
+        None,
+        vec![
+            Operand::AddressingModel(AddressingModel::Logical),
+            Operand::MemoryModel(MemoryModel::GLSL450),
+        ],
+    ));
+    let results: Vec<u32> = module
+        .functions
+        .iter()
+        .flat_map(|function| &function.blocks)
+        .flat_map(|block| &block.instructions)
+        .filter(|instruction| is_float_arithmetic(instruction.class.opcode))
+        .filter_map(|instruction| instruction.result_id)
+        .collect();
+    module.annotations.extend(results.into_iter().map(|id| {
+        Instruction::new(
+            Op::Decorate,
+            None,
+            None,
+            vec![Operand::IdRef(id), Operand::Decoration(Decoration::NoContraction)],
+        )
+    }));
+    Ok(module.assemble())
+}

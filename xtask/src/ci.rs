@@ -1,0 +1,74 @@
+//! `cargo xtask ci`: everything that has to hold before a change is merged.
+
+use clap::ValueEnum;
+
+use crate::command::{cargo, run as run_command};
+use crate::diff;
+use crate::failure::Failure;
+use crate::shaders::{self, COMPILER};
+use crate::steps::Steps;
+use crate::test;
+
+/// Run every check: format, lints, documentation, tests, committed SPIR-V, backends against each other.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Leave a step out; repeatable.
+    #[arg(long, value_enum)]
+    skip: Vec<Step>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Step {
+    Fmt,
+    Clippy,
+    Doc,
+    Test,
+    Shaders,
+    Diff,
+}
+
+impl Step {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Fmt => "fmt",
+            Self::Clippy => "clippy",
+            Self::Doc => "doc",
+            Self::Test => "test",
+            Self::Shaders => "shaders",
+            Self::Diff => "diff",
+        }
+    }
+
+    fn run(self) -> Result<(), Failure> {
+        match self {
+            Self::Fmt => run_command(&mut cargo(["fmt", "--all", "--check"])),
+            Self::Clippy => for_all_packages(|selection| {
+                let mut command = cargo(["clippy", "--all-targets"]);
+                command.args(selection).args(["--", "-D", "warnings"]);
+                run_command(&mut command)
+            }),
+            Self::Doc => for_all_packages(|selection| {
+                let mut command = cargo(["doc", "--no-deps"]);
+                run_command(command.args(selection).env("RUSTDOCFLAGS", "-D warnings"))
+            }),
+            Self::Test => test::run(&test::Arguments::default()),
+            Self::Shaders => shaders::check(),
+            Self::Diff => diff::run(&diff::Arguments::default()),
+        }
+    }
+}
+
+/// Applies a cargo command to the workspace, and to the shader compiler the way [`shaders`] builds it.
+fn for_all_packages(command: impl Fn(&[&str]) -> Result<(), Failure>) -> Result<(), Failure> {
+    command(&["--workspace", "--exclude", COMPILER])?;
+    command(&["--release", "--package", COMPILER])
+}
+
+/// Runs all steps, also after one has failed.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut steps = Steps::default();
+    for &step in Step::value_variants().iter().filter(|step| !arguments.skip.contains(step)) {
+        steps.run(step.name(), || step.run());
+    }
+    steps.finish()
+}

@@ -1,0 +1,55 @@
+//! The project's tasks: `cargo xtask <task>`.
+//!
+//! Exit codes: 0 done; 1 a check said no; 2 wrong use, or something that the task needs is missing; any other is that of
+//! the program that the task ran.
+
+mod bench;
+mod ci;
+mod command;
+mod diff;
+mod distribution;
+mod failure;
+mod shaders;
+mod steps;
+mod test;
+mod toolchain;
+mod vulkan;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+
+#[derive(Parser)]
+#[command(bin_name = "cargo xtask", about = "The project's tasks", disable_help_subcommand = true)]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    Shaders(shaders::Arguments),
+    Test(test::Arguments),
+    Diff(diff::Arguments),
+    Bench(bench::Arguments),
+    Ci(ci::Arguments),
+}
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().task {
+        Task::Shaders(arguments) => shaders::run(&arguments),
+        Task::Test(arguments) => test::run(&arguments),
+        Task::Diff(arguments) => diff::run(&arguments),
+        Task::Bench(arguments) => bench::run(&arguments),
+        Task::Ci(arguments) => ci::run(&arguments),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure { code, message }) => {
+            eprintln!("xtask: {message}");
+            ExitCode::from(code)
+        }
+    }
+}
