@@ -15,7 +15,7 @@ macro_rules! body {
         record::store::<{ $size }>($out, $index, $count,
             $module::invoke($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
     };
-    (writes [$size:expr], $module:ident [$($generic:expr),*], levels [1 2], $id:ident, $u:ident, $count:ident, $index:ident,
+    (writes [$size:expr], $module:ident [$($generic:expr),*], levels [$($level:literal)*], $id:ident, $u:ident, $count:ident, $index:ident,
      $out:ident, ($($read:ident),*)) => {
         let level = $module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*);
         if level == 1 {
@@ -26,7 +26,7 @@ macro_rules! body {
                 $module::invoke::<$({ $generic },)* 2>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
         }
     };
-    (updates [$size:expr], $module:ident [$($generic:expr),*], levels [1 2 3], $id:ident, $u:ident, $count:ident, $index:ident,
+    (updates [$size:expr], $module:ident [$($generic:expr),*], levels [$($level:literal)*], $id:ident, $u:ident, $count:ident, $index:ident,
      $out:ident, ($($read:ident),*)) => {
         let before = record::load::<{ $size }>($out, $index, $count);
         let level = $module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*);

@@ -1,5 +1,6 @@
 //! Which bound holds on which adapter.
 
+use vitrum::backend::Backend;
 use vitrum_compare::{Bound, Tolerance};
 
 /// Scenes that are not yet equal to the last bit on lavapipe, each with the reason.
@@ -28,14 +29,33 @@ pub fn is_lavapipe(adapter: &str) -> bool {
     adapter.to_lowercase().contains("llvmpipe") || adapter.to_lowercase().contains("lavapipe")
 }
 
+/// The bound on what a backend makes of a scene, against the CPU. All CPU builds give the same bits.
+pub fn of_backend(backend: &dyn Backend, scene: &str, shown: bool) -> Bound {
+    if backend.name() == "cpu" { Bound::BitEqual } else { of_frame(&backend.adapter(), scene, shown) }
+}
+
+/// The bound on the CPU against a golden picture.
+///
+/// Kernels give the same bits everywhere, but what the host prepares for them (directions, table entries) needs functions
+/// such as the sine, which are the C library's: golden pictures are exact where they were made, on x86-64 Linux.
+#[must_use]
+pub fn of_golden(shown: bool) -> Bound {
+    let at_home = cfg!(all(target_arch = "x86_64", target_os = "linux", target_env = "gnu"));
+    if at_home { Bound::BitEqual } else { other_adapters(shown) }
+}
+
 /// The bound on a scene's frame on an adapter, against the CPU. `shown` says that the values are colours, which FLIP judges.
 #[must_use]
 pub fn of_frame(adapter: &str, scene: &str, shown: bool) -> Bound {
     match (is_lavapipe(adapter), NOT_YET_EQUAL.iter().any(|&(name, _)| name == scene)) {
         (true, false) => Bound::BitEqual,
         (true, true) => Bound::Tolerance(NEARLY_EQUAL),
-        (false, _) => Bound::Tolerance(Tolerance { mean_flip: shown.then_some(OTHER_ADAPTERS_FLIP), ..OTHER_ADAPTERS }),
+        (false, _) => other_adapters(shown),
     }
+}
+
+fn other_adapters(shown: bool) -> Bound {
+    Bound::Tolerance(Tolerance { mean_flip: shown.then_some(OTHER_ADAPTERS_FLIP), ..OTHER_ADAPTERS })
 }
 
 #[cfg(test)]

@@ -1,12 +1,8 @@
 //! Volumes, meshes and environment maps that lie beside the project and not in it, so that not everyone has them.
 
-use std::env;
-use std::io::{Write, stdout};
 use std::path::{Path, PathBuf};
-use std::thread;
 
-/// What a test writes when it leaves itself out; `cargo xtask test` counts these lines.
-const LEFT_OUT: &str = "[left out] ";
+use crate::left_out;
 
 /// The path of a file of the shared data, `../shared/data` seen from the project's root.
 ///
@@ -17,13 +13,10 @@ const LEFT_OUT: &str = "[left out] ";
 /// If the file is missing and `VITRUM_REQUIRE_DATA` is set, so that a machine that should have the data notices.
 #[must_use]
 pub fn shared(name: &str) -> Option<PathBuf> {
-    let required = env::var_os("VITRUM_REQUIRE_DATA").is_some_and(|value| !value.is_empty() && value != "0");
-    match find(&crate::root().join("../shared/data"), name, required) {
+    match find(&crate::root().join("../shared/data"), name, left_out::is_required("VITRUM_REQUIRE_DATA")) {
         Ok(path) => Some(path),
         Err(missing) => {
-            let test = thread::current().name().unwrap_or("a test").to_owned();
-            // Not `println!`, which the harness keeps to itself if the test passes. What cannot be written is not missed.
-            let _ = writeln!(stdout(), "{LEFT_OUT}{test}: {missing}");
+            left_out::say(&missing);
             None
         }
     }

@@ -1,12 +1,35 @@
 //! Conformance: both backends against each other, against closed forms and against golden pictures.
 //!
 //! The tests in `tests/` and the programs `conformance` (`cargo xtask diff`) and `bench` (`cargo xtask bench`) share what
-//! is here: which [`bounds`] hold where, the [`table`] of what was measured, and the [`evidence`] that a breach leaves.
+//! is here. `docs/conformance.md` describes the tiers:
+//!
+//! | tier | module | what is compared |
+//! |---|---|---|
+//! | T1 | [`kernels`] | what each kernel wrote, in the midst of a frame |
+//! | T2 | [`frames`] | every output of whole frames |
+//! | T3 | [`golden`] | frames with committed pictures |
+//!
+//! Each takes a [`case::Case`], turns what it compares into [`raster`]s and gives them to a [`run::Run`], which holds them
+//! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach. [`bench`](mod@bench) times
+//! frames instead.
 
+pub mod adapter;
+pub mod bench;
 pub mod bounds;
+pub mod case;
 pub mod data;
 pub mod evidence;
+pub mod failure;
+pub mod frames;
+pub mod golden;
+pub mod kernels;
+mod left_out;
+pub mod machine;
+pub mod raster;
+pub mod run;
 pub mod table;
+
+pub use failure::Failure;
 
 use std::path::{Path, PathBuf};
 

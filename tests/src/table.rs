@@ -72,14 +72,23 @@ impl Row {
     }
 }
 
-/// The rows as a Markdown table, padded so that it also reads well in a terminal.
+/// The rows as a Markdown table.
 #[must_use]
 pub fn markdown(rows: &[Row]) -> String {
-    let mut lines = vec![HEADER.map(str::to_owned)];
-    lines.extend(rows.iter().map(Row::cells));
+    aligned(HEADER.map(str::to_owned), rows.iter().map(Row::cells))
+}
+
+/// A Markdown table, padded so that it also reads well in a terminal.
+#[must_use]
+pub fn aligned<const COLUMNS: usize>(
+    header: [String; COLUMNS],
+    rows: impl IntoIterator<Item = [String; COLUMNS]>,
+) -> String {
+    let mut lines = vec![header];
+    lines.extend(rows);
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
-    let widths: [usize; 9] = std::array::from_fn(width);
-    let line = |cells: &[String; 9]| {
+    let widths: [usize; COLUMNS] = std::array::from_fn(width);
+    let line = |cells: &[String; COLUMNS]| {
         let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}"));
         format!("| {} |", cells.collect::<Vec<_>>().join(" | "))
     };

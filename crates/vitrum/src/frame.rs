@@ -55,7 +55,10 @@ impl Frame {
         ("color", "linear radiance and coverage (RGBA)"),
         ("opacity", "opacity A of particles and receivers, 0 to 1"),
         ("medium", "transmittance M of the medium, RGB, 0 to 1"),
-        ("depth", "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque"),
+        (
+            "depth",
+            "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque",
+        ),
         ("direction", "final unit direction of the ray in view space (looking along -z)"),
         ("position", "final position of the ray in view space, world units"),
         ("status", "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed"),
@@ -68,30 +71,18 @@ impl Frame {
             return Some(self.light.clone());
         }
         let layer = self.layers.iter().find(|layer| layer.name == name)?;
-        Some(Picture {
-            width: self.width,
-            height: self.height,
-            layers: vec![layer.clone()],
-        })
+        Some(Picture { width: self.width, height: self.height, layers: vec![layer.clone()] })
     }
 
     /// All outputs of the picture's size in one picture.
     pub fn picture(&self) -> Picture {
-        Picture {
-            width: self.width,
-            height: self.height,
-            layers: self.layers.clone(),
-        }
+        Picture { width: self.width, height: self.height, layers: self.layers.clone() }
     }
 
     /// One channel of an output, e.g. `color` and `R`.
     pub fn channel(&self, layer: &str, channel: &str) -> Option<&[f32]> {
         let layer = self.layers.iter().find(|found| found.name == layer)?;
-        layer
-            .channels
-            .iter()
-            .find(|found| found.name == channel)
-            .map(|found| found.data.as_slice())
+        layer.channels.iter().find(|found| found.name == channel).map(|found| found.data.as_slice())
     }
 }
 
@@ -122,9 +113,7 @@ fn average(records: &[f32], size: [u32; 2], edge: u32, component: usize) -> Vec<
     (0..width * height)
         .map(|pixel| {
             let (x, y) = (pixel % width * edge, pixel / width * edge);
-            let sum: f32 = (0..edge)
-                .flat_map(|dy| &plane[(y + dy) * across + x..][..edge])
-                .sum();
+            let sum: f32 = (0..edge).flat_map(|dy| &plane[(y + dy) * across + x..][..edge]).sum();
             sum * share
         })
         .collect()

@@ -24,18 +24,15 @@ impl Inputs {
             (EnvironmentKind::Map, Some(file)) => Some(vitrum_io::read_picture(&base.join(file))?),
             (EnvironmentKind::Map, None) => {
                 return Err(Error::Scene(
-                    "environment.kind is \"map\" but environment.file is not given: name an equirectangular picture".to_owned(),
+                    "environment.kind is \"map\" but environment.file is not given: name an equirectangular picture"
+                        .to_owned(),
                 ));
             }
             _ => None,
         };
         Ok(Self {
             volume: load_volume(&scene.volume, base, "volume")?,
-            ior_volume: scene
-                .ior_volume
-                .as_ref()
-                .map(|source| load_volume(source, base, "ior_volume"))
-                .transpose()?,
+            ior_volume: scene.ior_volume.as_ref().map(|source| load_volume(source, base, "ior_volume")).transpose()?,
             environment,
         })
     }
@@ -45,9 +42,7 @@ fn load_volume(source: &VolumeSource, base: &Path, key: &str) -> Result<Volume, 
     let mut volume = match (&source.file, &source.builtin) {
         (Some(file), None) => vitrum_io::open(&base.join(file), &OpenOptions::default())?,
         (None, Some(name)) => builtin::volume(name, source.resolution).ok_or_else(|| {
-            Error::Scene(format!(
-                "{key}.builtin = \"{name}\" is not a built-in volume; `vitrum scenes` lists them"
-            ))
+            Error::Scene(format!("{key}.builtin = \"{name}\" is not a built-in volume; `vitrum scenes` lists them"))
         })??,
         (Some(_), Some(_)) => {
             return Err(Error::Scene(format!("{key}.file and {key}.builtin are both given: keep one")));

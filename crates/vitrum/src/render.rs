@@ -88,10 +88,7 @@ fn finish(
     let frame_ms = started.elapsed().as_secs_f64() * 1e3;
     let (width, height) = (scene.film.width, scene.film.height);
     let rays = sweep.rays[0] as usize * sweep.rays[1] as usize;
-    let turned = records[film::STATUS * rays..]
-        .iter()
-        .filter(|&&fate| fate == status::TURNED)
-        .count();
+    let turned = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
     Ok(Frame {
         width,
         height,

@@ -42,13 +42,6 @@ pub fn read_bytes(buffer: &[u32], offset: i32) -> u32 {
         let offset = if offset > 0 { offset } else { 0 };
         // SAFETY: four bytes from `offset` lie inside the buffer. One unaligned load instead of two and a shift; the hosts'
         // byte order is little endian, which `kernel` asserts at compile time.
-        unsafe {
-            buffer
-                .as_ptr()
-                .cast::<u8>()
-                .offset(offset as isize)
-                .cast::<u32>()
-                .read_unaligned()
-        }
+        unsafe { buffer.as_ptr().cast::<u8>().offset(offset as isize).cast::<u32>().read_unaligned() }
     }
 }

@@ -129,9 +129,5 @@ pub fn to_sweep_frame(grid: &Grid, gradient: Vec3) -> Vec3 {
 /// Central differences of the scalar over voxel coordinates.
 #[inline(always)]
 pub fn central_differences(s: &Stencil) -> Vec3 {
-    Vec3::new(
-        0.5 * (s.x.1 - s.x.0),
-        0.5 * (s.y.1 - s.y.0),
-        0.5 * (s.z.1 - s.z.0),
-    )
+    Vec3::new(0.5 * (s.x.1 - s.x.0), 0.5 * (s.y.1 - s.y.0), 0.5 * (s.z.1 - s.z.0))
 }

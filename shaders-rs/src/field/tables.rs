@@ -46,11 +46,7 @@ fn cell(front: f32, back: f32) -> Cell {
     let (f, b) = (front * last, back * last);
     let i = floor_to_int(f, 0.0, last - 1.0);
     let j = floor_to_int(b, 0.0, last - 1.0);
-    Cell {
-        base: (i * SEGMENT_SIZE as i32 + j) * SEGMENT_WORDS as i32,
-        front: f - i as f32,
-        back: b - j as f32,
-    }
+    Cell { base: (i * SEGMENT_SIZE as i32 + j) * SEGMENT_WORDS as i32, front: f - i as f32, back: b - j as f32 }
 }
 
 /// Bilinear interpolation of the pair of halves in word `word` of the entries around a cell.
@@ -68,10 +64,7 @@ fn interpolate(tables: &[u32], cell: &Cell, word: i32) -> (f32, f32) {
         let back = lerp(half_to_f32(c, e), half_to_f32(d, e), cell.back);
         lerp(front, back, cell.front)
     };
-    (
-        mix(w00, w01, w10, w11),
-        mix(w00 >> 16, w01 >> 16, w10 >> 16, w11 >> 16),
-    )
+    (mix(w00, w01, w10, w11), mix(w00 >> 16, w01 >> 16, w10 >> 16, w11 >> 16))
 }
 
 /// Attenuation between the scalars `front` and `back`: what light needs.
@@ -80,11 +73,7 @@ pub fn attenuation(tables: &[u32], front: f32, back: f32) -> Segment {
     let cell = cell(front, back);
     let (particles, red) = interpolate(tables, &cell, 0);
     let (green, blue) = interpolate(tables, &cell, 1);
-    Segment {
-        particles,
-        medium: Vec3::new(red, green, blue),
-        emission: Vec3::new(0.0, 0.0, 0.0),
-    }
+    Segment { particles, medium: Vec3::new(red, green, blue), emission: Vec3::new(0.0, 0.0, 0.0) }
 }
 
 /// Attenuation and colour between the scalars `front` and `back`: what a viewing ray needs.

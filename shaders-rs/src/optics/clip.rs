@@ -29,11 +29,7 @@ fn share(plane: Vec4, from: Vec3, to: Vec3) -> f32 {
 /// What the clipping planes leave of the segment from `from` to `to`. Shares of several planes multiply.
 #[inline(always)]
 pub fn keep(u: &SweepUniforms, from: Vec3, to: Vec3) -> Kept {
-    let mut kept = Kept {
-        particles: 1.0,
-        medium: 1.0,
-        refraction: 1.0,
-    };
+    let mut kept = Kept { particles: 1.0, medium: 1.0, refraction: 1.0 };
     if u.dispatch.w & flag::CLIP != 0 {
         kept = apply(kept, u.clip_0, u.clip_everything.x, from, to);
         kept = apply(kept, u.clip_1, u.clip_everything.y, from, to);

@@ -40,10 +40,7 @@ fn slab(from: f32, to: f32, size: f32) -> (f32, f32) {
     let inverse = 1.0 / select(tiny, 1.0, along);
     let (p, q) = ((low - from) * inverse, (high - from) * inverse);
     let within = (from >= low) & (from <= high);
-    (
-        select(tiny, select(within, 0.0, 2.0), clamp(min(p, q), 0.0, 1.0)),
-        select(tiny, 1.0, clamp(max(p, q), 0.0, 1.0)),
-    )
+    (select(tiny, select(within, 0.0, 2.0), clamp(min(p, q), 0.0, 1.0)), select(tiny, 1.0, clamp(max(p, q), 0.0, 1.0)))
 }
 
 /// 1 inside the grid, 0 outside.
@@ -71,11 +68,8 @@ fn refraction(tables: &[u32], s: &Stencil, chosen: u32) -> (f32, Vec3, Vec3) {
         let (z0, z1) = (ior(tables, s.z.0), ior(tables, s.z.1));
         let gradient = Vec3::new(0.5 * (x1 - x0), 0.5 * (y1 - y0), 0.5 * (z1 - z0));
         // ½ the difference of η²/2: what a ray gains is then exactly the difference of potentials.
-        let acceleration = Vec3::new(
-            0.25 * ((x1 - x0) * (x1 + x0)),
-            0.25 * ((y1 - y0) * (y1 + y0)),
-            0.25 * ((z1 - z0) * (z1 + z0)),
-        );
+        let acceleration =
+            Vec3::new(0.25 * ((x1 - x0) * (x1 + x0)), 0.25 * ((y1 - y0) * (y1 + y0)), 0.25 * ((z1 - z0) * (z1 + z0)));
         (eta, gradient, acceleration)
     }
 }

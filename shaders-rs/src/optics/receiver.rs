@@ -38,11 +38,7 @@ pub fn first_along(u: &SweepUniforms, from: Vec3, direction: Vec3) -> Hit {
 fn choose(u: &SweepUniforms, ground: bool, ground_at: f32, wall: bool, wall_at: f32) -> Hit {
     let wall_first = wall & (!ground | (wall_at < ground_at));
     let pick = |w: Vec4, g: Vec4| {
-        Vec3::new(
-            select(wall_first, w.x, g.x),
-            select(wall_first, w.y, g.y),
-            select(wall_first, w.z, g.z),
-        )
+        Vec3::new(select(wall_first, w.x, g.x), select(wall_first, w.y, g.y), select(wall_first, w.z, g.z))
     };
     Hit {
         hit: ground | wall,
@@ -85,8 +81,5 @@ pub fn shade(u: &SweepUniforms, hit: &Hit, light: &Light) -> Vec3 {
 /// The light where nothing is in its way.
 #[inline(always)]
 pub fn unoccluded(u: &SweepUniforms) -> Light {
-    Light {
-        flux: xyz(u.light_initial),
-        direction: xyz(u.light_direction),
-    }
+    Light { flux: xyz(u.light_initial), direction: xyz(u.light_direction) }
 }

@@ -41,11 +41,7 @@ pub fn cook_torrance(normal: Vec3, light: Vec3, view: Vec3, roughness: f32, eta_
     let distribution = a2 / (PI * spread * spread);
     let lit = max(nl, 0.0);
     // Height-correlated Smith: G / (4 nv nl).
-    let visibility = 0.5
-        / max(
-            nv * sqrt(lit * lit * (1.0 - a2) + a2) + lit * sqrt(nv * nv * (1.0 - a2) + a2),
-            1e-6,
-        );
+    let visibility = 0.5 / max(nv * sqrt(lit * lit * (1.0 - a2) + a2) + lit * sqrt(nv * nv * (1.0 - a2) + a2), 1e-6);
     let reflected = distribution * visibility * fresnel(eta_from, eta_to, vh) * lit;
     select((nl > 0.0) & (size > 1e-12), reflected, 0.0)
 }

@@ -45,10 +45,7 @@ pub fn kick(v: Vec3, acceleration: Vec3, sigma_behind: f32, distance: f32, small
 #[inline(always)]
 pub fn kick_euler(v: Vec3, ior_gradient: Vec3, distance: f32, smallest_cosine: f32) -> Kicked {
     let direction = v + ior_gradient * distance;
-    Kicked {
-        direction,
-        turned: grazes(direction, smallest_cosine),
-    }
+    Kicked { direction, turned: grazes(direction, smallest_cosine) }
 }
 
 #[inline(always)]

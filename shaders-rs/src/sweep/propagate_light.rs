@@ -1,6 +1,6 @@
 //! Light from the plane behind to this one (sweep §4.2, Algorithm 1, lines 9 to 18).
 
-use crate::abi::record::{light as record};
+use crate::abi::record::light as record;
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::access::read;
 use crate::field::empty::is_empty;
@@ -34,27 +34,14 @@ fn origin(u: &SweepUniforms, trace: &[f32], x: i32, y: i32) -> (f32, f32) {
 #[inline(always)]
 fn ends(u: &SweepUniforms, trace: &[f32], x: u32, y: u32) -> (Vec3, Vec3) {
     let (from_x, from_y) = origin(u, trace, x as i32, y as i32);
-    (
-        texel_position(u, from_x, from_y, u.plane.x),
-        texel_position(u, x as i32 as f32, y as i32 as f32, u.plane.y),
-    )
+    (texel_position(u, from_x, from_y, u.plane.x), texel_position(u, x as i32 as f32, y as i32 as f32, u.plane.y))
 }
 
 #[inline(always)]
 fn empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
-    let shown = is_empty(
-        occupancy,
-        &u.grid,
-        voxel_coordinates(&u.grid, from),
-        voxel_coordinates(&u.grid, to),
-    );
+    let shown = is_empty(occupancy, &u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let bending = !SECOND
-        || is_empty(
-            occupancy,
-            &u.ior_grid,
-            voxel_coordinates(&u.ior_grid, from),
-            voxel_coordinates(&u.ior_grid, to),
-        );
+        || is_empty(occupancy, &u.ior_grid, voxel_coordinates(&u.ior_grid, from), voxel_coordinates(&u.ior_grid, to));
     shown & bending & (u.dispatch.w & flag::SKIP_EMPTY != 0)
 }
 
@@ -73,11 +60,7 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     trace: &[f32],
 ) -> u32 {
     let (from, to) = ends(u, trace, x, y);
-    if empty::<SECOND>(u, occupancy, from, to) {
-        level::EMPTY
-    } else {
-        level::FULL
-    }
+    if empty::<SECOND>(u, occupancy, from, to) { level::EMPTY } else { level::FULL }
 }
 
 /// Eq. 12 with S from the neighbours' back-traced points: how much denser the light is here than where it comes from.
@@ -102,11 +85,7 @@ fn intensity(u: &SweepUniforms, trace: &[f32], x: u32, y: u32) -> f32 {
     // Eq. 13: wrong by √(1 + s²) for a sheared map.
     let paper = sqrt(dx_x * dx_x + dx_y * dx_y) * sqrt(dy_x * dy_x + dy_y * dy_y);
     let flags = u.dispatch.w;
-    select(
-        flags & flag::NO_INTENSITY != 0,
-        1.0,
-        select(flags & flag::PAPER_INTENSITY != 0, paper, jacobian),
-    )
+    select(flags & flag::NO_INTENSITY != 0, 1.0, select(flags & flag::PAPER_INTENSITY != 0, paper, jacobian))
 }
 
 /// The light of the plane behind around a back-traced point, through the filter's taps.
@@ -155,10 +134,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
 
     let (from, to) = ends(u, trace, x, y);
     let skipped = empty::<SECOND>(u, occupancy, from, to);
-    let (voxel_from, voxel_to) = (
-        voxel_coordinates(&u.grid, from),
-        voxel_coordinates(&u.grid, to),
-    );
+    let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let refraction = if chosen < mode::FILTERED { chosen } else { chosen - mode::FILTERED };
     let here = medium::<FORMAT, SECOND>(
         (&u.grid, &u.ior_grid),
@@ -172,11 +148,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let front = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
     let kept = keep(u, from, to);
     let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.plane.w;
-    let layer = layer(
-        &attenuation(tables, front, here.scalar),
-        path * kept.particles,
-        path * kept.medium,
-    );
+    let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
 
     let mut out = v;
     let mut lost = 1.0;
@@ -195,11 +167,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
         );
         // Light that turns back is lost to the sweep; its texel keeps the direction it had.
         lost = select(turned, 0.0, 1.0);
-        out = Vec3::new(
-            select(turned, v.x, kicked.x),
-            select(turned, v.y, kicked.y),
-            select(turned, v.z, kicked.z),
-        );
+        out = Vec3::new(select(turned, v.x, kicked.x), select(turned, v.y, kicked.y), select(turned, v.z, kicked.z));
     }
     let through = layer.medium * (layer.clear * lost);
     let attenuated = flux * through;

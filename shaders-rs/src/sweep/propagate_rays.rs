@@ -49,19 +49,9 @@ fn fly(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> Flight {
 
 #[inline(always)]
 fn empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
-    let shown = is_empty(
-        occupancy,
-        &u.grid,
-        voxel_coordinates(&u.grid, from),
-        voxel_coordinates(&u.grid, to),
-    );
+    let shown = is_empty(occupancy, &u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let bending = !SECOND
-        || is_empty(
-            occupancy,
-            &u.ior_grid,
-            voxel_coordinates(&u.ior_grid, from),
-            voxel_coordinates(&u.ior_grid, to),
-        );
+        || is_empty(occupancy, &u.ior_grid, voxel_coordinates(&u.ior_grid, from), voxel_coordinates(&u.ior_grid, to));
     shown & bending & (u.dispatch.w & flag::SKIP_EMPTY != 0)
 }
 
@@ -107,20 +97,9 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     }
     let hit = first_between(u, from, to);
     let skipped = empty::<SECOND>(u, occupancy, from, to) & !hit.hit;
-    let (voxel_from, voxel_to) = (
-        voxel_coordinates(&u.grid, from),
-        voxel_coordinates(&u.grid, to),
-    );
+    let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let ior_to = voxel_coordinates(&u.ior_grid, to);
-    let here = medium::<FORMAT, SECOND>(
-        (&u.grid, &u.ior_grid),
-        chosen,
-        voxels,
-        ior_voxels,
-        tables,
-        voxel_to,
-        ior_to,
-    );
+    let here = medium::<FORMAT, SECOND>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
     let mut front = r[ray::FRONT];
     let mut ior_front = r[ray::IOR];
     if LEVEL == level::ENTERING {
@@ -141,11 +120,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let part = select(hit.hit, min(hit.at, 1.0), 1.0);
     let kept = keep(u, from, to);
     let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * part * u.plane.w;
-    let layer = layer(
-        &segment(tables, front, here.scalar),
-        path * kept.particles,
-        path * kept.medium,
-    );
+    let layer = layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium);
 
     let lit = from + (to - from) * select(hit.hit, part, 0.0);
     let (texel_x, texel_y) = texel_coordinates(u, lit);
@@ -153,14 +128,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
     if chosen != mode::STRAIGHT {
-        let reflected = cook_torrance(
-            here.scalar_gradient,
-            light.direction,
-            v,
-            u.shading.x,
-            ior_front,
-            here.ior,
-        );
+        let reflected = cook_torrance(here.scalar_gradient, light.direction, v, u.shading.x, ior_front, here.ior);
         specular = radiance * (reflected * u.shading.y * select(hit.hit, 0.0, kept.refraction));
     }
     let before = Gathered {
@@ -237,14 +205,7 @@ fn crossed(r: [f32; ray::SIZE], to: Vec3) -> [f32; ray::SIZE] {
 
 /// A receiver is opaque: what is left of the ray shows it.
 #[inline(always)]
-fn end_on_receiver(
-
-    hit: &Hit,
-    g: Gathered,
-    depth: f32,
-    seen: Vec3,
-    hit_depth: f32,
-) -> (Gathered, f32) {
+fn end_on_receiver(hit: &Hit, g: Gathered, depth: f32, seen: Vec3, hit_depth: f32) -> (Gathered, f32) {
     let clear = 1.0 - g.opacity;
     let color = g.color + (g.medium * seen) * clear;
     (

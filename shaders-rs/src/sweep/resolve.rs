@@ -4,7 +4,9 @@ use crate::abi::environment::kind;
 use crate::abi::record::{film, ray, status};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
-use crate::math::{PI, absolute, asin, atan2, clamp, dot, floor_to_int, length, lerp, log2, max, min, select, sqrt, xyz};
+use crate::math::{
+    PI, absolute, asin, atan2, clamp, dot, floor_to_int, length, lerp, log2, max, min, select, sqrt, xyz,
+};
 use crate::optics::receiver::{first_along, shade, unoccluded};
 use spirv_std::glam::Vec3;
 
@@ -13,17 +15,9 @@ use spirv_std::glam::Vec3;
 fn final_direction(u: &SweepUniforms, rays: &[f32], at: i32) -> Vec3 {
     let count = (u.size.x * u.size.y) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
-    let v = Vec3::new(
-        component(ray::DIRECTION_X),
-        component(ray::DIRECTION_X + 1),
-        component(ray::DIRECTION_X + 2),
-    );
+    let v = Vec3::new(component(ray::DIRECTION_X), component(ray::DIRECTION_X + 1), component(ray::DIRECTION_X + 2));
     let unit = v * (1.0 / max(length(v), 1e-20));
-    Vec3::new(
-        dot(xyz(u.environment_x), unit),
-        dot(xyz(u.environment_y), unit),
-        dot(xyz(u.environment_z), unit),
-    )
+    Vec3::new(dot(xyz(u.environment_x), unit), dot(xyz(u.environment_y), unit), dot(xyz(u.environment_z), unit))
 }
 
 /// The angle, in radians, over which a pixel gathers directions, from its neighbours' final directions.
@@ -36,10 +30,7 @@ fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32) -> f32 {
     let below = if y < height - 1 { y + 1 } else { height - 1 };
     let across = length(final_direction(u, rays, y * width + right) - final_direction(u, rays, y * width + left));
     let down = length(final_direction(u, rays, below * width + x) - final_direction(u, rays, above * width + x));
-    max(
-        across / max((right - left) as f32, 1.0),
-        down / max((below - above) as f32, 1.0),
-    )
+    max(across / max((right - left) as f32, 1.0), down / max((below - above) as f32, 1.0))
 }
 
 /// Radiance of the environment in direction `d`, averaged over about `angle` radians.
@@ -78,11 +69,7 @@ fn wave(x: f32, width: f32) -> f32 {
     let half = x * 0.5;
     let phase = (half - floor_to_int(half, -8e6, 8e6) as f32) * 2.0;
     // Distance to the next edge (at 0, 1 and 2), positive in the first half.
-    let distance = select(
-        phase < 0.5,
-        phase,
-        select(phase < 1.5, 1.0 - phase, phase - 2.0),
-    );
+    let distance = select(phase < 0.5, phase, select(phase < 1.5, 1.0 - phase, phase - 2.0));
     clamp(distance * 2.0 / width, -1.0, 1.0) * clamp(2.0 - width, 0.0, 1.0)
 }
 
@@ -98,6 +85,25 @@ fn equirectangular(u: &SweepUniforms, map: &[f32], d: Vec3, angle: f32) -> Vec3 
     let a = texel(u, map, longitude, latitude, lower);
     let b = texel(u, map, longitude, latitude, lower + 1);
     a + (b - a) * clamp(level - lower as f32, 0.0, 1.0)
+}
+
+/// A column of a map `width` texels wide; columns wrap around.
+#[inline(always)]
+fn wrap(x: i32, width: i32) -> i32 {
+    let x = if x < 0 { x + width } else { x };
+    if x >= width { x - width } else { x }
+}
+
+/// A row of a map `height` texels high.
+#[inline(always)]
+fn limit(y: i32, height: i32) -> i32 {
+    let y = if y < 0 { 0 } else { y };
+    if y >= height { height - 1 } else { y }
+}
+
+#[inline(always)]
+fn rgb_at(map: &[f32], at: i32) -> Vec3 {
+    Vec3::new(read(map, at), read(map, at + 1), read(map, at + 2))
 }
 
 /// Bilinear look-up in one level; longitude wraps around.
@@ -118,22 +124,11 @@ fn texel(u: &SweepUniforms, map: &[f32], longitude: f32, latitude: f32, level: i
     let left = floor_to_int(x, -1.0, width as f32);
     let top = floor_to_int(y, -1.0, height as f32);
     let (fx, fy) = (x - left as f32, clamp(y - top as f32, 0.0, 1.0));
-    let wrap = |x: i32| {
-        let x = if x < 0 { x + width } else { x };
-        if x >= width { x - width } else { x }
-    };
-    let limit = |y: i32| {
-        let y = if y < 0 { 0 } else { y };
-        if y >= height { height - 1 } else { y }
-    };
-    let (x0, x1) = (wrap(left), wrap(left + 1));
-    let (y0, y1) = (limit(top), limit(top + 1));
-    let rgb = |x: i32, y: i32| {
-        let at = 3 * (start + y * width + x);
-        Vec3::new(read(map, at), read(map, at + 1), read(map, at + 2))
-    };
-    let (a, b) = (rgb(x0, y0), rgb(x1, y0));
-    let (c, d) = (rgb(x0, y1), rgb(x1, y1));
+    let (x0, x1) = (wrap(left, width), wrap(left + 1, width));
+    let (y0, y1) = (limit(top, height), limit(top + 1, height));
+    let (upper_row, lower_row) = (start + y0 * width, start + y1 * width);
+    let (a, b) = (rgb_at(map, 3 * (upper_row + x0)), rgb_at(map, 3 * (upper_row + x1)));
+    let (c, d) = (rgb_at(map, 3 * (lower_row + x0)), rgb_at(map, 3 * (lower_row + x1)));
     let upper = a + (b - a) * fx;
     let lower = c + (d - c) * fx;
     upper + (lower - upper) * fy
@@ -166,12 +161,7 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     depth_sum += clear * (position.z + unit.z * hit.at);
 
     let left = 1.0 - opacity;
-    let behind = environment(
-        u,
-        map,
-        final_direction(u, rays, at),
-        spread(u, rays, x as i32, y as i32),
-    );
+    let behind = environment(u, map, final_direction(u, rays, at), spread(u, rays, x as i32, y as i32));
     let visible = u.environment_nadir.w;
     color += (medium * behind) * (left * visible);
     // Without an environment the picture is transparent where light would come through.

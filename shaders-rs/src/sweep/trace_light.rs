@@ -12,10 +12,7 @@ use spirv_std::glam::Vec3;
 fn slope(u: &SweepUniforms, v: Vec3) -> (f32, f32) {
     let inverse = 1.0 / max(v.z, 1e-6);
     let texels = u.plane.z * u.light_grid.w;
-    (
-        (v.x * inverse - u.light_shear.x) * texels,
-        (v.y * inverse - u.light_shear.y) * texels,
-    )
+    ((v.x * inverse - u.light_shear.x) * texels, (v.y * inverse - u.light_shear.y) * texels)
 }
 
 /// The point, in texels of the plane behind, from which light reaches texel (x, y).
@@ -37,8 +34,5 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> [
     let (first_x, first_y) = (x - sx, y - sy);
     let (sx, sy) = slope(u, direction(u, light, first_x, first_y));
     let euler = u.dispatch.w & flag::EULER != 0;
-    [
-        select(euler, first_x, x - sx),
-        select(euler, first_y, y - sy),
-    ]
+    [select(euler, first_x, x - sx), select(euler, first_y, y - sy)]
 }

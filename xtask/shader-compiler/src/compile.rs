@@ -14,9 +14,8 @@ pub fn compile(root: &Path) -> Result<BTreeMap<String, PathBuf>> {
     let shaders = root.join("shaders-rs");
     let mut install = Install::from_shader_crate(shaders.clone());
     install.auto_install_rust_toolchain = true;
-    let backend = install
-        .run()
-        .context("rust-gpu's compiler could not be installed (it needs rustup and the pinned nightly)")?;
+    let backend =
+        install.run().context("rust-gpu's compiler could not be installed (it needs rustup and the pinned nightly)")?;
     let mut builder = backend.to_spirv_builder(shaders, TARGET);
     builder.build_script.defaults = false;
     builder.multimodule = true;

@@ -29,28 +29,29 @@ fn is_float_arithmetic(op: Op) -> bool {
     )
 }
 
-/// The module with every float operation marked `NoContraction`, in the GLSL450 memory model.
+/// The module with every float operation marked `NoContraction`, in the GLSL450 memory model, its entry point named by the kernel.
 pub fn pin(bytes: &[u8]) -> Result<Vec<u32>> {
     let mut module = rspirv::dr::load_bytes(bytes).map_err(|state| anyhow!("not a SPIR-V module: {state:?}"))?;
-    module.capabilities.retain(|capability| {
-        !capability
-            .operands
-            .contains(&Operand::Capability(Capability::VulkanMemoryModel))
-    });
+    module
+        .capabilities
+        .retain(|capability| !capability.operands.contains(&Operand::Capability(Capability::VulkanMemoryModel)));
     module.extensions.retain(|extension| {
-        !extension
-            .operands
-            .contains(&Operand::LiteralString("SPV_KHR_vulkan_memory_model".to_owned()))
+        !extension.operands.contains(&Operand::LiteralString("SPV_KHR_vulkan_memory_model".to_owned()))
     });
     module.memory_model = Some(Instruction::new(
         Op::MemoryModel,
         None,
         None,
-        vec![
-            Operand::AddressingModel(AddressingModel::Logical),
-            Operand::MemoryModel(MemoryModel::GLSL450),
-        ],
+        vec![Operand::AddressingModel(AddressingModel::Logical), Operand::MemoryModel(MemoryModel::GLSL450)],
     ));
+    // Entry points are named by their kernel, not by the path of the function.
+    for entry_point in &mut module.entry_points {
+        for operand in &mut entry_point.operands {
+            if let Operand::LiteralString(name) = operand {
+                *name = name.rsplit("::").next().unwrap_or(name).to_owned();
+            }
+        }
+    }
     let results: Vec<u32> = module
         .functions
         .iter()

@@ -2,13 +2,15 @@
 
 use anyhow::{Context, Result, anyhow};
 use spirv_tools::TargetEnv;
-use spirv_tools::opt::Optimizer as _;
+use spirv_tools::opt::{Optimizer as _, Passes};
 use spirv_tools::val::Validator as _;
 
 /// Validates, optimises for speed, validates again.
 pub fn optimise(words: &[u32]) -> Result<Vec<u32>> {
     validate(words).context("spirv-val refuses what rust-gpu made")?;
     let mut optimiser = spirv_tools::opt::create(Some(TargetEnv::Vulkan_1_2));
+    // Debug information holds sources and paths: not reproducible from machine to machine.
+    optimiser.register_pass(Passes::StripDebugInfo);
     optimiser.register_performance_passes();
     let mut messages = Vec::new();
     let optimised = optimiser
@@ -20,7 +22,5 @@ pub fn optimise(words: &[u32]) -> Result<Vec<u32>> {
 }
 
 fn validate(words: &[u32]) -> Result<()> {
-    spirv_tools::val::create(Some(TargetEnv::Vulkan_1_2))
-        .validate(words, None)
-        .map_err(|error| anyhow!("{error}"))
+    spirv_tools::val::create(Some(TargetEnv::Vulkan_1_2)).validate(words, None).map_err(|error| anyhow!("{error}"))
 }

@@ -33,16 +33,11 @@ pub fn sources(folder: &Path) -> Result<String, ManifestError> {
 
 /// SHA-256 over the lock file's entries (name, version, checksum) for everything the modules depend on.
 pub fn locked_dependencies(lock: &Path) -> Result<String, ManifestError> {
-    let malformed = |reason: String| ManifestError::Malformed {
-        path: lock.to_path_buf(),
-        reason,
-    };
+    let malformed = |reason: String| ManifestError::Malformed { path: lock.to_path_buf(), reason };
     let text = String::from_utf8(read(lock)?).map_err(|error| malformed(error.to_string()))?;
     let parsed: toml::Table = text.parse().map_err(|error: toml::de::Error| malformed(error.to_string()))?;
-    let packages = parsed
-        .get("package")
-        .and_then(toml::Value::as_array)
-        .ok_or_else(|| malformed("no [[package]]".to_owned()))?;
+    let packages =
+        parsed.get("package").and_then(toml::Value::as_array).ok_or_else(|| malformed("no [[package]]".to_owned()))?;
     let mut by_name: BTreeMap<&str, Vec<&toml::Value>> = BTreeMap::new();
     for package in packages {
         if let Some(name) = package.get("name").and_then(toml::Value::as_str) {
@@ -59,43 +54,28 @@ pub fn locked_dependencies(lock: &Path) -> Result<String, ManifestError> {
             let dependencies = package.get("dependencies").and_then(toml::Value::as_array);
             // A dependency reads "name" or "name version".
             open.extend(
-                dependencies
-                    .into_iter()
-                    .flatten()
-                    .filter_map(|dependency| dependency.as_str()?.split(' ').next()),
+                dependencies.into_iter().flatten().filter_map(|dependency| dependency.as_str()?.split(' ').next()),
             );
         }
     }
-    let field = |package: &toml::Value, key: &str| {
-        package.get(key).and_then(toml::Value::as_str).unwrap_or("").to_owned()
-    };
+    let field =
+        |package: &toml::Value, key: &str| package.get(key).and_then(toml::Value::as_str).unwrap_or("").to_owned();
     let entries: BTreeSet<String> = seen
         .iter()
         .flat_map(|name| by_name.get(name).into_iter().flatten())
         .map(|package| {
-            format!(
-                "{} {} {}\n",
-                field(package, "name"),
-                field(package, "version"),
-                field(package, "checksum")
-            )
+            format!("{} {} {}\n", field(package, "name"), field(package, "version"), field(package, "checksum"))
         })
         .collect();
     Ok(sha256(entries.into_iter().collect::<String>().as_bytes()))
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, ManifestError> {
-    std::fs::read(path).map_err(|error| ManifestError::Unreadable {
-        path: path.to_path_buf(),
-        error,
-    })
+    std::fs::read(path).map_err(|error| ManifestError::Unreadable { path: path.to_path_buf(), error })
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<(), ManifestError> {
-    let unreadable = |error| ManifestError::Unreadable {
-        path: folder.to_path_buf(),
-        error,
-    };
+    let unreadable = |error| ManifestError::Unreadable { path: folder.to_path_buf(), error };
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
         if path.is_dir() {

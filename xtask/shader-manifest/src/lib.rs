@@ -24,7 +24,7 @@ pub const FLAGS: &[&str] = &[
     "multimodule",
     "no-contraction",
     "glsl450-memory-model",
-    "spirv-opt -O",
+    "spirv-opt --strip-debug -O",
     "spirv-val vulkan1.2",
 ];
 
@@ -79,24 +79,16 @@ impl Manifest {
     /// Reads the committed manifest.
     pub fn read(root: &Path) -> Result<Self, ManifestError> {
         let path = folder(root).join("manifest.json");
-        let text = std::fs::read_to_string(&path).map_err(|error| ManifestError::Unreadable {
-            path: path.clone(),
-            error,
-        })?;
-        serde_json::from_str(&text).map_err(|error| ManifestError::Malformed {
-            path,
-            reason: error.to_string(),
-        })
+        let text =
+            std::fs::read_to_string(&path).map_err(|error| ManifestError::Unreadable { path: path.clone(), error })?;
+        serde_json::from_str(&text).map_err(|error| ManifestError::Malformed { path, reason: error.to_string() })
     }
 
     /// As it is written: pretty JSON with a final newline.
     pub fn to_json(&self) -> Result<String, ManifestError> {
         serde_json::to_string_pretty(self)
             .map(|text| text + "\n")
-            .map_err(|error| ManifestError::Malformed {
-                path: "manifest.json".into(),
-                reason: error.to_string(),
-            })
+            .map_err(|error| ManifestError::Malformed { path: "manifest.json".into(), reason: error.to_string() })
     }
 
     /// What no longer matches the tree, one sentence each; empty if the committed modules are current.
@@ -116,11 +108,7 @@ impl Manifest {
         for (entry_point, module) in &self.modules {
             let path = folder(root).join(&module.file);
             let bytes = std::fs::read(&path).map_err(|error| ManifestError::Unreadable { path, error })?;
-            compare(
-                &format!("{} ({entry_point})", module.file),
-                &module.sha256,
-                &sha256(&bytes),
-            );
+            compare(&format!("{} ({entry_point})", module.file), &module.sha256, &sha256(&bytes));
         }
         Ok(reasons)
     }

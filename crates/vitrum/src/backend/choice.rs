@@ -47,10 +47,7 @@ pub fn devices() -> Vec<DeviceInfo> {
                 backend: "gpu",
                 kind: format!("{:?}", info.device_type),
                 driver: describe(&info),
-                largest_buffer: adapter
-                    .limits()
-                    .max_storage_buffer_binding_size
-                    .min(adapter.limits().max_buffer_size),
+                largest_buffer: adapter.limits().max_storage_buffer_binding_size.min(adapter.limits().max_buffer_size),
                 passes_through: adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
                     && info.backend == wgpu::Backend::Vulkan,
                 chosen_by_auto: is_hardware(&info),
@@ -76,11 +73,7 @@ pub fn devices() -> Vec<DeviceInfo> {
 }
 
 /// Opens a backend. `adapter` picks a graphics adapter by a part of its name, and then even `auto` takes a software one.
-pub fn open(
-    choice: Choice,
-    adapter: Option<&str>,
-    threads: Option<usize>,
-) -> Result<Box<dyn Backend>, BackendError> {
+pub fn open(choice: Choice, adapter: Option<&str>, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
     let cpu = || CpuBackend::new(threads).map(|backend| Box::new(backend) as Box<dyn Backend>);
     let gpu = || GpuBackend::new(adapter).map(|backend| Box::new(backend) as Box<dyn Backend>);
     match choice {

@@ -3,7 +3,7 @@
 use super::{Backend, BackendError, Buffer, Pass, PassList};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
-use vitrum_kernels::kernel::{Access, Chunk, InstructionSet};
+use vitrum_kernels::kernel::{Chunk, InstructionSet};
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
@@ -31,16 +31,9 @@ impl CpuBackend {
             .num_threads(threads)
             .thread_name(|index| format!("vitrum-{index}"))
             .build()
-            .map_err(|error| BackendError::Threads {
-                threads,
-                reason: error.to_string(),
-            })?;
+            .map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
         let set = if set.is_available() { set } else { InstructionSet::best() };
-        Ok(Self {
-            pool,
-            set,
-            buffers: Vec::new(),
-        })
+        Ok(Self { pool, set, buffers: Vec::new() })
     }
 
     fn add(&mut self, words: Vec<u32>) -> Buffer {
@@ -56,11 +49,7 @@ impl CpuBackend {
     /// Runs one pass; whether any invocation had work to do.
     fn run_pass(&mut self, pass: &Pass) -> Result<bool, BackendError> {
         pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
-        let declaration = &pass.kernel.declaration;
-        let written = declaration.bindings[1..]
-            .iter()
-            .position(|binding| matches!(binding.access, Access::Write | Access::Update));
-        let Some(written) = written.map(|index| pass.buffers[index]) else {
+        let Some(written) = pass.output() else {
             return Ok(false);
         };
         // Taken out for the time of the pass, so that the others can be borrowed beside it.
@@ -87,9 +76,8 @@ fn rows(pass: &Pass, set: InstructionSet, reads: &[&[u32]], output: &mut [u32]) 
     let chunk_len = width as usize * CHUNK_ROWS as usize;
     let components = pass.kernel.declaration.components;
     // Chunk by chunk, each component's part.
-    let mut chunks: Vec<Vec<&mut [f32]>> = (0..count.div_ceil(chunk_len))
-        .map(|_| Vec::with_capacity(components))
-        .collect();
+    let mut chunks: Vec<Vec<&mut [f32]>> =
+        (0..count.div_ceil(chunk_len)).map(|_| Vec::with_capacity(components)).collect();
     for plane in bytemuck::cast_slice_mut::<u32, f32>(output)[..count * components].chunks_mut(count) {
         for (chunk, part) in chunks.iter_mut().zip(plane.chunks_mut(chunk_len)) {
             chunk.push(part);
@@ -103,14 +91,7 @@ fn rows(pass: &Pass, set: InstructionSet, reads: &[&[u32]], output: &mut [u32]) 
         let first_row = index as u32 * CHUNK_ROWS;
         let worked = (pass.kernel.run)(
             set,
-            &mut Chunk {
-                first_row,
-                rows: CHUNK_ROWS.min(height - first_row),
-                width,
-                uniforms,
-                reads,
-                output,
-            },
+            &mut Chunk { first_row, rows: CHUNK_ROWS.min(height - first_row), width, uniforms, reads, output },
         );
         if worked {
             busy.store(true, Ordering::Relaxed);
@@ -181,10 +162,7 @@ impl Backend for CpuBackend {
     }
 
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        Ok(self.buffers[buffer.0]
-            .as_deref()
-            .map(|words| bytemuck::cast_slice(words).to_vec())
-            .unwrap_or_default())
+        Ok(self.buffers[buffer.0].as_deref().map(|words| bytemuck::cast_slice(words).to_vec()).unwrap_or_default())
     }
 
     fn free(&mut self, buffer: Buffer) {

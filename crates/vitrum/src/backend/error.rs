@@ -73,7 +73,9 @@ impl BackendError {
             Self::NoAdapter { .. } => Some(
                 "use --backend cpu, or install a Vulkan driver (Debian: mesa-vulkan-drivers libvulkan1); `vitrum devices` lists what is found",
             ),
-            Self::Unsupported { .. } | Self::DeviceLost { .. } => Some("use --backend cpu, or another adapter (--adapter)"),
+            Self::Unsupported { .. } | Self::DeviceLost { .. } => {
+                Some("use --backend cpu, or another adapter (--adapter)")
+            }
             Self::TooLarge { .. } | Self::OutOfMemory { .. } => {
                 Some("use --backend cpu, a smaller picture (--size) or a smaller volume")
             }

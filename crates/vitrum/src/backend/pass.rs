@@ -34,16 +34,18 @@ pub struct PassList {
 }
 
 impl Pass {
+    /// The buffer that the pass writes.
+    pub fn output(&self) -> Option<Buffer> {
+        let writes = |access: Access| matches!(access, Access::Write | Access::Update);
+        let written = self.kernel.declaration.bindings[1..].iter().position(|binding| writes(binding.access))?;
+        self.buffers.get(written).copied()
+    }
+
     /// Checks that buffers fit the declaration: their number, that none is bound twice where one use writes, and that the
     /// written one holds a record for each invocation. `bytes` gives a buffer's size.
     pub(super) fn check(&self, bytes: impl Fn(Buffer) -> Option<u64>) -> Result<(), BackendError> {
         let declaration = &self.kernel.declaration;
-        let wrong = |what: String| {
-            Err(BackendError::Misuse {
-                kernel: declaration.name,
-                what,
-            })
-        };
+        let wrong = |what: String| Err(BackendError::Misuse { kernel: declaration.name, what });
         if self.uniforms.len() != declaration.uniform_bytes {
             return wrong(format!(
                 "{} bytes of uniforms where {} are declared",
@@ -65,10 +67,7 @@ impl Pass {
             if matches!(binding.access, Access::Write | Access::Update) {
                 let needed = u64::from(self.width) * u64::from(self.height) * declaration.components as u64 * 4;
                 if size < needed {
-                    return wrong(format!(
-                        "binding {} holds {size} bytes where {needed} are written",
-                        binding.binding
-                    ));
+                    return wrong(format!("binding {} holds {size} bytes where {needed} are written", binding.binding));
                 }
                 if self.buffers.iter().filter(|other| *other == buffer).count() > 1 {
                     return wrong(format!("binding {} is read and written", binding.binding));

@@ -32,7 +32,7 @@ fn base() -> Scene {
     Scene {
         volume: procedural("glass"),
         camera: Camera { azimuth: 0.0, elevation: 14.0, zoom: 1.2, ..Camera::default() },
-        light: Light { azimuth: 42.0, elevation: 14.0, ..Light::default() },
+        light: Light { azimuth: 32.0, elevation: 10.0, ..Light::default() },
         transfer: TransferFunction { reference_length: Some(0.1), ..TransferFunction::default() },
         shading: Shading { roughness: 0.12, ambient: [0.12; 3], ..Shading::default() },
         environment: Environment::default(),
@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn borders_are_air() {
-        let volume = volume("glass", 64).unwrap();
+        let volume = volume("glass", 128).unwrap();
         let [width, _, tall] = volume.dimensions;
         for a in 0..width {
             for b in 0..width {

@@ -95,6 +95,15 @@ mod tests {
     }
 
     #[test]
+    fn volumes_have_the_resolution_asked_for() {
+        for (name, ..) in VOLUMES {
+            let volume_of = |resolution| volume(name, Some(resolution)).unwrap();
+            assert_eq!(volume_of(16).unwrap().dimensions.iter().max(), Some(&16), "{name}");
+            assert!(volume_of(15).is_err() && volume_of(1025).is_err(), "{name}");
+        }
+    }
+
+    #[test]
     fn light_shines_away_from_the_camera() {
         for (name, scene) in entries().map(|entry| (entry.0, entry.2())) {
             let Light { attachment, azimuth, elevation, direction, .. } = scene.light;
@@ -135,12 +144,12 @@ mod tests {
     }
 
     const FINGERPRINTS: [(&str, u64); 7] = [
-        ("glass", 0),
-        ("supernova", 0),
-        ("head", 0),
-        ("combustion", 0),
-        ("combustion-mixture", 0),
-        ("ball", 0),
-        ("luneburg", 0),
+        ("glass", 0x2170_4c9c_b50d_546f),
+        ("supernova", 0x1f29_ef4f_7f37_1fdf),
+        ("head", 0x5842_7ca0_ae6e_edb2),
+        ("combustion", 0xe355_4488_e558_1441),
+        ("combustion-mixture", 0x341e_ea67_6881_cbb2),
+        ("ball", 0xe5f1_d667_7fec_fb75),
+        ("luneburg", 0xdeed_63e6_1164_11d5),
     ];
 }

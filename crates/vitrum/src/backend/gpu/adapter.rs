@@ -72,11 +72,7 @@ pub(super) fn open(adapter: &wgpu::Adapter) -> Result<Opened, BackendError> {
     let name = describe(&adapter.get_info());
     let passes_through = adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
         && adapter.get_info().backend == wgpu::Backend::Vulkan;
-    let required_features = if passes_through {
-        wgpu::Features::PASSTHROUGH_SHADERS
-    } else {
-        wgpu::Features::empty()
-    };
+    let required_features = if passes_through { wgpu::Features::PASSTHROUGH_SHADERS } else { wgpu::Features::empty() };
     // SAFETY: pass-through hands the driver a module that wgpu did not check. Only the committed modules are passed; spirv-val
     // has checked them, their bindings come from the declarations they were compiled from, and all their accesses are
     // limited to the buffers.
@@ -88,10 +84,7 @@ pub(super) fn open(adapter: &wgpu::Adapter) -> Result<Opened, BackendError> {
         experimental_features,
         ..Default::default()
     }))
-    .map_err(|error| BackendError::Unsupported {
-        adapter: name,
-        what: error.to_string(),
-    })?;
+    .map_err(|error| BackendError::Unsupported { adapter: name, what: error.to_string() })?;
     let failure = Failure::default();
     let lost = Arc::clone(&failure);
     device.set_device_lost_callback(move |reason, message| {
@@ -101,12 +94,7 @@ pub(super) fn open(adapter: &wgpu::Adapter) -> Result<Opened, BackendError> {
     });
     let uncaptured = Arc::clone(&failure);
     device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
-    Ok(Opened {
-        device,
-        queue,
-        failure,
-        passes_through,
-    })
+    Ok(Opened { device, queue, failure, passes_through })
 }
 
 /// Keeps the first failure.

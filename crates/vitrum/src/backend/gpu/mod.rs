@@ -42,10 +42,7 @@ impl GpuBackend {
         let mut slot = self.opened.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         match slot.take() {
             None => Ok(()),
-            Some(reason) => Err(BackendError::DeviceLost {
-                adapter: self.adapter.clone(),
-                reason,
-            }),
+            Some(reason) => Err(BackendError::DeviceLost { adapter: self.adapter.clone(), reason }),
         }
     }
 
@@ -53,14 +50,8 @@ impl GpuBackend {
     fn wait(&self, submission: wgpu::SubmissionIndex) -> Result<(), BackendError> {
         self.opened
             .device
-            .poll(wgpu::PollType::Wait {
-                submission_index: Some(submission),
-                timeout: None,
-            })
-            .map_err(|error| BackendError::DeviceLost {
-                adapter: self.adapter.clone(),
-                reason: error.to_string(),
-            })?;
+            .poll(wgpu::PollType::Wait { submission_index: Some(submission), timeout: None })
+            .map_err(|error| BackendError::DeviceLost { adapter: self.adapter.clone(), reason: error.to_string() })?;
         self.check()
     }
 
@@ -100,10 +91,9 @@ impl GpuBackend {
     }
 
     fn get(&self, buffer: Buffer) -> Result<&wgpu::Buffer, BackendError> {
-        self.buffers[buffer.0].as_ref().ok_or_else(|| BackendError::Misuse {
-            kernel: "-",
-            what: format!("buffer {} is freed", buffer.0),
-        })
+        self.buffers[buffer.0]
+            .as_ref()
+            .ok_or_else(|| BackendError::Misuse { kernel: "-", what: format!("buffer {} is freed", buffer.0) })
     }
 
     /// All passes' uniform blocks in one buffer; the stride between them.
@@ -139,10 +129,7 @@ impl GpuBackend {
             offset: 0,
             size: std::num::NonZeroU64::new(declaration.uniform_bytes as u64),
         };
-        let mut entries = vec![wgpu::BindGroupEntry {
-            binding: 0,
-            resource: wgpu::BindingResource::Buffer(block),
-        }];
+        let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(block) }];
         for (buffer, binding) in pass.buffers.iter().zip(&declaration.bindings[1..]) {
             entries.push(wgpu::BindGroupEntry {
                 binding: binding.binding,
@@ -168,10 +155,7 @@ impl Backend for GpuBackend {
 
     fn largest_buffer(&self) -> u64 {
         // Kernels index words by a signed 32-bit number.
-        self.limits
-            .max_storage_buffer_binding_size
-            .min(self.limits.max_buffer_size)
-            .min((i32::MAX as u64) * 4)
+        self.limits.max_storage_buffer_binding_size.min(self.limits.max_buffer_size).min((i32::MAX as u64) * 4)
     }
 
     fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
@@ -247,18 +231,9 @@ impl Backend for GpuBackend {
             let _ = sender.send(result);
         });
         self.wait(submission)?;
-        let lost = |reason: String| BackendError::DeviceLost {
-            adapter: self.adapter.clone(),
-            reason,
-        };
-        receiver
-            .recv()
-            .map_err(|error| lost(error.to_string()))?
-            .map_err(|error| lost(error.to_string()))?;
-        let view = staging
-            .slice(..)
-            .get_mapped_range()
-            .map_err(|error| lost(error.to_string()))?;
+        let lost = |reason: String| BackendError::DeviceLost { adapter: self.adapter.clone(), reason };
+        receiver.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
+        let view = staging.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
         Ok(view.to_vec())
     }
 

@@ -35,10 +35,8 @@ impl Pipeline {
     /// Compiles a kernel for the device.
     pub(super) fn new(opened: &Opened, adapter: &str, declaration: &Declaration) -> Result<Self, BackendError> {
         let name = declaration.name;
-        let missing = || BackendError::Misuse {
-            kernel: name,
-            what: "has no SPIR-V; run `cargo xtask shaders`".to_owned(),
-        };
+        let missing =
+            || BackendError::Misuse { kernel: name, what: "has no SPIR-V; run `cargo xtask shaders`".to_owned() };
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(module(name).ok_or_else(missing)?);
         let device = &opened.device;
         let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
@@ -61,15 +59,10 @@ impl Pipeline {
                 source: wgpu::ShaderSource::SpirV(Cow::Owned(words)),
             })
         };
-        let entries: Vec<_> = declaration
-            .bindings
-            .iter()
-            .map(|binding| layout_entry(binding, declaration.uniform_bytes))
-            .collect();
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some(name),
-            entries: &entries,
-        });
+        let entries: Vec<_> =
+            declaration.bindings.iter().map(|binding| layout_entry(binding, declaration.uniform_bytes)).collect();
+        let layout =
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(name), entries: &entries });
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(name),
             bind_group_layouts: &[Some(&layout)],

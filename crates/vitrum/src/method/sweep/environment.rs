@@ -62,9 +62,8 @@ fn chain(picture: &Picture) -> (Vec<f32>, u32, u32, u32) {
             .map(|index| {
                 let (x, y) = (index % wide, index / wide);
                 // With an odd edge the last texel is left out; a single row or column counts twice.
-                let texel = |dx: usize, dy: usize| {
-                    level[(2 * y + dy).min(height - 1) * width + (2 * x + dx).min(width - 1)]
-                };
+                let texel =
+                    |dx: usize, dy: usize| level[(2 * y + dy).min(height - 1) * width + (2 * x + dx).min(width - 1)];
                 let (a, b, c, d) = (texel(0, 0), texel(1, 0), texel(0, 1), texel(1, 1));
                 std::array::from_fn(|i| 0.25 * ((a[i] + b[i]) + (c[i] + d[i])))
             })

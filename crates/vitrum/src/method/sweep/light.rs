@@ -38,19 +38,10 @@ pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
         }
         (Attachment::World, Some(v)) => view.direction(vector(v)),
         (Attachment::Camera, None) => {
-            let (azimuth, elevation) = (
-                f64::from(light.azimuth).to_radians(),
-                f64::from(light.elevation).to_radians(),
-            );
-            DVec3::new(
-                -azimuth.sin() * elevation.cos(),
-                -elevation.sin(),
-                azimuth.cos() * elevation.cos(),
-            )
+            let (azimuth, elevation) = (f64::from(light.azimuth).to_radians(), f64::from(light.elevation).to_radians());
+            DVec3::new(-azimuth.sin() * elevation.cos(), -elevation.sin(), azimuth.cos() * elevation.cos())
         }
-        (Attachment::World, None) => {
-            view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation))
-        }
+        (Attachment::World, None) => view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation)),
     };
     let Some(unit) = travels.try_normalize() else {
         return Err(Error::Scene("light.direction has no length: give three numbers that are not all 0".to_owned()));
@@ -96,19 +87,14 @@ impl LightGrid {
         let extent = high - low;
         // Close up, pixels get finer than any voxel; light needs no more than a few texels a voxel.
         let voxel = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
-        let finest = (f64::from(voxel) / (4.0 * f64::from(scene.light.resolution))).max(extent.max_element() / MOST_TEXELS);
+        let finest =
+            (f64::from(voxel) / (4.0 * f64::from(scene.light.resolution))).max(extent.max_element() / MOST_TEXELS);
         let texel = pixel.clamp(finest, extent.max_element() / 16.0);
         let count = |length: f64| (length / texel).ceil().clamp(4.0, MOST_TEXELS) as u32;
         let size = [count(extent.x), count(extent.y)];
         let centre = (low + high) * 0.5;
         let half = DVec2::new(f64::from(size[0]), f64::from(size[1])) * (0.5 * texel);
-        Ok(Self {
-            corner: centre - half,
-            texel,
-            size,
-            shear,
-            direction,
-        })
+        Ok(Self { corner: centre - half, texel, size, shear, direction })
     }
 
     /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).

@@ -54,13 +54,9 @@ impl Sweep {
         let mut created = Vec::new();
         let result = passes::build(scene, inputs, &fixed, backend, &mut created);
         match result {
-            Ok((passes, buffers)) => Ok(Self {
-                passes,
-                planes: fixed.planes,
-                light_grid: fixed.light_grid,
-                rays: fixed.rays,
-                buffers,
-            }),
+            Ok((passes, buffers)) => {
+                Ok(Self { passes, planes: fixed.planes, light_grid: fixed.light_grid, rays: fixed.rays, buffers })
+            }
             Err(error) => {
                 for buffer in created {
                     backend.free(buffer);
@@ -74,9 +70,7 @@ impl Sweep {
     pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u32) -> bool) -> Result<(), BackendError> {
         let total = self.passes.passes.len().max(1);
         let planes = self.planes.count;
-        backend.run(&self.passes, &mut |done| {
-            progress((done as u64 * u64::from(planes) / total as u64) as u32)
-        })
+        backend.run(&self.passes, &mut |done| progress((done as u64 * u64::from(planes) / total as u64) as u32))
     }
 
     /// The finished pixels: planar records as [`record::film`] describes, for `rays` pixels.

@@ -20,18 +20,9 @@ struct Readers {
 
 fn readers(stored: u32) -> Readers {
     match stored {
-        format::U8 => Readers {
-            light: &kernels::sweep_propagate_light_u8,
-            rays: &kernels::sweep_propagate_rays_u8,
-        },
-        format::U16 => Readers {
-            light: &kernels::sweep_propagate_light_u16,
-            rays: &kernels::sweep_propagate_rays_u16,
-        },
-        format::F32 => Readers {
-            light: &kernels::sweep_propagate_light_f32,
-            rays: &kernels::sweep_propagate_rays_f32,
-        },
+        format::U8 => Readers { light: &kernels::sweep_propagate_light_u8, rays: &kernels::sweep_propagate_rays_u8 },
+        format::U16 => Readers { light: &kernels::sweep_propagate_light_u16, rays: &kernels::sweep_propagate_rays_u16 },
+        format::F32 => Readers { light: &kernels::sweep_propagate_light_f32, rays: &kernels::sweep_propagate_rays_f32 },
         _ => Readers {
             light: &kernels::sweep_propagate_light_f32_with_ior,
             rays: &kernels::sweep_propagate_rays_f32_with_ior,
@@ -77,10 +68,7 @@ pub(super) fn build(
         created.push(buffer);
         Ok(buffer)
     };
-    let light = [
-        planar("light", [across, up], light::SIZE)?,
-        planar("light", [across, up], light::SIZE)?,
-    ];
+    let light = [planar("light", [across, up], light::SIZE)?, planar("light", [across, up], light::SIZE)?];
     let traced = planar("back-traced points", [across, up], trace::SIZE)?;
     let rays = planar("rays", [width, height], ray::SIZE)?;
     let finished = planar("film", [width, height], film::SIZE)?;
@@ -109,29 +97,14 @@ pub(super) fn build(
         let bound = [voxels, ior_voxels, occupancy, tables, behind, traced, ahead];
         passes.push(pass(readers.light, texels, fixed.light_mode(), plane, &bound));
     }
-    passes.push(pass(
-        &kernels::sweep_resolve,
-        pixels,
-        0,
-        fixed.planes.count - 1,
-        &[rays, map, finished],
-    ));
+    passes.push(pass(&kernels::sweep_resolve, pixels, 0, fixed.planes.count - 1, &[rays, map, finished]));
     let name = |kernel: &Kernel| kernel.declaration.name;
     let list = PassList {
         passes,
-        while_busy: vec![
-            name(&kernels::sweep_trace_light),
-            name(readers.light),
-            name(readers.rays),
-        ],
+        while_busy: vec![name(&kernels::sweep_trace_light), name(readers.light), name(readers.rays)],
         ends_with: Some(name(readers.rays)),
     };
-    let buffers = Buffers {
-        all: created.clone(),
-        light,
-        rays,
-        film: finished,
-    };
+    let buffers = Buffers { all: created.clone(), light, rays, film: finished };
     Ok((list, buffers))
 }
 

@@ -35,11 +35,8 @@ impl Planes {
     ) -> Result<Self, Error> {
         let edge = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
         let distance = f64::from(edge) * f64::from(scene.sweep.sample_distance);
-        let points: Vec<DVec3> = volumes
-            .iter()
-            .flat_map(|volume| corners(volume))
-            .map(|corner| view.point(corner))
-            .collect();
+        let points: Vec<DVec3> =
+            volumes.iter().flat_map(|volume| corners(volume)).map(|corner| view.point(corner)).collect();
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
         // Where the volume's shadow falls on a receiver, but not endlessly far.
@@ -66,13 +63,7 @@ impl Planes {
                 "the whole volume is behind the camera: move camera.position or camera.target".to_owned(),
             ));
         }
-        Ok(Self {
-            first_depth,
-            distance,
-            count,
-            first_visible: first_visible as u32,
-            volume_depths: [near, far],
-        })
+        Ok(Self { first_depth, distance, count, first_visible: first_visible as u32, volume_depths: [near, far] })
     }
 
     /// Depth of plane `index`.

@@ -21,10 +21,7 @@ impl Receivers {
     pub(super) fn new(scene: &Scene, view: &View, volume: &Volume) -> Self {
         let (centre, radius) = bounding_sphere(volume);
         let ground = scene.ground.as_ref().map_or(DVec4::ZERO, |ground| {
-            let lowest = corners(volume)
-                .iter()
-                .map(|corner| corner.dot(view.up))
-                .fold(f64::INFINITY, f64::min);
+            let lowest = corners(volume).iter().map(|corner| corner.dot(view.up)).fold(f64::INFINITY, f64::min);
             let height = ground.height.map_or(lowest, f64::from);
             plane(view, view.up, view.up * height)
         });

@@ -99,11 +99,7 @@ impl Tables {
             refracts |= eta != 1.0;
             words.push(eta.to_bits());
         }
-        Self {
-            words,
-            refracts,
-            anything,
-        }
+        Self { words, refracts, anything }
     }
 
     /// The optical depths over the fine grid.
@@ -122,15 +118,7 @@ impl Tables {
                 let tau = optical_depth(1.0 - alpha);
                 let kappa = interpolate(&medium, value, [1.0; 3]).map(optical_depth);
                 let color = interpolate(&color, value, [1.0; 3]);
-                [
-                    tau,
-                    kappa[0],
-                    kappa[1],
-                    kappa[2],
-                    tau * color[0],
-                    tau * color[1],
-                    tau * color[2],
-                ]
+                [tau, kappa[0], kappa[1], kappa[2], tau * color[0], tau * color[1], tau * color[2]]
             })
             .collect()
     }

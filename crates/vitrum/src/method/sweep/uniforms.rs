@@ -60,19 +60,11 @@ impl Fixed {
         let receivers = Receivers::new(scene, &view, shown);
         let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
         let light_grid = LightGrid::new(scene, &view, &volumes, &planes, towards)?;
-        let tables = Tables::new(
-            &scene.transfer,
-            scene.sweep.refraction,
-            shown,
-            bending.unwrap_or(shown),
-        );
+        let tables = Tables::new(&scene.transfer, scene.sweep.refraction, shown, bending.unwrap_or(shown));
         let environment = Prepared::new(&scene.environment, inputs.environment.as_ref(), &view);
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
-        let reach = [
-            reach(shown, planes.distance),
-            bending.map_or(1, |volume| reach(volume, planes.distance)),
-        ];
+        let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
         let mode = match (tables.refracts, scene.sweep.gradient) {
             (false, _) => mode::STRAIGHT,
             (true, Gradient::Central) => mode::CENTRAL,
@@ -89,12 +81,7 @@ impl Fixed {
                 light_grid.texel as f32,
                 (1.0 / light_grid.texel) as f32,
             ),
-            light_shear: Vec4::new(
-                light_grid.shear.x as f32,
-                light_grid.shear.y as f32,
-                planes.depth(0) as f32,
-                0.0,
-            ),
+            light_shear: Vec4::new(light_grid.shear.x as f32, light_grid.shear.y as f32, planes.depth(0) as f32, 0.0),
             light_direction: towards.as_vec3().extend(0.0),
             camera: Vec4::new(
                 view.half_size[0] as f32,
@@ -188,12 +175,7 @@ fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec4 {
     Vec4::new(r * factor, g * factor, b * factor, 0.0)
 }
 
-fn set_clips(
-    block: &mut SweepUniforms,
-    scene: &Scene,
-    view: &View,
-    volume: &vitrum_io::Volume,
-) -> Result<(), Error> {
+fn set_clips(block: &mut SweepUniforms, scene: &Scene, view: &View, volume: &vitrum_io::Volume) -> Result<(), Error> {
     if scene.clip.len() > MOST_CLIPS {
         return Err(Error::Scene(format!(
             "{} clipping planes are given, at most {MOST_CLIPS} are possible",
@@ -204,9 +186,9 @@ fn set_clips(
     let mut planes = [Vec4::ZERO; MOST_CLIPS];
     let mut everything = [0.0; MOST_CLIPS];
     for (slot, clip) in scene.clip.iter().enumerate() {
-        let normal = vector(clip.normal)
-            .try_normalize()
-            .ok_or_else(|| Error::Scene(format!("clip.{slot}.normal has no length: give three numbers that are not all 0")))?;
+        let normal = vector(clip.normal).try_normalize().ok_or_else(|| {
+            Error::Scene(format!("clip.{slot}.normal has no length: give three numbers that are not all 0"))
+        })?;
         planes[slot] = single(plane(view, normal, centre + normal * f64::from(clip.offset)));
         everything[slot] = if clip.removes == Removes::Everything { 1.0 } else { 0.0 };
     }

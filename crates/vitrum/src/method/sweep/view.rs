@@ -55,10 +55,7 @@ pub(super) fn corners(volume: &Volume) -> [DVec3; 8] {
 pub(super) fn bounding_sphere(volume: &Volume) -> (DVec3, f64) {
     let corners = corners(volume);
     let centre = corners.iter().sum::<DVec3>() / 8.0;
-    let radius = corners
-        .iter()
-        .map(|corner| (*corner - centre).length())
-        .fold(0.0, f64::max);
+    let radius = corners.iter().map(|corner| (*corner - centre).length()).fold(0.0, f64::max);
     (centre, radius)
 }
 
@@ -91,11 +88,7 @@ impl View {
         // The narrower side of the picture decides what fits.
         let narrow = tangent * aspect.min(1.0);
         let fit = FIT * radius / zoom;
-        let distance = if orthographic {
-            4.0 * radius
-        } else {
-            fit * (1.0 + narrow * narrow).sqrt() / narrow
-        };
+        let distance = if orthographic { 4.0 * radius } else { fit * (1.0 + narrow * narrow).sqrt() / narrow };
         let towards_eye = from_angles(up, front, camera.azimuth, camera.elevation);
         let eye = camera.position.map_or(target + towards_eye * distance, vector);
         let away = (target - eye).try_normalize().unwrap_or(-towards_eye);
@@ -103,11 +96,7 @@ impl View {
         let (sin, cos) = f64::from(camera.roll).to_radians().sin_cos();
         let above = right.cross(away);
         let axes = DMat3::from_cols(right * cos + above * sin, above * cos - right * sin, away);
-        let half_height = if orthographic {
-            fit / aspect.min(1.0)
-        } else {
-            tangent
-        };
+        let half_height = if orthographic { fit / aspect.min(1.0) } else { tangent };
         Self {
             eye,
             axes,

@@ -1,0 +1,124 @@
+//! `bench` (`cargo xtask bench`): frame times on both backends, interleaved.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use vitrum::backend::{Backend, CpuBackend};
+use vitrum::preset;
+use vitrum_conformance::bench::{self, Contender};
+use vitrum_conformance::case::Case;
+use vitrum_conformance::{Failure, adapter, failure, golden, machine};
+
+/// Measure frame times on both backends, interleaved; print a table for docs/benchmarks.md.
+///
+/// A frame's time leaves out tables and uploads, which are `upload ms`. `peak MiB` is the most memory that the process had
+/// while the backend rendered, `relative` the frame time over that of the first backend. Each picture is checked before it
+/// is timed.
+///
+/// Exit codes: 0 done; 1 a picture was wrong; 2 wrong use, or no graphics adapter; 3 an input could not be read; 4 the
+/// device failed.
+#[derive(Parser)]
+#[command(name = "bench")]
+struct Arguments {
+    /// Volume files; the built-in scenes if there are none
+    #[arg(value_name = "VOLUME")]
+    volumes: Vec<PathBuf>,
+
+    /// The look of the volumes (`vitrum presets` lists them)
+    #[arg(long, value_name = "NAME", default_value = preset::DEFAULT)]
+    preset: String,
+
+    /// Only built-in scenes whose name has this text in it; repeatable
+    #[arg(long, value_name = "SUBSTRING")]
+    scene: Vec<String>,
+
+    /// Pixels along each side of the picture
+    #[arg(long, value_name = "PIXELS", value_delimiter = ',', default_value = "512,1024",
+          value_parser = clap::value_parser!(u32).range(1..=16384))]
+    sizes: Vec<u32>,
+
+    /// Frames that are timed, after one that is not
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..))]
+    frames: u16,
+
+    /// CPU threads; all if absent. Several times are compared, such as 1,2,4
+    #[arg(long, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Vec<u16>,
+
+    /// Take the adapter whose name has this text in it (`vitrum devices` lists them)
+    #[arg(long, value_name = "SUBSTRING")]
+    adapter: Option<String>,
+}
+
+fn main() -> ExitCode {
+    failure::exit(run(&Arguments::parse()))
+}
+
+fn run(arguments: &Arguments) -> Result<bool, Failure> {
+    let mut contenders = contenders(arguments)?;
+    println!("{}", machine::description());
+    for contender in &contenders {
+        println!("- {}: {}", contender.backend.name(), contender.backend.adapter());
+    }
+    println!("- medians of {} interleaved frames after one that is not counted\n", arguments.frames);
+    let mut timings = Vec::new();
+    for subject in subjects(arguments)? {
+        let mut case = subject.open(arguments)?;
+        for &edge in &arguments.sizes {
+            case.resize(edge);
+            eprintln!("{} at {edge} x {edge}", case.name);
+            timings.extend(bench::measure(&case, &mut contenders, arguments.frames.into())?);
+        }
+    }
+    println!("{}", bench::markdown(&timings));
+    Ok(timings.iter().all(bench::Timing::passed))
+}
+
+/// The CPU with each number of threads, then the graphics adapter.
+fn contenders(arguments: &Arguments) -> Result<Vec<Contender>, Failure> {
+    let gpu = adapter::open(arguments.adapter.as_deref())?;
+    let all = [machine::threads()];
+    let threads: Vec<usize> = arguments.threads.iter().map(|&threads| threads.into()).collect();
+    let threads = if threads.is_empty() { all.as_slice() } else { &threads };
+    let cpu = |&threads: &usize| {
+        let backend: Box<dyn Backend> = Box::new(CpuBackend::new(Some(threads))?);
+        Ok(Contender { backend, threads: Some(threads) })
+    };
+    let mut contenders = threads.iter().map(cpu).collect::<Result<Vec<_>, Failure>>()?;
+    contenders.push(Contender { backend: Box::new(gpu), threads: None });
+    Ok(contenders)
+}
+
+/// What is timed; volumes are read one after the other, so that no two are in memory.
+enum Subject {
+    Scene(&'static str),
+    File(PathBuf),
+}
+
+impl Subject {
+    fn open(&self, arguments: &Arguments) -> Result<Case, Failure> {
+        let edge = arguments.sizes[0];
+        match self {
+            Self::Scene(name) => Case::builtin(name, edge, None, &[]),
+            Self::File(path) => Case::file(path, &arguments.preset, edge),
+        }
+    }
+}
+
+/// The volumes; or the built-in scenes, variants only where they are asked for.
+fn subjects(arguments: &Arguments) -> Result<Vec<Subject>, Failure> {
+    if !arguments.volumes.is_empty() {
+        return Ok(arguments.volumes.iter().cloned().map(Subject::File).collect());
+    }
+    let wants = |scene: &&str| arguments.scene.iter().any(|wanted| scene.contains(wanted));
+    let scenes: Vec<&str> = if arguments.scene.is_empty() {
+        golden::scenes()
+    } else {
+        vitrum::builtin::names().iter().map(|&(name, _)| name).filter(wants).collect()
+    };
+    if scenes.is_empty() {
+        return Err(Failure::Setup("no built-in scene has such a name; `vitrum scenes` lists them".to_owned()));
+    }
+    Ok(scenes.into_iter().map(Subject::Scene).collect())
+}

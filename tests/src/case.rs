@@ -1,0 +1,116 @@
+//! What is rendered: a scene, and what it names, read.
+
+use std::path::Path;
+
+use vitrum::scene::{Scene, VolumeSource};
+use vitrum::{Inputs, builtin, preset};
+use vitrum_io::{Volume, Voxels};
+
+use crate::Failure;
+
+/// A scene and its inputs.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The scene's name, and how it was changed.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+    /// What it names.
+    pub inputs: Inputs,
+}
+
+impl Case {
+    /// A built-in scene as a picture of `edge` × `edge` pixels, its volumes with `resolution` voxels along their longest
+    /// edge (their own if `None`), changed by `settings` such as `sweep.gradient=chain`.
+    ///
+    /// # Errors
+    /// If there is no such scene, or a setting is wrong.
+    pub fn builtin(name: &str, edge: u32, resolution: Option<u32>, settings: &[&str]) -> Result<Self, Failure> {
+        let unknown = || Failure::Setup(format!("there is no built-in scene {name}; `vitrum scenes` lists them"));
+        let mut scene = sized(builtin::scene(name).ok_or_else(unknown)?, edge);
+        for source in [Some(&mut scene.volume), scene.ior_volume.as_mut()].into_iter().flatten() {
+            source.resolution = resolution.or(source.resolution);
+        }
+        for setting in settings {
+            scene.set(setting)?;
+        }
+        let inputs = Inputs::load(&scene, Path::new(""))?;
+        let name = [&[name], settings].concat().join(" ");
+        Ok(Self { name, scene, inputs })
+    }
+
+    /// A volume file with the look of a preset, as a picture of `edge` × `edge` pixels.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or there is no such preset.
+    pub fn file(path: &Path, preset: &str, edge: u32) -> Result<Self, Failure> {
+        // First: a slip should not cost the time to read a volume.
+        preset::check(preset)?;
+        let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };
+        let mut scene = sized(Scene { volume, ..Scene::default() }, edge);
+        let inputs = Inputs::load(&scene, Path::new(""))?;
+        preset::apply(preset, &inputs.volume, &mut scene)?;
+        let file = path.file_name().unwrap_or(path.as_os_str());
+        Ok(Self { name: format!("{} ({preset})", file.display()), scene, inputs })
+    }
+
+    /// Makes it a picture of `edge` × `edge` pixels.
+    pub fn resize(&mut self, edge: u32) {
+        (self.scene.film.width, self.scene.film.height) = (edge, edge);
+    }
+
+    /// The same case with the voxels rounded to bytes, as many scans are stored.
+    ///
+    /// # Errors
+    /// None that built-in volumes cause.
+    pub fn in_bytes(mut self) -> Result<Self, Failure> {
+        self.inputs.volume = in_bytes(&self.inputs.volume)?;
+        self.name.push_str(" u8");
+        Ok(self)
+    }
+}
+
+fn sized(mut scene: Scene, edge: u32) -> Scene {
+    (scene.film.width, scene.film.height) = (edge, edge);
+    scene
+}
+
+fn in_bytes(volume: &Volume) -> Result<Volume, Failure> {
+    let [low, high] = volume.range;
+    let scale = (high - low) / 255.0;
+    let [width, height, depth] = volume.dimensions;
+    // The cast saturates.
+    let byte = |x, y, z| ((volume.value(x, y, z) - low) / scale).round() as u8;
+    let slice = |z| (0..height).flat_map(move |y| (0..width).map(move |x| byte(x, y, z)));
+    let voxels = Voxels::U8((0..depth).flat_map(slice).collect());
+    let rounded = Volume::new(volume.name.clone(), volume.dimensions, volume.spacing, voxels)?;
+    let rounded = rounded.with_value_mapping(scale, low)?;
+    Ok(Volume { origin: volume.origin, axes: volume.axes, ..rounded })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_applied_and_named() {
+        let case = Case::builtin("ball", 24, Some(16), &["sweep.gradient=chain"]).unwrap();
+        assert_eq!((case.name.as_str(), case.scene.film.width), ("ball sweep.gradient=chain", 24));
+        assert_eq!(case.inputs.volume.dimensions.iter().max(), Some(&16));
+        assert!(Case::builtin("bal", 24, None, &[]).unwrap_err().to_string().contains("no built-in scene bal"));
+    }
+
+    #[test]
+    fn bytes_keep_place_and_values() {
+        let case = Case::builtin("head", 24, Some(16), &[]).unwrap();
+        let before = case.inputs.volume.clone();
+        let after = case.in_bytes().unwrap().inputs.volume;
+        assert!(matches!(after.voxels, Voxels::U8(_)));
+        assert_eq!(
+            (after.dimensions, after.origin, after.range[0]),
+            (before.dimensions, before.origin, before.range[0])
+        );
+        let step = (before.range[1] - before.range[0]) / 255.0;
+        assert!((after.value(8, 7, 6) - before.value(8, 7, 6)).abs() <= 0.51 * step);
+    }
+}

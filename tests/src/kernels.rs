@@ -1,0 +1,118 @@
+//! T1: what each kernel wrote, in the midst of a frame.
+//!
+//! Both backends run the same pass list, and stop after chosen passes: the first and the last of each kernel, and those a
+//! quarter, half and three quarters in between. There the records that the last pass wrote are compared, so that the first
+//! row that differs names the kernel that is wrong.
+
+use std::collections::BTreeMap;
+use std::mem;
+use std::vec;
+
+use vitrum::backend::{Backend, Pass, PassList};
+use vitrum::method::sweep::Sweep;
+use vitrum_kernels::kernel::kernels;
+
+use crate::Failure;
+use crate::bounds;
+use crate::case::Case;
+use crate::raster::Raster;
+use crate::run::{About, Run};
+
+/// Small cases that together run every kernel in every mode.
+///
+/// # Errors
+/// None that built-in scenes cause.
+pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
+    let case = |name: &str, settings: &[&str]| Case::builtin(name, edge, Some(resolution), settings);
+    Ok(vec![
+        case("ball", &[])?,
+        case("ball", &["sweep.gradient=chain"])?,
+        case("ball", &["sweep.integrator=euler", "sweep.intensity=paper", "camera.projection=orthographic"])?,
+        case("glass", &["light.softness=0"])?,
+        case("glass/straight", &["light.softness=1"])?,
+        case("glass/straight", &["light.softness=0"])?,
+        case("luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
+        case("combustion/mixture", &[])?,
+        case("head", &["sweep.empty_space_skipping=false"])?,
+        case("head", &[])?.in_bytes()?,
+    ])
+}
+
+/// Compares what kernels wrote, the CPU's first.
+///
+/// # Errors
+/// If a backend fails, or evidence cannot be written.
+pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
+    let bound = bounds::of_backend(other, &case.name, false);
+    let mut reference = Stepper::new(case, cpu)?;
+    let mut other = Stepper::new(case, other)?;
+    for stop in stops(reference.passes.as_slice()) {
+        let (expected, found) = (reference.advance(stop.pass)?, other.advance(stop.pass)?);
+        let item = format!("{} at plane {}", stop.kernel, stop.plane);
+        run.hold(About { tier: "T1", scene: &case.name, item: &item }, bound, &expected, &found)?;
+    }
+    reference.free();
+    other.free();
+    Ok(())
+}
+
+/// A pass after which both backends stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Stop {
+    pass: usize,
+    plane: u32,
+    kernel: &'static str,
+}
+
+/// The first, quarter, middle, three-quarter and last pass of each kernel, in order.
+fn stops(passes: &[Pass]) -> Vec<Stop> {
+    let mut by_kernel: BTreeMap<&str, Vec<Stop>> = BTreeMap::new();
+    let mut plane = 0;
+    for (pass, kernel) in passes.iter().map(|pass| pass.kernel.declaration.name).enumerate() {
+        // Each plane but the first begins with it.
+        plane += u32::from(kernel == kernels::sweep_trace_light.declaration.name);
+        by_kernel.entry(kernel).or_default().push(Stop { pass, plane, kernel });
+    }
+    let chosen = |stops: &Vec<Stop>| {
+        let last = stops.len() - 1;
+        [0, last / 4, last / 2, 3 * last / 4, last].map(|index| stops[index])
+    };
+    let mut stops: Vec<Stop> = by_kernel.values().flat_map(chosen).collect();
+    stops.sort_unstable();
+    stops.dedup();
+    stops
+}
+
+/// A frame that runs in parts.
+struct Stepper<'a> {
+    backend: &'a mut dyn Backend,
+    sweep: Sweep,
+    passes: vec::IntoIter<Pass>,
+    done: usize,
+}
+
+impl<'a> Stepper<'a> {
+    fn new(case: &Case, backend: &'a mut dyn Backend) -> Result<Self, Failure> {
+        let mut sweep = Sweep::prepare(&case.scene, &case.inputs, backend)?;
+        let passes = mem::take(&mut sweep.passes.passes).into_iter();
+        Ok(Self { backend, sweep, passes, done: 0 })
+    }
+
+    /// Runs on until pass `last` is done; what that wrote, each component's plane below the one before.
+    fn advance(&mut self, last: usize) -> Result<Raster, Failure> {
+        let passes: Vec<Pass> = self.passes.by_ref().take(last + 1 - self.done).collect();
+        self.done = last + 1;
+        // Every pass counts here, also one that no pixel needs: nothing is left out.
+        let list = PassList { passes, ..PassList::default() };
+        self.backend.run(&list, &mut |_| true)?;
+        let pass = list.passes.last().expect("stops are in ascending order, and different");
+        let output = pass.output().expect("every kernel writes");
+        let words: Vec<f32> = bytemuck::pod_collect_to_vec(&self.backend.read(output)?);
+        let count = pass.width as usize * pass.height as usize * pass.kernel.declaration.components;
+        Ok(Raster::stacked(pass.width, [&words[..count]]))
+    }
+
+    fn free(self) {
+        self.sweep.free(self.backend);
+    }
+}

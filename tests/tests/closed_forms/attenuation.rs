@@ -1,0 +1,57 @@
+//! 11: a homogeneous medium attenuates by e^(−σℓ), whatever the sample distance and the direction.
+
+use crate::setup::{backends, cube, render};
+use vitrum::io::{Volume, Voxels};
+use vitrum::scene::{ColorPoint, OpacityPoint, Projection, Scene};
+
+/// A cube of edge 2 with one scalar inside. A second scalar, in a corner, makes a range.
+fn homogeneous() -> Volume {
+    let mut volume = cube(32, 2.0, |_| 1.0);
+    if let Voxels::F32(voxels) = &mut volume.voxels {
+        voxels[0] = 0.0;
+    }
+    volume.range = [0.0, 1.0];
+    volume
+}
+
+fn scene(azimuth: f32, sample_distance: f32) -> Scene {
+    let mut scene = Scene::default();
+    scene.volume.builtin = Some("ball".to_owned());
+    scene.transfer.reference_length = Some(0.5);
+    scene.transfer.opacity = vec![OpacityPoint { value: 0.0, opacity: 0.3 }];
+    scene.transfer.medium = vec![ColorPoint { value: 0.0, color: [0.9, 0.5, 0.2] }];
+    scene.camera.projection = Projection::Orthographic;
+    scene.camera.azimuth = azimuth;
+    scene.camera.elevation = 0.0;
+    scene.sweep.sample_distance = sample_distance;
+    scene.film.width = 9;
+    scene.film.height = 9;
+    scene
+}
+
+#[test]
+fn medium_and_particles_follow_beer_and_lambert() {
+    let volume = homogeneous();
+    for mut backend in backends() {
+        for azimuth in [0.0f32, 30.0, 45.0] {
+            for sample_distance in [0.37, 1.0, 2.5] {
+                let frame = render(&scene(azimuth, sample_distance), &volume, backend.as_mut());
+                let length = 2.0 / f64::from(azimuth.to_radians()).cos();
+                let middle = 4 * 9 + 4;
+                let opacity = f64::from(frame.channel("opacity", "Y").expect("opacity")[middle]);
+                let expected = 1.0 - 0.7f64.powf(length / 0.5);
+                // Half floats in the table: optical depth to 2⁻¹¹, here times up to 2.
+                assert!((opacity - expected).abs() < 1e-3, "{azimuth}°: opacity {opacity} instead of {expected}");
+                for (channel, transmittance) in [("R", 0.9f64), ("G", 0.5), ("B", 0.2)] {
+                    let medium = f64::from(frame.channel("medium", channel).expect("medium")[middle]);
+                    let expected = transmittance.powf(length / 0.5);
+                    assert!(
+                        (medium - expected).abs() < 1e-3 * expected.max(0.1),
+                        "{} {azimuth}° {sample_distance}: {channel} {medium} instead of {expected}",
+                        backend.name()
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! 6: a layer from η₁ to η₂. The exit angle follows Snell's law, whatever the profile; beyond the critical angle rays turn.
+
+use crate::setup::{backends, cube, end, refracting, render};
+
+/// The angle between a ray and the layer's normal behind a layer from 1 to `ratio`, met at `degrees`.
+fn behind_layer(degrees: f64, ratio: f64, backend: &mut dyn vitrum::backend::Backend) -> (f64, f32) {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    // Rays travel along −y; the normal points along them, tilted in x.
+    let volume = cube(96, 2.0, |[x, y, _]| {
+        let along = x * sin - y * cos;
+        let t = (along / 0.3 + 0.5).clamp(0.0, 1.0);
+        1.0 + (ratio - 1.0) * t * t * (3.0 - 2.0 * t)
+    });
+    let scene = refracting(&volume, 9);
+    let frame = render(&scene, &volume, backend);
+    let middle = end(&frame, 4, 4);
+    // View space: x right is world −x, z towards the viewer is world +y.
+    let cosine = -middle.direction[0] * sin - middle.direction[2] * cos;
+    (cosine.clamp(-1.0, 1.0).acos().to_degrees(), middle.status)
+}
+
+#[test]
+fn the_exit_angle_follows_snell() {
+    for mut backend in backends() {
+        for (degrees, ratio) in [(10.0f64, 1.5f64), (30.0, 1.5), (60.0, 1.5), (20.0, 1.0 / 1.5), (35.0, 1.0 / 1.5)] {
+            let expected = (degrees.to_radians().sin() / ratio).asin().to_degrees();
+            let (angle, status) = behind_layer(degrees, ratio, backend.as_mut());
+            println!("{}: {degrees}° into {ratio:.3}: {angle:.3}°, Snell {expected:.3}°", backend.name());
+            assert_eq!(status, 0.0, "the ray goes through");
+            // The layer is 14 voxels thick; a tenth of a degree is what second order leaves.
+            assert!((angle - expected).abs() < 0.15, "{angle} instead of {expected}");
+        }
+    }
+}
+
+#[test]
+fn beyond_the_critical_angle_rays_turn() {
+    // Critical angle 41.81°. The sweep follows a reflected ray while it goes on in depth; met at 50° it would leave along
+    // the layer's mirror direction at 100° from its own, so it turns.
+    for mut backend in backends() {
+        let (_, status) = behind_layer(50.0, 1.0 / 1.5, backend.as_mut());
+        println!("{}: met at 50°, status {status}", backend.name());
+        assert_eq!(status, 2.0);
+        let (_, status) = behind_layer(40.0, 1.0 / 1.5, backend.as_mut());
+        assert_eq!(status, 0.0);
+    }
+}

@@ -1,0 +1,14 @@
+//! Closed forms: what physics says, on both backends, through the public scene API.
+//!
+//! The numbers in the names are those of the list in `docs/accuracy.md`. A voxelised field is not the analytic one: each test
+//! states its grid, and the bound belongs to that grid.
+
+mod attenuation;
+mod ball;
+mod flux;
+mod layer;
+mod luneburg;
+mod porter_duff;
+mod setup;
+mod slab;
+mod step;

@@ -1,0 +1,65 @@
+//! Without refraction and with a white medium, a picture is plain Porter–Duff volume rendering (sweep §4.1).
+
+use crate::setup::{backends, cube, render};
+use vitrum::scene::{ColorPoint, OpacityPoint, Projection, Scene};
+
+#[test]
+fn the_defaults_are_plain_compositing() {
+    // The scalar only depends on depth (y), so light and viewing rays are the same everywhere.
+    let volume = cube(48, 2.0, |[_, y, _]| 0.5 + 0.5 * (3.0 * y).sin());
+    let mut scene = Scene::default();
+    scene.volume.builtin = Some("ball".to_owned());
+    scene.camera.projection = Projection::Orthographic;
+    scene.camera.azimuth = 0.0;
+    scene.camera.elevation = 0.0;
+    scene.light.azimuth = 0.0;
+    scene.light.elevation = 0.0;
+    scene.light.softness = 0.0;
+    scene.shading.ambient = [0.0; 3];
+    scene.environment.visible = false;
+    let [low, high] = volume.range;
+    scene.transfer.opacity =
+        vec![OpacityPoint { value: low, opacity: 0.0 }, OpacityPoint { value: high, opacity: 0.2 }];
+    scene.transfer.color =
+        vec![ColorPoint { value: low, color: [1.0, 0.2, 0.1] }, ColorPoint { value: high, color: [0.1, 0.3, 1.0] }];
+    scene.film.width = 9;
+    scene.film.height = 9;
+
+    // The same integral in double precision, finely: dC = (1 − A) τ c L, dA = (1 − A) τ, dL = −L τ, per voxel edge.
+    let (mut color, mut clear, mut light) = ([0.0f64; 3], 1.0f64, 1.0f64);
+    let steps = 48 * 400;
+    let value = |y: f64| {
+        // As the volume holds it: linear between voxel centres, constant beyond the outer ones.
+        let index = ((y + 1.0) * 24.0 - 0.5).clamp(0.0, 47.0);
+        let (i, t) = (index.floor().min(46.0), index - index.floor().min(46.0));
+        let f = |i: f64| 0.5 + 0.5 * (3.0 * ((i + 0.5) / 24.0 - 1.0)).sin();
+        f(i) * (1.0 - t) + f(i + 1.0) * t
+    };
+    for step in 0..steps {
+        let y = 1.0 - (f64::from(step) + 0.5) * 2.0 / f64::from(steps);
+        let share = ((value(y) - f64::from(low)) / f64::from(high - low)).clamp(0.0, 1.0);
+        let tau = -(1.0 - 0.2 * share).ln() * 48.0 / f64::from(steps);
+        let layer = 1.0 - (-tau).exp();
+        for (channel, (a, b)) in color.iter_mut().zip([(1.0, 0.1), (0.2, 0.3), (0.1, 1.0)]) {
+            *channel += clear * layer * (a + (b - a) * share) * light;
+        }
+        clear *= 1.0 - layer;
+        light *= 1.0 - layer;
+    }
+    for mut backend in backends() {
+        let frame = render(&scene, &volume, backend.as_mut());
+        let middle = 4 * 9 + 4;
+        let opacity = f64::from(frame.channel("opacity", "Y").expect("opacity")[middle]);
+        assert!((opacity - (1.0 - clear)).abs() < 2e-3, "opacity {opacity} instead of {}", 1.0 - clear);
+        for (name, expected) in ["R", "G", "B"].into_iter().zip(color) {
+            let found = f64::from(frame.channel("color", name).expect("color")[middle]);
+            println!("{} {name}: {found:.5}, reference {expected:.5}", backend.name());
+            // The light of the plane behind lights a segment (Algorithm 1): half a voxel's attenuation more than the integral.
+            assert!((found / expected - 1.0).abs() < 0.06, "{name}: {found} instead of {expected}");
+        }
+        let medium = frame.channel("medium", "R").expect("medium");
+        assert!(medium.iter().all(|&m| m == 1.0), "a white medium stays exactly white");
+        let straight = frame.channel("direction", "Z").expect("direction");
+        assert!(straight.iter().all(|&z| z == -1.0), "rays stay exactly straight");
+    }
+}

@@ -1,0 +1,66 @@
+//! 9: a thin slab η = 1 + ε cos kx focuses parallel light: on-axis irradiance 1/(1 − Z/Z_f), Z_f = 1/(ε k² t).
+
+use crate::setup::{backends, cuboid, refracting, render};
+use vitrum::scene::{Intensity, Wall};
+
+const EPSILON: f64 = 0.01;
+const THICKNESS: f64 = 0.1;
+const PERIOD: f64 = 1.0;
+
+/// Irradiance on a screen at `share` of the focal distance: on axis, half a period beside it, mean over the middle period.
+fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backend::Backend) -> (f64, f64, f64) {
+    let k = std::f64::consts::TAU / PERIOD;
+    let focus = 1.0 / (EPSILON * k * k * THICKNESS);
+    // 3 periods wide, 64 voxels a period.
+    let spacing = 1.0 / 64.0;
+    let layers = (THICKNESS * 64.0).round() as u32;
+    let thickness = f64::from(layers) / 64.0;
+    let volume = cuboid([192, layers, 8], spacing, |[x, _, _]| 1.0 + EPSILON * (k * x).cos());
+    let mut scene = refracting(&volume, 64);
+    scene.sweep.intensity = intensity;
+    scene.sweep.sample_distance = 1.0;
+    let distance = share * focus * THICKNESS / thickness;
+    scene.wall = Some(Wall { distance: Some(distance as f32), azimuth: 0.0, color: [1.0; 3] });
+    let frame = render(&scene, &volume, backend);
+    let light = &frame.light;
+    let width = light.width as usize;
+    let pixels = light.color();
+    let row = light.height as usize / 2;
+    // Texel positions: the grid is centred on the volume (light travels straight on, so there is no shear).
+    let radius = 0.5 * (3.0f64.powi(2) + thickness.powi(2) + (8.0 / 64.0f64).powi(2)).sqrt();
+    let texel = 2.0 * 0.87 * radius / 64.0;
+    let at = |x: f64| {
+        let position = x / texel + width as f64 * 0.5 - 0.5;
+        let left = position.floor() as usize;
+        let t = position - position.floor();
+        f64::from(pixels[row * width + left][0]) * (1.0 - t) + f64::from(pixels[row * width + left + 1][0]) * t
+    };
+    let mean = (0..256).map(|i| at(-0.5 + (f64::from(i) + 0.5) / 256.0)).sum::<f64>() / 256.0;
+    (at(0.0), at(0.5), mean)
+}
+
+#[test]
+fn light_gets_brighter_towards_the_focus() {
+    for mut backend in backends() {
+        for (share, on_axis, beside) in [(0.25, 1.333, 0.8), (0.5, 2.0, 0.667), (0.75, 4.0, 0.571)] {
+            let (middle, side, mean) = irradiance(share, Intensity::Jacobian, backend.as_mut());
+            println!(
+                "{}: Z = {share} Z_f: on axis {middle:.3} (truth {on_axis}), beside {side:.3} (truth {beside}), mean {mean:.4}",
+                backend.name()
+            );
+            assert!((mean - 1.0).abs() < 0.01, "flux is conserved: {mean}");
+            assert!((side / beside - 1.0).abs() < 0.02, "{side} instead of {beside}");
+            // A peak that narrows to a few texels is blurred: at ¾ of the focal distance it is 8 texels wide.
+            let bound = if share > 0.6 { 0.1 } else { 0.02 };
+            assert!((middle / on_axis - 1.0).abs() < bound, "{middle} instead of {on_axis}");
+        }
+    }
+}
+
+#[test]
+fn without_correction_there_is_no_caustic() {
+    for mut backend in backends() {
+        let (middle, side, _) = irradiance(0.5, Intensity::None, backend.as_mut());
+        assert!((middle - 1.0).abs() < 1e-3 && (side - 1.0).abs() < 1e-3, "{middle}, {side}");
+    }
+}

@@ -1,0 +1,48 @@
+//! Both backends against each other on small scenes, and the CPU against the golden pictures.
+//!
+//! `cargo xtask diff` does the same with larger frames of all built-in scenes.
+
+use vitrum::backend::CpuBackend;
+use vitrum_conformance::case::Case;
+use vitrum_conformance::run::Run;
+use vitrum_conformance::{Failure, adapter, evidence, frames, golden, kernels};
+
+/// Pixels along each side.
+const EDGE: u32 = 48;
+/// Voxels along a volume's longest edge.
+const RESOLUTION: u32 = 32;
+
+#[test]
+fn every_kernel_gives_the_same_on_both_backends() -> Result<(), Failure> {
+    let Some(mut gpu) = adapter::for_test() else { return Ok(()) };
+    let (mut cpu, mut run) = (CpuBackend::new(None)?, Run::new(evidence::folder()));
+    for case in kernels::cases(EDGE, RESOLUTION)? {
+        kernels::compare(&case, &mut cpu, &mut gpu, &mut run)?;
+    }
+    run.assert_passed();
+    Ok(())
+}
+
+#[test]
+fn frames_are_the_same_on_both_backends() -> Result<(), Failure> {
+    let Some(mut gpu) = adapter::for_test() else { return Ok(()) };
+    let (mut cpu, mut run) = (CpuBackend::new(None)?, Run::new(evidence::folder()));
+    for name in ["ball", "glass", "head", "combustion", "luneburg"] {
+        frames::compare(&Case::builtin(name, EDGE, Some(RESOLUTION), &[])?, &mut cpu, &mut gpu, &mut run)?;
+    }
+    // Workgroups and blocks of lanes that the picture does not fill.
+    let uneven = ["film.width=37", "film.height=21", "film.supersampling=2"];
+    frames::compare(&Case::builtin("ball", EDGE, Some(RESOLUTION), &uneven)?, &mut cpu, &mut gpu, &mut run)?;
+    run.assert_passed();
+    Ok(())
+}
+
+#[test]
+fn golden_pictures_are_met() -> Result<(), Failure> {
+    let mut run = Run::new(evidence::folder());
+    for scene in golden::scenes() {
+        golden::compare(&golden::folder(), scene, &mut run)?;
+    }
+    run.assert_passed();
+    Ok(())
+}

@@ -1,0 +1,72 @@
+//! The CPU against itself: what must not change the picture does not.
+
+use vitrum::backend::CpuBackend;
+use vitrum_compare::Bound;
+use vitrum_conformance::case::Case;
+use vitrum_conformance::run::Run;
+use vitrum_conformance::{Failure, evidence, frames, kernels, raster};
+use vitrum_kernels::kernel::InstructionSet;
+
+const EDGE: u32 = 48;
+const RESOLUTION: u32 = 32;
+
+#[test]
+fn instruction_sets_give_the_same_bits() -> Result<(), Failure> {
+    let mut run = Run::new(evidence::folder());
+    let mut baseline = CpuBackend::with_instruction_set(None, InstructionSet::Baseline)?;
+    let others = InstructionSet::ALL.into_iter().filter(|&set| set != InstructionSet::Baseline && set.is_available());
+    for set in others {
+        let mut other = CpuBackend::with_instruction_set(None, set)?;
+        for mut case in kernels::cases(EDGE, RESOLUTION)? {
+            case.name.push_str(&format!(" {set:?}"));
+            kernels::compare(&case, &mut baseline, &mut other, &mut run)?;
+            frames::compare(&case, &mut baseline, &mut other, &mut run)?;
+        }
+    }
+    if InstructionSet::best() != InstructionSet::Baseline {
+        run.assert_passed();
+    }
+    Ok(())
+}
+
+#[test]
+fn threads_do_not_change_the_picture() -> Result<(), Failure> {
+    let mut run = Run::new(evidence::folder());
+    let (mut one, mut two) = (CpuBackend::new(Some(1))?, CpuBackend::new(Some(2))?);
+    for name in ["glass", "head"] {
+        let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), &[])?;
+        case.name.push_str(" threads");
+        frames::compare(&case, &mut one, &mut two, &mut run)?;
+    }
+    run.assert_passed();
+    Ok(())
+}
+
+#[test]
+fn a_frame_does_not_depend_on_what_was_rendered_before() -> Result<(), Failure> {
+    let mut run = Run::new(evidence::folder());
+    let (mut fresh, mut used) = (CpuBackend::new(None)?, CpuBackend::new(None)?);
+    frames::render(&Case::builtin("glass", 2 * EDGE, Some(RESOLUTION), &[])?, &mut used)?;
+    let mut case = Case::builtin("ball", EDGE, Some(RESOLUTION), &[])?;
+    case.name.push_str(" second");
+    frames::compare(&case, &mut fresh, &mut used, &mut run)?;
+    run.assert_passed();
+    Ok(())
+}
+
+#[test]
+fn skipping_empty_space_does_not_change_the_picture() -> Result<(), Failure> {
+    let mut run = Run::new(evidence::folder());
+    let mut cpu = CpuBackend::new(None)?;
+    for name in ["ball", "glass", "glass/straight", "supernova", "head", "combustion", "combustion/mixture", "luneburg"]
+    {
+        let mut frame = |skipping: bool| {
+            let setting = format!("sweep.empty_space_skipping={skipping}");
+            frames::render(&Case::builtin(name, EDGE, Some(RESOLUTION), &[&setting])?, &mut cpu)
+        };
+        let (all, skipped) = (raster::of_frame(&frame(false)?), raster::of_frame(&frame(true)?));
+        run.hold_all(("T2", &format!("{name} skipping")), |_| Bound::BitEqual, &all, &skipped)?;
+    }
+    run.assert_passed();
+    Ok(())
+}

@@ -1,0 +1,144 @@
+//! A check that cannot fail is worth nothing: each tier is given a backend or a picture that is wrong in the last bit of
+//! one value, and the programs what they have to refuse.
+
+use std::fs;
+use std::process::{Command, Output};
+
+use vitrum::backend::{Backend, BackendError, Buffer, CpuBackend, PassList};
+use vitrum_conformance::case::Case;
+use vitrum_conformance::run::Run;
+use vitrum_conformance::{Failure, frames, golden, kernels};
+
+/// A CPU that gets the last bit of one value wrong.
+struct Faulty(CpuBackend);
+
+/// The value that is wrong in every buffer.
+const FAULT: usize = 77;
+
+impl Backend for Faulty {
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn adapter(&self) -> String {
+        self.0.adapter()
+    }
+
+    fn largest_buffer(&self) -> u64 {
+        self.0.largest_buffer()
+    }
+
+    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
+        self.0.create(label, contents)
+    }
+
+    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
+        self.0.create_zeroed(label, bytes)
+    }
+
+    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+        self.0.run(passes, progress)
+    }
+
+    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
+        let mut bytes = self.0.read(buffer)?;
+        bytes[4 * FAULT] ^= 1;
+        Ok(bytes)
+    }
+
+    fn free(&mut self, buffer: Buffer) {
+        self.0.free(buffer);
+    }
+
+    fn device_bytes(&self) -> Option<u64> {
+        self.0.device_bytes()
+    }
+}
+
+fn backends() -> Result<(CpuBackend, Faulty), Failure> {
+    Ok((CpuBackend::new(None)?, Faulty(CpuBackend::new(None)?)))
+}
+
+#[test]
+fn a_wrong_bit_of_a_kernel_is_found() -> Result<(), Failure> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let (mut cpu, mut faulty) = backends()?;
+    let mut run = Run::new(folder.path().to_owned());
+    kernels::compare(&Case::builtin("ball", 24, Some(16), &[])?, &mut cpu, &mut faulty, &mut run)?;
+    assert_eq!(run.breaches().len(), run.rows().len(), "{}", run.summary());
+    assert!(run.rows().iter().all(|row| row.comparison.ulps.first_difference == Some(FAULT)));
+    assert!(folder.path().join("T1-ball-sweep-sweep_initialize_light_at_plane_0/reference.exr").exists());
+    Ok(())
+}
+
+#[test]
+fn a_wrong_bit_of_a_frame_is_found() -> Result<(), Failure> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let (mut cpu, mut faulty) = backends()?;
+    let mut run = Run::new(folder.path().to_owned());
+    frames::compare(&Case::builtin("ball", 24, Some(16), &[])?, &mut cpu, &mut faulty, &mut run)?;
+    let wrong: Vec<String> = run.breaches().into_iter().map(|row| row.item).collect();
+    assert_eq!(wrong, ["color", "light"], "the first values of both buffers that are read are shown there");
+    assert!(folder.path().join("T2-ball-sweep-color/difference.png").exists());
+    Ok(())
+}
+
+#[test]
+fn a_changed_scene_does_not_meet_its_golden_picture() -> Result<(), Failure> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let mut run = Run::new(folder.path().to_owned());
+    let mut case = golden::case("ball")?;
+    case.scene.film.exposure = 1e-3;
+    let frame = frames::render(&case, &mut CpuBackend::new(None)?)?;
+    golden::hold(&golden::folder(), "ball", "brighter", &frame, &mut run)?;
+    assert_eq!(run.breaches().len(), 1, "the colour is wrong, and the coverage is right: {}", run.summary());
+    Ok(())
+}
+
+#[test]
+fn a_missing_golden_picture_is_no_agreement() -> Result<(), Failure> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let mut run = Run::new(folder.path().to_owned());
+    let failure = golden::compare(folder.path(), "ball", &mut run).expect_err("there is no picture");
+    assert!(failure.to_string().contains("--bless"), "{failure}");
+    assert!(golden::bless(folder.path(), "ball")?, "it was not there before");
+    assert!(!golden::bless(folder.path(), "ball")?, "blessing again changes nothing");
+    golden::compare(folder.path(), "ball", &mut run)?;
+    run.assert_passed();
+    Ok(())
+}
+
+fn conformance(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_conformance")).args(arguments).output().expect("the program starts")
+}
+
+#[test]
+fn without_an_adapter_there_is_advice() {
+    for program in [env!("CARGO_BIN_EXE_conformance"), env!("CARGO_BIN_EXE_bench")] {
+        let arguments = ["--adapter", "no such adapter", "--scene", "ball"];
+        let output = Command::new(program).args(arguments).output().expect("the program starts");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains("install a Vulkan driver"), "{message}");
+    }
+}
+
+#[test]
+fn a_scene_that_does_not_exist_is_no_agreement() {
+    let output = conformance(&["--tier", "t3", "--scene", "no such scene"]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("vitrum scenes"), "{message}");
+}
+
+#[test]
+fn golden_pictures_need_no_adapter() {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = folder.path().join("numbers.json");
+    let output = conformance(&["--tier", "t3", "--scene", "ball", "--json", &file.display().to_string()]);
+    let table = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{table}{}", String::from_utf8_lossy(&output.stderr));
+    assert!(table.contains("| T3   | ball"), "{table}");
+    let json: serde_json::Value = serde_json::from_slice(&fs::read(file).expect("it was written")).expect("it is JSON");
+    assert_eq!(json["passed"], true);
+}

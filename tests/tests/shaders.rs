@@ -1,0 +1,153 @@
+//! The committed SPIR-V belongs to the tree, and lays structs out as the host does.
+
+use std::collections::HashMap;
+use std::fs;
+use std::mem::{align_of_val, offset_of, size_of_val};
+
+use rspirv::dr::{Instruction, Module, Operand, load_words};
+use rspirv::spirv::{Decoration, Op, StorageClass, Word};
+use vitrum_conformance::root;
+use vitrum_kernels::abi::grid::Grid;
+use vitrum_kernels::abi::sweep::SweepUniforms;
+use vitrum_kernels::kernel::ALL;
+use vitrum_shader_manifest::{Manifest, folder};
+
+#[test]
+fn the_committed_modules_are_current() {
+    let manifest = Manifest::read(&root()).unwrap_or_else(|error| panic!("{error}"));
+    let stale = manifest.stale(&root()).unwrap_or_else(|error| panic!("{error}"));
+    assert!(stale.is_empty(), "run `cargo xtask shaders`:\n{}", stale.join("\n"));
+    let mut kernels: Vec<&str> = ALL.iter().map(|kernel| kernel.declaration.name).collect();
+    kernels.sort_unstable();
+    assert_eq!(manifest.modules.keys().map(String::as_str).collect::<Vec<_>>(), kernels);
+}
+
+/// A field of a struct.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Field {
+    name: &'static str,
+    offset: usize,
+    size: usize,
+    alignment: usize,
+}
+
+/// All fields of a struct; one that is left out does not compile.
+macro_rules! fields {
+    ($struct:ident { $($field:ident),* $(,)? }) => {{
+        let $struct { $($field),* } = $struct::default();
+        vec![$(Field {
+            name: stringify!($field),
+            offset: offset_of!($struct, $field),
+            size: size_of_val(&$field),
+            alignment: align_of_val(&$field),
+        }),*]
+    }};
+}
+
+fn grid() -> Vec<Field> {
+    fields!(Grid { row_x, row_y, row_z, size, value, pitch, bricks })
+}
+
+#[rustfmt::skip]
+fn sweep_uniforms() -> Vec<Field> {
+    fields!(SweepUniforms {
+        dispatch, size, plane, grid, ior_grid,
+        light_grid, light_shear, light_initial, light_direction, taps_a, taps_b,
+        camera, ground_plane, ground_color, wall_plane, wall_color,
+        clip_0, clip_1, clip_2, clip_3, clip_everything,
+        ambient, shading,
+        environment, environment_x, environment_y, environment_z,
+        environment_color, environment_horizon, environment_nadir,
+    })
+}
+
+/// With fields of whole vectors of four and structs of them, std140 leaves no gap: each begins where the one before ends.
+#[test]
+fn uniforms_are_laid_out_by_the_rules_of_std140() {
+    for (name, size, alignment, fields) in [
+        ("Grid", size_of::<Grid>(), align_of::<Grid>(), grid()),
+        ("SweepUniforms", size_of::<SweepUniforms>(), align_of::<SweepUniforms>(), sweep_uniforms()),
+    ] {
+        let mut end = 0;
+        for field in fields {
+            assert_eq!((field.offset, field.alignment, field.size % 16), (end, 16, 0), "{name}.{}", field.name);
+            end += field.size;
+        }
+        assert_eq!((size, alignment), (end, 16), "{name}");
+    }
+}
+
+#[test]
+fn modules_read_uniforms_where_the_host_puts_them() {
+    let offsets = |fields: Vec<Field>| fields.iter().map(|field| field.offset as u32).collect::<Vec<_>>();
+    let (uniforms, grid_offsets) = (offsets(sweep_uniforms()), offsets(grid()));
+    for kernel in ALL {
+        let name = kernel.declaration.name;
+        let module = load(name);
+        let block = uniform_block(&module).unwrap_or_else(|| panic!("{name} has no uniform block"));
+        assert_eq!(member_offsets(&module, block), uniforms, "{name}: SweepUniforms");
+        let grids: Vec<Word> =
+            members(&module, block).into_iter().filter(|&member| is_struct(&module, member)).collect();
+        assert!(!grids.is_empty(), "{name}");
+        for member in grids {
+            assert_eq!(member_offsets(&module, member), grid_offsets, "{name}: Grid");
+        }
+    }
+}
+
+fn load(name: &str) -> Module {
+    let path = folder(&root()).join(format!("{name}.spv"));
+    let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+    load_words(words).unwrap_or_else(|error| panic!("{}: {error}; run `cargo xtask shaders`", path.display()))
+}
+
+/// The struct behind binding 0; rust-gpu puts it into a block of its own.
+fn uniform_block(module: &Module) -> Option<Word> {
+    let types: HashMap<Word, &Instruction> =
+        module.types_global_values.iter().filter_map(|found| Some((found.result_id?, found))).collect();
+    let in_uniform =
+        |found: &&Instruction| found.operands.first() == Some(&Operand::StorageClass(StorageClass::Uniform));
+    let mut variables = module.types_global_values.iter().filter(|found| found.class.opcode == Op::Variable);
+    let pointer = types[&variables.find(in_uniform)?.result_type?];
+    let mut block = pointer.operands[1].id_ref_any()?;
+    while let [only] = members(module, block)[..]
+        && is_struct(module, only)
+    {
+        block = only;
+    }
+    Some(block)
+}
+
+fn definition(module: &Module, id: Word) -> &Instruction {
+    let mut types = module.types_global_values.iter();
+    types.find(|found| found.result_id == Some(id)).expect("what is used is defined")
+}
+
+fn is_struct(module: &Module, id: Word) -> bool {
+    definition(module, id).class.opcode == Op::TypeStruct
+}
+
+/// The types of a struct's members.
+fn members(module: &Module, id: Word) -> Vec<Word> {
+    definition(module, id).operands.iter().filter_map(Operand::id_ref_any).collect()
+}
+
+/// The offsets of a struct's members, in their order.
+fn member_offsets(module: &Module, id: Word) -> Vec<u32> {
+    let mut offsets: Vec<(u32, u32)> = module
+        .annotations
+        .iter()
+        .filter_map(|found| match found.operands[..] {
+            [
+                Operand::IdRef(target),
+                Operand::LiteralBit32(member),
+                Operand::Decoration(Decoration::Offset),
+                Operand::LiteralBit32(offset),
+            ] if target == id => Some((member, offset)),
+            _ => None,
+        })
+        .collect();
+    offsets.sort_unstable();
+    offsets.into_iter().map(|(_, offset)| offset).collect()
+}
