@@ -65,7 +65,6 @@ impl Case {
     /// None that built-in volumes cause.
     pub fn in_bytes(mut self) -> Result<Self, Failure> {
         self.inputs.volume = in_bytes(&self.inputs.volume)?;
-        self.name.push_str(" u8");
         Ok(self)
     }
 }

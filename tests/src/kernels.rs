@@ -23,18 +23,23 @@ use crate::run::{About, Run};
 /// # Errors
 /// None that built-in scenes cause.
 pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
-    let case = |name: &str, settings: &[&str]| Case::builtin(name, edge, Some(resolution), settings);
+    let case = |label: &str, scene: &str, settings: &[&str]| {
+        let case = Case::builtin(scene, edge, Some(resolution), settings)?;
+        Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
+    };
+    let euler = ["sweep.integrator=euler", "sweep.intensity=paper", "camera.projection=orthographic"];
     Ok(vec![
-        case("ball", &[])?,
-        case("ball", &["sweep.gradient=chain"])?,
-        case("ball", &["sweep.integrator=euler", "sweep.intensity=paper", "camera.projection=orthographic"])?,
-        case("glass", &["light.softness=0"])?,
-        case("glass/straight", &["light.softness=1"])?,
-        case("glass/straight", &["light.softness=0"])?,
-        case("luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
-        case("combustion/mixture", &[])?,
-        case("head", &["sweep.empty_space_skipping=false"])?,
-        case("head", &[])?.in_bytes()?,
+        case("ball", "ball", &[])?,
+        case("ball chain", "ball", &["sweep.gradient=chain"])?,
+        case("ball euler", "ball", &euler)?,
+        case("glass hard", "glass", &["light.softness=0"])?,
+        case("glass/straight", "glass/straight", &["light.softness=1"])?,
+        case("glass/straight hard", "glass/straight", &["light.softness=0"])?,
+        case("head", "head", &[])?,
+        case("head all", "head", &["sweep.empty_space_skipping=false"])?,
+        case("head u8", "head", &[])?.in_bytes()?,
+        case("luneburg chain hard", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
+        case("combustion/mixture", "combustion/mixture", &[])?,
     ])
 }
 

@@ -5,7 +5,7 @@ use crate::size::Size;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
-use vitrum::scene::{Scene, VolumeSource};
+use vitrum::scene::{Problem, Scene, VolumeSource};
 use vitrum::suggest::nearest;
 use vitrum::{Inputs, builtin, preset};
 
@@ -28,41 +28,50 @@ pub struct SceneArguments {
     pub size: Option<Size>,
 }
 
+impl SceneArguments {
+    /// Reads the scene and its files, and applies the flags.
+    pub fn prepare(&self) -> Result<Prepared, Failure> {
+        // Names first: a slip should not cost the time to read a volume.
+        self.preset.as_deref().map_or(Ok(()), preset::check)?;
+        let Opened { mut scene, base, bare_volume } = open(&self.input)?;
+        let preset = self.preset.as_deref().or(bare_volume.then_some(preset::DEFAULT));
+        let mut before = scene.clone();
+        self.change(&mut before, preset.is_some())?;
+        let inputs = Inputs::load(&before, &base)?;
+        if let Some(name) = preset {
+            preset::apply(name, &inputs.volume, &mut scene)?;
+        }
+        self.change(&mut scene, false)?;
+        Ok(Prepared { scene, base, inputs })
+    }
+
+    /// Applies `--size` and `--set`. If a preset is still to come, what is missing now may be filled in by it, such as
+    /// the points of a transfer function.
+    fn change(&self, scene: &mut Scene, preset_to_come: bool) -> Result<(), Failure> {
+        if let Some(Size { width, height }) = self.size {
+            scene.film.width = width;
+            scene.film.height = height;
+        }
+        for assignment in &self.set {
+            match scene.set(assignment) {
+                Err(error) if preset_to_come && is_missing(&error.problem) => {}
+                outcome => outcome?,
+            }
+        }
+        Ok(scene.validate()?)
+    }
+}
+
+fn is_missing(problem: &Problem) -> bool {
+    matches!(problem, Problem::MissingKey { .. } | Problem::Contradiction { .. })
+}
+
 /// The scene that is rendered, and what it is rendered from.
 pub struct Prepared {
     pub scene: Scene,
     /// The folder that relative paths in the scene start at.
     pub base: PathBuf,
     pub inputs: Inputs,
-}
-
-impl SceneArguments {
-    /// Reads the scene and its files, and applies the flags.
-    pub fn prepare(&self) -> Result<Prepared, Failure> {
-        // Names first: a slip should not cost the time to read a volume.
-        self.preset.as_deref().map_or(Ok(()), preset::check)?;
-        let opened = open(&self.input)?;
-        let mut scene = self.changed(opened.scene)?;
-        let inputs = Inputs::load(&scene, &opened.base)?;
-        let preset = self.preset.as_deref().or(opened.bare_volume.then_some(preset::DEFAULT));
-        if let Some(name) = preset {
-            preset::apply(name, &inputs.volume, &mut scene)?;
-            scene = self.changed(scene)?;
-        }
-        Ok(Prepared { scene, base: opened.base, inputs })
-    }
-
-    fn changed(&self, mut scene: Scene) -> Result<Scene, Failure> {
-        if let Some(Size { width, height }) = self.size {
-            scene.film.width = width;
-            scene.film.height = height;
-        }
-        for assignment in &self.set {
-            scene.set(assignment)?;
-        }
-        scene.validate()?;
-        Ok(scene)
-    }
 }
 
 /// An input before flags.

@@ -98,6 +98,22 @@ fn every_preset_renders_a_volume_file() {
 }
 
 #[test]
+fn settings_change_what_a_preset_has_set() {
+    let folder = Folder::new();
+    write_ball(&folder);
+    let changes = ["--set", "volume.spacing=[2, 2, 2]", "--set", "transfer.ior.1.ior=1.5", "--set", "ground=none"];
+    let scene = folder.succeed(&[&["scene", "ball.nrrd", "--preset", "amber"][..], &changes].concat());
+    assert!(scene.contains("ior = 1.5") && !scene.contains("[ground]"), "{scene}");
+    // The preset saw the new spacing: 32 world units are 256 layers of its reference length.
+    assert!(scene.contains("reference_length = 0.125"), "{scene}");
+    folder.refuse(
+        &["scene", "ball.nrrd", "--set", "transfer.ior.9.ior=1.5"],
+        2,
+        &["transfer.ior", "indices count from 0"],
+    );
+}
+
+#[test]
 fn a_written_scene_renders_the_same_picture() {
     let folder = Folder::new();
     write_ball(&folder);

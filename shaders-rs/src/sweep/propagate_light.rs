@@ -7,7 +7,7 @@ use crate::field::empty::is_empty;
 use crate::field::light::{Light, light, texel_position};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::attenuation;
-use crate::math::{absolute, length, max, select, sqrt};
+use crate::math::{absolute, length, max, min, select, sqrt};
 use crate::optics::clip::keep;
 use crate::optics::composite::layer;
 use crate::optics::medium::{medium, share_inside};
@@ -63,7 +63,28 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     if empty::<SECOND>(u, occupancy, from, to) { level::EMPTY } else { level::FULL }
 }
 
+/// The mean of two differences, limited to twice the smaller one and 0 where the signs differ: the mean where a map is
+/// smooth, almost nothing where it jumps (van Leer's monotonised central limiter).
+#[inline(always)]
+fn limited(a: f32, b: f32) -> f32 {
+    let mean = 0.5 * (a + b);
+    let most = 2.0 * min(absolute(a), absolute(b));
+    let size = min(absolute(mean), most);
+    select(a * b > 0.0, select(mean < 0.0, -size, size), 0.0)
+}
+
+/// A derivative's deviation from no refraction, from the differences to both sides: limited where it makes light brighter.
+#[inline(always)]
+fn deviation(a: f32, b: f32) -> f32 {
+    let mean = 0.5 * (a + b);
+    select(mean > 0.0, limited(a, b), mean)
+}
+
 /// Eq. 12 with S from the neighbours' back-traced points: how much denser the light is here than where it comes from.
+///
+/// Where refracted light meets unrefracted light the back trace jumps, and a difference across the jump is no derivative: it
+/// would multiply the light anew on every plane. So the differences to both sides are limited; where the map is smooth they
+/// agree.
 #[inline(always)]
 fn intensity(u: &SweepUniforms, trace: &[f32], x: u32, y: u32) -> f32 {
     let (x, y) = (x as i32, y as i32);
@@ -73,14 +94,16 @@ fn intensity(u: &SweepUniforms, trace: &[f32], x: u32, y: u32) -> f32 {
     let right = if x < last_x { x + 1 } else { last_x };
     let below = if y > 0 { y - 1 } else { 0 };
     let above = if y < last_y { y + 1 } else { last_y };
+    let (cx, cy) = origin(u, trace, x, y);
     let (lx, ly) = origin(u, trace, left, y);
     let (rx, ry) = origin(u, trace, right, y);
     let (bx, by) = origin(u, trace, x, below);
     let (ax, ay) = origin(u, trace, x, above);
-    let across = 1.0 / max((right - left) as f32, 1.0);
-    let up = 1.0 / max((above - below) as f32, 1.0);
-    let (dx_x, dx_y) = ((rx - lx) * across, (ry - ly) * across);
-    let (dy_x, dy_y) = ((ax - bx) * up, (ay - by) * up);
+    // Deviations from the identity; at the grid's border a side is missing and counts as undisturbed.
+    let dx_x = 1.0 + deviation((cx - lx) - (x - left) as f32, (rx - cx) - (right - x) as f32);
+    let dx_y = limited(cy - ly, ry - cy);
+    let dy_x = limited(cx - bx, ax - cx);
+    let dy_y = 1.0 + deviation((cy - by) - (y - below) as f32, (ay - cy) - (above - y) as f32);
     let jacobian = absolute(dx_x * dy_y - dx_y * dy_x);
     // Eq. 13: wrong by √(1 + s²) for a sheared map.
     let paper = sqrt(dx_x * dx_x + dx_y * dx_y) * sqrt(dy_x * dy_x + dy_y * dy_y);

@@ -34,12 +34,21 @@ fn the_exit_angle_follows_snell() {
 }
 
 #[test]
-fn beyond_the_critical_angle_rays_turn() {
-    // Critical angle 41.81°. The sweep follows a reflected ray while it goes on in depth; met at 50° it would leave along
-    // the layer's mirror direction at 100° from its own, so it turns.
+fn beyond_the_critical_angle_rays_are_reflected() {
+    // Critical angle 41.81°. A mirrored ray deviates by 180° − 2 · 50° = 80°: the sweep follows it.
     for mut backend in backends() {
-        let (_, status) = behind_layer(50.0, 1.0 / 1.5, backend.as_mut());
-        println!("{}: met at 50°, status {status}", backend.name());
+        let (angle, status) = behind_layer(50.0, 1.0 / 1.5, backend.as_mut());
+        println!("{}: met at 50°, leaves at {angle:.2}° to the normal, status {status}", backend.name());
+        assert_eq!(status, 0.0);
+        assert!((angle - 130.0).abs() < 1.0, "{angle} instead of 130");
+    }
+}
+
+#[test]
+fn rays_that_turn_back_are_counted() {
+    // Mirrored at 43° they deviate by 94°, which no sweep over planes can follow.
+    for mut backend in backends() {
+        let (_, status) = behind_layer(43.0, 1.0 / 1.5, backend.as_mut());
         assert_eq!(status, 2.0);
         let (_, status) = behind_layer(40.0, 1.0 / 1.5, backend.as_mut());
         assert_eq!(status, 0.0);

@@ -47,15 +47,24 @@ fn the_defaults_are_plain_compositing() {
         light *= 1.0 - layer;
     }
     for mut backend in backends() {
+        scene.sweep.sample_distance = 1.0;
+        let coarse = render(&scene, &volume, backend.as_mut());
+        scene.sweep.sample_distance = 0.125;
         let frame = render(&scene, &volume, backend.as_mut());
         let middle = 4 * 9 + 4;
         let opacity = f64::from(frame.channel("opacity", "Y").expect("opacity")[middle]);
         assert!((opacity - (1.0 - clear)).abs() < 2e-3, "opacity {opacity} instead of {}", 1.0 - clear);
         for (name, expected) in ["R", "G", "B"].into_iter().zip(color) {
             let found = f64::from(frame.channel("color", name).expect("color")[middle]);
-            println!("{} {name}: {found:.5}, reference {expected:.5}", backend.name());
-            // The light of the plane behind lights a segment (Algorithm 1): half a voxel's attenuation more than the integral.
-            assert!((found / expected - 1.0).abs() < 0.06, "{name}: {found} instead of {expected}");
+            let far = f64::from(coarse.channel("color", name).expect("color")[middle]);
+            println!(
+                "{} {name}: {far:.5}, {found:.5} at an eighth of the distance, reference {expected:.5}",
+                backend.name()
+            );
+            // The light of the plane behind lights a segment (Algorithm 1): first order in the sample distance, 7 % at one
+            // voxel in this rather opaque volume.
+            assert!((found / expected - 1.0).abs() < 0.012, "{name}: {found} instead of {expected}");
+            assert!((found - expected).abs() < 0.2 * (far - expected).abs(), "{name}: {far}, {found}, {expected}");
         }
         let medium = frame.channel("medium", "R").expect("medium");
         assert!(medium.iter().all(|&m| m == 1.0), "a white medium stays exactly white");

@@ -3,7 +3,7 @@
 use crate::setup::{backends, cuboid, refracting, render};
 use vitrum::scene::{Intensity, Wall};
 
-const EPSILON: f64 = 0.01;
+const EPSILON: f64 = 0.05;
 const THICKNESS: f64 = 0.1;
 const PERIOD: f64 = 1.0;
 
@@ -18,6 +18,7 @@ fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backen
     let volume = cuboid([192, layers, 8], spacing, |[x, _, _]| 1.0 + EPSILON * (k * x).cos());
     let mut scene = refracting(&volume, 64);
     scene.sweep.intensity = intensity;
+    scene.light.resolution = 2.0;
     scene.sweep.sample_distance = 1.0;
     let distance = share * focus * THICKNESS / thickness;
     scene.wall = Some(Wall { distance: Some(distance as f32), azimuth: 0.0, color: [1.0; 3] });
@@ -28,7 +29,7 @@ fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backen
     let row = light.height as usize / 2;
     // Texel positions: the grid is centred on the volume (light travels straight on, so there is no shear).
     let radius = 0.5 * (3.0f64.powi(2) + thickness.powi(2) + (8.0 / 64.0f64).powi(2)).sqrt();
-    let texel = 2.0 * 0.87 * radius / 64.0;
+    let texel = 2.0 * 0.87 * radius / 64.0 / 2.0;
     let at = |x: f64| {
         let position = x / texel + width as f64 * 0.5 - 0.5;
         let left = position.floor() as usize;

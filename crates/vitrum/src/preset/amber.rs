@@ -26,9 +26,9 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         // Flat where the tissue lies, so that its noise does not scatter rays.
         ior: vec![
             ior(air, 1.0),
-            ior(subject.between(surface, soft, 0.5), 1.18),
-            ior(subject.between(soft, dense, 0.5), 1.2),
-            ior(bright, 1.3),
+            ior(subject.between(surface, soft, 0.5), subject.index(0.14)),
+            ior(subject.between(soft, dense, 0.5), subject.index(0.15)),
+            ior(bright, subject.index(0.25)),
         ],
         medium: vec![color(air, [1.0; 3]), color(surface, body)],
     };

@@ -1,14 +1,11 @@
-//! `glass`: everything clear; shape shows by refraction, reflection and caustics alone.
+//! `glass`: everything clear; shape shows by refraction and reflection alone.
 
 use super::Preset;
 use super::subject::{Subject, color, ior, opacity, tint};
-use crate::scene::{Environment, EnvironmentKind, Ground, Light, Scene, Shading, TransferFunction};
+use crate::scene::{Environment, EnvironmentKind, Light, Scene, Shading, TransferFunction};
 
-pub(super) const PRESET: Preset = Preset {
-    name: "glass",
-    description: "a clear, refracting body before a checkerboard, with caustics on the ground",
-    apply,
-};
+pub(super) const PRESET: Preset =
+    Preset { name: "glass", description: "everything clear and refracting, before a checkerboard", apply };
 
 fn apply(subject: &Subject, scene: &mut Scene) {
     let Subject { air, surface, soft, dense, bright, reference_length, .. } = *subject;
@@ -21,9 +18,9 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         opacity: vec![opacity(surface, 0.0)],
         ior: vec![
             ior(air, 1.0),
-            ior(subject.between(surface, soft, 0.5), 1.3),
-            ior(subject.between(soft, dense, 0.5), 1.3),
-            ior(bright, 1.45),
+            ior(subject.between(surface, soft, 0.5), subject.index(0.25)),
+            ior(subject.between(soft, dense, 0.5), subject.index(0.25)),
+            ior(bright, subject.index(0.4)),
         ],
         medium: vec![color(air, [1.0; 3]), color(surface, body)],
     };
@@ -34,9 +31,10 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         kind: EnvironmentKind::Checkerboard,
         color: [0.34, 0.40, 0.48],
         horizon: [0.86, 0.88, 0.90],
-        square: 6.0,
+        square: 4.0,
         ..Environment::default()
     };
-    scene.ground = Some(Ground { height: None, color: [0.8, 0.8, 0.8] });
+    // A ground would hide the squares up to the horizon.
+    scene.ground = None;
     scene.wall = None;
 }

@@ -11,6 +11,7 @@ mod glass;
 mod haze;
 mod histogram;
 mod plain;
+mod shape;
 mod subject;
 mod xray;
 

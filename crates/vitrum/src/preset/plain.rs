@@ -19,8 +19,8 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         ],
         opacity: vec![
             opacity(subject.between(air, surface, 0.5), 0.0),
-            opacity(surface, 0.12),
-            opacity(soft, 0.2),
+            opacity(surface, 0.4),
+            opacity(soft, 0.5),
             opacity(dense, 0.6),
         ],
         ior: Vec::new(),
@@ -28,7 +28,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
     };
     scene.light = Light { softness: 4.0, ..Light::default() };
     // Without indices of refraction there is no Fresnel reflection to make rough.
-    scene.shading = Shading { ambient: [0.16, 0.17, 0.19], ..Shading::default() };
+    scene.shading = Shading { ambient: [0.08, 0.085, 0.1], ..Shading::default() };
     scene.environment = Environment::default();
     scene.ground = Some(Ground::default());
     scene.wall = None;

@@ -1,6 +1,7 @@
 //! What a preset needs to know about a volume: where its values part, and how thick it is.
 
 use super::histogram::Histogram;
+use super::shape::{clarity, thickness};
 use crate::scene::{ColorPoint, IorPoint, OpacityPoint, Rgb};
 use vitrum_io::Volume;
 
@@ -25,6 +26,8 @@ pub(super) struct Subject {
     pub reference_length: f32,
     /// The mean of `density` summed along the thick rays, in reference lengths; see [`Subject::absorption`].
     pub thickness: f32,
+    /// How much index contrast the shape bears before rays scatter, 0 to 1; see `shape::clarity`.
+    pub clarity: f32,
 }
 
 /// Share of the longest edge that opacities are stated for: about a voxel of a usual scan.
@@ -41,8 +44,10 @@ impl Subject {
         );
         let reference_length = longest / LAYERS;
         let digits = digits(bright - air);
-        let mut subject = Self { air, surface, soft, dense, bright, digits, reference_length, thickness: 0.0 };
+        let mut subject =
+            Self { air, surface, soft, dense, bright, digits, reference_length, thickness: 0.0, clarity: 1.0 };
         subject.thickness = thickness(volume, &subject);
+        subject.clarity = clarity(volume, surface);
         subject
     }
 
@@ -55,6 +60,11 @@ impl Subject {
     pub fn absorption(&self, depth: f32) -> f32 {
         // Even a nearly empty volume keeps to layers that are not black each.
         (depth / self.thickness.max(1e-3)).min(2.0)
+    }
+
+    /// The index of refraction with this contrast to the surroundings, less where the shape would scatter rays.
+    pub fn index(&self, contrast: f32) -> f32 {
+        round(1.0 + contrast * self.clarity, 3)
     }
 
     /// The value at a share of the way from one landmark to another, as round as the landmarks are.
@@ -107,32 +117,6 @@ fn spread(mut values: [f32; 5], least: f32) -> [f32; 5] {
         values[index] = values[index].max(values[index - 1] + least);
     }
     values
-}
-
-/// Density along rays through the grid, in reference lengths: the mean over the axes of the 95th percentile.
-fn thickness(volume: &Volume, subject: &Subject) -> f32 {
-    const SAMPLES: u32 = 64;
-    let step = volume.dimensions.map(|size| size.div_ceil(SAMPLES));
-    let count: [usize; 3] = std::array::from_fn(|axis| volume.dimensions[axis].div_ceil(step[axis]) as usize);
-    let [nx, ny, nz] = count;
-    let mut sums = [vec![0.0_f32; ny * nz], vec![0.0; nx * nz], vec![0.0; nx * ny]];
-    for z in 0..nz {
-        for y in 0..ny {
-            for x in 0..nx {
-                let index = [x as u32 * step[0], y as u32 * step[1], z as u32 * step[2]];
-                let density = subject.density(volume.value(index[0], index[1], index[2]));
-                sums[0][y + ny * z] += density;
-                sums[1][x + nx * z] += density;
-                sums[2][x + nx * y] += density;
-            }
-        }
-    }
-    let thick = |axis: usize, sums: &mut Vec<f32>| {
-        sums.sort_by(f32::total_cmp);
-        let typical = sums[(sums.len() - 1) * 95 / 100];
-        typical * step[axis] as f32 * volume.spacing[axis] / subject.reference_length
-    };
-    sums.iter_mut().enumerate().map(|(axis, sums)| thick(axis, sums)).sum::<f32>() / 3.0
 }
 
 /// A point of an opacity function.

@@ -11,7 +11,7 @@ pub(super) const PRESET: Preset = Preset {
 };
 
 /// Optical depth of the thick rays, per colour: blue passes furthest.
-const DEPTH: Rgb = [3.4, 3.0, 2.5];
+const DEPTH: Rgb = [2.7, 2.4, 2.0];
 
 fn apply(subject: &Subject, scene: &mut Scene) {
     scene.transfer = TransferFunction {

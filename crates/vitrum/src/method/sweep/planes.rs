@@ -1,7 +1,7 @@
 //! The planes of a sweep.
 
 use super::receivers::Receivers;
-use super::view::{View, corners};
+use super::view::{View, bounding_sphere, corners};
 use crate::render::Error;
 use crate::scene::Scene;
 use glam::DVec3;
@@ -40,7 +40,7 @@ impl Planes {
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
         // Where the volume's shadow falls on a receiver, but not endlessly far.
-        let limit = far + 2.0 * (far - near);
+        let limit = far + 3.0 * bounding_sphere(volumes[0]).1;
         let reach = points
             .iter()
             .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))
