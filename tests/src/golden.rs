@@ -3,6 +3,7 @@
 //! A golden picture is the colour of a small built-in scene, as the CPU made it with the baseline instruction set when a
 //! person last looked and said that it is right.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use vitrum::backend::CpuBackend;
@@ -83,6 +84,7 @@ pub fn bless(folder: &Path, scene: &str) -> Result<bool, Failure> {
     if path.exists() && is_equal(&read_picture(&path)?, &made) {
         return Ok(false);
     }
+    fs::create_dir_all(folder).map_err(|error| Failure::Output { path: folder.to_owned(), error })?;
     let shown = format!("builtin:{scene}, {EDGE} x {EDGE} pixels, resolution {RESOLUTION}, baseline CPU");
     write_picture(&path, &made, &[("golden picture".to_owned(), shown)])?;
     Ok(true)

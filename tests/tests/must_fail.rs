@@ -87,10 +87,11 @@ fn a_wrong_bit_of_a_frame_is_found() -> Result<(), Failure> {
 fn a_changed_scene_does_not_meet_its_golden_picture() -> Result<(), Failure> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let mut run = Run::new(folder.path().to_owned());
+    golden::bless(folder.path(), "ball")?;
     let mut case = golden::case("ball")?;
     case.scene.film.exposure = 1e-3;
     let frame = frames::render(&case, &mut CpuBackend::new(None)?)?;
-    golden::hold(&golden::folder(), "ball", "brighter", &frame, &mut run)?;
+    golden::hold(folder.path(), "ball", "brighter", &frame, &mut run)?;
     assert_eq!(run.breaches().len(), 1, "the colour is wrong, and the coverage is right: {}", run.summary());
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! A padded voxel grid.
 
-use spirv_std::glam::{IVec4, Vec4};
+use super::vector::Vec4;
+use spirv_std::glam::IVec4;
 
 /// Voxels of padding on every side, filled with the nearest voxel, so that a stencil never leaves the buffer.
 pub const PADDING: i32 = 2;

@@ -5,3 +5,4 @@ pub mod grid;
 pub mod record;
 pub mod sweep;
 pub mod tables;
+pub mod vector;

@@ -3,7 +3,8 @@
 //! The sweep frame: x right, y up, z the depth away from the eye, world units, the eye at the origin.
 
 use super::grid::Grid;
-use spirv_std::glam::{UVec4, Vec4};
+use super::vector::Vec4;
+use spirv_std::glam::UVec4;
 
 /// Uniforms of every kernel of the sweep; one block a pass.
 #[repr(C)]
@@ -81,8 +82,6 @@ pub mod mode {
     pub const CENTRAL: u32 = 1;
     /// Refraction, ∇η by the chain rule.
     pub const CHAIN: u32 = 2;
-    /// Added to the above for light: three filter taps instead of one.
-    pub const FILTERED: u32 = 3;
 }
 
 /// Switches that cost little at run time.

@@ -22,6 +22,27 @@ pub fn read<T: Copy>(buffer: &[T], index: i32) -> T {
     }
 }
 
+/// `buffer[base + column]` without limiting the index: where `base` is the same for neighbouring invocations, their reads become
+/// one contiguous load.
+///
+/// # Safety
+/// `base + column` must lie inside the buffer.
+#[inline(always)]
+pub unsafe fn read_inside<T: Copy>(buffer: &[T], base: i32, column: u32) -> T {
+    #[cfg(target_arch = "spirv")]
+    {
+        use spirv_std::arch::IndexUnchecked as _;
+        // SAFETY: the caller's promise.
+        unsafe { *buffer.index_unchecked((base + column as i32) as usize) }
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        debug_assert!((0..buffer.len() as i32).contains(&(base + column as i32)));
+        // SAFETY: the caller's promise. `wrapping_offset`, because `base` alone may lie before the buffer.
+        unsafe { *buffer.as_ptr().wrapping_offset(base as isize).wrapping_add(column as usize) }
+    }
+}
+
 /// The four bytes that start at byte `offset` of `buffer`, little endian, limited to the buffer.
 #[inline(always)]
 pub fn read_bytes(buffer: &[u32], offset: i32) -> u32 {

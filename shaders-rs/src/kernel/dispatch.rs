@@ -27,82 +27,56 @@ macro_rules! access {
     };
 }
 
-/// The lanes of one block at one level.
-macro_rules! lanes {
-    (writes, $n:ident, $x:ident, $inputs:ident, $outputs:ident, $call:expr) => {
-        for lane in 0..$n {
-            let record = $call($x + lane as u32);
-            put(&mut $outputs, lane, record);
-        }
+/// Calls a kernel's function for a lane. Not a closure: one that is called from several places is not inlined, and then the loop
+/// around it does not become vector code.
+macro_rules! call {
+    (writes, $function:expr, $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident, $inputs:ident, ($($read:ident),*)) => {
+        $function(column($x, $lane), $y, $u, $mode $(, $read)*)
     };
-    (updates, $n:ident, $x:ident, $inputs:ident, $outputs:ident, $call:expr) => {
-        for lane in 0..$n {
-            let record = $call($x + lane as u32, take(&$inputs, lane));
-            put(&mut $outputs, lane, record);
-        }
+    (updates, $function:expr, $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident, $inputs:ident, ($($read:ident),*)) => {
+        $function(column($x, $lane), $y, $u, $mode, take(&$inputs, $lane) $(, $read)*)
     };
 }
 
-/// The highest level that a lane of the block needs.
-macro_rules! needed {
-    (writes, $n:ident, $x:ident, $inputs:ident, $call:expr) => {{
-        let mut needed = 0;
-        for lane in 0..$n {
-            let level: u32 = $call($x + lane as u32);
-            needed = if level > needed { level } else { needed };
-        }
-        needed
-    }};
-    (updates, $n:ident, $x:ident, $inputs:ident, $call:expr) => {{
-        let mut needed = 0;
-        for lane in 0..$n {
-            let level: u32 = $call($x + lane as u32, take(&$inputs, lane));
-            needed = if level > needed { level } else { needed };
-        }
-        needed
-    }};
-}
-
+/// Runs the lanes of one block and copies their records out; whether any had work to do.
+///
+/// Each level has arrays of its own: LLVM looks at no more than 100 uses of an array to find out that nothing else points to it,
+/// and without knowing that it does not make vector code.
 macro_rules! block {
-    ($access:ident, $module:ident [$($generic:expr),*], plain, $n:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
-     $inputs:ident, $outputs:ident, ($($read:ident),*)) => {{
-        lanes!($access, $n, $x, $inputs, $outputs, |x| {
-            crate::sweep::$module::invoke(x, $y, $u, $mode $(, $read)*)
-        });
+    ($access:ident, $size:expr, $module:ident [$($generic:expr),*], plain, $n:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
+     $inputs:ident, $output:expr, $at:ident, $reads:tt) => {{
+        let mut outputs = [[0.0f32; LANES]; $size];
+        for lane in 0..$n {
+            let record = call!($access, crate::sweep::$module::invoke, lane, $x, $y, $u, $mode, $inputs, $reads);
+            put(&mut outputs, lane, record);
+        }
+        copy_out(&outputs, $output, $at, $n);
         true
     }};
-    (writes, $module:ident [$($generic:expr),*], levels [$($level:literal)*], $n:ident, $x:ident, $y:ident, $u:ident,
-     $mode:ident, $inputs:ident, $outputs:ident, $reads:tt) => {
-        block!(@levelled writes, $module [$($generic),*], [$($level)*], $n, $x, $y, $u, $mode, $inputs, $outputs, (), $reads)
-    };
-    (updates, $module:ident [$($generic:expr),*], levels [$($level:literal)*], $n:ident, $x:ident, $y:ident, $u:ident,
-     $mode:ident, $inputs:ident, $outputs:ident, $reads:tt) => {
-        block!(@levelled updates, $module [$($generic),*], [$($level)*], $n, $x, $y, $u, $mode, $inputs, $outputs, (record), $reads)
-    };
-    (@levelled $access:ident, $module:ident $generics:tt, [$($level:literal)*], $n:ident, $x:ident, $y:ident,
-     $u:ident, $mode:ident, $inputs:ident, $outputs:ident, $record:tt, $reads:tt) => {{
-        let needed = needed!($access, $n, $x, $inputs,
-            call!(@level $module $generics, $y, $u, $mode, $record, $reads));
+    ($access:ident, $size:expr, $module:ident $generics:tt, levels [$($level:literal)*], $n:ident, $x:ident, $y:ident, $u:ident,
+     $mode:ident, $inputs:ident, $output:expr, $at:ident, $reads:tt) => {{
+        let mut needed = 0;
+        for lane in 0..$n {
+            let level: u32 = block!(@level $access, $module $generics, lane, $x, $y, $u, $mode, $inputs, $reads);
+            needed = if level > needed { level } else { needed };
+        }
         $(if needed == $level {
-            lanes!($access, $n, $x, $inputs, $outputs,
-                call!(@invoke $module $generics, $level, $y, $u, $mode, $record, $reads));
+            let mut outputs = [[0.0f32; LANES]; $size];
+            for lane in 0..$n {
+                let record = block!(@invoke $access, $module $generics, $level, lane, $x, $y, $u, $mode, $inputs, $reads);
+                put(&mut outputs, lane, record);
+            }
+            copy_out(&outputs, $output, $at, $n);
         })*
         needed > 0
     }};
-}
-
-/// A closure that calls the kernel's `level` or `invoke`.
-macro_rules! call {
-    (@level $module:ident [$($generic:expr),*], $y:ident, $u:ident, $mode:ident, ($($record:ident)?), ($($read:ident),*)) => {
-        |x $(, $record)?| {
-            crate::sweep::$module::level::<$({ $generic }),*>(x, $y, $u, $mode $(, $record)? $(, $read)*)
-        }
+    (@level $access:ident, $module:ident [$($generic:expr),*], $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
+     $inputs:ident, $reads:tt) => {
+        call!($access, crate::sweep::$module::level::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
     };
-    (@invoke $module:ident [$($generic:expr),*], $level:literal, $y:ident, $u:ident, $mode:ident, ($($record:ident)?),
-     ($($read:ident),*)) => {
-        |x $(, $record)?| {
-            crate::sweep::$module::invoke::<$({ $generic },)* $level>(x, $y, $u, $mode $(, $record)? $(, $read)*)
-        }
+    (@invoke $access:ident, $module:ident [$($generic:expr),*], $level:literal, $lane:ident, $x:ident, $y:ident, $u:ident,
+     $mode:ident, $inputs:ident, $reads:tt) => {
+        call!($access, crate::sweep::$module::invoke::<$({ $generic },)* $level>, $lane, $x, $y, $u, $mode, $inputs, $reads)
     };
 }
 
@@ -159,15 +133,11 @@ macro_rules! declare {
                             let n = LANES.min((chunk.width - x) as usize);
                             let at = (row * chunk.width + x) as usize;
                             let mut inputs = [[0.0f32; LANES]; $size];
-                            let mut outputs = [[0.0f32; LANES]; $size];
                             if matches!(access!($access), Access::Update) {
                                 copy_in(&mut inputs, chunk.output, at, n);
                             }
-                            let worked = block!($access, $module $generics, $levels $([$($level)*])?, n, x, y, u, mode,
-                                inputs, outputs, ($($read),*));
-                            if worked {
-                                copy_out(&outputs, chunk.output, at, n);
-                            }
+                            let worked = block!($access, $size, $module $generics, $levels $([$($level)*])?, n, x, y, u, mode,
+                                inputs, chunk.output, at, ($($read),*));
                             any |= worked;
                             x += n as u32;
                         }
@@ -215,6 +185,15 @@ macro_rules! declare {
             }
         )*
     };
+}
+
+/// The column of a lane.
+#[inline(always)]
+fn column(x: u32, lane: usize) -> u32 {
+    debug_assert!(x.checked_add(lane as u32).is_some());
+    // SAFETY: `x + lane` is below the dispatch's width, a `u32`. Knowing that the sum does not wrap lets neighbouring lanes' reads
+    // become one contiguous load.
+    unsafe { x.unchecked_add(lane as u32) }
 }
 
 #[inline(always)]

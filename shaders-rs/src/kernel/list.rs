@@ -13,24 +13,26 @@ macro_rules! for_each_kernel {
                 initialize_light [], plain, modes [0];
             sweep_initialize_rays: SweepUniforms, [], writes 1 [ray::SIZE],
                 initialize_rays [], plain, modes [0];
+            sweep_filter_light: SweepUniforms, [1 behind: f32], writes 2 [light::SIZE],
+                filter_light [], levels [1 2], modes [0];
             sweep_trace_light: SweepUniforms, [1 light: f32], writes 2 [trace::SIZE],
                 trace_light [], plain, modes [0];
             sweep_propagate_light_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
                 writes 7 [light::SIZE],
-                propagate_light [format::U8, false], levels [1 2], modes [0 1 2 3 4 5];
+                propagate_light [format::U8, false], levels [1 2], modes [0 1 2];
             sweep_propagate_light_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
                 writes 7 [light::SIZE],
-                propagate_light [format::U16, false], levels [1 2], modes [0 1 2 3 4 5];
+                propagate_light [format::U16, false], levels [1 2], modes [0 1 2];
             sweep_propagate_light_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
                 writes 7 [light::SIZE],
-                propagate_light [format::F32, false], levels [1 2], modes [0 1 2 3 4 5];
+                propagate_light [format::F32, false], levels [1 2], modes [0 1 2];
             sweep_propagate_light_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
                 writes 7 [light::SIZE],
-                propagate_light [format::F32, true], levels [1 2], modes [0 1 2 3 4 5];
+                propagate_light [format::F32, true], levels [1 2], modes [0 1 2];
             sweep_propagate_rays_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32],
                 updates 6 [ray::SIZE],

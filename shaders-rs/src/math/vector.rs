@@ -1,6 +1,7 @@
 //! Sums in a fixed order (a SIMD `dot` sums in another order than SPIR-V does).
 
-use spirv_std::glam::{Vec3, Vec4};
+use crate::abi::vector::Vec4;
+use spirv_std::glam::Vec3;
 
 /// a·b, summed from x to z.
 #[inline(always)]

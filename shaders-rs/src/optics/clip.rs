@@ -1,8 +1,9 @@
 //! Clipping planes: which share of a segment is left.
 
 use crate::abi::sweep::{SweepUniforms, flag};
+use crate::abi::vector::Vec4;
 use crate::math::{clamp, dot, max, min, select, xyz};
-use spirv_std::glam::{Vec3, Vec4};
+use spirv_std::glam::Vec3;
 
 /// What clipping leaves of a segment.
 #[derive(Clone, Copy)]

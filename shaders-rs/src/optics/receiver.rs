@@ -1,9 +1,10 @@
 //! Diffuse receivers: the ground and the wall.
 
 use crate::abi::sweep::{SweepUniforms, flag};
+use crate::abi::vector::Vec4;
 use crate::field::light::Light;
 use crate::math::{absolute, dot, length, max, select, xyz};
-use spirv_std::glam::{Vec3, Vec4};
+use spirv_std::glam::Vec3;
 
 /// Where a segment meets a receiver.
 #[derive(Clone, Copy)]

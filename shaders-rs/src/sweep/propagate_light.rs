@@ -4,7 +4,7 @@ use crate::abi::record::light as record;
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::access::read;
 use crate::field::empty::is_empty;
-use crate::field::light::{Light, light, texel_position};
+use crate::field::light::{light, texel_position};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::attenuation;
 use crate::math::{absolute, length, max, min, select, sqrt};
@@ -111,24 +111,6 @@ fn intensity(u: &SweepUniforms, trace: &[f32], x: u32, y: u32) -> f32 {
     select(flags & flag::NO_INTENSITY != 0, 1.0, select(flags & flag::PAPER_INTENSITY != 0, paper, jacobian))
 }
 
-/// The light of the plane behind around a back-traced point, through the filter's taps.
-#[inline(always)]
-fn filtered(u: &SweepUniforms, chosen: u32, behind: &[f32], x: f32, y: f32) -> Light {
-    if chosen < mode::FILTERED {
-        light(u, behind, x, y)
-    } else {
-        let a = light(u, behind, x + u.taps_a.x, y + u.taps_a.y);
-        let b = light(u, behind, x + u.taps_a.z, y + u.taps_a.w);
-        let c = light(u, behind, x + u.taps_b.x, y + u.taps_b.y);
-        // Written as offsets from one tap, so that equal taps give exactly that tap.
-        let third = 1.0 / 3.0;
-        Light {
-            flux: a.flux + ((b.flux - a.flux) + (c.flux - a.flux)) * third,
-            direction: a.direction + ((b.direction - a.direction) + (c.direction - a.direction)) * third,
-        }
-    }
-}
-
 /// The light at texel (x, y) of this plane.
 ///
 /// What is stored is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is then conserved by the factor of
@@ -147,7 +129,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     trace: &[f32],
 ) -> [f32; record::SIZE] {
     let (from_x, from_y) = origin(u, trace, x as i32, y as i32);
-    let arriving = filtered(u, chosen, behind, from_x, from_y);
+    let arriving = light(u, behind, from_x, from_y);
     let denser = intensity(u, trace, x, y);
     let flux = arriving.flux * denser;
     let v = arriving.direction;
@@ -158,10 +140,9 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let (from, to) = ends(u, trace, x, y);
     let skipped = empty::<SECOND>(u, occupancy, from, to);
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
-    let refraction = if chosen < mode::FILTERED { chosen } else { chosen - mode::FILTERED };
     let here = medium::<FORMAT, SECOND>(
         (&u.grid, &u.ior_grid),
-        refraction,
+        chosen,
         voxels,
         ior_voxels,
         tables,
@@ -175,7 +156,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
 
     let mut out = v;
     let mut lost = 1.0;
-    if refraction != mode::STRAIGHT {
+    if chosen != mode::STRAIGHT {
         let keeps = select(skipped, 0.0, kept.refraction);
         let limit = u.shading.z;
         let sigma = u.plane.z / max(v.z, 1e-6);

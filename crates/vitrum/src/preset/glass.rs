@@ -5,7 +5,7 @@ use super::subject::{Subject, color, ior, opacity, tint};
 use crate::scene::{Environment, EnvironmentKind, Light, Scene, Shading, TransferFunction};
 
 pub(super) const PRESET: Preset =
-    Preset { name: "glass", description: "everything clear and refracting, before a checkerboard", apply };
+    Preset { name: "glass", description: "everything clear and refracting, before a bright horizon", apply };
 
 fn apply(subject: &Subject, scene: &mut Scene) {
     let Subject { air, surface, soft, dense, bright, reference_length, .. } = *subject;
@@ -18,23 +18,23 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         opacity: vec![opacity(surface, 0.0)],
         ior: vec![
             ior(air, 1.0),
-            ior(subject.between(surface, soft, 0.5), subject.index(0.25)),
-            ior(subject.between(soft, dense, 0.5), subject.index(0.25)),
-            ior(bright, subject.index(0.4)),
+            ior(subject.between(surface, soft, 0.5), subject.index(0.14)),
+            ior(subject.between(soft, dense, 0.5), subject.index(0.14)),
+            ior(bright, subject.index(0.2)),
         ],
         medium: vec![color(air, [1.0; 3]), color(surface, body)],
     };
     scene.light = Light { softness: 0.5, intensity: 1.2, ..Light::default() };
     scene.shading = Shading { roughness: 0.06, ..Shading::default() };
-    // Squares show the bending of rays; their contrast is low enough to leave the body in front.
+    // A clear body shows by what it mirrors and bends into view: a bright band between two dark ones.
     scene.environment = Environment {
-        kind: EnvironmentKind::Checkerboard,
-        color: [0.34, 0.40, 0.48],
-        horizon: [0.86, 0.88, 0.90],
-        square: 4.0,
+        kind: EnvironmentKind::Gradient,
+        color: [0.08, 0.16, 0.30],
+        horizon: [0.95, 0.96, 0.97],
+        nadir: [0.05, 0.045, 0.04],
         ..Environment::default()
     };
-    // A ground would hide the squares up to the horizon.
+    // A ground would hide the dark below the horizon.
     scene.ground = None;
     scene.wall = None;
 }

@@ -57,7 +57,7 @@ impl Default for Light {
             color: [1.0, 1.0, 1.0],
             intensity: 1.0,
             softness: 1.0,
-            resolution: 1.0,
+            resolution: 0.75,
             margin: 0.05,
         }
     }

@@ -2,9 +2,10 @@
 
 use super::view::{View, from_angles};
 use crate::scene::{Environment, EnvironmentKind, Rgb};
-use glam::{DVec3, UVec4, Vec4};
+use glam::{DVec3, UVec4};
 use vitrum_io::Picture;
 use vitrum_kernels::abi::environment::{MAX_LEVELS, kind};
+use vitrum_kernels::abi::vector::Vec4;
 
 /// An environment as kernels read it.
 pub(super) struct Prepared {
@@ -37,7 +38,7 @@ impl Prepared {
         };
         let facing = from_angles(view.up, view.front, environment.rotation, 0.0);
         let side = view.up.cross(facing);
-        let row = |axis: DVec3| view.direction(axis).as_vec3().extend(0.0);
+        let row = |axis: DVec3| Vec4::from(view.direction(axis).as_vec3().extend(0.0));
         let factor = environment.intensity;
         Self {
             shape: UVec4::new(pattern, width, height, levels),

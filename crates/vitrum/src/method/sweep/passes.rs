@@ -69,6 +69,7 @@ pub(super) fn build(
         Ok(buffer)
     };
     let light = [planar("light", [across, up], light::SIZE)?, planar("light", [across, up], light::SIZE)?];
+    let soft = planar("filtered light", if fixed.is_soft() { [across, up] } else { [1, 1] }, light::SIZE)?;
     let traced = planar("back-traced points", [across, up], trace::SIZE)?;
     let rays = planar("rays", [width, height], ray::SIZE)?;
     let finished = planar("film", [width, height], film::SIZE)?;
@@ -89,13 +90,18 @@ pub(super) fn build(
     ];
     for plane in 1..fixed.planes.count {
         let (behind, ahead) = (light[(plane as usize + 1) % 2], light[plane as usize % 2]);
-        passes.push(pass(&kernels::sweep_trace_light, texels, 0, plane, &[behind, traced]));
+        // What light is followed into: the plane behind, filtered where the light is soft.
+        let source = if fixed.is_soft() { soft } else { behind };
+        if fixed.is_soft() {
+            passes.push(pass(&kernels::sweep_filter_light, texels, 0, plane, &[behind, soft]));
+        }
+        passes.push(pass(&kernels::sweep_trace_light, texels, 0, plane, &[source, traced]));
         if plane > first {
             let bound = [voxels, ior_voxels, occupancy, tables, behind, rays];
             passes.push(pass(readers.rays, pixels, fixed.mode, plane, &bound));
         }
-        let bound = [voxels, ior_voxels, occupancy, tables, behind, traced, ahead];
-        passes.push(pass(readers.light, texels, fixed.light_mode(), plane, &bound));
+        let bound = [voxels, ior_voxels, occupancy, tables, source, traced, ahead];
+        passes.push(pass(readers.light, texels, fixed.mode, plane, &bound));
     }
     passes.push(pass(&kernels::sweep_resolve, pixels, 0, fixed.planes.count - 1, &[rays, map, finished]));
     let name = |kernel: &Kernel| kernel.declaration.name;

@@ -10,8 +10,9 @@ use super::voxels::{chosen_format, grid};
 use crate::inputs::Inputs;
 use crate::render::Error;
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene};
-use glam::{DVec4, UVec4, Vec4};
+use glam::{DVec4, UVec4};
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
+use vitrum_kernels::abi::vector::Vec4;
 
 /// The smallest v_z / |v| of a ray that goes on: 89°. Beyond, one plane's step would cross dozens of voxels.
 const SMALLEST_COSINE: f32 = 0.017_452;
@@ -37,7 +38,7 @@ pub(super) struct Fixed {
 }
 
 fn single(v: DVec4) -> Vec4 {
-    v.as_vec4()
+    v.as_vec4().into()
 }
 
 fn rgb(color: [f32; 3]) -> Vec4 {
@@ -82,7 +83,7 @@ impl Fixed {
                 (1.0 / light_grid.texel) as f32,
             ),
             light_shear: Vec4::new(light_grid.shear.x as f32, light_grid.shear.y as f32, planes.depth(0) as f32, 0.0),
-            light_direction: towards.as_vec3().extend(0.0),
+            light_direction: towards.as_vec3().extend(0.0).into(),
             camera: Vec4::new(
                 view.half_size[0] as f32,
                 view.half_size[1] as f32,
@@ -142,9 +143,9 @@ impl Fixed {
         block
     }
 
-    /// [`mode`] of light.
-    pub(super) fn light_mode(&self) -> u32 {
-        if self.softness > 0.0 { self.mode + mode::FILTERED } else { self.mode }
+    /// Whether light is filtered.
+    pub(super) fn is_soft(&self) -> bool {
+        self.softness > 0.0
     }
 }
 
@@ -193,6 +194,6 @@ fn set_clips(block: &mut SweepUniforms, scene: &Scene, view: &View, volume: &vit
         everything[slot] = if clip.removes == Removes::Everything { 1.0 } else { 0.0 };
     }
     [block.clip_0, block.clip_1, block.clip_2, block.clip_3] = planes;
-    block.clip_everything = Vec4::from_array(everything);
+    block.clip_everything = glam::Vec4::from_array(everything).into();
     Ok(())
 }

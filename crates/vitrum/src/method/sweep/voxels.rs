@@ -1,9 +1,10 @@
 //! Volumes as kernels read them: padded, packed into words.
 
 use super::view::{View, vector, voxel_steps};
-use glam::{DVec3, IVec4, Vec4};
+use glam::{DVec3, IVec4};
 use vitrum_io::{Volume, Voxels};
 use vitrum_kernels::abi::grid::{BRICK_SHIFT, Grid, PADDING, format};
+use vitrum_kernels::abi::vector::Vec4;
 
 /// How a volume is stored, and whether a second one gives η.
 pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> u32 {
@@ -72,7 +73,7 @@ pub(super) fn grid(volume: &Volume, view: &View, reach: u32, first_brick: u32) -
     let start = inverse * (view.eye - vector(volume.origin));
     let row = |axis: usize| {
         let row: DVec3 = along.row(axis);
-        row.as_vec3().extend(start[axis] as f32)
+        Vec4::from(row.as_vec3().extend(start[axis] as f32))
     };
     let [px, py, _] = padded(volume).map(|n| n as i32);
     let slice = px * py;

@@ -1,0 +1,110 @@
+//! The softness filter: light and its direction through three taps on an ellipse (sweep §4.2, after Patel et al. 2013).
+//!
+//! The taps' offsets are the same for all texels of a plane, so filtering the plane once and then following the refracted light
+//! into the filtered plane is the same convolution as filtering at every back-traced point, for a third of the scattered reads.
+
+use crate::abi::record::light as record;
+use crate::abi::sweep::SweepUniforms;
+use crate::field::access::{read, read_inside};
+use crate::math::{floor_to_int, lerp, select};
+
+/// How much of the kernel an invocation needs.
+pub mod level {
+    /// All texels it reads lie inside the grid.
+    pub const INSIDE: u32 = 1;
+    /// Some lie outside, where light is unoccluded.
+    pub const BORDER: u32 = 2;
+}
+
+/// A tap: whole texels, and the rest.
+struct Tap {
+    x: i32,
+    y: i32,
+    fraction_x: f32,
+    fraction_y: f32,
+}
+
+/// Farther than any tap is.
+const FAR: f32 = 32768.0;
+
+#[inline(always)]
+fn tap(x: f32, y: f32) -> Tap {
+    let (whole_x, whole_y) = (floor_to_int(x, -FAR, FAR), floor_to_int(y, -FAR, FAR));
+    Tap { x: whole_x, y: whole_y, fraction_x: x - whole_x as f32, fraction_y: y - whole_y as f32 }
+}
+
+#[inline(always)]
+fn taps(u: &SweepUniforms) -> (Tap, Tap, Tap) {
+    (tap(u.taps_a.x, u.taps_a.y), tap(u.taps_a.z, u.taps_a.w), tap(u.taps_b.x, u.taps_b.y))
+}
+
+/// Whether the four texels around a tap of texel (x, y) are in the grid.
+#[inline(always)]
+fn inside(u: &SweepUniforms, x: i32, y: i32, tap: &Tap) -> bool {
+    let (i, j) = (x + tap.x, y + tap.y);
+    (i >= 0) & (i < u.size.z as i32 - 1) & (j >= 0) & (j < u.size.w as i32 - 1)
+}
+
+/// The level that texel (x, y) needs.
+#[inline(always)]
+pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32]) -> u32 {
+    let (a, b, c) = taps(u);
+    let (x, y) = (x as i32, y as i32);
+    let holds = behind.len() as u32 >= u.size.z * u.size.w * record::SIZE as u32;
+    if holds & inside(u, x, y, &a) & inside(u, x, y, &b) & inside(u, x, y, &c) { level::INSIDE } else { level::BORDER }
+}
+
+/// A component of the light at a tap of texel (x, y); beyond the grid, `outside`.
+#[inline(always)]
+fn at<const LEVEL: u32>(
+    u: &SweepUniforms,
+    behind: &[f32],
+    x: u32,
+    y: i32,
+    tap: &Tap,
+    component: usize,
+    outside: f32,
+) -> f32 {
+    let width = u.size.z as i32;
+    let plane = component as i32 * (u.size.z * u.size.w) as i32;
+    // Everything but x is the same along a row.
+    let base = plane + (y + tap.y) * width + tap.x;
+    let (a, b, c, d) = if LEVEL == level::INSIDE {
+        // SAFETY: `level` found the four texels inside the grid, and the grid inside the buffer.
+        unsafe {
+            (
+                read_inside(behind, base, x),
+                read_inside(behind, base + 1, x),
+                read_inside(behind, base + width, x),
+                read_inside(behind, base + width + 1, x),
+            )
+        }
+    } else {
+        let index = base + x as i32;
+        (read(behind, index), read(behind, index + 1), read(behind, index + width), read(behind, index + width + 1))
+    };
+    let value = lerp(lerp(a, b, tap.fraction_x), lerp(c, d, tap.fraction_x), tap.fraction_y);
+    if LEVEL == level::INSIDE { value } else { select(inside(u, x as i32, y, tap), value, outside) }
+}
+
+/// The filtered light texel (x, y).
+#[inline(always)]
+pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32]) -> [f32; record::SIZE] {
+    let y = y as i32;
+    let (first, second, third) = taps(u);
+    let mean = |component: usize, outside: f32| {
+        let a = at::<LEVEL>(u, behind, x, y, &first, component, outside);
+        let b = at::<LEVEL>(u, behind, x, y, &second, component, outside);
+        let c = at::<LEVEL>(u, behind, x, y, &third, component, outside);
+        // Offsets from one tap, so that equal taps give exactly that tap.
+        a + ((b - a) + (c - a)) * (1.0 / 3.0)
+    };
+    [
+        mean(record::RED, u.light_initial.x),
+        mean(record::RED + 1, u.light_initial.y),
+        mean(record::RED + 2, u.light_initial.z),
+        mean(record::DIRECTION_X, u.light_direction.x),
+        mean(record::DIRECTION_X + 1, u.light_direction.y),
+        mean(record::DIRECTION_X + 2, u.light_direction.z),
+    ]
+}
