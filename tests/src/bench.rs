@@ -80,18 +80,10 @@ fn color(frame: &Frame) -> raster::Raster {
     raster::of_frame(frame).swap_remove(0).1
 }
 
-const HEADER: [&str; 11] = [
-    "scene",
-    "pixels",
-    "light",
-    "planes",
-    "backend",
-    "frame ms",
-    "range",
-    "ns/ray·plane",
-    "upload ms",
-    "peak MiB",
-    "relative",
+#[rustfmt::skip]
+const HEADER: [&str; 12] = [
+    "scene", "pixels", "light", "planes", "backend", "threads",
+    "frame ms", "range", "ns/ray·plane", "upload ms", "peak MiB", "relative",
 ];
 
 impl Timing {
@@ -129,7 +121,7 @@ impl Timing {
         self.verdict.passed()
     }
 
-    fn cells(&self) -> [String; 11] {
+    fn cells(&self) -> [String; 12] {
         let size = |[width, height]: [u32; 2]| format!("{width} × {height}");
         let number =
             |value: Option<f64>, digits: usize| value.map_or("–".to_owned(), |value| format!("{value:.digits$}"));
@@ -147,7 +139,8 @@ impl Timing {
             size(self.size),
             size(self.light_texels),
             self.planes.to_string(),
-            self.threads.map_or(self.backend.clone(), |threads| format!("{}, {threads} threads", self.backend)),
+            self.backend.clone(),
+            self.threads.map_or("–".to_owned(), |threads| threads.to_string()),
             number(frame_ms, 1),
             range,
             number(frame_ms.map(|ms| ms * 1e6 / steps), 2),
@@ -196,6 +189,6 @@ mod tests {
         assert!(timings.iter().all(|timing| timing.passed() && timing.frame_ms.len() == 2));
         assert_eq!(timings[0].relative, Some(1.0));
         let table = markdown(&timings);
-        assert!(table.lines().count() == 4 && table.contains("| cpu, 2 threads"), "{table}");
+        assert!(table.lines().count() == 4 && table.contains("| cpu     | 2       |"), "{table}");
     }
 }

@@ -44,8 +44,6 @@ impl Case {
     /// # Errors
     /// If the file cannot be read, or there is no such preset.
     pub fn file(path: &Path, preset: &str, edge: u32) -> Result<Self, Failure> {
-        // First: a slip should not cost the time to read a volume.
-        preset::check(preset)?;
         let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };
         let mut scene = sized(Scene { volume, ..Scene::default() }, edge);
         let inputs = Inputs::load(&scene, Path::new(""))?;

@@ -9,8 +9,8 @@ use std::mem;
 use std::vec;
 
 use vitrum::backend::{Backend, Pass, PassList};
-use vitrum::method::sweep::Sweep;
-use vitrum_kernels::kernel::kernels;
+use vitrum::method::sweep::{Planes, Sweep};
+use vitrum_kernels::abi::sweep::SweepUniforms;
 
 use crate::Failure;
 use crate::bounds;
@@ -51,7 +51,7 @@ pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run:
     let bound = bounds::of_backend(other, &case.name, false);
     let mut reference = Stepper::new(case, cpu)?;
     let mut other = Stepper::new(case, other)?;
-    for stop in stops(reference.passes.as_slice()) {
+    for stop in stops(reference.passes.as_slice(), &reference.sweep.planes) {
         let (expected, found) = (reference.advance(stop.pass)?, other.advance(stop.pass)?);
         let item = format!("{} at plane {}", stop.kernel, stop.plane);
         run.hold(About { tier: "T1", scene: &case.name, item: &item }, bound, &expected, &found)?;
@@ -70,13 +70,12 @@ struct Stop {
 }
 
 /// The first, quarter, middle, three-quarter and last pass of each kernel, in order.
-fn stops(passes: &[Pass]) -> Vec<Stop> {
+fn stops(passes: &[Pass], planes: &Planes) -> Vec<Stop> {
     let mut by_kernel: BTreeMap<&str, Vec<Stop>> = BTreeMap::new();
-    let mut plane = 0;
-    for (pass, kernel) in passes.iter().map(|pass| pass.kernel.declaration.name).enumerate() {
-        // Each plane but the first begins with it.
-        plane += u32::from(kernel == kernels::sweep_trace_light.declaration.name);
-        by_kernel.entry(kernel).or_default().push(Stop { pass, plane, kernel });
+    for (index, pass) in passes.iter().enumerate() {
+        let kernel = pass.kernel.declaration.name;
+        let stop = Stop { pass: index, plane: plane(pass, planes), kernel };
+        by_kernel.entry(kernel).or_default().push(stop);
     }
     let chosen = |stops: &Vec<Stop>| {
         let last = stops.len() - 1;
@@ -86,6 +85,12 @@ fn stops(passes: &[Pass]) -> Vec<Stop> {
     stops.sort_unstable();
     stops.dedup();
     stops
+}
+
+/// The plane that a pass leads to, by its depth.
+fn plane(pass: &Pass, planes: &Planes) -> u32 {
+    let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
+    ((f64::from(uniforms.plane.y) - planes.first_depth) / planes.distance).round() as u32
 }
 
 /// A frame that runs in parts.

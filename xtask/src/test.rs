@@ -26,7 +26,7 @@ pub struct Arguments {
 /// makes is committed and tested here. `cargo xtask ci` covers it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let driver = vulkan::require_driver()?;
-    let mut command = cargo(["test", "--workspace", "--exclude", COMPILER, "--no-fail-fast"]);
+    let mut command = cargo(["test", "--release", "--workspace", "--exclude", COMPILER, "--no-fail-fast"]);
     command.args(&arguments.arguments);
     // A test that needs a GPU adapter would leave itself out where there is none; here that is a failure.
     command.env("VITRUM_REQUIRE_GPU", "1").stdout(Stdio::piped());

@@ -56,6 +56,7 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<bool, Failure> {
+    let subjects = subjects(arguments)?;
     let mut contenders = contenders(arguments)?;
     println!("{}", machine::description());
     for contender in &contenders {
@@ -63,7 +64,7 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     }
     println!("- medians of {} interleaved frames after one that is not counted\n", arguments.frames);
     let mut timings = Vec::new();
-    for subject in subjects(arguments)? {
+    for subject in subjects {
         let mut case = subject.open(arguments)?;
         for &edge in &arguments.sizes {
             case.resize(edge);
@@ -108,6 +109,10 @@ impl Subject {
 
 /// The volumes; or the built-in scenes, variants only where they are asked for.
 fn subjects(arguments: &Arguments) -> Result<Vec<Subject>, Failure> {
+    preset::check(&arguments.preset)?;
+    if let Some(missing) = arguments.volumes.iter().find(|path| !path.exists()) {
+        return Err(Failure::Setup(format!("{} does not exist", missing.display())));
+    }
     if !arguments.volumes.is_empty() {
         return Ok(arguments.volumes.iter().cloned().map(Subject::File).collect());
     }
