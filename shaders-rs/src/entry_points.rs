@@ -48,7 +48,7 @@ macro_rules! entry_points {
             #[spirv(compute(threads(8, 8)))]
             pub fn $name(
                 #[spirv(global_invocation_id)] id: UVec3,
-                #[spirv(uniform, descriptor_set = 0, binding = 0)] u: &$uniforms,
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] u: &$uniforms,
                 $(#[spirv(storage_buffer, descriptor_set = 0, binding = $number)] $read: &[$element],)*
                 #[spirv(storage_buffer, descriptor_set = 0, binding = $out)] out: &mut [f32],
             ) {

@@ -102,7 +102,7 @@ pub fn medium<const FORMAT: u32, const SECOND: bool>(
         let within = inside(ior_grid, at_ior);
         Medium {
             scalar: shown.centre,
-            scalar_gradient: to_sweep_frame(ior_grid, central_differences(&bending)),
+            scalar_gradient: to_sweep_frame(ior_grid, central_differences(&bending)) * within,
             ior: eta,
             acceleration: to_sweep_frame(ior_grid, acceleration) * within,
             ior_gradient: to_sweep_frame(ior_grid, gradient) * within,
@@ -113,7 +113,7 @@ pub fn medium<const FORMAT: u32, const SECOND: bool>(
         let within = inside(grid, at);
         Medium {
             scalar: shown.centre,
-            scalar_gradient: to_sweep_frame(grid, central_differences(&shown)),
+            scalar_gradient: to_sweep_frame(grid, central_differences(&shown)) * within,
             ior: eta,
             acceleration: to_sweep_frame(grid, acceleration) * within,
             ior_gradient: to_sweep_frame(grid, gradient) * within,

@@ -10,6 +10,7 @@ use super::{Backend, BackendError, Buffer, Pass, PassList};
 use adapter::Opened;
 use pipeline::Pipeline;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use vitrum_kernels::kernel::WORKGROUP;
 
 /// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
@@ -99,13 +100,13 @@ impl GpuBackend {
     /// All passes' uniform blocks in one buffer; the stride between them.
     fn upload_uniforms(&mut self, passes: &[Pass]) -> Result<(wgpu::Buffer, u64), BackendError> {
         let largest = passes.iter().map(|pass| pass.uniforms.len()).max().unwrap_or(0) as u64;
-        let alignment = u64::from(self.limits.min_uniform_buffer_offset_alignment).max(16);
+        let alignment = u64::from(self.limits.min_storage_buffer_offset_alignment).max(16);
         let stride = largest.max(16).next_multiple_of(alignment);
         let mut bytes = vec![0; (stride * passes.len().max(1) as u64) as usize];
         for (slot, pass) in bytes.chunks_mut(stride as usize).zip(passes) {
             slot[..pass.uniforms.len()].copy_from_slice(&pass.uniforms);
         }
-        let buffer = self.allocate("uniforms", bytes.len() as u64, wgpu::BufferUsages::UNIFORM)?;
+        let buffer = self.allocate("uniforms", bytes.len() as u64, wgpu::BufferUsages::STORAGE)?;
         self.opened.queue.write_buffer(&buffer, 0, &bytes);
         Ok((buffer, stride))
     }
@@ -114,9 +115,8 @@ impl GpuBackend {
         for pass in passes {
             pass.check(|buffer| self.buffers[buffer.0].as_ref().map(wgpu::Buffer::size))?;
             let declaration = &pass.kernel.declaration;
-            if !self.pipelines.contains_key(declaration.name) {
-                let pipeline = Pipeline::new(&self.opened, &self.adapter, declaration)?;
-                self.pipelines.insert(declaration.name, pipeline);
+            if let Entry::Vacant(slot) = self.pipelines.entry(declaration.name) {
+                slot.insert(Pipeline::new(&self.opened, &self.adapter, declaration)?);
             }
         }
         Ok(())

@@ -15,8 +15,8 @@ pub(super) struct Pipeline {
 fn layout_entry(binding: &Binding, uniform_bytes: usize) -> wgpu::BindGroupLayoutEntry {
     let uniform = binding.access == Access::Uniform;
     let ty = match binding.access {
-        Access::Uniform => wgpu::BufferBindingType::Uniform,
-        Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
+        // Not a uniform buffer: lavapipe compiles a kernel anew for every value of a uniform that decides a branch.
+        Access::Uniform | Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
         Access::Write | Access::Update => wgpu::BufferBindingType::Storage { read_only: false },
     };
     wgpu::BindGroupLayoutEntry {

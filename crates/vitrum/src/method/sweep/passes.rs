@@ -107,7 +107,8 @@ pub(super) fn build(
     let name = |kernel: &Kernel| kernel.declaration.name;
     let list = PassList {
         passes,
-        while_busy: vec![name(&kernels::sweep_trace_light), name(readers.light), name(readers.rays)],
+        // Light goes on to the last plane: what is there is an output, too.
+        while_busy: vec![name(readers.rays)],
         ends_with: Some(name(readers.rays)),
     };
     let buffers = Buffers { all: created.clone(), light, rays, film: finished };

@@ -21,7 +21,6 @@ const MOST_CLIPS: usize = 4;
 
 /// What does not change from plane to plane.
 pub(super) struct Fixed {
-    pub(super) view: View,
     pub(super) planes: Planes,
     pub(super) light_grid: LightGrid,
     pub(super) rays: [u32; 2],
@@ -115,7 +114,6 @@ impl Fixed {
         block.plane.w = 1.0 / reference;
         set_clips(&mut block, scene, &view, shown)?;
         Ok(Self {
-            view,
             planes,
             light_grid,
             rays,
