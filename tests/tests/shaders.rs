@@ -5,7 +5,7 @@ use std::fs;
 use std::mem::{offset_of, size_of_val};
 
 use rspirv::dr::{Instruction, Module, Operand, load_words};
-use rspirv::spirv::{Decoration, Op, StorageClass, Word};
+use rspirv::spirv::{Decoration, Op, Word};
 use vitrum_conformance::root;
 use vitrum_kernels::abi::grid::Grid;
 use vitrum_kernels::abi::sweep::SweepUniforms;
@@ -105,10 +105,10 @@ fn load(name: &str) -> Module {
 fn uniform_block(module: &Module) -> Option<Word> {
     let types: HashMap<Word, &Instruction> =
         module.types_global_values.iter().filter_map(|found| Some((found.result_id?, found))).collect();
-    let in_uniform =
-        |found: &&Instruction| found.operands.first() == Some(&Operand::StorageClass(StorageClass::Uniform));
-    let mut variables = module.types_global_values.iter().filter(|found| found.class.opcode == Op::Variable);
-    let pointer = types[&variables.find(in_uniform)?.result_type?];
+    let binding_0 = [Operand::Decoration(Decoration::Binding), Operand::LiteralBit32(0)];
+    let decorated = module.annotations.iter().find(|found| found.operands[1..] == binding_0)?;
+    let variable = types[&decorated.operands[0].id_ref_any()?];
+    let pointer = types[&variable.result_type?];
     let mut block = pointer.operands[1].id_ref_any()?;
     while let [only] = members(module, block)[..]
         && is_struct(module, only)

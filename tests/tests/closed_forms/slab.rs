@@ -3,9 +3,13 @@
 use crate::setup::{backends, cuboid, refracting, render};
 use vitrum::scene::{Intensity, Wall};
 
-const EPSILON: f64 = 0.05;
-const THICKNESS: f64 = 0.1;
+const EPSILON: f64 = 0.04;
+/// The slab fades in and out over its depth as sin², so that its faces do not bend light: half of it counts.
+const DEPTH: f64 = 0.25;
+const THICKNESS: f64 = 0.5 * DEPTH;
 const PERIOD: f64 = 1.0;
+/// Light texels per pixel edge: 49 a period, about the voxels' size.
+const RESOLUTION: f32 = 2.0;
 
 /// Irradiance on a screen at `share` of the focal distance: on axis, half a period beside it, mean over the middle period.
 fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backend::Backend) -> (f64, f64, f64) {
@@ -13,14 +17,16 @@ fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backen
     let focus = 1.0 / (EPSILON * k * k * THICKNESS);
     // 3 periods wide, 64 voxels a period.
     let spacing = 1.0 / 64.0;
-    let layers = (THICKNESS * 64.0).round() as u32;
-    let thickness = f64::from(layers) / 64.0;
-    let volume = cuboid([192, layers, 8], spacing, |[x, _, _]| 1.0 + EPSILON * (k * x).cos());
+    let layers = (DEPTH * 64.0) as u32;
+    let volume = cuboid([192, layers, 8], spacing, |[x, y, _]| {
+        let fade = (std::f64::consts::PI * (y / DEPTH + 0.5)).sin().powi(2);
+        1.0 + EPSILON * fade * (k * x).cos()
+    });
     let mut scene = refracting(&volume, 64);
     scene.sweep.intensity = intensity;
-    scene.light.resolution = 2.0;
+    scene.light.resolution = RESOLUTION;
     scene.sweep.sample_distance = 1.0;
-    let distance = share * focus * THICKNESS / thickness;
+    let distance = share * focus;
     scene.wall = Some(Wall { distance: Some(distance as f32), azimuth: 0.0, color: [1.0; 3] });
     let frame = render(&scene, &volume, backend);
     let light = &frame.light;
@@ -28,8 +34,8 @@ fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backen
     let pixels = light.color();
     let row = light.height as usize / 2;
     // Texel positions: the grid is centred on the volume (light travels straight on, so there is no shear).
-    let radius = 0.5 * (3.0f64.powi(2) + thickness.powi(2) + (8.0 / 64.0f64).powi(2)).sqrt();
-    let texel = 2.0 * 0.87 * radius / 64.0 / 2.0;
+    let radius = 0.5 * (3.0f64.powi(2) + DEPTH.powi(2) + (8.0 / 64.0f64).powi(2)).sqrt();
+    let texel = 2.0 * 0.87 * radius / 64.0 / f64::from(RESOLUTION);
     let at = |x: f64| {
         let position = x / texel + width as f64 * 0.5 - 0.5;
         let left = position.floor() as usize;
