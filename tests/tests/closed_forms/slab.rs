@@ -12,7 +12,12 @@ const PERIOD: f64 = 1.0;
 const RESOLUTION: f32 = 2.0;
 
 /// Irradiance on a screen at `share` of the focal distance: on axis, half a period beside it, mean over the middle period.
-fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backend::Backend) -> (f64, f64, f64) {
+fn irradiance(
+    share: f64,
+    sample_distance: f32,
+    intensity: Intensity,
+    backend: &mut dyn vitrum::backend::Backend,
+) -> (f64, f64, f64) {
     let k = std::f64::consts::TAU / PERIOD;
     let focus = 1.0 / (EPSILON * k * k * THICKNESS);
     // 3 periods wide, 64 voxels a period.
@@ -25,7 +30,7 @@ fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backen
     let mut scene = refracting(&volume, 64);
     scene.sweep.intensity = intensity;
     scene.light.resolution = RESOLUTION;
-    scene.sweep.sample_distance = 1.0;
+    scene.sweep.sample_distance = sample_distance;
     let distance = share * focus;
     scene.wall = Some(Wall { distance: Some(distance as f32), azimuth: 0.0, color: [1.0; 3] });
     let frame = render(&scene, &volume, backend);
@@ -49,16 +54,23 @@ fn irradiance(share: f64, intensity: Intensity, backend: &mut dyn vitrum::backen
 #[test]
 fn light_gets_brighter_towards_the_focus() {
     for mut backend in backends() {
-        for (share, on_axis, beside) in [(0.25, 1.333, 0.8), (0.5, 2.0, 0.667), (0.75, 4.0, 0.571)] {
-            let (middle, side, mean) = irradiance(share, Intensity::Jacobian, backend.as_mut());
+        for (share, on_axis, beside, sample_distance) in
+            [(0.25, 1.333, 0.8, 1.0), (0.5, 2.0, 0.667, 1.0), (0.75, 4.0, 0.571, 1.0), (0.75, 4.0, 0.571, 4.0)]
+        {
+            let (middle, side, mean) = irradiance(share, sample_distance, Intensity::Jacobian, backend.as_mut());
             println!(
-                "{}: Z = {share} Z_f: on axis {middle:.3} (truth {on_axis}), beside {side:.3} (truth {beside}), mean {mean:.4}",
+                "{}: Z = {share} Z_f, planes every {sample_distance} voxels: on axis {middle:.3} (truth {on_axis}), beside {side:.3} (truth {beside}), mean {mean:.4}",
                 backend.name()
             );
-            assert!((mean - 1.0).abs() < 0.01, "flux is conserved: {mean}");
+            assert!((mean - 1.0).abs() < 0.02, "flux is conserved: {mean}");
             assert!((side / beside - 1.0).abs() < 0.02, "{side} instead of {beside}");
-            // A peak that narrows to a few texels is blurred: at ¾ of the focal distance it is 8 texels wide.
-            let bound = if share > 0.6 { 0.1 } else { 0.02 };
+            // Interpolation blurs a little on each of some 150 to 250 planes, and the peak gets narrower and higher towards the
+            // focus: 0 %, 3 % and 18 % are missing at ¼, ½ and ¾ of the way; with a quarter of the planes 14 %.
+            let bound = match share {
+                s if s < 0.3 => 0.01,
+                s if s < 0.6 => 0.03,
+                _ => 0.2,
+            };
             assert!((middle / on_axis - 1.0).abs() < bound, "{middle} instead of {on_axis}");
         }
     }
@@ -67,7 +79,7 @@ fn light_gets_brighter_towards_the_focus() {
 #[test]
 fn without_correction_there_is_no_caustic() {
     for mut backend in backends() {
-        let (middle, side, _) = irradiance(0.5, Intensity::None, backend.as_mut());
+        let (middle, side, _) = irradiance(0.5, 1.0, Intensity::None, backend.as_mut());
         assert!((middle - 1.0).abs() < 1e-3 && (side - 1.0).abs() < 1e-3, "{middle}, {side}");
     }
 }
