@@ -186,8 +186,8 @@ impl Backend for GpuBackend {
             }
             for pass in chunk {
                 let key = (pass.kernel.declaration.name, pass.buffers.as_slice());
-                if !groups.contains_key(&key) {
-                    groups.insert(key, self.bind_group(pass, &uniforms)?);
+                if let Entry::Vacant(slot) = groups.entry(key) {
+                    slot.insert(self.bind_group(pass, &uniforms)?);
                 }
             }
             let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
