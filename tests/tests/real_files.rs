@@ -3,8 +3,10 @@
 use vitrum_conformance::data::shared;
 use vitrum_io::{OpenOptions, open};
 
-/// (file, voxels along each axis, range, spacing).
-const FILES: &[(&str, [u32; 3], [f32; 2], [f32; 3])] = &[
+/// File, voxels along each axis, range, spacing.
+type Stated = (&'static str, [u32; 3], [f32; 2], [f32; 3]);
+
+const FILES: &[Stated] = &[
     ("volumes/stent.nrrd", [128, 128, 256], [0.0, 1.0], [1.0, 1.0, 1.0]),
     ("volumes/fuel.nhdr", [64, 64, 64], [0.0, 255.0], [1.0, 1.0, 1.0]),
     ("volumes/neghip.nhdr", [64, 64, 64], [0.0, 255.0], [1.0, 1.0, 1.0]),
