@@ -52,7 +52,7 @@ impl Sweep {
     pub fn prepare(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
         let fixed = Fixed::new(scene, inputs)?;
         let mut created = Vec::new();
-        let result = passes::build(scene, inputs, &fixed, backend, &mut created);
+        let result = passes::build(inputs, &fixed, backend, &mut created);
         match result {
             Ok((passes, buffers)) => {
                 Ok(Self { passes, planes: fixed.planes, light_grid: fixed.light_grid, rays: fixed.rays, buffers })

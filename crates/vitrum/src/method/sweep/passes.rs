@@ -7,7 +7,6 @@ use super::voxels::{pack, padded_bytes};
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::inputs::Inputs;
 use crate::render::Error;
-use crate::scene::Scene;
 use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{film, light, ray, trace};
 use vitrum_kernels::kernel::{Kernel, kernels};
@@ -32,7 +31,6 @@ fn readers(stored: u32) -> Readers {
 
 /// Uploads what a frame needs and lists its passes. Buffers are added to `created` as they are made.
 pub(super) fn build(
-    _scene: &Scene,
     inputs: &Inputs,
     fixed: &Fixed,
     backend: &mut dyn Backend,
