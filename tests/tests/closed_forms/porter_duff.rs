@@ -1,29 +1,19 @@
 //! Without refraction and with a white medium, a picture is plain Porter–Duff volume rendering (sweep §4.1).
 
-use crate::setup::{backends, cube, render};
-use vitrum::scene::{ColorPoint, OpacityPoint, Projection, Scene};
+use crate::setup::{backends, cube, render, straight_on};
+use vitrum::scene::{ColorPoint, OpacityPoint};
 
 #[test]
 fn the_defaults_are_plain_compositing() {
     // The scalar only depends on depth (y), so light and viewing rays are the same everywhere.
     let volume = cube(48, 2.0, |[_, y, _]| 0.5 + 0.5 * (3.0 * y).sin());
-    let mut scene = Scene::default();
-    scene.volume.builtin = Some("ball".to_owned());
-    scene.camera.projection = Projection::Orthographic;
-    scene.camera.azimuth = 0.0;
-    scene.camera.elevation = 0.0;
-    scene.light.azimuth = 0.0;
-    scene.light.elevation = 0.0;
-    scene.light.softness = 0.0;
-    scene.shading.ambient = [0.0; 3];
+    let mut scene = straight_on(9);
     scene.environment.visible = false;
     let [low, high] = volume.range;
     scene.transfer.opacity =
         vec![OpacityPoint { value: low, opacity: 0.0 }, OpacityPoint { value: high, opacity: 0.2 }];
     scene.transfer.color =
         vec![ColorPoint { value: low, color: [1.0, 0.2, 0.1] }, ColorPoint { value: high, color: [0.1, 0.3, 1.0] }];
-    scene.film.width = 9;
-    scene.film.height = 9;
 
     // The same integral in double precision, finely: dC = (1 − A) τ c L, dA = (1 − A) τ, dL = −L τ, per voxel edge.
     let (mut color, mut clear, mut light) = ([0.0f64; 3], 1.0f64, 1.0f64);

@@ -37,25 +37,30 @@ pub fn cuboid(dimensions: [u32; 3], spacing: f32, field: impl Fn([f64; 3]) -> f6
     Volume::new("closed form", dimensions, [spacing; 3], Voxels::F32(voxels)).expect("the field is finite")
 }
 
-/// A scene that shows nothing but refraction: the scalar is the index of refraction. Parallel rays travel along −y; in the
-/// picture x points left, z up.
-pub fn refracting(volume: &Volume, pixels: u32) -> Scene {
+/// A scene in which parallel viewing rays and crisp light travel along −y; in the picture x points left, z up.
+pub fn straight_on(pixels: u32) -> Scene {
     let mut scene = Scene::default();
-    let [low, high] = volume.range;
-    scene.transfer.ior = vec![IorPoint { value: low, ior: low }, IorPoint { value: high, ior: high }];
-    scene.transfer.opacity = vec![OpacityPoint { value: low, opacity: 0.0 }];
     scene.camera.projection = Projection::Orthographic;
     scene.camera.azimuth = 0.0;
     scene.camera.elevation = 0.0;
     scene.light.azimuth = 0.0;
     scene.light.elevation = 0.0;
     scene.light.softness = 0.0;
-    scene.shading.specular = 0.0;
     scene.shading.ambient = [0.0; 3];
     scene.film.width = pixels;
     scene.film.height = pixels;
     // The loader would find these by name; the tests hand the volume over.
     scene.volume.builtin = Some("ball".to_owned());
+    scene
+}
+
+/// [`straight_on`], showing nothing but refraction: the scalar is the index of refraction.
+pub fn refracting(volume: &Volume, pixels: u32) -> Scene {
+    let mut scene = straight_on(pixels);
+    let [low, high] = volume.range;
+    scene.transfer.ior = vec![IorPoint { value: low, ior: low }, IorPoint { value: high, ior: high }];
+    scene.transfer.opacity = vec![OpacityPoint { value: low, opacity: 0.0 }];
+    scene.shading.specular = 0.0;
     scene
 }
 
