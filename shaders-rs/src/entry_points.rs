@@ -15,27 +15,18 @@ macro_rules! body {
         record::store::<{ $size }>($out, $index, $count,
             $module::invoke($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
     };
-    (writes [$size:expr], $module:ident [$($generic:expr),*], levels [$($level:literal)*], $id:ident, $u:ident, $count:ident, $index:ident,
-     $out:ident, ($($read:ident),*)) => {
-        let level = $module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*);
-        if level == 1 {
-            record::store::<{ $size }>($out, $index, $count,
-                $module::invoke::<$({ $generic },)* 1>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
-        } else {
-            record::store::<{ $size }>($out, $index, $count,
-                $module::invoke::<$({ $generic },)* 2>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
-        }
+    (writes [$size:expr], $module:ident [$($generic:expr),*], levels $levels:tt gpu $all:literal, $id:ident, $u:ident,
+     $count:ident, $index:ident, $out:ident, ($($read:ident),*)) => {
+        record::store::<{ $size }>($out, $index, $count,
+            $module::invoke::<$({ $generic },)* $all>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
     };
-    (updates [$size:expr], $module:ident [$($generic:expr),*], levels [$($level:literal)*], $id:ident, $u:ident, $count:ident, $index:ident,
-     $out:ident, ($($read:ident),*)) => {
+    (updates [$size:expr], $module:ident [$($generic:expr),*], levels $levels:tt gpu $all:literal, $id:ident, $u:ident,
+     $count:ident, $index:ident, $out:ident, ($($read:ident),*)) => {
         let before = record::load::<{ $size }>($out, $index, $count);
         let level = $module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*);
-        if level == 1 {
+        if level > 1 {
             record::store::<{ $size }>($out, $index, $count,
-                $module::invoke::<$({ $generic },)* 1>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*));
-        } else if level > 1 {
-            record::store::<{ $size }>($out, $index, $count,
-                $module::invoke::<$({ $generic },)* 3>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*));
+                $module::invoke::<$({ $generic },)* $all>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*));
         }
     };
 }
@@ -43,7 +34,7 @@ macro_rules! body {
 macro_rules! entry_points {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal $size:tt,
-       $module:ident $generics:tt, $levels:ident $([$($level:literal)*])?, modes $modes:tt;)*) => {
+       $module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes $modes:tt;)*) => {
         $(
             #[spirv(compute(threads(8, 8)))]
             pub fn $name(
@@ -56,7 +47,7 @@ macro_rules! entry_points {
                 if id.x < width && id.y < height {
                     let count = width * height;
                     let index = id.y * width + id.x;
-                    body!($access $size, $module $generics, $levels $([$($level)*])?, id, u, count, index, out, ($($read),*));
+                    body!($access $size, $module $generics, $levels $([$($level)*] gpu $gpu)?, id, u, count, index, out, ($($read),*));
                 }
             }
         )*

@@ -90,7 +90,9 @@ fn stops(passes: &[Pass], planes: &Planes) -> Vec<Stop> {
 /// The plane that a pass leads to, by its depth.
 fn plane(pass: &Pass, planes: &Planes) -> u32 {
     let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
-    ((f64::from(uniforms.plane.y) - planes.first_depth) / planes.distance).round() as u32
+    let depth = f64::from(uniforms.plane.y);
+    let distance = |plane: &u32| (planes.depth(*plane) - depth).abs();
+    (0..planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or_default()
 }
 
 /// A frame that runs in parts.

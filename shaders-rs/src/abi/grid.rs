@@ -7,7 +7,7 @@ use spirv_std::glam::IVec4;
 pub const PADDING: i32 = 2;
 
 /// log₂ of a brick's edge in voxels.
-pub const BRICK_SHIFT: i32 = 3;
+pub const BRICK_SHIFT: i32 = 2;
 
 /// Where a grid of voxels lies and how its values are stored.
 #[repr(C)]

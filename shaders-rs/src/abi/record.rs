@@ -10,7 +10,7 @@ pub mod light {
     pub const DIRECTION_X: usize = 3;
 }
 
-/// A back-traced point, in texels.
+/// Where light comes from: the way to its texel from the plane behind, x and y, in texels.
 pub mod trace {
     /// Components.
     pub const SIZE: usize = 2;
@@ -19,14 +19,16 @@ pub mod trace {
 /// A viewing ray.
 pub mod ray {
     /// Components.
-    pub const SIZE: usize = 16;
-    /// Position in the sweep frame; its depth is the plane's.
+    pub const SIZE: usize = 18;
+    /// Position in the sweep frame where the ray last bent, or ended; from there it flies straight.
     pub const X: usize = 0;
     /// See `X`.
     pub const Y: usize = 1;
+    /// See `X`.
+    pub const Z: usize = 16;
     /// Optical direction v, x; y and z (depth) follow.
     pub const DIRECTION_X: usize = 2;
-    /// Normalised scalar at the position; −1 if it was not sampled.
+    /// Normalised scalar on the plane at depth `SAMPLED`.
     pub const FRONT: usize = 5;
     /// One of [`super::status`].
     pub const STATUS: usize = 6;
@@ -38,8 +40,12 @@ pub mod ray {
     pub const OPACITY: usize = 11;
     /// Medium colour M, red; green and blue follow.
     pub const MEDIUM: usize = 12;
-    /// η at the position; meaningful where `FRONT` was sampled.
+    /// η on the plane at depth `SAMPLED`.
     pub const IOR: usize = 15;
+    /// Depth of the plane on which scalar and η were last sampled; [`NOWHERE`] if on none.
+    pub const SAMPLED: usize = 17;
+    /// The depth of no plane.
+    pub const NOWHERE: f32 = f32::MIN;
 }
 
 /// What became of a viewing ray.

@@ -98,4 +98,6 @@ pub mod flag {
     pub const CLIP: u32 = 16;
     /// Empty space is skipped.
     pub const SKIP_EMPTY: u32 = 32;
+    /// The segment to this plane lies behind the volumes.
+    pub const BEHIND_VOLUME: u32 = 64;
 }

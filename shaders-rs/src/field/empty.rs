@@ -1,8 +1,9 @@
 //! Empty space: bricks in which all four transfer functions do nothing.
 
 use super::access::read;
-use super::stencil::limit_to_grid;
+use super::stencil::{limit_to_grid, voxel_coordinates};
 use crate::abi::grid::{BRICK_SHIFT, Grid};
+use crate::abi::sweep::{SweepUniforms, flag};
 use crate::math::{absolute, floor_to_int, max};
 use spirv_std::glam::Vec3;
 
@@ -28,4 +29,14 @@ pub fn is_empty(occupancy: &[u32], grid: &Grid, from: Vec3, to: Vec3) -> bool {
     let z = brick(inside.z, grid.size.z);
     let index = grid.bricks.w + x + grid.bricks.x * (y + grid.bricks.y * z);
     near & (outside | (read(occupancy, index) == 0))
+}
+
+/// Whether nothing happens on the way from `from` to `to` in the sweep frame, in the volume and in the `SECOND` one, if there is
+/// one; never, if empty space is not to be skipped.
+#[inline(always)]
+pub fn step_is_empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
+    let shown = is_empty(occupancy, &u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
+    let bending = !SECOND
+        || is_empty(occupancy, &u.ior_grid, voxel_coordinates(&u.ior_grid, from), voxel_coordinates(&u.ior_grid, to));
+    shown & bending & (u.dispatch.w & flag::SKIP_EMPTY != 0)
 }

@@ -3,10 +3,10 @@
 //! The grid is sheared along the light's initial direction: unoccluded light stays on its texel from plane to plane, so that
 //! interpolation does not blur it.
 
-use super::access::read;
+use super::access::{read, read_inside};
 use crate::abi::record::light as record;
 use crate::abi::sweep::SweepUniforms;
-use crate::math::{floor_to_int, lerp, select};
+use crate::math::{floor_to_int, lerp, max, select};
 use spirv_std::glam::Vec3;
 
 /// Light at a point.
@@ -50,14 +50,21 @@ struct Cell {
 #[inline(always)]
 fn cell(u: &SweepUniforms, x: f32, y: f32) -> Cell {
     let (right, top) = (u.size.z as i32 as f32 - 1.0, u.size.w as i32 as f32 - 1.0);
-    let i = floor_to_int(x, 0.0, right - 1.0);
-    let j = floor_to_int(y, 0.0, top - 1.0);
+    // On the last column or row the fraction is 0, and what is read beyond it does not count.
+    let i = floor_to_int(x, 0.0, right);
+    let j = floor_to_int(y, 0.0, top);
     Cell {
         base: j * u.size.z as i32 + i,
         x: x - i as f32,
         y: y - j as f32,
         inside: (x >= 0.0) & (x <= right) & (y >= 0.0) & (y <= top),
     }
+}
+
+/// Whether the light grid's `components` planes lie inside `buffer`.
+#[inline(always)]
+pub fn holds(u: &SweepUniforms, buffer: &[f32], components: usize) -> bool {
+    buffer.len() as u32 >= u.size.z * u.size.w * components as u32
 }
 
 #[inline(always)]
@@ -97,4 +104,32 @@ pub fn light(u: &SweepUniforms, light: &[f32], x: f32, y: f32) -> Light {
         ),
         direction: direction_in(u, light, &cell),
     }
+}
+
+/// The light of texel (x, y) itself.
+///
+/// # Safety
+/// (x, y) must lie in the grid, and [`holds`] be true for the buffer's components.
+#[inline(always)]
+pub unsafe fn light_of_texel(u: &SweepUniforms, light: &[f32], x: u32, y: u32) -> Light {
+    let texels = (u.size.z * u.size.w) as i32;
+    let base = y as i32 * u.size.z as i32;
+    // SAFETY: the caller's promise.
+    let component = |c: usize| unsafe { read_inside(light, c as i32 * texels + base, x) };
+    Light {
+        flux: Vec3::new(component(record::RED), component(record::RED + 1), component(record::RED + 2)),
+        direction: Vec3::new(
+            component(record::DIRECTION_X),
+            component(record::DIRECTION_X + 1),
+            component(record::DIRECTION_X + 2),
+        ),
+    }
+}
+
+/// Texels that light with direction `v` moves over `distance` in depth, relative to the sheared grid.
+#[inline(always)]
+pub fn shift(u: &SweepUniforms, v: Vec3, distance: f32) -> (f32, f32) {
+    let inverse = 1.0 / max(v.z, 1e-6);
+    let texels = distance * u.light_grid.w;
+    ((v.x * inverse - u.light_shear.x) * texels, (v.y * inverse - u.light_shear.y) * texels)
 }

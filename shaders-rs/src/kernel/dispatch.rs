@@ -1,7 +1,7 @@
 //! The CPU dispatch of every kernel, generated from the list.
 //!
 //! Rows are run in blocks of [`LANES`] invocations. A block's records live in local arrays, so that the loop over its lanes has
-//! no aliasing stores and becomes vector code. A block runs at the highest level that one of its lanes needs.
+//! no aliasing stores and becomes vector code. A block runs at the union of the levels that its lanes need.
 
 use super::host::{Access, Binding, Chunk, Declaration, Element, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
@@ -44,30 +44,34 @@ macro_rules! call {
 /// and without knowing that it does not make vector code.
 macro_rules! block {
     ($access:ident, $size:expr, $module:ident [$($generic:expr),*], plain, $n:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
-     $inputs:ident, $output:expr, $at:ident, $reads:tt) => {{
+     $inputs:ident, $reads:tt) => {{
         let mut outputs = [[0.0f32; LANES]; $size];
         for lane in 0..$n {
             let record = call!($access, crate::sweep::$module::invoke, lane, $x, $y, $u, $mode, $inputs, $reads);
             put(&mut outputs, lane, record);
         }
-        copy_out(&outputs, $output, $at, $n);
+        copy_out(&outputs, &$inputs, $n);
         true
     }};
-    ($access:ident, $size:expr, $module:ident $generics:tt, levels [$($level:literal)*], $n:ident, $x:ident, $y:ident, $u:ident,
-     $mode:ident, $inputs:ident, $output:expr, $at:ident, $reads:tt) => {{
+    ($access:ident, $size:expr, $module:ident $generics:tt, levels [$($level:literal)*] gpu $gpu:literal, $n:ident, $x:ident, $y:ident, $u:ident,
+     $mode:ident, $inputs:ident, $reads:tt) => {{
         let mut needed = 0;
         for lane in 0..$n {
             let level: u32 = block!(@level $access, $module $generics, lane, $x, $y, $u, $mode, $inputs, $reads);
-            needed = if level > needed { level } else { needed };
+            needed |= level;
         }
-        $(if needed == $level {
-            let mut outputs = [[0.0f32; LANES]; $size];
-            for lane in 0..$n {
-                let record = block!(@invoke $access, $module $generics, $level, lane, $x, $y, $u, $mode, $inputs, $reads);
-                put(&mut outputs, lane, record);
-            }
-            copy_out(&outputs, $output, $at, $n);
-        })*
+        match needed {
+            $($level => {
+                let mut outputs = [[0.0f32; LANES]; $size];
+                for lane in 0..$n {
+                    let record =
+                        block!(@invoke $access, $module $generics, $level, lane, $x, $y, $u, $mode, $inputs, $reads);
+                    put(&mut outputs, lane, record);
+                }
+                copy_out(&outputs, &$inputs, $n);
+            })*
+            _ => debug_assert!(needed <= 1, "level {needed} is not in the list of kernels"),
+        }
         needed > 0
     }};
     (@level $access:ident, $module:ident [$($generic:expr),*], $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
@@ -83,7 +87,7 @@ macro_rules! block {
 macro_rules! declare {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal [$size:expr],
-       $module:ident $generics:tt, $levels:ident $([$($level:literal)*])?, modes [$($mode:literal)*];)*) => {
+       $module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes [$($mode:literal)*];)*) => {
         /// The kernels, by name.
         pub mod kernels {
             use super::*;
@@ -121,10 +125,10 @@ macro_rules! declare {
                 /// All rows of the chunk, for a mode that is a constant where this is inlined.
                 #[inline(always)]
                 #[allow(unused_mut, unused_variables)]
-                fn rows(chunk: &mut Chunk<'_>, mode: u32) -> bool {
-                    let u: &$uniforms = bytemuck::from_bytes(chunk.uniforms);
+                fn rows(u: &$uniforms, chunk: &mut Chunk<'_>, mode: u32) -> bool {
                     let mut reads = chunk.reads.iter();
                     $(let $read: &[$element] = bytemuck::cast_slice(reads.next().copied().unwrap_or(&[0]));)*
+                    let record = Records::<{ $size }>::new(chunk.output, chunk.rows as usize * chunk.width as usize);
                     let mut any = false;
                     for row in 0..chunk.rows {
                         let y = chunk.first_row + row;
@@ -132,12 +136,10 @@ macro_rules! declare {
                         while x < chunk.width {
                             let n = LANES.min((chunk.width - x) as usize);
                             let at = (row * chunk.width + x) as usize;
-                            let mut inputs = [[0.0f32; LANES]; $size];
-                            if matches!(access!($access), Access::Update) {
-                                copy_in(&mut inputs, chunk.output, at, n);
-                            }
-                            let worked = block!($access, $size, $module $generics, $levels $([$($level)*])?, n, x, y, u, mode,
-                                inputs, chunk.output, at, ($($read),*));
+                            // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
+                            let inputs = unsafe { record.at(at) };
+                            let worked = block!($access, $size, $module $generics, $levels $([$($level)*] gpu $gpu)?, n, x, y, u, mode,
+                                inputs, ($($read),*));
                             any |= worked;
                             x += n as u32;
                         }
@@ -146,40 +148,42 @@ macro_rules! declare {
                 }
 
                 #[inline(always)]
-                fn specialised(chunk: &mut Chunk<'_>) -> bool {
-                    match bytemuck::from_bytes::<$uniforms>(chunk.uniforms).dispatch.z {
-                        $($mode => rows(chunk, $mode),)*
+                fn specialised(u: &$uniforms, chunk: &mut Chunk<'_>) -> bool {
+                    match u.dispatch.z {
+                        $($mode => rows(u, chunk, $mode),)*
                         other => unreachable!("{} has no mode {other}", stringify!($name)),
                     }
                 }
 
                 #[cfg(target_arch = "x86_64")]
                 #[target_feature(enable = "avx2")]
-                fn avx2(chunk: &mut Chunk<'_>) -> bool {
-                    specialised(chunk)
+                fn avx2(u: &$uniforms, chunk: &mut Chunk<'_>) -> bool {
+                    specialised(u, chunk)
                 }
 
                 #[cfg(target_arch = "x86_64")]
                 #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]
-                fn avx512(chunk: &mut Chunk<'_>) -> bool {
-                    specialised(chunk)
+                fn avx512(u: &$uniforms, chunk: &mut Chunk<'_>) -> bool {
+                    specialised(u, chunk)
                 }
 
-                fn baseline(chunk: &mut Chunk<'_>) -> bool {
-                    let mode = bytemuck::from_bytes::<$uniforms>(chunk.uniforms).dispatch.z;
-                    rows(chunk, mode)
+                fn baseline(u: &$uniforms, chunk: &mut Chunk<'_>) -> bool {
+                    rows(u, chunk, u.dispatch.z)
                 }
 
                 pub fn run(set: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
                     assert!(set.is_available(), "{set:?} is not available on this machine");
+                    // An argument of its own: a reference in a structure may, to LLVM, point into the output, and then everything
+                    // that is derived from uniforms is computed anew for every block.
+                    let u: &$uniforms = bytemuck::from_bytes(chunk.uniforms);
                     match set {
                         #[cfg(target_arch = "x86_64")]
                         // SAFETY: the machine has the instruction set, by the assertion above.
-                        InstructionSet::Avx512 => unsafe { avx512(chunk) },
+                        InstructionSet::Avx512 => unsafe { avx512(u, chunk) },
                         #[cfg(target_arch = "x86_64")]
                         // SAFETY: as above.
-                        InstructionSet::Avx2 => unsafe { avx2(chunk) },
-                        _ => baseline(chunk),
+                        InstructionSet::Avx2 => unsafe { avx2(u, chunk) },
+                        _ => baseline(u, chunk),
                     }
                 }
             }
@@ -196,12 +200,40 @@ fn column(x: u32, lane: usize) -> u32 {
     unsafe { x.unchecked_add(lane as u32) }
 }
 
+/// The chunk's part of a planar buffer: for each component, where its floats start.
+#[derive(Clone, Copy)]
+struct Records<const N: usize>([*mut f32; N]);
+
+impl<const N: usize> Records<N> {
+    /// All records of the chunk: `count` of them.
+    #[inline(always)]
+    fn new(output: &mut [&mut [f32]], count: usize) -> Self {
+        assert!(output.len() == N && output.iter().all(|component| component.len() >= count));
+        let mut starts = [core::ptr::null_mut(); N];
+        for (start, component) in starts.iter_mut().zip(output) {
+            *start = component.as_mut_ptr();
+        }
+        Self(starts)
+    }
+
+    /// Those from number `at` on.
+    ///
+    /// # Safety
+    /// `at` must be at most their number.
+    #[inline(always)]
+    unsafe fn at(&self, at: usize) -> Self {
+        // SAFETY: the caller's promise.
+        Self(self.0.map(|start| unsafe { start.add(at) }))
+    }
+}
+
+/// The record of a lane, straight from the buffer: only components that a level uses are read.
 #[inline(always)]
-fn take<const N: usize>(lanes: &[[f32; LANES]; N], lane: usize) -> [f32; N] {
+fn take<const N: usize>(before: &Records<N>, lane: usize) -> [f32; N] {
     let mut record = [0.0; N];
-    for (component, lanes) in record.iter_mut().zip(lanes) {
-        // SAFETY: `lane` counts to at most `LANES`. A check here would be a branch in the loop that is to become vector code.
-        *component = unsafe { *lanes.get_unchecked(lane) };
+    for (component, start) in record.iter_mut().zip(before.0) {
+        // SAFETY: lanes count the invocations of a block, for each of which there is a record.
+        *component = unsafe { *start.add(lane) };
     }
     record
 }
@@ -209,22 +241,31 @@ fn take<const N: usize>(lanes: &[[f32; LANES]; N], lane: usize) -> [f32; N] {
 #[inline(always)]
 fn put<const N: usize>(lanes: &mut [[f32; LANES]; N], lane: usize, record: [f32; N]) {
     for (lanes, component) in lanes.iter_mut().zip(record) {
-        // SAFETY: as in `take`.
+        // SAFETY: `lane` counts to at most `LANES`. See `take`.
         unsafe { *lanes.get_unchecked_mut(lane) = component };
     }
 }
 
 #[inline(always)]
-fn copy_in<const N: usize>(lanes: &mut [[f32; LANES]; N], output: &[&mut [f32]], at: usize, n: usize) {
-    for (lanes, component) in lanes.iter_mut().zip(output) {
-        lanes[..n].copy_from_slice(&component[at..at + n]);
+fn copy_out<const N: usize>(lanes: &[[f32; LANES]; N], output: &Records<N>, n: usize) {
+    // Of a length that is known, a copy is two instructions instead of a call.
+    if n < LANES {
+        // A copy is handed over: the array itself must not leave this function, see `block`.
+        let lanes = *lanes;
+        return copy_some(&lanes, output, n);
+    }
+    for (lanes, start) in lanes.iter().zip(output.0) {
+        // SAFETY: there is a record for each of the block's `LANES` invocations; nothing else refers to the chunk's part of the
+        // buffer while the kernel runs.
+        unsafe { start.cast::<[f32; LANES]>().write_unaligned(*lanes) };
     }
 }
 
-#[inline(always)]
-fn copy_out<const N: usize>(lanes: &[[f32; LANES]; N], output: &mut [&mut [f32]], at: usize, n: usize) {
-    for (lanes, component) in lanes.iter().zip(output) {
-        component[at..at + n].copy_from_slice(&lanes[..n]);
+#[inline(never)]
+fn copy_some<const N: usize>(lanes: &[[f32; LANES]; N], output: &Records<N>, n: usize) {
+    for (lanes, start) in lanes.iter().zip(output.0) {
+        // SAFETY: as in `copy_out`, for `n` invocations.
+        unsafe { start.copy_from_nonoverlapping(lanes.as_ptr(), n) };
     }
 }
 

@@ -4,7 +4,11 @@
 ///
 /// A declaration reads: name, uniform block (always binding 0), the buffers it reads (binding, name, element), the planar
 /// buffer it `writes` or `updates` (binding, components), its module with const generics, the `levels` it may run at (see the
-/// module's `level`), and the `modes` that get a body of their own on the CPU.
+/// module's `level`) with the one that a GPU runs, and the `modes` that get a body of their own on the CPU.
+///
+/// A level is a set of bits, what it can do. A block of invocations on the CPU runs at the union of the levels its invocations
+/// need, so unions must be in the list. The last level can do everything. A kernel that updates its record leaves it alone where
+/// the level is 0 (there is nothing more to do in this frame) or 1 (nothing now).
 #[macro_export]
 macro_rules! for_each_kernel {
     ($callback:ident) => {
@@ -14,41 +18,43 @@ macro_rules! for_each_kernel {
             sweep_initialize_rays: SweepUniforms, [], writes 1 [ray::SIZE],
                 initialize_rays [], plain, modes [0];
             sweep_filter_light: SweepUniforms, [1 behind: f32], writes 2 [light::SIZE],
-                filter_light [], levels [1 2], modes [0];
+                filter_light [], levels [1 3] gpu 3, modes [0];
             sweep_trace_light: SweepUniforms, [1 light: f32], writes 2 [trace::SIZE],
-                trace_light [], plain, modes [0];
-            sweep_propagate_light_u8: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
-                writes 7 [light::SIZE],
-                propagate_light [format::U8, false], levels [1 2], modes [0 1 2];
-            sweep_propagate_light_u16: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
-                writes 7 [light::SIZE],
-                propagate_light [format::U16, false], levels [1 2], modes [0 1 2];
-            sweep_propagate_light_f32: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
-                writes 7 [light::SIZE],
-                propagate_light [format::F32, false], levels [1 2], modes [0 1 2];
-            sweep_propagate_light_f32_with_ior: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 behind: f32, 6 trace: f32],
-                writes 7 [light::SIZE],
-                propagate_light [format::F32, true], levels [1 2], modes [0 1 2];
+                trace_light [], levels [1 3 7] gpu 7, modes [0];
+            sweep_gather_light: SweepUniforms, [1 behind: f32, 2 trace: f32], writes 3 [light::SIZE],
+                gather_light [], levels [1 3 7] gpu 7, modes [0];
+            sweep_refract_light_u8: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                refract_light [format::U8, false], levels [3] gpu 3, modes [0 1 2];
+            sweep_refract_light_u16: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                refract_light [format::U16, false], levels [3] gpu 3, modes [0 1 2];
+            sweep_refract_light_f32: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                refract_light [format::F32, false], levels [3] gpu 3, modes [0 1 2];
+            sweep_refract_light_f32_with_ior: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                refract_light [format::F32, true], levels [3] gpu 3, modes [0 1 2];
             sweep_propagate_rays_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32],
                 updates 6 [ray::SIZE],
-                propagate_rays [format::U8, false], levels [1 2 3], modes [0 1 2];
+                propagate_rays [format::U8, false], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_propagate_rays_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32],
                 updates 6 [ray::SIZE],
-                propagate_rays [format::U16, false], levels [1 2 3], modes [0 1 2];
+                propagate_rays [format::U16, false], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_propagate_rays_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32],
                 updates 6 [ray::SIZE],
-                propagate_rays [format::F32, false], levels [1 2 3], modes [0 1 2];
+                propagate_rays [format::F32, false], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_propagate_rays_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32],
                 updates 6 [ray::SIZE],
-                propagate_rays [format::F32, true], levels [1 2 3], modes [0 1 2];
+                propagate_rays [format::F32, true], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_resolve: SweepUniforms, [1 rays: f32, 2 map: f32], writes 3 [film::SIZE],
                 resolve [], plain, modes [0];
         }

@@ -6,14 +6,15 @@
 use crate::abi::record::light as record;
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::{read, read_inside};
+use crate::field::light::holds;
 use crate::math::{floor_to_int, lerp, select};
 
 /// How much of the kernel an invocation needs.
 pub mod level {
-    /// All texels it reads lie inside the grid.
+    /// All rows it reads lie inside the grid.
     pub const INSIDE: u32 = 1;
-    /// Some lie outside, where light is unoccluded.
-    pub const BORDER: u32 = 2;
+    /// Some lie outside.
+    pub const BORDER: u32 = 3;
 }
 
 /// A tap: whole texels, and the rest.
@@ -45,13 +46,22 @@ fn inside(u: &SweepUniforms, x: i32, y: i32, tap: &Tap) -> bool {
     (i >= 0) & (i < u.size.z as i32 - 1) & (j >= 0) & (j < u.size.w as i32 - 1)
 }
 
+/// Whether the two rows around a tap of row `y`, and one more on each side, are in the grid: what lies beyond a row's end is then
+/// in the buffer, too.
+#[inline(always)]
+fn rows_inside(u: &SweepUniforms, y: i32, tap: &Tap) -> bool {
+    let row = y + tap.y;
+    let (width, height) = (u.size.z as i32, u.size.w as i32);
+    (row >= 1) & (row < height - 2) & (tap.x > -width) & (tap.x < width - 1)
+}
+
 /// The level that texel (x, y) needs.
 #[inline(always)]
-pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32]) -> u32 {
+pub fn level(_x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32]) -> u32 {
     let (a, b, c) = taps(u);
-    let (x, y) = (x as i32, y as i32);
-    let holds = behind.len() as u32 >= u.size.z * u.size.w * record::SIZE as u32;
-    if holds & inside(u, x, y, &a) & inside(u, x, y, &b) & inside(u, x, y, &c) { level::INSIDE } else { level::BORDER }
+    let y = y as i32;
+    let rows = rows_inside(u, y, &a) & rows_inside(u, y, &b) & rows_inside(u, y, &c);
+    if holds(u, behind, record::SIZE) & rows { level::INSIDE } else { level::BORDER }
 }
 
 /// A component of the light at a tap of texel (x, y); beyond the grid, `outside`.
@@ -70,7 +80,7 @@ fn at<const LEVEL: u32>(
     // Everything but x is the same along a row.
     let base = plane + (y + tap.y) * width + tap.x;
     let (a, b, c, d) = if LEVEL == level::INSIDE {
-        // SAFETY: `level` found the four texels inside the grid, and the grid inside the buffer.
+        // SAFETY: `level` found the rows around inside the grid, and the grid inside the buffer.
         unsafe {
             (
                 read_inside(behind, base, x),
@@ -84,7 +94,7 @@ fn at<const LEVEL: u32>(
         (read(behind, index), read(behind, index + 1), read(behind, index + width), read(behind, index + width + 1))
     };
     let value = lerp(lerp(a, b, tap.fraction_x), lerp(c, d, tap.fraction_x), tap.fraction_y);
-    if LEVEL == level::INSIDE { value } else { select(inside(u, x as i32, y, tap), value, outside) }
+    select(inside(u, x as i32, y, tap), value, outside)
 }
 
 /// The filtered light texel (x, y).

@@ -27,7 +27,7 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE]
         v.x,
         v.y,
         v.z,
-        -1.0,
+        0.0,
         select(hit.hit, status::ENDED, status::ACTIVE),
         select(hit.hit, hit.at * depth, 0.0),
         select(hit.hit, seen.x, 0.0),
@@ -38,5 +38,7 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE]
         1.0,
         1.0,
         1.0,
+        start.z,
+        ray::NOWHERE,
     ]
 }

@@ -2,8 +2,8 @@
 
 use crate::abi::record::{ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
-use crate::field::empty::is_empty;
-use crate::field::light::{light, texel_coordinates};
+use crate::field::empty::step_is_empty;
+use crate::field::light::{direction, light, shift, texel_coordinates};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment};
 use crate::math::{length, lerp, max, min, select, xyz};
@@ -12,19 +12,21 @@ use crate::optics::composite::{Gathered, layer, over};
 use crate::optics::medium::{medium, share_inside};
 use crate::optics::receiver::{Hit, first_between, radiance, shade};
 use crate::optics::specular::cook_torrance;
-use crate::optics::step::{flight, kick, kick_euler};
+use crate::optics::step::{flight, turn};
 use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
 pub mod level {
     /// The ray has ended.
     pub const ENDED: u32 = 0;
-    /// It crosses empty space and meets no receiver.
+    /// It flies on through empty space, meets no receiver, and its record stays as it is.
     pub const EMPTY: u32 = 1;
     /// The scalar at its position is known.
-    pub const FULL: u32 = 2;
+    pub const FULL: u32 = 3;
     /// It comes from empty space, where its scalar was not sampled.
-    pub const ENTERING: u32 = 3;
+    pub const ENTERING: u32 = 7;
+    /// It meets a receiver.
+    pub const MEETING: u32 = 15;
 }
 
 /// Rays that let less than this through have ended.
@@ -42,17 +44,22 @@ struct Flight {
 fn fly(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> Flight {
     let v = Vec3::new(r[ray::DIRECTION_X], r[ray::DIRECTION_X + 1], r[ray::DIRECTION_X + 2]);
     let sigma = flight(v, u.plane.z);
-    let from = Vec3::new(r[ray::X], r[ray::Y], u.plane.x);
+    let straight = flight(v, u.plane.x - r[ray::Z]);
+    let from = Vec3::new(r[ray::X] + v.x * straight, r[ray::Y] + v.y * straight, u.plane.x);
     let to = Vec3::new(from.x + v.x * sigma, from.y + v.y * sigma, u.plane.y);
     Flight { from, to, v, sigma }
 }
 
+/// Whether the ray crosses nothing but empty space. Behind the volume it always does.
 #[inline(always)]
 fn empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
-    let shown = is_empty(occupancy, &u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
-    let bending = !SECOND
-        || is_empty(occupancy, &u.ior_grid, voxel_coordinates(&u.ior_grid, from), voxel_coordinates(&u.ior_grid, to));
-    shown & bending & (u.dispatch.w & flag::SKIP_EMPTY != 0)
+    (u.dispatch.w & flag::BEHIND_VOLUME != 0) | step_is_empty::<SECOND>(u, occupancy, from, to)
+}
+
+/// Whether the scalar on the plane behind was not sampled.
+#[inline(always)]
+fn is_unknown(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> bool {
+    r[ray::SAMPLED] != u.plane.x
 }
 
 /// The level that the ray `r` needs.
@@ -71,9 +78,10 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
 ) -> u32 {
     let flight = fly(u, &r);
     let hit = first_between(u, flight.from, flight.to);
-    let empty = empty::<SECOND>(u, occupancy, flight.from, flight.to) & !hit.hit;
-    let sampled = if r[ray::FRONT] < 0.0 { level::ENTERING } else { level::FULL };
-    let needed = if empty { level::EMPTY } else { sampled };
+    let empty = empty::<SECOND>(u, occupancy, flight.from, flight.to);
+    let sampled = if is_unknown(u, &r) { level::ENTERING } else { level::FULL };
+    let crossing = if empty { level::EMPTY } else { sampled };
+    let needed = if hit.hit { level::MEETING } else { crossing };
     if r[ray::STATUS] == status::ACTIVE { needed } else { level::ENDED }
 }
 
@@ -92,18 +100,16 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     light_behind: &[f32],
 ) -> [f32; ray::SIZE] {
     let Flight { from, to, v, sigma } = fly(u, &r);
-    if LEVEL == level::EMPTY {
-        return crossed(r, to);
-    }
-    let hit = first_between(u, from, to);
+    let none = Hit { hit: false, at: 1.0, normal: v, color: v };
+    let hit = if LEVEL == level::MEETING { first_between(u, from, to) } else { none };
     let skipped = empty::<SECOND>(u, occupancy, from, to) & !hit.hit;
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let ior_to = voxel_coordinates(&u.ior_grid, to);
     let here = medium::<FORMAT, SECOND>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
     let mut front = r[ray::FRONT];
     let mut ior_front = r[ray::IOR];
-    if LEVEL == level::ENTERING {
-        let unknown = front < 0.0;
+    if LEVEL >= level::ENTERING {
+        let unknown = is_unknown(u, &r);
         let sampled = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
         front = select(unknown, sampled, front);
         if chosen != mode::STRAIGHT {
@@ -122,8 +128,13 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * part * u.plane.w;
     let layer = layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium);
 
-    let lit = from + (to - from) * select(hit.hit, part, 0.0);
-    let (texel_x, texel_y) = texel_coordinates(u, lit);
+    let lit = if LEVEL == level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
+    let (mut texel_x, mut texel_y) = texel_coordinates(u, lit);
+    if LEVEL == level::MEETING {
+        // From the plane behind the light goes on to the receiver.
+        let (x, y) = shift(u, direction(u, light_behind, texel_x, texel_y), lit.z - from.z);
+        (texel_x, texel_y) = (texel_x - x, texel_y - y);
+    }
     let light = light(u, light_behind, texel_x, texel_y);
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
@@ -138,36 +149,30 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     };
     let after = over(before, &layer, radiance + xyz(u.ambient), specular);
     let depth = r[ray::DEPTH] + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
-    let (after, depth) = end_on_receiver(&hit, after, depth, shade(u, &hit, &light), lit.z);
+    let (after, depth) = if LEVEL == level::MEETING {
+        end_on_receiver(&hit, after, depth, shade(u, &hit, &light), lit.z)
+    } else {
+        (after, depth)
+    };
 
     let mut out = v;
     let mut turned = false;
     if chosen != mode::STRAIGHT {
-        let keeps = kept.refraction;
-        let symplectic = kick(v, here.acceleration * keeps, sigma, u.plane.z, u.shading.z);
-        let euler = kick_euler(v, here.ior_gradient * keeps, u.plane.z, u.shading.z);
-        let use_euler = u.dispatch.w & flag::EULER != 0;
-        turned = if use_euler { euler.turned } else { symplectic.turned };
-        out = Vec3::new(
-            select(use_euler, euler.direction.x, symplectic.direction.x),
-            select(use_euler, euler.direction.y, symplectic.direction.y),
-            select(use_euler, euler.direction.z, symplectic.direction.z),
-        );
+        let kicked = turn(u, v, &here, kept.refraction, sigma);
+        turned = kicked.turned;
+        out = kicked.direction;
     }
+    let moved = hit.hit | (out.x != v.x) | (out.y != v.y) | (out.z != v.z);
     let clearest = max(max(after.medium.x, after.medium.y), after.medium.z);
     let ended = hit.hit | ((1.0 - after.opacity) * clearest < OPAQUE);
     let fate = select(ended, status::ENDED, select(turned, status::TURNED, status::ACTIVE));
 
     // A lane that needs less is carried along with its block; it must end up as if it had been alone.
-    let active = r[ray::STATUS] == status::ACTIVE;
-    let passing = crossed(r, to);
-    let pick = |component: usize, next: f32| {
-        let moved = select(skipped, passing[component], next);
-        select(active, moved, r[component])
-    };
+    let passes = skipped | (r[ray::STATUS] != status::ACTIVE);
+    let pick = |component: usize, next: f32| select(passes, r[component], next);
     [
-        pick(ray::X, stay(&hit, lit.x, to.x)),
-        pick(ray::Y, stay(&hit, lit.y, to.y)),
+        pick(ray::X, select(moved, stay(&hit, lit.x, to.x), r[ray::X])),
+        pick(ray::Y, select(moved, stay(&hit, lit.y, to.y), r[ray::Y])),
         pick(ray::DIRECTION_X, out.x),
         pick(ray::DIRECTION_X + 1, out.y),
         pick(ray::DIRECTION_X + 2, out.z),
@@ -182,6 +187,8 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
         pick(ray::MEDIUM + 1, after.medium.y),
         pick(ray::MEDIUM + 2, after.medium.z),
         pick(ray::IOR, here.ior),
+        pick(ray::Z, select(moved, stay(&hit, lit.z, to.z), r[ray::Z])),
+        pick(ray::SAMPLED, to.z),
     ]
 }
 
@@ -189,18 +196,6 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
 #[inline(always)]
 fn stay(hit: &Hit, there: f32, next: f32) -> f32 {
     select(hit.hit, there, next)
-}
-
-/// A ray that crossed empty space: moved, its scalar unknown.
-#[inline(always)]
-fn crossed(r: [f32; ray::SIZE], to: Vec3) -> [f32; ray::SIZE] {
-    let mut next = r;
-    let active = r[ray::STATUS] == status::ACTIVE;
-    next[ray::X] = select(active, to.x, r[ray::X]);
-    next[ray::Y] = select(active, to.y, r[ray::Y]);
-    next[ray::FRONT] = select(active, -1.0, r[ray::FRONT]);
-    next[ray::IOR] = select(active, 1.0, r[ray::IOR]);
-    next
 }
 
 /// A receiver is opaque: what is left of the ray shows it.

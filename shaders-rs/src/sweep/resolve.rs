@@ -8,6 +8,7 @@ use crate::math::{
     PI, absolute, asin, atan2, clamp, dot, floor_to_int, length, lerp, log2, max, min, select, sqrt, xyz,
 };
 use crate::optics::receiver::{first_along, shade, unoccluded};
+use crate::optics::step::flight;
 use spirv_std::glam::Vec3;
 
 /// A ray's final unit direction in the environment's frame (z up).
@@ -148,10 +149,11 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     let medium = vector(ray::MEDIUM);
     let v = vector(ray::DIRECTION_X);
     let unit = v * (1.0 / max(length(v), 1e-20));
-    let position = Vec3::new(component(ray::X), component(ray::Y), u.plane.y);
+    let under_way = fate == status::ACTIVE;
+    let last = Vec3::new(component(ray::X), component(ray::Y), component(ray::Z));
+    let position = last + v * select(under_way, flight(v, u.plane.y - last.z), 0.0);
 
     // Beyond the last plane rays are straight and light is unoccluded.
-    let under_way = fate == status::ACTIVE;
     let hit = first_along(u, position, unit);
     let seen = shade(u, &hit, &unoccluded(u));
     let met = under_way & hit.hit;

@@ -2,37 +2,72 @@
 
 use crate::abi::record::{light as record, trace};
 use crate::abi::sweep::{SweepUniforms, flag};
-use crate::field::access::read;
-use crate::field::light::direction;
-use crate::math::{max, select};
+use crate::field::access::{read, read_inside};
+use crate::field::light::{holds, shift};
+use crate::field::light_around::{Way, direction_around, is_near};
+use crate::math::select;
 use spirv_std::glam::Vec3;
 
-/// Texels that light with direction `v` moves between the planes, relative to the sheared grid.
-#[inline(always)]
-fn slope(u: &SweepUniforms, v: Vec3) -> (f32, f32) {
-    let inverse = 1.0 / max(v.z, 1e-6);
-    let texels = u.plane.z * u.light_grid.w;
-    ((v.x * inverse - u.light_shear.x) * texels, (v.y * inverse - u.light_shear.y) * texels)
+/// How much of the kernel an invocation needs.
+pub mod level {
+    /// The light stays on its texel.
+    pub const STILL: u32 = 1;
+    /// It comes from less than a texel away.
+    pub const NEAR: u32 = 3;
+    /// It comes from anywhere.
+    pub const FAR: u32 = 7;
 }
 
-/// The point, in texels of the plane behind, from which light reaches texel (x, y).
+/// The direction at texel (x, y).
+#[inline(always)]
+fn here<const INSIDE: bool>(u: &SweepUniforms, light: &[f32], x: u32, y: u32) -> Vec3 {
+    let base = (y * u.size.z) as i32;
+    let texels = (u.size.z * u.size.w) as i32;
+    let component = |c: usize| {
+        if INSIDE {
+            // SAFETY: (x, y) lies in the grid, and only where the grid lies in the buffer is `INSIDE` asked for.
+            unsafe { read_inside(light, c as i32 * texels + base, x) }
+        } else {
+            read(light, c as i32 * texels + base + x as i32)
+        }
+    };
+    Vec3::new(component(record::DIRECTION_X), component(record::DIRECTION_X + 1), component(record::DIRECTION_X + 2))
+}
+
+/// The level that texel (x, y) needs.
+#[inline(always)]
+pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> u32 {
+    if !holds(u, light, record::SIZE) {
+        return level::FAR;
+    }
+    let (sx, sy) = shift(u, here::<true>(u, light, x, y), u.plane.z);
+    let still = (sx == 0.0) & (sy == 0.0);
+    let near = is_near(u, &Way { x, y, across: -sx, up: -sy });
+    let moving = if near { level::NEAR } else { level::FAR };
+    if still { level::STILL } else { moving }
+}
+
+/// The way, in texels, to texel (x, y) from the point of the plane behind from which its light comes.
 ///
 /// The paper takes the direction at the same texel of the plane behind. Light flies straight from plane to plane with the
 /// direction it has where it starts, so the default takes one more step of the fixed-point iteration p = x − s(p).
 #[inline(always)]
-pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> [f32; trace::SIZE] {
-    let at = (y * u.size.z + x) as i32;
-    let texels = (u.size.z * u.size.w) as i32;
-    let component = |c: usize| read(light, c as i32 * texels + at);
-    let here = Vec3::new(
-        component(record::DIRECTION_X),
-        component(record::DIRECTION_X + 1),
-        component(record::DIRECTION_X + 2),
-    );
-    let (x, y) = (x as i32 as f32, y as i32 as f32);
-    let (sx, sy) = slope(u, here);
-    let (first_x, first_y) = (x - sx, y - sy);
-    let (sx, sy) = slope(u, direction(u, light, first_x, first_y));
+pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> [f32; trace::SIZE] {
+    if LEVEL == level::STILL {
+        return [0.0, 0.0];
+    }
+    let v = if LEVEL == level::NEAR { here::<true>(u, light, x, y) } else { here::<false>(u, light, x, y) };
+    let (first_x, first_y) = shift(u, v, u.plane.z);
+    let way = Way { x, y, across: -first_x, up: -first_y };
+    // SAFETY: only if `level` found this texel's look-up near, and the grid inside the buffer, is the near one asked for.
+    let v = unsafe {
+        if LEVEL == level::NEAR {
+            direction_around::<true>(u, light, &way)
+        } else {
+            direction_around::<false>(u, light, &way)
+        }
+    };
+    let (second_x, second_y) = shift(u, v, u.plane.z);
     let euler = u.dispatch.w & flag::EULER != 0;
-    [select(euler, first_x, x - sx), select(euler, first_y, y - sy)]
+    [select(euler, first_x, second_x), select(euler, first_y, second_y)]
 }

@@ -24,7 +24,7 @@ fn every_plane_gets_the_same_flux() {
             for pass in all {
                 let name = pass.kernel.declaration.name;
                 sweep.passes.passes.push(pass);
-                if name.starts_with("sweep_propagate_light") {
+                if name == "sweep_gather_light" {
                     plane += 1;
                     if plane % 16 == 0 || plane == sweep.planes.count - 1 {
                         sweep.run(backend.as_mut(), &mut |_| true).expect("the passes run");

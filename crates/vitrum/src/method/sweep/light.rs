@@ -97,16 +97,24 @@ impl LightGrid {
         Ok(Self { corner: centre - half, texel, size, shear, direction })
     }
 
+    /// Whether texels move as unrefracted light does; light that is too oblique drifts over them.
+    pub(super) fn follows_light(&self) -> bool {
+        (self.direction.truncate() / self.direction.z).length() <= STEEPEST_SHEAR
+    }
+
     /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
     ///
     /// The taps lie on an ellipse, stretched along the light's tilt and turned by a hash of the plane's index. Blurring n times
     /// adds variances, so a radius of Δz·tan(softness) would blur by √n instead of n and depend on the sample distance. The
     /// radius is chosen so that the blur over the volume's depth D is that of a source with half-angle `softness`: three taps
     /// have variance r²/2 an axis, a disc R²/4, and n r²/2 = (D tan)²/4 gives r = tan √(Δz D / 2).
+    ///
+    /// Every plane filters, even if the radius is a fraction of a texel: one wider filter after several planes gives the same blur
+    /// of a shadow, but between filters refracted light breaks into stripes.
     pub(super) fn taps(&self, softness: f32, planes: &Planes, index: u32) -> [DVec2; 3] {
         let depth = planes.volume_depths[1] - planes.volume_depths[0];
         let tangent = f64::from(softness).to_radians().tan();
-        let radius = tangent * (planes.distance * depth * 0.5).sqrt() / self.texel;
+        let radius = tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel;
         let along = self.direction.truncate().try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
         let start = hash(index) * std::f64::consts::TAU;

@@ -3,7 +3,7 @@
 use super::tables::Tables;
 use super::voxels::bricks;
 use rayon::prelude::*;
-use vitrum_io::Volume;
+use vitrum_io::{Volume, Voxels};
 use vitrum_kernels::abi::grid::BRICK_SHIFT;
 
 /// What a volume is asked for.
@@ -17,21 +17,35 @@ pub(super) enum Role {
     Bending,
 }
 
-/// 1 for each brick in which something may happen, else 0, x fastest. A brick's range is that of its voxels and those up to
-/// `reach` + 2 beyond: a step of `reach`, and the stencil.
+/// The least and the greatest value of something.
+type Range = (f32, f32);
+
+fn union(a: Range, b: Range) -> Range {
+    (a.0.min(b.0), a.1.max(b.1))
+}
+
+/// 1 for each brick in which something may happen, else 0, x fastest. A brick counts with all bricks that have voxels up to
+/// `reach` + 2 beyond it: a step of `reach`, and the stencil.
 pub(super) fn classify(volume: &Volume, tables: &Tables, reach: u32, role: Role) -> Vec<u32> {
-    let [bx, by, bz] = bricks(volume).map(|n| n as usize);
     let scale = volume.range[1] - volume.range[0];
     let normalise = |value: f32| {
         if scale > 0.0 { ((value - volume.range[0]) / scale).clamp(0.0, 1.0) } else { 0.0 }
     };
-    (0..bx * by * bz)
+    let bricks = bricks(volume).map(|n| n as usize);
+    let ranges = match &volume.voxels {
+        Voxels::U8(voxels) => ranges(voxels, volume.dimensions, bricks),
+        Voxels::U16(voxels) => ranges(voxels, volume.dimensions, bricks),
+        Voxels::F32(voxels) => ranges(voxels, volume.dimensions, bricks),
+    };
+    let beyond = (reach as usize + 2).div_ceil(1 << BRICK_SHIFT);
+    let widened = (0..3).fold(ranges, |ranges, axis| widen(&ranges, bricks, axis, beyond));
+    widened
         .into_par_iter()
-        .map(|index| {
-            let brick = [index % bx, index / bx % by, index / (bx * by)];
-            let (low, high) = range(volume, brick, reach as usize + 2);
+        .map(|range| {
+            let physical = |stored: f32| stored * volume.value_scale + volume.value_offset;
+            let (a, b) = (physical(range.0), physical(range.1));
             // A little wider: kernels normalise in single precision.
-            let (low, high) = (normalise(low) - 1e-5, normalise(high) + 1e-5);
+            let (low, high) = (normalise(a.min(b)) - 1e-5, normalise(a.max(b)) + 1e-5);
             let clear = role == Role::Bending || tables.is_clear(low, high);
             let uniform = role == Role::Shown || tables.is_uniform(low, high);
             u32::from(!(clear && uniform))
@@ -39,23 +53,45 @@ pub(super) fn classify(volume: &Volume, tables: &Tables, reach: u32, role: Role)
         .collect()
 }
 
-/// The physical range of a brick's voxels and those up to `beyond` around it.
-fn range(volume: &Volume, brick: [usize; 3], beyond: usize) -> (f32, f32) {
-    let ends: [(usize, usize); 3] = std::array::from_fn(|axis| {
-        let first = brick[axis] << BRICK_SHIFT;
-        let last = first + (1 << BRICK_SHIFT) - 1 + beyond;
-        (first.saturating_sub(beyond), last.min(volume.dimensions[axis] as usize - 1))
-    });
-    let mut low = f32::INFINITY;
-    let mut high = f32::NEG_INFINITY;
-    for z in ends[2].0..=ends[2].1 {
-        for y in ends[1].0..=ends[1].1 {
-            for x in ends[0].0..=ends[0].1 {
-                let value = volume.value(x as u32, y as u32, z as u32);
-                low = low.min(value);
-                high = high.max(value);
-            }
-        }
-    }
-    (low, high)
+/// The range of each brick's stored voxels.
+fn ranges<T: Copy + PartialOrd + Sync>(voxels: &[T], dimensions: [u32; 3], bricks: [usize; 3]) -> Vec<Range>
+where
+    f32: From<T>,
+{
+    let [width, height, depth] = dimensions.map(|n| n as usize);
+    let edge = 1 << BRICK_SHIFT;
+    (0..bricks[1] * bricks[2])
+        .into_par_iter()
+        .flat_map_iter(|row| {
+            let (y, z) = (row % bricks[1] * edge, row / bricks[1] * edge);
+            let lines: Vec<&[T]> = (z..(z + edge).min(depth))
+                .flat_map(|z| (y..(y + edge).min(height)).map(move |y| &voxels[(z * height + y) * width..][..width]))
+                .collect();
+            (0..bricks[0]).map(move |brick| {
+                let (first, last) = (brick * edge, ((brick + 1) * edge).min(width));
+                let (mut low, mut high) = (lines[0][first], lines[0][first]);
+                for line in &lines {
+                    for &value in &line[first..last] {
+                        low = if value < low { value } else { low };
+                        high = if value > high { value } else { high };
+                    }
+                }
+                (f32::from(low), f32::from(high))
+            })
+        })
+        .collect()
+}
+
+/// Each brick's range together with those of up to `by` bricks before and after it along `axis`.
+fn widen(ranges: &[Range], bricks: [usize; 3], axis: usize, by: usize) -> Vec<Range> {
+    let step = bricks[..axis].iter().product::<usize>();
+    (0..ranges.len())
+        .into_par_iter()
+        .map(|index| {
+            let at = index / step % bricks[axis];
+            let first = index - at.min(by) * step;
+            let last = index + (bricks[axis] - 1 - at).min(by) * step;
+            (first..=last).step_by(step).fold(ranges[index], |range, other| union(range, ranges[other]))
+        })
+        .collect()
 }

@@ -19,11 +19,11 @@ struct Readers {
 
 fn readers(stored: u32) -> Readers {
     match stored {
-        format::U8 => Readers { light: &kernels::sweep_propagate_light_u8, rays: &kernels::sweep_propagate_rays_u8 },
-        format::U16 => Readers { light: &kernels::sweep_propagate_light_u16, rays: &kernels::sweep_propagate_rays_u16 },
-        format::F32 => Readers { light: &kernels::sweep_propagate_light_f32, rays: &kernels::sweep_propagate_rays_f32 },
+        format::U8 => Readers { light: &kernels::sweep_refract_light_u8, rays: &kernels::sweep_propagate_rays_u8 },
+        format::U16 => Readers { light: &kernels::sweep_refract_light_u16, rays: &kernels::sweep_propagate_rays_u16 },
+        format::F32 => Readers { light: &kernels::sweep_refract_light_f32, rays: &kernels::sweep_propagate_rays_f32 },
         _ => Readers {
-            light: &kernels::sweep_propagate_light_f32_with_ior,
+            light: &kernels::sweep_refract_light_f32_with_ior,
             rays: &kernels::sweep_propagate_rays_f32_with_ior,
         },
     }
@@ -98,8 +98,11 @@ pub(super) fn build(
             let bound = [voxels, ior_voxels, occupancy, tables, behind, rays];
             passes.push(pass(readers.rays, pixels, fixed.mode, plane, &bound));
         }
-        let bound = [voxels, ior_voxels, occupancy, tables, source, traced, ahead];
-        passes.push(pass(readers.light, texels, fixed.mode, plane, &bound));
+        passes.push(pass(&kernels::sweep_gather_light, texels, 0, plane, &[source, traced, ahead]));
+        if !fixed.planes.is_behind(plane) {
+            let bound = [voxels, ior_voxels, occupancy, tables, traced, ahead];
+            passes.push(pass(readers.light, texels, fixed.mode, plane, &bound));
+        }
     }
     passes.push(pass(&kernels::sweep_resolve, pixels, 0, fixed.planes.count - 1, &[rays, map, finished]));
     let name = |kernel: &Kernel| kernel.declaration.name;

@@ -10,13 +10,20 @@ use vitrum_io::Volume;
 /// The most planes of one frame.
 const MOST_PLANES: f64 = 65_536.0;
 
-/// Planes at equal distances, from in front of the volume to behind it and behind its shadow on the receivers.
+/// How much farther apart planes behind the volume are than those within: nothing bends there, so a step is exact however
+/// long, and each one blurs the light a little by interpolating it.
+const STRIDE_BEHIND: f64 = 4.0;
+
+/// Planes at equal distances from in front of the volume to behind it, and farther apart from there to behind its shadow on the
+/// receivers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planes {
     /// Depth of plane 0.
     pub first_depth: f64,
-    /// Distance of neighbouring planes, world units.
+    /// Distance of neighbouring planes within the volume, world units.
     pub distance: f64,
+    /// The first plane behind the volume.
+    pub behind: u32,
     /// Number of planes.
     pub count: u32,
     /// The first plane with viewing rays: those before it are behind the eye.
@@ -47,7 +54,9 @@ impl Planes {
             .fold(far, f64::max)
             .min(limit);
         let first_depth = near - 0.5 * distance;
-        let steps = ((reach - first_depth) / distance).ceil() + 1.0;
+        let behind = ((far - first_depth) / distance).floor() + 1.0;
+        let rest = reach - (first_depth + behind * distance);
+        let steps = behind + (rest / (distance * STRIDE_BEHIND)).ceil().max(0.0);
         if steps > MOST_PLANES {
             return Err(Error::Scene(format!(
                 "sweep.sample_distance = {} makes {steps} planes; at most {MOST_PLANES} are possible: make it larger",
@@ -58,16 +67,35 @@ impl Planes {
         // Just in front of the eye: rays start there.
         let start = if view.orthographic { f64::NEG_INFINITY } else { 1e-3 * (far - near) };
         let first_visible = ((start - first_depth) / distance).ceil().max(0.0);
-        if first_visible >= f64::from(count) {
+        if first_visible > behind {
             return Err(Error::Scene(
                 "the whole volume is behind the camera: move camera.position or camera.target".to_owned(),
             ));
         }
-        Ok(Self { first_depth, distance, count, first_visible: first_visible as u32, volume_depths: [near, far] })
+        Ok(Self {
+            first_depth,
+            distance,
+            behind: behind as u32,
+            count,
+            first_visible: first_visible as u32,
+            volume_depths: [near, far],
+        })
     }
 
     /// Depth of plane `index`.
     pub fn depth(&self, index: u32) -> f64 {
-        self.first_depth + f64::from(index) * self.distance
+        let within = f64::from(index.min(self.behind));
+        let beyond = f64::from(index.saturating_sub(self.behind));
+        self.first_depth + (within + beyond * STRIDE_BEHIND) * self.distance
+    }
+
+    /// Distance of plane `index` from the one before.
+    pub fn step(&self, index: u32) -> f64 {
+        if self.is_behind(index) { self.distance * STRIDE_BEHIND } else { self.distance }
+    }
+
+    /// Whether the way from the plane before to plane `index` lies behind the volume.
+    pub fn is_behind(&self, index: u32) -> bool {
+        index > self.behind
     }
 }

@@ -82,7 +82,7 @@ impl Fixed {
                 (1.0 / light_grid.texel) as f32,
             ),
             light_shear: Vec4::new(light_grid.shear.x as f32, light_grid.shear.y as f32, planes.depth(0) as f32, 0.0),
-            light_direction: towards.as_vec3().extend(0.0).into(),
+            light_direction: (towards.as_vec3() + glam::Vec3::ZERO).extend(0.0).into(),
             camera: Vec4::new(
                 view.half_size[0] as f32,
                 view.half_size[1] as f32,
@@ -106,11 +106,11 @@ impl Fixed {
         };
         block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, &view, reach[1], first_ior_brick));
         block.light_initial = initial_light(scene, &block);
+        block.light_shear = exact_shear(&block, &light_grid);
         let reference = scene
             .transfer
             .reference_length
             .unwrap_or_else(|| shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
-        block.plane.z = planes.distance as f32;
         block.plane.w = 1.0 / reference;
         set_clips(&mut block, scene, &view, shown)?;
         Ok(Self {
@@ -135,6 +135,10 @@ impl Fixed {
         block.dispatch.z = mode;
         block.plane.x = self.planes.depth(index.saturating_sub(1)) as f32;
         block.plane.y = self.planes.depth(index) as f32;
+        block.plane.z = self.planes.step(index) as f32;
+        if self.planes.is_behind(index) {
+            block.dispatch.w |= flag::BEHIND_VOLUME;
+        }
         let [a, b, c] = self.light_grid.taps(self.softness, &self.planes, index);
         block.taps_a = Vec4::new(a.x as f32, a.y as f32, b.x as f32, b.y as f32);
         block.taps_b = Vec4::new(c.x as f32, c.y as f32, 0.0, 0.0);
@@ -164,6 +168,17 @@ fn flags(scene: &Scene) -> u32 {
         flags |= flag::SKIP_EMPTY;
     }
     flags
+}
+
+/// The grid's shear, rounded as kernels round the light's slope: unrefracted light then stays exactly on its texel.
+fn exact_shear(block: &SweepUniforms, light_grid: &LightGrid) -> Vec4 {
+    let v = block.light_direction;
+    let inverse = 1.0 / v.z;
+    let mut shear = block.light_shear;
+    if light_grid.follows_light() {
+        (shear.x, shear.y) = (v.x * inverse, v.y * inverse);
+    }
+    shear
 }
 
 /// Unoccluded light as it is stored.

@@ -2,6 +2,7 @@
 
 use super::view::{View, vector, voxel_steps};
 use glam::{DVec3, IVec4};
+use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
 use vitrum_kernels::abi::grid::{BRICK_SHIFT, Grid, PADDING, format};
 use vitrum_kernels::abi::vector::Vec4;
@@ -35,29 +36,39 @@ pub(super) fn padded_bytes(volume: &Volume, stored: u32) -> u64 {
 /// The voxels with [`PADDING`] copies of the nearest voxel on every side, as little-endian bytes, whole words.
 pub(super) fn pack(volume: &Volume, stored: u32) -> Vec<u8> {
     match (&volume.voxels, stored) {
-        (Voxels::U8(voxels), format::U8) => pad(volume, |at| [voxels[at]]),
-        (Voxels::U16(voxels), format::U16) => pad(volume, |at| voxels[at].to_le_bytes()),
-        (Voxels::U8(voxels), _) => pad(volume, |at| f32::from(voxels[at]).to_le_bytes()),
-        (Voxels::U16(voxels), _) => pad(volume, |at| f32::from(voxels[at]).to_le_bytes()),
-        (Voxels::F32(voxels), _) => pad(volume, |at| voxels[at].to_le_bytes()),
+        (Voxels::U8(voxels), format::U8) => pad(volume, voxels, u8::to_le_bytes),
+        (Voxels::U16(voxels), format::U16) => pad(volume, voxels, u16::to_le_bytes),
+        (Voxels::U8(voxels), _) => pad(volume, voxels, |voxel| f32::from(voxel).to_le_bytes()),
+        (Voxels::U16(voxels), _) => pad(volume, voxels, |voxel| f32::from(voxel).to_le_bytes()),
+        (Voxels::F32(voxels), _) => pad(volume, voxels, f32::to_le_bytes),
     }
 }
 
-fn pad<const BYTES: usize>(volume: &Volume, voxel: impl Fn(usize) -> [u8; BYTES]) -> Vec<u8> {
+fn pad<T: Copy + Sync, const BYTES: usize>(
+    volume: &Volume,
+    voxels: &[T],
+    bytes: impl Fn(T) -> [u8; BYTES] + Sync,
+) -> Vec<u8> {
     let [nx, ny, nz] = volume.dimensions.map(|n| n as usize);
     let [px, py, pz] = padded(volume);
-    let limit = |i: usize, n: usize| i.saturating_sub(PADDING as usize).min(n - 1);
-    let mut bytes = Vec::with_capacity((px * py * pz * BYTES).next_multiple_of(4));
-    for z in 0..pz {
-        for y in 0..py {
-            let row = (limit(z, nz) * ny + limit(y, ny)) * nx;
-            for x in 0..px {
-                bytes.extend_from_slice(&voxel(row + limit(x, nx)));
+    let padding = PADDING as usize;
+    let limit = |i: usize, n: usize| i.saturating_sub(padding).min(n - 1);
+    let mut packed = vec![0u8; (px * py * pz * BYTES).next_multiple_of(4)];
+    packed[..px * py * pz * BYTES].par_chunks_exact_mut(px * BYTES).enumerate().for_each(|(row, to)| {
+        let from = &voxels[(limit(row / py, nz) * ny + limit(row % py, ny)) * nx..][..nx];
+        let (before, rest) = to.split_at_mut(padding * BYTES);
+        let (within, after) = rest.split_at_mut(nx * BYTES);
+        for (to, &voxel) in within.chunks_exact_mut(BYTES).zip(from) {
+            to.copy_from_slice(&bytes(voxel));
+        }
+        let ends = [(before, from[0]), (after, from[nx - 1])];
+        for (margin, voxel) in ends {
+            for to in margin.chunks_exact_mut(BYTES) {
+                to.copy_from_slice(&bytes(voxel));
             }
         }
-    }
-    bytes.resize(bytes.len().next_multiple_of(4), 0);
-    bytes
+    });
+    packed
 }
 
 /// Bricks along each axis.

@@ -1,0 +1,116 @@
+//! What the volume does to the light on its way to this plane: attenuation by (1 − α) · m, and refraction (sweep §4.2, Eqs. 9
+//! and 10, Algorithm 1, lines 14 to 18).
+
+use crate::abi::record::{light as record, trace as traced};
+use crate::abi::sweep::{SweepUniforms, mode};
+use crate::field::access::{read, read_inside};
+use crate::field::empty::step_is_empty;
+use crate::field::light::{holds, texel_position};
+use crate::field::stencil::{scalar, voxel_coordinates};
+use crate::field::tables::attenuation;
+use crate::math::{length, max, select};
+use crate::optics::clip::keep;
+use crate::optics::composite::layer;
+use crate::optics::medium::{medium, share_inside};
+use crate::optics::step::turn;
+use spirv_std::glam::Vec3;
+
+/// How much of the kernel an invocation needs.
+pub mod level {
+    /// The light crosses empty space: its record stays as it is.
+    pub const EMPTY: u32 = 1;
+    /// The light may be attenuated and bent.
+    pub const FULL: u32 = 3;
+}
+
+/// The texel's segment: from where its light comes, `way` texels before it, to where it is.
+#[inline(always)]
+fn ends(u: &SweepUniforms, x: u32, y: u32, way: (f32, f32)) -> (Vec3, Vec3) {
+    let (x, y) = (x as i32 as f32, y as i32 as f32);
+    (texel_position(u, x - way.0, y - way.1, u.plane.x), texel_position(u, x, y, u.plane.y))
+}
+
+/// The level that texel (x, y) needs.
+#[inline(always)]
+pub fn level<const FORMAT: u32, const SECOND: bool>(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    _mode: u32,
+    _arrived: [f32; record::SIZE],
+    _voxels: &[u32],
+    _ior_voxels: &[u32],
+    occupancy: &[u32],
+    _tables: &[u32],
+    trace: &[f32],
+) -> u32 {
+    if !holds(u, trace, traced::SIZE) {
+        return level::FULL;
+    }
+    let base = (y * u.size.z) as i32;
+    let texels = (u.size.z * u.size.w) as i32;
+    // SAFETY: (x, y) lies in the grid, and the grid in the buffer.
+    let way = unsafe { (read_inside(trace, base, x), read_inside(trace, texels + base, x)) };
+    let (from, to) = ends(u, x, y, way);
+    if step_is_empty::<SECOND>(u, occupancy, from, to) { level::EMPTY } else { level::FULL }
+}
+
+/// The light `arrived` at texel (x, y), after the segment behind it.
+#[inline(always)]
+pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    chosen: u32,
+    arrived: [f32; record::SIZE],
+    voxels: &[u32],
+    ior_voxels: &[u32],
+    occupancy: &[u32],
+    tables: &[u32],
+    trace: &[f32],
+) -> [f32; record::SIZE] {
+    let flux = Vec3::new(arrived[record::RED], arrived[record::RED + 1], arrived[record::RED + 2]);
+    let v = Vec3::new(arrived[record::DIRECTION_X], arrived[record::DIRECTION_X + 1], arrived[record::DIRECTION_X + 2]);
+    let at = (y * u.size.z + x) as i32;
+    let texels = (u.size.z * u.size.w) as i32;
+    let (from, to) = ends(u, x, y, (read(trace, at), read(trace, texels + at)));
+    let skipped = step_is_empty::<SECOND>(u, occupancy, from, to);
+    let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
+    let here = medium::<FORMAT, SECOND>(
+        (&u.grid, &u.ior_grid),
+        chosen,
+        voxels,
+        ior_voxels,
+        tables,
+        voxel_to,
+        voxel_coordinates(&u.ior_grid, to),
+    );
+    let front = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
+    let kept = keep(u, from, to);
+    let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.plane.w;
+    let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
+
+    let mut out = v;
+    let mut lost = 1.0;
+    if chosen != mode::STRAIGHT {
+        let sigma = u.plane.z / max(v.z, 1e-6);
+        let turn = turn(u, v, &here, kept.refraction, sigma);
+        // Light that turns back is lost to the sweep; its texel keeps the direction it had.
+        lost = select(turn.turned, 0.0, 1.0);
+        out = Vec3::new(
+            select(turn.turned, v.x, turn.direction.x),
+            select(turn.turned, v.y, turn.direction.y),
+            select(turn.turned, v.z, turn.direction.z),
+        );
+    }
+    let left = flux * (layer.medium * (layer.clear * lost));
+    // A lane in empty space is carried along with its block; it must end up as if it had been alone.
+    [
+        select(skipped, flux.x, left.x),
+        select(skipped, flux.y, left.y),
+        select(skipped, flux.z, left.z),
+        select(skipped, v.x, out.x),
+        select(skipped, v.y, out.y),
+        select(skipped, v.z, out.z),
+    ]
+}
