@@ -1,7 +1,7 @@
 //! The SPIR-V entry points, generated from the list of kernels: they read their record, call the kernel, store its record.
 
 use crate::abi::grid::format;
-use crate::abi::record::{film, light, ray, trace};
+use crate::abi::record::{film, irradiance, light, ray, trace};
 use crate::abi::sweep::SweepUniforms;
 use crate::for_each_kernel;
 use crate::kernel::record;
@@ -36,6 +36,7 @@ macro_rules! entry_points {
        $access:ident $out:literal $size:tt,
        $module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes $modes:tt;)*) => {
         $(
+            #[doc = concat!("Runs [`", stringify!($module), "`](crate::sweep::", stringify!($module), ") for one index.")]
             #[spirv(compute(threads(8, 8)))]
             pub fn $name(
                 #[spirv(global_invocation_id)] id: UVec3,

@@ -93,7 +93,7 @@ fn finish(
         width,
         height,
         layers: layers(scene, &records),
-        light: light_picture(sweep, &sweep.light(backend)?),
+        light: light_picture(sweep, &sweep.irradiance(backend)?),
         statistics: Statistics {
             method: "sweep".to_owned(),
             backend: backend.name().to_owned(),

@@ -1,13 +1,23 @@
 //! Records: what a kernel returns for one index. Component `c` of record `i` out of `n` lies at `c·n + i` (planar).
 
-/// A light texel: plane irradiance (or radiance, see [`super::sweep::SweepUniforms`]), and the optical direction.
+/// The light of a texel.
 pub mod light {
     /// Components.
-    pub const SIZE: usize = 6;
-    /// Red; green and blue follow.
-    pub const RED: usize = 0;
+    pub const SIZE: usize = 9;
+    /// What absorption has left of it, red; green and blue follow.
+    pub const TRANSMITTANCE: usize = 0;
     /// Optical direction v, x; y and z (depth) follow.
     pub const DIRECTION_X: usize = 3;
+    /// How far from here, in texels across, it would be if it had not been refracted; up follows.
+    pub const DISPLACEMENT_X: usize = 6;
+    /// How much denser refraction has made it, by the product over the planes.
+    pub const CONCENTRATION: usize = 8;
+}
+
+/// Light falling on a texel of a plane: plane irradiance (or radiance, see [`super::sweep::flag::STORE_RADIANCE`]).
+pub mod irradiance {
+    /// Components: red, green, blue.
+    pub const SIZE: usize = 3;
 }
 
 /// Where light comes from: the way to its texel from the plane behind, x and y, in texels.

@@ -3,7 +3,7 @@
 //! The grid is sheared along the light's initial direction: unoccluded light stays on its texel from plane to plane, so that
 //! interpolation does not blur it.
 
-use super::access::{read, read_inside};
+use super::access::read;
 use crate::abi::record::light as record;
 use crate::abi::sweep::SweepUniforms;
 use crate::math::{floor_to_int, lerp, max, select};
@@ -94,35 +94,15 @@ fn direction_in(u: &SweepUniforms, light: &[f32], cell: &Cell) -> Vec3 {
 
 /// The light at texel coordinates (x, y); beyond the grid, unoccluded.
 #[inline(always)]
-pub fn light(u: &SweepUniforms, light: &[f32], x: f32, y: f32) -> Light {
+pub fn light(u: &SweepUniforms, light: &[f32], irradiance: &[f32], x: f32, y: f32) -> Light {
     let cell = cell(u, x, y);
     Light {
         flux: Vec3::new(
-            interpolate(u, light, &cell, record::RED, u.light_initial.x),
-            interpolate(u, light, &cell, record::RED + 1, u.light_initial.y),
-            interpolate(u, light, &cell, record::RED + 2, u.light_initial.z),
+            interpolate(u, irradiance, &cell, 0, u.light_initial.x),
+            interpolate(u, irradiance, &cell, 1, u.light_initial.y),
+            interpolate(u, irradiance, &cell, 2, u.light_initial.z),
         ),
         direction: direction_in(u, light, &cell),
-    }
-}
-
-/// The light of texel (x, y) itself.
-///
-/// # Safety
-/// (x, y) must lie in the grid, and [`holds`] be true for the buffer's components.
-#[inline(always)]
-pub unsafe fn light_of_texel(u: &SweepUniforms, light: &[f32], x: u32, y: u32) -> Light {
-    let texels = (u.size.z * u.size.w) as i32;
-    let base = y as i32 * u.size.z as i32;
-    // SAFETY: the caller's promise.
-    let component = |c: usize| unsafe { read_inside(light, c as i32 * texels + base, x) };
-    Light {
-        flux: Vec3::new(component(record::RED), component(record::RED + 1), component(record::RED + 2)),
-        direction: Vec3::new(
-            component(record::DIRECTION_X),
-            component(record::DIRECTION_X + 1),
-            component(record::DIRECTION_X + 2),
-        ),
     }
 }
 

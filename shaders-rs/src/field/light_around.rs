@@ -5,7 +5,6 @@
 //! load from a chosen address.
 
 use super::access::{read, read_inside};
-use super::light::Light;
 use crate::abi::record::light as record;
 use crate::abi::sweep::SweepUniforms;
 use crate::math::{floor_to_int, select};
@@ -132,21 +131,46 @@ pub unsafe fn direction_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32
     )
 }
 
-/// The light; beyond the grid, unoccluded.
+/// All components of a texel's record; beyond the grid, those of unoccluded light.
 ///
 /// # Safety
 /// If `NEAR`, [`is_near`] must be true, and the grid's components lie inside `light`.
 #[inline(always)]
-pub unsafe fn light_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32], way: &Way) -> Light {
+pub unsafe fn record_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32], way: &Way) -> [f32; record::SIZE] {
     // SAFETY: the caller's promise.
     let component = |c: usize, outside: f32| unsafe { interpolate::<NEAR>(u, light, way, c, outside) };
-    Light {
-        flux: Vec3::new(
-            component(record::RED, u.light_initial.x),
-            component(record::RED + 1, u.light_initial.y),
-            component(record::RED + 2, u.light_initial.z),
-        ),
-        // SAFETY: the caller's promise.
-        direction: unsafe { direction_around::<NEAR>(u, light, way) },
-    }
+    [
+        component(record::TRANSMITTANCE, 1.0),
+        component(record::TRANSMITTANCE + 1, 1.0),
+        component(record::TRANSMITTANCE + 2, 1.0),
+        component(record::DIRECTION_X, u.light_direction.x),
+        component(record::DIRECTION_X + 1, u.light_direction.y),
+        component(record::DIRECTION_X + 2, u.light_direction.z),
+        component(record::DISPLACEMENT_X, 0.0),
+        component(record::DISPLACEMENT_X + 1, 0.0),
+        component(record::CONCENTRATION, 1.0),
+    ]
+}
+
+/// The record of texel (x, y) itself.
+///
+/// # Safety
+/// (x, y) must lie in the grid, and the grid's components inside `light`.
+#[inline(always)]
+pub unsafe fn record_of_texel(u: &SweepUniforms, light: &[f32], x: u32, y: u32) -> [f32; record::SIZE] {
+    let texels = (u.size.z * u.size.w) as i32;
+    let base = y as i32 * u.size.z as i32;
+    // SAFETY: the caller's promise.
+    let component = |c: usize| unsafe { read_inside(light, c as i32 * texels + base, x) };
+    [
+        component(0),
+        component(1),
+        component(2),
+        component(3),
+        component(4),
+        component(5),
+        component(6),
+        component(7),
+        component(8),
+    ]
 }

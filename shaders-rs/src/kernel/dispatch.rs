@@ -5,7 +5,7 @@
 
 use super::host::{Access, Binding, Chunk, Declaration, Element, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
-use crate::abi::record::{film, light, ray, trace};
+use crate::abi::record::{film, irradiance, light, ray, trace};
 use crate::abi::sweep::SweepUniforms;
 use crate::for_each_kernel;
 

@@ -1,4 +1,4 @@
-//! The softness filter: light and its direction through three taps on an ellipse (sweep §4.2, after Patel et al. 2013).
+//! The softness filter: what the light grid carries, through three taps on an ellipse (sweep §4.2, after Patel et al. 2013).
 //!
 //! The taps' offsets are the same for all texels of a plane, so filtering the plane once and then following the refracted light
 //! into the filtered plane is the same convolution as filtering at every back-traced point, for a third of the scattered reads.
@@ -110,11 +110,14 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, b
         a + ((b - a) + (c - a)) * (1.0 / 3.0)
     };
     [
-        mean(record::RED, u.light_initial.x),
-        mean(record::RED + 1, u.light_initial.y),
-        mean(record::RED + 2, u.light_initial.z),
+        mean(record::TRANSMITTANCE, 1.0),
+        mean(record::TRANSMITTANCE + 1, 1.0),
+        mean(record::TRANSMITTANCE + 2, 1.0),
         mean(record::DIRECTION_X, u.light_direction.x),
         mean(record::DIRECTION_X + 1, u.light_direction.y),
         mean(record::DIRECTION_X + 2, u.light_direction.z),
+        mean(record::DISPLACEMENT_X, 0.0),
+        mean(record::DISPLACEMENT_X + 1, 0.0),
+        mean(record::CONCENTRATION, 1.0),
     ]
 }

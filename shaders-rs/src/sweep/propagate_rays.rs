@@ -75,6 +75,7 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     occupancy: &[u32],
     _tables: &[u32],
     _light: &[f32],
+    _irradiance: &[f32],
 ) -> u32 {
     let flight = fly(u, &r);
     let hit = first_between(u, flight.from, flight.to);
@@ -98,6 +99,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     occupancy: &[u32],
     tables: &[u32],
     light_behind: &[f32],
+    irradiance_behind: &[f32],
 ) -> [f32; ray::SIZE] {
     let Flight { from, to, v, sigma } = fly(u, &r);
     let none = Hit { hit: false, at: 1.0, normal: v, color: v };
@@ -135,7 +137,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
         let (x, y) = shift(u, direction(u, light_behind, texel_x, texel_y), lit.z - from.z);
         (texel_x, texel_y) = (texel_x - x, texel_y - y);
     }
-    let light = light(u, light_behind, texel_x, texel_y);
+    let light = light(u, light_behind, irradiance_behind, texel_x, texel_y);
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
     if chosen != mode::STRAIGHT {

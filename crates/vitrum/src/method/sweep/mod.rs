@@ -1,7 +1,7 @@
 //! The plane sweep (Magnus & Bruckner 2017): refraction, coloured transmission, soft shadows and caustics in scalar volumes.
 //!
 //! [`Sweep::prepare`] turns a scene into tables, buffers and a pass list; [`Sweep::run`] hands the list to the backend;
-//! [`Sweep::film`] and [`Sweep::light`] read what came out.
+//! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
 mod environment;
 mod light;
@@ -24,7 +24,6 @@ use crate::inputs::Inputs;
 use crate::render::Error;
 use crate::scene::Scene;
 use uniforms::Fixed;
-use vitrum_kernels::abi::record;
 
 /// A frame that is ready to run.
 pub struct Sweep {
@@ -42,7 +41,7 @@ pub struct Sweep {
 /// The buffers of a frame.
 struct Buffers {
     all: Vec<Buffer>,
-    light: [Buffer; 2],
+    irradiance: Buffer,
     rays: Buffer,
     film: Buffer,
 }
@@ -83,19 +82,10 @@ impl Sweep {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.rays)?))
     }
 
-    /// The light on the last plane: planar records as [`record::light`] describes, for the light grid's texels.
-    pub fn light(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        self.light_on(backend, self.planes.count - 1)
+    /// The light on the last plane that was run: planar records as [`record::irradiance`] describes, for the light grid's texels.
+    pub fn irradiance(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.irradiance)?))
     }
-
-    /// The light buffer that plane `index` was written to.
-    pub fn light_on(&self, backend: &mut dyn Backend, index: u32) -> Result<Vec<f32>, BackendError> {
-        let buffer = self.buffers.light[index as usize % 2];
-        Ok(bytemuck::pod_collect_to_vec(&backend.read(buffer)?))
-    }
-
-    /// Components of a light record.
-    pub const LIGHT_COMPONENTS: usize = record::light::SIZE;
 
     /// Frees the frame's buffers.
     pub fn free(self, backend: &mut dyn Backend) {

@@ -8,7 +8,7 @@ use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::inputs::Inputs;
 use crate::render::Error;
 use vitrum_kernels::abi::grid::format;
-use vitrum_kernels::abi::record::{film, light, ray, trace};
+use vitrum_kernels::abi::record::{film, irradiance, light, ray, trace};
 use vitrum_kernels::kernel::{Kernel, kernels};
 
 /// The kernels that read a volume, for one voxel format.
@@ -68,6 +68,7 @@ pub(super) fn build(
     };
     let light = [planar("light", [across, up], light::SIZE)?, planar("light", [across, up], light::SIZE)?];
     let soft = planar("filtered light", if fixed.is_soft() { [across, up] } else { [1, 1] }, light::SIZE)?;
+    let bright = planar("irradiance", [across, up], irradiance::SIZE)?;
     let traced = planar("back-traced points", [across, up], trace::SIZE)?;
     let rays = planar("rays", [width, height], ray::SIZE)?;
     let finished = planar("film", [width, height], film::SIZE)?;
@@ -84,6 +85,7 @@ pub(super) fn build(
     let first = fixed.planes.first_visible;
     let mut passes = vec![
         pass(&kernels::sweep_initialize_light, texels, 0, 0, &[light[0]]),
+        pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[light[0], bright]),
         pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[rays]),
     ];
     for plane in 1..fixed.planes.count {
@@ -95,7 +97,7 @@ pub(super) fn build(
         }
         passes.push(pass(&kernels::sweep_trace_light, texels, 0, plane, &[source, traced]));
         if plane > first {
-            let bound = [voxels, ior_voxels, occupancy, tables, behind, rays];
+            let bound = [voxels, ior_voxels, occupancy, tables, behind, bright, rays];
             passes.push(pass(readers.rays, pixels, fixed.mode, plane, &bound));
         }
         passes.push(pass(&kernels::sweep_gather_light, texels, 0, plane, &[source, traced, ahead]));
@@ -103,6 +105,7 @@ pub(super) fn build(
             let bound = [voxels, ior_voxels, occupancy, tables, traced, ahead];
             passes.push(pass(readers.light, texels, fixed.mode, plane, &bound));
         }
+        passes.push(pass(&kernels::sweep_concentrate_light, texels, 0, plane, &[ahead, bright]));
     }
     passes.push(pass(&kernels::sweep_resolve, pixels, 0, fixed.planes.count - 1, &[rays, map, finished]));
     let name = |kernel: &Kernel| kernel.declaration.name;
@@ -112,7 +115,7 @@ pub(super) fn build(
         while_busy: vec![name(readers.rays)],
         ends_with: Some(name(readers.rays)),
     };
-    let buffers = Buffers { all: created.clone(), light, rays, film: finished };
+    let buffers = Buffers { all: created.clone(), irradiance: bright, rays, film: finished };
     Ok((list, buffers))
 }
 

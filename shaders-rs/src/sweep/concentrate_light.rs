@@ -1,0 +1,77 @@
+//! How bright light is where refraction has gathered or scattered it: the intensity correction (sweep §4.2, Eqs. 11 and 12).
+
+use crate::abi::record::{irradiance, light as record};
+use crate::abi::sweep::{SweepUniforms, flag};
+use crate::field::access::{read, read_inside};
+use crate::field::light::holds;
+use crate::field::light_around::is_inner_row;
+use crate::field::slopes::{jacobian, slopes};
+use crate::math::{min, select};
+
+/// How much of the kernel an invocation needs.
+pub mod level {
+    /// The texel's row has neighbours.
+    pub const INNER: u32 = 1;
+    /// It may lie on the grid's border.
+    pub const BORDER: u32 = 3;
+}
+
+/// How far the product may exceed the Jacobian of the displacement. Approaching a focus both fall short of the truth, as
+/// interpolation blurs them, the product less: by 18 % at ¾ of the focal distance where the other misses 22 %.
+const TRUSTED: f32 = 1.25;
+
+/// The level that texel (x, y) needs.
+#[inline(always)]
+pub fn level(_x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> u32 {
+    if holds(u, light, record::SIZE) & is_inner_row(u, y) { level::INNER } else { level::BORDER }
+}
+
+#[inline(always)]
+fn component<const LEVEL: u32>(u: &SweepUniforms, light: &[f32], component: usize, x: u32, y: u32) -> f32 {
+    let base = component as i32 * (u.size.z * u.size.w) as i32 + (y * u.size.z) as i32;
+    if LEVEL == level::INNER {
+        // SAFETY: `level` found the grid inside the buffer.
+        unsafe { read_inside(light, base, x) }
+    } else {
+        read(light, base + x as i32)
+    }
+}
+
+/// The irradiance of texel (x, y).
+///
+/// What is stored is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is then conserved by the ratio of
+/// areas alone: E is that of unoccluded light, times the transmittance, times the area that the texel's light would cover if it
+/// had not been refracted.
+///
+/// There are two measures of that area, equal where light spreads and gathers smoothly. The product over all planes (the
+/// paper's way) grows without bound behind a focus, where several sheets of light cross a texel that can carry one. The Jacobian
+/// of the whole displacement cannot: all texels together never come from much more than the whole grid. But where refracted
+/// light meets unrefracted light, interpolation has smoothed a jump of the displacement into a steep slope, whose light
+/// is not there. So the product counts, as far as the displacement agrees.
+#[inline(always)]
+pub fn invoke<const LEVEL: u32>(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    _mode: u32,
+    light: &[f32],
+) -> [f32; irradiance::SIZE] {
+    // SAFETY: `level` found that the row has neighbours, and the grid inside the buffer.
+    let slopes = unsafe {
+        if LEVEL == level::INNER {
+            slopes::<true>(u, light, record::DISPLACEMENT_X, 1.0, x, y)
+        } else {
+            slopes::<false>(u, light, record::DISPLACEMENT_X, 1.0, x, y)
+        }
+    };
+    let product = component::<LEVEL>(u, light, record::CONCENTRATION, x, y);
+    let flags = u.dispatch.w;
+    let bounded = min(product, jacobian(&slopes) * TRUSTED);
+    let denser = select(flags & flag::PAPER_INTENSITY != 0, product, bounded);
+    let factor = select(flags & flag::NO_INTENSITY != 0, 1.0, denser);
+    [
+        u.light_initial.x * (component::<LEVEL>(u, light, record::TRANSMITTANCE, x, y) * factor),
+        u.light_initial.y * (component::<LEVEL>(u, light, record::TRANSMITTANCE + 1, x, y) * factor),
+        u.light_initial.z * (component::<LEVEL>(u, light, record::TRANSMITTANCE + 2, x, y) * factor),
+    ]
+}
