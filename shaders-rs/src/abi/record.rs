@@ -4,13 +4,14 @@
 pub mod light {
     /// Components.
     pub const SIZE: usize = 9;
-    /// What absorption has left of it, red; green and blue follow.
-    pub const TRANSMITTANCE: usize = 0;
+    /// Flux over that of unoccluded light, by absorption and by the product over the planes of how much denser refraction has
+    /// made it: red; green and blue follow.
+    pub const FLUX: usize = 0;
     /// Optical direction v, x; y and z (depth) follow.
     pub const DIRECTION_X: usize = 3;
     /// How far from here, in texels across, it would be if it had not been refracted; up follows.
     pub const DISPLACEMENT_X: usize = 6;
-    /// How much denser refraction has made it, by the product over the planes.
+    /// That product.
     pub const CONCENTRATION: usize = 8;
 }
 

@@ -140,9 +140,9 @@ pub unsafe fn record_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32], 
     // SAFETY: the caller's promise.
     let component = |c: usize, outside: f32| unsafe { interpolate::<NEAR>(u, light, way, c, outside) };
     [
-        component(record::TRANSMITTANCE, 1.0),
-        component(record::TRANSMITTANCE + 1, 1.0),
-        component(record::TRANSMITTANCE + 2, 1.0),
+        component(record::FLUX, 1.0),
+        component(record::FLUX + 1, 1.0),
+        component(record::FLUX + 2, 1.0),
         component(record::DIRECTION_X, u.light_direction.x),
         component(record::DIRECTION_X + 1, u.light_direction.y),
         component(record::DIRECTION_X + 2, u.light_direction.z),

@@ -6,7 +6,7 @@ use crate::field::access::{read, read_inside};
 use crate::field::light::holds;
 use crate::field::light_around::is_inner_row;
 use crate::field::slopes::{jacobian, slopes};
-use crate::math::{min, select};
+use crate::math::{max, min, select};
 
 /// How much of the kernel an invocation needs.
 pub mod level {
@@ -40,8 +40,8 @@ fn component<const LEVEL: u32>(u: &SweepUniforms, light: &[f32], component: usiz
 /// The irradiance of texel (x, y).
 ///
 /// What is stored is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is then conserved by the ratio of
-/// areas alone: E is that of unoccluded light, times the transmittance, times the area that the texel's light would cover if it
-/// had not been refracted.
+/// areas alone: E is that of unoccluded light, times what absorption has left, times the area that the texel's light would cover if
+/// it had not been refracted.
 ///
 /// There are two measures of that area, equal where light spreads and gathers smoothly. The product over all planes (the
 /// paper's way) grows without bound behind a focus, where several sheets of light cross a texel that can carry one. The Jacobian
@@ -65,13 +65,12 @@ pub fn invoke<const LEVEL: u32>(
         }
     };
     let product = component::<LEVEL>(u, light, record::CONCENTRATION, x, y);
-    let flags = u.dispatch.w;
-    let bounded = min(product, jacobian(&slopes) * TRUSTED);
-    let denser = select(flags & flag::PAPER_INTENSITY != 0, product, bounded);
-    let factor = select(flags & flag::NO_INTENSITY != 0, 1.0, denser);
+    let bounded = min(1.0, jacobian(&slopes) * TRUSTED / max(product, 1e-20));
+    let as_it_is = u.dispatch.w & (flag::PAPER_INTENSITY | flag::NO_INTENSITY) != 0;
+    let factor = select(as_it_is, 1.0, bounded);
     [
-        u.light_initial.x * (component::<LEVEL>(u, light, record::TRANSMITTANCE, x, y) * factor),
-        u.light_initial.y * (component::<LEVEL>(u, light, record::TRANSMITTANCE + 1, x, y) * factor),
-        u.light_initial.z * (component::<LEVEL>(u, light, record::TRANSMITTANCE + 2, x, y) * factor),
+        u.light_initial.x * (component::<LEVEL>(u, light, record::FLUX, x, y) * factor),
+        u.light_initial.y * (component::<LEVEL>(u, light, record::FLUX + 1, x, y) * factor),
+        u.light_initial.z * (component::<LEVEL>(u, light, record::FLUX + 2, x, y) * factor),
     ]
 }

@@ -110,9 +110,9 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, b
         a + ((b - a) + (c - a)) * (1.0 / 3.0)
     };
     [
-        mean(record::TRANSMITTANCE, 1.0),
-        mean(record::TRANSMITTANCE + 1, 1.0),
-        mean(record::TRANSMITTANCE + 2, 1.0),
+        mean(record::FLUX, 1.0),
+        mean(record::FLUX + 1, 1.0),
+        mean(record::FLUX + 2, 1.0),
         mean(record::DIRECTION_X, u.light_direction.x),
         mean(record::DIRECTION_X + 1, u.light_direction.y),
         mean(record::DIRECTION_X + 2, u.light_direction.z),

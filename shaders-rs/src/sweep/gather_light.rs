@@ -6,7 +6,7 @@ use crate::field::access::{read, read_inside};
 use crate::field::light::{holds, shift};
 use crate::field::light_around::{Way, is_inner_row, is_near, record_around, record_of_texel};
 use crate::field::slopes::{jacobian, product_of_lengths, slopes};
-use crate::math::{min, select, xyz};
+use crate::math::{max, min, select, xyz};
 
 /// How much of the kernel an invocation needs.
 pub mod level {
@@ -49,9 +49,9 @@ pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32], trac
 
 /// The light that arrives at texel (x, y) of this plane.
 ///
-/// With it come two measures of how much denser refraction has made it since the first plane, from which
-/// [`super::concentrate_light`] makes its intensity: how far it has been displaced, and the product over the planes of the areas
-/// that texels come from (Eqs. 11 and 12, or Eq. 13).
+/// Its flux is multiplied by the area that the texel's light comes from (Eqs. 11 and 12, or Eq. 13). How large the product over the
+/// planes has become, and how far the light has been displaced, goes with it: [`super::concentrate_light`] holds one against
+/// the other.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     x: u32,
@@ -85,7 +85,13 @@ pub fn invoke<const LEVEL: u32>(
         }
     };
     let paper = u.dispatch.w & flag::PAPER_INTENSITY != 0;
-    let denser = select(paper, product_of_lengths(&slopes), jacobian(&slopes));
-    light[record::CONCENTRATION] = min(light[record::CONCENTRATION] * denser, DENSEST);
+    let corrected = select(paper, product_of_lengths(&slopes), jacobian(&slopes));
+    let denser = select(u.dispatch.w & flag::NO_INTENSITY != 0, 1.0, corrected);
+    let concentration = light[record::CONCENTRATION];
+    let denser = min(denser, DENSEST / max(concentration, 1.0));
+    light[record::FLUX] *= denser;
+    light[record::FLUX + 1] *= denser;
+    light[record::FLUX + 2] *= denser;
+    light[record::CONCENTRATION] = concentration * denser;
     light
 }

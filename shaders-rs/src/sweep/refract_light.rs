@@ -69,11 +69,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     tables: &[u32],
     trace: &[f32],
 ) -> [f32; record::SIZE] {
-    let transmittance = Vec3::new(
-        arrived[record::TRANSMITTANCE],
-        arrived[record::TRANSMITTANCE + 1],
-        arrived[record::TRANSMITTANCE + 2],
-    );
+    let flux = Vec3::new(arrived[record::FLUX], arrived[record::FLUX + 1], arrived[record::FLUX + 2]);
     let v = Vec3::new(arrived[record::DIRECTION_X], arrived[record::DIRECTION_X + 1], arrived[record::DIRECTION_X + 2]);
     let at = (y * u.size.z + x) as i32;
     let texels = (u.size.z * u.size.w) as i32;
@@ -107,12 +103,12 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
             select(turn.turned, v.z, turn.direction.z),
         );
     }
-    let left = transmittance * (layer.medium * (layer.clear * lost));
+    let left = flux * (layer.medium * (layer.clear * lost));
     // A lane in empty space is carried along with its block; it must end up as if it had been alone.
     [
-        select(skipped, transmittance.x, left.x),
-        select(skipped, transmittance.y, left.y),
-        select(skipped, transmittance.z, left.z),
+        select(skipped, flux.x, left.x),
+        select(skipped, flux.y, left.y),
+        select(skipped, flux.z, left.z),
         select(skipped, v.x, out.x),
         select(skipped, v.y, out.y),
         select(skipped, v.z, out.z),
