@@ -1,32 +1,32 @@
 //! The SPIR-V entry points, generated from the list of kernels: they read their record, call the kernel, store its record.
 
 use crate::abi::grid::format;
-use crate::abi::record::{film, irradiance, light, ray, trace};
+use crate::abi::probe::ProbeUniforms;
+use crate::abi::record::{film, irradiance, light, probe, ray, trace};
 use crate::abi::sweep::SweepUniforms;
 use crate::for_each_kernel;
 use crate::kernel::record;
-use crate::sweep::*;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
 macro_rules! body {
-    (writes [$size:expr], $module:ident [$($generic:expr),*], plain, $id:ident, $u:ident, $count:ident, $index:ident,
+    (writes [$size:expr], $folder:ident::$module:ident [$($generic:expr),*], plain, $id:ident, $u:ident, $count:ident, $index:ident,
      $out:ident, ($($read:ident),*)) => {
         record::store::<{ $size }>($out, $index, $count,
-            $module::invoke($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
+            crate::$folder::$module::invoke($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
     };
-    (writes [$size:expr], $module:ident [$($generic:expr),*], levels $levels:tt gpu $all:literal, $id:ident, $u:ident,
+    (writes [$size:expr], $folder:ident::$module:ident [$($generic:expr),*], levels $levels:tt gpu $all:literal, $id:ident, $u:ident,
      $count:ident, $index:ident, $out:ident, ($($read:ident),*)) => {
         record::store::<{ $size }>($out, $index, $count,
-            $module::invoke::<$({ $generic },)* $all>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
+            crate::$folder::$module::invoke::<$({ $generic },)* $all>($id.x, $id.y, $u, $u.dispatch.z $(, $read)*));
     };
-    (updates [$size:expr], $module:ident [$($generic:expr),*], levels $levels:tt gpu $all:literal, $id:ident, $u:ident,
+    (updates [$size:expr], $folder:ident::$module:ident [$($generic:expr),*], levels $levels:tt gpu $all:literal, $id:ident, $u:ident,
      $count:ident, $index:ident, $out:ident, ($($read:ident),*)) => {
         let before = record::load::<{ $size }>($out, $index, $count);
-        let level = $module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*);
+        let level = crate::$folder::$module::level::<$({ $generic }),*>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*);
         if level > 1 {
             record::store::<{ $size }>($out, $index, $count,
-                $module::invoke::<$({ $generic },)* $all>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*));
+                crate::$folder::$module::invoke::<$({ $generic },)* $all>($id.x, $id.y, $u, $u.dispatch.z, before $(, $read)*));
         }
     };
 }
@@ -34,9 +34,9 @@ macro_rules! body {
 macro_rules! entry_points {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal $size:tt,
-       $module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes $modes:tt;)*) => {
+       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes $modes:tt;)*) => {
         $(
-            #[doc = concat!("Runs [`", stringify!($module), "`](crate::sweep::", stringify!($module), ") for one index.")]
+            #[doc = concat!("Runs [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ") for one index.")]
             #[spirv(compute(threads(8, 8)))]
             pub fn $name(
                 #[spirv(global_invocation_id)] id: UVec3,
@@ -48,7 +48,7 @@ macro_rules! entry_points {
                 if id.x < width && id.y < height {
                     let count = width * height;
                     let index = id.y * width + id.x;
-                    body!($access $size, $module $generics, $levels $([$($level)*] gpu $gpu)?, id, u, count, index, out, ($($read),*));
+                    body!($access $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu)?, id, u, count, index, out, ($($read),*));
                 }
             }
         )*

@@ -3,6 +3,7 @@
 //! - [`abi`] is what host and kernels share: uniforms, record layouts, table layouts.
 //! - [`math`], [`field`] and [`optics`] are the building blocks.
 //! - [`sweep`] holds the kernels of Magnus & Bruckner 2017, one file a kernel.
+//! - [`probe`] applies building blocks by themselves, for the conformance suite.
 //! - [`kernel`] is the one place where a kernel is declared; `entry_points` and the CPU dispatch come from it.
 //!
 //! A kernel maps an index (x, y) to a record of floats. It reads uniforms and whole buffers, it has no side effects, and
@@ -14,6 +15,7 @@ pub mod field;
 pub mod kernel;
 pub mod math;
 pub mod optics;
+pub mod probe;
 pub mod sweep;
 
 #[cfg(target_arch = "spirv")]

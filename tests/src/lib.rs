@@ -5,6 +5,7 @@
 //!
 //! | tier | module | what is compared |
 //! |---|---|---|
+//! | T0 | [`functions`] | building blocks by themselves |
 //! | T1 | [`kernels`] | what each kernel wrote, in the midst of a frame |
 //! | T2 | [`frames`] | every output of whole frames |
 //! | T3 | [`golden`] | frames with committed pictures |
@@ -21,6 +22,7 @@ pub mod data;
 pub mod evidence;
 pub mod failure;
 pub mod frames;
+pub mod functions;
 pub mod golden;
 pub mod kernels;
 mod left_out;

@@ -5,12 +5,21 @@
 use vitrum::backend::CpuBackend;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
-use vitrum_conformance::{Failure, adapter, evidence, frames, golden, kernels};
+use vitrum_conformance::{Failure, adapter, evidence, frames, functions, golden, kernels};
 
 /// Pixels along each side.
 const EDGE: u32 = 48;
 /// Voxels along a volume's longest edge.
 const RESOLUTION: u32 = 32;
+
+#[test]
+fn every_building_block_gives_the_same_on_both_backends() -> Result<(), Failure> {
+    let Some(mut gpu) = adapter::for_test() else { return Ok(()) };
+    let (mut cpu, mut run) = (CpuBackend::new(None)?, Run::new(evidence::folder()));
+    functions::compare(64, &mut cpu, &mut gpu, &mut run)?;
+    run.assert_passed();
+    Ok(())
+}
 
 #[test]
 fn every_kernel_gives_the_same_on_both_backends() -> Result<(), Failure> {

@@ -21,7 +21,9 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
         sweep.free(&mut backend);
     }
     let names: BTreeSet<&str> = seen.iter().map(|&(name, _)| name).collect();
-    assert_eq!(names, ALL.iter().map(|kernel| kernel.declaration.name).collect());
+    // The probe is T0's: `functions` runs it.
+    let listed = ALL.iter().map(|kernel| kernel.declaration.name).filter(|name| !name.starts_with("probe_"));
+    assert_eq!(names, listed.collect());
     let modes = |prefix: &str| -> BTreeSet<u32> {
         seen.iter().filter(|(name, _)| name.starts_with(prefix)).map(|&(_, mode)| mode).collect()
     };

@@ -8,6 +8,7 @@ use rspirv::dr::{Instruction, Module, Operand, load_words};
 use rspirv::spirv::{Decoration, Op, Word};
 use vitrum_conformance::root;
 use vitrum_kernels::abi::grid::Grid;
+use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::sweep::SweepUniforms;
 use vitrum_kernels::kernel::ALL;
 use vitrum_shader_manifest::{Manifest, folder};
@@ -66,6 +67,7 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
     for (name, size, alignment, fields) in [
         ("Grid", size_of::<Grid>(), align_of::<Grid>(), grid()),
         ("SweepUniforms", size_of::<SweepUniforms>(), align_of::<SweepUniforms>(), sweep_uniforms()),
+        ("ProbeUniforms", size_of::<ProbeUniforms>(), align_of::<ProbeUniforms>(), fields!(ProbeUniforms { dispatch })),
     ] {
         let mut end = 0;
         for field in fields {
@@ -79,13 +81,14 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
 #[test]
 fn modules_read_uniforms_where_the_host_puts_them() {
     let offsets = |fields: &[Field]| fields.iter().map(|field| field.offset as u32).collect::<Vec<_>>();
-    let (uniforms, grid) = (sweep_uniforms(), grid());
+    let (uniforms, probe, grid) = (sweep_uniforms(), fields!(ProbeUniforms { dispatch }), grid());
     for kernel in ALL {
         let name = kernel.declaration.name;
         let module = load(name);
         let block = uniform_block(&module).unwrap_or_else(|| panic!("{name} has no uniform block"));
-        assert_eq!(member_offsets(&module, block), offsets(&uniforms), "{name}: SweepUniforms");
-        for (field, member) in uniforms.iter().zip(members(&module, block)) {
+        let fields = if name.starts_with("probe_") { &probe } else { &uniforms };
+        assert_eq!(member_offsets(&module, block), offsets(fields), "{name}: uniforms");
+        for (field, member) in fields.iter().zip(members(&module, block)) {
             let expected = if field.size == size_of::<Grid>() { offsets(&grid) } else { vec![0, 4, 8, 12] };
             let found = member_offsets(&module, member);
             // Vectors have no members.

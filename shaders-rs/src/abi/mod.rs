@@ -2,6 +2,7 @@
 
 pub mod environment;
 pub mod grid;
+pub mod probe;
 pub mod record;
 pub mod sweep;
 pub mod tables;

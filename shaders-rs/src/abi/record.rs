@@ -27,6 +27,14 @@ pub mod trace {
     pub const SIZE: usize = 2;
 }
 
+/// What [`crate::probe::apply_function`] reads and writes for an index.
+pub mod probe {
+    /// Arguments.
+    pub const ARGUMENTS: usize = 8;
+    /// Results; those that a function does not have are 0.
+    pub const SIZE: usize = 4;
+}
+
 /// A viewing ray.
 pub mod ray {
     /// Components.

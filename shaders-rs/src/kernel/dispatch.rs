@@ -5,7 +5,8 @@
 
 use super::host::{Access, Binding, Chunk, Declaration, Element, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
-use crate::abi::record::{film, irradiance, light, ray, trace};
+use crate::abi::probe::ProbeUniforms;
+use crate::abi::record::{film, irradiance, light, probe, ray, trace};
 use crate::abi::sweep::SweepUniforms;
 use crate::for_each_kernel;
 
@@ -43,21 +44,21 @@ macro_rules! call {
 /// Each level has arrays of its own: LLVM looks at no more than 100 uses of an array to find out that nothing else points to it,
 /// and without knowing that it does not make vector code.
 macro_rules! block {
-    ($access:ident, $size:expr, $module:ident [$($generic:expr),*], plain, $n:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
+    ($access:ident, $size:expr, $folder:ident::$module:ident [$($generic:expr),*], plain, $n:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
      $inputs:ident, $reads:tt) => {{
         let mut outputs = [[0.0f32; LANES]; $size];
         for lane in 0..$n {
-            let record = call!($access, crate::sweep::$module::invoke, lane, $x, $y, $u, $mode, $inputs, $reads);
+            let record = call!($access, crate::$folder::$module::invoke, lane, $x, $y, $u, $mode, $inputs, $reads);
             put(&mut outputs, lane, record);
         }
         copy_out(&outputs, &$inputs, $n);
         true
     }};
-    ($access:ident, $size:expr, $module:ident $generics:tt, levels [$($level:literal)*] gpu $gpu:literal, $n:ident, $x:ident, $y:ident, $u:ident,
+    ($access:ident, $size:expr, $folder:ident::$module:ident $generics:tt, levels [$($level:literal)*] gpu $gpu:literal, $n:ident, $x:ident, $y:ident, $u:ident,
      $mode:ident, $inputs:ident, $reads:tt) => {{
         let mut needed = 0;
         for lane in 0..$n {
-            let level: u32 = block!(@level $access, $module $generics, lane, $x, $y, $u, $mode, $inputs, $reads);
+            let level: u32 = block!(@level $access, $folder::$module $generics, lane, $x, $y, $u, $mode, $inputs, $reads);
             needed |= level;
         }
         match needed {
@@ -65,7 +66,7 @@ macro_rules! block {
                 let mut outputs = [[0.0f32; LANES]; $size];
                 for lane in 0..$n {
                     let record =
-                        block!(@invoke $access, $module $generics, $level, lane, $x, $y, $u, $mode, $inputs, $reads);
+                        block!(@invoke $access, $folder::$module $generics, $level, lane, $x, $y, $u, $mode, $inputs, $reads);
                     put(&mut outputs, lane, record);
                 }
                 copy_out(&outputs, &$inputs, $n);
@@ -74,25 +75,25 @@ macro_rules! block {
         }
         needed > 0
     }};
-    (@level $access:ident, $module:ident [$($generic:expr),*], $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
+    (@level $access:ident, $folder:ident::$module:ident [$($generic:expr),*], $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
      $inputs:ident, $reads:tt) => {
-        call!($access, crate::sweep::$module::level::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
+        call!($access, crate::$folder::$module::level::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
     };
-    (@invoke $access:ident, $module:ident [$($generic:expr),*], $level:literal, $lane:ident, $x:ident, $y:ident, $u:ident,
+    (@invoke $access:ident, $folder:ident::$module:ident [$($generic:expr),*], $level:literal, $lane:ident, $x:ident, $y:ident, $u:ident,
      $mode:ident, $inputs:ident, $reads:tt) => {
-        call!($access, crate::sweep::$module::invoke::<$({ $generic },)* $level>, $lane, $x, $y, $u, $mode, $inputs, $reads)
+        call!($access, crate::$folder::$module::invoke::<$({ $generic },)* $level>, $lane, $x, $y, $u, $mode, $inputs, $reads)
     };
 }
 
 macro_rules! declare {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal [$size:expr],
-       $module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes [$($mode:literal)*];)*) => {
+       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes [$($mode:literal)*];)*) => {
         /// The kernels, by name.
         pub mod kernels {
             use super::*;
             $(
-                #[doc = concat!("See [`", stringify!($module), "`](crate::sweep::", stringify!($module), ").")]
+                #[doc = concat!("See [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ").")]
                 #[allow(non_upper_case_globals)]
                 pub static $name: Kernel = Kernel {
                     declaration: Declaration {
@@ -138,7 +139,7 @@ macro_rules! declare {
                             let at = (row * chunk.width + x) as usize;
                             // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
                             let inputs = unsafe { record.at(at) };
-                            let worked = block!($access, $size, $module $generics, $levels $([$($level)*] gpu $gpu)?, n, x, y, u, mode,
+                            let worked = block!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu)?, n, x, y, u, mode,
                                 inputs, ($($read),*));
                             any |= worked;
                             x += n as u32;

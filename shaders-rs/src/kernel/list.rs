@@ -14,51 +14,53 @@ macro_rules! for_each_kernel {
     ($callback:ident) => {
         $callback! {
             sweep_initialize_light: SweepUniforms, [], writes 1 [light::SIZE],
-                initialize_light [], plain, modes [0];
+                sweep::initialize_light [], plain, modes [0];
             sweep_initialize_rays: SweepUniforms, [], writes 1 [ray::SIZE],
-                initialize_rays [], plain, modes [0];
+                sweep::initialize_rays [], plain, modes [0];
             sweep_filter_light: SweepUniforms, [1 behind: f32], writes 2 [light::SIZE],
-                filter_light [], levels [1 3] gpu 3, modes [0];
+                sweep::filter_light [], levels [1 3] gpu 3, modes [0];
             sweep_trace_light: SweepUniforms, [1 light: f32], writes 2 [trace::SIZE],
-                trace_light [], levels [1 3 7] gpu 7, modes [0];
+                sweep::trace_light [], levels [1 3 7] gpu 7, modes [0];
             sweep_gather_light: SweepUniforms, [1 behind: f32, 2 trace: f32], writes 3 [light::SIZE],
-                gather_light [], levels [1 3 7] gpu 7, modes [0];
+                sweep::gather_light [], levels [1 3 7] gpu 7, modes [0];
             sweep_refract_light_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                refract_light [format::U8, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::U8, false], levels [3] gpu 3, modes [0 1 2];
             sweep_refract_light_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                refract_light [format::U16, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::U16, false], levels [3] gpu 3, modes [0 1 2];
             sweep_refract_light_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                refract_light [format::F32, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::F32, false], levels [3] gpu 3, modes [0 1 2];
             sweep_refract_light_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                refract_light [format::F32, true], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::F32, true], levels [3] gpu 3, modes [0 1 2];
             sweep_concentrate_light: SweepUniforms, [1 light: f32], writes 2 [irradiance::SIZE],
-                concentrate_light [], levels [1 3] gpu 3, modes [0];
+                sweep::concentrate_light [], levels [1 3] gpu 3, modes [0];
             sweep_propagate_rays_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                propagate_rays [format::U8, false], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::U8, false], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_propagate_rays_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                propagate_rays [format::U16, false], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::U16, false], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_propagate_rays_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                propagate_rays [format::F32, false], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::F32, false], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_propagate_rays_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                propagate_rays [format::F32, true], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15, modes [0 1 2];
             sweep_resolve: SweepUniforms, [1 rays: f32, 2 map: f32], writes 3 [film::SIZE],
-                resolve [], plain, modes [0];
+                sweep::resolve [], plain, modes [0];
+            probe_apply_function: ProbeUniforms, [1 arguments: f32], writes 2 [probe::SIZE],
+                probe::apply_function [], plain, modes [0];
         }
     };
 }

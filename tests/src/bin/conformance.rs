@@ -10,7 +10,7 @@ use vitrum::backend::{Backend, CpuBackend};
 use vitrum::builtin;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
-use vitrum_conformance::{Failure, adapter, evidence, failure, frames, golden, kernels, table};
+use vitrum_conformance::{Failure, adapter, evidence, failure, frames, functions, golden, kernels, table};
 
 /// Compare the backends with each other and with the golden pictures; print a table.
 ///
@@ -42,6 +42,8 @@ struct Arguments {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Tier {
+    /// Building blocks by themselves, over millions of inputs
+    T0,
     /// What each kernel wrote, in the midst of small frames
     T1,
     /// Every output of every built-in scene
@@ -50,6 +52,8 @@ enum Tier {
     T3,
 }
 
+/// T0's inputs, in units of 1024.
+const FUNCTIONS: u32 = 1024;
 /// Pixels along each side of T1's frames, and voxels along its volumes' longest edge.
 const KERNELS: (u32, u32) = (48, 32);
 /// The same of T2.
@@ -77,7 +81,7 @@ impl Arguments {
 fn compare(arguments: &Arguments) -> Result<bool, Failure> {
     let mut run = Run::new(evidence::folder());
     let mut backends = "CPU against golden pictures".to_owned();
-    if arguments.has(Tier::T1) || arguments.has(Tier::T2) {
+    if [Tier::T0, Tier::T1, Tier::T2].into_iter().any(|tier| arguments.has(tier)) {
         let mut cpu = CpuBackend::new(None)?;
         let mut gpu = adapter::open(arguments.adapter.as_deref())?;
         backends = format!("CPU ({}) against {}", cpu.adapter(), gpu.adapter());
@@ -109,6 +113,10 @@ fn compare_backends(
     gpu: &mut dyn Backend,
     run: &mut Run,
 ) -> Result<(), Failure> {
+    if arguments.has(Tier::T0) && arguments.wants("functions") {
+        eprintln!("T0 functions");
+        functions::compare(FUNCTIONS, cpu, gpu, run)?;
+    }
     if arguments.has(Tier::T1) {
         for case in kernels::cases(KERNELS.0, KERNELS.1)?.iter().filter(|case| arguments.wants(&case.name)) {
             eprintln!("T1 {}", case.name);

@@ -72,17 +72,17 @@ impl Sweep {
         backend.run(&self.passes, &mut |done| progress((done as u64 * u64::from(planes) / total as u64) as u32))
     }
 
-    /// The finished pixels: planar records as [`record::film`] describes, for `rays` pixels.
+    /// The finished pixels: planar records as [`film`](vitrum_kernels::abi::record::film) describes, for `rays` pixels.
     pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.film)?))
     }
 
-    /// The viewing rays as they are now: planar records as [`record::ray`] describes.
+    /// The viewing rays as they are now: planar records as [`ray`](vitrum_kernels::abi::record::ray) describes.
     pub fn ray_records(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.rays)?))
     }
 
-    /// The light on the last plane that was run: planar records as [`record::irradiance`] describes, for the light grid's texels.
+    /// The light on the last plane that was run: planar records as [`irradiance`](vitrum_kernels::abi::record::irradiance) describes, for the light grid's texels.
     pub fn irradiance(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.irradiance)?))
     }
