@@ -76,8 +76,9 @@ impl Raster {
 pub fn of_frame(frame: &Frame) -> Vec<(String, Raster)> {
     let size = [frame.width, frame.height];
     let mut rasters: Vec<_> = frame.layers.iter().flat_map(|layer| of_layer(layer, size)).collect();
-    let light = frame.light.layers.iter().map(|layer| ("light".to_owned(), numbers(layer, frame.light.width, "")));
-    rasters.extend(light);
+    if let Some(light) = &frame.light {
+        rasters.extend(light.layers.iter().map(|layer| ("light".to_owned(), numbers(layer, light.width, ""))));
+    }
     rasters
 }
 

@@ -1,6 +1,7 @@
 //! The CPU against itself: what must not change the picture does not.
 
 use vitrum::backend::CpuBackend;
+use vitrum::method::sweep::Sweep;
 use vitrum_compare::Bound;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
@@ -68,5 +69,27 @@ fn skipping_empty_space_does_not_change_the_picture() -> Result<(), Failure> {
         run.hold_all(("T2", &format!("{name} skipping")), |_| Bound::BitEqual, &all, &skipped)?;
     }
     run.assert_passed();
+    Ok(())
+}
+
+#[test]
+fn a_frame_that_ends_with_its_rays_is_the_same() -> Result<(), Failure> {
+    // Opaque and close up, so that every ray ends long before the last plane.
+    let opaque = ["camera.zoom=8", "transfer.opacity=[{ value = 0, opacity = 1 }]"];
+    let case = Case::builtin("combustion/opaque", EDGE, Some(RESOLUTION), &opaque)?;
+    let mut cpu = CpuBackend::new(None)?;
+    let all = frames::render(&case, &mut cpu)?;
+    let wanted = vitrum::Wanted { light: false };
+    let ended = vitrum::render_wanted(&case.scene, &case.inputs, wanted, &mut cpu, &mut |_| true)?;
+    assert!(ended.light.is_none() && all.light.is_some());
+    assert_eq!(all.layers, ended.layers);
+
+    let mut sweep = Sweep::prepare(&case.scene, &case.inputs, &mut cpu)?;
+    sweep.run(&mut cpu, &mut |_| true)?;
+    let last = sweep.irradiance(&mut cpu)?;
+    sweep.end_light_with_rays();
+    sweep.run(&mut cpu, &mut |_| true)?;
+    assert!(sweep.irradiance(&mut cpu)? != last, "light went on although no ray was left");
+    sweep.free(&mut cpu);
     Ok(())
 }

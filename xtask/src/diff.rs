@@ -1,7 +1,11 @@
 //! `cargo xtask diff`: compares the backends.
 
+use std::env;
+use std::path::PathBuf;
+
 use crate::command::{self, cargo};
 use crate::failure::Failure;
+use crate::shaders::COMPILER;
 use crate::vulkan;
 
 /// Compare the backends with each other and with the golden pictures; print a table.
@@ -20,7 +24,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Runs a program of the conformance package, built for release.
+///
+/// It is built with the workspace, as the tests are: by itself, cargo would choose other features of the dependencies and compile
+/// them anew.
 pub fn run_program(name: &str, arguments: &[String]) -> Result<(), Failure> {
-    let mut command = cargo(["run", "--release", "--package", "vitrum-conformance", "--bin", name, "--"]);
-    command::run(command.args(arguments))
+    command::run(&mut cargo(["build", "--release", "--workspace", "--exclude", COMPILER, "--bin", name]))?;
+    let folder = env::var_os("CARGO_TARGET_DIR").map_or_else(|| command::root().join("target"), PathBuf::from);
+    let path = folder.join("release").join(format!("{name}{}", env::consts::EXE_SUFFIX));
+    command::run(command::program(&path.to_string_lossy()).args(arguments))
 }

@@ -43,8 +43,8 @@ pub struct Frame {
     pub height: u32,
     /// All outputs that have the picture's size, `color` (RGBA) first.
     pub layers: Vec<Layer>,
-    /// Radiance on the last plane, in the light grid's texels, row 0 on top.
-    pub light: Picture,
+    /// The light on the last plane, in the light grid's texels, row 0 on top, if it was wanted.
+    pub light: Option<Picture>,
     /// How it was made.
     pub statistics: Statistics,
 }
@@ -65,10 +65,10 @@ impl Frame {
         ("light", "light on the last plane, in the light grid's own texels, RGB"),
     ];
 
-    /// An output as a picture of its own; `None` if there is no output of that name.
+    /// An output as a picture of its own; `None` if there is no output of that name, or it was not wanted.
     pub fn aov(&self, name: &str) -> Option<Picture> {
         if name == "light" {
-            return Some(self.light.clone());
+            return self.light.clone();
         }
         let layer = self.layers.iter().find(|layer| layer.name == name)?;
         Some(Picture { width: self.width, height: self.height, layers: vec![layer.clone()] })

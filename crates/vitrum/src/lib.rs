@@ -15,5 +15,5 @@ pub mod suggest;
 
 pub use frame::{Frame, Statistics};
 pub use inputs::Inputs;
-pub use render::{Error, Progress, render};
+pub use render::{Error, Progress, Wanted, render, render_wanted};
 pub use vitrum_io as io;

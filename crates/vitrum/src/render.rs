@@ -58,18 +58,45 @@ pub struct Progress {
     pub total: u32,
 }
 
-/// Renders a scene. `progress` is called from time to time and cancels the frame by returning `false`.
+/// Outputs that cost time of their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wanted {
+    /// The light on the last plane. Without it, a frame may end as soon as every ray has.
+    pub light: bool,
+}
+
+impl Default for Wanted {
+    fn default() -> Self {
+        Self { light: true }
+    }
+}
+
+/// Renders a scene with all outputs. `progress` is called from time to time and cancels the frame by returning `false`.
 pub fn render(
     scene: &Scene,
     inputs: &Inputs,
     backend: &mut dyn Backend,
     progress: &mut dyn FnMut(Progress) -> bool,
 ) -> Result<Frame, Error> {
+    render_wanted(scene, inputs, Wanted::default(), backend, progress)
+}
+
+/// Renders a scene with the outputs that are wanted. Each is the same as with all.
+pub fn render_wanted(
+    scene: &Scene,
+    inputs: &Inputs,
+    wanted: Wanted,
+    backend: &mut dyn Backend,
+    progress: &mut dyn FnMut(Progress) -> bool,
+) -> Result<Frame, Error> {
     scene.validate()?;
     let started = Instant::now();
-    let sweep = Sweep::prepare(scene, inputs, backend)?;
+    let mut sweep = Sweep::prepare(scene, inputs, backend)?;
+    if !wanted.light {
+        sweep.end_light_with_rays();
+    }
     let upload_ms = started.elapsed().as_secs_f64() * 1e3;
-    let result = finish(scene, &sweep, backend, progress, upload_ms);
+    let result = finish(scene, &sweep, wanted, backend, progress, upload_ms);
     sweep.free(backend);
     result
 }
@@ -77,6 +104,7 @@ pub fn render(
 fn finish(
     scene: &Scene,
     sweep: &Sweep,
+    wanted: Wanted,
     backend: &mut dyn Backend,
     progress: &mut dyn FnMut(Progress) -> bool,
     upload_ms: f64,
@@ -89,11 +117,15 @@ fn finish(
     let (width, height) = (scene.film.width, scene.film.height);
     let rays = sweep.rays[0] as usize * sweep.rays[1] as usize;
     let turned = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
+    let light = match wanted.light {
+        true => Some(light_picture(sweep, &sweep.irradiance(backend)?)),
+        false => None,
+    };
     Ok(Frame {
         width,
         height,
         layers: layers(scene, &records),
-        light: light_picture(sweep, &sweep.irradiance(backend)?),
+        light,
         statistics: Statistics {
             method: "sweep".to_owned(),
             backend: backend.name().to_owned(),

@@ -34,7 +34,7 @@ fn irradiance(
     let distance = share * focus;
     scene.wall = Some(Wall { distance: Some(distance as f32), azimuth: 0.0, color: [1.0; 3] });
     let frame = render(&scene, &volume, backend);
-    let light = &frame.light;
+    let light = frame.light.as_ref().expect("all outputs are wanted");
     let width = light.width as usize;
     let pixels = light.color();
     let row = light.height as usize / 2;

@@ -24,6 +24,7 @@ use crate::inputs::Inputs;
 use crate::render::Error;
 use crate::scene::Scene;
 use uniforms::Fixed;
+use vitrum_kernels::kernel::kernels;
 
 /// A frame that is ready to run.
 pub struct Sweep {
@@ -63,6 +64,14 @@ impl Sweep {
                 Err(error)
             }
         }
+    }
+
+    /// Lets a backend stop carrying light once every ray has ended. What [`Self::irradiance`] gives is then not the last plane's.
+    pub fn end_light_with_rays(&mut self) {
+        let names = self.passes.passes.iter().map(|pass| pass.kernel.declaration.name);
+        self.passes.while_busy = names.filter(|name| *name != kernels::sweep_resolve.declaration.name).collect();
+        self.passes.while_busy.sort_unstable();
+        self.passes.while_busy.dedup();
     }
 
     /// Runs all passes; `progress` gets the planes that are done and returns whether to go on.
