@@ -27,6 +27,7 @@ pub mod golden;
 pub mod kernels;
 mod left_out;
 pub mod machine;
+pub mod photons;
 pub mod raster;
 pub mod run;
 pub mod table;

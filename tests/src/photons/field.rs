@@ -1,0 +1,132 @@
+//! A volume as a continuous medium, in double precision.
+
+use vitrum::io::Volume;
+use vitrum::method::sweep::View;
+use vitrum::scene::TransferFunction;
+use vitrum_kernels::glam::{DMat3, DVec3};
+
+/// Half the distance, in voxels, over which the gradient is taken: small, since the medium between voxels is what it is.
+const HALF_STEP: f64 = 0.05;
+
+/// A refracting, absorbing medium in the sweep frame.
+pub struct Field<'a> {
+    volume: &'a Volume,
+    transfer: &'a TransferFunction,
+    /// Voxel coordinates of a point of the sweep frame: `to_voxels · point + offset`.
+    to_voxels: DMat3,
+    offset: DVec3,
+    reference_length: f64,
+}
+
+impl<'a> Field<'a> {
+    /// The medium of a volume under a transfer function, seen from `view`.
+    #[must_use]
+    pub fn new(volume: &'a Volume, transfer: &'a TransferFunction, view: &View) -> Self {
+        let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
+        let step = |axis: usize| vector(volume.axes[axis]) * f64::from(volume.spacing[axis]);
+        let inverse = DMat3::from_cols(step(0), step(1), step(2)).inverse();
+        let finest = volume.spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        Self {
+            volume,
+            transfer,
+            to_voxels: inverse * view.axes,
+            offset: inverse * (view.eye - vector(volume.origin)),
+            reference_length: f64::from(transfer.reference_length.unwrap_or(finest)),
+        }
+    }
+
+    /// The edge of a voxel.
+    #[must_use]
+    pub fn voxel(&self) -> f64 {
+        self.volume.spacing.iter().copied().fold(f32::INFINITY, f32::min).into()
+    }
+
+    /// The parameters at which a ray enters and leaves the volume's box; `None` if it misses it.
+    #[must_use]
+    pub fn crossing(&self, from: DVec3, direction: DVec3) -> Option<(f64, f64)> {
+        let (from, along) = (self.to_voxels * from + self.offset, self.to_voxels * direction);
+        let (mut enters, mut leaves) = (0.0f64, f64::INFINITY);
+        for axis in 0..3 {
+            let far = f64::from(self.volume.dimensions[axis]) - 0.5;
+            let (a, b) = ((-0.5 - from[axis]) / along[axis], (far - from[axis]) / along[axis]);
+            if along[axis] == 0.0 {
+                if !(-0.5..=far).contains(&from[axis]) {
+                    return None;
+                }
+            } else {
+                enters = enters.max(a.min(b));
+                leaves = leaves.min(a.max(b));
+            }
+        }
+        (enters < leaves).then_some((enters, leaves))
+    }
+
+    /// Whether a point lies in the volume's box.
+    #[must_use]
+    pub fn contains(&self, point: DVec3) -> bool {
+        let at = self.to_voxels * point + self.offset;
+        (0..3).all(|axis| (-0.5..=f64::from(self.volume.dimensions[axis]) - 0.5).contains(&at[axis]))
+    }
+
+    /// The scalar at voxel coordinates: trilinear, beyond the outermost voxels' centres theirs.
+    fn scalar(&self, at: DVec3) -> f64 {
+        let size = self.volume.dimensions;
+        let limited: [f64; 3] = std::array::from_fn(|axis| at[axis].clamp(0.0, f64::from(size[axis]) - 1.0));
+        let low = limited.map(|x| x.floor() as u32);
+        let mut sum = 0.0;
+        for corner in 0..8u32 {
+            let mut weight = 1.0;
+            let mut index = [0; 3];
+            for axis in 0..3 {
+                let up = corner >> axis & 1;
+                let fraction = limited[axis] - f64::from(low[axis]);
+                weight *= if up == 1 { fraction } else { 1.0 - fraction };
+                index[axis] = (low[axis] + up).min(size[axis] - 1);
+            }
+            sum += weight * f64::from(self.volume.value(index[0], index[1], index[2]));
+        }
+        sum
+    }
+
+    /// The index of refraction at voxel coordinates.
+    fn ior(&self, at: DVec3) -> f64 {
+        let points = self.transfer.ior.iter().map(|point| (f64::from(point.value), [f64::from(point.ior); 3]));
+        interpolate(points, self.scalar(at)).map_or(1.0, |ior| ior[0])
+    }
+
+    /// ½∇(η²) at a point of the volume, per world unit, in the sweep frame.
+    #[must_use]
+    pub fn acceleration(&self, point: DVec3) -> DVec3 {
+        let at = self.to_voxels * point + self.offset;
+        let half_square = |at: DVec3| 0.5 * self.ior(at).powi(2);
+        let slope =
+            |axis: DVec3| (half_square(at + axis * HALF_STEP) - half_square(at - axis * HALF_STEP)) / (2.0 * HALF_STEP);
+        self.to_voxels.transpose() * DVec3::new(slope(DVec3::X), slope(DVec3::Y), slope(DVec3::Z))
+    }
+
+    /// Extinction of red, green and blue at a point of the volume, per world unit.
+    #[must_use]
+    pub fn extinction(&self, point: DVec3) -> DVec3 {
+        let scalar = self.scalar(self.to_voxels * point + self.offset);
+        let medium = self.transfer.medium.iter().map(|point| (f64::from(point.value), point.color.map(f64::from)));
+        let opacity = self.transfer.opacity.iter().map(|point| (f64::from(point.value), [f64::from(point.opacity); 3]));
+        let depth = |share: f64| -share.max(1e-6).ln() / self.reference_length;
+        let medium = interpolate(medium, scalar).unwrap_or([1.0; 3]);
+        let opacity = interpolate(opacity, scalar).unwrap_or([0.0; 3]);
+        DVec3::from_array(std::array::from_fn(|channel| depth(medium[channel]) + depth(1.0 - opacity[channel])))
+    }
+}
+
+/// A piecewise linear function, constant beyond its ends; `None` if it has no point.
+fn interpolate(points: impl Iterator<Item = (f64, [f64; 3])>, at: f64) -> Option<[f64; 3]> {
+    let mut before: Option<(f64, [f64; 3])> = None;
+    for (value, result) in points {
+        if at < value {
+            let Some((low, start)) = before else { return Some(result) };
+            let t = (at - low) / (value - low);
+            return Some(std::array::from_fn(|i| start[i] + (result[i] - start[i]) * t));
+        }
+        before = Some((value, result));
+    }
+    before.map(|(_, result)| result)
+}
