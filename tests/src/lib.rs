@@ -11,7 +11,8 @@
 //! | T3 | [`golden`] | frames with committed pictures |
 //!
 //! Each takes a [`case::Case`], turns what it compares into [`raster`]s and gives them to a [`run::Run`], which holds them
-//! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach. [`bench`](mod@bench) times
+//! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
+//! [`photons`] are an independent reference for light. [`bench`](mod@bench) times
 //! frames instead.
 
 pub mod adapter;
@@ -29,6 +30,7 @@ mod left_out;
 pub mod machine;
 pub mod photons;
 pub mod raster;
+pub mod report;
 pub mod run;
 pub mod table;
 

@@ -9,6 +9,7 @@ use vitrum_compare::Bound;
 use crate::Failure;
 use crate::evidence;
 use crate::raster::Raster;
+use crate::report::Pictures;
 use crate::table::{self, Row};
 
 /// What two rasters are.
@@ -28,13 +29,20 @@ pub struct Run {
     folder: PathBuf,
     rows: Vec<Row>,
     evidence: Vec<PathBuf>,
+    keeps_pictures: bool,
+    pictures: Vec<Pictures>,
 }
 
 impl Run {
     /// A run that leaves the evidence of breaches in `folder`.
     #[must_use]
     pub fn new(folder: PathBuf) -> Self {
-        Self { folder, rows: Vec::new(), evidence: Vec::new() }
+        Self { folder, rows: Vec::new(), evidence: Vec::new(), keeps_pictures: false, pictures: Vec::new() }
+    }
+
+    /// Keeps the pictures of all further comparisons, for a report.
+    pub fn keep_pictures(&mut self) {
+        self.keeps_pictures = true;
     }
 
     /// Compares two rasters and holds them to a bound. A breach leaves its evidence at once, so that a run that is
@@ -51,6 +59,10 @@ impl Run {
         if !row.verdict().passed() {
             let written = evidence::write(&self.folder, &row, &reference.colors(), &other.colors());
             self.evidence.push(written.map_err(|error| Failure::Output { path: self.folder.clone(), error })?);
+        }
+        if self.keeps_pictures {
+            let pictures = Pictures::new(self.rows.len(), reference, other);
+            self.pictures.extend(pictures.map_err(|error| Failure::Output { path: self.folder.clone(), error })?);
         }
         self.rows.push(row);
         Ok(())
@@ -82,6 +94,12 @@ impl Run {
     #[must_use]
     pub fn rows(&self) -> &[Row] {
         &self.rows
+    }
+
+    /// The pictures that were kept.
+    #[must_use]
+    pub fn pictures(&self) -> &[Pictures] {
+        &self.pictures
     }
 
     /// The comparisons whose bound does not hold.

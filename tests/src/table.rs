@@ -20,15 +20,18 @@ pub struct Row {
     pub bound: Bound,
 }
 
-const HEADER: [&str; 9] = ["tier", "scene", "method", "item", "max", "RMSE", "FLIP", "ULP: count", "verdict"];
-
 impl Row {
+    /// The names of [`Self::cells`].
+    pub const HEADER: [&str; 9] = ["tier", "scene", "method", "item", "max", "RMSE", "FLIP", "ULP: count", "verdict"];
+
     /// Whether the bound holds.
     pub fn verdict(&self) -> Verdict {
         self.bound.check(&self.comparison)
     }
 
-    fn cells(&self) -> [String; 9] {
+    /// The row for people.
+    #[must_use]
+    pub fn cells(&self) -> [String; 9] {
         let Comparison { max_abs, rmse, mean_flip, ulps, .. } = &self.comparison;
         [
             self.tier.to_owned(),
@@ -75,7 +78,7 @@ impl Row {
 /// The rows as a Markdown table.
 #[must_use]
 pub fn markdown(rows: &[Row]) -> String {
-    aligned(HEADER.map(str::to_owned), rows.iter().map(Row::cells))
+    aligned(Row::HEADER.map(str::to_owned), rows.iter().map(Row::cells))
 }
 
 /// A Markdown table, padded so that it also reads well in a terminal.

@@ -93,3 +93,23 @@ fn a_frame_that_ends_with_its_rays_is_the_same() -> Result<(), Failure> {
     sweep.free(&mut cpu);
     Ok(())
 }
+
+#[test]
+fn a_session_renders_what_a_fresh_start_renders() -> Result<(), Failure> {
+    let mut case = Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?;
+    let (mut used, mut fresh) = (CpuBackend::new(None)?, CpuBackend::new(None)?);
+    let inputs = case.inputs.clone();
+    let mut session = vitrum::Session::new(&inputs, &mut used)?;
+    for setting in ["camera.azimuth=20", "light.azimuth=-30", "transfer.ior=[{ value = 0, ior = 1 }]", "film.width=33"]
+    {
+        case.scene.set(setting)?;
+        let (kept, anew) =
+            (session.render(&case.scene, Default::default(), &mut |_| true)?, frames::render(&case, &mut fresh)?);
+        assert_eq!(kept.layers, anew.layers, "{setting}");
+    }
+    case.scene.camera.zoom = -1.0;
+    assert!(session.render(&case.scene, Default::default(), &mut |_| true).is_err());
+    case.scene.camera.zoom = 1.0;
+    assert!(session.render(&case.scene, Default::default(), &mut |_| true).is_ok());
+    Ok(())
+}

@@ -11,9 +11,11 @@ pub mod method;
 pub mod preset;
 mod render;
 pub mod scene;
+mod session;
 pub mod suggest;
 
 pub use frame::{Frame, Statistics};
 pub use inputs::Inputs;
 pub use render::{Error, Progress, Wanted, render, render_wanted};
+pub use session::Session;
 pub use vitrum_io as io;

@@ -5,6 +5,7 @@ use crate::frame::{Frame, Statistics, layer};
 use crate::inputs::Inputs;
 use crate::method::sweep::Sweep;
 use crate::scene::{Scene, SceneError};
+use crate::session::Session;
 use std::time::Instant;
 use vitrum_io::Picture;
 use vitrum_kernels::abi::record::{film, status};
@@ -90,18 +91,11 @@ pub fn render_wanted(
     progress: &mut dyn FnMut(Progress) -> bool,
 ) -> Result<Frame, Error> {
     scene.validate()?;
-    let started = Instant::now();
-    let mut sweep = Sweep::prepare(scene, inputs, backend)?;
-    if !wanted.light {
-        sweep.end_light_with_rays();
-    }
-    let upload_ms = started.elapsed().as_secs_f64() * 1e3;
-    let result = finish(scene, &sweep, wanted, backend, progress, upload_ms);
-    sweep.free(backend);
-    result
+    Session::new(inputs, backend)?.render(scene, wanted, progress)
 }
 
-fn finish(
+/// Runs a prepared frame and reads its outputs.
+pub(crate) fn finish(
     scene: &Scene,
     sweep: &Sweep,
     wanted: Wanted,

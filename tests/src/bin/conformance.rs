@@ -10,7 +10,7 @@ use vitrum::backend::{Backend, CpuBackend};
 use vitrum::builtin;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
-use vitrum_conformance::{Failure, adapter, evidence, failure, frames, functions, golden, kernels, table};
+use vitrum_conformance::{Failure, adapter, evidence, failure, frames, functions, golden, kernels, report, table};
 
 /// Compare the backends with each other and with the golden pictures; print a table.
 ///
@@ -34,6 +34,10 @@ struct Arguments {
     /// Also write everything that was measured as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+
+    /// Also write a page with all numbers and pictures, which needs nothing else
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
 
     /// Write the golden pictures anew instead of comparing; look at them before they are committed
     #[arg(long)]
@@ -80,6 +84,9 @@ impl Arguments {
 
 fn compare(arguments: &Arguments) -> Result<bool, Failure> {
     let mut run = Run::new(evidence::folder());
+    if arguments.html.is_some() {
+        run.keep_pictures();
+    }
     let mut backends = "CPU against golden pictures".to_owned();
     if [Tier::T0, Tier::T1, Tier::T2].into_iter().any(|tier| arguments.has(tier)) {
         let mut cpu = CpuBackend::new(None)?;
@@ -103,6 +110,9 @@ fn compare(arguments: &Arguments) -> Result<bool, Failure> {
         let mut text = run.json();
         text["backends"] = json!(backends);
         fs::write(path, format!("{text:#}\n")).map_err(|error| Failure::Output { path: path.clone(), error })?;
+    }
+    if let Some(path) = &arguments.html {
+        report::write(path, &backends, &run).map_err(|error| Failure::Output { path: path.clone(), error })?;
     }
     Ok(run.passed())
 }

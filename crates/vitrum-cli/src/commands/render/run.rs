@@ -8,7 +8,7 @@ use crate::progress::Bar;
 use crate::{interrupt, output};
 use std::process::ExitCode;
 use vitrum::backend::{self, Backend};
-use vitrum::{Frame, Statistics, Wanted};
+use vitrum::{Frame, Session, Statistics, Wanted};
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen();
@@ -34,6 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 /// The last of `--frames` frames, with the times of all.
 fn render(arguments: &Arguments, prepared: &Prepared, backend: &mut dyn Backend) -> Result<Frame, Failure> {
     let wanted = Wanted { light: arguments.aov.iter().any(|aov| aov.name == "light") };
+    let mut session = Session::new(&prepared.inputs, backend)?;
     let bar = Bar::new(arguments.frames, arguments.quiet);
     let mut frame_ms = Vec::new();
     let mut index = 0;
@@ -42,7 +43,7 @@ fn render(arguments: &Arguments, prepared: &Prepared, backend: &mut dyn Backend)
             bar.update(index, &progress);
             !interrupt::requested()
         };
-        let mut frame = vitrum::render_wanted(&prepared.scene, &prepared.inputs, wanted, backend, &mut progress)?;
+        let mut frame = session.render(&prepared.scene, wanted, &mut progress)?;
         frame_ms.append(&mut frame.statistics.frame_ms);
         index += 1;
         if index >= arguments.frames {

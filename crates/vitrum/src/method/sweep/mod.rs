@@ -15,6 +15,7 @@ mod view;
 mod voxels;
 
 pub use light::LightGrid;
+pub use passes::Uploaded;
 pub use planes::Planes;
 pub use tables::Tables;
 pub use view::View;
@@ -37,6 +38,8 @@ pub struct Sweep {
     /// Rays across and down.
     pub rays: [u32; 2],
     buffers: Buffers,
+    /// The volumes, where they are freed with the frame.
+    uploaded: Option<Uploaded>,
 }
 
 /// The buffers of a frame.
@@ -48,15 +51,38 @@ struct Buffers {
 }
 
 impl Sweep {
-    /// Builds tables, uploads buffers and lists the passes.
+    /// Uploads the volumes, builds tables and lists the passes.
     pub fn prepare(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
+        let uploaded = Uploaded::new(inputs, backend)?;
+        let prepared = Self::prepare_uploaded(scene, inputs, uploaded, backend);
+        match prepared {
+            Ok(sweep) => Ok(Self { uploaded: Some(uploaded), ..sweep }),
+            Err(error) => {
+                uploaded.free(backend);
+                Err(error)
+            }
+        }
+    }
+
+    /// Builds tables and lists the passes for volumes that are on the backend already. They stay there when the frame is freed.
+    pub fn prepare_uploaded(
+        scene: &Scene,
+        inputs: &Inputs,
+        uploaded: Uploaded,
+        backend: &mut dyn Backend,
+    ) -> Result<Self, Error> {
         let fixed = Fixed::new(scene, inputs)?;
         let mut created = Vec::new();
-        let result = passes::build(inputs, &fixed, backend, &mut created);
+        let result = passes::build(inputs, &fixed, uploaded, backend, &mut created);
         match result {
-            Ok((passes, buffers)) => {
-                Ok(Self { passes, planes: fixed.planes, light_grid: fixed.light_grid, rays: fixed.rays, buffers })
-            }
+            Ok((passes, buffers)) => Ok(Self {
+                passes,
+                planes: fixed.planes,
+                light_grid: fixed.light_grid,
+                rays: fixed.rays,
+                buffers,
+                uploaded: None,
+            }),
             Err(error) => {
                 for buffer in created {
                     backend.free(buffer);
@@ -100,6 +126,9 @@ impl Sweep {
     pub fn free(self, backend: &mut dyn Backend) {
         for buffer in self.buffers.all {
             backend.free(buffer);
+        }
+        if let Some(uploaded) = self.uploaded {
+            uploaded.free(backend);
         }
     }
 }

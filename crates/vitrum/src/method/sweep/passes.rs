@@ -3,7 +3,7 @@
 use super::Buffers;
 use super::occupancy::{Role, classify};
 use super::uniforms::Fixed;
-use super::voxels::{pack, padded_bytes};
+use super::voxels::{chosen_format, pack, padded_bytes};
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::inputs::Inputs;
 use crate::render::Error;
@@ -29,10 +29,49 @@ fn readers(stored: u32) -> Readers {
     }
 }
 
-/// Uploads what a frame needs and lists its passes. Buffers are added to `created` as they are made.
+/// A frame's voxels on a backend: what stays the same while scene and camera change.
+#[derive(Debug, Clone, Copy)]
+pub struct Uploaded {
+    voxels: Buffer,
+    /// The second volume's, or the same again.
+    ior_voxels: Buffer,
+}
+
+impl Uploaded {
+    /// Packs the volumes and hands them to the backend.
+    ///
+    /// # Errors
+    /// If a volume is too large for the sweep or for the backend.
+    pub fn new(inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
+        let stored = chosen_format(&inputs.volume, inputs.ior_volume.as_ref());
+        check_size(&upload_limit(&inputs.volume, stored), "the volume")?;
+        let voxels = backend.create("voxels", &pack(&inputs.volume, stored))?;
+        let Some(bending) = &inputs.ior_volume else { return Ok(Self { voxels, ior_voxels: voxels }) };
+        let uploaded = check_size(&upload_limit(bending, stored), "the second volume")
+            .and_then(|()| Ok(backend.create("ior voxels", &pack(bending, stored))?));
+        match uploaded {
+            Ok(ior_voxels) => Ok(Self { voxels, ior_voxels }),
+            Err(error) => {
+                backend.free(voxels);
+                Err(error)
+            }
+        }
+    }
+
+    /// Frees the buffers.
+    pub fn free(self, backend: &mut dyn Backend) {
+        backend.free(self.voxels);
+        if self.ior_voxels != self.voxels {
+            backend.free(self.ior_voxels);
+        }
+    }
+}
+
+/// Uploads what else a frame needs and lists its passes. Buffers are added to `created` as they are made.
 pub(super) fn build(
     inputs: &Inputs,
     fixed: &Fixed,
+    uploaded: Uploaded,
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
 ) -> Result<(PassList, Buffers), Error> {
@@ -42,16 +81,13 @@ pub(super) fn build(
         Ok(buffer)
     };
     let shown = &inputs.volume;
-    let stored = fixed.format;
-    check_size(&upload_limit(shown, stored), "the volume")?;
-    let voxels = upload("voxels", &pack(shown, stored))?;
-    let (ior_voxels, occupancy) = match &inputs.ior_volume {
-        None => (voxels, classify(shown, &fixed.tables, fixed.reach[0], Role::Both)),
+    let Uploaded { voxels, ior_voxels } = uploaded;
+    let occupancy = match &inputs.ior_volume {
+        None => classify(shown, &fixed.tables, fixed.reach[0], Role::Both),
         Some(bending) => {
-            check_size(&upload_limit(bending, stored), "the second volume")?;
             let mut occupancy = classify(shown, &fixed.tables, fixed.reach[0], Role::Shown);
             occupancy.extend(classify(bending, &fixed.tables, fixed.reach[1], Role::Bending));
-            (upload("ior voxels", &pack(bending, stored))?, occupancy)
+            occupancy
         }
     };
     let occupancy = upload("occupancy", bytemuck::cast_slice(&occupancy))?;
@@ -80,7 +116,7 @@ pub(super) fn build(
         width: size[0],
         height: size[1],
     };
-    let readers = readers(stored);
+    let readers = readers(fixed.format);
     let (texels, pixels) = ([across, up], [width, height]);
     let first = fixed.planes.first_visible;
     let mut passes = vec![
