@@ -198,3 +198,62 @@ fn an_interrupt_leaves_no_file_and_exits_130() {
     assert_eq!(status.code(), Some(130));
     assert!(folder.names().is_empty(), "{:?}", folder.names());
 }
+
+/// A turntable of a small ball, three pictures.
+const TURN: [&str; 10] = [
+    "turntable",
+    "builtin:ball",
+    "--set",
+    "volume.resolution=16",
+    "--size",
+    "32x24",
+    "--backend",
+    "cpu",
+    "--frames",
+    "3",
+];
+
+#[test]
+fn a_turntable_fills_a_folder_and_resumes() {
+    let folder = Folder::new();
+    folder.succeed(&[&TURN[..], &["-o", "turn"]].concat());
+    let file = |index: usize| folder.file(&format!("turn/frame-0000{index}.png"));
+    let pictures = [0, 1, 2].map(|index| fs::read(file(index)).expect("three pictures"));
+    assert!(pictures[0] != pictures[1], "the camera moved");
+    // The first one is what `render` makes.
+    folder.succeed(&small(&["-o", "still.png"]));
+    let (still, first) = (read_picture(&folder.file("still.png")), read_picture(&file(0)));
+    assert_eq!(still.expect("a picture").color(), first.expect("a picture").color());
+    fs::remove_file(file(1)).expect("it was there");
+    fs::write(file(2), "kept").expect("it can be written");
+    folder.succeed(&[&TURN[..], &["-o", "turn", "--resume"]].concat());
+    assert_eq!(fs::read(file(1)).expect("it is there again"), pictures[1]);
+    assert_eq!(fs::read(file(2)).expect("it is still there"), b"kept");
+}
+
+#[test]
+fn a_turntable_makes_films() {
+    let folder = Folder::new();
+    folder.succeed(&[&TURN[..], &["-o", "turn.gif", "--rate", "10"]].concat());
+    folder.succeed(&[&TURN[..], &["-o", "turn.png", "--turn", "-90"]].concat());
+    assert_eq!(folder.names(), ["turn.gif", "turn.png"], "nothing else is left");
+    let bytes = fs::read(folder.file("turn.gif")).expect("a film");
+    assert!(bytes.starts_with(b"GIF89a") && bytes.ends_with(b";"));
+    // Each frame has a graphic control extension, here of a tenth of a second.
+    assert_eq!(bytes.windows(6).filter(|window| window[..3] == [0x21, 0xf9, 4] && window[4..] == [10, 0]).count(), 3);
+    let bytes = fs::read(folder.file("turn.png")).expect("a film");
+    let chunks = |name: &[u8; 4]| bytes.windows(4).filter(|window| *window == name).count();
+    assert_eq!((chunks(b"acTL"), chunks(b"fcTL"), chunks(b"fdAT"), chunks(b"IEND")), (1, 3, 2, 1));
+}
+
+#[test]
+fn a_turntable_says_what_it_cannot_do() {
+    let folder = Folder::new();
+    for (more, expected) in [
+        (&["-o", "turn.avi"][..], "no known film format"),
+        (&["-o", "turn.gif", "--resume"], "cannot be resumed"),
+        (&["-o", "turn", "--set", "camera.position=[0, -5, 0]"], "camera.position"),
+    ] {
+        folder.refuse(&[&TURN[..], more].concat(), 2, &[expected]);
+    }
+}

@@ -31,8 +31,8 @@ mod voxels;
 
 pub use error::{Error, Place};
 pub use image::{
-    Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear, write_picture,
-    write_picture_with,
+    Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear,
+    write_picture, write_picture_with,
 };
 pub use open::{Input, OpenOptions, VolumeReader, open, readers};
 pub use volume::{Source, Volume};

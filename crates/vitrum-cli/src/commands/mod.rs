@@ -9,6 +9,7 @@ pub mod render;
 pub mod scene;
 pub mod scenes;
 pub mod schema;
+pub mod turntable;
 
 use crate::arguments::Command;
 use crate::failure::Failure;
@@ -18,6 +19,7 @@ use std::process::ExitCode;
 pub fn run(command: Command) -> Result<ExitCode, Failure> {
     match command {
         Command::Render(arguments) => render::run(&arguments),
+        Command::Turntable(arguments) => turntable::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),

@@ -1,5 +1,6 @@
 //! Pictures: linear channels in memory, and the files that they come from and go to.
 
+mod animation;
 mod exr;
 mod hdr;
 mod jpeg;
@@ -10,6 +11,7 @@ mod srgb;
 mod tiff;
 mod write;
 
+pub use self::animation::Animation;
 pub use self::picture::{Channel, Layer, Picture};
 pub use self::read::read_picture;
 pub use self::srgb::{linear_to_srgb, srgb_to_linear};

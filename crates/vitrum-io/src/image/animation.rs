@@ -1,0 +1,147 @@
+//! Films: GIF and APNG, frame by frame, beside their path and renamed when whole.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, BufWriter, Write as _};
+use std::path::{Path, PathBuf};
+
+use gif::{DisposalMethod, Repeat};
+use png::{BitDepth, ColorType, SrgbRenderingIntent};
+use tempfile::NamedTempFile;
+
+use super::picture::Picture;
+use super::srgb::{linear_to_srgb, to_8_bits};
+use super::write::create_beside;
+use crate::error::{Error, Place, Report};
+use crate::open::display_name;
+
+/// How well GIF's 256 colours are chosen: 1 best, 30 fastest.
+const GIF_SPEED: i32 = 10;
+
+/// A film that repeats for ever, as it is written.
+pub struct Animation {
+    path: PathBuf,
+    beside: NamedTempFile,
+    encoder: Encoder,
+    size: [u32; 2],
+    left: u32,
+    rate: u16,
+}
+
+enum Encoder {
+    Gif(Box<gif::Encoder<BufWriter<File>>>),
+    Png(Box<png::Writer<BufWriter<File>>>),
+}
+
+impl Animation {
+    /// Begins a film of `frames` frames of `size` pixels at `rate` frames a second: a GIF (`.gif`) or an animated PNG (`.png`,
+    /// `.apng`).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Unsupported`] where the extension is another, [`Error::Write`] where the size is 0 or too large for the format,
+    /// or the operating system fails.
+    pub fn create(path: &Path, size: [u32; 2], frames: u32, rate: u16) -> Result<Self, Error> {
+        let name = display_name(path);
+        let report = Report::new(&name);
+        let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+        let beside = create_beside(report, path)?;
+        let sink = || Ok(BufWriter::new(beside.as_file().try_clone()?));
+        let encoder = match extension.as_str() {
+            "gif" => {
+                let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
+                    let problem = format!("{} x {} pixels are too many for GIF", size[0], size[1]);
+                    return Err(report.write(problem, "write at most 65535 pixels a side, or a .png", None));
+                };
+                sink().and_then(|sink| begin_gif(sink, width, height))
+            }
+            "png" | "apng" => sink().and_then(|sink| begin_png(sink, size, frames, rate)),
+            _ => {
+                let found = format!("`.{extension}` is no known film format");
+                return Err(report.unsupported(Place::File, found, "use .gif, .png (animated) or a folder"));
+            }
+        };
+        let encoder = encoder.map_err(|error| failed(report, error))?;
+        Ok(Self { path: path.to_owned(), beside, encoder, size, left: frames, rate: rate.max(1) })
+    }
+
+    /// Adds a frame: the picture's first layer as sRGB with straight alpha.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Write`] where the picture has another size or there are more frames than were announced, or the operating
+    /// system fails.
+    pub fn push(&mut self, picture: &Picture) -> Result<(), Error> {
+        let name = display_name(&self.path);
+        let report = Report::new(&name);
+        if [picture.width, picture.height] != self.size || self.left == 0 {
+            let problem = "a frame is not what was announced".to_owned();
+            return Err(report.write(problem, "give all frames the same size, and as many as announced", None));
+        }
+        self.left -= 1;
+        let mut pixels = rgba(picture);
+        let written = match &mut self.encoder {
+            Encoder::Gif(encoder) => {
+                let [width, height] = self.size.map(|n| n as u16);
+                let mut frame = gif::Frame::from_rgba_speed(width, height, &mut pixels, GIF_SPEED);
+                frame.delay = (100 / self.rate).max(2);
+                frame.dispose = DisposalMethod::Background;
+                encoder.write_frame(&frame).map_err(io::Error::other)
+            }
+            Encoder::Png(writer) => writer.write_image_data(&pixels).map_err(io::Error::other),
+        };
+        written.map_err(|error| failed(report, error))
+    }
+
+    /// Ends the film and puts it in its place.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Write`] where frames are missing, or the operating system fails.
+    pub fn finish(self) -> Result<(), Error> {
+        let name = display_name(&self.path);
+        let report = Report::new(&name);
+        if self.left > 0 {
+            return Err(report.write(format!("{} frames are missing", self.left), "add them", None));
+        }
+        let ended = match self.encoder {
+            Encoder::Gif(encoder) => encoder.into_inner().map_err(io::Error::other).and_then(|mut sink| sink.flush()),
+            Encoder::Png(writer) => writer.finish().map_err(io::Error::other),
+        };
+        ended.and_then(|()| self.beside.as_file().sync_all()).map_err(|error| failed(report, error))?;
+        self.beside.persist(&self.path).map(drop).map_err(|error| failed(report, error.error))
+    }
+}
+
+fn failed(report: Report, error: io::Error) -> Error {
+    report.write(error.to_string(), "check the free space on the disk", Some(error))
+}
+
+fn begin_gif(sink: BufWriter<File>, width: u16, height: u16) -> io::Result<Encoder> {
+    let mut encoder = gif::Encoder::new(sink, width, height, &[]).map_err(io::Error::other)?;
+    encoder.set_repeat(Repeat::Infinite).map_err(io::Error::other)?;
+    Ok(Encoder::Gif(Box::new(encoder)))
+}
+
+fn begin_png(sink: BufWriter<File>, [width, height]: [u32; 2], frames: u32, rate: u16) -> io::Result<Encoder> {
+    let mut encoder = png::Encoder::new(sink, width, height);
+    encoder.set_color(ColorType::Rgba);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_source_srgb(SrgbRenderingIntent::RelativeColorimetric);
+    encoder.set_animated(frames, 0).map_err(io::Error::other)?;
+    encoder.set_frame_delay(1, rate.max(1)).map_err(io::Error::other)?;
+    Ok(Encoder::Png(Box::new(encoder.write_header().map_err(io::Error::other)?)))
+}
+
+/// The first layer as four bytes a pixel.
+fn rgba(picture: &Picture) -> Vec<u8> {
+    let alpha = picture.layers.first().and_then(|layer| layer.channel("A")).map(Cow::Borrowed);
+    let alpha = alpha.unwrap_or_else(|| vec![1.0; (picture.width * picture.height) as usize].into());
+    let pixels = picture.color().into_iter().zip(alpha.iter());
+    pixels
+        .flat_map(|([r, g, b], &alpha)| {
+            let code = |value: f32| to_8_bits(linear_to_srgb(value));
+            [code(r), code(g), code(b), to_8_bits(alpha)]
+        })
+        .collect()
+}
