@@ -6,6 +6,7 @@
 mod attenuation;
 mod ball;
 mod flux;
+mod gradients;
 mod layer;
 mod luneburg;
 mod porter_duff;
