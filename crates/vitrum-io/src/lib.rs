@@ -17,11 +17,15 @@
 //! # Ok::<(), vitrum_io::Error>(())
 //! ```
 
+mod data_file;
 mod error;
+mod fields;
 pub mod image;
 mod memory;
+mod metaimage;
 mod nifti;
 mod nrrd;
+mod numpy;
 mod open;
 mod placement;
 mod samples;
