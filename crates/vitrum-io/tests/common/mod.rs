@@ -186,6 +186,32 @@ impl NiftiHeader {
         header
     }
 
+    /// The 544 bytes before the data of the same volume in NIfTI-2.
+    pub fn second(datatype: i16, size: usize, big: bool) -> Self {
+        let mut header = Self { bytes: vec![0; 544], big };
+        header.put(0, &540_i32.to_le_bytes()).i16(12, datatype).i16(14, 8 * size as i16);
+        for (index, value) in [3, 3, 2, 2, 1, 1, 1, 1].into_iter().enumerate() {
+            header.i64(16 + 8 * index, value);
+        }
+        header.f64(104, 1.0).f64(112, 1.0).f64(120, 2.0).f64(128, 3.0).i64(168, 544).i32(500, 2);
+        header.bytes[4..12].copy_from_slice(b"n+2\0\r\n\x1a\n");
+        header
+    }
+
+    /// The header of a pair instead, which has its data from byte 0 on in another file.
+    pub fn pair(&self) -> Self {
+        let mut header = self.clone();
+        let second = header.bytes.len() == 544;
+        header.bytes[if second { 5 } else { 345 }] = b'i';
+        header.bytes.truncate(if second { 540 } else { 348 });
+        if second {
+            header.i64(168, 0)
+        } else {
+            header.f32(108, 0.0)
+        };
+        header
+    }
+
     /// Little-endian bytes, put in the header's order.
     pub fn put(&mut self, at: usize, little: &[u8]) -> &mut Self {
         let mut bytes = little.to_vec();
@@ -204,6 +230,18 @@ impl NiftiHeader {
         self.put(at, &value.to_le_bytes())
     }
 
+    pub fn i32(&mut self, at: usize, value: i32) -> &mut Self {
+        self.put(at, &value.to_le_bytes())
+    }
+
+    pub fn i64(&mut self, at: usize, value: i64) -> &mut Self {
+        self.put(at, &value.to_le_bytes())
+    }
+
+    pub fn f64(&mut self, at: usize, value: f64) -> &mut Self {
+        self.put(at, &value.to_le_bytes())
+    }
+
     pub fn with(&self, data: &[u8]) -> Vec<u8> {
         [&self.bytes, data].concat()
     }
@@ -212,6 +250,13 @@ impl NiftiHeader {
 /// A NIfTI-1 file of 12 bytes of uint8, after a change to its header.
 pub fn nifti_u8(change: impl FnOnce(&mut NiftiHeader) -> &mut NiftiHeader) -> Vec<u8> {
     let mut header = NiftiHeader::new(2, 1, false);
+    change(&mut header);
+    header.with(&[7; 12])
+}
+
+/// The same in NIfTI-2.
+pub fn nifti2_u8(change: impl FnOnce(&mut NiftiHeader) -> &mut NiftiHeader) -> Vec<u8> {
+    let mut header = NiftiHeader::second(2, 1, false);
     change(&mut header);
     header.with(&[7; 12])
 }
