@@ -87,6 +87,13 @@ fn broken_files() {
         (compressed(&damaged), "the data is damaged after 0 of 12 bytes: corrupt deflate stream"),
         (compressed(&gzip(&DATA)[..19]), "the data is damaged after"),
         (compressed(b""), "the header promises 12 bytes of data, and the 0 compressed bytes can hold 0 at most"),
+        (
+            attached(
+                &metaimage("MET_UCHAR", "CompressedData = True\n", "LOCAL").replace("3 2 2", "10000 10000 10000"),
+                &zlib(&DATA),
+            ),
+            "the header promises 1000000000000 bytes of data, and the",
+        ),
         (text("1 2 3 4 5 6 7 8 9 10      "), "the header promises 12 numbers, 10 were found"),
         (text("1 2 3"), "the header promises 12 numbers from here, and 5 bytes are there"),
         (text("1 2 3 256 5 6 7 8 9 10 11 12"), "number 4 of the data, `256`, is not a uint8"),

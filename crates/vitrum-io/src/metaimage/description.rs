@@ -81,9 +81,9 @@ impl Description {
 const KNOWN: &[&str] = &[
     "AcquisitionDate", "AnatomicalOrientation", "BinaryData", "BinaryDataByteOrderMSB", "CenterOfRotation", "Color",
     "CompressedData", "CompressedDataSize", "CompressionLevel", "DimSize", "DistanceUnits", "ElementByteOrderMSB",
-    "ElementMax", "ElementMin", "ElementNumberOfChannels", "ElementSize", "ElementSpacing", "ElementType",
-    "HeaderSize", "ID", "Modality", "NDims", "Name", "ObjectSubType", "ObjectType", "Offset", "Orientation",
-    "Origin", "ParentID", "Position", "Rotation", "SequenceID", "TransformMatrix", "TransformType",
+    "ElementMax", "ElementMin", "ElementNBits", "ElementNumberOfChannels", "ElementSize", "ElementSpacing",
+    "ElementType", "HeaderSize", "ID", "Modality", "NDims", "Name", "ObjectSubType", "ObjectType", "Offset",
+    "Orientation", "Origin", "ParentID", "Position", "Rotation", "SequenceID", "TransformMatrix", "TransformType",
 ];
 
 fn check_object(fields: &Fields, report: Report) -> Result<(), Error> {
