@@ -16,6 +16,9 @@ const FILES: &[Stated] = &[
     ("volumes/bonsai.nii.gz", [256, 256, 256], [0.0, 255.0], [1.0, 1.0, 1.0]),
     ("volumes/heptane.nii.gz", [302, 302, 302], [0.0, 255.0], [1.0, 1.0, 1.0]),
     ("volumes/iguana_head_ct.nii.gz", [210, 256, 179], [0.0, 229.0], [0.1018, 0.1018, 0.1018]),
+    ("volumes/HeadMRVolume.mhd", [48, 62, 42], [0.0, 255.0], [4.0, 4.0, 4.0]),
+    // Its CompressedDataSize is too small.
+    ("volumes/frogtissue.mhd", [500, 470, 136], [0.0, 29.0], [1.0, 1.0, 1.5]),
 ];
 
 #[test]

@@ -73,6 +73,16 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// The same error at a place that only the caller knows.
+    pub(crate) fn at(self, place: Place) -> Self {
+        match self {
+            Self::Invalid { file, problem, advice, .. } => Self::Invalid { file, place, problem, advice },
+            other => other,
+        }
+    }
+}
+
 /// Where in a file an [`Error`] was found; displayed behind the file's name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -133,4 +143,14 @@ impl<'a> Report<'a> {
     pub fn write(self, problem: impl Into<String>, advice: impl Into<String>, source: Option<io::Error>) -> Error {
         Error::Write { file: self.file.to_owned(), problem: problem.into(), advice: advice.into(), source }
     }
+}
+
+/// The start of a text from a file, fit for a message.
+pub(crate) fn clip(text: &str) -> String {
+    const MOST: usize = 60;
+    let mut clipped: String = text.chars().take(MOST).collect::<String>().escape_debug().collect();
+    if text.chars().nth(MOST).is_some() {
+        clipped.push('…');
+    }
+    clipped
 }

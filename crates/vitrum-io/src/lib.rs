@@ -1,5 +1,5 @@
-//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI) and pictures (PNG, OpenEXR,
-//! Radiance HDR, JPEG, TIFF).
+//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, MetaImage, NumPy)
+//! and pictures (PNG, OpenEXR, Radiance HDR, JPEG, TIFF).
 //!
 //! Files come from anywhere, so nothing in them is believed before it is checked: sizes are held
 //! against the bytes that are there and the memory that may be used before anything is allocated,
@@ -17,11 +17,15 @@
 //! # Ok::<(), vitrum_io::Error>(())
 //! ```
 
+mod data_file;
 mod error;
+mod fields;
 pub mod image;
 mod memory;
+mod metaimage;
 mod nifti;
 mod nrrd;
+mod numpy;
 mod open;
 mod placement;
 mod samples;

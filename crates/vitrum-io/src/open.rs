@@ -7,8 +7,10 @@ use std::path::Path;
 use flate2::read::MultiGzDecoder;
 
 use crate::error::{Error, Place, Report};
+use crate::metaimage::MetaImage;
 use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
+use crate::numpy::Numpy;
 use crate::samples::read_up_to;
 use crate::volume::Volume;
 
@@ -41,7 +43,7 @@ pub trait VolumeReader: Sync {
 /// All formats, in the order in which they are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
-    &[&Nrrd, &Nifti]
+    &[&Nrrd, &Nifti, &MetaImage, &Numpy]
 }
 
 /// A file about to be read.

@@ -85,3 +85,15 @@ fn narrow(values: [f64; 3]) -> [f32; 3] {
 fn vector([x, y, z]: [f64; 3]) -> String {
     format!("({x:?}, {y:?}, {z:?})")
 }
+
+/// Millimetres per unit of length, where the name is known.
+pub(crate) fn millimetres(unit: &str) -> Option<f64> {
+    match unit {
+        "m" | "meter" | "meters" => Some(1e3),
+        "cm" => Some(1e1),
+        "mm" | "millimeter" | "millimeters" => Some(1.0),
+        "um" | "µm" | "μm" | "micron" | "microns" | "micrometer" | "micrometers" => Some(1e-3),
+        "nm" => Some(1e-6),
+        _ => None,
+    }
+}

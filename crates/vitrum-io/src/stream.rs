@@ -3,7 +3,16 @@
 use std::io::{self, Read};
 
 use crate::error::{Error, Place, Report};
-use crate::samples::{VoxelBuffer, read_up_to};
+use crate::samples::{SampleType, VoxelBuffer, read_up_to};
+
+/// The bytes that so many samples take in the file, or the problem with the sizes at `place`.
+pub(crate) fn data_bytes(report: Report, place: Place, dimensions: [u32; 3], sample: SampleType) -> Result<u64, Error> {
+    let bytes = dimensions.into_iter().map(u128::from).product::<u128>() * sample.size() as u128;
+    // Half of the address space, so that no sum of sizes and offsets can overflow.
+    u64::try_from(bytes).ok().filter(|&bytes| bytes <= u64::MAX >> 1).ok_or_else(|| {
+        report.invalid(place, format!("the sizes make {bytes} bytes, more than any file holds"), "correct the sizes")
+    })
+}
 
 /// Fails where `available` bytes cannot hold `needed`, before anything is allocated for them.
 pub(crate) fn check_length(report: Report, needed: u64, start: u64, available: u64) -> Result<(), Error> {

@@ -4,7 +4,7 @@ mod common;
 
 use std::sync::LazyLock;
 
-use common::{Folder, NiftiHeader, attached, gzip, nrrd};
+use common::{Folder, NiftiHeader, attached, gzip, metaimage, npy, npy_with, nrrd, zlib};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use vitrum_io::{OpenOptions, Picture, read_picture, write_picture};
@@ -29,6 +29,8 @@ fn damaged(file: &[u8], (changes, cut): &Damage) -> Vec<u8> {
 fn volumes() -> Vec<Vec<u8>> {
     let more = "endian: big\nspace: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1,2,3)\n";
     let nifti = NiftiHeader::new(4, 2, false).with(&[1; 24]);
+    let placed = "BinaryDataByteOrderMSB = True\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 1 2 3\n\
+                  ElementSpacing = 1 2 3\nHeaderSize = 0\n";
     vec![
         attached(&nrrd("int16", "raw", more), &[1; 24]),
         attached(&nrrd("float", "gzip", more), &gzip(&[1; 48])),
@@ -38,6 +40,14 @@ fn volumes() -> Vec<Vec<u8>> {
         nrrd("uint8", "raw", "data file: LIST\nslice1\nslice2\n").into_bytes(),
         gzip(&nifti),
         nifti,
+        NiftiHeader::second(4, 2, true).with(&[1; 24]),
+        attached(&metaimage("MET_SHORT", placed, "LOCAL"), &[1; 24]),
+        attached(&metaimage("MET_FLOAT", "CompressedData = True\nCompressedDataSize = 9\n", "LOCAL"), &zlib(&[1; 48])),
+        attached(&metaimage("MET_UCHAR", "BinaryData = False\n", "LOCAL"), b"1 2 3 4 5 6 7 8 9 10 11 12"),
+        metaimage("MET_UCHAR", "HeaderSize = -1\n", "slice%d 1 2 1").into_bytes(),
+        metaimage("MET_UCHAR", "", "LIST 2\nslice1\nslice2").into_bytes(),
+        npy(">i2", &[1; 24]),
+        npy_with((2, 0), "{'descr': '<f4', 'fortran_order': True, 'shape': (3, 2, 2)}", &[1; 48]),
     ]
 }
 
@@ -81,6 +91,29 @@ proptest! {
     }
 
     #[test]
+    fn damaged_pairs(damage in damage(), image in damage()) {
+        let folder = Folder::new();
+        for header in [NiftiHeader::new(2, 1, false), NiftiHeader::second(2, 1, true)] {
+            folder.write("a.img", damaged(&gzip(&[1; 12]), &image));
+            open(&folder, "a.hdr", &damaged(&header.pair().bytes, &damage));
+        }
+    }
+
+    #[test]
+    fn random_metaimage_lines(lines in vec("(ElementSpacing|ElementSize|Offset|TransformMatrix|HeaderSize|CompressedData|BinaryData|ElementByteOrderMSB|ElementNumberOfChannels|DistanceUnits|ElementDataFile)[:= ]{1,3}[-0-9a-zLIST%., ]{0,24}", 0..6)) {
+        let header = metaimage("MET_UCHAR", &format!("{}\n", lines.join("\n")), "LOCAL");
+        open(&Folder::new(), "a.mha", &attached(&header, &[1; 12]));
+    }
+
+    #[test]
+    fn random_numpy_dictionaries(text in "[{}()'\"<>|, :a-zA-Z0-9\\[\\]µ]{0,60}", version in 1_u8..4) {
+        let folder = Folder::new();
+        open(&folder, "a.npy", &npy_with((version, 0), &text, &[1; 12]));
+        let entries = format!("{{'descr': '|u1', 'fortran_order': False, 'shape': {text}}}");
+        open(&folder, "a.npy", &npy_with((version, 0), &entries, &[1; 12]));
+    }
+
+    #[test]
     fn random_header_lines(lines in vec("(type|sizes|space|spacings|encoding|endian|data ?file|byte skip|line skip|space directions|space origin|units|kinds|LIST)[:= ]{1,3}[-0-9a-z%., ()\"]{0,24}", 0..6)) {
         let header = nrrd("uint8", "raw", "");
         let header: String = header.lines().filter(|line| {
@@ -92,7 +125,7 @@ proptest! {
     }
 
     #[test]
-    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|png|x") {
+    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|hdr|img|mha|mhd|npy|png|x") {
         let folder = Folder::new();
         open(&folder, &format!("a.{extension}"), &bytes);
         let _ = read_picture(&folder.path(&format!("a.{extension}")));

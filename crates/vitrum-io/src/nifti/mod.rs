@@ -1,7 +1,10 @@
-//! NIfTI-1, the format of neuroimaging: a binary header and the data in one file, often gzipped.
+//! NIfTI-1 and -2, the format of neuroimaging: a binary header and the data in one file, often
+//! gzipped, or in two.
 
 mod header;
+mod layout;
 mod orientation;
+mod pair;
 
 use std::fs::File;
 use std::io::{self, BufReader, Read};
@@ -9,7 +12,8 @@ use std::path::Path;
 
 use flate2::bufread::MultiGzDecoder;
 
-use self::header::{Header, Kind};
+use self::header::Header;
+use self::layout::FIRST;
 use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::open::{Input, OpenOptions, VolumeReader};
@@ -18,16 +22,16 @@ use crate::stream;
 use crate::volume::{Source, Volume};
 use crate::voxels::Voxels;
 
-/// The reader of `.nii` and `.nii.gz` files.
+/// The reader of `.nii` files and of pairs of `.hdr` and `.img`, each perhaps gzipped.
 pub(crate) struct Nifti;
 
 impl VolumeReader for Nifti {
     fn name(&self) -> &'static str {
-        "NIfTI-1"
+        "NIfTI"
     }
 
     fn extensions(&self) -> &'static [&'static str] {
-        &[".nii", ".nii.gz"]
+        &[".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"]
     }
 
     fn recognises(&self, head: &[u8], _path: &Path) -> bool {
@@ -36,31 +40,41 @@ impl VolumeReader for Nifti {
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let endian = match header::kind(&input.head) {
-            Some(Kind::Single(endian)) => endian,
-            kind => return Err(refusal(report, kind)),
-        };
-        let file = BufReader::new(File::open(input.path).map_err(|error| report.unreadable(error))?);
-        let mut reader: Box<dyn Read> =
-            if input.gzipped { Box::new(MultiGzDecoder::new(file)) } else { Box::new(file) };
-        let mut bytes = [0; header::LENGTH];
+        let kind = header::kind(&input.head).ok_or_else(|| refusal(report, &input.head))?;
+        let mut reader = decompressed(input)?;
+        let mut bytes = vec![0; kind.layout.length];
         let (found, outcome) = read_up_to(&mut reader, &mut bytes);
-        outcome.map_err(|error| stream::damaged(report, found as u64, header::LENGTH as u64, error))?;
-        let header = Header::parse(&bytes, endian, report)?;
+        outcome.map_err(|error| stream::damaged(report, found as u64, bytes.len() as u64, error))?;
+        if found < bytes.len() {
+            return Err(report.invalid(
+                Place::Byte(found as u64),
+                format!("the header ends here, and has {} bytes", bytes.len()),
+                "get the whole file",
+            ));
+        }
+        let header = Header::parse(&bytes, kind, report)?;
         let mut assumptions = Vec::new();
         let placement = orientation::placement(&header, report, &mut assumptions)?;
         assumptions.extend(header.sample.rounding_note());
-        let voxels = read_data(&header, input, &mut reader, options, &mut assumptions)?;
+        let (voxels, gzipped) = if kind.pair {
+            let image = pair::image(input, kind)?;
+            let image = Input::new(&image.path)?;
+            let data = Data { input: &image, reader: decompressed(&image)?, position: 0 };
+            (data.read(&header, options, &mut assumptions)?, image.gzipped)
+        } else {
+            let data = Data { input, reader, position: found as u64 };
+            (data.read(&header, options, &mut assumptions)?, input.gzipped)
+        };
         let name = input.name.clone();
         let mut volume = Volume::new(name, header.dimensions, placement.spacing, voxels)?;
         placement.apply(&mut volume);
         let volume = apply_scaling(volume, &header)?;
-        let packing = if input.gzipped { "gzip" } else { "raw" };
+        let packing = if gzipped { "gzip" } else { "raw" };
         Ok(Volume {
             source: Source {
-                format: self.name(),
+                format: kind.layout.name,
                 sample_type: header.sample.name().to_owned(),
-                encoding: format!("{packing}, {}", endian.name()),
+                encoding: format!("{packing}, {}", header.endian.name()),
                 assumptions,
             },
             ..volume
@@ -68,63 +82,80 @@ impl VolumeReader for Nifti {
     }
 }
 
-/// Why a file that came here by its content or its extension is not read.
-fn refusal(report: Report, kind: Option<Kind>) -> Error {
-    match kind {
-        Some(Kind::Second) => report.unsupported(
-            Place::Byte(4),
-            "this is NIfTI-2, and only NIfTI-1 is read",
-            "convert it, for example by `nifti_tool -convert2dtype` or nibabel's Nifti1Image",
-        ),
-        Some(Kind::Pair) => report.unsupported(
-            Place::Byte(344),
-            "this is the header of a NIfTI pair, with its data in an .img file",
-            "convert it to a single .nii file, for example by `fslchfiletype NIFTI FILE`",
-        ),
-        _ => report.invalid(
-            Place::Byte(0),
-            "this does not start with a NIfTI-1 header: 348 in either byte order, and `n+1` at \
-             byte 344",
-            "check that the file is whole, and that its extension is right",
-        ),
+/// Why a file that came here by its extension is not read.
+fn refusal(report: Report, head: &[u8]) -> Error {
+    if pair::is_image(report.file) {
+        return report.unsupported(
+            Place::File,
+            "this is the data of a NIfTI pair, which says nothing about itself",
+            "open its header, the .hdr file beside it",
+        );
     }
+    if pair::is_header(report.file)
+        && [348_i32.to_le_bytes(), 348_i32.to_be_bytes()].iter().any(|size| head.starts_with(size))
+    {
+        return report.unsupported(
+            Place::Byte(FIRST.magic as u64),
+            "this is the header of an ANALYZE 7.5 pair or damaged: a NIfTI-1 pair has `ni1` here",
+            "convert it to NIfTI, for example by nibabel",
+        );
+    }
+    report.invalid(
+        Place::Byte(0),
+        "this does not start with a NIfTI header: 348 in either byte order and `n+1` at byte 344, or \
+         540 and `n+2` at byte 4",
+        "check that the file is whole, and that its extension is right",
+    )
 }
 
-fn read_data(
-    header: &Header,
-    input: &Input,
-    reader: &mut dyn Read,
-    options: &OpenOptions,
-    assumptions: &mut Vec<String>,
-) -> Result<Voxels, Error> {
-    let report = Report::new(&input.name);
-    let size = header.sample.size() as u64;
-    // At most 32767 to the third power times 8: far below the limits of u64.
-    let count: u64 = header.dimensions.into_iter().map(u64::from).product();
-    let start = header.data_start;
-    if input.gzipped {
-        stream::check_deflate(report, start + count * size, input.length)?;
-    } else {
-        let there = input.length.saturating_sub(start);
-        stream::check_length(report, count * size, start, there)?;
-        if there > count * size {
-            let unread = there - count * size;
-            assumptions.push(format!("{unread} bytes behind the last voxel were left unread"));
+/// The bytes of a file, seen through gzip.
+fn decompressed(input: &Input) -> Result<Box<dyn Read>, Error> {
+    let file = File::open(input.path).map_err(|error| Report::new(&input.name).unreadable(error))?;
+    let file = BufReader::new(file);
+    Ok(if input.gzipped { Box::new(MultiGzDecoder::new(file)) } else { Box::new(file) })
+}
+
+/// The file with the samples, which is the header's or another.
+struct Data<'a> {
+    input: &'a Input<'a>,
+    reader: Box<dyn Read>,
+    /// How far that was read.
+    position: u64,
+}
+
+impl Data<'_> {
+    fn read(mut self, header: &Header, options: &OpenOptions, assumptions: &mut Vec<String>) -> Result<Voxels, Error> {
+        let Input { name, length, gzipped, .. } = self.input;
+        let report = Report::new(name);
+        let size = header.sample.size();
+        let sizes = Place::Byte(header.layout.dim(1) as u64);
+        let bytes = stream::data_bytes(report, sizes, header.dimensions, header.sample)?;
+        let count = bytes / size as u64;
+        let start = header.data_start;
+        if *gzipped {
+            stream::check_deflate(report, start + bytes, *length)?;
+        } else {
+            let there = length.saturating_sub(start);
+            stream::check_length(report, bytes, start, there)?;
+            if there > bytes {
+                let unread = there - bytes;
+                assumptions.push(format!("{unread} bytes behind the last voxel were left unread"));
+            }
         }
+        memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
+        let count = usize::try_from(count).unwrap_or(usize::MAX);
+        let mut voxels = VoxelBuffer::reserve(report, header.sample, header.endian, count)?;
+        // Extensions lie between the header and the data. A stream that ends in them has no data, and
+        // is told so below.
+        let skipped = start.saturating_sub(self.position);
+        io::copy(&mut self.reader.by_ref().take(skipped), &mut io::sink())
+            .map_err(|error| stream::damaged(report, self.position, start, error))?;
+        stream::fill(report, &mut voxels, &mut self.reader, count, size)?;
+        if *gzipped {
+            stream::refuse_surplus(report, &mut self.reader, bytes)?;
+        }
+        Ok(voxels.into_voxels())
     }
-    memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
-    let count = usize::try_from(count).unwrap_or(usize::MAX);
-    let mut voxels = VoxelBuffer::reserve(report, header.sample, header.endian, count)?;
-    // Extensions lie between the header and the data. A stream that ends in them has no data, and
-    // is told so below.
-    let extensions = start - header::LENGTH as u64;
-    io::copy(&mut reader.take(extensions), &mut io::sink())
-        .map_err(|error| stream::damaged(report, header::LENGTH as u64, start, error))?;
-    stream::fill(report, &mut voxels, reader, count, size as usize)?;
-    if input.gzipped {
-        stream::refuse_surplus(report, reader, count as u64 * size)?;
-    }
-    Ok(voxels.into_voxels())
 }
 
 /// Physical values are `slope * sample + intercept`; a slope of 0 means that there is none.
@@ -137,7 +168,7 @@ fn apply_scaling(volume: Volume, header: &Header) -> Result<Volume, Error> {
     };
     if !(slope.is_finite() && intercept.is_finite()) {
         return Err(Report::new(&volume.name).invalid(
-            Place::Byte(112),
+            Place::Byte(header.layout.slope as u64),
             format!("scl_slope is {slope} and scl_inter {intercept}, not finite numbers"),
             "correct the header",
         ));

@@ -1,4 +1,4 @@
-//! Where a NIfTI-1 header says its grid lies. NIfTI's world is RAS+ as ours is.
+//! Where a NIfTI header says its grid lies. NIfTI's world is RAS+ as ours is.
 
 use super::header::Header;
 use crate::error::{Error, Place, Report};
@@ -10,13 +10,13 @@ use crate::volume::{IDENTITY, check_spacing};
 pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<String>) -> Result<Placement, Error> {
     let scale = unit_scale(header, report, assumptions)?;
     let pixdim = [header.pixdim[1], header.pixdim[2], header.pixdim[3]];
-    let spacing = pixdim.map(|spacing| (f64::from(spacing) * scale) as f32);
+    let spacing = pixdim.map(|spacing| (spacing * scale) as f32);
     let placed = |columns: [[f64; 3]; 3], origin: [f64; 3]| {
         Placement::from_columns(columns, Some(origin))
             .map_err(|problem| report.invalid(Place::File, problem, "correct the sform or the qform in the header"))
     };
     if header.sform_code > 0 {
-        let world = |column: usize| header.srow.map(|row| f64::from(row[column]) * scale);
+        let world = |column: usize| header.srow.map(|row| row[column] * scale);
         let placement = placed([world(0), world(1), world(2)], world(3))?;
         assumptions.extend(placement.shear_note());
         let differs = |(a, b): (&f32, &f32)| (a - b).abs() > 0.01 * a;
@@ -32,7 +32,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
     if header.qform_code > 0 {
         let rotation = rotation(header.quaternion).ok_or_else(|| {
             report.invalid(
-                Place::Byte(256),
+                Place::Byte(header.layout.quaternion as u64),
                 format!("the quaternion {:?} is no rotation", header.quaternion),
                 "correct the qform in the header",
             )
@@ -42,7 +42,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
         let steps = spacing.map(f64::from);
         let steps = [steps[0], steps[1], steps[2] * handedness];
         let column = |axis: usize| rotation.map(|row| row[axis] * steps[axis]);
-        let origin = header.qoffset.map(|value| f64::from(value) * scale);
+        let origin = header.qoffset.map(|value| value * scale);
         return placed([column(0), column(1), column(2)], origin);
     }
     assumptions.push(
@@ -54,8 +54,8 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
 }
 
 /// The rotation matrix, in rows, of the unit quaternion whose last three parts these are.
-fn rotation(quaternion: [f32; 3]) -> Option<[[f64; 3]; 3]> {
-    let [b, c, d] = quaternion.map(f64::from);
+fn rotation(quaternion: [f64; 3]) -> Option<[[f64; 3]; 3]> {
+    let [b, c, d] = quaternion;
     let rest = 1.0 - (b * b + c * c + d * d);
     // Rounding alone may put the length of a half turn slightly above 1.
     if !(rest.is_finite() && rest > -1e-4) {
@@ -81,7 +81,7 @@ fn unit_scale(header: &Header, report: Report, assumptions: &mut Vec<String>) ->
         3 => (1e-3, "lengths in µm were turned into mm"),
         other => {
             return Err(report.invalid(
-                Place::Byte(123),
+                Place::Byte(header.layout.units as u64),
                 format!("xyzt_units has {other} for space, not 0 to 3"),
                 "correct the header",
             ));

@@ -1,27 +1,11 @@
 //! Which files hold the data of a NRRD header.
 
-use std::fs;
-use std::path::{Component, Path};
-
 use super::description::Description;
-use super::header::{Field, Header, clip};
-use crate::error::{Error, Place, Report};
-use crate::open::{Input, display_name};
-
-/// More files than this for one volume are a mistake in the header.
-const MOST_FILES: u64 = 1_000_000;
-
-/// One file, and where its data segment starts.
-#[derive(Debug)]
-pub(super) struct DataFile {
-    pub path: std::path::PathBuf,
-    /// Its name for messages.
-    pub name: String,
-    /// Its size in bytes.
-    pub length: u64,
-    /// Where lines and bytes are skipped from.
-    pub start: u64,
-}
+use super::header::Header;
+use crate::data_file::{DataFile, MOST_FILES, numbered_name};
+use crate::error::{Error, Place, Report, clip};
+use crate::fields::Field;
+use crate::open::Input;
 
 /// The files in the order of their slices, each with the same share of the voxels.
 pub(super) fn locate(
@@ -38,16 +22,10 @@ pub(super) fn locate(
                 "name the data file, or get the whole file",
             ));
         }
-        return Ok(vec![DataFile {
-            path: input.path.to_owned(),
-            name: input.name.clone(),
-            length: input.length,
-            start: header.length,
-        }]);
+        return Ok(vec![DataFile::attached(input, header.length)]);
     };
-    let folder = input.path.parent().unwrap_or(Path::new(""));
     let names = names(header, field, description, report)?;
-    names.iter().map(|name| data_file(report, field, folder, name)).collect()
+    names.iter().map(|name| DataFile::detached(report, field.place(), input, name)).collect()
 }
 
 /// File names as the header writes them: one, a list, or a numbered pattern.
@@ -66,7 +44,7 @@ fn names(header: &Header, field: &Field, description: &Description, report: Repo
     let subdim = pattern.subdim.map(|text| subdim(report, field, text)).transpose()?;
     check_file_count(report, field, description, subdim, count.unwrap_or(0))?;
     let numbers = (0..count.unwrap_or(0)).map(|index| pattern.first + index as i64 * pattern.step);
-    let names: Option<Vec<_>> = numbers.map(|number| expand(pattern.name, number)).collect();
+    let names: Option<Vec<_>> = numbers.map(|number| numbered_name(pattern.name, number)).collect();
     names.ok_or_else(|| {
         report.invalid(
             field.place(),
@@ -106,26 +84,6 @@ impl<'a> Pattern<'a> {
     }
 }
 
-/// `name` with its one `%d`, `%i` or `%u`, perhaps with a width such as `%03d`, put in numbers.
-fn expand(name: &str, number: i64) -> Option<String> {
-    let (before, after) = name.split_once('%')?;
-    let conversion = after.find(['d', 'i', 'u'])?;
-    let (width, rest) = after.split_at(conversion);
-    let rest = &rest[1..];
-    if rest.contains('%') {
-        return None;
-    }
-    let digits = match width {
-        "" => number.to_string(),
-        _ => match (width.strip_prefix('0'), width.parse::<usize>().ok()?) {
-            (_, 33..) => return None,
-            (Some(_), width) => format!("{number:0width$}"),
-            (None, width) => format!("{number:width$}"),
-        },
-    };
-    Some(format!("{before}{digits}{rest}"))
-}
-
 fn subdim(report: Report, field: &Field, text: &str) -> Result<usize, Error> {
     text.parse().ok().filter(|subdim| (1..=3).contains(subdim)).ok_or_else(|| {
         report.invalid(
@@ -158,25 +116,4 @@ fn check_file_count(
         ));
     }
     Ok(())
-}
-
-/// Finds a file that the header names. A header may come from anywhere, so it reaches only regular
-/// files in its own folder and below.
-fn data_file(report: Report, field: &Field, folder: &Path, name: &str) -> Result<DataFile, Error> {
-    let relative = Path::new(name);
-    let inside = relative.components().all(|component| matches!(component, Component::Normal(_) | Component::CurDir));
-    let refuse = |problem: String| {
-        let advice = "put a regular file beside the header, and name it relative to that";
-        report.invalid(field.place(), problem, advice)
-    };
-    if !inside || name.is_empty() {
-        return Err(refuse(format!("the data file `{}` is not below the header", clip(name))));
-    }
-    let path = folder.join(relative);
-    let metadata = fs::metadata(&path)
-        .map_err(|error| refuse(format!("the data file `{}` cannot be read: {error}", clip(name))))?;
-    if !metadata.is_file() {
-        return Err(refuse(format!("the data file `{}` is not a regular file", clip(name))));
-    }
-    Ok(DataFile { name: display_name(&path), length: metadata.len(), path, start: 0 })
 }

@@ -1,12 +1,12 @@
 //! What the fields of a NRRD header mean.
 
-use std::str::FromStr;
-
-use super::header::{Field, Header, clip};
+use super::header::Header;
 use super::space;
-use crate::error::{Error, Place, Report};
+use crate::error::{Error, Place, Report, clip};
+use crate::fields::Field;
 use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
+use crate::stream;
 
 /// How the samples are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,13 +58,13 @@ impl Description {
         let encoding = encoding(header, report)?;
         let endian = endian(header, report, sample, encoding)?;
         let dimensions = dimensions(header, report)?;
-        let data_bytes = data_bytes(header, report, dimensions, sample)?;
+        let sizes = header.get("sizes").map_or(Place::File, Field::place);
+        let data_bytes = stream::data_bytes(report, sizes, dimensions, sample)?;
         let (line_skip, byte_skip) = skips(header, report, encoding)?;
         let mut assumptions = Vec::new();
         let placement = space::placement(header, report, &mut assumptions)?;
         assumptions.extend(sample.rounding_note());
-        assumptions
-            .extend(header.unknown(KNOWN).map(|name| format!("the field `{}` was left out of account", clip(name))));
+        assumptions.extend(header.fields.unknown_notes(KNOWN));
         Ok(Self { sample, endian, encoding, dimensions, data_bytes, line_skip, byte_skip, placement, assumptions })
     }
 
@@ -182,7 +182,7 @@ fn endian(header: &Header, report: Report, sample: SampleType, encoding: Encodin
 
 fn dimensions(header: &Header, report: Report) -> Result<[u32; 3], Error> {
     let field = header.require(report, "dimension", "dimension: 3")?;
-    let dimension: u32 = numbers(report, field, 1)?[0];
+    let dimension: u32 = field.numbers(report, 1)?[0];
     if dimension != 3 {
         return Err(report.unsupported(
             field.place(),
@@ -191,7 +191,7 @@ fn dimensions(header: &Header, report: Report) -> Result<[u32; 3], Error> {
         ));
     }
     let field = header.require(report, "sizes", "sizes: 64 64 64")?;
-    let sizes: Vec<u32> = numbers(report, field, 3)?;
+    let sizes: Vec<u32> = field.numbers(report, 3)?;
     if sizes.contains(&0) {
         return Err(report.invalid(
             field.place(),
@@ -202,24 +202,15 @@ fn dimensions(header: &Header, report: Report) -> Result<[u32; 3], Error> {
     Ok([sizes[0], sizes[1], sizes[2]])
 }
 
-fn data_bytes(header: &Header, report: Report, dimensions: [u32; 3], sample: SampleType) -> Result<u64, Error> {
-    let bytes = dimensions.into_iter().map(u128::from).product::<u128>() * sample.size() as u128;
-    // Half of the address space, so that no sum of sizes and offsets can overflow.
-    u64::try_from(bytes).ok().filter(|&bytes| bytes <= u64::MAX >> 1).ok_or_else(|| {
-        let place = header.get("sizes").map_or(Place::File, Field::place);
-        report.invalid(place, format!("the sizes make {bytes} bytes, more than any file holds"), "correct the sizes")
-    })
-}
-
 fn skips(header: &Header, report: Report, encoding: Encoding) -> Result<(u64, ByteSkip), Error> {
     let line_skip = match header.get("lineskip") {
-        Some(field) => numbers(report, field, 1)?[0],
+        Some(field) => field.numbers(report, 1)?[0],
         None => 0,
     };
     let Some(field) = header.get("byteskip") else {
         return Ok((line_skip, ByteSkip::Forward(0)));
     };
-    let skip: i64 = numbers(report, field, 1)?[0];
+    let skip: i64 = field.numbers(report, 1)?[0];
     match (u64::try_from(skip), encoding) {
         (Ok(skip), _) => Ok((line_skip, ByteSkip::Forward(skip))),
         (Err(_), Encoding::Raw) if skip == -1 => Ok((line_skip, ByteSkip::FromEnd)),
@@ -229,19 +220,4 @@ fn skips(header: &Header, report: Report, encoding: Encoding) -> Result<(u64, By
             "give 0 or more, or -1 with raw encoding for data at the end of the file",
         )),
     }
-}
-
-/// Exactly `count` numbers.
-pub(super) fn numbers<T: FromStr>(report: Report, field: &Field, count: usize) -> Result<Vec<T>, Error> {
-    let parsed = field.text.split_whitespace().map(str::parse).collect::<Result<Vec<T>, _>>();
-    parsed.ok().filter(|values| values.len() == count).ok_or_else(|| {
-        // The types in use are f64 and the integers.
-        let float = std::any::type_name::<T>().starts_with('f');
-        let expected = match (float, count) {
-            (true, _) => format!("{count} numbers"),
-            (false, 1) => "a whole number in range".to_owned(),
-            (false, _) => format!("{count} whole numbers in range"),
-        };
-        report.invalid(field.place(), format!("`{}` is not {expected}", clip(&field.text)), format!("write {expected}"))
-    })
 }

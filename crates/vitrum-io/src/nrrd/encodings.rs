@@ -2,8 +2,7 @@
 
 use std::io::{self, BufRead, Read};
 
-use crate::error::{Error, Place, Report};
-use crate::nrrd::header::clip;
+use crate::error::{Error, Place, Report, clip};
 use crate::samples::VoxelBuffer;
 
 /// Two hexadecimal digits a byte, white space anywhere.
@@ -52,7 +51,7 @@ impl<R: BufRead> Read for HexReader<R> {
 }
 
 /// Fails where `available` bytes cannot hold `count` numbers: a digit each, and separators between.
-pub(super) fn check_text_length(report: Report, count: u64, start: u64, available: u64) -> Result<(), Error> {
+pub(crate) fn check_text_length(report: Report, count: u64, start: u64, available: u64) -> Result<(), Error> {
     if available < 2 * count - 1 {
         return Err(report.invalid(
             Place::Byte(start),
@@ -64,7 +63,7 @@ pub(super) fn check_text_length(report: Report, count: u64, start: u64, availabl
 }
 
 /// Decodes `count` decimal numbers, separated by white space or commas.
-pub(super) fn read_text(
+pub(crate) fn read_text(
     report: Report,
     voxels: &mut VoxelBuffer,
     reader: &mut impl BufRead,

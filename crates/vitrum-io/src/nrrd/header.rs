@@ -2,31 +2,14 @@
 
 use std::io::BufRead;
 
-use crate::error::{Error, Place, Report};
-
-/// Longest header that is read; real ones are a few hundred bytes, and those that list a data
-/// file for each slice a few hundred kilobytes.
-const MAX_BYTES: u64 = 16 << 20;
-
-/// One `field: description` line.
-#[derive(Debug, Clone)]
-pub(super) struct Field {
-    /// Lower case and without spaces: the format writes `data file` and `datafile` alike.
-    name: String,
-    pub text: String,
-    pub line: usize,
-}
-
-impl Field {
-    pub fn place(&self) -> Place {
-        Place::Line(self.line)
-    }
-}
+use crate::error::{Error, Place, Report, clip};
+use crate::fields::{Field, Fields, Lines};
 
 /// All fields, with the list of data files that may follow the last.
 #[derive(Debug)]
 pub(super) struct Header {
-    fields: Vec<Field>,
+    /// Their names are in lower case and without spaces: the format writes `data file` and `datafile` alike.
+    pub fields: Fields,
     /// The lines behind `data file: LIST`.
     pub listed_files: Vec<String>,
     /// Bytes that the header takes, its closing blank line included.
@@ -37,9 +20,9 @@ pub(super) struct Header {
 
 impl Header {
     pub fn read(reader: impl BufRead, report: Report) -> Result<Self, Error> {
-        let mut lines = Lines { reader: reader.take(MAX_BYTES), report, number: 0, length: 0 };
+        let mut lines = Lines::new(reader, report, "a blank line");
         check_magic(report, lines.next()?.as_deref().unwrap_or_default())?;
-        let mut header = Self { fields: vec![], listed_files: vec![], length: 0, closed: false };
+        let mut header = Self { fields: Fields::default(), listed_files: vec![], length: 0, closed: false };
         let mut listing = false;
         while let Some(line) = lines.next()? {
             if line.is_empty() {
@@ -67,77 +50,20 @@ impl Header {
             let name = name.replace(' ', "").to_ascii_lowercase();
             let text = text.trim().to_owned();
             listing = name == "datafile" && text.split_whitespace().next() == Some("LIST");
-            header.add(report, Field { name, text, line: lines.number })?;
+            header.fields.add(report, Field { name, text, line: lines.number })?;
         }
         header.length = lines.length;
         Ok(header)
     }
 
-    fn add(&mut self, report: Report, field: Field) -> Result<(), Error> {
-        if let Some(first) = self.get(&field.name) {
-            return Err(report.invalid(
-                field.place(),
-                format!("`{}` was given in line {} already", field.name, first.line),
-                "keep one of the two",
-            ));
-        }
-        self.fields.push(field);
-        Ok(())
-    }
-
     /// The field of a name, given in lower case and without spaces.
     pub fn get(&self, name: &str) -> Option<&Field> {
-        self.fields.iter().find(|field| field.name == name)
+        self.fields.get(name)
     }
 
     /// The field, or an error that says what it should look like.
     pub fn require(&self, report: Report, name: &str, example: &str) -> Result<&Field, Error> {
-        self.get(name).ok_or_else(|| {
-            report.invalid(
-                Place::File,
-                format!("the header has no `{name}`"),
-                format!("add a line such as `{example}`"),
-            )
-        })
-    }
-
-    /// Names of the fields that are not among `known`.
-    pub fn unknown<'a>(&'a self, known: &'a [&str]) -> impl Iterator<Item = &'a str> {
-        let names = self.fields.iter().map(|field| field.name.as_str());
-        names.filter(|name| !known.contains(name))
-    }
-}
-
-/// Lines without their ends, LF or CRLF.
-struct Lines<'a, R> {
-    reader: std::io::Take<R>,
-    report: Report<'a>,
-    number: usize,
-    length: u64,
-}
-
-impl<R: BufRead> Lines<'_, R> {
-    fn next(&mut self) -> Result<Option<String>, Error> {
-        let mut bytes = Vec::new();
-        let read = self.reader.read_until(b'\n', &mut bytes);
-        let count = read.map_err(|error| self.report.unreadable(error))?;
-        self.number += 1;
-        self.length += count as u64;
-        if count == 0 && self.length == MAX_BYTES {
-            return Err(self.report.invalid(
-                Place::Line(self.number),
-                format!("the header goes on beyond {MAX_BYTES} bytes"),
-                "end it by a blank line",
-            ));
-        }
-        if bytes.last() == Some(&b'\n') {
-            bytes.pop();
-            if bytes.last() == Some(&b'\r') {
-                bytes.pop();
-            }
-        }
-        // Comments are in any encoding; everything that matters is ASCII.
-        Ok((count > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
+        self.fields.require(report, name, example)
     }
 }
 
@@ -155,14 +81,4 @@ fn check_magic(report: Report, line: &str) -> Result<(), Error> {
             "check that this is a NRRD file",
         )),
     }
-}
-
-/// The start of a text from a file, fit for a message.
-pub(super) fn clip(text: &str) -> String {
-    const MOST: usize = 60;
-    let mut clipped: String = text.chars().take(MOST).collect::<String>().escape_debug().collect();
-    if text.chars().nth(MOST).is_some() {
-        clipped.push('…');
-    }
-    clipped
 }

@@ -4,7 +4,7 @@
 
 mod data_files;
 mod description;
-mod encodings;
+pub(crate) mod encodings;
 mod header;
 mod space;
 
@@ -14,9 +14,9 @@ use std::path::Path;
 
 use flate2::bufread::MultiGzDecoder;
 
-use self::data_files::DataFile;
 use self::description::{ByteSkip, Description, Encoding};
 use self::header::Header;
+use crate::data_file::DataFile;
 use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::open::{Input, OpenOptions, VolumeReader};

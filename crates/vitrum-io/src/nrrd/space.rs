@@ -1,9 +1,9 @@
 //! Where a NRRD file says its grid lies: `space`, its directions and origin, spacings and units.
 
-use super::description::numbers;
-use super::header::{Field, Header, clip};
-use crate::error::{Error, Place, Report};
-use crate::placement::{Placement, narrow_origin};
+use super::header::Header;
+use crate::error::{Error, Place, Report, clip};
+use crate::fields::Field;
+use crate::placement::{Placement, millimetres, narrow_origin};
 use crate::volume::{IDENTITY, check_spacing};
 
 pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<String>) -> Result<Placement, Error> {
@@ -30,9 +30,9 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
     }
     let spacing = match header.get("spacings") {
         Some(field) => {
-            let spacing: Vec<f64> = numbers(report, field, 3)?;
+            let spacing: Vec<f64> = field.numbers(report, 3)?;
             let spacing = [0, 1, 2].map(|axis| (spacing[axis] * scale) as f32);
-            check_spacing(report, spacing).map_err(|error| at(error, field.place()))?;
+            check_spacing(report, spacing).map_err(|error| error.at(field.place()))?;
             spacing
         }
         None => {
@@ -51,7 +51,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
 /// a sentence where the space is no patient's.
 fn signs(header: &Header, report: Report) -> Result<([f64; 3], Option<&'static str>), Error> {
     if let Some(field) = header.get("spacedimension") {
-        let dimension: u32 = numbers(report, field, 1)?[0];
+        let dimension: u32 = field.numbers(report, 1)?[0];
         if dimension != 3 {
             return Err(report.unsupported(
                 field.place(),
@@ -131,17 +131,6 @@ fn unit_scale(header: &Header, assumptions: &mut Vec<String>) -> f64 {
     }
 }
 
-fn millimetres(unit: &str) -> Option<f64> {
-    match unit {
-        "m" | "meter" | "meters" => Some(1e3),
-        "cm" => Some(1e1),
-        "mm" | "millimeter" | "millimeters" => Some(1.0),
-        "um" | "µm" | "μm" | "micron" | "microns" | "micrometer" | "micrometers" => Some(1e-3),
-        "nm" => Some(1e-6),
-        _ => None,
-    }
-}
-
 /// `(1,0,0) (0, 1, 0)`: exactly `COUNT` vectors of 3, spaces allowed anywhere.
 fn vectors<const COUNT: usize>(report: Report, field: &Field) -> Result<[[f64; 3]; COUNT], Error> {
     let parse = || {
@@ -167,12 +156,4 @@ fn vectors<const COUNT: usize>(report: Report, field: &Field) -> Result<[[f64; 3
             "write each vector as (x,y,z)",
         )
     })
-}
-
-/// The same error at a place that is known only here.
-fn at(error: Error, line: Place) -> Error {
-    match error {
-        Error::Invalid { file, problem, advice, .. } => Error::Invalid { file, place: line, problem, advice },
-        other => other,
-    }
 }

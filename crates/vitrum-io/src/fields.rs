@@ -1,0 +1,126 @@
+//! Text headers of one field a line, before anybody asks what the fields mean.
+
+use std::any::type_name;
+use std::io::{BufRead, Take};
+use std::str::FromStr;
+
+use crate::error::{Error, Place, Report, clip};
+
+/// Longest header that is read; real ones are a few hundred bytes, and those that list a data
+/// file for each slice a few hundred kilobytes.
+const MAX_BYTES: u64 = 16 << 20;
+
+/// One line that gives a name a value.
+#[derive(Debug, Clone)]
+pub(crate) struct Field {
+    pub name: String,
+    pub text: String,
+    pub line: usize,
+}
+
+impl Field {
+    pub fn place(&self) -> Place {
+        Place::Line(self.line)
+    }
+
+    /// Exactly `count` numbers.
+    pub fn numbers<T: FromStr>(&self, report: Report, count: usize) -> Result<Vec<T>, Error> {
+        let parsed = self.text.split_whitespace().map(str::parse).collect::<Result<Vec<T>, _>>();
+        parsed.ok().filter(|values| values.len() == count).ok_or_else(|| {
+            // The types in use are f64 and the integers.
+            let float = type_name::<T>().starts_with('f');
+            let expected = match (float, count) {
+                (true, _) => format!("{count} numbers"),
+                (false, 1) => "a whole number in range".to_owned(),
+                (false, _) => format!("{count} whole numbers in range"),
+            };
+            report.invalid(
+                self.place(),
+                format!("`{}` is not {expected}", clip(&self.text)),
+                format!("write {expected}"),
+            )
+        })
+    }
+}
+
+/// All fields of a header. Names are looked up without regard to case.
+#[derive(Debug, Default)]
+pub(crate) struct Fields(Vec<Field>);
+
+impl Fields {
+    pub fn add(&mut self, report: Report, field: Field) -> Result<(), Error> {
+        if let Some(first) = self.get(&field.name) {
+            return Err(report.invalid(
+                field.place(),
+                format!("`{}` was given in line {} already", clip(&field.name), first.line),
+                "keep one of the two",
+            ));
+        }
+        self.0.push(field);
+        Ok(())
+    }
+
+    pub fn get(&self, name: &str) -> Option<&Field> {
+        self.0.iter().find(|field| field.name.eq_ignore_ascii_case(name))
+    }
+
+    /// The field, or an error that says what it should look like.
+    pub fn require(&self, report: Report, name: &str, example: &str) -> Result<&Field, Error> {
+        self.get(name).ok_or_else(|| {
+            report.invalid(
+                Place::File,
+                format!("the header has no `{name}`"),
+                format!("add a line such as `{example}`"),
+            )
+        })
+    }
+
+    /// A sentence for [`crate::Source::assumptions`] for each field that is not among `known`.
+    pub fn unknown_notes<'a>(&'a self, known: &'a [&str]) -> impl Iterator<Item = String> {
+        let names = self.0.iter().map(|field| field.name.as_str());
+        names
+            .filter(|name| !known.iter().any(|known| name.eq_ignore_ascii_case(known)))
+            .map(|name| format!("the field `{}` was left out of account", clip(name)))
+    }
+}
+
+/// Lines without their ends, LF or CRLF.
+pub(crate) struct Lines<'a, R> {
+    reader: Take<R>,
+    report: Report<'a>,
+    /// What ends a header of this format, for a message.
+    end: &'static str,
+    /// Of the last line, counted from 1.
+    pub number: usize,
+    /// Bytes read.
+    pub length: u64,
+}
+
+impl<'a, R: BufRead> Lines<'a, R> {
+    pub fn new(reader: R, report: Report<'a>, end: &'static str) -> Self {
+        Self { reader: reader.take(MAX_BYTES), report, end, number: 0, length: 0 }
+    }
+
+    pub fn next(&mut self) -> Result<Option<String>, Error> {
+        let mut bytes = Vec::new();
+        let read = self.reader.read_until(b'\n', &mut bytes);
+        let count = read.map_err(|error| self.report.unreadable(error))?;
+        self.number += 1;
+        self.length += count as u64;
+        if count == 0 && self.length == MAX_BYTES {
+            return Err(self.report.invalid(
+                Place::Line(self.number),
+                format!("the header goes on beyond {MAX_BYTES} bytes"),
+                format!("end it by {}", self.end),
+            ));
+        }
+        if bytes.last() == Some(&b'\n') {
+            bytes.pop();
+            if bytes.last() == Some(&b'\r') {
+                bytes.pop();
+            }
+        }
+        // Comments are in any encoding; everything that matters is ASCII.
+        Ok((count > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
+    }
+}

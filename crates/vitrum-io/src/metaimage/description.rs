@@ -1,0 +1,235 @@
+//! What the fields of a MetaImage header mean.
+
+use super::header::Header;
+use super::space;
+use crate::error::{Error, Place, Report, clip};
+use crate::fields::{Field, Fields};
+use crate::placement::Placement;
+use crate::samples::{Endian, SampleType};
+use crate::stream;
+
+/// How the samples are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Raw,
+    Deflate,
+    Text,
+}
+
+impl Encoding {
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Raw => "raw",
+            Self::Deflate => "zlib",
+            Self::Text => "text",
+        }
+    }
+}
+
+/// Where the data starts in its file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum HeaderSize {
+    /// Behind the header, or at the start of a file of its own.
+    None,
+    /// So many bytes behind the start of the file.
+    Bytes(u64),
+    /// Where it has to, to end with the file.
+    FromEnd,
+}
+
+/// A header understood: all that reading the data takes.
+#[derive(Debug)]
+pub(super) struct Description {
+    pub sample: SampleType,
+    pub endian: Endian,
+    pub encoding: Encoding,
+    /// Axes that the file counts, those of size 1 behind the third included.
+    pub rank: usize,
+    pub dimensions: [u32; 3],
+    /// Bytes of data, decoded to the file's sample type.
+    pub data_bytes: u64,
+    pub header_size: HeaderSize,
+    pub placement: Placement,
+    pub assumptions: Vec<String>,
+}
+
+impl Description {
+    pub fn new(header: &Header, report: Report) -> Result<Self, Error> {
+        let fields = &header.fields;
+        let mut assumptions = Vec::new();
+        check_object(fields, report)?;
+        let sample = sample_type(fields, report)?;
+        let encoding = encoding(fields, report)?;
+        let endian = endian(fields, report, sample, encoding, &mut assumptions)?;
+        let (rank, dimensions) = dimensions(fields, report)?;
+        let sizes = fields.get("DimSize").map_or(Place::File, Field::place);
+        let data_bytes = stream::data_bytes(report, sizes, dimensions, sample)?;
+        let header_size = header_size(fields, report, encoding)?;
+        let placement = space::placement(fields, report, rank, &mut assumptions)?;
+        assumptions.extend(sample.rounding_note());
+        assumptions.extend(fields.unknown_notes(KNOWN));
+        Ok(Self { sample, endian, encoding, rank, dimensions, data_bytes, header_size, placement, assumptions })
+    }
+
+    pub fn voxel_count(&self) -> u64 {
+        self.data_bytes / self.sample.size() as u64
+    }
+}
+
+/// Fields that are read, or that say nothing about the picture.
+#[rustfmt::skip]
+const KNOWN: &[&str] = &[
+    "AcquisitionDate", "AnatomicalOrientation", "BinaryData", "BinaryDataByteOrderMSB", "CenterOfRotation", "Color",
+    "CompressedData", "CompressedDataSize", "CompressionLevel", "DimSize", "DistanceUnits", "ElementByteOrderMSB",
+    "ElementMax", "ElementMin", "ElementNBits", "ElementNumberOfChannels", "ElementSize", "ElementSpacing",
+    "ElementType", "HeaderSize", "ID", "Modality", "NDims", "Name", "ObjectSubType", "ObjectType", "Offset",
+    "Orientation", "Origin", "ParentID", "Position", "Rotation", "SequenceID", "TransformMatrix", "TransformType",
+];
+
+fn check_object(fields: &Fields, report: Report) -> Result<(), Error> {
+    if let Some(field) = fields.get("ObjectType")
+        && !field.text.eq_ignore_ascii_case("Image")
+    {
+        return Err(report.unsupported(
+            field.place(),
+            format!("the object is a `{}`, not an `Image`", clip(&field.text)),
+            "give a file with an image in it",
+        ));
+    }
+    let Some(field) = fields.get("ElementNumberOfChannels") else {
+        return Ok(());
+    };
+    match field.numbers::<u32>(report, 1)?[0] {
+        1 => Ok(()),
+        channels => Err(report.unsupported(
+            field.place(),
+            format!("the voxels have {channels} channels, and a scalar volume has 1"),
+            "pick out one channel first, for example by SimpleITK's VectorIndexSelectionCast",
+        )),
+    }
+}
+
+fn sample_type(fields: &Fields, report: Report) -> Result<SampleType, Error> {
+    let field = fields.require(report, "ElementType", "ElementType = MET_UCHAR")?;
+    match field.text.as_str() {
+        "MET_CHAR" => Ok(SampleType::I8),
+        "MET_UCHAR" => Ok(SampleType::U8),
+        "MET_SHORT" => Ok(SampleType::I16),
+        "MET_USHORT" => Ok(SampleType::U16),
+        // The format's long has 4 bytes on every machine.
+        "MET_INT" | "MET_LONG" => Ok(SampleType::I32),
+        "MET_UINT" | "MET_ULONG" => Ok(SampleType::U32),
+        "MET_LONG_LONG" => Ok(SampleType::I64),
+        "MET_ULONG_LONG" => Ok(SampleType::U64),
+        "MET_FLOAT" => Ok(SampleType::F32),
+        "MET_DOUBLE" => Ok(SampleType::F64),
+        other => Err(report.invalid(
+            field.place(),
+            format!("`{}` is not a type of one number", clip(other)),
+            "use one of MET_CHAR, MET_UCHAR, MET_SHORT, MET_USHORT, MET_INT, MET_UINT, MET_LONG_LONG, \
+             MET_ULONG_LONG, MET_FLOAT, MET_DOUBLE",
+        )),
+    }
+}
+
+fn encoding(fields: &Fields, report: Report) -> Result<Encoding, Error> {
+    let text = fields.get("BinaryData").map(|field| truth(field, report)).transpose()? == Some(false);
+    let Some(field) = fields.get("CompressedData") else {
+        return Ok(if text { Encoding::Text } else { Encoding::Raw });
+    };
+    match (truth(field, report)?, text) {
+        (false, false) => Ok(Encoding::Raw),
+        (false, true) => Ok(Encoding::Text),
+        (true, false) => Ok(Encoding::Deflate),
+        (true, true) => Err(report.invalid(
+            field.place(),
+            "`CompressedData = True` with `BinaryData = False`",
+            "set the one that is wrong right: only binary data is compressed",
+        )),
+    }
+}
+
+fn endian(
+    fields: &Fields,
+    report: Report,
+    sample: SampleType,
+    encoding: Encoding,
+    assumptions: &mut Vec<String>,
+) -> Result<Endian, Error> {
+    match fields.get("BinaryDataByteOrderMSB").or_else(|| fields.get("ElementByteOrderMSB")) {
+        Some(field) => Ok(if truth(field, report)? { Endian::Big } else { Endian::Little }),
+        None => {
+            if sample.size() > 1 && encoding != Encoding::Text {
+                assumptions.push("the file names no byte order: little-endian was taken".to_owned());
+            }
+            Ok(Endian::Little)
+        }
+    }
+}
+
+/// The number of axes, and the sizes of the first three: those of any others are 1.
+fn dimensions(fields: &Fields, report: Report) -> Result<(usize, [u32; 3]), Error> {
+    const MOST_AXES: usize = 10;
+    let field = fields.require(report, "NDims", "NDims = 3")?;
+    let rank: usize = field.numbers(report, 1)?[0];
+    if rank < 3 {
+        return Err(report.unsupported(
+            field.place(),
+            format!("the data has {rank} dimensions, and a volume has 3"),
+            "stack the slices to a volume first",
+        ));
+    }
+    if rank > MOST_AXES {
+        return Err(report.invalid(
+            field.place(),
+            format!("NDims is {rank}, and the format has {MOST_AXES} at most"),
+            "correct the header",
+        ));
+    }
+    let field = fields.require(report, "DimSize", "DimSize = 64 64 64")?;
+    let sizes: Vec<u32> = field.numbers(report, rank)?;
+    if sizes.contains(&0) {
+        return Err(report.invalid(
+            field.place(),
+            format!("`DimSize = {}` has no voxels", clip(&field.text)),
+            "give each axis a size of at least 1",
+        ));
+    }
+    if let Some(axis) = sizes.iter().skip(3).position(|&size| size > 1) {
+        return Err(report.unsupported(
+            field.place(),
+            format!("axis {} has size {}, and a scalar volume has 3 axes", axis + 4, sizes[axis + 3]),
+            "pick out one volume first, for example by SimpleITK's Extract",
+        ));
+    }
+    Ok((rank, [sizes[0], sizes[1], sizes[2]]))
+}
+
+fn header_size(fields: &Fields, report: Report, encoding: Encoding) -> Result<HeaderSize, Error> {
+    let Some(field) = fields.get("HeaderSize") else {
+        return Ok(HeaderSize::None);
+    };
+    let size: i64 = field.numbers(report, 1)?[0];
+    match (u64::try_from(size), encoding) {
+        (Ok(0), _) => Ok(HeaderSize::None),
+        (Ok(size), _) => Ok(HeaderSize::Bytes(size)),
+        (Err(_), Encoding::Raw) if size == -1 => Ok(HeaderSize::FromEnd),
+        _ => Err(report.invalid(
+            field.place(),
+            format!("`HeaderSize = {size}` with {} data", encoding.name()),
+            "give 0 or more, or -1 with raw data at the end of the file",
+        )),
+    }
+}
+
+fn truth(field: &Field, report: Report) -> Result<bool, Error> {
+    match field.text.to_ascii_lowercase().as_str() {
+        "true" | "t" | "1" | "yes" => Ok(true),
+        "false" | "f" | "0" | "no" => Ok(false),
+        other => Err(report.invalid(
+            field.place(),
+            format!("`{}` is neither True nor False", clip(other)),
+            "use one of the two",
+        )),
+    }
+}

@@ -1,0 +1,75 @@
+//! The lines of a MetaImage header, before anybody asks what they mean.
+
+use std::io::BufRead;
+
+use crate::error::{Error, Place, Report, clip};
+use crate::fields::{Field, Fields, Lines};
+
+/// All fields, up to `ElementDataFile`, which is the last.
+#[derive(Debug)]
+pub(super) struct Header {
+    pub fields: Fields,
+    pub data_file: Field,
+    /// The lines behind `ElementDataFile = LIST`.
+    pub listed_files: Vec<String>,
+    /// Bytes that the header takes, its last line end included.
+    pub length: u64,
+}
+
+impl Header {
+    pub fn read(reader: impl BufRead, report: Report) -> Result<Self, Error> {
+        let mut lines = Lines::new(reader, report, "a line `ElementDataFile = LOCAL` or the data file's name");
+        let mut fields = Fields::default();
+        while let Some(line) = lines.next()? {
+            if line.trim().is_empty() {
+                continue;
+            }
+            let field = field(&line, lines.number, report)?;
+            if field.name.eq_ignore_ascii_case("ElementDataFile") {
+                let length = lines.length;
+                let mut listed_files = vec![];
+                while is_list(&field)
+                    && let Some(line) = lines.next()?
+                {
+                    listed_files.extend(Some(line.trim().to_owned()).filter(|name| !name.is_empty()));
+                }
+                return Ok(Self { fields, data_file: field, listed_files, length });
+            }
+            if !field.name.eq_ignore_ascii_case("Comment") {
+                fields.add(report, field)?;
+            }
+        }
+        Err(report.invalid(
+            Place::File,
+            "the header has no `ElementDataFile`",
+            "end it by `ElementDataFile = LOCAL` and the data, or by the data file's name",
+        ))
+    }
+}
+
+/// Whether the data is in files that the lines behind this field name.
+pub(super) fn is_list(field: &Field) -> bool {
+    field.text.split_whitespace().next() == Some("LIST")
+}
+
+/// `Name = value`; some writers have a colon for the equals sign.
+fn field(line: &str, number: usize, report: Report) -> Result<Field, Error> {
+    let Some((name, text)) = line.split_once('=').or_else(|| line.split_once(':')) else {
+        return Err(report.invalid(
+            Place::Line(number),
+            format!("`{}` is not `Name = value`", clip(line)),
+            "correct the line, or make it a `Comment = ...`",
+        ));
+    };
+    Ok(Field { name: name.trim().to_owned(), text: text.trim().to_owned(), line: number })
+}
+
+/// Whether a file starts as a MetaImage header does: with one of its fields, and `NDims` among the first.
+pub(super) fn recognises(head: &[u8]) -> bool {
+    const FIRST: [&str; 7] = ["ObjectType", "ObjectSubType", "Comment", "TransformType", "NDims", "Name", "ID"];
+    let text = String::from_utf8_lossy(head);
+    let mut names = text.lines().map_while(|line| line.split_once('=')).map(|(name, _)| name.trim());
+    let first = names.next().unwrap_or_default();
+    FIRST.iter().any(|name| name.eq_ignore_ascii_case(first))
+        && (first.eq_ignore_ascii_case("NDims") || names.any(|name| name.eq_ignore_ascii_case("NDims")))
+}

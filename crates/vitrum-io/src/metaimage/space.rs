@@ -1,0 +1,89 @@
+//! Where a MetaImage header says its grid lies: spacings, a matrix of directions and an offset.
+
+use crate::error::{Error, Place, Report, clip};
+use crate::fields::{Field, Fields};
+use crate::placement::{Placement, millimetres};
+use crate::volume::check_spacing;
+
+/// The format's world is LPS+: x to the patient's left, y to posterior, z to superior. Ours is RAS+.
+const SIGNS: [f64; 3] = [-1.0, -1.0, 1.0];
+
+/// `rank` is the number of axes in the file, of which those behind the third have no extent.
+pub(super) fn placement(
+    fields: &Fields,
+    report: Report,
+    rank: usize,
+    assumptions: &mut Vec<String>,
+) -> Result<Placement, Error> {
+    let scale = unit_scale(fields, assumptions);
+    let spacing = spacing(fields, report, rank, scale, assumptions)?;
+    let to_world = |vector: [f64; 3]| -> [f64; 3] { std::array::from_fn(|axis| vector[axis] * SIGNS[axis]) };
+    // Newer files say `Offset` and `TransformMatrix`, older ones one of the other names.
+    let any_of = |names: [&str; 3]| names.into_iter().find_map(|name| fields.get(name));
+    let origin = any_of(["Offset", "Position", "Origin"]);
+    let origin_place = origin.map(Field::place);
+    let origin = origin.map(|field| field.numbers::<f64>(report, rank)).transpose()?;
+    let origin = origin.map(|origin| to_world([0, 1, 2].map(|axis| origin[axis] * scale)));
+    let matrix = any_of(["TransformMatrix", "Orientation", "Rotation"]);
+    let directions: [[f64; 3]; 3] = match matrix {
+        Some(field) => {
+            // Each row is an axis of the grid.
+            let numbers: Vec<f64> = field.numbers(report, rank * rank)?;
+            std::array::from_fn(|axis| std::array::from_fn(|component| numbers[rank * axis + component]))
+        }
+        None => {
+            assumptions.push(
+                "the file has no TransformMatrix: its axes were taken to point to the patient's left, posterior \
+                 and superior, the format's default"
+                    .to_owned(),
+            );
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+        }
+    };
+    let columns = [0, 1, 2].map(|axis| to_world(directions[axis].map(|component| component * spacing[axis])));
+    let placement = Placement::from_columns(columns, origin).map_err(|problem| {
+        let place = matrix.map(Field::place).or(origin_place).unwrap_or(Place::File);
+        report.invalid(place, problem, "correct the directions or the offset")
+    })?;
+    assumptions.extend(placement.shear_note());
+    Ok(placement)
+}
+
+/// Distances in millimetres between voxel centres.
+fn spacing(
+    fields: &Fields,
+    report: Report,
+    rank: usize,
+    scale: f64,
+    assumptions: &mut Vec<String>,
+) -> Result<[f64; 3], Error> {
+    // `ElementSize` is the size of a voxel itself, and stands in where no distance is given.
+    let Some(field) = fields.get("ElementSpacing").or_else(|| fields.get("ElementSize")) else {
+        assumptions.push("the file says no spacings: 1 was taken along each axis".to_owned());
+        return Ok([scale; 3]);
+    };
+    let numbers: Vec<f64> = field.numbers(report, rank)?;
+    let spacing = [0, 1, 2].map(|axis| numbers[axis] * scale);
+    check_spacing(report, spacing.map(|spacing| spacing as f32)).map_err(|error| error.at(field.place()))?;
+    Ok(spacing)
+}
+
+/// Millimetres per unit of the file, where it names one; otherwise 1.
+fn unit_scale(fields: &Fields, assumptions: &mut Vec<String>) -> f64 {
+    let Some(field) = fields.get("DistanceUnits").filter(|field| field.text != "?") else {
+        assumptions.push("the file names no unit of length: its own was kept".to_owned());
+        return 1.0;
+    };
+    let unit = clip(&field.text);
+    match millimetres(&field.text) {
+        Some(1.0) => 1.0,
+        Some(scale) => {
+            assumptions.push(format!("lengths in {unit} were turned into mm"));
+            scale
+        }
+        None => {
+            assumptions.push(format!("`{unit}` is no known unit of length: it was kept"));
+            1.0
+        }
+    }
+}
