@@ -73,6 +73,18 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// The same error where it concerned the file as a whole, now with its place.
+    pub(crate) fn at(self, place: Place) -> Self {
+        match self {
+            Self::Invalid { file, place: Place::File, problem, advice } => {
+                Self::Invalid { file, place, problem, advice }
+            }
+            other => other,
+        }
+    }
+}
+
 /// Where in a file an [`Error`] was found; displayed behind the file's name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]

@@ -26,8 +26,10 @@ mod open;
 mod placement;
 mod samples;
 mod stream;
+mod text;
 mod volume;
 mod voxels;
+mod vti;
 
 pub use error::{Error, Place};
 pub use image::{

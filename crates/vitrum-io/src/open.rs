@@ -11,6 +11,7 @@ use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
 use crate::samples::read_up_to;
 use crate::volume::Volume;
+use crate::vti::Vti;
 
 /// What a caller may set about reading.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -41,7 +42,7 @@ pub trait VolumeReader: Sync {
 /// All formats, in the order in which they are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
-    &[&Nrrd, &Nifti]
+    &[&Nrrd, &Nifti, &Vti]
 }
 
 /// A file about to be read.

@@ -5,6 +5,16 @@ use std::io::{self, Read};
 use crate::error::{Error, Place, Report};
 use crate::samples::{VoxelBuffer, read_up_to};
 
+/// Bytes of `dimensions` voxels of `size` bytes; the problem where that is more than any file holds.
+pub(crate) fn data_bytes(dimensions: [u32; 3], size: usize) -> Result<u64, String> {
+    let bytes = dimensions.into_iter().map(u128::from).product::<u128>().saturating_mul(size as u128);
+    // Half of the address space, so that no sum of sizes and offsets can overflow.
+    u64::try_from(bytes)
+        .ok()
+        .filter(|&bytes| bytes <= u64::MAX >> 1)
+        .ok_or_else(|| format!("the sizes make {bytes} bytes, more than any file holds"))
+}
+
 /// Fails where `available` bytes cannot hold `needed`, before anything is allocated for them.
 pub(crate) fn check_length(report: Report, needed: u64, start: u64, available: u64) -> Result<(), Error> {
     if available < needed {

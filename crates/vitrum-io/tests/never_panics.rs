@@ -4,6 +4,7 @@ mod common;
 
 use std::sync::LazyLock;
 
+use common::vtk::{LITTLE, appended, base64, vti, vti_text, word, zlib_blocks};
 use common::{Folder, NiftiHeader, attached, gzip, nrrd};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -38,6 +39,18 @@ fn volumes() -> Vec<Vec<u8>> {
         nrrd("uint8", "raw", "data file: LIST\nslice1\nslice2\n").into_bytes(),
         gzip(&nifti),
         nifti,
+    ]
+}
+
+fn vtk_files() -> Vec<Vec<u8>> {
+    let (header, data) = zlib_blocks(&[1; 24], 10, 8, false);
+    let file = format!("{LITTLE} header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"");
+    let plain = base64(&[word(24, 4, true), vec![1; 24]].concat());
+    vec![
+        vti_text().into_bytes(),
+        vti("byte_order=\"BigEndian\"", "type=\"Int16\" format=\"binary\"", &plain, b""),
+        vti(&file, "type=\"Int16\" format=\"binary\"", &(base64(&header) + &base64(&data)), b""),
+        vti(&file, "type=\"UInt16\" format=\"appended\" offset=\"0\"", "", &appended("raw", &[header, data].concat())),
     ]
 }
 
@@ -81,6 +94,14 @@ proptest! {
     }
 
     #[test]
+    fn damaged_vtk_files(damage in damage()) {
+        let folder = Folder::new();
+        for file in vtk_files() {
+            open(&folder, "a.vti", &damaged(&file, &damage));
+        }
+    }
+
+    #[test]
     fn random_header_lines(lines in vec("(type|sizes|space|spacings|encoding|endian|data ?file|byte skip|line skip|space directions|space origin|units|kinds|LIST)[:= ]{1,3}[-0-9a-z%., ()\"]{0,24}", 0..6)) {
         let header = nrrd("uint8", "raw", "");
         let header: String = header.lines().filter(|line| {
@@ -92,7 +113,7 @@ proptest! {
     }
 
     #[test]
-    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|png|x") {
+    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|vti|png|x") {
         let folder = Folder::new();
         open(&folder, &format!("a.{extension}"), &bytes);
         let _ = read_picture(&folder.path(&format!("a.{extension}")));

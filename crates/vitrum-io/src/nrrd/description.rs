@@ -7,6 +7,7 @@ use super::space;
 use crate::error::{Error, Place, Report};
 use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
+use crate::stream;
 
 /// How the samples are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -203,11 +204,9 @@ fn dimensions(header: &Header, report: Report) -> Result<[u32; 3], Error> {
 }
 
 fn data_bytes(header: &Header, report: Report, dimensions: [u32; 3], sample: SampleType) -> Result<u64, Error> {
-    let bytes = dimensions.into_iter().map(u128::from).product::<u128>() * sample.size() as u128;
-    // Half of the address space, so that no sum of sizes and offsets can overflow.
-    u64::try_from(bytes).ok().filter(|&bytes| bytes <= u64::MAX >> 1).ok_or_else(|| {
+    stream::data_bytes(dimensions, sample.size()).map_err(|problem| {
         let place = header.get("sizes").map_or(Place::File, Field::place);
-        report.invalid(place, format!("the sizes make {bytes} bytes, more than any file holds"), "correct the sizes")
+        report.invalid(place, problem, "correct the sizes")
     })
 }
 

@@ -3,6 +3,7 @@
 use std::io::BufRead;
 
 use crate::error::{Error, Place, Report};
+pub(super) use crate::text::clip;
 
 /// Longest header that is read; real ones are a few hundred bytes, and those that list a data
 /// file for each slice a few hundred kilobytes.
@@ -155,14 +156,4 @@ fn check_magic(report: Report, line: &str) -> Result<(), Error> {
             "check that this is a NRRD file",
         )),
     }
-}
-
-/// The start of a text from a file, fit for a message.
-pub(super) fn clip(text: &str) -> String {
-    const MOST: usize = 60;
-    let mut clipped: String = text.chars().take(MOST).collect::<String>().escape_debug().collect();
-    if text.chars().nth(MOST).is_some() {
-        clipped.push('…');
-    }
-    clipped
 }

@@ -32,7 +32,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
         Some(field) => {
             let spacing: Vec<f64> = numbers(report, field, 3)?;
             let spacing = [0, 1, 2].map(|axis| (spacing[axis] * scale) as f32);
-            check_spacing(report, spacing).map_err(|error| at(error, field.place()))?;
+            check_spacing(report, spacing).map_err(|error| error.at(field.place()))?;
             spacing
         }
         None => {
@@ -167,12 +167,4 @@ fn vectors<const COUNT: usize>(report: Report, field: &Field) -> Result<[[f64; 3
             "write each vector as (x,y,z)",
         )
     })
-}
-
-/// The same error at a place that is known only here.
-fn at(error: Error, line: Place) -> Error {
-    match error {
-        Error::Invalid { file, problem, advice, .. } => Error::Invalid { file, place: line, problem, advice },
-        other => other,
-    }
 }
