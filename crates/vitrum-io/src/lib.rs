@@ -30,6 +30,7 @@ mod text;
 mod volume;
 mod voxels;
 mod vti;
+mod vtk;
 
 pub use error::{Error, Place};
 pub use image::{

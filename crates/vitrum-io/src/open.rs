@@ -12,6 +12,7 @@ use crate::nrrd::Nrrd;
 use crate::samples::read_up_to;
 use crate::volume::Volume;
 use crate::vti::Vti;
+use crate::vtk::Vtk;
 
 /// What a caller may set about reading.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -42,7 +43,7 @@ pub trait VolumeReader: Sync {
 /// All formats, in the order in which they are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
-    &[&Nrrd, &Nifti, &Vti]
+    &[&Nrrd, &Nifti, &Vti, &Vtk]
 }
 
 /// A file about to be read.

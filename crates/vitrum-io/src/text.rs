@@ -1,9 +1,48 @@
-//! What files write in words: lists of numbers, and their quoting in messages.
+//! What files write in words: header lines, lists of numbers, and quotes for messages.
 
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Take};
 
 use crate::error::{Error, Place, Report};
 use crate::samples::VoxelBuffer;
+
+/// A header's lines without their ends, LF or CRLF.
+pub(crate) struct Lines<'a, R> {
+    reader: Take<R>,
+    report: Report<'a>,
+    most: u64,
+    advice: &'static str,
+    /// The last line's number, counted from 1.
+    pub number: usize,
+    /// Bytes read, line ends included.
+    pub length: u64,
+}
+
+impl<'a, R: BufRead> Lines<'a, R> {
+    /// Lines of at most `most` bytes together; `advice` tells what to do where there are more.
+    pub fn new(reader: R, report: Report<'a>, most: u64, advice: &'static str) -> Self {
+        Self { reader: reader.take(most), report, most, advice, number: 0, length: 0 }
+    }
+
+    pub fn next(&mut self) -> Result<Option<String>, Error> {
+        let mut bytes = Vec::new();
+        let read = self.reader.read_until(b'\n', &mut bytes);
+        let count = read.map_err(|error| self.report.unreadable(error))?;
+        self.number += 1;
+        self.length += count as u64;
+        if count == 0 && self.length == self.most {
+            let problem = format!("the header goes on beyond {} bytes", self.most);
+            return Err(self.report.invalid(Place::Line(self.number), problem, self.advice));
+        }
+        if bytes.last() == Some(&b'\n') {
+            bytes.pop();
+            if bytes.last() == Some(&b'\r') {
+                bytes.pop();
+            }
+        }
+        // Comments are in any encoding; everything that matters is ASCII.
+        Ok((count > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
+    }
+}
 
 /// Fails where `available` bytes cannot hold `count` numbers: a digit each, and separators between.
 pub(crate) fn check_text_length(report: Report, count: u64, start: u64, available: u64) -> Result<(), Error> {

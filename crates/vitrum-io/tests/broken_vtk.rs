@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::vtk::{LITTLE, appended, base64, vti, vti_text, word, zlib_blocks};
+use common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
 use common::{check_refused, gzip};
 
 /// A valid file with one replacement.
@@ -155,6 +155,53 @@ fn broken_data() {
                 blocks(&[2, 11, 1, size, size], &[whole.clone(), whole.clone()].concat()),
                 "a block inflates to more than its header promises",
             ),
+        ],
+    );
+}
+
+#[test]
+fn broken_legacy_files() {
+    let text = String::from_utf8(vtk("ASCII", "unsigned_char", b"1 2 3 4 5 6 7 8 9 10 11 12\n")).unwrap();
+    let changed = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1).into_bytes()
+    };
+    let long = format!("METADATA\n{}\nPOINT_DATA", "x\n".repeat(1 << 20));
+    check_refused(
+        "broken.vtk",
+        vec![
+            (b"".to_vec(), "line 1: `` is not `# vtk DataFile Version` and a version"),
+            (changed("# vtk", "# ply"), "line 1: `# ply DataFile Version 3.0` is not"),
+            (changed("ASCII", "TEXT"), "line 3: `TEXT` is neither ASCII nor BINARY"),
+            (changed("STRUCTURED_POINTS", "POLYDATA"), "line 4: the dataset is `POLYDATA`, and only STRUCTURED_POINTS"),
+            (changed("DATASET STRUCTURED_POINTS\n", ""), "the header has no DATASET before the data"),
+            (changed("DIMENSIONS 3 2 2\n", ""), "the header has no DIMENSIONS before the data"),
+            (changed("POINT_DATA 12\n", ""), "the header has no POINT_DATA before the data"),
+            (changed("3 2 2", "3 2"), "line 5: `DIMENSIONS 3 2` is not a keyword and 3 whole number(s) in range"),
+            (changed("3 2 2", "3 -2 2"), "line 5: `DIMENSIONS 3 -2 2` is not"),
+            (changed("3 2 2", "3 0 2"), "line 5: DIMENSIONS without voxels"),
+            (changed("3 2 2", "3 2 3"), "line 8: 12 values for the 18 voxels of DIMENSIONS"),
+            (changed("3 2 2", "4294967295 4294967295 4294967295"), "line 5: the sizes make"),
+            (
+                changed("2\nORIGIN 5 6 7\nSPACING 1 2 3\nPOINT_DATA 12", "2000\nPOINT_DATA 12000"),
+                "12000 numbers from here",
+            ),
+            (changed("SPACING 1 2 3", "SPACING 1 0 3"), "line 7: the spacing along y is 0"),
+            (changed("SPACING 1 2 3", "SPACING 1 2 x"), "line 7: `SPACING 1 2 x` is not a keyword and 3 number(s)"),
+            (changed("ORIGIN 5 6 7", "ORIGIN nan 6 7"), "line 6: the origin (NaN, 6.0, 7.0) is not finite"),
+            (changed("SCALARS", "VECTORS"), "line 9: `VECTORS` stands before the first SCALARS"),
+            (changed("SCALARS", "FIELD data 1\nSCALARS"), "line 9: `FIELD` stands before the first SCALARS"),
+            (changed("unsigned_char", "bit"), "line 9: the type `bit` is not read"),
+            (changed("unsigned_char", "float 3"), "line 9: the scalars have 3 components a voxel, not 1"),
+            (changed("LOOKUP_TABLE default\n", ""), "line 10: `1 2 3 4 5 6 7 8 9 10 11 12` stands behind SCALARS"),
+            (text.split("LOOKUP").next().unwrap_or_default().into(), "the header ends without SCALARS"),
+            (changed("POINT_DATA", &long), "the header goes on beyond 1048576 bytes"),
+            (changed("\n1 2 3 4", "\n1 2 3 four"), "number 4 of the data, `four`, is not a uint8"),
+            (changed(" 11 12", "      "), "the header promises 12 numbers, 10 were found"),
+            (changed(" 11 12", " 11 12 13"), "`13` follows the 12 numbers that the header promises"),
+            (vtk("BINARY", "short", &[1; 23]), "the header promises 24 bytes of data from here, 23 are there"),
+            (vtk("BINARY", "float", &[0xff; 48]), "voxel (0, 0, 0): 12 of 12 voxels are NaN"),
+            (gzip(text.as_bytes()), "a VTK file compressed as a whole"),
         ],
     );
 }

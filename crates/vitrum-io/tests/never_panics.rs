@@ -4,7 +4,7 @@ mod common;
 
 use std::sync::LazyLock;
 
-use common::vtk::{LITTLE, appended, base64, vti, vti_text, word, zlib_blocks};
+use common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
 use common::{Folder, NiftiHeader, attached, gzip, nrrd};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -48,6 +48,8 @@ fn vtk_files() -> Vec<Vec<u8>> {
     let plain = base64(&[word(24, 4, true), vec![1; 24]].concat());
     vec![
         vti_text().into_bytes(),
+        vtk("ASCII", "short", b"1 2 3 4 5 6 7 8 9 10 11 12"),
+        vtk("BINARY", "float", &[1; 48]),
         vti("byte_order=\"BigEndian\"", "type=\"Int16\" format=\"binary\"", &plain, b""),
         vti(&file, "type=\"Int16\" format=\"binary\"", &(base64(&header) + &base64(&data)), b""),
         vti(&file, "type=\"UInt16\" format=\"appended\" offset=\"0\"", "", &appended("raw", &[header, data].concat())),
@@ -97,7 +99,7 @@ proptest! {
     fn damaged_vtk_files(damage in damage()) {
         let folder = Folder::new();
         for file in vtk_files() {
-            open(&folder, "a.vti", &damaged(&file, &damage));
+            open(&folder, "a", &damaged(&file, &damage));
         }
     }
 
@@ -113,7 +115,7 @@ proptest! {
     }
 
     #[test]
-    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|vti|png|x") {
+    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|vti|vtk|png|x") {
         let folder = Folder::new();
         open(&folder, &format!("a.{extension}"), &bytes);
         let _ = read_picture(&folder.path(&format!("a.{extension}")));

@@ -3,6 +3,7 @@
 use std::io::BufRead;
 
 use crate::error::{Error, Place, Report};
+use crate::text::Lines;
 pub(super) use crate::text::clip;
 
 /// Longest header that is read; real ones are a few hundred bytes, and those that list a data
@@ -38,7 +39,7 @@ pub(super) struct Header {
 
 impl Header {
     pub fn read(reader: impl BufRead, report: Report) -> Result<Self, Error> {
-        let mut lines = Lines { reader: reader.take(MAX_BYTES), report, number: 0, length: 0 };
+        let mut lines = Lines::new(reader, report, MAX_BYTES, "end it by a blank line");
         check_magic(report, lines.next()?.as_deref().unwrap_or_default())?;
         let mut header = Self { fields: vec![], listed_files: vec![], length: 0, closed: false };
         let mut listing = false;
@@ -106,39 +107,6 @@ impl Header {
     pub fn unknown<'a>(&'a self, known: &'a [&str]) -> impl Iterator<Item = &'a str> {
         let names = self.fields.iter().map(|field| field.name.as_str());
         names.filter(|name| !known.contains(name))
-    }
-}
-
-/// Lines without their ends, LF or CRLF.
-struct Lines<'a, R> {
-    reader: std::io::Take<R>,
-    report: Report<'a>,
-    number: usize,
-    length: u64,
-}
-
-impl<R: BufRead> Lines<'_, R> {
-    fn next(&mut self) -> Result<Option<String>, Error> {
-        let mut bytes = Vec::new();
-        let read = self.reader.read_until(b'\n', &mut bytes);
-        let count = read.map_err(|error| self.report.unreadable(error))?;
-        self.number += 1;
-        self.length += count as u64;
-        if count == 0 && self.length == MAX_BYTES {
-            return Err(self.report.invalid(
-                Place::Line(self.number),
-                format!("the header goes on beyond {MAX_BYTES} bytes"),
-                "end it by a blank line",
-            ));
-        }
-        if bytes.last() == Some(&b'\n') {
-            bytes.pop();
-            if bytes.last() == Some(&b'\r') {
-                bytes.pop();
-            }
-        }
-        // Comments are in any encoding; everything that matters is ASCII.
-        Ok((count > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
     }
 }
 

@@ -70,3 +70,12 @@ pub fn zlib_blocks(data: &[u8], block: usize, size: usize, big: bool) -> (Vec<u8
     let numbers = numbers.into_iter().chain(blocks.iter().map(Vec::len));
     (numbers.flat_map(|number| word(number as u64, size, big)).collect(), blocks.concat())
 }
+
+/// A legacy file of 3 x 2 x 2 points, spacings 1, 2, 3.
+pub fn vtk(kind: &str, sample: &str, data: &[u8]) -> Vec<u8> {
+    let head = format!(
+        "# vtk DataFile Version 3.0\na title\n{kind}\nDATASET STRUCTURED_POINTS\nDIMENSIONS 3 2 2\nORIGIN 5 6 7\n\
+         SPACING 1 2 3\nPOINT_DATA 12\nSCALARS density {sample}\nLOOKUP_TABLE default\n"
+    );
+    [head.as_bytes(), data].concat()
+}
