@@ -1,5 +1,5 @@
-//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI) and pictures (PNG, OpenEXR,
-//! Radiance HDR, JPEG, TIFF).
+//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, VTK, TIFF stacks, headerless voxels)
+//! and pictures (PNG, OpenEXR, Radiance HDR, JPEG, TIFF).
 //!
 //! Files come from anywhere, so nothing in them is believed before it is checked: sizes are held
 //! against the bytes that are there and the memory that may be used before anything is allocated,
@@ -24,7 +24,9 @@ mod nifti;
 mod nrrd;
 mod open;
 mod placement;
+mod raw;
 mod samples;
+mod stack;
 mod stream;
 mod text;
 mod volume;

@@ -9,7 +9,9 @@ use flate2::read::MultiGzDecoder;
 use crate::error::{Error, Place, Report};
 use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
+use crate::raw::Raw;
 use crate::samples::read_up_to;
+use crate::stack::Stack;
 use crate::volume::Volume;
 use crate::vti::Vti;
 use crate::vtk::Vtk;
@@ -43,7 +45,7 @@ pub trait VolumeReader: Sync {
 /// All formats, in the order in which they are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
-    &[&Nrrd, &Nifti, &Vti, &Vtk]
+    &[&Nrrd, &Nifti, &Vti, &Vtk, &Stack, &Raw]
 }
 
 /// A file about to be read.

@@ -27,18 +27,25 @@ pub(crate) fn check_length(report: Report, needed: u64, start: u64, available: u
     Ok(())
 }
 
+/// Deflate codes at most 258 bytes in 2 bits.
+pub(crate) const DEFLATE_RATIO: u64 = 1032;
+
 /// Fails where a deflate stream of `compressed` bytes cannot possibly hold `expected`.
-///
-/// Deflate codes at most 258 bytes in 2 bits, a ratio of 1032: a small file that promises more
-/// lies, and is refused without inflating it.
 pub(crate) fn check_deflate(report: Report, expected: u64, compressed: u64) -> Result<(), Error> {
-    let most = compressed.saturating_mul(1032);
+    check_ratio(report, expected, compressed, DEFLATE_RATIO)
+}
+
+/// Fails where `compressed` bytes that grow at most by `ratio` cannot possibly hold `expected`: a
+/// small file that promises more lies, and is refused without inflating it.
+pub(crate) fn check_ratio(report: Report, expected: u64, compressed: u64, ratio: u64) -> Result<(), Error> {
+    let most = compressed.saturating_mul(ratio);
     if expected > most {
+        let packed = if ratio > 1 { "compressed " } else { "" };
         return Err(report.invalid(
             Place::File,
             format!(
-                "the header promises {expected} bytes of data, and the {compressed} compressed \
-                 bytes can hold {most} at most"
+                "the header promises {expected} bytes of data, and the {compressed} {packed}bytes can hold {most} at \
+                 most"
             ),
             "correct the sizes or the sample type in the header, or get the whole file",
         ));

@@ -4,7 +4,8 @@ mod common;
 
 use std::sync::LazyLock;
 
-use common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
+use common::tiff::{Page, Value, stack_u8, tiff};
+use common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib, zlib_blocks};
 use common::{Folder, NiftiHeader, attached, gzip, nrrd};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -56,6 +57,16 @@ fn vtk_files() -> Vec<Vec<u8>> {
     ]
 }
 
+fn stacks() -> Vec<Vec<u8>> {
+    let packed = Page::new(16, 2, &zlib(&[1; 12])).set(259, Value::Short(8));
+    let noted = Page::new(32, 3, &[1; 24]).set(270, Value::Text("ImageJ=1.51n\nimages=2\nunit=mm\nspacing=8.8\n"));
+    let noted = noted.set(282, Value::Rational(2, 1)).set(283, Value::Rational(2, 1)).set(296, Value::Short(3));
+    let tiles = Page::bytes(&[1; 256]).without(273).without(278).without(279);
+    let tiles = tiles.set(322, Value::Long(16)).set(323, Value::Long(16));
+    let tiles = tiles.set(324, Value::Long(8)).set(325, Value::Long(256));
+    vec![stack_u8(|page| page), tiff(true, &[packed.clone(), packed]), tiff(true, &[noted]), tiff(false, &[tiles])]
+}
+
 /// One file of each picture format, written once.
 static PICTURES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let folder = Folder::new();
@@ -104,6 +115,21 @@ proptest! {
     }
 
     #[test]
+    fn damaged_stacks(damage in damage()) {
+        let folder = Folder::new();
+        for file in stacks() {
+            open(&folder, "a", &damaged(&file, &damage));
+        }
+    }
+
+    #[test]
+    fn any_bytes_under_a_raw_name(bytes in vec(any::<u8>(), 0..99), name in "[a-z_]{0,3}[0-9]{0,2}x[0-9]x[0-9](_[uif](8|16|32))?(_[lb]e)?\\.(raw|bin)(\\.gz)?") {
+        let folder = Folder::new();
+        open(&folder, &name, &bytes);
+        open(&folder, &name, &gzip(&bytes));
+    }
+
+    #[test]
     fn random_header_lines(lines in vec("(type|sizes|space|spacings|encoding|endian|data ?file|byte skip|line skip|space directions|space origin|units|kinds|LIST)[:= ]{1,3}[-0-9a-z%., ()\"]{0,24}", 0..6)) {
         let header = nrrd("uint8", "raw", "");
         let header: String = header.lines().filter(|line| {
@@ -115,7 +141,7 @@ proptest! {
     }
 
     #[test]
-    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|vti|vtk|png|x") {
+    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|vti|vtk|tif|raw|png|x") {
         let folder = Folder::new();
         open(&folder, &format!("a.{extension}"), &bytes);
         let _ = read_picture(&folder.path(&format!("a.{extension}")));
