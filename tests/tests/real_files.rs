@@ -1,7 +1,7 @@
 //! Real scans and simulations: size, stored range and spacing as their providers state them.
 
 use vitrum_conformance::data::shared;
-use vitrum_io::{OpenOptions, open};
+use vitrum_io::{OpenOptions, Volume, open};
 
 /// File, voxels along each axis, range, spacing.
 type Stated = (&'static str, [u32; 3], [f32; 2], [f32; 3]);
@@ -19,6 +19,12 @@ const FILES: &[Stated] = &[
     ("volumes/HeadMRVolume.mhd", [48, 62, 42], [0.0, 255.0], [4.0, 4.0, 4.0]),
     // Its CompressedDataSize is too small.
     ("volumes/frogtissue.mhd", [500, 470, 136], [0.0, 29.0], [1.0, 1.0, 1.5]),
+    ("volumes/headsq.vti", [64, 64, 93], [0.0, 3926.0], [3.2, 3.2, 1.5]),
+    ("volumes/hydrogen.vti", [64, 64, 64], [0.0, 1.0], [1.0, 1.0, 1.0]),
+    ("volumes/aneurism.vti", [256, 256, 256], [0.0, 255.0], [1.0, 1.0, 1.0]),
+    ("volumes/bucky_32x32x32_uint8.raw", [32, 32, 32], [0.0, 255.0], [1.0, 1.0, 1.0]),
+    ("volumes/mrhead_256x256x109_uint8.raw.gz", [256, 256, 109], [0.0, 255.0], [1.0, 1.0, 1.0]),
+    ("volumes/tiff_banana/banana_stack_deflate.tif", [384, 384, 25], [0.0, 2992.0], [1.0, 1.0, 1.0]),
 ];
 
 #[test]
@@ -30,6 +36,44 @@ fn real_volumes_open_as_they_are_described() {
         assert_eq!(volume.range, *range, "{name}");
         for (found, stated) in volume.spacing.iter().zip(spacing) {
             assert!((found - stated).abs() < 1e-3 * stated, "{name}: spacing {:?}", volume.spacing);
+        }
+    }
+}
+
+fn opened(name: &str) -> Option<Volume> {
+    let path = shared(name)?;
+    Some(open(&path, &OpenOptions::default()).unwrap_or_else(|error| panic!("{error}")))
+}
+
+/// The values of a slice, row by row.
+fn slice(volume: &Volume, z: u32) -> Vec<Vec<f32>> {
+    let [width, height, _] = volume.dimensions;
+    (0..height).map(|y| (0..width).map(|x| volume.value(x, y, z)).collect()).collect()
+}
+
+#[test]
+fn the_same_head_comes_out_of_two_formats() {
+    let (Some(vti), Some(nrrd)) = (opened("volumes/headsq.vti"), opened("volumes/headsq_nrrd/quarter.nhdr")) else {
+        return;
+    };
+    assert_eq!(vti.dimensions, nrrd.dimensions);
+    for z in 0..vti.dimensions[2] {
+        let mut flipped = slice(&vti, z);
+        flipped.reverse();
+        assert!(flipped == slice(&nrrd, z), "slice {z}");
+    }
+}
+
+#[test]
+fn numbered_files_are_neighbouring_slices_of_the_stack() {
+    let Some(stack) = opened("volumes/tiff_banana/banana_stack_deflate.tif") else { return };
+    for name in ["banana0012.tif", "banana0013.tif", "banana0014.tif"] {
+        let Some(series) = opened(&format!("volumes/tiff_banana/{name}")) else { return };
+        assert_eq!(series.dimensions, [384, 384, 3], "{name}");
+        assert_eq!(series.spacing, [0.390625, 0.390625, 1.0], "{name}");
+        let first = (0..25).find(|&z| slice(&stack, z) == slice(&series, 0)).expect("the first slice");
+        for z in 1..3 {
+            assert!(slice(&stack, first + z) == slice(&series, z), "{name}, slice {z}");
         }
     }
 }

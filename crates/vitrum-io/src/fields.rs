@@ -1,14 +1,13 @@
 //! Text headers of one field a line, before anybody asks what the fields mean.
 
 use std::any::type_name;
-use std::io::{BufRead, Take};
 use std::str::FromStr;
 
 use crate::error::{Error, Place, Report, clip};
 
 /// Longest header that is read; real ones are a few hundred bytes, and those that list a data
 /// file for each slice a few hundred kilobytes.
-const MAX_BYTES: u64 = 16 << 20;
+pub(crate) const MAX_BYTES: u64 = 16 << 20;
 
 /// One line that gives a name a value.
 #[derive(Debug, Clone)]
@@ -81,46 +80,5 @@ impl Fields {
         names
             .filter(|name| !known.iter().any(|known| name.eq_ignore_ascii_case(known)))
             .map(|name| format!("the field `{}` was left out of account", clip(name)))
-    }
-}
-
-/// Lines without their ends, LF or CRLF.
-pub(crate) struct Lines<'a, R> {
-    reader: Take<R>,
-    report: Report<'a>,
-    /// What ends a header of this format, for a message.
-    end: &'static str,
-    /// Of the last line, counted from 1.
-    pub number: usize,
-    /// Bytes read.
-    pub length: u64,
-}
-
-impl<'a, R: BufRead> Lines<'a, R> {
-    pub fn new(reader: R, report: Report<'a>, end: &'static str) -> Self {
-        Self { reader: reader.take(MAX_BYTES), report, end, number: 0, length: 0 }
-    }
-
-    pub fn next(&mut self) -> Result<Option<String>, Error> {
-        let mut bytes = Vec::new();
-        let read = self.reader.read_until(b'\n', &mut bytes);
-        let count = read.map_err(|error| self.report.unreadable(error))?;
-        self.number += 1;
-        self.length += count as u64;
-        if count == 0 && self.length == MAX_BYTES {
-            return Err(self.report.invalid(
-                Place::Line(self.number),
-                format!("the header goes on beyond {MAX_BYTES} bytes"),
-                format!("end it by {}", self.end),
-            ));
-        }
-        if bytes.last() == Some(&b'\n') {
-            bytes.pop();
-            if bytes.last() == Some(&b'\r') {
-                bytes.pop();
-            }
-        }
-        // Comments are in any encoding; everything that matters is ASCII.
-        Ok((count > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
     }
 }

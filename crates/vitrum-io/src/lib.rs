@@ -1,4 +1,4 @@
-//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, MetaImage, NumPy)
+//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, MetaImage, NumPy, VTK, TIFF stacks, headerless voxels)
 //! and pictures (PNG, OpenEXR, Radiance HDR, JPEG, TIFF).
 //!
 //! Files come from anywhere, so nothing in them is believed before it is checked: sizes are held
@@ -28,10 +28,15 @@ mod nrrd;
 mod numpy;
 mod open;
 mod placement;
+mod raw;
 mod samples;
+mod stack;
 mod stream;
+mod text;
 mod volume;
 mod voxels;
+mod vti;
+mod vtk;
 
 pub use error::{Error, Place};
 pub use image::{

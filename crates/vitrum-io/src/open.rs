@@ -11,8 +11,12 @@ use crate::metaimage::MetaImage;
 use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
 use crate::numpy::Numpy;
+use crate::raw::Raw;
 use crate::samples::read_up_to;
+use crate::stack::Stack;
 use crate::volume::Volume;
+use crate::vti::Vti;
+use crate::vtk::Vtk;
 
 /// What a caller may set about reading.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -43,7 +47,7 @@ pub trait VolumeReader: Sync {
 /// All formats, in the order in which they are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
-    &[&Nrrd, &Nifti, &MetaImage, &Numpy]
+    &[&Nrrd, &Nifti, &MetaImage, &Numpy, &Vti, &Vtk, &Stack, &Raw]
 }
 
 /// A file about to be read.

@@ -7,11 +7,17 @@ use crate::samples::{SampleType, VoxelBuffer, read_up_to};
 
 /// The bytes that so many samples take in the file, or the problem with the sizes at `place`.
 pub(crate) fn data_bytes(report: Report, place: Place, dimensions: [u32; 3], sample: SampleType) -> Result<u64, Error> {
-    let bytes = dimensions.into_iter().map(u128::from).product::<u128>() * sample.size() as u128;
+    byte_count(dimensions, sample.size()).map_err(|problem| report.invalid(place, problem, "correct the sizes"))
+}
+
+/// Bytes of `dimensions` voxels of `size` bytes; the problem where that is more than any file holds.
+pub(crate) fn byte_count(dimensions: [u32; 3], size: usize) -> Result<u64, String> {
+    let bytes = dimensions.into_iter().map(u128::from).product::<u128>().saturating_mul(size as u128);
     // Half of the address space, so that no sum of sizes and offsets can overflow.
-    u64::try_from(bytes).ok().filter(|&bytes| bytes <= u64::MAX >> 1).ok_or_else(|| {
-        report.invalid(place, format!("the sizes make {bytes} bytes, more than any file holds"), "correct the sizes")
-    })
+    u64::try_from(bytes)
+        .ok()
+        .filter(|&bytes| bytes <= u64::MAX >> 1)
+        .ok_or_else(|| format!("the sizes make {bytes} bytes, more than any file holds"))
 }
 
 /// Fails where `available` bytes cannot hold `needed`, before anything is allocated for them.
@@ -26,18 +32,25 @@ pub(crate) fn check_length(report: Report, needed: u64, start: u64, available: u
     Ok(())
 }
 
+/// Deflate codes at most 258 bytes in 2 bits.
+pub(crate) const DEFLATE_RATIO: u64 = 1032;
+
 /// Fails where a deflate stream of `compressed` bytes cannot possibly hold `expected`.
-///
-/// Deflate codes at most 258 bytes in 2 bits, a ratio of 1032: a small file that promises more
-/// lies, and is refused without inflating it.
 pub(crate) fn check_deflate(report: Report, expected: u64, compressed: u64) -> Result<(), Error> {
-    let most = compressed.saturating_mul(1032);
+    check_ratio(report, expected, compressed, DEFLATE_RATIO)
+}
+
+/// Fails where `compressed` bytes that grow at most by `ratio` cannot possibly hold `expected`: a
+/// small file that promises more lies, and is refused without inflating it.
+pub(crate) fn check_ratio(report: Report, expected: u64, compressed: u64, ratio: u64) -> Result<(), Error> {
+    let most = compressed.saturating_mul(ratio);
     if expected > most {
+        let packed = if ratio > 1 { "compressed " } else { "" };
         return Err(report.invalid(
             Place::File,
             format!(
-                "the header promises {expected} bytes of data, and the {compressed} compressed \
-                 bytes can hold {most} at most"
+                "the header promises {expected} bytes of data, and the {compressed} {packed}bytes can hold {most} at \
+                 most"
             ),
             "correct the sizes or the sample type in the header, or get the whole file",
         ));

@@ -4,6 +4,8 @@ mod common;
 
 use std::sync::LazyLock;
 
+use common::tiff::{Page, Value, stack_u8, tiff};
+use common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
 use common::{Folder, NiftiHeader, attached, gzip, metaimage, npy, npy_with, nrrd, zlib};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -49,6 +51,30 @@ fn volumes() -> Vec<Vec<u8>> {
         npy(">i2", &[1; 24]),
         npy_with((2, 0), "{'descr': '<f4', 'fortran_order': True, 'shape': (3, 2, 2)}", &[1; 48]),
     ]
+}
+
+fn vtk_files() -> Vec<Vec<u8>> {
+    let (header, data) = zlib_blocks(&[1; 24], 10, 8, false);
+    let file = format!("{LITTLE} header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"");
+    let plain = base64(&[word(24, 4, true), vec![1; 24]].concat());
+    vec![
+        vti_text().into_bytes(),
+        vtk("ASCII", "short", b"1 2 3 4 5 6 7 8 9 10 11 12"),
+        vtk("BINARY", "float", &[1; 48]),
+        vti("byte_order=\"BigEndian\"", "type=\"Int16\" format=\"binary\"", &plain, b""),
+        vti(&file, "type=\"Int16\" format=\"binary\"", &(base64(&header) + &base64(&data)), b""),
+        vti(&file, "type=\"UInt16\" format=\"appended\" offset=\"0\"", "", &appended("raw", &[header, data].concat())),
+    ]
+}
+
+fn stacks() -> Vec<Vec<u8>> {
+    let packed = Page::new(16, 2, &zlib(&[1; 12])).set(259, Value::Short(8));
+    let noted = Page::new(32, 3, &[1; 24]).set(270, Value::Text("ImageJ=1.51n\nimages=2\nunit=mm\nspacing=8.8\n"));
+    let noted = noted.set(282, Value::Rational(2, 1)).set(283, Value::Rational(2, 1)).set(296, Value::Short(3));
+    let tiles = Page::bytes(&[1; 256]).without(273).without(278).without(279);
+    let tiles = tiles.set(322, Value::Long(16)).set(323, Value::Long(16));
+    let tiles = tiles.set(324, Value::Long(8)).set(325, Value::Long(256));
+    vec![stack_u8(|page| page), tiff(true, &[packed.clone(), packed]), tiff(true, &[noted]), tiff(false, &[tiles])]
 }
 
 /// One file of each picture format, written once.
@@ -100,6 +126,14 @@ proptest! {
     }
 
     #[test]
+    fn damaged_vtk_files(damage in damage()) {
+        let folder = Folder::new();
+        for file in vtk_files() {
+            open(&folder, "a", &damaged(&file, &damage));
+        }
+    }
+
+    #[test]
     fn random_metaimage_lines(lines in vec("(ElementSpacing|ElementSize|Offset|TransformMatrix|HeaderSize|CompressedData|BinaryData|ElementByteOrderMSB|ElementNumberOfChannels|DistanceUnits|ElementDataFile)[:= ]{1,3}[-0-9a-zLIST%., ]{0,24}", 0..6)) {
         let header = metaimage("MET_UCHAR", &format!("{}\n", lines.join("\n")), "LOCAL");
         open(&Folder::new(), "a.mha", &attached(&header, &[1; 12]));
@@ -114,6 +148,21 @@ proptest! {
     }
 
     #[test]
+    fn damaged_stacks(damage in damage()) {
+        let folder = Folder::new();
+        for file in stacks() {
+            open(&folder, "a", &damaged(&file, &damage));
+        }
+    }
+
+    #[test]
+    fn any_bytes_under_a_raw_name(bytes in vec(any::<u8>(), 0..99), name in "[a-z_]{0,3}[0-9]{0,2}x[0-9]x[0-9](_[uif](8|16|32))?(_[lb]e)?\\.(raw|bin)(\\.gz)?") {
+        let folder = Folder::new();
+        open(&folder, &name, &bytes);
+        open(&folder, &name, &gzip(&bytes));
+    }
+
+    #[test]
     fn random_header_lines(lines in vec("(type|sizes|space|spacings|encoding|endian|data ?file|byte skip|line skip|space directions|space origin|units|kinds|LIST)[:= ]{1,3}[-0-9a-z%., ()\"]{0,24}", 0..6)) {
         let header = nrrd("uint8", "raw", "");
         let header: String = header.lines().filter(|line| {
@@ -125,7 +174,7 @@ proptest! {
     }
 
     #[test]
-    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|hdr|img|mha|mhd|npy|png|x") {
+    fn random_bytes(bytes in vec(any::<u8>(), 0..700), extension in "nrrd|nhdr|nii|nii\\.gz|hdr|img|mha|mhd|npy|vti|vtk|tif|raw|png|x") {
         let folder = Folder::new();
         open(&folder, &format!("a.{extension}"), &bytes);
         let _ = read_picture(&folder.path(&format!("a.{extension}")));

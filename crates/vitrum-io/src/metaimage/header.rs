@@ -3,7 +3,8 @@
 use std::io::BufRead;
 
 use crate::error::{Error, Place, Report, clip};
-use crate::fields::{Field, Fields, Lines};
+use crate::fields::{Field, Fields, MAX_BYTES};
+use crate::text::Lines;
 
 /// All fields, up to `ElementDataFile`, which is the last.
 #[derive(Debug)]
@@ -18,7 +19,8 @@ pub(super) struct Header {
 
 impl Header {
     pub fn read(reader: impl BufRead, report: Report) -> Result<Self, Error> {
-        let mut lines = Lines::new(reader, report, "a line `ElementDataFile = LOCAL` or the data file's name");
+        let mut lines =
+            Lines::new(reader, report, MAX_BYTES, "end it by a line `ElementDataFile = LOCAL` or the data file's name");
         let mut fields = Fields::default();
         while let Some(line) = lines.next()? {
             if line.trim().is_empty() {

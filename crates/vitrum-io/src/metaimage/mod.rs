@@ -18,10 +18,10 @@ use self::header::Header;
 use crate::data_file::DataFile;
 use crate::error::{Error, Place, Report};
 use crate::memory;
-use crate::nrrd::encodings::{check_text_length, read_text};
 use crate::open::{Input, OpenOptions, VolumeReader};
 use crate::samples::VoxelBuffer;
 use crate::stream;
+use crate::text::{check_text_length, read_text};
 use crate::volume::{Source, Volume};
 use crate::voxels::Voxels;
 

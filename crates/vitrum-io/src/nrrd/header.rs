@@ -3,7 +3,8 @@
 use std::io::BufRead;
 
 use crate::error::{Error, Place, Report, clip};
-use crate::fields::{Field, Fields, Lines};
+use crate::fields::{Field, Fields, MAX_BYTES};
+use crate::text::Lines;
 
 /// All fields, with the list of data files that may follow the last.
 #[derive(Debug)]
@@ -20,7 +21,7 @@ pub(super) struct Header {
 
 impl Header {
     pub fn read(reader: impl BufRead, report: Report) -> Result<Self, Error> {
-        let mut lines = Lines::new(reader, report, "a blank line");
+        let mut lines = Lines::new(reader, report, MAX_BYTES, "end it by a blank line");
         check_magic(report, lines.next()?.as_deref().unwrap_or_default())?;
         let mut header = Self { fields: Fields::default(), listed_files: vec![], length: 0, closed: false };
         let mut listing = false;

@@ -22,6 +22,7 @@ use crate::memory;
 use crate::open::{Input, OpenOptions, VolumeReader};
 use crate::samples::VoxelBuffer;
 use crate::stream;
+use crate::text;
 use crate::volume::{Source, Volume};
 use crate::voxels::Voxels;
 
@@ -115,7 +116,7 @@ fn check_possible(file: &DataFile, description: &Description, share: u64) -> Res
         Encoding::Gzip => stream::check_deflate(report, bytes, there),
         Encoding::Raw => stream::check_length(report, bytes, file.start, there),
         Encoding::Hex => stream::check_length(report, 2 * bytes, file.start, there),
-        Encoding::Text => encodings::check_text_length(report, share, file.start, there),
+        Encoding::Text => text::check_text_length(report, share, file.start, there),
     }
 }
 
@@ -160,7 +161,7 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
         Encoding::Text => {
             skip_bytes(report, &mut reader, description.byte_skip)?;
             let name = description.sample.name();
-            encodings::read_text(report, voxels, &mut reader, count, name)?;
+            text::read_text(report, voxels, &mut reader, count, name)?;
         }
     }
     Ok(0)

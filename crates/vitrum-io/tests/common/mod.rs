@@ -3,6 +3,9 @@
 // Each test binary uses its own part.
 #![allow(dead_code)]
 
+pub mod tiff;
+pub mod vtk;
+
 use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
@@ -283,4 +286,20 @@ pub fn check(volume: &Volume, sample: &Sample) {
     assert_eq!(volume.voxel_count(), 12);
     assert_eq!(volume.bytes(), 12 * sample.size.min(4));
     assert_eq!(volume.histogram(5).iter().sum::<u64>(), 12);
+}
+
+/// Opens broken files of a name, and checks what the messages say.
+pub fn check_refused(name: &str, cases: Vec<(Vec<u8>, &str)>) {
+    let folder = Folder::new();
+    let mut others = String::new();
+    for (content, expected) in cases {
+        let message = match folder.open(name, content) {
+            Err(error @ (Error::Invalid { .. } | Error::Unsupported { .. })) => error.to_string(),
+            other => format!("{other:?}"),
+        };
+        if !(message.starts_with(name) && message.contains(expected)) {
+            others += &format!("expected: {expected}\nfound: {message}\n");
+        }
+    }
+    assert!(others.is_empty(), "{others}");
 }

@@ -1,0 +1,251 @@
+//! The pages of one TIFF file, before and while they are decoded.
+
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::path::PathBuf;
+
+use tiff::decoder::{Decoder, DecodingSampleType, Limits};
+use tiff::tags::{CompressionMethod, PhotometricInterpretation, Tag};
+use tiff::{ColorType, TiffError};
+
+use super::spacing::Notes;
+use crate::error::{Error, Place, Report};
+use crate::memory;
+use crate::samples::{SampleType, VoxelBuffer};
+use crate::stream;
+
+/// What must be the same for all slices of a volume.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Page {
+    pub width: u32,
+    pub height: u32,
+    pub sample: SampleType,
+    /// Whether the file's white is 0; its samples then come inverted.
+    pub inverted: bool,
+}
+
+impl Page {
+    /// Such as `384 x 384 uint16`.
+    pub fn describe(&self) -> String {
+        let white = if self.inverted { " with white as 0" } else { "" };
+        format!("{} x {} {}{white}", self.width, self.height, self.sample.name())
+    }
+
+    pub fn voxels(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
+    }
+}
+
+/// A file of one or more pages.
+#[derive(Debug)]
+pub(super) struct Pages {
+    pub path: PathBuf,
+    pub name: String,
+    pub first: Page,
+    /// How many pages are slices.
+    pub count: u64,
+    /// Smaller copies of pages, which are no slices.
+    pub thumbnails: u64,
+    /// How the first page is written, such as `deflate, big-endian`.
+    pub encoding: String,
+    /// What the first page says of its spacing.
+    pub notes: Notes,
+}
+
+impl Pages {
+    /// Looks at all pages, and decodes none.
+    pub fn scan(path: PathBuf, name: String) -> Result<Self, Error> {
+        let report = Report::new(&name);
+        let mut decoder = open(&path, report)?;
+        let length = path.metadata().map_err(|error| report.unreadable(error))?.len();
+        let mut found: Option<(Page, String, Notes)> = None;
+        let (mut count, mut thumbnails, mut number, mut bytes, mut most) = (0, 0, 1_u64, 0_u64, 0);
+        loop {
+            let at = |error| damaged(report, number, error);
+            if is_thumbnail(&mut decoder).map_err(at)? {
+                thumbnails += 1;
+            } else {
+                let compression = Compression::of(&mut decoder, report, number)?;
+                let page = page(&mut decoder, report, number)?;
+                count += 1;
+                bytes = bytes.saturating_add(page.voxels().saturating_mul(page.sample.size() as u64));
+                most = most.max(compression.ratio);
+                match &found {
+                    None => {
+                        let encoding = format!("{}, {}", compression.name, order(&decoder));
+                        found = Some((page, encoding, Notes::read(&mut decoder)));
+                    }
+                    Some((first, ..)) if *first != page => {
+                        return Err(report.invalid(
+                            Place::File,
+                            format!("page {number} is {}, and the first {}", page.describe(), first.describe()),
+                            "write all slices in one size and type",
+                        ));
+                    }
+                    Some(_) => {}
+                }
+            }
+            if !decoder.more_images() {
+                break;
+            }
+            number += 1;
+            decoder.next_image().map_err(|error| damaged(report, number, error))?;
+        }
+        let Some((first, encoding, notes)) = found else {
+            return Err(report.invalid(Place::File, "all pages are thumbnails", "get the whole file"));
+        };
+        stream::check_ratio(report, bytes, length, most)?;
+        Ok(Self { path, first, count, thumbnails, encoding, notes, name })
+    }
+
+    /// Decodes all slices.
+    pub fn read(&self, voxels: &mut VoxelBuffer) -> Result<(), Error> {
+        let report = Report::new(&self.name);
+        let mut decoder = open(&self.path, report)?;
+        let count = usize::try_from(self.first.voxels()).unwrap_or(usize::MAX);
+        let size = count.saturating_mul(self.first.sample.size());
+        let mut bytes = memory::reserve(report, size)?;
+        bytes.resize(size, 0_u8);
+        for number in 1.. {
+            let at = |error| damaged(report, number, error);
+            if !is_thumbnail(&mut decoder).map_err(at)? {
+                decoder.read_image_bytes(&mut bytes).map_err(at)?;
+                stream::fill(report, voxels, &mut bytes.as_slice(), count, self.first.sample.size())?;
+            }
+            if !decoder.more_images() {
+                break;
+            }
+            decoder.next_image().map_err(at)?;
+        }
+        Ok(())
+    }
+}
+
+pub(super) type Reader = Decoder<BufReader<File>>;
+
+fn open(path: &PathBuf, report: Report) -> Result<Reader, Error> {
+    let file = File::open(path).map_err(|error| report.unreadable(error))?;
+    let mut limits = Limits::default();
+    // Strips are read through small buffers, however long they are.
+    limits.intermediate_buffer_size = usize::MAX;
+    let decoder = Decoder::new(BufReader::new(file)).map_err(|error| damaged(report, 1, error))?;
+    Ok(decoder.with_limits(limits))
+}
+
+fn order(decoder: &Reader) -> &'static str {
+    match decoder.byte_order() {
+        tiff::tags::ByteOrder::LittleEndian => "little-endian",
+        tiff::tags::ByteOrder::BigEndian => "big-endian",
+    }
+}
+
+fn is_thumbnail(decoder: &mut Reader) -> Result<bool, TiffError> {
+    let kind: Option<u32> = decoder.find_tag_unsigned(Tag::NewSubfileType)?;
+    Ok(kind.is_some_and(|kind| kind & 1 == 1))
+}
+
+/// What a page's bytes are packed by, and the most that one of them can unpack to.
+struct Compression {
+    name: &'static str,
+    ratio: u64,
+}
+
+impl Compression {
+    fn of(decoder: &mut Reader, report: Report, number: u64) -> Result<Self, Error> {
+        let code = decoder.find_tag_unsigned(Tag::Compression).map_err(|error| damaged(report, number, error))?;
+        let (name, ratio) = match CompressionMethod::from_u16_exhaustive(code.unwrap_or(1)) {
+            CompressionMethod::None => ("raw", 1),
+            // A code of at least 9 bits stands for at most 4096 bytes.
+            CompressionMethod::LZW => ("LZW", 3641),
+            CompressionMethod::Deflate | CompressionMethod::OldDeflate => ("deflate", stream::DEFLATE_RATIO),
+            // Two bytes stand for at most 128.
+            CompressionMethod::PackBits => ("PackBits", 64),
+            other => {
+                return Err(report.unsupported(
+                    Place::File,
+                    format!("page {number} is compressed by {other:?}, none of LZW, deflate and PackBits"),
+                    "write it without compression, or by one of these",
+                ));
+            }
+        };
+        Ok(Self { name, ratio })
+    }
+}
+
+fn page(decoder: &mut Reader, report: Report, number: u64) -> Result<Page, Error> {
+    let at = |error| damaged(report, number, error);
+    let unsupported = |problem: String| {
+        report.unsupported(
+            Place::File,
+            format!("page {number} {problem}"),
+            "convert it to 8, 16 or 32 bit gray, for example by Image > Type in ImageJ",
+        )
+    };
+    let (width, height) = decoder.dimensions().map_err(at)?;
+    let samples: Option<u16> = decoder.find_tag_unsigned(Tag::SamplesPerPixel).map_err(at)?;
+    let color = decoder.colortype().map_err(at)?;
+    if !matches!(color, ColorType::Gray(_)) || samples.is_some_and(|samples| samples != 1) {
+        return Err(unsupported(format!("has the colours {color:?}, not one gray sample")));
+    }
+    let layout = decoder.image_buffer_layout().map_err(at)?;
+    let sample = match (layout.sample_type, color.bit_depth()) {
+        (Some(DecodingSampleType::I8), 8) => SampleType::I8,
+        (Some(DecodingSampleType::U8), 8) => SampleType::U8,
+        (Some(DecodingSampleType::I16), 16) => SampleType::I16,
+        (Some(DecodingSampleType::U16), 16) => SampleType::U16,
+        (Some(DecodingSampleType::I32), 32) => SampleType::I32,
+        (Some(DecodingSampleType::U32), 32) => SampleType::U32,
+        (Some(DecodingSampleType::I64), 64) => SampleType::I64,
+        (Some(DecodingSampleType::U64), 64) => SampleType::U64,
+        (Some(DecodingSampleType::F32), 32) => SampleType::F32,
+        (Some(DecodingSampleType::F64), 64) => SampleType::F64,
+        (_, bits) => {
+            return Err(unsupported(format!("has {bits} bit samples of the format {:?}", layout.sample_format)));
+        }
+    };
+    let white: Option<u16> = decoder.find_tag_unsigned(Tag::PhotometricInterpretation).map_err(at)?;
+    let inverted = white == Some(PhotometricInterpretation::WhiteIsZero.to_u16());
+    let page = Page { width, height, sample, inverted };
+    let expected = page.voxels().checked_mul(sample.size() as u64);
+    let (chunk_width, chunk_height) = decoder.chunk_dimensions();
+    let widest = width.next_multiple_of(16).max(1 << 14);
+    if width == 0 || height == 0 || expected != u64::try_from(layout.complete_len).ok() {
+        return Err(report.invalid(
+            Place::File,
+            format!("page {number} of {} has no voxels, or more than fit", page.describe()),
+            "get the file again, or write it anew",
+        ));
+    }
+    if chunk_width > widest || chunk_height == 0 {
+        return Err(report.invalid(
+            Place::File,
+            format!("page {number} of {} has parts of {chunk_width} x {chunk_height}", page.describe()),
+            "write it in strips, or in tiles no larger than the page",
+        ));
+    }
+    Ok(page)
+}
+
+/// The decoder's error in our words: what is not supported, what is damaged, what is the system's.
+fn damaged(report: Report, number: u64, error: TiffError) -> Error {
+    match error {
+        TiffError::UnsupportedError(error) => report.unsupported(
+            Place::File,
+            format!("page {number} cannot be read: {error}"),
+            "convert it, for example by saving it as TIFF from ImageJ",
+        ),
+        TiffError::IoError(error)
+            if !matches!(
+                error.kind(),
+                io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput | io::ErrorKind::UnexpectedEof
+            ) =>
+        {
+            report.unreadable(error)
+        }
+        error => report.invalid(
+            Place::File,
+            format!("page {number} is damaged: {error}"),
+            "get the whole file, or write it anew",
+        ),
+    }
+}

@@ -1,0 +1,130 @@
+//! What files write in words: header lines, lists of numbers, and quotes for messages.
+
+use std::io::{self, BufRead, Take};
+
+use crate::error::{Error, Place, Report, clip};
+use crate::samples::VoxelBuffer;
+
+/// A header's lines without their ends, LF or CRLF.
+pub(crate) struct Lines<'a, R> {
+    reader: Take<R>,
+    report: Report<'a>,
+    most: u64,
+    advice: &'static str,
+    /// The last line's number, counted from 1.
+    pub number: usize,
+    /// Bytes read, line ends included.
+    pub length: u64,
+}
+
+impl<'a, R: BufRead> Lines<'a, R> {
+    /// Lines of at most `most` bytes together; `advice` tells what to do where there are more.
+    pub fn new(reader: R, report: Report<'a>, most: u64, advice: &'static str) -> Self {
+        Self { reader: reader.take(most), report, most, advice, number: 0, length: 0 }
+    }
+
+    pub fn next(&mut self) -> Result<Option<String>, Error> {
+        let mut bytes = Vec::new();
+        let read = self.reader.read_until(b'\n', &mut bytes);
+        let count = read.map_err(|error| self.report.unreadable(error))?;
+        self.number += 1;
+        self.length += count as u64;
+        if count == 0 && self.length == self.most {
+            let problem = format!("the header goes on beyond {} bytes", self.most);
+            return Err(self.report.invalid(Place::Line(self.number), problem, self.advice));
+        }
+        if bytes.last() == Some(&b'\n') {
+            bytes.pop();
+            if bytes.last() == Some(&b'\r') {
+                bytes.pop();
+            }
+        }
+        // Comments are in any encoding; everything that matters is ASCII.
+        Ok((count > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
+    }
+}
+
+/// Fails where `available` bytes cannot hold `count` numbers: a digit each, and separators between.
+pub(crate) fn check_text_length(report: Report, count: u64, start: u64, available: u64) -> Result<(), Error> {
+    if available < 2 * count - 1 {
+        return Err(report.invalid(
+            Place::Byte(start),
+            format!("the header promises {count} numbers from here, and {available} bytes are there"),
+            "correct the sizes in the header, or get the whole file",
+        ));
+    }
+    Ok(())
+}
+
+/// Decodes exactly `count` decimal numbers, separated by white space or commas.
+pub(crate) fn read_text(
+    report: Report,
+    voxels: &mut VoxelBuffer,
+    reader: &mut impl BufRead,
+    count: usize,
+    sample_name: &str,
+) -> Result<(), Error> {
+    read_numbers(report, voxels, reader, count, sample_name)?;
+    match next_word(reader).map_err(|error| report.unreadable(error))? {
+        None => Ok(()),
+        Some(word) => Err(surplus(report, &word, count)),
+    }
+}
+
+/// Something behind the last number that does not belong there.
+pub(crate) fn surplus(report: Report, word: &str, count: usize) -> Error {
+    report.invalid(
+        Place::File,
+        format!("`{}` follows the {count} numbers that the header promises", clip(word)),
+        "correct the sizes in the header",
+    )
+}
+
+/// Decodes `count` decimal numbers, and leaves what follows them unread.
+pub(crate) fn read_numbers(
+    report: Report,
+    voxels: &mut VoxelBuffer,
+    reader: &mut impl BufRead,
+    count: usize,
+    sample_name: &str,
+) -> Result<(), Error> {
+    for index in 0..count {
+        let Some(word) = next_word(reader).map_err(|error| report.unreadable(error))? else {
+            return Err(report.invalid(
+                Place::File,
+                format!("the header promises {count} numbers, {index} were found"),
+                "correct the sizes in the header, or get the whole file",
+            ));
+        };
+        voxels.append_text(&word).ok_or_else(|| {
+            report.invalid(
+                Place::File,
+                format!("number {} of the data, `{}`, is not a {sample_name}", index + 1, clip(&word)),
+                "correct it, or the type in the header",
+            )
+        })?;
+    }
+    Ok(())
+}
+
+/// The next word; `None` at the end. Cut off behind 64 bytes: no number is longer.
+pub(crate) fn next_word(reader: &mut impl BufRead) -> io::Result<Option<String>> {
+    const LONGEST: usize = 64;
+    let mut word = Vec::new();
+    loop {
+        let buffer = match reader.fill_buf() {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            other => other?,
+        };
+        let Some(&byte) = buffer.first() else { break };
+        let separates = byte.is_ascii_whitespace() || byte == b',';
+        if separates && !word.is_empty() || word.len() >= LONGEST {
+            break;
+        }
+        if !separates {
+            word.push(byte);
+        }
+        reader.consume(1);
+    }
+    Ok((!word.is_empty()).then(|| String::from_utf8_lossy(&word).into_owned()))
+}

@@ -1,0 +1,294 @@
+//! What the attributes of a `.vti` file mean.
+
+use std::str::FromStr;
+
+use super::layout::{Array, Association, Layout};
+use super::xml::Tag;
+use crate::error::clip;
+use crate::error::{Error, Report};
+use crate::placement::Placement;
+use crate::samples::{Endian, SampleType};
+use crate::stream;
+use crate::volume::check_spacing;
+
+/// How an array's bytes are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Coding {
+    Text,
+    Base64,
+    Raw,
+}
+
+/// Size of the numbers in front of the data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Word {
+    U32,
+    U64,
+}
+
+impl Word {
+    pub fn size(self) -> usize {
+        match self {
+            Self::U32 => 4,
+            Self::U64 => 8,
+        }
+    }
+}
+
+/// A document understood: all that reading the data takes.
+#[derive(Debug)]
+pub(super) struct Description {
+    pub sample: SampleType,
+    pub endian: Endian,
+    pub word: Word,
+    pub zlib: bool,
+    pub coding: Coding,
+    /// Where in the file the array's characters or bytes start, and how many there can be.
+    pub start: u64,
+    pub length: u64,
+    pub dimensions: [u32; 3],
+    /// Bytes of data, decoded to the file's sample type.
+    pub data_bytes: u64,
+    pub placement: Placement,
+    pub assumptions: Vec<String>,
+}
+
+impl Description {
+    pub fn new(layout: &Layout, file_length: u64, report: Report) -> Result<Self, Error> {
+        let mut assumptions = Vec::new();
+        let array = choose(layout, report, &mut assumptions)?;
+        let sample = sample_type(report, array)?;
+        let (coding, start, length) = locate(layout, array, file_length, report)?;
+        let zlib = coding != Coding::Text && compressed(report, &layout.file)?;
+        let endian = endian(report, &layout.file, &mut assumptions)?;
+        let word = match layout.file.get("header_type") {
+            None | Some("UInt32") => Word::U32,
+            Some("UInt64") => Word::U64,
+            Some(other) => {
+                return Err(report.invalid(
+                    layout.file.place(),
+                    format!("`header_type` is `{}`, neither UInt32 nor UInt64", clip(other)),
+                    "use one of the two",
+                ));
+            }
+        };
+        let (dimensions, placement) = grid(report, &layout.image, array.association, &mut assumptions)?;
+        let data_bytes = stream::byte_count(dimensions, sample.size())
+            .map_err(|problem| report.invalid(layout.image.place(), problem, "correct `WholeExtent`"))?;
+        assumptions.extend(sample.rounding_note());
+        assumptions.extend(placement.shear_note());
+        Ok(Self { sample, endian, word, zlib, coding, start, length, dimensions, data_bytes, placement, assumptions })
+    }
+
+    pub fn voxel_count(&self) -> u64 {
+        self.data_bytes / self.sample.size() as u64
+    }
+
+    /// Such as `appended raw, zlib, little-endian`.
+    pub fn encoding(&self) -> String {
+        let coding = match self.coding {
+            Coding::Text => return "ascii".to_owned(),
+            Coding::Base64 => "base64",
+            Coding::Raw => "raw",
+        };
+        format!("{coding}{}, {}", if self.zlib { ", zlib" } else { "" }, self.endian.name())
+    }
+}
+
+/// The active scalars, else the first array with one component, at points before in cells.
+fn choose<'a>(layout: &'a Layout, report: Report, assumptions: &mut Vec<String>) -> Result<&'a Array, Error> {
+    let scalar = |array: &&Array| matches!(array.tag.get("NumberOfComponents").map(str::trim), None | Some("1"));
+    let of = |association| layout.arrays.iter().filter(move |array| array.association == association);
+    for association in [Association::Point, Association::Cell] {
+        let active = layout.active.iter().find(|(other, _)| *other == association).map(|(_, name)| name);
+        if let Some(array) = active.and_then(|name| of(association).find(|array| array.name() == name)) {
+            if !scalar(&array) {
+                let components = array.tag.get("NumberOfComponents").unwrap_or_default();
+                return Err(report.unsupported(
+                    array.tag.place(),
+                    format!("`{}` has {} components a voxel, not 1", clip(array.name()), clip(components)),
+                    "write one component alone, for example by ParaView's filter Calculator",
+                ));
+            }
+            note_others(layout, array, assumptions);
+            return Ok(array);
+        }
+        if let Some(array) = of(association).find(scalar) {
+            if let Some(name) = active {
+                assumptions.push(format!("the active scalars `{}` are not there", clip(name)));
+            }
+            note_others(layout, array, assumptions);
+            return Ok(array);
+        }
+    }
+    let names: Vec<_> = layout.arrays.iter().take(8).map(|array| format!("`{}`", clip(array.name()))).collect();
+    let found = if names.is_empty() { "no array".to_owned() } else { format!("only {}", names.join(", ")) };
+    Err(report.unsupported(
+        layout.image.place(),
+        format!("there is no array with one component, {found}"),
+        "write a scalar array, for example by ParaView's filter Calculator",
+    ))
+}
+
+fn note_others(layout: &Layout, array: &Array, assumptions: &mut Vec<String>) {
+    let others = layout.arrays.len().saturating_sub(1);
+    if others > 0 {
+        let name = clip(array.name());
+        assumptions.push(format!("`{name}` was read, and {others} other arrays were left unread"));
+    }
+}
+
+fn sample_type(report: Report, array: &Array) -> Result<SampleType, Error> {
+    match array.tag.get("type").unwrap_or_default() {
+        "Int8" => Ok(SampleType::I8),
+        "UInt8" => Ok(SampleType::U8),
+        "Int16" => Ok(SampleType::I16),
+        "UInt16" => Ok(SampleType::U16),
+        "Int32" => Ok(SampleType::I32),
+        "UInt32" => Ok(SampleType::U32),
+        "Int64" => Ok(SampleType::I64),
+        "UInt64" => Ok(SampleType::U64),
+        "Float32" => Ok(SampleType::F32),
+        "Float64" => Ok(SampleType::F64),
+        other => Err(report.unsupported(
+            array.tag.place(),
+            format!("the type `{}` is not a number's", clip(other)),
+            "use one of Int8, UInt8, Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64",
+        )),
+    }
+}
+
+fn locate(layout: &Layout, array: &Array, file_length: u64, report: Report) -> Result<(Coding, u64, u64), Error> {
+    let tag = &array.tag;
+    // Without any, the check of the length tells what is missing.
+    let inline = array.text.map_or((0, 0), |text| (text.start, text.length));
+    match tag.get("format").unwrap_or("ascii") {
+        "ascii" => Ok((Coding::Text, inline.0, inline.1)),
+        "binary" => Ok((Coding::Base64, inline.0, inline.1)),
+        "appended" => {
+            let Some(appended) = &layout.appended else {
+                return Err(report.invalid(
+                    tag.place(),
+                    "the array's data is appended, and there is no `AppendedData`",
+                    "get the whole file",
+                ));
+            };
+            let coding = match appended.tag.get("encoding") {
+                Some("raw") => Coding::Raw,
+                Some("base64") => Coding::Base64,
+                other => {
+                    return Err(report.invalid(
+                        appended.tag.place(),
+                        format!("the encoding `{}` is neither raw nor base64", clip(other.unwrap_or_default())),
+                        "use one of the two",
+                    ));
+                }
+            };
+            let [offset] = numbers::<u64, 1>(report, tag, "offset", None)?;
+            let start = appended.start.saturating_add(offset);
+            Ok((coding, start, file_length.saturating_sub(start)))
+        }
+        other => Err(report.invalid(
+            tag.place(),
+            format!("the format `{}` is none of ascii, binary, appended", clip(other)),
+            "use one of the three",
+        )),
+    }
+}
+
+fn compressed(report: Report, file: &Tag) -> Result<bool, Error> {
+    match file.get("compressor") {
+        None | Some("") => Ok(false),
+        Some("vtkZLibDataCompressor") => Ok(true),
+        Some(other) => Err(report.unsupported(
+            file.place(),
+            format!("the compressor `{}` is not vtkZLibDataCompressor", clip(other)),
+            "write the file with ZLib compression, or with none",
+        )),
+    }
+}
+
+fn endian(report: Report, file: &Tag, assumptions: &mut Vec<String>) -> Result<Endian, Error> {
+    match file.get("byte_order") {
+        Some("LittleEndian") => Ok(Endian::Little),
+        Some("BigEndian") => Ok(Endian::Big),
+        None => {
+            assumptions.push("the file says no byte order: little-endian was taken".to_owned());
+            Ok(Endian::Little)
+        }
+        Some(other) => Err(report.invalid(
+            file.place(),
+            format!("`byte_order` is `{}`, neither LittleEndian nor BigEndian", clip(other)),
+            "use one of the two",
+        )),
+    }
+}
+
+fn grid(
+    report: Report,
+    image: &Tag,
+    association: Association,
+    assumptions: &mut Vec<String>,
+) -> Result<([u32; 3], Placement), Error> {
+    let extent = numbers::<i32, 6>(report, image, "WholeExtent", None)?.map(i64::from);
+    let [low, high] = [0, 1].map(|end| [extent[end], extent[end + 2], extent[end + 4]]);
+    let mut dimensions = [0; 3];
+    for axis in 0..3 {
+        let points = high[axis] - low[axis] + 1;
+        // A flat image has cells that are flat.
+        let count = if association == Association::Cell && points > 1 { points - 1 } else { points };
+        dimensions[axis] = u32::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
+            report.invalid(
+                image.place(),
+                format!("`WholeExtent` from {} to {} along an axis has no voxels", low[axis], high[axis]),
+                "write two ends for each axis, the lower one first",
+            )
+        })?;
+    }
+    let spacing = numbers(report, image, "Spacing", Some([1.0; 3]))?;
+    check_spacing(report, spacing.map(|value: f64| value as f32)).map_err(|error| error.at(image.place()))?;
+    if image.get("Spacing").is_none() {
+        assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
+    }
+    let direction = numbers(report, image, "Direction", Some([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]))?;
+    let columns: [[f64; 3]; 3] =
+        [0, 1, 2].map(|axis| [0, 1, 2].map(|component| direction[3 * component + axis] * spacing[axis]));
+    let mut first = low.map(|low| low as f64);
+    if association == Association::Cell {
+        assumptions.push("the values of the cells were taken at their centres".to_owned());
+        (0..3).filter(|&axis| high[axis] > low[axis]).for_each(|axis| first[axis] += 0.5);
+    }
+    let origin = image.get("Origin").map(|_| numbers(report, image, "Origin", None)).transpose()?;
+    let origin = origin.map(|origin: [f64; 3]| -> [f64; 3] {
+        std::array::from_fn(|component| {
+            origin[component] + (0..3).map(|axis| first[axis] * columns[axis][component]).sum::<f64>()
+        })
+    });
+    let placement = Placement::from_columns(columns, origin)
+        .map_err(|problem| report.invalid(image.place(), problem, "correct `Direction` or `Origin`"))?;
+    Ok((dimensions, placement))
+}
+
+/// An attribute of exactly `COUNT` numbers.
+fn numbers<T: FromStr, const COUNT: usize>(
+    report: Report,
+    tag: &Tag,
+    name: &str,
+    default: Option<[T; COUNT]>,
+) -> Result<[T; COUNT], Error> {
+    let text = match (tag.get(name), default) {
+        (None, Some(default)) => return Ok(default),
+        (text, _) => text.unwrap_or_default(),
+    };
+    let parsed = text.split_whitespace().map(str::parse).collect::<Result<Vec<T>, _>>();
+    parsed.ok().and_then(|values| values.try_into().ok()).ok_or_else(|| {
+        // The types in use are f64 and the integers.
+        let whole = if std::any::type_name::<T>().starts_with('f') { "" } else { "whole " };
+        let expected = if COUNT == 1 { format!("a {whole}number") } else { format!("{COUNT} {whole}numbers") };
+        report.invalid(
+            tag.place(),
+            format!("`{name}` of `{}` is `{}`, not {expected} in range", tag.name, clip(text)),
+            format!("write {expected}"),
+        )
+    })
+}

@@ -1,0 +1,99 @@
+//! Legacy VTK files: a few header lines, and the values behind them as text or big-endian bytes.
+//!
+//! The format: <https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html>.
+
+mod header;
+
+use std::fs::File;
+use std::io::{BufReader, Seek, SeekFrom};
+use std::path::Path;
+
+use self::header::Header;
+use crate::error::{Error, Place, Report};
+use crate::memory;
+use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::samples::{Endian, VoxelBuffer};
+use crate::stream;
+use crate::text;
+use crate::volume::{Source, Volume};
+use crate::voxels::Voxels;
+
+/// The reader of `.vtk` files.
+pub(crate) struct Vtk;
+
+impl VolumeReader for Vtk {
+    fn name(&self) -> &'static str {
+        "legacy VTK"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &[".vtk"]
+    }
+
+    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
+        head.get(..14).is_some_and(|head| head.eq_ignore_ascii_case(b"# vtk DataFile"))
+    }
+
+    fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
+        let report = Report::new(&input.name);
+        if input.gzipped {
+            return Err(report.unsupported(
+                Place::File,
+                "a VTK file compressed as a whole",
+                "decompress it by `gunzip` first",
+            ));
+        }
+        let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
+        let mut header = Header::read(BufReader::new(file), report)?;
+        let voxels = read_data(&mut header, input, options)?;
+        let placement = &header.placement;
+        let mut volume = Volume::new(input.name.clone(), header.dimensions, placement.spacing, voxels)?;
+        placement.apply(&mut volume);
+        let offset = header.sample.value_offset();
+        if offset != 0.0 {
+            volume = volume.with_value_mapping(1.0, offset)?;
+        }
+        volume.source = Source {
+            format: self.name(),
+            sample_type: header.sample.name().to_owned(),
+            encoding: if header.binary { "binary, big-endian" } else { "ascii" }.to_owned(),
+            assumptions: header.assumptions,
+        };
+        Ok(volume)
+    }
+}
+
+fn read_data(header: &mut Header, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
+    let report = Report::new(&input.name);
+    let unreadable = |error| report.unreadable(error);
+    let (start, size) = (header.length, header.sample.size());
+    let there = input.length.saturating_sub(start);
+    let count = header.data_bytes / size as u64;
+    if header.binary {
+        stream::check_length(report, header.data_bytes, start, there)?;
+    } else {
+        text::check_text_length(report, count, start, there)?;
+    }
+    memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
+    let count = usize::try_from(count).unwrap_or(usize::MAX);
+    let mut voxels = VoxelBuffer::reserve(report, header.sample, Endian::Big, count)?;
+    let mut reader = BufReader::new(File::open(input.path).map_err(unreadable)?);
+    reader.seek(SeekFrom::Start(start)).map_err(unreadable)?;
+    if header.binary {
+        stream::fill(report, &mut voxels, &mut reader, count, size)?;
+    } else {
+        text::read_numbers(report, &mut voxels, &mut reader, count, header.sample.name())?;
+    }
+    // More fields, or information about this one, start by a keyword.
+    match text::next_word(&mut reader).map_err(unreadable)? {
+        None => {}
+        Some(word) if header.binary || word.starts_with(|first: char| first.is_ascii_alphabetic()) => {
+            header.assumptions.push(format!(
+                "what stands behind the first scalars, `{}`, was left unread",
+                crate::error::clip(&word)
+            ));
+        }
+        Some(word) => return Err(text::surplus(report, &word, count)),
+    }
+    Ok(voxels.into_voxels())
+}

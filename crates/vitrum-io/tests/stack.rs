@@ -1,0 +1,130 @@
+//! TIFF stacks: every type, byte order and compression comes back, from pages and from numbered files.
+
+mod common;
+
+use std::io::Cursor;
+
+use common::tiff::{Page, Value, stack_u8, tiff};
+use common::vtk::zlib;
+use common::{Folder, check, samples, values};
+use tiff::encoder::{Compression, TiffEncoder, colortype};
+use vitrum_io::{OpenOptions, Volume};
+
+fn open(content: Vec<u8>) -> Volume {
+    Folder::new().open("a.tif", content).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn notes(volume: &Volume) -> String {
+    volume.source.assumptions.join("; ")
+}
+
+#[test]
+fn every_type_and_endian_comes_back() {
+    for sample in samples() {
+        let format = match sample.name {
+            "float" | "double" => 3,
+            name if name.starts_with('u') => 1,
+            _ => 2,
+        };
+        for (big, data) in [(false, &sample.little), (true, &sample.big)] {
+            let bits = 8 * sample.size as u16;
+            let pages: Vec<_> = data.chunks(6 * sample.size).map(|data| Page::new(bits, format, data)).collect();
+            check(&open(tiff(big, &pages)), &sample);
+            let packed =
+                data.chunks(6 * sample.size).map(|data| Page::new(bits, format, &zlib(data)).set(259, Value::Short(8)));
+            let volume = open(tiff(big, &packed.collect::<Vec<_>>()));
+            check(&volume, &sample);
+            assert_eq!(volume.source.encoding, if big { "deflate, big-endian" } else { "deflate, little-endian" });
+        }
+    }
+}
+
+#[test]
+fn every_compression_comes_back() {
+    for compression in [Compression::Uncompressed, Compression::Lzw, Compression::Packbits] {
+        let mut file = Cursor::new(Vec::new());
+        let mut encoder = TiffEncoder::new(&mut file).unwrap().with_compression(compression);
+        for slice in 0..3_u16 {
+            let row: Vec<u16> = (0..400 * 300).map(|index| slice * 1000 + index as u16 % 7).collect();
+            encoder.write_image::<colortype::Gray16>(400, 300, &row).unwrap();
+        }
+        let volume = open(file.into_inner());
+        assert_eq!(volume.dimensions, [400, 300, 3]);
+        assert_eq!(volume.value(399, 299, 2), 2000.0 + ((400 * 300 - 1) % 65536 % 7) as f32);
+        assert_eq!(volume.range, [0.0, 2006.0]);
+    }
+}
+
+#[test]
+fn spacing_comes_from_description_and_resolution() {
+    let resolution = |page: Page, x: u32, unit: u16| {
+        page.set(282, Value::Rational(x, 1)).set(283, Value::Rational(4, 1)).set(296, Value::Short(unit))
+    };
+    let spacing = |page: Page| open(tiff(false, &[page.clone(), page])).spacing;
+    let plain = Page::bytes(&[0; 6]);
+    let imagej = |text| resolution(plain.clone(), 2, 1).set(270, Value::Text(text));
+    assert_eq!(spacing(plain.clone()), [1.0; 3]);
+    assert_eq!(spacing(imagej("ImageJ=1.51n\nimages=2\nslices=2\nunit=mm\nspacing=8.8\n")), [0.5, 0.25, 8.8]);
+    assert_eq!(spacing(imagej("ImageJ=1.51n\nunit=cm\nspacing=-2\n")), [5.0, 2.5, 20.0]);
+    assert_eq!(spacing(imagej("ImageJ=1.51n\nunit=\\u00B5m\nspacing=none\n")), [0.0005, 0.00025, 1.0]);
+    assert_eq!(spacing(plain.clone().set(270, Value::Text("ImageJ=1\nspacing=3"))), [1.0, 1.0, 3.0]);
+    assert_eq!(spacing(resolution(plain.clone(), 2, 3)), [5.0, 2.5, 1.0]);
+    // For printers: only that pixels are twice as long along y.
+    assert_eq!(spacing(resolution(plain.clone(), 8, 2)), [1.0, 2.0, 1.0]);
+    assert_eq!(spacing(resolution(plain.clone(), 4, 1)), [1.0; 3]);
+    assert_eq!(spacing(resolution(plain, 0, 3)), [1.0; 3]);
+}
+
+#[test]
+fn white_as_zero_and_thumbnails() {
+    let pages = [Page::bytes(&[0, 1, 2, 3, 4, 255]).set(262, Value::Short(0))];
+    let volume = open(tiff(true, &pages));
+    assert_eq!(values(&volume), [255.0, 254.0, 253.0, 252.0, 251.0, 0.0]);
+    assert!(notes(&volume).contains("inverted"));
+    let small = Page::bytes(&[9]).set(256, Value::Long(1)).set(257, Value::Long(1)).set(254, Value::Long(1));
+    let volume = open(tiff(true, &[Page::bytes(&[1; 6]), small, Page::bytes(&[2; 6])]));
+    assert_eq!(volume.dimensions, [3, 2, 2]);
+    assert!(notes(&volume).contains("1 smaller copies of pages"));
+    let frames = stack_u8(|page| page);
+    assert_eq!(values(&open(frames))[11], 12.0);
+    let text = "ImageJ=1\nimages=2\nframes=2\n";
+    let page = Page::bytes(&[1; 6]).set(270, Value::Text(text));
+    assert!(notes(&open(tiff(false, &[page.clone(), page]))).contains("points in time"));
+}
+
+#[test]
+fn numbered_files_are_slices() {
+    let folder = Folder::new();
+    let slice = |value| tiff(value % 2 == 0, &[Page::bytes(&[value; 6])]);
+    for (name, value) in [("a08.tif", 8), ("a09.tif", 9), ("a10.tif", 10), ("a12.tif", 12), ("b11.tif", 77)] {
+        folder.write(name, slice(value));
+    }
+    for name in ["a08.tif", "a09.tif", "a10.tif"] {
+        let volume = vitrum_io::open(&folder.path(name), &OpenOptions::default()).unwrap();
+        assert_eq!(volume.dimensions, [3, 2, 3]);
+        assert_eq!([0, 1, 2].map(|z| volume.value(2, 1, z)), [8.0, 9.0, 10.0]);
+        assert_eq!(volume.name, name);
+        assert!(notes(&volume).contains("from 3 files, a08.tif to a10.tif"));
+    }
+    for name in ["a12.tif", "b11.tif"] {
+        assert_eq!(vitrum_io::open(&folder.path(name), &OpenOptions::default()).unwrap().dimensions, [3, 2, 1]);
+    }
+    for number in 8..12_u8 {
+        folder.write(&format!("plain{number}.tiff"), slice(number));
+    }
+    let volume = vitrum_io::open(&folder.path("plain11.tiff"), &OpenOptions::default()).unwrap();
+    assert_eq!([0, 1, 2, 3].map(|z| volume.value(0, 0, z)), [8.0, 9.0, 10.0, 11.0]);
+    // The pages of one file are a volume whatever lies beside it.
+    folder.write("plain12.tiff", stack_u8(|page| page));
+    let stack = vitrum_io::open(&folder.path("plain12.tiff"), &OpenOptions::default()).unwrap();
+    assert_eq!(values(&stack)[11], 12.0);
+}
+
+#[test]
+fn the_limit_counts_all_slices() {
+    let folder = Folder::new();
+    let path = folder.write("a.tif", stack_u8(|page| page));
+    let open = |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+    assert!(open(12).is_ok());
+    assert!(open(11).unwrap_err().to_string().contains("needs 12 bytes once decoded, and the limit is 11 bytes"));
+}

@@ -1,0 +1,74 @@
+//! Legacy VTK structured points: every type comes back, as text and as bytes, in its place.
+
+mod common;
+
+use common::vtk::vtk;
+use common::{Folder, check, samples, values};
+use vitrum_io::{Volume, Voxels};
+
+fn open(content: impl AsRef<[u8]>) -> Volume {
+    Folder::new().open("a.vtk", content).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn text() -> String {
+    String::from_utf8(vtk("ASCII", "unsigned_char", b"1 2 3 4 5 6\n7 8 9 10 11 12\n")).unwrap()
+}
+
+/// The sample type's name in VTK.
+fn vtk_name(name: &str) -> &str {
+    match name {
+        "int8" => "char",
+        "uint8" => "unsigned_char",
+        "int16" => "short",
+        "uint16" => "unsigned_short",
+        "int32" => "int",
+        "uint32" => "unsigned_int",
+        "int64" => "vtktypeint64",
+        "uint64" => "unsigned_long",
+        other => other,
+    }
+}
+
+#[test]
+fn every_type_comes_back_as_text_and_bytes() {
+    for sample in samples() {
+        check(&open(vtk("ASCII", vtk_name(sample.name), sample.text.as_bytes())), &sample);
+        check(&open(vtk("BINARY", vtk_name(sample.name), &sample.big)), &sample);
+        let windows = String::from_utf8(vtk("BINARY", vtk_name(sample.name), b"")).unwrap().replace('\n', "\r\n");
+        check(&open([windows.as_bytes(), &sample.big].concat()), &sample);
+    }
+}
+
+#[test]
+fn the_grid_lies_where_the_file_says() {
+    let volume = open(text());
+    assert_eq!((volume.spacing, volume.origin), ([1.0, 2.0, 3.0], [5.0, 6.0, 7.0]));
+    assert_eq!(volume.source.format, "legacy VTK");
+    assert!(volume.source.assumptions.is_empty(), "{:?}", volume.source.assumptions);
+    let old = open(text().replace("SPACING", "ASPECT_RATIO").to_lowercase());
+    assert_eq!(old, Volume { source: old.source.clone(), ..volume });
+    let bare = open(text().replace("SPACING 1 2 3\n", "").replace("ORIGIN 5 6 7\n", "\n"));
+    assert_eq!((bare.spacing, bare.origin), ([1.0; 3], [-1.0, -0.5, -0.5]));
+    assert!(bare.source.assumptions[0].contains("no spacing"));
+}
+
+#[test]
+fn values_of_cells_lie_at_their_centres() {
+    let volume = open(text().replace("POINT_DATA", "CELL_DATA").replace("3 2 2", "4 3 3"));
+    assert_eq!((volume.dimensions, volume.origin), ([3, 2, 2], [5.5, 7.0, 8.5]));
+    assert!(volume.source.assumptions[0].contains("cells"));
+}
+
+#[test]
+fn more_fields_may_surround_the_scalars() {
+    let before = text().replace("POINT_DATA", "METADATA\nINFORMATION 0\n\nPOINT_DATA");
+    assert_eq!(values(&open(before))[11], 12.0);
+    let behind = open(text() + "METADATA\nINFORMATION 0\n\n");
+    assert_eq!(values(&behind)[11], 12.0);
+    assert!(behind.source.assumptions[0].contains("`METADATA`"));
+    let bytes = open(vtk("BINARY", "unsigned_char", &[&[7; 12][..], b"\nVECTORS v float\n"].concat()));
+    assert_eq!(bytes.voxels, Voxels::U8(vec![7; 12]));
+    assert!(bytes.source.assumptions[0].contains("`VECTORS`"));
+    let components = text().replace("unsigned_char\n", "unsigned_char 1\n");
+    assert_eq!(values(&open(components))[11], 12.0);
+}
