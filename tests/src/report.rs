@@ -37,7 +37,7 @@ impl Pictures {
         let difference = difference_picture(first, second).map_err(io::Error::other)?;
         let encode = |pixels: &[[f32; 3]]| encode(&Picture::rgb(reference.width, reference.height, pixels.to_vec()));
         let files = [encode(first)?, encode(second)?, encode(&difference.pixels)?];
-        Ok(Some(Self { row, files, gain: difference.gain.into() }))
+        Ok(Some(Self { row, files, gain: difference.gain }))
     }
 }
 
@@ -95,7 +95,7 @@ pub fn page(backends: &str, run: &Run) -> String {
         }
         text.push_str("</tr>\n");
     }
-    let _ = write!(text, "</table><script>{SCRIPT}</script></html>\n");
+    let _ = writeln!(text, "</table><script>{SCRIPT}</script></html>");
     text
 }
 
@@ -107,9 +107,9 @@ fn figure(text: &mut String, pictures: &Pictures, row: &Row) {
         let data = STANDARD.encode(file);
         let _ = write!(text, "<img alt=\"{name}\"{hidden} src=\"data:image/png;base64,{data}\">");
     }
-    let _ = write!(
+    let _ = writeln!(
         text,
-        "<figcaption><b>{}</b> · {} {} {} · {} · difference × {:.3e}</figcaption></figure>\n",
+        "<figcaption><b>{}</b> · {} {} {} · {} · difference × {:.3e}</figcaption></figure>",
         names[0],
         row.tier,
         escape(&row.scene),
