@@ -1,6 +1,9 @@
 //! Where a grid lies in the world, from the direction columns that medical files give.
 
+use crate::error::Error;
+use crate::samples::SampleType;
 use crate::volume::Volume;
+use crate::voxels::Voxels;
 
 /// Spacing, axes and, where the file says it, origin.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +44,19 @@ impl Placement {
             let degrees = 90.0 - skew.min(1.0).acos().to_degrees();
             format!("the axes are up to {degrees:.1}° off right angles, as the file says")
         })
+    }
+
+    /// The volume of a file's voxels, put here.
+    pub fn volume(
+        &self,
+        name: &str,
+        dimensions: [u32; 3],
+        voxels: Voxels,
+        sample: SampleType,
+    ) -> Result<Volume, Error> {
+        let mut volume = Volume::of_samples(name.to_owned(), dimensions, self.spacing, voxels, sample)?;
+        self.apply(&mut volume);
+        Ok(volume)
     }
 
     /// Moves `volume`, which has this spacing already.

@@ -67,9 +67,7 @@ impl VolumeReader for Raw {
             )));
         }
         let voxels = read_data(input, options, sample, endian, bytes)?.into_voxels();
-        let volume = Volume::new(input.name.clone(), dimensions, [1.0; 3], voxels)?;
-        let offset = sample.value_offset();
-        let volume = if offset == 0.0 { volume } else { volume.with_value_mapping(1.0, offset)? };
+        let volume = Volume::of_samples(input.name.clone(), dimensions, [1.0; 3], voxels, sample)?;
         let packing = if input.gzipped { "gzip" } else { "raw" };
         let encoding = if sample.size() == 1 { packing.to_owned() } else { format!("{packing}, {}", endian.name()) };
         let source = Source { format: self.name(), sample_type: sample.name().to_owned(), encoding, assumptions };

@@ -1,6 +1,7 @@
 //! A scalar volume in memory, as the kernels take it.
 
 use crate::error::{Error, Place, Report};
+use crate::samples::SampleType;
 use crate::voxels::Voxels;
 
 /// What a reader found in a file and what it had to assume, for people to read.
@@ -78,6 +79,19 @@ impl Volume {
             source: Source::default(),
             name,
         })
+    }
+
+    /// As [`Self::new`], for voxels of a file's sample type: signed ones are stored shifted, and the offset undoes that.
+    pub(crate) fn of_samples(
+        name: String,
+        dimensions: [u32; 3],
+        spacing: [f32; 3],
+        voxels: Voxels,
+        sample: SampleType,
+    ) -> Result<Self, Error> {
+        let volume = Self::new(name, dimensions, spacing, voxels)?;
+        let offset = sample.value_offset();
+        if offset == 0.0 { Ok(volume) } else { volume.with_value_mapping(1.0, offset) }
     }
 
     /// The same voxels under `physical = stored * scale + offset`.

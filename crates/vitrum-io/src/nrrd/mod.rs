@@ -55,14 +55,8 @@ impl VolumeReader for Nrrd {
         let header = Header::read(BufReader::new(file), report)?;
         let mut description = Description::new(&header, report)?;
         let voxels = read_data(&header, &mut description, input, options)?;
-        let placement = &description.placement;
-        let name = input.name.clone();
-        let mut volume = Volume::new(name, description.dimensions, placement.spacing, voxels)?;
-        placement.apply(&mut volume);
-        let offset = description.sample.value_offset();
-        if offset != 0.0 {
-            volume = volume.with_value_mapping(1.0, offset)?;
-        }
+        let mut volume =
+            description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
         volume.source = Source {
             format: self.name(),
             sample_type: description.sample.name().to_owned(),

@@ -53,11 +53,8 @@ impl VolumeReader for Numpy {
         let count = usize::try_from(count).unwrap_or(usize::MAX);
         let mut voxels = VoxelBuffer::reserve(report, header.sample, header.endian, count)?;
         stream::fill(report, &mut voxels, &mut reader, count, size)?;
-        let mut volume = Volume::new(input.name.clone(), header.dimensions, [1.0; 3], voxels.into_voxels())?;
-        let offset = header.sample.value_offset();
-        if offset != 0.0 {
-            volume = volume.with_value_mapping(1.0, offset)?;
-        }
+        let name = input.name.clone();
+        let mut volume = Volume::of_samples(name, header.dimensions, [1.0; 3], voxels.into_voxels(), header.sample)?;
         volume.source = Source {
             format: self.name(),
             sample_type: header.sample_name().to_owned(),

@@ -62,11 +62,8 @@ impl VolumeReader for Stack {
         note(&files, &mut assumptions);
         assumptions.extend(sample.rounding_note());
         let spacing = first.notes.spacing(&mut assumptions);
-        let mut volume = Volume::new(input.name.clone(), dimensions, spacing, voxels.into_voxels())?;
-        let offset = sample.value_offset();
-        if offset != 0.0 {
-            volume = volume.with_value_mapping(1.0, offset)?;
-        }
+        let name = input.name.clone();
+        let mut volume = Volume::of_samples(name, dimensions, spacing, voxels.into_voxels(), sample)?;
         let encoding = first.encoding.clone();
         volume.source = Source { format: self.name(), sample_type: sample.name().to_owned(), encoding, assumptions };
         Ok(volume)

@@ -52,14 +52,8 @@ impl VolumeReader for Vti {
         let layout = Layout::read(BufReader::new(file), report)?;
         let description = Description::new(&layout, input.length, report)?;
         let voxels = read_data(&description, input, options)?;
-        let placement = &description.placement;
-        let name = input.name.clone();
-        let mut volume = Volume::new(name, description.dimensions, placement.spacing, voxels)?;
-        placement.apply(&mut volume);
-        let offset = description.sample.value_offset();
-        if offset != 0.0 {
-            volume = volume.with_value_mapping(1.0, offset)?;
-        }
+        let mut volume =
+            description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
         volume.source = Source {
             format: self.name(),
             sample_type: description.sample.name().to_owned(),

@@ -46,13 +46,7 @@ impl VolumeReader for Vtk {
         let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
         let mut header = Header::read(BufReader::new(file), report)?;
         let voxels = read_data(&mut header, input, options)?;
-        let placement = &header.placement;
-        let mut volume = Volume::new(input.name.clone(), header.dimensions, placement.spacing, voxels)?;
-        placement.apply(&mut volume);
-        let offset = header.sample.value_offset();
-        if offset != 0.0 {
-            volume = volume.with_value_mapping(1.0, offset)?;
-        }
+        let mut volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
         volume.source = Source {
             format: self.name(),
             sample_type: header.sample.name().to_owned(),
