@@ -2,14 +2,28 @@
 
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
-use crate::abi::record::{film, irradiance, light, probe, ray, trace};
+use crate::abi::record::{film, irradiance, light, probe, ray, sheet, sums, trace};
 use crate::abi::sweep::SweepUniforms;
 use crate::for_each_kernel;
 use crate::kernel::record;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
+macro_rules! out_element {
+    (adds) => {
+        u32
+    };
+    ($access:ident) => {
+        f32
+    };
+}
+
 macro_rules! body {
+    (adds [$size:expr], $folder:ident::$module:ident [], plain, $id:ident, $u:ident, $count:ident, $index:ident,
+     $out:ident, ($($read:ident),*)) => {
+        let _ = ($count, $index);
+        crate::$folder::$module::invoke($id.x, $id.y, $u, $u.dispatch.z $(, $read)*, $out);
+    };
     (writes [$size:expr], $folder:ident::$module:ident [$($generic:expr),*], plain, $id:ident, $u:ident, $count:ident, $index:ident,
      $out:ident, ($($read:ident),*)) => {
         record::store::<{ $size }>($out, $index, $count,
@@ -42,7 +56,7 @@ macro_rules! entry_points {
                 #[spirv(global_invocation_id)] id: UVec3,
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] u: &$uniforms,
                 $(#[spirv(storage_buffer, descriptor_set = 0, binding = $number)] $read: &[$element],)*
-                #[spirv(storage_buffer, descriptor_set = 0, binding = $out)] out: &mut [f32],
+                #[spirv(storage_buffer, descriptor_set = 0, binding = $out)] out: &mut [out_element!($access)],
             ) {
                 let (width, height) = (u.dispatch.x, u.dispatch.y);
                 if id.x < width && id.y < height {

@@ -27,6 +27,38 @@ pub mod trace {
     pub const SIZE: usize = 2;
 }
 
+/// A node of a sheet of light: where light that crossed a corner between texels on the first plane is now.
+pub mod sheet {
+    /// Components.
+    pub const SIZE: usize = 11;
+    /// How far from its corner it is, in texels across; up follows.
+    pub const DISPLACEMENT_X: usize = 0;
+    /// How far it would be if nothing had bent it, in texels across; up follows.
+    pub const UNREFRACTED_X: usize = 2;
+    /// Optical direction v, x; y and z (depth) follow.
+    pub const DIRECTION_X: usize = 4;
+    /// Flux of a texel of light here, over that of all unoccluded light: red; green and blue follow.
+    pub const FLUX: usize = 7;
+    /// 1 if it turned back: the plane sweep cannot follow.
+    pub const TURNED: usize = 10;
+}
+
+/// Fixed-point sums of what sheets change on a texel: for each channel a low and a high word, next to each other (not planar).
+pub mod sums {
+    /// Words.
+    pub const SIZE: usize = 2 * CHANNELS;
+    /// Channels.
+    pub const CHANNELS: usize = 5;
+    /// Flux over that of unoccluded light, red; green and blue follow.
+    pub const FLUX: usize = 0;
+    /// Flux (the mean of its colours) times the change of its slope v_x / v_z; v_y / v_z follows.
+    pub const SLOPE_X: usize = 3;
+    /// Units in 1, of flux.
+    pub const FLUX_SCALE: f32 = 16_777_216.0;
+    /// Units in 1, of flux times slope: a slope changes by less than 2⁷, so that one contribution has less than 2³¹ units.
+    pub const SLOPE_SCALE: f32 = 8_388_608.0;
+}
+
 /// What [`crate::probe::apply_function`] reads and writes for an index.
 pub mod probe {
     /// Arguments.

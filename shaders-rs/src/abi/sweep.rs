@@ -25,7 +25,8 @@ pub struct SweepUniforms {
     pub light_grid: Vec4,
     /// Shift of the light grid per unit of depth (`x`, `y`); the depth where the shift is 0 (`z`).
     pub light_shear: Vec4,
-    /// Unoccluded light as it is stored: plane irradiance, or radiance under [`flag::STORE_RADIANCE`].
+    /// Unoccluded light as it is stored: plane irradiance, or radiance under [`flag::STORE_RADIANCE`] (`xyz`); the share of it
+    /// that one sheet carries (`w`).
     pub light_initial: Vec4,
     /// Initial optical direction.
     pub light_direction: Vec4,

@@ -6,8 +6,9 @@
 use super::host::{Access, Binding, Chunk, Declaration, Element, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
-use crate::abi::record::{film, irradiance, light, probe, ray, trace};
+use crate::abi::record::{film, irradiance, light, probe, ray, sheet, sums, trace};
 use crate::abi::sweep::SweepUniforms;
+use crate::field::sums::SharedSums;
 use crate::for_each_kernel;
 
 macro_rules! element {
@@ -25,6 +26,9 @@ macro_rules! access {
     };
     (updates) => {
         Access::Update
+    };
+    (adds) => {
+        Access::Add
     };
 }
 
@@ -85,6 +89,40 @@ macro_rules! block {
     };
 }
 
+/// Runs all rows of a chunk, for a mode that is a constant where this is inlined; whether any invocation had work to do.
+macro_rules! all_rows {
+    // Sums are scattered: there is no record to put in order, and nothing to gain from blocks.
+    (adds, $size:expr, $folder:ident::$module:ident [], plain, $u:ident, $chunk:ident, $mode:ident, ($($read:ident),*)) => {{
+        let mut sums = SharedSums($chunk.sums);
+        for row in 0..$chunk.rows {
+            for x in 0..$chunk.width {
+                crate::$folder::$module::invoke(x, $chunk.first_row + row, $u, $mode $(, $read)*, &mut sums);
+            }
+        }
+        true
+    }};
+    ($access:ident, $size:expr, $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?,
+     $u:ident, $chunk:ident, $mode:ident, $reads:tt) => {{
+        let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
+        let mut any = false;
+        for row in 0..$chunk.rows {
+            let y = $chunk.first_row + row;
+            let mut x = 0;
+            while x < $chunk.width {
+                let n = LANES.min(($chunk.width - x) as usize);
+                let at = (row * $chunk.width + x) as usize;
+                // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
+                let inputs = unsafe { record.at(at) };
+                let worked = block!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu)?, n, x, y, $u, $mode,
+                    inputs, $reads);
+                any |= worked;
+                x += n as u32;
+            }
+        }
+        any
+    }};
+}
+
 macro_rules! declare {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal [$size:expr],
@@ -129,23 +167,7 @@ macro_rules! declare {
                 fn rows(u: &$uniforms, chunk: &mut Chunk<'_>, mode: u32) -> bool {
                     let mut reads = chunk.reads.iter();
                     $(let $read: &[$element] = bytemuck::cast_slice(reads.next().copied().unwrap_or(&[0]));)*
-                    let record = Records::<{ $size }>::new(chunk.output, chunk.rows as usize * chunk.width as usize);
-                    let mut any = false;
-                    for row in 0..chunk.rows {
-                        let y = chunk.first_row + row;
-                        let mut x = 0;
-                        while x < chunk.width {
-                            let n = LANES.min((chunk.width - x) as usize);
-                            let at = (row * chunk.width + x) as usize;
-                            // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
-                            let inputs = unsafe { record.at(at) };
-                            let worked = block!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu)?, n, x, y, u, mode,
-                                inputs, ($($read),*));
-                            any |= worked;
-                            x += n as u32;
-                        }
-                    }
-                    any
+                    all_rows!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu)?, u, chunk, mode, ($($read),*))
                 }
 
                 #[inline(always)]

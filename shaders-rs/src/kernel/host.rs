@@ -3,6 +3,8 @@
 #[cfg(target_endian = "big")]
 compile_error!("kernels read packed voxels as little-endian words");
 
+use core::sync::atomic::AtomicU32;
+
 /// The most invocations a block of the CPU dispatch has; one AVX-512 register of floats.
 pub const LANES: usize = 16;
 
@@ -26,6 +28,8 @@ pub enum Access {
     Write,
     /// A planar storage buffer, one record an invocation, read and written.
     Update,
+    /// Words that any invocation adds to (see [`crate::field::sums`]).
+    Add,
 }
 
 /// One binding of bind group 0.
@@ -48,7 +52,7 @@ pub struct Declaration {
     pub name: &'static str,
     /// Bytes of its uniform block.
     pub uniform_bytes: usize,
-    /// Floats in a record of its output.
+    /// Floats in a record of its output; words a place has, if it adds.
     pub components: usize,
     /// Bindings of group 0, in order.
     pub bindings: &'static [Binding],
@@ -66,8 +70,10 @@ pub struct Chunk<'a> {
     pub uniforms: &'a [u8],
     /// The buffers that are read, in order of their bindings. Not empty.
     pub reads: &'a [&'a [u32]],
-    /// For each component of the output, this chunk's part: `rows · width` floats.
+    /// For each component of the output, this chunk's part: `rows · width` floats. Empty for a kernel that adds.
     pub output: &'a mut [&'a mut [f32]],
+    /// What a kernel adds to; empty for the others.
+    pub sums: &'a [AtomicU32],
 }
 
 /// Instruction sets the CPU dispatch is compiled for.

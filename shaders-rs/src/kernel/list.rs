@@ -3,7 +3,7 @@
 /// Calls `$callback!` with every kernel's declaration.
 ///
 /// A declaration reads: name, uniform block (always binding 0), the buffers it reads (binding, name, element), the planar
-/// buffer it `writes` or `updates` (binding, components), its module with const generics, the `levels` it may run at (see the
+/// buffer it `writes` or `updates` (binding, components) or the sums it `adds` to (binding, words a place has), its module with const generics, the `levels` it may run at (see the
 /// module's `level`) with the one that a GPU runs, and the `modes` that get a body of their own on the CPU.
 ///
 /// A level is a set of bits, what it can do. A block of invocations on the CPU runs at the union of the levels its invocations
@@ -57,6 +57,30 @@ macro_rules! for_each_kernel {
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
                 sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15, modes [0 1 2];
+            sweep_initialize_sheet: SweepUniforms, [1 sources: f32], writes 2 [sheet::SIZE],
+                sweep::initialize_sheet [], plain, modes [0];
+            sweep_advance_sheet_u8: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::U8, false], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_advance_sheet_u16: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::U16, false], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_advance_sheet_f32: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::F32, false], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_advance_sheet_f32_with_ior: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::F32, true], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_clear_sums: SweepUniforms, [], writes 1 [sums::SIZE],
+                sweep::clear_sums [], plain, modes [0];
+            sweep_scatter_sheet: SweepUniforms, [1 sheet: f32], adds 2 [sums::SIZE],
+                sweep::scatter_sheet [], plain, modes [0];
+            sweep_collect_light: SweepUniforms, [1 sums: u32], writes 2 [light::SIZE],
+                sweep::collect_light [], plain, modes [0];
             sweep_resolve: SweepUniforms, [1 rays: f32, 2 map: f32], writes 3 [film::SIZE],
                 sweep::resolve [], plain, modes [0];
             probe_apply_function: ProbeUniforms, [1 arguments: f32], writes 2 [probe::SIZE],

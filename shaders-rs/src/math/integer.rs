@@ -2,7 +2,7 @@
 
 use super::clamp;
 
-/// ⌊x⌋ for x limited to `low`…`high` (both within ±2²³); `low` if `x` is NaN.
+/// ⌊x⌋ for x limited to `low`…`high` (both within ±2³⁰); `low` if `x` is NaN.
 #[inline(always)]
 pub fn floor_to_int(x: f32, low: f32, high: f32) -> i32 {
     let limited = clamp(x, low, high);
@@ -19,7 +19,7 @@ fn truncate(x: f32) -> i32 {
     }
     #[cfg(not(target_arch = "spirv"))]
     {
-        // SAFETY: the only caller limits `x` to ±2²³, and its clamp turns NaN into a number. A plain `as` costs two
+        // SAFETY: the only caller limits `x` to ±2³⁰, and its clamp turns NaN into a number. A plain `as` costs two
         // compares and selects a lane and halves the speed of a trilinear look-up.
         unsafe { x.to_int_unchecked() }
     }

@@ -4,13 +4,21 @@
 //! [`concentrate_light`], and, once the planes are in front of the eye, [`propagate_rays`], which reads the light of the plane
 //! behind.
 //! [`initialize_light`] and [`initialize_rays`] come first, [`resolve`] last.
+//!
+//! Instead of the light on each texel, light can be carried forward as sheets of rays (not in the paper): [`initialize_sheet`] once,
+//! then [`advance_sheet`], [`clear_sums`], [`scatter_sheet`], [`collect_light`] for every plane.
 
+pub mod advance_sheet;
+pub mod clear_sums;
+pub mod collect_light;
 pub mod concentrate_light;
 pub mod filter_light;
 pub mod gather_light;
 pub mod initialize_light;
 pub mod initialize_rays;
+pub mod initialize_sheet;
 pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;
+pub mod scatter_sheet;
 pub mod trace_light;

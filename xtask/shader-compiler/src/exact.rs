@@ -2,12 +2,12 @@
 //!
 //! A driver may contract `a · b + c` and an optimiser may turn `x / c` into `x · (1/c)`; rustc does neither. `NoContraction` on
 //! every float operation forbids both, and spirv-opt respects it. The memory model becomes GLSL450, which is what wgpu
-//! enables.
+//! enables; the scope of atomic operations is then the device, where the Vulkan model says queue family.
 
 use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble as _;
-use rspirv::dr::{Instruction, Operand};
-use rspirv::spirv::{AddressingModel, Capability, Decoration, MemoryModel, Op};
+use rspirv::dr::{Instruction, Module, Operand};
+use rspirv::spirv::{AddressingModel, Capability, Decoration, MemoryModel, Op, Scope};
 
 /// Whether an operation's float result could be contracted or re-associated.
 fn is_float_arithmetic(op: Op) -> bool {
@@ -44,6 +44,7 @@ pub fn pin(bytes: &[u8]) -> Result<Vec<u32>> {
         None,
         vec![Operand::AddressingModel(AddressingModel::Logical), Operand::MemoryModel(MemoryModel::GLSL450)],
     ));
+    widen_scopes(&mut module);
     // Entry points are named by their kernel, not by the path of the function.
     for entry_point in &mut module.entry_points {
         for operand in &mut entry_point.operands {
@@ -69,4 +70,25 @@ pub fn pin(bytes: &[u8]) -> Result<Vec<u32>> {
         )
     }));
     Ok(module.assemble())
+}
+
+/// Makes every atomic addition's scope the device.
+fn widen_scopes(module: &mut Module) {
+    let Some(header) = &mut module.header else { return };
+    let device = header.bound;
+    let mut integer = None;
+    for instruction in
+        module.functions.iter_mut().flat_map(|function| &mut function.blocks).flat_map(|block| &mut block.instructions)
+    {
+        if instruction.class.opcode == Op::AtomicIAdd {
+            // Operands: pointer, scope, semantics, value; the result has the type of a scope, a 32-bit unsigned integer.
+            instruction.operands[1] = Operand::IdScope(device);
+            integer = instruction.result_type;
+        }
+    }
+    if integer.is_some() {
+        header.bound += 1;
+        let value = vec![Operand::LiteralBit32(Scope::Device as u32)];
+        module.types_global_values.push(Instruction::new(Op::Constant, integer, Some(device), value));
+    }
 }

@@ -75,11 +75,13 @@ fn describe(declaration: &Declaration) -> Vec<String> {
                 Access::Uniform => "uniform",
                 Access::Read => "read",
                 Access::Write => "write",
+                Access::Add => "add",
                 Access::Update => "update",
             };
             let element = match (binding.access, binding.element) {
                 (Access::Uniform, _) => format!("{} bytes", declaration.uniform_bytes),
                 (Access::Write | Access::Update, _) => format!("{} planes of f32", declaration.components),
+                (Access::Add, _) => format!("{} words a texel", declaration.components),
                 (Access::Read, Element::U32) => "u32".to_owned(),
                 (Access::Read, Element::F32) => "f32".to_owned(),
             };

@@ -2,8 +2,8 @@
 
 use super::{Backend, BackendError, Buffer, Pass, PassList};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
-use vitrum_kernels::kernel::{Chunk, InstructionSet};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use vitrum_kernels::kernel::{Access, Chunk, InstructionSet};
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
@@ -74,7 +74,9 @@ fn rows(pass: &Pass, set: InstructionSet, reads: &[&[u32]], output: &mut [u32]) 
         return false;
     }
     let chunk_len = width as usize * CHUNK_ROWS as usize;
-    let components = pass.kernel.declaration.components;
+    let adds = pass.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Add);
+    let (sums, output): (&[AtomicU32], &mut [u32]) = if adds { (shared(output), &mut []) } else { (&[], output) };
+    let components = if adds { 0 } else { pass.kernel.declaration.components };
     // Chunk by chunk, each component's part.
     let mut chunks: Vec<Vec<&mut [f32]>> =
         (0..count.div_ceil(chunk_len)).map(|_| Vec::with_capacity(components)).collect();
@@ -91,13 +93,20 @@ fn rows(pass: &Pass, set: InstructionSet, reads: &[&[u32]], output: &mut [u32]) 
         let first_row = index as u32 * CHUNK_ROWS;
         let worked = (pass.kernel.run)(
             set,
-            &mut Chunk { first_row, rows: CHUNK_ROWS.min(height - first_row), width, uniforms, reads, output },
+            &mut Chunk { first_row, rows: CHUNK_ROWS.min(height - first_row), width, uniforms, reads, output, sums },
         );
         if worked {
             busy.store(true, Ordering::Relaxed);
         }
     });
     busy.into_inner()
+}
+
+/// Words that threads add to.
+fn shared(words: &mut [u32]) -> &[AtomicU32] {
+    // SAFETY: an atomic word has the size, the alignment (4 on every target that has one) and the bits of a word, and for as long
+    // as the result lives the exclusive borrow leaves no other way to the words.
+    unsafe { &*(std::ptr::from_mut(words) as *const [AtomicU32]) }
 }
 
 /// Sixteen aligned bytes.

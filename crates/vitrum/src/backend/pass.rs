@@ -36,7 +36,7 @@ pub struct PassList {
 impl Pass {
     /// The buffer that the pass writes.
     pub fn output(&self) -> Option<Buffer> {
-        let writes = |access: Access| matches!(access, Access::Write | Access::Update);
+        let writes = |access: Access| matches!(access, Access::Write | Access::Update | Access::Add);
         let written = self.kernel.declaration.bindings[1..].iter().position(|binding| writes(binding.access))?;
         self.buffers.get(written).copied()
     }
@@ -64,8 +64,10 @@ impl Pass {
             let Some(size) = bytes(*buffer) else {
                 return wrong(format!("binding {} ({}) is freed", binding.binding, binding.name));
             };
-            if matches!(binding.access, Access::Write | Access::Update) {
-                let needed = u64::from(self.width) * u64::from(self.height) * declaration.components as u64 * 4;
+            let records = u64::from(self.width) * u64::from(self.height) * declaration.components as u64 * 4;
+            // Sums have a place for a texel, not for an invocation; adding beyond the end does nothing.
+            let needed = if binding.access == Access::Add { 4 } else { records };
+            if matches!(binding.access, Access::Write | Access::Update | Access::Add) {
                 if size < needed {
                     return wrong(format!("binding {} holds {size} bytes where {needed} are written", binding.binding));
                 }

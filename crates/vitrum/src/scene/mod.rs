@@ -31,7 +31,7 @@ pub use film::Film;
 pub use light::{Attachment, Light};
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
-pub use sweep::{Gradient, Integrator, Intensity, Sweep};
+pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
 pub use volume::VolumeSource;
 

@@ -38,6 +38,17 @@ pub enum Gradient {
     Chain,
 }
 
+/// What carries light from plane to plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Transport {
+    /// Texels, each with one direction that is followed back (sweep §4.2): right before a focus, too dark behind it.
+    #[default]
+    Texels,
+    /// Sheets of rays that are followed forward and scattered onto each plane: right behind a focus, too.
+    Sheets,
+}
+
 /// How light and viewing rays travel from plane to plane.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -45,9 +56,14 @@ pub struct Sweep {
     /// Distance of the planes in units of the smallest voxel edge, 0.05 to 16.
     #[schemars(range(min = 0.05, max = 16))]
     pub sample_distance: f32,
+    /// `texels` or `sheets`.
+    pub light: Transport,
+    /// Sheets that a soft light is made of where `light` is `sheets`, 1 to 64; a crisp one has one.
+    #[schemars(range(min = 1, max = 64))]
+    pub sheets: u32,
     /// `symplectic` or `euler`.
     pub integrator: Integrator,
-    /// `jacobian`, `paper` or `none`.
+    /// `jacobian`, `paper` or `none`. Sheets need no correction: they conserve flux.
     pub intensity: Intensity,
     /// `central` or `chain`.
     pub gradient: Gradient,
@@ -61,6 +77,8 @@ impl Default for Sweep {
     fn default() -> Self {
         Self {
             sample_distance: 1.0,
+            light: Transport::Texels,
+            sheets: 8,
             integrator: Integrator::Symplectic,
             intensity: Intensity::Jacobian,
             gradient: Gradient::Central,

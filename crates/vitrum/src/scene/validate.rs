@@ -3,7 +3,10 @@
 use super::check::check_table;
 use super::error::{Fault, Origin, SceneError};
 use super::schema::Shape;
-use super::{Camera, Environment, EnvironmentKind, Film, Scene, TransferFunction, Vector, VolumeSource};
+use super::{
+    Camera, Environment, EnvironmentKind, Film, Intensity, Scene, Sweep, TransferFunction, Transport, Vector,
+    VolumeSource,
+};
 
 impl Scene {
     /// Checks every value's range, and that the values do not contradict each other.
@@ -33,6 +36,7 @@ impl Scene {
             check_direction(&format!("clip.{index}.normal"), clip.normal)?;
         }
         check_transfer(&self.transfer)?;
+        check_sweep(&self.sweep)?;
         check_environment(&self.environment)?;
         check_film(&self.film)
     }
@@ -75,6 +79,17 @@ fn check_direction(key: &str, direction: Vector) -> Result<(), Fault> {
         format!("{direction:?} is {length} long and gives no direction"),
         "give a vector whose length is from 1e-15 to 1e15, such as one of length 1",
     ))
+}
+
+fn check_sweep(sweep: &Sweep) -> Result<(), Fault> {
+    if sweep.light == Transport::Sheets && sweep.intensity != Intensity::Jacobian {
+        return Err(Fault::contradiction(
+            "sweep.intensity",
+            "there is nothing to correct where `sweep.light` is `sheets`: they conserve flux by themselves",
+            "leave `sweep.intensity` out, or set `sweep.light = \"texels\"`",
+        ));
+    }
+    Ok(())
 }
 
 fn check_transfer(transfer: &TransferFunction) -> Result<(), Fault> {

@@ -17,7 +17,7 @@ fn layout_entry(binding: &Binding, uniform_bytes: usize) -> wgpu::BindGroupLayou
     let ty = match binding.access {
         // Not a uniform buffer: lavapipe compiles a kernel anew for every value of a uniform that decides a branch.
         Access::Uniform | Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
-        Access::Write | Access::Update => wgpu::BufferBindingType::Storage { read_only: false },
+        Access::Write | Access::Update | Access::Add => wgpu::BufferBindingType::Storage { read_only: false },
     };
     wgpu::BindGroupLayoutEntry {
         binding: binding.binding,

@@ -3,13 +3,16 @@
 //! [`Sweep::prepare`] turns a scene into tables, buffers and a pass list; [`Sweep::run`] hands the list to the backend;
 //! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
+mod carrier;
 mod environment;
 mod light;
 mod occupancy;
 mod passes;
 mod planes;
 mod receivers;
+mod sheets;
 mod tables;
+mod texels;
 mod uniforms;
 mod view;
 mod voxels;

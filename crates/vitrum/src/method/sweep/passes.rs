@@ -1,31 +1,26 @@
 //! The pass list of a frame (Algorithm 1).
 
 use super::Buffers;
+use super::carrier::{Carrier, Maker, Volumes};
 use super::occupancy::{Role, classify};
+use super::sheets::Sheets;
+use super::texels::Texels;
 use super::uniforms::Fixed;
 use super::voxels::{chosen_format, pack, padded_bytes};
-use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
+use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::inputs::Inputs;
 use crate::render::Error;
 use vitrum_kernels::abi::grid::format;
-use vitrum_kernels::abi::record::{film, irradiance, light, ray, trace};
+use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::kernel::{Kernel, kernels};
 
-/// The kernels that read a volume, for one voxel format.
-struct Readers {
-    light: &'static Kernel,
-    rays: &'static Kernel,
-}
-
-fn readers(stored: u32) -> Readers {
+/// The kernel that carries viewing rays through voxels of one format.
+fn ray_kernel(stored: u32) -> &'static Kernel {
     match stored {
-        format::U8 => Readers { light: &kernels::sweep_refract_light_u8, rays: &kernels::sweep_propagate_rays_u8 },
-        format::U16 => Readers { light: &kernels::sweep_refract_light_u16, rays: &kernels::sweep_propagate_rays_u16 },
-        format::F32 => Readers { light: &kernels::sweep_refract_light_f32, rays: &kernels::sweep_propagate_rays_f32 },
-        _ => Readers {
-            light: &kernels::sweep_refract_light_f32_with_ior,
-            rays: &kernels::sweep_propagate_rays_f32_with_ior,
-        },
+        format::U8 => &kernels::sweep_propagate_rays_u8,
+        format::U16 => &kernels::sweep_propagate_rays_u16,
+        format::F32 => &kernels::sweep_propagate_rays_f32,
+        _ => &kernels::sweep_propagate_rays_f32_with_ior,
     }
 }
 
@@ -94,64 +89,35 @@ pub(super) fn build(
     let tables = upload("tables", bytemuck::cast_slice(&fixed.tables.words))?;
     let map = upload("environment", bytemuck::cast_slice(&fixed.environment.map))?;
 
-    let [across, up] = fixed.light_grid.size;
-    let [width, height] = fixed.rays;
-    let mut planar = |label: &str, records: [u32; 2], components: usize| -> Result<Buffer, BackendError> {
-        let bytes = u64::from(records[0]) * u64::from(records[1]) * components as u64 * 4;
-        let buffer = backend.create_zeroed(label, bytes)?;
-        created.push(buffer);
-        Ok(buffer)
+    let volumes = Volumes { voxels, ior_voxels, occupancy, tables };
+    let mut maker = Maker { fixed, backend, created };
+    let light: Box<dyn Carrier> = match &fixed.sheets {
+        None => Box::new(Texels::new(&mut maker, volumes)?),
+        Some(sources) => Box::new(Sheets::new(&mut maker, volumes, sources)?),
     };
-    let light = [planar("light", [across, up], light::SIZE)?, planar("light", [across, up], light::SIZE)?];
-    let soft = planar("filtered light", if fixed.is_soft() { [across, up] } else { [1, 1] }, light::SIZE)?;
-    let bright = planar("irradiance", [across, up], irradiance::SIZE)?;
-    let traced = planar("back-traced points", [across, up], trace::SIZE)?;
-    let rays = planar("rays", [width, height], ray::SIZE)?;
-    let finished = planar("film", [width, height], film::SIZE)?;
+    let pixels = fixed.rays;
+    let rays = maker.planar("rays", pixels, ray::SIZE)?;
+    let finished = maker.planar("film", pixels, film::SIZE)?;
 
-    let pass = |kernel: &'static Kernel, size: [u32; 2], mode: u32, plane: u32, buffers: &[Buffer]| Pass {
-        kernel,
-        uniforms: bytemuck::bytes_of(&fixed.block(size[0], size[1], mode, plane)).to_vec(),
-        buffers: buffers.to_vec(),
-        width: size[0],
-        height: size[1],
-    };
-    let readers = readers(fixed.format);
-    let (texels, pixels) = ([across, up], [width, height]);
+    let ray_kernel = ray_kernel(fixed.format);
     let first = fixed.planes.first_visible;
-    let mut passes = vec![
-        pass(&kernels::sweep_initialize_light, texels, 0, 0, &[light[0]]),
-        pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[light[0], bright]),
-        pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[rays]),
-    ];
+    let mut passes = light.start(fixed);
+    passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[rays]));
     for plane in 1..fixed.planes.count {
-        let (behind, ahead) = (light[(plane as usize + 1) % 2], light[plane as usize % 2]);
-        // What light is followed into: the plane behind, filtered where the light is soft.
-        let source = if fixed.is_soft() { soft } else { behind };
-        if fixed.is_soft() {
-            passes.push(pass(&kernels::sweep_filter_light, texels, 0, plane, &[behind, soft]));
-        }
-        passes.push(pass(&kernels::sweep_trace_light, texels, 0, plane, &[source, traced]));
         if plane > first {
+            let [behind, bright] = light.on_plane(plane - 1);
             let bound = [voxels, ior_voxels, occupancy, tables, behind, bright, rays];
-            passes.push(pass(readers.rays, pixels, fixed.mode, plane, &bound));
+            passes.push(fixed.pass(ray_kernel, pixels, fixed.mode, plane, &bound));
         }
-        passes.push(pass(&kernels::sweep_gather_light, texels, 0, plane, &[source, traced, ahead]));
-        if !fixed.planes.is_behind(plane) {
-            let bound = [voxels, ior_voxels, occupancy, tables, traced, ahead];
-            passes.push(pass(readers.light, texels, fixed.mode, plane, &bound));
-        }
-        passes.push(pass(&kernels::sweep_concentrate_light, texels, 0, plane, &[ahead, bright]));
+        light.advance(fixed, plane, &mut passes);
     }
-    passes.push(pass(&kernels::sweep_resolve, pixels, 0, fixed.planes.count - 1, &[rays, map, finished]));
-    let name = |kernel: &Kernel| kernel.declaration.name;
-    let list = PassList {
-        passes,
-        // Light goes on to the last plane: what is there is an output, too.
-        while_busy: vec![name(readers.rays)],
-        ends_with: Some(name(readers.rays)),
-    };
-    let buffers = Buffers { all: created.clone(), irradiance: bright, rays, film: finished };
+    let last = fixed.planes.count - 1;
+    passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[rays, map, finished]));
+    let name = ray_kernel.declaration.name;
+    // Light goes on to the last plane: what is there is an output, too.
+    let list = PassList { passes, while_busy: vec![name], ends_with: Some(name) };
+    let [_, irradiance] = light.on_plane(last);
+    let buffers = Buffers { all: maker.created.clone(), irradiance, rays, film: finished };
     Ok((list, buffers))
 }
 

@@ -4,12 +4,13 @@ use super::environment::Prepared;
 use super::light::{LightGrid, direction};
 use super::planes::Planes;
 use super::receivers::{Receivers, plane};
+use super::sheets::sources;
 use super::tables::Tables;
 use super::view::{View, bounding_sphere, vector};
 use super::voxels::{chosen_format, grid};
 use crate::inputs::Inputs;
 use crate::render::Error;
-use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene};
+use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
 use glam::{DVec4, UVec4};
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::Vec4;
@@ -32,6 +33,8 @@ pub(super) struct Fixed {
     pub(super) reach: [u32; 2],
     /// [`mode`] of viewing rays.
     pub(super) mode: u32,
+    /// The directions of the sheets that carry the light, if sheets do.
+    pub(super) sheets: Option<Vec<[f32; 3]>>,
     block: SweepUniforms,
     softness: f32,
 }
@@ -105,7 +108,12 @@ impl Fixed {
             ..SweepUniforms::default()
         };
         block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, &view, reach[1], first_ior_brick));
+        let sheets = (scene.sweep.light == Transport::Sheets).then(|| {
+            let count = if scene.light.softness > 0.0 { scene.sweep.sheets } else { 1 };
+            sources(towards, scene.light.softness, count)
+        });
         block.light_initial = initial_light(scene, &block);
+        block.light_initial.w = sheets.as_ref().map_or(0.0, |sheets| 1.0 / sheets.len() as f32);
         block.light_shear = exact_shear(&block, &light_grid);
         let reference = scene
             .transfer
@@ -122,6 +130,7 @@ impl Fixed {
             format: chosen_format(shown, bending),
             reach,
             mode,
+            sheets,
             block,
             softness: scene.light.softness,
         })

@@ -1,0 +1,71 @@
+//! How light is carried from plane to plane: on texels, as the paper has it, or as sheets.
+
+use super::uniforms::Fixed;
+use crate::backend::{Backend, BackendError, Buffer, Pass};
+use vitrum_kernels::kernel::Kernel;
+
+/// Passes that carry light from the first plane to the last.
+pub(super) trait Carrier {
+    /// The light on the first plane.
+    fn start(&self, fixed: &Fixed) -> Vec<Pass>;
+
+    /// From the plane before to `plane`.
+    fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>);
+
+    /// The buffers that hold the light (records as [`light`](vitrum_kernels::abi::record::light) describes) and the irradiance on
+    /// `plane`, until it is carried on.
+    fn on_plane(&self, plane: u32) -> [Buffer; 2];
+}
+
+/// The buffers that describe the volume.
+#[derive(Clone, Copy)]
+pub(super) struct Volumes {
+    pub(super) voxels: Buffer,
+    pub(super) ior_voxels: Buffer,
+    pub(super) occupancy: Buffer,
+    pub(super) tables: Buffer,
+}
+
+/// Makes buffers, and remembers them.
+pub(super) struct Maker<'a> {
+    pub(super) fixed: &'a Fixed,
+    pub(super) backend: &'a mut dyn Backend,
+    pub(super) created: &'a mut Vec<Buffer>,
+}
+
+impl Maker<'_> {
+    /// A planar buffer of records, or one of sums.
+    pub(super) fn planar(&mut self, label: &str, records: [u32; 2], words: usize) -> Result<Buffer, BackendError> {
+        let bytes = u64::from(records[0]) * u64::from(records[1]) * words as u64 * 4;
+        let buffer = self.backend.create_zeroed(label, bytes)?;
+        self.created.push(buffer);
+        Ok(buffer)
+    }
+
+    /// A buffer of floats.
+    pub(super) fn floats(&mut self, label: &str, contents: &[f32]) -> Result<Buffer, BackendError> {
+        let buffer = self.backend.create(label, bytemuck::cast_slice(contents))?;
+        self.created.push(buffer);
+        Ok(buffer)
+    }
+}
+
+impl Fixed {
+    /// A pass over `size` invocations that leads to plane `plane`.
+    pub(super) fn pass(
+        &self,
+        kernel: &'static Kernel,
+        size: [u32; 2],
+        mode: u32,
+        plane: u32,
+        buffers: &[Buffer],
+    ) -> Pass {
+        Pass {
+            kernel,
+            uniforms: bytemuck::bytes_of(&self.block(size[0], size[1], mode, plane)).to_vec(),
+            buffers: buffers.to_vec(),
+            width: size[0],
+            height: size[1],
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Light as sheets of rays: carried forward, then scattered onto each plane, so that any number of directions may cross a point.
+//!
+//! None of the plane sweep's published kin does this: they keep one direction a texel, which cannot say what a focus leaves behind.
+
+use super::carrier::{Carrier, Maker, Volumes};
+use super::uniforms::Fixed;
+use crate::backend::{BackendError, Buffer, Pass};
+use glam::DVec3;
+use vitrum_kernels::abi::grid::format;
+use vitrum_kernels::abi::record::{irradiance, light, sheet, sums};
+use vitrum_kernels::kernel::{Kernel, kernels};
+
+/// The buffers of sheets.
+pub(super) struct Sheets {
+    volumes: Volumes,
+    count: u32,
+    sources: Buffer,
+    nodes: Buffer,
+    sums: Buffer,
+    light: Buffer,
+    irradiance: Buffer,
+}
+
+/// The directions of `count` sheets: `direction` alone, or a sunflower's seeds over the disc of a source with half-angle `softness`
+/// (degrees), each for the same share of its area.
+pub(super) fn sources(direction: DVec3, softness: f32, count: u32) -> Vec<[f32; 3]> {
+    let tangent = f64::from(softness).to_radians().tan();
+    let (across, up) = direction.any_orthonormal_pair();
+    let golden = std::f64::consts::PI * (3.0 - 5.0f64.sqrt());
+    (0..count)
+        .map(|seed| {
+            let radius = if count == 1 { 0.0 } else { ((f64::from(seed) + 0.5) / f64::from(count)).sqrt() * tangent };
+            let angle = golden * f64::from(seed);
+            let towards = direction + (across * angle.cos() + up * angle.sin()) * radius;
+            // Adding 0 leaves no negative zero, by which unrefracted light would seem to move.
+            (towards.normalize().as_vec3() + glam::Vec3::ZERO).to_array()
+        })
+        .collect()
+}
+
+fn advance_kernel(stored: u32) -> &'static Kernel {
+    match stored {
+        format::U8 => &kernels::sweep_advance_sheet_u8,
+        format::U16 => &kernels::sweep_advance_sheet_u16,
+        format::F32 => &kernels::sweep_advance_sheet_f32,
+        _ => &kernels::sweep_advance_sheet_f32_with_ior,
+    }
+}
+
+impl Sheets {
+    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes, sources: &[[f32; 3]]) -> Result<Self, BackendError> {
+        let texels = maker.fixed.light_grid.size;
+        let count = sources.len() as u32;
+        Ok(Self {
+            volumes,
+            count,
+            sources: maker.floats("directions of sheets", sources.as_flattened())?,
+            nodes: maker.planar("sheets", nodes(texels, count), sheet::SIZE)?,
+            sums: maker.planar("sums", texels, sums::SIZE)?,
+            light: maker.planar("light", texels, light::SIZE)?,
+            irradiance: maker.planar("irradiance", texels, irradiance::SIZE)?,
+        })
+    }
+}
+
+/// Nodes across, and up over all sheets.
+fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
+    [texels[0] + 1, (texels[1] + 1) * count]
+}
+
+impl Carrier for Sheets {
+    fn start(&self, fixed: &Fixed) -> Vec<Pass> {
+        let texels = fixed.light_grid.size;
+        let nodes = nodes(texels, self.count);
+        vec![
+            fixed.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[self.light]),
+            fixed.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[self.light, self.irradiance]),
+            fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[self.sources, self.nodes]),
+        ]
+    }
+
+    fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {
+        let texels = fixed.light_grid.size;
+        let [width, height] = texels;
+        let cells = [width, height * self.count];
+        let mut push =
+            |kernel, size, mode, buffers: &[Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
+        let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
+        let bound = [voxels, ior_voxels, occupancy, tables, self.sources, self.nodes];
+        push(advance_kernel(fixed.format), nodes(texels, self.count), fixed.mode, &bound);
+        push(&kernels::sweep_clear_sums, texels, 0, &[self.sums]);
+        push(&kernels::sweep_scatter_sheet, cells, 0, &[self.nodes, self.sums]);
+        push(&kernels::sweep_collect_light, texels, 0, &[self.sums, self.light]);
+        push(&kernels::sweep_concentrate_light, texels, 0, &[self.light, self.irradiance]);
+    }
+
+    fn on_plane(&self, _plane: u32) -> [Buffer; 2] {
+        [self.light, self.irradiance]
+    }
+}

@@ -1,0 +1,81 @@
+//! Light on texels: each follows its light back to the plane behind (sweep §4.2).
+
+use super::carrier::{Carrier, Maker, Volumes};
+use super::uniforms::Fixed;
+use crate::backend::{BackendError, Buffer, Pass};
+use vitrum_kernels::abi::grid::format;
+use vitrum_kernels::abi::record::{irradiance, light, trace};
+use vitrum_kernels::kernel::{Kernel, kernels};
+
+/// The buffers of light on texels.
+pub(super) struct Texels {
+    volumes: Volumes,
+    /// They swap roles from plane to plane.
+    light: [Buffer; 2],
+    filtered: Buffer,
+    irradiance: Buffer,
+    traced: Buffer,
+}
+
+fn refract_kernel(stored: u32) -> &'static Kernel {
+    match stored {
+        format::U8 => &kernels::sweep_refract_light_u8,
+        format::U16 => &kernels::sweep_refract_light_u16,
+        format::F32 => &kernels::sweep_refract_light_f32,
+        _ => &kernels::sweep_refract_light_f32_with_ior,
+    }
+}
+
+impl Texels {
+    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes) -> Result<Self, BackendError> {
+        let texels = maker.fixed.light_grid.size;
+        Ok(Self {
+            volumes,
+            light: [maker.planar("light", texels, light::SIZE)?, maker.planar("light", texels, light::SIZE)?],
+            filtered: maker.planar(
+                "filtered light",
+                if maker.fixed.is_soft() { texels } else { [1, 1] },
+                light::SIZE,
+            )?,
+            irradiance: maker.planar("irradiance", texels, irradiance::SIZE)?,
+            traced: maker.planar("back-traced points", texels, trace::SIZE)?,
+        })
+    }
+
+    fn light(&self, plane: u32) -> Buffer {
+        self.light[plane as usize % 2]
+    }
+}
+
+impl Carrier for Texels {
+    fn start(&self, fixed: &Fixed) -> Vec<Pass> {
+        let texels = fixed.light_grid.size;
+        vec![
+            fixed.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[self.light(0)]),
+            fixed.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[self.light(0), self.irradiance]),
+        ]
+    }
+
+    fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {
+        let texels = fixed.light_grid.size;
+        let (behind, ahead) = (self.light(plane - 1), self.light(plane));
+        let mut push = |kernel, mode, buffers: &[Buffer]| passes.push(fixed.pass(kernel, texels, mode, plane, buffers));
+        // What light is followed into: the plane behind, filtered where the light is soft.
+        let source = if fixed.is_soft() { self.filtered } else { behind };
+        if fixed.is_soft() {
+            push(&kernels::sweep_filter_light, 0, &[behind, self.filtered]);
+        }
+        push(&kernels::sweep_trace_light, 0, &[source, self.traced]);
+        push(&kernels::sweep_gather_light, 0, &[source, self.traced, ahead]);
+        if !fixed.planes.is_behind(plane) {
+            let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
+            let bound = [voxels, ior_voxels, occupancy, tables, self.traced, ahead];
+            push(refract_kernel(fixed.format), fixed.mode, &bound);
+        }
+        push(&kernels::sweep_concentrate_light, 0, &[ahead, self.irradiance]);
+    }
+
+    fn on_plane(&self, plane: u32) -> [Buffer; 2] {
+        [self.light(plane), self.irradiance]
+    }
+}

@@ -1,0 +1,144 @@
+//! A sheet's nodes from the plane behind to this one: attenuation and refraction as of a light texel ([`super::refract_light`]), but
+//! forward, each node from where it is (sweep §4.2, Eqs. 9 and 10).
+
+use crate::abi::record::sheet;
+use crate::abi::sweep::{SweepUniforms, flag, mode};
+use crate::field::empty::step_is_empty;
+use crate::field::light::{shift, texel_position};
+use crate::field::sheet::{rows, source};
+use crate::field::stencil::{scalar, voxel_coordinates};
+use crate::field::tables::attenuation;
+use crate::math::{length, select};
+use crate::optics::clip::keep;
+use crate::optics::composite::layer;
+use crate::optics::medium::{medium, share_inside};
+use crate::optics::step::{flight, turn};
+use spirv_std::glam::Vec3;
+
+/// How much of the kernel an invocation needs.
+pub mod level {
+    /// The node has turned back.
+    pub const ENDED: u32 = 0;
+    /// It crosses empty space and stays at its corner, and so would unrefracted light.
+    pub const STILL: u32 = 1;
+    /// It crosses empty space.
+    pub const DRIFT: u32 = 3;
+    /// It may be attenuated and bent.
+    pub const FULL: u32 = 7;
+}
+
+/// One plane's step.
+struct Drift {
+    from: Vec3,
+    to: Vec3,
+    v: Vec3,
+    /// The way over the grid, in texels.
+    way: (f32, f32),
+    /// That of unrefracted light.
+    unrefracted: (f32, f32),
+}
+
+#[inline(always)]
+fn drift(x: u32, y: u32, u: &SweepUniforms, node: &[f32; sheet::SIZE], sources: &[f32]) -> Drift {
+    let v = Vec3::new(node[sheet::DIRECTION_X], node[sheet::DIRECTION_X + 1], node[sheet::DIRECTION_X + 2]);
+    let way = shift(u, v, u.plane.z);
+    // Texels' centres are whole numbers, and corners half of one before.
+    let across = x as i32 as f32 - 0.5 + node[sheet::DISPLACEMENT_X];
+    let up = (y % rows(u)) as i32 as f32 - 0.5 + node[sheet::DISPLACEMENT_X + 1];
+    Drift {
+        from: texel_position(u, across, up, u.plane.x),
+        to: texel_position(u, across + way.0, up + way.1, u.plane.y),
+        v,
+        way,
+        unrefracted: shift(u, source(u, sources, y), u.plane.z),
+    }
+}
+
+/// Whether the node crosses nothing but empty space. Behind the volume it always does.
+#[inline(always)]
+fn empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
+    (u.dispatch.w & flag::BEHIND_VOLUME != 0) | step_is_empty::<SECOND>(u, occupancy, from, to)
+}
+
+/// The level that node (x, y) needs.
+#[inline(always)]
+pub fn level<const FORMAT: u32, const SECOND: bool>(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    _mode: u32,
+    node: [f32; sheet::SIZE],
+    _voxels: &[u32],
+    _ior_voxels: &[u32],
+    occupancy: &[u32],
+    _tables: &[u32],
+    sources: &[f32],
+) -> u32 {
+    let step = drift(x, y, u, &node, sources);
+    let still = (step.way.0 == 0.0) & (step.way.1 == 0.0) & (step.unrefracted.0 == 0.0) & (step.unrefracted.1 == 0.0);
+    let moving = if still { level::STILL } else { level::DRIFT };
+    let needed = if empty::<SECOND>(u, occupancy, step.from, step.to) { moving } else { level::FULL };
+    if node[sheet::TURNED] == 0.0 { needed } else { level::ENDED }
+}
+
+/// Node (x, y) one plane further.
+#[inline(always)]
+pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    chosen: u32,
+    node: [f32; sheet::SIZE],
+    voxels: &[u32],
+    ior_voxels: &[u32],
+    occupancy: &[u32],
+    tables: &[u32],
+    sources: &[f32],
+) -> [f32; sheet::SIZE] {
+    let Drift { from, to, v, way, unrefracted } = drift(x, y, u, &node, sources);
+    let ended = node[sheet::TURNED] != 0.0;
+    let mut out = v;
+    let mut left = Vec3::new(node[sheet::FLUX], node[sheet::FLUX + 1], node[sheet::FLUX + 2]);
+    let mut turned = false;
+    if LEVEL == level::FULL {
+        let skipped = empty::<SECOND>(u, occupancy, from, to);
+        let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
+        let ior_to = voxel_coordinates(&u.ior_grid, to);
+        let grids = (&u.grid, &u.ior_grid);
+        let here = medium::<FORMAT, SECOND>(grids, chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
+        let front = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
+        let kept = keep(u, from, to);
+        let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.plane.w;
+        let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
+        let attenuated = left * (layer.medium * layer.clear);
+        left = Vec3::new(
+            select(skipped, left.x, attenuated.x),
+            select(skipped, left.y, attenuated.y),
+            select(skipped, left.z, attenuated.z),
+        );
+        if chosen != mode::STRAIGHT {
+            let kicked = turn(u, v, &here, kept.refraction, flight(v, u.plane.z));
+            turned = kicked.turned & !skipped;
+            out = Vec3::new(
+                select(skipped, v.x, kicked.direction.x),
+                select(skipped, v.y, kicked.direction.y),
+                select(skipped, v.z, kicked.direction.z),
+            );
+        }
+    }
+    // A lane that needs less is carried along with its block; it must end up as if it had been alone.
+    let pick = |component: usize, next: f32| select(ended, node[component], next);
+    [
+        pick(sheet::DISPLACEMENT_X, node[sheet::DISPLACEMENT_X] + way.0),
+        pick(sheet::DISPLACEMENT_X + 1, node[sheet::DISPLACEMENT_X + 1] + way.1),
+        pick(sheet::UNREFRACTED_X, node[sheet::UNREFRACTED_X] + unrefracted.0),
+        pick(sheet::UNREFRACTED_X + 1, node[sheet::UNREFRACTED_X + 1] + unrefracted.1),
+        pick(sheet::DIRECTION_X, out.x),
+        pick(sheet::DIRECTION_X + 1, out.y),
+        pick(sheet::DIRECTION_X + 2, out.z),
+        pick(sheet::FLUX, left.x),
+        pick(sheet::FLUX + 1, left.y),
+        pick(sheet::FLUX + 2, left.z),
+        pick(sheet::TURNED, select(turned, 1.0, node[sheet::TURNED])),
+    ]
+}
