@@ -11,6 +11,7 @@ use std::vec;
 use vitrum::backend::{Backend, Pass, PassList};
 use vitrum::method::sweep::{Planes, Sweep};
 use vitrum_kernels::abi::sweep::SweepUniforms;
+use vitrum_kernels::kernel::Access;
 
 use crate::Failure;
 use crate::bounds;
@@ -40,6 +41,11 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("head u8", "head", &[])?.in_bytes()?,
         case("luneburg chain hard", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
         case("combustion/mixture", "combustion/mixture", &[])?,
+        case("ball sheets", "ball", &["sweep.light=sheets"])?,
+        case("glass/straight sheets", "glass/straight", &["sweep.light=sheets", "light.softness=1", "sweep.sheets=3"])?,
+        case("head u8 sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?,
+        case("luneburg chain sheets", "luneburg", &["sweep.light=sheets", "light.softness=0", "sweep.gradient=chain"])?,
+        case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.softness=0"])?,
     ])
 }
 
@@ -119,8 +125,16 @@ impl<'a> Stepper<'a> {
         self.backend.run(&list, &mut |_| true)?;
         let pass = list.passes.last().expect("stops are in ascending order, and different");
         let output = pass.output().expect("every kernel writes");
-        let words: Vec<f32> = bytemuck::pod_collect_to_vec(&self.backend.read(output)?);
-        let count = pass.width as usize * pass.height as usize * pass.kernel.declaration.components;
+        let bytes = self.backend.read(output)?;
+        let declaration = &pass.kernel.declaration;
+        if declaration.bindings.iter().any(|binding| binding.access == Access::Add) {
+            // Sums are integers, of which some bit patterns are no numbers as floats: their halves are.
+            let halves: Vec<f32> =
+                bytes.chunks_exact(2).map(|half| f32::from(u16::from_le_bytes([half[0], half[1]]))).collect();
+            return Ok(Raster::stacked(pass.width, [halves.as_slice()]));
+        }
+        let words: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
+        let count = pass.width as usize * pass.height as usize * declaration.components;
         Ok(Raster::stacked(pass.width, [&words[..count]]))
     }
 

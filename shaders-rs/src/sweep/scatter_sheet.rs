@@ -11,7 +11,7 @@ use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
 use crate::field::sheet::rows;
 use crate::field::sums::{Sums, add, quantise};
-use crate::math::{absolute, floor_to_int, lerp, max, min, sqrt};
+use crate::math::{absolute, floor_to_int, lerp, max, min, select, sqrt};
 use spirv_std::glam::{Vec2, Vec3};
 
 /// The most parts of a cell. One that is stretched over more texels leaves gaps between its parts: its light is so thin that it is
@@ -63,6 +63,24 @@ fn is_undisturbed(u: &SweepUniforms, n: &Node) -> bool {
         & (n.flux.x == whole)
         & (n.flux.y == whole)
         & (n.flux.z == whole)
+}
+
+#[inline(always)]
+fn count(what: bool) -> f32 {
+    select(what, 1.0, 0.0)
+}
+
+/// The first of two nodes that did not turn back; the second if both did.
+#[inline(always)]
+fn either(first: &Node, second: &Node) -> Node {
+    if first.turned { *second } else { *first }
+}
+
+/// A node, or where it turned back the first of three others that did not.
+#[inline(always)]
+fn instead(node: &Node, first: &Node, second: &Node, third: &Node) -> Node {
+    let others = either(first, &either(second, third));
+    either(node, &others)
 }
 
 /// A bilinear blend of four corners.
@@ -145,13 +163,20 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, s
         let none = Vec2::new(0.0, 0.0);
         spread(u, sums, home, Vec2::new(1.0, 1.0), Vec3::new(-whole, -whole, -whole), none);
     }
-    if disturbed & !(a.turned | b.turned | c.turned | d.turned) {
+    let followed = count(!a.turned) + count(!b.turned) + count(!c.turned) + count(!d.turned);
+    if disturbed & (followed > 0.0) {
+        // Where some of the light turned back, the rest goes on where its nodes are.
+        let (left, right) = (either(&a, &c), either(&b, &d));
+        let a = instead(&a, &b, &left, &right);
+        let b = instead(&b, &a, &right, &left);
+        let c = instead(&c, &d, &left, &right);
+        let d = instead(&d, &c, &right, &left);
         let across = parts(max(extent(b.at - a.at), extent(d.at - c.at)));
         let up = parts(max(extent(c.at - a.at), extent(d.at - b.at)));
         let factor = sqrt(min(1.0, MOST_PARTS / (across * up)));
         let (across, up) = (fewer(across, factor), fewer(up, factor));
         let (step_s, step_t) = (1.0 / across as f32, 1.0 / up as f32);
-        let share = step_s * step_t;
+        let share = step_s * step_t * (followed * 0.25);
         let start = Vec2::new(u.light_direction.x / u.light_direction.z, u.light_direction.y / u.light_direction.z);
         let mut q = 0;
         while q < up {

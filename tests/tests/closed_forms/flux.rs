@@ -1,8 +1,9 @@
 //! 10: without absorption the flux through every plane is equal, until light leaves the grid.
 
-use crate::setup::{backends, cube, refracting};
+use crate::setup::{backends, cube, light_on_planes, refracting};
 use vitrum::Inputs;
 use vitrum::method::sweep::Sweep;
+use vitrum::scene::{Transport, Wall};
 
 #[test]
 fn every_plane_gets_the_same_flux() {
@@ -17,24 +18,17 @@ fn every_plane_gets_the_same_flux() {
         let inputs = Inputs { volume: volume.clone(), ior_volume: None, environment: None };
         for mut backend in backends() {
             let mut sweep = Sweep::prepare(&scene, &inputs, backend.as_mut()).expect("the scene is sound");
-            let all = std::mem::take(&mut sweep.passes.passes);
-            let texels = (sweep.light_grid.size[0] * sweep.light_grid.size[1]) as usize;
-            let mut flux = Vec::new();
-            let (mut plane, mut at_plane) = (0, Vec::new());
-            for pass in all {
-                let name = pass.kernel.declaration.name;
-                sweep.passes.passes.push(pass);
-                if name == "sweep_concentrate_light" {
-                    plane += 1;
-                    if plane % 16 == 0 || plane == sweep.planes.count - 1 {
-                        sweep.run(backend.as_mut(), &mut |_| true).expect("the passes run");
-                        sweep.passes.passes.clear();
-                        let records = sweep.irradiance(backend.as_mut()).expect("the light can be read");
-                        flux.push(records[..texels].iter().map(|&e| f64::from(e)).sum::<f64>() / texels as f64);
-                        at_plane.push(plane);
-                    }
-                }
-            }
+            let (mut flux, mut at_plane) = (Vec::new(), Vec::new());
+            let last = sweep.planes.count - 1;
+            light_on_planes(
+                &mut sweep,
+                backend.as_mut(),
+                |plane| plane % 16 == 15 || plane == last,
+                |plane, light| {
+                    flux.push(light.iter().map(|&e| f64::from(e)).sum::<f64>() / light.len() as f64);
+                    at_plane.push(plane);
+                },
+            );
             let expected = f64::from(azimuth.to_radians()).cos();
             println!("{} at {azimuth}°: mean plane irradiance over {expected:.4}: {flux:.4?}", backend.name());
             for (mean, plane) in flux.iter().zip(at_plane) {
@@ -55,25 +49,56 @@ fn behind_a_focus_there_is_no_more_light_than_before() {
         let inputs = Inputs::load(&scene, std::path::Path::new("")).expect("the scene loads");
         let mut backend = vitrum::backend::CpuBackend::new(None).expect("the CPU backend opens");
         let mut sweep = Sweep::prepare(&scene, &inputs, &mut backend).expect("the scene is sound");
-        let all = std::mem::take(&mut sweep.passes.passes);
-        let texels = (sweep.light_grid.size[0] * sweep.light_grid.size[1]) as usize;
         let mut first = None;
         let mut most = 0.0f64;
-        for pass in all {
-            let name = pass.kernel.declaration.name;
-            sweep.passes.passes.push(pass);
-            if name == "sweep_concentrate_light" {
-                sweep.run(&mut backend, &mut |_| true).expect("the passes run");
-                sweep.passes.passes.clear();
-                let light = sweep.irradiance(&mut backend).expect("the light can be read");
-                let flux = light[..texels].iter().map(|&e| f64::from(e)).sum::<f64>();
+        light_on_planes(
+            &mut sweep,
+            &mut backend,
+            |_| true,
+            |_, light| {
+                let flux = light.iter().map(|&e| f64::from(e)).sum::<f64>();
                 assert!(flux.is_finite());
                 most = most.max(flux / *first.get_or_insert(flux));
-            }
-        }
+            },
+        );
         println!("{name}: at most {most:.4} of the light");
         // A focus is a few texels wide; differences between texels cannot tell its area to better than some percent.
         assert!(most < 1.02, "{most} of the light at some plane");
         sweep.free(&mut backend);
+    }
+}
+
+/// Sheets keep it through a focus and behind it.
+#[test]
+fn sheets_carry_all_light_through_a_focus() {
+    let volume = cube(48, 2.0, |[x, y, z]| 1.0 + 0.3 * (1.0 - (x * x + y * y + z * z) / 0.5).max(0.0));
+    for azimuth in [0.0f32, 30.0] {
+        let mut scene = refracting(&volume, 96);
+        scene.sweep.light = Transport::Sheets;
+        scene.light.azimuth = azimuth;
+        // None of it leaves the grid, nor reaches it from outside.
+        scene.light.margin = 1.0;
+        scene.wall = Some(Wall { distance: Some(2.5), ..Wall::default() });
+        let inputs = Inputs { volume: volume.clone(), ior_volume: None, environment: None };
+        for mut backend in backends() {
+            let mut sweep = Sweep::prepare(&scene, &inputs, backend.as_mut()).expect("the scene is sound");
+            let (mut brightest, mut first, mut worst) = (0.0f32, None, 0.0f64);
+            light_on_planes(
+                &mut sweep,
+                backend.as_mut(),
+                |_| true,
+                |plane, light| {
+                    let flux = light.iter().map(|&e| f64::from(e)).sum::<f64>();
+                    brightest = light.iter().copied().fold(brightest, f32::max);
+                    let off = (flux / *first.get_or_insert(flux) - 1.0).abs();
+                    worst = worst.max(off);
+                    // Each part of each cell is rounded to 2⁻²⁴ of a texel's light.
+                    assert!(off < 1e-5, "{off} is missing or too much at plane {plane}");
+                },
+            );
+            println!("{} at {azimuth}°: flux within {worst:.1e}, brightest {brightest:.1}", backend.name());
+            assert!(brightest > 20.0, "{brightest}: there should be a focus");
+            sweep.free(backend.as_mut());
+        }
     }
 }

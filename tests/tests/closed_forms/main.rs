@@ -12,4 +12,5 @@ mod luneburg;
 mod porter_duff;
 mod setup;
 mod slab;
+mod spot;
 mod step;

@@ -2,6 +2,7 @@
 
 use vitrum::backend::{Backend, Choice, open};
 use vitrum::io::{Volume, Voxels};
+use vitrum::method::sweep::Sweep;
 use vitrum::scene::{IorPoint, OpacityPoint, Projection, Scene};
 use vitrum::{Frame, Inputs};
 
@@ -107,4 +108,27 @@ pub fn start(frame: &Frame, x: u32, y: u32, half: f64) -> [f64; 2] {
 pub fn orthographic_frame(size: f64) -> (f64, f64) {
     let radius = size * 0.75f64.sqrt();
     (0.87 * radius, -4.0 * radius)
+}
+
+/// Runs a frame and looks at the light on the planes that `at` chooses: the red plane irradiance of their texels.
+pub fn light_on_planes(
+    sweep: &mut Sweep,
+    backend: &mut dyn Backend,
+    at: impl Fn(u32) -> bool,
+    mut look: impl FnMut(u32, &[f32]),
+) {
+    let texels = (sweep.light_grid.size[0] * sweep.light_grid.size[1]) as usize;
+    let mut plane = 0;
+    for pass in std::mem::take(&mut sweep.passes.passes) {
+        let ends_plane = pass.kernel.declaration.name == "sweep_concentrate_light";
+        sweep.passes.passes.push(pass);
+        if ends_plane {
+            if at(plane) {
+                sweep.run(backend, &mut |_| true).expect("the passes run");
+                sweep.passes.passes.clear();
+                look(plane, &sweep.irradiance(backend).expect("the light can be read")[..texels]);
+            }
+            plane += 1;
+        }
+    }
 }

@@ -4,11 +4,20 @@ use super::SceneEntry;
 use super::curves::{colors, iors, opacities, procedural};
 use super::grid::Grid;
 use super::shapes::coverage;
-use crate::scene::{Camera, Ground, Light, Scene, Shading, TransferFunction, Wall};
+use crate::scene::{Camera, Ground, Light, Scene, Shading, TransferFunction, Transport, Wall};
 use glam::Vec3;
 use vitrum_io::{Error, Volume};
 
-pub(super) const SCENES: &[SceneEntry] = &[("ball", "a solid glass ball that casts its caustic on the ground", scene)];
+pub(super) const SCENES: &[SceneEntry] = &[
+    ("ball", "a solid glass ball that casts its caustic on the ground", scene),
+    ("ball/sheets", "the ball in a soft light that is carried as sheets", sheets),
+];
+
+fn sheets() -> Scene {
+    let mut scene = scene();
+    scene.sweep.light = Transport::Sheets;
+    scene
+}
 
 fn scene() -> Scene {
     Scene {

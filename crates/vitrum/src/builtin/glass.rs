@@ -4,7 +4,7 @@ use super::SceneEntry;
 use super::curves::{colors, iors, opacities, procedural};
 use super::grid::{Grid, quantize_unit};
 use super::shapes::{Outline, coverage, smoothstep};
-use crate::scene::{Camera, Environment, Ground, Light, Rgb, Scene, Shading, TransferFunction, Wall};
+use crate::scene::{Camera, Environment, Ground, Light, Rgb, Scene, Shading, TransferFunction, Transport, Wall};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use vitrum_io::{Error, Volume};
@@ -26,6 +26,7 @@ pub(super) const SCENES: &[SceneEntry] = &[
     ("glass/beer", "medium colours and refraction, nothing opaque", beer),
     ("glass/juice", "a liquid dense with pigment, with a dark shadow on the wall", juice),
     ("glass/wine", "red wine in green glass", wine),
+    ("glass/sheets", "the beer in crisp light that is carried as sheets: its foci are all there", sheets),
 ];
 
 fn base() -> Scene {
@@ -80,6 +81,13 @@ fn juice() -> Scene {
     let mut scene = beer();
     scene.transfer.color = colors([(GLASS, [0.98, 0.62, 0.10])]);
     scene.transfer.opacity = opacities([(0.6, 0.0), (LIQUID, 0.75)]);
+    scene
+}
+
+fn sheets() -> Scene {
+    let mut scene = beer();
+    scene.light.softness = 0.0;
+    scene.sweep.light = Transport::Sheets;
     scene
 }
 
