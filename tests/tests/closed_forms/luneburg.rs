@@ -1,30 +1,9 @@
 //! 3: the Luneburg lens, η² = 2 − r². A parallel beam meets at the antipode.
 
-use crate::setup::{backends, cube, end, orthographic_frame, refracting, render, start};
 use vitrum::scene::{Gradient, Integrator};
+use vitrum_conformance::closed_forms::luneburg::worst_miss;
 
-fn worst_miss(n: u32, integrator: Integrator, gradient: Gradient, backend: &mut dyn vitrum::backend::Backend) -> f64 {
-    let size = 2.2;
-    let volume = cube(n, size, |[x, y, z]| (2.0 - (x * x + y * y + z * z)).max(1.0).sqrt());
-    let mut scene = refracting(&volume, 32);
-    scene.sweep.integrator = integrator;
-    scene.sweep.gradient = gradient;
-    scene.sweep.sample_distance = 0.5;
-    let frame = render(&scene, &volume, backend);
-    let (half, centre) = orthographic_frame(f64::from(size));
-    let mut worst = 0.0f64;
-    for y in 0..32 {
-        for x in 0..32 {
-            let [sx, sy] = start(&frame, x, y, half);
-            // Rays at the rim graze the lens over a long way; the beam's inner 80 % are asked for.
-            if sx.hypot(sy) < 0.8 {
-                let [ax, ay] = end(&frame, x, y).at_depth(centre - 1.0);
-                worst = worst.max(ax.hypot(ay));
-            }
-        }
-    }
-    worst
-}
+use crate::setup::backends;
 
 #[test]
 fn a_parallel_beam_meets_at_the_antipode() {
