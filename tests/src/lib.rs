@@ -12,9 +12,10 @@
 //!
 //! Each takes a [`case::Case`], turns what it compares into [`raster`]s and gives them to a [`run::Run`], which holds them
 //! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
-//! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome.
-//! [`bench`](mod@bench) times frames instead.
+//! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome;
+//! [`accuracy`] makes tables and plots of both. [`bench`](mod@bench) times frames instead.
 
+pub mod accuracy;
 pub mod adapter;
 pub mod bench;
 pub mod bounds;

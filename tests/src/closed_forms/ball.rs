@@ -4,6 +4,9 @@ use vitrum::backend::Backend;
 
 use super::{cube, end, orthographic_frame, refracting, render, start};
 
+/// The edge of the volume's cube; the ball has radius 1.
+pub const EDGE: f64 = 2.4;
+
 /// The exact crossing for any h, by Snell's law at both surfaces.
 #[must_use]
 pub fn crossing(h: f64) -> f64 {
@@ -12,11 +15,11 @@ pub fn crossing(h: f64) -> f64 {
     h / (2.0 * (outside - inside)).sin()
 }
 
-/// The largest relative error of the crossing over 0.1 ≤ h ≤ 0.75, in a volume of `n`³ voxels whose surface is four voxels
+/// The largest relative error of the crossing over 0.1 ≤ h ≤ 0.75, in a volume of `n`³ voxels whose surface is `layer` voxels
 /// thick.
-pub fn worst_crossing(n: u32, backend: &mut dyn Backend) -> f64 {
-    let size = 2.4f32;
-    let edge = f64::from(size) / f64::from(n) * 4.0;
+pub fn worst_crossing(n: u32, layer: f64, backend: &mut dyn Backend) -> f64 {
+    let size = EDGE as f32;
+    let edge = EDGE / f64::from(n) * layer;
     let volume = cube(n, size, |[x, y, z]| {
         let r = (x * x + y * y + z * z).sqrt();
         let t = ((1.0 - r) / edge + 0.5).clamp(0.0, 1.0);
@@ -25,7 +28,7 @@ pub fn worst_crossing(n: u32, backend: &mut dyn Backend) -> f64 {
     let mut scene = refracting(&volume, 64);
     scene.sweep.sample_distance = 0.5;
     let frame = render(&scene, &volume, backend);
-    let (half, centre) = orthographic_frame(f64::from(size));
+    let (half, centre) = orthographic_frame(EDGE);
     let mut worst = 0.0f64;
     for y in 0..64 {
         for x in 0..64 {

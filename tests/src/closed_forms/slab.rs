@@ -43,8 +43,7 @@ pub fn irradiance(
     let pixels = light.color();
     let row = light.height as usize / 2;
     // Texel positions: the grid is centred on the volume (light travels straight on, so there is no shear).
-    let radius = 0.5 * (3.0f64.powi(2) + DEPTH.powi(2) + (8.0 / 64.0f64).powi(2)).sqrt();
-    let texel = 2.0 * 0.87 * radius / 64.0 / f64::from(resolution);
+    let texel = PERIOD / texels(resolution);
     let at = |x: f64| {
         let position = x / texel + width as f64 * 0.5 - 0.5;
         let left = position.floor() as usize;
@@ -53,4 +52,11 @@ pub fn irradiance(
     };
     let mean = (0..256).map(|i| at(-0.5 + (f64::from(i) + 0.5) / 256.0)).sum::<f64>() / 256.0;
     (at(0.0), at(0.5), mean)
+}
+
+/// Light texels a period at so many per pixel edge.
+#[must_use]
+pub fn texels(resolution: f32) -> f64 {
+    let radius = 0.5 * (3.0f64.powi(2) + DEPTH.powi(2) + (8.0 / 64.0f64).powi(2)).sqrt();
+    PERIOD / (2.0 * 0.87 * radius / 64.0 / f64::from(resolution))
 }

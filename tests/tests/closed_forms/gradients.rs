@@ -16,3 +16,20 @@ fn rays_are_parabolas_catenaries_and_sines() {
         }
     }
 }
+
+/// Where nothing jumps, both rules are second order in the voxel's edge: trilinear interpolation and central differences are, and the
+/// step, which is as long as a voxel, is too.
+#[test]
+fn both_gradients_are_second_order() {
+    for mut backend in backends() {
+        for gradient in [Gradient::Central, Gradient::Chain] {
+            let [coarse, middle, fine] = [16, 32, 64].map(|n| worst(&SINE, n, gradient, backend.as_mut()).0);
+            let order = (coarse / fine).log2() / 2.0;
+            println!(
+                "{} sine {gradient:?}: off by {coarse:.1e} at 16³, {middle:.1e} at 32³, {fine:.1e} at 64³, order {order:.2}",
+                backend.name()
+            );
+            assert!((1.7..2.4).contains(&order), "{gradient:?}: order {order}");
+        }
+    }
+}

@@ -1,9 +1,7 @@
 //! What the closed forms share, and the backends that they are tried on.
 
 use vitrum::backend::{Backend, Choice, open};
-pub use vitrum_conformance::closed_forms::{
-    cube, cuboid, end, orthographic_frame, refracting, render, start, straight_on,
-};
+pub use vitrum_conformance::closed_forms::{cube, end, refracting, render, straight_on};
 
 /// Both backends; the GPU's is left out, loudly, where there is none and none is required.
 pub fn backends() -> Vec<Box<dyn Backend>> {
