@@ -4,7 +4,7 @@ use vitrum::backend::Backend;
 use vitrum::scene::{Gradient, Integrator, Intensity};
 
 use super::Section;
-use super::plot::{Axis, Plot, Scale, Series};
+use super::plot::{Axis, Corner, Plot, Scale, Series};
 use crate::Failure;
 use crate::closed_forms;
 use crate::table::aligned;
@@ -44,6 +44,7 @@ pub fn step(_: &mut dyn Backend) -> Result<Section, Failure> {
             x: logarithmic("planes across the lens"),
             y: logarithmic("miss at the antipode, radii"),
             series,
+            legend: Corner::LowerLeft,
         },
     })
 }
@@ -66,6 +67,7 @@ pub fn luneburg(backend: &mut dyn Backend) -> Result<Section, Failure> {
             x: logarithmic("edge of a voxel, radii"),
             y: logarithmic("miss at the antipode, radii"),
             series,
+            legend: Corner::LowerRight,
         },
     })
 }
@@ -88,6 +90,7 @@ pub fn ball(backend: &mut dyn Backend) -> Result<Section, Failure> {
             x: logarithmic("edge of a voxel, radii"),
             y: logarithmic("worst relative error, 0.1 ≤ h ≤ 0.75"),
             series,
+            legend: Corner::UpperRight,
         },
     })
 }
@@ -115,6 +118,7 @@ pub fn areas(backend: &mut dyn Backend) -> Result<Section, Failure> {
             x: linear("shear from plane to plane"),
             y: linear("flux over the truth, less 1"),
             series,
+            legend: Corner::UpperLeft,
         },
     })
 }
@@ -145,6 +149,7 @@ pub fn slab(backend: &mut dyn Backend) -> Result<Section, Failure> {
             x: logarithmic("light texels a period"),
             y: linear("irradiance over the truth"),
             series,
+            legend: Corner::LowerRight,
         },
     })
 }

@@ -8,7 +8,7 @@ mod photons;
 mod plot;
 
 pub use page::replace;
-pub use plot::{Axis, Plot, Scale, Series};
+pub use plot::{Axis, Corner, Plot, Scale, Series};
 
 use vitrum::backend::Backend;
 

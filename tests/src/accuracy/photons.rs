@@ -3,7 +3,7 @@
 use vitrum::backend::Backend;
 
 use super::Section;
-use super::plot::{Axis, Plot, Scale, Series};
+use super::plot::{Axis, Corner, Plot, Scale, Series};
 use crate::Failure;
 use crate::photons::Subject;
 use crate::table::aligned;
@@ -63,6 +63,7 @@ pub fn photons(_: &mut dyn Backend) -> Result<Section, Failure> {
         x: logarithmic("photons N"),
         y: logarithmic("share of light in another place"),
         series,
+        legend: Corner::UpperRight,
     };
     Ok(Section { text, plot })
 }

@@ -43,6 +43,21 @@ pub struct Plot {
     pub y: Axis,
     /// The lines.
     pub series: Vec<Series>,
+    /// The corner where no line is.
+    pub legend: Corner,
+}
+
+/// A corner of a plot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Corner {
+    /// Top left.
+    UpperLeft,
+    /// Top right.
+    UpperRight,
+    /// Bottom left.
+    LowerLeft,
+    /// Bottom right.
+    LowerRight,
 }
 
 impl Series {
@@ -79,11 +94,15 @@ impl Plot {
     pub fn svg(&self) -> Result<String, String> {
         let [x, y] = [(&self.x, 0), (&self.y, 1)].map(|(axis, component)| self.range(axis, component));
         use Scale::{Linear, Logarithmic};
+        let logarithmic = |range: Range<f64>| {
+            let ticks = ticks(&range);
+            range.log_scale().with_key_points(ticks)
+        };
         match (self.x.scale, self.y.scale) {
             (Linear, Linear) => self.draw(x, y),
-            (Linear, Logarithmic) => self.draw(x, y.log_scale()),
-            (Logarithmic, Linear) => self.draw(x.log_scale(), y),
-            (Logarithmic, Logarithmic) => self.draw(x.log_scale(), y.log_scale()),
+            (Linear, Logarithmic) => self.draw(x, logarithmic(y)),
+            (Logarithmic, Linear) => self.draw(logarithmic(x), y),
+            (Logarithmic, Logarithmic) => self.draw(logarithmic(x), logarithmic(y)),
         }
     }
 
@@ -148,7 +167,12 @@ impl Plot {
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
+            .position(match self.legend {
+                Corner::UpperLeft => SeriesLabelPosition::UpperLeft,
+                Corner::UpperRight => SeriesLabelPosition::UpperRight,
+                Corner::LowerLeft => SeriesLabelPosition::LowerLeft,
+                Corner::LowerRight => SeriesLabelPosition::LowerRight,
+            })
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.3))
             .label_font(("sans-serif", 13))
@@ -159,11 +183,19 @@ impl Plot {
     }
 }
 
+/// Where a logarithmic axis has numbers: at powers of ten, and where those are few at twice and five times them.
+fn ticks(range: &Range<f64>) -> Vec<f64> {
+    let decades = (range.start.log10().floor() as i32)..=(range.end.log10().ceil() as i32);
+    let steps: &[f64] = if (range.end / range.start).log10() > 2.5 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+    let all = decades.flat_map(|decade| steps.iter().map(move |step| step * 10f64.powi(decade)));
+    all.filter(|tick| range.contains(tick)).collect()
+}
+
 /// A number beside an axis.
 fn tick(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),
-        size if (1e-2..1e5).contains(&size) => format!("{}", (value * 1e6).round() / 1e6),
+        size if (9e-4..1e5).contains(&size) => format!("{}", (value * 1e6).round() / 1e6),
         _ => format!("{value:.0e}"),
     }
 }
@@ -178,7 +210,13 @@ mod tests {
         let line = Series::new("second order", vec![(10.0, 1e-2), (100.0, 1e-4)]);
         assert!((line.order() + 2.0).abs() < 1e-12);
         for scale in [Scale::Linear, Scale::Logarithmic] {
-            let plot = Plot { title: "errors", x: axis(scale), y: axis(scale), series: vec![line.clone()] };
+            let plot = Plot {
+                title: "errors",
+                x: axis(scale),
+                y: axis(scale),
+                series: vec![line.clone()],
+                legend: Corner::UpperRight,
+            };
             let svg = plot.svg().unwrap();
             assert!(svg.starts_with("<svg") && svg.contains("second order") && svg.contains("errors"));
             assert!(svg.contains("<polyline") && svg.matches("<circle").count() == 2);
@@ -189,5 +227,7 @@ mod tests {
     #[test]
     fn ticks_are_short() {
         assert_eq!([0.0, 0.05, 100.0, 1e-4].map(tick), ["0", "0.05", "100", "1e-4"]);
+        assert_eq!(ticks(&(8.0..60.0)), [10.0, 20.0, 50.0]);
+        assert_eq!(ticks(&(8.0..6000.0)), [10.0, 100.0, 1000.0]);
     }
 }
