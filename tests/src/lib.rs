@@ -1,6 +1,6 @@
 //! Conformance: both backends against each other, against closed forms and against golden pictures.
 //!
-//! The tests in `tests/` and the programs `conformance` (`cargo xtask diff`) and `bench` (`cargo xtask bench`) share what
+//! The tests in `tests/` and the programs `conformance` (`cargo xtask diff`), `bench` and `accuracy` share what
 //! is here. `docs/conformance.md` describes the tiers:
 //!
 //! | tier | module | what is compared |

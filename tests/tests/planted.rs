@@ -28,11 +28,11 @@ fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
     let behind: &[f32] = cast_slice(chunk.reads[0]);
     let [width, height] = [u.size.z as i32, u.size.w as i32];
     let last = if MISTAKE == BORDER { [width, height] } else { [width - 1, height - 1] };
-    let outside = [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0f32];
+    let outside = [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0];
     let offsets = [[u.taps_a.x, u.taps_a.y], [u.taps_a.z, u.taps_a.w], [u.taps_b.x, u.taps_b.y]];
     for index in 0..(chunk.rows * chunk.width) as usize {
         let (x, y) = (index as i32 % width, chunk.first_row as i32 + index as i32 / width);
-        for component in 0..light::SIZE {
+        for (component, outside) in outside.into_iter().enumerate() {
             let texel = |i: i32, j: i32| {
                 let at = component as i32 * width * height + j * width + i;
                 behind[at.clamp(0, behind.len() as i32 - 1) as usize]
@@ -40,7 +40,7 @@ fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
             let tap = |[across, up]: [f32; 2]| {
                 let (i, j) = (x + across.floor() as i32, y + up.floor() as i32);
                 if i < 0 || i >= last[0] || j < 0 || j >= last[1] {
-                    return outside[component];
+                    return outside;
                 }
                 let (s, t) = (across - across.floor(), up - up.floor());
                 let near = texel(i, j) + (texel(i + 1, j) - texel(i, j)) * s;
