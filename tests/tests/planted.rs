@@ -28,7 +28,8 @@ fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
     let behind: &[f32] = cast_slice(chunk.reads[0]);
     let [width, height] = [u.size.z as i32, u.size.w as i32];
     let last = if MISTAKE == BORDER { [width, height] } else { [width - 1, height - 1] };
-    let outside = [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0];
+    let outside: [f32; light::SIZE] =
+        [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0];
     let offsets = [[u.taps_a.x, u.taps_a.y], [u.taps_a.z, u.taps_a.w], [u.taps_b.x, u.taps_b.y]];
     for index in 0..(chunk.rows * chunk.width) as usize {
         let (x, y) = (index as i32 % width, chunk.first_row as i32 + index as i32 / width);
