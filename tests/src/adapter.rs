@@ -1,8 +1,9 @@
 //! The graphics adapter that is held against the CPU.
 
-use vitrum::backend::{BackendError, GpuBackend};
+use vitrum::backend::{Backend, BackendError, GpuBackend};
 
 use crate::Failure;
+use crate::bounds;
 use crate::left_out;
 
 /// What to do where there is no adapter.
@@ -36,4 +37,18 @@ pub fn for_test() -> Option<GpuBackend> {
         }
         Err(error) => panic!("{error}"),
     }
+}
+
+/// As [`for_test`], but only an adapter that is held to the last bit: on others a difference of rounding is no mistake.
+///
+/// # Panics
+/// As [`for_test`].
+#[must_use]
+pub fn exact_for_test() -> Option<GpuBackend> {
+    let backend = for_test()?;
+    let is_exact = bounds::is_exact(&backend);
+    if !is_exact {
+        left_out::say(&format!("{} is not held to the last bit", backend.adapter()));
+    }
+    is_exact.then_some(backend)
 }

@@ -1,7 +1,11 @@
-//! Which bound holds on which adapter.
+//! Which bound holds on which adapter, and why.
+//!
+//! Everything is in one table, [`FAMILIES`]; `docs/conformance.md` shows it, and a test holds the page to it.
 
 use vitrum::backend::Backend;
 use vitrum_compare::{Bound, Tolerance};
+
+use crate::table;
 
 /// Scenes that are not yet equal to the last bit on lavapipe, each with the reason.
 pub const NOT_YET_EQUAL: &[(&str, &str)] = &[];
@@ -10,28 +14,147 @@ pub const NOT_YET_EQUAL: &[(&str, &str)] = &[];
 const NEARLY_EQUAL: Tolerance =
     Tolerance { relative_to_peak: true, max_abs: Some(1e-4), rmse: Some(1e-5), share_above: None, mean_flip: None };
 
-/// What every other adapter is held to: its division and square root may be off by a few units in the last place, and at
-/// an edge that moves a ray from one surface to another.
-const OTHER_ADAPTERS: Tolerance = Tolerance {
+/// Frames where division and square root may be off by a few units in the last place: at an edge that moves a ray from one
+/// surface to another.
+const NEARLY: Bound = Bound::Tolerance(Tolerance {
     relative_to_peak: true,
     max_abs: None,
     rmse: Some(1e-4),
     share_above: Some((1e-3, 1e-3)),
-    mean_flip: None,
-};
+    mean_flip: Some(1e-3),
+});
 
-/// The largest mean FLIP error of what is shown, on adapters other than lavapipe.
-const OTHER_ADAPTERS_FLIP: f64 = 1e-3;
+/// Some four quotients and roots in a row are off by up to 30 ULP. A difference of like numbers loses three bits of that, which
+/// makes 256 ULP, in one of eight cases.
+const SEVERAL_STEPS: Bound = Bound::MostlyUlp(256, 0.125);
 
-/// Whether an adapter is Mesa's software Vulkan driver, by the name it gives itself.
+/// What a building block is made of, which decides how far off it may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Class {
+    /// Comparisons, bits, and products with powers of two: nothing is rounded.
+    Selection,
+    /// One sum or product.
+    Rounded,
+    /// Sums of products: equal where they are not contracted to fused operations.
+    Sum,
+    /// One division at the end.
+    Quotient,
+    /// One square root at the end.
+    Root,
+    /// Several of these, with differences of like numbers among them.
+    Several,
+}
+
+impl Class {
+    /// Every class, and the building blocks that are in it.
+    pub const ALL: [(Self, &'static [&'static str]); 6] = [
+        (Self::Selection, &["absolute_value", "minimum", "maximum", "clamped", "selected", "floored", "half"]),
+        (Self::Rounded, &["add", "multiply"]),
+        (Self::Sum, &["multiply_add", "linear", "dot_product", "exponential", "euler_kick"]),
+        (Self::Quotient, &["divide", "straight_flight"]),
+        (Self::Root, &["square_root", "vector_length"]),
+        (
+            Self::Several,
+            &[
+                "binary_logarithm",
+                "arc_tangent",
+                "arc_sine",
+                "fresnel_reflectance",
+                "reflected_radiance",
+                "symplectic_kick",
+                "segment_layer",
+                "composited",
+            ],
+        ),
+    ];
+
+    /// The class of a building block; one that is in no list is the last class's.
+    #[must_use]
+    pub fn of(function: &str) -> Self {
+        Self::ALL.into_iter().find(|(_, names)| names.contains(&function)).map_or(Self::Several, |(class, _)| class)
+    }
+}
+
+/// Adapters that are held to the same bounds.
+#[derive(Debug, Clone, Copy)]
+pub struct Family {
+    /// Its name.
+    pub name: &'static str,
+    /// Parts of an adapter's description, in lower case, that show that it is one of these. The first family of the table that has
+    /// one is the adapter's.
+    words: &'static [&'static str],
+    /// The bound on frames and on what kernels wrote (T1, T2); FLIP counts only for colours.
+    pub frames: Bound,
+    /// The bounds on building blocks (T0), by class.
+    pub functions: [Bound; 6],
+    /// Why.
+    pub reason: &'static str,
+}
+
+const EXACT: [Bound; 6] = [Bound::BitEqual; 6];
+/// ÷ is within 2.5 ULP, and the CPU's within ½. √ is 1 / inversesqrt: 2 ULP of that are up to 4 of the result.
+const VULKAN: [Bound; 6] =
+    [Bound::BitEqual, Bound::BitEqual, Bound::BitEqual, Bound::Ulp(3), Bound::Ulp(7), SEVERAL_STEPS];
+/// As on Vulkan; besides, sums of products may be contracted, and the argument of a root may be off by 1.
+const CONTRACTED: [Bound; 6] =
+    [Bound::BitEqual, Bound::Ulp(1), SEVERAL_STEPS, Bound::Ulp(3), Bound::Ulp(8), SEVERAL_STEPS];
+
+const BY_VULKAN: &str =
+    "Vulkan: + − × round as IEEE 754 and are not contracted, ÷ is within 2.5 ULP, √ is that of 1 ÷ inversesqrt (2 ULP)";
+const TRANSLATED: &str = "translated by naga: a × b + c may be contracted, ÷ and √ are those of fast mathematics";
+
+/// Every family; the last takes what no other does. Interfaces without pass-through stand before the makers of adapters.
+#[rustfmt::skip]
+pub const FAMILIES: [Family; 6] = [
+    Family { name: "lavapipe", words: &["llvmpipe", "lavapipe"], frames: Bound::BitEqual, functions: EXACT,
+             reason: "÷ and √ are the processor's, and nothing is contracted" },
+    Family { name: "Apple, Metal", words: &["(metal", "apple", "moltenvk"], frames: NEARLY, functions: CONTRACTED, reason: TRANSLATED },
+    Family { name: "NVIDIA", words: &["nvidia", "geforce", "nvk"], frames: NEARLY, functions: VULKAN, reason: BY_VULKAN },
+    Family { name: "AMD", words: &["amd", "radeon", "radv"], frames: NEARLY, functions: VULKAN, reason: BY_VULKAN },
+    Family { name: "Intel", words: &["intel"], frames: NEARLY, functions: VULKAN, reason: BY_VULKAN },
+    Family { name: "other, Direct3D 12", words: &[], frames: NEARLY, functions: CONTRACTED, reason: TRANSLATED },
+];
+
+impl Family {
+    /// The family of an adapter, by its description: name, interface, driver.
+    #[must_use]
+    pub fn of(adapter: &str) -> &'static Self {
+        let description = adapter.to_lowercase();
+        let [named @ .., rest] = &FAMILIES;
+        // Whoever made it, through Direct3D 12 its modules are translated.
+        let translated = description.contains("(dx12");
+        let of_family = |family: &&Self| family.words.iter().any(|word| description.contains(word));
+        named.iter().filter(|_| !translated).find(of_family).unwrap_or(rest)
+    }
+
+    fn cells(&self) -> [String; 9] {
+        let [selection, rounded, sum, quotient, root, several] = self.functions.map(|bound| bound.to_string());
+        let (name, frames, reason) = (self.name.to_owned(), self.frames.to_string(), self.reason.to_owned());
+        [name, selection, rounded, sum, quotient, root, several, frames, reason]
+    }
+}
+
+/// Families as a Markdown table.
 #[must_use]
-pub fn is_lavapipe(adapter: &str) -> bool {
-    adapter.to_lowercase().contains("llvmpipe") || adapter.to_lowercase().contains("lavapipe")
+pub fn markdown(families: &[Family]) -> String {
+    let header = ["family", "selection", "rounded", "sum", "quotient", "root", "several", "T1, T2", "reason"];
+    table::aligned(header.map(str::to_owned), families.iter().map(Family::cells))
+}
+
+/// Whether a backend is held to the last bit of everything.
+pub fn is_exact(backend: &dyn Backend) -> bool {
+    backend.name() == "cpu" || Family::of(&backend.adapter()).frames == Bound::BitEqual
 }
 
 /// The bound on what a backend makes of a scene, against the CPU. All CPU builds give the same bits.
 pub fn of_backend(backend: &dyn Backend, scene: &str, shown: bool) -> Bound {
     if backend.name() == "cpu" { Bound::BitEqual } else { of_frame(&backend.adapter(), scene, shown) }
+}
+
+/// The bound on a building block on a backend, against the CPU.
+pub fn of_function(backend: &dyn Backend, function: &str) -> Bound {
+    let class = Class::of(function) as usize;
+    if backend.name() == "cpu" { Bound::BitEqual } else { Family::of(&backend.adapter()).functions[class] }
 }
 
 /// The bound on the CPU against a golden picture.
@@ -41,32 +164,61 @@ pub fn of_backend(backend: &dyn Backend, scene: &str, shown: bool) -> Bound {
 #[must_use]
 pub fn of_golden(shown: bool) -> Bound {
     let at_home = cfg!(all(target_arch = "x86_64", target_os = "linux", target_env = "gnu"));
-    if at_home { Bound::BitEqual } else { other_adapters(shown) }
+    if at_home { Bound::BitEqual } else { of_values(NEARLY, shown) }
 }
 
 /// The bound on a scene's frame on an adapter, against the CPU. `shown` says that the values are colours, which FLIP judges.
 #[must_use]
 pub fn of_frame(adapter: &str, scene: &str, shown: bool) -> Bound {
-    match (is_lavapipe(adapter), NOT_YET_EQUAL.iter().any(|&(name, _)| name == scene)) {
-        (true, false) => Bound::BitEqual,
-        (true, true) => Bound::Tolerance(NEARLY_EQUAL),
-        (false, _) => other_adapters(shown),
+    match Family::of(adapter).frames {
+        Bound::BitEqual if NOT_YET_EQUAL.iter().any(|&(name, _)| name == scene) => Bound::Tolerance(NEARLY_EQUAL),
+        bound => of_values(bound, shown),
     }
 }
 
-fn other_adapters(shown: bool) -> Bound {
-    Bound::Tolerance(Tolerance { mean_flip: shown.then_some(OTHER_ADAPTERS_FLIP), ..OTHER_ADAPTERS })
+/// A bound on colours, without what only colours have where the values are none.
+fn of_values(bound: Bound, shown: bool) -> Bound {
+    match bound {
+        Bound::Tolerance(tolerance) if !shown => Bound::Tolerance(Tolerance { mean_flip: None, ..tolerance }),
+        bound => bound,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use vitrum_compare::compare_buffers;
+    use vitrum_kernels::probe::functions::NAMES;
+
+    #[test]
+    fn adapters_are_known_by_their_descriptions() {
+        for (adapter, family) in [
+            ("llvmpipe (LLVM 15.0.6, 256 bits) (Vulkan, llvmpipe Mesa 22.3.6 (LLVM 15.0.6))", "lavapipe"),
+            ("NVIDIA H100 80GB HBM3 (Vulkan, NVIDIA 570.86)", "NVIDIA"),
+            ("AMD Radeon RX 6800 (RADV NAVI21) (Vulkan, radv Mesa 24.2.8)", "AMD"),
+            ("Intel(R) Arc(tm) A770 Graphics (DG2) (Vulkan, Intel open-source Mesa driver Mesa 24.0)", "Intel"),
+            ("Apple M2 (Metal, )", "Apple, Metal"),
+            ("AMD Radeon Pro 5500M (Metal, )", "Apple, Metal"),
+            ("NVIDIA GeForce RTX 4080 (Dx12, 32.0.15.6094)", "other, Direct3D 12"),
+            ("SwiftShader Device (LLVM 16.0.0) (Vulkan, SwiftShader driver)", "other, Direct3D 12"),
+        ] {
+            assert_eq!(Family::of(adapter).name, family, "{adapter}");
+        }
+    }
 
     #[test]
     fn lavapipe_is_held_to_the_last_bit() {
-        assert!(is_lavapipe("llvmpipe (LLVM 15.0.6, 256 bits)"));
         assert_eq!(of_frame("llvmpipe (LLVM 15.0.6, 256 bits)", "ball", true), Bound::BitEqual);
+    }
+
+    #[test]
+    fn every_building_block_is_in_one_class() {
+        let mut listed: Vec<&str> = Class::ALL.iter().flat_map(|(_, names)| names.iter().copied()).collect();
+        let mut names = NAMES.to_vec();
+        listed.sort_unstable();
+        names.sort_unstable();
+        assert_eq!(listed, names);
+        assert!(Class::ALL.iter().enumerate().all(|(index, (class, _))| *class as usize == index));
     }
 
     #[test]

@@ -15,14 +15,14 @@ pub fn folder() -> PathBuf {
     crate::root().join("target/conformance")
 }
 
-/// Writes `reference.exr`, `other.exr`, `difference.png` and `numbers.json` to a folder of the row's own, and gives that.
+/// Writes `reference.exr`, `other.exr`, `difference.png` and `numbers.json` to a folder of the row's own, below that of what it was
+/// compared with, and gives that.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub fn write(folder: &Path, row: &Row, reference: &[[f32; 3]], other: &[[f32; 3]]) -> io::Result<PathBuf> {
-    let name = format!("{}-{}-{}-{}", row.tier, row.scene, row.method, row.item);
-    let folder =
-        folder.join(name.replace(|character: char| !character.is_ascii_alphanumeric() && character != '-', "_"));
+    let folder = folder.join(file_name(&row.against));
+    let folder = folder.join(file_name(&format!("{}-{}-{}-{}", row.tier, row.scene, row.method, row.item)));
     fs::create_dir_all(&folder)?;
     let difference = difference_picture(reference, other).map_err(io::Error::other)?;
     let (width, height) = (row.comparison.width, row.comparison.height);
@@ -37,6 +37,10 @@ pub fn write(folder: &Path, row: &Row, reference: &[[f32; 3]], other: &[[f32; 3]
     numbers["difference_gain"] = difference.gain.into();
     fs::write(folder.join("numbers.json"), format!("{numbers:#}\n"))?;
     Ok(folder)
+}
+
+fn file_name(text: &str) -> String {
+    text.replace(|character: char| !character.is_ascii_alphanumeric() && character != '-', "_")
 }
 
 #[cfg(test)]
@@ -54,6 +58,7 @@ mod tests {
             item: "color".to_owned(),
             comparison: compare(&reference, &other, 2, 2).unwrap(),
             bound: Bound::BitEqual,
+            against: String::new(),
         };
         let folder = tempfile::tempdir().unwrap();
         let folder = write(folder.path(), &row, &reference, &other).unwrap();

@@ -1,8 +1,9 @@
 //! T1: what each kernel wrote, in the midst of a frame.
 //!
 //! Both backends run the same pass list, and stop after chosen passes: the first and the last of each kernel, and those a
-//! quarter, half and three quarters in between. There the records that the last pass wrote are compared, so that the first
-//! row that differs names the kernel that is wrong.
+//! quarter, half and three quarters in between. There the records that the last pass wrote are compared. Where a bound does not
+//! hold, the passes since the stop before are run once more, one by one, so that the first row that differs names the kernel that
+//! is wrong, not one that read what it wrote.
 
 use std::collections::BTreeMap;
 use std::mem;
@@ -55,16 +56,70 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
 /// If a backend fails, or evidence cannot be written.
 pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
     let bound = bounds::of_backend(other, &case.name, false);
+    let holds = |stop: &Stopped| {
+        let compared = stop.expected.compare(&stop.found);
+        compared
+            .map(|found| bound.check(&found).passed())
+            .map_err(|error| Failure::Compare { what: stop.item(), error })
+    };
+    let mut stopped = stop_after(case, cpu, other, stops)?;
+    let mut breach = None;
+    for (index, stop) in stopped.iter().enumerate() {
+        if !holds(stop)? {
+            breach = Some(index);
+            break;
+        }
+    }
+    if let Some(breach) = breach {
+        let after = breach.checked_sub(1).map(|before| stopped[before].at.pass);
+        let until = stopped[breach].at.pass;
+        let between = |passes: &[Pass], planes: &Planes| {
+            let between = after.map_or(0, |pass| pass + 1)..until;
+            between.map(|pass| Stop::new(pass, passes, planes)).collect()
+        };
+        for stop in stop_after(case, cpu, other, between)? {
+            if !holds(&stop)? {
+                stopped.insert(breach, stop);
+                break;
+            }
+        }
+    }
+    for stop in &stopped {
+        let item = stop.item();
+        run.hold(About { tier: "T1", scene: &case.name, item: &item }, bound, &stop.expected, &stop.found)?;
+    }
+    Ok(())
+}
+
+/// What both backends had written after a pass.
+struct Stopped {
+    at: Stop,
+    expected: Raster,
+    found: Raster,
+}
+
+impl Stopped {
+    fn item(&self) -> String {
+        format!("{} at plane {}", self.at.kernel, self.at.plane)
+    }
+}
+
+/// Runs a frame on both backends, in parts that end where `stops` says.
+fn stop_after(
+    case: &Case,
+    cpu: &mut dyn Backend,
+    other: &mut dyn Backend,
+    stops: impl FnOnce(&[Pass], &Planes) -> Vec<Stop>,
+) -> Result<Vec<Stopped>, Failure> {
     let mut reference = Stepper::new(case, cpu)?;
     let mut other = Stepper::new(case, other)?;
-    for stop in stops(reference.passes.as_slice(), &reference.sweep.planes) {
-        let (expected, found) = (reference.advance(stop.pass)?, other.advance(stop.pass)?);
-        let item = format!("{} at plane {}", stop.kernel, stop.plane);
-        run.hold(About { tier: "T1", scene: &case.name, item: &item }, bound, &expected, &found)?;
+    let mut stopped = Vec::new();
+    for at in stops(reference.passes.as_slice(), &reference.sweep.planes) {
+        stopped.push(Stopped { at, expected: reference.advance(at.pass)?, found: other.advance(at.pass)? });
     }
     reference.free();
     other.free();
-    Ok(())
+    Ok(stopped)
 }
 
 /// A pass after which both backends stop.
@@ -75,13 +130,18 @@ struct Stop {
     kernel: &'static str,
 }
 
+impl Stop {
+    fn new(pass: usize, passes: &[Pass], planes: &Planes) -> Self {
+        Self { pass, plane: plane(&passes[pass], planes), kernel: passes[pass].kernel.declaration.name }
+    }
+}
+
 /// The first, quarter, middle, three-quarter and last pass of each kernel, in order.
 fn stops(passes: &[Pass], planes: &Planes) -> Vec<Stop> {
     let mut by_kernel: BTreeMap<&str, Vec<Stop>> = BTreeMap::new();
-    for (index, pass) in passes.iter().enumerate() {
-        let kernel = pass.kernel.declaration.name;
-        let stop = Stop { pass: index, plane: plane(pass, planes), kernel };
-        by_kernel.entry(kernel).or_default().push(stop);
+    for index in 0..passes.len() {
+        let stop = Stop::new(index, passes, planes);
+        by_kernel.entry(stop.kernel).or_default().push(stop);
     }
     let chosen = |stops: &Vec<Stop>| {
         let last = stops.len() - 1;

@@ -1,6 +1,6 @@
 //! Conformance: both backends against each other, against closed forms and against golden pictures.
 //!
-//! The tests in `tests/` and the programs `conformance` (`cargo xtask diff`) and `bench` (`cargo xtask bench`) share what
+//! The tests in `tests/` and the programs `conformance` (`cargo xtask diff`), `bench` and `accuracy` share what
 //! is here. `docs/conformance.md` describes the tiers:
 //!
 //! | tier | module | what is compared |
@@ -12,13 +12,15 @@
 //!
 //! Each takes a [`case::Case`], turns what it compares into [`raster`]s and gives them to a [`run::Run`], which holds them
 //! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
-//! [`photons`] are an independent reference for light. [`bench`](mod@bench) times
-//! frames instead.
+//! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome;
+//! [`accuracy`] makes tables and plots of both. [`bench`](mod@bench) times frames instead.
 
+pub mod accuracy;
 pub mod adapter;
 pub mod bench;
 pub mod bounds;
 pub mod case;
+pub mod closed_forms;
 pub mod data;
 pub mod evidence;
 pub mod failure;

@@ -87,7 +87,11 @@ pub fn page(backends: &str, run: &Run) -> String {
         let _ = write!(text, "<th>{}</th>", escape(name));
     }
     text.push_str("</tr>\n");
-    for row in run.rows() {
+    let rows = run.groups().flat_map(|group| group.iter().enumerate());
+    for (index, row) in rows {
+        if index == 0 && !row.against.is_empty() {
+            let _ = writeln!(text, "<tr><th colspan=\"{}\">{}</th></tr>", Row::HEADER.len(), escape(&row.against));
+        }
         let class = if row.verdict().passed() { "" } else { " class=\"bad\"" };
         let _ = write!(text, "<tr{class}>");
         for cell in row.cells() {

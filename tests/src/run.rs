@@ -12,6 +12,9 @@ use crate::raster::Raster;
 use crate::report::Pictures;
 use crate::table::{self, Row};
 
+/// The methods that are compared.
+pub const METHODS: [&str; 1] = ["sweep"];
+
 /// What two rasters are.
 #[derive(Debug, Clone, Copy)]
 pub struct About<'a> {
@@ -27,6 +30,7 @@ pub struct About<'a> {
 #[derive(Debug)]
 pub struct Run {
     folder: PathBuf,
+    against: String,
     rows: Vec<Row>,
     evidence: Vec<PathBuf>,
     keeps_pictures: bool,
@@ -37,7 +41,13 @@ impl Run {
     /// A run that leaves the evidence of breaches in `folder`.
     #[must_use]
     pub fn new(folder: PathBuf) -> Self {
-        Self { folder, rows: Vec::new(), evidence: Vec::new(), keeps_pictures: false, pictures: Vec::new() }
+        let (rows, evidence, pictures) = (Vec::new(), Vec::new(), Vec::new());
+        Self { folder, against: String::new(), rows, evidence, keeps_pictures: false, pictures }
+    }
+
+    /// Says what all further comparisons are with, such as an adapter; their evidence gets a folder of that name.
+    pub fn against(&mut self, what: &str) {
+        what.clone_into(&mut self.against);
     }
 
     /// Keeps the pictures of all further comparisons, for a report.
@@ -54,8 +64,8 @@ impl Run {
         let About { tier, scene, item } = about;
         let what = || format!("{tier} {scene} {item}");
         let comparison = reference.compare(other).map_err(|error| Failure::Compare { what: what(), error })?;
-        let (scene, method, item) = (scene.to_owned(), "sweep".to_owned(), item.to_owned());
-        let row = Row { tier, scene, method, item, comparison, bound };
+        let (scene, method, item) = (scene.to_owned(), METHODS[0].to_owned(), item.to_owned());
+        let row = Row { tier, scene, method, item, comparison, bound, against: self.against.clone() };
         if !row.verdict().passed() {
             let written = evidence::write(&self.folder, &row, &reference.colors(), &other.colors());
             self.evidence.push(written.map_err(|error| Failure::Output { path: self.folder.clone(), error })?);
@@ -94,6 +104,11 @@ impl Run {
     #[must_use]
     pub fn rows(&self) -> &[Row] {
         &self.rows
+    }
+
+    /// Every comparison so far, together with those with the same thing.
+    pub fn groups(&self) -> impl Iterator<Item = &[Row]> {
+        self.rows.chunk_by(|row, next| row.against == next.against)
     }
 
     /// The pictures that were kept.
@@ -163,6 +178,22 @@ mod tests {
         assert!(folder.path().join("T2-ball-sweep-depth/numbers.json").exists());
         assert!(run.summary().contains("2 comparisons, 1 equal to the last bit, 1 breaches"), "{}", run.summary());
         assert_eq!(run.json()["passed"], false);
+    }
+
+    #[test]
+    fn what_was_compared_with_stays_apart() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut run = Run::new(folder.path().to_owned());
+        let [one, other] = [1.0, 2.0].map(|value: f32| Raster::stacked(1, [[value].as_slice()]));
+        for adapter in ["llvmpipe (LLVM)", "radeon"] {
+            run.against(adapter);
+            run.hold(ABOUT, Bound::BitEqual, &one, &other).unwrap();
+        }
+        assert_eq!(run.groups().map(<[Row]>::len).collect::<Vec<_>>(), [1, 1]);
+        assert_eq!(run.json()["rows"][1]["against"], "radeon");
+        for name in ["llvmpipe__LLVM_", "radeon"] {
+            assert!(folder.path().join(name).join("T2-ball-sweep-depth/numbers.json").exists());
+        }
     }
 
     #[test]

@@ -18,11 +18,16 @@ pub struct Row {
     pub comparison: Comparison,
     /// What it was held to.
     pub bound: Bound,
+    /// What it was compared with, such as an adapter; empty if that goes without saying.
+    pub against: String,
 }
 
 impl Row {
     /// The names of [`Self::cells`].
-    pub const HEADER: [&str; 9] = ["tier", "scene", "method", "item", "max", "RMSE", "FLIP", "ULP: count", "verdict"];
+    #[rustfmt::skip]
+    pub const HEADER: [&str; 11] = [
+        "tier", "scene", "method", "item", "max", "RMSE", "FLIP", "ULP: count", "max ULP", "bound", "verdict",
+    ];
 
     /// Whether the bound holds.
     pub fn verdict(&self) -> Verdict {
@@ -31,7 +36,7 @@ impl Row {
 
     /// The row for people.
     #[must_use]
-    pub fn cells(&self) -> [String; 9] {
+    pub fn cells(&self) -> [String; 11] {
         let Comparison { max_abs, rmse, mean_flip, ulps, .. } = &self.comparison;
         [
             self.tier.to_owned(),
@@ -42,6 +47,9 @@ impl Row {
             number(*rmse),
             mean_flip.map_or("–".to_owned(), number),
             ulps.to_string(),
+            ulps.max.to_string(),
+            // The table of families spells it out.
+            if let Bound::Tolerance(_) = self.bound { "tolerance".to_owned() } else { self.bound.to_string() },
             self.verdict().to_string(),
         ]
     }
@@ -59,6 +67,7 @@ impl Row {
             "scene": self.scene,
             "method": self.method,
             "item": self.item,
+            "against": self.against,
             "max_abs": max_abs,
             "rmse": rmse,
             "psnr": psnr,
@@ -69,6 +78,7 @@ impl Row {
             "nan_values": ulps.undefined,
             "first_difference": ulps.first_difference,
             "ulp_histogram": buckets,
+            "bound": self.bound.to_string(),
             "passed": self.verdict().passed(),
             "verdict": self.verdict().to_string(),
         })
@@ -118,6 +128,7 @@ mod tests {
             item: "depth".to_owned(),
             comparison: compare_buffers(&[1.0, 2.0], &[1.0, other]).unwrap(),
             bound: Bound::BitEqual,
+            against: String::new(),
         }
     }
 
@@ -127,7 +138,7 @@ mod tests {
         let lines: Vec<&str> = table.lines().collect();
         assert_eq!(lines.len(), 4);
         assert!(lines.iter().all(|line| line.chars().count() == lines[0].chars().count()), "{table}");
-        assert!(lines[2].contains("| 0 ") && lines[2].contains("| pass"), "{table}");
+        assert!(lines[2].contains("| 0 ") && lines[2].contains("| 0       | bit-equal | pass"), "{table}");
         assert!(lines[3].contains("5.00e-1") && lines[3].contains("ULP 2097152 exceeds 0"), "{table}");
     }
 

@@ -1,55 +1,10 @@
 //! The sweep's light against photons that were followed one by one.
 
-use vitrum::backend::CpuBackend;
-use vitrum::method::sweep::{Sweep, View};
+use vitrum::method::sweep::View;
+use vitrum::scene::Transport;
 use vitrum_conformance::Failure;
 use vitrum_conformance::case::Case;
-use vitrum_conformance::photons::{Field, blocks, irradiance, misplaced};
-
-/// Texels along each side of the blocks over which light is compared: the sweep and a count of photons blur differently.
-const BLOCK: usize = 4;
-
-/// The share of light that the sweep puts somewhere else, and its flux over the photons', at a third, two thirds and the end of
-/// the way from the volume's middle to the last plane.
-fn compare(scene: &str, light: &str, edge: u32, resolution: u32, across: u32) -> Result<Vec<(f64, f64)>, Failure> {
-    let settings = ["light.softness=0", "light.elevation=20", light];
-    let case = Case::builtin(scene, edge, Some(resolution), &settings)?;
-    let mut backend = CpuBackend::new(None)?;
-    let mut sweep = Sweep::prepare(&case.scene, &case.inputs, &mut backend)?;
-    let planes = sweep.planes;
-    let middle = planes.behind / 2;
-    let at = [1, 2, 3].map(|third| middle + (planes.count - 1 - middle) * third / 3);
-    let view = View::new(&case.scene, &case.inputs.volume);
-    let field = Field::new(&case.inputs.volume, &case.scene.transfer, &view);
-    let photons = irradiance(&field, &sweep.light_grid, &planes, &at, across);
-
-    let size = sweep.light_grid.size;
-    let texels = (sweep.light_grid.size[0] * sweep.light_grid.size[1]) as usize;
-    let (mut plane, mut unoccluded, mut found) = (0, 0.0f64, Vec::new());
-    for pass in std::mem::take(&mut sweep.passes.passes) {
-        let concentrates = pass.kernel.declaration.name == "sweep_concentrate_light";
-        sweep.passes.passes.push(pass);
-        if concentrates {
-            if plane == 0 || at.contains(&plane) {
-                sweep.run(&mut backend, &mut |_| true)?;
-                sweep.passes.passes.clear();
-                let red: Vec<f64> = sweep.irradiance(&mut backend)?[..texels].iter().map(|&e| f64::from(e)).collect();
-                unoccluded = if plane == 0 { red[0] } else { unoccluded };
-                found.push(red.iter().map(|e| e / unoccluded).collect::<Vec<f64>>());
-            }
-            plane += 1;
-        }
-    }
-    sweep.free(&mut backend);
-    let flux = |light: &[f64]| light.iter().sum::<f64>();
-    let pairs = photons.iter().zip(&found[1..]);
-    Ok(pairs
-        .map(|(reference, found)| {
-            let of = |light: &[f64]| blocks(light, size, BLOCK);
-            (misplaced(&of(reference), &of(found)), flux(found) / flux(reference))
-        })
-        .collect())
-}
+use vitrum_conformance::photons::{Compared, Field, Subject};
 
 /// The photons themselves: through a thick glass plate met at 30° they are displaced as Snell says, and none is lost.
 #[test]
@@ -84,11 +39,42 @@ fn photons_obey_snell() {
 #[test]
 fn before_the_focus_the_sweep_puts_light_where_photons_go() -> Result<(), Failure> {
     for (scene, most) in [("luneburg", 0.05), ("ball", 0.10), ("glass", 0.15)] {
-        for (third, (misplaced, flux)) in compare(scene, "sweep.light=texels", 64, 32, 4)?.into_iter().enumerate() {
+        let subject = Subject::new(scene, 64, 32)?;
+        for (third, Compared { misplaced, flux }) in
+            subject.sweep_against(Transport::Texels, &subject.photons(4)).into_iter().enumerate()
+        {
             println!("{scene}, {} thirds of the way: {:.1} % misplaced, flux {flux:.3}", third + 1, misplaced * 100.0);
             assert!(third > 0 || misplaced < most, "{scene}: {misplaced}");
             assert!(flux < 1.05, "{scene}: {flux} times the photons' light");
         }
+    }
+    Ok(())
+}
+
+#[test]
+fn photons_do_not_depend_on_threads() -> Result<(), Failure> {
+    let subject = Subject::new("glass", 24, 16)?;
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
+        pool.install(|| subject.photons(2))
+    };
+    assert!(with(1) == with(3), "the sums differ in their bits");
+    Ok(())
+}
+
+/// A count of photons from a regular grid converges faster than one of random photons, whose error falls as N^−½: a block misses or
+/// gains photons only along its outline, of which there are N^½, and they are not all wrong in one direction.
+#[test]
+fn more_photons_agree_better() -> Result<(), Failure> {
+    for scene in ["luneburg", "ball"] {
+        let subject = Subject::new(scene, 48, 32)?;
+        let reference = subject.photons(9);
+        let error = |across: u32| subject.compare(&reference, &subject.photons(across))[0].misplaced;
+        let (few, many) = (error(1), error(3));
+        // N grows by 9.
+        let order = (few / many).ln() / 9.0f64.ln();
+        println!("{scene}: {few:.2e} with 1 photon a texel, {many:.2e} with 9, order {order:.2}");
+        assert!(many < 5e-3 && order > 0.5, "{scene}: {few}, {many}, order {order}");
     }
     Ok(())
 }
@@ -98,7 +84,9 @@ fn before_the_focus_the_sweep_puts_light_where_photons_go() -> Result<(), Failur
 fn sheets_put_light_where_photons_go() -> Result<(), Failure> {
     // What is left are walls one voxel thick, whose light a texel's four nodes cannot tell, and the noise of 16 photons a texel.
     for (scene, most) in [("luneburg", 0.03), ("ball", 0.04), ("glass", 0.08)] {
-        for (third, (misplaced, flux)) in compare(scene, "sweep.light=sheets", 64, 32, 4)?.into_iter().enumerate() {
+        let subject = Subject::new(scene, 64, 32)?;
+        let compared = subject.sweep_against(Transport::Sheets, &subject.photons(4));
+        for (third, Compared { misplaced, flux }) in compared.into_iter().enumerate() {
             println!("{scene}, {} thirds of the way: {:.1} % misplaced, flux {flux:.3}", third + 1, misplaced * 100.0);
             assert!(misplaced < most, "{scene}: {misplaced}");
             assert!((flux - 1.0).abs() < 0.03, "{scene}: {flux} times the photons' light");

@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 a check said no; 2 wrong use, or something that the task needs is missing; any other is that of
 //! the program that the task ran.
 
+mod accuracy;
 mod bench;
 mod ci;
 mod command;
@@ -34,6 +35,7 @@ enum Task {
     Test(test::Arguments),
     Diff(diff::Arguments),
     Bench(bench::Arguments),
+    Accuracy(accuracy::Arguments),
     Ci(ci::Arguments),
 }
 
@@ -43,6 +45,7 @@ fn main() -> ExitCode {
         Task::Test(arguments) => test::run(&arguments),
         Task::Diff(arguments) => diff::run(&arguments),
         Task::Bench(arguments) => bench::run(&arguments),
+        Task::Accuracy(arguments) => accuracy::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),
     };
     match outcome {

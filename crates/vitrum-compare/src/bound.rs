@@ -11,6 +11,9 @@ pub enum Bound {
     BitEqual,
     /// No value is more than so many representable numbers from its counterpart, and none is NaN.
     Ulp(u32),
+    /// All but a share (0 to 1) of the values are at most so many representable numbers from their counterparts, and none is NaN.
+    /// The number is a power of two.
+    MostlyUlp(u32, f64),
     /// Stated quantities stay below stated limits.
     Tolerance(Tolerance),
 }
@@ -35,6 +38,8 @@ pub struct Tolerance {
 pub enum Quantity {
     /// The largest distance in representable numbers.
     Ulp,
+    /// The share of values that are more representable numbers apart than allowed.
+    UlpShare,
     /// The number of values that are NaN in either picture.
     Undefined,
     /// The largest difference.
@@ -84,6 +89,10 @@ impl Bound {
         let limits = match *self {
             Self::BitEqual => vec![undefined, distance(0)],
             Self::Ulp(limit) => vec![undefined, distance(limit)],
+            Self::MostlyUlp(distance, limit) => {
+                let share = comparison.ulps.above(distance) as f64 / comparison.ulps.total() as f64;
+                vec![undefined, (Quantity::UlpShare, Some(share), Some(limit))]
+            }
             Self::Tolerance(tolerance) => {
                 let unit = if tolerance.relative_to_peak { comparison.peak } else { 1.0 };
                 let share = tolerance.share_above.map(|(threshold, _)| comparison.share_above(threshold * unit));
@@ -106,10 +115,36 @@ impl Bound {
     }
 }
 
+/// For example `RMSE ≤ 1e-4 of the peak, mean FLIP ≤ 1e-3`.
+impl fmt::Display for Bound {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BitEqual => formatter.write_str("bit-equal"),
+            Self::Ulp(limit) => write!(formatter, "≤ {limit} ULP"),
+            Self::MostlyUlp(distance, share) => {
+                write!(formatter, "≤ {distance} ULP but for {} %", share * 100.0)
+            }
+            Self::Tolerance(tolerance) => {
+                let unit = if tolerance.relative_to_peak { " of the peak" } else { "" };
+                let texts = [
+                    tolerance.max_abs.map(|limit| format!("largest difference ≤ {limit:e}{unit}")),
+                    tolerance.rmse.map(|limit| format!("RMSE ≤ {limit:e}{unit}")),
+                    tolerance.share_above.map(|(threshold, share)| {
+                        format!("at most {} % of pixels off by more than {threshold:e}{unit}", share * 100.0)
+                    }),
+                    tolerance.mean_flip.map(|limit| format!("mean FLIP ≤ {limit:e}")),
+                ];
+                formatter.write_str(&texts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+}
+
 impl fmt::Display for Quantity {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Ulp => "largest distance in ULP",
+            Self::UlpShare => "share of values beyond the distance in ULP",
             Self::Undefined => "number of NaN values",
             Self::MaxAbs => "largest difference",
             Self::Rmse => "RMSE",

@@ -74,6 +74,13 @@ impl UlpHistogram {
         self.counts.iter().sum::<usize>() + self.undefined
     }
 
+    /// The number of pairs more than `distance` apart, those with a NaN included. `distance` is 0 or a power of two, where a
+    /// bucket ends; another is taken for the next one.
+    #[must_use]
+    pub fn above(&self, distance: u32) -> usize {
+        self.counts[bucket(distance) + 1..].iter().sum::<usize>() + self.undefined
+    }
+
     /// The distances that occur, as ranges in ascending order, and how often each does.
     pub fn buckets(&self) -> impl Iterator<Item = (RangeInclusive<u64>, usize)> + '_ {
         self.counts.iter().enumerate().filter(|&(_, &count)| count > 0).map(|(bucket, &count)| (range(bucket), count))
@@ -164,6 +171,7 @@ mod tests {
         let histogram = UlpHistogram::of(&[1.0; 7], &b).unwrap();
         assert_eq!(histogram.to_string(), "0: 2, 1: 1, 2: 1, 3–4: 2, 5–8: 1");
         assert_eq!((histogram.max, histogram.first_difference), (5, Some(2)));
+        assert_eq!([0, 1, 2, 4, 8, u32::MAX].map(|distance| histogram.above(distance)), [5, 4, 3, 1, 0, 0]);
     }
 
     #[test]

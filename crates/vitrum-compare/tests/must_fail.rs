@@ -66,12 +66,25 @@ fn a_ulp_bound_sees_one_step_too_many() {
 }
 
 #[test]
+fn a_bound_on_most_values_sees_one_value_too_many() {
+    let comparison = planted(|other| {
+        for pixel in &mut other[5..7] {
+            pixel[1] = f32::from_bits(0.5f32.to_bits() + 5);
+        }
+    });
+    let share = |count: f64| count / f64::from(WIDTH * HEIGHT * 3);
+    assert_eq!(breached(Bound::MostlyUlp(4, share(1.0)), &comparison), [Quantity::UlpShare]);
+    assert_eq!(breached(Bound::MostlyUlp(4, share(2.0)), &comparison), []);
+    assert_eq!(breached(Bound::MostlyUlp(8, 0.0), &comparison), []);
+}
+
+#[test]
 fn no_bound_lets_a_nan_through() {
     let mut reference = picture();
     reference[100][0] = f32::NAN;
     let comparison = compare(&reference, &reference, WIDTH, HEIGHT).unwrap();
     let unlimited = Bound::Tolerance(Tolerance::default());
-    for bound in [Bound::BitEqual, Bound::Ulp(u32::MAX), unlimited] {
+    for bound in [Bound::BitEqual, Bound::Ulp(u32::MAX), Bound::MostlyUlp(1, 1.0), unlimited] {
         assert_eq!(breached(bound, &comparison), [Quantity::Undefined]);
     }
 }

@@ -45,11 +45,11 @@ fn axis(way: f32) -> Axis {
     }
 }
 
-/// Whether row `y` has a row below and one above. Its texels' neighbours then lie in the buffer: those beyond the row's ends in
-/// the rows next to it, where they have no weight.
+/// Whether row `y` has two rows below and two above. Its texels' neighbours, diagonal ones too, then lie in the buffer: those beyond
+/// the rows' ends in the rows next to them, where they have no weight.
 #[inline(always)]
 pub fn is_inner_row(u: &SweepUniforms, y: u32) -> bool {
-    (y > 0) & (y + 1 < u.size.w)
+    (y > 1) & (y + 2 < u.size.w)
 }
 
 #[inline(always)]

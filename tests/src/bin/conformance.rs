@@ -4,32 +4,40 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Parser, ValueEnum};
 use serde_json::json;
-use vitrum::backend::{Backend, CpuBackend};
+use vitrum::backend::{Backend, CpuBackend, GpuBackend};
 use vitrum::builtin;
+use vitrum_conformance::bounds::{self, Family};
 use vitrum_conformance::case::Case;
-use vitrum_conformance::run::Run;
+use vitrum_conformance::run::{METHODS, Run};
 use vitrum_conformance::{Failure, adapter, evidence, failure, frames, functions, golden, kernels, report, table};
 
 /// Compare the backends with each other and with the golden pictures; print a table.
+///
+/// Options that select can be combined and repeated: `--tier t1 --tier t2 --scene glass`.
 ///
 /// Exit codes: 0 every bound holds; 1 one does not, and the evidence lies in target/conformance; 2 wrong use, or no
 /// graphics adapter; 3 an input is invalid; 4 the device failed.
 #[derive(Parser)]
 #[command(name = "conformance")]
 struct Arguments {
-    /// Only scenes whose name has this text in it; repeatable
-    #[arg(long, value_name = "SUBSTRING")]
-    scene: Vec<String>,
-
     /// Only this tier; repeatable
     #[arg(long, value_enum)]
     tier: Vec<Tier>,
 
-    /// Compare with the adapter whose name has this text in it (`vitrum devices` lists them)
+    /// Only scenes whose name has this text in it; T0's is called `functions`; repeatable
     #[arg(long, value_name = "SUBSTRING")]
-    adapter: Option<String>,
+    scene: Vec<String>,
+
+    /// Only this method; repeatable
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(METHODS))]
+    method: Vec<String>,
+
+    /// Compare with the adapter whose name has this text in it (`vitrum devices` lists them); repeatable
+    #[arg(long, value_name = "SUBSTRING")]
+    adapter: Vec<String>,
 
     /// Also write everything that was measured as JSON
     #[arg(long, value_name = "FILE")]
@@ -68,82 +76,131 @@ fn main() -> ExitCode {
     failure::exit(if arguments.bless { bless(&arguments) } else { compare(&arguments) })
 }
 
-impl Arguments {
-    fn wants(&self, scene: &str) -> bool {
-        self.scene.is_empty() || self.scene.iter().any(|wanted| scene.contains(wanted))
-    }
+/// What is compared, by tier.
+struct Selection {
+    functions: bool,
+    kernels: Vec<Case>,
+    frames: Vec<&'static str>,
+    golden: Vec<&'static str>,
+}
 
+impl Arguments {
     fn has(&self, tier: Tier) -> bool {
         self.tier.is_empty() || self.tier.contains(&tier)
     }
 
-    fn golden_scenes(&self) -> impl Iterator<Item = &'static str> {
-        golden::scenes().into_iter().filter(|scene| self.wants(scene))
+    /// # Errors
+    /// If a name selects nothing.
+    fn selection(&self) -> Result<Selection, Failure> {
+        let of_tier = |tier: Tier, names: Vec<&'static str>| if self.has(tier) { names } else { Vec::new() };
+        let mut kernels = if self.has(Tier::T1) { kernels::cases(KERNELS.0, KERNELS.1)? } else { Vec::new() };
+        let mut frames = of_tier(Tier::T2, builtin::names().iter().map(|&(name, _)| name).collect());
+        let mut golden = of_tier(Tier::T3, golden::scenes());
+        let functions = of_tier(Tier::T0, vec!["functions"]);
+        let names = kernels.iter().map(|case| case.name.as_str());
+        let mut names: Vec<&str> = names.chain([&functions, &frames, &golden].into_iter().flatten().copied()).collect();
+        names.sort_unstable();
+        names.dedup();
+        if let Some(unknown) = self.scene.iter().find(|wanted| !names.iter().any(|name| name.contains(wanted.as_str())))
+        {
+            let names = names.join(", ");
+            return Err(Failure::Setup(format!(
+                "no scene of these tiers has `{unknown}` in its name; there are {names}"
+            )));
+        }
+        let wants = |scene: &str| self.scene.is_empty() || self.scene.iter().any(|wanted| scene.contains(wanted));
+        kernels.retain(|case| wants(&case.name));
+        frames.retain(|name| wants(name));
+        golden.retain(|name| wants(name));
+        Ok(Selection { functions: functions.into_iter().any(wants), kernels, frames, golden })
+    }
+
+    /// The adapters, each once: the best if none is named.
+    fn adapters(&self) -> Result<Vec<GpuBackend>, Failure> {
+        let named = self.adapter.iter().map(|name| Some(name.as_str()));
+        let wanted: Vec<Option<&str>> = if self.adapter.is_empty() { vec![None] } else { named.collect() };
+        let mut adapters: Vec<GpuBackend> = Vec::new();
+        for name in wanted {
+            let found = adapter::open(name)?;
+            if adapters.iter().all(|adapter| adapter.adapter() != found.adapter()) {
+                adapters.push(found);
+            }
+        }
+        Ok(adapters)
+    }
+}
+
+impl Selection {
+    fn needs_adapter(&self) -> bool {
+        self.functions || !self.kernels.is_empty() || !self.frames.is_empty()
     }
 }
 
 fn compare(arguments: &Arguments) -> Result<bool, Failure> {
+    let selection = arguments.selection()?;
     let mut run = Run::new(evidence::folder());
     if arguments.html.is_some() {
         run.keep_pictures();
     }
-    let mut backends = "CPU against golden pictures".to_owned();
-    if [Tier::T0, Tier::T1, Tier::T2].into_iter().any(|tier| arguments.has(tier)) {
+    let mut families: Vec<Family> = Vec::new();
+    if selection.needs_adapter() {
         let mut cpu = CpuBackend::new(None)?;
-        let mut gpu = adapter::open(arguments.adapter.as_deref())?;
-        backends = format!("CPU ({}) against {}", cpu.adapter(), gpu.adapter());
-        eprintln!("{backends}");
-        compare_backends(arguments, &mut cpu, &mut gpu, &mut run)?;
-    }
-    if arguments.has(Tier::T3) {
-        for scene in arguments.golden_scenes() {
-            eprintln!("T3 {scene}");
-            golden::compare(&golden::folder(), scene, &mut run)?;
+        for mut gpu in arguments.adapters()? {
+            run.against(&format!("CPU ({}) against {}", cpu.adapter(), gpu.adapter()));
+            families.push(*Family::of(&gpu.adapter()));
+            compare_backends(&selection, &mut cpu, &mut gpu, &mut run)?;
         }
     }
-    if run.rows().is_empty() {
-        let message = "no scene of these tiers has such a name; `vitrum scenes` lists them";
-        return Err(Failure::Setup(message.to_owned()));
+    run.against("CPU against golden pictures");
+    for scene in &selection.golden {
+        eprintln!("T3 {scene}");
+        golden::compare(&golden::folder(), scene, &mut run)?;
     }
-    println!("{backends}\n\n{}\n\n{}", table::markdown(run.rows()), run.summary());
+    for rows in run.groups() {
+        println!("{}\n\n{}\n", rows[0].against, table::markdown(rows));
+    }
+    if !families.is_empty() {
+        families.dedup_by_key(|family| family.name);
+        println!("What such adapters are held to:\n\n{}\n", bounds::markdown(&families));
+    }
+    println!("{}", run.summary());
+    let compared: Vec<&str> = run.groups().map(|rows| rows[0].against.as_str()).collect();
     if let Some(path) = &arguments.json {
         let mut text = run.json();
-        text["backends"] = json!(backends);
+        text["backends"] = json!(compared);
         fs::write(path, format!("{text:#}\n")).map_err(|error| Failure::Output { path: path.clone(), error })?;
     }
     if let Some(path) = &arguments.html {
-        report::write(path, &backends, &run).map_err(|error| Failure::Output { path: path.clone(), error })?;
+        let written = report::write(path, &compared.join("; "), &run);
+        written.map_err(|error| Failure::Output { path: path.clone(), error })?;
     }
     Ok(run.passed())
 }
 
 fn compare_backends(
-    arguments: &Arguments,
+    selection: &Selection,
     cpu: &mut dyn Backend,
     gpu: &mut dyn Backend,
     run: &mut Run,
 ) -> Result<(), Failure> {
-    if arguments.has(Tier::T0) && arguments.wants("functions") {
+    eprintln!("{}", gpu.adapter());
+    if selection.functions {
         eprintln!("T0 functions");
         functions::compare(FUNCTIONS, cpu, gpu, run)?;
     }
-    if arguments.has(Tier::T1) {
-        for case in kernels::cases(KERNELS.0, KERNELS.1)?.iter().filter(|case| arguments.wants(&case.name)) {
-            eprintln!("T1 {}", case.name);
-            kernels::compare(case, cpu, gpu, run)?;
-        }
+    for case in &selection.kernels {
+        eprintln!("T1 {}", case.name);
+        kernels::compare(case, cpu, gpu, run)?;
     }
-    if arguments.has(Tier::T2) {
-        for &(name, _) in builtin::names().iter().filter(|(name, _)| arguments.wants(name)) {
-            eprintln!("T2 {name}");
-            frames::compare(&Case::builtin(name, FRAMES.0, Some(FRAMES.1), &[])?, cpu, gpu, run)?;
-        }
+    for name in &selection.frames {
+        eprintln!("T2 {name}");
+        frames::compare(&Case::builtin(name, FRAMES.0, Some(FRAMES.1), &[])?, cpu, gpu, run)?;
     }
     Ok(())
 }
 
 fn bless(arguments: &Arguments) -> Result<bool, Failure> {
-    for scene in arguments.golden_scenes() {
+    for scene in arguments.selection()?.golden {
         let changed = golden::bless(&golden::folder(), scene)?;
         println!("{scene}: {}", if changed { "written" } else { "unchanged" });
     }

@@ -4,26 +4,32 @@
 //! and what lands on a texel is counted.
 
 mod field;
+mod subject;
 mod trace;
 
 pub use field::Field;
+pub use subject::{Compared, Subject};
 pub use trace::Photon;
 
+use rayon::prelude::*;
 use vitrum::method::sweep::{LightGrid, Planes};
 use vitrum_kernels::glam::DVec3;
 
+/// Parts into which the rows of photons are dealt out.
+const PARTS: u32 = 64;
+
 /// The red light that falls on the texels of some planes, over that of unoccluded light.
 ///
-/// `across` × `across` photons start in every texel of plane 0, at the centres of a regular subdivision: no two runs differ.
+/// `across` × `across` photons start in every texel of plane 0, at the centres of a regular subdivision, and are added up in an order
+/// that does not depend on the number of threads: no two runs differ.
 #[must_use]
 pub fn irradiance(field: &Field, grid: &LightGrid, planes: &Planes, at: &[u32], across: u32) -> Vec<Vec<f64>> {
     let [width, height] = grid.size;
     let depths: Vec<f64> = at.iter().map(|&plane| planes.depth(plane)).collect();
     let share = 1.0 / f64::from(across * across);
-    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get) as u32;
     let of_rows = |first: u32| {
         let mut light = vec![vec![0.0; (width * height) as usize]; at.len()];
-        for row in (first..height * across).step_by(threads as usize) {
+        for row in (first..height * across).step_by(PARTS as usize) {
             for column in 0..width * across {
                 let texel = |index: u32| (f64::from(index) + 0.5) / f64::from(across) * grid.texel;
                 let photon = Photon {
@@ -43,11 +49,7 @@ pub fn irradiance(field: &Field, grid: &LightGrid, planes: &Planes, at: &[u32], 
         }
         light
     };
-    let parts: Vec<Vec<Vec<f64>>> = std::thread::scope(|scope| {
-        let of_rows = &of_rows;
-        let handles: Vec<_> = (0..threads).map(|first| scope.spawn(move || of_rows(first))).collect();
-        handles.into_iter().map(|handle| handle.join().expect("a photon's way ends")).collect()
-    });
+    let parts: Vec<Vec<Vec<f64>>> = (0..PARTS).into_par_iter().map(of_rows).collect();
     let add =
         |plane: usize| (0..(width * height) as usize).map(|i| parts.iter().map(|part| part[plane][i]).sum()).collect();
     (0..at.len()).map(add).collect()

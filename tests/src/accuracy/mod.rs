@@ -1,0 +1,37 @@
+//! How far the sweep is from physics, as tables and plots for `docs/accuracy.md`.
+//!
+//! `cargo xtask accuracy` measures anew and writes both; nothing in them is typed by hand.
+
+mod convergence;
+mod page;
+mod photons;
+mod plot;
+
+pub use page::replace;
+pub use plot::{Axis, Corner, Plot, Scale, Series};
+
+use vitrum::backend::Backend;
+
+use crate::Failure;
+
+/// What was measured of one thing.
+#[derive(Debug, Clone)]
+pub struct Section {
+    /// Markdown tables.
+    pub text: String,
+    /// What they look like.
+    pub plot: Plot,
+}
+
+/// Measures a thing.
+pub type Measure = fn(&mut dyn Backend) -> Result<Section, Failure>;
+
+/// Everything that is measured, by name.
+pub const ALL: [(&str, Measure); 6] = [
+    ("step", convergence::step),
+    ("luneburg", convergence::luneburg),
+    ("ball", convergence::ball),
+    ("areas", convergence::areas),
+    ("slab", convergence::slab),
+    ("photons", photons::photons),
+];

@@ -1,0 +1,67 @@
+//! 1, 2 and 5: media whose rays are known curves. η² linear: a parabola; η linear: a catenary; η² parabolic: a sine.
+//!
+//! A ray enters the cube's face with v = (0, 0, 1) and nothing there bends it, so v_z stays 1 and σ is the depth.
+
+use vitrum::backend::Backend;
+use vitrum::scene::Gradient;
+
+use super::{cube, end, orthographic_frame, refracting, render, start};
+
+/// The cube's edge.
+pub const EDGE: f64 = 2.0;
+
+/// A medium whose index of refraction changes along x, and where its rays get to.
+pub struct Curve {
+    /// The curve's name.
+    pub name: &'static str,
+    /// The index of refraction at x.
+    pub ior: fn(f64) -> f64,
+    /// Position and slope behind the cube of a ray that starts at x.
+    pub truth: fn(f64) -> (f64, f64),
+}
+
+/// η² linear.
+pub const PARABOLA: Curve =
+    Curve { name: "parabola", ior: |x| (1.0 + 0.3 * x).sqrt(), truth: |x| (x + 0.5 * 0.15 * EDGE * EDGE, 0.15 * EDGE) };
+
+/// η linear.
+pub const CATENARY: Curve = Curve {
+    name: "catenary",
+    ior: |x| 1.0 + 0.2 * x,
+    truth: |x| {
+        let angle: f64 = 0.2 * EDGE;
+        (((1.0 + 0.2 * x) * angle.cosh() - 1.0) / 0.2, (1.0 + 0.2 * x) * angle.sinh())
+    },
+};
+
+/// η² parabolic.
+pub const SINE: Curve = Curve {
+    name: "sine",
+    ior: |x| 1.2 * (1.0 - 0.36 * x * x).sqrt(),
+    truth: |x| {
+        let frequency: f64 = 1.2 * 0.6;
+        (x * (frequency * EDGE).cos(), -x * frequency * (frequency * EDGE).sin())
+    },
+};
+
+/// The largest errors of position and slope behind a cube of `n`³ voxels, for rays that start within 0.6 of the middle.
+pub fn worst(curve: &Curve, n: u32, gradient: Gradient, backend: &mut dyn Backend) -> (f64, f64) {
+    // In the picture x points left.
+    let volume = cube(n, EDGE as f32, |[x, _, _]| (curve.ior)(-x));
+    let mut scene = refracting(&volume, 32);
+    scene.sweep.gradient = gradient;
+    let frame = render(&scene, &volume, backend);
+    let (half, centre) = orthographic_frame(EDGE);
+    let mut errors = (0.0f64, 0.0f64);
+    for x in 0..32 {
+        let [start_x, start_y] = start(&frame, x, 16, half);
+        if start_x.abs() < 0.6 {
+            let ray = end(&frame, x, 16);
+            let (position, slope) = (curve.truth)(start_x);
+            let [found, up] = ray.at_depth(centre - EDGE / 2.0);
+            errors.0 = errors.0.max((found - position).abs()).max((up - start_y).abs());
+            errors.1 = errors.1.max((ray.direction[0] / -ray.direction[2] - slope).abs());
+        }
+    }
+    errors
+}

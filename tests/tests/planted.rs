@@ -1,0 +1,226 @@
+//! A stranger's kernel with a mistake is caught, and named.
+//!
+//! Here a stranger writes the light filter and a building block anew, without the tree's helpers. Without a mistake the copies pass
+//! every tier to the last bit. With one (a border that is a texel off, a sum that is taken from the other end) each tier says so,
+//! and the first row of T1 that differs is the kernel that has it.
+
+use bytemuck::{cast_slice, from_bytes};
+use vitrum::backend::{Backend, BackendError, Buffer, CpuBackend, Pass, PassList};
+use vitrum_conformance::case::Case;
+use vitrum_conformance::run::Run;
+use vitrum_conformance::{Failure, adapter, frames, functions, kernels};
+use vitrum_kernels::abi::probe::ProbeUniforms;
+use vitrum_kernels::abi::record::{light, probe};
+use vitrum_kernels::abi::sweep::SweepUniforms;
+use vitrum_kernels::kernel::{Chunk, InstructionSet, Kernel, kernels as the_tree};
+use vitrum_kernels::probe::functions::{NAMES, apply};
+
+/// No mistake.
+const NONE: u32 = 0;
+/// The last column and row count as having a neighbour.
+const BORDER: u32 = 1;
+/// Terms are added from the last to the first.
+const REVERSED: u32 = 2;
+
+/// The light filter, [`vitrum_kernels::sweep::filter_light`], a texel at a time.
+fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
+    let u: &SweepUniforms = from_bytes(chunk.uniforms);
+    let behind: &[f32] = cast_slice(chunk.reads[0]);
+    let [width, height] = [u.size.z as i32, u.size.w as i32];
+    let last = if MISTAKE == BORDER { [width, height] } else { [width - 1, height - 1] };
+    let outside: [f32; light::SIZE] =
+        [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0];
+    let offsets = [[u.taps_a.x, u.taps_a.y], [u.taps_a.z, u.taps_a.w], [u.taps_b.x, u.taps_b.y]];
+    for index in 0..(chunk.rows * chunk.width) as usize {
+        let (x, y) = (index as i32 % width, chunk.first_row as i32 + index as i32 / width);
+        for (component, outside) in outside.into_iter().enumerate() {
+            let texel = |i: i32, j: i32| {
+                let at = component as i32 * width * height + j * width + i;
+                behind[at.clamp(0, behind.len() as i32 - 1) as usize]
+            };
+            let tap = |[across, up]: [f32; 2]| {
+                let (i, j) = (x + across.floor() as i32, y + up.floor() as i32);
+                if i < 0 || i >= last[0] || j < 0 || j >= last[1] {
+                    return outside;
+                }
+                let (s, t) = (across - across.floor(), up - up.floor());
+                let near = texel(i, j) + (texel(i + 1, j) - texel(i, j)) * s;
+                let far = texel(i, j + 1) + (texel(i + 1, j + 1) - texel(i, j + 1)) * s;
+                near + (far - near) * t
+            };
+            let [a, b, c] = offsets.map(tap);
+            let [a, b, c] = if MISTAKE == REVERSED { [c, b, a] } else { [a, b, c] };
+            chunk.output[component][index] = a + ((b - a) + (c - a)) * (1.0 / 3.0);
+        }
+    }
+    true
+}
+
+/// The building blocks, [`vitrum_kernels::probe::apply_function`], of which the stranger wrote the dot product.
+fn apply_function<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
+    let u: &ProbeUniforms = from_bytes(chunk.uniforms);
+    let arguments: &[f32] = cast_slice(chunk.reads[0]);
+    let count = (u.dispatch.x * u.dispatch.y) as usize;
+    for index in 0..(chunk.rows * chunk.width) as usize {
+        let at = (chunk.first_row * chunk.width) as usize + index;
+        let a: [f32; probe::ARGUMENTS] = std::array::from_fn(|argument| arguments[argument * count + at]);
+        let results = match (NAMES[u.dispatch.w as usize], MISTAKE) {
+            ("dot_product", REVERSED) => [(a[2] * a[5] + a[1] * a[4]) + a[0] * a[3], 0.0, 0.0, 0.0],
+            ("dot_product", _) => [(a[0] * a[3] + a[1] * a[4]) + a[2] * a[5], 0.0, 0.0, 0.0],
+            _ => apply(u.dispatch.w, a),
+        };
+        for (component, result) in chunk.output.iter_mut().zip(results) {
+            component[index] = result;
+        }
+    }
+    true
+}
+
+/// The stranger's kernels: declared as the tree's are, with another body.
+macro_rules! strangers {
+    ($($name:ident = $kernel:ident, $body:ident, $mistake:ident;)*) => {
+        $(static $name: Kernel = Kernel { declaration: the_tree::$kernel.declaration, run: $body::<$mistake> };)*
+    };
+}
+
+strangers! {
+    FILTER = sweep_filter_light, filter_light, NONE;
+    FILTER_BORDER = sweep_filter_light, filter_light, BORDER;
+    FILTER_REVERSED = sweep_filter_light, filter_light, REVERSED;
+    PROBE = probe_apply_function, apply_function, NONE;
+    PROBE_REVERSED = probe_apply_function, apply_function, REVERSED;
+}
+
+/// A CPU that runs a stranger's kernel in the place of the tree's.
+struct Stranger(CpuBackend, &'static Kernel);
+
+impl Stranger {
+    fn new(kernel: &'static Kernel) -> Result<Self, Failure> {
+        Ok(Self(CpuBackend::new(None)?, kernel))
+    }
+}
+
+impl Backend for Stranger {
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn adapter(&self) -> String {
+        self.0.adapter()
+    }
+
+    fn largest_buffer(&self) -> u64 {
+        self.0.largest_buffer()
+    }
+
+    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
+        self.0.create(label, contents)
+    }
+
+    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
+        self.0.create_zeroed(label, bytes)
+    }
+
+    fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+        let replaced = |pass: &Pass| Pass {
+            kernel: if pass.kernel.declaration.name == self.1.declaration.name { self.1 } else { pass.kernel },
+            uniforms: pass.uniforms.clone(),
+            buffers: pass.buffers.clone(),
+            ..*pass
+        };
+        let passes = list.passes.iter().map(replaced).collect();
+        let list = PassList { passes, while_busy: list.while_busy.clone(), ends_with: list.ends_with };
+        self.0.run(&list, progress)
+    }
+
+    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
+        self.0.read(buffer)
+    }
+
+    fn free(&mut self, buffer: Buffer) {
+        self.0.free(buffer);
+    }
+
+    fn device_bytes(&self) -> Option<u64> {
+        self.0.device_bytes()
+    }
+}
+
+/// What a comparison of a tier finds, with its evidence out of the way.
+fn run(compare: impl FnOnce(&mut Run) -> Result<(), Failure>) -> Result<Run, Failure> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let mut run = Run::new(folder.path().to_owned());
+    compare(&mut run)?;
+    Ok(run)
+}
+
+/// The first row of T1 that differs, by the name of its kernel, when a stranger's kernel is held against `other`; case by case.
+fn blamed(kernel: &'static Kernel, other: &mut dyn Backend) -> Result<Vec<Option<String>>, Failure> {
+    let of_case = |case: Case| {
+        let run = run(|run| kernels::compare(&case, &mut Stranger::new(kernel)?, other, run))?;
+        let first = run.breaches().into_iter().next();
+        println!("{}: {}", case.name, first.as_ref().map_or("passes".to_owned(), |row| row.cells()[3..].join(" | ")));
+        Ok(first.and_then(|row| row.item.split(' ').next().map(str::to_owned)))
+    };
+    let soft = |case: &Case| !case.name.ends_with("hard");
+    kernels::cases(48, 32)?.into_iter().filter(soft).map(of_case).collect()
+}
+
+/// At least one case sees the mistake, and none blames another kernel.
+fn assert_blames(kernel: &'static Kernel, other: &mut dyn Backend) -> Result<(), Failure> {
+    let found: Vec<String> = blamed(kernel, other)?.into_iter().flatten().collect();
+    assert!(!found.is_empty() && found.iter().all(|name| name == kernel.declaration.name), "{found:?}");
+    Ok(())
+}
+
+#[test]
+fn a_kernel_with_a_mistake_is_named_by_its_first_row() -> Result<(), Failure> {
+    let mut cpu = CpuBackend::new(None)?;
+    assert_blames(&FILTER_BORDER, &mut cpu)?;
+    assert_blames(&FILTER_REVERSED, &mut cpu)
+}
+
+#[test]
+fn a_kernel_with_a_mistake_is_named_against_an_adapter() -> Result<(), Failure> {
+    let Some(mut gpu) = adapter::exact_for_test() else { return Ok(()) };
+    assert_blames(&FILTER_BORDER, &mut gpu)?;
+    assert_blames(&FILTER_REVERSED, &mut gpu)
+}
+
+#[test]
+fn a_kernel_without_a_mistake_passes() -> Result<(), Failure> {
+    let mut cpu = CpuBackend::new(None)?;
+    assert!(blamed(&FILTER, &mut cpu)?.iter().all(Option::is_none));
+    let Some(mut gpu) = adapter::exact_for_test() else { return Ok(()) };
+    assert!(blamed(&FILTER, &mut gpu)?.iter().all(Option::is_none));
+    Ok(())
+}
+
+#[test]
+fn a_frame_shows_the_mistake() -> Result<(), Failure> {
+    let case = Case::builtin("head", 48, Some(32), &[])?;
+    let outputs = |kernel: &'static Kernel| {
+        let run = run(|run| frames::compare(&case, &mut CpuBackend::new(None)?, &mut Stranger::new(kernel)?, run))?;
+        Ok::<_, Failure>(run.breaches().into_iter().map(|row| row.item).collect::<Vec<_>>())
+    };
+    // Light has to do with how rays look, not with where they go; and none of them comes near the light grid's border.
+    assert_eq!(outputs(&FILTER_REVERSED)?, ["color", "light"]);
+    assert_eq!(outputs(&FILTER_BORDER)?, ["light"]);
+    assert!(outputs(&FILTER)?.is_empty());
+    Ok(())
+}
+
+#[test]
+fn a_building_block_with_a_mistake_is_named() -> Result<(), Failure> {
+    let names = |kernel: &'static Kernel, other: &mut dyn Backend| {
+        let run = run(|run| functions::compare(4, &mut Stranger::new(kernel)?, other, run))?;
+        Ok::<_, Failure>(run.breaches().into_iter().map(|row| row.item).collect::<Vec<_>>())
+    };
+    let mut others: Vec<Box<dyn Backend>> = vec![Box::new(CpuBackend::new(None)?)];
+    others.extend(adapter::exact_for_test().map(|gpu| Box::new(gpu) as Box<dyn Backend>));
+    for mut other in others {
+        assert_eq!(names(&PROBE_REVERSED, other.as_mut())?, ["dot_product"]);
+        assert!(names(&PROBE, other.as_mut())?.is_empty());
+    }
+    Ok(())
+}
