@@ -21,7 +21,8 @@ use crate::vtk::Vtk;
 /// What a caller may set about reading.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct OpenOptions {
-    /// Most bytes that the decoded voxels may take; the memory available where it is `None`.
+    /// Most bytes that the decoded voxels may take, or the decompressed file and the mesh in it together; the memory
+    /// available where it is `None`.
     pub max_bytes: Option<u64>,
 }
 
