@@ -134,7 +134,7 @@ impl Header {
                 [] | [b"comment" | b"obj_info", ..] => {}
                 [b"format", kind, _] if encoding.is_none() => encoding = Some(parse_encoding(report, place, kind)?),
                 [b"element", element, count] => {
-                    elements.push(parse_element(report, number, &elements, element, count)?)
+                    elements.push(parse_element(report, number, &elements, element, count)?);
                 }
                 [b"property", ref rest @ .., property] => {
                     add_property(report, place, elements.last_mut(), rest, property)?;
