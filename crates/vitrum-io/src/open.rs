@@ -7,6 +7,7 @@ use std::path::Path;
 use flate2::read::MultiGzDecoder;
 
 use crate::error::{Error, Place, Report};
+use crate::mesh::is_mesh;
 use crate::metaimage::MetaImage;
 use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
@@ -125,6 +126,8 @@ pub fn open(path: &Path, options: &OpenOptions) -> Result<Volume, Error> {
             Place::File,
             if path.is_dir() {
                 "this is a folder without a known series of files"
+            } else if is_mesh(path)? {
+                "this is a mesh, and volumes alone are read here"
             } else {
                 "neither the content nor the extension is of a known volume format"
             },

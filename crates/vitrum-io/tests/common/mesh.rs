@@ -218,3 +218,23 @@ impl Folder {
         self.open_mesh(name, content).unwrap_or_else(|error| panic!("{error}"))
     }
 }
+
+/// Opens each file under a name, and looks for the part of the message.
+pub fn refuse(name: &str, cases: Vec<(Vec<u8>, &str)>) {
+    let folder = Folder::new();
+    let mut wrong = Vec::new();
+    for (content, expected) in cases {
+        match folder.open_mesh(name, content) {
+            Err(error) => {
+                let message = error.to_string();
+                assert!(message.starts_with(name), "{message}");
+                assert!(matches!(error, Error::Invalid { .. } | Error::Unsupported { .. }), "{error:?}");
+                if !message.contains(expected) {
+                    wrong.push(format!("expected: {expected}\nfound: {message}\n"));
+                }
+            }
+            Ok(_) => wrong.push(format!("expected: {expected}\nfound no error\n")),
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.concat());
+}
