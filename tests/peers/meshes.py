@@ -4,7 +4,7 @@
     python3 -m venv target/peers
     target/peers/bin/pip install -r tests/peers/requirements.txt
     cargo build --release
-    target/peers/bin/python tests/peers/meshes.py --vitrum target/release/vitrum shared/data/meshes
+    target/peers/bin/python tests/peers/meshes.py --vitrum target/release/vitrum ../shared/data/meshes
 
 Prints a table in Markdown, and exits 1 where the two differ by more than the bounds below.
 """
