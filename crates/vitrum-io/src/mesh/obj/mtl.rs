@@ -55,7 +55,7 @@ fn scalar(
     };
     let value = number(report, statement.place(), word)?;
     if !is_fit(value) {
-        note_out_of_range(report, statement, assumptions);
+        note(report, statement, assumptions, "is out of range");
     }
     Ok(is_fit(value).then_some(value))
 }
@@ -63,8 +63,7 @@ fn scalar(
 /// Linear RGB; one number is a grey.
 fn color(report: Report, statement: &Statement, assumptions: &mut Vec<String>) -> Result<Option<[f32; 3]>, Error> {
     if statement.words().next().is_some_and(|word| matches!(word, b"spectral" | b"xyz")) {
-        let note = format!("{}, line {}: colours that are not RGB were left out", report.file, statement.line);
-        assumptions.push(note);
+        note(report, statement, assumptions, "is no RGB");
         return Ok(None);
     }
     let ([red, green, blue, ..], count) = statement.numbers(report, 1, 3)?;
@@ -78,15 +77,17 @@ fn color(report: Report, statement: &Statement, assumptions: &mut Vec<String>) -
     };
     let is_fit = color.iter().all(|channel| (0.0..=1.0).contains(channel));
     if !is_fit {
-        note_out_of_range(report, statement, assumptions);
+        note(report, statement, assumptions, "is out of range");
     }
     Ok(is_fit.then_some(color))
 }
 
-fn note_out_of_range(report: Report, statement: &Statement, assumptions: &mut Vec<String>) {
-    let (keyword, value) = (show(statement.keyword), show(statement.rest));
-    assumptions.push(format!(
-        "{}, line {}: `{keyword} {value}` is out of range, and was left out",
-        report.file, statement.line
-    ));
+/// Tells that a statement was left out; a hostile file may have many.
+fn note(report: Report, statement: &Statement, assumptions: &mut Vec<String>, why: &str) {
+    const MOST: usize = 64;
+    if assumptions.len() < MOST {
+        let (keyword, value) = (show(statement.keyword), show(statement.rest));
+        let place = format!("{}, line {}", report.file, statement.line);
+        assumptions.push(format!("{place}: `{keyword} {value}` {why}, and was left out"));
+    }
 }
