@@ -30,17 +30,14 @@ impl DataFile {
     /// Finds a file that the header names at `place`. A header may come from anywhere, so it
     /// reaches only regular files in its own folder and below.
     pub fn detached(report: Report, place: Place, input: &Input, name: &str) -> Result<Self, Error> {
-        let relative = Path::new(name);
-        let inside =
-            relative.components().all(|component| matches!(component, Component::Normal(_) | Component::CurDir));
         let refuse = |problem: String| {
             let advice = "put a regular file beside the header, and name it relative to that";
             report.invalid(place, problem, advice)
         };
-        if !inside || name.is_empty() {
+        if !is_below(name) {
             return Err(refuse(format!("the data file `{}` is not below the header", clip(name))));
         }
-        let path = input.path.parent().unwrap_or(Path::new("")).join(relative);
+        let path = input.path.parent().unwrap_or(Path::new("")).join(name);
         let metadata = fs::metadata(&path)
             .map_err(|error| refuse(format!("the data file `{}` cannot be read: {error}", clip(name))))?;
         if !metadata.is_file() {
@@ -48,6 +45,12 @@ impl DataFile {
         }
         Ok(Self { name: display_name(&path), length: metadata.len(), path, start: 0 })
     }
+}
+
+/// Whether a path that a file names stays in that file's folder and below.
+pub(crate) fn is_below(name: &str) -> bool {
+    let is_step = |component| matches!(component, Component::Normal(_) | Component::CurDir);
+    !name.is_empty() && Path::new(name).components().all(is_step)
 }
 
 /// `name` with its one `%d`, `%i` or `%u`, perhaps with a width such as `%03d`, put in numbers.

@@ -95,6 +95,10 @@ pub enum Place {
     Byte(u64),
     /// A voxel's index (x, y, z), counted from 0.
     Voxel([u32; 3]),
+    /// A mesh's vertex, counted from 0.
+    Vertex(u32),
+    /// A mesh's triangle, counted from 0.
+    Triangle(u32),
 }
 
 impl fmt::Display for Place {
@@ -104,6 +108,8 @@ impl fmt::Display for Place {
             Self::Line(number) => write!(f, ", line {number}"),
             Self::Byte(offset) => write!(f, ", byte {offset}"),
             Self::Voxel([x, y, z]) => write!(f, ", voxel ({x}, {y}, {z})"),
+            Self::Vertex(index) => write!(f, ", vertex {index}"),
+            Self::Triangle(index) => write!(f, ", triangle {index}"),
         }
     }
 }

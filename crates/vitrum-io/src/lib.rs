@@ -1,5 +1,5 @@
-//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, MetaImage, NumPy, VTK, TIFF stacks, headerless voxels)
-//! and pictures (PNG, OpenEXR, Radiance HDR, JPEG, TIFF).
+//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, MetaImage, NumPy, VTK, TIFF stacks, headerless voxels),
+//! triangle meshes (OBJ, PLY, STL, glTF) and pictures (PNG, OpenEXR, Radiance HDR, JPEG, TIFF).
 //!
 //! Files come from anywhere, so nothing in them is believed before it is checked: sizes are held
 //! against the bytes that are there and the memory that may be used before anything is allocated,
@@ -22,6 +22,7 @@ mod error;
 mod fields;
 pub mod image;
 mod memory;
+pub mod mesh;
 mod metaimage;
 mod nifti;
 mod nrrd;
@@ -43,6 +44,7 @@ pub use image::{
     Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear,
     write_picture, write_picture_with,
 };
+pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
 pub use open::{Input, OpenOptions, VolumeReader, open, readers};
 pub use volume::{Source, Volume};
 pub use voxels::Voxels;

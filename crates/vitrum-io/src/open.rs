@@ -7,6 +7,7 @@ use std::path::Path;
 use flate2::read::MultiGzDecoder;
 
 use crate::error::{Error, Place, Report};
+use crate::mesh::is_mesh;
 use crate::metaimage::MetaImage;
 use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
@@ -21,7 +22,8 @@ use crate::vtk::Vtk;
 /// What a caller may set about reading.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct OpenOptions {
-    /// Most bytes that the decoded voxels may take; the memory available where it is `None`.
+    /// Most bytes that the decoded voxels may take, or the decompressed file and the mesh in it together; the memory
+    /// available where it is `None`.
     pub max_bytes: Option<u64>,
 }
 
@@ -124,6 +126,8 @@ pub fn open(path: &Path, options: &OpenOptions) -> Result<Volume, Error> {
             Place::File,
             if path.is_dir() {
                 "this is a folder without a known series of files"
+            } else if is_mesh(path)? {
+                "this is a mesh, and volumes alone are read here"
             } else {
                 "neither the content nor the extension is of a known volume format"
             },

@@ -1,4 +1,6 @@
-//! `vitrum info`: what a volume is, and what the reader assumed about it.
+//! `vitrum info`: what a volume or a mesh is, and what the reader assumed about it.
+
+mod mesh;
 
 use crate::failure::{Failure, Status};
 use crate::{input, output};
@@ -10,10 +12,10 @@ use vitrum::builtin;
 use vitrum::io::{OpenOptions, Volume, Voxels};
 use vitrum::scene::VolumeSource;
 
-/// Show what a volume is: format, size, spacing, range, orientation, histogram
+/// Show what a volume or a mesh is: format, size, spacing, range, histogram; triangles, bounds, area, closed or not
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// A volume file, a scene file (.toml; its volume is shown), or builtin:NAME
+    /// A volume file, a mesh file, a scene file (.toml; its volume is shown), or builtin:NAME
     input: String,
 
     /// Print JSON
@@ -26,6 +28,17 @@ const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = input::open(&arguments.input)?;
+    if let Some(path) = opened.scene.volume.file.as_deref().filter(|_| opened.bare_volume)
+        && vitrum::io::is_mesh(path)?
+    {
+        let mesh = vitrum::io::open_mesh(path, &OpenOptions::default())?;
+        if arguments.json {
+            output::print_json(&mesh::json(&mesh))?;
+        } else {
+            output::print(&mesh::text(&mesh))?;
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
     let volume = read(&opened.scene.volume, &opened.base)?;
     if arguments.json {
         output::print_json(&json(&volume))?;

@@ -1,0 +1,74 @@
+//! `vitrum info` of meshes.
+
+mod common;
+
+use common::Folder;
+use serde_json::{Value, json};
+
+/// A tetrahedron of volume 1, and a material.
+const TETRAHEDRON: &str =
+    "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nusemtl glass\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+fn info(folder: &Folder, file: &str) -> Value {
+    let text = folder.succeed(&["info", file, "--json"]);
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+#[test]
+fn a_mesh_is_described_for_people_and_for_machines() {
+    let folder = Folder::new();
+    folder.write("a.obj", TETRAHEDRON);
+    folder.write("a.mtl", "newmtl glass\nKd 1 0.5 0.25\nNi 1.5\n");
+    let text = folder.succeed(&["info", "a.obj"]);
+    for words in [
+        "format      OBJ\n",
+        "vertices    4 at 4 positions\n",
+        "triangles   4, 0 of them without area",
+        "bounds      [0.0, 0.0, 0.0] to [1.0, 2.0, 3.0]\n",
+        "area        9\n",
+        "volume      1\n",
+        "surface     closed: 6 edges, 0 of one triangle, 0 of more than two",
+        "materials   glass, base colour [1.0, 0.5, 0.25], index of refraction 1.5\n",
+    ] {
+        assert!(text.contains(words), "there is no `{words}`:\n{text}");
+    }
+    assert!(!text.contains("assumed"), "{text}");
+    let info = info(&folder, "a.obj");
+    assert_eq!((&info["closed"], &info["volume"], &info["triangles"]), (&json!(true), &json!(1.0), &json!(4)));
+    assert_eq!(info["bounds"], json!([[0.0, 0.0, 0.0], [1.0, 2.0, 3.0]]));
+    assert_eq!(info["materials"][0]["index_of_refraction"], json!(1.5));
+    assert_eq!(info["materials"][0]["transmission"], Value::Null);
+}
+
+#[test]
+fn an_open_mesh_has_no_volume_and_assumptions_are_told() {
+    let folder = Folder::new();
+    folder.write("open.obj", TETRAHEDRON.trim_end().rsplit_once('\n').expect("lines").0);
+    let text = folder.succeed(&["info", "open.obj"]);
+    for words in
+        ["volume      none", "surface     not closed: 6 edges, 3 of one triangle", "assumed     the file `a.mtl`"]
+    {
+        assert!(text.contains(words), "there is no `{words}`:\n{text}");
+    }
+    let info = info(&folder, "open.obj");
+    assert_eq!((&info["volume"], &info["boundary_edges"]), (&Value::Null, &json!(3)));
+    assert_eq!(info["assumptions"].as_array().map(Vec::len), Some(1));
+}
+
+#[test]
+fn meshes_with_mistakes_exit_3() {
+    let folder = Folder::new();
+    folder.write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 4\n");
+    folder.write("short.stl", [0; 200]);
+    folder.write("huge.ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n");
+    for (file, words) in [
+        ("index.obj", &["index.obj, line 4", "vertex 4", "help: correct the index"][..]),
+        ("short.stl", &["short.stl", "no triangles"]),
+        ("huge.ply", &["huge.ply", "1000000000"]),
+        ("missing.ply", &["missing.ply", "cannot be read"]),
+    ] {
+        folder.refuse(&["info", file], 3, words);
+    }
+    folder.write("a.obj", TETRAHEDRON);
+    folder.refuse(&["render", "a.obj", "-o", "out.png"], 3, &["a.obj", "this is a mesh"]);
+}

@@ -1,0 +1,148 @@
+//! What a reader has gathered so far, each piece counted against the limit.
+
+use super::content::Budget;
+use super::triangulate::{MOST_CORNERS, triangulate};
+use super::{Material, Mesh};
+use crate::error::{Error, Place, Report};
+use crate::volume::Source;
+
+/// A mesh in the making.
+#[derive(Debug)]
+pub(super) struct Builder<'a> {
+    pub report: Report<'a>,
+    pub budget: Budget<'a>,
+    pub positions: Vec<[f32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
+    /// Empty, or as many as positions.
+    pub normals: Vec<[f32; 3]>,
+    /// Empty, or as many as positions.
+    pub colors: Vec<[f32; 4]>,
+    pub materials: Vec<Material>,
+    /// Empty, or as many as triangles.
+    pub triangle_materials: Vec<u32>,
+    pub assumptions: Vec<String>,
+    /// Polygons that cross themselves.
+    crossing: u64,
+    pieces: Vec<[usize; 3]>,
+}
+
+impl<'a> Builder<'a> {
+    pub fn new(report: Report<'a>, budget: Budget<'a>) -> Self {
+        Self {
+            report,
+            budget,
+            positions: Vec::new(),
+            triangles: Vec::new(),
+            normals: Vec::new(),
+            colors: Vec::new(),
+            materials: Vec::new(),
+            triangle_materials: Vec::new(),
+            assumptions: Vec::new(),
+            crossing: 0,
+            pieces: Vec::new(),
+        }
+    }
+
+    pub fn triangle(&mut self, corners: [u32; 3]) -> Result<(), Error> {
+        self.budget.push(&mut self.triangles, corners)
+    }
+
+    /// Adds a polygon, at least a triangle, whose corners are there already, as triangles.
+    pub fn polygon(&mut self, place: Place, corners: &[u32]) -> Result<(), Error> {
+        if let Some(missing) = corners.iter().find(|&&corner| corner as usize >= self.positions.len()) {
+            return Err(self.report.invalid(
+                place,
+                format!("the face names vertex {missing}, counted from 0, and there are {}", self.positions.len()),
+                "correct the index, or get the whole file",
+            ));
+        }
+        match *corners {
+            [a, b, c] => return self.triangle([a, b, c]),
+            [] | [_] | [_, _] => {
+                let problem = format!("a face of {} corner(s), and 3 are the fewest", corners.len());
+                return Err(self.report.invalid(place, problem, "take the face out, or correct it"));
+            }
+            _ => {}
+        }
+        // Points, projected ones and the triangles among them.
+        self.budget.check(64 * corners.len() as u64)?;
+        let points: Vec<_> = corners.iter().map(|&corner| self.positions[corner as usize].map(f64::from)).collect();
+        self.pieces.clear();
+        match triangulate(&points, &mut self.pieces) {
+            Some(simple) => self.crossing += u64::from(!simple),
+            None => {
+                return Err(self.report.unsupported(
+                    place,
+                    format!("a face of {} corners that is not convex; {MOST_CORNERS} are the most", corners.len()),
+                    "triangulate it in the program that made it",
+                ));
+            }
+        }
+        for index in 0..self.pieces.len() {
+            self.triangle(self.pieces[index].map(|corner| corners[corner]))?;
+        }
+        Ok(())
+    }
+
+    /// Names the material of all triangles that have none yet.
+    pub fn assign(&mut self, material: u32) -> Result<(), Error> {
+        while self.triangle_materials.len() < self.triangles.len() {
+            self.budget.push(&mut self.triangle_materials, material)?;
+        }
+        Ok(())
+    }
+
+    pub fn finish(mut self, format: &'static str, sample_type: &str, encoding: &str) -> Result<Mesh, Error> {
+        if self.crossing > 0 {
+            self.assumptions.push(format!("{} polygons cross themselves: their triangles overlap", self.crossing));
+        }
+        let normals = self.unit_normals();
+        let clamped = clamp_colors(&mut self.colors);
+        if clamped > 0 {
+            self.assumptions.push(format!("{clamped} vertices have colours outside 0 to 1, which were clamped"));
+        }
+        let mut mesh = Mesh::new(self.report.file, self.positions, self.triangles)?;
+        mesh.normals = normals;
+        mesh.colors = (!self.colors.is_empty()).then_some(self.colors);
+        mesh.materials = self.materials;
+        mesh.triangle_materials = self.triangle_materials;
+        mesh.source = Source {
+            format,
+            sample_type: sample_type.to_owned(),
+            encoding: encoding.to_owned(),
+            assumptions: self.assumptions,
+        };
+        Ok(mesh)
+    }
+
+    /// Normals of length 1 or 0; none at all where one is not finite.
+    fn unit_normals(&mut self) -> Option<Vec<[f32; 3]>> {
+        let mut normals = std::mem::take(&mut self.normals);
+        let broken = normals.iter().flatten().filter(|component| !component.is_finite()).count();
+        if broken > 0 {
+            self.assumptions.push(format!("{broken} components of normals are not finite: all normals were left out"));
+            return None;
+        }
+        for normal in &mut normals {
+            *normal = unit(normal.map(f64::from));
+        }
+        (!normals.is_empty()).then_some(normals)
+    }
+}
+
+/// The vector of length 1 in the same direction; 0 stays 0.
+pub(super) fn unit(vector: [f64; 3]) -> [f32; 3] {
+    let length = vector.iter().map(|component| component * component).sum::<f64>().sqrt();
+    if length > 0.0 { vector.map(|component| (component / length) as f32) } else { [0.0; 3] }
+}
+
+/// How many had to be; NaN becomes 0.
+fn clamp_colors(colors: &mut [[f32; 4]]) -> usize {
+    let mut count = 0;
+    for color in colors {
+        let clamped = color.map(|channel| if channel.is_nan() { 0.0 } else { channel.clamp(0.0, 1.0) });
+        count += usize::from(clamped != *color);
+        *color = clamped;
+    }
+    count
+}

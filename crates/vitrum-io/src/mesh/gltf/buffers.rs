@@ -1,0 +1,96 @@
+//! The bytes that a glTF file's buffers hold: in the file, in the JSON as base64, or in files beside it.
+
+use std::borrow::Cow;
+use std::fs;
+
+use base64::Engine;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+use percent_encoding::percent_decode_str;
+
+use super::document::{Buffer, Document};
+use super::lookup;
+use crate::data_file::DataFile;
+use crate::error::{Error, Place, clip};
+use crate::mesh::build::Builder;
+use crate::open::Input;
+
+/// All buffers, decoded, in the order of the document.
+#[derive(Debug)]
+pub(super) struct Buffers<'a>(Vec<Cow<'a, [u8]>>);
+
+impl<'a> Buffers<'a> {
+    pub fn load(
+        document: &Document,
+        binary: Option<&'a [u8]>,
+        input: &Input,
+        builder: &mut Builder,
+    ) -> Result<Self, Error> {
+        let mut buffers = Vec::new();
+        for (index, buffer) in document.buffers.iter().enumerate() {
+            let bytes = match &buffer.uri {
+                Some(uri) => Cow::Owned(read(uri, index, buffer, input, builder)?),
+                None => Cow::Borrowed(binary.filter(|_| index == 0).unwrap_or_default()),
+            };
+            // The chunk of a GLB file may be padded.
+            if (bytes.len() as u64) < buffer.byte_length {
+                return Err(builder.report.invalid(
+                    Place::File,
+                    format!("buffers[{index}] promises {} bytes, {} are there", buffer.byte_length, bytes.len()),
+                    "get the whole file, or correct `byteLength`",
+                ));
+            }
+            buffers.push(bytes);
+        }
+        Ok(Self(buffers))
+    }
+
+    /// The bytes of a view; `from` says who names it.
+    pub fn view(&self, builder: &Builder, document: &Document, index: usize, from: &str) -> Result<&[u8], Error> {
+        let report = builder.report;
+        let name = || format!("{from}.bufferView");
+        let view = lookup(report, &document.buffer_views, "bufferViews", index, name)?;
+        let buffer = lookup(report, &self.0, "buffers", view.buffer, || format!("bufferViews[{index}].buffer"))?;
+        let end = view.byte_offset.saturating_add(view.byte_length);
+        let range = usize::try_from(view.byte_offset).ok().zip(usize::try_from(end).ok());
+        range.and_then(|(start, end)| buffer.get(start..end)).ok_or_else(|| {
+            let problem = format!("bufferViews[{index}] ends at byte {end} of a buffer of {} bytes", buffer.len());
+            report.invalid(Place::File, problem, "correct `byteOffset` and `byteLength`")
+        })
+    }
+}
+
+fn read(uri: &str, index: usize, buffer: &Buffer, input: &Input, builder: &mut Builder) -> Result<Vec<u8>, Error> {
+    let report = builder.report;
+    let wrong = |problem: String| {
+        let advice = "name a file beside this one, or embed the bytes as base64";
+        report.invalid(Place::File, format!("buffers[{index}].uri {problem}"), advice)
+    };
+    if let Some(data) = uri.strip_prefix("data:") {
+        let Some((_, text)) = data.split_once(";base64,") else {
+            return Err(wrong("embeds data that is not base64".to_owned()));
+        };
+        builder.budget.take(text.len() as u64 / 4 * 3)?;
+        let config = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
+        let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
+        return engine.decode(text).map_err(|error| wrong(format!("holds damaged base64: {error}")));
+    }
+    if uri.contains("://") {
+        return Err(wrong(format!("is `{}`, and nothing is fetched from elsewhere", clip(uri))));
+    }
+    let name = percent_decode_str(uri).decode_utf8().map_err(|_| wrong(format!("is `{}`, not UTF-8", clip(uri))))?;
+    let file = DataFile::detached(report, Place::File, input, &name)?;
+    if file.length < buffer.byte_length {
+        return Err(report.invalid(
+            Place::File,
+            format!(
+                "buffers[{index}] promises {} bytes, and `{}` has {}",
+                buffer.byte_length,
+                clip(&name),
+                file.length
+            ),
+            "get the whole file, or correct `byteLength`",
+        ));
+    }
+    builder.budget.take(file.length)?;
+    fs::read(&file.path).map_err(|error| report.unreadable(error))
+}

@@ -1,0 +1,64 @@
+//! Size, area and volume, summed up in float64.
+
+use super::Mesh;
+
+impl Mesh {
+    /// Smallest and largest coordinates of the vertices that triangles use.
+    #[must_use]
+    pub fn bounds(&self) -> [[f32; 3]; 2] {
+        let mut bounds = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
+        for &vertex in self.triangles.as_flattened() {
+            let position = self.positions[vertex as usize];
+            for axis in 0..3 {
+                bounds[0][axis] = bounds[0][axis].min(position[axis]);
+                bounds[1][axis] = bounds[1][axis].max(position[axis]);
+            }
+        }
+        bounds
+    }
+
+    /// Sum of the triangles' areas, in square units.
+    #[must_use]
+    pub fn surface_area(&self) -> f64 {
+        self.triangles.iter().map(|triangle| area(self.corners(triangle))).sum()
+    }
+
+    /// Volume that the surface encloses, in cubic units, below 0 where the triangles run clockwise seen from outside.
+    ///
+    /// It means something where [`Topology::unpaired_edges`](super::Topology::unpaired_edges) is 0; elsewhere it is
+    /// that of the surface and the cone from its rims to the middle of the bounds.
+    #[must_use]
+    pub fn signed_volume(&self) -> f64 {
+        // About the middle, so that no digits are lost far from the origin.
+        let [low, high] = self.bounds();
+        let middle: [f64; 3] = std::array::from_fn(|axis| 0.5 * (f64::from(low[axis]) + f64::from(high[axis])));
+        let volume = |triangle: &[u32; 3]| {
+            let [a, b, c] = self.corners(triangle).map(|corner| subtract(corner, middle));
+            dot(a, cross(b, c)) / 6.0
+        };
+        self.triangles.iter().map(volume).sum()
+    }
+
+    /// How many triangles have an area of 0. They stay in the mesh: to take one out may open it.
+    #[must_use]
+    pub fn degenerate_triangle_count(&self) -> usize {
+        self.triangles.iter().filter(|triangle| area(self.corners(triangle)) == 0.0).count()
+    }
+}
+
+fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
+    let normal = cross(subtract(b, a), subtract(c, a));
+    0.5 * dot(normal, normal).sqrt()
+}
+
+pub(super) fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
+pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
