@@ -50,7 +50,10 @@ impl Class {
     pub const ALL: [(Self, &'static [&'static str]); 6] = [
         (Self::Selection, &["absolute_value", "minimum", "maximum", "clamped", "selected", "floored", "half"]),
         (Self::Rounded, &["add", "multiply"]),
-        (Self::Sum, &["multiply_add", "linear", "dot_product", "exponential", "euler_kick"]),
+        (
+            Self::Sum,
+            &["multiply_add", "linear", "dot_product", "exponential", "euler_kick", "quantised", "sum_of_words"],
+        ),
         (Self::Quotient, &["divide", "straight_flight"]),
         (Self::Root, &["square_root", "vector_length"]),
         (

@@ -66,7 +66,12 @@ pub fn add<S: Sums + ?Sized>(sums: &mut S, index: i32, value: i32) {
 /// The sum whose low word is at `index`, in units.
 #[inline(always)]
 pub fn sum(sums: &[u32], index: i32) -> f32 {
-    let (low, high) = (read(sums, index), read(sums, index + 1));
+    to_number(read(sums, index), read(sums, index + 1))
+}
+
+/// A number of 64 bits in two's complement, rounded to a float.
+#[inline(always)]
+pub fn to_number(low: u32, high: u32) -> f32 {
     let negative = high >> 31 != 0;
     // The magnitude, whose leading bits must not cancel.
     let borrowed = (low == 0) as u32;

@@ -1,6 +1,7 @@
 //! The functions that [`super::apply_function`] knows. Adding one is a line.
 
 use crate::abi::record::probe;
+use crate::field::sums::{quantise, to_number};
 use crate::field::tables::Segment;
 use crate::math::{
     absolute, asin, atan2, clamp, dot, exp, floor_to_int, half_to_f32, length, lerp, log2, max, min, select, sqrt,
@@ -52,6 +53,8 @@ functions! {
     linear(a) = one(lerp(a[0], a[1], a[2]));
     floored(a) = one(floor_to_int(a[0], -8_388_608.0, 8_388_608.0) as f32);
     half(a) = [half_to_f32(a[0].to_bits(), 4), half_to_f32(a[0].to_bits() >> 16, 0), 0.0, 0.0];
+    quantised(a) = one(quantise(a[0], a[1]) as f32);
+    sum_of_words(a) = one(to_number(a[0].to_bits(), a[1].to_bits()));
     exponential(a) = one(exp(a[0]));
     binary_logarithm(a) = one(log2(a[0]));
     arc_tangent(a) = one(atan2(a[0], a[1]));
