@@ -4,6 +4,7 @@
 //! tables and buffers, hands a list of passes to a [`backend::Backend`] and returns a [`Frame`].
 
 pub mod backend;
+mod blend;
 pub mod builtin;
 mod frame;
 mod inputs;
@@ -12,6 +13,7 @@ pub mod preset;
 mod render;
 pub mod scene;
 mod session;
+pub mod spectrum;
 pub mod suggest;
 
 pub use frame::{Frame, Statistics};

@@ -94,48 +94,63 @@ pub fn render_wanted(
     Session::new(inputs, backend)?.render(scene, wanted, progress)
 }
 
-/// Runs a prepared frame and reads its outputs.
-pub(crate) fn finish(
-    scene: &Scene,
+/// What a frame that was run has made.
+pub(crate) struct Exposure {
+    /// Planar records, see [`film`].
+    pub film: Vec<f32>,
+    /// Planar records of irradiance, if wanted.
+    pub light: Option<Vec<f32>>,
+    /// Time to run it and read it back.
+    pub frame_ms: f64,
+}
+
+/// Runs a prepared frame and reads its outputs; `progress` is told the planes that are done.
+pub(crate) fn expose(
     sweep: &Sweep,
     wanted: Wanted,
     backend: &mut dyn Backend,
-    progress: &mut dyn FnMut(Progress) -> bool,
-    upload_ms: f64,
-) -> Result<Frame, Error> {
-    let total = sweep.planes.count;
+    progress: &mut dyn FnMut(u32) -> bool,
+) -> Result<Exposure, Error> {
     let started = Instant::now();
-    sweep.run(backend, &mut |done| progress(Progress { done, total }))?;
-    let records = sweep.film(backend)?;
+    sweep.run(backend, progress)?;
+    let film = sweep.film(backend)?;
     let frame_ms = started.elapsed().as_secs_f64() * 1e3;
+    let light = if wanted.light { Some(sweep.irradiance(backend)?) } else { None };
+    Ok(Exposure { film, light, frame_ms })
+}
+
+/// A frame of what a sweep has made.
+pub(crate) fn develop(
+    scene: &Scene,
+    sweep: &Sweep,
+    exposure: &Exposure,
+    backend: &dyn Backend,
+    upload_ms: f64,
+) -> Frame {
     let (width, height) = (scene.film.width, scene.film.height);
     let rays = sweep.rays[0] as usize * sweep.rays[1] as usize;
-    let turned = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
-    let light = match wanted.light {
-        true => Some(light_picture(sweep, &sweep.irradiance(backend)?)),
-        false => None,
-    };
-    Ok(Frame {
+    let turned = exposure.film[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
+    Frame {
         width,
         height,
-        layers: layers(scene, &records),
-        light,
+        layers: layers(scene, &exposure.film),
+        light: exposure.light.as_ref().map(|light| light_picture(sweep, light)),
         statistics: Statistics {
             method: "sweep".to_owned(),
             backend: backend.name().to_owned(),
             adapter: backend.adapter(),
             width,
             height,
-            planes: total,
+            planes: sweep.planes.count,
             light_texels: sweep.light_grid.size,
             rays_turned: turned as u64,
-            frame_ms: vec![frame_ms],
+            frame_ms: vec![exposure.frame_ms],
             upload_ms: Some(upload_ms),
             peak_rss_bytes: peak_rss_bytes(),
             gpu_bytes: backend.device_bytes(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
         },
-    })
+    }
 }
 
 fn layers(scene: &Scene, records: &[f32]) -> Vec<vitrum_io::Layer> {

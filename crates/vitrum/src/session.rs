@@ -1,11 +1,13 @@
 //! Frames of one volume after another: what does not change stays on the backend.
 
 use crate::backend::Backend;
+use crate::blend::Blend;
 use crate::frame::Frame;
 use crate::inputs::Inputs;
 use crate::method::sweep::{Sweep, Uploaded};
-use crate::render::{Error, Progress, Wanted, finish};
+use crate::render::{Error, Progress, Wanted, develop, expose};
 use crate::scene::Scene;
+use crate::spectrum::exposures;
 use std::time::Instant;
 
 /// Volumes on a backend, to be rendered again and again while camera, light and transfer functions change.
@@ -40,15 +42,28 @@ impl<'a> Session<'a> {
         progress: &mut dyn FnMut(Progress) -> bool,
     ) -> Result<Frame, Error> {
         scene.validate()?;
-        let started = Instant::now();
-        let mut sweep = Sweep::prepare_uploaded(scene, self.inputs, self.uploaded, self.backend)?;
-        if !wanted.light {
-            sweep.end_light_with_rays();
+        let exposures = exposures(scene);
+        let mut upload_ms = std::mem::take(&mut self.upload_ms);
+        let mut blend = Blend::default();
+        let mut frame = None;
+        let count = exposures.len() as u32;
+        for (index, (band, seen)) in (0..).zip(&exposures) {
+            let started = Instant::now();
+            let mut sweep = Sweep::prepare_uploaded(seen, self.inputs, self.uploaded, self.backend)?;
+            if !wanted.light {
+                sweep.end_light_with_rays();
+            }
+            upload_ms += started.elapsed().as_secs_f64() * 1e3;
+            let planes = sweep.planes.count;
+            let mut tell = |done: u32| progress(Progress { done: index * planes + done, total: count * planes });
+            let result = expose(&sweep, wanted, self.backend, &mut tell).map(|exposure| blend.add(*band, exposure));
+            if result.is_ok() && index + 1 == count {
+                frame = blend.exposure.take().map(|whole| develop(scene, &sweep, &whole, self.backend, upload_ms));
+            }
+            sweep.free(self.backend);
+            result?;
         }
-        let upload_ms = started.elapsed().as_secs_f64() * 1e3 + std::mem::take(&mut self.upload_ms);
-        let result = finish(scene, &sweep, wanted, self.backend, progress, upload_ms);
-        sweep.free(self.backend);
-        result
+        Ok(frame.expect("a scene has at least one exposure"))
     }
 }
 

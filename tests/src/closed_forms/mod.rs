@@ -66,7 +66,7 @@ pub fn straight_on(pixels: u32) -> Scene {
 pub fn refracting(volume: &Volume, pixels: u32) -> Scene {
     let mut scene = straight_on(pixels);
     let [low, high] = volume.range;
-    scene.transfer.ior = vec![IorPoint { value: low, ior: low }, IorPoint { value: high, ior: high }];
+    scene.transfer.ior = vec![IorPoint::new(low, low), IorPoint::new(high, high)];
     scene.transfer.opacity = vec![OpacityPoint { value: low, opacity: 0.0 }];
     scene.shading.specular = 0.0;
     scene

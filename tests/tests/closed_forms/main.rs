@@ -10,6 +10,7 @@ mod gradients;
 mod layer;
 mod luneburg;
 mod porter_duff;
+mod prism;
 mod saddle;
 mod setup;
 mod slab;

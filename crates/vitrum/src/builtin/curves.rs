@@ -14,7 +14,7 @@ pub(super) fn opacities<const N: usize>(points: [(f32, f32); N]) -> Vec<OpacityP
 
 /// Indices of refraction at scalar values.
 pub(super) fn iors<const N: usize>(points: [(f32, f32); N]) -> Vec<IorPoint> {
-    points.map(|(value, ior)| IorPoint { value, ior }).to_vec()
+    points.map(|(value, ior)| IorPoint::new(value, ior)).to_vec()
 }
 
 /// The procedural volume of that name, at its default resolution.

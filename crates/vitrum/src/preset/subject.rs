@@ -126,7 +126,7 @@ pub(super) fn opacity(value: f32, opacity: f32) -> OpacityPoint {
 
 /// A point of an index of refraction.
 pub(super) fn ior(value: f32, ior: f32) -> IorPoint {
-    IorPoint { value, ior }
+    IorPoint::new(value, ior)
 }
 
 /// A point of a colour or medium function.

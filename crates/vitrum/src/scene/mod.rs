@@ -7,6 +7,7 @@
 mod camera;
 mod check;
 mod clip;
+mod dispersion;
 mod environment;
 mod error;
 mod film;
@@ -25,6 +26,7 @@ mod write;
 
 pub use camera::{Camera, Projection};
 pub use clip::{Clip, Removes};
+pub use dispersion::YELLOW;
 pub use environment::{Environment, EnvironmentKind};
 pub use error::{Origin, Problem, SceneError};
 pub use film::Film;

@@ -69,6 +69,9 @@ pub struct Sweep {
     pub gradient: Gradient,
     /// Whether indices of refraction bend rays at all; `false` keeps every ray straight.
     pub refraction: bool,
+    /// Wavelengths that are followed one after another where `transfer.ior` disperses, 3 (one for red, green and blue each) to 32.
+    #[schemars(range(min = 3, max = 32))]
+    pub wavelengths: u32,
     /// Whether space that the transfer functions leave empty is skipped. The picture is the same.
     pub empty_space_skipping: bool,
 }
@@ -83,6 +86,7 @@ impl Default for Sweep {
             intensity: Intensity::Jacobian,
             gradient: Gradient::Central,
             refraction: true,
+            wavelengths: 3,
             empty_space_skipping: true,
         }
     }

@@ -35,6 +35,15 @@ pub struct IorPoint {
     /// Index of refraction relative to the surroundings, 0.2 to 5.
     #[schemars(range(min = 0.2, max = 5))]
     pub ior: f32,
+    /// Abbe number V_d: how little `ior`, which is then that of yellow light (587.6 nm), differs between colours. 5 to 1000; glass has
+    /// 20 to 90. All colours bend alike if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 5, max = 1000))]
+    pub abbe: Option<f32>,
+    /// Cauchy's B in µm², 0 to 0.1, instead of `abbe`: η(λ) = A + B/λ².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 0.1))]
+    pub cauchy_b: Option<f32>,
 }
 
 /// Four piecewise linear functions over the scalar, each constant beyond its first and last point. Points are sorted by
@@ -58,4 +67,12 @@ pub struct TransferFunction {
     pub ior: Vec<IorPoint>,
     /// Medium colour: the share of light a layer of the reference length lets pass. White if empty.
     pub medium: Vec<ColorPoint>,
+}
+
+impl TransferFunction {
+    /// Whether colours bend differently somewhere.
+    #[must_use]
+    pub fn disperses(&self) -> bool {
+        self.ior.iter().any(|point| point.cauchy_coefficient() != 0.0)
+    }
 }

@@ -93,6 +93,13 @@ fn check_sweep(sweep: &Sweep) -> Result<(), Fault> {
 }
 
 fn check_transfer(transfer: &TransferFunction) -> Result<(), Fault> {
+    if let Some(index) = transfer.ior.iter().position(|point| point.abbe.is_some() && point.cauchy_b.is_some()) {
+        return Err(Fault::contradiction(
+            &format!("transfer.ior.{index}.abbe"),
+            "both `abbe` and `cauchy_b` are given",
+            "leave one of them out",
+        ));
+    }
     check_sorted("transfer.color", transfer.color.iter().map(|point| point.value))?;
     check_sorted("transfer.opacity", transfer.opacity.iter().map(|point| point.value))?;
     check_sorted("transfer.ior", transfer.ior.iter().map(|point| point.value))?;
