@@ -93,7 +93,7 @@ static PICTURES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
 
 fn open(folder: &Folder, name: &str, content: &[u8]) {
     let path = folder.write(name, content);
-    let options = OpenOptions { max_bytes: Some(1 << 20) };
+    let options = OpenOptions { max_bytes: Some(1 << 20), ..OpenOptions::default() };
     if let Ok(volume) = vitrum_io::open(&path, &options) {
         assert!(volume.bytes() <= 1 << 20);
         assert!(volume.range[0] <= volume.range[1] && volume.range.iter().all(|end| end.is_finite()));

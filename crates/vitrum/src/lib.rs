@@ -12,10 +12,10 @@ pub mod preset;
 mod render;
 pub mod scene;
 mod session;
-pub mod suggest;
 
 pub use frame::{Frame, Statistics};
-pub use inputs::Inputs;
+pub use inputs::{Inputs, load_volume};
 pub use render::{Error, Progress, Wanted, render, render_wanted};
 pub use session::Session;
 pub use vitrum_io as io;
+pub use vitrum_io::suggest;

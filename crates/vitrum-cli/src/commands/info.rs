@@ -1,20 +1,22 @@
 //! `vitrum info`: what a volume is, and what the reader assumed about it.
 
-use crate::failure::{Failure, Status};
+use crate::failure::Failure;
 use crate::{input, output};
 use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
 use std::process::ExitCode;
-use vitrum::builtin;
-use vitrum::io::{OpenOptions, Volume, Voxels};
-use vitrum::scene::VolumeSource;
+use vitrum::io::{Volume, Voxels};
 
 /// Show what a volume is: format, size, spacing, range, orientation, histogram
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// A volume file, a scene file (.toml; its volume is shown), or builtin:NAME
+    /// A volume file, a folder of DICOM files, `-` for standard input, a scene file (.toml; its volume is shown), or
+    /// builtin:NAME
     input: String,
+
+    #[command(flatten)]
+    volume: VolumeArguments,
 
     /// Print JSON
     #[arg(long)]
@@ -25,29 +27,13 @@ pub struct Arguments {
 const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let opened = input::open(&arguments.input)?;
-    let volume = read(&opened.scene.volume, &opened.base)?;
+    let volume = input::open_volume(&arguments.input, &arguments.volume)?;
     if arguments.json {
         output::print_json(&json(&volume))?;
     } else {
         output::print(&text(&volume))?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The volume itself, without the rest of the scene's files.
-fn read(source: &VolumeSource, base: &std::path::Path) -> Result<Volume, Failure> {
-    if let Some(file) = &source.file {
-        return Ok(vitrum::io::open(&base.join(file), &OpenOptions::default())?);
-    }
-    let name = source.builtin.as_deref().unwrap_or_default();
-    match builtin::volume(name, source.resolution) {
-        Some(volume) => Ok(volume?),
-        None => {
-            let message = format!("there is no built-in volume `{name}`");
-            Err(Failure::new(Status::Input, message, "`vitrum scenes` lists the built-in scenes"))
-        }
-    }
 }
 
 fn text(volume: &Volume) -> String {

@@ -4,14 +4,14 @@
 
 mod header;
 
-use std::fs::File;
-use std::io::{BufReader, Seek, SeekFrom};
+use std::io::{Seek, SeekFrom};
 use std::path::Path;
 
 use self::header::Header;
-use crate::error::{Error, Place, Report};
+use crate::error::{Error, Report};
+use crate::input::Input;
 use crate::memory;
-use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, VolumeReader};
 use crate::samples::{Endian, VoxelBuffer};
 use crate::stream;
 use crate::text;
@@ -36,15 +36,7 @@ impl VolumeReader for Vtk {
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        if input.gzipped {
-            return Err(report.unsupported(
-                Place::File,
-                "a VTK file compressed as a whole",
-                "decompress it by `gunzip` first",
-            ));
-        }
-        let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
-        let mut header = Header::read(BufReader::new(file), report)?;
+        let mut header = Header::read(input.open()?, report)?;
         let voxels = read_data(&mut header, input, options)?;
         let mut volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
         volume.source = Source {
@@ -71,7 +63,7 @@ fn read_data(header: &mut Header, input: &Input, options: &OpenOptions) -> Resul
     memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     let mut voxels = VoxelBuffer::reserve(report, header.sample, Endian::Big, count)?;
-    let mut reader = BufReader::new(File::open(input.path).map_err(unreadable)?);
+    let mut reader = input.open()?;
     reader.seek(SeekFrom::Start(start)).map_err(unreadable)?;
     if header.binary {
         stream::fill(report, &mut voxels, &mut reader, count, size)?;
