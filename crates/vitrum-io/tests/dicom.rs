@@ -4,7 +4,9 @@ mod common;
 
 use std::path::Path;
 
-use common::dicom::{Dicom, FRAMES, INTERCEPT, ORIENTATION, POSITION, RLE, SERIES, SLOPE, element, nested, rle};
+use common::dicom::{
+    Dicom, FRAMES, INTERCEPT, JPEG, LOSSLESS, ORIENTATION, POSITION, RLE, SERIES, SLOPE, element, nested, rle,
+};
 use common::{Folder, values};
 use vitrum_io::{Error, OpenOptions, Volume, Voxels, open};
 
@@ -32,7 +34,8 @@ fn told(volume: &Volume, note: &str) -> bool {
 
 #[test]
 fn slices_are_sorted_by_their_place_and_not_by_their_name() {
-    let folder = folder(&[Dicom::slice(6.0, &pixels(12)), Dicom::slice(0.0, &pixels(0)), Dicom::slice(3.0, &pixels(6))]);
+    let folder =
+        folder(&[Dicom::slice(6.0, &pixels(12)), Dicom::slice(0.0, &pixels(0)), Dicom::slice(3.0, &pixels(6))]);
     folder.write("readme.txt", "no slice");
     let volume = opened(&folder.path("."));
     assert_eq!((volume.dimensions, volume.spacing), ([3, 2, 3], [1.0, 2.0, 3.0]));
@@ -159,6 +162,15 @@ fn run_lengths_are_decoded() {
 }
 
 #[test]
+fn lossless_jpeg_is_decoded() {
+    let mut slice = Dicom::words(0.0, &[], false);
+    slice.compressed(LOSSLESS, vec![JPEG.to_vec()]);
+    let volume = opened(&folder(&[slice]).path("."));
+    assert_eq!(values(&volume), [1.0, 258.0, 513.0, 40000.0, 0.0, 65535.0]);
+    assert_eq!(volume.source.encoding, "JPEG, lossless");
+}
+
+#[test]
 fn the_largest_series_is_taken_and_the_others_are_named() {
     let of = |series: &str, z: f64| {
         let mut slice = Dicom::slice(z, &pixels(0));
@@ -182,7 +194,8 @@ fn the_largest_series_is_taken_and_the_others_are_named() {
 #[test]
 fn the_limit_holds_before_pixels_are_read() {
     let folder = folder(&[Dicom::slice(0.0, &pixels(0)), Dicom::slice(1.0, &pixels(0))]);
-    let open = |max_bytes| open(&folder.path("."), &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
+    let open =
+        |max_bytes| open(&folder.path("."), &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
     assert!(matches!(open(20), Err(Error::TooLarge { limit: 20, .. })));
     assert!(open(1 << 20).is_ok());
 }

@@ -7,6 +7,7 @@ mod files;
 mod grid;
 mod header;
 mod pixels;
+mod rle;
 mod syntax;
 
 use std::path::Path;

@@ -1,12 +1,14 @@
 //! The pixels of the slices, decoded.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use dicom_object::{DefaultDicomObject, open_file};
 use dicom_pixeldata::PixelDecoder;
 
 use super::attributes;
 use super::files::Series;
 use super::header::{File, Pixels, Slice, damaged};
-use super::syntax;
+use super::{rle, syntax};
 use crate::error::{Error, Place, Report};
 use crate::samples::VoxelBuffer;
 use crate::stream;
@@ -67,11 +69,18 @@ impl Opened {
         let size = file.rows as usize * file.columns as usize * file.pixels.sample.size();
         let found = match &self.plain {
             Some(bytes) => bytes.get(frame * size..).unwrap_or_default().iter().copied().take(size).collect(),
-            None => {
-                let number = u32::try_from(frame).unwrap_or(u32::MAX);
-                let decoded = self.object.decode_pixel_data_frame(number);
-                decoded.map_err(|error| damaged(report, &error))?.into_data()
+            None if syntax::is_run_lengths(&file.syntax) => {
+                let count = file.rows as usize * file.columns as usize;
+                let packed = self.fragments(file, frame);
+                rle::decode(&packed, count, file.pixels.sample.size()).map_err(|problem| {
+                    report.invalid(
+                        Place::File,
+                        format!("the run lengths of frame {} are damaged: {problem}", frame + 1),
+                        "get the whole file, or write it anew",
+                    )
+                })?
             }
+            None => self.picture(report, frame)?,
         };
         if found.len() < size {
             return Err(report.invalid(
@@ -81,6 +90,26 @@ impl Opened {
             ));
         }
         Ok(found)
+    }
+}
+
+impl Opened {
+    /// The compressed bytes of a frame: a fragment each, or all of them where there is one frame.
+    fn fragments(&self, file: &File, frame: usize) -> Vec<u8> {
+        let fragments = self.object.get(attributes::PIXEL_DATA).and_then(|data| data.fragments()).unwrap_or_default();
+        if file.frames.len() == 1 { fragments.concat() } else { fragments.get(frame).cloned().unwrap_or_default() }
+    }
+
+    /// The decoded JPEG picture of a frame.
+    fn picture(&self, report: Report, frame: usize) -> Result<Vec<u8>, Error> {
+        let number = u32::try_from(frame).unwrap_or(u32::MAX);
+        // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
+        let decoded = catch_unwind(AssertUnwindSafe(|| self.object.decode_pixel_data_frame(number)));
+        let decoded = decoded.map_err(|_| {
+            let problem = format!("the JPEG picture of frame {} is damaged", frame + 1);
+            report.invalid(Place::File, problem, "get the whole file, or write it anew")
+        })?;
+        Ok(decoded.map_err(|error| damaged(report, &error))?.into_data())
     }
 }
 

@@ -19,6 +19,11 @@ pub(super) fn name(identifier: &str) -> String {
     found(identifier).map_or(identifier, |(name, _)| name).to_owned()
 }
 
+/// Whether the pixels are written as DICOM's run lengths.
+pub(super) fn is_run_lengths(identifier: &str) -> bool {
+    name(identifier) == "RLE"
+}
+
 /// Whether the pixels are compressed; an error where they cannot be read.
 pub(super) fn compressed(report: Report, identifier: &str) -> Result<bool, Error> {
     if let Some((_, compressed)) = found(identifier) {

@@ -2,6 +2,7 @@
 //!
 //! The format: <https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html>.
 
+mod blocks;
 mod header;
 
 use std::io::{Seek, SeekFrom};
@@ -11,7 +12,7 @@ use self::header::Header;
 use crate::error::{Error, Report};
 use crate::input::Input;
 use crate::memory;
-use crate::open::{OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::samples::{Endian, VoxelBuffer};
 use crate::stream;
 use crate::text;
@@ -34,10 +35,14 @@ impl VolumeReader for Vtk {
         head.get(..14).is_some_and(|head| head.eq_ignore_ascii_case(b"# vtk DataFile"))
     }
 
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Array]
+    }
+
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let mut header = Header::read(input.open()?, report)?;
-        let voxels = read_data(&mut header, input, options)?;
+        let header = Header::read(input.open()?, input.length, options.array.as_deref(), report)?;
+        let voxels = read_data(&header, input, options)?;
         let mut volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
         volume.source = Source {
             format: self.name(),
@@ -49,7 +54,7 @@ impl VolumeReader for Vtk {
     }
 }
 
-fn read_data(header: &mut Header, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
+fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
     let report = Report::new(&input.name);
     let unreadable = |error| report.unreadable(error);
     let (start, size) = (header.length, header.sample.size());
@@ -70,16 +75,12 @@ fn read_data(header: &mut Header, input: &Input, options: &OpenOptions) -> Resul
     } else {
         text::read_numbers(report, &mut voxels, &mut reader, count, header.sample.name())?;
     }
-    // More fields, or information about this one, start by a keyword.
-    match text::next_word(&mut reader).map_err(unreadable)? {
-        None => {}
-        Some(word) if header.binary || word.starts_with(|first: char| first.is_ascii_alphabetic()) => {
-            header.assumptions.push(format!(
-                "what stands behind the first scalars, `{}`, was left unread",
-                crate::error::clip(&word)
-            ));
-        }
-        Some(word) => return Err(text::surplus(report, &word, count)),
+    // What else is in the file starts by a keyword, and was looked at before.
+    if !header.binary
+        && let Some(word) = text::next_word(&mut reader).map_err(unreadable)?
+        && !word.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_')
+    {
+        return Err(text::surplus(report, &word, count));
     }
     Ok(voxels.into_voxels())
 }

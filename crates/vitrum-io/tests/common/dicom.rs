@@ -157,3 +157,11 @@ pub fn rle(segments: &[Vec<u8>]) -> Vec<u8> {
     header.resize(16, 0);
     [header.into_iter().flat_map(u32::to_le_bytes).collect(), packed.concat()].concat()
 }
+
+pub const LOSSLESS: &str = "1.2.840.10008.1.2.4.57";
+
+/// Lossless JPEG of the words 1, 258, 513, 40000, 0, 65535, written by imagecodecs.
+pub const JPEG: [u8; 62] = [
+    255, 216, 255, 196, 0, 22, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 15, 8, 9, 255, 195, 0, 11, 16, 0, 2,
+    0, 3, 1, 0, 17, 0, 255, 218, 0, 8, 1, 0, 0, 6, 0, 0, 0, 0, 208, 27, 252, 112, 248, 195, 123, 31, 128, 255, 217,
+];
