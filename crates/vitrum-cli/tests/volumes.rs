@@ -80,7 +80,7 @@ fn points_in_time_and_arrays_are_picked() {
     assert!(first["range"][0] == 0.0 && assumes(&first, "3 points in time: the first was taken"));
     folder.refuse(&["info", "time.nrrd", "--time", "3"], 3, &["the point in time 3", "0 to 2"]);
     let array = |name: &str, value: u8| {
-        let values = [value.to_string() + " "; 8].concat();
+        let values = format!("{value} ").repeat(8);
         format!("<DataArray type=\"UInt8\" Name=\"{name}\" format=\"ascii\">{values}</DataArray>")
     };
     let vti = format!(

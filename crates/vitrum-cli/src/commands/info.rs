@@ -1,6 +1,7 @@
 //! `vitrum info`: what a volume is, and what the reader assumed about it.
 
 use crate::failure::Failure;
+use crate::volume::VolumeArguments;
 use crate::{input, output};
 use clap::Args;
 use serde_json::json;

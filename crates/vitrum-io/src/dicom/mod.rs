@@ -3,6 +3,7 @@
 //! The standard: <https://www.dicomstandard.org/current>.
 
 mod attributes;
+mod distances;
 mod files;
 mod grid;
 mod header;

@@ -3,6 +3,8 @@
 //! The format: <https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html>.
 
 mod blocks;
+mod fields;
+mod grid;
 mod header;
 
 use std::io::{Seek, SeekFrom};
