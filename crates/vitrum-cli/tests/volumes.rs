@@ -55,7 +55,7 @@ fn a_file_without_a_header_is_read_by_flags_or_by_a_scene() {
     assert!(scene.contains("raw = \"2x2x2:uint16:be:skip=4\""), "{scene}");
     folder.write("scene.toml", &scene);
     assert_eq!(info(&folder, &["scene.toml"]), by_flags);
-    let size = ["-o", "a.exr", "--size", "8x8", "--backend", "cpu"];
+    let size = ["-o", "a.exr", "--size", "8x8", "--backend", "cpu", "--preset", "plain"];
     folder.succeed(&[&["render", "voxels.dat"], &LAYOUT[..], &size].concat());
     folder.succeed(
         &[&["turntable", "voxels.dat"], &LAYOUT[..], &["--frames", "1"], &size[2..], &["-o", "turn"]].concat(),
