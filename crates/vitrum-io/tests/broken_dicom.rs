@@ -82,6 +82,20 @@ fn broken_series() {
 }
 
 #[test]
+fn lengths_that_lie_take_no_memory() {
+    let folder = Folder::new();
+    let whole = at(0.0).bytes();
+    // Of the pixels, the last element: 6 bytes behind a length of 4.
+    for (from_end, length) in [(10, 0xffff_fff0_u32), (10, 7)] {
+        let mut file = whole.clone();
+        let place = file.len() - from_end;
+        file[place..place + 4].copy_from_slice(&length.to_le_bytes());
+        let error = folder.open("a.dcm", file).expect_err("a lie").to_string();
+        assert!(error.contains(&format!("says to have {length} bytes, and 6 are there")), "{error}");
+    }
+}
+
+#[test]
 fn cut_files_are_told_so() {
     let folder = Folder::new();
     let whole = changed(0.0, |slice| slice.text(SERIES, "UI", "1")).bytes();

@@ -1,10 +1,12 @@
 //! What a file says before its pixels: size, sample type, and where its frames lie.
 
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use dicom_object::{InMemDicomObject, OpenFileOptions};
 
 use super::attributes::{self, items, numbers, text, vector, whole};
+use super::lengths;
 use crate::error::{Error, Place, Report, clip};
 use crate::samples::SampleType;
 
@@ -67,6 +69,10 @@ impl File {
     /// Reads the header of the file at `path`; `None` where it is of DICOM but holds no image.
     pub fn read(path: &Path, name: String, length: u64) -> Result<Option<Self>, Error> {
         let report = Report::new(&name);
+        let file = std::fs::File::open(path).map_err(|error| report.unreadable(error))?;
+        lengths::check(BufReader::new(file), length).map_err(|(byte, problem)| {
+            report.invalid(Place::Byte(byte), problem, "get the whole file, or write it anew")
+        })?;
         let object = OpenFileOptions::new()
             .read_until(attributes::PIXEL_DATA)
             .open_file(path)

@@ -7,6 +7,7 @@ mod distances;
 mod files;
 mod grid;
 mod header;
+mod lengths;
 mod pixels;
 mod rle;
 mod syntax;
