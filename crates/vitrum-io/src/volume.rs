@@ -125,11 +125,9 @@ impl Volume {
         let report = Report::new(&self.name);
         check_spacing(report, spacing)?;
         check_extent(report, self.dimensions, spacing)?;
-        for axis in 0..3 {
+        for (axis, direction) in self.axes.iter().enumerate() {
             let growth = 0.5 * (self.dimensions[axis] - 1) as f32 * (spacing[axis] - self.spacing[axis]);
-            for component in 0..3 {
-                self.origin[component] -= growth * self.axes[axis][component];
-            }
+            self.origin.iter_mut().zip(direction).for_each(|(origin, component)| *origin -= growth * component);
         }
         if self.spacing != spacing {
             let [x, y, z] = self.spacing;

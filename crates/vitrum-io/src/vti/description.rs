@@ -260,7 +260,7 @@ fn grid(
     }
     let spacing = numbers(report, image, "Spacing", Some([1.0; 3]))?;
     check_spacing(report, spacing.map(|value: f64| value as f32)).map_err(|error| error.at(image.place()))?;
-    if image.get("Direction").is_none_or(|text| numbers_are_identity(text)) {
+    if image.get("Direction").is_none_or(numbers_are_identity) {
         assumptions.push(UNORIENTED.to_owned());
     }
     if image.get("Spacing").is_none() {
