@@ -24,6 +24,8 @@ const FILES: &[Stated] = &[
     ("volumes/aneurism.vti", [256, 256, 256], [0.0, 255.0], [1.0, 1.0, 1.0]),
     ("volumes/bucky_32x32x32_uint8.raw", [32, 32, 32], [0.0, 255.0], [1.0, 1.0, 1.0]),
     ("volumes/mrhead_256x256x109_uint8.raw.gz", [256, 256, 109], [0.0, 255.0], [1.0, 1.0, 1.0]),
+    // Oblique slices, whose positions are rounded to 0.1 mm.
+    ("volumes/dicom_brain", [256, 256, 12], [0.0, 1059.0], [0.859375, 0.859375, 6.9992]),
     ("volumes/tiff_banana/banana_stack_deflate.tif", [384, 384, 25], [0.0, 2992.0], [1.0, 1.0, 1.0]),
 ];
 

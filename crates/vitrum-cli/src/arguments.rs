@@ -1,6 +1,6 @@
 //! The command line as a whole; each command's own arguments stand beside it.
 
-use crate::commands::{completions, devices, diff, info, presets, render, scene, scenes, schema, turntable};
+use crate::commands::{completions, convert, devices, diff, info, presets, render, scene, scenes, schema, turntable};
 use clap::{Parser, Subcommand};
 
 /// Renders volumes with refraction, coloured transmission, soft shadows and caustics.
@@ -19,6 +19,7 @@ pub enum Command {
     Render(Box<render::Arguments>),
     Turntable(Box<turntable::Arguments>),
     Info(info::Arguments),
+    Convert(convert::Arguments),
     Diff(diff::Arguments),
     Scene(scene::Arguments),
     Devices(devices::Arguments),

@@ -2,18 +2,24 @@
 
 use crate::failure::{Failure, Status};
 use crate::size::Size;
+use crate::volume::VolumeArguments;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
+use vitrum::io::Volume;
 use vitrum::scene::{Problem, Scene, VolumeSource};
 use vitrum::suggest::nearest;
-use vitrum::{Inputs, builtin, preset};
+use vitrum::{Inputs, builtin, load_volume, preset};
 
 /// The input and the flags that change its scene.
 #[derive(Debug, Args)]
 pub struct SceneArguments {
-    /// A scene file (.toml), a volume file, or builtin:NAME (`vitrum scenes` lists them)
+    /// A scene file (.toml), a volume file, a folder of DICOM files, `-` for a volume from standard input, or builtin:NAME
+    /// (`vitrum scenes` lists them)
     pub input: String,
+
+    #[command(flatten)]
+    pub volume: VolumeArguments,
 
     /// Give the scene the look of a preset (`vitrum presets` lists them); volume files without it take `amber`
     #[arg(long, value_name = "NAME")]
@@ -37,7 +43,7 @@ impl SceneArguments {
         let preset = self.preset.as_deref().or(bare_volume.then_some(preset::DEFAULT));
         let mut before = scene.clone();
         self.change(&mut before, preset.is_some())?;
-        let inputs = Inputs::load(&before, &base)?;
+        let inputs = Inputs::load_within(&before, &base, self.volume.limit())?;
         if let Some(name) = preset {
             preset::apply(name, &inputs.volume, &mut scene)?;
         }
@@ -45,13 +51,14 @@ impl SceneArguments {
         Ok(Prepared { scene, base, inputs })
     }
 
-    /// Applies `--size` and `--set`. If a preset is still to come, what is missing now may be filled in by it, such as
+    /// Applies `--size`, the volume's flags and `--set`. If a preset is still to come, what is missing now may be filled in by it, such as
     /// the points of a transfer function.
     fn change(&self, scene: &mut Scene, preset_to_come: bool) -> Result<(), Failure> {
         if let Some(Size { width, height }) = self.size {
             scene.film.width = width;
             scene.film.height = height;
         }
+        self.volume.apply(&mut scene.volume);
         for assignment in &self.set {
             match scene.set(assignment) {
                 Err(error) if preset_to_come && is_missing(&error.problem) => {}
@@ -96,6 +103,14 @@ pub fn open(input: &str) -> Result<Opened, Failure> {
     }
     let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };
     Ok(Opened { scene: Scene { volume, ..Scene::default() }, base: PathBuf::new(), bare_volume: true })
+}
+
+/// The volume that is shown, without the rest of the scene's files.
+pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, Failure> {
+    let Opened { mut scene, base, .. } = open(input)?;
+    arguments.apply(&mut scene.volume);
+    scene.validate()?;
+    Ok(load_volume(&scene.volume, &base, arguments.limit())?)
 }
 
 fn read_scene(path: &Path) -> Result<Scene, Failure> {

@@ -11,6 +11,7 @@ mod interrupt;
 mod output;
 mod progress;
 mod size;
+mod volume;
 
 use clap::Parser;
 use std::process::ExitCode;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use crate::error::{Error, Place, Report, clip};
-use crate::open::{Input, display_name};
+use crate::input::{Input, display_name};
 
 /// More files than this for one volume are a mistake in the header.
 pub(crate) const MOST_FILES: u64 = 1_000_000;
@@ -24,7 +24,7 @@ pub(crate) struct DataFile {
 impl DataFile {
     /// The header's own file, with the data behind the header's `start` bytes.
     pub fn attached(input: &Input, start: u64) -> Self {
-        Self { path: input.path.to_owned(), name: input.name.clone(), length: input.length, start }
+        Self { path: input.file().to_owned(), name: input.name.clone(), length: input.length, start }
     }
 
     /// Finds a file that the header names at `place`. A header may come from anywhere, so it

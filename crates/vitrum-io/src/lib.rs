@@ -1,4 +1,4 @@
-//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, MetaImage, NumPy, VTK, TIFF stacks, headerless voxels),
+//! Files in and out of Vitrum: scalar volumes (NRRD, NIfTI, MetaImage, NumPy, VTK, TIFF stacks, DICOM, headerless voxels),
 //! triangle meshes (OBJ, PLY, STL, glTF) and pictures (PNG, OpenEXR, Radiance HDR, JPEG, TIFF).
 //!
 //! Files come from anywhere, so nothing in them is believed before it is checked: sizes are held
@@ -17,10 +17,13 @@
 //! # Ok::<(), vitrum_io::Error>(())
 //! ```
 
+mod arrays;
 mod data_file;
+mod dicom;
 mod error;
 mod fields;
 pub mod image;
+mod input;
 mod memory;
 pub mod mesh;
 mod metaimage;
@@ -28,13 +31,18 @@ mod nifti;
 mod nrrd;
 mod numpy;
 mod open;
+mod packing;
 mod placement;
 mod raw;
 mod samples;
 mod stack;
 mod stream;
+pub mod suggest;
 mod text;
+mod time;
+mod up;
 mod volume;
+mod volume_file;
 mod voxels;
 mod vti;
 mod vtk;
@@ -44,7 +52,12 @@ pub use image::{
     Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear,
     write_picture, write_picture_with,
 };
+pub use input::{Input, STANDARD_INPUT};
 pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
-pub use open::{Input, OpenOptions, VolumeReader, open, readers};
+pub use open::{OpenOptions, Part, VolumeReader, open, readers};
+pub use packing::Packing;
+pub use raw::RawLayout;
+pub use up::Up;
 pub use volume::{Source, Volume};
+pub use volume_file::{check_volume_writable, write_volume};
 pub use voxels::Voxels;

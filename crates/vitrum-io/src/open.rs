@@ -1,30 +1,64 @@
 //! Opening a volume file of any format: the content decides, the extension only helps.
 
-use std::fs::{self, File};
-use std::io::{BufReader, Read};
 use std::path::Path;
 
-use flate2::read::MultiGzDecoder;
-
+use crate::dicom::Dicom;
 use crate::error::{Error, Place, Report};
-use crate::mesh::is_mesh;
+use crate::input::Input;
+use crate::mesh::looks_like_mesh;
 use crate::metaimage::MetaImage;
 use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
 use crate::numpy::Numpy;
-use crate::raw::Raw;
-use crate::samples::read_up_to;
+use crate::raw::{Raw, RawLayout};
 use crate::stack::Stack;
+use crate::up::Up;
 use crate::volume::Volume;
 use crate::vti::Vti;
 use crate::vtk::Vtk;
 
 /// What a caller may set about reading.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct OpenOptions {
-    /// Most bytes that the decoded voxels may take, or the decompressed file and the mesh in it together; the memory
-    /// available where it is `None`.
+    /// Most bytes that the decoded voxels may take, or the decompressed file and the mesh in it together, and likewise a file
+    /// that has to be unpacked or comes by standard input; the memory available where it is `None`.
     pub max_bytes: Option<u64>,
+    /// Reads the file as voxels without a header, laid out like this, whatever it looks like.
+    pub raw: Option<RawLayout>,
+    /// Replaces the file's spacing; the middle of the grid stays where it is.
+    pub spacing: Option<[f32; 3]>,
+    /// The array to read of a file with several.
+    pub array: Option<String>,
+    /// The point in time to read of a file with several, counted from 0.
+    pub time: Option<u32>,
+    /// The world direction that is to point up; the volume is turned for it.
+    pub up: Option<Up>,
+}
+
+impl OpenOptions {
+    /// Applies what is set here of a volume's place, its spacing and its up.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Volume::with_spacing`].
+    pub fn place(&self, mut volume: Volume) -> Result<Volume, Error> {
+        if let Some(spacing) = self.spacing {
+            volume = volume.with_spacing(spacing)?;
+        }
+        Ok(match self.up {
+            Some(up) => volume.turned(up),
+            None => volume,
+        })
+    }
+}
+
+/// What can be picked out of the files of a format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// [`OpenOptions::array`].
+    Array,
+    /// [`OpenOptions::time`].
+    Time,
 }
 
 /// One volume file format. A new one is a file of its own and a line in [`readers`].
@@ -35,8 +69,19 @@ pub trait VolumeReader: Sync {
     /// Its file extensions: lower case, with the dot.
     fn extensions(&self) -> &'static [&'static str];
 
-    /// Whether a file is of this format by its first bytes, at most 1024, seen through gzip.
+    /// Whether a file is of this format by its first bytes, at most 1024, unpacked; of a folder, by
+    /// what lies in it.
     fn recognises(&self, head: &[u8], path: &Path) -> bool;
+
+    /// What [`OpenOptions`] can pick out of a file.
+    fn parts(&self) -> &'static [Part] {
+        &[]
+    }
+
+    /// Whether it unpacks whole files while it reads them; others get them unpacked.
+    fn unpacks(&self) -> bool {
+        false
+    }
 
     /// Reads it.
     ///
@@ -49,63 +94,10 @@ pub trait VolumeReader: Sync {
 /// All formats, in the order in which they are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
-    &[&Nrrd, &Nifti, &MetaImage, &Numpy, &Vti, &Vtk, &Stack, &Raw]
+    &[&Nrrd, &Nifti, &MetaImage, &Numpy, &Vti, &Vtk, &Stack, &Dicom, &Raw]
 }
 
-/// A file about to be read.
-#[derive(Debug)]
-pub struct Input<'a> {
-    /// Its path.
-    pub path: &'a Path,
-    /// Its name for messages, without folders.
-    pub name: String,
-    /// Its size in bytes; 0 for a folder.
-    pub length: u64,
-    /// Its first bytes, at most 1024, decompressed where the whole file is gzip.
-    pub head: Vec<u8>,
-    /// Whether the whole file is gzip.
-    pub gzipped: bool,
-}
-
-impl<'a> Input<'a> {
-    /// Looks at the file, or the folder, at `path`.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Unreadable`] where it is not there or not ours to read; [`Error::Unsupported`]
-    /// where it is neither a file nor a folder, since a pipe or a device has no size to check.
-    pub fn new(path: &'a Path) -> Result<Self, Error> {
-        const HEAD: u64 = 1024;
-        let name = display_name(path);
-        let report = Report::new(&name);
-        let unreadable = |error| report.unreadable(error);
-        let metadata = fs::metadata(path).map_err(unreadable)?;
-        let mut head = Vec::new();
-        let mut gzipped = false;
-        if metadata.is_file() {
-            let open = || File::open(path).map(BufReader::new).map_err(unreadable);
-            open()?.take(HEAD).read_to_end(&mut head).map_err(unreadable)?;
-            gzipped = head.starts_with(&[0x1f, 0x8b]);
-            if gzipped {
-                let mut inflated = vec![0; HEAD as usize];
-                // A damaged stream shows as far as it goes; the reader reports the damage.
-                let (filled, _) = read_up_to(&mut MultiGzDecoder::new(open()?), &mut inflated);
-                inflated.truncate(filled);
-                head = inflated;
-            }
-        } else if !metadata.is_dir() {
-            return Err(report.unsupported(
-                Place::File,
-                "this is a pipe or a device",
-                "save its content to a file first",
-            ));
-        }
-        let length = if metadata.is_file() { metadata.len() } else { 0 };
-        Ok(Self { path, name, length, head, gzipped })
-    }
-}
-
-/// Reads the volume at `path`, whatever its format.
+/// Reads the volume at `path`, whatever its format; [`crate::STANDARD_INPUT`] stands for standard input.
 ///
 /// # Errors
 ///
@@ -114,34 +106,64 @@ impl<'a> Input<'a> {
 /// [`Error::TooLarge`] where its voxels would not fit `options`; that is found before any memory
 /// is taken for them.
 pub fn open(path: &Path, options: &OpenOptions) -> Result<Volume, Error> {
-    let input = Input::new(path)?;
-    let extension_fits = |reader: &&&dyn VolumeReader| {
-        let name = input.name.to_ascii_lowercase();
-        reader.extensions().iter().any(|extension| name.ends_with(extension))
-    };
-    let by_content = readers().iter().find(|reader| reader.recognises(&input.head, path));
-    match by_content.or_else(|| readers().iter().find(extension_fits)) {
-        Some(reader) => reader.read(&input, options),
-        None => Err(Report::new(&input.name).unsupported(
-            Place::File,
-            if path.is_dir() {
-                "this is a folder without a known series of files"
-            } else if is_mesh(path)? {
-                "this is a mesh, and volumes alone are read here"
-            } else {
-                "neither the content nor the extension is of a known volume format"
-            },
-            format!("convert it to one of: {}", known_formats()),
-        )),
+    let mut input = Input::new(path, options)?;
+    let reader = choose(&input, options)?;
+    refuse_parts(&input, reader, options)?;
+    if !reader.unpacks() {
+        input.unpack(options)?;
+    }
+    options.place(reader.read(&input, options)?)
+}
+
+fn choose(input: &Input, options: &OpenOptions) -> Result<&'static dyn VolumeReader, Error> {
+    if options.raw.is_some() && !input.is_folder() {
+        return Ok(&Raw);
+    }
+    let name = input.packing.strip(&input.name).to_ascii_lowercase();
+    let extension_fits =
+        |reader: &&&dyn VolumeReader| reader.extensions().iter().any(|extension| name.ends_with(extension));
+    let by_content = readers().iter().find(|reader| reader.recognises(&input.head, input.path));
+    let by_name = || readers().iter().filter(|_| !input.is_folder()).find(extension_fits);
+    by_content.or_else(by_name).copied().ok_or_else(|| {
+        let (problem, advice) = if input.is_folder() {
+            ("this is a folder without DICOM files", "give a folder that has them in it, not below it, or a file")
+        } else if looks_like_mesh(input) {
+            ("this is a mesh, and volumes alone are read here", "")
+        } else {
+            ("neither the content nor the extension is of a known volume format", "")
+        };
+        let advice = match advice {
+            "" => format!(
+                "convert it to one of: {}; or say by --raw how voxels without a header are laid out",
+                known_formats()
+            ),
+            advice => advice.to_owned(),
+        };
+        Report::new(&input.name).unsupported(Place::File, problem, advice)
+    })
+}
+
+/// Nobody should believe to have picked something that the format does not have.
+fn refuse_parts(input: &Input, reader: &dyn VolumeReader, options: &OpenOptions) -> Result<(), Error> {
+    let name = reader.name();
+    let refuse =
+        |problem: String, advice: &str| Err(Report::new(&input.name).unsupported(Place::File, problem, advice));
+    if let Some(array) = &options.array
+        && !reader.parts().contains(&Part::Array)
+    {
+        let problem = format!("the array `{array}` is asked for, and the format {name} has no arrays with names");
+        return refuse(problem, "leave out the array");
+    }
+    match options.time {
+        Some(time) if time > 0 && !reader.parts().contains(&Part::Time) => {
+            let problem = format!("the point in time {time} is asked for, and only one is read of the format {name}");
+            refuse(problem, "leave out the time, or give 0")
+        }
+        _ => Ok(()),
     }
 }
 
 fn known_formats() -> String {
     let described = readers().iter().map(|reader| format!("{} ({})", reader.name(), reader.extensions().join(", ")));
     described.collect::<Vec<_>>().join(", ")
-}
-
-/// The last part of a path, for messages.
-pub(crate) fn display_name(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }

@@ -5,6 +5,10 @@ use crate::samples::SampleType;
 use crate::volume::Volume;
 use crate::voxels::Voxels;
 
+/// For [`crate::Source::assumptions`], of formats and files that do not say how the grid lies in the world.
+pub(crate) const UNORIENTED: &str = "the file says no orientation: its z was taken for up and its y for the front, so the picture may be \
+                                     turned or mirrored; --up turns it";
+
 /// Spacing, axes and, where the file says it, origin.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Placement {

@@ -101,6 +101,31 @@ pub(crate) fn refuse_surplus(report: Report, reader: &mut dyn Read, expected: u6
     Ok(())
 }
 
+/// Skips exactly `count` bytes in front of the data.
+pub(crate) fn skip(report: Report, reader: &mut dyn Read, count: u64) -> Result<(), Error> {
+    let skipped = io::copy(&mut reader.take(count), &mut io::sink()).map_err(|error| broken(report, 0, error))?;
+    if skipped < count {
+        return Err(report.invalid(
+            Place::File,
+            format!("{count} bytes are to be skipped, {skipped} are there"),
+            "correct the number of bytes to skip, or get the whole file",
+        ));
+    }
+    Ok(())
+}
+
+/// As [`damaged`], of data whose length is not known.
+pub(crate) fn broken(report: Report, found: u64, error: io::Error) -> Error {
+    match error.kind() {
+        io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput | io::ErrorKind::UnexpectedEof => report.invalid(
+            Place::File,
+            format!("the data is damaged after {found} bytes: {error}"),
+            "get the file again, or write it anew",
+        ),
+        _ => report.unreadable(error),
+    }
+}
+
 /// An error out of a decoder is the file's fault, any other the system's.
 pub(crate) fn damaged(report: Report, found: u64, expected: u64, error: io::Error) -> Error {
     match error.kind() {

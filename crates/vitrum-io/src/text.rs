@@ -46,7 +46,7 @@ impl<'a, R: BufRead> Lines<'a, R> {
 
 /// Fails where `available` bytes cannot hold `count` numbers: a digit each, and separators between.
 pub(crate) fn check_text_length(report: Report, count: u64, start: u64, available: u64) -> Result<(), Error> {
-    if available < 2 * count - 1 {
+    if available < count.saturating_mul(2).saturating_sub(1) {
         return Err(report.invalid(
             Place::Byte(start),
             format!("the header promises {count} numbers from here, and {available} bytes are there"),
@@ -103,6 +103,20 @@ pub(crate) fn read_numbers(
                 "correct it, or the type in the header",
             )
         })?;
+    }
+    Ok(())
+}
+
+/// Passes over `count` words.
+pub(crate) fn skip_numbers(report: Report, reader: &mut impl BufRead, count: u64) -> Result<(), Error> {
+    for index in 0..count {
+        if next_word(reader).map_err(|error| report.unreadable(error))?.is_none() {
+            return Err(report.invalid(
+                Place::File,
+                format!("{count} numbers are to be skipped, {index} were found"),
+                "correct the sizes in the header, or get the whole file",
+            ));
+        }
     }
     Ok(())
 }

@@ -116,6 +116,27 @@ impl Volume {
         Ok(self)
     }
 
+    /// The same voxels at other distances; the middle of the grid stays where it is.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] where a distance is not finite and above 0, or an extent above 1e18.
+    pub fn with_spacing(mut self, spacing: [f32; 3]) -> Result<Self, Error> {
+        let report = Report::new(&self.name);
+        check_spacing(report, spacing)?;
+        check_extent(report, self.dimensions, spacing)?;
+        for (axis, direction) in self.axes.iter().enumerate() {
+            let growth = 0.5 * (self.dimensions[axis] - 1) as f32 * (spacing[axis] - self.spacing[axis]);
+            self.origin.iter_mut().zip(direction).for_each(|(origin, component)| *origin -= growth * component);
+        }
+        if self.spacing != spacing {
+            let [x, y, z] = self.spacing;
+            self.source.assumptions.push(format!("the spacing was given, in place of {x} x {y} x {z}"));
+        }
+        self.spacing = spacing;
+        Ok(self)
+    }
+
     /// Number of voxels.
     #[must_use]
     pub fn voxel_count(&self) -> usize {

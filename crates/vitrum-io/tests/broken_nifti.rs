@@ -19,7 +19,7 @@ fn broken_nifti_2_files() {
         (nifti2_u8(|header| header.i64(16, 8)), "byte 16: dim[0] is 8, not a number of dimensions from 1 to 7"),
         (nifti2_u8(|header| header.i64(16, i64::MIN)), "byte 16: dim[0] is -9223372036854775808"),
         (nifti2_u8(|header| header.i64(16, 2)), "byte 16: the data has 2 dimensions"),
-        (nifti2_u8(|header| header.i64(16, 4).i64(48, 30)), "byte 48: dim[4] is 30: 30 points in time"),
+        (nifti2_u8(|header| header.i64(16, 5).i64(56, 30)), "byte 56: dim[5] is 30: 30 components a voxel"),
         (nifti2_u8(|header| header.i64(16, 5).i64(56, 3)), "byte 56: dim[5] is 3: 3 components a voxel"),
         (nifti2_u8(|header| header.i64(24, 0)), "byte 24: dim[1] is 0, not a size of at least 1"),
         (nifti2_u8(|header| header.i64(32, -5)), "byte 32: dim[2] is -5"),

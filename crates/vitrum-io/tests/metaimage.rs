@@ -202,7 +202,8 @@ fn the_limit_is_on_decoded_bytes() {
     let folder = Folder::new();
     let header = metaimage("MET_DOUBLE", "CompressedData = True\n", "LOCAL");
     let path = folder.write("a.mha", attached(&header, &zlib(&[0; 96])));
-    let open = |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+    let open =
+        |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
     assert_eq!(values(&open(48).unwrap()), [0.0; 12]);
     assert!(matches!(open(47), Err(Error::TooLarge { needed: 48, limit: 47, .. })));
 }

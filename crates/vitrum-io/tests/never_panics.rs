@@ -4,11 +4,13 @@ mod common;
 
 use std::sync::LazyLock;
 
+use common::dicom::{Dicom, FRAMES, JPEG, LOSSLESS, POSITION, RLE, rle};
 use common::tiff::{Page, Value, stack_u8, tiff};
 use common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
 use common::{Folder, NiftiHeader, attached, gzip, metaimage, npy, npy_with, nrrd, zlib};
 use proptest::collection::vec;
 use proptest::prelude::*;
+use ruzstd::encoding::{CompressionLevel, compress_to_vec};
 use vitrum_io::{OpenOptions, Picture, read_picture, write_picture};
 
 /// Bytes to overwrite, as positions and values, and how much to cut off the end.
@@ -40,6 +42,8 @@ fn volumes() -> Vec<Vec<u8>> {
         attached(&nrrd("uint8", "hex", "byte skip: 0\nline skip: 0\n"), b"0102030405060708090a0b0c"),
         nrrd("uint8", "raw", "data file: slice%d 1 2 1 2\n").into_bytes(),
         nrrd("uint8", "raw", "data file: LIST\nslice1\nslice2\n").into_bytes(),
+        NiftiHeader::new(2, 1, false).i16(40, 4).i16(48, 2).with(&[1; 24]),
+        npy_with((1, 0), "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 2, 2, 3)}", &[1; 24]),
         gzip(&nifti),
         nifti,
         NiftiHeader::second(4, 2, true).with(&[1; 24]),
@@ -51,6 +55,17 @@ fn volumes() -> Vec<Vec<u8>> {
         npy(">i2", &[1; 24]),
         npy_with((2, 0), "{'descr': '<f4', 'fortran_order': True, 'shape': (3, 2, 2)}", &[1; 48]),
     ]
+}
+
+/// DICOM files of every way to write pixels.
+fn dicom_files() -> Vec<Vec<u8>> {
+    let mut run_lengths = Dicom::words(0.0, &[], true);
+    run_lengths.compressed(RLE, vec![rle(&[vec![1; 6], vec![2; 6]])]);
+    let mut picture = Dicom::words(0.0, &[], false);
+    picture.compressed(LOSSLESS, vec![JPEG.to_vec()]);
+    let mut frames = Dicom::slice(0.0, &[1; 12]);
+    frames.text(FRAMES, "IS", "2").remove(POSITION);
+    vec![Dicom::slice(0.0, &[1; 6]).bytes(), run_lengths.bytes(), picture.bytes(), frames.bytes()]
 }
 
 fn vtk_files() -> Vec<Vec<u8>> {
@@ -93,7 +108,7 @@ static PICTURES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
 
 fn open(folder: &Folder, name: &str, content: &[u8]) {
     let path = folder.write(name, content);
-    let options = OpenOptions { max_bytes: Some(1 << 20) };
+    let options = OpenOptions { max_bytes: Some(1 << 20), ..OpenOptions::default() };
     if let Ok(volume) = vitrum_io::open(&path, &options) {
         assert!(volume.bytes() <= 1 << 20);
         assert!(volume.range[0] <= volume.range[1] && volume.range.iter().all(|end| end.is_finite()));
@@ -145,6 +160,42 @@ proptest! {
         open(&folder, "a.npy", &npy_with((version, 0), &text, &[1; 12]));
         let entries = format!("{{'descr': '|u1', 'fortran_order': False, 'shape': {text}}}");
         open(&folder, "a.npy", &npy_with((version, 0), &entries, &[1; 12]));
+    }
+
+    #[test]
+    fn damaged_dicom_files(damage in damage()) {
+        let folder = Folder::new();
+        for file in dicom_files() {
+            open(&folder, "a.dcm", &damaged(&file, &damage));
+        }
+    }
+
+    #[test]
+    fn damaged_packed_files(damage in damage()) {
+        let folder = Folder::new();
+        let file = attached(&nrrd("uint8", "raw", ""), &[1; 12]);
+        for packed in [gzip(&file), compress_to_vec(&file[..], CompressionLevel::Fastest)] {
+            open(&folder, "a", &damaged(&packed, &damage));
+        }
+        let nifti = NiftiHeader::new(2, 1, false).with(&[1; 12]);
+        open(&folder, "a", &damaged(&compress_to_vec(&nifti[..], CompressionLevel::Fastest), &damage));
+    }
+
+    #[test]
+    fn any_layout(text in "[0-9]{1,3}x[0-9]x[0-9]:[uif](8|16|32|64)(:[lb]e)?(:skip=[0-9]{1,20})?|[0-9x:a-z=-]{0,20}", bytes in vec(any::<u8>(), 0..99)) {
+        if let Ok(raw) = text.parse() {
+            let path = Folder::new();
+            let file = path.write("a", &bytes);
+            let _ = vitrum_io::open(&file, &OpenOptions { raw: Some(raw), max_bytes: Some(1 << 20), ..OpenOptions::default() });
+        }
+    }
+
+    #[test]
+    fn random_vtk_lines(lines in vec("(SCALARS|VECTORS|FIELD|LOOKUP_TABLE|COLOR_SCALARS|TEXTURE_COORDINATES|METADATA|CELL_DATA|POINT_DATA|a)( [a-z0-9_]{1,5}){0,3}", 0..8)) {
+        for kind in ["ASCII", "BINARY"] {
+            let file = vtk(kind, "unsigned_char", format!("{}\n", "1 ".repeat(12)).as_bytes());
+            open(&Folder::new(), "a.vtk", &[&file[..], lines.join("\n").as_bytes()].concat());
+        }
     }
 
     #[test]

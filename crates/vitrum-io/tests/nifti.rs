@@ -209,7 +209,8 @@ fn the_limit_is_on_decoded_bytes() {
     let folder = Folder::new();
     folder.write("a.img.gz", gzip(&[0; 96]));
     let path = folder.write("a.hdr", NiftiHeader::second(64, 8, false).pair().bytes);
-    let open = |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+    let open =
+        |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
     assert_eq!(values(&open(48).unwrap()), [0.0; 12]);
     assert!(matches!(open(47), Err(Error::TooLarge { needed: 48, limit: 47, .. })));
 }

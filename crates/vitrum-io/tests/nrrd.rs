@@ -203,7 +203,8 @@ fn what_was_assumed_is_told() {
 fn the_limit_is_on_decoded_bytes() {
     let folder = Folder::new();
     let path = folder.write("a.nrrd", attached(&nrrd("double", "gzip", "endian: big\n"), &gzip(&[0; 96])));
-    let open = |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+    let open =
+        |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
     assert_eq!(values(&open(48).unwrap()), [0.0; 12]);
     assert!(matches!(open(47), Err(Error::TooLarge { needed: 48, limit: 47, .. })));
 }

@@ -70,7 +70,8 @@ fn an_array_is_centred_with_spacings_of_1() {
 fn the_limit_is_on_decoded_bytes() {
     let folder = Folder::new();
     let path = folder.write("a.npy", npy("<f8", &[0; 96]));
-    let open = |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+    let open =
+        |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
     assert_eq!(values(&open(48).unwrap()), [0.0; 12]);
     assert!(matches!(open(47), Err(Error::TooLarge { needed: 48, limit: 47, .. })));
 }

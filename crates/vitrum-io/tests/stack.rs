@@ -124,7 +124,8 @@ fn numbered_files_are_slices() {
 fn the_limit_counts_all_slices() {
     let folder = Folder::new();
     let path = folder.write("a.tif", stack_u8(|page| page));
-    let open = |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+    let open =
+        |max_bytes| vitrum_io::open(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
     assert!(open(12).is_ok());
     assert!(open(11).unwrap_err().to_string().contains("needs 12 bytes once decoded, and the limit is 11 bytes"));
 }

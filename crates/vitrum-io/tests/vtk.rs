@@ -4,7 +4,7 @@ mod common;
 
 use common::vtk::vtk;
 use common::{Folder, check, samples, values};
-use vitrum_io::{Volume, Voxels};
+use vitrum_io::{OpenOptions, Volume, Voxels};
 
 fn open(content: impl AsRef<[u8]>) -> Volume {
     Folder::new().open("a.vtk", content).unwrap_or_else(|error| panic!("{error}"))
@@ -44,7 +44,7 @@ fn the_grid_lies_where_the_file_says() {
     let volume = open(text());
     assert_eq!((volume.spacing, volume.origin), ([1.0, 2.0, 3.0], [5.0, 6.0, 7.0]));
     assert_eq!(volume.source.format, "legacy VTK");
-    assert!(volume.source.assumptions.is_empty(), "{:?}", volume.source.assumptions);
+    assert!(matches!(&volume.source.assumptions[..], [note] if note.contains("no orientation")));
     let old = open(text().replace("SPACING", "ASPECT_RATIO").to_lowercase());
     assert_eq!(old, Volume { source: old.source.clone(), ..volume });
     let bare = open(text().replace("SPACING 1 2 3\n", "").replace("ORIGIN 5 6 7\n", "\n"));
@@ -56,7 +56,7 @@ fn the_grid_lies_where_the_file_says() {
 fn values_of_cells_lie_at_their_centres() {
     let volume = open(text().replace("POINT_DATA", "CELL_DATA").replace("3 2 2", "4 3 3"));
     assert_eq!((volume.dimensions, volume.origin), ([3, 2, 2], [5.5, 7.0, 8.5]));
-    assert!(volume.source.assumptions[0].contains("cells"));
+    assert!(volume.source.assumptions.iter().any(|note| note.contains("cells")));
 }
 
 #[test]
@@ -65,10 +65,53 @@ fn more_fields_may_surround_the_scalars() {
     assert_eq!(values(&open(before))[11], 12.0);
     let behind = open(text() + "METADATA\nINFORMATION 0\n\n");
     assert_eq!(values(&behind)[11], 12.0);
-    assert!(behind.source.assumptions[0].contains("`METADATA`"));
     let bytes = open(vtk("BINARY", "unsigned_char", &[&[7; 12][..], b"\nVECTORS v float\n"].concat()));
     assert_eq!(bytes.voxels, Voxels::U8(vec![7; 12]));
-    assert!(bytes.source.assumptions[0].contains("`VECTORS`"));
+    assert!(bytes.source.assumptions.iter().any(|note| note.contains("--array takes another: `v`")));
     let components = text().replace("unsigned_char\n", "unsigned_char 1\n");
     assert_eq!(values(&open(components))[11], 12.0);
+}
+
+/// Scalars, more scalars, vectors and an array of a field.
+fn several(binary: bool) -> Vec<u8> {
+    let data = |values: Vec<u8>| match binary {
+        true => [&values[..], b"\n"].concat(),
+        false => (values.iter().map(|value| format!("{value} ")).collect::<String>() + "\n").into_bytes(),
+    };
+    let ones = |value: u8, count: usize| data(vec![value; count]);
+    [
+        &vtk(if binary { "BINARY" } else { "ASCII" }, "unsigned_char", &ones(1, 12))[..],
+        b"SCALARS other%20name char 1\nLOOKUP_TABLE default\n",
+        &ones(2, 12),
+        b"VECTORS flow unsigned_char\n",
+        &ones(3, 36),
+        b"FIELD FieldData 2\npair 2 12 unsigned_char\n",
+        &ones(4, 24),
+        b"\nlast 1 12 unsigned_char\n",
+        &ones(5, 12),
+    ]
+    .concat()
+}
+
+#[test]
+fn an_array_is_picked_by_its_name() {
+    let folder = Folder::new();
+    for binary in [false, true] {
+        let path = folder.write("a.vtk", several(binary));
+        let open = |array: Option<&str>| {
+            vitrum_io::open(&path, &OpenOptions { array: array.map(str::to_owned), ..OpenOptions::default() })
+        };
+        for (array, value) in [(None, 1.0), (Some("density"), 1.0), (Some("other name"), 2.0), (Some("last"), 5.0)] {
+            assert_eq!(values(&open(array).unwrap()), [value; 12], "{array:?}, binary {binary}");
+        }
+        let note = "the array `density` was taken; --array takes another: `other name`, `flow`, `pair`, `last`";
+        assert!(open(None).unwrap().source.assumptions.iter().any(|other| other == note));
+        let error = |array| open(Some(array)).unwrap_err().to_string();
+        assert!(error("desity").contains("there is no array `desity`; did you mean `density`?"));
+        assert!(error("zzz").contains("the arrays are: `density`, `other name`"), "{}", error("zzz"));
+        assert!(error("flow").contains("`flow` has 3 components"));
+    }
+    let field = "FIELD FieldData 1\nonly 1 12 float\n0 1 2 3 4 5 6 7 8 9 10 11\n";
+    let volume = open(text().split("SCALARS").next().unwrap_or_default().to_owned() + field);
+    assert_eq!(values(&volume)[11], 11.0);
 }

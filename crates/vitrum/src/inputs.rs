@@ -4,7 +4,7 @@ use crate::builtin;
 use crate::render::Error;
 use crate::scene::{EnvironmentKind, Scene, VolumeSource};
 use std::path::Path;
-use vitrum_io::{OpenOptions, Picture, Volume};
+use vitrum_io::{OpenOptions, Picture, STANDARD_INPUT, Volume};
 
 /// The volumes and pictures a scene names.
 #[derive(Debug, Clone)]
@@ -20,6 +20,11 @@ pub struct Inputs {
 impl Inputs {
     /// Reads what `scene` names; relative paths start at `base`.
     pub fn load(scene: &Scene, base: &Path) -> Result<Self, Error> {
+        Self::load_within(scene, base, None)
+    }
+
+    /// As [`Self::load`], with at most `max_bytes` for each volume ([`OpenOptions::max_bytes`]).
+    pub fn load_within(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
         let environment = match (scene.environment.kind, &scene.environment.file) {
             (EnvironmentKind::Map, Some(file)) => Some(vitrum_io::read_picture(&base.join(file))?),
             (EnvironmentKind::Map, None) => {
@@ -31,28 +36,41 @@ impl Inputs {
             _ => None,
         };
         Ok(Self {
-            volume: load_volume(&scene.volume, base, "volume")?,
-            ior_volume: scene.ior_volume.as_ref().map(|source| load_volume(source, base, "ior_volume")).transpose()?,
+            volume: load_volume(&scene.volume, base, max_bytes)?,
+            ior_volume: scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?,
             environment,
         })
     }
 }
 
-fn load_volume(source: &VolumeSource, base: &Path, key: &str) -> Result<Volume, Error> {
-    let mut volume = match (&source.file, &source.builtin) {
-        (Some(file), None) => vitrum_io::open(&base.join(file), &OpenOptions::default())?,
-        (None, Some(name)) => builtin::volume(name, source.resolution).ok_or_else(|| {
-            Error::Scene(format!("{key}.builtin = \"{name}\" is not a built-in volume; `vitrum scenes` lists them"))
-        })??,
-        (Some(_), Some(_)) => {
-            return Err(Error::Scene(format!("{key}.file and {key}.builtin are both given: keep one")));
+/// Reads the one volume that `source` names; a relative path starts at `base`.
+///
+/// # Errors
+///
+/// Those of [`vitrum_io::open`]; where `source` would not pass [`Scene::validate`], or its built-in volume does not exist.
+pub fn load_volume(source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -> Result<Volume, Error> {
+    let options = options(source, max_bytes)?;
+    match (&source.file, &source.builtin) {
+        (Some(file), None) if file == Path::new(STANDARD_INPUT) => Ok(vitrum_io::open(file, &options)?),
+        (Some(file), None) => Ok(vitrum_io::open(&base.join(file), &options)?),
+        (None, Some(name)) => {
+            let volume = builtin::volume(name, source.resolution).ok_or_else(|| {
+                Error::Scene(format!("there is no built-in volume `{name}`; `vitrum scenes` lists the built-in scenes"))
+            })??;
+            Ok(options.place(volume)?)
         }
-        (None, None) => {
-            return Err(Error::Scene(format!("{key} names neither a file nor a builtin: give one of them")));
-        }
-    };
-    if let Some(spacing) = source.spacing {
-        volume.spacing = spacing;
+        (Some(_), Some(_)) => Err(Error::Scene("a volume has both a file and a builtin; keep one".to_owned())),
+        (None, None) => Err(Error::Scene("a volume has neither a file nor a builtin; give one of them".to_owned())),
     }
-    Ok(volume)
+}
+
+fn options(source: &VolumeSource, max_bytes: Option<u64>) -> Result<OpenOptions, Error> {
+    Ok(OpenOptions {
+        max_bytes,
+        raw: source.raw.as_deref().map(str::parse).transpose().map_err(Error::Scene)?,
+        spacing: source.spacing,
+        array: source.array.clone(),
+        time: source.time,
+        up: source.up.as_deref().map(str::parse).transpose().map_err(Error::Scene)?,
+    })
 }

@@ -14,10 +14,10 @@ mod render;
 pub mod scene;
 mod session;
 pub mod spectrum;
-pub mod suggest;
 
 pub use frame::{Frame, Statistics};
-pub use inputs::Inputs;
+pub use inputs::{Inputs, load_volume};
 pub use render::{Error, Progress, Wanted, render, render_wanted};
 pub use session::Session;
 pub use vitrum_io as io;
+pub use vitrum_io::suggest;

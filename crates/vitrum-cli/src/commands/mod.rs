@@ -1,6 +1,7 @@
 //! One file a command: its arguments, and what it does.
 
 pub mod completions;
+pub mod convert;
 pub mod devices;
 pub mod diff;
 pub mod info;
@@ -21,6 +22,7 @@ pub fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Render(arguments) => render::run(&arguments),
         Command::Turntable(arguments) => turntable::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),

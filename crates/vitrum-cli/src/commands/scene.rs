@@ -7,6 +7,7 @@ use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use vitrum::io::STANDARD_INPUT;
 use vitrum::scene::Scene;
 
 /// Write the scene file of what would be rendered, every key with its value
@@ -42,7 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 fn make_absolute(scene: &mut Scene, base: &Path) {
     let sources = std::iter::once(&mut scene.volume).chain(&mut scene.ior_volume);
     let files = sources.filter_map(|source| source.file.as_mut()).chain(&mut scene.environment.file);
-    for file in files {
+    for file in files.filter(|file| file.as_path() != Path::new(STANDARD_INPUT)) {
         if let Ok(absolute) = std::path::absolute(base.join(&*file)) {
             *file = absolute;
         }

@@ -13,7 +13,7 @@ use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
 use super::write::create_beside;
 use crate::error::{Error, Place, Report};
-use crate::open::display_name;
+use crate::input::display_name;
 
 /// How well GIF's 256 colours are chosen: 1 best, 30 fastest.
 const GIF_SPEED: i32 = 10;

@@ -11,8 +11,8 @@ use super::exr;
 use super::picture::{Channel, Picture};
 use super::srgb::srgb_to_linear;
 use crate::error::{Error, Place, Report};
+use crate::input::display_name;
 use crate::memory;
-use crate::open::display_name;
 
 /// Most pixels of a picture: 16384 squared, as much as a graphics card takes in one texture.
 const MOST_PIXELS: u64 = 1 << 28;

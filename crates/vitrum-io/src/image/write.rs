@@ -9,7 +9,7 @@ use tempfile::NamedTempFile;
 use super::picture::Picture;
 use super::{exr, hdr, jpeg, png, tiff};
 use crate::error::{Error, Report};
-use crate::open::display_name;
+use crate::input::display_name;
 
 /// What a caller may set about writing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -126,7 +126,7 @@ fn format(report: Report, path: &Path) -> Result<&'static Format, Error> {
 }
 
 /// An empty file in the folder of `path`, thus on the same file system: renaming is atomic there.
-pub(super) fn create_beside(report: Report, path: &Path) -> Result<NamedTempFile, Error> {
+pub(crate) fn create_beside(report: Report, path: &Path) -> Result<NamedTempFile, Error> {
     let folder = match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),

@@ -1,13 +1,12 @@
 //! A file's bytes, and what is left of the memory that they and the mesh may take.
 
-use std::fs::File;
 use std::io::{self, Read};
 
-use flate2::read::MultiGzDecoder;
-
 use crate::error::{Error, Place, Report};
+use crate::input::Input;
 use crate::memory;
-use crate::open::{Input, OpenOptions};
+use crate::open::OpenOptions;
+use crate::packing::Packing;
 
 /// Counts what is allocated for a file against its limit.
 #[derive(Debug, Clone)]
@@ -61,17 +60,15 @@ impl<'a> Budget<'a> {
     }
 }
 
-/// The whole file, decompressed where it is gzip.
+/// The whole file, unpacked.
 pub(super) fn read(input: &Input, budget: &mut Budget) -> Result<Vec<u8>, Error> {
     let report = budget.report;
-    let unreadable = |error| report.unreadable(error);
-    let mut file = File::open(input.path).map_err(unreadable)?;
-    if !input.gzipped {
+    if input.packing == Packing::Plain {
         let mut bytes = budget.reserve(input.length)?;
-        file.take(input.length).read_to_end(&mut bytes).map_err(unreadable)?;
+        input.open()?.take(input.length).read_to_end(&mut bytes).map_err(|error| report.unreadable(error))?;
         return Ok(bytes);
     }
-    let mut decoder = MultiGzDecoder::new(io::BufReader::new(&mut file));
+    let mut decoder = input.unpacked()?;
     let mut bytes = Vec::new();
     let mut chunk = [0; 1 << 16];
     loop {

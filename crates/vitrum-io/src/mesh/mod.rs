@@ -23,6 +23,7 @@ mod weld;
 mod words;
 
 pub use material::Material;
+pub(crate) use open::looks_like_mesh;
 pub use open::{MeshReader, is_mesh, mesh_readers, open_mesh};
 pub use topology::Topology;
 

@@ -10,14 +10,15 @@ use super::obj::Obj;
 use super::ply::Ply;
 use super::stl::Stl;
 use crate::error::{Error, Place, Report};
-use crate::open::{Input, OpenOptions, readers};
+use crate::input::Input;
+use crate::open::{OpenOptions, readers};
 
 /// One mesh file format. A new one is a folder of its own and a line in [`mesh_readers`].
 pub trait MeshReader: Sync {
     /// The format's name, such as `PLY`.
     fn name(&self) -> &'static str;
 
-    /// Its file extensions: lower case, with the dot. Behind each may stand `.gz`.
+    /// Its file extensions: lower case, with the dot. Behind each may stand `.gz` or `.zst`.
     fn extensions(&self) -> &'static [&'static str];
 
     /// Whether a file is of this format by its first bytes, seen through gzip, and its size.
@@ -43,12 +44,16 @@ pub fn mesh_readers() -> &'static [&'static dyn MeshReader] {
 ///
 /// Those of [`Input::new`].
 pub fn is_mesh(path: &Path) -> Result<bool, Error> {
-    let input = Input::new(path)?;
-    let volume = || readers().iter().any(|reader| reader.recognises(&input.head, path));
-    Ok(!path.is_dir() && (by_content(&input).is_some() || by_extension(&input).is_some() && !volume()))
+    Ok(looks_like_mesh(&Input::new(path, &OpenOptions::default())?))
 }
 
-/// Reads the mesh at `path`, whatever its format. Whole files may be compressed by gzip.
+/// [`is_mesh`] of a file that was looked at.
+pub(crate) fn looks_like_mesh(input: &Input) -> bool {
+    let volume = || readers().iter().any(|reader| reader.recognises(&input.head, input.path));
+    !input.is_folder() && (by_content(input).is_some() || by_extension(input).is_some() && !volume())
+}
+
+/// Reads the mesh at `path`, whatever its format. Whole files may be compressed by gzip or zstd.
 ///
 /// # Errors
 ///
@@ -57,9 +62,9 @@ pub fn is_mesh(path: &Path) -> Result<bool, Error> {
 /// not finite, and [`Error::TooLarge`] where the decompressed file and the mesh would together not fit `options`; that
 /// is found before any memory is taken for them.
 pub fn open_mesh(path: &Path, options: &OpenOptions) -> Result<Mesh, Error> {
-    let input = Input::new(path)?;
+    let input = Input::new(path, options)?;
     match by_content(&input).or_else(|| by_extension(&input)) {
-        Some(reader) if !path.is_dir() => reader.read(&input, options),
+        Some(reader) if !input.is_folder() => reader.read(&input, options),
         _ => Err(Report::new(&input.name).unsupported(
             Place::File,
             "neither the content nor the extension is of a known mesh format",
@@ -73,8 +78,7 @@ fn by_content(input: &Input) -> Option<&'static dyn MeshReader> {
 }
 
 fn by_extension(input: &Input) -> Option<&'static dyn MeshReader> {
-    let name = input.name.to_ascii_lowercase();
-    let name = name.strip_suffix(".gz").unwrap_or(&name);
+    let name = input.packing.strip(&input.name).to_ascii_lowercase();
     let fits = |reader: &&dyn MeshReader| reader.extensions().iter().any(|extension| name.ends_with(extension));
     mesh_readers().iter().copied().find(fits)
 }

@@ -5,7 +5,7 @@ use super::header::{Header, is_list};
 use crate::data_file::{DataFile, MOST_FILES, numbered_name};
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
-use crate::open::Input;
+use crate::input::Input;
 
 /// The files in the order of their slices, each with the same share of the voxels.
 pub(super) fn locate(

@@ -16,9 +16,10 @@ use flate2::bufread::{MultiGzDecoder, ZlibDecoder};
 use self::description::{Description, Encoding, HeaderSize};
 use self::header::Header;
 use crate::data_file::DataFile;
-use crate::error::{Error, Place, Report};
+use crate::error::{Error, Report};
+use crate::input::Input;
 use crate::memory;
-use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, VolumeReader};
 use crate::samples::VoxelBuffer;
 use crate::stream;
 use crate::text::{check_text_length, read_text};
@@ -43,15 +44,7 @@ impl VolumeReader for MetaImage {
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        if input.gzipped {
-            return Err(report.unsupported(
-                Place::File,
-                "a MetaImage file compressed as a whole",
-                "decompress it by `gunzip`; inside, `CompressedData = True` compresses the data alone",
-            ));
-        }
-        let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
-        let header = Header::read(BufReader::new(file), report)?;
+        let header = Header::read(input.open()?, report)?;
         let mut description = Description::new(&header, report)?;
         let voxels = read_data(&header, &mut description, input, options)?;
         let mut volume =

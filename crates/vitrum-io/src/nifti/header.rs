@@ -11,6 +11,8 @@ pub(super) struct Header {
     pub endian: Endian,
     /// Checked: each at least 1.
     pub dimensions: [u32; 3],
+    /// Points in time, at least 1.
+    pub times: u64,
     pub sample: SampleType,
     /// Sign of the z axis, then the spacings along x, y and z.
     pub pixdim: [f64; 4],
@@ -62,6 +64,7 @@ impl Header {
             layout,
             endian,
             dimensions: dimensions(&fields, report)?,
+            times: if fields.dim(0) > 3 { u64::try_from(fields.dim(4)).unwrap_or(1).max(1) } else { 1 },
             sample: sample_type(&fields, report)?,
             pixdim: std::array::from_fn(|index| float(layout.pixdim, index)),
             data_start: data_start(&fields, pair, report)?,
@@ -94,14 +97,14 @@ fn dimensions(fields: &Fields, report: Report) -> Result<[u32; 3], Error> {
             "stack the slices to a volume first",
         ));
     }
-    for index in 4..=count as usize {
+    // The fourth is time.
+    for index in 5..=count as usize {
         let size = fields.dim(index);
         if size > 1 {
-            let what = if index == 4 { "points in time" } else { "components a voxel" };
             return Err(report.unsupported(
                 place(index),
-                format!("dim[{index}] is {size}: {size} {what}, and a scalar volume has 1"),
-                "pick out one first, for example by `fslroi FILE OUT 0 1`",
+                format!("dim[{index}] is {size}: {size} components a voxel, and a scalar volume has 1"),
+                "pick out one first, for example by nibabel",
             ));
         }
     }

@@ -1,28 +1,28 @@
 //! NIfTI-1 and -2, the format of neuroimaging: a binary header and the data in one file, often
-//! gzipped, or in two.
+//! packed as a whole, or in two.
 
 mod header;
 mod layout;
 mod orientation;
 mod pair;
 
-use std::fs::File;
-use std::io::{self, BufReader, Read};
+use std::io::Read;
 use std::path::Path;
-
-use flate2::bufread::MultiGzDecoder;
 
 use self::header::Header;
 use self::layout::FIRST;
 use crate::error::{Error, Place, Report};
+use crate::input::Input;
 use crate::memory;
-use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, Part, VolumeReader};
+use crate::packing::Packing;
 use crate::samples::{VoxelBuffer, read_up_to};
 use crate::stream;
+use crate::time::Times;
 use crate::volume::{Source, Volume};
 use crate::voxels::Voxels;
 
-/// The reader of `.nii` files and of pairs of `.hdr` and `.img`, each perhaps gzipped.
+/// The reader of `.nii` files and of pairs of `.hdr` and `.img`, each perhaps packed.
 pub(crate) struct Nifti;
 
 impl VolumeReader for Nifti {
@@ -38,10 +38,18 @@ impl VolumeReader for Nifti {
         header::kind(head).is_some()
     }
 
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Time]
+    }
+
+    fn unpacks(&self) -> bool {
+        true
+    }
+
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
         let kind = header::kind(&input.head).ok_or_else(|| refusal(report, &input.head))?;
-        let mut reader = decompressed(input)?;
+        let mut reader = input.unpacked()?;
         let mut bytes = vec![0; kind.layout.length];
         let (found, outcome) = read_up_to(&mut reader, &mut bytes);
         outcome.map_err(|error| stream::damaged(report, found as u64, bytes.len() as u64, error))?;
@@ -56,25 +64,24 @@ impl VolumeReader for Nifti {
         let mut assumptions = Vec::new();
         let placement = orientation::placement(&header, report, &mut assumptions)?;
         assumptions.extend(header.sample.rounding_note());
-        let (voxels, gzipped) = if kind.pair {
+        let (voxels, packing) = if kind.pair {
             let image = pair::image(input, kind)?;
-            let image = Input::new(&image.path)?;
-            let data = Data { input: &image, reader: decompressed(&image)?, position: 0 };
-            (data.read(&header, options, &mut assumptions)?, image.gzipped)
+            let image = Input::new(&image.path, options)?;
+            let data = Data { input: &image, reader: image.unpacked()?, position: 0 };
+            (data.read(&header, options, &mut assumptions)?, image.packing)
         } else {
             let data = Data { input, reader, position: found as u64 };
-            (data.read(&header, options, &mut assumptions)?, input.gzipped)
+            (data.read(&header, options, &mut assumptions)?, input.packing)
         };
         let name = input.name.clone();
         let mut volume = Volume::new(name, header.dimensions, placement.spacing, voxels)?;
         placement.apply(&mut volume);
         let volume = apply_scaling(volume, &header)?;
-        let packing = if gzipped { "gzip" } else { "raw" };
         Ok(Volume {
             source: Source {
                 format: kind.layout.name,
                 sample_type: header.sample.name().to_owned(),
-                encoding: format!("{packing}, {}", header.endian.name()),
+                encoding: format!("{}, {}", packing.name(), header.endian.name()),
                 assumptions,
             },
             ..volume
@@ -108,13 +115,6 @@ fn refusal(report: Report, head: &[u8]) -> Error {
     )
 }
 
-/// The bytes of a file, seen through gzip.
-fn decompressed(input: &Input) -> Result<Box<dyn Read>, Error> {
-    let file = File::open(input.path).map_err(|error| Report::new(&input.name).unreadable(error))?;
-    let file = BufReader::new(file);
-    Ok(if input.gzipped { Box::new(MultiGzDecoder::new(file)) } else { Box::new(file) })
-}
-
 /// The file with the samples, which is the header's or another.
 struct Data<'a> {
     input: &'a Input<'a>,
@@ -125,33 +125,32 @@ struct Data<'a> {
 
 impl Data<'_> {
     fn read(mut self, header: &Header, options: &OpenOptions, assumptions: &mut Vec<String>) -> Result<Voxels, Error> {
-        let Input { name, length, gzipped, .. } = self.input;
+        let Input { name, length, packing, .. } = self.input;
         let report = Report::new(name);
         let size = header.sample.size();
-        let sizes = Place::Byte(header.layout.dim(1) as u64);
-        let bytes = stream::data_bytes(report, sizes, header.dimensions, header.sample)?;
+        let sizes = |index: usize| Place::Byte(header.layout.dim(index) as u64);
+        let bytes = stream::data_bytes(report, sizes(1), header.dimensions, header.sample)?;
+        let times = Times::choose(report, sizes(4), header.times, options, assumptions)?;
+        let (before, all) = times.spans(report, sizes(4), bytes)?;
         let count = bytes / size as u64;
         let start = header.data_start;
-        if *gzipped {
-            stream::check_deflate(report, start + bytes, *length)?;
-        } else {
+        if *packing == Packing::Plain {
             let there = length.saturating_sub(start);
-            stream::check_length(report, bytes, start, there)?;
-            if there > bytes {
-                let unread = there - bytes;
+            stream::check_length(report, all, start, there)?;
+            if there > all {
+                let unread = there - all;
                 assumptions.push(format!("{unread} bytes behind the last voxel were left unread"));
             }
+        } else {
+            stream::check_ratio(report, start + all, *length, packing.ratio())?;
         }
         memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
         let count = usize::try_from(count).unwrap_or(usize::MAX);
         let mut voxels = VoxelBuffer::reserve(report, header.sample, header.endian, count)?;
-        // Extensions lie between the header and the data. A stream that ends in them has no data, and
-        // is told so below.
-        let skipped = start.saturating_sub(self.position);
-        io::copy(&mut self.reader.by_ref().take(skipped), &mut io::sink())
-            .map_err(|error| stream::damaged(report, self.position, start, error))?;
+        // Extensions lie between the header and the data.
+        stream::skip(report, &mut self.reader, start.saturating_sub(self.position) + before)?;
         stream::fill(report, &mut voxels, &mut self.reader, count, size)?;
-        if *gzipped {
+        if *packing != Packing::Plain && times.is_last() {
             stream::refuse_surplus(report, &mut self.reader, bytes)?;
         }
         Ok(voxels.into_voxels())

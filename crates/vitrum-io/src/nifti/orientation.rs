@@ -2,7 +2,7 @@
 
 use super::header::Header;
 use crate::error::{Error, Place, Report};
-use crate::placement::Placement;
+use crate::placement::{Placement, UNORIENTED};
 use crate::volume::{IDENTITY, check_spacing};
 
 /// Three ways to place a grid, of which the header's codes pick one: the sform, an affine matrix;
@@ -45,11 +45,8 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
         let origin = header.qoffset.map(|value| value * scale);
         return placed([column(0), column(1), column(2)], origin);
     }
-    assumptions.push(
-        "the file has neither sform nor qform: the index axes were taken for the world's, so the \
-         picture may be turned or mirrored"
-            .to_owned(),
-    );
+    assumptions.push("the file has neither sform nor qform".to_owned());
+    assumptions.push(UNORIENTED.to_owned());
     Ok(Placement { spacing, axes: IDENTITY, origin: None })
 }
 

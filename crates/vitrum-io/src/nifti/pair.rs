@@ -3,7 +3,7 @@
 use super::header::Kind;
 use crate::data_file::DataFile;
 use crate::error::{Error, Place, Report};
-use crate::open::Input;
+use crate::input::Input;
 
 const HEADERS: [&str; 2] = [".hdr", ".hdr.gz"];
 const IMAGES: [&str; 2] = [".img", ".img.gz"];

@@ -5,9 +5,10 @@ use super::header::Header;
 use crate::data_file::{DataFile, MOST_FILES, numbered_name};
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
-use crate::open::Input;
+use crate::input::Input;
 
-/// The files in the order of their slices, each with the same share of the voxels.
+/// The files in the order of their slices, each with the same share of the voxels; of several points in time in a file
+/// each, that of the chosen one.
 pub(super) fn locate(
     header: &Header,
     description: &Description,
@@ -24,7 +25,10 @@ pub(super) fn locate(
         }
         return Ok(vec![DataFile::attached(input, header.length)]);
     };
-    let names = names(header, field, description, report)?;
+    let mut names = names(header, field, description, report)?;
+    if description.times.count > 1 && names.len() > 1 {
+        names = names.drain(..).skip(description.times.chosen as usize).take(1).collect();
+    }
     names.iter().map(|name| DataFile::detached(report, field.place(), input, name)).collect()
 }
 
@@ -103,7 +107,10 @@ fn check_file_count(
     count: u64,
 ) -> Result<(), Error> {
     let [_, height, depth] = description.dimensions.map(u64::from);
+    let times = description.times.count;
     let (fits, expected) = match subdim {
+        None | Some(3) if times > 1 => (count == times, format!("{times} points in time")),
+        Some(_) if times > 1 => (false, format!("{times} points in time, of which each has a file")),
         Some(1) => (count == height * depth, format!("{} rows", height * depth)),
         Some(3) => (count > 0 && depth.is_multiple_of(count), format!("equal slabs of {depth} slices")),
         _ => (count == depth, format!("{depth} slices")),

@@ -4,9 +4,11 @@ use super::header::Header;
 use super::space;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
+use crate::open::OpenOptions;
 use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
 use crate::stream;
+use crate::time::Times;
 
 /// How the samples are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,7 +46,9 @@ pub(super) struct Description {
     pub endian: Endian,
     pub encoding: Encoding,
     pub dimensions: [u32; 3],
-    /// Bytes of data, decoded to the file's sample type.
+    /// Points in time, along a fourth axis, the slowest.
+    pub times: Times,
+    /// Bytes of data of one point in time, decoded to the file's sample type.
     pub data_bytes: u64,
     pub line_skip: u64,
     pub byte_skip: ByteSkip,
@@ -53,19 +57,32 @@ pub(super) struct Description {
 }
 
 impl Description {
-    pub fn new(header: &Header, report: Report) -> Result<Self, Error> {
+    pub fn new(header: &Header, options: &OpenOptions, report: Report) -> Result<Self, Error> {
         let sample = sample_type(header, report)?;
         let encoding = encoding(header, report)?;
         let endian = endian(header, report, sample, encoding)?;
-        let dimensions = dimensions(header, report)?;
+        let (dimensions, rank, count) = dimensions(header, report)?;
         let sizes = header.get("sizes").map_or(Place::File, Field::place);
         let data_bytes = stream::data_bytes(report, sizes, dimensions, sample)?;
         let (line_skip, byte_skip) = skips(header, report, encoding)?;
         let mut assumptions = Vec::new();
-        let placement = space::placement(header, report, &mut assumptions)?;
+        let times = Times::choose(report, sizes, count, options, &mut assumptions)?;
+        times.spans(report, sizes, data_bytes)?;
+        let placement = space::placement(header, rank, report, &mut assumptions)?;
         assumptions.extend(sample.rounding_note());
         assumptions.extend(header.fields.unknown_notes(KNOWN));
-        Ok(Self { sample, endian, encoding, dimensions, data_bytes, line_skip, byte_skip, placement, assumptions })
+        Ok(Self {
+            sample,
+            endian,
+            encoding,
+            dimensions,
+            times,
+            data_bytes,
+            line_skip,
+            byte_skip,
+            placement,
+            assumptions,
+        })
     }
 
     pub fn voxel_count(&self) -> u64 {
@@ -180,18 +197,19 @@ fn endian(header: &Header, report: Report, sample: SampleType, encoding: Encodin
     }
 }
 
-fn dimensions(header: &Header, report: Report) -> Result<[u32; 3], Error> {
+/// The sizes along x, y and z, the number of axes, and that of points in time.
+fn dimensions(header: &Header, report: Report) -> Result<([u32; 3], usize, u64), Error> {
     let field = header.require(report, "dimension", "dimension: 3")?;
-    let dimension: u32 = field.numbers(report, 1)?[0];
-    if dimension != 3 {
+    let dimension: usize = field.numbers(report, 1)?[0];
+    if !(3..=4).contains(&dimension) {
         return Err(report.unsupported(
             field.place(),
-            format!("the data has {dimension} dimensions, and a scalar volume has 3"),
+            format!("the data has {dimension} dimensions, and a scalar volume has 3, or 4 with time"),
             "pick out one volume or component first, for example by `unu slice -a AXIS -p INDEX`",
         ));
     }
     let field = header.require(report, "sizes", "sizes: 64 64 64")?;
-    let sizes: Vec<u32> = field.numbers(report, 3)?;
+    let sizes: Vec<u32> = field.numbers(report, dimension)?;
     if sizes.contains(&0) {
         return Err(report.invalid(
             field.place(),
@@ -199,7 +217,7 @@ fn dimensions(header: &Header, report: Report) -> Result<[u32; 3], Error> {
             "give each axis a size of at least 1",
         ));
     }
-    Ok([sizes[0], sizes[1], sizes[2]])
+    Ok(([sizes[0], sizes[1], sizes[2]], dimension, sizes.get(3).copied().unwrap_or(1).into()))
 }
 
 fn skips(header: &Header, report: Report, encoding: Encoding) -> Result<(u64, ByteSkip), Error> {

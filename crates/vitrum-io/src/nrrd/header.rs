@@ -57,6 +57,11 @@ impl Header {
         Ok(header)
     }
 
+    /// Whether the data is named by a list or by a pattern with a number.
+    pub fn several_files(&self) -> bool {
+        !self.listed_files.is_empty() || self.get("datafile").is_some_and(|field| field.text.contains('%'))
+    }
+
     /// The field of a name, given in lower case and without spaces.
     pub fn get(&self, name: &str) -> Option<&Field> {
         self.fields.get(name)

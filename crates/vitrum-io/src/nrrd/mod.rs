@@ -18,11 +18,13 @@ use self::description::{ByteSkip, Description, Encoding};
 use self::header::Header;
 use crate::data_file::DataFile;
 use crate::error::{Error, Place, Report};
+use crate::input::Input;
 use crate::memory;
-use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::samples::VoxelBuffer;
 use crate::stream;
 use crate::text;
+use crate::time::Times;
 use crate::volume::{Source, Volume};
 use crate::voxels::Voxels;
 
@@ -42,18 +44,14 @@ impl VolumeReader for Nrrd {
         head.starts_with(b"NRRD00")
     }
 
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Time]
+    }
+
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        if input.gzipped {
-            return Err(report.unsupported(
-                Place::File,
-                "a NRRD file compressed as a whole",
-                "decompress it by `gunzip`; inside, `encoding: gzip` compresses the data alone",
-            ));
-        }
-        let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
-        let header = Header::read(BufReader::new(file), report)?;
-        let mut description = Description::new(&header, report)?;
+        let header = Header::read(input.open()?, report)?;
+        let mut description = Description::new(&header, options, report)?;
         let voxels = read_data(&header, &mut description, input, options)?;
         let mut volume =
             description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
@@ -80,6 +78,10 @@ fn read_data(
     let count = description.voxel_count();
     // Lies about the size come first: they are the better message, and need no memory.
     let files = data_files::locate(header, description, input, report)?;
+    // A file of its own has that point alone.
+    if header.several_files() {
+        description.times = Times { count: 1, chosen: 0 };
+    }
     let share = count / files.len() as u64;
     for file in &files {
         check_possible(file, description, share)?;
@@ -104,12 +106,13 @@ fn read_data(
 /// Fails where a file is too short for its share of voxels, however its bytes may be spread.
 fn check_possible(file: &DataFile, description: &Description, share: u64) -> Result<(), Error> {
     let report = Report::new(&file.name);
-    let bytes = share * description.sample.size() as u64;
+    let share = share.saturating_mul(description.times.count);
+    let bytes = share.saturating_mul(description.sample.size() as u64);
     let there = file.length.saturating_sub(file.start);
     match description.encoding {
         Encoding::Gzip => stream::check_deflate(report, bytes, there),
         Encoding::Raw => stream::check_length(report, bytes, file.start, there),
-        Encoding::Hex => stream::check_length(report, 2 * bytes, file.start, there),
+        Encoding::Hex => stream::check_length(report, bytes.saturating_mul(2), file.start, there),
         Encoding::Text => text::check_text_length(report, share, file.start, there),
     }
 }
@@ -126,36 +129,49 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
     skip_lines(report, &mut reader, description.line_skip)?;
     let size = description.sample.size();
     let bytes = count as u64 * size as u64;
+    let times = description.times;
+    let (before, all) = times.spans(report, Place::File, bytes)?;
     match description.encoding {
         Encoding::Raw => {
             let here = reader.stream_position().map_err(unreadable)?;
             let start = match description.byte_skip {
                 ByteSkip::Forward(skip) => here.saturating_add(skip),
                 // A file too short for that is told so by the check below.
-                ByteSkip::FromEnd => file.length.saturating_sub(bytes).max(here),
+                ByteSkip::FromEnd => file.length.saturating_sub(all).max(here),
             };
             let there = file.length.saturating_sub(start);
-            stream::check_length(report, bytes, start, there)?;
-            reader.seek(SeekFrom::Start(start)).map_err(unreadable)?;
+            stream::check_length(report, all, start, there)?;
+            reader.seek(SeekFrom::Start(start + before)).map_err(unreadable)?;
             stream::fill(report, voxels, &mut reader, count, size)?;
-            return Ok(there - bytes);
+            return Ok(there - all);
         }
         Encoding::Gzip => {
             let mut inflated = MultiGzDecoder::new(reader);
             skip_bytes(report, &mut inflated, description.byte_skip)?;
+            stream::skip(report, &mut inflated, before)?;
             stream::fill(report, voxels, &mut inflated, count, size)?;
-            stream::refuse_surplus(report, &mut inflated, bytes)?;
+            if times.is_last() {
+                stream::refuse_surplus(report, &mut inflated, bytes)?;
+            }
         }
         Encoding::Hex => {
             skip_bytes(report, &mut reader, description.byte_skip)?;
             let mut decoded = encodings::HexReader::new(reader);
+            stream::skip(report, &mut decoded, before)?;
             stream::fill(report, voxels, &mut decoded, count, size)?;
-            stream::refuse_surplus(report, &mut decoded, bytes)?;
+            if times.is_last() {
+                stream::refuse_surplus(report, &mut decoded, bytes)?;
+            }
         }
         Encoding::Text => {
             skip_bytes(report, &mut reader, description.byte_skip)?;
             let name = description.sample.name();
-            text::read_text(report, voxels, &mut reader, count, name)?;
+            text::skip_numbers(report, &mut reader, before / size as u64)?;
+            if times.is_last() {
+                text::read_text(report, voxels, &mut reader, count, name)?;
+            } else {
+                text::read_numbers(report, voxels, &mut reader, count, name)?;
+            }
         }
     }
     Ok(0)

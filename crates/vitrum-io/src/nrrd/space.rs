@@ -3,10 +3,16 @@
 use super::header::Header;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
-use crate::placement::{Placement, millimetres, narrow_origin};
+use crate::placement::{Placement, UNORIENTED, millimetres, narrow_origin};
 use crate::volume::{IDENTITY, check_spacing};
 
-pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<String>) -> Result<Placement, Error> {
+/// `rank` is the number of axes in the file: 3, or 4 with time.
+pub(super) fn placement(
+    header: &Header,
+    rank: usize,
+    report: Report,
+    assumptions: &mut Vec<String>,
+) -> Result<Placement, Error> {
     refuse_components(header, report)?;
     let (signs, space_note) = signs(header, report)?;
     let scale = unit_scale(header, assumptions);
@@ -14,7 +20,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
     let origin = header.get("spaceorigin").map(|field| vectors::<1>(report, field)).transpose()?;
     let origin = origin.map(|[origin]| to_world(origin));
     if let Some(field) = header.get("spacedirections") {
-        let columns = vectors::<3>(report, field)?.map(to_world);
+        let columns = directions(report, field, rank)?.map(to_world);
         let placement = Placement::from_columns(columns, origin)
             .map_err(|problem| report.invalid(field.place(), problem, "correct the directions or the origin"))?;
         assumptions.extend(space_note.map(str::to_owned));
@@ -22,15 +28,12 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
         return Ok(placement);
     }
     if header.get("space").is_some() {
-        assumptions.push(
-            "the file names a space but no `space directions`: the index axes were taken for the \
-             world's, so the picture may be turned or mirrored"
-                .to_owned(),
-        );
+        assumptions.push("the file names a space but no `space directions`".to_owned());
     }
+    assumptions.push(UNORIENTED.to_owned());
     let spacing = match header.get("spacings") {
         Some(field) => {
-            let spacing: Vec<f64> = field.numbers(report, 3)?;
+            let spacing: Vec<f64> = field.numbers(report, rank)?;
             let spacing = [0, 1, 2].map(|axis| (spacing[axis] * scale) as f32);
             check_spacing(report, spacing).map_err(|error| error.at(field.place()))?;
             spacing
@@ -93,7 +96,8 @@ fn refuse_components(header: &Header, report: Report) -> Result<(), Error> {
     for name in ["kinds", "spacedirections"] {
         let Some(field) = header.get(name) else { continue };
         let lower = field.text.to_ascii_lowercase();
-        let other = lower.split_whitespace().find(|word| match name {
+        // A fourth axis is time.
+        let other = lower.split_whitespace().take(3).find(|word| match name {
             "kinds" => !spatial(word),
             _ => *word == "none",
         });
@@ -114,7 +118,8 @@ fn unit_scale(header: &Header, assumptions: &mut Vec<String>) -> f64 {
         assumptions.push("the file names no unit of length: its own was kept".to_owned());
         return 1.0;
     };
-    let names: Vec<_> = field.text.split('"').skip(1).step_by(2).map(str::trim).collect();
+    // A fourth would be of time.
+    let names: Vec<_> = field.text.split('"').skip(1).step_by(2).take(3).map(str::trim).collect();
     let scales: Option<Vec<_>> = names.iter().map(|name| millimetres(name)).collect();
     match scales.as_deref() {
         Some(&[x, y, z]) if x == y && y == z => {
@@ -128,6 +133,14 @@ fn unit_scale(header: &Header, assumptions: &mut Vec<String>) -> f64 {
             assumptions.push(format!("`{text}` is no known unit of length: it was kept"));
             1.0
         }
+    }
+}
+
+/// The world step along x, y and z; a fourth axis, of time, has `none`.
+fn directions(report: Report, field: &Field, rank: usize) -> Result<[[f64; 3]; 3], Error> {
+    match field.text.trim_end().strip_suffix("none") {
+        Some(text) if rank == 4 => vectors(report, &Field { text: text.to_owned(), ..field.clone() }),
+        _ => vectors(report, field),
     }
 }
 

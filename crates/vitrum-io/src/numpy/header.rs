@@ -22,6 +22,8 @@ pub(super) struct Header {
     pub fortran_order: bool,
     /// Voxels along x, which changes fastest, y and z.
     pub dimensions: [u32; 3],
+    /// Volumes one after the other, along the index that changes slowest; 1 where the array has 3 dimensions.
+    pub times: u64,
     /// Where the dictionary starts.
     pub dictionary: Place,
     /// Where the samples start.
@@ -88,12 +90,13 @@ impl Header {
         let &Literal::Bool(fortran_order) = get("fortran_order")? else {
             return Err(report.invalid(dictionary, "`fortran_order` is neither True nor False", "use one of the two"));
         };
-        let mut dimensions = shape(get("shape")?, dictionary, report)?;
+        let mut sizes = shape(get("shape")?, dictionary, report)?;
         // The last index of an array in C order changes fastest, and so is x.
         if !fortran_order {
-            dimensions.reverse();
+            sizes.reverse();
         }
-        Ok(Self { sample, endian, boolean, fortran_order, dimensions, dictionary, data_start })
+        let (dimensions, times) = ([sizes[0], sizes[1], sizes[2]], sizes.get(3).copied().unwrap_or(1).into());
+        Ok(Self { sample, endian, boolean, fortran_order, dimensions, times, dictionary, data_start })
     }
 
     /// The sample type as NumPy calls it.
@@ -145,26 +148,26 @@ fn sample_type(descr: &Literal, place: Place, report: Report) -> Result<(SampleT
     Ok((sample, endian, kind == "b1"))
 }
 
-fn shape(shape: &Literal, place: Place, report: Report) -> Result<[u32; 3], Error> {
+/// Three sizes, or four.
+fn shape(shape: &Literal, place: Place, report: Report) -> Result<Vec<u32>, Error> {
     let Literal::Tuple(sizes) = shape else {
         return Err(report.invalid(place, "`shape` is not a tuple of sizes", "write the array anew by numpy.save"));
     };
-    let Ok(&sizes) = <&[u64; 3]>::try_from(sizes.as_slice()) else {
+    if !(3..=4).contains(&sizes.len()) {
         return Err(report.unsupported(
             place,
-            format!("the array has {} dimensions, and a scalar volume has 3", sizes.len()),
+            format!("the array has {} dimensions, and a scalar volume has 3, or 4 with time", sizes.len()),
             "save one volume of it, or stack slices to one by numpy.stack",
         ));
-    };
-    let mut dimensions = [0; 3];
-    for (dimension, size) in dimensions.iter_mut().zip(sizes) {
-        *dimension = u32::try_from(size).ok().filter(|&size| size > 0).ok_or_else(|| {
+    }
+    let checked = sizes.iter().map(|&size| {
+        u32::try_from(size).ok().filter(|&size| size > 0).ok_or_else(|| {
             report.invalid(
                 place,
                 format!("the shape {sizes:?} has the size {size}, not one from 1 to {}", u32::MAX),
                 "save an array with something in it",
             )
-        })?;
-    }
-    Ok(dimensions)
+        })
+    });
+    checked.collect()
 }

@@ -9,8 +9,10 @@ use std::path::Path;
 use self::page::Pages;
 use self::series::series;
 use crate::error::{Error, Place, Report};
+use crate::input::{Input, display_name};
 use crate::memory;
-use crate::open::{Input, OpenOptions, VolumeReader, display_name};
+use crate::open::{OpenOptions, VolumeReader};
+use crate::placement::UNORIENTED;
 use crate::samples::{Endian, VoxelBuffer};
 use crate::stream;
 use crate::volume::{Source, Volume};
@@ -36,13 +38,6 @@ impl VolumeReader for Stack {
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        if input.gzipped {
-            return Err(report.unsupported(
-                Place::File,
-                "a TIFF file compressed as a whole",
-                "decompress it by `gunzip`; inside, TIFF has compressions of its own",
-            ));
-        }
         let files = files(input)?;
         let first = &files[0];
         let mut assumptions = Vec::new();
@@ -60,6 +55,7 @@ impl VolumeReader for Stack {
             file.read(&mut voxels)?;
         }
         note(&files, &mut assumptions);
+        assumptions.push(UNORIENTED.to_owned());
         assumptions.extend(sample.rounding_note());
         let spacing = first.notes.spacing(&mut assumptions);
         let name = input.name.clone();
@@ -72,7 +68,7 @@ impl VolumeReader for Stack {
 
 /// The file itself where it has several pages, else it and its numbered neighbours. Never empty.
 fn files(input: &Input) -> Result<Vec<Pages>, Error> {
-    let opened = Pages::scan(input.path.to_owned(), input.name.clone())?;
+    let opened = Pages::scan(input.file().to_owned(), input.name.clone())?;
     if opened.count > 1 {
         return Ok(vec![opened]);
     }

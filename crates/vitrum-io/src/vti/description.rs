@@ -4,9 +4,10 @@ use std::str::FromStr;
 
 use super::layout::{Array, Association, Layout};
 use super::xml::Tag;
+use crate::arrays;
 use crate::error::clip;
 use crate::error::{Error, Report};
-use crate::placement::Placement;
+use crate::placement::{Placement, UNORIENTED};
 use crate::samples::{Endian, SampleType};
 use crate::stream;
 use crate::volume::check_spacing;
@@ -54,9 +55,9 @@ pub(super) struct Description {
 }
 
 impl Description {
-    pub fn new(layout: &Layout, file_length: u64, report: Report) -> Result<Self, Error> {
+    pub fn new(layout: &Layout, file_length: u64, asked: Option<&str>, report: Report) -> Result<Self, Error> {
         let mut assumptions = Vec::new();
-        let array = choose(layout, report, &mut assumptions)?;
+        let array = choose(layout, asked, report, &mut assumptions)?;
         let sample = sample_type(report, array)?;
         let (coding, start, length) = locate(layout, array, file_length, report)?;
         let zlib = coding != Coding::Text && compressed(report, &layout.file)?;
@@ -95,23 +96,29 @@ impl Description {
     }
 }
 
-/// The active scalars, else the first array with one component, at points before in cells.
-fn choose<'a>(layout: &'a Layout, report: Report, assumptions: &mut Vec<String>) -> Result<&'a Array, Error> {
+/// The array of the name that is asked for; else the active scalars, else the first array with one component; at points
+/// before in cells.
+fn choose<'a>(
+    layout: &'a Layout,
+    asked: Option<&str>,
+    report: Report,
+    assumptions: &mut Vec<String>,
+) -> Result<&'a Array, Error> {
     let scalar = |array: &&Array| matches!(array.tag.get("NumberOfComponents").map(str::trim), None | Some("1"));
     let of = |association| layout.arrays.iter().filter(move |array| array.association == association);
+    let taken = |array: &'a Array| if scalar(&array) { Ok(array) } else { Err(components(report, array)) };
+    if let Some(asked) = asked {
+        let both = of(Association::Point).chain(of(Association::Cell));
+        return match both.clone().find(|array| array.name() == asked) {
+            Some(array) => taken(array),
+            None => Err(arrays::unknown(report, asked, both.map(Array::name))),
+        };
+    }
     for association in [Association::Point, Association::Cell] {
         let active = layout.active.iter().find(|(other, _)| *other == association).map(|(_, name)| name);
         if let Some(array) = active.and_then(|name| of(association).find(|array| array.name() == name)) {
-            if !scalar(&array) {
-                let components = array.tag.get("NumberOfComponents").unwrap_or_default();
-                return Err(report.unsupported(
-                    array.tag.place(),
-                    format!("`{}` has {} components a voxel, not 1", clip(array.name()), clip(components)),
-                    "write one component alone, for example by ParaView's filter Calculator",
-                ));
-            }
             note_others(layout, array, assumptions);
-            return Ok(array);
+            return taken(array);
         }
         if let Some(array) = of(association).find(scalar) {
             if let Some(name) = active {
@@ -121,8 +128,8 @@ fn choose<'a>(layout: &'a Layout, report: Report, assumptions: &mut Vec<String>)
             return Ok(array);
         }
     }
-    let names: Vec<_> = layout.arrays.iter().take(8).map(|array| format!("`{}`", clip(array.name()))).collect();
-    let found = if names.is_empty() { "no array".to_owned() } else { format!("only {}", names.join(", ")) };
+    let names = arrays::listed(layout.arrays.iter().map(Array::name));
+    let found = if names.is_empty() { "no array".to_owned() } else { format!("only {names}") };
     Err(report.unsupported(
         layout.image.place(),
         format!("there is no array with one component, {found}"),
@@ -130,12 +137,18 @@ fn choose<'a>(layout: &'a Layout, report: Report, assumptions: &mut Vec<String>)
     ))
 }
 
+fn components(report: Report, array: &Array) -> Error {
+    let components = array.tag.get("NumberOfComponents").unwrap_or_default();
+    report.unsupported(
+        array.tag.place(),
+        format!("`{}` has {} components a voxel, not 1", clip(array.name()), clip(components)),
+        "take another array by --array, or write one component alone, for example by ParaView's filter Calculator",
+    )
+}
+
 fn note_others(layout: &Layout, array: &Array, assumptions: &mut Vec<String>) {
-    let others = layout.arrays.len().saturating_sub(1);
-    if others > 0 {
-        let name = clip(array.name());
-        assumptions.push(format!("`{name}` was read, and {others} other arrays were left unread"));
-    }
+    let others = layout.arrays.iter().filter(|other| !std::ptr::eq(*other, array)).map(Array::name);
+    assumptions.extend(arrays::others_note(array.name(), others));
 }
 
 fn sample_type(report: Report, array: &Array) -> Result<SampleType, Error> {
@@ -247,6 +260,9 @@ fn grid(
     }
     let spacing = numbers(report, image, "Spacing", Some([1.0; 3]))?;
     check_spacing(report, spacing.map(|value: f64| value as f32)).map_err(|error| error.at(image.place()))?;
+    if image.get("Direction").is_none_or(numbers_are_identity) {
+        assumptions.push(UNORIENTED.to_owned());
+    }
     if image.get("Spacing").is_none() {
         assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
     }
@@ -267,6 +283,11 @@ fn grid(
     let placement = Placement::from_columns(columns, origin)
         .map_err(|problem| report.invalid(image.place(), problem, "correct `Direction` or `Origin`"))?;
     Ok((dimensions, placement))
+}
+
+/// Whether a matrix turns nothing: VTK writes that, too, where nobody has said how the image lies.
+fn numbers_are_identity(text: &str) -> bool {
+    text.split_whitespace().map(str::parse::<f64>).eq([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0].map(Ok))
 }
 
 /// An attribute of exactly `COUNT` numbers.

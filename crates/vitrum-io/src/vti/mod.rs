@@ -7,16 +7,16 @@ mod description;
 mod layout;
 mod xml;
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::io::{BufRead, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use self::data::{Base64Reader, Block, BlockReader};
 use self::description::{Coding, Description, Word};
 use self::layout::Layout;
 use crate::error::{Error, Place, Report};
+use crate::input::Input;
 use crate::memory;
-use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::samples::{Endian, VoxelBuffer};
 use crate::stream;
 use crate::text;
@@ -39,18 +39,14 @@ impl VolumeReader for Vti {
         head.windows(8).any(|window| window == b"<VTKFile")
     }
 
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Array]
+    }
+
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        if input.gzipped {
-            return Err(report.unsupported(
-                Place::File,
-                "a VTK file compressed as a whole",
-                "decompress it by `gunzip`; inside, `vtkZLibDataCompressor` compresses the data alone",
-            ));
-        }
-        let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
-        let layout = Layout::read(BufReader::new(file), report)?;
-        let description = Description::new(&layout, input.length, report)?;
+        let layout = Layout::read(input.open()?, report)?;
+        let description = Description::new(&layout, input.length, options.array.as_deref(), report)?;
         let voxels = read_data(&description, input, options)?;
         let mut volume =
             description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
@@ -69,9 +65,9 @@ fn read_data(description: &Description, input: &Input, options: &OpenOptions) ->
     let unreadable = |error| report.unreadable(error);
     let (count, bytes) = (description.voxel_count(), description.data_bytes);
     check_possible(description, report)?;
-    let mut file = File::open(input.path).map_err(unreadable)?;
+    let mut file = input.open()?;
     file.seek(SeekFrom::Start(description.start)).map_err(unreadable)?;
-    let mut characters = BufReader::new(file).take(description.length);
+    let mut characters = file.take(description.length);
     let memory = || memory::check(report, count * description.sample.stored_size() as u64, options.max_bytes);
     let reserve = || {
         let capacity = usize::try_from(count).unwrap_or(usize::MAX);

@@ -2,16 +2,19 @@
 //!
 //! The format: <https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html>.
 
+mod blocks;
+mod fields;
+mod grid;
 mod header;
 
-use std::fs::File;
-use std::io::{BufReader, Seek, SeekFrom};
+use std::io::{Seek, SeekFrom};
 use std::path::Path;
 
 use self::header::Header;
-use crate::error::{Error, Place, Report};
+use crate::error::{Error, Report};
+use crate::input::Input;
 use crate::memory;
-use crate::open::{Input, OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::samples::{Endian, VoxelBuffer};
 use crate::stream;
 use crate::text;
@@ -34,18 +37,14 @@ impl VolumeReader for Vtk {
         head.get(..14).is_some_and(|head| head.eq_ignore_ascii_case(b"# vtk DataFile"))
     }
 
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Array]
+    }
+
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        if input.gzipped {
-            return Err(report.unsupported(
-                Place::File,
-                "a VTK file compressed as a whole",
-                "decompress it by `gunzip` first",
-            ));
-        }
-        let file = File::open(input.path).map_err(|error| report.unreadable(error))?;
-        let mut header = Header::read(BufReader::new(file), report)?;
-        let voxels = read_data(&mut header, input, options)?;
+        let header = Header::read(input.open()?, input.length, options.array.as_deref(), report)?;
+        let voxels = read_data(&header, input, options)?;
         let mut volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
         volume.source = Source {
             format: self.name(),
@@ -57,7 +56,7 @@ impl VolumeReader for Vtk {
     }
 }
 
-fn read_data(header: &mut Header, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
+fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
     let report = Report::new(&input.name);
     let unreadable = |error| report.unreadable(error);
     let (start, size) = (header.length, header.sample.size());
@@ -71,23 +70,19 @@ fn read_data(header: &mut Header, input: &Input, options: &OpenOptions) -> Resul
     memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     let mut voxels = VoxelBuffer::reserve(report, header.sample, Endian::Big, count)?;
-    let mut reader = BufReader::new(File::open(input.path).map_err(unreadable)?);
+    let mut reader = input.open()?;
     reader.seek(SeekFrom::Start(start)).map_err(unreadable)?;
     if header.binary {
         stream::fill(report, &mut voxels, &mut reader, count, size)?;
     } else {
         text::read_numbers(report, &mut voxels, &mut reader, count, header.sample.name())?;
     }
-    // More fields, or information about this one, start by a keyword.
-    match text::next_word(&mut reader).map_err(unreadable)? {
-        None => {}
-        Some(word) if header.binary || word.starts_with(|first: char| first.is_ascii_alphabetic()) => {
-            header.assumptions.push(format!(
-                "what stands behind the first scalars, `{}`, was left unread",
-                crate::error::clip(&word)
-            ));
-        }
-        Some(word) => return Err(text::surplus(report, &word, count)),
+    // What else is in the file starts by a keyword, and was looked at before.
+    if !header.binary
+        && let Some(word) = text::next_word(&mut reader).map_err(unreadable)?
+        && !word.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_')
+    {
+        return Err(text::surplus(report, &word, count));
     }
     Ok(voxels.into_voxels())
 }

@@ -3,6 +3,7 @@
 // Each test binary uses its own part.
 #![allow(dead_code)]
 
+pub mod dicom;
 pub mod mesh;
 pub mod tiff;
 pub mod vtk;

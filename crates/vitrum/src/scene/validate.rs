@@ -7,6 +7,7 @@ use super::{
     Camera, Environment, EnvironmentKind, Film, Intensity, Scene, Sweep, TransferFunction, Transport, Vector,
     VolumeSource,
 };
+use vitrum_io::{RawLayout, Up};
 
 impl Scene {
     /// Checks every value's range, and that the values do not contradict each other.
@@ -52,8 +53,33 @@ fn check_source(key: &str, source: &VolumeSource) -> Result<(), Fault> {
             "neither `file` nor `builtin` is given",
             format!("name a volume, such as `{key}.builtin = \"ball\"`"),
         )),
-        _ => Ok(()),
+        (None, Some(_)) => check_builtin(key, source),
+        (Some(_), None) => {
+            let layout = source.raw.as_deref().map_or(Ok(()), |text| text.parse::<RawLayout>().map(drop));
+            layout.map_err(|problem| unreadable(&format!("{key}.raw"), &problem))
+        }
+    }?;
+    let up = source.up.as_deref().map_or(Ok(()), |text| text.parse::<Up>().map(drop));
+    up.map_err(|problem| unreadable(&format!("{key}.up"), &problem))
+}
+
+/// A procedural volume has nothing that would have to be picked out of a file.
+fn check_builtin(key: &str, source: &VolumeSource) -> Result<(), Fault> {
+    let given = [("raw", source.raw.is_some()), ("array", source.array.is_some()), ("time", source.time.is_some())];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((name, _)) => Err(Fault::contradiction(
+            &format!("{key}.{name}"),
+            "it says how to read a file, and the volume is a built-in one",
+            "leave it out",
+        )),
     }
+}
+
+/// Problems of small languages end in what was expected, behind a semicolon.
+fn unreadable(key: &str, problem: &str) -> Fault {
+    let (problem, advice) = problem.split_once("; ").unwrap_or((problem, "correct it"));
+    Fault::contradiction(key, problem, advice)
 }
 
 fn check_camera(camera: &Camera) -> Result<(), Fault> {

@@ -2,21 +2,25 @@
 
 mod mesh;
 
-use crate::failure::{Failure, Status};
+use crate::failure::Failure;
+use crate::volume::VolumeArguments;
 use crate::{input, output};
 use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
+use std::path::Path;
 use std::process::ExitCode;
-use vitrum::builtin;
-use vitrum::io::{OpenOptions, Volume, Voxels};
-use vitrum::scene::VolumeSource;
+use vitrum::io::{OpenOptions, STANDARD_INPUT, Volume, Voxels, is_mesh, open_mesh};
 
 /// Show what a volume or a mesh is: format, size, spacing, range, histogram; triangles, bounds, area, closed or not
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// A volume file, a mesh file, a scene file (.toml; its volume is shown), or builtin:NAME
+    /// A volume file, a folder of DICOM files, a mesh file, `-` for a volume from standard input, a scene file (.toml; its
+    /// volume is shown), or builtin:NAME
     input: String,
+
+    #[command(flatten)]
+    volume: VolumeArguments,
 
     /// Print JSON
     #[arg(long)]
@@ -28,10 +32,14 @@ const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = input::open(&arguments.input)?;
-    if let Some(path) = opened.scene.volume.file.as_deref().filter(|_| opened.bare_volume)
-        && vitrum::io::is_mesh(path)?
+    let bare =
+        opened.scene.volume.file.as_deref().filter(|path| opened.bare_volume && *path != Path::new(STANDARD_INPUT));
+    if let Some(path) = bare
+        && arguments.volume.raw.is_none()
+        && is_mesh(path)?
     {
-        let mesh = vitrum::io::open_mesh(path, &OpenOptions::default())?;
+        let options = OpenOptions { max_bytes: arguments.volume.limit(), ..OpenOptions::default() };
+        let mesh = open_mesh(path, &options)?;
         if arguments.json {
             output::print_json(&mesh::json(&mesh))?;
         } else {
@@ -39,28 +47,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         return Ok(ExitCode::SUCCESS);
     }
-    let volume = read(&opened.scene.volume, &opened.base)?;
+    let volume = input::open_volume(&arguments.input, &arguments.volume)?;
     if arguments.json {
         output::print_json(&json(&volume))?;
     } else {
         output::print(&text(&volume))?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The volume itself, without the rest of the scene's files.
-fn read(source: &VolumeSource, base: &std::path::Path) -> Result<Volume, Failure> {
-    if let Some(file) = &source.file {
-        return Ok(vitrum::io::open(&base.join(file), &OpenOptions::default())?);
-    }
-    let name = source.builtin.as_deref().unwrap_or_default();
-    match builtin::volume(name, source.resolution) {
-        Some(volume) => Ok(volume?),
-        None => {
-            let message = format!("there is no built-in volume `{name}`");
-            Err(Failure::new(Status::Input, message, "`vitrum scenes` lists the built-in scenes"))
-        }
-    }
 }
 
 fn text(volume: &Volume) -> String {

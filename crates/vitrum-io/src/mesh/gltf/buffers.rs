@@ -11,8 +11,8 @@ use super::document::{Buffer, Document};
 use super::lookup;
 use crate::data_file::DataFile;
 use crate::error::{Error, Place, clip};
+use crate::input::Input;
 use crate::mesh::build::Builder;
-use crate::open::Input;
 
 /// All buffers, decoded, in the order of the document.
 #[derive(Debug)]

@@ -18,7 +18,8 @@ use self::scene::Assembly;
 use super::open::start;
 use super::{Mesh, MeshReader};
 use crate::error::{Error, Place, Report};
-use crate::open::{Input, OpenOptions};
+use crate::input::Input;
+use crate::open::OpenOptions;
 
 /// The reader of `.gltf` and `.glb` files.
 pub(crate) struct Gltf;

@@ -7,10 +7,10 @@ use super::library::Library;
 use super::statements::{Statement, Statements};
 use super::vertices::Vertices;
 use crate::error::Error;
+use crate::input::Input;
 use crate::mesh::Material;
 use crate::mesh::build::Builder;
 use crate::mesh::words::{name, show};
-use crate::open::Input;
 
 /// Reading faces, and what it has come to.
 pub(super) struct Faces<'a, 'b> {

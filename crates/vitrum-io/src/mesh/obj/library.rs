@@ -8,10 +8,10 @@ use super::mtl;
 use super::statements::Statement;
 use crate::data_file::is_below;
 use crate::error::{Error, Place, Report};
+use crate::input::{Input, display_name};
 use crate::mesh::Material;
 use crate::mesh::build::Builder;
 use crate::mesh::words::{name, show};
-use crate::open::{Input, display_name};
 
 /// Materials by name.
 pub(super) struct Library<'a> {

@@ -15,7 +15,8 @@ use self::vertices::Vertices;
 use super::open::start;
 use super::{Mesh, MeshReader};
 use crate::error::Error;
-use crate::open::{Input, OpenOptions};
+use crate::input::Input;
+use crate::open::OpenOptions;
 
 /// The reader of `.obj` files.
 pub(crate) struct Obj;

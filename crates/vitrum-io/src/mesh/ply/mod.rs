@@ -13,7 +13,8 @@ use super::open::start;
 use super::strip::joints_note;
 use super::{Mesh, MeshReader};
 use crate::error::{Error, Report, clip};
-use crate::open::{Input, OpenOptions};
+use crate::input::Input;
+use crate::open::OpenOptions;
 
 /// The reader of `.ply` files.
 pub(crate) struct Ply;

@@ -11,7 +11,9 @@ use super::open::start;
 use super::weld::Weld;
 use super::{Mesh, MeshReader};
 use crate::error::Error;
-use crate::open::{Input, OpenOptions};
+use crate::input::Input;
+use crate::open::OpenOptions;
+use crate::packing::Packing;
 
 /// The reader of `.stl` files.
 pub(crate) struct Stl;
@@ -26,7 +28,7 @@ impl MeshReader for Stl {
     }
 
     fn recognises(&self, input: &Input) -> bool {
-        let fits = !input.gzipped && binary::has_size(&input.head, input.length);
+        let fits = input.packing == Packing::Plain && binary::has_size(&input.head, input.length);
         fits || ascii::is_text(&input.head) && input.head.windows(5).any(|word| word.eq_ignore_ascii_case(b"facet"))
     }
 

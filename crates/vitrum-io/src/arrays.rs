@@ -1,0 +1,34 @@
+//! Files with several arrays, of which one is read.
+
+use crate::error::{Error, Place, Report, clip};
+use crate::suggest::nearest;
+
+/// At most so many names stand in a message.
+const MOST_NAMES: usize = 8;
+
+/// Names in quotes, for messages; none of them all where there are many.
+pub(crate) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<_> = names.collect();
+    let shown: Vec<_> = names.iter().take(MOST_NAMES).map(|name| format!("`{}`", clip(name))).collect();
+    let more = names.len().saturating_sub(MOST_NAMES);
+    if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
+}
+
+/// A sentence for [`crate::Source::assumptions`] where there are `others` beside the one that was taken.
+pub(crate) fn others_note<'a>(taken: &str, others: impl Iterator<Item = &'a str>) -> Option<String> {
+    let others = listed(others);
+    let taken = clip(taken);
+    (!others.is_empty()).then(|| format!("the array `{taken}` was taken; --array takes another: {others}"))
+}
+
+/// That nothing is there by a name somebody asked for.
+pub(crate) fn unknown<'a>(report: Report, asked: &str, known: impl Iterator<Item = &'a str> + Clone) -> Error {
+    let advice = match nearest(asked, known.clone()) {
+        Some(near) => format!("did you mean `{}`?", clip(near)),
+        None => match listed(known) {
+            names if names.is_empty() => "there are none with a name: leave out the name".to_owned(),
+            names => format!("the arrays are: {names}"),
+        },
+    };
+    report.unsupported(Place::File, format!("there is no array `{}`", clip(asked)), advice)
+}

@@ -1,0 +1,176 @@
+//! The slices of a series as a grid: their order, their distance, and where they lie in the world.
+
+use super::distances::{check_distances, check_line, uneven};
+use super::header::Slice;
+use crate::error::{Error, Place, Report};
+use crate::memory;
+use crate::placement::{Placement, UNORIENTED};
+use crate::voxels::Voxels;
+
+/// Where the slices lie.
+pub(super) struct Grid {
+    pub placement: Placement,
+    /// The indices of the slices, from the lowest.
+    order: Vec<usize>,
+    /// For each slice of an even grid where it lies among those of the file; empty where they are even.
+    uneven: Vec<f64>,
+}
+
+/// The direction from slice to slice, by those of a row and a column.
+pub(super) fn normal([a, b, c, d, e, f]: [f64; 6]) -> [f64; 3] {
+    [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl Grid {
+    pub fn new(report: Report, slices: &[Slice], assumptions: &mut Vec<String>) -> Result<Self, Error> {
+        let first = &slices[0];
+        if slices.iter().any(|slice| slice.file.inverted) {
+            assumptions.push("the smallest value is meant to be white: values were kept as they are".to_owned());
+        }
+        let spacing = first.file.spacing.unwrap_or_else(|| {
+            assumptions.push("the files say no distance of pixels: 1 was taken".to_owned());
+            [1.0; 2]
+        });
+        if let Some(other) = slices.iter().find(|slice| slice.file.spacing != first.file.spacing) {
+            return Err(Report::new(&other.file.name).invalid(
+                Place::File,
+                format!("the pixels lie at other distances than those of {}", first.file.name),
+                "put only the slices of one volume into the series",
+            ));
+        }
+        let along_z = |assumptions: &mut Vec<String>| {
+            first.file.step.unwrap_or_else(|| {
+                assumptions.push("the files say no distance of slices: 1 was taken".to_owned());
+                1.0
+            })
+        };
+        let placed = slices.iter().all(|slice| slice.position.is_some() && slice.orientation.is_some());
+        if !placed {
+            return Self::unplaced(slices, spacing, along_z(assumptions), assumptions);
+        }
+        let orientation = orientation(slices)?;
+        let (order, positions, heights) = sorted(slices, normal(orientation));
+        check_distances(slices, &order, &heights)?;
+        check_line(slices, &order, &positions, &heights, spacing)?;
+        let steps = (order.len() - 1).max(1) as f64;
+        let [start, end] = [positions[0], positions[positions.len() - 1]];
+        let step = if order.len() > 1 {
+            [0, 1, 2].map(|axis| (end[axis] - start[axis]) / steps)
+        } else {
+            let distance = along_z(assumptions);
+            normal(orientation).map(|component| component * distance)
+        };
+        let [a, b, c, d, e, f] = orientation;
+        let columns = [[a, b, c].map(|value| value * spacing[1]), [d, e, f].map(|value| value * spacing[0]), step];
+        // The files' world points to the patient's left, posterior, superior; ours to the right, anterior, superior.
+        let to_world = |[x, y, z]: [f64; 3]| [-x, -y, z];
+        let placement = Placement::from_columns(columns.map(to_world), Some(to_world(start)))
+            .map_err(|problem| report.invalid(Place::File, problem, "correct the positions and orientations"))?;
+        let uneven = uneven(&heights, assumptions);
+        Ok(Self { placement, order, uneven })
+    }
+
+    /// Frames of one file without a place: in their order.
+    fn unplaced(slices: &[Slice], spacing: [f64; 2], step: f64, assumptions: &mut Vec<String>) -> Result<Self, Error> {
+        if let Some(other) = slices.iter().find(|slice| slice.index[0] > 0) {
+            let lost = slices.iter().find(|slice| slice.position.is_none() || slice.orientation.is_none());
+            return Err(Report::new(&lost.unwrap_or(other).file.name).unsupported(
+                Place::File,
+                "the slice says no Image Position or no Image Orientation (Patient), so its place is not known",
+                "leave out such files, or convert the series by a program that knows it",
+            ));
+        }
+        if slices.len() > 1 {
+            assumptions.push("the frames say no place: they were taken for slices in their order".to_owned());
+        }
+        assumptions.push(UNORIENTED.to_owned());
+        let columns = [[spacing[1], 0.0, 0.0], [0.0, spacing[0], 0.0], [0.0, 0.0, step]];
+        let placement = Placement::from_columns(columns, None).map_err(|problem| {
+            Report::new(&slices[0].file.name).invalid(Place::File, problem, "correct the distances of pixels")
+        })?;
+        Ok(Self { placement, order: (0..slices.len()).collect(), uneven: Vec::new() })
+    }
+
+    /// The slices from the lowest on.
+    pub fn order<'a>(&self, slices: &[Slice<'a>]) -> Vec<Slice<'a>> {
+        self.order.iter().map(|&index| slices[index].clone()).collect()
+    }
+
+    pub fn uneven(&self) -> bool {
+        !self.uneven.is_empty()
+    }
+
+    /// Slices at even distances, each between two of the file's.
+    pub fn resample(&self, report: Report, voxels: Voxels, dimensions: [u32; 3]) -> Result<Voxels, Error> {
+        if !self.uneven() {
+            return Ok(voxels);
+        }
+        let slice = dimensions[0] as usize * dimensions[1] as usize;
+        Ok(match voxels {
+            Voxels::U8(voxels) => Voxels::U8(self.mix(report, &voxels, slice, |value| value.round() as u8)?),
+            Voxels::U16(voxels) => Voxels::U16(self.mix(report, &voxels, slice, |value| value.round() as u16)?),
+            Voxels::F32(voxels) => Voxels::F32(self.mix(report, &voxels, slice, |value| value)?),
+        })
+    }
+
+    fn mix<T: Copy + Into<f32>>(
+        &self,
+        report: Report,
+        voxels: &[T],
+        slice: usize,
+        store: impl Fn(f32) -> T,
+    ) -> Result<Vec<T>, Error> {
+        let mut mixed = memory::reserve(report, voxels.len())?;
+        for place in &self.uneven {
+            let below = (*place as usize).min(self.uneven.len().saturating_sub(2));
+            let share = (place - below as f64) as f32;
+            let [low, high] = [below, below + 1].map(|index| &voxels[index * slice..(index + 1) * slice]);
+            let value = |(&low, &high): (&T, &T)| {
+                let (low, high): (f32, f32) = (low.into(), high.into());
+                store(low + share * (high - low))
+            };
+            mixed.extend(low.iter().zip(high).map(value));
+        }
+        Ok(mixed)
+    }
+}
+
+/// The orientation of all slices, checked to be two directions at right angles.
+fn orientation(slices: &[Slice]) -> Result<[f64; 6], Error> {
+    let first = &slices[0];
+    let six = first.orientation.unwrap_or_default();
+    let [row, column] = [[six[0], six[1], six[2]], [six[3], six[4], six[5]]];
+    let unit = |vector| (dot(vector, vector) - 1.0).abs() < 0.01;
+    if !(unit(row) && unit(column) && dot(row, column).abs() < 0.01) {
+        return Err(Report::new(&first.file.name).invalid(
+            Place::File,
+            format!("Image Orientation (Patient) {six:?} is not two directions of length 1 at right angles"),
+            "correct it",
+        ));
+    }
+    // Rounded to 6 digits, as it is written, it differs by less; a tilt that shows differs by more.
+    let differs =
+        |slice: &&Slice| slice.orientation.unwrap_or_default().iter().zip(six).any(|(a, b)| (a - b).abs() > 1e-3);
+    if let Some(other) = slices.iter().find(differs) {
+        return Err(Report::new(&other.file.name).invalid(
+            Place::File,
+            format!("this slice is turned against {} of the same series", first.file.name),
+            "leave out the slices that do not lie behind one another, such as scouts",
+        ));
+    }
+    Ok(six)
+}
+
+/// The order of the slices along `normal`, their positions, and how far each lies along it.
+fn sorted(slices: &[Slice], normal: [f64; 3]) -> (Vec<usize>, Vec<[f64; 3]>, Vec<f64>) {
+    let position = |index: usize| slices[index].position.unwrap_or_default();
+    let mut order: Vec<usize> = (0..slices.len()).collect();
+    order.sort_by(|&a, &b| dot(position(a), normal).total_cmp(&dot(position(b), normal)));
+    let positions: Vec<_> = order.iter().map(|&index| position(index)).collect();
+    let heights = positions.iter().map(|&position| dot(position, normal)).collect();
+    (order, positions, heights)
+}

@@ -1,0 +1,228 @@
+//! What a file says before its pixels: size, sample type, and where its frames lie.
+
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+use dicom_object::{InMemDicomObject, OpenFileOptions};
+
+use super::attributes::{self, items, numbers, text, vector, whole};
+use super::lengths;
+use crate::error::{Error, Place, Report, clip};
+use crate::samples::SampleType;
+
+/// How a pixel's bits are laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Pixels {
+    /// By the bits that are allocated and the sign.
+    pub sample: SampleType,
+    /// Bits that hold the number, at most those of the sample.
+    pub stored: u32,
+    /// The lowest of them.
+    pub low_bit: u32,
+}
+
+/// A frame's place and value mapping.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Frame {
+    /// Of the centre of the first pixel, in mm, towards the patient's left, posterior, superior.
+    pub position: Option<[f64; 3]>,
+    /// The directions of a row and of a column.
+    pub orientation: Option<[f64; 6]>,
+    /// Slope and intercept.
+    pub rescale: [f64; 2],
+}
+
+/// A file of one or more frames, all of one size and type.
+#[derive(Debug)]
+pub(super) struct File {
+    pub path: PathBuf,
+    pub name: String,
+    /// Its size in bytes.
+    pub length: u64,
+    pub series: String,
+    /// For people, such as `MR, T1 sagittal`.
+    pub description: String,
+    pub syntax: String,
+    pub columns: u32,
+    pub rows: u32,
+    pub pixels: Pixels,
+    pub inverted: bool,
+    /// Between rows and between columns, in mm.
+    pub spacing: Option<[f64; 2]>,
+    /// Between slices, in mm, where positions do not tell.
+    pub step: Option<f64>,
+    pub frames: Vec<Frame>,
+}
+
+/// One slice of a volume: a frame of a file.
+#[derive(Debug, Clone)]
+pub(super) struct Slice<'a> {
+    pub file: &'a File,
+    /// Which file of the series, and which frame of it.
+    pub index: [usize; 2],
+    pub position: Option<[f64; 3]>,
+    pub orientation: Option<[f64; 6]>,
+    pub rescale: [f64; 2],
+}
+
+impl File {
+    /// Reads the header of the file at `path`; `None` where it is of DICOM but holds no image.
+    pub fn read(path: &Path, name: String, length: u64) -> Result<Option<Self>, Error> {
+        let report = Report::new(&name);
+        let file = std::fs::File::open(path).map_err(|error| report.unreadable(error))?;
+        lengths::check(BufReader::new(file), length).map_err(|(byte, problem)| {
+            report.invalid(Place::Byte(byte), problem, "get the whole file, or write it anew")
+        })?;
+        let object = OpenFileOptions::new()
+            .read_until(attributes::PIXEL_DATA)
+            .open_file(path)
+            .map_err(|error| damaged(report, &error))?;
+        let (Some(rows), Some(columns)) = (whole(&object, attributes::ROWS), whole(&object, attributes::COLUMNS))
+        else {
+            return Ok(None);
+        };
+        if rows == 0 || columns == 0 {
+            return Err(report.invalid(Place::File, "the image has no rows or no columns", "get the whole file"));
+        }
+        let inverted = check_gray(&object, report)?;
+        let pixels = pixels(&object, report)?;
+        let frames = frames(&object, report, length)?;
+        let shared = items(&object, attributes::SHARED_GROUPS).first();
+        let groups = [shared, items(&object, attributes::FRAME_GROUPS).first()];
+        let measures = groups.into_iter().flatten().find_map(|group| items(group, attributes::PIXEL_MEASURES).first());
+        let places = || [Some(&*object), measures].into_iter().flatten();
+        let positive = |value: &f64| *value > 0.0;
+        let spacing = places().find_map(|place| vector::<2>(place, attributes::PIXEL_SPACING));
+        let between = places().find_map(|place| numbers(place, attributes::SPACING_BETWEEN_SLICES));
+        let thickness = places().find_map(|place| numbers(place, attributes::SLICE_THICKNESS));
+        let step = between.or(thickness).map(|numbers| numbers[0].abs()).filter(positive);
+        let said = [attributes::MODALITY, attributes::SERIES_DESCRIPTION].map(|tag| text(&object, tag));
+        Ok(Some(Self {
+            path: path.to_owned(),
+            length,
+            series: text(&object, attributes::SERIES).unwrap_or_default(),
+            description: clip(&said.into_iter().flatten().collect::<Vec<_>>().join(", ")),
+            syntax: text_of(object.meta().transfer_syntax()),
+            columns,
+            rows,
+            pixels,
+            inverted,
+            spacing: spacing.filter(|spacing| spacing.iter().all(positive)),
+            step,
+            frames,
+            name,
+        }))
+    }
+
+    /// Such as `256 x 256 int16`.
+    pub fn describe(&self) -> String {
+        format!("{} x {} {}", self.columns, self.rows, self.pixels.sample.name())
+    }
+}
+
+fn text_of(identifier: &str) -> String {
+    identifier.trim_end_matches(['\0', ' ']).to_owned()
+}
+
+pub(super) fn damaged(report: Report, error: &dyn std::error::Error) -> Error {
+    let mut problem = error.to_string();
+    let mut source = error.source();
+    while let Some(error) = source {
+        problem = format!("{problem}: {error}");
+        source = error.source();
+    }
+    report.invalid(
+        Place::File,
+        format!("this DICOM file is damaged: {}", problem.chars().take(300).collect::<String>()),
+        "get the whole file, or write it anew",
+    )
+}
+
+/// Whether white is the smallest value; an error where the image is in colours.
+fn check_gray(object: &InMemDicomObject, report: Report) -> Result<bool, Error> {
+    let samples = whole(object, attributes::SAMPLES_PER_PIXEL).unwrap_or(1);
+    let kind = text(object, attributes::PHOTOMETRIC).unwrap_or_else(|| "MONOCHROME2".to_owned());
+    match kind.as_str() {
+        "MONOCHROME1" | "MONOCHROME2" if samples == 1 => Ok(kind == "MONOCHROME1"),
+        kind => Err(report.unsupported(
+            Place::File,
+            format!("the image is in colours ({}, {samples} sample(s) a pixel), not in gray", clip(kind)),
+            "leave such files out, or convert them to gray",
+        )),
+    }
+}
+
+fn pixels(object: &InMemDicomObject, report: Report) -> Result<Pixels, Error> {
+    let allocated = whole(object, attributes::BITS_ALLOCATED).unwrap_or(16);
+    let stored = whole(object, attributes::BITS_STORED).unwrap_or(allocated);
+    let high_bit = whole(object, attributes::HIGH_BIT).unwrap_or(stored.saturating_sub(1));
+    let signed = whole(object, attributes::SIGNED).unwrap_or(0) == 1;
+    let sample = match (allocated, signed) {
+        (8, false) => SampleType::U8,
+        (8, true) => SampleType::I8,
+        (16, false) => SampleType::U16,
+        (16, true) => SampleType::I16,
+        (32, false) => SampleType::U32,
+        (32, true) => SampleType::I32,
+        _ => {
+            return Err(report.unsupported(
+                Place::File,
+                format!("the pixels have {allocated} bits, and those of 8, 16 and 32 are read"),
+                "convert them to 16 bits",
+            ));
+        }
+    };
+    match (high_bit + 1).checked_sub(stored) {
+        Some(low_bit) if stored > 0 && high_bit < allocated => Ok(Pixels { sample, stored, low_bit }),
+        _ => Err(report.invalid(
+            Place::File,
+            format!("{stored} bits up to bit {high_bit} do not fit into {allocated} bits"),
+            "correct Bits Stored and High Bit",
+        )),
+    }
+}
+
+fn frames(object: &InMemDicomObject, report: Report, length: u64) -> Result<Vec<Frame>, Error> {
+    let count = whole(object, attributes::FRAMES).unwrap_or(1).max(1);
+    // A frame takes a byte at the least, whatever it is compressed by.
+    if u64::from(count) > length {
+        return Err(report.invalid(
+            Place::File,
+            format!("{count} frames do not fit into {length} bytes"),
+            "get the whole file",
+        ));
+    }
+    let shared = items(object, attributes::SHARED_GROUPS).first();
+    let groups = items(object, attributes::FRAME_GROUPS);
+    let offsets = numbers(object, attributes::FRAME_OFFSETS).filter(|offsets| offsets.len() == count as usize);
+    let frames = (0..count as usize).map(|index| {
+        let places = [groups.get(index), shared, Some(object)];
+        let places = || places.into_iter().flatten();
+        // In a group, an attribute lies in a sequence of one item; at the top, by itself.
+        let within = |sequence, tag| {
+            places().find_map(|place| {
+                items(place, sequence).first().and_then(|item| numbers(item, tag)).or_else(|| numbers(place, tag))
+            })
+        };
+        let orientation =
+            within(attributes::PLANE_ORIENTATIONS, attributes::ORIENTATION).and_then(|six| six.try_into().ok());
+        let position: Option<[f64; 3]> =
+            within(attributes::PLANE_POSITIONS, attributes::POSITION).and_then(|three| three.try_into().ok());
+        let offset = offsets.as_ref().map(|offsets| offsets[index] - offsets[0]);
+        let position = match (position, offset, orientation) {
+            (Some(position), Some(offset), Some(orientation)) => {
+                let normal = super::grid::normal(orientation);
+                Some([0, 1, 2].map(|axis| position[axis] + offset * normal[axis]))
+            }
+            // One position for many frames is that of none of them but the first.
+            (position, ..) if count == 1 || groups.len() == count as usize => position,
+            _ => None,
+        };
+        let number = |tag, absent| {
+            within(attributes::TRANSFORMATIONS, tag).and_then(|numbers| numbers.first().copied()).unwrap_or(absent)
+        };
+        let rescale = [number(attributes::SLOPE, 1.0), number(attributes::INTERCEPT, 0.0)];
+        Frame { position, orientation, rescale }
+    });
+    Ok(frames.collect())
+}

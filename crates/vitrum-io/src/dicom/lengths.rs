@@ -1,0 +1,184 @@
+//! The lengths that a file's elements say to have, held against the file before anything believes them.
+//!
+//! The library that reads the elements takes as much memory as they say, up to 4 GiB each.
+
+use std::fs::File;
+use std::io::{self, BufReader, Read, Seek};
+
+use super::attributes::PIXEL_DATA;
+
+/// Sequences that lie deeper are no image's.
+const MAX_DEPTH: u32 = 32;
+
+/// The length of what ends by a delimiter.
+const UNDEFINED: u32 = u32::MAX;
+
+const ITEM: [u16; 2] = [0xfffe, 0xe000];
+const ITEM_END: [u16; 2] = [0xfffe, 0xe00d];
+const SEQUENCE_END: [u16; 2] = [0xfffe, 0xe0dd];
+
+/// How elements are written.
+#[derive(Clone, Copy)]
+struct Coding {
+    explicit: bool,
+    big: bool,
+}
+
+/// Walks through all elements of a file of so many bytes; the problem, and the byte where it is.
+pub(super) fn check(file: BufReader<File>, length: u64) -> Result<(), (u64, String)> {
+    let mut walk = Walk { file, position: 0, syntax: String::new() };
+    let start = 132;
+    let outcome = walk.seek(start).and_then(|()| {
+        let meta = Coding { explicit: true, big: false };
+        walk.elements(length, meta, 0, true)?;
+        let coding = Coding { explicit: walk.syntax != "1.2.840.10008.1.2", big: walk.syntax == "1.2.840.10008.1.2.2" };
+        walk.elements(length, coding, 0, false)
+    });
+    outcome.map_err(|problem| (walk.position, problem.0))
+}
+
+/// What is wrong.
+struct Problem(String);
+
+impl From<io::Error> for Problem {
+    fn from(error: io::Error) -> Self {
+        Self(error.to_string())
+    }
+}
+
+struct Walk {
+    file: BufReader<File>,
+    position: u64,
+    /// The transfer syntax, once it was found.
+    syntax: String,
+}
+
+impl Walk {
+    /// Elements up to `end` or to the delimiter of their item; of the first group, where `meta`, up to the next.
+    fn elements(&mut self, end: u64, coding: Coding, depth: u32, meta: bool) -> Result<(), Problem> {
+        if depth > MAX_DEPTH {
+            return Err(Problem(format!("sequences lie more than {MAX_DEPTH} deep")));
+        }
+        // Less than a tag and a length is padding.
+        while self.position + 8 <= end {
+            let before = self.position;
+            let tag = self.tag(coding.big)?;
+            if meta && tag[0] != 2 {
+                return self.seek(before);
+            }
+            if [ITEM_END, SEQUENCE_END].contains(&tag) {
+                self.word(coding.big)?;
+                return Ok(());
+            }
+            let (vr, length) = self.head(coding)?;
+            let pixels = tag == [PIXEL_DATA.0, PIXEL_DATA.1];
+            // What is of no known kind is written in the simplest way inside.
+            let inside = if vr == *b"UN" { Coding { explicit: false, big: false } } else { coding };
+            if length == UNDEFINED {
+                self.items(end, inside, depth, pixels)?;
+                continue;
+            }
+            let last = self.fits(u64::from(length), end)?;
+            if tag == [2, 0x10] {
+                let mut text = vec![0; length as usize];
+                self.file.read_exact(&mut text)?;
+                self.syntax = String::from_utf8_lossy(&text).trim_end_matches(['\0', ' ']).to_owned();
+            } else if !pixels && (vr == *b"SQ" || self.starts_an_item(coding, last)?) {
+                self.items(last, inside, depth, false)?;
+            }
+            self.seek(last)?;
+        }
+        Ok(())
+    }
+
+    /// The items of a sequence, or the fragments of compressed pixels, up to `end` or to their delimiter.
+    fn items(&mut self, end: u64, coding: Coding, depth: u32, pixels: bool) -> Result<(), Problem> {
+        while self.position + 8 <= end {
+            let tag = self.tag(coding.big)?;
+            let length = self.word(coding.big)?;
+            if tag == SEQUENCE_END {
+                return Ok(());
+            }
+            if tag != ITEM {
+                return Err(Problem(format!("({:04x},{:04x}) stands in place of an item", tag[0], tag[1])));
+            }
+            if length == UNDEFINED {
+                self.elements(end, coding, depth + 1, false)?;
+                continue;
+            }
+            let last = self.fits(u64::from(length), end)?;
+            if !pixels {
+                self.elements(last, coding, depth + 1, false)?;
+            }
+            self.seek(last)?;
+        }
+        Ok(())
+    }
+
+    /// The kind of an element, where it is written, and its length.
+    fn head(&mut self, coding: Coding) -> Result<([u8; 2], u32), Problem> {
+        if !coding.explicit {
+            return Ok(([0; 2], self.word(coding.big)?));
+        }
+        let vr: [u8; 2] = self.bytes()?;
+        if !vr.iter().all(u8::is_ascii_uppercase) {
+            return Err(Problem(format!("`{}` is no kind of value", vr.escape_ascii())));
+        }
+        let long: [&[u8; 2]; 13] =
+            [b"OB", b"OD", b"OF", b"OL", b"OV", b"OW", b"SQ", b"SV", b"UC", b"UN", b"UR", b"UT", b"UV"];
+        if long.contains(&&vr) {
+            self.bytes::<2>()?;
+            return Ok((vr, self.word(coding.big)?));
+        }
+        Ok((vr, u32::from(self.short(coding.big)?)))
+    }
+
+    /// Where something of a length ends, if it does so by `end`.
+    fn fits(&self, length: u64, end: u64) -> Result<u64, Problem> {
+        let there = end.saturating_sub(self.position);
+        if length > there {
+            return Err(Problem(format!("the element here says to have {length} bytes, and {there} are there")));
+        }
+        Ok(self.position + length)
+    }
+
+    /// Whether a value is a sequence that does not say so.
+    fn starts_an_item(&mut self, coding: Coding, last: u64) -> Result<bool, Problem> {
+        if coding.explicit || self.position + 8 > last {
+            return Ok(false);
+        }
+        let before = self.position;
+        let tag = self.tag(coding.big)?;
+        self.seek(before)?;
+        Ok(tag == ITEM)
+    }
+
+    fn seek(&mut self, to: u64) -> Result<(), Problem> {
+        let here = self.file.stream_position()?;
+        // Both are at most a file's length.
+        self.file.seek_relative(to as i64 - here as i64)?;
+        self.position = to;
+        Ok(())
+    }
+
+    fn tag(&mut self, big: bool) -> Result<[u16; 2], Problem> {
+        Ok([self.short(big)?, self.short(big)?])
+    }
+
+    fn short(&mut self, big: bool) -> Result<u16, Problem> {
+        let bytes = self.bytes()?;
+        Ok(if big { u16::from_be_bytes(bytes) } else { u16::from_le_bytes(bytes) })
+    }
+
+    fn word(&mut self, big: bool) -> Result<u32, Problem> {
+        let bytes = self.bytes()?;
+        Ok(if big { u32::from_be_bytes(bytes) } else { u32::from_le_bytes(bytes) })
+    }
+
+    fn bytes<const SIZE: usize>(&mut self) -> Result<[u8; SIZE], Problem> {
+        let mut bytes = [0; SIZE];
+        self.file.read_exact(&mut bytes)?;
+        self.position += SIZE as u64;
+        Ok(bytes)
+    }
+}

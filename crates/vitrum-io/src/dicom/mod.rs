@@ -1,0 +1,83 @@
+//! DICOM: the slices of a series, each a file, or the frames of one.
+//!
+//! The standard: <https://www.dicomstandard.org/current>.
+
+mod attributes;
+mod distances;
+mod files;
+mod grid;
+mod header;
+mod lengths;
+mod pixels;
+mod rle;
+mod syntax;
+
+use std::path::Path;
+
+use self::files::Series;
+use self::grid::Grid;
+use self::header::Slice;
+use crate::error::{Error, Place, Report};
+use crate::input::Input;
+use crate::memory;
+use crate::open::{OpenOptions, VolumeReader};
+use crate::samples::{Endian, SampleType, VoxelBuffer};
+use crate::stream;
+use crate::volume::{Source, Volume};
+
+/// The reader of `.dcm` files and of folders of them.
+pub(crate) struct Dicom;
+
+impl VolumeReader for Dicom {
+    fn name(&self) -> &'static str {
+        "DICOM"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &[".dcm", ".dicom"]
+    }
+
+    fn recognises(&self, head: &[u8], path: &Path) -> bool {
+        files::is_dicom(head) || head.is_empty() && files::has_dicom(path)
+    }
+
+    fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
+        let report = Report::new(&input.name);
+        let mut assumptions = Vec::new();
+        let series = Series::find(input, &mut assumptions)?;
+        let first = series.check_alike()?;
+        let slices: Vec<Slice> = series.slices();
+        let grid = Grid::new(report, &slices, &mut assumptions)?;
+        let uniform = slices.iter().all(|slice| slice.rescale == slices[0].rescale);
+        let sample = if uniform { first.pixels.sample } else { SampleType::F32 };
+        if !uniform {
+            assumptions
+                .push("the slices have rescale slopes of their own: their values were stored as float32".to_owned());
+        }
+        let dimensions = [first.columns, first.rows, u32::try_from(slices.len()).unwrap_or(u32::MAX)];
+        let bytes = stream::data_bytes(report, Place::File, dimensions, sample)?;
+        let count = bytes / sample.size() as u64;
+        let largest = series.files.iter().map(|file| file.length).max().unwrap_or(0);
+        let doubled = if grid.uneven() { 2 } else { 1 };
+        let needed = count.saturating_mul(doubled * sample.stored_size() as u64).saturating_add(largest);
+        memory::check(report, needed, options.max_bytes)?;
+        let capacity = usize::try_from(count).unwrap_or(usize::MAX);
+        let mut voxels = VoxelBuffer::reserve(report, sample, Endian::Little, capacity)?;
+        pixels::read(&series, &grid.order(&slices), uniform, &mut voxels)?;
+        let voxels = grid.resample(report, voxels.into_voxels(), dimensions)?;
+        assumptions.extend(sample.rounding_note());
+        assumptions.extend(grid.placement.shear_note());
+        let mut volume = grid.placement.volume(&input.name, dimensions, voxels, sample)?;
+        if uniform {
+            let [slope, intercept] = slices[0].rescale.map(|value| value as f32);
+            let offset = slope * sample.value_offset() + intercept;
+            if slope != 1.0 || offset != 0.0 {
+                volume = volume.with_value_mapping(slope, offset)?;
+            }
+        }
+        let stored = first.pixels.sample.name().to_owned();
+        let encoding = syntax::name(&first.syntax);
+        volume.source = Source { format: self.name(), sample_type: stored, encoding, assumptions };
+        Ok(volume)
+    }
+}

@@ -1,0 +1,188 @@
+//! The pixels of the slices, decoded.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use dicom_object::{DefaultDicomObject, open_file};
+use dicom_pixeldata::PixelDecoder;
+
+use super::attributes;
+use super::files::Series;
+use super::header::{File, Pixels, Slice, damaged};
+use super::{rle, syntax};
+use crate::error::{Error, Place, Report};
+use crate::samples::VoxelBuffer;
+use crate::stream;
+
+/// Decodes `slices` in their order; values of slopes of their own where the series has no one slope.
+pub(super) fn read(series: &Series, slices: &[Slice], uniform: bool, voxels: &mut VoxelBuffer) -> Result<(), Error> {
+    let mut opened: Option<(usize, Opened)> = None;
+    for slice in slices {
+        let [file, frame] = slice.index;
+        let report = Report::new(&slice.file.name);
+        let opened = match &mut opened {
+            Some((number, opened)) if *number == file => opened,
+            other => &mut other.insert((file, Opened::new(&series.files[file])?)).1,
+        };
+        let mut bytes = opened.frame(slice.file, frame)?;
+        straighten(&mut bytes, slice.file.pixels);
+        let count = slice.file.rows as usize * slice.file.columns as usize;
+        if uniform {
+            stream::fill(report, voxels, &mut bytes.as_slice(), count, slice.file.pixels.sample.size())?;
+        } else {
+            let values = values(&bytes, slice);
+            stream::fill(report, voxels, &mut values.as_slice(), count, 4)?;
+        }
+    }
+    Ok(())
+}
+
+/// A file with all of its pixels.
+struct Opened {
+    object: DefaultDicomObject,
+    /// All frames, where they are not compressed; little-endian.
+    plain: Option<Vec<u8>>,
+}
+
+impl Opened {
+    fn new(file: &File) -> Result<Self, Error> {
+        let report = Report::new(&file.name);
+        let object = open_file(&file.path).map_err(|error| damaged(report, &error))?;
+        let missing = || report.invalid(Place::File, "there are no pixels behind the header", "get the whole file");
+        let data = object.get(attributes::PIXEL_DATA).ok_or_else(missing)?;
+        let plain = if syntax::compressed(report, &file.syntax)? {
+            check_fragments(report, file, data.fragments().unwrap_or_default())?;
+            None
+        } else {
+            let mut bytes = data.to_bytes().map_err(|error| damaged(report, &error))?.into_owned();
+            // Words come in the machine's order, bytes in that of the file, which then is its own.
+            if cfg!(target_endian = "big") && data.vr().to_string() == "OW" {
+                bytes.chunks_exact_mut(2).for_each(<[u8]>::reverse);
+            }
+            Some(bytes)
+        };
+        Ok(Self { object, plain })
+    }
+
+    /// The bytes of a frame.
+    fn frame(&self, file: &File, frame: usize) -> Result<Vec<u8>, Error> {
+        let report = Report::new(&file.name);
+        let size = file.rows as usize * file.columns as usize * file.pixels.sample.size();
+        let found = match &self.plain {
+            Some(bytes) => bytes.get(frame * size..).unwrap_or_default().iter().copied().take(size).collect(),
+            None if syntax::is_run_lengths(&file.syntax) => {
+                let count = file.rows as usize * file.columns as usize;
+                let packed = self.fragments(file, frame);
+                rle::decode(&packed, count, file.pixels.sample.size()).map_err(|problem| {
+                    report.invalid(
+                        Place::File,
+                        format!("the run lengths of frame {} are damaged: {problem}", frame + 1),
+                        "get the whole file, or write it anew",
+                    )
+                })?
+            }
+            None => self.picture(report, frame)?,
+        };
+        if found.len() < size {
+            return Err(report.invalid(
+                Place::File,
+                format!("frame {} takes {size} bytes, {} are there", frame + 1, found.len()),
+                "get the whole file",
+            ));
+        }
+        Ok(found)
+    }
+}
+
+impl Opened {
+    /// The compressed bytes of a frame: a fragment each, or all of them where there is one frame.
+    fn fragments(&self, file: &File, frame: usize) -> Vec<u8> {
+        let fragments = self.object.get(attributes::PIXEL_DATA).and_then(|data| data.fragments()).unwrap_or_default();
+        if file.frames.len() == 1 { fragments.concat() } else { fragments.get(frame).cloned().unwrap_or_default() }
+    }
+
+    /// The decoded JPEG picture of a frame.
+    fn picture(&self, report: Report, frame: usize) -> Result<Vec<u8>, Error> {
+        let number = u32::try_from(frame).unwrap_or(u32::MAX);
+        // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
+        let decoded = catch_unwind(AssertUnwindSafe(|| self.object.decode_pixel_data_frame(number)));
+        let decoded = decoded.map_err(|_| {
+            let problem = format!("the JPEG picture of frame {} is damaged", frame + 1);
+            report.invalid(Place::File, problem, "get the whole file, or write it anew")
+        })?;
+        Ok(decoded.map_err(|error| damaged(report, &error))?.into_data())
+    }
+}
+
+/// Fails where a JPEG picture is of another size than the header says: it could be made to need any amount of memory.
+fn check_fragments(report: Report, file: &File, fragments: &[Vec<u8>]) -> Result<(), Error> {
+    for fragment in fragments {
+        if let Some([rows, columns]) = jpeg_size(fragment)
+            && [rows, columns] != [file.rows, file.columns]
+        {
+            return Err(report.invalid(
+                Place::File,
+                format!(
+                    "the JPEG picture inside is {columns} x {rows}, and the header says {} x {}",
+                    file.columns, file.rows
+                ),
+                "get the file again, or write it anew",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Rows and columns, where these bytes start a JPEG picture.
+fn jpeg_size(bytes: &[u8]) -> Option<[u32; 2]> {
+    let mut rest = bytes.strip_prefix(&[0xff, 0xd8])?;
+    loop {
+        let [0xff, marker, high, low, after @ ..] = rest else { return None };
+        let word = |at: usize| Some(u32::from(u16::from_be_bytes([*after.get(at)?, *after.get(at + 1)?])));
+        match marker {
+            // A byte that fills up.
+            0xff => rest = &rest[1..],
+            // A start of frame; the others of its row are tables.
+            0xc0..=0xcf if !matches!(marker, 0xc4 | 0xc8 | 0xcc) => return Some([word(1)?, word(3)?]),
+            _ => rest = after.get(usize::from(u16::from_be_bytes([*high, *low])).checked_sub(2)?..)?,
+        }
+    }
+}
+
+/// Moves the bits that hold the number down, and gives the others its sign.
+fn straighten(bytes: &mut [u8], pixels: Pixels) {
+    let size = pixels.sample.size();
+    let width = 8 * size as u32;
+    if pixels.stored == width {
+        return;
+    }
+    let signed = pixels.sample.value_offset() != 0.0 || pixels.sample == crate::samples::SampleType::I32;
+    for pixel in bytes.chunks_exact_mut(size) {
+        let mut word = [0; 4];
+        word[..size].copy_from_slice(pixel);
+        // Up to the top, so that what is above falls off, and down again.
+        let top = u32::from_le_bytes(word) << (32 - pixels.low_bit - pixels.stored);
+        let down = 32 - pixels.stored;
+        let value = if signed { ((top as i32) >> down) as u32 } else { top >> down };
+        pixel.copy_from_slice(&value.to_le_bytes()[..size]);
+    }
+}
+
+/// The physical values of a slice as float32, little-endian.
+fn values(bytes: &[u8], slice: &Slice) -> Vec<u8> {
+    use crate::samples::SampleType;
+    let sample = slice.file.pixels.sample;
+    let [slope, intercept] = slice.rescale;
+    let value = |pixel: &[u8]| {
+        let mut word = [0; 4];
+        word[..pixel.len()].copy_from_slice(pixel);
+        let unsigned = u32::from_le_bytes(word);
+        let number = match sample {
+            SampleType::I8 => f64::from(unsigned as u8 as i8),
+            SampleType::I16 => f64::from(unsigned as u16 as i16),
+            SampleType::I32 => f64::from(unsigned as i32),
+            _ => f64::from(unsigned),
+        };
+        ((slope * number + intercept) as f32).to_le_bytes()
+    };
+    bytes.chunks_exact(sample.size()).flat_map(value).collect()
+}

@@ -1,0 +1,79 @@
+//! The grid of a legacy VTK file, once it is known which array is read.
+
+use super::blocks::Block;
+use super::fields::{Attributes, Fields};
+use super::header::Header;
+use crate::error::{Error, Place, Report};
+use crate::placement::{Placement, UNORIENTED};
+use crate::stream;
+use crate::volume::{IDENTITY, check_spacing};
+
+impl Fields {
+    pub fn finish(
+        self,
+        report: Report,
+        block: &Block,
+        start: u64,
+        (count, cells, count_line): Attributes,
+    ) -> Result<Header, Error> {
+        let sample = block.scalar(report)?;
+        if !self.dataset {
+            return Err(self.missing(report, "DATASET", "DATASET STRUCTURED_POINTS"));
+        }
+        let Some((points, line)) = self.dimensions else {
+            return Err(self.missing(report, "DIMENSIONS", "DIMENSIONS 64 64 64"));
+        };
+        // A flat image has cells that are flat.
+        let dimensions = points.map(|size| if cells && size > 1 { size - 1 } else { size });
+        let at_line = Place::Line(line);
+        if dimensions.contains(&0) {
+            return Err(report.invalid(at_line, "DIMENSIONS without voxels", "give each axis a size of at least 1"));
+        }
+        let data_bytes = stream::byte_count(dimensions, sample.size())
+            .map_err(|problem| report.invalid(at_line, problem, "correct DIMENSIONS"))?;
+        let expected = data_bytes / sample.size() as u64;
+        // An array of a FIELD has a count of its own.
+        let (count, count_line) = if block.count == count { (count, count_line) } else { (block.count, block.line) };
+        if count != expected {
+            return Err(report.invalid(
+                Place::Line(count_line),
+                format!("{count} values for the {expected} voxels of DIMENSIONS"),
+                "correct one of the two",
+            ));
+        }
+        let mut assumptions: Vec<String> = sample.rounding_note().into_iter().collect();
+        let placement = self.placement(report, points, cells, &mut assumptions)?;
+        let binary = self.binary;
+        Ok(Header { binary, sample, dimensions, data_bytes, length: start, placement, assumptions })
+    }
+
+    fn placement(
+        &self,
+        report: Report,
+        points: [u32; 3],
+        cells: bool,
+        assumptions: &mut Vec<String>,
+    ) -> Result<Placement, Error> {
+        let spacing = match self.spacing {
+            Some((spacing, line)) => {
+                let narrow = spacing.map(|value| value as f32);
+                check_spacing(report, narrow).map_err(|error| error.at(Place::Line(line)))?;
+                spacing
+            }
+            None => {
+                assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
+                [1.0; 3]
+            }
+        };
+        assumptions.push(UNORIENTED.to_owned());
+        if cells {
+            assumptions.push("the values of the cells were taken at their centres".to_owned());
+        }
+        let first = |axis: usize| if cells && points[axis] > 1 { 0.5 * spacing[axis] } else { 0.0 };
+        let origin = self.origin.map(|(origin, _)| [0, 1, 2].map(|axis| origin[axis] + first(axis)));
+        let columns = [0, 1, 2].map(|axis| IDENTITY[axis].map(|unit| f64::from(unit) * spacing[axis]));
+        let place = self.origin.map_or(Place::File, |(_, line)| Place::Line(line));
+        Placement::from_columns(columns, origin)
+            .map_err(|problem| report.invalid(place, problem, "correct SPACING or ORIGIN"))
+    }
+}
