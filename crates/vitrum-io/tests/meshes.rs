@@ -178,10 +178,12 @@ fn limits_hold_for_every_format() {
             let path = folder.write(&name, content);
             // The globe takes 13716 bytes; the files are larger.
             for max_bytes in [0, 100, 13_000] {
-                let error = open_mesh(&path, &OpenOptions { max_bytes: Some(max_bytes) }).unwrap_err();
+                let error = open_mesh(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() })
+                    .unwrap_err();
                 assert!(matches!(error, Error::TooLarge { .. }), "{error}");
             }
-            open_mesh(&path, &OpenOptions { max_bytes: Some(1 << 20) }).unwrap_or_else(|error| panic!("{error}"));
+            open_mesh(&path, &OpenOptions { max_bytes: Some(1 << 20), ..OpenOptions::default() })
+                .unwrap_or_else(|error| panic!("{error}"));
         }
     }
 }

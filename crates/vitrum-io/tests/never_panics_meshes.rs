@@ -12,7 +12,9 @@ const MAX_BYTES: u64 = 1 << 20;
 
 fn open(folder: &Folder, name: &str, content: &[u8]) {
     let path = folder.write(name, content);
-    let Ok(mesh) = open_mesh(&path, &OpenOptions { max_bytes: Some(MAX_BYTES) }) else { return };
+    let Ok(mesh) = open_mesh(&path, &OpenOptions { max_bytes: Some(MAX_BYTES), ..OpenOptions::default() }) else {
+        return;
+    };
     assert!(mesh.bytes() as u64 <= MAX_BYTES);
     let vertices = mesh.positions.len();
     assert!(mesh.triangles.as_flattened().iter().all(|&vertex| (vertex as usize) < vertices));

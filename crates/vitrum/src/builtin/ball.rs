@@ -15,6 +15,8 @@ pub(super) const SCENES: &[SceneEntry] = &[
 
 fn sheets() -> Scene {
     let mut scene = scene();
+    // What the rim deflects goes far.
+    scene.light.margin = 0.5;
     scene.sweep.light = Transport::Sheets;
     scene
 }

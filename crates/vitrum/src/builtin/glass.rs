@@ -87,6 +87,8 @@ fn juice() -> Scene {
 fn sheets() -> Scene {
     let mut scene = beer();
     scene.light.softness = 0.0;
+    // What walls and liquid scatter goes far.
+    scene.light.margin = 0.4;
     scene.sweep.light = Transport::Sheets;
     scene
 }
