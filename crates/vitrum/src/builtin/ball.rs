@@ -4,14 +4,13 @@ use super::SceneEntry;
 use super::curves::{colors, iors, opacities, procedural};
 use super::grid::Grid;
 use super::shapes::coverage;
-use crate::scene::{Camera, Ground, IorPoint, Light, Scene, Shading, TransferFunction, Transport, Wall};
+use crate::scene::{Camera, Ground, Light, Scene, Shading, TransferFunction, Transport, Wall};
 use glam::Vec3;
 use vitrum_io::{Error, Volume};
 
 pub(super) const SCENES: &[SceneEntry] = &[
     ("ball", "a solid glass ball that casts its caustic on the ground", scene),
     ("ball/sheets", "the ball in a soft light that is carried as sheets", sheets),
-    ("ball/flint", "a ball of dense flint glass, which splits crisp light into colours", flint),
 ];
 
 fn sheets() -> Scene {
@@ -19,15 +18,6 @@ fn sheets() -> Scene {
     // What the rim deflects goes far.
     scene.light.margin = 0.5;
     scene.sweep.light = Transport::Sheets;
-    scene
-}
-
-fn flint() -> Scene {
-    let mut scene = sheets();
-    scene.light.softness = 0.0;
-    scene.sweep.wavelengths = 5;
-    // Schott's N-SF11.
-    scene.transfer.ior[1] = IorPoint { abbe: Some(25.68), ..IorPoint::new(1.0, 1.784_72) };
     scene
 }
 

@@ -12,6 +12,7 @@ mod grid;
 mod head;
 mod luneburg;
 mod noise;
+mod prism;
 mod shapes;
 mod supernova;
 
@@ -25,10 +26,17 @@ type SceneEntry = (&'static str, &'static str, fn() -> Scene);
 /// Name, default resolution and maker of a volume.
 type VolumeEntry = (&'static str, u32, fn(&str, u32) -> Result<Volume, Error>);
 
-const SCENES: [&[SceneEntry]; 6] =
-    [glass::SCENES, supernova::SCENES, head::SCENES, combustion::SCENES, ball::SCENES, luneburg::SCENES];
+const SCENES: &[&[SceneEntry]] = &[
+    glass::SCENES,
+    supernova::SCENES,
+    head::SCENES,
+    combustion::SCENES,
+    ball::SCENES,
+    luneburg::SCENES,
+    prism::SCENES,
+];
 
-const VOLUMES: [VolumeEntry; 7] = [
+const VOLUMES: &[VolumeEntry] = &[
     ("glass", 256, glass::volume),
     ("supernova", 256, supernova::volume),
     ("head", 256, head::volume),
@@ -36,6 +44,7 @@ const VOLUMES: [VolumeEntry; 7] = [
     ("combustion-mixture", 256, combustion::mixture_volume),
     ("ball", 192, ball::volume),
     ("luneburg", 160, luneburg::volume),
+    ("prism", 160, prism::volume),
 ];
 
 /// The built-in scenes and what each shows; a variant is named `SCENE/VARIANT`.
@@ -143,7 +152,7 @@ mod tests {
         assert_eq!(found, FINGERPRINTS);
     }
 
-    const FINGERPRINTS: [(&str, u64); 7] = [
+    const FINGERPRINTS: [(&str, u64); 8] = [
         ("glass", 0x2170_4c9c_b50d_546f),
         ("supernova", 0x1f29_ef4f_7f37_1fdf),
         ("head", 0x5842_7ca0_ae6e_edb2),
@@ -151,5 +160,6 @@ mod tests {
         ("combustion-mixture", 0x341e_ea67_6881_cbb2),
         ("ball", 0xe5f1_d667_7fec_fb75),
         ("luneburg", 0xdeed_63e6_1164_11d5),
+        ("prism", 0x5e6e_1461_ee60_44ad),
     ];
 }
