@@ -12,6 +12,11 @@ pub fn root() -> PathBuf {
     PathBuf::from(xtask).parent().expect("xtask lies in the workspace").to_owned()
 }
 
+/// The folder that cargo builds in.
+pub fn target() -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
 /// A program in the workspace's root.
 pub fn program(name: &str) -> Command {
     let mut command = Command::new(name);

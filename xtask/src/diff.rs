@@ -29,7 +29,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// them anew.
 pub fn run_program(name: &str, arguments: &[String]) -> Result<(), Failure> {
     command::run(&mut cargo(["build", "--release", "--workspace", "--exclude", COMPILER, "--bin", name]))?;
-    let folder = env::var_os("CARGO_TARGET_DIR").map_or_else(|| command::root().join("target"), PathBuf::from);
-    let path = folder.join("release").join(format!("{name}{}", env::consts::EXE_SUFFIX));
-    command::run(command::program(&path.to_string_lossy()).args(arguments))
+    command::run(command::program(&program_path(name).to_string_lossy()).args(arguments))
+}
+
+/// Where cargo puts a program that it built for release.
+pub fn program_path(name: &str) -> PathBuf {
+    command::target().join("release").join(format!("{name}{}", env::consts::EXE_SUFFIX))
 }

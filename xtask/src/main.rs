@@ -10,6 +10,8 @@ mod command;
 mod diff;
 mod distribution;
 mod failure;
+mod fuzz;
+mod man;
 mod shaders;
 mod steps;
 mod test;
@@ -36,6 +38,8 @@ enum Task {
     Diff(diff::Arguments),
     Bench(bench::Arguments),
     Accuracy(accuracy::Arguments),
+    Fuzz(fuzz::Arguments),
+    Man(man::Arguments),
     Ci(ci::Arguments),
 }
 
@@ -46,6 +50,8 @@ fn main() -> ExitCode {
         Task::Diff(arguments) => diff::run(&arguments),
         Task::Bench(arguments) => bench::run(&arguments),
         Task::Accuracy(arguments) => accuracy::run(&arguments),
+        Task::Fuzz(arguments) => fuzz::run(&arguments),
+        Task::Man(arguments) => man::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),
     };
     match outcome {

@@ -49,8 +49,8 @@ mod vtk;
 
 pub use error::{Error, Place};
 pub use image::{
-    Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear,
-    write_picture, write_picture_with,
+    Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, read_picture_with,
+    srgb_to_linear, write_picture, write_picture_with,
 };
 pub use input::{Input, STANDARD_INPUT};
 pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};

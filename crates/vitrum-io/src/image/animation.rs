@@ -1,4 +1,4 @@
-//! Films: GIF and APNG, frame by frame, beside their path and renamed when whole.
+//! Films: GIF, APNG and MP4, frame by frame, beside their path and renamed when whole.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -11,6 +11,7 @@ use tempfile::NamedTempFile;
 
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
+use super::video::Video;
 use super::write::create_beside;
 use crate::error::{Error, Place, Report};
 use crate::input::display_name;
@@ -31,11 +32,12 @@ pub struct Animation {
 enum Encoder {
     Gif(Box<gif::Encoder<BufWriter<File>>>),
     Png(Box<png::Writer<BufWriter<File>>>),
+    Video(Video),
 }
 
 impl Animation {
-    /// Begins a film of `frames` frames of `size` pixels at `rate` frames a second: a GIF (`.gif`) or an animated PNG (`.png`,
-    /// `.apng`).
+    /// Begins a film of `frames` frames of `size` pixels at `rate` frames a second: a GIF (`.gif`), an animated PNG (`.png`,
+    /// `.apng`), or an MP4 (`.mp4`) where the program ffmpeg is installed.
     ///
     /// # Errors
     ///
@@ -56,9 +58,10 @@ impl Animation {
                 sink().and_then(|sink| begin_gif(sink, width, height))
             }
             "png" | "apng" => sink().and_then(|sink| begin_png(sink, size, frames, rate)),
+            "mp4" => Ok(Encoder::Video(Video::begin(report, beside.path(), size, rate.max(1))?)),
             _ => {
                 let found = format!("`.{extension}` is no known film format");
-                return Err(report.unsupported(Place::File, found, "use .gif, .png (animated) or a folder"));
+                return Err(report.unsupported(Place::File, found, "use .gif, .png (animated), .mp4 or a folder"));
             }
         };
         let encoder = encoder.map_err(|error| failed(report, error))?;
@@ -89,6 +92,7 @@ impl Animation {
                 encoder.write_frame(&frame).map_err(io::Error::other)
             }
             Encoder::Png(writer) => writer.write_image_data(&pixels).map_err(io::Error::other),
+            Encoder::Video(video) => video.push(&pixels),
         };
         written.map_err(|error| failed(report, error))
     }
@@ -107,6 +111,7 @@ impl Animation {
         let ended = match self.encoder {
             Encoder::Gif(encoder) => encoder.into_inner().map_err(io::Error::other).and_then(|mut sink| sink.flush()),
             Encoder::Png(writer) => writer.finish().map_err(io::Error::other),
+            Encoder::Video(mut video) => video.end(),
         };
         ended.and_then(|()| self.beside.as_file().sync_all()).map_err(|error| failed(report, error))?;
         self.beside.persist(&self.path).map(drop).map_err(|error| failed(report, error.error))

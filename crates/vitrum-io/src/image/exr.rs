@@ -13,9 +13,10 @@ use exr::prelude::{
 };
 
 use super::picture::{COLOR, Channel, Layer, Picture};
-use super::read::check_size;
+use super::read::{check_size, empty};
 use super::write::{Metadata, Sink, WriteOptions};
 use crate::error::{Error, Place, Report};
+use crate::open::OpenOptions;
 
 /// The first four bytes of a file.
 pub(super) const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
@@ -65,7 +66,7 @@ fn string(text: &Text) -> String {
 }
 
 /// Reads every layer: a part by its name, and channels such as `depth.Z` as a layer `depth`.
-pub(super) fn decode(path: &Path, report: Report) -> Result<Picture, Error> {
+pub(super) fn decode(path: &Path, report: Report, options: &OpenOptions) -> Result<Picture, Error> {
     let wrong = |error: exr::error::Error| match error {
         exr::error::Error::Io(error) if error.kind() != io::ErrorKind::UnexpectedEof => report.unreadable(error),
         other => report.invalid(
@@ -76,9 +77,14 @@ pub(super) fn decode(path: &Path, report: Report) -> Result<Picture, Error> {
     };
     let open = || File::open(path).map(BufReader::new).map_err(|error| report.unreadable(error));
     let metadata = MetaData::read_from_buffered(open()?, false).map_err(wrong)?;
+    // All layers have one size, and stand in memory twice: as decoded, and as returned.
+    let channels: u64 = metadata.headers.iter().map(|header| header.channels.list.len() as u64).sum();
     for header in &metadata.headers {
         let Vec2(width, height) = header.layer_size;
-        check_size(report, width as u64, height as u64, header.channels.list.len() as u64)?;
+        if width == 0 || height == 0 || header.channels.list.is_empty() {
+            return Err(empty(report));
+        }
+        check_size(report, width as u64, height as u64, 2 * channels, options)?;
     }
     let image = read()
         .no_deep_data()

@@ -13,6 +13,7 @@ use super::srgb::srgb_to_linear;
 use crate::error::{Error, Place, Report};
 use crate::input::display_name;
 use crate::memory;
+use crate::open::OpenOptions;
 
 /// Most pixels of a picture: 16384 squared, as much as a graphics card takes in one texture.
 const MOST_PIXELS: u64 = 1 << 28;
@@ -29,6 +30,15 @@ const MOST_PIXELS: u64 = 1 << 28;
 /// it has more than 16384 x 16384 pixels, or more than the available memory holds; that is found
 /// before its pixels are decoded.
 pub fn read_picture(path: &Path) -> Result<Picture, Error> {
+    read_picture_with(path, &OpenOptions::default())
+}
+
+/// As [`read_picture`], with options: `max_bytes` is the most that the decoded pixels may take.
+///
+/// # Errors
+///
+/// Those of [`read_picture`].
+pub fn read_picture_with(path: &Path, options: &OpenOptions) -> Result<Picture, Error> {
     let name = display_name(path);
     let report = Report::new(&name);
     let unreadable = |error| report.unreadable(error);
@@ -39,28 +49,42 @@ pub fn read_picture(path: &Path) -> Result<Picture, Error> {
     let mut magic = Vec::new();
     File::open(path).map_err(unreadable)?.take(4).read_to_end(&mut magic).map_err(unreadable)?;
     if magic == exr::MAGIC {
-        return exr::decode(path, report);
+        return exr::decode(path, report, options);
     }
     let wrong = |error| decode_error(report, error);
     let (width, height) = reader(path, report)?.into_dimensions().map_err(wrong)?;
+    if width == 0 || height == 0 {
+        return Err(empty(report));
+    }
     // Four channels in memory twice: as decoded, and as returned.
-    check_size(report, width.into(), height.into(), 8)?;
+    check_size(report, width.into(), height.into(), 8, options)?;
     let mut reader = reader(path, report)?;
     let mut limits = Limits::no_limits();
-    limits.max_alloc = Some(memory::available());
+    limits.max_alloc = Some(options.max_bytes.unwrap_or_else(memory::available));
     reader.limits(limits);
     Ok(linear(reader.decode().map_err(wrong)?))
 }
 
+/// The error of a picture that is whole, and shows nothing.
+pub(super) fn empty(report: Report) -> Error {
+    report.invalid(Place::File, "there are no pixels in it", "get the file again, or write it anew")
+}
+
 /// Fails where `channels` of float32 in this size are too many, before they are allocated.
-pub(super) fn check_size(report: Report, width: u64, height: u64, channels: u64) -> Result<(), Error> {
+pub(super) fn check_size(
+    report: Report,
+    width: u64,
+    height: u64,
+    channels: u64,
+    options: &OpenOptions,
+) -> Result<(), Error> {
     let pixels = width.saturating_mul(height);
     let bytes = |pixels: u64| pixels.saturating_mul(channels).saturating_mul(4);
     if pixels > MOST_PIXELS {
         let advice = format!("scale it down from {width} x {height} pixels");
         return Err(report.too_large(bytes(pixels), bytes(MOST_PIXELS), advice));
     }
-    memory::check(report, bytes(pixels), None)
+    memory::check(report, bytes(pixels), options.max_bytes)
 }
 
 fn reader(path: &Path, report: Report) -> Result<ImageReader<BufReader<File>>, Error> {

@@ -1,0 +1,161 @@
+//! Every reader as a function of bytes: what coverage-guided fuzzing (`fuzz/`) and the test of mutations call.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process;
+
+use vitrum_io::{Input, OpenOptions, mesh_readers, open_mesh, read_picture_with, readers};
+
+/// Most bytes that a file may ask for: enough for every path through a reader, and soon filled.
+const OPTIONS: OpenOptions = OpenOptions { max_bytes: Some(1 << 20) };
+
+/// What a target's bytes are.
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    /// A volume of the reader's name, under each of these file names in turn.
+    Volume(&'static str, &'static [&'static str]),
+    /// Headerless voxels: the first line is the file's name.
+    Raw,
+    /// A mesh of the reader's name.
+    Mesh(&'static str, &'static str),
+    /// The materials of a mesh that is given.
+    Materials,
+    /// A picture. The content decides, so that its first bytes are put in their place.
+    Picture(&'static [u8]),
+}
+
+/// All targets, one a format.
+#[rustfmt::skip]
+const TARGETS: &[(&str, Kind)] = &[
+    ("nrrd", Kind::Volume("NRRD", &["a.nrrd"])),
+    ("nifti", Kind::Volume("NIfTI", &["a.nii", "a.hdr"])),
+    ("metaimage", Kind::Volume("MetaImage", &["a.mha"])),
+    ("numpy", Kind::Volume("NumPy", &["a.npy"])),
+    ("vti", Kind::Volume("VTK image data", &["a.vti"])),
+    ("vtk", Kind::Volume("legacy VTK", &["a.vtk"])),
+    ("stack", Kind::Volume("TIFF stack", &["a.tif"])),
+    ("raw", Kind::Raw),
+    ("obj", Kind::Mesh("OBJ", "a.obj")),
+    ("mtl", Kind::Materials),
+    ("ply", Kind::Mesh("PLY", "a.ply")),
+    ("stl", Kind::Mesh("STL", "a.stl")),
+    ("gltf", Kind::Mesh("glTF", "a.gltf")),
+    ("hdr", Kind::Picture(b"#?RADIANCE")),
+    ("exr", Kind::Picture(&[0x76, 0x2f, 0x31, 0x01])),
+    ("png", Kind::Picture(b"\x89PNG\r\n\x1a\n")),
+    ("jpeg", Kind::Picture(&[0xff, 0xd8, 0xff])),
+    ("tiff", Kind::Picture(b"II*\0")),
+];
+
+/// The names of all targets.
+#[allow(dead_code, reason = "a fuzz target knows its own name")]
+pub fn names() -> impl Iterator<Item = &'static str> {
+    TARGETS.iter().map(|&(name, _)| name)
+}
+
+/// A temporary folder with the files that others may name.
+pub struct Readers {
+    folder: PathBuf,
+}
+
+impl Readers {
+    /// A folder of this process and this `label`; it is removed when the value is dropped.
+    pub fn new(label: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("vitrum-readers-{label}-{}", process::id()));
+        fs::create_dir_all(&folder).expect("a folder for the files");
+        for (name, content) in [
+            ("slice1", &[1; 6][..]),
+            ("slice2", &[2; 6]),
+            ("a.img", &[3; 4096]),
+            ("a.bin", &[0; 4096]),
+            ("a.mtl", b"newmtl a\nKd 1 0 1\nd 0.5\n"),
+        ] {
+            fs::write(folder.join(name), content).expect("a file that others name");
+        }
+        Self { folder }
+    }
+
+    /// Opens `bytes` as the format of the target `name`. What comes back is whole, within its limit, or an error.
+    ///
+    /// # Panics
+    ///
+    /// Where a reader does, or lets something through that it promises not to.
+    pub fn read(&self, name: &str, bytes: &[u8]) {
+        let (_, kind) = TARGETS.iter().find(|(known, _)| *known == name).expect("a known target");
+        match *kind {
+            Kind::Volume(reader, files) => files.iter().for_each(|file| self.volume(reader, file, bytes)),
+            Kind::Raw => {
+                let end = bytes.iter().position(|&byte| byte == b'\n').unwrap_or(bytes.len());
+                let (file, voxels) = bytes.split_at(end.min(100));
+                let fits = |byte: &&u8| byte.is_ascii_alphanumeric() || b"._- ()".contains(byte);
+                let file: String = file.iter().filter(fits).map(|&byte| char::from(byte)).collect();
+                self.volume("raw voxels", &format!("a{file}"), voxels.get(1..).unwrap_or_default());
+            }
+            Kind::Mesh(reader, file) => self.mesh(reader, file, bytes),
+            Kind::Materials => {
+                let path = self.write("b.mtl", bytes);
+                let text = b"mtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n";
+                self.mesh("OBJ", "b.obj", text);
+                let _ = fs::remove_file(path);
+            }
+            Kind::Picture(magic) => {
+                let bytes = if bytes.starts_with(magic) || name == "tiff" && bytes.starts_with(b"MM\0*") {
+                    bytes.to_vec()
+                } else {
+                    [magic, bytes].concat()
+                };
+                let Ok(picture) = read_picture_with(&self.write("a", &bytes), &OPTIONS) else { return };
+                let pixels = picture.width as usize * picture.height as usize;
+                let channels = picture.layers.iter().flat_map(|layer| &layer.channels);
+                assert!(pixels > 0 && channels.clone().count() > 0);
+                assert!(channels.clone().all(|channel| channel.data.len() == pixels));
+                assert!(channels.map(|channel| 4 * channel.data.len() as u64).sum::<u64>() <= 1 << 20);
+            }
+        }
+    }
+
+    fn write(&self, file: &str, bytes: &[u8]) -> PathBuf {
+        let path = self.folder.join(file);
+        fs::write(&path, bytes).expect("a written file");
+        path
+    }
+
+    fn volume(&self, reader: &str, file: &str, bytes: &[u8]) {
+        let path = self.write(file, bytes);
+        let reader = readers().iter().find(|known| known.name() == reader).expect("a known reader");
+        let volume = Input::new(&path).and_then(|input| {
+            let _ = reader.recognises(&input.head, &path);
+            reader.read(&input, &OPTIONS)
+        });
+        let _ = fs::remove_file(path);
+        let Ok(volume) = volume else { return };
+        assert!(volume.bytes() <= 1 << 20);
+        assert!(volume.range[0] <= volume.range[1] && volume.range.iter().all(|end| end.is_finite()));
+        assert!(volume.spacing.iter().all(|spacing| *spacing > 0.0 && spacing.is_finite()));
+        assert!(volume.origin.iter().chain(volume.axes.as_flattened()).all(|value| value.is_finite()));
+        assert_eq!(volume.histogram(7).iter().sum::<u64>(), volume.voxel_count() as u64);
+    }
+
+    fn mesh(&self, reader: &str, file: &str, bytes: &[u8]) {
+        let path = self.write(file, bytes);
+        let input = Input::new(&path).expect("a written file");
+        let reader = mesh_readers().iter().find(|known| known.name() == reader).expect("a known reader");
+        let mesh = if reader.recognises(&input) { open_mesh(&path, &OPTIONS) } else { reader.read(&input, &OPTIONS) };
+        let Ok(mesh) = mesh else { return };
+        assert!(mesh.bytes() as u64 <= 1 << 20);
+        let vertices = mesh.positions.len();
+        assert!(mesh.triangles.as_flattened().iter().all(|&vertex| (vertex as usize) < vertices));
+        assert!(mesh.positions.as_flattened().iter().all(|coordinate| coordinate.is_finite()));
+        assert!(mesh.normals.as_ref().is_none_or(|normals| normals.len() == vertices));
+        assert!(mesh.colors.as_ref().is_none_or(|colors| colors.len() == vertices));
+        assert!(mesh.triangle_materials.iter().all(|&material| (material as usize) < mesh.materials.len()));
+        assert!(mesh.surface_area() >= 0.0 && mesh.signed_volume().is_finite());
+        assert!(mesh.topology().points <= vertices);
+    }
+}
+
+impl Drop for Readers {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.folder);
+    }
+}

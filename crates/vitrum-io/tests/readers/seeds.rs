@@ -1,0 +1,295 @@
+//! Whole files of every format, which mutations start from, and the words that are worth putting into them.
+
+use std::fs;
+
+use vitrum_io::{Picture, WriteOptions, write_picture_with};
+
+use crate::common::mesh::{cuboid, files, glb, globe, gltf};
+use crate::common::tiff::{Page, Value, stack_u8, tiff};
+use crate::common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
+use crate::common::{Folder, NiftiHeader, attached, gzip, hex, metaimage, npy, npy_with, nrrd, zlib};
+
+/// The files of a target.
+pub fn seeds(target: &str) -> Vec<Vec<u8>> {
+    match target {
+        "nrrd" => nrrd_files(),
+        "nifti" => nifti_files(),
+        "metaimage" => metaimage_files(),
+        "numpy" => vec![
+            npy(">i2", &[1; 24]),
+            npy("<f8", &[0; 96]),
+            npy_with((2, 0), "{'descr': '<f4', 'fortran_order': True, 'shape': (3, 2, 2)}", &[1; 48]),
+            npy_with((3, 0), "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 2, 3)}", &[1; 12]),
+        ],
+        "vti" => vti_files(),
+        "vtk" => vec![
+            vtk("ASCII", "short", b"1 2 3 4 5 6 7 8 9 10 11 12"),
+            vtk("BINARY", "float", &[1; 48]),
+            vtk("BINARY", "unsigned_char 1", &[1; 12]),
+        ],
+        "stack" => stacks(),
+        "raw" => vec![
+            b"_3x2x2_uint8.raw\nabcdefghijkl".to_vec(),
+            b"_3x2x2_int16_le.raw\nabcdefghijklabcdefghijkl".to_vec(),
+            [&b"_3x2x2_float32_be.bin.gz\n"[..], &gzip(&[1; 48])].concat(),
+        ],
+        "mtl" => {
+            vec![b"newmtl a\nKd 1 0.5 0\nd 0.5\nNi 1.5\nTf 1 1 0\nPr 0.1\nnewmtl b\nTr 0.5\nmap_Kd a.png\n".to_vec()]
+        }
+        "obj" | "ply" | "stl" | "gltf" => meshes(target),
+        "hdr" | "exr" | "png" | "jpeg" | "tiff" => pictures(target),
+        other => panic!("{other} has no seeds"),
+    }
+}
+
+fn nrrd_files() -> Vec<Vec<u8>> {
+    let more = "endian: big\nspace: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1,2,3)\n\
+                space units: \"mm\" \"mm\" \"mm\"\nkinds: domain domain domain\n";
+    vec![
+        attached(&nrrd("int16", "raw", more), &[1; 24]),
+        attached(&nrrd("float", "gzip", more), &gzip(&[1; 48])),
+        attached(&nrrd("uint8", "text", "spacings: 1 2 3\n"), b"1 2 3 4 5 6 7 8 9 10 11 12"),
+        attached(&nrrd("uint8", "hex", "byte skip: 0\nline skip: 0\n"), &hex(&[9; 12])),
+        nrrd("uint8", "raw", "data file: slice%d 1 2 1 2\n").into_bytes(),
+        nrrd("uint8", "raw", "data file: LIST\nslice1\nslice2\n").into_bytes(),
+        nrrd("uint8", "raw", "byte skip: -1\ndata file: a.bin\n").into_bytes(),
+    ]
+}
+
+fn nifti_files() -> Vec<Vec<u8>> {
+    let first = NiftiHeader::new(4, 2, false);
+    vec![
+        first.with(&[1; 24]),
+        gzip(&first.with(&[1; 24])),
+        NiftiHeader::second(4, 2, true).with(&[1; 24]),
+        first.pair().bytes,
+        NiftiHeader::second(2, 1, false).pair().bytes,
+    ]
+}
+
+fn metaimage_files() -> Vec<Vec<u8>> {
+    let placed = "BinaryDataByteOrderMSB = True\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 1 2 3\n\
+                  ElementSpacing = 1 2 3\nHeaderSize = 0\n";
+    vec![
+        attached(&metaimage("MET_SHORT", placed, "LOCAL"), &[1; 24]),
+        attached(&metaimage("MET_FLOAT", "CompressedData = True\nCompressedDataSize = 9\n", "LOCAL"), &zlib(&[1; 48])),
+        attached(&metaimage("MET_UCHAR", "BinaryData = False\n", "LOCAL"), b"1 2 3 4 5 6 7 8 9 10 11 12"),
+        metaimage("MET_UCHAR", "HeaderSize = -1\n", "slice%d 1 2 1").into_bytes(),
+        metaimage("MET_UCHAR", "", "LIST 2\nslice1\nslice2").into_bytes(),
+    ]
+}
+
+fn vti_files() -> Vec<Vec<u8>> {
+    let (header, data) = zlib_blocks(&[1; 24], 10, 8, false);
+    let file = format!("{LITTLE} header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"");
+    let plain = base64(&[word(24, 4, true), vec![1; 24]].concat());
+    vec![
+        vti_text().into_bytes(),
+        vti("byte_order=\"BigEndian\"", "type=\"Int16\" format=\"binary\"", &plain, b""),
+        vti(&file, "type=\"Int16\" format=\"binary\"", &(base64(&header) + &base64(&data)), b""),
+        vti(&file, "type=\"UInt16\" format=\"appended\" offset=\"0\"", "", &appended("raw", &[header, data].concat())),
+    ]
+}
+
+fn stacks() -> Vec<Vec<u8>> {
+    let packed = Page::new(16, 2, &zlib(&[1; 12])).set(259, Value::Short(8));
+    let noted = Page::new(32, 3, &[1; 24]).set(270, Value::Text("ImageJ=1.51n\nimages=2\nunit=mm\nspacing=8.8\n"));
+    let noted = noted.set(282, Value::Rational(2, 1)).set(283, Value::Rational(2, 1)).set(296, Value::Short(3));
+    let tiles = Page::bytes(&[1; 256]).without(273).without(278).without(279);
+    let tiles = tiles.set(322, Value::Long(16)).set(323, Value::Long(16));
+    let tiles = tiles.set(324, Value::Long(8)).set(325, Value::Long(256));
+    vec![stack_u8(|page| page), tiff(true, &[packed.clone(), packed]), tiff(true, &[noted]), tiff(false, &[tiles])]
+}
+
+fn meshes(target: &str) -> Vec<Vec<u8>> {
+    let of = |shape| files(&shape).into_iter();
+    let all = of(cuboid([0.0; 3], [1.0; 3])).chain(of(globe(1.0, 4, 3)));
+    let end = |name: &str| name.ends_with(target) || target == "gltf" && name.ends_with("glb");
+    let mut all: Vec<_> = all.filter(|(name, _)| end(name)).map(|(_, file)| file).collect();
+    match target {
+        "obj" => all.push(
+            b"mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv .1 .1 0\nvn 0 0 1\nvt 0 0\nusemtl a\n\
+              f 1/1/1 2//-1 3 4\nl 1 2\nf -4 -3 \\\n-2\n"
+                .to_vec(),
+        ),
+        "ply" => all.push(
+            b"ply\nformat ascii 1.0\nelement tristrips 1\nproperty list uchar int vertex_index\nelement vertex 4\n\
+              property double x\nproperty double y\nproperty double z\nproperty uchar red\nproperty uchar green\n\
+              property uchar blue\nend_header\n6 0 1 2 -1 3 2\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n1 1 0 1 2 3\n"
+                .to_vec(),
+        ),
+        "gltf" => {
+            let (json, data) = gltf(&cuboid([0.0; 3], [1.0; 3]));
+            let sparse = r#""count":8,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5125},"values":{"bufferView":0}}"#;
+            all.push(glb(&json.replace("URI", "").replace(r#""count":8"#, sparse), &data));
+            all.push(json.replace("URI", r#""uri":"a.bin","#).into_bytes());
+        }
+        _ => {}
+    }
+    all
+}
+
+fn pictures(target: &str) -> Vec<Vec<u8>> {
+    let folder = Folder::new();
+    let extension = match target {
+        "jpeg" => "jpg",
+        "tiff" => "tif",
+        other => other,
+    };
+    let pixels: Vec<_> = (0..64).map(|index| [index as f32 / 64.0, 0.5, 2.0, 0.25]).collect();
+    let opaque = pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+    let mut all = Vec::new();
+    for (index, picture) in [Picture::rgb(8, 8, opaque), Picture::rgba(8, 8, pixels)].into_iter().enumerate() {
+        let path = folder.path(&format!("{index}.{extension}"));
+        let options = WriteOptions { png_bits: if index == 0 { 8 } else { 16 }, ..WriteOptions::default() };
+        let text = [("note".to_owned(), "a seed".to_owned())];
+        write_picture_with(&path, &picture, &text, &options).expect("a written picture");
+        all.push(fs::read(path).expect("a written picture"));
+    }
+    all
+}
+
+/// Words of a format, in the form that they have in its files.
+pub fn words(target: &str) -> &'static [&'static str] {
+    match target {
+        "nrrd" => &[
+            "type:",
+            "sizes:",
+            "dimension:",
+            "encoding:",
+            "endian:",
+            "space:",
+            "space directions:",
+            "space origin:",
+            "spacings:",
+            "units:",
+            "kinds:",
+            "centerings:",
+            "byte skip:",
+            "line skip:",
+            "data file:",
+            "LIST",
+            "none",
+            "left-posterior-superior",
+            "raw",
+            "gzip",
+            "bzip2",
+            "hex",
+            "text",
+            "block",
+            "NaN",
+            "%d",
+            "..",
+            "/",
+        ],
+        "metaimage" => &[
+            "NDims =",
+            "DimSize =",
+            "ElementType =",
+            "ElementDataFile =",
+            "ElementSpacing =",
+            "Offset =",
+            "HeaderSize =",
+            "TransformMatrix =",
+            "CompressedData =",
+            "CompressedDataSize =",
+            "ElementNumberOfChannels =",
+            "LOCAL",
+            "LIST",
+            "True",
+            "MET_DOUBLE",
+            "AnatomicalOrientation =",
+            "%03d",
+            "..",
+            "-1",
+        ],
+        "numpy" => &["'descr':", "'fortran_order':", "'shape':", "True", "False", "<f2", "|b1", "{", "(", "[", ",)"],
+        "vti" => &[
+            "<!DOCTYPE a [<!ENTITY b \"c\">]>",
+            "&b;",
+            "&#0;",
+            "&lt;",
+            "<![CDATA[",
+            "]]>",
+            "<!--",
+            "-->",
+            "<Piece",
+            "Extent=",
+            "WholeExtent=",
+            "Direction=",
+            "NumberOfComponents=",
+            "RangeMin=",
+            "<FieldData>",
+            "<DataArray",
+            "encoding=\"base64\"",
+            "encoding=\"raw\"",
+            "format=\"appended\"",
+            "offset=",
+            "header_type=\"UInt64\"",
+        ],
+        "vtk" => &[
+            "DATASET",
+            "STRUCTURED_POINTS",
+            "DIMENSIONS",
+            "ORIGIN",
+            "SPACING",
+            "ASPECT_RATIO",
+            "POINT_DATA",
+            "CELL_DATA",
+            "SCALARS",
+            "LOOKUP_TABLE",
+            "FIELD",
+            "METADATA",
+            "VECTORS",
+            "ASCII",
+            "BINARY",
+            "double",
+            "vtktypeint64",
+        ],
+        "obj" => &["v ", "vn ", "vt ", "f ", "g ", "o ", "s off", "usemtl ", "mtllib ", "\\\n", "//", "#", "-1", "l "],
+        "mtl" => &["newmtl ", "Kd ", "Ks ", "Tf ", "Tr ", "Ni ", "Pr ", "d ", "map_Kd ", "illum ", "spectral", "xyz"],
+        "ply" => &[
+            "element vertex",
+            "element face",
+            "element tristrips",
+            "property list uchar int vertex_indices",
+            "property",
+            "property float nx",
+            "property uchar red",
+            "format ascii 1.0",
+            "format binary_big_endian 1.0",
+            "comment",
+            "end_header",
+            "double",
+            "int16",
+            "-1",
+        ],
+        "stl" => &["solid", "facet normal", "outer loop", "vertex", "endloop", "endfacet", "endsolid", "COLOR="],
+        "gltf" => &[
+            "\"nodes\":[0]",
+            "\"children\":[0]",
+            "\"matrix\":",
+            "\"scale\":[1,1,0]",
+            "\"mesh\":0",
+            "\"mode\":5",
+            "\"sparse\":{",
+            "\"byteStride\":",
+            "\"byteOffset\":",
+            "\"normalized\":true",
+            "\"componentType\":5120",
+            "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]",
+            "\"uri\":\"../a\"",
+            "\"NORMAL\":0",
+            "\"COLOR_0\":0",
+            "\"material\":0",
+            "18446744073709551615",
+            "1e999",
+            "%2e%2e/",
+            "[[[[[[[[",
+        ],
+        "hdr" => &["FORMAT=32-bit_rle_rgbe\n", "EXPOSURE=", "-Y ", "+X ", "\n\n", "COLORCORR="],
+        "exr" => &["channels\0chlist\0", "compression\0compression\0", "dataWindow\0box2i\0", "tiles\0tiledesc\0"],
+        "png" => &["IHDR", "IDAT", "PLTE", "tRNS", "iCCP", "zTXt", "acTL", "fcTL", "fdAT", "IEND"],
+        _ => &[],
+    }
+}
