@@ -45,6 +45,7 @@ pub use image::{
     write_picture, write_picture_with,
 };
 pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
+pub use nrrd::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 pub use open::{Input, OpenOptions, VolumeReader, open, readers};
 pub use volume::{Source, Volume};
 pub use voxels::Voxels;

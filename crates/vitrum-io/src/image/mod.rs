@@ -16,3 +16,5 @@ pub use self::picture::{Channel, Layer, Picture};
 pub use self::read::read_picture;
 pub use self::srgb::{linear_to_srgb, srgb_to_linear};
 pub use self::write::{WriteOptions, check_writable, write_picture, write_picture_with};
+
+pub(crate) use self::write::create_beside;

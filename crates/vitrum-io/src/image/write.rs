@@ -126,7 +126,7 @@ fn format(report: Report, path: &Path) -> Result<&'static Format, Error> {
 }
 
 /// An empty file in the folder of `path`, thus on the same file system: renaming is atomic there.
-pub(super) fn create_beside(report: Report, path: &Path) -> Result<NamedTempFile, Error> {
+pub(crate) fn create_beside(report: Report, path: &Path) -> Result<NamedTempFile, Error> {
     let folder = match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),
