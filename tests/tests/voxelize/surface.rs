@@ -187,8 +187,8 @@ fn what_is_no_grid_is_refused() {
     for (mesh, settings, words) in [
         (&point, Settings::new(8), "one point"),
         (&flat, Settings::new(0), "0 voxels"),
-        (&flat, Settings::new(1 << 20), "at most 8192"),
-        (&flat, Settings { padding: u32::MAX, ..Settings::new(8) }, "at most 8192"),
+        (&flat, Settings::new(1 << 20), "1 to 8192"),
+        (&flat, Settings { padding: u32::MAX, ..Settings::new(8) }, "at most 1024"),
         (&flat, Settings { overlap: f32::NAN, ..Settings::new(8) }, "expected 0 to 1"),
     ] {
         let error = voxelize(mesh, &settings, &mut cpu(), &mut |_, _| true).expect_err(words).to_string();

@@ -9,9 +9,9 @@ use crate::{interrupt, output};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use vitrum::backend;
+use vitrum::backend::{self, Backend};
 use vitrum::io::{Mesh, OpenOptions};
-use vitrum::method::voxelize::{FillRule, Settings, Statistics, voxelize};
+use vitrum::method::voxelize::{FillRule, Settings, Statistics, Voxelization, voxelize};
 use write::FieldRequest;
 
 /// Turn a mesh into voxels: those that its triangles meet, or how much of each is inside
@@ -50,6 +50,10 @@ pub struct Arguments {
     /// Write statistics as JSON: sizes, counts, volume, time
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
+
+    /// Do the same so many times, to time it
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub runs: u32,
 
     /// No messages and no progress bar
     #[arg(short, long)]
@@ -99,12 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         attributes: !arguments.field.is_empty(),
         solid: arguments.solid.map(FillRule::from),
     };
-    let bar = Bar::of_work(arguments.quiet);
-    let voxels = voxelize(&mesh, &settings, backend.as_mut(), &mut |done, total| {
-        bar.set(done, total);
-        !interrupt::requested()
-    })?;
-    drop(bar);
+    let voxels = run_all(arguments.runs, &mesh, &settings, backend.as_mut(), arguments.quiet)?;
     write::write_outputs(arguments, &voxels)?;
     let statistics = &voxels.statistics;
     if !arguments.quiet {
@@ -117,6 +116,29 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// The last of several runs, with the times of all.
+fn run_all(
+    runs: u32,
+    mesh: &Mesh,
+    settings: &Settings,
+    backend: &mut dyn Backend,
+    quiet: bool,
+) -> Result<Voxelization, Failure> {
+    let bar = Bar::of_work(quiet);
+    let mut times = Vec::new();
+    loop {
+        let mut voxels = voxelize(mesh, settings, backend, &mut |done, total| {
+            bar.set(done, total);
+            !interrupt::requested()
+        })?;
+        times.append(&mut voxels.statistics.voxelize_ms);
+        if times.len() >= runs as usize {
+            voxels.statistics.voxelize_ms = times;
+            return Ok(voxels);
+        }
+    }
+}
+
 fn statistics_json(statistics: &Statistics) -> String {
     // Numbers, texts and lists of them always have a JSON form.
     let value = serde_json::to_value(statistics).unwrap_or_default();
@@ -127,8 +149,15 @@ fn summary(statistics: &Statistics) -> String {
     let [x, y, z] = statistics.dimensions;
     let surface = statistics.surface_voxels.map_or(String::new(), |count| format!(", {count} on the surface"));
     let volume = statistics.volume.map_or(String::new(), |volume| format!(", volume {volume:.6}"));
-    let Statistics { triangles, items, voxelize_ms, .. } = statistics;
-    format!("{x} x {y} x {z} voxels{surface}{volume}; {triangles} triangles, {items} items in {voxelize_ms:.1} ms")
+    let Statistics { triangles, items, .. } = statistics;
+    let mut times = statistics.voxelize_ms.clone();
+    times.sort_by(f64::total_cmp);
+    let time = match times.get(times.len() / 2) {
+        Some(median) if times.len() > 1 => format!("{} runs, median {median:.1} ms", times.len()),
+        Some(time) => format!("{time:.1} ms"),
+        None => String::new(),
+    };
+    format!("{x} x {y} x {z} voxels{surface}{volume}; {triangles} triangles, {items} items, {time}")
 }
 
 /// Says what the user may not have expected.

@@ -4,8 +4,11 @@ use super::Settings;
 use crate::render::Error;
 use vitrum_io::Mesh;
 
-/// The most voxels along an edge: the columns' numbers and the corners' fixed points are counted on.
+/// The most voxels along a mesh's longest edge.
 pub const MOST_VOXELS: u32 = 8192;
+
+/// The most voxels around it.
+pub const MOST_PADDING: u32 = 1024;
 
 /// The mesh keeps this part of the longest edge away from the grid's border or the padding. Without it, and with a voxel's closed
 /// faces, every mesh would meet the voxels beyond.
@@ -27,12 +30,12 @@ impl Grid {
     /// middle, and `padding` voxels around.
     ///
     /// # Errors
-    /// Where the resolution is 0 or the grid has more than [`MOST_VOXELS`] along an edge, and where the mesh is a point.
+    /// Where the resolution is 0 or above [`MOST_VOXELS`], the padding above [`MOST_PADDING`], and where the mesh is a point.
     pub fn around(mesh: &Mesh, settings: &Settings) -> Result<Self, Error> {
         let Settings { resolution, padding, .. } = *settings;
-        if !(1..=MOST_VOXELS).contains(&resolution) || padding > (MOST_VOXELS - resolution) / 2 {
+        if !(1..=MOST_VOXELS).contains(&resolution) || padding > MOST_PADDING {
             return Err(Error::Scene(format!(
-                "{resolution} voxels with {padding} around them, expected at least 1 and at most {MOST_VOXELS} in all; \
+                "{resolution} voxels with {padding} around them, expected 1 to {MOST_VOXELS} and at most {MOST_PADDING}; \
                  choose another resolution"
             )));
         }

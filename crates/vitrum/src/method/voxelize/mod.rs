@@ -7,7 +7,7 @@ mod solid;
 mod surface;
 mod triangles;
 
-pub use grid::{Grid, MOST_VOXELS};
+pub use grid::{Grid, MOST_PADDING, MOST_VOXELS};
 pub use solid::Solid;
 pub use surface::{Attributes, Mask};
 
@@ -78,8 +78,8 @@ pub struct Statistics {
     pub open_rows: Option<u64>,
     /// Pieces of work: a triangle's slices.
     pub items: u64,
-    /// Milliseconds from the mesh to the voxels.
-    pub voxelize_ms: f64,
+    /// Milliseconds from the mesh to the voxels; more than one if it was done several times.
+    pub voxelize_ms: Vec<f64>,
 }
 
 /// A mesh as voxels.
@@ -158,7 +158,7 @@ pub fn voxelize(
         volume: solid.as_ref().map(|solid| solid.volume() * grid.voxel_size.powi(3)),
         open_rows: solid.as_ref().map(|solid| solid.open_rows),
         items: stage.done,
-        voxelize_ms: started.elapsed().as_secs_f64() * 1e3,
+        voxelize_ms: vec![started.elapsed().as_secs_f64() * 1e3],
     };
     Ok(Voxelization { grid, surface, attributes, solid, statistics })
 }

@@ -15,9 +15,20 @@ pub(super) fn corners(mesh: &Mesh, grid: Grid, index: usize) -> [[f64; 3]; 3] {
     mesh.triangles[index].map(|vertex| grid.to_voxels(mesh.positions[vertex as usize]))
 }
 
-/// A whole number above log₂ of `extent`, at least 1.
+/// The least whole number above log₂ of `extent`, at least 1: its exponent and 1.
 fn magnitude(extent: f64) -> i32 {
-    (extent.log2().floor() as i32 + 1).max(1)
+    ((extent.to_bits() >> 52) as i32 - 1022).max(1)
+}
+
+/// The unit of numbers below `extent` that have [`BITS`] bits.
+fn unit(extent: f64) -> f64 {
+    f64::from_bits(((1023 + magnitude(extent) - BITS) as u64) << 52)
+}
+
+/// `x` rounded to a multiple of a unit, of which it is far less than 2⁵¹: the sum's last bit is a unit.
+fn round(x: f64, unit: f64) -> f64 {
+    let large = 6_755_399_441_055_744.0 * unit;
+    (x + large) - large
 }
 
 /// The words of a triangle for the surface, voxels being enlarged by `overlap` on each side.
@@ -31,19 +42,20 @@ pub(super) fn surface(corners: [[f64; 3]; 3], grid: Grid, overlap: f64) -> [u32;
         }
     }
     let extent = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max) + 2.0 * overlap + 2.0;
-    let unit = f64::from(magnitude(extent) - BITS).exp2();
+    let unit = unit(extent);
     // Corners move by half a unit at most.
     let margin = overlap + 0.5 * unit + extent * ARITHMETIC;
     let mut words = [0; triangle::SIZE];
     words[triangle::MARGIN] = (margin as f32).to_bits();
     for axis in 0..3 {
         let most = f64::from(grid.dimensions[axis] - 1);
-        let first = (low[axis] - margin).floor().clamp(0.0, most);
-        let last = (high[axis] + margin).floor().clamp(first, most);
-        words[triangle::FIRST + axis] = first as u32;
-        words[triangle::LAST + axis] = (last - first) as u32;
+        // Casts cut off, which for what is above 0 is to round down.
+        let first = (low[axis] - margin).clamp(0.0, most) as u32;
+        let last = (high[axis] + margin).clamp(0.0, most) as u32;
+        words[triangle::FIRST + axis] = first;
+        words[triangle::LAST + axis] = last - first;
         for (number, corner) in corners.iter().enumerate() {
-            let rounded = ((corner[axis] - first) / unit).round() * unit;
+            let rounded = round(corner[axis] - f64::from(first), unit);
             words[triangle::CORNERS + 3 * number + axis] = (rounded as f32).to_bits();
         }
     }
@@ -59,8 +71,8 @@ pub(super) fn slices(words: &[u32; triangle::SIZE]) -> [u32; 2] {
 /// Corners for the solid: rounded to a unit that is the same for the whole grid, so that common corners stay common.
 pub(super) fn solid(corners: [[f64; 3]; 3], grid: Grid) -> [[f32; 3]; 3] {
     let longest = grid.dimensions.into_iter().max().unwrap_or(1);
-    let unit = f64::from(magnitude(f64::from(longest)) - BITS).exp2();
-    corners.map(|corner| corner.map(|voxels| ((voxels / unit).round() * unit) as f32))
+    let unit = unit(f64::from(longest));
+    corners.map(|corner| corner.map(|voxels| round(voxels, unit) as f32))
 }
 
 /// What triangle `index` brings: the vertices' normals and colours where the mesh has them, else the triangle's normal and the
@@ -96,7 +108,16 @@ fn face_normal([a, b, c]: [[f64; 3]; 3]) -> [f32; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::magnitude;
+    use super::{magnitude, round, unit};
+
+    #[test]
+    fn numbers_are_rounded_to_units() {
+        assert_eq!((unit(2.0), unit(513.0)), ((-20.0f64).exp2(), (-12.0f64).exp2()));
+        for x in [-3.0, -0.3, 0.0, 1.0 / 3.0, 1023.999] {
+            let rounded = round(x, 1.0 / 4096.0);
+            assert!((rounded - x).abs() <= 0.5 / 4096.0 && rounded * 4096.0 % 1.0 == 0.0, "{x}: {rounded}");
+        }
+    }
 
     #[test]
     fn a_magnitude_is_above_the_logarithm() {
