@@ -3,6 +3,7 @@
 //! - [`abi`] is what host and kernels share: uniforms, record layouts, table layouts.
 //! - [`math`], [`field`] and [`optics`] are the building blocks.
 //! - [`sweep`] holds the kernels of Magnus & Bruckner 2017, one file a kernel.
+//! - [`voxelize`] holds those that turn triangles into voxels.
 //! - [`probe`] applies building blocks by themselves, for the conformance suite.
 //! - [`kernel`] is the one place where a kernel is declared; `entry_points` and the CPU dispatch come from it.
 //!
@@ -17,6 +18,7 @@ pub mod math;
 pub mod optics;
 pub mod probe;
 pub mod sweep;
+pub mod voxelize;
 
 #[cfg(target_arch = "spirv")]
 pub mod entry_points;

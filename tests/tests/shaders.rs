@@ -10,6 +10,7 @@ use vitrum_conformance::root;
 use vitrum_kernels::abi::grid::Grid;
 use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::sweep::SweepUniforms;
+use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
 use vitrum_kernels::kernel::ALL;
 use vitrum_shader_manifest::{Manifest, folder};
 
@@ -60,6 +61,10 @@ fn sweep_uniforms() -> Vec<Field> {
     })
 }
 
+fn voxelize_uniforms() -> Vec<Field> {
+    fields!(VoxelizeUniforms { dispatch, size, columns })
+}
+
 /// std140 aligns vectors of four, and structs of them, to 16 bytes. With no other fields it leaves no gap: each begins where
 /// the one before ends.
 #[test]
@@ -68,6 +73,7 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
         ("Grid", size_of::<Grid>(), align_of::<Grid>(), grid()),
         ("SweepUniforms", size_of::<SweepUniforms>(), align_of::<SweepUniforms>(), sweep_uniforms()),
         ("ProbeUniforms", size_of::<ProbeUniforms>(), align_of::<ProbeUniforms>(), fields!(ProbeUniforms { dispatch })),
+        ("VoxelizeUniforms", size_of::<VoxelizeUniforms>(), align_of::<VoxelizeUniforms>(), voxelize_uniforms()),
     ] {
         let mut end = 0;
         for field in fields {
@@ -82,11 +88,16 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
 fn modules_read_uniforms_where_the_host_puts_them() {
     let offsets = |fields: &[Field]| fields.iter().map(|field| field.offset as u32).collect::<Vec<_>>();
     let (uniforms, probe, grid) = (sweep_uniforms(), fields!(ProbeUniforms { dispatch }), grid());
+    let voxelize = voxelize_uniforms();
     for kernel in ALL {
         let name = kernel.declaration.name;
         let module = load(name);
         let block = uniform_block(&module).unwrap_or_else(|| panic!("{name} has no uniform block"));
-        let fields = if name.starts_with("probe_") { &probe } else { &uniforms };
+        let fields = match name.split_once('_') {
+            Some(("probe", _)) => &probe,
+            Some(("voxelize", _)) => &voxelize,
+            _ => &uniforms,
+        };
         assert_eq!(member_offsets(&module, block), offsets(fields), "{name}: uniforms");
         for (field, member) in fields.iter().zip(members(&module, block)) {
             let expected = if field.size == size_of::<Grid>() { offsets(&grid) } else { vec![0, 4, 8, 12] };

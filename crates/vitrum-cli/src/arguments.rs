@@ -1,6 +1,8 @@
 //! The command line as a whole; each command's own arguments stand beside it.
 
-use crate::commands::{completions, convert, devices, diff, info, presets, render, scene, scenes, schema, turntable};
+use crate::commands::{
+    completions, convert, devices, diff, info, presets, render, scene, scenes, schema, turntable, voxelize,
+};
 use clap::{Parser, Subcommand};
 
 /// Renders volumes with refraction, coloured transmission, soft shadows and caustics.
@@ -18,6 +20,7 @@ pub struct Arguments {
 pub enum Command {
     Render(Box<render::Arguments>),
     Turntable(Box<turntable::Arguments>),
+    Voxelize(voxelize::Arguments),
     Info(info::Arguments),
     Convert(convert::Arguments),
     Diff(diff::Arguments),

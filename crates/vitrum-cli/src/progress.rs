@@ -19,6 +19,20 @@ impl Bar {
         Self { bar, frames }
     }
 
+    /// A bar for work that is no frame; invisible as [`Self::new`]'s.
+    pub fn of_work(quiet: bool) -> Self {
+        let bar = Self::new(1, quiet);
+        let style = ProgressStyle::with_template("{wide_bar} {percent} %, {eta} left");
+        bar.bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        bar
+    }
+
+    /// Shows how much of the work is done.
+    pub fn set(&self, done: u64, total: u64) {
+        self.bar.set_length(total);
+        self.bar.set_position(done);
+    }
+
     /// Shows how far the frame with this index is.
     pub fn update(&self, frame: u32, progress: &Progress) {
         let total = u64::from(progress.total);

@@ -54,6 +54,7 @@ pub use image::{
 };
 pub use input::{Input, STANDARD_INPUT};
 pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
+pub use nrrd::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 pub use open::{OpenOptions, Part, VolumeReader, open, readers};
 pub use packing::Packing;
 pub use raw::RawLayout;

@@ -7,3 +7,4 @@ pub mod record;
 pub mod sweep;
 pub mod tables;
 pub mod vector;
+pub mod voxelize;

@@ -59,6 +59,22 @@ pub mod sums {
     pub const SLOPE_SCALE: f32 = 8_388_608.0;
 }
 
+/// What the triangles bring to a voxel: words next to each other (not planar), sums as in [`crate::field::sums`].
+pub mod attributes {
+    /// Words.
+    pub const SIZE: usize = 14;
+    /// Triangles.
+    pub const COUNT: usize = 0;
+    /// The largest number of a material, counted from 1; 0 for none.
+    pub const MATERIAL: usize = 1;
+    /// Sum of unit normals, x, a low and a high word; y and z follow.
+    pub const NORMAL: usize = 2;
+    /// Sum of linear colours, red, a low and a high word; green and blue follow.
+    pub const COLOR: usize = 8;
+    /// Units in 1, of either.
+    pub const SCALE: f32 = 65536.0;
+}
+
 /// What [`crate::probe::apply_function`] reads and writes for an index.
 pub mod probe {
     /// Arguments.

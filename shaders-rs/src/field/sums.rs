@@ -1,31 +1,62 @@
 //! Fixed-point sums that any invocation may add to. Integers can be added in any order with the same result, so that both
 //! backends get the same bits whichever invocation comes first.
 //!
+//! Bits can be set, and words raised to the largest of many values, in any order as well.
+//!
 //! A sum has two words, 64 bits in two's complement: what the low word cannot hold is carried to the high one, so that no number
 //! of contributions makes it wrap.
+
+#[cfg(not(target_arch = "spirv"))]
+use core::sync::atomic::Ordering;
 
 use super::access::read;
 use crate::math::{absolute, floor_to_int, select};
 
-/// Words that are added to atomically.
+/// Words that are changed atomically, each in ways that may come in any order.
 pub trait Sums {
     /// Adds `value` to the word at `index` and returns what was there before; does nothing beyond the end.
     fn add(&mut self, index: usize, value: u32) -> u32;
+
+    /// Sets the bits of `value` in the word at `index`; does nothing beyond the end.
+    fn set(&mut self, index: usize, value: u32);
+
+    /// Raises the word at `index` to `value` if it is below; does nothing beyond the end.
+    fn raise(&mut self, index: usize, value: u32);
 }
+
+#[cfg(target_arch = "spirv")]
+const SCOPE: u32 = spirv_std::memory::Scope::QueueFamily as u32;
+#[cfg(target_arch = "spirv")]
+const SEMANTICS: u32 = spirv_std::memory::Semantics::NONE.bits();
 
 #[cfg(target_arch = "spirv")]
 impl Sums for [u32] {
     #[inline(always)]
     fn add(&mut self, index: usize, value: u32) -> u32 {
         use spirv_std::arch::{IndexUnchecked as _, atomic_i_add};
-        use spirv_std::memory::{Scope, Semantics};
-        const SCOPE: u32 = Scope::QueueFamily as u32;
-        const SEMANTICS: u32 = Semantics::NONE.bits();
         if index < self.len() {
-            // SAFETY: the index is below the length; all words are only added to while the kernel runs.
+            // SAFETY: the index is below the length; all words are only changed atomically while the kernel runs.
             unsafe { atomic_i_add::<u32, SCOPE, SEMANTICS>(self.index_unchecked_mut(index), value) }
         } else {
             0
+        }
+    }
+
+    #[inline(always)]
+    fn set(&mut self, index: usize, value: u32) {
+        use spirv_std::arch::{IndexUnchecked as _, atomic_or};
+        if index < self.len() {
+            // SAFETY: as in `add`.
+            unsafe { atomic_or::<u32, SCOPE, SEMANTICS>(self.index_unchecked_mut(index), value) };
+        }
+    }
+
+    #[inline(always)]
+    fn raise(&mut self, index: usize, value: u32) {
+        use spirv_std::arch::{IndexUnchecked as _, atomic_u_max};
+        if index < self.len() {
+            // SAFETY: as in `add`.
+            unsafe { atomic_u_max::<u32, SCOPE, SEMANTICS>(self.index_unchecked_mut(index), value) };
         }
     }
 }
@@ -39,7 +70,26 @@ impl Sums for SharedSums<'_> {
     #[inline(always)]
     fn add(&mut self, index: usize, value: u32) -> u32 {
         // Nothing is read until the pass has ended, which synchronises the threads.
-        self.0.get(index).map_or(0, |word| word.fetch_add(value, core::sync::atomic::Ordering::Relaxed))
+        self.0.get(index).map_or(0, |word| word.fetch_add(value, Ordering::Relaxed))
+    }
+
+    #[inline(always)]
+    fn set(&mut self, index: usize, value: u32) {
+        // A look first: most bits are set more than once, and a locked instruction costs ten loads.
+        if let Some(word) = self.0.get(index)
+            && word.load(Ordering::Relaxed) & value != value
+        {
+            word.fetch_or(value, Ordering::Relaxed);
+        }
+    }
+
+    #[inline(always)]
+    fn raise(&mut self, index: usize, value: u32) {
+        if let Some(word) = self.0.get(index)
+            && word.load(Ordering::Relaxed) < value
+        {
+            word.fetch_max(value, Ordering::Relaxed);
+        }
     }
 }
 

@@ -6,8 +6,9 @@
 use super::host::{Access, Binding, Chunk, Declaration, Element, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
-use crate::abi::record::{film, irradiance, light, probe, ray, sheet, sums, trace};
+use crate::abi::record::{attributes, film, irradiance, light, probe, ray, sheet, sums, trace};
 use crate::abi::sweep::SweepUniforms;
+use crate::abi::voxelize::VoxelizeUniforms;
 use crate::field::sums::SharedSums;
 use crate::for_each_kernel;
 

@@ -72,7 +72,7 @@ pub fn pin(bytes: &[u8]) -> Result<Vec<u32>> {
     Ok(module.assemble())
 }
 
-/// Makes every atomic addition's scope the device.
+/// Makes the device the scope of every atomic operation that kernels use.
 fn widen_scopes(module: &mut Module) {
     let Some(header) = &mut module.header else { return };
     let device = header.bound;
@@ -80,7 +80,7 @@ fn widen_scopes(module: &mut Module) {
     for instruction in
         module.functions.iter_mut().flat_map(|function| &mut function.blocks).flat_map(|block| &mut block.instructions)
     {
-        if instruction.class.opcode == Op::AtomicIAdd {
+        if matches!(instruction.class.opcode, Op::AtomicIAdd | Op::AtomicOr | Op::AtomicUMax) {
             // Operands: pointer, scope, semantics, value; the result has the type of a scope, a 32-bit unsigned integer.
             instruction.operands[1] = Operand::IdScope(device);
             integer = instruction.result_type;

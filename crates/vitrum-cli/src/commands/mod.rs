@@ -11,6 +11,7 @@ pub mod scene;
 pub mod scenes;
 pub mod schema;
 pub mod turntable;
+pub mod voxelize;
 
 use crate::arguments::Command;
 use crate::failure::Failure;
@@ -21,6 +22,7 @@ pub fn run(command: Command) -> Result<ExitCode, Failure> {
     match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Turntable(arguments) => turntable::run(&arguments),
+        Command::Voxelize(arguments) => voxelize::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),

@@ -7,6 +7,9 @@ mod description;
 pub(crate) mod encodings;
 mod header;
 mod space;
+mod write;
+
+pub use write::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};

@@ -1,3 +1,4 @@
-//! Rendering methods: what becomes of a scene before a backend sees it.
+//! Methods: what becomes of a scene, or of a mesh, before a backend sees it.
 
 pub mod sweep;
+pub mod voxelize;

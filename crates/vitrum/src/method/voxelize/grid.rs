@@ -1,0 +1,70 @@
+//! The grid around a mesh.
+
+use super::Settings;
+use crate::render::Error;
+use vitrum_io::Mesh;
+
+/// The most voxels along a mesh's longest edge.
+pub const MOST_VOXELS: u32 = 8192;
+
+/// The most voxels around it.
+pub const MOST_PADDING: u32 = 1024;
+
+/// The mesh keeps this part of the longest edge away from the grid's border or the padding. Without it, and with a voxel's closed
+/// faces, every mesh would meet the voxels beyond.
+const CLEARANCE: f64 = 1.0 / 65536.0;
+
+/// Where the voxels lie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    /// Voxels along x, y and z.
+    pub dimensions: [u32; 3],
+    /// The low corner of voxel (0, 0, 0), in the mesh's units.
+    pub origin: [f64; 3],
+    /// A voxel's edge, in the mesh's units.
+    pub voxel_size: f64,
+}
+
+impl Grid {
+    /// `resolution` voxels along the longest edge of the mesh's bounds, as many as it takes along the others, the mesh in the
+    /// middle, and `padding` voxels around.
+    ///
+    /// # Errors
+    /// Where the resolution is 0 or above [`MOST_VOXELS`], the padding above [`MOST_PADDING`], and where the mesh is a point.
+    pub fn around(mesh: &Mesh, settings: &Settings) -> Result<Self, Error> {
+        let Settings { resolution, padding, .. } = *settings;
+        if !(1..=MOST_VOXELS).contains(&resolution) || padding > MOST_PADDING {
+            return Err(Error::Scene(format!(
+                "{resolution} voxels with {padding} around them, expected 1 to {MOST_VOXELS} and at most {MOST_PADDING}; \
+                 choose another resolution"
+            )));
+        }
+        let [low, high] = mesh.bounds().map(|corner| corner.map(f64::from));
+        let extent: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
+        let longest = extent.into_iter().fold(0.0, f64::max);
+        let voxel_size = longest / (f64::from(resolution) * (1.0 - 2.0 * CLEARANCE));
+        // Neither too small for the world's floats nor for the quotients.
+        if voxel_size < f64::from(f32::MIN_POSITIVE) {
+            return Err(Error::Scene(format!(
+                "{}: all vertices are at one point or too close to each other; scale the mesh up",
+                mesh.name
+            )));
+        }
+        let inner = extent.map(|extent| ((extent / voxel_size).ceil() as u32).clamp(1, resolution));
+        let dimensions = inner.map(|voxels| voxels + 2 * padding);
+        let origin =
+            std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]) - 0.5 * f64::from(dimensions[axis]) * voxel_size);
+        Ok(Self { dimensions, origin, voxel_size })
+    }
+
+    /// A position in voxels from the grid's low corner.
+    pub(super) fn to_voxels(self, position: [f32; 3]) -> [f64; 3] {
+        std::array::from_fn(|axis| (f64::from(position[axis]) - self.origin[axis]) / self.voxel_size)
+    }
+
+    /// How many voxels there are.
+    #[must_use]
+    pub fn voxels(&self) -> u64 {
+        self.dimensions.iter().map(|&count| u64::from(count)).product()
+    }
+}

@@ -1,0 +1,182 @@
+//! Voxelization: which voxels of a grid a mesh's triangles meet, what they bring there, and how much of each voxel is inside
+//! (Chang et al. 2010, §2; solids are not in the paper).
+
+mod grid;
+mod items;
+mod solid;
+mod surface;
+mod triangles;
+
+pub use grid::{Grid, MOST_PADDING, MOST_VOXELS};
+pub use solid::Solid;
+pub use surface::{Attributes, Mask};
+
+use crate::backend::{Backend, PassList};
+use crate::render::Error;
+use items::{Held, Plan};
+use serde::Serialize;
+use solid::Body;
+use std::time::Instant;
+use surface::Surface;
+use vitrum_io::Mesh;
+
+/// What is inside a surface that crosses itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FillRule {
+    /// Where the surface winds about a point at all: where bodies overlap is inside, and a cavity is where a part within faces the
+    /// other way. Which way the surface as a whole faces does not matter.
+    #[default]
+    Nonzero,
+    /// Where it takes an odd number of crossings to get out: where two bodies overlap is outside, whichever way they face.
+    EvenOdd,
+}
+
+/// How a mesh becomes voxels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Voxels along the mesh's longest edge, from 1.
+    pub resolution: u32,
+    /// Empty voxels around the mesh.
+    pub padding: u32,
+    /// By how much a voxel reaches over its neighbours for the surface, as a part of its edge, 0 to 1 (§4.1.1 of the paper, which
+    /// enlarges slices along their axis alone).
+    pub overlap: f32,
+    /// Whether the voxels that triangles meet are marked.
+    pub surface: bool,
+    /// Whether counts, normals, colours and materials are summed up; implies `surface`.
+    pub attributes: bool,
+    /// Whether and how the inside is filled.
+    pub solid: Option<FillRule>,
+}
+
+impl Settings {
+    /// The surface alone.
+    #[must_use]
+    pub fn new(resolution: u32) -> Self {
+        Self { resolution, padding: 1, overlap: 0.0, surface: true, attributes: false, solid: None }
+    }
+}
+
+/// What there is to tell about a run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Statistics {
+    /// `cpu` or `gpu`.
+    pub backend: String,
+    /// The processor or graphics adapter.
+    pub adapter: String,
+    /// Triangles of the mesh.
+    pub triangles: usize,
+    /// Voxels along x, y, z.
+    pub dimensions: [u32; 3],
+    /// A voxel's edge, in the mesh's units.
+    pub voxel_size: f64,
+    /// Voxels that triangles meet; `None` if they are not marked.
+    pub surface_voxels: Option<u64>,
+    /// Volume inside, in the mesh's units cubed; `None` if it is not filled.
+    pub volume: Option<f64>,
+    /// See [`Solid::open_rows`].
+    pub open_rows: Option<u64>,
+    /// Pieces of work: a triangle's slices.
+    pub items: u64,
+    /// Milliseconds from the mesh to the voxels; more than one if it was done several times.
+    pub voxelize_ms: Vec<f64>,
+}
+
+/// A mesh as voxels.
+#[derive(Debug, Clone)]
+pub struct Voxelization {
+    /// Where they lie.
+    pub grid: Grid,
+    /// Those that triangles meet, their faces included: none is missed, and none is set that is farther than 2⁻¹⁷ of the
+    /// triangle's extent (and the overlap that was asked for) from it.
+    pub surface: Option<Mask>,
+    /// What triangles bring to those.
+    pub attributes: Option<Attributes>,
+    /// What is inside.
+    pub solid: Option<Solid>,
+    /// Times and counts.
+    pub statistics: Statistics,
+}
+
+/// Work done, and told.
+struct Stage<'a> {
+    done: u64,
+    total: u64,
+    progress: &'a mut dyn FnMut(u64, u64) -> bool,
+}
+
+impl Stage<'_> {
+    /// Runs passes that are `items` pieces of the work.
+    fn run(&mut self, backend: &mut dyn Backend, passes: &PassList, items: u64) -> Result<(), Error> {
+        let (progress, done, total) = (&mut *self.progress, self.done, self.total);
+        backend.run(passes, &mut |_| progress(done, total))?;
+        self.done += items;
+        Ok(())
+    }
+}
+
+/// Makes voxels of a mesh. The result does not depend on the backend, nor on the order of the triangles.
+///
+/// `progress` is told from time to time how much of the work is done and how much there is, and cancels it by returning `false`.
+///
+/// # Errors
+/// Where the settings are out of their ranges, the mesh is a point, or the backend fails or lacks the memory.
+pub fn voxelize(
+    mesh: &Mesh,
+    settings: &Settings,
+    backend: &mut dyn Backend,
+    progress: &mut dyn FnMut(u64, u64) -> bool,
+) -> Result<Voxelization, Error> {
+    let started = Instant::now();
+    if !(0.0..=1.0).contains(&settings.overlap) {
+        return Err(Error::Scene(format!("an overlap of {}, expected 0 to 1; choose another", settings.overlap)));
+    }
+    let grid = Grid::around(mesh, settings)?;
+    let mut stage = Stage { done: 0, total: 0, progress };
+    let mut held = Held::new(backend);
+    let (mut surface, mut attributes, mut solid) = (None, None, None);
+    if settings.surface || settings.attributes {
+        let prepared = Surface::new(mesh, grid, settings.overlap);
+        let plan = prepared.plan();
+        stage.total += plan.total() * (1 + u64::from(settings.attributes));
+        let (mask, buffer) = prepared.mark(&plan, &mut held, &mut stage)?;
+        if settings.attributes {
+            attributes = Some(prepared.attributes(&plan, (&mask, buffer), &mut held, &mut stage)?);
+        }
+        surface = Some(mask);
+    }
+    if let Some(rule) = settings.solid {
+        solid = Some(fill(mesh, grid, rule, &mut held, &mut stage)?);
+    }
+    let statistics = Statistics {
+        backend: held.backend.name().to_owned(),
+        adapter: held.backend.adapter(),
+        triangles: mesh.triangles.len(),
+        dimensions: grid.dimensions,
+        voxel_size: grid.voxel_size,
+        surface_voxels: surface.as_ref().map(Mask::count),
+        volume: solid.as_ref().map(|solid| solid.volume() * grid.voxel_size.powi(3)),
+        open_rows: solid.as_ref().map(|solid| solid.open_rows),
+        items: stage.done,
+        voxelize_ms: vec![started.elapsed().as_secs_f64() * 1e3],
+    };
+    Ok(Voxelization { grid, surface, attributes, solid, statistics })
+}
+
+fn fill(mesh: &Mesh, grid: Grid, rule: FillRule, held: &mut Held<'_>, stage: &mut Stage<'_>) -> Result<Solid, Error> {
+    let body = Body::new(mesh, grid, rule)?;
+    let mut coverage = Vec::new();
+    let voxels = usize::try_from(grid.voxels()).unwrap_or(usize::MAX);
+    coverage.try_reserve_exact(voxels).map_err(|_| {
+        let [x, y, z] = grid.dimensions;
+        Error::Scene(format!("there is no memory for {x} x {y} x {z} voxels; choose a lower resolution"))
+    })?;
+    let mut solid = Solid { coverage, open_rows: 0 };
+    for slab in body.slabs() {
+        let slices = body.slices(slab);
+        let plan = Plan::new(&slices);
+        stage.total += plan.total();
+        body.fill(slab, &plan, held, stage, &mut solid)?;
+    }
+    Ok(solid)
+}

@@ -1,0 +1,169 @@
+//! How much of each voxel is inside the surface.
+
+use super::grid::Grid;
+use super::items::{Batch, Held, Plan, Slices, pass};
+use super::{FillRule, Stage, triangles};
+use crate::backend::Buffer;
+use crate::render::Error;
+use bytemuck::{cast_slice, pod_collect_to_vec};
+use rayon::prelude::*;
+use vitrum_io::Mesh;
+use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, mode};
+use vitrum_kernels::glam::UVec4;
+use vitrum_kernels::kernel::kernels;
+
+/// log₂ of the columns through a voxel along y, and along z.
+const COLUMNS: u32 = 1;
+
+/// The most words of a slab's changes: what several of a processor's caches hold, and less than any device's buffer.
+const SLAB_WORDS: u64 = 1 << 24;
+
+/// How much of each voxel is inside.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Solid {
+    /// For each voxel, x fastest: from 0, none of it, to 255, all of it.
+    pub coverage: Vec<u8>,
+    /// Rows of voxels along x whose columns end in another winding than they began in, as they go through a hole of the surface.
+    /// They are left empty.
+    pub open_rows: u64,
+}
+
+impl Solid {
+    /// What is inside, in voxels.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        let sum: u64 = self.coverage.par_iter().map(|&coverage| u64::from(coverage)).sum();
+        sum as f64 / 255.0
+    }
+}
+
+/// Triangles for the solid, and the work.
+pub(super) struct Body {
+    grid: Grid,
+    corners: Vec<[[f32; 3]; 3]>,
+    /// log₂ of the units that a column has along a voxel.
+    scale: u32,
+    rule: FillRule,
+}
+
+/// log₂ of the units of a voxel: of each a winding may have so many that `triangles` of them, the most a winding can be, stay below
+/// 2³⁰. Sums of windings may wrap on their way there, which does no harm.
+fn scale(triangles: usize) -> u32 {
+    30 - (usize::BITS - triangles.leading_zeros()).clamp(14, 30)
+}
+
+impl Body {
+    /// # Errors
+    /// Where there are more triangles than the sums' units allow.
+    pub(super) fn new(mesh: &Mesh, grid: Grid, rule: FillRule) -> Result<Self, Error> {
+        let count = mesh.triangles.len();
+        let scale = scale(count).checked_sub(2 * COLUMNS).ok_or_else(|| {
+            Error::Scene(format!("{}: {count} triangles are too many to fill; simplify the mesh", mesh.name))
+        })?;
+        let corners = (0..count).into_par_iter();
+        let corners = corners.map(|index| triangles::solid(triangles::corners(mesh, grid, index), grid)).collect();
+        Ok(Self { grid, corners, scale, rule })
+    }
+
+    /// Layers of a slab.
+    fn layers(&self) -> u32 {
+        let [x, y, z] = self.grid.dimensions;
+        let layer = (u64::from(x) + 1) * u64::from(y);
+        (SLAB_WORDS / layer).clamp(1, u64::from(z)) as u32
+    }
+
+    /// The first layer of each slab and how many it has.
+    pub(super) fn slabs(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
+        let (layers, end) = (self.layers(), self.grid.dimensions[2]);
+        (0..end).step_by(layers as usize).map(move |first| [first, layers.min(end - first)])
+    }
+
+    /// For each triangle the rows of columns of a slab that may go through it.
+    pub(super) fn slices(&self, [first, layers]: [u32; 2]) -> Vec<Slices> {
+        let a_voxel = f32::from(1u16 << COLUMNS);
+        let [begin, end] = [first << COLUMNS, (first + layers) << COLUMNS];
+        let rows = |[a, b, c]: &[[f32; 3]; 3]| {
+            let bounds = |axis: usize| {
+                [a[axis].min(b[axis]).min(c[axis]) * a_voxel, a[axis].max(b[axis]).max(c[axis]) * a_voxel]
+            };
+            // Rows z with low ≤ z + ½ < high: one more on either side does no harm.
+            let row = |z: f32| (z.floor().max(0.0) as u32).clamp(begin, end);
+            let [low, high] = bounds(2);
+            let [left, right] = bounds(1);
+            let (low, high) = (row(low - 0.5), row(high + 0.5));
+            Slices { first: low, count: high - low, rows: (right - left) as u32 + 1 }
+        };
+        self.corners.par_iter().map(rows).collect()
+    }
+
+    fn uniforms(&self, [first, layers]: [u32; 2], row: u32) -> VoxelizeUniforms {
+        let [x, y, _] = self.grid.dimensions;
+        VoxelizeUniforms {
+            dispatch: UVec4::ZERO,
+            size: UVec4::new(x, y, layers, row),
+            columns: UVec4::new(COLUMNS, first, self.scale, self.scale + 2 * COLUMNS),
+        }
+    }
+
+    /// Fills one slab, adding to `solid`.
+    pub(super) fn fill(
+        &self,
+        slab: [u32; 2],
+        plan: &Plan<'_>,
+        held: &mut Held<'_>,
+        stage: &mut Stage<'_>,
+        solid: &mut Solid,
+    ) -> Result<(), Error> {
+        let [x, y, _] = self.grid.dimensions;
+        let rows = y * slab[1];
+        held.within(|held| {
+            let changes = held.create_zeroed("changes of the winding", u64::from(x + 1) * u64::from(rows))?;
+            for batch in plan.batches() {
+                held.within(|held| self.cross(slab, &batch, changes, held, stage))?;
+            }
+            let row = x.div_ceil(4);
+            let coverage = held.create_zeroed("coverage", u64::from(row) * u64::from(rows) + 1)?;
+            let rule = match self.rule {
+                FillRule::Nonzero => mode::NONZERO,
+                FillRule::EvenOdd => mode::EVEN_ODD,
+            };
+            let bound = [changes, coverage];
+            let passes = pass(&kernels::voxelize_fill_rows, rows, rule, self.uniforms(slab, row), &bound);
+            stage.run(held.backend, &passes, 0)?;
+            let bytes = held.backend.read(coverage)?;
+            let (bytes, open) = bytes.split_at(bytes.len() - 4);
+            solid.open_rows += u64::from(pod_collect_to_vec::<u8, u32>(open)[0]);
+            bytes.chunks_exact(4 * row as usize).for_each(|row| solid.coverage.extend(&row[..x as usize]));
+            Ok(())
+        })
+    }
+
+    fn cross(
+        &self,
+        slab: [u32; 2],
+        batch: &Batch,
+        changes: Buffer,
+        held: &mut Held<'_>,
+        stage: &mut Stage<'_>,
+    ) -> Result<(), Error> {
+        let corners = held.create("corners", cast_slice(&self.corners[batch.first..batch.end]))?;
+        let items = held.create("items", cast_slice(&batch.items))?;
+        let uniforms = self.uniforms(slab, self.grid.dimensions[0] + 1);
+        let passes = pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &[corners, items, changes]);
+        stage.run(held.backend, &passes, u64::from(batch.items()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::scale;
+
+    #[test]
+    fn no_winding_has_more_than_30_bits() {
+        for triangles in [1, 12, 16383, 16384, 202_520, 1 << 20, (1 << 27) + 1] {
+            let scale = scale(triangles);
+            assert!(scale <= 16 && (triangles as u64) << scale <= 1 << 30, "{triangles}: {scale}");
+        }
+        assert_eq!(scale(1 << 31), 0);
+    }
+}

@@ -1,0 +1,66 @@
+//! The uniform block of the voxelization kernels, and the buffers they read.
+
+use spirv_std::glam::UVec4;
+
+/// Uniforms of the kernels in [`crate::voxelize`].
+#[repr(C, align(16))]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct VoxelizeUniforms {
+    /// Width and height of the dispatch, mode (see [`mode`]), invocations that have work: items, or rows of voxels.
+    pub dispatch: UVec4,
+    /// Voxels along x, y and z; words that a row of voxels takes in the buffer that is written.
+    pub size: UVec4,
+    /// log₂ of the columns through a voxel along y, and along z; the first layer along z that is worked on; log₂ of the units that a
+    /// column has along a voxel; log₂ of those that a voxel has.
+    pub columns: UVec4,
+}
+
+/// Which windings are inside, for [`crate::voxelize::fill_rows`].
+pub mod mode {
+    /// All but 0.
+    pub const NONZERO: u32 = 0;
+    /// The odd ones.
+    pub const EVEN_ODD: u32 = 1;
+}
+
+/// A triangle of the surface: words next to each other, not planar.
+///
+/// Its corners are in voxels from the low corner of its first voxel, multiples of a power of two with at most 22 bits, so that their
+/// differences are exact.
+pub mod triangle {
+    /// Words.
+    pub const SIZE: usize = 16;
+    /// x of the first corner, as the bits of a float; its y and z, then the other corners follow.
+    pub const CORNERS: usize = 0;
+    /// The first voxel along x; y and z follow.
+    pub const FIRST: usize = 9;
+    /// How many voxels on the last one is along x; y and z follow.
+    pub const LAST: usize = 12;
+    /// By how much a voxel is enlarged on each side, as the bits of a float.
+    pub const MARGIN: usize = 15;
+}
+
+/// What a triangle brings to the voxels: floats next to each other, not planar.
+pub mod brought {
+    /// Floats.
+    pub const SIZE: usize = 19;
+    /// Normal of the first corner, x; y and z, then those of the other corners follow.
+    pub const NORMALS: usize = 0;
+    /// Linear colour of the first corner, 0 to 1: red; green and blue, then those of the other corners follow.
+    pub const COLORS: usize = 9;
+    /// Number of the material, counted from 1; 0 for none. Below 2²⁴.
+    pub const MATERIAL: usize = 18;
+}
+
+/// A piece of work: words next to each other.
+pub mod item {
+    /// Words.
+    pub const SIZE: usize = 3;
+    /// The triangle.
+    pub const TRIANGLE: usize = 0;
+    /// The first slice (of the surface, from the triangle's first voxel) or row of columns (of the solid, from the grid's).
+    pub const FIRST: usize = 1;
+    /// How many.
+    pub const COUNT: usize = 2;
+}

@@ -1,0 +1,40 @@
+//! Triangles to voxels (Chang et al. 2010, §2).
+//!
+//! The paper cuts each triangle into the slices of the grid that it may meet, and draws each piece. So do these kernels: an
+//! invocation has a triangle and some of its slices, so that large triangles are shared by many invocations. [`mark_surface`] sets
+//! the bit of every voxel that a triangle meets, [`sum_attributes`] sums up what they bring there.
+//!
+//! Solids are not in the paper: [`cross_columns`] notes where columns of the grid go through the surface, [`fill_rows`] follows
+//! them from end to end.
+//!
+//! What several invocations write is in integers and does not depend on their order.
+
+pub mod cross_columns;
+pub mod fill_rows;
+pub mod mark_surface;
+pub mod overlap;
+pub mod sum_attributes;
+
+use crate::abi::voxelize::{VoxelizeUniforms, item};
+use crate::field::access::read;
+
+/// A triangle, and which of its slices are to be done.
+#[derive(Clone, Copy)]
+pub struct Item {
+    /// The triangle.
+    pub triangle: i32,
+    /// The first slice.
+    pub first: i32,
+    /// The slice behind the last one; not beyond `first` if there is nothing to do.
+    pub end: i32,
+}
+
+/// The item of invocation (x, y); one without slices if there are no more items.
+#[inline(always)]
+pub fn item_of(x: u32, y: u32, u: &VoxelizeUniforms, items: &[u32]) -> Item {
+    let index = y * u.dispatch.x + x;
+    let at = (index * item::SIZE as u32) as i32;
+    let first = read(items, at + item::FIRST as i32) as i32;
+    let count = if index < u.dispatch.w { read(items, at + item::COUNT as i32) as i32 } else { 0 };
+    Item { triangle: read(items, at + item::TRIANGLE as i32) as i32, first, end: first + count }
+}

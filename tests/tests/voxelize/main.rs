@@ -1,0 +1,23 @@
+//! Voxelization: against an exact test of triangles and boxes, against closed forms, both backends against each other.
+
+mod backends;
+mod exact;
+mod shapes;
+mod solid;
+mod surface;
+
+use vitrum::backend::{Backend, CpuBackend};
+use vitrum::method::voxelize::{Settings, Voxelization, voxelize};
+use vitrum_io::Mesh;
+
+fn cpu() -> CpuBackend {
+    CpuBackend::new(Some(2)).expect("threads can be started")
+}
+
+fn run_on(mesh: &Mesh, settings: &Settings, backend: &mut dyn Backend) -> Voxelization {
+    voxelize(mesh, settings, backend, &mut |_, _| true).unwrap_or_else(|error| panic!("{}: {error}", mesh.name))
+}
+
+fn run(mesh: &Mesh, settings: &Settings) -> Voxelization {
+    run_on(mesh, settings, &mut cpu())
+}
