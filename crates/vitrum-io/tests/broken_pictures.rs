@@ -22,7 +22,8 @@ fn the_limit_counts_what_is_decoded() {
     for extension in ["png", "exr", "hdr", "jpg", "tif"] {
         let path = folder.path(&format!("a.{extension}"));
         write_picture(&path, &picture, &[]).unwrap();
-        let read = |max_bytes| read_picture_with(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+        let read =
+            |max_bytes| read_picture_with(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
         // Three to four channels of float32, twice.
         assert!(read(64 * 64 * 4 * 8).is_ok(), "{extension}");
         let result = read(64 * 64 * 4 * 3);
@@ -38,7 +39,8 @@ fn the_layers_of_an_openexr_file_count_together() {
     let layers = (0..16).map(|index| layer(format!("layer {index}"))).collect();
     let path = folder.path("a.exr");
     write_picture(&path, &Picture { width: 64, height: 64, layers }, &[]).unwrap();
-    let read = |max_bytes| read_picture_with(&path, &OpenOptions { max_bytes: Some(max_bytes) });
+    let read =
+        |max_bytes| read_picture_with(&path, &OpenOptions { max_bytes: Some(max_bytes), ..OpenOptions::default() });
     assert!(read(16 * 4096 * 8).is_ok());
     let result = read(4 * 4096 * 8);
     assert!(matches!(result, Err(Error::TooLarge { .. })), "{result:?}");

@@ -7,7 +7,8 @@ use std::process;
 use vitrum_io::{Input, OpenOptions, mesh_readers, open_mesh, read_picture_with, readers};
 
 /// Most bytes that a file may ask for: enough for every path through a reader, and soon filled.
-const OPTIONS: OpenOptions = OpenOptions { max_bytes: Some(1 << 20) };
+const OPTIONS: OpenOptions =
+    OpenOptions { max_bytes: Some(1 << 20), raw: None, spacing: None, array: None, time: None, up: None };
 
 /// What a target's bytes are.
 #[derive(Debug, Clone, Copy)]
@@ -123,7 +124,7 @@ impl Readers {
     fn volume(&self, reader: &str, file: &str, bytes: &[u8]) {
         let path = self.write(file, bytes);
         let reader = readers().iter().find(|known| known.name() == reader).expect("a known reader");
-        let volume = Input::new(&path).and_then(|input| {
+        let volume = Input::new(&path, &OPTIONS).and_then(|input| {
             let _ = reader.recognises(&input.head, &path);
             reader.read(&input, &OPTIONS)
         });
@@ -138,7 +139,7 @@ impl Readers {
 
     fn mesh(&self, reader: &str, file: &str, bytes: &[u8]) {
         let path = self.write(file, bytes);
-        let input = Input::new(&path).expect("a written file");
+        let input = Input::new(&path, &OPTIONS).expect("a written file");
         let reader = mesh_readers().iter().find(|known| known.name() == reader).expect("a known reader");
         let mesh = if reader.recognises(&input) { open_mesh(&path, &OPTIONS) } else { reader.read(&input, &OPTIONS) };
         let Ok(mesh) = mesh else { return };
