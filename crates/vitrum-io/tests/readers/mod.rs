@@ -35,6 +35,7 @@ const TARGETS: &[(&str, Kind)] = &[
     ("vti", Kind::Volume("VTK image data", &["a.vti"])),
     ("vtk", Kind::Volume("legacy VTK", &["a.vtk"])),
     ("stack", Kind::Volume("TIFF stack", &["a.tif"])),
+    ("dicom", Kind::Volume("DICOM", &["a.dcm"])),
     ("raw", Kind::Raw),
     ("obj", Kind::Mesh("OBJ", "a.obj")),
     ("mtl", Kind::Materials),
