@@ -65,7 +65,10 @@ fn what_is_not_known_is_refused_with_what_is() {
     for (arguments, known) in [
         (["--tier", "t9"].as_slice(), "t0, t1, t2, t3"),
         (&["--method", "beems"], "sweep"),
-        (&["--tier", "t3", "--scene", "ball", "--scene", "bell"], "ball, combustion, glass, head, luneburg, prism, supernova"),
+        (
+            &["--tier", "t3", "--scene", "ball", "--scene", "bell"],
+            "ball, combustion, glass, head, luneburg, prism, supernova",
+        ),
         (&["--tier", "t1", "--scene", "bell"], "head all"),
     ] {
         let output = conformance(arguments);
