@@ -4,6 +4,7 @@ use std::fs;
 
 use vitrum_io::{Picture, WriteOptions, write_picture_with};
 
+use crate::common::dicom::Dicom;
 use crate::common::mesh::{cuboid, files, glb, globe, gltf};
 use crate::common::tiff::{Page, Value, stack_u8, tiff};
 use crate::common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
@@ -28,6 +29,9 @@ pub fn seeds(target: &str) -> Vec<Vec<u8>> {
             vtk("BINARY", "unsigned_char 1", &[1; 12]),
         ],
         "stack" => stacks(),
+        "dicom" => {
+            vec![Dicom::slice(0.0, &[1, 2, 3, 4, 5, 6]).bytes(), Dicom::words(1.0, &[1, 2, 3, 4, 5, 6], true).bytes()]
+        }
         "raw" => vec![
             b"_3x2x2_uint8.raw\nabcdefghijkl".to_vec(),
             b"_3x2x2_int16_le.raw\nabcdefghijklabcdefghijkl".to_vec(),
