@@ -8,7 +8,7 @@ use vitrum::scene::VolumeSource;
 /// How the volume is read; each but the last sets the scene's key of the same name.
 #[derive(Debug, Clone, Args)]
 pub struct VolumeArguments {
-    /// Read a file without a header: WxHxD:TYPE[:le|be][:skip=BYTES], such as 256x256x109:u8
+    /// Read a file without a header: WxHxD:TYPE, then :le or :be and :skip=BYTES if need be, such as 256x256x109:u8
     #[arg(long, value_name = "LAYOUT")]
     pub raw: Option<RawLayout>,
 
