@@ -73,7 +73,7 @@ fn verdict(case: &Case, reference: &Frame, frame: &Frame, contender: &Contender)
     let (reference, other) = (color(reference), color(frame));
     let what = || format!("{} on {}", case.name, contender.backend.adapter());
     let comparison = reference.compare(&other).map_err(|error| Failure::Compare { what: what(), error })?;
-    Ok(bounds::of_backend(contender.backend.as_ref(), &case.name, reference.is_shown()).check(&comparison))
+    Ok(bounds::of_backend(contender.backend.as_ref(), reference.is_shown()).check(&comparison))
 }
 
 fn color(frame: &Frame) -> raster::Raster {

@@ -7,16 +7,6 @@ use vitrum_compare::{Bound, Tolerance};
 
 use crate::table;
 
-/// Scenes that are not yet equal to the last bit on lavapipe, each with the reason.
-pub const NOT_YET_EQUAL: &[(&str, &str)] = &[
-    ("ball/sheets", "sums of several sheets differ on some planes; the cause is not known yet"),
-    ("prism", "as ball/sheets"),
-];
-
-/// What lavapipe is held to in a scene of [`NOT_YET_EQUAL`].
-const NEARLY_EQUAL: Tolerance =
-    Tolerance { relative_to_peak: true, max_abs: Some(2e-2), rmse: Some(1e-3), share_above: None, mean_flip: None };
-
 /// Frames where division and square root may be off by a few units in the last place: at an edge that moves a ray from one
 /// surface to another.
 const NEARLY: Bound = Bound::Tolerance(Tolerance {
@@ -153,8 +143,8 @@ pub fn is_exact(backend: &dyn Backend) -> bool {
 }
 
 /// The bound on what a backend makes of a scene, against the CPU. All CPU builds give the same bits.
-pub fn of_backend(backend: &dyn Backend, scene: &str, shown: bool) -> Bound {
-    if backend.name() == "cpu" { Bound::BitEqual } else { of_frame(&backend.adapter(), scene, shown) }
+pub fn of_backend(backend: &dyn Backend, shown: bool) -> Bound {
+    if backend.name() == "cpu" { Bound::BitEqual } else { of_frame(&backend.adapter(), shown) }
 }
 
 /// The bound on a building block on a backend, against the CPU.
@@ -175,11 +165,8 @@ pub fn of_golden(shown: bool) -> Bound {
 
 /// The bound on a scene's frame on an adapter, against the CPU. `shown` says that the values are colours, which FLIP judges.
 #[must_use]
-pub fn of_frame(adapter: &str, scene: &str, shown: bool) -> Bound {
-    match Family::of(adapter).frames {
-        Bound::BitEqual if NOT_YET_EQUAL.iter().any(|&(name, _)| name == scene) => Bound::Tolerance(NEARLY_EQUAL),
-        bound => of_values(bound, shown),
-    }
+pub fn of_frame(adapter: &str, shown: bool) -> Bound {
+    of_values(Family::of(adapter).frames, shown)
 }
 
 /// A bound on colours, without what only colours have where the values are none.
@@ -214,7 +201,7 @@ mod tests {
 
     #[test]
     fn lavapipe_is_held_to_the_last_bit() {
-        assert_eq!(of_frame("llvmpipe (LLVM 15.0.6, 256 bits)", "ball", true), Bound::BitEqual);
+        assert_eq!(of_frame("llvmpipe (LLVM 15.0.6, 256 bits)", true), Bound::BitEqual);
     }
 
     #[test]
@@ -229,7 +216,7 @@ mod tests {
 
     #[test]
     fn another_adapter_fails_beyond_its_tolerance() {
-        let bound = of_frame("NVIDIA H100", "ball", false);
+        let bound = of_frame("NVIDIA H100", false);
         let reference = vec![1.0; 1000];
         let with = |count: usize, error: f32| {
             let mut other = reference.clone();

@@ -15,7 +15,7 @@ use crate::run::Run;
 /// If a backend fails, or evidence cannot be written.
 pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
     let (reference, found) = (render(case, cpu)?, render(case, other)?);
-    let bound = |shown| bounds::of_backend(other, &case.name, shown);
+    let bound = |shown| bounds::of_backend(other, shown);
     run.hold_all(("T2", &case.name), bound, &raster::of_frame(&reference), &raster::of_frame(&found))
 }
 

@@ -55,7 +55,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
 /// # Errors
 /// If a backend fails, or evidence cannot be written.
 pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
-    let bound = bounds::of_backend(other, &case.name, false);
+    let bound = bounds::of_backend(other, false);
     let holds = |stop: &Stopped| {
         let compared = stop.expected.compare(&stop.found);
         compared

@@ -77,7 +77,7 @@ macro_rules! for_each_kernel {
                 sweep::advance_sheet [format::F32, true], levels [3 7] gpu 7, modes [0 1 2];
             sweep_clear_sums: SweepUniforms, [], writes 1 [sums::SIZE],
                 sweep::clear_sums [], plain, modes [0];
-            sweep_scatter_sheet: SweepUniforms, [1 sheet: f32], adds 2 [sums::SIZE],
+            sweep_scatter_sheet: SweepUniforms, [1 sheet: f32, 2 sources: f32], adds 3 [sums::SIZE],
                 sweep::scatter_sheet [], plain, modes [0];
             sweep_collect_light: SweepUniforms, [1 sums: u32], writes 2 [light::SIZE],
                 sweep::collect_light [], plain, modes [0];

@@ -4,21 +4,24 @@
 //! focus. It is cut into parts no wider than a texel, each of which shares its flux among the texels under it by area. So flux
 //! is conserved whatever becomes of the cell, and any number of cells may cross a texel.
 //!
-//! A cell that nothing has bent or dimmed adds nothing. The others take their light from where it would have been.
+//! A cell that nothing has bent or dimmed adds nothing. The others take their light, and its slope, from where it would have been.
 
 use crate::abi::record::{sheet, sums};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
-use crate::field::sheet::rows;
+use crate::field::sheet::{rows, source};
 use crate::field::sums::{Sums, add, quantise};
-use crate::math::{absolute, floor_to_int, lerp, max, min, select, sqrt};
+use crate::math::{absolute, clamp, floor_to_int, lerp, max, min, select, sqrt};
 use spirv_std::glam::{Vec2, Vec3};
 
-/// The most parts of a cell. One that is stretched over more texels leaves gaps between its parts: its light is so thin that it is
-/// hardly seen, and a few such cells would take most of the time.
+/// The most parts of a cell; one that needs more has wider ones.
 const MOST_PARTS: f32 = 64.0;
 /// The narrowest part, in texels.
 const NARROWEST: f32 = 1.0 / 1024.0;
+/// The widest part, in texels. A cell stretched over more than a thousand texels leaves gaps between its parts: its light is so
+/// thin that it is hardly seen, and a few such cells would take most of the time. Besides, lavapipe ends the loops of eight
+/// invocations without a word after 65,535 rounds in all: 64 parts of 5 · 5 texels make 15,000.
+const WIDEST: f32 = 4.0;
 /// Farther than any texel.
 const FAR: f32 = 65536.0;
 
@@ -32,17 +35,24 @@ struct Node {
     turned: bool,
 }
 
+/// The slope of a direction against the depth axis.
+#[inline(always)]
+fn slope(x: f32, y: f32, z: f32) -> Vec2 {
+    let inverse = 1.0 / max(z, 1e-6);
+    Vec2::new(x * inverse, y * inverse)
+}
+
 #[inline(always)]
 fn node(u: &SweepUniforms, sheets: &[f32], x: u32, y: u32, row: u32) -> Node {
     let count = (u.size.z + 1) * rows(u) * sheet_count(u);
     let index = row * (u.size.z + 1) + x;
     let component = |c: usize| read(sheets, (c as u32 * count + index) as i32);
     let corner = Vec2::new(x as i32 as f32 - 0.5, y as i32 as f32 - 0.5);
-    let inverse = 1.0 / max(component(sheet::DIRECTION_X + 2), 1e-6);
+    let v = |axis: usize| component(sheet::DIRECTION_X + axis);
     Node {
         at: corner + Vec2::new(component(sheet::DISPLACEMENT_X), component(sheet::DISPLACEMENT_X + 1)),
         unrefracted: corner + Vec2::new(component(sheet::UNREFRACTED_X), component(sheet::UNREFRACTED_X + 1)),
-        slope: Vec2::new(component(sheet::DIRECTION_X) * inverse, component(sheet::DIRECTION_X + 1) * inverse),
+        slope: slope(v(0), v(1), v(2)),
         flux: Vec3::new(component(sheet::FLUX), component(sheet::FLUX + 1), component(sheet::FLUX + 2)),
         turned: component(sheet::TURNED) != 0.0,
     }
@@ -120,19 +130,19 @@ fn share(i: i32, low: f32, width: f32) -> f32 {
 #[inline(always)]
 fn spread<S: Sums + ?Sized>(u: &SweepUniforms, sums: &mut S, centre: Vec2, size: Vec2, flux: Vec3, change: Vec2) {
     let (columns, lines) = (u.size.z as i32, u.size.w as i32);
-    let (width, height) = (max(size.x, NARROWEST), max(size.y, NARROWEST));
+    let (width, height) = (clamp(size.x, NARROWEST, WIDEST), clamp(size.y, NARROWEST, WIDEST));
     let (left, below) = (centre.x - 0.5 * width, centre.y - 0.5 * height);
     let weight = (flux.x + flux.y + flux.z) * (1.0 / 3.0);
-    let first_x = floor_to_int(left + 0.5, -FAR, FAR);
-    let last_x = floor_to_int(left + width + 0.5, -FAR, FAR);
-    let last_y = floor_to_int(below + height + 0.5, -FAR, FAR);
-    let mut j = floor_to_int(below + 0.5, -FAR, FAR);
+    let first_x = floor_to_int(left + 0.5, 0.0, FAR);
+    let last_x = floor_to_int(left + width + 0.5, -1.0, (columns - 1) as f32);
+    let last_y = floor_to_int(below + height + 0.5, -1.0, (lines - 1) as f32);
+    let mut j = floor_to_int(below + 0.5, 0.0, FAR);
     while j <= last_y {
         let part_y = share(j, below, height);
         let mut i = first_x;
         while i <= last_x {
             let part = share(i, left, width) * part_y;
-            if (i >= 0) & (i < columns) & (j >= 0) & (j < lines) & (part > 0.0) {
+            if part > 0.0 {
                 let at = (j * columns + i) * sums::SIZE as i32;
                 add(sums, at + 2 * sums::FLUX as i32, quantise(flux.x * part, sums::FLUX_SCALE));
                 add(sums, at + 2 * (sums::FLUX as i32 + 1), quantise(flux.y * part, sums::FLUX_SCALE));
@@ -148,7 +158,15 @@ fn spread<S: Sums + ?Sized>(u: &SweepUniforms, sums: &mut S, centre: Vec2, size:
 
 /// Scatters cell (x, y mod texel rows) of sheet y / texel rows.
 #[inline(always)]
-pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, sheets: &[f32], sums: &mut S) {
+pub fn invoke<S: Sums + ?Sized>(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    _mode: u32,
+    sheets: &[f32],
+    sources: &[f32],
+    sums: &mut S,
+) {
     let number = y / u.size.w;
     let line = y - number * u.size.w;
     let row = number * rows(u) + line;
@@ -157,11 +175,13 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, s
     let c = node(u, sheets, x, line + 1, row + 1);
     let d = node(u, sheets, x + 1, line + 1, row + 1);
     let disturbed = !(is_undisturbed(u, &a) & is_undisturbed(u, &b) & is_undisturbed(u, &c) & is_undisturbed(u, &d));
+    let start = slope(u.light_direction.x, u.light_direction.y, u.light_direction.z);
     if disturbed {
         let whole = u.light_initial.w;
         let home = (a.unrefracted + b.unrefracted + c.unrefracted + d.unrefracted) * 0.25;
-        let none = Vec2::new(0.0, 0.0);
-        spread(u, sums, home, Vec2::new(1.0, 1.0), Vec3::new(-whole, -whole, -whole), none);
+        let v = source(u, sources, row);
+        let taken = Vec3::new(-whole, -whole, -whole);
+        spread(u, sums, home, Vec2::new(1.0, 1.0), taken, slope(v.x, v.y, v.z) - start);
     }
     let followed = count(!a.turned) + count(!b.turned) + count(!c.turned) + count(!d.turned);
     if disturbed & (followed > 0.0) {
@@ -177,7 +197,6 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, s
         let (across, up) = (fewer(across, factor), fewer(up, factor));
         let (step_s, step_t) = (1.0 / across as f32, 1.0 / up as f32);
         let share = step_s * step_t * (followed * 0.25);
-        let start = Vec2::new(u.light_direction.x / u.light_direction.z, u.light_direction.y / u.light_direction.z);
         let mut q = 0;
         while q < up {
             let t = (q as f32 + 0.5) * step_t;

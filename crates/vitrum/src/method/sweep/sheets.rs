@@ -89,7 +89,7 @@ impl Carrier for Sheets {
         let bound = [voxels, ior_voxels, occupancy, tables, self.sources, self.nodes];
         push(advance_kernel(fixed.format), nodes(texels, self.count), fixed.mode, &bound);
         push(&kernels::sweep_clear_sums, texels, 0, &[self.sums]);
-        push(&kernels::sweep_scatter_sheet, cells, 0, &[self.nodes, self.sums]);
+        push(&kernels::sweep_scatter_sheet, cells, 0, &[self.nodes, self.sources, self.sums]);
         push(&kernels::sweep_collect_light, texels, 0, &[self.sums, self.light]);
         push(&kernels::sweep_concentrate_light, texels, 0, &[self.light, self.irradiance]);
     }
