@@ -17,5 +17,5 @@ pub mod suggest;
 pub use frame::{Frame, Statistics};
 pub use inputs::Inputs;
 pub use render::{Error, Progress, Wanted, render, render_wanted};
-pub use session::Session;
+pub use session::{Fallback, Session};
 pub use vitrum_io as io;

@@ -4,6 +4,7 @@ pub mod completions;
 pub mod devices;
 pub mod diff;
 pub mod info;
+pub mod man;
 pub mod presets;
 pub mod render;
 pub mod scene;
@@ -28,5 +29,6 @@ pub fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Scenes(arguments) => scenes::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
     }
 }
