@@ -100,6 +100,10 @@ fn decode_error(report: Report, error: ImageError) -> Error {
             problem,
             "convert it to PNG, JPEG, Radiance HDR, OpenEXR or float32 RGB TIFF",
         ),
+        // What a decoder needs besides the pixels.
+        ImageError::Limits(_) => {
+            report.unsupported(Place::File, problem, "free some memory, raise the limit, or scale the picture down")
+        }
         ImageError::IoError(error) if error.kind() != std::io::ErrorKind::UnexpectedEof => report.unreadable(error),
         _ => report.invalid(Place::File, problem, "get the file again, or write it anew"),
     }
