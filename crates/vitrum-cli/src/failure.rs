@@ -1,5 +1,6 @@
 //! Why a command failed, as the user reads it.
 
+use crate::interrupt;
 use std::process::ExitCode;
 use vitrum::backend::BackendError;
 use vitrum::preset::PresetError;
@@ -11,6 +12,8 @@ pub enum Status {
     WrongUse = 2,
     Input = 3,
     Device = 4,
+    /// As timeout(1) has it.
+    TimedOut = 124,
     /// 128 + SIGINT, as shells have it.
     Interrupted = 130,
 }
@@ -95,7 +98,7 @@ impl From<vitrum::Error> for Failure {
 impl From<BackendError> for Failure {
     fn from(error: BackendError) -> Self {
         match error {
-            BackendError::Cancelled => Self::new(Status::Interrupted, "interrupted", "no output was written"),
+            BackendError::Cancelled => interrupt::failure(),
             error => Self::with_advice(Status::Device, &error, error.help().map(str::to_owned)),
         }
     }
@@ -110,5 +113,19 @@ fn advice(error: &vitrum::io::Error) -> Option<String> {
         | Error::TooLarge { advice, .. }
         | Error::Write { advice, .. } => Some(advice.clone()),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lost_device_exits_4_and_says_what_to_do() {
+        let lost = BackendError::DeviceLost { adapter: "a card".to_owned(), reason: "the driver was reset".to_owned() };
+        let failure = Failure::from(vitrum::Error::from(lost));
+        assert_eq!(failure.status, Status::Device);
+        assert!(failure.message.contains("a card failed: the driver was reset"), "{}", failure.message);
+        assert!(failure.help.is_some_and(|help| help.contains("--backend cpu")));
     }
 }

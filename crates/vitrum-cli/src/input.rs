@@ -114,19 +114,23 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
 }
 
 fn read_scene(path: &Path) -> Result<Scene, Failure> {
-    // Scenes are small; anything else by that name should not fill the memory.
+    Ok(Scene::from_toml(&read_text(path, "scene")?, &path.display().to_string())?)
+}
+
+/// Reads a text that should hold `what`.
+pub fn read_text(path: &Path, what: &str) -> Result<String, Failure> {
+    // They are small; anything else by that name should not fill the memory.
     const MOST_BYTES: u64 = 16 << 20;
     let shown = path.display();
     let unreadable = |problem: String, help: &str| Failure::new(Status::Input, format!("{shown}: {problem}"), help);
     let length =
         fs::metadata(path).map_err(|error| unreadable(format!("cannot be read: {error}"), "check the path"))?.len();
     if length > MOST_BYTES {
-        let problem = format!("{length} bytes are no scene, the limit is {MOST_BYTES}");
-        return Err(unreadable(problem, "give a scene file; volumes have other extensions"));
+        let problem = format!("{length} bytes are no {what}, the limit is {MOST_BYTES}");
+        return Err(unreadable(problem, "give a text file; volumes have other extensions"));
     }
-    let text = fs::read_to_string(path)
-        .map_err(|error| unreadable(format!("cannot be read: {error}"), "give a text file in UTF-8"))?;
-    Ok(Scene::from_toml(&text, &shown.to_string())?)
+    fs::read_to_string(path)
+        .map_err(|error| unreadable(format!("cannot be read: {error}"), "give a text file in UTF-8"))
 }
 
 fn unknown_builtin(name: &str) -> Failure {

@@ -1,21 +1,82 @@
-//! Ctrl-C: ends the work at the next plane, so that no output is left half-written.
+//! Ctrl-C and `--timeout`: end the work at the next plane, so that no output is left half-written.
 
+use crate::failure::{Failure, Status};
+use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+static TIMED_OUT: AtomicBool = AtomicBool::new(false);
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP set [`requested`]; a second one ends the program at once.
-pub fn listen() {
+/// How long after `--timeout` the program ends even where it does not come to look, such as in the middle of a large file.
+const GRACE: Duration = Duration::from_secs(5);
+
+/// A time of more than 0 seconds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Timeout(Duration);
+
+impl FromStr for Timeout {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let seconds: f64 = text.parse().map_err(|_| "expected a number of seconds, such as 30".to_owned())?;
+        match Duration::try_from_secs_f64(seconds) {
+            Ok(time) if !time.is_zero() => Ok(Self(time)),
+            _ => Err("expected a number of seconds above 0".to_owned()),
+        }
+    }
+}
+
+/// From now on Ctrl-C, SIGTERM and SIGHUP, and the end of `timeout`, set [`requested`]; a second signal ends the program at
+/// once.
+pub fn listen(timeout: Option<Timeout>) {
     let handler = || {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+            std::process::exit(Status::Interrupted as i32);
         }
     };
     // Without a handler the signal ends the program, and outputs are still renamed into place only when whole.
     let _ = ctrlc::set_handler(handler);
+    if let Some(Timeout(time)) = timeout {
+        thread::spawn(move || {
+            thread::sleep(time);
+            TIMED_OUT.store(true, Ordering::Relaxed);
+            thread::sleep(GRACE);
+            failure().report();
+            std::process::exit(Status::TimedOut as i32);
+        });
+    }
 }
 
-/// Whether the user wants the work to end.
+/// Whether the work is to end.
 pub fn requested() -> bool {
-    INTERRUPTED.load(Ordering::Relaxed)
+    INTERRUPTED.load(Ordering::Relaxed) || TIMED_OUT.load(Ordering::Relaxed)
+}
+
+/// Fails if the work is to end.
+pub fn check() -> Result<(), Failure> {
+    if requested() { Err(failure()) } else { Ok(()) }
+}
+
+/// Why the work ended early.
+pub fn failure() -> Failure {
+    if TIMED_OUT.load(Ordering::Relaxed) && !INTERRUPTED.load(Ordering::Relaxed) {
+        let help = "give it more time, or make the picture smaller (--size); no unfinished output was written";
+        return Failure::new(Status::TimedOut, "the time of --timeout is over", help);
+    }
+    Failure::new(Status::Interrupted, "interrupted", "no unfinished output was written")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Timeout;
+
+    #[test]
+    fn a_timeout_is_above_zero_and_finite() {
+        assert!("0.5".parse::<Timeout>().is_ok() && "86400".parse::<Timeout>().is_ok());
+        for wrong in ["0", "-1", "nan", "inf", "1e300", "5s", ""] {
+            assert!(wrong.parse::<Timeout>().is_err(), "{wrong}");
+        }
+    }
 }

@@ -1,9 +1,41 @@
 //! Results on standard output, and small text files written whole or not at all.
 
 use crate::failure::{Failure, Status};
+use clap::ValueEnum;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 use tempfile::NamedTempFile;
+use vitrum::io::WriteOptions;
+
+/// Bits per channel of PNG pictures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Bits {
+    #[value(name = "8")]
+    Eight,
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl Bits {
+    /// What pictures are written with.
+    pub fn options(self) -> WriteOptions {
+        let png_bits = match self {
+            Self::Eight => 8,
+            Self::Sixteen => 16,
+        };
+        WriteOptions { png_bits, ..WriteOptions::default() }
+    }
+
+    /// Fails if more than 8 bits are asked for, and none of `files` is a PNG.
+    pub fn check<'a>(self, mut files: impl Iterator<Item = &'a Path>) -> Result<(), Failure> {
+        let is_png = |file: &Path| file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+        if self == Self::Eight || files.any(is_png) {
+            return Ok(());
+        }
+        let help = "write a .png, or leave it out: .exr and .tif keep float32";
+        Err(Failure::new(Status::WrongUse, "--bits 16 is for PNG pictures, and there is none", help))
+    }
+}
 
 /// Prints a result to standard output. A reader that has seen enough, such as `head`, is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
@@ -33,6 +65,9 @@ pub fn print_table<'a>(rows: impl Iterator<Item = (&'a str, &'a str)> + Clone) -
 pub fn check_writable(path: &Path) -> Result<(), Failure> {
     if path.is_dir() {
         return Err(unwritable(path, "there is a folder of this name", "choose another name"));
+    }
+    if path.exists() && !path.is_file() {
+        return Err(unwritable(path, "this is a device or a pipe", "name a file; --json prints to standard output"));
     }
     create_beside(path).map(drop)
 }

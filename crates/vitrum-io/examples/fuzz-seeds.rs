@@ -8,6 +8,8 @@ mod common;
 mod readers;
 #[path = "../tests/readers/seeds.rs"]
 mod seeds;
+#[path = "../tests/readers/words.rs"]
+mod words;
 
 use std::path::Path;
 use std::{env, fs, io};
@@ -23,7 +25,7 @@ fn main() -> io::Result<()> {
         for (index, seed) in seeds::seeds(target).iter().enumerate() {
             fs::write(corpus.join(format!("seed-{index}")), seed)?;
         }
-        fs::write(dictionaries.join(target), seeds::words(target).iter().map(|word| entry(word)).collect::<String>())?;
+        fs::write(dictionaries.join(target), words::words(target).iter().map(|word| entry(word)).collect::<String>())?;
     }
     Ok(())
 }

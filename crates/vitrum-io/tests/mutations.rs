@@ -5,6 +5,8 @@ mod common;
 mod readers;
 #[path = "readers/seeds.rs"]
 mod seeds;
+#[path = "readers/words.rs"]
+mod words;
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -76,7 +78,7 @@ fn every_reader_survives_mutations() {
             let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ (index as u64 + 1));
             for _ in 0..ROUNDS {
                 let mut file = seed.clone();
-                mutate(&mut file, &seeds, seeds::words(target), &mut random);
+                mutate(&mut file, &seeds, words::words(target), &mut random);
                 readers.read(target, &file);
             }
         }

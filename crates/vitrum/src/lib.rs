@@ -18,6 +18,6 @@ pub mod spectrum;
 pub use frame::{Frame, Statistics};
 pub use inputs::{Inputs, load_volume};
 pub use render::{Error, Progress, Wanted, render, render_wanted};
-pub use session::Session;
+pub use session::{Fallback, Session};
 pub use vitrum_io as io;
 pub use vitrum_io::suggest;

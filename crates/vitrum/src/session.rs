@@ -1,6 +1,6 @@
 //! Frames of one volume after another: what does not change stays on the backend.
 
-use crate::backend::Backend;
+use crate::backend::{Backend, BackendError};
 use crate::blend::Blend;
 use crate::frame::Frame;
 use crate::inputs::Inputs;
@@ -13,10 +13,30 @@ use std::time::Instant;
 /// Volumes on a backend, to be rendered again and again while camera, light and transfer functions change.
 pub struct Session<'a> {
     inputs: &'a Inputs,
-    backend: &'a mut dyn Backend,
+    backend: Held<'a>,
+    /// What to go on with when the device fails, until it has been called.
+    fallback: Option<Box<Fallback<'a>>>,
     uploaded: Uploaded,
     /// The time that the upload took, until the first frame has told it.
     upload_ms: f64,
+}
+
+/// Opens another backend after a failure of the first one's device.
+pub type Fallback<'a> = dyn FnMut(&BackendError) -> Result<Box<dyn Backend>, BackendError> + 'a;
+
+/// A backend, the caller's or the session's own.
+enum Held<'a> {
+    Borrowed(&'a mut dyn Backend),
+    Owned(Box<dyn Backend>),
+}
+
+impl Held<'_> {
+    fn get(&mut self) -> &mut dyn Backend {
+        match self {
+            Self::Borrowed(backend) => &mut **backend,
+            Self::Owned(backend) => backend.as_mut(),
+        }
+    }
 }
 
 impl<'a> Session<'a> {
@@ -25,9 +45,39 @@ impl<'a> Session<'a> {
     /// # Errors
     /// If a volume is too large for the sweep or for the backend.
     pub fn new(inputs: &'a Inputs, backend: &'a mut dyn Backend) -> Result<Self, Error> {
+        Self::upload(inputs, Held::Borrowed(backend))
+    }
+
+    /// As [`Self::new`], with a backend of the session's own.
+    ///
+    /// When its device fails or has too little memory, now or in a later frame, and there is a `fallback`, the session goes on
+    /// with what that opens: volumes are uploaded again, and the frame begins anew. `fallback` is called once at most, with the
+    /// reason; it is the place to tell the user.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`], of `fallback`, and of the backend that it opened.
+    pub fn owning(
+        inputs: &'a Inputs,
+        backend: Box<dyn Backend>,
+        fallback: Option<Box<Fallback<'a>>>,
+    ) -> Result<Self, Error> {
+        match (Self::upload(inputs, Held::Owned(backend)), fallback) {
+            (Err(Error::Backend(failure)), Some(mut fallback)) if failure.is_of_device() => {
+                Self::upload(inputs, Held::Owned(fallback(&failure)?))
+            }
+            (Ok(mut session), fallback) => {
+                session.fallback = fallback;
+                Ok(session)
+            }
+            (Err(error), _) => Err(error),
+        }
+    }
+
+    fn upload(inputs: &'a Inputs, mut backend: Held<'a>) -> Result<Self, Error> {
         let started = Instant::now();
-        let uploaded = Uploaded::new(inputs, backend)?;
-        Ok(Self { inputs, backend, uploaded, upload_ms: started.elapsed().as_secs_f64() * 1e3 })
+        let uploaded = Uploaded::new(inputs, backend.get())?;
+        let upload_ms = started.elapsed().as_secs_f64() * 1e3;
+        Ok(Self { inputs, backend, fallback: None, uploaded, upload_ms })
     }
 
     /// Renders a scene of these volumes, with the outputs that are wanted. The scene's own `volume` and `ior_volume` are not
@@ -42,25 +92,41 @@ impl<'a> Session<'a> {
         progress: &mut dyn FnMut(Progress) -> bool,
     ) -> Result<Frame, Error> {
         scene.validate()?;
+        let failure = match self.render_once(scene, wanted, progress) {
+            Err(Error::Backend(error)) if error.is_of_device() => error,
+            outcome => return outcome,
+        };
+        let Some(mut fallback) = self.fallback.take() else { return Err(failure.into()) };
+        *self = Self::upload(self.inputs, Held::Owned(fallback(&failure)?))?;
+        self.render_once(scene, wanted, progress)
+    }
+
+    fn render_once(
+        &mut self,
+        scene: &Scene,
+        wanted: Wanted,
+        progress: &mut dyn FnMut(Progress) -> bool,
+    ) -> Result<Frame, Error> {
         let exposures = exposures(scene);
         let mut upload_ms = std::mem::take(&mut self.upload_ms);
         let mut blend = Blend::default();
         let mut frame = None;
         let count = exposures.len() as u32;
+        let backend = self.backend.get();
         for (index, (band, seen)) in (0..).zip(&exposures) {
             let started = Instant::now();
-            let mut sweep = Sweep::prepare_uploaded(seen, self.inputs, self.uploaded, self.backend)?;
+            let mut sweep = Sweep::prepare_uploaded(seen, self.inputs, self.uploaded, backend)?;
             if !wanted.light {
                 sweep.end_light_with_rays();
             }
             upload_ms += started.elapsed().as_secs_f64() * 1e3;
             let planes = sweep.planes.count;
             let mut tell = |done: u32| progress(Progress { done: index * planes + done, total: count * planes });
-            let result = expose(&sweep, wanted, self.backend, &mut tell).map(|exposure| blend.add(*band, exposure));
+            let result = expose(&sweep, wanted, backend, &mut tell).map(|exposure| blend.add(*band, exposure));
             if result.is_ok() && index + 1 == count {
-                frame = blend.exposure.take().map(|whole| develop(scene, &sweep, &whole, self.backend, upload_ms));
+                frame = blend.exposure.take().map(|whole| develop(scene, &sweep, &whole, backend, upload_ms));
             }
-            sweep.free(self.backend);
+            sweep.free(backend);
             result?;
         }
         Ok(frame.expect("a scene has at least one exposure"))
@@ -69,6 +135,6 @@ impl<'a> Session<'a> {
 
 impl Drop for Session<'_> {
     fn drop(&mut self) {
-        self.uploaded.free(self.backend);
+        self.uploaded.free(self.backend.get());
     }
 }

@@ -5,6 +5,7 @@ pub mod convert;
 pub mod devices;
 pub mod diff;
 pub mod info;
+pub mod man;
 pub mod presets;
 pub mod render;
 pub mod scene;
@@ -32,5 +33,6 @@ pub fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Scenes(arguments) => scenes::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
     }
 }

@@ -67,6 +67,11 @@ pub enum BackendError {
 }
 
 impl BackendError {
+    /// Whether another device could do the same work: this one failed, or has too little memory.
+    pub fn is_of_device(&self) -> bool {
+        matches!(self, Self::DeviceLost { .. } | Self::OutOfMemory { .. } | Self::TooLarge { .. })
+    }
+
     /// What to do about it.
     pub fn help(&self) -> Option<&'static str> {
         match self {

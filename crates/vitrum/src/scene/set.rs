@@ -72,7 +72,7 @@ fn parse(shape: Shape<'_>, text: &str, path: &[String]) -> Result<Option<Value>,
 }
 
 /// The place of the key, made where it is not there yet.
-fn entry<'a>(table: &'a mut Table, path: &[String]) -> Result<&'a mut Value, Fault> {
+pub(super) fn entry<'a>(table: &'a mut Table, path: &[String]) -> Result<&'a mut Value, Fault> {
     let (first, rest) =
         path.split_first().ok_or_else(|| Fault::at(path, Problem::Syntax("there is no key".to_owned())))?;
     let mut place = table.entry(first).or_insert_with(|| empty(Shape::scene().child(first)));

@@ -6,11 +6,13 @@ mod write;
 
 pub use run::run;
 
+use crate::device::DeviceArguments;
 use crate::input::SceneArguments;
+use crate::interrupt::Timeout;
+use crate::output::Bits;
 use aov::AovRequest;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::path::PathBuf;
-use vitrum::backend::Choice;
 
 /// Render a picture
 #[derive(Debug, Args)]
@@ -37,6 +39,14 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
 
+    /// Bits per channel of PNG pictures
+    #[arg(long, value_enum, value_name = "8|16", hide_possible_values = true, default_value_t = Bits::Eight)]
+    pub bits: Bits,
+
+    /// End with exit code 124 and without output when it takes longer
+    #[arg(long, value_name = "SECONDS")]
+    pub timeout: Option<Timeout>,
+
     /// No messages and no progress bar
     #[arg(short, long)]
     pub quiet: bool,
@@ -44,37 +54,4 @@ pub struct Arguments {
     /// Print the statistics as JSON to standard output
     #[arg(long)]
     pub json: bool,
-}
-
-/// Where the work is done.
-#[derive(Debug, Args)]
-pub struct DeviceArguments {
-    /// Where to render; auto takes a hardware GPU if there is one, else the CPU
-    #[arg(long, value_enum, default_value_t = BackendName::Auto)]
-    pub backend: BackendName,
-
-    /// Take the GPU whose name has this text in it (`vitrum devices` lists them), software or not
-    #[arg(long, value_name = "SUBSTRING")]
-    pub adapter: Option<String>,
-
-    /// CPU threads; all cores if absent
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum BackendName {
-    Auto,
-    Cpu,
-    Gpu,
-}
-
-impl From<BackendName> for Choice {
-    fn from(name: BackendName) -> Self {
-        match name {
-            BackendName::Auto => Self::Auto,
-            BackendName::Cpu => Self::Cpu,
-            BackendName::Gpu => Self::Gpu,
-        }
-    }
 }

@@ -7,20 +7,16 @@ use crate::input::Prepared;
 use crate::progress::Bar;
 use crate::{interrupt, output};
 use std::process::ExitCode;
-use vitrum::backend::{self, Backend};
 use vitrum::{Frame, Session, Statistics, Wanted};
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    interrupt::listen();
+    interrupt::listen(arguments.timeout);
     // What can be refused at once is refused before any work.
     check_outputs(arguments)?;
     let prepared = arguments.scene.prepare()?;
-    let device = &arguments.device;
-    let mut backend = backend::open(device.backend.into(), device.adapter.as_deref(), device.threads.map(usize::from))?;
-    if !arguments.quiet {
-        eprintln!("rendering on {} ({})", backend.name(), backend.adapter());
-    }
-    let frame = render(arguments, &prepared, backend.as_mut())?;
+    let mut session = arguments.device.session(&prepared.inputs, arguments.quiet)?;
+    let frame = render(arguments, &prepared, &mut session)?;
+    interrupt::check()?;
     write_outputs(arguments, &prepared.scene, &frame)?;
     if !arguments.quiet {
         eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
@@ -32,9 +28,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 }
 
 /// The last of `--frames` frames, with the times of all.
-fn render(arguments: &Arguments, prepared: &Prepared, backend: &mut dyn Backend) -> Result<Frame, Failure> {
+fn render(arguments: &Arguments, prepared: &Prepared, session: &mut Session) -> Result<Frame, Failure> {
     let wanted = Wanted { light: arguments.aov.iter().any(|aov| aov.name == "light") };
-    let mut session = Session::new(&prepared.inputs, backend)?;
     let bar = Bar::new(arguments.frames, arguments.quiet);
     let mut frame_ms = Vec::new();
     let mut index = 0;

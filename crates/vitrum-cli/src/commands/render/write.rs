@@ -5,7 +5,7 @@ use super::run::statistics_json;
 use crate::failure::{Failure, Status};
 use crate::output;
 use std::path::Path;
-use vitrum::io::{Picture, check_writable, write_picture};
+use vitrum::io::{Picture, check_writable, write_picture_with};
 use vitrum::scene::Scene;
 use vitrum::{Frame, Statistics};
 
@@ -20,6 +20,7 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
         }
         seen.push(file);
     }
+    arguments.bits.check(pictures.clone().map(|file| file.as_path()))?;
     for file in pictures {
         check_writable(file).map_err(|error| Failure::output(&error))?;
     }
@@ -29,8 +30,9 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
 /// Writes the picture, the named outputs and the statistics.
 pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Result<(), Failure> {
     let metadata = metadata(scene, &frame.statistics)?;
+    let options = arguments.bits.options();
     let write = |file: &Path, picture: &Picture| {
-        write_picture(file, picture, &metadata).map_err(|error| Failure::output(&error))
+        write_picture_with(file, picture, &metadata, &options).map_err(|error| Failure::output(&error))
     };
     // Formats without layers write the first one, the color.
     write(&arguments.output, &frame.picture())?;

@@ -1,128 +1,91 @@
-//! `vitrum turntable`: a film of the camera going round.
+//! `vitrum turntable`: a film of the camera going round, or along key frames.
 
-use super::render::DeviceArguments;
-use crate::failure::{Failure, Status};
+mod course;
+mod target;
+
+use crate::device::DeviceArguments;
+use crate::failure::Failure;
 use crate::input::{Prepared, SceneArguments};
-use crate::interrupt;
+use crate::interrupt::{self, Timeout};
+use crate::output::Bits;
 use crate::progress::Bar;
 use clap::Args;
-use std::fs;
-use std::path::{Path, PathBuf};
+use course::Course;
+use std::path::PathBuf;
 use std::process::ExitCode;
-use vitrum::backend;
-use vitrum::io::{Animation, Picture, write_picture};
-use vitrum::scene::Scene;
-use vitrum::{Session, Wanted};
+use target::Target;
+use vitrum::Wanted;
 
-/// Render a film of the camera going round
+/// Render a film of the camera going round, or of a scene that changes along key frames
 #[derive(Debug, Args)]
 pub struct Arguments {
     #[command(flatten)]
     pub scene: SceneArguments,
 
-    /// A folder for numbered pictures, which is made if it is missing, or a film: .gif or .png (animated)
+    /// A folder for numbered pictures, which is made if it is missing, or a film: .gif, .png (animated) or .mp4 (by ffmpeg)
     #[arg(short, long, value_name = "FOLDER|FILE")]
     pub output: PathBuf,
 
     #[command(flatten)]
     pub device: DeviceArguments,
 
-    /// Pictures of a whole turn
-    #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    pub frames: u32,
+    /// Pictures of a whole turn, 72 if absent; with --keys all up to the last key frame
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: Option<u32>,
 
     /// How far the camera goes, in degrees; negative to the left
-    #[arg(long, value_name = "DEGREES", default_value_t = 360.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = 360.0,
+        allow_negative_numbers = true,
+        conflicts_with = "keys"
+    )]
     pub turn: f32,
+
+    /// Key frames of any scene keys, interpolated smoothly; the camera does not turn by itself then
+    #[arg(long, value_name = "FILE.toml")]
+    pub keys: Option<PathBuf>,
 
     /// Pictures a second in a film
     #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u16).range(1..=50))]
     pub rate: u16,
 
+    /// Bits per channel of the pictures in a folder
+    #[arg(long, value_enum, value_name = "8|16", hide_possible_values = true, default_value_t = Bits::Eight)]
+    pub bits: Bits,
+
     /// In a folder: leave out the pictures that are there already
     #[arg(long)]
     pub resume: bool,
+
+    /// End with exit code 124 when it takes longer; a film is not written then
+    #[arg(long, value_name = "SECONDS")]
+    pub timeout: Option<Timeout>,
 
     /// No messages and no progress bar
     #[arg(short, long)]
     pub quiet: bool,
 }
 
-/// Where pictures go.
-enum Target<'a> {
-    Folder(&'a Path),
-    Film(Box<Animation>),
-}
-
-impl<'a> Target<'a> {
-    fn open(arguments: &'a Arguments, scene: &Scene) -> Result<Self, Failure> {
-        let path = arguments.output.as_path();
-        if path.extension().is_some() && !path.is_dir() {
-            if arguments.resume {
-                let message = "a film cannot be resumed";
-                return Err(Failure::new(Status::WrongUse, message, "write to a folder, or leave out --resume"));
-            }
-            let size = [scene.film.width, scene.film.height];
-            let film = Animation::create(path, size, arguments.frames, arguments.rate);
-            return Ok(Self::Film(Box::new(film.map_err(|error| Failure::output(&error))?)));
-        }
-        fs::create_dir_all(path).map_err(|error| {
-            let message = format!("{}: the folder cannot be made: {error}", path.display());
-            Failure::new(Status::WrongUse, message, "choose another folder")
-        })?;
-        Ok(Self::Folder(path))
-    }
-
-    /// The file of a picture, where each has one of its own.
-    fn file(&self, index: u32) -> Option<PathBuf> {
-        match self {
-            Self::Folder(folder) => Some(folder.join(format!("frame-{index:05}.png"))),
-            Self::Film(_) => None,
-        }
-    }
-
-    fn add(&mut self, index: u32, picture: &Picture) -> Result<(), Failure> {
-        let written = match (self.file(index), self) {
-            (Some(file), _) => write_picture(&file, picture, &[]),
-            (None, Self::Film(film)) => film.push(picture),
-            (None, Self::Folder(_)) => Ok(()),
-        };
-        written.map_err(|error| Failure::output(&error))
-    }
-
-    fn finish(self) -> Result<(), Failure> {
-        match self {
-            Self::Folder(_) => Ok(()),
-            Self::Film(film) => film.finish().map_err(|error| Failure::output(&error)),
-        }
-    }
-}
-
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    interrupt::listen();
-    let Prepared { mut scene, inputs, .. } = arguments.scene.prepare()?;
-    if scene.camera.position.is_some() {
-        let message = "the scene sets camera.position, which a turntable cannot turn";
-        return Err(Failure::new(Status::WrongUse, message, "use camera.azimuth and camera.elevation instead"));
-    }
-    let mut target = Target::open(arguments, &scene)?;
-    let device = &arguments.device;
-    let mut backend = backend::open(device.backend.into(), device.adapter.as_deref(), device.threads.map(usize::from))?;
-    if !arguments.quiet {
-        eprintln!("rendering on {} ({})", backend.name(), backend.adapter());
-    }
-    let start = scene.camera.azimuth;
-    let bar = Bar::new(arguments.frames, arguments.quiet);
-    let mut session = Session::new(&inputs, backend.as_mut())?;
-    for index in 0..arguments.frames {
+    interrupt::listen(arguments.timeout);
+    // Before the volume: a slip in it should not cost the time to read one.
+    let keys = arguments.keys.as_deref().map(|path| course::read_keys(path, arguments.rate)).transpose()?;
+    let Prepared { scene, inputs, .. } = arguments.scene.prepare()?;
+    let course = Course::new(arguments, scene, keys)?;
+    let mut target = Target::open(arguments, course.start(), course.frames())?;
+    let mut session = arguments.device.session(&inputs, arguments.quiet)?;
+    let bar = Bar::new(course.frames(), arguments.quiet);
+    for index in 0..course.frames() {
         if arguments.resume && target.file(index).is_some_and(|file| file.exists()) {
             continue;
         }
-        scene.camera.azimuth = start + arguments.turn * index as f32 / arguments.frames as f32;
-        let frame = session.render(&scene, Wanted { light: false }, &mut |progress| {
+        let frame = session.render(&course.scene(index)?, Wanted { light: false }, &mut |progress| {
             bar.update(index, &progress);
             !interrupt::requested()
         })?;
+        interrupt::check()?;
         target.add(index, &frame.picture())?;
     }
     target.finish()?;

@@ -2,8 +2,9 @@
 
 mod write;
 
-use crate::commands::render::DeviceArguments;
+use crate::device::DeviceArguments;
 use crate::failure::{Failure, Status};
+use crate::interrupt::Timeout;
 use crate::progress::Bar;
 use crate::{interrupt, output};
 use clap::{Args, ValueEnum};
@@ -62,6 +63,10 @@ pub struct Arguments {
     /// Print the statistics as JSON to standard output
     #[arg(long)]
     pub json: bool,
+
+    /// End with exit code 124 and without output when it takes longer
+    #[arg(long, value_name = "SECONDS")]
+    pub timeout: Option<Timeout>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -82,7 +87,7 @@ impl From<Rule> for FillRule {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    interrupt::listen();
+    interrupt::listen(arguments.timeout);
     // What can be refused at once is refused before any work.
     write::check_outputs(arguments)?;
     if !(0.0..=1.0).contains(&arguments.overlap) {

@@ -1,0 +1,70 @@
+//! The scene at each frame.
+
+use super::Arguments;
+use crate::failure::{Failure, Status};
+use crate::input::read_text;
+use std::path::Path;
+use vitrum::scene::{KeyFrames, Scene};
+
+/// Pictures of a whole turn.
+const TURN: u32 = 72;
+
+/// What the scene does over the film.
+pub struct Course {
+    start: Scene,
+    frames: u32,
+    motion: Motion,
+}
+
+enum Motion {
+    /// The camera goes round by so many degrees.
+    Turn(f32),
+    Keys(KeyFrames),
+}
+
+/// Reads a file of key frames.
+pub fn read_keys(path: &Path, rate: u16) -> Result<KeyFrames, Failure> {
+    let text = read_text(path, "key frames")?;
+    Ok(KeyFrames::from_toml(&text, &path.display().to_string(), f64::from(rate))?)
+}
+
+impl Course {
+    /// Fails where a frame has no valid scene, so that no film breaks off at it.
+    pub fn new(arguments: &Arguments, start: Scene, keys: Option<KeyFrames>) -> Result<Self, Failure> {
+        let (motion, frames) = match keys {
+            Some(keys) => {
+                let all = keys.last_frame().floor() as u32 + 1;
+                (Motion::Keys(keys), arguments.frames.unwrap_or(all))
+            }
+            None if start.camera.position.is_some() => {
+                let message = "the scene sets camera.position, which a turntable cannot turn";
+                let help = "use camera.azimuth and camera.elevation instead, or move the camera by --keys";
+                return Err(Failure::new(Status::WrongUse, message, help));
+            }
+            None => (Motion::Turn(arguments.turn), arguments.frames.unwrap_or(TURN)),
+        };
+        let course = Self { start, frames, motion };
+        (0..frames).try_for_each(|index| course.scene(index).map(drop))?;
+        Ok(course)
+    }
+
+    /// The scene that the film is made of, whose size all frames have.
+    pub fn start(&self) -> &Scene {
+        &self.start
+    }
+
+    pub fn frames(&self) -> u32 {
+        self.frames
+    }
+
+    pub fn scene(&self, index: u32) -> Result<Scene, Failure> {
+        match &self.motion {
+            Motion::Keys(keys) => Ok(keys.at(&self.start, index)?),
+            Motion::Turn(turn) => {
+                let mut scene = self.start.clone();
+                scene.camera.azimuth += turn * index as f32 / self.frames as f32;
+                Ok(scene)
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Where pictures go: a folder, or a film.
+
+use super::Arguments;
+use crate::failure::{Failure, Status};
+use crate::output::Bits;
+use std::fs;
+use std::path::{Path, PathBuf};
+use vitrum::io::{Animation, Picture, WriteOptions, write_picture_with};
+use vitrum::scene::Scene;
+
+pub enum Target<'a> {
+    Folder(&'a Path, WriteOptions),
+    Film(Box<Animation>),
+}
+
+impl<'a> Target<'a> {
+    pub fn open(arguments: &'a Arguments, scene: &Scene, frames: u32) -> Result<Self, Failure> {
+        let path = arguments.output.as_path();
+        if path.extension().is_some() && !path.is_dir() {
+            let refuse = |message: &str, help: &str| Err(Failure::new(Status::WrongUse, message, help));
+            if arguments.resume {
+                return refuse("a film cannot be resumed", "write to a folder, or leave out --resume");
+            }
+            if arguments.bits != Bits::Eight {
+                return refuse("a film has 8 bits per channel", "write to a folder, or leave out --bits");
+            }
+            let size = [scene.film.width, scene.film.height];
+            let film = Animation::create(path, size, frames, arguments.rate);
+            return Ok(Self::Film(Box::new(film.map_err(|error| Failure::output(&error))?)));
+        }
+        fs::create_dir_all(path).map_err(|error| {
+            let message = format!("{}: the folder cannot be made: {error}", path.display());
+            Failure::new(Status::WrongUse, message, "choose another folder")
+        })?;
+        Ok(Self::Folder(path, arguments.bits.options()))
+    }
+
+    /// The file of a picture, where each has one of its own.
+    pub fn file(&self, index: u32) -> Option<PathBuf> {
+        match self {
+            Self::Folder(folder, _) => Some(folder.join(format!("frame-{index:05}.png"))),
+            Self::Film(_) => None,
+        }
+    }
+
+    pub fn add(&mut self, index: u32, picture: &Picture) -> Result<(), Failure> {
+        let written = match (self.file(index), self) {
+            (Some(file), Self::Folder(_, options)) => write_picture_with(&file, picture, &[], options),
+            (_, Self::Film(film)) => film.push(picture),
+            (None, Self::Folder(..)) => Ok(()),
+        };
+        written.map_err(|error| Failure::output(&error))
+    }
+
+    pub fn finish(self) -> Result<(), Failure> {
+        match self {
+            Self::Folder(..) => Ok(()),
+            Self::Film(film) => film.finish().map_err(|error| Failure::output(&error)),
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Where the work is done: flags, and what opens a session by them.
+
+use crate::failure::Failure;
+use clap::{Args, ValueEnum};
+use vitrum::backend::{self, BackendError, Choice};
+use vitrum::{Fallback, Inputs, Session};
+
+/// Where the work is done.
+#[derive(Debug, Args)]
+pub struct DeviceArguments {
+    /// Where to render; auto takes a hardware GPU if there is one, else the CPU
+    #[arg(long, value_enum, default_value_t = BackendName::Auto)]
+    pub backend: BackendName,
+
+    /// Take the GPU whose name has this text in it (`vitrum devices` lists them), software or not
+    #[arg(long, value_name = "SUBSTRING")]
+    pub adapter: Option<String>,
+
+    /// CPU threads; all cores if absent
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BackendName {
+    Auto,
+    Cpu,
+    Gpu,
+}
+
+impl From<BackendName> for Choice {
+    fn from(name: BackendName) -> Self {
+        match name {
+            BackendName::Auto => Self::Auto,
+            BackendName::Cpu => Self::Cpu,
+            BackendName::Gpu => Self::Gpu,
+        }
+    }
+}
+
+impl DeviceArguments {
+    /// Opens the device and uploads the volumes, and says where unless `quiet`.
+    ///
+    /// Where `auto` chose a GPU by itself, the CPU takes over if that fails.
+    pub fn session<'a>(&self, inputs: &'a Inputs, quiet: bool) -> Result<Session<'a>, Failure> {
+        let threads = self.threads.map(usize::from);
+        let backend = backend::open(self.backend.into(), self.adapter.as_deref(), threads)?;
+        if !quiet {
+            eprintln!("rendering on {} ({})", backend.name(), backend.adapter());
+        }
+        let by_itself = self.backend == BackendName::Auto && self.adapter.is_none() && backend.name() != "cpu";
+        let fallback = by_itself.then(|| {
+            let take_over = move |failure: &BackendError| {
+                let cpu = backend::open(Choice::Cpu, None, threads)?;
+                if !quiet {
+                    eprintln!("warning: {failure}; rendering on {} ({}) instead", cpu.name(), cpu.adapter());
+                }
+                Ok(cpu)
+            };
+            Box::new(take_over) as Box<Fallback>
+        });
+        Ok(Session::owning(inputs, backend, fallback)?)
+    }
+}
