@@ -28,9 +28,11 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
     let modes = |prefix: &str| -> BTreeSet<u32> {
         seen.iter().filter(|(name, _)| name.starts_with(prefix)).map(|&(_, mode)| mode).collect()
     };
-    let all = BTreeSet::from([mode::STRAIGHT, mode::CENTRAL, mode::CHAIN]);
-    for reader in ["sweep_refract_light", "sweep_advance_sheet", "sweep_propagate_rays"] {
+    let mut all = BTreeSet::from([mode::STRAIGHT, mode::CENTRAL, mode::CHAIN]);
+    for reader in ["sweep_refract_light", "sweep_advance_sheet"] {
         assert_eq!(modes(reader), all, "{reader}");
     }
+    all.insert(mode::UNSHADED);
+    assert_eq!(modes("sweep_propagate_rays"), all);
     Ok(())
 }

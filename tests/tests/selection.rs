@@ -67,7 +67,7 @@ fn what_is_not_known_is_refused_with_what_is() {
         (&["--method", "beems"], "sweep"),
         (
             &["--tier", "t3", "--scene", "ball", "--scene", "bell"],
-            "ball, combustion, glass, head, luneburg, prism, supernova",
+            "ball, combustion, glass, head, luneburg, phantom, prism, supernova",
         ),
         (&["--tier", "t1", "--scene", "bell"], "head all"),
     ] {

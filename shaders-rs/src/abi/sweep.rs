@@ -83,6 +83,15 @@ pub mod mode {
     pub const CENTRAL: u32 = 1;
     /// Refraction, ∇η by the chain rule.
     pub const CHAIN: u32 = 2;
+    /// As [`STRAIGHT`], for viewing rays where the light is unoccluded everywhere: its buffers are not looked at.
+    pub const UNSHADED: u32 = 3;
+
+    /// Whether rays are bent in this mode.
+    #[must_use]
+    #[inline(always)]
+    pub fn bends(mode: u32) -> bool {
+        (mode == CENTRAL) | (mode == CHAIN)
+    }
 }
 
 /// Switches that cost little at run time.

@@ -44,19 +44,19 @@ macro_rules! for_each_kernel {
             sweep_propagate_rays_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::U8, false], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::U8, false], levels [3 7 15] gpu 15, modes [0 1 2 3];
             sweep_propagate_rays_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::U16, false], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::U16, false], levels [3 7 15] gpu 15, modes [0 1 2 3];
             sweep_propagate_rays_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::F32, false], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::F32, false], levels [3 7 15] gpu 15, modes [0 1 2 3];
             sweep_propagate_rays_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15, modes [0 1 2];
+                sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15, modes [0 1 2 3];
             sweep_initialize_sheet: SweepUniforms, [1 sources: f32], writes 2 [sheet::SIZE],
                 sweep::initialize_sheet [], plain, modes [0];
             sweep_advance_sheet_u8: SweepUniforms,

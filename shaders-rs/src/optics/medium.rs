@@ -86,7 +86,7 @@ pub fn medium<const FORMAT: u32, const SECOND: bool>(
     at_ior: Vec3,
 ) -> Medium {
     let (grid, ior_grid) = grids;
-    if chosen == mode::STRAIGHT {
+    if !mode::bends(chosen) {
         let zero = Vec3::new(0.0, 0.0, 0.0);
         Medium {
             scalar: scalar::<FORMAT>(voxels, grid, at),

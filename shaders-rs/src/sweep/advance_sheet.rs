@@ -116,7 +116,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
             select(skipped, left.y, attenuated.y),
             select(skipped, left.z, attenuated.z),
         );
-        if chosen != mode::STRAIGHT {
+        if mode::bends(chosen) {
             let kicked = turn(u, v, &here, kept.refraction, flight(v, u.plane.z));
             turned = kicked.turned & !skipped;
             out = Vec3::new(

@@ -10,7 +10,7 @@ use crate::math::{length, lerp, max, min, select, xyz};
 use crate::optics::clip::keep;
 use crate::optics::composite::{Gathered, layer, over};
 use crate::optics::medium::{medium, share_inside};
-use crate::optics::receiver::{Hit, first_between, radiance, shade};
+use crate::optics::receiver::{Hit, first_between, radiance, shade, unoccluded};
 use crate::optics::specular::cook_torrance;
 use crate::optics::step::{flight, turn};
 use spirv_std::glam::Vec3;
@@ -114,7 +114,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
         let unknown = is_unknown(u, &r);
         let sampled = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
         front = select(unknown, sampled, front);
-        if chosen != mode::STRAIGHT {
+        if mode::bends(chosen) {
             let bending = if SECOND {
                 scalar::<FORMAT>(ior_voxels, &u.ior_grid, voxel_coordinates(&u.ior_grid, from))
             } else {
@@ -131,16 +131,20 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let layer = layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium);
 
     let lit = if LEVEL == level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
-    let (mut texel_x, mut texel_y) = texel_coordinates(u, lit);
-    if LEVEL == level::MEETING {
-        // From the plane behind the light goes on to the receiver.
-        let (x, y) = shift(u, direction(u, light_behind, texel_x, texel_y), lit.z - from.z);
-        (texel_x, texel_y) = (texel_x - x, texel_y - y);
-    }
-    let light = light(u, light_behind, irradiance_behind, texel_x, texel_y);
+    let light = if chosen == mode::UNSHADED {
+        unoccluded(u)
+    } else {
+        let (mut texel_x, mut texel_y) = texel_coordinates(u, lit);
+        if LEVEL == level::MEETING {
+            // From the plane behind the light goes on to the receiver.
+            let (x, y) = shift(u, direction(u, light_behind, texel_x, texel_y), lit.z - from.z);
+            (texel_x, texel_y) = (texel_x - x, texel_y - y);
+        }
+        light(u, light_behind, irradiance_behind, texel_x, texel_y)
+    };
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
-    if chosen != mode::STRAIGHT {
+    if mode::bends(chosen) {
         let reflected = cook_torrance(here.scalar_gradient, light.direction, v, u.shading.x, ior_front, here.ior);
         specular = radiance * (reflected * u.shading.y * select(hit.hit, 0.0, kept.refraction));
     }
@@ -159,7 +163,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
 
     let mut out = v;
     let mut turned = false;
-    if chosen != mode::STRAIGHT {
+    if mode::bends(chosen) {
         let kicked = turn(u, v, &here, kept.refraction, sigma);
         turned = kicked.turned;
         out = kicked.direction;

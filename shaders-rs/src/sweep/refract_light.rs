@@ -92,7 +92,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
 
     let mut out = v;
     let mut lost = 1.0;
-    if chosen != mode::STRAIGHT {
+    if mode::bends(chosen) {
         let sigma = u.plane.z / max(v.z, 1e-6);
         let turn = turn(u, v, &here, kept.refraction, sigma);
         // Light that turns back is lost to the sweep; its texel keeps the direction it had.

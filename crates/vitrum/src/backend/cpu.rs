@@ -8,6 +8,9 @@ use vitrum_kernels::kernel::{Access, Chunk, InstructionSet};
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
 
+/// Bytes of records that go through several passes before the next ones do: half of a processor's second-level cache.
+const CACHED_BYTES: usize = 1 << 19;
+
 /// Passes between two calls of the progress function.
 const PASSES_PER_REPORT: usize = 24;
 
@@ -46,34 +49,67 @@ impl CpuBackend {
         Buffer(index)
     }
 
-    /// Runs one pass; whether any invocation had work to do.
-    fn run_pass(&mut self, pass: &Pass) -> Result<bool, BackendError> {
-        pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
-        let Some(written) = pass.output() else {
-            return Ok(false);
+    /// Runs passes that [`follows`] puts together; for each, whether any invocation had work to do.
+    fn run_together(&mut self, passes: &[&Pass]) -> Result<Vec<bool>, BackendError> {
+        for pass in passes {
+            pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
+        }
+        let Some(written) = passes[0].output() else {
+            return Ok(vec![false; passes.len()]);
         };
-        // Taken out for the time of the pass, so that the others can be borrowed beside it.
+        // Taken out for the time of the passes, so that the others can be borrowed beside it.
         let mut output = self.buffers[written.0].take().unwrap_or_default();
-        let reads: Vec<&[u32]> = pass
-            .buffers
-            .iter()
-            .filter(|buffer| **buffer != written)
-            .filter_map(|buffer| self.buffers[buffer.0].as_deref())
-            .collect();
-        let busy = self.pool.install(|| rows(pass, self.set, &reads, &mut output));
+        let prepared: Vec<Prepared> = passes.iter().map(|pass| self.prepare(pass, written)).collect();
+        self.pool.install(|| rows(&prepared, self.set, &mut output));
+        let busy = prepared.into_iter().map(|pass| pass.busy.into_inner()).collect();
         self.buffers[written.0] = Some(output);
         Ok(busy)
     }
+
+    fn prepare<'a>(&'a self, pass: &'a Pass, written: Buffer) -> Prepared<'a> {
+        let read = pass.buffers.iter().filter(|buffer| **buffer != written);
+        Prepared {
+            pass,
+            reads: read.filter_map(|buffer| self.buffers[buffer.0].as_deref()).collect(),
+            // The kernels' uniform blocks are aligned to 16 bytes.
+            uniforms: pass.uniforms.chunks(16).map(Aligned::from_bytes).collect(),
+            busy: AtomicBool::new(false),
+        }
+    }
 }
 
-/// Runs a pass over all its rows.
-fn rows(pass: &Pass, set: InstructionSet, reads: &[&[u32]], output: &mut [u32]) -> bool {
+/// A pass, and what its chunks share.
+struct Prepared<'a> {
+    pass: &'a Pass,
+    reads: Vec<&'a [u32]>,
+    uniforms: Vec<Aligned>,
+    busy: AtomicBool,
+}
+
+/// Whether `next` only changes, record by record, what `pass` wrote: then a part of the records can go through both before the
+/// next part does, while it is in a processor's cache.
+fn follows(pass: &Pass, next: &Pass) -> bool {
+    let updates = next.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Update);
+    updates && next.output() == pass.output() && (next.width, next.height) == (pass.width, pass.height)
+}
+
+/// Rows in a chunk of passes that run together.
+fn chunk_rows(passes: &[Prepared]) -> u32 {
+    let pass = passes[0].pass;
+    let row = pass.width as usize * pass.kernel.declaration.components * 4;
+    if passes.len() > 1 { (CACHED_BYTES / row.max(1)).clamp(1, CHUNK_ROWS as usize) as u32 } else { CHUNK_ROWS }
+}
+
+/// Runs passes over all their rows, chunk by chunk.
+fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32]) {
+    let pass = passes[0].pass;
     let (width, height) = (pass.width, pass.height);
     let count = width as usize * height as usize;
     if count == 0 {
-        return false;
+        return;
     }
-    let chunk_len = width as usize * CHUNK_ROWS as usize;
+    let chunk_rows = chunk_rows(passes);
+    let chunk_len = width as usize * chunk_rows as usize;
     let adds = pass.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Add);
     let (sums, output): (&[AtomicU32], &mut [u32]) = if adds { (shared(output), &mut []) } else { (&[], output) };
     let components = if adds { 0 } else { pass.kernel.declaration.components };
@@ -85,21 +121,26 @@ fn rows(pass: &Pass, set: InstructionSet, reads: &[&[u32]], output: &mut [u32]) 
             chunk.push(part);
         }
     }
-    // The kernels' uniform blocks are aligned to 16 bytes.
-    let uniforms: Vec<Aligned> = pass.uniforms.chunks(16).map(Aligned::from_bytes).collect();
-    let uniforms = &bytemuck::cast_slice::<Aligned, u8>(&uniforms)[..pass.uniforms.len()];
-    let busy = AtomicBool::new(false);
     chunks.par_iter_mut().enumerate().for_each(|(index, output)| {
-        let first_row = index as u32 * CHUNK_ROWS;
-        let worked = (pass.kernel.run)(
-            set,
-            &mut Chunk { first_row, rows: CHUNK_ROWS.min(height - first_row), width, uniforms, reads, output, sums },
-        );
-        if worked {
-            busy.store(true, Ordering::Relaxed);
+        let first_row = index as u32 * chunk_rows;
+        // Records that a kernel has nothing to do with are left alone by its later passes, too.
+        let mut idle = None;
+        for Prepared { pass, reads, uniforms, busy } in passes {
+            if idle == Some(pass.kernel.declaration.name) {
+                continue;
+            }
+            let uniforms = &bytemuck::cast_slice::<Aligned, u8>(uniforms)[..pass.uniforms.len()];
+            let rows = chunk_rows.min(height - first_row);
+            let mut output: Vec<&mut [f32]> = output.iter_mut().map(|component| &mut **component).collect();
+            let output = output.as_mut_slice();
+            let worked = (pass.kernel.run)(set, &mut Chunk { first_row, rows, width, uniforms, reads, output, sums });
+            if worked {
+                busy.store(true, Ordering::Relaxed);
+            } else {
+                idle = Some(pass.kernel.declaration.name);
+            }
         }
     });
-    busy.into_inner()
 }
 
 /// Words that threads add to.
@@ -155,16 +196,20 @@ impl Backend for CpuBackend {
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut idle = false;
-        for (index, pass) in passes.passes.iter().enumerate() {
-            if index % PASSES_PER_REPORT == 0 && !progress(index) {
+        for (index, part) in passes.passes.chunks(PASSES_PER_REPORT).enumerate() {
+            if !progress(index * PASSES_PER_REPORT) {
                 return Err(BackendError::Cancelled);
             }
-            let name = pass.kernel.declaration.name;
-            if idle && passes.while_busy.contains(&name) {
-                continue;
+            for together in part.chunk_by(follows) {
+                let needed = |pass: &&Pass| !(idle && passes.while_busy.contains(&pass.kernel.declaration.name));
+                let together: Vec<&Pass> = together.iter().filter(needed).collect();
+                if together.is_empty() {
+                    continue;
+                }
+                let busy = self.run_together(&together)?;
+                let ends = |pass: &Pass| passes.ends_with == Some(pass.kernel.declaration.name);
+                idle |= together.iter().zip(busy).any(|(pass, busy)| !busy && ends(pass));
             }
-            let busy = self.run_pass(pass)?;
-            idle |= !busy && passes.ends_with == Some(name);
         }
         progress(passes.passes.len());
         Ok(())

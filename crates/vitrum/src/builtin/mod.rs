@@ -12,6 +12,7 @@ mod grid;
 mod head;
 mod luneburg;
 mod noise;
+mod phantom;
 mod prism;
 mod shapes;
 mod supernova;
@@ -34,6 +35,7 @@ const SCENES: &[&[SceneEntry]] = &[
     ball::SCENES,
     luneburg::SCENES,
     prism::SCENES,
+    phantom::SCENES,
 ];
 
 const VOLUMES: &[VolumeEntry] = &[
@@ -45,6 +47,7 @@ const VOLUMES: &[VolumeEntry] = &[
     ("ball", 192, ball::volume),
     ("luneburg", 160, luneburg::volume),
     ("prism", 160, prism::volume),
+    ("phantom", 256, phantom::volume),
 ];
 
 /// The built-in scenes and what each shows; a variant is named `SCENE/VARIANT`.
@@ -152,7 +155,7 @@ mod tests {
         assert_eq!(found, FINGERPRINTS);
     }
 
-    const FINGERPRINTS: [(&str, u64); 8] = [
+    const FINGERPRINTS: [(&str, u64); 9] = [
         ("glass", 0x2170_4c9c_b50d_546f),
         ("supernova", 0x1f29_ef4f_7f37_1fdf),
         ("head", 0x5842_7ca0_ae6e_edb2),
@@ -161,5 +164,6 @@ mod tests {
         ("ball", 0xe5f1_d667_7fec_fb75),
         ("luneburg", 0xdeed_63e6_1164_11d5),
         ("prism", 0x5e6e_1461_ee60_44ad),
+        ("phantom", 0x6d39_e3a0_86f9_3ec5),
     ];
 }

@@ -36,6 +36,9 @@ pub struct Light {
     /// Factor on `color`, 0 to 1e6.
     #[schemars(range(min = 0, max = 1e6))]
     pub intensity: f32,
+    /// Whether the volume casts shadows, colours light and focuses it. `false` leaves the light unoccluded everywhere, without
+    /// caustics, and takes much less time.
+    pub shadows: bool,
     /// Half-angle of the light source in degrees, 0 (crisp) to 45.
     #[schemars(range(min = 0, max = 45))]
     pub softness: f32,
@@ -56,6 +59,7 @@ impl Default for Light {
             direction: None,
             color: [1.0, 1.0, 1.0],
             intensity: 1.0,
+            shadows: true,
             softness: 1.0,
             resolution: 0.75,
             margin: 0.05,

@@ -1,4 +1,4 @@
-//! How light is carried from plane to plane: on texels, as the paper has it, or as sheets.
+//! How light is carried from plane to plane: on texels, as the paper has it, as sheets, or not at all.
 
 use super::uniforms::Fixed;
 use crate::backend::{Backend, BackendError, Buffer, Pass};

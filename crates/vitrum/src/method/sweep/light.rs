@@ -89,7 +89,9 @@ impl LightGrid {
         let voxel = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
         let finest =
             (f64::from(voxel) / (4.0 * f64::from(scene.light.resolution))).max(extent.max_element() / MOST_TEXELS);
-        let texel = pixel.clamp(finest, extent.max_element() / 16.0);
+        // Light that is the same everywhere needs no texels.
+        let finest = if scene.light.shadows { finest } else { f64::INFINITY };
+        let texel = pixel.max(finest).min(extent.max_element() / 16.0);
         let count = |length: f64| (length / texel).ceil().clamp(4.0, MOST_TEXELS) as u32;
         let size = [count(extent.x), count(extent.y)];
         let centre = (low + high) * 0.5;

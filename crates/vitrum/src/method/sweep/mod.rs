@@ -14,6 +14,7 @@ mod sheets;
 mod tables;
 mod texels;
 mod uniforms;
+mod unoccluded;
 mod view;
 mod voxels;
 

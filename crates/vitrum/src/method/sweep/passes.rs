@@ -6,6 +6,7 @@ use super::occupancy::{Role, classify};
 use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::Fixed;
+use super::unoccluded::Unoccluded;
 use super::voxels::{chosen_format, pack, padded_bytes};
 use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::inputs::Inputs;
@@ -92,6 +93,7 @@ pub(super) fn build(
     let volumes = Volumes { voxels, ior_voxels, occupancy, tables };
     let mut maker = Maker { fixed, backend, created };
     let light: Box<dyn Carrier> = match &fixed.sheets {
+        _ if !fixed.shadows => Box::new(Unoccluded::new(&mut maker)?),
         None => Box::new(Texels::new(&mut maker, volumes)?),
         Some(sources) => Box::new(Sheets::new(&mut maker, volumes, sources)?),
     };

@@ -46,8 +46,8 @@ impl Planes {
             volumes.iter().flat_map(|volume| corners(volume)).map(|corner| view.point(corner)).collect();
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
-        // Where the volume's shadow falls on a receiver, but not endlessly far.
-        let limit = far + 3.0 * bounding_sphere(volumes[0]).1;
+        // Where the volume's shadow falls on a receiver, but not endlessly far; without shadows all ends behind the volume.
+        let limit = if scene.light.shadows { far + 3.0 * bounding_sphere(volumes[0]).1 } else { far };
         let reach = points
             .iter()
             .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))

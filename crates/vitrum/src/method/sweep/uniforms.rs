@@ -33,6 +33,8 @@ pub(super) struct Fixed {
     pub(super) reach: [u32; 2],
     /// [`mode`] of viewing rays.
     pub(super) mode: u32,
+    /// Whether light is carried through the volume; else it is unoccluded everywhere.
+    pub(super) shadows: bool,
     /// The directions of the sheets that carry the light, if sheets do.
     pub(super) sheets: Option<Vec<[f32; 3]>>,
     block: SweepUniforms,
@@ -69,7 +71,13 @@ impl Fixed {
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
         let mode = match (tables.refracts, scene.sweep.gradient) {
-            (false, _) => mode::STRAIGHT,
+            (false, _) => {
+                if scene.light.shadows {
+                    mode::STRAIGHT
+                } else {
+                    mode::UNSHADED
+                }
+            }
             (true, Gradient::Central) => mode::CENTRAL,
             (true, Gradient::Chain) => mode::CHAIN,
         };
@@ -130,6 +138,7 @@ impl Fixed {
             format: chosen_format(shown, bending),
             reach,
             mode,
+            shadows: scene.light.shadows,
             sheets,
             block,
             softness: scene.light.softness,

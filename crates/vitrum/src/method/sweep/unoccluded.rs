@@ -1,0 +1,39 @@
+//! Light that nothing stands in the way of: the same on every plane.
+
+use super::carrier::{Carrier, Maker};
+use super::uniforms::Fixed;
+use crate::backend::{BackendError, Buffer, Pass};
+use vitrum_kernels::abi::record::{irradiance, light};
+use vitrum_kernels::kernel::kernels;
+
+/// The buffers of unoccluded light.
+pub(super) struct Unoccluded {
+    light: Buffer,
+    irradiance: Buffer,
+}
+
+impl Unoccluded {
+    pub(super) fn new(maker: &mut Maker<'_>) -> Result<Self, BackendError> {
+        let texels = maker.fixed.light_grid.size;
+        Ok(Self {
+            light: maker.planar("light", texels, light::SIZE)?,
+            irradiance: maker.planar("irradiance", texels, irradiance::SIZE)?,
+        })
+    }
+}
+
+impl Carrier for Unoccluded {
+    fn start(&self, fixed: &Fixed) -> Vec<Pass> {
+        let texels = fixed.light_grid.size;
+        vec![
+            fixed.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[self.light]),
+            fixed.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[self.light, self.irradiance]),
+        ]
+    }
+
+    fn advance(&self, _fixed: &Fixed, _plane: u32, _passes: &mut Vec<Pass>) {}
+
+    fn on_plane(&self, _plane: u32) -> [Buffer; 2] {
+        [self.light, self.irradiance]
+    }
+}
