@@ -49,7 +49,7 @@ macro_rules! body {
 macro_rules! entry_points {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal $size:tt,
-       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes $modes:tt;)*) => {
+       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal $($rests:ident)?)?, modes $modes:tt;)*) => {
         $(
             #[doc = concat!("Runs [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ") for one index.")]
             #[spirv(compute(threads(8, 8)))]

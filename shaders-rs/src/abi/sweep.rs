@@ -57,7 +57,8 @@ pub struct SweepUniforms {
     pub clip_everything: Vec4,
     /// Ambient radiance (`xyz`).
     pub ambient: Vec4,
-    /// GGX roughness (`x`), specular factor (`y`), smallest v_z / |v| of a ray that goes on (`z`).
+    /// GGX roughness (`x`), specular factor (`y`), smallest v_z / |v| of a ray that goes on (`z`); planes behind this one that are as
+    /// far apart (`w`).
     pub shading: Vec4,
     /// Environment: pattern (`x`), map width (`y`), map height (`z`), levels (`w`).
     pub environment: UVec4,

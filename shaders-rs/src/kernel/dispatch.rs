@@ -3,7 +3,7 @@
 //! Rows are run in blocks of [`LANES`] invocations. A block's records live in local arrays, so that the loop over its lanes has
 //! no aliasing stores and becomes vector code. A block runs at the union of the levels that its lanes need.
 
-use super::host::{Access, Binding, Chunk, Declaration, Element, InstructionSet, Kernel, LANES};
+use super::host::{Access, Binding, Chunk, Declaration, Element, FOREVER, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
 use crate::abi::record::{attributes, film, irradiance, light, probe, ray, sheet, sums, trace};
@@ -30,6 +30,15 @@ macro_rules! access {
     };
     (adds) => {
         Access::Add
+    };
+}
+
+macro_rules! rests {
+    () => {
+        false
+    };
+    (rests) => {
+        true
     };
 }
 
@@ -84,6 +93,10 @@ macro_rules! block {
      $inputs:ident, $reads:tt) => {
         call!($access, crate::$folder::$module::level::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
     };
+    (@rest $access:ident, $folder:ident::$module:ident [$($generic:expr),*], $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
+     $inputs:ident, $reads:tt) => {
+        call!($access, crate::$folder::$module::rest::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
+    };
     (@invoke $access:ident, $folder:ident::$module:ident [$($generic:expr),*], $level:literal, $lane:ident, $x:ident, $y:ident, $u:ident,
      $mode:ident, $inputs:ident, $reads:tt) => {
         call!($access, crate::$folder::$module::invoke::<$({ $generic },)* $level>, $lane, $x, $y, $u, $mode, $inputs, $reads)
@@ -101,6 +114,61 @@ macro_rules! all_rows {
             }
         }
         true
+    }};
+    (updates, $size:expr, $folder:ident::$module:ident $generics:tt, levels [$($level:literal)*] gpu $gpu:literal rests,
+     $u:ident, $chunk:ident, $mode:ident, $reads:tt) => {{
+        let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
+        let mut any = false;
+        let mut rests = $chunk.rests.iter_mut();
+        for row in 0..$chunk.rows {
+            let y = $chunk.first_row + row;
+            let mut x = 0;
+            while x < $chunk.width {
+                let n = LANES.min(($chunk.width - x) as usize);
+                let at = (row * $chunk.width + x) as usize;
+                let first = x;
+                x += n as u32;
+                let Some(rest) = rests.next() else { break };
+                if *rest > 0 {
+                    any |= *rest != FOREVER;
+                    *rest -= (*rest != FOREVER) as u32;
+                    continue;
+                }
+                // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
+                let inputs = unsafe { record.at(at) };
+                let mut needed = 0;
+                for lane in 0..n {
+                    let level: u32 = block!(@level updates, $folder::$module $generics, lane, first, y, $u, $mode, inputs, $reads);
+                    needed |= level;
+                }
+                match needed {
+                    0 => *rest = FOREVER,
+                    1 => {
+                        // Numbers that are not negative have the order of their bits, whose least one vector code finds.
+                        let mut least = u32::MAX;
+                        for lane in 0..n {
+                            let passes: f32 =
+                                block!(@rest updates, $folder::$module $generics, lane, first, y, $u, $mode, inputs, $reads);
+                            least = least.min(passes.to_bits());
+                        }
+                        // The cast cuts off and saturates.
+                        *rest = f32::from_bits(least) as u32;
+                    }
+                    $($level => {
+                        let mut outputs = [[0.0f32; LANES]; $size];
+                        for lane in 0..n {
+                            let record =
+                                block!(@invoke updates, $folder::$module $generics, $level, lane, first, y, $u, $mode, inputs, $reads);
+                            put(&mut outputs, lane, record);
+                        }
+                        copy_out(&outputs, &inputs, n);
+                    })*
+                    _ => debug_assert!(false, "level {needed} is not in the list of kernels"),
+                }
+                any |= needed > 0;
+            }
+        }
+        any
     }};
     ($access:ident, $size:expr, $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?,
      $u:ident, $chunk:ident, $mode:ident, $reads:tt) => {{
@@ -127,7 +195,7 @@ macro_rules! all_rows {
 macro_rules! declare {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal [$size:expr],
-       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?, modes [$($mode:literal)*];)*) => {
+       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal $($rests:ident)?)?, modes [$($mode:literal)*];)*) => {
         /// The kernels, by name.
         pub mod kernels {
             use super::*;
@@ -139,6 +207,7 @@ macro_rules! declare {
                         name: stringify!($name),
                         uniform_bytes: size_of::<$uniforms>(),
                         components: $size,
+                        rests: rests!($($($rests)?)?),
                         bindings: &[
                             Binding { binding: 0, name: "uniforms", element: Element::U32, access: Access::Uniform },
                             $(Binding {
@@ -168,7 +237,7 @@ macro_rules! declare {
                 fn rows(u: &$uniforms, chunk: &mut Chunk<'_>, mode: u32) -> bool {
                     let mut reads = chunk.reads.iter();
                     $(let $read: &[$element] = bytemuck::cast_slice(reads.next().copied().unwrap_or(&[0]));)*
-                    all_rows!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu)?, u, chunk, mode, ($($read),*))
+                    all_rows!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu $($rests)?)?, u, chunk, mode, ($($read),*))
                 }
 
                 #[inline(always)]

@@ -8,6 +8,9 @@ use core::sync::atomic::AtomicU32;
 /// The most invocations a block of the CPU dispatch has; one AVX-512 register of floats.
 pub const LANES: usize = 16;
 
+/// Passes that a block is left out of when there is nothing more to do.
+pub const FOREVER: u32 = u32::MAX;
+
 /// A buffer's element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
@@ -54,6 +57,8 @@ pub struct Declaration {
     pub uniform_bytes: usize,
     /// Floats in a record of its output; words a place has, if it adds.
     pub components: usize,
+    /// Whether blocks of invocations may rest for some passes, see [`Chunk::rests`].
+    pub rests: bool,
     /// Bindings of group 0, in order.
     pub bindings: &'static [Binding],
 }
@@ -74,6 +79,9 @@ pub struct Chunk<'a> {
     pub output: &'a mut [&'a mut [f32]],
     /// What a kernel adds to; empty for the others.
     pub sums: &'a [AtomicU32],
+    /// For a kernel that rests, row by row for each block of [`LANES`] invocations the passes that it is to be left out of, from this
+    /// one on, or [`FOREVER`]; the kernel keeps count. All 0 before its first pass over a record. Empty for the others.
+    pub rests: &'a mut [u32],
 }
 
 /// Instruction sets the CPU dispatch is compiled for.

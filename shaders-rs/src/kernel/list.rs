@@ -3,8 +3,9 @@
 /// Calls `$callback!` with every kernel's declaration.
 ///
 /// A declaration reads: name, uniform block (always binding 0), the buffers it reads (binding, name, element), the planar
-/// buffer it `writes` or `updates` (binding, components) or the sums it `adds` to (binding, words a place has), its module with const generics, the `levels` it may run at (see the
-/// module's `level`) with the one that a GPU runs, and the `modes` that get a body of their own on the CPU.
+/// buffer it `writes` or `updates` (binding, components) or the sums it `adds` to (binding, words a place has), its module with
+/// const generics, the `levels` it may run at (see the module's `level`) with the one that a GPU runs, and the `modes` that get a
+/// body of their own on the CPU. Of one that `rests`, the CPU leaves out blocks for as many passes as the module's `rest` says.
 ///
 /// A level is a set of bits, what it can do. A block of invocations on the CPU runs at the union of the levels its invocations
 /// need, so unions must be in the list. The last level can do everything. A kernel that updates its record leaves it alone where
@@ -44,19 +45,19 @@ macro_rules! for_each_kernel {
             sweep_propagate_rays_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::U8, false], levels [3 7 15] gpu 15, modes [0 1 2 3];
+                sweep::propagate_rays [format::U8, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
             sweep_propagate_rays_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::U16, false], levels [3 7 15] gpu 15, modes [0 1 2 3];
+                sweep::propagate_rays [format::U16, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
             sweep_propagate_rays_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::F32, false], levels [3 7 15] gpu 15, modes [0 1 2 3];
+                sweep::propagate_rays [format::F32, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
             sweep_propagate_rays_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
-                sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15, modes [0 1 2 3];
+                sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
             sweep_initialize_sheet: SweepUniforms, [1 sources: f32], writes 2 [sheet::SIZE],
                 sweep::initialize_sheet [], plain, modes [0];
             sweep_advance_sheet_u8: SweepUniforms,

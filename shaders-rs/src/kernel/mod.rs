@@ -14,7 +14,7 @@ mod host;
 #[cfg(not(target_arch = "spirv"))]
 pub use dispatch::{ALL, kernels};
 #[cfg(not(target_arch = "spirv"))]
-pub use host::{Access, Binding, Chunk, Declaration, Element, InstructionSet, Kernel, LANES};
+pub use host::{Access, Binding, Chunk, Declaration, Element, FOREVER, InstructionSet, Kernel, LANES};
 
 /// Invocations along each side of a workgroup.
 pub const WORKGROUP: u32 = 8;

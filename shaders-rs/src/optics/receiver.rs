@@ -3,7 +3,7 @@
 use crate::abi::sweep::{SweepUniforms, flag};
 use crate::abi::vector::Vec4;
 use crate::field::light::Light;
-use crate::math::{absolute, dot, length, max, select, xyz};
+use crate::math::{absolute, dot, length, max, min, select, xyz};
 use spirv_std::glam::Vec3;
 
 /// Where a segment meets a receiver.
@@ -55,6 +55,20 @@ fn crossing(plane: Vec4, from: Vec3, to: Vec3) -> (bool, f32) {
     let a = dot(xyz(plane), from) + plane.w;
     let b = dot(xyz(plane), to) + plane.w;
     ((a > 0.0) & (b <= 0.0), a / max(a - b, 1e-20))
+}
+
+/// How many of the steps behind the one from `from` to `to`, all alike, cross no receiver either: that or fewer.
+#[inline(always)]
+pub fn free_steps(u: &SweepUniforms, from: Vec3, to: Vec3) -> f32 {
+    min(free_of(u.ground_plane, from, to), free_of(u.wall_plane, from, to))
+}
+
+#[inline(always)]
+fn free_of(plane: Vec4, from: Vec3, to: Vec3) -> f32 {
+    let a = dot(xyz(plane), from) + plane.w;
+    let b = dot(xyz(plane), to) + plane.w;
+    // Only what is in front and comes nearer can meet it.
+    select((b > 0.0) & (a > b), min(0.99 * b / max(a - b, 1e-20), 65536.0), 65536.0)
 }
 
 #[inline(always)]

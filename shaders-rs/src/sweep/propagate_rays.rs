@@ -2,7 +2,7 @@
 
 use crate::abi::record::{ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
-use crate::field::empty::step_is_empty;
+use crate::field::empty::{step_is_empty, steps_are_empty};
 use crate::field::light::{direction, light, shift, texel_coordinates};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment};
@@ -10,7 +10,7 @@ use crate::math::{length, lerp, max, min, select, xyz};
 use crate::optics::clip::keep;
 use crate::optics::composite::{Gathered, layer, over};
 use crate::optics::medium::{medium, share_inside};
-use crate::optics::receiver::{Hit, first_between, radiance, shade, unoccluded};
+use crate::optics::receiver::{Hit, first_between, free_steps, radiance, shade, unoccluded};
 use crate::optics::specular::cook_torrance;
 use crate::optics::step::{flight, turn};
 use spirv_std::glam::Vec3;
@@ -84,6 +84,29 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     let crossing = if empty { level::EMPTY } else { sampled };
     let needed = if hit.hit { level::MEETING } else { crossing };
     if r[ray::STATUS] == status::ACTIVE { needed } else { level::ENDED }
+}
+
+/// How many planes behind the next one a ray at level `EMPTY` will be at that level for certain, if they are as far apart.
+#[inline(always)]
+pub fn rest<const FORMAT: u32, const SECOND: bool>(
+    _x: u32,
+    _y: u32,
+    u: &SweepUniforms,
+    _mode: u32,
+    r: [f32; ray::SIZE],
+    _voxels: &[u32],
+    _ior_voxels: &[u32],
+    occupancy: &[u32],
+    _tables: &[u32],
+    _light: &[f32],
+    _irradiance: &[f32],
+) -> f32 {
+    let flight = fly(u, &r);
+    let empty = steps_are_empty::<SECOND>(u, occupancy, flight.from, flight.to);
+    // Behind the volume all is empty.
+    let empty = select(u.dispatch.w & flag::BEHIND_VOLUME != 0, f32::MAX, empty);
+    let free = min(min(empty, free_steps(u, flight.from, flight.to)), u.shading.w);
+    select(r[ray::STATUS] == status::ACTIVE, free, f32::MAX)
 }
 
 /// The ray `r` one plane further.

@@ -2,14 +2,18 @@
 
 use super::{Backend, BackendError, Buffer, Pass, PassList};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use vitrum_kernels::kernel::{Access, Chunk, InstructionSet};
+use vitrum_kernels::kernel::{Access, Chunk, InstructionSet, LANES};
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
 
 /// Bytes of records that go through several passes before the next ones do: half of a processor's second-level cache.
 const CACHED_BYTES: usize = 1 << 19;
+
+/// Invocations of passes that run together, not many more than a second's work.
+const INVOCATIONS_TOGETHER: u64 = 1 << 27;
 
 /// Passes between two calls of the progress function.
 const PASSES_PER_REPORT: usize = 24;
@@ -50,7 +54,11 @@ impl CpuBackend {
     }
 
     /// Runs passes that [`follows`] puts together; for each, whether any invocation had work to do.
-    fn run_together(&mut self, passes: &[&Pass]) -> Result<Vec<bool>, BackendError> {
+    fn run_together(
+        &mut self,
+        passes: &[&Pass],
+        resting: &mut HashMap<Buffer, Resting>,
+    ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
             pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
         }
@@ -60,7 +68,7 @@ impl CpuBackend {
         // Taken out for the time of the passes, so that the others can be borrowed beside it.
         let mut output = self.buffers[written.0].take().unwrap_or_default();
         let prepared: Vec<Prepared> = passes.iter().map(|pass| self.prepare(pass, written)).collect();
-        self.pool.install(|| rows(&prepared, self.set, &mut output));
+        self.pool.install(|| rows(&prepared, self.set, &mut output, resting.entry(written).or_default()));
         let busy = prepared.into_iter().map(|pass| pass.busy.into_inner()).collect();
         self.buffers[written.0] = Some(output);
         Ok(busy)
@@ -78,6 +86,13 @@ impl CpuBackend {
     }
 }
 
+/// How long blocks of a buffer's records rest, and from which kernel: see [`Chunk::rests`].
+#[derive(Default)]
+struct Resting {
+    kernel: Option<&'static str>,
+    blocks: Vec<u32>,
+}
+
 /// A pass, and what its chunks share.
 struct Prepared<'a> {
     pass: &'a Pass,
@@ -93,6 +108,12 @@ fn follows(pass: &Pass, next: &Pass) -> bool {
     updates && next.output() == pass.output() && (next.width, next.height) == (pass.width, pass.height)
 }
 
+/// Passes that run together at most: they cannot be cancelled on the way.
+fn most_together(pass: &Pass) -> usize {
+    let invocations = u64::from(pass.width) * u64::from(pass.height);
+    (INVOCATIONS_TOGETHER / invocations.max(1)).max(1) as usize
+}
+
 /// Rows in a chunk of passes that run together.
 fn chunk_rows(passes: &[Prepared]) -> u32 {
     let pass = passes[0].pass;
@@ -101,7 +122,7 @@ fn chunk_rows(passes: &[Prepared]) -> u32 {
 }
 
 /// Runs passes over all their rows, chunk by chunk.
-fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32]) {
+fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32], resting: &mut Resting) {
     let pass = passes[0].pass;
     let (width, height) = (pass.width, pass.height);
     let count = width as usize * height as usize;
@@ -121,23 +142,27 @@ fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32]) {
             chunk.push(part);
         }
     }
-    chunks.par_iter_mut().enumerate().for_each(|(index, output)| {
+    let blocks = width.div_ceil(LANES as u32) as usize;
+    resting.blocks.resize(blocks * height as usize, 0);
+    let before = resting.kernel;
+    resting.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
+    let rests = resting.blocks.par_chunks_mut(blocks * chunk_rows as usize);
+    chunks.par_iter_mut().zip(rests).enumerate().for_each(|(index, (output, rests))| {
         let first_row = index as u32 * chunk_rows;
-        // Records that a kernel has nothing to do with are left alone by its later passes, too.
-        let mut idle = None;
+        let mut before = before;
         for Prepared { pass, reads, uniforms, busy } in passes {
-            if idle == Some(pass.kernel.declaration.name) {
-                continue;
+            // How long records rest is only known while nothing else changes them.
+            if before != Some(pass.kernel.declaration.name) {
+                rests.fill(0);
+                before = Some(pass.kernel.declaration.name);
             }
-            let uniforms = &bytemuck::cast_slice::<Aligned, u8>(uniforms)[..pass.uniforms.len()];
+            let uniforms = &bytemuck::cast_slice(uniforms)[..pass.uniforms.len()];
             let rows = chunk_rows.min(height - first_row);
             let mut output: Vec<&mut [f32]> = output.iter_mut().map(|component| &mut **component).collect();
             let output = output.as_mut_slice();
-            let worked = (pass.kernel.run)(set, &mut Chunk { first_row, rows, width, uniforms, reads, output, sums });
-            if worked {
+            let chunk = &mut Chunk { first_row, rows, width, uniforms, reads, output, sums, rests: &mut *rests };
+            if (pass.kernel.run)(set, chunk) {
                 busy.store(true, Ordering::Relaxed);
-            } else {
-                idle = Some(pass.kernel.declaration.name);
             }
         }
     });
@@ -196,22 +221,28 @@ impl Backend for CpuBackend {
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut idle = false;
-        for (index, part) in passes.passes.chunks(PASSES_PER_REPORT).enumerate() {
-            if !progress(index * PASSES_PER_REPORT) {
-                return Err(BackendError::Cancelled);
-            }
-            for together in part.chunk_by(follows) {
-                let needed = |pass: &&Pass| !(idle && passes.while_busy.contains(&pass.kernel.declaration.name));
-                let together: Vec<&Pass> = together.iter().filter(needed).collect();
-                if together.is_empty() {
-                    continue;
+        let mut resting = HashMap::new();
+        let (mut done, mut reported) = (0, None);
+        for together in
+            passes.passes.chunk_by(follows).flat_map(|together| together.chunks(most_together(&together[0])))
+        {
+            if reported.is_none_or(|reported| done >= reported + PASSES_PER_REPORT) {
+                reported = Some(done);
+                if !progress(done) {
+                    return Err(BackendError::Cancelled);
                 }
-                let busy = self.run_together(&together)?;
-                let ends = |pass: &Pass| passes.ends_with == Some(pass.kernel.declaration.name);
-                idle |= together.iter().zip(busy).any(|(pass, busy)| !busy && ends(pass));
             }
+            done += together.len();
+            let needed = |pass: &&Pass| !(idle && passes.while_busy.contains(&pass.kernel.declaration.name));
+            let together: Vec<&Pass> = together.iter().filter(needed).collect();
+            if together.is_empty() {
+                continue;
+            }
+            let busy = self.run_together(&together, &mut resting)?;
+            let ends = |pass: &Pass| passes.ends_with == Some(pass.kernel.declaration.name);
+            idle |= together.iter().zip(busy).any(|(pass, busy)| !busy && ends(pass));
         }
-        progress(passes.passes.len());
+        progress(done);
         Ok(())
     }
 

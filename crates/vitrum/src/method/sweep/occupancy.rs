@@ -24,8 +24,8 @@ fn union(a: Range, b: Range) -> Range {
     (a.0.min(b.0), a.1.max(b.1))
 }
 
-/// 1 for each brick in which something may happen, else 0, x fastest. A brick counts with all bricks that have voxels up to
-/// `reach` + 2 beyond it: a step of `reach`, and the stencil.
+/// 0 for each brick in which something may happen, else how many bricks away the next such one is, x fastest. A brick counts with
+/// all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the stencil.
 pub(super) fn classify(volume: &Volume, tables: &Tables, reach: u32, role: Role) -> Vec<u32> {
     let scale = volume.range[1] - volume.range[0];
     let normalise = |value: f32| {
@@ -39,7 +39,7 @@ pub(super) fn classify(volume: &Volume, tables: &Tables, reach: u32, role: Role)
     };
     let beyond = (reach as usize + 2).div_ceil(1 << BRICK_SHIFT);
     let widened = (0..3).fold(ranges, |ranges, axis| widen(&ranges, bricks, axis, beyond));
-    widened
+    let words = widened
         .into_par_iter()
         .map(|range| {
             let physical = |stored: f32| stored * volume.value_scale + volume.value_offset;
@@ -48,9 +48,44 @@ pub(super) fn classify(volume: &Volume, tables: &Tables, reach: u32, role: Role)
             let (low, high) = (normalise(a.min(b)) - 1e-5, normalise(a.max(b)) + 1e-5);
             let clear = role == Role::Bending || tables.is_clear(low, high);
             let uniform = role == Role::Shown || tables.is_uniform(low, high);
-            u32::from(!(clear && uniform))
+            if clear && uniform { u32::MAX } else { 0 }
         })
-        .collect()
+        .collect();
+    distances(words, bricks)
+}
+
+/// For each brick how many bricks away the next one is that is not empty, by the largest of the differences along the axes: two
+/// passes that look at half of the neighbours each.
+fn distances(mut words: Vec<u32>, bricks: [usize; 3]) -> Vec<u32> {
+    let [width, height, depth] = bricks;
+    let farthest = width.max(height).max(depth) as u32;
+    words.iter_mut().for_each(|word| *word = (*word).min(farthest));
+    let row = |y: usize, z: usize| (z * height + y) * width;
+    // The rows before one, in the order of `words`; behind it, counted from the end.
+    let before = |y: usize, z: usize| {
+        let same = (y > 0).then(|| (y - 1, z));
+        let below = (z > 0).then(|| (y.saturating_sub(1)..=(y + 1).min(height - 1)).map(move |y| (y, z - 1)));
+        same.into_iter().chain(below.into_iter().flatten())
+    };
+    for _ in 0..2 {
+        for (z, y) in (0..depth).flat_map(|z| (0..height).map(move |y| (z, y))) {
+            for other in before(y, z) {
+                let (done, rest) = words.split_at_mut(row(y, z));
+                let done = &done[row(other.0, other.1)..][..width];
+                for x in 0..width {
+                    let near =
+                        done[x.saturating_sub(1)..=(x + 1).min(width - 1)].iter().min().copied().unwrap_or(farthest);
+                    rest[x] = rest[x].min(near + 1);
+                }
+            }
+            let this = &mut words[row(y, z)..][..width];
+            for x in 1..width {
+                this[x] = this[x].min(this[x - 1] + 1);
+            }
+        }
+        words.reverse();
+    }
+    words
 }
 
 /// The range of each brick's stored voxels.

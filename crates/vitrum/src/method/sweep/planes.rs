@@ -94,6 +94,12 @@ impl Planes {
         if self.is_behind(index) { self.distance * STRIDE_BEHIND } else { self.distance }
     }
 
+    /// How many planes behind plane `index` are as far from the one before as it is, without one between that is not.
+    pub fn alike(&self, index: u32) -> u32 {
+        let last = if self.is_behind(index) { self.count - 1 } else { self.behind };
+        last.saturating_sub(index)
+    }
+
     /// Whether the way from the plane before to plane `index` lies behind the volume.
     pub fn is_behind(&self, index: u32) -> bool {
         index > self.behind

@@ -154,6 +154,7 @@ impl Fixed {
         block.plane.x = self.planes.depth(index.saturating_sub(1)) as f32;
         block.plane.y = self.planes.depth(index) as f32;
         block.plane.z = self.planes.step(index) as f32;
+        block.shading.w = self.planes.alike(index) as f32;
         if self.planes.is_behind(index) {
             block.dispatch.w |= flag::BEHIND_VOLUME;
         }
