@@ -84,7 +84,8 @@ pub mod mode {
     pub const CENTRAL: u32 = 1;
     /// Refraction, ∇η by the chain rule.
     pub const CHAIN: u32 = 2;
-    /// As [`STRAIGHT`], for viewing rays where the light is unoccluded everywhere: its buffers are not looked at.
+    /// As [`STRAIGHT`], for viewing rays where the light is unoccluded everywhere, so that its buffers are not looked at, and the
+    /// medium clear.
     pub const UNSHADED: u32 = 3;
 
     /// Whether rays are bent in this mode.

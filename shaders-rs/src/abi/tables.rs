@@ -5,7 +5,8 @@
 
 /// Entries along each axis of the preintegration table.
 pub const SEGMENT_SIZE: u32 = 256;
-/// Words in an entry: (τ, κr), (κg, κb), (qr, qg), (qb, –), the first of a pair in the low half.
+/// Words in an entry: (τ, κr), (κg, κb), (qr, qg), (qb, τ), the first of a pair in the low half. Light needs the first two words,
+/// a viewing ray where there is no medium the last two.
 ///
 /// τ is the particles' optical depth over the reference length, κ the medium's for each colour, q = τ · colour.
 pub const SEGMENT_WORDS: u32 = 4;

@@ -90,3 +90,12 @@ pub fn segment(tables: &[u32], front: f32, back: f32) -> Segment {
         emission: Vec3::new(red, green, blue),
     }
 }
+
+/// As [`segment`], where the medium is clear everywhere.
+#[inline(always)]
+pub fn segment_of_particles(tables: &[u32], front: f32, back: f32) -> Segment {
+    let cell = cell(front, back);
+    let (red, green) = interpolate(tables, &cell, 2);
+    let (blue, particles) = interpolate(tables, &cell, 3);
+    Segment { particles, medium: Vec3::new(0.0, 0.0, 0.0), emission: Vec3::new(red, green, blue) }
+}

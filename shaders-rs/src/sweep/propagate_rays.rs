@@ -5,7 +5,7 @@ use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::empty::{step_is_empty, steps_are_empty};
 use crate::field::light::{direction, light, shift, texel_coordinates};
 use crate::field::stencil::{scalar, voxel_coordinates};
-use crate::field::tables::{ior, segment};
+use crate::field::tables::{ior, segment, segment_of_particles};
 use crate::math::{length, lerp, max, min, select, xyz};
 use crate::optics::clip::keep;
 use crate::optics::composite::{Gathered, layer, over};
@@ -151,7 +151,12 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let part = select(hit.hit, min(hit.at, 1.0), 1.0);
     let kept = keep(u, from, to);
     let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * part * u.plane.w;
-    let layer = layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium);
+    let crossed = if chosen == mode::UNSHADED {
+        segment_of_particles(tables, front, here.scalar)
+    } else {
+        segment(tables, front, here.scalar)
+    };
+    let layer = layer(&crossed, path * kept.particles, path * kept.medium);
 
     let lit = if LEVEL == level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
     let light = if chosen == mode::UNSHADED {

@@ -14,6 +14,8 @@ pub struct Tables {
     pub words: Vec<u32>,
     /// Whether η is not 1 somewhere.
     pub refracts: bool,
+    /// Whether the medium takes light away somewhere.
+    pub colors: bool,
     /// Running sums over the fine grid of what must be 0 in empty space.
     anything: Vec<f64>,
 }
@@ -87,7 +89,7 @@ impl Tables {
                 words.push(pack(mean[0], mean[1]));
                 words.push(pack(mean[2], mean[3]));
                 words.push(pack(mean[4], mean[5]));
-                words.push(pack(mean[6], 0.0));
+                words.push(pack(mean[6], mean[0]));
             }
         }
         let points: Vec<(f32, [f32; 1])> = transfer.ior.iter().map(|point| (point.value, [point.ior])).collect();
@@ -99,7 +101,8 @@ impl Tables {
             refracts |= eta != 1.0;
             words.push(eta.to_bits());
         }
-        Self { words, refracts, anything }
+        let colors = fine.iter().any(|depths| depths[1..4].iter().any(|&depth| depth > 0.0));
+        Self { words, refracts, colors, anything }
     }
 
     /// The optical depths over the fine grid.

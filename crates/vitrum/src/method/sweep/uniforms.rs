@@ -71,13 +71,8 @@ impl Fixed {
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
         let mode = match (tables.refracts, scene.sweep.gradient) {
-            (false, _) => {
-                if scene.light.shadows {
-                    mode::STRAIGHT
-                } else {
-                    mode::UNSHADED
-                }
-            }
+            (false, _) if scene.light.shadows || tables.colors => mode::STRAIGHT,
+            (false, _) => mode::UNSHADED,
             (true, Gradient::Central) => mode::CENTRAL,
             (true, Gradient::Chain) => mode::CHAIN,
         };
