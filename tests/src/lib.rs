@@ -33,6 +33,7 @@ pub mod machine;
 pub mod photons;
 pub mod raster;
 pub mod report;
+pub mod roofline;
 pub mod run;
 pub mod table;
 

@@ -1,5 +1,6 @@
 //! Exposures to bands of the spectrum, put together.
 
+use crate::backend::times::merge;
 use crate::render::Exposure;
 use crate::scene::YELLOW;
 use crate::spectrum::Band;
@@ -33,6 +34,7 @@ impl Blend {
             film: vec![0.0; added.film.len()],
             light: added.light.as_ref().map(|light| vec![0.0; light.len()]),
             frame_ms: 0.0,
+            kernels: Vec::new(),
         });
         let planes = whole.film.chunks_exact_mut(rays).zip(added.film.chunks_exact(rays));
         for (component, (whole, added)) in planes.enumerate() {
@@ -52,6 +54,7 @@ impl Blend {
             }
         }
         whole.frame_ms += added.frame_ms;
+        merge(&mut whole.kernels, &added.kernels);
     }
 }
 

@@ -1,5 +1,6 @@
 //! A finished frame.
 
+use crate::backend::KernelTime;
 use serde::Serialize;
 use vitrum_io::{Channel, Layer, Picture};
 
@@ -26,6 +27,8 @@ pub struct Statistics {
     pub frame_ms: Vec<f64>,
     /// Time to build tables and fill buffers, in milliseconds.
     pub upload_ms: Option<f64>,
+    /// What each kernel took in the last frame; empty where the device has no clock.
+    pub kernels: Vec<KernelTime>,
     /// The most memory the process had, in bytes.
     pub peak_rss_bytes: Option<u64>,
     /// Bytes of graphics memory in buffers.

@@ -1,6 +1,6 @@
 //! From a scene to a frame.
 
-use crate::backend::{Backend, BackendError};
+use crate::backend::{Backend, BackendError, KernelTime};
 use crate::frame::{Frame, Statistics, layer};
 use crate::inputs::Inputs;
 use crate::method::sweep::Sweep;
@@ -102,6 +102,8 @@ pub(crate) struct Exposure {
     pub light: Option<Vec<f32>>,
     /// Time to run it and read it back.
     pub frame_ms: f64,
+    /// What of it the kernels took.
+    pub kernels: Vec<KernelTime>,
 }
 
 /// Runs a prepared frame and reads its outputs; `progress` is told the planes that are done.
@@ -116,7 +118,7 @@ pub(crate) fn expose(
     let film = sweep.film(backend)?;
     let frame_ms = started.elapsed().as_secs_f64() * 1e3;
     let light = if wanted.light { Some(sweep.irradiance(backend)?) } else { None };
-    Ok(Exposure { film, light, frame_ms })
+    Ok(Exposure { film, light, frame_ms, kernels: backend.kernel_times() })
 }
 
 /// A frame of what a sweep has made.
@@ -146,6 +148,7 @@ pub(crate) fn develop(
             rays_turned: turned as u64,
             frame_ms: vec![exposure.frame_ms],
             upload_ms: Some(upload_ms),
+            kernels: exposure.kernels.clone(),
             peak_rss_bytes: peak_rss_bytes(),
             gpu_bytes: backend.device_bytes(),
             version: env!("CARGO_PKG_VERSION").to_owned(),

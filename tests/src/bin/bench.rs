@@ -8,6 +8,7 @@ use vitrum::backend::{Backend, CpuBackend};
 use vitrum::preset;
 use vitrum_conformance::bench::{self, Contender};
 use vitrum_conformance::case::Case;
+use vitrum_conformance::roofline::{Ceilings, markdown};
 use vitrum_conformance::{Failure, adapter, failure, golden, machine};
 
 /// Measure frame times on both backends, interleaved; print a table for docs/benchmarks.md.
@@ -46,6 +47,10 @@ struct Arguments {
     #[arg(long, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Vec<u16>,
 
+    /// Instead, for each kernel on the CPU: bytes and operations, and its time over what the machine can do at best
+    #[arg(long)]
+    roofline: bool,
+
     /// Take the adapter whose name has this text in it (`vitrum devices` lists them)
     #[arg(long, value_name = "SUBSTRING")]
     adapter: Option<String>,
@@ -57,6 +62,9 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<bool, Failure> {
     let subjects = subjects(arguments)?;
+    if arguments.roofline {
+        return roofline(arguments, subjects);
+    }
     let mut contenders = contenders(arguments)?;
     println!("{}", machine::description());
     for contender in &contenders {
@@ -74,6 +82,25 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     }
     println!("{}", bench::markdown(&timings));
     Ok(timings.iter().all(bench::Timing::passed))
+}
+
+/// Prints a table for each subject, at the first size.
+fn roofline(arguments: &Arguments, subjects: Vec<Subject>) -> Result<bool, Failure> {
+    let threads = arguments.threads.first().map_or_else(machine::threads, |&threads| threads.into());
+    println!("{}", machine::description());
+    let ceilings = Ceilings::measure(threads);
+    println!(
+        "- {threads} threads copy {:.1} GB/s and compute {:.0} Gflop/s",
+        ceilings.bytes * 1e-9,
+        ceilings.operations * 1e-9
+    );
+    for subject in subjects {
+        let case = subject.open(arguments)?;
+        let mut backend = CpuBackend::new(Some(threads))?;
+        println!("\n{} at {} x {}\n", case.name, arguments.sizes[0], arguments.sizes[0]);
+        println!("{}", markdown(&case, &mut backend, ceilings)?);
+    }
+    Ok(true)
 }
 
 /// The CPU with each number of threads, then the graphics adapter.

@@ -1,9 +1,11 @@
 //! The CPU backend: the kernels' own functions over rows, in parallel.
 
+use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList};
 use rayon::prelude::*;
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::time::Instant;
 use vitrum_kernels::kernel::{Access, Chunk, InstructionSet, LANES};
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
@@ -23,6 +25,7 @@ pub struct CpuBackend {
     pool: rayon::ThreadPool,
     set: InstructionSet,
     buffers: Vec<Option<Vec<u32>>>,
+    times: Vec<KernelTime>,
 }
 
 impl CpuBackend {
@@ -40,7 +43,7 @@ impl CpuBackend {
             .build()
             .map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
         let set = if set.is_available() { set } else { InstructionSet::best() };
-        Ok(Self { pool, set, buffers: Vec::new() })
+        Ok(Self { pool, set, buffers: Vec::new(), times: Vec::new() })
     }
 
     fn add(&mut self, words: Vec<u32>) -> Buffer {
@@ -68,8 +71,17 @@ impl CpuBackend {
         // Taken out for the time of the passes, so that the others can be borrowed beside it.
         let mut output = self.buffers[written.0].take().unwrap_or_default();
         let prepared: Vec<Prepared> = passes.iter().map(|pass| self.prepare(pass, written)).collect();
+        let started = Instant::now();
         self.pool.install(|| rows(&prepared, self.set, &mut output, resting.entry(written).or_default()));
+        // Shared out by what the threads took for each.
+        let elapsed = started.elapsed().as_secs_f64() * 1e3;
+        let nanoseconds = prepared.iter().map(|pass| pass.nanoseconds.load(Ordering::Relaxed) as f64);
+        let shares: Vec<f64> = nanoseconds.collect();
+        let whole: f64 = shares.iter().sum();
         let busy = prepared.into_iter().map(|pass| pass.busy.into_inner()).collect();
+        for (pass, share) in passes.iter().zip(shares) {
+            times::add(&mut self.times, pass.kernel.declaration.name, elapsed * share / whole.max(1.0));
+        }
         self.buffers[written.0] = Some(output);
         Ok(busy)
     }
@@ -82,6 +94,7 @@ impl CpuBackend {
             // The kernels' uniform blocks are aligned to 16 bytes.
             uniforms: pass.uniforms.chunks(16).map(Aligned::from_bytes).collect(),
             busy: AtomicBool::new(false),
+            nanoseconds: AtomicU64::new(0),
         }
     }
 }
@@ -99,6 +112,8 @@ struct Prepared<'a> {
     reads: Vec<&'a [u32]>,
     uniforms: Vec<Aligned>,
     busy: AtomicBool,
+    /// What all threads took for it.
+    nanoseconds: AtomicU64,
 }
 
 /// Whether `next` only changes, record by record, what `pass` wrote: then a part of the records can go through both before the
@@ -150,7 +165,8 @@ fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32], resting: &
     chunks.par_iter_mut().zip(rests).enumerate().for_each(|(index, (output, rests))| {
         let first_row = index as u32 * chunk_rows;
         let mut before = before;
-        for Prepared { pass, reads, uniforms, busy } in passes {
+        for Prepared { pass, reads, uniforms, busy, nanoseconds } in passes {
+            let started = Instant::now();
             // How long records rest is only known while nothing else changes them.
             if before != Some(pass.kernel.declaration.name) {
                 rests.fill(0);
@@ -164,6 +180,7 @@ fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32], resting: &
             if (pass.kernel.run)(set, chunk) {
                 busy.store(true, Ordering::Relaxed);
             }
+            nanoseconds.fetch_add(started.elapsed().as_nanos() as u64, Ordering::Relaxed);
         }
     });
 }
@@ -220,6 +237,7 @@ impl Backend for CpuBackend {
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+        self.times.clear();
         let mut idle = false;
         let mut resting = HashMap::new();
         let (mut done, mut reported) = (0, None);
@@ -252,6 +270,10 @@ impl Backend for CpuBackend {
 
     fn free(&mut self, buffer: Buffer) {
         self.buffers[buffer.0] = None;
+    }
+
+    fn kernel_times(&self) -> Vec<KernelTime> {
+        self.times.clone()
     }
 
     fn device_bytes(&self) -> Option<u64> {

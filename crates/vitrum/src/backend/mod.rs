@@ -8,12 +8,14 @@ mod cpu;
 mod error;
 mod gpu;
 mod pass;
+pub(crate) mod times;
 
 pub use choice::{Choice, DeviceInfo, devices, open};
 pub use cpu::CpuBackend;
 pub use error::BackendError;
 pub use gpu::GpuBackend;
 pub use pass::{Buffer, Pass, PassList};
+pub use times::KernelTime;
 
 /// Runs passes over buffers.
 pub trait Backend {
@@ -41,6 +43,12 @@ pub trait Backend {
 
     /// Frees a buffer.
     fn free(&mut self, buffer: Buffer);
+
+    /// What each kernel took in the last run, in order of their first passes; empty where that is not known. Passes that wait for
+    /// nothing but each other may run at once: then their time is shared out by the work they did.
+    fn kernel_times(&self) -> Vec<KernelTime> {
+        Vec::new()
+    }
 
     /// Bytes of graphics memory that buffers take; `None` for the CPU.
     fn device_bytes(&self) -> Option<u64>;

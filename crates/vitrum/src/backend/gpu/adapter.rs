@@ -72,7 +72,11 @@ pub(super) fn open(adapter: &wgpu::Adapter) -> Result<Opened, BackendError> {
     let name = describe(&adapter.get_info());
     let passes_through = adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
         && adapter.get_info().backend == wgpu::Backend::Vulkan;
-    let required_features = if passes_through { wgpu::Features::PASSTHROUGH_SHADERS } else { wgpu::Features::empty() };
+    let pass_through = if passes_through { wgpu::Features::PASSTHROUGH_SHADERS } else { wgpu::Features::empty() };
+    // Clocks where there are some.
+    let clocks = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
+    let clocks = if adapter.features().contains(clocks) { clocks } else { wgpu::Features::empty() };
+    let required_features = pass_through | clocks;
     // SAFETY: pass-through hands the driver a module that wgpu did not check. Only the committed modules are passed; spirv-val
     // has checked them, their bindings come from the declarations they were compiled from, and all their accesses are
     // limited to the buffers.

@@ -3,14 +3,16 @@
 mod adapter;
 mod modules;
 mod pipeline;
+mod stopwatch;
 
 pub(crate) use adapter::{adapters, describe, is_hardware};
 
-use super::{Backend, BackendError, Buffer, Pass, PassList};
+use super::{Backend, BackendError, Buffer, KernelTime, Pass, PassList};
 use adapter::Opened;
 use pipeline::Pipeline;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
+use stopwatch::Stopwatch;
 use vitrum_kernels::kernel::WORKGROUP;
 
 /// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
@@ -23,6 +25,7 @@ pub struct GpuBackend {
     limits: wgpu::Limits,
     pipelines: HashMap<&'static str, Pipeline>,
     buffers: Vec<Option<wgpu::Buffer>>,
+    times: Vec<KernelTime>,
 }
 
 impl GpuBackend {
@@ -35,6 +38,7 @@ impl GpuBackend {
             limits: adapter.limits(),
             pipelines: HashMap::new(),
             buffers: Vec::new(),
+            times: Vec::new(),
         })
     }
 
@@ -179,6 +183,8 @@ impl Backend for GpuBackend {
         let (uniforms, stride) = self.upload_uniforms(passes)?;
         let mut groups: HashMap<(&str, &[Buffer]), wgpu::BindGroup> = HashMap::new();
         let mut under_way = None;
+        let mut watches = Vec::new();
+        self.times.clear();
         for (batch, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
             let first = batch * PASSES_PER_SUBMISSION;
             if !progress(first) {
@@ -191,15 +197,27 @@ impl Backend for GpuBackend {
                 }
             }
             let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            let kernels = chunk.iter().map(|pass| pass.kernel.declaration.name).collect();
+            let watch = Stopwatch::new(&self.opened, kernels);
             {
                 let mut compute = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+                if let Some(watch) = &watch {
+                    watch.note(&mut compute, 0);
+                }
                 for (index, pass) in chunk.iter().enumerate() {
                     let name = pass.kernel.declaration.name;
                     compute.set_pipeline(&self.pipelines[name].pipeline);
                     let offset = ((first + index) as u64 * stride) as u32;
                     compute.set_bind_group(0, &groups[&(name, pass.buffers.as_slice())], &[offset]);
                     compute.dispatch_workgroups(pass.width.div_ceil(WORKGROUP), pass.height.div_ceil(WORKGROUP), 1);
+                    if let Some(watch) = &watch {
+                        watch.note(&mut compute, index + 1);
+                    }
                 }
+            }
+            if let Some(watch) = watch {
+                watch.stop(&mut encoder);
+                watches.push(watch);
             }
             let submission = self.opened.queue.submit([encoder.finish()]);
             // One submission runs while the next is recorded.
@@ -209,6 +227,9 @@ impl Backend for GpuBackend {
         }
         if let Some(last) = under_way {
             self.wait(last)?;
+        }
+        for watch in watches {
+            watch.read(&self.opened, &mut self.times);
         }
         progress(passes.len());
         Ok(())
@@ -239,6 +260,10 @@ impl Backend for GpuBackend {
 
     fn free(&mut self, buffer: Buffer) {
         self.buffers[buffer.0] = None;
+    }
+
+    fn kernel_times(&self) -> Vec<KernelTime> {
+        self.times.clone()
     }
 
     fn device_bytes(&self) -> Option<u64> {
