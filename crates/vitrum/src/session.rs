@@ -115,7 +115,7 @@ impl<'a> Session<'a> {
         let backend = self.backend.get();
         for (index, (band, seen)) in (0..).zip(&exposures) {
             let started = Instant::now();
-            let mut sweep = Sweep::prepare_uploaded(seen, self.inputs, self.uploaded, backend)?;
+            let mut sweep = Sweep::prepare_uploaded(seen, self.inputs, &self.uploaded, backend)?;
             if !wanted.light {
                 sweep.end_light_with_rays();
             }

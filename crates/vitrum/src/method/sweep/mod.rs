@@ -58,7 +58,7 @@ impl Sweep {
     /// Uploads the volumes, builds tables and lists the passes.
     pub fn prepare(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
         let uploaded = Uploaded::new(inputs, backend)?;
-        let prepared = Self::prepare_uploaded(scene, inputs, uploaded, backend);
+        let prepared = Self::prepare_uploaded(scene, inputs, &uploaded, backend);
         match prepared {
             Ok(sweep) => Ok(Self { uploaded: Some(uploaded), ..sweep }),
             Err(error) => {
@@ -72,7 +72,7 @@ impl Sweep {
     pub fn prepare_uploaded(
         scene: &Scene,
         inputs: &Inputs,
-        uploaded: Uploaded,
+        uploaded: &Uploaded,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         let fixed = Fixed::new(scene, inputs)?;

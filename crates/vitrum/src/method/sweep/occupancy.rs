@@ -20,25 +20,36 @@ pub(super) enum Role {
 /// The least and the greatest value of something.
 type Range = (f32, f32);
 
+/// The range of each brick's stored voxels, x fastest: what a volume is asked for again and again while tables change.
+#[derive(Debug)]
+pub(super) struct Ranges(Vec<Range>);
+
+impl Ranges {
+    pub(super) fn new(volume: &Volume) -> Self {
+        let bricks = bricks(volume).map(|n| n as usize);
+        Self(match &volume.voxels {
+            Voxels::U8(voxels) => ranges(voxels, volume.dimensions, bricks),
+            Voxels::U16(voxels) => ranges(voxels, volume.dimensions, bricks),
+            Voxels::F32(voxels) => ranges(voxels, volume.dimensions, bricks),
+        })
+    }
+}
+
 fn union(a: Range, b: Range) -> Range {
     (a.0.min(b.0), a.1.max(b.1))
 }
 
 /// 0 for each brick in which something may happen, else how many bricks away the next such one is, x fastest. A brick counts with
 /// all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the stencil.
-pub(super) fn classify(volume: &Volume, tables: &Tables, reach: u32, role: Role) -> Vec<u32> {
+pub(super) fn classify(volume: &Volume, ranges: &Ranges, tables: &Tables, reach: u32, role: Role) -> Vec<u32> {
     let scale = volume.range[1] - volume.range[0];
     let normalise = |value: f32| {
         if scale > 0.0 { ((value - volume.range[0]) / scale).clamp(0.0, 1.0) } else { 0.0 }
     };
     let bricks = bricks(volume).map(|n| n as usize);
-    let ranges = match &volume.voxels {
-        Voxels::U8(voxels) => ranges(voxels, volume.dimensions, bricks),
-        Voxels::U16(voxels) => ranges(voxels, volume.dimensions, bricks),
-        Voxels::F32(voxels) => ranges(voxels, volume.dimensions, bricks),
-    };
     let beyond = (reach as usize + 2).div_ceil(1 << BRICK_SHIFT);
-    let widened = (0..3).fold(ranges, |ranges, axis| widen(&ranges, bricks, axis, beyond));
+    let widened = widen(&ranges.0, bricks, 0, beyond);
+    let widened = (1..3).fold(widened, |ranges, axis| widen(&ranges, bricks, axis, beyond));
     let words = widened
         .into_par_iter()
         .map(|range| {

@@ -2,7 +2,7 @@
 
 use super::Buffers;
 use super::carrier::{Carrier, Maker, Volumes};
-use super::occupancy::{Role, classify};
+use super::occupancy::{Ranges, Role, classify};
 use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::Fixed;
@@ -26,11 +26,14 @@ fn ray_kernel(stored: u32) -> &'static Kernel {
 }
 
 /// A frame's voxels on a backend: what stays the same while scene and camera change.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct Uploaded {
     voxels: Buffer,
     /// The second volume's, or the same again.
     ior_voxels: Buffer,
+    ranges: Ranges,
+    /// The second volume's.
+    ior_ranges: Option<Ranges>,
 }
 
 impl Uploaded {
@@ -42,11 +45,14 @@ impl Uploaded {
         let stored = chosen_format(&inputs.volume, inputs.ior_volume.as_ref());
         check_size(&upload_limit(&inputs.volume, stored), "the volume")?;
         let voxels = backend.create("voxels", &pack(&inputs.volume, stored))?;
-        let Some(bending) = &inputs.ior_volume else { return Ok(Self { voxels, ior_voxels: voxels }) };
+        let ranges = Ranges::new(&inputs.volume);
+        let Some(bending) = &inputs.ior_volume else {
+            return Ok(Self { voxels, ior_voxels: voxels, ranges, ior_ranges: None });
+        };
         let uploaded = check_size(&upload_limit(bending, stored), "the second volume")
             .and_then(|()| Ok(backend.create("ior voxels", &pack(bending, stored))?));
         match uploaded {
-            Ok(ior_voxels) => Ok(Self { voxels, ior_voxels }),
+            Ok(ior_voxels) => Ok(Self { voxels, ior_voxels, ranges, ior_ranges: Some(Ranges::new(bending)) }),
             Err(error) => {
                 backend.free(voxels);
                 Err(error)
@@ -55,7 +61,7 @@ impl Uploaded {
     }
 
     /// Frees the buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
+    pub fn free(&self, backend: &mut dyn Backend) {
         backend.free(self.voxels);
         if self.ior_voxels != self.voxels {
             backend.free(self.ior_voxels);
@@ -67,7 +73,7 @@ impl Uploaded {
 pub(super) fn build(
     inputs: &Inputs,
     fixed: &Fixed,
-    uploaded: Uploaded,
+    uploaded: &Uploaded,
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
 ) -> Result<(PassList, Buffers), Error> {
@@ -77,12 +83,12 @@ pub(super) fn build(
         Ok(buffer)
     };
     let shown = &inputs.volume;
-    let Uploaded { voxels, ior_voxels } = uploaded;
-    let occupancy = match &inputs.ior_volume {
-        None => classify(shown, &fixed.tables, fixed.reach[0], Role::Both),
-        Some(bending) => {
-            let mut occupancy = classify(shown, &fixed.tables, fixed.reach[0], Role::Shown);
-            occupancy.extend(classify(bending, &fixed.tables, fixed.reach[1], Role::Bending));
+    let Uploaded { voxels, ior_voxels, ref ranges, ref ior_ranges } = *uploaded;
+    let occupancy = match inputs.ior_volume.as_ref().zip(ior_ranges.as_ref()) {
+        None => classify(shown, ranges, &fixed.tables, fixed.reach[0], Role::Both),
+        Some((bending, ior_ranges)) => {
+            let mut occupancy = classify(shown, ranges, &fixed.tables, fixed.reach[0], Role::Shown);
+            occupancy.extend(classify(bending, ior_ranges, &fixed.tables, fixed.reach[1], Role::Bending));
             occupancy
         }
     };
