@@ -6,10 +6,11 @@ use super::access::read;
 use crate::abi::sweep::SweepUniforms;
 use spirv_std::glam::Vec3;
 
-/// Rows of nodes that a sheet has.
+/// Rows of nodes that a sheet has; never 0, so that dividing by it cannot panic.
 #[inline(always)]
 pub fn rows(u: &SweepUniforms) -> u32 {
-    u.size.w + 1
+    let rows = u.size.w + 1;
+    if rows > 0 { rows } else { 1 }
 }
 
 /// The direction in which the sheet of row `y` of nodes started.
