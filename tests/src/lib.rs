@@ -35,6 +35,7 @@ pub mod raster;
 pub mod report;
 pub mod roofline;
 pub mod run;
+pub mod scaling;
 pub mod table;
 
 pub use failure::Failure;

@@ -7,7 +7,7 @@ mod page;
 mod photons;
 mod plot;
 
-pub use page::replace;
+pub use page::{replace, rewrite, write};
 pub use plot::{Axis, Corner, Plot, Scale, Series};
 
 use vitrum::backend::Backend;

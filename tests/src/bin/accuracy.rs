@@ -1,13 +1,11 @@
 //! `accuracy` (`cargo xtask accuracy`): the tables and plots of `docs/accuracy.md`.
 
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
 use vitrum::backend::CpuBackend;
-use vitrum_conformance::accuracy::{ALL, replace};
+use vitrum_conformance::accuracy::{ALL, rewrite, write};
 use vitrum_conformance::{Failure, failure, root};
 
 /// Measure how far the sweep is from physics, on the CPU; write docs/accuracy.md's tables and docs/accuracy/*.svg.
@@ -41,20 +39,10 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
         if !arguments.print {
             let plot = root().join("docs/accuracy").join(format!("{name}.svg"));
             let svg = section.plot.svg().map_err(Failure::Setup)?;
-            write(plot, &svg)?;
-            let page = root().join("docs/accuracy.md");
-            let text = fs::read_to_string(&page).map_err(|error| Failure::Output { path: page.clone(), error })?;
-            let missing = || Failure::Setup(format!("{} has no line `<!-- measured: {name} -->`", page.display()));
+            write(&plot, &svg)?;
             let shown = format!("{}\n\n![{}](accuracy/{name}.svg)", section.text, section.plot.title);
-            write(page.clone(), &replace(&text, name, &shown).ok_or_else(missing)?)?;
+            rewrite(&root().join("docs/accuracy.md"), name, &shown)?;
         }
     }
     Ok(true)
-}
-
-fn write(path: PathBuf, text: &str) -> Result<(), Failure> {
-    path.parent()
-        .map_or(Ok(()), fs::create_dir_all)
-        .and_then(|()| fs::write(&path, text))
-        .map_err(|error| Failure::Output { path, error })
 }

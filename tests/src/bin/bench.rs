@@ -6,10 +6,11 @@ use std::process::ExitCode;
 use clap::Parser;
 use vitrum::backend::{Backend, CpuBackend};
 use vitrum::preset;
+use vitrum_conformance::accuracy::{rewrite, write};
 use vitrum_conformance::bench::{self, Contender};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::roofline::{Ceilings, markdown};
-use vitrum_conformance::{Failure, adapter, failure, golden, machine};
+use vitrum_conformance::{Failure, adapter, failure, golden, machine, root, scaling};
 
 /// Measure frame times on both backends, interleaved; print a table for docs/benchmarks.md.
 ///
@@ -51,6 +52,11 @@ struct Arguments {
     #[arg(long)]
     roofline: bool,
 
+    /// Instead, how frame times on the CPU grow with pixels, planes, voxels, light and threads: writes the table of
+    /// docs/benchmarks.md and docs/benchmarks/scaling.svg
+    #[arg(long, conflicts_with = "roofline")]
+    scaling: bool,
+
     /// Take the adapter whose name has this text in it (`vitrum devices` lists them)
     #[arg(long, value_name = "SUBSTRING")]
     adapter: Option<String>,
@@ -61,6 +67,9 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<bool, Failure> {
+    if arguments.scaling {
+        return scaling(arguments);
+    }
     let subjects = subjects(arguments)?;
     if arguments.roofline {
         return roofline(arguments, subjects);
@@ -82,6 +91,17 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     }
     println!("{}", bench::markdown(&timings));
     Ok(timings.iter().all(bench::Timing::passed))
+}
+
+/// Writes the section of docs/benchmarks.md.
+fn scaling(arguments: &Arguments) -> Result<bool, Failure> {
+    let (table, plot) = scaling::measure(machine::threads(), arguments.frames.into())?;
+    let text = format!("{}\n\n{table}\n\n![{}](benchmarks/scaling.svg)", machine::description(), plot.title);
+    println!("{text}");
+    let svg = plot.svg().map_err(Failure::Setup)?;
+    write(&root().join("docs/benchmarks/scaling.svg"), &svg)?;
+    rewrite(&root().join("docs/benchmarks.md"), "scaling", &text)?;
+    Ok(true)
 }
 
 /// Prints a table for each subject, at the first size.
