@@ -224,6 +224,17 @@ impl Backend for CpuBackend {
         Ok(self.add(bytemuck::pod_collect_to_vec(contents)))
     }
 
+    fn create_with(
+        &mut self,
+        label: &str,
+        bytes: u64,
+        fill: &mut dyn FnMut(&mut [u8]),
+    ) -> Result<Buffer, BackendError> {
+        let buffer = self.create_zeroed(label, bytes)?;
+        fill(bytemuck::cast_slice_mut(self.buffers[buffer.0].as_deref_mut().unwrap_or_default()));
+        Ok(buffer)
+    }
+
     fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
         self.check_size(label, bytes)?;
         let words = usize::try_from(bytes / 4).unwrap_or(usize::MAX);

@@ -31,6 +31,18 @@ pub trait Backend {
     /// A buffer with `contents` (not empty; whole words).
     fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError>;
 
+    /// A buffer of `bytes` bytes (not 0; whole words) that `fill` writes, which gets zeros: where a backend can, without a copy.
+    fn create_with(
+        &mut self,
+        label: &str,
+        bytes: u64,
+        fill: &mut dyn FnMut(&mut [u8]),
+    ) -> Result<Buffer, BackendError> {
+        let mut contents = vec![0; bytes as usize];
+        fill(&mut contents);
+        self.create(label, &contents)
+    }
+
     /// A buffer of `bytes` zero bytes (not 0; whole words).
     fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError>;
 

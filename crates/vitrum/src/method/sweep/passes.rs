@@ -43,14 +43,12 @@ impl Uploaded {
     /// If a volume is too large for the sweep or for the backend.
     pub fn new(inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
         let stored = chosen_format(&inputs.volume, inputs.ior_volume.as_ref());
-        check_size(&upload_limit(&inputs.volume, stored), "the volume")?;
-        let voxels = backend.create("voxels", &pack(&inputs.volume, stored))?;
+        let voxels = upload(&inputs.volume, stored, "the volume", backend)?;
         let ranges = Ranges::new(&inputs.volume);
         let Some(bending) = &inputs.ior_volume else {
             return Ok(Self { voxels, ior_voxels: voxels, ranges, ior_ranges: None });
         };
-        let uploaded = check_size(&upload_limit(bending, stored), "the second volume")
-            .and_then(|()| Ok(backend.create("ior voxels", &pack(bending, stored))?));
+        let uploaded = upload(bending, stored, "the second volume", backend);
         match uploaded {
             Ok(ior_voxels) => Ok(Self { voxels, ior_voxels, ranges, ior_ranges: Some(Ranges::new(bending)) }),
             Err(error) => {
@@ -127,6 +125,13 @@ pub(super) fn build(
     let [_, irradiance] = light.on_plane(last);
     let buffers = Buffers { all: maker.created.clone(), irradiance, rays, film: finished };
     Ok((list, buffers))
+}
+
+/// Packs a volume into a buffer.
+fn upload(volume: &vitrum_io::Volume, stored: u32, what: &str, backend: &mut dyn Backend) -> Result<Buffer, Error> {
+    let (bytes, limit) = upload_limit(volume, stored);
+    check_size(&(bytes, limit), what)?;
+    Ok(backend.create_with("voxels", bytes, &mut |packed| pack(volume, stored, packed))?)
 }
 
 /// Stored voxels are counted by a signed 32-bit number (words, or bytes of 8- and 16-bit voxels).

@@ -33,27 +33,28 @@ pub(super) fn padded_bytes(volume: &Volume, stored: u32) -> u64 {
     (voxels * size).next_multiple_of(4)
 }
 
-/// The voxels with [`PADDING`] copies of the nearest voxel on every side, as little-endian bytes, whole words.
-pub(super) fn pack(volume: &Volume, stored: u32) -> Vec<u8> {
+/// Writes the voxels with [`PADDING`] copies of the nearest voxel on every side to `packed`, which has [`padded_bytes`], as
+/// little-endian bytes.
+pub(super) fn pack(volume: &Volume, stored: u32, packed: &mut [u8]) {
     match (&volume.voxels, stored) {
-        (Voxels::U8(voxels), format::U8) => pad(volume, voxels, u8::to_le_bytes),
-        (Voxels::U16(voxels), format::U16) => pad(volume, voxels, u16::to_le_bytes),
-        (Voxels::U8(voxels), _) => pad(volume, voxels, |voxel| f32::from(voxel).to_le_bytes()),
-        (Voxels::U16(voxels), _) => pad(volume, voxels, |voxel| f32::from(voxel).to_le_bytes()),
-        (Voxels::F32(voxels), _) => pad(volume, voxels, f32::to_le_bytes),
+        (Voxels::U8(voxels), format::U8) => pad(volume, voxels, packed, u8::to_le_bytes),
+        (Voxels::U16(voxels), format::U16) => pad(volume, voxels, packed, u16::to_le_bytes),
+        (Voxels::U8(voxels), _) => pad(volume, voxels, packed, |voxel| f32::from(voxel).to_le_bytes()),
+        (Voxels::U16(voxels), _) => pad(volume, voxels, packed, |voxel| f32::from(voxel).to_le_bytes()),
+        (Voxels::F32(voxels), _) => pad(volume, voxels, packed, f32::to_le_bytes),
     }
 }
 
 fn pad<T: Copy + Sync, const BYTES: usize>(
     volume: &Volume,
     voxels: &[T],
+    packed: &mut [u8],
     bytes: impl Fn(T) -> [u8; BYTES] + Sync,
-) -> Vec<u8> {
+) {
     let [nx, ny, nz] = volume.dimensions.map(|n| n as usize);
     let [px, py, pz] = padded(volume);
     let padding = PADDING as usize;
     let limit = |i: usize, n: usize| i.saturating_sub(padding).min(n - 1);
-    let mut packed = vec![0u8; (px * py * pz * BYTES).next_multiple_of(4)];
     packed[..px * py * pz * BYTES].par_chunks_exact_mut(px * BYTES).enumerate().for_each(|(row, to)| {
         let from = &voxels[(limit(row / py, nz) * ny + limit(row % py, ny)) * nx..][..nx];
         let (before, rest) = to.split_at_mut(padding * BYTES);
@@ -68,7 +69,6 @@ fn pad<T: Copy + Sync, const BYTES: usize>(
             }
         }
     });
-    packed
 }
 
 /// Bricks along each axis.
