@@ -40,7 +40,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("head", "head", &[])?,
         case("head all", "head", &["sweep.empty_space_skipping=false"])?,
         case("head u8", "head", &[])?.in_bytes()?,
-        case("head unshaded", "head", &["light.shadows=false", "sweep.refraction=false"])?.in_bytes()?,
+        case("phantom unshaded", "phantom", &["light.shadows=false", "sweep.refraction=false"])?,
         case("ball without shadows", "ball", &["light.shadows=false"])?,
         case("luneburg chain hard", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
         case("combustion/mixture", "combustion/mixture", &[])?,

@@ -56,15 +56,16 @@ pub fn steps_are_empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32],
     let steps = |grid: &Grid| empty_steps(occupancy, grid, voxel_coordinates(grid, from), voxel_coordinates(grid, to));
     let shown = steps(&u.grid);
     let both = if SECOND { min(shown, steps(&u.ior_grid)) } else { shown };
-    select(u.dispatch.w & flag::SKIP_EMPTY != 0, both, 0.0)
+    let known = select(u.dispatch.w & flag::SKIP_EMPTY != 0, both, 0.0);
+    select(u.dispatch.w & flag::BEHIND_VOLUME != 0, f32::MAX, known)
 }
 
 /// Whether nothing happens on the way from `from` to `to` in the sweep frame, in the volume and in the `SECOND` one, if there is
-/// one; never, if empty space is not to be skipped.
+/// one: always behind the volumes; elsewhere never, if empty space is not to be skipped.
 #[inline(always)]
 pub fn step_is_empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
     let shown = is_empty(occupancy, &u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let bending = !SECOND
         || is_empty(occupancy, &u.ior_grid, voxel_coordinates(&u.ior_grid, from), voxel_coordinates(&u.ior_grid, to));
-    shown & bending & (u.dispatch.w & flag::SKIP_EMPTY != 0)
+    (u.dispatch.w & flag::BEHIND_VOLUME != 0) | (shown & bending & (u.dispatch.w & flag::SKIP_EMPTY != 0))
 }

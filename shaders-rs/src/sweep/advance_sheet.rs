@@ -2,7 +2,7 @@
 //! forward, each node from where it is (sweep §4.2, Eqs. 9 and 10).
 
 use crate::abi::record::sheet;
-use crate::abi::sweep::{SweepUniforms, flag, mode};
+use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::empty::step_is_empty;
 use crate::field::light::{shift, texel_position};
 use crate::field::sheet::{rows, source};
@@ -54,12 +54,6 @@ fn drift(x: u32, y: u32, u: &SweepUniforms, node: &[f32; sheet::SIZE], sources: 
     }
 }
 
-/// Whether the node crosses nothing but empty space. Behind the volume it always does.
-#[inline(always)]
-fn empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
-    (u.dispatch.w & flag::BEHIND_VOLUME != 0) | step_is_empty::<SECOND>(u, occupancy, from, to)
-}
-
 /// The level that node (x, y) needs.
 #[inline(always)]
 pub fn level<const FORMAT: u32, const SECOND: bool>(
@@ -77,7 +71,7 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     let step = drift(x, y, u, &node, sources);
     let still = (step.way.0 == 0.0) & (step.way.1 == 0.0) & (step.unrefracted.0 == 0.0) & (step.unrefracted.1 == 0.0);
     let moving = if still { level::STILL } else { level::DRIFT };
-    let needed = if empty::<SECOND>(u, occupancy, step.from, step.to) { moving } else { level::FULL };
+    let needed = if step_is_empty::<SECOND>(u, occupancy, step.from, step.to) { moving } else { level::FULL };
     if node[sheet::TURNED] == 0.0 { needed } else { level::ENDED }
 }
 
@@ -101,7 +95,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let mut left = Vec3::new(node[sheet::FLUX], node[sheet::FLUX + 1], node[sheet::FLUX + 2]);
     let mut turned = false;
     if LEVEL == level::FULL {
-        let skipped = empty::<SECOND>(u, occupancy, from, to);
+        let skipped = step_is_empty::<SECOND>(u, occupancy, from, to);
         let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
         let ior_to = voxel_coordinates(&u.ior_grid, to);
         let grids = (&u.grid, &u.ior_grid);

@@ -1,7 +1,7 @@
 //! Viewing rays from the plane behind to this one (sweep §4.3, Eq. 14, Algorithm 1, lines 21 to 36).
 
 use crate::abi::record::{ray, status};
-use crate::abi::sweep::{SweepUniforms, flag, mode};
+use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::empty::{step_is_empty, steps_are_empty};
 use crate::field::light::{direction, light, shift, texel_coordinates};
 use crate::field::stencil::{scalar, voxel_coordinates};
@@ -50,12 +50,6 @@ fn fly(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> Flight {
     Flight { from, to, v, sigma }
 }
 
-/// Whether the ray crosses nothing but empty space. Behind the volume it always does.
-#[inline(always)]
-fn empty<const SECOND: bool>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
-    (u.dispatch.w & flag::BEHIND_VOLUME != 0) | step_is_empty::<SECOND>(u, occupancy, from, to)
-}
-
 /// Whether the scalar on the plane behind was not sampled.
 #[inline(always)]
 fn is_unknown(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> bool {
@@ -79,7 +73,7 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
 ) -> u32 {
     let flight = fly(u, &r);
     let hit = first_between(u, flight.from, flight.to);
-    let empty = empty::<SECOND>(u, occupancy, flight.from, flight.to);
+    let empty = step_is_empty::<SECOND>(u, occupancy, flight.from, flight.to);
     let sampled = if is_unknown(u, &r) { level::ENTERING } else { level::FULL };
     let crossing = if empty { level::EMPTY } else { sampled };
     let needed = if hit.hit { level::MEETING } else { crossing };
@@ -103,8 +97,6 @@ pub fn rest<const FORMAT: u32, const SECOND: bool>(
 ) -> f32 {
     let flight = fly(u, &r);
     let empty = steps_are_empty::<SECOND>(u, occupancy, flight.from, flight.to);
-    // Behind the volume all is empty.
-    let empty = select(u.dispatch.w & flag::BEHIND_VOLUME != 0, f32::MAX, empty);
     let free = min(min(empty, free_steps(u, flight.from, flight.to)), u.shading.w);
     select(r[ray::STATUS] == status::ACTIVE, free, f32::MAX)
 }
@@ -127,7 +119,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let Flight { from, to, v, sigma } = fly(u, &r);
     let none = Hit { hit: false, at: 1.0, normal: v, color: v };
     let hit = if LEVEL == level::MEETING { first_between(u, from, to) } else { none };
-    let skipped = empty::<SECOND>(u, occupancy, from, to) & !hit.hit;
+    let skipped = step_is_empty::<SECOND>(u, occupancy, from, to) & !hit.hit;
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let ior_to = voxel_coordinates(&u.ior_grid, to);
     let here = medium::<FORMAT, SECOND>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
