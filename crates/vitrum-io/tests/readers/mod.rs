@@ -38,6 +38,7 @@ const TARGETS: &[(&str, Kind)] = &[
     ("nifti", Kind::Volume("NIfTI", &["a.nii", "a.hdr"])),
     ("metaimage", Kind::Volume("MetaImage", &["a.mha"])),
     ("numpy", Kind::Volume("NumPy", &["a.npy"])),
+    ("npz", Kind::Volume("NumPy archive", &["a.npz"])),
     ("vti", Kind::Volume("VTK image data", &["a.vti"])),
     ("vtk", Kind::Volume("legacy VTK", &["a.vtk"])),
     ("stack", Kind::Volume("TIFF stack", &["a.tif"])),

@@ -2,13 +2,17 @@
 
 use std::fs;
 
+use zip::CompressionMethod;
+
 use vitrum_io::{Picture, WriteOptions, write_picture_with};
 
-use crate::common::dicom::{Dicom, FRAMES, JPEG, LOSSLESS, POSITION, RLE, rle};
+use crate::common::dicom::{
+    Dicom, FRAMES, JPEG, JPEG_2000, JPEG_2000_WORDS, JPEG_LS, JPEG_LS_WORDS, LOSSLESS, POSITION, RLE, rle,
+};
 use crate::common::mesh::{cuboid, files, glb, globe, gltf};
 use crate::common::tiff::{Page, Value, stack_u8, tiff};
 use crate::common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
-use crate::common::{Folder, NiftiHeader, attached, gzip, hex, metaimage, npy, npy_with, nrrd, zlib};
+use crate::common::{Folder, NiftiHeader, attached, gzip, hex, metaimage, npy, npy_with, npz, nrrd, zlib};
 
 /// The files of a target.
 pub fn seeds(target: &str) -> Vec<Vec<u8>> {
@@ -23,6 +27,11 @@ pub fn seeds(target: &str) -> Vec<Vec<u8>> {
             npy_with((3, 0), "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 2, 3)}", &[1; 12]),
             npy_with((1, 0), "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 2, 2, 3)}", &[1; 24]),
         ],
+        "npz" => {
+            let arrays = [npy("<f2", &[1; 24]), npy("|u1", &[1; 12])];
+            let archive = |packing| npz(&[("a.npy", packing, &arrays[0]), ("b.npy", packing, &arrays[1])]);
+            vec![archive(CompressionMethod::Stored), archive(CompressionMethod::Deflated)]
+        }
         "vti" => vti_files(),
         "vtk" => vec![
             vtk("ASCII", "short", b"1 2 3 4 5 6 7 8 9 10 11 12"),
@@ -111,10 +120,15 @@ fn dicom_files() -> Vec<Vec<u8>> {
     run_lengths.compressed(RLE, vec![rle(&[vec![1; 6], vec![2; 6]])]);
     let mut picture = Dicom::words(0.0, &[], false);
     picture.compressed(LOSSLESS, vec![JPEG.to_vec()]);
+    let newer = [(JPEG_LS, JPEG_LS_WORDS.to_vec()), (JPEG_2000, JPEG_2000_WORDS.to_vec())].map(|(syntax, picture)| {
+        let mut file = Dicom::words(0.0, &[], false);
+        file.compressed(syntax, vec![picture]);
+        file
+    });
     let mut frames = Dicom::slice(0.0, &[1; 12]);
     frames.text(FRAMES, "IS", "2").remove(POSITION);
     let plain = [Dicom::slice(0.0, &[1, 2, 3, 4, 5, 6]), Dicom::words(1.0, &[1, 2, 3, 4, 5, 6], true)];
-    plain.into_iter().chain([run_lengths, picture, frames]).map(|file| file.bytes()).collect()
+    plain.into_iter().chain([run_lengths, picture, frames]).chain(newer).map(|file| file.bytes()).collect()
 }
 
 fn meshes(target: &str) -> Vec<Vec<u8>> {
