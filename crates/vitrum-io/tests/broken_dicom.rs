@@ -117,6 +117,17 @@ fn lengths_that_lie_take_no_memory() {
     }
 }
 
+/// Elements of a kind that nobody knows have lengths of 32 bits, as those of unknown values have.
+#[test]
+fn an_unknown_kind_of_value_has_a_long_length() {
+    let folder = Folder::new();
+    let mut file = at(0.0).bytes();
+    let orientation = file.windows(6).position(|window| window == [0x20, 0, 0x37, 0, b'D', b'S']).expect("an element");
+    file[orientation + 4..orientation + 6].copy_from_slice(b"SD");
+    let error = folder.open("a.dcm", file).expect_err("a lie").to_string();
+    assert!(error.contains("says to have 1546673201 bytes"), "{error}");
+}
+
 #[test]
 fn cut_files_are_told_so() {
     let folder = Folder::new();
