@@ -6,7 +6,8 @@
     cargo build --release
     target/peers/bin/python tests/peers/meshes.py --vitrum target/release/vitrum ../shared/data/meshes
 
-Prints a table in Markdown, and exits 1 where the two differ by more than the bounds below.
+Reads files that trimesh writes, and those that are given. Prints a table in Markdown, and exits 1 where the two differ by
+more than the bounds below. `cargo xtask peers` does all of this.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 import numpy
 import trimesh
@@ -118,14 +120,32 @@ def row(path, ours, theirs, wrong):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("--vitrum", default="vitrum", help="the program")
-    arguments.add_argument("paths", nargs="+", type=pathlib.Path, help="mesh files, or folders of them")
+    arguments.add_argument("paths", nargs="*", type=pathlib.Path, help="mesh files, or folders of them")
     arguments = arguments.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        return compare_all(arguments, made(pathlib.Path(folder)))
+
+
+def made(folder):
+    """Shapes that are closed, open and apart, in every format that trimesh writes."""
+    ball = trimesh.creation.icosphere(subdivisions=3, radius=2.5)
+    tube = trimesh.creation.cylinder(1.0, 4.0, sections=24)
+    tube.update_faces(numpy.abs(tube.face_normals[:, 2]) < 0.5)
+    torus = trimesh.creation.torus(3.0, 0.5)
+    apart = trimesh.util.concatenate([ball, torus.copy().apply_translation([9.0, -4.0, 1.5])])
     files = []
+    for name, shape in {"ball": ball, "tube": tube, "apart": apart}.items():
+        for suffix, options in [("obj", {}), ("ply", {"encoding": "ascii"}), ("ply", {}), ("stl", {}), ("glb", {})]:
+            path = folder / f"{name}-{len(files)}.{suffix}"
+            shape.export(path, **options)
+            files.append(path)
+    return files
+
+
+def compare_all(arguments, files):
     for path in arguments.paths:
         files += sorted(path.iterdir()) if path.is_dir() else [path]
     files = [path for path in files if path.suffix.lower() in SUFFIXES]
-    if not files:
-        raise SystemExit("there is no mesh file")
     heads = ["file", "triangles", "positions", "boundary edges", "non-manifold edges", "closed", "area", "apart"]
     heads += ["volume", "apart", "counts and bounds"]
     print("| " + " | ".join(heads) + " |")

@@ -17,6 +17,7 @@
 
 pub mod accuracy;
 pub mod adapter;
+pub mod altered;
 pub mod bench;
 pub mod bounds;
 pub mod case;

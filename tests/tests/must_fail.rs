@@ -3,59 +3,18 @@
 
 use std::process::Command;
 
-use vitrum::backend::{Backend, BackendError, Buffer, CpuBackend, PassList};
+use vitrum::backend::CpuBackend;
+use vitrum_conformance::altered::AlteredCpu;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
 use vitrum_conformance::{Failure, frames, golden, kernels};
 
-/// A CPU that gets the last bit of one value wrong.
-struct Faulty(CpuBackend);
-
 /// The value that is wrong in every buffer.
 const FAULT: usize = 77;
 
-impl Backend for Faulty {
-    fn name(&self) -> &'static str {
-        self.0.name()
-    }
-
-    fn adapter(&self) -> String {
-        self.0.adapter()
-    }
-
-    fn largest_buffer(&self) -> u64 {
-        self.0.largest_buffer()
-    }
-
-    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
-        self.0.create(label, contents)
-    }
-
-    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
-        self.0.create_zeroed(label, bytes)
-    }
-
-    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        self.0.run(passes, progress)
-    }
-
-    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        let mut bytes = self.0.read(buffer)?;
-        bytes[4 * FAULT] ^= 1;
-        Ok(bytes)
-    }
-
-    fn free(&mut self, buffer: Buffer) {
-        self.0.free(buffer);
-    }
-
-    fn device_bytes(&self) -> Option<u64> {
-        self.0.device_bytes()
-    }
-}
-
-fn backends() -> Result<(CpuBackend, Faulty), Failure> {
-    Ok((CpuBackend::new(None)?, Faulty(CpuBackend::new(None)?)))
+/// A CPU, and one that gets the last bit of one value wrong.
+fn backends() -> Result<(CpuBackend, AlteredCpu), Failure> {
+    Ok((CpuBackend::new(None)?, AlteredCpu::of_bytes(|bytes| bytes[4 * FAULT] ^= 1)?))
 }
 
 #[test]

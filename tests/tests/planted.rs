@@ -5,7 +5,8 @@
 //! and the first row of T1 that differs is the kernel that has it.
 
 use bytemuck::{cast_slice, from_bytes};
-use vitrum::backend::{Backend, BackendError, Buffer, CpuBackend, Pass, PassList};
+use vitrum::backend::{Backend, CpuBackend, Pass};
+use vitrum_conformance::altered::AlteredCpu;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
 use vitrum_conformance::{Failure, adapter, frames, functions, kernels};
@@ -92,58 +93,11 @@ strangers! {
 }
 
 /// A CPU that runs a stranger's kernel in the place of the tree's.
-struct Stranger(CpuBackend, &'static Kernel);
-
-impl Stranger {
-    fn new(kernel: &'static Kernel) -> Result<Self, Failure> {
-        Ok(Self(CpuBackend::new(None)?, kernel))
-    }
-}
-
-impl Backend for Stranger {
-    fn name(&self) -> &'static str {
-        self.0.name()
-    }
-
-    fn adapter(&self) -> String {
-        self.0.adapter()
-    }
-
-    fn largest_buffer(&self) -> u64 {
-        self.0.largest_buffer()
-    }
-
-    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
-        self.0.create(label, contents)
-    }
-
-    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
-        self.0.create_zeroed(label, bytes)
-    }
-
-    fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        let replaced = |pass: &Pass| Pass {
-            kernel: if pass.kernel.declaration.name == self.1.declaration.name { self.1 } else { pass.kernel },
-            uniforms: pass.uniforms.clone(),
-            buffers: pass.buffers.clone(),
-            ..*pass
-        };
-        let passes = list.passes.iter().map(replaced).collect();
-        let list = PassList { passes, while_busy: list.while_busy.clone(), ends_with: list.ends_with };
-        self.0.run(&list, progress)
-    }
-
-    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        self.0.read(buffer)
-    }
-
-    fn free(&mut self, buffer: Buffer) {
-        self.0.free(buffer);
-    }
-
-    fn device_bytes(&self) -> Option<u64> {
-        self.0.device_bytes()
-    }
+fn stranger(kernel: &'static Kernel) -> Result<AlteredCpu, Failure> {
+    AlteredCpu::of_passes(move |list| {
+        let replaced = |pass: &&mut Pass| pass.kernel.declaration.name == kernel.declaration.name;
+        list.passes.iter_mut().filter(replaced).for_each(|pass| pass.kernel = kernel);
+    })
 }
 
 /// What a comparison of a tier finds, with its evidence out of the way.
@@ -157,7 +111,7 @@ fn run(compare: impl FnOnce(&mut Run) -> Result<(), Failure>) -> Result<Run, Fai
 /// The first row of T1 that differs, by the name of its kernel, when a stranger's kernel is held against `other`; case by case.
 fn blamed(kernel: &'static Kernel, other: &mut dyn Backend) -> Result<Vec<Option<String>>, Failure> {
     let of_case = |case: Case| {
-        let run = run(|run| kernels::compare(&case, &mut Stranger::new(kernel)?, other, run))?;
+        let run = run(|run| kernels::compare(&case, &mut stranger(kernel)?, other, run))?;
         let first = run.breaches().into_iter().next();
         println!("{}: {}", case.name, first.as_ref().map_or("passes".to_owned(), |row| row.cells()[3..].join(" | ")));
         Ok(first.and_then(|row| row.item.split(' ').next().map(str::to_owned)))
@@ -200,7 +154,7 @@ fn a_kernel_without_a_mistake_passes() -> Result<(), Failure> {
 fn a_frame_shows_the_mistake() -> Result<(), Failure> {
     let case = Case::builtin("head", 48, Some(32), &[])?;
     let outputs = |kernel: &'static Kernel| {
-        let run = run(|run| frames::compare(&case, &mut CpuBackend::new(None)?, &mut Stranger::new(kernel)?, run))?;
+        let run = run(|run| frames::compare(&case, &mut CpuBackend::new(None)?, &mut stranger(kernel)?, run))?;
         Ok::<_, Failure>(run.breaches().into_iter().map(|row| row.item).collect::<Vec<_>>())
     };
     // Light has to do with how rays look, not with where they go; and none of them comes near the light grid's border.
@@ -213,7 +167,7 @@ fn a_frame_shows_the_mistake() -> Result<(), Failure> {
 #[test]
 fn a_building_block_with_a_mistake_is_named() -> Result<(), Failure> {
     let names = |kernel: &'static Kernel, other: &mut dyn Backend| {
-        let run = run(|run| functions::compare(4, &mut Stranger::new(kernel)?, other, run))?;
+        let run = run(|run| functions::compare(4, &mut stranger(kernel)?, other, run))?;
         Ok::<_, Failure>(run.breaches().into_iter().map(|row| row.item).collect::<Vec<_>>())
     };
     let mut others: Vec<Box<dyn Backend>> = vec![Box::new(CpuBackend::new(None)?)];

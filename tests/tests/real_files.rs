@@ -66,6 +66,28 @@ fn the_same_head_comes_out_of_two_formats() {
     }
 }
 
+/// Where the centre of a voxel lies, seen from the middle of the grid.
+fn place(volume: &Volume, index: [u32; 3]) -> [f32; 3] {
+    let steps =
+        [0, 1, 2].map(|axis| (index[axis] as f32 - 0.5 * (volume.dimensions[axis] - 1) as f32) * volume.spacing[axis]);
+    [0, 1, 2].map(|component| (0..3).map(|axis| steps[axis] * volume.axes[axis][component]).sum())
+}
+
+/// One of the files is mirrored against the other, and says so by `space: 3D-left-handed`.
+#[test]
+fn the_same_head_lies_the_same_way_in_two_formats() {
+    let (Some(vti), Some(nrrd)) = (opened("volumes/headsq.vti"), opened("volumes/headsq_nrrd/quarter.nhdr")) else {
+        return;
+    };
+    for index in [[0, 0, 0], [63, 0, 0], [7, 50, 91]] {
+        let [x, y, z] = index;
+        for (found, expected) in place(&nrrd, index).iter().zip(place(&vti, [x, 63 - y, z])) {
+            // Sums of three terms of at most 101 mm.
+            assert!((found - expected).abs() < 1e-4, "{index:?}: {found} is not {expected}");
+        }
+    }
+}
+
 #[test]
 fn numbered_files_are_neighbouring_slices_of_the_stack() {
     let Some(stack) = opened("volumes/tiff_banana/banana_stack_deflate.tif") else { return };

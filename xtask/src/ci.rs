@@ -5,11 +5,13 @@ use clap::ValueEnum;
 use crate::command::{cargo, run as run_command};
 use crate::diff;
 use crate::failure::Failure;
+use crate::peers;
 use crate::shaders::{self, COMPILER};
-use crate::steps::Steps;
+use crate::steps::{Completion, Steps};
 use crate::test;
 
-/// Run every check: format, lints, documentation, tests, committed SPIR-V, backends against each other.
+/// Run every check: format, lints, documentation, tests, committed SPIR-V, backends against each other, readers against
+/// independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Leave a step out; repeatable.
@@ -25,6 +27,7 @@ enum Step {
     Test,
     Shaders,
     Diff,
+    Peers,
 }
 
 impl Step {
@@ -36,11 +39,12 @@ impl Step {
             Self::Test => "test",
             Self::Shaders => "shaders",
             Self::Diff => "diff",
+            Self::Peers => "peers",
         }
     }
 
-    fn run(self) -> Result<(), Failure> {
-        match self {
+    fn run(self) -> Result<Completion, Failure> {
+        let whole = match self {
             Self::Fmt => run_command(&mut cargo(["fmt", "--all", "--check"])),
             Self::Clippy => for_all_packages(|selection| {
                 let mut command = cargo(["clippy", "--all-targets"]);
@@ -54,7 +58,9 @@ impl Step {
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),
             Self::Diff => diff::run(&diff::Arguments::default()),
-        }
+            Self::Peers => return peers::compare(&peers::Arguments::default()),
+        };
+        whole.map(|()| Completion::Whole)
     }
 }
 

@@ -12,6 +12,7 @@ mod distribution;
 mod failure;
 mod fuzz;
 mod man;
+mod peers;
 mod shaders;
 mod steps;
 mod test;
@@ -40,6 +41,7 @@ enum Task {
     Accuracy(accuracy::Arguments),
     Fuzz(fuzz::Arguments),
     Man(man::Arguments),
+    Peers(peers::Arguments),
     Ci(ci::Arguments),
 }
 
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Task::Accuracy(arguments) => accuracy::run(&arguments),
         Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Man(arguments) => man::run(&arguments),
+        Task::Peers(arguments) => peers::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),
     };
     match outcome {

@@ -4,6 +4,15 @@ use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
 
+/// How far a step came that found nothing wrong.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Completion {
+    /// All of it was checked.
+    Whole,
+    /// The machine lacks what the step needs: this. Nothing was checked.
+    LeftOut(String),
+}
+
 /// The steps that have run so far.
 #[derive(Default)]
 pub struct Steps {
@@ -13,12 +22,12 @@ pub struct Steps {
 struct Done {
     name: &'static str,
     duration: Duration,
-    outcome: Result<(), Failure>,
+    outcome: Result<Completion, Failure>,
 }
 
 impl Steps {
     /// Runs a step; its failure is kept for the table, so that one run shows everything that is wrong.
-    pub fn run(&mut self, name: &'static str, step: impl FnOnce() -> Result<(), Failure>) {
+    pub fn run(&mut self, name: &'static str, step: impl FnOnce() -> Result<Completion, Failure>) {
         eprintln!("\n══ {name}");
         let start = Instant::now();
         let outcome = step();
@@ -50,7 +59,8 @@ impl Done {
     fn row(&self) -> String {
         let seconds = self.duration.as_secs_f64();
         match &self.outcome {
-            Ok(()) => format!("{:<10} {seconds:>8.1} s  ok", self.name),
+            Ok(Completion::Whole) => format!("{:<10} {seconds:>8.1} s  ok", self.name),
+            Ok(Completion::LeftOut(reason)) => format!("{:<10} {seconds:>8.1} s  LEFT OUT: {reason}", self.name),
             Err(failure) => format!("{:<10} {seconds:>8.1} s  FAILED: {}", self.name, failure.message),
         }
     }
@@ -64,7 +74,7 @@ mod tests {
     fn all_steps_run_and_the_first_failure_gives_the_code() {
         let mut steps = Steps::default();
         let mut ran = 0;
-        steps.run("one", || Ok(()));
+        steps.run("one", || Ok(Completion::Whole));
         steps.run("two", || Err(Failure::setup("no driver")));
         steps.run("three", || {
             ran += 1;
@@ -78,7 +88,9 @@ mod tests {
     #[test]
     fn success_is_possible() {
         let mut steps = Steps::default();
-        steps.run("one", || Ok(()));
+        steps.run("one", || Ok(Completion::Whole));
+        steps.run("two", || Ok(Completion::LeftOut("no network".to_owned())));
+        assert!(steps.table().contains("LEFT OUT: no network"), "{}", steps.table());
         assert!(steps.finish().is_ok());
     }
 }

@@ -16,7 +16,7 @@ pub struct VolumeArguments {
     #[arg(long, value_name = "X,Y,Z")]
     pub spacing: Option<Spacing>,
 
-    /// Array to take of a VTK file with several; else its active scalars or its first
+    /// Array to take of a file with several, or number of a channel; else the active scalars or the first
     #[arg(long, value_name = "NAME")]
     pub array: Option<String>,
 

@@ -1,10 +1,9 @@
 //! Writes what coverage-guided fuzzing starts from: whole files of every format, `FOLDER/corpus/TARGET/seed-N`, and the words
-//! of the format, `FOLDER/dictionaries/TARGET`. `cargo xtask fuzz` runs it.
+//! of the format, `FOLDER/dictionaries/TARGET`. `cargo xtask fuzz` runs it. Each has been read once then, as fuzzing would.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
 #[path = "../tests/readers/mod.rs"]
-#[allow(dead_code, reason = "the names alone are used")]
 mod readers;
 #[path = "../tests/readers/seeds.rs"]
 mod seeds;
@@ -19,10 +18,12 @@ fn main() -> io::Result<()> {
     let folder = Path::new(&folder);
     let dictionaries = folder.join("dictionaries");
     fs::create_dir_all(&dictionaries)?;
+    let readers = readers::Readers::new("seeds");
     for target in readers::names() {
         let corpus = folder.join("corpus").join(target);
         fs::create_dir_all(&corpus)?;
         for (index, seed) in seeds::seeds(target).iter().enumerate() {
+            readers.read(target, seed);
             fs::write(corpus.join(format!("seed-{index}")), seed)?;
         }
         fs::write(dictionaries.join(target), words::words(target).iter().map(|word| entry(word)).collect::<String>())?;

@@ -4,7 +4,12 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use crate::error::{Error, Place, Report, clip};
+use crate::fields::Field;
 use crate::input::{Input, display_name};
+use crate::memory;
+use crate::open::OpenOptions;
+use crate::samples::{Endian, SampleType, VoxelBuffer};
+use crate::voxels::Voxels;
 
 /// More files than this for one volume are a mistake in the header.
 pub(crate) const MOST_FILES: u64 = 1_000_000;
@@ -51,6 +56,76 @@ impl DataFile {
 pub(crate) fn is_below(name: &str) -> bool {
     let is_step = |component| matches!(component, Component::Normal(_) | Component::CurDir);
     !name.is_empty() && Path::new(name).components().all(is_step)
+}
+
+/// Files that hold a volume one after the other, each with the same share of the voxels.
+pub(crate) struct DataFiles<'a> {
+    /// At least one.
+    pub files: &'a [DataFile],
+    /// Voxels in all of them.
+    pub count: u64,
+    pub sample: SampleType,
+    pub endian: Endian,
+}
+
+impl DataFiles<'_> {
+    /// Has `check` look at each file, which holds so many voxels, before any memory is taken, and then `append` decode them;
+    /// that returns the bytes behind a file's last voxel.
+    pub fn read(
+        &self,
+        report: Report,
+        options: &OpenOptions,
+        notes: &mut Vec<String>,
+        check: impl Fn(&DataFile, u64) -> Result<(), Error>,
+        append: impl Fn(&DataFile, &mut VoxelBuffer, usize) -> Result<u64, Error>,
+    ) -> Result<Voxels, Error> {
+        // Lies about the size come first: they are the better message, and need no memory.
+        let share = self.count / self.files.len() as u64;
+        self.files.iter().try_for_each(|file| check(file, share))?;
+        memory::check(report, self.count * self.sample.stored_size() as u64, options.max_bytes)?;
+        let capacity = usize::try_from(self.count).unwrap_or(usize::MAX);
+        let mut voxels = VoxelBuffer::reserve(report, self.sample, self.endian, capacity)?;
+        let mut unread = 0;
+        for file in self.files {
+            unread += append(file, &mut voxels, capacity / self.files.len())?;
+        }
+        if self.files.len() > 1 {
+            notes.push(format!("the data was put together from {} files", self.files.len()));
+        }
+        if unread > 0 {
+            notes.push(format!("{unread} bytes behind the last voxel were left unread"));
+        }
+        Ok(voxels.into_voxels())
+    }
+}
+
+/// Names that differ by a number: one with `%d` in it, and the numbers.
+pub(crate) struct NumberedNames<'a> {
+    pub name: &'a str,
+    pub first: i64,
+    pub last: i64,
+    pub step: i64,
+}
+
+impl NumberedNames<'_> {
+    /// 0 where the step never gets from first to last.
+    pub fn count(&self) -> u64 {
+        let steps = (self.last - self.first).checked_div(self.step);
+        steps.and_then(|steps| u64::try_from(steps).ok()).map_or(0, |steps| steps + 1)
+    }
+
+    /// All of them; `example` is how the header should say it.
+    pub fn names(&self, report: Report, field: &Field, example: &str) -> Result<Vec<String>, Error> {
+        let numbers = (0..self.count()).map(|index| self.first + index as i64 * self.step);
+        let names: Option<Vec<_>> = numbers.map(|number| numbered_name(self.name, number)).collect();
+        names.ok_or_else(|| {
+            report.invalid(
+                field.place(),
+                format!("`{}` is not a name with one number such as %d or %03d", clip(self.name)),
+                format!("write `{example}`"),
+            )
+        })
+    }
 }
 
 /// `name` with its one `%d`, `%i` or `%u`, perhaps with a width such as `%03d`, put in numbers.

@@ -18,6 +18,7 @@
 //! ```
 
 mod arrays;
+mod beside;
 mod data_file;
 mod dicom;
 mod error;

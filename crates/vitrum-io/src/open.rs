@@ -9,7 +9,7 @@ use crate::mesh::looks_like_mesh;
 use crate::metaimage::MetaImage;
 use crate::nifti::Nifti;
 use crate::nrrd::Nrrd;
-use crate::numpy::Numpy;
+use crate::numpy::{Npz, Numpy};
 use crate::raw::{Raw, RawLayout};
 use crate::stack::Stack;
 use crate::up::Up;
@@ -94,7 +94,7 @@ pub trait VolumeReader: Sync {
 /// All formats, in the order in which they are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
-    &[&Nrrd, &Nifti, &MetaImage, &Numpy, &Vti, &Vtk, &Stack, &Dicom, &Raw]
+    &[&Nrrd, &Nifti, &MetaImage, &Numpy, &Npz, &Vti, &Vtk, &Dicom, &Stack, &Raw]
 }
 
 /// Reads the volume at `path`, whatever its format; [`crate::STANDARD_INPUT`] stands for standard input.
@@ -126,7 +126,10 @@ fn choose(input: &Input, options: &OpenOptions) -> Result<&'static dyn VolumeRea
     let by_name = || readers().iter().filter(|_| !input.is_folder()).find(extension_fits);
     by_content.or_else(by_name).copied().ok_or_else(|| {
         let (problem, advice) = if input.is_folder() {
-            ("this is a folder without DICOM files", "give a folder that has them in it, not below it, or a file")
+            (
+                "this is a folder without DICOM or TIFF files",
+                "give a folder that has them in it, not below it, or a file",
+            )
         } else if looks_like_mesh(input) {
             ("this is a mesh, and volumes alone are read here", "")
         } else {

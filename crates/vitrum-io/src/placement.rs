@@ -6,8 +6,9 @@ use crate::volume::Volume;
 use crate::voxels::Voxels;
 
 /// For [`crate::Source::assumptions`], of formats and files that do not say how the grid lies in the world.
-pub(crate) const UNORIENTED: &str = "the file says no orientation: its z was taken for up and its y for the front, so the picture may be \
-                                     turned or mirrored; --up turns it";
+pub(crate) const UNORIENTED: &str = "the file says no orientation: its z was taken for up and its y for the front; where the picture \
+                                     stands on its head, --up -z turns it, and where it lies, --up y or --up -y; left \
+                                     and right may be exchanged";
 
 /// Spacing, axes and, where the file says it, origin.
 #[derive(Debug, Clone, PartialEq)]

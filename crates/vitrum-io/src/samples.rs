@@ -2,6 +2,8 @@
 
 use std::io::{self, Read};
 
+use half::f16;
+
 use crate::error::{Error, Report};
 use crate::memory;
 use crate::voxels::Voxels;
@@ -33,6 +35,7 @@ pub(crate) enum SampleType {
     U32,
     I64,
     U64,
+    F16,
     F32,
     F64,
 }
@@ -48,6 +51,7 @@ impl SampleType {
             Self::U32 => "uint32",
             Self::I64 => "int64",
             Self::U64 => "uint64",
+            Self::F16 => "float16",
             Self::F32 => "float32",
             Self::F64 => "float64",
         }
@@ -57,7 +61,7 @@ impl SampleType {
     pub fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
+            Self::I16 | Self::U16 | Self::F16 => 2,
             Self::I32 | Self::U32 | Self::F32 => 4,
             Self::I64 | Self::U64 | Self::F64 => 8,
         }
@@ -65,7 +69,7 @@ impl SampleType {
 
     /// Bytes per voxel once decoded.
     pub fn stored_size(self) -> usize {
-        self.size().min(4)
+        if self == Self::F16 { 4 } else { self.size().min(4) }
     }
 
     /// What turns a stored voxel back into the file's sample: signed integers are stored shifted.
@@ -136,7 +140,7 @@ impl VoxelBuffer {
         let mut bytes = [0_u8; 8];
         let size = self.sample.size();
         let parsed: [u8; 8] = match self.sample {
-            SampleType::F32 => return self.append_float(number.parse().ok()?),
+            SampleType::F16 | SampleType::F32 => return self.append_float(number.parse().ok()?),
             // Twice rounded (decimal to f64 to f32), as the binary encodings of f64 are.
             SampleType::F64 => number.parse::<f64>().ok()?.to_le_bytes(),
             SampleType::U64 => number.parse::<u64>().ok()?.to_le_bytes(),
@@ -189,6 +193,9 @@ impl VoxelBuffer {
             }
             (Voxels::F32(out), SampleType::U64) => {
                 out.extend(words(bytes, endian, |word| u64::from_le_bytes(word) as f32));
+            }
+            (Voxels::F32(out), SampleType::F16) => {
+                out.extend(words(bytes, endian, |word| f16::from_le_bytes(word).to_f32()));
             }
             (Voxels::F32(out), SampleType::F64) => {
                 out.extend(words(bytes, endian, |word| f64::from_le_bytes(word) as f32));

@@ -1,19 +1,17 @@
 //! Writing a volume as NRRD or NumPy, so that other programs can read what Vitrum has read.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
-use flate2::Compression;
-use flate2::write::GzEncoder;
-
+use crate::beside::{create_beside, write_whole};
 use crate::error::{Error, Place, Report};
-use crate::image::create_beside;
 use crate::input::display_name;
+use crate::nrrd::{Lattice, Samples, write_nrrd};
 use crate::samples::SampleType;
 use crate::volume::Volume;
 use crate::voxels::Voxels;
 
-type Encode = fn(&mut dyn Write, &Volume, SampleType) -> io::Result<()>;
+type Encode = fn(Report, &Path, &Volume) -> Result<(), Error>;
 
 /// Writes a volume's physical values in the format that the extension of `path` names.
 ///
@@ -31,17 +29,7 @@ type Encode = fn(&mut dyn Write, &Volume, SampleType) -> io::Result<()>;
 pub fn write_volume(path: &Path, volume: &Volume) -> Result<(), Error> {
     let name = display_name(path);
     let report = Report::new(&name);
-    let encode = encoder(report, path)?;
-    let beside = create_beside(report, path)?;
-    let failed = |error: io::Error| report.write(error.to_string(), "check the free space on the disk", Some(error));
-    let mut sink = BufWriter::new(beside.as_file());
-    encode(&mut sink, volume, sample_type(volume))
-        .and_then(|()| sink.flush())
-        // Before the rename, so that a crash behind it cannot leave an empty file at the path.
-        .and_then(|()| beside.as_file().sync_all())
-        .map_err(failed)?;
-    drop(sink);
-    beside.persist(path).map(drop).map_err(|error| failed(error.error))
+    encoder(report, path)?(report, path, volume)
 }
 
 /// Whether [`write_volume`] could write to `path` now.
@@ -70,7 +58,7 @@ fn encoder(report: Report, path: &Path) -> Result<Encode, Error> {
 }
 
 /// The smallest type that holds the physical values exactly.
-fn sample_type(volume: &Volume) -> SampleType {
+pub(crate) fn sample_type(volume: &Volume) -> SampleType {
     let whole = volume.value_scale.fract() == 0.0 && volume.value_offset.fract() == 0.0;
     if !whole || matches!(volume.voxels, Voxels::F32(_)) {
         return SampleType::F32;
@@ -89,29 +77,13 @@ fn sample_type(volume: &Volume) -> SampleType {
     }
 }
 
-fn nrrd(sink: &mut dyn Write, volume: &Volume, sample: SampleType) -> io::Result<()> {
-    let [x, y, z] = volume.dimensions;
-    let vector = |[x, y, z]: [f32; 3]| format!("({x},{y},{z})");
-    let step = |axis: usize| vector(volume.axes[axis].map(|component| component * volume.spacing[axis]));
-    let kind = if sample == SampleType::F32 { "float" } else { sample.name() };
-    write!(
-        sink,
-        "NRRD0004\n# written by Vitrum\ntype: {kind}\ndimension: 3\nsizes: {x} {y} {z}\n\
-         space: right-anterior-superior\nspace directions: {} {} {}\nspace origin: {}\n\
-         kinds: domain domain domain\nendian: little\nencoding: gzip\n\n",
-        step(0),
-        step(1),
-        step(2),
-        vector(volume.origin)
-    )?;
-    let mut packed = GzEncoder::new(sink, Compression::default());
-    values(&mut packed, volume, sample)?;
-    packed.finish().map(drop)
+fn nrrd(_report: Report, path: &Path, volume: &Volume) -> Result<(), Error> {
+    write_nrrd(path, &Lattice::of(volume), Samples::Volume(volume), &[])
 }
 
 /// <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>
-fn npy(sink: &mut dyn Write, volume: &Volume, sample: SampleType) -> io::Result<()> {
-    let kind = match sample {
+fn npy(report: Report, path: &Path, volume: &Volume) -> Result<(), Error> {
+    let kind = match sample_type(volume) {
         SampleType::U8 => "|u1",
         SampleType::I8 => "|i1",
         SampleType::U16 => "<u2",
@@ -122,15 +94,18 @@ fn npy(sink: &mut dyn Write, volume: &Volume, sample: SampleType) -> io::Result<
     let header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({z}, {y}, {x}), }}");
     // The data starts at a multiple of 64, behind 10 bytes, the header and a line end.
     let padding = (10 + header.len() + 1).next_multiple_of(64) - 10 - header.len() - 1;
-    sink.write_all(b"\x93NUMPY\x01\x00")?;
-    // Three sizes of at most 10 digits keep it far below 65536.
-    sink.write_all(&((header.len() + padding + 1) as u16).to_le_bytes())?;
-    writeln!(sink, "{header}{:padding$}", "")?;
-    values(sink, volume, sample)
+    write_whole(report, path, |sink| {
+        sink.write_all(b"\x93NUMPY\x01\x00")?;
+        // Three sizes of at most 10 digits keep it far below 65536.
+        sink.write_all(&((header.len() + padding + 1) as u16).to_le_bytes())?;
+        writeln!(sink, "{header}{:padding$}", "")?;
+        write_values(sink, volume)
+    })
 }
 
-/// All physical values, x fastest, little-endian.
-fn values(sink: &mut dyn Write, volume: &Volume, sample: SampleType) -> io::Result<()> {
+/// All physical values as [`sample_type`] says, x fastest, little-endian.
+pub(crate) fn write_values(sink: &mut dyn Write, volume: &Volume) -> io::Result<()> {
+    let sample = sample_type(volume);
     let mut chunk = Vec::new();
     for index in 0..volume.voxels.len() {
         let stored = volume.voxels.stored(index).unwrap_or_default();

@@ -3,7 +3,9 @@
 mod common;
 
 use common::Folder;
-use common::dicom::{Dicom, FRAMES, ORIENTATION, POSITION, RLE, SERIES, rle};
+use common::dicom::{
+    Dicom, FRAMES, JPEG_2000, JPEG_2000_WORDS, JPEG_LS, JPEG_LS_WORDS, ORIENTATION, POSITION, RLE, SERIES, rle,
+};
 use vitrum_io::{Error, OpenOptions, open};
 
 fn at(z: f64) -> Dicom {
@@ -20,6 +22,20 @@ fn changed(z: f64, change: impl FnOnce(&mut Dicom) -> &mut Dicom) -> Dicom {
 fn jpeg(rows: u16, columns: u16) -> Vec<u8> {
     let [rows, columns] = [rows, columns].map(u16::to_be_bytes);
     [&[0xff, 0xd8, 0xff, 0xc3, 0, 11, 8][..], &rows, &columns, &[1, 1, 0x11, 0]].concat()
+}
+
+/// A slice of words, compressed.
+fn packed(syntax: &'static str, picture: &[u8]) -> Dicom {
+    let mut slice = Dicom::words(0.0, &[], false);
+    slice.compressed(syntax, vec![picture.to_vec()]);
+    slice
+}
+
+/// A picture with 255 in one of its bytes.
+fn wide(picture: &[u8], at: usize) -> Vec<u8> {
+    let mut picture = picture.to_vec();
+    picture[at] = 255;
+    picture
 }
 
 #[test]
@@ -52,10 +68,16 @@ fn broken_series() {
         (vec![changed(0.0, |s| s.text(FRAMES, "IS", "2000000000"))], "2000000000 frames do not fit"),
         (vec![changed(0.0, |s| s.text(FRAMES, "IS", "40").remove(POSITION))], "frame 2 takes 6 bytes"),
         (vec![changed(0.0, |s| s.remove((0x0028, 0x0011)))], "hold no images"),
-        (vec![changed(0.0, |s| s.compressed("1.2.840.10008.1.2.4.90", vec![vec![0; 8]]))], "JPEG 2000 (1.2.840"),
-        (vec![changed(0.0, |s| s.compressed("1.2.840.10008.1.2.4.80", vec![vec![0; 8]]))], "JPEG-LS"),
+        (vec![changed(0.0, |s| s.compressed("1.2.840.10008.1.2.4.110", vec![vec![0; 8]]))], "JPEG XL (1.2.840"),
+        (vec![packed(JPEG_2000, &[0; 8])], "the JPEG 2000, lossless of frame 1 is damaged: it has no codestream"),
+        (vec![packed(JPEG_2000, &JPEG_2000_WORDS[..60])], "the JPEG 2000, lossless of frame 1 is damaged"),
+        (vec![packed(JPEG_2000, &wide(&JPEG_2000_WORDS, 11))], "it is 255 x 2, and the header says 3 x 2"),
+        (vec![packed(JPEG_2000, &wide(&JPEG_2000_WORDS, 41))], "it has 255 components, not one of gray"),
+        (vec![packed(JPEG_LS, &[0; 8])], "the JPEG-LS, lossless of frame 1 is damaged"),
+        (vec![packed(JPEG_LS, &JPEG_LS_WORDS[..90])], "the JPEG-LS, lossless of frame 1 is damaged"),
+        (vec![packed(JPEG_LS, &wide(&JPEG_LS_WORDS, 54))], "picture inside is 255 x 2, and the header says 3 x 2"),
         (vec![changed(0.0, |s| s.compressed("1.2.3", vec![vec![0; 8]]))], "Unrecognized transfer syntax `1.2.3`"),
-        (vec![changed(0.0, |s| s.compressed(RLE, vec![vec![0; 8]]))], "run lengths of frame 1 are damaged"),
+        (vec![changed(0.0, |s| s.compressed(RLE, vec![vec![0; 8]]))], "the RLE of frame 1 is damaged"),
         (vec![changed(0.0, |s| s.compressed(RLE, vec![rle(&[vec![1; 3]])]))], "3 of 6 bytes"),
         (
             vec![changed(0.0, |s| s.compressed("1.2.840.10008.1.2.4.70", vec![jpeg(60000, 60000)]))],
@@ -93,6 +115,17 @@ fn lengths_that_lie_take_no_memory() {
         let error = folder.open("a.dcm", file).expect_err("a lie").to_string();
         assert!(error.contains(&format!("says to have {length} bytes, and 6 are there")), "{error}");
     }
+}
+
+/// Elements of a kind that nobody knows have lengths of 32 bits, as those of unknown values have.
+#[test]
+fn an_unknown_kind_of_value_has_a_long_length() {
+    let folder = Folder::new();
+    let mut file = at(0.0).bytes();
+    let orientation = file.windows(6).position(|window| window == [0x20, 0, 0x37, 0, b'D', b'S']).expect("an element");
+    file[orientation + 4..orientation + 6].copy_from_slice(b"SD");
+    let error = folder.open("a.dcm", file).expect_err("a lie").to_string();
+    assert!(error.contains("says to have 1546673201 bytes"), "{error}");
 }
 
 #[test]

@@ -51,7 +51,10 @@ fn broken_stacks() {
             (packed(&zlib(&[1; 5])), "page 1 is damaged"),
             (packed(&[0xff; 30]), "page 1 is damaged"),
             (tiff(false, &vec![Page::new(32, 3, &f32::NAN.to_le_bytes().repeat(6)); 2]), "voxel (0, 0, 0): 12 of 12"),
-            (text("ImageJ=1\nchannels=2\n"), "the pages are 2 channels of 1 slices at 1 points in time"),
+            (
+                text("ImageJ=1\nchannels=3\n"),
+                "the pages are 3 channels of 1 slices at 1 points in time, as ImageJ says, and 2 are",
+            ),
             (text("ImageJ=1\nslices=2\nframes=3\n"), "1 channels of 2 slices at 3 points in time"),
             (alone("ImageJ=1\nimages=9\n"), "ImageJ wrote 9 images behind one page"),
             (text("ImageJ=1\nunit=mm\nspacing=1e30\n"), "the volume is 2e30 long"),
@@ -105,5 +108,24 @@ fn broken_raw_files() {
         let message = folder.open(name, content).expect_err(expected).to_string();
         assert!(message.starts_with(name), "{message}");
         assert!(message.contains(expected), "expected: {expected}\nfound: {message}");
+    }
+}
+
+#[test]
+fn folders_that_are_no_volume() {
+    let cases: [(&[&str], &str); 5] = [
+        (&["a1.tif", "a2.tif", "a4.tif"], "between a2.tif and a4.tif slices are missing"),
+        (&["a1.tif", "a01.tif"], "two slices have the number 1: a01.tif and a1.tif"),
+        (&["a1_1.tif", "a1_2.tif", "a2_1.tif"], "differ in several numbers"),
+        (&["a1.tif", "b1.tif"], "several series alike: a#.tif (1 files), b#.tif (1 files)"),
+        (&["a.png"], "this is a folder without DICOM or TIFF files"),
+    ];
+    for (names, expected) in cases {
+        let folder = Folder::new();
+        for name in names {
+            folder.write(name, tiff(false, &[Page::bytes(&[1; 6])]));
+        }
+        let message = vitrum_io::open(&folder.path("."), &OpenOptions::default()).unwrap_err().to_string();
+        assert!(message.contains(expected), "{message}");
     }
 }

@@ -5,7 +5,8 @@ mod common;
 use std::path::Path;
 
 use common::dicom::{
-    Dicom, FRAMES, INTERCEPT, JPEG, LOSSLESS, ORIENTATION, POSITION, RLE, SERIES, SLOPE, element, nested, rle,
+    Dicom, FRAMES, INTERCEPT, JPEG, JPEG_2000, JPEG_2000_SIGNED, JPEG_2000_WORDS, JPEG_LS, JPEG_LS_WORDS, LOSSLESS,
+    ORIENTATION, POSITION, RLE, SERIES, SLOPE, element, nested, rle,
 };
 use common::{Folder, values};
 use vitrum_io::{Error, OpenOptions, Volume, Voxels, open};
@@ -168,6 +169,25 @@ fn lossless_jpeg_is_decoded() {
     let volume = opened(&folder(&[slice]).path("."));
     assert_eq!(values(&volume), [1.0, 258.0, 513.0, 40000.0, 0.0, 65535.0]);
     assert_eq!(volume.source.encoding, "JPEG, lossless");
+}
+
+#[test]
+fn jpeg_ls_and_jpeg_2000_are_decoded() {
+    for (syntax, picture, signed, encoding) in [
+        (JPEG_LS, &JPEG_LS_WORDS[..], false, "JPEG-LS, lossless"),
+        (JPEG_2000, &JPEG_2000_WORDS, false, "JPEG 2000, lossless"),
+        (JPEG_2000, &JPEG_2000_SIGNED, true, "JPEG 2000, lossless"),
+    ] {
+        let mut slice = Dicom::words(0.0, &[], signed);
+        slice.compressed(syntax, vec![picture.to_vec()]);
+        let volume = opened(&folder(&[slice]).path("."));
+        let expected = match signed {
+            false => [1.0, 258.0, 513.0, 40000.0, 0.0, 65535.0],
+            true => [-32768.0, -1.0, 0.0, 1.0, 258.0, 32767.0],
+        };
+        assert_eq!(values(&volume), expected, "{encoding}");
+        assert_eq!(volume.source.encoding, encoding);
+    }
 }
 
 #[test]

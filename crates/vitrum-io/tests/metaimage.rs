@@ -156,6 +156,20 @@ fn rows_of_the_matrix_are_axes_in_lps() {
 }
 
 #[test]
+fn without_a_matrix_the_anatomical_orientation_counts() {
+    let axes = |more: &str| open_u8(more).axes;
+    // What ITK writes beside the identity.
+    assert_eq!(axes("AnatomicalOrientation = RAI\n"), axes(""));
+    assert_eq!(axes("AnatomicalOrientation = ???\n"), axes(""));
+    // Sagittal slices from the left, whose rows run down and to the back.
+    let expected = [[0.0, -1.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0]];
+    assert_eq!(axes("AnatomicalOrientation = asl\n"), expected);
+    assert_eq!(axes("AnatomicalOrientation = ASL\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"), axes(""));
+    let notes = open_u8("AnatomicalOrientation = ASL\n").source.assumptions;
+    assert!(notes.iter().any(|note| note.contains("run from ASL, as ITK means")), "{notes:?}");
+}
+
+#[test]
 fn lengths_turn_into_millimetres() {
     for (unit, scale) in [("mm", 1.0), ("cm", 10.0), ("um", 1e-3)] {
         let volume = open_u8(&format!("DistanceUnits = {unit}\nElementSpacing = 1 2 3\nOffset = 1 0 0\n"));

@@ -1,52 +1,29 @@
 //! Properties: whatever the bytes are, opening them as a mesh ends, in a mesh or an error.
 
 mod common;
+#[path = "readers/seeds.rs"]
+mod seeds;
+#[path = "readers/whole.rs"]
+mod whole;
 
 use common::mesh::{Shape, cuboid, files, globe, gltf, obj, ply};
 use common::{Folder, gzip};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use vitrum_io::{OpenOptions, open_mesh};
+use whole::Whole;
 
-const MAX_BYTES: u64 = 1 << 20;
+/// Most bytes that a file may ask for.
+const MOST: u64 = 1 << 20;
 
 fn open(folder: &Folder, name: &str, content: &[u8]) {
     let path = folder.write(name, content);
-    let Ok(mesh) = open_mesh(&path, &OpenOptions { max_bytes: Some(MAX_BYTES), ..OpenOptions::default() }) else {
+    let Ok(mesh) = open_mesh(&path, &OpenOptions { max_bytes: Some(MOST), ..OpenOptions::default() }) else {
         return;
     };
-    assert!(mesh.bytes() as u64 <= MAX_BYTES);
-    let vertices = mesh.positions.len();
-    assert!(mesh.triangles.as_flattened().iter().all(|&vertex| (vertex as usize) < vertices));
-    assert!(mesh.positions.as_flattened().iter().all(|coordinate| coordinate.is_finite()));
-    assert!(mesh.normals.as_ref().is_none_or(|normals| normals.len() == vertices));
-    assert!(mesh.colors.as_ref().is_none_or(|colors| colors.len() == vertices));
-    assert!(mesh.triangle_materials.iter().all(|&material| (material as usize) < mesh.materials.len()));
-    assert_eq!(mesh.triangle_materials.len(), if mesh.materials.is_empty() { 0 } else { mesh.triangles.len() });
-    let (topology, area, volume) = (mesh.topology(), mesh.surface_area(), mesh.signed_volume());
-    assert!(area.is_finite() && area >= 0.0 && volume.is_finite());
-    assert!(topology.points <= vertices && topology.boundary_edges <= topology.edges);
-    assert!(mesh.degenerate_triangle_count() <= mesh.triangles.len());
+    mesh.assert_whole(MOST);
     let fine = mesh.subdivide().expect("small enough");
     assert_eq!(fine.triangles.len(), 4 * mesh.triangles.len());
-}
-
-fn meshes() -> Vec<(&'static str, Vec<u8>)> {
-    let mut all = files(&cuboid([0.0; 3], [1.0; 3]));
-    let colored = "mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv .1 .1 0\nvn 0 0 1\nvt 0 0\nusemtl a\n\
-                   f 1/1/1 2//-1 3 4\nl 1 2\nf -4 -3 \\\n-2\n";
-    all.push(("b.obj", colored.into()));
-    let strip = "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list uchar int vertex_index\nelement vertex 4\n\
-                 property double x\nproperty double y\nproperty double z\nproperty uchar red\nproperty uchar green\n\
-                 property uchar blue\nend_header\n6 0 1 2 -1 3 2\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n1 1 0 1 2 3\n";
-    all.push(("b.ply", strip.into()));
-    let (json, data) = gltf(&cuboid([0.0; 3], [1.0; 3]));
-    let json = json.replace("URI", "").replace(
-        r#""count":8"#,
-        r#""count":8,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5125},"values":{"bufferView":0}}"#,
-    );
-    all.push(("b.glb", common::mesh::glb(&json, &data)));
-    all
 }
 
 proptest! {
@@ -59,7 +36,9 @@ proptest! {
     ) {
         let folder = Folder::new();
         folder.write("a.mtl", "newmtl a\nKd 1 0 1\nd 0.5\n");
-        for (name, mut file) in meshes() {
+        let seeds = ["obj", "ply", "stl", "gltf"].map(|target| seeds::seeds(target).into_iter().map(move |file| (target, file)));
+        for (target, mut file) in seeds.into_iter().flatten() {
+            let name = &format!("b.{target}");
             for (position, value) in &changes {
                 let position = position % file.len();
                 file[position] = *value;

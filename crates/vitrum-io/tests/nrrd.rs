@@ -153,7 +153,7 @@ fn directions_turn_into_spacing_and_axes_in_ras() {
         ("LAS", [-1.0, 1.0, 1.0]),
         ("left-posterior-superior", [-1.0, -1.0, 1.0]),
         ("scanner-xyz", [1.0, 1.0, 1.0]),
-        ("3D-left-handed", [-1.0, 1.0, 1.0]),
+        ("3D-left-handed", [1.0, -1.0, 1.0]),
     ];
     for (space, [x, y, z]) in cases {
         let volume = open_u8(&format!("space: {space}\n{directions}"));
@@ -161,6 +161,17 @@ fn directions_turn_into_spacing_and_axes_in_ras() {
         assert!(near(volume.axes[0], [0.0, y, 0.0]), "{space}");
         assert!(near(volume.axes[1], [x, 0.0, 0.0]), "{space}");
         assert!(near(volume.axes[2], [0.0, 0.0, -z]), "{space}");
+        assert!(near(volume.origin, [x, 2.0 * y, 3.0 * z]), "{space}");
+    }
+}
+
+#[test]
+fn a_space_without_directions_is_that_of_the_axes() {
+    let cases = [("RAS", [1.0, 1.0, 1.0]), ("LPS", [-1.0, -1.0, 1.0]), ("3D-left-handed", [1.0, -1.0, 1.0])];
+    for (space, [x, y, z]) in cases {
+        let volume = open_u8(&format!("space: {space}\nspacings: 2 3 4\nspace origin: (1,2,3)\n"));
+        assert_eq!(volume.spacing, [2.0, 3.0, 4.0], "{space}");
+        assert_eq!(volume.axes, [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]], "{space}");
         assert!(near(volume.origin, [x, 2.0 * y, 3.0 * z]), "{space}");
     }
 }
@@ -189,7 +200,8 @@ fn what_was_assumed_is_told() {
         let notes = open_u8(more).source.assumptions;
         assert!(notes.iter().any(|note| note.contains(expected)), "{expected} not in {notes:?}");
     };
-    told("space: LPS\n", "turned or mirrored");
+    told("", "--up -z turns it");
+    told("space: LPS\n", "run along the space's");
     told("space: 3D-left-handed\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n", "left-handed");
     told("space: RAS\nspace directions: (1,0,0) (0.5,1,0) (0,0,1)\n", "26.6° off right angles");
     told("units: \"parsec\" \"parsec\" \"parsec\"\n", "no known unit");

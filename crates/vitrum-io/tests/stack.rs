@@ -129,3 +129,77 @@ fn the_limit_counts_all_slices() {
     assert!(open(12).is_ok());
     assert!(open(11).unwrap_err().to_string().contains("needs 12 bytes once decoded, and the limit is 11 bytes"));
 }
+
+/// A page of 3 x 2 bytes, all alike, with what ImageJ says of the file.
+fn page(value: u8, says: &'static str) -> Page {
+    Page::bytes(&[value; 6]).set(270, Value::Text(says))
+}
+
+#[test]
+fn a_hyperstack_is_read_channel_by_channel_and_time_by_time() {
+    let folder = Folder::new();
+    // 2 channels of 3 slices at 4 points in time; each page has its number.
+    let says = "ImageJ=1.54f\nimages=24\nchannels=2\nslices=3\nframes=4\nhyperstack=true\n";
+    let pages: Vec<_> = (0..24).map(|value| page(value, says)).collect();
+    let path = folder.write("a.tif", tiff(false, &pages));
+    let open = |time: Option<u32>, array: Option<&str>| {
+        let array = array.map(str::to_owned);
+        vitrum_io::open(&path, &OpenOptions { time, array, ..OpenOptions::default() })
+    };
+    let first = |volume: Volume| [0, 1, 2].map(|z| volume.value(0, 0, z));
+    assert_eq!(first(open(None, None).unwrap()), [0.0, 2.0, 4.0]);
+    assert_eq!(first(open(Some(0), Some("2")).unwrap()), [1.0, 3.0, 5.0]);
+    assert_eq!(first(open(Some(3), Some("1")).unwrap()), [18.0, 20.0, 22.0]);
+    let told = notes(&open(None, None).unwrap());
+    assert!(told.contains("2 channels: the first was taken") && told.contains("4 points in time"), "{told}");
+    for (time, array, words) in [
+        (Some(4), None, "the point in time 4 is asked for, and the file has 4"),
+        (None, Some("3"), "the array `3` is asked for, and the file has 2 channels"),
+        (None, Some("red"), "give a number from 1 to 2"),
+    ] {
+        let message = open(time, array).unwrap_err().to_string();
+        assert!(message.contains(words), "{message}");
+    }
+}
+
+#[test]
+fn channels_at_points_in_time_have_those_for_slices() {
+    let says = "ImageJ=1.54f\nimages=4\nchannels=2\nframes=2\nhyperstack=true\n";
+    let volume = open(tiff(true, &[0, 1, 2, 3].map(|value| page(value, says))));
+    assert_eq!([0, 1].map(|z| volume.value(0, 0, z)), [0.0, 2.0]);
+}
+
+#[test]
+fn halves_of_floats_are_widened() {
+    let words: [u16; 6] = [0x3c00, 0xc000, 0x7bff, 0x0001, 0x3555, 0];
+    let expected = [1.0, -2.0, 65504.0, 2.0_f32.powi(-24), 1365.0 / 4096.0, 0.0];
+    for (big, bytes) in [(false, words.map(u16::to_le_bytes)), (true, words.map(u16::to_be_bytes))] {
+        let volume = open(tiff(big, &[Page::new(16, 3, bytes.as_flattened())]));
+        assert_eq!(values(&volume), expected);
+    }
+}
+
+#[test]
+fn a_folder_is_a_volume_of_its_files() {
+    let folder = Folder::new();
+    let slice = |value: u8| tiff(false, &[Page::bytes(&[value; 6])]);
+    let open = || vitrum_io::open(&folder.path("."), &OpenOptions::default());
+    // By number and not by letter, with another number that stays, and steps of 10.
+    for number in [90, 100, 110] {
+        folder.write(&format!("scan7_z{number}.TIF"), slice(number));
+    }
+    folder.write("notes.txt", "no slice");
+    let volume = open().unwrap();
+    assert_eq!([0, 1, 2].map(|z| volume.value(0, 0, z)), [90.0, 100.0, 110.0]);
+    folder.write("other1.tif", slice(1));
+    let told = notes(&open().unwrap());
+    assert!(told.contains("the largest series was taken, scan#_z#.TIF (3 files); others are: other#.tif"), "{told}");
+}
+
+#[test]
+fn a_folder_of_one_file_is_that_file() {
+    let folder = Folder::new();
+    folder.write("only.tiff", tiff(false, &[5, 6].map(|value| Page::bytes(&[value; 6]))));
+    let volume = vitrum_io::open(&folder.path("."), &OpenOptions::default()).unwrap();
+    assert_eq!((volume.dimensions, volume.value(0, 0, 1)), ([3, 2, 2], 6.0));
+}

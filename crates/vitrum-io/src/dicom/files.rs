@@ -5,7 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::header::{File, Frame, Slice};
-use super::syntax;
+use super::syntax::{self, Compression};
 use crate::error::{Error, Place, Report, clip};
 use crate::input::{Input, display_name};
 
@@ -112,7 +112,7 @@ impl Series {
         let first = &self.files[0];
         for file in &self.files {
             let report = Report::new(&file.name);
-            let compressed = syntax::compressed(report, &file.syntax)?;
+            let compressed = syntax::compression(report, &file.syntax)? != Compression::None;
             if file.describe() != first.describe() || file.pixels != first.pixels {
                 return Err(report.invalid(
                     Place::File,

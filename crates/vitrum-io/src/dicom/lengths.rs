@@ -17,6 +17,17 @@ const ITEM: [u16; 2] = [0xfffe, 0xe000];
 const ITEM_END: [u16; 2] = [0xfffe, 0xe00d];
 const SEQUENCE_END: [u16; 2] = [0xfffe, 0xe0dd];
 
+/// Kinds of values with a length of 16 bits.
+#[rustfmt::skip]
+const SHORT: [&[u8; 2]; 21] = [
+    b"AE", b"AS", b"AT", b"CS", b"DA", b"DS", b"DT", b"FL", b"FD", b"IS", b"LO", b"LT", b"PN", b"SH", b"SL", b"SS", b"ST",
+    b"TM", b"UI", b"UL", b"US",
+];
+
+/// Those with one of 32 bits.
+const LONG: [&[u8; 2]; 13] =
+    [b"OB", b"OD", b"OF", b"OL", b"OV", b"OW", b"SQ", b"SV", b"UC", b"UN", b"UR", b"UT", b"UV"];
+
 /// How elements are written.
 #[derive(Clone, Copy)]
 struct Coding {
@@ -69,6 +80,9 @@ impl Walk {
             if [ITEM_END, SEQUENCE_END].contains(&tag) {
                 self.word(coding.big)?;
                 return Ok(());
+            }
+            if tag[0] == ITEM[0] {
+                return Err(Problem(format!("({:04x},{:04x}) stands in place of an element", tag[0], tag[1])));
             }
             let (vr, length) = self.head(coding)?;
             let pixels = tag == [PIXEL_DATA.0, PIXEL_DATA.1];
@@ -124,13 +138,12 @@ impl Walk {
         if !vr.iter().all(u8::is_ascii_uppercase) {
             return Err(Problem(format!("`{}` is no kind of value", vr.escape_ascii())));
         }
-        let long: [&[u8; 2]; 13] =
-            [b"OB", b"OD", b"OF", b"OL", b"OV", b"OW", b"SQ", b"SV", b"UC", b"UN", b"UR", b"UT", b"UV"];
-        if long.contains(&&vr) {
-            self.bytes::<2>()?;
-            return Ok((vr, self.word(coding.big)?));
+        if SHORT.contains(&&vr) {
+            return Ok((vr, u32::from(self.short(coding.big)?)));
         }
-        Ok((vr, u32::from(self.short(coding.big)?)))
+        // All others, those that nobody knows among them.
+        self.bytes::<2>()?;
+        Ok((if LONG.contains(&&vr) { vr } else { *b"UN" }, self.word(coding.big)?))
     }
 
     /// Where something of a length ends, if it does so by `end`.

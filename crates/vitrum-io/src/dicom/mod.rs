@@ -3,6 +3,7 @@
 //! The standard: <https://www.dicomstandard.org/current>.
 
 mod attributes;
+mod codecs;
 mod distances;
 mod files;
 mod grid;
@@ -59,7 +60,11 @@ impl VolumeReader for Dicom {
         let count = bytes / sample.size() as u64;
         let largest = series.files.iter().map(|file| file.length).max().unwrap_or(0);
         let doubled = if grid.uneven() { 2 } else { 1 };
-        let needed = count.saturating_mul(doubled * sample.stored_size() as u64).saturating_add(largest);
+        // What decoders of compressed pictures take for a pixel of one slice, with some room.
+        let decoding = if series.files.iter().all(|file| syntax::is_raw(&file.syntax)) { 0 } else { 24 };
+        let decoding = u64::from(first.columns) * u64::from(first.rows) * decoding;
+        let needed = count.saturating_mul(doubled * sample.stored_size() as u64);
+        let needed = needed.saturating_add(largest).saturating_add(decoding);
         memory::check(report, needed, options.max_bytes)?;
         let capacity = usize::try_from(count).unwrap_or(usize::MAX);
         let mut voxels = VoxelBuffer::reserve(report, sample, Endian::Little, capacity)?;

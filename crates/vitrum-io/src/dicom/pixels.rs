@@ -8,7 +8,8 @@ use dicom_pixeldata::PixelDecoder;
 use super::attributes;
 use super::files::Series;
 use super::header::{File, Pixels, Slice, damaged};
-use super::{rle, syntax};
+use super::syntax::{self, Compression};
+use super::{codecs, rle};
 use crate::error::{Error, Place, Report};
 use crate::samples::VoxelBuffer;
 use crate::stream;
@@ -39,6 +40,7 @@ pub(super) fn read(series: &Series, slices: &[Slice], uniform: bool, voxels: &mu
 /// A file with all of its pixels.
 struct Opened {
     object: DefaultDicomObject,
+    compression: Compression,
     /// All frames, where they are not compressed; little-endian.
     plain: Option<Vec<u8>>,
 }
@@ -49,7 +51,8 @@ impl Opened {
         let object = open_file(&file.path).map_err(|error| damaged(report, &error))?;
         let missing = || report.invalid(Place::File, "there are no pixels behind the header", "get the whole file");
         let data = object.get(attributes::PIXEL_DATA).ok_or_else(missing)?;
-        let plain = if syntax::compressed(report, &file.syntax)? {
+        let compression = syntax::compression(report, &file.syntax)?;
+        let plain = if compression != Compression::None {
             check_fragments(report, file, data.fragments().unwrap_or_default())?;
             None
         } else {
@@ -60,7 +63,7 @@ impl Opened {
             }
             Some(bytes)
         };
-        Ok(Self { object, plain })
+        Ok(Self { object, compression, plain })
     }
 
     /// The bytes of a frame.
@@ -69,18 +72,14 @@ impl Opened {
         let size = file.rows as usize * file.columns as usize * file.pixels.sample.size();
         let found = match &self.plain {
             Some(bytes) => bytes.get(frame * size..).unwrap_or_default().iter().copied().take(size).collect(),
-            None if syntax::is_run_lengths(&file.syntax) => {
-                let count = file.rows as usize * file.columns as usize;
-                let packed = self.fragments(file, frame);
-                rle::decode(&packed, count, file.pixels.sample.size()).map_err(|problem| {
-                    report.invalid(
-                        Place::File,
-                        format!("the run lengths of frame {} are damaged: {problem}", frame + 1),
-                        "get the whole file, or write it anew",
-                    )
-                })?
-            }
-            None => self.picture(report, frame)?,
+            None if self.compression == Compression::Jpeg => self.picture(report, frame)?,
+            None => self.unpack(file, frame).map_err(|problem| {
+                report.invalid(
+                    Place::File,
+                    format!("the {} of frame {} is damaged: {problem}", syntax::name(&file.syntax), frame + 1),
+                    "get the whole file, or write it anew",
+                )
+            })?,
         };
         if found.len() < size {
             return Err(report.invalid(
@@ -98,6 +97,17 @@ impl Opened {
     fn fragments(&self, file: &File, frame: usize) -> Vec<u8> {
         let fragments = self.object.get(attributes::PIXEL_DATA).and_then(|data| data.fragments()).unwrap_or_default();
         if file.frames.len() == 1 { fragments.concat() } else { fragments.get(frame).cloned().unwrap_or_default() }
+    }
+
+    /// The decoded pixels of a frame of any other compression, or the problem.
+    fn unpack(&self, file: &File, frame: usize) -> Result<Vec<u8>, String> {
+        let packed = self.fragments(file, frame);
+        let (size, bytes) = ([file.rows, file.columns], file.pixels.sample.size());
+        match self.compression {
+            Compression::JpegLs => codecs::jpeg_ls(&packed, size, bytes),
+            Compression::Jpeg2000 => codecs::jpeg_2000(&packed, size, bytes),
+            _ => rle::decode(&packed, file.rows as usize * file.columns as usize, bytes),
+        }
     }
 
     /// The decoded JPEG picture of a frame.
@@ -132,7 +142,7 @@ fn check_fragments(report: Report, file: &File, fragments: &[Vec<u8>]) -> Result
     Ok(())
 }
 
-/// Rows and columns, where these bytes start a JPEG picture.
+/// Rows and columns, where these bytes start a JPEG or JPEG-LS picture.
 fn jpeg_size(bytes: &[u8]) -> Option<[u32; 2]> {
     let mut rest = bytes.strip_prefix(&[0xff, 0xd8])?;
     loop {
@@ -142,7 +152,7 @@ fn jpeg_size(bytes: &[u8]) -> Option<[u32; 2]> {
             // A byte that fills up.
             0xff => rest = &rest[1..],
             // A start of frame; the others of its row are tables.
-            0xc0..=0xcf if !matches!(marker, 0xc4 | 0xc8 | 0xcc) => return Some([word(1)?, word(3)?]),
+            0xc0..=0xcf | 0xf7 if !matches!(marker, 0xc4 | 0xc8 | 0xcc) => return Some([word(1)?, word(3)?]),
             _ => rest = after.get(usize::from(u16::from_be_bytes([*high, *low])).checked_sub(2)?..)?,
         }
     }

@@ -12,7 +12,7 @@ use tempfile::NamedTempFile;
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
 use super::video::Video;
-use super::write::create_beside;
+use crate::beside::create_beside;
 use crate::error::{Error, Place, Report};
 use crate::input::display_name;
 

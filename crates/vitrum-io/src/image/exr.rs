@@ -14,7 +14,8 @@ use exr::prelude::{
 
 use super::picture::{COLOR, Channel, Layer, Picture};
 use super::read::{check_size, empty};
-use super::write::{Metadata, Sink, WriteOptions};
+use super::write::{Metadata, WriteOptions};
+use crate::beside::Sink;
 use crate::error::{Error, Place, Report};
 use crate::open::OpenOptions;
 

@@ -6,7 +6,8 @@ use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
 
 use super::picture::Picture;
-use super::write::{Metadata, Sink, WriteOptions};
+use super::write::{Metadata, WriteOptions};
+use crate::beside::Sink;
 
 /// Largest value that the format holds: mantissa 255/256, exponent 127.
 const LARGEST: f32 = 1.694_9e38;

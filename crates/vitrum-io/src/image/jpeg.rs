@@ -7,7 +7,8 @@ use image::codecs::jpeg::JpegEncoder;
 
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
-use super::write::{Metadata, Sink, WriteOptions};
+use super::write::{Metadata, WriteOptions};
+use crate::beside::Sink;
 
 pub(super) fn encode(
     sink: &mut Sink,

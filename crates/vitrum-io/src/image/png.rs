@@ -6,7 +6,8 @@ use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits, to_16_bits};
-use super::write::{Metadata, Sink, WriteOptions};
+use super::write::{Metadata, WriteOptions};
+use crate::beside::Sink;
 
 pub(super) fn encode(sink: &mut Sink, picture: &Picture, metadata: &Metadata, options: WriteOptions) -> io::Result<()> {
     let Some(layer) = picture.layers.first() else { return Ok(()) };

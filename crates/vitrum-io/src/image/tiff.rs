@@ -6,7 +6,8 @@ use image::codecs::tiff::TiffEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
 use super::picture::Picture;
-use super::write::{Metadata, Sink, WriteOptions};
+use super::write::{Metadata, WriteOptions};
+use crate::beside::Sink;
 
 pub(super) fn encode(
     sink: &mut Sink,

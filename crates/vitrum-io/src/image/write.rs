@@ -1,13 +1,11 @@
 //! Writing a picture by its extension: checked first, then written beside its path and renamed.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::Path;
-
-use tempfile::NamedTempFile;
 
 use super::picture::Picture;
 use super::{exr, hdr, jpeg, png, tiff};
+use crate::beside::{Sink, create_beside, write_whole};
 use crate::error::{Error, Report};
 use crate::input::display_name;
 
@@ -25,9 +23,6 @@ impl Default for WriteOptions {
         Self { png_bits: 8, jpeg_quality: 95 }
     }
 }
-
-/// Where encoders write.
-pub(super) type Sink<'a> = BufWriter<&'a File>;
 
 /// Text about a picture: keys, and values.
 pub(super) type Metadata = [(String, String)];
@@ -84,16 +79,7 @@ pub fn write_picture_with(
     check_options(report, *options)?;
     check_picture(report, picture)?;
     check_metadata(report, metadata)?;
-    let beside = create_beside(report, path)?;
-    let failed = |error: io::Error| report.write(error.to_string(), "check the free space on the disk", Some(error));
-    let mut sink = BufWriter::new(beside.as_file());
-    (format.encode)(&mut sink, picture, metadata, *options)
-        .and_then(|()| sink.flush())
-        // Before the rename, so that a crash behind it cannot leave an empty file at the path.
-        .and_then(|()| beside.as_file().sync_all())
-        .map_err(failed)?;
-    drop(sink);
-    beside.persist(path).map(drop).map_err(|error| failed(error.error))
+    write_whole(report, path, |sink| (format.encode)(sink, picture, metadata, *options))
 }
 
 /// Whether [`write_picture`] could write to `path` now; worth asking before a long render.
@@ -122,34 +108,6 @@ fn format(report: Report, path: &Path) -> Result<&'static Format, Error> {
             extension => format!("`.{extension}` is no known picture format"),
         };
         report.unsupported(crate::Place::File, found, format!("use one of {}", extensions.join(", ")))
-    })
-}
-
-/// An empty file in the folder of `path`, thus on the same file system: renaming is atomic there.
-pub(crate) fn create_beside(report: Report, path: &Path) -> Result<NamedTempFile, Error> {
-    let folder = match path.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
-    };
-    let shown = folder.display();
-    if path.is_dir() {
-        return Err(report.write("there is a folder of this name", "choose another name", None));
-    }
-    if !folder.is_dir() {
-        let problem = format!("there is no folder {shown}");
-        return Err(report.write(problem, "create it, or write elsewhere", None));
-    }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".vitrum-").suffix(".part");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // What any new file gets, less the umask; the default is private to its owner.
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(folder).map_err(|error| {
-        let problem = format!("no file can be created in {shown}: {error}");
-        report.write(problem, "check its permissions, or write elsewhere", Some(error))
     })
 }
 

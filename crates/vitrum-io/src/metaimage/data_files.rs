@@ -2,7 +2,7 @@
 
 use super::description::{Description, HeaderSize};
 use super::header::{Header, is_list};
-use crate::data_file::{DataFile, MOST_FILES, numbered_name};
+use crate::data_file::{DataFile, MOST_FILES, NumberedNames, numbered_name};
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
 use crate::input::Input;
@@ -15,17 +15,26 @@ pub(super) fn locate(
     report: Report,
 ) -> Result<Vec<DataFile>, Error> {
     let field = &header.data_file;
-    if field.text.eq_ignore_ascii_case("LOCAL") {
-        let file = attached(header, description, input, report)?;
-        return Ok(vec![file]);
+    let mut files = if field.text.eq_ignore_ascii_case("LOCAL") {
+        vec![attached(header, description, input, report)?]
+    } else {
+        detached(header, description, input, report)?
+    };
+    if description.header_size == HeaderSize::FromEnd {
+        let bytes = description.data_bytes / files.len() as u64;
+        files.iter_mut().for_each(|file| file.start = file.length.saturating_sub(bytes).max(file.start));
     }
+    Ok(files)
+}
+
+fn detached(header: &Header, description: &Description, input: &Input, report: Report) -> Result<Vec<DataFile>, Error> {
     let names = names(header, description, report)?;
     let skipped = match description.header_size {
         HeaderSize::Bytes(size) => size,
         HeaderSize::None | HeaderSize::FromEnd => 0,
     };
     let detached = |name: &String| -> Result<DataFile, Error> {
-        Ok(DataFile { start: skipped, ..DataFile::detached(report, field.place(), input, name)? })
+        Ok(DataFile { start: skipped, ..DataFile::detached(report, header.data_file.place(), input, name)? })
     };
     names.iter().map(detached).collect()
 }
@@ -61,56 +70,31 @@ fn names(header: &Header, description: &Description, report: Report) -> Result<V
         check_file_count(report, field, description, dimension, header.listed_files.len() as u64)?;
         return Ok(header.listed_files.clone());
     }
-    let Some(pattern) = Pattern::parse(&field.text, description) else {
+    let Some(numbered) = pattern(&field.text, description) else {
         return Ok(vec![field.text.clone()]);
     };
-    let count = pattern.count().unwrap_or(0);
-    check_file_count(report, field, description, description.rank - 1, count)?;
-    let numbers = (0..count).map(|index| pattern.first + index as i64 * pattern.step);
-    let names: Option<Vec<_>> = numbers.map(|number| numbered_name(pattern.name, number)).collect();
-    names.ok_or_else(|| {
-        report.invalid(
-            field.place(),
-            format!("`{}` is not a name with one number such as %d or %03d", clip(pattern.name)),
-            "write `ElementDataFile = slice%03d.raw FIRST LAST STEP`",
-        )
-    })
+    check_file_count(report, field, description, description.rank - 1, numbered.count())?;
+    numbered.names(report, field, "ElementDataFile = slice%03d.raw FIRST LAST STEP")
 }
 
-/// `<name with %d> <first> <last> <step>`.
-struct Pattern<'a> {
-    name: &'a str,
-    first: i64,
-    last: i64,
-    step: i64,
-}
-
-impl<'a> Pattern<'a> {
-    /// `None` for a plain file name, which may have spaces and percent signs.
-    fn parse(text: &'a str, description: &Description) -> Option<Self> {
-        let words: Vec<_> = text.split_whitespace().collect();
-        let (&name, numbers) = words.split_first()?;
-        let numbers = numbers.iter().map(|word| word.parse::<i32>().map(i64::from));
-        let numbers = numbers.collect::<Result<Vec<_>, _>>().ok()?;
-        let slices = i64::from(description.dimensions[2]);
-        let (first, last, step) = match *numbers.as_slice() {
-            [] => {
-                numbered_name(name, 1)?;
-                (1, slices, 1)
-            }
-            [first] => (first, first + slices - 1, 1),
-            [first, last] => (first, last, 1),
-            [first, last, step] => (first, last, step),
-            _ => return None,
-        };
-        name.contains('%').then_some(Self { name, first, last, step })
-    }
-
-    /// `None` where the step never gets from first to last.
-    fn count(&self) -> Option<u64> {
-        let steps = (self.last - self.first).checked_div(self.step)?;
-        u64::try_from(steps).ok().map(|steps| steps + 1)
-    }
+/// `<name with %d> <first> <last> <step>`; `None` for a plain file name, which may have spaces and percent signs.
+fn pattern<'a>(text: &'a str, description: &Description) -> Option<NumberedNames<'a>> {
+    let words: Vec<_> = text.split_whitespace().collect();
+    let (&name, numbers) = words.split_first()?;
+    let numbers = numbers.iter().map(|word| word.parse::<i32>().map(i64::from));
+    let numbers = numbers.collect::<Result<Vec<_>, _>>().ok()?;
+    let slices = i64::from(description.dimensions[2]);
+    let (first, last, step) = match *numbers.as_slice() {
+        [] => {
+            numbered_name(name, 1)?;
+            (1, slices, 1)
+        }
+        [first] => (first, first + slices - 1, 1),
+        [first, last] => (first, last, 1),
+        [first, last, step] => (first, last, step),
+        _ => return None,
+    };
+    name.contains('%').then_some(NumberedNames { name, first, last, step })
 }
 
 /// Each file holds a part of `dimension` dimensions: a row, a slice or the volume.

@@ -13,12 +13,11 @@ use std::path::Path;
 
 use flate2::bufread::{MultiGzDecoder, ZlibDecoder};
 
-use self::description::{Description, Encoding, HeaderSize};
+use self::description::{Description, Encoding};
 use self::header::Header;
-use crate::data_file::DataFile;
+use crate::data_file::{DataFile, DataFiles};
 use crate::error::{Error, Report};
 use crate::input::Input;
-use crate::memory;
 use crate::open::{OpenOptions, VolumeReader};
 use crate::samples::VoxelBuffer;
 use crate::stream;
@@ -69,40 +68,22 @@ fn read_data(
     options: &OpenOptions,
 ) -> Result<Voxels, Error> {
     let report = Report::new(&input.name);
-    let count = description.voxel_count();
-    // Lies about the size come first: they are the better message, and need no memory.
-    let mut files = data_files::locate(header, description, input, report)?;
-    let share = count / files.len() as u64;
-    for file in &mut files {
-        check_possible(file, description, share)?;
-    }
-    memory::check(report, count * description.sample.stored_size() as u64, options.max_bytes)?;
-    let capacity = usize::try_from(count).unwrap_or(usize::MAX);
-    let mut voxels = VoxelBuffer::reserve(report, description.sample, description.endian, capacity)?;
-    let mut unread = 0;
-    for file in &files {
-        unread += read_file(file, description, &mut voxels, capacity / files.len())?;
-    }
-    let size_note = size_note(header, description, &files);
-    let notes = &mut description.assumptions;
-    if files.len() > 1 {
-        notes.push(format!("the data was put together from {} files", files.len()));
-    }
-    if unread > 0 {
-        notes.push(format!("{unread} bytes behind the last voxel were left unread"));
-    }
-    notes.extend(size_note);
-    Ok(voxels.into_voxels())
+    let files = data_files::locate(header, description, input, report)?;
+    let Description { sample, endian, .. } = *description;
+    let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
+    let mut notes = Vec::new();
+    let check = |file: &DataFile, share| check_possible(file, description, share);
+    let append = |file: &DataFile, voxels: &mut _, count| read_file(file, description, voxels, count);
+    let voxels = data.read(report, options, &mut notes, check, append)?;
+    notes.extend(size_note(header, description, &files));
+    description.assumptions.extend(notes);
+    Ok(voxels)
 }
 
-/// Fails where a file is too short for its share of voxels; puts the start of data that ends with
-/// its file right.
-fn check_possible(file: &mut DataFile, description: &Description, share: u64) -> Result<(), Error> {
+/// Fails where a file is too short for its share of voxels.
+fn check_possible(file: &DataFile, description: &Description, share: u64) -> Result<(), Error> {
     let report = Report::new(&file.name);
     let bytes = share * description.sample.size() as u64;
-    if description.header_size == HeaderSize::FromEnd {
-        file.start = file.length.saturating_sub(bytes).max(file.start);
-    }
     let there = file.length.saturating_sub(file.start);
     match description.encoding {
         Encoding::Deflate => stream::check_deflate(report, bytes, there),

@@ -31,14 +31,7 @@ pub(super) fn placement(
             let numbers: Vec<f64> = field.numbers(report, rank * rank)?;
             std::array::from_fn(|axis| std::array::from_fn(|component| numbers[rank * axis + component]))
         }
-        None => {
-            assumptions.push(
-                "the file has no TransformMatrix: its axes were taken to point to the patient's left, posterior \
-                 and superior, the format's default"
-                    .to_owned(),
-            );
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-        }
+        None => unstated(fields, report, assumptions)?,
     };
     let columns = [0, 1, 2].map(|axis| to_world(directions[axis].map(|component| component * spacing[axis])));
     let placement = Placement::from_columns(columns, origin).map_err(|problem| {
@@ -47,6 +40,55 @@ pub(super) fn placement(
     })?;
     assumptions.extend(placement.shear_note());
     Ok(placement)
+}
+
+/// The directions of a file without a matrix of them.
+fn unstated(fields: &Fields, report: Report, assumptions: &mut Vec<String>) -> Result<[[f64; 3]; 3], Error> {
+    // ITK writes question marks where it does not know.
+    let Some(field) = fields.get("AnatomicalOrientation").filter(|field| !field.text.contains('?')) else {
+        assumptions.push(
+            "the file has no TransformMatrix: its axes were taken to point to the patient's left, posterior and \
+             superior, the format's default; --up turns it"
+                .to_owned(),
+        );
+        return Ok([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    };
+    let directions = anatomical(&field.text).ok_or_else(|| {
+        report.invalid(
+            field.place(),
+            format!("`{}` does not name a side for each axis", clip(&field.text)),
+            "write one of R and L, one of A and P, and one of I and S, such as RAI",
+        )
+    })?;
+    assumptions.push(format!(
+        "the file has no TransformMatrix: its axes were taken to run from {}, as ITK means `AnatomicalOrientation`; \
+         --up turns it",
+        clip(&field.text)
+    ));
+    Ok(directions)
+}
+
+/// The directions of axes that begin at the sides that these letters name, such as `RAI`, which is the format's world.
+fn anatomical(letters: &str) -> Option<[[f64; 3]; 3]> {
+    let axis = |letter: char| {
+        Some(match letter.to_ascii_uppercase() {
+            'R' => (0, 1.0),
+            'L' => (0, -1.0),
+            'A' => (1, 1.0),
+            'P' => (1, -1.0),
+            'I' => (2, 1.0),
+            'S' => (2, -1.0),
+            _ => return None,
+        })
+    };
+    let axes: Vec<(usize, f64)> = letters.chars().map(axis).collect::<Option<_>>()?;
+    let mut directions = [[0.0; 3]; 3];
+    for (direction, &(component, sign)) in directions.iter_mut().zip(&axes) {
+        direction[component] = sign;
+    }
+    // Each of the three once.
+    let each = (0..3).all(|component| axes.iter().any(|axis| axis.0 == component));
+    (axes.len() == 3 && each).then_some(directions)
 }
 
 /// Distances in millimetres between voxel centres.

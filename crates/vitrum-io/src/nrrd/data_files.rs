@@ -2,7 +2,7 @@
 
 use super::description::Description;
 use super::header::Header;
-use crate::data_file::{DataFile, MOST_FILES, numbered_name};
+use crate::data_file::{DataFile, MOST_FILES, NumberedNames};
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
 use crate::input::Input;
@@ -41,51 +41,25 @@ fn names(header: &Header, field: &Field, description: &Description, report: Repo
         check_file_count(report, field, description, subdim, count)?;
         return Ok(header.listed_files.clone());
     }
-    let Some(pattern) = Pattern::parse(&field.text) else {
+    let Some((numbered, subdim_text)) = pattern(&field.text) else {
         return Ok(vec![field.text.clone()]);
     };
-    let count = pattern.count();
-    let subdim = pattern.subdim.map(|text| subdim(report, field, text)).transpose()?;
-    check_file_count(report, field, description, subdim, count.unwrap_or(0))?;
-    let numbers = (0..count.unwrap_or(0)).map(|index| pattern.first + index as i64 * pattern.step);
-    let names: Option<Vec<_>> = numbers.map(|number| numbered_name(pattern.name, number)).collect();
-    names.ok_or_else(|| {
-        report.invalid(
-            field.place(),
-            format!("`{}` is not a name with one number such as %d or %03d", clip(pattern.name)),
-            "write `data file: slice%03d.raw FIRST LAST STEP`",
-        )
-    })
+    let subdim = subdim_text.map(|text| subdim(report, field, text)).transpose()?;
+    check_file_count(report, field, description, subdim, numbered.count())?;
+    numbered.names(report, field, "data file: slice%03d.raw FIRST LAST STEP")
 }
 
-/// `<name with %d> <first> <last> <step> [<subdim>]`.
-struct Pattern<'a> {
-    name: &'a str,
-    first: i64,
-    last: i64,
-    step: i64,
-    subdim: Option<&'a str>,
-}
-
-impl<'a> Pattern<'a> {
-    /// `None` for a plain file name, which may have spaces and percent signs.
-    fn parse(text: &'a str) -> Option<Self> {
-        let words: Vec<_> = text.split_whitespace().collect();
-        let (&name, numbers) = words.split_first()?;
-        let (&[first, last, step], subdim) = match numbers {
-            [numbers @ .., subdim] if numbers.len() == 3 => (numbers.as_array()?, Some(*subdim)),
-            numbers => (numbers.as_array()?, None),
-        };
-        let [first, last, step] = [first, last, step].map(|word| word.parse::<i32>().ok());
-        let (first, last, step) = (first?.into(), last?.into(), step?.into());
-        name.contains('%').then_some(Self { name, first, last, step, subdim })
-    }
-
-    /// `None` where the step never gets from first to last.
-    fn count(&self) -> Option<u64> {
-        let steps = (self.last - self.first).checked_div(self.step)?;
-        u64::try_from(steps).ok().map(|steps| steps + 1)
-    }
+/// `<name with %d> <first> <last> <step> [<subdim>]`; `None` for a plain file name, which may have spaces and percent signs.
+fn pattern(text: &str) -> Option<(NumberedNames<'_>, Option<&str>)> {
+    let words: Vec<_> = text.split_whitespace().collect();
+    let (&name, numbers) = words.split_first()?;
+    let (&[first, last, step], subdim) = match numbers {
+        [numbers @ .., subdim] if numbers.len() == 3 => (numbers.as_array()?, Some(*subdim)),
+        numbers => (numbers.as_array()?, None),
+    };
+    let [first, last, step] = [first, last, step].map(|word| word.parse::<i32>().ok());
+    let (first, last, step) = (first?.into(), last?.into(), step?.into());
+    name.contains('%').then_some((NumberedNames { name, first, last, step }, subdim))
 }
 
 fn subdim(report: Report, field: &Field, text: &str) -> Result<usize, Error> {

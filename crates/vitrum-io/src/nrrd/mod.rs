@@ -6,10 +6,12 @@ mod data_files;
 mod description;
 pub(crate) mod encodings;
 mod header;
+mod samples;
 mod space;
 mod write;
 
-pub use write::{Lattice, Samples, check_nrrd_writable, write_nrrd};
+pub use samples::Samples;
+pub use write::{Lattice, check_nrrd_writable, write_nrrd};
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
@@ -19,10 +21,9 @@ use flate2::bufread::MultiGzDecoder;
 
 use self::description::{ByteSkip, Description, Encoding};
 use self::header::Header;
-use crate::data_file::DataFile;
+use crate::data_file::{DataFile, DataFiles};
 use crate::error::{Error, Place, Report};
 use crate::input::Input;
-use crate::memory;
 use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::samples::VoxelBuffer;
 use crate::stream;
@@ -78,32 +79,19 @@ fn read_data(
     options: &OpenOptions,
 ) -> Result<Voxels, Error> {
     let report = Report::new(&input.name);
-    let count = description.voxel_count();
-    // Lies about the size come first: they are the better message, and need no memory.
     let files = data_files::locate(header, description, input, report)?;
     // A file of its own has that point alone.
     if header.several_files() {
         description.times = Times { count: 1, chosen: 0 };
     }
-    let share = count / files.len() as u64;
-    for file in &files {
-        check_possible(file, description, share)?;
-    }
-    memory::check(report, count * description.sample.stored_size() as u64, options.max_bytes)?;
-    let capacity = usize::try_from(count).unwrap_or(usize::MAX);
-    let mut voxels = VoxelBuffer::reserve(report, description.sample, description.endian, capacity)?;
-    let mut unread = 0;
-    for file in &files {
-        unread += read_file(file, description, &mut voxels, capacity / files.len())?;
-    }
-    let notes = &mut description.assumptions;
-    if files.len() > 1 {
-        notes.push(format!("the data was put together from {} files", files.len()));
-    }
-    if unread > 0 {
-        notes.push(format!("{unread} bytes behind the last voxel were left unread"));
-    }
-    Ok(voxels.into_voxels())
+    let Description { sample, endian, .. } = *description;
+    let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
+    let mut notes = Vec::new();
+    let check = |file: &DataFile, share| check_possible(file, description, share);
+    let append = |file: &DataFile, voxels: &mut _, count| read_file(file, description, voxels, count);
+    let voxels = data.read(report, options, &mut notes, check, append)?;
+    description.assumptions.extend(notes);
+    Ok(voxels)
 }
 
 /// Fails where a file is too short for its share of voxels, however its bytes may be spread.

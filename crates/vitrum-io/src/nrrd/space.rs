@@ -3,7 +3,7 @@
 use super::header::Header;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
-use crate::placement::{Placement, UNORIENTED, millimetres, narrow_origin};
+use crate::placement::{Placement, UNORIENTED, millimetres};
 use crate::volume::{IDENTITY, check_spacing};
 
 /// `rank` is the number of axes in the file: 3, or 4 with time.
@@ -27,15 +27,11 @@ pub(super) fn placement(
         assumptions.extend(placement.shear_note());
         return Ok(placement);
     }
-    if header.get("space").is_some() {
-        assumptions.push("the file names a space but no `space directions`".to_owned());
-    }
-    assumptions.push(UNORIENTED.to_owned());
-    let spacing = match header.get("spacings") {
+    let spacing: [f64; 3] = match header.get("spacings") {
         Some(field) => {
             let spacing: Vec<f64> = field.numbers(report, rank)?;
-            let spacing = [0, 1, 2].map(|axis| (spacing[axis] * scale) as f32);
-            check_spacing(report, spacing).map_err(|error| error.at(field.place()))?;
+            let spacing = [0, 1, 2].map(|axis| spacing[axis] * scale);
+            check_spacing(report, spacing.map(|spacing| spacing as f32)).map_err(|error| error.at(field.place()))?;
             spacing
         }
         None => {
@@ -43,11 +39,23 @@ pub(super) fn placement(
             [1.0; 3]
         }
     };
-    let origin = origin.map(narrow_origin).transpose().map_err(|problem| {
+    let component =
+        |axis: usize, component: usize| f64::from(IDENTITY[axis][component]) * signs[component] * spacing[axis];
+    let columns = [0, 1, 2].map(|axis| [0, 1, 2].map(|along| component(axis, along)));
+    match header.get("space") {
+        Some(_) => {
+            assumptions.push(
+                "the file names a space but no `space directions`: its axes were taken to run along the space's"
+                    .to_owned(),
+            );
+            assumptions.extend(space_note.map(str::to_owned));
+        }
+        None => assumptions.push(UNORIENTED.to_owned()),
+    }
+    Placement::from_columns(columns, origin).map_err(|problem| {
         let place = header.get("spaceorigin").map_or(Place::File, Field::place);
         report.invalid(place, problem, "correct the origin")
-    })?;
-    Ok(Placement { spacing, axes: IDENTITY, origin })
+    })
 }
 
 /// Signs that turn the file's space into RAS+: x to the right, y to anterior, z to superior; with
@@ -70,12 +78,15 @@ fn signs(header: &Header, report: Report) -> Result<([f64; 3], Option<&'static s
         "right-anterior-superior" | "ras" => Ok(([1.0, 1.0, 1.0], None)),
         "left-anterior-superior" | "las" => Ok(([-1.0, 1.0, 1.0], None)),
         "left-posterior-superior" | "lps" => Ok(([-1.0, -1.0, 1.0], None)),
-        "scanner-xyz" | "3d-right-handed" => {
-            Ok(([1.0; 3], Some("the file's space is no patient's: its x, y, z were taken for the world's")))
-        }
-        "3d-left-handed" => {
-            Ok(([-1.0, 1.0, 1.0], Some("the file's space is left-handed: its x was turned round to make the world's")))
-        }
+        "scanner-xyz" | "3d-right-handed" => Ok((
+            [1.0; 3],
+            Some("the file's space is no patient's: its x, y, z were taken for the world's; --up turns it"),
+        )),
+        // Most often it is, because rows of pictures run downwards: what they begin with faces the front then.
+        "3d-left-handed" => Ok((
+            [1.0, -1.0, 1.0],
+            Some("the file's space is left-handed: its y was turned round to make the world's; --up turns it"),
+        )),
         name if name.ends_with("-time") || matches!(name, "rast" | "last" | "lpst") => Err(report.unsupported(
             field.place(),
             format!("`{}` is a space with time", clip(name)),

@@ -1,71 +1,52 @@
 //! Writing NRRD: one attached file, gzip, of the world's space.
 
-use crate::error::{Error, Report};
-use crate::image::create_beside;
-use flate2::Compression;
-use flate2::write::GzEncoder;
 use std::fmt::Write as _;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::Path;
 
-/// Samples of a grid, x fastest; those of a vector lie next to each other.
-#[derive(Debug, Clone, Copy)]
-pub enum Samples<'a> {
-    /// One byte a voxel.
-    U8(&'a [u8]),
-    /// One float a voxel.
-    F32(&'a [f32]),
-    /// A vector a voxel, which stays as it is when the grid is turned.
-    Colors(&'a [[f32; 3]]),
-    /// A vector a voxel, which turns with the grid.
-    Vectors(&'a [[f32; 3]]),
-}
+use flate2::Compression;
+use flate2::write::GzEncoder;
 
-impl Samples<'_> {
-    fn count(self) -> usize {
-        match self {
-            Self::U8(samples) => samples.len(),
-            Self::F32(samples) => samples.len(),
-            Self::Colors(samples) | Self::Vectors(samples) => samples.len(),
-        }
-    }
+use super::samples::Samples;
+use crate::beside::{create_beside, write_whole};
+use crate::error::{Error, Report};
+use crate::input::display_name;
+use crate::volume::Volume;
 
-    /// NRRD's names: the type, and the kind of the components if there are several.
-    fn names(self) -> (&'static str, Option<&'static str>) {
-        match self {
-            Self::U8(_) => ("uint8", None),
-            Self::F32(_) => ("float", None),
-            Self::Colors(_) => ("float", Some("RGB-color")),
-            Self::Vectors(_) => ("float", Some("3-vector")),
-        }
-    }
-
-    /// Writes the samples, little-endian.
-    fn write(self, to: &mut dyn Write) -> std::io::Result<()> {
-        let floats = |samples: &[f32], to: &mut dyn Write| {
-            // A piece at a time, so that the bytes do not take as much memory as the samples again.
-            samples.chunks(1 << 16).try_for_each(|piece| {
-                let bytes: Vec<u8> = piece.iter().flat_map(|sample| sample.to_le_bytes()).collect();
-                to.write_all(&bytes)
-            })
-        };
-        match self {
-            Self::U8(samples) => to.write_all(samples),
-            Self::F32(samples) => floats(samples, to),
-            Self::Colors(samples) | Self::Vectors(samples) => floats(samples.as_flattened(), to),
-        }
-    }
-}
-
-/// A grid along the world's axes, for [`write_nrrd`].
+/// A grid and its place in the world, for [`write_nrrd`].
 #[derive(Debug, Clone, Copy)]
 pub struct Lattice {
     /// Voxels along x, y and z.
     pub dimensions: [u32; 3],
-    /// Distance between voxels' centres, in world units.
-    pub spacing: f64,
+    /// What leads from a voxel's centre to that of the next along x, y and z, in world units.
+    pub steps: [[f64; 3]; 3],
     /// The centre of the first voxel.
     pub origin: [f64; 3],
+    /// Whether the world is a patient's: x the right, y anterior, z superior.
+    pub patient: bool,
+}
+
+impl Lattice {
+    /// Cubes along the axes of a world that is no patient's, `spacing` apart.
+    #[must_use]
+    pub fn of_cubes(dimensions: [u32; 3], spacing: f64, origin: [f64; 3]) -> Self {
+        let steps = [[spacing, 0.0, 0.0], [0.0, spacing, 0.0], [0.0, 0.0, spacing]];
+        Self { dimensions, steps, origin, patient: false }
+    }
+
+    /// A volume's grid.
+    #[must_use]
+    pub fn of(volume: &Volume) -> Self {
+        // The shortest decimals that stand for the same float32.
+        let widen = |number: f32| number.to_string().parse().unwrap_or(f64::from(number));
+        let step = |axis: usize| volume.axes[axis].map(|component| widen(component * volume.spacing[axis]));
+        Self {
+            dimensions: volume.dimensions,
+            steps: [0, 1, 2].map(step),
+            origin: volume.origin.map(widen),
+            patient: true,
+        }
+    }
 }
 
 /// Whether an NRRD file can be written to `path` now; worth asking before long work.
@@ -73,8 +54,8 @@ pub struct Lattice {
 /// # Errors
 /// [`Error::Write`] where the extension is not `.nrrd`, and where no file can be created there.
 pub fn check_nrrd_writable(path: &Path) -> Result<(), Error> {
-    let shown = path.display().to_string();
-    let report = Report::new(&shown);
+    let name = display_name(path);
+    let report = Report::new(&name);
     check_extension(report, path)?;
     create_beside(report, path).map(drop)
 }
@@ -97,8 +78,8 @@ pub fn write_nrrd(
     samples: Samples<'_>,
     fields: &[(&str, String)],
 ) -> Result<(), Error> {
-    let shown = path.display().to_string();
-    let report = Report::new(&shown);
+    let name = display_name(path);
+    let report = Report::new(&name);
     check_extension(report, path)?;
     let voxels = lattice.dimensions.iter().map(|&count| u64::from(count)).product::<u64>();
     if samples.count() as u64 != voxels {
@@ -112,33 +93,29 @@ pub fn write_nrrd(
             None,
         ));
     }
-    let mut file = create_beside(report, path)?;
-    let failed = |error: std::io::Error| {
-        let problem = error.to_string();
-        report.write(problem, "check the free space and the permissions", Some(error))
-    };
-    let mut buffered = BufWriter::new(file.as_file_mut());
-    buffered.write_all(header(lattice, samples, fields).as_bytes()).map_err(failed)?;
-    // Masks are mostly runs; the level above costs twice the time for some percent.
-    let mut encoder = GzEncoder::new(&mut buffered, Compression::new(3));
-    samples.write(&mut encoder).and_then(|()| encoder.finish().map(drop)).map_err(failed)?;
-    buffered.flush().map_err(failed)?;
-    drop(buffered);
-    file.as_file().sync_all().map_err(failed)?;
-    file.persist(path).map(drop).map_err(|error| failed(error.error))
+    write_whole(report, path, |sink| {
+        sink.write_all(header(lattice, samples, fields).as_bytes())?;
+        // Masks are mostly runs; the level above costs twice the time for some percent.
+        let mut packed = GzEncoder::new(sink, Compression::new(3));
+        samples.write(&mut packed)?;
+        packed.finish().map(drop)
+    })
 }
 
 fn header(lattice: &Lattice, samples: Samples<'_>, fields: &[(&str, String)]) -> String {
-    let Lattice { dimensions: [x, y, z], spacing, origin: [left, front, low] } = *lattice;
+    let Lattice { dimensions: [x, y, z], steps, origin, patient } = *lattice;
     let (name, kind) = samples.names();
     let (dimension, components, none, first) = match kind {
         Some(kind) => (4, "3 ", "none ", format!("{kind} ")),
         None => (3, "", "", String::new()),
     };
+    let space = if patient { "right-anterior-superior" } else { "3D-right-handed" };
+    let vector = |[x, y, z]: [f64; 3]| format!("({x},{y},{z})");
+    let (steps, origin) = (steps.map(vector).join(" "), vector(origin));
     let mut text = format!(
-        "NRRD0005\ntype: {name}\ndimension: {dimension}\nspace: 3D-right-handed\nsizes: {components}{x} {y} {z}\n\
-         space directions: {none}({spacing},0,0) (0,{spacing},0) (0,0,{spacing})\n\
-         kinds: {first}domain domain domain\nendian: little\nencoding: gzip\nspace origin: ({left},{front},{low})\n"
+        "NRRD0005\n# written by Vitrum\ntype: {name}\ndimension: {dimension}\nspace: {space}\n\
+         sizes: {components}{x} {y} {z}\nspace directions: {none}{steps}\nkinds: {first}domain domain domain\n\
+         endian: little\nencoding: gzip\nspace origin: {origin}\n"
     );
     if matches!(samples, Samples::Vectors(_)) {
         text.push_str("measurement frame: (1,0,0) (0,1,0) (0,0,1)\n");

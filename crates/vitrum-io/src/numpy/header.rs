@@ -5,6 +5,7 @@ use std::io::Read;
 use super::literal::{self, Literal};
 use crate::error::{Error, Place, Report, clip};
 use crate::samples::{Endian, SampleType, read_up_to};
+use crate::stream;
 
 /// What every file starts with, before two bytes of version.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
@@ -35,7 +36,7 @@ impl Header {
     pub fn read(reader: &mut dyn Read, length: u64, report: Report) -> Result<Self, Error> {
         let mut start = [0; MAGIC.len() + 2];
         let (_, outcome) = read_up_to(reader, &mut start);
-        outcome.map_err(|error| report.unreadable(error))?;
+        outcome.map_err(|error| stream::broken(report, 0, error))?;
         if !start.starts_with(MAGIC) {
             return Err(report.invalid(
                 Place::Byte(0),
@@ -57,7 +58,7 @@ impl Header {
         };
         let mut size = [0; 4];
         let (_, outcome) = read_up_to(reader, &mut size[..size_bytes]);
-        outcome.map_err(|error| report.unreadable(error))?;
+        outcome.map_err(|error| stream::broken(report, 0, error))?;
         let size = u64::from(u32::from_le_bytes(size));
         let place = (start.len() + size_bytes) as u64;
         let there = length.saturating_sub(place);
@@ -69,7 +70,7 @@ impl Header {
             ));
         }
         let mut text = Vec::new();
-        reader.take(size).read_to_end(&mut text).map_err(|error| report.unreadable(error))?;
+        reader.take(size).read_to_end(&mut text).map_err(|error| stream::broken(report, 0, error))?;
         Self::parse(&String::from_utf8_lossy(&text), Place::Byte(place), place + size, report)
     }
 
@@ -125,11 +126,12 @@ fn sample_type(descr: &Literal, place: Place, report: Report) -> Result<(SampleT
         "i4" => SampleType::I32,
         "u8" => SampleType::U64,
         "i8" => SampleType::I64,
+        "f2" => SampleType::F16,
         "f4" => SampleType::F32,
         "f8" => SampleType::F64,
         _ => {
             let problem =
-                format!("the samples are `{}`, not bool, integers of 8 to 64 bits, float32 or float64", clip(text));
+                format!("the samples are `{}`, not bool, or integers or floats of at most 64 bits", clip(text));
             return Err(report.unsupported(place, problem, advice));
         }
     };

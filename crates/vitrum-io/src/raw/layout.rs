@@ -27,7 +27,7 @@ impl FromStr for RawLayout {
         let dimensions = dimensions(first).ok_or_else(|| format!("`{first}` is no size; {EXPECTED}"))?;
         let second = words.next().ok_or_else(|| format!("`{text}` names no sample type; {EXPECTED}"))?;
         let sample = sample_type(second).ok_or_else(|| {
-            format!("`{second}` is no sample type; expected one of u8, i8, u16, i16, u32, i32, u64, i64, f32, f64")
+            format!("`{second}` is no sample type; expected one of u8, i8, u16, i16, u32, i32, u64, i64, f16, f32, f64")
         })?;
         let mut layout = Self { dimensions, sample, endian: None, skip: 0 };
         let (mut order_given, mut skip_given) = (false, false);
@@ -82,6 +82,7 @@ pub(super) fn sample_type(word: &str) -> Option<SampleType> {
         "uint32" | "u32" => Some(SampleType::U32),
         "int64" | "i64" => Some(SampleType::I64),
         "uint64" | "u64" => Some(SampleType::U64),
+        "float16" | "f16" => Some(SampleType::F16),
         "float" | "float32" | "f32" => Some(SampleType::F32),
         "double" | "float64" | "f64" => Some(SampleType::F64),
         _ => None,
@@ -98,6 +99,7 @@ mod tests {
             ("256x256x109:u8", "256x256x109:uint8"),
             ("64X64X32:I16:BE", "64x64x32:int16:be"),
             ("3x2x2:float:le:skip=512", "3x2x2:float32:le:skip=512"),
+            ("3x2x2:f16:be", "3x2x2:float16:be"),
             (" 3x2x2:u16:skip=7:be ", "3x2x2:uint16:be:skip=7"),
         ] {
             let layout: RawLayout = text.parse().unwrap_or_else(|error| panic!("{text}: {error}"));

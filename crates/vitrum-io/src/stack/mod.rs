@@ -1,17 +1,20 @@
-//! TIFF files whose pages are the slices of a volume, or numbered files of one page each.
+//! TIFF files whose pages are the slices of a volume, or numbered files of one page each, perhaps a folder of them.
 
+mod folder;
 mod page;
+mod selection;
 mod series;
 mod spacing;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use self::page::Pages;
+use self::selection::Selection;
 use self::series::series;
 use crate::error::{Error, Place, Report};
 use crate::input::{Input, display_name};
 use crate::memory;
-use crate::open::{OpenOptions, VolumeReader};
+use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::placement::UNORIENTED;
 use crate::samples::{Endian, VoxelBuffer};
 use crate::stream;
@@ -32,17 +35,23 @@ impl VolumeReader for Stack {
         &[".tif", ".tiff"]
     }
 
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
+    fn recognises(&self, head: &[u8], path: &Path) -> bool {
         [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|magic| head.starts_with(*magic))
+            || head.is_empty() && folder::has_tiff(path)
+    }
+
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Array, Part::Time]
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let files = files(input)?;
-        let first = &files[0];
         let mut assumptions = Vec::new();
-        check_kind(report, first, &mut assumptions)?;
-        let slices = files.iter().map(|file| file.count).sum::<u64>();
+        let files = files(input, &mut assumptions)?;
+        let first = &files[0];
+        let selection = Selection::of(report, first, options, &mut assumptions)?;
+        // Several files have a page each.
+        let slices = selection.count * files.len() as u64;
         let dimensions = [first.first.width, first.first.height, u32::try_from(slices).unwrap_or(u32::MAX)];
         let sample = first.first.sample;
         let bytes = stream::byte_count(dimensions, sample.size())
@@ -52,7 +61,7 @@ impl VolumeReader for Stack {
         let capacity = usize::try_from(count).unwrap_or(usize::MAX);
         let mut voxels = VoxelBuffer::reserve(report, sample, NATIVE, capacity)?;
         for file in &files {
-            file.read(&mut voxels)?;
+            file.read(selection, &mut voxels)?;
         }
         note(&files, &mut assumptions);
         assumptions.push(UNORIENTED.to_owned());
@@ -66,20 +75,26 @@ impl VolumeReader for Stack {
     }
 }
 
-/// The file itself where it has several pages, else it and its numbered neighbours. Never empty.
-fn files(input: &Input) -> Result<Vec<Pages>, Error> {
-    let opened = Pages::scan(input.file().to_owned(), input.name.clone())?;
-    if opened.count > 1 {
-        return Ok(vec![opened]);
-    }
-    let paths = series(input.path);
-    if paths.len() == 1 {
+/// The file itself where it has several pages, else it and its numbered neighbours; of a folder, its slices. Never empty.
+fn files(input: &Input, assumptions: &mut Vec<String>) -> Result<Vec<Pages>, Error> {
+    let scan = |path: PathBuf| {
+        let name = display_name(&path);
+        Pages::scan(path, name)
+    };
+    let (opened, paths) = if input.is_folder() {
+        let paths = folder::slices(Report::new(&input.name), input.path, assumptions)?;
+        (scan(paths[0].clone())?, paths)
+    } else {
+        let opened = Pages::scan(input.file().to_owned(), input.name.clone())?;
+        let paths = if opened.count > 1 { Vec::new() } else { series(input.path) };
+        (opened, paths)
+    };
+    if paths.len() <= 1 {
         return Ok(vec![opened]);
     }
     let mut files = Vec::new();
     for path in paths {
-        let name = display_name(&path);
-        let file = Pages::scan(path, name)?;
+        let file = scan(path)?;
         if file.count != 1 || file.first != opened.first {
             let (found, expected) = (file.first.describe(), opened.first.describe());
             return Err(Report::new(&file.name).invalid(
@@ -94,30 +109,6 @@ fn files(input: &Input) -> Result<Vec<Pages>, Error> {
         files.push(file);
     }
     Ok(files)
-}
-
-/// Fails where ImageJ says that the pages are more than the slices of one volume.
-fn check_kind(report: Report, file: &Pages, assumptions: &mut Vec<String>) -> Result<(), Error> {
-    let [images, channels, slices, frames] =
-        ["images", "channels", "slices", "frames"].map(|name| file.notes.count(name));
-    if channels > 1 || (slices > 1 && frames > 1) {
-        return Err(report.unsupported(
-            Place::File,
-            format!("the pages are {channels} channels of {slices} slices at {frames} points in time"),
-            "pick out one channel and point in time first, for example by Image > Duplicate in ImageJ",
-        ));
-    }
-    if images > 1 && file.count == 1 {
-        return Err(report.unsupported(
-            Place::File,
-            format!("ImageJ wrote {images} images behind one page, as it does beyond 4 GiB"),
-            "write it as BigTIFF, for example by Bio-Formats, or as several files",
-        ));
-    }
-    if frames > 1 {
-        assumptions.push("the pages are points in time, and were taken for slices".to_owned());
-    }
-    Ok(())
 }
 
 fn note(files: &[Pages], assumptions: &mut Vec<String>) {

@@ -8,6 +8,7 @@ use tiff::decoder::{Decoder, DecodingSampleType, Limits};
 use tiff::tags::{CompressionMethod, PhotometricInterpretation, Tag};
 use tiff::{ColorType, TiffError};
 
+use super::selection::Selection;
 use super::spacing::Notes;
 use crate::error::{Error, Place, Report};
 use crate::memory;
@@ -98,19 +99,23 @@ impl Pages {
         Ok(Self { path, first, count, thumbnails, encoding, notes, name })
     }
 
-    /// Decodes all slices.
-    pub fn read(&self, voxels: &mut VoxelBuffer) -> Result<(), Error> {
+    /// Decodes the slices that are selected.
+    pub fn read(&self, selection: Selection, voxels: &mut VoxelBuffer) -> Result<(), Error> {
         let report = Report::new(&self.name);
         let mut decoder = open(&self.path, report)?;
         let count = usize::try_from(self.first.voxels()).unwrap_or(usize::MAX);
         let size = count.saturating_mul(self.first.sample.size());
         let mut bytes = memory::reserve(report, size)?;
         bytes.resize(size, 0_u8);
+        let mut index = 0;
         for number in 1.. {
             let at = |error| damaged(report, number, error);
             if !is_thumbnail(&mut decoder).map_err(at)? {
-                decoder.read_image_bytes(&mut bytes).map_err(at)?;
-                stream::fill(report, voxels, &mut bytes.as_slice(), count, self.first.sample.size())?;
+                if selection.contains(index) {
+                    decoder.read_image_bytes(&mut bytes).map_err(at)?;
+                    stream::fill(report, voxels, &mut bytes.as_slice(), count, self.first.sample.size())?;
+                }
+                index += 1;
             }
             if !decoder.more_images() {
                 break;
@@ -197,6 +202,7 @@ fn page(decoder: &mut Reader, report: Report, number: u64) -> Result<Page, Error
         (Some(DecodingSampleType::U32), 32) => SampleType::U32,
         (Some(DecodingSampleType::I64), 64) => SampleType::I64,
         (Some(DecodingSampleType::U64), 64) => SampleType::U64,
+        (Some(DecodingSampleType::F16), 16) => SampleType::F16,
         (Some(DecodingSampleType::F32), 32) => SampleType::F32,
         (Some(DecodingSampleType::F64), 64) => SampleType::F64,
         (_, bits) => {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// More files than this are no volume.
-const MOST_FILES: usize = 100_000;
+pub(super) const MOST_FILES: usize = 100_000;
 
 /// A file name with a number at its end.
 struct Numbered<'a> {

@@ -165,6 +165,17 @@ pub fn npy_with((major, minor): (u8, u8), dictionary: &str, data: &[u8]) -> Vec<
     file
 }
 
+/// An archive of files, each by name, packing and content.
+pub fn npz(files: &[(&str, zip::CompressionMethod, &[u8])]) -> Vec<u8> {
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for (name, packing, content) in files {
+        let options = zip::write::SimpleFileOptions::default().compression_method(*packing);
+        archive.start_file(*name, options).expect("a file of an archive");
+        archive.write_all(content).expect("a file of an archive");
+    }
+    archive.finish().expect("an archive").into_inner()
+}
+
 /// A header followed by data.
 pub fn attached(header: &str, data: &[u8]) -> Vec<u8> {
     [header.as_bytes(), data].concat()

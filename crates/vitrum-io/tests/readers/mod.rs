@@ -1,14 +1,20 @@
 //! Every reader as a function of bytes: what coverage-guided fuzzing (`fuzz/`) and the test of mutations call.
 
+mod whole;
+
 use std::fs;
 use std::path::PathBuf;
 use std::process;
 
+use whole::Whole;
+
 use vitrum_io::{Input, OpenOptions, mesh_readers, open_mesh, read_picture_with, readers};
 
 /// Most bytes that a file may ask for: enough for every path through a reader, and soon filled.
+const MOST: u64 = 1 << 20;
+
 const OPTIONS: OpenOptions =
-    OpenOptions { max_bytes: Some(1 << 20), raw: None, spacing: None, array: None, time: None, up: None };
+    OpenOptions { max_bytes: Some(MOST), raw: None, spacing: None, array: None, time: None, up: None };
 
 /// What a target's bytes are.
 #[derive(Debug, Clone, Copy)]
@@ -32,6 +38,7 @@ const TARGETS: &[(&str, Kind)] = &[
     ("nifti", Kind::Volume("NIfTI", &["a.nii", "a.hdr"])),
     ("metaimage", Kind::Volume("MetaImage", &["a.mha"])),
     ("numpy", Kind::Volume("NumPy", &["a.npy"])),
+    ("npz", Kind::Volume("NumPy archive", &["a.npz"])),
     ("vti", Kind::Volume("VTK image data", &["a.vti"])),
     ("vtk", Kind::Volume("legacy VTK", &["a.vtk"])),
     ("stack", Kind::Volume("TIFF stack", &["a.tif"])),
@@ -50,7 +57,6 @@ const TARGETS: &[(&str, Kind)] = &[
 ];
 
 /// The names of all targets.
-#[allow(dead_code, reason = "a fuzz target knows its own name")]
 pub fn names() -> impl Iterator<Item = &'static str> {
     TARGETS.iter().map(|&(name, _)| name)
 }
@@ -111,7 +117,7 @@ impl Readers {
                 let channels = picture.layers.iter().flat_map(|layer| &layer.channels);
                 assert!(pixels > 0 && channels.clone().count() > 0);
                 assert!(channels.clone().all(|channel| channel.data.len() == pixels));
-                assert!(channels.map(|channel| 4 * channel.data.len() as u64).sum::<u64>() <= 1 << 20);
+                assert!(channels.map(|channel| 4 * channel.data.len() as u64).sum::<u64>() <= MOST);
             }
         }
     }
@@ -130,12 +136,9 @@ impl Readers {
             reader.read(&input, &OPTIONS)
         });
         let _ = fs::remove_file(path);
-        let Ok(volume) = volume else { return };
-        assert!(volume.bytes() <= 1 << 20);
-        assert!(volume.range[0] <= volume.range[1] && volume.range.iter().all(|end| end.is_finite()));
-        assert!(volume.spacing.iter().all(|spacing| *spacing > 0.0 && spacing.is_finite()));
-        assert!(volume.origin.iter().chain(volume.axes.as_flattened()).all(|value| value.is_finite()));
-        assert_eq!(volume.histogram(7).iter().sum::<u64>(), volume.voxel_count() as u64);
+        if let Ok(volume) = volume {
+            volume.assert_whole(MOST);
+        }
     }
 
     fn mesh(&self, reader: &str, file: &str, bytes: &[u8]) {
@@ -143,16 +146,9 @@ impl Readers {
         let input = Input::new(&path, &OPTIONS).expect("a written file");
         let reader = mesh_readers().iter().find(|known| known.name() == reader).expect("a known reader");
         let mesh = if reader.recognises(&input) { open_mesh(&path, &OPTIONS) } else { reader.read(&input, &OPTIONS) };
-        let Ok(mesh) = mesh else { return };
-        assert!(mesh.bytes() as u64 <= 1 << 20);
-        let vertices = mesh.positions.len();
-        assert!(mesh.triangles.as_flattened().iter().all(|&vertex| (vertex as usize) < vertices));
-        assert!(mesh.positions.as_flattened().iter().all(|coordinate| coordinate.is_finite()));
-        assert!(mesh.normals.as_ref().is_none_or(|normals| normals.len() == vertices));
-        assert!(mesh.colors.as_ref().is_none_or(|colors| colors.len() == vertices));
-        assert!(mesh.triangle_materials.iter().all(|&material| (material as usize) < mesh.materials.len()));
-        assert!(mesh.surface_area() >= 0.0 && mesh.signed_volume().is_finite());
-        assert!(mesh.topology().points <= vertices);
+        if let Ok(mesh) = mesh {
+            mesh.assert_whole(MOST);
+        }
     }
 }
 

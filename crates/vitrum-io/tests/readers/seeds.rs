@@ -2,13 +2,17 @@
 
 use std::fs;
 
+use zip::CompressionMethod;
+
 use vitrum_io::{Picture, WriteOptions, write_picture_with};
 
-use crate::common::dicom::Dicom;
+use crate::common::dicom::{
+    Dicom, FRAMES, JPEG, JPEG_2000, JPEG_2000_WORDS, JPEG_LS, JPEG_LS_WORDS, LOSSLESS, POSITION, RLE, rle,
+};
 use crate::common::mesh::{cuboid, files, glb, globe, gltf};
 use crate::common::tiff::{Page, Value, stack_u8, tiff};
 use crate::common::vtk::{LITTLE, appended, base64, vti, vti_text, vtk, word, zlib_blocks};
-use crate::common::{Folder, NiftiHeader, attached, gzip, hex, metaimage, npy, npy_with, nrrd, zlib};
+use crate::common::{Folder, NiftiHeader, attached, gzip, hex, metaimage, npy, npy_with, npz, nrrd, zlib};
 
 /// The files of a target.
 pub fn seeds(target: &str) -> Vec<Vec<u8>> {
@@ -21,7 +25,13 @@ pub fn seeds(target: &str) -> Vec<Vec<u8>> {
             npy("<f8", &[0; 96]),
             npy_with((2, 0), "{'descr': '<f4', 'fortran_order': True, 'shape': (3, 2, 2)}", &[1; 48]),
             npy_with((3, 0), "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 2, 3)}", &[1; 12]),
+            npy_with((1, 0), "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 2, 2, 3)}", &[1; 24]),
         ],
+        "npz" => {
+            let arrays = [npy("<f2", &[1; 24]), npy("|u1", &[1; 12])];
+            let archive = |packing| npz(&[("a.npy", packing, &arrays[0]), ("b.npy", packing, &arrays[1])]);
+            vec![archive(CompressionMethod::Stored), archive(CompressionMethod::Deflated)]
+        }
         "vti" => vti_files(),
         "vtk" => vec![
             vtk("ASCII", "short", b"1 2 3 4 5 6 7 8 9 10 11 12"),
@@ -29,9 +39,7 @@ pub fn seeds(target: &str) -> Vec<Vec<u8>> {
             vtk("BINARY", "unsigned_char 1", &[1; 12]),
         ],
         "stack" => stacks(),
-        "dicom" => {
-            vec![Dicom::slice(0.0, &[1, 2, 3, 4, 5, 6]).bytes(), Dicom::words(1.0, &[1, 2, 3, 4, 5, 6], true).bytes()]
-        }
+        "dicom" => dicom_files(),
         "raw" => vec![
             b"_3x2x2_uint8.raw\nabcdefghijkl".to_vec(),
             b"_3x2x2_int16_le.raw\nabcdefghijklabcdefghijkl".to_vec(),
@@ -68,6 +76,7 @@ fn nifti_files() -> Vec<Vec<u8>> {
         NiftiHeader::second(4, 2, true).with(&[1; 24]),
         first.pair().bytes,
         NiftiHeader::second(2, 1, false).pair().bytes,
+        NiftiHeader::new(2, 1, false).i16(40, 4).i16(48, 2).with(&[1; 24]),
     ]
 }
 
@@ -103,6 +112,23 @@ fn stacks() -> Vec<Vec<u8>> {
     let tiles = tiles.set(322, Value::Long(16)).set(323, Value::Long(16));
     let tiles = tiles.set(324, Value::Long(8)).set(325, Value::Long(256));
     vec![stack_u8(|page| page), tiff(true, &[packed.clone(), packed]), tiff(true, &[noted]), tiff(false, &[tiles])]
+}
+
+/// Every way to write pixels.
+fn dicom_files() -> Vec<Vec<u8>> {
+    let mut run_lengths = Dicom::words(0.0, &[], true);
+    run_lengths.compressed(RLE, vec![rle(&[vec![1; 6], vec![2; 6]])]);
+    let mut picture = Dicom::words(0.0, &[], false);
+    picture.compressed(LOSSLESS, vec![JPEG.to_vec()]);
+    let newer = [(JPEG_LS, JPEG_LS_WORDS.to_vec()), (JPEG_2000, JPEG_2000_WORDS.to_vec())].map(|(syntax, picture)| {
+        let mut file = Dicom::words(0.0, &[], false);
+        file.compressed(syntax, vec![picture]);
+        file
+    });
+    let mut frames = Dicom::slice(0.0, &[1; 12]);
+    frames.text(FRAMES, "IS", "2").remove(POSITION);
+    let plain = [Dicom::slice(0.0, &[1, 2, 3, 4, 5, 6]), Dicom::words(1.0, &[1, 2, 3, 4, 5, 6], true)];
+    plain.into_iter().chain([run_lengths, picture, frames]).chain(newer).map(|file| file.bytes()).collect()
 }
 
 fn meshes(target: &str) -> Vec<Vec<u8>> {

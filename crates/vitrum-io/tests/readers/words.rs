@@ -12,7 +12,7 @@ pub fn words(target: &str) -> &'static [&'static str] {
         "metaimage" => &[
             "NDims =", "DimSize =", "ElementType =", "ElementDataFile =", "ElementSpacing =", "Offset =", "HeaderSize =",
             "TransformMatrix =", "CompressedData =", "CompressedDataSize =", "ElementNumberOfChannels =", "LOCAL", "LIST",
-            "True", "MET_DOUBLE", "AnatomicalOrientation =", "%03d", "..", "-1",
+            "True", "MET_DOUBLE", "AnatomicalOrientation =", "RAI", "%03d", "..", "-1",
         ],
         "numpy" => &[
             "'descr':", "'fortran_order':", "'shape':", "True", "False", "<f2", "|b1", "{", "(", "[", ",)",

@@ -8,6 +8,7 @@ use vitrum_kernels::kernel::{Access, Kernel};
 pub struct Buffer(pub(super) usize);
 
 /// One dispatch of a kernel over `width` × `height` invocations.
+#[derive(Clone)]
 pub struct Pass {
     /// What runs.
     pub kernel: &'static Kernel,
@@ -22,7 +23,7 @@ pub struct Pass {
 }
 
 /// Passes that run in order.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct PassList {
     /// The passes.
     pub passes: Vec<Pass>,

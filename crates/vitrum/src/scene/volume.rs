@@ -25,7 +25,7 @@ pub struct VolumeSource {
     /// How a file without a header is laid out: `WxHxD:TYPE`, then perhaps `:le` or `:be` and `:skip=BYTES`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub raw: Option<String>,
-    /// The array to show of a VTK file with several.
+    /// The array to show of a VTK or NumPy file with several, or the number of a channel of a TIFF file, counted from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub array: Option<String>,
     /// The point in time to show of a file with several, counted from 0.

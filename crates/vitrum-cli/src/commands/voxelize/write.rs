@@ -64,11 +64,8 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
 /// Writes the voxels, the fields and the statistics.
 pub fn write_outputs(arguments: &Arguments, voxels: &Voxelization) -> Result<(), Failure> {
     let grid = voxels.grid;
-    let lattice = Lattice {
-        dimensions: grid.dimensions,
-        spacing: grid.voxel_size,
-        origin: grid.origin.map(|low| low + 0.5 * grid.voxel_size),
-    };
+    let origin = grid.origin.map(|low| low + 0.5 * grid.voxel_size);
+    let lattice = Lattice::of_cubes(grid.dimensions, grid.voxel_size, origin);
     let write = |file: &Path, samples: Samples<'_>, content: &str| {
         let fields = [("content", content.to_owned()), ("software", format!("vitrum {}", env!("CARGO_PKG_VERSION")))];
         write_nrrd(file, &lattice, samples, &fields).map_err(|error| Failure::output(&error))

@@ -1,0 +1,58 @@
+//! Writing a file beside its path, and renaming it: a path never holds half of one.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use tempfile::NamedTempFile;
+
+use crate::error::{Error, Report};
+
+/// Where encoders write.
+pub(crate) type Sink<'a> = BufWriter<&'a File>;
+
+/// Has `encode` write a file beside `path`, and renames it onto that; where anything fails, `path` stays as it was.
+pub(crate) fn write_whole(
+    report: Report,
+    path: &Path,
+    encode: impl FnOnce(&mut Sink) -> io::Result<()>,
+) -> Result<(), Error> {
+    let beside = create_beside(report, path)?;
+    let failed = |error: io::Error| report.write(error.to_string(), "check the free space on the disk", Some(error));
+    let mut sink = BufWriter::new(beside.as_file());
+    encode(&mut sink)
+        .and_then(|()| sink.flush())
+        // Before the rename, so that a crash behind it cannot leave an empty file at the path.
+        .and_then(|()| beside.as_file().sync_all())
+        .map_err(failed)?;
+    drop(sink);
+    beside.persist(path).map(drop).map_err(|error| failed(error.error))
+}
+
+/// An empty file in the folder of `path`, thus on the same file system: renaming is atomic there.
+pub(crate) fn create_beside(report: Report, path: &Path) -> Result<NamedTempFile, Error> {
+    let folder = match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    let shown = folder.display();
+    if path.is_dir() {
+        return Err(report.write("there is a folder of this name", "choose another name", None));
+    }
+    if !folder.is_dir() {
+        let problem = format!("there is no folder {shown}");
+        return Err(report.write(problem, "create it, or write elsewhere", None));
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".vitrum-").suffix(".part");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // What any new file gets, less the umask; the default is private to its owner.
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder).map_err(|error| {
+        let problem = format!("no file can be created in {shown}: {error}");
+        report.write(problem, "check its permissions, or write elsewhere", Some(error))
+    })
+}

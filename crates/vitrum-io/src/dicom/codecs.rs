@@ -1,0 +1,67 @@
+//! Compressed pictures of gray pixels that the DICOM library does not decode by itself: JPEG-LS and JPEG 2000.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use hayro_jpeg2000::{DecodeSettings, DecoderContext, Image};
+
+/// Rows and columns, as the file's header says.
+pub(super) type Size = [u32; 2];
+
+/// The pixels of a JPEG-LS picture, each in `bytes` bytes, little-endian; else the problem.
+pub(super) fn jpeg_ls(packed: &[u8], [rows, columns]: Size, bytes: usize) -> Result<Vec<u8>, String> {
+    // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
+    let decoded =
+        catch_unwind(|| jpegls::decode(packed, columns, rows)).map_err(|_| "it cannot be decoded".to_owned())?;
+    let (pixels, ..) = decoded.map_err(|error| error.to_string())?;
+    Ok(pixels.into_iter().flat_map(|pixel| u32::from(pixel).to_le_bytes().into_iter().take(bytes)).collect())
+}
+
+/// The same of a JPEG 2000 picture, whose pixels may have signs.
+pub(super) fn jpeg_2000(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
+    let Codestream { precision, signed } = Codestream::check(packed, size)?;
+    // What is damaged is an error, and not made up for.
+    let settings = DecodeSettings { resolve_palette_indices: false, strict: true, target_resolution: None };
+    let decode = || {
+        let image = Image::new(packed, &settings).map_err(|error| error.to_string())?;
+        let mut context = DecoderContext::default();
+        let decoded = image.decode(&mut context).map_err(|error| error.to_string())?;
+        Ok::<_, String>(decoded.components().first().map(|component| component.samples().to_vec()).unwrap_or_default())
+    };
+    let samples = catch_unwind(AssertUnwindSafe(decode)).map_err(|_| "it cannot be decoded".to_owned())??;
+    let most = (1_u64 << precision) - 1;
+    // Samples come moved up so that none is below 0.
+    let zero = if signed { 1_i64 << (precision - 1) } else { 0 };
+    let number = |sample: f32| i64::from(sample.round().clamp(0.0, most as f32) as u32) - zero;
+    Ok(samples.into_iter().flat_map(|sample| number(sample).to_le_bytes().into_iter().take(bytes)).collect())
+}
+
+/// What the first segment of a JPEG 2000 codestream says.
+struct Codestream {
+    /// Bits of a sample.
+    precision: u32,
+    signed: bool,
+}
+
+impl Codestream {
+    /// Checks it before anything is decoded: a picture could be made to need any amount of memory.
+    fn check(packed: &[u8], [rows, columns]: Size) -> Result<Self, String> {
+        const START: &[u8] = &[0xff, 0x4f, 0xff, 0x51];
+        // Some writers put a file of the format there, with boxes before the codestream.
+        let start = packed.windows(START.len()).position(|window| window == START);
+        let header = start.and_then(|start| packed.get(start..start + 43)).ok_or("it has no codestream")?;
+        let word = |at: usize| u32::from_be_bytes([header[at], header[at + 1], header[at + 2], header[at + 3]]);
+        let found = [word(12).saturating_sub(word(20)), word(8).saturating_sub(word(16))];
+        if found != [rows, columns] {
+            return Err(format!("it is {} x {}, and the header says {columns} x {rows}", found[1], found[0]));
+        }
+        let components = u16::from_be_bytes([header[40], header[41]]);
+        if components != 1 {
+            return Err(format!("it has {components} components, not one of gray"));
+        }
+        let precision = u32::from(header[42] & 0x7f) + 1;
+        if precision > 16 {
+            return Err(format!("its samples have {precision} bits, more than 16"));
+        }
+        Ok(Self { precision, signed: header[42] & 0x80 != 0 })
+    }
+}
