@@ -189,7 +189,7 @@ pub fn markdown(case: &Case, backend: &mut CpuBackend, ceilings: Ceilings) -> Re
         ]);
     }
     prepared.free(backend);
-    Ok(table::aligned(HEADER.map(str::to_owned), rows.into_iter()))
+    Ok(table::aligned(HEADER.map(str::to_owned), rows))
 }
 
 #[cfg(test)]

@@ -122,5 +122,5 @@ pub fn measure(threads: usize, frames: usize) -> Result<(String, Plot), Failure>
         series,
         legend: Corner::UpperLeft,
     };
-    Ok((table::aligned(header, rows.into_iter()), plot))
+    Ok((table::aligned(header, rows), plot))
 }
