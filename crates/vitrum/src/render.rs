@@ -141,6 +141,7 @@ pub(crate) fn develop(
             adapter: backend.adapter(),
             width,
             height,
+            voxels: None,
             planes: sweep.planes.count,
             light_texels: sweep.light_grid.size,
             rays_turned: turned as u64,
@@ -191,7 +192,7 @@ fn light_picture(sweep: &Sweep, records: &[f32]) -> Picture {
 }
 
 /// The most memory this process had, where the system tells (Linux).
-fn peak_rss_bytes() -> Option<u64> {
+pub(crate) fn peak_rss_bytes() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
     let kibibytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
