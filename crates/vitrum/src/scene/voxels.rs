@@ -50,7 +50,7 @@ pub struct Voxels {
     /// Surfaces that a ray may be refracted or reflected at, 1 to 64, where `surfaces` is not `two`.
     #[schemars(range(min = 1, max = 64))]
     pub bounces: u32,
-    /// `filtered` or `paper`; exact rays have the mesh's own.
+    /// `filtered` or `paper`. Where `surfaces` is `exact` and the mesh has no normals: between the triangles', or the triangles' own.
     pub normals: Normals,
     /// Degrees, 0 to 90: two surfaces whose normals differ by less are taken for one that was met twice, within two voxels or, with
     /// the paper's normals, anywhere.

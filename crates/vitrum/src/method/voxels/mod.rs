@@ -6,6 +6,7 @@
 mod bodies;
 mod bricks;
 mod fields;
+mod normals;
 mod passes;
 mod tree;
 mod uniforms;

@@ -11,7 +11,7 @@ use crate::render::Error;
 use crate::scene::{Normals, Scene, Surfaces};
 use bytemuck::{bytes_of, cast_slice};
 use vitrum_io::Mesh;
-use vitrum_kernels::abi::record::{path, view};
+use vitrum_kernels::abi::record::{fate, path, view};
 use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, surface};
 use vitrum_kernels::kernel::{Kernel, kernels};
 
@@ -29,7 +29,7 @@ struct Kind {
 impl Kind {
     fn of(scene: &Scene) -> Self {
         let exact = scene.voxels.surfaces == Surfaces::Exact;
-        let paper = !exact && scene.voxels.normals == Normals::Paper;
+        let paper = scene.voxels.normals == Normals::Paper;
         Self { resolution: scene.voxels.resolution, exact, paper }
     }
 }
@@ -98,7 +98,7 @@ impl Uploaded {
     }
 
     fn triangles(&mut self, backend: &mut dyn Backend) -> Result<(), Error> {
-        let tree = tree::build(&self.bodies, self.grid);
+        let tree = tree::build(&self.bodies, self.grid, !self.kind.paper);
         self.kernel = &kernels::voxels_trace_triangles;
         self.upload("nodes of the tree", cast_slice(&tree.nodes), backend)?;
         self.upload("corners of triangles", cast_slice(&tree.corners), backend)
@@ -188,6 +188,7 @@ pub struct Rays {
     /// Rays across and down.
     pub rays: [u32; 2],
     created: Vec<Buffer>,
+    records: Buffer,
     film: Buffer,
 }
 
@@ -207,18 +208,47 @@ impl Rays {
         if listed.is_err() {
             created.iter().for_each(|buffer| backend.free(*buffer));
         }
-        let (passes, rays, film) = listed?;
-        Ok(Self { passes, rays, created, film })
+        let (passes, rays, [records, film]) = listed?;
+        Ok(Self { passes, rays, created, records, film })
     }
 
     /// Runs all passes; `progress` gets how many are done and returns whether to go on.
     pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        backend.run(&self.passes, progress)
+        // Most rays have left after a few dispatches. A backend that cannot see that by itself is asked for the rays from time to time.
+        const TOGETHER: usize = 8;
+        let total = self.passes.passes.len();
+        if total <= 2 * TOGETHER || backend.name() == "cpu" {
+            return backend.run(&self.passes, progress);
+        }
+        let part = |from: usize, to: usize| {
+            let copy = |pass: &Pass| Pass { uniforms: pass.uniforms.clone(), buffers: pass.buffers.clone(), ..*pass };
+            PassList { passes: self.passes.passes[from..to].iter().map(copy).collect(), ..PassList::default() }
+        };
+        let mut done = 0;
+        while done < total - 1 && (done == 0 || self.under_way(backend)?) {
+            let end = (done + TOGETHER).min(total - 1);
+            backend.run(&part(done, end), &mut |more| progress(done + more))?;
+            done = end;
+        }
+        backend.run(&part(total - 1, total), &mut |more| progress(total - 1 + more))
+    }
+
+    /// Whether any ray has not ended.
+    fn under_way(&self, backend: &mut dyn Backend) -> Result<bool, BackendError> {
+        let bytes = backend.read(self.records)?;
+        let count = self.rays[0] as usize * self.rays[1] as usize;
+        let fates = bytes.chunks_exact(4).skip(path::STATUS * count).take(count);
+        Ok(fates.map(|word| f32::from_le_bytes([word[0], word[1], word[2], word[3]])).any(|fate| fate == fate::ACTIVE))
     }
 
     /// The finished pixels: planar records as [`view`] describes.
     pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.film)?))
+    }
+
+    /// The rays as they are now: planar records as [`path`] describes.
+    pub fn records(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.records)?))
     }
 
     /// Frees the frame's buffers.
@@ -235,7 +265,7 @@ fn list(
     uploaded: &Uploaded,
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
-) -> Result<(PassList, [u32; 2], Buffer), Error> {
+) -> Result<(PassList, [u32; 2], [Buffer; 2]), Error> {
     let mesh =
         inputs.mesh.as_ref().ok_or_else(|| Error::Scene("`voxels` shows a mesh, and none is given".to_owned()))?;
     let eye = View::new(scene, &inputs.volume);
@@ -265,5 +295,5 @@ fn list(
     }
     passes.push(pass(&kernels::voxels_resolve, 0, vec![rays, map, film]));
     let name = uploaded.kernel.declaration.name;
-    Ok((PassList { passes, while_busy: vec![name], ends_with: Some(name) }, size, film))
+    Ok((PassList { passes, while_busy: vec![name], ends_with: Some(name) }, size, [rays, film]))
 }

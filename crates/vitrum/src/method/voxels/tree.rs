@@ -1,6 +1,7 @@
 //! A tree of boxes around triangles, in the order in which a ray goes through it without a stack.
 
 use super::bodies::Body;
+use super::normals::of_corners;
 use crate::method::voxelize::Grid;
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
@@ -39,12 +40,12 @@ impl BHShape<f32, 3> for Shape {
     }
 }
 
-/// Builds the tree of all bodies' triangles.
-pub(super) fn build(bodies: &[Body], grid: Grid) -> Tree {
+/// Builds the tree of all bodies' triangles; `smooth` makes normals for a mesh that has none.
+pub(super) fn build(bodies: &[Body], grid: Grid, smooth: bool) -> Tree {
     let mut corners = Vec::new();
     for (number, body) in bodies.iter().enumerate() {
-        for triangle in &body.mesh.triangles {
-            corners.extend(of_triangle(body, triangle, grid, number));
+        for (triangle, normals) in body.mesh.triangles.iter().zip(of_corners(&body.mesh, smooth)) {
+            corners.extend(of_triangle(body, triangle, &normals, grid, number));
         }
     }
     let mut shapes: Vec<Shape> =
@@ -53,17 +54,14 @@ pub(super) fn build(bodies: &[Body], grid: Grid) -> Tree {
     Tree { nodes: threaded(&flat, &shapes), corners }
 }
 
-fn of_triangle(body: &Body, triangle: &[u32; 3], grid: Grid, number: usize) -> [f32; corner::SIZE] {
+fn of_triangle(
+    body: &Body,
+    triangle: &[u32; 3],
+    normals: &[[f32; 3]; 3],
+    grid: Grid,
+    number: usize,
+) -> [f32; corner::SIZE] {
     let positions = triangle.map(|vertex| grid.to_voxels(body.mesh.positions[vertex as usize]).map(|x| x as f32));
-    let plane = {
-        let [a, b, c] = positions.map(|position| glam::Vec3::from_array(position).as_dvec3());
-        (b - a).cross(c - a).normalize_or_zero().as_vec3().to_array()
-    };
-    let own = body.mesh.normals.as_ref();
-    let normals = triangle.map(|vertex| match own.map(|normals| normals[vertex as usize]) {
-        Some(normal) if normal != [0.0; 3] => normal,
-        _ => plane,
-    });
     let mut floats = [0.0; corner::SIZE];
     floats[corner::POSITIONS..][..9].copy_from_slice(positions.as_flattened());
     floats[corner::NORMALS..][..9].copy_from_slice(normals.as_flattened());
