@@ -68,15 +68,17 @@ fn directions_converge_with_the_resolution() -> Result<(), Failure> {
     let exact = errors(&rays(&["voxels.surfaces=exact"], &mut cpu)?, 0.95);
     assert!(exact[exact.len() * 99 / 100] < 0.1, "{}", exact[exact.len() * 99 / 100]);
     let mut before = f64::INFINITY;
-    for (resolution, bound) in [(64, 2.0), (128, 1.0), (256, 0.5)] {
+    // From 64 voxels on what is left is the triangles' own: their normals are off by up to 0.35°.
+    for resolution in [16, 32, 64, 128, 256] {
         let setting = format!("voxels.resolution={resolution}");
         let found = errors(&rays(&[&setting], &mut cpu)?, 0.95);
         let median = found[found.len() / 2];
         println!("{resolution}: median {median:.3}°, 95 % below {:.3}°", found[found.len() * 95 / 100]);
-        assert!(median < bound && median < 0.8 * before, "{resolution}: {median}° behind {before}°");
+        assert!(median < (0.5 * before).max(0.2), "{resolution}: {median}° behind {before}°");
         before = median;
-        // The paper's normals do worse.
+        // The paper's do worse, though each is the mean of exact normals: they are those of a voxel's middle.
         let paper = errors(&rays(&[&setting, "voxels.normals=paper"], &mut cpu)?, 0.95);
+        println!("paper: {:.3}°", paper[paper.len() / 2]);
         assert!(paper[paper.len() / 2] > median, "{resolution}: {}", paper[paper.len() / 2]);
     }
     Ok(())

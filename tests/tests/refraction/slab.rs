@@ -10,9 +10,9 @@ use vitrum_kernels::glam::{DQuat, DVec3};
 const ALONG_Y: [&str; 4] =
     ["camera.projection=orthographic", "camera.azimuth=0", "camera.elevation=0", "environment.kind=color"];
 
-/// The rays near the middle of the picture, an eighth of its edge to each side.
+/// The rays near the middle of the picture, a tenth of its edge to each side: away from the edges, which voxels round off.
 fn middle(traced: &[Traced], edge: usize) -> impl Iterator<Item = &Traced> {
-    let near = move |index: usize| (edge * 3 / 8..edge * 5 / 8).contains(&index);
+    let near = move |index: usize| (edge * 2 / 5..edge * 3 / 5).contains(&index);
     traced.iter().enumerate().filter(move |(at, _)| near(at % edge) && near(at / edge)).map(|(_, ray)| ray)
 }
 
@@ -25,22 +25,21 @@ fn plate(degrees: f64, settings: &[&str], backend: &mut dyn Backend) -> Result<V
 /// A plate of thickness t moves a ray that meets it at θ by t sin θ (1 − cos θ / √(n² − sin² θ)) to the side.
 #[test]
 fn a_plate_moves_rays_to_the_side() -> Result<(), Failure> {
-    // Faces of voxels lie up to an eighth of a voxel off, twice, and a voxel is 2.2 / 192.
-    for (settings, bound) in [(["voxels.surfaces=exact"], 2e-5), (["voxels.resolution=192"], 4e-3)] {
+    // A voxel is 2.2 / 192. Between voxels' centres the field is not quite that of a plane: a thousandth of a radian.
+    for (settings, bound) in [(["voxels.surfaces=exact"], 2e-5), (["voxels.resolution=192"], 2e-3)] {
         on_both(|backend| {
             for degrees in [20.0f64, 40.0, 60.0] {
                 let (sin, cos) = degrees.to_radians().sin_cos();
                 let expected = 0.4 * sin * (1.0 - cos / (1.5f64.powi(2) - sin * sin).sqrt());
                 let rays = plate(degrees, &settings, backend)?;
-                assert!(rays.len() > 100);
+                assert!(rays.len() > 60);
                 for ray in rays {
                     assert_eq!(ray.bounces, 2, "{degrees}°");
                     let aside = ray.left - ray.from;
                     let found = (aside - ray.towards * aside.dot(ray.towards)).length();
                     assert!((found - expected).abs() < bound, "{degrees}°: {found}, expected {expected}");
                     let turned = ray.direction.angle_between(ray.towards);
-                    // Both faces have the normal of the field between whole voxels, which repeats along the face.
-                    assert!(turned < if bound < 1e-3 { 2e-6 } else { 2e-2 }, "{degrees}°: turned by {turned}");
+                    assert!(turned < bound, "{degrees}°: turned by {turned}");
                 }
             }
             Ok(())
@@ -78,23 +77,24 @@ fn faces_reflect_by_fresnel() -> Result<(), Failure> {
     })
 }
 
-/// Rays that enter a box across one face at 40° meet the next one beyond the critical angle, and leave where they can.
+/// A square bar with an edge towards the eye: a ray that meets a face at 45° goes on at 28.1°. If it entered near the bar's other edge it
+/// meets the next face at 61.9°, beyond the critical angle of 41.8°, is reflected to the one that lies across, and leaves at a right
+/// angle to the way it came.
 #[test]
 fn faces_reflect_totally() -> Result<(), Failure> {
-    // A square turned by 45° about z: a ray enters at 45°, and goes on at 28.1°; the adjacent face is met at 61.9°, beyond 41.8°,
-    // and what leaves behind an odd number of such reflections leaves across the way it came.
     let mesh = cuboid(DVec3::new(1.0, 1.0, 1.0), DQuat::from_rotation_z(45f64.to_radians()));
-    for settings in [["voxels.surfaces=exact", "voxels.bounces=16"], ["voxels.resolution=128", "voxels.bounces=16"]] {
+    for (settings, bound) in [("voxels.surfaces=exact", 1e-4), ("voxels.resolution=128", 0.02)] {
         on_both(|backend| {
-            let case = case("square", mesh.clone(), 48, &[&ALONG_Y[..], &settings].concat())?;
+            let case = case("bar", mesh.clone(), 48, &[&ALONG_Y[..], &[settings]].concat())?;
             let traced = trace(&case, backend)?;
-            // Away from the edges, which voxels round off.
-            let reflected: Vec<&Traced> = middle(&traced, 48).filter(|ray| ray.bounces == 3).collect();
-            assert!(reflected.len() > 20, "{} rays", reflected.len());
+            // Behind 2 tan 28.1° of the face the next one is met: 0.66 < |x|.
+            let near = |ray: &&Traced| (0.8..1.2).contains(&ray.from.x.abs()) && ray.from.z.abs() < 0.5;
+            let reflected: Vec<&Traced> = traced.iter().filter(near).collect();
+            assert!(reflected.len() > 50, "{} rays", reflected.len());
             for ray in reflected {
-                // In at 45°, one total reflection, out at 45° again: along −y as it came, or across it.
-                let along = ray.direction.dot(ray.towards).abs();
-                assert!(along > 0.999 || along < 0.045, "{settings:?}: {:?}", ray.direction);
+                let across = DVec3::new(-ray.from.x.signum(), 0.0, 0.0);
+                assert_eq!(ray.bounces, 3, "{settings} at {}", ray.from);
+                assert!(ray.direction.angle_between(across) < bound, "{settings} at {}: {}", ray.from, ray.direction);
             }
             Ok(())
         })?;

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod bricks;
+mod distances;
 mod fields;
 mod normals;
 mod passes;

@@ -1,7 +1,7 @@
 //! What rays run through, on a backend, and the pass list of a frame.
 
 use super::bodies::{Body, bodies, materials};
-use super::{bricks, fields, tree, uniforms};
+use super::{bricks, distances, fields, tree, uniforms};
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::inputs::Inputs;
 use crate::method::sweep::View;
@@ -125,7 +125,8 @@ impl Uploaded {
             let solid = voxelize_in(self.grid, &body.mesh, &settings, backend, progress)?.solid;
             let solid = solid.expect("a solid was asked for");
             self.open_rows += solid.open_rows;
-            all.extend(fields::smooth(&solid.coverage, self.grid.dimensions.map(|voxels| voxels as usize)));
+            let field = distances::distances(body, self.grid, &solid.coverage);
+            all.extend(fields::smooth(&field, self.grid.dimensions.map(|voxels| voxels as usize)));
         }
         let distances = bricks::distances(&all, self.grid.dimensions);
         // Whole words, and one more for the pair of the last voxel.
