@@ -88,8 +88,8 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
 /// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.
 fn usual_up(path: &Path) -> Up {
     let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    let of_y = |extension: &&str| name.contains(extension);
-    if [".obj", ".gltf", ".glb"].iter().any(|extension| of_y(&extension)) { Up::Anterior } else { Up::Superior }
+    // Wherever it stands: files may be packed, `.obj.gz`.
+    if [".obj", ".gltf", ".glb"].iter().any(|extension| name.contains(extension)) { Up::Anterior } else { Up::Superior }
 }
 
 /// Reads the one volume that `source` names; a relative path starts at `base`.

@@ -32,7 +32,7 @@ pub(super) fn distances(fields: &[u16], dimensions: [u32; 3]) -> Vec<u32> {
             if fields.chunks(nx * ny * nz).any(is_crossed) { 0 } else { far }
         })
         .collect();
-    // Along each axis forwards and backwards: the largest of three distances is a distance by steps to any of 26 neighbours.
+    // The largest of three distances is the count of steps to any of 26 neighbours, which two sweeps find.
     spread(&mut distances, [bx, by, bz]);
     distances
 }

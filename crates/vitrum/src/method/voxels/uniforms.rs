@@ -29,7 +29,6 @@ pub(super) fn block(
 ) -> VoxelsUniforms {
     let edge = scene.film.supersampling;
     let eye = (view.eye - DVec3::from_array(grid.origin)) / grid.voxel_size;
-    let of_view = |axis: DVec3, w: f64| vector(axis, w);
     let bounds = mesh.bounds().map(|corner| DVec3::from_array(grid.to_voxels(corner)));
     let [x, y, z] = grid.dimensions;
     let [bx, by, bz] = super::bricks::count(grid.dimensions);
@@ -49,9 +48,9 @@ pub(super) fn block(
             0.0,
             if view.orthographic { 1.0 } else { 0.0 },
         ),
-        right: of_view(view.axes.x_axis, eye.x),
-        up: of_view(view.axes.y_axis, eye.y),
-        away: of_view(view.axes.z_axis, eye.z),
+        right: vector(view.axes.x_axis, eye.x),
+        up: vector(view.axes.y_axis, eye.y),
+        away: vector(view.axes.z_axis, eye.z),
         scale: Vec4::new(grid.voxel_size as f32, f64::from(voxels.threshold).to_radians().cos() as f32, AGAIN, 0.0),
         low: vector(bounds[0] - AROUND, 0.0),
         high: vector(bounds[1] + AROUND, 0.0),
