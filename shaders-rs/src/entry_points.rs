@@ -2,9 +2,10 @@
 
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
-use crate::abi::record::{film, irradiance, light, probe, ray, sheet, sums, trace};
+use crate::abi::record::{film, irradiance, light, path, probe, ray, sheet, sums, trace, view};
 use crate::abi::sweep::SweepUniforms;
 use crate::abi::voxelize::VoxelizeUniforms;
+use crate::abi::voxels::VoxelsUniforms;
 use crate::for_each_kernel;
 use crate::kernel::record;
 use spirv_std::glam::UVec3;

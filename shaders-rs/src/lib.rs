@@ -4,6 +4,7 @@
 //! - [`math`], [`field`] and [`optics`] are the building blocks.
 //! - [`sweep`] holds the kernels of Magnus & Bruckner 2017, one file a kernel.
 //! - [`voxelize`] holds those that turn triangles into voxels.
+//! - [`voxels`] holds those that follow rays through a mesh of clear materials, as voxels or as triangles.
 //! - [`probe`] applies building blocks by themselves, for the conformance suite.
 //! - [`kernel`] is the one place where a kernel is declared; `entry_points` and the CPU dispatch come from it.
 //!
@@ -19,6 +20,7 @@ pub mod optics;
 pub mod probe;
 pub mod sweep;
 pub mod voxelize;
+pub mod voxels;
 
 #[cfg(target_arch = "spirv")]
 pub mod entry_points;

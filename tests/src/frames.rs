@@ -14,6 +14,7 @@ use crate::run::Run;
 /// # Errors
 /// If a backend fails, or evidence cannot be written.
 pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
+    run.method(case.scene.method);
     let (reference, found) = (render(case, cpu)?, render(case, other)?);
     let bound = |shown| bounds::of_backend(other, shown);
     run.hold_all(("T2", &case.name), bound, &raster::of_frame(&reference), &raster::of_frame(&found))

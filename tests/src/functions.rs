@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use vitrum::backend::{Backend, Buffer, Pass, PassList};
+use vitrum::scene::Method;
 use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::record::probe;
 use vitrum_kernels::glam::UVec4;
@@ -53,6 +54,8 @@ const NOT_A_NUMBER: f32 = -1.234_567_9e-30;
 /// # Errors
 /// If a backend fails, or evidence cannot be written.
 pub fn compare(rows: u32, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
+    // Functions are of all methods; the first stands for them.
+    run.method(Method::Sweep);
     let arguments = arguments(rows * WIDTH);
     let expected = results(rows, &arguments, cpu)?;
     let found = results(rows, &arguments, other)?;

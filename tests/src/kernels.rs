@@ -11,13 +11,17 @@ use std::vec;
 
 use vitrum::backend::{Backend, Pass, PassList};
 use vitrum::method::sweep::{Planes, Sweep};
+use vitrum::method::voxels::{Rays, Uploaded};
+use vitrum_io::Mesh;
 use vitrum_kernels::abi::sweep::SweepUniforms;
+use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
 use vitrum_kernels::kernel::Access;
 
 use crate::Failure;
 use crate::bounds;
 use crate::case::Case;
 use crate::raster::Raster;
+use crate::refraction;
 use crate::run::{About, Run};
 
 /// Small cases that together run every kernel in every mode.
@@ -30,7 +34,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
     };
     let euler = ["sweep.integrator=euler", "sweep.intensity=paper", "camera.projection=orthographic"];
-    Ok(vec![
+    let mut cases = Vec::from([
         case("ball", "ball", &[])?,
         case("ball chain", "ball", &["sweep.gradient=chain"])?,
         case("ball euler", "ball", &euler)?,
@@ -49,6 +53,34 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("head u8 sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?,
         case("luneburg chain sheets", "luneburg", &["sweep.light=sheets", "light.softness=0", "sweep.gradient=chain"])?,
         case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.softness=0"])?,
+    ]);
+    cases.extend(meshes(edge, resolution)?);
+    Ok(cases)
+}
+
+/// Small meshes that together run every kernel of rays through them in every mode.
+///
+/// # Errors
+/// None that these meshes cause.
+pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
+    let voxels = format!("voxels.resolution={resolution}");
+    let case = |label: &str, mesh: &Mesh, settings: &[&str]| {
+        let case = refraction::case(label, mesh.clone(), edge, &[settings, &[&voxels]].concat())?;
+        Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
+    };
+    let ball = refraction::ball(24);
+    let turned = DQuat::from_euler(EulerRot::XYZ, 0.4, 0.5, 0.6);
+    let around = refraction::cuboid(DVec3::new(1.2, 1.3, 1.1), turned);
+    let nested = refraction::together(&[around, Mesh { normals: None, ..ball.clone() }]);
+    let checkerboard = "environment.kind=checkerboard";
+    Ok(vec![
+        case("mesh ball", &ball, &[checkerboard])?,
+        case("mesh ball two", &ball, &["voxels.surfaces=two", "camera.projection=orthographic"])?,
+        case("mesh ball paper", &ball, &["voxels.normals=paper", "environment.visible=false"])?,
+        case("mesh ball paper two", &ball, &["voxels.normals=paper", "voxels.surfaces=two"])?,
+        case("mesh ball exact", &ball, &["voxels.surfaces=exact", checkerboard])?,
+        case("mesh nested", &nested, &["material=[{name=\"m1\",ior=1.2},{ior=1.7,attenuation_color=[0.5,0.7,0.9]}]"])?,
+        case("mesh nested exact", &nested, &["voxels.surfaces=exact", "voxels.reflection=false"])?,
     ])
 }
 
@@ -57,6 +89,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
 /// # Errors
 /// If a backend fails, or evidence cannot be written.
 pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
+    run.method(case.scene.method);
     let bound = bounds::of_backend(other, false);
     let holds = |stop: &Stopped| {
         let compared = stop.expected.compare(&stop.found);
@@ -75,7 +108,7 @@ pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run:
     if let Some(breach) = breach {
         let after = breach.checked_sub(1).map(|before| stopped[before].at.pass);
         let until = stopped[breach].at.pass;
-        let between = |passes: &[Pass], planes: &Planes| {
+        let between = |passes: &[Pass], planes: Option<&Planes>| {
             let between = after.map_or(0, |pass| pass + 1)..until;
             between.map(|pass| Stop::new(pass, passes, planes)).collect()
         };
@@ -102,7 +135,10 @@ struct Stopped {
 
 impl Stopped {
     fn item(&self) -> String {
-        format!("{} at plane {}", self.at.kernel, self.at.plane)
+        match self.at.plane {
+            Some(plane) => format!("{} at plane {plane}", self.at.kernel),
+            None => format!("{} as pass {}", self.at.kernel, self.at.pass),
+        }
     }
 }
 
@@ -111,12 +147,12 @@ fn stop_after(
     case: &Case,
     cpu: &mut dyn Backend,
     other: &mut dyn Backend,
-    stops: impl FnOnce(&[Pass], &Planes) -> Vec<Stop>,
+    stops: impl FnOnce(&[Pass], Option<&Planes>) -> Vec<Stop>,
 ) -> Result<Vec<Stopped>, Failure> {
     let mut reference = Stepper::new(case, cpu)?;
     let mut other = Stepper::new(case, other)?;
     let mut stopped = Vec::new();
-    for at in stops(reference.passes.as_slice(), &reference.sweep.planes) {
+    for at in stops(reference.passes.as_slice(), reference.frame.planes()) {
         stopped.push(Stopped { at, expected: reference.advance(at.pass)?, found: other.advance(at.pass)? });
     }
     reference.free();
@@ -128,18 +164,20 @@ fn stop_after(
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Stop {
     pass: usize,
-    plane: u32,
+    /// Rays through a mesh know no planes.
+    plane: Option<u32>,
     kernel: &'static str,
 }
 
 impl Stop {
-    fn new(pass: usize, passes: &[Pass], planes: &Planes) -> Self {
-        Self { pass, plane: plane(&passes[pass], planes), kernel: passes[pass].kernel.declaration.name }
+    fn new(pass: usize, passes: &[Pass], planes: Option<&Planes>) -> Self {
+        let plane = planes.map(|planes| plane(&passes[pass], planes));
+        Self { pass, plane, kernel: passes[pass].kernel.declaration.name }
     }
 }
 
 /// The first, quarter, middle, three-quarter and last pass of each kernel, in order.
-fn stops(passes: &[Pass], planes: &Planes) -> Vec<Stop> {
+fn stops(passes: &[Pass], planes: Option<&Planes>) -> Vec<Stop> {
     let mut by_kernel: BTreeMap<&str, Vec<Stop>> = BTreeMap::new();
     for index in 0..passes.len() {
         let stop = Stop::new(index, passes, planes);
@@ -163,19 +201,62 @@ fn plane(pass: &Pass, planes: &Planes) -> u32 {
     (0..planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or_default()
 }
 
+/// A frame of either method.
+pub enum Frame {
+    /// Of a volume.
+    Sweep(Box<Sweep>),
+    /// Of a mesh.
+    Voxels(Box<Rays>, Box<Uploaded>),
+}
+
+impl Frame {
+    /// A frame that is ready to run, and its passes.
+    ///
+    /// # Errors
+    /// If the backend fails.
+    pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<(Self, Vec<Pass>), Failure> {
+        let Some(mesh) = &case.inputs.mesh else {
+            let mut sweep = Sweep::prepare(&case.scene, &case.inputs, backend)?;
+            let passes = mem::take(&mut sweep.passes.passes);
+            return Ok((Self::Sweep(Box::new(sweep)), passes));
+        };
+        let uploaded = Uploaded::new(&case.scene, mesh, backend, &mut |_, _| true)?;
+        let mut rays = Rays::prepare(&case.scene, &case.inputs, &uploaded, backend)?;
+        let passes = mem::take(&mut rays.passes.passes);
+        Ok((Self::Voxels(Box::new(rays), Box::new(uploaded)), passes))
+    }
+
+    fn planes(&self) -> Option<&Planes> {
+        match self {
+            Self::Sweep(sweep) => Some(&sweep.planes),
+            Self::Voxels(..) => None,
+        }
+    }
+
+    /// Frees what it has on the backend.
+    pub fn free(self, backend: &mut dyn Backend) {
+        match self {
+            Self::Sweep(sweep) => sweep.free(backend),
+            Self::Voxels(rays, uploaded) => {
+                rays.free(backend);
+                uploaded.free(backend);
+            }
+        }
+    }
+}
+
 /// A frame that runs in parts.
 struct Stepper<'a> {
     backend: &'a mut dyn Backend,
-    sweep: Sweep,
+    frame: Frame,
     passes: vec::IntoIter<Pass>,
     done: usize,
 }
 
 impl<'a> Stepper<'a> {
     fn new(case: &Case, backend: &'a mut dyn Backend) -> Result<Self, Failure> {
-        let mut sweep = Sweep::prepare(&case.scene, &case.inputs, backend)?;
-        let passes = mem::take(&mut sweep.passes.passes).into_iter();
-        Ok(Self { backend, sweep, passes, done: 0 })
+        let (frame, passes) = Frame::prepare(case, backend)?;
+        Ok(Self { backend, frame, passes: passes.into_iter(), done: 0 })
     }
 
     /// Runs on until pass `last` is done; what that wrote, each component's plane below the one before.
@@ -201,6 +282,6 @@ impl<'a> Stepper<'a> {
     }
 
     fn free(self) {
-        self.sweep.free(self.backend);
+        self.frame.free(self.backend);
     }
 }

@@ -12,7 +12,8 @@
 //!
 //! Each takes a [`case::Case`], turns what it compares into [`raster`]s and gives them to a [`run::Run`], which holds them
 //! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
-//! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome;
+//! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome, [`refraction`]
+//! rays through meshes;
 //! [`accuracy`] makes tables and plots of both. [`bench`](mod@bench) times frames instead.
 
 pub mod accuracy;
@@ -33,6 +34,7 @@ mod left_out;
 pub mod machine;
 pub mod photons;
 pub mod raster;
+pub mod refraction;
 pub mod report;
 pub mod roofline;
 pub mod run;

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
+use vitrum::scene::Method;
 use vitrum_compare::Bound;
 
 use crate::Failure;
@@ -13,7 +14,16 @@ use crate::report::Pictures;
 use crate::table::{self, Row};
 
 /// The methods that are compared.
-pub const METHODS: [&str; 1] = ["sweep"];
+pub const METHODS: [&str; 2] = ["sweep", "voxels"];
+
+/// A method's name, one of [`METHODS`].
+#[must_use]
+pub fn name_of(method: Method) -> &'static str {
+    match method {
+        Method::Sweep => METHODS[0],
+        Method::Voxels => METHODS[1],
+    }
+}
 
 /// What two rasters are.
 #[derive(Debug, Clone, Copy)]
@@ -31,6 +41,7 @@ pub struct About<'a> {
 pub struct Run {
     folder: PathBuf,
     against: String,
+    method: &'static str,
     rows: Vec<Row>,
     evidence: Vec<PathBuf>,
     keeps_pictures: bool,
@@ -42,12 +53,17 @@ impl Run {
     #[must_use]
     pub fn new(folder: PathBuf) -> Self {
         let (rows, evidence, pictures) = (Vec::new(), Vec::new(), Vec::new());
-        Self { folder, against: String::new(), rows, evidence, keeps_pictures: false, pictures }
+        Self { folder, against: String::new(), method: METHODS[0], rows, evidence, keeps_pictures: false, pictures }
     }
 
     /// Says what all further comparisons are with, such as an adapter; their evidence gets a folder of that name.
     pub fn against(&mut self, what: &str) {
         what.clone_into(&mut self.against);
+    }
+
+    /// Says which method all further comparisons are of.
+    pub fn method(&mut self, method: Method) {
+        self.method = name_of(method);
     }
 
     /// Keeps the pictures of all further comparisons, for a report.
@@ -64,7 +80,7 @@ impl Run {
         let About { tier, scene, item } = about;
         let what = || format!("{tier} {scene} {item}");
         let comparison = reference.compare(other).map_err(|error| Failure::Compare { what: what(), error })?;
-        let (scene, method, item) = (scene.to_owned(), METHODS[0].to_owned(), item.to_owned());
+        let (scene, method, item) = (scene.to_owned(), self.method.to_owned(), item.to_owned());
         let row = Row { tier, scene, method, item, comparison, bound, against: self.against.clone() };
         if !row.verdict().passed() {
             let written = evidence::write(&self.folder, &row, &reference.colors(), &other.colors());

@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 
 use vitrum::backend::CpuBackend;
-use vitrum::method::sweep::Sweep;
+use vitrum_conformance::kernels::Frame;
 use vitrum_conformance::{Failure, kernels};
-use vitrum_kernels::abi::sweep::{SweepUniforms, mode};
+use vitrum_kernels::abi::{sweep::mode, voxels};
+use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::ALL;
 
 #[test]
@@ -13,12 +14,13 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
     let mut backend = CpuBackend::new(Some(1))?;
     let mut seen = BTreeSet::new();
     for case in kernels::cases(16, 16)? {
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, &mut backend)?;
-        for pass in &sweep.passes.passes {
-            let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
-            seen.insert((pass.kernel.declaration.name, uniforms.dispatch.z));
+        let (frame, passes) = Frame::prepare(&case, &mut backend)?;
+        for pass in &passes {
+            // Every uniform block begins with width, height and mode.
+            let dispatch: UVec4 = bytemuck::pod_read_unaligned(&pass.uniforms[..size_of::<UVec4>()]);
+            seen.insert((pass.kernel.declaration.name, dispatch.z));
         }
-        sweep.free(&mut backend);
+        frame.free(&mut backend);
     }
     let names: BTreeSet<&str> = seen.iter().map(|&(name, _)| name).collect();
     // The probe is T0's: `functions` runs it. Voxels are no scene: `tests/voxelize/backends.rs` compares what they come to.
@@ -34,5 +36,7 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
     }
     all.insert(mode::UNSHADED);
     assert_eq!(modes("sweep_propagate_rays"), all);
+    let both = BTreeSet::from([voxels::mode::TWO_SURFACES, voxels::mode::MULTI_SURFACE]);
+    assert_eq!((modes("voxels_march"), modes("voxels_march_paper")), (both.clone(), both));
     Ok(())
 }

@@ -11,6 +11,7 @@ use vitrum_kernels::abi::grid::Grid;
 use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::sweep::SweepUniforms;
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
+use vitrum_kernels::abi::voxels::VoxelsUniforms;
 use vitrum_kernels::kernel::ALL;
 use vitrum_shader_manifest::{Manifest, folder};
 
@@ -65,6 +66,15 @@ fn voxelize_uniforms() -> Vec<Field> {
     fields!(VoxelizeUniforms { dispatch, size, columns })
 }
 
+#[rustfmt::skip]
+fn voxels_uniforms() -> Vec<Field> {
+    fields!(VoxelsUniforms {
+        dispatch, size, bricks, camera, right, up, away, scale, low, high,
+        environment, environment_x, environment_y, environment_z,
+        environment_color, environment_horizon, environment_nadir,
+    })
+}
+
 /// std140 aligns vectors of four, and structs of them, to 16 bytes. With no other fields it leaves no gap: each begins where
 /// the one before ends.
 #[test]
@@ -74,6 +84,7 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
         ("SweepUniforms", size_of::<SweepUniforms>(), align_of::<SweepUniforms>(), sweep_uniforms()),
         ("ProbeUniforms", size_of::<ProbeUniforms>(), align_of::<ProbeUniforms>(), fields!(ProbeUniforms { dispatch })),
         ("VoxelizeUniforms", size_of::<VoxelizeUniforms>(), align_of::<VoxelizeUniforms>(), voxelize_uniforms()),
+        ("VoxelsUniforms", size_of::<VoxelsUniforms>(), align_of::<VoxelsUniforms>(), voxels_uniforms()),
     ] {
         let mut end = 0;
         for field in fields {
@@ -88,7 +99,7 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
 fn modules_read_uniforms_where_the_host_puts_them() {
     let offsets = |fields: &[Field]| fields.iter().map(|field| field.offset as u32).collect::<Vec<_>>();
     let (uniforms, probe, grid) = (sweep_uniforms(), fields!(ProbeUniforms { dispatch }), grid());
-    let voxelize = voxelize_uniforms();
+    let (voxelize, voxels) = (voxelize_uniforms(), voxels_uniforms());
     for kernel in ALL {
         let name = kernel.declaration.name;
         let module = load(name);
@@ -96,6 +107,7 @@ fn modules_read_uniforms_where_the_host_puts_them() {
         let fields = match name.split_once('_') {
             Some(("probe", _)) => &probe,
             Some(("voxelize", _)) => &voxelize,
+            Some(("voxels", _)) => &voxels,
             _ => &uniforms,
         };
         assert_eq!(member_offsets(&module, block), offsets(fields), "{name}: uniforms");

@@ -6,22 +6,22 @@ use crate::volume::VolumeArguments;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
-use vitrum::io::Volume;
-use vitrum::scene::{Problem, Scene, VolumeSource};
+use vitrum::io::{STANDARD_INPUT, Volume, is_mesh};
+use vitrum::scene::{MeshSource, Method, Problem, Scene, VolumeSource};
 use vitrum::suggest::nearest;
 use vitrum::{Inputs, builtin, load_volume, preset};
 
 /// The input and the flags that change its scene.
 #[derive(Debug, Args)]
 pub struct SceneArguments {
-    /// A scene file (.toml), a volume file, a folder of DICOM files, `-` for a volume from standard input, or builtin:NAME
+    /// A scene file (.toml), a volume file, a mesh (.obj, .ply, .stl, .gltf, .glb), a folder of DICOM files, `-` for a volume from standard input, or builtin:NAME
     /// (`vitrum scenes` lists them)
     pub input: String,
 
     #[command(flatten)]
     pub volume: VolumeArguments,
 
-    /// Give the scene the look of a preset (`vitrum presets` lists them); volume files without it take `amber`
+    /// Give the scene the look of a preset (`vitrum presets` lists them); volume files without it take `amber`, meshes what their file says or glass
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
 
@@ -37,10 +37,16 @@ pub struct SceneArguments {
 impl SceneArguments {
     /// Reads the scene and its files, and applies the flags.
     pub fn prepare(&self) -> Result<Prepared, Failure> {
+        let Opened { mut scene, base, bare } = open(&self.input)?;
+        if bare && self.volume.raw.is_some() {
+            scene = without_mesh(scene);
+        }
+        if scene.mesh.is_some() {
+            return self.prepare_mesh(scene, base, bare);
+        }
         // Names first: a slip should not cost the time to read a volume.
         self.preset.as_deref().map_or(Ok(()), preset::check)?;
-        let Opened { mut scene, base, bare_volume } = open(&self.input)?;
-        let preset = self.preset.as_deref().or(bare_volume.then_some(preset::DEFAULT));
+        let preset = self.preset.as_deref().or(bare.then_some(preset::DEFAULT));
         let mut before = scene.clone();
         self.change(&mut before, preset.is_some())?;
         let inputs = Inputs::load_within(&before, &base, self.volume.limit())?;
@@ -51,6 +57,18 @@ impl SceneArguments {
         Ok(Prepared { scene, base, inputs })
     }
 
+    /// What a mesh looks like does not depend on what is in its file.
+    fn prepare_mesh(&self, mut scene: Scene, base: PathBuf, bare: bool) -> Result<Prepared, Failure> {
+        match &self.preset {
+            Some(name) => preset::apply_to_mesh(name, &mut scene)?,
+            None if bare => preset::surround_mesh(&mut scene),
+            None => {}
+        }
+        self.change(&mut scene, false)?;
+        let inputs = Inputs::load_within(&scene, &base, self.volume.limit())?;
+        Ok(Prepared { scene, base, inputs })
+    }
+
     /// Applies `--size`, the volume's flags and `--set`. If a preset is still to come, what is missing now may be filled in by it, such as
     /// the points of a transfer function.
     fn change(&self, scene: &mut Scene, preset_to_come: bool) -> Result<(), Failure> {
@@ -58,7 +76,7 @@ impl SceneArguments {
             scene.film.width = width;
             scene.film.height = height;
         }
-        self.volume.apply(&mut scene.volume);
+        self.volume.apply_to(scene);
         for assignment in &self.set {
             match scene.set(assignment) {
                 Err(error) if preset_to_come && is_missing(&error.problem) => {}
@@ -86,28 +104,46 @@ pub struct Opened {
     pub scene: Scene,
     /// The folder that relative paths in the scene start at.
     pub base: PathBuf,
-    /// Whether there is a volume and nobody has said how it looks.
-    pub bare_volume: bool,
+    /// Whether there is a volume or a mesh and nobody has said how it looks.
+    pub bare: bool,
 }
 
 /// Finds out what `input` is. Volumes are not read yet.
 pub fn open(input: &str) -> Result<Opened, Failure> {
     if let Some(name) = input.strip_prefix("builtin:") {
         let scene = builtin::scene(name).ok_or_else(|| unknown_builtin(name))?;
-        return Ok(Opened { scene, base: PathBuf::new(), bare_volume: false });
+        return Ok(Opened { scene, base: PathBuf::new(), bare: false });
     }
     let path = Path::new(input);
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         let base = path.parent().unwrap_or(Path::new("")).to_owned();
-        return Ok(Opened { scene: read_scene(path)?, base, bare_volume: false });
+        return Ok(Opened { scene: read_scene(path)?, base, bare: false });
+    }
+    // What cannot be looked at, the reader of volumes has the message for.
+    if path != Path::new(STANDARD_INPUT) && is_mesh(path).unwrap_or(false) {
+        let mesh = Some(MeshSource { file: path.to_owned(), up: None });
+        let scene = Scene { method: Method::Voxels, mesh, ..Scene::default() };
+        return Ok(Opened { scene, base: PathBuf::new(), bare: true });
     }
     let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };
-    Ok(Opened { scene: Scene { volume, ..Scene::default() }, base: PathBuf::new(), bare_volume: true })
+    Ok(Opened { scene: Scene { volume, ..Scene::default() }, base: PathBuf::new(), bare: true })
+}
+
+/// The scene of a mesh's file as a volume.
+fn without_mesh(scene: Scene) -> Scene {
+    match scene.mesh {
+        Some(MeshSource { file, .. }) => {
+            Scene { volume: VolumeSource { file: Some(file), ..VolumeSource::default() }, ..Scene::default() }
+        }
+        None => scene,
+    }
 }
 
 /// The volume that is shown, without the rest of the scene's files.
 pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, Failure> {
     let Opened { mut scene, base, .. } = open(input)?;
+    // Reading a mesh as a volume says what is wrong with that.
+    scene = without_mesh(scene);
     arguments.apply(&mut scene.volume);
     scene.validate()?;
     Ok(load_volume(&scene.volume, &base, arguments.limit())?)

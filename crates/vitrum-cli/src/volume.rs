@@ -3,7 +3,7 @@
 use clap::Args;
 use std::str::FromStr;
 use vitrum::io::{RawLayout, Up};
-use vitrum::scene::VolumeSource;
+use vitrum::scene::{Scene, VolumeSource};
 
 /// How the volume is read; each but the last sets the scene's key of the same name.
 #[derive(Debug, Clone, Args)]
@@ -42,6 +42,15 @@ impl VolumeArguments {
         source.array = array.clone().or(source.array.take());
         source.time = time.or(source.time);
         source.up = up.map(|up| up.to_string()).or(source.up.take());
+    }
+
+    /// Sets the keys of a scene: of its mesh what a mesh has, of its volume the rest.
+    pub fn apply_to(&self, scene: &mut Scene) {
+        let mut rest = self.clone();
+        if let Some(mesh) = &mut scene.mesh {
+            mesh.up = rest.up.take().map(|up| up.to_string()).or(mesh.up.take());
+        }
+        rest.apply(&mut scene.volume);
     }
 
     /// The limit in bytes.

@@ -1,4 +1,4 @@
-//! `vitrum info` of meshes.
+//! `vitrum info` and `vitrum render` of meshes.
 
 mod common;
 
@@ -70,5 +70,31 @@ fn meshes_with_mistakes_exit_3() {
         folder.refuse(&["info", file], 3, words);
     }
     folder.write("a.obj", TETRAHEDRON);
-    folder.refuse(&["render", "a.obj", "-o", "out.png"], 3, &["a.obj", "this is a mesh"]);
+    folder.refuse(&["convert", "a.obj", "-o", "out.nrrd"], 3, &["a.obj", "this is a mesh"]);
+    folder.refuse(
+        &["render", "a.obj", "-o", "out.png", "--preset", "jada"],
+        2,
+        &["jada", "help: did you mean `jade`?"],
+    );
+    folder.refuse(&["render", "a.obj", "-o", "out.png", "--spacing", "1,1,1"], 2, &["`volume`", "leave `volume` out"]);
+}
+
+#[test]
+fn a_mesh_is_rendered_and_its_scene_renders_the_same() {
+    let folder = Folder::new();
+    folder.write("a.obj", TETRAHEDRON);
+    folder.write("a.mtl", "newmtl glass\nNi 1.7\n");
+    let common = ["--backend", "cpu", "--size", "48x48", "--set", "voxels.resolution=32"];
+    let with = |first: &[&str]| folder.succeed(&[first, &common].concat());
+    with(&["render", "a.obj", "-o", "a.exr", "--aov", "normal=n.exr", "--aov", "bounces=b.exr", "--stats", "a.json"]);
+    let stats = std::fs::read_to_string(folder.file("a.json")).expect("it was written");
+    let stats: Value = serde_json::from_str(&stats).expect("it is JSON");
+    assert_eq!(stats["method"], "voxels");
+    assert!(stats["voxels"].is_array() && stats["rays_turned"].is_number(), "{stats}");
+    folder.succeed(&[&["scene", "a.obj", "-o", "a.toml"], &common[2..]].concat());
+    folder.succeed(&["render", "a.toml", "-o", "c.exr", "--backend", "cpu"]);
+    folder.succeed(&["diff", "a.exr", "c.exr", "--max-abs", "0"]);
+    // The file says 1.7, a preset says another.
+    with(&["render", "a.obj", "-o", "w.exr", "--preset", "water"]);
+    assert_eq!(folder.vitrum(&["diff", "a.exr", "w.exr", "--max-abs", "1e-3"]).code, Some(1));
 }

@@ -33,6 +33,13 @@ impl Up {
         ("-z", "inferior", Self::Inferior),
     ];
 
+    /// A vector, turned so that this direction points to +z. What faces the front (+y) still does; where that is what goes up or
+    /// down, +z then faces the front.
+    #[must_use]
+    pub fn turn(self, vector: [f32; 3]) -> [f32; 3] {
+        self.rotation().map(|row| row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2])
+    }
+
     /// Where a direction goes: up to +z, and what faces the front (+y) stays there; where that is what goes up or down,
     /// +z faces the front. Rows of a rotation, never of a reflection.
     fn rotation(self) -> [[f32; 3]; 3] {

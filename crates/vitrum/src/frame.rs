@@ -7,7 +7,7 @@ use vitrum_io::{Channel, Layer, Picture};
 /// How a frame was made. What is not known is `None`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Statistics {
-    /// The method, `sweep`.
+    /// The method, `sweep` or `voxels`.
     pub method: String,
     /// `cpu` or `gpu`.
     pub backend: String,
@@ -17,11 +17,14 @@ pub struct Statistics {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
-    /// Planes swept.
+    /// Voxels along x, y and z that a mesh was turned into.
+    pub voxels: Option<[u32; 3]>,
+    /// Planes swept; dispatches, of rays through a mesh.
     pub planes: u32,
     /// Texels of the light grid, across and up.
     pub light_texels: [u32; 2],
-    /// Rays that turned back or grazed and could not be followed.
+    /// Rays that turned back or grazed and could not be followed; through a mesh, that were still inside after as many surfaces as
+    /// they may meet.
     pub rays_turned: u64,
     /// Time of each frame, without uploads, in milliseconds.
     pub frame_ms: Vec<f64>,
@@ -60,11 +63,19 @@ impl Frame {
         ("medium", "transmittance M of the medium, RGB, 0 to 1"),
         (
             "depth",
-            "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque",
+            "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque; of a mesh that of the first surface",
         ),
         ("direction", "final unit direction of the ray in view space (looking along -z)"),
         ("position", "final position of the ray in view space, world units"),
-        ("status", "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed"),
+        (
+            "status",
+            "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed; through a mesh: 1 it left, 2 it was still inside",
+        ),
+        ("normal", "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
+        ("bounces", "of a mesh: surfaces at which the ray was refracted or reflected"),
+        ("path_length", "of a mesh: length of the ray's way inside, world units"),
+        ("transmittance", "of a mesh: what absorption and reflection leave of the light, RGB, 0 to 1"),
+        ("reflectance", "of a mesh: share of the light that the first surface reflects, 0 to 1"),
         ("light", "light on the last plane, in the light grid's own texels, RGB"),
     ];
 

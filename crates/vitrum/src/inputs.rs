@@ -2,15 +2,17 @@
 
 use crate::builtin;
 use crate::render::Error;
-use crate::scene::{EnvironmentKind, Scene, VolumeSource};
+use crate::scene::{EnvironmentKind, MeshSource, Scene, VolumeSource};
 use std::path::Path;
-use vitrum_io::{OpenOptions, Picture, STANDARD_INPUT, Volume};
+use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Up, Volume, Voxels};
 
 /// The volumes and pictures a scene names.
 #[derive(Debug, Clone)]
 pub struct Inputs {
-    /// The volume that is shown.
+    /// The volume that is shown; of a mesh its bounds, as a single voxel.
     pub volume: Volume,
+    /// The mesh that is shown instead.
+    pub mesh: Option<Mesh>,
     /// The volume that gives η, if it is another one.
     pub ior_volume: Option<Volume>,
     /// The environment map.
@@ -35,12 +37,59 @@ impl Inputs {
             }
             _ => None,
         };
+        let mesh = scene.mesh.as_ref().map(|source| load_mesh(source, base, max_bytes)).transpose()?;
+        if let Some(mesh) = mesh {
+            return Ok(Self { environment, ..Self::of_mesh(mesh)? });
+        }
         Ok(Self {
+            mesh: None,
             volume: load_volume(&scene.volume, base, max_bytes)?,
             ior_volume: scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?,
             environment,
         })
     }
+}
+
+impl Inputs {
+    /// A mesh alone.
+    ///
+    /// # Errors
+    /// None that meshes cause which can be read.
+    pub fn of_mesh(mesh: Mesh) -> Result<Self, Error> {
+        let [low, high] = mesh.bounds();
+        let extent: [f32; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
+        let longest = extent.into_iter().fold(f32::MIN_POSITIVE, f32::max);
+        // What is flat has a side all the same.
+        let edges = extent.map(|extent| extent.max(longest * 1e-6));
+        let mut volume = Volume::new(mesh.name.clone(), [1; 3], edges, Voxels::U8(vec![0]))?;
+        volume.origin = std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]));
+        Ok(Self { volume, mesh: Some(mesh), ior_volume: None, environment: None })
+    }
+}
+
+/// Reads the mesh that `source` names, turned upright; a relative path starts at `base`.
+///
+/// # Errors
+///
+/// Those of [`vitrum_io::open_mesh`], and where `source.up` is no direction.
+pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Result<Mesh, Error> {
+    let path = base.join(&source.file);
+    let mut mesh = vitrum_io::open_mesh(&path, &OpenOptions { max_bytes, ..OpenOptions::default() })?;
+    let up = match &source.up {
+        Some(text) => text.parse().map_err(Error::Scene)?,
+        None => usual_up(&path),
+    };
+    let turn = |vector: &mut [f32; 3]| *vector = up.turn(*vector);
+    mesh.positions.iter_mut().for_each(turn);
+    mesh.normals.iter_mut().flatten().for_each(turn);
+    Ok(mesh)
+}
+
+/// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.
+fn usual_up(path: &Path) -> Up {
+    let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    // Wherever it stands: files may be packed, `.obj.gz`.
+    if [".obj", ".gltf", ".glb"].iter().any(|extension| name.contains(extension)) { Up::Anterior } else { Up::Superior }
 }
 
 /// Reads the one volume that `source` names; a relative path starts at `base`.

@@ -8,6 +8,7 @@ mod blend;
 pub mod builtin;
 mod frame;
 mod inputs;
+mod mesh_frame;
 pub mod method;
 pub mod preset;
 mod render;
@@ -16,7 +17,7 @@ mod session;
 pub mod spectrum;
 
 pub use frame::{Frame, Statistics};
-pub use inputs::{Inputs, load_volume};
+pub use inputs::{Inputs, load_mesh, load_volume};
 pub use render::{Error, Progress, Wanted, render, render_wanted};
 pub use session::{Fallback, Session};
 pub use vitrum_io as io;

@@ -114,11 +114,12 @@ pub(crate) fn expose(
     progress: &mut dyn FnMut(u32) -> bool,
 ) -> Result<Exposure, Error> {
     let started = Instant::now();
+    backend.take_kernel_times();
     sweep.run(backend, progress)?;
     let film = sweep.film(backend)?;
     let frame_ms = started.elapsed().as_secs_f64() * 1e3;
     let light = if wanted.light { Some(sweep.irradiance(backend)?) } else { None };
-    Ok(Exposure { film, light, frame_ms, kernels: backend.kernel_times() })
+    Ok(Exposure { film, light, frame_ms, kernels: backend.take_kernel_times() })
 }
 
 /// A frame of what a sweep has made.
@@ -143,6 +144,7 @@ pub(crate) fn develop(
             adapter: backend.adapter(),
             width,
             height,
+            voxels: None,
             planes: sweep.planes.count,
             light_texels: sweep.light_grid.size,
             rays_turned: turned as u64,
@@ -194,7 +196,7 @@ fn light_picture(sweep: &Sweep, records: &[f32]) -> Picture {
 }
 
 /// The most memory this process had, where the system tells (Linux).
-fn peak_rss_bytes() -> Option<u64> {
+pub(crate) fn peak_rss_bytes() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
     let kibibytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;

@@ -4,9 +4,10 @@ use crate::backend::{Backend, BackendError};
 use crate::blend::Blend;
 use crate::frame::Frame;
 use crate::inputs::Inputs;
-use crate::method::sweep::{Sweep, Uploaded};
+use crate::mesh_frame;
+use crate::method::{sweep, voxels};
 use crate::render::{Error, Progress, Wanted, develop, expose};
-use crate::scene::Scene;
+use crate::scene::{Method, Scene};
 use crate::spectrum::exposures;
 use std::time::Instant;
 
@@ -23,6 +24,22 @@ pub struct Session<'a> {
 
 /// Opens another backend after a failure of the first one's device.
 pub type Fallback<'a> = dyn FnMut(&BackendError) -> Result<Box<dyn Backend>, BackendError> + 'a;
+
+/// What stays on the backend from frame to frame.
+enum Uploaded {
+    Volumes(sweep::Uploaded),
+    /// A mesh, once a scene has said what becomes of it.
+    Mesh(Option<voxels::Uploaded>),
+}
+
+impl Uploaded {
+    fn free(self, backend: &mut dyn Backend) {
+        match self {
+            Self::Volumes(volumes) => volumes.free(backend),
+            Self::Mesh(mesh) => mesh.into_iter().for_each(|mesh| mesh.free(backend)),
+        }
+    }
+}
 
 /// A backend, the caller's or the session's own.
 enum Held<'a> {
@@ -75,7 +92,10 @@ impl<'a> Session<'a> {
 
     fn upload(inputs: &'a Inputs, mut backend: Held<'a>) -> Result<Self, Error> {
         let started = Instant::now();
-        let uploaded = Uploaded::new(inputs, backend.get())?;
+        let uploaded = match inputs.mesh {
+            None => Uploaded::Volumes(sweep::Uploaded::new(inputs, backend.get())?),
+            Some(_) => Uploaded::Mesh(None),
+        };
         let upload_ms = started.elapsed().as_secs_f64() * 1e3;
         Ok(Self { inputs, backend, fallback: None, uploaded, upload_ms })
     }
@@ -107,6 +127,18 @@ impl<'a> Session<'a> {
         wanted: Wanted,
         progress: &mut dyn FnMut(Progress) -> bool,
     ) -> Result<Frame, Error> {
+        let volumes = match (&mut self.uploaded, scene.method) {
+            (Uploaded::Volumes(volumes), Method::Sweep) => &*volumes,
+            (Uploaded::Mesh(mesh), Method::Voxels) => {
+                return mesh_frame::render(scene, self.inputs, mesh, self.backend.get(), progress);
+            }
+            (Uploaded::Volumes(_), Method::Voxels) => {
+                return Err(Error::Scene("the method `voxels` shows a mesh, and volumes were read".to_owned()));
+            }
+            (Uploaded::Mesh(_), Method::Sweep) => {
+                return Err(Error::Scene("the method `sweep` shows volumes, and a mesh was read".to_owned()));
+            }
+        };
         let exposures = exposures(scene);
         let mut upload_ms = std::mem::take(&mut self.upload_ms);
         let mut blend = Blend::default();
@@ -115,7 +147,7 @@ impl<'a> Session<'a> {
         let backend = self.backend.get();
         for (index, (band, seen)) in (0..).zip(&exposures) {
             let started = Instant::now();
-            let mut sweep = Sweep::prepare_uploaded(seen, self.inputs, &self.uploaded, backend)?;
+            let mut sweep = sweep::Sweep::prepare_uploaded(seen, self.inputs, volumes, backend)?;
             if !wanted.light {
                 sweep.end_light_with_rays();
             }
@@ -135,6 +167,6 @@ impl<'a> Session<'a> {
 
 impl Drop for Session<'_> {
     fn drop(&mut self) {
-        self.uploaded.free(self.backend.get());
+        std::mem::replace(&mut self.uploaded, Uploaded::Mesh(None)).free(self.backend.get());
     }
 }

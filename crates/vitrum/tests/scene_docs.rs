@@ -23,12 +23,13 @@ fn documented() -> BTreeMap<String, Entry> {
             section = heading.strip_prefix('`').and_then(|heading| heading.strip_suffix('`'));
         }
         let cells: Vec<_> = line.trim_matches('|').split('|').map(str::trim).collect();
-        if let (Some(section), [key, _, range, default, _]) = (section, &cells[..])
+        if let [key, _, range, default, _] = &cells[..]
             && let Some(key) = key.strip_prefix('`').and_then(|key| key.strip_suffix('`'))
         {
             let entry = Entry { range: (*range).to_owned(), default: default.trim_matches('`').to_owned() };
-            let earlier = entries.insert(format!("{section}.{key}"), entry);
-            assert!(earlier.is_none(), "{section}.{key} stands twice");
+            // Keys of the scene itself stand before the first heading.
+            let path = section.map_or(key.to_owned(), |section: &str| format!("{section}.{key}"));
+            assert!(entries.insert(path, entry).is_none(), "{key} stands twice in {section:?}");
         }
     }
     entries

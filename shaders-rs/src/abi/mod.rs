@@ -8,3 +8,4 @@ pub mod sweep;
 pub mod tables;
 pub mod vector;
 pub mod voxelize;
+pub mod voxels;

@@ -115,6 +115,78 @@ pub mod ray {
     pub const NOWHERE: f32 = f32::MIN;
 }
 
+/// A ray through a mesh of clear materials.
+pub mod path {
+    /// Components.
+    pub const SIZE: usize = 22;
+    /// Position in voxels from the grid's low corner; y and z follow.
+    pub const POSITION: usize = 0;
+    /// Unit direction along the grid's axes; y and z follow.
+    pub const DIRECTION: usize = 3;
+    /// What is left of the light by absorption and reflection, red; green and blue follow.
+    pub const TRANSMITTANCE: usize = 6;
+    /// Unit normal at the first surface, outwards; y and z follow. 0 if there was none.
+    pub const NORMAL: usize = 9;
+    /// Unit normal at the last surface, outwards; y and z follow. 0 if there was none.
+    pub const LAST_NORMAL: usize = 12;
+    /// Distance since the last surface, in voxels.
+    pub const SINCE: usize = 15;
+    /// One of [`super::fate`].
+    pub const STATUS: usize = 16;
+    /// What the ray is in: the number of the material, [`super::super::voxels::AIR`] outside. For triangles, where it is in
+    /// any, minus the number that has a bit for each material that it is in.
+    pub const MEDIUM: usize = 17;
+    /// Surfaces at which the ray was refracted or reflected.
+    pub const BOUNCES: usize = 18;
+    /// Distance within materials, in voxels.
+    pub const LENGTH: usize = 19;
+    /// Distance from the eye to the first surface, in voxels.
+    pub const DEPTH: usize = 20;
+    /// Share of the light that the first surface reflects.
+    pub const REFLECTANCE: usize = 21;
+
+    /// For triangles, in the place of what they do not need: the node of the tree that is next.
+    pub const NODE: usize = 12;
+    /// The nearest triangle so far; -1 for none.
+    pub const TRIANGLE: usize = 13;
+    /// Its distance, in voxels.
+    pub const DISTANCE: usize = 14;
+}
+
+/// What became of a ray through clear materials.
+pub mod fate {
+    /// Under way.
+    pub const ACTIVE: f32 = 0.0;
+    /// It left the grid.
+    pub const LEFT: f32 = 1.0;
+    /// It was still within a material after as many surfaces as it may meet.
+    pub const TRAPPED: f32 = 2.0;
+}
+
+/// A finished pixel of a mesh of clear materials.
+pub mod view {
+    /// Components.
+    pub const SIZE: usize = 18;
+    /// Linear radiance, red; green, blue and coverage follow.
+    pub const COLOR: usize = 0;
+    /// Unit normal at the first surface in view space (looking along −z), x; y and z follow. 0 if there was none.
+    pub const NORMAL: usize = 4;
+    /// Surfaces at which the ray was refracted or reflected.
+    pub const BOUNCES: usize = 7;
+    /// Distance within materials, world units.
+    pub const LENGTH: usize = 8;
+    /// Depth of the first surface along the viewing direction, world units; 0 if there was none.
+    pub const DEPTH: usize = 9;
+    /// Final unit direction in view space, x; y and z follow.
+    pub const DIRECTION: usize = 10;
+    /// What is left of the light by absorption and reflection, red; green and blue follow.
+    pub const TRANSMITTANCE: usize = 13;
+    /// Share of the light that the first surface reflects.
+    pub const REFLECTANCE: usize = 16;
+    /// One of [`super::fate`].
+    pub const STATUS: usize = 17;
+}
+
 /// What became of a viewing ray.
 pub mod status {
     /// Under way.

@@ -6,9 +6,10 @@
 use super::host::{Access, Binding, Chunk, Declaration, Element, FOREVER, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
-use crate::abi::record::{attributes, film, irradiance, light, probe, ray, sheet, sums, trace};
+use crate::abi::record::{attributes, film, irradiance, light, path, probe, ray, sheet, sums, trace, view};
 use crate::abi::sweep::SweepUniforms;
 use crate::abi::voxelize::VoxelizeUniforms;
+use crate::abi::voxels::VoxelsUniforms;
 use crate::field::sums::SharedSums;
 use crate::for_each_kernel;
 

@@ -94,6 +94,18 @@ macro_rules! for_each_kernel {
                 voxelize::cross_columns [], plain, modes [0];
             voxelize_fill_rows: VoxelizeUniforms, [1 changes: u32], adds 2 [1],
                 voxelize::fill_rows [], plain, modes [0 1];
+            voxels_initialize_rays: VoxelsUniforms, [], writes 1 [path::SIZE],
+                voxels::initialize_rays [], plain, modes [0];
+            voxels_march: VoxelsUniforms, [1 bricks: u32, 2 fields: u32, 3 materials: f32], updates 4 [path::SIZE],
+                voxels::march [], levels [3] gpu 3, modes [0 1];
+            voxels_march_paper: VoxelsUniforms, [1 mask: u32, 2 ranks: u32, 3 surfaces: f32, 4 materials: f32],
+                updates 5 [path::SIZE],
+                voxels::march_paper [], levels [3] gpu 3, modes [0 1];
+            voxels_trace_triangles: VoxelsUniforms, [1 nodes: f32, 2 corners: f32, 3 materials: f32],
+                updates 4 [path::SIZE],
+                voxels::trace_triangles [], levels [3] gpu 3, modes [1];
+            voxels_resolve: VoxelsUniforms, [1 rays: f32, 2 map: f32], writes 3 [view::SIZE],
+                voxels::resolve [], plain, modes [0];
             probe_apply_function: ProbeUniforms, [1 arguments: f32], writes 2 [probe::SIZE],
                 probe::apply_function [], plain, modes [0];
         }

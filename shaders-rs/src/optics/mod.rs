@@ -2,6 +2,7 @@
 
 pub mod clip;
 pub mod composite;
+pub mod environment;
 pub mod medium;
 pub mod receiver;
 pub mod specular;

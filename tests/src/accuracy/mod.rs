@@ -1,4 +1,4 @@
-//! How far the sweep is from physics, as tables and plots for `docs/accuracy.md`.
+//! How far the methods are from physics, as tables and plots for `docs/accuracy.md`.
 //!
 //! `cargo xtask accuracy` measures anew and writes both; nothing in them is typed by hand.
 
@@ -6,6 +6,7 @@ mod convergence;
 mod page;
 mod photons;
 mod plot;
+mod refraction;
 
 pub use page::{replace, rewrite, write};
 pub use plot::{Axis, Corner, Plot, Scale, Series};
@@ -27,11 +28,12 @@ pub struct Section {
 pub type Measure = fn(&mut dyn Backend) -> Result<Section, Failure>;
 
 /// Everything that is measured, by name.
-pub const ALL: [(&str, Measure); 6] = [
+pub const ALL: [(&str, Measure); 7] = [
     ("step", convergence::step),
     ("luneburg", convergence::luneburg),
     ("ball", convergence::ball),
     ("areas", convergence::areas),
     ("slab", convergence::slab),
     ("photons", photons::photons),
+    ("refraction", refraction::refraction),
 ];

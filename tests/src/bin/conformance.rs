@@ -9,9 +9,10 @@ use clap::{Parser, ValueEnum};
 use serde_json::json;
 use vitrum::backend::{Backend, CpuBackend, GpuBackend};
 use vitrum::builtin;
+use vitrum::scene::Method;
 use vitrum_conformance::bounds::{self, Family};
 use vitrum_conformance::case::Case;
-use vitrum_conformance::run::{METHODS, Run};
+use vitrum_conformance::run::{METHODS, Run, name_of};
 use vitrum_conformance::{Failure, adapter, evidence, failure, frames, functions, golden, kernels, report, table};
 
 /// Compare the backends with each other and with the golden pictures; print a table.
@@ -81,6 +82,8 @@ struct Selection {
     functions: bool,
     kernels: Vec<Case>,
     frames: Vec<&'static str>,
+    /// Frames of meshes.
+    meshes: Vec<Case>,
     golden: Vec<&'static str>,
 }
 
@@ -97,7 +100,8 @@ impl Arguments {
         let mut frames = of_tier(Tier::T2, builtin::names().iter().map(|&(name, _)| name).collect());
         let mut golden = of_tier(Tier::T3, golden::scenes());
         let functions = of_tier(Tier::T0, vec!["functions"]);
-        let names = kernels.iter().map(|case| case.name.as_str());
+        let mut meshes = if self.has(Tier::T2) { kernels::meshes(FRAMES.0, FRAMES.1)? } else { Vec::new() };
+        let names = kernels.iter().chain(&meshes).map(|case| case.name.as_str());
         let mut names: Vec<&str> = names.chain([&functions, &frames, &golden].into_iter().flatten().copied()).collect();
         names.sort_unstable();
         names.dedup();
@@ -109,10 +113,13 @@ impl Arguments {
             )));
         }
         let wants = |scene: &str| self.scene.is_empty() || self.scene.iter().any(|wanted| scene.contains(wanted));
-        kernels.retain(|case| wants(&case.name));
-        frames.retain(|name| wants(name));
-        golden.retain(|name| wants(name));
-        Ok(Selection { functions: functions.into_iter().any(wants), kernels, frames, golden })
+        let of_method =
+            |method: Method| self.method.is_empty() || self.method.iter().any(|wanted| wanted == name_of(method));
+        kernels.retain(|case| wants(&case.name) && of_method(case.scene.method));
+        meshes.retain(|case| wants(&case.name) && of_method(case.scene.method));
+        frames.retain(|name| wants(name) && of_method(Method::Sweep));
+        golden.retain(|name| wants(name) && of_method(Method::Sweep));
+        Ok(Selection { functions: functions.into_iter().any(wants), kernels, frames, meshes, golden })
     }
 
     /// The adapters, each once: the best if none is named.
@@ -132,7 +139,7 @@ impl Arguments {
 
 impl Selection {
     fn needs_adapter(&self) -> bool {
-        self.functions || !self.kernels.is_empty() || !self.frames.is_empty()
+        self.functions || !self.kernels.is_empty() || !self.frames.is_empty() || !self.meshes.is_empty()
     }
 }
 
@@ -191,6 +198,10 @@ fn compare_backends(
     for case in &selection.kernels {
         eprintln!("T1 {}", case.name);
         kernels::compare(case, cpu, gpu, run)?;
+    }
+    for case in &selection.meshes {
+        eprintln!("T2 {}", case.name);
+        frames::compare(case, cpu, gpu, run)?;
     }
     for name in &selection.frames {
         eprintln!("T2 {name}");

@@ -77,7 +77,7 @@ pub fn refracting(volume: &Volume, pixels: u32) -> Scene {
 /// # Panics
 /// If the scene does not render.
 pub fn render(scene: &Scene, volume: &Volume, backend: &mut dyn Backend) -> Frame {
-    let inputs = Inputs { volume: volume.clone(), ior_volume: None, environment: None };
+    let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
     vitrum::render(scene, &inputs, backend, &mut |_| true).expect("the scene renders")
 }
 

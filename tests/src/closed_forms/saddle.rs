@@ -31,7 +31,7 @@ pub fn flux(strength: f64, intensity: Intensity, backend: &mut dyn Backend) -> R
     scene.sweep.intensity = intensity;
     scene.sweep.sample_distance = SAMPLE_DISTANCE;
     scene.wall = Some(Wall { distance: Some(1.0), azimuth: 0.0, color: [1.0; 3] });
-    let inputs = Inputs { volume, ior_volume: None, environment: None };
+    let inputs = Inputs { volume, mesh: None, ior_volume: None, environment: None };
     let sweep = Sweep::prepare(&scene, &inputs, backend)?;
     sweep.run(backend, &mut |_| true)?;
     let light = sweep.irradiance(backend)?;

@@ -15,7 +15,7 @@ fn every_plane_gets_the_same_flux() {
         let mut scene = refracting(&volume, 128);
         scene.light.azimuth = azimuth;
         scene.light.margin = 0.3;
-        let inputs = Inputs { volume: volume.clone(), ior_volume: None, environment: None };
+        let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
         for mut backend in backends() {
             let mut sweep = Sweep::prepare(&scene, &inputs, backend.as_mut()).expect("the scene is sound");
             let (mut flux, mut at_plane) = (Vec::new(), Vec::new());
@@ -79,7 +79,7 @@ fn sheets_carry_all_light_through_a_focus() {
         // None of it leaves the grid, nor reaches it from outside.
         scene.light.margin = 1.0;
         scene.wall = Some(Wall { distance: Some(2.5), ..Wall::default() });
-        let inputs = Inputs { volume: volume.clone(), ior_volume: None, environment: None };
+        let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
         for mut backend in backends() {
             let mut sweep = Sweep::prepare(&scene, &inputs, backend.as_mut()).expect("the scene is sound");
             let (mut brightest, mut first, mut worst) = (0.0f32, None, 0.0f64);

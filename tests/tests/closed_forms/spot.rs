@@ -56,7 +56,7 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
     scene.light.resolution = 1.0;
     // So that planes reach it.
     scene.wall = Some(Wall { distance: Some(3.1), ..Wall::default() });
-    let inputs = Inputs { volume: volume.clone(), ior_volume: None, environment: None };
+    let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
     let view = View::new(&scene, &volume);
     let mut sweep = Sweep::prepare(&scene, &inputs, backend).expect("the scene is sound");
     let (planes, grid) = (sweep.planes, sweep.light_grid);

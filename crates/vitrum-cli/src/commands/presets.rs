@@ -7,7 +7,7 @@ use serde_json::json;
 use std::process::ExitCode;
 use vitrum::preset;
 
-/// List the presets: looks that fit themselves to any volume
+/// List the presets: looks that fit themselves to any volume, and materials of meshes
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// Print JSON
@@ -16,7 +16,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    print_names(preset::names(), arguments.json)
+    print_names(&[preset::names(), preset::mesh_names()].concat(), arguments.json)
 }
 
 /// Prints names and descriptions, as a table or as JSON.

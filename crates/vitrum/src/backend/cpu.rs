@@ -248,7 +248,6 @@ impl Backend for CpuBackend {
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        self.times.clear();
         let mut idle = false;
         let mut resting = HashMap::new();
         let (mut done, mut reported) = (0, None);
@@ -283,8 +282,8 @@ impl Backend for CpuBackend {
         self.buffers[buffer.0] = None;
     }
 
-    fn kernel_times(&self) -> Vec<KernelTime> {
-        self.times.clone()
+    fn take_kernel_times(&mut self) -> Vec<KernelTime> {
+        std::mem::take(&mut self.times)
     }
 
     fn device_bytes(&self) -> Option<u64> {

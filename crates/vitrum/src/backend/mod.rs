@@ -56,9 +56,9 @@ pub trait Backend {
     /// Frees a buffer.
     fn free(&mut self, buffer: Buffer);
 
-    /// What each kernel took in the last run, in order of their first passes; empty where that is not known. Passes that wait for
-    /// nothing but each other may run at once: then their time is shared out by the work they did.
-    fn kernel_times(&self) -> Vec<KernelTime> {
+    /// What each kernel took in the runs since the last call, in order of their first passes; empty where that is not known. Passes
+    /// that wait for nothing but each other may run at once: then their time is shared out by the work they did.
+    fn take_kernel_times(&mut self) -> Vec<KernelTime> {
         Vec::new()
     }
 

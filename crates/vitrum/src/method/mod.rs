@@ -2,3 +2,4 @@
 
 pub mod sweep;
 pub mod voxelize;
+pub mod voxels;

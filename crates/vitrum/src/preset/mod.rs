@@ -1,5 +1,7 @@
 //! Presets: ready-made looks that fit themselves to any volume.
 //!
+//! Those of meshes say what the bodies are made of and what is around them (`mesh`).
+//!
 //! A preset sets what a volume looks like — `transfer`, `light`, `shading`, `environment`, `ground` and `wall` — and
 //! leaves alone what is shown and from where: `volume`, `camera`, `clip`, `sweep` and `film`. It reads the volume's own
 //! values (`subject`), so that an 8-bit CT, a signed CT and a simulation between 0 and 1 each get thresholds of
@@ -10,10 +12,13 @@ mod bone;
 mod glass;
 mod haze;
 mod histogram;
+mod mesh;
 mod plain;
 mod shape;
 mod subject;
 mod xray;
+
+pub use mesh::{apply_to_mesh, mesh_names, surround_mesh};
 
 use crate::scene::Scene;
 use crate::suggest::nearest;
@@ -55,6 +60,8 @@ pub enum PresetError {
         name: String,
         /// The name that was most likely meant.
         nearest: Option<&'static str>,
+        /// All that there are.
+        known: Vec<&'static str>,
     },
 }
 
@@ -64,9 +71,7 @@ impl PresetError {
     pub fn help(&self) -> String {
         match self {
             Self::Unknown { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
-            Self::Unknown { nearest: None, .. } => {
-                format!("the presets are: {}", NAMES.map(|(name, _)| name).join(", "))
-            }
+            Self::Unknown { nearest: None, known, .. } => format!("the presets are: {}", known.join(", ")),
         }
     }
 }
@@ -100,5 +105,6 @@ fn find(name: &str) -> Result<&'static Preset, PresetError> {
     PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| PresetError::Unknown {
         name: name.to_owned(),
         nearest: nearest(name, NAMES.iter().map(|&(name, _)| name)),
+        known: NAMES.iter().map(|&(name, _)| name).collect(),
     })
 }

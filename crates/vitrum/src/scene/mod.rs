@@ -15,6 +15,8 @@ mod key_frames;
 mod light;
 mod lines;
 mod load;
+mod material;
+mod mesh;
 mod receiver;
 mod schema;
 mod set;
@@ -23,6 +25,7 @@ mod sweep;
 mod transfer;
 mod validate;
 mod volume;
+mod voxels;
 mod write;
 
 pub use camera::{Camera, Projection};
@@ -33,11 +36,14 @@ pub use error::{Origin, Problem, SceneError};
 pub use film::Film;
 pub use key_frames::KeyFrames;
 pub use light::{Attachment, Light};
+pub use material::Material;
+pub use mesh::MeshSource;
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
 pub use volume::VolumeSource;
+pub use voxels::{Method, Normals, Surfaces, Voxels};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -52,8 +58,13 @@ pub type Vector = [f32; 3];
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
+    /// `sweep` for a volume, `voxels` for a mesh.
+    pub method: Method,
     /// The volume that is shown.
     pub volume: VolumeSource,
+    /// The mesh that is shown, instead of a volume.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshSource>,
     /// A second volume whose scalar gives the index of refraction instead (sweep, Figs. 11e and 12e).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior_volume: Option<VolumeSource>,
@@ -63,6 +74,12 @@ pub struct Scene {
     pub light: Light,
     /// Colour, opacity, index of refraction and medium colour over the scalar.
     pub transfer: TransferFunction,
+    /// What the mesh's bodies are made of; what is not said here is the mesh's own, or glass.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 64))]
+    pub material: Vec<Material>,
+    /// How rays go through a mesh.
+    pub voxels: Voxels,
     /// How light and viewing rays travel from plane to plane.
     pub sweep: Sweep,
     /// Specular reflection and ambient light.

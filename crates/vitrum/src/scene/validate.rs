@@ -4,8 +4,8 @@ use super::check::check_table;
 use super::error::{Fault, Origin, SceneError};
 use super::schema::Shape;
 use super::{
-    Camera, Environment, EnvironmentKind, Film, Intensity, Scene, Sweep, TransferFunction, Transport, Vector,
-    VolumeSource,
+    Camera, Environment, EnvironmentKind, Film, Intensity, MeshSource, Method, Scene, Sweep, TransferFunction,
+    Transport, Vector, VolumeSource,
 };
 use vitrum_io::{RawLayout, Up};
 
@@ -17,7 +17,7 @@ impl Scene {
     /// # Errors
     ///
     /// Where a value is out of its documented range or not finite; where a volume has not exactly one of `file` and
-    /// `builtin`; where a direction has no length, the eye stands on its target, the points of a transfer function are
+    /// `builtin`; where the method and what is shown do not belong together; where a direction has no length, the eye stands on its target, the points of a transfer function are
     /// not sorted, an environment map has no file, or the film is beyond 2^28 rays.
     pub fn validate(&self) -> Result<(), SceneError> {
         let check = || {
@@ -29,7 +29,7 @@ impl Scene {
 
     /// The part of [`Scene::validate`] that looks at several keys at once.
     pub(super) fn check_consistency(&self) -> Result<(), Fault> {
-        check_source("volume", &self.volume)?;
+        check_shown(self)?;
         self.ior_volume.as_ref().map_or(Ok(()), |source| check_source("ior_volume", source))?;
         check_camera(&self.camera)?;
         self.light.direction.map_or(Ok(()), |direction| check_direction("light.direction", direction))?;
@@ -40,6 +40,44 @@ impl Scene {
         check_sweep(&self.sweep)?;
         check_environment(&self.environment)?;
         check_film(&self.film)
+    }
+}
+
+/// A sweep shows a volume, voxels a mesh.
+fn check_shown(scene: &Scene) -> Result<(), Fault> {
+    match (scene.method, &scene.mesh) {
+        (Method::Sweep, None) => check_source("volume", &scene.volume),
+        (Method::Sweep, Some(_)) => Err(Fault::contradiction(
+            "mesh",
+            "a plane sweep shows a volume, and a mesh is given",
+            "set `method = \"voxels\"`, or leave `mesh` out",
+        )),
+        (Method::Voxels, None) => Err(Fault::contradiction(
+            "method",
+            "`voxels` shows a mesh, and none is given",
+            "name one in `mesh.file`, or take the method `sweep`",
+        )),
+        (Method::Voxels, Some(mesh)) => check_mesh(scene, mesh),
+    }
+}
+
+fn check_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
+    let up = mesh.up.as_deref().map_or(Ok(()), |text| text.parse::<Up>().map(drop));
+    up.map_err(|problem| unreadable("mesh.up", &problem))?;
+    let given = [
+        ("volume", scene.volume != VolumeSource::default()),
+        ("ior_volume", scene.ior_volume.is_some()),
+        ("ground", scene.ground.is_some()),
+        ("wall", scene.wall.is_some()),
+        ("clip", !scene.clip.is_empty()),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((name, _)) => Err(Fault::contradiction(
+            name,
+            "rays through a mesh know nothing of it, and `mesh` is given",
+            format!("leave `{name}` out, or take the method `sweep` and a volume"),
+        )),
     }
 }
 

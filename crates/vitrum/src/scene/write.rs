@@ -16,9 +16,9 @@ impl Scene {
     pub fn to_toml(&self) -> Result<String, SceneError> {
         let table = self.to_table().map_err(|fault| fault.from(Origin::Memory))?;
         let mut text = String::new();
-        let (lists, sections): (Vec<_>, Vec<_>) = table.iter().partition(|(_, value)| value.is_array());
-        // Lists come first: what follows a section's head would belong to the section.
-        for (key, value) in lists {
+        let (values, sections): (Vec<_>, Vec<_>) = table.iter().partition(|(_, value)| !value.is_table());
+        // Lists and plain values come first: what follows a section's head would belong to the section.
+        for (key, value) in values {
             push_line(&mut text, key, value);
         }
         for (key, section) in sections {

@@ -8,9 +8,8 @@ use crate::{input, output};
 use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
-use std::path::Path;
 use std::process::ExitCode;
-use vitrum::io::{OpenOptions, STANDARD_INPUT, Volume, Voxels, is_mesh, open_mesh};
+use vitrum::io::{OpenOptions, Volume, Voxels, open_mesh};
 
 /// Show what a volume or a mesh is: format, size, spacing, range, histogram; triangles, bounds, area, closed or not
 #[derive(Debug, Args)]
@@ -32,14 +31,9 @@ const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = input::open(&arguments.input)?;
-    let bare =
-        opened.scene.volume.file.as_deref().filter(|path| opened.bare_volume && *path != Path::new(STANDARD_INPUT));
-    if let Some(path) = bare
-        && arguments.volume.raw.is_none()
-        && is_mesh(path)?
-    {
+    if let Some(source) = opened.scene.mesh.filter(|_| opened.bare && arguments.volume.raw.is_none()) {
         let options = OpenOptions { max_bytes: arguments.volume.limit(), ..OpenOptions::default() };
-        let mesh = open_mesh(path, &options)?;
+        let mesh = open_mesh(&source.file, &options)?;
         if arguments.json {
             output::print_json(&mesh::json(&mesh))?;
         } else {

@@ -184,7 +184,6 @@ impl Backend for GpuBackend {
         let mut groups: HashMap<(&str, &[Buffer]), wgpu::BindGroup> = HashMap::new();
         let mut under_way = None;
         let mut watches = Vec::new();
-        self.times.clear();
         for (batch, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
             let first = batch * PASSES_PER_SUBMISSION;
             if !progress(first) {
@@ -262,8 +261,8 @@ impl Backend for GpuBackend {
         self.buffers[buffer.0] = None;
     }
 
-    fn kernel_times(&self) -> Vec<KernelTime> {
-        self.times.clone()
+    fn take_kernel_times(&mut self) -> Vec<KernelTime> {
+        std::mem::take(&mut self.times)
     }
 
     fn device_bytes(&self) -> Option<u64> {

@@ -8,16 +8,18 @@ use vitrum_kernels::abi::environment::{MAX_LEVELS, kind};
 use vitrum_kernels::abi::vector::Vec4;
 
 /// An environment as kernels read it.
-pub(super) struct Prepared {
+pub(in crate::method) struct Prepared {
     /// Pattern, width, height, levels.
-    pub(super) shape: UVec4,
+    pub(in crate::method) shape: UVec4,
+    /// The environment's axes in the world: its side, its middle, up.
+    pub(in crate::method) axes: [DVec3; 3],
     /// Rows of the rotation from the sweep frame to the environment's frame.
-    pub(super) rows: [Vec4; 3],
-    pub(super) color: Vec4,
-    pub(super) horizon: Vec4,
-    pub(super) nadir: Vec4,
+    pub(in crate::method) rows: [Vec4; 3],
+    pub(in crate::method) color: Vec4,
+    pub(in crate::method) horizon: Vec4,
+    pub(in crate::method) nadir: Vec4,
     /// RGB floats of all levels; one black texel if there is no map.
-    pub(super) map: Vec<f32>,
+    pub(in crate::method) map: Vec<f32>,
 }
 
 fn scaled(color: Rgb, factor: f32, w: f32) -> Vec4 {
@@ -25,7 +27,7 @@ fn scaled(color: Rgb, factor: f32, w: f32) -> Vec4 {
 }
 
 impl Prepared {
-    pub(super) fn new(environment: &Environment, picture: Option<&Picture>, view: &View) -> Self {
+    pub(in crate::method) fn new(environment: &Environment, picture: Option<&Picture>, view: &View) -> Self {
         let pattern = match environment.kind {
             EnvironmentKind::Color => kind::COLOR,
             EnvironmentKind::Gradient => kind::GRADIENT,
@@ -42,6 +44,7 @@ impl Prepared {
         let factor = environment.intensity;
         Self {
             shape: UVec4::new(pattern, width, height, levels),
+            axes: [side, facing, view.up],
             rows: [row(side), row(facing), row(view.up)],
             color: scaled(environment.color, factor, environment.square.to_radians()),
             horizon: scaled(environment.horizon, factor, factor),

@@ -4,7 +4,7 @@
 //! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
 mod carrier;
-mod environment;
+pub(in crate::method) mod environment;
 mod light;
 mod occupancy;
 mod passes;

@@ -58,7 +58,7 @@ impl Grid {
     }
 
     /// A position in voxels from the grid's low corner.
-    pub(super) fn to_voxels(self, position: [f32; 3]) -> [f64; 3] {
+    pub(in crate::method) fn to_voxels(self, position: [f32; 3]) -> [f64; 3] {
         std::array::from_fn(|axis| (f64::from(position[axis]) - self.origin[axis]) / self.voxel_size)
     }
 

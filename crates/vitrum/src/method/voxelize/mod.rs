@@ -127,11 +127,22 @@ pub fn voxelize(
     backend: &mut dyn Backend,
     progress: &mut dyn FnMut(u64, u64) -> bool,
 ) -> Result<Voxelization, Error> {
+    let grid = Grid::around(mesh, settings)?;
+    voxelize_in(grid, mesh, settings, backend, progress)
+}
+
+/// As [`voxelize`], in a grid that is given; the mesh must lie within it.
+pub(crate) fn voxelize_in(
+    grid: Grid,
+    mesh: &Mesh,
+    settings: &Settings,
+    backend: &mut dyn Backend,
+    progress: &mut dyn FnMut(u64, u64) -> bool,
+) -> Result<Voxelization, Error> {
     let started = Instant::now();
     if !(0.0..=1.0).contains(&settings.overlap) {
         return Err(Error::Scene(format!("an overlap of {}, expected 0 to 1; choose another", settings.overlap)));
     }
-    let grid = Grid::around(mesh, settings)?;
     let mut stage = Stage { done: 0, total: 0, progress };
     let mut held = Held::new(backend);
     let (mut surface, mut attributes, mut solid) = (None, None, None);

@@ -31,6 +31,11 @@ impl Mask {
         self.words[line * self.row + (x / 32) as usize] >> (x % 32) & 1 == 1
     }
 
+    /// The bits, 32 along x in a word; each row begins with a new word.
+    pub(crate) fn words(&self) -> &[u32] {
+        &self.words
+    }
+
     /// How many voxels are set.
     #[must_use]
     pub fn count(&self) -> u64 {
@@ -48,7 +53,7 @@ impl Mask {
     }
 
     /// How many voxels are set before each word; how many in all.
-    fn ranks(&self) -> (Vec<u32>, u64) {
+    pub(crate) fn ranks(&self) -> (Vec<u32>, u64) {
         let mut sum = 0;
         let ranks = self.words.iter().map(|word| {
             let before = sum;

@@ -10,7 +10,17 @@ use super::{Course, KeyFrames, Track};
 use toml::{Table, Value};
 
 /// What the whole film shares, since it is read once or gives the pictures their size.
-const FIXED: [&str; 6] = ["volume", "ior_volume", "environment.kind", "environment.file", "film.width", "film.height"];
+const FIXED: [&str; 9] = [
+    "method",
+    "volume",
+    "mesh",
+    "voxels",
+    "ior_volume",
+    "environment.kind",
+    "environment.file",
+    "film.width",
+    "film.height",
+];
 
 /// Most frames of a film.
 const MOST_FRAMES: f64 = 100_000.0;

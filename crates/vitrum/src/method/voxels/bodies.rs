@@ -1,0 +1,80 @@
+//! The mesh, apart by material.
+
+use crate::render::Error;
+use crate::scene::{Material, Scene};
+use vitrum_io::Mesh;
+use vitrum_kernels::abi::voxels::{AIR, material};
+
+/// The triangles of one material.
+#[derive(Debug, Clone)]
+pub struct Body {
+    /// Its number in the mesh; `None` if the mesh has no materials.
+    pub material: Option<u32>,
+    /// They alone, facing outwards as a whole.
+    pub mesh: Mesh,
+}
+
+/// The bodies of a mesh, those of the least volume first: where two overlap, it is the smaller one that is there.
+///
+/// # Errors
+/// Where there are more materials than rays can tell apart.
+pub fn bodies(mesh: &Mesh) -> Result<Vec<Body>, Error> {
+    let mut numbers: Vec<Option<u32>> = mesh.triangle_materials.iter().copied().map(Some).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    if numbers.is_empty() {
+        numbers.push(None);
+    }
+    if numbers.len() > AIR as usize {
+        let count = numbers.len();
+        return Err(Error::Scene(format!("{}: {count} materials, at most {AIR} are possible; merge some", mesh.name)));
+    }
+    let mut bodies: Vec<Body> = numbers.into_iter().map(|material| body(mesh, material)).collect();
+    bodies.sort_by(|a, b| a.mesh.signed_volume().total_cmp(&b.mesh.signed_volume()));
+    Ok(bodies)
+}
+
+fn body(mesh: &Mesh, material: Option<u32>) -> Body {
+    let is_part = |index: &usize| material.is_none_or(|number| mesh.triangle_materials[*index] == number);
+    let triangles = (0..mesh.triangles.len()).filter(is_part).map(|index| mesh.triangles[index]).collect();
+    let mut part = Mesh { triangles, triangle_materials: Vec::new(), materials: Vec::new(), ..mesh.clone() };
+    if part.signed_volume() < 0.0 {
+        part.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        part.normals.iter_mut().flatten().for_each(|normal| *normal = normal.map(|component| -component));
+    }
+    Body { material, mesh: part }
+}
+
+/// The materials of bodies as kernels read them; absorption is per `voxel` of the length `voxel_size`.
+pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
+    let [low, high] = mesh.bounds();
+    let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(f32::MIN_POSITIVE, f32::max);
+    let mut floats = Vec::with_capacity(bodies.len() * material::SIZE);
+    for body in bodies {
+        let of_mesh = body.material.and_then(|number| mesh.materials.get(number as usize));
+        let found = chosen(&scene.material, of_mesh);
+        let distance = f64::from(found.attenuation_distance.unwrap_or(longest));
+        floats.push(found.ior);
+        floats.extend(found.attenuation_color.map(|left| (-f64::from(left).ln() / distance * voxel_size) as f32));
+    }
+    floats
+}
+
+/// What the scene says of the material by its name, else of all, else what the mesh says, else glass.
+fn chosen(listed: &[Material], of_mesh: Option<&vitrum_io::Material>) -> Material {
+    let named =
+        listed.iter().find(|listed| listed.name.is_some() && listed.name.as_ref() == of_mesh.map(|own| &own.name));
+    let of_all = || listed.iter().find(|listed| listed.name.is_none());
+    if let Some(found) = named.or_else(of_all) {
+        return found.clone();
+    }
+    let mut material = Material::default();
+    if let Some(own) = of_mesh {
+        // Writers of MTL put 1 there for what they do not know.
+        material.ior = own.index_of_refraction.filter(|&ior| ior > 1.0).unwrap_or(material.ior).min(4.0);
+        material.attenuation_color =
+            own.attenuation_color.map_or(material.attenuation_color, |color| color.map(|c| c.clamp(1e-3, 1.0)));
+        material.attenuation_distance = own.attenuation_distance;
+    }
+    material
+}

@@ -1,0 +1,103 @@
+//! A tree of boxes around triangles, in the order in which a ray goes through it without a stack.
+
+use super::bodies::Body;
+use super::normals::of_corners;
+use crate::method::voxelize::Grid;
+use bvh::aabb::{Aabb, Bounded};
+use bvh::bounding_hierarchy::BHShape;
+use bvh::bvh::Bvh;
+use bvh::flat_bvh::FlatNode;
+use nalgebra::Point3;
+use vitrum_kernels::abi::voxels::{corner, node};
+
+/// By how much boxes are larger than their triangles, in voxels: more than what the arithmetic of rays is off by.
+const MARGIN: f32 = 2e-3;
+
+/// A tree, as kernels read it.
+pub(super) struct Tree {
+    pub nodes: Vec<f32>,
+    pub corners: Vec<f32>,
+}
+
+struct Shape {
+    bounds: Aabb<f32, 3>,
+    node: usize,
+}
+
+impl Bounded<f32, 3> for Shape {
+    fn aabb(&self) -> Aabb<f32, 3> {
+        self.bounds
+    }
+}
+
+impl BHShape<f32, 3> for Shape {
+    fn set_bh_node_index(&mut self, index: usize) {
+        self.node = index;
+    }
+
+    fn bh_node_index(&self) -> usize {
+        self.node
+    }
+}
+
+/// Builds the tree of all bodies' triangles; `smooth` makes normals for a mesh that has none.
+pub(super) fn build(bodies: &[Body], grid: Grid, smooth: bool) -> Tree {
+    let mut corners = Vec::new();
+    for (number, body) in bodies.iter().enumerate() {
+        for (triangle, normals) in body.mesh.triangles.iter().zip(of_corners(&body.mesh, smooth)) {
+            corners.extend(of_triangle(body, triangle, &normals, grid, number));
+        }
+    }
+    let mut shapes: Vec<Shape> =
+        corners.chunks_exact(corner::SIZE).map(|triangle| Shape { bounds: bounds(triangle), node: 0 }).collect();
+    let flat = Bvh::build(&mut shapes).flatten();
+    Tree { nodes: threaded(&flat, &shapes), corners }
+}
+
+fn of_triangle(
+    body: &Body,
+    triangle: &[u32; 3],
+    normals: &[[f32; 3]; 3],
+    grid: Grid,
+    number: usize,
+) -> [f32; corner::SIZE] {
+    let positions = triangle.map(|vertex| grid.to_voxels(body.mesh.positions[vertex as usize]).map(|x| x as f32));
+    let mut floats = [0.0; corner::SIZE];
+    floats[corner::POSITIONS..][..9].copy_from_slice(positions.as_flattened());
+    floats[corner::NORMALS..][..9].copy_from_slice(normals.as_flattened());
+    floats[corner::MATERIAL] = number as f32;
+    floats
+}
+
+fn bounds(triangle: &[f32]) -> Aabb<f32, 3> {
+    let mut bounds = Aabb::empty();
+    for corner in triangle[..9].chunks_exact(3) {
+        bounds.grow_mut(&Point3::new(corner[0] - MARGIN, corner[1] - MARGIN, corner[2] - MARGIN));
+        bounds.grow_mut(&Point3::new(corner[0] + MARGIN, corner[1] + MARGIN, corner[2] + MARGIN));
+    }
+    bounds
+}
+
+/// The nodes in depth-first order. A leaf of the library has no box, and a node above it that has: these become one.
+fn threaded(flat: &[FlatNode<f32, 3>], shapes: &[Shape]) -> Vec<f32> {
+    let leads_to_leaf = |node: &FlatNode<f32, 3>| !node.is_leaf() && flat[node.entry_index as usize].is_leaf();
+    // Where each node goes.
+    let mut places = Vec::with_capacity(flat.len() + 1);
+    let mut count = 0;
+    for node in flat {
+        places.push(count);
+        count += u32::from(!leads_to_leaf(node));
+    }
+    places.push(count);
+    let mut floats = Vec::with_capacity(count as usize * node::SIZE);
+    for node in flat.iter().filter(|node| !leads_to_leaf(node)) {
+        let (bounds, triangle) = if node.is_leaf() {
+            (shapes[node.shape_index as usize].bounds, node.shape_index as f32)
+        } else {
+            (node.aabb, -1.0)
+        };
+        floats.extend(bounds.min.iter().chain(bounds.max.iter()));
+        floats.extend([triangle, places[node.exit_index as usize] as f32]);
+    }
+    floats
+}

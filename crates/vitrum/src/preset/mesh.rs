@@ -1,0 +1,81 @@
+//! Looks of a mesh: what it is made of, and what is around it.
+
+use super::PresetError;
+use crate::scene::{Environment, EnvironmentKind, Material, Rgb, Scene};
+use crate::suggest::nearest;
+
+/// A clear material; what is left of white light behind the mesh's longest edge of it.
+struct Look {
+    name: &'static str,
+    description: &'static str,
+    ior: f32,
+    color: Rgb,
+}
+
+const LOOKS: [Look; 4] = [
+    Look {
+        name: "glass",
+        description: "of a mesh: crown glass, index of refraction 1.52, a trace of green",
+        ior: 1.52,
+        color: [0.86, 0.95, 0.90],
+    },
+    Look { name: "water", description: "of a mesh: water, 1.333", ior: 1.333, color: [0.72, 0.93, 0.97] },
+    Look {
+        name: "diamond",
+        description: "of a mesh: diamond, 2.417, without dispersion",
+        ior: 2.417,
+        color: [0.97; 3],
+    },
+    Look {
+        name: "jade",
+        description: "of a mesh: clear jade, 1.66, deep green where it is thick",
+        ior: 1.66,
+        color: [0.03, 0.40, 0.12],
+    },
+];
+
+const NAMES: [(&str, &str); LOOKS.len()] = {
+    let mut names = [("", ""); LOOKS.len()];
+    let mut index = 0;
+    while index < names.len() {
+        names[index] = (LOOKS[index].name, LOOKS[index].description);
+        index += 1;
+    }
+    names
+};
+
+/// Name and description of every preset of meshes.
+#[must_use]
+pub fn mesh_names() -> &'static [(&'static str, &'static str)] {
+    &NAMES
+}
+
+/// What is around a mesh when nobody says it: a clear body shows by what it bends into view, a bright band between two dark ones.
+pub fn surround_mesh(scene: &mut Scene) {
+    scene.environment = Environment {
+        kind: EnvironmentKind::Gradient,
+        color: [0.08, 0.16, 0.30],
+        horizon: [0.95, 0.96, 0.97],
+        nadir: [0.05, 0.045, 0.04],
+        ..Environment::default()
+    };
+    scene.film.supersampling = 2;
+}
+
+/// Makes all bodies of a mesh of one material, and surrounds it.
+///
+/// # Errors
+///
+/// [`PresetError::Unknown`]; the scene is then unchanged.
+pub fn apply_to_mesh(name: &str, scene: &mut Scene) -> Result<(), PresetError> {
+    let known = || NAMES.iter().map(|&(name, _)| name);
+    let look = LOOKS.iter().find(|look| look.name == name);
+    let look = look.ok_or_else(|| PresetError::Unknown {
+        name: name.to_owned(),
+        nearest: nearest(name, known()),
+        known: known().collect(),
+    })?;
+    surround_mesh(scene);
+    scene.material = vec![Material { ior: look.ior, attenuation_color: look.color, ..Material::default() }];
+    Ok(())
+}

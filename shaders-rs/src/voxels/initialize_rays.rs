@@ -1,0 +1,43 @@
+//! Rays from the eye to where they enter the box of all surfaces.
+
+use super::ray::{Ray, bounds, reciprocal, slab};
+use crate::abi::record::{fate, path};
+use crate::abi::voxels::{AIR, VoxelsUniforms};
+use crate::math::{length, max, select, xyz};
+use spirv_std::glam::Vec3;
+
+/// The ray through the middle of pixel (x, y), row 0 on top.
+#[inline(always)]
+pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32) -> [f32; path::SIZE] {
+    let (width, height) = (u.dispatch.x as i32 as f32, u.dispatch.y as i32 as f32);
+    let across = ((x as i32 as f32 + 0.5) / width * 2.0 - 1.0) * u.camera.x;
+    let upwards = (1.0 - (y as i32 as f32 + 0.5) / height * 2.0) * u.camera.y;
+    let eye = Vec3::new(u.right.w, u.up.w, u.away.w);
+    let side = xyz(u.right) * across + xyz(u.up) * upwards;
+    let orthographic = u.camera.w > 0.5;
+    let aim = if orthographic { xyz(u.away) } else { xyz(u.away) + side };
+    let from = if orthographic { eye + side } else { eye };
+    let direction = aim * (1.0 / max(length(aim), 1e-20));
+    let inverse = Vec3::new(reciprocal(direction.x), reciprocal(direction.y), reciprocal(direction.z));
+    let (low, high) = bounds(u);
+    let (enters, leaves) = slab(from, inverse, low, high);
+    let misses = (leaves <= enters) | (leaves <= 0.0);
+    let enters = max(enters, 0.0);
+    let distance = select(misses, 0.0, enters);
+    let ray = Ray {
+        position: from + direction * distance,
+        direction,
+        transmittance: Vec3::new(1.0, 1.0, 1.0),
+        normal: Vec3::new(0.0, 0.0, 0.0),
+        // No surface yet, no triangle yet.
+        last_normal: Vec3::new(0.0, -1.0, 0.0),
+        since: 1e9,
+        status: select(misses, fate::LEFT, fate::ACTIVE),
+        medium: AIR,
+        bounces: 0.0,
+        length: 0.0,
+        depth: distance,
+        reflectance: 0.0,
+    };
+    ray.store()
+}

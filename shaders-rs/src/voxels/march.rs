@@ -1,0 +1,126 @@
+//! Follows a ray through voxels: from brick to brick where there is no surface near, in half voxels where there is one. The surface
+//! is where the smoothed share that is inside reaches ½.
+
+use super::ray::{Ray, bounds, reciprocal, slab};
+use super::solid::{medium, normal};
+use super::surface::meet;
+use crate::abi::record::{fate, path};
+use crate::abi::voxels::{AIR, BRICK_SHIFT, STEPS, VoxelsUniforms};
+use crate::field::access::read;
+use crate::math::{dot, floor_to_int, max, min};
+use spirv_std::glam::Vec3;
+
+/// Steps near a surface, in voxels.
+const STEP: f32 = 0.5;
+/// By how much a step leads beyond a brick's face, so that the ray is in the next one.
+const BEYOND: f32 = 1e-3;
+/// Halvings of a step that holds a surface.
+const HALVINGS: i32 = 12;
+
+/// Whether the ray is under way.
+#[inline(always)]
+pub fn level(
+    _x: u32,
+    _y: u32,
+    _u: &VoxelsUniforms,
+    _mode: u32,
+    before: [f32; path::SIZE],
+    _bricks: &[u32],
+    _fields: &[u32],
+    _materials: &[f32],
+) -> u32 {
+    if before[path::STATUS] == fate::ACTIVE { 3 } else { 0 }
+}
+
+/// The next step's length.
+#[inline(always)]
+fn stride(u: &VoxelsUniforms, bricks: &[u32], position: Vec3, inverse: Vec3) -> f32 {
+    let (nx, ny, nz) = (u.bricks.x as i32, u.bricks.y as i32, u.bricks.z as i32);
+    let edge = (1 << BRICK_SHIFT) as f32;
+    // Between voxels' centres, as the fields are.
+    let x = floor_to_int((position.x - 0.5) / edge, 0.0, (nx - 1) as f32);
+    let y = floor_to_int((position.y - 0.5) / edge, 0.0, (ny - 1) as f32);
+    let z = floor_to_int((position.z - 0.5) / edge, 0.0, (nz - 1) as f32);
+    let clear = read(bricks, (z * ny + y) * nx + x) as i32;
+    if clear > 0 {
+        let low = Vec3::new((x - clear + 1) as f32, (y - clear + 1) as f32, (z - clear + 1) as f32);
+        let high = Vec3::new((x + clear) as f32, (y + clear) as f32, (z + clear) as f32);
+        let half = Vec3::new(0.5, 0.5, 0.5);
+        let (_, leaves) = slab(position, inverse, low * edge + half, high * edge + half);
+        max(leaves, 0.0) + BEYOND
+    } else {
+        STEP
+    }
+}
+
+/// The point of a step at which another medium begins, from its start; `here` is at its start, and another at its end.
+#[inline(always)]
+fn boundary(u: &VoxelsUniforms, fields: &[u32], ray: &Ray, distance: f32) -> f32 {
+    let (mut near, mut far) = (0.0, distance);
+    let mut i = 0;
+    while i < HALVINGS {
+        let middle = 0.5 * (near + far);
+        if medium(u, fields, ray.position + ray.direction * middle) == ray.medium {
+            near = middle;
+        } else {
+            far = middle;
+        }
+        i += 1;
+    }
+    far
+}
+
+/// The ray some steps on.
+#[inline(always)]
+pub fn invoke<const LEVEL: u32>(
+    _x: u32,
+    _y: u32,
+    u: &VoxelsUniforms,
+    mode: u32,
+    before: [f32; path::SIZE],
+    bricks: &[u32],
+    fields: &[u32],
+    materials: &[f32],
+) -> [f32; path::SIZE] {
+    let mut ray = Ray::load(&before);
+    let (low, high) = bounds(u);
+    if (ray.status == fate::ACTIVE) & (ray.bounces == 0.0) {
+        // The eye may be inside.
+        ray.medium = medium(u, fields, ray.position);
+    }
+    let mut step = 0;
+    while (step < STEPS) & (ray.status == fate::ACTIVE) {
+        step += 1;
+        let d = ray.direction;
+        let inverse = Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
+        let (_, leaves) = slab(ray.position, inverse, low, high);
+        let distance = min(stride(u, bricks, ray.position, inverse), max(leaves, 0.0) + BEYOND);
+        let there = medium(u, fields, ray.position + d * distance);
+        if there == ray.medium {
+            ray.advance(distance, there, materials);
+            if (leaves <= 0.0) & (there == AIR) {
+                ray.end();
+            }
+        } else {
+            let from = ray.medium;
+            let until = boundary(u, fields, &ray, distance);
+            let point = ray.position + d * until;
+            let to = medium(u, fields, point);
+            // The surface of the one that lies above the other.
+            let owner = if to < from { to } else { from };
+            let normal = normal(u, fields, owner, point);
+            // The paper's threshold: a surface that has just been met, found once more where it is a little uneven.
+            let again = (ray.since + until < u.scale.z) & (dot(normal, ray.last_normal) > u.scale.y);
+            if again | (to == from) {
+                ray.advance(distance, from, materials);
+            } else {
+                ray.advance(until, from, materials);
+                let through = meet(&mut ray, u, mode, normal, from, to, materials);
+                ray.medium = if through { to } else { from };
+                ray.last_normal = normal;
+                ray.since = 0.0;
+            }
+        }
+    }
+    ray.store()
+}

@@ -1,0 +1,15 @@
+//! Rays through a mesh of clear materials (Chang et al. 2010, §4), and the same through its triangles.
+//!
+//! [`march`] follows a ray through voxels whose surface is smoothed over the neighbourhood, [`march_paper`] as the paper does,
+//! [`trace_triangles`] through the triangles themselves. Each does some steps and leaves the rest to the next dispatch; what they
+//! do at a surface is the same ([`surface`]).
+
+pub mod initialize_rays;
+pub mod march;
+pub mod march_paper;
+pub mod ray;
+pub mod resolve;
+pub mod solid;
+pub mod surface;
+pub mod trace_triangles;
+pub mod triangle;

@@ -1,0 +1,138 @@
+//! The state of a ray, and how it moves.
+
+use crate::abi::record::{fate, path};
+use crate::abi::voxels::{AIR, VoxelsUniforms, material};
+use crate::field::access::read;
+use crate::math::{absolute, exp, max, min, select};
+use spirv_std::glam::Vec3;
+
+/// A ray; see [`path`].
+#[derive(Clone, Copy)]
+pub struct Ray {
+    /// In voxels.
+    pub position: Vec3,
+    /// Of length 1.
+    pub direction: Vec3,
+    /// What is left of the light.
+    pub transmittance: Vec3,
+    /// At the first surface.
+    pub normal: Vec3,
+    /// At the last surface.
+    pub last_normal: Vec3,
+    /// Distance since the last surface.
+    pub since: f32,
+    /// One of [`fate`].
+    pub status: f32,
+    /// What it is in.
+    pub medium: i32,
+    /// Surfaces so far.
+    pub bounces: f32,
+    /// Distance within materials.
+    pub length: f32,
+    /// Distance to the first surface.
+    pub depth: f32,
+    /// Of the first surface.
+    pub reflectance: f32,
+}
+
+#[inline(always)]
+fn vector(record: &[f32; path::SIZE], at: [usize; 3]) -> Vec3 {
+    Vec3::new(record[at[0]], record[at[1]], record[at[2]])
+}
+
+impl Ray {
+    /// From its record.
+    #[inline(always)]
+    pub fn load(r: &[f32; path::SIZE]) -> Self {
+        Self {
+            position: vector(r, [0, 1, 2]),
+            direction: vector(r, [3, 4, 5]),
+            transmittance: vector(r, [6, 7, 8]),
+            normal: vector(r, [9, 10, 11]),
+            last_normal: vector(r, [12, 13, 14]),
+            since: r[path::SINCE],
+            status: r[path::STATUS],
+            medium: r[path::MEDIUM] as i32,
+            bounces: r[path::BOUNCES],
+            length: r[path::LENGTH],
+            depth: r[path::DEPTH],
+            reflectance: r[path::REFLECTANCE],
+        }
+    }
+
+    /// To its record.
+    #[inline(always)]
+    pub fn store(&self) -> [f32; path::SIZE] {
+        let (p, d, t) = (self.position, self.direction, self.transmittance);
+        let (n, l) = (self.normal, self.last_normal);
+        [
+            p.x,
+            p.y,
+            p.z,
+            d.x,
+            d.y,
+            d.z,
+            t.x,
+            t.y,
+            t.z,
+            n.x,
+            n.y,
+            n.z,
+            l.x,
+            l.y,
+            l.z,
+            self.since,
+            self.status,
+            self.medium as f32,
+            self.bounces,
+            self.length,
+            self.depth,
+            self.reflectance,
+        ]
+    }
+
+    /// Moves on by `distance` voxels through material `medium`.
+    #[inline(always)]
+    pub fn advance(&mut self, distance: f32, medium: i32, materials: &[f32]) {
+        self.position += self.direction * distance;
+        self.since += distance;
+        self.depth += select(self.bounces == 0.0, distance, 0.0);
+        if medium != AIR {
+            self.length += distance;
+            let at = medium * material::SIZE as i32 + material::ABSORPTION as i32;
+            self.transmittance.x *= exp(-(read(materials, at) * distance));
+            self.transmittance.y *= exp(-(read(materials, at + 1) * distance));
+            self.transmittance.z *= exp(-(read(materials, at + 2) * distance));
+        }
+    }
+
+    /// Ends the ray.
+    #[inline(always)]
+    pub fn end(&mut self) {
+        self.status = fate::LEFT;
+    }
+}
+
+/// 1 / `x`, large where `x` is 0.
+#[inline(always)]
+pub fn reciprocal(x: f32) -> f32 {
+    let small = absolute(x) < 1e-12;
+    1.0 / select(small, select(x < 0.0, -1e-12, 1e-12), x)
+}
+
+/// Where a line enters and leaves a box, along the line.
+#[inline(always)]
+pub fn slab(from: Vec3, inverse: Vec3, low: Vec3, high: Vec3) -> (f32, f32) {
+    let (ax, bx) = ((low.x - from.x) * inverse.x, (high.x - from.x) * inverse.x);
+    let (ay, by) = ((low.y - from.y) * inverse.y, (high.y - from.y) * inverse.y);
+    let (az, bz) = ((low.z - from.z) * inverse.z, (high.z - from.z) * inverse.z);
+    let enters = max(max(min(ax, bx), min(ay, by)), min(az, bz));
+    let leaves = min(min(max(ax, bx), max(ay, by)), max(az, bz));
+    (enters, leaves)
+}
+
+/// The box of all surfaces.
+#[inline(always)]
+pub fn bounds(u: &VoxelsUniforms) -> (Vec3, Vec3) {
+    (crate::math::xyz(u.low), crate::math::xyz(u.high))
+}

@@ -1,0 +1,59 @@
+//! Materials' fields: how much of the neighbourhood is inside, whose level ½ is the surface.
+
+use crate::abi::voxels::{AIR, VoxelsUniforms};
+use crate::field::access::read_bytes;
+use crate::math::{floor_to_int, length, max};
+use spirv_std::glam::Vec3;
+
+/// The value that is the surface, as 16-bit integers have it.
+const LEVEL: f32 = 32767.5;
+
+/// Two neighbours along x of a field, `t` of the way from the first to the second.
+#[inline(always)]
+fn along_row(fields: &[u32], sample: i32, t: f32) -> f32 {
+    let pair = read_bytes(fields, 2 * sample);
+    let (a, b) = ((pair & 0xffff) as i32 as f32, (pair >> 16) as i32 as f32);
+    a + (b - a) * t
+}
+
+/// The field of material `number` at a position in voxels, 0 to 65535, linear between voxels' centres.
+#[inline(always)]
+pub fn value(u: &VoxelsUniforms, fields: &[u32], number: i32, position: Vec3) -> f32 {
+    let (nx, ny, nz) = (u.size.x as i32, u.size.y as i32, u.size.z as i32);
+    let q = Vec3::new(position.x - 0.5, position.y - 0.5, position.z - 0.5);
+    let x = floor_to_int(q.x, 0.0, (nx - 2) as f32);
+    let y = floor_to_int(q.y, 0.0, (ny - 2) as f32);
+    let z = floor_to_int(q.z, 0.0, (nz - 2) as f32);
+    let (fx, fy, fz) = (q.x - x as f32, q.y - y as f32, q.z - z as f32);
+    let at = ((number * nz + z) * ny + y) * nx + x;
+    let (a, b) = (along_row(fields, at, fx), along_row(fields, at + nx, fx));
+    let (c, d) = (along_row(fields, at + nx * ny, fx), along_row(fields, at + nx * ny + nx, fx));
+    let (low, high) = (a + (b - a) * fy, c + (d - c) * fy);
+    low + (high - low) * fz
+}
+
+/// The material at a position: that of the lowest number.
+#[inline(always)]
+pub fn medium(u: &VoxelsUniforms, fields: &[u32], position: Vec3) -> i32 {
+    let mut found = AIR;
+    let mut number = u.size.w as i32 - 1;
+    while number >= 0 {
+        if value(u, fields, number, position) > LEVEL {
+            found = number;
+        }
+        number -= 1;
+    }
+    found
+}
+
+/// The unit normal of a material's surface, outwards: against the gradient by central differences over two voxels.
+#[inline(always)]
+pub fn normal(u: &VoxelsUniforms, fields: &[u32], number: i32, p: Vec3) -> Vec3 {
+    let at = |dx: f32, dy: f32, dz: f32| value(u, fields, number, Vec3::new(p.x + dx, p.y + dy, p.z + dz));
+    let gradient = Vec3::new(
+        at(-1.0, 0.0, 0.0) - at(1.0, 0.0, 0.0),
+        at(0.0, -1.0, 0.0) - at(0.0, 1.0, 0.0),
+        at(0.0, 0.0, -1.0) - at(0.0, 0.0, 1.0),
+    );
+    gradient * (1.0 / max(length(gradient), 1e-6))
+}

@@ -1,0 +1,79 @@
+//! What a surface does to a ray: Snell's law, total reflection, Fresnel's share.
+
+use super::ray::Ray;
+use crate::abi::record::fate;
+use crate::abi::voxels::{AIR, VoxelsUniforms, flag, material, mode};
+use crate::field::access::read;
+use crate::math::{dot, length, max, select, sqrt};
+use crate::optics::specular::fresnel;
+use spirv_std::glam::Vec3;
+
+/// A ray behind a surface.
+#[derive(Clone, Copy)]
+pub struct Bent {
+    /// Its direction, of length 1.
+    pub direction: Vec3,
+    /// Whether all of it was reflected.
+    pub reflected: bool,
+    /// Share of the light that is reflected.
+    pub reflectance: f32,
+}
+
+/// Snell's law for a ray along `direction` from index `from` to `to`, at a surface with the unit normal `normal` on either side.
+#[inline(always)]
+pub fn bend(direction: Vec3, normal: Vec3, from: f32, to: f32) -> Bent {
+    let facing = dot(direction, normal);
+    // The normal on the side that the ray comes from.
+    let n = normal * select(facing > 0.0, -1.0, 1.0);
+    let cosine = max(-dot(direction, n), 0.0);
+    let ratio = from / to;
+    let squared = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    let reflected = squared <= 0.0;
+    let passed = direction * ratio + n * (ratio * cosine - sqrt(squared));
+    let mirrored = direction + n * (2.0 * cosine);
+    let bent = Vec3::new(
+        select(reflected, mirrored.x, passed.x),
+        select(reflected, mirrored.y, passed.y),
+        select(reflected, mirrored.z, passed.z),
+    );
+    let direction = bent * (1.0 / max(length(bent), 1e-20));
+    Bent { direction, reflected, reflectance: fresnel(from, to, cosine) }
+}
+
+/// The index of refraction of a material, or of air.
+#[inline(always)]
+pub fn ior(medium: i32, materials: &[f32]) -> f32 {
+    let index = read(materials, medium * material::SIZE as i32 + material::IOR as i32);
+    select(medium == AIR, 1.0, index)
+}
+
+/// Lets the ray meet a surface with outward unit normal `normal`, from medium `from` to `to`. Returns whether it got through.
+#[inline(always)]
+pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i32, to: i32, materials: &[f32]) -> bool {
+    let bent = bend(ray.direction, normal, ior(from, materials), ior(to, materials));
+    let first = ray.bounces == 0.0;
+    let share = select(u.dispatch.w & flag::FRESNEL != 0, bent.reflectance, 0.0);
+    if first {
+        ray.normal = normal;
+        ray.reflectance = share;
+    }
+    ray.bounces += 1.0;
+    let second = (mode == mode::TWO_SURFACES) & (ray.bounces >= 2.0);
+    if bent.reflected & second {
+        // Two surfaces have no place for a reflection in between: the ray leaves along the surface, as at the critical angle.
+        let along = ray.direction - normal * dot(ray.direction, normal);
+        ray.direction = along * (1.0 / max(length(along), 1e-20));
+    } else {
+        ray.direction = bent.direction;
+    }
+    if !bent.reflected {
+        ray.transmittance *= 1.0 - share;
+    }
+    if second {
+        ray.end();
+    } else if ray.bounces >= u.bricks.w as i32 as f32 {
+        let inside = if bent.reflected { from } else { to };
+        ray.status = if inside == AIR { ray.status } else { fate::TRAPPED };
+    }
+    !bent.reflected
+}

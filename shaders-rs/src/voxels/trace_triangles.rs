@@ -1,0 +1,133 @@
+//! Follows a ray through the triangles themselves, in a tree of boxes whose nodes say which one is behind all below: no stack.
+
+use super::ray::{Ray, reciprocal, slab};
+use super::surface::meet;
+use super::triangle::{FAR, shear, vector};
+use crate::abi::record::{fate, path};
+use crate::abi::voxels::{AIR, STEPS, VoxelsUniforms, corner, node};
+use crate::field::access::read;
+use crate::math::{dot, length, max, min, select};
+use spirv_std::glam::Vec3;
+
+/// Whether the ray is under way.
+#[inline(always)]
+pub fn level(
+    _x: u32,
+    _y: u32,
+    _u: &VoxelsUniforms,
+    _mode: u32,
+    before: [f32; path::SIZE],
+    _nodes: &[f32],
+    _corners: &[f32],
+    _materials: &[f32],
+) -> u32 {
+    if before[path::STATUS] == fate::ACTIVE { 3 } else { 0 }
+}
+
+/// Of the materials whose bits are set the one with the lowest number.
+#[inline(always)]
+fn lowest(bits: i32) -> i32 {
+    let mut found = AIR;
+    let mut number = AIR - 1;
+    while number >= 0 {
+        if (bits >> number) & 1 == 1 {
+            found = number;
+        }
+        number -= 1;
+    }
+    found
+}
+
+/// The surface that was met.
+#[derive(Clone, Copy)]
+struct Surface {
+    /// Unit normal of the triangle.
+    plane: Vec3,
+    /// Unit normal between its corners.
+    normal: Vec3,
+    /// The material's number.
+    material: i32,
+}
+
+#[inline(always)]
+fn surface(ray: &Ray, corners: &[f32], index: i32) -> Surface {
+    let at = index * corner::SIZE as i32;
+    let (a, b, c) = (vector(corners, at), vector(corners, at + 3), vector(corners, at + 6));
+    let (e, f) = (b - a, c - a);
+    let across = Vec3::new(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+    let plane = across * (1.0 / max(length(across), 1e-20));
+    let weights = super::triangle::meet(&shear(ray.position, ray.direction), corners, index).weights;
+    let sum = (weights.x + weights.y) + weights.z;
+    let share = weights * (1.0 / select(sum == 0.0, 1.0, sum));
+    let normals = at + corner::NORMALS as i32;
+    let mean = vector(corners, normals) * share.x
+        + vector(corners, normals + 3) * share.y
+        + vector(corners, normals + 6) * share.z;
+    let mean = mean * (1.0 / max(length(mean), 1e-20));
+    // Where the ray is on the other side of the one than of the other, only the triangle's can be right.
+    let same = dot(mean, ray.direction) * dot(plane, ray.direction) > 0.0;
+    let normal = Vec3::new(select(same, mean.x, plane.x), select(same, mean.y, plane.y), select(same, mean.z, plane.z));
+    Surface { plane, normal, material: read(corners, at + corner::MATERIAL as i32) as i32 }
+}
+
+/// The ray some nodes on.
+#[inline(always)]
+pub fn invoke<const LEVEL: u32>(
+    _x: u32,
+    _y: u32,
+    u: &VoxelsUniforms,
+    mode: u32,
+    before: [f32; path::SIZE],
+    nodes: &[f32],
+    corners: &[f32],
+    materials: &[f32],
+) -> [f32; path::SIZE] {
+    let mut ray = Ray::load(&before);
+    let count = nodes.len() as i32 / node::SIZE as i32;
+    let mut next = before[path::NODE] as i32;
+    let mut nearest = before[path::TRIANGLE] as i32;
+    let mut distance = select(nearest < 0, FAR, before[path::DISTANCE]);
+    // Below 0, to tell them from a material's number.
+    let mut bits = if ray.medium == AIR { 0 } else { -ray.medium };
+    let mut step = 0;
+    while (step < 4 * STEPS) & (ray.status == fate::ACTIVE) {
+        step += 1;
+        let d = ray.direction;
+        if next < count {
+            let at = next * node::SIZE as i32;
+            let inverse = Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
+            let (enters, leaves) = slab(ray.position, inverse, vector(nodes, at), vector(nodes, at + 3));
+            let reached = (enters <= min(leaves, distance)) & (leaves >= 0.0);
+            let triangle = read(nodes, at + node::TRIANGLE as i32) as i32;
+            if reached & (triangle >= 0) {
+                let hit = super::triangle::meet(&shear(ray.position, d), corners, triangle);
+                if hit.distance < distance {
+                    distance = hit.distance;
+                    nearest = triangle;
+                }
+            }
+            next = if reached { next + 1 } else { read(nodes, at + node::BEHIND as i32) as i32 };
+        } else {
+            let from = lowest(bits);
+            if nearest < 0 {
+                ray.end();
+            } else {
+                let surface = surface(&ray, corners, nearest);
+                let bit = 1 << surface.material;
+                let beyond = if dot(d, surface.plane) < 0.0 { bits | bit } else { bits & !bit };
+                let to = lowest(beyond);
+                ray.advance(distance, from, materials);
+                // Surfaces within a material that lies above theirs are not seen.
+                let through =
+                    if from == to { true } else { meet(&mut ray, u, mode, surface.normal, from, to, materials) };
+                bits = if through { beyond } else { bits };
+            }
+            next = 0;
+            nearest = -1;
+            distance = FAR;
+        }
+    }
+    ray.medium = if bits == 0 { AIR } else { -bits };
+    ray.last_normal = Vec3::new(next as f32, nearest as f32, select(nearest < 0, 0.0, distance));
+    ray.store()
+}

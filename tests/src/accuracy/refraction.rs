@@ -1,0 +1,82 @@
+//! Rays through voxels against rays through the same triangles.
+
+use vitrum::backend::Backend;
+use vitrum_io::{Mesh, OpenOptions, open_mesh};
+use vitrum_kernels::abi::record::fate;
+use vitrum_kernels::glam::{DQuat, DVec3};
+
+use super::Section;
+use super::plot::{Axis, Corner, Plot, Scale, Series};
+use crate::refraction::{Traced, ball, case, cuboid, trace};
+use crate::table::aligned;
+use crate::{Failure, data};
+
+/// Pixels along each side.
+const EDGE: u32 = 96;
+const RESOLUTIONS: [u32; 3] = [64, 128, 256];
+const KINDS: [(&str, &[&str]); 3] =
+    [("multi-surface", &[]), ("two-surface", &["voxels.surfaces=two"]), ("paper's normals", &["voxels.normals=paper"])];
+
+/// The angles between the rays' last directions and those of the exact rays, in degrees, in order. Rays that miss the mesh or do not
+/// leave it in either are left out.
+fn angles(exact: &[Traced], found: &[Traced]) -> Vec<f64> {
+    let both = exact.iter().zip(found).filter(|(exact, found)| {
+        exact.bounces > 0 && found.bounces > 0 && exact.status == fate::LEFT && found.status == fate::LEFT
+    });
+    let mut angles: Vec<f64> =
+        both.map(|(exact, found)| exact.direction.angle_between(found.direction).to_degrees()).collect();
+    angles.sort_by(f64::total_cmp);
+    angles
+}
+
+/// The median, and the share within 5°.
+fn summary(angles: &[f64]) -> [f64; 2] {
+    let within = angles.partition_point(|&angle| angle < 5.0) as f64 / angles.len().max(1) as f64;
+    [angles.get(angles.len() / 2).copied().unwrap_or_default(), within]
+}
+
+fn meshes() -> Result<Vec<(&'static str, Mesh)>, Failure> {
+    let mut meshes = vec![
+        ("ball", ball(256)),
+        ("plate", cuboid(DVec3::new(1.0, 0.2, 0.8), DQuat::from_rotation_z(0.35) * DQuat::from_rotation_x(0.2))),
+    ];
+    if let Some(path) = data::shared("meshes/hand_closed.obj") {
+        meshes.push(("hand", open_mesh(&path, &OpenOptions::default())?));
+    }
+    Ok(meshes)
+}
+
+/// All kinds of rays for each mesh.
+pub fn refraction(backend: &mut dyn Backend) -> Result<Section, Failure> {
+    let mut rows = Vec::new();
+    let mut series = Vec::new();
+    for (name, mesh) in meshes()? {
+        let mut run = |settings: &[&str]| trace(&case(name, mesh.clone(), EDGE, settings)?, backend);
+        let exact = run(&["voxels.surfaces=exact"])?;
+        let mut points: [Vec<(f64, f64)>; KINDS.len()] = Default::default();
+        for resolution in RESOLUTIONS {
+            let setting = format!("voxels.resolution={resolution}");
+            let mut cells = vec![name.to_owned(), resolution.to_string()];
+            for ((_, settings), points) in KINDS.iter().zip(&mut points) {
+                let [median, within] = summary(&angles(&exact, &run(&[&[setting.as_str()], *settings].concat())?));
+                points.push((f64::from(resolution), median));
+                cells.push(format!("{median:.2}°, {:.0} %", within * 100.0));
+            }
+            rows.push(<[String; 5]>::try_from(cells).unwrap_or_default());
+        }
+        if name == "ball" {
+            series.extend(KINDS.iter().zip(points).map(|((kind, _), points)| Series::new(*kind, points)));
+        }
+    }
+    let [multi, two, paper] = KINDS.map(|(name, _)| name.to_owned());
+    let text = aligned(["mesh".to_owned(), "voxels".to_owned(), multi, two, paper], rows);
+    let logarithmic = |label| Axis { label, scale: Scale::Logarithmic };
+    let plot = Plot {
+        title: "A ball of voxels: median angle to the exact rays",
+        x: logarithmic("voxels along the ball's diameter"),
+        y: logarithmic("degrees"),
+        series,
+        legend: Corner::UpperRight,
+    };
+    Ok(Section { text, plot })
+}
