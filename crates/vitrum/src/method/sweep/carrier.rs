@@ -2,7 +2,7 @@
 
 use super::uniforms::Fixed;
 use crate::backend::{Backend, BackendError, Buffer, Pass};
-use vitrum_kernels::kernel::Kernel;
+use vitrum_kernels::kernel::{Kernel, kernels};
 
 /// Passes that carry light from the first plane to the last.
 pub(super) trait Carrier {
@@ -51,6 +51,15 @@ impl Maker<'_> {
 }
 
 impl Fixed {
+    /// Passes that fill `light` and `irradiance` with unoccluded light: that of the first plane.
+    pub(super) fn unoccluded(&self, light: Buffer, irradiance: Buffer) -> [Pass; 2] {
+        let texels = self.light_grid.size;
+        [
+            self.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[light]),
+            self.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[light, irradiance]),
+        ]
+    }
+
     /// A pass over `size` invocations that leads to plane `plane`.
     pub(super) fn pass(
         &self,

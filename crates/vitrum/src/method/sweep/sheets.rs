@@ -70,13 +70,10 @@ fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
 
 impl Carrier for Sheets {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        let texels = fixed.light_grid.size;
-        let nodes = nodes(texels, self.count);
-        vec![
-            fixed.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[self.light]),
-            fixed.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[self.light, self.irradiance]),
-            fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[self.sources, self.nodes]),
-        ]
+        let nodes = nodes(fixed.light_grid.size, self.count);
+        let mut passes = Vec::from(fixed.unoccluded(self.light, self.irradiance));
+        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[self.sources, self.nodes]));
+        passes
     }
 
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {

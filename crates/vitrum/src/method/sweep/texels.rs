@@ -49,11 +49,7 @@ impl Texels {
 
 impl Carrier for Texels {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        let texels = fixed.light_grid.size;
-        vec![
-            fixed.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[self.light(0)]),
-            fixed.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[self.light(0), self.irradiance]),
-        ]
+        fixed.unoccluded(self.light(0), self.irradiance).into()
     }
 
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {

@@ -4,7 +4,6 @@ use super::carrier::{Carrier, Maker};
 use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::record::{irradiance, light};
-use vitrum_kernels::kernel::kernels;
 
 /// The buffers of unoccluded light.
 pub(super) struct Unoccluded {
@@ -24,11 +23,7 @@ impl Unoccluded {
 
 impl Carrier for Unoccluded {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        let texels = fixed.light_grid.size;
-        vec![
-            fixed.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[self.light]),
-            fixed.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[self.light, self.irradiance]),
-        ]
+        fixed.unoccluded(self.light, self.irradiance).into()
     }
 
     fn advance(&self, _fixed: &Fixed, _plane: u32, _passes: &mut Vec<Pass>) {}
