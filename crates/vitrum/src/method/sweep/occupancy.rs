@@ -2,6 +2,7 @@
 
 use super::tables::Tables;
 use super::voxels::bricks;
+use crate::method::brick_distances::spread;
 use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
 use vitrum_kernels::abi::grid::BRICK_SHIFT;
@@ -50,7 +51,7 @@ pub(super) fn classify(volume: &Volume, ranges: &Ranges, tables: &Tables, reach:
     let beyond = (reach as usize + 2).div_ceil(1 << BRICK_SHIFT);
     let widened = widen(&ranges.0, bricks, 0, beyond);
     let widened = (1..3).fold(widened, |ranges, axis| widen(&ranges, bricks, axis, beyond));
-    let words = widened
+    let mut words: Vec<u32> = widened
         .into_par_iter()
         .map(|range| {
             let physical = |stored: f32| stored * volume.value_scale + volume.value_offset;
@@ -62,40 +63,9 @@ pub(super) fn classify(volume: &Volume, ranges: &Ranges, tables: &Tables, reach:
             if clear && uniform { u32::MAX } else { 0 }
         })
         .collect();
-    distances(words, bricks)
-}
-
-/// For each brick how many bricks away the next one is that is not empty, by the largest of the differences along the axes: two
-/// passes that look at half of the neighbours each.
-fn distances(mut words: Vec<u32>, bricks: [usize; 3]) -> Vec<u32> {
-    let [width, height, depth] = bricks;
-    let farthest = width.max(height).max(depth) as u32;
+    let farthest = bricks.iter().max().map_or(0, |&count| count as u32);
     words.iter_mut().for_each(|word| *word = (*word).min(farthest));
-    let row = |y: usize, z: usize| (z * height + y) * width;
-    // The rows before one, in the order of `words`; behind it, counted from the end.
-    let before = |y: usize, z: usize| {
-        let same = (y > 0).then(|| (y - 1, z));
-        let below = (z > 0).then(|| (y.saturating_sub(1)..=(y + 1).min(height - 1)).map(move |y| (y, z - 1)));
-        same.into_iter().chain(below.into_iter().flatten())
-    };
-    for _ in 0..2 {
-        for (z, y) in (0..depth).flat_map(|z| (0..height).map(move |y| (z, y))) {
-            for other in before(y, z) {
-                let (done, rest) = words.split_at_mut(row(y, z));
-                let done = &done[row(other.0, other.1)..][..width];
-                for x in 0..width {
-                    let near =
-                        done[x.saturating_sub(1)..=(x + 1).min(width - 1)].iter().min().copied().unwrap_or(farthest);
-                    rest[x] = rest[x].min(near + 1);
-                }
-            }
-            let this = &mut words[row(y, z)..][..width];
-            for x in 1..width {
-                this[x] = this[x].min(this[x - 1] + 1);
-            }
-        }
-        words.reverse();
-    }
+    spread(&mut words, bricks);
     words
 }
 

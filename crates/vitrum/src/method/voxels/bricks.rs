@@ -1,5 +1,6 @@
 //! Which bricks of voxels are far from every surface.
 
+use crate::method::brick_distances::spread;
 use rayon::prelude::*;
 use vitrum_kernels::abi::voxels::BRICK_SHIFT;
 
@@ -32,32 +33,8 @@ pub(super) fn distances(fields: &[u16], dimensions: [u32; 3]) -> Vec<u32> {
             if fields.chunks(nx * ny * nz).any(is_crossed) { 0 } else { far }
         })
         .collect();
-    // The largest of three distances is the count of steps to any of 26 neighbours, which two sweeps find.
     spread(&mut distances, [bx, by, bz]);
     distances
-}
-
-/// Two sweeps over all bricks, each taking one more than the least of the neighbours that were done before.
-fn spread(distances: &mut [u32], [bx, by, bz]: [usize; 3]) {
-    let [w, h, d] = [bx as i64, by as i64, bz as i64];
-    let before: Vec<[i64; 3]> = (-1..=1)
-        .flat_map(|z| (-1..=1).flat_map(move |y| (-1..=1).map(move |x| [x, y, z])))
-        .filter(|&[x, y, z]| (z, y, x) < (0, 0, 0))
-        .collect();
-    for sign in [1, -1] {
-        for step in 0..w * h * d {
-            let at = if sign == 1 { step } else { w * h * d - 1 - step };
-            let here = [at % w, at / w % h, at / (w * h)];
-            let mut least = distances[at as usize];
-            for offset in &before {
-                let [x, y, z]: [i64; 3] = std::array::from_fn(|axis| here[axis] + sign * offset[axis]);
-                if (0..w).contains(&x) && (0..h).contains(&y) && (0..d).contains(&z) {
-                    least = least.min(distances[((z * h + y) * w + x) as usize] + 1);
-                }
-            }
-            distances[at as usize] = least;
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,35 @@
+//! How far bricks are from the next one that counts.
+
+/// Turns 0 for each brick that counts and a number that is large enough for the others into how many bricks away the next one is that
+/// counts, by the largest of the differences along the axes: two passes that look at half of the neighbours each.
+pub(super) fn spread(words: &mut [u32], bricks: [usize; 3]) {
+    let [width, height, depth] = bricks;
+    let row = |y: usize, z: usize| (z * height + y) * width;
+    // The rows before one, in the order of `words`; behind it, counted from the end.
+    let before = |y: usize, z: usize| {
+        let same = (y > 0).then(|| (y - 1, z));
+        let below = (z > 0).then(|| (y.saturating_sub(1)..=(y + 1).min(height - 1)).map(move |y| (y, z - 1)));
+        same.into_iter().chain(below.into_iter().flatten())
+    };
+    for _ in 0..2 {
+        for (z, y) in (0..depth).flat_map(|z| (0..height).map(move |y| (z, y))) {
+            for other in before(y, z) {
+                let (done, rest) = words.split_at_mut(row(y, z));
+                let done = &done[row(other.0, other.1)..][..width];
+                for x in 0..width {
+                    let near = done[x.saturating_sub(1)..=(x + 1).min(width - 1)]
+                        .iter()
+                        .min()
+                        .copied()
+                        .unwrap_or(u32::MAX - 1);
+                    rest[x] = rest[x].min(near + 1);
+                }
+            }
+            let this = &mut words[row(y, z)..][..width];
+            for x in 1..width {
+                this[x] = this[x].min(this[x - 1] + 1);
+            }
+        }
+        words.reverse();
+    }
+}
