@@ -45,17 +45,39 @@ fn body(mesh: &Mesh, material: Option<u32>) -> Body {
     Body { material, mesh: part }
 }
 
-/// The materials of bodies as kernels read them; absorption is per `voxel` of the length `voxel_size`.
-pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
-    let [low, high] = mesh.bounds();
-    let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(f32::MIN_POSITIVE, f32::max);
-    let mut floats = Vec::with_capacity(bodies.len() * material::SIZE);
-    for body in bodies {
+/// What a body does to light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::method) struct Clear {
+    /// Index of refraction.
+    pub(in crate::method) ior: f32,
+    /// Absorption coefficient, RGB, per world unit.
+    pub(in crate::method) absorption: [f64; 3],
+}
+
+/// What the bodies of a mesh do to light.
+pub(in crate::method) fn clear(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> Vec<Clear> {
+    let longest = f64::from(longest_edge(mesh));
+    let of_body = |body: &Body| {
         let of_mesh = body.material.and_then(|number| mesh.materials.get(number as usize));
         let found = chosen(&scene.material, of_mesh);
-        let distance = f64::from(found.attenuation_distance.unwrap_or(longest));
-        floats.push(found.ior);
-        floats.extend(found.attenuation_color.map(|left| (-f64::from(left).ln() / distance * voxel_size) as f32));
+        let distance = found.attenuation_distance.map_or(longest, f64::from);
+        Clear { ior: found.ior, absorption: found.attenuation_color.map(|left| -f64::from(left).ln() / distance) }
+    };
+    bodies.iter().map(of_body).collect()
+}
+
+/// The longest edge of a mesh's bounds.
+pub(in crate::method) fn longest_edge(mesh: &Mesh) -> f32 {
+    let [low, high] = mesh.bounds();
+    (0..3).map(|axis| high[axis] - low[axis]).fold(f32::MIN_POSITIVE, f32::max)
+}
+
+/// The materials of bodies as kernels read them; absorption is per `voxel` of the length `voxel_size`.
+pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
+    let mut floats = Vec::with_capacity(bodies.len() * material::SIZE);
+    for Clear { ior, absorption } in clear(bodies, mesh, scene) {
+        floats.push(ior);
+        floats.extend(absorption.map(|coefficient| (coefficient * voxel_size) as f32));
     }
     floats
 }

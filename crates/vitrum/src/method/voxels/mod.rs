@@ -3,12 +3,13 @@
 //! [`Uploaded::new`] turns a mesh into what rays run through; [`Rays::prepare`] lists the passes of a frame; [`Rays::run`] hands them
 //! to the backend; [`Rays::film`] reads what came out.
 
-mod bodies;
+pub(in crate::method) mod bodies;
 mod bricks;
 mod distances;
 mod fields;
 mod normals;
 mod passes;
+pub(in crate::method) mod solids;
 mod tree;
 mod uniforms;
 

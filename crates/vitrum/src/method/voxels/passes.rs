@@ -1,12 +1,14 @@
 //! What rays run through, on a backend, and the pass list of a frame.
 
 use super::bodies::{Body, bodies, materials};
-use super::{bricks, distances, fields, tree, uniforms};
+use super::solids::Solids;
+use super::{bricks, tree, uniforms};
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::inputs::Inputs;
 use crate::method::sweep::View;
 use crate::method::sweep::environment::Prepared;
-use crate::method::voxelize::{FillRule, Grid, Settings, Voxelization, voxelize_in};
+use crate::method::twist::twisted;
+use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
 use crate::render::Error;
 use crate::scene::{Normals, Scene, Surfaces};
 use bytemuck::{bytes_of, cast_slice};
@@ -19,9 +21,10 @@ use vitrum_kernels::kernel::{Kernel, kernels};
 const PADDING: u32 = 5;
 
 /// What a mesh is turned into, and how finely.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Kind {
     resolution: u32,
+    twist: f32,
     exact: bool,
     paper: bool,
 }
@@ -30,7 +33,8 @@ impl Kind {
     fn of(scene: &Scene) -> Self {
         let exact = scene.voxels.surfaces == Surfaces::Exact;
         let paper = scene.voxels.normals == Normals::Paper;
-        Self { resolution: scene.voxels.resolution, exact, paper }
+        let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
+        Self { resolution: scene.voxels.resolution, twist, exact, paper }
     }
 }
 
@@ -39,6 +43,8 @@ pub struct Uploaded {
     kind: Kind,
     /// Where the voxels lie; triangles are in its units, too.
     pub grid: Grid,
+    /// Low and high corner of the mesh.
+    bounds: [[f32; 3]; 2],
     bodies: Vec<Body>,
     /// Rows of voxels that go through holes of the surface, over all bodies; they are left empty.
     pub open_rows: u64,
@@ -60,11 +66,14 @@ impl Uploaded {
         progress: &mut dyn FnMut(u64, u64) -> bool,
     ) -> Result<Self, Error> {
         let kind = Kind::of(scene);
+        let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
+        let mesh = deformed.as_ref().unwrap_or(mesh);
         let settings = Settings { padding: PADDING, ..Settings::new(kind.resolution) };
         let grid = Grid::around(mesh, &settings)?;
         let mut uploaded = Self {
             kind,
             grid,
+            bounds: mesh.bounds(),
             bodies: bodies(mesh)?,
             open_rows: 0,
             kernel: &kernels::voxels_march,
@@ -75,7 +84,7 @@ impl Uploaded {
         } else if kind.paper {
             uploaded.paper(&settings, backend, progress)
         } else {
-            uploaded.solids(&settings, backend, progress)
+            uploaded.solids(backend, progress)
         };
         match filled {
             Ok(()) => Ok(uploaded),
@@ -104,12 +113,7 @@ impl Uploaded {
         self.upload("corners of triangles", cast_slice(&tree.corners), backend)
     }
 
-    fn solids(
-        &mut self,
-        settings: &Settings,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
+    fn solids(&mut self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), Error> {
         let [x, y, z] = self.grid.dimensions;
         let bytes = self.grid.voxels() * 2 * self.bodies.len() as u64;
         // Kernels count bytes by a signed number.
@@ -119,15 +123,8 @@ impl Uploaded {
                 "{x} x {y} x {z} voxels of {count} materials take {bytes} bytes, rays can address 2^31; lower `voxels.resolution`"
             )));
         }
-        let settings = Settings { surface: false, solid: Some(FillRule::Nonzero), ..*settings };
-        let mut all: Vec<u16> = Vec::new();
-        for body in &self.bodies {
-            let solid = voxelize_in(self.grid, &body.mesh, &settings, backend, progress)?.solid;
-            let solid = solid.expect("a solid was asked for");
-            self.open_rows += solid.open_rows;
-            let field = distances::distances(body, self.grid, &solid.coverage);
-            all.extend(fields::smooth(&field, self.grid.dimensions.map(|voxels| voxels as usize)));
-        }
+        let Solids { fields: mut all, open_rows } = Solids::new(&self.bodies, self.grid, backend, progress)?;
+        self.open_rows = open_rows;
         let distances = bricks::distances(&all, self.grid.dimensions);
         // Whole words, and one more for the pair of the last voxel.
         all.resize(all.len().next_multiple_of(2) + 2, 0);
@@ -271,7 +268,7 @@ fn list(
         inputs.mesh.as_ref().ok_or_else(|| Error::Scene("`voxels` shows a mesh, and none is given".to_owned()))?;
     let eye = View::new(scene, &inputs.volume);
     let environment = Prepared::new(&scene.environment, inputs.environment.as_ref(), &eye);
-    let block = uniforms::block(scene, mesh, uploaded.grid, uploaded.bodies.len(), &eye, &environment);
+    let block = uniforms::block(scene, uploaded.bounds, uploaded.grid, uploaded.bodies.len(), &eye, &environment);
     let size = [block.dispatch.x, block.dispatch.y];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
     let mut keep = |buffer: Buffer| {

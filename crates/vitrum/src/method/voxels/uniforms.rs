@@ -5,7 +5,6 @@ use crate::method::sweep::environment::Prepared;
 use crate::method::voxelize::Grid;
 use crate::scene::{Scene, Surfaces};
 use glam::{DVec3, UVec4};
-use vitrum_io::Mesh;
 use vitrum_kernels::abi::vector::Vec4;
 use vitrum_kernels::abi::voxels::{VoxelsUniforms, flag, mode};
 
@@ -21,7 +20,7 @@ fn vector(v: DVec3, w: f64) -> Vec4 {
 /// The block of a frame; dispatches differ in nothing.
 pub(super) fn block(
     scene: &Scene,
-    mesh: &Mesh,
+    bounds: [[f32; 3]; 2],
     grid: Grid,
     bodies: usize,
     view: &View,
@@ -29,7 +28,7 @@ pub(super) fn block(
 ) -> VoxelsUniforms {
     let edge = scene.film.supersampling;
     let eye = (view.eye - DVec3::from_array(grid.origin)) / grid.voxel_size;
-    let bounds = mesh.bounds().map(|corner| DVec3::from_array(grid.to_voxels(corner)));
+    let bounds = bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
     let [x, y, z] = grid.dimensions;
     let [bx, by, bz] = super::bricks::count(grid.dimensions);
     let voxels = &scene.voxels;
