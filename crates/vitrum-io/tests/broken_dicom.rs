@@ -132,6 +132,19 @@ fn an_unknown_kind_of_value_has_a_long_length() {
     assert!(error.contains("says to have 1546673201 bytes"), "{error}");
 }
 
+#[test]
+fn the_first_group_has_its_length() {
+    let folder = Folder::new();
+    for change in [1, 0xff] {
+        let mut file = at(0.0).bytes();
+        // Behind `DICM`, a tag, a kind and a length.
+        assert_eq!(&file[132..140], [2, 0, 0, 0, b'U', b'L', 4, 0]);
+        file[140] = file[140].wrapping_add(change);
+        let error = folder.open("a.dcm", file).expect_err("a lie").to_string();
+        assert!(error.contains("the first group does not have the length"), "{error}");
+    }
+}
+
 /// A number of four bytes cannot have two: the library that reads elements would take none, and begin the next element with these.
 #[test]
 fn numbers_are_whole() {

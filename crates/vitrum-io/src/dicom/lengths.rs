@@ -60,11 +60,15 @@ struct Coding {
 
 /// Walks through all elements of a file of so many bytes; the problem, and the byte where it is.
 pub(super) fn check(file: BufReader<File>, length: u64) -> Result<(), (u64, String)> {
-    let mut walk = Walk { file, position: 0, syntax: String::new() };
+    let mut walk = Walk { file, position: 0, syntax: String::new(), first_group_end: None };
     let start = 132;
     let outcome = walk.seek(start).and_then(|()| {
         let meta = Coding { explicit: true, big: false };
         walk.elements(length, meta, 0, Within::Meta)?;
+        // The library goes by what the group says, the walk by its elements.
+        if walk.first_group_end.is_some_and(|end| end != walk.position) {
+            return Err(Problem("the first group does not have the length that it says to have".to_owned()));
+        }
         let coding = Coding { explicit: walk.syntax != "1.2.840.10008.1.2", big: walk.syntax == "1.2.840.10008.1.2.2" };
         walk.elements(length, coding, 0, Within::Length)
     });
@@ -96,6 +100,8 @@ struct Walk {
     position: u64,
     /// The transfer syntax, once it was found.
     syntax: String,
+    /// Where the first group says to end.
+    first_group_end: Option<u64>,
 }
 
 impl Walk {
@@ -135,7 +141,9 @@ impl Walk {
                 let (kind, unit) = (vr.escape_ascii(), unit(vr));
                 return Err(Problem(format!("the `{kind}` here has {length} bytes, which are no numbers of {unit}")));
             }
-            if tag == [2, 0x10] {
+            if tag == [2, 0] && length == 4 {
+                self.first_group_end = Some(last + u64::from(self.word(coding.big)?));
+            } else if tag == [2, 0x10] {
                 let mut text = vec![0; length as usize];
                 self.file.read_exact(&mut text)?;
                 self.syntax = String::from_utf8_lossy(&text).trim_end_matches(['\0', ' ']).to_owned();
