@@ -145,6 +145,26 @@ fn the_first_group_has_its_length() {
     }
 }
 
+/// An item of four bytes has no room for an element: the library that reads elements would take the next bytes for the rest of one.
+#[test]
+fn items_and_sequences_end_where_they_should() {
+    let folder = Folder::new();
+    let item = |length: u32, content: &[u8]| [&[0xfe, 0xff, 0, 0xe0][..], &length.to_le_bytes(), content].concat();
+    let end = |tag: u8| [0xfe, 0xff, tag, 0xe0, 0, 0, 0, 0];
+    for (content, expected) in [
+        ([item(4, &[0xfe, 0xff, 0, 0]), end(0xdd).to_vec()].concat(), "an item does not end"),
+        (item(u32::MAX, &[]), "an item does not end"),
+        (item(0, &[]), "a sequence does not end"),
+    ] {
+        let mut file = at(0.0).bytes();
+        let place = file.windows(4).position(|window| window == [0x20, 0, 0x37, 0]).expect("an element");
+        file.truncate(place);
+        file.extend([&[0x20, 0, 0x36, 0][..], b"SQ", &[0, 0, 0xff, 0xff, 0xff, 0xff], &content].concat());
+        let error = folder.open("a.dcm", file).expect_err("no end").to_string();
+        assert!(error.contains(expected), "{expected}: {error}");
+    }
+}
+
 /// A number of four bytes cannot have two: the library that reads elements would take none, and begin the next element with these.
 #[test]
 fn numbers_are_whole() {

@@ -132,7 +132,7 @@ impl Walk {
             // What is of no known kind is written in the simplest way inside.
             let inside = if vr == *b"UN" { Coding { explicit: false, big: false } } else { coding };
             if length == UNDEFINED {
-                self.items(end, inside, depth, pixels)?;
+                self.items(end, inside, depth, pixels, true)?;
                 continue;
             }
             let last = self.fits(u64::from(length), end)?;
@@ -148,15 +148,19 @@ impl Walk {
                 self.file.read_exact(&mut text)?;
                 self.syntax = String::from_utf8_lossy(&text).trim_end_matches(['\0', ' ']).to_owned();
             } else if !pixels && (vr == *b"SQ" || self.starts_an_item(coding, last)?) {
-                self.items(last, inside, depth, false)?;
+                self.items(last, inside, depth, false, false)?;
             }
             self.seek(last)?;
+        }
+        // The library would read on, as if what is around had no end.
+        if within == Within::Item || (depth > 0 && self.position < end) {
+            return Err(Problem("an item does not end where it should".to_owned()));
         }
         Ok(())
     }
 
-    /// The items of a sequence, or the fragments of compressed pixels, up to `end` or to their delimiter.
-    fn items(&mut self, end: u64, coding: Coding, depth: u32, pixels: bool) -> Result<(), Problem> {
+    /// The items of a sequence, or the fragments of compressed pixels, up to `end`, or to their delimiter where they are `delimited`.
+    fn items(&mut self, end: u64, coding: Coding, depth: u32, pixels: bool, delimited: bool) -> Result<(), Problem> {
         while self.position + 8 <= end {
             let tag = self.tag(coding.big)?;
             let length = self.word(coding.big)?;
@@ -175,6 +179,10 @@ impl Walk {
                 self.elements(last, coding, depth + 1, Within::Length)?;
             }
             self.seek(last)?;
+        }
+        // Pixels may just stop with the file.
+        if (delimited && !pixels) || (!delimited && self.position < end) {
+            return Err(Problem("a sequence does not end where it should".to_owned()));
         }
         Ok(())
     }
