@@ -215,12 +215,12 @@ impl Frame {
     /// # Errors
     /// If the backend fails.
     pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<(Self, Vec<Pass>), Failure> {
-        let Some(mesh) = &case.inputs.mesh else {
+        if case.inputs.mesh.is_none() {
             let mut sweep = Sweep::prepare(&case.scene, &case.inputs, backend)?;
             let passes = mem::take(&mut sweep.passes.passes);
             return Ok((Self::Sweep(Box::new(sweep)), passes));
-        };
-        let uploaded = Uploaded::new(&case.scene, mesh, backend, &mut |_, _| true)?;
+        }
+        let uploaded = Uploaded::new(&case.scene, &case.inputs, backend, &mut |_, _| true)?;
         let mut rays = Rays::prepare(&case.scene, &case.inputs, &uploaded, backend)?;
         let passes = mem::take(&mut rays.passes.passes);
         Ok((Self::Voxels(Box::new(rays), Box::new(uploaded)), passes))

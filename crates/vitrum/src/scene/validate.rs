@@ -67,16 +67,26 @@ fn check_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
     let given = [
         ("volume", scene.volume != VolumeSource::default()),
         ("ior_volume", scene.ior_volume.is_some()),
-        ("ground", scene.ground.is_some()),
-        ("wall", scene.wall.is_some()),
         ("clip", !scene.clip.is_empty()),
     ];
     match given.iter().find(|(_, given)| *given) {
-        None => Ok(()),
+        None => check_materials(scene),
         Some((name, _)) => Err(Fault::contradiction(
             name,
             "rays through a mesh know nothing of it, and `mesh` is given",
             format!("leave `{name}` out, or take the method `sweep` and a volume"),
+        )),
+    }
+}
+
+/// A color is that of an opaque body.
+fn check_materials(scene: &Scene) -> Result<(), Fault> {
+    match scene.material.iter().position(|material| material.color.is_some() && !material.opaque) {
+        None => Ok(()),
+        Some(index) => Err(Fault::contradiction(
+            &format!("material.{index}.color"),
+            "it is the color of an opaque body, and the material is clear",
+            format!("set `material.{index}.opaque = true`, or give a clear material an `attenuation_color`"),
         )),
     }
 }
