@@ -20,7 +20,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// A built-in scene as a picture of `edge` × `edge` pixels, its volumes with `resolution` voxels along their longest
+    /// A built-in scene as a picture of `edge` × `edge` pixels, its volumes or its mesh with `resolution` voxels along their longest
     /// edge (their own if `None`), changed by `settings` such as `sweep.gradient=chain`.
     ///
     /// # Errors
@@ -30,6 +30,9 @@ impl Case {
         let mut scene = sized(builtin::scene(name).ok_or_else(unknown)?, edge);
         for source in [Some(&mut scene.volume), scene.ior_volume.as_mut()].into_iter().flatten() {
             source.resolution = resolution.or(source.resolution);
+        }
+        if scene.mesh.is_some() {
+            scene.voxels.resolution = resolution.unwrap_or(scene.voxels.resolution);
         }
         for setting in settings {
             scene.set(setting)?;

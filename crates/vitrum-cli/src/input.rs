@@ -6,10 +6,10 @@ use crate::volume::VolumeArguments;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
-use vitrum::io::{STANDARD_INPUT, Volume, is_mesh};
+use vitrum::io::{Mesh, OpenOptions, STANDARD_INPUT, Up, Volume, is_mesh};
 use vitrum::scene::{MeshSource, Method, Problem, Scene, VolumeSource};
 use vitrum::suggest::nearest;
-use vitrum::{Inputs, builtin, load_volume, preset};
+use vitrum::{Inputs, builtin, load_mesh, load_volume, preset};
 
 /// The input and the flags that change its scene.
 #[derive(Debug, Args)]
@@ -121,7 +121,7 @@ pub fn open(input: &str) -> Result<Opened, Failure> {
     }
     // What cannot be looked at, the reader of volumes has the message for.
     if path != Path::new(STANDARD_INPUT) && is_mesh(path).unwrap_or(false) {
-        let mesh = Some(MeshSource { file: path.to_owned(), up: None });
+        let mesh = Some(MeshSource { file: Some(path.to_owned()), ..MeshSource::default() });
         let scene = Scene { method: Method::Voxels, mesh, ..Scene::default() };
         return Ok(Opened { scene, base: PathBuf::new(), bare: true });
     }
@@ -132,10 +132,10 @@ pub fn open(input: &str) -> Result<Opened, Failure> {
 /// The scene of a mesh's file as a volume.
 fn without_mesh(scene: Scene) -> Scene {
     match scene.mesh {
-        Some(MeshSource { file, .. }) => {
+        Some(MeshSource { file: Some(file), .. }) => {
             Scene { volume: VolumeSource { file: Some(file), ..VolumeSource::default() }, ..Scene::default() }
         }
-        None => scene,
+        _ => scene,
     }
 }
 
@@ -147,6 +147,19 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
     arguments.apply(&mut scene.volume);
     scene.validate()?;
     Ok(load_volume(&scene.volume, &base, arguments.limit())?)
+}
+
+/// The mesh that is shown, as it stands in its file, without the rest of the scene's files. What is no mesh fails as one.
+pub fn open_mesh(input: &str, max_bytes: Option<u64>) -> Result<Mesh, Failure> {
+    let Opened { scene, base, bare } = open(input)?;
+    let as_it_stands = Up::Superior.to_string();
+    match scene.mesh {
+        Some(source) if bare => {
+            Ok(load_mesh(&MeshSource { up: Some(as_it_stands), ..source }, Path::new(""), max_bytes)?)
+        }
+        Some(source) => Ok(load_mesh(&source, &base, max_bytes)?),
+        None => Ok(vitrum::io::open_mesh(Path::new(input), &OpenOptions { max_bytes, ..OpenOptions::default() })?),
+    }
 }
 
 fn read_scene(path: &Path) -> Result<Scene, Failure> {

@@ -75,15 +75,19 @@ fn broken_series() {
         (vec![packed(JPEG_2000, &wide(&JPEG_2000_WORDS, 41))], "it has 255 components, not one of gray"),
         (vec![packed(JPEG_LS, &[0; 8])], "the JPEG-LS, lossless of frame 1 is damaged"),
         (vec![packed(JPEG_LS, &JPEG_LS_WORDS[..90])], "the JPEG-LS, lossless of frame 1 is damaged"),
-        (vec![packed(JPEG_LS, &wide(&JPEG_LS_WORDS, 54))], "picture inside is 255 x 2, and the header says 3 x 2"),
+        (vec![packed(JPEG_LS, &wide(&JPEG_LS_WORDS, 54))], "it is 255 x 2, and the header says 3 x 2"),
         (vec![changed(0.0, |s| s.compressed("1.2.3", vec![vec![0; 8]]))], "Unrecognized transfer syntax `1.2.3`"),
         (vec![changed(0.0, |s| s.compressed(RLE, vec![vec![0; 8]]))], "the RLE of frame 1 is damaged"),
         (vec![changed(0.0, |s| s.compressed(RLE, vec![rle(&[vec![1; 3]])]))], "3 of 6 bytes"),
         (
             vec![changed(0.0, |s| s.compressed("1.2.840.10008.1.2.4.70", vec![jpeg(60000, 60000)]))],
-            "the JPEG picture inside is 60000 x 60000, and the header says 3 x 2",
+            "the JPEG, lossless of frame 1 is damaged: it is 60000 x 60000, and the header says 3 x 2",
         ),
         (vec![changed(0.0, |s| s.compressed("1.2.840.10008.1.2.4.70", vec![jpeg(2, 3)]))], "damaged"),
+        (
+            vec![changed(0.0, |s| s.compressed("1.2.840.10008.1.2.4.70", vec![wide(&jpeg(2, 3), 6)]))],
+            "its samples have 255 bits, and the header says",
+        ),
         (vec![changed(0.0, |s| s.text((0x0028, 0x1053), "DS", "0"))], "value scale 0"),
     ];
     let mut others = String::new();

@@ -67,22 +67,37 @@ impl Inputs {
     }
 }
 
-/// Reads the mesh that `source` names, turned upright; a relative path starts at `base`.
+/// Reads the mesh that `source` names, turned upright but not twisted; a relative path starts at `base`.
 ///
 /// # Errors
 ///
-/// Those of [`vitrum_io::open_mesh`], and where `source.up` is no direction.
+/// Those of [`vitrum_io::open_mesh`]; where `source` would not pass [`Scene::validate`], or its built-in mesh does not exist.
 pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Result<Mesh, Error> {
-    let path = base.join(&source.file);
-    let mut mesh = vitrum_io::open_mesh(&path, &OpenOptions { max_bytes, ..OpenOptions::default() })?;
+    let (mut mesh, usual) = match (&source.file, &source.builtin) {
+        (Some(file), None) => {
+            let path = base.join(file);
+            let options = OpenOptions { max_bytes, ..OpenOptions::default() };
+            (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
+        }
+        (None, Some(name)) => (builtin::mesh(name).ok_or_else(|| unknown_mesh(name))?, Up::Superior),
+        (Some(_), Some(_)) => return Err(Error::Scene("a mesh has both a file and a builtin; keep one".to_owned())),
+        (None, None) => {
+            return Err(Error::Scene("a mesh has neither a file nor a builtin; give one of them".to_owned()));
+        }
+    };
     let up = match &source.up {
         Some(text) => text.parse().map_err(Error::Scene)?,
-        None => usual_up(&path),
+        None => usual,
     };
     let turn = |vector: &mut [f32; 3]| *vector = up.turn(*vector);
     mesh.positions.iter_mut().for_each(turn);
     mesh.normals.iter_mut().flatten().for_each(turn);
     Ok(mesh)
+}
+
+fn unknown_mesh(name: &str) -> Error {
+    let names = builtin::mesh_names().collect::<Vec<_>>().join(", ");
+    Error::Scene(format!("there is no built-in mesh `{name}`; they are {names}"))
 }
 
 /// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.

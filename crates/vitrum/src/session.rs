@@ -5,6 +5,7 @@ use crate::blend::Blend;
 use crate::frame::Frame;
 use crate::inputs::Inputs;
 use crate::mesh_frame;
+use crate::method::mesh_volumes::MeshVolumes;
 use crate::method::{sweep, voxels};
 use crate::render::{Error, Progress, Wanted, develop, expose};
 use crate::scene::{Method, Scene};
@@ -30,6 +31,8 @@ enum Uploaded {
     Volumes(sweep::Uploaded),
     /// A mesh, once a scene has said what becomes of it.
     Mesh(Option<voxels::Uploaded>),
+    /// A mesh as volumes.
+    MeshVolumes(Box<MeshVolumes>, sweep::Uploaded),
 }
 
 impl Uploaded {
@@ -37,6 +40,7 @@ impl Uploaded {
         match self {
             Self::Volumes(volumes) => volumes.free(backend),
             Self::Mesh(mesh) => mesh.into_iter().for_each(|mesh| mesh.free(backend)),
+            Self::MeshVolumes(_, volumes) => volumes.free(backend),
         }
     }
 }
@@ -127,27 +131,28 @@ impl<'a> Session<'a> {
         wanted: Wanted,
         progress: &mut dyn FnMut(Progress) -> bool,
     ) -> Result<Frame, Error> {
-        let volumes = match (&mut self.uploaded, scene.method) {
-            (Uploaded::Volumes(volumes), Method::Sweep) => &*volumes,
-            (Uploaded::Mesh(mesh), Method::Voxels) => {
+        let started = Instant::now();
+        self.suit(scene, progress)?;
+        let mut upload_ms = std::mem::take(&mut self.upload_ms) + started.elapsed().as_secs_f64() * 1e3;
+        let of_mesh;
+        let (inputs, volumes, scene) = match &mut self.uploaded {
+            Uploaded::Volumes(volumes) => (self.inputs, &*volumes, scene),
+            Uploaded::MeshVolumes(shown, volumes) => {
+                of_mesh = shown.scene(scene, self.inputs)?;
+                (&shown.inputs, &*volumes, &of_mesh)
+            }
+            Uploaded::Mesh(mesh) => {
                 return mesh_frame::render(scene, self.inputs, mesh, self.backend.get(), progress);
-            }
-            (Uploaded::Volumes(_), Method::Voxels) => {
-                return Err(Error::Scene("the method `voxels` shows a mesh, and volumes were read".to_owned()));
-            }
-            (Uploaded::Mesh(_), Method::Sweep) => {
-                return Err(Error::Scene("the method `sweep` shows volumes, and a mesh was read".to_owned()));
             }
         };
         let exposures = exposures(scene);
-        let mut upload_ms = std::mem::take(&mut self.upload_ms);
         let mut blend = Blend::default();
         let mut frame = None;
         let count = exposures.len() as u32;
         let backend = self.backend.get();
         for (index, (band, seen)) in (0..).zip(&exposures) {
             let started = Instant::now();
-            let mut sweep = sweep::Sweep::prepare_uploaded(seen, self.inputs, volumes, backend)?;
+            let mut sweep = sweep::Sweep::prepare_uploaded(seen, inputs, volumes, backend)?;
             if !wanted.light {
                 sweep.end_light_with_rays();
             }
@@ -161,7 +166,36 @@ impl<'a> Session<'a> {
             sweep.free(backend);
             result?;
         }
-        Ok(frame.expect("a scene has at least one exposure"))
+        let mut frame = frame.expect("a scene has at least one exposure");
+        if self.inputs.mesh.is_some() {
+            frame.statistics.voxels = Some(inputs.volume.dimensions);
+        }
+        Ok(frame)
+    }
+
+    /// Makes of a mesh what the scene's method runs through.
+    fn suit(&mut self, scene: &Scene, progress: &mut dyn FnMut(Progress) -> bool) -> Result<(), Error> {
+        let fits = match (&self.uploaded, scene.method) {
+            (Uploaded::Volumes(_), Method::Voxels) => {
+                return Err(Error::Scene("the method `voxels` shows a mesh, and volumes were read".to_owned()));
+            }
+            (Uploaded::Volumes(_), Method::Sweep) | (Uploaded::Mesh(_), Method::Voxels) => true,
+            (Uploaded::MeshVolumes(shown, _), Method::Sweep) => shown.fits(scene, self.inputs)?,
+            (Uploaded::Mesh(_), Method::Sweep) | (Uploaded::MeshVolumes(..), Method::Voxels) => false,
+        };
+        if fits {
+            return Ok(());
+        }
+        let backend = self.backend.get();
+        std::mem::replace(&mut self.uploaded, Uploaded::Mesh(None)).free(backend);
+        if scene.method == Method::Sweep {
+            // How long that takes beside the sweep is not known, so that it counts for nothing.
+            let mut wait = |_, _| progress(Progress { done: 0, total: 1 });
+            let shown = MeshVolumes::new(scene, self.inputs, backend, &mut wait)?;
+            let volumes = sweep::Uploaded::new(&shown.inputs, backend)?;
+            self.uploaded = Uploaded::MeshVolumes(Box::new(shown), volumes);
+        }
+        Ok(())
     }
 }
 

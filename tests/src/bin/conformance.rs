@@ -117,8 +117,9 @@ impl Arguments {
             |method: Method| self.method.is_empty() || self.method.iter().any(|wanted| wanted == name_of(method));
         kernels.retain(|case| wants(&case.name) && of_method(case.scene.method));
         meshes.retain(|case| wants(&case.name) && of_method(case.scene.method));
-        frames.retain(|name| wants(name) && of_method(Method::Sweep));
-        golden.retain(|name| wants(name) && of_method(Method::Sweep));
+        let of_scene = |name: &str| builtin::scene(name).is_some_and(|scene| of_method(scene.method));
+        frames.retain(|name| wants(name) && of_scene(name));
+        golden.retain(|name| wants(name) && of_scene(name));
         Ok(Selection { functions: functions.into_iter().any(wants), kernels, frames, meshes, golden })
     }
 

@@ -42,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 /// A scene that moves to another folder must name its files by absolute paths.
 fn make_absolute(scene: &mut Scene, base: &Path) {
     let sources = std::iter::once(&mut scene.volume).chain(&mut scene.ior_volume);
-    let mesh = scene.mesh.iter_mut().map(|mesh| &mut mesh.file);
+    let mesh = scene.mesh.iter_mut().filter_map(|mesh| mesh.file.as_mut());
     let files = sources.filter_map(|source| source.file.as_mut()).chain(mesh).chain(&mut scene.environment.file);
     for file in files.filter(|file| file.as_path() != Path::new(STANDARD_INPUT)) {
         if let Ok(absolute) = std::path::absolute(base.join(&*file)) {

@@ -1,14 +1,67 @@
-//! Compressed pictures of gray pixels that the DICOM library does not decode by itself: JPEG-LS and JPEG 2000.
+//! Compressed pictures of gray pixels: JPEG, JPEG-LS and JPEG 2000. Each is held against the file's header before it is decoded: a
+//! picture could be made to need any amount of memory.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use hayro_jpeg2000::{DecodeSettings, DecoderContext, Image};
+use jpeg_decoder::Decoder;
 
 /// Rows and columns, as the file's header says.
 pub(super) type Size = [u32; 2];
 
+/// The pixels of a JPEG picture, with or without loss, each in `bytes` bytes, little-endian; else the problem.
+pub(super) fn jpeg(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
+    check_frame(packed, size, bytes)?;
+    // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
+    let decode = || Decoder::new(packed).decode().map_err(|error| error.to_string());
+    let mut pixels = catch_unwind(decode).map_err(|_| "it cannot be decoded".to_owned())??;
+    if bytes == 2 && cfg!(target_endian = "big") {
+        // It gives words in the machine's order.
+        pixels.chunks_exact_mut(2).for_each(<[u8]>::reverse);
+    }
+    Ok(pixels)
+}
+
+/// Fails where a JPEG or JPEG-LS picture is not one of gray pixels in `bytes` bytes each, or of another size.
+fn check_frame(packed: &[u8], [rows, columns]: Size, bytes: usize) -> Result<(), String> {
+    let Some([precision, height, width, components]) = frame(packed) else {
+        return Err("it has no frame header".to_owned());
+    };
+    if [height, width] != [rows, columns] {
+        return Err(format!("it is {width} x {height}, and the header says {columns} x {rows}"));
+    }
+    if components != 1 {
+        return Err(format!("it has {components} components, not one of gray"));
+    }
+    if precision.div_ceil(8) != bytes as u32 {
+        return Err(format!("its samples have {precision} bits, and the header says {bytes} bytes"));
+    }
+    Ok(())
+}
+
+/// Bits of a sample, rows, columns and components, where these bytes start a JPEG or JPEG-LS picture.
+fn frame(bytes: &[u8]) -> Option<[u32; 4]> {
+    let mut rest = bytes.strip_prefix(&[0xff, 0xd8])?;
+    loop {
+        let [0xff, marker, high, low, after @ ..] = rest else { return None };
+        let byte = |at: usize| after.get(at).map(|&byte| u32::from(byte));
+        match marker {
+            // A byte that fills up.
+            0xff => rest = &rest[1..],
+            // A start of frame; the others of its row are tables.
+            0xc0..=0xcf | 0xf7 if !matches!(marker, 0xc4 | 0xc8 | 0xcc) => {
+                let word = |at: usize| Some(byte(at)? << 8 | byte(at + 1)?);
+                return Some([byte(0)?, word(1)?, word(3)?, byte(5)?]);
+            }
+            _ => rest = after.get(usize::from(u16::from_be_bytes([*high, *low])).checked_sub(2)?..)?,
+        }
+    }
+}
+
 /// The pixels of a JPEG-LS picture, each in `bytes` bytes, little-endian; else the problem.
-pub(super) fn jpeg_ls(packed: &[u8], [rows, columns]: Size, bytes: usize) -> Result<Vec<u8>, String> {
+pub(super) fn jpeg_ls(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
+    check_frame(packed, size, bytes)?;
+    let [rows, columns] = size;
     // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
     let decoded =
         catch_unwind(|| jpegls::decode(packed, columns, rows)).map_err(|_| "it cannot be decoded".to_owned())?;
@@ -43,7 +96,7 @@ struct Codestream {
 }
 
 impl Codestream {
-    /// Checks it before anything is decoded: a picture could be made to need any amount of memory.
+    /// Reads it, and fails where it is not what the file's header says.
     fn check(packed: &[u8], [rows, columns]: Size) -> Result<Self, String> {
         const START: &[u8] = &[0xff, 0x4f, 0xff, 0x51];
         // Some writers put a file of the format there, with boxes before the codestream.

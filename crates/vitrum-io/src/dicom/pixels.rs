@@ -1,9 +1,6 @@
 //! The pixels of the slices, decoded.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
 use dicom_object::{DefaultDicomObject, open_file};
-use dicom_pixeldata::PixelDecoder;
 
 use super::attributes;
 use super::files::Series;
@@ -53,7 +50,6 @@ impl Opened {
         let data = object.get(attributes::PIXEL_DATA).ok_or_else(missing)?;
         let compression = syntax::compression(report, &file.syntax)?;
         let plain = if compression != Compression::None {
-            check_fragments(report, file, data.fragments().unwrap_or_default())?;
             None
         } else {
             let mut bytes = data.to_bytes().map_err(|error| damaged(report, &error))?.into_owned();
@@ -72,7 +68,6 @@ impl Opened {
         let size = file.rows as usize * file.columns as usize * file.pixels.sample.size();
         let found = match &self.plain {
             Some(bytes) => bytes.get(frame * size..).unwrap_or_default().iter().copied().take(size).collect(),
-            None if self.compression == Compression::Jpeg => self.picture(report, frame)?,
             None => self.unpack(file, frame).map_err(|problem| {
                 report.invalid(
                     Place::File,
@@ -93,67 +88,42 @@ impl Opened {
 }
 
 impl Opened {
-    /// The compressed bytes of a frame: a fragment each, or all of them where there is one frame.
+    /// The compressed bytes of a frame: all fragments where there is one frame, a fragment each where there are as many, else those
+    /// that the table of offsets gives it.
     fn fragments(&self, file: &File, frame: usize) -> Vec<u8> {
-        let fragments = self.object.get(attributes::PIXEL_DATA).and_then(|data| data.fragments()).unwrap_or_default();
-        if file.frames.len() == 1 { fragments.concat() } else { fragments.get(frame).cloned().unwrap_or_default() }
+        let data = self.object.get(attributes::PIXEL_DATA);
+        let fragments = data.and_then(|data| data.fragments()).unwrap_or_default();
+        let frames = file.frames.len();
+        if frames == 1 {
+            return fragments.concat();
+        }
+        if fragments.len() == frames {
+            return fragments[frame].clone();
+        }
+        let offsets = data.and_then(|data| data.value().offset_table()).unwrap_or_default();
+        let Some(start) = offsets.get(frame).map(|&offset| u64::from(offset)) else { return Vec::new() };
+        let end = offsets.get(frame + 1).map_or(u64::MAX, |&offset| u64::from(offset));
+        let mut offset = 0;
+        let mut bytes = Vec::new();
+        for fragment in fragments {
+            if (start..end).contains(&offset) {
+                bytes.extend_from_slice(fragment);
+            }
+            // Each has a header of eight bytes.
+            offset += fragment.len() as u64 + 8;
+        }
+        bytes
     }
 
-    /// The decoded pixels of a frame of any other compression, or the problem.
+    /// The decoded pixels of a compressed frame, or the problem.
     fn unpack(&self, file: &File, frame: usize) -> Result<Vec<u8>, String> {
         let packed = self.fragments(file, frame);
         let (size, bytes) = ([file.rows, file.columns], file.pixels.sample.size());
         match self.compression {
+            Compression::Jpeg => codecs::jpeg(&packed, size, bytes),
             Compression::JpegLs => codecs::jpeg_ls(&packed, size, bytes),
             Compression::Jpeg2000 => codecs::jpeg_2000(&packed, size, bytes),
             _ => rle::decode(&packed, file.rows as usize * file.columns as usize, bytes),
-        }
-    }
-
-    /// The decoded JPEG picture of a frame.
-    fn picture(&self, report: Report, frame: usize) -> Result<Vec<u8>, Error> {
-        let number = u32::try_from(frame).unwrap_or(u32::MAX);
-        // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
-        let decoded = catch_unwind(AssertUnwindSafe(|| self.object.decode_pixel_data_frame(number)));
-        let decoded = decoded.map_err(|_| {
-            let problem = format!("the JPEG picture of frame {} is damaged", frame + 1);
-            report.invalid(Place::File, problem, "get the whole file, or write it anew")
-        })?;
-        Ok(decoded.map_err(|error| damaged(report, &error))?.into_data())
-    }
-}
-
-/// Fails where a JPEG picture is of another size than the header says: it could be made to need any amount of memory.
-fn check_fragments(report: Report, file: &File, fragments: &[Vec<u8>]) -> Result<(), Error> {
-    for fragment in fragments {
-        if let Some([rows, columns]) = jpeg_size(fragment)
-            && [rows, columns] != [file.rows, file.columns]
-        {
-            return Err(report.invalid(
-                Place::File,
-                format!(
-                    "the JPEG picture inside is {columns} x {rows}, and the header says {} x {}",
-                    file.columns, file.rows
-                ),
-                "get the file again, or write it anew",
-            ));
-        }
-    }
-    Ok(())
-}
-
-/// Rows and columns, where these bytes start a JPEG or JPEG-LS picture.
-fn jpeg_size(bytes: &[u8]) -> Option<[u32; 2]> {
-    let mut rest = bytes.strip_prefix(&[0xff, 0xd8])?;
-    loop {
-        let [0xff, marker, high, low, after @ ..] = rest else { return None };
-        let word = |at: usize| Some(u32::from(u16::from_be_bytes([*after.get(at)?, *after.get(at + 1)?])));
-        match marker {
-            // A byte that fills up.
-            0xff => rest = &rest[1..],
-            // A start of frame; the others of its row are tables.
-            0xc0..=0xcf | 0xf7 if !matches!(marker, 0xc4 | 0xc8 | 0xcc) => return Some([word(1)?, word(3)?]),
-            _ => rest = after.get(usize::from(u16::from_be_bytes([*high, *low])).checked_sub(2)?..)?,
         }
     }
 }

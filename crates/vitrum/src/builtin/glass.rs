@@ -139,18 +139,18 @@ fn material(body: &Outline, cavity: &Outline, point: Vec2, edge: f32) -> f32 {
 }
 
 /// Height of the liquid on the axis.
-const LEVEL: f32 = 0.46;
+pub(super) const LEVEL: f32 = 0.46;
 /// How far the liquid climbs at the wall.
-const MENISCUS: f32 = 0.03;
+pub(super) const MENISCUS: f32 = 0.03;
 /// Thickness of the bowl's wall.
-const WALL: f32 = 0.045;
+pub(super) const WALL: f32 = 0.045;
 /// The first point of [`BODY`] that belongs to the bowl's inside.
-const CAVITY: usize = 25;
+pub(super) const CAVITY: usize = 25;
 
 /// Outline of the glass: distance from the axis and height, from the foot's underside over the outside and the rim to the
 /// bowl's deepest point.
 #[rustfmt::skip]
-const BODY: [[f32; 2]; 36] = [
+pub(super) const BODY: [[f32; 2]; 36] = [
     [0.0, -0.940], [0.20, -0.945], [0.38, -0.964], [0.440, -0.965],
     [0.458, -0.950], [0.444, -0.932], [0.36, -0.920], [0.22, -0.895], [0.12, -0.850], [0.070, -0.770],
     [0.055, -0.660], [0.052, -0.540], [0.060, -0.440], [0.090, -0.370], [0.160, -0.315], [0.270, -0.245],

@@ -1,4 +1,4 @@
-//! Procedural volumes and the scenes that show them: nothing to download.
+//! Procedural volumes and meshes, and the scenes that show them: nothing to download.
 //!
 //! All volumes are centred on the world's origin, stand upright along +z and are 2 world units along their longest edge (the
 //! ball and the Luneburg lens have a radius of exactly 1, and a margin). They are computed with additions, multiplications and
@@ -11,6 +11,7 @@ mod glass;
 mod grid;
 mod head;
 mod luneburg;
+mod mesh;
 mod noise;
 mod phantom;
 mod prism;
@@ -19,7 +20,7 @@ mod supernova;
 
 use crate::scene::Scene;
 use std::sync::LazyLock;
-use vitrum_io::{Error, Volume};
+use vitrum_io::{Error, Mesh, Volume};
 
 /// Name, one-line description and maker of a scene.
 type SceneEntry = (&'static str, &'static str, fn() -> Scene);
@@ -72,8 +73,19 @@ pub fn volume(name: &str, resolution: Option<u32>) -> Option<Result<Volume, Erro
     Some(make(name, resolution.unwrap_or(default)))
 }
 
+/// Computes the procedural mesh of that name ([`crate::scene::MeshSource::builtin`]).
+#[must_use]
+pub fn mesh(name: &str) -> Option<Mesh> {
+    mesh::MESHES.iter().find(|entry| entry.0 == name).map(|entry| entry.1(name))
+}
+
+/// The names of the procedural meshes.
+pub fn mesh_names() -> impl Iterator<Item = &'static str> {
+    mesh::MESHES.iter().map(|entry| entry.0)
+}
+
 fn entries() -> impl Iterator<Item = &'static SceneEntry> {
-    SCENES.iter().copied().flatten()
+    SCENES.iter().chain(mesh::SCENES).copied().flatten()
 }
 
 #[cfg(test)]
@@ -95,14 +107,18 @@ mod tests {
     fn scenes_are_valid_and_differ_from_their_siblings() {
         for (name, scene) in entries().map(|entry| (entry.0, entry.2())) {
             scene.validate().unwrap_or_else(|error| panic!("{name}: {error}"));
+            let base = name.split('/').next().unwrap();
+            let same = entries().filter(|entry| entry.0.starts_with(base) && entry.2() == scene).count();
+            assert!(same <= if names().iter().any(|other| other.0 == base) { 2 } else { 1 }, "{name}");
+            if let Some(source) = &scene.mesh {
+                assert!(mesh_names().any(|known| Some(known) == source.builtin.as_deref()), "{name}");
+                continue;
+            }
             for source in [Some(&scene.volume), scene.ior_volume.as_ref()].into_iter().flatten() {
                 let volume = source.builtin.as_deref().unwrap();
                 assert!(VOLUMES.iter().any(|entry| entry.0 == volume), "{name}: {volume}");
             }
             assert!(scene.transfer.reference_length.is_some(), "{name}: the look depends on the resolution");
-            let base = name.split('/').next().unwrap();
-            let same = entries().filter(|entry| entry.0.starts_with(base) && entry.2() == scene).count();
-            assert!(same <= if names().iter().any(|other| other.0 == base) { 2 } else { 1 }, "{name}");
         }
     }
 
@@ -127,7 +143,7 @@ mod tests {
 
     #[test]
     fn air_is_empty_in_every_scene() {
-        for (name, scene) in entries().map(|entry| (entry.0, entry.2())) {
+        for (name, scene) in SCENES.iter().copied().flatten().map(|entry| (entry.0, entry.2())) {
             let volume = volume(scene.volume.builtin.as_deref().unwrap(), Some(32)).unwrap().unwrap();
             let transfer = scene.transfer;
             assert!(transfer.opacity[0].opacity == 0.0 && transfer.opacity[0].value >= volume.range[0], "{name}");

@@ -79,15 +79,20 @@ impl Outline {
 /// Straight pieces that [`smooth_curve`] puts between two points.
 pub(super) const PIECES: usize = 6;
 
-/// The smooth curve (Catmull–Rom) through points, [`PIECES`] straight pieces from each to the next.
+/// The smooth curve through points, [`PIECES`] straight pieces from each to the next.
 pub(super) fn smooth_curve(points: &[Vec3]) -> Vec<Vec3> {
-    let mut curve = Vec::with_capacity(points.len() * PIECES);
+    smooth_curve_of(points, PIECES)
+}
+
+/// The smooth curve (Catmull–Rom) through points, `pieces` straight ones from each to the next.
+pub(super) fn smooth_curve_of(points: &[Vec3], pieces: usize) -> Vec<Vec3> {
+    let mut curve = Vec::with_capacity(points.len() * pieces);
     for (index, pair) in points.windows(2).enumerate() {
         let (start, end) = (pair[0], pair[1]);
         // Beyond its ends the curve goes on as the mirror image of its first and last piece.
         let before = if index == 0 { 2.0 * start - end } else { points[index - 1] };
         let after = points.get(index + 2).copied().unwrap_or(2.0 * end - start);
-        curve.extend((0..PIECES).map(|piece| catmull_rom([before, start, end, after], piece as f32 / PIECES as f32)));
+        curve.extend((0..pieces).map(|piece| catmull_rom([before, start, end, after], piece as f32 / pieces as f32)));
     }
     curve.extend(points.last());
     curve

@@ -60,7 +60,7 @@ pub type Vector = [f32; 3];
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
-    /// `sweep` for a volume, `voxels` for a mesh.
+    /// `sweep` for a volume or a mesh, `voxels` for a mesh.
     pub method: Method,
     /// The volume that is shown.
     pub volume: VolumeSource,

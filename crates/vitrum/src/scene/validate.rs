@@ -43,39 +43,64 @@ impl Scene {
     }
 }
 
-/// A sweep shows a volume, voxels a mesh.
+/// A sweep shows a volume or a mesh, voxels a mesh.
 fn check_shown(scene: &Scene) -> Result<(), Fault> {
     match (scene.method, &scene.mesh) {
         (Method::Sweep, None) => check_source("volume", &scene.volume),
-        (Method::Sweep, Some(_)) => Err(Fault::contradiction(
-            "mesh",
-            "a plane sweep shows a volume, and a mesh is given",
-            "set `method = \"voxels\"`, or leave `mesh` out",
-        )),
+        (Method::Sweep, Some(mesh)) => check_swept_mesh(scene, mesh),
         (Method::Voxels, None) => Err(Fault::contradiction(
             "method",
             "`voxels` shows a mesh, and none is given",
-            "name one in `mesh.file`, or take the method `sweep`",
+            "name one in `mesh.file` or `mesh.builtin`, or take the method `sweep`",
         )),
         (Method::Voxels, Some(mesh)) => check_mesh(scene, mesh),
     }
 }
 
 fn check_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
+    check_mesh_source(scene, mesh)?;
+    let given = [("clip", !scene.clip.is_empty())];
+    refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")?;
+    check_materials(scene)
+}
+
+/// The materials say what a mesh's volume looks like.
+fn check_swept_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
+    check_mesh_source(scene, mesh)?;
+    if let Some(index) = scene.material.iter().position(|material| material.opaque) {
+        return Err(Fault::contradiction(
+            &format!("material.{index}.opaque"),
+            "a plane sweep shows clear bodies of a mesh, and this one is opaque",
+            "set `method = \"voxels\"`, or make the material clear",
+        ));
+    }
+    let given = [("transfer", scene.transfer != TransferFunction::default())];
+    refuse(&given, "a mesh has no scalar, and `mesh` is given", "and say in `material` what bodies are made of")
+}
+
+fn check_mesh_source(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
+    match (&mesh.file, &mesh.builtin) {
+        (Some(_), Some(_)) => {
+            Err(Fault::contradiction("mesh", "both `file` and `builtin` are given", "leave one of them out"))
+        }
+        (None, None) => Err(Fault::contradiction(
+            "mesh",
+            "neither `file` nor `builtin` is given",
+            "name a mesh, such as `mesh.builtin = \"vase\"`",
+        )),
+        _ => Ok(()),
+    }?;
     let up = mesh.up.as_deref().map_or(Ok(()), |text| text.parse::<Up>().map(drop));
     up.map_err(|problem| unreadable("mesh.up", &problem))?;
-    let given = [
-        ("volume", scene.volume != VolumeSource::default()),
-        ("ior_volume", scene.ior_volume.is_some()),
-        ("clip", !scene.clip.is_empty()),
-    ];
+    let given = [("volume", scene.volume != VolumeSource::default()), ("ior_volume", scene.ior_volume.is_some())];
+    refuse(&given, "a volume and a mesh are given", "or leave `mesh` out")
+}
+
+/// Fails at the first key that is given and must not be.
+fn refuse(given: &[(&str, bool)], problem: &str, advice: &str) -> Result<(), Fault> {
     match given.iter().find(|(_, given)| *given) {
-        None => check_materials(scene),
-        Some((name, _)) => Err(Fault::contradiction(
-            name,
-            "rays through a mesh know nothing of it, and `mesh` is given",
-            format!("leave `{name}` out, or take the method `sweep` and a volume"),
-        )),
+        None => Ok(()),
+        Some((name, _)) => Err(Fault::contradiction(name, problem, format!("leave `{name}` out, {advice}"))),
     }
 }
 

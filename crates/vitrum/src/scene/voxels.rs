@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
-    /// A plane sweep through a volume.
+    /// A plane sweep through a volume, or through what is made of a mesh.
     #[default]
     Sweep,
     /// Rays through a mesh as voxels.

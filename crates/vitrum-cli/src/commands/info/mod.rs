@@ -9,7 +9,7 @@ use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
 use std::process::ExitCode;
-use vitrum::io::{OpenOptions, Volume, Voxels, open_mesh};
+use vitrum::io::{Volume, Voxels};
 
 /// Show what a volume or a mesh is: format, size, spacing, range, histogram; triangles, bounds, area, closed or not
 #[derive(Debug, Args)]
@@ -31,9 +31,8 @@ const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = input::open(&arguments.input)?;
-    if let Some(source) = opened.scene.mesh.filter(|_| opened.bare && arguments.volume.raw.is_none()) {
-        let options = OpenOptions { max_bytes: arguments.volume.limit(), ..OpenOptions::default() };
-        let mesh = open_mesh(&source.file, &options)?;
+    if opened.scene.mesh.is_some() && !(opened.bare && arguments.volume.raw.is_some()) {
+        let mesh = input::open_mesh(&arguments.input, arguments.volume.limit())?;
         if arguments.json {
             output::print_json(&mesh::json(&mesh))?;
         } else {

@@ -6,20 +6,20 @@ use crate::device::DeviceArguments;
 use crate::failure::{Failure, Status};
 use crate::interrupt::Timeout;
 use crate::progress::Bar;
-use crate::{interrupt, output};
+use crate::{input, interrupt, output};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use vitrum::backend::{self, Backend};
-use vitrum::io::{Mesh, OpenOptions};
+use vitrum::io::Mesh;
 use vitrum::method::voxelize::{FillRule, Settings, Statistics, Voxelization, voxelize};
 use write::FieldRequest;
 
 /// Turn a mesh into voxels: those that its triangles meet, or how much of each is inside
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// A mesh: .obj, .ply, .stl, .gltf or .glb
-    pub mesh: PathBuf,
+    /// A mesh (.obj, .ply, .stl, .gltf or .glb), a scene file that shows one, or builtin:NAME
+    pub mesh: String,
 
     /// Voxels along the mesh's longest edge
     #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=8192))]
@@ -94,7 +94,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         let message = format!("--overlap is {}, expected 0 to 1", arguments.overlap);
         return Err(Failure::new(Status::WrongUse, message, "0 is exact, 0.5 doubles a voxel's edge"));
     }
-    let mesh = vitrum::io::open_mesh(&arguments.mesh, &OpenOptions::default())?;
+    let mesh = input::open_mesh(&arguments.mesh, None)?;
     let device = &arguments.device;
     let mut backend = backend::open(device.backend.into(), device.adapter.as_deref(), device.threads.map(usize::from))?;
     if !arguments.quiet {

@@ -15,7 +15,7 @@ mod tables;
 mod texels;
 mod uniforms;
 mod unoccluded;
-mod view;
+pub(in crate::method) mod view;
 mod voxels;
 
 pub use light::LightGrid;

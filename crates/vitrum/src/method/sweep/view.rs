@@ -39,7 +39,7 @@ pub(super) fn voxel_steps(volume: &Volume) -> DMat3 {
 }
 
 /// The eight corners of the volume's box (whole voxels), in the world.
-pub(super) fn corners(volume: &Volume) -> [DVec3; 8] {
+pub(in crate::method) fn corners(volume: &Volume) -> [DVec3; 8] {
     let steps = voxel_steps(volume);
     let origin = vector(volume.origin);
     std::array::from_fn(|corner| {
@@ -52,7 +52,7 @@ pub(super) fn corners(volume: &Volume) -> [DVec3; 8] {
 }
 
 /// Centre and radius of the sphere around the volume's box.
-pub(super) fn bounding_sphere(volume: &Volume) -> (DVec3, f64) {
+pub(in crate::method) fn bounding_sphere(volume: &Volume) -> (DVec3, f64) {
     let corners = corners(volume);
     let centre = corners.iter().sum::<DVec3>() / 8.0;
     let radius = corners.iter().map(|corner| (*corner - centre).length()).fold(0.0, f64::max);

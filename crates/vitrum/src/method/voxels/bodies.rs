@@ -80,25 +80,38 @@ fn body(mesh: &Mesh, material: Option<u32>, opaque: bool) -> Body {
     Body { material, opaque, mesh: part }
 }
 
-/// A mesh's longest edge.
-fn longest(mesh: &Mesh) -> f32 {
+/// What a clear body does to light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::method) struct Clear {
+    /// Index of refraction.
+    pub(in crate::method) ior: f32,
+    /// Absorption coefficient, RGB, per world unit.
+    pub(in crate::method) absorption: [f64; 3],
+}
+
+/// What the bodies of a mesh do to light, as if all were clear.
+pub(in crate::method) fn clear(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> Vec<Clear> {
+    let longest = f64::from(longest_edge(mesh));
+    let of_body = |body: &Body| {
+        let found = chosen(&scene.material, of_mesh(mesh, body.material));
+        let distance = found.attenuation_distance.map_or(longest, f64::from);
+        Clear { ior: found.ior, absorption: found.attenuation_color.map(|left| -f64::from(left).ln() / distance) }
+    };
+    bodies.iter().map(of_body).collect()
+}
+
+/// The longest edge of a mesh's bounds.
+pub(in crate::method) fn longest_edge(mesh: &Mesh) -> f32 {
     let [low, high] = mesh.bounds();
     (0..3).map(|axis| high[axis] - low[axis]).fold(f32::MIN_POSITIVE, f32::max)
 }
 
-/// What a clear material absorbs over a world unit, red, green and blue.
-pub(super) fn absorption(material: &Material, mesh: &Mesh) -> [f64; 3] {
-    let distance = f64::from(material.attenuation_distance.unwrap_or_else(|| longest(mesh)));
-    material.attenuation_color.map(|left| -f64::from(left).ln() / distance)
-}
-
-/// The materials of bodies as kernels read them; absorption is per voxel of the length `voxel_size`.
+/// The materials of bodies as kernels read them; absorption is per `voxel` of the length `voxel_size`.
 pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
     let mut floats = Vec::with_capacity(bodies.len() * material::SIZE);
-    for body in bodies {
-        let found = chosen(&scene.material, of_mesh(mesh, body.material));
-        floats.push(if body.opaque { 0.0 } else { found.ior });
-        floats.extend(absorption(&found, mesh).map(|a_unit| (a_unit * voxel_size) as f32));
+    for (body, Clear { ior, absorption }) in bodies.iter().zip(clear(bodies, mesh, scene)) {
+        floats.push(if body.opaque { 0.0 } else { ior });
+        floats.extend(absorption.map(|coefficient| (coefficient * voxel_size) as f32));
     }
     floats
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 /// The distance, in voxels, beyond which voxels are simply inside or outside: what smoothing and central differences at the surface
 /// reach.
-const BAND: f64 = 3.0;
+pub(in crate::method) const BAND: f64 = 3.0;
 /// Layers that are done together.
 const LAYERS: usize = 4;
 /// Points of two triangles are at one distance if they differ by less, in voxels.

@@ -4,7 +4,7 @@
 //! [`Uploaded::new`] turns a mesh into what rays run through and the shadow that it casts; [`Rays::prepare`] lists the passes of a
 //! frame; [`Rays::run`] hands them to the backend; [`Rays::film`] reads what came out.
 
-mod bodies;
+pub(in crate::method) mod bodies;
 mod bricks;
 mod distances;
 mod fields;
@@ -12,6 +12,7 @@ mod looks;
 mod normals;
 mod passes;
 mod shadow;
+pub(in crate::method) mod solids;
 mod tree;
 mod uniforms;
 mod uploaded;

@@ -7,7 +7,6 @@ use crate::method::sweep::receivers::Receivers;
 use crate::method::voxelize::Grid;
 use crate::scene::{Rgb, Scene, Surfaces};
 use glam::{DVec3, DVec4, UVec4};
-use vitrum_io::Mesh;
 use vitrum_kernels::abi::vector::Vec4;
 use vitrum_kernels::abi::voxels::{VoxelsUniforms, flag, mode};
 
@@ -39,7 +38,7 @@ fn plane(plane: DVec4, view: &View, grid: Grid) -> Vec4 {
 /// The block of a frame with `clear` bodies that are; dispatches differ in their mode alone.
 pub(super) fn block(
     scene: &Scene,
-    mesh: &Mesh,
+    bounds: [[f32; 3]; 2],
     grid: Grid,
     clear: usize,
     view: &View,
@@ -49,7 +48,7 @@ pub(super) fn block(
     let environment = &seen.environment;
     let edge = scene.film.supersampling;
     let eye = (view.eye - DVec3::from_array(grid.origin)) / grid.voxel_size;
-    let bounds = mesh.bounds().map(|corner| DVec3::from_array(grid.to_voxels(corner)));
+    let bounds = bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
     let [x, y, z] = grid.dimensions;
     let [bx, by, bz] = super::bricks::count(grid.dimensions);
     let voxels = &scene.voxels;

@@ -2,10 +2,12 @@
 
 use super::bodies::{Body, bodies, chosen, numbers, of_mesh};
 use super::shadow::{Cast, ShadowMap};
-use super::{bricks, distances, fields, tree};
+use super::solids::Solids;
+use super::{bricks, tree};
 use crate::backend::{Backend, Buffer};
 use crate::inputs::Inputs;
-use crate::method::voxelize::{FillRule, Grid, Settings, Voxelization, voxelize_in};
+use crate::method::twist::twisted;
+use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
 use crate::render::Error;
 use crate::scene::{Normals, Scene, Surfaces};
 use bytemuck::cast_slice;
@@ -17,9 +19,10 @@ use vitrum_kernels::kernel::{Kernel, kernels};
 const PADDING: u32 = 5;
 
 /// What a mesh is turned into, and how finely.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 struct Kind {
     resolution: u32,
+    twist: f32,
     exact: bool,
     paper: bool,
     /// Whether each of the mesh's materials is opaque.
@@ -33,7 +36,8 @@ impl Kind {
         // Opaque bodies are triangles always.
         let exact = scene.voxels.surfaces == Surfaces::Exact || opaque.iter().all(|opaque| *opaque);
         let paper = scene.voxels.normals == Normals::Paper;
-        Self { resolution: scene.voxels.resolution, exact, paper, opaque }
+        let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
+        Self { resolution: scene.voxels.resolution, twist, exact, paper, opaque }
     }
 }
 
@@ -42,6 +46,8 @@ pub struct Uploaded {
     kind: Kind,
     /// Where the voxels lie; triangles are in its units, too.
     pub grid: Grid,
+    /// Low and high corner of the mesh.
+    pub(super) bounds: [[f32; 3]; 2],
     /// Clear ones first.
     pub(super) bodies: Vec<Body>,
     /// How many are clear.
@@ -70,6 +76,8 @@ impl Uploaded {
     ) -> Result<Self, Error> {
         let mesh = shown(inputs)?;
         let kind = Kind::of(scene, mesh);
+        let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
+        let mesh = deformed.as_ref().unwrap_or(mesh);
         let settings = Settings { padding: PADDING, ..Settings::new(kind.resolution) };
         let grid = Grid::around(mesh, &settings)?;
         let bodies = bodies(mesh, &scene.material)?;
@@ -77,6 +85,7 @@ impl Uploaded {
             clear: bodies.iter().filter(|body| !body.opaque).count(),
             kind,
             grid,
+            bounds: mesh.bounds(),
             bodies,
             open_rows: 0,
             kernel: &kernels::voxels_march,
@@ -155,7 +164,7 @@ impl Uploaded {
         } else if self.kind.paper {
             self.paper(settings, backend, progress)
         } else {
-            self.solids(settings, backend, progress)
+            self.solids(backend, progress)
         }
     }
 
@@ -164,12 +173,7 @@ impl Uploaded {
         Ok(())
     }
 
-    fn solids(
-        &mut self,
-        settings: &Settings,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
+    fn solids(&mut self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), Error> {
         let [x, y, z] = self.grid.dimensions;
         let bytes = self.grid.voxels() * 2 * self.clear as u64;
         // Kernels count bytes by a signed number.
@@ -179,15 +183,9 @@ impl Uploaded {
                 "{x} x {y} x {z} voxels of {count} clear materials take {bytes} bytes, rays can address 2^31; lower `voxels.resolution`"
             )));
         }
-        let settings = Settings { surface: false, solid: Some(FillRule::Nonzero), ..*settings };
-        let mut all: Vec<u16> = Vec::new();
-        for body in &self.bodies[..self.clear] {
-            let solid = voxelize_in(self.grid, &body.mesh, &settings, backend, progress)?.solid;
-            let solid = solid.expect("a solid was asked for");
-            self.open_rows += solid.open_rows;
-            let field = distances::distances(body, self.grid, &solid.coverage);
-            all.extend(fields::smooth(&field, self.grid.dimensions.map(|voxels| voxels as usize)));
-        }
+        let clear = &self.bodies[..self.clear];
+        let Solids { fields: mut all, open_rows } = Solids::new(clear, self.grid, backend, progress)?;
+        self.open_rows = open_rows;
         let distances = bricks::distances(&all, self.grid.dimensions);
         // Whole words, and one more for the pair of the last voxel.
         all.resize(all.len().next_multiple_of(2) + 2, 0);

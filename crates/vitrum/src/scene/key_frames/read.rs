@@ -10,10 +10,12 @@ use super::{Course, KeyFrames, Track};
 use toml::{Table, Value};
 
 /// What the whole film shares, since it is read once or gives the pictures their size.
-const FIXED: [&str; 9] = [
+const FIXED: [&str; 11] = [
     "method",
     "volume",
-    "mesh",
+    "mesh.file",
+    "mesh.builtin",
+    "mesh.up",
     "voxels",
     "ior_volume",
     "environment.kind",

@@ -1,6 +1,6 @@
 //! What casts a shadow: bodies, turned so that light travels along x.
 
-use crate::method::voxels::bodies::{Body, absorption, chosen, of_mesh};
+use crate::method::voxels::bodies::{Body, chosen, clear, of_mesh};
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
@@ -16,13 +16,14 @@ pub(super) enum Caster {
 }
 
 impl Caster {
-    pub(super) fn of(body: &Body, mesh: &Mesh, scene: &Scene) -> Self {
-        let material = chosen(&scene.material, of_mesh(mesh, body.material));
-        if body.opaque {
-            Self::Surface(material.density * scene.shadow.absorption)
-        } else {
-            Self::Solid(absorption(&material, mesh))
-        }
+    /// What each of `bodies` does.
+    pub(super) fn all(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> Vec<Self> {
+        let of_body = |(body, solid): (&Body, _)| {
+            let material = chosen(&scene.material, of_mesh(mesh, body.material));
+            if body.opaque { Self::Surface(material.density * scene.shadow.absorption) } else { Self::Solid(solid) }
+        };
+        let solids = clear(bodies, mesh, scene).into_iter().map(|clear| clear.absorption);
+        bodies.iter().zip(solids).map(of_body).collect()
     }
 
     /// Whether all light goes through it.

@@ -62,7 +62,7 @@ impl Cast {
         let shows = bodies.iter().any(|body| body.opaque) || scene.ground.is_some() || scene.wall.is_some();
         let Some(mesh) = inputs.mesh.as_ref().filter(|_| shows && scene.light.shadows) else { return Ok(None) };
         let view = View::new(scene, &inputs.volume);
-        let casters: Vec<Caster> = bodies.iter().map(|body| Caster::of(body, mesh, scene)).collect();
+        let casters = Caster::all(bodies, mesh, scene);
         if casters.iter().all(Caster::is_nothing) {
             return Ok(None);
         }

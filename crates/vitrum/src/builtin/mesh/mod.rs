@@ -1,0 +1,101 @@
+//! Procedural meshes of clear materials and the scenes that show them.
+//!
+//! Meshes stand upright along +z around the world's origin, their longest edge about 2 world units. Their vertices are computed with
+//! additions, multiplications, divisions and square roots only, so that every machine makes the same.
+
+mod angel_ball;
+mod goblet;
+mod parts;
+mod revolve;
+mod still_life;
+mod surface;
+mod torus;
+mod vase;
+
+use super::SceneEntry;
+use crate::preset::surround_mesh;
+use crate::scene::{Camera, MeshSource, Method, Scene};
+use vitrum_io::Mesh;
+
+/// Name and maker of a mesh.
+type MeshEntry = (&'static str, fn(&str) -> Mesh);
+
+pub(super) const SCENES: &[&[SceneEntry]] =
+    &[vase::SCENES, angel_ball::SCENES, goblet::SCENES, still_life::SCENES, torus::SCENES];
+
+pub(super) const MESHES: &[MeshEntry] = &[
+    ("vase", vase::mesh),
+    ("angel-ball", angel_ball::mesh),
+    ("goblet", goblet::mesh),
+    ("still-life", still_life::mesh),
+    ("torus", torus::mesh),
+];
+
+/// Rays through the procedural mesh of that name, in the surroundings that meshes have by default.
+fn rays_through(name: &str) -> Scene {
+    let mut scene = Scene {
+        method: Method::Voxels,
+        mesh: Some(MeshSource { builtin: Some(name.to_owned()), ..MeshSource::default() }),
+        camera: Camera { azimuth: 0.0, elevation: 10.0, ..Camera::default() },
+        ..Scene::default()
+    };
+    surround_mesh(&mut scene);
+    scene
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::voxels::bodies;
+
+    #[test]
+    fn bodies_are_closed_and_face_outwards() {
+        for (name, make) in MESHES {
+            let mesh = make(name);
+            assert_eq!(mesh.degenerate_triangle_count(), 0, "{name}");
+            for body in bodies(&mesh).unwrap() {
+                let topology = body.mesh.topology();
+                // Where the angel's surface all but touches itself, four triangles may share an edge.
+                assert!(
+                    topology.unpaired_edges == 0 && topology.edges > 0,
+                    "{name}, {:?}: {topology:?}",
+                    body.material
+                );
+                // Bodies are turned outwards as a whole; here they must be so from the start.
+                let first = mesh.triangle_materials.iter().position(|material| Some(*material) == body.material);
+                assert_eq!(body.mesh.triangles[0], mesh.triangles[first.unwrap()], "{name}, {:?}", body.material);
+            }
+        }
+    }
+
+    #[test]
+    fn meshes_have_the_size_and_the_place_of_volumes() {
+        for (name, make) in MESHES {
+            let [low, high] = make(name).bounds();
+            let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f32::max);
+            assert!((1.5..3.0).contains(&longest), "{name}: {longest}");
+            for axis in 0..2 {
+                assert!((low[axis] + high[axis]).abs() < 0.3 * longest, "{name}");
+            }
+        }
+    }
+
+    /// FNV-1a of the vertices: they are the same on every machine.
+    #[test]
+    fn vertices_are_the_same_everywhere() {
+        let fingerprint = |mesh: &Mesh| {
+            let bytes = mesh.positions.iter().flatten().flat_map(|coordinate| coordinate.to_le_bytes());
+            bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+        };
+        let found: Vec<_> = MESHES.iter().map(|(name, make)| (*name, fingerprint(&make(name)))).collect();
+        assert_eq!(found, FINGERPRINTS);
+    }
+
+    const FINGERPRINTS: [(&str, u64); 5] = [
+        ("vase", 0x1aa4_d024_fddf_10d2),
+        ("angel-ball", 0xa989_dc5d_3920_0e2c),
+        ("goblet", 0xfda8_163f_a293_d318),
+        ("still-life", 0x56ba_5299_03a5_8b73),
+        ("torus", 0xd1f5_3093_de58_5ca5),
+    ];
+}

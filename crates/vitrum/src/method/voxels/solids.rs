@@ -1,0 +1,42 @@
+//! Bodies as smooth fields on a grid.
+
+use super::bodies::Body;
+use super::{distances, fields};
+use crate::backend::Backend;
+use crate::method::voxelize::{FillRule, Grid, Settings, voxelize_in};
+use crate::render::Error;
+
+pub(in crate::method) use super::distances::BAND;
+
+/// What voxels know of the bodies of a mesh.
+pub(in crate::method) struct Solids {
+    /// For one body after the other a number for each voxel: the distance to its surface, smoothed, from 0, [`BAND`] voxels or more
+    /// outside, to 65535, as many inside.
+    pub(in crate::method) fields: Vec<u16>,
+    /// Rows of voxels that go through holes of the surface, over all bodies; they are left empty.
+    pub(in crate::method) open_rows: u64,
+}
+
+impl Solids {
+    /// Fills the bodies and measures how far voxels are from their surfaces.
+    ///
+    /// # Errors
+    /// If the backend fails or lacks the memory.
+    pub(in crate::method) fn new(
+        bodies: &[Body],
+        grid: Grid,
+        backend: &mut dyn Backend,
+        progress: &mut dyn FnMut(u64, u64) -> bool,
+    ) -> Result<Self, Error> {
+        let settings = Settings { surface: false, solid: Some(FillRule::Nonzero), ..Settings::new(1) };
+        let mut solids = Self { fields: Vec::new(), open_rows: 0 };
+        for body in bodies {
+            let solid = voxelize_in(grid, &body.mesh, &settings, backend, progress)?.solid;
+            let solid = solid.expect("a solid was asked for");
+            solids.open_rows += solid.open_rows;
+            let field = distances::distances(body, grid, &solid.coverage);
+            solids.fields.extend(fields::smooth(&field, grid.dimensions.map(|voxels| voxels as usize)));
+        }
+        Ok(solids)
+    }
+}
