@@ -91,6 +91,27 @@ pub fn trace(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Traced>, Fail
     Ok((0..count).map(traced).collect())
 }
 
+/// The unit directions in the world that a plane sweep through the case's mesh gives the rays of its pixels; `None` where they did not
+/// go through.
+///
+/// # Errors
+/// If the scene is not valid for a sweep, or the backend fails.
+pub fn sweep(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Option<DVec3>>, Failure> {
+    let scene = Scene { method: Method::Sweep, ..case.scene.clone() };
+    let frame = vitrum::render(&scene, &case.inputs, backend, &mut |_| true)?;
+    let missing = |name: &str| Failure::Setup(format!("a frame has no `{name}`"));
+    let channel = |name: &str, channel| frame.channel(name, channel).ok_or_else(|| missing(name));
+    let [x, y, z] = [channel("direction", "X")?, channel("direction", "Y")?, channel("direction", "Z")?];
+    let status = channel("status", "Y")?;
+    let View { axes, .. } = View::new(&scene, &case.inputs.volume);
+    let direction = |pixel: usize| {
+        let [right, up, back] = [x[pixel], y[pixel], z[pixel]].map(f64::from);
+        axes * DVec3::new(right, up, -back)
+    };
+    let went_through = |pixel: usize| status[pixel] == vitrum_kernels::abi::record::status::ACTIVE;
+    Ok((0..status.len()).map(|pixel| went_through(pixel).then(|| direction(pixel))).collect())
+}
+
 /// The direction of a ray behind a surface with outward normal `n`, from index `from` to `to`; `None` if all is reflected.
 #[must_use]
 pub fn refract(d: DVec3, n: DVec3, from: f64, to: f64) -> Option<DVec3> {

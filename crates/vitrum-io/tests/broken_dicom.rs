@@ -132,6 +132,19 @@ fn an_unknown_kind_of_value_has_a_long_length() {
     assert!(error.contains("says to have 1546673201 bytes"), "{error}");
 }
 
+/// The library that reads elements goes on behind a delimiter; so must the check of their lengths, or it would let through any.
+#[test]
+fn a_stray_delimiter_does_not_end_the_check() {
+    let folder = Folder::new();
+    for (tag, shown) in [([0xfe, 0xff, 0xdd, 0xe0], "(fffe,e0dd)"), ([0xfe, 0xff, 0x0d, 0xe0], "(fffe,e00d)")] {
+        let mut file = at(0.0).bytes();
+        let place = file.windows(4).position(|window| window == [0x20, 0, 0x37, 0]).expect("an element");
+        file.splice(place..place, [&tag[..], &[0; 4]].concat());
+        let error = folder.open("a.dcm", file).expect_err("nothing to end").to_string();
+        assert!(error.contains(&format!("{shown} ends what has not begun")), "{error}");
+    }
+}
+
 #[test]
 fn cut_files_are_told_so() {
     let folder = Folder::new();

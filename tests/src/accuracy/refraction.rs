@@ -7,24 +7,33 @@ use vitrum_kernels::glam::{DQuat, DVec3};
 
 use super::Section;
 use super::plot::{Axis, Corner, Plot, Scale, Series};
-use crate::refraction::{Traced, ball, case, cuboid, trace};
+use crate::refraction::{Traced, ball, case, cuboid, sweep, trace};
 use crate::table::aligned;
 use crate::{Failure, data};
 
 /// Pixels along each side.
 const EDGE: u32 = 96;
 const RESOLUTIONS: [u32; 3] = [64, 128, 256];
-const KINDS: [(&str, &[&str]); 3] =
-    [("multi-surface", &[]), ("two-surface", &["voxels.surfaces=two"]), ("paper's normals", &["voxels.normals=paper"])];
+const KINDS: [(&str, &[&str]); 4] = [
+    ("multi-surface", &[]),
+    ("two-surface", &["voxels.surfaces=two"]),
+    ("paper's normals", &["voxels.normals=paper"]),
+    (SWEEP, &[]),
+];
+/// The rays of a plane sweep.
+const SWEEP: &str = "plane sweep";
+
+/// The last directions of rays that met the mesh and left it.
+fn directions(rays: &[Traced]) -> Vec<Option<DVec3>> {
+    let met_and_left = |ray: &Traced| ray.bounces > 0 && ray.status == fate::LEFT;
+    rays.iter().map(|ray| met_and_left(ray).then_some(ray.direction)).collect()
+}
 
 /// The angles between the rays' last directions and those of the exact rays, in degrees, in order. Rays that miss the mesh or do not
 /// leave it in either are left out.
-fn angles(exact: &[Traced], found: &[Traced]) -> Vec<f64> {
-    let both = exact.iter().zip(found).filter(|(exact, found)| {
-        exact.bounces > 0 && found.bounces > 0 && exact.status == fate::LEFT && found.status == fate::LEFT
-    });
-    let mut angles: Vec<f64> =
-        both.map(|(exact, found)| exact.direction.angle_between(found.direction).to_degrees()).collect();
+fn angles(exact: &[Option<DVec3>], found: &[Option<DVec3>]) -> Vec<f64> {
+    let both = exact.iter().zip(found).filter_map(|(exact, found)| exact.zip(*found));
+    let mut angles: Vec<f64> = both.map(|(exact, found)| exact.angle_between(found).to_degrees()).collect();
     angles.sort_by(f64::total_cmp);
     angles
 }
@@ -51,25 +60,29 @@ pub fn refraction(backend: &mut dyn Backend) -> Result<Section, Failure> {
     let mut rows = Vec::new();
     let mut series = Vec::new();
     for (name, mesh) in meshes()? {
-        let mut run = |settings: &[&str]| trace(&case(name, mesh.clone(), EDGE, settings)?, backend);
-        let exact = run(&["voxels.surfaces=exact"])?;
+        let mut run = |kind: &str, settings: &[&str]| {
+            let case = case(name, mesh.clone(), EDGE, settings)?;
+            if kind == SWEEP { sweep(&case, backend) } else { Ok(directions(&trace(&case, backend)?)) }
+        };
+        let exact = run("exact", &["voxels.surfaces=exact"])?;
         let mut points: [Vec<(f64, f64)>; KINDS.len()] = Default::default();
         for resolution in RESOLUTIONS {
             let setting = format!("voxels.resolution={resolution}");
             let mut cells = vec![name.to_owned(), resolution.to_string()];
-            for ((_, settings), points) in KINDS.iter().zip(&mut points) {
-                let [median, within] = summary(&angles(&exact, &run(&[&[setting.as_str()], *settings].concat())?));
+            for ((kind, settings), points) in KINDS.iter().zip(&mut points) {
+                let [median, within] =
+                    summary(&angles(&exact, &run(kind, &[&[setting.as_str()], *settings].concat())?));
                 points.push((f64::from(resolution), median));
                 cells.push(format!("{median:.2}°, {:.0} %", within * 100.0));
             }
-            rows.push(<[String; 5]>::try_from(cells).unwrap_or_default());
+            rows.push(<[String; 6]>::try_from(cells).unwrap_or_default());
         }
         if name == "ball" {
             series.extend(KINDS.iter().zip(points).map(|((kind, _), points)| Series::new(*kind, points)));
         }
     }
-    let [multi, two, paper] = KINDS.map(|(name, _)| name.to_owned());
-    let text = aligned(["mesh".to_owned(), "voxels".to_owned(), multi, two, paper], rows);
+    let [multi, two, paper, swept] = KINDS.map(|(name, _)| name.to_owned());
+    let text = aligned(["mesh".to_owned(), "voxels".to_owned(), multi, two, paper, swept], rows);
     let logarithmic = |label| Axis { label, scale: Scale::Logarithmic };
     let plot = Plot {
         title: "A ball of voxels: median angle to the exact rays",

@@ -2,6 +2,7 @@
 
 mod ball;
 mod slab;
+mod sweep;
 
 use vitrum::backend::{Backend, CpuBackend};
 use vitrum_conformance::{Failure, adapter};

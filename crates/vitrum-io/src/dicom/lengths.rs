@@ -41,11 +41,22 @@ pub(super) fn check(file: BufReader<File>, length: u64) -> Result<(), (u64, Stri
     let start = 132;
     let outcome = walk.seek(start).and_then(|()| {
         let meta = Coding { explicit: true, big: false };
-        walk.elements(length, meta, 0, true)?;
+        walk.elements(length, meta, 0, Within::Meta)?;
         let coding = Coding { explicit: walk.syntax != "1.2.840.10008.1.2", big: walk.syntax == "1.2.840.10008.1.2.2" };
-        walk.elements(length, coding, 0, false)
+        walk.elements(length, coding, 0, Within::Length)
     });
     outcome.map_err(|problem| (walk.position, problem.0))
+}
+
+/// What ends a row of elements.
+#[derive(Clone, Copy, PartialEq)]
+enum Within {
+    /// The first element of another group.
+    Meta,
+    /// Their length.
+    Length,
+    /// A delimiter.
+    Item,
 }
 
 /// What is wrong.
@@ -65,8 +76,8 @@ struct Walk {
 }
 
 impl Walk {
-    /// Elements up to `end` or to the delimiter of their item; of the first group, where `meta`, up to the next.
-    fn elements(&mut self, end: u64, coding: Coding, depth: u32, meta: bool) -> Result<(), Problem> {
+    /// Elements up to `end`, or what ends them before.
+    fn elements(&mut self, end: u64, coding: Coding, depth: u32, within: Within) -> Result<(), Problem> {
         if depth > MAX_DEPTH {
             return Err(Problem(format!("sequences lie more than {MAX_DEPTH} deep")));
         }
@@ -74,12 +85,15 @@ impl Walk {
         while self.position + 8 <= end {
             let before = self.position;
             let tag = self.tag(coding.big)?;
-            if meta && tag[0] != 2 {
+            if within == Within::Meta && tag[0] != 2 {
                 return self.seek(before);
             }
             if [ITEM_END, SEQUENCE_END].contains(&tag) {
                 self.word(coding.big)?;
-                return Ok(());
+                if within == Within::Item && tag == ITEM_END {
+                    return Ok(());
+                }
+                return Err(Problem(format!("({:04x},{:04x}) ends what has not begun", tag[0], tag[1])));
             }
             if tag[0] == ITEM[0] {
                 return Err(Problem(format!("({:04x},{:04x}) stands in place of an element", tag[0], tag[1])));
@@ -117,12 +131,12 @@ impl Walk {
                 return Err(Problem(format!("({:04x},{:04x}) stands in place of an item", tag[0], tag[1])));
             }
             if length == UNDEFINED {
-                self.elements(end, coding, depth + 1, false)?;
+                self.elements(end, coding, depth + 1, Within::Item)?;
                 continue;
             }
             let last = self.fits(u64::from(length), end)?;
             if !pixels {
-                self.elements(last, coding, depth + 1, false)?;
+                self.elements(last, coding, depth + 1, Within::Length)?;
             }
             self.seek(last)?;
         }

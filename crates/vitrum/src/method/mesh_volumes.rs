@@ -20,7 +20,7 @@ use rayon::prelude::*;
 use vitrum_io::{Mesh, Volume, Voxels};
 
 /// Voxels over which a body's share falls from 1 to 0.
-const EDGE: f64 = 2.5;
+const EDGE: f64 = 3.0;
 /// Empty voxels around the mesh: the reach of the edge and of gradients.
 const PADDING: u32 = 4;
 /// The part of the mesh's longest edge that transfer functions are stated for.
