@@ -44,7 +44,7 @@ fn missing_light_approaches_coverage() -> Result<(), Failure> {
                 let caster = Caster::new(&mesh, map.light(), |_| density);
                 let [found, expected, difference] = compare(&map, &caster, 2.0, -1.0);
                 println!("{resolution}: {found:.5}, exact {expected:.5}, rms {difference:.4}");
-                assert!(expected < 0.9 && expected > 0.5);
+                assert!(expected < 0.95 && expected > 0.5, "{expected}");
                 // Each column is right in its middle: what is missing is counted without bias, with the noise of so many samples.
                 assert!((found - expected).abs() < bound, "{resolution}: {found}, expected {expected}");
                 assert!(difference < 0.9 * before, "{resolution}: {difference} after {before}");

@@ -32,7 +32,8 @@ fn moved(mesh: &Mesh, by: [f32; 3]) -> Mesh {
 fn the_ground_is_lit_through_a_sheet() -> Result<(), Failure> {
     let settings = [
         "light.elevation=60",
-        "light.azimuth=0",
+        // From behind, so that the shadow falls towards the camera.
+        "light.azimuth=180",
         "light.color=[2,1,0.5]",
         "light.intensity=0.5",
         "shading.ambient=[0.1,0.2,0.3]",

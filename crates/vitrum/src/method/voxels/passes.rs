@@ -124,7 +124,8 @@ fn list(
     let looks = looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
     let receivers = Receivers::new(scene, &eye, &inputs.volume);
     let surfaces = uploaded.has_opaque() || scene.ground.is_some() || scene.wall.is_some();
-    let seeks = surfaces && uploaded.voxels().is_some();
+    let exact = uploaded.voxels().is_none();
+    let seeks = surfaces && !exact;
     let mut flags = if seeks { flag::SEEKS } else { 0 };
     flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
     let seen = Seen {
@@ -133,7 +134,7 @@ fn list(
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
     };
-    let block = uniforms::block(scene, uploaded.bounds, uploaded.grid, uploaded.clear, &eye, &seen, flags);
+    let block = uniforms::block(scene, uploaded.bounds, uploaded.grid, uploaded.clear, &eye, &seen, exact, flags);
     let size = [block.dispatch.x, block.dispatch.y];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
     let mut keep = |buffer: Buffer| {
@@ -156,11 +157,8 @@ fn list(
         Pass { kernel, uniforms: bytes_of(&block).to_vec(), buffers, width: size[0], height: size[1] }
     };
     let tree = [uploaded.tree[0], uploaded.tree[1], materials, rays];
-    let through = if uploaded.voxels().is_some() {
-        uploaded.buffers.iter().copied().chain([materials, rays]).collect()
-    } else {
-        tree.to_vec()
-    };
+    let marched = || uploaded.buffers.iter().copied().chain([materials, rays]).collect();
+    let through: Vec<Buffer> = if exact { tree.to_vec() } else { marched() };
     let mode = block.dispatch.z;
     let mut passes = vec![pass(&kernels::voxels_initialize_rays, 0, vec![rays])];
     for _ in 0..rounds(uploaded, &block) {

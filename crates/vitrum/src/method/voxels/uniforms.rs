@@ -43,6 +43,7 @@ pub(super) fn block(
     clear: usize,
     view: &View,
     seen: &Seen,
+    exact: bool,
     flags: u32,
 ) -> VoxelsUniforms {
     let environment = &seen.environment;
@@ -52,8 +53,10 @@ pub(super) fn block(
     let [x, y, z] = grid.dimensions;
     let [bx, by, bz] = super::bricks::count(grid.dimensions);
     let voxels = &scene.voxels;
-    let bounces = if voxels.surfaces == Surfaces::Two { 2 } else { voxels.bounces };
-    let mode = if voxels.surfaces == Surfaces::Two { mode::TWO_SURFACES } else { mode::MULTI_SURFACE };
+    // Triangles have no mode of their own for that, where there are none that refract.
+    let two = voxels.surfaces == Surfaces::Two && !exact;
+    let bounces = if two { 2 } else { voxels.bounces };
+    let mode = if two { mode::TWO_SURFACES } else { mode::MULTI_SURFACE };
     let flags = if voxels.reflection { flags | flag::FRESNEL } else { flags };
     let across = if view.orthographic { 1.0 / grid.voxel_size } else { 1.0 };
     let row = |axis: DVec3| vector(axis, 0.0);
