@@ -37,7 +37,7 @@ fn missing_light_approaches_coverage() -> Result<(), Failure> {
     for (density, light) in [(16.0, ABOVE), (0.7, ["light.elevation=55", "light.azimuth=130"])] {
         on_both(|backend| {
             let mut before = f64::INFINITY;
-            for (resolution, bound) in [(32, 0.02), (64, 0.01), (128, 0.005), (256, 0.0025), (512, 0.00125)] {
+            for (resolution, bound) in [(32, 0.02), (64, 0.01), (128, 0.005), (256, 0.0025), (384, 0.0015)] {
                 let settings = [format!("shadow.resolution={resolution}"), format!("material.0.density={density}")];
                 let case = case(mesh.clone(), 8, &[&light[..], &[&settings[0], &settings[1]]].concat())?;
                 let map = Map::of(&case, backend)?;

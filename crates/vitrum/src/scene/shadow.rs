@@ -27,8 +27,8 @@ pub struct Shadow {
     /// 0 to 100. What is left behind it is e to the power of minus that.
     #[schemars(range(min = 0, max = 100))]
     pub absorption: f32,
-    /// World units, from 0: light is averaged over columns that are up to so far away across it.
-    #[schemars(range(min = 0))]
+    /// World units, 0 to 1e6: light is averaged over columns that are up to so far away across it, 15 voxels at most.
+    #[schemars(range(min = 0, max = 1e6))]
     pub softness: f32,
 }
 
