@@ -104,13 +104,13 @@ fn refuse(given: &[(&str, bool)], problem: &str, advice: &str) -> Result<(), Fau
     }
 }
 
-/// A color is that of an opaque body.
+/// Only an opaque body has a colour.
 fn check_materials(scene: &Scene) -> Result<(), Fault> {
     match scene.material.iter().position(|material| material.color.is_some() && !material.opaque) {
         None => Ok(()),
         Some(index) => Err(Fault::contradiction(
             &format!("material.{index}.color"),
-            "it is the color of an opaque body, and the material is clear",
+            "it is the colour of an opaque body, and the material is clear",
             format!("set `material.{index}.opaque = true`, or give a clear material an `attenuation_color`"),
         )),
     }

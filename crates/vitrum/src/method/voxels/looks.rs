@@ -19,7 +19,7 @@ pub(super) struct Looks {
 fn of_body<'a>(body: &'a Body, mesh: &Mesh, scene: &Scene) -> (Option<&'a [[f32; 4]]>, Rgb, f32) {
     let own = of_mesh(mesh, body.material);
     let material = chosen(&scene.material, own);
-    // A color in the scene is for the whole body.
+    // A colour in the scene is for the whole body.
     let colors = body.mesh.colors.as_deref().filter(|_| body.opaque && material.color.is_none());
     let color = material.color.or_else(|| own?.base_color).unwrap_or(GREY);
     let left = (-f64::from(material.density) * f64::from(scene.shadow.absorption)).exp() as f32;
