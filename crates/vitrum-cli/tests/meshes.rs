@@ -110,7 +110,7 @@ fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
     let differ = |a: &str, b: &str| folder.vitrum(&["diff", a, b, "--max-abs", "1e-2"]).code == Some(1);
     render("clay.exr", &["--preset", "clay", "--aov", "status=s.exr"]);
     render("lit.exr", &["--preset", "clay", "--set", "light.shadows=false"]);
-    // The color of the file instead of the preset's.
+    // The colour of the file instead of the preset's.
     render("own.exr", &["--preset", "clay", "--set", "material.0.color=none"]);
     assert!(differ("clay.exr", "lit.exr") && differ("clay.exr", "own.exr"));
     let refused = |more: &[&str], code: i32, words: &[&str]| {
@@ -119,6 +119,7 @@ fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
     refused(&["--set", "material.0.color=[1,0,0]"], 2, &["material.0.color", "material.0.opaque = true"]);
     refused(
         &["--set", "material.0.opaque=true", "--set", "method=sweep"],
+        2,
         &["material.0.opaque", "method = \"voxels\""],
     );
     refused(&["--preset", "clay", "--set", "shadow.softness=2"], 3, &["shadow.softness", "lower `shadow.resolution`"]);

@@ -132,6 +132,30 @@ fn an_unknown_kind_of_value_has_a_long_length() {
     assert!(error.contains("says to have 1546673201 bytes"), "{error}");
 }
 
+#[test]
+fn the_first_group_has_its_length() {
+    let folder = Folder::new();
+    for change in [1, 0xff] {
+        let mut file = at(0.0).bytes();
+        // Behind `DICM`, a tag, a kind and a length.
+        assert_eq!(&file[132..140], [2, 0, 0, 0, b'U', b'L', 4, 0]);
+        file[140] = file[140].wrapping_add(change);
+        let error = folder.open("a.dcm", file).expect_err("a lie").to_string();
+        assert!(error.contains("the first group does not have the length"), "{error}");
+    }
+}
+
+/// A number of four bytes cannot have two: the library that reads elements would take none, and begin the next element with these.
+#[test]
+fn numbers_are_whole() {
+    let folder = Folder::new();
+    let mut file = at(0.0).bytes();
+    let rows = file.windows(6).position(|window| window == [0x28, 0, 0x10, 0, b'U', b'S']).expect("an element");
+    file[rows + 4..rows + 6].copy_from_slice(b"SL");
+    let error = folder.open("a.dcm", file).expect_err("half a number").to_string();
+    assert!(error.contains("the `SL` here has 2 bytes, which are no numbers of 4"), "{error}");
+}
+
 /// The library that reads elements goes on behind a delimiter; so must the check of their lengths, or it would let through any.
 #[test]
 fn a_stray_delimiter_does_not_end_the_check() {

@@ -5,6 +5,9 @@
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek};
 
+use dicom_core::dictionary::{DataDictionary, DataDictionaryEntry};
+use dicom_object::{StandardDataDictionary, Tag};
+
 use super::attributes::PIXEL_DATA;
 
 /// Sequences that lie deeper are no image's.
@@ -28,6 +31,26 @@ const SHORT: [&[u8; 2]; 21] = [
 const LONG: [&[u8; 2]; 13] =
     [b"OB", b"OD", b"OF", b"OL", b"OV", b"OW", b"SQ", b"SV", b"UC", b"UN", b"UR", b"UT", b"UV"];
 
+/// Bytes of a number of a kind; 1 of text and what is made of bytes.
+fn unit(vr: [u8; 2]) -> u32 {
+    match &vr {
+        b"OW" | b"SS" | b"US" => 2,
+        b"AT" | b"FL" | b"OF" | b"OL" | b"SL" | b"UL" => 4,
+        b"FD" | b"OD" | b"OV" | b"SV" | b"UV" => 8,
+        _ => 1,
+    }
+}
+
+/// The kind of an element that is not written beside it, as the library that reads it finds it.
+fn known_kind([group, element]: [u16; 2]) -> [u8; 2] {
+    let tag = Tag(group, element);
+    if tag == PIXEL_DATA || (group >> 8 == 0x60 && element == 0x3000) {
+        return *b"OW";
+    }
+    let kind = StandardDataDictionary.by_tag(tag).map(|entry| entry.vr().relaxed().to_bytes());
+    kind.unwrap_or(*b"UN")
+}
+
 /// How elements are written.
 #[derive(Clone, Copy)]
 struct Coding {
@@ -37,11 +60,15 @@ struct Coding {
 
 /// Walks through all elements of a file of so many bytes; the problem, and the byte where it is.
 pub(super) fn check(file: BufReader<File>, length: u64) -> Result<(), (u64, String)> {
-    let mut walk = Walk { file, position: 0, syntax: String::new() };
+    let mut walk = Walk { file, position: 0, syntax: String::new(), first_group_end: None };
     let start = 132;
     let outcome = walk.seek(start).and_then(|()| {
         let meta = Coding { explicit: true, big: false };
         walk.elements(length, meta, 0, Within::Meta)?;
+        // The library goes by what the group says, the walk by its elements.
+        if walk.first_group_end.is_some_and(|end| end != walk.position) {
+            return Err(Problem("the first group does not have the length that it says to have".to_owned()));
+        }
         let coding = Coding { explicit: walk.syntax != "1.2.840.10008.1.2", big: walk.syntax == "1.2.840.10008.1.2.2" };
         walk.elements(length, coding, 0, Within::Length)
     });
@@ -73,6 +100,8 @@ struct Walk {
     position: u64,
     /// The transfer syntax, once it was found.
     syntax: String,
+    /// Where the first group says to end.
+    first_group_end: Option<u64>,
 }
 
 impl Walk {
@@ -98,7 +127,7 @@ impl Walk {
             if tag[0] == ITEM[0] {
                 return Err(Problem(format!("({:04x},{:04x}) stands in place of an element", tag[0], tag[1])));
             }
-            let (vr, length) = self.head(coding)?;
+            let (vr, length) = self.head(coding, tag)?;
             let pixels = tag == [PIXEL_DATA.0, PIXEL_DATA.1];
             // What is of no known kind is written in the simplest way inside.
             let inside = if vr == *b"UN" { Coding { explicit: false, big: false } } else { coding };
@@ -107,7 +136,14 @@ impl Walk {
                 continue;
             }
             let last = self.fits(u64::from(length), end)?;
-            if tag == [2, 0x10] {
+            // The library takes whole numbers, and what is left over for the next element.
+            if length % unit(vr) != 0 {
+                let (kind, unit) = (vr.escape_ascii(), unit(vr));
+                return Err(Problem(format!("the `{kind}` here has {length} bytes, which are no numbers of {unit}")));
+            }
+            if tag == [2, 0] && length == 4 {
+                self.first_group_end = Some(last + u64::from(self.word(coding.big)?));
+            } else if tag == [2, 0x10] {
                 let mut text = vec![0; length as usize];
                 self.file.read_exact(&mut text)?;
                 self.syntax = String::from_utf8_lossy(&text).trim_end_matches(['\0', ' ']).to_owned();
@@ -143,10 +179,10 @@ impl Walk {
         Ok(())
     }
 
-    /// The kind of an element, where it is written, and its length.
-    fn head(&mut self, coding: Coding) -> Result<([u8; 2], u32), Problem> {
+    /// The kind of an element and its length.
+    fn head(&mut self, coding: Coding, tag: [u16; 2]) -> Result<([u8; 2], u32), Problem> {
         if !coding.explicit {
-            return Ok(([0; 2], self.word(coding.big)?));
+            return Ok((known_kind(tag), self.word(coding.big)?));
         }
         let vr: [u8; 2] = self.bytes()?;
         if !vr.iter().all(u8::is_ascii_uppercase) {

@@ -32,7 +32,7 @@ pub(super) fn distances(body: &Body, grid: Grid, coverage: &[u8]) -> Vec<u16> {
         body.mesh.triangles.par_iter().map(|triangle| triangle.map(|vertex| positions[vertex as usize])).collect();
     let mut slabs = vec![Vec::new(); nz.div_ceil(LAYERS)];
     for (index, [a, b, c]) in (0u32..).zip(&triangles) {
-        let [first, last] = reach(a.z.min(b.z).min(c.z), a.z.max(b.z).max(c.z), nz);
+        let [first, last] = reach(a.z.min(b.z).min(c.z), a.z.max(b.z).max(c.z), BAND, nz);
         for slab in slabs.iter_mut().take(last / LAYERS + 1).skip(first / LAYERS) {
             slab.push(index);
         }
@@ -60,24 +60,38 @@ pub(super) fn distances(body: &Body, grid: Grid, coverage: &[u8]) -> Vec<u16> {
     field
 }
 
-/// The voxels whose centres lie within the band around low…high.
-fn reach(low: f64, high: f64, count: usize) -> [usize; 2] {
+/// The voxels whose centres lie within a distance of low…high.
+fn reach(low: f64, high: f64, distance: f64, count: usize) -> [usize; 2] {
     let limit = |at: f64| (at.max(0.0) as usize).min(count - 1);
-    [limit((low - BAND - 0.5).ceil()), limit((high + BAND - 0.5).floor())]
+    [limit((low - distance - 0.5).ceil()), limit((high + distance - 0.5).floor())]
 }
 
 /// Holds a triangle against all voxels near it in layers `first`… of the grid.
 fn approach(nearest: &mut [Nearest], [a, b, c]: [DVec3; 3], [nx, ny, layers]: [usize; 3], first: usize) {
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));
     let normal = (b - a).cross(c - a).normalize_or_zero();
-    let [x0, x1] = reach(low.x, high.x, nx);
-    let [y0, y1] = reach(low.y, high.y, ny);
+    let [y0, y1] = reach(low.y, high.y, BAND, ny);
+    // How far a coordinate is from the triangle's box.
+    let outside = |at: f64, low: f64, high: f64| (low - at).max(at - high).max(0.0);
     for z in 0..layers {
+        let from_box_z = outside((first + z) as f64 + 0.5, low.z, high.z);
+        if from_box_z > BAND {
+            continue;
+        }
         for y in y0..=y1 {
+            let from_box = outside(y as f64 + 0.5, low.y, high.y).powi(2) + from_box_z.powi(2);
+            let left = BAND * BAND - from_box;
+            if left < 0.0 {
+                continue;
+            }
+            let [x0, x1] = reach(low.x, high.x, left.sqrt(), nx);
             for x in x0..=x1 {
                 let centre = DVec3::new(x as f64 + 0.5, y as f64 + 0.5, (first + z) as f64 + 0.5);
-                // The plane alone is often too far.
-                if (centre - a).dot(normal).abs() > BAND {
+                // The box or the plane alone is mostly too far: of many triangles that are near, few come nearer than those before.
+                let least = nearest[(z * ny + y) * nx + x].distance + SAME;
+                if outside(centre.x, low.x, high.x).powi(2) + from_box > least * least
+                    || (centre - a).dot(normal).abs() > least
+                {
                     continue;
                 }
                 let away = centre - closest(centre, a, b, c);
