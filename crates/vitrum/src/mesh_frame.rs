@@ -14,7 +14,7 @@ use vitrum_kernels::abi::record::{fate, view};
 pub(crate) fn render(
     scene: &Scene,
     inputs: &Inputs,
-    held: &mut Option<Uploaded>,
+    held: &mut Option<Box<Uploaded>>,
     backend: &mut dyn Backend,
     progress: &mut dyn FnMut(Progress) -> bool,
 ) -> Result<Frame, Error> {
@@ -26,7 +26,7 @@ pub(crate) fn render(
     // How long that takes beside the rays is not known, so that it counts for nothing.
     let mut tell = |_, _| progress(Progress { done: 0, total: 1 });
     if held.is_none() {
-        *held = Some(Uploaded::new(scene, inputs, backend, &mut tell)?);
+        *held = Some(Box::new(Uploaded::new(scene, inputs, backend, &mut tell)?));
     }
     let uploaded = held.as_mut().expect("it was made above");
     uploaded.update(scene, inputs, backend, &mut tell)?;

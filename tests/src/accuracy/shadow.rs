@@ -82,15 +82,13 @@ fn touched(
             triangle_materials: Vec::new(),
             ..mesh.clone()
         };
-        let used = part.triangles[0][0];
-        let mut is_used = vec![false; part.positions.len()];
+        let first = part.triangles[0][0] as usize;
+        let mut is_used = vec![false; mesh.positions.len()];
         part.triangles.as_flattened().iter().for_each(|&vertex| is_used[vertex as usize] = true);
-        for vertex in 0..part.positions.len() {
-            // Vertices of the other material are put where they do no harm to the bounds.
-            let from = if is_used[vertex] { vertex } else { used as usize };
-            let at = mesh.positions[from].map(f64::from);
-            part.positions[vertex] = turned(DVec3::from_array(at)).as_vec3().to_array();
-        }
+        // Vertices of the other material are put where they do no harm to the bounds.
+        let place = |(vertex, used): (usize, &bool)| mesh.positions[if *used { vertex } else { first }].map(f64::from);
+        let places = is_used.iter().enumerate().map(place);
+        part.positions = places.map(|at| turned(DVec3::from_array(at)).as_vec3().to_array()).collect();
         let [low, high] = part.bounds();
         let longest = (0..3).map(|axis| f64::from(high[axis] - low[axis])).fold(0.0, f64::max);
         let settings = Settings { attributes: true, ..Settings::new((longest / edge).round().max(1.0) as u32) };

@@ -55,10 +55,8 @@ fn body(mesh: &Mesh, material: Option<u32>, opaque: bool) -> Body {
     // Of the vertices those alone that it has: a mesh may have many materials.
     let mut places = vec![u32::MAX; mesh.positions.len()];
     triangles.as_flattened().iter().for_each(|&vertex| places[vertex as usize] = 0);
-    let mut count = 0;
-    for place in places.iter_mut().filter(|place| **place == 0) {
-        *place = count;
-        count += 1;
+    for (number, place) in (0..).zip(places.iter_mut().filter(|place| **place == 0)) {
+        *place = number;
     }
     fn kept<T: Copy>(values: &[T], places: &[u32]) -> Vec<T> {
         values.iter().zip(places).filter(|(_, place)| **place != u32::MAX).map(|(value, _)| *value).collect()

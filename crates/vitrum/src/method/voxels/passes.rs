@@ -134,7 +134,7 @@ fn list(
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
     };
-    let block = uniforms::block(scene, uploaded.bounds, uploaded.grid, uploaded.clear, &eye, &seen, exact, flags);
+    let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
     let size = [block.dispatch.x, block.dispatch.y];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
     let mut keep = |buffer: Buffer| {

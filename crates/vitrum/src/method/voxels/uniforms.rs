@@ -1,6 +1,7 @@
 //! The uniform block, from the scene.
 
 use super::shadow::Lookup;
+use super::uploaded::Uploaded;
 use crate::method::sweep::View;
 use crate::method::sweep::environment::Prepared;
 use crate::method::sweep::receivers::Receivers;
@@ -35,26 +36,18 @@ fn plane(plane: DVec4, view: &View, grid: Grid) -> Vec4 {
     vector(normal, (normal.dot(origin) + plane.w) / grid.voxel_size)
 }
 
-/// The block of a frame with `clear` bodies that are; dispatches differ in their mode alone.
-pub(super) fn block(
-    scene: &Scene,
-    bounds: [[f32; 3]; 2],
-    grid: Grid,
-    clear: usize,
-    view: &View,
-    seen: &Seen,
-    exact: bool,
-    flags: u32,
-) -> VoxelsUniforms {
+/// The block of a frame; dispatches differ in their mode alone.
+pub(super) fn block(scene: &Scene, uploaded: &Uploaded, view: &View, seen: &Seen, flags: u32) -> VoxelsUniforms {
+    let grid = uploaded.grid;
     let environment = &seen.environment;
     let edge = scene.film.supersampling;
     let eye = (view.eye - DVec3::from_array(grid.origin)) / grid.voxel_size;
-    let bounds = bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
+    let bounds = uploaded.bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
     let [x, y, z] = grid.dimensions;
     let [bx, by, bz] = super::bricks::count(grid.dimensions);
     let voxels = &scene.voxels;
     // Triangles have no mode of their own for that, where there are none that refract.
-    let two = voxels.surfaces == Surfaces::Two && !exact;
+    let two = voxels.surfaces == Surfaces::Two && uploaded.voxels().is_some();
     let bounces = if two { 2 } else { voxels.bounces };
     let mode = if two { mode::TWO_SURFACES } else { mode::MULTI_SURFACE };
     let flags = if voxels.reflection { flags | flag::FRESNEL } else { flags };
@@ -65,7 +58,7 @@ pub(super) fn block(
     let [shadow_x, shadow_y, shadow_z] = seen.shadow.rows;
     VoxelsUniforms {
         dispatch: UVec4::new(scene.film.width * edge, scene.film.height * edge, mode, flags),
-        size: UVec4::new(x, y, z, clear as u32),
+        size: UVec4::new(x, y, z, uploaded.clear as u32),
         bricks: UVec4::new(bx, by, bz, bounces),
         camera: Vec4::new(
             (view.half_size[0] * across) as f32,
