@@ -91,10 +91,10 @@ pub fn invoke<const LEVEL: u32>(
     let mut step = 0;
     while (step < 4 * STEPS) & (ray.status == fate::ACTIVE) {
         step += 1;
-        let from = lowest(bits);
         if ray.node < count {
             tree::visit(&mut ray, nodes, corners);
         } else if ray.triangle < 0 {
+            let from = lowest(bits);
             // Nothing, or a receiver.
             if (ray.triangle == ahead::NOTHING) | (from == AIR) {
                 ray.end(materials);
@@ -102,6 +102,7 @@ pub fn invoke<const LEVEL: u32>(
                 ray.meet(from, materials);
             }
         } else {
+            let from = lowest(bits);
             let surface = surface(&ray, corners, ray.triangle);
             if ior(surface.material, materials) == 0.0 {
                 ray.meet(from, materials);
