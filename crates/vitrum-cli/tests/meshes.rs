@@ -122,5 +122,9 @@ fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
         2,
         &["material.0.opaque", "method = \"voxels\""],
     );
-    refused(&["--preset", "clay", "--set", "shadow.softness=2"], 3, &["shadow.softness", "lower `shadow.resolution`"]);
+    refused(
+        &["--preset", "clay", "--quiet", "--set", "shadow.softness=2"],
+        3,
+        &["shadow.softness", "lower `shadow.resolution`"],
+    );
 }
