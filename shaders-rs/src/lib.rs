@@ -4,7 +4,8 @@
 //! - [`math`], [`field`] and [`optics`] are the building blocks.
 //! - [`sweep`] holds the kernels of Magnus & Bruckner 2017, one file a kernel.
 //! - [`voxelize`] holds those that turn triangles into voxels.
-//! - [`voxels`] holds those that follow rays through a mesh of clear materials, as voxels or as triangles.
+//! - [`voxels`] holds those that follow rays through a mesh, clear and opaque, as voxels or as triangles.
+//! - [`shadow`] holds those that find how much light gets to where in a mesh.
 //! - [`probe`] applies building blocks by themselves, for the conformance suite.
 //! - [`kernel`] is the one place where a kernel is declared; `entry_points` and the CPU dispatch come from it.
 //!
@@ -18,6 +19,7 @@ pub mod kernel;
 pub mod math;
 pub mod optics;
 pub mod probe;
+pub mod shadow;
 pub mod sweep;
 pub mod voxelize;
 pub mod voxels;

@@ -72,7 +72,11 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
     let turned = DQuat::from_euler(EulerRot::XYZ, 0.4, 0.5, 0.6);
     let around = refraction::cuboid(DVec3::new(1.2, 1.3, 1.1), turned);
     let nested = refraction::together(&[around, Mesh { normals: None, ..ball.clone() }]);
+    let mut colored = nested.clone();
+    colored.colors = Some(nested.positions.iter().map(|at| [at[0].abs(), 0.5, at[2].abs(), 1.0]).collect());
     let checkerboard = "environment.kind=checkerboard";
+    // The ball in the box is opaque, the box coloured glass.
+    const OPAQUE: &str = "material=[{name=\"m1\",opaque=true,density=0.7},{ior=1.4,attenuation_color=[0.5,0.7,0.9]}]";
     Ok(vec![
         case("mesh ball", &ball, &[checkerboard])?,
         case("mesh ball two", &ball, &["voxels.surfaces=two", "camera.projection=orthographic"])?,
@@ -80,6 +84,23 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("mesh ball paper two", &ball, &["voxels.normals=paper", "voxels.surfaces=two"])?,
         case("mesh ball exact", &ball, &["voxels.surfaces=exact", checkerboard])?,
         case("mesh nested", &nested, &["material=[{name=\"m1\",ior=1.2},{ior=1.7,attenuation_color=[0.5,0.7,0.9]}]"])?,
+        case("mesh opaque", &nested, &[OPAQUE, "light.attachment=world", "light.elevation=60", "ground={}"])?,
+        case(
+            "mesh opaque two",
+            &nested,
+            &[&OPAQUE.replace("m1", "m0"), "voxels.surfaces=two", "wall={}", "shadow.softness=0.1"],
+        )?,
+        case(
+            "mesh opaque paper",
+            &nested,
+            &[OPAQUE, "voxels.normals=paper", "ground={}", "wall={}", "shadow.coefficient=uniform"],
+        )?,
+        case("mesh opaque exact", &colored, &[OPAQUE, "voxels.surfaces=exact", "ground={height=-1.5}"])?,
+        case(
+            "mesh all opaque",
+            &nested,
+            &["material=[{opaque=true,density=0.5}]", "voxels.surfaces=two", "light.shadows=false"],
+        )?,
         case("mesh nested exact", &nested, &["voxels.surfaces=exact", "voxels.reflection=false"])?,
     ])
 }
@@ -215,12 +236,12 @@ impl Frame {
     /// # Errors
     /// If the backend fails.
     pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<(Self, Vec<Pass>), Failure> {
-        let Some(mesh) = &case.inputs.mesh else {
+        if case.inputs.mesh.is_none() {
             let mut sweep = Sweep::prepare(&case.scene, &case.inputs, backend)?;
             let passes = mem::take(&mut sweep.passes.passes);
             return Ok((Self::Sweep(Box::new(sweep)), passes));
-        };
-        let uploaded = Uploaded::new(&case.scene, mesh, backend, &mut |_, _| true)?;
+        }
+        let uploaded = Uploaded::new(&case.scene, &case.inputs, backend, &mut |_, _| true)?;
         let mut rays = Rays::prepare(&case.scene, &case.inputs, &uploaded, backend)?;
         let passes = mem::take(&mut rays.passes.passes);
         Ok((Self::Voxels(Box::new(rays), Box::new(uploaded)), passes))

@@ -13,7 +13,7 @@
 //! Each takes a [`case::Case`], turns what it compares into [`raster`]s and gives them to a [`run::Run`], which holds them
 //! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
 //! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome, [`refraction`]
-//! rays through meshes;
+//! rays through meshes, [`shadow`] their shadows;
 //! [`accuracy`] makes tables and plots of both. [`bench`](mod@bench) times frames instead.
 
 pub mod accuracy;
@@ -39,6 +39,7 @@ pub mod report;
 pub mod roofline;
 pub mod run;
 pub mod scaling;
+pub mod shadow;
 pub mod table;
 
 pub use failure::Failure;

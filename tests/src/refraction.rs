@@ -55,8 +55,7 @@ pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case
 /// If the backend fails.
 pub fn trace(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Traced>, Failure> {
     let Case { scene, inputs, .. } = case;
-    let mesh = inputs.mesh.as_ref().ok_or_else(|| Failure::Setup(format!("{} has no mesh", case.name)))?;
-    let uploaded = Uploaded::new(scene, mesh, backend, &mut |_, _| true)?;
+    let uploaded = Uploaded::new(scene, inputs, backend, &mut |_, _| true)?;
     let rays = Rays::prepare(scene, inputs, &uploaded, backend)?;
     let run = rays.run(backend, &mut |_| true).and_then(|()| rays.records(backend));
     let size = rays.rays;

@@ -23,8 +23,9 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
         frame.free(&mut backend);
     }
     let names: BTreeSet<&str> = seen.iter().map(|&(name, _)| name).collect();
-    // The probe is T0's: `functions` runs it. Voxels are no scene: `tests/voxelize/backends.rs` compares what they come to.
-    let elsewhere = |name: &str| name.starts_with("probe_") || name.starts_with("voxelize_");
+    // The probe is T0's: `functions` runs it. Voxels and shadow maps are made before frames: `tests/voxelize/backends.rs` and
+    // `tests/shadow/backends.rs` compare what they come to.
+    let elsewhere = |name: &str| ["probe_", "voxelize_", "shadow_"].iter().any(|prefix| name.starts_with(prefix));
     let listed = ALL.iter().map(|kernel| kernel.declaration.name).filter(|name| !elsewhere(name));
     assert_eq!(names, listed.collect());
     let modes = |prefix: &str| -> BTreeSet<u32> {
@@ -37,6 +38,9 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
     all.insert(mode::UNSHADED);
     assert_eq!(modes("sweep_propagate_rays"), all);
     let both = BTreeSet::from([voxels::mode::TWO_SURFACES, voxels::mode::MULTI_SURFACE]);
-    assert_eq!((modes("voxels_march"), modes("voxels_march_paper")), (both.clone(), both));
+    for kernel in ["voxels_march", "voxels_march_paper", "voxels_seek"] {
+        assert_eq!(modes(kernel), both, "{kernel}");
+    }
+    assert_eq!(modes("voxels_resolve"), BTreeSet::from([voxels::seen::ENVIRONMENT, voxels::seen::SURFACES]));
     Ok(())
 }

@@ -9,6 +9,7 @@ use rspirv::spirv::{Decoration, Op, Word};
 use vitrum_conformance::root;
 use vitrum_kernels::abi::grid::Grid;
 use vitrum_kernels::abi::probe::ProbeUniforms;
+use vitrum_kernels::abi::shadow::ShadowUniforms;
 use vitrum_kernels::abi::sweep::SweepUniforms;
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
 use vitrum_kernels::abi::voxels::VoxelsUniforms;
@@ -66,12 +67,18 @@ fn voxelize_uniforms() -> Vec<Field> {
     fields!(VoxelizeUniforms { dispatch, size, columns })
 }
 
+fn shadow_uniforms() -> Vec<Field> {
+    fields!(ShadowUniforms { dispatch, size, depth, absorption })
+}
+
 #[rustfmt::skip]
 fn voxels_uniforms() -> Vec<Field> {
     fields!(VoxelsUniforms {
         dispatch, size, bricks, camera, right, up, away, scale, low, high,
         environment, environment_x, environment_y, environment_z,
         environment_color, environment_horizon, environment_nadir,
+        ground, ground_color, wall, wall_color, light, light_color, ambient,
+        shadow, shadow_x, shadow_y, shadow_z, shadow_filter,
     })
 }
 
@@ -83,6 +90,7 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
         ("Grid", size_of::<Grid>(), align_of::<Grid>(), grid()),
         ("SweepUniforms", size_of::<SweepUniforms>(), align_of::<SweepUniforms>(), sweep_uniforms()),
         ("ProbeUniforms", size_of::<ProbeUniforms>(), align_of::<ProbeUniforms>(), fields!(ProbeUniforms { dispatch })),
+        ("ShadowUniforms", size_of::<ShadowUniforms>(), align_of::<ShadowUniforms>(), shadow_uniforms()),
         ("VoxelizeUniforms", size_of::<VoxelizeUniforms>(), align_of::<VoxelizeUniforms>(), voxelize_uniforms()),
         ("VoxelsUniforms", size_of::<VoxelsUniforms>(), align_of::<VoxelsUniforms>(), voxels_uniforms()),
     ] {
@@ -99,7 +107,7 @@ fn uniforms_are_laid_out_by_the_rules_of_std140() {
 fn modules_read_uniforms_where_the_host_puts_them() {
     let offsets = |fields: &[Field]| fields.iter().map(|field| field.offset as u32).collect::<Vec<_>>();
     let (uniforms, probe, grid) = (sweep_uniforms(), fields!(ProbeUniforms { dispatch }), grid());
-    let (voxelize, voxels) = (voxelize_uniforms(), voxels_uniforms());
+    let (voxelize, voxels, shadow) = (voxelize_uniforms(), voxels_uniforms(), shadow_uniforms());
     for kernel in ALL {
         let name = kernel.declaration.name;
         let module = load(name);
@@ -108,6 +116,7 @@ fn modules_read_uniforms_where_the_host_puts_them() {
             Some(("probe", _)) => &probe,
             Some(("voxelize", _)) => &voxelize,
             Some(("voxels", _)) => &voxels,
+            Some(("shadow", _)) => &shadow,
             _ => &uniforms,
         };
         assert_eq!(member_offsets(&module, block), offsets(fields), "{name}: uniforms");

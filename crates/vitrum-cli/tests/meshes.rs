@@ -98,3 +98,33 @@ fn a_mesh_is_rendered_and_its_scene_renders_the_same() {
     with(&["render", "a.obj", "-o", "w.exr", "--preset", "water"]);
     assert_eq!(folder.vitrum(&["diff", "a.exr", "w.exr", "--max-abs", "1e-3"]).code, Some(1));
 }
+
+#[test]
+fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
+    let folder = Folder::new();
+    folder.write("a.obj", TETRAHEDRON);
+    folder.write("a.mtl", "newmtl glass\nKd 0.9 0.1 0.1\n");
+    let common = ["--backend", "cpu", "--size", "48x48", "--set", "shadow.resolution=32"];
+    let render =
+        |out: &str, more: &[&str]| folder.succeed(&[&["render", "a.obj", "-o", out], &common[..], more].concat());
+    let differ = |a: &str, b: &str| folder.vitrum(&["diff", a, b, "--max-abs", "1e-2"]).code == Some(1);
+    render("clay.exr", &["--preset", "clay", "--aov", "status=s.exr"]);
+    render("lit.exr", &["--preset", "clay", "--set", "light.shadows=false"]);
+    // The colour of the file instead of the preset's.
+    render("own.exr", &["--preset", "clay", "--set", "material.0.color=none"]);
+    assert!(differ("clay.exr", "lit.exr") && differ("clay.exr", "own.exr"));
+    let refused = |more: &[&str], code: i32, words: &[&str]| {
+        folder.refuse(&[&["render", "a.obj", "-o", "no.exr"], &common[..], more].concat(), code, words);
+    };
+    refused(&["--set", "material.0.color=[1,0,0]"], 2, &["material.0.color", "material.0.opaque = true"]);
+    refused(
+        &["--set", "material.0.opaque=true", "--set", "method=sweep"],
+        2,
+        &["material.0.opaque", "method = \"voxels\""],
+    );
+    refused(
+        &["--preset", "clay", "--quiet", "--set", "shadow.softness=2"],
+        3,
+        &["shadow.softness", "lower `shadow.resolution`"],
+    );
+}

@@ -69,7 +69,7 @@ impl Frame {
         ("position", "final position of the ray in view space, world units"),
         (
             "status",
-            "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed; through a mesh: 1 it left, 2 it was still inside",
+            "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed; through a mesh: 1 it left, 2 it was still inside, 3 it met an opaque body or a receiver",
         ),
         ("normal", "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
         ("bounces", "of a mesh: surfaces at which the ray was refracted or reflected"),

@@ -5,7 +5,7 @@ use crate::frame::{Frame, Statistics, layer};
 use crate::inputs::Inputs;
 use crate::method::voxels::{Rays, Uploaded};
 use crate::render::{Error, Progress, peak_rss_bytes};
-use crate::scene::{Scene, Surfaces};
+use crate::scene::Scene;
 use std::time::Instant;
 use vitrum_io::Layer;
 use vitrum_kernels::abi::record::{fate, view};
@@ -14,22 +14,22 @@ use vitrum_kernels::abi::record::{fate, view};
 pub(crate) fn render(
     scene: &Scene,
     inputs: &Inputs,
-    held: &mut Option<Uploaded>,
+    held: &mut Option<Box<Uploaded>>,
     backend: &mut dyn Backend,
     progress: &mut dyn FnMut(Progress) -> bool,
 ) -> Result<Frame, Error> {
     let mesh = inputs.mesh.as_ref().ok_or_else(|| Error::Scene("there is no mesh".to_owned()))?;
     let started = Instant::now();
-    if let Some(other) = held.take_if(|held| !held.fits(scene)) {
+    if let Some(other) = held.take_if(|held| !held.fits(scene, mesh)) {
         other.free(backend);
     }
-    let uploaded = match held.take() {
-        Some(uploaded) => uploaded,
-        // How long that takes beside the rays is not known, so that it counts for nothing.
-        None => Uploaded::new(scene, mesh, backend, &mut |_, _| progress(Progress { done: 0, total: 1 }))?,
-    };
-    let grid = uploaded.grid;
-    let uploaded = held.insert(uploaded);
+    // How long that takes beside the rays is not known, so that it counts for nothing.
+    let mut tell = |_, _| progress(Progress { done: 0, total: 1 });
+    if held.is_none() {
+        *held = Some(Box::new(Uploaded::new(scene, inputs, backend, &mut tell)?));
+    }
+    let uploaded = held.as_mut().expect("it was made above");
+    uploaded.update(scene, inputs, backend, &mut tell)?;
     let rays = Rays::prepare(scene, inputs, uploaded, backend)?;
     let upload_ms = started.elapsed().as_secs_f64() * 1e3;
     backend.take_kernel_times();
@@ -54,7 +54,7 @@ pub(crate) fn render(
             adapter: backend.adapter(),
             width: scene.film.width,
             height: scene.film.height,
-            voxels: (scene.voxels.surfaces != Surfaces::Exact).then_some(grid.dimensions),
+            voxels: uploaded.voxels(),
             planes: total,
             light_texels: [0, 0],
             rays_turned: trapped as u64,

@@ -30,7 +30,7 @@ pub type Fallback<'a> = dyn FnMut(&BackendError) -> Result<Box<dyn Backend>, Bac
 enum Uploaded {
     Volumes(sweep::Uploaded),
     /// A mesh, once a scene has said what becomes of it.
-    Mesh(Option<voxels::Uploaded>),
+    Mesh(Option<Box<voxels::Uploaded>>),
     /// A mesh as volumes.
     MeshVolumes(Box<MeshVolumes>, sweep::Uploaded),
 }

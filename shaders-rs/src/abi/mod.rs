@@ -4,6 +4,7 @@ pub mod environment;
 pub mod grid;
 pub mod probe;
 pub mod record;
+pub mod shadow;
 pub mod sweep;
 pub mod tables;
 pub mod vector;

@@ -75,6 +75,16 @@ pub mod attributes {
     pub const SCALE: f32 = 65536.0;
 }
 
+/// Optical depth of a voxel of the shadow map: for each channel a low and a high word, next to each other, channel by channel.
+pub mod absorption {
+    /// Words.
+    pub const SIZE: usize = 2;
+    /// Units in 1.
+    pub const SCALE: f32 = 16_777_216.0;
+    /// The largest optical depth of one contribution: e^−64 is nothing, and has less than 2³¹ units.
+    pub const MOST: f32 = 64.0;
+}
+
 /// What [`crate::probe::apply_function`] reads and writes for an index.
 pub mod probe {
     /// Arguments.
@@ -115,10 +125,10 @@ pub mod ray {
     pub const NOWHERE: f32 = f32::MIN;
 }
 
-/// A ray through a mesh of clear materials.
+/// A ray through a mesh.
 pub mod path {
     /// Components.
-    pub const SIZE: usize = 22;
+    pub const SIZE: usize = 25;
     /// Position in voxels from the grid's low corner; y and z follow.
     pub const POSITION: usize = 0;
     /// Unit direction along the grid's axes; y and z follow.
@@ -144,16 +154,25 @@ pub mod path {
     pub const DEPTH: usize = 20;
     /// Share of the light that the first surface reflects.
     pub const REFLECTANCE: usize = 21;
-
-    /// For triangles, in the place of what they do not need: the node of the tree that is next.
-    pub const NODE: usize = 12;
-    /// The nearest triangle so far; -1 for none.
-    pub const TRIANGLE: usize = 13;
+    /// The node of the tree of triangles that is next.
+    pub const NODE: usize = 22;
+    /// The nearest triangle so far on the ray's straight way, or one of [`ahead`].
+    pub const TRIANGLE: usize = 23;
     /// Its distance, in voxels.
-    pub const DISTANCE: usize = 14;
+    pub const DISTANCE: usize = 24;
+
+    /// What may be ahead of a ray instead of a triangle.
+    pub mod ahead {
+        /// Nothing.
+        pub const NOTHING: i32 = -1;
+        /// The ground.
+        pub const GROUND: i32 = -2;
+        /// The wall.
+        pub const WALL: i32 = -3;
+    }
 }
 
-/// What became of a ray through clear materials.
+/// What became of a ray through a mesh.
 pub mod fate {
     /// Under way.
     pub const ACTIVE: f32 = 0.0;
@@ -161,15 +180,19 @@ pub mod fate {
     pub const LEFT: f32 = 1.0;
     /// It was still within a material after as many surfaces as it may meet.
     pub const TRAPPED: f32 = 2.0;
+    /// It met an opaque triangle or a receiver.
+    pub const MET: f32 = 3.0;
+    /// Under way, and looking for the opaque triangle or receiver ahead.
+    pub const SEEKS: f32 = 4.0;
 }
 
-/// A finished pixel of a mesh of clear materials.
+/// A finished pixel of a mesh.
 pub mod view {
     /// Components.
     pub const SIZE: usize = 18;
     /// Linear radiance, red; green, blue and coverage follow.
     pub const COLOR: usize = 0;
-    /// Unit normal at the first surface in view space (looking along −z), x; y and z follow. 0 if there was none.
+    /// Unit normal at the first surface, clear or opaque, in view space (looking along −z), x; y and z follow. 0 if there was none.
     pub const NORMAL: usize = 4;
     /// Surfaces at which the ray was refracted or reflected.
     pub const BOUNCES: usize = 7;

@@ -1,4 +1,4 @@
-//! The uniform block of the kernels that follow rays through a mesh of clear materials, and the buffers they read.
+//! The uniform block of the kernels that follow rays through a mesh, and the buffers they read.
 
 use super::vector::Vec4;
 use spirv_std::glam::UVec4;
@@ -13,7 +13,7 @@ use spirv_std::glam::UVec4;
 pub struct VoxelsUniforms {
     /// Width and height of the picture, mode (see [`mode`]), flags (see [`flag`]).
     pub dispatch: UVec4,
-    /// Voxels along x, y and z; materials.
+    /// Voxels along x, y and z; clear materials.
     pub size: UVec4,
     /// Bricks along x, y and z; surfaces that a ray may meet at most.
     pub bricks: UVec4,
@@ -47,9 +47,33 @@ pub struct VoxelsUniforms {
     pub environment_horizon: Vec4,
     /// Nadir, times intensity; `w`: 1 if the environment is visible.
     pub environment_nadir: Vec4,
+    /// The ground: xyz · position + w is the distance in voxels, positive on the visible side. All 0 if there is none.
+    pub ground: Vec4,
+    /// Its reflectance.
+    pub ground_color: Vec4,
+    /// The wall, as the ground.
+    pub wall: Vec4,
+    /// Its reflectance.
+    pub wall_color: Vec4,
+    /// Unit direction in which light travels, along the grid's axes.
+    pub light: Vec4,
+    /// Its radiance.
+    pub light_color: Vec4,
+    /// Radiance from all sides.
+    pub ambient: Vec4,
+    /// Voxels of the shadow map: along the light, and across (2); its channels, 0 if nothing casts a shadow.
+    pub shadow: UVec4,
+    /// Rows that take a position to the shadow map's voxels: along the light; `w` is added.
+    pub shadow_x: Vec4,
+    /// Across.
+    pub shadow_y: Vec4,
+    /// Across.
+    pub shadow_z: Vec4,
+    /// Half the width of the filter, in the shadow map's voxels, at least 1 (`x`); edge of one of these in the grid's voxels (`y`).
+    pub shadow_filter: Vec4,
 }
 
-/// How many surfaces a ray is followed through.
+/// How many clear surfaces a ray is followed through.
 pub mod mode {
     /// Two: where it enters and where it leaves (Wyman 2005).
     pub const TWO_SURFACES: u32 = 0;
@@ -57,10 +81,22 @@ pub mod mode {
     pub const MULTI_SURFACE: u32 = 1;
 }
 
+/// What [`crate::voxels::resolve`] sees.
+pub mod seen {
+    /// The environment alone.
+    pub const ENVIRONMENT: u32 = 0;
+    /// Opaque bodies and receivers, too.
+    pub const SURFACES: u32 = 1;
+}
+
 /// Switches that cost little at run time.
 pub mod flag {
     /// Surfaces reflect what they do not let through (Fresnel).
     pub const FRESNEL: u32 = 1;
+    /// There is something opaque ahead of rays, which they look for before they march.
+    pub const SEEKS: u32 = 2;
+    /// Looks belong to triangles; else to materials.
+    pub const LOOK_OF_TRIANGLE: u32 = 4;
 }
 
 /// The number of what is outside of all materials: higher than any material's.
@@ -77,7 +113,7 @@ pub const STEPS: i32 = 256;
 pub mod material {
     /// Floats.
     pub const SIZE: usize = 4;
-    /// Index of refraction.
+    /// Index of refraction; 0 for an opaque material.
     pub const IOR: usize = 0;
     /// Absorption coefficient a voxel's edge, red; green and blue follow.
     pub const ABSORPTION: usize = 1;
@@ -107,6 +143,16 @@ pub mod corner {
     pub const NORMALS: usize = 9;
     /// The material's number.
     pub const MATERIAL: usize = 18;
+}
+
+/// How an opaque triangle or material looks: floats next to each other, not planar.
+pub mod look {
+    /// Floats.
+    pub const SIZE: usize = 10;
+    /// Reflectance at the first corner, red; green and blue, then those of the other corners follow.
+    pub const COLORS: usize = 0;
+    /// The share of light that goes through the triangle.
+    pub const TRANSMITTANCE: usize = 9;
 }
 
 /// What a voxel that triangles meet has, for the paper's rays: floats next to each other, not planar.

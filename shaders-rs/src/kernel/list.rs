@@ -104,8 +104,19 @@ macro_rules! for_each_kernel {
             voxels_trace_triangles: VoxelsUniforms, [1 nodes: f32, 2 corners: f32, 3 materials: f32],
                 updates 4 [path::SIZE],
                 voxels::trace_triangles [], levels [3] gpu 3, modes [1];
-            voxels_resolve: VoxelsUniforms, [1 rays: f32, 2 map: f32], writes 3 [view::SIZE],
-                voxels::resolve [], plain, modes [0];
+            voxels_seek: VoxelsUniforms, [1 nodes: f32, 2 corners: f32, 3 materials: f32],
+                updates 4 [path::SIZE],
+                voxels::seek [], levels [3] gpu 3, modes [0 1];
+            voxels_resolve: VoxelsUniforms,
+                [1 rays: f32, 2 map: f32, 3 corners: f32, 4 looks: f32, 5 shadow: u32],
+                writes 6 [view::SIZE],
+                voxels::resolve [], plain, modes [0 1];
+            shadow_count_crossings: ShadowUniforms, [1 casters: f32, 2 items: u32], adds 3 [absorption::SIZE],
+                shadow::count_crossings [], plain, modes [0];
+            shadow_absorb_solid: ShadowUniforms, [1 changes: u32], adds 2 [absorption::SIZE],
+                shadow::absorb_solid [], plain, modes [0];
+            shadow_accumulate: ShadowUniforms, [1 depths: u32], adds 2 [1],
+                shadow::accumulate [], plain, modes [0 1];
             probe_apply_function: ProbeUniforms, [1 arguments: f32], writes 2 [probe::SIZE],
                 probe::apply_function [], plain, modes [0];
         }

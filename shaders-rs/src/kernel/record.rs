@@ -13,7 +13,7 @@ pub fn load<const N: usize>(buffer: &[f32], index: u32, count: u32) -> [f32; N] 
             })*
         };
     }
-    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22);
+    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24);
     record
 }
 
@@ -27,7 +27,7 @@ pub fn store<const N: usize>(buffer: &mut [f32], index: u32, count: u32, record:
             })*
         };
     }
-    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22);
+    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24);
 }
 
 #[inline(always)]

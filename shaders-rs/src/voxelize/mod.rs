@@ -9,6 +9,7 @@
 //!
 //! What several invocations write is in integers and does not depend on their order.
 
+pub mod columns;
 pub mod cross_columns;
 pub mod fill_rows;
 pub mod mark_surface;
@@ -32,9 +33,14 @@ pub struct Item {
 /// The item of invocation (x, y); one without slices if there are no more items.
 #[inline(always)]
 pub fn item_of(x: u32, y: u32, u: &VoxelizeUniforms, items: &[u32]) -> Item {
-    let index = y * u.dispatch.x + x;
+    item_at(y * u.dispatch.x + x, u.dispatch.w, items)
+}
+
+/// Item number `index` out of `all`; one without slices if there are not so many.
+#[inline(always)]
+pub fn item_at(index: u32, all: u32, items: &[u32]) -> Item {
     let at = (index * item::SIZE as u32) as i32;
     let first = read(items, at + item::FIRST as i32) as i32;
-    let count = if index < u.dispatch.w { read(items, at + item::COUNT as i32) as i32 } else { 0 };
+    let count = if index < all { read(items, at + item::COUNT as i32) as i32 } else { 0 };
     Item { triangle: read(items, at + item::TRIANGLE as i32) as i32, first, end: first + count }
 }

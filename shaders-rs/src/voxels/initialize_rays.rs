@@ -1,8 +1,10 @@
-//! Rays from the eye to where they enter the box of all surfaces.
+//! Rays from the eye to where they enter the box of all surfaces, or meet a receiver before it.
 
 use super::ray::{Ray, bounds, reciprocal, slab};
+use super::receivers;
+use crate::abi::record::path::ahead;
 use crate::abi::record::{fate, path};
-use crate::abi::voxels::{AIR, VoxelsUniforms};
+use crate::abi::voxels::{AIR, VoxelsUniforms, flag};
 use crate::math::{length, max, select, xyz};
 use spirv_std::glam::Vec3;
 
@@ -21,23 +23,28 @@ pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32) -> [f32; path::SIZ
     let inverse = Vec3::new(reciprocal(direction.x), reciprocal(direction.y), reciprocal(direction.z));
     let (low, high) = bounds(u);
     let (enters, leaves) = slab(from, inverse, low, high);
-    let misses = (leaves <= enters) | (leaves <= 0.0);
-    let enters = max(enters, 0.0);
-    let distance = select(misses, 0.0, enters);
+    let receiver = receivers::first(u, from, direction);
+    let enters_at = max(enters, 0.0);
+    let met = receiver.which != ahead::NOTHING;
+    let misses = (leaves <= enters) | (leaves <= 0.0) | (met & (receiver.distance <= enters_at));
+    let distance = select(misses, select(met, receiver.distance, 0.0), enters_at);
+    let under_way = select(u.dispatch.w & flag::SEEKS != 0, fate::SEEKS, fate::ACTIVE);
     let ray = Ray {
         position: from + direction * distance,
         direction,
         transmittance: Vec3::new(1.0, 1.0, 1.0),
         normal: Vec3::new(0.0, 0.0, 0.0),
-        // No surface yet, no triangle yet.
-        last_normal: Vec3::new(0.0, -1.0, 0.0),
+        last_normal: Vec3::new(0.0, 0.0, 0.0),
         since: 1e9,
-        status: select(misses, fate::LEFT, fate::ACTIVE),
+        status: select(misses, select(met, fate::MET, fate::LEFT), under_way),
         medium: AIR,
         bounces: 0.0,
         length: 0.0,
         depth: distance,
         reflectance: 0.0,
+        node: 0,
+        triangle: receiver.which,
+        distance: receiver.distance - distance,
     };
     ray.store()
 }

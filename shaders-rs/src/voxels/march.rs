@@ -1,13 +1,13 @@
 //! Follows a ray through voxels: from brick to brick where there is no surface near, in half voxels where there is one. The surface
 //! is where the smoothed share that is inside reaches ½.
 
-use super::ray::{Ray, bounds, reciprocal, slab};
+use super::ray::{Ray, bounds, level_of, reciprocal, slab};
 use super::solid::{medium, normal};
 use super::surface::meet;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, BRICK_SHIFT, STEPS, VoxelsUniforms};
 use crate::field::access::read;
-use crate::math::{dot, floor_to_int, max, min};
+use crate::math::{dot, floor_to_int, max, min, select};
 use spirv_std::glam::Vec3;
 
 /// Steps near a surface, in voxels.
@@ -17,7 +17,7 @@ const BEYOND: f32 = 1e-3;
 /// Halvings of a step that holds a surface.
 const HALVINGS: i32 = 12;
 
-/// Whether the ray is under way.
+/// Whether the ray is under way, and marches.
 #[inline(always)]
 pub fn level(
     _x: u32,
@@ -29,7 +29,7 @@ pub fn level(
     _fields: &[u32],
     _materials: &[f32],
 ) -> u32 {
-    if before[path::STATUS] == fate::ACTIVE { 3 } else { 0 }
+    level_of(before[path::STATUS])
 }
 
 /// The next step's length.
@@ -94,15 +94,14 @@ pub fn invoke<const LEVEL: u32>(
         let d = ray.direction;
         let inverse = Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
         let (_, leaves) = slab(ray.position, inverse, low, high);
-        let distance = min(stride(u, bricks, ray.position, inverse), max(leaves, 0.0) + BEYOND);
+        let free = min(stride(u, bricks, ray.position, inverse), max(leaves, 0.0) + BEYOND);
+        // Up to what is opaque.
+        let meets = ray.distance <= free;
+        let distance = select(meets, ray.distance, free);
+        let from = ray.medium;
         let there = medium(u, fields, ray.position + d * distance);
-        if there == ray.medium {
-            ray.advance(distance, there, materials);
-            if (leaves <= 0.0) & (there == AIR) {
-                ray.end();
-            }
-        } else {
-            let from = ray.medium;
+        let mut goes_on = there == from;
+        if !goes_on {
             let until = boundary(u, fields, &ray, distance);
             let point = ray.position + d * until;
             let to = medium(u, fields, point);
@@ -111,14 +110,21 @@ pub fn invoke<const LEVEL: u32>(
             let normal = normal(u, fields, owner, point);
             // The paper's threshold: a surface that has just been met, found once more where it is a little uneven.
             let again = (ray.since + until < u.scale.z) & (dot(normal, ray.last_normal) > u.scale.y);
-            if again | (to == from) {
-                ray.advance(distance, from, materials);
-            } else {
+            goes_on = again | (to == from);
+            if !goes_on {
                 ray.advance(until, from, materials);
                 let through = meet(&mut ray, u, mode, normal, from, to, materials);
                 ray.medium = if through { to } else { from };
                 ray.last_normal = normal;
                 ray.since = 0.0;
+            }
+        }
+        if goes_on & meets {
+            ray.meet(from, materials);
+        } else if goes_on {
+            ray.advance(distance, from, materials);
+            if (leaves <= 0.0) & (there == AIR) & (from == AIR) {
+                ray.end(materials);
             }
         }
     }

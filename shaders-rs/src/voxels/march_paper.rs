@@ -1,7 +1,7 @@
 //! Follows a ray through voxels as the paper does (§4.1.1): from slice to slice across the ray's longest axis, refracted wherever a
 //! triangle meets the voxel, by what the triangles bring to that voxel alone.
 
-use super::ray::Ray;
+use super::ray::{Ray, level_of};
 use super::surface::meet;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, STEPS, VoxelsUniforms, surface};
@@ -9,7 +9,7 @@ use crate::field::access::read;
 use crate::math::{absolute, dot, floor_to_int, max};
 use spirv_std::glam::Vec3;
 
-/// Whether the ray is under way.
+/// Whether the ray is under way, and marches.
 #[inline(always)]
 pub fn level(
     _x: u32,
@@ -22,7 +22,7 @@ pub fn level(
     _surfaces: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    if before[path::STATUS] == fate::ACTIVE { 3 } else { 0 }
+    level_of(before[path::STATUS])
 }
 
 /// Whether a position lies outside of the grid.
@@ -53,11 +53,17 @@ pub fn invoke<const LEVEL: u32>(
         step += 1;
         let d = ray.direction;
         let longest = max(max(absolute(d.x), absolute(d.y)), absolute(d.z));
-        ray.advance(1.0 / max(longest, 0.5), ray.medium, materials);
-        let p = ray.position;
-        if is_outside(u, p) {
-            ray.end();
+        let slice = 1.0 / max(longest, 0.5);
+        let meets = ray.distance <= slice;
+        if meets {
+            ray.meet(ray.medium, materials);
         } else {
+            ray.advance(slice, ray.medium, materials);
+        }
+        let p = ray.position;
+        if !meets & is_outside(u, p) {
+            ray.end(materials);
+        } else if !meets {
             let x = floor_to_int(p.x, 0.0, (nx - 1) as f32);
             let y = floor_to_int(p.y, 0.0, (ny - 1) as f32);
             let z = floor_to_int(p.z, 0.0, (nz - 1) as f32);

@@ -1,5 +1,7 @@
 //! The state of a ray, and how it moves.
 
+use super::receivers;
+use crate::abi::record::path::ahead;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, VoxelsUniforms, material};
 use crate::field::access::read;
@@ -33,6 +35,12 @@ pub struct Ray {
     pub depth: f32,
     /// Of the first surface.
     pub reflectance: f32,
+    /// The node of the tree of triangles that is next.
+    pub node: i32,
+    /// What ends its straight way: a triangle, or one of [`ahead`].
+    pub triangle: i32,
+    /// How far that is.
+    pub distance: f32,
 }
 
 #[inline(always)]
@@ -57,6 +65,9 @@ impl Ray {
             length: r[path::LENGTH],
             depth: r[path::DEPTH],
             reflectance: r[path::REFLECTANCE],
+            node: r[path::NODE] as i32,
+            triangle: r[path::TRIANGLE] as i32,
+            distance: r[path::DISTANCE],
         }
     }
 
@@ -88,6 +99,9 @@ impl Ray {
             self.length,
             self.depth,
             self.reflectance,
+            self.node as f32,
+            self.triangle as f32,
+            self.distance,
         ]
     }
 
@@ -96,6 +110,7 @@ impl Ray {
     pub fn advance(&mut self, distance: f32, medium: i32, materials: &[f32]) {
         self.position += self.direction * distance;
         self.since += distance;
+        self.distance -= distance;
         self.depth += select(self.bounces == 0.0, distance, 0.0);
         if medium != AIR {
             self.length += distance;
@@ -106,10 +121,42 @@ impl Ray {
         }
     }
 
-    /// Ends the ray.
+    /// Ends the ray, in air: at the receiver ahead if there is one.
     #[inline(always)]
-    pub fn end(&mut self) {
-        self.status = fate::LEFT;
+    pub fn end(&mut self, materials: &[f32]) {
+        if self.triangle == ahead::NOTHING {
+            self.status = fate::LEFT;
+        } else {
+            self.meet(AIR, materials);
+        }
+    }
+
+    /// Ends the ray at what is ahead, through material `medium`.
+    #[inline(always)]
+    pub fn meet(&mut self, medium: i32, materials: &[f32]) {
+        self.advance(self.distance, medium, materials);
+        self.status = fate::MET;
+    }
+
+    /// Looks ahead as far as receivers go, on a new straight way; triangles are still to be looked for.
+    #[inline(always)]
+    pub fn turn(&mut self, u: &VoxelsUniforms) {
+        let receiver = receivers::first(u, self.position, self.direction);
+        self.node = 0;
+        self.triangle = receiver.which;
+        self.distance = receiver.distance;
+    }
+}
+
+/// How much work a ray of that status is for what follows it: none if it has ended, none now if it seeks.
+#[inline(always)]
+pub fn level_of(status: f32) -> u32 {
+    if status == fate::ACTIVE {
+        3
+    } else if status == fate::SEEKS {
+        1
+    } else {
+        0
     }
 }
 

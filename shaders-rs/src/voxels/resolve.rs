@@ -1,9 +1,11 @@
-//! Finished pixels: what rays see of the environment, by refraction and by reflection at the first surface.
+//! Finished pixels: what rays see of opaque bodies, receivers and the environment, by refraction and, but for the bodies, by reflection
+//! at the first surface.
 
+use super::shade::{Point, beyond, facing, on_receiver, on_triangle, shade};
 use crate::abi::record::{fate, path, view};
-use crate::abi::voxels::VoxelsUniforms;
+use crate::abi::voxels::{VoxelsUniforms, seen};
 use crate::field::access::read;
-use crate::math::{dot, length, max, min, select, xyz};
+use crate::math::{dot, length, max, select, xyz};
 use crate::optics::environment::{Surroundings, environment};
 use spirv_std::glam::Vec3;
 
@@ -14,15 +16,29 @@ fn vector(u: &VoxelsUniforms, rays: &[f32], at: i32, component: usize) -> Vec3 {
     Vec3::new(c(component), c(component + 1), c(component + 2))
 }
 
-/// The unit direction in which pixel (x, y) looks, along the grid's axes.
+/// Where pixel (x, y) looks, along the grid's axes, at depth 1 from the eye; and across from the middle.
 #[inline(always)]
-fn viewing(u: &VoxelsUniforms, x: i32, y: i32) -> Vec3 {
+fn aim(u: &VoxelsUniforms, x: i32, y: i32) -> (Vec3, Vec3) {
     let (width, height) = (u.dispatch.x as i32 as f32, u.dispatch.y as i32 as f32);
     let across = ((x as f32 + 0.5) / width * 2.0 - 1.0) * u.camera.x;
     let upwards = (1.0 - (y as f32 + 0.5) / height * 2.0) * u.camera.y;
+    let side = xyz(u.right) * across + xyz(u.up) * upwards;
     let perspective = select(u.camera.w > 0.5, 0.0, 1.0);
-    let aim = xyz(u.away) + (xyz(u.right) * across + xyz(u.up) * upwards) * perspective;
+    (xyz(u.away) + side * perspective, side * (1.0 - perspective))
+}
+
+/// The unit direction in which pixel (x, y) looks, along the grid's axes.
+#[inline(always)]
+fn viewing(u: &VoxelsUniforms, x: i32, y: i32) -> Vec3 {
+    let (aim, _) = aim(u, x, y);
     aim * (1.0 / max(length(aim), 1e-20))
+}
+
+/// The first surface that pixel (x, y) looks at, `depth` voxels away.
+#[inline(always)]
+fn first_surface(u: &VoxelsUniforms, x: i32, y: i32, depth: f32) -> Vec3 {
+    let (_, side) = aim(u, x, y);
+    Vec3::new(u.right.w, u.up.w, u.away.w) + side + viewing(u, x, y) * depth
 }
 
 /// Where the first surface mirrors pixel (x, y); its own direction where there is none.
@@ -51,7 +67,7 @@ fn around(u: &VoxelsUniforms, x: i32, y: i32) -> (i32, i32, i32, i32) {
 
 /// The environment in direction `d`, over the angle between neighbouring pixels' directions: `across` and `down`, two apart.
 #[inline(always)]
-fn seen(u: &VoxelsUniforms, map: &[f32], d: Vec3, across: Vec3, down: Vec3) -> Vec3 {
+fn surroundings(u: &VoxelsUniforms, map: &[f32], d: Vec3, across: Vec3, down: Vec3) -> Vec3 {
     let surroundings = Surroundings {
         shape: u.environment,
         color: u.environment_color,
@@ -68,9 +84,25 @@ fn in_view(u: &VoxelsUniforms, v: Vec3) -> Vec3 {
     Vec3::new(dot(xyz(u.right), v), dot(xyz(u.up), v), -dot(xyz(u.away), v))
 }
 
+/// The point at which a ray ended.
+#[inline(always)]
+fn point(u: &VoxelsUniforms, corners: &[f32], looks: &[f32], triangle: i32, position: Vec3) -> Point {
+    if triangle < 0 { on_receiver(u, triangle, position) } else { on_triangle(u, corners, looks, triangle, position) }
+}
+
 /// The finished pixel (x, y).
 #[inline(always)]
-pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32, rays: &[f32], map: &[f32]) -> [f32; view::SIZE] {
+pub fn invoke(
+    x: u32,
+    y: u32,
+    u: &VoxelsUniforms,
+    mode: u32,
+    rays: &[f32],
+    map: &[f32],
+    corners: &[f32],
+    looks: &[f32],
+    shadow: &[u32],
+) -> [f32; view::SIZE] {
     let (x, y) = (x as i32, y as i32);
     let at = y * u.dispatch.x as i32 + x;
     let count = (u.dispatch.x * u.dispatch.y) as i32;
@@ -80,20 +112,41 @@ pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32, rays: &[f32], map:
     let across = leaving(u, rays, right, y) - leaving(u, rays, left, y);
     let down = leaving(u, rays, x, below) - leaving(u, rays, x, above);
     let transmittance = vector(u, rays, at, path::TRANSMITTANCE);
-    let through = seen(u, map, direction, across, down) * transmittance;
+    let bounces = component(path::BOUNCES);
+    let status = component(path::STATUS);
+    let surfaces = mode == seen::SURFACES;
+    let met = surfaces & (status == fate::MET);
+    let mut first_normal = vector(u, rays, at, path::NORMAL);
+    let mut through = surroundings(u, map, direction, across, down);
+    if met {
+        let triangle = component(path::TRIANGLE) as i32;
+        let point = point(u, corners, looks, triangle, vector(u, rays, at, path::POSITION));
+        through = shade(u, shadow, &point, direction);
+        if bounces == 0.0 {
+            first_normal = facing(&point, direction);
+        }
+    }
+    let through = through * transmittance;
     let across = mirrored(u, rays, right, y) - mirrored(u, rays, left, y);
     let down = mirrored(u, rays, x, below) - mirrored(u, rays, x, above);
     let reflectance = component(path::REFLECTANCE);
-    let reflected = seen(u, map, mirrored(u, rays, x, y), across, down) * reflectance;
-    let bounces = component(path::BOUNCES);
+    let mirror = mirrored(u, rays, x, y);
+    let mut reflected = surroundings(u, map, mirror, across, down);
+    if surfaces & (reflectance > 0.0) {
+        let seen = beyond(u, shadow, first_surface(u, x, y, component(path::DEPTH)), mirror);
+        if seen.met {
+            reflected = seen.radiance;
+        }
+    }
+    let reflected = reflected * reflectance;
     // Without an environment the picture is transparent where there is no surface.
-    let visible = select(bounces > 0.0, 1.0, u.environment_nadir.w);
+    let something = (bounces > 0.0) | met;
+    let visible = select(something, 1.0, u.environment_nadir.w);
     let color = (through + reflected) * visible;
-    let normal = in_view(u, vector(u, rays, at, path::NORMAL));
+    let normal = in_view(u, first_normal);
     let towards = in_view(u, direction);
     let voxel = u.scale.x;
     let depth = component(path::DEPTH) * voxel * dot(xyz(u.away), viewing(u, x, y));
-    let status = component(path::STATUS);
     [
         color.x,
         color.y,
@@ -104,7 +157,7 @@ pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32, rays: &[f32], map:
         normal.z,
         bounces,
         component(path::LENGTH) * voxel,
-        select(bounces > 0.0, depth, 0.0),
+        select(something, depth, 0.0),
         towards.x,
         towards.y,
         towards.z,
@@ -113,6 +166,6 @@ pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32, rays: &[f32], map:
         transmittance.z,
         reflectance,
         // One that is still under way did not get out.
-        select(status == fate::ACTIVE, fate::TRAPPED, min(status, fate::TRAPPED)),
+        select((status == fate::ACTIVE) | (status == fate::SEEKS), fate::TRAPPED, status),
     ]
 }

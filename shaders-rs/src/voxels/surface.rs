@@ -47,7 +47,8 @@ pub fn ior(medium: i32, materials: &[f32]) -> f32 {
     select(medium == AIR, 1.0, index)
 }
 
-/// Lets the ray meet a surface with outward unit normal `normal`, from medium `from` to `to`. Returns whether it got through.
+/// Lets the ray meet a surface with outward unit normal `normal`, from medium `from` to `to`; it then has a new straight way. Returns
+/// whether it got through.
 #[inline(always)]
 pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i32, to: i32, materials: &[f32]) -> bool {
     let bent = bend(ray.direction, normal, ior(from, materials), ior(to, materials));
@@ -69,11 +70,15 @@ pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i3
     if !bent.reflected {
         ray.transmittance *= 1.0 - share;
     }
-    if second {
-        ray.end();
-    } else if ray.bounces >= u.bricks.w as i32 as f32 {
-        let inside = if bent.reflected { from } else { to };
-        ray.status = if inside == AIR { ray.status } else { fate::TRAPPED };
+    ray.turn(u);
+    let inside = if bent.reflected { from } else { to };
+    let seeks = u.dispatch.w & flag::SEEKS != 0;
+    if second & !seeks {
+        ray.end(materials);
+    } else if !second & (ray.bounces >= u.bricks.w as i32 as f32) & (inside != AIR) {
+        ray.status = fate::TRAPPED;
+    } else if seeks {
+        ray.status = fate::SEEKS;
     }
     !bent.reflected
 }

@@ -1,12 +1,14 @@
-//! Follows a ray through the triangles themselves, in a tree of boxes whose nodes say which one is behind all below: no stack.
+//! Follows a ray through the triangles themselves.
 
-use super::ray::{Ray, reciprocal, slab};
-use super::surface::meet;
-use super::triangle::{FAR, shear, vector};
+use super::ray::{Ray, level_of};
+use super::surface::{ior, meet};
+use super::tree;
+use super::triangle::{shear, vector};
+use crate::abi::record::path::ahead;
 use crate::abi::record::{fate, path};
-use crate::abi::voxels::{AIR, STEPS, VoxelsUniforms, corner, node};
+use crate::abi::voxels::{AIR, STEPS, VoxelsUniforms, corner};
 use crate::field::access::read;
-use crate::math::{dot, length, max, min, select};
+use crate::math::{dot, length, max, select};
 use spirv_std::glam::Vec3;
 
 /// Whether the ray is under way.
@@ -21,7 +23,7 @@ pub fn level(
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    if before[path::STATUS] == fate::ACTIVE { 3 } else { 0 }
+    level_of(before[path::STATUS])
 }
 
 /// Of the materials whose bits are set the one with the lowest number.
@@ -83,51 +85,43 @@ pub fn invoke<const LEVEL: u32>(
     materials: &[f32],
 ) -> [f32; path::SIZE] {
     let mut ray = Ray::load(&before);
-    let count = nodes.len() as i32 / node::SIZE as i32;
-    let mut next = before[path::NODE] as i32;
-    let mut nearest = before[path::TRIANGLE] as i32;
-    let mut distance = select(nearest < 0, FAR, before[path::DISTANCE]);
+    let count = tree::count(nodes);
     // Below 0, to tell them from a material's number.
     let mut bits = if ray.medium == AIR { 0 } else { -ray.medium };
     let mut step = 0;
     while (step < 4 * STEPS) & (ray.status == fate::ACTIVE) {
         step += 1;
-        let d = ray.direction;
-        if next < count {
-            let at = next * node::SIZE as i32;
-            let inverse = Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
-            let (enters, leaves) = slab(ray.position, inverse, vector(nodes, at), vector(nodes, at + 3));
-            let reached = (enters <= min(leaves, distance)) & (leaves >= 0.0);
-            let triangle = read(nodes, at + node::TRIANGLE as i32) as i32;
-            if reached & (triangle >= 0) {
-                let hit = super::triangle::meet(&shear(ray.position, d), corners, triangle);
-                if hit.distance < distance {
-                    distance = hit.distance;
-                    nearest = triangle;
-                }
+        if ray.node < count {
+            tree::visit(&mut ray, nodes, corners);
+        } else if ray.triangle < 0 {
+            let from = lowest(bits);
+            // Nothing, or a receiver.
+            if (ray.triangle == ahead::NOTHING) | (from == AIR) {
+                ray.end(materials);
+            } else {
+                ray.meet(from, materials);
             }
-            next = if reached { next + 1 } else { read(nodes, at + node::BEHIND as i32) as i32 };
         } else {
             let from = lowest(bits);
-            if nearest < 0 {
-                ray.end();
+            let surface = surface(&ray, corners, ray.triangle);
+            if ior(surface.material, materials) == 0.0 {
+                ray.meet(from, materials);
             } else {
-                let surface = surface(&ray, corners, nearest);
                 let bit = 1 << surface.material;
-                let beyond = if dot(d, surface.plane) < 0.0 { bits | bit } else { bits & !bit };
+                let beyond = if dot(ray.direction, surface.plane) < 0.0 { bits | bit } else { bits & !bit };
                 let to = lowest(beyond);
-                ray.advance(distance, from, materials);
+                ray.advance(ray.distance, from, materials);
                 // Surfaces within a material that lies above theirs are not seen.
-                let through =
-                    if from == to { true } else { meet(&mut ray, u, mode, surface.normal, from, to, materials) };
+                let through = if from == to {
+                    ray.turn(u);
+                    true
+                } else {
+                    meet(&mut ray, u, mode, surface.normal, from, to, materials)
+                };
                 bits = if through { beyond } else { bits };
             }
-            next = 0;
-            nearest = -1;
-            distance = FAR;
         }
     }
     ray.medium = if bits == 0 { AIR } else { -bits };
-    ray.last_normal = Vec3::new(next as f32, nearest as f32, select(nearest < 0, 0.0, distance));
     ray.store()
 }

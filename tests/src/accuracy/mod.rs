@@ -7,6 +7,7 @@ mod page;
 mod photons;
 mod plot;
 mod refraction;
+mod shadow;
 
 pub use page::{replace, rewrite, write};
 pub use plot::{Axis, Corner, Plot, Scale, Series};
@@ -28,7 +29,7 @@ pub struct Section {
 pub type Measure = fn(&mut dyn Backend) -> Result<Section, Failure>;
 
 /// Everything that is measured, by name.
-pub const ALL: [(&str, Measure); 7] = [
+pub const ALL: [(&str, Measure); 8] = [
     ("step", convergence::step),
     ("luneburg", convergence::luneburg),
     ("ball", convergence::ball),
@@ -36,4 +37,5 @@ pub const ALL: [(&str, Measure); 7] = [
     ("slab", convergence::slab),
     ("photons", photons::photons),
     ("refraction", refraction::refraction),
+    ("shadow", shadow::shadow),
 ];

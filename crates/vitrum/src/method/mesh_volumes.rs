@@ -63,10 +63,10 @@ impl MeshVolumes {
         progress: &mut dyn FnMut(u64, u64) -> bool,
     ) -> Result<Self, Error> {
         let mesh = mesh_of(inputs)?;
-        let materials = clear(&bodies(mesh)?, mesh, scene);
+        let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
         let kind = Kind::of(scene, &materials);
         let deformed = twisted(mesh, kind.twist);
-        let bodies = bodies(&deformed)?;
+        let bodies = bodies(&deformed, &scene.material)?;
         let grid = Grid::around(&deformed, &Settings { padding: PADDING, ..Settings::new(kind.resolution) })?;
         let solids = Solids::new(&bodies, grid, backend, progress)?;
         let shares = Shares::new(&solids.fields, grid);
@@ -85,7 +85,7 @@ impl MeshVolumes {
     /// Whether a scene of the same mesh shows the same volumes.
     pub(crate) fn fits(&self, scene: &Scene, inputs: &Inputs) -> Result<bool, Error> {
         let mesh = mesh_of(inputs)?;
-        Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh)?, mesh, scene)))
+        Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
     }
 
     /// The scene of these volumes: materials as transfer functions, and everything where it is for the mesh alone.
@@ -94,7 +94,7 @@ impl MeshVolumes {
     /// If there are too many materials.
     pub(crate) fn scene(&self, scene: &Scene, inputs: &Inputs) -> Result<Scene, Error> {
         let mesh = mesh_of(inputs)?;
-        let materials = clear(&bodies(mesh)?, mesh, scene);
+        let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
         let mut seen = scene.clone();
         seen.transfer = transfer(&materials, REFERENCE * longest_edge(mesh));
         // The mesh's box decides what is in the picture, not that of voxels around it.

@@ -4,15 +4,16 @@ use super::PresetError;
 use crate::scene::{Environment, EnvironmentKind, Material, Rgb, Scene};
 use crate::suggest::nearest;
 
-/// A clear material; what is left of white light behind the mesh's longest edge of it.
+/// A clear material by what is left of white light behind the mesh's longest edge of it, or an opaque one by its reflectance.
 struct Look {
     name: &'static str,
     description: &'static str,
+    /// 0 for an opaque one.
     ior: f32,
     color: Rgb,
 }
 
-const LOOKS: [Look; 4] = [
+const LOOKS: [Look; 5] = [
     Look {
         name: "glass",
         description: "of a mesh: crown glass, index of refraction 1.52, a trace of green",
@@ -31,6 +32,12 @@ const LOOKS: [Look; 4] = [
         description: "of a mesh: clear jade, 1.66, deep green where it is thick",
         ior: 1.66,
         color: [0.03, 0.40, 0.12],
+    },
+    Look {
+        name: "clay",
+        description: "of a mesh: opaque pale clay on the ground",
+        ior: 0.0,
+        color: [0.72, 0.66, 0.58],
     },
 ];
 
@@ -62,7 +69,7 @@ pub fn surround_mesh(scene: &mut Scene) {
     scene.film.supersampling = 2;
 }
 
-/// Makes all bodies of a mesh of one material, and surrounds it.
+/// Makes all bodies of a mesh of one material, and surrounds it; an opaque one stands on the ground.
 ///
 /// # Errors
 ///
@@ -76,6 +83,11 @@ pub fn apply_to_mesh(name: &str, scene: &mut Scene) -> Result<(), PresetError> {
         known: known().collect(),
     })?;
     surround_mesh(scene);
-    scene.material = vec![Material { ior: look.ior, attenuation_color: look.color, ..Material::default() }];
+    if look.ior == 0.0 {
+        scene.material = vec![Material { opaque: true, color: Some(look.color), ..Material::default() }];
+        scene.ground.get_or_insert_default();
+    } else {
+        scene.material = vec![Material { ior: look.ior, attenuation_color: look.color, ..Material::default() }];
+    }
     Ok(())
 }

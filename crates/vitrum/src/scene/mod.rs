@@ -21,6 +21,7 @@ mod receiver;
 mod schema;
 mod set;
 mod shading;
+mod shadow;
 mod sweep;
 mod transfer;
 mod validate;
@@ -40,6 +41,7 @@ pub use material::Material;
 pub use mesh::MeshSource;
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
+pub use shadow::{Coefficient, Shadow};
 pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
 pub use volume::VolumeSource;
@@ -80,6 +82,8 @@ pub struct Scene {
     pub material: Vec<Material>,
     /// How rays go through a mesh.
     pub voxels: Voxels,
+    /// The shadow that a mesh casts.
+    pub shadow: Shadow,
     /// How light and viewing rays travel from plane to plane.
     pub sweep: Sweep,
     /// Specular reflection and ambient light.

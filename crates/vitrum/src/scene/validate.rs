@@ -59,13 +59,21 @@ fn check_shown(scene: &Scene) -> Result<(), Fault> {
 
 fn check_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
     check_mesh_source(scene, mesh)?;
-    let given = [("ground", scene.ground.is_some()), ("wall", scene.wall.is_some()), ("clip", !scene.clip.is_empty())];
-    refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")
+    let given = [("clip", !scene.clip.is_empty())];
+    refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")?;
+    check_materials(scene)
 }
 
 /// The materials say what a mesh's volume looks like.
 fn check_swept_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
     check_mesh_source(scene, mesh)?;
+    if let Some(index) = scene.material.iter().position(|material| material.opaque) {
+        return Err(Fault::contradiction(
+            &format!("material.{index}.opaque"),
+            "a plane sweep shows clear bodies of a mesh, and this one is opaque",
+            "set `method = \"voxels\"`, or make the material clear",
+        ));
+    }
     let given = [("transfer", scene.transfer != TransferFunction::default())];
     refuse(&given, "a mesh has no scalar, and `mesh` is given", "and say in `material` what bodies are made of")
 }
@@ -93,6 +101,18 @@ fn refuse(given: &[(&str, bool)], problem: &str, advice: &str) -> Result<(), Fau
     match given.iter().find(|(_, given)| *given) {
         None => Ok(()),
         Some((name, _)) => Err(Fault::contradiction(name, problem, format!("leave `{name}` out, {advice}"))),
+    }
+}
+
+/// Only an opaque body has a colour.
+fn check_materials(scene: &Scene) -> Result<(), Fault> {
+    match scene.material.iter().position(|material| material.color.is_some() && !material.opaque) {
+        None => Ok(()),
+        Some(index) => Err(Fault::contradiction(
+            &format!("material.{index}.color"),
+            "it is the colour of an opaque body, and the material is clear",
+            format!("set `material.{index}.opaque = true`, or give a clear material an `attenuation_color`"),
+        )),
     }
 }
 

@@ -29,8 +29,8 @@ pub struct LightGrid {
     pub direction: DVec3,
 }
 
-/// The unit direction in which light travels, in the sweep frame; an error if it is too far from the viewing direction.
-pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
+/// The unit direction in which light travels, in the sweep frame.
+pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Error> {
     let travels = match (light.attachment, light.direction) {
         (Attachment::Camera, Some(v)) => {
             let v = vector(v);
@@ -43,9 +43,13 @@ pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
         }
         (Attachment::World, None) => view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation)),
     };
-    let Some(unit) = travels.try_normalize() else {
-        return Err(Error::Scene("light.direction has no length: give three numbers that are not all 0".to_owned()));
-    };
+    let no_length = || Error::Scene("light.direction has no length: give three numbers that are not all 0".to_owned());
+    travels.try_normalize().ok_or_else(no_length)
+}
+
+/// As [`travels`]; an error if it is too far from the viewing direction.
+pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
+    let unit = travels(light, view)?;
     let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
     if angle > STEEPEST {
         return Err(Error::Scene(format!(

@@ -5,11 +5,11 @@
 
 mod carrier;
 pub(in crate::method) mod environment;
-mod light;
+pub(in crate::method) mod light;
 mod occupancy;
 mod passes;
 mod planes;
-mod receivers;
+pub(in crate::method) mod receivers;
 mod sheets;
 mod tables;
 mod texels;

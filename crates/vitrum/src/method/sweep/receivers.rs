@@ -7,9 +7,9 @@ use vitrum_io::Volume;
 
 /// Planes of the sweep frame: signed distance = xyz · point + w, positive on the visible side; all 0 if absent.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Receivers {
-    pub(super) ground: DVec4,
-    pub(super) wall: DVec4,
+pub(in crate::method) struct Receivers {
+    pub(in crate::method) ground: DVec4,
+    pub(in crate::method) wall: DVec4,
 }
 
 /// The plane through `point` with `normal` (world), in the sweep frame.
@@ -18,7 +18,7 @@ pub(super) fn plane(view: &View, normal: DVec3, point: DVec3) -> DVec4 {
 }
 
 impl Receivers {
-    pub(super) fn new(scene: &Scene, view: &View, volume: &Volume) -> Self {
+    pub(in crate::method) fn new(scene: &Scene, view: &View, volume: &Volume) -> Self {
         let (centre, radius) = bounding_sphere(volume);
         let ground = scene.ground.as_ref().map_or(DVec4::ZERO, |ground| {
             let lowest = corners(volume).iter().map(|corner| corner.dot(view.up)).fold(f64::INFINITY, f64::min);

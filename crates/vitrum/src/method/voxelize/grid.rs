@@ -32,6 +32,15 @@ impl Grid {
     /// # Errors
     /// Where the resolution is 0 or above [`MOST_VOXELS`], the padding above [`MOST_PADDING`], and where the mesh is a point.
     pub fn around(mesh: &Mesh, settings: &Settings) -> Result<Self, Error> {
+        Self::around_box(&mesh.name, mesh.bounds().map(|corner| corner.map(f64::from)), settings)
+    }
+
+    /// As [`Self::around`], of what lies in a box from its `low` to its `high` corner and is called `name`.
+    pub(in crate::method) fn around_box(
+        name: &str,
+        [low, high]: [[f64; 3]; 2],
+        settings: &Settings,
+    ) -> Result<Self, Error> {
         let Settings { resolution, padding, .. } = *settings;
         if !(1..=MOST_VOXELS).contains(&resolution) || padding > MOST_PADDING {
             return Err(Error::Scene(format!(
@@ -39,15 +48,13 @@ impl Grid {
                  choose another resolution"
             )));
         }
-        let [low, high] = mesh.bounds().map(|corner| corner.map(f64::from));
         let extent: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
         let longest = extent.into_iter().fold(0.0, f64::max);
         let voxel_size = longest / (f64::from(resolution) * (1.0 - 2.0 * CLEARANCE));
         // Neither too small for the world's floats nor for the quotients.
         if voxel_size < f64::from(f32::MIN_POSITIVE) {
             return Err(Error::Scene(format!(
-                "{}: all vertices are at one point or too close to each other; scale the mesh up",
-                mesh.name
+                "{name}: all vertices are at one point or too close to each other; scale the mesh up"
             )));
         }
         let inner = extent.map(|extent| ((extent / voxel_size).ceil() as u32).clamp(1, resolution));

@@ -20,7 +20,7 @@ const MOST_ROWS: u32 = 65535 * 8;
 
 /// A triangle's slices, from `first` on.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Slices {
+pub(in crate::method) struct Slices {
     pub first: u32,
     pub count: u32,
     /// Rows that a slice has.
@@ -34,7 +34,7 @@ impl Slices {
 }
 
 /// Triangles `first`…`end` with the items that they have.
-pub(super) struct Batch {
+pub(in crate::method) struct Batch {
     pub first: usize,
     pub end: usize,
     /// Words as [`item`] has them, triangles counted from `first`.
@@ -42,19 +42,19 @@ pub(super) struct Batch {
 }
 
 impl Batch {
-    pub(super) fn items(&self) -> u32 {
+    pub(in crate::method) fn items(&self) -> u32 {
         (self.items.len() / item::SIZE) as u32
     }
 }
 
 /// Where each triangle's items begin in the list of all, and how many there are.
-pub(super) struct Plan<'a> {
+pub(in crate::method) struct Plan<'a> {
     slices: &'a [Slices],
     begins: Vec<u64>,
 }
 
 impl<'a> Plan<'a> {
-    pub(super) fn new(slices: &'a [Slices]) -> Self {
+    pub(in crate::method) fn new(slices: &'a [Slices]) -> Self {
         let mut begins = Vec::with_capacity(slices.len() + 1);
         let mut sum = 0;
         for slices in slices {
@@ -66,12 +66,12 @@ impl<'a> Plan<'a> {
     }
 
     /// All items.
-    pub(super) fn total(&self) -> u64 {
+    pub(in crate::method) fn total(&self) -> u64 {
         self.begins[self.slices.len()]
     }
 
     /// Batches in order; those without items are left out.
-    pub(super) fn batches(&self) -> impl Iterator<Item = Batch> + '_ {
+    pub(in crate::method) fn batches(&self) -> impl Iterator<Item = Batch> + '_ {
         let mut first = 0;
         std::iter::from_fn(move || {
             while first < self.slices.len() {
@@ -119,13 +119,13 @@ impl<'a> Plan<'a> {
 }
 
 /// Invocations across and down for `count` pieces of work.
-pub(super) fn dispatch(count: u32) -> [u32; 2] {
+pub(in crate::method) fn dispatch(count: u32) -> [u32; 2] {
     let width = WIDTH.max(count.div_ceil(MOST_ROWS));
     [width, count.div_ceil(width).max(1)]
 }
 
 /// A pass of `count` pieces of work; the rest of the uniforms is the caller's.
-pub(super) fn pass(
+pub(in crate::method) fn pass(
     kernel: &'static Kernel,
     count: u32,
     mode: u32,
@@ -139,30 +139,30 @@ pub(super) fn pass(
 }
 
 /// Buffers that are freed together.
-pub(super) struct Held<'a> {
+pub(in crate::method) struct Held<'a> {
     pub backend: &'a mut dyn Backend,
     buffers: Vec<Buffer>,
 }
 
 impl<'a> Held<'a> {
-    pub(super) fn new(backend: &'a mut dyn Backend) -> Self {
+    pub(in crate::method) fn new(backend: &'a mut dyn Backend) -> Self {
         Self { backend, buffers: Vec::new() }
     }
 
-    pub(super) fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
+    pub(in crate::method) fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
         let buffer = self.backend.create(label, contents)?;
         self.buffers.push(buffer);
         Ok(buffer)
     }
 
-    pub(super) fn create_zeroed(&mut self, label: &str, words: u64) -> Result<Buffer, BackendError> {
+    pub(in crate::method) fn create_zeroed(&mut self, label: &str, words: u64) -> Result<Buffer, BackendError> {
         let buffer = self.backend.create_zeroed(label, words * 4)?;
         self.buffers.push(buffer);
         Ok(buffer)
     }
 
     /// Those created within `work` are freed behind it.
-    pub(super) fn within<T>(&mut self, work: impl FnOnce(&mut Held<'_>) -> T) -> T {
+    pub(in crate::method) fn within<T>(&mut self, work: impl FnOnce(&mut Held<'_>) -> T) -> T {
         work(&mut Held::new(&mut *self.backend))
     }
 }

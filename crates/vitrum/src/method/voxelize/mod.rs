@@ -1,11 +1,12 @@
 //! Voxelization: which voxels of a grid a mesh's triangles meet, what they bring there, and how much of each voxel is inside
 //! (Chang et al. 2010, §2; solids are not in the paper).
 
+pub(in crate::method) mod columns;
 mod grid;
-mod items;
+pub(in crate::method) mod items;
 mod solid;
 mod surface;
-mod triangles;
+pub(in crate::method) mod triangles;
 
 pub use grid::{Grid, MOST_PADDING, MOST_VOXELS};
 pub use solid::Solid;

@@ -2,7 +2,7 @@
 
 use super::grid::Grid;
 use super::items::{Batch, Held, Plan, Slices, pass};
-use super::{FillRule, Stage, triangles};
+use super::{FillRule, Stage, columns, triangles};
 use crate::backend::Buffer;
 use crate::render::Error;
 use bytemuck::{cast_slice, pod_collect_to_vec};
@@ -47,18 +47,12 @@ pub(super) struct Body {
     rule: FillRule,
 }
 
-/// log₂ of the units of a voxel: of each a winding may have so many that `triangles` of them, the most a winding can be, stay below
-/// 2³⁰. Sums of windings may wrap on their way there, which does no harm.
-fn scale(triangles: usize) -> u32 {
-    30 - (usize::BITS - triangles.leading_zeros()).clamp(14, 30)
-}
-
 impl Body {
     /// # Errors
     /// Where there are more triangles than the sums' units allow.
     pub(super) fn new(mesh: &Mesh, grid: Grid, rule: FillRule) -> Result<Self, Error> {
         let count = mesh.triangles.len();
-        let scale = scale(count).checked_sub(2 * COLUMNS).ok_or_else(|| {
+        let scale = columns::scale(count).checked_sub(2 * COLUMNS).ok_or_else(|| {
             Error::Scene(format!("{}: {count} triangles are too many to fill; simplify the mesh", mesh.name))
         })?;
         let corners = (0..count).into_par_iter();
@@ -80,21 +74,8 @@ impl Body {
     }
 
     /// For each triangle the rows of columns of a slab that may go through it.
-    pub(super) fn slices(&self, [first, layers]: [u32; 2]) -> Vec<Slices> {
-        let a_voxel = f32::from(1u16 << COLUMNS);
-        let [begin, end] = [first << COLUMNS, (first + layers) << COLUMNS];
-        let rows = |[a, b, c]: &[[f32; 3]; 3]| {
-            let bounds = |axis: usize| {
-                [a[axis].min(b[axis]).min(c[axis]) * a_voxel, a[axis].max(b[axis]).max(c[axis]) * a_voxel]
-            };
-            // Rows z with low ≤ z + ½ < high: one more on either side does no harm.
-            let row = |z: f32| (z.floor().max(0.0) as u32).clamp(begin, end);
-            let [low, high] = bounds(2);
-            let [left, right] = bounds(1);
-            let (low, high) = (row(low - 0.5), row(high + 0.5));
-            Slices { first: low, count: high - low, rows: (right - left) as u32 + 1 }
-        };
-        self.corners.par_iter().map(rows).collect()
+    pub(super) fn slices(&self, slab: [u32; 2]) -> Vec<Slices> {
+        columns::slices(&self.corners, COLUMNS, slab)
     }
 
     fn uniforms(&self, [first, layers]: [u32; 2], row: u32) -> VoxelizeUniforms {
@@ -152,19 +133,5 @@ impl Body {
         let uniforms = self.uniforms(slab, self.grid.dimensions[0] + 1);
         let passes = pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &[corners, items, changes]);
         stage.run(held.backend, &passes, u64::from(batch.items()))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::scale;
-
-    #[test]
-    fn no_winding_has_more_than_30_bits() {
-        for triangles in [1, 12, 16383, 16384, 202_520, 1 << 20, (1 << 27) + 1] {
-            let scale = scale(triangles);
-            assert!(scale <= 16 && (triangles as u64) << scale <= 1 << 30, "{triangles}: {scale}");
-        }
-        assert_eq!(scale(1 << 31), 0);
     }
 }

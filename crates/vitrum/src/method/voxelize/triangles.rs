@@ -69,7 +69,7 @@ pub(super) fn slices(words: &[u32; triangle::SIZE]) -> [u32; 2] {
 }
 
 /// Corners for the solid: rounded to a unit that is the same for the whole grid, so that common corners stay common.
-pub(super) fn solid(corners: [[f64; 3]; 3], grid: Grid) -> [[f32; 3]; 3] {
+pub(in crate::method) fn solid(corners: [[f64; 3]; 3], grid: Grid) -> [[f32; 3]; 3] {
     let longest = grid.dimensions.into_iter().max().unwrap_or(1);
     let unit = unit(f64::from(longest));
     corners.map(|corner| corner.map(|voxels| round(voxels, unit) as f32))

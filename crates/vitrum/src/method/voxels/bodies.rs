@@ -10,42 +10,75 @@ use vitrum_kernels::abi::voxels::{AIR, material};
 pub struct Body {
     /// Its number in the mesh; `None` if the mesh has no materials.
     pub material: Option<u32>,
-    /// They alone, facing outwards as a whole.
+    /// Whether light ends at its surface.
+    pub opaque: bool,
+    /// They alone, those of a clear body facing outwards as a whole.
     pub mesh: Mesh,
 }
 
-/// The bodies of a mesh, those of the least volume first: where two overlap, it is the smaller one that is there.
-///
-/// # Errors
-/// Where there are more materials than rays can tell apart.
-pub fn bodies(mesh: &Mesh) -> Result<Vec<Body>, Error> {
+/// The numbers of a mesh's materials, those alone that triangles have; `None` if it has no materials.
+pub(super) fn numbers(mesh: &Mesh) -> Vec<Option<u32>> {
     let mut numbers: Vec<Option<u32>> = mesh.triangle_materials.iter().copied().map(Some).collect();
     numbers.sort_unstable();
     numbers.dedup();
     if numbers.is_empty() {
         numbers.push(None);
     }
-    if numbers.len() > AIR as usize {
-        let count = numbers.len();
-        return Err(Error::Scene(format!("{}: {count} materials, at most {AIR} are possible; merge some", mesh.name)));
+    numbers
+}
+
+/// The bodies of a mesh, clear ones first, and of these those of the least volume: where two overlap, it is the smaller one that is
+/// there. `listed` are the scene's materials.
+///
+/// # Errors
+/// Where there are more clear materials than rays can tell apart.
+pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
+    let split = |number: Option<u32>| body(mesh, number, chosen(listed, of_mesh(mesh, number)).opaque);
+    let (opaque, mut bodies): (Vec<Body>, Vec<Body>) =
+        numbers(mesh).into_iter().map(split).partition(|body| body.opaque);
+    if bodies.len() > AIR as usize {
+        let count = bodies.len();
+        return Err(Error::Scene(format!(
+            "{}: {count} clear materials, at most {AIR} are possible; merge some, or make them opaque (`material`)",
+            mesh.name
+        )));
     }
-    let mut bodies: Vec<Body> = numbers.into_iter().map(|material| body(mesh, material)).collect();
     bodies.sort_by(|a, b| a.mesh.signed_volume().total_cmp(&b.mesh.signed_volume()));
+    bodies.extend(opaque);
     Ok(bodies)
 }
 
-fn body(mesh: &Mesh, material: Option<u32>) -> Body {
+fn body(mesh: &Mesh, material: Option<u32>, opaque: bool) -> Body {
     let is_part = |index: &usize| material.is_none_or(|number| mesh.triangle_materials[*index] == number);
-    let triangles = (0..mesh.triangles.len()).filter(is_part).map(|index| mesh.triangles[index]).collect();
-    let mut part = Mesh { triangles, triangle_materials: Vec::new(), materials: Vec::new(), ..mesh.clone() };
-    if part.signed_volume() < 0.0 {
+    let triangles: Vec<[u32; 3]> =
+        (0..mesh.triangles.len()).filter(is_part).map(|index| mesh.triangles[index]).collect();
+    // Of the vertices those alone that it has: a mesh may have many materials.
+    let mut places = vec![u32::MAX; mesh.positions.len()];
+    triangles.as_flattened().iter().for_each(|&vertex| places[vertex as usize] = 0);
+    for (number, place) in (0..).zip(places.iter_mut().filter(|place| **place == 0)) {
+        *place = number;
+    }
+    fn kept<T: Copy>(values: &[T], places: &[u32]) -> Vec<T> {
+        values.iter().zip(places).filter(|(_, place)| **place != u32::MAX).map(|(value, _)| *value).collect()
+    }
+    let mut part = Mesh {
+        name: mesh.name.clone(),
+        positions: kept(&mesh.positions, &places),
+        triangles: triangles.iter().map(|triangle| triangle.map(|vertex| places[vertex as usize])).collect(),
+        normals: mesh.normals.as_deref().map(|normals| kept(normals, &places)),
+        colors: mesh.colors.as_deref().map(|colors| kept(colors, &places)),
+        materials: Vec::new(),
+        triangle_materials: Vec::new(),
+        source: mesh.source.clone(),
+    };
+    if !opaque && part.signed_volume() < 0.0 {
         part.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         part.normals.iter_mut().flatten().for_each(|normal| *normal = normal.map(|component| -component));
     }
-    Body { material, mesh: part }
+    Body { material, opaque, mesh: part }
 }
 
-/// What a body does to light.
+/// What a clear body does to light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::method) struct Clear {
     /// Index of refraction.
@@ -54,12 +87,11 @@ pub(in crate::method) struct Clear {
     pub(in crate::method) absorption: [f64; 3],
 }
 
-/// What the bodies of a mesh do to light.
+/// What the bodies of a mesh do to light, as if all were clear.
 pub(in crate::method) fn clear(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> Vec<Clear> {
     let longest = f64::from(longest_edge(mesh));
     let of_body = |body: &Body| {
-        let of_mesh = body.material.and_then(|number| mesh.materials.get(number as usize));
-        let found = chosen(&scene.material, of_mesh);
+        let found = chosen(&scene.material, of_mesh(mesh, body.material));
         let distance = found.attenuation_distance.map_or(longest, f64::from);
         Clear { ior: found.ior, absorption: found.attenuation_color.map(|left| -f64::from(left).ln() / distance) }
     };
@@ -75,15 +107,20 @@ pub(in crate::method) fn longest_edge(mesh: &Mesh) -> f32 {
 /// The materials of bodies as kernels read them; absorption is per `voxel` of the length `voxel_size`.
 pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
     let mut floats = Vec::with_capacity(bodies.len() * material::SIZE);
-    for Clear { ior, absorption } in clear(bodies, mesh, scene) {
-        floats.push(ior);
+    for (body, Clear { ior, absorption }) in bodies.iter().zip(clear(bodies, mesh, scene)) {
+        floats.push(if body.opaque { 0.0 } else { ior });
         floats.extend(absorption.map(|coefficient| (coefficient * voxel_size) as f32));
     }
     floats
 }
 
+/// What the mesh's file says of a material.
+pub(super) fn of_mesh(mesh: &Mesh, number: Option<u32>) -> Option<&vitrum_io::Material> {
+    number.and_then(|number| mesh.materials.get(number as usize))
+}
+
 /// What the scene says of the material by its name, else of all, else what the mesh says, else glass.
-fn chosen(listed: &[Material], of_mesh: Option<&vitrum_io::Material>) -> Material {
+pub(super) fn chosen(listed: &[Material], of_mesh: Option<&vitrum_io::Material>) -> Material {
     let named =
         listed.iter().find(|listed| listed.name.is_some() && listed.name.as_ref() == of_mesh.map(|own| &own.name));
     let of_all = || listed.iter().find(|listed| listed.name.is_none());

@@ -1,183 +1,22 @@
-//! What rays run through, on a backend, and the pass list of a frame.
+//! The pass list of a frame.
 
-use super::bodies::{Body, bodies, materials};
-use super::solids::Solids;
-use super::{bricks, tree, uniforms};
+use super::bodies::materials;
+use super::looks::looks;
+use super::shadow::Lookup;
+use super::uniforms::{self, Seen};
+use super::uploaded::{Uploaded, shown};
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::inputs::Inputs;
 use crate::method::sweep::View;
 use crate::method::sweep::environment::Prepared;
-use crate::method::twist::twisted;
-use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
+use crate::method::sweep::light::travels;
+use crate::method::sweep::receivers::Receivers;
 use crate::render::Error;
-use crate::scene::{Normals, Scene, Surfaces};
+use crate::scene::Scene;
 use bytemuck::{bytes_of, cast_slice};
-use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::{fate, path, view};
-use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, surface};
+use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, flag, seen};
 use vitrum_kernels::kernel::{Kernel, kernels};
-
-/// Empty voxels around the mesh: the filter's reach, and what a ray's normal looks at beyond.
-const PADDING: u32 = 5;
-
-/// What a mesh is turned into, and how finely.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Kind {
-    resolution: u32,
-    twist: f32,
-    exact: bool,
-    paper: bool,
-}
-
-impl Kind {
-    fn of(scene: &Scene) -> Self {
-        let exact = scene.voxels.surfaces == Surfaces::Exact;
-        let paper = scene.voxels.normals == Normals::Paper;
-        let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
-        Self { resolution: scene.voxels.resolution, twist, exact, paper }
-    }
-}
-
-/// A mesh on a backend: what stays the same while camera and materials change.
-pub struct Uploaded {
-    kind: Kind,
-    /// Where the voxels lie; triangles are in its units, too.
-    pub grid: Grid,
-    /// Low and high corner of the mesh.
-    bounds: [[f32; 3]; 2],
-    bodies: Vec<Body>,
-    /// Rows of voxels that go through holes of the surface, over all bodies; they are left empty.
-    pub open_rows: u64,
-    kernel: &'static Kernel,
-    /// In the order of the kernel's bindings.
-    buffers: Vec<Buffer>,
-}
-
-impl Uploaded {
-    /// Turns a mesh into what the scene's rays run through. `progress` is told how much is done and how much there is, and cancels
-    /// by returning `false`.
-    ///
-    /// # Errors
-    /// If there are too many voxels or materials for the rays or for the backend, or the backend fails.
-    pub fn new(
-        scene: &Scene,
-        mesh: &Mesh,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<Self, Error> {
-        let kind = Kind::of(scene);
-        let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
-        let mesh = deformed.as_ref().unwrap_or(mesh);
-        let settings = Settings { padding: PADDING, ..Settings::new(kind.resolution) };
-        let grid = Grid::around(mesh, &settings)?;
-        let mut uploaded = Self {
-            kind,
-            grid,
-            bounds: mesh.bounds(),
-            bodies: bodies(mesh)?,
-            open_rows: 0,
-            kernel: &kernels::voxels_march,
-            buffers: Vec::new(),
-        };
-        let filled = if kind.exact {
-            uploaded.triangles(backend)
-        } else if kind.paper {
-            uploaded.paper(&settings, backend, progress)
-        } else {
-            uploaded.solids(backend, progress)
-        };
-        match filled {
-            Ok(()) => Ok(uploaded),
-            Err(error) => {
-                uploaded.free(backend);
-                Err(error)
-            }
-        }
-    }
-
-    /// Whether a scene's rays run through the same.
-    #[must_use]
-    pub fn fits(&self, scene: &Scene) -> bool {
-        self.kind == Kind::of(scene)
-    }
-
-    fn upload(&mut self, label: &str, contents: &[u8], backend: &mut dyn Backend) -> Result<(), Error> {
-        self.buffers.push(backend.create(label, contents)?);
-        Ok(())
-    }
-
-    fn triangles(&mut self, backend: &mut dyn Backend) -> Result<(), Error> {
-        let tree = tree::build(&self.bodies, self.grid, !self.kind.paper);
-        self.kernel = &kernels::voxels_trace_triangles;
-        self.upload("nodes of the tree", cast_slice(&tree.nodes), backend)?;
-        self.upload("corners of triangles", cast_slice(&tree.corners), backend)
-    }
-
-    fn solids(&mut self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), Error> {
-        let [x, y, z] = self.grid.dimensions;
-        let bytes = self.grid.voxels() * 2 * self.bodies.len() as u64;
-        // Kernels count bytes by a signed number.
-        if bytes > i32::MAX as u64 - 8 {
-            let count = self.bodies.len();
-            return Err(Error::Scene(format!(
-                "{x} x {y} x {z} voxels of {count} materials take {bytes} bytes, rays can address 2^31; lower `voxels.resolution`"
-            )));
-        }
-        let Solids { fields: mut all, open_rows } = Solids::new(&self.bodies, self.grid, backend, progress)?;
-        self.open_rows = open_rows;
-        let distances = bricks::distances(&all, self.grid.dimensions);
-        // Whole words, and one more for the pair of the last voxel.
-        all.resize(all.len().next_multiple_of(2) + 2, 0);
-        self.upload("distances of bricks", cast_slice(&distances), backend)?;
-        self.upload("fields of materials", cast_slice(&all), backend)
-    }
-
-    fn paper(
-        &mut self,
-        settings: &Settings,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
-        let mut whole = self.bodies[0].mesh.clone();
-        whole.triangles.clear();
-        for (number, body) in self.bodies.iter().enumerate() {
-            whole.triangles.extend(&body.mesh.triangles);
-            whole.triangle_materials.resize(whole.triangles.len(), number as u32);
-        }
-        let settings = Settings { attributes: true, ..*settings };
-        let Voxelization { surface, attributes, .. } = voxelize_in(self.grid, &whole, &settings, backend, progress)?;
-        let (mask, attributes) = surface.zip(attributes).expect("both were asked for");
-        let surfaces: Vec<[f32; surface::SIZE]> = attributes
-            .normals
-            .iter()
-            .zip(&attributes.materials)
-            .map(|(normal, material)| {
-                let [x, y, z] = glam::Vec3::from_array(*normal).normalize_or_zero().to_array();
-                [x, y, z, material.unwrap_or(0) as f32]
-            })
-            .collect();
-        self.kernel = &kernels::voxels_march_paper;
-        self.upload("mask of the surface", cast_slice(mask.words()), backend)?;
-        self.upload("ranks of the mask", cast_slice(&mask.ranks().0), backend)?;
-        self.upload("surfaces of voxels", cast_slice(&surfaces), backend)
-    }
-
-    /// Dispatches after which a ray that is still under way has met more than it may.
-    fn dispatches(&self, block: &VoxelsUniforms) -> u32 {
-        let [x, y, z] = self.grid.dimensions;
-        let crossings = block.bricks.w + 1;
-        // From end to end in half voxels, as if there were a surface all along the way; a tree's nodes, several times those of a ray.
-        let steps = if self.kind.exact { 16 * STEPS as u32 } else { 2 * (x + y + z) };
-        (crossings * steps).div_ceil(STEPS as u32)
-    }
-
-    /// Frees the buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
-        for buffer in self.buffers {
-            backend.free(buffer);
-        }
-    }
-}
 
 /// A frame that is ready to run.
 pub struct Rays {
@@ -236,7 +75,9 @@ impl Rays {
         let bytes = backend.read(self.records)?;
         let count = self.rays[0] as usize * self.rays[1] as usize;
         let fates = bytes.chunks_exact(4).skip(path::STATUS * count).take(count);
-        Ok(fates.map(|word| f32::from_le_bytes([word[0], word[1], word[2], word[3]])).any(|fate| fate == fate::ACTIVE))
+        Ok(fates
+            .map(|word| f32::from_le_bytes([word[0], word[1], word[2], word[3]]))
+            .any(|fate| fate == fate::ACTIVE || fate == fate::SEEKS))
     }
 
     /// The finished pixels: planar records as [`view`] describes.
@@ -257,6 +98,20 @@ impl Rays {
     }
 }
 
+/// Rounds after which a ray that is still under way has met more than it may: dispatches, each with one that looks for what is ahead
+/// if rays seek.
+fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
+    // Nodes of a tree, several times those of a ray.
+    const NODES: u32 = 16 * STEPS as u32;
+    let crossings = block.bricks.w + 1;
+    let steps = uploaded.voxels().map_or(NODES, |[x, y, z]| {
+        // From end to end in half voxels, as if there were a surface all along the way.
+        let march = 2 * (x + y + z);
+        if uploaded.has_opaque() { march.max(NODES) } else { march }
+    });
+    (crossings * steps).div_ceil(STEPS as u32)
+}
+
 fn list(
     scene: &Scene,
     inputs: &Inputs,
@@ -264,11 +119,22 @@ fn list(
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
 ) -> Result<(PassList, [u32; 2], [Buffer; 2]), Error> {
-    let mesh =
-        inputs.mesh.as_ref().ok_or_else(|| Error::Scene("`voxels` shows a mesh, and none is given".to_owned()))?;
+    let mesh = shown(inputs)?;
     let eye = View::new(scene, &inputs.volume);
-    let environment = Prepared::new(&scene.environment, inputs.environment.as_ref(), &eye);
-    let block = uniforms::block(scene, uploaded.bounds, uploaded.grid, uploaded.bodies.len(), &eye, &environment);
+    let looks = looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
+    let receivers = Receivers::new(scene, &eye, &inputs.volume);
+    let surfaces = uploaded.has_opaque() || scene.ground.is_some() || scene.wall.is_some();
+    let exact = uploaded.voxels().is_none();
+    let seeks = surfaces && !exact;
+    let mut flags = if seeks { flag::SEEKS } else { 0 };
+    flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
+    let seen = Seen {
+        environment: Prepared::new(&scene.environment, inputs.environment.as_ref(), &eye),
+        light: eye.axes * travels(&scene.light, &eye)?,
+        shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
+        receivers,
+    };
+    let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
     let size = [block.dispatch.x, block.dispatch.y];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
     let mut keep = |buffer: Buffer| {
@@ -276,7 +142,12 @@ fn list(
         buffer
     };
     let materials = keep(backend.create("materials", cast_slice(&materials))?);
-    let map = keep(backend.create("environment", cast_slice(&environment.map))?);
+    let map = keep(backend.create("environment", cast_slice(&seen.environment.map))?);
+    let looks = keep(backend.create("looks", cast_slice(&looks.floats))?);
+    let shadow = match &uploaded.shadow {
+        Some(map) => map.buffer,
+        None => keep(backend.create_zeroed("no shadow map", 4)?),
+    };
     let planes = |components: usize| u64::from(size[0]) * u64::from(size[1]) * components as u64 * 4;
     let rays = keep(backend.create_zeroed("rays", planes(path::SIZE))?);
     let film = keep(backend.create_zeroed("film", planes(view::SIZE))?);
@@ -285,13 +156,21 @@ fn list(
         block.dispatch.z = mode;
         Pass { kernel, uniforms: bytes_of(&block).to_vec(), buffers, width: size[0], height: size[1] }
     };
-    let mut through = uploaded.buffers.clone();
-    through.extend([materials, rays]);
+    let tree = [uploaded.tree[0], uploaded.tree[1], materials, rays];
+    let marched = || uploaded.buffers.iter().copied().chain([materials, rays]).collect();
+    let through: Vec<Buffer> = if exact { tree.to_vec() } else { marched() };
+    let mode = block.dispatch.z;
     let mut passes = vec![pass(&kernels::voxels_initialize_rays, 0, vec![rays])];
-    for _ in 0..uploaded.dispatches(&block) {
-        passes.push(pass(uploaded.kernel, block.dispatch.z, through.clone()));
+    for _ in 0..rounds(uploaded, &block) {
+        if seeks {
+            passes.push(pass(&kernels::voxels_seek, mode, tree.to_vec()));
+        }
+        passes.push(pass(uploaded.kernel, mode, through.clone()));
     }
-    passes.push(pass(&kernels::voxels_resolve, 0, vec![rays, map, film]));
+    let sees = if surfaces { seen::SURFACES } else { seen::ENVIRONMENT };
+    let resolved = vec![rays, map, uploaded.tree[1], looks, shadow, film];
+    passes.push(pass(&kernels::voxels_resolve, sees, resolved));
     let name = uploaded.kernel.declaration.name;
-    Ok((PassList { passes, while_busy: vec![name], ends_with: Some(name) }, size, [rays, film]))
+    let while_busy = vec![name, kernels::voxels_seek.declaration.name];
+    Ok((PassList { passes, while_busy, ends_with: Some(name) }, size, [rays, film]))
 }

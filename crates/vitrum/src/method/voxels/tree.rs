@@ -13,6 +13,9 @@ use vitrum_kernels::abi::voxels::{corner, node};
 /// By how much boxes are larger than their triangles, in voxels: more than what the arithmetic of rays is off by.
 const MARGIN: f32 = 2e-3;
 
+/// The one node of a tree without triangles: a box that no ray enters.
+const NOTHING: [f32; node::SIZE] = [1e30, 1e30, 1e30, -1e30, -1e30, -1e30, -1.0, 1.0];
+
 /// A tree, as kernels read it.
 pub(super) struct Tree {
     pub nodes: Vec<f32>,
@@ -40,13 +43,16 @@ impl BHShape<f32, 3> for Shape {
     }
 }
 
-/// Builds the tree of all bodies' triangles; `smooth` makes normals for a mesh that has none.
-pub(super) fn build(bodies: &[Body], grid: Grid, smooth: bool) -> Tree {
+/// Builds the tree of the triangles of `bodies` from number `first` on; `smooth` makes normals for a mesh that has none.
+pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool) -> Tree {
     let mut corners = Vec::new();
-    for (number, body) in bodies.iter().enumerate() {
+    for (number, body) in bodies.iter().enumerate().skip(first) {
         for (triangle, normals) in body.mesh.triangles.iter().zip(of_corners(&body.mesh, smooth)) {
             corners.extend(of_triangle(body, triangle, &normals, grid, number));
         }
+    }
+    if corners.is_empty() {
+        return Tree { nodes: NOTHING.to_vec(), corners: vec![0.0; corner::SIZE] };
     }
     let mut shapes: Vec<Shape> =
         corners.chunks_exact(corner::SIZE).map(|triangle| Shape { bounds: bounds(triangle), node: 0 }).collect();

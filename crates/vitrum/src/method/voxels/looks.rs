@@ -1,0 +1,56 @@
+//! How opaque bodies look.
+
+use super::bodies::{Body, chosen, of_mesh};
+use crate::scene::{Rgb, Scene};
+use vitrum_io::Mesh;
+use vitrum_kernels::abi::voxels::look;
+
+/// The reflectance of a body of which nobody says it.
+const GREY: Rgb = [0.7; 3];
+
+/// Looks as kernels read them.
+pub(super) struct Looks {
+    pub floats: Vec<f32>,
+    /// Whether there is one for each triangle, in the order of the tree's; else one for each body.
+    pub of_triangles: bool,
+}
+
+/// The colours of a body's vertices if these are what it looks like, its colour else, and what a triangle lets through.
+fn of_body<'a>(body: &'a Body, mesh: &Mesh, scene: &Scene) -> (Option<&'a [[f32; 4]]>, Rgb, f32) {
+    let own = of_mesh(mesh, body.material);
+    let material = chosen(&scene.material, own);
+    // A colour in the scene is for the whole body.
+    let colors = body.mesh.colors.as_deref().filter(|_| body.opaque && material.color.is_none());
+    let color = material.color.or_else(|| own?.base_color).unwrap_or(GREY);
+    let left = (-f64::from(material.density) * f64::from(scene.shadow.absorption)).exp() as f32;
+    (colors, color, left)
+}
+
+/// The looks of `bodies`, of whose triangles those from body number `first` on are in the tree.
+pub(super) fn looks(bodies: &[Body], first: usize, mesh: &Mesh, scene: &Scene) -> Looks {
+    let look = |colors: [Rgb; 3], left: f32| {
+        let mut floats = [0.0; look::SIZE];
+        floats[look::COLORS..][..9].copy_from_slice(colors.as_flattened());
+        floats[look::TRANSMITTANCE] = left;
+        floats
+    };
+    let of_triangles = bodies.iter().skip(first).any(|body| of_body(body, mesh, scene).0.is_some());
+    let mut floats = Vec::new();
+    for body in bodies.iter().skip(if of_triangles { first } else { 0 }) {
+        let (colors, color, left) = of_body(body, mesh, scene);
+        if !of_triangles {
+            floats.extend(look([color; 3], left));
+            continue;
+        }
+        for triangle in &body.mesh.triangles {
+            let corner = |vertex: u32| {
+                colors.map_or(color, |colors| {
+                    let [red, green, blue, _] = colors[vertex as usize];
+                    [red, green, blue].map(|channel| channel.clamp(0.0, 1.0))
+                })
+            };
+            floats.extend(look(triangle.map(corner), left));
+        }
+    }
+    Looks { floats, of_triangles }
+}

@@ -1,0 +1,134 @@
+//! The transparent shadow map of a mesh (Chang et al. 2010, §3).
+
+mod casters;
+mod passes;
+
+use super::bodies::Body;
+use crate::backend::{Backend, Buffer};
+use crate::inputs::Inputs;
+use crate::method::sweep::View;
+use crate::method::sweep::light::travels;
+use crate::method::voxelize::{Grid, Settings};
+use crate::render::Error;
+use crate::scene::{Coefficient, Scene};
+use casters::Caster;
+use glam::{DMat3, DVec3};
+use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::glam::UVec4;
+use vitrum_kernels::shadow::look_up::MOST_COLUMNS;
+
+/// Voxels around the mesh: columns beside it are lit.
+const PADDING: u32 = 1;
+
+/// What a shadow map depends on.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Cast {
+    /// Unit direction in which light travels, in the world.
+    direction: DVec3,
+    resolution: u32,
+    coefficient: Coefficient,
+    absorption: f32,
+    /// What each body does to light.
+    casters: Vec<Caster>,
+}
+
+/// How much light gets to each voxel, on a backend.
+pub(super) struct ShadowMap {
+    cast: Cast,
+    /// The light's frame: as columns where its axes lie in the world, x along the light.
+    axes: DMat3,
+    /// What positions in it are relative to, in the world.
+    centre: DVec3,
+    /// The voxels in it.
+    grid: Grid,
+    channels: u32,
+    pub(super) buffer: Buffer,
+}
+
+/// What kernels are told of a shadow map.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Lookup {
+    pub size: UVec4,
+    pub rows: [Vec4; 3],
+    pub filter: Vec4,
+}
+
+impl Cast {
+    /// Of a scene; `None` where there is no shadow to be seen.
+    ///
+    /// # Errors
+    /// If the light has no direction.
+    pub(super) fn of(scene: &Scene, inputs: &Inputs, bodies: &[Body]) -> Result<Option<Self>, Error> {
+        let shows = bodies.iter().any(|body| body.opaque) || scene.ground.is_some() || scene.wall.is_some();
+        let Some(mesh) = inputs.mesh.as_ref().filter(|_| shows && scene.light.shadows) else { return Ok(None) };
+        let view = View::new(scene, &inputs.volume);
+        let casters = Caster::all(bodies, mesh, scene);
+        if casters.iter().all(Caster::is_nothing) {
+            return Ok(None);
+        }
+        Ok(Some(Self {
+            direction: view.axes * travels(&scene.light, &view)?,
+            resolution: scene.shadow.resolution,
+            coefficient: scene.shadow.coefficient,
+            absorption: scene.shadow.absorption,
+            casters,
+        }))
+    }
+}
+
+impl ShadowMap {
+    /// Makes a shadow map. `progress` is as for [`crate::method::voxelize::voxelize`].
+    ///
+    /// # Errors
+    /// If it is too large for the backend, or the backend fails.
+    pub(super) fn new(
+        cast: Cast,
+        bodies: &[Body],
+        backend: &mut dyn Backend,
+        progress: &mut dyn FnMut(u64, u64) -> bool,
+    ) -> Result<Self, Error> {
+        let across = cast.direction.any_orthonormal_vector();
+        let axes = DMat3::from_cols(cast.direction, across, cast.direction.cross(across));
+        let turned = casters::Turned::new(bodies, axes);
+        let settings = Settings { padding: PADDING, ..Settings::new(cast.resolution) };
+        let grid = Grid::around_box("the mesh", turned.bounds, &settings)?;
+        let channels =
+            if cast.coefficient == Coefficient::Counted && cast.casters.iter().any(Caster::is_colored) { 3 } else { 1 };
+        let buffer = passes::run(&cast, &turned, grid, channels, backend, progress)?;
+        Ok(Self { axes, centre: turned.centre, grid, channels, buffer, cast })
+    }
+
+    /// Whether it is the one of `cast`.
+    pub(super) fn is_of(&self, cast: &Cast) -> bool {
+        self.cast == *cast
+    }
+
+    /// What kernels are told that look up positions in the voxels of `viewed`.
+    ///
+    /// # Errors
+    /// If the softness takes more columns than a look-up may.
+    pub(super) fn lookup(&self, scene: &Scene, viewed: Grid) -> Result<Lookup, Error> {
+        let softness = f64::from(scene.shadow.softness);
+        let edge = self.grid.voxel_size;
+        let width = 1.0 + softness / edge;
+        if width > f64::from(MOST_COLUMNS) {
+            return Err(Error::Scene(format!(
+                "shadow.softness = {softness} is {:.1} voxels of the shadow map, at most {} are possible; lower \
+                 `shadow.resolution`, of which a soft shadow needs less",
+                width - 1.0,
+                MOST_COLUMNS - 1
+            )));
+        }
+        let row = |axis: usize| {
+            let along = self.axes.col(axis);
+            let origin = (DVec3::from_array(viewed.origin) - self.centre).dot(along) - self.grid.origin[axis];
+            Vec4::from((along * viewed.voxel_size / edge).extend(origin / edge).as_vec4())
+        };
+        let [x, y, z] = self.grid.dimensions;
+        Ok(Lookup {
+            size: UVec4::new(x, y, z, self.channels),
+            rows: [row(0), row(1), row(2)],
+            filter: Vec4::new(width as f32, (edge / viewed.voxel_size) as f32, 0.0, 0.0),
+        })
+    }
+}

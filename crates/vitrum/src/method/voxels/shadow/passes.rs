@@ -1,0 +1,213 @@
+//! The passes that make a shadow map, slab by slab across the light.
+
+use super::Cast;
+use super::casters::{Caster, Turned};
+use crate::backend::{Backend, Buffer, Pass, PassList};
+use crate::method::voxelize::Grid;
+use crate::method::voxelize::columns::{scale, slices};
+use crate::method::voxelize::items::{Batch, Held, Plan, dispatch, pass};
+use crate::method::voxelize::triangles;
+use crate::render::Error;
+use crate::scene::Coefficient;
+use bytemuck::{bytes_of, cast_slice};
+use rayon::prelude::*;
+use vitrum_kernels::abi::record::absorption;
+use vitrum_kernels::abi::shadow::{ShadowUniforms, caster, mode, row_words};
+use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
+use vitrum_kernels::glam::UVec4;
+use vitrum_kernels::kernel::{Kernel, kernels};
+
+/// The most words of a slab's optical depths: less than any device's buffer.
+const SLAB_WORDS: u64 = 1 << 24;
+
+/// A triangle's corners in voxels.
+type Corners = [[f32; 3]; 3];
+
+/// A clear body.
+struct Solid {
+    corners: Vec<Corners>,
+    /// log₂ of the units of a winding that a voxel has.
+    scale: u32,
+    /// A voxel's edge of it, red, green and blue.
+    absorption: [f32; 3],
+}
+
+/// All that is cast, in voxels.
+struct Work<'a> {
+    grid: Grid,
+    channels: u32,
+    /// Opaque triangles, and as kernels read them.
+    surface: Vec<Corners>,
+    words: Vec<[f32; caster::SIZE]>,
+    solids: Vec<Solid>,
+    uniform: Option<u32>,
+    progress: &'a mut dyn FnMut(u64, u64) -> bool,
+    done: u64,
+    total: u64,
+}
+
+/// An optical depth in units; beyond [`absorption::MOST`] it makes no difference.
+fn limited(depth: f32) -> f32 {
+    depth.min(absorption::MOST)
+}
+
+/// Makes the shadow map of `cast` in a grid along the light.
+pub(super) fn run(
+    cast: &Cast,
+    turned: &Turned,
+    grid: Grid,
+    channels: u32,
+    backend: &mut dyn Backend,
+    progress: &mut dyn FnMut(u64, u64) -> bool,
+) -> Result<Buffer, Error> {
+    let [x, y, z] = grid.dimensions;
+    let words = u64::from(row_words(x)) * u64::from(y) * u64::from(z) * u64::from(channels);
+    // Kernels count bytes by a signed number.
+    if words > i32::MAX as u64 / 4 {
+        return Err(Error::Scene(format!(
+            "a shadow map of {x} x {y} x {z} voxels takes {} bytes, rays can address 2^31; lower `shadow.resolution`",
+            words * 4
+        )));
+    }
+    let mut work = Work::new(cast, turned, grid, channels, progress);
+    let map = backend.create_zeroed("shadow map", words * 4)?;
+    let made = work.slabs().try_for_each(|slab| work.slab(slab, map, &mut Held::new(&mut *backend)));
+    if let Err(error) = made {
+        backend.free(map);
+        return Err(error);
+    }
+    Ok(map)
+}
+
+impl<'a> Work<'a> {
+    fn new(
+        cast: &Cast,
+        turned: &Turned,
+        grid: Grid,
+        channels: u32,
+        progress: &'a mut dyn FnMut(u64, u64) -> bool,
+    ) -> Self {
+        let in_voxels = |corners: &Vec<[[f64; 3]; 3]>| -> Vec<Corners> {
+            let voxels = |at: [f64; 3]| std::array::from_fn(|axis| (at[axis] - grid.origin[axis]) / grid.voxel_size);
+            corners.par_iter().map(|corners| triangles::solid(corners.map(voxels), grid)).collect()
+        };
+        let (mut surface, mut words, mut solids) = (Vec::new(), Vec::new(), Vec::new());
+        for (caster, corners) in cast.casters.iter().zip(&turned.bodies).filter(|(caster, _)| !caster.is_nothing()) {
+            let corners = in_voxels(corners);
+            match caster {
+                Caster::Surface(depth) => {
+                    words.extend(corners.iter().map(|corners| {
+                        let mut floats = [limited(*depth); caster::SIZE];
+                        floats[caster::CORNERS..][..9].copy_from_slice(corners.as_flattened());
+                        floats
+                    }));
+                    surface.extend(corners);
+                }
+                Caster::Solid(coefficient) => {
+                    let absorption = coefficient.map(|a_unit| limited((a_unit * grid.voxel_size) as f32));
+                    let most = absorption.iter().copied().fold(0.0, f32::max);
+                    let absorption = if channels == 1 { [most; 3] } else { absorption };
+                    solids.push(Solid { scale: scale(corners.len()), corners, absorption });
+                }
+            }
+        }
+        let units = |depth: f32| (f64::from(limited(depth)) * f64::from(absorption::SCALE)).round() as u32;
+        let uniform = (cast.coefficient == Coefficient::Uniform).then(|| units(cast.absorption));
+        let mut work = Self { grid, channels, surface, words, solids, uniform, progress, done: 0, total: 0 };
+        work.total = work.slabs().len() as u64 * (2 + 2 * work.solids.len() as u64);
+        work
+    }
+
+    /// The first layer of each slab and how many it has.
+    fn slabs(&self) -> std::vec::IntoIter<[u32; 2]> {
+        let [x, y, z] = self.grid.dimensions;
+        let layer = u64::from(x) * u64::from(y) * u64::from(self.channels) * absorption::SIZE as u64;
+        let layers = (SLAB_WORDS / layer).clamp(1, u64::from(z)) as u32;
+        let slabs: Vec<[u32; 2]> =
+            (0..z).step_by(layers as usize).map(|first| [first, layers.min(z - first)]).collect();
+        slabs.into_iter()
+    }
+
+    /// Runs a pass of `count` invocations.
+    fn pass(
+        &mut self,
+        kernel: &'static Kernel,
+        count: u32,
+        block: ShadowUniforms,
+        buffers: Vec<Buffer>,
+        held: &mut Held<'_>,
+    ) -> Result<(), Error> {
+        let [width, height] = dispatch(count);
+        let block = ShadowUniforms { dispatch: UVec4::new(width, height, block.dispatch.z, count), ..block };
+        let pass = Pass { kernel, uniforms: bytes_of(&block).to_vec(), buffers, width, height };
+        self.run(&PassList { passes: vec![pass], ..PassList::default() }, held)
+    }
+
+    fn run(&mut self, passes: &PassList, held: &mut Held<'_>) -> Result<(), Error> {
+        let (progress, done, total) = (&mut *self.progress, self.done, self.total);
+        Ok(held.backend.run(passes, &mut |_| progress(done.min(total), total))?)
+    }
+
+    /// One slab, into the map.
+    fn slab(&mut self, [first, layers]: [u32; 2], map: Buffer, held: &mut Held<'_>) -> Result<(), Error> {
+        let [x, y, z] = self.grid.dimensions;
+        let rows = y * layers;
+        let words = u64::from(x) * u64::from(rows) * u64::from(self.channels) * absorption::SIZE as u64;
+        let depths = held.create_zeroed("optical depths", words)?;
+        let block = ShadowUniforms {
+            size: UVec4::new(x, y, layers, first),
+            depth: UVec4::new(self.channels, z, 0, self.uniform.unwrap_or(0)),
+            ..ShadowUniforms::default()
+        };
+        let slices = slices(&self.surface, 0, [first, layers]);
+        for batch in Plan::new(&slices).batches() {
+            held.within(|held| {
+                let casters = held.create("casters", cast_slice(&self.words[batch.first..batch.end]))?;
+                let items = held.create("items", cast_slice(&batch.items))?;
+                let buffers = vec![casters, items, depths];
+                self.pass(&kernels::shadow_count_crossings, batch.items(), block, buffers, held)
+            })?;
+        }
+        self.done += 1;
+        for index in 0..self.solids.len() {
+            held.within(|held| self.solid(index, block, depths, held))?;
+        }
+        let mode = if self.uniform.is_some() { mode::UNIFORM } else { mode::COUNTED };
+        let block = ShadowUniforms { dispatch: UVec4::new(0, 0, mode, 0), ..block };
+        self.pass(&kernels::shadow_accumulate, rows * self.channels, block, vec![depths, map], held)?;
+        self.done += 1;
+        Ok(())
+    }
+
+    /// What clear body number `index` absorbs in a slab.
+    fn solid(&mut self, index: usize, block: ShadowUniforms, depths: Buffer, held: &mut Held<'_>) -> Result<(), Error> {
+        let UVec4 { x, y, z: layers, w: first } = block.size;
+        let scale = self.solids[index].scale;
+        let changes = held.create_zeroed("changes of the winding", u64::from(x + 1) * u64::from(y * layers))?;
+        let slices = slices(&self.solids[index].corners, 0, [first, layers]);
+        let uniforms = VoxelizeUniforms {
+            dispatch: UVec4::ZERO,
+            size: UVec4::new(x, y, layers, x + 1),
+            columns: UVec4::new(0, first, scale, scale),
+        };
+        for batch in Plan::new(&slices).batches() {
+            held.within(|held| {
+                let Batch { first, end, items: words } = &batch;
+                let corners = held.create("corners", cast_slice(&self.solids[index].corners[*first..*end]))?;
+                let items = held.create("items", cast_slice(words))?;
+                let bound = [corners, items, changes];
+                self.run(&pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &bound), held)
+            })?;
+        }
+        let [red, green, blue] = self.solids[index].absorption;
+        let block = ShadowUniforms {
+            absorption: Vec4::new(red, green, blue, 0.0),
+            depth: UVec4::new(block.depth.x, block.depth.y, scale, block.depth.w),
+            ..block
+        };
+        self.pass(&kernels::shadow_absorb_solid, y * layers, block, vec![changes, depths], held)?;
+        self.done += 2;
+        Ok(())
+    }
+}

@@ -1,0 +1,46 @@
+//! Adds what a clear body absorbs: its absorption coefficient times the part of each voxel that is inside.
+
+use crate::abi::record::absorption;
+use crate::abi::shadow::ShadowUniforms;
+use crate::field::access::read;
+use crate::field::sums::{Sums, add, quantise};
+use crate::math::min;
+
+/// Does row y · width + x. `changes` has by how much the body's winding changes from voxel to voxel, in units (see
+/// [`crate::voxelize::cross_columns`]). A row whose winding does not end at 0 goes through a hole of the surface, which does not say
+/// what is inside there: nothing is.
+#[inline(always)]
+pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, _mode: u32, changes: &[u32], depths: &mut S) {
+    let row = y * u.dispatch.x + x;
+    if row < u.dispatch.w {
+        let length = u.size.x as i32;
+        let base = row as i32 * (length + 1);
+        let mut total = 0u32;
+        let mut i = 0;
+        while i <= length {
+            total = total.wrapping_add(read(changes, base + i));
+            i += 1;
+        }
+        if total == 0 {
+            let part = 1.0 / (1u32 << u.depth.z) as f32;
+            let channels = u.depth.x as i32;
+            let mut winding = 0u32;
+            let mut voxel = 0;
+            while voxel < length {
+                winding = winding.wrapping_add(read(changes, base + voxel));
+                let signed = winding as i32;
+                if signed != 0 {
+                    let size = if signed < 0 { -signed } else { signed };
+                    let inside = min(size as f32 * part, 1.0);
+                    let at = (row as i32 * length + voxel) * channels * absorption::SIZE as i32;
+                    add(depths, at, quantise(u.absorption.x * inside, absorption::SCALE));
+                    if channels > 1 {
+                        add(depths, at + 2, quantise(u.absorption.y * inside, absorption::SCALE));
+                        add(depths, at + 4, quantise(u.absorption.z * inside, absorption::SCALE));
+                    }
+                }
+                voxel += 1;
+            }
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Counts how often the middle of each column of light goes through a triangle, weighted by what the triangle absorbs.
+//!
+//! That is the paper's “number of writing”: a rasteriser draws a triangle into a pixel if it covers its centre. A column that goes
+//! through an edge of two triangles crosses one of them.
+
+use crate::abi::record::absorption;
+use crate::abi::shadow::{ShadowUniforms, caster};
+use crate::field::access::read;
+use crate::field::sums::{Sums, add, quantise};
+use crate::math::{clamp, floor_to_int};
+use crate::voxelize::columns::{columns_before, cross};
+use crate::voxelize::{Item, item_at};
+use spirv_std::glam::Vec3;
+
+#[inline(always)]
+fn corner(casters: &[f32], at: i32) -> Vec3 {
+    Vec3::new(read(casters, at), read(casters, at + 1), read(casters, at + 2))
+}
+
+/// Does item y · width + x: adds the triangle's optical depth to the voxels in which the middles of columns cross it.
+#[inline(always)]
+pub fn invoke<S: Sums + ?Sized>(
+    x: u32,
+    y: u32,
+    u: &ShadowUniforms,
+    _mode: u32,
+    casters: &[f32],
+    items: &[u32],
+    depths: &mut S,
+) {
+    let Item { triangle, first, end } = item_at(y * u.dispatch.x + x, u.dispatch.w, items);
+    let at = triangle * caster::SIZE as i32;
+    let (a, b, c) = (corner(casters, at), corner(casters, at + 3), corner(casters, at + 6));
+    let depth = quantise(read(casters, at + caster::DEPTH as i32), absorption::SCALE);
+    let length = u.size.x as i32 as f32;
+    let most = u.size.y as i32 as f32;
+    let channels = u.depth.x as i32;
+    let mut layer = first;
+    while layer < end {
+        let line = cross(a, b, c, layer as f32 + 0.5);
+        if line.crosses {
+            let last = columns_before(line.high_y, 1.0, most);
+            let mut column = columns_before(line.low_y, 1.0, most);
+            while column < last {
+                let x = clamp(line.at(column as f32 + 0.5), 0.0, length);
+                let voxel = floor_to_int(x, 0.0, length - 1.0);
+                let row = (layer - u.size.w as i32) * u.size.y as i32 + column;
+                let place = row * u.size.x as i32 + voxel;
+                let mut channel = 0;
+                while channel < channels {
+                    add(depths, (place * channels + channel) * absorption::SIZE as i32, depth);
+                    channel += 1;
+                }
+                column += 1;
+            }
+        }
+        layer += 1;
+    }
+}

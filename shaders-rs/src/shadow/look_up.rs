@@ -1,0 +1,87 @@
+//! How much light gets to a point.
+
+use crate::abi::shadow::row_words;
+use crate::abi::voxels::VoxelsUniforms;
+use crate::field::access::read_bytes;
+use crate::math::{absolute, dot, floor_to_int, max, select, sqrt, xyz};
+use spirv_std::glam::Vec3;
+
+/// The most columns that a filter reaches to either side: its loops stay well below what drivers end.
+pub const MOST_COLUMNS: i32 = 16;
+
+/// What is left of the light at `along` voxels, 0 to 1, in the column whose row begins at word `row`.
+#[inline(always)]
+fn in_column(shadow: &[u32], row: i32, voxel: i32, share: f32) -> f32 {
+    let pair = read_bytes(shadow, 4 * row + 2 * voxel);
+    let (a, b) = ((pair & 0xffff) as i32 as f32, (pair >> 16) as i32 as f32);
+    (a + (b - a) * share) * (1.0 / 65535.0)
+}
+
+/// What is left of the light at a position in the grid's voxels, red, green and blue: linear along the light, and across it the
+/// mean of the columns around, weighted by a tent.
+///
+/// Transmittances are averaged, not optical depths: half of a shadow's edge is light. All light gets to what is in front of
+/// or beside the shadow map.
+#[inline(always)]
+pub fn transmittance(u: &VoxelsUniforms, shadow: &[u32], position: Vec3) -> Vec3 {
+    let (nx, ny, nz) = (u.shadow.x as i32, u.shadow.y as i32, u.shadow.z as i32);
+    let channels = u.shadow.w as i32;
+    let along = dot(xyz(u.shadow_x), position) + u.shadow_x.w;
+    let across = dot(xyz(u.shadow_y), position) + u.shadow_y.w - 0.5;
+    let up = dot(xyz(u.shadow_z), position) + u.shadow_z.w - 0.5;
+    let width = u.shadow_filter.x;
+    let voxel = floor_to_int(along, 0.0, (nx - 1) as f32);
+    let share = select(along < nx as f32, max(along - voxel as f32, 0.0), 1.0);
+    let reach = MOST_COLUMNS as f32;
+    let first = floor_to_int(across - width, -reach, ny as f32) + 1;
+    let last = floor_to_int(across + width, -1.0, (ny - 1) as f32 + reach);
+    let low = floor_to_int(up - width, -reach, nz as f32) + 1;
+    let high = floor_to_int(up + width, -1.0, (nz - 1) as f32 + reach);
+    let words = row_words(u.shadow.x) as i32;
+    let plane = ny * nz * words;
+    let mut sum = Vec3::new(0.0, 0.0, 0.0);
+    let mut total = 0.0;
+    let mut z = low;
+    while z <= high {
+        let vertical = width - absolute(z as f32 - up);
+        let mut y = first;
+        while y <= last {
+            let weight = max(width - absolute(y as f32 - across), 0.0) * max(vertical, 0.0);
+            let inside = (y >= 0) & (y < ny) & (z >= 0) & (z < nz);
+            if inside {
+                let row = (z * ny + y) * words;
+                let red = in_column(shadow, row, voxel, share);
+                sum.x += weight * red;
+                if channels > 1 {
+                    sum.y += weight * in_column(shadow, row + plane, voxel, share);
+                    sum.z += weight * in_column(shadow, row + 2 * plane, voxel, share);
+                } else {
+                    sum.y += weight * red;
+                    sum.z += weight * red;
+                }
+            } else {
+                sum.x += weight;
+                sum.y += weight;
+                sum.z += weight;
+            }
+            total += weight;
+            y += 1;
+        }
+        z += 1;
+    }
+    let lit = (channels == 0) | (total <= 0.0);
+    let scale = 1.0 / select(lit, 1.0, total);
+    Vec3::new(select(lit, 1.0, sum.x * scale), select(lit, 1.0, sum.y * scale), select(lit, 1.0, sum.z * scale))
+}
+
+/// How far above a surface to look, in the grid's voxels, so that the surface does not shade itself; `cosine` is that between its
+/// normal and the light.
+///
+/// The filter reads columns up to √2 · width away across the light, and linearly between two faces along it, where a column that
+/// crosses the surface within a voxel is darker from that voxel's front face on. A plane that is seen from w sin θ + cos θ above it
+/// lies a whole voxel or more behind the point in each of these columns.
+#[inline(always)]
+pub fn bias(u: &VoxelsUniforms, cosine: f32) -> f32 {
+    let sine = sqrt(1.0 - cosine * cosine);
+    (core::f32::consts::SQRT_2 * u.shadow_filter.x * sine + cosine) * u.shadow_filter.y
+}

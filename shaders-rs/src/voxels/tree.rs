@@ -1,0 +1,33 @@
+//! The nearest triangle on a ray's way, in a tree of boxes whose nodes say which one is behind all below: no stack.
+
+use super::ray::{Ray, reciprocal, slab};
+use super::triangle::{meet, shear, vector};
+use crate::abi::voxels::node;
+use crate::field::access::read;
+use crate::math::min;
+use spirv_std::glam::Vec3;
+
+/// How many nodes a tree has.
+#[inline(always)]
+pub fn count(nodes: &[f32]) -> i32 {
+    nodes.len() as i32 / node::SIZE as i32
+}
+
+/// Looks at the ray's next node, and goes on to the one behind.
+#[inline(always)]
+pub fn visit(ray: &mut Ray, nodes: &[f32], corners: &[f32]) {
+    let d = ray.direction;
+    let at = ray.node * node::SIZE as i32;
+    let inverse = Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
+    let (enters, leaves) = slab(ray.position, inverse, vector(nodes, at), vector(nodes, at + 3));
+    let reached = (enters <= min(leaves, ray.distance)) & (leaves >= 0.0);
+    let triangle = read(nodes, at + node::TRIANGLE as i32) as i32;
+    if reached & (triangle >= 0) {
+        let hit = meet(&shear(ray.position, d), corners, triangle);
+        if hit.distance < ray.distance {
+            ray.distance = hit.distance;
+            ray.triangle = triangle;
+        }
+    }
+    ray.node = if reached { ray.node + 1 } else { read(nodes, at + node::BEHIND as i32) as i32 };
+}
