@@ -1,8 +1,9 @@
 //! Sampling a field of positions onto a regular grid.
 
+use bytemuck::Pod;
 use glam::Vec3;
 use rayon::prelude::*;
-use vitrum_io::{Error, Place, Volume, Voxels};
+use vitrum_io::{Error, Place, Shared, Volume, Voxels};
 
 /// Voxels along the longest edge that a procedural volume may have.
 pub(super) const RESOLUTIONS: std::ops::RangeInclusive<u32> = 16..=1024;
@@ -61,12 +62,12 @@ impl Grid {
     }
 
     /// Computes one number a voxel, in parallel; `value` is given the voxel's centre.
-    pub fn sample<T: Copy + Default + Send>(&self, value: impl Fn(Vec3) -> T + Sync) -> Vec<T> {
+    pub fn sample<T: Pod + Default + Send>(&self, value: impl Fn(Vec3) -> T + Sync) -> Vec<T> {
         self.sample_indices(|index| value(self.position(index)))
     }
 
     /// Like [`Self::sample`], but `value` is given the voxel's index.
-    pub fn sample_indices<T: Copy + Default + Send>(&self, value: impl Fn([u32; 3]) -> T + Sync) -> Vec<T> {
+    pub fn sample_indices<T: Pod + Default + Send>(&self, value: impl Fn([u32; 3]) -> T + Sync) -> Vec<T> {
         self.sample_rows(|y, z, row| {
             for (x, voxel) in row.iter_mut().enumerate() {
                 *voxel = value([x as u32, y, z]);
@@ -75,7 +76,7 @@ impl Grid {
     }
 
     /// Like [`Self::sample_indices`] for a field that is symmetric in x: `value` is asked for x ≥ 0 only.
-    pub fn sample_symmetric<T: Copy + Default + Send>(&self, value: impl Fn([u32; 3]) -> T + Sync) -> Vec<T> {
+    pub fn sample_symmetric<T: Pod + Default + Send>(&self, value: impl Fn([u32; 3]) -> T + Sync) -> Vec<T> {
         self.sample_rows(|y, z, row| {
             for x in row.len() / 2..row.len() {
                 row[x] = value([x as u32, y, z]);
@@ -85,9 +86,12 @@ impl Grid {
     }
 
     /// Fills the rows of voxels along x, given their y and z index, in parallel.
-    fn sample_rows<T: Copy + Default + Send>(&self, fill: impl Fn(u32, u32, &mut [T]) + Sync) -> Vec<T> {
+    fn sample_rows<T: Pod + Default + Send>(&self, fill: impl Fn(u32, u32, &mut [T]) + Sync) -> Vec<T> {
         let [width, height, depth] = self.dimensions.map(|size| size as usize);
-        let mut voxels = vec![T::default(); width * height * depth];
+        let count = width * height * depth;
+        // With room behind them they need not be moved to be shared.
+        let mut voxels = vec![T::default(); Shared::<T>::room(count)];
+        voxels.truncate(count);
         voxels
             .par_chunks_mut(width)
             .enumerate()
@@ -102,7 +106,7 @@ impl Grid {
 
     /// A volume of the voxels that [`quantize_unit`] made.
     pub fn volume_of(&self, name: &str, voxels: Vec<u16>) -> Result<Volume, Error> {
-        self.volume(name, Voxels::U16(voxels))?.with_value_mapping(1.0 / UNIT, 0.0)
+        self.volume(name, Voxels::from(voxels))?.with_value_mapping(1.0 / UNIT, 0.0)
     }
 
     /// A volume on this grid that stores `voxels` as they are.

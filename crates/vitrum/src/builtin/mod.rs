@@ -141,7 +141,7 @@ mod tests {
     /// FNV-1a of the stored voxels: they are the same on every machine.
     fn fingerprint(volume: &Volume) -> u64 {
         let bytes: Vec<u8> = match &volume.voxels {
-            Voxels::U8(voxels) => voxels.clone(),
+            Voxels::U8(voxels) => voxels.to_vec(),
             Voxels::U16(voxels) => voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect(),
             Voxels::F32(voxels) => voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect(),
         };

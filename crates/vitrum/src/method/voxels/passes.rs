@@ -296,5 +296,6 @@ fn list(
     }
     passes.push(pass(&kernels::voxels_resolve, 0, vec![rays, map, film]));
     let name = uploaded.kernel.declaration.name;
-    Ok((PassList { passes, while_busy: vec![name], ends_with: Some(name) }, size, [rays, film]))
+    let list = PassList { passes, while_busy: vec![name], ends_with: Some(name), ..PassList::default() };
+    Ok((list, size, [rays, film]))
 }
