@@ -55,6 +55,7 @@ pub use image::{
     srgb_to_linear, write_picture, write_picture_with,
 };
 pub use input::{Input, STANDARD_INPUT};
+pub use memory::require_memory;
 pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
 pub use nrrd::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 pub use open::{OpenOptions, Part, VolumeReader, open, readers};

@@ -65,7 +65,7 @@ pub fn scene(name: &str) -> Option<Scene> {
 }
 
 /// Computes the procedural volume of that name ([`crate::scene::VolumeSource::builtin`]), with `resolution` voxels along its
-/// longest edge (16 to 1024), or as many as suit a first picture.
+/// longest edge (16 to 2048), or as many as suit a first picture.
 #[must_use]
 pub fn volume(name: &str, resolution: Option<u32>) -> Option<Result<Volume, Error>> {
     let &(name, default, make) = VOLUMES.iter().find(|entry| entry.0 == name)?;
@@ -111,7 +111,7 @@ mod tests {
         for (name, ..) in VOLUMES {
             let volume_of = |resolution| volume(name, Some(resolution)).unwrap();
             assert_eq!(volume_of(16).unwrap().dimensions.iter().max(), Some(&16), "{name}");
-            assert!(volume_of(15).is_err() && volume_of(1025).is_err(), "{name}");
+            assert!(volume_of(15).is_err() && volume_of(2049).is_err(), "{name}");
         }
     }
 
