@@ -101,7 +101,8 @@ fn a_streamed_frame_is_that_of_the_whole_volume() -> Result<(), Failure> {
             assert!(whole == found, "{name}: {} values differ on the adapter", differing(&whole, &found));
         }
     }
-    assert!(most >= 10, "pages came {most} times at most: nothing was streamed");
+    // Four pages lie one behind the other.
+    assert!(most >= 5, "pages came {most} times at most: nothing was streamed");
     Ok(())
 }
 
