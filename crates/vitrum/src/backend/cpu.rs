@@ -329,6 +329,10 @@ impl Backend for CpuBackend {
             let ends = |pass: &Pass| passes.ends_with == Some(pass.kernel.declaration.name);
             idle |= together.iter().zip(busy).any(|(pass, busy)| !busy && ends(pass));
         }
+        // For passes of another list; none are left where nothing goes on.
+        if !idle {
+            self.write(waiting)?;
+        }
         progress(done);
         Ok(())
     }
