@@ -17,6 +17,8 @@ pub struct Case {
     pub scene: Scene,
     /// What it names.
     pub inputs: Inputs,
+    /// Whether the volume is streamed, in as little memory as that takes.
+    pub streamed: bool,
 }
 
 impl Case {
@@ -40,7 +42,7 @@ impl Case {
         }
         let inputs = Inputs::load(&scene, Path::new(""))?;
         let name = [&[name], settings].concat().join(" ");
-        Ok(Self { name, scene, inputs })
+        Ok(Self { name, scene, inputs, streamed: false })
     }
 
     /// A volume file with the look of a preset, as a picture of `edge` × `edge` pixels.
@@ -53,12 +55,18 @@ impl Case {
         let inputs = Inputs::load(&scene, Path::new(""))?;
         preset::apply(preset, &inputs.volume, &mut scene)?;
         let file = path.file_name().unwrap_or(path.as_os_str());
-        Ok(Self { name: format!("{} ({preset})", file.display()), scene, inputs })
+        Ok(Self { name: format!("{} ({preset})", file.display()), scene, inputs, streamed: false })
     }
 
     /// Makes it a picture of `edge` × `edge` pixels.
     pub fn resize(&mut self, edge: u32) {
         (self.scene.film.width, self.scene.film.height) = (edge, edge);
+    }
+
+    /// The same case with the volume streamed.
+    #[must_use]
+    pub fn streamed(self) -> Self {
+        Self { streamed: true, ..self }
     }
 
     /// The same case with the voxels rounded to bytes, as many scans are stored.

@@ -7,7 +7,6 @@
 
 use std::collections::BTreeMap;
 use std::mem;
-use std::vec;
 
 use vitrum::backend::{Backend, Pass, PassList};
 use vitrum::method::sweep::{Planes, Sweep};
@@ -52,6 +51,13 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("glass/straight sheets", "glass/straight", &["sweep.light=sheets", "light.softness=1", "sweep.sheets=3"])?,
         case("head u8 sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?,
         case("luneburg chain sheets", "luneburg", &["sweep.light=sheets", "light.softness=0", "sweep.gradient=chain"])?,
+        case("ball streamed", "ball", &[])?.streamed(),
+        case("ball streamed chain", "ball", &["sweep.gradient=chain"])?.streamed(),
+        case("ball streamed straight", "ball", &["sweep.refraction=false"])?.streamed(),
+        case("ball streamed sheets", "ball", &["sweep.light=sheets"])?.streamed(),
+        case("ball streamed unshaded", "ball", &["light.shadows=false", "sweep.refraction=false"])?.streamed(),
+        case("head u8 streamed", "head", &[])?.in_bytes()?.streamed(),
+        case("head u8 streamed sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?.streamed(),
         case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.softness=0"])?,
     ]);
     cases.extend(meshes(edge, resolution)?);
@@ -173,7 +179,7 @@ fn stop_after(
     let mut reference = Stepper::new(case, cpu)?;
     let mut other = Stepper::new(case, other)?;
     let mut stopped = Vec::new();
-    for at in stops(reference.passes.as_slice(), reference.frame.planes()) {
+    for at in stops(&reference.passes.passes, reference.frame.planes()) {
         stopped.push(Stopped { at, expected: reference.advance(at.pass)?, found: other.advance(at.pass)? });
     }
     reference.free();
@@ -235,15 +241,16 @@ impl Frame {
     ///
     /// # Errors
     /// If the backend fails.
-    pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<(Self, Vec<Pass>), Failure> {
+    pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<(Self, PassList), Failure> {
         if case.inputs.mesh.is_none() {
-            let mut sweep = Sweep::prepare(&case.scene, &case.inputs, backend)?;
-            let passes = mem::take(&mut sweep.passes.passes);
+            let prepare = if case.streamed { Sweep::prepare_streamed } else { Sweep::prepare };
+            let mut sweep = prepare(&case.scene, &case.inputs, backend)?;
+            let passes = mem::take(&mut sweep.passes);
             return Ok((Self::Sweep(Box::new(sweep)), passes));
         }
         let uploaded = Uploaded::new(&case.scene, &case.inputs, backend, &mut |_, _| true)?;
         let mut rays = Rays::prepare(&case.scene, &case.inputs, &uploaded, backend)?;
-        let passes = mem::take(&mut rays.passes.passes);
+        let passes = mem::take(&mut rays.passes);
         Ok((Self::Voxels(Box::new(rays), Box::new(uploaded)), passes))
     }
 
@@ -270,22 +277,21 @@ impl Frame {
 struct Stepper<'a> {
     backend: &'a mut dyn Backend,
     frame: Frame,
-    passes: vec::IntoIter<Pass>,
+    passes: PassList,
     done: usize,
 }
 
 impl<'a> Stepper<'a> {
     fn new(case: &Case, backend: &'a mut dyn Backend) -> Result<Self, Failure> {
         let (frame, passes) = Frame::prepare(case, backend)?;
-        Ok(Self { backend, frame, passes: passes.into_iter(), done: 0 })
+        Ok(Self { backend, frame, passes, done: 0 })
     }
 
     /// Runs on until pass `last` is done; what that wrote, each component's plane below the one before.
     fn advance(&mut self, last: usize) -> Result<Raster, Failure> {
-        let passes: Vec<Pass> = self.passes.by_ref().take(last + 1 - self.done).collect();
-        self.done = last + 1;
         // Every pass counts here, also one that no pixel needs: nothing is left out.
-        let list = PassList { passes, ..PassList::default() };
+        let list = self.passes.part(self.done, last + 1);
+        self.done = last + 1;
         self.backend.run(&list, &mut |_| true)?;
         let pass = list.passes.last().expect("stops are in ascending order, and different");
         let output = pass.output().expect("every kernel writes");

@@ -46,7 +46,7 @@ pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case
     }
     scene.validate()?;
     let name = [&[name], settings].concat().join(" ");
-    Ok(Case { name, scene, inputs: Inputs::of_mesh(mesh)? })
+    Ok(Case { name, scene, inputs: Inputs::of_mesh(mesh)?, streamed: false })
 }
 
 /// Follows the rays of a case's pixels.

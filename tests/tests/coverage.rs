@@ -15,7 +15,7 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
     let mut seen = BTreeSet::new();
     for case in kernels::cases(16, 16)? {
         let (frame, passes) = Frame::prepare(&case, &mut backend)?;
-        for pass in &passes {
+        for pass in &passes.passes {
             // Every uniform block begins with width, height and mode.
             let dispatch: UVec4 = bytemuck::pod_read_unaligned(&pass.uniforms[..size_of::<UVec4>()]);
             seen.insert((pass.kernel.declaration.name, dispatch.z));

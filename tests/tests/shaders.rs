@@ -47,7 +47,7 @@ macro_rules! fields {
 }
 
 fn grid() -> Vec<Field> {
-    fields!(Grid { row_x, row_y, row_z, size, value, pitch, bricks })
+    fields!(Grid { row_x, row_y, row_z, size, value, pitch, bricks, pages })
 }
 
 #[rustfmt::skip]

@@ -1,6 +1,7 @@
 //! Where the work is done: flags, and what opens a session by them.
 
 use crate::failure::Failure;
+use crate::volume::ByteCount;
 use clap::{Args, ValueEnum};
 use vitrum::backend::{self, BackendError, Choice};
 use vitrum::{Fallback, Inputs, Session};
@@ -19,6 +20,14 @@ pub struct DeviceArguments {
     /// CPU threads; all cores if absent
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
+}
+
+/// What a volume may take of the device.
+#[derive(Debug, Args)]
+pub struct MemoryArguments {
+    /// Most memory of the device for voxels at once, such as 512MiB; larger volumes are streamed, as are those that are larger than the device allows
+    #[arg(long, value_name = "SIZE")]
+    pub memory_limit: Option<ByteCount>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -42,16 +51,24 @@ impl DeviceArguments {
     /// Opens the device and uploads the volumes, and says where unless `quiet`.
     ///
     /// Where `auto` chose a GPU by itself, the CPU takes over if that fails.
-    pub fn session<'a>(&self, inputs: &'a Inputs, quiet: bool) -> Result<Session<'a>, Failure> {
+    pub fn session<'a>(
+        &self,
+        inputs: &'a Inputs,
+        memory: &MemoryArguments,
+        quiet: bool,
+    ) -> Result<Session<'a>, Failure> {
         let threads = self.threads.map(usize::from);
-        let backend = backend::open(self.backend.into(), self.adapter.as_deref(), threads)?;
+        let limit = memory.memory_limit.map(|ByteCount(bytes)| bytes);
+        let mut backend = backend::open(self.backend.into(), self.adapter.as_deref(), threads)?;
+        backend.set_volume_limit(limit);
         if !quiet {
             eprintln!("rendering on {} ({})", backend.name(), backend.adapter());
         }
         let by_itself = self.backend == BackendName::Auto && self.adapter.is_none() && backend.name() != "cpu";
         let fallback = by_itself.then(|| {
             let take_over = move |failure: &BackendError| {
-                let cpu = backend::open(Choice::Cpu, None, threads)?;
+                let mut cpu = backend::open(Choice::Cpu, None, threads)?;
+                cpu.set_volume_limit(limit);
                 if !quiet {
                     eprintln!("warning: {failure}; rendering on {} ({}) instead", cpu.name(), cpu.adapter());
                 }

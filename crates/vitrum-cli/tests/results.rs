@@ -257,3 +257,19 @@ fn a_turntable_says_what_it_cannot_do() {
         folder.refuse(&[&TURN[..], more].concat(), 2, &[expected]);
     }
 }
+
+#[test]
+fn a_memory_limit_changes_nothing_that_is_seen() {
+    let folder = Folder::new();
+    let phantom = ["render", "builtin:phantom", "--size", "24x24", "--backend", "cpu", "--quiet"];
+    let settings =
+        ["--set", "volume.resolution=128", "--set", "camera.elevation=30", "--set", "sweep.sample_distance=6"];
+    for (name, limit) in [("whole.exr", "4MiB"), ("streamed.exr", "2047KiB")] {
+        folder.succeed(&[&phantom[..], &settings, &["-o", name, "--memory-limit", limit]].concat());
+    }
+    let layers = |name: &str| read_picture(&folder.file(name)).expect("the file is whole").layers;
+    assert!(layers("whole.exr") == layers("streamed.exr"));
+    let limit = ["-o", "out.exr", "--memory-limit", "100kB"];
+    let words = ["2097152 bytes", "needs", "100000 are allowed", "--memory-limit"];
+    folder.refuse(&[&phantom[..], &settings, &limit].concat(), 4, &words);
+}

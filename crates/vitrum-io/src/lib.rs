@@ -36,6 +36,7 @@ mod packing;
 mod placement;
 mod raw;
 mod samples;
+mod shared;
 mod stack;
 mod stream;
 pub mod suggest;
@@ -54,12 +55,14 @@ pub use image::{
     srgb_to_linear, write_picture, write_picture_with,
 };
 pub use input::{Input, STANDARD_INPUT};
+pub use memory::require_memory;
 pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
 pub use nrrd::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 pub use open::{OpenOptions, Part, VolumeReader, open, readers};
 pub use packing::Packing;
 pub use raw::RawLayout;
+pub use shared::Shared;
 pub use up::Up;
 pub use volume::{Source, Volume};
 pub use volume_file::{check_volume_writable, write_volume};
-pub use voxels::Voxels;
+pub use voxels::{Voxels, Words};

@@ -29,6 +29,15 @@ pub(crate) fn check(report: Report, needed: u64, max_bytes: Option<u64>) -> Resu
     Ok(())
 }
 
+/// Fails when `bytes` exceed the memory that is available now; `what` is for the message.
+///
+/// # Errors
+///
+/// [`Error::TooLarge`].
+pub fn require_memory(what: &str, bytes: u64) -> Result<(), Error> {
+    check(Report::new(what), bytes, None)
+}
+
 /// An empty vector with room for `count` elements, or [`Error::TooLarge`]: never an abort.
 pub(crate) fn reserve<T>(report: Report, count: usize) -> Result<Vec<T>, Error> {
     let mut vector = Vec::new();

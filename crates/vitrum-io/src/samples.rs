@@ -6,6 +6,7 @@ use half::f16;
 
 use crate::error::{Error, Report};
 use crate::memory;
+use crate::shared::Shared;
 use crate::voxels::Voxels;
 
 /// Byte order of multi-byte samples.
@@ -92,9 +93,15 @@ impl SampleType {
     }
 }
 
+enum Decoded {
+    U8(Vec<u8>),
+    U16(Vec<u16>),
+    F32(Vec<f32>),
+}
+
 /// Voxels while they are decoded. The room for all of them is reserved at the start.
 pub(crate) struct VoxelBuffer {
-    voxels: Voxels,
+    voxels: Decoded,
     sample: SampleType,
     endian: Endian,
 }
@@ -102,15 +109,19 @@ pub(crate) struct VoxelBuffer {
 impl VoxelBuffer {
     pub fn reserve(report: Report, sample: SampleType, endian: Endian, count: usize) -> Result<Self, Error> {
         let voxels = match sample.stored_size() {
-            1 => Voxels::U8(memory::reserve(report, count)?),
-            2 => Voxels::U16(memory::reserve(report, count)?),
-            _ => Voxels::F32(memory::reserve(report, count)?),
+            1 => Decoded::U8(memory::reserve(report, Shared::<u8>::room(count))?),
+            2 => Decoded::U16(memory::reserve(report, Shared::<u16>::room(count))?),
+            _ => Decoded::F32(memory::reserve(report, Shared::<f32>::room(count))?),
         };
         Ok(Self { voxels, sample, endian })
     }
 
     pub fn into_voxels(self) -> Voxels {
-        self.voxels
+        match self.voxels {
+            Decoded::U8(voxels) => voxels.into(),
+            Decoded::U16(voxels) => voxels.into(),
+            Decoded::F32(voxels) => voxels.into(),
+        }
     }
 
     /// Decodes up to `count` samples from `reader`.
@@ -166,8 +177,8 @@ impl VoxelBuffer {
 
     fn append_float(&mut self, value: f32) -> Option<()> {
         match &mut self.voxels {
-            Voxels::F32(voxels) => voxels.push(value),
-            Voxels::U8(_) | Voxels::U16(_) => return None,
+            Decoded::F32(voxels) => voxels.push(value),
+            Decoded::U8(_) | Decoded::U16(_) => return None,
         }
         Some(())
     }
@@ -176,31 +187,31 @@ impl VoxelBuffer {
     fn decode(&mut self, bytes: &[u8], endian: Endian) {
         match (&mut self.voxels, self.sample) {
             // Flipping the top bit adds half of the range: two's complement becomes unsigned.
-            (Voxels::U8(out), SampleType::I8) => out.extend(bytes.iter().map(|byte| byte ^ 0x80)),
-            (Voxels::U8(out), _) => out.extend_from_slice(bytes),
-            (Voxels::U16(out), SampleType::I16) => {
+            (Decoded::U8(out), SampleType::I8) => out.extend(bytes.iter().map(|byte| byte ^ 0x80)),
+            (Decoded::U8(out), _) => out.extend_from_slice(bytes),
+            (Decoded::U16(out), SampleType::I16) => {
                 out.extend(words(bytes, endian, |word| u16::from_le_bytes(word) ^ 0x8000));
             }
-            (Voxels::U16(out), _) => out.extend(words(bytes, endian, u16::from_le_bytes)),
-            (Voxels::F32(out), SampleType::I32) => {
+            (Decoded::U16(out), _) => out.extend(words(bytes, endian, u16::from_le_bytes)),
+            (Decoded::F32(out), SampleType::I32) => {
                 out.extend(words(bytes, endian, |word| i32::from_le_bytes(word) as f32));
             }
-            (Voxels::F32(out), SampleType::U32) => {
+            (Decoded::F32(out), SampleType::U32) => {
                 out.extend(words(bytes, endian, |word| u32::from_le_bytes(word) as f32));
             }
-            (Voxels::F32(out), SampleType::I64) => {
+            (Decoded::F32(out), SampleType::I64) => {
                 out.extend(words(bytes, endian, |word| i64::from_le_bytes(word) as f32));
             }
-            (Voxels::F32(out), SampleType::U64) => {
+            (Decoded::F32(out), SampleType::U64) => {
                 out.extend(words(bytes, endian, |word| u64::from_le_bytes(word) as f32));
             }
-            (Voxels::F32(out), SampleType::F16) => {
+            (Decoded::F32(out), SampleType::F16) => {
                 out.extend(words(bytes, endian, |word| f16::from_le_bytes(word).to_f32()));
             }
-            (Voxels::F32(out), SampleType::F64) => {
+            (Decoded::F32(out), SampleType::F64) => {
                 out.extend(words(bytes, endian, |word| f64::from_le_bytes(word) as f32));
             }
-            (Voxels::F32(out), _) => out.extend(words(bytes, endian, f32::from_le_bytes)),
+            (Decoded::F32(out), _) => out.extend(words(bytes, endian, f32::from_le_bytes)),
         }
     }
 }

@@ -104,7 +104,7 @@ mod tests {
             assert_eq!((axis.parse(), name.parse(), up.to_string()), (Ok(up), Ok(up), axis.to_owned()));
             let sign = if axis.starts_with('-') { -1.0 } else { 1.0 };
             let direction = ["x", "y", "z"].map(|letter| if axis.ends_with(letter) { sign } else { 0.0 });
-            let mut volume = Volume::new("a", [2, 1, 1], [1.0; 3], Voxels::U8(vec![0, 1])).expect("a volume");
+            let mut volume = Volume::new("a", [2, 1, 1], [1.0; 3], Voxels::U8(vec![0, 1].into())).expect("a volume");
             volume.origin = direction;
             let volume = volume.turned(up);
             assert_eq!(volume.origin, [0.0, 0.0, 1.0], "{axis}");

@@ -45,7 +45,7 @@ fn every_type_endian_and_encoding_comes_back() {
 #[test]
 fn signed_integers_are_stored_shifted() {
     let volume = Folder::new().open("a.mha", attached(&metaimage("MET_CHAR", "", "LOCAL"), &BYTES)).unwrap();
-    assert_eq!(volume.voxels, Voxels::U8(BYTES.map(|byte| byte + 128).to_vec()));
+    assert_eq!(volume.voxels, Voxels::from(BYTES.map(|byte| byte + 128).to_vec()));
     assert_eq!((volume.value_scale, volume.value_offset), (1.0, -128.0));
     assert_eq!(values(&volume), BYTES.map(f32::from));
 }
@@ -70,7 +70,7 @@ fn the_content_decides_and_odd_headers_are_read() {
     let older = attached(header.trim_start_matches("ObjectType = Image\n"), &BYTES);
     for (name, file) in [("no extension", windows), ("colons.mha", colons), ("older", older)] {
         let volume = folder.open(name, file).unwrap();
-        assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()), "{name}");
+        assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()), "{name}");
         assert_eq!(volume.source.format, "MetaImage");
     }
 }
@@ -97,7 +97,7 @@ fn bytes_before_the_data_are_skipped() {
         folder.open("b.mha", attached(&padded.replace("100", &padded.len().to_string()), &BYTES)).unwrap(),
     ];
     for volume in cases {
-        assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()));
+        assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()));
     }
 }
 
@@ -123,7 +123,7 @@ fn many_data_files_make_one_volume() {
                 folder.write(name, if more.is_empty() { part.to_vec() } else { zlib(part) });
             }
             let volume = folder.open("a.mhd", metaimage("MET_UCHAR", more, field)).unwrap();
-            assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()), "{field}");
+            assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()), "{field}");
         }
     }
 }

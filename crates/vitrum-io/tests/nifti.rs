@@ -36,7 +36,7 @@ fn data_starts_where_vox_offset_says() {
         header.f32(108, offset);
         [header.bytes, vec![9; extension], vec![7; 12]].concat()
     };
-    let sevens = Voxels::U8(vec![7; 12]);
+    let sevens = Voxels::U8(vec![7; 12].into());
     for (offset, extension) in [(352.0, 0), (0.0, 0), (368.0, 16)] {
         assert_eq!(open(file(offset, extension)).voxels, sevens);
         assert_eq!(open(gzip(&file(offset, extension))).voxels, sevens);
@@ -148,7 +148,7 @@ fn the_image_of_a_pair_may_start_late() {
             header.f32(108, 5.0)
         };
         let volume = folder.open("a.hdr", header.bytes).unwrap();
-        assert_eq!(volume.voxels, Voxels::U8(vec![7; 12]));
+        assert_eq!(volume.voxels, Voxels::U8(vec![7; 12].into()));
         assert!(volume.source.assumptions.iter().any(|note| note.contains("2 bytes behind")));
     }
 }
@@ -159,8 +159,8 @@ fn of_two_images_that_compressed_as_the_header_is_taken() {
     folder.write("a.img", [1; 12]);
     folder.write("a.img.gz", gzip(&[2; 12]));
     let header = NiftiHeader::new(2, 1, false).pair().bytes;
-    assert_eq!(folder.open("a.hdr.gz", gzip(&header)).unwrap().voxels, Voxels::U8(vec![2; 12]));
-    assert_eq!(folder.open("a.hdr", header).unwrap().voxels, Voxels::U8(vec![1; 12]));
+    assert_eq!(folder.open("a.hdr.gz", gzip(&header)).unwrap().voxels, Voxels::U8(vec![2; 12].into()));
+    assert_eq!(folder.open("a.hdr", header).unwrap().voxels, Voxels::U8(vec![1; 12].into()));
 }
 
 #[test]
@@ -197,11 +197,11 @@ fn nifti_2_says_the_same_in_wider_fields() {
         assert_near(volume.origin, [5e3, 6e3, 7e3]);
         assert_eq!(values(&open_with(|header| header.f64(176, 0.5).f64(184, 10.0))), [13.5; 12]);
         assert_eq!(open_with(|header| header.i64(16, 4)).dimensions, [3, 2, 2]);
-        assert_eq!(open_with(|header| header.i64(168, 0)).voxels, Voxels::U8(vec![7; 12]));
+        assert_eq!(open_with(|header| header.i64(168, 0)).voxels, Voxels::U8(vec![7; 12].into()));
     }
     let extended = [nifti2_u8(|header| header.i64(168, 560))[..544].to_vec(), vec![9; 16], vec![7; 12]].concat();
-    assert_eq!(open(extended.clone()).voxels, Voxels::U8(vec![7; 12]));
-    assert_eq!(open(gzip(&extended)).voxels, Voxels::U8(vec![7; 12]));
+    assert_eq!(open(extended.clone()).voxels, Voxels::U8(vec![7; 12].into()));
+    assert_eq!(open(gzip(&extended)).voxels, Voxels::U8(vec![7; 12].into()));
 }
 
 #[test]

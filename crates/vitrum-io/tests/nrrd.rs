@@ -52,7 +52,7 @@ fn every_type_endian_and_encoding_comes_back() {
 #[test]
 fn signed_integers_are_stored_shifted() {
     let volume = Folder::new().open("a.nrrd", attached(&nrrd("int8", "raw", ""), &BYTES)).unwrap();
-    assert_eq!(volume.voxels, Voxels::U8(BYTES.map(|byte| byte + 128).to_vec()));
+    assert_eq!(volume.voxels, Voxels::from(BYTES.map(|byte| byte + 128).to_vec()));
     assert_eq!((volume.value_scale, volume.value_offset), (1.0, -128.0));
 }
 
@@ -85,7 +85,7 @@ fn comments_pairs_and_windows_line_ends_are_read_over() {
     let header = nrrd("uint8", "raw", "# a comment: with colon\nkey:=value: 1\nContent: ball\n");
     let file = attached(&header.replace('\n', "\r\n"), &BYTES);
     let volume = Folder::new().open("no extension at all", file).unwrap();
-    assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()));
+    assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()));
     assert_eq!(volume.name, "no extension at all");
 }
 
@@ -108,7 +108,7 @@ fn lines_and_bytes_are_skipped() {
         open("text", "line skip: 1\n", b"numbers:\n0 1 2 3 4 5 6 7 8 9 10 11"),
     ];
     for volume in cases {
-        assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()));
+        assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()));
     }
 }
 
@@ -131,7 +131,7 @@ fn many_data_files_make_one_volume() {
         }
         let header = detached("uint8", "raw", &format!("data file: {field}\n"));
         let volume = folder.open("a.nhdr", header).unwrap();
-        assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()), "{field}");
+        assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()), "{field}");
     }
 }
 

@@ -16,12 +16,12 @@ fn bytes_and_floats_come_back_in_their_place() {
     let bytes: Vec<u8> = (0..12).map(|n| n * 20).collect();
     write_nrrd(&path, &lattice(), Samples::U8(&bytes), &[("content", "a test".to_owned())]).unwrap();
     let volume = open(&path, &OpenOptions::default()).unwrap();
-    assert_eq!((volume.dimensions, volume.voxels), ([3, 2, 2], Voxels::U8(bytes)));
+    assert_eq!((volume.dimensions, volume.voxels), ([3, 2, 2], Voxels::from(bytes)));
     assert_eq!((volume.spacing, volume.origin), ([0.1; 3], [-1.5, 2.0, 1e-3]));
     assert_eq!(volume.axes, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     let floats: Vec<f32> = (0..12).map(|n| n as f32 / 7.0 - 0.5).collect();
     write_nrrd(&path, &lattice(), Samples::F32(&floats), &[]).unwrap();
-    assert_eq!(open(&path, &OpenOptions::default()).unwrap().voxels, Voxels::F32(floats));
+    assert_eq!(open(&path, &OpenOptions::default()).unwrap().voxels, Voxels::from(floats));
 }
 
 #[test]

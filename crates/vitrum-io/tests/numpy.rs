@@ -49,7 +49,7 @@ fn every_version_is_read() {
         let dictionary = "{'shape': (2, 2, 3), 'fortran_order': False, 'descr': '|u1', 'µ': 'other'}";
         let volume = open(npy_with(version, dictionary, &BYTES));
         assert_eq!(volume.dimensions, [3, 2, 2]);
-        assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()));
+        assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()));
     }
 }
 
@@ -61,7 +61,7 @@ fn the_index_that_changes_fastest_is_x() {
     for (order, dimensions, expected) in [("False", [1, 3, 4], "the last was taken"), ("True", [4, 3, 1], "Fortran")] {
         let volume = open(file(order));
         assert_eq!(volume.dimensions, dimensions);
-        assert_eq!(volume.voxels, Voxels::U8(BYTES.to_vec()));
+        assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()));
         let notes = &volume.source.assumptions;
         assert!(notes.iter().any(|note| note.contains(expected)), "{notes:?}");
     }

@@ -27,7 +27,7 @@ fn every_type_and_endian_comes_back() {
 #[test]
 fn the_type_may_be_guessed_where_a_voxel_is_a_byte() {
     let volume = Folder::new().open("head3x2x2.raw", [7; 12]).unwrap();
-    assert_eq!(volume.voxels, Voxels::U8(vec![7; 12]));
+    assert_eq!(volume.voxels, Voxels::U8(vec![7; 12].into()));
     assert_eq!((volume.spacing, volume.origin), ([1.0; 3], [-1.0, -0.5, -0.5]));
     assert_eq!((volume.source.format, volume.source.encoding.as_str()), ("raw voxels", "raw"));
     assert!(volume.source.assumptions.iter().any(|note| note.contains("uint8 was taken")));

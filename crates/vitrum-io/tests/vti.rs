@@ -65,7 +65,7 @@ fn check_encodings(
 fn the_header_may_be_padded_by_itself() {
     let characters = base64(&word(12, 4, false)) + "\n  " + &base64(&[7; 12]);
     let file = vti(LITTLE, "type=\"UInt8\" format=\"binary\"", &characters, b"");
-    assert_eq!(Folder::new().open("a.vti", file).unwrap().voxels, Voxels::U8(vec![7; 12]));
+    assert_eq!(Folder::new().open("a.vti", file).unwrap().voxels, Voxels::U8(vec![7; 12].into()));
 }
 
 #[test]

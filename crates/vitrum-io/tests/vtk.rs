@@ -66,7 +66,7 @@ fn more_fields_may_surround_the_scalars() {
     let behind = open(text() + "METADATA\nINFORMATION 0\n\n");
     assert_eq!(values(&behind)[11], 12.0);
     let bytes = open(vtk("BINARY", "unsigned_char", &[&[7; 12][..], b"\nVECTORS v float\n"].concat()));
-    assert_eq!(bytes.voxels, Voxels::U8(vec![7; 12]));
+    assert_eq!(bytes.voxels, Voxels::U8(vec![7; 12].into()));
     assert!(bytes.source.assumptions.iter().any(|note| note.contains("--array takes another: `v`")));
     let components = text().replace("unsigned_char\n", "unsigned_char 1\n");
     assert_eq!(values(&open(components))[11], 12.0);

@@ -61,7 +61,7 @@ impl Inputs {
         let longest = extent.into_iter().fold(f32::MIN_POSITIVE, f32::max);
         // What is flat has a side all the same.
         let edges = extent.map(|extent| extent.max(longest * 1e-6));
-        let mut volume = Volume::new(mesh.name.clone(), [1; 3], edges, Voxels::U8(vec![0]))?;
+        let mut volume = Volume::new(mesh.name.clone(), [1; 3], edges, Voxels::U8(vec![0].into()))?;
         volume.origin = std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]));
         Ok(Self { volume, mesh: Some(mesh), ior_volume: None, environment: None })
     }

@@ -1,13 +1,7 @@
-//! A padded voxel grid.
+//! A grid of voxels.
 
 use super::vector::Vec4;
 use spirv_std::glam::IVec4;
-
-/// Voxels of padding on every side, filled with the nearest voxel, so that a stencil never leaves the buffer.
-pub const PADDING: i32 = 2;
-
-/// log₂ of a brick's edge in voxels.
-pub const BRICK_SHIFT: i32 = 2;
 
 /// Where a grid of voxels lies and how its values are stored.
 #[repr(C)]
@@ -24,13 +18,18 @@ pub struct Grid {
     pub size: Vec4,
     /// Normalised scalar = stored · `x` + `y`, clamped to 0…1.
     pub value: Vec4,
-    /// `x`: stored voxels in a padded row, `y`: in a padded slice, `z`: index of voxel (0, 0, 0).
+    /// `x`: stored voxels in a row, `y`: in a slice, of the grid or of a page.
     pub pitch: IVec4,
-    /// Bricks along each axis; `w` is where this grid's bricks start in the occupancy buffer.
+    /// Bricks of the occupancy buffer along each axis; `w` is where this grid's start in the buffer.
     pub bricks: IVec4,
+    /// Pages along each axis, where there are any; `w`: log₂ of a brick's edge in voxels.
+    pub pages: IVec4,
 }
 
 /// How voxels are stored.
+///
+/// Where the volume lies in one piece it is as it came, x fastest, without padding. Where it does not fit the device, the buffer holds
+/// a table with an entry for each [`page`], and then the pages that are needed now.
 pub mod format {
     /// Four unsigned bytes a word.
     pub const U8: u32 = 0;
@@ -40,4 +39,51 @@ pub mod format {
     pub const F32: u32 = 2;
     /// As [`F32`], with a second volume, also [`F32`], that gives the index of refraction.
     pub const F32_WITH_IOR: u32 = 3;
+    /// As [`U8`], in pages.
+    pub const U8_PAGED: u32 = 4;
+    /// As [`U16`], in pages.
+    pub const U16_PAGED: u32 = 5;
+
+    /// Whether voxels have 8 bits.
+    #[must_use]
+    #[inline(always)]
+    pub const fn is_u8(format: u32) -> bool {
+        (format == U8) | (format == U8_PAGED)
+    }
+
+    /// Whether voxels have 16 bits.
+    #[must_use]
+    #[inline(always)]
+    pub const fn is_u16(format: u32) -> bool {
+        (format == U16) | (format == U16_PAGED)
+    }
+
+    /// Whether voxels lie in pages.
+    #[must_use]
+    #[inline(always)]
+    pub const fn is_paged(format: u32) -> bool {
+        (format == U8_PAGED) | (format == U16_PAGED)
+    }
+}
+
+/// Cubes of voxels that come to the device and leave it as a whole.
+///
+/// Page (i, j, k) is for the cells (look-ups between voxel n and n + 1) from [`EDGE`](page::EDGE) · (i, j, k) − 1 on, and holds all
+/// voxels that a stencil in one of them reads; what lies beyond the grid is filled with the nearest voxel. Its entry in the table,
+/// x fastest, counts the voxels from the buffer's start to its first one.
+pub mod page {
+    /// log₂ of the cells along an edge.
+    pub const SHIFT: i32 = 4;
+    /// Cells along an edge.
+    pub const EDGE: i32 = 1 << SHIFT;
+    /// What of a cell's number is its place in a page.
+    pub const MASK: i32 = EDGE - 1;
+    /// Voxels before the first cell's: a stencil's reach.
+    pub const BEFORE: i32 = 1;
+    /// Voxels along an edge.
+    pub const ROW: i32 = EDGE + 3;
+    /// Voxels in a slice.
+    pub const SLICE: i32 = ROW * ROW;
+    /// Voxels from a page to the next: whole words of any format.
+    pub const STRIDE: i32 = (SLICE * ROW + 3) / 4 * 4;
 }

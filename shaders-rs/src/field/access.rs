@@ -66,3 +66,27 @@ pub fn read_bytes(buffer: &[u32], offset: i32) -> u32 {
         unsafe { buffer.as_ptr().cast::<u8>().offset(offset as isize).cast::<u32>().read_unaligned() }
     }
 }
+
+/// The two 16-bit numbers from number `at` of `buffer` on, little endian, limited to the buffer: as [`read_bytes`] in a buffer of twice
+/// the size.
+#[inline(always)]
+pub fn read_halves(buffer: &[u32], at: i32) -> u32 {
+    #[cfg(target_arch = "spirv")]
+    {
+        let word = at >> 1;
+        let shift = ((at & 1) * 16) as u32;
+        let low = read(buffer, word) >> shift;
+        // Two shifts, since a shift by 32 is undefined.
+        let high = (read(buffer, word + 1) << 1) << (31 - shift);
+        low | high
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        debug_assert!(!buffer.is_empty());
+        let last = (buffer.len() as i32).wrapping_mul(2).wrapping_sub(2);
+        let at = if at < last { at } else { last };
+        let at = if at > 0 { at } else { 0 };
+        // SAFETY: four bytes from there lie inside the buffer. See `read_bytes`.
+        unsafe { buffer.as_ptr().cast::<u16>().offset(at as isize).cast::<u32>().read_unaligned() }
+    }
+}

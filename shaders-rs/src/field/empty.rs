@@ -2,7 +2,7 @@
 
 use super::access::read;
 use super::stencil::{limit_to_grid, voxel_coordinates};
-use crate::abi::grid::{BRICK_SHIFT, Grid};
+use crate::abi::grid::Grid;
 use crate::abi::sweep::{SweepUniforms, flag};
 use crate::math::{absolute, floor_to_int, max, min, select};
 use spirv_std::glam::Vec3;
@@ -16,7 +16,7 @@ fn largest(v: Vec3) -> f32 {
 /// The word of the brick in which a point of the grid lies.
 #[inline(always)]
 fn brick_index(grid: &Grid, inside: Vec3) -> i32 {
-    let brick = |x: f32, size: f32| floor_to_int(x + 0.5, 0.0, size - 1.0) >> BRICK_SHIFT;
+    let brick = |x: f32, size: f32| floor_to_int(x + 0.5, 0.0, size - 1.0) >> grid.pages.w;
     let x = brick(inside.x, grid.size.x);
     let y = brick(inside.y, grid.size.y);
     let z = brick(inside.z, grid.size.z);
@@ -45,7 +45,7 @@ pub fn empty_steps(occupancy: &[u32], grid: &Grid, from: Vec3, to: Vec3) -> f32 
     let outside = largest(to - inside) - grid.size.w;
     // As many bricks less one are empty on all sides; `to` may be anywhere in its brick.
     let bricks = read(occupancy, brick_index(grid, inside)) as i32 as f32;
-    let voxels = max(outside, (bricks - 1.0) * (1 << BRICK_SHIFT) as f32);
+    let voxels = max(outside, (bricks - 1.0) * (1 << grid.pages.w) as f32);
     // A little less, for rounding; and no more than can be counted.
     min(max(voxels * 0.99, 0.0) / max(largest(to - from), 1e-6), 65536.0)
 }

@@ -2,7 +2,7 @@
 //!
 //! The seven values share one neighbourhood of 32 voxels instead of reading 56.
 
-use super::voxels::{pair, quad};
+use super::voxels::{Rows, pair, quad, rows};
 use crate::abi::grid::Grid;
 use crate::math::{clamp, dot, floor_to_int, lerp, xyz};
 use spirv_std::glam::Vec3;
@@ -22,7 +22,7 @@ pub struct Stencil {
 
 /// Where a point lies among the voxels.
 struct Cell {
-    base: i32,
+    rows: Rows,
     fraction: Vec3,
 }
 
@@ -47,13 +47,13 @@ pub fn limit_to_grid(grid: &Grid, at: Vec3) -> Vec3 {
 }
 
 #[inline(always)]
-fn cell(grid: &Grid, at: Vec3) -> Cell {
+fn cell<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> Cell {
     let at = limit_to_grid(grid, at);
     let x = floor_to_int(at.x, -1.0, grid.size.x);
     let y = floor_to_int(at.y, -1.0, grid.size.y);
     let z = floor_to_int(at.z, -1.0, grid.size.z);
     Cell {
-        base: grid.pitch.z + x + y * grid.pitch.x + z * grid.pitch.y,
+        rows: rows::<FORMAT>(voxels, grid, x, y, z),
         fraction: Vec3::new(at.x - x as f32, at.y - y as f32, at.z - z as f32),
     }
 }
@@ -61,39 +61,37 @@ fn cell(grid: &Grid, at: Vec3) -> Cell {
 /// The normalised scalar at voxel coordinates `at`; beyond the grid, that of the nearest point of the grid.
 #[inline(always)]
 pub fn scalar<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> f32 {
-    let Cell { base, fraction } = cell(grid, at);
-    let (row, slice) = (grid.pitch.x, grid.pitch.y);
-    let along_x = |offset: i32| {
-        let (a, b) = pair::<FORMAT>(voxels, base + offset);
+    let Cell { rows: Rows { columns, y, z }, fraction } = cell::<FORMAT>(voxels, grid, at);
+    let along_x = |row: i32| {
+        let (a, b) = pair::<FORMAT>(voxels, row, &columns);
         lerp(a, b, fraction.x)
     };
-    let near = lerp(along_x(0), along_x(row), fraction.y);
-    let far = lerp(along_x(slice), along_x(slice + row), fraction.y);
+    let near = lerp(along_x(z[1] + y[1]), along_x(z[1] + y[2]), fraction.y);
+    let far = lerp(along_x(z[2] + y[1]), along_x(z[2] + y[2]), fraction.y);
     normalise(grid, lerp(near, far, fraction.z))
 }
 
 /// The normalised scalars at voxel coordinates `at` and around it.
 #[inline(always)]
 pub fn stencil<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> Stencil {
-    let Cell { base, fraction: f } = cell(grid, at);
-    let (row, slice) = (grid.pitch.x, grid.pitch.y);
+    let Cell { rows: Rows { columns, y, z }, fraction: f } = cell::<FORMAT>(voxels, grid, at);
     // Along x at the four inner rows: (left, centre, right) of the point.
-    let inner = |offset: i32| {
-        let (a, b, c, d) = quad::<FORMAT>(voxels, base + offset);
+    let inner = |row: i32| {
+        let (a, b, c, d) = quad::<FORMAT>(voxels, row, &columns);
         (lerp(a, b, f.x), lerp(b, c, f.x), lerp(c, d, f.x))
     };
-    let outer = |offset: i32| {
-        let (a, b) = pair::<FORMAT>(voxels, base + offset);
+    let outer = |row: i32| {
+        let (a, b) = pair::<FORMAT>(voxels, row, &columns);
         lerp(a, b, f.x)
     };
-    let (l00, c00, r00) = inner(0);
-    let (l10, c10, r10) = inner(row);
-    let (l01, c01, r01) = inner(slice);
-    let (l11, c11, r11) = inner(slice + row);
-    let (below0, above0) = (outer(-row), outer(2 * row));
-    let (below1, above1) = (outer(slice - row), outer(slice + 2 * row));
-    let (before0, behind0) = (outer(-slice), outer(2 * slice));
-    let (before1, behind1) = (outer(row - slice), outer(row + 2 * slice));
+    let (l00, c00, r00) = inner(z[1] + y[1]);
+    let (l10, c10, r10) = inner(z[1] + y[2]);
+    let (l01, c01, r01) = inner(z[2] + y[1]);
+    let (l11, c11, r11) = inner(z[2] + y[2]);
+    let (below0, above0) = (outer(z[1] + y[0]), outer(z[1] + y[3]));
+    let (below1, above1) = (outer(z[2] + y[0]), outer(z[2] + y[3]));
+    let (before0, behind0) = (outer(z[0] + y[1]), outer(z[3] + y[1]));
+    let (before1, behind1) = (outer(z[0] + y[2]), outer(z[3] + y[2]));
 
     let near = lerp(c00, c10, f.y);
     let far = lerp(c01, c11, f.y);

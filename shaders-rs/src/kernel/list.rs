@@ -40,6 +40,14 @@ macro_rules! for_each_kernel {
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
                 sweep::refract_light [format::F32, true], levels [3] gpu 3, modes [0 1 2];
+            sweep_refract_light_u8_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                sweep::refract_light [format::U8_PAGED, false], levels [3] gpu 3, modes [0 1 2];
+            sweep_refract_light_u16_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                sweep::refract_light [format::U16_PAGED, false], levels [3] gpu 3, modes [0 1 2];
             sweep_concentrate_light: SweepUniforms, [1 light: f32], writes 2 [irradiance::SIZE],
                 sweep::concentrate_light [], levels [1 3] gpu 3, modes [0];
             sweep_propagate_rays_u8: SweepUniforms,
@@ -58,6 +66,14 @@ macro_rules! for_each_kernel {
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
                 sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
+            sweep_propagate_rays_u8_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
+                updates 7 [ray::SIZE],
+                sweep::propagate_rays [format::U8_PAGED, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
+            sweep_propagate_rays_u16_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
+                updates 7 [ray::SIZE],
+                sweep::propagate_rays [format::U16_PAGED, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
             sweep_initialize_sheet: SweepUniforms, [1 sources: f32], writes 2 [sheet::SIZE],
                 sweep::initialize_sheet [], plain, modes [0];
             sweep_advance_sheet_u8: SweepUniforms,
@@ -76,6 +92,14 @@ macro_rules! for_each_kernel {
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
                 updates 6 [sheet::SIZE],
                 sweep::advance_sheet [format::F32, true], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_advance_sheet_u8_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::U8_PAGED, false], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_advance_sheet_u16_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::U16_PAGED, false], levels [3 7] gpu 7, modes [0 1 2];
             sweep_clear_sums: SweepUniforms, [], writes 1 [sums::SIZE],
                 sweep::clear_sums [], plain, modes [0];
             sweep_scatter_sheet: SweepUniforms, [1 sheet: f32, 2 sources: f32], adds 3 [sums::SIZE],

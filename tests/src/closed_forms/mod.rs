@@ -40,7 +40,7 @@ pub fn cuboid(dimensions: [u32; 3], spacing: f32, field: impl Fn([f64; 3]) -> f6
             }
         }
     }
-    Volume::new("closed form", dimensions, [spacing; 3], Voxels::F32(voxels)).expect("the field is finite")
+    Volume::new("closed form", dimensions, [spacing; 3], Voxels::from(voxels)).expect("the field is finite")
 }
 
 /// A scene in which parallel viewing rays and crisp light travel along −y; in the picture x points left, z up.

@@ -8,7 +8,7 @@ use vitrum::scene::{ColorPoint, OpacityPoint, Projection, Scene};
 fn homogeneous() -> Volume {
     let mut volume = cube(32, 2.0, |_| 1.0);
     if let Voxels::F32(voxels) = &mut volume.voxels {
-        voxels[0] = 0.0;
+        voxels.make_mut()[0] = 0.0;
     }
     volume.range = [0.0, 1.0];
     volume

@@ -5,7 +5,9 @@ use super::header::Slice;
 use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::placement::{Placement, UNORIENTED};
+use crate::shared::Shared;
 use crate::voxels::Voxels;
+use bytemuck::Pod;
 
 /// Where the slices lie.
 pub(super) struct Grid {
@@ -111,20 +113,20 @@ impl Grid {
         }
         let slice = dimensions[0] as usize * dimensions[1] as usize;
         Ok(match voxels {
-            Voxels::U8(voxels) => Voxels::U8(self.mix(report, &voxels, slice, |value| value.round() as u8)?),
-            Voxels::U16(voxels) => Voxels::U16(self.mix(report, &voxels, slice, |value| value.round() as u16)?),
-            Voxels::F32(voxels) => Voxels::F32(self.mix(report, &voxels, slice, |value| value)?),
+            Voxels::U8(voxels) => Voxels::from(self.mix(report, &voxels, slice, |value| value.round() as u8)?),
+            Voxels::U16(voxels) => Voxels::from(self.mix(report, &voxels, slice, |value| value.round() as u16)?),
+            Voxels::F32(voxels) => Voxels::from(self.mix(report, &voxels, slice, |value| value)?),
         })
     }
 
-    fn mix<T: Copy + Into<f32>>(
+    fn mix<T: Pod + Into<f32>>(
         &self,
         report: Report,
         voxels: &[T],
         slice: usize,
         store: impl Fn(f32) -> T,
     ) -> Result<Vec<T>, Error> {
-        let mut mixed = memory::reserve(report, voxels.len())?;
+        let mut mixed = memory::reserve(report, Shared::<T>::room(voxels.len()))?;
         for place in &self.uneven {
             let below = (*place as usize).min(self.uneven.len().saturating_sub(2));
             let share = (place - below as f64) as f32;

@@ -1,11 +1,13 @@
 //! The CPU backend: the kernels' own functions over rows, in parallel.
 
 use super::times::{self, KernelTime};
-use super::{Backend, BackendError, Buffer, Pass, PassList};
+use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::time::Instant;
+use vitrum_io::Words;
 use vitrum_kernels::kernel::{Access, Chunk, InstructionSet, LANES};
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
@@ -24,8 +26,9 @@ const PASSES_PER_REPORT: usize = 24;
 pub struct CpuBackend {
     pool: rayon::ThreadPool,
     set: InstructionSet,
-    buffers: Vec<Option<Vec<u32>>>,
+    buffers: Vec<Option<Contents>>,
     times: Vec<KernelTime>,
+    volume_limit: Option<u64>,
 }
 
 impl CpuBackend {
@@ -43,16 +46,16 @@ impl CpuBackend {
             .build()
             .map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
         let set = if set.is_available() { set } else { InstructionSet::best() };
-        Ok(Self { pool, set, buffers: Vec::new(), times: Vec::new() })
+        Ok(Self { pool, set, buffers: Vec::new(), times: Vec::new(), volume_limit: None })
     }
 
-    fn add(&mut self, words: Vec<u32>) -> Buffer {
+    fn add(&mut self, contents: Contents) -> Buffer {
         let free = self.buffers.iter().position(Option::is_none);
         let index = free.unwrap_or_else(|| {
             self.buffers.push(None);
             self.buffers.len() - 1
         });
-        self.buffers[index] = Some(words);
+        self.buffers[index] = Some(contents);
         Buffer(index)
     }
 
@@ -69,7 +72,7 @@ impl CpuBackend {
             return Ok(vec![false; passes.len()]);
         };
         // Taken out for the time of the passes, so that the others can be borrowed beside it.
-        let mut output = self.buffers[written.0].take().unwrap_or_default();
+        let mut output = self.buffers[written.0].take().map_or(Vec::new(), Contents::into_own);
         let prepared: Vec<Prepared> = passes.iter().map(|pass| self.prepare(pass, written)).collect();
         let started = Instant::now();
         self.pool.install(|| rows(&prepared, self.set, &mut output, resting.entry(written).or_default()));
@@ -82,8 +85,21 @@ impl CpuBackend {
         for (pass, share) in passes.iter().zip(shares) {
             times::add(&mut self.times, pass.kernel.declaration.name, elapsed * share / whole.max(1.0));
         }
-        self.buffers[written.0] = Some(output);
+        self.buffers[written.0] = Some(Contents::Own(output));
         Ok(busy)
+    }
+
+    /// Writes what comes before a pass.
+    fn write(&mut self, writes: Vec<&Write>) -> Result<(), BackendError> {
+        for write in writes {
+            write.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
+            let words = self.buffers[write.buffer.0].take().map_or(Vec::new(), Contents::into_own);
+            let words = self.buffers[write.buffer.0].insert(Contents::Own(words));
+            let Contents::Own(words) = words else { continue };
+            let part = &mut words[write.start as usize..][..write.words];
+            self.pool.install(|| (write.fill)(part));
+        }
+        Ok(())
     }
 
     fn prepare<'a>(&'a self, pass: &'a Pass, written: Buffer) -> Prepared<'a> {
@@ -95,6 +111,34 @@ impl CpuBackend {
             uniforms: pass.uniforms.chunks(16).map(Aligned::from_bytes).collect(),
             busy: AtomicBool::new(false),
             nanoseconds: AtomicU64::new(0),
+        }
+    }
+}
+
+/// What a buffer holds.
+enum Contents {
+    Own(Vec<u32>),
+    /// Memory of somebody else, too.
+    Shared(Words),
+}
+
+impl Contents {
+    /// The words, to be changed.
+    fn into_own(self) -> Vec<u32> {
+        match self {
+            Self::Own(words) => words,
+            Self::Shared(words) => words.to_vec(),
+        }
+    }
+}
+
+impl Deref for Contents {
+    type Target = [u32];
+
+    fn deref(&self) -> &[u32] {
+        match self {
+            Self::Own(words) => words,
+            Self::Shared(words) => words,
         }
     }
 }
@@ -219,41 +263,52 @@ impl Backend for CpuBackend {
         (i32::MAX as u64) * 4
     }
 
+    fn volume_limit(&self) -> u64 {
+        self.volume_limit.unwrap_or(u64::MAX).min(self.largest_buffer())
+    }
+
+    fn set_volume_limit(&mut self, bytes: Option<u64>) {
+        self.volume_limit = bytes;
+    }
+
     fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
         self.check_size(label, contents.len() as u64)?;
-        Ok(self.add(bytemuck::pod_collect_to_vec(contents)))
+        Ok(self.add(Contents::Own(bytemuck::pod_collect_to_vec(contents))))
     }
 
     fn create_with(
         &mut self,
         label: &str,
         bytes: u64,
-        fill: &mut dyn FnMut(&mut [u8]),
+        fill: &mut dyn FnMut(&mut [u32]),
     ) -> Result<Buffer, BackendError> {
-        let buffer = self.create_zeroed(label, bytes)?;
-        fill(bytemuck::cast_slice_mut(self.buffers[buffer.0].as_deref_mut().unwrap_or_default()));
-        Ok(buffer)
+        let mut words = self.zeros(label, bytes)?;
+        fill(&mut words);
+        Ok(self.add(Contents::Own(words)))
+    }
+
+    fn share(&mut self, label: &str, words: &Words) -> Result<Buffer, BackendError> {
+        self.check_size(label, size_of_val(&**words) as u64)?;
+        Ok(self.add(Contents::Shared(words.clone())))
     }
 
     fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
-        self.check_size(label, bytes)?;
-        let words = usize::try_from(bytes / 4).unwrap_or(usize::MAX);
-        let mut buffer = Vec::new();
-        buffer.try_reserve_exact(words).map_err(|_| BackendError::OutOfMemory {
-            adapter: self.adapter(),
-            what: format!("{label}, {bytes} bytes"),
-        })?;
-        buffer.resize(words, 0);
-        Ok(self.add(buffer))
+        let words = self.zeros(label, bytes)?;
+        Ok(self.add(Contents::Own(words)))
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut idle = false;
         let mut resting = HashMap::new();
         let (mut done, mut reported) = (0, None);
-        for together in
-            passes.passes.chunk_by(follows).flat_map(|together| together.chunks(most_together(&together[0])))
-        {
+        // Written as soon as a pass that runs reads it.
+        let mut waiting: Vec<&Write> = Vec::new();
+        let parts = passes.runs().flat_map(|(writes, run)| {
+            let parts = run.chunk_by(follows).flat_map(|together| together.chunks(most_together(&together[0])));
+            parts.enumerate().map(move |(index, part)| (if index == 0 { writes } else { &[] }, part))
+        });
+        for (writes, together) in parts {
+            waiting.extend(writes);
             if reported.is_none_or(|reported| done >= reported + PASSES_PER_REPORT) {
                 reported = Some(done);
                 if !progress(done) {
@@ -266,9 +321,17 @@ impl Backend for CpuBackend {
             if together.is_empty() {
                 continue;
             }
+            let reads = |write: &Write| together.iter().any(|pass| pass.buffers.contains(&write.buffer));
+            let (now, later) = waiting.into_iter().partition(|write| reads(write));
+            waiting = later;
+            self.write(now)?;
             let busy = self.run_together(&together, &mut resting)?;
             let ends = |pass: &Pass| passes.ends_with == Some(pass.kernel.declaration.name);
             idle |= together.iter().zip(busy).any(|(pass, busy)| !busy && ends(pass));
+        }
+        // For passes of another list; none are left where nothing goes on.
+        if !idle {
+            self.write(waiting)?;
         }
         progress(done);
         Ok(())
@@ -292,6 +355,18 @@ impl Backend for CpuBackend {
 }
 
 impl CpuBackend {
+    fn zeros(&self, label: &str, bytes: u64) -> Result<Vec<u32>, BackendError> {
+        self.check_size(label, bytes)?;
+        let count = usize::try_from(bytes / 4).unwrap_or(usize::MAX);
+        let mut words = Vec::new();
+        words.try_reserve_exact(count).map_err(|_| BackendError::OutOfMemory {
+            adapter: self.adapter(),
+            what: format!("{label}, {bytes} bytes"),
+        })?;
+        words.resize(count, 0);
+        Ok(words)
+    }
+
     fn check_size(&self, label: &str, bytes: u64) -> Result<(), BackendError> {
         debug_assert!(bytes > 0 && bytes.is_multiple_of(4), "{label} has {bytes} bytes");
         if bytes > self.largest_buffer() {

@@ -29,6 +29,20 @@ pub enum BackendError {
         /// The adapter.
         adapter: String,
     },
+    /// A volume is streamed, and what one plane needs of it is more than it may take.
+    #[error(
+        "the volume's {whole} bytes are streamed to {adapter}; a plane needs {needed} bytes of memory for voxels at once, and {limit} are allowed"
+    )]
+    VolumeLimit {
+        /// Bytes of the whole volume.
+        whole: u64,
+        /// Bytes needed at once.
+        needed: u64,
+        /// Bytes allowed.
+        limit: u64,
+        /// The adapter.
+        adapter: String,
+    },
     /// The device has no memory left.
     #[error("{adapter} is out of memory: {what}")]
     OutOfMemory {
@@ -69,7 +83,10 @@ pub enum BackendError {
 impl BackendError {
     /// Whether another device could do the same work: this one failed, or has too little memory.
     pub fn is_of_device(&self) -> bool {
-        matches!(self, Self::DeviceLost { .. } | Self::OutOfMemory { .. } | Self::TooLarge { .. })
+        matches!(
+            self,
+            Self::DeviceLost { .. } | Self::OutOfMemory { .. } | Self::TooLarge { .. } | Self::VolumeLimit { .. }
+        )
     }
 
     /// What to do about it.
@@ -84,6 +101,7 @@ impl BackendError {
             Self::TooLarge { .. } | Self::OutOfMemory { .. } => {
                 Some("use --backend cpu, a smaller picture (--size) or a smaller volume")
             }
+            Self::VolumeLimit { .. } => Some("allow as much (--memory-limit), or use --backend cpu without a limit"),
             Self::Threads { .. } => Some("ask for fewer (--threads)"),
             Self::Misuse { .. } | Self::Cancelled => None,
         }

@@ -14,8 +14,10 @@ pub use choice::{Choice, DeviceInfo, devices, open};
 pub use cpu::CpuBackend;
 pub use error::BackendError;
 pub use gpu::GpuBackend;
-pub use pass::{Buffer, Pass, PassList};
+pub use pass::{Buffer, Fill, Pass, PassList, Write};
 pub use times::KernelTime;
+
+use vitrum_io::Words;
 
 /// Runs passes over buffers.
 pub trait Backend {
@@ -28,6 +30,14 @@ pub trait Backend {
     /// The most bytes one buffer may have.
     fn largest_buffer(&self) -> u64;
 
+    /// The most bytes that a volume's voxels should take at once; a larger volume is streamed.
+    fn volume_limit(&self) -> u64 {
+        self.largest_buffer()
+    }
+
+    /// Sets [`Self::volume_limit`], which is never above [`Self::largest_buffer`]; `None` sets it to that.
+    fn set_volume_limit(&mut self, _bytes: Option<u64>) {}
+
     /// A buffer with `contents` (not empty; whole words).
     fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError>;
 
@@ -36,11 +46,16 @@ pub trait Backend {
         &mut self,
         label: &str,
         bytes: u64,
-        fill: &mut dyn FnMut(&mut [u8]),
+        fill: &mut dyn FnMut(&mut [u32]),
     ) -> Result<Buffer, BackendError> {
-        let mut contents = vec![0; bytes as usize];
+        let mut contents = vec![0; bytes as usize / 4];
         fill(&mut contents);
-        self.create(label, &contents)
+        self.create(label, bytemuck::cast_slice(&contents))
+    }
+
+    /// A buffer with the contents of `words`, which nothing may write: where a backend can, the same memory.
+    fn share(&mut self, label: &str, words: &Words) -> Result<Buffer, BackendError> {
+        self.create(label, bytemuck::cast_slice(words))
     }
 
     /// A buffer of `bytes` zero bytes (not 0; whole words).

@@ -1,6 +1,7 @@
 //! Pass lists.
 
 use super::BackendError;
+use std::sync::Arc;
 use vitrum_kernels::kernel::{Access, Kernel};
 
 /// A buffer of a backend.
@@ -22,16 +23,77 @@ pub struct Pass {
     pub height: u32,
 }
 
+/// Writes the words of a part of a buffer, all of them.
+pub type Fill = dyn Fn(&mut [u32]) + Send + Sync;
+
+/// What the host writes to a buffer between two passes.
+#[derive(Clone)]
+pub struct Write {
+    /// The pass before which it has to be there.
+    pub before: usize,
+    /// The buffer.
+    pub buffer: Buffer,
+    /// Where the part starts, in words.
+    pub start: u64,
+    /// Its words.
+    pub words: usize,
+    /// Its contents.
+    pub fill: Arc<Fill>,
+}
+
 /// Passes that run in order.
 #[derive(Clone, Default)]
 pub struct PassList {
     /// The passes.
     pub passes: Vec<Pass>,
+    /// What is written between them, in the order of the passes.
+    pub writes: Vec<Write>,
     /// Passes of these kernels only matter while some invocation of `Self::ends_with` has work to do: once a pass of that
     /// kernel was idle, a backend may leave the rest of them out. The results are the same.
     pub while_busy: Vec<&'static str>,
     /// The kernel whose idleness counts.
     pub ends_with: Option<&'static str>,
+}
+
+impl PassList {
+    /// The passes from number `first` to before `last`, with what is written before each of them; none is left out.
+    #[must_use]
+    pub fn part(&self, first: usize, last: usize) -> Self {
+        let writes = self.writes.iter().filter(|write| (first..last).contains(&write.before));
+        Self {
+            passes: self.passes[first..last].to_vec(),
+            writes: writes.map(|write| Write { before: write.before - first, ..write.clone() }).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// Runs of passes between which nothing is written, each with what is written before it.
+    pub(super) fn runs(&self) -> impl Iterator<Item = (&[Write], &[Pass])> {
+        let mut starts: Vec<usize> = self.writes.iter().map(|write| write.before).collect();
+        starts.push(0);
+        starts.sort_unstable();
+        starts.dedup();
+        let ends: Vec<usize> = starts[1..].iter().copied().chain([self.passes.len()]).collect();
+        starts.into_iter().zip(ends).map(|(start, end)| {
+            let first = self.writes.partition_point(|write| write.before < start);
+            let last = self.writes.partition_point(|write| write.before <= start);
+            (&self.writes[first..last], &self.passes[start..end])
+        })
+    }
+}
+
+impl Write {
+    /// Checks that the part lies inside the buffer; `bytes` gives a buffer's size.
+    pub(super) fn check(&self, bytes: impl Fn(Buffer) -> Option<u64>) -> Result<(), BackendError> {
+        let end = self.start.saturating_add(self.words as u64).saturating_mul(4);
+        match bytes(self.buffer) {
+            Some(size) if end <= size => Ok(()),
+            size => {
+                let what = format!("words up to byte {end} are written to a buffer of {size:?} bytes");
+                Err(BackendError::Misuse { kernel: "-", what })
+            }
+        }
+    }
 }
 
 impl Pass {

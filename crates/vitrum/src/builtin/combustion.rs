@@ -77,7 +77,7 @@ pub(super) fn mixture_volume(name: &str, resolution: u32) -> Result<Volume, Erro
 /// The scalar dissipation rate χ = 2D|∇Z|² of the mixture fraction Z, compressed to 0…1 by χ/(χ + χ₀).
 pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
     let grid = Grid::covering(name, EXTENT, resolution)?;
-    let fraction = grid.sample(mixture_fraction);
+    let fraction = grid.sample(mixture_fraction)?;
     let size = grid.dimensions();
     let voxels = grid.sample_indices(|index| {
         let value = |axis: usize, step: i32| {
@@ -88,7 +88,7 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
         let slope = Vec3::from_array([0, 1, 2].map(|axis| value(axis, 1) - value(axis, -1)));
         let rate = (slope / (2.0 * grid.spacing())).length_squared();
         quantize_unit(rate / (rate + REFERENCE_RATE) * fade(grid.position(index)))
-    });
+    })?;
     grid.volume_of(name, voxels)
 }
 

@@ -120,7 +120,7 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
         let row = &table[index[2] as usize];
         let inner = (at as usize).min(radii - 2);
         quantize_unit(row[inner] + (row[inner + 1] - row[inner]) * (at - inner as f32).min(1.0))
-    });
+    })?;
     grid.volume_of(name, voxels)
 }
 

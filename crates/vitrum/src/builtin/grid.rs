@@ -1,11 +1,12 @@
 //! Sampling a field of positions onto a regular grid.
 
+use bytemuck::Pod;
 use glam::Vec3;
 use rayon::prelude::*;
-use vitrum_io::{Error, Place, Volume, Voxels};
+use vitrum_io::{Error, Place, Shared, Volume, Voxels, require_memory};
 
 /// Voxels along the longest edge that a procedural volume may have.
-pub(super) const RESOLUTIONS: std::ops::RangeInclusive<u32> = 16..=1024;
+pub(super) const RESOLUTIONS: std::ops::RangeInclusive<u32> = 16..=2048;
 
 /// A regular grid of cubic voxels, centred on the world's origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,12 +62,19 @@ impl Grid {
     }
 
     /// Computes one number a voxel, in parallel; `value` is given the voxel's centre.
-    pub fn sample<T: Copy + Default + Send>(&self, value: impl Fn(Vec3) -> T + Sync) -> Vec<T> {
+    ///
+    /// # Errors
+    ///
+    /// [`Error::TooLarge`] where they would not fit the memory.
+    pub fn sample<T: Pod + Default + Send>(&self, value: impl Fn(Vec3) -> T + Sync) -> Result<Vec<T>, Error> {
         self.sample_indices(|index| value(self.position(index)))
     }
 
     /// Like [`Self::sample`], but `value` is given the voxel's index.
-    pub fn sample_indices<T: Copy + Default + Send>(&self, value: impl Fn([u32; 3]) -> T + Sync) -> Vec<T> {
+    pub fn sample_indices<T: Pod + Default + Send>(
+        &self,
+        value: impl Fn([u32; 3]) -> T + Sync,
+    ) -> Result<Vec<T>, Error> {
         self.sample_rows(|y, z, row| {
             for (x, voxel) in row.iter_mut().enumerate() {
                 *voxel = value([x as u32, y, z]);
@@ -75,7 +83,10 @@ impl Grid {
     }
 
     /// Like [`Self::sample_indices`] for a field that is symmetric in x: `value` is asked for x ≥ 0 only.
-    pub fn sample_symmetric<T: Copy + Default + Send>(&self, value: impl Fn([u32; 3]) -> T + Sync) -> Vec<T> {
+    pub fn sample_symmetric<T: Pod + Default + Send>(
+        &self,
+        value: impl Fn([u32; 3]) -> T + Sync,
+    ) -> Result<Vec<T>, Error> {
         self.sample_rows(|y, z, row| {
             for x in row.len() / 2..row.len() {
                 row[x] = value([x as u32, y, z]);
@@ -85,24 +96,28 @@ impl Grid {
     }
 
     /// Fills the rows of voxels along x, given their y and z index, in parallel.
-    fn sample_rows<T: Copy + Default + Send>(&self, fill: impl Fn(u32, u32, &mut [T]) + Sync) -> Vec<T> {
+    fn sample_rows<T: Pod + Default + Send>(&self, fill: impl Fn(u32, u32, &mut [T]) + Sync) -> Result<Vec<T>, Error> {
         let [width, height, depth] = self.dimensions.map(|size| size as usize);
-        let mut voxels = vec![T::default(); width * height * depth];
+        let count = width * height * depth;
+        require_memory("a built-in volume", (count * size_of::<T>()) as u64)?;
+        // With room behind them they need not be moved to be shared.
+        let mut voxels = vec![T::default(); Shared::<T>::room(count)];
+        voxels.truncate(count);
         voxels
             .par_chunks_mut(width)
             .enumerate()
             .for_each(|(row, voxels)| fill((row % height) as u32, (row / height) as u32, voxels));
-        voxels
+        Ok(voxels)
     }
 
     /// A volume on this grid that stores a field of values from 0 to 1 in 16 bits.
     pub fn unit_volume(&self, name: &str, value: impl Fn(Vec3) -> f32 + Sync) -> Result<Volume, Error> {
-        self.volume_of(name, self.sample(|position| quantize_unit(value(position))))
+        self.volume_of(name, self.sample(|position| quantize_unit(value(position)))?)
     }
 
     /// A volume of the voxels that [`quantize_unit`] made.
     pub fn volume_of(&self, name: &str, voxels: Vec<u16>) -> Result<Volume, Error> {
-        self.volume(name, Voxels::U16(voxels))?.with_value_mapping(1.0 / UNIT, 0.0)
+        self.volume(name, Voxels::from(voxels))?.with_value_mapping(1.0 / UNIT, 0.0)
     }
 
     /// A volume on this grid that stores `voxels` as they are.
@@ -147,9 +162,9 @@ mod tests {
 
     #[test]
     fn other_resolutions_are_refused_by_name() {
-        for resolution in [0, 15, 1025] {
+        for resolution in [0, 15, 2049] {
             let error = Grid::covering("ball", Vec3::ONE, resolution).unwrap_err().to_string();
-            assert!(error.contains("builtin:ball") && error.contains("16 to 1024"), "{error}");
+            assert!(error.contains("builtin:ball") && error.contains("16 to 2048"), "{error}");
         }
     }
 }

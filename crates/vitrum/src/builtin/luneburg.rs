@@ -50,7 +50,7 @@ const MARGIN: u32 = 4;
 pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
     let grid = Grid::covering(name, Vec3::ONE, resolution)?;
     let grid = grid.with_spacing(2.0 / (resolution - 2 * MARGIN) as f32);
-    grid.volume(name, Voxels::F32(grid.sample(|position| (2.0 - position.length_squared().min(1.0)).sqrt())))
+    grid.volume(name, Voxels::from(grid.sample(|position| (2.0 - position.length_squared().min(1.0)).sqrt())?))
 }
 
 #[cfg(test)]

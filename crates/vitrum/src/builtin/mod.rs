@@ -66,7 +66,7 @@ pub fn scene(name: &str) -> Option<Scene> {
 }
 
 /// Computes the procedural volume of that name ([`crate::scene::VolumeSource::builtin`]), with `resolution` voxels along its
-/// longest edge (16 to 1024), or as many as suit a first picture.
+/// longest edge (16 to 2048), or as many as suit a first picture.
 #[must_use]
 pub fn volume(name: &str, resolution: Option<u32>) -> Option<Result<Volume, Error>> {
     let &(name, default, make) = VOLUMES.iter().find(|entry| entry.0 == name)?;
@@ -127,7 +127,7 @@ mod tests {
         for (name, ..) in VOLUMES {
             let volume_of = |resolution| volume(name, Some(resolution)).unwrap();
             assert_eq!(volume_of(16).unwrap().dimensions.iter().max(), Some(&16), "{name}");
-            assert!(volume_of(15).is_err() && volume_of(1025).is_err(), "{name}");
+            assert!(volume_of(15).is_err() && volume_of(2049).is_err(), "{name}");
         }
     }
 
@@ -157,7 +157,7 @@ mod tests {
     /// FNV-1a of the stored voxels: they are the same on every machine.
     fn fingerprint(volume: &Volume) -> u64 {
         let bytes: Vec<u8> = match &volume.voxels {
-            Voxels::U8(voxels) => voxels.clone(),
+            Voxels::U8(voxels) => voxels.to_vec(),
             Voxels::U16(voxels) => voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect(),
             Voxels::F32(voxels) => voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect(),
         };

@@ -97,7 +97,7 @@ fn value(p: Vec3) -> u8 {
 /// The phantom with the stored y upright and the stored z towards the front.
 pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
     let grid = Grid::covering(name, Vec3::ONE, resolution)?.with_spacing(2.0 / resolution as f32);
-    let volume = grid.volume(name, Voxels::U8(grid.sample(value)))?;
+    let volume = grid.volume(name, Voxels::from(grid.sample(value)?))?;
     let half = 1.0 - 0.5 * grid.spacing();
     Ok(Volume { axes: [[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]], origin: [half, -half, -half], ..volume })
 }

@@ -172,8 +172,8 @@ impl<'a> Shares<'a> {
 
     fn of_one(&self, name: &str) -> Result<Volume, Error> {
         let share = |stored: &u16| (self.of_distance[usize::from(*stored)] * 65535.0 + 0.5) as u16;
-        let voxels = Voxels::U16(self.fields.par_iter().map(share).collect());
-        Ok(self.placed(name, voxels)?.with_value_mapping(1.0 / 65535.0, 0.0)?)
+        let voxels: Vec<u16> = self.fields.par_iter().map(share).collect();
+        Ok(self.placed(name, Voxels::from(voxels))?.with_value_mapping(1.0 / 65535.0, 0.0)?)
     }
 
     /// The mean of `values` of the bodies, and of `air` where they leave room; the first body takes its share first.
@@ -188,7 +188,8 @@ impl<'a> Shares<'a> {
             }
             sum + left * air
         };
-        self.placed(name, Voxels::F32((0..voxels).into_par_iter().map(mix).collect()))
+        let mixed: Vec<f32> = (0..voxels).into_par_iter().map(mix).collect();
+        self.placed(name, Voxels::from(mixed))
     }
 
     fn placed(&self, name: &str, voxels: Voxels) -> Result<Volume, Error> {

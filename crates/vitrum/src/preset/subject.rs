@@ -145,7 +145,7 @@ mod tests {
     use vitrum_io::{Volume, Voxels};
 
     fn volume(dimensions: [u32; 3], voxels: Vec<f32>) -> Volume {
-        Volume::new("test", dimensions, [1.0; 3], Voxels::F32(voxels)).expect("the volume is valid")
+        Volume::new("test", dimensions, [1.0; 3], Voxels::from(voxels)).expect("the volume is valid")
     }
 
     /// Noise around 0, a box of tissue around 1000, a box of bone around 2000 in it; scaled and shifted.

@@ -14,9 +14,9 @@ pub struct VolumeSource {
     /// A procedural volume by name, e.g. `glass` or `supernova`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub builtin: Option<String>,
-    /// Voxels along the longest edge of a procedural volume (16 to 1024); ignored for files.
+    /// Voxels along the longest edge of a procedural volume (16 to 2048); ignored for files.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 16, max = 1024))]
+    #[schemars(range(min = 16, max = 2048))]
     pub resolution: Option<u32>,
     /// Replaces the file's voxel spacing (world units, each > 0).
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -6,7 +6,7 @@ mod write;
 
 pub use run::run;
 
-use crate::device::DeviceArguments;
+use crate::device::{DeviceArguments, MemoryArguments};
 use crate::input::SceneArguments;
 use crate::interrupt::Timeout;
 use crate::output::Bits;
@@ -26,6 +26,9 @@ pub struct Arguments {
 
     #[command(flatten)]
     pub device: DeviceArguments,
+
+    #[command(flatten)]
+    pub memory: MemoryArguments,
 
     /// Also write a named output, such as depth=depth.exr; repeatable
     #[arg(long, value_name = "NAME=FILE", long_help = aov::long_help())]

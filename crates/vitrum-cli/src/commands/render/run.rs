@@ -14,7 +14,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     // What can be refused at once is refused before any work.
     check_outputs(arguments)?;
     let prepared = arguments.scene.prepare()?;
-    let mut session = arguments.device.session(&prepared.inputs, arguments.quiet)?;
+    let mut session = arguments.device.session(&prepared.inputs, &arguments.memory, arguments.quiet)?;
     let frame = render(arguments, &prepared, &mut session)?;
     interrupt::check()?;
     write_outputs(arguments, &prepared.scene, &frame)?;

@@ -3,7 +3,7 @@
 mod course;
 mod target;
 
-use crate::device::DeviceArguments;
+use crate::device::{DeviceArguments, MemoryArguments};
 use crate::failure::Failure;
 use crate::input::{Prepared, SceneArguments};
 use crate::interrupt::{self, Timeout};
@@ -28,6 +28,9 @@ pub struct Arguments {
 
     #[command(flatten)]
     pub device: DeviceArguments,
+
+    #[command(flatten)]
+    pub memory: MemoryArguments,
 
     /// Pictures of a whole turn, 72 if absent; with --keys all up to the last key frame
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
@@ -75,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let Prepared { scene, inputs, .. } = arguments.scene.prepare()?;
     let course = Course::new(arguments, scene, keys)?;
     let mut target = Target::open(arguments, course.start(), course.frames())?;
-    let mut session = arguments.device.session(&inputs, arguments.quiet)?;
+    let mut session = arguments.device.session(&inputs, &arguments.memory, arguments.quiet)?;
     let bar = Bar::new(course.frames(), arguments.quiet);
     for index in 0..course.frames() {
         if arguments.resume && target.file(index).is_some_and(|file| file.exists()) {

@@ -7,7 +7,7 @@ mod stopwatch;
 
 pub(crate) use adapter::{adapters, describe, is_hardware};
 
-use super::{Backend, BackendError, Buffer, KernelTime, Pass, PassList};
+use super::{Backend, BackendError, Buffer, KernelTime, Pass, PassList, Write};
 use adapter::Opened;
 use pipeline::Pipeline;
 use std::collections::HashMap;
@@ -18,6 +18,9 @@ use vitrum_kernels::kernel::WORKGROUP;
 /// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
 const PASSES_PER_SUBMISSION: usize = 96;
 
+/// Bytes on their way to the device at once, for which the driver keeps a copy in host memory.
+const BYTES_PER_COPY: usize = 1 << 26;
+
 /// Runs kernels on a graphics adapter.
 pub struct GpuBackend {
     opened: Opened,
@@ -26,6 +29,7 @@ pub struct GpuBackend {
     pipelines: HashMap<&'static str, Pipeline>,
     buffers: Vec<Option<wgpu::Buffer>>,
     times: Vec<KernelTime>,
+    volume_limit: Option<u64>,
 }
 
 impl GpuBackend {
@@ -39,6 +43,7 @@ impl GpuBackend {
             pipelines: HashMap::new(),
             buffers: Vec::new(),
             times: Vec::new(),
+            volume_limit: None,
         })
     }
 
@@ -115,6 +120,24 @@ impl GpuBackend {
         Ok((buffer, stride))
     }
 
+    /// Writes what comes before a pass, behind all submissions.
+    fn write(&self, writes: &[Write]) -> Result<(), BackendError> {
+        let mut under_way = 0;
+        for write in writes {
+            write.check(|buffer| self.buffers[buffer.0].as_ref().map(wgpu::Buffer::size))?;
+            let mut words = vec![0; write.words];
+            (write.fill)(&mut words);
+            self.opened.queue.write_buffer(self.get(write.buffer)?, write.start * 4, bytemuck::cast_slice(&words));
+            under_way += write.words * 4;
+            if under_way >= BYTES_PER_COPY {
+                under_way = 0;
+                let submission = self.opened.queue.submit([]);
+                self.wait(submission)?;
+            }
+        }
+        Ok(())
+    }
+
     fn prepare_pipelines(&mut self, passes: &[Pass]) -> Result<(), BackendError> {
         for pass in passes {
             pass.check(|buffer| self.buffers[buffer.0].as_ref().map(wgpu::Buffer::size))?;
@@ -162,12 +185,24 @@ impl Backend for GpuBackend {
         self.limits.max_storage_buffer_binding_size.min(self.limits.max_buffer_size).min((i32::MAX as u64) * 4)
     }
 
+    fn volume_limit(&self) -> u64 {
+        self.volume_limit.unwrap_or(u64::MAX).min(self.largest_buffer())
+    }
+
+    fn set_volume_limit(&mut self, bytes: Option<u64>) {
+        self.volume_limit = bytes;
+    }
+
     fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
         let buffer = self.allocate(label, contents.len() as u64, wgpu::BufferUsages::STORAGE)?;
-        self.opened.queue.write_buffer(&buffer, 0, contents);
-        // Without this the copy waits in host memory until the first pass.
-        let submission = self.opened.queue.submit([]);
-        self.wait(submission)?;
+        let mut offset = 0;
+        for part in contents.chunks(BYTES_PER_COPY) {
+            self.opened.queue.write_buffer(&buffer, offset, part);
+            offset += part.len() as u64;
+            // Without this the copy waits in host memory until the first pass.
+            let submission = self.opened.queue.submit([]);
+            self.wait(submission)?;
+        }
         Ok(self.add(buffer))
     }
 
@@ -184,11 +219,16 @@ impl Backend for GpuBackend {
         let mut groups: HashMap<(&str, &[Buffer]), wgpu::BindGroup> = HashMap::new();
         let mut under_way = None;
         let mut watches = Vec::new();
-        for (batch, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
-            let first = batch * PASSES_PER_SUBMISSION;
+        let mut first = 0;
+        let batches = list.runs().flat_map(|(writes, run)| {
+            let chunks = run.chunks(PASSES_PER_SUBMISSION).enumerate();
+            chunks.map(move |(index, chunk)| (if index == 0 { writes } else { &[] }, chunk))
+        });
+        for (writes, chunk) in batches {
             if !progress(first) {
                 return Err(BackendError::Cancelled);
             }
+            self.write(writes)?;
             for pass in chunk {
                 let key = (pass.kernel.declaration.name, pass.buffers.as_slice());
                 if let Entry::Vacant(slot) = groups.entry(key) {
@@ -219,6 +259,7 @@ impl Backend for GpuBackend {
                 watches.push(watch);
             }
             let submission = self.opened.queue.submit([encoder.finish()]);
+            first += chunk.len();
             // One submission runs while the next is recorded.
             if let Some(previous) = under_way.replace(submission) {
                 self.wait(previous)?;

@@ -80,8 +80,8 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
         let vessel = vessels[(index[0] + width * (index[1] + height * index[2])) as usize];
         let value = tissue(&grid, index, f32::from(vessel) / 255.0);
         (value - STORED_ZERO + 0.5) as u16
-    });
-    grid.volume(name, Voxels::U16(voxels))?.with_value_mapping(1.0, STORED_ZERO)
+    })?;
+    grid.volume(name, Voxels::from(voxels))?.with_value_mapping(1.0, STORED_ZERO)
 }
 
 /// The value that is stored as 0, as CT scanners do.

@@ -7,6 +7,7 @@ mod carrier;
 pub(in crate::method) mod environment;
 pub(in crate::method) mod light;
 mod occupancy;
+mod paging;
 mod passes;
 mod planes;
 pub(in crate::method) mod receivers;
@@ -68,6 +69,20 @@ impl Sweep {
         }
     }
 
+    /// As [`Self::prepare`], with the volume streamed in as little memory as that takes, however small it is: what large volumes come to
+    /// by themselves.
+    ///
+    /// # Errors
+    /// Where a volume cannot be streamed (floats, and two volumes), and as [`Self::prepare`].
+    pub fn prepare_streamed(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
+        let uploaded = Uploaded::streamed(inputs).ok_or_else(|| {
+            Error::Scene(
+                "volumes of floats, and two volumes, cannot be streamed: store integers, in one volume".to_owned(),
+            )
+        })?;
+        Self::prepare_uploaded(scene, inputs, &uploaded, backend)
+    }
+
     /// Builds tables and lists the passes for volumes that are on the backend already. They stay there when the frame is freed.
     pub fn prepare_uploaded(
         scene: &Scene,
@@ -75,7 +90,7 @@ impl Sweep {
         uploaded: &Uploaded,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
-        let fixed = Fixed::new(scene, inputs)?;
+        let fixed = Fixed::new(scene, inputs, uploaded.format)?;
         let mut created = Vec::new();
         let result = passes::build(inputs, &fixed, uploaded, backend, &mut created);
         match result {

@@ -1,11 +1,10 @@
 //! Which bricks are empty: neither opacity, nor medium, nor a change of η.
 
 use super::tables::Tables;
-use super::voxels::bricks;
+use super::voxels::{brick_shift, bricks};
 use crate::method::brick_distances::spread;
 use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
-use vitrum_kernels::abi::grid::BRICK_SHIFT;
 
 /// What a volume is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,63 +18,117 @@ pub(super) enum Role {
 }
 
 /// The least and the greatest value of something.
-type Range = (f32, f32);
+type Range<T> = (T, T);
 
 /// The range of each brick's stored voxels, x fastest: what a volume is asked for again and again while tables change.
 #[derive(Debug)]
-pub(super) struct Ranges(Vec<Range>);
+pub(super) enum Ranges {
+    U8(Vec<Range<u8>>),
+    U16(Vec<Range<u16>>),
+    F32(Vec<Range<f32>>),
+}
 
 impl Ranges {
     pub(super) fn new(volume: &Volume) -> Self {
         let bricks = bricks(volume).map(|n| n as usize);
-        Self(match &volume.voxels {
-            Voxels::U8(voxels) => ranges(voxels, volume.dimensions, bricks),
-            Voxels::U16(voxels) => ranges(voxels, volume.dimensions, bricks),
-            Voxels::F32(voxels) => ranges(voxels, volume.dimensions, bricks),
-        })
+        let edge = 1 << brick_shift(volume);
+        match &volume.voxels {
+            Voxels::U8(voxels) => Self::U8(ranges(voxels, volume.dimensions, bricks, edge)),
+            Voxels::U16(voxels) => Self::U16(ranges(voxels, volume.dimensions, bricks, edge)),
+            Voxels::F32(voxels) => Self::F32(ranges(voxels, volume.dimensions, bricks, edge)),
+        }
     }
 }
 
-fn union(a: Range, b: Range) -> Range {
-    (a.0.min(b.0), a.1.max(b.1))
+impl Ranges {
+    /// The range of the bricks that hold the voxels from `low` to `high`.
+    pub(super) fn within(&self, volume: &Volume, low: [u32; 3], high: [u32; 3]) -> Range<f32> {
+        match self {
+            Self::U8(ranges) => union(ranges, volume, low, high),
+            Self::U16(ranges) => union(ranges, volume, low, high),
+            Self::F32(ranges) => union(ranges, volume, low, high),
+        }
+    }
 }
 
-/// 0 for each brick in which something may happen, else how many bricks away the next such one is, x fastest. A brick counts with
-/// all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the stencil.
-pub(super) fn classify(volume: &Volume, ranges: &Ranges, tables: &Tables, reach: u32, role: Role) -> Vec<u32> {
-    let scale = volume.range[1] - volume.range[0];
-    let normalise = |value: f32| {
-        if scale > 0.0 { ((value - volume.range[0]) / scale).clamp(0.0, 1.0) } else { 0.0 }
-    };
-    let bricks = bricks(volume).map(|n| n as usize);
-    let beyond = (reach as usize + 2).div_ceil(1 << BRICK_SHIFT);
-    let widened = widen(&ranges.0, bricks, 0, beyond);
-    let widened = (1..3).fold(widened, |ranges, axis| widen(&ranges, bricks, axis, beyond));
-    let mut words: Vec<u32> = widened
-        .into_par_iter()
-        .map(|range| {
-            let physical = |stored: f32| stored * volume.value_scale + volume.value_offset;
-            let (a, b) = (physical(range.0), physical(range.1));
-            // A little wider: kernels normalise in single precision.
-            let (low, high) = (normalise(a.min(b)) - 1e-5, normalise(a.max(b)) + 1e-5);
-            let clear = role == Role::Bending || tables.is_clear(low, high);
-            let uniform = role == Role::Shown || tables.is_uniform(low, high);
-            if clear && uniform { u32::MAX } else { 0 }
-        })
-        .collect();
-    let farthest = bricks.iter().max().map_or(0, |&count| count as u32);
-    words.iter_mut().for_each(|word| *word = (*word).min(farthest));
-    spread(&mut words, bricks);
-    words
-}
-
-/// The range of each brick's stored voxels.
-fn ranges<T: Copy + PartialOrd + Sync>(voxels: &[T], dimensions: [u32; 3], bricks: [usize; 3]) -> Vec<Range>
+fn union<T: Copy + PartialOrd>(ranges: &[Range<T>], volume: &Volume, low: [u32; 3], high: [u32; 3]) -> Range<f32>
 where
     f32: From<T>,
 {
+    let shift = brick_shift(volume);
+    let [width, height, _] = bricks(volume);
+    let along = |axis: usize| low[axis] >> shift..=high[axis] >> shift;
+    let rows = along(2).flat_map(|z| along(1).map(move |y| z * height + y));
+    let all = rows.flat_map(|row| along(0).map(move |x| ranges[(row * width + x) as usize]));
+    let whole = all.reduce(wider).unwrap_or(ranges[0]);
+    (f32::from(whole.0), f32::from(whole.1))
+}
+
+/// The range that holds both.
+fn wider<T: Copy + PartialOrd>((low, high): Range<T>, (lower, higher): Range<T>) -> Range<T> {
+    (if lower < low { lower } else { low }, if higher > high { higher } else { high })
+}
+
+/// What is asked of a volume's bricks.
+pub(super) struct Question<'a> {
+    pub(super) volume: &'a Volume,
+    pub(super) ranges: &'a Ranges,
+    pub(super) tables: &'a Tables,
+    /// The longest step in voxels.
+    pub(super) reach: u32,
+    pub(super) role: Role,
+}
+
+impl Question<'_> {
+    /// Writes to `words` 0 for each brick in which something may happen, else how many bricks away the next such one is, x fastest. A
+    /// brick counts with all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the stencil.
+    pub(super) fn answer(&self, words: &mut [u32]) {
+        match self.ranges {
+            Ranges::U8(ranges) => self.classify(ranges, words),
+            Ranges::U16(ranges) => self.classify(ranges, words),
+            Ranges::F32(ranges) => self.classify(ranges, words),
+        }
+        spread(words, bricks(self.volume).map(|n| n as usize));
+    }
+
+    /// Writes to `words` whether a brick is empty: 0 if not, else a large number.
+    fn classify<T: Copy + PartialOrd + Send + Sync>(&self, ranges: &[Range<T>], words: &mut [u32])
+    where
+        f32: From<T>,
+    {
+        let bricks = bricks(self.volume).map(|n| n as usize);
+        let farthest = bricks.iter().max().map_or(0, |&count| count as u32);
+        let beyond = (self.reach as usize + 2).div_ceil(1 << brick_shift(self.volume));
+        let widened = widen(ranges, bricks, 0, beyond);
+        let widened = (1..3).fold(widened, |ranges, axis| widen(&ranges, bricks, axis, beyond));
+        words.par_iter_mut().zip(widened).for_each(|(word, (low, high))| {
+            *word = if self.is_empty(f32::from(low), f32::from(high)) { farthest } else { 0 };
+        });
+    }
+
+    /// Whether nothing happens where stored values are from `low` to `high`.
+    pub(super) fn is_empty(&self, low: f32, high: f32) -> bool {
+        let Self { volume, tables, role, .. } = self;
+        let scale = volume.range[1] - volume.range[0];
+        let normalise = |value: f32| {
+            if scale > 0.0 { ((value - volume.range[0]) / scale).clamp(0.0, 1.0) } else { 0.0 }
+        };
+        let physical = |stored: f32| stored * volume.value_scale + volume.value_offset;
+        let (a, b) = (physical(low), physical(high));
+        // A little wider: kernels normalise in single precision.
+        let (low, high) = (normalise(a.min(b)) - 1e-5, normalise(a.max(b)) + 1e-5);
+        (*role == Role::Bending || tables.is_clear(low, high)) && (*role == Role::Shown || tables.is_uniform(low, high))
+    }
+}
+
+/// The range of each brick's stored voxels.
+fn ranges<T: Copy + PartialOrd + Send + Sync>(
+    voxels: &[T],
+    dimensions: [u32; 3],
+    bricks: [usize; 3],
+    edge: usize,
+) -> Vec<Range<T>> {
     let [width, height, depth] = dimensions.map(|n| n as usize);
-    let edge = 1 << BRICK_SHIFT;
     (0..bricks[1] * bricks[2])
         .into_par_iter()
         .flat_map_iter(|row| {
@@ -92,14 +145,19 @@ where
                         high = if value > high { value } else { high };
                     }
                 }
-                (f32::from(low), f32::from(high))
+                (low, high)
             })
         })
         .collect()
 }
 
 /// Each brick's range together with those of up to `by` bricks before and after it along `axis`.
-fn widen(ranges: &[Range], bricks: [usize; 3], axis: usize, by: usize) -> Vec<Range> {
+pub(super) fn widen<T: Copy + PartialOrd + Send + Sync>(
+    ranges: &[Range<T>],
+    bricks: [usize; 3],
+    axis: usize,
+    by: usize,
+) -> Vec<Range<T>> {
     let step = bricks[..axis].iter().product::<usize>();
     (0..ranges.len())
         .into_par_iter()
@@ -107,7 +165,7 @@ fn widen(ranges: &[Range], bricks: [usize; 3], axis: usize, by: usize) -> Vec<Ra
             let at = index / step % bricks[axis];
             let first = index - at.min(by) * step;
             let last = index + (bricks[axis] - 1 - at).min(by) * step;
-            (first..=last).step_by(step).fold(ranges[index], |range, other| union(range, ranges[other]))
+            (first..=last).step_by(step).fold(ranges[index], |range, other| wider(range, ranges[other]))
         })
         .collect()
 }

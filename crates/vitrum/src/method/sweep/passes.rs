@@ -2,12 +2,13 @@
 
 use super::Buffers;
 use super::carrier::{Carrier, Maker, Volumes};
-use super::occupancy::{Ranges, Role, classify};
+use super::occupancy::{Question, Ranges, Role};
+use super::paging::{Needs, Pool, paged};
 use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::Fixed;
 use super::unoccluded::Unoccluded;
-use super::voxels::{chosen_format, pack, padded_bytes};
+use super::voxels::{bricks, chosen_format, upload, whole_bytes};
 use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::inputs::Inputs;
 use crate::render::Error;
@@ -20,6 +21,8 @@ fn ray_kernel(stored: u32) -> &'static Kernel {
     match stored {
         format::U8 => &kernels::sweep_propagate_rays_u8,
         format::U16 => &kernels::sweep_propagate_rays_u16,
+        format::U8_PAGED => &kernels::sweep_propagate_rays_u8_paged,
+        format::U16_PAGED => &kernels::sweep_propagate_rays_u16_paged,
         format::F32 => &kernels::sweep_propagate_rays_f32,
         _ => &kernels::sweep_propagate_rays_f32_with_ior,
     }
@@ -28,41 +31,63 @@ fn ray_kernel(stored: u32) -> &'static Kernel {
 /// A frame's voxels on a backend: what stays the same while scene and camera change.
 #[derive(Debug)]
 pub struct Uploaded {
-    voxels: Buffer,
-    /// The second volume's, or the same again.
-    ior_voxels: Buffer,
+    /// The volume's voxels and the second one's, or the same again; none if they come and go in the course of a frame.
+    voxels: Option<[Buffer; 2]>,
+    /// One of [`format`].
+    pub(super) format: u32,
+    /// Whether streamed voxels take as little memory as they can, not as much as they may.
+    tight: bool,
     ranges: Ranges,
     /// The second volume's.
     ior_ranges: Option<Ranges>,
 }
 
 impl Uploaded {
-    /// Packs the volumes and hands them to the backend.
+    /// Hands the volumes to the backend, unless there is more of one than it may have at once.
     ///
     /// # Errors
-    /// If a volume is too large for the sweep or for the backend.
+    /// If a volume is too large for the backend and cannot be streamed: floats, and two volumes.
     pub fn new(inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
-        let stored = chosen_format(&inputs.volume, inputs.ior_volume.as_ref());
-        let voxels = upload(&inputs.volume, stored, "the volume", backend)?;
-        let ranges = Ranges::new(&inputs.volume);
-        let Some(bending) = &inputs.ior_volume else {
-            return Ok(Self { voxels, ior_voxels: voxels, ranges, ior_ranges: None });
-        };
-        let uploaded = upload(bending, stored, "the second volume", backend);
-        match uploaded {
-            Ok(ior_voxels) => Ok(Self { voxels, ior_voxels, ranges, ior_ranges: Some(Ranges::new(bending)) }),
-            Err(error) => {
-                backend.free(voxels);
-                Err(error)
-            }
+        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
+        let format = chosen_format(shown, bending);
+        let (needed, limit) = whole_bytes(shown, format, backend);
+        if needed > limit
+            && bending.is_none()
+            && let Some(format) = paged(&shown.voxels)
+        {
+            return Ok(Self::paged(inputs, format, false));
         }
+        let voxels = upload(shown, format, "the volume", backend)?;
+        let ior_voxels = match bending.map(|bending| upload(bending, format, "the second volume", backend)) {
+            None => voxels,
+            Some(Ok(ior_voxels)) => ior_voxels,
+            Some(Err(error)) => {
+                backend.free(voxels);
+                return Err(error.into());
+            }
+        };
+        let ior_ranges = bending.map(Ranges::new);
+        let ranges = Ranges::new(shown);
+        Ok(Self { voxels: Some([voxels, ior_voxels]), format, tight: false, ranges, ior_ranges })
+    }
+
+    /// Streams the volume in as little memory as that takes, however small it is; `None` if it cannot be streamed.
+    #[must_use]
+    pub fn streamed(inputs: &Inputs) -> Option<Self> {
+        let format = paged(&inputs.volume.voxels).filter(|_| inputs.ior_volume.is_none())?;
+        Some(Self::paged(inputs, format, true))
+    }
+
+    fn paged(inputs: &Inputs, format: u32, tight: bool) -> Self {
+        Self { voxels: None, format, tight, ranges: Ranges::new(&inputs.volume), ior_ranges: None }
     }
 
     /// Frees the buffers.
     pub fn free(&self, backend: &mut dyn Backend) {
-        backend.free(self.voxels);
-        if self.ior_voxels != self.voxels {
-            backend.free(self.ior_voxels);
+        let Some([voxels, ior_voxels]) = self.voxels else { return };
+        backend.free(voxels);
+        if ior_voxels != voxels {
+            backend.free(ior_voxels);
         }
     }
 }
@@ -75,25 +100,41 @@ pub(super) fn build(
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
 ) -> Result<(PassList, Buffers), Error> {
+    let shown = &inputs.volume;
+    let Uploaded { ranges, ior_ranges, .. } = uploaded;
+    let tables = &fixed.tables;
+    let second = inputs.ior_volume.as_ref().zip(ior_ranges.as_ref());
+    let role = if second.is_none() { Role::Both } else { Role::Shown };
+    let mut questions = vec![Question { volume: shown, ranges, tables, reach: fixed.reach[0], role }];
+    questions.extend(second.map(|(volume, ranges)| Question {
+        volume,
+        ranges,
+        tables,
+        reach: fixed.reach[1],
+        role: Role::Bending,
+    }));
+    let occupancy = occupancy(&questions, backend)?;
+    created.push(occupancy);
     let mut upload = |label: &str, contents: &[u8]| -> Result<Buffer, BackendError> {
         let buffer = backend.create(label, contents)?;
         created.push(buffer);
         Ok(buffer)
     };
-    let shown = &inputs.volume;
-    let Uploaded { voxels, ior_voxels, ref ranges, ref ior_ranges } = *uploaded;
-    let occupancy = match inputs.ior_volume.as_ref().zip(ior_ranges.as_ref()) {
-        None => classify(shown, ranges, &fixed.tables, fixed.reach[0], Role::Both),
-        Some((bending, ior_ranges)) => {
-            let mut occupancy = classify(shown, ranges, &fixed.tables, fixed.reach[0], Role::Shown);
-            occupancy.extend(classify(bending, ior_ranges, &fixed.tables, fixed.reach[1], Role::Bending));
-            occupancy
-        }
-    };
-    let occupancy = upload("occupancy", bytemuck::cast_slice(&occupancy))?;
     let tables = upload("tables", bytemuck::cast_slice(&fixed.tables.words))?;
     let map = upload("environment", bytemuck::cast_slice(&fixed.environment.map))?;
 
+    let first = fixed.planes.first_visible;
+    let (voxels, pool) = match uploaded.voxels {
+        Some(voxels) => (voxels, None),
+        None => {
+            let earliest = if fixed.shadows { 1 } else { first + 1 };
+            let needs = Needs::new(&questions[0], &fixed.sampling, &fixed.planes, earliest);
+            let pool = Pool::new(shown, &needs, uploaded.tight, backend)?;
+            created.push(pool.buffer);
+            ([pool.buffer; 2], Some((pool, needs)))
+        }
+    };
+    let [voxels, ior_voxels] = voxels;
     let volumes = Volumes { voxels, ior_voxels, occupancy, tables };
     let mut maker = Maker { fixed, backend, created };
     let light: Box<dyn Carrier> = match &fixed.sheets {
@@ -106,10 +147,12 @@ pub(super) fn build(
     let finished = maker.planar("film", pixels, film::SIZE)?;
 
     let ray_kernel = ray_kernel(fixed.format);
-    let first = fixed.planes.first_visible;
     let mut passes = light.start(fixed);
     passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[rays]));
+    // The first pass of each plane.
+    let mut starts = vec![0];
     for plane in 1..fixed.planes.count {
+        starts.push(passes.len());
         if plane > first {
             let [behind, bright] = light.on_plane(plane - 1);
             let bound = [voxels, ior_voxels, occupancy, tables, behind, bright, rays];
@@ -121,32 +164,23 @@ pub(super) fn build(
     passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[rays, map, finished]));
     let name = ray_kernel.declaration.name;
     // Light goes on to the last plane: what is there is an output, too.
-    let list = PassList { passes, while_busy: vec![name], ends_with: Some(name) };
+    let writes = pool.map_or(Vec::new(), |(pool, needs)| pool.writes(shown, &needs, &starts));
+    let list = PassList { passes, writes, while_busy: vec![name], ends_with: Some(name) };
     let [_, irradiance] = light.on_plane(last);
     let buffers = Buffers { all: maker.created.clone(), irradiance, rays, film: finished };
     Ok((list, buffers))
 }
 
-/// Packs a volume into a buffer.
-fn upload(volume: &vitrum_io::Volume, stored: u32, what: &str, backend: &mut dyn Backend) -> Result<Buffer, Error> {
-    let (bytes, limit) = upload_limit(volume, stored);
-    check_size(&(bytes, limit), what)?;
-    Ok(backend.create_with("voxels", bytes, &mut |packed| pack(volume, stored, packed))?)
-}
-
-/// Stored voxels are counted by a signed 32-bit number (words, or bytes of 8- and 16-bit voxels).
-fn upload_limit(volume: &vitrum_io::Volume, stored: u32) -> (u64, u64) {
-    let bytes = padded_bytes(volume, stored);
-    let limit = match stored {
-        format::U8 | format::U16 => i32::MAX as u64,
-        _ => i32::MAX as u64 * 4,
-    };
-    (bytes, limit)
-}
-
-fn check_size(&(bytes, limit): &(u64, u64), what: &str) -> Result<(), Error> {
-    if bytes > limit {
-        return Err(Error::Scene(format!("{what} takes {bytes} bytes, the sweep can address {limit}")));
-    }
-    Ok(())
+/// The bricks of all volumes, one volume after the other.
+fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
+    let counts: Vec<usize> =
+        questions.iter().map(|question| bricks(question.volume).iter().map(|&n| n as usize).product()).collect();
+    let bytes = counts.iter().sum::<usize>() as u64 * 4;
+    backend.create_with("occupancy", bytes, &mut |mut words| {
+        for (question, &count) in questions.iter().zip(&counts) {
+            let (these, rest) = words.split_at_mut(count);
+            question.answer(these);
+            words = rest;
+        }
+    })
 }

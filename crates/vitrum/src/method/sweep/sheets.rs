@@ -42,6 +42,8 @@ fn advance_kernel(stored: u32) -> &'static Kernel {
     match stored {
         format::U8 => &kernels::sweep_advance_sheet_u8,
         format::U16 => &kernels::sweep_advance_sheet_u16,
+        format::U8_PAGED => &kernels::sweep_advance_sheet_u8_paged,
+        format::U16_PAGED => &kernels::sweep_advance_sheet_u16_paged,
         format::F32 => &kernels::sweep_advance_sheet_f32,
         _ => &kernels::sweep_advance_sheet_f32_with_ior,
     }

@@ -21,6 +21,8 @@ fn refract_kernel(stored: u32) -> &'static Kernel {
     match stored {
         format::U8 => &kernels::sweep_refract_light_u8,
         format::U16 => &kernels::sweep_refract_light_u16,
+        format::U8_PAGED => &kernels::sweep_refract_light_u8_paged,
+        format::U16_PAGED => &kernels::sweep_refract_light_u16_paged,
         format::F32 => &kernels::sweep_refract_light_f32,
         _ => &kernels::sweep_refract_light_f32_with_ior,
     }

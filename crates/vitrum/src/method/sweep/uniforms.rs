@@ -2,12 +2,13 @@
 
 use super::environment::Prepared;
 use super::light::{LightGrid, direction};
+use super::paging::Sampling;
 use super::planes::Planes;
 use super::receivers::{Receivers, plane};
 use super::sheets::sources;
 use super::tables::Tables;
 use super::view::{View, bounding_sphere, vector};
-use super::voxels::{chosen_format, grid};
+use super::voxels::grid;
 use crate::inputs::Inputs;
 use crate::render::Error;
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
@@ -35,6 +36,8 @@ pub(super) struct Fixed {
     pub(super) mode: u32,
     /// Whether light is carried through the volume; else it is unoccluded everywhere.
     pub(super) shadows: bool,
+    /// Where look-ups of a plane lie in the volume.
+    pub(super) sampling: Sampling,
     /// The directions of the sheets that carry the light, if sheets do.
     pub(super) sheets: Option<Vec<[f32; 3]>>,
     block: SweepUniforms,
@@ -56,7 +59,8 @@ fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
 }
 
 impl Fixed {
-    pub(super) fn new(scene: &Scene, inputs: &Inputs) -> Result<Self, Error> {
+    /// What `scene` comes to for volumes that are stored as `format` says.
+    pub(super) fn new(scene: &Scene, inputs: &Inputs, format: u32) -> Result<Self, Error> {
         let shown = &inputs.volume;
         let bending = inputs.ior_volume.as_ref();
         let volumes: Vec<_> = std::iter::once(shown).chain(bending).collect();
@@ -80,7 +84,7 @@ impl Fixed {
         let mut block = SweepUniforms {
             dispatch: UVec4::new(0, 0, 0, flags(scene)),
             size: UVec4::new(rays[0], rays[1], light_grid.size[0], light_grid.size[1]),
-            grid: grid(shown, &view, reach[0], 0),
+            grid: grid(shown, format, &view, reach[0], 0),
             light_grid: Vec4::new(
                 light_grid.corner.x as f32,
                 light_grid.corner.y as f32,
@@ -110,11 +114,17 @@ impl Fixed {
             environment_nadir: environment.nadir,
             ..SweepUniforms::default()
         };
-        block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, &view, reach[1], first_ior_brick));
+        block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, format, &view, reach[1], first_ior_brick));
         let sheets = (scene.sweep.light == Transport::Sheets).then(|| {
             let count = if scene.light.softness > 0.0 { scene.sweep.sheets } else { 1 };
             sources(towards, scene.light.softness, count)
         });
+        let steepest = steepest(
+            &view,
+            &tables,
+            std::iter::once(towards.as_vec3().to_array()).chain(sheets.iter().flatten().copied()),
+        );
+        let sampling = Sampling::new(shown, &view, &planes, steepest);
         block.light_initial = initial_light(scene, &block);
         block.light_initial.w = sheets.as_ref().map_or(0.0, |sheets| 1.0 / sheets.len() as f32);
         block.light_shear = exact_shear(&block, &light_grid);
@@ -130,7 +140,8 @@ impl Fixed {
             rays,
             tables,
             environment,
-            format: chosen_format(shown, bending),
+            format,
+            sampling,
             reach,
             mode,
             shadows: scene.light.shadows,
@@ -182,6 +193,15 @@ fn flags(scene: &Scene) -> u32 {
         flags |= flag::SKIP_EMPTY;
     }
     flags
+}
+
+/// The steepest way that viewing rays and light, which starts in these directions, go from plane to plane: how far aside for each
+/// unit of depth.
+fn steepest(view: &View, tables: &Tables, directions: impl Iterator<Item = [f32; 3]>) -> f64 {
+    let bent = if tables.refracts { f64::from(SMALLEST_COSINE).powi(-2).sqrt() } else { 0.0 };
+    let seen = if view.orthographic { 0.0 } else { view.half_size[0].hypot(view.half_size[1]) };
+    let slopes = directions.map(|[x, y, z]| f64::from(x).hypot(f64::from(y)) / f64::from(z.max(SMALLEST_COSINE)));
+    slopes.fold(bent.max(seen), f64::max)
 }
 
 /// The grid's shear, rounded as kernels round the light's slope: unrefracted light then stays exactly on its texel.

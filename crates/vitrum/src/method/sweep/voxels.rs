@@ -1,11 +1,21 @@
-//! Volumes as kernels read them: padded, packed into words.
+//! Volumes as kernels read them: the voxels as they came, x fastest, as words.
 
+use super::paging::count;
 use super::view::{View, vector, voxel_steps};
+use crate::backend::{Backend, BackendError, Buffer};
+use bytemuck::cast_slice_mut;
 use glam::{DVec3, IVec4};
 use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
-use vitrum_kernels::abi::grid::{BRICK_SHIFT, Grid, PADDING, format};
+use vitrum_kernels::abi::grid::{Grid, format, page};
 use vitrum_kernels::abi::vector::Vec4;
+
+/// log₂ of the edge of a brick of the occupancy buffer, in voxels, unless that makes more than [`MOST_BRICKS`].
+const FINEST_BRICK: u32 = 2;
+
+/// Bricks that a volume has at most: a word each. Larger volumes have larger bricks, so that this takes less than a tenth of the
+/// voxels' memory.
+const MOST_BRICKS: u64 = 1 << 23;
 
 /// How a volume is stored, and whether a second one gives η.
 pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> u32 {
@@ -17,68 +27,61 @@ pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> u32 {
     }
 }
 
-/// Voxels with padding along each axis.
-pub(super) fn padded(volume: &Volume) -> [usize; 3] {
-    volume.dimensions.map(|n| n as usize + 2 * PADDING as usize)
-}
-
-/// Bytes of the padded volume in `stored` format, whole words.
-pub(super) fn padded_bytes(volume: &Volume, stored: u32) -> u64 {
-    let voxels: u64 = padded(volume).iter().map(|&n| n as u64).product();
+/// Bytes of a volume that lies in one piece, and of a buffer that may hold them.
+pub(super) fn whole_bytes(volume: &Volume, stored: u32, backend: &dyn Backend) -> (u64, u64) {
+    let voxels = volume.voxels.len() as u64;
     let size = match stored {
         format::U8 => 1,
         format::U16 => 2,
         _ => 4,
     };
-    (voxels * size).next_multiple_of(4)
+    // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
+    (voxels * size, backend.volume_limit().min((i32::MAX as u64 - 8) * size))
 }
 
-/// Writes the voxels with [`PADDING`] copies of the nearest voxel on every side to `packed`, which has [`padded_bytes`], as
-/// little-endian bytes.
-pub(super) fn pack(volume: &Volume, stored: u32, packed: &mut [u8]) {
-    match (&volume.voxels, stored) {
-        (Voxels::U8(voxels), format::U8) => pad(volume, voxels, packed, u8::to_le_bytes),
-        (Voxels::U16(voxels), format::U16) => pad(volume, voxels, packed, u16::to_le_bytes),
-        (Voxels::U8(voxels), _) => pad(volume, voxels, packed, |voxel| f32::from(voxel).to_le_bytes()),
-        (Voxels::U16(voxels), _) => pad(volume, voxels, packed, |voxel| f32::from(voxel).to_le_bytes()),
-        (Voxels::F32(voxels), _) => pad(volume, voxels, packed, f32::to_le_bytes),
-    }
-}
-
-fn pad<T: Copy + Sync, const BYTES: usize>(
+/// Hands a volume to the backend in one piece, `what` for messages. The CPU backend reads the volume's own memory, unless it has to be turned into floats.
+pub(super) fn upload(
     volume: &Volume,
-    voxels: &[T],
-    packed: &mut [u8],
-    bytes: impl Fn(T) -> [u8; BYTES] + Sync,
-) {
-    let [nx, ny, nz] = volume.dimensions.map(|n| n as usize);
-    let [px, py, pz] = padded(volume);
-    let padding = PADDING as usize;
-    let limit = |i: usize, n: usize| i.saturating_sub(padding).min(n - 1);
-    packed[..px * py * pz * BYTES].par_chunks_exact_mut(px * BYTES).enumerate().for_each(|(row, to)| {
-        let from = &voxels[(limit(row / py, nz) * ny + limit(row % py, ny)) * nx..][..nx];
-        let (before, rest) = to.split_at_mut(padding * BYTES);
-        let (within, after) = rest.split_at_mut(nx * BYTES);
-        for (to, &voxel) in within.chunks_exact_mut(BYTES).zip(from) {
-            to.copy_from_slice(&bytes(voxel));
-        }
-        let ends = [(before, from[0]), (after, from[nx - 1])];
-        for (margin, voxel) in ends {
-            for to in margin.chunks_exact_mut(BYTES) {
-                to.copy_from_slice(&bytes(voxel));
-            }
-        }
-    });
+    stored: u32,
+    what: &str,
+    backend: &mut dyn Backend,
+) -> Result<Buffer, BackendError> {
+    let (needed, limit) = whole_bytes(volume, stored, backend);
+    if needed > limit {
+        return Err(BackendError::TooLarge { label: what.to_owned(), needed, limit, adapter: backend.adapter() });
+    }
+    Ok(match (&volume.voxels, stored) {
+        (Voxels::U8(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
+        (Voxels::U16(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
+        (voxels, _) => backend.share("voxels", &voxels.words())?,
+    })
+}
+
+fn floats<T: Copy + Sync>(voxels: &[T], backend: &mut dyn Backend) -> Result<Buffer, BackendError>
+where
+    f32: From<T>,
+{
+    backend.create_with("voxels", voxels.len() as u64 * 4, &mut |words| {
+        let floats: &mut [f32] = cast_slice_mut(words);
+        floats.par_iter_mut().zip(voxels).for_each(|(float, &voxel)| *float = f32::from(voxel));
+    })
+}
+
+/// log₂ of the edge of a volume's bricks.
+pub(super) fn brick_shift(volume: &Volume) -> u32 {
+    let count = |shift: u32| volume.dimensions.iter().map(|n| u64::from(n.div_ceil(1 << shift))).product::<u64>();
+    (FINEST_BRICK..31).find(|&shift| count(shift) <= MOST_BRICKS).unwrap_or(31)
 }
 
 /// Bricks along each axis.
 pub(super) fn bricks(volume: &Volume) -> [u32; 3] {
-    volume.dimensions.map(|n| n.div_ceil(1 << BRICK_SHIFT))
+    let shift = brick_shift(volume);
+    volume.dimensions.map(|n| n.div_ceil(1 << shift))
 }
 
-/// Where a volume lies in the sweep frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
+/// Where a volume, stored as `format` says, lies in the sweep frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
 /// bricks start in the occupancy buffer.
-pub(super) fn grid(volume: &Volume, view: &View, reach: u32, first_brick: u32) -> Grid {
+pub(super) fn grid(volume: &Volume, stored: u32, view: &View, reach: u32, first_brick: u32) -> Grid {
     let inverse = voxel_steps(volume).inverse();
     let along = inverse * view.axes;
     let start = inverse * (view.eye - vector(volume.origin));
@@ -86,28 +89,29 @@ pub(super) fn grid(volume: &Volume, view: &View, reach: u32, first_brick: u32) -
         let row: DVec3 = along.row(axis);
         Vec4::from(row.as_vec3().extend(start[axis] as f32))
     };
-    let [px, py, _] = padded(volume).map(|n| n as i32);
-    let slice = px * py;
+    let [width, height, depth] = volume.dimensions;
     let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
     let inverse_scale = if scale > 0.0 { 1.0 / scale } else { 0.0 };
     let [bx, by, bz] = bricks(volume).map(|n| n as i32);
+    let [px, py, pz] = count(volume.dimensions).map(|n| n as i32);
     Grid {
         row_x: row(0),
         row_y: row(1),
         row_z: row(2),
-        size: Vec4::new(
-            volume.dimensions[0] as f32,
-            volume.dimensions[1] as f32,
-            volume.dimensions[2] as f32,
-            reach as f32,
-        ),
+        size: Vec4::new(width as f32, height as f32, depth as f32, reach as f32),
         value: Vec4::new(
             (f64::from(volume.value_scale) * inverse_scale) as f32,
             ((f64::from(volume.value_offset) - f64::from(volume.range[0])) * inverse_scale) as f32,
             0.0,
             0.0,
         ),
-        pitch: IVec4::new(px, slice, PADDING * (1 + px + slice), 0),
+        pitch: if format::is_paged(stored) {
+            IVec4::new(page::ROW, page::SLICE, 0, 0)
+        } else {
+            // A slice of a volume that can be addressed is no longer than that.
+            IVec4::new(width as i32, width.wrapping_mul(height) as i32, 0, 0)
+        },
         bricks: IVec4::new(bx, by, bz, first_brick as i32),
+        pages: IVec4::new(px, py, pz, brick_shift(volume) as i32),
     }
 }

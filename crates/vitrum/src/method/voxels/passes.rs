@@ -172,5 +172,6 @@ fn list(
     passes.push(pass(&kernels::voxels_resolve, sees, resolved));
     let name = uploaded.kernel.declaration.name;
     let while_busy = vec![name, kernels::voxels_seek.declaration.name];
-    Ok((PassList { passes, while_busy, ends_with: Some(name) }, size, [rays, film]))
+    let list = PassList { passes, while_busy, ends_with: Some(name), ..PassList::default() };
+    Ok((list, size, [rays, film]))
 }

@@ -1,0 +1,188 @@
+//! Which pages a frame looks at, and on the way to which planes.
+
+use super::pool::count;
+use crate::method::sweep::occupancy::{Question, widen};
+use crate::method::sweep::planes::Planes;
+use crate::method::sweep::view::{View, vector, voxel_steps};
+use glam::DVec3;
+use rayon::prelude::*;
+use vitrum_io::Volume;
+use vitrum_kernels::abi::grid::page;
+
+/// The most different values that pages of nothing else have slots for.
+const MOST_FILLS: usize = 256;
+
+/// Voxels by which a look-up may be off, besides the rounding of large coordinates.
+const ROUNDING: f64 = 0.25;
+
+/// Where look-ups of a plane lie among the voxels.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::method::sweep) struct Sampling {
+    /// The depth of voxel (0, 0, 0).
+    depth: f64,
+    /// How the depth grows from voxel to voxel along each axis of the volume.
+    growth: DVec3,
+    /// The longest step from plane to plane along each axis, in voxels.
+    step: DVec3,
+    /// The largest voxel coordinate in a computation.
+    largest: f64,
+}
+
+/// A page that some plane needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Need {
+    /// Its number, x fastest.
+    pub(super) page: u32,
+    /// The first plane on the way to which it is looked at.
+    pub(super) first: u32,
+    /// The last one.
+    pub(super) last: u32,
+}
+
+/// What a frame looks at.
+#[derive(Debug)]
+pub(in crate::method::sweep) struct Needs {
+    /// Pages along each axis.
+    pub(super) pages: [u32; 3],
+    /// The pages that have to be there, in the order of their numbers.
+    pub(super) needed: Vec<Need>,
+    /// Stored values of pages that are filled with one.
+    pub(super) fills: Vec<f32>,
+    /// For each page which of `fills` it has; for those that are in `needed`, and those that nobody looks at, the first.
+    pub(super) filled: Vec<u16>,
+}
+
+/// What becomes of a page.
+enum Kind {
+    /// Nothing happens in it nor a step around it: each value between these is as good as its own.
+    Empty(f32, f32),
+    /// All its voxels have this value.
+    Constant(f32),
+    Various,
+}
+
+impl Needs {
+    /// The pages for which `question`'s volume is asked on the way to the planes from `first` on.
+    pub(in crate::method::sweep) fn new(question: &Question, sampling: &Sampling, planes: &Planes, first: u32) -> Self {
+        let dimensions = question.volume.dimensions;
+        let pages = count(dimensions);
+        let kinds = kinds(question, sampling, pages);
+        let mut needs = Self { pages, needed: Vec::new(), fills: Vec::new(), filled: vec![0; kinds.len()] };
+        let mut recent = [0; 2];
+        for (number, kind) in kinds.into_iter().enumerate() {
+            let fill = match kind {
+                Kind::Constant(value) => needs.fill(&mut recent[0], |known| known == value, value),
+                Kind::Empty(low, high) => {
+                    let suits = |known: f32| question.is_empty(known.min(low), known.max(high));
+                    needs.fill(&mut recent[1], suits, low)
+                }
+                Kind::Various => None,
+            };
+            let at = [0, 1, 2].map(|axis| number as u32 / pages[..axis].iter().product::<u32>() % pages[axis]);
+            match (fill, sampling.planes(at, pages, dimensions, planes)) {
+                (Some(fill), _) => needs.filled[number] = fill,
+                (None, (from, to)) if from.max(first) <= to => {
+                    needs.needed.push(Need { page: number as u32, first: from.max(first), last: to });
+                }
+                (None, _) => {}
+            }
+        }
+        // The first one is for those that nobody looks at.
+        if needs.fills.is_empty() {
+            needs.fills.push(0.0);
+        }
+        needs
+    }
+
+    /// The fill that `suits`, first of all the `recent` one, or a new one of `value` if there is room for one.
+    fn fill(&mut self, recent: &mut usize, suits: impl Fn(f32) -> bool, value: f32) -> Option<u16> {
+        let same = self.fills.get(*recent).filter(|&&fill| suits(fill)).map(|_| *recent);
+        let known = same.or_else(|| self.fills.iter().position(|&fill| suits(fill)));
+        let fill = known.or_else(|| {
+            (self.fills.len() < MOST_FILLS).then(|| {
+                self.fills.push(value);
+                self.fills.len() - 1
+            })
+        })?;
+        *recent = fill;
+        Some(fill as u16)
+    }
+}
+
+/// What becomes of each page.
+fn kinds(question: &Question, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind> {
+    let dimensions = question.volume.dimensions;
+    let all: u32 = pages.iter().product();
+    let ranges: Vec<(f32, f32)> = (0..all)
+        .into_par_iter()
+        .map(|number| {
+            let at = |axis: usize| number / pages[..axis].iter().product::<u32>() % pages[axis];
+            let first = |axis: usize| (at(axis) * page::EDGE as u32).saturating_sub(1 + page::BEFORE as u32);
+            let low: [u32; 3] = [0, 1, 2].map(|axis| first(axis).min(dimensions[axis] - 1));
+            let high =
+                [0, 1, 2].map(|axis| (at(axis) * page::EDGE as u32 + page::EDGE as u32).min(dimensions[axis] - 1));
+            question.ranges.within(question.volume, low, high)
+        })
+        .collect();
+    // A ray may come from a page into one a step away, and go on from there.
+    let beyond = sampling.step.to_array().map(|step| ((step + 2.0) / f64::from(page::EDGE)).ceil() as usize);
+    let sizes = pages.map(|n| n as usize);
+    let widened = widen(&ranges, sizes, 0, beyond[0]);
+    let widened = widen(&widened, sizes, 1, beyond[1]);
+    let widened = widen(&widened, sizes, 2, beyond[2]);
+    ranges
+        .into_par_iter()
+        .zip(widened)
+        .map(|((low, high), (lowest, highest))| match () {
+            () if low == high => Kind::Constant(low),
+            () if question.is_empty(lowest, highest) => Kind::Empty(lowest, highest),
+            () => Kind::Various,
+        })
+        .collect()
+}
+
+impl Sampling {
+    /// Look-ups in `volume`, of rays that go `steepest` aside for each unit of depth at most.
+    pub(in crate::method::sweep) fn new(volume: &Volume, view: &View, planes: &Planes, steepest: f64) -> Self {
+        let steps = voxel_steps(volume);
+        let along = steps.inverse() * view.axes;
+        let eye = view.eye - vector(volume.origin);
+        let step = |axis: usize| {
+            let row = along.row(axis);
+            (row.truncate().length() * steepest + row.z.abs()) * planes.distance
+        };
+        let sizes = DVec3::from_array(volume.dimensions.map(f64::from));
+        Self {
+            depth: -view.axes.z_axis.dot(eye),
+            growth: steps.transpose() * view.axes.z_axis,
+            step: DVec3::new(step(0), step(1), step(2)),
+            largest: ((steps.inverse() * eye).abs() + sizes).max_element(),
+        }
+    }
+
+    /// The first and the last plane on the way to which page `at` is looked at.
+    ///
+    /// Within the volume look-ups lie between the plane behind and the plane, however oblique the step is. A look-up outside takes the
+    /// nearest voxel, which lies on the volume's border and up to a step away in depth; it counts where the step, or the next one, goes
+    /// through the volume.
+    fn planes(&self, at: [u32; 3], pages: [u32; 3], dimensions: [u32; 3], planes: &Planes) -> (u32, u32) {
+        let mut range = [self.depth; 2];
+        for axis in 0..3 {
+            let first = f64::from(at[axis]) * f64::from(page::EDGE) - 1.0;
+            let far = f64::from(dimensions[axis]) - 0.5;
+            let ends = [first.max(-0.5), (first + f64::from(page::EDGE)).min(far)].map(|end| end * self.growth[axis]);
+            range = [range[0] + ends[0].min(ends[1]), range[1] + ends[0].max(ends[1])];
+        }
+        let growth = self.growth.abs();
+        let rounding = growth.element_sum() * (ROUNDING + 2e-6 * self.largest);
+        let border = (0..3).any(|axis| at[axis] == 0 || at[axis] + 1 == pages[axis]);
+        let margin = rounding + if border { growth.dot(self.step) + planes.distance } else { 0.0 };
+        let index = |depth: f64| (depth - planes.first_depth) / planes.distance;
+        let limit = |index: f64| index.clamp(0.0, f64::from(planes.behind) + 1.0) as u32;
+        // Planes behind the volume look at nothing.
+        (
+            limit(index(range[0] - margin).ceil()).max(1),
+            limit(index(range[1] + margin).floor() + 1.0).min(planes.behind),
+        )
+    }
+}

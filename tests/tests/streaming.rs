@@ -1,0 +1,154 @@
+//! A volume that comes page by page gives the picture of the whole one, to the last bit: however the planes lie in it, whatever carries
+//! the light, with empty space skipped or not, on both backends.
+
+use std::collections::BTreeSet;
+
+use vitrum::backend::{Backend, BackendError, CpuBackend};
+use vitrum::io::{Shared, Volume, Voxels};
+use vitrum::method::sweep::Sweep;
+use vitrum::{Error, Inputs, Session, Wanted};
+use vitrum_conformance::Failure;
+use vitrum_conformance::adapter::exact_for_test;
+use vitrum_conformance::case::Case;
+
+/// Pixels along an edge.
+const EDGE: u32 = 24;
+
+/// Voxels along the longest edge: four pages.
+const RESOLUTION: u32 = 52;
+
+/// The bits of what a frame made: its film and its light.
+type Bits = (Vec<u32>, Vec<u32>);
+
+/// Runs a frame; how many times pages came, too.
+fn run(case: &Case, backend: &mut dyn Backend) -> Result<(Bits, usize), Failure> {
+    let prepare = if case.streamed { Sweep::prepare_streamed } else { Sweep::prepare };
+    let sweep = prepare(&case.scene, &case.inputs, backend)?;
+    let times: BTreeSet<usize> = sweep.passes.writes.iter().map(|write| write.before).collect();
+    sweep.run(backend, &mut |_| true)?;
+    let bits = |values: Vec<f32>| values.into_iter().map(f32::to_bits).collect();
+    let made = (bits(sweep.film(backend)?), bits(sweep.irradiance(backend)?));
+    sweep.free(backend);
+    Ok((made, times.len()))
+}
+
+fn case(name: &str, settings: &[&str]) -> Result<Case, Failure> {
+    Case::builtin(name, EDGE, Some(RESOLUTION), settings)
+}
+
+const OBLIQUE: &str = "camera.azimuth=37";
+const FROM_ABOVE: &str = "camera.elevation=41";
+
+/// Scenes with planes across the voxels in all ways.
+fn cases() -> Result<Vec<Case>, Failure> {
+    let sheets = "sweep.light=sheets";
+    let no_skipping = "sweep.empty_space_skipping=false";
+    Ok(vec![
+        case("ball", &[])?,
+        case("ball", &[OBLIQUE, FROM_ABOVE, "light.softness=3", "light.elevation=50"])?,
+        case("ball", &[OBLIQUE, no_skipping, "sweep.gradient=chain"])?,
+        case("ball", &["camera.azimuth=45", "camera.elevation=35.26", "camera.roll=30", sheets, "light.softness=2"])?,
+        case("ball", &["camera.zoom=5", "camera.elevation=-30", "sweep.sample_distance=0.5"])?,
+        case("phantom", &[OBLIQUE, FROM_ABOVE])?,
+        case("phantom", &["camera.projection=orthographic", FROM_ABOVE, no_skipping])?,
+        case("phantom", &["light.shadows=false", "sweep.refraction=false", OBLIQUE])?,
+        case("phantom/translucent", &[OBLIQUE, "camera.elevation=-60", sheets, "sweep.sample_distance=2"])?,
+        case("head", &["camera.azimuth=120", FROM_ABOVE, "sweep.integrator=euler", "sweep.intensity=paper"])?,
+        case("head", &[OBLIQUE, sheets])?.in_bytes()?,
+        noisy(case("phantom", &[OBLIQUE, FROM_ABOVE])?)?,
+        noisy(case("phantom", &[FROM_ABOVE, "sweep.refraction=false", "camera.field_of_view=70"])?)?,
+        reshaped([3, 61, 40], [0.5, 0.04, 0.05])?,
+        reshaped([70, 2, 35], [0.03, 0.4, 0.05])?,
+        reshaped([33, 47, 1], [0.05, 0.05, 0.4])?,
+    ])
+}
+
+/// With noise where there is air, as scans have it: no page is the same everywhere, and some do nothing all the same.
+fn noisy(mut case: Case) -> Result<Case, Failure> {
+    let Voxels::U8(voxels) = &mut case.inputs.volume.voxels else { return Ok(case) };
+    for (index, voxel) in voxels.make_mut().iter_mut().enumerate() {
+        let noise = (index as u32).wrapping_mul(2_654_435_761) >> 29;
+        *voxel = voxel.saturating_add(noise as u8);
+    }
+    case.name.push_str(" with noise");
+    Ok(case)
+}
+
+/// A phantom's look on a grid of another shape.
+fn reshaped(dimensions: [u32; 3], spacing: [f32; 3]) -> Result<Case, Failure> {
+    let mut case = case("phantom", &[OBLIQUE, FROM_ABOVE])?;
+    let count = dimensions.iter().product::<u32>();
+    let voxels: Shared<u8> = (0..count).map(|index| (index.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+    case.inputs.volume = Volume::new("a block", dimensions, spacing, Voxels::U8(voxels)).map_err(Error::from)?;
+    case.name = format!("a block of {dimensions:?} voxels");
+    Ok(case)
+}
+
+#[test]
+fn a_streamed_frame_is_that_of_the_whole_volume() -> Result<(), Failure> {
+    let mut cpu = CpuBackend::new(None)?;
+    let mut gpu = exact_for_test();
+    let mut most = 0;
+    for case in cases()? {
+        let name = case.name.clone();
+        let (whole, _) = run(&case, &mut cpu)?;
+        let case = case.streamed();
+        let (streamed, times) = run(&case, &mut cpu)?;
+        assert!(whole == streamed, "{name}: {} values differ", differing(&whole, &streamed));
+        most = most.max(times);
+        if let Some(gpu) = &mut gpu {
+            let (found, _) = run(&case, gpu)?;
+            assert!(whole == found, "{name}: {} values differ on the adapter", differing(&whole, &found));
+        }
+    }
+    // Four pages lie one behind the other.
+    assert!(most >= 5, "pages came {most} times at most: nothing was streamed");
+    Ok(())
+}
+
+fn differing(a: &Bits, b: &Bits) -> usize {
+    let count = |a: &[u32], b: &[u32]| a.iter().zip(b).filter(|(a, b)| a != b).count();
+    count(&a.0, &b.0) + count(&a.1, &b.1)
+}
+
+/// A frame within `limit` bytes for voxels, and what the device took for all.
+fn within(case: &Case, limit: Option<u64>) -> Result<Vec<f32>, Error> {
+    let mut cpu = CpuBackend::new(None)?;
+    cpu.set_volume_limit(limit);
+    let mut session = Session::new(&case.inputs, &mut cpu)?;
+    // The second frame finds what the first one left.
+    session.render(&case.scene, Wanted::default(), &mut |_| true)?;
+    let frame = session.render(&case.scene, Wanted::default(), &mut |_| true)?;
+    Ok(frame.layers.into_iter().flat_map(|layer| layer.channels).flat_map(|channel| channel.data).collect())
+}
+
+#[test]
+fn a_limit_streams_what_is_larger_and_says_when_it_is_too_small() -> Result<(), Failure> {
+    let case = Case::builtin("phantom", EDGE, Some(128), &[OBLIQUE, "sweep.sample_distance=4"])?;
+    let whole = case.inputs.volume.bytes() as u64;
+    let expected = within(&case, None)?;
+    assert_eq!(expected, within(&case, Some(whole))?);
+    assert_eq!(expected, within(&case, Some(whole - 1))?);
+    let failure = within(&case, Some(1 << 16)).expect_err("a plane needs more than that");
+    let Error::Backend(BackendError::VolumeLimit { whole: told, needed, limit, .. }) = &failure else {
+        panic!("another failure: {failure}");
+    };
+    assert_eq!((*told, *limit), (whole, 1 << 16));
+    assert!(failure.to_string().contains(&needed.to_string()), "{failure}");
+    // What it says is enough, is, and one byte less is not.
+    assert_eq!(expected, within(&case, Some(*needed))?);
+    assert!(within(&case, Some(needed - 1)).is_err());
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_streamed_says_so() -> Result<(), Failure> {
+    for name in ["luneburg", "combustion/mixture"] {
+        let case = Case::builtin(name, EDGE, Some(24), &[])?;
+        let failure = within(&case, Some(1000)).expect_err("these are floats");
+        assert!(matches!(failure, Error::Backend(BackendError::TooLarge { limit: 1000, .. })), "{failure}");
+        let Inputs { volume, .. } = &case.inputs;
+        assert!(failure.to_string().contains(&(volume.voxels.len() * 4).to_string()), "{failure}");
+    }
+    Ok(())
+}
