@@ -67,7 +67,7 @@ fn what_is_not_known_is_refused_with_what_is() {
         (&["--method", "beems"], "sweep"),
         (
             &["--tier", "t3", "--scene", "ball", "--scene", "bell"],
-            "ball, combustion, glass, head, luneburg, phantom, prism, supernova",
+            "angel-ball, ball, combustion, glass, goblet, head, luneburg, phantom, prism, still-life, supernova, torus, tree, vase",
         ),
         (&["--tier", "t1", "--scene", "bell"], "head all"),
     ] {

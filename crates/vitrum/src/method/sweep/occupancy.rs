@@ -129,26 +129,26 @@ fn ranges<T: Copy + PartialOrd + Send + Sync>(
     edge: usize,
 ) -> Vec<Range<T>> {
     let [width, height, depth] = dimensions.map(|n| n as usize);
-    (0..bricks[1] * bricks[2])
-        .into_par_iter()
-        .flat_map_iter(|row| {
-            let (y, z) = (row % bricks[1] * edge, row / bricks[1] * edge);
-            let lines: Vec<&[T]> = (z..(z + edge).min(depth))
-                .flat_map(|z| (y..(y + edge).min(height)).map(move |y| &voxels[(z * height + y) * width..][..width]))
-                .collect();
-            (0..bricks[0]).map(move |brick| {
-                let (first, last) = (brick * edge, ((brick + 1) * edge).min(width));
-                let (mut low, mut high) = (lines[0][first], lines[0][first]);
-                for line in &lines {
-                    for &value in &line[first..last] {
-                        low = if value < low { value } else { low };
-                        high = if value > high { value } else { high };
-                    }
+    // In its place at once: parts that are put together later would be there twice.
+    let mut ranges = vec![(voxels[0], voxels[0]); bricks.iter().product()];
+    ranges.par_chunks_mut(bricks[0]).enumerate().for_each(|(row, ranges)| {
+        let (y, z) = (row % bricks[1] * edge, row / bricks[1] * edge);
+        let lines: Vec<&[T]> = (z..(z + edge).min(depth))
+            .flat_map(|z| (y..(y + edge).min(height)).map(move |y| &voxels[(z * height + y) * width..][..width]))
+            .collect();
+        for (brick, range) in ranges.iter_mut().enumerate() {
+            let (first, last) = (brick * edge, ((brick + 1) * edge).min(width));
+            let (mut low, mut high) = (lines[0][first], lines[0][first]);
+            for line in &lines {
+                for &value in &line[first..last] {
+                    low = if value < low { value } else { low };
+                    high = if value > high { value } else { high };
                 }
-                (low, high)
-            })
-        })
-        .collect()
+            }
+            *range = (low, high);
+        }
+    });
+    ranges
 }
 
 /// Each brick's range together with those of up to `by` bricks before and after it along `axis`.

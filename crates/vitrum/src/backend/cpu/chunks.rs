@@ -1,0 +1,147 @@
+//! Passes over the same records, chunk by chunk.
+
+use crate::backend::{Buffer, Pass};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::time::Instant;
+use vitrum_kernels::kernel::{Access, Chunk, InstructionSet, LANES};
+
+/// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
+const CHUNK_ROWS: u32 = 8;
+
+/// Bytes of records that go through several passes before the next ones do: half of a processor's second-level cache.
+const CACHED_BYTES: usize = 1 << 19;
+
+/// Invocations of passes that run together, not many more than a second's work.
+const INVOCATIONS_TOGETHER: u64 = 1 << 27;
+
+/// How long blocks of a buffer's records rest, and from which kernel: see [`Chunk::rests`].
+#[derive(Default)]
+pub(super) struct Resting {
+    kernel: Option<&'static str>,
+    blocks: Vec<u32>,
+}
+
+/// A pass, and what its chunks share.
+pub(super) struct Prepared<'a> {
+    pass: &'a Pass,
+    reads: Vec<&'a [u32]>,
+    uniforms: Vec<Aligned>,
+    busy: AtomicBool,
+    /// What all threads took for it.
+    nanoseconds: AtomicU64,
+}
+
+impl<'a> Prepared<'a> {
+    /// A pass that writes the buffer `written`; `contents` gives those that it reads.
+    pub(super) fn new(pass: &'a Pass, written: Buffer, contents: impl Fn(Buffer) -> Option<&'a [u32]>) -> Self {
+        let read = pass.buffers.iter().filter(|buffer| **buffer != written);
+        Self {
+            pass,
+            reads: read.filter_map(|buffer| contents(*buffer)).collect(),
+            // The kernels' uniform blocks are aligned to 16 bytes.
+            uniforms: pass.uniforms.chunks(16).map(Aligned::from_bytes).collect(),
+            busy: AtomicBool::new(false),
+            nanoseconds: AtomicU64::new(0),
+        }
+    }
+
+    /// What all threads took for it.
+    pub(super) fn nanoseconds(&self) -> f64 {
+        self.nanoseconds.load(Ordering::Relaxed) as f64
+    }
+
+    /// Whether any invocation had work to do.
+    pub(super) fn was_busy(self) -> bool {
+        self.busy.into_inner()
+    }
+}
+
+/// Whether `next` only changes, record by record, what `pass` wrote: then a part of the records can go through both before the
+/// next part does, while it is in a processor's cache.
+pub(super) fn follows(pass: &Pass, next: &Pass) -> bool {
+    let updates = next.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Update);
+    updates && next.output() == pass.output() && (next.width, next.height) == (pass.width, pass.height)
+}
+
+/// Passes that run together at most: they cannot be cancelled on the way.
+pub(super) fn most_together(pass: &Pass) -> usize {
+    let invocations = u64::from(pass.width) * u64::from(pass.height);
+    (INVOCATIONS_TOGETHER / invocations.max(1)).max(1) as usize
+}
+
+/// Rows in a chunk of passes that run together.
+fn chunk_rows(passes: &[Prepared]) -> u32 {
+    let pass = passes[0].pass;
+    let row = pass.width as usize * pass.kernel.declaration.components * 4;
+    if passes.len() > 1 { (CACHED_BYTES / row.max(1)).clamp(1, CHUNK_ROWS as usize) as u32 } else { CHUNK_ROWS }
+}
+
+/// Runs passes over all their rows, chunk by chunk.
+pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32], resting: &mut Resting) {
+    let pass = passes[0].pass;
+    let (width, height) = (pass.width, pass.height);
+    let count = width as usize * height as usize;
+    if count == 0 {
+        return;
+    }
+    let chunk_rows = chunk_rows(passes);
+    let chunk_len = width as usize * chunk_rows as usize;
+    let adds = pass.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Add);
+    let (sums, output): (&[AtomicU32], &mut [u32]) = if adds { (shared(output), &mut []) } else { (&[], output) };
+    let components = if adds { 0 } else { pass.kernel.declaration.components };
+    // Chunk by chunk, each component's part.
+    let mut chunks: Vec<Vec<&mut [f32]>> =
+        (0..count.div_ceil(chunk_len)).map(|_| Vec::with_capacity(components)).collect();
+    for plane in bytemuck::cast_slice_mut::<u32, f32>(output)[..count * components].chunks_mut(count) {
+        for (chunk, part) in chunks.iter_mut().zip(plane.chunks_mut(chunk_len)) {
+            chunk.push(part);
+        }
+    }
+    let blocks = width.div_ceil(LANES as u32) as usize;
+    resting.blocks.resize(blocks * height as usize, 0);
+    let before = resting.kernel;
+    resting.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
+    let rests = resting.blocks.par_chunks_mut(blocks * chunk_rows as usize);
+    chunks.par_iter_mut().zip(rests).enumerate().for_each(|(index, (output, rests))| {
+        let first_row = index as u32 * chunk_rows;
+        let mut before = before;
+        for Prepared { pass, reads, uniforms, busy, nanoseconds } in passes {
+            let started = Instant::now();
+            // How long records rest is only known while nothing else changes them.
+            if before != Some(pass.kernel.declaration.name) {
+                rests.fill(0);
+                before = Some(pass.kernel.declaration.name);
+            }
+            let uniforms = &bytemuck::cast_slice(uniforms)[..pass.uniforms.len()];
+            let rows = chunk_rows.min(height - first_row);
+            let mut output: Vec<&mut [f32]> = output.iter_mut().map(|component| &mut **component).collect();
+            let output = output.as_mut_slice();
+            let chunk = &mut Chunk { first_row, rows, width, uniforms, reads, output, sums, rests: &mut *rests };
+            if (pass.kernel.run)(set, chunk) {
+                busy.store(true, Ordering::Relaxed);
+            }
+            nanoseconds.fetch_add(started.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        }
+    });
+}
+
+/// Words that threads add to.
+fn shared(words: &mut [u32]) -> &[AtomicU32] {
+    // SAFETY: an atomic word has the size, the alignment (4 on every target that has one) and the bits of a word, and for as long
+    // as the result lives the exclusive borrow leaves no other way to the words.
+    unsafe { &*(std::ptr::from_mut(words) as *const [AtomicU32]) }
+}
+
+/// Sixteen aligned bytes.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C, align(16))]
+struct Aligned([u8; 16]);
+
+impl Aligned {
+    fn from_bytes(bytes: &[u8]) -> Self {
+        let mut aligned = Self([0; 16]);
+        aligned.0[..bytes.len()].copy_from_slice(bytes);
+        aligned
+    }
+}
