@@ -14,8 +14,9 @@ pub fn text(mesh: &Mesh) -> String {
         let _ = writeln!(text, "{name:12}{value}");
     };
     row("mesh", mesh.name.clone());
-    row("format", source.format.to_owned());
-    row("type", format!("{}, {}, float32 in memory", source.sample_type, source.encoding));
+    row("format", if source.format.is_empty() { "computed".to_owned() } else { source.format.to_owned() });
+    let file = [&*source.sample_type, &*source.encoding].into_iter().filter(|part| !part.is_empty());
+    row("type", file.map(|part| format!("{part}, ")).collect::<String>() + "float32 in memory");
     row("vertices", format!("{} at {} positions", mesh.positions.len(), topology.points));
     let in_memory = super::bytes(mesh.bytes());
     let degenerate = mesh.degenerate_triangle_count();
