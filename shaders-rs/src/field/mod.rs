@@ -9,4 +9,5 @@ pub mod slopes;
 pub mod stencil;
 pub mod sums;
 pub mod tables;
+pub mod unoccluded;
 pub mod voxels;

@@ -42,6 +42,21 @@ macro_rules! rests {
     (rests) => {
         true
     };
+    (unoccluded) => {
+        false
+    };
+}
+
+macro_rules! keeps_unoccluded {
+    () => {
+        false
+    };
+    (rests) => {
+        false
+    };
+    (unoccluded) => {
+        true
+    };
 }
 
 /// Calls a kernel's function for a lane. Not a closure: one that is called from several places is not inlined, and then the loop
@@ -98,6 +113,10 @@ macro_rules! block {
     (@rest $access:ident, $folder:ident::$module:ident [$($generic:expr),*], $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
      $inputs:ident, $reads:tt) => {
         call!($access, crate::$folder::$module::rest::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
+    };
+    (@free_steps $folder:ident::$module:ident [$format:expr, $second:expr], $lane:ident, $x:ident, $y:ident, $u:ident,
+     ($voxels:ident, $ior_voxels:ident, $occupancy:ident, $tables:ident, $trace:ident)) => {
+        crate::$folder::$module::free_steps::<{ $second }>(column($x, $lane), $y, $u, $occupancy)
     };
     (@invoke $access:ident, $folder:ident::$module:ident [$($generic:expr),*], $level:literal, $lane:ident, $x:ident, $y:ident, $u:ident,
      $mode:ident, $inputs:ident, $reads:tt) => {
@@ -172,6 +191,94 @@ macro_rules! all_rows {
         }
         any
     }};
+    (writes, $size:expr, $folder:ident::$module:ident $generics:tt, levels $levels:tt gpu $gpu:literal unoccluded,
+     $u:ident, $chunk:ident, $mode:ident, $reads:tt) => {{
+        let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
+        let unoccluded = crate::$folder::$module::unoccluded($u);
+        let mut any = false;
+        let mut mark = 0;
+        for row in 0..$chunk.rows {
+            let y = $chunk.first_row + row;
+            let mut x = 0;
+            while x < $chunk.width {
+                let n = LANES.min(($chunk.width - x) as usize);
+                let at = (row * $chunk.width + x) as usize;
+                let first = x;
+                x += n as u32;
+                let number = mark;
+                mark += 1;
+                // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
+                let inputs = unsafe { record.at(at) };
+                if let Some(kept) = &unoccluded
+                    && $chunk.marks.around(&kept.reach, first, y, $chunk.width)
+                {
+                    if !$chunk.marks.is_set(number) {
+                        fill(&inputs, &kept.record, n);
+                        $chunk.marks.set(number, true);
+                    }
+                    continue;
+                }
+                let worked = block!(writes, $size, $folder::$module $generics, levels $levels gpu $gpu, n, first, y, $u, $mode,
+                    inputs, $reads);
+                any |= worked;
+                let untouched = unoccluded.as_ref().is_some_and(|kept| all_are(&inputs, &kept.record, n));
+                $chunk.marks.set(number, untouched);
+            }
+        }
+        any
+    }};
+    (updates, $size:expr, $folder:ident::$module:ident [$format:expr, $second:expr], levels $levels:tt gpu $gpu:literal unoccluded,
+     $u:ident, $chunk:ident, $mode:ident, ($($read:ident),*)) => {{
+        let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
+        let unoccluded = crate::$folder::$module::unoccluded($u);
+        let mut any = false;
+        let mut mark = 0;
+        for row in 0..$chunk.rows {
+            let y = $chunk.first_row + row;
+            let mut x = 0;
+            while x < $chunk.width {
+                let n = LANES.min(($chunk.width - x) as usize);
+                let at = (row * $chunk.width + x) as usize;
+                let first = x;
+                x += n as u32;
+                let number = mark;
+                mark += 1;
+                // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
+                let inputs = unsafe { record.at(at) };
+                let kept = unoccluded.as_ref().filter(|_| $chunk.marks.is_set(number));
+                let kept = kept.filter(|kept| $chunk.marks.around(&kept.reach, first, y, $chunk.width));
+                if kept.is_some() {
+                    if $chunk.marks.is_free_to(number, $u.plane.y) {
+                        continue;
+                    }
+                    let mut needed = 0;
+                    for lane in 0..n {
+                        let level: u32 =
+                            block!(@level updates, $folder::$module [$format, $second], lane, first, y, $u, $mode, inputs, ($($read),*));
+                        needed |= level;
+                    }
+                    if needed <= 1 {
+                        // As for `rest`, the order of bits.
+                        let mut least = u32::MAX;
+                        for lane in 0..n {
+                            let steps: f32 =
+                                block!(@free_steps $folder::$module [$format, $second], lane, first, y, $u, ($($read),*));
+                            least = least.min(steps.to_bits());
+                        }
+                        $chunk.marks.set_free_to(number, $u.plane.y + f32::from_bits(least) * $u.plane.z);
+                        any |= needed > 0;
+                        continue;
+                    }
+                }
+                let worked = block!(updates, $size, $folder::$module [$format, $second], levels $levels gpu $gpu, n, first, y, $u, $mode,
+                    inputs, ($($read),*));
+                any |= worked;
+                let untouched = unoccluded.as_ref().is_some_and(|kept| all_are(&inputs, &kept.record, n));
+                $chunk.marks.set(number, untouched);
+            }
+        }
+        any
+    }};
     ($access:ident, $size:expr, $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal)?,
      $u:ident, $chunk:ident, $mode:ident, $reads:tt) => {{
         let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
@@ -197,7 +304,7 @@ macro_rules! all_rows {
 macro_rules! declare {
     ($($name:ident: $uniforms:ident, [$($number:literal $read:ident: $element:ident),*],
        $access:ident $out:literal [$size:expr],
-       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal $($rests:ident)?)?, modes [$($mode:literal)*];)*) => {
+       $folder:ident::$module:ident $generics:tt, $levels:ident $([$($level:literal)*] gpu $gpu:literal $($keeps:ident)?)?, modes [$($mode:literal)*];)*) => {
         /// The kernels, by name.
         pub mod kernels {
             use super::*;
@@ -209,7 +316,8 @@ macro_rules! declare {
                         name: stringify!($name),
                         uniform_bytes: size_of::<$uniforms>(),
                         components: $size,
-                        rests: rests!($($($rests)?)?),
+                        rests: rests!($($($keeps)?)?),
+                        keeps_unoccluded: keeps_unoccluded!($($($keeps)?)?),
                         bindings: &[
                             Binding { binding: 0, name: "uniforms", element: Element::U32, access: Access::Uniform },
                             $(Binding {
@@ -239,7 +347,7 @@ macro_rules! declare {
                 fn rows(u: &$uniforms, chunk: &mut Chunk<'_>, mode: u32) -> bool {
                     let mut reads = chunk.reads.iter();
                     $(let $read: &[$element] = bytemuck::cast_slice(reads.next().copied().unwrap_or(&[0]));)*
-                    all_rows!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu $($rests)?)?, u, chunk, mode, ($($read),*))
+                    all_rows!($access, $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu $($keeps)?)?, u, chunk, mode, ($($read),*))
                 }
 
                 #[inline(always)]
@@ -354,6 +462,34 @@ fn copy_out<const N: usize>(lanes: &[[f32; LANES]; N], output: &Records<N>, n: u
         // buffer while the kernel runs.
         unsafe { start.cast::<[f32; LANES]>().write_unaligned(*lanes) };
     }
+}
+
+/// Writes `record` to `n` invocations.
+#[inline(always)]
+fn fill<const N: usize>(output: &Records<N>, record: &[f32; N], n: usize) {
+    for (component, start) in record.iter().zip(output.0) {
+        for lane in 0..n {
+            // SAFETY: as in `copy_out`, for `n` invocations.
+            unsafe { *start.add(lane) = *component };
+        }
+    }
+}
+
+/// Whether `n` invocations have the bits of `record`.
+#[inline(always)]
+fn all_are<const N: usize>(output: &Records<N>, record: &[f32; N], n: usize) -> bool {
+    let mut differs = 0;
+    for (component, start) in record.iter().zip(output.0) {
+        for lane in 0..n {
+            // SAFETY: as in `take`.
+            differs |= unsafe { *start.add(lane) }.to_bits() ^ component.to_bits();
+        }
+        // Most blocks that differ do so in their first component.
+        if differs != 0 {
+            return false;
+        }
+    }
+    true
 }
 
 #[inline(never)]

@@ -3,6 +3,7 @@
 #[cfg(target_endian = "big")]
 compile_error!("kernels read packed voxels as little-endian words");
 
+use super::marks::Marks;
 use core::sync::atomic::AtomicU32;
 
 /// The most invocations a block of the CPU dispatch has; one AVX-512 register of floats.
@@ -59,6 +60,8 @@ pub struct Declaration {
     pub components: usize,
     /// Whether blocks of invocations may rest for some passes, see [`Chunk::rests`].
     pub rests: bool,
+    /// Whether it keeps unoccluded light as it is, see [`Chunk::marks`].
+    pub keeps_unoccluded: bool,
     /// Bindings of group 0, in order.
     pub bindings: &'static [Binding],
 }
@@ -82,6 +85,8 @@ pub struct Chunk<'a> {
     /// For a kernel that rests, row by row for each block of [`LANES`] invocations the passes that it is to be left out of, from this
     /// one on, or [`FOREVER`]; the kernel keeps count. All 0 before its first pass over a record. Empty for the others.
     pub rests: &'a mut [u32],
+    /// Where light is unoccluded, for a kernel that keeps it as it is.
+    pub marks: Marks<'a>,
 }
 
 /// Instruction sets the CPU dispatch is compiled for.

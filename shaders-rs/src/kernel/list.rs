@@ -5,7 +5,8 @@
 /// A declaration reads: name, uniform block (always binding 0), the buffers it reads (binding, name, element), the planar
 /// buffer it `writes` or `updates` (binding, components) or the sums it `adds` to (binding, words a place has), its module with
 /// const generics, the `levels` it may run at (see the module's `level`) with the one that a GPU runs, and the `modes` that get a
-/// body of their own on the CPU. Of one that `rests`, the CPU leaves out blocks for as many passes as the module's `rest` says.
+/// body of their own on the CPU. Of one that `rests`, the CPU leaves out blocks for as many passes as the module's `rest` says; of one
+/// that keeps `unoccluded` light as it is (see the module's `unoccluded`), blocks that have nothing else around them.
 ///
 /// A level is a set of bits, what it can do. A block of invocations on the CPU runs at the union of the levels its invocations
 /// need, so unions must be in the list. The last level can do everything. A kernel that updates its record leaves it alone where
@@ -19,37 +20,37 @@ macro_rules! for_each_kernel {
             sweep_initialize_rays: SweepUniforms, [], writes 1 [ray::SIZE],
                 sweep::initialize_rays [], plain, modes [0];
             sweep_filter_light: SweepUniforms, [1 behind: f32], writes 2 [light::SIZE],
-                sweep::filter_light [], levels [1 3] gpu 3, modes [0];
+                sweep::filter_light [], levels [1 3] gpu 3 unoccluded, modes [0];
             sweep_trace_light: SweepUniforms, [1 light: f32], writes 2 [trace::SIZE],
-                sweep::trace_light [], levels [1 3 7] gpu 7, modes [0];
+                sweep::trace_light [], levels [1 3 7] gpu 7 unoccluded, modes [0];
             sweep_gather_light: SweepUniforms, [1 behind: f32, 2 trace: f32], writes 3 [light::SIZE],
-                sweep::gather_light [], levels [1 3 7] gpu 7, modes [0];
+                sweep::gather_light [], levels [1 3 7] gpu 7 unoccluded, modes [0];
             sweep_refract_light_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U8, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::U8, false], levels [3] gpu 3 unoccluded, modes [0 1 2];
             sweep_refract_light_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U16, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::U16, false], levels [3] gpu 3 unoccluded, modes [0 1 2];
             sweep_refract_light_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::F32, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::F32, false], levels [3] gpu 3 unoccluded, modes [0 1 2];
             sweep_refract_light_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::F32, true], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::F32, true], levels [3] gpu 3 unoccluded, modes [0 1 2];
             sweep_refract_light_u8_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U8_PAGED, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::U8_PAGED, false], levels [3] gpu 3 unoccluded, modes [0 1 2];
             sweep_refract_light_u16_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U16_PAGED, false], levels [3] gpu 3, modes [0 1 2];
+                sweep::refract_light [format::U16_PAGED, false], levels [3] gpu 3 unoccluded, modes [0 1 2];
             sweep_concentrate_light: SweepUniforms, [1 light: f32], writes 2 [irradiance::SIZE],
-                sweep::concentrate_light [], levels [1 3] gpu 3, modes [0];
+                sweep::concentrate_light [], levels [1 3] gpu 3 unoccluded, modes [0];
             sweep_propagate_rays_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],

@@ -10,11 +10,15 @@ pub mod record;
 mod dispatch;
 #[cfg(not(target_arch = "spirv"))]
 mod host;
+#[cfg(not(target_arch = "spirv"))]
+mod marks;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use dispatch::{ALL, kernels};
 #[cfg(not(target_arch = "spirv"))]
 pub use host::{Access, Binding, Chunk, Declaration, Element, FOREVER, InstructionSet, Kernel, LANES};
+#[cfg(not(target_arch = "spirv"))]
+pub use marks::Marks;
 
 /// Invocations along each side of a workgroup.
 pub const WORKGROUP: u32 = 8;

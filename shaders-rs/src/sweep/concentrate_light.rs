@@ -6,6 +6,7 @@ use crate::field::access::{read, read_inside};
 use crate::field::light::holds;
 use crate::field::light_around::is_inner_row;
 use crate::field::slopes::{jacobian, slopes};
+use crate::field::unoccluded::{Reach, Unoccluded};
 use crate::math::{max, min, select};
 
 /// How much of the kernel an invocation needs.
@@ -35,6 +36,13 @@ fn component<const LEVEL: u32>(u: &SweepUniforms, light: &[f32], component: usiz
     } else {
         read(light, base + x as i32)
     }
+}
+
+/// Unoccluded light has the irradiance it started with.
+#[inline(always)]
+pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ irradiance::SIZE }>> {
+    let record = [u.light_initial.x, u.light_initial.y, u.light_initial.z];
+    Some(Unoccluded { record, reach: Reach::NEIGHBOURS })
 }
 
 /// The irradiance of texel (x, y).

@@ -7,6 +7,7 @@ use crate::abi::record::light as record;
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::{read, read_inside};
 use crate::field::light::holds;
+use crate::field::unoccluded::{self, Reach, Unoccluded};
 use crate::math::{floor_to_int, lerp, select};
 
 /// How much of the kernel an invocation needs.
@@ -95,6 +96,21 @@ fn at<const LEVEL: u32>(
     };
     let value = lerp(lerp(a, b, tap.fraction_x), lerp(c, d, tap.fraction_x), tap.fraction_y);
     select(inside(u, x as i32, y, tap), value, outside)
+}
+
+/// Filtered, unoccluded light stays what it is: the mean of equal numbers is that number.
+#[inline(always)]
+pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
+    let (a, b, c) = taps(u);
+    // A tap looks at two texels along each axis.
+    let farthest = |first: i32, second: i32, third: i32| first.max(second).max(third) + 1;
+    let reach = Reach {
+        left: farthest(-a.x, -b.x, -c.x),
+        right: farthest(a.x, b.x, c.x),
+        below: farthest(-a.y, -b.y, -c.y),
+        above: farthest(a.y, b.y, c.y),
+    };
+    Some(Unoccluded { record: unoccluded::light(u), reach })
 }
 
 /// The filtered light texel (x, y).

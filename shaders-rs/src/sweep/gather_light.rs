@@ -6,6 +6,7 @@ use crate::field::access::{read, read_inside};
 use crate::field::light::{holds, shift};
 use crate::field::light_around::{Way, is_inner_row, is_near, record_around, record_of_texel};
 use crate::field::slopes::{jacobian, product_of_lengths, slopes};
+use crate::field::unoccluded::{self, Reach, Unoccluded, stays_on_texel};
 use crate::math::{max, min, select, xyz};
 
 /// How much of the kernel an invocation needs.
@@ -45,6 +46,12 @@ pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32], trac
     let still = (across == 0.0) & (up == 0.0) & is_inner_row(u, y);
     let moving = if is_near(u, &Way { x, y, across, up }) { level::NEAR } else { level::FAR };
     if still { level::STILL } else { moving }
+}
+
+/// Unoccluded light stays what it is, if texels move as it does.
+#[inline(always)]
+pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
+    stays_on_texel(u).then_some(Unoccluded { record: unoccluded::light(u), reach: Reach::NEIGHBOURS })
 }
 
 /// The light that arrives at texel (x, y) of this plane.

@@ -2,9 +2,10 @@
 
 use crate::abi::record::light;
 use crate::abi::sweep::SweepUniforms;
+use crate::field::unoccluded;
 
 /// The light of texel (x, y) on the first plane.
 #[inline(always)]
 pub fn invoke(_x: u32, _y: u32, u: &SweepUniforms, _mode: u32) -> [f32; light::SIZE] {
-    [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0]
+    unoccluded::light(u)
 }

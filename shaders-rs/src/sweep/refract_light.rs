@@ -4,10 +4,11 @@
 use crate::abi::record::{light as record, trace as traced};
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::{read, read_inside};
-use crate::field::empty::step_is_empty;
+use crate::field::empty::{step_is_empty, steps_are_empty};
 use crate::field::light::{holds, texel_position};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::attenuation;
+use crate::field::unoccluded::{self, Reach, Unoccluded};
 use crate::math::{length, max, select};
 use crate::optics::clip::keep;
 use crate::optics::composite::layer;
@@ -53,6 +54,20 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     let way = unsafe { (read_inside(trace, base, x), read_inside(trace, texels + base, x)) };
     let (from, to) = ends(u, x, y, way);
     if step_is_empty::<SECOND>(u, occupancy, from, to) { level::EMPTY } else { level::FULL }
+}
+
+/// Unoccluded light stays what it is as long as nothing is in its way: see [`free_steps`].
+#[inline(always)]
+pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
+    Some(Unoccluded { record: unoccluded::light(u), reach: Reach::OWN })
+}
+
+/// How many planes behind the next one unoccluded light on texel (x, y) that is at level `EMPTY` has nothing in its way, if they are as
+/// far apart: that or fewer.
+#[inline(always)]
+pub fn free_steps<const SECOND: bool>(x: u32, y: u32, u: &SweepUniforms, occupancy: &[u32]) -> f32 {
+    let (from, to) = ends(u, x, y, (0.0, 0.0));
+    steps_are_empty::<SECOND>(u, occupancy, from, to)
 }
 
 /// The light `arrived` at texel (x, y), after the segment behind it.

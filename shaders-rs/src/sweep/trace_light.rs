@@ -5,6 +5,7 @@ use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::{read, read_inside};
 use crate::field::light::{holds, shift};
 use crate::field::light_around::{Way, direction_around, is_near};
+use crate::field::unoccluded::{Reach, Unoccluded, stays_on_texel};
 use crate::math::select;
 use spirv_std::glam::Vec3;
 
@@ -45,6 +46,12 @@ pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> u3
     let near = is_near(u, &Way { x, y, across: -sx, up: -sy });
     let moving = if near { level::NEAR } else { level::FAR };
     if still { level::STILL } else { moving }
+}
+
+/// Unoccluded light comes from its own texel, if texels move as it does.
+#[inline(always)]
+pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ trace::SIZE }>> {
+    stays_on_texel(u).then_some(Unoccluded { record: [0.0, 0.0], reach: Reach::OWN })
 }
 
 /// The way, in texels, to texel (x, y) from the point of the plane behind from which its light comes.

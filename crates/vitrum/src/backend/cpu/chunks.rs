@@ -4,7 +4,7 @@ use crate::backend::{Buffer, Pass};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::time::Instant;
-use vitrum_kernels::kernel::{Access, Chunk, InstructionSet, LANES};
+use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Marks};
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
@@ -15,17 +15,34 @@ const CACHED_BYTES: usize = 1 << 19;
 /// Invocations of passes that run together, not many more than a second's work.
 const INVOCATIONS_TOGETHER: u64 = 1 << 27;
 
-/// How long blocks of a buffer's records rest, and from which kernel: see [`Chunk::rests`].
+/// What is known of the blocks of a buffer's records.
 #[derive(Default)]
-pub(super) struct Resting {
+pub(super) struct Known {
+    /// Invocations across and down.
+    size: (u32, u32),
+    /// The kernel that wrote them last.
     kernel: Option<&'static str>,
-    blocks: Vec<u32>,
+    /// How long they rest from that kernel, see [`Chunk::rests`].
+    rests: Vec<u32>,
+    /// Which hold unoccluded light, see [`Marks`]; none if that is not known.
+    unoccluded: Vec<bool>,
+    /// The depths up to which those have nothing in their way.
+    free_to: Vec<f32>,
+}
+
+impl Known {
+    /// Which blocks of the pass's invocations hold unoccluded light; none if that is not known.
+    pub(super) fn unoccluded(&self, pass: &Pass) -> &[bool] {
+        if self.size == (pass.width, pass.height) { &self.unoccluded } else { &[] }
+    }
 }
 
 /// A pass, and what its chunks share.
 pub(super) struct Prepared<'a> {
     pass: &'a Pass,
     reads: Vec<&'a [u32]>,
+    /// The marks of those that hold floats.
+    marks: Vec<&'a [bool]>,
     uniforms: Vec<Aligned>,
     busy: AtomicBool,
     /// What all threads took for it.
@@ -33,12 +50,20 @@ pub(super) struct Prepared<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// A pass that writes the buffer `written`; `contents` gives those that it reads.
-    pub(super) fn new(pass: &'a Pass, written: Buffer, contents: impl Fn(Buffer) -> Option<&'a [u32]>) -> Self {
+    /// A pass that writes the buffer `written`; `contents` gives those that it reads, `unoccluded` what is marked in them.
+    pub(super) fn new(
+        pass: &'a Pass,
+        written: Buffer,
+        contents: impl Fn(Buffer) -> Option<&'a [u32]>,
+        unoccluded: impl Fn(Buffer) -> &'a [bool],
+    ) -> Self {
         let read = pass.buffers.iter().filter(|buffer| **buffer != written);
+        let bound = pass.buffers.iter().zip(&pass.kernel.declaration.bindings[1..]);
+        let floats = bound.filter(|(_, binding)| (binding.access, binding.element) == (Access::Read, Element::F32));
         Self {
             pass,
             reads: read.filter_map(|buffer| contents(*buffer)).collect(),
+            marks: floats.map(|(buffer, _)| unoccluded(*buffer)).collect(),
             // The kernels' uniform blocks are aligned to 16 bytes.
             uniforms: pass.uniforms.chunks(16).map(Aligned::from_bytes).collect(),
             busy: AtomicBool::new(false),
@@ -78,7 +103,7 @@ fn chunk_rows(passes: &[Prepared]) -> u32 {
 }
 
 /// Runs passes over all their rows, chunk by chunk.
-pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32], resting: &mut Resting) {
+pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32], known: &mut Known) {
     let pass = passes[0].pass;
     let (width, height) = (pass.width, pass.height);
     let count = width as usize * height as usize;
@@ -99,14 +124,27 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
         }
     }
     let blocks = width.div_ceil(LANES as u32) as usize;
-    resting.blocks.resize(blocks * height as usize, 0);
-    let before = resting.kernel;
-    resting.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
-    let rests = resting.blocks.par_chunks_mut(blocks * chunk_rows as usize);
-    chunks.par_iter_mut().zip(rests).enumerate().for_each(|(index, (output, rests))| {
+    let all = blocks * height as usize;
+    if known.size != (width, height) {
+        *known = Known { size: (width, height), ..Known::default() };
+    }
+    known.rests.resize(all, 0);
+    // Whoever else writes the records does not keep the marks.
+    let keeps = passes.iter().all(|pass| pass.pass.kernel.declaration.keeps_unoccluded);
+    let marked = if keeps { all } else { 0 };
+    known.unoccluded.resize(marked, false);
+    known.free_to.resize(marked, f32::NEG_INFINITY);
+    let before = known.kernel;
+    known.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
+    let part = blocks * chunk_rows as usize;
+    let rests = known.rests.par_chunks_mut(part);
+    let unoccluded = parts(&mut known.unoccluded, part, chunks.len());
+    let free_to = parts(&mut known.free_to, part, chunks.len());
+    chunks.par_iter_mut().zip(rests).zip(unoccluded).zip(free_to).enumerate().for_each(|(index, chunk)| {
+        let (((output, rests), unoccluded), free_to) = chunk;
         let first_row = index as u32 * chunk_rows;
         let mut before = before;
-        for Prepared { pass, reads, uniforms, busy, nanoseconds } in passes {
+        for Prepared { pass, reads, marks, uniforms, busy, nanoseconds } in passes {
             let started = Instant::now();
             // How long records rest is only known while nothing else changes them.
             if before != Some(pass.kernel.declaration.name) {
@@ -117,13 +155,21 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
             let rows = chunk_rows.min(height - first_row);
             let mut output: Vec<&mut [f32]> = output.iter_mut().map(|component| &mut **component).collect();
             let output = output.as_mut_slice();
-            let chunk = &mut Chunk { first_row, rows, width, uniforms, reads, output, sums, rests: &mut *rests };
+            let marks = Marks { own: &mut *unoccluded, free_to: &mut *free_to, reads: marks, height };
+            let chunk = &mut Chunk { first_row, rows, width, uniforms, reads, output, sums, rests: &mut *rests, marks };
             if (pass.kernel.run)(set, chunk) {
                 busy.store(true, Ordering::Relaxed);
             }
             nanoseconds.fetch_add(started.elapsed().as_nanos() as u64, Ordering::Relaxed);
         }
     });
+}
+
+/// Parts of `length` each, `count` in all: empty ones of nothing.
+fn parts<T: Send>(all: &mut [T], length: usize, count: usize) -> rayon::vec::IntoIter<&mut [T]> {
+    let mut parts: Vec<&mut [T]> = all.chunks_mut(length).collect();
+    parts.resize_with(count, Default::default);
+    parts.into_par_iter()
 }
 
 /// Words that threads add to.

@@ -5,7 +5,7 @@ mod contents;
 
 use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
-use chunks::{Prepared, Resting, follows, most_together, rows};
+use chunks::{Known, Prepared, follows, most_together, rows};
 use contents::Contents;
 use std::collections::HashMap;
 use std::time::Instant;
@@ -56,7 +56,7 @@ impl CpuBackend {
     fn run_together(
         &mut self,
         passes: &[&Pass],
-        resting: &mut HashMap<Buffer, Resting>,
+        known: &mut HashMap<Buffer, Known>,
     ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
             pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
@@ -65,13 +65,17 @@ impl CpuBackend {
             return Ok(vec![false; passes.len()]);
         };
         // Taken out for the time of the passes, so that the others can be borrowed beside it.
+        let mut written_known = known.remove(&written).unwrap_or_default();
         let mut output = self.buffers[written.0].take().map_or(Vec::new(), Contents::into_own);
         let prepared: Vec<Prepared> = passes
             .iter()
-            .map(|pass| Prepared::new(pass, written, |buffer| self.buffers[buffer.0].as_deref()))
+            .map(|pass| {
+                let unoccluded = |buffer| known.get(&buffer).map_or(&[][..], |known| known.unoccluded(pass));
+                Prepared::new(pass, written, |buffer| self.buffers[buffer.0].as_deref(), unoccluded)
+            })
             .collect();
         let started = Instant::now();
-        self.pool.install(|| rows(&prepared, self.set, &mut output, resting.entry(written).or_default()));
+        self.pool.install(|| rows(&prepared, self.set, &mut output, &mut written_known));
         // Shared out by what the threads took for each.
         let elapsed = started.elapsed().as_secs_f64() * 1e3;
         let shares: Vec<f64> = prepared.iter().map(Prepared::nanoseconds).collect();
@@ -81,6 +85,7 @@ impl CpuBackend {
             times::add(&mut self.times, pass.kernel.declaration.name, elapsed * share / whole.max(1.0));
         }
         self.buffers[written.0] = Some(Contents::Own(output));
+        known.insert(written, written_known);
         Ok(busy)
     }
 
@@ -148,7 +153,7 @@ impl Backend for CpuBackend {
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut idle = false;
-        let mut resting = HashMap::new();
+        let mut known = HashMap::new();
         let (mut done, mut reported) = (0, None);
         // Written as soon as a pass that runs reads it.
         let mut waiting: Vec<&Write> = Vec::new();
@@ -173,8 +178,11 @@ impl Backend for CpuBackend {
             let reads = |write: &Write| together.iter().any(|pass| pass.buffers.contains(&write.buffer));
             let (now, later) = waiting.into_iter().partition(|write| reads(write));
             waiting = later;
+            for write in &now {
+                known.remove(&write.buffer);
+            }
             self.write(now)?;
-            let busy = self.run_together(&together, &mut resting)?;
+            let busy = self.run_together(&together, &mut known)?;
             let ends = |pass: &Pass| passes.ends_with == Some(pass.kernel.declaration.name);
             idle |= together.iter().zip(busy).any(|(pass, busy)| !busy && ends(pass));
         }
