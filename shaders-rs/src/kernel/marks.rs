@@ -52,14 +52,25 @@ impl Marks<'_> {
     #[inline(never)]
     pub(super) fn around(&self, reach: &Reach, x: u32, y: u32, width: u32) -> bool {
         let blocks = width.div_ceil(LANES as u32) as usize;
-        let block = |column: i64| column.clamp(0, i64::from(width) - 1) as usize / LANES;
-        let (x, y) = (i64::from(x), i64::from(y));
-        let first = block(x - i64::from(reach.left));
-        let last = block(x + LANES as i64 - 1 + i64::from(reach.right));
-        let row = |row: i64| row.clamp(0, i64::from(self.height) - 1) as usize * blocks;
-        let mut rows = (row(y - i64::from(reach.below))..=row(y + i64::from(reach.above))).step_by(blocks);
-        rows.all(|row| {
-            self.reads.iter().all(|marks| marks.get(row + first..=row + last).is_some_and(|row| !row.contains(&false)))
-        })
+        let block = |column: i32| column.clamp(0, width as i32 - 1) as usize / LANES;
+        let (x, y) = (x as i32, y as i32);
+        let columns = block(x - reach.left)..=block(x + LANES as i32 - 1 + reach.right);
+        let row = |row: i32| row.clamp(0, self.height as i32 - 1) as usize * blocks;
+        let is_set = |marks: &[bool], at: usize| marks.get(at) == Some(&true);
+        // Most blocks that fail do so at their own place.
+        if !self.reads.iter().all(|marks| is_set(marks, row(y) + block(x))) {
+            return false;
+        }
+        for marks in self.reads {
+            for line in y - reach.below..=y + reach.above {
+                let start = row(line);
+                for column in columns.clone() {
+                    if !is_set(marks, start + column) {
+                        return false;
+                    }
+                }
+            }
+        }
+        true
     }
 }

@@ -1,7 +1,7 @@
 //! Which bricks are empty: neither opacity, nor medium, nor a change of η.
 
 use super::tables::Tables;
-use super::voxels::{brick_shift, bricks};
+use super::voxels::{brick_shift, bricks, normalisation};
 use crate::method::brick_distances::spread;
 use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
@@ -108,7 +108,26 @@ impl Question<'_> {
 
     /// Whether nothing happens where stored values are from `low` to `high`.
     pub(super) fn is_empty(&self, low: f32, high: f32) -> bool {
-        let Self { volume, tables, role, .. } = self;
+        (self.role == Role::Bending || self.is_clear(low, high))
+            && (self.role == Role::Shown || self.is_uniform(low, high))
+    }
+
+    fn is_clear(&self, low: f32, high: f32) -> bool {
+        let [lower, higher] = self.normalised(low, high);
+        // Between equal voxels there is just this scalar, and functions may rise right next to it.
+        let [factor, summand] = normalisation(self.volume);
+        (low == high && self.tables.is_clear_at((low * factor + summand).clamp(0.0, 1.0)))
+            || self.tables.is_clear(lower, higher)
+    }
+
+    fn is_uniform(&self, low: f32, high: f32) -> bool {
+        let [lower, higher] = self.normalised(low, high);
+        low == high || self.tables.is_uniform(lower, higher)
+    }
+
+    /// The normalised scalars that kernels make of stored values from `low` to `high`, and a little more.
+    fn normalised(&self, low: f32, high: f32) -> [f32; 2] {
+        let volume = self.volume;
         let scale = volume.range[1] - volume.range[0];
         let normalise = |value: f32| {
             if scale > 0.0 { ((value - volume.range[0]) / scale).clamp(0.0, 1.0) } else { 0.0 }
@@ -116,8 +135,7 @@ impl Question<'_> {
         let physical = |stored: f32| stored * volume.value_scale + volume.value_offset;
         let (a, b) = (physical(low), physical(high));
         // A little wider: kernels normalise in single precision.
-        let (low, high) = (normalise(a.min(b)) - 1e-5, normalise(a.max(b)) + 1e-5);
-        (*role == Role::Bending || tables.is_clear(low, high)) && (*role == Role::Shown || tables.is_uniform(low, high))
+        [normalise(a.min(b)) - 1e-5, normalise(a.max(b)) + 1e-5]
     }
 }
 

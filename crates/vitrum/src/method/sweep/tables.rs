@@ -4,6 +4,8 @@ use crate::scene::{ColorPoint, TransferFunction};
 use half::f16;
 use vitrum_io::Volume;
 use vitrum_kernels::abi::tables as layout;
+use vitrum_kernels::field::tables::{Segment, segment};
+use vitrum_kernels::glam::Vec3;
 
 /// Samples of the fine grid over which segments are integrated; a multiple of the table's intervals.
 const FINE: usize = (layout::SEGMENT_SIZE as usize - 1) * 32;
@@ -134,6 +136,12 @@ impl Tables {
         let first = ((low * intervals as f32).floor().max(0.0) as usize).min(intervals);
         let last = ((high * intervals as f32).ceil() as usize + 1).min(intervals);
         self.anything[last * stride] == self.anything[first.saturating_sub(1) * stride]
+    }
+
+    /// Whether particles and medium do nothing where the normalised scalar is exactly `scalar`, as kernels look it up.
+    pub fn is_clear_at(&self, scalar: f32) -> bool {
+        let Segment { particles, medium, emission } = segment(&self.words, scalar, scalar);
+        particles == 0.0 && medium == Vec3::ZERO && emission == Vec3::ZERO
     }
 
     /// Whether η is the same for all normalised scalars from `low` to `high`.

@@ -79,6 +79,16 @@ pub(super) fn bricks(volume: &Volume) -> [u32; 3] {
     volume.dimensions.map(|n| n.div_ceil(1 << shift))
 }
 
+/// What a stored value is multiplied by, and what is added then, for the normalised scalar.
+pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
+    let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
+    let inverse_scale = if scale > 0.0 { 1.0 / scale } else { 0.0 };
+    [
+        (f64::from(volume.value_scale) * inverse_scale) as f32,
+        ((f64::from(volume.value_offset) - f64::from(volume.range[0])) * inverse_scale) as f32,
+    ]
+}
+
 /// Where a volume, stored as `format` says, lies in the sweep frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
 /// bricks start in the occupancy buffer.
 pub(super) fn grid(volume: &Volume, stored: u32, view: &View, reach: u32, first_brick: u32) -> Grid {
@@ -90,8 +100,7 @@ pub(super) fn grid(volume: &Volume, stored: u32, view: &View, reach: u32, first_
         Vec4::from(row.as_vec3().extend(start[axis] as f32))
     };
     let [width, height, depth] = volume.dimensions;
-    let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
-    let inverse_scale = if scale > 0.0 { 1.0 / scale } else { 0.0 };
+    let [factor, summand] = normalisation(volume);
     let [bx, by, bz] = bricks(volume).map(|n| n as i32);
     let [px, py, pz] = count(volume.dimensions).map(|n| n as i32);
     Grid {
@@ -99,12 +108,7 @@ pub(super) fn grid(volume: &Volume, stored: u32, view: &View, reach: u32, first_
         row_y: row(1),
         row_z: row(2),
         size: Vec4::new(width as f32, height as f32, depth as f32, reach as f32),
-        value: Vec4::new(
-            (f64::from(volume.value_scale) * inverse_scale) as f32,
-            ((f64::from(volume.value_offset) - f64::from(volume.range[0])) * inverse_scale) as f32,
-            0.0,
-            0.0,
-        ),
+        value: Vec4::new(factor, summand, 0.0, 0.0),
         pitch: if format::is_paged(stored) {
             IVec4::new(page::ROW, page::SLICE, 0, 0)
         } else {
