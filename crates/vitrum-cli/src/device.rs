@@ -50,7 +50,7 @@ impl From<BackendName> for Choice {
 impl DeviceArguments {
     /// Opens the device and uploads the volumes, and says where unless `quiet`.
     ///
-    /// Where `auto` chose a GPU by itself, the CPU takes over if that fails.
+    /// Where `auto` chose a GPU by itself, the CPU takes over if that cannot be opened or fails.
     pub fn session<'a>(
         &self,
         inputs: &'a Inputs,
@@ -59,23 +59,24 @@ impl DeviceArguments {
     ) -> Result<Session<'a>, Failure> {
         let threads = self.threads.map(usize::from);
         let limit = memory.memory_limit.map(|ByteCount(bytes)| bytes);
-        let mut backend = backend::open(self.backend.into(), self.adapter.as_deref(), threads)?;
+        let by_itself = self.backend == BackendName::Auto && self.adapter.is_none();
+        let take_over = move |failure: &BackendError| {
+            let mut cpu = backend::open(Choice::Cpu, None, threads)?;
+            cpu.set_volume_limit(limit);
+            if !quiet {
+                eprintln!("warning: {failure}; rendering on {} ({}) instead", cpu.name(), cpu.adapter());
+            }
+            Ok(cpu)
+        };
+        let mut backend = match backend::open(self.backend.into(), self.adapter.as_deref(), threads) {
+            Err(failure) if by_itself && failure.is_of_device() => take_over(&failure)?,
+            opened => opened?,
+        };
         backend.set_volume_limit(limit);
         if !quiet {
             eprintln!("rendering on {} ({})", backend.name(), backend.adapter());
         }
-        let by_itself = self.backend == BackendName::Auto && self.adapter.is_none() && backend.name() != "cpu";
-        let fallback = by_itself.then(|| {
-            let take_over = move |failure: &BackendError| {
-                let mut cpu = backend::open(Choice::Cpu, None, threads)?;
-                cpu.set_volume_limit(limit);
-                if !quiet {
-                    eprintln!("warning: {failure}; rendering on {} ({}) instead", cpu.name(), cpu.adapter());
-                }
-                Ok(cpu)
-            };
-            Box::new(take_over) as Box<Fallback>
-        });
+        let fallback = (by_itself && backend.name() != "cpu").then(|| Box::new(take_over) as Box<Fallback>);
         Ok(Session::owning(inputs, backend, fallback)?)
     }
 }

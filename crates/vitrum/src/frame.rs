@@ -1,6 +1,7 @@
 //! A finished frame.
 
-use crate::backend::KernelTime;
+use crate::backend::{Backend, KernelTime};
+use crate::scene::Scene;
 use serde::Serialize;
 use vitrum_io::{Channel, Layer, Picture};
 
@@ -40,6 +41,32 @@ pub struct Statistics {
     pub version: String,
 }
 
+impl Statistics {
+    /// Those of a frame that a backend has just finished, while its buffers are still there.
+    pub(crate) fn of(scene: &Scene, backend: &mut dyn Backend) -> Self {
+        Self {
+            method: scene.method.name().to_owned(),
+            backend: backend.name().to_owned(),
+            adapter: backend.adapter(),
+            width: scene.film.width,
+            height: scene.film.height,
+            kernels: backend.take_kernel_times(),
+            peak_rss_bytes: peak_rss_bytes(),
+            gpu_bytes: backend.device_bytes(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..Self::default()
+        }
+    }
+}
+
+/// The most memory this process had, where the system tells (Linux).
+fn peak_rss_bytes() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let kibibytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kibibytes * 1024)
+}
+
 /// A finished frame: named outputs, row 0 on top, linear.
 #[derive(Debug, Clone)]
 pub struct Frame {
@@ -56,7 +83,9 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Names and meanings of the outputs.
+    /// Names and meanings of the outputs. Where a pixel has several rays (`film.supersampling`) it shows their mean: of depths that of
+    /// the rays that have one, of directions and normals the unit vector; `position`, `status` and `bounces` are of the ray next to
+    /// the pixel's centre.
     pub const AOVS: &'static [(&'static str, &'static str)] = &[
         ("color", "linear radiance and coverage (RGBA)"),
         ("opacity", "opacity A of particles and receivers, 0 to 1"),
@@ -93,6 +122,15 @@ impl Frame {
         Picture { width: self.width, height: self.height, layers: self.layers.clone() }
     }
 
+    /// Multiplies the colour by 2^`stops`.
+    pub(crate) fn expose(mut self, stops: f32) -> Self {
+        let color = self.layers.iter_mut().filter(|layer| layer.name == "color");
+        for channel in color.flat_map(|layer| layer.channels.iter_mut().filter(|channel| channel.name != "A")) {
+            channel.data.iter_mut().for_each(|value| *value *= stops.exp2());
+        }
+        self
+    }
+
     /// One channel of an output, e.g. `color` and `R`.
     pub fn channel(&self, layer: &str, channel: &str) -> Option<&[f32]> {
         let layer = self.layers.iter().find(|found| found.name == layer)?;
@@ -100,35 +138,94 @@ impl Frame {
     }
 }
 
-/// A layer from planar records: `channels` are names and component numbers; `edge` × `edge` rays make a pixel.
-pub(crate) fn layer(name: &str, records: &[f32], size: [u32; 2], edge: u32, channels: &[(&str, usize)]) -> Layer {
-    Layer {
-        name: name.to_owned(),
-        channels: channels
-            .iter()
-            .map(|&(channel, component)| Channel {
-                name: channel.to_owned(),
-                data: average(records, size, edge, component),
+/// What a pixel of several rays shows of an output.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Pixel {
+    /// The mean.
+    Mean,
+    /// The mean, weighted by another component; 0 where that is 0 everywhere.
+    WeightedBy(usize),
+    /// The mean of the rays for which it is not 0.
+    Present,
+    /// The unit vector of the mean's direction; 0 where the mean is.
+    Direction,
+    /// That of one ray, the next one to the pixel's centre: numbers between which there is nothing.
+    Central,
+}
+
+/// Planar records of `edge` × `edge` rays for each pixel.
+#[derive(Clone, Copy)]
+pub(crate) struct Rays<'a> {
+    pub records: &'a [f32],
+    /// Pixels across and down.
+    pub size: [u32; 2],
+    pub edge: u32,
+}
+
+impl Rays<'_> {
+    /// An output: `channels` are names and component numbers.
+    pub fn layer<const N: usize>(&self, name: &str, pixel: Pixel, channels: [(&str, usize); N]) -> Layer {
+        let mut data: [Vec<f32>; N] = std::array::from_fn(|channel| self.resolve(pixel, channels[channel].1));
+        if let (Pixel::Direction, 2..) = (pixel, self.edge) {
+            for at in 0..data.first().map_or(0, Vec::len) {
+                let length = data.iter().map(|data| data[at] * data[at]).sum::<f32>().sqrt();
+                data.iter_mut().filter(|_| length > 0.0).for_each(|data| data[at] /= length);
+            }
+        }
+        let channels = channels.iter().zip(data).map(|(&(name, _), data)| Channel { name: name.to_owned(), data });
+        Layer { name: name.to_owned(), channels: channels.collect() }
+    }
+
+    /// One component, a number a pixel.
+    fn resolve(&self, pixel: Pixel, component: usize) -> Vec<f32> {
+        let [width, height] = self.size.map(|n| n as usize);
+        let edge = self.edge as usize;
+        let across = width * edge;
+        let plane = |component: usize| &self.records[component * across * height * edge..][..across * height * edge];
+        let values = plane(component);
+        if edge == 1 {
+            return values.to_vec();
+        }
+        let weights = if let Pixel::WeightedBy(component) = pixel { plane(component) } else { &[] };
+        let weight = |at: usize| match pixel {
+            Pixel::Mean | Pixel::Direction => 1.0,
+            Pixel::WeightedBy(_) => weights[at],
+            Pixel::Present => f32::from(u8::from(values[at] != 0.0)),
+            Pixel::Central => f32::from(u8::from((at % across % edge, at / across % edge) == (edge / 2, edge / 2))),
+        };
+        (0..width * height)
+            .map(|pixel| {
+                let (x, y) = (pixel % width * edge, pixel / width * edge);
+                let rays = (0..edge).flat_map(|dy| (0..edge).map(move |dx| (y + dy) * across + x + dx));
+                let (sum, whole) =
+                    rays.fold((0.0, 0.0), |(sum, whole), at| (sum + values[at] * weight(at), whole + weight(at)));
+                if whole > 0.0 { sum / whole } else { 0.0 }
             })
-            .collect(),
+            .collect()
     }
 }
 
-/// One component, averaged over `edge` × `edge` rays a pixel.
-fn average(records: &[f32], size: [u32; 2], edge: u32, component: usize) -> Vec<f32> {
-    let [width, height] = size.map(|n| n as usize);
-    let edge = edge as usize;
-    let across = width * edge;
-    let plane = &records[component * across * height * edge..][..across * height * edge];
-    if edge == 1 {
-        return plane.to_vec();
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One pixel of four rays with two components, and a second pixel of nothing.
+    fn resolved(pixel: Pixel) -> [f32; 2] {
+        let first = [2.0, 0.0, 4.0, 8.0];
+        let weights = [1.0, 1.0, 0.0, 3.0];
+        let rows = |rays: [f32; 4]| [rays[0], rays[1], 0.0, 0.0, rays[2], rays[3], 0.0, 0.0];
+        let records = [rows(first), rows(weights)].concat();
+        let rays = Rays { records: &records, size: [2, 1], edge: 2 };
+        let layer = rays.layer("x", pixel, [("Y", 0)]);
+        [layer.channels[0].data[0], layer.channels[0].data[1]]
     }
-    let share = 1.0 / (edge * edge) as f32;
-    (0..width * height)
-        .map(|pixel| {
-            let (x, y) = (pixel % width * edge, pixel / width * edge);
-            let sum: f32 = (0..edge).flat_map(|dy| &plane[(y + dy) * across + x..][..edge]).sum();
-            sum * share
-        })
-        .collect()
+
+    #[test]
+    fn pixels_of_several_rays_follow_their_outputs_rule() {
+        assert_eq!(resolved(Pixel::Mean), [3.5, 0.0]);
+        assert_eq!(resolved(Pixel::WeightedBy(1)), [26.0 / 5.0, 0.0]);
+        assert_eq!(resolved(Pixel::Present), [14.0 / 3.0, 0.0]);
+        assert_eq!(resolved(Pixel::Central), [8.0, 0.0]);
+        assert_eq!(resolved(Pixel::Direction), [1.0, 0.0]);
+    }
 }

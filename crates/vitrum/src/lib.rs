@@ -18,7 +18,7 @@ pub mod spectrum;
 
 pub use frame::{Frame, Statistics};
 pub use inputs::{Inputs, load_mesh, load_volume};
-pub use render::{Error, Progress, Wanted, render, render_wanted};
+pub use render::{Error, Progress, Wanted, check, render, render_wanted};
 pub use session::{Fallback, Session};
 pub use vitrum_io as io;
 pub use vitrum_io::suggest;

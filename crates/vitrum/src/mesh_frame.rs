@@ -1,10 +1,10 @@
 //! A frame of a mesh.
 
 use crate::backend::Backend;
-use crate::frame::{Frame, Statistics, layer};
+use crate::frame::{self, Frame, Pixel, Statistics};
 use crate::inputs::Inputs;
 use crate::method::voxels::{Rays, Uploaded};
-use crate::render::{Error, Progress, peak_rss_bytes};
+use crate::render::{Error, Progress};
 use crate::scene::Scene;
 use std::time::Instant;
 use vitrum_io::Layer;
@@ -38,56 +38,44 @@ pub(crate) fn render(
     let film = rays
         .run(backend, &mut |done| progress(Progress { done: done as u32, total }))
         .and_then(|()| rays.film(backend));
+    let frame_ms = started.elapsed().as_secs_f64() * 1e3;
+    let statistics = Statistics::of(scene, backend);
     let count = rays.rays[0] as usize * rays.rays[1] as usize;
     rays.free(backend);
     let film = film?;
-    let frame_ms = started.elapsed().as_secs_f64() * 1e3;
     let trapped = film[view::STATUS * count..].iter().filter(|&&status| status == fate::TRAPPED).count();
-    Ok(Frame {
+    let frame = Frame {
         width: scene.film.width,
         height: scene.film.height,
         layers: layers(scene, &film),
         light: None,
         statistics: Statistics {
-            method: "voxels".to_owned(),
-            backend: backend.name().to_owned(),
-            adapter: backend.adapter(),
-            width: scene.film.width,
-            height: scene.film.height,
             voxels: uploaded.voxels(),
             planes: total,
-            light_texels: [0, 0],
             rays_turned: trapped as u64,
             frame_ms: vec![frame_ms],
             upload_ms: Some(upload_ms),
-            kernels: backend.take_kernel_times(),
-            peak_rss_bytes: peak_rss_bytes(),
-            gpu_bytes: backend.device_bytes(),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..statistics
         },
-    })
+    };
+    Ok(frame.expose(scene.film.exposure))
 }
 
 fn layers(scene: &Scene, records: &[f32]) -> Vec<Layer> {
     let size = [scene.film.width, scene.film.height];
-    let make = |name: &str, channels: &[(&str, usize)]| layer(name, records, size, scene.film.supersampling, channels);
+    let rays = frame::Rays { records, size, edge: scene.film.supersampling };
     let color = |from: usize| [("R", from), ("G", from + 1), ("B", from + 2)];
     let vector = |from: usize| [("X", from), ("Y", from + 1), ("Z", from + 2)];
     let [r, g, b] = color(view::COLOR);
-    let mut first = make("color", &[r, g, b, ("A", view::COLOR + 3)]);
-    let exposure = scene.film.exposure.exp2();
-    for channel in first.channels.iter_mut().take(3) {
-        channel.data.iter_mut().for_each(|value| *value *= exposure);
-    }
     vec![
-        first,
-        make("depth", &[("Z", view::DEPTH)]),
-        make("direction", &vector(view::DIRECTION)),
-        make("normal", &vector(view::NORMAL)),
-        make("bounces", &[("Y", view::BOUNCES)]),
-        make("path_length", &[("Y", view::LENGTH)]),
-        make("transmittance", &color(view::TRANSMITTANCE)),
-        make("reflectance", &[("Y", view::REFLECTANCE)]),
-        make("status", &[("Y", view::STATUS)]),
+        rays.layer("color", Pixel::Mean, [r, g, b, ("A", view::COLOR + 3)]),
+        rays.layer("depth", Pixel::Present, [("Z", view::DEPTH)]),
+        rays.layer("direction", Pixel::Direction, vector(view::DIRECTION)),
+        rays.layer("normal", Pixel::Direction, vector(view::NORMAL)),
+        rays.layer("bounces", Pixel::Central, [("Y", view::BOUNCES)]),
+        rays.layer("path_length", Pixel::Mean, [("Y", view::LENGTH)]),
+        rays.layer("transmittance", Pixel::Mean, color(view::TRANSMITTANCE)),
+        rays.layer("reflectance", Pixel::Mean, [("Y", view::REFLECTANCE)]),
+        rays.layer("status", Pixel::Central, [("Y", view::STATUS)]),
     ]
 }

@@ -1,10 +1,10 @@
 //! From a scene to a frame.
 
 use crate::backend::{Backend, BackendError, KernelTime};
-use crate::frame::{Frame, Statistics, layer};
+use crate::frame::{Frame, Pixel, Rays, Statistics};
 use crate::inputs::Inputs;
-use crate::method::sweep::Sweep;
-use crate::scene::{Scene, SceneError};
+use crate::method::sweep::{self, Sweep};
+use crate::scene::{Method, Scene, SceneError};
 use crate::session::Session;
 use std::time::Instant;
 use vitrum_io::Picture;
@@ -72,6 +72,19 @@ impl Default for Wanted {
     }
 }
 
+/// Whether a frame of a scene can be made of its inputs, as far as that can be told without a backend and without work.
+///
+/// # Errors
+/// [`Error::SceneFile`] where a key is out of its range, [`Error::Scene`] where what is seen and lit makes no frame, as when the light
+/// shines towards the camera.
+pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
+    scene.validate()?;
+    match scene.method {
+        Method::Sweep => sweep::check(scene, inputs),
+        Method::Voxels => Ok(()),
+    }
+}
+
 /// Renders a scene with all outputs. `progress` is called from time to time and cancels the frame by returning `false`.
 pub fn render(
     scene: &Scene,
@@ -127,59 +140,44 @@ pub(crate) fn develop(
     scene: &Scene,
     sweep: &Sweep,
     exposure: &Exposure,
-    backend: &dyn Backend,
+    backend: &mut dyn Backend,
     upload_ms: f64,
 ) -> Frame {
     let (width, height) = (scene.film.width, scene.film.height);
     let rays = sweep.rays[0] as usize * sweep.rays[1] as usize;
     let turned = exposure.film[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
-    Frame {
+    let frame = Frame {
         width,
         height,
         layers: layers(scene, &exposure.film),
         light: exposure.light.as_ref().map(|light| light_picture(sweep, light)),
         statistics: Statistics {
-            method: "sweep".to_owned(),
-            backend: backend.name().to_owned(),
-            adapter: backend.adapter(),
-            width,
-            height,
-            voxels: None,
             planes: sweep.planes.count,
             light_texels: sweep.light_grid.size,
             rays_turned: turned as u64,
             frame_ms: vec![exposure.frame_ms],
             upload_ms: Some(upload_ms),
             kernels: exposure.kernels.clone(),
-            peak_rss_bytes: peak_rss_bytes(),
-            gpu_bytes: backend.device_bytes(),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..Statistics::of(scene, backend)
         },
-    }
+    };
+    frame.expose(scene.film.exposure)
 }
 
 fn layers(scene: &Scene, records: &[f32]) -> Vec<vitrum_io::Layer> {
     let size = [scene.film.width, scene.film.height];
-    let edge = scene.film.supersampling;
-    let make = |name: &str, channels: &[(&str, usize)]| layer(name, records, size, edge, channels);
-    let color = film::COLOR;
-    let mut first = make("color", &[("R", color), ("G", color + 1), ("B", color + 2), ("A", color + 3)]);
-    let exposure = scene.film.exposure.exp2();
-    for channel in first.channels.iter_mut().take(3) {
-        for value in &mut channel.data {
-            *value *= exposure;
-        }
-    }
+    let rays = Rays { records, size, edge: scene.film.supersampling };
+    let color = |from: usize| [("R", from), ("G", from + 1), ("B", from + 2)];
     let vector = |from: usize| [("X", from), ("Y", from + 1), ("Z", from + 2)];
-    let medium = film::MEDIUM;
+    let [r, g, b] = color(film::COLOR);
     vec![
-        first,
-        make("opacity", &[("Y", film::OPACITY)]),
-        make("medium", &[("R", medium), ("G", medium + 1), ("B", medium + 2)]),
-        make("depth", &[("Z", film::DEPTH)]),
-        make("direction", &vector(film::DIRECTION)),
-        make("position", &vector(film::POSITION)),
-        make("status", &[("Y", film::STATUS)]),
+        rays.layer("color", Pixel::Mean, [r, g, b, ("A", film::COLOR + 3)]),
+        rays.layer("opacity", Pixel::Mean, [("Y", film::OPACITY)]),
+        rays.layer("medium", Pixel::Mean, color(film::MEDIUM)),
+        rays.layer("depth", Pixel::WeightedBy(film::OPACITY), [("Z", film::DEPTH)]),
+        rays.layer("direction", Pixel::Direction, vector(film::DIRECTION)),
+        rays.layer("position", Pixel::Central, vector(film::POSITION)),
+        rays.layer("status", Pixel::Central, [("Y", film::STATUS)]),
     ]
 }
 
@@ -193,12 +191,4 @@ fn light_picture(sweep: &Sweep, records: &[f32]) -> Picture {
         .map(|at| [records[at], records[texels + at], records[2 * texels + at]])
         .collect();
     Picture::rgb(width, height, pixels)
-}
-
-/// The most memory this process had, where the system tells (Linux).
-pub(crate) fn peak_rss_bytes() -> Option<u64> {
-    let text = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
-    let kibibytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(kibibytes * 1024)
 }

@@ -36,7 +36,7 @@ pub struct DeviceInfo {
     pub chosen_by_auto: bool,
 }
 
-/// Everything kernels can run on, the CPU last.
+/// Everything kernels can run on, the best graphics adapter first, the CPU last.
 pub fn devices() -> Vec<DeviceInfo> {
     let mut found: Vec<DeviceInfo> = adapters()
         .iter()

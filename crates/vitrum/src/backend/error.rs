@@ -81,11 +81,16 @@ pub enum BackendError {
 }
 
 impl BackendError {
-    /// Whether another device could do the same work: this one failed, or has too little memory.
+    /// Whether another device could do the same work: this one cannot be used, failed, or has too little memory.
     pub fn is_of_device(&self) -> bool {
         matches!(
             self,
-            Self::DeviceLost { .. } | Self::OutOfMemory { .. } | Self::TooLarge { .. } | Self::VolumeLimit { .. }
+            Self::NoAdapter { .. }
+                | Self::Unsupported { .. }
+                | Self::DeviceLost { .. }
+                | Self::OutOfMemory { .. }
+                | Self::TooLarge { .. }
+                | Self::VolumeLimit { .. }
         )
     }
 

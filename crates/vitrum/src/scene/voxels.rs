@@ -14,6 +14,17 @@ pub enum Method {
     Voxels,
 }
 
+impl Method {
+    /// Its name in scene files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sweep => "sweep",
+            Self::Voxels => "voxels",
+        }
+    }
+}
+
 /// The surfaces that a ray is followed through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -14,6 +14,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     // What can be refused at once is refused before any work.
     check_outputs(arguments)?;
     let prepared = arguments.scene.prepare()?;
+    vitrum::check(&prepared.scene, &prepared.inputs)?;
     let mut session = arguments.device.session(&prepared.inputs, &arguments.memory, arguments.quiet)?;
     let frame = render(arguments, &prepared, &mut session)?;
     interrupt::check()?;

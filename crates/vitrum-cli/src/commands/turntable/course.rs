@@ -4,6 +4,7 @@ use super::Arguments;
 use crate::failure::{Failure, Status};
 use crate::input::read_text;
 use std::path::Path;
+use vitrum::Inputs;
 use vitrum::scene::{KeyFrames, Scene};
 
 /// Pictures of a whole turn.
@@ -29,8 +30,8 @@ pub fn read_keys(path: &Path, rate: u16) -> Result<KeyFrames, Failure> {
 }
 
 impl Course {
-    /// Fails where a frame has no valid scene, so that no film breaks off at it.
-    pub fn new(arguments: &Arguments, start: Scene, keys: Option<KeyFrames>) -> Result<Self, Failure> {
+    /// Fails where a frame has no valid scene of these inputs, so that no film breaks off at it.
+    pub fn new(arguments: &Arguments, start: Scene, inputs: &Inputs, keys: Option<KeyFrames>) -> Result<Self, Failure> {
         let (motion, frames) = match keys {
             Some(keys) => {
                 let all = keys.last_frame().floor() as u32 + 1;
@@ -44,7 +45,12 @@ impl Course {
             None => (Motion::Turn(arguments.turn), arguments.frames.unwrap_or(TURN)),
         };
         let course = Self { start, frames, motion };
-        (0..frames).try_for_each(|index| course.scene(index).map(drop))?;
+        for index in 0..frames {
+            vitrum::check(&course.scene(index)?, inputs).map_err(|error| {
+                let failure = Failure::from(error);
+                failure.with_place(&format!("frame {index} of {frames}"))
+            })?;
+        }
         Ok(course)
     }
 

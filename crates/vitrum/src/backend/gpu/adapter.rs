@@ -6,13 +6,15 @@ use std::sync::{Arc, Mutex};
 /// What the driver reported while nobody was waiting for it.
 pub(super) type Failure = Arc<Mutex<Option<String>>>;
 
-/// All adapters of the platform's native interfaces.
+/// All adapters of the platform's native interfaces, best first.
 pub(crate) fn adapters() -> Vec<wgpu::Adapter> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
         backends: wgpu::Backends::VULKAN | wgpu::Backends::METAL | wgpu::Backends::DX12,
         ..wgpu::InstanceDescriptor::new_without_display_handle()
     });
-    pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()))
+    let mut found = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+    found.sort_by_key(|adapter| rank(&adapter.get_info()));
+    found
 }
 
 /// Whether an adapter is a graphics processor rather than a driver that runs on the CPU.
@@ -44,7 +46,6 @@ pub(crate) fn describe(info: &wgpu::AdapterInfo) -> String {
 /// The best adapter whose description contains `wanted` (any case).
 pub(super) fn choose(wanted: Option<&str>) -> Result<wgpu::Adapter, BackendError> {
     let mut found = adapters();
-    found.sort_by_key(|adapter| rank(&adapter.get_info()));
     let names: Vec<String> = found.iter().map(|adapter| describe(&adapter.get_info())).collect();
     let lowered = wanted.unwrap_or("").to_lowercase();
     let index = names.iter().position(|name| name.to_lowercase().contains(&lowered));

@@ -23,6 +23,7 @@ pub use light::LightGrid;
 pub use passes::Uploaded;
 pub use planes::Planes;
 pub use tables::Tables;
+pub use uniforms::check;
 pub use view::View;
 
 use crate::backend::{Backend, BackendError, Buffer, PassList};

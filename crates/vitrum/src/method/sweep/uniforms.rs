@@ -58,6 +58,21 @@ fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
     (1.5 * distance / f64::from(finest)).ceil().clamp(1.0, 64.0) as u32
 }
 
+/// Whether there are planes and a light grid for a scene of these inputs, and its clips are planes.
+///
+/// # Errors
+/// As [`Fixed::new`].
+pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
+    let shown = &inputs.volume;
+    let volumes: Vec<_> = std::iter::once(shown).chain(&inputs.ior_volume).collect();
+    let view = View::new(scene, shown);
+    let towards = direction(&scene.light, &view)?;
+    let receivers = Receivers::new(scene, &view, shown);
+    let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
+    LightGrid::new(scene, &view, &volumes, &planes, towards)?;
+    set_clips(&mut SweepUniforms::default(), scene, &view, shown)
+}
+
 impl Fixed {
     /// What `scene` comes to for volumes that are stored as `format` says.
     pub(super) fn new(scene: &Scene, inputs: &Inputs, format: u32) -> Result<Self, Error> {
