@@ -55,6 +55,10 @@ impl Backend for AlteredCpu {
         self.cpu.run(&passes, progress)
     }
 
+    fn leaves_out_idle_passes(&self) -> bool {
+        self.cpu.leaves_out_idle_passes()
+    }
+
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
         let mut bytes = self.cpu.read(buffer)?;
         (self.bytes)(&mut bytes);

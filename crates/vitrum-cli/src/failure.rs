@@ -41,6 +41,11 @@ impl Failure {
         Self { status, message, help }
     }
 
+    /// The failure of a part of the work.
+    pub fn at(self, place: &str) -> Self {
+        Self { message: format!("{place}: {}", self.message), ..self }
+    }
+
     /// An output that cannot be written: the user named it.
     pub fn output(error: &vitrum::io::Error) -> Self {
         Self::with_advice(Status::WrongUse, error, advice(error))

@@ -1,7 +1,7 @@
 //! A finished frame.
 
 use crate::backend::{Backend, KernelTime};
-use crate::scene::Scene;
+use crate::scene::{Method, Scene};
 use serde::Serialize;
 use vitrum_io::{Channel, Layer, Picture};
 
@@ -20,6 +20,8 @@ pub struct Statistics {
     pub height: u32,
     /// Voxels along x, y and z that a mesh was turned into.
     pub voxels: Option<[u32; 3]>,
+    /// Rows of those voxels that go through holes of the mesh's surface and were left empty.
+    pub open_rows: Option<u64>,
     /// Planes swept; dispatches, of rays through a mesh.
     pub planes: u32,
     /// Texels of the light grid, across and up.
@@ -83,29 +85,30 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Names and meanings of the outputs. Where a pixel has several rays (`film.supersampling`) it shows their mean: of depths that of
-    /// the rays that have one, of directions and normals the unit vector; `position`, `status` and `bounces` are of the ray next to
-    /// the pixel's centre.
-    pub const AOVS: &'static [(&'static str, &'static str)] = &[
-        ("color", "linear radiance and coverage (RGBA)"),
-        ("opacity", "opacity A of particles and receivers, 0 to 1"),
-        ("medium", "transmittance M of the medium, RGB, 0 to 1"),
-        (
+    /// The outputs. Where a pixel has several rays (`film.supersampling`) it shows their mean: of depths that of the rays that have one, of
+    /// directions and normals the unit vector; `position`, `status` and `bounces` are of the ray next to the pixel's centre.
+    pub const OUTPUTS: &'static [Output] = &[
+        output("color", BOTH, "linear radiance and coverage (RGBA)"),
+        output("opacity", SWEEP, "opacity A of particles and receivers, 0 to 1"),
+        output("medium", SWEEP, "transmittance M of the medium, RGB, 0 to 1"),
+        output(
             "depth",
+            BOTH,
             "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque; of a mesh that of the first surface",
         ),
-        ("direction", "final unit direction of the ray in view space (looking along -z)"),
-        ("position", "final position of the ray in view space, world units"),
-        (
+        output("direction", BOTH, "final unit direction of the ray in view space (looking along -z)"),
+        output("position", SWEEP, "final position of the ray in view space, world units"),
+        output(
             "status",
+            BOTH,
             "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed; through a mesh: 1 it left, 2 it was still inside, 3 it met an opaque body or a receiver",
         ),
-        ("normal", "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
-        ("bounces", "of a mesh: surfaces at which the ray was refracted or reflected"),
-        ("path_length", "of a mesh: length of the ray's way inside, world units"),
-        ("transmittance", "of a mesh: what absorption and reflection leave of the light, RGB, 0 to 1"),
-        ("reflectance", "of a mesh: share of the light that the first surface reflects, 0 to 1"),
-        ("light", "light on the last plane, in the light grid's own texels, RGB"),
+        output("normal", VOXELS, "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
+        output("bounces", VOXELS, "of a mesh: surfaces at which the ray was refracted or reflected"),
+        output("path_length", VOXELS, "of a mesh: length of the ray's way inside, world units"),
+        output("transmittance", VOXELS, "of a mesh: what absorption and reflection leave of the light, RGB, 0 to 1"),
+        output("reflectance", VOXELS, "of a mesh: share of the light that the first surface reflects, 0 to 1"),
+        output("light", SWEEP, "light on the last plane, in the light grid's own texels, RGB"),
     ];
 
     /// An output as a picture of its own; `None` if there is no output of that name, or it was not wanted.
@@ -136,6 +139,25 @@ impl Frame {
         let layer = self.layers.iter().find(|found| found.name == layer)?;
         layer.channels.iter().find(|found| found.name == channel).map(|found| found.data.as_slice())
     }
+}
+
+/// A named output of a frame.
+#[derive(Debug, Clone, Copy)]
+pub struct Output {
+    /// Its name.
+    pub name: &'static str,
+    /// The methods whose frames have it.
+    pub methods: &'static [Method],
+    /// What it is, with its unit and range.
+    pub description: &'static str,
+}
+
+const SWEEP: &[Method] = &[Method::Sweep];
+const VOXELS: &[Method] = &[Method::Voxels];
+const BOTH: &[Method] = &[Method::Sweep, Method::Voxels];
+
+const fn output(name: &'static str, methods: &'static [Method], description: &'static str) -> Output {
+    Output { name, methods, description }
 }
 
 /// What a pixel of several rays shows of an output.

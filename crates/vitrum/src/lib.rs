@@ -16,7 +16,7 @@ pub mod scene;
 mod session;
 pub mod spectrum;
 
-pub use frame::{Frame, Statistics};
+pub use frame::{Frame, Output, Statistics};
 pub use inputs::{Inputs, load_mesh, load_volume};
 pub use render::{Error, Progress, Wanted, check, render, render_wanted};
 pub use session::{Fallback, Session};

@@ -51,6 +51,7 @@ pub(crate) fn render(
         light: None,
         statistics: Statistics {
             voxels: uploaded.voxels(),
+            open_rows: uploaded.voxels().map(|_| uploaded.open_rows),
             planes: total,
             rays_turned: trapped as u64,
             frame_ms: vec![frame_ms],

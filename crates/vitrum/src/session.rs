@@ -167,8 +167,9 @@ impl<'a> Session<'a> {
             result?;
         }
         let mut frame = frame.expect("a scene has at least one exposure");
-        if self.inputs.mesh.is_some() {
-            frame.statistics.voxels = Some(inputs.volume.dimensions);
+        if let Uploaded::MeshVolumes(shown, _) = &self.uploaded {
+            frame.statistics.voxels = Some(shown.inputs.volume.dimensions);
+            frame.statistics.open_rows = Some(shown.open_rows);
         }
         Ok(frame)
     }

@@ -65,8 +65,20 @@ pub trait Backend {
     /// early with [`BackendError::Cancelled`].
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
 
+    /// Whether [`Self::run`] leaves passes out as [`PassList::while_busy`] allows.
+    fn leaves_out_idle_passes(&self) -> bool {
+        false
+    }
+
     /// The contents of a buffer.
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError>;
+
+    /// `bytes` bytes of a buffer from byte `start` on, whole words that lie inside it: where a backend can, without reading the rest.
+    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
+        let all = self.read(buffer)?;
+        let part = usize::try_from(start).ok().and_then(|start| all.get(start..)?.get(..usize::try_from(bytes).ok()?));
+        part.map(<[u8]>::to_vec).ok_or_else(|| pass::outside(start, bytes, all.len() as u64))
+    }
 
     /// Frees a buffer.
     fn free(&mut self, buffer: Buffer);

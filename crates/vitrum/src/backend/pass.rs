@@ -82,6 +82,12 @@ impl PassList {
     }
 }
 
+/// The error of asking for what lies outside a buffer of `size` bytes.
+pub(super) fn outside(start: u64, bytes: u64, size: u64) -> BackendError {
+    let what = format!("{bytes} bytes from byte {start} on are read of a buffer of {size}");
+    BackendError::Misuse { kernel: "-", what }
+}
+
 impl Write {
     /// Checks that the part lies inside the buffer; `bytes` gives a buffer's size.
     pub(super) fn check(&self, bytes: impl Fn(Buffer) -> Option<u64>) -> Result<(), BackendError> {

@@ -48,6 +48,8 @@ pub(crate) struct MeshVolumes {
     kind: Kind,
     /// The volumes, and the rest of the mesh's inputs.
     pub(crate) inputs: Inputs,
+    /// See [`Solids::open_rows`].
+    pub(crate) open_rows: u64,
 }
 
 impl MeshVolumes {
@@ -79,7 +81,8 @@ impl MeshVolumes {
                 (shares.mixed(&mesh.name, &numbers, 0.0)?, Some(shares.mixed(&mesh.name, &ior, 1.0)?))
             }
         };
-        Ok(Self { kind, inputs: Inputs { volume, mesh: None, ior_volume, environment } })
+        let open_rows = solids.open_rows;
+        Ok(Self { kind, open_rows, inputs: Inputs { volume, mesh: None, ior_volume, environment } })
     }
 
     /// Whether a scene of the same mesh shows the same volumes.

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 use std::str::FromStr;
-use vitrum::Frame;
 use vitrum::suggest::nearest;
+use vitrum::{Frame, Output};
 
 /// A named output, and the file that it goes to.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -18,7 +18,7 @@ impl FromStr for AovRequest {
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let expected = || "expected NAME=FILE, such as depth=depth.exr".to_owned();
         let (name, file) = text.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(expected)?;
-        let names = || Frame::AOVS.iter().map(|&(name, _)| name);
+        let names = || Frame::OUTPUTS.iter().map(|output| output.name);
         match names().find(|&known| known == name) {
             Some(name) => Ok(Self { name, file: file.into() }),
             None => Err(match nearest(name, names()) {
@@ -34,9 +34,11 @@ impl FromStr for AovRequest {
 
 /// The help of `--aov`, with all names.
 pub fn long_help() -> String {
-    let width = Frame::AOVS.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let rows: String =
-        Frame::AOVS.iter().map(|(name, description)| format!("\n  {name:width$}  {description}")).collect();
+    let width = Frame::OUTPUTS.iter().map(|output| output.name.len()).max().unwrap_or(0);
+    let rows: String = Frame::OUTPUTS
+        .iter()
+        .map(|Output { name, description, .. }| format!("\n  {name:width$}  {description}"))
+        .collect();
     format!("Also write a named output, such as depth=depth.exr; repeatable. Values are linear. The names:\n{rows}")
 }
 

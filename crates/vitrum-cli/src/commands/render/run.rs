@@ -1,7 +1,7 @@
 //! The course of a render: check, read, render, write.
 
 use super::Arguments;
-use super::write::{check_outputs, write_outputs};
+use super::write::{check_names, check_outputs, write_outputs};
 use crate::failure::Failure;
 use crate::input::Prepared;
 use crate::progress::Bar;
@@ -14,12 +14,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     // What can be refused at once is refused before any work.
     check_outputs(arguments)?;
     let prepared = arguments.scene.prepare()?;
+    check_names(arguments, &prepared.scene)?;
     vitrum::check(&prepared.scene, &prepared.inputs)?;
     let mut session = arguments.device.session(&prepared.inputs, &arguments.memory, arguments.quiet)?;
     let frame = render(arguments, &prepared, &mut session)?;
     interrupt::check()?;
     write_outputs(arguments, &prepared.scene, &frame)?;
     if !arguments.quiet {
+        warn(&arguments.scene.input, &frame.statistics);
         eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
     }
     if arguments.json {
@@ -33,6 +35,8 @@ fn render(arguments: &Arguments, prepared: &Prepared, session: &mut Session) -> 
     let wanted = Wanted { light: arguments.aov.iter().any(|aov| aov.name == "light") };
     let bar = Bar::new(arguments.frames, arguments.quiet);
     let mut frame_ms = Vec::new();
+    // Only the first frame waits for the volume.
+    let mut upload_ms = None;
     let mut index = 0;
     loop {
         let mut progress = |progress| {
@@ -41,11 +45,22 @@ fn render(arguments: &Arguments, prepared: &Prepared, session: &mut Session) -> 
         };
         let mut frame = session.render(&prepared.scene, wanted, &mut progress)?;
         frame_ms.append(&mut frame.statistics.frame_ms);
+        upload_ms = upload_ms.or(frame.statistics.upload_ms);
         index += 1;
         if index >= arguments.frames {
-            frame.statistics.frame_ms = frame_ms;
+            frame.statistics = Statistics { frame_ms, upload_ms, ..frame.statistics };
             return Ok(frame);
         }
+    }
+}
+
+/// Says what the user may not have expected.
+fn warn(input: &str, statistics: &Statistics) {
+    if let Some(rows) = statistics.open_rows.filter(|&rows| rows > 0) {
+        eprintln!(
+            "warning: {input}: {rows} rows of voxels go through holes of the surface and were left empty; `vitrum info` counts open \
+             edges, and `--set voxels.surfaces=exact` shows triangles as they are"
+        );
     }
 }
 

@@ -7,7 +7,7 @@ use crate::output;
 use std::path::Path;
 use vitrum::io::{Picture, check_writable, write_picture_with};
 use vitrum::scene::Scene;
-use vitrum::{Frame, Statistics};
+use vitrum::{Frame, Output, Statistics};
 
 /// Whether every output could be written now, and each to a file of its own.
 pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
@@ -27,6 +27,18 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)
 }
 
+/// Whether a frame of the scene has every output that is asked for.
+pub fn check_names(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
+    let has = |output: &Output| output.methods.contains(&scene.method);
+    let Some(missing) = arguments.aov.iter().find(|aov| !Frame::OUTPUTS.iter().any(|o| o.name == aov.name && has(o)))
+    else {
+        return Ok(());
+    };
+    let names: Vec<&str> = Frame::OUTPUTS.iter().filter(|output| has(output)).map(|output| output.name).collect();
+    let message = format!("the method `{}` has no output `{}`", scene.method.name(), missing.name);
+    Err(Failure::new(Status::WrongUse, message, format!("it has {}", names.join(", "))))
+}
+
 /// Writes the picture, the named outputs and the statistics.
 pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Result<(), Failure> {
     let metadata = metadata(scene, &frame.statistics)?;
@@ -38,7 +50,7 @@ pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Res
     write(&arguments.output, &frame.picture())?;
     for aov in &arguments.aov {
         let picture = frame.aov(aov.name).ok_or_else(|| {
-            let message = format!("this scene has no output `{}`", aov.name);
+            let message = format!("the frame has no output `{}`", aov.name);
             Failure::new(Status::WrongUse, message, "leave it out")
         })?;
         write(&aov.file, &picture)?;

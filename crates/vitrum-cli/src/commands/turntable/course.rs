@@ -46,10 +46,8 @@ impl Course {
         };
         let course = Self { start, frames, motion };
         for index in 0..frames {
-            vitrum::check(&course.scene(index)?, inputs).map_err(|error| {
-                let failure = Failure::from(error);
-                failure.with_place(&format!("frame {index} of {frames}"))
-            })?;
+            vitrum::check(&course.scene(index)?, inputs)
+                .map_err(|error| Failure::from(error).at(&format!("frame {index} of {frames}")))?;
         }
         Ok(course)
     }

@@ -194,6 +194,10 @@ impl Backend for CpuBackend {
         Ok(())
     }
 
+    fn leaves_out_idle_passes(&self) -> bool {
+        true
+    }
+
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
         Ok(self.buffers[buffer.0].as_deref().map(|words| bytemuck::cast_slice(words).to_vec()).unwrap_or_default())
     }

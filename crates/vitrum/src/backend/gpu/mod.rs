@@ -7,7 +7,7 @@ mod stopwatch;
 
 pub(crate) use adapter::{adapters, describe, is_hardware};
 
-use super::{Backend, BackendError, Buffer, KernelTime, Pass, PassList, Write};
+use super::{Backend, BackendError, Buffer, KernelTime, Pass, PassList, Write, pass};
 use adapter::Opened;
 use pipeline::Pipeline;
 use std::collections::HashMap;
@@ -276,15 +276,23 @@ impl Backend for GpuBackend {
     }
 
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
+        let whole = self.get(buffer)?.size();
+        self.read_part(buffer, 0, whole)
+    }
+
+    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
         let source = self.get(buffer)?.clone();
+        if start.checked_add(bytes).is_none_or(|end| end > source.size()) {
+            return Err(pass::outside(start, bytes, source.size()));
+        }
         let staging = self.opened.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
-            size: source.size(),
+            size: bytes,
             usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
         let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_buffer_to_buffer(&source, 0, &staging, 0, source.size());
+        encoder.copy_buffer_to_buffer(&source, start, &staging, 0, bytes);
         let submission = self.opened.queue.submit([encoder.finish()]);
         let (sender, receiver) = std::sync::mpsc::channel();
         staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {

@@ -5,10 +5,10 @@ use crate::scene::{Material, Scene};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::{AIR, material};
 
-/// The triangles of one material.
+/// The triangles of one material, or of several that are alike.
 #[derive(Debug, Clone)]
 pub struct Body {
-    /// Its number in the mesh; `None` if the mesh has no materials.
+    /// Its number in the mesh, the first of several; `None` if the mesh has no materials.
     pub material: Option<u32>,
     /// Whether light ends at its surface.
     pub opaque: bool,
@@ -17,7 +17,7 @@ pub struct Body {
 }
 
 /// The numbers of a mesh's materials, those alone that triangles have; `None` if it has no materials.
-pub(super) fn numbers(mesh: &Mesh) -> Vec<Option<u32>> {
+fn numbers(mesh: &Mesh) -> Vec<Option<u32>> {
     let mut numbers: Vec<Option<u32>> = mesh.triangle_materials.iter().copied().map(Some).collect();
     numbers.sort_unstable();
     numbers.dedup();
@@ -27,15 +27,36 @@ pub(super) fn numbers(mesh: &Mesh) -> Vec<Option<u32>> {
     numbers
 }
 
-/// The bodies of a mesh, clear ones first, and of these those of the least volume: where two overlap, it is the smaller one that is
+/// Materials of a mesh that make one body.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Group {
+    pub(super) opaque: bool,
+    /// Their numbers; `None` if the mesh has no materials.
+    numbers: Vec<Option<u32>>,
+}
+
+/// The clear materials that are alike together, each opaque one by itself. `listed` are the scene's materials.
+pub(super) fn groups(mesh: &Mesh, listed: &[Material]) -> Vec<Group> {
+    let mut groups: Vec<(Material, Group)> = Vec::new();
+    for number in numbers(mesh) {
+        let material = Material { name: None, ..chosen(listed, of_mesh(mesh, number)) };
+        match groups.iter_mut().find(|(known, _)| !material.opaque && *known == material) {
+            Some((_, group)) => group.numbers.push(number),
+            None => groups.push((material.clone(), Group { opaque: material.opaque, numbers: vec![number] })),
+        }
+    }
+    groups.into_iter().map(|(_, group)| group).collect()
+}
+
+/// The bodies of a mesh, one for all clear materials that are alike and one for each opaque one; clear ones first, and of these those of the least volume: where two overlap, it is the smaller one that is
 /// there. `listed` are the scene's materials.
 ///
 /// # Errors
 /// Where there are more clear materials than rays can tell apart.
 pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
-    let split = |number: Option<u32>| body(mesh, number, chosen(listed, of_mesh(mesh, number)).opaque);
+    let split = |group: Group| body(mesh, &group.numbers, group.opaque);
     let (opaque, mut bodies): (Vec<Body>, Vec<Body>) =
-        numbers(mesh).into_iter().map(split).partition(|body| body.opaque);
+        groups(mesh, listed).into_iter().map(split).partition(|body| body.opaque);
     if bodies.len() > AIR as usize {
         let count = bodies.len();
         return Err(Error::Scene(format!(
@@ -48,8 +69,8 @@ pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
     Ok(bodies)
 }
 
-fn body(mesh: &Mesh, material: Option<u32>, opaque: bool) -> Body {
-    let is_part = |index: &usize| material.is_none_or(|number| mesh.triangle_materials[*index] == number);
+fn body(mesh: &Mesh, numbers: &[Option<u32>], opaque: bool) -> Body {
+    let is_part = |index: &usize| numbers.contains(&mesh.triangle_materials.get(*index).copied());
     let triangles: Vec<[u32; 3]> =
         (0..mesh.triangles.len()).filter(is_part).map(|index| mesh.triangles[index]).collect();
     // Of the vertices those alone that it has: a mesh may have many materials.
@@ -75,7 +96,7 @@ fn body(mesh: &Mesh, material: Option<u32>, opaque: bool) -> Body {
         part.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         part.normals.iter_mut().flatten().for_each(|normal| *normal = normal.map(|component| -component));
     }
-    Body { material, opaque, mesh: part }
+    Body { material: numbers.first().copied().flatten(), opaque, mesh: part }
 }
 
 /// What a clear body does to light.
@@ -119,7 +140,8 @@ pub(super) fn of_mesh(mesh: &Mesh, number: Option<u32>) -> Option<&vitrum_io::Ma
     number.and_then(|number| mesh.materials.get(number as usize))
 }
 
-/// What the scene says of the material by its name, else of all, else what the mesh says, else glass.
+/// What the scene says of the material by its name, else of all, else what the mesh says, else glass. A mesh's material that has opacity 1 and
+/// neither transmits nor attenuates is opaque.
 pub(super) fn chosen(listed: &[Material], of_mesh: Option<&vitrum_io::Material>) -> Material {
     let named =
         listed.iter().find(|listed| listed.name.is_some() && listed.name.as_ref() == of_mesh.map(|own| &own.name));
@@ -129,6 +151,9 @@ pub(super) fn chosen(listed: &[Material], of_mesh: Option<&vitrum_io::Material>)
     }
     let mut material = Material::default();
     if let Some(own) = of_mesh {
+        // What says that all light ends at its surface; what says nothing of it is clear.
+        let transmits = own.transmission.is_some_and(|share| share > 0.0) || own.attenuation_color.is_some();
+        material.opaque = own.opacity == Some(1.0) && !transmits;
         // Writers of MTL put 1 there for what they do not know.
         material.ior = own.index_of_refraction.filter(|&ior| ior > 1.0).unwrap_or(material.ior).min(4.0);
         material.attenuation_color =
@@ -136,4 +161,45 @@ pub(super) fn chosen(listed: &[Material], of_mesh: Option<&vitrum_io::Material>)
         material.attenuation_distance = own.attenuation_distance;
     }
     material
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A triangle of each material.
+    fn mesh(materials: Vec<vitrum_io::Material>) -> Mesh {
+        let count = materials.len() as u32;
+        Mesh {
+            name: "triangles".to_owned(),
+            positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            triangles: vec![[0, 1, 2]; count as usize],
+            normals: None,
+            colors: None,
+            materials,
+            triangle_materials: (0..count).collect(),
+            source: vitrum_io::Source::default(),
+        }
+    }
+
+    #[test]
+    fn a_surface_that_lets_nothing_through_is_opaque() {
+        let opaque = |own: vitrum_io::Material| chosen(&[], Some(&own)).opaque;
+        let solid = vitrum_io::Material { opacity: Some(1.0), ..Default::default() };
+        assert!(opaque(solid.clone()));
+        assert!(!opaque(vitrum_io::Material::default()), "nothing is said");
+        assert!(!opaque(vitrum_io::Material { opacity: Some(0.5), ..Default::default() }));
+        assert!(!opaque(vitrum_io::Material { transmission: Some(1.0), ..solid.clone() }));
+        assert!(!opaque(vitrum_io::Material { attenuation_color: Some([0.5; 3]), ..solid }));
+    }
+
+    #[test]
+    fn clear_materials_that_are_alike_are_one_body() {
+        let water = || vitrum_io::Material { index_of_refraction: Some(1.33), ..Default::default() };
+        let wood = || vitrum_io::Material { opacity: Some(1.0), ..Default::default() };
+        let mesh = mesh([vec![water(); 20], vec![wood(); 2], vec![Default::default(); 2]].concat());
+        let found = bodies(&mesh, &[]).unwrap();
+        let sizes: Vec<(bool, usize)> = found.iter().map(|body| (body.opaque, body.mesh.triangles.len())).collect();
+        assert_eq!(sizes, [(false, 20), (false, 2), (true, 1), (true, 1)]);
+    }
 }

@@ -54,7 +54,7 @@ impl Rays {
         // Most rays have left after a few dispatches. A backend that cannot see that by itself is asked for the rays from time to time.
         const TOGETHER: usize = 8;
         let total = self.passes.passes.len();
-        if total <= 2 * TOGETHER || backend.name() == "cpu" {
+        if total <= 2 * TOGETHER || backend.leaves_out_idle_passes() {
             return backend.run(&self.passes, progress);
         }
         let part = |from: usize, to: usize| {
@@ -72,12 +72,10 @@ impl Rays {
 
     /// Whether any ray has not ended.
     fn under_way(&self, backend: &mut dyn Backend) -> Result<bool, BackendError> {
-        let bytes = backend.read(self.records)?;
-        let count = self.rays[0] as usize * self.rays[1] as usize;
-        let fates = bytes.chunks_exact(4).skip(path::STATUS * count).take(count);
-        Ok(fates
-            .map(|word| f32::from_le_bytes([word[0], word[1], word[2], word[3]]))
-            .any(|fate| fate == fate::ACTIVE || fate == fate::SEEKS))
+        let component = u64::from(self.rays[0]) * u64::from(self.rays[1]) * 4;
+        let bytes = backend.read_part(self.records, path::STATUS as u64 * component, component)?;
+        let fates: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
+        Ok(fates.into_iter().any(|fate| fate == fate::ACTIVE || fate == fate::SEEKS))
     }
 
     /// The finished pixels: planar records as [`view`] describes.

@@ -1,6 +1,6 @@
 //! What rays run through, on a backend.
 
-use super::bodies::{Body, bodies, chosen, numbers, of_mesh};
+use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
 use super::{bricks, tree};
@@ -25,19 +25,18 @@ struct Kind {
     twist: f32,
     exact: bool,
     paper: bool,
-    /// Whether each of the mesh's materials is opaque.
-    opaque: Vec<bool>,
+    /// What makes a body each.
+    groups: Vec<Group>,
 }
 
 impl Kind {
     fn of(scene: &Scene, mesh: &Mesh) -> Self {
-        let is_opaque = |number: Option<u32>| chosen(&scene.material, of_mesh(mesh, number)).opaque;
-        let opaque: Vec<bool> = numbers(mesh).into_iter().map(is_opaque).collect();
+        let groups = groups(mesh, &scene.material);
         // Opaque bodies are triangles always.
-        let exact = scene.voxels.surfaces == Surfaces::Exact || opaque.iter().all(|opaque| *opaque);
+        let exact = scene.voxels.surfaces == Surfaces::Exact || groups.iter().all(|group| group.opaque);
         let paper = scene.voxels.normals == Normals::Paper;
         let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
-        Self { resolution: scene.voxels.resolution, twist, exact, paper, opaque }
+        Self { resolution: scene.voxels.resolution, twist, exact, paper, groups }
     }
 }
 
