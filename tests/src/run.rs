@@ -14,16 +14,7 @@ use crate::report::Pictures;
 use crate::table::{self, Row};
 
 /// The methods that are compared.
-pub const METHODS: [&str; 2] = ["sweep", "voxels"];
-
-/// A method's name, one of [`METHODS`].
-#[must_use]
-pub fn name_of(method: Method) -> &'static str {
-    match method {
-        Method::Sweep => METHODS[0],
-        Method::Voxels => METHODS[1],
-    }
-}
+pub const METHODS: [&str; 2] = [Method::Sweep.name(), Method::Voxels.name()];
 
 /// What two rasters are.
 #[derive(Debug, Clone, Copy)]
@@ -63,7 +54,7 @@ impl Run {
 
     /// Says which method all further comparisons are of.
     pub fn method(&mut self, method: Method) {
-        self.method = name_of(method);
+        self.method = method.name();
     }
 
     /// Keeps the pictures of all further comparisons, for a report.

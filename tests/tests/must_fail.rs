@@ -7,7 +7,7 @@ use vitrum::backend::CpuBackend;
 use vitrum_conformance::altered::AlteredCpu;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
-use vitrum_conformance::{Failure, frames, golden, kernels};
+use vitrum_conformance::{Failure, frames, functions, golden, kernels};
 
 /// The value that is wrong in every buffer.
 const FAULT: usize = 77;
@@ -15,6 +15,16 @@ const FAULT: usize = 77;
 /// A CPU, and one that gets the last bit of one value wrong.
 fn backends() -> Result<(CpuBackend, AlteredCpu), Failure> {
     Ok((CpuBackend::new(None)?, AlteredCpu::of_bytes(|bytes| bytes[4 * FAULT] ^= 1)?))
+}
+
+#[test]
+fn a_wrong_bit_of_a_function_is_found() -> Result<(), Failure> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let (mut cpu, mut faulty) = backends()?;
+    let mut run = Run::new(folder.path().to_owned());
+    functions::compare(2, &mut cpu, &mut faulty, &mut run)?;
+    assert_eq!(run.breaches().len(), run.rows().len(), "{}", run.summary());
+    Ok(())
 }
 
 #[test]

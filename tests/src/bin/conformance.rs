@@ -12,7 +12,7 @@ use vitrum::builtin;
 use vitrum::scene::Method;
 use vitrum_conformance::bounds::{self, Family};
 use vitrum_conformance::case::Case;
-use vitrum_conformance::run::{METHODS, Run, name_of};
+use vitrum_conformance::run::{METHODS, Run};
 use vitrum_conformance::{Failure, adapter, evidence, failure, frames, functions, golden, kernels, report, table};
 
 /// Compare the backends with each other and with the golden pictures; print a table.
@@ -114,7 +114,7 @@ impl Arguments {
         }
         let wants = |scene: &str| self.scene.is_empty() || self.scene.iter().any(|wanted| scene.contains(wanted));
         let of_method =
-            |method: Method| self.method.is_empty() || self.method.iter().any(|wanted| wanted == name_of(method));
+            |method: Method| self.method.is_empty() || self.method.iter().any(|wanted| wanted == method.name());
         kernels.retain(|case| wants(&case.name) && of_method(case.scene.method));
         meshes.retain(|case| wants(&case.name) && of_method(case.scene.method));
         let of_scene = |name: &str| builtin::scene(name).is_some_and(|scene| of_method(scene.method));

@@ -89,6 +89,7 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
         },
     );
     sweep.free(backend);
+    assert_eq!(found.len(), TRUTH.len(), "some planes were not visited");
     found
 }
 

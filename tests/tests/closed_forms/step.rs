@@ -1,4 +1,4 @@
-//! The ray step alone, with exact gradients: kick–drift–kick is second order, the paper's Euler step first.
+//! The ray step alone, with exact gradients: kick–drift–kick is second order, the paper's Euler step does not converge.
 
 use vitrum_conformance::closed_forms::step::worst_miss as error;
 use vitrum_kernels::glam::Vec3;
@@ -9,10 +9,13 @@ fn orders_of_convergence() {
     for steps in [64, 128, 256, 512] {
         println!("{steps} planes: Euler {:.2e}, kick–drift–kick {:.2e}", error(steps, true), error(steps, false));
     }
-    let order = |euler: bool| (error(64, euler) / error(256, euler)).log2() / 2.0;
+    let order = |euler: bool| f64::from(error(64, euler) / error(256, euler)).log2() / 2.0;
     println!("orders: Euler {:.2}, kick–drift–kick {:.2}", order(true), order(false));
-    assert!(error(512, false) < 1e-3, "{}", error(512, false));
-    assert!(error(512, true) > 4.0 * error(512, false));
+    // Rounding hides less than a tenth of an order: at 256 planes the miss is 1.6e-6, and 256 roundings of 6e-8 add up to some 1e-6 at most.
+    assert!((1.9..2.2).contains(&order(false)), "{}", order(false));
+    assert!(error(512, false) < 1e-6, "{}", error(512, false));
+    // With Δs the distance of planes oblique rays are bent too little, however fine the planes are.
+    assert!(order(true).abs() < 0.3 && error(512, true) > 5e-3, "{}, {}", order(true), error(512, true));
 }
 
 /// 4: Maxwell's fisheye, η = 2/(1 + r²). Rays from (0, 0, −1) meet at (0, 0, 1); the miss of one that starts at `degrees`.

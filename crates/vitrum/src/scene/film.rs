@@ -2,8 +2,9 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use vitrum_kernels::abi::record::{path, ray};
 
-/// Size and exposure of the picture: at most 2^28 viewing rays, `width` · `height` · `supersampling`².
+/// Size and exposure of the picture: at most 85899345 viewing rays, `width` · `height` · `supersampling`².
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Film {
@@ -22,12 +23,23 @@ pub struct Film {
 }
 
 impl Film {
-    /// Most viewing rays that a picture may take: `width` · `height` · `supersampling`².
-    pub const MOST_RAYS: u64 = 1 << 28;
+    /// Most viewing rays that a picture may take, `width` · `height` · `supersampling`²: as many as kernels can find the records of, which
+    /// they index by a signed number of 32 bits.
+    pub const MOST_RAYS: u64 = i32::MAX as u64 / if ray::SIZE > path::SIZE { ray::SIZE } else { path::SIZE } as u64;
 }
 
 impl Default for Film {
     fn default() -> Self {
         Self { width: 512, height: 512, exposure: 0.0, supersampling: 1 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Film;
+
+    #[test]
+    fn documents_state_the_limit() {
+        assert_eq!(Film::MOST_RAYS, 85_899_345);
     }
 }

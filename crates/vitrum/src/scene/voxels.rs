@@ -17,7 +17,7 @@ pub enum Method {
 impl Method {
     /// Its name in scene files.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Sweep => "sweep",
             Self::Voxels => "voxels",
@@ -53,7 +53,7 @@ pub enum Normals {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Voxels {
-    /// Voxels along the mesh's longest edge, 8 to 2048.
+    /// Voxels along the mesh's longest edge, 8 to 2048; of the box around it 2^30 at most for all its clear materials together.
     #[schemars(range(min = 8, max = 2048))]
     pub resolution: u32,
     /// `two`, `multi` or `exact`.
