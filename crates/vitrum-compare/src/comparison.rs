@@ -40,8 +40,8 @@ impl Comparison {
     #[must_use]
     pub fn worst_pixel(&self) -> Option<(u32, u32)> {
         let index = self.per_pixel.iter().position(|&difference| difference > 0.0 && difference == self.max_abs)?;
-        let index = u32::try_from(index).expect("a picture has at most u32::MAX pixels");
-        Some((index % self.width, index / self.width))
+        let width = self.width as usize;
+        Some(((index % width) as u32, (index / width) as u32))
     }
 }
 

@@ -22,6 +22,8 @@
 //! # Ok::<(), vitrum_compare::CompareError>(())
 //! ```
 
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
+
 mod bound;
 mod comparison;
 mod difference;

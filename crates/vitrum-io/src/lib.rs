@@ -17,6 +17,8 @@
 //! # Ok::<(), vitrum_io::Error>(())
 //! ```
 
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
+
 mod arrays;
 mod beside;
 mod data_file;

@@ -21,11 +21,17 @@ pub struct Inputs {
 
 impl Inputs {
     /// Reads what `scene` names; relative paths start at `base`.
+    ///
+    /// # Errors
+    /// [`Error::Io`] where a file cannot be read, [`Error::Scene`] where the scene names nothing, or something built in that is not there.
     pub fn load(scene: &Scene, base: &Path) -> Result<Self, Error> {
         Self::load_within(scene, base, None)
     }
 
     /// As [`Self::load`], with at most `max_bytes` for each volume ([`OpenOptions::max_bytes`]).
+    ///
+    /// # Errors
+    /// As [`Self::load`].
     pub fn load_within(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
         let environment = match (scene.environment.kind, &scene.environment.file) {
             (EnvironmentKind::Map, Some(file)) => Some(vitrum_io::read_picture(&base.join(file))?),

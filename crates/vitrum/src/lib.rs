@@ -3,6 +3,8 @@
 //! The way data flows: [`vitrum_io::open`] reads a volume, a [`scene::Scene`] says how it is shown, [`render`] prepares
 //! tables and buffers, hands a list of passes to a [`backend::Backend`] and returns a [`Frame`].
 
+#![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
+
 pub mod backend;
 mod blend;
 pub mod builtin;

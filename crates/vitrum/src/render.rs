@@ -86,6 +86,9 @@ pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
 }
 
 /// Renders a scene with all outputs. `progress` is called from time to time and cancels the frame by returning `false`.
+///
+/// # Errors
+/// Those of [`check`]; [`Error::Backend`] where the backend lacks the memory or fails, or `progress` cancels.
 pub fn render(
     scene: &Scene,
     inputs: &Inputs,
@@ -96,6 +99,9 @@ pub fn render(
 }
 
 /// Renders a scene with the outputs that are wanted. Each is the same as with all.
+///
+/// # Errors
+/// As [`render`].
 pub fn render_wanted(
     scene: &Scene,
     inputs: &Inputs,

@@ -73,6 +73,10 @@ pub fn devices() -> Vec<DeviceInfo> {
 }
 
 /// Opens a backend. `adapter` picks a graphics adapter by a part of its name, and then even `auto` takes a software one.
+///
+/// # Errors
+/// [`BackendError::NoAdapter`] and [`BackendError::Unsupported`] where a graphics adapter is asked for and none can be used,
+/// [`BackendError::Threads`] where the CPU's threads cannot be started.
 pub fn open(choice: Choice, adapter: Option<&str>, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
     let cpu = || CpuBackend::new(threads).map(|backend| Box::new(backend) as Box<dyn Backend>);
     let gpu = || GpuBackend::new(adapter).map(|backend| Box::new(backend) as Box<dyn Backend>);

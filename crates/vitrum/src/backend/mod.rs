@@ -39,9 +39,15 @@ pub trait Backend {
     fn set_volume_limit(&mut self, _bytes: Option<u64>) {}
 
     /// A buffer with `contents` (not empty; whole words).
+    ///
+    /// # Errors
+    /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
     fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError>;
 
     /// A buffer of `bytes` bytes (not 0; whole words) that `fill` writes, which gets zeros: where a backend can, without a copy.
+    ///
+    /// # Errors
+    /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
     fn create_with(
         &mut self,
         label: &str,
@@ -54,15 +60,24 @@ pub trait Backend {
     }
 
     /// A buffer with the contents of `words`, which nothing may write: where a backend can, the same memory.
+    ///
+    /// # Errors
+    /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
     fn share(&mut self, label: &str, words: &Words) -> Result<Buffer, BackendError> {
         self.create(label, bytemuck::cast_slice(words))
     }
 
     /// A buffer of `bytes` zero bytes (not 0; whole words).
+    ///
+    /// # Errors
+    /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
     fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError>;
 
     /// Runs all passes in order. `progress` is told how many are done from time to time; when it returns `false` the run ends
     /// early with [`BackendError::Cancelled`].
+    ///
+    /// # Errors
+    /// [`BackendError::Cancelled`]; [`BackendError::Misuse`] where a pass does not fit its kernel's declaration; what the device fails with.
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
 
     /// Whether [`Self::run`] leaves passes out as [`PassList::while_busy`] allows.
@@ -71,9 +86,15 @@ pub trait Backend {
     }
 
     /// The contents of a buffer.
+    ///
+    /// # Errors
+    /// [`BackendError::Misuse`] for a buffer that is freed, [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError>;
 
     /// `bytes` bytes of a buffer from byte `start` on, whole words that lie inside it: where a backend can, without reading the rest.
+    ///
+    /// # Errors
+    /// As [`Self::read`], and [`BackendError::Misuse`] for what lies outside the buffer.
     fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
         let all = self.read(buffer)?;
         let part = usize::try_from(start).ok().and_then(|start| all.get(start..)?.get(..usize::try_from(bytes).ok()?));

@@ -26,11 +26,17 @@ pub struct CpuBackend {
 
 impl CpuBackend {
     /// A backend with `threads` worker threads (all processors if `None`) and the machine's best instruction set.
+    ///
+    /// # Errors
+    /// [`BackendError::Threads`] where the threads cannot be started.
     pub fn new(threads: Option<usize>) -> Result<Self, BackendError> {
         Self::with_instruction_set(threads, InstructionSet::best())
     }
 
     /// A backend that uses `set`, which must be available on this machine (else the best one is used).
+    ///
+    /// # Errors
+    /// [`BackendError::Threads`] where the threads cannot be started.
     pub fn with_instruction_set(threads: Option<usize>, set: InstructionSet) -> Result<Self, BackendError> {
         let threads = threads.unwrap_or(0);
         let pool = rayon::ThreadPoolBuilder::new()

@@ -34,6 +34,9 @@ pub struct GpuBackend {
 
 impl GpuBackend {
     /// Opens the best adapter whose name, interface or driver contains `wanted`; software adapters come last.
+    ///
+    /// # Errors
+    /// [`BackendError::NoAdapter`] where there is none of that name, [`BackendError::Unsupported`] where its device cannot be opened.
     pub fn new(wanted: Option<&str>) -> Result<Self, BackendError> {
         let adapter = adapter::choose(wanted)?;
         Ok(Self {

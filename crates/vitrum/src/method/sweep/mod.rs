@@ -58,6 +58,9 @@ struct Buffers {
 
 impl Sweep {
     /// Uploads the volumes, builds tables and lists the passes.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] where what is seen and lit makes no frame, [`Error::Backend`] where the backend lacks the memory or fails.
     pub fn prepare(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
         let uploaded = Uploaded::new(inputs, backend)?;
         let prepared = Self::prepare_uploaded(scene, inputs, &uploaded, backend);
@@ -85,6 +88,9 @@ impl Sweep {
     }
 
     /// Builds tables and lists the passes for volumes that are on the backend already. They stay there when the frame is freed.
+    ///
+    /// # Errors
+    /// As [`Self::prepare`].
     pub fn prepare_uploaded(
         scene: &Scene,
         inputs: &Inputs,
@@ -121,6 +127,9 @@ impl Sweep {
     }
 
     /// Runs all passes; `progress` gets the planes that are done and returns whether to go on.
+    ///
+    /// # Errors
+    /// As [`Backend::run`].
     pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u32) -> bool) -> Result<(), BackendError> {
         let total = self.passes.passes.len().max(1);
         let planes = self.planes.count;
@@ -128,16 +137,25 @@ impl Sweep {
     }
 
     /// The finished pixels: planar records as [`film`](vitrum_kernels::abi::record::film) describes, for `rays` pixels.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
     pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.film)?))
     }
 
     /// The viewing rays as they are now: planar records as [`ray`](vitrum_kernels::abi::record::ray) describes.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
     pub fn ray_records(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.rays)?))
     }
 
     /// The light on the last plane that was run: planar records as [`irradiance`](vitrum_kernels::abi::record::irradiance) describes, for the light grid's texels.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
     pub fn irradiance(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.irradiance)?))
     }

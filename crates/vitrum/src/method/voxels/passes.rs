@@ -50,6 +50,9 @@ impl Rays {
     }
 
     /// Runs all passes; `progress` gets how many are done and returns whether to go on.
+    ///
+    /// # Errors
+    /// As [`Backend::run`].
     pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         // Most rays have left after a few dispatches. A backend that cannot see that by itself is asked for the rays from time to time.
         const TOGETHER: usize = 8;
@@ -79,11 +82,17 @@ impl Rays {
     }
 
     /// The finished pixels: planar records as [`view`] describes.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
     pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.film)?))
     }
 
     /// The rays as they are now: planar records as [`path`] describes.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
     pub fn records(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.records)?))
     }

@@ -1,0 +1,147 @@
+"""Times of VTK's ray caster on the CPU beside Vitrum's sweep, in turns, on `builtin:phantom`: a table of medians for docs/benchmarks.md.
+
+python3 rendering_times.py VITRUM [--size 512] [--voxels 256] [--rounds 3] [--frames 7]
+
+VITRUM is the program. Needs numpy and vtk, and a machine where VTK finds a window to render off screen in (EGL or X). Both use all
+processors, the same voxels, transfer functions and camera, and a light from the same side; VTK's sample distance is a voxel.
+"""
+import argparse, json, os, statistics, subprocess, tempfile, time
+
+import numpy
+import vtk
+from vtk.util.numpy_support import numpy_to_vtk
+
+COLORS = ((0, (0, 0, 0)), (70, (0.9, 0.6, 0.5)), (100, (0.8, 0.3, 0.2)), (170, (1, 1, 0.9)), (255, (1, 1, 1)))
+LOW = ((0, 0), (20, 0), (60, 0.01), (75, 0.015), (110, 0.05))
+OPACITIES = {
+    "phantom": LOW + ((170, 0.25), (190, 0.4), (255, 0.6)),
+    "phantom/translucent": LOW + ((170, 0.01), (190, 0.02), (255, 0.03)),
+}
+PLAIN = ["light.shadows=false", "sweep.refraction=false"]
+VITRUM = {
+    "Vitrum, `light.shadows=false`, `sweep.refraction=false`": PLAIN,
+    "Vitrum, everything on": [],
+    "Vitrum, everything on, `light.resolution=0.375`": ["light.resolution=0.375"],
+}
+
+
+def phantom(n):
+    """The voxels, z slowest, as docs/benchmarks.md defines them."""
+    axis = (numpy.arange(n, dtype=numpy.float32) + 0.5) / n * 2 - 1
+    z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+
+    def smooth(a, b, t):
+        s = numpy.clip((t - a) / (b - a), 0, 1)
+        return s * s * (3 - 2 * s)
+
+    r = numpy.sqrt((x / 0.80) ** 2 + (y / 0.90) ** 2 + (z / 0.95) ** 2)
+    v = 70 * (1 - smooth(0.97, 1.0, r)) + 120 * smooth(0.78, 0.80, r) * (1 - smooth(0.86, 0.88, r))
+    for k in range(8):
+        a = 2 * numpy.pi * k / 8
+        c = 0.45 * numpy.cos(a), 0.45 * numpy.sin(a), 0.3 * numpy.sin(3 * a)
+        v += 100 * (1 - smooth(0.12, 0.15, numpy.sqrt((x - c[0]) ** 2 + (y - c[1]) ** 2 + (z - c[2]) ** 2)))
+    return numpy.clip(v, 0, 255).astype(numpy.uint8)
+
+
+class Caster:
+    """VTK's picture of a volume, whose camera goes 3° further for each frame, so that nothing is kept from the last one."""
+
+    def __init__(self, voxels, opacities, size, shaded):
+        n = voxels.shape[0]
+        image = vtk.vtkImageData()
+        image.SetDimensions(n, n, n)
+        image.GetPointData().SetScalars(numpy_to_vtk(voxels.ravel(), deep=True, array_type=vtk.VTK_UNSIGNED_CHAR))
+        color, opacity = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
+        for value, rgb in COLORS:
+            color.AddRGBPoint(value, *rgb)
+        for value, alpha in opacities:
+            opacity.AddPoint(value, alpha)
+        look = vtk.vtkVolumeProperty()
+        look.SetColor(color)
+        look.SetScalarOpacity(opacity)
+        look.SetInterpolationTypeToLinear()
+        look.SetAmbient(0.2)
+        look.SetDiffuse(0.7)
+        look.SetSpecular(0.3)
+        look.SetSpecularPower(20)
+        look.SetShade(shaded)
+        mapper = vtk.vtkFixedPointVolumeRayCastMapper()
+        mapper.SetAutoAdjustSampleDistances(0)
+        mapper.SetSampleDistance(1.0)
+        mapper.SetImageSampleDistance(1.0)
+        mapper.SetNumberOfThreads(os.cpu_count())
+        mapper.SetInputData(image)
+        volume = vtk.vtkVolume()
+        volume.SetMapper(mapper)
+        volume.SetProperty(look)
+        light = vtk.vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(n * 1.5, n * 2, n * 2.5)
+        light.SetFocalPoint(n / 2, n / 2, n / 2)
+        self.renderer = vtk.vtkRenderer()
+        self.renderer.SetBackground(0.1, 0.1, 0.15)
+        self.renderer.AddVolume(volume)
+        self.renderer.AutomaticLightCreationOff()
+        self.renderer.AddLight(light)
+        self.window = vtk.vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(size, size)
+        self.window.AddRenderer(self.renderer)
+        self.camera = self.renderer.GetActiveCamera()
+        self.camera.SetFocalPoint(n / 2, n / 2, n / 2)
+        self.camera.SetPosition(n / 2, n / 2, n / 2 + 2.6 * n)
+        self.camera.SetViewUp(0, 1, 0)
+        self.camera.SetViewAngle(30)
+        self.window.Render()
+
+    def frames(self, count):
+        times = []
+        for _ in range(count):
+            self.camera.Azimuth(3.0)
+            self.renderer.ResetCameraClippingRange()
+            started = time.perf_counter()
+            self.window.Render()
+            times.append((time.perf_counter() - started) * 1e3)
+        return statistics.median(times)
+
+
+def vitrum(program, scene, settings, size, voxels, frames):
+    out = os.path.join(tempfile.gettempdir(), "rendering_times.png")
+    command = [program, "render", f"builtin:{scene}", "-o", out, "--size", f"{size}x{size}", "--backend", "cpu", "--json", "-q"]
+    command += ["--frames", str(frames), "--set", f"volume.resolution={voxels}"]
+    for setting in settings:
+        command += ["--set", setting]
+    text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    return statistics.median(json.loads(text)["frame_ms"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("vitrum")
+    parser.add_argument("--size", type=int, default=512)
+    parser.add_argument("--voxels", type=int, default=256)
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--frames", type=int, default=7)
+    arguments = parser.parse_args()
+    size, frames = arguments.size, arguments.frames
+    voxels = phantom(arguments.voxels)
+    times = {}
+    for scene, opacities in OPACITIES.items():
+        casters = {
+            "VTK, unshaded": Caster(voxels, opacities, size, False),
+            "VTK, shaded by gradients": Caster(voxels, opacities, size, True),
+        }
+        for _ in range(arguments.rounds):
+            for name, caster in casters.items():
+                times.setdefault(name, {}).setdefault(scene, []).append(caster.frames(frames))
+            for name, settings in VITRUM.items():
+                found = vitrum(arguments.vitrum, scene, settings, size, arguments.voxels, frames)
+                times.setdefault(name, {}).setdefault(scene, []).append(found)
+    print(f"| | {' | '.join(OPACITIES)} |")
+    print("|---|---|---|")
+    for name, found in times.items():
+        print(f"| {name} | {' | '.join(f'{statistics.median(found[scene]):.0f}' for scene in OPACITIES)} |")
+
+
+main()
