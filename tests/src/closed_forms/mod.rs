@@ -1,7 +1,7 @@
 //! Set-ups of which physics knows the outcome, and what a backend makes of them.
 //!
 //! The tests in `tests/closed_forms` hold the outcomes to bounds, and `cargo xtask accuracy` draws how they converge
-//! (`docs/accuracy.md`). A voxelised field is not the analytic one, so each set-up takes its grid.
+//! (`docs/accuracy.md`). A voxelized field is not the analytic one, so each set-up takes its grid.
 
 pub mod ball;
 pub mod curve;

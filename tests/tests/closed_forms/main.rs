@@ -1,6 +1,6 @@
 //! Closed forms: what physics says, on both backends, through the public scene API.
 //!
-//! Numbers at the top of the files count the closed forms; `docs/accuracy.md` has what was measured. A voxelised field is not the analytic one: each test
+//! Numbers at the top of the files count the closed forms; `docs/accuracy.md` has what was measured. A voxelized field is not the analytic one: each test
 //! states its grid, and the bound belongs to that grid.
 
 mod attenuation;

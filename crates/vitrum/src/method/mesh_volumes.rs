@@ -6,8 +6,8 @@
 //! clearest to the darkest: on its way across a surface it only passes materials that absorb more than one side and less than the
 //! other, so that a voxel's mixture absorbs about what it should.
 
-use super::sweep::view::{bounding_sphere, corners};
 use super::twist::twisted;
+use super::view::{bounding_sphere, corners};
 use super::voxelize::{Grid, Settings};
 use super::voxels::bodies::{Clear, bodies, clear, longest_edge};
 use super::voxels::solids::{BAND, Solids};

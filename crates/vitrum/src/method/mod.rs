@@ -4,5 +4,6 @@ mod brick_distances;
 pub(crate) mod mesh_volumes;
 pub mod sweep;
 mod twist;
+mod view;
 pub mod voxelize;
 pub mod voxels;

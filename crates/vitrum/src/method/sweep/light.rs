@@ -1,9 +1,10 @@
 //! The light's direction and its grid.
 
 use super::planes::Planes;
-use super::view::{View, corners, from_angles, vector};
+use crate::method::view::light::travels;
+use crate::method::view::{View, corners};
 use crate::render::Error;
-use crate::scene::{Attachment, Light, Scene};
+use crate::scene::{Light, Scene};
 use glam::{DVec2, DVec3};
 use vitrum_io::Volume;
 
@@ -27,24 +28,6 @@ pub struct LightGrid {
     pub shear: DVec2,
     /// Unit direction in which the light starts.
     pub direction: DVec3,
-}
-
-/// The unit direction in which light travels, in the sweep frame.
-pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Error> {
-    let travels = match (light.attachment, light.direction) {
-        (Attachment::Camera, Some(v)) => {
-            let v = vector(v);
-            DVec3::new(v.x, v.y, -v.z)
-        }
-        (Attachment::World, Some(v)) => view.direction(vector(v)),
-        (Attachment::Camera, None) => {
-            let (azimuth, elevation) = (f64::from(light.azimuth).to_radians(), f64::from(light.elevation).to_radians());
-            DVec3::new(-azimuth.sin() * elevation.cos(), -elevation.sin(), azimuth.cos() * elevation.cos())
-        }
-        (Attachment::World, None) => view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation)),
-    };
-    let no_length = || Error::Scene("light.direction has no length: give three numbers that are not all 0".to_owned());
-    travels.try_normalize().ok_or_else(no_length)
 }
 
 /// As [`travels`]; an error if it is too far from the viewing direction.

@@ -4,27 +4,24 @@
 //! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
 mod carrier;
-pub(in crate::method) mod environment;
-pub(in crate::method) mod light;
+mod light;
 mod occupancy;
 mod paging;
 mod passes;
 mod planes;
-pub(in crate::method) mod receivers;
 mod sheets;
 mod tables;
 mod texels;
 mod uniforms;
 mod unoccluded;
-pub(in crate::method) mod view;
 mod voxels;
 
+pub use crate::method::view::View;
 pub use light::LightGrid;
 pub use passes::Uploaded;
 pub use planes::Planes;
 pub use tables::Tables;
 pub use uniforms::check;
-pub use view::View;
 
 use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::inputs::Inputs;

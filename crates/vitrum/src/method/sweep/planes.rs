@@ -1,7 +1,7 @@
 //! The planes of a sweep.
 
-use super::receivers::Receivers;
-use super::view::{View, bounding_sphere, corners};
+use crate::method::view::receivers::Receivers;
+use crate::method::view::{View, bounding_sphere, corners};
 use crate::render::Error;
 use crate::scene::Scene;
 use glam::DVec3;

@@ -1,15 +1,15 @@
 //! The uniform block, from the scene.
 
-use super::environment::Prepared;
 use super::light::{LightGrid, direction};
 use super::paging::Sampling;
 use super::planes::Planes;
-use super::receivers::{Receivers, plane};
 use super::sheets::sources;
 use super::tables::Tables;
-use super::view::{View, bounding_sphere, vector};
 use super::voxels::grid;
 use crate::inputs::Inputs;
+use crate::method::view::environment::Prepared;
+use crate::method::view::receivers::{Receivers, plane};
+use crate::method::view::{View, bounding_sphere, vector};
 use crate::render::Error;
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
 use glam::{DVec4, UVec4};

@@ -1,8 +1,8 @@
 //! Volumes as kernels read them: the voxels as they came, x fastest, as words.
 
 use super::paging::count;
-use super::view::{View, vector, voxel_steps};
 use crate::backend::{Backend, BackendError, Buffer};
+use crate::method::view::{View, vector, voxel_steps};
 use bytemuck::cast_slice_mut;
 use glam::{DVec3, IVec4};
 use rayon::prelude::*;

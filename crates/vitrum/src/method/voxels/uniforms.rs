@@ -3,8 +3,8 @@
 use super::shadow::Lookup;
 use super::uploaded::Uploaded;
 use crate::method::sweep::View;
-use crate::method::sweep::environment::Prepared;
-use crate::method::sweep::receivers::Receivers;
+use crate::method::view::environment::Prepared;
+use crate::method::view::receivers::Receivers;
 use crate::method::voxelize::Grid;
 use crate::scene::{Rgb, Scene, Surfaces};
 use glam::{DVec3, DVec4, UVec4};

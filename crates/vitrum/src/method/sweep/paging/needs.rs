@@ -3,7 +3,7 @@
 use super::pool::count;
 use crate::method::sweep::occupancy::{Question, widen};
 use crate::method::sweep::planes::Planes;
-use crate::method::sweep::view::{View, vector, voxel_steps};
+use crate::method::view::{View, vector, voxel_steps};
 use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::Volume;

@@ -7,7 +7,7 @@ use super::bodies::Body;
 use crate::backend::{Backend, Buffer};
 use crate::inputs::Inputs;
 use crate::method::sweep::View;
-use crate::method::sweep::light::travels;
+use crate::method::view::light::travels;
 use crate::method::voxelize::{Grid, Settings};
 use crate::render::Error;
 use crate::scene::{Coefficient, Scene};

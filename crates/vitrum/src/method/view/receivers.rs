@@ -1,6 +1,6 @@
 //! Ground and wall as planes of the sweep frame.
 
-use super::view::{View, bounding_sphere, corners, from_angles};
+use super::{View, bounding_sphere, corners, from_angles};
 use crate::scene::Scene;
 use glam::{DVec3, DVec4};
 use vitrum_io::Volume;
@@ -13,7 +13,7 @@ pub(in crate::method) struct Receivers {
 }
 
 /// The plane through `point` with `normal` (world), in the sweep frame.
-pub(super) fn plane(view: &View, normal: DVec3, point: DVec3) -> DVec4 {
+pub(in crate::method) fn plane(view: &View, normal: DVec3, point: DVec3) -> DVec4 {
     view.direction(normal).extend((view.eye - point).dot(normal))
 }
 
@@ -34,7 +34,7 @@ impl Receivers {
     }
 
     /// How far `direction` leads from `point` to the first receiver, in units of `direction`.
-    pub(super) fn first(&self, point: DVec3, direction: DVec3) -> Option<f64> {
+    pub(in crate::method) fn first(&self, point: DVec3, direction: DVec3) -> Option<f64> {
         [self.ground, self.wall]
             .iter()
             .filter_map(|plane| {

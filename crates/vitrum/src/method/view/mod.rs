@@ -1,4 +1,10 @@
-//! The sweep frame: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
+//! What every method has of a scene: where the picture is taken from, what is around, where light comes from.
+//!
+//! The sweep frame, in which all of it is stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
+
+pub(in crate::method) mod environment;
+pub(in crate::method) mod light;
+pub(in crate::method) mod receivers;
 
 use crate::scene::{Camera, Projection, Scene, Vector};
 use glam::{DMat3, DVec3};
@@ -28,12 +34,12 @@ pub struct View {
 }
 
 /// A scene vector in double precision.
-pub(super) fn vector(v: Vector) -> DVec3 {
+pub(in crate::method) fn vector(v: Vector) -> DVec3 {
     DVec3::new(f64::from(v[0]), f64::from(v[1]), f64::from(v[2]))
 }
 
 /// Columns: the world vector of one voxel step along each axis of the volume.
-pub(super) fn voxel_steps(volume: &Volume) -> DMat3 {
+pub(in crate::method) fn voxel_steps(volume: &Volume) -> DMat3 {
     let step = |axis: usize| vector(volume.axes[axis]) * f64::from(volume.spacing[axis]);
     DMat3::from_cols(step(0), step(1), step(2))
 }
@@ -68,7 +74,7 @@ fn up_and_front(camera: &Camera) -> (DVec3, DVec3) {
 
 /// The direction from the centre towards (azimuth, elevation), in degrees: 0, 0 is `front`, positive azimuth to the right of a
 /// viewer who stands there.
-pub(super) fn from_angles(up: DVec3, front: DVec3, azimuth: f32, elevation: f32) -> DVec3 {
+pub(in crate::method) fn from_angles(up: DVec3, front: DVec3, azimuth: f32, elevation: f32) -> DVec3 {
     let right = (-front).cross(up);
     let (azimuth, elevation) = (f64::from(azimuth).to_radians(), f64::from(elevation).to_radians());
     (front * azimuth.cos() + right * azimuth.sin()) * elevation.cos() + up * elevation.sin()

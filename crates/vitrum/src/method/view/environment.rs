@@ -1,6 +1,6 @@
 //! The environment's uniforms and its mip chain (sweep §4.4).
 
-use super::view::{View, from_angles};
+use super::{View, from_angles};
 use crate::scene::{Environment, EnvironmentKind, Rgb};
 use glam::{DVec3, UVec4};
 use vitrum_io::Picture;
