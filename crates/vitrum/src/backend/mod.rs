@@ -61,12 +61,27 @@ pub trait Backend {
     /// A buffer of `bytes` zero bytes (not 0; whole words).
     fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError>;
 
+    /// Has `fill` write the first `words` words of a buffer, all of them, once what runs is done: where a backend can, without a copy.
+    fn overwrite(
+        &mut self,
+        buffer: Buffer,
+        words: usize,
+        fill: &mut (dyn FnMut(&mut [u32]) + Send),
+    ) -> Result<(), BackendError>;
+
     /// Runs all passes in order. `progress` is told how many are done from time to time; when it returns `false` the run ends
     /// early with [`BackendError::Cancelled`].
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
 
     /// The contents of a buffer.
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError>;
+
+    /// The contents of a buffer in words, which is freed: where a backend can, without a copy.
+    fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
+        let bytes = self.read(buffer)?;
+        self.free(buffer);
+        Ok(bytemuck::pod_collect_to_vec(&bytes))
+    }
 
     /// Frees a buffer.
     fn free(&mut self, buffer: Buffer);
