@@ -2,7 +2,6 @@
 
 mod backends;
 mod exact;
-mod planted;
 mod shapes;
 mod solid;
 mod surface;
