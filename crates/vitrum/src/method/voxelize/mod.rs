@@ -2,6 +2,7 @@
 //! (Chang et al. 2010, §2; solids are not in the paper).
 
 pub(in crate::method) mod columns;
+mod fixed;
 mod grid;
 pub(in crate::method) mod items;
 mod solid;

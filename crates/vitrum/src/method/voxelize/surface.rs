@@ -1,5 +1,6 @@
 //! The voxels that triangles meet, and what these bring there.
 
+use super::fixed::Fixed;
 use super::grid::Grid;
 use super::items::{Held, Plan, Slices, pass};
 use super::{Stage, triangles};
@@ -96,35 +97,6 @@ const BATCH: usize = 1 << 16;
 
 /// Triangles that a thread prepares at a time.
 const PART: usize = 1 << 11;
-
-/// The most units of a voxel, log₂ (see [`Fixed`]).
-const MOST_UNITS: u32 = 20;
-
-/// Positions as whole numbers of units, a power of two of which are a voxel: as many as leave room for the grid's longest edge.
-struct Fixed {
-    /// log₂ of the units of a voxel.
-    units: u32,
-    origin: [f64; 3],
-    /// Units in the mesh's unit of length.
-    scale: f64,
-}
-
-impl Fixed {
-    fn new(grid: Grid) -> Self {
-        // With what the kernels add to a triangle's extent.
-        let longest = grid.dimensions.into_iter().max().unwrap_or(1) + 6;
-        let units = longest.leading_zeros().saturating_sub(1).min(MOST_UNITS);
-        Self { units, origin: grid.origin, scale: f64::from(1u32 << units) / grid.voxel_size }
-    }
-
-    /// A position in units from the grid's low corner.
-    fn position(&self, position: [f32; 3]) -> [i32; 3] {
-        // The last bit of a float that is so large is a unit: the sum rounds, and its lower half is a number in two's complement.
-        const LARGE: f64 = 6_755_399_441_055_744.0;
-        let units = |axis: usize| (f64::from(position[axis]) - self.origin[axis]) * self.scale;
-        [0, 1, 2].map(|axis| (units(axis) + LARGE).to_bits() as u32 as i32)
-    }
-}
 
 /// The triangles of a surface.
 pub(super) struct Surface<'a> {
