@@ -49,6 +49,15 @@ impl Backend for AlteredCpu {
         self.cpu.create_zeroed(label, bytes)
     }
 
+    fn overwrite(
+        &mut self,
+        buffer: Buffer,
+        words: usize,
+        fill: &mut (dyn FnMut(&mut [u32]) + Send),
+    ) -> Result<(), BackendError> {
+        self.cpu.overwrite(buffer, words, fill)
+    }
+
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut passes = passes.clone();
         (self.passes)(&mut passes);

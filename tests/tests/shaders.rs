@@ -64,7 +64,7 @@ fn sweep_uniforms() -> Vec<Field> {
 }
 
 fn voxelize_uniforms() -> Vec<Field> {
-    fields!(VoxelizeUniforms { dispatch, size, columns })
+    fields!(VoxelizeUniforms { dispatch, size, columns, surface })
 }
 
 fn shadow_uniforms() -> Vec<Field> {

@@ -14,6 +14,17 @@ pub struct VoxelizeUniforms {
     /// log₂ of the columns through a voxel along y, and along z; the first layer along z that is worked on; log₂ of the units that a
     /// column has along a voxel; log₂ of those that a voxel has.
     pub columns: UVec4,
+    /// log₂ of the units that a voxel has in the corners of the surface's triangles; by how many a voxel is enlarged on each side; the
+    /// triangle from which items count.
+    pub surface: UVec4,
+}
+
+/// What an invocation does on the surface, for [`crate::voxelize::mark_surface`] and [`crate::voxelize::sum_attributes`].
+pub mod pieces {
+    /// A triangle, if it is small.
+    pub const TRIANGLES: u32 = 0;
+    /// An item: slices of a large triangle.
+    pub const ITEMS: u32 = 1;
 }
 
 /// Which windings are inside, for [`crate::voxelize::fill_rows`].
@@ -24,21 +35,13 @@ pub mod mode {
     pub const EVEN_ODD: u32 = 1;
 }
 
-/// A triangle of the surface: words next to each other, not planar.
-///
-/// Its corners are in voxels from the low corner of its first voxel, multiples of a power of two with at most 22 bits, so that their
-/// differences are exact.
+/// A triangle of the surface: words next to each other, not planar. x, y and z of its first corner from the grid's low corner, then
+/// those of the others, signed integers in units of a power of two of a voxel (see [`VoxelizeUniforms::surface`]).
 pub mod triangle {
     /// Words.
-    pub const SIZE: usize = 16;
-    /// x of the first corner, as the bits of a float; its y and z, then the other corners follow.
-    pub const CORNERS: usize = 0;
-    /// The first voxel along x; y and z follow.
-    pub const FIRST: usize = 9;
-    /// How many voxels on the last one is along x; y and z follow.
-    pub const LAST: usize = 12;
-    /// By how much a voxel is enlarged on each side, as the bits of a float.
-    pub const MARGIN: usize = 15;
+    pub const SIZE: usize = 9;
+    /// Rows of voxels in its box up to which a triangle is done by one invocation.
+    pub const SMALL: i32 = 32;
 }
 
 /// What a triangle brings to the voxels: floats next to each other, not planar.

@@ -109,12 +109,12 @@ macro_rules! for_each_kernel {
                 sweep::collect_light [], plain, modes [0];
             sweep_resolve: SweepUniforms, [1 rays: f32, 2 map: f32], writes 3 [film::SIZE],
                 sweep::resolve [], plain, modes [0];
-            voxelize_mark_surface: VoxelizeUniforms, [1 triangles: u32, 2 items: u32], adds 3 [1],
-                voxelize::mark_surface [], plain, modes [0];
+            voxelize_mark_surface: VoxelizeUniforms, [1 corners: u32, 2 items: u32], adds 3 [1],
+                voxelize::mark_surface [], plain, modes [0 1];
             voxelize_sum_attributes: VoxelizeUniforms,
-                [1 triangles: u32, 2 items: u32, 3 attributes: f32, 4 mask: u32, 5 ranks: u32],
+                [1 corners: u32, 2 items: u32, 3 attributes: f32, 4 mask: u32, 5 ranks: u32],
                 adds 6 [attributes::SIZE],
-                voxelize::sum_attributes [], plain, modes [0];
+                voxelize::sum_attributes [], plain, modes [0 1];
             voxelize_cross_columns: VoxelizeUniforms, [1 corners: f32, 2 items: u32], adds 3 [1],
                 voxelize::cross_columns [], plain, modes [0];
             voxelize_fill_rows: VoxelizeUniforms, [1 changes: u32], adds 2 [1],

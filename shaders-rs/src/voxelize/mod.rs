@@ -14,10 +14,12 @@ pub mod cross_columns;
 pub mod fill_rows;
 pub mod mark_surface;
 pub mod overlap;
+pub mod place;
 pub mod sum_attributes;
 
-use crate::abi::voxelize::{VoxelizeUniforms, item};
+use crate::abi::voxelize::{VoxelizeUniforms, item, pieces};
 use crate::field::access::read;
+use place::Place;
 
 /// A triangle, and which of its slices are to be done.
 #[derive(Clone, Copy)]
@@ -43,4 +45,19 @@ pub fn item_at(index: u32, all: u32, items: &[u32]) -> Item {
     let first = read(items, at + item::FIRST as i32) as i32;
     let count = if index < all { read(items, at + item::COUNT as i32) as i32 } else { 0 };
     Item { triangle: read(items, at + item::TRIANGLE as i32) as i32, first, end: first + count }
+}
+
+/// The piece of work of invocation (x, y) on the surface, by mode (see [`pieces`]), and where its triangle lies.
+#[inline(always)]
+pub fn piece_of(x: u32, y: u32, u: &VoxelizeUniforms, mode: u32, corners: &[u32], items: &[u32]) -> (Item, Place) {
+    if mode == pieces::TRIANGLES {
+        let index = y * u.dispatch.x + x;
+        let place = Place::of(u, corners, index as i32);
+        let is_here = (index < u.dispatch.w) & place.is_small();
+        (Item { triangle: index as i32, first: 0, end: if is_here { place.slices() } else { 0 } }, place)
+    } else {
+        let item = item_of(x, y, u, items);
+        let item = Item { triangle: item.triangle + u.surface.z as i32, ..item };
+        (item, Place::of(u, corners, item.triangle))
+    }
 }

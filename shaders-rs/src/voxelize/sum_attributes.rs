@@ -3,8 +3,9 @@
 //! As in the paper each triangle counts once in a voxel, whatever the size of its part there. Normal and colour are those of the
 //! triangle's point whose barycentric coordinates are the voxel centre's, negative ones raised to 0.
 
-use super::item_of;
-use super::overlap::{corner_of, overlap};
+use super::overlap::{Overlap, shape, shape_of};
+use super::place::Place;
+use super::{Item, piece_of};
 use crate::abi::record::attributes;
 use crate::abi::voxelize::{VoxelizeUniforms, brought};
 use crate::field::access::read;
@@ -57,58 +58,82 @@ fn add_vector<S: Sums + ?Sized>(sums: &mut S, at: i32, vector: Vec3) {
     add(sums, at + 4, quantise(vector.z, attributes::SCALE));
 }
 
-/// Does item y · width + x. The voxels of `mask` have a place each, in their order.
+/// Does piece of work y · width + x. The voxels of `mask` have a place each, in their order.
 #[inline(always)]
 pub fn invoke<S: Sums + ?Sized>(
     x: u32,
     y: u32,
     u: &VoxelizeUniforms,
-    _mode: u32,
-    triangles: &[u32],
+    mode: u32,
+    corners: &[u32],
     items: &[u32],
     brought: &[f32],
     mask: &[u32],
     ranks: &[u32],
     sums: &mut S,
 ) {
-    let item = item_of(x, y, u, items);
+    let (item, place) = piece_of(x, y, u, mode, corners, items);
     if item.first < item.end {
-        let overlap = overlap(triangles, item.triangle);
-        let a = corner_of(triangles, item.triangle, 0);
-        let e = corner_of(triangles, item.triangle, 1) - a;
-        let f = corner_of(triangles, item.triangle, 2) - a;
-        let from = item.triangle * brought::SIZE as i32;
-        let material = floor_to_int(read(brought, from + brought::MATERIAL as i32), 0.0, 16_777_216.0) as u32;
-        let mut slice = item.first;
-        while slice < item.end {
-            let rows = overlap.rows(slice);
-            let mut row = rows.first;
-            while row <= rows.last {
-                let y = if overlap.slices_are_layers { row } else { slice };
-                let z = if overlap.slices_are_layers { slice } else { row };
-                let span = overlap.voxels(y, z);
-                let base = ((overlap.first_z + z) * u.size.y as i32 + overlap.first_y + y) * u.size.w as i32;
-                let mut x = span.first;
-                while x <= span.last {
-                    let centre = Vec3::new(x as f32 + 0.5, y as f32 + 0.5, z as f32 + 0.5);
-                    let weights = weights(centre - a, e, f);
-                    let normal = mean(brought, from + brought::NORMALS as i32, weights);
-                    let size = length(normal);
-                    // Opposite normals of two corners may leave none.
-                    let scale = select(size > 1e-6, 1.0 / max(size, 1e-6), 0.0);
-                    let color = mean(brought, from + brought::COLORS as i32, weights);
-                    let column = overlap.first_x + x;
-                    let place = rank(mask, ranks, base + (column >> 5), (column & 31) as u32);
-                    let at = place * attributes::SIZE as i32;
-                    sums.add((at + attributes::COUNT as i32) as usize, 1);
-                    sums.raise((at + attributes::MATERIAL as i32) as usize, material);
-                    add_vector(sums, at + attributes::NORMAL as i32, normal * scale);
-                    add_vector(sums, at + attributes::COLOR as i32, color);
-                    x += 1;
-                }
-                row += 1;
-            }
-            slice += 1;
+        let shape = shape_of(&place);
+        if shape == shape::ROW {
+            add_slices::<{ shape::ROW }, S>(u, &place, item, brought, mask, ranks, sums);
+        } else if shape == shape::FLAT_X {
+            add_slices::<{ shape::FLAT_X }, S>(u, &place, item, brought, mask, ranks, sums);
+        } else if shape == shape::FLAT_Y {
+            add_slices::<{ shape::FLAT_Y }, S>(u, &place, item, brought, mask, ranks, sums);
+        } else if shape == shape::FLAT_Z {
+            add_slices::<{ shape::FLAT_Z }, S>(u, &place, item, brought, mask, ranks, sums);
+        } else {
+            add_slices::<{ shape::THICK }, S>(u, &place, item, brought, mask, ranks, sums);
         }
+    }
+}
+
+/// Adds what a triangle brings to the voxels that the slices of an item meet: the same as [`super::mark_surface`] marks.
+#[inline(always)]
+fn add_slices<const SHAPE: u32, S: Sums + ?Sized>(
+    u: &VoxelizeUniforms,
+    place: &Place,
+    item: Item,
+    brought: &[f32],
+    mask: &[u32],
+    ranks: &[u32],
+    sums: &mut S,
+) {
+    let overlap = Overlap::<SHAPE>::new(place);
+    let layers = place.slices_are_layers();
+    let (a, b, c) = place.corners();
+    let (e, f) = (b - a, c - a);
+    let from = item.triangle * brought::SIZE as i32;
+    let material = floor_to_int(read(brought, from + brought::MATERIAL as i32), 0.0, 16_777_216.0) as u32;
+    let mut slice = item.first;
+    while slice < item.end {
+        let rows = overlap.rows(slice);
+        let mut row = rows.first;
+        while row <= rows.last {
+            let (y, z) = if layers { (row, slice) } else { (slice, row) };
+            let span = overlap.voxels(y, z);
+            let base = ((place.first.z + z) * u.size.y as i32 + place.first.y + y) * u.size.w as i32;
+            let mut x = span.first;
+            while x <= span.last {
+                let centre = Vec3::new(x as f32 + 0.5, y as f32 + 0.5, z as f32 + 0.5);
+                let weights = weights(centre - a, e, f);
+                let normal = mean(brought, from + brought::NORMALS as i32, weights);
+                let size = length(normal);
+                // Opposite normals of two corners may leave none.
+                let scale = select(size > 1e-6, 1.0 / max(size, 1e-6), 0.0);
+                let color = mean(brought, from + brought::COLORS as i32, weights);
+                let column = place.first.x + x;
+                let rank = rank(mask, ranks, base + (column >> 5), (column & 31) as u32);
+                let at = rank * attributes::SIZE as i32;
+                sums.add((at + attributes::COUNT as i32) as usize, 1);
+                sums.raise((at + attributes::MATERIAL as i32) as usize, material);
+                add_vector(sums, at + attributes::NORMAL as i32, normal * scale);
+                add_vector(sums, at + attributes::COLOR as i32, color);
+                x += 1;
+            }
+            row += 1;
+        }
+        slice += 1;
     }
 }

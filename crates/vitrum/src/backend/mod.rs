@@ -73,6 +73,17 @@ pub trait Backend {
     /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
     fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError>;
 
+    /// Has `fill` write the first `words` words of a buffer, all of them, once what runs is done: where a backend can, without a copy.
+    ///
+    /// # Errors
+    /// [`BackendError::Misuse`] for words beyond the buffer's end, [`BackendError::DeviceLost`].
+    fn overwrite(
+        &mut self,
+        buffer: Buffer,
+        words: usize,
+        fill: &mut (dyn FnMut(&mut [u32]) + Send),
+    ) -> Result<(), BackendError>;
+
     /// Runs all passes in order. `progress` is told how many are done from time to time; when it returns `false` the run ends
     /// early with [`BackendError::Cancelled`].
     ///
@@ -99,6 +110,16 @@ pub trait Backend {
         let all = self.read(buffer)?;
         let part = usize::try_from(start).ok().and_then(|start| all.get(start..)?.get(..usize::try_from(bytes).ok()?));
         part.map(<[u8]>::to_vec).ok_or_else(|| pass::outside(start, bytes, all.len() as u64))
+    }
+
+    /// The contents of a buffer in words, which is freed: where a backend can, without a copy.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
+        let bytes = self.read(buffer)?;
+        self.free(buffer);
+        Ok(bytemuck::pod_collect_to_vec(&bytes))
     }
 
     /// Frees a buffer.

@@ -157,6 +157,23 @@ impl Backend for CpuBackend {
         Ok(self.add(Contents::Own(words)))
     }
 
+    fn overwrite(
+        &mut self,
+        buffer: Buffer,
+        words: usize,
+        fill: &mut (dyn FnMut(&mut [u32]) + Send),
+    ) -> Result<(), BackendError> {
+        let contents = self.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own);
+        let Contents::Own(contents) = self.buffers[buffer.0].insert(Contents::Own(contents)) else { return Ok(()) };
+        let size = contents.len();
+        let Some(part) = contents.get_mut(..words) else {
+            let what = format!("{words} words are written to a buffer of {size}");
+            return Err(BackendError::Misuse { kernel: "-", what });
+        };
+        self.pool.install(|| fill(part));
+        Ok(())
+    }
+
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut idle = false;
         let mut known = HashMap::new();
@@ -208,6 +225,10 @@ impl Backend for CpuBackend {
         Ok(self.buffers[buffer.0].as_deref().map(|words| bytemuck::cast_slice(words).to_vec()).unwrap_or_default())
     }
 
+    fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
+        Ok(self.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own))
+    }
+
     fn free(&mut self, buffer: Buffer) {
         self.buffers[buffer.0] = None;
     }
@@ -225,13 +246,12 @@ impl CpuBackend {
     fn zeros(&self, label: &str, bytes: u64) -> Result<Vec<u32>, BackendError> {
         self.check_size(label, bytes)?;
         let count = usize::try_from(bytes / 4).unwrap_or(usize::MAX);
-        let mut words = Vec::new();
-        words.try_reserve_exact(count).map_err(|_| BackendError::OutOfMemory {
+        // Whether there is the memory, since the next line would end the program. It gets pages that the system has cleared.
+        Vec::<u32>::new().try_reserve_exact(count).map_err(|_| BackendError::OutOfMemory {
             adapter: self.adapter(),
             what: format!("{label}, {bytes} bytes"),
         })?;
-        words.resize(count, 0);
-        Ok(words)
+        Ok(vec![0; count])
     }
 
     fn check_size(&self, label: &str, bytes: u64) -> Result<(), BackendError> {

@@ -215,6 +215,23 @@ impl Backend for GpuBackend {
         Ok(self.add(buffer))
     }
 
+    fn overwrite(
+        &mut self,
+        buffer: Buffer,
+        words: usize,
+        fill: &mut (dyn FnMut(&mut [u32]) + Send),
+    ) -> Result<(), BackendError> {
+        let target = self.get(buffer)?;
+        if words as u64 * 4 > target.size() {
+            let what = format!("{words} words are written to a buffer of {} bytes", target.size());
+            return Err(BackendError::Misuse { kernel: "-", what });
+        }
+        let mut contents = vec![0; words];
+        fill(&mut contents);
+        self.opened.queue.write_buffer(target, 0, bytemuck::cast_slice(&contents));
+        Ok(())
+    }
+
     fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let passes = &list.passes;
         self.prepare_pipelines(passes)?;

@@ -3,12 +3,12 @@
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use bytemuck::bytes_of;
 use rayon::prelude::*;
-use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, item};
+use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, item, triangle};
 use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::Kernel;
 
 /// Rows up to which a triangle is one item.
-const SMALL: u32 = 32;
+const SMALL: u32 = triangle::SMALL as u32;
 
 /// Items in a batch, unless a single triangle has more.
 const BATCH: u64 = 1 << 20;
@@ -159,6 +159,12 @@ impl<'a> Held<'a> {
         let buffer = self.backend.create_zeroed(label, words * 4)?;
         self.buffers.push(buffer);
         Ok(buffer)
+    }
+
+    /// The contents of one of them in words, which is freed.
+    pub(in crate::method) fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
+        self.buffers.retain(|other| *other != buffer);
+        self.backend.take(buffer)
     }
 
     /// Those created within `work` are freed behind it.

@@ -2,6 +2,7 @@
 //! (Chang et al. 2010, §2; solids are not in the paper).
 
 pub(in crate::method) mod columns;
+mod fixed;
 mod grid;
 pub(in crate::method) mod items;
 mod solid;
@@ -77,7 +78,7 @@ pub struct Statistics {
     pub volume: Option<f64>,
     /// See [`Solid::open_rows`].
     pub open_rows: Option<u64>,
-    /// Pieces of work: a triangle's slices.
+    /// Pieces of work: small triangles, and slices of large ones.
     pub items: u64,
     /// Milliseconds from the mesh to the voxels; more than one if it was done several times.
     pub voxelize_ms: Vec<f64>,
@@ -88,8 +89,8 @@ pub struct Statistics {
 pub struct Voxelization {
     /// Where they lie.
     pub grid: Grid,
-    /// Those that triangles meet, their faces included: none is missed, and none is set that is farther than 2⁻¹⁷ of the
-    /// triangle's extent (and the overlap that was asked for) from it.
+    /// Those that triangles meet, their faces included: none is missed, and none is set that is farther than 2⁻¹⁶ of the
+    /// triangle's extent and two voxels (and the overlap that was asked for) from it.
     pub surface: Option<Mask>,
     /// What triangles bring to those.
     pub attributes: Option<Attributes>,
@@ -103,15 +104,17 @@ pub struct Voxelization {
 struct Stage<'a> {
     done: u64,
     total: u64,
+    items: u64,
     progress: &'a mut dyn FnMut(u64, u64) -> bool,
 }
 
 impl Stage<'_> {
-    /// Runs passes that are `items` pieces of the work.
-    fn run(&mut self, backend: &mut dyn Backend, passes: &PassList, items: u64) -> Result<(), Error> {
+    /// Runs passes of `items` items that are so much of the `work`.
+    fn run(&mut self, backend: &mut dyn Backend, passes: &PassList, work: u64, items: u64) -> Result<(), Error> {
         let (progress, done, total) = (&mut *self.progress, self.done, self.total);
         backend.run(passes, &mut |_| progress(done, total))?;
-        self.done += items;
+        self.done += work;
+        self.items += items;
         Ok(())
     }
 }
@@ -144,16 +147,15 @@ pub(crate) fn voxelize_in(
     if !(0.0..=1.0).contains(&settings.overlap) {
         return Err(Error::Scene(format!("an overlap of {}, expected 0 to 1; choose another", settings.overlap)));
     }
-    let mut stage = Stage { done: 0, total: 0, progress };
+    let mut stage = Stage { done: 0, total: 0, items: 0, progress };
     let mut held = Held::new(backend);
     let (mut surface, mut attributes, mut solid) = (None, None, None);
     if settings.surface || settings.attributes {
         let prepared = Surface::new(mesh, grid, settings.overlap);
-        let plan = prepared.plan();
-        stage.total += plan.total() * (1 + u64::from(settings.attributes));
-        let (mask, buffer) = prepared.mark(&plan, &mut held, &mut stage)?;
+        stage.total += mesh.triangles.len() as u64 * (1 + u64::from(settings.attributes));
+        let mask = prepared.mark(&mut held, &mut stage)?;
         if settings.attributes {
-            attributes = Some(prepared.attributes(&plan, (&mask, buffer), &mut held, &mut stage)?);
+            attributes = Some(prepared.attributes(&mask, &mut held, &mut stage)?);
         }
         surface = Some(mask);
     }
@@ -169,7 +171,7 @@ pub(crate) fn voxelize_in(
         surface_voxels: surface.as_ref().map(Mask::count),
         volume: solid.as_ref().map(|solid| solid.volume() * grid.voxel_size.powi(3)),
         open_rows: solid.as_ref().map(|solid| solid.open_rows),
-        items: stage.done,
+        items: stage.items,
         voxelize_ms: vec![started.elapsed().as_secs_f64() * 1e3],
     };
     Ok(Voxelization { grid, surface, attributes, solid, statistics })

@@ -81,9 +81,9 @@ impl Body {
     fn uniforms(&self, [first, layers]: [u32; 2], row: u32) -> VoxelizeUniforms {
         let [x, y, _] = self.grid.dimensions;
         VoxelizeUniforms {
-            dispatch: UVec4::ZERO,
             size: UVec4::new(x, y, layers, row),
             columns: UVec4::new(COLUMNS, first, self.scale, self.scale + 2 * COLUMNS),
+            ..VoxelizeUniforms::default()
         }
     }
 
@@ -111,7 +111,7 @@ impl Body {
             };
             let bound = [changes, coverage];
             let passes = pass(&kernels::voxelize_fill_rows, rows, rule, self.uniforms(slab, row), &bound);
-            stage.run(held.backend, &passes, 0)?;
+            stage.run(held.backend, &passes, 0, 0)?;
             let bytes = held.backend.read(coverage)?;
             let (bytes, open) = bytes.split_at(bytes.len() - 4);
             solid.open_rows += u64::from(pod_collect_to_vec::<u8, u32>(open)[0]);
@@ -132,6 +132,7 @@ impl Body {
         let items = held.create("items", cast_slice(&batch.items))?;
         let uniforms = self.uniforms(slab, self.grid.dimensions[0] + 1);
         let passes = pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &[corners, items, changes]);
-        stage.run(held.backend, &passes, u64::from(batch.items()))
+        let items = u64::from(batch.items());
+        stage.run(held.backend, &passes, items, items)
     }
 }

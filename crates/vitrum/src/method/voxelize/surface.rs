@@ -1,18 +1,21 @@
 //! The voxels that triangles meet, and what these bring there.
 
+use super::fixed::Fixed;
 use super::grid::Grid;
-use super::items::{Batch, Held, Plan, Slices, pass};
+use super::items::{Held, Plan, Slices, pass};
 use super::{Stage, triangles};
 use crate::backend::{Backend, Buffer};
 use crate::render::Error;
-use bytemuck::{cast_slice, pod_collect_to_vec};
+use bytemuck::cast_slice;
 use rayon::prelude::*;
+use std::ops::Range;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::attributes;
-use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, triangle};
+use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, brought, item, pieces, triangle};
 use vitrum_kernels::field::sums::to_number;
-use vitrum_kernels::glam::UVec4;
-use vitrum_kernels::kernel::kernels;
+use vitrum_kernels::glam::{IVec3, UVec4};
+use vitrum_kernels::kernel::{Kernel, kernels};
+use vitrum_kernels::voxelize::place::{Place, is_tiny};
 
 /// A bit for each voxel.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -89,104 +92,158 @@ pub struct Attributes {
     pub materials: Vec<Option<u32>>,
 }
 
-/// What is uploaded of the surface.
+/// Triangles that are prepared and done together: few enough to stay in a processor's cache.
+const BATCH: usize = 1 << 16;
+
+/// Triangles that a thread prepares at a time.
+const PART: usize = 1 << 11;
+
+/// The triangles of a surface.
 pub(super) struct Surface<'a> {
     mesh: &'a Mesh,
     grid: Grid,
-    words: Vec<[u32; triangle::SIZE]>,
-    slices: Vec<Slices>,
+    fixed: Fixed,
+    uniforms: VoxelizeUniforms,
 }
 
 impl<'a> Surface<'a> {
     pub(super) fn new(mesh: &'a Mesh, grid: Grid, overlap: f32) -> Self {
-        let prepare = |index| triangles::surface(triangles::corners(mesh, grid, index), grid, f64::from(overlap));
-        let words: Vec<_> = (0..mesh.triangles.len()).into_par_iter().map(prepare).collect();
-        let slices = words.par_iter().map(|words| {
-            let [count, rows] = triangles::slices(words);
-            Slices { first: 0, count, rows }
-        });
-        Self { mesh, grid, slices: slices.collect(), words }
+        let fixed = Fixed::new(grid);
+        let [x, y, z] = grid.dimensions;
+        let overlap = (f64::from(overlap) * f64::from(1u32 << fixed.units)).ceil() as u32;
+        let uniforms = VoxelizeUniforms {
+            size: UVec4::new(x, y, z, x.div_ceil(32)),
+            surface: UVec4::new(fixed.units, overlap, 0, 0),
+            ..VoxelizeUniforms::default()
+        };
+        Self { mesh, grid, fixed, uniforms }
     }
 
-    pub(super) fn plan(&self) -> Plan<'_> {
-        Plan::new(&self.slices)
+    /// Writes the corners of `triangles` as kernels read them; what is not done with the small ones, counted from the first.
+    fn write_corners(&self, triangles: Range<usize>, words: &mut [u32]) -> Vec<(usize, Slices)> {
+        let parts = self.mesh.triangles[triangles].par_chunks(PART).zip(words.par_chunks_mut(PART * triangle::SIZE));
+        let write = |(part, (triangles, words)): (usize, (&[[u32; 3]], &mut [u32]))| {
+            let mut large = Vec::new();
+            for (number, (vertices, words)) in triangles.iter().zip(words.chunks_exact_mut(triangle::SIZE)).enumerate()
+            {
+                let corners = vertices.map(|vertex| self.fixed.position(self.mesh.positions[vertex as usize]));
+                for (word, coordinate) in words.iter_mut().zip(corners.as_flattened()) {
+                    *word = *coordinate as u32;
+                }
+                let [a, b, c] = corners.map(IVec3::from_array);
+                if is_tiny(&self.uniforms, a, b, c) {
+                    continue;
+                }
+                let place = Place::new(&self.uniforms, a, b, c);
+                if !place.is_small() {
+                    let slices = Slices { first: 0, count: place.slices() as u32, rows: place.rows() as u32 };
+                    large.push((part * PART + number, slices));
+                }
+            }
+            large
+        };
+        parts.enumerate().flat_map_iter(write).collect()
     }
 
-    /// Words that a row of the mask takes.
-    fn row(&self) -> u32 {
-        self.grid.dimensions[0].div_ceil(32)
-    }
-
-    fn uniforms(&self) -> VoxelizeUniforms {
-        let [x, y, z] = self.grid.dimensions;
-        VoxelizeUniforms { size: UVec4::new(x, y, z, self.row()), ..VoxelizeUniforms::default() }
-    }
-
-    fn upload(&self, held: &mut Held<'_>, batch: &Batch) -> Result<[Buffer; 2], Error> {
-        let triangles = held.create("triangles", cast_slice(&self.words[batch.first..batch.end]))?;
-        Ok([triangles, held.create("items", cast_slice(&batch.items))?])
-    }
-
-    /// Marks the voxels that triangles meet. The buffer of the mask is one of `held`.
-    pub(super) fn mark(
+    /// Prepares triangles, batch by batch, and runs a kernel with their corners, their items and the buffers `others`; `prepare`
+    /// writes what else there is of a batch.
+    fn run(
         &self,
-        plan: &Plan<'_>,
+        kernel: &'static Kernel,
+        others: &[Buffer],
+        prepare: &dyn Fn(Range<usize>, &mut dyn Backend) -> Result<(), Error>,
         held: &mut Held<'_>,
         stage: &mut Stage<'_>,
-    ) -> Result<(Mask, Buffer), Error> {
-        let [_, y, z] = self.grid.dimensions.map(u64::from);
-        let buffer = held.create_zeroed("mask of the surface", u64::from(self.row()) * y * z)?;
-        for batch in plan.batches() {
-            held.within(|held| -> Result<(), Error> {
-                let [triangles, items] = self.upload(held, &batch)?;
-                let bound = [triangles, items, buffer];
-                let passes = pass(&kernels::voxelize_mark_surface, batch.items(), 0, self.uniforms(), &bound);
-                stage.run(held.backend, &passes, u64::from(batch.items()))
+    ) -> Result<(), Error> {
+        let all = self.mesh.triangles.len();
+        let corners = held.create_zeroed("corners", (all.clamp(1, BATCH) * triangle::SIZE) as u64)?;
+        let no_items = held.create_zeroed("no items", item::SIZE as u64)?;
+        for first in (0..all).step_by(BATCH) {
+            let triangles = first..(first + BATCH).min(all);
+            let count = triangles.len();
+            let mut large = Vec::new();
+            held.backend.overwrite(corners, count * triangle::SIZE, &mut |words| {
+                large = self.write_corners(triangles.clone(), words);
             })?;
+            prepare(triangles, held.backend)?;
+            let small = count - large.len();
+            if small > 0 {
+                let bound = [&[corners, no_items], others].concat();
+                let passes = pass(kernel, count as u32, pieces::TRIANGLES, self.uniforms, &bound);
+                stage.run(held.backend, &passes, small as u64, small as u64)?;
+            }
+            if large.is_empty() {
+                continue;
+            }
+            let work = large.len() as u64;
+            let mut slices = vec![Slices::default(); count];
+            large.into_iter().for_each(|(number, of_triangle)| slices[number] = of_triangle);
+            for batch in Plan::new(&slices).batches() {
+                let mut uniforms = self.uniforms;
+                uniforms.surface.z = batch.first as u32;
+                held.within(|held| -> Result<(), Error> {
+                    let items = held.create("items", cast_slice(&batch.items))?;
+                    let bound = [&[corners, items], others].concat();
+                    let passes = pass(kernel, batch.items(), pieces::ITEMS, uniforms, &bound);
+                    stage.run(held.backend, &passes, 0, u64::from(batch.items()))
+                })?;
+            }
+            stage.done += work;
         }
-        let words = pod_collect_to_vec(&held.backend.read(buffer)?);
-        Ok((Mask { dimensions: self.grid.dimensions, row: self.row() as usize, words }, buffer))
+        Ok(())
+    }
+
+    /// Marks the voxels that triangles meet.
+    pub(super) fn mark(&self, held: &mut Held<'_>, stage: &mut Stage<'_>) -> Result<Mask, Error> {
+        let UVec4 { x: _, y, z, w: row } = self.uniforms.size;
+        let words = held.within(|held| -> Result<_, Error> {
+            let mask = held.create_zeroed("mask of the surface", u64::from(row) * u64::from(y) * u64::from(z))?;
+            self.run(&kernels::voxelize_mark_surface, &[mask], &|_, _| Ok(()), held, stage)?;
+            Ok(held.take(mask)?)
+        })?;
+        Ok(Mask { dimensions: self.grid.dimensions, row: row as usize, words })
     }
 
     /// Sums up what triangles bring to the voxels of `mask`.
     pub(super) fn attributes(
         &self,
-        plan: &Plan<'_>,
-        (mask, mask_buffer): (&Mask, Buffer),
+        mask: &Mask,
         held: &mut Held<'_>,
         stage: &mut Stage<'_>,
     ) -> Result<Attributes, Error> {
         let (ranks, count) = mask.ranks();
         held.within(|held| {
+            let mask = held.create("mask of the surface", cast_slice(&mask.words))?;
             let ranks = held.create("ranks of the mask", cast_slice(&ranks))?;
             let sums = held.create_zeroed("attributes", count.max(1) * attributes::SIZE as u64)?;
-            for batch in plan.batches() {
-                held.within(|held| -> Result<(), Error> {
-                    let [triangles, items] = self.upload(held, &batch)?;
-                    let brought = (batch.first..batch.end).into_par_iter();
-                    let brought: Vec<_> = brought.map(|index| triangles::attributes(self.mesh, index)).collect();
-                    let brought = held.create("attributes of triangles", cast_slice(&brought))?;
-                    let bound = [triangles, items, brought, mask_buffer, ranks, sums];
-                    let passes = pass(&kernels::voxelize_sum_attributes, batch.items(), 0, self.uniforms(), &bound);
-                    stage.run(held.backend, &passes, u64::from(batch.items()))
+            let most = self.mesh.triangles.len().clamp(1, BATCH);
+            let brought = held.create_zeroed("attributes of triangles", (most * brought::SIZE) as u64)?;
+            let prepare = |triangles: Range<usize>, backend: &mut dyn Backend| {
+                backend.overwrite(brought, triangles.len() * brought::SIZE, &mut |words| {
+                    let records = words.par_chunks_exact_mut(brought::SIZE).zip(triangles.clone());
+                    records.for_each(|(words, index)| {
+                        words.copy_from_slice(&triangles::attributes(self.mesh, index).map(f32::to_bits));
+                    });
                 })?;
-            }
-            read(held.backend, sums, count)
+                Ok(())
+            };
+            let others = [brought, mask, ranks, sums];
+            self.run(&kernels::voxelize_sum_attributes, &others, &prepare, held, stage)?;
+            Ok(read(&held.take(sums)?, count))
         })
     }
 }
 
-fn read(backend: &mut dyn Backend, sums: Buffer, count: u64) -> Result<Attributes, Error> {
-    let words: Vec<u32> = pod_collect_to_vec(&backend.read(sums)?);
+fn read(words: &[u32], count: u64) -> Attributes {
     let records = || words.chunks_exact(attributes::SIZE).take(count as usize);
     let vectors = |from: usize| {
         let number = move |record: &[u32], at: usize| to_number(record[at], record[at + 1]) / attributes::SCALE;
         records().map(|record| [from, from + 2, from + 4].map(|at| number(record, at))).collect()
     };
-    Ok(Attributes {
+    Attributes {
         counts: records().map(|record| record[attributes::COUNT]).collect(),
         normals: vectors(attributes::NORMAL),
         colors: vectors(attributes::COLOR),
         materials: records().map(|record| record[attributes::MATERIAL].checked_sub(1)).collect(),
-    })
+    }
 }

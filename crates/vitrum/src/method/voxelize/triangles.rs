@@ -2,10 +2,7 @@
 
 use super::grid::Grid;
 use vitrum_io::Mesh;
-use vitrum_kernels::abi::voxelize::{brought, triangle};
-
-/// What the arithmetic of the kernels may be off by, as a part of a triangle's extent in voxels (see `overlap` there).
-const ARITHMETIC: f64 = 1.0 / 524_288.0;
+use vitrum_kernels::abi::voxelize::brought;
 
 /// Bits of a corner's coordinate: differences of two such numbers are exact floats.
 const BITS: i32 = 22;
@@ -29,43 +26,6 @@ fn unit(extent: f64) -> f64 {
 fn round(x: f64, unit: f64) -> f64 {
     let large = 6_755_399_441_055_744.0 * unit;
     (x + large) - large
-}
-
-/// The words of a triangle for the surface, voxels being enlarged by `overlap` on each side.
-pub(super) fn surface(corners: [[f64; 3]; 3], grid: Grid, overlap: f64) -> [u32; triangle::SIZE] {
-    let mut low = corners[0];
-    let mut high = corners[0];
-    for corner in &corners[1..] {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(corner[axis]);
-            high[axis] = high[axis].max(corner[axis]);
-        }
-    }
-    let extent = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max) + 2.0 * overlap + 2.0;
-    let unit = unit(extent);
-    // Corners move by half a unit at most.
-    let margin = overlap + 0.5 * unit + extent * ARITHMETIC;
-    let mut words = [0; triangle::SIZE];
-    words[triangle::MARGIN] = (margin as f32).to_bits();
-    for axis in 0..3 {
-        let most = f64::from(grid.dimensions[axis] - 1);
-        // Casts cut off, which for what is above 0 is to round down.
-        let first = (low[axis] - margin).clamp(0.0, most) as u32;
-        let last = (high[axis] + margin).clamp(0.0, most) as u32;
-        words[triangle::FIRST + axis] = first;
-        words[triangle::LAST + axis] = last - first;
-        for (number, corner) in corners.iter().enumerate() {
-            let rounded = round(corner[axis] - f64::from(first), unit);
-            words[triangle::CORNERS + 3 * number + axis] = (rounded as f32).to_bits();
-        }
-    }
-    words
-}
-
-/// Slices of a triangle, and rows in a slice.
-pub(super) fn slices(words: &[u32; triangle::SIZE]) -> [u32; 2] {
-    let (y, z) = (words[triangle::LAST + 1] + 1, words[triangle::LAST + 2] + 1);
-    if z >= y { [z, y] } else { [y, z] }
 }
 
 /// Corners for the solid: rounded to a unit that is the same for the whole grid, so that common corners stay common.

@@ -187,9 +187,9 @@ impl<'a> Work<'a> {
         let changes = held.create_zeroed("changes of the winding", u64::from(x + 1) * u64::from(y * layers))?;
         let slices = slices(&self.solids[index].corners, 0, [first, layers]);
         let uniforms = VoxelizeUniforms {
-            dispatch: UVec4::ZERO,
             size: UVec4::new(x, y, layers, x + 1),
             columns: UVec4::new(0, first, scale, scale),
+            ..VoxelizeUniforms::default()
         };
         for batch in Plan::new(&slices).batches() {
             held.within(|held| {
