@@ -6,8 +6,8 @@ use std::fs;
 
 use common::Folder;
 use vitrum_io::{
-    Channel, Error, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear,
-    write_picture, write_picture_with,
+    Animation, Channel, Error, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture,
+    srgb_to_linear, write_picture, write_picture_with,
 };
 
 const WIDTH: u32 = 5;
@@ -245,4 +245,33 @@ fn unreadable_pictures_say_why() {
         let half = read_picture(&folder.write(&format!("half.{extension}"), &whole[..whole.len() / 2]));
         assert!(matches!(half, Err(Error::Invalid { .. })), "{extension}: {half:?}");
     }
+}
+
+#[test]
+fn gif_films_keep_their_rate() {
+    let folder = Folder::new();
+    let path = folder.path("film.gif");
+    let picture = Picture::rgb(WIDTH, HEIGHT, pixels());
+    // Within half of a hundredth of a second each frame begins when it should, however long the film is.
+    for rate in [1, 12, 24, 30, 40, 50] {
+        let frames = 3 * rate + 1;
+        let mut film = Animation::create(&path, [WIDTH, HEIGHT], frames, rate as u16).unwrap();
+        (0..frames).for_each(|_| film.push(&picture).unwrap());
+        film.finish().unwrap();
+        let mut decoder = gif::DecodeOptions::new().read_info(fs::File::open(&path).unwrap()).unwrap();
+        let mut begin = 0;
+        let mut counted = 0;
+        while let Some(frame) = decoder.read_next_frame().unwrap() {
+            let wanted = f64::from(counted) * 100.0 / f64::from(rate);
+            assert!((f64::from(begin) - wanted).abs() <= 0.5, "frame {counted} of {rate} a second begins at {begin}");
+            assert!(frame.delay >= 2, "programs slow down shorter ones");
+            begin += u32::from(frame.delay);
+            counted += 1;
+        }
+        assert_eq!(counted, frames);
+    }
+    let error =
+        Animation::create(&path, [WIDTH, HEIGHT], 2, 51).err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("51 frames a second are too many for GIF; choose at most 50"), "{error}");
+    Animation::create(&folder.path("film.png"), [WIDTH, HEIGHT], 2, 60).unwrap();
 }
