@@ -140,6 +140,30 @@ fn exr_keeps_layers_and_metadata() {
 }
 
 #[test]
+fn vectors_keep_their_components_and_signs_or_are_refused() {
+    let folder = Folder::new();
+    let count = (WIDTH * HEIGHT) as usize;
+    let vectors: Vec<[f32; 3]> = (0..count).map(|index| [index as f32 - 7.0, -0.5, -2.0 * index as f32]).collect();
+    let component = |axis: usize| vectors.iter().map(|vector| vector[axis]).collect();
+    let channels = ["X", "Y", "Z"].into_iter().enumerate();
+    let channels = channels.map(|(axis, name)| Channel { name: name.to_owned(), data: component(axis) }).collect();
+    let layers = vec![Layer { name: "normal".to_owned(), channels }];
+    let picture = Picture { width: WIDTH, height: HEIGHT, layers };
+    assert_eq!(picture.color(), vectors);
+    for extension in ["exr", "tif"] {
+        let path = folder.path(&format!("normal.{extension}"));
+        write_picture(&path, &picture, &[]).unwrap();
+        assert_eq!(read_picture(&path).unwrap().color(), vectors, "{extension}");
+    }
+    for extension in ["png", "jpg", "hdr"] {
+        let path = folder.path(&format!("normal.{extension}"));
+        let error = write_picture(&path, &picture, &[]).unwrap_err().to_string();
+        assert!(error.contains("`normal` is a vector") && error.contains("write it to .exr or .tif"), "{error}");
+        assert!(!path.exists(), "{extension}");
+    }
+}
+
+#[test]
 fn png_keeps_metadata() {
     let folder = Folder::new();
     let path = folder.path("a.png");
