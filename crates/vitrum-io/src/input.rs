@@ -21,7 +21,7 @@ pub const STANDARD_INPUT: &str = "-";
 pub struct Input<'a> {
     /// Its path; the files that a header names lie beside it.
     pub path: &'a Path,
-    /// Its name for messages, without folders.
+    /// Its name for messages: the path as it was given.
     pub name: String,
     /// Its size in bytes as it is packed; 0 for a folder.
     pub length: u64,
@@ -72,6 +72,11 @@ impl<'a> Input<'a> {
         }
         input.look()?;
         Ok(input)
+    }
+
+    /// The last part of its path, for readers that look at names.
+    pub(crate) fn file_name(&self) -> String {
+        file_name(self.path)
     }
 
     /// The file that holds the bytes.
@@ -171,7 +176,33 @@ fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result
     }
 }
 
-/// The last part of a path, for messages.
+/// A path for messages: as it was given, and of a very long one the end.
 pub(crate) fn display_name(path: &Path) -> String {
+    const MOST: usize = 160;
+    let shown = path.to_string_lossy();
+    match shown.char_indices().rev().nth(MOST - 1) {
+        Some((start, _)) if start > 0 => format!("…{}", &shown[start..]),
+        _ => shown.into_owned(),
+    }
+}
+
+/// The last part of a path.
+pub(crate) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_shown_as_given_and_long_ones_by_their_end() {
+        assert_eq!(display_name(Path::new("a/../b/scan.nrrd")), "a/../b/scan.nrrd");
+        assert_eq!(display_name(Path::new("a/b/")), "a/b/");
+        let most = "ä".repeat(160);
+        assert_eq!(display_name(Path::new(&most)), most);
+        let long = format!("folder/{most}");
+        assert_eq!(display_name(Path::new(&long)), format!("…{most}"));
+        assert_eq!(file_name(Path::new("a/b/scan.nrrd")), "scan.nrrd");
+    }
 }

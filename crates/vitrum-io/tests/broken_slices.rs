@@ -106,7 +106,7 @@ fn broken_raw_files() {
     ];
     for (name, content, expected) in cases {
         let message = folder.open(name, content).expect_err(expected).to_string();
-        assert!(message.starts_with(name), "{message}");
+        assert!(message.starts_with(&folder.shown(name)), "{message}");
         assert!(message.contains(expected), "expected: {expected}\nfound: {message}");
     }
 }

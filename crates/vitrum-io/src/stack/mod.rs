@@ -12,7 +12,7 @@ use self::page::Pages;
 use self::selection::Selection;
 use self::series::series;
 use crate::error::{Error, Place, Report};
-use crate::input::{Input, display_name};
+use crate::input::{Input, display_name, file_name};
 use crate::memory;
 use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::placement::UNORIENTED;
@@ -101,7 +101,8 @@ fn files(input: &Input, assumptions: &mut Vec<String>) -> Result<Vec<Pages>, Err
                 Place::File,
                 format!(
                     "{} page(s) of {found}, and its numbered neighbour {} has one of {expected}",
-                    file.count, opened.name
+                    file.count,
+                    file_name(&opened.path)
                 ),
                 "put only the slices of one volume into a folder under such names",
             ));
@@ -113,7 +114,7 @@ fn files(input: &Input, assumptions: &mut Vec<String>) -> Result<Vec<Pages>, Err
 
 fn note(files: &[Pages], assumptions: &mut Vec<String>) {
     if let [first, .., last] = files {
-        let (count, first, last) = (files.len(), &first.name, &last.name);
+        let (count, first, last) = (files.len(), file_name(&first.path), file_name(&last.path));
         assumptions.push(format!("the data was put together from {count} files, {first} to {last}"));
     }
     let thumbnails = files.iter().map(|file| file.thumbnails).sum::<u64>();

@@ -93,6 +93,11 @@ impl Folder {
         self.0.path().join(name)
     }
 
+    /// A file as messages about it begin.
+    pub fn shown(&self, name: &str) -> String {
+        self.path(name).display().to_string()
+    }
+
     pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
         let path = self.path(name);
         fs::write(&path, content).expect("a written file");
