@@ -41,7 +41,7 @@ impl Grid {
         if let Some(other) = slices.iter().find(|slice| slice.file.spacing != first.file.spacing) {
             return Err(Report::new(&other.file.name).invalid(
                 Place::File,
-                format!("the pixels lie at other distances than those of {}", first.file.name),
+                format!("the pixels lie at other distances than those of {}", first.file.short_name()),
                 "put only the slices of one volume into the series",
             ));
         }
@@ -161,7 +161,7 @@ fn orientation(slices: &[Slice]) -> Result<[f64; 6], Error> {
     if let Some(other) = slices.iter().find(differs) {
         return Err(Report::new(&other.file.name).invalid(
             Place::File,
-            format!("this slice is turned against {} of the same series", first.file.name),
+            format!("this slice is turned against {} of the same series", first.file.short_name()),
             "leave out the slices that do not lie behind one another, such as scouts",
         ));
     }

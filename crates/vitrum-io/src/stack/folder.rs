@@ -9,7 +9,7 @@ use crate::error::{Error, Place, Report, clip};
 use crate::input::file_name;
 
 /// Whether a folder has a TIFF file in it, by its name.
-pub(super) fn has_tiff(path: &Path) -> bool {
+pub(crate) fn has_tiff(path: &Path) -> bool {
     path.is_dir()
         && fs::read_dir(path)
             .is_ok_and(|entries| entries.flatten().take(MOST_FILES).any(|entry| is_tiff(&entry.path())))

@@ -8,6 +8,7 @@ mod spacing;
 
 use std::path::{Path, PathBuf};
 
+pub(crate) use self::folder::has_tiff;
 use self::page::Pages;
 use self::selection::Selection;
 use self::series::series;
@@ -37,7 +38,7 @@ impl VolumeReader for Stack {
 
     fn recognises(&self, head: &[u8], path: &Path) -> bool {
         [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|magic| head.starts_with(*magic))
-            || head.is_empty() && folder::has_tiff(path)
+            || head.is_empty() && has_tiff(path)
     }
 
     fn parts(&self) -> &'static [Part] {
