@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, IsTerminal, Read};
 use std::path::Path;
 
-use tempfile::{NamedTempFile, TempPath};
+use tempfile::NamedTempFile;
 
 use crate::error::{Error, Place, Report};
 use crate::memory;
@@ -12,6 +12,7 @@ use crate::open::OpenOptions;
 use crate::packing::Packing;
 use crate::samples::read_up_to;
 use crate::stream;
+use crate::temporary::Temporary;
 
 /// The path that stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
@@ -30,7 +31,7 @@ pub struct Input<'a> {
     /// How the whole file is packed.
     pub packing: Packing,
     /// Where the bytes are, if not at `path`; removed with this.
-    spooled: Option<TempPath>,
+    spooled: Option<Temporary>,
 }
 
 impl<'a> Input<'a> {
@@ -81,7 +82,7 @@ impl<'a> Input<'a> {
 
     /// The file that holds the bytes.
     pub(crate) fn file(&self) -> &Path {
-        self.spooled.as_deref().unwrap_or(self.path)
+        self.spooled.as_ref().map_or(self.path, Temporary::path)
     }
 
     /// Whether this is a folder.
@@ -128,7 +129,7 @@ impl<'a> Input<'a> {
     }
 }
 
-fn standard_input(report: Report, options: &OpenOptions) -> Result<(TempPath, u64), Error> {
+fn standard_input(report: Report, options: &OpenOptions) -> Result<(Temporary, u64), Error> {
     let stdin = io::stdin();
     if stdin.is_terminal() {
         return Err(report.unsupported(
@@ -145,7 +146,7 @@ fn standard_input(report: Report, options: &OpenOptions) -> Result<(TempPath, u6
 }
 
 /// Puts all that `reader` gives into a temporary file; its path and length.
-fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result<(TempPath, u64), Error> {
+fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result<(Temporary, u64), Error> {
     // The folder for temporary files is often in memory, so that the limit is that of memory.
     let limit = options.max_bytes.unwrap_or_else(memory::available);
     let unwritable = |error: io::Error| {
@@ -155,7 +156,7 @@ fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result
             "free some space in the folder for temporary files, or choose another by TMPDIR",
         )
     };
-    let mut file = NamedTempFile::with_prefix("vitrum-").map_err(unwritable)?;
+    let file = Temporary::new(|| NamedTempFile::with_prefix("vitrum-")).map_err(unwritable)?;
     let mut chunk = vec![0; 64 * 1024];
     let mut length = 0_u64;
     loop {
@@ -169,9 +170,9 @@ fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result
                 "that is only as far as it was read: raise the limit, or crop or downsample the data first",
             ));
         }
-        io::Write::write_all(&mut file, &chunk[..count]).map_err(unwritable)?;
+        io::Write::write_all(&mut file.file(), &chunk[..count]).map_err(unwritable)?;
         if count < chunk.len() {
-            return Ok((file.into_temp_path(), length));
+            return Ok((file, length));
         }
     }
 }

@@ -41,6 +41,7 @@ mod shared;
 mod stack;
 mod stream;
 pub mod suggest;
+mod temporary;
 mod text;
 mod time;
 mod up;
@@ -50,6 +51,7 @@ mod voxels;
 mod vti;
 mod vtk;
 
+pub use beside::{check_text_writable, write_text};
 pub use error::{Error, Place};
 pub use image::{
     Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, read_picture_with,
@@ -64,6 +66,7 @@ pub use orientation::Orientation;
 pub use packing::Packing;
 pub use raw::RawLayout;
 pub use shared::Shared;
+pub use temporary::remove_unfinished;
 pub use up::Up;
 pub use volume::{Source, Volume};
 pub use volume_file::{check_volume_writable, write_volume};

@@ -16,10 +16,12 @@ pub mod voxelize;
 
 use crate::arguments::Command;
 use crate::failure::Failure;
+use crate::interrupt;
 use std::process::ExitCode;
 
 /// Runs a command; its exit code, or why it failed.
 pub fn run(command: Command) -> Result<ExitCode, Failure> {
+    interrupt::handle_signals();
     match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Turntable(arguments) => turntable::run(&arguments),

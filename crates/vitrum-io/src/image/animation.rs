@@ -14,6 +14,7 @@ use super::video::Video;
 use crate::beside::create_beside;
 use crate::error::{Error, Place, Report};
 use crate::input::display_name;
+use crate::temporary::Temporary;
 
 /// How well GIF's 256 colours are chosen: 1 best, 30 fastest.
 const GIF_SPEED: i32 = 10;
@@ -24,7 +25,7 @@ const MOST_GIF_RATE: u16 = 50;
 /// A film that repeats for ever, as it is written.
 pub struct Animation {
     path: PathBuf,
-    beside: NamedTempFile,
+    beside: Temporary,
     encoder: Encoder,
     size: [u32; 2],
     frames: u32,
@@ -52,7 +53,7 @@ impl Animation {
         let report = Report::new(&name);
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         let beside = create_beside(report, path)?;
-        let sink = || Ok(BufWriter::new(beside.as_file().try_clone()?));
+        let sink = || Ok(BufWriter::new(beside.file().try_clone()?));
         let encoder = match extension.as_str() {
             "gif" => {
                 let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
@@ -74,7 +75,7 @@ impl Animation {
             }
         };
         let encoder = encoder.map_err(|error| failed(report, error))?;
-        Ok(Self { path: path.to_owned(), beside, encoder, size, left: frames, rate: rate.max(1) })
+        Ok(Self { path: path.to_owned(), beside, encoder, size, frames, left: frames, rate: rate.max(1) })
     }
 
     /// Adds a frame: the picture's first layer as sRGB with straight alpha.
@@ -123,8 +124,8 @@ impl Animation {
             Encoder::Png(writer) => writer.finish().map_err(io::Error::other),
             Encoder::Video(mut video) => video.end(),
         };
-        ended.and_then(|()| self.beside.as_file().sync_all()).map_err(|error| failed(report, error))?;
-        self.beside.persist(&self.path).map(drop).map_err(|error| failed(report, error.error))
+        ended.and_then(|()| self.beside.file().sync_all()).map_err(|error| failed(report, error))?;
+        self.beside.persist(&self.path).map_err(|error| failed(report, error))
     }
 }
 
