@@ -35,7 +35,12 @@ pub struct GpuBackend {
 impl GpuBackend {
     /// Opens the best adapter whose name, interface or driver contains `wanted`; software adapters come last.
     pub fn new(wanted: Option<&str>) -> Result<Self, BackendError> {
-        let adapter = adapter::choose(wanted)?;
+        Self::among(adapter::adapters(), wanted)
+    }
+
+    /// As [`Self::new`], among adapters that were found already.
+    pub(crate) fn among(found: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<Self, BackendError> {
+        let adapter = adapter::choose(found, wanted)?;
         Ok(Self {
             opened: adapter::open(&adapter)?,
             adapter: describe(&adapter.get_info()),
