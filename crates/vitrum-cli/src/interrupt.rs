@@ -86,7 +86,8 @@ pub fn check() -> Result<(), Failure> {
 /// Why the work ended early.
 pub fn failure() -> Failure {
     if TIMED_OUT.load(Ordering::Relaxed) && !INTERRUPTED.load(Ordering::Relaxed) {
-        let help = "give it more time, or make the picture smaller (--size); no unfinished output was written";
+        let help =
+            "give it more time, or less to do (a smaller --size or --resolution); no unfinished output was written";
         return Failure::new(Status::TimedOut, "the time of --timeout is over", help);
     }
     Failure::new(Status::Interrupted, "interrupted", "no unfinished output was written")

@@ -131,7 +131,10 @@ fn choose(input: &Input, options: &OpenOptions) -> Result<&'static dyn VolumeRea
                 "give a folder that has them, TIFF files in it and not below it, or a file",
             )
         } else if looks_like_mesh(input) {
-            ("this is a mesh, and volumes alone are read here", "")
+            (
+                "this is a mesh, and volumes alone are read here",
+                "make a volume of it by `vitrum voxelize`, or say by --raw how voxels without a header are laid out",
+            )
         } else {
             ("neither the content nor the extension is of a known volume format", "")
         };
