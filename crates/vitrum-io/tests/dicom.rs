@@ -331,6 +331,12 @@ fn padding_widens_no_range() {
     let mut slice = Dicom::slice(0.0, &[7, 50, 9, 50, 80, 8]);
     slice.short(PADDING, 50);
     assert_eq!(values(&one(&slice)), [7.0, 7.0, 9.0, 7.0, 80.0, 8.0]);
+    // The next number widens nothing.
+    let mut slice = Dicom::slice(0.0, &[0, 0, 1, 9, 7, 0]);
+    slice.short(PADDING, 0);
+    let volume = one(&slice);
+    assert_eq!(values(&volume), [0.0, 0.0, 1.0, 9.0, 7.0, 0.0]);
+    assert!(!told(&volume, "padding"));
     // Nothing but padding, and none.
     let mut slice = Dicom::slice(0.0, &[7; 6]);
     slice.short(PADDING, 7);

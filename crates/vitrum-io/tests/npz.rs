@@ -39,7 +39,7 @@ fn what_numpy_writes_is_read() {
         // The first that can be a volume.
         let volume = folder.open(name, &file).unwrap();
         assert_eq!(values(&volume), (0..12).map(|value| value as f32).collect::<Vec<_>>());
-        assert_eq!((volume.dimensions, volume.name.as_str()), ([3, 2, 2], name));
+        assert_eq!((volume.dimensions, volume.name.as_str()), ([3, 2, 2], folder.shown(name).as_str()));
         assert_eq!((volume.source.format, volume.source.encoding.as_str()), ("NumPy archive", "deflate"));
         assert!(told(&volume, "the array `density` was taken; --array takes another: `names`, `heat`"));
         let heat = open(&folder, name, "heat").unwrap();

@@ -43,7 +43,8 @@ fn wrapped(number: i64, sample: SampleType) -> i64 {
 }
 
 /// Gives padding a value that measured pixels have, so that it widens neither the range nor the histogram: the end of their range
-/// that it lies beyond, and the least where it lies within. Returns a sentence about it where there is any.
+/// that it lies beyond, and the least where it lies within. Where it is but the next stored number, such as 0 below the 1 of an MR, it
+/// widens nothing that matters, and stays what other programs read. Returns a sentence about what was changed, if anything was.
 ///
 /// `slices` are those of `voxels`, in their order; `uniform` says that these are stored values rather than physical ones.
 pub(super) fn replace(slices: &[Slice], uniform: bool, voxels: &mut Voxels) -> Option<String> {
@@ -51,9 +52,9 @@ pub(super) fn replace(slices: &[Slice], uniform: bool, voxels: &mut Voxels) -> O
     let bounds: Vec<_> = slices.iter().map(|slice| bounds(slice, uniform)).collect();
     let slope = if uniform { slices[0].rescale[0] } else { 1.0 };
     let replaced = match voxels {
-        Voxels::U8(voxels) => fill(voxels.make_mut(), &bounds, slope),
-        Voxels::U16(voxels) => fill(voxels.make_mut(), &bounds, slope),
-        Voxels::F32(voxels) => fill(voxels.make_mut(), &bounds, slope),
+        Voxels::U8(voxels) => fill(voxels.make_mut(), &bounds, slope, 1.0),
+        Voxels::U16(voxels) => fill(voxels.make_mut(), &bounds, slope, 1.0),
+        Voxels::F32(voxels) => fill(voxels.make_mut(), &bounds, slope, 0.0),
     };
     let Replaced { count, values } = replaced?;
     let Some(values) = values else {
@@ -91,8 +92,8 @@ struct Replaced {
     values: Option<[f32; 2]>,
 }
 
-/// `None` where there is no padding.
-fn fill<T: Pod + Into<f32>>(voxels: &mut [T], bounds: &[Option<[f32; 2]>], slope: f64) -> Option<Replaced> {
+/// `None` where nothing was replaced; what is at most `step` beyond the measured values stays.
+fn fill<T: Pod + Into<f32>>(voxels: &mut [T], bounds: &[Option<[f32; 2]>], slope: f64, step: f32) -> Option<Replaced> {
     let size = (voxels.len() / bounds.len()).max(1);
     let within = |voxel: T, [low, high]: [f32; 2]| (low..=high).contains(&voxel.into());
     let mut count = 0;
@@ -116,16 +117,23 @@ fn fill<T: Pod + Into<f32>>(voxels: &mut [T], bounds: &[Option<[f32; 2]>], slope
         return None;
     }
     let Some([low, high]) = ends else { return Some(Replaced { count, values: None }) };
-    let mut used = [None; 2];
+    let (least, most): (f32, f32) = (low.into(), high.into());
+    let stays = |value: f32| value < least && least - value <= step || value > most && value - most <= step;
+    let (mut count, mut used) = (0, [None; 2]);
     for (slice, bounds) in voxels.chunks_mut(size).zip(bounds) {
         let Some(bounds) = *bounds else { continue };
         for voxel in slice.iter_mut().filter(|voxel| within(**voxel, bounds)) {
             let value: f32 = (*voxel).into();
-            let above = value > high.into() || slope < 0.0 && value > low.into();
+            if stays(value) {
+                continue;
+            }
+            let above = value > most || slope < 0.0 && value > least;
             *voxel = if above { high } else { low };
+            count += 1;
             used[usize::from(above)] = Some((*voxel).into());
         }
     }
     let [low, high] = used;
-    Some(Replaced { count, values: low.or(high).zip(high.or(low)).map(|(low, high)| [low, high]) })
+    let values = low.or(high).zip(high.or(low)).map(|(low, high)| [low, high])?;
+    Some(Replaced { count, values: Some(values) })
 }

@@ -315,7 +315,7 @@ pub fn check_refused(name: &str, cases: Vec<(Vec<u8>, &str)>) {
             Err(error @ (Error::Invalid { .. } | Error::Unsupported { .. })) => error.to_string(),
             other => format!("{other:?}"),
         };
-        if !(message.starts_with(name) && message.contains(expected)) {
+        if !(message.starts_with(&folder.shown(name)) && message.contains(expected)) {
             others += &format!("expected: {expected}\nfound: {message}\n");
         }
     }

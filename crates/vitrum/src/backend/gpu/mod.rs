@@ -35,7 +35,7 @@ pub struct GpuBackend {
 impl GpuBackend {
     /// Opens the best adapter whose name, interface or driver contains `wanted`; software adapters come last.
     pub fn new(wanted: Option<&str>) -> Result<Self, BackendError> {
-        Self::among(adapter::adapters(), wanted)
+        Self::among(adapters(), wanted)
     }
 
     /// As [`Self::new`], among adapters that were found already.
