@@ -21,7 +21,7 @@ pub struct Source {
 /// A scalar field on a regular grid, placed in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Volume {
-    /// For messages: the file's name, or `builtin:NAME`.
+    /// For messages: the file's path as it was given, or `builtin:NAME`.
     pub name: String,
     /// Voxels along x, y and z, each at least 1.
     pub dimensions: [u32; 3],

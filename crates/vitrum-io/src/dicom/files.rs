@@ -22,7 +22,7 @@ impl Series {
             let images = images(report, input.path, assumptions)?;
             return Self::choose(report, input.path, images, assumptions);
         }
-        let opened = match File::read(input.file(), input.name.clone(), input.length)? {
+        let opened = match File::read(input.file(), &input.name, input.length)? {
             Header::Image(file) => *file,
             Header::Refused { error, .. } => return Err(error),
             Header::Other => {
@@ -92,7 +92,7 @@ impl Series {
                 assumptions.push(format!("the largest series was taken ({first}); others are: {others}; {advice}"));
             }
             [first, ..] if below => {
-                assumptions.push(format!("the one series below the folder was taken ({})", named(first)))
+                assumptions.push(format!("the one series below the folder was taken ({})", named(first)));
             }
             _ => {}
         }

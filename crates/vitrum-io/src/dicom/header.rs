@@ -82,8 +82,8 @@ pub(super) enum Header {
 
 impl File {
     /// Reads the header of the file at `path`.
-    pub fn read(path: &Path, name: String, length: u64) -> Result<Header, Error> {
-        let report = Report::new(&name);
+    pub fn read(path: &Path, name: &str, length: u64) -> Result<Header, Error> {
+        let report = Report::new(name);
         let file = std::fs::File::open(path).map_err(|error| report.unreadable(error))?;
         lengths::check(BufReader::new(file), length).map_err(|(byte, problem)| {
             report.invalid(Place::Byte(byte), problem, "get the whole file, or write it anew")
@@ -94,7 +94,7 @@ impl File {
             .map_err(|error| damaged(report, &error))?;
         let series = text(&object, attributes::SERIES).unwrap_or_default();
         let syntax = text_of(object.meta().transfer_syntax());
-        match Self::of(&object, path, &name, length, syntax) {
+        match Self::of(&object, path, name, length, syntax) {
             Ok(Some(file)) => Ok(Header::Image(Box::new(file))),
             Ok(None) => Ok(Header::Other),
             Err(error @ Error::Unsupported { .. }) => Ok(Header::Refused { series, error }),

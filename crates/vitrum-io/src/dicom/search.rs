@@ -128,7 +128,7 @@ fn scan(report: Report, folders: &[PathBuf], assumptions: &mut Vec<String>) -> R
     for path in paths {
         let name = display_name(&path);
         let length = fs::metadata(&path).map_err(|error| Report::new(&name).unreadable(error))?.len();
-        match File::read(&path, name, length)? {
+        match File::read(&path, &name, length)? {
             Header::Image(file) => images.files.push(*file),
             Header::Refused { series, error } => images.refused.push((series, error)),
             Header::Other => others += 1,
