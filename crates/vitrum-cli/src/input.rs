@@ -144,6 +144,11 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
     let Opened { mut scene, base, .. } = open(input)?;
     // Reading a mesh as a volume says what is wrong with that.
     scene = without_mesh(scene);
+    if scene.mesh.is_some() {
+        let message = format!("{input}: this is a mesh, and there is no volume in it");
+        let help = format!("`vitrum voxelize {input} -r 256 -o voxels.nrrd` makes one of it");
+        return Err(Failure::new(Status::WrongUse, message, help));
+    }
     arguments.apply(&mut scene.volume);
     scene.validate()?;
     Ok(load_volume(&scene.volume, &base, arguments.limit())?)
@@ -158,6 +163,11 @@ pub fn open_mesh(input: &str, max_bytes: Option<u64>) -> Result<Mesh, Failure> {
             Ok(load_mesh(&MeshSource { up: Some(as_it_stands), ..source }, Path::new(""), max_bytes)?)
         }
         Some(source) => Ok(load_mesh(&source, &base, max_bytes)?),
+        None if !bare => {
+            let message = format!("{input}: this shows a volume, and no mesh");
+            let help = "name a mesh's file, a scene that shows one, or a built-in one (`vitrum scenes` lists them)";
+            Err(Failure::new(Status::WrongUse, message, help))
+        }
         None => Ok(vitrum::io::open_mesh(Path::new(input), &OpenOptions { max_bytes, ..OpenOptions::default() })?),
     }
 }

@@ -1,15 +1,19 @@
-//! Ctrl-C and `--timeout`: end the work at the next plane, so that no output is left half-written.
+//! Signals and `--timeout`: end the work at the next plane, or at once where it has none, and leave no output half-written.
 
 use crate::failure::{Failure, Status};
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
+use vitrum::io;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 static TIMED_OUT: AtomicBool = AtomicBool::new(false);
 
-/// How long after `--timeout` the program ends even where it does not come to look, such as in the middle of a large file.
+/// Whether the work has begun to ask for [`requested`], as it does from plane to plane; reading a file, it does not.
+static ASKED: AtomicBool = AtomicBool::new(false);
+
+/// How long after a signal or `--timeout` the program ends even where the work asks no more, such as in the middle of an output.
 const GRACE: Duration = Duration::from_secs(5);
 
 /// A time of more than 0 seconds.
@@ -28,29 +32,49 @@ impl FromStr for Timeout {
     }
 }
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP, and the end of `timeout`, set [`requested`]; a second signal ends the program at
-/// once.
-pub fn listen(timeout: Option<Timeout>) {
+/// From now on Ctrl-C, SIGTERM and SIGHUP set [`requested`] where the work asks for it; where it does not, or not within
+/// [`GRACE`], and on a second signal, they end the program.
+pub fn handle_signals() {
     let handler = || {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(Status::Interrupted as i32);
+        if INTERRUPTED.swap(true, Ordering::Relaxed) || !ASKED.load(Ordering::Relaxed) {
+            leave();
         }
+        thread::spawn(leave_after_grace);
     };
     // Without a handler the signal ends the program, and outputs are still renamed into place only when whole.
     let _ = ctrlc::set_handler(handler);
+}
+
+/// From now on the end of `timeout` sets [`requested`], and ends the program as a signal does.
+pub fn listen(timeout: Option<Timeout>) {
     if let Some(Timeout(time)) = timeout {
         thread::spawn(move || {
             thread::sleep(time);
             TIMED_OUT.store(true, Ordering::Relaxed);
-            thread::sleep(GRACE);
-            failure().report();
-            std::process::exit(Status::TimedOut as i32);
+            if ASKED.load(Ordering::Relaxed) {
+                leave_after_grace();
+            }
+            leave();
         });
     }
 }
 
+fn leave_after_grace() {
+    thread::sleep(GRACE);
+    leave();
+}
+
+/// Ends the program without the help of the work, and leaves no unfinished file.
+fn leave() -> ! {
+    let failure = failure();
+    io::remove_unfinished();
+    failure.report();
+    std::process::exit(failure.status() as i32);
+}
+
 /// Whether the work is to end.
 pub fn requested() -> bool {
+    ASKED.store(true, Ordering::Relaxed);
     INTERRUPTED.load(Ordering::Relaxed) || TIMED_OUT.load(Ordering::Relaxed)
 }
 
@@ -62,7 +86,8 @@ pub fn check() -> Result<(), Failure> {
 /// Why the work ended early.
 pub fn failure() -> Failure {
     if TIMED_OUT.load(Ordering::Relaxed) && !INTERRUPTED.load(Ordering::Relaxed) {
-        let help = "give it more time, or make the picture smaller (--size); no unfinished output was written";
+        let help =
+            "give it more time, or less to do (a smaller --size or --resolution); no unfinished output was written";
         return Failure::new(Status::TimedOut, "the time of --timeout is over", help);
     }
     Failure::new(Status::Interrupted, "interrupted", "no unfinished output was written")

@@ -19,6 +19,19 @@ use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    // First of all: no other thread is there yet.
+    silence_device_select();
     let arguments = arguments::Arguments::parse();
     commands::run(arguments.command).unwrap_or_else(|failure| failure.report())
+}
+
+/// Mesa's Vulkan layer that puts adapters in an order complains on standard error where there is no desktop session, on every
+/// run. It has nothing to do there, unless somebody tells it an order.
+fn silence_device_select() {
+    const SESSION_OR_WISH: [&str; 4] = ["XDG_RUNTIME_DIR", "NODEVICE_SELECT", "MESA_VK_DEVICE_SELECT", "DRI_PRIME"];
+    if cfg!(target_os = "linux") && SESSION_OR_WISH.iter().all(|name| std::env::var_os(name).is_none()) {
+        // SAFETY: the environment must not be read or changed by another thread meanwhile. This is the first thing that `main`
+        // does, and nothing before it starts a thread.
+        unsafe { std::env::set_var("NODEVICE_SELECT", "1") };
+    }
 }

@@ -125,3 +125,39 @@ fn an_adapter_that_is_not_there_exits_4() {
     let folder = Folder::new();
     folder.refuse(&ball(&["--backend", "gpu", "--adapter", "no adapter has this name"]), 4, &["adapter"]);
 }
+
+#[test]
+fn help_names_what_the_command_has() {
+    let folder = Folder::new();
+    let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    folder.write("a.obj", cube);
+    folder.write("a.nrrd", nrrd("4 4 4", "", &[7; 64]));
+    let voxelize = |more: &[&'static str]| [&["voxelize", "a.obj", "-o", "b.nrrd", "--backend", "cpu"], more].concat();
+    let outcome = folder.vitrum(&voxelize(&["-r", "8192"]));
+    assert_eq!(outcome.code, Some(4), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("help: take fewer voxels (--resolution)"), "{}", outcome.stderr);
+    assert!(!outcome.stderr.contains("--size"), "{}", outcome.stderr);
+    for (input, code) in [("builtin:vase", 2), ("a.obj", 3)] {
+        folder.refuse(&["convert", input, "-o", "b.nrrd"], code, &[input, "this is a mesh", "vitrum voxelize"]);
+    }
+    folder.refuse(&["voxelize", "builtin:ball", "-r", "8", "-o", "b.nrrd"], 2, &["builtin:ball", "shows a volume"]);
+    let render = |input: &'static str, preset: &'static str| ["render", input, "-o", "b.png", "--preset", preset];
+    let words = ["`jade` is a preset of meshes, and none of volumes", "the presets of volumes are: plain, bone"];
+    folder.refuse(&render("a.nrrd", "jade"), 2, &words);
+    let words = ["`amber` is a preset of volumes, and none of meshes", "the presets of meshes are: glass, water"];
+    folder.refuse(&render("a.obj", "amber"), 2, &words);
+    folder.refuse(&render("a.obj", "jad"), 2, &["no preset `jad`", "did you mean `jade`?"]);
+}
+
+/// Drivers are asked for adapters by the default backend.
+#[cfg(target_os = "linux")]
+#[test]
+fn drivers_do_not_speak_where_there_is_no_session() {
+    let folder = Folder::new();
+    let small = ["--set", "volume.resolution=16", "--size", "8x8", "--quiet"];
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_vitrum"));
+    command.args(ball(&small)).current_dir(folder.path());
+    command.env_remove("XDG_RUNTIME_DIR").env_remove("NODEVICE_SELECT").env_remove("DRI_PRIME");
+    let output = command.output().expect("the program starts");
+    assert_eq!((output.status.code(), String::from_utf8_lossy(&output.stderr).as_ref()), (Some(0), ""));
+}

@@ -5,7 +5,7 @@ mod common;
 use common::{Folder, nrrd};
 use serde_json::Value;
 use std::fs;
-use vitrum_io::read_picture;
+use vitrum_io::{Channel, Layer, Picture, read_picture, write_picture};
 
 /// A render that is small enough to be quick on one core.
 const SMALL: [&str; 8] =
@@ -141,6 +141,58 @@ fn diff_measures_and_checks() {
     assert!(breach.stdout.contains("RMSE") && breach.stdout.contains("exceeds"), "{}", breach.stdout);
     let breach = folder.vitrum(&["diff", "a.exr", "b.exr", "--max-abs", "0", "--json"]);
     assert_eq!((breach.code, &json(&breach.stdout)["passed"]), (Some(1), &Value::Bool(false)));
+}
+
+#[test]
+fn diff_compares_alpha_and_layers_and_says_so() {
+    let folder = Folder::new();
+    let count = 6;
+    let color = |alpha: f32| Picture::rgba(3, 2, vec![[0.25, 0.5, 1.0, alpha]; count]).layers.remove(0);
+    let layer = |name: &str, channel: &str, value: f32| {
+        let mut data = vec![0.0; count];
+        data[4] = value;
+        Layer { name: name.to_owned(), channels: vec![Channel { name: channel.to_owned(), data }] }
+    };
+    let write = |name: &str, layers: Vec<Layer>| {
+        write_picture(&folder.file(name), &Picture { width: 3, height: 2, layers }, &[]).expect("it can be written");
+    };
+    write("a.exr", vec![color(0.5), layer("depth", "Z", 1.0), layer("status", "Y", 1.0)]);
+    write("b.exr", vec![color(0.5), layer("depth", "Z", 1.5), layer("light", "Y", 1.0)]);
+    write("clear.png", vec![color(0.5)]);
+    write("opaque.png", vec![color(1.0)]);
+    write_picture(&folder.file("rgb.png"), &Picture::rgb(3, 2, vec![[0.25, 0.5, 1.0]; count]), &[]).expect("it is");
+
+    folder.succeed(&["diff", "opaque.png", "rgb.png", "--max-abs", "0"]);
+    for other in ["opaque.png", "rgb.png"] {
+        for pair in [["clear.png", other], [other, "clear.png"]] {
+            let breach = folder.vitrum(&["diff", pair[0], pair[1], "--max-abs", "0"]);
+            assert_eq!(breach.code, Some(1), "{pair:?}: {}", breach.stdout);
+            for words in
+                ["compared   color (R, G, B), alpha\n", "differs    alpha: max 4.98", "check      alpha: largest"]
+            {
+                assert!(breach.stdout.contains(words), "no `{words}` in: {}", breach.stdout);
+            }
+            folder.succeed(&["diff", pair[0], pair[1], "--max-abs", "0.5"]);
+            folder.succeed(&["diff", pair[0], pair[1], "--max-abs", "0", "--color-only"]);
+            // FLIP is of colours.
+            folder.succeed(&["diff", pair[0], pair[1], "--max-flip", "0"]);
+        }
+    }
+    let breach = folder.vitrum(&["diff", "a.exr", "b.exr", "--max-rmse", "0.1"]);
+    assert_eq!(breach.code, Some(1));
+    for words in [
+        "compared   color (R, G, B), alpha, depth.Z\n",
+        "only in A  status.Y\n",
+        "only in B  light.Y\n",
+        "differs    depth.Z: max 5.000000e-1 at pixel (1, 1), RMSE 2.041241e-1\n",
+        "check      depth.Z: RMSE 2.041e-1 exceeds 1e-1\n",
+    ] {
+        assert!(breach.stdout.contains(words), "no `{words}` in: {}", breach.stdout);
+    }
+    let measured = json(&folder.vitrum(&["diff", "a.exr", "b.exr", "--max-abs", "0", "--json"]).stdout);
+    assert_eq!((&measured["passed"], &measured["max_abs"]), (&Value::Bool(false), &0.0.into()));
+    assert_eq!(measured["channels"][1]["name"], "depth.Z");
+    assert_eq!(measured["channels"][1]["worst_pixel"], json("[1, 1]"));
 }
 
 #[test]

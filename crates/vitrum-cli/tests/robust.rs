@@ -162,3 +162,94 @@ fn signals_in_the_middle_of_a_film_leave_what_was_there() {
         assert!(fs::read(folder.file("out.png")).expect("a film").starts_with(b"\x89PNG"));
     }
 }
+
+fn send(signal: &str, child: &Child) {
+    let sent = Command::new("kill").args([&format!("-{signal}"), &child.id().to_string()]).status();
+    assert!(sent.expect("kill is there").success());
+}
+
+/// What a program that was interrupted says; its code is 130 and its outputs are not there.
+fn interrupted(child: Child) -> String {
+    let output = child.wait_with_output().expect("the program ends");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(130), "{message}");
+    assert!(message.contains("error: interrupted\nhelp: no unfinished output was written"), "{message}");
+    message
+}
+
+#[test]
+fn signals_end_every_command_and_leave_no_unfinished_file() {
+    for signal in ["TERM", "INT", "HUP"] {
+        let folder = Folder::new();
+        folder.write("out.nrrd", "old");
+        // Seconds of compression.
+        folder.write("ball.toml", "[volume]\nbuiltin = \"phantom\"\nresolution = 384\n");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_vitrum"));
+        command.args(["convert", "ball.toml", "-o", "out.nrrd"]).current_dir(folder.path()).stderr(Stdio::piped());
+        let child = command.spawn().expect("the program starts");
+        let part = || folder.names().into_iter().find(|name| name.ends_with(".part"));
+        wait_until(|| part().is_some_and(|name| fs::metadata(folder.file(&name)).is_ok_and(|file| file.len() > 0)));
+        send(signal, &child);
+        interrupted(child);
+        assert_eq!(folder.names(), ["ball.toml", "out.nrrd"], "{signal}");
+        assert_eq!(fs::read(folder.file("out.nrrd")).expect("it is still there"), b"old", "{signal}");
+    }
+}
+
+/// The program with a standard input that goes on for ever, whose temporary files lie in `folder`.
+fn reads_for_ever(folder: &Folder, arguments: &[&str]) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vitrum"));
+    command.args(arguments).current_dir(folder.path()).env("TMPDIR", folder.path());
+    let mut child = command.stdin(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+    let mut stdin = child.stdin.take().expect("it is piped");
+    // Ends when the program does.
+    std::thread::spawn(move || {
+        while std::io::Write::write_all(&mut stdin, &[7; 1 << 16]).is_ok() {
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    });
+    child
+}
+
+#[test]
+fn reading_ends_at_once_and_leaves_no_temporary_file() {
+    let folder = Folder::new();
+    let spooled = || folder.names().iter().any(|name| name.starts_with("vitrum-"));
+    let child = reads_for_ever(&folder, &["info", "-"]);
+    wait_until(spooled);
+    send("TERM", &child);
+    interrupted(child);
+    assert_eq!(folder.names(), [""; 0]);
+    let render = ["render", "-", "-o", "out.png", "--timeout", "1"];
+    let output = reads_for_ever(&folder, &render).wait_with_output().expect("the program ends");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(124), "{message}");
+    assert!(message.contains("the time of --timeout is over"), "{message}");
+    assert_eq!(folder.names(), [""; 0]);
+}
+
+#[test]
+fn a_second_signal_ends_what_does_not_come_to_look() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new();
+    // In the role of ffmpeg: one that takes no frame, and makes the program wait.
+    fs::create_dir(folder.file("programs")).expect("the folder is writable");
+    folder.write("programs/ffmpeg", "#!/bin/sh\n: > started\nexec /bin/sleep 15\n");
+    let all = fs::Permissions::from_mode(0o755);
+    fs::set_permissions(folder.file("programs/ffmpeg"), all).expect("it is ours");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vitrum"));
+    // A frame is larger than what a pipe holds.
+    let film = [&["turntable"], &SMALL[..3], &["--size", "256x128", "--backend", "cpu", "-o", "out.mp4"], &ENDLESS];
+    let film = film.concat();
+    command.args(film).current_dir(folder.path()).env("PATH", folder.file("programs")).stderr(Stdio::piped());
+    let child = command.spawn().expect("the program starts");
+    wait_until(|| folder.file("started").exists());
+    // Long enough for the first frame to be on its way; where it is not yet, the first signal ends the program.
+    std::thread::sleep(Duration::from_secs(2));
+    send("TERM", &child);
+    std::thread::sleep(Duration::from_millis(300));
+    let _ = Command::new("kill").args(["-TERM", &child.id().to_string()]).stderr(Stdio::null()).status();
+    let message = interrupted(child);
+    assert!(!message.contains("panicked"), "{message}");
+    assert_eq!(folder.names(), ["programs", "started"]);
+}

@@ -12,7 +12,7 @@ pub enum Error {
     /// The operating system would not give us the file.
     #[error("{file}: cannot be read: {source}; {advice}")]
     Unreadable {
-        /// The file's name.
+        /// The file's path, as it was given.
         file: String,
         /// What the operating system said.
         source: io::Error,
@@ -23,7 +23,7 @@ pub enum Error {
     /// The file, or the data given, contradicts its format or itself.
     #[error("{file}{place}: {problem}; {advice}")]
     Invalid {
-        /// The file's name.
+        /// The file's path, as it was given.
         file: String,
         /// Where in it.
         place: Place,
@@ -36,7 +36,7 @@ pub enum Error {
     /// The file may well be valid, but it uses something that Vitrum does not read or write.
     #[error("{file}{place}: {problem}; {advice}")]
     Unsupported {
-        /// The file's name.
+        /// The file's path, as it was given.
         file: String,
         /// Where in it.
         place: Place,
@@ -49,7 +49,7 @@ pub enum Error {
     /// The decoded data would not fit; nothing was allocated.
     #[error("{file}: needs {needed} bytes once decoded, and the limit is {limit} bytes; {advice}")]
     TooLarge {
-        /// The file's name.
+        /// The file's path, as it was given.
         file: String,
         /// Bytes that the decoded data would take.
         needed: u64,
@@ -62,7 +62,7 @@ pub enum Error {
     /// A file could not be written; whatever stood at its path before stands there still.
     #[error("{file}: cannot be written: {problem}; {advice}")]
     Write {
-        /// The file's name.
+        /// The file's path, as it was given.
         file: String,
         /// What stood in the way.
         problem: String,

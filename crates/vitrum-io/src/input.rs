@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, IsTerminal, Read};
 use std::path::Path;
 
-use tempfile::{NamedTempFile, TempPath};
+use tempfile::NamedTempFile;
 
 use crate::error::{Error, Place, Report};
 use crate::memory;
@@ -12,6 +12,7 @@ use crate::open::OpenOptions;
 use crate::packing::Packing;
 use crate::samples::read_up_to;
 use crate::stream;
+use crate::temporary::Temporary;
 
 /// The path that stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
@@ -21,7 +22,7 @@ pub const STANDARD_INPUT: &str = "-";
 pub struct Input<'a> {
     /// Its path; the files that a header names lie beside it.
     pub path: &'a Path,
-    /// Its name for messages, without folders.
+    /// Its name for messages: the path as it was given.
     pub name: String,
     /// Its size in bytes as it is packed; 0 for a folder.
     pub length: u64,
@@ -30,7 +31,7 @@ pub struct Input<'a> {
     /// How the whole file is packed.
     pub packing: Packing,
     /// Where the bytes are, if not at `path`; removed with this.
-    spooled: Option<TempPath>,
+    spooled: Option<Temporary>,
 }
 
 impl<'a> Input<'a> {
@@ -74,9 +75,14 @@ impl<'a> Input<'a> {
         Ok(input)
     }
 
+    /// The last part of its path, for readers that look at names.
+    pub(crate) fn file_name(&self) -> String {
+        file_name(self.path)
+    }
+
     /// The file that holds the bytes.
     pub(crate) fn file(&self) -> &Path {
-        self.spooled.as_deref().unwrap_or(self.path)
+        self.spooled.as_ref().map_or(self.path, Temporary::path)
     }
 
     /// Whether this is a folder.
@@ -123,7 +129,7 @@ impl<'a> Input<'a> {
     }
 }
 
-fn standard_input(report: Report, options: &OpenOptions) -> Result<(TempPath, u64), Error> {
+fn standard_input(report: Report, options: &OpenOptions) -> Result<(Temporary, u64), Error> {
     let stdin = io::stdin();
     if stdin.is_terminal() {
         return Err(report.unsupported(
@@ -140,7 +146,7 @@ fn standard_input(report: Report, options: &OpenOptions) -> Result<(TempPath, u6
 }
 
 /// Puts all that `reader` gives into a temporary file; its path and length.
-fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result<(TempPath, u64), Error> {
+fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result<(Temporary, u64), Error> {
     // The folder for temporary files is often in memory, so that the limit is that of memory.
     let limit = options.max_bytes.unwrap_or_else(memory::available);
     let unwritable = |error: io::Error| {
@@ -150,7 +156,7 @@ fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result
             "free some space in the folder for temporary files, or choose another by TMPDIR",
         )
     };
-    let mut file = NamedTempFile::with_prefix("vitrum-").map_err(unwritable)?;
+    let file = Temporary::new(|| NamedTempFile::with_prefix("vitrum-")).map_err(unwritable)?;
     let mut chunk = vec![0; 64 * 1024];
     let mut length = 0_u64;
     loop {
@@ -164,14 +170,40 @@ fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result
                 "that is only as far as it was read: raise the limit, or crop or downsample the data first",
             ));
         }
-        io::Write::write_all(&mut file, &chunk[..count]).map_err(unwritable)?;
+        io::Write::write_all(&mut file.file(), &chunk[..count]).map_err(unwritable)?;
         if count < chunk.len() {
-            return Ok((file.into_temp_path(), length));
+            return Ok((file, length));
         }
     }
 }
 
-/// The last part of a path, for messages.
+/// A path for messages: as it was given, and of a very long one the end.
 pub(crate) fn display_name(path: &Path) -> String {
+    const MOST: usize = 160;
+    let shown = path.to_string_lossy();
+    match shown.char_indices().rev().nth(MOST - 1) {
+        Some((start, _)) if start > 0 => format!("…{}", &shown[start..]),
+        _ => shown.into_owned(),
+    }
+}
+
+/// The last part of a path.
+pub(crate) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_shown_as_given_and_long_ones_by_their_end() {
+        assert_eq!(display_name(Path::new("a/../b/scan.nrrd")), "a/../b/scan.nrrd");
+        assert_eq!(display_name(Path::new("a/b/")), "a/b/");
+        let most = "ä".repeat(160);
+        assert_eq!(display_name(Path::new(&most)), most);
+        let long = format!("folder/{most}");
+        assert_eq!(display_name(Path::new(&long)), format!("…{most}"));
+        assert_eq!(file_name(Path::new("a/b/scan.nrrd")), "scan.nrrd");
+    }
 }

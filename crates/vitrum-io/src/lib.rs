@@ -34,6 +34,7 @@ mod nifti;
 mod nrrd;
 mod numpy;
 mod open;
+mod orientation;
 mod packing;
 mod placement;
 mod raw;
@@ -42,6 +43,7 @@ mod shared;
 mod stack;
 mod stream;
 pub mod suggest;
+mod temporary;
 mod text;
 mod time;
 mod up;
@@ -51,6 +53,7 @@ mod voxels;
 mod vti;
 mod vtk;
 
+pub use beside::{check_text_writable, write_text};
 pub use error::{Error, Place};
 pub use image::{
     Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, read_picture_with,
@@ -61,9 +64,11 @@ pub use memory::require_memory;
 pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
 pub use nrrd::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 pub use open::{OpenOptions, Part, VolumeReader, open, readers};
+pub use orientation::Orientation;
 pub use packing::Packing;
 pub use raw::RawLayout;
 pub use shared::Shared;
+pub use temporary::remove_unfinished;
 pub use up::Up;
 pub use volume::{Source, Volume};
 pub use volume_file::{check_volume_writable, write_volume};

@@ -127,11 +127,14 @@ fn choose(input: &Input, options: &OpenOptions) -> Result<&'static dyn VolumeRea
     by_content.or_else(by_name).copied().ok_or_else(|| {
         let (problem, advice) = if input.is_folder() {
             (
-                "this is a folder without DICOM or TIFF files",
-                "give a folder that has them in it, not below it, or a file",
+                "this is a folder without DICOM or TIFF files, and without DICOM files below it",
+                "give a folder that has them, TIFF files in it and not below it, or a file",
             )
         } else if looks_like_mesh(input) {
-            ("this is a mesh, and volumes alone are read here", "")
+            (
+                "this is a mesh, and volumes alone are read here",
+                "make a volume of it by `vitrum voxelize`, or say by --raw how voxels without a header are laid out",
+            )
         } else {
             ("neither the content nor the extension is of a known volume format", "")
         };

@@ -1,6 +1,7 @@
 //! Where a grid lies in the world, from the direction columns that medical files give.
 
 use crate::error::Error;
+use crate::orientation::Orientation;
 use crate::samples::SampleType;
 use crate::volume::Volume;
 use crate::voxels::Voxels;
@@ -17,13 +18,18 @@ pub(crate) struct Placement {
     pub axes: [[f32; 3]; 3],
     /// `None` centres the grid on the world's origin.
     pub origin: Option<[f32; 3]>,
+    pub orientation: Orientation,
 }
 
 impl Placement {
     /// From the world step of each index axis, in columns: spacing is a column's length.
     ///
     /// Fails, with the problem, where a number is not finite or the columns do not span space.
-    pub fn from_columns(columns: [[f64; 3]; 3], origin: Option<[f64; 3]>) -> Result<Self, String> {
+    pub fn from_columns(
+        columns: [[f64; 3]; 3],
+        origin: Option<[f64; 3]>,
+        orientation: Orientation,
+    ) -> Result<Self, String> {
         let lengths = columns.map(|[x, y, z]| x.hypot(y).hypot(z));
         let unit: [[f64; 3]; 3] = std::array::from_fn(|axis| columns[axis].map(|component| component / lengths[axis]));
         // Of unit columns: 1 at right angles, 0 where two or three fall together.
@@ -38,7 +44,7 @@ impl Placement {
             ));
         }
         let origin = origin.map(narrow_origin).transpose()?;
-        Ok(Self { spacing: lengths.map(|length| length as f32), axes: unit.map(narrow), origin })
+        Ok(Self { spacing: lengths.map(|length| length as f32), axes: unit.map(narrow), origin, orientation })
     }
 
     /// A sentence for [`crate::Source::assumptions`] where the axes are not at right angles.
@@ -67,6 +73,7 @@ impl Placement {
     /// Moves `volume`, which has this spacing already.
     pub fn apply(&self, volume: &mut Volume) {
         volume.axes = self.axes;
+        volume.orientation = self.orientation;
         volume.origin = self.origin.unwrap_or_else(|| {
             // Step back from the world's origin by half of the grid along each axis.
             std::array::from_fn(|component| {

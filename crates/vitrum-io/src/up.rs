@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::orientation::Orientation;
 use crate::volume::Volume;
 
 /// A direction along a world axis. World x is a patient's right, y anterior, z superior.
@@ -87,6 +88,10 @@ impl Volume {
         self.axes = self.axes.map(turn);
         self.origin = turn(self.origin);
         if up != Up::Superior {
+            // The axes are no longer along the patient's.
+            if self.orientation == Orientation::Patient {
+                self.orientation = Orientation::World;
+            }
             self.source.assumptions.push(format!("the volume was turned so that {up} points up, as was asked for"));
         }
         self

@@ -1,6 +1,7 @@
 //! A scalar volume in memory, as the kernels take it.
 
 use crate::error::{Error, Place, Report};
+use crate::orientation::Orientation;
 use crate::samples::SampleType;
 use crate::voxels::Voxels;
 
@@ -20,7 +21,7 @@ pub struct Source {
 /// A scalar field on a regular grid, placed in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Volume {
-    /// For messages: the file's name, or `builtin:NAME`.
+    /// For messages: the file's path as it was given, or `builtin:NAME`.
     pub name: String,
     /// Voxels along x, y and z, each at least 1.
     pub dimensions: [u32; 3],
@@ -35,9 +36,10 @@ pub struct Volume {
     pub spacing: [f32; 3],
     /// World position of the centre of voxel (0, 0, 0).
     pub origin: [f32; 3],
-    /// Unit world direction of each index axis: `axes[0]` is that of +x. In medical files world x
-    /// points to the patient's right, y to anterior and z to superior (RAS+).
+    /// Unit world direction of each index axis: `axes[0]` is that of +x.
     pub axes: [[f32; 3]; 3],
+    /// What the world of `origin` and `axes` is.
+    pub orientation: Orientation,
     /// Smallest and largest physical value over the voxels, both finite.
     pub range: [f32; 2],
     /// Where the volume comes from.
@@ -75,13 +77,15 @@ impl Volume {
             spacing,
             origin,
             axes: IDENTITY,
+            orientation: Orientation::World,
             range,
             source: Source::default(),
             name,
         })
     }
 
-    /// As [`Self::new`], for voxels of a file's sample type: signed ones are stored shifted, and the offset undoes that.
+    /// As [`Self::new`], for voxels of a file's sample type: signed ones are stored shifted, and the offset undoes that. How the
+    /// grid lies is left to say.
     pub(crate) fn of_samples(
         name: String,
         dimensions: [u32; 3],
@@ -90,6 +94,7 @@ impl Volume {
         sample: SampleType,
     ) -> Result<Self, Error> {
         let volume = Self::new(name, dimensions, spacing, voxels)?;
+        let volume = Self { orientation: Orientation::Unknown, ..volume };
         let offset = sample.value_offset();
         if offset == 0.0 { Ok(volume) } else { volume.with_value_mapping(1.0, offset) }
     }

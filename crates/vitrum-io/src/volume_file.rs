@@ -17,7 +17,7 @@ type Encode = fn(Report, &Path, &Volume) -> Result<(), Error>;
 ///
 /// | Extension | What is written |
 /// |---|---|
-/// | `.nrrd` | gzip, with spacing, origin and axes in the space right-anterior-superior |
+/// | `.nrrd` | gzip, with spacing, origin and axes; the space is right-anterior-superior for a patient, 3D-right-handed for another world, and not named where [`Volume::orientation`] is unknown |
 /// | `.npy` | an array of the shape (z, y, x), without its place in the world |
 ///
 /// Values are whole numbers of the smallest type of 8 or 16 bits that holds all of them where they were stored as whole

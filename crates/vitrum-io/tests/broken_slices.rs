@@ -69,13 +69,13 @@ fn neighbours_that_are_no_slices() {
     folder.write("a1.tif", &slice);
     let open = || vitrum_io::open(&folder.path("a1.tif"), &OpenOptions::default()).unwrap_err().to_string();
     folder.write("a2.tif", stack_u8(|page| page));
-    assert!(open().starts_with("a2.tif: 2 page(s) of 3 x 2 uint8, and its numbered neighbour a1.tif has one of 3 x 2"));
+    assert!(open().contains("a2.tif: 2 page(s) of 3 x 2 uint8, and its numbered neighbour a1.tif has one of 3 x 2"));
     folder.write("a2.tif", tiff(false, &[Page::new(16, 1, &[1; 12])]));
-    assert!(open().starts_with("a2.tif: 1 page(s) of 3 x 2 uint16, and its numbered neighbour a1.tif"));
+    assert!(open().contains("a2.tif: 1 page(s) of 3 x 2 uint16, and its numbered neighbour a1.tif"));
     folder.write("a2.tif", "nothing");
-    assert!(open().starts_with("a2.tif: page 1 is damaged"));
+    assert!(open().contains("a2.tif: page 1 is damaged"));
     folder.write("a2.tif", &slice[..20]);
-    assert!(open().starts_with("a2.tif: page 1 is damaged"));
+    assert!(open().contains("a2.tif: page 1 is damaged"));
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn broken_raw_files() {
     ];
     for (name, content, expected) in cases {
         let message = folder.open(name, content).expect_err(expected).to_string();
-        assert!(message.starts_with(name), "{message}");
+        assert!(message.starts_with(&folder.shown(name)), "{message}");
         assert!(message.contains(expected), "expected: {expected}\nfound: {message}");
     }
 }

@@ -211,6 +211,149 @@ fn the_largest_series_is_taken_and_the_others_are_named() {
     }
 }
 
+/// Slices below a folder, by their paths.
+fn export(slices: &[(&str, Dicom)]) -> Folder {
+    let folder = Folder::new();
+    for (path, slice) in slices {
+        std::fs::create_dir_all(folder.path(path).parent().expect("a folder")).expect("it is writable");
+        folder.write(path, slice.bytes());
+    }
+    folder
+}
+
+/// A slice of a series with a description.
+fn of(series: &str, z: f64) -> Dicom {
+    let mut slice = Dicom::slice(z, &pixels(z as u8));
+    slice.text(SERIES, "UI", series).text((0x0008, 0x103e), "LO", &format!("series {series}"));
+    slice
+}
+
+/// A file that says something and holds no image, such as DICOMDIR.
+fn index() -> Dicom {
+    let mut index = of("1", 0.0);
+    index.remove((0x0028, 0x0010)).remove((0x0028, 0x0011));
+    index
+}
+
+/// An image in colours, such as a picture of the screen.
+fn screen(series: &str) -> Dicom {
+    let mut screen = of(series, 0.0);
+    screen.short((0x0028, 0x0002), 3).text((0x0028, 0x0004), "CS", "RGB");
+    screen
+}
+
+#[test]
+fn the_one_series_of_an_export_is_found_below_the_folder() {
+    let export = export(&[
+        ("DICOMDIR", index()),
+        ("PAT/ST1/SE1/IM2", of("1.7", 1.0)),
+        ("PAT/ST1/SE1/IM1", of("1.7", 0.0)),
+        ("PAT/ST1/SE2/IM1", screen("1.8")),
+        ("PAT/ST1/SE3/SR1", index()),
+    ]);
+    export.write("PAT/readme.txt", "no slice");
+    for folder in [".", "PAT", "PAT/ST1", "PAT/ST1/SE1"] {
+        let volume = opened(&export.path(folder));
+        assert_eq!((volume.dimensions, volume.source.format), ([3, 2, 2], "DICOM"), "{folder}");
+        let notes = &volume.source.assumptions;
+        let below = folder != "PAT/ST1/SE1";
+        assert_eq!(
+            told(&volume, "the one series below the folder was taken (`MR, series 1.7`, 2 slices"),
+            below,
+            "{notes:?}"
+        );
+        assert_eq!(told(&volume, "1 files of other series were left out, such as"), below, "{notes:?}");
+    }
+    // What lies in a folder comes before what lies below it.
+    export.write("PAT/IM9", of("1.9", 0.0).bytes());
+    assert_eq!(opened(&export.path("PAT")).dimensions, [3, 2, 1]);
+    // A screen alone is refused for what it is.
+    let message = open(&export.path("PAT/ST1/SE2"), &OpenOptions::default()).unwrap_err().to_string();
+    assert!(message.contains("in colours (RGB"), "{message}");
+    // A slice of the series that is not read would be missing.
+    export.write("PAT/ST1/SE1/IM3", screen("1.7").bytes());
+    let message = open(&export.path("PAT/ST1/SE1"), &OpenOptions::default()).unwrap_err().to_string();
+    assert!(message.contains("IM3") && message.contains("in colours (RGB"), "{message}");
+}
+
+#[test]
+fn several_series_below_a_folder_are_named() {
+    let export =
+        export(&[("ST1/SE1/IM1", of("1.7", 0.0)), ("ST1/SE1/IM2", of("1.7", 1.0)), ("ST1/SE2/IM1", of("1.8", 0.0))]);
+    let message = open(&export.path("."), &OpenOptions::default()).unwrap_err().to_string();
+    let first = "there are 2 series below the folder: `MR, series 1.7`, 2 slices, series 1.7, such as ST1/SE1/IM1; ";
+    let second =
+        "`MR, series 1.8`, 1 slices, series 1.8, such as ST1/SE2/IM1; give the folder of the one that is wanted";
+    assert!(message.contains(first) && message.contains(second), "{message}");
+    assert_eq!(opened(&export.path("ST1/SE1")).dimensions, [3, 2, 2]);
+    // Not deeper than any export goes.
+    let deep = self::export(&[("1/2/3/4/5/6/7/8/IM1", of("1", 0.0))]);
+    assert!(open(&deep.path("."), &OpenOptions::default()).is_ok());
+    let deep = self::export(&[("1/2/3/4/5/6/7/8/9/IM1", of("1", 0.0))]);
+    let message = open(&deep.path("."), &OpenOptions::default()).unwrap_err().to_string();
+    assert!(message.contains("without DICOM or TIFF files, and without DICOM files below it"), "{message}");
+}
+
+#[cfg(unix)]
+#[test]
+fn links_that_lead_back_end_no_search() {
+    let export = export(&[("a/b/IM1", of("1", 0.0))]);
+    std::os::unix::fs::symlink(export.path("a"), export.path("a/b/back")).expect("a link");
+    assert_eq!(opened(&export.path(".")).dimensions, [3, 2, 1]);
+}
+
+const PADDING: (u16, u16) = (0x0028, 0x0120);
+const PADDING_LIMIT: (u16, u16) = (0x0028, 0x0121);
+
+#[test]
+fn padding_widens_no_range() {
+    let ct = |z: f64, words: [i16; 6]| {
+        let mut slice = Dicom::words(z, &words.map(|word| word as u16), true);
+        slice.text(SLOPE, "DS", "1").text(INTERCEPT, "DS", "-24").short(PADDING, -2000_i16 as u16);
+        slice
+    };
+    // The least measured value lies in the other slice.
+    let volume =
+        opened(&folder(&[ct(0.0, [-2000, -2000, 5, 40, 3000, 7]), ct(1.0, [-1000, 0, 1, 2, 3, -2000])]).path("."));
+    assert_eq!(volume.range, [-1024.0, 2976.0]);
+    let expected = [-1024.0, -1024.0, -19.0, 16.0, 2976.0, -17.0, -1024.0, -24.0, -23.0, -22.0, -21.0, -1024.0];
+    assert_eq!(values(&volume), expected);
+    assert!(told(&volume, "3 voxels are padding, by their Pixel Padding Value"), "{:?}", volume.source.assumptions);
+    assert!(told(&volume, "they were given -1024"), "{:?}", volume.source.assumptions);
+
+    let one = |slice: &Dicom| opened(&folder(std::slice::from_ref(slice)).path("."));
+    // A range, given from above to below; what lies above all values becomes the largest.
+    let mut slice = Dicom::words(0.0, &[65535, 65000, 64999, 3, 9, 64000], false);
+    slice.short(PADDING, 65535).short(PADDING_LIMIT, 64000);
+    let volume = one(&slice);
+    assert_eq!((values(&volume), volume.range), (vec![9.0, 9.0, 9.0, 3.0, 9.0, 9.0], [3.0, 9.0]));
+    // Among measured values it becomes the least.
+    let mut slice = Dicom::slice(0.0, &[7, 50, 9, 50, 80, 8]);
+    slice.short(PADDING, 50);
+    assert_eq!(values(&one(&slice)), [7.0, 7.0, 9.0, 7.0, 80.0, 8.0]);
+    // The next number widens nothing.
+    let mut slice = Dicom::slice(0.0, &[0, 0, 1, 9, 7, 0]);
+    slice.short(PADDING, 0);
+    let volume = one(&slice);
+    assert_eq!(values(&volume), [0.0, 0.0, 1.0, 9.0, 7.0, 0.0]);
+    assert!(!told(&volume, "padding"));
+    // Nothing but padding, and none.
+    let mut slice = Dicom::slice(0.0, &[7; 6]);
+    slice.short(PADDING, 7);
+    assert!(told(&one(&slice), "all 6 voxels are padding"));
+    slice.short(PADDING, 8);
+    assert!(!told(&one(&slice), "padding"));
+    // With slopes of their own, voxels are physical values.
+    let scaled = |z: f64, slope: &str| {
+        let mut slice = ct(z, [-2000, 1, 2, 3, 4, 5]);
+        slice.text(SLOPE, "DS", slope).text(INTERCEPT, "DS", "0");
+        slice
+    };
+    let volume = opened(&folder(&[scaled(0.0, "0.1"), scaled(1.0, "0.5")]).path("."));
+    assert_eq!(volume.range, [0.1, 2.5]);
+    assert_eq!([volume.value(0, 0, 0), volume.value(0, 0, 1)], [0.1, 0.1]);
+}
+
 #[test]
 fn the_limit_holds_before_pixels_are_read() {
     let folder = folder(&[Dicom::slice(0.0, &pixels(0)), Dicom::slice(1.0, &pixels(0))]);

@@ -84,9 +84,10 @@ fn every_spelling_of_a_type() {
 fn comments_pairs_and_windows_line_ends_are_read_over() {
     let header = nrrd("uint8", "raw", "# a comment: with colon\nkey:=value: 1\nContent: ball\n");
     let file = attached(&header.replace('\n', "\r\n"), &BYTES);
-    let volume = Folder::new().open("no extension at all", file).unwrap();
+    let folder = Folder::new();
+    let volume = folder.open("no extension at all", file).unwrap();
     assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()));
-    assert_eq!(volume.name, "no extension at all");
+    assert_eq!(volume.name, folder.shown("no extension at all"));
 }
 
 #[test]

@@ -6,8 +6,8 @@ use std::fs;
 
 use common::Folder;
 use vitrum_io::{
-    Channel, Error, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, srgb_to_linear,
-    write_picture, write_picture_with,
+    Animation, Channel, Error, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture,
+    srgb_to_linear, write_picture, write_picture_with,
 };
 
 const WIDTH: u32 = 5;
@@ -140,6 +140,30 @@ fn exr_keeps_layers_and_metadata() {
 }
 
 #[test]
+fn vectors_keep_their_components_and_signs_or_are_refused() {
+    let folder = Folder::new();
+    let count = (WIDTH * HEIGHT) as usize;
+    let vectors: Vec<[f32; 3]> = (0..count).map(|index| [index as f32 - 7.0, -0.5, -2.0 * index as f32]).collect();
+    let component = |axis: usize| vectors.iter().map(|vector| vector[axis]).collect();
+    let channels = ["X", "Y", "Z"].into_iter().enumerate();
+    let channels = channels.map(|(axis, name)| Channel { name: name.to_owned(), data: component(axis) }).collect();
+    let layers = vec![Layer { name: "normal".to_owned(), channels }];
+    let picture = Picture { width: WIDTH, height: HEIGHT, layers };
+    assert_eq!(picture.color(), vectors);
+    for extension in ["exr", "tif"] {
+        let path = folder.path(&format!("normal.{extension}"));
+        write_picture(&path, &picture, &[]).unwrap();
+        assert_eq!(read_picture(&path).unwrap().color(), vectors, "{extension}");
+    }
+    for extension in ["png", "jpg", "hdr"] {
+        let path = folder.path(&format!("normal.{extension}"));
+        let error = write_picture(&path, &picture, &[]).unwrap_err().to_string();
+        assert!(error.contains("`normal` is a vector") && error.contains("write it to .exr or .tif"), "{error}");
+        assert!(!path.exists(), "{extension}");
+    }
+}
+
+#[test]
 fn png_keeps_metadata() {
     let folder = Folder::new();
     let path = folder.path("a.png");
@@ -245,4 +269,33 @@ fn unreadable_pictures_say_why() {
         let half = read_picture(&folder.write(&format!("half.{extension}"), &whole[..whole.len() / 2]));
         assert!(matches!(half, Err(Error::Invalid { .. })), "{extension}: {half:?}");
     }
+}
+
+#[test]
+fn gif_films_keep_their_rate() {
+    let folder = Folder::new();
+    let path = folder.path("film.gif");
+    let picture = Picture::rgb(WIDTH, HEIGHT, pixels());
+    // Within half of a hundredth of a second each frame begins when it should, however long the film is.
+    for rate in [1, 12, 24, 30, 40, 50] {
+        let frames = 3 * rate + 1;
+        let mut film = Animation::create(&path, [WIDTH, HEIGHT], frames, rate as u16).unwrap();
+        (0..frames).for_each(|_| film.push(&picture).unwrap());
+        film.finish().unwrap();
+        let mut decoder = gif::DecodeOptions::new().read_info(fs::File::open(&path).unwrap()).unwrap();
+        let mut begin = 0;
+        let mut counted = 0;
+        while let Some(frame) = decoder.read_next_frame().unwrap() {
+            let wanted = f64::from(counted) * 100.0 / f64::from(rate);
+            assert!((f64::from(begin) - wanted).abs() <= 0.5, "frame {counted} of {rate} a second begins at {begin}");
+            assert!(frame.delay >= 2, "programs slow down shorter ones");
+            begin += u32::from(frame.delay);
+            counted += 1;
+        }
+        assert_eq!(counted, frames);
+    }
+    let error =
+        Animation::create(&path, [WIDTH, HEIGHT], 2, 51).err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("51 frames a second are too many for GIF; choose at most 50"), "{error}");
+    Animation::create(&folder.path("film.png"), [WIDTH, HEIGHT], 2, 60).unwrap();
 }

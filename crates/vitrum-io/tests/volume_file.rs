@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Folder, NiftiHeader, samples, values};
-use vitrum_io::{Error, OpenOptions, open, write_volume};
+use vitrum_io::{Error, OpenOptions, Orientation, Up, open, write_volume};
 
 #[test]
 fn every_type_comes_back_from_what_was_written() {
@@ -24,6 +24,50 @@ fn every_type_comes_back_from_what_was_written() {
             let small = sample.size <= 2;
             let kept = again.source.sample_type == volume.source.sample_type;
             assert_eq!(kept, small || sample.name == "float", "{}", sample.name);
+        }
+    }
+}
+
+#[test]
+fn what_a_file_does_not_say_about_its_place_stays_unsaid() {
+    let folder = Folder::new();
+    let voxels = [7; 12];
+    let plain = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 2\nencoding: raw\n";
+    let nrrd = |more: &str| [format!("{plain}{more}\n").as_bytes(), &voxels].concat();
+    let directions = "space directions: (0,2,0) (-1,0,0) (0,0,3)\nspace origin: (1,2,3)\n";
+    let mut sform = NiftiHeader::new(2, 1, false);
+    sform.i16(254, 1).f32(280, 1.0).f32(300, 1.0).f32(320, 1.0);
+    let meta = |more: &str| {
+        let header = format!("NDims = 3\nDimSize = 3 2 2\n{more}ElementType = MET_UCHAR\nElementDataFile = LOCAL\n");
+        [header.as_bytes(), &voxels].concat()
+    };
+    let matrix = "TransformMatrix = 1 0 0 0 1 0 0 0 1\n";
+    let (patient, world, unknown) = (Orientation::Patient, Orientation::World, Orientation::Unknown);
+    for (name, content, orientation) in [
+        ("a.nrrd", nrrd(""), unknown),
+        ("a.nrrd", nrrd(&format!("space dimension: 3\n{directions}")), unknown),
+        ("a.nrrd", nrrd(&format!("space: 3D-right-handed\n{directions}")), world),
+        ("a.nrrd", nrrd(&format!("space: 3D-left-handed\n{directions}")), world),
+        ("a.nrrd", nrrd(&format!("space: LPS\n{directions}")), patient),
+        ("a.nii", NiftiHeader::new(2, 1, false).with(&voxels), unknown),
+        ("a.nii", sform.with(&voxels), patient),
+        ("a.mha", meta(""), unknown),
+        ("a.mha", meta("AnatomicalOrientation = RAI\n"), patient),
+        ("a.mha", meta(matrix), patient),
+    ] {
+        let volume = folder.open(name, content).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(volume.orientation, orientation, "{name}");
+        for up in [Up::Superior, Up::Inferior] {
+            let volume = volume.clone().turned(up);
+            let path = folder.path("b.nrrd");
+            write_volume(&path, &volume).unwrap();
+            let again = open(&path, &OpenOptions::default()).unwrap();
+            assert_eq!((again.axes, again.origin), (volume.axes, volume.origin), "{name}");
+            // A patient that stands on its head does not lie along the patient's axes.
+            let kept = if up == Up::Inferior && orientation == patient { world } else { orientation };
+            assert_eq!((volume.orientation, again.orientation), (kept, kept), "{name}");
+            let told = again.source.assumptions.iter().any(|note| note.contains("the file says no orientation"));
+            assert_eq!(told, kept == unknown, "{name}: {:?}", again.source.assumptions);
         }
     }
 }

@@ -46,7 +46,7 @@ fn the_grid_lies_where_the_file_says() {
     assert_eq!(volume.source.format, "legacy VTK");
     assert!(matches!(&volume.source.assumptions[..], [note] if note.contains("no orientation")));
     let old = open(text().replace("SPACING", "ASPECT_RATIO").to_lowercase());
-    assert_eq!(old, Volume { source: old.source.clone(), ..volume });
+    assert_eq!(old, Volume { name: old.name.clone(), source: old.source.clone(), ..volume });
     let bare = open(text().replace("SPACING 1 2 3\n", "").replace("ORIGIN 5 6 7\n", "\n"));
     assert_eq!((bare.spacing, bare.origin), ([1.0; 3], [-1.0, -0.5, -0.5]));
     assert!(bare.source.assumptions[0].contains("no spacing"));

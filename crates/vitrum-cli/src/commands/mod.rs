@@ -16,14 +16,16 @@ pub mod voxelize;
 
 use crate::arguments::Command;
 use crate::failure::Failure;
+use crate::interrupt;
 use std::process::ExitCode;
 
 /// Runs a command; its exit code, or why it failed.
 pub fn run(command: Command) -> Result<ExitCode, Failure> {
+    interrupt::handle_signals();
     match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Turntable(arguments) => turntable::run(&arguments),
-        Command::Voxelize(arguments) => voxelize::run(&arguments),
+        Command::Voxelize(arguments) => voxelize::run(&arguments).map_err(Failure::of_voxels),
         Command::Info(arguments) => info::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),

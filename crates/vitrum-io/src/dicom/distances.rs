@@ -15,7 +15,8 @@ pub(super) fn check_distances(slices: &[Slice], order: &[usize], heights: &[f64]
     let mut gaps: Vec<f64> = heights.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let name = |index: usize| {
         let Slice { file, index: [_, frame], .. } = &slices[order[index]];
-        if file.frames.len() > 1 { format!("frame {} of {}", frame + 1, file.name) } else { file.name.clone() }
+        let name = file.short_name();
+        if file.frames.len() > 1 { format!("frame {} of {name}", frame + 1) } else { name }
     };
     let refuse = |index: usize, problem: String, advice: &str| {
         let report = Report::new(&slices[order[index]].file.name);

@@ -1,38 +1,13 @@
 //! Which files make up a volume: those of one series.
 
-use std::fs::{self, DirEntry};
-use std::io::Read;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use super::header::{File, Frame, Slice};
+use super::header::{File, Frame, Header, Slice};
+use super::search::{Images, images, images_in};
 use super::syntax::{self, Compression};
 use crate::error::{Error, Place, Report, clip};
 use crate::input::{Input, display_name};
-
-/// More files than this in a folder are no volume.
-const MOST_FILES: usize = 100_000;
-
-/// Where the letters are that every file has.
-const MAGIC: std::ops::Range<usize> = 128..132;
-
-pub(super) fn is_dicom(head: &[u8]) -> bool {
-    head.get(MAGIC) == Some(b"DICM")
-}
-
-/// Whether `path` is a folder with at least one DICOM file in it.
-pub(super) fn has_dicom(path: &Path) -> bool {
-    path.is_dir()
-        && fs::read_dir(path).is_ok_and(|entries| entries.flatten().take(MOST_FILES).any(|entry| holds(&entry)))
-}
-
-fn holds(entry: &DirEntry) -> bool {
-    let mut head = Vec::new();
-    let path = entry.path();
-    // The file behind a link, and no pipe, which could be waited for.
-    path.is_file()
-        && fs::File::open(path).is_ok_and(|file| file.take(MAGIC.end as u64).read_to_end(&mut head).is_ok())
-        && is_dicom(&head)
-}
 
 /// The files of one series, at least one, each with at least one frame.
 pub(super) struct Series {
@@ -40,43 +15,51 @@ pub(super) struct Series {
 }
 
 impl Series {
-    /// The series of a file, or the largest one of a folder.
+    /// The series of a file, the largest one in a folder, or the only one below it.
     pub fn find(input: &Input, assumptions: &mut Vec<String>) -> Result<Self, Error> {
         let report = Report::new(&input.name);
         if input.is_folder() {
-            let files = scan(report, input.path, assumptions)?;
-            return Self::largest(report, files, assumptions);
+            let images = images(report, input.path, assumptions)?;
+            return Self::choose(report, input.path, images, assumptions);
         }
-        let opened = File::read(input.file(), input.name.clone(), input.length)?.ok_or_else(|| {
-            report.unsupported(Place::File, "this DICOM file holds no image", "open the file of an image, or a folder")
-        })?;
+        let opened = match File::read(input.file(), &input.name, input.length)? {
+            Header::Image(file) => *file,
+            Header::Refused { error, .. } => return Err(error),
+            Header::Other => {
+                let advice = "open the file of an image, or a folder";
+                return Err(report.unsupported(Place::File, "this DICOM file holds no image", advice));
+            }
+        };
         let beside = input.file() == input.path && opened.frames.len() == 1 && !opened.series.is_empty();
         if !beside {
             return Ok(Self { files: vec![opened] });
         }
         let folder = input.path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
-        let mut files = scan(report, folder, &mut Vec::new())?;
+        let Images { mut files, mut refused, .. } = images_in(report, folder)?;
         files.retain(|file| file.series == opened.series);
+        if let Some(index) = refused.iter().position(|(series, _)| *series == opened.series) {
+            return Err(refused.swap_remove(index).1);
+        }
         if files.len() > 1 {
             assumptions.push(format!("the {} files beside it of the same series were read, too", files.len() - 1));
         }
         Ok(Self { files: if files.is_empty() { vec![opened] } else { files } })
     }
 
-    fn largest(report: Report, files: Vec<File>, assumptions: &mut Vec<String>) -> Result<Self, Error> {
-        let mut groups: Vec<Vec<File>> = Vec::new();
-        for file in files {
-            match groups.iter_mut().find(|group| group[0].series == file.series) {
-                Some(group) => group.push(file),
-                None => groups.push(vec![file]),
-            }
-        }
+    /// The series of a folder that is meant: in it the largest, below it the only one.
+    fn choose(report: Report, folder: &Path, images: Images, assumptions: &mut Vec<String>) -> Result<Self, Error> {
+        let Images { files, mut refused, below } = images;
+        let mut groups = grouped(files);
         let slices = |group: &[File]| group.iter().map(|file| file.frames.len()).sum::<usize>();
         groups.sort_by_key(|group| std::cmp::Reverse(slices(group)));
         let named = |group: &[File]| {
-            let File { name, description, .. } = &group[0];
+            let File { path, description, series, .. } = &group[0];
             let described = if description.is_empty() { String::new() } else { format!("`{description}`, ") };
-            format!("{described}{} slices, {} among its files", slices(group), clip(name))
+            let described = format!("{described}{} slices, ", slices(group));
+            match path.strip_prefix(folder) {
+                Ok(path) if below => format!("{described}series {}, such as {}", clip(series), display_name(path)),
+                _ => format!("{described}{} among its files", clip(&group[0].short_name())),
+            }
         };
         let listed = |groups: &[Vec<File>]| {
             const MOST_NAMES: usize = 8;
@@ -86,12 +69,18 @@ impl Series {
         };
         let advice = "name a file of the one that is wanted instead of the folder";
         match &groups[..] {
-            [] => {
+            [] if refused.is_empty() => {
                 return Err(report.unsupported(
                     Place::File,
-                    "the DICOM files in this folder hold no images",
+                    "the DICOM files in this folder hold no images, nor do those below",
                     "give the folder with the slices",
                 ));
+            }
+            [] => return Err(refused.swap_remove(0).1),
+            [_, _, ..] if below => {
+                let problem = format!("there are {} series below the folder: {}", groups.len(), listed(&groups));
+                let advice = "give the folder of the one that is wanted, or one of its files";
+                return Err(report.unsupported(Place::File, problem, advice));
             }
             [first, second, ..] if slices(first) == slices(second) => {
                 let count = groups.len();
@@ -102,9 +91,20 @@ impl Series {
                 let (first, others) = (named(first), listed(others));
                 assumptions.push(format!("the largest series was taken ({first}); others are: {others}; {advice}"));
             }
+            [first, ..] if below => {
+                assumptions.push(format!("the one series below the folder was taken ({})", named(first)));
+            }
             _ => {}
         }
-        Ok(Self { files: groups.swap_remove(0) })
+        let chosen = groups.swap_remove(0);
+        // A slice of it that is not read would be missing.
+        if let Some(index) = refused.iter().position(|(series, _)| *series == chosen[0].series) {
+            return Err(refused.swap_remove(index).1);
+        }
+        if let Some((_, error)) = refused.first() {
+            assumptions.push(format!("{} files of other series were left out, such as {error}", refused.len()));
+        }
+        Ok(Self { files: chosen })
     }
 
     /// The first file, once all others are of its size and type.
@@ -120,7 +120,7 @@ impl Series {
                         "this slice is {} of {} bits, and {} of the same series {} of {}",
                         file.describe(),
                         file.pixels.stored,
-                        first.name,
+                        first.short_name(),
                         first.describe(),
                         first.pixels.stored
                     ),
@@ -153,31 +153,17 @@ impl Series {
     }
 }
 
-/// The images among the files of a folder, sorted by name.
-fn scan(report: Report, folder: &Path, assumptions: &mut Vec<String>) -> Result<Vec<File>, Error> {
-    let entries = fs::read_dir(folder).map_err(|error| report.unreadable(error))?;
-    let mut paths: Vec<PathBuf> = Vec::new();
-    let mut others = 0_u64;
-    for entry in entries {
-        let entry = entry.map_err(|error| report.unreadable(error))?;
-        if paths.len() == MOST_FILES {
-            let problem = format!("there are more than {MOST_FILES} DICOM files in the folder");
-            return Err(report.unsupported(Place::File, problem, "give a folder with one series"));
+/// Files of one series each; where they do not say one, those of a folder are.
+fn grouped(files: Vec<File>) -> Vec<Vec<File>> {
+    let mut numbers: HashMap<(String, Option<PathBuf>), usize> = HashMap::new();
+    let mut groups: Vec<Vec<File>> = Vec::new();
+    for file in files {
+        let folder = file.series.is_empty().then(|| file.path.parent().map(Path::to_owned)).flatten();
+        let number = *numbers.entry((file.series.clone(), folder)).or_insert(groups.len());
+        if number == groups.len() {
+            groups.push(Vec::new());
         }
-        if holds(&entry) { paths.push(entry.path()) } else { others += 1 }
+        groups[number].push(file);
     }
-    paths.sort();
-    let mut files = Vec::new();
-    for path in paths {
-        let name = display_name(&path);
-        let length = fs::metadata(&path).map_err(|error| Report::new(&name).unreadable(error))?.len();
-        match File::read(&path, name, length)? {
-            Some(file) => files.push(file),
-            None => others += 1,
-        }
-    }
-    if others > 0 {
-        assumptions.push(format!("{others} files of the folder are no DICOM images, and were left unread"));
-    }
-    Ok(files)
+    groups
 }

@@ -4,6 +4,7 @@ use super::distances::{check_distances, check_line, uneven};
 use super::header::Slice;
 use crate::error::{Error, Place, Report};
 use crate::memory;
+use crate::orientation::Orientation;
 use crate::placement::{Placement, UNORIENTED};
 use crate::shared::Shared;
 use crate::voxels::Voxels;
@@ -40,7 +41,7 @@ impl Grid {
         if let Some(other) = slices.iter().find(|slice| slice.file.spacing != first.file.spacing) {
             return Err(Report::new(&other.file.name).invalid(
                 Place::File,
-                format!("the pixels lie at other distances than those of {}", first.file.name),
+                format!("the pixels lie at other distances than those of {}", first.file.short_name()),
                 "put only the slices of one volume into the series",
             ));
         }
@@ -70,7 +71,7 @@ impl Grid {
         let columns = [[a, b, c].map(|value| value * spacing[1]), [d, e, f].map(|value| value * spacing[0]), step];
         // The files' world points to the patient's left, posterior, superior; ours to the right, anterior, superior.
         let to_world = |[x, y, z]: [f64; 3]| [-x, -y, z];
-        let placement = Placement::from_columns(columns.map(to_world), Some(to_world(start)))
+        let placement = Placement::from_columns(columns.map(to_world), Some(to_world(start)), Orientation::Patient)
             .map_err(|problem| report.invalid(Place::File, problem, "correct the positions and orientations"))?;
         let uneven = uneven(&heights, assumptions);
         Ok(Self { placement, order, uneven })
@@ -91,7 +92,7 @@ impl Grid {
         }
         assumptions.push(UNORIENTED.to_owned());
         let columns = [[spacing[1], 0.0, 0.0], [0.0, spacing[0], 0.0], [0.0, 0.0, step]];
-        let placement = Placement::from_columns(columns, None).map_err(|problem| {
+        let placement = Placement::from_columns(columns, None, Orientation::Unknown).map_err(|problem| {
             Report::new(&slices[0].file.name).invalid(Place::File, problem, "correct the distances of pixels")
         })?;
         Ok(Self { placement, order: (0..slices.len()).collect(), uneven: Vec::new() })
@@ -160,7 +161,7 @@ fn orientation(slices: &[Slice]) -> Result<[f64; 6], Error> {
     if let Some(other) = slices.iter().find(differs) {
         return Err(Report::new(&other.file.name).invalid(
             Place::File,
-            format!("this slice is turned against {} of the same series", first.file.name),
+            format!("this slice is turned against {} of the same series", first.file.short_name()),
             "leave out the slices that do not lie behind one another, such as scouts",
         ));
     }

@@ -7,7 +7,9 @@ use dicom_object::{InMemDicomObject, OpenFileOptions};
 
 use super::attributes::{self, items, numbers, text, vector, whole};
 use super::lengths;
+use super::padding::Padding;
 use crate::error::{Error, Place, Report, clip};
+use crate::input::file_name;
 use crate::samples::SampleType;
 
 /// How a pixel's bits are laid out.
@@ -46,6 +48,7 @@ pub(super) struct File {
     pub columns: u32,
     pub rows: u32,
     pub pixels: Pixels,
+    pub padding: Option<Padding>,
     pub inverted: bool,
     /// Between rows and between columns, in mm.
     pub spacing: Option<[f64; 2]>,
@@ -65,10 +68,22 @@ pub(super) struct Slice<'a> {
     pub rescale: [f64; 2],
 }
 
+/// What a DICOM file turned out to be.
+pub(super) enum Header {
+    Image(Box<File>),
+    /// An image that is not read, such as one in colours.
+    Refused {
+        series: String,
+        error: Error,
+    },
+    /// No image.
+    Other,
+}
+
 impl File {
-    /// Reads the header of the file at `path`; `None` where it is of DICOM but holds no image.
-    pub fn read(path: &Path, name: String, length: u64) -> Result<Option<Self>, Error> {
-        let report = Report::new(&name);
+    /// Reads the header of the file at `path`.
+    pub fn read(path: &Path, name: &str, length: u64) -> Result<Header, Error> {
+        let report = Report::new(name);
         let file = std::fs::File::open(path).map_err(|error| report.unreadable(error))?;
         lengths::check(BufReader::new(file), length).map_err(|(byte, problem)| {
             report.invalid(Place::Byte(byte), problem, "get the whole file, or write it anew")
@@ -77,41 +92,65 @@ impl File {
             .read_until(attributes::PIXEL_DATA)
             .open_file(path)
             .map_err(|error| damaged(report, &error))?;
-        let (Some(rows), Some(columns)) = (whole(&object, attributes::ROWS), whole(&object, attributes::COLUMNS))
-        else {
+        let series = text(&object, attributes::SERIES).unwrap_or_default();
+        let syntax = text_of(object.meta().transfer_syntax());
+        match Self::of(&object, path, name, length, syntax) {
+            Ok(Some(file)) => Ok(Header::Image(Box::new(file))),
+            Ok(None) => Ok(Header::Other),
+            Err(error @ Error::Unsupported { .. }) => Ok(Header::Refused { series, error }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// `None` of what is no image.
+    fn of(
+        object: &InMemDicomObject,
+        path: &Path,
+        name: &str,
+        length: u64,
+        syntax: String,
+    ) -> Result<Option<Self>, Error> {
+        let report = Report::new(name);
+        let (Some(rows), Some(columns)) = (whole(object, attributes::ROWS), whole(object, attributes::COLUMNS)) else {
             return Ok(None);
         };
         if rows == 0 || columns == 0 {
             return Err(report.invalid(Place::File, "the image has no rows or no columns", "get the whole file"));
         }
-        let inverted = check_gray(&object, report)?;
-        let pixels = pixels(&object, report)?;
-        let frames = frames(&object, report, length)?;
-        let shared = items(&object, attributes::SHARED_GROUPS).first();
-        let groups = [shared, items(&object, attributes::FRAME_GROUPS).first()];
+        let inverted = check_gray(object, report)?;
+        let pixels = pixels(object, report)?;
+        let frames = frames(object, report, length)?;
+        let shared = items(object, attributes::SHARED_GROUPS).first();
+        let groups = [shared, items(object, attributes::FRAME_GROUPS).first()];
         let measures = groups.into_iter().flatten().find_map(|group| items(group, attributes::PIXEL_MEASURES).first());
-        let places = || [Some(&*object), measures].into_iter().flatten();
+        let places = || [Some(object), measures].into_iter().flatten();
         let positive = |value: &f64| *value > 0.0;
         let spacing = places().find_map(|place| vector::<2>(place, attributes::PIXEL_SPACING));
         let between = places().find_map(|place| numbers(place, attributes::SPACING_BETWEEN_SLICES));
         let thickness = places().find_map(|place| numbers(place, attributes::SLICE_THICKNESS));
         let step = between.or(thickness).map(|numbers| numbers[0].abs()).filter(positive);
-        let said = [attributes::MODALITY, attributes::SERIES_DESCRIPTION].map(|tag| text(&object, tag));
+        let said = [attributes::MODALITY, attributes::SERIES_DESCRIPTION].map(|tag| text(object, tag));
         Ok(Some(Self {
             path: path.to_owned(),
             length,
-            series: text(&object, attributes::SERIES).unwrap_or_default(),
+            series: text(object, attributes::SERIES).unwrap_or_default(),
             description: clip(&said.into_iter().flatten().collect::<Vec<_>>().join(", ")),
-            syntax: text_of(object.meta().transfer_syntax()),
+            syntax,
             columns,
             rows,
             pixels,
+            padding: Padding::of(object, pixels),
             inverted,
             spacing: spacing.filter(|spacing| spacing.iter().all(positive)),
             step,
             frames,
-            name,
+            name: name.to_owned(),
         }))
+    }
+
+    /// Its name without the folder, for messages about another of the same series.
+    pub fn short_name(&self) -> String {
+        file_name(&self.path)
     }
 
     /// Such as `256 x 256 int16`.

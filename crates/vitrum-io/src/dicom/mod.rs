@@ -9,8 +9,10 @@ mod files;
 mod grid;
 mod header;
 mod lengths;
+mod padding;
 mod pixels;
 mod rle;
+mod search;
 mod syntax;
 
 use std::path::Path;
@@ -23,6 +25,7 @@ use crate::input::Input;
 use crate::memory;
 use crate::open::{OpenOptions, VolumeReader};
 use crate::samples::{Endian, SampleType, VoxelBuffer};
+use crate::stack::has_tiff;
 use crate::stream;
 use crate::volume::{Source, Volume};
 
@@ -39,7 +42,9 @@ impl VolumeReader for Dicom {
     }
 
     fn recognises(&self, head: &[u8], path: &Path) -> bool {
-        files::is_dicom(head) || head.is_empty() && files::has_dicom(path)
+        // What lies in a folder comes before what lies below it.
+        let folder = || search::has_dicom(path) || !has_tiff(path) && search::has_dicom_below(path);
+        search::is_dicom(head) || head.is_empty() && folder()
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
@@ -68,8 +73,11 @@ impl VolumeReader for Dicom {
         memory::check(report, needed, options.max_bytes)?;
         let capacity = usize::try_from(count).unwrap_or(usize::MAX);
         let mut voxels = VoxelBuffer::reserve(report, sample, Endian::Little, capacity)?;
-        pixels::read(&series, &grid.order(&slices), uniform, &mut voxels)?;
-        let voxels = grid.resample(report, voxels.into_voxels(), dimensions)?;
+        let ordered = grid.order(&slices);
+        pixels::read(&series, &ordered, uniform, &mut voxels)?;
+        let mut voxels = voxels.into_voxels();
+        assumptions.extend(padding::replace(&ordered, uniform, &mut voxels));
+        let voxels = grid.resample(report, voxels, dimensions)?;
         assumptions.extend(sample.rounding_note());
         assumptions.extend(grid.placement.shear_note());
         let mut volume = grid.placement.volume(&input.name, dimensions, voxels, sample)?;

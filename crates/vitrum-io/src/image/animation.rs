@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use gif::{DisposalMethod, Repeat};
 use png::{BitDepth, ColorType, SrgbRenderingIntent};
-use tempfile::NamedTempFile;
 
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
@@ -15,16 +14,21 @@ use super::video::Video;
 use crate::beside::create_beside;
 use crate::error::{Error, Place, Report};
 use crate::input::display_name;
+use crate::temporary::Temporary;
 
 /// How well GIF's 256 colours are chosen: 1 best, 30 fastest.
 const GIF_SPEED: i32 = 10;
 
+/// GIF counts in hundredths of a second, and programs that show films slow down what has fewer than two.
+const MOST_GIF_RATE: u16 = 50;
+
 /// A film that repeats for ever, as it is written.
 pub struct Animation {
     path: PathBuf,
-    beside: NamedTempFile,
+    beside: Temporary,
     encoder: Encoder,
     size: [u32; 2],
+    frames: u32,
     left: u32,
     rate: u16,
 }
@@ -37,24 +41,30 @@ enum Encoder {
 
 impl Animation {
     /// Begins a film of `frames` frames of `size` pixels at `rate` frames a second: a GIF (`.gif`), an animated PNG (`.png`,
-    /// `.apng`), or an MP4 (`.mp4`) where the program ffmpeg is installed.
+    /// `.apng`), or an MP4 (`.mp4`) where the program ffmpeg is installed. The frames of a GIF last whole hundredths of a second,
+    /// which differ by one where the rate does not divide 100, so that the film as a whole keeps it.
     ///
     /// # Errors
     ///
     /// [`Error::Unsupported`] where the extension is another, [`Error::Write`] where the size is 0 or too large for the format,
-    /// or the operating system fails.
+    /// the rate is above 50 for a GIF, or the operating system fails.
     pub fn create(path: &Path, size: [u32; 2], frames: u32, rate: u16) -> Result<Self, Error> {
         let name = display_name(path);
         let report = Report::new(&name);
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         let beside = create_beside(report, path)?;
-        let sink = || Ok(BufWriter::new(beside.as_file().try_clone()?));
+        let sink = || Ok(BufWriter::new(beside.file().try_clone()?));
         let encoder = match extension.as_str() {
             "gif" => {
                 let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
                     let problem = format!("{} x {} pixels are too many for GIF", size[0], size[1]);
                     return Err(report.write(problem, "write at most 65535 pixels a side, or a .png", None));
                 };
+                if rate > MOST_GIF_RATE {
+                    let problem = format!("{rate} frames a second are too many for GIF");
+                    let advice = format!("choose at most {MOST_GIF_RATE}, or write a .png or .mp4");
+                    return Err(report.write(problem, advice, None));
+                }
                 sink().and_then(|sink| begin_gif(sink, width, height))
             }
             "png" | "apng" => sink().and_then(|sink| begin_png(sink, size, frames, rate)),
@@ -65,7 +75,7 @@ impl Animation {
             }
         };
         let encoder = encoder.map_err(|error| failed(report, error))?;
-        Ok(Self { path: path.to_owned(), beside, encoder, size, left: frames, rate: rate.max(1) })
+        Ok(Self { path: path.to_owned(), beside, encoder, size, frames, left: frames, rate: rate.max(1) })
     }
 
     /// Adds a frame: the picture's first layer as sRGB with straight alpha.
@@ -81,13 +91,14 @@ impl Animation {
             let problem = "a frame is not what was announced".to_owned();
             return Err(report.write(problem, "give all frames the same size, and as many as announced", None));
         }
+        let index = self.frames - self.left;
         self.left -= 1;
         let mut pixels = rgba(picture);
         let written = match &mut self.encoder {
             Encoder::Gif(encoder) => {
                 let [width, height] = self.size.map(|n| n as u16);
                 let mut frame = gif::Frame::from_rgba_speed(width, height, &mut pixels, GIF_SPEED);
-                frame.delay = (100 / self.rate).max(2);
+                frame.delay = gif_delay(index, self.rate);
                 frame.dispose = DisposalMethod::Background;
                 encoder.write_frame(&frame).map_err(io::Error::other)
             }
@@ -113,8 +124,8 @@ impl Animation {
             Encoder::Png(writer) => writer.finish().map_err(io::Error::other),
             Encoder::Video(mut video) => video.end(),
         };
-        ended.and_then(|()| self.beside.as_file().sync_all()).map_err(|error| failed(report, error))?;
-        self.beside.persist(&self.path).map(drop).map_err(|error| failed(report, error.error))
+        ended.and_then(|()| self.beside.file().sync_all()).map_err(|error| failed(report, error))?;
+        self.beside.persist(&self.path).map_err(|error| failed(report, error))
     }
 }
 
@@ -126,6 +137,13 @@ fn begin_gif(sink: BufWriter<File>, width: u16, height: u16) -> io::Result<Encod
     let mut encoder = gif::Encoder::new(sink, width, height, &[]).map_err(io::Error::other)?;
     encoder.set_repeat(Repeat::Infinite).map_err(io::Error::other)?;
     Ok(Encoder::Gif(Box::new(encoder)))
+}
+
+/// Hundredths of a second that a frame lasts: from the one nearest to its begin to that nearest to the next one's.
+fn gif_delay(index: u32, rate: u16) -> u16 {
+    let rate = u64::from(rate);
+    let begin = |index: u64| (200 * index + rate) / (2 * rate);
+    (begin(u64::from(index) + 1) - begin(u64::from(index))) as u16
 }
 
 fn begin_png(sink: BufWriter<File>, [width, height]: [u32; 2], frames: u32, rate: u16) -> io::Result<Encoder> {

@@ -16,7 +16,7 @@ pub struct Picture {
 pub struct Layer {
     /// Its name, unique in the picture.
     pub name: String,
-    /// `R`, `G`, `B` and perhaps a straight `A`; `Y` where it is gray; else what it says.
+    /// `R`, `G`, `B` and perhaps a straight `A`; `Y` where it is gray; `X`, `Y`, `Z` of a vector; else what it says.
     pub channels: Vec<Channel>,
 }
 
@@ -69,7 +69,7 @@ impl Picture {
         Self { width, height, layers: vec![layer] }
     }
 
-    /// The first layer's pixels. One without R, G and B is gray: its first channel, repeated.
+    /// The first layer's pixels: R, G and B, or X, Y and Z of a vector. One with neither is gray: its first channel, repeated.
     #[must_use]
     pub fn color(&self) -> Vec<[f32; 3]> {
         let Some(layer) = self.layers.first() else {
@@ -85,6 +85,11 @@ impl Picture {
 /// The name of the first layer.
 pub(super) const COLOR: &str = "color";
 
+const COLORS: [&str; 3] = ["R", "G", "B"];
+
+/// Those of a vector, in the order in which they take the places of R, G and B.
+const COMPONENTS: [&str; 3] = ["X", "Y", "Z"];
+
 /// What a format without named channels writes of a layer.
 pub(super) enum Samples<'a> {
     Color([&'a [f32]; 3]),
@@ -99,10 +104,21 @@ impl Layer {
         Some(&channel.data)
     }
 
+    /// Whether it holds vectors, which may be negative: channels X, Y and Z.
+    #[must_use]
+    pub fn is_vector(&self) -> bool {
+        self.triple(COLORS).is_none() && self.triple(COMPONENTS).is_some()
+    }
+
+    fn triple(&self, names: [&str; 3]) -> Option<[&[f32]; 3]> {
+        let [a, b, c] = names.map(|name| self.channel(name));
+        Some([a?, b?, c?])
+    }
+
     pub(super) fn samples(&self) -> Samples<'_> {
-        match (self.channel("R"), self.channel("G"), self.channel("B")) {
-            (Some(r), Some(g), Some(b)) => Samples::Color([r, g, b]),
-            _ => Samples::Gray(self.channels.first().map_or(&[], |channel| &channel.data)),
+        match self.triple(COLORS).or_else(|| self.triple(COMPONENTS)) {
+            Some(three) => Samples::Color(three),
+            None => Samples::Gray(self.channels.first().map_or(&[], |channel| &channel.data)),
         }
     }
 

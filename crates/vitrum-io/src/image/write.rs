@@ -30,15 +30,17 @@ pub(super) type Metadata = [(String, String)];
 /// One file format, for pictures that [`check_picture`] let through.
 struct Format {
     extensions: &'static [&'static str],
+    /// Whether it holds negative values.
+    signed: bool,
     encode: fn(&mut Sink, &Picture, &Metadata, WriteOptions) -> io::Result<()>,
 }
 
 static FORMATS: [Format; 5] = [
-    Format { extensions: &["png"], encode: png::encode },
-    Format { extensions: &["exr"], encode: exr::encode },
-    Format { extensions: &["hdr"], encode: hdr::encode },
-    Format { extensions: &["jpg", "jpeg"], encode: jpeg::encode },
-    Format { extensions: &["tif", "tiff"], encode: tiff::encode },
+    Format { extensions: &["png"], signed: false, encode: png::encode },
+    Format { extensions: &["exr"], signed: true, encode: exr::encode },
+    Format { extensions: &["hdr"], signed: false, encode: hdr::encode },
+    Format { extensions: &["jpg", "jpeg"], signed: false, encode: jpeg::encode },
+    Format { extensions: &["tif", "tiff"], signed: true, encode: tiff::encode },
 ];
 
 /// Writes a picture in the format that the extension of `path` names, with default options.
@@ -49,7 +51,9 @@ static FORMATS: [Format; 5] = [
 /// | `.exr` | every layer as float32, each a part with its name |
 /// | `.hdr` | the first layer's colour, shared-exponent RGBE |
 /// | `.jpg`, `.jpeg` | the first layer's colour as sRGB |
-/// | `.tif`, `.tiff` | the first layer as float32, with straight alpha where it has one |
+/// | `.tif`, `.tiff` | the first layer as float32, with straight alpha where it has one; of a vector X, Y, Z in the places of R, G, B |
+///
+/// Vectors are written by OpenEXR and TIFF alone: the others hold no negative values.
 ///
 /// `metadata` is kept by PNG, as `iTXt` chunks, and by OpenEXR, as string attributes; the other
 /// formats drop it. The file appears at `path` whole or not at all.
@@ -78,6 +82,7 @@ pub fn write_picture_with(
     let format = format(report, path)?;
     check_options(report, *options)?;
     check_picture(report, picture)?;
+    check_signs(report, picture, format)?;
     check_metadata(report, metadata)?;
     write_whole(report, path, |sink| (format.encode)(sink, picture, metadata, *options))
 }
@@ -159,6 +164,17 @@ fn check_picture(report: Report, picture: &Picture) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// Half of a vector's values would be lost without a word where there are no negative ones.
+fn check_signs(report: Report, picture: &Picture, format: &Format) -> Result<(), Error> {
+    match picture.layers.first() {
+        Some(layer) if layer.is_vector() && !format.signed => {
+            let problem = format!("`{}` is a vector, and this format holds no negative values", layer.name);
+            Err(report.write(problem, "write it to .exr or .tif", None))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Keys that every format takes: PNG's limits are the tightest.

@@ -2,8 +2,9 @@
 
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields};
+use crate::orientation::Orientation;
 use crate::placement::{Placement, millimetres};
-use crate::volume::check_spacing;
+use crate::volume::{IDENTITY, check_spacing};
 
 /// The format's world is LPS+: x to the patient's left, y to posterior, z to superior. Ours is RAS+.
 const SIGNS: [f64; 3] = [-1.0, -1.0, 1.0];
@@ -25,16 +26,17 @@ pub(super) fn placement(
     let origin = origin.map(|field| field.numbers::<f64>(report, rank)).transpose()?;
     let origin = origin.map(|origin| to_world([0, 1, 2].map(|axis| origin[axis] * scale)));
     let matrix = any_of(["TransformMatrix", "Orientation", "Rotation"]);
-    let directions: [[f64; 3]; 3] = match matrix {
+    let (directions, orientation): ([[f64; 3]; 3], _) = match matrix {
         Some(field) => {
             // Each row is an axis of the grid.
             let numbers: Vec<f64> = field.numbers(report, rank * rank)?;
-            std::array::from_fn(|axis| std::array::from_fn(|component| numbers[rank * axis + component]))
+            let row = |axis: usize| std::array::from_fn(|component| numbers[rank * axis + component]);
+            (std::array::from_fn(row), Orientation::Patient)
         }
         None => unstated(fields, report, assumptions)?,
     };
     let columns = [0, 1, 2].map(|axis| to_world(directions[axis].map(|component| component * spacing[axis])));
-    let placement = Placement::from_columns(columns, origin).map_err(|problem| {
+    let placement = Placement::from_columns(columns, origin, orientation).map_err(|problem| {
         let place = matrix.map(Field::place).or(origin_place).unwrap_or(Place::File);
         report.invalid(place, problem, "correct the directions or the offset")
     })?;
@@ -42,8 +44,12 @@ pub(super) fn placement(
     Ok(placement)
 }
 
-/// The directions of a file without a matrix of them.
-fn unstated(fields: &Fields, report: Report, assumptions: &mut Vec<String>) -> Result<[[f64; 3]; 3], Error> {
+/// The directions of a file without a matrix of them, and whether anything says them.
+fn unstated(
+    fields: &Fields,
+    report: Report,
+    assumptions: &mut Vec<String>,
+) -> Result<([[f64; 3]; 3], Orientation), Error> {
     // ITK writes question marks where it does not know.
     let Some(field) = fields.get("AnatomicalOrientation").filter(|field| !field.text.contains('?')) else {
         assumptions.push(
@@ -51,7 +57,7 @@ fn unstated(fields: &Fields, report: Report, assumptions: &mut Vec<String>) -> R
              superior, the format's default; --up turns it"
                 .to_owned(),
         );
-        return Ok([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        return Ok((IDENTITY.map(|axis| axis.map(f64::from)), Orientation::Unknown));
     };
     let directions = anatomical(&field.text).ok_or_else(|| {
         report.invalid(
@@ -65,7 +71,7 @@ fn unstated(fields: &Fields, report: Report, assumptions: &mut Vec<String>) -> R
          --up turns it",
         clip(&field.text)
     ));
-    Ok(directions)
+    Ok((directions, Orientation::Patient))
 }
 
 /// The directions of axes that begin at the sides that these letters name, such as `RAI`, which is the format's world.

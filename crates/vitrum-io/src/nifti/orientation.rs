@@ -2,6 +2,7 @@
 
 use super::header::Header;
 use crate::error::{Error, Place, Report};
+use crate::orientation::Orientation;
 use crate::placement::{Placement, UNORIENTED};
 use crate::volume::{IDENTITY, check_spacing};
 
@@ -12,7 +13,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
     let pixdim = [header.pixdim[1], header.pixdim[2], header.pixdim[3]];
     let spacing = pixdim.map(|spacing| (spacing * scale) as f32);
     let placed = |columns: [[f64; 3]; 3], origin: [f64; 3]| {
-        Placement::from_columns(columns, Some(origin))
+        Placement::from_columns(columns, Some(origin), Orientation::Patient)
             .map_err(|problem| report.invalid(Place::File, problem, "correct the sform or the qform in the header"))
     };
     if header.sform_code > 0 {
@@ -47,7 +48,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
     }
     assumptions.push("the file has neither sform nor qform".to_owned());
     assumptions.push(UNORIENTED.to_owned());
-    Ok(Placement { spacing, axes: IDENTITY, origin: None })
+    Ok(Placement { spacing, axes: IDENTITY, origin: None, orientation: Orientation::Unknown })
 }
 
 /// The rotation matrix, in rows, of the unit quaternion whose last three parts these are.

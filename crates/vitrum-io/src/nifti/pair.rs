@@ -23,7 +23,8 @@ pub(super) fn image(input: &Input, kind: Kind) -> Result<DataFile, Error> {
     let report = Report::new(&input.name);
     let place = Place::Byte(kind.layout.magic as u64);
     let [mut first, mut second] = IMAGES;
-    let stem = match HEADERS.map(|extension| stem(&input.name, extension)) {
+    let file_name = input.file_name();
+    let stem = match HEADERS.map(|extension| stem(&file_name, extension)) {
         [Some(stem), _] => stem,
         [_, Some(stem)] => {
             (first, second) = (second, first);
@@ -37,7 +38,7 @@ pub(super) fn image(input: &Input, kind: Kind) -> Result<DataFile, Error> {
             ));
         }
     };
-    let upper = input.name.ends_with(|last: char| last.is_ascii_uppercase());
+    let upper = file_name.ends_with(|last: char| last.is_ascii_uppercase());
     let name =
         |extension: &str| format!("{stem}{}", if upper { extension.to_uppercase() } else { extension.to_owned() });
     let there = |extension: &&str| input.path.with_file_name(name(extension)).exists();

@@ -3,6 +3,7 @@
 use super::header::Header;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
+use crate::orientation::Orientation;
 use crate::placement::{Placement, UNORIENTED, millimetres};
 use crate::volume::{IDENTITY, check_spacing};
 
@@ -14,16 +15,16 @@ pub(super) fn placement(
     assumptions: &mut Vec<String>,
 ) -> Result<Placement, Error> {
     refuse_components(header, report)?;
-    let (signs, space_note) = signs(header, report)?;
+    let Space { signs, orientation, note } = space(header, report)?;
     let scale = unit_scale(header, assumptions);
     let to_world = |vector: [f64; 3]| -> [f64; 3] { std::array::from_fn(|axis| vector[axis] * signs[axis] * scale) };
     let origin = header.get("spaceorigin").map(|field| vectors::<1>(report, field)).transpose()?;
     let origin = origin.map(|[origin]| to_world(origin));
     if let Some(field) = header.get("spacedirections") {
         let columns = directions(report, field, rank)?.map(to_world);
-        let placement = Placement::from_columns(columns, origin)
+        let placement = Placement::from_columns(columns, origin, orientation)
             .map_err(|problem| report.invalid(field.place(), problem, "correct the directions or the origin"))?;
-        assumptions.extend(space_note.map(str::to_owned));
+        assumptions.extend(note.map(str::to_owned));
         assumptions.extend(placement.shear_note());
         return Ok(placement);
     }
@@ -42,25 +43,28 @@ pub(super) fn placement(
     let component =
         |axis: usize, component: usize| f64::from(IDENTITY[axis][component]) * signs[component] * spacing[axis];
     let columns = [0, 1, 2].map(|axis| [0, 1, 2].map(|along| component(axis, along)));
-    match header.get("space") {
-        Some(_) => {
-            assumptions.push(
-                "the file names a space but no `space directions`: its axes were taken to run along the space's"
-                    .to_owned(),
-            );
-            assumptions.extend(space_note.map(str::to_owned));
-        }
-        None => assumptions.push(UNORIENTED.to_owned()),
+    if header.get("space").is_some() {
+        assumptions.push(
+            "the file names a space but no `space directions`: its axes were taken to run along the space's".to_owned(),
+        );
     }
-    Placement::from_columns(columns, origin).map_err(|problem| {
+    assumptions.extend(note.map(str::to_owned));
+    Placement::from_columns(columns, origin, orientation).map_err(|problem| {
         let place = header.get("spaceorigin").map_or(Place::File, Field::place);
         report.invalid(place, problem, "correct the origin")
     })
 }
 
-/// Signs that turn the file's space into RAS+: x to the right, y to anterior, z to superior; with
-/// a sentence where the space is no patient's.
-fn signs(header: &Header, report: Report) -> Result<([f64; 3], Option<&'static str>), Error> {
+/// What the file's directions and origin are given in.
+struct Space {
+    /// Turn it into RAS+: x to the right, y to anterior, z to superior.
+    signs: [f64; 3],
+    orientation: Orientation,
+    /// A sentence where it is no patient's.
+    note: Option<&'static str>,
+}
+
+fn space(header: &Header, report: Report) -> Result<Space, Error> {
     if let Some(field) = header.get("spacedimension") {
         let dimension: u32 = field.numbers(report, 1)?[0];
         if dimension != 3 {
@@ -72,21 +76,22 @@ fn signs(header: &Header, report: Report) -> Result<([f64; 3], Option<&'static s
         }
     }
     let Some(field) = header.get("space") else {
-        return Ok(([1.0; 3], None));
+        return Ok(Space { signs: [1.0; 3], orientation: Orientation::Unknown, note: Some(UNORIENTED) });
     };
+    let patient = |signs| Ok(Space { signs, orientation: Orientation::Patient, note: None });
+    let world = |signs, note| Ok(Space { signs, orientation: Orientation::World, note: Some(note) });
     match field.text.to_ascii_lowercase().as_str() {
-        "right-anterior-superior" | "ras" => Ok(([1.0, 1.0, 1.0], None)),
-        "left-anterior-superior" | "las" => Ok(([-1.0, 1.0, 1.0], None)),
-        "left-posterior-superior" | "lps" => Ok(([-1.0, -1.0, 1.0], None)),
-        "scanner-xyz" | "3d-right-handed" => Ok((
-            [1.0; 3],
-            Some("the file's space is no patient's: its x, y, z were taken for the world's; --up turns it"),
-        )),
+        "right-anterior-superior" | "ras" => patient([1.0, 1.0, 1.0]),
+        "left-anterior-superior" | "las" => patient([-1.0, 1.0, 1.0]),
+        "left-posterior-superior" | "lps" => patient([-1.0, -1.0, 1.0]),
+        "scanner-xyz" | "3d-right-handed" => {
+            world([1.0; 3], "the file's space is no patient's: its x, y, z were taken for the world's; --up turns it")
+        }
         // Most often it is, because rows of pictures run downwards: what they begin with faces the front then.
-        "3d-left-handed" => Ok((
+        "3d-left-handed" => world(
             [1.0, -1.0, 1.0],
-            Some("the file's space is left-handed: its y was turned round to make the world's; --up turns it"),
-        )),
+            "the file's space is left-handed: its y was turned round to make the world's; --up turns it",
+        ),
         name if name.ends_with("-time") || matches!(name, "rast" | "last" | "lpst") => Err(report.unsupported(
             field.place(),
             format!("`{}` is a space with time", clip(name)),

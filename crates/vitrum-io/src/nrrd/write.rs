@@ -11,6 +11,7 @@ use super::samples::Samples;
 use crate::beside::{create_beside, write_whole};
 use crate::error::{Error, Report};
 use crate::input::display_name;
+use crate::orientation::Orientation;
 use crate::volume::Volume;
 
 /// A grid and its place in the world, for [`write_nrrd`].
@@ -22,8 +23,8 @@ pub struct Lattice {
     pub steps: [[f64; 3]; 3],
     /// The centre of the first voxel.
     pub origin: [f64; 3],
-    /// Whether the world is a patient's: x the right, y anterior, z superior.
-    pub patient: bool,
+    /// What the world is, which becomes the file's `space`; it has none where nobody knows.
+    pub orientation: Orientation,
 }
 
 impl Lattice {
@@ -31,7 +32,7 @@ impl Lattice {
     #[must_use]
     pub fn of_cubes(dimensions: [u32; 3], spacing: f64, origin: [f64; 3]) -> Self {
         let steps = [[spacing, 0.0, 0.0], [0.0, spacing, 0.0], [0.0, 0.0, spacing]];
-        Self { dimensions, steps, origin, patient: false }
+        Self { dimensions, steps, origin, orientation: Orientation::World }
     }
 
     /// A volume's grid.
@@ -44,7 +45,7 @@ impl Lattice {
             dimensions: volume.dimensions,
             steps: [0, 1, 2].map(step),
             origin: volume.origin.map(widen),
-            patient: true,
+            orientation: volume.orientation,
         }
     }
 }
@@ -103,17 +104,22 @@ pub fn write_nrrd(
 }
 
 fn header(lattice: &Lattice, samples: Samples<'_>, fields: &[(&str, String)]) -> String {
-    let Lattice { dimensions: [x, y, z], steps, origin, patient } = *lattice;
+    let Lattice { dimensions: [x, y, z], steps, origin, orientation } = *lattice;
     let (name, kind) = samples.names();
     let (dimension, components, none, first) = match kind {
         Some(kind) => (4, "3 ", "none ", format!("{kind} ")),
         None => (3, "", "", String::new()),
     };
-    let space = if patient { "right-anterior-superior" } else { "3D-right-handed" };
+    let space = match orientation {
+        Orientation::Patient => "space: right-anterior-superior",
+        Orientation::World => "space: 3D-right-handed",
+        // Directions take one or the other.
+        Orientation::Unknown => "space dimension: 3",
+    };
     let vector = |[x, y, z]: [f64; 3]| format!("({x},{y},{z})");
     let (steps, origin) = (steps.map(vector).join(" "), vector(origin));
     let mut text = format!(
-        "NRRD0005\n# written by Vitrum\ntype: {name}\ndimension: {dimension}\nspace: {space}\n\
+        "NRRD0005\n# written by Vitrum\ntype: {name}\ndimension: {dimension}\n{space}\n\
          sizes: {components}{x} {y} {z}\nspace directions: {none}{steps}\nkinds: {first}domain domain domain\n\
          endian: little\nencoding: gzip\nspace origin: {origin}\n"
     );

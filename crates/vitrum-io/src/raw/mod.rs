@@ -83,7 +83,7 @@ impl VolumeReader for Raw {
 /// The layout that the file's name says, perhaps completed by the file's size.
 fn of_name(input: &Input, assumptions: &mut Vec<String>) -> Result<RawLayout, Error> {
     let refuse = |problem: &str| Err(Report::new(&input.name).unsupported(Place::File, problem, ADVICE));
-    let said = Said::new(&input.name);
+    let said = Said::new(&input.file_name());
     let Some(dimensions) = said.dimensions else {
         return refuse("the file has no header, and its name says no dimensions");
     };

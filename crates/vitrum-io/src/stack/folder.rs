@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use super::series::MOST_FILES;
 use crate::error::{Error, Place, Report, clip};
-use crate::input::display_name;
+use crate::input::file_name;
 
 /// Whether a folder has a TIFF file in it, by its name.
-pub(super) fn has_tiff(path: &Path) -> bool {
+pub(crate) fn has_tiff(path: &Path) -> bool {
     path.is_dir()
         && fs::read_dir(path)
             .is_ok_and(|entries| entries.flatten().take(MOST_FILES).any(|entry| is_tiff(&entry.path())))
@@ -34,7 +34,7 @@ pub(super) fn slices(report: Report, folder: &Path, assumptions: &mut Vec<String
             return Err(report.unsupported(Place::File, problem, "give a folder with the slices of one volume"));
         }
         if is_tiff(&path) {
-            let (pattern, numbers) = parse(&display_name(&path));
+            let (pattern, numbers) = parse(&file_name(&path));
             series.entry(pattern).or_default().push((numbers, path));
         }
     }
@@ -89,7 +89,7 @@ fn parse(name: &str) -> (String, Vec<u64>) {
 fn order(report: Report, mut files: Vec<Numbered>) -> Result<Vec<PathBuf>, Error> {
     let differing: Vec<usize> =
         (0..files[0].0.len()).filter(|&place| files.iter().any(|file| file.0[place] != files[0].0[place])).collect();
-    let names = |a: &Numbered, b: &Numbered| format!("{} and {}", display_name(&a.1), display_name(&b.1));
+    let names = |a: &Numbered, b: &Numbered| format!("{} and {}", file_name(&a.1), file_name(&b.1));
     if differing.len() > 1 {
         let problem = format!("the names of the slices differ in several numbers, such as {}", {
             let other = files.iter().find(|file| file.0[differing[1]] != files[0].0[differing[1]]);

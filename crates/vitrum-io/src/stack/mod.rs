@@ -8,11 +8,12 @@ mod spacing;
 
 use std::path::{Path, PathBuf};
 
+pub(crate) use self::folder::has_tiff;
 use self::page::Pages;
 use self::selection::Selection;
 use self::series::series;
 use crate::error::{Error, Place, Report};
-use crate::input::{Input, display_name};
+use crate::input::{Input, display_name, file_name};
 use crate::memory;
 use crate::open::{OpenOptions, Part, VolumeReader};
 use crate::placement::UNORIENTED;
@@ -37,7 +38,7 @@ impl VolumeReader for Stack {
 
     fn recognises(&self, head: &[u8], path: &Path) -> bool {
         [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|magic| head.starts_with(*magic))
-            || head.is_empty() && folder::has_tiff(path)
+            || head.is_empty() && has_tiff(path)
     }
 
     fn parts(&self) -> &'static [Part] {
@@ -101,7 +102,8 @@ fn files(input: &Input, assumptions: &mut Vec<String>) -> Result<Vec<Pages>, Err
                 Place::File,
                 format!(
                     "{} page(s) of {found}, and its numbered neighbour {} has one of {expected}",
-                    file.count, opened.name
+                    file.count,
+                    file_name(&opened.path)
                 ),
                 "put only the slices of one volume into a folder under such names",
             ));
@@ -113,7 +115,7 @@ fn files(input: &Input, assumptions: &mut Vec<String>) -> Result<Vec<Pages>, Err
 
 fn note(files: &[Pages], assumptions: &mut Vec<String>) {
     if let [first, .., last] = files {
-        let (count, first, last) = (files.len(), &first.name, &last.name);
+        let (count, first, last) = (files.len(), file_name(&first.path), file_name(&last.path));
         assumptions.push(format!("the data was put together from {count} files, {first} to {last}"));
     }
     let thumbnails = files.iter().map(|file| file.thumbnails).sum::<u64>();

@@ -7,6 +7,7 @@ use super::xml::Tag;
 use crate::arrays;
 use crate::error::clip;
 use crate::error::{Error, Report};
+use crate::orientation::Orientation;
 use crate::placement::{Placement, UNORIENTED};
 use crate::samples::{Endian, SampleType};
 use crate::stream;
@@ -260,9 +261,9 @@ fn grid(
     }
     let spacing = numbers(report, image, "Spacing", Some([1.0; 3]))?;
     check_spacing(report, spacing.map(|value: f64| value as f32)).map_err(|error| error.at(image.place()))?;
-    if image.get("Direction").is_none_or(numbers_are_identity) {
-        assumptions.push(UNORIENTED.to_owned());
-    }
+    let stated = !image.get("Direction").is_none_or(numbers_are_identity);
+    let orientation = if stated { Orientation::World } else { Orientation::Unknown };
+    assumptions.extend((!stated).then(|| UNORIENTED.to_owned()));
     if image.get("Spacing").is_none() {
         assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
     }
@@ -280,7 +281,7 @@ fn grid(
             origin[component] + (0..3).map(|axis| first[axis] * columns[axis][component]).sum::<f64>()
         })
     });
-    let placement = Placement::from_columns(columns, origin)
+    let placement = Placement::from_columns(columns, origin, orientation)
         .map_err(|problem| report.invalid(image.place(), problem, "correct `Direction` or `Origin`"))?;
     Ok((dimensions, placement))
 }

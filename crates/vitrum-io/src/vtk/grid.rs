@@ -4,6 +4,7 @@ use super::blocks::Block;
 use super::fields::{Attributes, Fields};
 use super::header::Header;
 use crate::error::{Error, Place, Report};
+use crate::orientation::Orientation;
 use crate::placement::{Placement, UNORIENTED};
 use crate::stream;
 use crate::volume::{IDENTITY, check_spacing};
@@ -73,7 +74,7 @@ impl Fields {
         let origin = self.origin.map(|(origin, _)| [0, 1, 2].map(|axis| origin[axis] + first(axis)));
         let columns = [0, 1, 2].map(|axis| IDENTITY[axis].map(|unit| f64::from(unit) * spacing[axis]));
         let place = self.origin.map_or(Place::File, |(_, line)| Place::Line(line));
-        Placement::from_columns(columns, origin)
+        Placement::from_columns(columns, origin, Orientation::Unknown)
             .map_err(|problem| report.invalid(place, problem, "correct SPACING or ORIGIN"))
     }
 }

@@ -227,7 +227,7 @@ pub fn refuse(name: &str, cases: Vec<(Vec<u8>, &str)>) {
         match folder.open_mesh(name, content) {
             Err(error) => {
                 let message = error.to_string();
-                assert!(message.starts_with(name), "{message}");
+                assert!(message.starts_with(&folder.shown(name)), "{message}");
                 assert!(matches!(error, Error::Invalid { .. } | Error::Unsupported { .. }), "{error:?}");
                 if !message.contains(expected) {
                     wrong.push(format!("expected: {expected}\nfound: {message}\n"));

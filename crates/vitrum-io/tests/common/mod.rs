@@ -93,6 +93,11 @@ impl Folder {
         self.0.path().join(name)
     }
 
+    /// A file as messages about it begin.
+    pub fn shown(&self, name: &str) -> String {
+        self.path(name).display().to_string()
+    }
+
     pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
         let path = self.path(name);
         fs::write(&path, content).expect("a written file");
@@ -310,7 +315,7 @@ pub fn check_refused(name: &str, cases: Vec<(Vec<u8>, &str)>) {
             Err(error @ (Error::Invalid { .. } | Error::Unsupported { .. })) => error.to_string(),
             other => format!("{other:?}"),
         };
-        if !(message.starts_with(name) && message.contains(expected)) {
+        if !(message.starts_with(&folder.shown(name)) && message.contains(expected)) {
             others += &format!("expected: {expected}\nfound: {message}\n");
         }
     }

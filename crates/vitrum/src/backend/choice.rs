@@ -79,12 +79,12 @@ pub fn devices() -> Vec<DeviceInfo> {
 /// [`BackendError::Threads`] where the CPU's threads cannot be started.
 pub fn open(choice: Choice, adapter: Option<&str>, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
     let cpu = || CpuBackend::new(threads).map(|backend| Box::new(backend) as Box<dyn Backend>);
-    let gpu = || GpuBackend::new(adapter).map(|backend| Box::new(backend) as Box<dyn Backend>);
-    match choice {
-        Choice::Cpu => cpu(),
-        Choice::Gpu => gpu(),
-        Choice::Auto if adapter.is_some() => gpu(),
-        Choice::Auto if adapters().iter().any(|found| is_hardware(&found.get_info())) => gpu(),
-        Choice::Auto => cpu(),
+    let gpu = |found| GpuBackend::among(found, adapter).map(|backend| Box::new(backend) as Box<dyn Backend>);
+    if choice == Choice::Cpu {
+        return cpu();
     }
+    // Once: each time drivers are loaded, and some of them speak.
+    let found = adapters();
+    let wanted = choice == Choice::Gpu || adapter.is_some();
+    if wanted || found.iter().any(|found| is_hardware(&found.get_info())) { gpu(found) } else { cpu() }
 }

@@ -1,8 +1,7 @@
 //! Looks of a mesh: what it is made of, and what is around it.
 
-use super::PresetError;
+use super::{MESHES, PresetError, VOLUMES, not_found};
 use crate::scene::{Environment, EnvironmentKind, Material, Rgb, Scene};
-use crate::suggest::nearest;
 
 /// A clear material by what is left of white light behind the mesh's longest edge of it, or an opaque one by its reflectance.
 struct Look {
@@ -41,7 +40,7 @@ const LOOKS: [Look; 5] = [
     },
 ];
 
-const NAMES: [(&str, &str); LOOKS.len()] = {
+pub(super) const NAMES: &[(&str, &str)] = &{
     let mut names = [("", ""); LOOKS.len()];
     let mut index = 0;
     while index < names.len() {
@@ -54,7 +53,7 @@ const NAMES: [(&str, &str); LOOKS.len()] = {
 /// Name and description of every preset of meshes.
 #[must_use]
 pub fn mesh_names() -> &'static [(&'static str, &'static str)] {
-    &NAMES
+    NAMES
 }
 
 /// What is around a mesh when nobody says it: a clear body shows by what it bends into view, a bright band between two dark ones.
@@ -73,15 +72,10 @@ pub fn surround_mesh(scene: &mut Scene) {
 ///
 /// # Errors
 ///
-/// [`PresetError::Unknown`]; the scene is then unchanged.
+/// [`PresetError::Unknown`], and [`PresetError::OtherKind`] of a preset of volumes; the scene is then unchanged.
 pub fn apply_to_mesh(name: &str, scene: &mut Scene) -> Result<(), PresetError> {
-    let known = || NAMES.iter().map(|&(name, _)| name);
     let look = LOOKS.iter().find(|look| look.name == name);
-    let look = look.ok_or_else(|| PresetError::Unknown {
-        name: name.to_owned(),
-        nearest: nearest(name, known()),
-        known: known().collect(),
-    })?;
+    let look = look.ok_or_else(|| not_found(name, MESHES, VOLUMES))?;
     surround_mesh(scene);
     if look.ior == 0.0 {
         scene.material = vec![Material { opaque: true, color: Some(look.color), ..Material::default() }];

@@ -63,6 +63,18 @@ pub enum PresetError {
         /// All that there are.
         known: Vec<&'static str>,
     },
+    /// There is one, of what is not shown.
+    #[error("`{name}` is a preset of {kind}, and none of {shown}")]
+    OtherKind {
+        /// The name that was asked for.
+        name: String,
+        /// What it is for: `meshes` or `volumes`.
+        kind: &'static str,
+        /// What is shown.
+        shown: &'static str,
+        /// All presets of that.
+        known: Vec<&'static str>,
+    },
 }
 
 impl PresetError {
@@ -72,6 +84,7 @@ impl PresetError {
         match self {
             Self::Unknown { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
             Self::Unknown { nearest: None, known, .. } => format!("the presets are: {}", known.join(", ")),
+            Self::OtherKind { shown, known, .. } => format!("the presets of {shown} are: {}", known.join(", ")),
         }
     }
 }
@@ -86,7 +99,7 @@ pub fn names() -> &'static [(&'static str, &'static str)] {
 ///
 /// # Errors
 ///
-/// [`PresetError::Unknown`].
+/// [`PresetError::Unknown`], and [`PresetError::OtherKind`] of a preset of meshes.
 pub fn check(name: &str) -> Result<(), PresetError> {
     find(name).map(drop)
 }
@@ -95,16 +108,27 @@ pub fn check(name: &str) -> Result<(), PresetError> {
 ///
 /// # Errors
 ///
-/// [`PresetError::Unknown`]; the scene is then unchanged.
+/// Those of [`check`]; the scene is then unchanged.
 pub fn apply(name: &str, volume: &Volume, scene: &mut Scene) -> Result<(), PresetError> {
     (find(name)?.apply)(&Subject::of(volume), scene);
     Ok(())
 }
 
 fn find(name: &str) -> Result<&'static Preset, PresetError> {
-    PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| PresetError::Unknown {
-        name: name.to_owned(),
-        nearest: nearest(name, NAMES.iter().map(|&(name, _)| name)),
-        known: NAMES.iter().map(|&(name, _)| name).collect(),
-    })
+    PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| not_found(name, VOLUMES, MESHES))
+}
+
+/// What a preset is for: the word, and names.
+type Kind = (&'static str, &'static [(&'static str, &'static str)]);
+
+const VOLUMES: Kind = ("volumes", &NAMES);
+const MESHES: Kind = ("meshes", mesh::NAMES);
+
+/// Why there is no preset `name` of what is `shown`.
+fn not_found(name: &str, (shown, names): Kind, (kind, others): Kind) -> PresetError {
+    let (name, known) = (name.to_owned(), names.iter().map(|&(name, _)| name).collect());
+    if others.iter().any(|(other, _)| *other == name) {
+        return PresetError::OtherKind { name, kind, shown, known };
+    }
+    PresetError::Unknown { nearest: nearest(&name, names.iter().map(|&(name, _)| name)), name, known }
 }

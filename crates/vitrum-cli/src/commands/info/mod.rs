@@ -69,6 +69,7 @@ fn text(volume: &Volume) -> String {
     row("spacing", format!("{sx} x {sy} x {sz}"));
     row("extent", format!("{ex} x {ey} x {ez}"));
     row("origin", format!("{:?}", volume.origin));
+    row("orientation", volume.orientation.name().to_owned());
     row("axes", format!("x {:?}, y {:?}, z {:?}", volume.axes[0], volume.axes[1], volume.axes[2]));
     row("range", format!("{low} to {high}"));
     row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
@@ -88,6 +89,7 @@ fn json(volume: &Volume) -> serde_json::Value {
         "spacing": volume.spacing,
         "extent": volume.extent(),
         "origin": volume.origin,
+        "orientation": volume.orientation.name(),
         "axes": volume.axes,
         "stored_as": stored(volume),
         "value_scale": volume.value_scale,

@@ -1,7 +1,10 @@
 //! MTL files: descriptions of materials.
 
+use std::path::Path;
+
 use super::statements::{Statement, Statements};
 use crate::error::{Error, Report};
+use crate::input::file_name;
 use crate::mesh::Material;
 use crate::mesh::words::{name, number, show};
 
@@ -36,7 +39,7 @@ pub(super) fn read(bytes: &[u8], report: Report, assumptions: &mut Vec<String>) 
         }
     }
     if textures {
-        assumptions.push(format!("the textures of {} were left out", report.file));
+        assumptions.push(format!("the textures of {} were left out", short_name(report)));
     }
     Ok(materials)
 }
@@ -82,12 +85,17 @@ fn color(report: Report, statement: &Statement, assumptions: &mut Vec<String>) -
     Ok(is_fit.then_some(color))
 }
 
+/// The file's name without its folder, which is that of the mesh or below.
+fn short_name(report: Report) -> String {
+    file_name(Path::new(report.file))
+}
+
 /// Tells that a statement was left out; a hostile file may have many.
 fn note(report: Report, statement: &Statement, assumptions: &mut Vec<String>, why: &str) {
     const MOST: usize = 64;
     if assumptions.len() < MOST {
         let (keyword, value) = (show(statement.keyword), show(statement.rest));
-        let place = format!("{}, line {}", report.file, statement.line);
+        let place = format!("{}, line {}", short_name(report), statement.line);
         assumptions.push(format!("{place}: `{keyword} {value}` {why}, and was left out"));
     }
 }

@@ -43,9 +43,8 @@ pub(crate) fn describe(info: &wgpu::AdapterInfo) -> String {
     format!("{} ({:?}, {driver})", info.name, info.backend)
 }
 
-/// The best adapter whose description contains `wanted` (any case).
-pub(super) fn choose(wanted: Option<&str>) -> Result<wgpu::Adapter, BackendError> {
-    let mut found = adapters();
+/// The first of `found`, best first, whose description contains `wanted` (any case).
+pub(super) fn choose(mut found: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Adapter, BackendError> {
     let names: Vec<String> = found.iter().map(|adapter| describe(&adapter.get_info())).collect();
     let lowered = wanted.unwrap_or("").to_lowercase();
     let index = names.iter().position(|name| name.to_lowercase().contains(&lowered));

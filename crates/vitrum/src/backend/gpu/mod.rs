@@ -38,7 +38,12 @@ impl GpuBackend {
     /// # Errors
     /// [`BackendError::NoAdapter`] where there is none of that name, [`BackendError::Unsupported`] where its device cannot be opened.
     pub fn new(wanted: Option<&str>) -> Result<Self, BackendError> {
-        let adapter = adapter::choose(wanted)?;
+        Self::among(adapters(), wanted)
+    }
+
+    /// As [`Self::new`], among adapters that were found already.
+    pub(crate) fn among(found: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<Self, BackendError> {
+        let adapter = adapter::choose(found, wanted)?;
         Ok(Self {
             opened: adapter::open(&adapter)?,
             adapter: describe(&adapter.get_info()),
