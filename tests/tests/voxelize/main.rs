@@ -2,6 +2,7 @@
 
 mod backends;
 mod exact;
+mod planted;
 mod shapes;
 mod solid;
 mod surface;

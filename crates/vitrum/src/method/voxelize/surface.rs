@@ -98,6 +98,9 @@ const BATCH: usize = 1 << 16;
 /// Triangles that a thread prepares at a time.
 const PART: usize = 1 << 11;
 
+/// Writes what else there is of a batch of triangles.
+type Prepare<'a> = dyn Fn(Range<usize>, &mut dyn Backend) -> Result<(), Error> + 'a;
+
 /// The triangles of a surface.
 pub(super) struct Surface<'a> {
     mesh: &'a Mesh,
@@ -151,7 +154,7 @@ impl<'a> Surface<'a> {
         &self,
         kernel: &'static Kernel,
         others: &[Buffer],
-        prepare: &dyn Fn(Range<usize>, &mut dyn Backend) -> Result<(), Error>,
+        prepare: &Prepare<'_>,
         held: &mut Held<'_>,
         stage: &mut Stage<'_>,
     ) -> Result<(), Error> {
