@@ -61,7 +61,7 @@ fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
 /// Whether there are planes and a light grid for a scene of these inputs, and its clips are planes.
 ///
 /// # Errors
-/// As [`Fixed::new`].
+/// [`Error::Scene`] where the light shines towards the camera, or planes or light texels would be too many.
 pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
     let shown = &inputs.volume;
     let volumes: Vec<_> = std::iter::once(shown).chain(&inputs.ior_volume).collect();
