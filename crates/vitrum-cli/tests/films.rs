@@ -55,6 +55,16 @@ fn wrong_key_frames_are_refused_before_any_work() {
     folder.refuse(&film, 3, &["keys.toml", "UTF-8"]);
 }
 
+/// Seen from the other side, light that stays in the world shines towards the camera.
+#[test]
+fn a_film_that_would_break_off_is_refused_before_its_first_frame() {
+    let folder = Folder::new();
+    let turning = ["builtin:ball", "--set", "light.attachment=world", "--set", "light.azimuth=0", "--frames", "12"];
+    let film = [&["turntable"][..], &turning, &["-o", "film"]].concat();
+    folder.refuse(&film, 3, &["frame 4 of 12", "85"]);
+    folder.refuse(&["scene", "builtin:ball", "--set", "light.azimuth=180"], 3, &["85", "light.azimuth"]);
+}
+
 #[test]
 fn finer_pictures_have_16_bits() {
     let folder = Folder::new();

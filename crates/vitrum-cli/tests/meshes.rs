@@ -100,6 +100,26 @@ fn a_mesh_is_rendered_and_its_scene_renders_the_same() {
 }
 
 #[test]
+fn holes_of_a_rendered_mesh_are_told() {
+    let folder = Folder::new();
+    let open = TETRAHEDRON.strip_suffix("f 2 3 4\n").expect("the last face");
+    folder.write("open.obj", open);
+    folder.write("closed.obj", TETRAHEDRON);
+    folder.write("a.mtl", "newmtl glass\n");
+    let small = ["--size", "16x16", "--set", "voxels.resolution=16", "--backend", "cpu"];
+    let messages = |file: &str, method: &str| {
+        let outcome = folder.vitrum(&[&["render", file, "-o", "out.png", "--set", method][..], &small].concat());
+        assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
+        outcome.stderr
+    };
+    for method in ["method=voxels", "method=sweep"] {
+        let told = messages("open.obj", method);
+        assert!(told.contains("warning: open.obj") && told.contains("holes"), "{method}: {told}");
+        assert!(!messages("closed.obj", method).contains("warning"), "{method}");
+    }
+}
+
+#[test]
 fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
     let folder = Folder::new();
     folder.write("a.obj", TETRAHEDRON);

@@ -80,6 +80,15 @@ fn outputs_that_cannot_be_written_exit_2_before_any_work() {
 }
 
 #[test]
+fn outputs_that_a_method_does_not_have_are_refused_before_any_work() {
+    let folder = Folder::new();
+    let outputs = ["-o", "out.png", "--aov", "bounces=b.exr"];
+    folder.refuse(&[&["render", "builtin:ball"][..], &outputs].concat(), 2, &["`sweep`", "`bounces`", "medium"]);
+    let outputs = ["-o", "out.png", "--aov", "light=l.exr"];
+    folder.refuse(&[&["render", "builtin:vase"][..], &outputs].concat(), 2, &["`voxels`", "`light`", "bounces"]);
+}
+
+#[test]
 fn volume_files_with_mistakes_exit_3() {
     let folder = Folder::new();
     let small = |fields: &str| nrrd("4 4 4", fields, &[7; 64]);
