@@ -51,13 +51,9 @@ impl Failure {
         Self::with_advice(Status::WrongUse, error, advice(error))
     }
 
-    /// The same of the voxels of a mesh: there are as many as their resolution makes, and there is no picture.
-    pub fn of_voxels(mut self) -> Self {
-        if self.status == Status::Device && self.help.as_ref().is_some_and(|help| help.contains("--size")) {
-            self.help =
-                Some("take fewer voxels (--resolution), or another --backend where that allows more".to_owned());
-        }
-        self
+    /// The same, with other advice.
+    pub fn with_help(self, help: &str) -> Self {
+        Self { help: Some(help.to_owned()), ..self }
     }
 
     pub fn status(&self) -> Status {

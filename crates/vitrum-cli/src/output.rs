@@ -51,7 +51,12 @@ pub fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints a JSON value to standard output.
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
-    print(&format!("{value:#}\n"))
+    print(&json(value))
+}
+
+/// A JSON value as it is printed and written.
+pub fn json(value: &serde_json::Value) -> String {
+    format!("{value:#}\n")
 }
 
 /// Prints names and their descriptions in two columns.
@@ -68,4 +73,14 @@ pub fn check_writable(path: &Path) -> Result<(), Failure> {
 /// Writes `text` to `path`, whole or not at all.
 pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     io::write_text(path, text).map_err(|error| Failure::output(&error))
+}
+
+/// Says that a mesh's surface has holes, which its owner may not expect, if rows of voxels are empty for that; `advice` goes on.
+pub fn warn_of_holes(mesh: &str, open_rows: Option<u64>, advice: &str) {
+    if let Some(rows) = open_rows.filter(|&rows| rows > 0) {
+        eprintln!(
+            "warning: {mesh}: {rows} rows of voxels go through holes of the surface and were left empty; `vitrum info` counts open \
+             edges{advice}"
+        );
+    }
 }

@@ -142,7 +142,7 @@ impl Frame {
 }
 
 /// A named output of a frame.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Output {
     /// Its name.
     pub name: &'static str,
@@ -158,6 +158,21 @@ const BOTH: &[Method] = &[Method::Sweep, Method::Voxels];
 
 const fn output(name: &'static str, methods: &'static [Method], description: &'static str) -> Output {
     Output { name, methods, description }
+}
+
+/// The channels of a colour whose components begin at `from`.
+pub(crate) fn rgb(from: usize) -> [(&'static str, usize); 3] {
+    [("R", from), ("G", from + 1), ("B", from + 2)]
+}
+
+/// The channels of a colour and its coverage.
+pub(crate) fn rgba(from: usize) -> [(&'static str, usize); 4] {
+    [("R", from), ("G", from + 1), ("B", from + 2), ("A", from + 3)]
+}
+
+/// The channels of a vector.
+pub(crate) fn xyz(from: usize) -> [(&'static str, usize); 3] {
+    [("X", from), ("Y", from + 1), ("Z", from + 2)]
 }
 
 /// What a pixel of several rays shows of an output.

@@ -1,7 +1,7 @@
 //! A frame of a mesh.
 
 use crate::backend::Backend;
-use crate::frame::{self, Frame, Pixel, Statistics};
+use crate::frame::{self, Frame, Pixel, Statistics, rgb, rgba, xyz};
 use crate::inputs::Inputs;
 use crate::method::voxels::{Rays, Uploaded};
 use crate::render::{Error, Progress};
@@ -65,17 +65,14 @@ pub(crate) fn render(
 fn layers(scene: &Scene, records: &[f32]) -> Vec<Layer> {
     let size = [scene.film.width, scene.film.height];
     let rays = frame::Rays { records, size, edge: scene.film.supersampling };
-    let color = |from: usize| [("R", from), ("G", from + 1), ("B", from + 2)];
-    let vector = |from: usize| [("X", from), ("Y", from + 1), ("Z", from + 2)];
-    let [r, g, b] = color(view::COLOR);
     vec![
-        rays.layer("color", Pixel::Mean, [r, g, b, ("A", view::COLOR + 3)]),
+        rays.layer("color", Pixel::Mean, rgba(view::COLOR)),
         rays.layer("depth", Pixel::Present, [("Z", view::DEPTH)]),
-        rays.layer("direction", Pixel::Direction, vector(view::DIRECTION)),
-        rays.layer("normal", Pixel::Direction, vector(view::NORMAL)),
+        rays.layer("direction", Pixel::Direction, xyz(view::DIRECTION)),
+        rays.layer("normal", Pixel::Direction, xyz(view::NORMAL)),
         rays.layer("bounces", Pixel::Central, [("Y", view::BOUNCES)]),
         rays.layer("path_length", Pixel::Mean, [("Y", view::LENGTH)]),
-        rays.layer("transmittance", Pixel::Mean, color(view::TRANSMITTANCE)),
+        rays.layer("transmittance", Pixel::Mean, rgb(view::TRANSMITTANCE)),
         rays.layer("reflectance", Pixel::Mean, [("Y", view::REFLECTANCE)]),
         rays.layer("status", Pixel::Central, [("Y", view::STATUS)]),
     ]

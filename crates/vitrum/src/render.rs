@@ -1,7 +1,7 @@
 //! From a scene to a frame.
 
 use crate::backend::{Backend, BackendError, KernelTime};
-use crate::frame::{Frame, Pixel, Rays, Statistics};
+use crate::frame::{Frame, Pixel, Rays, Statistics, rgb, rgba, xyz};
 use crate::inputs::Inputs;
 use crate::method::sweep::{self, Sweep};
 use crate::scene::{Method, Scene, SceneError};
@@ -173,16 +173,13 @@ pub(crate) fn develop(
 fn layers(scene: &Scene, records: &[f32]) -> Vec<vitrum_io::Layer> {
     let size = [scene.film.width, scene.film.height];
     let rays = Rays { records, size, edge: scene.film.supersampling };
-    let color = |from: usize| [("R", from), ("G", from + 1), ("B", from + 2)];
-    let vector = |from: usize| [("X", from), ("Y", from + 1), ("Z", from + 2)];
-    let [r, g, b] = color(film::COLOR);
     vec![
-        rays.layer("color", Pixel::Mean, [r, g, b, ("A", film::COLOR + 3)]),
+        rays.layer("color", Pixel::Mean, rgba(film::COLOR)),
         rays.layer("opacity", Pixel::Mean, [("Y", film::OPACITY)]),
-        rays.layer("medium", Pixel::Mean, color(film::MEDIUM)),
+        rays.layer("medium", Pixel::Mean, rgb(film::MEDIUM)),
         rays.layer("depth", Pixel::WeightedBy(film::OPACITY), [("Z", film::DEPTH)]),
-        rays.layer("direction", Pixel::Direction, vector(film::DIRECTION)),
-        rays.layer("position", Pixel::Central, vector(film::POSITION)),
+        rays.layer("direction", Pixel::Direction, xyz(film::DIRECTION)),
+        rays.layer("position", Pixel::Central, xyz(film::POSITION)),
         rays.layer("status", Pixel::Central, [("Y", film::STATUS)]),
     ]
 }

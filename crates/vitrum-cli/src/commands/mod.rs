@@ -25,7 +25,7 @@ pub fn run(command: Command) -> Result<ExitCode, Failure> {
     match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Turntable(arguments) => turntable::run(&arguments),
-        Command::Voxelize(arguments) => voxelize::run(&arguments).map_err(Failure::of_voxels),
+        Command::Voxelize(arguments) => voxelize::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),

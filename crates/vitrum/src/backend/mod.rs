@@ -108,8 +108,8 @@ pub trait Backend {
     /// As [`Self::read`], and [`BackendError::Misuse`] for what lies outside the buffer.
     fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
         let all = self.read(buffer)?;
-        let part = usize::try_from(start).ok().and_then(|start| all.get(start..)?.get(..usize::try_from(bytes).ok()?));
-        part.map(<[u8]>::to_vec).ok_or_else(|| pass::outside(start, bytes, all.len() as u64))
+        pass::check_part(start, bytes, Some(all.len() as u64))?;
+        Ok(all[start as usize..][..bytes as usize].to_vec())
     }
 
     /// The contents of a buffer in words, which is freed: where a backend can, without a copy.

@@ -82,23 +82,19 @@ impl PassList {
     }
 }
 
-/// The error of asking for what lies outside a buffer of `size` bytes.
-pub(super) fn outside(start: u64, bytes: u64, size: u64) -> BackendError {
-    let what = format!("{bytes} bytes from byte {start} on are read of a buffer of {size}");
-    BackendError::Misuse { kernel: "-", what }
+/// Checks that `bytes` bytes from byte `start` on lie inside a buffer of `size` bytes, which is `None` if there is no such buffer.
+pub(super) fn check_part(start: u64, bytes: u64, size: Option<u64>) -> Result<(), BackendError> {
+    if start.checked_add(bytes).zip(size).is_some_and(|(end, size)| end <= size) {
+        return Ok(());
+    }
+    let what = format!("{bytes} bytes from byte {start} on are not inside a buffer of {size:?} bytes");
+    Err(BackendError::Misuse { kernel: "-", what })
 }
 
 impl Write {
     /// Checks that the part lies inside the buffer; `bytes` gives a buffer's size.
     pub(super) fn check(&self, bytes: impl Fn(Buffer) -> Option<u64>) -> Result<(), BackendError> {
-        let end = self.start.saturating_add(self.words as u64).saturating_mul(4);
-        match bytes(self.buffer) {
-            Some(size) if end <= size => Ok(()),
-            size => {
-                let what = format!("words up to byte {end} are written to a buffer of {size:?} bytes");
-                Err(BackendError::Misuse { kernel: "-", what })
-            }
-        }
+        check_part(self.start.saturating_mul(4), self.words as u64 * 4, bytes(self.buffer))
     }
 }
 

@@ -8,7 +8,7 @@ use vitrum::{Frame, Output};
 /// A named output, and the file that it goes to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AovRequest {
-    pub name: &'static str,
+    pub output: &'static Output,
     pub file: PathBuf,
 }
 
@@ -19,8 +19,8 @@ impl FromStr for AovRequest {
         let expected = || "expected NAME=FILE, such as depth=depth.exr".to_owned();
         let (name, file) = text.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(expected)?;
         let names = || Frame::OUTPUTS.iter().map(|output| output.name);
-        match names().find(|&known| known == name) {
-            Some(name) => Ok(Self { name, file: file.into() }),
+        match Frame::OUTPUTS.iter().find(|output| output.name == name) {
+            Some(output) => Ok(Self { output, file: file.into() }),
             None => Err(match nearest(name, names()) {
                 Some(near) => format!("there is no output `{name}`, did you mean `{near}`?"),
                 None => {
@@ -49,7 +49,7 @@ mod tests {
     #[test]
     fn requests_are_a_known_name_and_a_file() {
         let request: AovRequest = "depth=a=b.exr".parse().expect("a file name may hold `=`");
-        assert_eq!((request.name, request.file.to_str()), ("depth", Some("a=b.exr")));
+        assert_eq!((request.output.name, request.file.to_str()), ("depth", Some("a=b.exr")));
         for wrong in ["depth", "depth=", "=a.exr", "colour=a.exr"] {
             assert!(wrong.parse::<AovRequest>().is_err(), "{wrong}");
         }

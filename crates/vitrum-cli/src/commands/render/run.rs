@@ -21,18 +21,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::check()?;
     write_outputs(arguments, &prepared.scene, &frame)?;
     if !arguments.quiet {
-        warn(&arguments.scene.input, &frame.statistics);
+        let advice = ", and `--set voxels.surfaces=exact` shows triangles as they are";
+        output::warn_of_holes(&arguments.scene.input, frame.statistics.open_rows, advice);
         eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
     }
     if arguments.json {
-        output::print(&statistics_json(&frame.statistics))?;
+        output::print_json(&serde_json::to_value(&frame.statistics).unwrap_or_default())?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
 /// The last of `--frames` frames, with the times of all.
 fn render(arguments: &Arguments, prepared: &Prepared, session: &mut Session) -> Result<Frame, Failure> {
-    let wanted = Wanted { light: arguments.aov.iter().any(|aov| aov.name == "light") };
+    let wanted = Wanted { light: arguments.aov.iter().any(|aov| aov.output.name == "light") };
     let bar = Bar::new(arguments.frames, arguments.quiet);
     let mut frame_ms = Vec::new();
     // Only the first frame waits for the volume.
@@ -52,23 +53,6 @@ fn render(arguments: &Arguments, prepared: &Prepared, session: &mut Session) -> 
             return Ok(frame);
         }
     }
-}
-
-/// Says what the user may not have expected.
-fn warn(input: &str, statistics: &Statistics) {
-    if let Some(rows) = statistics.open_rows.filter(|&rows| rows > 0) {
-        eprintln!(
-            "warning: {input}: {rows} rows of voxels go through holes of the surface and were left empty; `vitrum info` counts open \
-             edges, and `--set voxels.surfaces=exact` shows triangles as they are"
-        );
-    }
-}
-
-/// The statistics as `--stats` and `--json` give them.
-pub(super) fn statistics_json(statistics: &Statistics) -> String {
-    // Numbers, texts and lists of them always have a JSON form.
-    let value = serde_json::to_value(statistics).unwrap_or_default();
-    format!("{value:#}\n")
 }
 
 /// Size and time in a line: the median of the frames.

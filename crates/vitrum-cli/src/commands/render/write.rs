@@ -1,7 +1,6 @@
 //! The files that a render leaves.
 
 use super::Arguments;
-use super::run::statistics_json;
 use crate::failure::{Failure, Status};
 use crate::output;
 use std::path::Path;
@@ -30,8 +29,7 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
 /// Whether a frame of the scene has every output that is asked for.
 pub fn check_names(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
     let has = |output: &Output| output.methods.contains(&scene.method);
-    let Some(missing) = arguments.aov.iter().find(|aov| !Frame::OUTPUTS.iter().any(|o| o.name == aov.name && has(o)))
-    else {
+    let Some(missing) = arguments.aov.iter().map(|aov| aov.output).find(|output| !has(output)) else {
         return Ok(());
     };
     let names: Vec<&str> = Frame::OUTPUTS.iter().filter(|output| has(output)).map(|output| output.name).collect();
@@ -49,14 +47,16 @@ pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Res
     // Formats without layers write the first one, the color.
     write(&arguments.output, &frame.picture())?;
     for aov in &arguments.aov {
-        let picture = frame.aov(aov.name).ok_or_else(|| {
-            let message = format!("the frame has no output `{}`", aov.name);
+        let picture = frame.aov(aov.output.name).ok_or_else(|| {
+            let message = format!("the frame has no output `{}`", aov.output.name);
             Failure::new(Status::WrongUse, message, "leave it out")
         })?;
         write(&aov.file, &picture)?;
     }
     match &arguments.stats {
-        Some(file) => output::write_text(file, &statistics_json(&frame.statistics)),
+        Some(file) => {
+            output::write_text(file, &output::json(&serde_json::to_value(&frame.statistics).unwrap_or_default()))
+        }
         None => Ok(()),
     }
 }

@@ -113,10 +113,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let statistics = &voxels.statistics;
     if !arguments.quiet {
         eprintln!("{}: {}", arguments.output.display(), summary(statistics));
-        warn(&mesh, statistics);
+        output::warn_of_holes(&mesh.name, statistics.open_rows, "");
     }
     if arguments.json {
-        output::print(&statistics_json(statistics))?;
+        output::print_json(&serde_json::to_value(statistics).unwrap_or_default())?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -135,7 +135,8 @@ fn run_all(
         let mut voxels = voxelize(mesh, settings, backend, &mut |done, total| {
             bar.set(done, total);
             !interrupt::requested()
-        })?;
+        })
+        .map_err(failure)?;
         times.append(&mut voxels.statistics.voxelize_ms);
         if times.len() >= runs as usize {
             voxels.statistics.voxelize_ms = times;
@@ -144,10 +145,16 @@ fn run_all(
     }
 }
 
-fn statistics_json(statistics: &Statistics) -> String {
-    // Numbers, texts and lists of them always have a JSON form.
-    let value = serde_json::to_value(statistics).unwrap_or_default();
-    format!("{value:#}\n")
+/// There are as many voxels as their resolution makes, and there is no picture that could be smaller.
+fn failure(error: vitrum::Error) -> Failure {
+    use vitrum::backend::BackendError::{OutOfMemory, TooLarge};
+    let too_many = matches!(error, vitrum::Error::Backend(OutOfMemory { .. } | TooLarge { .. }));
+    let failure = Failure::from(error);
+    if too_many {
+        failure.with_help("take fewer voxels (--resolution), or another --backend where that allows more")
+    } else {
+        failure
+    }
 }
 
 fn summary(statistics: &Statistics) -> String {
@@ -163,15 +170,4 @@ fn summary(statistics: &Statistics) -> String {
         None => String::new(),
     };
     format!("{x} x {y} x {z} voxels{surface}{volume}; {triangles} triangles, {items} items, {time}")
-}
-
-/// Says what the user may not have expected.
-fn warn(mesh: &Mesh, statistics: &Statistics) {
-    if let Some(rows) = statistics.open_rows.filter(|&rows| rows > 0) {
-        eprintln!(
-            "warning: {}: {rows} rows of voxels go through holes of the surface and were left empty; `vitrum info` counts \
-             open edges",
-            mesh.name
-        );
-    }
 }

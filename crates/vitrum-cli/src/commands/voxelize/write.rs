@@ -1,6 +1,6 @@
 //! The files that a voxelization leaves.
 
-use super::{Arguments, statistics_json};
+use super::Arguments;
 use crate::failure::{Failure, Status};
 use crate::output;
 use std::path::{Path, PathBuf};
@@ -85,7 +85,9 @@ pub fn write_outputs(arguments: &Arguments, voxels: &Voxelization) -> Result<(),
         (None, None) => {}
     }
     match &arguments.stats {
-        Some(file) => output::write_text(file, &statistics_json(&voxels.statistics)),
+        Some(file) => {
+            output::write_text(file, &output::json(&serde_json::to_value(&voxels.statistics).unwrap_or_default()))
+        }
         None => Ok(()),
     }
 }

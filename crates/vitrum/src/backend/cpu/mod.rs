@@ -3,6 +3,7 @@
 mod chunks;
 mod contents;
 
+use super::pass::check_part;
 use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
 use chunks::{Known, Prepared, follows, most_together, rows};
@@ -165,11 +166,8 @@ impl Backend for CpuBackend {
     ) -> Result<(), BackendError> {
         let contents = self.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own);
         let Contents::Own(contents) = self.buffers[buffer.0].insert(Contents::Own(contents)) else { return Ok(()) };
-        let size = contents.len();
-        let Some(part) = contents.get_mut(..words) else {
-            let what = format!("{words} words are written to a buffer of {size}");
-            return Err(BackendError::Misuse { kernel: "-", what });
-        };
+        check_part(0, words as u64 * 4, Some(contents.len() as u64 * 4))?;
+        let part = &mut contents[..words];
         self.pool.install(|| fill(part));
         Ok(())
     }

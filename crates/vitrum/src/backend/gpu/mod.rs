@@ -227,10 +227,7 @@ impl Backend for GpuBackend {
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError> {
         let target = self.get(buffer)?;
-        if words as u64 * 4 > target.size() {
-            let what = format!("{words} words are written to a buffer of {} bytes", target.size());
-            return Err(BackendError::Misuse { kernel: "-", what });
-        }
+        pass::check_part(0, words as u64 * 4, Some(target.size()))?;
         let mut contents = vec![0; words];
         fill(&mut contents);
         self.opened.queue.write_buffer(target, 0, bytemuck::cast_slice(&contents));
@@ -307,9 +304,7 @@ impl Backend for GpuBackend {
 
     fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
         let source = self.get(buffer)?.clone();
-        if start.checked_add(bytes).is_none_or(|end| end > source.size()) {
-            return Err(pass::outside(start, bytes, source.size()));
-        }
+        pass::check_part(start, bytes, Some(source.size()))?;
         let staging = self.opened.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
             size: bytes,

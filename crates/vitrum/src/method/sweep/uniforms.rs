@@ -12,7 +12,7 @@ use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{View, bounding_sphere, vector};
 use crate::render::Error;
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
-use glam::{DVec4, UVec4};
+use glam::{DVec3, DVec4, UVec4};
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::Vec4;
 
@@ -58,19 +58,36 @@ fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
     (1.5 * distance / f64::from(finest)).ceil().clamp(1.0, 64.0) as u32
 }
 
+/// Where everything is.
+struct Geometry {
+    view: View,
+    /// The unit direction in which light travels.
+    towards: DVec3,
+    planes: Planes,
+    light_grid: LightGrid,
+    receivers: Receivers,
+}
+
+impl Geometry {
+    fn new(scene: &Scene, inputs: &Inputs) -> Result<Self, Error> {
+        let shown = &inputs.volume;
+        let volumes: Vec<_> = std::iter::once(shown).chain(&inputs.ior_volume).collect();
+        let view = View::new(scene, shown);
+        let towards = direction(&scene.light, &view)?;
+        let receivers = Receivers::new(scene, &view, shown);
+        let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
+        let light_grid = LightGrid::new(scene, &view, &volumes, &planes, towards)?;
+        Ok(Self { view, towards, planes, light_grid, receivers })
+    }
+}
+
 /// Whether there are planes and a light grid for a scene of these inputs, and its clips are planes.
 ///
 /// # Errors
 /// [`Error::Scene`] where the light shines towards the camera, or planes or light texels would be too many.
 pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
-    let shown = &inputs.volume;
-    let volumes: Vec<_> = std::iter::once(shown).chain(&inputs.ior_volume).collect();
-    let view = View::new(scene, shown);
-    let towards = direction(&scene.light, &view)?;
-    let receivers = Receivers::new(scene, &view, shown);
-    let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
-    LightGrid::new(scene, &view, &volumes, &planes, towards)?;
-    set_clips(&mut SweepUniforms::default(), scene, &view, shown)
+    let Geometry { view, .. } = Geometry::new(scene, inputs)?;
+    set_clips(&mut SweepUniforms::default(), scene, &view, &inputs.volume)
 }
 
 impl Fixed {
@@ -78,12 +95,7 @@ impl Fixed {
     pub(super) fn new(scene: &Scene, inputs: &Inputs, format: u32) -> Result<Self, Error> {
         let shown = &inputs.volume;
         let bending = inputs.ior_volume.as_ref();
-        let volumes: Vec<_> = std::iter::once(shown).chain(bending).collect();
-        let view = View::new(scene, shown);
-        let towards = direction(&scene.light, &view)?;
-        let receivers = Receivers::new(scene, &view, shown);
-        let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
-        let light_grid = LightGrid::new(scene, &view, &volumes, &planes, towards)?;
+        let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, inputs)?;
         let tables = Tables::new(&scene.transfer, scene.sweep.refraction, shown, bending.unwrap_or(shown));
         let environment = Prepared::new(&scene.environment, inputs.environment.as_ref(), &view);
         let supersampling = scene.film.supersampling;
