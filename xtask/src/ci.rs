@@ -47,12 +47,12 @@ impl Step {
         let whole = match self {
             Self::Fmt => run_command(&mut cargo(["fmt", "--all", "--check"])),
             Self::Clippy => for_all_packages(|selection| {
-                let mut command = cargo(["clippy", "--all-targets"]);
+                let mut command = cargo(["clippy", "--release", "--all-targets"]);
                 command.args(selection).args(["--", "-D", "warnings"]);
                 run_command(&mut command)
             }),
             Self::Doc => for_all_packages(|selection| {
-                let mut command = cargo(["doc", "--no-deps"]);
+                let mut command = cargo(["doc", "--release", "--no-deps"]);
                 run_command(command.args(selection).env("RUSTDOCFLAGS", "-D warnings"))
             }),
             Self::Test => test::run(&test::Arguments::default()),
@@ -64,10 +64,11 @@ impl Step {
     }
 }
 
-/// Applies a cargo command to the workspace, and to the shader compiler the way [`shaders`] builds it.
+/// Applies a cargo command to the workspace, and to the shader compiler the way [`shaders`] builds it: by itself. The
+/// commands are of the release profile, which shares build scripts and their C++ with the tests.
 fn for_all_packages(command: impl Fn(&[&str]) -> Result<(), Failure>) -> Result<(), Failure> {
     command(&["--workspace", "--exclude", COMPILER])?;
-    command(&["--release", "--package", COMPILER])
+    command(&["--package", COMPILER])
 }
 
 /// Runs all steps, also after one has failed.
