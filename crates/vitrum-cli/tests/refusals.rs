@@ -53,6 +53,7 @@ fn wrong_flags_exit_2() {
         (&["--aov", "dept=d.exr"], &["no output `dept`", "did you mean `depth`?"]),
         (&["--aov", "depth"], &["NAME=FILE"]),
         (&["--aov", "depth=out.png"], &["out.png", "two outputs"]),
+        (&["--aov", "direction=d.png"], &["d.png", "`direction` is a vector", "write it to .exr or .tif"]),
         (&["--frames", "0"], &["0 is not in 1.."]),
         (&["--threads", "0"], &["0 is not in 1.."]),
         (&["--backend", "tpu"], &["tpu", "auto, cpu, gpu"]),

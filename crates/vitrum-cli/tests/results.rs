@@ -289,11 +289,11 @@ fn a_turntable_makes_films() {
     folder.succeed(&[&TURN[..], &["-o", "turn.gif", "--rate", "10"]].concat());
     folder.succeed(&[&TURN[..], &["-o", "turn.png", "--turn", "-90"]].concat());
     assert_eq!(folder.names(), ["turn.gif", "turn.png"], "nothing else is left");
-    let bytes = fs::read(folder.file("turn.gif")).expect("a film");
+    let bytes = fs::read(folder.file("turn.gif")).expect("an animation");
     assert!(bytes.starts_with(b"GIF89a") && bytes.ends_with(b";"));
     // Each frame has a graphic control extension, here of a tenth of a second.
     assert_eq!(bytes.windows(6).filter(|window| window[..3] == [0x21, 0xf9, 4] && window[4..] == [10, 0]).count(), 3);
-    let bytes = fs::read(folder.file("turn.png")).expect("a film");
+    let bytes = fs::read(folder.file("turn.png")).expect("an animation");
     let chunks = |name: &[u8; 4]| bytes.windows(4).filter(|window| *window == name).count();
     assert_eq!((chunks(b"acTL"), chunks(b"fcTL"), chunks(b"fdAT"), chunks(b"IEND")), (1, 3, 2, 1));
 }
@@ -302,7 +302,7 @@ fn a_turntable_makes_films() {
 fn a_turntable_says_what_it_cannot_do() {
     let folder = Folder::new();
     for (more, expected) in [
-        (&["-o", "turn.avi"][..], "no known film format"),
+        (&["-o", "turn.avi"][..], "no known animation format"),
         (&["-o", "turn.gif", "--resume"], "cannot be resumed"),
         (&["-o", "turn", "--set", "camera.position=[0, -5, 0]"], "camera.position"),
     ] {

@@ -159,7 +159,7 @@ fn signals_in_the_middle_of_a_film_leave_what_was_there() {
         // Nothing can clean up behind a program that was killed; the next one is not in its way.
         assert_eq!(parts(&folder), left, "{signal}");
         folder.succeed(&arguments("turntable", &["-o", "out.png", "--frames", "2"]));
-        assert!(fs::read(folder.file("out.png")).expect("a film").starts_with(b"\x89PNG"));
+        assert!(fs::read(folder.file("out.png")).expect("an animation").starts_with(b"\x89PNG"));
     }
 }
 
@@ -239,9 +239,10 @@ fn a_second_signal_ends_what_does_not_come_to_look() {
     fs::set_permissions(folder.file("programs/ffmpeg"), all).expect("it is ours");
     let mut command = Command::new(env!("CARGO_BIN_EXE_vitrum"));
     // A frame is larger than what a pipe holds.
-    let film = [&["turntable"], &SMALL[..3], &["--size", "256x128", "--backend", "cpu", "-o", "out.mp4"], &ENDLESS];
-    let film = film.concat();
-    command.args(film).current_dir(folder.path()).env("PATH", folder.file("programs")).stderr(Stdio::piped());
+    let animation =
+        [&["turntable"], &SMALL[..3], &["--size", "256x128", "--backend", "cpu", "-o", "out.mp4"], &ENDLESS];
+    let animation = animation.concat();
+    command.args(animation).current_dir(folder.path()).env("PATH", folder.file("programs")).stderr(Stdio::piped());
     let child = command.spawn().expect("the program starts");
     wait_until(|| folder.file("started").exists());
     // Long enough for the first frame to be on its way; where it is not yet, the first signal ends the program.

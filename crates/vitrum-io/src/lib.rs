@@ -56,8 +56,8 @@ mod vtk;
 pub use beside::{check_text_writable, write_text};
 pub use error::{Error, Place};
 pub use image::{
-    Animation, Channel, Layer, Picture, WriteOptions, check_writable, linear_to_srgb, read_picture, read_picture_with,
-    srgb_to_linear, write_picture, write_picture_with,
+    Animation, Channel, Layer, Picture, WriteOptions, check_holds_vectors, check_writable, linear_to_srgb,
+    read_picture, read_picture_with, srgb_to_linear, write_picture, write_picture_with,
 };
 pub use input::{Input, STANDARD_INPUT};
 pub use memory::require_memory;

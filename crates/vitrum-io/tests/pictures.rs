@@ -274,14 +274,14 @@ fn unreadable_pictures_say_why() {
 #[test]
 fn gif_films_keep_their_rate() {
     let folder = Folder::new();
-    let path = folder.path("film.gif");
+    let path = folder.path("animation.gif");
     let picture = Picture::rgb(WIDTH, HEIGHT, pixels());
-    // Within half of a hundredth of a second each frame begins when it should, however long the film is.
+    // Within half of a hundredth of a second each frame begins when it should, however long the animation is.
     for rate in [1, 12, 24, 30, 40, 50] {
         let frames = 3 * rate + 1;
-        let mut film = Animation::create(&path, [WIDTH, HEIGHT], frames, rate as u16).unwrap();
-        (0..frames).for_each(|_| film.push(&picture).unwrap());
-        film.finish().unwrap();
+        let mut animation = Animation::create(&path, [WIDTH, HEIGHT], frames, rate as u16).unwrap();
+        (0..frames).for_each(|_| animation.push(&picture).unwrap());
+        animation.finish().unwrap();
         let mut decoder = gif::DecodeOptions::new().read_info(fs::File::open(&path).unwrap()).unwrap();
         let mut begin = 0;
         let mut counted = 0;
@@ -297,5 +297,5 @@ fn gif_films_keep_their_rate() {
     let error =
         Animation::create(&path, [WIDTH, HEIGHT], 2, 51).err().map(|error| error.to_string()).unwrap_or_default();
     assert!(error.contains("51 frames a second are too many for GIF; choose at most 50"), "{error}");
-    Animation::create(&folder.path("film.png"), [WIDTH, HEIGHT], 2, 60).unwrap();
+    Animation::create(&folder.path("animation.png"), [WIDTH, HEIGHT], 2, 60).unwrap();
 }

@@ -96,14 +96,14 @@ impl Frame {
             BOTH,
             "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque; of a mesh that of the first surface",
         ),
-        output("direction", BOTH, "final unit direction of the ray in view space (looking along -z)"),
-        output("position", SWEEP, "final position of the ray in view space, world units"),
+        vector("direction", BOTH, "final unit direction of the ray in view space (looking along -z)"),
+        vector("position", SWEEP, "final position of the ray in view space, world units"),
         output(
             "status",
             BOTH,
             "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed; through a mesh: 1 it left, 2 it was still inside, 3 it met an opaque body or a receiver",
         ),
-        output("normal", VOXELS, "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
+        vector("normal", VOXELS, "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
         output("bounces", VOXELS, "of a mesh: surfaces at which the ray was refracted or reflected"),
         output("path_length", VOXELS, "of a mesh: length of the ray's way inside, world units"),
         output("transmittance", VOXELS, "of a mesh: what absorption and reflection leave of the light, RGB, 0 to 1"),
@@ -150,6 +150,8 @@ pub struct Output {
     pub methods: &'static [Method],
     /// What it is, with its unit and range.
     pub description: &'static str,
+    /// Whether it holds vectors, which may be negative.
+    pub is_vector: bool,
 }
 
 const SWEEP: &[Method] = &[Method::Sweep];
@@ -157,7 +159,11 @@ const VOXELS: &[Method] = &[Method::Voxels];
 const BOTH: &[Method] = &[Method::Sweep, Method::Voxels];
 
 const fn output(name: &'static str, methods: &'static [Method], description: &'static str) -> Output {
-    Output { name, methods, description }
+    Output { name, methods, description, is_vector: false }
+}
+
+const fn vector(name: &'static str, methods: &'static [Method], description: &'static str) -> Output {
+    Output { name, methods, description, is_vector: true }
 }
 
 /// The channels of a colour whose components begin at `from`.

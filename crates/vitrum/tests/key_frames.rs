@@ -75,8 +75,8 @@ fn mistakes_name_the_line_and_what_to_do() {
         (format!("{first}[[key]]\nframe = 1\ntime = 1\n"), 4, &["`frame` or `time`"]),
         (format!("{first}[[key]]\nframe = -1\n"), 4, &["frame -1"]),
         (format!("{first}[[key]]\ntime = nan\n"), 4, &["frame NaN"]),
-        ("[[key]]\nframe = 0\nfilm.width = 9\n".to_owned(), 3, &["same for the whole film", "--size"]),
-        ("[[key]]\nframe = 0\nvolume.file = \"a.nrrd\"\n".to_owned(), 3, &["same for the whole film"]),
+        ("[[key]]\nframe = 0\nfilm.width = 9\n".to_owned(), 3, &["same for the whole animation", "--size"]),
+        ("[[key]]\nframe = 0\nvolume.file = \"a.nrrd\"\n".to_owned(), 3, &["same for the whole animation"]),
         (
             "[[key]]\nframe = 0\ntransfer.ior = []\n[[key]]\nframe = 1\ntransfer.ior = [{ value = 0, ior = 1 }]\n"
                 .to_owned(),

@@ -27,6 +27,10 @@ fn frames_have_the_outputs_that_are_listed() {
         listed.sort_unstable();
         found.sort_unstable();
         assert_eq!(found, listed, "{name}");
+        for layer in &frame.layers {
+            let output = Frame::OUTPUTS.iter().find(|output| output.name == layer.name).expect("it is listed");
+            assert_eq!(layer.is_vector(), output.is_vector, "{name}: {}", layer.name);
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Films: GIF, APNG and MP4, frame by frame, beside their path and renamed when whole.
+//! Animations: GIF, APNG and MP4, frame by frame, beside their path and renamed when whole.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -19,10 +19,10 @@ use crate::temporary::Temporary;
 /// How well GIF's 256 colours are chosen: 1 best, 30 fastest.
 const GIF_SPEED: i32 = 10;
 
-/// GIF counts in hundredths of a second, and programs that show films slow down what has fewer than two.
+/// GIF counts in hundredths of a second, and programs that show animations slow down what has fewer than two.
 const MOST_GIF_RATE: u16 = 50;
 
-/// A film that repeats for ever, as it is written.
+/// An animation that repeats for ever, as it is written.
 pub struct Animation {
     path: PathBuf,
     beside: Temporary,
@@ -40,9 +40,9 @@ enum Encoder {
 }
 
 impl Animation {
-    /// Begins a film of `frames` frames of `size` pixels at `rate` frames a second: a GIF (`.gif`), an animated PNG (`.png`,
+    /// Begins an animation of `frames` frames of `size` pixels at `rate` frames a second: a GIF (`.gif`), an animated PNG (`.png`,
     /// `.apng`), or an MP4 (`.mp4`) where the program ffmpeg is installed. The frames of a GIF last whole hundredths of a second,
-    /// which differ by one where the rate does not divide 100, so that the film as a whole keeps it.
+    /// which differ by one where the rate does not divide 100, so that the animation as a whole keeps it.
     ///
     /// # Errors
     ///
@@ -70,7 +70,7 @@ impl Animation {
             "png" | "apng" => sink().and_then(|sink| begin_png(sink, size, frames, rate)),
             "mp4" => Ok(Encoder::Video(Video::begin(report, beside.path(), size, rate.max(1))?)),
             _ => {
-                let found = format!("`.{extension}` is no known film format");
+                let found = format!("`.{extension}` is no known animation format");
                 return Err(report.unsupported(Place::File, found, "use .gif, .png (animated), .mp4 or a folder"));
             }
         };
@@ -108,7 +108,7 @@ impl Animation {
         written.map_err(|error| failed(report, error))
     }
 
-    /// Ends the film and puts it in its place.
+    /// Ends the animation and puts it in its place.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! MP4 films: raw frames into ffmpeg, which has to be installed.
+//! MP4 animations: raw frames into ffmpeg, which has to be installed.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, Write};
@@ -62,7 +62,7 @@ impl Video {
         }
     }
 
-    /// Ends the film.
+    /// Ends the animation.
     pub fn end(&mut self) -> io::Result<()> {
         self.frames = None;
         let status = self.child.wait()?;

@@ -82,7 +82,9 @@ pub fn write_picture_with(
     let format = format(report, path)?;
     check_options(report, *options)?;
     check_picture(report, picture)?;
-    check_signs(report, picture, format)?;
+    if let Some(layer) = picture.layers.first().filter(|layer| layer.is_vector()) {
+        check_signs(report, &layer.name, format)?;
+    }
     check_metadata(report, metadata)?;
     write_whole(report, path, |sink| (format.encode)(sink, picture, metadata, *options))
 }
@@ -100,6 +102,17 @@ pub fn check_writable(path: &Path) -> Result<(), Error> {
     let report = Report::new(&name);
     format(report, path)?;
     create_beside(report, path).map(drop)
+}
+
+/// Whether a vector called `name` can be written in the format that the extension of `path` names.
+///
+/// # Errors
+///
+/// [`Error::Unsupported`] where the extension is unknown, [`Error::Write`] where the format holds no negative values.
+pub fn check_holds_vectors(path: &Path, name: &str) -> Result<(), Error> {
+    let shown = display_name(path);
+    let report = Report::new(&shown);
+    check_signs(report, name, format(report, path)?)
 }
 
 fn format(report: Report, path: &Path) -> Result<&'static Format, Error> {
@@ -167,14 +180,12 @@ fn check_picture(report: Report, picture: &Picture) -> Result<(), Error> {
 }
 
 /// Half of a vector's values would be lost without a word where there are no negative ones.
-fn check_signs(report: Report, picture: &Picture, format: &Format) -> Result<(), Error> {
-    match picture.layers.first() {
-        Some(layer) if layer.is_vector() && !format.signed => {
-            let problem = format!("`{}` is a vector, and this format holds no negative values", layer.name);
-            Err(report.write(problem, "write it to .exr or .tif", None))
-        }
-        _ => Ok(()),
+fn check_signs(report: Report, name: &str, format: &Format) -> Result<(), Error> {
+    if format.signed {
+        return Ok(());
     }
+    let problem = format!("`{name}` is a vector, and this format holds no negative values");
+    Err(report.write(problem, "write it to .exr or .tif", None))
 }
 
 /// Keys that every format takes: PNG's limits are the tightest.

@@ -4,7 +4,7 @@ use super::Arguments;
 use crate::failure::{Failure, Status};
 use crate::output;
 use std::path::Path;
-use vitrum::io::{Picture, check_writable, write_picture_with};
+use vitrum::io::{Picture, check_holds_vectors, check_writable, write_picture_with};
 use vitrum::scene::Scene;
 use vitrum::{Frame, Output, Statistics};
 
@@ -22,6 +22,9 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
     arguments.bits.check(pictures.clone().map(|file| file.as_path()))?;
     for file in pictures {
         check_writable(file).map_err(|error| Failure::output(&error))?;
+    }
+    for aov in arguments.aov.iter().filter(|aov| aov.output.is_vector) {
+        check_holds_vectors(&aov.file, aov.output.name).map_err(|error| Failure::output(&error))?;
     }
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)
 }

@@ -10,7 +10,7 @@ use vitrum::scene::{KeyFrames, Scene};
 /// Pictures of a whole turn.
 const TURN: u32 = 72;
 
-/// What the scene does over the film.
+/// What the scene does over the animation.
 pub struct Course {
     start: Scene,
     frames: u32,
@@ -30,7 +30,7 @@ pub fn read_keys(path: &Path, rate: u16) -> Result<KeyFrames, Failure> {
 }
 
 impl Course {
-    /// Fails where a frame has no valid scene of these inputs, so that no film breaks off at it.
+    /// Fails where a frame has no valid scene of these inputs, so that no animation breaks off at it.
     pub fn new(arguments: &Arguments, start: Scene, inputs: &Inputs, keys: Option<KeyFrames>) -> Result<Self, Failure> {
         let (motion, frames) = match keys {
             Some(keys) => {
@@ -52,7 +52,7 @@ impl Course {
         Ok(course)
     }
 
-    /// The scene that the film is made of, whose size all frames have.
+    /// The scene that the animation is made of, whose size all frames have.
     pub fn start(&self) -> &Scene {
         &self.start
     }

@@ -1,4 +1,4 @@
-//! `vitrum turntable`: a film of the camera going round, or along key frames.
+//! `vitrum turntable`: an animation of the camera going round, or along key frames.
 
 mod course;
 mod target;
@@ -16,13 +16,13 @@ use std::process::ExitCode;
 use target::Target;
 use vitrum::Wanted;
 
-/// Render a film of the camera going round, or of a scene that changes along key frames
+/// Render an animation of the camera going round, or of a scene that changes along key frames
 #[derive(Debug, Args)]
 pub struct Arguments {
     #[command(flatten)]
     pub scene: SceneArguments,
 
-    /// A folder for numbered pictures, which is made if it is missing, or a film: .gif, .png (animated) or .mp4 (by ffmpeg)
+    /// A folder for numbered pictures, which is made if it is missing, or an animation: .gif, .png (animated) or .mp4 (by ffmpeg)
     #[arg(short, long, value_name = "FOLDER|FILE")]
     pub output: PathBuf,
 
@@ -50,8 +50,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE.toml")]
     pub keys: Option<PathBuf>,
 
-    /// Pictures a second in a film
-    #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u16).range(1..=50))]
+    /// Pictures a second in an animation
+    #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u16).range(1..=240))]
     pub rate: u16,
 
     /// Bits per channel of the pictures in a folder
@@ -62,7 +62,7 @@ pub struct Arguments {
     #[arg(long)]
     pub resume: bool,
 
-    /// End with exit code 124 when it takes longer; a film is not written then
+    /// End with exit code 124 when it takes longer; an animation is not written then
     #[arg(long, value_name = "SECONDS")]
     pub timeout: Option<Timeout>,
 

@@ -1,4 +1,4 @@
-//! Where pictures go: a folder, or a film.
+//! Where pictures go: a folder, or an animation.
 
 use super::Arguments;
 use crate::failure::{Failure, Status};
@@ -10,7 +10,7 @@ use vitrum::scene::Scene;
 
 pub enum Target<'a> {
     Folder(&'a Path, WriteOptions),
-    Film(Box<Animation>),
+    Animation(Box<Animation>),
 }
 
 impl<'a> Target<'a> {
@@ -19,14 +19,14 @@ impl<'a> Target<'a> {
         if path.extension().is_some() && !path.is_dir() {
             let refuse = |message: &str, help: &str| Err(Failure::new(Status::WrongUse, message, help));
             if arguments.resume {
-                return refuse("a film cannot be resumed", "write to a folder, or leave out --resume");
+                return refuse("an animation cannot be resumed", "write to a folder, or leave out --resume");
             }
             if arguments.bits != Bits::Eight {
-                return refuse("a film has 8 bits per channel", "write to a folder, or leave out --bits");
+                return refuse("an animation has 8 bits per channel", "write to a folder, or leave out --bits");
             }
             let size = [scene.film.width, scene.film.height];
-            let film = Animation::create(path, size, frames, arguments.rate);
-            return Ok(Self::Film(Box::new(film.map_err(|error| Failure::output(&error))?)));
+            let animation = Animation::create(path, size, frames, arguments.rate);
+            return Ok(Self::Animation(Box::new(animation.map_err(|error| Failure::output(&error))?)));
         }
         fs::create_dir_all(path).map_err(|error| {
             let message = format!("{}: the folder cannot be made: {error}", path.display());
@@ -39,14 +39,14 @@ impl<'a> Target<'a> {
     pub fn file(&self, index: u32) -> Option<PathBuf> {
         match self {
             Self::Folder(folder, _) => Some(folder.join(format!("frame-{index:05}.png"))),
-            Self::Film(_) => None,
+            Self::Animation(_) => None,
         }
     }
 
     pub fn add(&mut self, index: u32, picture: &Picture) -> Result<(), Failure> {
         let written = match (self.file(index), self) {
             (Some(file), Self::Folder(_, options)) => write_picture_with(&file, picture, &[], options),
-            (_, Self::Film(film)) => film.push(picture),
+            (_, Self::Animation(animation)) => animation.push(picture),
             (None, Self::Folder(..)) => Ok(()),
         };
         written.map_err(|error| Failure::output(&error))
@@ -55,7 +55,7 @@ impl<'a> Target<'a> {
     pub fn finish(self) -> Result<(), Failure> {
         match self {
             Self::Folder(..) => Ok(()),
-            Self::Film(film) => film.finish().map_err(|error| Failure::output(&error)),
+            Self::Animation(animation) => animation.finish().map_err(|error| Failure::output(&error)),
         }
     }
 }

@@ -9,7 +9,7 @@ use super::value;
 use super::{Course, KeyFrames, Track};
 use toml::{Table, Value};
 
-/// What the whole film shares, since it is read once or gives the pictures their size.
+/// What the whole animation shares, since it is read once or gives the pictures their size.
 const FIXED: [&str; 11] = [
     "method",
     "volume",
@@ -24,7 +24,7 @@ const FIXED: [&str; 11] = [
     "film.height",
 ];
 
-/// Most frames of a film.
+/// Most frames of an animation.
 const MOST_FRAMES: f64 = 100_000.0;
 
 /// A value of a key, where it was written.
@@ -60,7 +60,7 @@ impl KeyFrames {
     /// # Errors
     ///
     /// Where the text is not TOML; where a key frame has no frame or time, or not a later one than that before; where a key is
-    /// unknown, its value is not valid in a scene, or it cannot change during a film. The error names the line.
+    /// unknown, its value is not valid in a scene, or it cannot change during an animation. The error names the line.
     pub fn from_toml(text: &str, name: &str, rate: f64) -> Result<Self, SceneError> {
         let at_line = |line| Origin::File { name: name.to_owned(), line };
         let table: Table = toml::from_str(text).map_err(|error: toml::de::Error| SceneError {
@@ -140,7 +140,7 @@ fn gather(
 ) -> Result<(), Fault> {
     let written = || [place, key.as_slice()].concat();
     if FIXED.contains(&key.join(".").as_str()) {
-        let problem = "this is the same for the whole film";
+        let problem = "this is the same for the whole animation";
         return Err(Fault::contradiction(&written().join("."), problem, "set it in the scene, or by --set or --size"));
     }
     match (shape.kind(), value) {

@@ -1,4 +1,4 @@
-//! Films: key frames, MP4 and finer pictures.
+//! Animations: key frames, MP4 and finer pictures.
 
 mod common;
 
@@ -21,38 +21,42 @@ fn key_frames_make_the_pictures_that_settings_make() {
         "keys.toml",
         "[[key]]\nframe = 0\ncamera.azimuth = 10\nlight.softness = 0\n[[key]]\ntime = 0.5\ncamera.azimuth = 50\nlight.softness = 4\n",
     );
-    folder.succeed(&turn(&["-o", "film", "--keys", "keys.toml", "--rate", "8"]));
-    assert_eq!(fs::read_dir(folder.file("film")).expect("a folder").count(), 5, "frames 0 to 4");
+    folder.succeed(&turn(&["-o", "animation", "--keys", "keys.toml", "--rate", "8"]));
+    assert_eq!(fs::read_dir(folder.file("animation")).expect("a folder").count(), 5, "frames 0 to 4");
     let render = [&["render"], &TURN[1..]].concat();
     for (frame, azimuth, softness) in [(0, 10, 0), (2, 30, 2), (4, 50, 4)] {
         let settings = [format!("camera.azimuth={azimuth}"), format!("light.softness={softness}")];
         folder.succeed(&[&render[..], &["-o", "still.png", "--set", &settings[0], "--set", &settings[1]]].concat());
-        let film = read_picture(&folder.file(&format!("film/frame-0000{frame}.png"))).expect("a picture");
-        assert_eq!(film.color(), read_picture(&folder.file("still.png")).expect("a picture").color(), "frame {frame}");
+        let animation = read_picture(&folder.file(&format!("animation/frame-0000{frame}.png"))).expect("a picture");
+        assert_eq!(
+            animation.color(),
+            read_picture(&folder.file("still.png")).expect("a picture").color(),
+            "frame {frame}"
+        );
     }
     // Fewer frames are its beginning, and more rest at its end.
     folder.succeed(&turn(&["-o", "long", "--keys", "keys.toml", "--rate", "8", "--frames", "7"]));
     let picture = |name: &str| fs::read(folder.file(name)).expect("a picture");
-    assert_eq!(picture("long/frame-00006.png"), picture("film/frame-00004.png"));
+    assert_eq!(picture("long/frame-00006.png"), picture("animation/frame-00004.png"));
 }
 
 #[test]
 fn wrong_key_frames_are_refused_before_any_work() {
     let folder = Folder::new();
     let keys = |text: &str| folder.write("keys.toml", text);
-    let film = turn(&["-o", "film.gif", "--keys", "keys.toml"]);
-    folder.refuse(&film, 3, &["keys.toml", "cannot be read"]);
+    let animation = turn(&["-o", "animation.gif", "--keys", "keys.toml"]);
+    folder.refuse(&animation, 3, &["keys.toml", "cannot be read"]);
     keys("[[key]]\nframe = 0\ncamera.azimut = 1\n");
-    folder.refuse(&film, 3, &["keys.toml, line 3", "camera.azimut", "did you mean `camera.azimuth`?"]);
+    folder.refuse(&animation, 3, &["keys.toml, line 3", "camera.azimut", "did you mean `camera.azimuth`?"]);
     keys("[[key]]\nframe = 0\nfilm.width = 1\n");
-    folder.refuse(&film, 3, &["keys.toml, line 3", "the same for the whole film"]);
+    folder.refuse(&animation, 3, &["keys.toml, line 3", "the same for the whole animation"]);
     // Only one frame of many has no scene.
     keys("[[key]]\nframe = 0\ncamera.up = [0, 0, 1]\n[[key]]\nframe = 8\ncamera.up = [0, 0, -1]\n");
-    folder.refuse(&film, 3, &["keys.toml, frame 4", "camera.up"]);
+    folder.refuse(&animation, 3, &["keys.toml, frame 4", "camera.up"]);
     keys("[[key]]\nframe = 0\ncamera.azimuth = 1\n");
-    folder.refuse(&[&film[..], &["--turn", "90"]].concat(), 2, &["--turn", "--keys"]);
+    folder.refuse(&[&animation[..], &["--turn", "90"]].concat(), 2, &["--turn", "--keys"]);
     folder.write("keys.toml", b"\xff");
-    folder.refuse(&film, 3, &["keys.toml", "UTF-8"]);
+    folder.refuse(&animation, 3, &["keys.toml", "UTF-8"]);
 }
 
 /// Seen from the other side, light that stays in the world shines towards the camera.
@@ -60,8 +64,8 @@ fn wrong_key_frames_are_refused_before_any_work() {
 fn a_film_that_would_break_off_is_refused_before_its_first_frame() {
     let folder = Folder::new();
     let turning = ["builtin:ball", "--set", "light.attachment=world", "--set", "light.azimuth=0", "--frames", "12"];
-    let film = [&["turntable"][..], &turning, &["-o", "film"]].concat();
-    folder.refuse(&film, 3, &["frame 4 of 12", "85"]);
+    let animation = [&["turntable"][..], &turning, &["-o", "animation"]].concat();
+    folder.refuse(&animation, 3, &["frame 4 of 12", "85"]);
     folder.refuse(&["scene", "builtin:ball", "--set", "light.azimuth=180"], 3, &["85", "light.azimuth"]);
 }
 
@@ -70,12 +74,12 @@ fn finer_pictures_have_16_bits() {
     let folder = Folder::new();
     // Bits per channel are the ninth byte of the first chunk's content.
     let bits = |name: &str| fs::read(folder.file(name)).expect("a picture")[24];
-    folder.succeed(&turn(&["-o", "film", "--frames", "1", "--bits", "16"]));
+    folder.succeed(&turn(&["-o", "animation", "--frames", "1", "--bits", "16"]));
     let render = [&["render"], &TURN[1..]].concat();
     folder.succeed(&[&render[..], &["-o", "a.exr", "--bits", "16", "--aov", "opacity=a.png"]].concat());
     folder.succeed(&[&render[..], &["-o", "b.png", "--bits", "16"]].concat());
     folder.succeed(&[&render[..], &["-o", "c.png"]].concat());
-    assert_eq!(["film/frame-00000.png", "a.png", "b.png", "c.png"].map(bits), [16, 16, 16, 8]);
+    assert_eq!(["animation/frame-00000.png", "a.png", "b.png", "c.png"].map(bits), [16, 16, 16, 8]);
     // A gradient has more values than 8 bits tell apart.
     let values = |name: &str| {
         let picture = read_picture(&folder.file(name)).expect("a picture");
@@ -87,7 +91,8 @@ fn finer_pictures_have_16_bits() {
     assert!(values("b.png") > 256 && values("c.png") <= 256);
     folder.refuse(&[&render[..], &["-o", "d.exr", "--bits", "16"]].concat(), 2, &["--bits 16", "PNG"]);
     folder.refuse(&[&render[..], &["-o", "d.png", "--bits", "12"]].concat(), 2, &["--bits", "12"]);
-    folder.refuse(&turn(&["-o", "film.gif", "--bits", "16"]), 2, &["8 bits per channel"]);
+    folder.refuse(&turn(&["-o", "animation.gif", "--bits", "16"]), 2, &["8 bits per channel"]);
+    folder.refuse(&turn(&["-o", "animation.gif", "--rate", "60"]), 2, &["60 frames a second", "at most 50"]);
 }
 
 #[cfg(unix)]
@@ -128,7 +133,7 @@ fn mp4_goes_through_ffmpeg() {
     let recorder = "for last; do :; done; file=${last#file:}\necho \"$@\" > arguments\nexec /bin/cat > \"$file\"";
     let (code, message) = with_ffmpeg(Some(recorder));
     assert_eq!(code, Some(0), "{message}");
-    let frames = fs::read(folder.file("out.mp4")).expect("a film");
+    let frames = fs::read(folder.file("out.mp4")).expect("an animation");
     assert_eq!(frames.len(), 3 * 33 * 24 * 4);
     let asked = fs::read_to_string(folder.file("arguments")).expect("they were recorded");
     for word in ["-f rawvideo", "-pixel_format rgba", "-video_size 33x24", "-framerate 12", "-f mp4", "yuv420p"] {
