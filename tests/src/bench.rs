@@ -4,8 +4,9 @@
 //! frame spread that over all of them. A backend is timed after its picture was found right.
 
 use vitrum::Frame;
-use vitrum::backend::Backend;
+use vitrum::backend::{Backend, CpuBackend};
 use vitrum_compare::Verdict;
+use vitrum_kernels::kernel::InstructionSet;
 
 use crate::Failure;
 use crate::bounds;
@@ -21,6 +22,28 @@ pub struct Contender {
     pub backend: Box<dyn Backend>,
     /// The worker threads it was given, if it has any.
     pub threads: Option<usize>,
+    /// What it was compiled for, where that is compared.
+    pub build: Option<InstructionSet>,
+}
+
+impl Contender {
+    /// The CPU with so many threads.
+    ///
+    /// # Errors
+    /// If they cannot be started.
+    pub fn cpu(threads: usize) -> Result<Self, Failure> {
+        let backend = Box::new(CpuBackend::new(Some(threads))?);
+        Ok(Self { backend, threads: Some(threads), build: None })
+    }
+
+    /// The CPU's build for an instruction set that the machine has.
+    ///
+    /// # Errors
+    /// If threads cannot be started.
+    pub fn build(threads: usize, set: InstructionSet) -> Result<Self, Failure> {
+        let backend = Box::new(CpuBackend::with_instruction_set(Some(threads), set)?);
+        Ok(Self { backend, threads: Some(threads), build: Some(set) })
+    }
 }
 
 /// What was measured of one backend on one case.
@@ -96,7 +119,10 @@ impl Timing {
             planes: statistics.planes,
             light_texels: statistics.light_texels,
             rays: u64::from(statistics.width) * u64::from(statistics.height) * supersampling * supersampling,
-            backend: statistics.backend.clone(),
+            backend: match contender.build {
+                Some(set) => format!("{}, {set:?}", statistics.backend),
+                None => statistics.backend.clone(),
+            },
             threads: contender.threads,
             verdict,
             frame_ms: Vec::new(),
@@ -169,7 +195,6 @@ pub(crate) fn median(values: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vitrum::backend::CpuBackend;
 
     #[test]
     fn medians_are_those_of_the_textbook() {
@@ -180,10 +205,7 @@ mod tests {
 
     #[test]
     fn two_backends_are_timed_against_each_other() {
-        let cpu = |threads| {
-            let backend = CpuBackend::new(Some(threads)).expect("threads start");
-            Contender { backend: Box::new(backend), threads: Some(threads) }
-        };
+        let cpu = |threads| Contender::cpu(threads).expect("threads start");
         let case = Case::builtin("ball", 24, Some(16), &[]).unwrap();
         let timings = measure(&case, &mut [cpu(1), cpu(2)], 2).unwrap();
         assert!(timings.iter().all(|timing| timing.passed() && timing.frame_ms.len() == 2));

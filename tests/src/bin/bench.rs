@@ -4,13 +4,14 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use vitrum::backend::{Backend, CpuBackend};
+use vitrum::backend::CpuBackend;
 use vitrum::preset;
 use vitrum_conformance::accuracy::{rewrite, write};
 use vitrum_conformance::bench::{self, Contender};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::roofline::{Ceilings, markdown};
 use vitrum_conformance::{Failure, adapter, failure, golden, machine, root, scaling};
+use vitrum_kernels::kernel::InstructionSet;
 
 /// Measure frame times on both backends, interleaved; print a table for docs/benchmarks.md.
 ///
@@ -47,6 +48,10 @@ struct Arguments {
     /// CPU threads; all if absent. Several times are compared, such as 1,2,4
     #[arg(long, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Vec<u16>,
+
+    /// Instead of a graphics adapter, the CPU's builds for each instruction set that the machine has
+    #[arg(long, conflicts_with = "adapter")]
+    builds: bool,
 
     /// Instead, for each kernel on the CPU: bytes and operations, and its time over what the machine can do at best
     #[arg(long)]
@@ -123,18 +128,18 @@ fn roofline(arguments: &Arguments, subjects: Vec<Subject>) -> Result<bool, Failu
     Ok(true)
 }
 
-/// The CPU with each number of threads, then the graphics adapter.
+/// The CPU with each number of threads, then the graphics adapter; or the CPU's builds.
 fn contenders(arguments: &Arguments) -> Result<Vec<Contender>, Failure> {
-    let gpu = adapter::open(arguments.adapter.as_deref())?;
     let all = [machine::threads()];
     let threads: Vec<usize> = arguments.threads.iter().map(|&threads| threads.into()).collect();
     let threads = if threads.is_empty() { all.as_slice() } else { &threads };
-    let cpu = |&threads: &usize| {
-        let backend: Box<dyn Backend> = Box::new(CpuBackend::new(Some(threads))?);
-        Ok(Contender { backend, threads: Some(threads) })
-    };
-    let mut contenders = threads.iter().map(cpu).collect::<Result<Vec<_>, Failure>>()?;
-    contenders.push(Contender { backend: Box::new(gpu), threads: None });
+    if arguments.builds {
+        let sets = InstructionSet::ALL.into_iter().rev().filter(|set| set.is_available());
+        return sets.map(|set| Contender::build(threads[0], set)).collect();
+    }
+    let gpu = adapter::open(arguments.adapter.as_deref())?;
+    let mut contenders = threads.iter().map(|&threads| Contender::cpu(threads)).collect::<Result<Vec<_>, _>>()?;
+    contenders.push(Contender { backend: Box::new(gpu), threads: None, build: None });
     Ok(contenders)
 }
 
