@@ -58,6 +58,10 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("ball streamed unshaded", "ball", &["light.shadows=false", "sweep.refraction=false"])?.streamed(),
         case("head u8 streamed", "head", &[])?.in_bytes()?.streamed(),
         case("head u8 streamed sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?.streamed(),
+        case("luneburg streamed", "luneburg", &["sweep.gradient=chain"])?.streamed(),
+        case("luneburg streamed sheets", "luneburg", &["sweep.light=sheets"])?.streamed(),
+        case("combustion/mixture streamed", "combustion/mixture", &[])?.streamed(),
+        case("combustion/mixture streamed sheets", "combustion/mixture", &["sweep.light=sheets"])?.streamed(),
         case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.softness=0"])?,
     ]);
     cases.extend(meshes(edge, resolution)?);

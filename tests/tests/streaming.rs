@@ -57,6 +57,13 @@ fn cases() -> Result<Vec<Case>, Failure> {
         case("head", &[OBLIQUE, sheets])?.in_bytes()?,
         noisy(case("phantom", &[OBLIQUE, FROM_ABOVE])?)?,
         noisy(case("phantom", &[FROM_ABOVE, "sweep.refraction=false", "camera.field_of_view=70"])?)?,
+        case("luneburg", &[OBLIQUE, FROM_ABOVE])?,
+        case("luneburg", &[OBLIQUE, sheets, no_skipping, "sweep.gradient=chain"])?,
+        case("luneburg", &["camera.elevation=-50", "light.shadows=false", "sweep.refraction=false"])?,
+        case("combustion/mixture", &[OBLIQUE, FROM_ABOVE])?,
+        case("combustion/mixture", &[FROM_ABOVE, sheets, no_skipping])?,
+        two_of_integers([RESOLUTION, 37], &[OBLIQUE, FROM_ABOVE])?,
+        two_of_integers([RESOLUTION, 37], &["sweep.gradient=chain", "camera.azimuth=-30"])?,
         reshaped([3, 61, 40], [0.5, 0.04, 0.05])?,
         reshaped([70, 2, 35], [0.03, 0.4, 0.05])?,
         reshaped([33, 47, 1], [0.05, 0.05, 0.4])?,
@@ -72,6 +79,16 @@ fn noisy(mut case: Case) -> Result<Case, Failure> {
     }
     case.name.push_str(" with noise");
     Ok(case)
+}
+
+/// A head of 16 bits that bends light as a phantom of 8 bits and another grid says.
+fn two_of_integers([shown, bending]: [u32; 2], settings: &[&str]) -> Result<Case, Failure> {
+    let bends = "transfer.ior=[{value=0,ior=1},{value=200,ior=1.2}]";
+    let mut both = Case::builtin("head", EDGE, Some(shown), &[settings, &[bends]].concat())?;
+    let bending = Case::builtin("phantom", EDGE, Some(bending), &[])?.inputs.volume;
+    both.inputs.ior_volume = Some(bending);
+    both.name.push_str(" and a phantom");
+    Ok(both)
 }
 
 /// A phantom's look on a grid of another shape.
@@ -142,13 +159,32 @@ fn a_limit_streams_what_is_larger_and_says_when_it_is_too_small() -> Result<(), 
 }
 
 #[test]
-fn what_cannot_be_streamed_says_so() -> Result<(), Failure> {
-    for name in ["luneburg", "combustion/mixture"] {
-        let case = Case::builtin(name, EDGE, Some(24), &[])?;
-        let failure = within(&case, Some(1000)).expect_err("these are floats");
-        assert!(matches!(failure, Error::Backend(BackendError::TooLarge { limit: 1000, .. })), "{failure}");
-        let Inputs { volume, .. } = &case.inputs;
-        assert!(failure.to_string().contains(&(volume.voxels.len() * 4).to_string()), "{failure}");
+fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
+    let case = two_of_integers([128, 112], &[])?;
+    let Inputs { volume, ior_volume, .. } = &case.inputs;
+    let voxels = volume.voxels.len() + ior_volume.as_ref().map_or(0, |second| second.voxels.len());
+    let whole = voxels as u64 * 4;
+    let expected = within(&case, None)?;
+    assert_eq!(expected, within(&case, Some(whole))?);
+    let failure = within(&case, Some(1 << 14)).expect_err("a plane needs more than that");
+    let Error::Backend(BackendError::VolumeLimit { whole: told, needed, .. }) = &failure else {
+        panic!("another failure: {failure}");
+    };
+    assert_eq!(*told, whole);
+    assert!(*needed < whole, "{needed} of {whole} bytes");
+    for limit in [*needed, (needed + whole) / 2] {
+        let mut cpu = CpuBackend::new(None)?;
+        cpu.set_volume_limit(Some(limit));
+        let sweep = Sweep::prepare(&case.scene, &case.inputs, &mut cpu)?;
+        let voxels: BTreeSet<_> = sweep.passes.writes.iter().map(|write| write.buffer).collect();
+        assert_eq!(voxels.len(), 2, "both volumes are streamed");
+        let mut taken = 0;
+        for buffer in voxels {
+            taken += cpu.read(buffer)?.len() as u64;
+        }
+        assert!(taken <= limit, "{taken} of {limit} bytes");
+        sweep.free(&mut cpu);
+        assert_eq!(expected, within(&case, Some(limit))?);
     }
     Ok(())
 }

@@ -43,6 +43,33 @@ pub mod format {
     pub const U8_PAGED: u32 = 4;
     /// As [`U16`], in pages.
     pub const U16_PAGED: u32 = 5;
+    /// As [`F32`], in pages.
+    pub const F32_PAGED: u32 = 6;
+    /// As [`F32_WITH_IOR`], both volumes in pages.
+    pub const F32_WITH_IOR_PAGED: u32 = 7;
+
+    /// The format in pages of voxels that would be stored as `whole` in one piece.
+    #[must_use]
+    pub const fn paged(whole: u32) -> u32 {
+        match whole {
+            U8 => U8_PAGED,
+            U16 => U16_PAGED,
+            F32 => F32_PAGED,
+            _ => F32_WITH_IOR_PAGED,
+        }
+    }
+
+    /// Bytes of a voxel.
+    #[must_use]
+    pub const fn bytes(format: u32) -> u64 {
+        if is_u8(format) {
+            1
+        } else if is_u16(format) {
+            2
+        } else {
+            4
+        }
+    }
 
     /// Whether voxels have 8 bits.
     #[must_use]
@@ -62,7 +89,7 @@ pub mod format {
     #[must_use]
     #[inline(always)]
     pub const fn is_paged(format: u32) -> bool {
-        (format == U8_PAGED) | (format == U16_PAGED)
+        format >= U8_PAGED
     }
 }
 

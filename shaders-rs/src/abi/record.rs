@@ -172,6 +172,30 @@ pub mod path {
     }
 }
 
+/// What the first surface mirrors.
+pub mod mirror {
+    /// Components.
+    pub const SIZE: usize = 4;
+    /// One of [`stage`].
+    pub const STAGE: usize = 0;
+    /// The node of the tree of triangles that is next.
+    pub const NODE: usize = 1;
+    /// The nearest opaque triangle so far on the reflected ray's way, or one of [`super::path::ahead`].
+    pub const TRIANGLE: usize = 2;
+    /// Its distance, in voxels.
+    pub const DISTANCE: usize = 3;
+
+    /// How far the search is.
+    pub mod stage {
+        /// Not begun.
+        pub const NEW: f32 = 0.0;
+        /// Under way.
+        pub const SEEKS: f32 = 1.0;
+        /// Done.
+        pub const FOUND: f32 = 2.0;
+    }
+}
+
 /// What became of a ray through a mesh.
 pub mod fate {
     /// Under way.

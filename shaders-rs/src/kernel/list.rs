@@ -49,6 +49,14 @@ macro_rules! for_each_kernel {
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
                 sweep::refract_light [format::U16_PAGED, false], levels [3] gpu 3 unoccluded, modes [0 1 2];
+            sweep_refract_light_f32_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                sweep::refract_light [format::F32_PAGED, false], levels [3] gpu 3 unoccluded, modes [0 1 2];
+            sweep_refract_light_f32_with_ior_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
+                updates 6 [light::SIZE],
+                sweep::refract_light [format::F32_PAGED, true], levels [3] gpu 3 unoccluded, modes [0 1 2];
             sweep_concentrate_light: SweepUniforms, [1 light: f32], writes 2 [irradiance::SIZE],
                 sweep::concentrate_light [], levels [1 3] gpu 3 unoccluded, modes [0];
             sweep_propagate_rays_u8: SweepUniforms,
@@ -75,6 +83,14 @@ macro_rules! for_each_kernel {
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
                 updates 7 [ray::SIZE],
                 sweep::propagate_rays [format::U16_PAGED, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
+            sweep_propagate_rays_f32_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
+                updates 7 [ray::SIZE],
+                sweep::propagate_rays [format::F32_PAGED, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
+            sweep_propagate_rays_f32_with_ior_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 light: f32, 6 irradiance: f32],
+                updates 7 [ray::SIZE],
+                sweep::propagate_rays [format::F32_PAGED, true], levels [3 7 15] gpu 15 rests, modes [0 1 2 3];
             sweep_initialize_sheet: SweepUniforms, [1 sources: f32], writes 2 [sheet::SIZE],
                 sweep::initialize_sheet [], plain, modes [0];
             sweep_advance_sheet_u8: SweepUniforms,
@@ -101,6 +117,14 @@ macro_rules! for_each_kernel {
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
                 updates 6 [sheet::SIZE],
                 sweep::advance_sheet [format::U16_PAGED, false], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_advance_sheet_f32_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::F32_PAGED, false], levels [3 7] gpu 7, modes [0 1 2];
+            sweep_advance_sheet_f32_with_ior_paged: SweepUniforms,
+                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
+                updates 6 [sheet::SIZE],
+                sweep::advance_sheet [format::F32_PAGED, true], levels [3 7] gpu 7, modes [0 1 2];
             sweep_clear_sums: SweepUniforms, [], writes 1 [sums::SIZE],
                 sweep::clear_sums [], plain, modes [0];
             sweep_scatter_sheet: SweepUniforms, [1 sheet: f32, 2 sources: f32], adds 3 [sums::SIZE],
@@ -132,9 +156,12 @@ macro_rules! for_each_kernel {
             voxels_seek: VoxelsUniforms, [1 nodes: f32, 2 corners: f32, 3 materials: f32],
                 updates 4 [path::SIZE],
                 voxels::seek [], levels [3] gpu 3, modes [0 1];
+            voxels_reflect: VoxelsUniforms, [1 rays: f32, 2 nodes: f32, 3 corners: f32, 4 materials: f32],
+                updates 5 [crate::abi::record::mirror::SIZE],
+                voxels::reflect [], levels [3] gpu 3, modes [0];
             voxels_resolve: VoxelsUniforms,
-                [1 rays: f32, 2 map: f32, 3 corners: f32, 4 looks: f32, 5 shadow: u32],
-                writes 6 [view::SIZE],
+                [1 rays: f32, 2 map: f32, 3 corners: f32, 4 looks: f32, 5 shadow: u32, 6 mirrors: f32],
+                writes 7 [view::SIZE],
                 voxels::resolve [], plain, modes [0 1];
             shadow_count_crossings: ShadowUniforms, [1 casters: f32, 2 items: u32], adds 3 [absorption::SIZE],
                 shadow::count_crossings [], plain, modes [0];

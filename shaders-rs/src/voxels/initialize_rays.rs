@@ -4,7 +4,7 @@ use super::ray::{Ray, bounds, reciprocal, slab};
 use super::receivers;
 use crate::abi::record::path::ahead;
 use crate::abi::record::{fate, path};
-use crate::abi::voxels::{AIR, VoxelsUniforms, flag};
+use crate::abi::voxels::{VoxelsUniforms, flag};
 use crate::math::{length, max, select, xyz};
 use spirv_std::glam::Vec3;
 
@@ -30,21 +30,11 @@ pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32) -> [f32; path::SIZ
     let distance = select(misses, select(met, receiver.distance, 0.0), enters_at);
     let under_way = select(u.dispatch.w & flag::SEEKS != 0, fate::SEEKS, fate::ACTIVE);
     let ray = Ray {
-        position: from + direction * distance,
-        direction,
-        transmittance: Vec3::new(1.0, 1.0, 1.0),
-        normal: Vec3::new(0.0, 0.0, 0.0),
-        last_normal: Vec3::new(0.0, 0.0, 0.0),
-        since: 1e9,
         status: select(misses, select(met, fate::MET, fate::LEFT), under_way),
-        medium: AIR,
-        bounces: 0.0,
-        length: 0.0,
         depth: distance,
-        reflectance: 0.0,
-        node: 0,
         triangle: receiver.which,
         distance: receiver.distance - distance,
+        ..Ray::straight(from + direction * distance, direction)
     };
     ray.store()
 }

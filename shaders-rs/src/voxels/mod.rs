@@ -10,8 +10,10 @@
 pub mod initialize_rays;
 pub mod march;
 pub mod march_paper;
+pub mod mirror;
 pub mod ray;
 pub mod receivers;
+pub mod reflect;
 pub mod resolve;
 pub mod seek;
 pub mod shade;

@@ -1,6 +1,7 @@
 //! The state of a ray, and how it moves.
 
 use super::receivers;
+use super::triangle::FAR;
 use crate::abi::record::path::ahead;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, VoxelsUniforms, material};
@@ -49,6 +50,28 @@ fn vector(record: &[f32; path::SIZE], at: [usize; 3]) -> Vec3 {
 }
 
 impl Ray {
+    /// One that has met nothing yet, from `position` along `direction`, and has nothing ahead.
+    #[inline(always)]
+    pub fn straight(position: Vec3, direction: Vec3) -> Self {
+        Self {
+            position,
+            direction,
+            transmittance: Vec3::new(1.0, 1.0, 1.0),
+            normal: Vec3::new(0.0, 0.0, 0.0),
+            last_normal: Vec3::new(0.0, 0.0, 0.0),
+            since: 1e9,
+            status: fate::ACTIVE,
+            medium: AIR,
+            bounces: 0.0,
+            length: 0.0,
+            depth: 0.0,
+            reflectance: 0.0,
+            node: 0,
+            triangle: ahead::NOTHING,
+            distance: FAR,
+        }
+    }
+
     /// From its record.
     #[inline(always)]
     pub fn load(r: &[f32; path::SIZE]) -> Self {

@@ -1,53 +1,14 @@
-//! Finished pixels: what rays see of opaque bodies, receivers and the environment, by refraction and, but for the bodies, by reflection
-//! at the first surface.
+//! Finished pixels: what rays see of opaque bodies, receivers and the environment, by refraction and by reflection at the first surface.
 
-use super::shade::{Point, beyond, facing, on_receiver, on_triangle, shade};
-use crate::abi::record::{fate, path, view};
+use super::mirror::{first_surface, mirrored, vector, viewing};
+use super::shade::{Point, facing, on_receiver, on_triangle, shade};
+use crate::abi::record::path::ahead;
+use crate::abi::record::{fate, mirror, path, view};
 use crate::abi::voxels::{VoxelsUniforms, seen};
 use crate::field::access::read;
 use crate::math::{dot, length, max, select, xyz};
 use crate::optics::environment::{Surroundings, environment};
 use spirv_std::glam::Vec3;
-
-#[inline(always)]
-fn vector(u: &VoxelsUniforms, rays: &[f32], at: i32, component: usize) -> Vec3 {
-    let count = (u.dispatch.x * u.dispatch.y) as i32;
-    let c = |c: usize| read(rays, c as i32 * count + at);
-    Vec3::new(c(component), c(component + 1), c(component + 2))
-}
-
-/// Where pixel (x, y) looks, along the grid's axes, at depth 1 from the eye; and across from the middle.
-#[inline(always)]
-fn aim(u: &VoxelsUniforms, x: i32, y: i32) -> (Vec3, Vec3) {
-    let (width, height) = (u.dispatch.x as i32 as f32, u.dispatch.y as i32 as f32);
-    let across = ((x as f32 + 0.5) / width * 2.0 - 1.0) * u.camera.x;
-    let upwards = (1.0 - (y as f32 + 0.5) / height * 2.0) * u.camera.y;
-    let side = xyz(u.right) * across + xyz(u.up) * upwards;
-    let perspective = select(u.camera.w > 0.5, 0.0, 1.0);
-    (xyz(u.away) + side * perspective, side * (1.0 - perspective))
-}
-
-/// The unit direction in which pixel (x, y) looks, along the grid's axes.
-#[inline(always)]
-fn viewing(u: &VoxelsUniforms, x: i32, y: i32) -> Vec3 {
-    let (aim, _) = aim(u, x, y);
-    aim * (1.0 / max(length(aim), 1e-20))
-}
-
-/// The first surface that pixel (x, y) looks at, `depth` voxels away.
-#[inline(always)]
-fn first_surface(u: &VoxelsUniforms, x: i32, y: i32, depth: f32) -> Vec3 {
-    let (_, side) = aim(u, x, y);
-    Vec3::new(u.right.w, u.up.w, u.away.w) + side + viewing(u, x, y) * depth
-}
-
-/// Where the first surface mirrors pixel (x, y); its own direction where there is none.
-#[inline(always)]
-fn mirrored(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32) -> Vec3 {
-    let direction = viewing(u, x, y);
-    let normal = vector(u, rays, y * u.dispatch.x as i32 + x, path::NORMAL);
-    direction - normal * (2.0 * dot(direction, normal))
-}
 
 #[inline(always)]
 fn leaving(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32) -> Vec3 {
@@ -102,6 +63,7 @@ pub fn invoke(
     corners: &[f32],
     looks: &[f32],
     shadow: &[u32],
+    mirrors: &[f32],
 ) -> [f32; view::SIZE] {
     let (x, y) = (x as i32, y as i32);
     let at = y * u.dispatch.x as i32 + x;
@@ -130,12 +92,16 @@ pub fn invoke(
     let across = mirrored(u, rays, right, y) - mirrored(u, rays, left, y);
     let down = mirrored(u, rays, x, below) - mirrored(u, rays, x, above);
     let reflectance = component(path::REFLECTANCE);
-    let mirror = mirrored(u, rays, x, y);
-    let mut reflected = surroundings(u, map, mirror, across, down);
+    let towards_mirrored = mirrored(u, rays, x, y);
+    let mut reflected = surroundings(u, map, towards_mirrored, across, down);
     if surfaces & (reflectance > 0.0) {
-        let seen = beyond(u, shadow, first_surface(u, x, y, component(path::DEPTH)), mirror);
-        if seen.met {
-            reflected = seen.radiance;
+        let record = |component: usize| read(mirrors, component as i32 * count + at);
+        let triangle = record(mirror::TRIANGLE) as i32;
+        if triangle != ahead::NOTHING {
+            let from = first_surface(u, x, y, component(path::DEPTH));
+            let position = from + towards_mirrored * record(mirror::DISTANCE);
+            let point = point(u, corners, looks, triangle, position);
+            reflected = shade(u, shadow, &point, towards_mirrored);
         }
     }
     let reflected = reflected * reflectance;

@@ -1,6 +1,5 @@
 //! Diffuse surfaces in the light: opaque triangles and receivers.
 
-use super::receivers;
 use super::triangle::vector;
 use crate::abi::record::path::ahead;
 use crate::abi::voxels::{VoxelsUniforms, corner, flag, look};
@@ -113,23 +112,4 @@ pub fn shade(u: &VoxelsUniforms, shadow: &[u32], point: &Point, direction: Vec3)
     let lit = transmittance(u, shadow, point.position + above * lifted) * strength;
     let sum = Vec3::new(u.light_color.x * lit.x, u.light_color.y * lit.y, u.light_color.z * lit.z) + xyz(u.ambient);
     Vec3::new(point.color.x * sum.x, point.color.y * sum.y, point.color.z * sum.z)
-}
-
-/// What a ray sees of receivers alone.
-#[derive(Clone, Copy)]
-pub struct Seen {
-    /// Whether there is one ahead.
-    pub met: bool,
-    /// What it looks like.
-    pub radiance: Vec3,
-}
-
-/// What a ray from `position` along `direction` sees of receivers.
-#[inline(always)]
-pub fn beyond(u: &VoxelsUniforms, shadow: &[u32], position: Vec3, direction: Vec3) -> Seen {
-    let receiver = receivers::first(u, position, direction);
-    let met = receiver.which != ahead::NOTHING;
-    let point = on_receiver(u, receiver.which, position + direction * select(met, receiver.distance, 0.0));
-    let radiance = if met { shade(u, shadow, &point, direction) } else { Vec3::new(0.0, 0.0, 0.0) };
-    Seen { met, radiance }
 }

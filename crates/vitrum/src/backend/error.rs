@@ -29,12 +29,12 @@ pub enum BackendError {
         /// The adapter.
         adapter: String,
     },
-    /// A volume is streamed, and what one plane needs of it is more than it may take.
+    /// Volumes are streamed, and what one plane needs of them is more than they may take.
     #[error(
-        "the volume's {whole} bytes are streamed to {adapter}; a plane needs {needed} bytes of memory for voxels at once, and {limit} are allowed"
+        "{whole} bytes of voxels are streamed to {adapter}; a plane needs {needed} bytes of memory for voxels at once, and {limit} are allowed"
     )]
     VolumeLimit {
-        /// Bytes of the whole volume.
+        /// Bytes of the whole volumes.
         whole: u64,
         /// Bytes needed at once.
         needed: u64,

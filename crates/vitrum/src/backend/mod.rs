@@ -30,12 +30,12 @@ pub trait Backend {
     /// The most bytes one buffer may have.
     fn largest_buffer(&self) -> u64;
 
-    /// The most bytes that a volume's voxels should take at once; a larger volume is streamed.
+    /// The most bytes that the voxels of all of a frame's volumes should take at once; larger volumes are streamed.
     fn volume_limit(&self) -> u64 {
-        self.largest_buffer()
+        u64::MAX
     }
 
-    /// Sets [`Self::volume_limit`], which is never above [`Self::largest_buffer`]; `None` sets it to that.
+    /// Sets [`Self::volume_limit`]; with `None` there is none but [`Self::largest_buffer`] for each volume.
     fn set_volume_limit(&mut self, _bytes: Option<u64>) {}
 
     /// A buffer with `contents` (not empty; whole words).

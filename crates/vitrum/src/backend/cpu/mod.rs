@@ -125,7 +125,7 @@ impl Backend for CpuBackend {
     }
 
     fn volume_limit(&self) -> u64 {
-        self.volume_limit.unwrap_or(u64::MAX).min(self.largest_buffer())
+        self.volume_limit.unwrap_or(u64::MAX)
     }
 
     fn set_volume_limit(&mut self, bytes: Option<u64>) {

@@ -70,18 +70,13 @@ impl Sweep {
         }
     }
 
-    /// As [`Self::prepare`], with the volume streamed in as little memory as that takes, however small it is: what large volumes come to
-    /// by themselves.
+    /// As [`Self::prepare`], with the volumes streamed in as little memory as that takes, however small they are: what large volumes come
+    /// to by themselves.
     ///
     /// # Errors
-    /// Where a volume cannot be streamed (floats, and two volumes), and as [`Self::prepare`].
+    /// As [`Self::prepare`].
     pub fn prepare_streamed(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
-        let uploaded = Uploaded::streamed(inputs).ok_or_else(|| {
-            Error::Scene(
-                "volumes of floats, and two volumes, cannot be streamed: store integers, in one volume".to_owned(),
-            )
-        })?;
-        Self::prepare_uploaded(scene, inputs, &uploaded, backend)
+        Self::prepare_uploaded(scene, inputs, &Uploaded::streamed(inputs), backend)
     }
 
     /// Builds tables and lists the passes for volumes that are on the backend already. They stay there when the frame is freed.

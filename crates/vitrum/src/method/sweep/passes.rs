@@ -3,15 +3,16 @@
 use super::Buffers;
 use super::carrier::{Carrier, Maker, Volumes};
 use super::occupancy::{Question, Ranges, Role};
-use super::paging::{Needs, Pool, paged};
+use super::paging::{Needs, pools};
 use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::Fixed;
 use super::unoccluded::Unoccluded;
-use super::voxels::{bricks, chosen_format, upload, whole_bytes};
-use crate::backend::{Backend, BackendError, Buffer, PassList};
+use super::voxels::{bricks, chosen_format, fit, upload};
+use crate::backend::{Backend, BackendError, Buffer, PassList, Write};
 use crate::inputs::Inputs;
 use crate::render::Error;
+use vitrum_io::Volume;
 use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::kernel::{Kernel, kernels};
@@ -24,6 +25,8 @@ fn ray_kernel(stored: u32) -> &'static Kernel {
         format::U8_PAGED => &kernels::sweep_propagate_rays_u8_paged,
         format::U16_PAGED => &kernels::sweep_propagate_rays_u16_paged,
         format::F32 => &kernels::sweep_propagate_rays_f32,
+        format::F32_PAGED => &kernels::sweep_propagate_rays_f32_paged,
+        format::F32_WITH_IOR_PAGED => &kernels::sweep_propagate_rays_f32_with_ior_paged,
         _ => &kernels::sweep_propagate_rays_f32_with_ior,
     }
 }
@@ -36,29 +39,25 @@ pub struct Uploaded {
     /// One of [`format`].
     pub(super) format: u32,
     /// Whether streamed voxels take as little memory as they can, not as much as they may.
-    tight: bool,
+    pub(super) tight: bool,
     ranges: Ranges,
     /// The second volume's.
     ior_ranges: Option<Ranges>,
 }
 
 impl Uploaded {
-    /// Hands the volumes to the backend, unless there is more of one than it may have at once.
+    /// Hands the volumes to the backend, unless that is more than it may have at once.
     ///
     /// # Errors
-    /// If a volume is too large for the backend and cannot be streamed: floats, and two volumes.
+    /// If the backend fails.
     pub fn new(inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
         let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
         let format = chosen_format(shown, bending);
-        let (needed, limit) = whole_bytes(shown, format, backend);
-        if needed > limit
-            && bending.is_none()
-            && let Some(format) = paged(&shown.voxels)
-        {
-            return Ok(Self::paged(inputs, format, false));
+        if !fit(&volumes(inputs), format, backend) {
+            return Ok(Self { tight: false, ..Self::streamed(inputs) });
         }
-        let voxels = upload(shown, format, "the volume", backend)?;
-        let ior_voxels = match bending.map(|bending| upload(bending, format, "the second volume", backend)) {
+        let voxels = upload(shown, format, backend)?;
+        let ior_voxels = match bending.map(|bending| upload(bending, format, backend)) {
             None => voxels,
             Some(Ok(ior_voxels)) => ior_voxels,
             Some(Err(error)) => {
@@ -71,15 +70,12 @@ impl Uploaded {
         Ok(Self { voxels: Some([voxels, ior_voxels]), format, tight: false, ranges, ior_ranges })
     }
 
-    /// Streams the volume in as little memory as that takes, however small it is; `None` if it cannot be streamed.
+    /// Streams the volumes in as little memory as that takes, however small they are.
     #[must_use]
-    pub fn streamed(inputs: &Inputs) -> Option<Self> {
-        let format = paged(&inputs.volume.voxels).filter(|_| inputs.ior_volume.is_none())?;
-        Some(Self::paged(inputs, format, true))
-    }
-
-    fn paged(inputs: &Inputs, format: u32, tight: bool) -> Self {
-        Self { voxels: None, format, tight, ranges: Ranges::new(&inputs.volume), ior_ranges: None }
+    pub fn streamed(inputs: &Inputs) -> Self {
+        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
+        let format = format::paged(chosen_format(shown, bending));
+        Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
     }
 
     /// Frees the buffers.
@@ -90,6 +86,11 @@ impl Uploaded {
             backend.free(ior_voxels);
         }
     }
+}
+
+/// The volume that is shown, and the second one if there is one.
+fn volumes(inputs: &Inputs) -> Vec<&Volume> {
+    std::iter::once(&inputs.volume).chain(&inputs.ior_volume).collect()
 }
 
 /// Uploads what else a frame needs and lists its passes. Buffers are added to `created` as they are made.
@@ -124,14 +125,14 @@ pub(super) fn build(
     let map = upload("environment", bytemuck::cast_slice(&fixed.environment.map))?;
 
     let first = fixed.planes.first_visible;
-    let (voxels, pool) = match uploaded.voxels {
-        Some(voxels) => (voxels, None),
+    let (voxels, pools) = match uploaded.voxels {
+        Some(voxels) => (voxels, Vec::new()),
         None => {
             let earliest = if fixed.shadows { 1 } else { first + 1 };
-            let needs = Needs::new(&questions[0], &fixed.sampling, &fixed.planes, earliest);
-            let pool = Pool::new(shown, &needs, uploaded.tight, backend)?;
-            created.push(pool.buffer);
-            ([pool.buffer; 2], Some((pool, needs)))
+            let asked = questions.iter().zip(&fixed.sampling);
+            let needs = asked.map(|(question, sampling)| Needs::new(question, sampling, &fixed.planes, earliest));
+            let pools = pools(&volumes(inputs), needs.collect(), uploaded, backend, created)?;
+            ([pools[0].buffer, pools[pools.len() - 1].buffer], pools)
         }
     };
     let [voxels, ior_voxels] = voxels;
@@ -164,7 +165,8 @@ pub(super) fn build(
     passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[rays, map, finished]));
     let name = ray_kernel.declaration.name;
     // Light goes on to the last plane: what is there is an output, too.
-    let writes = pool.map_or(Vec::new(), |(pool, needs)| pool.writes(shown, &needs, &starts));
+    let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
+    writes.sort_by_key(|write| write.before);
     let list = PassList { passes, writes, while_busy: vec![name], ends_with: Some(name) };
     let [_, irradiance] = light.on_plane(last);
     let buffers = Buffers { all: maker.created.clone(), irradiance, rays, film: finished };

@@ -45,6 +45,8 @@ fn advance_kernel(stored: u32) -> &'static Kernel {
         format::U8_PAGED => &kernels::sweep_advance_sheet_u8_paged,
         format::U16_PAGED => &kernels::sweep_advance_sheet_u16_paged,
         format::F32 => &kernels::sweep_advance_sheet_f32,
+        format::F32_PAGED => &kernels::sweep_advance_sheet_f32_paged,
+        format::F32_WITH_IOR_PAGED => &kernels::sweep_advance_sheet_f32_with_ior_paged,
         _ => &kernels::sweep_advance_sheet_f32_with_ior,
     }
 }

@@ -24,6 +24,8 @@ fn refract_kernel(stored: u32) -> &'static Kernel {
         format::U8_PAGED => &kernels::sweep_refract_light_u8_paged,
         format::U16_PAGED => &kernels::sweep_refract_light_u16_paged,
         format::F32 => &kernels::sweep_refract_light_f32,
+        format::F32_PAGED => &kernels::sweep_refract_light_f32_paged,
+        format::F32_WITH_IOR_PAGED => &kernels::sweep_refract_light_f32_with_ior_paged,
         _ => &kernels::sweep_refract_light_f32_with_ior,
     }
 }

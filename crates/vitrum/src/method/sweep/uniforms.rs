@@ -36,8 +36,8 @@ pub(super) struct Fixed {
     pub(super) mode: u32,
     /// Whether light is carried through the volume; else it is unoccluded everywhere.
     pub(super) shadows: bool,
-    /// Where look-ups of a plane lie in the volume.
-    pub(super) sampling: Sampling,
+    /// Where look-ups of a plane lie in the volume, and in the second one.
+    pub(super) sampling: Vec<Sampling>,
     /// The directions of the sheets that carry the light, if sheets do.
     pub(super) sheets: Option<Vec<[f32; 3]>>,
     block: SweepUniforms,
@@ -151,7 +151,8 @@ impl Fixed {
             &tables,
             std::iter::once(towards.as_vec3().to_array()).chain(sheets.iter().flatten().copied()),
         );
-        let sampling = Sampling::new(shown, &view, &planes, steepest);
+        let sampled = std::iter::once(shown).chain(bending);
+        let sampling = sampled.map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
         block.light_initial = initial_light(scene, &block);
         block.light_initial.w = sheets.as_ref().map_or(0.0, |sheets| 1.0 / sheets.len() as f32);
         block.light_shear = exact_shear(&block, &light_grid);

@@ -27,29 +27,21 @@ pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> u32 {
     }
 }
 
-/// Bytes of a volume that lies in one piece, and of a buffer that may hold them.
-pub(super) fn whole_bytes(volume: &Volume, stored: u32, backend: &dyn Backend) -> (u64, u64) {
-    let voxels = volume.voxels.len() as u64;
-    let size = match stored {
-        format::U8 => 1,
-        format::U16 => 2,
-        _ => 4,
-    };
-    // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
-    (voxels * size, backend.volume_limit().min((i32::MAX as u64 - 8) * size))
+/// Bytes of a volume that is stored as `stored` says.
+pub(super) fn bytes(volume: &Volume, stored: u32) -> u64 {
+    volume.voxels.len() as u64 * format::bytes(stored)
 }
 
-/// Hands a volume to the backend in one piece, `what` for messages. The CPU backend reads the volume's own memory, unless it has to be turned into floats.
-pub(super) fn upload(
-    volume: &Volume,
-    stored: u32,
-    what: &str,
-    backend: &mut dyn Backend,
-) -> Result<Buffer, BackendError> {
-    let (needed, limit) = whole_bytes(volume, stored, backend);
-    if needed > limit {
-        return Err(BackendError::TooLarge { label: what.to_owned(), needed, limit, adapter: backend.adapter() });
-    }
+/// Whether the backend can have all of `volumes` in one piece each.
+pub(super) fn fit(volumes: &[&Volume], stored: u32, backend: &dyn Backend) -> bool {
+    // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
+    let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * format::bytes(stored));
+    let sizes = volumes.iter().map(|volume| bytes(volume, stored));
+    sizes.clone().all(|size| size <= most) && sizes.sum::<u64>() <= backend.volume_limit()
+}
+
+/// Hands a volume to the backend in one piece. The CPU backend reads the volume's own memory, unless it has to be turned into floats.
+pub(super) fn upload(volume: &Volume, stored: u32, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
     Ok(match (&volume.voxels, stored) {
         (Voxels::U8(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
         (Voxels::U16(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,

@@ -14,7 +14,7 @@ use crate::method::view::receivers::Receivers;
 use crate::render::Error;
 use crate::scene::Scene;
 use bytemuck::{bytes_of, cast_slice};
-use vitrum_kernels::abi::record::{fate, path, view};
+use vitrum_kernels::abi::record::{fate, mirror, path, view};
 use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, flag, seen};
 use vitrum_kernels::kernel::{Kernel, kernels};
 
@@ -24,6 +24,8 @@ pub struct Rays {
     pub passes: PassList,
     /// Rays across and down.
     pub rays: [u32; 2],
+    /// Passes behind those that follow rays.
+    finish: usize,
     created: Vec<Buffer>,
     records: Buffer,
     film: Buffer,
@@ -45,8 +47,8 @@ impl Rays {
         if listed.is_err() {
             created.iter().for_each(|buffer| backend.free(*buffer));
         }
-        let (passes, rays, [records, film]) = listed?;
-        Ok(Self { passes, rays, created, records, film })
+        let (passes, finish, rays, [records, film]) = listed?;
+        Ok(Self { passes, rays, finish, created, records, film })
     }
 
     /// Runs all passes; `progress` gets how many are done and returns whether to go on.
@@ -57,6 +59,7 @@ impl Rays {
         // Most rays have left after a few dispatches. A backend that cannot see that by itself is asked for the rays from time to time.
         const TOGETHER: usize = 8;
         let total = self.passes.passes.len();
+        let follow = total - self.finish;
         if total <= 2 * TOGETHER || backend.leaves_out_idle_passes() {
             return backend.run(&self.passes, progress);
         }
@@ -65,12 +68,12 @@ impl Rays {
             PassList { passes: self.passes.passes[from..to].iter().map(copy).collect(), ..PassList::default() }
         };
         let mut done = 0;
-        while done < total - 1 && (done == 0 || self.under_way(backend)?) {
-            let end = (done + TOGETHER).min(total - 1);
+        while done < follow && (done == 0 || self.under_way(backend)?) {
+            let end = (done + TOGETHER).min(follow);
             backend.run(&part(done, end), &mut |more| progress(done + more))?;
             done = end;
         }
-        backend.run(&part(total - 1, total), &mut |more| progress(total - 1 + more))
+        backend.run(&part(follow, total), &mut |more| progress(follow + more))
     }
 
     /// Whether any ray has not ended.
@@ -119,13 +122,16 @@ fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
     (crossings * steps).div_ceil(STEPS as u32)
 }
 
+/// Dispatches that look for what the first surface mirrors, of 4 · [`STEPS`] nodes each: many times those of a ray.
+const REFLECTED: usize = 8;
+
 fn list(
     scene: &Scene,
     inputs: &Inputs,
     uploaded: &Uploaded,
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
-) -> Result<(PassList, [u32; 2], [Buffer; 2]), Error> {
+) -> Result<(PassList, usize, [u32; 2], [Buffer; 2]), Error> {
     let mesh = shown(inputs)?;
     let eye = View::new(scene, &inputs.volume);
     let looks = looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
@@ -174,11 +180,21 @@ fn list(
         }
         passes.push(pass(uploaded.kernel, mode, through.clone()));
     }
-    let sees = if surfaces { seen::SURFACES } else { seen::ENVIRONMENT };
-    let resolved = vec![rays, map, uploaded.tree[1], looks, shadow, film];
+    let follow = passes.len();
+    let (sees, mirrors) = if surfaces {
+        let mirrors = keep(backend.create_zeroed("mirrors", planes(mirror::SIZE))?);
+        let reflected = vec![rays, uploaded.tree[0], uploaded.tree[1], materials, mirrors];
+        passes.extend((0..REFLECTED).map(|_| pass(&kernels::voxels_reflect, 0, reflected.clone())));
+        (seen::SURFACES, mirrors)
+    } else {
+        // What nothing is read of.
+        (seen::ENVIRONMENT, rays)
+    };
+    let resolved = vec![rays, map, uploaded.tree[1], looks, shadow, mirrors, film];
     passes.push(pass(&kernels::voxels_resolve, sees, resolved));
     let name = uploaded.kernel.declaration.name;
     let while_busy = vec![name, kernels::voxels_seek.declaration.name];
+    let finish = passes.len() - follow;
     let list = PassList { passes, while_busy, ends_with: Some(name), ..PassList::default() };
-    Ok((list, size, [rays, film]))
+    Ok((list, finish, size, [rays, film]))
 }

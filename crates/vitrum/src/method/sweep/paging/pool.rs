@@ -1,9 +1,11 @@
-//! The buffer that pages come to: a table with an entry for each page, slots for those that are filled with one value, and slots for
+//! The buffers that pages come to: a table with an entry for each page, slots for those that are filled with one value, and slots for
 //! those that come and go.
 
 use super::needs::Needs;
 use super::schedule::{Batch, busiest, schedule};
 use crate::backend::{Backend, BackendError, Buffer, Fill, Write};
+use crate::method::sweep::passes::Uploaded;
+use crate::method::sweep::voxels::bytes;
 use bytemuck::Pod;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -21,18 +23,11 @@ pub(in crate::method::sweep) fn count(dimensions: [u32; 3]) -> [u32; 3] {
     dimensions.map(|n| (n >> page::SHIFT) + 1)
 }
 
-/// The format of a volume in pages, if it can be stored so.
-pub(in crate::method::sweep) fn paged(voxels: &Voxels) -> Option<u32> {
-    match voxels {
-        Voxels::U8(_) => Some(format::U8_PAGED),
-        Voxels::U16(_) => Some(format::U16_PAGED),
-        Voxels::F32(_) => None,
-    }
-}
-
-/// The buffer, and when pages come to it.
+/// A volume's buffer, and when pages come to it.
 pub(in crate::method::sweep) struct Pool {
     pub(in crate::method::sweep) buffer: Buffer,
+    volume: Volume,
+    needs: Needs,
     layout: Layout,
     batches: Vec<Batch>,
 }
@@ -40,6 +35,7 @@ pub(in crate::method::sweep) struct Pool {
 /// Where things lie in the buffer.
 #[derive(Clone, Copy)]
 struct Layout {
+    stored: u32,
     table_words: u64,
     slot_words: u64,
     voxels_per_word: u64,
@@ -47,9 +43,10 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(volume: &Volume, needs: &Needs) -> Self {
-        let voxels_per_word = if paged(&volume.voxels) == Some(format::U8_PAGED) { 4 } else { 2 };
+    fn new(stored: u32, needs: &Needs) -> Self {
+        let voxels_per_word = 4 / format::bytes(stored);
         Self {
+            stored,
             table_words: needs.filled.len() as u64,
             slot_words: page::STRIDE as u64 / voxels_per_word,
             voxels_per_word,
@@ -57,8 +54,13 @@ impl Layout {
         }
     }
 
-    fn words(&self, slots: usize) -> u64 {
-        self.table_words + (u64::from(self.fills) + slots as u64) * self.slot_words
+    fn bytes(&self, slots: usize) -> u64 {
+        (self.table_words + (u64::from(self.fills) + slots as u64) * self.slot_words) * 4
+    }
+
+    /// As many slots as there is room for in so many bytes.
+    fn slots(&self, bytes: u64) -> usize {
+        usize::try_from((bytes - self.bytes(0)) / (self.slot_words * 4)).unwrap_or(usize::MAX)
     }
 
     /// The first word of a slot, counted from the first that is filled with one value.
@@ -72,41 +74,60 @@ impl Layout {
     }
 }
 
-impl Pool {
-    /// A buffer within the backend's limit, or with as few slots as will do if it is to be `tight`.
-    ///
-    /// # Errors
-    /// Where the pages that one plane needs are too many.
-    pub(in crate::method::sweep) fn new(
-        volume: &Volume,
-        needs: &Needs,
-        tight: bool,
-        backend: &mut dyn Backend,
-    ) -> Result<Self, BackendError> {
-        let layout = Layout::new(volume, needs);
-        // Kernels count stored voxels by a signed 32-bit number.
-        let most = (i32::MAX as u64 / layout.voxels_per_word * 4).min(backend.volume_limit());
-        let busiest = busiest(&needs.needed);
-        let least = layout.words(busiest) * 4;
-        if least > most {
-            return Err(BackendError::VolumeLimit {
-                whole: volume.bytes() as u64,
-                needed: least,
-                limit: most,
-                adapter: backend.adapter(),
-            });
-        }
-        let room = (most / 4 - layout.words(0)) / layout.slot_words;
-        let room = if tight { busiest } else { usize::try_from(room).unwrap_or(usize::MAX) };
-        let slots = needs.needed.len().min(room);
-        let batches = schedule(&needs.needed, slots);
-        let buffer = backend.create_zeroed("voxels", layout.words(slots) * 4)?;
-        Ok(Self { buffer, layout, batches })
-    }
+/// How `limit` bytes are divided between volumes that need the first number at least and can use the second: what is beyond the least goes
+/// to them in proportion to what they can use of it. `None` if it is not enough.
+fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
+    let least: u64 = wanted.iter().map(|[least, _]| least).sum();
+    let rest = limit.checked_sub(least)?;
+    let usable: u64 = wanted.iter().map(|[least, all]| all - least).sum();
+    let part = |beyond: u64| u128::from(rest.min(usable)) * u128::from(beyond) / u128::from(usable.max(1));
+    Some(wanted.iter().map(|[least, all]| least + part(all - least) as u64).collect())
+}
 
+/// For each of `volumes` a buffer, which is added to `created`: within the backend's limits together, or with as few slots as will do.
+///
+/// # Errors
+/// Where the pages that one plane needs are too many.
+pub(in crate::method::sweep) fn pools(
+    volumes: &[&Volume],
+    needs: Vec<Needs>,
+    uploaded: &Uploaded,
+    backend: &mut dyn Backend,
+    created: &mut Vec<Buffer>,
+) -> Result<Vec<Pool>, BackendError> {
+    let layouts: Vec<Layout> = needs.iter().map(|needs| Layout::new(uploaded.format, needs)).collect();
+    let of_each = layouts.iter().zip(&needs);
+    let wanted = of_each.map(|(layout, needs)| [busiest(&needs.needed), needs.needed.len()].map(|n| layout.bytes(n)));
+    let wanted: Vec<[u64; 2]> = wanted.collect();
+    // Kernels count stored voxels by a signed 32-bit number.
+    let largest = backend.largest_buffer().min(i32::MAX as u64 * format::bytes(uploaded.format));
+    let limit = backend.volume_limit();
+    let too_small = |limit: u64, of: &[&Volume], wanted: &[[u64; 2]]| BackendError::VolumeLimit {
+        whole: of.iter().map(|volume| bytes(volume, uploaded.format)).sum(),
+        needed: wanted.iter().map(|[least, _]| least).sum(),
+        limit,
+        adapter: backend.adapter(),
+    };
+    if let Some(at) = wanted.iter().position(|&[least, _]| least > largest) {
+        return Err(too_small(largest, &volumes[at..=at], &wanted[at..=at]));
+    }
+    let shares = shares(limit, &wanted).ok_or_else(|| too_small(limit, volumes, &wanted))?;
+    let mut pools = Vec::new();
+    for (((volume, needs), layout), share) in volumes.iter().zip(needs).zip(layouts).zip(shares) {
+        let room = if uploaded.tight { busiest(&needs.needed) } else { layout.slots(share.min(largest)) };
+        let slots = needs.needed.len().min(room);
+        let buffer = backend.create_zeroed("voxels", layout.bytes(slots))?;
+        created.push(buffer);
+        let batches = schedule(&needs.needed, slots);
+        pools.push(Pool { buffer, volume: (*volume).clone(), needs, layout, batches });
+    }
+    Ok(pools)
+}
+
+impl Pool {
     /// What is written to it in the course of a frame; `passes` says which is the first of each plane.
-    pub(in crate::method::sweep) fn writes(self, volume: &Volume, needs: &Needs, passes: &[usize]) -> Vec<Write> {
-        let Self { buffer, layout, batches } = self;
+    pub(in crate::method::sweep) fn writes(self, passes: &[usize]) -> Vec<Write> {
+        let Self { buffer, volume, needs, layout, batches } = self;
         let mut writes = Vec::new();
         let mut add = |before: usize, start: u64, words: usize, fill: Arc<Fill>| {
             writes.push(Write { before, buffer, start, words, fill });
@@ -114,9 +135,9 @@ impl Pool {
         let mut table: Vec<u32> = needs.filled.iter().map(|&fill| layout.entry(u32::from(fill))).collect();
         add(0, 0, table.len(), copy(table.clone()));
         for (slot, &value) in (0..).zip(&needs.fills) {
-            add(0, layout.start(slot), layout.slot_words as usize, constant(&volume.voxels, value));
+            add(0, layout.start(slot), layout.slot_words as usize, constant(layout.stored, value));
         }
-        let source = Arc::new(Source { volume: volume.clone(), pages: needs.pages });
+        let source = Arc::new(Source { volume, pages: needs.pages, stored: layout.stored });
         for Batch { plane, pages } in batches {
             let before = passes[plane as usize];
             let follows = |a: &(u32, u32), b: &(u32, u32)| a.0 + 1 == b.0;
@@ -151,11 +172,11 @@ fn copy(words: Vec<u32>) -> Arc<Fill> {
 }
 
 /// Writes a stored value again and again.
-fn constant(voxels: &Voxels, value: f32) -> Arc<Fill> {
-    let word = match voxels {
-        Voxels::U8(_) => u32::from_le_bytes([value as u8; 4]),
-        Voxels::U16(_) => u32::from(value as u16) * 0x1_0001,
-        Voxels::F32(_) => value.to_bits(),
+fn constant(stored: u32, value: f32) -> Arc<Fill> {
+    let word = match format::bytes(stored) {
+        1 => u32::from_le_bytes([value as u8; 4]),
+        2 => u32::from(value as u16) * 0x1_0001,
+        _ => value.to_bits(),
     };
     Arc::new(move |to| to.fill(word))
 }
@@ -164,6 +185,7 @@ fn constant(voxels: &Voxels, value: f32) -> Arc<Fill> {
 struct Source {
     volume: Volume,
     pages: [u32; 3],
+    stored: u32,
 }
 
 impl Source {
@@ -171,16 +193,20 @@ impl Source {
     fn fill(self: &Arc<Self>, numbers: Vec<u32>, slot_words: usize) -> Arc<Fill> {
         let source = Arc::clone(self);
         Arc::new(move |to| {
+            let floats = format::bytes(source.stored) == 4;
             to.par_chunks_exact_mut(slot_words).zip(&numbers).for_each(|(to, &number)| match &source.volume.voxels {
-                Voxels::U8(voxels) => source.page::<u8>(voxels, number, bytemuck::cast_slice_mut(to)),
-                Voxels::U16(voxels) => source.page::<u16>(voxels, number, bytemuck::cast_slice_mut(to)),
-                Voxels::F32(voxels) => source.page::<f32>(voxels, number, bytemuck::cast_slice_mut(to)),
+                Voxels::U8(voxels) if floats => source.page::<_, f32>(voxels, number, to),
+                Voxels::U16(voxels) if floats => source.page::<_, f32>(voxels, number, to),
+                Voxels::U8(voxels) => source.page::<_, u8>(voxels, number, to),
+                Voxels::U16(voxels) => source.page::<_, u16>(voxels, number, to),
+                Voxels::F32(voxels) => source.page::<_, f32>(voxels, number, to),
             });
         })
     }
 
     /// Copies a page's voxels; beyond the grid the nearest ones.
-    fn page<T: Pod>(&self, voxels: &[T], number: u32, to: &mut [T]) {
+    fn page<T: Copy, U: From<T> + Pod>(&self, voxels: &[T], number: u32, to: &mut [u32]) {
+        let to: &mut [U] = bytemuck::cast_slice_mut(to);
         let sizes = self.volume.dimensions.map(|n| n as usize);
         let first = |axis: usize| {
             let at = number / self.pages[..axis].iter().product::<u32>() % self.pages[axis];
@@ -193,8 +219,22 @@ impl Source {
             let z = limited(first(2) + (row / edge) as i64, 2);
             let from = &voxels[(z * sizes[1] + y) * sizes[0]..][..sizes[0]];
             for (x, to) in (first(0)..).zip(to) {
-                *to = from[limited(x, 0)];
+                *to = U::from(from[limited(x, 0)]);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shares;
+
+    #[test]
+    fn what_is_allowed_is_shared() {
+        assert_eq!(shares(99, &[[40, 100], [60, 60]]), None);
+        assert_eq!(shares(100, &[[40, 100], [60, 60]]), Some(vec![40, 60]));
+        assert_eq!(shares(u64::MAX, &[[40, 100], [60, 80]]), Some(vec![100, 80]));
+        assert_eq!(shares(130, &[[40, 100], [20, 80]]), Some(vec![75, 55]));
+        assert_eq!(shares(130, &[[40, 40]]), Some(vec![40]));
     }
 }

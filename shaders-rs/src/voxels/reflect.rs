@@ -1,0 +1,76 @@
+//! Looks for the opaque triangle or receiver that the first surface mirrors. Clear bodies are looked through.
+
+use super::mirror::{first_surface, mirrored};
+use super::ray::Ray;
+use super::surface::ior;
+use super::{receivers, tree};
+use crate::abi::record::mirror::stage;
+use crate::abi::record::{mirror, path};
+use crate::abi::voxels::{STEPS, VoxelsUniforms, corner};
+use crate::field::access::read;
+
+#[inline(always)]
+fn component(x: u32, y: u32, u: &VoxelsUniforms, rays: &[f32], component: usize) -> f32 {
+    let count = (u.dispatch.x * u.dispatch.y) as i32;
+    read(rays, component as i32 * count + (y * u.dispatch.x + x) as i32)
+}
+
+/// Whether there is something to look for, still.
+#[inline(always)]
+pub fn level(
+    x: u32,
+    y: u32,
+    u: &VoxelsUniforms,
+    _mode: u32,
+    before: [f32; mirror::SIZE],
+    rays: &[f32],
+    _nodes: &[f32],
+    _corners: &[f32],
+    _materials: &[f32],
+) -> u32 {
+    let reflects = component(x, y, u, rays, path::REFLECTANCE) > 0.0;
+    if reflects & (before[mirror::STAGE] < stage::FOUND) { 3 } else { 0 }
+}
+
+/// The search some nodes on.
+#[inline(always)]
+pub fn invoke<const LEVEL: u32>(
+    x: u32,
+    y: u32,
+    u: &VoxelsUniforms,
+    _mode: u32,
+    before: [f32; mirror::SIZE],
+    rays: &[f32],
+    nodes: &[f32],
+    corners: &[f32],
+    materials: &[f32],
+) -> [f32; mirror::SIZE] {
+    let depth = component(x, y, u, rays, path::DEPTH);
+    let (column, row) = (x as i32, y as i32);
+    let mut ray = Ray::straight(first_surface(u, column, row, depth), mirrored(u, rays, column, row));
+    if before[mirror::STAGE] == stage::NEW {
+        let receiver = receivers::first(u, ray.position, ray.direction);
+        ray.triangle = receiver.which;
+        ray.distance = receiver.distance;
+    } else {
+        ray.node = before[mirror::NODE] as i32;
+        ray.triangle = before[mirror::TRIANGLE] as i32;
+        ray.distance = before[mirror::DISTANCE];
+    }
+    let count = tree::count(nodes);
+    let mut step = 0;
+    while (step < 4 * STEPS) & (ray.node < count) {
+        step += 1;
+        let (triangle, distance) = (ray.triangle, ray.distance);
+        tree::visit(&mut ray, nodes, corners);
+        let met = ray.triangle != triangle;
+        let at = if met { ray.triangle } else { 0 };
+        let material = read(corners, at * corner::SIZE as i32 + corner::MATERIAL as i32) as i32;
+        if met & (ior(material, materials) != 0.0) {
+            ray.triangle = triangle;
+            ray.distance = distance;
+        }
+    }
+    let stage = if ray.node < count { stage::SEEKS } else { stage::FOUND };
+    [stage, ray.node as f32, ray.triangle as f32, ray.distance]
+}

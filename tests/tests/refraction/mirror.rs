@@ -1,0 +1,129 @@
+//! What the first surface mirrors: opaque bodies and receivers where mirror images are, with the light and shadow that they have.
+
+use super::on_both;
+use vitrum::backend::Backend;
+use vitrum_conformance::Failure;
+use vitrum_conformance::case::Case;
+use vitrum_conformance::frames;
+use vitrum_conformance::refraction::{Traced, ball, case, cuboid, together, trace};
+use vitrum_io::Mesh;
+use vitrum_kernels::glam::{DQuat, DVec3};
+
+const EDGE: u32 = 96;
+
+/// The radius of an opaque ball, and where it hovers.
+const RADIUS: f64 = 0.5;
+const MIDDLE: DVec3 = DVec3::new(0.2, 0.3, 1.1);
+
+/// The colour of the ball, under light from all sides of 1.
+const COLOR: [f64; 3] = [0.8, 0.4, 0.2];
+
+fn placed(mesh: &Mesh, scale: f64, by: DVec3) -> Mesh {
+    let place = |at: &[f32; 3]| (DVec3::from_array(at.map(f64::from)) * scale + by).as_vec3().to_array();
+    Mesh { positions: mesh.positions.iter().map(place).collect(), ..mesh.clone() }
+}
+
+/// A ball above a plate of black glass, whose upper face is at z = 0, in black surroundings.
+fn scene(settings: &[&str]) -> Result<Case, Failure> {
+    let plate = placed(&cuboid(DVec3::new(2.0, 2.0, 0.25), DQuat::IDENTITY), 1.0, DVec3::new(0.0, 0.0, -0.25));
+    let mesh = together(&[plate, placed(&ball(96), RADIUS, MIDDLE)]);
+    let usual = [
+        "material=[{name=\"m0\",ior=1.5,attenuation_color=[0.001,0.001,0.001],attenuation_distance=0.01},\
+         {name=\"m1\",opaque=true,color=[0.8,0.4,0.2]}]",
+        "environment.kind=color",
+        "environment.color=[0,0,0]",
+        "camera.position=[0.5,-5,3]",
+        "camera.target=[0,0,0.2]",
+        "voxels.resolution=128",
+    ];
+    case("mirror", mesh, EDGE, &[&usual, settings].concat())
+}
+
+/// How far a ray passes the ball's middle, and whether it comes nearer to it.
+fn passes(from: DVec3, towards: DVec3) -> (f64, bool) {
+    let along = (MIDDLE - from).dot(towards);
+    ((MIDDLE - from - towards * along).length(), along > 0.0)
+}
+
+/// Fresnel's share of light that meets glass of index 1.5 at an angle of this cosine.
+fn reflectance(cosine: f64) -> f64 {
+    let inside = (1.0 - (1.0 - cosine * cosine) / 2.25).sqrt();
+    let across = (cosine - 1.5 * inside) / (cosine + 1.5 * inside);
+    let along = (1.5 * cosine - inside) / (1.5 * cosine + inside);
+    0.5 * (across * across + along * along)
+}
+
+/// The rays of pixels that see the plate's upper face, away from its edges and from the ball's outline: their numbers, cosines, where
+/// they are mirrored, and whether that is towards the ball.
+fn mirrored(rays: &[Traced]) -> Vec<(usize, f64, [DVec3; 2], bool)> {
+    let seen = |(pixel, ray): (usize, &Traced)| {
+        let at = ray.from - ray.towards * (ray.from.z / ray.towards.z);
+        let (direct, _) = passes(ray.from, ray.towards);
+        let towards = ray.towards * DVec3::new(1.0, 1.0, -1.0);
+        let (passed, nearer) = passes(at, towards);
+        let clear = at.x.abs().max(at.y.abs()) < 1.9 && direct > RADIUS + 0.1 && (passed - RADIUS).abs() > 0.05;
+        clear.then_some((pixel, -ray.towards.z, [at, towards], passed < RADIUS && nearer))
+    };
+    rays.iter().enumerate().filter_map(seen).collect()
+}
+
+fn color(case: &Case, backend: &mut dyn Backend) -> Result<Vec<[f32; 3]>, Failure> {
+    Ok(frames::render(case, backend)?.aov("color").expect("every frame has a colour").color())
+}
+
+/// A pixel that sees the plate sees F times the ball's colour where the mirrored ray meets the ball, else nothing.
+#[test]
+fn a_ball_is_mirrored_where_its_image_is() -> Result<(), Failure> {
+    // The face of voxels is not quite flat: a thousandth of a radian, over which F changes by less than that.
+    for (kind, bound) in
+        [("voxels.surfaces=exact", 1e-5), ("voxels.surfaces=multi", 2e-3), ("voxels.surfaces=two", 2e-3)]
+    {
+        let case = scene(&[kind, "light.intensity=0", "shading.ambient=[1,1,1]"])?;
+        on_both(|backend| {
+            let rays = mirrored(&trace(&case, backend)?);
+            let found = color(&case, backend)?;
+            let images = rays.iter().filter(|(.., met)| *met).count();
+            assert!(images > 200 && rays.len() > images + 500, "{kind}: {images} of {} see the ball", rays.len());
+            for &(pixel, cosine, _, met) in &rays {
+                for (found, color) in found[pixel].iter().zip(COLOR) {
+                    let expected = if met { reflectance(cosine) * color } else { 0.0 };
+                    let off = (f64::from(*found) - expected).abs();
+                    assert!(off < bound, "{kind}, pixel {pixel}: {found}, expected {expected}");
+                }
+            }
+            Ok(())
+        })?;
+    }
+    Ok(())
+}
+
+/// Light from one side: what is mirrored is lit as what is seen, by Lambert's law on the side of the ball that shows.
+#[test]
+fn what_is_mirrored_has_its_light() -> Result<(), Failure> {
+    let settings = ["light.attachment=world", "light.elevation=0", "light.azimuth=180", "shading.ambient=[0,0,0]"];
+    let case = scene(&[&settings[..], &["voxels.surfaces=exact"]].concat())?;
+    on_both(|backend| {
+        let rays = mirrored(&trace(&case, backend)?);
+        let found = color(&case, backend)?;
+        // From behind the world's front, +y: from the camera's side.
+        let light = -DVec3::Y;
+        let mut lit = 0;
+        for (pixel, cosine, [at, towards], _) in rays.into_iter().filter(|(.., met)| *met) {
+            let along = (MIDDLE - at).dot(towards);
+            let across = (MIDDLE - at - towards * along).length_squared();
+            let normal = (at + towards * (along - (RADIUS * RADIUS - across).sqrt()) - MIDDLE) / RADIUS;
+            let strength = normal.dot(light).max(0.0);
+            // Near its terminator the ball shades itself by voxels of the shadow map.
+            if strength < 0.3 {
+                continue;
+            }
+            lit += 1;
+            let expected = reflectance(cosine) * COLOR[0] * strength;
+            let found = f64::from(found[pixel][0]);
+            // A facet is π / 96 wide, and smooth normals are those of the ball.
+            assert!((found / expected - 1.0).abs() < 0.01, "pixel {pixel}: {found}, expected {expected}");
+        }
+        assert!(lit > 100, "{lit}");
+        Ok(())
+    })
+}
