@@ -2,7 +2,7 @@
 
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
-use crate::abi::record::{film, irradiance, light, path, probe, ray, sheet, sums, trace, view};
+use crate::abi::record::{film, irradiance, light, mirror, path, probe, ray, sheet, sums, trace, view};
 use crate::abi::shadow::ShadowUniforms;
 use crate::abi::sweep::SweepUniforms;
 use crate::abi::voxelize::VoxelizeUniforms;

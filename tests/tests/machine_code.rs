@@ -28,8 +28,11 @@ const LEAST: [(&str, [f64; 2]); 7] = [
     ("sweep_propagate_rays", [2.1, 0.1]),
 ];
 
-/// The builds: how their functions are named, and whether a register holds all lanes of a vector.
-const BUILDS: [(&str, fn(Register) -> bool); 2] = [("avx512", Register::is_zmm), ("avx2", Register::is_ymm)];
+/// Whether a register holds all lanes of a vector.
+type IsWhole = fn(Register) -> bool;
+
+/// The builds, and how their functions are named.
+const BUILDS: [(&str, IsWhole); 2] = [("avx512", Register::is_zmm), ("avx2", Register::is_ymm)];
 
 /// What a function is made of.
 #[derive(Debug, Default)]
@@ -42,7 +45,7 @@ struct Contents {
     calls: Vec<String>,
 }
 
-fn contents(file: &File, symbol: &Symbol, is_whole: fn(Register) -> bool) -> Contents {
+fn contents(file: &File, symbol: &Symbol, is_whole: IsWhole) -> Contents {
     use Mnemonic::{
         Vaddps, Vaddss, Vdivps, Vdivss, Vmaxps, Vmaxss, Vminps, Vminss, Vmulps, Vmulss, Vsqrtps, Vsqrtss, Vsubps,
         Vsubss,

@@ -6,7 +6,9 @@
 use super::host::{Access, Binding, Chunk, Declaration, Element, FOREVER, InstructionSet, Kernel, LANES};
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
-use crate::abi::record::{absorption, attributes, film, irradiance, light, path, probe, ray, sheet, sums, trace, view};
+use crate::abi::record::{
+    absorption, attributes, film, irradiance, light, mirror, path, probe, ray, sheet, sums, trace, view,
+};
 use crate::abi::shadow::ShadowUniforms;
 use crate::abi::sweep::SweepUniforms;
 use crate::abi::voxelize::VoxelizeUniforms;

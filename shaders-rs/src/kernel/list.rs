@@ -157,7 +157,7 @@ macro_rules! for_each_kernel {
                 updates 4 [path::SIZE],
                 voxels::seek [], levels [3] gpu 3, modes [0 1];
             voxels_reflect: VoxelsUniforms, [1 rays: f32, 2 nodes: f32, 3 corners: f32, 4 materials: f32],
-                updates 5 [crate::abi::record::mirror::SIZE],
+                updates 5 [mirror::SIZE],
                 voxels::reflect [], levels [3] gpu 3, modes [0];
             voxels_resolve: VoxelsUniforms,
                 [1 rays: f32, 2 map: f32, 3 corners: f32, 4 looks: f32, 5 shadow: u32, 6 mirrors: f32],
