@@ -19,13 +19,15 @@ use vitrum_kernels::kernel::ALL;
 /// Each body stands there as vector code and, for the rest of a row, as scalar code. A body that falls back to scalar code lowers
 /// the ratio: bounds are a tenth below what was found with Rust 1.95, so that one of a dozen bodies of `propagate_rays` shows.
 const LEAST: [(&str, [f64; 2]); 7] = [
-    ("sweep_filter_light", [0.89, 0.1]),
-    ("sweep_trace_light", [2.2, 0.1]),
-    ("sweep_gather_light", [1.15, 0.1]),
-    ("sweep_refract_light", [2.75, 0.1]),
-    ("sweep_concentrate_light", [2.5, 0.1]),
-    ("sweep_advance_sheet", [3.4, 0.1]),
-    ("sweep_propagate_rays", [2.1, 0.1]),
+    ("sweep_filter_light", [0.89, 0.89]),
+    ("sweep_trace_light", [2.2, 1.5]),
+    ("sweep_gather_light", [1.15, 1.15]),
+    // Without instructions for scattered reads that pay, AVX2 has no vector code where nothing is refracted.
+    ("sweep_refract_light", [2.75, 1.3]),
+    ("sweep_concentrate_light", [2.5, 2.5]),
+    // Nor, for the same reason, for most of sheets' bodies.
+    ("sweep_advance_sheet", [3.4, 0.47]),
+    ("sweep_propagate_rays", [2.1, 1.4]),
 ];
 
 /// Whether a register holds all lanes of a vector.

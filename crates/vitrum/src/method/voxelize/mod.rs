@@ -131,8 +131,11 @@ pub fn voxelize(
     backend: &mut dyn Backend,
     progress: &mut dyn FnMut(u64, u64) -> bool,
 ) -> Result<Voxelization, Error> {
+    let started = Instant::now();
     let grid = Grid::around(mesh, settings)?;
-    voxelize_in(grid, mesh, settings, backend, progress)
+    let mut made = voxelize_in(grid, mesh, settings, backend, progress)?;
+    made.statistics.voxelize_ms = vec![started.elapsed().as_secs_f64() * 1e3];
+    Ok(made)
 }
 
 /// As [`voxelize`], in a grid that is given; the mesh must lie within it.
