@@ -167,6 +167,7 @@ fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
     let expected = within(&case, None)?;
     assert_eq!(expected, within(&case, Some(whole))?);
     let failure = within(&case, Some(1 << 14)).expect_err("a plane needs more than that");
+    assert_eq!(failure.exit_code(), 2, "a limit is a matter of use");
     let Error::Backend(BackendError::VolumeLimit { whole: told, needed, .. }) = &failure else {
         panic!("another failure: {failure}");
     };
@@ -185,6 +186,19 @@ fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
         assert!(taken <= limit, "{taken} of {limit} bytes");
         sweep.free(&mut cpu);
         assert_eq!(expected, within(&case, Some(limit))?);
+    }
+    Ok(())
+}
+
+/// Pages of a small volume take more than all of it in one piece: what is said to be enough is what is enough.
+#[test]
+fn what_a_small_volume_needs_is_all_of_it_at_most() -> Result<(), Failure> {
+    for case in [two_of_integers([24, 24], &[OBLIQUE])?, case("luneburg", &[OBLIQUE])?] {
+        let failure = within(&case, Some(1000)).expect_err("a plane needs more than that");
+        let Error::Backend(BackendError::VolumeLimit { needed, .. }) = failure else {
+            panic!("another failure: {failure}");
+        };
+        within(&case, Some(needed))?;
     }
     Ok(())
 }

@@ -1,9 +1,10 @@
 //! Where the work is done: flags, and what opens a session by them.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Status};
 use crate::volume::ByteCount;
 use clap::{Args, ValueEnum};
 use vitrum::backend::{self, BackendError, Choice};
+use vitrum::scene::{Method, Scene};
 use vitrum::{Fallback, Inputs, Session};
 
 /// Where the work is done.
@@ -28,6 +29,18 @@ pub struct MemoryArguments {
     /// Most memory of the device for voxels at once, such as 512MiB; larger volumes are streamed, as are those that are larger than the device allows
     #[arg(long, value_name = "SIZE")]
     pub memory_limit: Option<ByteCount>,
+}
+
+impl MemoryArguments {
+    /// Fails where a scene's voxels cannot be streamed.
+    pub fn check(&self, scene: &Scene) -> Result<(), Failure> {
+        if self.memory_limit.is_none() || scene.method != Method::Voxels {
+            return Ok(());
+        }
+        let message = "--memory-limit is for volumes, and rays go through a mesh whose voxels are all there at once";
+        let help = "leave it out and lower `voxels.resolution`, or set `method = \"sweep\"`";
+        Err(Failure::new(Status::WrongUse, message.to_owned(), help))
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -113,6 +113,9 @@ impl From<BackendError> for Failure {
     fn from(error: BackendError) -> Self {
         match error {
             BackendError::Cancelled => interrupt::failure(),
+            BackendError::VolumeLimit { asked_for: true, .. } => {
+                Self::with_advice(Status::WrongUse, &error, error.help().map(str::to_owned))
+            }
             error => Self::with_advice(Status::Device, &error, error.help().map(str::to_owned)),
         }
     }

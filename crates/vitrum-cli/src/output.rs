@@ -75,12 +75,15 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     io::write_text(path, text).map_err(|error| Failure::output(&error))
 }
 
-/// Says that a mesh's surface has holes, which its owner may not expect, if rows of voxels are empty for that; `advice` goes on.
-pub fn warn_of_holes(mesh: &str, open_rows: Option<u64>, advice: &str) {
-    if let Some(rows) = open_rows.filter(|&rows| rows > 0) {
+/// Says that a mesh's surface is not closed, which its owner may not expect, by its edges and by the rows of voxels that are empty for that.
+pub fn warn_of_holes(mesh: &str, unpaired_edges: usize, open_rows: Option<u64>) {
+    let rows = open_rows.unwrap_or(0);
+    let left_empty = format!("; {rows} rows of voxels go through holes of the surface and were left empty");
+    let rows = if rows > 0 { left_empty.as_str() } else { "" };
+    if unpaired_edges > 0 || !rows.is_empty() {
         eprintln!(
-            "warning: {mesh}: {rows} rows of voxels go through holes of the surface and were left empty; `vitrum info` counts open \
-             edges{advice}"
+            "warning: {mesh}: the surface is not closed, {unpaired_edges} edges are open or between triangles that face opposite ways, \
+             so what is inside is a guess{rows}; `vitrum info` tells more"
         );
     }
 }

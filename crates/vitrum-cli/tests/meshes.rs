@@ -100,10 +100,21 @@ fn a_mesh_is_rendered_and_its_scene_renders_the_same() {
 }
 
 #[test]
+fn what_rays_cannot_do_is_refused() {
+    let folder = Folder::new();
+    folder.write("line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n");
+    for method in ["method=voxels", "method=sweep"] {
+        let render = ["render", "line.obj", "-o", "out.png", "--set", method];
+        folder.refuse(&render, 3, &["line.obj", "none of its 1 triangles has an area"]);
+    }
+    folder.write("a.obj", TETRAHEDRON);
+    let render = ["render", "a.obj", "-o", "out.png", "--set", "method=voxels", "--memory-limit", "1KiB"];
+    folder.refuse(&render, 2, &["--memory-limit is for volumes", "voxels.resolution"]);
+}
+
+#[test]
 fn holes_of_a_rendered_mesh_are_told() {
     let folder = Folder::new();
-    let open = TETRAHEDRON.strip_suffix("f 2 3 4\n").expect("the last face");
-    folder.write("open.obj", open);
     folder.write("closed.obj", TETRAHEDRON);
     folder.write("a.mtl", "newmtl glass\n");
     let small = ["--size", "16x16", "--set", "voxels.resolution=16", "--backend", "cpu"];
@@ -112,9 +123,13 @@ fn holes_of_a_rendered_mesh_are_told() {
         assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
         outcome.stderr
     };
-    for method in ["method=voxels", "method=sweep"] {
-        let told = messages("open.obj", method);
-        assert!(told.contains("warning: open.obj") && told.contains("holes"), "{method}: {told}");
+    let faces: Vec<&str> = TETRAHEDRON.lines().filter(|line| line.starts_with("f ")).collect();
+    for method in ["method=voxels", "method=sweep", "voxels.surfaces=exact", "voxels.normals=paper"] {
+        for face in &faces {
+            folder.write("open.obj", &TETRAHEDRON.replace(&format!("{face}\n"), ""));
+            let told = messages("open.obj", method);
+            assert!(told.contains("warning: open.obj: the surface is not closed, 3 edges"), "{method}, {face}: {told}");
+        }
         assert!(!messages("closed.obj", method).contains("warning"), "{method}");
     }
 }

@@ -28,10 +28,11 @@ pub enum Error {
 }
 
 impl Error {
-    /// The program's exit code: 3 for inputs, 4 for devices.
+    /// The program's exit code: 2 for a memory limit that is too low, 3 for inputs, 4 for devices.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Io(_) | Self::SceneFile(_) | Self::Scene(_) => 3,
+            Self::Backend(BackendError::VolumeLimit { asked_for: true, .. }) => 2,
             Self::Backend(_) => 4,
         }
     }
@@ -79,6 +80,12 @@ impl Default for Wanted {
 /// shines towards the camera.
 pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
     scene.validate()?;
+    if let Some(mesh) = inputs.mesh.as_ref().filter(|mesh| mesh.surface_area() == 0.0) {
+        let (name, count) = (&mesh.name, mesh.triangles.len());
+        return Err(Error::Scene(format!(
+            "{name}: none of its {count} triangles has an area; give a mesh that has a surface"
+        )));
+    }
     match scene.method {
         Method::Sweep => sweep::check(scene, inputs),
         Method::Voxels => Ok(()),

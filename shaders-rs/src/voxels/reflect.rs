@@ -1,10 +1,13 @@
-//! Looks for the opaque triangle or receiver that the first surface mirrors. Clear bodies are looked through.
+//! Looks for the opaque triangle or receiver that the first surface mirrors. Clear bodies are looked through. No node is looked at
+//! twice, so that a search has an end that is known.
 
 use super::mirror::{first_surface, mirrored};
 use super::ray::Ray;
 use super::surface::ior;
+use super::triangle::FAR;
 use super::{receivers, tree};
 use crate::abi::record::mirror::stage;
+use crate::abi::record::path::ahead;
 use crate::abi::record::{mirror, path};
 use crate::abi::voxels::{STEPS, VoxelsUniforms, corner};
 use crate::field::access::read;
@@ -15,24 +18,23 @@ fn component(x: u32, y: u32, u: &VoxelsUniforms, rays: &[f32], component: usize)
     read(rays, component as i32 * count + (y * u.dispatch.x + x) as i32)
 }
 
-/// Whether there is something to look for, still.
+/// Whether the search is under way.
 #[inline(always)]
 pub fn level(
-    x: u32,
-    y: u32,
-    u: &VoxelsUniforms,
+    _x: u32,
+    _y: u32,
+    _u: &VoxelsUniforms,
     _mode: u32,
     before: [f32; mirror::SIZE],
-    rays: &[f32],
+    _rays: &[f32],
     _nodes: &[f32],
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    let reflects = component(x, y, u, rays, path::REFLECTANCE) > 0.0;
-    if reflects & (before[mirror::STAGE] < stage::FOUND) { 3 } else { 0 }
+    if before[mirror::STAGE] == stage::FOUND { 0 } else { 3 }
 }
 
-/// The search some nodes on.
+/// The search some nodes on. Where nothing is mirrored it is done at once.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     x: u32,
@@ -45,6 +47,12 @@ pub fn invoke<const LEVEL: u32>(
     corners: &[f32],
     materials: &[f32],
 ) -> [f32; mirror::SIZE] {
+    if before[mirror::STAGE] == stage::FOUND {
+        return before;
+    }
+    if component(x, y, u, rays, path::REFLECTANCE) <= 0.0 {
+        return [stage::FOUND, 0.0, ahead::NOTHING as f32, FAR];
+    }
     let depth = component(x, y, u, rays, path::DEPTH);
     let (column, row) = (x as i32, y as i32);
     let mut ray = Ray::straight(first_surface(u, column, row, depth), mirrored(u, rays, column, row));

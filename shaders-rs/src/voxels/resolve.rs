@@ -10,25 +10,46 @@ use crate::math::{dot, length, max, select, xyz};
 use crate::optics::environment::{Surroundings, environment};
 use spirv_std::glam::Vec3;
 
-#[inline(always)]
-fn leaving(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32) -> Vec3 {
-    vector(u, rays, y * u.dispatch.x as i32 + x, path::DIRECTION)
+/// A pixel next to another.
+#[derive(Clone, Copy)]
+struct Neighbour {
+    /// Whether there is one whose ray took the same way.
+    alike: bool,
+    /// The direction in which its ray left.
+    leaves: Vec3,
+    /// Whether it mirrors something, too.
+    mirrors: bool,
+    /// The direction from which that comes.
+    mirrored: Vec3,
 }
 
-/// The neighbours of pixel (x, y) that are there: left, right, above, below.
+/// Pixel (x, y), next to one whose ray met `bounces` surfaces and has become of it what `status` says.
 #[inline(always)]
-fn around(u: &VoxelsUniforms, x: i32, y: i32) -> (i32, i32, i32, i32) {
+fn neighbour(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32, bounces: f32, status: f32) -> Neighbour {
     let (width, height) = (u.dispatch.x as i32, u.dispatch.y as i32);
-    let left = if x > 0 { x - 1 } else { 0 };
-    let right = if x < width - 1 { x + 1 } else { width - 1 };
-    let above = if y > 0 { y - 1 } else { 0 };
-    let below = if y < height - 1 { y + 1 } else { height - 1 };
-    (left, right, above, below)
+    let there = (x >= 0) & (x < width) & (y >= 0) & (y < height);
+    let at = if there { y * width + x } else { 0 };
+    let component = |c: usize| read(rays, c as i32 * (width * height) + at);
+    Neighbour {
+        alike: there & (component(path::BOUNCES) == bounces) & (component(path::STATUS) == status),
+        leaves: vector(u, rays, at, path::DIRECTION),
+        mirrors: there & (component(path::REFLECTANCE) > 0.0),
+        mirrored: mirrored(u, rays, x, y),
+    }
 }
 
-/// The environment in direction `d`, over the angle between neighbouring pixels' directions: `across` and `down`, two apart.
+/// How far apart directions are from pixel to pixel, of one with direction `own` between two neighbours, of which only those `first_counts`
+/// and `last_counts`; if neither does, what is `usual`.
 #[inline(always)]
-fn surroundings(u: &VoxelsUniforms, map: &[f32], d: Vec3, across: Vec3, down: Vec3) -> Vec3 {
+fn apart(own: Vec3, (first, first_counts): (Vec3, bool), (last, last_counts): (Vec3, bool), usual: f32) -> f32 {
+    let whole = 0.5 * length(last - first);
+    let half = select(last_counts, length(last - own), length(own - first));
+    select(first_counts & last_counts, whole, select(first_counts | last_counts, half, usual))
+}
+
+/// The environment in direction `d`, over an angle.
+#[inline(always)]
+fn surroundings(u: &VoxelsUniforms, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
     let surroundings = Surroundings {
         shape: u.environment,
         color: u.environment_color,
@@ -36,7 +57,7 @@ fn surroundings(u: &VoxelsUniforms, map: &[f32], d: Vec3, across: Vec3, down: Ve
         nadir: u.environment_nadir,
     };
     let turned = Vec3::new(dot(xyz(u.environment_x), d), dot(xyz(u.environment_y), d), dot(xyz(u.environment_z), d));
-    environment(&surroundings, map, turned, 0.5 * max(length(across), length(down)))
+    environment(&surroundings, map, turned, angle)
 }
 
 /// A direction in view space (looking along −z).
@@ -69,17 +90,23 @@ pub fn invoke(
     let at = y * u.dispatch.x as i32 + x;
     let count = (u.dispatch.x * u.dispatch.y) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
-    let (left, right, above, below) = around(u, x, y);
-    let direction = leaving(u, rays, x, y);
-    let across = leaving(u, rays, right, y) - leaving(u, rays, left, y);
-    let down = leaving(u, rays, x, below) - leaving(u, rays, x, above);
+    let direction = vector(u, rays, at, path::DIRECTION);
     let transmittance = vector(u, rays, at, path::TRANSMITTANCE);
     let bounces = component(path::BOUNCES);
     let status = component(path::STATUS);
     let surfaces = mode == seen::SURFACES;
     let met = surfaces & (status == fate::MET);
     let mut first_normal = vector(u, rays, at, path::NORMAL);
-    let mut through = surroundings(u, map, direction, across, down);
+    let left = neighbour(u, rays, x - 1, y, bounces, status);
+    let right = neighbour(u, rays, x + 1, y, bounces, status);
+    let above = neighbour(u, rays, x, y - 1, bounces, status);
+    let below = neighbour(u, rays, x, y + 1, bounces, status);
+    let usual = length(viewing(u, x + 1, y) - viewing(u, x, y));
+    let across = apart(direction, (left.leaves, left.alike), (right.leaves, right.alike), usual);
+    let down = apart(direction, (above.leaves, above.alike), (below.leaves, below.alike), usual);
+    // What is behind nothing does not depend on what is beside it.
+    let angle = select(bounces > 0.0, max(across, down), usual);
+    let mut through = surroundings(u, map, direction, angle);
     if met {
         let triangle = component(path::TRIANGLE) as i32;
         let point = point(u, corners, looks, triangle, vector(u, rays, at, path::POSITION));
@@ -89,11 +116,11 @@ pub fn invoke(
         }
     }
     let through = through * transmittance;
-    let across = mirrored(u, rays, right, y) - mirrored(u, rays, left, y);
-    let down = mirrored(u, rays, x, below) - mirrored(u, rays, x, above);
     let reflectance = component(path::REFLECTANCE);
     let towards_mirrored = mirrored(u, rays, x, y);
-    let mut reflected = surroundings(u, map, towards_mirrored, across, down);
+    let across = apart(towards_mirrored, (left.mirrored, left.mirrors), (right.mirrored, right.mirrors), usual);
+    let down = apart(towards_mirrored, (above.mirrored, above.mirrors), (below.mirrored, below.mirrors), usual);
+    let mut reflected = surroundings(u, map, towards_mirrored, max(across, down));
     if surfaces & (reflectance > 0.0) {
         let record = |component: usize| read(mirrors, component as i32 * count + at);
         let triangle = record(mirror::TRIANGLE) as i32;

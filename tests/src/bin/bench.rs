@@ -50,7 +50,7 @@ struct Arguments {
     threads: Vec<u16>,
 
     /// Instead of a graphics adapter, the CPU's builds for each instruction set that the machine has
-    #[arg(long, conflicts_with = "adapter")]
+    #[arg(long, conflicts_with_all = ["adapter", "roofline", "scaling"])]
     builds: bool,
 
     /// Instead, for each kernel on the CPU: bytes and operations, and its time over what the machine can do at best
@@ -135,7 +135,8 @@ fn contenders(arguments: &Arguments) -> Result<Vec<Contender>, Failure> {
     let threads = if threads.is_empty() { all.as_slice() } else { &threads };
     if arguments.builds {
         let sets = InstructionSet::ALL.into_iter().rev().filter(|set| set.is_available());
-        return sets.map(|set| Contender::build(threads[0], set)).collect();
+        let of_set = |set| threads.iter().map(move |&threads| Contender::build(threads, set));
+        return sets.flat_map(of_set).collect();
     }
     let gpu = adapter::open(arguments.adapter.as_deref())?;
     let mut contenders = threads.iter().map(|&threads| Contender::cpu(threads)).collect::<Result<Vec<_>, _>>()?;

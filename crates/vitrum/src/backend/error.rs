@@ -31,7 +31,7 @@ pub enum BackendError {
     },
     /// Volumes are streamed, and what one plane needs of them is more than they may take.
     #[error(
-        "{whole} bytes of voxels are streamed to {adapter}; a plane needs {needed} bytes of memory for voxels at once, and {limit} are allowed"
+        "{whole} bytes of voxels are streamed ({adapter}): {needed} bytes are needed at once, and {limit} are allowed"
     )]
     VolumeLimit {
         /// Bytes of the whole volumes.
@@ -40,6 +40,8 @@ pub enum BackendError {
         needed: u64,
         /// Bytes allowed.
         limit: u64,
+        /// Whether that is what was asked for by [`Backend::set_volume_limit`](super::Backend::set_volume_limit); else it is the device's.
+        asked_for: bool,
         /// The adapter.
         adapter: String,
     },
@@ -90,7 +92,7 @@ impl BackendError {
                 | Self::DeviceLost { .. }
                 | Self::OutOfMemory { .. }
                 | Self::TooLarge { .. }
-                | Self::VolumeLimit { .. }
+                | Self::VolumeLimit { asked_for: false, .. }
         )
     }
 
@@ -106,7 +108,8 @@ impl BackendError {
             Self::TooLarge { .. } | Self::OutOfMemory { .. } => {
                 Some("use --backend cpu, a smaller picture (--size) or a smaller volume")
             }
-            Self::VolumeLimit { .. } => Some("allow as much (--memory-limit), or use --backend cpu without a limit"),
+            Self::VolumeLimit { asked_for: true, .. } => Some("allow as much (--memory-limit), or set no limit"),
+            Self::VolumeLimit { asked_for: false, .. } => Some("use --backend cpu, or a smaller volume"),
             Self::Threads { .. } => Some("ask for fewer (--threads)"),
             Self::Misuse { .. } | Self::Cancelled => None,
         }

@@ -48,11 +48,18 @@ pub struct PassList {
     pub passes: Vec<Pass>,
     /// What is written between them, in the order of the passes.
     pub writes: Vec<Write>,
-    /// Passes of these kernels only matter while some invocation of `Self::ends_with` has work to do: once a pass of that
-    /// kernel was idle, a backend may leave the rest of them out. The results are the same.
-    pub while_busy: Vec<&'static str>,
+    /// What a backend may leave out.
+    pub while_busy: Vec<WhileBusy>,
+}
+
+/// Passes that only matter while some invocation of a kernel has work to do: once a pass of it was idle, a backend may leave the rest of
+/// them out. The results are the same.
+#[derive(Clone)]
+pub struct WhileBusy {
     /// The kernel whose idleness counts.
-    pub ends_with: Option<&'static str>,
+    pub kernel: &'static str,
+    /// The kernels of the passes.
+    pub passes: Vec<&'static str>,
 }
 
 impl PassList {

@@ -63,6 +63,10 @@ pub struct Voxels {
     pub bounces: u32,
     /// `filtered` or `paper`. Where `surfaces` is `exact` and the mesh has no normals: between the triangles', or the triangles' own.
     pub normals: Normals,
+    /// By how much a voxel reaches over its neighbours where triangles meet it, 0 to 1 of its edge, with the paper's normals: slices
+    /// overlap, so that no ray slips between two voxels of a surface.
+    #[schemars(range(min = 0, max = 1))]
+    pub overlap: f32,
     /// Degrees, 0 to 90: two surfaces whose normals differ by less are taken for one that was met twice, within two voxels or, with
     /// the paper's normals, anywhere.
     #[schemars(range(min = 0, max = 90))]
@@ -78,6 +82,7 @@ impl Default for Voxels {
             surfaces: Surfaces::Multi,
             bounces: 16,
             normals: Normals::Filtered,
+            overlap: 0.0,
             threshold: 30.0,
             reflection: true,
         }

@@ -7,6 +7,7 @@ use crate::input::Prepared;
 use crate::progress::Bar;
 use crate::{interrupt, output};
 use std::process::ExitCode;
+use vitrum::method::voxels::bodies;
 use vitrum::{Frame, Session, Statistics, Wanted};
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
@@ -15,20 +16,30 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     check_outputs(arguments)?;
     let prepared = arguments.scene.prepare()?;
     check_names(arguments, &prepared.scene)?;
+    arguments.memory.check(&prepared.scene)?;
     vitrum::check(&prepared.scene, &prepared.inputs)?;
     let mut session = arguments.device.session(&prepared.inputs, &arguments.memory, arguments.quiet)?;
     let frame = render(arguments, &prepared, &mut session)?;
     interrupt::check()?;
     write_outputs(arguments, &prepared.scene, &frame)?;
     if !arguments.quiet {
-        let advice = ", and `--set voxels.surfaces=exact` shows triangles as they are";
-        output::warn_of_holes(&arguments.scene.input, frame.statistics.open_rows, advice);
+        warn_of_holes(arguments, &prepared, &frame)?;
         eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
     }
     if arguments.json {
         output::print_json(&serde_json::to_value(&frame.statistics).unwrap_or_default())?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Says whether clear bodies of a mesh have holes.
+fn warn_of_holes(arguments: &Arguments, prepared: &Prepared, frame: &Frame) -> Result<(), Failure> {
+    let Some(mesh) = &prepared.inputs.mesh else { return Ok(()) };
+    let bodies = bodies(mesh, &prepared.scene.material)?;
+    let clear = bodies.iter().filter(|body| !body.opaque);
+    let edges = clear.map(|body| body.mesh.topology().unpaired_edges).sum();
+    output::warn_of_holes(&arguments.scene.input, edges, frame.statistics.open_rows);
+    Ok(())
 }
 
 /// The last of `--frames` frames, with the times of all.

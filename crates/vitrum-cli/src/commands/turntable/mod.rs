@@ -77,6 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let keys = arguments.keys.as_deref().map(|path| course::read_keys(path, arguments.rate)).transpose()?;
     let Prepared { scene, inputs, .. } = arguments.scene.prepare()?;
     let course = Course::new(arguments, scene, &inputs, keys)?;
+    arguments.memory.check(course.start())?;
     let mut target = Target::open(arguments, course.start(), course.frames())?;
     let mut session = arguments.device.session(&inputs, &arguments.memory, arguments.quiet)?;
     let bar = Bar::new(course.frames(), arguments.quiet);

@@ -113,7 +113,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let statistics = &voxels.statistics;
     if !arguments.quiet {
         eprintln!("{}: {}", arguments.output.display(), summary(statistics));
-        output::warn_of_holes(&mesh.name, statistics.open_rows, "");
+        if arguments.solid.is_some() {
+            output::warn_of_holes(&mesh.name, mesh.topology().unpaired_edges, statistics.open_rows);
+        }
     }
     if arguments.json {
         output::print_json(&serde_json::to_value(statistics).unwrap_or_default())?;

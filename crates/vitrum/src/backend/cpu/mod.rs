@@ -8,7 +8,7 @@ use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
 use chunks::{Known, Prepared, follows, most_together, rows};
 use contents::Contents;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::time::Instant;
 use vitrum_io::Words;
 use vitrum_kernels::kernel::InstructionSet;
@@ -173,7 +173,7 @@ impl Backend for CpuBackend {
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        let mut idle = false;
+        let mut idle: HashSet<&str> = HashSet::new();
         let mut known = HashMap::new();
         let (mut done, mut reported) = (0, None);
         // Written as soon as a pass that runs reads it.
@@ -191,7 +191,10 @@ impl Backend for CpuBackend {
                 }
             }
             done += together.len();
-            let needed = |pass: &&Pass| !(idle && passes.while_busy.contains(&pass.kernel.declaration.name));
+            let needed = |pass: &&Pass| {
+                let idle = passes.while_busy.iter().filter(|while_busy| idle.contains(while_busy.kernel));
+                !idle.flat_map(|while_busy| &while_busy.passes).any(|name| *name == pass.kernel.declaration.name)
+            };
             let together: Vec<&Pass> = together.iter().filter(needed).collect();
             if together.is_empty() {
                 continue;
@@ -204,11 +207,11 @@ impl Backend for CpuBackend {
             }
             self.write(now)?;
             let busy = self.run_together(&together, &mut known)?;
-            let ends = |pass: &Pass| passes.ends_with == Some(pass.kernel.declaration.name);
-            idle |= together.iter().zip(busy).any(|(pass, busy)| !busy && ends(pass));
+            let names = together.iter().map(|pass| pass.kernel.declaration.name);
+            idle.extend(names.zip(busy).filter(|(_, busy)| !busy).map(|(name, _)| name));
         }
         // For passes of another list; none are left where nothing goes on.
-        if !idle {
+        if passes.while_busy.iter().all(|while_busy| !idle.contains(while_busy.kernel)) {
             self.write(waiting)?;
         }
         progress(done);

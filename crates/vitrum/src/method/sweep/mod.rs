@@ -27,6 +27,7 @@ use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::inputs::Inputs;
 use crate::render::Error;
 use crate::scene::Scene;
+use std::collections::BTreeSet;
 use uniforms::Fixed;
 use vitrum_kernels::kernel::kernels;
 
@@ -113,9 +114,10 @@ impl Sweep {
     /// Lets a backend stop carrying light once every ray has ended. What [`Self::irradiance`] gives is then not the last plane's.
     pub fn end_light_with_rays(&mut self) {
         let names = self.passes.passes.iter().map(|pass| pass.kernel.declaration.name);
-        self.passes.while_busy = names.filter(|name| *name != kernels::sweep_resolve.declaration.name).collect();
-        self.passes.while_busy.sort_unstable();
-        self.passes.while_busy.dedup();
+        let all: BTreeSet<&str> = names.filter(|name| *name != kernels::sweep_resolve.declaration.name).collect();
+        for while_busy in &mut self.passes.while_busy {
+            while_busy.passes = all.iter().copied().collect();
+        }
     }
 
     /// Runs all passes; `progress` gets the planes that are done and returns whether to go on.

@@ -9,7 +9,7 @@ use super::texels::Texels;
 use super::uniforms::Fixed;
 use super::unoccluded::Unoccluded;
 use super::voxels::{bricks, chosen_format, fit, upload};
-use crate::backend::{Backend, BackendError, Buffer, PassList, Write};
+use crate::backend::{Backend, BackendError, Buffer, PassList, WhileBusy, Write};
 use crate::inputs::Inputs;
 use crate::render::Error;
 use vitrum_io::Volume;
@@ -167,7 +167,8 @@ pub(super) fn build(
     // Light goes on to the last plane: what is there is an output, too.
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
     writes.sort_by_key(|write| write.before);
-    let list = PassList { passes, writes, while_busy: vec![name], ends_with: Some(name) };
+    let while_busy = vec![WhileBusy { kernel: name, passes: vec![name] }];
+    let list = PassList { passes, writes, while_busy };
     let [_, irradiance] = light.on_plane(last);
     let buffers = Buffers { all: maker.created.clone(), irradiance, rays, film: finished };
     Ok((list, buffers))

@@ -5,7 +5,7 @@ use super::looks::looks;
 use super::shadow::Lookup;
 use super::uniforms::{self, Seen};
 use super::uploaded::{Uploaded, shown};
-use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, WhileBusy};
 use crate::inputs::Inputs;
 use crate::method::sweep::View;
 use crate::method::view::environment::Prepared;
@@ -24,11 +24,22 @@ pub struct Rays {
     pub passes: PassList,
     /// Rays across and down.
     pub rays: [u32; 2],
-    /// Passes behind those that follow rays.
-    finish: usize,
+    /// Parts of the passes that may end early.
+    stretches: Vec<Stretch>,
     created: Vec<Buffer>,
     records: Buffer,
     film: Buffer,
+}
+
+/// Passes up to number `end` that matter while there is work.
+struct Stretch {
+    end: usize,
+    /// The records that tell.
+    records: Buffer,
+    /// Their component that does.
+    component: usize,
+    /// Whether a record with this one has work left.
+    is_busy: fn(f32) -> bool,
 }
 
 impl Rays {
@@ -47,8 +58,8 @@ impl Rays {
         if listed.is_err() {
             created.iter().for_each(|buffer| backend.free(*buffer));
         }
-        let (passes, finish, rays, [records, film]) = listed?;
-        Ok(Self { passes, rays, finish, created, records, film })
+        let (passes, stretches, rays, [records, film]) = listed?;
+        Ok(Self { passes, rays, stretches, created, records, film })
     }
 
     /// Runs all passes; `progress` gets how many are done and returns whether to go on.
@@ -56,10 +67,9 @@ impl Rays {
     /// # Errors
     /// As [`Backend::run`].
     pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        // Most rays have left after a few dispatches. A backend that cannot see that by itself is asked for the rays from time to time.
+        // Most rays have left after a few dispatches. A backend that cannot see that by itself is asked for records from time to time.
         const TOGETHER: usize = 8;
         let total = self.passes.passes.len();
-        let follow = total - self.finish;
         if total <= 2 * TOGETHER || backend.leaves_out_idle_passes() {
             return backend.run(&self.passes, progress);
         }
@@ -68,20 +78,24 @@ impl Rays {
             PassList { passes: self.passes.passes[from..to].iter().map(copy).collect(), ..PassList::default() }
         };
         let mut done = 0;
-        while done < follow && (done == 0 || self.under_way(backend)?) {
-            let end = (done + TOGETHER).min(follow);
-            backend.run(&part(done, end), &mut |more| progress(done + more))?;
-            done = end;
+        for stretch in &self.stretches {
+            let start = done;
+            while done < stretch.end && (done == start || self.is_busy(stretch, backend)?) {
+                let end = (done + TOGETHER).min(stretch.end);
+                backend.run(&part(done, end), &mut |more| progress(done + more))?;
+                done = end;
+            }
+            done = stretch.end;
         }
-        backend.run(&part(follow, total), &mut |more| progress(follow + more))
+        backend.run(&part(done, total), &mut |more| progress(done + more))
     }
 
-    /// Whether any ray has not ended.
-    fn under_way(&self, backend: &mut dyn Backend) -> Result<bool, BackendError> {
+    /// Whether any invocation has work left.
+    fn is_busy(&self, stretch: &Stretch, backend: &mut dyn Backend) -> Result<bool, BackendError> {
         let component = u64::from(self.rays[0]) * u64::from(self.rays[1]) * 4;
-        let bytes = backend.read_part(self.records, path::STATUS as u64 * component, component)?;
-        let fates: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
-        Ok(fates.into_iter().any(|fate| fate == fate::ACTIVE || fate == fate::SEEKS))
+        let bytes = backend.read_part(stretch.records, stretch.component as u64 * component, component)?;
+        let stages: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
+        Ok(stages.into_iter().any(stretch.is_busy))
     }
 
     /// The finished pixels: planar records as [`view`] describes.
@@ -122,8 +136,10 @@ fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
     (crossings * steps).div_ceil(STEPS as u32)
 }
 
-/// Dispatches that look for what the first surface mirrors, of 4 · [`STEPS`] nodes each: many times those of a ray.
-const REFLECTED: usize = 8;
+/// Dispatches after which a search for what the first surface mirrors has looked at every node there is.
+fn searches(uploaded: &Uploaded) -> u32 {
+    uploaded.nodes().div_ceil(4 * STEPS as u32)
+}
 
 fn list(
     scene: &Scene,
@@ -131,7 +147,7 @@ fn list(
     uploaded: &Uploaded,
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
-) -> Result<(PassList, usize, [u32; 2], [Buffer; 2]), Error> {
+) -> Result<(PassList, Vec<Stretch>, [u32; 2], [Buffer; 2]), Error> {
     let mesh = shown(inputs)?;
     let eye = View::new(scene, &inputs.volume);
     let looks = looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
@@ -180,11 +196,14 @@ fn list(
         }
         passes.push(pass(uploaded.kernel, mode, through.clone()));
     }
-    let follow = passes.len();
+    let is_busy = |status: f32| status == fate::ACTIVE || status == fate::SEEKS;
+    let mut stretches = vec![Stretch { end: passes.len(), records: rays, component: path::STATUS, is_busy }];
     let (sees, mirrors) = if surfaces {
         let mirrors = keep(backend.create_zeroed("mirrors", planes(mirror::SIZE))?);
         let reflected = vec![rays, uploaded.tree[0], uploaded.tree[1], materials, mirrors];
-        passes.extend((0..REFLECTED).map(|_| pass(&kernels::voxels_reflect, 0, reflected.clone())));
+        passes.extend((0..searches(uploaded)).map(|_| pass(&kernels::voxels_reflect, 0, reflected.clone())));
+        let is_busy = |stage: f32| stage != mirror::stage::FOUND;
+        stretches.push(Stretch { end: passes.len(), records: mirrors, component: mirror::STAGE, is_busy });
         (seen::SURFACES, mirrors)
     } else {
         // What nothing is read of.
@@ -193,8 +212,11 @@ fn list(
     let resolved = vec![rays, map, uploaded.tree[1], looks, shadow, mirrors, film];
     passes.push(pass(&kernels::voxels_resolve, sees, resolved));
     let name = uploaded.kernel.declaration.name;
-    let while_busy = vec![name, kernels::voxels_seek.declaration.name];
-    let finish = passes.len() - follow;
-    let list = PassList { passes, while_busy, ends_with: Some(name), ..PassList::default() };
-    Ok((list, finish, size, [rays, film]))
+    let searches = kernels::voxels_reflect.declaration.name;
+    let while_busy = vec![
+        WhileBusy { kernel: name, passes: vec![name, kernels::voxels_seek.declaration.name] },
+        WhileBusy { kernel: searches, passes: vec![searches] },
+    ];
+    let list = PassList { passes, while_busy, ..PassList::default() };
+    Ok((list, stretches, size, [rays, film]))
 }

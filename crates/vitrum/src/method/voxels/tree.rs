@@ -3,6 +3,7 @@
 use super::bodies::Body;
 use super::normals::of_corners;
 use crate::method::voxelize::Grid;
+use crate::render::Error;
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::Bvh;
@@ -43,8 +44,32 @@ impl BHShape<f32, 3> for Shape {
     }
 }
 
+/// Triangles of a tree at most: kernels keep the numbers of its nodes, two a triangle, as floats, which hold whole numbers to 2²⁴.
+const MOST_TRIANGLES: usize = 1 << 23;
+
+impl Tree {
+    /// How many nodes it has.
+    pub fn count(&self) -> u32 {
+        (self.nodes.len() / node::SIZE) as u32
+    }
+}
+
+/// That a tree may have so many triangles.
+fn check(triangles: usize) -> Result<(), Error> {
+    if triangles < MOST_TRIANGLES {
+        return Ok(());
+    }
+    Err(Error::Scene(format!(
+        "rays look for {triangles} triangles, and can tell {MOST_TRIANGLES} apart; simplify the mesh, or make it clear and set `voxels.surfaces` to `multi`"
+    )))
+}
+
 /// Builds the tree of the triangles of `bodies` from number `first` on; `smooth` makes normals for a mesh that has none.
-pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool) -> Tree {
+///
+/// # Errors
+/// If there are too many.
+pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool) -> Result<Tree, Error> {
+    check(bodies.iter().skip(first).map(|body| body.mesh.triangles.len()).sum())?;
     let mut corners = Vec::new();
     for (number, body) in bodies.iter().enumerate().skip(first) {
         for (triangle, normals) in body.mesh.triangles.iter().zip(of_corners(&body.mesh, smooth)) {
@@ -52,12 +77,12 @@ pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool) -> 
         }
     }
     if corners.is_empty() {
-        return Tree { nodes: NOTHING.to_vec(), corners: vec![0.0; corner::SIZE] };
+        return Ok(Tree { nodes: NOTHING.to_vec(), corners: vec![0.0; corner::SIZE] });
     }
     let mut shapes: Vec<Shape> =
         corners.chunks_exact(corner::SIZE).map(|triangle| Shape { bounds: bounds(triangle), node: 0 }).collect();
     let flat = Bvh::build(&mut shapes).flatten();
-    Tree { nodes: threaded(&flat, &shapes), corners }
+    Ok(Tree { nodes: threaded(&flat, &shapes), corners })
 }
 
 fn of_triangle(

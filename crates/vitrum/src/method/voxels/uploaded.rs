@@ -25,6 +25,8 @@ struct Kind {
     twist: f32,
     exact: bool,
     paper: bool,
+    /// Of the paper's voxels; else 0.
+    overlap: f32,
     /// What makes a body each.
     groups: Vec<Group>,
 }
@@ -36,7 +38,8 @@ impl Kind {
         let exact = scene.voxels.surfaces == Surfaces::Exact || groups.iter().all(|group| group.opaque);
         let paper = scene.voxels.normals == Normals::Paper;
         let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
-        Self { resolution: scene.voxels.resolution, twist, exact, paper, groups }
+        let overlap = if paper { scene.voxels.overlap } else { 0.0 };
+        Self { resolution: scene.voxels.resolution, twist, exact, paper, overlap, groups }
     }
 }
 
@@ -58,6 +61,7 @@ pub struct Uploaded {
     pub(super) buffers: Vec<Buffer>,
     /// Nodes and corners of the tree of triangles: all, or where rays march through voxels, those of opaque bodies.
     pub(super) tree: Vec<Buffer>,
+    nodes: u32,
     pub(super) shadow: Option<ShadowMap>,
 }
 
@@ -77,7 +81,7 @@ impl Uploaded {
         let kind = Kind::of(scene, mesh);
         let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
         let mesh = deformed.as_ref().unwrap_or(mesh);
-        let settings = Settings { padding: PADDING, ..Settings::new(kind.resolution) };
+        let settings = Settings { padding: PADDING, overlap: kind.overlap, ..Settings::new(kind.resolution) };
         let grid = Grid::around(mesh, &settings)?;
         let bodies = bodies(mesh, &scene.material)?;
         let mut uploaded = Self {
@@ -90,6 +94,7 @@ impl Uploaded {
             kernel: &kernels::voxels_march,
             buffers: Vec::new(),
             tree: Vec::new(),
+            nodes: 0,
             shadow: None,
         };
         let filled = uploaded.fill(&settings, backend, progress);
@@ -147,13 +152,19 @@ impl Uploaded {
         self.clear < self.bodies.len()
     }
 
+    /// How many nodes the tree has.
+    pub(super) fn nodes(&self) -> u32 {
+        self.nodes
+    }
+
     fn fill(
         &mut self,
         settings: &Settings,
         backend: &mut dyn Backend,
         progress: &mut dyn FnMut(u64, u64) -> bool,
     ) -> Result<(), Error> {
-        let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper);
+        let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper)?;
+        self.nodes = tree.count();
         for (label, floats) in [("nodes of the tree", &tree.nodes), ("corners of triangles", &tree.corners)] {
             self.tree.push(backend.create(label, cast_slice(floats))?);
         }

@@ -102,16 +102,23 @@ pub(in crate::method::sweep) fn pools(
     // Kernels count stored voxels by a signed 32-bit number.
     let largest = backend.largest_buffer().min(i32::MAX as u64 * format::bytes(uploaded.format));
     let limit = backend.volume_limit();
-    let too_small = |limit: u64, of: &[&Volume], wanted: &[[u64; 2]]| BackendError::VolumeLimit {
+    let too_small = |needed: u64, limit: u64, of: &[&Volume], asked_for: bool| BackendError::VolumeLimit {
         whole: of.iter().map(|volume| bytes(volume, uploaded.format)).sum(),
-        needed: wanted.iter().map(|[least, _]| least).sum(),
+        needed,
         limit,
+        asked_for,
         adapter: backend.adapter(),
     };
     if let Some(at) = wanted.iter().position(|&[least, _]| least > largest) {
-        return Err(too_small(largest, &volumes[at..=at], &wanted[at..=at]));
+        return Err(too_small(wanted[at][0], largest, &volumes[at..=at], false));
     }
-    let shares = shares(limit, &wanted).ok_or_else(|| too_small(limit, volumes, &wanted))?;
+    let shares = shares(limit, &wanted).ok_or_else(|| {
+        let streamed: u64 = wanted.iter().map(|[least, _]| least).sum();
+        // Pages overlap: a small volume takes less in one piece.
+        let sizes = volumes.iter().map(|volume| bytes(volume, uploaded.format));
+        let whole = sizes.clone().all(|size| size <= largest).then(|| sizes.sum());
+        too_small(streamed.min(whole.unwrap_or(u64::MAX)), limit, volumes, true)
+    })?;
     let mut pools = Vec::new();
     for (((volume, needs), layout), share) in volumes.iter().zip(needs).zip(layouts).zip(shares) {
         let room = if uploaded.tight { busiest(&needs.needed) } else { layout.slots(share.min(largest)) };
