@@ -7,10 +7,11 @@ use crate::device::{DeviceArguments, MemoryArguments};
 use crate::failure::Failure;
 use crate::input::{Prepared, SceneArguments};
 use crate::interrupt::{self, Timeout};
-use crate::output::Bits;
+use crate::output::{self, Bits};
 use crate::progress::Bar;
 use clap::Args;
 use course::Course;
+use serde_json::Value;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use target::Target;
@@ -62,6 +63,10 @@ pub struct Arguments {
     #[arg(long)]
     pub resume: bool,
 
+    /// Also write the statistics of every frame, with times, as JSON
+    #[arg(long, value_name = "FILE.json")]
+    pub stats: Option<PathBuf>,
+
     /// End with exit code 124 when it takes longer; an animation is not written then
     #[arg(long, value_name = "SECONDS")]
     pub timeout: Option<Timeout>,
@@ -78,9 +83,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let Prepared { scene, inputs, .. } = arguments.scene.prepare()?;
     let course = Course::new(arguments, scene, &inputs, keys)?;
     arguments.memory.check(course.start())?;
+    arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;
     let mut target = Target::open(arguments, course.start(), course.frames())?;
     let mut session = arguments.device.session(&inputs, &arguments.memory, arguments.quiet)?;
     let bar = Bar::new(course.frames(), arguments.quiet);
+    let mut statistics = Vec::new();
     for index in 0..course.frames() {
         if arguments.resume && target.file(index).is_some_and(|file| file.exists()) {
             continue;
@@ -91,7 +98,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         })?;
         interrupt::check()?;
         target.add(index, &frame.picture())?;
+        let mut of_frame = serde_json::json!({ "frame": index });
+        if let (Value::Object(of_frame), Ok(Value::Object(more))) =
+            (&mut of_frame, serde_json::to_value(&frame.statistics))
+        {
+            of_frame.extend(more);
+        }
+        statistics.push(of_frame);
     }
     target.finish()?;
+    if let Some(file) = &arguments.stats {
+        output::write_text(file, &output::json(&serde_json::json!({ "frames": statistics })))?;
+    }
     Ok(ExitCode::SUCCESS)
 }
