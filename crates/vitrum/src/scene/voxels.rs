@@ -53,7 +53,7 @@ pub enum Normals {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Voxels {
-    /// Voxels along the mesh's longest edge, 8 to 2048; of the box around it 2^30 at most for all its clear materials together.
+    /// Voxels along the mesh's longest edge, 8 to 2048; of the box around it, five more on each side, 2^30 at most for all its clear materials together (1013 for a cube of one).
     #[schemars(range(min = 8, max = 2048))]
     pub resolution: u32,
     /// `two`, `multi` or `exact`.
