@@ -14,10 +14,11 @@ use crate::{Failure, data};
 /// Pixels along each side.
 const EDGE: u32 = 96;
 const RESOLUTIONS: [u32; 3] = [64, 128, 256];
-const KINDS: [(&str, &[&str]); 4] = [
+const KINDS: [(&str, &[&str]); 5] = [
     ("multi-surface", &[]),
     ("two-surface", &["voxels.surfaces=two"]),
     ("paper's normals", &["voxels.normals=paper"]),
+    ("paper's, overlapping", &["voxels.normals=paper", "voxels.overlap=0.5"]),
     (SWEEP, &[]),
 ];
 /// The rays of a plane sweep.
@@ -49,6 +50,7 @@ fn meshes() -> Result<Vec<(&'static str, Mesh)>, Failure> {
         ("ball", ball(256)),
         ("plate", cuboid(DVec3::new(1.0, 0.2, 0.8), DQuat::from_rotation_z(0.35) * DQuat::from_rotation_x(0.2))),
     ];
+    meshes.extend(vitrum::builtin::mesh("vase").map(|mesh| ("vase", mesh)));
     if let Some(path) = data::shared("meshes/hand_closed.obj") {
         meshes.push(("hand", open_mesh(&path, &OpenOptions::default())?));
     }
@@ -75,14 +77,15 @@ pub fn refraction(backend: &mut dyn Backend) -> Result<Section, Failure> {
                 points.push((f64::from(resolution), median));
                 cells.push(format!("{median:.2}°, {:.0} %", within * 100.0));
             }
-            rows.push(<[String; 6]>::try_from(cells).unwrap_or_default());
+            rows.push(<[String; KINDS.len() + 2]>::try_from(cells).unwrap_or_default());
         }
         if name == "ball" {
             series.extend(KINDS.iter().zip(points).map(|((kind, _), points)| Series::new(*kind, points)));
         }
     }
-    let [multi, two, paper, swept] = KINDS.map(|(name, _)| name.to_owned());
-    let text = aligned(["mesh".to_owned(), "voxels".to_owned(), multi, two, paper, swept], rows);
+    let [multi, two, paper, overlapping, swept] = KINDS.map(|(name, _)| name.to_owned());
+    let header = ["mesh".to_owned(), "voxels".to_owned(), multi, two, paper, overlapping, swept];
+    let text = aligned(header, rows);
     let logarithmic = |label| Axis { label, scale: Scale::Logarithmic };
     let plot = Plot {
         title: "A ball of voxels: median angle to the exact rays",

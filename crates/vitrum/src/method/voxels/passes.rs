@@ -58,8 +58,7 @@ impl Rays {
         if listed.is_err() {
             created.iter().for_each(|buffer| backend.free(*buffer));
         }
-        let (passes, stretches, rays, [records, film]) = listed?;
-        Ok(Self { passes, rays, stretches, created, records, film })
+        Ok(Self { created, ..listed? })
     }
 
     /// Runs all passes; `progress` gets how many are done and returns whether to go on.
@@ -141,13 +140,14 @@ fn searches(uploaded: &Uploaded) -> u32 {
     uploaded.nodes().div_ceil(4 * STEPS as u32)
 }
 
+/// A frame, but for what is to be freed with it: buffers are added to `created` as they are made.
 fn list(
     scene: &Scene,
     inputs: &Inputs,
     uploaded: &Uploaded,
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
-) -> Result<(PassList, Vec<Stretch>, [u32; 2], [Buffer; 2]), Error> {
+) -> Result<Rays, Error> {
     let mesh = shown(inputs)?;
     let eye = View::new(scene, &inputs.volume);
     let looks = looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
@@ -217,6 +217,6 @@ fn list(
         WhileBusy { kernel: name, passes: vec![name, kernels::voxels_seek.declaration.name] },
         WhileBusy { kernel: searches, passes: vec![searches] },
     ];
-    let list = PassList { passes, while_busy, ..PassList::default() };
-    Ok((list, stretches, size, [rays, film]))
+    let passes = PassList { passes, while_busy, ..PassList::default() };
+    Ok(Rays { passes, rays: size, stretches, created: Vec::new(), records: rays, film })
 }
