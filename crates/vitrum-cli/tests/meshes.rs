@@ -126,7 +126,7 @@ fn holes_of_a_rendered_mesh_are_told() {
     let faces: Vec<&str> = TETRAHEDRON.lines().filter(|line| line.starts_with("f ")).collect();
     for method in ["method=voxels", "method=sweep", "voxels.surfaces=exact", "voxels.normals=paper"] {
         for face in &faces {
-            folder.write("open.obj", &TETRAHEDRON.replace(&format!("{face}\n"), ""));
+            folder.write("open.obj", TETRAHEDRON.replace(&format!("{face}\n"), ""));
             let told = messages("open.obj", method);
             assert!(told.contains("warning: open.obj: the surface is not closed, 3 edges"), "{method}, {face}: {told}");
         }

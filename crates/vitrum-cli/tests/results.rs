@@ -290,7 +290,7 @@ fn a_turntable_makes_animations() {
     folder.succeed(&[&TURN[..], &["-o", "turn.png", "--turn", "-90", "--stats", "turn.json"]].concat());
     assert_eq!(folder.names(), ["turn.gif", "turn.json", "turn.png"], "nothing else is left");
     let text = fs::read_to_string(folder.file("turn.json")).expect("statistics");
-    let statistics: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let statistics: Value = serde_json::from_str(&text).expect("JSON");
     let frames = statistics["frames"].as_array().expect("a list");
     assert_eq!(frames.iter().map(|frame| frame["frame"].as_u64()).collect::<Vec<_>>(), [Some(0), Some(1), Some(2)]);
     assert!(frames.iter().all(|frame| frame["frame_ms"][0].as_f64() > Some(0.0)), "{text}");
