@@ -1,4 +1,4 @@
-//! What the first surface mirrors: opaque bodies and receivers where mirror images are, with the light that they have.
+//! What the first surface mirrors: opaque bodies and receivers where mirror images are, with the light and the shadow that they have.
 
 use super::on_both;
 use vitrum::backend::Backend;
@@ -183,6 +183,34 @@ fn searches_end_where_the_tree_does() -> Result<(), Failure> {
         }
         // Together needles cover a thousandth of what is behind them.
         assert!(seen > 300 && wrong <= 3, "{wrong} of {seen} pixels see no ceiling");
+        Ok(())
+    })
+}
+
+/// Light from the camera's side: the ball's shadow on the wall is seen in the plate.
+#[test]
+fn shadows_are_mirrored() -> Result<(), Failure> {
+    let wall = format!("wall={{color={WALL:?},azimuth=180,distance=4}}");
+    let light = ["light.attachment=world", "light.elevation=0", "light.azimuth=180", "shading.ambient=[0,0,0]"];
+    let case = scene(&[&light[..], &["voxels.surfaces=exact", &wall]].concat())?;
+    on_both(|backend| {
+        let rays = mirrored(&trace(&case, backend)?);
+        let found = color(&case, backend)?;
+        let (mut lit, mut dark) = (0, 0);
+        for (pixel, cosine, [at, towards], _) in rays.into_iter().filter(|(.., met)| !met) {
+            // The wall is four units behind the middle of the plate, which is that of all.
+            let seen = at + towards * ((4.0 - at.y) / towards.y);
+            let off = (DVec3::new(seen.x, MIDDLE.y, seen.z) - MIDDLE).length();
+            // Three voxels of the shadow map away from the shadow's edge.
+            if (off - RADIUS).abs() < 0.05 {
+                continue;
+            }
+            let expected = if off < RADIUS { 0.0 } else { reflectance(cosine) * WALL[2] };
+            *if off < RADIUS { &mut dark } else { &mut lit } += 1;
+            let found = f64::from(found[pixel][2]);
+            assert!((found - expected).abs() < 1e-4, "pixel {pixel}: {found}, expected {expected}");
+        }
+        assert!(lit > 300 && dark > 20, "{lit} lit and {dark} dark pixels");
         Ok(())
     })
 }
