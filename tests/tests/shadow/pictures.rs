@@ -112,7 +112,7 @@ fn bodies_and_ground_are_seen_through_clear_ones() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A ball of glass on the ground shows it by refraction in each kind of rays, and by reflection.
+/// A ball of glass on the ground shows it by refraction in each kind of rays.
 #[test]
 fn glass_on_the_ground_shows_the_ground() -> Result<(), Failure> {
     for kind in ["voxels.surfaces=exact", "voxels.surfaces=multi", "voxels.surfaces=two", "voxels.normals=paper"] {
