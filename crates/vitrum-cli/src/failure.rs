@@ -113,10 +113,10 @@ impl From<BackendError> for Failure {
     fn from(error: BackendError) -> Self {
         match error {
             BackendError::Cancelled => interrupt::failure(),
-            BackendError::VolumeLimit { asked_for: true, .. } => {
-                Self::with_advice(Status::WrongUse, &error, error.help().map(str::to_owned))
+            error => {
+                let status = if error.is_of_use() { Status::WrongUse } else { Status::Device };
+                Self::with_advice(status, &error, error.help().map(str::to_owned))
             }
-            error => Self::with_advice(Status::Device, &error, error.help().map(str::to_owned)),
         }
     }
 }

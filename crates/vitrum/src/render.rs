@@ -32,7 +32,7 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Io(_) | Self::SceneFile(_) | Self::Scene(_) => 3,
-            Self::Backend(BackendError::VolumeLimit { asked_for: true, .. }) => 2,
+            Self::Backend(error) if error.is_of_use() => 2,
             Self::Backend(_) => 4,
         }
     }

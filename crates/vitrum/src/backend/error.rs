@@ -96,6 +96,11 @@ impl BackendError {
         )
     }
 
+    /// Whether it is a matter of use and not of the device: a memory limit that was asked for is too low.
+    pub fn is_of_use(&self) -> bool {
+        matches!(self, Self::VolumeLimit { asked_for: true, .. })
+    }
+
     /// What to do about it.
     pub fn help(&self) -> Option<&'static str> {
         match self {

@@ -120,8 +120,10 @@ pub(in crate::method::sweep) fn pools(
         too_small(streamed.min(whole.unwrap_or(u64::MAX)), limit, volumes, true)
     })?;
     let mut pools = Vec::new();
-    for (((volume, needs), layout), share) in volumes.iter().zip(needs).zip(layouts).zip(shares) {
-        let room = if uploaded.tight { busiest(&needs.needed) } else { layout.slots(share.min(largest)) };
+    for ((((volume, needs), layout), share), [least, _]) in
+        volumes.iter().zip(needs).zip(layouts).zip(shares).zip(wanted)
+    {
+        let room = layout.slots(if uploaded.tight { least } else { share.min(largest) });
         let slots = needs.needed.len().min(room);
         let buffer = backend.create_zeroed("voxels", layout.bytes(slots))?;
         created.push(buffer);
