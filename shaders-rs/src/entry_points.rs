@@ -1,5 +1,6 @@
 //! The SPIR-V entry points, generated from the list of kernels: they read their record, call the kernel, store its record.
 
+use crate::abi::Dispatched as _;
 use crate::abi::grid::format;
 use crate::abi::probe::ProbeUniforms;
 use crate::abi::record::{film, irradiance, light, mirror, path, probe, ray, sheet, sums, trace, view};
@@ -61,10 +62,11 @@ macro_rules! entry_points {
                 $(#[spirv(storage_buffer, descriptor_set = 0, binding = $number)] $read: &[$element],)*
                 #[spirv(storage_buffer, descriptor_set = 0, binding = $out)] out: &mut [out_element!($access)],
             ) {
-                let (width, height) = (u.dispatch.x, u.dispatch.y);
-                if id.x < width && id.y < height {
-                    let count = width * height;
-                    let index = id.y * width + id.x;
+                let window = u.window();
+                let id = UVec3::new(id.x + window.x, id.y + window.y, 0);
+                if id.x < window.z && id.y < window.w {
+                    let count = u.dispatch.x * u.dispatch.y;
+                    let index = id.y * u.dispatch.x + id.x;
                     body!($access $size, $folder::$module $generics, $levels $([$($level)*] gpu $gpu)?, id, u, count, index, out, ($($read),*));
                 }
             }

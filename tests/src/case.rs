@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use vitrum::scene::{Scene, VolumeSource};
-use vitrum::{Inputs, builtin, preset};
+use vitrum::{Inputs, Wanted, builtin, preset};
 use vitrum_io::{Volume, Voxels};
 
 use crate::Failure;
@@ -19,6 +19,8 @@ pub struct Case {
     pub inputs: Inputs,
     /// Whether the volume is streamed, in as little memory as that takes.
     pub streamed: bool,
+    /// Whether the light is an output, or carried as far as the picture needs it.
+    pub wanted: Wanted,
 }
 
 impl Case {
@@ -42,7 +44,7 @@ impl Case {
         }
         let inputs = Inputs::load(&scene, Path::new(""))?;
         let name = [&[name], settings].concat().join(" ");
-        Ok(Self { name, scene, inputs, streamed: false })
+        Ok(Self { name, scene, inputs, streamed: false, wanted: Wanted::default() })
     }
 
     /// A volume file with the look of a preset, as a picture of `edge` × `edge` pixels.
@@ -55,7 +57,13 @@ impl Case {
         let inputs = Inputs::load(&scene, Path::new(""))?;
         preset::apply(preset, &inputs.volume, &mut scene)?;
         let file = path.file_name().unwrap_or(path.as_os_str());
-        Ok(Self { name: format!("{} ({preset})", file.display()), scene, inputs, streamed: false })
+        Ok(Self {
+            name: format!("{} ({preset})", file.display()),
+            scene,
+            inputs,
+            streamed: false,
+            wanted: Wanted::default(),
+        })
     }
 
     /// Makes it a picture of `edge` × `edge` pixels.
@@ -67,6 +75,12 @@ impl Case {
     #[must_use]
     pub fn streamed(self) -> Self {
         Self { streamed: true, ..self }
+    }
+
+    /// The same case with the light carried as far as the picture needs it.
+    #[must_use]
+    pub fn without_light(self) -> Self {
+        Self { wanted: Wanted { light: false }, ..self }
     }
 
     /// The same case with the voxels rounded to bytes, as many scans are stored.

@@ -7,7 +7,7 @@ use vitrum::scene::Method;
 use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::record::probe;
 use vitrum_kernels::glam::UVec4;
-use vitrum_kernels::kernel::kernels;
+use vitrum_kernels::kernel::{Window, kernels};
 use vitrum_kernels::probe::functions::NAMES;
 
 use crate::Failure;
@@ -118,6 +118,7 @@ fn apply(function: u32, rows: u32, buffers: [Buffer; 2], backend: &mut dyn Backe
         buffers: buffers.to_vec(),
         width: WIDTH,
         height: rows,
+        window: Window::whole(WIDTH, rows),
     };
     backend.run(&PassList { passes: vec![pass], ..PassList::default() }, &mut |_| true)?;
     let mut numbers: Vec<f32> = bytemuck::pod_collect_to_vec(&backend.read(buffers[1])?);

@@ -43,6 +43,8 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("head", "head", &[])?,
         case("head all", "head", &["sweep.empty_space_skipping=false"])?,
         case("head u8", "head", &[])?.in_bytes()?,
+        case("head u8 without light", "head", &[])?.in_bytes()?.without_light(),
+        case("luneburg without light", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?.without_light(),
         case("phantom unshaded", "phantom", &["light.shadows=false", "sweep.refraction=false"])?,
         case("ball without shadows", "ball", &["light.shadows=false"])?,
         case("luneburg chain hard", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
@@ -248,7 +250,7 @@ impl Frame {
     pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<(Self, PassList), Failure> {
         if case.inputs.mesh.is_none() {
             let prepare = if case.streamed { Sweep::prepare_streamed } else { Sweep::prepare };
-            let mut sweep = prepare(&case.scene, &case.inputs, backend)?;
+            let mut sweep = prepare(&case.scene, &case.inputs, case.wanted, backend)?;
             let passes = mem::take(&mut sweep.passes);
             return Ok((Self::Sweep(Box::new(sweep)), passes));
         }

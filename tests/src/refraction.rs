@@ -4,7 +4,7 @@ use vitrum::backend::Backend;
 use vitrum::method::sweep::View;
 use vitrum::method::voxels::{Rays, Uploaded};
 use vitrum::scene::{Method, Scene};
-use vitrum::{Error, Inputs};
+use vitrum::{Error, Inputs, Wanted};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::path;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
@@ -46,7 +46,7 @@ pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case
     }
     scene.validate()?;
     let name = [&[name], settings].concat().join(" ");
-    Ok(Case { name, scene, inputs: Inputs::of_mesh(mesh)?, streamed: false })
+    Ok(Case { name, scene, inputs: Inputs::of_mesh(mesh)?, streamed: false, wanted: Wanted::default() })
 }
 
 /// Follows the rays of a case's pixels.

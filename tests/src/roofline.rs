@@ -159,7 +159,7 @@ const HEADER: [&str; 9] =
 /// # Errors
 /// If the backend fails, or a module cannot be read.
 pub fn markdown(case: &Case, backend: &mut CpuBackend, ceilings: Ceilings) -> Result<String, Failure> {
-    let prepared = Sweep::prepare(&case.scene, &case.inputs, backend)?;
+    let prepared = Sweep::prepare(&case.scene, &case.inputs, case.wanted, backend)?;
     let voxel_bytes = match &case.inputs.volume.voxels {
         Voxels::U8(_) => 1.0,
         Voxels::U16(_) => 2.0,
@@ -210,7 +210,7 @@ mod tests {
     fn a_pass_moves_at_least_its_records() {
         let case = Case::builtin("ball", 24, Some(16), &[]).unwrap();
         let mut backend = CpuBackend::new(Some(1)).unwrap();
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, &mut backend).unwrap();
+        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut backend).unwrap();
         let rays = sweep.passes.passes.iter().find(|pass| pass.kernel.declaration.name.contains("propagate")).unwrap();
         // 18 floats read and written, a voxel; besides, the light of 9 and 3 floats a texel.
         let texels = f64::from(sweep.light_grid.size[0] * sweep.light_grid.size[1]);

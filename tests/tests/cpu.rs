@@ -1,12 +1,12 @@
 //! The CPU against itself: what must not change the picture does not.
 
-use vitrum::backend::CpuBackend;
+use vitrum::backend::{CpuBackend, Pass};
 use vitrum::method::sweep::Sweep;
 use vitrum_compare::Bound;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
 use vitrum_conformance::{Failure, evidence, frames, kernels, raster};
-use vitrum_kernels::kernel::InstructionSet;
+use vitrum_kernels::kernel::{InstructionSet, Window};
 
 const EDGE: u32 = 48;
 const RESOLUTION: u32 = 32;
@@ -79,18 +79,67 @@ fn a_frame_that_ends_with_its_rays_is_the_same() -> Result<(), Failure> {
     let case = Case::builtin("combustion/opaque", EDGE, Some(RESOLUTION), &opaque)?;
     let mut cpu = CpuBackend::new(None)?;
     let all = frames::render(&case, &mut cpu)?;
-    let wanted = vitrum::Wanted { light: false };
-    let ended = vitrum::render_wanted(&case.scene, &case.inputs, wanted, &mut cpu, &mut |_| true)?;
+    let case = case.without_light();
+    let ended = frames::render(&case, &mut cpu)?;
     assert!(ended.light.is_none() && all.light.is_some());
     assert_eq!(all.layers, ended.layers);
 
-    let mut sweep = Sweep::prepare(&case.scene, &case.inputs, &mut cpu)?;
-    sweep.run(&mut cpu, &mut |_| true)?;
-    let last = sweep.irradiance(&mut cpu)?;
-    sweep.end_light_with_rays();
-    sweep.run(&mut cpu, &mut |_| true)?;
-    assert!(sweep.irradiance(&mut cpu)? != last, "light went on although no ray was left");
-    sweep.free(&mut cpu);
+    let passes = |prefix: &str| {
+        let times = ended.statistics.kernels.iter().find(|times| times.kernel.starts_with(prefix));
+        times.map_or(0, |times| times.passes)
+    };
+    let planes = ended.statistics.planes;
+    let (rays, light) = (passes("sweep_propagate_rays"), passes("sweep_gather_light"));
+    assert!(0 < rays && rays < planes / 2, "{rays} passes for {planes} planes although no ray was left");
+    assert!(light <= rays + 1, "light went on although no ray was left");
+    Ok(())
+}
+
+#[test]
+fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
+    let mut cpu = CpuBackend::new(None)?;
+    let names =
+        ["head", "supernova", "luneburg", "combustion/mixture", "phantom", "phantom/translucent", "ball", "glass"];
+    // Steep light; close up from a corner, so that much lies outside of the picture, with a wide filter.
+    let steep: &[&str] = &["light.azimuth=60", "light.elevation=20", "light.softness=0"];
+    let near: &[&str] = &["camera.azimuth=40", "camera.elevation=35", "camera.zoom=2.5", "light.softness=6"];
+    for (name, settings) in names.iter().flat_map(|name| [(name, &[][..]), (name, steep), (name, near)]) {
+        let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), settings)?;
+        (case.scene.ground, case.scene.wall) = (None, None);
+        let all = frames::render(&case, &mut cpu)?;
+        let case = case.without_light();
+        let seen = frames::render(&case, &mut cpu)?;
+        assert!(seen.light.is_none() && all.light.is_some());
+        assert!(all.layers == seen.layers, "{}: the picture is another one", case.name);
+
+        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
+        let run: u64 = sweep.passes.passes.iter().map(invocations).sum();
+        let whole = |pass: &Pass| Pass { window: Window::whole(pass.width, pass.height), ..pass.clone() };
+        let most: u64 = sweep.passes.passes.iter().map(|pass| invocations(&whole(pass))).sum();
+        assert!(run < most, "{}: all texels on every plane", case.name);
+        sweep.free(&mut cpu);
+    }
+    Ok(())
+}
+
+fn invocations(pass: &Pass) -> u64 {
+    let Window { first, end } = pass.window;
+    u64::from(end[0] - first[0]) * u64::from(end[1] - first[1])
+}
+
+#[test]
+fn light_goes_on_to_receivers_and_outputs() -> Result<(), Failure> {
+    let mut cpu = CpuBackend::new(None)?;
+    let cases = [
+        Case::builtin("ball", EDGE, Some(RESOLUTION), &[])?,
+        Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?.without_light(),
+    ];
+    for case in cases {
+        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
+        let whole = |pass: &Pass| pass.window == Window::whole(pass.width, pass.height);
+        assert!(sweep.passes.passes.iter().all(whole), "{}: not all texels", case.name);
+        sweep.free(&mut cpu);
+    }
     Ok(())
 }
 

@@ -23,7 +23,7 @@ type Bits = (Vec<u32>, Vec<u32>);
 /// Runs a frame; how many times pages came, too.
 fn run(case: &Case, backend: &mut dyn Backend) -> Result<(Bits, usize), Failure> {
     let prepare = if case.streamed { Sweep::prepare_streamed } else { Sweep::prepare };
-    let sweep = prepare(&case.scene, &case.inputs, backend)?;
+    let sweep = prepare(&case.scene, &case.inputs, case.wanted, backend)?;
     let times: BTreeSet<usize> = sweep.passes.writes.iter().map(|write| write.before).collect();
     sweep.run(backend, &mut |_| true)?;
     let bits = |values: Vec<f32>| values.into_iter().map(f32::to_bits).collect();
@@ -176,7 +176,7 @@ fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
     for limit in [*needed, (needed + whole) / 2] {
         let mut cpu = CpuBackend::new(None)?;
         cpu.set_volume_limit(Some(limit));
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, &mut cpu)?;
+        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
         let voxels: BTreeSet<_> = sweep.passes.writes.iter().map(|write| write.buffer).collect();
         assert_eq!(voxels.len(), 2, "both volumes are streamed");
         let mut taken = 0;

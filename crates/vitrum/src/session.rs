@@ -152,10 +152,7 @@ impl<'a> Session<'a> {
         let backend = self.backend.get();
         for (index, (band, seen)) in (0..).zip(&exposures) {
             let started = Instant::now();
-            let mut sweep = sweep::Sweep::prepare_uploaded(seen, inputs, volumes, backend)?;
-            if !wanted.light {
-                sweep.end_light_with_rays();
-            }
+            let sweep = sweep::Sweep::prepare_uploaded(seen, inputs, volumes, wanted, backend)?;
             upload_ms += started.elapsed().as_secs_f64() * 1e3;
             let planes = sweep.planes.count;
             let mut tell = |done: u32| progress(Progress { done: index * planes + done, total: count * planes });

@@ -1,5 +1,6 @@
 //! The uniform block of the probe kernel.
 
+use super::Dispatched;
 use spirv_std::glam::UVec4;
 
 /// Uniforms of [`crate::probe::apply_function`].
@@ -9,4 +10,10 @@ use spirv_std::glam::UVec4;
 pub struct ProbeUniforms {
     /// Width and height of the dispatch, mode (always 0), the function's number (see [`crate::probe::functions`]).
     pub dispatch: UVec4,
+}
+
+impl Dispatched for ProbeUniforms {
+    fn window(&self) -> UVec4 {
+        UVec4::new(0, 0, self.dispatch.x, self.dispatch.y)
+    }
 }

@@ -1,5 +1,6 @@
 //! The uniform block of the kernels that make the shadow map, and the buffers they read.
 
+use super::Dispatched;
 use super::vector::Vec4;
 use spirv_std::glam::UVec4;
 
@@ -19,6 +20,12 @@ pub struct ShadowUniforms {
     pub depth: UVec4,
     /// Absorption coefficient a voxel's edge of a clear body: red, green, blue.
     pub absorption: Vec4,
+}
+
+impl Dispatched for ShadowUniforms {
+    fn window(&self) -> UVec4 {
+        UVec4::new(0, 0, self.dispatch.x, self.dispatch.y)
+    }
 }
 
 /// What a voxel absorbs, for [`crate::shadow::accumulate`].

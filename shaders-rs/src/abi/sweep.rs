@@ -2,6 +2,7 @@
 //!
 //! The sweep frame: x right, y up, z the depth away from the eye, world units, the eye at the origin.
 
+use super::Dispatched;
 use super::grid::Grid;
 use super::vector::Vec4;
 use spirv_std::glam::UVec4;
@@ -13,6 +14,8 @@ use spirv_std::glam::UVec4;
 pub struct SweepUniforms {
     /// Width and height of the dispatch, mode (see [`mode`]), flags (see [`flag`]).
     pub dispatch: UVec4,
+    /// Where the pass runs: its first column and row (`x`, `y`), and those before which it ends (`z`, `w`).
+    pub window: UVec4,
     /// Width and height of the picture (`x`, `y`) and of the light grid (`z`, `w`).
     pub size: UVec4,
     /// Depth of the plane behind (`x`) and ahead (`y`), their distance (`z`), 1 / reference length (`w`).
@@ -76,6 +79,12 @@ pub struct SweepUniforms {
     pub environment_nadir: Vec4,
 }
 
+impl Dispatched for SweepUniforms {
+    fn window(&self) -> UVec4 {
+        self.window
+    }
+}
+
 /// What a pass specialises on; each backend may compile one body per mode.
 pub mod mode {
     /// η is 1 everywhere: rays are straight, nothing reflects.
@@ -112,4 +121,6 @@ pub mod flag {
     pub const SKIP_EMPTY: u32 = 32;
     /// The segment to this plane lies behind the volumes.
     pub const BEHIND_VOLUME: u32 = 64;
+    /// All planes behind this one are as far apart.
+    pub const LAST_STRETCH: u32 = 128;
 }

@@ -1,5 +1,6 @@
 //! The uniform block of the voxelization kernels, and the buffers they read.
 
+use super::Dispatched;
 use spirv_std::glam::UVec4;
 
 /// Uniforms of the kernels in [`crate::voxelize`].
@@ -17,6 +18,12 @@ pub struct VoxelizeUniforms {
     /// log₂ of the units that a voxel has in the corners of the surface's triangles; by how many a voxel is enlarged on each side; the
     /// triangle from which items count.
     pub surface: UVec4,
+}
+
+impl Dispatched for VoxelizeUniforms {
+    fn window(&self) -> UVec4 {
+        UVec4::new(0, 0, self.dispatch.x, self.dispatch.y)
+    }
 }
 
 /// What an invocation does on the surface, for [`crate::voxelize::mark_surface`] and [`crate::voxelize::sum_attributes`].

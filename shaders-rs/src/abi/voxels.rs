@@ -1,5 +1,6 @@
 //! The uniform block of the kernels that follow rays through a mesh, and the buffers they read.
 
+use super::Dispatched;
 use super::vector::Vec4;
 use spirv_std::glam::UVec4;
 
@@ -71,6 +72,12 @@ pub struct VoxelsUniforms {
     pub shadow_z: Vec4,
     /// Half the width of the filter, in the shadow map's voxels, at least 1 (`x`); edge of one of these in the grid's voxels (`y`).
     pub shadow_filter: Vec4,
+}
+
+impl Dispatched for VoxelsUniforms {
+    fn window(&self) -> UVec4 {
+        UVec4::new(0, 0, self.dispatch.x, self.dispatch.y)
+    }
 }
 
 /// How many clear surfaces a ray is followed through.

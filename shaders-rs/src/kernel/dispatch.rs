@@ -16,6 +16,9 @@ use crate::abi::voxels::VoxelsUniforms;
 use crate::field::sums::SharedSums;
 use crate::for_each_kernel;
 
+/// How often a block that rests looks ahead, each time from the end of what it knows to be empty.
+const LOOKS: u32 = 8;
+
 macro_rules! element {
     (u32) => {
         Element::U32
@@ -112,9 +115,9 @@ macro_rules! block {
      $inputs:ident, $reads:tt) => {
         call!($access, crate::$folder::$module::level::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
     };
-    (@rest $access:ident, $folder:ident::$module:ident [$($generic:expr),*], $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
-     $inputs:ident, $reads:tt) => {
-        call!($access, crate::$folder::$module::rest::<$({ $generic }),*>, $lane, $x, $y, $u, $mode, $inputs, $reads)
+    (@rest updates, $folder:ident::$module:ident [$($generic:expr),*], $ahead:ident, $lane:ident, $x:ident, $y:ident, $u:ident, $mode:ident,
+     $inputs:ident, ($($read:ident),*)) => {
+        crate::$folder::$module::rest::<$({ $generic }),*>(column($x, $lane), $y, $u, $mode, take(&$inputs, $lane) $(, $read)*, $ahead)
     };
     (@free_steps $folder:ident::$module:ident [$format:expr, $second:expr], $lane:ident, $x:ident, $y:ident, $u:ident,
      ($voxels:ident, $ior_voxels:ident, $occupancy:ident, $tables:ident, $trace:ident)) => {
@@ -131,8 +134,8 @@ macro_rules! all_rows {
     // Sums are scattered: there is no record to put in order, and nothing to gain from blocks.
     (adds, $size:expr, $folder:ident::$module:ident [], plain, $u:ident, $chunk:ident, $mode:ident, ($($read:ident),*)) => {{
         let mut sums = SharedSums($chunk.sums);
-        for row in 0..$chunk.rows {
-            for x in 0..$chunk.width {
+        for row in $chunk.inside.clone() {
+            for x in $chunk.columns.clone() {
                 crate::$folder::$module::invoke(x, $chunk.first_row + row, $u, $mode $(, $read)*, &mut sums);
             }
         }
@@ -142,16 +145,16 @@ macro_rules! all_rows {
      $u:ident, $chunk:ident, $mode:ident, $reads:tt) => {{
         let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
         let mut any = false;
-        let mut rests = $chunk.rests.iter_mut();
-        for row in 0..$chunk.rows {
+        for row in $chunk.inside.clone() {
             let y = $chunk.first_row + row;
-            let mut x = 0;
-            while x < $chunk.width {
-                let n = LANES.min(($chunk.width - x) as usize);
+            let mut x = $chunk.columns.start;
+            while x < $chunk.columns.end {
+                let n = LANES.min(($chunk.columns.end - x) as usize);
                 let at = (row * $chunk.width + x) as usize;
                 let first = x;
                 x += n as u32;
-                let Some(rest) = rests.next() else { break };
+                let number = $chunk.block(row, first);
+                let Some(rest) = $chunk.rests.get_mut(number) else { break };
                 if *rest > 0 {
                     any |= *rest != FOREVER;
                     *rest -= (*rest != FOREVER) as u32;
@@ -167,15 +170,25 @@ macro_rules! all_rows {
                 match needed {
                     0 => *rest = FOREVER,
                     1 => {
-                        // Numbers that are not negative have the order of their bits, whose least one vector code finds.
-                        let mut least = u32::MAX;
-                        for lane in 0..n {
-                            let passes: f32 =
-                                block!(@rest updates, $folder::$module $generics, lane, first, y, $u, $mode, inputs, $reads);
-                            least = least.min(passes.to_bits());
+                        let mut known = 0;
+                        for _ in 0..LOOKS {
+                            let ahead = known as f32;
+                            // Numbers that are not negative have the order of their bits, whose least one vector code finds.
+                            let mut least = u32::MAX;
+                            for lane in 0..n {
+                                let passes: f32 =
+                                    block!(@rest updates, $folder::$module $generics, ahead, lane, first, y, $u, $mode, inputs, $reads);
+                                least = least.min(passes.to_bits());
+                            }
+                            // The cast cuts off and saturates.
+                            let found = f32::from_bits(least) as u32;
+                            let farther = found > known;
+                            known = known.max(found);
+                            if !farther || known == FOREVER {
+                                break;
+                            }
                         }
-                        // The cast cuts off and saturates.
-                        *rest = f32::from_bits(least) as u32;
+                        *rest = known;
                     }
                     $($level => {
                         let mut outputs = [[0.0f32; LANES]; $size];
@@ -198,17 +211,15 @@ macro_rules! all_rows {
         let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
         let unoccluded = crate::$folder::$module::unoccluded($u);
         let mut any = false;
-        let mut mark = 0;
-        for row in 0..$chunk.rows {
+        for row in $chunk.inside.clone() {
             let y = $chunk.first_row + row;
-            let mut x = 0;
-            while x < $chunk.width {
-                let n = LANES.min(($chunk.width - x) as usize);
+            let mut x = $chunk.columns.start;
+            while x < $chunk.columns.end {
+                let n = LANES.min(($chunk.columns.end - x) as usize);
                 let at = (row * $chunk.width + x) as usize;
                 let first = x;
                 x += n as u32;
-                let number = mark;
-                mark += 1;
+                let number = $chunk.block(row, first);
                 // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
                 let inputs = unsafe { record.at(at) };
                 if let Some(kept) = &unoccluded
@@ -234,17 +245,15 @@ macro_rules! all_rows {
         let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
         let unoccluded = crate::$folder::$module::unoccluded($u);
         let mut any = false;
-        let mut mark = 0;
-        for row in 0..$chunk.rows {
+        for row in $chunk.inside.clone() {
             let y = $chunk.first_row + row;
-            let mut x = 0;
-            while x < $chunk.width {
-                let n = LANES.min(($chunk.width - x) as usize);
+            let mut x = $chunk.columns.start;
+            while x < $chunk.columns.end {
+                let n = LANES.min(($chunk.columns.end - x) as usize);
                 let at = (row * $chunk.width + x) as usize;
                 let first = x;
                 x += n as u32;
-                let number = mark;
-                mark += 1;
+                let number = $chunk.block(row, first);
                 // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
                 let inputs = unsafe { record.at(at) };
                 let kept = unoccluded.as_ref().filter(|_| $chunk.marks.is_set(number));
@@ -285,11 +294,11 @@ macro_rules! all_rows {
      $u:ident, $chunk:ident, $mode:ident, $reads:tt) => {{
         let record = Records::<{ $size }>::new($chunk.output, $chunk.rows as usize * $chunk.width as usize);
         let mut any = false;
-        for row in 0..$chunk.rows {
+        for row in $chunk.inside.clone() {
             let y = $chunk.first_row + row;
-            let mut x = 0;
-            while x < $chunk.width {
-                let n = LANES.min(($chunk.width - x) as usize);
+            let mut x = $chunk.columns.start;
+            while x < $chunk.columns.end {
+                let n = LANES.min(($chunk.columns.end - x) as usize);
                 let at = (row * $chunk.width + x) as usize;
                 // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
                 let inputs = unsafe { record.at(at) };

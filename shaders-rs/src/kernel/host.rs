@@ -4,6 +4,7 @@
 compile_error!("kernels read packed voxels as little-endian words");
 
 use super::marks::Marks;
+use core::ops::Range;
 use core::sync::atomic::AtomicU32;
 
 /// The most invocations a block of the CPU dispatch has; one AVX-512 register of floats.
@@ -74,6 +75,10 @@ pub struct Chunk<'a> {
     pub rows: u32,
     /// Invocations in a row.
     pub width: u32,
+    /// Its rows that are run, counted from its first.
+    pub inside: Range<u32>,
+    /// The columns that are run; the first is that of a block.
+    pub columns: Range<u32>,
     /// The uniform block.
     pub uniforms: &'a [u8],
     /// The buffers that are read, in order of their bindings. Not empty.
@@ -87,6 +92,31 @@ pub struct Chunk<'a> {
     pub rests: &'a mut [u32],
     /// Where light is unoccluded, for a kernel that keeps it as it is.
     pub marks: Marks<'a>,
+}
+
+impl Chunk<'_> {
+    /// The number of the block that begins at column `x` of the chunk's row `row`.
+    #[inline(always)]
+    pub(super) fn block(&self, row: u32, x: u32) -> usize {
+        (row * self.width.div_ceil(LANES as u32) + x / LANES as u32) as usize
+    }
+}
+
+/// The part of a dispatch's invocations that a pass runs over; what the others wrote before stays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Window {
+    /// The first column, a multiple of [`LANES`], and the first row.
+    pub first: [u32; 2],
+    /// The column, a multiple of [`LANES`] or the width, and the row before which it ends.
+    pub end: [u32; 2],
+}
+
+impl Window {
+    /// All of `width` × `height` invocations.
+    #[must_use]
+    pub fn whole(width: u32, height: u32) -> Self {
+        Self { first: [0, 0], end: [width, height] }
+    }
 }
 
 /// Instruction sets the CPU dispatch is compiled for.

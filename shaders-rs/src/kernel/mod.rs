@@ -16,7 +16,7 @@ mod marks;
 #[cfg(not(target_arch = "spirv"))]
 pub use dispatch::{ALL, kernels};
 #[cfg(not(target_arch = "spirv"))]
-pub use host::{Access, Binding, Chunk, Declaration, Element, FOREVER, InstructionSet, Kernel, LANES};
+pub use host::{Access, Binding, Chunk, Declaration, Element, FOREVER, InstructionSet, Kernel, LANES, Window};
 #[cfg(not(target_arch = "spirv"))]
 pub use marks::Marks;
 

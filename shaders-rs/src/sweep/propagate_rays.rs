@@ -1,7 +1,7 @@
 //! Viewing rays from the plane behind to this one (sweep §4.3, Eq. 14, Algorithm 1, lines 21 to 36).
 
 use crate::abi::record::{ray, status};
-use crate::abi::sweep::{SweepUniforms, mode};
+use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::empty::{step_is_empty, steps_are_empty};
 use crate::field::light::{direction, light, shift, texel_coordinates};
 use crate::field::stencil::{scalar, voxel_coordinates};
@@ -80,7 +80,8 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     if r[ray::STATUS] == status::ACTIVE { needed } else { level::ENDED }
 }
 
-/// How many planes behind the next one a ray at level `EMPTY` will be at that level for certain, if they are as far apart.
+/// How many planes behind the next one a ray at level `EMPTY` will be at that level for certain, if they are as far apart and it is so on the
+/// first `known` of them; without end if that is all planes there are.
 #[inline(always)]
 pub fn rest<const FORMAT: u32, const SECOND: bool>(
     _x: u32,
@@ -94,11 +95,14 @@ pub fn rest<const FORMAT: u32, const SECOND: bool>(
     _tables: &[u32],
     _light: &[f32],
     _irradiance: &[f32],
+    known: f32,
 ) -> f32 {
-    let flight = fly(u, &r);
-    let empty = steps_are_empty::<SECOND>(u, occupancy, flight.from, flight.to);
-    let free = min(min(empty, free_steps(u, flight.from, flight.to)), u.shading.w);
-    select(r[ray::STATUS] == status::ACTIVE, free, f32::MAX)
+    let Flight { from, to, .. } = fly(u, &r);
+    let step = to - from;
+    let empty = known + steps_are_empty::<SECOND>(u, occupancy, from + step * known, to + step * known);
+    let free = min(min(empty, free_steps(u, from, to)), u.shading.w);
+    let to_the_end = (u.dispatch.w & flag::LAST_STRETCH != 0) & (free >= u.shading.w);
+    select((r[ray::STATUS] == status::ACTIVE) & !to_the_end, free, f32::MAX)
 }
 
 /// The ray `r` one plane further.

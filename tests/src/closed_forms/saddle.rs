@@ -1,10 +1,10 @@
 //! A thin slab η = 1 + a·x·y shears parallel light: the irradiance at Z behind it is 1/(1 − (Z/f)²) everywhere, 1/f = a·t for the
 //! thickness t.
 
-use vitrum::Inputs;
 use vitrum::backend::Backend;
 use vitrum::method::sweep::Sweep;
 use vitrum::scene::{Intensity, Wall};
+use vitrum::{Inputs, Wanted};
 
 use super::{cuboid, refracting};
 use crate::Failure;
@@ -32,7 +32,7 @@ pub fn flux(strength: f64, intensity: Intensity, backend: &mut dyn Backend) -> R
     scene.sweep.sample_distance = SAMPLE_DISTANCE;
     scene.wall = Some(Wall { distance: Some(1.0), azimuth: 0.0, color: [1.0; 3] });
     let inputs = Inputs { volume, mesh: None, ior_volume: None, environment: None };
-    let sweep = Sweep::prepare(&scene, &inputs, backend)?;
+    let sweep = Sweep::prepare(&scene, &inputs, Wanted::default(), backend)?;
     sweep.run(backend, &mut |_| true)?;
     let light = sweep.irradiance(backend)?;
     let (planes, [width, height]) = (sweep.planes, sweep.light_grid.size.map(|n| n as usize));

@@ -94,7 +94,7 @@ fn light(case: &Case, carried: Transport) -> Result<(Sweep, Vec<Vec<f64>>), Fail
     let mut scene = case.scene.clone();
     scene.sweep.light = carried;
     let mut backend = CpuBackend::new(None)?;
-    let mut sweep = Sweep::prepare(&scene, &case.inputs, &mut backend)?;
+    let mut sweep = Sweep::prepare(&scene, &case.inputs, case.wanted, &mut backend)?;
     let at = at(&sweep.planes);
     let (mut unoccluded, mut light) = (1.0, Vec::new());
     light_on_planes(

@@ -1,9 +1,9 @@
 //! 10: without absorption the flux through every plane is equal, until light leaves the grid.
 
 use crate::setup::{backends, cube, light_on_planes, refracting};
-use vitrum::Inputs;
 use vitrum::method::sweep::Sweep;
 use vitrum::scene::{Transport, Wall};
+use vitrum::{Inputs, Wanted};
 
 #[test]
 fn every_plane_gets_the_same_flux() {
@@ -17,7 +17,8 @@ fn every_plane_gets_the_same_flux() {
         scene.light.margin = 0.3;
         let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
         for mut backend in backends() {
-            let mut sweep = Sweep::prepare(&scene, &inputs, backend.as_mut()).expect("the scene is sound");
+            let mut sweep =
+                Sweep::prepare(&scene, &inputs, Wanted::default(), backend.as_mut()).expect("the scene is sound");
             let (mut flux, mut at_plane) = (Vec::new(), Vec::new());
             let last = sweep.planes.count - 1;
             light_on_planes(
@@ -50,7 +51,7 @@ fn behind_a_focus_there_is_no_more_light_than_before() {
         (scene.film.width, scene.film.height) = (300, 300);
         let inputs = Inputs::load(&scene, std::path::Path::new("")).expect("the scene loads");
         let mut backend = vitrum::backend::CpuBackend::new(None).expect("the CPU backend opens");
-        let mut sweep = Sweep::prepare(&scene, &inputs, &mut backend).expect("the scene is sound");
+        let mut sweep = Sweep::prepare(&scene, &inputs, Wanted::default(), &mut backend).expect("the scene is sound");
         let mut first = None;
         let mut most = 0.0f64;
         light_on_planes(
@@ -83,7 +84,8 @@ fn sheets_carry_all_light_through_a_focus() {
         scene.wall = Some(Wall { distance: Some(2.5), ..Wall::default() });
         let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
         for mut backend in backends() {
-            let mut sweep = Sweep::prepare(&scene, &inputs, backend.as_mut()).expect("the scene is sound");
+            let mut sweep =
+                Sweep::prepare(&scene, &inputs, Wanted::default(), backend.as_mut()).expect("the scene is sound");
             let (mut brightest, mut first, mut worst) = (0.0f32, None, 0.0f64);
             light_on_planes(
                 &mut sweep,

@@ -2,10 +2,10 @@
 //! the focus; behind it light crosses, and only sheets can carry that.
 
 use crate::setup::{backends, cube, light_on_planes, refracting};
-use vitrum::Inputs;
 use vitrum::backend::Backend;
 use vitrum::method::sweep::{Sweep, View};
 use vitrum::scene::{Transport, Wall};
+use vitrum::{Inputs, Wanted};
 
 /// (z, a, share).
 const TRUTH: [(f64, f64, f64); 9] = [
@@ -58,7 +58,7 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
     scene.wall = Some(Wall { distance: Some(3.1), ..Wall::default() });
     let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
     let view = View::new(&scene, &volume);
-    let mut sweep = Sweep::prepare(&scene, &inputs, backend).expect("the scene is sound");
+    let mut sweep = Sweep::prepare(&scene, &inputs, Wanted::default(), backend).expect("the scene is sound");
     let (planes, grid) = (sweep.planes, sweep.light_grid);
     let centre = view.point(Default::default());
     let nearest = |z: f64| {

@@ -2,7 +2,7 @@
 
 use super::BackendError;
 use std::sync::Arc;
-use vitrum_kernels::kernel::{Access, Kernel};
+use vitrum_kernels::kernel::{Access, Kernel, LANES, Window};
 
 /// A buffer of a backend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -21,6 +21,8 @@ pub struct Pass {
     pub width: u32,
     /// Invocations down.
     pub height: u32,
+    /// Those that run. The uniform block says the same.
+    pub window: Window,
 }
 
 /// Writes the words of a part of a buffer, all of them.
@@ -131,6 +133,12 @@ impl Pass {
                 self.buffers.len(),
                 declaration.bindings.len() - 1
             ));
+        }
+        let Window { first, end } = self.window;
+        let whole_blocks =
+            first[0].is_multiple_of(LANES as u32) && (end[0].is_multiple_of(LANES as u32) || end[0] == self.width);
+        if !whole_blocks || first[0] > end[0] || first[1] > end[1] || end[0] > self.width || end[1] > self.height {
+            return wrong(format!("{:?} of {} × {} invocations", self.window, self.width, self.height));
         }
         for (buffer, binding) in self.buffers.iter().zip(&declaration.bindings[1..]) {
             let Some(size) = bytes(*buffer) else {

@@ -4,7 +4,7 @@ use crate::backend::{Buffer, Pass};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::time::Instant;
-use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Marks};
+use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Marks, Window};
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
@@ -86,12 +86,14 @@ impl<'a> Prepared<'a> {
 /// next part does, while it is in a processor's cache.
 pub(super) fn follows(pass: &Pass, next: &Pass) -> bool {
     let updates = next.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Update);
-    updates && next.output() == pass.output() && (next.width, next.height) == (pass.width, pass.height)
+    let alike = (next.width, next.height, next.window) == (pass.width, pass.height, pass.window);
+    updates && alike && next.output() == pass.output()
 }
 
 /// Passes that run together at most: they cannot be cancelled on the way.
 pub(super) fn most_together(pass: &Pass) -> usize {
-    let invocations = u64::from(pass.width) * u64::from(pass.height);
+    let Window { first, end } = pass.window;
+    let invocations = u64::from(end[0] - first[0]) * u64::from(end[1] - first[1]);
     (INVOCATIONS_TOGETHER / invocations.max(1)).max(1) as usize
 }
 
@@ -107,7 +109,8 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
     let pass = passes[0].pass;
     let (width, height) = (pass.width, pass.height);
     let count = width as usize * height as usize;
-    if count == 0 {
+    let Window { first, end } = pass.window;
+    if first[0] >= end[0] || first[1] >= end[1] {
         return;
     }
     let chunk_rows = chunk_rows(passes);
@@ -115,11 +118,13 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
     let adds = pass.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Add);
     let (sums, output): (&[AtomicU32], &mut [u32]) = if adds { (shared(output), &mut []) } else { (&[], output) };
     let components = if adds { 0 } else { pass.kernel.declaration.components };
+    // Those in which the window has rows.
+    let first_chunk = (first[1] / chunk_rows) as usize;
+    let number = end[1].div_ceil(chunk_rows) as usize - first_chunk;
     // Chunk by chunk, each component's part.
-    let mut chunks: Vec<Vec<&mut [f32]>> =
-        (0..count.div_ceil(chunk_len)).map(|_| Vec::with_capacity(components)).collect();
+    let mut chunks: Vec<Vec<&mut [f32]>> = (0..number).map(|_| Vec::with_capacity(components)).collect();
     for plane in bytemuck::cast_slice_mut::<u32, f32>(output)[..count * components].chunks_mut(count) {
-        for (chunk, part) in chunks.iter_mut().zip(plane.chunks_mut(chunk_len)) {
+        for (chunk, part) in chunks.iter_mut().zip(plane.chunks_mut(chunk_len).skip(first_chunk)) {
             chunk.push(part);
         }
     }
@@ -137,12 +142,12 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
     let before = known.kernel;
     known.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
     let part = blocks * chunk_rows as usize;
-    let rests = known.rests.par_chunks_mut(part);
-    let unoccluded = parts(&mut known.unoccluded, part, chunks.len());
-    let free_to = parts(&mut known.free_to, part, chunks.len());
+    let rests = parts(&mut known.rests, part, first_chunk, number);
+    let unoccluded = parts(&mut known.unoccluded, part, first_chunk, number);
+    let free_to = parts(&mut known.free_to, part, first_chunk, number);
     chunks.par_iter_mut().zip(rests).zip(unoccluded).zip(free_to).enumerate().for_each(|(index, chunk)| {
         let (((output, rests), unoccluded), free_to) = chunk;
-        let first_row = index as u32 * chunk_rows;
+        let first_row = (first_chunk + index) as u32 * chunk_rows;
         let mut before = before;
         for Prepared { pass, reads, marks, uniforms, busy, nanoseconds } in passes {
             let started = Instant::now();
@@ -156,7 +161,11 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
             let mut output: Vec<&mut [f32]> = output.iter_mut().map(|component| &mut **component).collect();
             let output = output.as_mut_slice();
             let marks = Marks { own: &mut *unoccluded, free_to: &mut *free_to, reads: marks, height };
-            let chunk = &mut Chunk { first_row, rows, width, uniforms, reads, output, sums, rests: &mut *rests, marks };
+            let inside = first[1].saturating_sub(first_row)..rows.min(end[1] - first_row);
+            let columns = first[0]..end[0];
+            let rests = &mut *rests;
+            let chunk =
+                &mut Chunk { first_row, rows, width, inside, columns, uniforms, reads, output, sums, rests, marks };
             if (pass.kernel.run)(set, chunk) {
                 busy.store(true, Ordering::Relaxed);
             }
@@ -165,9 +174,9 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
     });
 }
 
-/// Parts of `length` each, `count` in all: empty ones of nothing.
-fn parts<T: Send>(all: &mut [T], length: usize, count: usize) -> rayon::vec::IntoIter<&mut [T]> {
-    let mut parts: Vec<&mut [T]> = all.chunks_mut(length).collect();
+/// Parts of `length` each, `count` in all, from number `first` on: empty ones of nothing.
+fn parts<T: Send>(all: &mut [T], length: usize, first: usize, count: usize) -> rayon::vec::IntoIter<&mut [T]> {
+    let mut parts: Vec<&mut [T]> = all.chunks_mut(length).skip(first).take(count).collect();
     parts.resize_with(count, Default::default);
     parts.into_par_iter()
 }

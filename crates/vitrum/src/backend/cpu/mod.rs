@@ -2,13 +2,15 @@
 
 mod chunks;
 mod contents;
+mod course;
 
 use super::pass::check_part;
 use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
-use chunks::{Known, Prepared, follows, most_together, rows};
+use chunks::{Known, Prepared, rows};
 use contents::Contents;
-use std::collections::{HashMap, HashSet};
+use course::{Course, Part, parts};
+use std::collections::HashMap;
 use std::time::Instant;
 use vitrum_io::Words;
 use vitrum_kernels::kernel::InstructionSet;
@@ -20,9 +22,15 @@ const PASSES_PER_REPORT: usize = 24;
 pub struct CpuBackend {
     pool: rayon::ThreadPool,
     set: InstructionSet,
+    memory: Memory,
+    volume_limit: Option<u64>,
+}
+
+/// Buffers, and what was measured while passes changed them.
+#[derive(Default)]
+struct Memory {
     buffers: Vec<Option<Contents>>,
     times: Vec<KernelTime>,
-    volume_limit: Option<u64>,
 }
 
 impl CpuBackend {
@@ -46,9 +54,11 @@ impl CpuBackend {
             .build()
             .map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
         let set = if set.is_available() { set } else { InstructionSet::best() };
-        Ok(Self { pool, set, buffers: Vec::new(), times: Vec::new(), volume_limit: None })
+        Ok(Self { pool, set, memory: Memory::default(), volume_limit: None })
     }
+}
 
+impl Memory {
     fn add(&mut self, contents: Contents) -> Buffer {
         let free = self.buffers.iter().position(Option::is_none);
         let index = free.unwrap_or_else(|| {
@@ -63,6 +73,7 @@ impl CpuBackend {
     fn run_together(
         &mut self,
         passes: &[&Pass],
+        set: InstructionSet,
         known: &mut HashMap<Buffer, Known>,
     ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
@@ -82,7 +93,7 @@ impl CpuBackend {
             })
             .collect();
         let started = Instant::now();
-        self.pool.install(|| rows(&prepared, self.set, &mut output, &mut written_known));
+        rows(&prepared, set, &mut output, &mut written_known);
         // Shared out by what the threads took for each.
         let elapsed = started.elapsed().as_secs_f64() * 1e3;
         let shares: Vec<f64> = prepared.iter().map(Prepared::nanoseconds).collect();
@@ -104,7 +115,7 @@ impl CpuBackend {
             let words = self.buffers[write.buffer.0].insert(Contents::Own(words));
             let Contents::Own(words) = words else { continue };
             let part = &mut words[write.start as usize..][..write.words];
-            self.pool.install(|| (write.fill)(part));
+            (write.fill)(part);
         }
         Ok(())
     }
@@ -134,7 +145,7 @@ impl Backend for CpuBackend {
 
     fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
         self.check_size(label, contents.len() as u64)?;
-        Ok(self.add(Contents::Own(bytemuck::pod_collect_to_vec(contents))))
+        Ok(self.memory.add(Contents::Own(bytemuck::pod_collect_to_vec(contents))))
     }
 
     fn create_with(
@@ -145,17 +156,17 @@ impl Backend for CpuBackend {
     ) -> Result<Buffer, BackendError> {
         let mut words = self.zeros(label, bytes)?;
         fill(&mut words);
-        Ok(self.add(Contents::Own(words)))
+        Ok(self.memory.add(Contents::Own(words)))
     }
 
     fn share(&mut self, label: &str, words: &Words) -> Result<Buffer, BackendError> {
         self.check_size(label, size_of_val(&**words) as u64)?;
-        Ok(self.add(Contents::Shared(words.clone())))
+        Ok(self.memory.add(Contents::Shared(words.clone())))
     }
 
     fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
         let words = self.zeros(label, bytes)?;
-        Ok(self.add(Contents::Own(words)))
+        Ok(self.memory.add(Contents::Own(words)))
     }
 
     fn overwrite(
@@ -164,8 +175,10 @@ impl Backend for CpuBackend {
         words: usize,
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError> {
-        let contents = self.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own);
-        let Contents::Own(contents) = self.buffers[buffer.0].insert(Contents::Own(contents)) else { return Ok(()) };
+        let contents = self.memory.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own);
+        let Contents::Own(contents) = self.memory.buffers[buffer.0].insert(Contents::Own(contents)) else {
+            return Ok(());
+        };
         check_part(0, words as u64 * 4, Some(contents.len() as u64 * 4))?;
         let part = &mut contents[..words];
         self.pool.install(|| fill(part));
@@ -173,47 +186,24 @@ impl Backend for CpuBackend {
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        let mut idle: HashSet<&str> = HashSet::new();
-        let mut known = HashMap::new();
-        let (mut done, mut reported) = (0, None);
-        // Written as soon as a pass that runs reads it.
-        let mut waiting: Vec<&Write> = Vec::new();
-        let parts = passes.runs().flat_map(|(writes, run)| {
-            let parts = run.chunk_by(follows).flat_map(|together| together.chunks(most_together(&together[0])));
-            parts.enumerate().map(move |(index, part)| (if index == 0 { writes } else { &[] }, part))
-        });
-        for (writes, together) in parts {
-            waiting.extend(writes);
-            if reported.is_none_or(|reported| done >= reported + PASSES_PER_REPORT) {
-                reported = Some(done);
-                if !progress(done) {
-                    return Err(BackendError::Cancelled);
-                }
+        let mut course = Course::new(passes, self.set);
+        let parts: Vec<Part> = parts(passes).collect();
+        let (pool, memory) = (&self.pool, &mut self.memory);
+        let (mut done, mut next) = (0, 0);
+        while next < parts.len() {
+            if !progress(done) {
+                return Err(BackendError::Cancelled);
             }
-            done += together.len();
-            let needed = |pass: &&Pass| {
-                let idle = passes.while_busy.iter().filter(|while_busy| idle.contains(while_busy.kernel));
-                !idle.flat_map(|while_busy| &while_busy.passes).any(|name| *name == pass.kernel.declaration.name)
-            };
-            let together: Vec<&Pass> = together.iter().filter(needed).collect();
-            if together.is_empty() {
-                continue;
+            let reported = done;
+            let first = next;
+            while next < parts.len() && done < reported + PASSES_PER_REPORT {
+                done += parts[next].1.len();
+                next += 1;
             }
-            let reads = |write: &Write| together.iter().any(|pass| pass.buffers.contains(&write.buffer));
-            let (now, later) = waiting.into_iter().partition(|write| reads(write));
-            waiting = later;
-            for write in &now {
-                known.remove(&write.buffer);
-            }
-            self.write(now)?;
-            let busy = self.run_together(&together, &mut known)?;
-            let names = together.iter().map(|pass| pass.kernel.declaration.name);
-            idle.extend(names.zip(busy).filter(|(_, busy)| !busy).map(|(name, _)| name));
+            // Handing work to the pool from outside takes as long as a small pass, so that it gets many at once.
+            pool.install(|| parts[first..next].iter().try_for_each(|part| course.run(part, memory)))?;
         }
-        // For passes of another list; none are left where nothing goes on.
-        if passes.while_busy.iter().all(|while_busy| !idle.contains(while_busy.kernel)) {
-            self.write(waiting)?;
-        }
+        pool.install(|| course.end(memory))?;
         progress(done);
         Ok(())
     }
@@ -223,19 +213,22 @@ impl Backend for CpuBackend {
     }
 
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        Ok(self.buffers[buffer.0].as_deref().map(|words| bytemuck::cast_slice(words).to_vec()).unwrap_or_default())
+        Ok(self.memory.buffers[buffer.0]
+            .as_deref()
+            .map(|words| bytemuck::cast_slice(words).to_vec())
+            .unwrap_or_default())
     }
 
     fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
-        Ok(self.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own))
+        Ok(self.memory.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own))
     }
 
     fn free(&mut self, buffer: Buffer) {
-        self.buffers[buffer.0] = None;
+        self.memory.buffers[buffer.0] = None;
     }
 
     fn take_kernel_times(&mut self) -> Vec<KernelTime> {
-        std::mem::take(&mut self.times)
+        std::mem::take(&mut self.memory.times)
     }
 
     fn device_bytes(&self) -> Option<u64> {

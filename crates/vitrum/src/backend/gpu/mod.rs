@@ -13,7 +13,7 @@ use pipeline::Pipeline;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use stopwatch::Stopwatch;
-use vitrum_kernels::kernel::WORKGROUP;
+use vitrum_kernels::kernel::{WORKGROUP, Window};
 
 /// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
 const PASSES_PER_SUBMISSION: usize = 96;
@@ -270,7 +270,9 @@ impl Backend for GpuBackend {
                     compute.set_pipeline(&self.pipelines[name].pipeline);
                     let offset = ((first + index) as u64 * stride) as u32;
                     compute.set_bind_group(0, &groups[&(name, pass.buffers.as_slice())], &[offset]);
-                    compute.dispatch_workgroups(pass.width.div_ceil(WORKGROUP), pass.height.div_ceil(WORKGROUP), 1);
+                    let Window { first: low, end: high } = pass.window;
+                    let [across, down] = [0, 1].map(|axis| (high[axis] - low[axis]).div_ceil(WORKGROUP));
+                    compute.dispatch_workgroups(across, down, 1);
                     if let Some(watch) = &watch {
                         watch.note(&mut compute, index + 1);
                     }

@@ -2,7 +2,7 @@
 
 use super::uniforms::Fixed;
 use crate::backend::{Backend, BackendError, Buffer, Pass};
-use vitrum_kernels::kernel::{Kernel, kernels};
+use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Passes that carry light from the first plane to the last.
 pub(super) trait Carrier {
@@ -69,12 +69,26 @@ impl Fixed {
         plane: u32,
         buffers: &[Buffer],
     ) -> Pass {
+        self.pass_over(Window::whole(size[0], size[1]), kernel, size, mode, plane, buffers)
+    }
+
+    /// A pass over a part of `size` invocations that leads to plane `plane`.
+    pub(super) fn pass_over(
+        &self,
+        window: Window,
+        kernel: &'static Kernel,
+        size: [u32; 2],
+        mode: u32,
+        plane: u32,
+        buffers: &[Buffer],
+    ) -> Pass {
         Pass {
             kernel,
-            uniforms: bytemuck::bytes_of(&self.block(size[0], size[1], mode, plane)).to_vec(),
+            uniforms: bytemuck::bytes_of(&self.block(size, window, mode, plane)).to_vec(),
             buffers: buffers.to_vec(),
             width: size[0],
             height: size[1],
+            window,
         }
     }
 }

@@ -91,6 +91,18 @@ impl LightGrid {
         (self.direction.truncate() / self.direction.z).length() <= STEEPEST_SHEAR
     }
 
+    /// The radius of the filter's taps across the light, in texels.
+    fn tap_radius(&self, softness: f32, planes: &Planes, index: u32) -> f64 {
+        let depth = planes.volume_depths[1] - planes.volume_depths[0];
+        let tangent = f64::from(softness).to_radians().tan();
+        tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel
+    }
+
+    /// How far away a tap of the softness filter is at most, in texels.
+    pub(super) fn filter_radius(&self, softness: f32, planes: &Planes, index: u32) -> f64 {
+        self.tap_radius(softness, planes, index) / self.direction.z
+    }
+
     /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
     ///
     /// The taps lie on an ellipse, stretched along the light's tilt and turned by a hash of the plane's index. Blurring n times
@@ -101,9 +113,7 @@ impl LightGrid {
     /// Every plane filters, even if the radius is a fraction of a texel: one wider filter after several planes gives the same blur
     /// of a shadow, but between filters refracted light breaks into stripes.
     pub(super) fn taps(&self, softness: f32, planes: &Planes, index: u32) -> [DVec2; 3] {
-        let depth = planes.volume_depths[1] - planes.volume_depths[0];
-        let tangent = f64::from(softness).to_radians().tan();
-        let radius = tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel;
+        let radius = self.tap_radius(softness, planes, index);
         let along = self.direction.truncate().try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
         let start = hash(index) * std::f64::consts::TAU;

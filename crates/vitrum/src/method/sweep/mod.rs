@@ -15,6 +15,7 @@ mod texels;
 mod uniforms;
 mod unoccluded;
 mod voxels;
+mod window;
 
 pub use crate::method::view::View;
 pub use light::LightGrid;
@@ -25,11 +26,9 @@ pub use uniforms::check;
 
 use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::inputs::Inputs;
-use crate::render::Error;
+use crate::render::{Error, Wanted};
 use crate::scene::Scene;
-use std::collections::BTreeSet;
 use uniforms::Fixed;
-use vitrum_kernels::kernel::kernels;
 
 /// A frame that is ready to run.
 pub struct Sweep {
@@ -59,9 +58,9 @@ impl Sweep {
     ///
     /// # Errors
     /// [`Error::Scene`] where what is seen and lit makes no frame, [`Error::Backend`] where the backend lacks the memory or fails.
-    pub fn prepare(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
+    pub fn prepare(scene: &Scene, inputs: &Inputs, wanted: Wanted, backend: &mut dyn Backend) -> Result<Self, Error> {
         let uploaded = Uploaded::new(inputs, backend)?;
-        let prepared = Self::prepare_uploaded(scene, inputs, &uploaded, backend);
+        let prepared = Self::prepare_uploaded(scene, inputs, &uploaded, wanted, backend);
         match prepared {
             Ok(sweep) => Ok(Self { uploaded: Some(uploaded), ..sweep }),
             Err(error) => {
@@ -76,11 +75,17 @@ impl Sweep {
     ///
     /// # Errors
     /// As [`Self::prepare`].
-    pub fn prepare_streamed(scene: &Scene, inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
-        Self::prepare_uploaded(scene, inputs, &Uploaded::streamed(inputs), backend)
+    pub fn prepare_streamed(
+        scene: &Scene,
+        inputs: &Inputs,
+        wanted: Wanted,
+        backend: &mut dyn Backend,
+    ) -> Result<Self, Error> {
+        Self::prepare_uploaded(scene, inputs, &Uploaded::streamed(inputs), wanted, backend)
     }
 
-    /// Builds tables and lists the passes for volumes that are on the backend already. They stay there when the frame is freed.
+    /// Builds tables and lists the passes for volumes that are on the backend already. They stay there when the frame is freed. Where
+    /// the light is not wanted, it is only carried as far as a viewing ray can see it, and [`Self::irradiance`] gives what is left of it.
     ///
     /// # Errors
     /// As [`Self::prepare`].
@@ -88,11 +93,12 @@ impl Sweep {
         scene: &Scene,
         inputs: &Inputs,
         uploaded: &Uploaded,
+        wanted: Wanted,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         let fixed = Fixed::new(scene, inputs, uploaded.format)?;
         let mut created = Vec::new();
-        let result = passes::build(inputs, &fixed, uploaded, backend, &mut created);
+        let result = passes::build(inputs, &fixed, uploaded, wanted, backend, &mut created);
         match result {
             Ok((passes, buffers)) => Ok(Self {
                 passes,
@@ -108,15 +114,6 @@ impl Sweep {
                 }
                 Err(error)
             }
-        }
-    }
-
-    /// Lets a backend stop carrying light once every ray has ended. What [`Self::irradiance`] gives is then not the last plane's.
-    pub fn end_light_with_rays(&mut self) {
-        let names = self.passes.passes.iter().map(|pass| pass.kernel.declaration.name);
-        let all: BTreeSet<&str> = names.filter(|name| *name != kernels::sweep_resolve.declaration.name).collect();
-        for while_busy in &mut self.passes.while_busy {
-            while_busy.passes = all.iter().copied().collect();
         }
     }
 

@@ -3,6 +3,8 @@
 use super::tables::Tables;
 use super::voxels::{brick_shift, bricks, normalisation};
 use crate::method::brick_distances::spread;
+use crate::method::view::corners_between;
+use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
 
@@ -89,6 +91,23 @@ impl Question<'_> {
             Ranges::F32(ranges) => self.classify(ranges, words),
         }
         spread(words, bricks(self.volume).map(|n| n as usize));
+    }
+
+    /// The corners in the world of the box around the bricks that are not empty, if there are any.
+    pub(super) fn occupied(&self, words: &[u32]) -> Option<[DVec3; 8]> {
+        let [width, height, _] = bricks(self.volume).map(|n| n as usize);
+        let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
+        for (row, words) in words.chunks(width).enumerate() {
+            let Some(first) = words.iter().position(|word| *word == 0) else { continue };
+            let last = words.iter().rposition(|word| *word == 0).unwrap_or(first);
+            let (y, z) = (row % height, row / height);
+            low = [low[0].min(first), low[1].min(y), low[2].min(z)];
+            high = [high[0].max(last), high[1].max(y), high[2].max(z)];
+        }
+        let edge = 1 << brick_shift(self.volume);
+        let voxels = |brick: usize, axis: usize| ((brick * edge) as f64).min(f64::from(self.volume.dimensions[axis]));
+        let ends = |axis: usize| [voxels(low[axis], axis) - 0.5, voxels(high[axis] + 1, axis) - 0.5];
+        (low[0] <= high[0]).then(|| corners_between(self.volume, [ends(0), ends(1), ends(2)]))
     }
 
     /// Writes to `words` whether a brick is empty: 0 if not, else a large number.

@@ -11,7 +11,9 @@ use super::unoccluded::Unoccluded;
 use super::voxels::{bricks, chosen_format, fit, upload};
 use crate::backend::{Backend, BackendError, Buffer, PassList, WhileBusy, Write};
 use crate::inputs::Inputs;
-use crate::render::Error;
+use crate::render::{Error, Wanted};
+use glam::DVec3;
+use std::collections::BTreeSet;
 use vitrum_io::Volume;
 use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{film, ray};
@@ -98,6 +100,7 @@ pub(super) fn build(
     inputs: &Inputs,
     fixed: &Fixed,
     uploaded: &Uploaded,
+    wanted: Wanted,
     backend: &mut dyn Backend,
     created: &mut Vec<Buffer>,
 ) -> Result<(PassList, Buffers), Error> {
@@ -114,7 +117,7 @@ pub(super) fn build(
         reach: fixed.reach[1],
         role: Role::Bending,
     }));
-    let occupancy = occupancy(&questions, backend)?;
+    let (occupancy, occupied) = occupancy(&questions, backend)?;
     created.push(occupancy);
     let mut upload = |label: &str, contents: &[u8]| -> Result<Buffer, BackendError> {
         let buffer = backend.create(label, contents)?;
@@ -140,7 +143,11 @@ pub(super) fn build(
     let mut maker = Maker { fixed, backend, created };
     let light: Box<dyn Carrier> = match &fixed.sheets {
         _ if !fixed.shadows => Box::new(Unoccluded::new(&mut maker)?),
-        None => Box::new(Texels::new(&mut maker, volumes)?),
+        None => {
+            let inside = || occupied.iter().map(|corners| corners.map(|corner| fixed.view.point(corner))).collect();
+            let everywhere = wanted.light || fixed.lights_surroundings;
+            Box::new(Texels::new(&mut maker, volumes, (!everywhere).then(inside))?)
+        }
         Some(sources) => Box::new(Sheets::new(&mut maker, volumes, sources)?),
     };
     let pixels = fixed.rays;
@@ -163,27 +170,32 @@ pub(super) fn build(
     }
     let last = fixed.planes.count - 1;
     passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[rays, map, finished]));
-    let name = ray_kernel.declaration.name;
-    // Light goes on to the last plane: what is there is an output, too.
+    let (name, resolve) = (ray_kernel.declaration.name, kernels::sweep_resolve.declaration.name);
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
     writes.sort_by_key(|write| write.before);
-    let while_busy = vec![WhileBusy { kernel: name, passes: vec![name] }];
+    // Light goes on to the last plane only where what is there is an output, too.
+    let names = passes.iter().map(|pass| pass.kernel.declaration.name);
+    let ends: BTreeSet<&str> = names.filter(|other| *other == name || !wanted.light && *other != resolve).collect();
+    let while_busy = vec![WhileBusy { kernel: name, passes: ends.into_iter().collect() }];
     let list = PassList { passes, writes, while_busy };
     let [_, irradiance] = light.on_plane(last);
     let buffers = Buffers { all: maker.created.clone(), irradiance, rays, film: finished };
     Ok((list, buffers))
 }
 
-/// The bricks of all volumes, one volume after the other.
-fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
+/// The bricks of all volumes, one volume after the other, and the corners in the world of the box around each one's that are not empty.
+fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<(Buffer, Vec<[DVec3; 8]>), BackendError> {
     let counts: Vec<usize> =
         questions.iter().map(|question| bricks(question.volume).iter().map(|&n| n as usize).product()).collect();
     let bytes = counts.iter().sum::<usize>() as u64 * 4;
-    backend.create_with("occupancy", bytes, &mut |mut words| {
+    let mut boxes = Vec::new();
+    let buffer = backend.create_with("occupancy", bytes, &mut |mut words| {
         for (question, &count) in questions.iter().zip(&counts) {
             let (these, rest) = words.split_at_mut(count);
             question.answer(these);
+            boxes.extend(question.occupied(these));
             words = rest;
         }
-    })
+    })?;
+    Ok((buffer, boxes))
 }

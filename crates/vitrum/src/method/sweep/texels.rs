@@ -3,13 +3,15 @@
 use super::carrier::{Carrier, Maker, Volumes};
 use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
+use glam::DVec3;
 use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{irradiance, light, trace};
-use vitrum_kernels::kernel::{Kernel, kernels};
+use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The buffers of light on texels.
 pub(super) struct Texels {
     volumes: Volumes,
+    read_inside: Option<Vec<[DVec3; 8]>>,
     /// They swap roles from plane to plane.
     light: [Buffer; 2],
     filtered: Buffer,
@@ -31,10 +33,16 @@ fn refract_kernel(stored: u32) -> &'static Kernel {
 }
 
 impl Texels {
-    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes) -> Result<Self, BackendError> {
+    /// Light that is looked at inside `read_inside` alone (corners of boxes, in the sweep frame), or everywhere.
+    pub(super) fn new(
+        maker: &mut Maker<'_>,
+        volumes: Volumes,
+        read_inside: Option<Vec<[DVec3; 8]>>,
+    ) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
         Ok(Self {
             volumes,
+            read_inside,
             light: [maker.planar("light", texels, light::SIZE)?, maker.planar("light", texels, light::SIZE)?],
             filtered: maker.planar(
                 "filtered light",
@@ -59,7 +67,11 @@ impl Carrier for Texels {
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {
         let texels = fixed.light_grid.size;
         let (behind, ahead) = (self.light(plane - 1), self.light(plane));
-        let mut push = |kernel, mode, buffers: &[Buffer]| passes.push(fixed.pass(kernel, texels, mode, plane, buffers));
+        let whole = Window::whole(texels[0], texels[1]);
+        let window = self.read_inside.as_ref().map_or(whole, |boxes| fixed.window(boxes, plane));
+        let mut push = |kernel, mode, buffers: &[Buffer]| {
+            passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers))
+        };
         // What light is followed into: the plane behind, filtered where the light is soft.
         let source = if fixed.is_soft() { self.filtered } else { behind };
         if fixed.is_soft() {

@@ -15,6 +15,7 @@ use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
 use glam::{DVec3, DVec4, UVec4};
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::kernel::Window;
 
 /// The smallest v_z / |v| of a ray that goes on: 89°. Beyond, one plane's step would cross dozens of voxels.
 const SMALLEST_COSINE: f32 = 0.017_452;
@@ -40,6 +41,9 @@ pub(super) struct Fixed {
     pub(super) sampling: Vec<Sampling>,
     /// The directions of the sheets that carry the light, if sheets do.
     pub(super) sheets: Option<Vec<[f32; 3]>>,
+    pub(super) view: View,
+    /// Whether light is looked at outside the volumes, too.
+    pub(super) lights_surroundings: bool,
     block: SweepUniforms,
     softness: f32,
 }
@@ -174,16 +178,26 @@ impl Fixed {
             mode,
             shadows: scene.light.shadows,
             sheets,
+            view,
+            lights_surroundings: scene.ground.is_some() || scene.wall.is_some(),
             block,
             softness: scene.light.softness,
         })
     }
 
-    /// The block of a pass over `width` × `height` invocations that leads to plane `index`.
-    pub(super) fn block(&self, width: u32, height: u32, mode: u32, index: u32) -> SweepUniforms {
+    /// The texels that are carried on to plane `plane`, if only those inside `boxes` are looked at (corners in the sweep frame).
+    pub(super) fn window(&self, boxes: &[[DVec3; 8]], plane: u32) -> Window {
+        let filter =
+            if self.is_soft() { self.light_grid.filter_radius(self.softness, &self.planes, plane) } else { 0.0 };
+        self.light_grid.window(boxes, &self.planes, plane, filter)
+    }
+
+    /// The block of a pass over a part of `size` invocations that leads to plane `index`.
+    pub(super) fn block(&self, size: [u32; 2], window: Window, mode: u32, index: u32) -> SweepUniforms {
         let mut block = self.block;
-        block.dispatch.x = width;
-        block.dispatch.y = height;
+        block.dispatch.x = size[0];
+        block.dispatch.y = size[1];
+        block.window = UVec4::new(window.first[0], window.first[1], window.end[0], window.end[1]);
         block.dispatch.z = mode;
         block.plane.x = self.planes.depth(index.saturating_sub(1)) as f32;
         block.plane.y = self.planes.depth(index) as f32;
@@ -191,6 +205,9 @@ impl Fixed {
         block.shading.w = self.planes.alike(index) as f32;
         if self.planes.is_behind(index) {
             block.dispatch.w |= flag::BEHIND_VOLUME;
+        }
+        if index + self.planes.alike(index) + 1 == self.planes.count {
+            block.dispatch.w |= flag::LAST_STRETCH;
         }
         let [a, b, c] = self.light_grid.taps(self.softness, &self.planes, index);
         block.taps_a = Vec4::new(a.x as f32, a.y as f32, b.x as f32, b.y as f32);

@@ -46,13 +46,15 @@ pub(in crate::method) fn voxel_steps(volume: &Volume) -> DMat3 {
 
 /// The eight corners of the volume's box (whole voxels), in the world.
 pub(in crate::method) fn corners(volume: &Volume) -> [DVec3; 8] {
+    corners_between(volume, volume.dimensions.map(|n| [-0.5, f64::from(n) - 0.5]))
+}
+
+/// The corners of a part of the volume, between two voxel coordinates along each axis. Bit n of a corner's number is its end along axis n.
+pub(in crate::method) fn corners_between(volume: &Volume, ends: [[f64; 2]; 3]) -> [DVec3; 8] {
     let steps = voxel_steps(volume);
     let origin = vector(volume.origin);
     std::array::from_fn(|corner| {
-        let end = |axis: usize| {
-            let far = f64::from(volume.dimensions[axis]) - 0.5;
-            if corner >> axis & 1 == 0 { -0.5 } else { far }
-        };
+        let end = |axis: usize| ends[axis][corner >> axis & 1];
         origin + steps * DVec3::new(end(0), end(1), end(2))
     })
 }

@@ -5,7 +5,7 @@ use bytemuck::bytes_of;
 use rayon::prelude::*;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, item, triangle};
 use vitrum_kernels::glam::UVec4;
-use vitrum_kernels::kernel::Kernel;
+use vitrum_kernels::kernel::{Kernel, Window};
 
 /// Rows up to which a triangle is one item.
 const SMALL: u32 = triangle::SMALL as u32;
@@ -134,7 +134,14 @@ pub(in crate::method) fn pass(
 ) -> PassList {
     let [width, height] = dispatch(count);
     uniforms.dispatch = UVec4::new(width, height, mode, count);
-    let pass = Pass { kernel, uniforms: bytes_of(&uniforms).to_vec(), buffers: buffers.to_vec(), width, height };
+    let pass = Pass {
+        kernel,
+        uniforms: bytes_of(&uniforms).to_vec(),
+        buffers: buffers.to_vec(),
+        width,
+        height,
+        window: Window::whole(width, height),
+    };
     PassList { passes: vec![pass], ..PassList::default() }
 }
 

@@ -16,7 +16,7 @@ use crate::scene::Scene;
 use bytemuck::{bytes_of, cast_slice};
 use vitrum_kernels::abi::record::{fate, mirror, path, view};
 use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, flag, seen};
-use vitrum_kernels::kernel::{Kernel, kernels};
+use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// A frame that is ready to run.
 pub struct Rays {
@@ -183,7 +183,14 @@ fn list(
     let pass = |kernel: &'static Kernel, mode: u32, buffers: Vec<Buffer>| {
         let mut block = block;
         block.dispatch.z = mode;
-        Pass { kernel, uniforms: bytes_of(&block).to_vec(), buffers, width: size[0], height: size[1] }
+        Pass {
+            kernel,
+            uniforms: bytes_of(&block).to_vec(),
+            buffers,
+            width: size[0],
+            height: size[1],
+            window: Window::whole(size[0], size[1]),
+        }
     };
     let tree = [uploaded.tree[0], uploaded.tree[1], materials, rays];
     let marched = || uploaded.buffers.iter().copied().chain([materials, rays]).collect();

@@ -16,7 +16,7 @@ use vitrum_kernels::abi::shadow::{ShadowUniforms, caster, mode, row_words};
 use vitrum_kernels::abi::vector::Vec4;
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
 use vitrum_kernels::glam::UVec4;
-use vitrum_kernels::kernel::{Kernel, kernels};
+use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The most words of a slab's optical depths: less than any device's buffer.
 const SLAB_WORDS: u64 = 1 << 24;
@@ -140,7 +140,14 @@ impl<'a> Work<'a> {
     ) -> Result<(), Error> {
         let [width, height] = dispatch(count);
         let block = ShadowUniforms { dispatch: UVec4::new(width, height, block.dispatch.z, count), ..block };
-        let pass = Pass { kernel, uniforms: bytes_of(&block).to_vec(), buffers, width, height };
+        let pass = Pass {
+            kernel,
+            uniforms: bytes_of(&block).to_vec(),
+            buffers,
+            width,
+            height,
+            window: Window::whole(width, height),
+        };
         self.run(&PassList { passes: vec![pass], ..PassList::default() }, held)
     }
 

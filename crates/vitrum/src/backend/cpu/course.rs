@@ -1,0 +1,68 @@
+//! A pass list on its way.
+
+use super::Memory;
+use super::chunks::{Known, follows, most_together};
+use crate::backend::{BackendError, Buffer, Pass, PassList, Write};
+use std::collections::{HashMap, HashSet};
+use vitrum_kernels::kernel::InstructionSet;
+
+/// Passes that run together, and what is written before them.
+pub(super) type Part<'a> = (&'a [Write], &'a [Pass]);
+
+/// The parts of a list, in order.
+pub(super) fn parts(passes: &PassList) -> impl Iterator<Item = Part<'_>> {
+    passes.runs().flat_map(|(writes, run)| {
+        let parts = run.chunk_by(follows).flat_map(|together| together.chunks(most_together(&together[0])));
+        parts.enumerate().map(move |(index, part)| (if index == 0 { writes } else { &[] }, part))
+    })
+}
+
+/// What is known between two parts of a list.
+pub(super) struct Course<'a> {
+    passes: &'a PassList,
+    set: InstructionSet,
+    /// Kernels that had a pass without any work.
+    idle: HashSet<&'a str>,
+    known: HashMap<Buffer, Known>,
+    /// Written as soon as a pass that runs reads it.
+    waiting: Vec<&'a Write>,
+}
+
+impl<'a> Course<'a> {
+    /// Before the first part.
+    pub(super) fn new(passes: &'a PassList, set: InstructionSet) -> Self {
+        Self { passes, set, idle: HashSet::new(), known: HashMap::new(), waiting: Vec::new() }
+    }
+
+    /// Runs a part, but for what may be left out.
+    pub(super) fn run(&mut self, (writes, together): &Part<'a>, memory: &mut Memory) -> Result<(), BackendError> {
+        self.waiting.extend(*writes);
+        let needed = |pass: &&Pass| {
+            let idle = self.passes.while_busy.iter().filter(|while_busy| self.idle.contains(while_busy.kernel));
+            !idle.flat_map(|while_busy| &while_busy.passes).any(|name| *name == pass.kernel.declaration.name)
+        };
+        let together: Vec<&Pass> = together.iter().filter(needed).collect();
+        if together.is_empty() {
+            return Ok(());
+        }
+        let reads = |write: &&Write| together.iter().any(|pass| pass.buffers.contains(&write.buffer));
+        let (now, later) = std::mem::take(&mut self.waiting).into_iter().partition(reads);
+        self.waiting = later;
+        for write in &now {
+            self.known.remove(&write.buffer);
+        }
+        memory.write(now)?;
+        let busy = memory.run_together(&together, self.set, &mut self.known)?;
+        let names = together.iter().map(|pass| pass.kernel.declaration.name);
+        self.idle.extend(names.zip(busy).filter(|(_, busy)| !busy).map(|(name, _)| name));
+        Ok(())
+    }
+
+    /// Writes what no pass has read, for those of another list; not where nothing goes on.
+    pub(super) fn end(self, memory: &mut Memory) -> Result<(), BackendError> {
+        if self.passes.while_busy.iter().any(|while_busy| self.idle.contains(while_busy.kernel)) {
+            return Ok(());
+        }
+        memory.write(self.waiting)
+    }
+}
