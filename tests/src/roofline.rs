@@ -133,8 +133,8 @@ fn operations(kernel: &str) -> Result<u64, Failure> {
 }
 
 /// The fewest bytes that a pass moves: each record it writes, and what it reads once. Tables stay in a cache.
-fn bytes(pass: &Pass, passes: &[Pass], voxel_bytes: f64) -> f64 {
-    let invocations = f64::from(pass.width) * f64::from(pass.height);
+fn bytes(pass: &Pass, before: &[Pass], voxel_bytes: f64) -> f64 {
+    let invocations = pass.invocations() as f64;
     let declaration = &pass.kernel.declaration;
     let own = declaration.components as f64 * 4.0 * invocations;
     let bindings = declaration.bindings[1..].iter().zip(&pass.buffers);
@@ -143,9 +143,11 @@ fn bytes(pass: &Pass, passes: &[Pass], voxel_bytes: f64) -> f64 {
         (Access::Update, _) => 2.0 * own,
         // A voxel an invocation.
         (_, "voxels" | "ior_voxels") => voxel_bytes * invocations,
-        // What another kernel writes there.
-        _ => passes.iter().find(|other| other.output() == Some(*buffer)).map_or(0.0, |other| {
-            f64::from(other.width * other.height) * other.kernel.declaration.components as f64 * 4.0
+        // What another kernel has written there.
+        _ => before.iter().rfind(|other| other.output() == Some(*buffer)).map_or(0.0, |other| {
+            let alike = (other.width, other.height) == (pass.width, pass.height);
+            let records = if alike { invocations } else { other.invocations() as f64 };
+            records * other.kernel.declaration.components as f64 * 4.0
         }),
     });
     read.sum()
@@ -171,9 +173,9 @@ pub fn markdown(case: &Case, backend: &mut CpuBackend, ceilings: Ceilings) -> Re
     let passes = &prepared.passes.passes;
     let mut rows = Vec::new();
     for time in &times {
-        let of_kernel: Vec<&Pass> = passes.iter().filter(|pass| pass.kernel.declaration.name == time.kernel).collect();
-        let invocations: f64 = of_kernel.iter().map(|pass| f64::from(pass.width) * f64::from(pass.height)).sum();
-        let moved: f64 = of_kernel.iter().map(|pass| bytes(pass, passes, voxel_bytes)).sum();
+        let of_kernel = passes.iter().enumerate().filter(|(_, pass)| pass.kernel.declaration.name == time.kernel);
+        let invocations: f64 = of_kernel.clone().map(|(_, pass)| pass.invocations() as f64).sum();
+        let moved: f64 = of_kernel.map(|(number, pass)| bytes(pass, &passes[..number], voxel_bytes)).sum();
         let operations = operations(time.kernel)?;
         let floor = (moved / ceilings.bytes).max(operations as f64 * invocations / ceilings.operations) * 1e3;
         rows.push([

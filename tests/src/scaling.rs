@@ -32,6 +32,7 @@ impl Setup {
         let settings =
             [format!("sweep.sample_distance={distance}"), format!("light.resolution={}", self.light_resolution)];
         Case::builtin("glass", self.edge, Some(self.resolution), &settings.each_ref().map(String::as_str))
+            .map(Case::without_light)
     }
 }
 

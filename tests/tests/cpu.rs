@@ -113,18 +113,13 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
         assert!(all.layers == seen.layers, "{}: the picture is another one", case.name);
 
         let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
-        let run: u64 = sweep.passes.passes.iter().map(invocations).sum();
+        let run: u64 = sweep.passes.passes.iter().map(Pass::invocations).sum();
         let whole = |pass: &Pass| Pass { window: Window::whole(pass.width, pass.height), ..pass.clone() };
-        let most: u64 = sweep.passes.passes.iter().map(|pass| invocations(&whole(pass))).sum();
+        let most: u64 = sweep.passes.passes.iter().map(|pass| whole(pass).invocations()).sum();
         assert!(run < most, "{}: all texels on every plane", case.name);
         sweep.free(&mut cpu);
     }
     Ok(())
-}
-
-fn invocations(pass: &Pass) -> u64 {
-    let Window { first, end } = pass.window;
-    u64::from(end[0] - first[0]) * u64::from(end[1] - first[1])
 }
 
 #[test]

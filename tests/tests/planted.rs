@@ -32,8 +32,11 @@ fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
     let outside: [f32; light::SIZE] =
         [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0];
     let offsets = [[u.taps_a.x, u.taps_a.y], [u.taps_a.z, u.taps_a.w], [u.taps_b.x, u.taps_b.y]];
-    for index in 0..(chunk.rows * chunk.width) as usize {
-        let (x, y) = (index as i32 % width, chunk.first_row as i32 + index as i32 / width);
+    let inside = |row: &u32, column: &u32| chunk.inside.contains(row) && chunk.columns.contains(column);
+    let texels = (0..chunk.rows).flat_map(|row| (0..chunk.width).map(move |column| (row, column)));
+    for (row, column) in texels.filter(|(row, column)| inside(row, column)) {
+        let (x, y) = (column as i32, (chunk.first_row + row) as i32);
+        let index = (row * chunk.width + column) as usize;
         for (component, outside) in outside.into_iter().enumerate() {
             let texel = |i: i32, j: i32| {
                 let at = component as i32 * width * height + j * width + i;

@@ -53,7 +53,7 @@ fn grid() -> Vec<Field> {
 #[rustfmt::skip]
 fn sweep_uniforms() -> Vec<Field> {
     fields!(SweepUniforms {
-        dispatch, size, plane, grid, ior_grid,
+        dispatch, window, size, plane, grid, ior_grid,
         light_grid, light_shear, light_initial, light_direction, taps_a, taps_b,
         camera, ground_plane, ground_color, wall_plane, wall_color,
         clip_0, clip_1, clip_2, clip_3, clip_everything,

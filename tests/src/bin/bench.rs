@@ -154,8 +154,8 @@ impl Subject {
     fn open(&self, arguments: &Arguments) -> Result<Case, Failure> {
         let edge = arguments.sizes[0];
         match self {
-            Self::Scene(name) => Case::builtin(name, edge, None, &[]),
-            Self::File(path) => Case::file(path, &arguments.preset, edge),
+            Self::Scene(name) => Case::builtin(name, edge, None, &[]).map(Case::without_light),
+            Self::File(path) => Case::file(path, &arguments.preset, edge).map(Case::without_light),
         }
     }
 }

@@ -108,6 +108,13 @@ impl Write {
 }
 
 impl Pass {
+    /// How many invocations run.
+    #[must_use]
+    pub fn invocations(&self) -> u64 {
+        let Window { first, end } = self.window;
+        u64::from(end[0] - first[0]) * u64::from(end[1] - first[1])
+    }
+
     /// The buffer that the pass writes.
     pub fn output(&self) -> Option<Buffer> {
         let writes = |access: Access| matches!(access, Access::Write | Access::Update | Access::Add);

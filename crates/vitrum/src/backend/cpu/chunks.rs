@@ -92,9 +92,7 @@ pub(super) fn follows(pass: &Pass, next: &Pass) -> bool {
 
 /// Passes that run together at most: they cannot be cancelled on the way.
 pub(super) fn most_together(pass: &Pass) -> usize {
-    let Window { first, end } = pass.window;
-    let invocations = u64::from(end[0] - first[0]) * u64::from(end[1] - first[1]);
-    (INVOCATIONS_TOGETHER / invocations.max(1)).max(1) as usize
+    (INVOCATIONS_TOGETHER / pass.invocations().max(1)).max(1) as usize
 }
 
 /// Rows in a chunk of passes that run together.

@@ -70,7 +70,7 @@ impl Carrier for Texels {
         let whole = Window::whole(texels[0], texels[1]);
         let window = self.read_inside.as_ref().map_or(whole, |boxes| fixed.window(boxes, plane));
         let mut push = |kernel, mode, buffers: &[Buffer]| {
-            passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers))
+            passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers));
         };
         // What light is followed into: the plane behind, filtered where the light is soft.
         let source = if fixed.is_soft() { self.filtered } else { behind };
