@@ -58,6 +58,10 @@ impl Backend for AlteredCpu {
         self.cpu.overwrite(buffer, words, fill)
     }
 
+    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
+        self.cpu.clear(buffer)
+    }
+
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut passes = passes.clone();
         (self.passes)(&mut passes);

@@ -52,6 +52,10 @@ impl Backend for Failing {
         self.cpu.overwrite(buffer, words, fill)
     }
 
+    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
+        self.cpu.clear(buffer)
+    }
+
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         if self.frames > 0 {
             self.frames -= 1;

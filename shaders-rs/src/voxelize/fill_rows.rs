@@ -1,7 +1,7 @@
 //! Follows rows of voxels from end to end and finds how much of each voxel is inside.
 
 use crate::abi::voxelize::{VoxelizeUniforms, mode};
-use crate::field::access::read;
+use crate::field::access::read_inside;
 use crate::field::sums::Sums;
 
 /// How much of a voxel is inside, in 255ths, where the winding's mean over it is `winding`, in units of which a voxel has
@@ -27,36 +27,53 @@ fn inside(winding: i32, scale: u32, rule: u32) -> u32 {
 #[inline(always)]
 pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &VoxelizeUniforms, rule: u32, changes: &[u32], coverage: &mut S) {
     let row = y * u.dispatch.x + x;
-    if row < u.dispatch.w {
-        let base = (row * (u.size.x + 1)) as i32;
-        let mut total = 0;
-        let mut i = 0;
-        while i <= u.size.x as i32 {
+    let length = u.size.x;
+    let base = (row * (length + 1)) as i32;
+    if (row < u.dispatch.w) & (base >= 0) & (base + (length as i32) < changes.len() as i32) {
+        // SAFETY: a row has a place for each voxel and one behind them, and that one lies in the buffer.
+        let change = |voxel: u32| unsafe { read_inside(changes, base, voxel) };
+        let (mut total, mut any) = (0u32, 0);
+        let mut voxel = 0;
+        while voxel <= length {
             // Sums wrap on their way; where they end does not depend on it.
-            total = (total as u32).wrapping_add(read(changes, base + i)) as i32;
-            i += 1;
+            total = total.wrapping_add(change(voxel));
+            any |= change(voxel);
+            voxel += 1;
         }
-        if total == 0 {
-            let mut winding = 0;
-            let mut word = 0;
-            while word < u.size.w as i32 {
-                let mut bytes = 0;
-                let mut lane = 0;
-                while lane < 4 {
-                    let voxel = word * 4 + lane;
-                    if voxel < u.size.x as i32 {
-                        winding = (winding as u32).wrapping_add(read(changes, base + voxel)) as i32;
-                        bytes |= inside(winding, u.columns.w, rule) << (8 * lane) as u32;
-                    }
-                    lane += 1;
-                }
-                if bytes != 0 {
-                    coverage.add((row * u.size.w) as usize + word as usize, bytes);
-                }
-                word += 1;
-            }
-        } else {
+        if total != 0 {
             coverage.add((u.dispatch.w * u.size.w) as usize, 1);
+        } else if any != 0 {
+            fill(row, u, rule, change, coverage);
         }
+    }
+}
+
+/// Writes a row that closes.
+#[inline(always)]
+fn fill<S: Sums + ?Sized>(row: u32, u: &VoxelizeUniforms, rule: u32, change: impl Fn(u32) -> u32, coverage: &mut S) {
+    let (mut winding, mut level) = (0u32, 0);
+    let mut word = 0;
+    while word < u.size.w {
+        let first = word * 4;
+        let whole = first + 3 < u.size.x;
+        // Most voxels are as their neighbours.
+        let alike = whole && (change(first) | change(first + 1) | change(first + 2) | change(first + 3)) == 0;
+        let mut bytes = level * 0x0101_0101;
+        if !alike {
+            bytes = 0;
+            let mut lane = 0;
+            while lane < 4 {
+                if first + lane < u.size.x {
+                    winding = winding.wrapping_add(change(first + lane));
+                    level = inside(winding as i32, u.columns.w, rule);
+                    bytes |= level << (8 * lane);
+                }
+                lane += 1;
+            }
+        }
+        if bytes != 0 {
+            coverage.add((row * u.size.w + word) as usize, bytes);
+        }
+        word += 1;
     }
 }

@@ -46,6 +46,12 @@ fn the_graphics_adapter_gives_the_same_bits() {
     for rule in [FillRule::Nonzero, FillRule::EvenOdd] {
         compare(&colorful(), &Settings { solid: Some(rule), ..everything(37) }, &mut adapter);
     }
+    // So large that it is filled slab by slab.
+    compare(
+        &ball(1.0, 24),
+        &Settings { surface: false, solid: Some(FillRule::Nonzero), ..Settings::new(300) },
+        &mut adapter,
+    );
     compare(&random(200, 3), &Settings { overlap: 0.25, ..everything(150) }, &mut adapter);
     for (name, resolution) in
         [("meshes/teapot.obj", 60), ("meshes/horse_96966.ply", 96), ("meshes/2CylinderEngine.glb", 80)]

@@ -40,7 +40,7 @@ fn a_box_has_its_volume_to_the_last_voxel() {
 fn a_ball_has_its_meshs_volume() {
     let ball = ball(1.0, 90);
     let expected = ball.signed_volume();
-    for (resolution, bound) in [(32, 1e-3), (128, AT_128), (200, 1e-4)] {
+    for (resolution, bound) in [(32, 1e-3), (128, AT_128), (200, 1e-4), (300, 1e-4)] {
         let found = volume(&ball, resolution, FillRule::Nonzero);
         assert!((found / expected - 1.0).abs() < bound, "{resolution}: {found} {expected}");
     }

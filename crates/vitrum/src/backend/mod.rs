@@ -84,6 +84,12 @@ pub trait Backend {
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError>;
 
+    /// Makes all words of a buffer 0 again, once what runs is done.
+    ///
+    /// # Errors
+    /// [`BackendError::Misuse`] for a buffer that is freed, [`BackendError::DeviceLost`].
+    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError>;
+
     /// Runs all passes in order. `progress` is told how many are done from time to time; when it returns `false` the run ends
     /// early with [`BackendError::Cancelled`].
     ///
@@ -110,6 +116,21 @@ pub trait Backend {
         let all = self.read(buffer)?;
         pass::check_part(start, bytes, Some(all.len() as u64))?;
         Ok(all[start as usize..][..bytes as usize].to_vec())
+    }
+
+    /// Lets `see` look at what [`Self::read_part`] gives: where a backend can, without a copy.
+    ///
+    /// # Errors
+    /// As [`Self::read_part`].
+    fn look(
+        &mut self,
+        buffer: Buffer,
+        start: u64,
+        bytes: u64,
+        see: &mut (dyn FnMut(&[u8]) + Send),
+    ) -> Result<(), BackendError> {
+        see(&self.read_part(buffer, start, bytes)?);
+        Ok(())
     }
 
     /// The contents of a buffer in words, which is freed: where a backend can, without a copy.

@@ -10,6 +10,7 @@ use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
 use chunks::{Known, Prepared, rows};
 use contents::Contents;
 use course::{Course, Part, parts};
+use rayon::prelude::*;
 use std::collections::HashMap;
 use std::time::Instant;
 use vitrum_io::Words;
@@ -17,6 +18,9 @@ use vitrum_kernels::kernel::InstructionSet;
 
 /// Passes between two calls of the progress function.
 const PASSES_PER_REPORT: usize = 24;
+
+/// Words that a thread clears at a time.
+const CLEARED_TOGETHER: usize = 1 << 16;
 
 /// Runs kernels natively, compiled per instruction set.
 pub struct CpuBackend {
@@ -185,6 +189,15 @@ impl Backend for CpuBackend {
         Ok(())
     }
 
+    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
+        if let Some(Contents::Own(words)) = &mut self.memory.buffers[buffer.0] {
+            self.pool.install(|| words.par_chunks_mut(CLEARED_TOGETHER).for_each(|words| words.fill(0)));
+            return Ok(());
+        }
+        self.memory.buffers[buffer.0] = Some(Contents::Own(vec![0; self.words(buffer)?.len()]));
+        Ok(())
+    }
+
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut course = Course::new(passes, self.set);
         let parts: Vec<Part> = parts(passes).collect();
@@ -219,6 +232,20 @@ impl Backend for CpuBackend {
             .unwrap_or_default())
     }
 
+    fn look(
+        &mut self,
+        buffer: Buffer,
+        start: u64,
+        bytes: u64,
+        see: &mut (dyn FnMut(&[u8]) + Send),
+    ) -> Result<(), BackendError> {
+        let contents: &[u8] = bytemuck::cast_slice(self.words(buffer)?);
+        check_part(start, bytes, Some(contents.len() as u64))?;
+        let part = &contents[start as usize..][..bytes as usize];
+        self.pool.install(|| see(part));
+        Ok(())
+    }
+
     fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
         Ok(self.memory.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own))
     }
@@ -237,6 +264,11 @@ impl Backend for CpuBackend {
 }
 
 impl CpuBackend {
+    fn words(&self, buffer: Buffer) -> Result<&[u32], BackendError> {
+        let freed = || BackendError::Misuse { kernel: "-", what: format!("buffer {} is freed", buffer.0) };
+        self.memory.buffers[buffer.0].as_deref().ok_or_else(freed)
+    }
+
     fn zeros(&self, label: &str, bytes: u64) -> Result<Vec<u32>, BackendError> {
         self.check_size(label, bytes)?;
         let count = usize::try_from(bytes / 4).unwrap_or(usize::MAX);

@@ -234,6 +234,13 @@ impl Backend for GpuBackend {
         Ok(())
     }
 
+    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
+        let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.clear_buffer(self.get(buffer)?, 0, None);
+        self.opened.queue.submit([encoder.finish()]);
+        self.check()
+    }
+
     fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let passes = &list.passes;
         self.prepare_pipelines(passes)?;

@@ -180,20 +180,33 @@ pub(crate) fn voxelize_in(
     Ok(Voxelization { grid, surface, attributes, solid, statistics })
 }
 
+/// Bytes that an allocator keeps for the next time; larger pieces it gets from the system.
+const KEPT: usize = 1 << 25;
+
 fn fill(mesh: &Mesh, grid: Grid, rule: FillRule, held: &mut Held<'_>, stage: &mut Stage<'_>) -> Result<Solid, Error> {
     let body = Body::new(mesh, grid, rule)?;
-    let mut coverage = Vec::new();
+    let mut coverage = Vec::<u8>::new();
     let voxels = usize::try_from(grid.voxels()).unwrap_or(usize::MAX);
     coverage.try_reserve_exact(voxels).map_err(|_| {
         let [x, y, z] = grid.dimensions;
         Error::Scene(format!("there is no memory for {x} x {y} x {z} voxels; choose a lower resolution"))
     })?;
-    let mut solid = Solid { coverage, open_rows: 0 };
-    for slab in body.slabs() {
-        let slices = body.slices(slab);
-        let plan = Plan::new(&slices);
-        stage.total += plan.total();
-        body.fill(slab, &plan, held, stage, &mut solid)?;
+    if voxels <= KEPT {
+        coverage.resize(voxels, 0);
+    } else {
+        // Pages that the system clears when they are written, by all threads.
+        drop(coverage);
+        coverage = vec![0; voxels];
     }
-    Ok(solid)
+    let mut solid = Solid { coverage, open_rows: 0 };
+    held.within(|held| {
+        let buffers = body.buffers(held)?;
+        for slab in body.slabs() {
+            let slices = body.slices(slab);
+            let plan = Plan::new(&slices);
+            stage.total += plan.total();
+            body.fill(slab, &plan, &buffers, held, stage, &mut solid)?;
+        }
+        Ok(solid)
+    })
 }

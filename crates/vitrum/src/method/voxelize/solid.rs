@@ -16,8 +16,14 @@ use vitrum_kernels::kernel::kernels;
 /// columns, not 4 × 4, a plate in a grid of 128 had lost half a percent.
 const COLUMNS: u32 = 2;
 
-/// The most words of a slab's changes: what several of a processor's caches hold, and less than any device's buffer.
-const SLAB_WORDS: u64 = 1 << 24;
+/// Words of a slab's changes that a processor's cache holds: what is cut into slabs is cut into such.
+const CACHED_WORDS: u64 = 1 << 21;
+
+/// The most words of a slab's changes, less than any device's buffer.
+const MOST_WORDS: u64 = 1 << 24;
+
+/// Words of a slab for each triangle: every slab looks at all of them, which should take less time than its voxels.
+const WORDS_PER_TRIANGLE: u64 = 64;
 
 /// How much of each voxel is inside.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -36,6 +42,12 @@ impl Solid {
         let sum: u64 = self.coverage.par_iter().map(|&coverage| u64::from(coverage)).sum();
         sum as f64 / 255.0
     }
+}
+
+/// The buffers of a slab.
+pub(super) struct Slab {
+    changes: Buffer,
+    coverage: Buffer,
 }
 
 /// Triangles for the solid, and the work.
@@ -64,7 +76,10 @@ impl Body {
     fn layers(&self) -> u32 {
         let [x, y, z] = self.grid.dimensions;
         let layer = (u64::from(x) + 1) * u64::from(y);
-        (SLAB_WORDS / layer).clamp(1, u64::from(z)) as u32
+        let all = layer * u64::from(z);
+        let few = (self.corners.len() as u64 * WORDS_PER_TRIANGLE).clamp(CACHED_WORDS, MOST_WORDS);
+        let words = if all > MOST_WORDS { few } else { all };
+        (words / layer).clamp(1, u64::from(z)) as u32
     }
 
     /// The first layer of each slab and how many it has.
@@ -87,37 +102,57 @@ impl Body {
         }
     }
 
-    /// Fills one slab, adding to `solid`.
+    /// What a slab is filled with, for all slabs.
+    pub(super) fn buffers(&self, held: &mut Held<'_>) -> Result<Slab, Error> {
+        let [x, y, _] = self.grid.dimensions;
+        let rows = u64::from(y) * u64::from(self.layers());
+        Ok(Slab {
+            changes: held.create_zeroed("changes of the winding", u64::from(x + 1) * rows)?,
+            coverage: held.create_zeroed("coverage", u64::from(x.div_ceil(4)) * rows + 1)?,
+        })
+    }
+
+    /// Fills one slab, writing to `solid`.
     pub(super) fn fill(
         &self,
         slab: [u32; 2],
         plan: &Plan<'_>,
+        Slab { changes, coverage }: &Slab,
         held: &mut Held<'_>,
         stage: &mut Stage<'_>,
         solid: &mut Solid,
     ) -> Result<(), Error> {
         let [x, y, _] = self.grid.dimensions;
         let rows = y * slab[1];
-        held.within(|held| {
-            let changes = held.create_zeroed("changes of the winding", u64::from(x + 1) * u64::from(rows))?;
-            for batch in plan.batches() {
-                held.within(|held| self.cross(slab, &batch, changes, held, stage))?;
-            }
-            let row = x.div_ceil(4);
-            let coverage = held.create_zeroed("coverage", u64::from(row) * u64::from(rows) + 1)?;
-            let rule = match self.rule {
-                FillRule::Nonzero => mode::NONZERO,
-                FillRule::EvenOdd => mode::EVEN_ODD,
-            };
-            let bound = [changes, coverage];
-            let passes = pass(&kernels::voxelize_fill_rows, rows, rule, self.uniforms(slab, row), &bound);
-            stage.run(held.backend, &passes, 0, 0)?;
-            let bytes = held.backend.read(coverage)?;
-            let (bytes, open) = bytes.split_at(bytes.len() - 4);
-            solid.open_rows += u64::from(pod_collect_to_vec::<u8, u32>(open)[0]);
-            bytes.chunks_exact(4 * row as usize).for_each(|row| solid.coverage.extend(&row[..x as usize]));
-            Ok(())
-        })
+        if slab[0] > 0 {
+            held.backend.clear(*changes)?;
+            held.backend.clear(*coverage)?;
+        }
+        for batch in plan.batches() {
+            held.within(|held| self.cross(slab, &batch, *changes, held, stage))?;
+        }
+        let row = x.div_ceil(4);
+        let rule = match self.rule {
+            FillRule::Nonzero => mode::NONZERO,
+            FillRule::EvenOdd => mode::EVEN_ODD,
+        };
+        let passes = pass(&kernels::voxelize_fill_rows, rows, rule, self.uniforms(slab, row), &[*changes, *coverage]);
+        stage.run(held.backend, &passes, 0, 0)?;
+        let (row, x) = (4 * row as usize, x as usize);
+        let written = u64::from(rows) * row as u64;
+        let target = &mut solid.coverage[slab[0] as usize * y as usize * x..][..rows as usize * x];
+        let open_rows = &mut solid.open_rows;
+        held.backend.look(*coverage, 0, written + 4, &mut |bytes| {
+            let (bytes, open) = bytes.split_at(written as usize);
+            *open_rows += u64::from(pod_collect_to_vec::<u8, u32>(open)[0]);
+            let layers = target.par_chunks_mut(x * y as usize).zip(bytes.par_chunks(row * y as usize));
+            layers.for_each(|(to, from)| {
+                to.chunks_exact_mut(x)
+                    .zip(from.chunks_exact(row))
+                    .for_each(|(to, from)| to.copy_from_slice(&from[..x]));
+            });
+        })?;
+        Ok(())
     }
 
     fn cross(
