@@ -123,11 +123,13 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
 }
 
 #[test]
-fn light_goes_on_to_receivers_and_outputs() -> Result<(), Failure> {
+fn light_goes_on_where_it_may_be_seen_again() -> Result<(), Failure> {
     let mut cpu = CpuBackend::new(None)?;
     let cases = [
         Case::builtin("ball", EDGE, Some(RESOLUTION), &[])?,
         Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?.without_light(),
+        // So oblique that texels do not follow it, and light moves on to those that were seen before.
+        Case::builtin("head", EDGE, Some(RESOLUTION), &["light.azimuth=75"])?.without_light(),
     ];
     for case in cases {
         let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;

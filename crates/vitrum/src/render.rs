@@ -63,7 +63,8 @@ pub struct Progress {
 /// Outputs that cost time of their own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wanted {
-    /// The light on the last plane. Without it, a frame may end as soon as every ray has.
+    /// The light on the last plane. Without it, light is carried only where viewing rays can see it, and a frame may end as soon as every
+    /// ray has.
     pub light: bool,
 }
 

@@ -144,8 +144,8 @@ pub(super) fn build(
     let light: Box<dyn Carrier> = match &fixed.sheets {
         _ if !fixed.shadows => Box::new(Unoccluded::new(&mut maker)?),
         None => {
-            let inside = || occupied.iter().map(|corners| corners.map(|corner| fixed.view.point(corner))).collect();
-            let everywhere = wanted.light || fixed.lights_surroundings;
+            let inside = || occupied.into_iter().map(|corner| fixed.view.point(corner)).collect();
+            let everywhere = wanted.light || fixed.lights_surroundings || !fixed.light_grid.follows_light();
             Box::new(Texels::new(&mut maker, volumes, (!everywhere).then(inside))?)
         }
         Some(sources) => Box::new(Sheets::new(&mut maker, volumes, sources)?),
@@ -183,19 +183,19 @@ pub(super) fn build(
     Ok((list, buffers))
 }
 
-/// The bricks of all volumes, one volume after the other, and the corners in the world of the box around each one's that are not empty.
-fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<(Buffer, Vec<[DVec3; 8]>), BackendError> {
+/// The bricks of all volumes, one volume after the other, and the corners in the world of the boxes around those that are not empty.
+fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<(Buffer, Vec<DVec3>), BackendError> {
     let counts: Vec<usize> =
         questions.iter().map(|question| bricks(question.volume).iter().map(|&n| n as usize).product()).collect();
     let bytes = counts.iter().sum::<usize>() as u64 * 4;
-    let mut boxes = Vec::new();
+    let mut occupied = Vec::new();
     let buffer = backend.create_with("occupancy", bytes, &mut |mut words| {
         for (question, &count) in questions.iter().zip(&counts) {
             let (these, rest) = words.split_at_mut(count);
             question.answer(these);
-            boxes.extend(question.occupied(these));
+            occupied.extend(question.occupied(these).into_iter().flatten());
             words = rest;
         }
     })?;
-    Ok((buffer, boxes))
+    Ok((buffer, occupied))
 }

@@ -11,7 +11,7 @@ use vitrum_kernels::kernel::{Kernel, Window, kernels};
 /// The buffers of light on texels.
 pub(super) struct Texels {
     volumes: Volumes,
-    read_inside: Option<Vec<[DVec3; 8]>>,
+    seen_in: Option<Vec<DVec3>>,
     /// They swap roles from plane to plane.
     light: [Buffer; 2],
     filtered: Buffer,
@@ -33,16 +33,16 @@ fn refract_kernel(stored: u32) -> &'static Kernel {
 }
 
 impl Texels {
-    /// Light that is looked at inside `read_inside` alone (corners of boxes, in the sweep frame), or everywhere.
+    /// Light that is looked at in the convex hull of `seen_in` alone (points of the sweep frame), or everywhere.
     pub(super) fn new(
         maker: &mut Maker<'_>,
         volumes: Volumes,
-        read_inside: Option<Vec<[DVec3; 8]>>,
+        seen_in: Option<Vec<DVec3>>,
     ) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
         Ok(Self {
             volumes,
-            read_inside,
+            seen_in,
             light: [maker.planar("light", texels, light::SIZE)?, maker.planar("light", texels, light::SIZE)?],
             filtered: maker.planar(
                 "filtered light",
@@ -68,7 +68,7 @@ impl Carrier for Texels {
         let texels = fixed.light_grid.size;
         let (behind, ahead) = (self.light(plane - 1), self.light(plane));
         let whole = Window::whole(texels[0], texels[1]);
-        let window = self.read_inside.as_ref().map_or(whole, |boxes| fixed.window(boxes, plane));
+        let window = self.seen_in.as_ref().map_or(whole, |points| fixed.window(points, plane));
         let mut push = |kernel, mode, buffers: &[Buffer]| {
             passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers));
         };

@@ -185,11 +185,11 @@ impl Fixed {
         })
     }
 
-    /// The texels that are carried on to plane `plane`, if only those inside `boxes` are looked at (corners in the sweep frame).
-    pub(super) fn window(&self, boxes: &[[DVec3; 8]], plane: u32) -> Window {
+    /// The texels that are carried on to plane `plane`, if only those in the convex hull of `points` are looked at (in the sweep frame).
+    pub(super) fn window(&self, points: &[DVec3], plane: u32) -> Window {
         let filter =
             if self.is_soft() { self.light_grid.filter_radius(self.softness, &self.planes, plane) } else { 0.0 };
-        self.light_grid.window(boxes, &self.planes, plane, filter)
+        self.light_grid.window(points, &self.planes, plane, filter)
     }
 
     /// The block of a pass over a part of `size` invocations that leads to plane `index`.

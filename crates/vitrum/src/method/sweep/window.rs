@@ -1,8 +1,9 @@
 //! Which texels of a plane's light can reach a viewing ray.
 //!
-//! Rays look at light inside the volumes alone, if there are no receivers. A volume's box is convex: light that has left it does not
-//! come back, and until light enters it, it is unoccluded. So on each plane only texels on the box's slice have to be carried on. Outside,
-//! light keeps what it was when its texel left the slice: unoccluded where it never was on one.
+//! Rays look at light inside the volumes alone, if there are no receivers. The hull around what is not empty there is convex: light that
+//! has left it does not come back, and until light enters it, it is unoccluded. So on each plane only texels on the hull's slice have
+//! to be carried on. Outside, light keeps what it was when its texel left the slice: unoccluded where it never was on one. That takes
+//! texels that move as unrefracted light does ([`LightGrid::follows_light`]): over others, which a slice has left behind, light comes in.
 
 use super::light::LightGrid;
 use super::planes::Planes;
@@ -13,19 +14,16 @@ use vitrum_kernels::kernel::{LANES, Window};
 /// its way out and comes from beside the slice.
 const MARGIN: f64 = 4.0;
 
-/// Pairs of a box's corners that an edge joins; bit n of a corner's number is its end along axis n.
-fn edges() -> impl Iterator<Item = (usize, usize)> {
-    (0..8usize).flat_map(|corner| (0..3).map(move |axis| (corner, corner | 1 << axis))).filter(|(from, to)| from != to)
-}
-
-/// The points of a box between two depths that are farthest out.
-fn slice(corners: &[DVec3; 8], [near, far]: [f64; 2]) -> impl Iterator<Item = DVec3> {
-    edges().flat_map(move |(from, to)| {
-        let (from, to) = (corners[from], corners[to]);
-        let along = |depth: f64| if to.z == from.z { 0.0 } else { (depth - from.z) / (to.z - from.z) };
-        let [enters, leaves] = {
-            let (a, b) = (along(near), along(far));
-            if to.z == from.z { [0.0, 1.0] } else { [a.min(b).max(0.0), a.max(b).min(1.0)] }
+/// The points between two depths that are farthest out of the convex hull of `points`: on lines between two of them.
+fn slice(points: &[DVec3], [near, far]: [f64; 2]) -> impl Iterator<Item = DVec3> {
+    let pairs = (0..points.len()).flat_map(|last| (0..last).map(move |first| (first, last)));
+    pairs.flat_map(move |(from, to)| {
+        let (from, to) = (points[from], points[to]);
+        let [enters, leaves] = if to.z == from.z {
+            [0.0, 1.0]
+        } else {
+            let [a, b] = [near, far].map(|depth| (depth - from.z) / (to.z - from.z));
+            [a.min(b).max(0.0), a.max(b).min(1.0)]
         };
         let outside = from.z.max(to.z) < near || from.z.min(to.z) > far || enters > leaves;
         let ends = if outside { [None, None] } else { [Some(enters), Some(leaves)] };
@@ -34,8 +32,9 @@ fn slice(corners: &[DVec3; 8], [near, far]: [f64; 2]) -> impl Iterator<Item = DV
 }
 
 impl LightGrid {
-    /// The texels that are carried on to plane `plane`, of volumes with these corners, if the softness filter looks `filter` texels far.
-    pub(super) fn window(&self, boxes: &[[DVec3; 8]], planes: &Planes, plane: u32, filter: f64) -> Window {
+    /// The texels that are carried on to plane `plane`, if light is looked at in the convex hull of `points` and the softness filter looks
+    /// `filter` texels far.
+    pub(super) fn window(&self, points: &[DVec3], planes: &Planes, plane: u32, filter: f64) -> Window {
         let [width, height] = self.size;
         // The first one fills the buffers.
         if plane <= 1 {
@@ -46,7 +45,7 @@ impl LightGrid {
             (point.truncate() - self.shear * (point.z - planes.depth(0)) - self.corner) / self.texel - DVec2::splat(0.5)
         };
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        for point in boxes.iter().flat_map(|corners| slice(corners, depths)) {
+        for point in slice(points, depths) {
             low = low.min(texel(point));
             high = high.max(texel(point));
         }
@@ -72,6 +71,10 @@ mod tests {
         })
     }
 
+    fn straight_at(depth: f64) -> [DVec3; 8] {
+        corners(DVec3::new(0.0, 0.0, depth), 0.0)
+    }
+
     fn extent(points: impl Iterator<Item = DVec3>) -> [f64; 4] {
         points.fold([f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY], |[a, b, c, d], point| {
             [a.min(point.x), b.max(point.x), c.min(point.y), d.max(point.y)]
@@ -79,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn slices_of_a_box_are_its_cross_sections() {
+    fn slices_of_a_hull_are_its_cross_sections() {
         // A cube on its edge: as wide as the way behind its first edge, twice.
         let cube = corners(DVec3::new(0.0, 0.0, 5.0), std::f64::consts::FRAC_PI_4);
         let half = std::f64::consts::SQRT_2;
@@ -89,8 +92,11 @@ mod tests {
             assert!((below + 1.0).abs() < 1e-9 && (above - 1.0).abs() < 1e-9);
         }
         assert_eq!(slice(&cube, [2.0, 3.0]).count(), 0);
+        // Between two of them, the way from one to the other.
+        let two = [straight_at(2.0), straight_at(8.0)].concat();
+        assert_eq!(extent(slice(&two, [5.0, 5.5])), [-1.0, 1.0, -1.0, 1.0]);
         // One that stands straight is cut all the same, also by planes that touch it.
-        let straight = corners(DVec3::new(0.0, 0.0, 5.0), 0.0);
+        let straight = straight_at(5.0);
         for depths in [[4.5, 4.6], [3.5, 4.0], [6.0, 7.0]] {
             assert_eq!(extent(slice(&straight, depths)), [-1.0, 1.0, -1.0, 1.0], "{depths:?}");
         }
