@@ -190,12 +190,10 @@ impl Backend for CpuBackend {
     }
 
     fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
-        if let Some(Contents::Own(words)) = &mut self.memory.buffers[buffer.0] {
-            self.pool.install(|| words.par_chunks_mut(CLEARED_TOGETHER).for_each(|words| words.fill(0)));
-            return Ok(());
-        }
-        self.memory.buffers[buffer.0] = Some(Contents::Own(vec![0; self.words(buffer)?.len()]));
-        Ok(())
+        let all = self.words(buffer)?.len();
+        self.overwrite(buffer, all, &mut |words| {
+            words.par_chunks_mut(CLEARED_TOGETHER).for_each(|words| words.fill(0));
+        })
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
