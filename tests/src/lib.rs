@@ -14,7 +14,7 @@
 //! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
 //! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome, [`refraction`]
 //! rays through meshes, [`shadow`] their shadows;
-//! [`accuracy`] makes tables and plots of both. [`bench`](mod@bench) times frames instead.
+//! [`accuracy`] makes tables and plots of both. [`bench`](mod@bench) times frames instead, [`paper`] those of the paper's table.
 
 pub mod accuracy;
 pub mod adapter;
@@ -32,6 +32,7 @@ pub mod golden;
 pub mod kernels;
 mod left_out;
 pub mod machine;
+pub mod paper;
 pub mod photons;
 pub mod raster;
 pub mod refraction;

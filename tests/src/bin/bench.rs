@@ -4,11 +4,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use vitrum::backend::CpuBackend;
+use vitrum::backend::{Backend, CpuBackend};
 use vitrum::preset;
 use vitrum_conformance::accuracy::{rewrite, write};
 use vitrum_conformance::bench::{self, Contender};
 use vitrum_conformance::case::Case;
+use vitrum_conformance::paper::{self, DATA_SETS, DataSet};
 use vitrum_conformance::roofline::{Ceilings, markdown};
 use vitrum_conformance::{Failure, adapter, failure, golden, machine, root, scaling};
 use vitrum_kernels::kernel::InstructionSet;
@@ -62,6 +63,11 @@ struct Arguments {
     #[arg(long, conflicts_with = "roofline")]
     scaling: bool,
 
+    /// Instead, Table 1 of the plane sweep's paper with stand-ins of the same dimensions, on the graphics adapter, or on the CPU where
+    /// --threads is given; `--sizes 512,768,1024` are its columns. --scene picks rows by the paper's names
+    #[arg(long, conflicts_with_all = ["roofline", "scaling", "builds", "volumes"])]
+    paper: bool,
+
     /// Take the adapter whose name has this text in it (`vitrum devices` lists them)
     #[arg(long, value_name = "SUBSTRING")]
     adapter: Option<String>,
@@ -74,6 +80,9 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<bool, Failure> {
     if arguments.scaling {
         return scaling(arguments);
+    }
+    if arguments.paper {
+        return paper(arguments);
     }
     let subjects = subjects(arguments)?;
     if arguments.roofline {
@@ -96,6 +105,31 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     }
     println!("{}", bench::markdown(&timings));
     Ok(timings.iter().all(bench::Timing::passed))
+}
+
+/// Prints the paper's table, taken anew.
+fn paper(arguments: &Arguments) -> Result<bool, Failure> {
+    let mut backend: Box<dyn Backend> = match arguments.threads.first() {
+        Some(&threads) => Box::new(CpuBackend::new(Some(threads.into()))?),
+        None => Box::new(adapter::open(arguments.adapter.as_deref())?),
+    };
+    println!("{}\n- {}: {}\n", machine::description(), backend.name(), backend.adapter());
+    let wants =
+        |set: &&DataSet| arguments.scene.is_empty() || arguments.scene.iter().any(|wanted| set.name.contains(wanted));
+    let mut rows = Vec::new();
+    for set in DATA_SETS.iter().filter(wants) {
+        let mut case = set.case(arguments.sizes[0])?;
+        for &edge in &arguments.sizes {
+            case.resize(edge);
+            eprintln!("{} at {edge} x {edge}", case.name);
+            rows.push(paper::measure(set, &case, backend.as_mut(), arguments.frames.into())?);
+        }
+    }
+    if rows.is_empty() {
+        return Err(Failure::Setup("the paper's table has no row of such a name".to_owned()));
+    }
+    println!("{}", paper::markdown(&rows));
+    Ok(true)
 }
 
 /// Writes the section of docs/benchmarks.md.
