@@ -78,6 +78,12 @@ impl Backend for AlteredCpu {
         Ok(bytes)
     }
 
+    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
+        let mut bytes = self.cpu.read_part(buffer, start, bytes)?;
+        (self.bytes)(&mut bytes);
+        Ok(bytes)
+    }
+
     fn free(&mut self, buffer: Buffer) {
         self.cpu.free(buffer);
     }

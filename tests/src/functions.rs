@@ -118,6 +118,7 @@ fn apply(function: u32, rows: u32, buffers: [Buffer; 2], backend: &mut dyn Backe
         buffers: buffers.to_vec(),
         width: WIDTH,
         height: rows,
+        start: 0,
         window: Window::whole(WIDTH, rows),
     };
     backend.run(&PassList { passes: vec![pass], ..PassList::default() }, &mut |_| true)?;

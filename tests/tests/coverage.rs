@@ -32,11 +32,14 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
         seen.iter().filter(|(name, _)| name.starts_with(prefix)).map(|&(_, mode)| mode).collect()
     };
     let mut all = BTreeSet::from([mode::STRAIGHT, mode::CENTRAL, mode::CHAIN]);
-    for reader in ["sweep_refract_light", "sweep_advance_sheet"] {
-        assert_eq!(modes(reader), all, "{reader}");
-    }
+    assert_eq!(modes("sweep_advance_sheet"), all);
+    all.extend([mode::CLEAR_STRAIGHT, mode::CLEAR_CENTRAL]);
+    assert_eq!(modes("sweep_refract_light"), all);
     all.insert(mode::UNSHADED);
     assert_eq!(modes("sweep_propagate_rays"), all);
+    for carrier in ["sweep_filter_light", "sweep_gather_light"] {
+        assert_eq!(modes(carrier), BTreeSet::from([mode::STRAIGHT, mode::CLEAR_STRAIGHT]), "{carrier}");
+    }
     let both = BTreeSet::from([voxels::mode::TWO_SURFACES, voxels::mode::MULTI_SURFACE]);
     for kernel in ["voxels_march", "voxels_march_paper", "voxels_seek"] {
         assert_eq!(modes(kernel), both, "{kernel}");

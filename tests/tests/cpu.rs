@@ -75,7 +75,7 @@ fn skipping_empty_space_does_not_change_the_picture() -> Result<(), Failure> {
 #[test]
 fn a_frame_that_ends_with_its_rays_is_the_same() -> Result<(), Failure> {
     // Opaque and close up, so that every ray ends long before the last plane.
-    let opaque = ["camera.zoom=8", "transfer.opacity=[{ value = 0, opacity = 1 }]"];
+    let opaque = ["camera.zoom=8", "transfer.opacity=[{ value = 0, opacity = 1 }]", "sweep.sample_distance=0.2"];
     let case = Case::builtin("combustion/opaque", EDGE, Some(RESOLUTION), &opaque)?;
     let mut cpu = CpuBackend::new(None)?;
     let all = frames::render(&case, &mut cpu)?;

@@ -23,11 +23,11 @@ const LEAST: [(&str, [f64; 2]); 7] = [
     ("sweep_trace_light", [2.2, 1.5]),
     ("sweep_gather_light", [1.15, 1.15]),
     // Without instructions for scattered reads that pay, AVX2 has no vector code where nothing is refracted.
-    ("sweep_refract_light", [2.75, 1.3]),
-    ("sweep_concentrate_light", [2.5, 2.5]),
+    ("sweep_refract_light", [2.5, 1.6]),
+    ("sweep_concentrate_light", [1.7, 1.7]),
     // Nor, for the same reason, for most of sheets' bodies.
     ("sweep_advance_sheet", [3.4, 0.47]),
-    ("sweep_propagate_rays", [2.1, 1.4]),
+    ("sweep_propagate_rays", [2.5, 1.7]),
 ];
 
 /// Whether a register holds all lanes of a vector.

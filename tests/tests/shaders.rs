@@ -53,7 +53,7 @@ fn grid() -> Vec<Field> {
 #[rustfmt::skip]
 fn sweep_uniforms() -> Vec<Field> {
     fields!(SweepUniforms {
-        dispatch, window, size, plane, grid, ior_grid,
+        dispatch, window, size, irradiance, plane, grid, ior_grid,
         light_grid, light_shear, light_initial, light_direction, taps_a, taps_b,
         camera, ground_plane, ground_color, wall_plane, wall_color,
         clip_0, clip_1, clip_2, clip_3, clip_everything,
@@ -145,9 +145,12 @@ fn uniform_block(module: &Module) -> Option<Word> {
     let variable = types[&decorated.operands[0].id_ref_any()?];
     let pointer = types[&variable.result_type?];
     let mut block = pointer.operands[1].id_ref_any()?;
-    while let [only] = members(module, block)[..]
-        && is_struct(module, only)
-    {
+    while let [only] = members(module, block)[..] {
+        let only =
+            if definition(module, only).class.opcode == Op::TypeRuntimeArray { members(module, only)[0] } else { only };
+        if !is_struct(module, only) {
+            break;
+        }
         block = only;
     }
     Some(block)

@@ -4,7 +4,7 @@ use crate::backend::times::merge;
 use crate::render::Exposure;
 use crate::scene::YELLOW;
 use crate::spectrum::Band;
-use vitrum_kernels::abi::record::{film, irradiance};
+use vitrum_kernels::abi::record::film;
 
 /// What was put together so far.
 #[derive(Default)]
@@ -47,7 +47,7 @@ impl Blend {
             }
         }
         if let (Some(whole), Some(added)) = (&mut whole.light, &added.light) {
-            let texels = added.len() / irradiance::SIZE;
+            let texels = added.len() / weights.len();
             let planes = whole.chunks_exact_mut(texels).zip(added.chunks_exact(texels));
             for ((whole, added), weight) in planes.zip(weights) {
                 weigh(whole, added, weight);

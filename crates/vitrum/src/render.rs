@@ -125,7 +125,7 @@ pub fn render_wanted(
 pub(crate) struct Exposure {
     /// Planar records, see [`film`].
     pub film: Vec<f32>,
-    /// Planar records of irradiance, if wanted.
+    /// Irradiance, if wanted: see [`Sweep::irradiance`].
     pub light: Option<Vec<f32>>,
     /// Time to run it and read it back.
     pub frame_ms: f64,

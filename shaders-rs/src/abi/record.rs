@@ -15,10 +15,15 @@ pub mod light {
     pub const CONCENTRATION: usize = 8;
 }
 
-/// Light falling on a texel of a plane: plane irradiance (or radiance, see [`super::sweep::flag::STORE_RADIANCE`]).
+/// Light falling on a texel of a plane: plane irradiance (or radiance, see [`super::sweep::flag::STORE_RADIANCE`]) over that of unoccluded
+/// light, and its direction.
 pub mod irradiance {
-    /// Components: red, green, blue.
-    pub const SIZE: usize = 3;
+    /// Components.
+    pub const SIZE: usize = 4;
+    /// Red; green and blue follow.
+    pub const SHARE: usize = 0;
+    /// The direction, as [`crate::field::offset`] packs it.
+    pub const DIRECTION: usize = 3;
 }
 
 /// Where light comes from: the way to its texel from the plane behind, x and y, in texels.

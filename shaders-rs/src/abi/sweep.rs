@@ -18,6 +18,8 @@ pub struct SweepUniforms {
     pub window: UVec4,
     /// Width and height of the picture (`x`, `y`) and of the light grid (`z`, `w`).
     pub size: UVec4,
+    /// Where the irradiance of the plane behind starts in its buffer, in words (`x`).
+    pub irradiance: UVec4,
     /// Depth of the plane behind (`x`) and ahead (`y`), their distance (`z`), 1 / reference length (`w`).
     pub plane: Vec4,
     /// The volume.
@@ -93,15 +95,35 @@ pub mod mode {
     pub const CENTRAL: u32 = 1;
     /// Refraction, ∇η by the chain rule.
     pub const CHAIN: u32 = 2;
-    /// As [`STRAIGHT`], for viewing rays where the light is unoccluded everywhere, so that its buffers are not looked at, and the
-    /// medium clear.
+    /// As [`CLEAR_STRAIGHT`], for viewing rays where the light is unoccluded everywhere, so that its buffers are not looked at.
     pub const UNSHADED: u32 = 3;
+    /// As [`STRAIGHT`], where the medium is clear, so that light has one colour everywhere.
+    pub const CLEAR_STRAIGHT: u32 = 4;
+    /// As [`CENTRAL`], where the medium is clear.
+    pub const CLEAR_CENTRAL: u32 = 5;
 
     /// Whether rays are bent in this mode.
     #[must_use]
     #[inline(always)]
     pub fn bends(mode: u32) -> bool {
-        (mode == CENTRAL) | (mode == CHAIN)
+        (mode == CENTRAL) | (mode == CHAIN) | (mode == CLEAR_CENTRAL)
+    }
+
+    /// The mode that computes the same without taking the medium to be clear.
+    #[must_use]
+    pub fn any_medium(mode: u32) -> u32 {
+        match mode {
+            CLEAR_STRAIGHT => STRAIGHT,
+            CLEAR_CENTRAL => CENTRAL,
+            other => other,
+        }
+    }
+
+    /// Whether the medium is taken to be clear in this mode.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_clear(mode: u32) -> bool {
+        mode >= UNSHADED
     }
 }
 

@@ -1,7 +1,7 @@
 //! Layout of the transfer function tables: one buffer of words.
 //!
 //! First the preintegration table over (front scalar, back scalar), [`SEGMENT_SIZE`]² entries of four words, each word two
-//! half floats; then η over the scalar, [`IOR_SIZE`] floats.
+//! half floats; then η over the scalar: three floats ([`IOR_LEAST`], [`IOR_STEP`], [`IOR_RISE`]) and [`IOR_CELLS`] words.
 
 /// Entries along each axis of the preintegration table.
 pub const SEGMENT_SIZE: u32 = 256;
@@ -14,9 +14,20 @@ pub const SEGMENT_WORDS: u32 = 4;
 pub const SEGMENT_EXPONENT: u32 = 10;
 /// The largest optical depth that is stored (transmittance 2e-9).
 pub const MAX_OPTICAL_DEPTH: f32 = 20.0;
-/// Entries of the η table.
-pub const IOR_SIZE: u32 = 1025;
+/// Where the least η stands, in words.
+pub const IOR_LEAST: u32 = SEGMENT_SIZE * SEGMENT_SIZE * SEGMENT_WORDS;
+/// Where the unit of the levels stands: η at a cell's beginning is the least one and so many of them.
+pub const IOR_STEP: u32 = IOR_LEAST + 1;
+/// Where the unit of the rises stands: how much larger η is at a cell's end.
+pub const IOR_RISE: u32 = IOR_LEAST + 2;
 /// Where the η table starts, in words.
-pub const IOR_OFFSET: u32 = SEGMENT_SIZE * SEGMENT_SIZE * SEGMENT_WORDS;
+pub const IOR_OFFSET: u32 = IOR_LEAST + 3;
+/// Cells of the η table, equal parts of 0…1. One word each, since a scattered read takes longer than what takes it apart: the level
+/// in the upper [`IOR_LEVEL_BITS`] bits, in the lower ones the rise plus [`IOR_NO_RISE`].
+pub const IOR_CELLS: u32 = 1024;
+/// Bits of a level.
+pub const IOR_LEVEL_BITS: u32 = 20;
+/// What stands for no rise at all.
+pub const IOR_NO_RISE: u32 = 1 << (31 - IOR_LEVEL_BITS);
 /// Words of the whole buffer.
-pub const WORDS: u32 = IOR_OFFSET + IOR_SIZE;
+pub const WORDS: u32 = IOR_OFFSET + IOR_CELLS;

@@ -4,9 +4,10 @@
 //! interpolation does not blur it.
 
 use super::access::read;
-use crate::abi::record::light as record;
+use super::offset;
+use crate::abi::record::irradiance as record;
 use crate::abi::sweep::SweepUniforms;
-use crate::math::{floor_to_int, lerp, max, select};
+use crate::math::{floor_to_int, lerp, max, select, xyz};
 use spirv_std::glam::Vec3;
 
 /// Light at a point.
@@ -67,43 +68,53 @@ pub fn holds(u: &SweepUniforms, buffer: &[f32], components: usize) -> bool {
     buffer.len() as u32 >= u.size.z * u.size.w * components as u32
 }
 
+/// Where a component of the plane behind starts.
 #[inline(always)]
-fn interpolate(u: &SweepUniforms, light: &[f32], cell: &Cell, component: usize, outside: f32) -> f32 {
-    let at = component as i32 * (u.size.z * u.size.w) as i32 + cell.base;
+fn plane_behind(u: &SweepUniforms, component: usize) -> i32 {
+    u.irradiance.x as i32 + component as i32 * (u.size.z * u.size.w) as i32
+}
+
+#[inline(always)]
+fn interpolate(u: &SweepUniforms, irradiance: &[f32], cell: &Cell, component: usize, outside: f32) -> f32 {
+    let at = plane_behind(u, component) + cell.base;
     let width = u.size.z as i32;
-    let near = lerp(read(light, at), read(light, at + 1), cell.x);
-    let far = lerp(read(light, at + width), read(light, at + width + 1), cell.x);
+    let near = lerp(read(irradiance, at), read(irradiance, at + 1), cell.x);
+    let far = lerp(read(irradiance, at + width), read(irradiance, at + width + 1), cell.x);
     select(cell.inside, lerp(near, far, cell.y), outside)
 }
 
 /// The direction at texel coordinates (x, y); beyond the grid, the initial one.
 #[inline(always)]
-pub fn direction(u: &SweepUniforms, light: &[f32], x: f32, y: f32) -> Vec3 {
+pub fn direction(u: &SweepUniforms, irradiance: &[f32], x: f32, y: f32) -> Vec3 {
     let cell = cell(u, x, y);
-    direction_in(u, light, &cell)
+    let (across, up) = offset_in(u, irradiance, &cell);
+    offset::direction(u, across, up)
 }
 
+/// The light at texel coordinates (x, y); beyond the grid, unoccluded. In a clear medium its colours are those of unoccluded light.
 #[inline(always)]
-fn direction_in(u: &SweepUniforms, light: &[f32], cell: &Cell) -> Vec3 {
-    Vec3::new(
-        interpolate(u, light, cell, record::DIRECTION_X, u.light_direction.x),
-        interpolate(u, light, cell, record::DIRECTION_X + 1, u.light_direction.y),
-        interpolate(u, light, cell, record::DIRECTION_X + 2, u.light_direction.z),
-    )
-}
-
-/// The light at texel coordinates (x, y); beyond the grid, unoccluded.
-#[inline(always)]
-pub fn light(u: &SweepUniforms, light: &[f32], irradiance: &[f32], x: f32, y: f32) -> Light {
+pub fn light(u: &SweepUniforms, irradiance: &[f32], x: f32, y: f32, clear: bool) -> Light {
     let cell = cell(u, x, y);
-    Light {
-        flux: Vec3::new(
-            interpolate(u, irradiance, &cell, 0, u.light_initial.x),
-            interpolate(u, irradiance, &cell, 1, u.light_initial.y),
-            interpolate(u, irradiance, &cell, 2, u.light_initial.z),
-        ),
-        direction: direction_in(u, light, &cell),
+    let red = interpolate(u, irradiance, &cell, record::SHARE, 1.0);
+    let mut share = Vec3::new(red, red, red);
+    if !clear {
+        share.y = interpolate(u, irradiance, &cell, record::SHARE + 1, 1.0);
+        share.z = interpolate(u, irradiance, &cell, record::SHARE + 2, 1.0);
     }
+    let (across, up) = offset_in(u, irradiance, &cell);
+    Light { flux: share * xyz(u.light_initial), direction: offset::direction(u, across, up) }
+}
+
+/// How far the direction is from the initial one, see [`offset`].
+#[inline(always)]
+fn offset_in(u: &SweepUniforms, irradiance: &[f32], cell: &Cell) -> (f32, f32) {
+    let at = plane_behind(u, record::DIRECTION) + cell.base;
+    let width = u.size.z as i32;
+    let corner = |beyond: i32| offset::unpack(read(irradiance, at + beyond));
+    let (a, b, c, d) = (corner(0), corner(1), corner(width), corner(width + 1));
+    let across = lerp(lerp(a.0, b.0, cell.x), lerp(c.0, d.0, cell.x), cell.y);
+    let up = lerp(lerp(a.1, b.1, cell.x), lerp(c.1, d.1, cell.x), cell.y);
+    (select(cell.inside, across, 0.0), select(cell.inside, up, 0.0))
 }
 
 /// Texels that light with direction `v` moves over `distance` in depth, relative to the sheared grid.

@@ -131,18 +131,28 @@ pub unsafe fn direction_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32
     )
 }
 
-/// All components of a texel's record; beyond the grid, those of unoccluded light.
+/// All components of a texel's record; beyond the grid, those of unoccluded light. In a clear medium its colours are equal.
 ///
 /// # Safety
 /// If `NEAR`, [`is_near`] must be true, and the grid's components lie inside `light`.
 #[inline(always)]
-pub unsafe fn record_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32], way: &Way) -> [f32; record::SIZE] {
+pub unsafe fn record_around<const NEAR: bool>(
+    u: &SweepUniforms,
+    light: &[f32],
+    way: &Way,
+    clear: bool,
+) -> [f32; record::SIZE] {
     // SAFETY: the caller's promise.
     let component = |c: usize, outside: f32| unsafe { interpolate::<NEAR>(u, light, way, c, outside) };
+    let red = component(record::FLUX, 1.0);
+    let (mut green, mut blue) = (red, red);
+    if !clear {
+        (green, blue) = (component(record::FLUX + 1, 1.0), component(record::FLUX + 2, 1.0));
+    }
     [
-        component(record::FLUX, 1.0),
-        component(record::FLUX + 1, 1.0),
-        component(record::FLUX + 2, 1.0),
+        red,
+        green,
+        blue,
         component(record::DIRECTION_X, u.light_direction.x),
         component(record::DIRECTION_X + 1, u.light_direction.y),
         component(record::DIRECTION_X + 2, u.light_direction.z),

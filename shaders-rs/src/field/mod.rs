@@ -4,6 +4,7 @@ pub mod access;
 pub mod empty;
 pub mod light;
 pub mod light_around;
+pub mod offset;
 pub mod sheet;
 pub mod slopes;
 pub mod stencil;

@@ -1,7 +1,10 @@
 //! Look-ups in the transfer function tables.
 
 use super::access::read;
-use crate::abi::tables::{IOR_OFFSET, IOR_SIZE, SEGMENT_EXPONENT, SEGMENT_SIZE, SEGMENT_WORDS};
+use crate::abi::tables::{
+    IOR_CELLS, IOR_LEAST, IOR_LEVEL_BITS, IOR_NO_RISE, IOR_OFFSET, IOR_RISE, IOR_STEP, SEGMENT_EXPONENT, SEGMENT_SIZE,
+    SEGMENT_WORDS,
+};
 use crate::math::{floor_to_int, half_to_f32, lerp};
 use spirv_std::glam::Vec3;
 
@@ -25,12 +28,14 @@ pub fn ior(tables: &[u32], scalar: f32) -> f32 {
 /// Index of refraction at a normalised scalar, and its derivative over the scalar.
 #[inline(always)]
 pub fn ior_and_slope(tables: &[u32], scalar: f32) -> (f32, f32) {
-    let last = (IOR_SIZE - 1) as f32;
-    let at = scalar * last;
-    let index = floor_to_int(at, 0.0, last - 1.0);
-    let a = f32::from_bits(read(tables, IOR_OFFSET as i32 + index));
-    let b = f32::from_bits(read(tables, IOR_OFFSET as i32 + index + 1));
-    (lerp(a, b, at - index as f32), (b - a) * last)
+    let cells = IOR_CELLS as f32;
+    let at = scalar * cells;
+    let index = floor_to_int(at, 0.0, cells - 1.0);
+    let word = read(tables, IOR_OFFSET as i32 + index);
+    let unit = |of: u32| f32::from_bits(read(tables, of as i32));
+    let level = (word >> (32 - IOR_LEVEL_BITS)) as i32 as f32;
+    let rise = ((word & (2 * IOR_NO_RISE - 1)) as i32 - IOR_NO_RISE as i32) as f32 * unit(IOR_RISE);
+    (unit(IOR_LEAST) + level * unit(IOR_STEP) + rise * (at - index as f32), rise * cells)
 }
 
 /// Where (front, back) lies in the table.
@@ -65,6 +70,13 @@ fn interpolate(tables: &[u32], cell: &Cell, word: i32) -> (f32, f32) {
         lerp(front, back, cell.front)
     };
     (mix(w00, w01, w10, w11), mix(w00 >> 16, w01 >> 16, w10 >> 16, w11 >> 16))
+}
+
+/// Attenuation between the scalars `front` and `back` where the medium is clear everywhere.
+#[inline(always)]
+pub fn attenuation_of_particles(tables: &[u32], front: f32, back: f32) -> f32 {
+    let cell = cell(front, back);
+    interpolate(tables, &cell, 0).0
 }
 
 /// Attenuation between the scalars `front` and `back`: what light needs.

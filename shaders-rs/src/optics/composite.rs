@@ -50,6 +50,15 @@ pub fn layer(segment: &Segment, particle_length: f32, medium_length: f32) -> Lay
     }
 }
 
+/// As [`layer`], where the medium is clear.
+#[inline(always)]
+pub fn layer_of_particles(segment: &Segment, particle_length: f32) -> Layer {
+    let clear = exp(-(segment.particles * particle_length));
+    let opacity = 1.0 - clear;
+    let scale = opacity / max(segment.particles, 1e-12);
+    Layer { clear, opacity, medium: Vec3::new(1.0, 1.0, 1.0), color: segment.emission * scale }
+}
+
 /// C += (1 − A) M (α c i_d + i_s); A += (1 − A) α; M *= m.
 #[inline(always)]
 pub fn over(g: Gathered, layer: &Layer, diffuse: Vec3, specular: Vec3) -> Gathered {

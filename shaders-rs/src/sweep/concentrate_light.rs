@@ -5,9 +5,11 @@ use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::{read, read_inside};
 use crate::field::light::holds;
 use crate::field::light_around::is_inner_row;
+use crate::field::offset::{UNBENT, pack};
 use crate::field::slopes::{jacobian, slopes};
 use crate::field::unoccluded::{Reach, Unoccluded};
 use crate::math::{max, min, select};
+use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
 pub mod level {
@@ -40,12 +42,11 @@ fn component<const LEVEL: u32>(u: &SweepUniforms, light: &[f32], component: usiz
 
 /// Unoccluded light has the irradiance it started with.
 #[inline(always)]
-pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ irradiance::SIZE }>> {
-    let record = [u.light_initial.x, u.light_initial.y, u.light_initial.z];
-    Some(Unoccluded { record, reach: Reach::NEIGHBOURS })
+pub fn unoccluded(_u: &SweepUniforms) -> Option<Unoccluded<{ irradiance::SIZE }>> {
+    Some(Unoccluded { record: [1.0, 1.0, 1.0, UNBENT], reach: Reach::NEIGHBOURS })
 }
 
-/// The irradiance of texel (x, y).
+/// The irradiance of texel (x, y), over that of unoccluded light, and its direction.
 ///
 /// What is stored is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is then conserved by the ratio of
 /// areas alone: E is that of unoccluded light, times what absorption has left, times the area that the texel's light would cover if
@@ -76,9 +77,15 @@ pub fn invoke<const LEVEL: u32>(
     let bounded = min(1.0, jacobian(&slopes) * TRUSTED / max(product, 1e-20));
     let as_it_is = u.dispatch.w & (flag::PAPER_INTENSITY | flag::NO_INTENSITY) != 0;
     let factor = select(as_it_is, 1.0, bounded);
+    let v = Vec3::new(
+        component::<LEVEL>(u, light, record::DIRECTION_X, x, y),
+        component::<LEVEL>(u, light, record::DIRECTION_X + 1, x, y),
+        component::<LEVEL>(u, light, record::DIRECTION_X + 2, x, y),
+    );
     [
-        u.light_initial.x * (component::<LEVEL>(u, light, record::FLUX, x, y) * factor),
-        u.light_initial.y * (component::<LEVEL>(u, light, record::FLUX + 1, x, y) * factor),
-        u.light_initial.z * (component::<LEVEL>(u, light, record::FLUX + 2, x, y) * factor),
+        component::<LEVEL>(u, light, record::FLUX, x, y) * factor,
+        component::<LEVEL>(u, light, record::FLUX + 1, x, y) * factor,
+        component::<LEVEL>(u, light, record::FLUX + 2, x, y) * factor,
+        pack(u, v),
     ]
 }

@@ -4,7 +4,7 @@
 //! into the filtered plane is the same convolution as filtering at every back-traced point, for a third of the scattered reads.
 
 use crate::abi::record::light as record;
-use crate::abi::sweep::SweepUniforms;
+use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::{read, read_inside};
 use crate::field::light::holds;
 use crate::field::unoccluded::{self, Reach, Unoccluded};
@@ -115,7 +115,7 @@ pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
 
 /// The filtered light texel (x, y).
 #[inline(always)]
-pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32]) -> [f32; record::SIZE] {
+pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, chosen: u32, behind: &[f32]) -> [f32; record::SIZE] {
     let y = y as i32;
     let (first, second, third) = taps(u);
     let mean = |component: usize, outside: f32| {
@@ -125,10 +125,15 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, b
         // Offsets from one tap, so that equal taps give exactly that tap.
         a + ((b - a) + (c - a)) * (1.0 / 3.0)
     };
+    let red = mean(record::FLUX, 1.0);
+    let (mut green, mut blue) = (red, red);
+    if !mode::is_clear(chosen) {
+        (green, blue) = (mean(record::FLUX + 1, 1.0), mean(record::FLUX + 2, 1.0));
+    }
     [
-        mean(record::FLUX, 1.0),
-        mean(record::FLUX + 1, 1.0),
-        mean(record::FLUX + 2, 1.0),
+        red,
+        green,
+        blue,
         mean(record::DIRECTION_X, u.light_direction.x),
         mean(record::DIRECTION_X + 1, u.light_direction.y),
         mean(record::DIRECTION_X + 2, u.light_direction.z),

@@ -1,7 +1,7 @@
 //! Light gathered from the plane behind: a bilinear look-up where it comes from (sweep §4.2, Algorithm 1, lines 9 to 13).
 
 use crate::abi::record::{light as record, trace as traced};
-use crate::abi::sweep::{SweepUniforms, flag};
+use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::access::{read, read_inside};
 use crate::field::light::{holds, shift};
 use crate::field::light_around::{Way, is_inner_row, is_near, record_around, record_of_texel};
@@ -64,7 +64,7 @@ pub fn invoke<const LEVEL: u32>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
-    _mode: u32,
+    chosen: u32,
     behind: &[f32],
     trace: &[f32],
 ) -> [f32; record::SIZE] {
@@ -75,9 +75,9 @@ pub fn invoke<const LEVEL: u32>(
         if LEVEL == level::STILL {
             record_of_texel(u, behind, x, y)
         } else if LEVEL == level::NEAR {
-            record_around::<true>(u, behind, &way)
+            record_around::<true>(u, behind, &way, mode::is_clear(chosen))
         } else {
-            record_around::<false>(u, behind, &way)
+            record_around::<false>(u, behind, &way, mode::is_clear(chosen))
         }
     };
     let unrefracted = shift(u, xyz(u.light_direction), u.plane.z);

@@ -1,14 +1,16 @@
 //! Viewing rays on the first plane (Algorithm 1, line 1).
 
+use super::tiles::pixel;
 use crate::abi::record::{ray, status};
 use crate::abi::sweep::SweepUniforms;
 use crate::math::{length, select};
 use crate::optics::receiver::{first_between, shade, unoccluded};
 use spirv_std::glam::Vec3;
 
-/// The viewing ray of pixel (x, y), row 0 on top, where it meets the first plane. A receiver in front of that plane ends it.
+/// Viewing ray (x, y), that of [`pixel`], row 0 on top, where it meets the first plane. A receiver in front of that plane ends it.
 #[inline(always)]
 pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE] {
+    let (x, y) = pixel(u.size.x, u.size.y, x, y);
     let across = ((x as i32 as f32 + 0.5) / (u.size.x as i32 as f32) * 2.0 - 1.0) * u.camera.x;
     let up = (1.0 - (y as i32 as f32 + 0.5) / (u.size.y as i32 as f32) * 2.0) * u.camera.y;
     let orthographic = u.camera.w > 0.5;

@@ -3,7 +3,7 @@
 //! For every plane: [`filter_light`] where light is soft, [`trace_light`], [`gather_light`], [`refract_light`] within the volume,
 //! [`concentrate_light`], and, once the planes are in front of the eye, [`propagate_rays`], which reads the light of the plane
 //! behind.
-//! [`initialize_light`] and [`initialize_rays`] come first, [`resolve`] last.
+//! [`initialize_light`] and [`initialize_rays`] come first, [`resolve`] last; [`tiles`] says which pixel a ray belongs to.
 //!
 //! Instead of the light on each texel, light can be carried forward as sheets of rays (not in the paper): [`initialize_sheet`] once,
 //! then [`advance_sheet`], [`clear_sums`], [`scatter_sheet`], [`collect_light`] for every plane.
@@ -21,4 +21,5 @@ pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;
 pub mod scatter_sheet;
+pub mod tiles;
 pub mod trace_light;

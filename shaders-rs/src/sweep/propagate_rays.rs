@@ -8,7 +8,7 @@ use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
 use crate::math::{length, lerp, max, min, select, xyz};
 use crate::optics::clip::keep;
-use crate::optics::composite::{Gathered, layer, over};
+use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
 use crate::optics::medium::{medium, share_inside};
 use crate::optics::receiver::{Hit, first_between, free_steps, radiance, shade, unoccluded};
 use crate::optics::specular::cook_torrance;
@@ -68,7 +68,6 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     _ior_voxels: &[u32],
     occupancy: &[u32],
     _tables: &[u32],
-    _light: &[f32],
     _irradiance: &[f32],
 ) -> u32 {
     let flight = fly(u, &r);
@@ -93,7 +92,6 @@ pub fn rest<const FORMAT: u32, const SECOND: bool>(
     _ior_voxels: &[u32],
     occupancy: &[u32],
     _tables: &[u32],
-    _light: &[f32],
     _irradiance: &[f32],
     known: f32,
 ) -> f32 {
@@ -117,7 +115,6 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     ior_voxels: &[u32],
     occupancy: &[u32],
     tables: &[u32],
-    light_behind: &[f32],
     irradiance_behind: &[f32],
 ) -> [f32; ray::SIZE] {
     let Flight { from, to, v, sigma } = fly(u, &r);
@@ -147,12 +144,11 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let part = select(hit.hit, min(hit.at, 1.0), 1.0);
     let kept = keep(u, from, to);
     let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * part * u.plane.w;
-    let crossed = if chosen == mode::UNSHADED {
-        segment_of_particles(tables, front, here.scalar)
+    let layer = if mode::is_clear(chosen) {
+        layer_of_particles(&segment_of_particles(tables, front, here.scalar), path * kept.particles)
     } else {
-        segment(tables, front, here.scalar)
+        layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium)
     };
-    let layer = layer(&crossed, path * kept.particles, path * kept.medium);
 
     let lit = if LEVEL == level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
     let light = if chosen == mode::UNSHADED {
@@ -161,10 +157,10 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
         let (mut texel_x, mut texel_y) = texel_coordinates(u, lit);
         if LEVEL == level::MEETING {
             // From the plane behind the light goes on to the receiver.
-            let (x, y) = shift(u, direction(u, light_behind, texel_x, texel_y), lit.z - from.z);
+            let (x, y) = shift(u, direction(u, irradiance_behind, texel_x, texel_y), lit.z - from.z);
             (texel_x, texel_y) = (texel_x - x, texel_y - y);
         }
-        light(u, light_behind, irradiance_behind, texel_x, texel_y)
+        light(u, irradiance_behind, texel_x, texel_y, mode::is_clear(chosen))
     };
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);

@@ -7,9 +7,9 @@ use crate::field::access::{read, read_inside};
 use crate::field::empty::{step_is_empty, steps_are_empty};
 use crate::field::light::{holds, texel_position};
 use crate::field::stencil::{scalar, voxel_coordinates};
-use crate::field::tables::attenuation;
+use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::field::unoccluded::{self, Reach, Unoccluded};
-use crate::math::{length, max, select};
+use crate::math::{exp, length, max, select};
 use crate::optics::clip::keep;
 use crate::optics::composite::layer;
 use crate::optics::medium::{medium, share_inside};
@@ -103,7 +103,13 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let front = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
     let kept = keep(u, from, to);
     let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.plane.w;
-    let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
+    let (clear, medium) = if mode::is_clear(chosen) {
+        let depth = attenuation_of_particles(tables, front, here.scalar);
+        (exp(-(depth * (path * kept.particles))), Vec3::new(1.0, 1.0, 1.0))
+    } else {
+        let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
+        (layer.clear, layer.medium)
+    };
 
     let mut out = v;
     let mut lost = 1.0;
@@ -118,7 +124,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
             select(turn.turned, v.z, turn.direction.z),
         );
     }
-    let left = flux * (layer.medium * (layer.clear * lost));
+    let left = flux * (medium * (clear * lost));
     // A lane in empty space is carried along with its block; it must end up as if it had been alone.
     [
         select(skipped, flux.x, left.x),

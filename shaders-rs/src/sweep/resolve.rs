@@ -1,5 +1,6 @@
 //! Finished pixels: receivers beyond the last plane, the environment, the outputs (sweep §4.4).
 
+use super::tiles;
 use crate::abi::record::{film, ray, status};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
@@ -27,15 +28,17 @@ fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32) -> f32 {
     let right = if x < width - 1 { x + 1 } else { width - 1 };
     let above = if y > 0 { y - 1 } else { 0 };
     let below = if y < height - 1 { y + 1 } else { height - 1 };
-    let across = length(final_direction(u, rays, y * width + right) - final_direction(u, rays, y * width + left));
-    let down = length(final_direction(u, rays, below * width + x) - final_direction(u, rays, above * width + x));
+    let direction =
+        |x: i32, y: i32| final_direction(u, rays, tiles::ray(u.size.x, u.size.y, x as u32, y as u32) as i32);
+    let across = length(direction(right, y) - direction(left, y));
+    let down = length(direction(x, below) - direction(x, above));
     max(across / max((right - left) as f32, 1.0), down / max((below - above) as f32, 1.0))
 }
 
 /// The finished pixel (x, y).
 #[inline(always)]
 pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: &[f32]) -> [f32; film::SIZE] {
-    let at = (y * u.size.x + x) as i32;
+    let at = tiles::ray(u.size.x, u.size.y, x, y) as i32;
     let count = (u.size.x * u.size.y) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
     let vector = |c: usize| Vec3::new(component(c), component(c + 1), component(c + 2));

@@ -151,7 +151,7 @@ pub fn light_on_planes(
             if at(plane) {
                 sweep.run(backend, &mut |_| true).expect("the passes run");
                 sweep.passes.passes.clear();
-                look(plane, &sweep.irradiance(backend).expect("the light can be read")[..texels]);
+                look(plane, &sweep.irradiance_on(plane, backend).expect("the light can be read")[..texels]);
             }
             plane += 1;
         }

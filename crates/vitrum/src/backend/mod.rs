@@ -14,7 +14,7 @@ pub use choice::{Choice, DeviceInfo, devices, open};
 pub use cpu::CpuBackend;
 pub use error::BackendError;
 pub use gpu::GpuBackend;
-pub use pass::{Buffer, Fill, Pass, PassList, WhileBusy, Write};
+pub use pass::{Buffer, Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
 pub use times::KernelTime;
 
 use vitrum_io::Words;

@@ -8,6 +8,9 @@ use vitrum_kernels::kernel::{Access, Kernel, LANES, Window};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Buffer(pub(super) usize);
 
+/// What records may start at multiples of, in words: no device asks for more.
+pub const START_ALIGNMENT: u64 = 64;
+
 /// One dispatch of a kernel over `width` × `height` invocations.
 #[derive(Clone)]
 pub struct Pass {
@@ -17,6 +20,8 @@ pub struct Pass {
     pub uniforms: Vec<u8>,
     /// A buffer for each binding from 1 on.
     pub buffers: Vec<Buffer>,
+    /// Where the records start in the buffer that is written, in words: a multiple of [`START_ALIGNMENT`].
+    pub start: u64,
     /// Invocations across.
     pub width: u32,
     /// Invocations down.
@@ -147,13 +152,16 @@ impl Pass {
         if !whole_blocks || first[0] > end[0] || first[1] > end[1] || end[0] > self.width || end[1] > self.height {
             return wrong(format!("{:?} of {} × {} invocations", self.window, self.width, self.height));
         }
+        if !self.start.is_multiple_of(START_ALIGNMENT) {
+            return wrong(format!("records start at word {}, not at a multiple of {START_ALIGNMENT}", self.start));
+        }
         for (buffer, binding) in self.buffers.iter().zip(&declaration.bindings[1..]) {
             let Some(size) = bytes(*buffer) else {
                 return wrong(format!("binding {} ({}) is freed", binding.binding, binding.name));
             };
             let records = u64::from(self.width) * u64::from(self.height) * declaration.components as u64 * 4;
             // Sums have a place for a texel, not for an invocation; adding beyond the end does nothing.
-            let needed = if binding.access == Access::Add { 4 } else { records };
+            let needed = self.start.saturating_mul(4) + if binding.access == Access::Add { 4 } else { records };
             if matches!(binding.access, Access::Write | Access::Update | Access::Add) {
                 if size < needed {
                     return wrong(format!("binding {} holds {size} bytes where {needed} are written", binding.binding));

@@ -13,14 +13,14 @@ pub struct KernelTime {
     pub ms: f64,
 }
 
-/// Adds what one pass of a kernel took.
-pub(super) fn add(times: &mut Vec<KernelTime>, kernel: &'static str, ms: f64) {
+/// Adds what `passes` passes of a kernel took.
+pub(super) fn add(times: &mut Vec<KernelTime>, kernel: &'static str, passes: u32, ms: f64) {
     match times.iter_mut().find(|time| time.kernel == kernel) {
         Some(time) => {
-            time.passes += 1;
+            time.passes += passes;
             time.ms += ms;
         }
-        None => times.push(KernelTime { kernel, passes: 1, ms }),
+        None => times.push(KernelTime { kernel, passes, ms }),
     }
 }
 
@@ -44,9 +44,9 @@ mod tests {
     #[test]
     fn times_add_up_by_kernel() {
         let mut times = Vec::new();
-        add(&mut times, "a", 1.0);
-        add(&mut times, "b", 2.0);
-        add(&mut times, "a", 3.0);
+        add(&mut times, "a", 1, 1.0);
+        add(&mut times, "b", 1, 2.0);
+        add(&mut times, "a", 1, 3.0);
         let expected = [KernelTime { kernel: "a", passes: 2, ms: 4.0 }, KernelTime { kernel: "b", passes: 1, ms: 2.0 }];
         assert_eq!(times, expected);
         merge(&mut times, &expected);

@@ -15,6 +15,9 @@ const CACHED_BYTES: usize = 1 << 19;
 /// Invocations of passes that run together, not many more than a second's work.
 const INVOCATIONS_TOGETHER: u64 = 1 << 27;
 
+/// Records that a pass writes: their buffer, and where they start in it.
+pub(super) type Written = (Buffer, u64);
+
 /// What is known of the blocks of a buffer's records.
 #[derive(Default)]
 pub(super) struct Known {
@@ -87,7 +90,7 @@ impl<'a> Prepared<'a> {
 pub(super) fn follows(pass: &Pass, next: &Pass) -> bool {
     let updates = next.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Update);
     let alike = (next.width, next.height, next.window) == (pass.width, pass.height, pass.window);
-    updates && alike && next.output() == pass.output()
+    updates && alike && (next.output(), next.start) == (pass.output(), pass.start)
 }
 
 /// Passes that run together at most: they cannot be cancelled on the way.
@@ -114,6 +117,7 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
     let chunk_rows = chunk_rows(passes);
     let chunk_len = width as usize * chunk_rows as usize;
     let adds = pass.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Add);
+    let output = &mut output[pass.start as usize..];
     let (sums, output): (&[AtomicU32], &mut [u32]) = if adds { (shared(output), &mut []) } else { (&[], output) };
     let components = if adds { 0 } else { pass.kernel.declaration.components };
     // Those in which the window has rows.

@@ -1,8 +1,8 @@
 //! A pass list on its way.
 
 use super::Memory;
-use super::chunks::{Known, follows, most_together};
-use crate::backend::{BackendError, Buffer, Pass, PassList, Write};
+use super::chunks::{Known, Written, follows, most_together};
+use crate::backend::{BackendError, Pass, PassList, Write};
 use std::collections::{HashMap, HashSet};
 use vitrum_kernels::kernel::InstructionSet;
 
@@ -23,7 +23,7 @@ pub(super) struct Course<'a> {
     set: InstructionSet,
     /// Kernels that had a pass without any work.
     idle: HashSet<&'a str>,
-    known: HashMap<Buffer, Known>,
+    known: HashMap<Written, Known>,
     /// Written as soon as a pass that runs reads it.
     waiting: Vec<&'a Write>,
 }
@@ -49,7 +49,7 @@ impl<'a> Course<'a> {
         let (now, later) = std::mem::take(&mut self.waiting).into_iter().partition(reads);
         self.waiting = later;
         for write in &now {
-            self.known.remove(&write.buffer);
+            self.known.retain(|(buffer, _), _| *buffer != write.buffer);
         }
         memory.write(now)?;
         let busy = memory.run_together(&together, self.set, &mut self.known)?;

@@ -7,7 +7,7 @@ mod course;
 use super::pass::check_part;
 use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
-use chunks::{Known, Prepared, rows};
+use chunks::{Known, Prepared, Written, rows};
 use contents::Contents;
 use course::{Course, Part, parts};
 use rayon::prelude::*;
@@ -78,7 +78,7 @@ impl Memory {
         &mut self,
         passes: &[&Pass],
         set: InstructionSet,
-        known: &mut HashMap<Buffer, Known>,
+        known: &mut HashMap<Written, Known>,
     ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
             pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
@@ -87,12 +87,13 @@ impl Memory {
             return Ok(vec![false; passes.len()]);
         };
         // Taken out for the time of the passes, so that the others can be borrowed beside it.
-        let mut written_known = known.remove(&written).unwrap_or_default();
+        let start = passes[0].start;
+        let mut written_known = known.remove(&(written, start)).unwrap_or_default();
         let mut output = self.buffers[written.0].take().map_or(Vec::new(), Contents::into_own);
         let prepared: Vec<Prepared> = passes
             .iter()
             .map(|pass| {
-                let unoccluded = |buffer| known.get(&buffer).map_or(&[][..], |known| known.unoccluded(pass));
+                let unoccluded = |buffer| known.get(&(buffer, 0)).map_or(&[][..], |known| known.unoccluded(pass));
                 Prepared::new(pass, written, |buffer| self.buffers[buffer.0].as_deref(), unoccluded)
             })
             .collect();
@@ -104,10 +105,10 @@ impl Memory {
         let whole: f64 = shares.iter().sum();
         let busy = prepared.into_iter().map(Prepared::was_busy).collect();
         for (pass, share) in passes.iter().zip(shares) {
-            times::add(&mut self.times, pass.kernel.declaration.name, elapsed * share / whole.max(1.0));
+            times::add(&mut self.times, pass.kernel.declaration.name, 1, elapsed * share / whole.max(1.0));
         }
         self.buffers[written.0] = Some(Contents::Own(output));
-        known.insert(written, written_known);
+        known.insert((written, start), written_known);
         Ok(busy)
     }
 
@@ -224,10 +225,13 @@ impl Backend for CpuBackend {
     }
 
     fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        Ok(self.memory.buffers[buffer.0]
-            .as_deref()
-            .map(|words| bytemuck::cast_slice(words).to_vec())
-            .unwrap_or_default())
+        Ok(bytemuck::cast_slice(self.words(buffer)?).to_vec())
+    }
+
+    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
+        let contents: &[u8] = bytemuck::cast_slice(self.words(buffer)?);
+        check_part(start, bytes, Some(contents.len() as u64))?;
+        Ok(contents[start as usize..][..bytes as usize].to_vec())
     }
 
     fn look(

@@ -4,6 +4,7 @@ mod adapter;
 mod modules;
 mod pipeline;
 mod stopwatch;
+mod together;
 
 pub(crate) use adapter::{adapters, describe, is_hardware};
 
@@ -13,7 +14,8 @@ use pipeline::Pipeline;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use stopwatch::Stopwatch;
-use vitrum_kernels::kernel::{WORKGROUP, Window};
+use together::{block_bytes, dispatches};
+use vitrum_kernels::kernel::{Access, WORKGROUP, Window};
 
 /// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
 const PASSES_PER_SUBMISSION: usize = 96;
@@ -114,18 +116,25 @@ impl GpuBackend {
             .ok_or_else(|| BackendError::Misuse { kernel: "-", what: format!("buffer {} is freed", buffer.0) })
     }
 
-    /// All passes' uniform blocks in one buffer; the stride between them.
-    fn upload_uniforms(&mut self, passes: &[Pass]) -> Result<(wgpu::Buffer, u64), BackendError> {
-        let largest = passes.iter().map(|pass| pass.uniforms.len()).max().unwrap_or(0) as u64;
-        let alignment = u64::from(self.limits.min_storage_buffer_offset_alignment).max(16);
-        let stride = largest.max(16).next_multiple_of(alignment);
-        let mut bytes = vec![0; (stride * passes.len().max(1) as u64) as usize];
-        for (slot, pass) in bytes.chunks_mut(stride as usize).zip(passes) {
-            slot[..pass.uniforms.len()].copy_from_slice(&pass.uniforms);
-        }
+    /// All dispatches' uniform blocks in one buffer; where those of each start.
+    fn upload_uniforms<'a>(
+        &mut self,
+        dispatches: impl Iterator<Item = &'a [Pass]>,
+    ) -> Result<(wgpu::Buffer, Vec<u32>), BackendError> {
+        let alignment = self.limits.min_storage_buffer_offset_alignment.max(16) as usize;
+        let mut bytes = Vec::new();
+        let starts = dispatches
+            .map(|dispatch| {
+                bytes.resize(bytes.len().next_multiple_of(alignment), 0);
+                let start = bytes.len() as u32;
+                dispatch.iter().for_each(|pass| bytes.extend_from_slice(&pass.uniforms));
+                start
+            })
+            .collect();
+        bytes.resize(bytes.len().next_multiple_of(alignment).max(alignment), 0);
         let buffer = self.allocate("uniforms", bytes.len() as u64, wgpu::BufferUsages::STORAGE)?;
         self.opened.queue.write_buffer(&buffer, 0, &bytes);
-        Ok((buffer, stride))
+        Ok((buffer, starts))
     }
 
     /// Writes what comes before a pass, behind all submissions.
@@ -157,18 +166,19 @@ impl GpuBackend {
         Ok(())
     }
 
-    fn bind_group(&self, pass: &Pass, uniforms: &wgpu::Buffer) -> Result<wgpu::BindGroup, BackendError> {
+    fn bind_group(&self, dispatch: &[Pass], uniforms: &wgpu::Buffer) -> Result<wgpu::BindGroup, BackendError> {
+        let pass = &dispatch[0];
         let declaration = &pass.kernel.declaration;
-        let block = wgpu::BufferBinding {
-            buffer: uniforms,
-            offset: 0,
-            size: std::num::NonZeroU64::new(declaration.uniform_bytes as u64),
-        };
-        let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(block) }];
+        let blocks = wgpu::BufferBinding { buffer: uniforms, offset: 0, size: block_bytes(dispatch) };
+        let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(blocks) }];
         for (buffer, binding) in pass.buffers.iter().zip(&declaration.bindings[1..]) {
+            let mut resource = self.get(*buffer)?.as_entire_buffer_binding();
+            if binding.access != Access::Read {
+                resource.offset = pass.start * 4;
+            }
             entries.push(wgpu::BindGroupEntry {
                 binding: binding.binding,
-                resource: self.get(*buffer)?.as_entire_binding(),
+                resource: wgpu::BindingResource::Buffer(resource),
             });
         }
         Ok(self.opened.device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -177,6 +187,14 @@ impl GpuBackend {
             entries: &entries,
         }))
     }
+}
+
+/// What a bind group is made of: the kernel, its buffers, where its records start, and how many passes' uniform blocks there are.
+type Bound<'a> = (&'a str, &'a [Buffer], u64, usize);
+
+fn bound(dispatch: &[Pass]) -> Bound<'_> {
+    let pass = &dispatch[0];
+    (pass.kernel.declaration.name, &pass.buffers, pass.start, dispatch.len())
 }
 
 impl Backend for GpuBackend {
@@ -244,40 +262,41 @@ impl Backend for GpuBackend {
     fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let passes = &list.passes;
         self.prepare_pipelines(passes)?;
-        let (uniforms, stride) = self.upload_uniforms(passes)?;
-        let mut groups: HashMap<(&str, &[Buffer]), wgpu::BindGroup> = HashMap::new();
+        let batches = || {
+            list.runs().flat_map(|(writes, run)| {
+                let chunks = run.chunks(PASSES_PER_SUBMISSION).enumerate();
+                chunks.map(move |(index, chunk)| (if index == 0 { writes } else { &[] }, chunk))
+            })
+        };
+        let (uniforms, starts) = self.upload_uniforms(batches().flat_map(|(_, chunk)| dispatches(chunk)))?;
+        let mut starts = starts.into_iter();
+        let mut groups: HashMap<Bound, wgpu::BindGroup> = HashMap::new();
         let mut under_way = None;
         let mut watches = Vec::new();
-        let mut first = 0;
-        let batches = list.runs().flat_map(|(writes, run)| {
-            let chunks = run.chunks(PASSES_PER_SUBMISSION).enumerate();
-            chunks.map(move |(index, chunk)| (if index == 0 { writes } else { &[] }, chunk))
-        });
-        for (writes, chunk) in batches {
-            if !progress(first) {
+        let mut done = 0;
+        for (writes, chunk) in batches() {
+            if !progress(done) {
                 return Err(BackendError::Cancelled);
             }
             self.write(writes)?;
-            for pass in chunk {
-                let key = (pass.kernel.declaration.name, pass.buffers.as_slice());
-                if let Entry::Vacant(slot) = groups.entry(key) {
-                    slot.insert(self.bind_group(pass, &uniforms)?);
+            for dispatch in dispatches(chunk) {
+                if let Entry::Vacant(slot) = groups.entry(bound(dispatch)) {
+                    slot.insert(self.bind_group(dispatch, &uniforms)?);
                 }
             }
             let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            let kernels = chunk.iter().map(|pass| pass.kernel.declaration.name).collect();
-            let watch = Stopwatch::new(&self.opened, kernels);
+            let kernels =
+                dispatches(chunk).map(|dispatch| (dispatch[0].kernel.declaration.name, dispatch.len() as u32));
+            let watch = Stopwatch::new(&self.opened, kernels.collect());
             {
                 let mut compute = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
                 if let Some(watch) = &watch {
                     watch.note(&mut compute, 0);
                 }
-                for (index, pass) in chunk.iter().enumerate() {
-                    let name = pass.kernel.declaration.name;
-                    compute.set_pipeline(&self.pipelines[name].pipeline);
-                    let offset = ((first + index) as u64 * stride) as u32;
-                    compute.set_bind_group(0, &groups[&(name, pass.buffers.as_slice())], &[offset]);
-                    let Window { first: low, end: high } = pass.window;
+                for ((index, dispatch), start) in dispatches(chunk).enumerate().zip(starts.by_ref()) {
+                    let Pass { kernel, window: Window { first: low, end: high }, .. } = &dispatch[0];
+                    compute.set_pipeline(&self.pipelines[kernel.declaration.name].pipeline);
+                    compute.set_bind_group(0, &groups[&bound(dispatch)], &[start]);
                     let [across, down] = [0, 1].map(|axis| (high[axis] - low[axis]).div_ceil(WORKGROUP));
                     compute.dispatch_workgroups(across, down, 1);
                     if let Some(watch) = &watch {
@@ -290,7 +309,7 @@ impl Backend for GpuBackend {
                 watches.push(watch);
             }
             let submission = self.opened.queue.submit([encoder.finish()]);
-            first += chunk.len();
+            done += chunk.len();
             // One submission runs while the next is recorded.
             if let Some(previous) = under_way.replace(submission) {
                 self.wait(previous)?;

@@ -3,17 +3,18 @@
 use super::super::times::{self, KernelTime};
 use super::adapter::Opened;
 
-/// A time before the first pass of a submission and one behind each of its passes.
+/// A time before the first dispatch of a submission and one behind each of its dispatches.
 pub(super) struct Stopwatch {
     queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     readable: wgpu::Buffer,
-    kernels: Vec<&'static str>,
+    /// Each dispatch's kernel, and its passes.
+    kernels: Vec<(&'static str, u32)>,
 }
 
 impl Stopwatch {
-    /// For passes of `kernels`, in order; none if the device has no clock that passes can read.
-    pub(super) fn new(opened: &Opened, kernels: Vec<&'static str>) -> Option<Self> {
+    /// For dispatches of `kernels`, in order, and of so many passes each; none if the device has no clock that passes can read.
+    pub(super) fn new(opened: &Opened, kernels: Vec<(&'static str, u32)>) -> Option<Self> {
         let feature = wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
         let count = kernels.len() as u32 + 1;
         if !opened.device.features().contains(feature) || count > wgpu::QUERY_SET_MAX_QUERIES {
@@ -40,9 +41,9 @@ impl Stopwatch {
         })
     }
 
-    /// Notes the time when `passes` of them are done.
-    pub(super) fn note(&self, compute: &mut wgpu::ComputePass<'_>, passes: usize) {
-        compute.write_timestamp(&self.queries, passes as u32);
+    /// Notes the time when `dispatches` of them are done.
+    pub(super) fn note(&self, compute: &mut wgpu::ComputePass<'_>, dispatches: usize) {
+        compute.write_timestamp(&self.queries, dispatches as u32);
     }
 
     /// Copies the times to where they can be read.
@@ -59,8 +60,8 @@ impl Stopwatch {
         let (Ok(_), Ok(view)) = (polled, slice.get_mapped_range()) else { return };
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(&view);
         let period = f64::from(opened.queue.get_timestamp_period());
-        for (kernel, pair) in self.kernels.iter().zip(ticks.windows(2)) {
-            times::add(sum, kernel, pair[1].saturating_sub(pair[0]) as f64 * period * 1e-6);
+        for (&(kernel, passes), pair) in self.kernels.iter().zip(ticks.windows(2)) {
+            times::add(sum, kernel, passes, pair[1].saturating_sub(pair[0]) as f64 * period * 1e-6);
         }
     }
 }

@@ -12,9 +12,9 @@ pub(super) trait Carrier {
     /// From the plane before to `plane`.
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>);
 
-    /// The buffers that hold the light (records as [`light`](vitrum_kernels::abi::record::light) describes) and the irradiance on
-    /// `plane`, until it is carried on.
-    fn on_plane(&self, plane: u32) -> [Buffer; 2];
+    /// The buffer that holds the irradiance of the planes to which light was carried last, as [`Fixed::kept`] has it: records as
+    /// [`irradiance`](vitrum_kernels::abi::record::irradiance) describes.
+    fn irradiance(&self) -> Buffer;
 }
 
 /// The buffers that describe the volume.
@@ -42,6 +42,14 @@ impl Maker<'_> {
         Ok(buffer)
     }
 
+    /// A buffer for the irradiance of as many planes as are kept.
+    pub(super) fn irradiance(&mut self) -> Result<Buffer, BackendError> {
+        let words = self.fixed.kept().words() * u64::from(self.fixed.kept().planes);
+        let buffer = self.backend.create_zeroed("irradiance", words * 4)?;
+        self.created.push(buffer);
+        Ok(buffer)
+    }
+
     /// A buffer of floats.
     pub(super) fn floats(&mut self, label: &str, contents: &[f32]) -> Result<Buffer, BackendError> {
         let buffer = self.backend.create(label, bytemuck::cast_slice(contents))?;
@@ -56,8 +64,15 @@ impl Fixed {
         let texels = self.light_grid.size;
         [
             self.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[light]),
-            self.pass(&kernels::sweep_concentrate_light, texels, 0, 0, &[light, irradiance]),
+            self.concentrate(Window::whole(texels[0], texels[1]), 0, light, irradiance),
         ]
+    }
+
+    /// The pass that makes the irradiance of plane `plane` of its light.
+    pub(super) fn concentrate(&self, window: Window, plane: u32, light: Buffer, irradiance: Buffer) -> Pass {
+        let texels = self.light_grid.size;
+        let pass = self.pass_over(window, &kernels::sweep_concentrate_light, texels, 0, plane, &[light, irradiance]);
+        Pass { start: self.kept().start(plane), ..pass }
     }
 
     /// A pass over `size` invocations that leads to plane `plane`.
@@ -86,6 +101,7 @@ impl Fixed {
             kernel,
             uniforms: bytemuck::bytes_of(&self.block(size, window, mode, plane)).to_vec(),
             buffers: buffers.to_vec(),
+            start: 0,
             width: size[0],
             height: size[1],
             window,

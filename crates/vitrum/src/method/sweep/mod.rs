@@ -4,6 +4,8 @@
 //! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
 mod carrier;
+mod hull;
+mod kept;
 mod light;
 mod occupancy;
 mod paging;
@@ -28,6 +30,7 @@ use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::inputs::Inputs;
 use crate::render::{Error, Wanted};
 use crate::scene::Scene;
+use kept::Kept;
 use uniforms::Fixed;
 
 /// A frame that is ready to run.
@@ -41,6 +44,9 @@ pub struct Sweep {
     /// Rays across and down.
     pub rays: [u32; 2],
     buffers: Buffers,
+    kept: Kept,
+    /// The irradiance of unoccluded light.
+    unoccluded: [f32; 3],
     /// The volumes, where they are freed with the frame.
     uploaded: Option<Uploaded>,
 }
@@ -49,7 +55,6 @@ pub struct Sweep {
 struct Buffers {
     all: Vec<Buffer>,
     irradiance: Buffer,
-    rays: Buffer,
     film: Buffer,
 }
 
@@ -96,7 +101,7 @@ impl Sweep {
         wanted: Wanted,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
-        let fixed = Fixed::new(scene, inputs, uploaded.format)?;
+        let fixed = Fixed::new(scene, inputs, uploaded.format, backend.largest_buffer())?;
         let mut created = Vec::new();
         let result = passes::build(inputs, &fixed, uploaded, wanted, backend, &mut created);
         match result {
@@ -106,6 +111,8 @@ impl Sweep {
                 light_grid: fixed.light_grid,
                 rays: fixed.rays,
                 buffers,
+                kept: fixed.kept(),
+                unoccluded: fixed.unoccluded_irradiance(),
                 uploaded: None,
             }),
             Err(error) => {
@@ -135,20 +142,28 @@ impl Sweep {
         Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.film)?))
     }
 
-    /// The viewing rays as they are now: planar records as [`ray`](vitrum_kernels::abi::record::ray) describes.
-    ///
-    /// # Errors
-    /// As [`Backend::read`].
-    pub fn ray_records(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.rays)?))
-    }
-
-    /// The light on the last plane that was run: planar records as [`irradiance`](vitrum_kernels::abi::record::irradiance) describes, for the light grid's texels.
+    /// The light on the last plane: red, then green, then blue plane irradiance for the light grid's texels (radiance if
+    /// `sweep.intensity` is not `jacobian`).
     ///
     /// # Errors
     /// As [`Backend::read`].
     pub fn irradiance(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.irradiance)?))
+        self.irradiance_on(self.planes.count - 1, backend)
+    }
+
+    /// As [`Self::irradiance`], on plane `plane`, until light is carried a few planes further.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub fn irradiance_on(&self, plane: u32, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        let texels = self.light_grid.size[0] as usize * self.light_grid.size[1] as usize;
+        let bytes = (self.unoccluded.len() * texels * 4) as u64;
+        let part = backend.read_part(self.buffers.irradiance, self.kept.start(plane) * 4, bytes)?;
+        let mut shares: Vec<f32> = bytemuck::pod_collect_to_vec(&part);
+        for (channel, unoccluded) in shares.chunks_exact_mut(texels).zip(self.unoccluded) {
+            channel.iter_mut().for_each(|share| *share *= unoccluded);
+        }
+        Ok(shares)
     }
 
     /// Frees the frame's buffers.

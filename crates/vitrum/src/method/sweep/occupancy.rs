@@ -1,10 +1,11 @@
 //! Which bricks are empty: neither opacity, nor medium, nor a change of η.
 
+use super::hull::hull;
 use super::tables::Tables;
 use super::voxels::{brick_shift, bricks, normalisation};
 use crate::method::brick_distances::spread;
-use crate::method::view::corners_between;
-use glam::DVec3;
+use crate::method::view::point_between_voxels;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
 
@@ -93,21 +94,25 @@ impl Question<'_> {
         spread(words, bricks(self.volume).map(|n| n as usize));
     }
 
-    /// The corners in the world of the box around the bricks that are not empty, if there are any.
-    pub(super) fn occupied(&self, words: &[u32]) -> Option<[DVec3; 8]> {
+    /// Points in the world whose convex hull is that of the bricks that are not empty.
+    pub(super) fn occupied(&self, words: &[u32]) -> Vec<DVec3> {
         let [width, height, _] = bricks(self.volume).map(|n| n as usize);
-        let (mut low, mut high) = ([usize::MAX; 3], [0; 3]);
-        for (row, words) in words.chunks(width).enumerate() {
-            let Some(first) = words.iter().position(|word| *word == 0) else { continue };
-            let last = words.iter().rposition(|word| *word == 0).unwrap_or(first);
-            let (y, z) = (row % height, row / height);
-            low = [low[0].min(first), low[1].min(y), low[2].min(z)];
-            high = [high[0].max(last), high[1].max(y), high[2].max(z)];
-        }
         let edge = 1 << brick_shift(self.volume);
-        let voxels = |brick: usize, axis: usize| ((brick * edge) as f64).min(f64::from(self.volume.dimensions[axis]));
-        let ends = |axis: usize| [voxels(low[axis], axis) - 0.5, voxels(high[axis] + 1, axis) - 0.5];
-        (low[0] <= high[0]).then(|| corners_between(self.volume, [ends(0), ends(1), ends(2)]))
+        let end =
+            |brick: usize, axis: usize| ((brick * edge) as f64).min(f64::from(self.volume.dimensions[axis])) - 0.5;
+        let layers = words.par_chunks(width * height).enumerate().map(|(z, layer)| {
+            let mut around = Vec::new();
+            for (y, row) in layer.chunks(width).enumerate() {
+                let Some(first) = row.iter().position(|word| *word == 0) else { continue };
+                let last = row.iter().rposition(|word| *word == 0).unwrap_or(first);
+                let ends = [end(first, 0), end(last + 1, 0)].map(|x| [y, y + 1].map(|y| DVec2::new(x, end(y, 1))));
+                around.extend(ends.as_flattened());
+            }
+            let corners = hull(around);
+            [z, z + 1].map(|z| corners.iter().map(|corner| corner.extend(end(z, 2))).collect::<Vec<_>>()).concat()
+        });
+        let points: Vec<Vec<DVec3>> = layers.collect();
+        points.concat().into_iter().map(|point| point_between_voxels(self.volume, point)).collect()
     }
 
     /// Writes to `words` whether a brick is empty: 0 if not, else a large number.

@@ -144,7 +144,7 @@ pub(super) fn build(
     let light: Box<dyn Carrier> = match &fixed.sheets {
         _ if !fixed.shadows => Box::new(Unoccluded::new(&mut maker)?),
         None => {
-            let inside = || occupied.into_iter().map(|corner| fixed.view.point(corner)).collect();
+            let inside = || fixed.seen(occupied.into_iter().map(|point| fixed.view.point(point)));
             let everywhere = wanted.light || fixed.lights_surroundings || !fixed.light_grid.follows_light();
             Box::new(Texels::new(&mut maker, volumes, (!everywhere).then(inside))?)
         }
@@ -159,15 +159,20 @@ pub(super) fn build(
     passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[rays]));
     // The first pass of each plane.
     let mut starts = vec![0];
+    let bound = [voxels, ior_voxels, occupancy, tables, light.irradiance(), rays];
+    // Rays on their way over planes whose irradiance is kept.
+    let mut waiting = Vec::new();
     for plane in 1..fixed.planes.count {
         starts.push(passes.len());
         if plane > first {
-            let [behind, bright] = light.on_plane(plane - 1);
-            let bound = [voxels, ior_voxels, occupancy, tables, behind, bright, rays];
-            passes.push(fixed.pass(ray_kernel, pixels, fixed.mode, plane, &bound));
+            waiting.push(fixed.pass(ray_kernel, pixels, fixed.mode, plane, &bound));
+        }
+        if waiting.len() == fixed.kept().planes as usize {
+            passes.append(&mut waiting);
         }
         light.advance(fixed, plane, &mut passes);
     }
+    passes.append(&mut waiting);
     let last = fixed.planes.count - 1;
     passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[rays, map, finished]));
     let (name, resolve) = (ray_kernel.declaration.name, kernels::sweep_resolve.declaration.name);
@@ -178,12 +183,11 @@ pub(super) fn build(
     let ends: BTreeSet<&str> = names.filter(|other| *other == name || !wanted.light && *other != resolve).collect();
     let while_busy = vec![WhileBusy { kernel: name, passes: ends.into_iter().collect() }];
     let list = PassList { passes, writes, while_busy };
-    let [_, irradiance] = light.on_plane(last);
-    let buffers = Buffers { all: maker.created.clone(), irradiance, rays, film: finished };
+    let buffers = Buffers { all: maker.created.clone(), irradiance: light.irradiance(), film: finished };
     Ok((list, buffers))
 }
 
-/// The bricks of all volumes, one volume after the other, and the corners in the world of the boxes around those that are not empty.
+/// The bricks of all volumes, one volume after the other, and points in the world whose convex hull is that of those that are not empty.
 fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<(Buffer, Vec<DVec3>), BackendError> {
     let counts: Vec<usize> =
         questions.iter().map(|question| bricks(question.volume).iter().map(|&n| n as usize).product()).collect();
@@ -193,7 +197,7 @@ fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<(Buffe
         for (question, &count) in questions.iter().zip(&counts) {
             let (these, rest) = words.split_at_mut(count);
             question.answer(these);
-            occupied.extend(question.occupied(these).into_iter().flatten());
+            occupied.extend(question.occupied(these));
             words = rest;
         }
     })?;

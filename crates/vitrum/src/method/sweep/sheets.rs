@@ -7,8 +7,9 @@ use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
 use glam::DVec3;
 use vitrum_kernels::abi::grid::format;
-use vitrum_kernels::abi::record::{irradiance, light, sheet, sums};
-use vitrum_kernels::kernel::{Kernel, kernels};
+use vitrum_kernels::abi::record::{light, sheet, sums};
+use vitrum_kernels::abi::sweep::mode;
+use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The buffers of sheets.
 pub(super) struct Sheets {
@@ -62,7 +63,7 @@ impl Sheets {
             nodes: maker.planar("sheets", nodes(texels, count), sheet::SIZE)?,
             sums: maker.planar("sums", texels, sums::SIZE)?,
             light: maker.planar("light", texels, light::SIZE)?,
-            irradiance: maker.planar("irradiance", texels, irradiance::SIZE)?,
+            irradiance: maker.irradiance()?,
         })
     }
 }
@@ -88,14 +89,14 @@ impl Carrier for Sheets {
             |kernel, size, mode, buffers: &[Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
         let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
         let bound = [voxels, ior_voxels, occupancy, tables, self.sources, self.nodes];
-        push(advance_kernel(fixed.format), nodes(texels, self.count), fixed.mode, &bound);
+        push(advance_kernel(fixed.format), nodes(texels, self.count), mode::any_medium(fixed.mode), &bound);
         push(&kernels::sweep_clear_sums, texels, 0, &[self.sums]);
         push(&kernels::sweep_scatter_sheet, cells, 0, &[self.nodes, self.sources, self.sums]);
         push(&kernels::sweep_collect_light, texels, 0, &[self.sums, self.light]);
-        push(&kernels::sweep_concentrate_light, texels, 0, &[self.light, self.irradiance]);
+        passes.push(fixed.concentrate(Window::whole(width, height), plane, self.light, self.irradiance));
     }
 
-    fn on_plane(&self, _plane: u32) -> [Buffer; 2] {
-        [self.light, self.irradiance]
+    fn irradiance(&self) -> Buffer {
+        self.irradiance
     }
 }

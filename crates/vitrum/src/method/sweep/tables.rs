@@ -63,6 +63,23 @@ fn pack(low: f64, high: f64) -> u32 {
     half(low) | half(high) << 16
 }
 
+/// The η table from what η is at the ends of its cells: see [`layout`].
+fn pack_indices(indices: &[f64]) -> Vec<u32> {
+    let (least, most) =
+        indices.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &eta| (low.min(eta), high.max(eta)));
+    let steepest = indices.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
+    let levels = f64::from((1u32 << layout::IOR_LEVEL_BITS) - 1);
+    let rises = f64::from(layout::IOR_NO_RISE - 1);
+    let (step, rise) = ((most - least) / levels, steepest / rises);
+    let units = |value: f64, unit: f64| if unit > 0.0 { (value / unit).round() } else { 0.0 };
+    let cells = indices.windows(2).map(|pair| {
+        let level = units(pair[0] - least, step) as u32;
+        let rise = units(pair[1] - pair[0], rise) as i32 + layout::IOR_NO_RISE as i32;
+        level << (32 - layout::IOR_LEVEL_BITS) | rise as u32
+    });
+    [least, step, rise].into_iter().map(|unit| (unit as f32).to_bits()).chain(cells).collect()
+}
+
 impl Tables {
     /// The tables of `transfer` over the range of `shown`, η over that of `bending`.
     pub fn new(transfer: &TransferFunction, refraction: bool, shown: &Volume, bending: &Volume) -> Self {
@@ -95,14 +112,15 @@ impl Tables {
             }
         }
         let points: Vec<(f32, [f32; 1])> = transfer.ior.iter().map(|point| (point.value, [point.ior])).collect();
-        let mut refracts = false;
-        for i in 0..layout::IOR_SIZE {
-            let share = f64::from(i) / f64::from(layout::IOR_SIZE - 1);
-            let [eta] = interpolate(&points, scalar(bending, share), [1.0]);
-            let eta = if refraction { eta as f32 } else { 1.0 };
-            refracts |= eta != 1.0;
-            words.push(eta.to_bits());
-        }
+        let indices: Vec<f64> = (0..=layout::IOR_CELLS)
+            .map(|i| {
+                let share = f64::from(i) / f64::from(layout::IOR_CELLS);
+                let [eta] = interpolate(&points, scalar(bending, share), [1.0]);
+                if refraction { eta } else { 1.0 }
+            })
+            .collect();
+        let refracts = indices.iter().any(|&eta| eta as f32 != 1.0);
+        words.extend(pack_indices(&indices));
         let colors = fine.iter().any(|depths| depths[1..4].iter().any(|&depth| depth > 0.0));
         Self { words, refracts, colors, anything }
     }
@@ -146,12 +164,12 @@ impl Tables {
 
     /// Whether η is the same for all normalised scalars from `low` to `high`.
     pub fn is_uniform(&self, low: f32, high: f32) -> bool {
-        let intervals = layout::IOR_SIZE as usize - 1;
-        let first = ((low * intervals as f32).floor().max(0.0) as usize).min(intervals);
-        let last = ((high * intervals as f32).ceil() as usize + 1).min(intervals);
-        let first = first.saturating_sub(1);
-        let start = layout::IOR_OFFSET as usize;
-        self.words[start + first..=start + last].windows(2).all(|pair| pair[0] == pair[1])
+        let cells = layout::IOR_CELLS as usize;
+        let first = ((low * cells as f32).floor().max(0.0) as usize).min(cells - 1).saturating_sub(1);
+        let last = ((high * cells as f32).ceil() as usize + 1).clamp(first + 1, cells);
+        let words = &self.words[layout::IOR_OFFSET as usize..][first..last];
+        let flat = |word: u32| word % (2 * layout::IOR_NO_RISE) == layout::IOR_NO_RISE;
+        words.iter().all(|&word| word == words[0] && flat(word))
     }
 }
 
@@ -159,4 +177,61 @@ impl Tables {
 fn scalar(volume: &Volume, share: f64) -> f64 {
     let [low, high] = volume.range.map(f64::from);
     low + (high - low) * share
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use vitrum_kernels::field::tables::ior_and_slope;
+
+    /// η and its slope, as kernels find them in the table of `indices`.
+    fn looked_up(indices: &[f64], scalar: f64) -> (f64, f64) {
+        let mut words = vec![0; layout::IOR_LEAST as usize];
+        words.extend(pack_indices(indices));
+        assert_eq!(words.len(), layout::WORDS as usize);
+        let (eta, slope) = ior_and_slope(&words, scalar as f32);
+        (f64::from(eta), f64::from(slope))
+    }
+
+    fn indices(of: impl Fn(f64) -> f64) -> Vec<f64> {
+        (0..=layout::IOR_CELLS).map(|i| of(f64::from(i) / f64::from(layout::IOR_CELLS))).collect()
+    }
+
+    #[test]
+    fn indices_are_right_to_a_millionth_of_their_range() {
+        // A Luneburg lens, a smooth step over a twentieth of the scalars, a straight line.
+        let step = |x: f64| ((x - 0.4) * 20.0).clamp(0.0, 1.0);
+        let smooth = |t: f64| 1.0 + 0.5 * t * t * (3.0 - 2.0 * t);
+        let functions: [&dyn Fn(f64) -> f64; 3] = [&|x| (1.0 + x).sqrt(), &|x| smooth(step(x)), &|x| 1.3 - 0.3 * x];
+        for of in functions {
+            let indices = indices(of);
+            let (low, high) = indices.iter().fold((f64::MAX, f64::MIN), |(a, b), &eta| (a.min(eta), b.max(eta)));
+            let steepest = indices.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
+            for (i, pair) in indices.windows(2).enumerate() {
+                for share in [0.0, 0.25, 0.75] {
+                    let (eta, slope) = looked_up(&indices, (i as f64 + share) / f64::from(layout::IOR_CELLS));
+                    let expected = pair[0] + (pair[1] - pair[0]) * share;
+                    // Half a level, half a rise's unit, and single precision.
+                    let off = 1e-6 * (high - low) + steepest / 4094.0 * share + 2e-7;
+                    assert!((eta - expected).abs() < off, "cell {i}: {eta} instead of {expected}");
+                    let off = steepest / 4094.0 * 1.01 * f64::from(layout::IOR_CELLS);
+                    let expected = (pair[1] - pair[0]) * f64::from(layout::IOR_CELLS);
+                    assert!((slope - expected).abs() < off, "cell {i}: slope {slope} instead of {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_does_not_change_is_exact() {
+        let flat = indices(|x| if x < 0.5 { 1.0 } else { 1.45 });
+        for scalar in [0.0, 0.1, 0.2503, 0.4990] {
+            assert_eq!(looked_up(&flat, scalar), (1.0, 0.0));
+        }
+        let (eta, slope) = looked_up(&flat, 1.0);
+        assert!((eta - 1.45).abs() < 1e-6 && slope == 0.0);
+        // Without refraction η is 1.
+        assert_eq!(looked_up(&indices(|_| 1.0), 0.7), (1.0, 0.0));
+        assert_eq!(looked_up(&indices(|_| 1.37), 0.7).1, 0.0);
+    }
 }

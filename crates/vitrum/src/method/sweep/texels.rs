@@ -2,16 +2,17 @@
 
 use super::carrier::{Carrier, Maker, Volumes};
 use super::uniforms::Fixed;
+use super::window::Seen;
 use crate::backend::{BackendError, Buffer, Pass};
-use glam::DVec3;
 use vitrum_kernels::abi::grid::format;
-use vitrum_kernels::abi::record::{irradiance, light, trace};
+use vitrum_kernels::abi::record::{light, trace};
+use vitrum_kernels::abi::sweep::mode;
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The buffers of light on texels.
 pub(super) struct Texels {
     volumes: Volumes,
-    seen_in: Option<Vec<DVec3>>,
+    seen: Option<Seen>,
     /// They swap roles from plane to plane.
     light: [Buffer; 2],
     filtered: Buffer,
@@ -33,23 +34,19 @@ fn refract_kernel(stored: u32) -> &'static Kernel {
 }
 
 impl Texels {
-    /// Light that is looked at in the convex hull of `seen_in` alone (points of the sweep frame), or everywhere.
-    pub(super) fn new(
-        maker: &mut Maker<'_>,
-        volumes: Volumes,
-        seen_in: Option<Vec<DVec3>>,
-    ) -> Result<Self, BackendError> {
+    /// Light that is looked at where `seen` says, or everywhere.
+    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes, seen: Option<Seen>) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
         Ok(Self {
             volumes,
-            seen_in,
+            seen,
             light: [maker.planar("light", texels, light::SIZE)?, maker.planar("light", texels, light::SIZE)?],
             filtered: maker.planar(
                 "filtered light",
                 if maker.fixed.is_soft() { texels } else { [1, 1] },
                 light::SIZE,
             )?,
-            irradiance: maker.planar("irradiance", texels, irradiance::SIZE)?,
+            irradiance: maker.irradiance()?,
             traced: maker.planar("back-traced points", texels, trace::SIZE)?,
         })
     }
@@ -68,26 +65,27 @@ impl Carrier for Texels {
         let texels = fixed.light_grid.size;
         let (behind, ahead) = (self.light(plane - 1), self.light(plane));
         let whole = Window::whole(texels[0], texels[1]);
-        let window = self.seen_in.as_ref().map_or(whole, |points| fixed.window(points, plane));
+        let window = self.seen.as_ref().map_or(whole, |seen| fixed.window(seen, plane));
         let mut push = |kernel, mode, buffers: &[Buffer]| {
             passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers));
         };
+        let colors = if mode::is_clear(fixed.mode) { mode::CLEAR_STRAIGHT } else { mode::STRAIGHT };
         // What light is followed into: the plane behind, filtered where the light is soft.
         let source = if fixed.is_soft() { self.filtered } else { behind };
         if fixed.is_soft() {
-            push(&kernels::sweep_filter_light, 0, &[behind, self.filtered]);
+            push(&kernels::sweep_filter_light, colors, &[behind, self.filtered]);
         }
         push(&kernels::sweep_trace_light, 0, &[source, self.traced]);
-        push(&kernels::sweep_gather_light, 0, &[source, self.traced, ahead]);
+        push(&kernels::sweep_gather_light, colors, &[source, self.traced, ahead]);
         if !fixed.planes.is_behind(plane) {
             let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
             let bound = [voxels, ior_voxels, occupancy, tables, self.traced, ahead];
             push(refract_kernel(fixed.format), fixed.mode, &bound);
         }
-        push(&kernels::sweep_concentrate_light, 0, &[ahead, self.irradiance]);
+        passes.push(fixed.concentrate(window, plane, ahead, self.irradiance));
     }
 
-    fn on_plane(&self, plane: u32) -> [Buffer; 2] {
-        [self.light(plane), self.irradiance]
+    fn irradiance(&self) -> Buffer {
+        self.irradiance
     }
 }

@@ -1,11 +1,13 @@
 //! The uniform block, from the scene.
 
+use super::kept::Kept;
 use super::light::{LightGrid, direction};
 use super::paging::Sampling;
 use super::planes::Planes;
 use super::sheets::sources;
 use super::tables::Tables;
 use super::voxels::grid;
+use super::window::Seen;
 use crate::inputs::Inputs;
 use crate::method::view::environment::Prepared;
 use crate::method::view::receivers::{Receivers, plane};
@@ -13,6 +15,7 @@ use crate::method::view::{View, bounding_sphere, vector};
 use crate::render::Error;
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
 use glam::{DVec3, DVec4, UVec4};
+use vitrum_kernels::abi::grid::format::is_paged;
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::Vec4;
 use vitrum_kernels::kernel::Window;
@@ -45,6 +48,7 @@ pub(super) struct Fixed {
     /// Whether light is looked at outside the volumes, too.
     pub(super) lights_surroundings: bool,
     block: SweepUniforms,
+    kept: Kept,
     softness: f32,
 }
 
@@ -95,8 +99,8 @@ pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
 }
 
 impl Fixed {
-    /// What `scene` comes to for volumes that are stored as `format` says.
-    pub(super) fn new(scene: &Scene, inputs: &Inputs, format: u32) -> Result<Self, Error> {
+    /// What `scene` comes to for volumes that are stored as `format` says, on a backend whose buffers have at most `largest_buffer` bytes.
+    pub(super) fn new(scene: &Scene, inputs: &Inputs, format: u32, largest_buffer: u64) -> Result<Self, Error> {
         let shown = &inputs.volume;
         let bending = inputs.ior_volume.as_ref();
         let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, inputs)?;
@@ -106,9 +110,11 @@ impl Fixed {
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
         let mode = match (tables.refracts, scene.sweep.gradient) {
-            (false, _) if scene.light.shadows || tables.colors => mode::STRAIGHT,
+            (false, _) if tables.colors => mode::STRAIGHT,
+            (false, _) if scene.light.shadows => mode::CLEAR_STRAIGHT,
             (false, _) => mode::UNSHADED,
-            (true, Gradient::Central) => mode::CENTRAL,
+            (true, Gradient::Central) if tables.colors => mode::CENTRAL,
+            (true, Gradient::Central) => mode::CLEAR_CENTRAL,
             (true, Gradient::Chain) => mode::CHAIN,
         };
         let first_ior_brick: u32 = super::voxels::bricks(shown).iter().product();
@@ -166,7 +172,11 @@ impl Fixed {
             .unwrap_or_else(|| shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
         block.plane.w = 1.0 / reference;
         set_clips(&mut block, scene, &view, shown)?;
+        // Streamed voxels go as soon as they can, and irradiance that never changes needs to be there but once.
+        let several = scene.light.shadows && !is_paged(format);
+        let kept = if several { Kept::new(light_grid.size, largest_buffer) } else { Kept::one(light_grid.size) };
         Ok(Self {
+            kept,
             planes,
             light_grid,
             rays,
@@ -185,11 +195,16 @@ impl Fixed {
         })
     }
 
-    /// The texels that are carried on to plane `plane`, if only those in the convex hull of `points` are looked at (in the sweep frame).
-    pub(super) fn window(&self, points: &[DVec3], plane: u32) -> Window {
+    /// Where light is looked at, if that is in the convex hull of `points` (in the sweep frame).
+    pub(super) fn seen(&self, points: impl Iterator<Item = DVec3>) -> Seen {
+        self.light_grid.seen(points, &self.planes)
+    }
+
+    /// The texels that are carried on to plane `plane`, if light is only looked at where `seen` says.
+    pub(super) fn window(&self, seen: &Seen, plane: u32) -> Window {
         let filter =
             if self.is_soft() { self.light_grid.filter_radius(self.softness, &self.planes, plane) } else { 0.0 };
-        self.light_grid.window(points, &self.planes, plane, filter)
+        self.light_grid.window(seen, &self.planes, plane, filter)
     }
 
     /// The block of a pass over a part of `size` invocations that leads to plane `index`.
@@ -199,6 +214,7 @@ impl Fixed {
         block.dispatch.y = size[1];
         block.window = UVec4::new(window.first[0], window.first[1], window.end[0], window.end[1]);
         block.dispatch.z = mode;
+        block.irradiance.x = self.kept.start(index.saturating_sub(1)) as u32;
         block.plane.x = self.planes.depth(index.saturating_sub(1)) as f32;
         block.plane.y = self.planes.depth(index) as f32;
         block.plane.z = self.planes.step(index) as f32;
@@ -213,6 +229,17 @@ impl Fixed {
         block.taps_a = Vec4::new(a.x as f32, a.y as f32, b.x as f32, b.y as f32);
         block.taps_b = Vec4::new(c.x as f32, c.y as f32, 0.0, 0.0);
         block
+    }
+
+    /// The plane irradiance (or radiance, see [`flag::STORE_RADIANCE`]) of unoccluded light.
+    pub(super) fn unoccluded_irradiance(&self) -> [f32; 3] {
+        let Vec4 { x, y, z, .. } = self.block.light_initial;
+        [x, y, z]
+    }
+
+    /// Which planes' irradiance is kept.
+    pub(super) fn kept(&self) -> Kept {
+        self.kept
     }
 
     /// Whether light is filtered.

@@ -3,7 +3,7 @@
 use super::carrier::{Carrier, Maker};
 use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
-use vitrum_kernels::abi::record::{irradiance, light};
+use vitrum_kernels::abi::record::light;
 
 /// The buffers of unoccluded light.
 pub(super) struct Unoccluded {
@@ -14,10 +14,7 @@ pub(super) struct Unoccluded {
 impl Unoccluded {
     pub(super) fn new(maker: &mut Maker<'_>) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
-        Ok(Self {
-            light: maker.planar("light", texels, light::SIZE)?,
-            irradiance: maker.planar("irradiance", texels, irradiance::SIZE)?,
-        })
+        Ok(Self { light: maker.planar("light", texels, light::SIZE)?, irradiance: maker.irradiance()? })
     }
 }
 
@@ -28,7 +25,7 @@ impl Carrier for Unoccluded {
 
     fn advance(&self, _fixed: &Fixed, _plane: u32, _passes: &mut Vec<Pass>) {}
 
-    fn on_plane(&self, _plane: u32) -> [Buffer; 2] {
-        [self.light, self.irradiance]
+    fn irradiance(&self) -> Buffer {
+        self.irradiance
     }
 }

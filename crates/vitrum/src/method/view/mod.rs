@@ -46,17 +46,16 @@ pub(in crate::method) fn voxel_steps(volume: &Volume) -> DMat3 {
 
 /// The eight corners of the volume's box (whole voxels), in the world.
 pub(in crate::method) fn corners(volume: &Volume) -> [DVec3; 8] {
-    corners_between(volume, volume.dimensions.map(|n| [-0.5, f64::from(n) - 0.5]))
-}
-
-/// The corners of a part of the volume, between two voxel coordinates along each axis. Bit n of a corner's number is its end along axis n.
-pub(in crate::method) fn corners_between(volume: &Volume, ends: [[f64; 2]; 3]) -> [DVec3; 8] {
-    let steps = voxel_steps(volume);
-    let origin = vector(volume.origin);
+    let ends = volume.dimensions.map(|n| [-0.5, f64::from(n) - 0.5]);
     std::array::from_fn(|corner| {
         let end = |axis: usize| ends[axis][corner >> axis & 1];
-        origin + steps * DVec3::new(end(0), end(1), end(2))
+        point_between_voxels(volume, DVec3::new(end(0), end(1), end(2)))
     })
+}
+
+/// The point in the world at voxel coordinates `at`.
+pub(in crate::method) fn point_between_voxels(volume: &Volume, at: DVec3) -> DVec3 {
+    vector(volume.origin) + voxel_steps(volume) * at
 }
 
 /// Centre and radius of the sphere around the volume's box.

@@ -140,6 +140,7 @@ pub(in crate::method) fn pass(
         buffers: buffers.to_vec(),
         width,
         height,
+        start: 0,
         window: Window::whole(width, height),
     };
     PassList { passes: vec![pass], ..PassList::default() }

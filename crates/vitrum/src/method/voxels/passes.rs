@@ -189,6 +189,7 @@ fn list(
             buffers,
             width: size[0],
             height: size[1],
+            start: 0,
             window: Window::whole(size[0], size[1]),
         }
     };

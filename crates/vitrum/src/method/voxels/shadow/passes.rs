@@ -146,6 +146,7 @@ impl<'a> Work<'a> {
             buffers,
             width,
             height,
+            start: 0,
             window: Window::whole(width, height),
         };
         self.run(&PassList { passes: vec![pass], ..PassList::default() }, held)
