@@ -1,9 +1,11 @@
-"""Times of VTK's ray caster on the CPU beside Vitrum's sweep, in turns, on `builtin:phantom`: a table of medians for docs/benchmarks.md.
+"""Times of VTK's ray caster on the CPU beside Vitrum's sweep, in turns: a table of medians for docs/benchmarks.md.
 
-python3 rendering_times.py VITRUM [--size 512] [--voxels 256] [--rounds 3] [--frames 7]
+python3 rendering_times.py VITRUM [--volume FILE] [--size 512] [--voxels 256] [--rounds 3] [--frames 7] [--pictures FOLDER]
 
 VITRUM is the program. Needs numpy and vtk, and a machine where VTK finds a window to render off screen in (EGL or X). Both use all
-processors, the same voxels, transfer functions and camera, and a light from the same side; VTK's sample distance is a voxel.
+processors, the same voxels, transfer functions and camera, and a light from the same side; VTK's sample distance is a voxel. The voxels are
+those of `builtin:phantom`; or those of FILE, a cube of bytes that Vitrum reads, x to the right, z up and seen from the front, with the
+phantom's transfer functions.
 """
 import argparse, json, os, statistics, subprocess, tempfile, time
 
@@ -21,6 +23,7 @@ PLAIN = ["light.shadows=false", "sweep.refraction=false"]
 VITRUM = {
     "Vitrum, `light.shadows=false`, `sweep.refraction=false`": PLAIN,
     "Vitrum, everything on": [],
+    "Vitrum, everything on, `light.resolution=0.5`": ["light.resolution=0.5"],
     "Vitrum, everything on, `light.resolution=0.375`": ["light.resolution=0.375"],
 }
 
@@ -106,10 +109,47 @@ class Caster:
         return statistics.median(times)
 
 
-def vitrum(program, scene, settings, size, voxels, frames):
-    out = os.path.join(tempfile.gettempdir(), "rendering_times.png")
-    command = [program, "render", f"builtin:{scene}", "-o", out, "--size", f"{size}x{size}", "--backend", "cpu", "--json", "-q"]
-    command += ["--frames", str(frames), "--set", f"volume.resolution={voxels}"]
+    def picture(self, path):
+        grabbed = vtk.vtkWindowToImageFilter()
+        grabbed.SetInput(self.window)
+        grabbed.ReadFrontBufferOff()
+        writer = vtk.vtkPNGWriter()
+        writer.SetFileName(path)
+        writer.SetInputConnection(grabbed.GetOutputPort())
+        writer.Write()
+
+
+def of_file(program, path, folder):
+    """The voxels of a file, z slowest, with z towards the viewer and y up, and the settings that make Vitrum's scenes show them so."""
+    converted = os.path.join(folder, "volume.npy")
+    subprocess.run([program, "convert", path, "-o", converted], check=True, capture_output=True)
+    voxels = numpy.load(converted)
+    n = voxels.shape[0]
+    if voxels.dtype != numpy.uint8 or voxels.shape != (n, n, n):
+        raise SystemExit(f"{path}: {voxels.shape} voxels of {voxels.dtype}; a cube of uint8 is needed")
+    seen = numpy.ascontiguousarray(voxels.transpose(1, 0, 2)[::-1])
+    stored = os.path.join(folder, "volume.nrrd")
+    # As large as the phantom. Vitrum looks from +y.
+    s = 2 / n
+    with open(stored, "wb") as file:
+        header = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {n} {n} {n}\nencoding: raw\nspace dimension: 3\n"
+        header += f"space directions: ({-s},0,0) (0,0,{s}) (0,{s},0)\n\n"
+        file.write(header.encode() + seen.tobytes())
+    return seen, stored
+
+
+def scene_of(program, name, file, folder):
+    """A scene file as the built-in scene, of the volume in `file`."""
+    text = subprocess.run([program, "scene", f"builtin:{name}"], check=True, capture_output=True, text=True).stdout
+    path = os.path.join(folder, "scene.toml")
+    with open(path, "w") as scene:
+        scene.write(text.replace('builtin = "phantom"', f"file = {json.dumps(file)}"))
+    return path
+
+
+def vitrum(program, scene, settings, size, frames, out):
+    command = [program, "render", scene, "-o", out, "--size", f"{size}x{size}", "--backend", "cpu", "--json", "-q"]
+    command += ["--frames", str(frames)]
     for setting in settings:
         command += ["--set", setting]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
@@ -119,29 +159,42 @@ def vitrum(program, scene, settings, size, voxels, frames):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("vitrum")
+    parser.add_argument("--volume")
     parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--voxels", type=int, default=256)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--frames", type=int, default=7)
+    parser.add_argument("--pictures")
     arguments = parser.parse_args()
-    size, frames = arguments.size, arguments.frames
-    voxels = phantom(arguments.voxels)
+    program, size, frames = arguments.vitrum, arguments.size, arguments.frames
+    folder = arguments.pictures or tempfile.mkdtemp()
+    os.makedirs(folder, exist_ok=True)
+    if arguments.volume:
+        voxels, file = of_file(program, arguments.volume, folder)
+    else:
+        voxels, file = phantom(arguments.voxels), None
     times = {}
-    for scene, opacities in OPACITIES.items():
+    for name, opacities in OPACITIES.items():
+        scene = scene_of(program, name, file, folder) if file else f"builtin:{name}"
+        resolution = [] if file else [f"volume.resolution={arguments.voxels}"]
         casters = {
             "VTK, unshaded": Caster(voxels, opacities, size, False),
             "VTK, shaded by gradients": Caster(voxels, opacities, size, True),
         }
+        column = name.replace("/", "-")
+        for caster, look in zip(casters.values(), ("plain", "shaded")):
+            caster.picture(os.path.join(folder, f"{column}-vtk-{look}.png"))
         for _ in range(arguments.rounds):
-            for name, caster in casters.items():
-                times.setdefault(name, {}).setdefault(scene, []).append(caster.frames(frames))
-            for name, settings in VITRUM.items():
-                found = vitrum(arguments.vitrum, scene, settings, size, arguments.voxels, frames)
-                times.setdefault(name, {}).setdefault(scene, []).append(found)
+            for row, caster in casters.items():
+                times.setdefault(row, {}).setdefault(name, []).append(caster.frames(frames))
+            for index, (row, settings) in enumerate(VITRUM.items()):
+                out = os.path.join(folder, f"{column}-vitrum-{index}.png")
+                found = vitrum(program, scene, resolution + settings, size, frames, out)
+                times.setdefault(row, {}).setdefault(name, []).append(found)
     print(f"| | {' | '.join(OPACITIES)} |")
     print("|---|---|---|")
-    for name, found in times.items():
-        print(f"| {name} | {' | '.join(f'{statistics.median(found[scene]):.0f}' for scene in OPACITIES)} |")
+    for row, found in times.items():
+        print(f"| {row} | {' | '.join(f'{statistics.median(found[name]):.0f}' for name in OPACITIES)} |")
 
 
 main()

@@ -15,6 +15,7 @@ use crate::abi::voxelize::VoxelizeUniforms;
 use crate::abi::voxels::VoxelsUniforms;
 use crate::field::sums::SharedSums;
 use crate::for_each_kernel;
+use crate::math::select;
 
 /// How often a block that rests looks ahead, each time from the end of what it knows to be empty.
 const LOOKS: u32 = 8;
@@ -75,6 +76,17 @@ macro_rules! call {
     };
 }
 
+/// What a lane that needs `$needed` makes of its record: one that updates leaves it alone at the levels 0 and 1, though its block may run
+/// at a higher one.
+macro_rules! after {
+    (writes, $size:expr, $needed:ident, $lane:ident, $inputs:ident, $record:ident) => {
+        $record
+    };
+    (updates, $size:expr, $needed:ident, $lane:ident, $inputs:ident, $record:ident) => {
+        choose::<{ $size }>(level_of(&$needed, $lane) > 1, $record, take(&$inputs, $lane))
+    };
+}
+
 /// Runs the lanes of one block and copies their records out; whether any had work to do.
 ///
 /// Each level has arrays of its own: LLVM looks at no more than 100 uses of an array to find out that nothing else points to it,
@@ -92,10 +104,11 @@ macro_rules! block {
     }};
     ($access:ident, $size:expr, $folder:ident::$module:ident $generics:tt, levels [$($level:literal)*] gpu $gpu:literal, $n:ident, $x:ident, $y:ident, $u:ident,
      $mode:ident, $inputs:ident, $reads:tt) => {{
-        let mut needed = 0;
+        let (mut needed, mut levels) = (0, [0; LANES]);
         for lane in 0..$n {
             let level: u32 = block!(@level $access, $folder::$module $generics, lane, $x, $y, $u, $mode, $inputs, $reads);
             needed |= level;
+            put_level(&mut levels, lane, level);
         }
         match needed {
             $($level => {
@@ -103,7 +116,7 @@ macro_rules! block {
                 for lane in 0..$n {
                     let record =
                         block!(@invoke $access, $folder::$module $generics, $level, lane, $x, $y, $u, $mode, $inputs, $reads);
-                    put(&mut outputs, lane, record);
+                    put(&mut outputs, lane, after!($access, $size, levels, lane, $inputs, record));
                 }
                 copy_out(&outputs, &$inputs, $n);
             })*
@@ -162,10 +175,11 @@ macro_rules! all_rows {
                 }
                 // SAFETY: rows of the chunk have `width` records, so `at + n` is at most their number.
                 let inputs = unsafe { record.at(at) };
-                let mut needed = 0;
+                let (mut needed, mut levels) = (0, [0; LANES]);
                 for lane in 0..n {
                     let level: u32 = block!(@level updates, $folder::$module $generics, lane, first, y, $u, $mode, inputs, $reads);
                     needed |= level;
+                    put_level(&mut levels, lane, level);
                 }
                 match needed {
                     0 => *rest = FOREVER,
@@ -195,7 +209,7 @@ macro_rules! all_rows {
                         for lane in 0..n {
                             let record =
                                 block!(@invoke updates, $folder::$module $generics, $level, lane, first, y, $u, $mode, inputs, $reads);
-                            put(&mut outputs, lane, record);
+                            put(&mut outputs, lane, after!(updates, $size, levels, lane, inputs, record));
                         }
                         copy_out(&outputs, &inputs, n);
                     })*
@@ -458,6 +472,29 @@ fn put<const N: usize>(lanes: &mut [[f32; LANES]; N], lane: usize, record: [f32;
         // SAFETY: `lane` counts to at most `LANES`. See `take`.
         unsafe { *lanes.get_unchecked_mut(lane) = component };
     }
+}
+
+/// Remembers the level that a lane needs.
+#[inline(always)]
+fn put_level(levels: &mut [u32; LANES], lane: usize, level: u32) {
+    // SAFETY: as in `put`.
+    unsafe { *levels.get_unchecked_mut(lane) = level };
+}
+
+/// The level that a lane needs.
+#[inline(always)]
+fn level_of(levels: &[u32; LANES], lane: usize) -> u32 {
+    // SAFETY: as in `put`.
+    unsafe { *levels.get_unchecked(lane) }
+}
+
+/// `record`, or what it was before.
+#[inline(always)]
+fn choose<const N: usize>(changed: bool, mut record: [f32; N], before: [f32; N]) -> [f32; N] {
+    for (component, before) in record.iter_mut().zip(before) {
+        *component = select(changed, *component, before);
+    }
+    record
 }
 
 #[inline(always)]

@@ -90,11 +90,11 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     sources: &[f32],
 ) -> [f32; sheet::SIZE] {
     let Drift { from, to, v, way, unrefracted } = drift(x, y, u, &node, sources);
-    let ended = node[sheet::TURNED] != 0.0;
     let mut out = v;
     let mut left = Vec3::new(node[sheet::FLUX], node[sheet::FLUX + 1], node[sheet::FLUX + 2]);
     let mut turned = false;
     if LEVEL == level::FULL {
+        // A lane that drifts is carried along with its block.
         let skipped = step_is_empty::<SECOND>(u, occupancy, from, to);
         let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
         let ior_to = voxel_coordinates(&u.ior_grid, to);
@@ -120,19 +120,17 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
             );
         }
     }
-    // A lane that needs less is carried along with its block; it must end up as if it had been alone.
-    let pick = |component: usize, next: f32| select(ended, node[component], next);
     [
-        pick(sheet::DISPLACEMENT_X, node[sheet::DISPLACEMENT_X] + way.0),
-        pick(sheet::DISPLACEMENT_X + 1, node[sheet::DISPLACEMENT_X + 1] + way.1),
-        pick(sheet::UNREFRACTED_X, node[sheet::UNREFRACTED_X] + unrefracted.0),
-        pick(sheet::UNREFRACTED_X + 1, node[sheet::UNREFRACTED_X + 1] + unrefracted.1),
-        pick(sheet::DIRECTION_X, out.x),
-        pick(sheet::DIRECTION_X + 1, out.y),
-        pick(sheet::DIRECTION_X + 2, out.z),
-        pick(sheet::FLUX, left.x),
-        pick(sheet::FLUX + 1, left.y),
-        pick(sheet::FLUX + 2, left.z),
-        pick(sheet::TURNED, select(turned, 1.0, node[sheet::TURNED])),
+        node[sheet::DISPLACEMENT_X] + way.0,
+        node[sheet::DISPLACEMENT_X + 1] + way.1,
+        node[sheet::UNREFRACTED_X] + unrefracted.0,
+        node[sheet::UNREFRACTED_X + 1] + unrefracted.1,
+        out.x,
+        out.y,
+        out.z,
+        left.x,
+        left.y,
+        left.z,
+        select(turned, 1.0, node[sheet::TURNED]),
     ]
 }

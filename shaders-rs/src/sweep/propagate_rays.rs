@@ -113,14 +113,13 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     r: [f32; ray::SIZE],
     voxels: &[u32],
     ior_voxels: &[u32],
-    occupancy: &[u32],
+    _occupancy: &[u32],
     tables: &[u32],
     irradiance_behind: &[f32],
 ) -> [f32; ray::SIZE] {
     let Flight { from, to, v, sigma } = fly(u, &r);
     let none = Hit { hit: false, at: 1.0, normal: v, color: v };
     let hit = if LEVEL == level::MEETING { first_between(u, from, to) } else { none };
-    let skipped = step_is_empty::<SECOND>(u, occupancy, from, to) & !hit.hit;
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let ior_to = voxel_coordinates(&u.ior_grid, to);
     let here = medium::<FORMAT, SECOND>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
@@ -193,28 +192,25 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let ended = hit.hit | ((1.0 - after.opacity) * clearest < OPAQUE);
     let fate = select(ended, status::ENDED, select(turned, status::TURNED, status::ACTIVE));
 
-    // A lane that needs less is carried along with its block; it must end up as if it had been alone.
-    let passes = skipped | (r[ray::STATUS] != status::ACTIVE);
-    let pick = |component: usize, next: f32| select(passes, r[component], next);
     [
-        pick(ray::X, select(moved, stay(&hit, lit.x, to.x), r[ray::X])),
-        pick(ray::Y, select(moved, stay(&hit, lit.y, to.y), r[ray::Y])),
-        pick(ray::DIRECTION_X, out.x),
-        pick(ray::DIRECTION_X + 1, out.y),
-        pick(ray::DIRECTION_X + 2, out.z),
-        pick(ray::FRONT, here.scalar),
-        pick(ray::STATUS, fate),
-        pick(ray::DEPTH, depth),
-        pick(ray::COLOR, after.color.x),
-        pick(ray::COLOR + 1, after.color.y),
-        pick(ray::COLOR + 2, after.color.z),
-        pick(ray::OPACITY, after.opacity),
-        pick(ray::MEDIUM, after.medium.x),
-        pick(ray::MEDIUM + 1, after.medium.y),
-        pick(ray::MEDIUM + 2, after.medium.z),
-        pick(ray::IOR, here.ior),
-        pick(ray::Z, select(moved, stay(&hit, lit.z, to.z), r[ray::Z])),
-        pick(ray::SAMPLED, to.z),
+        select(moved, stay(&hit, lit.x, to.x), r[ray::X]),
+        select(moved, stay(&hit, lit.y, to.y), r[ray::Y]),
+        out.x,
+        out.y,
+        out.z,
+        here.scalar,
+        fate,
+        depth,
+        after.color.x,
+        after.color.y,
+        after.color.z,
+        after.opacity,
+        after.medium.x,
+        after.medium.y,
+        after.medium.z,
+        here.ior,
+        select(moved, stay(&hit, lit.z, to.z), r[ray::Z]),
+        to.z,
     ]
 }
 

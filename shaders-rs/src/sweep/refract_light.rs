@@ -80,7 +80,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     arrived: [f32; record::SIZE],
     voxels: &[u32],
     ior_voxels: &[u32],
-    occupancy: &[u32],
+    _occupancy: &[u32],
     tables: &[u32],
     trace: &[f32],
 ) -> [f32; record::SIZE] {
@@ -89,7 +89,6 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let at = (y * u.size.z + x) as i32;
     let texels = (u.size.z * u.size.w) as i32;
     let (from, to) = ends(u, x, y, (read(trace, at), read(trace, texels + at)));
-    let skipped = step_is_empty::<SECOND>(u, occupancy, from, to);
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let here = medium::<FORMAT, SECOND>(
         (&u.grid, &u.ior_grid),
@@ -125,14 +124,13 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
         );
     }
     let left = flux * (medium * (clear * lost));
-    // A lane in empty space is carried along with its block; it must end up as if it had been alone.
     [
-        select(skipped, flux.x, left.x),
-        select(skipped, flux.y, left.y),
-        select(skipped, flux.z, left.z),
-        select(skipped, v.x, out.x),
-        select(skipped, v.y, out.y),
-        select(skipped, v.z, out.z),
+        left.x,
+        left.y,
+        left.z,
+        out.x,
+        out.y,
+        out.z,
         arrived[record::DISPLACEMENT_X],
         arrived[record::DISPLACEMENT_X + 1],
         arrived[record::CONCENTRATION],
