@@ -28,69 +28,69 @@ macro_rules! for_each_kernel {
             sweep_refract_light_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U8, false], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::U8, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_refract_light_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U16, false], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::U16, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_refract_light_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::F32, false], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::F32, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_refract_light_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::F32, true], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::F32, true], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_refract_light_u8_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U8_PAGED, false], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::U8_PAGED, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_refract_light_u16_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::U16_PAGED, false], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::U16_PAGED, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_refract_light_f32_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::F32_PAGED, false], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::F32_PAGED, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_refract_light_f32_with_ior_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
                 updates 6 [light::SIZE],
-                sweep::refract_light [format::F32_PAGED, true], levels [3] gpu 3 unoccluded, modes [0 1 2 4 5];
+                sweep::refract_light [format::F32_PAGED, true], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
             sweep_concentrate_light: SweepUniforms, [1 light: f32], writes 2 [irradiance::SIZE],
                 sweep::concentrate_light [], levels [1 3] gpu 3 unoccluded, modes [0];
             sweep_propagate_rays_u8: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U8, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::U8, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_propagate_rays_u16: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U16, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::U16, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_propagate_rays_f32: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::F32, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_propagate_rays_f32_with_ior: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32, true], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::F32, true], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_propagate_rays_u8_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U8_PAGED, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::U8_PAGED, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_propagate_rays_u16_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U16_PAGED, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::U16_PAGED, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_propagate_rays_f32_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32_PAGED, false], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::F32_PAGED, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_propagate_rays_f32_with_ior_paged: SweepUniforms,
                 [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
                 updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32_PAGED, true], levels [3 7 15] gpu 15 rests, modes [0 1 2 3 4 5];
+                sweep::propagate_rays [format::F32_PAGED, true], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
             sweep_initialize_sheet: SweepUniforms, [1 sources: f32], writes 2 [sheet::SIZE],
                 sweep::initialize_sheet [], plain, modes [0];
             sweep_advance_sheet_u8: SweepUniforms,

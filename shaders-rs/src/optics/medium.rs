@@ -31,6 +31,23 @@ pub fn share_inside(grid: &Grid, from: Vec3, to: Vec3) -> f32 {
     max(min(min(bx, by), bz) - max(max(ax, ay), az), 0.0)
 }
 
+/// Whether voxel coordinates `from` and `to` are half a voxel or more inside the grid's border: [`share_inside`] is then exactly 1.
+#[inline(always)]
+pub fn is_well_inside(grid: &Grid, from: Vec3, to: Vec3) -> bool {
+    is_between_voxels(grid, from) & is_between_voxels(grid, to)
+}
+
+/// Whether there are voxels on all sides of `at`.
+#[inline(always)]
+fn is_between_voxels(grid: &Grid, at: Vec3) -> bool {
+    (at.x >= 0.0)
+        & (at.x <= grid.size.x - 1.0)
+        & (at.y >= 0.0)
+        & (at.y <= grid.size.y - 1.0)
+        & (at.z >= 0.0)
+        & (at.z <= grid.size.z - 1.0)
+}
+
 /// Where a segment enters and leaves −½ … size − ½ along one axis, 0 to 1.
 #[inline(always)]
 fn slab(from: f32, to: f32, size: f32) -> (f32, f32) {

@@ -9,7 +9,7 @@ use crate::field::tables::{ior, segment, segment_of_particles};
 use crate::math::{length, lerp, max, min, select, xyz};
 use crate::optics::clip::keep;
 use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
-use crate::optics::medium::{medium, share_inside};
+use crate::optics::medium::{is_well_inside, medium, share_inside};
 use crate::optics::receiver::{Hit, first_between, free_steps, radiance, shade, unoccluded};
 use crate::optics::specular::cook_torrance;
 use crate::optics::step::{flight, turn};
@@ -21,12 +21,14 @@ pub mod level {
     pub const ENDED: u32 = 0;
     /// It flies on through empty space, meets no receiver, and its record stays as it is.
     pub const EMPTY: u32 = 1;
-    /// The scalar at its position is known.
+    /// The scalar at its position is known, and its segment is well inside the grid.
     pub const FULL: u32 = 3;
+    /// Its segment may be outside in part.
+    pub const BORDER: u32 = 7;
     /// It comes from empty space, where its scalar was not sampled.
-    pub const ENTERING: u32 = 7;
+    pub const ENTERING: u32 = 15;
     /// It meets a receiver.
-    pub const MEETING: u32 = 15;
+    pub const MEETING: u32 = 31;
 }
 
 /// Rays that let less than this through have ended.
@@ -73,7 +75,10 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     let flight = fly(u, &r);
     let hit = first_between(u, flight.from, flight.to);
     let empty = step_is_empty::<SECOND>(u, occupancy, flight.from, flight.to);
-    let sampled = if is_unknown(u, &r) { level::ENTERING } else { level::FULL };
+    let within =
+        is_well_inside(&u.grid, voxel_coordinates(&u.grid, flight.from), voxel_coordinates(&u.grid, flight.to));
+    let known = if within { level::FULL } else { level::BORDER };
+    let sampled = if is_unknown(u, &r) { level::ENTERING } else { known };
     let crossing = if empty { level::EMPTY } else { sampled };
     let needed = if hit.hit { level::MEETING } else { crossing };
     if r[ray::STATUS] == status::ACTIVE { needed } else { level::ENDED }
@@ -142,7 +147,8 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     // The segment ends on a receiver if it meets one.
     let part = select(hit.hit, min(hit.at, 1.0), 1.0);
     let kept = keep(u, from, to);
-    let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * part * u.plane.w;
+    let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
+    let path = length(to - from) * inside * part * u.plane.w;
     let layer = if mode::is_clear(chosen) {
         layer_of_particles(&segment_of_particles(tables, front, here.scalar), path * kept.particles)
     } else {

@@ -12,7 +12,7 @@ use crate::field::unoccluded::{self, Reach, Unoccluded};
 use crate::math::{exp, length, max, select};
 use crate::optics::clip::keep;
 use crate::optics::composite::layer;
-use crate::optics::medium::{medium, share_inside};
+use crate::optics::medium::{is_well_inside, medium, share_inside};
 use crate::optics::step::turn;
 use spirv_std::glam::Vec3;
 
@@ -20,8 +20,10 @@ use spirv_std::glam::Vec3;
 pub mod level {
     /// The light crosses empty space: its record stays as it is.
     pub const EMPTY: u32 = 1;
-    /// The light may be attenuated and bent.
+    /// The light may be attenuated and bent, well inside the grid.
     pub const FULL: u32 = 3;
+    /// Its segment may be outside in part.
+    pub const BORDER: u32 = 7;
 }
 
 /// The texel's segment: from where its light comes, `way` texels before it, to where it is.
@@ -46,14 +48,16 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     trace: &[f32],
 ) -> u32 {
     if !holds(u, trace, traced::SIZE) {
-        return level::FULL;
+        return level::BORDER;
     }
     let base = (y * u.size.z) as i32;
     let texels = (u.size.z * u.size.w) as i32;
     // SAFETY: (x, y) lies in the grid, and the grid in the buffer.
     let way = unsafe { (read_inside(trace, base, x), read_inside(trace, texels + base, x)) };
     let (from, to) = ends(u, x, y, way);
-    if step_is_empty::<SECOND>(u, occupancy, from, to) { level::EMPTY } else { level::FULL }
+    let within = is_well_inside(&u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
+    let crossing = if within { level::FULL } else { level::BORDER };
+    if step_is_empty::<SECOND>(u, occupancy, from, to) { level::EMPTY } else { crossing }
 }
 
 /// Unoccluded light stays what it is as long as nothing is in its way: see [`free_steps`].
@@ -101,7 +105,8 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     );
     let front = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
     let kept = keep(u, from, to);
-    let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.plane.w;
+    let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
+    let path = length(to - from) * inside * u.plane.w;
     let (clear, medium) = if mode::is_clear(chosen) {
         let depth = attenuation_of_particles(tables, front, here.scalar);
         (exp(-(depth * (path * kept.particles))), Vec3::new(1.0, 1.0, 1.0))
