@@ -15,7 +15,7 @@ pub struct Segment {
     pub particles: f32,
     /// Optical depth of the medium for each colour, κ.
     pub medium: Vec3,
-    /// τ · particle colour, q. Zero in [`attenuation`].
+    /// τ · particle colour, q. Zero where only attenuation is asked for.
     pub emission: Vec3,
 }
 
@@ -72,11 +72,11 @@ fn interpolate(tables: &[u32], cell: &Cell, word: i32) -> (f32, f32) {
     (mix(w00, w01, w10, w11), mix(w00 >> 16, w01 >> 16, w10 >> 16, w11 >> 16))
 }
 
-/// Attenuation between the scalars `front` and `back` where the medium is clear everywhere.
+/// As [`attenuation`], where the medium is clear everywhere.
 #[inline(always)]
-pub fn attenuation_of_particles(tables: &[u32], front: f32, back: f32) -> f32 {
-    let cell = cell(front, back);
-    interpolate(tables, &cell, 0).0
+pub fn attenuation_of_particles(tables: &[u32], front: f32, back: f32) -> Segment {
+    let nothing = Vec3::new(0.0, 0.0, 0.0);
+    Segment { particles: interpolate(tables, &cell(front, back), 0).0, medium: nothing, emission: nothing }
 }
 
 /// Attenuation between the scalars `front` and `back`: what light needs.

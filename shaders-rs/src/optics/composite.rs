@@ -33,20 +33,13 @@ pub struct Layer {
 /// 1 − α = e^(−τℓ), m = e^(−κℓ), α c = q ℓ (1 − e^(−τℓ)) / (τℓ).
 #[inline(always)]
 pub fn layer(segment: &Segment, particle_length: f32, medium_length: f32) -> Layer {
-    let depth = segment.particles * particle_length;
-    let clear = exp(-depth);
-    let opacity = 1.0 - clear;
-    // q/τ is the mean colour; where nothing is there, q is 0 too.
-    let scale = opacity / max(segment.particles, 1e-12);
     Layer {
-        clear,
-        opacity,
         medium: Vec3::new(
             exp(-(segment.medium.x * medium_length)),
             exp(-(segment.medium.y * medium_length)),
             exp(-(segment.medium.z * medium_length)),
         ),
-        color: segment.emission * scale,
+        ..layer_of_particles(segment, particle_length)
     }
 }
 
@@ -55,6 +48,7 @@ pub fn layer(segment: &Segment, particle_length: f32, medium_length: f32) -> Lay
 pub fn layer_of_particles(segment: &Segment, particle_length: f32) -> Layer {
     let clear = exp(-(segment.particles * particle_length));
     let opacity = 1.0 - clear;
+    // q/τ is the mean colour; where nothing is there, q is 0 too.
     let scale = opacity / max(segment.particles, 1e-12);
     Layer { clear, opacity, medium: Vec3::new(1.0, 1.0, 1.0), color: segment.emission * scale }
 }

@@ -9,9 +9,9 @@ use crate::field::light::{holds, texel_position};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::field::unoccluded::{self, Reach, Unoccluded};
-use crate::math::{exp, length, max, select};
+use crate::math::{length, max, select};
 use crate::optics::clip::keep;
-use crate::optics::composite::layer;
+use crate::optics::composite::{layer, layer_of_particles};
 use crate::optics::medium::{is_well_inside, medium, share_inside};
 use crate::optics::step::turn;
 use spirv_std::glam::Vec3;
@@ -107,12 +107,10 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let kept = keep(u, from, to);
     let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
     let path = length(to - from) * inside * u.plane.w;
-    let (clear, medium) = if mode::is_clear(chosen) {
-        let depth = attenuation_of_particles(tables, front, here.scalar);
-        (exp(-(depth * (path * kept.particles))), Vec3::new(1.0, 1.0, 1.0))
+    let layer = if mode::is_clear(chosen) {
+        layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles)
     } else {
-        let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
-        (layer.clear, layer.medium)
+        layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium)
     };
 
     let mut out = v;
@@ -128,7 +126,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
             select(turn.turned, v.z, turn.direction.z),
         );
     }
-    let left = flux * (medium * (clear * lost));
+    let left = flux * (layer.medium * (layer.clear * lost));
     [
         left.x,
         left.y,

@@ -28,6 +28,7 @@ pub fn pixel(width: u32, height: u32, x: u32, y: u32) -> (u32, u32) {
 /// The number of the ray of pixel (x, y) of a picture of `width` × `height` pixels.
 #[inline(always)]
 pub fn ray(width: u32, height: u32, x: u32, y: u32) -> u32 {
+    // The same exchange of rows and columns as in `pixel`. Calling that here instead put rays on wrong pixels on the GPU.
     let (across, down) = (x % RAYS, y % TILE);
     if is_tiled(width, height, x, y) {
         (y - down + across / TILE) * width + (x - across + down * TILE + across % TILE)

@@ -229,9 +229,7 @@ impl Backend for CpuBackend {
     }
 
     fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
-        let contents: &[u8] = bytemuck::cast_slice(self.words(buffer)?);
-        check_part(start, bytes, Some(contents.len() as u64))?;
-        Ok(contents[start as usize..][..bytes as usize].to_vec())
+        Ok(self.part(buffer, start, bytes)?.to_vec())
     }
 
     fn look(
@@ -241,9 +239,7 @@ impl Backend for CpuBackend {
         bytes: u64,
         see: &mut (dyn FnMut(&[u8]) + Send),
     ) -> Result<(), BackendError> {
-        let contents: &[u8] = bytemuck::cast_slice(self.words(buffer)?);
-        check_part(start, bytes, Some(contents.len() as u64))?;
-        let part = &contents[start as usize..][..bytes as usize];
+        let part = self.part(buffer, start, bytes)?;
         self.pool.install(|| see(part));
         Ok(())
     }
@@ -269,6 +265,13 @@ impl CpuBackend {
     fn words(&self, buffer: Buffer) -> Result<&[u32], BackendError> {
         let freed = || BackendError::Misuse { kernel: "-", what: format!("buffer {} is freed", buffer.0) };
         self.memory.buffers[buffer.0].as_deref().ok_or_else(freed)
+    }
+
+    /// `bytes` bytes of a buffer from byte `start` on.
+    fn part(&self, buffer: Buffer, start: u64, bytes: u64) -> Result<&[u8], BackendError> {
+        let contents: &[u8] = bytemuck::cast_slice(self.words(buffer)?);
+        check_part(start, bytes, Some(contents.len() as u64))?;
+        Ok(&contents[start as usize..][..bytes as usize])
     }
 
     fn zeros(&self, label: &str, bytes: u64) -> Result<Vec<u32>, BackendError> {
