@@ -4,8 +4,8 @@ python3 rendering_times.py VITRUM [--volume FILE] [--size 512] [--voxels 256] [-
 
 VITRUM is the program. Needs numpy and vtk, and a machine where VTK finds a window to render off screen in (EGL or X). Both use all
 processors, the same voxels, transfer functions and camera, and a light from the same side; VTK's sample distance is a voxel. The voxels are
-those of `builtin:phantom`; or those of FILE, a cube of bytes that Vitrum reads, x to the right, z up and seen from the front, with the
-phantom's transfer functions.
+those of `builtin:phantom`; or those of FILE, a cube of bytes that Vitrum reads, with x to the right, z up and the least y in front, and the
+phantom's transfer functions. FOLDER is where the pictures go, to compare what the programs show.
 """
 import argparse, json, os, statistics, subprocess, tempfile, time
 
@@ -120,7 +120,7 @@ class Caster:
 
 
 def of_file(program, path, folder):
-    """The voxels of a file, z slowest, with z towards the viewer and y up, and the settings that make Vitrum's scenes show them so."""
+    """The voxels of a file, z slowest, turned so that z is towards the viewer and y up, and a file of them that Vitrum shows so."""
     converted = os.path.join(folder, "volume.npy")
     subprocess.run([program, "convert", path, "-o", converted], check=True, capture_output=True)
     voxels = numpy.load(converted)
@@ -167,7 +167,8 @@ def main():
     parser.add_argument("--pictures")
     arguments = parser.parse_args()
     program, size, frames = arguments.vitrum, arguments.size, arguments.frames
-    folder = arguments.pictures or tempfile.mkdtemp()
+    rubbish = tempfile.TemporaryDirectory()
+    folder = arguments.pictures or rubbish.name
     os.makedirs(folder, exist_ok=True)
     if arguments.volume:
         voxels, file = of_file(program, arguments.volume, folder)
