@@ -1,7 +1,7 @@
 //! What a scene names, read.
 
 use crate::builtin;
-use crate::render::Error;
+use crate::error::Error;
 use crate::scene::{EnvironmentKind, MeshSource, Scene, VolumeSource};
 use std::path::Path;
 use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Up, Volume, Voxels};

@@ -6,21 +6,23 @@
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
 pub mod backend;
-mod blend;
 pub mod builtin;
-mod frame;
+mod error;
+mod film;
 mod inputs;
-mod mesh_frame;
 pub mod method;
 pub mod preset;
 mod render;
+mod request;
 pub mod scene;
 mod session;
-pub mod spectrum;
 
-pub use frame::{Frame, Output, Statistics};
+pub use error::Error;
+pub use film::{Frame, Output, Statistics};
 pub use inputs::{Inputs, load_mesh, load_volume};
-pub use render::{Error, Progress, Wanted, check, render, render_wanted};
+pub use method::sweep::spectrum;
+pub use render::{check, render, render_wanted};
+pub use request::{Progress, Wanted};
 pub use session::{Fallback, Session};
 pub use vitrum_io as io;
 pub use vitrum_io::suggest;

@@ -1,15 +1,16 @@
 //! Frames of one volume after another: what does not change stays on the backend.
 
 use crate::backend::{Backend, BackendError};
-use crate::blend::Blend;
-use crate::frame::Frame;
+use crate::error::Error;
+use crate::film::Frame;
 use crate::inputs::Inputs;
-use crate::mesh_frame;
 use crate::method::mesh_volumes::MeshVolumes;
+use crate::method::sweep::blend::Blend;
+use crate::method::sweep::film::{develop, expose};
+use crate::method::sweep::spectrum::exposures;
 use crate::method::{sweep, voxels};
-use crate::render::{Error, Progress, Wanted, develop, expose};
+use crate::request::{Progress, Wanted};
 use crate::scene::{Method, Scene};
-use crate::spectrum::exposures;
 use std::time::Instant;
 
 /// Volumes on a backend, to be rendered again and again while camera, light and transfer functions change.
@@ -142,7 +143,7 @@ impl<'a> Session<'a> {
                 (&shown.inputs, &*volumes, &of_mesh)
             }
             Uploaded::Mesh(mesh) => {
-                return mesh_frame::render(scene, self.inputs, mesh, self.backend.get(), progress);
+                return voxels::film::render(scene, self.inputs, mesh, self.backend.get(), progress);
             }
         };
         let exposures = exposures(scene);

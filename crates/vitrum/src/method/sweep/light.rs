@@ -1,9 +1,9 @@
 //! The light's direction and its grid.
 
 use super::planes::Planes;
+use crate::error::Error;
 use crate::method::view::light::travels;
 use crate::method::view::{View, corners};
-use crate::render::Error;
 use crate::scene::{Light, Scene};
 use glam::{DVec2, DVec3};
 use vitrum_io::Volume;

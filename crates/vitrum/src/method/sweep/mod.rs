@@ -3,7 +3,9 @@
 //! [`Sweep::prepare`] turns a scene into tables, buffers and a pass list; [`Sweep::run`] hands the list to the backend;
 //! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
+pub(crate) mod blend;
 mod carrier;
+pub(crate) mod film;
 mod hull;
 mod kept;
 mod light;
@@ -12,23 +14,27 @@ mod paging;
 mod passes;
 mod planes;
 mod sheets;
+mod sources;
+pub mod spectrum;
 mod tables;
 mod texels;
 mod uniforms;
 mod unoccluded;
+mod uploaded;
 mod voxels;
 mod window;
 
 pub use crate::method::view::View;
 pub use light::LightGrid;
-pub use passes::Uploaded;
 pub use planes::Planes;
 pub use tables::Tables;
 pub use uniforms::check;
+pub use uploaded::Uploaded;
 
 use crate::backend::{Backend, BackendError, Buffer, PassList};
+use crate::error::Error;
 use crate::inputs::Inputs;
-use crate::render::{Error, Wanted};
+use crate::request::Wanted;
 use crate::scene::Scene;
 use kept::Kept;
 use uniforms::Fixed;

@@ -2,19 +2,20 @@
 
 use super::Buffers;
 use super::carrier::{Carrier, Maker, Volumes};
-use super::occupancy::{Question, Ranges, Role};
+use super::occupancy::{Question, Role};
 use super::paging::{Needs, pools};
 use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::Fixed;
 use super::unoccluded::Unoccluded;
-use super::voxels::{bricks, chosen_format, fit, upload};
+use super::uploaded::{Uploaded, volumes};
+use super::voxels::bricks;
 use crate::backend::{Backend, BackendError, Buffer, PassList, WhileBusy, Write};
+use crate::error::Error;
 use crate::inputs::Inputs;
-use crate::render::{Error, Wanted};
+use crate::request::Wanted;
 use glam::DVec3;
 use std::collections::BTreeSet;
-use vitrum_io::Volume;
 use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::kernel::{Kernel, kernels};
@@ -31,68 +32,6 @@ fn ray_kernel(stored: u32) -> &'static Kernel {
         format::F32_WITH_IOR_PAGED => &kernels::sweep_propagate_rays_f32_with_ior_paged,
         _ => &kernels::sweep_propagate_rays_f32_with_ior,
     }
-}
-
-/// A frame's voxels on a backend: what stays the same while scene and camera change.
-#[derive(Debug)]
-pub struct Uploaded {
-    /// The volume's voxels and the second one's, or the same again; none if they come and go in the course of a frame.
-    voxels: Option<[Buffer; 2]>,
-    /// One of [`format`].
-    pub(super) format: u32,
-    /// Whether streamed voxels take as little memory as they can, not as much as they may.
-    pub(super) tight: bool,
-    ranges: Ranges,
-    /// The second volume's.
-    ior_ranges: Option<Ranges>,
-}
-
-impl Uploaded {
-    /// Hands the volumes to the backend, unless that is more than it may have at once.
-    ///
-    /// # Errors
-    /// If the backend fails.
-    pub fn new(inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
-        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
-        let format = chosen_format(shown, bending);
-        if !fit(&volumes(inputs), format, backend) {
-            return Ok(Self { tight: false, ..Self::streamed(inputs) });
-        }
-        let voxels = upload(shown, format, backend)?;
-        let ior_voxels = match bending.map(|bending| upload(bending, format, backend)) {
-            None => voxels,
-            Some(Ok(ior_voxels)) => ior_voxels,
-            Some(Err(error)) => {
-                backend.free(voxels);
-                return Err(error.into());
-            }
-        };
-        let ior_ranges = bending.map(Ranges::new);
-        let ranges = Ranges::new(shown);
-        Ok(Self { voxels: Some([voxels, ior_voxels]), format, tight: false, ranges, ior_ranges })
-    }
-
-    /// Streams the volumes in as little memory as that takes, however small they are.
-    #[must_use]
-    pub fn streamed(inputs: &Inputs) -> Self {
-        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
-        let format = format::paged(chosen_format(shown, bending));
-        Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
-    }
-
-    /// Frees the buffers.
-    pub fn free(&self, backend: &mut dyn Backend) {
-        let Some([voxels, ior_voxels]) = self.voxels else { return };
-        backend.free(voxels);
-        if ior_voxels != voxels {
-            backend.free(ior_voxels);
-        }
-    }
-}
-
-/// The volume that is shown, and the second one if there is one.
-fn volumes(inputs: &Inputs) -> Vec<&Volume> {
-    std::iter::once(&inputs.volume).chain(&inputs.ior_volume).collect()
 }
 
 /// Uploads what else a frame needs and lists its passes. Buffers are added to `created` as they are made.

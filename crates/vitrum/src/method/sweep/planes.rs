@@ -1,8 +1,8 @@
 //! The planes of a sweep.
 
+use crate::error::Error;
 use crate::method::view::receivers::Receivers;
 use crate::method::view::{View, bounding_sphere, corners};
-use crate::render::Error;
 use crate::scene::Scene;
 use glam::DVec3;
 use vitrum_io::Volume;

@@ -1,6 +1,5 @@
 //! Volumes as kernels read them: the voxels as they came, x fastest, as words.
 
-use super::paging::count;
 use crate::backend::{Backend, BackendError, Buffer};
 use crate::method::view::{View, vector, voxel_steps};
 use bytemuck::cast_slice_mut;
@@ -71,6 +70,11 @@ pub(super) fn bricks(volume: &Volume) -> [u32; 3] {
     volume.dimensions.map(|n| n.div_ceil(1 << shift))
 }
 
+/// Pages of a streamed volume along each axis.
+pub(super) fn pages(dimensions: [u32; 3]) -> [u32; 3] {
+    dimensions.map(|n| (n >> page::SHIFT) + 1)
+}
+
 /// What a stored value is multiplied by, and what is added then, for the normalised scalar.
 pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
     let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
@@ -94,7 +98,7 @@ pub(super) fn grid(volume: &Volume, stored: u32, view: &View, reach: u32, first_
     let [width, height, depth] = volume.dimensions;
     let [factor, summand] = normalisation(volume);
     let [bx, by, bz] = bricks(volume).map(|n| n as i32);
-    let [px, py, pz] = count(volume.dimensions).map(|n| n as i32);
+    let [px, py, pz] = pages(volume.dimensions).map(|n| n as i32);
     Grid {
         row_x: row(0),
         row_y: row(1),

@@ -1,7 +1,7 @@
 //! The direction of the light, as the camera has it.
 
 use super::{View, from_angles, vector};
-use crate::render::Error;
+use crate::error::Error;
 use crate::scene::{Attachment, Light};
 use glam::DVec3;
 

@@ -1,7 +1,7 @@
 //! The grid around a mesh.
 
-use super::Settings;
-use crate::render::Error;
+use super::settings::Settings;
+use crate::error::Error;
 use vitrum_io::Mesh;
 
 /// The most voxels along a mesh's longest edge.

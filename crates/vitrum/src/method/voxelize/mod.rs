@@ -5,59 +5,26 @@ pub(in crate::method) mod columns;
 mod fixed;
 mod grid;
 pub(in crate::method) mod items;
+mod settings;
 mod solid;
+mod stage;
 mod surface;
 pub(in crate::method) mod triangles;
 
 pub use grid::{Grid, MOST_PADDING, MOST_VOXELS};
+pub use settings::{FillRule, Settings};
 pub use solid::Solid;
 pub use surface::{Attributes, Mask};
 
-use crate::backend::{Backend, PassList};
-use crate::render::Error;
+use crate::backend::Backend;
+use crate::error::Error;
 use items::{Held, Plan};
 use serde::Serialize;
 use solid::Body;
+use stage::Stage;
 use std::time::Instant;
 use surface::Surface;
 use vitrum_io::Mesh;
-
-/// What is inside a surface that crosses itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum FillRule {
-    /// Where the surface winds about a point at all: where bodies overlap is inside, and a cavity is where a part within faces the
-    /// other way. Which way the surface as a whole faces does not matter.
-    #[default]
-    Nonzero,
-    /// Where it takes an odd number of crossings to get out: where two bodies overlap is outside, whichever way they face.
-    EvenOdd,
-}
-
-/// How a mesh becomes voxels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
-    /// Voxels along the mesh's longest edge, from 1.
-    pub resolution: u32,
-    /// Empty voxels around the mesh.
-    pub padding: u32,
-    /// By how much a voxel reaches over its neighbours for the surface, as a part of its edge, 0 to 1 (§4.1.1 of the paper, which
-    /// enlarges slices along their axis alone).
-    pub overlap: f32,
-    /// Whether the voxels that triangles meet are marked.
-    pub surface: bool,
-    /// Whether counts, normals, colours and materials are summed up; implies `surface`.
-    pub attributes: bool,
-    /// Whether and how the inside is filled.
-    pub solid: Option<FillRule>,
-}
-
-impl Settings {
-    /// The surface alone.
-    #[must_use]
-    pub fn new(resolution: u32) -> Self {
-        Self { resolution, padding: 1, overlap: 0.0, surface: true, attributes: false, solid: None }
-    }
-}
 
 /// What there is to tell about a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -98,25 +65,6 @@ pub struct Voxelization {
     pub solid: Option<Solid>,
     /// Times and counts.
     pub statistics: Statistics,
-}
-
-/// Work done, and told.
-struct Stage<'a> {
-    done: u64,
-    total: u64,
-    items: u64,
-    progress: &'a mut dyn FnMut(u64, u64) -> bool,
-}
-
-impl Stage<'_> {
-    /// Runs passes of `items` items that are so much of the `work`.
-    fn run(&mut self, backend: &mut dyn Backend, passes: &PassList, work: u64, items: u64) -> Result<(), Error> {
-        let (progress, done, total) = (&mut *self.progress, self.done, self.total);
-        backend.run(passes, &mut |_| progress(done, total))?;
-        self.done += work;
-        self.items += items;
-        Ok(())
-    }
 }
 
 /// Makes voxels of a mesh. The result does not depend on the backend, nor on the order of the triangles.

@@ -2,9 +2,11 @@
 
 use super::grid::Grid;
 use super::items::{Batch, Held, Plan, Slices, pass};
-use super::{FillRule, Stage, columns, triangles};
+use super::settings::FillRule;
+use super::stage::Stage;
+use super::{columns, triangles};
 use crate::backend::Buffer;
-use crate::render::Error;
+use crate::error::Error;
 use bytemuck::{cast_slice, pod_collect_to_vec};
 use rayon::prelude::*;
 use vitrum_io::Mesh;

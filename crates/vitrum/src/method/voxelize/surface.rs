@@ -3,9 +3,10 @@
 use super::fixed::Fixed;
 use super::grid::Grid;
 use super::items::{Held, Plan, Slices, pass};
-use super::{Stage, triangles};
+use super::stage::Stage;
+use super::triangles;
 use crate::backend::{Backend, Buffer};
-use crate::render::Error;
+use crate::error::Error;
 use bytemuck::cast_slice;
 use rayon::prelude::*;
 use std::ops::Range;

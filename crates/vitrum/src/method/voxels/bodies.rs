@@ -1,6 +1,6 @@
 //! The mesh, apart by material.
 
-use crate::render::Error;
+use crate::error::Error;
 use crate::scene::{Material, Scene};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::{AIR, material};

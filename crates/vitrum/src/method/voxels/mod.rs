@@ -8,6 +8,7 @@ pub(in crate::method) mod bodies;
 mod bricks;
 mod distances;
 mod fields;
+pub(crate) mod film;
 mod looks;
 mod normals;
 mod passes;

@@ -3,8 +3,8 @@
 use super::bodies::Body;
 use super::{distances, fields};
 use crate::backend::Backend;
+use crate::error::Error;
 use crate::method::voxelize::{FillRule, Grid, Settings, voxelize_in};
-use crate::render::Error;
 
 pub(in crate::method) use super::distances::BAND;
 

@@ -2,8 +2,8 @@
 
 use super::bodies::Body;
 use super::normals::of_corners;
+use crate::error::Error;
 use crate::method::voxelize::Grid;
-use crate::render::Error;
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::Bvh;

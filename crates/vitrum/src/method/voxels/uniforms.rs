@@ -2,7 +2,7 @@
 
 use super::shadow::Lookup;
 use super::uploaded::Uploaded;
-use crate::method::sweep::View;
+use crate::method::view::View;
 use crate::method::view::environment::Prepared;
 use crate::method::view::receivers::Receivers;
 use crate::method::voxelize::Grid;

@@ -4,7 +4,7 @@
 use super::needs::Needs;
 use super::schedule::{Batch, busiest, schedule};
 use crate::backend::{Backend, BackendError, Buffer, Fill, Write};
-use crate::method::sweep::passes::Uploaded;
+use crate::method::sweep::uploaded::Uploaded;
 use crate::method::sweep::voxels::bytes;
 use bytemuck::Pod;
 use rayon::prelude::*;
@@ -17,11 +17,6 @@ const WORDS_PER_WRITE: usize = 1 << 22;
 
 /// Entries of the table that are written again rather than begin another write.
 const ENTRIES_BETWEEN: u32 = 256;
-
-/// Pages along each axis.
-pub(in crate::method::sweep) fn count(dimensions: [u32; 3]) -> [u32; 3] {
-    dimensions.map(|n| (n >> page::SHIFT) + 1)
-}
 
 /// A volume's buffer, and when pages come to it.
 pub(in crate::method::sweep) struct Pool {

@@ -5,11 +5,11 @@ mod passes;
 
 use super::bodies::Body;
 use crate::backend::{Backend, Buffer};
+use crate::error::Error;
 use crate::inputs::Inputs;
-use crate::method::sweep::View;
+use crate::method::view::View;
 use crate::method::view::light::travels;
 use crate::method::voxelize::{Grid, Settings};
-use crate::render::Error;
 use crate::scene::{Coefficient, Scene};
 use casters::Caster;
 use glam::{DMat3, DVec3};

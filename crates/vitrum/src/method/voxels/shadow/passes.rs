@@ -3,11 +3,11 @@
 use super::Cast;
 use super::casters::{Caster, Turned};
 use crate::backend::{Backend, Buffer, Pass, PassList};
+use crate::error::Error;
 use crate::method::voxelize::Grid;
 use crate::method::voxelize::columns::{scale, slices};
 use crate::method::voxelize::items::{Batch, Held, Plan, dispatch, pass};
 use crate::method::voxelize::triangles;
-use crate::render::Error;
 use crate::scene::Coefficient;
 use bytemuck::{bytes_of, cast_slice};
 use rayon::prelude::*;

@@ -1,9 +1,9 @@
 //! Exposures to bands of the spectrum, put together.
 
+use super::film::Exposure;
+use super::spectrum::Band;
 use crate::backend::times::merge;
-use crate::render::Exposure;
 use crate::scene::YELLOW;
-use crate::spectrum::Band;
 use vitrum_kernels::abi::record::film;
 
 /// What was put together so far.

@@ -1,10 +1,12 @@
 //! A frame of a mesh.
 
+use super::passes::Rays;
+use super::uploaded::Uploaded;
 use crate::backend::Backend;
-use crate::frame::{self, Frame, Pixel, Statistics, rgb, rgba, xyz};
+use crate::error::Error;
+use crate::film::{self, Frame, Pixel, Statistics, rgb, rgba, xyz};
 use crate::inputs::Inputs;
-use crate::method::voxels::{Rays, Uploaded};
-use crate::render::{Error, Progress};
+use crate::request::Progress;
 use crate::scene::Scene;
 use std::time::Instant;
 use vitrum_io::Layer;
@@ -64,7 +66,7 @@ pub(crate) fn render(
 
 fn layers(scene: &Scene, records: &[f32]) -> Vec<Layer> {
     let size = [scene.film.width, scene.film.height];
-    let rays = frame::Rays { records, size, edge: scene.film.supersampling };
+    let rays = film::Rays { records, size, edge: scene.film.supersampling };
     vec![
         rays.layer("color", Pixel::Mean, rgba(view::COLOR)),
         rays.layer("depth", Pixel::Present, [("Z", view::DEPTH)]),

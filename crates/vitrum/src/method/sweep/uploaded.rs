@@ -1,0 +1,71 @@
+//! The volumes of a frame on a backend.
+
+use super::occupancy::Ranges;
+use super::voxels::{chosen_format, fit, upload};
+use crate::backend::{Backend, Buffer};
+use crate::error::Error;
+use crate::inputs::Inputs;
+use vitrum_io::Volume;
+use vitrum_kernels::abi::grid::format;
+
+/// A frame's voxels on a backend: what stays the same while scene and camera change.
+#[derive(Debug)]
+pub struct Uploaded {
+    /// The volume's voxels and the second one's, or the same again; none if they come and go in the course of a frame.
+    pub(super) voxels: Option<[Buffer; 2]>,
+    /// One of [`format`].
+    pub(super) format: u32,
+    /// Whether streamed voxels take as little memory as they can, not as much as they may.
+    pub(super) tight: bool,
+    pub(super) ranges: Ranges,
+    /// The second volume's.
+    pub(super) ior_ranges: Option<Ranges>,
+}
+
+impl Uploaded {
+    /// Hands the volumes to the backend, unless that is more than it may have at once.
+    ///
+    /// # Errors
+    /// If the backend fails.
+    pub fn new(inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
+        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
+        let format = chosen_format(shown, bending);
+        if !fit(&volumes(inputs), format, backend) {
+            return Ok(Self { tight: false, ..Self::streamed(inputs) });
+        }
+        let voxels = upload(shown, format, backend)?;
+        let ior_voxels = match bending.map(|bending| upload(bending, format, backend)) {
+            None => voxels,
+            Some(Ok(ior_voxels)) => ior_voxels,
+            Some(Err(error)) => {
+                backend.free(voxels);
+                return Err(error.into());
+            }
+        };
+        let ior_ranges = bending.map(Ranges::new);
+        let ranges = Ranges::new(shown);
+        Ok(Self { voxels: Some([voxels, ior_voxels]), format, tight: false, ranges, ior_ranges })
+    }
+
+    /// Streams the volumes in as little memory as that takes, however small they are.
+    #[must_use]
+    pub fn streamed(inputs: &Inputs) -> Self {
+        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
+        let format = format::paged(chosen_format(shown, bending));
+        Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
+    }
+
+    /// Frees the buffers.
+    pub fn free(&self, backend: &mut dyn Backend) {
+        let Some([voxels, ior_voxels]) = self.voxels else { return };
+        backend.free(voxels);
+        if ior_voxels != voxels {
+            backend.free(ior_voxels);
+        }
+    }
+}
+
+/// The volume that is shown, and the second one if there is one.
+pub(super) fn volumes(inputs: &Inputs) -> Vec<&Volume> {
+    std::iter::once(&inputs.volume).chain(&inputs.ior_volume).collect()
+}
