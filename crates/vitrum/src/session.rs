@@ -36,16 +36,6 @@ enum Uploaded {
     MeshVolumes(Box<MeshVolumes>, sweep::Uploaded),
 }
 
-impl Uploaded {
-    fn free(self, backend: &mut dyn Backend) {
-        match self {
-            Self::Volumes(volumes) => volumes.free(backend),
-            Self::Mesh(mesh) => mesh.into_iter().for_each(|mesh| mesh.free(backend)),
-            Self::MeshVolumes(_, volumes) => volumes.free(backend),
-        }
-    }
-}
-
 /// A backend, the caller's or the session's own.
 enum Held<'a> {
     Borrowed(&'a mut dyn Backend),
@@ -161,7 +151,6 @@ impl<'a> Session<'a> {
             if result.is_ok() && index + 1 == count {
                 frame = blend.exposure.take().map(|whole| develop(scene, &sweep, &whole, backend, upload_ms));
             }
-            sweep.free(backend);
             result?;
         }
         let mut frame = frame.expect("a scene has at least one exposure");
@@ -186,7 +175,7 @@ impl<'a> Session<'a> {
             return Ok(());
         }
         let backend = self.backend.get();
-        std::mem::replace(&mut self.uploaded, Uploaded::Mesh(None)).free(backend);
+        self.uploaded = Uploaded::Mesh(None);
         if scene.method == Method::Sweep {
             // How long that takes beside the sweep is not known, so that it counts for nothing.
             let mut wait = |_, _| progress(Progress { done: 0, total: 1 });
@@ -195,11 +184,5 @@ impl<'a> Session<'a> {
             self.uploaded = Uploaded::MeshVolumes(Box::new(shown), volumes);
         }
         Ok(())
-    }
-}
-
-impl Drop for Session<'_> {
-    fn drop(&mut self) {
-        std::mem::replace(&mut self.uploaded, Uploaded::Mesh(None)).free(self.backend.get());
     }
 }

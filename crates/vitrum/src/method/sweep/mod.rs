@@ -53,13 +53,10 @@ pub struct Sweep {
     kept: Kept,
     /// The irradiance of unoccluded light.
     unoccluded: [f32; 3],
-    /// The volumes, where they are freed with the frame.
-    uploaded: Option<Uploaded>,
 }
 
 /// The buffers of a frame.
 struct Buffers {
-    all: Vec<Buffer>,
     irradiance: Buffer,
     film: Buffer,
 }
@@ -71,14 +68,7 @@ impl Sweep {
     /// [`Error::Scene`] where what is seen and lit makes no frame, [`Error::Backend`] where the backend lacks the memory or fails.
     pub fn prepare(scene: &Scene, inputs: &Inputs, wanted: Wanted, backend: &mut dyn Backend) -> Result<Self, Error> {
         let uploaded = Uploaded::new(inputs, backend)?;
-        let prepared = Self::prepare_uploaded(scene, inputs, &uploaded, wanted, backend);
-        match prepared {
-            Ok(sweep) => Ok(Self { uploaded: Some(uploaded), ..sweep }),
-            Err(error) => {
-                uploaded.free(backend);
-                Err(error)
-            }
-        }
+        Self::prepare_uploaded(scene, inputs, &uploaded, wanted, backend)
     }
 
     /// As [`Self::prepare`], with the volumes streamed in as little memory as that takes, however small they are: what large volumes come
@@ -108,26 +98,16 @@ impl Sweep {
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         let fixed = Fixed::new(scene, inputs, uploaded.format, backend.largest_buffer())?;
-        let mut created = Vec::new();
-        let result = passes::build(inputs, &fixed, uploaded, wanted, backend, &mut created);
-        match result {
-            Ok((passes, buffers)) => Ok(Self {
-                passes,
-                planes: fixed.planes,
-                light_grid: fixed.light_grid,
-                rays: fixed.rays,
-                buffers,
-                kept: fixed.kept(),
-                unoccluded: fixed.unoccluded_irradiance(),
-                uploaded: None,
-            }),
-            Err(error) => {
-                for buffer in created {
-                    backend.free(buffer);
-                }
-                Err(error)
-            }
-        }
+        let (passes, buffers) = passes::build(inputs, &fixed, uploaded, wanted, backend)?;
+        Ok(Self {
+            passes,
+            planes: fixed.planes,
+            light_grid: fixed.light_grid,
+            rays: fixed.rays,
+            buffers,
+            kept: fixed.kept(),
+            unoccluded: fixed.unoccluded_irradiance(),
+        })
     }
 
     /// Runs all passes; `progress` gets the planes that are done and returns whether to go on.
@@ -145,7 +125,7 @@ impl Sweep {
     /// # Errors
     /// As [`Backend::read`].
     pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.film)?))
+        backend.read_all(&self.buffers.film)
     }
 
     /// The light on the last plane: red, then green, then blue plane irradiance for the light grid's texels (radiance if
@@ -164,21 +144,11 @@ impl Sweep {
     pub fn irradiance_on(&self, plane: u32, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         let texels = self.light_grid.size[0] as usize * self.light_grid.size[1] as usize;
         let bytes = (self.unoccluded.len() * texels * 4) as u64;
-        let part = backend.read_part(self.buffers.irradiance, self.kept.start(plane) * 4, bytes)?;
-        let mut shares: Vec<f32> = bytemuck::pod_collect_to_vec(&part);
+        let start = self.kept.start(plane) * 4;
+        let mut shares: Vec<f32> = backend.read_part(&self.buffers.irradiance, start..start + bytes)?;
         for (channel, unoccluded) in shares.chunks_exact_mut(texels).zip(self.unoccluded) {
             channel.iter_mut().for_each(|share| *share *= unoccluded);
         }
         Ok(shares)
-    }
-
-    /// Frees the frame's buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
-        for buffer in self.buffers.all {
-            backend.free(buffer);
-        }
-        if let Some(uploaded) = self.uploaded {
-            uploaded.free(backend);
-        }
     }
 }

@@ -10,7 +10,7 @@ use super::uniforms::Fixed;
 use super::unoccluded::Unoccluded;
 use super::uploaded::{Uploaded, volumes};
 use super::voxels::bricks;
-use crate::backend::{Backend, BackendError, Buffer, PassList, WhileBusy, Write};
+use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
 use crate::inputs::Inputs;
 use crate::request::Wanted;
@@ -34,14 +34,13 @@ fn ray_kernel(stored: u32) -> &'static Kernel {
     }
 }
 
-/// Uploads what else a frame needs and lists its passes. Buffers are added to `created` as they are made.
+/// Uploads what else a frame needs and lists its passes.
 pub(super) fn build(
     inputs: &Inputs,
     fixed: &Fixed,
     uploaded: &Uploaded,
     wanted: Wanted,
     backend: &mut dyn Backend,
-    created: &mut Vec<Buffer>,
 ) -> Result<(PassList, Buffers), Error> {
     let shown = &inputs.volume;
     let Uploaded { ranges, ior_ranges, .. } = uploaded;
@@ -57,37 +56,31 @@ pub(super) fn build(
         role: Role::Bending,
     }));
     let (occupancy, occupied) = occupancy(&questions, backend)?;
-    created.push(occupancy);
-    let mut upload = |label: &str, contents: &[u8]| -> Result<Buffer, BackendError> {
-        let buffer = backend.create(label, contents)?;
-        created.push(buffer);
-        Ok(buffer)
-    };
-    let tables = upload("tables", bytemuck::cast_slice(&fixed.tables.words))?;
-    let map = upload("environment", bytemuck::cast_slice(&fixed.environment.map))?;
+    let tables = backend.create("tables", Contents::Bytes(bytemuck::cast_slice(&fixed.tables.words)))?;
+    let map = backend.create("environment", Contents::Bytes(bytemuck::cast_slice(&fixed.environment.map)))?;
 
     let first = fixed.planes.first_visible;
-    let (voxels, pools) = match uploaded.voxels {
-        Some(voxels) => (voxels, Vec::new()),
+    let (voxels, pools) = match &uploaded.voxels {
+        Some(voxels) => (voxels.clone(), Vec::new()),
         None => {
             let earliest = if fixed.shadows { 1 } else { first + 1 };
             let asked = questions.iter().zip(&fixed.sampling);
             let needs = asked.map(|(question, sampling)| Needs::new(question, sampling, &fixed.planes, earliest));
-            let pools = pools(&volumes(inputs), needs.collect(), uploaded, backend, created)?;
-            ([pools[0].buffer, pools[pools.len() - 1].buffer], pools)
+            let pools = pools(&volumes(inputs), needs.collect(), uploaded, backend)?;
+            ([pools[0].buffer.clone(), pools[pools.len() - 1].buffer.clone()], pools)
         }
     };
     let [voxels, ior_voxels] = voxels;
     let volumes = Volumes { voxels, ior_voxels, occupancy, tables };
-    let mut maker = Maker { fixed, backend, created };
+    let mut maker = Maker { fixed, backend };
     let light: Box<dyn Carrier> = match &fixed.sheets {
         _ if !fixed.shadows => Box::new(Unoccluded::new(&mut maker)?),
         None => {
             let inside = || fixed.seen(occupied.into_iter().map(|point| fixed.view.point(point)));
             let everywhere = wanted.light || fixed.lights_surroundings || !fixed.light_grid.follows_light();
-            Box::new(Texels::new(&mut maker, volumes, (!everywhere).then(inside))?)
+            Box::new(Texels::new(&mut maker, volumes.clone(), (!everywhere).then(inside))?)
         }
-        Some(sources) => Box::new(Sheets::new(&mut maker, volumes, sources)?),
+        Some(sources) => Box::new(Sheets::new(&mut maker, volumes.clone(), sources)?),
     };
     let pixels = fixed.rays;
     let rays = maker.planar("rays", pixels, ray::SIZE)?;
@@ -95,10 +88,11 @@ pub(super) fn build(
 
     let ray_kernel = ray_kernel(fixed.format);
     let mut passes = light.start(fixed);
-    passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[rays]));
+    passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&rays]));
     // The first pass of each plane.
     let mut starts = vec![0];
-    let bound = [voxels, ior_voxels, occupancy, tables, light.irradiance(), rays];
+    let Volumes { voxels, ior_voxels, occupancy, tables } = &volumes;
+    let bound = [voxels, ior_voxels, occupancy, tables, light.irradiance(), &rays];
     // Rays on their way over planes whose irradiance is kept.
     let mut waiting = Vec::new();
     for plane in 1..fixed.planes.count {
@@ -113,7 +107,7 @@ pub(super) fn build(
     }
     passes.append(&mut waiting);
     let last = fixed.planes.count - 1;
-    passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[rays, map, finished]));
+    passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, &map, &finished]));
     let (name, resolve) = (ray_kernel.declaration.name, kernels::sweep_resolve.declaration.name);
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
     writes.sort_by_key(|write| write.before);
@@ -122,7 +116,7 @@ pub(super) fn build(
     let ends: BTreeSet<&str> = names.filter(|other| *other == name || !wanted.light && *other != resolve).collect();
     let while_busy = vec![WhileBusy { kernel: name, passes: ends.into_iter().collect() }];
     let list = PassList { passes, writes, while_busy };
-    let buffers = Buffers { all: maker.created.clone(), irradiance: light.irradiance(), film: finished };
+    let buffers = Buffers { irradiance: light.irradiance().clone(), film: finished };
     Ok((list, buffers))
 }
 
@@ -132,13 +126,16 @@ fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<(Buffe
         questions.iter().map(|question| bricks(question.volume).iter().map(|&n| n as usize).product()).collect();
     let bytes = counts.iter().sum::<usize>() as u64 * 4;
     let mut occupied = Vec::new();
-    let buffer = backend.create_with("occupancy", bytes, &mut |mut words| {
-        for (question, &count) in questions.iter().zip(&counts) {
-            let (these, rest) = words.split_at_mut(count);
-            question.answer(these);
-            occupied.extend(question.occupied(these));
-            words = rest;
-        }
-    })?;
+    let buffer = backend.create(
+        "occupancy",
+        Contents::Written(bytes, &mut |mut words| {
+            for (question, &count) in questions.iter().zip(&counts) {
+                let (these, rest) = words.split_at_mut(count);
+                question.answer(these);
+                occupied.extend(question.occupied(these));
+                words = rest;
+            }
+        }),
+    )?;
     Ok((buffer, occupied))
 }

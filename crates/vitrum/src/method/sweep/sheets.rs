@@ -58,8 +58,8 @@ fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
 impl Carrier for Sheets {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
         let nodes = nodes(fixed.light_grid.size, self.count);
-        let mut passes = Vec::from(fixed.unoccluded(self.light, self.irradiance));
-        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[self.sources, self.nodes]));
+        let mut passes = Vec::from(fixed.unoccluded(&self.light, &self.irradiance));
+        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[&self.sources, &self.nodes]));
         passes
     }
 
@@ -68,17 +68,17 @@ impl Carrier for Sheets {
         let [width, height] = texels;
         let cells = [width, height * self.count];
         let mut push =
-            |kernel, size, mode, buffers: &[Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
-        let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
-        let bound = [voxels, ior_voxels, occupancy, tables, self.sources, self.nodes];
+            |kernel, size, mode, buffers: &[&Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
+        let Volumes { voxels, ior_voxels, occupancy, tables } = &self.volumes;
+        let bound = [voxels, ior_voxels, occupancy, tables, &self.sources, &self.nodes];
         push(advance_kernel(fixed.format), nodes(texels, self.count), mode::any_medium(fixed.mode), &bound);
-        push(&kernels::sweep_clear_sums, texels, 0, &[self.sums]);
-        push(&kernels::sweep_scatter_sheet, cells, 0, &[self.nodes, self.sources, self.sums]);
-        push(&kernels::sweep_collect_light, texels, 0, &[self.sums, self.light]);
-        passes.push(fixed.concentrate(Window::whole(width, height), plane, self.light, self.irradiance));
+        push(&kernels::sweep_clear_sums, texels, 0, &[&self.sums]);
+        push(&kernels::sweep_scatter_sheet, cells, 0, &[&self.nodes, &self.sources, &self.sums]);
+        push(&kernels::sweep_collect_light, texels, 0, &[&self.sums, &self.light]);
+        passes.push(fixed.concentrate(Window::whole(width, height), plane, &self.light, &self.irradiance));
     }
 
-    fn irradiance(&self) -> Buffer {
-        self.irradiance
+    fn irradiance(&self) -> &Buffer {
+        &self.irradiance
     }
 }

@@ -51,14 +51,14 @@ impl Texels {
         })
     }
 
-    fn light(&self, plane: u32) -> Buffer {
-        self.light[plane as usize % 2]
+    fn light(&self, plane: u32) -> &Buffer {
+        &self.light[plane as usize % 2]
     }
 }
 
 impl Carrier for Texels {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        fixed.unoccluded(self.light(0), self.irradiance).into()
+        fixed.unoccluded(self.light(0), &self.irradiance).into()
     }
 
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {
@@ -66,26 +66,26 @@ impl Carrier for Texels {
         let (behind, ahead) = (self.light(plane - 1), self.light(plane));
         let whole = Window::whole(texels[0], texels[1]);
         let window = self.seen.as_ref().map_or(whole, |seen| fixed.window(seen, plane));
-        let mut push = |kernel, mode, buffers: &[Buffer]| {
+        let mut push = |kernel, mode, buffers: &[&Buffer]| {
             passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers));
         };
         let colors = if mode::is_clear(fixed.mode) { mode::CLEAR_STRAIGHT } else { mode::STRAIGHT };
         // What light is followed into: the plane behind, filtered where the light is soft.
-        let source = if fixed.is_soft() { self.filtered } else { behind };
+        let source = if fixed.is_soft() { &self.filtered } else { behind };
         if fixed.is_soft() {
-            push(&kernels::sweep_filter_light, colors, &[behind, self.filtered]);
+            push(&kernels::sweep_filter_light, colors, &[behind, &self.filtered]);
         }
-        push(&kernels::sweep_trace_light, 0, &[source, self.traced]);
-        push(&kernels::sweep_gather_light, colors, &[source, self.traced, ahead]);
+        push(&kernels::sweep_trace_light, 0, &[source, &self.traced]);
+        push(&kernels::sweep_gather_light, colors, &[source, &self.traced, ahead]);
         if !fixed.planes.is_behind(plane) {
-            let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
-            let bound = [voxels, ior_voxels, occupancy, tables, self.traced, ahead];
+            let Volumes { voxels, ior_voxels, occupancy, tables } = &self.volumes;
+            let bound = [voxels, ior_voxels, occupancy, tables, &self.traced, ahead];
             push(refract_kernel(fixed.format), fixed.mode, &bound);
         }
-        passes.push(fixed.concentrate(window, plane, ahead, self.irradiance));
+        passes.push(fixed.concentrate(window, plane, ahead, &self.irradiance));
     }
 
-    fn irradiance(&self) -> Buffer {
-        self.irradiance
+    fn irradiance(&self) -> &Buffer {
+        &self.irradiance
     }
 }

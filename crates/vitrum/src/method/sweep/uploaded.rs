@@ -34,13 +34,9 @@ impl Uploaded {
             return Ok(Self { tight: false, ..Self::streamed(inputs) });
         }
         let voxels = upload(shown, format, backend)?;
-        let ior_voxels = match bending.map(|bending| upload(bending, format, backend)) {
-            None => voxels,
-            Some(Ok(ior_voxels)) => ior_voxels,
-            Some(Err(error)) => {
-                backend.free(voxels);
-                return Err(error.into());
-            }
+        let ior_voxels = match bending {
+            None => voxels.clone(),
+            Some(bending) => upload(bending, format, backend)?,
         };
         let ior_ranges = bending.map(Ranges::new);
         let ranges = Ranges::new(shown);
@@ -53,15 +49,6 @@ impl Uploaded {
         let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
         let format = format::paged(chosen_format(shown, bending));
         Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
-    }
-
-    /// Frees the buffers.
-    pub fn free(&self, backend: &mut dyn Backend) {
-        let Some([voxels, ior_voxels]) = self.voxels else { return };
-        backend.free(voxels);
-        if ior_voxels != voxels {
-            backend.free(ior_voxels);
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Volumes as kernels read them: the voxels as they came, x fastest, as words.
 
-use crate::backend::{Backend, BackendError, Buffer};
+use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::view::{View, vector, voxel_steps};
 use bytemuck::cast_slice_mut;
 use glam::{DVec3, IVec4};
@@ -44,7 +44,7 @@ pub(super) fn upload(volume: &Volume, stored: u32, backend: &mut dyn Backend) ->
     Ok(match (&volume.voxels, stored) {
         (Voxels::U8(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
         (Voxels::U16(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
-        (voxels, _) => backend.share("voxels", &voxels.words())?,
+        (voxels, _) => backend.create("voxels", Contents::Shared(&voxels.words()))?,
     })
 }
 
@@ -52,10 +52,11 @@ fn floats<T: Copy + Sync>(voxels: &[T], backend: &mut dyn Backend) -> Result<Buf
 where
     f32: From<T>,
 {
-    backend.create_with("voxels", voxels.len() as u64 * 4, &mut |words| {
+    let mut convert = |words: &mut [u32]| {
         let floats: &mut [f32] = cast_slice_mut(words);
         floats.par_iter_mut().zip(voxels).for_each(|(float, &voxel)| *float = f32::from(voxel));
-    })
+    };
+    backend.create("voxels", Contents::Written(voxels.len() as u64 * 4, &mut convert))
 }
 
 /// log₂ of the edge of a volume's bricks.

@@ -18,7 +18,7 @@ pub use surface::{Attributes, Mask};
 
 use crate::backend::Backend;
 use crate::error::Error;
-use items::{Held, Plan};
+use items::Plan;
 use serde::Serialize;
 use solid::Body;
 use stage::Stage;
@@ -99,23 +99,22 @@ pub(crate) fn voxelize_in(
         return Err(Error::Scene(format!("an overlap of {}, expected 0 to 1; choose another", settings.overlap)));
     }
     let mut stage = Stage { done: 0, total: 0, items: 0, progress };
-    let mut held = Held::new(backend);
     let (mut surface, mut attributes, mut solid) = (None, None, None);
     if settings.surface || settings.attributes {
         let prepared = Surface::new(mesh, grid, settings.overlap);
         stage.total += mesh.triangles.len() as u64 * (1 + u64::from(settings.attributes));
-        let mask = prepared.mark(&mut held, &mut stage)?;
+        let mask = prepared.mark(backend, &mut stage)?;
         if settings.attributes {
-            attributes = Some(prepared.attributes(&mask, &mut held, &mut stage)?);
+            attributes = Some(prepared.attributes(&mask, backend, &mut stage)?);
         }
         surface = Some(mask);
     }
     if let Some(rule) = settings.solid {
-        solid = Some(fill(mesh, grid, rule, &mut held, &mut stage)?);
+        solid = Some(fill(mesh, grid, rule, backend, &mut stage)?);
     }
     let statistics = Statistics {
-        backend: held.backend.name().to_owned(),
-        adapter: held.backend.adapter(),
+        backend: backend.name().to_owned(),
+        adapter: backend.adapter(),
         triangles: mesh.triangles.len(),
         dimensions: grid.dimensions,
         voxel_size: grid.voxel_size,
@@ -131,7 +130,13 @@ pub(crate) fn voxelize_in(
 /// Bytes that an allocator keeps for the next time; larger pieces it gets from the system.
 const KEPT: usize = 1 << 25;
 
-fn fill(mesh: &Mesh, grid: Grid, rule: FillRule, held: &mut Held<'_>, stage: &mut Stage<'_>) -> Result<Solid, Error> {
+fn fill(
+    mesh: &Mesh,
+    grid: Grid,
+    rule: FillRule,
+    backend: &mut dyn Backend,
+    stage: &mut Stage<'_>,
+) -> Result<Solid, Error> {
     let body = Body::new(mesh, grid, rule)?;
     let mut coverage = Vec::<u8>::new();
     let voxels = usize::try_from(grid.voxels()).unwrap_or(usize::MAX);
@@ -147,14 +152,12 @@ fn fill(mesh: &Mesh, grid: Grid, rule: FillRule, held: &mut Held<'_>, stage: &mu
         coverage = vec![0; voxels];
     }
     let mut solid = Solid { coverage, open_rows: 0 };
-    held.within(|held| {
-        let buffers = body.buffers(held)?;
-        for slab in body.slabs() {
-            let slices = body.slices(slab);
-            let plan = Plan::new(&slices);
-            stage.total += plan.total();
-            body.fill(slab, &plan, &buffers, held, stage, &mut solid)?;
-        }
-        Ok(solid)
-    })
+    let buffers = body.buffers(backend)?;
+    for slab in body.slabs() {
+        let slices = body.slices(slab);
+        let plan = Plan::new(&slices);
+        stage.total += plan.total();
+        body.fill(slab, &plan, &buffers, backend, stage, &mut solid)?;
+    }
+    Ok(solid)
 }

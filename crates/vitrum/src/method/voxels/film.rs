@@ -22,9 +22,7 @@ pub(crate) fn render(
 ) -> Result<Frame, Error> {
     let mesh = inputs.mesh.as_ref().ok_or_else(|| Error::Scene("there is no mesh".to_owned()))?;
     let started = Instant::now();
-    if let Some(other) = held.take_if(|held| !held.fits(scene, mesh)) {
-        other.free(backend);
-    }
+    held.take_if(|held| !held.fits(scene, mesh));
     // How long that takes beside the rays is not known, so that it counts for nothing.
     let mut tell = |_, _| progress(Progress { done: 0, total: 1 });
     if held.is_none() {
@@ -43,7 +41,6 @@ pub(crate) fn render(
     let frame_ms = started.elapsed().as_secs_f64() * 1e3;
     let statistics = Statistics::of(scene, backend);
     let count = rays.rays[0] as usize * rays.rays[1] as usize;
-    rays.free(backend);
     let film = film?;
     let trapped = film[view::STATUS * count..].iter().filter(|&&status| status == fate::TRAPPED).count();
     let frame = Frame {

@@ -4,7 +4,7 @@ use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
 use super::{bricks, tree};
-use crate::backend::{Backend, Buffer};
+use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
 use crate::inputs::Inputs;
 use crate::method::twist::twisted;
@@ -97,14 +97,9 @@ impl Uploaded {
             nodes: 0,
             shadow: None,
         };
-        let filled = uploaded.fill(&settings, backend, progress);
-        match filled.and_then(|()| uploaded.update(scene, inputs, backend, progress)) {
-            Ok(()) => Ok(uploaded),
-            Err(error) => {
-                uploaded.free(backend);
-                Err(error)
-            }
-        }
+        uploaded.fill(&settings, backend, progress)?;
+        uploaded.update(scene, inputs, backend, progress)?;
+        Ok(uploaded)
     }
 
     /// Whether a scene's rays run through the same.
@@ -135,9 +130,7 @@ impl Uploaded {
         if self.shadow.as_ref().is_some_and(is_of) {
             return Ok(());
         }
-        if let Some(other) = self.shadow.take() {
-            backend.free(other.buffer);
-        }
+        self.shadow = None;
         self.shadow = cast.map(|cast| ShadowMap::new(cast, &self.bodies, backend, progress)).transpose()?;
         Ok(())
     }
@@ -166,7 +159,7 @@ impl Uploaded {
         let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper)?;
         self.nodes = tree.count();
         for (label, floats) in [("nodes of the tree", &tree.nodes), ("corners of triangles", &tree.corners)] {
-            self.tree.push(backend.create(label, cast_slice(floats))?);
+            self.tree.push(backend.create(label, Contents::Bytes(cast_slice(floats)))?);
         }
         if self.kind.exact {
             self.kernel = &kernels::voxels_trace_triangles;
@@ -179,7 +172,7 @@ impl Uploaded {
     }
 
     fn upload(&mut self, label: &str, contents: &[u8], backend: &mut dyn Backend) -> Result<(), Error> {
-        self.buffers.push(backend.create(label, contents)?);
+        self.buffers.push(backend.create(label, Contents::Bytes(contents))?);
         Ok(())
     }
 
@@ -226,14 +219,6 @@ impl Uploaded {
         self.upload("mask of the surface", cast_slice(mask.words()), backend)?;
         self.upload("ranks of the mask", cast_slice(&mask.ranks().0), backend)?;
         self.upload("surfaces of voxels", cast_slice(&surfaces), backend)
-    }
-
-    /// Frees the buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
-        let shadow = self.shadow.map(|map| map.buffer);
-        for buffer in self.buffers.into_iter().chain(self.tree).chain(shadow) {
-            backend.free(buffer);
-        }
     }
 }
 
