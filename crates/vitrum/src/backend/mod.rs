@@ -19,6 +19,7 @@ pub use gpu::GpuBackend;
 pub use pass::{Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
 pub use times::KernelTime;
 
+use bytemuck::{AnyBitPattern, NoUninit};
 use std::ops::Range;
 
 /// Runs passes over buffers.
@@ -118,24 +119,22 @@ pub trait Backend: Send {
     fn device_bytes(&self) -> Option<u64>;
 }
 
-impl dyn Backend + '_ {
+/// Reads buffers as numbers of one type.
+pub trait ReadBack: Backend {
     /// The contents of a buffer, as numbers of one type.
     ///
     /// # Errors
     /// As [`Backend::read`].
-    pub fn read_all<T: bytemuck::AnyBitPattern + bytemuck::NoUninit + Send>(
-        &mut self,
-        buffer: &Buffer,
-    ) -> Result<Vec<T>, BackendError> {
+    fn read_all<T: AnyBitPattern + NoUninit + Send>(&mut self, buffer: &Buffer) -> Result<Vec<T>, BackendError> {
         let all = self.bytes(buffer)?;
         self.read_part(buffer, 0..all)
     }
 
-    /// A part of a buffer, of which `range` gives the bytes, as numbers of one type.
+    /// The bytes `range` of a buffer, as numbers of one type.
     ///
     /// # Errors
     /// As [`Backend::read`].
-    pub fn read_part<T: bytemuck::AnyBitPattern + bytemuck::NoUninit + Send>(
+    fn read_part<T: AnyBitPattern + NoUninit + Send>(
         &mut self,
         buffer: &Buffer,
         range: Range<u64>,
@@ -145,3 +144,5 @@ impl dyn Backend + '_ {
         Ok(numbers)
     }
 }
+
+impl<B: Backend + ?Sized> ReadBack for B {}

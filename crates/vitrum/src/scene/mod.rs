@@ -17,6 +17,7 @@ mod lines;
 mod load;
 mod material;
 mod mesh;
+mod method;
 mod receiver;
 mod schema;
 mod set;
@@ -39,13 +40,14 @@ pub use key_frames::KeyFrames;
 pub use light::{Attachment, Light};
 pub use material::Material;
 pub use mesh::MeshSource;
+pub use method::MethodName;
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use shadow::{Coefficient, Shadow};
 pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
 pub use volume::VolumeSource;
-pub use voxels::{Method, Normals, Surfaces, Voxels};
+pub use voxels::{Normals, Surfaces, Voxels};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -61,7 +63,7 @@ pub type Vector = [f32; 3];
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
     /// `sweep` for a volume or a mesh, `voxels` for a mesh.
-    pub method: Method,
+    pub method: MethodName,
     /// The volume that is shown.
     pub volume: VolumeSource,
     /// The mesh that is shown, instead of a volume.

@@ -4,7 +4,7 @@ use super::check::check_table;
 use super::error::{Fault, Origin, SceneError};
 use super::schema::Shape;
 use super::{
-    Camera, Environment, EnvironmentKind, Film, Intensity, MeshSource, Method, Scene, Sweep, TransferFunction,
+    Camera, Environment, EnvironmentKind, Film, Intensity, MeshSource, MethodName, Scene, Sweep, TransferFunction,
     Transport, Vector, VolumeSource,
 };
 use vitrum_io::{RawLayout, Up};
@@ -20,17 +20,55 @@ impl Scene {
     /// `builtin`; where the method and what is shown do not belong together; where a direction has no length, the eye stands on its target, the points of a transfer function are
     /// not sorted, an environment map has no file, or the film is beyond 2^28 rays.
     pub fn validate(&self) -> Result<(), SceneError> {
+        self.check_settings()?;
+        self.check_sources().map_err(|fault| fault.from(Origin::Memory))
+    }
+
+    /// As [`Scene::validate`], but for the files and built-in data that the scene names: a picture of data in memory needs none.
+    ///
+    /// # Errors
+    ///
+    /// As [`Scene::validate`].
+    pub fn check_settings(&self) -> Result<(), SceneError> {
         let check = || {
             check_table(Shape::scene(), &self.to_table()?, &mut Vec::new())?;
-            self.check_consistency()
+            self.check_together()
         };
         check().map_err(|fault: Fault| fault.from(Origin::Memory))
     }
 
     /// The part of [`Scene::validate`] that looks at several keys at once.
     pub(super) fn check_consistency(&self) -> Result<(), Fault> {
+        self.check_sources()?;
+        self.check_together()
+    }
+
+    /// Whether the scene names data, and data that its method shows.
+    fn check_sources(&self) -> Result<(), Fault> {
         check_shown(self)?;
-        self.ior_volume.as_ref().map_or(Ok(()), |source| check_source("ior_volume", source))?;
+        self.ior_volume.as_ref().map_or(Ok(()), |source| check_source("ior_volume", source))
+    }
+
+    /// Whether the values go together with a mesh that is swept.
+    ///
+    /// # Errors
+    ///
+    /// Where they do not.
+    pub(crate) fn check_for_swept_mesh(&self) -> Result<(), SceneError> {
+        check_swept_mesh(self).map_err(|fault| fault.from(Origin::Memory))
+    }
+
+    /// Whether the values go together with rays through a mesh.
+    ///
+    /// # Errors
+    ///
+    /// Where they do not.
+    pub(crate) fn check_for_mesh(&self) -> Result<(), SceneError> {
+        check_mesh(self).map_err(|fault| fault.from(Origin::Memory))
+    }
+
+    /// The values that stand in several keys and have to go together, whatever is shown.
+    fn check_together(&self) -> Result<(), Fault> {
         check_camera(&self.camera)?;
         self.light.direction.map_or(Ok(()), |direction| check_direction("light.direction", direction))?;
         for (index, clip) in self.clip.iter().enumerate() {
@@ -46,27 +84,31 @@ impl Scene {
 /// A sweep shows a volume or a mesh, voxels a mesh.
 fn check_shown(scene: &Scene) -> Result<(), Fault> {
     match (scene.method, &scene.mesh) {
-        (Method::Sweep, None) => check_source("volume", &scene.volume),
-        (Method::Sweep, Some(mesh)) => check_swept_mesh(scene, mesh),
-        (Method::Voxels, None) => Err(Fault::contradiction(
+        (MethodName::Sweep, None) => check_source("volume", &scene.volume),
+        (MethodName::Sweep, Some(mesh)) => {
+            check_mesh_source(scene, mesh)?;
+            check_swept_mesh(scene)
+        }
+        (MethodName::Voxels, None) => Err(Fault::contradiction(
             "method",
             "`voxels` shows a mesh, and none is given",
             "name one in `mesh.file` or `mesh.builtin`, or take the method `sweep`",
         )),
-        (Method::Voxels, Some(mesh)) => check_mesh(scene, mesh),
+        (MethodName::Voxels, Some(mesh)) => {
+            check_mesh_source(scene, mesh)?;
+            check_mesh(scene)
+        }
     }
 }
 
-fn check_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
-    check_mesh_source(scene, mesh)?;
+fn check_mesh(scene: &Scene) -> Result<(), Fault> {
     let given = [("clip", !scene.clip.is_empty())];
     refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")?;
     check_materials(scene)
 }
 
 /// The materials say what a mesh's volume looks like.
-fn check_swept_mesh(scene: &Scene, mesh: &MeshSource) -> Result<(), Fault> {
-    check_mesh_source(scene, mesh)?;
+fn check_swept_mesh(scene: &Scene) -> Result<(), Fault> {
     if let Some(index) = scene.material.iter().position(|material| material.opaque) {
         return Err(Fault::contradiction(
             &format!("material.{index}.opaque"),

@@ -3,28 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a picture is made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Method {
-    /// A plane sweep through a volume, or through what is made of a mesh.
-    #[default]
-    Sweep,
-    /// Rays through a mesh as voxels.
-    Voxels,
-}
-
-impl Method {
-    /// Its name in scene files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sweep => "sweep",
-            Self::Voxels => "voxels",
-        }
-    }
-}
-
 /// The surfaces that a ray is followed through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -2,6 +2,7 @@
 
 use super::uniforms::Fixed;
 use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
+use crate::method::cache::Scratch;
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Passes that carry light from the first plane to the last.
@@ -19,7 +20,7 @@ pub(super) trait Carrier {
 
 /// The buffers that describe the volume.
 #[derive(Clone)]
-pub(super) struct Volumes {
+pub(super) struct VolumeBuffers {
     pub(super) voxels: Buffer,
     pub(super) ior_voxels: Buffer,
     pub(super) occupancy: Buffer,
@@ -29,20 +30,26 @@ pub(super) struct Volumes {
 /// Makes the buffers of a frame.
 pub(super) struct Maker<'a> {
     pub(super) fixed: &'a Fixed,
+    pub(super) scratch: &'a mut Scratch,
     pub(super) backend: &'a mut dyn Backend,
 }
 
 impl Maker<'_> {
     /// A planar buffer of records, or one of sums.
-    pub(super) fn planar(&mut self, label: &str, records: [u32; 2], words: usize) -> Result<Buffer, BackendError> {
+    pub(super) fn planar(
+        &mut self,
+        label: &'static str,
+        records: [u32; 2],
+        words: usize,
+    ) -> Result<Buffer, BackendError> {
         let bytes = u64::from(records[0]) * u64::from(records[1]) * words as u64 * 4;
-        self.backend.create(label, Contents::Zeros(bytes))
+        self.scratch.zeros(label, bytes, self.backend)
     }
 
     /// A buffer for the irradiance of as many planes as are kept.
     pub(super) fn irradiance(&mut self) -> Result<Buffer, BackendError> {
         let words = self.fixed.kept().words() * u64::from(self.fixed.kept().planes);
-        self.backend.create("irradiance", Contents::Zeros(words * 4))
+        self.scratch.zeros("irradiance", words * 4, self.backend)
     }
 
     /// A buffer of floats.

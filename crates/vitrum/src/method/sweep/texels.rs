@@ -1,6 +1,6 @@
 //! Light on texels: each follows its light back to the plane behind (sweep §4.2).
 
-use super::carrier::{Carrier, Maker, Volumes};
+use super::carrier::{Carrier, Maker, VolumeBuffers};
 use super::uniforms::Fixed;
 use super::window::Seen;
 use crate::backend::{BackendError, Buffer, Pass};
@@ -11,7 +11,7 @@ use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The buffers of light on texels.
 pub(super) struct Texels {
-    volumes: Volumes,
+    volumes: VolumeBuffers,
     seen: Option<Seen>,
     /// They swap roles from plane to plane.
     light: [Buffer; 2],
@@ -35,12 +35,15 @@ fn refract_kernel(stored: u32) -> &'static Kernel {
 
 impl Texels {
     /// Light that is looked at where `seen` says, or everywhere.
-    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes, seen: Option<Seen>) -> Result<Self, BackendError> {
+    pub(super) fn new(maker: &mut Maker<'_>, volumes: VolumeBuffers, seen: Option<Seen>) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
         Ok(Self {
             volumes,
             seen,
-            light: [maker.planar("light", texels, light::SIZE)?, maker.planar("light", texels, light::SIZE)?],
+            light: [
+                maker.planar("light of even planes", texels, light::SIZE)?,
+                maker.planar("light of odd planes", texels, light::SIZE)?,
+            ],
             filtered: maker.planar(
                 "filtered light",
                 if maker.fixed.is_soft() { texels } else { [1, 1] },
@@ -78,7 +81,7 @@ impl Carrier for Texels {
         push(&kernels::sweep_trace_light, 0, &[source, &self.traced]);
         push(&kernels::sweep_gather_light, colors, &[source, &self.traced, ahead]);
         if !fixed.planes.is_behind(plane) {
-            let Volumes { voxels, ior_voxels, occupancy, tables } = &self.volumes;
+            let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
             let bound = [voxels, ior_voxels, occupancy, tables, &self.traced, ahead];
             push(refract_kernel(fixed.format), fixed.mode, &bound);
         }

@@ -2,6 +2,7 @@
 
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::view::{View, vector, voxel_steps};
+use crate::subject::Volumes;
 use bytemuck::cast_slice_mut;
 use glam::{DVec3, IVec4};
 use rayon::prelude::*;
@@ -32,7 +33,7 @@ pub(super) fn bytes(volume: &Volume, stored: u32) -> u64 {
 }
 
 /// Whether the backend can have all of `volumes` in one piece each.
-pub(super) fn fit(volumes: &[&Volume], stored: u32, backend: &dyn Backend) -> bool {
+pub(super) fn fit(volumes: Volumes<'_>, stored: u32, backend: &dyn Backend) -> bool {
     // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
     let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * format::bytes(stored));
     let sizes = volumes.iter().map(|volume| bytes(volume, stored));

@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::items::{Batch, Plan, Slices, pass};
 use super::settings::FillRule;
-use super::stage::Stage;
+use super::work::Work;
 use super::{columns, triangles};
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
@@ -121,7 +121,7 @@ impl Body {
         plan: &Plan<'_>,
         Slab { changes, coverage }: &Slab,
         backend: &mut dyn Backend,
-        stage: &mut Stage<'_>,
+        work: &mut Work<'_>,
         solid: &mut Solid,
     ) -> Result<(), Error> {
         let [x, y, _] = self.grid.dimensions;
@@ -131,7 +131,7 @@ impl Body {
             backend.clear(coverage)?;
         }
         for batch in plan.batches() {
-            self.cross(slab, &batch, changes, backend, stage)?;
+            self.cross(slab, &batch, changes, backend, work)?;
         }
         let row = x.div_ceil(4);
         let rule = match self.rule {
@@ -145,7 +145,7 @@ impl Body {
             self.uniforms(slab, row),
             &[changes.clone(), coverage.clone()],
         );
-        stage.run(backend, &passes, 0, 0)?;
+        work.run(backend, &passes, 0, 0)?;
         let (row, x) = (4 * row as usize, x as usize);
         let written = u64::from(rows) * row as u64;
         let target = &mut solid.coverage[slab[0] as usize * y as usize * x..][..rows as usize * x];
@@ -169,7 +169,7 @@ impl Body {
         batch: &Batch,
         changes: &Buffer,
         backend: &mut dyn Backend,
-        stage: &mut Stage<'_>,
+        work: &mut Work<'_>,
     ) -> Result<(), Error> {
         let corners = backend.create("corners", Contents::Bytes(cast_slice(&self.corners[batch.first..batch.end])))?;
         let items = backend.create("items", Contents::Bytes(cast_slice(&batch.items)))?;
@@ -177,6 +177,6 @@ impl Body {
         let bound = [corners, items, changes.clone()];
         let passes = pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &bound);
         let items = u64::from(batch.items());
-        stage.run(backend, &passes, items, items)
+        work.run(backend, &passes, items, items)
     }
 }

@@ -3,8 +3,8 @@
 use super::fixed::Fixed;
 use super::grid::Grid;
 use super::items::{Plan, Slices, pass};
-use super::stage::Stage;
 use super::triangles;
+use super::work::Work;
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
 use bytemuck::cast_slice;
@@ -157,7 +157,7 @@ impl<'a> Surface<'a> {
         others: &[Buffer],
         prepare: &Prepare<'_>,
         backend: &mut dyn Backend,
-        stage: &mut Stage<'_>,
+        work: &mut Work<'_>,
     ) -> Result<(), Error> {
         let all = self.mesh.triangles.len();
         let corners_bytes = (all.clamp(1, BATCH) * triangle::SIZE * 4) as u64;
@@ -175,12 +175,12 @@ impl<'a> Surface<'a> {
             if small > 0 {
                 let bound = [&[corners.clone(), no_items.clone()], others].concat();
                 let passes = pass(kernel, count as u32, pieces::TRIANGLES, self.uniforms, &bound);
-                stage.run(backend, &passes, small as u64, small as u64)?;
+                work.run(backend, &passes, small as u64, small as u64)?;
             }
             if large.is_empty() {
                 continue;
             }
-            let work = large.len() as u64;
+            let pieces = large.len() as u64;
             let mut slices = vec![Slices::default(); count];
             large.into_iter().for_each(|(number, of_triangle)| slices[number] = of_triangle);
             for batch in Plan::new(&slices).batches() {
@@ -189,19 +189,19 @@ impl<'a> Surface<'a> {
                 let items = backend.create("items", Contents::Bytes(cast_slice(&batch.items)))?;
                 let bound = [&[corners.clone(), items], others].concat();
                 let passes = pass(kernel, batch.items(), pieces::ITEMS, uniforms, &bound);
-                stage.run(backend, &passes, 0, u64::from(batch.items()))?;
+                work.run(backend, &passes, 0, u64::from(batch.items()))?;
             }
-            stage.done += work;
+            work.done += pieces;
         }
         Ok(())
     }
 
     /// Marks the voxels that triangles meet.
-    pub(super) fn mark(&self, backend: &mut dyn Backend, stage: &mut Stage<'_>) -> Result<Mask, Error> {
+    pub(super) fn mark(&self, backend: &mut dyn Backend, work: &mut Work<'_>) -> Result<Mask, Error> {
         let UVec4 { x: _, y, z, w: row } = self.uniforms.size;
         let bytes = u64::from(row) * u64::from(y) * u64::from(z) * 4;
         let mask = backend.create("mask of the surface", Contents::Zeros(bytes))?;
-        self.run(&kernels::voxelize_mark_surface, std::slice::from_ref(&mask), &|_, _| Ok(()), backend, stage)?;
+        self.run(&kernels::voxelize_mark_surface, std::slice::from_ref(&mask), &|_, _| Ok(()), backend, work)?;
         let words = backend.take(mask)?;
         Ok(Mask { dimensions: self.grid.dimensions, row: row as usize, words })
     }
@@ -211,7 +211,7 @@ impl<'a> Surface<'a> {
         &self,
         mask: &Mask,
         backend: &mut dyn Backend,
-        stage: &mut Stage<'_>,
+        work: &mut Work<'_>,
     ) -> Result<Attributes, Error> {
         let (ranks, count) = mask.ranks();
         let mask = backend.create("mask of the surface", Contents::Bytes(cast_slice(&mask.words)))?;
@@ -230,7 +230,7 @@ impl<'a> Surface<'a> {
             Ok(())
         };
         let others = [brought.clone(), mask, ranks, sums.clone()];
-        self.run(&kernels::voxelize_sum_attributes, &others, &prepare, backend, stage)?;
+        self.run(&kernels::voxelize_sum_attributes, &others, &prepare, backend, work)?;
         drop(others);
         Ok(read(&backend.take(sums)?, count))
     }

@@ -1,17 +1,17 @@
 //! The pass list of a frame.
 
 use super::bodies::materials;
-use super::looks::looks;
+use super::cache::FrameCache;
 use super::shadow::Lookup;
 use super::uniforms::{self, Seen};
 use super::uploaded::{Uploaded, shown};
-use crate::backend::{Backend, BackendError, Buffer, Contents, Pass, PassList, WhileBusy};
+use crate::assets::Assets;
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, WhileBusy};
 use crate::error::Error;
-use crate::inputs::Inputs;
-use crate::method::view::View;
 use crate::method::view::environment::Prepared;
 use crate::method::view::light::travels;
 use crate::method::view::receivers::Receivers;
+use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
 use bytemuck::{bytes_of, cast_slice};
 use vitrum_kernels::abi::record::{fate, mirror, path, view};
@@ -27,7 +27,11 @@ pub struct Rays {
     /// Parts of the passes that may end early.
     stretches: Vec<Stretch>,
     records: Buffer,
-    film: Buffer,
+    pub(super) film: Buffer,
+    /// Voxels along x, y and z that the mesh was turned into, if it was.
+    pub(super) voxels: Option<[u32; 3]>,
+    /// Rows of them that go through holes of the surface and were left empty.
+    pub(super) open_rows: u64,
 }
 
 /// Passes up to number `end` that matter while there is work.
@@ -48,11 +52,11 @@ impl Rays {
     /// If the backend fails.
     pub fn prepare(
         scene: &Scene,
-        inputs: &Inputs,
+        assets: &Assets,
         uploaded: &Uploaded,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
-        list(scene, inputs, uploaded, backend)
+        list(scene, assets, uploaded, &mut FrameCache::default(), backend)
     }
 
     /// Runs all passes; `progress` gets how many are done and returns whether to go on.
@@ -131,18 +135,26 @@ fn searches(uploaded: &Uploaded) -> u32 {
 }
 
 /// Uploads a frame's buffers and lists its passes.
-fn list(scene: &Scene, inputs: &Inputs, uploaded: &Uploaded, backend: &mut dyn Backend) -> Result<Rays, Error> {
-    let mesh = shown(inputs)?;
-    let eye = View::new(scene, &inputs.volume);
-    let looks = looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
-    let receivers = Receivers::new(scene, &eye, &inputs.volume);
+pub(super) fn list(
+    scene: &Scene,
+    assets: &Assets,
+    uploaded: &Uploaded,
+    cache: &mut FrameCache,
+    backend: &mut dyn Backend,
+) -> Result<Rays, Error> {
+    let mesh = shown(assets)?;
+    let bounds = Bounds::from(mesh);
+    let eye = View::new(scene, bounds);
+    let looks = cache.looks(scene, mesh, uploaded);
+    let receivers = Receivers::new(scene, &eye, bounds);
     let surfaces = uploaded.has_opaque() || scene.ground.is_some() || scene.wall.is_some();
     let exact = uploaded.voxels().is_none();
     let seeks = surfaces && !exact;
     let mut flags = if seeks { flag::SEEKS } else { 0 };
     flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
+    let (environment, map) = cache.environment(scene, assets.environment.as_deref(), backend)?;
     let seen = Seen {
-        environment: Prepared::new(&scene.environment, inputs.environment.as_ref(), &eye),
+        environment: Prepared::new(&scene.environment, &environment, &eye),
         light: eye.axes * travels(&scene.light, &eye)?,
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
@@ -150,16 +162,15 @@ fn list(scene: &Scene, inputs: &Inputs, uploaded: &Uploaded, backend: &mut dyn B
     let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
     let size = [block.dispatch.x, block.dispatch.y];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
-    let materials = backend.create("materials", Contents::Bytes(cast_slice(&materials)))?;
-    let map = backend.create("environment", Contents::Bytes(cast_slice(&seen.environment.map)))?;
-    let looks = backend.create("looks", Contents::Bytes(cast_slice(&looks.floats)))?;
+    let materials = cache.materials(materials, backend)?;
+    let looks = cache.looks_buffer(scene, &looks, backend)?;
     let shadow = match &uploaded.shadow {
         Some(map) => map.buffer.clone(),
-        None => backend.create("no shadow map", Contents::Zeros(4))?,
+        None => cache.scratch.zeros("no shadow map", 4, backend)?,
     };
     let planes = |components: usize| u64::from(size[0]) * u64::from(size[1]) * components as u64 * 4;
-    let rays = backend.create("rays", Contents::Zeros(planes(path::SIZE)))?;
-    let film = backend.create("film", Contents::Zeros(planes(view::SIZE)))?;
+    let rays = cache.scratch.zeros("rays", planes(path::SIZE), backend)?;
+    let film = cache.scratch.zeros("film", planes(view::SIZE), backend)?;
     let pass = |kernel: &'static Kernel, mode: u32, buffers: Vec<Buffer>| {
         let mut block = block;
         block.dispatch.z = mode;
@@ -188,7 +199,7 @@ fn list(scene: &Scene, inputs: &Inputs, uploaded: &Uploaded, backend: &mut dyn B
     let is_busy = |status: f32| status == fate::ACTIVE || status == fate::SEEKS;
     let mut stretches = vec![Stretch { end: passes.len(), records: rays.clone(), component: path::STATUS, is_busy }];
     let (sees, mirrors) = if surfaces {
-        let mirrors = backend.create("mirrors", Contents::Zeros(planes(mirror::SIZE)))?;
+        let mirrors = cache.scratch.zeros("mirrors", planes(mirror::SIZE), backend)?;
         let reflected = vec![rays.clone(), nodes, corners.clone(), materials, mirrors.clone()];
         passes.extend((0..searches(uploaded)).map(|_| pass(&kernels::voxels_reflect, 0, reflected.clone())));
         let is_busy = |stage: f32| stage != mirror::stage::FOUND;
@@ -207,5 +218,13 @@ fn list(scene: &Scene, inputs: &Inputs, uploaded: &Uploaded, backend: &mut dyn B
         WhileBusy { kernel: searches, passes: vec![searches] },
     ];
     let passes = PassList { passes, while_busy, ..PassList::default() };
-    Ok(Rays { passes, rays: size, stretches, records: rays, film })
+    Ok(Rays {
+        passes,
+        rays: size,
+        stretches,
+        records: rays,
+        film,
+        voxels: uploaded.voxels(),
+        open_rows: uploaded.open_rows,
+    })
 }

@@ -4,10 +4,12 @@ use super::Cast;
 use super::casters::{Caster, Turned};
 use crate::backend::{Backend, Buffer, Contents, Pass, PassList};
 use crate::error::Error;
+use crate::method::Tools;
 use crate::method::voxelize::Grid;
 use crate::method::voxelize::columns::{scale, slices};
 use crate::method::voxelize::items::{Batch, Plan, dispatch, pass};
 use crate::method::voxelize::triangles;
+use crate::request::{Progress, Stage};
 use crate::scene::Coefficient;
 use bytemuck::{bytes_of, cast_slice};
 use rayon::prelude::*;
@@ -42,7 +44,7 @@ struct Work<'a> {
     words: Vec<[f32; caster::SIZE]>,
     solids: Vec<Solid>,
     uniform: Option<u32>,
-    progress: &'a mut dyn FnMut(u64, u64) -> bool,
+    progress: &'a mut dyn FnMut(Progress) -> bool,
     done: u64,
     total: u64,
 }
@@ -58,8 +60,7 @@ pub(super) fn run(
     turned: &Turned,
     grid: Grid,
     channels: u32,
-    backend: &mut dyn Backend,
-    progress: &mut dyn FnMut(u64, u64) -> bool,
+    tools: &mut Tools<'_>,
 ) -> Result<Buffer, Error> {
     let [x, y, z] = grid.dimensions;
     let words = u64::from(row_words(x)) * u64::from(y) * u64::from(z) * u64::from(channels);
@@ -70,7 +71,9 @@ pub(super) fn run(
             words * 4
         )));
     }
-    let mut work = Work::new(cast, turned, grid, channels, progress);
+    let Tools { backend, progress } = tools;
+    let backend = &mut **backend;
+    let mut work = Work::new(cast, turned, grid, channels, *progress);
     let map = backend.create("shadow map", Contents::Zeros(words * 4))?;
     work.slabs().try_for_each(|slab| work.slab(slab, &map, backend))?;
     Ok(map)
@@ -82,7 +85,7 @@ impl<'a> Work<'a> {
         turned: &Turned,
         grid: Grid,
         channels: u32,
-        progress: &'a mut dyn FnMut(u64, u64) -> bool,
+        progress: &'a mut dyn FnMut(Progress) -> bool,
     ) -> Self {
         let in_voxels = |corners: &Vec<[[f64; 3]; 3]>| -> Vec<Corners> {
             let voxels = |at: [f64; 3]| std::array::from_fn(|axis| (at[axis] - grid.origin[axis]) / grid.voxel_size);
@@ -150,7 +153,7 @@ impl<'a> Work<'a> {
 
     fn run(&mut self, passes: &PassList, backend: &mut dyn Backend) -> Result<(), Error> {
         let (progress, done, total) = (&mut *self.progress, self.done, self.total);
-        Ok(backend.run(passes, &mut |_| progress(done.min(total), total))?)
+        Ok(backend.run(passes, &mut |_| progress(Progress { stage: Stage::Shadow, done: done.min(total), total }))?)
     }
 
     /// One slab, into the map.

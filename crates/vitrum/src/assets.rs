@@ -1,29 +1,33 @@
-//! What a scene names, read.
+//! The data that a scene names, read from files or made.
 
 use crate::builtin;
 use crate::error::Error;
 use crate::scene::{EnvironmentKind, MeshSource, Scene, VolumeSource};
+use crate::subject::Subject;
 use std::path::Path;
-use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Up, Volume, Voxels};
+use std::sync::Arc;
+use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Up, Volume};
 
-/// The volumes and pictures a scene names.
+/// The data that a picture is made of. It is shared, not copied: a clone is the same data.
 #[derive(Debug, Clone)]
-pub struct Inputs {
-    /// The volume that is shown; of a mesh its bounds, as a single voxel.
-    pub volume: Volume,
-    /// The mesh that is shown instead.
-    pub mesh: Option<Mesh>,
-    /// The volume that gives η, if it is another one.
-    pub ior_volume: Option<Volume>,
-    /// The environment map.
-    pub environment: Option<Picture>,
+pub struct Assets {
+    /// The data that the picture shows.
+    pub subject: Subject,
+    /// The equirectangular picture of the environment, if the scene's environment is a map.
+    pub environment: Option<Arc<Picture>>,
 }
 
-impl Inputs {
-    /// Reads what `scene` names; relative paths start at `base`.
+impl<S: Into<Subject>> From<S> for Assets {
+    fn from(subject: S) -> Self {
+        Self { subject: subject.into(), environment: None }
+    }
+}
+
+impl Assets {
+    /// Reads the files that `scene` names; relative paths start at `base`.
     ///
     /// # Errors
-    /// [`Error::Io`] where a file cannot be read, [`Error::Scene`] where the scene names nothing, or something built in that is not there.
+    /// [`Error::Io`] where a file cannot be read, [`Error::Scene`] where the scene names no data, or built-in data that does not exist.
     pub fn load(scene: &Scene, base: &Path) -> Result<Self, Error> {
         Self::load_within(scene, base, None)
     }
@@ -34,7 +38,7 @@ impl Inputs {
     /// As [`Self::load`].
     pub fn load_within(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
         let environment = match (scene.environment.kind, &scene.environment.file) {
-            (EnvironmentKind::Map, Some(file)) => Some(vitrum_io::read_picture(&base.join(file))?),
+            (EnvironmentKind::Map, Some(file)) => Some(Arc::new(vitrum_io::read_picture(&base.join(file))?)),
             (EnvironmentKind::Map, None) => {
                 return Err(Error::Scene(
                     "environment.kind is \"map\" but environment.file is not given: name an equirectangular picture"
@@ -43,33 +47,16 @@ impl Inputs {
             }
             _ => None,
         };
-        let mesh = scene.mesh.as_ref().map(|source| load_mesh(source, base, max_bytes)).transpose()?;
-        if let Some(mesh) = mesh {
-            return Ok(Self { environment, ..Self::of_mesh(mesh)? });
+        if let Some(source) = &scene.mesh {
+            return Ok(Self { subject: load_mesh(source, base, max_bytes)?.into(), environment });
         }
-        Ok(Self {
-            mesh: None,
-            volume: load_volume(&scene.volume, base, max_bytes)?,
-            ior_volume: scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?,
-            environment,
-        })
-    }
-}
-
-impl Inputs {
-    /// A mesh alone.
-    ///
-    /// # Errors
-    /// None that meshes cause which can be read.
-    pub fn of_mesh(mesh: Mesh) -> Result<Self, Error> {
-        let [low, high] = mesh.bounds();
-        let extent: [f32; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
-        let longest = extent.into_iter().fold(f32::MIN_POSITIVE, f32::max);
-        // What is flat has a side all the same.
-        let edges = extent.map(|extent| extent.max(longest * 1e-6));
-        let mut volume = Volume::new(mesh.name.clone(), [1; 3], edges, Voxels::U8(vec![0].into()))?;
-        volume.origin = std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]));
-        Ok(Self { volume, mesh: Some(mesh), ior_volume: None, environment: None })
+        let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
+        let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
+        let subject = match ior {
+            None => Subject::Volume(shown),
+            Some(ior) => Subject::Volumes { shown, ior: Arc::new(ior) },
+        };
+        Ok(Self { subject, environment })
     }
 }
 
