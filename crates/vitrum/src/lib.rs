@@ -21,7 +21,7 @@ pub use assets::{Assets, load_mesh, load_volume};
 pub use error::Error;
 pub use film::{Frame, Output, Statistics};
 pub use method::sweep::spectrum;
-pub use renderer::{Fallback, Renderer, check, render, render_requested};
+pub use renderer::{Fallback, Renderer, check, frame, render, render_requested};
 pub use request::{OutputRequest, Progress, Stage};
 pub use subject::{Subject, Volumes};
 pub use vitrum_io as io;

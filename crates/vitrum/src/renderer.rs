@@ -120,9 +120,14 @@ pub fn render_requested(
     frame(&Job { scene, assets, request }, &mut Cache::default(), backend, progress)
 }
 
-/// The one course from a scene to a frame, for every method: each exposure is prepared, run and read, then summed up; the sum becomes
-/// the frame's layers.
-fn frame(
+/// Renders one frame with what a cache has of the frames before; the cache must belong to the same assets and the same backend.
+///
+/// This is the one course from a scene to a frame, for every method: each exposure is prepared, run and read, then summed up; the sum
+/// becomes the frame's layers.
+///
+/// # Errors
+/// As [`render`].
+pub fn frame(
     job: &Job<'_>,
     cache: &mut Cache,
     backend: &mut dyn Backend,
@@ -148,7 +153,7 @@ fn frame(
         };
         prepared.run(backend, &mut tell)?;
         let film = backend.read_all(prepared.film())?;
-        sum.time(started.elapsed().as_secs_f64() * 1e3, backend.take_kernel_times());
+        sum.time(started.elapsed().as_secs_f64() * 1e3, &backend.take_kernel_times());
         let light = prepared.light(backend)?;
         let [across, down] = prepared.rays();
         sum.add(exposure, film, across as usize * down as usize, light);

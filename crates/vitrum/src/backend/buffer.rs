@@ -1,7 +1,6 @@
 //! Buffers on a backend: handles that own them, and the table in which a backend keeps them.
 
 use super::BackendError;
-use std::hash::{Hash, Hasher};
 use std::sync::{Arc, Mutex, PoisonError};
 use vitrum_io::Words;
 
@@ -43,12 +42,6 @@ impl PartialEq for Buffer {
 }
 
 impl Eq for Buffer {}
-
-impl Hash for Buffer {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        self.0.number.hash(state);
-    }
-}
 
 /// The first contents of a buffer, in whole words; no buffer is empty.
 pub enum Contents<'a> {

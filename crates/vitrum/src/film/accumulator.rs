@@ -31,9 +31,9 @@ impl Accumulator {
     }
 
     /// Adds the time that an exposure took, and that its kernels took.
-    pub fn time(&mut self, ms: f64, kernels: Vec<KernelTime>) {
+    pub fn time(&mut self, ms: f64, kernels: &[KernelTime]) {
         self.frame_ms += ms;
-        merge(&mut self.kernels, &kernels);
+        merge(&mut self.kernels, kernels);
     }
 
     /// Adds an exposure: its planar records for `rays` viewing rays, and its light.

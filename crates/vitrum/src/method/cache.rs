@@ -17,7 +17,8 @@ impl Cache {
     pub fn of<T: Any + Default + Send>(&mut self) -> &mut T {
         self.entries.retain(|id, _| *id == TypeId::of::<T>());
         let entry = self.entries.entry(TypeId::of::<T>()).or_insert_with(|| Box::new(T::default()));
-        entry.downcast_mut().expect("values are stored by their types")
+        let Some(value) = entry.downcast_mut() else { unreachable!("values are stored by their types") };
+        value
     }
 }
 

@@ -15,7 +15,7 @@ pub use cache::Cache;
 pub use view::{Bounds, View};
 
 use crate::assets::Assets;
-use crate::backend::{Backend, BackendError, Buffer, PassList};
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::error::Error;
 use crate::film::{Output, Statistics};
 use crate::request::{OutputRequest, Progress};
@@ -55,8 +55,10 @@ pub trait Method: Sync {
 /// The method of a name.
 #[must_use]
 pub fn of(name: MethodName) -> &'static dyn Method {
-    let found = ALL.into_iter().find(|method| method.name() == name);
-    found.expect("a test holds that every name has a method")
+    match name {
+        MethodName::Sweep => &sweep::PlaneSweep,
+        MethodName::Voxels => &voxels::MeshRays,
+    }
 }
 
 /// Every output of any method, in the order of [`ALL`], with the methods whose frames have it.
@@ -128,6 +130,11 @@ pub trait PreparedFrame {
     /// As [`Backend::read`].
     fn light(&self, _backend: &mut dyn Backend) -> Result<Option<Picture>, BackendError> {
         Ok(None)
+    }
+
+    /// The plane that a pass leads to, where the method sweeps planes.
+    fn plane(&self, _pass: &Pass) -> Option<u32> {
+        None
     }
 
     /// Fills in the statistics that are the method's own; `film` has the finished records.

@@ -192,12 +192,13 @@ impl GpuBackend {
     }
 }
 
-/// What a bind group is made of: the kernel, its buffers, where its records start, and how many passes' uniform blocks there are.
-type Bound<'a> = (&'a str, &'a [Buffer], u64, usize);
+/// What a bind group is made of: the kernel, the numbers of its buffers, where its records start, and how many passes' uniform blocks there
+/// are.
+type Bound<'a> = (&'a str, Vec<usize>, u64, usize);
 
 fn bound(dispatch: &[Pass]) -> Bound<'_> {
     let pass = &dispatch[0];
-    (pass.kernel.declaration.name, &pass.buffers, pass.start, dispatch.len())
+    (pass.kernel.declaration.name, pass.buffers.iter().map(Buffer::number).collect(), pass.start, dispatch.len())
 }
 
 impl Backend for GpuBackend {

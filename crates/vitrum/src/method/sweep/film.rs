@@ -1,11 +1,12 @@
 //! The outputs of a sweep, and its light as a picture.
 
 use super::Sweep;
-use crate::backend::{Backend, BackendError, Buffer, PassList};
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::film::{Output, PixelFilter, Statistics, rgb, rgba, xyz};
 use crate::method::PreparedFrame;
 use vitrum_io::Picture;
 use vitrum_kernels::abi::record::{film, status};
+use vitrum_kernels::abi::sweep::SweepUniforms;
 
 /// The outputs, by the components of [`film`].
 pub(super) const OUTPUTS: &[Output] = &[
@@ -59,6 +60,12 @@ impl PreparedFrame for Sweep {
             .map(|at| [irradiance[at], irradiance[texels + at], irradiance[2 * texels + at]])
             .collect();
         Ok(Some(Picture::rgb(width, height, pixels)))
+    }
+
+    fn plane(&self, pass: &Pass) -> Option<u32> {
+        let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
+        let distance = |plane: &u32| (self.planes.depth(*plane) - f64::from(uniforms.plane.y)).abs();
+        (0..self.planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
     fn statistics(&self, records: &[f32], statistics: &mut Statistics) {
