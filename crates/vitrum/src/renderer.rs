@@ -133,6 +133,19 @@ pub fn frame(
     backend: &mut dyn Backend,
     progress: &mut (dyn FnMut(Progress) -> bool + Send),
 ) -> Result<Frame, Error> {
+    match backend.pool() {
+        Some(pool) => pool.install(|| frame_here(job, cache, backend, progress)),
+        None => frame_here(job, cache, backend, progress),
+    }
+}
+
+/// As [`frame`], on the threads that this is called on.
+fn frame_here(
+    job: &Job<'_>,
+    cache: &mut Cache,
+    backend: &mut dyn Backend,
+    progress: &mut (dyn FnMut(Progress) -> bool + Send),
+) -> Result<Frame, Error> {
     let scene = job.scene;
     check(scene, job.assets)?;
     let method = method::of(scene.method);

@@ -1,97 +1,30 @@
 //! A device that fails in the middle of a frame: an error of its own kind, or the same picture from another backend.
 
-use std::ops::Range;
-use std::path::Path;
-use std::sync::{Arc, Mutex};
-use vitrum::backend::{Backend, BackendError, Buffer, Contents, CpuBackend, PassList};
-use vitrum::scene::Scene;
-use vitrum::{Assets, Error, Frame, OutputRequest, Renderer, builtin, render};
+mod common;
 
-/// The CPU in the role of a card that runs so many frames, then half of one, and is lost.
+use common::{Watch, Watched, cpu, lost, small};
+use std::sync::{Arc, Mutex};
+use vitrum::backend::{Backend, BackendError, PassList};
+use vitrum::{Error, Frame, OutputRequest, Renderer, render};
+
+/// A card that runs so many frames, then half of one, and fails.
 struct Failing {
-    cpu: CpuBackend,
     frames: usize,
     failure: fn() -> BackendError,
 }
 
-fn lost() -> BackendError {
-    BackendError::DeviceLost { adapter: "a card".to_owned(), reason: "the driver was reset".to_owned() }
-}
-
-impl Backend for Failing {
-    fn name(&self) -> &'static str {
-        "gpu"
-    }
-
-    fn adapter(&self) -> String {
-        "a card".to_owned()
-    }
-
-    fn largest_buffer(&self) -> u64 {
-        self.cpu.largest_buffer()
-    }
-
-    fn create(&mut self, label: &str, contents: Contents<'_>) -> Result<Buffer, BackendError> {
-        self.cpu.create(label, contents)
-    }
-
-    fn write(
-        &mut self,
-        buffer: &Buffer,
-        words: usize,
-        fill: &mut (dyn FnMut(&mut [u32]) + Send),
-    ) -> Result<(), BackendError> {
-        self.cpu.write(buffer, words, fill)
-    }
-
-    fn clear(&mut self, buffer: &Buffer) -> Result<(), BackendError> {
-        self.cpu.clear(buffer)
-    }
-
-    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+impl Watch for Failing {
+    fn runs(&mut self, passes: &PassList) -> Result<(), (usize, BackendError)> {
         if self.frames > 0 {
             self.frames -= 1;
-            return self.cpu.run(passes, progress);
+            return Ok(());
         }
-        let half = passes.passes.len() / 2;
-        let stopped = self.cpu.run(passes, &mut |done| done < half && progress(done));
-        assert!(matches!(stopped, Err(BackendError::Cancelled)), "half a frame was run: {stopped:?}");
-        Err((self.failure)())
+        Err((passes.passes.len() / 2, (self.failure)()))
     }
-
-    fn read(
-        &mut self,
-        buffer: &Buffer,
-        range: Range<u64>,
-        see: &mut (dyn FnMut(&[u8]) + Send),
-    ) -> Result<(), BackendError> {
-        self.cpu.read(buffer, range, see)
-    }
-
-    fn bytes(&self, buffer: &Buffer) -> Result<u64, BackendError> {
-        self.cpu.bytes(buffer)
-    }
-
-    fn device_bytes(&self) -> Option<u64> {
-        Some(0)
-    }
-}
-
-fn cpu() -> CpuBackend {
-    CpuBackend::new(Some(1)).expect("a thread")
 }
 
 fn card(frames: usize, failure: fn() -> BackendError) -> Box<dyn Backend> {
-    Box::new(Failing { cpu: cpu(), frames, failure })
-}
-
-/// A ball, small enough to be quick in a debugger.
-fn ball() -> (Scene, Assets) {
-    let mut scene = builtin::scene("ball").expect("it is built in");
-    scene.volume.resolution = Some(16);
-    (scene.film.width, scene.film.height) = (24, 16);
-    let assets = Assets::load(&scene, Path::new("")).expect("it needs no file");
-    (scene, assets)
+    Box::new(Watched::new(Failing { frames, failure }))
 }
 
 fn go_on(_: vitrum::Progress) -> bool {
@@ -104,7 +37,7 @@ fn color(frame: &Frame) -> &[f32] {
 
 #[test]
 fn a_lost_device_is_an_error_of_the_device() {
-    let (scene, assets) = ball();
+    let (scene, assets) = small("ball");
     let mut renderer = Renderer::new(card(0, lost), assets);
     let error = renderer.render(&scene, OutputRequest::default(), &mut go_on).expect_err("the device is lost");
     assert!(matches!(&error, Error::Backend(BackendError::DeviceLost { .. })), "{error:?}");
@@ -114,7 +47,7 @@ fn a_lost_device_is_an_error_of_the_device() {
 
 #[test]
 fn another_backend_makes_the_same_picture() {
-    let (scene, assets) = ball();
+    let (scene, assets) = small("ball");
     let expected = render(&scene, &assets, &mut cpu(), &mut go_on).expect("a picture");
     for failure in [lost, || BackendError::OutOfMemory { adapter: "a card".to_owned(), what: "light".to_owned() }] {
         let told = Arc::new(Mutex::new(Vec::new()));
@@ -135,7 +68,7 @@ fn another_backend_makes_the_same_picture() {
 
 #[test]
 fn a_fallback_that_fails_too_is_the_error() {
-    let (scene, assets) = ball();
+    let (scene, assets) = small("ball");
     let none = || BackendError::Threads { threads: 9, reason: "there are none".to_owned() };
     let mut renderer = Renderer::new(card(0, lost), assets).with_fallback(Box::new(move |_| Err(none())));
     let error = renderer.render(&scene, OutputRequest::default(), &mut go_on).expect_err("both failed");
@@ -147,7 +80,7 @@ fn a_fallback_that_fails_too_is_the_error() {
 
 #[test]
 fn what_is_not_the_device_stays_an_error() {
-    let (scene, assets) = ball();
+    let (scene, assets) = small("ball");
     let never = |_: &BackendError| -> Result<Box<dyn Backend>, BackendError> { panic!("no device failed") };
     let mut renderer = Renderer::new(card(9, lost), assets).with_fallback(Box::new(never));
     let error = renderer.render(&scene, OutputRequest::default(), &mut |_| false).expect_err("cancelled");

@@ -72,14 +72,22 @@ pub fn devices() -> Vec<DeviceInfo> {
     found
 }
 
-/// Opens a backend. `adapter` picks a graphics adapter by a part of its name, and then even `auto` takes a software one.
+/// Opens a backend. `adapter` picks a graphics adapter by a part of its name, and then even `auto` takes a software one. `threads` is how many
+/// threads the kernels have on the CPU, and the work of the host beside either backend; all processors if `None`.
 ///
 /// # Errors
 /// [`BackendError::NoAdapter`] and [`BackendError::Unsupported`] where a graphics adapter is asked for and none can be used,
 /// [`BackendError::Threads`] where the CPU's threads cannot be started.
 pub fn open(choice: Choice, adapter: Option<&str>, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
     let cpu = || CpuBackend::new(threads).map(|backend| Box::new(backend) as Box<dyn Backend>);
-    let gpu = |found| GpuBackend::among(found, adapter).map(|backend| Box::new(backend) as Box<dyn Backend>);
+    let gpu = |found| {
+        let backend = GpuBackend::among(found, adapter)?;
+        let backend = match threads {
+            Some(threads) => backend.with_threads(threads)?,
+            None => backend,
+        };
+        Ok(Box::new(backend) as Box<dyn Backend>)
+    };
     if choice == Choice::Cpu {
         return cpu();
     }

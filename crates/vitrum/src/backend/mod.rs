@@ -20,7 +20,9 @@ pub use pass::{Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
 pub use times::KernelTime;
 
 use bytemuck::{AnyBitPattern, NoUninit};
+use rayon::ThreadPool;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Runs passes over buffers.
 pub trait Backend: Send {
@@ -41,9 +43,9 @@ pub trait Backend: Send {
     /// Sets [`Self::volume_limit`]; with `None` there is none but [`Self::largest_buffer`] for each volume.
     fn set_volume_limit(&mut self, _bytes: Option<u64>) {}
 
-    /// Runs work of the host, such as the preparation of a frame, on the threads that the backend was given; `work` is called once.
-    fn host(&self, work: &mut (dyn FnMut() + Send)) {
-        work();
+    /// The threads on which work of the host runs, such as the preparation of a frame; `None` for the process's own.
+    fn pool(&self) -> Option<Arc<ThreadPool>> {
+        None
     }
 
     /// Makes a buffer.

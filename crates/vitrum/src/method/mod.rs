@@ -101,7 +101,7 @@ pub struct Tools<'a> {
     /// The backend.
     pub backend: &'a mut dyn Backend,
     /// Is told how far the preparation is, and cancels it by returning `false`.
-    pub progress: &'a mut dyn FnMut(Progress) -> bool,
+    pub progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
 }
 
 /// An exposure that is ready to run: buffers on a backend and a list of passes. Its buffers are freed when it is dropped.

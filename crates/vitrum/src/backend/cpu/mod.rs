@@ -14,6 +14,7 @@ use course::{Course, Part, parts};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 use std::time::Instant;
 use vitrum_kernels::kernel::InstructionSet;
 
@@ -25,7 +26,7 @@ const CLEARED_TOGETHER: usize = 1 << 16;
 
 /// Runs kernels natively, compiled per instruction set.
 pub struct CpuBackend {
-    pool: rayon::ThreadPool,
+    pool: Arc<rayon::ThreadPool>,
     set: InstructionSet,
     memory: Memory,
     volume_limit: Option<u64>,
@@ -36,6 +37,13 @@ pub struct CpuBackend {
 struct Memory {
     buffers: Buffers<Contents>,
     times: Vec<KernelTime>,
+}
+
+/// Starts `threads` threads, or one for each processor where that is 0.
+pub(super) fn start(threads: usize) -> Result<Arc<rayon::ThreadPool>, BackendError> {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(|index| format!("vitrum-{index}"));
+    let pool = builder.build().map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
+    Ok(Arc::new(pool))
 }
 
 impl CpuBackend {
@@ -52,12 +60,7 @@ impl CpuBackend {
     /// # Errors
     /// [`BackendError::Threads`] where the threads cannot be started.
     pub fn with_instruction_set(threads: Option<usize>, set: InstructionSet) -> Result<Self, BackendError> {
-        let threads = threads.unwrap_or(0);
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .thread_name(|index| format!("vitrum-{index}"))
-            .build()
-            .map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
+        let pool = start(threads.unwrap_or(0))?;
         let set = if set.is_available() { set } else { InstructionSet::best() };
         Ok(Self { pool, set, memory: Memory::default(), volume_limit: None })
     }
@@ -154,8 +157,8 @@ impl Backend for CpuBackend {
         self.volume_limit = bytes;
     }
 
-    fn host(&self, work: &mut (dyn FnMut() + Send)) {
-        self.pool.install(work);
+    fn pool(&self) -> Option<Arc<rayon::ThreadPool>> {
+        Some(Arc::clone(&self.pool))
     }
 
     fn create(&mut self, label: &str, contents: buffer::Contents<'_>) -> Result<Buffer, BackendError> {
@@ -253,6 +256,12 @@ impl Backend for CpuBackend {
 }
 
 impl CpuBackend {
+    /// Bytes of host memory that buffers take, and memory that they share with volumes.
+    #[must_use]
+    pub fn buffer_bytes(&self) -> u64 {
+        self.memory.buffers.living().map(|words| words.len() as u64 * 4).sum()
+    }
+
     fn zeros(&self, label: &str, bytes: u64) -> Result<Vec<u32>, BackendError> {
         let count = usize::try_from(bytes / 4).unwrap_or(usize::MAX);
         // Whether there is the memory, since the next line would end the program. It gets pages that the system has cleared.

@@ -15,6 +15,7 @@ use pipeline::Pipeline;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::ops::Range;
+use std::sync::Arc;
 use stopwatch::Stopwatch;
 use together::{block_bytes, dispatches};
 use vitrum_kernels::kernel::{Access, WORKGROUP, Window};
@@ -34,6 +35,7 @@ pub struct GpuBackend {
     buffers: Buffers<wgpu::Buffer>,
     times: Vec<KernelTime>,
     volume_limit: Option<u64>,
+    pool: Option<Arc<rayon::ThreadPool>>,
 }
 
 impl GpuBackend {
@@ -56,7 +58,16 @@ impl GpuBackend {
             buffers: Buffers::default(),
             times: Vec::new(),
             volume_limit: None,
+            pool: None,
         })
+    }
+
+    /// Has the work of the host run on `threads` threads instead of the process's own.
+    ///
+    /// # Errors
+    /// [`BackendError::Threads`] where the threads cannot be started.
+    pub fn with_threads(self, threads: usize) -> Result<Self, BackendError> {
+        Ok(Self { pool: Some(super::cpu::start(threads)?), ..self })
     }
 
     /// The device's failure, if it had one.
@@ -213,6 +224,10 @@ impl Backend for GpuBackend {
     fn largest_buffer(&self) -> u64 {
         // Kernels index words by a signed 32-bit number.
         self.limits.max_storage_buffer_binding_size.min(self.limits.max_buffer_size).min((i32::MAX as u64) * 4)
+    }
+
+    fn pool(&self) -> Option<Arc<rayon::ThreadPool>> {
+        self.pool.clone()
     }
 
     fn volume_limit(&self) -> u64 {

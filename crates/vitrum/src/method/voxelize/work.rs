@@ -9,7 +9,7 @@ pub(super) struct Work<'a> {
     pub(super) done: u64,
     pub(super) total: u64,
     pub(super) items: u64,
-    pub(super) progress: &'a mut dyn FnMut(Progress) -> bool,
+    pub(super) progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
 }
 
 impl Work<'_> {

@@ -44,7 +44,7 @@ struct Work<'a> {
     words: Vec<[f32; caster::SIZE]>,
     solids: Vec<Solid>,
     uniform: Option<u32>,
-    progress: &'a mut dyn FnMut(Progress) -> bool,
+    progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
     done: u64,
     total: u64,
 }
@@ -85,7 +85,7 @@ impl<'a> Work<'a> {
         turned: &Turned,
         grid: Grid,
         channels: u32,
-        progress: &'a mut dyn FnMut(Progress) -> bool,
+        progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
     ) -> Self {
         let in_voxels = |corners: &Vec<[[f64; 3]; 3]>| -> Vec<Corners> {
             let voxels = |at: [f64; 3]| std::array::from_fn(|axis| (at[axis] - grid.origin[axis]) / grid.voxel_size);
