@@ -1,6 +1,5 @@
 //! The data that a scene names, read from files or made.
 
-use crate::builtin;
 use crate::error::Error;
 use crate::scene::{EnvironmentKind, MeshSource, Scene, VolumeSource};
 use crate::subject::Subject;
@@ -72,7 +71,7 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
             let options = OpenOptions { max_bytes, ..OpenOptions::default() };
             (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
         }
-        (None, Some(name)) => (builtin::mesh(name).ok_or_else(|| unknown_mesh(name))?, Up::Superior),
+        (None, Some(name)) => (made::mesh(name)?, Up::Superior),
         (Some(_), Some(_)) => return Err(Error::Scene("a mesh has both a file and a builtin; keep one".to_owned())),
         (None, None) => {
             return Err(Error::Scene("a mesh has neither a file nor a builtin; give one of them".to_owned()));
@@ -88,9 +87,44 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
     Ok(mesh)
 }
 
-fn unknown_mesh(name: &str) -> Error {
-    let names = builtin::mesh_names().collect::<Vec<_>>().join(", ");
-    Error::Scene(format!("there is no built-in mesh `{name}`; they are {names}"))
+/// Built-in data.
+#[cfg(feature = "builtin")]
+mod made {
+    use crate::builtin;
+    use crate::error::Error;
+    use vitrum_io::{Mesh, Volume};
+
+    pub(super) fn mesh(name: &str) -> Result<Mesh, Error> {
+        builtin::mesh(name).ok_or_else(|| {
+            let names = builtin::mesh_names().collect::<Vec<_>>().join(", ");
+            Error::Scene(format!("there is no built-in mesh `{name}`; they are {names}"))
+        })
+    }
+
+    pub(super) fn volume(name: &str, resolution: Option<u32>) -> Result<Volume, Error> {
+        let unknown =
+            || Error::Scene(format!("there is no built-in volume `{name}`; `vitrum scenes` lists the built-in scenes"));
+        Ok(builtin::volume(name, resolution).ok_or_else(unknown)??)
+    }
+}
+
+/// The place of built-in data in a build without it.
+#[cfg(not(feature = "builtin"))]
+mod made {
+    use crate::error::Error;
+    use vitrum_io::{Mesh, Volume};
+
+    pub(super) fn mesh(name: &str) -> Result<Mesh, Error> {
+        Err(left_out("mesh", name))
+    }
+
+    pub(super) fn volume(name: &str, _resolution: Option<u32>) -> Result<Volume, Error> {
+        Err(left_out("volume", name))
+    }
+
+    fn left_out(kind: &str, name: &str) -> Error {
+        Error::Scene(format!("the built-in {kind} `{name}` is not in this build (feature `builtin`); name a file"))
+    }
 }
 
 /// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.
@@ -110,12 +144,7 @@ pub fn load_volume(source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -
     match (&source.file, &source.builtin) {
         (Some(file), None) if file == Path::new(STANDARD_INPUT) => Ok(vitrum_io::open(file, &options)?),
         (Some(file), None) => Ok(vitrum_io::open(&base.join(file), &options)?),
-        (None, Some(name)) => {
-            let volume = builtin::volume(name, source.resolution).ok_or_else(|| {
-                Error::Scene(format!("there is no built-in volume `{name}`; `vitrum scenes` lists the built-in scenes"))
-            })??;
-            Ok(options.place(volume)?)
-        }
+        (None, Some(name)) => Ok(options.place(made::volume(name, source.resolution)?)?),
         (Some(_), Some(_)) => Err(Error::Scene("a volume has both a file and a builtin; keep one".to_owned())),
         (None, None) => Err(Error::Scene("a volume has neither a file nor a builtin; give one of them".to_owned())),
     }

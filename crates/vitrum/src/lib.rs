@@ -7,6 +7,7 @@
 
 mod assets;
 pub mod backend;
+#[cfg(feature = "builtin")]
 pub mod builtin;
 mod error;
 mod film;

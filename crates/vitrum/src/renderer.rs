@@ -7,7 +7,7 @@ use crate::film::{Accumulator, Frame, RayRecords, Statistics};
 use crate::method::{self, Cache, Job, Tools};
 use crate::request::{OutputRequest, Progress, Stage};
 use crate::scene::Scene;
-use std::time::Instant;
+use web_time::Instant;
 
 /// Opens another backend after a failure of the first one's device.
 pub type Fallback = dyn FnMut(&BackendError) -> Result<Box<dyn Backend>, BackendError> + Send;
@@ -133,10 +133,7 @@ pub fn frame(
     backend: &mut dyn Backend,
     progress: &mut (dyn FnMut(Progress) -> bool + Send),
 ) -> Result<Frame, Error> {
-    match backend.pool() {
-        Some(pool) => pool.install(|| frame_here(job, cache, backend, progress)),
-        None => frame_here(job, cache, backend, progress),
-    }
+    backend.threads().run(|| frame_here(job, cache, backend, progress))
 }
 
 /// As [`frame`], on the threads that this is called on.

@@ -7,22 +7,24 @@ mod buffer;
 mod choice;
 mod cpu;
 mod error;
+#[cfg(feature = "gpu")]
 mod gpu;
 mod pass;
+mod threads;
 pub(crate) mod times;
 
 pub use buffer::{Buffer, Contents};
 pub use choice::{Choice, DeviceInfo, devices, open};
 pub use cpu::CpuBackend;
 pub use error::BackendError;
+#[cfg(feature = "gpu")]
 pub use gpu::GpuBackend;
 pub use pass::{Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
+pub use threads::Threads;
 pub use times::KernelTime;
 
 use bytemuck::{AnyBitPattern, NoUninit};
-use rayon::ThreadPool;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// Runs passes over buffers.
 pub trait Backend: Send {
@@ -43,9 +45,9 @@ pub trait Backend: Send {
     /// Sets [`Self::volume_limit`]; with `None` there is none but [`Self::largest_buffer`] for each volume.
     fn set_volume_limit(&mut self, _bytes: Option<u64>) {}
 
-    /// The threads on which work of the host runs, such as the preparation of a frame; `None` for the process's own.
-    fn pool(&self) -> Option<Arc<ThreadPool>> {
-        None
+    /// The threads on which the work of the host runs, such as the preparation of a frame.
+    fn threads(&self) -> Threads {
+        Threads::default()
     }
 
     /// Makes a buffer.

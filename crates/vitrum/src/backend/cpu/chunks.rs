@@ -3,8 +3,8 @@
 use crate::backend::{Buffer, Pass};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
-use std::time::Instant;
 use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Marks, Window};
+use web_time::Instant;
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;

@@ -7,16 +7,15 @@ mod course;
 use super::buffer::Buffers;
 use super::pass::check_part;
 use super::times::{self, KernelTime};
-use super::{Backend, BackendError, Buffer, Pass, PassList, Write, buffer};
+use super::{Backend, BackendError, Buffer, Pass, PassList, Threads, Write, buffer};
 use chunks::{Known, Prepared, Written, rows};
 use contents::Contents;
 use course::{Course, Part, parts};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ops::Range;
-use std::sync::Arc;
-use std::time::Instant;
 use vitrum_kernels::kernel::InstructionSet;
+use web_time::Instant;
 
 /// Passes between two calls of the progress function.
 const PASSES_PER_REPORT: usize = 24;
@@ -26,7 +25,7 @@ const CLEARED_TOGETHER: usize = 1 << 16;
 
 /// Runs kernels natively, compiled per instruction set.
 pub struct CpuBackend {
-    pool: Arc<rayon::ThreadPool>,
+    threads: Threads,
     set: InstructionSet,
     memory: Memory,
     volume_limit: Option<u64>,
@@ -37,13 +36,6 @@ pub struct CpuBackend {
 struct Memory {
     buffers: Buffers<Contents>,
     times: Vec<KernelTime>,
-}
-
-/// Starts `threads` threads, or one for each processor where that is 0.
-pub(super) fn start(threads: usize) -> Result<Arc<rayon::ThreadPool>, BackendError> {
-    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(|index| format!("vitrum-{index}"));
-    let pool = builder.build().map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
-    Ok(Arc::new(pool))
 }
 
 impl CpuBackend {
@@ -60,9 +52,9 @@ impl CpuBackend {
     /// # Errors
     /// [`BackendError::Threads`] where the threads cannot be started.
     pub fn with_instruction_set(threads: Option<usize>, set: InstructionSet) -> Result<Self, BackendError> {
-        let pool = start(threads.unwrap_or(0))?;
+        let threads = Threads::start(threads)?;
         let set = if set.is_available() { set } else { InstructionSet::best() };
-        Ok(Self { pool, set, memory: Memory::default(), volume_limit: None })
+        Ok(Self { threads, set, memory: Memory::default(), volume_limit: None })
     }
 }
 
@@ -141,7 +133,7 @@ impl Backend for CpuBackend {
     }
 
     fn adapter(&self) -> String {
-        format!("{} threads, {:?}", self.pool.current_num_threads(), self.set)
+        format!("{} threads, {:?}", self.threads.count(), self.set)
     }
 
     fn largest_buffer(&self) -> u64 {
@@ -157,8 +149,8 @@ impl Backend for CpuBackend {
         self.volume_limit = bytes;
     }
 
-    fn pool(&self) -> Option<Arc<rayon::ThreadPool>> {
-        Some(Arc::clone(&self.pool))
+    fn threads(&self) -> Threads {
+        self.threads.clone()
     }
 
     fn create(&mut self, label: &str, contents: buffer::Contents<'_>) -> Result<Buffer, BackendError> {
@@ -172,7 +164,7 @@ impl Backend for CpuBackend {
             buffer::Contents::Zeros(_) => Contents::Own(self.zeros(label, bytes)?),
             buffer::Contents::Written(_, fill) => {
                 let mut words = self.zeros(label, bytes)?;
-                self.pool.install(|| fill(&mut words));
+                self.threads.run(|| fill(&mut words));
                 Contents::Own(words)
             }
         };
@@ -186,8 +178,8 @@ impl Backend for CpuBackend {
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError> {
         check_part(0, words as u64 * 4, self.memory.size(buffer))?;
-        let pool = &self.pool;
-        self.memory.change(buffer, |contents| pool.install(|| fill(&mut contents[..words])))
+        let threads = &self.threads;
+        self.memory.change(buffer, |contents| threads.run(|| fill(&mut contents[..words])))
     }
 
     fn clear(&mut self, buffer: &Buffer) -> Result<(), BackendError> {
@@ -201,7 +193,7 @@ impl Backend for CpuBackend {
         self.memory.buffers.collect();
         let mut course = Course::new(passes, self.set);
         let parts: Vec<Part> = parts(passes).collect();
-        let (pool, memory) = (&self.pool, &mut self.memory);
+        let (threads, memory) = (&self.threads, &mut self.memory);
         let (mut done, mut next) = (0, 0);
         while next < parts.len() {
             if !progress(done) {
@@ -213,10 +205,10 @@ impl Backend for CpuBackend {
                 done += parts[next].1.len();
                 next += 1;
             }
-            // Handing work to the pool from outside takes as long as a small pass, so that it gets many at once.
-            pool.install(|| parts[first..next].iter().try_for_each(|part| course.run(part, memory)))?;
+            // Handing work to other threads takes as long as a small pass, so that it gets many at once.
+            threads.run(|| parts[first..next].iter().try_for_each(|part| course.run(part, memory)))?;
         }
-        pool.install(|| course.end(memory))?;
+        threads.run(|| course.end(memory))?;
         progress(done);
         Ok(())
     }
@@ -234,7 +226,7 @@ impl Backend for CpuBackend {
         let contents: &[u8] = bytemuck::cast_slice(self.memory.buffers.get(buffer)?);
         check_part(range.start, range.end.saturating_sub(range.start), Some(contents.len() as u64))?;
         let part = &contents[range.start as usize..range.end as usize];
-        self.pool.install(|| see(part));
+        self.threads.run(|| see(part));
         Ok(())
     }
 

@@ -9,13 +9,12 @@ mod together;
 pub(crate) use adapter::{adapters, describe, is_hardware};
 
 use super::buffer::Buffers;
-use super::{Backend, BackendError, Buffer, Contents, KernelTime, Pass, PassList, Write, pass};
+use super::{Backend, BackendError, Buffer, Contents, KernelTime, Pass, PassList, Threads, Write, pass};
 use adapter::Opened;
 use pipeline::Pipeline;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::ops::Range;
-use std::sync::Arc;
 use stopwatch::Stopwatch;
 use together::{block_bytes, dispatches};
 use vitrum_kernels::kernel::{Access, WORKGROUP, Window};
@@ -35,7 +34,7 @@ pub struct GpuBackend {
     buffers: Buffers<wgpu::Buffer>,
     times: Vec<KernelTime>,
     volume_limit: Option<u64>,
-    pool: Option<Arc<rayon::ThreadPool>>,
+    threads: Threads,
 }
 
 impl GpuBackend {
@@ -58,7 +57,7 @@ impl GpuBackend {
             buffers: Buffers::default(),
             times: Vec::new(),
             volume_limit: None,
-            pool: None,
+            threads: Threads::default(),
         })
     }
 
@@ -67,7 +66,7 @@ impl GpuBackend {
     /// # Errors
     /// [`BackendError::Threads`] where the threads cannot be started.
     pub fn with_threads(self, threads: usize) -> Result<Self, BackendError> {
-        Ok(Self { pool: Some(super::cpu::start(threads)?), ..self })
+        Ok(Self { threads: Threads::start(Some(threads))?, ..self })
     }
 
     /// The device's failure, if it had one.
@@ -226,8 +225,8 @@ impl Backend for GpuBackend {
         self.limits.max_storage_buffer_binding_size.min(self.limits.max_buffer_size).min((i32::MAX as u64) * 4)
     }
 
-    fn pool(&self) -> Option<Arc<rayon::ThreadPool>> {
-        self.pool.clone()
+    fn threads(&self) -> Threads {
+        self.threads.clone()
     }
 
     fn volume_limit(&self) -> u64 {

@@ -22,9 +22,9 @@ use crate::method::Tools;
 use items::Plan;
 use serde::Serialize;
 use solid::Body;
-use std::time::Instant;
 use surface::Surface;
 use vitrum_io::Mesh;
+use web_time::Instant;
 use work::Work;
 
 /// What there is to tell about a run.
@@ -75,18 +75,13 @@ pub struct Voxelization {
 /// # Errors
 /// Where the settings are out of their ranges, the mesh is a point, or the backend fails or lacks the memory.
 pub fn voxelize(mesh: &Mesh, settings: &Settings, tools: &mut Tools<'_>) -> Result<Voxelization, Error> {
-    let pool = tools.backend.pool();
-    let mut voxelize = || {
+    tools.backend.threads().run(|| {
         let started = Instant::now();
         let grid = Grid::around(mesh, settings)?;
         let mut made = voxelize_in(grid, mesh, settings, tools)?;
         made.statistics.voxelize_ms = vec![started.elapsed().as_secs_f64() * 1e3];
         Ok(made)
-    };
-    match pool {
-        Some(pool) => pool.install(voxelize),
-        None => voxelize(),
-    }
+    })
 }
 
 /// As [`voxelize`], in a grid that is given; the mesh must lie within it.
