@@ -6,6 +6,7 @@ use crate::method::view::light::travels;
 use crate::method::view::{Bounds, View};
 use crate::scene::{Light, Scene};
 use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use glam::{DVec2, DVec3};
 
 /// The steepest angle between light and viewing direction, in degrees (sweep §7).
@@ -35,10 +36,7 @@ pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
     let unit = travels(light, view)?;
     let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
     if angle > STEEPEST {
-        return Err(Error::Scene(format!(
-            "the light travels at {angle:.1}° to the viewing direction, at most {STEEPEST}° are possible: it must shine away from \
-             the camera; turn light.azimuth or light.elevation towards 0, or use light.attachment = \"camera\""
-        )));
+        return Err(Unrenderable::ObliqueLight { angle, limit: STEEPEST }.into());
     }
     Ok(unit)
 }
