@@ -40,7 +40,7 @@ pub struct Traced {
 pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case, Failure> {
     let mut scene = Scene { method: Method::Voxels, ..Scene::default() };
     (scene.film.width, scene.film.height) = (edge, edge);
-    scene.set("mesh.file=none.ply")?;
+    scene.set("mesh.0.file=none.ply")?;
     for setting in settings {
         scene.set(setting)?;
     }

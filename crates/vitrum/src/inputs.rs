@@ -2,9 +2,10 @@
 
 use crate::builtin;
 use crate::error::Error;
-use crate::scene::{EnvironmentKind, MeshSource, Scene, VolumeSource};
+use crate::meshes::load_meshes;
+use crate::scene::{EnvironmentKind, Scene, VolumeSource};
 use std::path::Path;
-use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Up, Volume, Voxels};
+use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Volume, Voxels};
 
 /// The volumes and pictures a scene names.
 #[derive(Debug, Clone)]
@@ -43,9 +44,8 @@ impl Inputs {
             }
             _ => None,
         };
-        let mesh = scene.mesh.as_ref().map(|source| load_mesh(source, base, max_bytes)).transpose()?;
-        if let Some(mesh) = mesh {
-            return Ok(Self { environment, ..Self::of_mesh(mesh)? });
+        if !scene.mesh.is_empty() {
+            return Ok(Self { environment, ..Self::of_mesh(load_meshes(&scene.mesh, base, max_bytes)?)? });
         }
         Ok(Self {
             mesh: None,
@@ -71,46 +71,6 @@ impl Inputs {
         volume.origin = std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]));
         Ok(Self { volume, mesh: Some(mesh), ior_volume: None, environment: None })
     }
-}
-
-/// Reads the mesh that `source` names, turned upright but not twisted; a relative path starts at `base`.
-///
-/// # Errors
-///
-/// Those of [`vitrum_io::open_mesh`]; where `source` would not pass [`Scene::validate`], or its built-in mesh does not exist.
-pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Result<Mesh, Error> {
-    let (mut mesh, usual) = match (&source.file, &source.builtin) {
-        (Some(file), None) => {
-            let path = base.join(file);
-            let options = OpenOptions { max_bytes, ..OpenOptions::default() };
-            (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
-        }
-        (None, Some(name)) => (builtin::mesh(name).ok_or_else(|| unknown_mesh(name))?, Up::Superior),
-        (Some(_), Some(_)) => return Err(Error::Scene("a mesh has both a file and a builtin; keep one".to_owned())),
-        (None, None) => {
-            return Err(Error::Scene("a mesh has neither a file nor a builtin; give one of them".to_owned()));
-        }
-    };
-    let up = match &source.up {
-        Some(text) => text.parse().map_err(Error::Scene)?,
-        None => usual,
-    };
-    let turn = |vector: &mut [f32; 3]| *vector = up.turn(*vector);
-    mesh.positions.iter_mut().for_each(turn);
-    mesh.normals.iter_mut().flatten().for_each(turn);
-    Ok(mesh)
-}
-
-fn unknown_mesh(name: &str) -> Error {
-    let names = builtin::mesh_names().collect::<Vec<_>>().join(", ");
-    Error::Scene(format!("there is no built-in mesh `{name}`; they are {names}"))
-}
-
-/// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.
-fn usual_up(path: &Path) -> Up {
-    let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    // Wherever it stands: files may be packed, `.obj.gz`.
-    if [".obj", ".gltf", ".glb"].iter().any(|extension| name.contains(extension)) { Up::Anterior } else { Up::Superior }
 }
 
 /// Reads the one volume that `source` names; a relative path starts at `base`.

@@ -10,6 +10,7 @@ pub mod builtin;
 mod error;
 mod film;
 mod inputs;
+mod meshes;
 pub mod method;
 pub mod preset;
 mod render;
@@ -19,7 +20,8 @@ mod session;
 
 pub use error::Error;
 pub use film::{Frame, Output, Statistics};
-pub use inputs::{Inputs, load_mesh, load_volume};
+pub use inputs::{Inputs, load_volume};
+pub use meshes::{load_mesh, load_meshes};
 pub use method::sweep::spectrum;
 pub use render::{check, render, render_wanted};
 pub use request::{Progress, Wanted};

@@ -7,8 +7,8 @@ use vitrum::{Frame, Inputs, builtin, render};
 fn frame(name: &str, supersampling: u32) -> (Scene, Frame) {
     let mut scene = builtin::scene(name).unwrap();
     (scene.film.width, scene.film.height, scene.film.supersampling) = (24, 20, supersampling);
-    scene.voxels.resolution = 32;
-    scene.volume.resolution = Some(32).filter(|_| scene.mesh.is_none());
+    scene.voxelization.resolution = 32;
+    scene.volume.resolution = Some(32).filter(|_| scene.mesh.is_empty());
     let inputs = Inputs::load(&scene, std::path::Path::new("")).unwrap();
     let mut backend = CpuBackend::new(None).unwrap();
     let frame = render(&scene, &inputs, &mut backend, &mut |_| true).unwrap();

@@ -31,7 +31,11 @@ const fn vector(name: &'static str, methods: &'static [Method], description: &'s
 pub(super) const ALL: &[Output] = &[
     output("color", BOTH, "linear radiance and coverage (RGBA)"),
     output("opacity", SWEEP, "opacity A of particles and receivers, 0 to 1"),
-    output("medium", SWEEP, "transmittance M of the medium, RGB, 0 to 1"),
+    output(
+        "transmittance",
+        BOTH,
+        "share of light that is left on the way: of a volume behind its filter, of a mesh behind absorption and reflection, RGB, 0 to 1",
+    ),
     output(
         "depth",
         BOTH,
@@ -47,7 +51,6 @@ pub(super) const ALL: &[Output] = &[
     vector("normal", VOXELS, "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
     output("bounces", VOXELS, "of a mesh: surfaces at which the ray was refracted or reflected"),
     output("path_length", VOXELS, "of a mesh: length of the ray's way inside, world units"),
-    output("transmittance", VOXELS, "of a mesh: what absorption and reflection leave of the light, RGB, 0 to 1"),
     output("reflectance", VOXELS, "of a mesh: share of the light that the first surface reflects, 0 to 1"),
     output("light", SWEEP, "light on the last plane, in the light grid's own texels, RGB"),
 ];

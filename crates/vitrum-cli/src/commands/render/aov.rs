@@ -21,6 +21,7 @@ impl FromStr for AovRequest {
         let names = || Frame::OUTPUTS.iter().map(|output| output.name);
         match Frame::OUTPUTS.iter().find(|output| output.name == name) {
             Some(output) => Ok(Self { output, file: file.into() }),
+            None if name == "medium" => Err("the output `medium` is now `transmittance`".to_owned()),
             None => Err(match nearest(name, names()) {
                 Some(near) => format!("there is no output `{name}`, did you mean `{near}`?"),
                 None => {
@@ -50,6 +51,7 @@ mod tests {
     fn requests_are_a_known_name_and_a_file() {
         let request: AovRequest = "depth=a=b.exr".parse().expect("a file name may hold `=`");
         assert_eq!((request.output.name, request.file.to_str()), ("depth", Some("a=b.exr")));
+        assert_eq!("medium=m.exr".parse::<AovRequest>(), Err("the output `medium` is now `transmittance`".to_owned()));
         for wrong in ["depth", "depth=", "=a.exr", "colour=a.exr"] {
             assert!(wrong.parse::<AovRequest>().is_err(), "{wrong}");
         }

@@ -73,7 +73,7 @@ fn layers(scene: &Scene, records: &[f32]) -> Vec<Layer> {
     vec![
         rays.layer("color", Pixel::Mean, rgba(film::COLOR)),
         rays.layer("opacity", Pixel::Mean, [("Y", film::OPACITY)]),
-        rays.layer("medium", Pixel::Mean, rgb(film::MEDIUM)),
+        rays.layer("transmittance", Pixel::Mean, rgb(film::MEDIUM)),
         rays.layer("depth", Pixel::WeightedBy(film::OPACITY), [("Z", film::DEPTH)]),
         rays.layer("direction", Pixel::Direction, xyz(film::DIRECTION)),
         rays.layer("position", Pixel::Central, xyz(film::POSITION)),

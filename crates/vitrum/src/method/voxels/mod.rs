@@ -19,5 +19,6 @@ mod uniforms;
 mod uploaded;
 
 pub use bodies::{Body, bodies};
+pub(crate) use looks::GREY;
 pub use passes::Rays;
 pub use uploaded::Uploaded;

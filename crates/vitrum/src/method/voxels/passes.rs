@@ -159,7 +159,7 @@ fn list(
     flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
     let seen = Seen {
         environment: Prepared::new(&scene.environment, inputs.environment.as_ref(), &eye),
-        light: eye.axes * travels(&scene.light, &eye)?,
+        light: eye.axes * travels(scene.first_light(), &eye)?,
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
     };

@@ -37,9 +37,9 @@ impl Kind {
         // Opaque bodies are triangles always.
         let exact = scene.voxels.surfaces == Surfaces::Exact || groups.iter().all(|group| group.opaque);
         let paper = scene.voxels.normals == Normals::Paper;
-        let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
+        let twist = scene.mesh.first().map_or(0.0, |mesh| mesh.twist);
         let overlap = if paper { scene.voxels.overlap } else { 0.0 };
-        Self { resolution: scene.voxels.resolution, twist, exact, paper, overlap, groups }
+        Self { resolution: scene.voxelization.resolution, twist, exact, paper, overlap, groups }
     }
 }
 
@@ -190,7 +190,7 @@ impl Uploaded {
         if bytes > i32::MAX as u64 - 8 {
             let count = self.clear;
             return Err(Error::Scene(format!(
-                "{x} x {y} x {z} voxels of {count} clear materials take {bytes} bytes, rays can address 2^31; lower `voxels.resolution`"
+                "{x} x {y} x {z} voxels of {count} clear materials take {bytes} bytes, rays can address 2^31; lower `voxelization.resolution`"
             )));
         }
         let clear = &self.bodies[..self.clear];
