@@ -19,7 +19,7 @@ fn key_frames_make_the_pictures_that_settings_make() {
     let folder = Folder::new();
     folder.write(
         "keys.toml",
-        "[[key]]\nframe = 0\ncamera.azimuth = 10\nlight.softness = 0\n[[key]]\ntime = 0.5\ncamera.azimuth = 50\nlight.softness = 4\n",
+        "[[key]]\nframe = 0\ncamera.azimuth = 10\nlight.0.angular_radius = 0\n[[key]]\ntime = 0.5\ncamera.azimuth = 50\nlight.0.angular_radius = 4\n",
     );
     folder.succeed(&turn(&["-o", "animation", "--keys", "keys.toml", "--rate", "8"]));
     assert_eq!(fs::read_dir(folder.file("animation")).expect("a folder").count(), 5, "frames 0 to 4");
