@@ -33,8 +33,8 @@ impl Case {
     pub fn builtin(name: &str, edge: u32, resolution: Option<u32>, settings: &[&str]) -> Result<Self, Failure> {
         let unknown = || Failure::Setup(format!("there is no built-in scene {name}; `vitrum scenes` lists them"));
         let mut scene = sized(builtin::scene(name).ok_or_else(unknown)?, edge);
-        if scene.mesh.is_some() {
-            scene.voxels.resolution = resolution.unwrap_or(scene.voxels.resolution);
+        if !scene.mesh.is_empty() {
+            scene.voxelization.resolution = resolution.unwrap_or(scene.voxelization.resolution);
         } else {
             for source in [Some(&mut scene.volume), scene.ior_volume.as_mut()].into_iter().flatten() {
                 source.resolution = resolution.or(source.resolution);

@@ -35,39 +35,50 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("ball", "ball", &[])?,
         case("ball chain", "ball", &["sweep.gradient=chain"])?,
         case("ball euler", "ball", &euler)?,
-        case("glass hard", "glass", &["light.softness=0"])?,
-        case("glass/straight", "glass/straight", &["light.softness=1"])?,
-        case("glass/straight hard", "glass/straight", &["light.softness=0"])?,
+        case("glass hard", "glass", &["light.0.angular_radius=0"])?,
+        case("glass/straight", "glass/straight", &["light.0.angular_radius=1"])?,
+        case("glass/straight hard", "glass/straight", &["light.0.angular_radius=0"])?,
         case("head", "head", &[])?,
         case("head all", "head", &["sweep.empty_space_skipping=false"])?,
         case("head u8", "head", &[])?.in_bytes()?,
         case("head u8 without light", "head", &[])?.in_bytes()?.without_light(),
-        case("luneburg without light", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?.without_light(),
-        case("phantom unshaded", "phantom", &["light.shadows=false", "sweep.refraction=false"])?,
+        case("luneburg without light", "luneburg", &["light.0.angular_radius=0", "sweep.gradient=chain"])?
+            .without_light(),
+        case("phantom unshaded", "phantom", &["light.0.shadows=false", "sweep.refraction=false"])?,
         case("phantom", "phantom", &[])?,
-        case("phantom straight hard", "phantom", &["sweep.refraction=false", "light.softness=0"])?,
+        case("phantom straight hard", "phantom", &["sweep.refraction=false", "light.0.angular_radius=0"])?,
         case("phantom sheets", "phantom", &["sweep.light=sheets"])?,
         case("phantom streamed", "phantom", &[])?.streamed(),
         case("phantom streamed straight", "phantom", &["sweep.refraction=false"])?.streamed(),
-        case("ball without shadows", "ball", &["light.shadows=false"])?,
-        case("luneburg chain hard", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
+        case("ball without shadows", "ball", &["light.0.shadows=false"])?,
+        case("luneburg chain hard", "luneburg", &["light.0.angular_radius=0", "sweep.gradient=chain"])?,
         case("combustion/mixture", "combustion/mixture", &[])?,
         case("ball sheets", "ball", &["sweep.light=sheets"])?,
-        case("glass/straight sheets", "glass/straight", &["sweep.light=sheets", "light.softness=1", "sweep.sheets=3"])?,
-        case("head u8 sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?,
-        case("luneburg chain sheets", "luneburg", &["sweep.light=sheets", "light.softness=0", "sweep.gradient=chain"])?,
+        case(
+            "glass/straight sheets",
+            "glass/straight",
+            &["sweep.light=sheets", "light.0.angular_radius=1", "sweep.sheets=3"],
+        )?,
+        case("head u8 sheets", "head", &["sweep.light=sheets", "light.0.angular_radius=0"])?.in_bytes()?,
+        case(
+            "luneburg chain sheets",
+            "luneburg",
+            &["sweep.light=sheets", "light.0.angular_radius=0", "sweep.gradient=chain"],
+        )?,
         case("ball streamed", "ball", &[])?.streamed(),
         case("ball streamed chain", "ball", &["sweep.gradient=chain"])?.streamed(),
         case("ball streamed straight", "ball", &["sweep.refraction=false"])?.streamed(),
         case("ball streamed sheets", "ball", &["sweep.light=sheets"])?.streamed(),
-        case("ball streamed unshaded", "ball", &["light.shadows=false", "sweep.refraction=false"])?.streamed(),
+        case("ball streamed unshaded", "ball", &["light.0.shadows=false", "sweep.refraction=false"])?.streamed(),
         case("head u8 streamed", "head", &[])?.in_bytes()?.streamed(),
-        case("head u8 streamed sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?.streamed(),
+        case("head u8 streamed sheets", "head", &["sweep.light=sheets", "light.0.angular_radius=0"])?
+            .in_bytes()?
+            .streamed(),
         case("luneburg streamed", "luneburg", &["sweep.gradient=chain"])?.streamed(),
         case("luneburg streamed sheets", "luneburg", &["sweep.light=sheets"])?.streamed(),
         case("combustion/mixture streamed", "combustion/mixture", &[])?.streamed(),
         case("combustion/mixture streamed sheets", "combustion/mixture", &["sweep.light=sheets"])?.streamed(),
-        case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.softness=0"])?,
+        case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.0.angular_radius=0"])?,
     ]);
     cases.extend(meshes(edge, resolution)?);
     Ok(cases)
@@ -78,7 +89,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
 /// # Errors
 /// None that these meshes cause.
 pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
-    let voxels = format!("voxels.resolution={resolution}");
+    let voxels = format!("voxelization.resolution={resolution}");
     let case = |label: &str, mesh: &Mesh, settings: &[&str]| {
         let case = refraction::case(label, mesh.clone(), edge, &[settings, &[&voxels]].concat())?;
         Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
@@ -99,11 +110,11 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("mesh ball paper two", &ball, &["voxels.normals=paper", "voxels.surfaces=two"])?,
         case("mesh ball exact", &ball, &["voxels.surfaces=exact", checkerboard])?,
         case("mesh nested", &nested, &["material=[{name=\"m1\",ior=1.2},{ior=1.7,attenuation_color=[0.5,0.7,0.9]}]"])?,
-        case("mesh opaque", &nested, &[OPAQUE, "light.attachment=world", "light.elevation=60", "ground={}"])?,
+        case("mesh opaque", &nested, &[OPAQUE, "light.0.attachment=world", "light.0.elevation=60", "ground={}"])?,
         case(
             "mesh opaque two",
             &nested,
-            &[&OPAQUE.replace("m1", "m0"), "voxels.surfaces=two", "wall={}", "shadow.softness=0.1"],
+            &[&OPAQUE.replace("m1", "m0"), "voxels.surfaces=two", "wall={}", "shadow.filter_radius=0.1"],
         )?,
         case(
             "mesh opaque paper",
@@ -114,7 +125,7 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case(
             "mesh all opaque",
             &nested,
-            &["material=[{opaque=true,density=0.5}]", "voxels.surfaces=two", "light.shadows=false"],
+            &["material=[{opaque=true,density=0.5}]", "voxels.surfaces=two", "light.0.shadows=false"],
         )?,
         case("mesh nested exact", &nested, &["voxels.surfaces=exact", "voxels.reflection=false"])?,
     ])

@@ -30,7 +30,7 @@ impl Setup {
         // The planes stay where they are when voxels become finer.
         let distance = self.sample_distance * self.resolution as f32 / RESOLUTION as f32;
         let settings =
-            [format!("sweep.sample_distance={distance}"), format!("light.resolution={}", self.light_resolution)];
+            [format!("sweep.sample_distance={distance}"), format!("sweep.light_resolution={}", self.light_resolution)];
         Case::builtin("glass", self.edge, Some(self.resolution), &settings.each_ref().map(String::as_str))
             .map(Case::without_light)
     }

@@ -101,8 +101,8 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
     let names =
         ["head", "supernova", "luneburg", "combustion/mixture", "phantom", "phantom/translucent", "ball", "glass"];
     // Steep light; close up from a corner, so that much lies outside of the picture, with a wide filter.
-    let steep: &[&str] = &["light.azimuth=60", "light.elevation=20", "light.softness=0"];
-    let near: &[&str] = &["camera.azimuth=40", "camera.elevation=35", "camera.zoom=2.5", "light.softness=6"];
+    let steep: &[&str] = &["light.0.azimuth=60", "light.0.elevation=20", "light.0.angular_radius=0"];
+    let near: &[&str] = &["camera.azimuth=40", "camera.elevation=35", "camera.zoom=2.5", "light.0.angular_radius=6"];
     for (name, settings) in names.iter().flat_map(|name| [(name, &[][..]), (name, steep), (name, near)]) {
         let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), settings)?;
         (case.scene.ground, case.scene.wall) = (None, None);
@@ -128,7 +128,7 @@ fn light_goes_on_where_it_may_be_seen_again() -> Result<(), Failure> {
         Case::builtin("ball", EDGE, Some(RESOLUTION), &[])?,
         Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?.without_light(),
         // So oblique that texels do not follow it, and light moves on to those that were seen before.
-        Case::builtin("head", EDGE, Some(RESOLUTION), &["light.azimuth=75"])?.without_light(),
+        Case::builtin("head", EDGE, Some(RESOLUTION), &["light.0.azimuth=75"])?.without_light(),
     ];
     for case in cases {
         let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;
@@ -143,7 +143,8 @@ fn a_renderer_renders_what_a_fresh_start_renders() -> Result<(), Failure> {
     let mut case = Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?;
     let mut fresh = CpuBackend::new(None)?;
     let mut renderer = vitrum::Renderer::new(Box::new(CpuBackend::new(None)?), case.assets.clone());
-    for setting in ["camera.azimuth=20", "light.azimuth=-30", "transfer.ior=[{ value = 0, ior = 1 }]", "film.width=33"]
+    for setting in
+        ["camera.azimuth=20", "light.0.azimuth=-30", "transfer.ior=[{ value = 0, ior = 1 }]", "film.width=33"]
     {
         case.scene.set(setting)?;
         let (kept, anew) =

@@ -13,7 +13,7 @@ fn photons_obey_snell() {
     use vitrum_kernels::glam::DVec3;
     let case = Case::builtin("ball", 16, Some(32), &[]).expect("the scene exists");
     let mut scene = case.scene.clone();
-    scene.transfer.medium.clear();
+    scene.transfer.filter.clear();
     let view = View::new(&scene, case.volume());
     let field = Field::new(case.volume(), &scene.transfer, &view);
     // Through the ball's centre nothing bends; beside it the ray crosses the axis where a ball lens has it.
@@ -103,7 +103,7 @@ fn photons_have_the_spot_of_a_ball_lens() {
     use vitrum_kernels::glam::DVec3;
     let case = Case::builtin("ball", 16, Some(96), &[]).expect("the scene exists");
     let mut scene = case.scene.clone();
-    scene.transfer.medium.clear();
+    scene.transfer.filter.clear();
     let view = View::new(&scene, case.volume());
     let field = Field::new(case.volume(), &scene.transfer, &view);
     let centre = view.point(DVec3::ZERO);

@@ -45,13 +45,16 @@ fn cases() -> Result<Vec<Case>, Failure> {
     let no_skipping = "sweep.empty_space_skipping=false";
     Ok(vec![
         case("ball", &[])?,
-        case("ball", &[OBLIQUE, FROM_ABOVE, "light.softness=3", "light.elevation=50"])?,
+        case("ball", &[OBLIQUE, FROM_ABOVE, "light.0.angular_radius=3", "light.0.elevation=50"])?,
         case("ball", &[OBLIQUE, no_skipping, "sweep.gradient=chain"])?,
-        case("ball", &["camera.azimuth=45", "camera.elevation=35.26", "camera.roll=30", sheets, "light.softness=2"])?,
+        case(
+            "ball",
+            &["camera.azimuth=45", "camera.elevation=35.26", "camera.roll=30", sheets, "light.0.angular_radius=2"],
+        )?,
         case("ball", &["camera.zoom=5", "camera.elevation=-30", "sweep.sample_distance=0.5"])?,
         case("phantom", &[OBLIQUE, FROM_ABOVE])?,
         case("phantom", &["camera.projection=orthographic", FROM_ABOVE, no_skipping])?,
-        case("phantom", &["light.shadows=false", "sweep.refraction=false", OBLIQUE])?,
+        case("phantom", &["light.0.shadows=false", "sweep.refraction=false", OBLIQUE])?,
         case("phantom/translucent", &[OBLIQUE, "camera.elevation=-60", sheets, "sweep.sample_distance=2"])?,
         case("head", &["camera.azimuth=120", FROM_ABOVE, "sweep.integrator=euler", "sweep.intensity=paper"])?,
         case("head", &[OBLIQUE, sheets])?.in_bytes()?,
@@ -59,7 +62,7 @@ fn cases() -> Result<Vec<Case>, Failure> {
         noisy(case("phantom", &[FROM_ABOVE, "sweep.refraction=false", "camera.field_of_view=70"])?)?,
         case("luneburg", &[OBLIQUE, FROM_ABOVE])?,
         case("luneburg", &[OBLIQUE, sheets, no_skipping, "sweep.gradient=chain"])?,
-        case("luneburg", &["camera.elevation=-50", "light.shadows=false", "sweep.refraction=false"])?,
+        case("luneburg", &["camera.elevation=-50", "light.0.shadows=false", "sweep.refraction=false"])?,
         case("combustion/mixture", &[OBLIQUE, FROM_ABOVE])?,
         case("combustion/mixture", &[FROM_ABOVE, sheets, no_skipping])?,
         two_of_integers([RESOLUTION, 37], &[OBLIQUE, FROM_ABOVE])?,

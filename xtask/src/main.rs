@@ -9,6 +9,7 @@ mod ci;
 mod command;
 mod diff;
 mod distribution;
+mod docs;
 mod failure;
 mod fuzz;
 mod man;
@@ -39,6 +40,7 @@ enum Task {
     Diff(diff::Arguments),
     Bench(bench::Arguments),
     Accuracy(accuracy::Arguments),
+    Docs(docs::Arguments),
     Fuzz(fuzz::Arguments),
     Man(man::Arguments),
     Peers(peers::Arguments),
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Task::Diff(arguments) => diff::run(&arguments),
         Task::Bench(arguments) => bench::run(&arguments),
         Task::Accuracy(arguments) => accuracy::run(&arguments),
+        Task::Docs(arguments) => docs::run(&arguments),
         Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Man(arguments) => man::run(&arguments),
         Task::Peers(arguments) => peers::run(&arguments),

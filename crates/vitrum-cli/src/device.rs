@@ -38,7 +38,7 @@ impl MemoryArguments {
             return Ok(());
         }
         let message = "--memory-limit is for volumes, and rays go through a mesh whose voxels are all there at once";
-        let help = "leave it out and lower `voxels.resolution`, or set `method = \"sweep\"`";
+        let help = "leave it out and lower `voxelization.resolution`, or set `method = \"sweep\"`";
         Err(Failure::new(Status::WrongUse, message.to_owned(), help))
     }
 }

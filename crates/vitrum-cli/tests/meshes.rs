@@ -84,7 +84,7 @@ fn a_mesh_is_rendered_and_its_scene_renders_the_same() {
     let folder = Folder::new();
     folder.write("a.obj", TETRAHEDRON);
     folder.write("a.mtl", "newmtl glass\nNi 1.7\n");
-    let common = ["--backend", "cpu", "--size", "48x48", "--set", "voxels.resolution=32"];
+    let common = ["--backend", "cpu", "--size", "48x48", "--set", "voxelization.resolution=32"];
     let with = |first: &[&str]| folder.succeed(&[first, &common].concat());
     with(&["render", "a.obj", "-o", "a.exr", "--aov", "normal=n.exr", "--aov", "bounces=b.exr", "--stats", "a.json"]);
     let stats = std::fs::read_to_string(folder.file("a.json")).expect("it was written");
@@ -109,7 +109,7 @@ fn what_rays_cannot_do_is_refused() {
     }
     folder.write("a.obj", TETRAHEDRON);
     let render = ["render", "a.obj", "-o", "out.png", "--set", "method=voxels", "--memory-limit", "1KiB"];
-    folder.refuse(&render, 2, &["--memory-limit is for volumes", "voxels.resolution"]);
+    folder.refuse(&render, 2, &["--memory-limit is for volumes", "voxelization.resolution"]);
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn holes_of_a_rendered_mesh_are_told() {
     let folder = Folder::new();
     folder.write("closed.obj", TETRAHEDRON);
     folder.write("a.mtl", "newmtl glass\n");
-    let small = ["--size", "16x16", "--set", "voxels.resolution=16", "--backend", "cpu"];
+    let small = ["--size", "16x16", "--set", "voxelization.resolution=16", "--backend", "cpu"];
     let messages = |file: &str, method: &str| {
         let outcome = folder.vitrum(&[&["render", file, "-o", "out.png", "--set", method][..], &small].concat());
         assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
@@ -144,7 +144,7 @@ fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
         |out: &str, more: &[&str]| folder.succeed(&[&["render", "a.obj", "-o", out], &common[..], more].concat());
     let differ = |a: &str, b: &str| folder.vitrum(&["diff", a, b, "--max-abs", "1e-2"]).code == Some(1);
     render("clay.exr", &["--preset", "clay", "--aov", "status=s.exr"]);
-    render("lit.exr", &["--preset", "clay", "--set", "light.shadows=false"]);
+    render("lit.exr", &["--preset", "clay", "--set", "light.0.shadows=false"]);
     // The colour of the file instead of the preset's.
     render("own.exr", &["--preset", "clay", "--set", "material.0.color=none"]);
     assert!(differ("clay.exr", "lit.exr") && differ("clay.exr", "own.exr"));
@@ -158,8 +158,8 @@ fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
         &["material.0.opaque", "method = \"voxels\""],
     );
     refused(
-        &["--preset", "clay", "--quiet", "--set", "shadow.softness=2"],
+        &["--preset", "clay", "--quiet", "--set", "shadow.filter_radius=2"],
         3,
-        &["shadow.softness", "lower `shadow.resolution`"],
+        &["shadow.filter_radius", "lower `shadow.resolution`"],
     );
 }

@@ -48,7 +48,7 @@ fn exr_keeps_every_output_and_aov_writes_one() {
     folder.succeed(&small(&["-o", "out.exr", "--aov", "depth=depth.exr", "--aov", "light=light.exr"]));
     let picture = read_picture(&folder.file("out.exr")).expect("the file is whole");
     let layer = |name: &str| picture.layers.iter().find(|layer| layer.name == name);
-    for name in ["color", "opacity", "medium", "depth", "direction", "position", "status"] {
+    for name in ["color", "opacity", "transmittance", "depth", "direction", "position", "status"] {
         assert!(layer(name).is_some(), "there is no {name}");
     }
     let depth = read_picture(&folder.file("depth.exr")).expect("the file is whole");

@@ -1,12 +1,13 @@
 //! The data that a scene names, read from files or made.
 
 use crate::error::Error;
-use crate::scene::{EnvironmentKind, MeshSource, Scene, VolumeSource};
+use crate::meshes::load_meshes;
+use crate::scene::{EnvironmentKind, Scene, VolumeSource};
 use crate::subject::Subject;
 use crate::unrenderable::Unrenderable;
 use std::path::Path;
 use std::sync::Arc;
-use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Up, Volume};
+use vitrum_io::{OpenOptions, Picture, STANDARD_INPUT, Volume};
 
 /// The data that a picture is made of. It is shared, not copied: a clone is the same data.
 #[derive(Debug, Clone)]
@@ -44,8 +45,8 @@ impl Assets {
             }
             _ => None,
         };
-        if let Some(source) = &scene.mesh {
-            return Ok(Self { subject: load_mesh(source, base, max_bytes)?.into(), environment });
+        if !scene.mesh.is_empty() {
+            return Ok(Self { subject: load_meshes(&scene.mesh, base, max_bytes)?.into(), environment });
         }
         let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
         let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
@@ -57,32 +58,6 @@ impl Assets {
     }
 }
 
-/// Reads the mesh that `source` names, turned upright but not twisted; a relative path starts at `base`.
-///
-/// # Errors
-///
-/// Those of [`vitrum_io::open_mesh`]; where `source` would not pass [`Scene::validate`], or its built-in mesh does not exist.
-pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Result<Mesh, Error> {
-    let (mut mesh, usual) = match (&source.file, &source.builtin) {
-        (Some(file), None) => {
-            let path = base.join(file);
-            let options = OpenOptions { max_bytes, ..OpenOptions::default() };
-            (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
-        }
-        (None, Some(name)) => (made::mesh(name)?, Up::Superior),
-        (Some(_), Some(_)) => return Err(Unrenderable::TwoSources { kind: "mesh" }.into()),
-        (None, None) => return Err(Unrenderable::NoSource { kind: "mesh" }.into()),
-    };
-    let up = match &source.up {
-        Some(text) => text.parse().map_err(syntax)?,
-        None => usual,
-    };
-    let turn = |vector: &mut [f32; 3]| *vector = up.turn(*vector);
-    mesh.positions.iter_mut().for_each(turn);
-    mesh.normals.iter_mut().flatten().for_each(turn);
-    Ok(mesh)
-}
-
 /// Built-in data.
 #[cfg(feature = "builtin")]
 mod made {
@@ -91,7 +66,7 @@ mod made {
     use crate::unrenderable::Unrenderable;
     use vitrum_io::{Mesh, Volume};
 
-    pub(super) fn mesh(name: &str) -> Result<Mesh, Error> {
+    pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
         let known = || builtin::mesh_names().collect();
         let unknown = || Unrenderable::UnknownBuiltin { kind: "mesh", name: name.to_owned(), known: known() };
         Ok(builtin::mesh(name).ok_or_else(unknown)?)
@@ -111,7 +86,7 @@ mod made {
     use crate::unrenderable::Unrenderable;
     use vitrum_io::{Mesh, Volume};
 
-    pub(super) fn mesh(name: &str) -> Result<Mesh, Error> {
+    pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
         Err(left_out("mesh", name))
     }
 
@@ -124,16 +99,12 @@ mod made {
     }
 }
 
-fn syntax(problem: String) -> Error {
+/// The error of a value in a small language of its own.
+pub(crate) fn syntax(problem: String) -> Error {
     Unrenderable::Syntax { problem }.into()
 }
 
-/// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.
-fn usual_up(path: &Path) -> Up {
-    let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    // Wherever it stands: files may be packed, `.obj.gz`.
-    if [".obj", ".gltf", ".glb"].iter().any(|extension| name.contains(extension)) { Up::Anterior } else { Up::Superior }
-}
+pub(crate) use made::mesh as builtin_mesh;
 
 /// Reads the one volume that `source` names; a relative path starts at `base`.
 ///

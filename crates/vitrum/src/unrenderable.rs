@@ -83,6 +83,16 @@ pub enum Unrenderable {
         /// The most that are possible.
         limit: usize,
     },
+    /// Meshes together have more vertices than an index can tell apart.
+    #[error("{name}: {count} vertices, at most {limit} are possible")]
+    TooManyVertices {
+        /// The meshes.
+        name: String,
+        /// Their vertices.
+        count: usize,
+        /// The most that are possible.
+        limit: u32,
+    },
     /// The mesh has more clear materials than rays can tell apart.
     #[error("{name}: {count} clear materials, at most {limit} are possible")]
     TooManyMaterials {
@@ -142,9 +152,9 @@ pub enum Unrenderable {
         bytes: u64,
     },
     /// A soft shadow takes more columns of the shadow map than a look-up may.
-    #[error("shadow.softness = {softness} is {voxels:.1} voxels of the shadow map, at most {limit} are possible")]
+    #[error("shadow.filter_radius = {softness} is {voxels:.1} voxels of the shadow map, at most {limit} are possible")]
     ShadowTooSoft {
-        /// The softness, in world units.
+        /// The radius of the filter, in world units.
         softness: f64,
         /// The same in voxels.
         voxels: f64,
@@ -209,11 +219,12 @@ impl Unrenderable {
             Self::TooManyTriangles { .. } => {
                 "simplify the mesh, or make it clear and set `voxels.surfaces` to `multi`".to_owned()
             }
+            Self::TooManyVertices { .. } => "decimate them".to_owned(),
             Self::TooManyMaterials { .. } => "merge some, or make them opaque (`material`)".to_owned(),
             Self::VoxelCount { .. } => "choose another resolution".to_owned(),
             Self::Overlap { .. } => "choose another".to_owned(),
             Self::NoMemory { .. } => "choose a lower resolution".to_owned(),
-            Self::TooManyVoxels { .. } => "lower `voxels.resolution`".to_owned(),
+            Self::TooManyVoxels { .. } => "lower `voxelization.resolution`".to_owned(),
             Self::ShadowMapTooLarge { .. } => "lower `shadow.resolution`".to_owned(),
             Self::ShadowTooSoft { .. } => "lower `shadow.resolution`, of which a soft shadow needs less".to_owned(),
             Self::TooManyClips { .. } => "leave some out".to_owned(),
@@ -221,7 +232,7 @@ impl Unrenderable {
             Self::TooManyPlanes { .. } => "make it larger".to_owned(),
             Self::BehindCamera => "move camera.position or camera.target".to_owned(),
             Self::ObliqueLight { .. } => {
-                "turn light.azimuth or light.elevation towards 0, or use light.attachment = \"camera\"".to_owned()
+                "turn light.0.azimuth or light.0.elevation towards 0, or use light.0.attachment = \"camera\"".to_owned()
             }
         }
     }

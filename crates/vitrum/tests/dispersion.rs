@@ -32,7 +32,7 @@ fn each_channel_is_that_of_its_wavelength() {
     for (band, channel) in bands(3).iter().zip(["R", "G", "B"]) {
         let one = render(&scene.at_wavelength(band.wavelength));
         assert_eq!(difference(&whole, &one, "color", channel), 0.0, "{channel}");
-        assert_eq!(difference(&whole, &one, "medium", channel), 0.0, "{channel}");
+        assert_eq!(difference(&whole, &one, "transmittance", channel), 0.0, "{channel}");
         let light = |frame: &Frame| -> Vec<f32> {
             let picture = frame.light.as_ref().expect("it is wanted by default");
             picture.color().iter().map(|rgb| rgb["RGB".find(channel).expect("one of them")]).collect()

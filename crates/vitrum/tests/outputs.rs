@@ -8,8 +8,8 @@ use vitrum::{Assets, Frame, builtin, render};
 fn frame(name: &str, supersampling: u32) -> (Scene, Frame) {
     let mut scene = builtin::scene(name).unwrap();
     (scene.film.width, scene.film.height, scene.film.supersampling) = (24, 20, supersampling);
-    scene.voxels.resolution = 32;
-    scene.volume.resolution = Some(32).filter(|_| scene.mesh.is_none());
+    scene.voxelization.resolution = 32;
+    scene.volume.resolution = Some(32).filter(|_| scene.mesh.is_empty());
     let assets = Assets::load(&scene, std::path::Path::new("")).unwrap();
     let mut backend = CpuBackend::new(None).unwrap();
     let frame = render(&scene, &assets, &mut backend, &mut |_| true).unwrap();

@@ -124,7 +124,7 @@ pub fn shadow(backend: &mut dyn Backend) -> Result<Section, Failure> {
         .materials
         .iter()
         .map(|material| {
-            named(&material.name).map_or(0.0, |listed| f64::from(listed.density * tree.scene.shadow.absorption))
+            named(&material.name).map_or(0.0, |listed| f64::from(listed.density * tree.scene.shadow.optical_depth))
         })
         .collect();
     let direction = Map::of(&tree, backend)?.light();

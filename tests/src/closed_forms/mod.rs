@@ -50,9 +50,9 @@ pub fn straight_on(pixels: u32) -> Scene {
     scene.camera.projection = Projection::Orthographic;
     scene.camera.azimuth = 0.0;
     scene.camera.elevation = 0.0;
-    scene.light.azimuth = 0.0;
-    scene.light.elevation = 0.0;
-    scene.light.softness = 0.0;
+    scene.light[0].azimuth = 0.0;
+    scene.light[0].elevation = 0.0;
+    scene.light[0].angular_radius = 0.0;
     scene.shading.ambient = [0.0; 3];
     scene.film.width = pixels;
     scene.film.height = pixels;

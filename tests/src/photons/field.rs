@@ -115,7 +115,7 @@ impl<'a> Field<'a> {
     #[must_use]
     pub fn extinction(&self, point: DVec3) -> DVec3 {
         let scalar = self.scalar(self.to_voxels * point + self.offset);
-        let medium = self.transfer.medium.iter().map(|point| (f64::from(point.value), point.color.map(f64::from)));
+        let medium = self.transfer.filter.iter().map(|point| (f64::from(point.value), point.color.map(f64::from)));
         let opacity = self.transfer.opacity.iter().map(|point| (f64::from(point.value), [f64::from(point.opacity); 3]));
         let depth = |share: f64| -share.max(1e-6).ln() / self.reference_length;
         let medium = interpolate(medium, scalar).unwrap_or([1.0; 3]);

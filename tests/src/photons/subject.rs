@@ -39,7 +39,7 @@ impl Subject {
     /// # Errors
     /// If there is no such scene, or the backend fails.
     pub fn new(scene: &str, edge: u32, resolution: u32) -> Result<Self, Failure> {
-        let case = Case::builtin(scene, edge, Some(resolution), &["light.softness=0", "light.elevation=20"])?;
+        let case = Case::builtin(scene, edge, Some(resolution), &["light.0.angular_radius=0", "light.0.elevation=20"])?;
         let (_, texels) = light(&case, Transport::Texels)?;
         let (sweep, sheets) = light(&case, Transport::Sheets)?;
         let (grid, planes) = (sweep.light_grid, sweep.planes);

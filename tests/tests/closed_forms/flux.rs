@@ -13,8 +13,8 @@ fn every_plane_gets_the_same_flux() {
     });
     for azimuth in [0.0f32, 30.0] {
         let mut scene = refracting(&volume, 128);
-        scene.light.azimuth = azimuth;
-        scene.light.margin = 0.3;
+        scene.light[0].azimuth = azimuth;
+        scene.sweep.light_margin = 0.3;
         let assets = Assets::from(volume.clone());
         for mut backend in backends() {
             let mut sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend.as_mut())
@@ -77,9 +77,9 @@ fn sheets_carry_all_light_through_a_focus() {
     for azimuth in [0.0f32, 30.0] {
         let mut scene = refracting(&volume, 96);
         scene.sweep.light = Transport::Sheets;
-        scene.light.azimuth = azimuth;
+        scene.light[0].azimuth = azimuth;
         // None of it leaves the grid, nor reaches it from outside.
-        scene.light.margin = 1.0;
+        scene.sweep.light_margin = 1.0;
         scene.wall = Some(Wall { distance: Some(2.5), ..Wall::default() });
         let assets = Assets::from(volume.clone());
         for mut backend in backends() {

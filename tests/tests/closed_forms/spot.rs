@@ -54,7 +54,7 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
     // Not a multiple of the voxels': light that samples every voxel at the same place sees its interpolation's error everywhere.
     let mut scene = refracting(&volume, 217);
     scene.sweep.light = Transport::Sheets;
-    scene.light.resolution = 1.0;
+    scene.sweep.light_resolution = 1.0;
     // So that planes reach it.
     scene.wall = Some(Wall { distance: Some(3.1), ..Wall::default() });
     let assets = Assets::from(volume.clone());

@@ -19,7 +19,7 @@ fn noise() -> Picture {
 }
 
 fn ball_of(ior: &str) -> Result<Case, Failure> {
-    let settings = ["environment.kind=map", "voxels.resolution=64", ior];
+    let settings = ["environment.kind=map", "voxelization.resolution=64", ior];
     let mut case = case("footprint", ball(48), 64, &settings)?;
     case.assets.environment = Some(noise().into());
     Ok(case)

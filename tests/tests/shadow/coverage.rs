@@ -34,7 +34,7 @@ fn missing_light_approaches_coverage() -> Result<(), Failure> {
         [middle, e * 0.02, f * 0.03]
     };
     let mesh = quads((0..1500).map(|_| quad()));
-    for (density, light) in [(16.0, ABOVE), (0.7, ["light.elevation=55", "light.azimuth=130"])] {
+    for (density, light) in [(16.0, ABOVE), (0.7, ["light.0.elevation=55", "light.0.azimuth=130"])] {
         on_both(|backend| {
             let mut before = f64::INFINITY;
             for (resolution, bound) in [(32, 0.02), (64, 0.01), (128, 0.005), (256, 0.0025), (384, 0.0015)] {
@@ -66,7 +66,7 @@ fn columns_count_what_rays_cross() -> Result<(), Failure> {
         [middle, e, f]
     };
     let mesh = quads((0..300).map(|_| quad()));
-    let settings = ["light.elevation=40", "light.azimuth=-70", "material.0.density=0.09", "shadow.resolution=96"];
+    let settings = ["light.0.elevation=40", "light.0.azimuth=-70", "material.0.density=0.09", "shadow.resolution=96"];
     let case = case(mesh.clone(), 8, &settings)?;
     on_both(|backend| {
         let map = Map::of(&case, backend)?;

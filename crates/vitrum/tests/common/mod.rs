@@ -116,10 +116,10 @@ pub fn lost() -> BackendError {
 /// A built-in scene, small enough to be quick in a debugger.
 pub fn small(name: &str) -> (Scene, Assets) {
     let mut scene = builtin::scene(name).expect("it is built in");
-    if scene.mesh.is_none() {
+    if scene.mesh.is_empty() {
         scene.volume.resolution = Some(16);
     }
-    scene.voxels.resolution = 16;
+    scene.voxelization.resolution = 16;
     scene.shadow.resolution = 16;
     (scene.film.width, scene.film.height) = (24, 16);
     let assets = Assets::load(&scene, Path::new("")).expect("it needs no file");

@@ -22,6 +22,7 @@ impl FromStr for AovRequest {
         let (name, file) = text.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(expected)?;
         match method::outputs().map(|(_, output)| output).find(|output| output.name == name) {
             Some(output) => Ok(Self { name: output.name, is_vector: output.is_vector, file: file.into() }),
+            None if name == "medium" => Err("the output `medium` is now `transmittance`".to_owned()),
             None => Err(match nearest(name, names()) {
                 Some(near) => format!("there is no output `{name}`, did you mean `{near}`?"),
                 None => format!("there is no output `{name}`, expected one of {}", names().join(", ")),
@@ -63,6 +64,7 @@ mod tests {
     fn requests_are_a_known_name_and_a_file() {
         let request: AovRequest = "depth=a=b.exr".parse().expect("a file name may hold `=`");
         assert_eq!((request.name, request.file.to_str()), ("depth", Some("a=b.exr")));
+        assert_eq!("medium=m.exr".parse::<AovRequest>(), Err("the output `medium` is now `transmittance`".to_owned()));
         for wrong in ["depth", "depth=", "=a.exr", "colour=a.exr"] {
             assert!(wrong.parse::<AovRequest>().is_err(), "{wrong}");
         }

@@ -42,7 +42,7 @@ const OPAQUE: [&str; 1] = ["tree"];
 fn rays_through(name: &str) -> Scene {
     let mut scene = Scene {
         method: MethodName::Voxels,
-        mesh: Some(MeshSource { builtin: Some(name.to_owned()), ..MeshSource::default() }),
+        mesh: vec![MeshSource { builtin: Some(name.to_owned()), ..MeshSource::default() }],
         camera: Camera { azimuth: 0.0, elevation: 10.0, ..Camera::default() },
         ..Scene::default()
     };

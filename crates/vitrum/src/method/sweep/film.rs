@@ -12,7 +12,7 @@ use vitrum_kernels::abi::sweep::SweepUniforms;
 pub(super) const OUTPUTS: &[Output] = &[
     Output::mean("color", rgba!(film::COLOR), "linear radiance and coverage (RGBA)"),
     Output::mean("opacity", &[("Y", film::OPACITY)], "opacity A of particles and receivers, 0 to 1"),
-    Output::mean("medium", rgb!(film::MEDIUM), "transmittance M of the medium, RGB, 0 to 1"),
+    Output::mean("transmittance", rgb!(film::MEDIUM), "transmittance M of the filter, RGB, 0 to 1"),
     Output::mean(
         "depth",
         &[("Z", film::DEPTH)],

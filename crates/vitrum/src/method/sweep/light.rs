@@ -64,18 +64,18 @@ impl LightGrid {
             low = low.min(outline).min(outline + drift);
             high = high.max(outline).max(outline + drift);
         }
-        let margin = (high - low) * f64::from(scene.light.margin);
+        let margin = (high - low) * f64::from(scene.sweep.light_margin);
         let (low, high) = (low - margin, high + margin);
         let rays = scene.film.height * scene.film.supersampling;
         let depth = 0.5 * (planes.volume_depths[0].max(planes.volume_depths[1] * 0.1) + planes.volume_depths[1]);
-        let pixel = view.pixel_size(rays, depth.abs().max(1e-6)) / f64::from(scene.light.resolution);
+        let pixel = view.pixel_size(rays, depth.abs().max(1e-6)) / f64::from(scene.sweep.light_resolution);
         let extent = high - low;
         // Close up, pixels get finer than any voxel; light needs no more than a few texels a voxel.
         let voxel = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
-        let finest =
-            (f64::from(voxel) / (4.0 * f64::from(scene.light.resolution))).max(extent.max_element() / MOST_TEXELS);
+        let finest = (f64::from(voxel) / (4.0 * f64::from(scene.sweep.light_resolution)))
+            .max(extent.max_element() / MOST_TEXELS);
         // Light that is the same everywhere needs no texels.
-        let finest = if scene.light.shadows { finest } else { f64::INFINITY };
+        let finest = if scene.first_light().shadows { finest } else { f64::INFINITY };
         let texel = pixel.max(finest).min(extent.max_element() / 16.0);
         let count = |length: f64| (length / texel).ceil().clamp(4.0, MOST_TEXELS) as u32;
         let size = [count(extent.x), count(extent.y)];
@@ -90,28 +90,28 @@ impl LightGrid {
     }
 
     /// The radius of the filter's taps across the light, in texels.
-    fn tap_radius(&self, softness: f32, planes: &Planes, index: u32) -> f64 {
+    fn tap_radius(&self, angular_radius: f32, planes: &Planes, index: u32) -> f64 {
         let depth = planes.volume_depths[1] - planes.volume_depths[0];
-        let tangent = f64::from(softness).to_radians().tan();
+        let tangent = f64::from(angular_radius).to_radians().tan();
         tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel
     }
 
     /// How far away a tap of the softness filter is at most, in texels.
-    pub(super) fn filter_radius(&self, softness: f32, planes: &Planes, index: u32) -> f64 {
-        self.tap_radius(softness, planes, index) / self.direction.z
+    pub(super) fn filter_radius(&self, angular_radius: f32, planes: &Planes, index: u32) -> f64 {
+        self.tap_radius(angular_radius, planes, index) / self.direction.z
     }
 
     /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
     ///
     /// The taps lie on an ellipse, stretched along the light's tilt and turned by a hash of the plane's index. Blurring n times
-    /// adds variances, so a radius of Δz·tan(softness) would blur by √n instead of n and depend on the sample distance. The
-    /// radius is chosen so that the blur over the volume's depth D is that of a source with half-angle `softness`: three taps
+    /// adds variances, so a radius of Δz·tan(angular radius) would blur by √n instead of n and depend on the sample distance. The
+    /// radius is chosen so that the blur over the volume's depth D is that of a source of that angular radius: three taps
     /// have variance r²/2 an axis, a disc R²/4, and n r²/2 = (D tan)²/4 gives r = tan √(Δz D / 2).
     ///
     /// Every plane filters, even if the radius is a fraction of a texel: one wider filter after several planes gives the same blur
     /// of a shadow, but between filters refracted light breaks into stripes.
-    pub(super) fn taps(&self, softness: f32, planes: &Planes, index: u32) -> [DVec2; 3] {
-        let radius = self.tap_radius(softness, planes, index);
+    pub(super) fn taps(&self, angular_radius: f32, planes: &Planes, index: u32) -> [DVec2; 3] {
+        let radius = self.tap_radius(angular_radius, planes, index);
         let along = self.direction.truncate().try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
         let start = hash(index) * std::f64::consts::TAU;

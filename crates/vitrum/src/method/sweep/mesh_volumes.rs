@@ -39,9 +39,9 @@ struct Kind {
 
 impl Kind {
     fn of(scene: &Scene, materials: &[Clear]) -> Self {
-        let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
+        let twist = scene.mesh.first().map_or(0.0, |mesh| mesh.twist);
         let materials = if materials.len() > 1 { materials.to_vec() } else { Vec::new() };
-        Self { resolution: scene.voxels.resolution, twist, materials }
+        Self { resolution: scene.voxelization.resolution, twist, materials }
     }
 }
 
@@ -55,7 +55,7 @@ pub(super) struct MeshVolumes {
 }
 
 impl MeshVolumes {
-    /// Makes volumes of a mesh, with `scene.voxels.resolution` voxels along its longest edge.
+    /// Makes volumes of a mesh, with `scene.voxelization.resolution` voxels along its longest edge.
     ///
     /// # Errors
     /// If there are too many materials, or the backend fails or lacks the memory.
@@ -132,14 +132,14 @@ fn numbers(materials: &[Clear]) -> Vec<f32> {
 fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
     let color =
         |material: &Clear| material.absorption.map(|coefficient| (-coefficient * f64::from(reference)).exp() as f32);
-    let mut medium = vec![ColorPoint { value: 0.0, color: [1.0; 3] }];
-    medium.extend(
+    let mut filter = vec![ColorPoint { value: 0.0, color: [1.0; 3] }];
+    filter.extend(
         numbers(materials)
             .into_iter()
             .zip(materials)
             .map(|(value, material)| ColorPoint { value, color: color(material) }),
     );
-    medium.sort_by(|a, b| a.value.total_cmp(&b.value));
+    filter.sort_by(|a, b| a.value.total_cmp(&b.value));
     let ior = match materials {
         [one] => vec![IorPoint::new(0.0, 1.0), IorPoint::new(1.0, one.ior)],
         // The volume's scalar is the index.
@@ -149,7 +149,7 @@ fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
         reference_length: Some(reference),
         opacity: vec![OpacityPoint { value: 0.0, opacity: 0.0 }],
         ior,
-        medium,
+        filter,
         ..TransferFunction::default()
     }
 }
@@ -216,9 +216,9 @@ mod tests {
         let materials = [material(1.5, 2.0), material(1.3, 0.5), material(1.7, 2.0)];
         assert_eq!(numbers(&materials), [2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0]);
         let transfer = transfer(&materials, 0.1);
-        let medium: Vec<f32> = transfer.medium.iter().map(|point| point.color[0]).collect();
-        assert!(medium.windows(2).all(|pair| pair[0] >= pair[1]) && medium[0] == 1.0, "{medium:?}");
-        assert!((medium[1] - (-0.05_f32).exp()).abs() < 1e-6);
+        let filter: Vec<f32> = transfer.filter.iter().map(|point| point.color[0]).collect();
+        assert!(filter.windows(2).all(|pair| pair[0] >= pair[1]) && filter[0] == 1.0, "{filter:?}");
+        assert!((filter[1] - (-0.05_f32).exp()).abs() < 1e-6);
     }
 
     #[test]

@@ -48,7 +48,7 @@ impl Planes {
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
         // Where the volume's shadow falls on a receiver, but not endlessly far; without shadows all ends behind the volume.
-        let limit = if scene.light.shadows { far + 3.0 * Bounds::from(volumes.shown).sphere().1 } else { far };
+        let limit = if scene.first_light().shadows { far + 3.0 * Bounds::from(volumes.shown).sphere().1 } else { far };
         let reach = points
             .iter()
             .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))

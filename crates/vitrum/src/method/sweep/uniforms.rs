@@ -81,7 +81,7 @@ impl Geometry {
     fn new(scene: &Scene, volumes: Volumes<'_>) -> Result<Self, Error> {
         let bounds = Bounds::from(volumes.shown);
         let view = View::new(scene, bounds);
-        let towards = direction(&scene.light, &view)?;
+        let towards = direction(scene.first_light(), &view)?;
         let receivers = Receivers::new(scene, &view, bounds);
         let planes = Planes::new(scene, &view, volumes, &receivers, towards)?;
         let light_grid = LightGrid::new(scene, &view, volumes, &planes, towards)?;
@@ -115,7 +115,7 @@ impl Fixed {
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
         let mode = match (tables.refracts, scene.sweep.gradient) {
             (false, _) if tables.colors => mode::STRAIGHT,
-            (false, _) if scene.light.shadows => mode::CLEAR_STRAIGHT,
+            (false, _) if scene.first_light().shadows => mode::CLEAR_STRAIGHT,
             (false, _) => mode::UNSHADED,
             (true, Gradient::Central) if tables.colors => mode::CENTRAL,
             (true, Gradient::Central) => mode::CLEAR_CENTRAL,
@@ -157,8 +157,8 @@ impl Fixed {
         };
         block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, format, &view, reach[1], first_ior_brick));
         let sheets = (scene.sweep.light == Transport::Sheets).then(|| {
-            let count = if scene.light.softness > 0.0 { scene.sweep.sheets } else { 1 };
-            sources(towards, scene.light.softness, count)
+            let count = if scene.first_light().angular_radius > 0.0 { scene.sweep.sheets } else { 1 };
+            sources(towards, scene.first_light().angular_radius, count)
         });
         let steepest = steepest(
             &view,
@@ -177,7 +177,7 @@ impl Fixed {
         block.plane.w = 1.0 / reference;
         set_clips(&mut block, scene, &view, shown)?;
         // Streamed voxels go as soon as they can, and irradiance that never changes needs to be there but once.
-        let several = scene.light.shadows && !is_paged(format);
+        let several = scene.first_light().shadows && !is_paged(format);
         let kept = if several { Kept::new(light_grid.size, largest_buffer) } else { Kept::one(light_grid.size) };
         Ok(Self {
             kept,
@@ -189,12 +189,12 @@ impl Fixed {
             sampling,
             reach,
             mode,
-            shadows: scene.light.shadows,
+            shadows: scene.first_light().shadows,
             sheets,
             view,
             lights_surroundings: scene.ground.is_some() || scene.wall.is_some(),
             block,
-            softness: scene.light.softness,
+            softness: scene.first_light().angular_radius,
         })
     }
 
@@ -293,8 +293,9 @@ fn exact_shear(block: &SweepUniforms, light_grid: &LightGrid) -> Vec4 {
 /// Unoccluded light as it is stored.
 fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec4 {
     let stored = if block.dispatch.w & flag::STORE_RADIANCE != 0 { 1.0 } else { block.light_direction.z };
-    let factor = scene.light.intensity * stored;
-    let [r, g, b] = scene.light.color;
+    let light = scene.first_light();
+    let factor = light.intensity * stored;
+    let [r, g, b] = light.color;
     Vec4::new(r * factor, g * factor, b * factor, 0.0)
 }
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 /// The unit direction in which light travels, in the sweep frame.
 pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Error> {
-    let travels = match (light.attachment, light.direction) {
+    let travels = match (light.attachment(), light.direction) {
         (Attachment::Camera, Some(v)) => {
             let v = vector(v);
             DVec3::new(v.x, v.y, -v.z)
@@ -20,6 +20,6 @@ pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Er
         }
         (Attachment::World, None) => view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation)),
     };
-    let no_length = || Unrenderable::NoDirection { key: "light.direction".to_owned() }.into();
+    let no_length = || Unrenderable::NoDirection { key: "a light's direction".to_owned() }.into();
     travels.try_normalize().ok_or_else(no_length)
 }

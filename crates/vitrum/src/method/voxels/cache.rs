@@ -32,7 +32,7 @@ pub(super) struct FrameCache {
 }
 
 fn looks_key(scene: &Scene) -> LooksKey {
-    (scene.material.clone(), scene.shadow.absorption)
+    (scene.material.clone(), scene.shadow.optical_depth)
 }
 
 impl FrameCache {

@@ -20,6 +20,7 @@ mod uniforms;
 mod uploaded;
 
 pub use bodies::{Body, bodies};
+pub(crate) use looks::GREY;
 pub use passes::Rays;
 pub use uploaded::Uploaded;
 
@@ -56,12 +57,9 @@ impl Method for MeshRays {
         film::OUTPUTS
     }
 
-    fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
+    fn check(&self, _scene: &Scene, assets: &Assets) -> Result<(), Error> {
         match assets.subject.mesh() {
-            Some(mesh) => {
-                scene.check_for_mesh()?;
-                check_mesh(mesh)
-            }
+            Some(mesh) => check_mesh(mesh),
             None => Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into()),
         }
     }

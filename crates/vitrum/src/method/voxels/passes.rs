@@ -155,7 +155,7 @@ pub(super) fn list(
     let (environment, map) = cache.environment(scene, assets.environment.as_deref(), backend)?;
     let seen = Seen {
         environment: Prepared::new(&scene.environment, &environment, &eye),
-        light: eye.axes * travels(&scene.light, &eye)?,
+        light: eye.axes * travels(scene.first_light(), &eye)?,
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
     };

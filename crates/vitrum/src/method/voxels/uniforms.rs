@@ -84,7 +84,7 @@ pub(super) fn block(scene: &Scene, uploaded: &Uploaded, view: &View, seen: &Seen
         wall: plane(seen.receivers.wall, view, grid),
         wall_color: color(scene.wall.as_ref().map_or(absent, |wall| wall.color), 1.0),
         light: row(seen.light),
-        light_color: color(scene.light.color, scene.light.intensity),
+        light_color: color(scene.first_light().color, scene.first_light().intensity),
         ambient: color(scene.shading.ambient, 1.0),
         shadow: seen.shadow.size,
         shadow_x,

@@ -39,9 +39,9 @@ impl Kind {
         // Opaque bodies are triangles always.
         let exact = scene.voxels.surfaces == Surfaces::Exact || groups.iter().all(|group| group.opaque);
         let paper = scene.voxels.normals == Normals::Paper;
-        let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
+        let twist = scene.mesh.first().map_or(0.0, |mesh| mesh.twist);
         let overlap = if paper { scene.voxels.overlap } else { 0.0 };
-        Self { resolution: scene.voxels.resolution, twist, exact, paper, overlap, groups }
+        Self { resolution: scene.voxelization.resolution, twist, exact, paper, overlap, groups }
     }
 }
 

@@ -62,17 +62,19 @@ impl Cast {
     /// If the light has no direction.
     pub(super) fn of(scene: &Scene, assets: &Assets, bodies: &[Body]) -> Result<Option<Self>, Error> {
         let shows = bodies.iter().any(|body| body.opaque) || scene.ground.is_some() || scene.wall.is_some();
-        let Some(mesh) = assets.subject.mesh().filter(|_| shows && scene.light.shadows) else { return Ok(None) };
+        let Some(mesh) = assets.subject.mesh().filter(|_| shows && scene.first_light().shadows) else {
+            return Ok(None);
+        };
         let view = View::new(scene, mesh);
         let casters = Caster::all(bodies, mesh, scene);
         if casters.iter().all(Caster::is_nothing) {
             return Ok(None);
         }
         Ok(Some(Self {
-            direction: view.axes * travels(&scene.light, &view)?,
+            direction: view.axes * travels(scene.first_light(), &view)?,
             resolution: scene.shadow.resolution,
             coefficient: scene.shadow.coefficient,
-            absorption: scene.shadow.absorption,
+            absorption: scene.shadow.optical_depth,
             casters,
         }))
     }
@@ -89,8 +91,11 @@ impl ShadowMap {
         let turned = casters::Turned::new(bodies, axes);
         let settings = Settings { padding: PADDING, ..Settings::new(cast.resolution) };
         let grid = Grid::around_box("the mesh", turned.bounds, &settings)?;
-        let channels =
-            if cast.coefficient == Coefficient::Counted && cast.casters.iter().any(Caster::is_colored) { 3 } else { 1 };
+        let channels = if cast.coefficient == Coefficient::PerTriangle && cast.casters.iter().any(Caster::is_colored) {
+            3
+        } else {
+            1
+        };
         let buffer = passes::run(&cast, &turned, grid, channels, tools)?;
         Ok(Self { axes, centre: turned.centre, grid, channels, buffer, cast })
     }
@@ -105,7 +110,7 @@ impl ShadowMap {
     /// # Errors
     /// If the softness takes more columns than a look-up may.
     pub(super) fn lookup(&self, scene: &Scene, viewed: Grid) -> Result<Lookup, Error> {
-        let softness = f64::from(scene.shadow.softness);
+        let softness = f64::from(scene.shadow.filter_radius);
         let edge = self.grid.voxel_size;
         let width = 1.0 + softness / edge;
         if width > f64::from(MOST_COLUMNS) {
