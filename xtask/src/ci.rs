@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 
+use crate::circles;
 use crate::command::{cargo, run as run_command};
 use crate::diff;
 use crate::failure::Failure;
@@ -10,7 +11,7 @@ use crate::shaders::{self, COMPILER};
 use crate::steps::{Completion, Steps};
 use crate::test;
 
-/// Run every check: format, lints, documentation, tests, committed SPIR-V, backends against each other, readers against
+/// Run every check: format, circles of files, lints, documentation, tests, committed SPIR-V, backends against each other, readers against
 /// independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -22,6 +23,7 @@ pub struct Arguments {
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Step {
     Fmt,
+    Circles,
     Clippy,
     Doc,
     Test,
@@ -34,6 +36,7 @@ impl Step {
     fn name(self) -> &'static str {
         match self {
             Self::Fmt => "fmt",
+            Self::Circles => "circles",
             Self::Clippy => "clippy",
             Self::Doc => "doc",
             Self::Test => "test",
@@ -46,6 +49,7 @@ impl Step {
     fn run(self) -> Result<Completion, Failure> {
         let whole = match self {
             Self::Fmt => run_command(&mut cargo(["fmt", "--all", "--check"])),
+            Self::Circles => circles::run(&circles::Arguments::default()),
             Self::Clippy => for_all_packages(|selection| {
                 let mut command = cargo(["clippy", "--release", "--all-targets"]);
                 command.args(selection).args(["--", "-D", "warnings"]);

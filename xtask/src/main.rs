@@ -6,6 +6,7 @@
 mod accuracy;
 mod bench;
 mod ci;
+mod circles;
 mod command;
 mod diff;
 mod distribution;
@@ -42,6 +43,7 @@ enum Task {
     Fuzz(fuzz::Arguments),
     Man(man::Arguments),
     Peers(peers::Arguments),
+    Circles(circles::Arguments),
     Ci(ci::Arguments),
 }
 
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Man(arguments) => man::run(&arguments),
         Task::Peers(arguments) => peers::run(&arguments),
+        Task::Circles(arguments) => circles::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),
     };
     match outcome {
