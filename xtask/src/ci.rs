@@ -6,12 +6,13 @@ use crate::circles;
 use crate::command::{cargo, run as run_command};
 use crate::diff;
 use crate::failure::Failure;
+use crate::features;
 use crate::peers;
 use crate::shaders::{self, COMPILER};
 use crate::steps::{Completion, Steps};
 use crate::test;
 
-/// Run every check: format, circles of files, lints, documentation, tests, committed SPIR-V, backends against each other, readers against
+/// Run every check: format, circles of files, lints, documentation, features, tests, committed SPIR-V, backends against each other, readers against
 /// independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -26,6 +27,7 @@ enum Step {
     Circles,
     Clippy,
     Doc,
+    Features,
     Test,
     Shaders,
     Diff,
@@ -39,6 +41,7 @@ impl Step {
             Self::Circles => "circles",
             Self::Clippy => "clippy",
             Self::Doc => "doc",
+            Self::Features => "features",
             Self::Test => "test",
             Self::Shaders => "shaders",
             Self::Diff => "diff",
@@ -59,6 +62,7 @@ impl Step {
                 let mut command = cargo(["doc", "--release", "--no-deps"]);
                 run_command(command.args(selection).env("RUSTDOCFLAGS", "-D warnings"))
             }),
+            Self::Features => features::run(&features::Arguments::default()),
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),
             Self::Diff => diff::run(&diff::Arguments::default()),

@@ -11,6 +11,7 @@ mod command;
 mod diff;
 mod distribution;
 mod failure;
+mod features;
 mod fuzz;
 mod man;
 mod peers;
@@ -44,6 +45,7 @@ enum Task {
     Man(man::Arguments),
     Peers(peers::Arguments),
     Circles(circles::Arguments),
+    Features(features::Arguments),
     Ci(ci::Arguments),
 }
 
@@ -58,6 +60,7 @@ fn main() -> ExitCode {
         Task::Man(arguments) => man::run(&arguments),
         Task::Peers(arguments) => peers::run(&arguments),
         Task::Circles(arguments) => circles::run(&arguments),
+        Task::Features(arguments) => features::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),
     };
     match outcome {
