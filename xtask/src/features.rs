@@ -1,8 +1,9 @@
 //! `cargo xtask features`: each feature of the crate of file formats compiles by itself, and all of them for a page.
 
 use std::fs;
+use std::path::Path;
 
-use crate::command::{cargo, root, run as run_command};
+use crate::command::{cargo, program, root, run as run_command};
 use crate::failure::Failure;
 
 /// The crate with a feature for each file format.
@@ -27,7 +28,18 @@ pub fn run(_arguments: &Arguments) -> Result<(), Failure> {
         run_command(cargo(alone).args(["--features", &feature]))?;
     }
     run_command(&mut cargo(["test", "--package", CRATE, "--no-default-features", "--test", "left_out"]))?;
+    require_target()?;
     run_command(&mut cargo(["check", "--package", CRATE, "--target", PAGE]))
+}
+
+/// Fails where the standard library of pages is not installed.
+fn require_target() -> Result<(), Failure> {
+    let folder = program("rustc").args(["--print", "target-libdir", "--target", PAGE]).output();
+    let folder = folder.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
+    if !folder.is_empty() && Path::new(&folder).is_dir() {
+        return Ok(());
+    }
+    Err(Failure::setup(format!("the check for WebAssembly needs its standard library: rustup target add {PAGE}")))
 }
 
 /// The names of a manifest's features, without those that only name others.
