@@ -2,15 +2,17 @@
 
 use clap::ValueEnum;
 
+use crate::circles;
 use crate::command::{cargo, run as run_command};
 use crate::diff;
 use crate::failure::Failure;
+use crate::features;
 use crate::peers;
 use crate::shaders::{self, COMPILER};
 use crate::steps::{Completion, Steps};
 use crate::test;
 
-/// Run every check: format, lints, documentation, tests, committed SPIR-V, backends against each other, readers against
+/// Run every check: format, circles of files, lints, documentation, features, tests, committed SPIR-V, backends against each other, readers against
 /// independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -22,8 +24,10 @@ pub struct Arguments {
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Step {
     Fmt,
+    Circles,
     Clippy,
     Doc,
+    Features,
     Test,
     Shaders,
     Diff,
@@ -34,8 +38,10 @@ impl Step {
     fn name(self) -> &'static str {
         match self {
             Self::Fmt => "fmt",
+            Self::Circles => "circles",
             Self::Clippy => "clippy",
             Self::Doc => "doc",
+            Self::Features => "features",
             Self::Test => "test",
             Self::Shaders => "shaders",
             Self::Diff => "diff",
@@ -46,6 +52,7 @@ impl Step {
     fn run(self) -> Result<Completion, Failure> {
         let whole = match self {
             Self::Fmt => run_command(&mut cargo(["fmt", "--all", "--check"])),
+            Self::Circles => circles::run(&circles::Arguments::default()),
             Self::Clippy => for_all_packages(|selection| {
                 let mut command = cargo(["clippy", "--release", "--all-targets"]);
                 command.args(selection).args(["--", "-D", "warnings"]);
@@ -55,6 +62,7 @@ impl Step {
                 let mut command = cargo(["doc", "--release", "--no-deps"]);
                 run_command(command.args(selection).env("RUSTDOCFLAGS", "-D warnings"))
             }),
+            Self::Features => features::run(&features::Arguments::default()),
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),
             Self::Diff => diff::run(&diff::Arguments::default()),

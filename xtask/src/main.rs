@@ -6,11 +6,13 @@
 mod accuracy;
 mod bench;
 mod ci;
+mod circles;
 mod command;
 mod diff;
 mod distribution;
 mod docs;
 mod failure;
+mod features;
 mod fuzz;
 mod man;
 mod peers;
@@ -44,6 +46,8 @@ enum Task {
     Fuzz(fuzz::Arguments),
     Man(man::Arguments),
     Peers(peers::Arguments),
+    Circles(circles::Arguments),
+    Features(features::Arguments),
     Ci(ci::Arguments),
 }
 
@@ -58,6 +62,8 @@ fn main() -> ExitCode {
         Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Man(arguments) => man::run(&arguments),
         Task::Peers(arguments) => peers::run(&arguments),
+        Task::Circles(arguments) => circles::run(&arguments),
+        Task::Features(arguments) => features::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),
     };
     match outcome {

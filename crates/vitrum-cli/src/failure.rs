@@ -1,6 +1,6 @@
 //! Why a command failed, as the user reads it.
 
-use crate::interrupt;
+use crate::{advice, interrupt};
 use std::process::ExitCode;
 use vitrum::Unrenderable;
 use vitrum::backend::BackendError;
@@ -49,7 +49,8 @@ impl Failure {
 
     /// An output that cannot be written: the user named it.
     pub fn output(error: &vitrum::io::Error) -> Self {
-        Self::with_advice(Status::WrongUse, error, advice(error))
+        let (message, help) = advice::on_error(error);
+        Self { status: Status::WrongUse, message, help }
     }
 
     /// The same, with other advice.
@@ -74,7 +75,8 @@ impl Failure {
 /// An input that cannot be read.
 impl From<vitrum::io::Error> for Failure {
     fn from(error: vitrum::io::Error) -> Self {
-        Self::with_advice(Status::Input, &error, advice(&error))
+        let (message, help) = advice::on_error(&error);
+        Self { status: Status::Input, message, help }
     }
 }
 
@@ -125,18 +127,6 @@ impl From<BackendError> for Failure {
                 Self::with_advice(status, &error, error.help().map(str::to_owned))
             }
         }
-    }
-}
-
-fn advice(error: &vitrum::io::Error) -> Option<String> {
-    use vitrum::io::Error;
-    match error {
-        Error::Unreadable { advice, .. }
-        | Error::Invalid { advice, .. }
-        | Error::Unsupported { advice, .. }
-        | Error::TooLarge { advice, .. }
-        | Error::Write { advice, .. } => Some(advice.clone()),
-        _ => None,
     }
 }
 

@@ -4,7 +4,7 @@ mod mesh;
 
 use crate::failure::Failure;
 use crate::volume::VolumeArguments;
-use crate::{input, output};
+use crate::{advice, input, output};
 use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
@@ -74,7 +74,7 @@ fn text(volume: &Volume) -> String {
     row("range", format!("{low} to {high}"));
     row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
     for (index, assumption) in source.assumptions.iter().enumerate() {
-        row(if index == 0 { "assumed" } else { "" }, assumption.clone());
+        row(if index == 0 { "assumed" } else { "" }, advice::on_assumption(assumption));
     }
     text
 }
@@ -97,7 +97,7 @@ fn json(volume: &Volume) -> serde_json::Value {
         "range": volume.range,
         "bytes": volume.bytes(),
         "histogram": volume.histogram(BINS),
-        "assumptions": volume.source.assumptions,
+        "assumptions": volume.source.assumptions.iter().map(advice::on_assumption).collect::<Vec<_>>(),
     })
 }
 

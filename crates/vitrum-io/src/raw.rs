@@ -1,38 +1,29 @@
 //! Voxels without any header, described by the caller or by the file's name, such as `head_256x256x109_uint8.raw`.
 
-mod layout;
-
-use std::path::Path;
-
-pub use self::layout::RawLayout;
-use self::layout::{dimensions, endian, sample_type};
-use crate::error::{Error, Place, Report};
+use crate::error::{Error, Report};
+use crate::formats::{self, Format};
 use crate::input::Input;
 use crate::memory;
-use crate::open::{OpenOptions, VolumeReader};
+use crate::options::OpenOptions;
 use crate::packing::Packing;
-use crate::placement::UNORIENTED;
+use crate::placement::unoriented;
+use crate::raw_layout::{RawLayout, dimensions, endian, sample_type};
+use crate::reader::VolumeReader;
 use crate::samples::{Endian, SampleType, VoxelBuffer};
+use crate::source::{Assumptions, Source};
 use crate::stream;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 
 /// The reader of `.raw` and `.bin` files.
 pub(crate) struct Raw;
 
-const ADVICE: &str = "say it by --raw, such as --raw 256x256x109:u8 or 64x64x32:i16:be:skip=512, or rename the file, such as \
-                      NAME_256x256x109_uint8.raw; if a header lies beside it, open that";
-
 impl VolumeReader for Raw {
-    fn name(&self) -> &'static str {
-        "raw voxels"
-    }
-
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".raw", ".bin"]
+    fn format(&self) -> &'static Format {
+        &formats::RAW
     }
 
     /// Nothing in the content tells.
-    fn recognises(&self, _head: &[u8], _path: &Path) -> bool {
+    fn recognises(&self, _input: &Input) -> bool {
         false
     }
 
@@ -41,8 +32,7 @@ impl VolumeReader for Raw {
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
-        let report = Report::new(&input.name);
-        let mut assumptions = Vec::new();
+        let mut assumptions = Assumptions::default();
         let layout = match options.raw {
             Some(layout) => layout,
             None => of_name(input, &mut assumptions)?,
@@ -56,8 +46,8 @@ impl VolumeReader for Raw {
         }
         let endian = endian.unwrap_or(Endian::Little);
         assumptions.extend(sample.rounding_note());
-        assumptions.push(UNORIENTED.to_owned());
-        let refuse = |problem: String| report.unsupported(Place::File, problem, ADVICE);
+        assumptions.push(unoriented());
+        let refuse = |problem: String| unknown_layout(input, problem);
         let bytes = stream::byte_count(dimensions, sample.size()).map_err(&refuse)?;
         // Voxels may begin like a packed file; the size tells.
         let packing = if skip.saturating_add(bytes) == input.length { Packing::Plain } else { input.packing };
@@ -73,16 +63,16 @@ impl VolumeReader for Raw {
         }
         let voxels = read_data(input, options, layout, packing, bytes)?.into_voxels();
         let volume = Volume::of_samples(input.name.clone(), dimensions, [1.0; 3], voxels, sample)?;
-        let packing = packing.name();
-        let encoding = if sample.size() == 1 { packing.to_owned() } else { format!("{packing}, {}", endian.name()) };
-        let source = Source { format: self.name(), sample_type: sample.name().to_owned(), encoding, assumptions };
+        let encoding = sample.coding(packing.name(), endian);
+        let source =
+            Source { format: self.format().name, sample_type: sample.name().to_owned(), encoding, assumptions };
         Ok(Volume { source, ..volume })
     }
 }
 
 /// The layout that the file's name says, perhaps completed by the file's size.
-fn of_name(input: &Input, assumptions: &mut Vec<String>) -> Result<RawLayout, Error> {
-    let refuse = |problem: &str| Err(Report::new(&input.name).unsupported(Place::File, problem, ADVICE));
+fn of_name(input: &Input, assumptions: &mut Assumptions) -> Result<RawLayout, Error> {
+    let refuse = |problem: &str| Err(unknown_layout(input, problem));
     let said = Said::new(&input.file_name());
     let Some(dimensions) = said.dimensions else {
         return refuse("the file has no header, and its name says no dimensions");
@@ -97,6 +87,10 @@ fn of_name(input: &Input, assumptions: &mut Vec<String>) -> Result<RawLayout, Er
         None => return refuse("the file has no header, and its name says no sample type"),
     };
     Ok(RawLayout { dimensions, sample, endian: said.endian, skip: 0 })
+}
+
+fn unknown_layout(input: &Input, problem: impl Into<String>) -> Error {
+    Error::UnknownLayout { file: input.name.clone(), problem: problem.into() }
 }
 
 fn read_data(
@@ -121,7 +115,7 @@ fn read_data(
     Ok(voxels)
 }
 
-/// What a file's name says of its voxels.
+/// Layout that a file's name says, as far as it does.
 #[derive(Debug, Default, PartialEq)]
 struct Said {
     dimensions: Option<[u32; 3]>,

@@ -1,15 +1,16 @@
-//! Writing a file beside its path, and renaming it: a path never holds half of one.
+//! Atomic writing: a file is written beside its path and renamed onto it, so that a path never holds half of one.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Seek, Write};
 use std::path::Path;
 
 use crate::error::{Error, Report};
 use crate::input::display_name;
 use crate::temporary::Temporary;
 
-/// Where encoders write.
-pub(crate) type Sink<'a> = BufWriter<&'a File>;
+/// The destination of an encoder: a file, or memory.
+pub(crate) trait Sink: Write + Seek {}
+
+impl<T: Write + Seek> Sink for T {}
 
 /// Writes a text to `path`, whole or not at all.
 ///
@@ -35,7 +36,7 @@ pub fn check_text_writable(path: &Path) -> Result<(), Error> {
 pub(crate) fn write_whole(
     report: Report,
     path: &Path,
-    encode: impl FnOnce(&mut Sink) -> io::Result<()>,
+    encode: impl FnOnce(&mut dyn Sink) -> io::Result<()>,
 ) -> Result<(), Error> {
     let beside = create_beside(report, path)?;
     let failed = |error: io::Error| report.write(error.to_string(), "check the free space on the disk", Some(error));
@@ -66,15 +67,7 @@ pub(crate) fn create_beside(report: Report, path: &Path) -> Result<Temporary, Er
         let problem = format!("there is no folder {shown}");
         return Err(report.write(problem, "create it, or write elsewhere", None));
     }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".vitrum-").suffix(".part");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // What any new file gets, less the umask; the default is private to its owner.
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    Temporary::new(|| builder.tempfile_in(folder)).map_err(|error| {
+    Temporary::beside(folder).map_err(|error| {
         let problem = format!("no file can be created in {shown}: {error}");
         report.write(problem, "check its permissions, or write elsewhere", Some(error))
     })

@@ -1,4 +1,4 @@
-//! How voxels without a header are laid out, as `256x256x109:u16:be:skip=512`.
+//! Layout of voxels without a header, as `256x256x109:u16:be:skip=512`.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,12 +8,12 @@ use crate::samples::{Endian, SampleType};
 /// The layout of voxels without a header: `WxHxD:TYPE`, then perhaps `:le` or `:be` and `:skip=BYTES`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RawLayout {
-    pub(super) dimensions: [u32; 3],
-    pub(super) sample: SampleType,
+    pub(crate) dimensions: [u32; 3],
+    pub(crate) sample: SampleType,
     /// `None` is little-endian, and said so.
-    pub(super) endian: Option<Endian>,
+    pub(crate) endian: Option<Endian>,
     /// Bytes in front of the first voxel.
-    pub(super) skip: u64,
+    pub(crate) skip: u64,
 }
 
 impl FromStr for RawLayout {
@@ -57,14 +57,14 @@ impl fmt::Display for RawLayout {
 }
 
 /// `256x256x109`.
-pub(super) fn dimensions(word: &str) -> Option<[u32; 3]> {
+pub(crate) fn dimensions(word: &str) -> Option<[u32; 3]> {
     let mut sizes = word.split('x');
     let mut size = || sizes.next()?.parse().ok().filter(|&size| size > 0);
     let found = [size()?, size()?, size()?];
     sizes.next().is_none().then_some(found)
 }
 
-pub(super) fn endian(word: &str) -> Option<Endian> {
+pub(crate) fn endian(word: &str) -> Option<Endian> {
     match word {
         "le" | "little" | "lsb" => Some(Endian::Little),
         "be" | "big" | "msb" => Some(Endian::Big),
@@ -72,7 +72,7 @@ pub(super) fn endian(word: &str) -> Option<Endian> {
     }
 }
 
-pub(super) fn sample_type(word: &str) -> Option<SampleType> {
+pub(crate) fn sample_type(word: &str) -> Option<SampleType> {
     match word {
         "int8" | "i8" | "schar" => Some(SampleType::I8),
         "uint8" | "u8" | "uchar" | "byte" => Some(SampleType::U8),
