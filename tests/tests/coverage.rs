@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use vitrum::backend::CpuBackend;
-use vitrum_conformance::kernels::Frame;
 use vitrum_conformance::{Failure, kernels};
 use vitrum_kernels::abi::{sweep::mode, voxels};
 use vitrum_kernels::glam::UVec4;
@@ -14,13 +13,12 @@ fn every_kernel_in_every_mode_is_compared() -> Result<(), Failure> {
     let mut backend = CpuBackend::new(Some(1))?;
     let mut seen = BTreeSet::new();
     for case in kernels::cases(16, 16)? {
-        let (frame, passes) = Frame::prepare(&case, &mut backend)?;
-        for pass in &passes.passes {
+        let frame = kernels::prepare(&case, &mut backend)?;
+        for pass in &frame.passes().passes {
             // Every uniform block begins with width, height and mode.
             let dispatch: UVec4 = bytemuck::pod_read_unaligned(&pass.uniforms[..size_of::<UVec4>()]);
             seen.insert((pass.kernel.declaration.name, dispatch.z));
         }
-        frame.free(&mut backend);
     }
     let names: BTreeSet<&str> = seen.iter().map(|&(name, _)| name).collect();
     // The probe is T0's: `functions` runs it. Voxels and shadow maps are made before frames: `tests/voxelize/backends.rs` and

@@ -88,7 +88,7 @@ fn a_frame_that_ends_with_its_rays_is_the_same() -> Result<(), Failure> {
         let times = ended.statistics.kernels.iter().find(|times| times.kernel.starts_with(prefix));
         times.map_or(0, |times| times.passes)
     };
-    let planes = ended.statistics.planes;
+    let planes = ended.statistics.planes.expect("it sweeps");
     let (rays, light) = (passes("sweep_propagate_rays"), passes("sweep_gather_light"));
     assert!(0 < rays && rays < planes / 2, "{rays} passes for {planes} planes although no ray was left");
     assert!(light <= rays + 1, "light went on although no ray was left");
@@ -112,12 +112,11 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
         assert!(seen.light.is_none() && all.light.is_some());
         assert!(all.layers == seen.layers, "{}: the picture is another one", case.name);
 
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
+        let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;
         let run: u64 = sweep.passes.passes.iter().map(Pass::invocations).sum();
         let whole = |pass: &Pass| Pass { window: Window::whole(pass.width, pass.height), ..pass.clone() };
         let most: u64 = sweep.passes.passes.iter().map(|pass| whole(pass).invocations()).sum();
         assert!(run < most, "{}: all texels on every plane", case.name);
-        sweep.free(&mut cpu);
     }
     Ok(())
 }
@@ -132,31 +131,29 @@ fn light_goes_on_where_it_may_be_seen_again() -> Result<(), Failure> {
         Case::builtin("head", EDGE, Some(RESOLUTION), &["light.0.azimuth=75"])?.without_light(),
     ];
     for case in cases {
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
+        let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;
         let whole = |pass: &Pass| pass.window == Window::whole(pass.width, pass.height);
         assert!(sweep.passes.passes.iter().all(whole), "{}: not all texels", case.name);
-        sweep.free(&mut cpu);
     }
     Ok(())
 }
 
 #[test]
-fn a_session_renders_what_a_fresh_start_renders() -> Result<(), Failure> {
+fn a_renderer_renders_what_a_fresh_start_renders() -> Result<(), Failure> {
     let mut case = Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?;
-    let (mut used, mut fresh) = (CpuBackend::new(None)?, CpuBackend::new(None)?);
-    let inputs = case.inputs.clone();
-    let mut session = vitrum::Session::new(&inputs, &mut used)?;
+    let mut fresh = CpuBackend::new(None)?;
+    let mut renderer = vitrum::Renderer::new(Box::new(CpuBackend::new(None)?), case.assets.clone());
     for setting in
         ["camera.azimuth=20", "light.0.azimuth=-30", "transfer.ior=[{ value = 0, ior = 1 }]", "film.width=33"]
     {
         case.scene.set(setting)?;
         let (kept, anew) =
-            (session.render(&case.scene, Default::default(), &mut |_| true)?, frames::render(&case, &mut fresh)?);
+            (renderer.render(&case.scene, Default::default(), &mut |_| true)?, frames::render(&case, &mut fresh)?);
         assert_eq!(kept.layers, anew.layers, "{setting}");
     }
     case.scene.camera.zoom = -1.0;
-    assert!(session.render(&case.scene, Default::default(), &mut |_| true).is_err());
+    assert!(renderer.render(&case.scene, Default::default(), &mut |_| true).is_err());
     case.scene.camera.zoom = 1.0;
-    assert!(session.render(&case.scene, Default::default(), &mut |_| true).is_ok());
+    assert!(renderer.render(&case.scene, Default::default(), &mut |_| true).is_ok());
     Ok(())
 }

@@ -7,9 +7,9 @@ use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use vitrum::io::{Mesh, OpenOptions, STANDARD_INPUT, Up, Volume, is_mesh};
-use vitrum::scene::{MeshSource, Method, Problem, Scene, VolumeSource};
+use vitrum::scene::{MeshSource, MethodName, Problem, Scene, VolumeSource};
 use vitrum::suggest::nearest;
-use vitrum::{Inputs, builtin, load_mesh, load_meshes, load_volume, preset};
+use vitrum::{Assets, builtin, load_mesh, load_meshes, load_volume, preset};
 
 /// The input and the flags that change its scene.
 #[derive(Debug, Args)]
@@ -49,12 +49,14 @@ impl SceneArguments {
         let preset = self.preset.as_deref().or(bare.then_some(preset::DEFAULT));
         let mut before = scene.clone();
         self.change(&mut before, preset.is_some())?;
-        let inputs = Inputs::load_within(&before, &base, self.volume.limit())?;
+        let assets = Assets::load_within(&before, &base, self.volume.limit())?;
         if let Some(name) = preset {
-            preset::apply(name, &inputs.volume, &mut scene)?;
+            // Without a mesh in the scene, a volume was loaded.
+            let volume = assets.subject.volume().expect("a scene without a mesh shows a volume");
+            preset::apply(name, volume, &mut scene)?;
         }
         self.change(&mut scene, false)?;
-        Ok(Prepared { scene, base, inputs })
+        Ok(Prepared { scene, base, assets })
     }
 
     /// What a mesh looks like does not depend on what is in its file.
@@ -65,8 +67,8 @@ impl SceneArguments {
             None => {}
         }
         self.change(&mut scene, false)?;
-        let inputs = Inputs::load_within(&scene, &base, self.volume.limit())?;
-        Ok(Prepared { scene, base, inputs })
+        let assets = Assets::load_within(&scene, &base, self.volume.limit())?;
+        Ok(Prepared { scene, base, assets })
     }
 
     /// Applies `--size`, the volume's flags and `--set`. If a preset is still to come, what is missing now may be filled in by it, such as
@@ -96,7 +98,7 @@ pub struct Prepared {
     pub scene: Scene,
     /// The folder that relative paths in the scene start at.
     pub base: PathBuf,
-    pub inputs: Inputs,
+    pub assets: Assets,
 }
 
 /// An input before flags.
@@ -122,7 +124,7 @@ pub fn open(input: &str) -> Result<Opened, Failure> {
     // What cannot be looked at, the reader of volumes has the message for.
     if path != Path::new(STANDARD_INPUT) && is_mesh(path).unwrap_or(false) {
         let mesh = vec![MeshSource { file: Some(path.to_owned()), ..MeshSource::default() }];
-        let scene = Scene { method: Method::Voxels, mesh, ..Scene::default() };
+        let scene = Scene { method: MethodName::Voxels, mesh, ..Scene::default() };
         return Ok(Opened { scene, base: PathBuf::new(), bare: true });
     }
     let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };

@@ -90,7 +90,7 @@ fn a_mesh_is_rendered_and_its_scene_renders_the_same() {
     let stats = std::fs::read_to_string(folder.file("a.json")).expect("it was written");
     let stats: Value = serde_json::from_str(&stats).expect("it is JSON");
     assert_eq!(stats["method"], "voxels");
-    assert!(stats["voxels"].is_array() && stats["rays_turned"].is_number(), "{stats}");
+    assert!(stats["voxels"].is_array() && stats["rays_trapped"].is_number(), "{stats}");
     folder.succeed(&[&["scene", "a.obj", "-o", "a.toml"], &common[2..]].concat());
     folder.succeed(&["render", "a.toml", "-o", "c.exr", "--backend", "cpu"]);
     folder.succeed(&["diff", "a.exr", "c.exr", "--max-abs", "0"]);

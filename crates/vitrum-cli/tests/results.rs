@@ -68,7 +68,17 @@ fn statistics_are_json_with_every_field() {
     assert_eq!((&stats["width"], &stats["height"], &stats["backend"]), (&32.into(), &24.into(), &"cpu".into()));
     assert_eq!(stats["frame_ms"].as_array().map(Vec::len), Some(3));
     assert!(stats["planes"].as_u64() > Some(0));
-    for field in ["method", "adapter", "rays_turned", "upload_ms", "peak_rss_bytes", "gpu_bytes", "version"] {
+    for field in [
+        "method",
+        "adapter",
+        "rays_terminated",
+        "rays_trapped",
+        "dispatches",
+        "upload_ms",
+        "peak_rss_bytes",
+        "gpu_bytes",
+        "version",
+    ] {
         assert!(stats.get(field).is_some(), "there is no {field}: {stats}");
     }
 }

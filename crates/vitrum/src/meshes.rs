@@ -1,6 +1,6 @@
 //! The meshes of a scene, each read, turned upright and placed, as one mesh.
 
-use crate::builtin;
+use crate::assets::made;
 use crate::error::Error;
 use crate::method::voxels::GREY;
 use crate::scene::{MeshSource, Rgb};
@@ -32,7 +32,7 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
             let options = OpenOptions { max_bytes, ..OpenOptions::default() };
             (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
         }
-        (None, Some(name)) => (builtin::mesh(name).ok_or_else(|| unknown_mesh(name))?, Up::Superior),
+        (None, Some(name)) => (made::mesh(name)?, Up::Superior),
         (Some(_), Some(_)) => return Err(Error::Scene("a mesh has both a file and a builtin; keep one".to_owned())),
         (None, None) => {
             return Err(Error::Scene("a mesh has neither a file nor a builtin; give one of them".to_owned()));
@@ -50,11 +50,6 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
         mesh.triangle_materials = vec![0; mesh.triangles.len()];
     }
     placed(mesh, source)
-}
-
-fn unknown_mesh(name: &str) -> Error {
-    let names = builtin::mesh_names().collect::<Vec<_>>().join(", ");
-    Error::Scene(format!("there is no built-in mesh `{name}`; they are {names}"))
 }
 
 /// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.
@@ -167,6 +162,7 @@ fn with_colors(mesh: Mesh) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::builtin;
 
     fn source(builtin: &str) -> MeshSource {
         MeshSource { builtin: Some(builtin.to_owned()), ..MeshSource::default() }

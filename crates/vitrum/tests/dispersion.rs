@@ -4,7 +4,7 @@ use std::path::Path;
 use vitrum::backend::CpuBackend;
 use vitrum::scene::Scene;
 use vitrum::spectrum::bands;
-use vitrum::{Frame, Inputs, builtin};
+use vitrum::{Assets, Frame, builtin};
 
 fn scene(abbe: Option<f32>, wavelengths: u32) -> Scene {
     let mut scene = builtin::scene("ball").expect("it exists");
@@ -16,8 +16,8 @@ fn scene(abbe: Option<f32>, wavelengths: u32) -> Scene {
 }
 
 fn render(scene: &Scene) -> Frame {
-    let inputs = Inputs::load(scene, Path::new("")).expect("the volume can be made");
-    vitrum::render(scene, &inputs, &mut CpuBackend::new(None).expect("it opens"), &mut |_| true).expect("it renders")
+    let assets = Assets::load(scene, Path::new("")).expect("the volume can be made");
+    vitrum::render(scene, &assets, &mut CpuBackend::new(None).expect("it opens"), &mut |_| true).expect("it renders")
 }
 
 fn difference(a: &Frame, b: &Frame, layer: &str, channel: &str) -> f32 {

@@ -1,7 +1,7 @@
 //! A volume as a continuous medium, in double precision.
 
 use vitrum::io::Volume;
-use vitrum::method::sweep::View;
+use vitrum::method::View;
 use vitrum::scene::TransferFunction;
 use vitrum_kernels::glam::{DMat3, DVec3};
 

@@ -2,7 +2,7 @@
 
 use super::on_both;
 use vitrum::backend::Backend;
-use vitrum::scene::{Method, Scene};
+use vitrum::scene::{MethodName, Scene};
 use vitrum_conformance::Failure;
 use vitrum_conformance::refraction::{ball, case, cuboid, sweep, through_ball, together, trace};
 use vitrum_io::Mesh;
@@ -38,8 +38,8 @@ fn a_ball_bends_rays_by_snells_law() -> Result<(), Failure> {
 fn transmittance(parts: &[Mesh], materials: &str, backend: &mut dyn Backend) -> Result<[f64; 3], Failure> {
     let settings = [&STRAIGHT_ON[..], &["voxelization.resolution=64", materials]].concat();
     let case = case("plates", together(parts), 16, &settings)?;
-    let scene = Scene { method: Method::Sweep, ..case.scene };
-    let frame = vitrum::render(&scene, &case.inputs, backend, &mut |_| true)?;
+    let scene = Scene { method: MethodName::Sweep, ..case.scene };
+    let frame = vitrum::render(&scene, &case.assets, backend, &mut |_| true)?;
     Ok(["R", "G", "B"]
         .map(|channel| f64::from(frame.channel("transmittance", channel).expect("it is there")[8 * 16 + 8])))
 }

@@ -2,7 +2,9 @@
 
 use super::{ABOVE, case, on_both, sheets};
 use vitrum::Frame;
+use vitrum::OutputRequest;
 use vitrum::backend::Backend;
+use vitrum::method::{Cache, Job};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::refraction::{self, ball, cuboid, together};
 use vitrum_conformance::{Failure, frames};
@@ -231,9 +233,10 @@ fn sessions_follow_the_light() -> Result<(), Failure> {
         let fresh: Vec<Vec<[f32; 3]>> =
             cases.iter().map(|case| Ok(color(&frames::render(case, backend)?))).collect::<Result<_, Failure>>()?;
         assert!(fresh.windows(2).all(|pair| pair[0] != pair[1]), "the changes are to be seen");
-        let mut session = vitrum::Session::new(&cases[0].inputs, backend)?;
+        let mut cache = Cache::default();
         for (case, fresh) in cases.iter().zip(&fresh) {
-            let frame = session.render(&case.scene, vitrum::Wanted::default(), &mut |_| true)?;
+            let job = Job { scene: &case.scene, assets: &cases[0].assets, request: OutputRequest::default() };
+            let frame = vitrum::frame(&job, &mut cache, backend, &mut |_| true)?;
             assert!(color(&frame) == *fresh, "{}", case.name);
         }
         Ok(())

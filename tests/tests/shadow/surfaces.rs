@@ -94,7 +94,7 @@ fn a_ball_does_not_shade_itself() -> Result<(), Failure> {
                 let case = refraction::case("ball", mesh.clone(), 64, &settings)?;
                 on_both(|backend| {
                     let light = Map::of(&case, backend)?.light();
-                    let frame = vitrum::render(&case.scene, &case.inputs, backend, &mut |_| true)?;
+                    let frame = vitrum::render(&case.scene, &case.assets, backend, &mut |_| true)?;
                     let view = vitrum_conformance::shadow::view(&case);
                     let channel = |layer: &str, name: &str| frame.channel(layer, name).expect("it is an output");
                     let normals = ["X", "Y", "Z"].map(|name| channel("normal", name));

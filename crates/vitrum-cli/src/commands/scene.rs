@@ -26,7 +26,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.output.as_deref().map_or(Ok(()), output::check_writable)?;
     let prepared = arguments.scene.prepare()?;
-    vitrum::check(&prepared.scene, &prepared.inputs)?;
+    vitrum::check(&prepared.scene, &prepared.assets)?;
     let mut scene = prepared.scene;
     let folder = arguments.output.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
     if !same_folder(&prepared.base, folder) {

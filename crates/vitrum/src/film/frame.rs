@@ -1,10 +1,13 @@
 //! A finished frame.
 
-use super::output::{self, Output};
 use super::statistics::Statistics;
 use vitrum_io::{Layer, Picture};
 
 /// A finished frame: named outputs, row 0 on top, linear.
+///
+/// [`Method::outputs`](crate::method::Method::outputs) describes the outputs. Where a pixel has several rays (`film.supersampling`) it shows
+/// their mean: of depths the mean of the rays that have one, of directions and normals the unit vector; `position`, `status` and
+/// `bounces` are those of the ray next to the pixel's centre.
 #[derive(Debug, Clone)]
 pub struct Frame {
     /// Pixels across.
@@ -20,10 +23,6 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The outputs. Where a pixel has several rays (`film.supersampling`) it shows their mean: of depths that of the rays that have one, of
-    /// directions and normals the unit vector; `position`, `status` and `bounces` are of the ray next to the pixel's centre.
-    pub const OUTPUTS: &'static [Output] = output::ALL;
-
     /// An output as a picture of its own; `None` if there is no output of that name, or it was not wanted.
     pub fn aov(&self, name: &str) -> Option<Picture> {
         if name == "light" {

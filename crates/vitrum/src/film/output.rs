@@ -1,56 +1,107 @@
-//! The named outputs of a frame.
-
-use crate::scene::Method;
+//! The named outputs of a method's frames, and how they come from its film records.
 
 /// A named output of a frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Output {
     /// Its name.
     pub name: &'static str,
-    /// The methods whose frames have it.
-    pub methods: &'static [Method],
-    /// What it is, with its unit and range.
+    /// The quantity that it holds, with its unit and range.
     pub description: &'static str,
     /// Whether it holds vectors, which may be negative.
     pub is_vector: bool,
+    /// The names of its channels with their components in the method's film records; none for an output whose size is not the
+    /// picture's.
+    pub(crate) channels: &'static [(&'static str, usize)],
+    /// The value of a pixel that several rays go through.
+    pub(crate) pixel: PixelFilter,
+    /// The value of a picture that is a sum of several exposures.
+    pub(crate) blend: Blend,
 }
 
-const SWEEP: &[Method] = &[Method::Sweep];
-const VOXELS: &[Method] = &[Method::Voxels];
-const BOTH: &[Method] = &[Method::Sweep, Method::Voxels];
-
-const fn output(name: &'static str, methods: &'static [Method], description: &'static str) -> Output {
-    Output { name, methods, description, is_vector: false }
+/// The value of a pixel that several rays go through.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum PixelFilter {
+    /// The mean.
+    Mean,
+    /// The mean, weighted by another component; 0 where that is 0 everywhere.
+    WeightedBy(usize),
+    /// The mean of the rays for which it is not 0.
+    Present,
+    /// The unit vector of the mean's direction; 0 where the mean is.
+    Direction,
+    /// The value of the ray next to the pixel's centre, for numbers that have no mean.
+    Nearest,
 }
 
-const fn vector(name: &'static str, methods: &'static [Method], description: &'static str) -> Output {
-    Output { name, methods, description, is_vector: true }
+/// The value of a picture that is a sum of several exposures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Blend {
+    /// The sum, weighted by the exposures' weights of the channel: red, green and blue; the mean of the three for other channels.
+    Sum,
+    /// The value of the exposure with the least distance.
+    Nearest,
 }
 
-/// Every output, in the order in which a picture has them.
-pub(super) const ALL: &[Output] = &[
-    output("color", BOTH, "linear radiance and coverage (RGBA)"),
-    output("opacity", SWEEP, "opacity A of particles and receivers, 0 to 1"),
-    output(
-        "transmittance",
-        BOTH,
-        "share of light that is left on the way: of a volume behind its filter, of a mesh behind absorption and reflection, RGB, 0 to 1",
-    ),
-    output(
-        "depth",
-        BOTH,
-        "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque; of a mesh that of the first surface",
-    ),
-    vector("direction", BOTH, "final unit direction of the ray in view space (looking along -z)"),
-    vector("position", SWEEP, "final position of the ray in view space, world units"),
-    output(
-        "status",
-        BOTH,
-        "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed; through a mesh: 1 it left, 2 it was still inside, 3 it met an opaque body or a receiver",
-    ),
-    vector("normal", VOXELS, "of a mesh: unit normal at the first surface in view space, 0 where there is none"),
-    output("bounces", VOXELS, "of a mesh: surfaces at which the ray was refracted or reflected"),
-    output("path_length", VOXELS, "of a mesh: length of the ray's way inside, world units"),
-    output("reflectance", VOXELS, "of a mesh: share of the light that the first surface reflects, 0 to 1"),
-    output("light", SWEEP, "light on the last plane, in the light grid's own texels, RGB"),
-];
+impl Output {
+    /// An output with a mean over a pixel's rays and over exposures.
+    pub(crate) const fn mean(
+        name: &'static str,
+        channels: &'static [(&'static str, usize)],
+        description: &'static str,
+    ) -> Self {
+        Self { name, description, is_vector: false, channels, pixel: PixelFilter::Mean, blend: Blend::Sum }
+    }
+
+    /// An output of vectors, of which a pixel shows the mean direction.
+    pub(crate) const fn directions(
+        name: &'static str,
+        channels: &'static [(&'static str, usize)],
+        description: &'static str,
+    ) -> Self {
+        let blend = Blend::Nearest;
+        Self { name, description, is_vector: true, channels, pixel: PixelFilter::Direction, blend }
+    }
+
+    /// An output of which a pixel shows the value of its central ray.
+    pub(crate) const fn central(
+        name: &'static str,
+        channels: &'static [(&'static str, usize)],
+        description: &'static str,
+    ) -> Self {
+        let blend = Blend::Nearest;
+        Self { name, description, is_vector: false, channels, pixel: PixelFilter::Nearest, blend }
+    }
+
+    /// The same output with another rule for a pixel that several rays go through, and of the nearest exposure.
+    pub(crate) const fn filtered(self, pixel: PixelFilter) -> Self {
+        Self { pixel, blend: Blend::Nearest, ..self }
+    }
+
+    /// The same output as one of vectors.
+    pub(crate) const fn vectors(self) -> Self {
+        Self { is_vector: true, ..self }
+    }
+}
+
+/// The channels of a colour whose components begin at `from`.
+macro_rules! rgb {
+    ($from:expr) => {
+        &[("R", $from), ("G", $from + 1), ("B", $from + 2)]
+    };
+}
+
+/// The channels of a colour and its coverage.
+macro_rules! rgba {
+    ($from:expr) => {
+        &[("R", $from), ("G", $from + 1), ("B", $from + 2), ("A", $from + 3)]
+    };
+}
+
+/// The channels of a vector.
+macro_rules! xyz {
+    ($from:expr) => {
+        &[("X", $from), ("Y", $from + 1), ("Z", $from + 2)]
+    };
+}
+
+pub(crate) use {rgb, rgba, xyz};

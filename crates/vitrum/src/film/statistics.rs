@@ -7,7 +7,7 @@ use serde::Serialize;
 /// How a frame was made. What is not known is `None`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Statistics {
-    /// The method, `sweep` or `voxels`.
+    /// The method, as scenes name it.
     pub method: String,
     /// `cpu` or `gpu`.
     pub backend: String,
@@ -21,13 +21,16 @@ pub struct Statistics {
     pub voxels: Option<[u32; 3]>,
     /// Rows of those voxels that go through holes of the mesh's surface and were left empty.
     pub open_rows: Option<u64>,
-    /// Planes swept; dispatches, of rays through a mesh.
-    pub planes: u32,
-    /// Texels of the light grid, across and up.
-    pub light_texels: [u32; 2],
-    /// Rays that turned back or grazed and could not be followed; through a mesh, that were still inside after as many surfaces as
-    /// they may meet.
-    pub rays_turned: u64,
+    /// Planes swept, of the plane sweep.
+    pub planes: Option<u32>,
+    /// Texels of the light grid across and up, of the plane sweep.
+    pub light_texels: Option<[u32; 2]>,
+    /// Dispatches of kernels.
+    pub dispatches: u64,
+    /// Rays that turned back or grazed the planes, and could not be followed, of the plane sweep.
+    pub rays_terminated: Option<u64>,
+    /// Rays that were still inside a mesh after as many surfaces as they may meet, of rays through a mesh.
+    pub rays_trapped: Option<u64>,
     /// Time of each frame, without uploads, in milliseconds.
     pub frame_ms: Vec<f64>,
     /// Time to build tables and fill buffers, in milliseconds.
@@ -46,7 +49,7 @@ impl Statistics {
     /// Those of a frame that a backend has just finished, while its buffers are still there.
     pub(crate) fn of(scene: &Scene, backend: &mut dyn Backend) -> Self {
         Self {
-            method: scene.method.name().to_owned(),
+            method: scene.method.as_str().to_owned(),
             backend: backend.name().to_owned(),
             adapter: backend.adapter(),
             width: scene.film.width,

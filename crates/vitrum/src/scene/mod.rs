@@ -18,6 +18,7 @@ mod load;
 mod material;
 mod medium;
 mod mesh;
+mod method;
 mod receiver;
 mod renamed;
 mod schema;
@@ -43,6 +44,7 @@ pub use light::{Attachment, Light, LightKind};
 pub use material::Material;
 pub use medium::Medium;
 pub use mesh::MeshSource;
+pub use method::MethodName;
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use shadow::{Coefficient, Shadow};
@@ -50,7 +52,7 @@ pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
 pub use volume::VolumeSource;
 pub use voxelization::Voxelization;
-pub use voxels::{Method, Normals, Surfaces, Voxels};
+pub use voxels::{Normals, Surfaces, Voxels};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -65,8 +67,8 @@ pub type Vector = [f32; 3];
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
-    /// Way in which a picture is made.
-    pub method: Method,
+    /// Method that makes the picture.
+    pub method: MethodName,
     /// The volume that is shown.
     pub volume: VolumeSource,
     /// The meshes that are shown, instead of a volume.
@@ -119,7 +121,7 @@ pub struct Scene {
 impl Default for Scene {
     fn default() -> Self {
         Self {
-            method: Method::default(),
+            method: MethodName::default(),
             volume: VolumeSource::default(),
             mesh: Vec::new(),
             ior_volume: None,

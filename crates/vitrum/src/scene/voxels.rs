@@ -3,28 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a picture is made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Method {
-    /// A plane sweep through a volume, or through the volumes that are made of meshes.
-    #[default]
-    Sweep,
-    /// Rays through the voxels or triangles of meshes.
-    Voxels,
-}
-
-impl Method {
-    /// Its name in scene files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sweep => "sweep",
-            Self::Voxels => "voxels",
-        }
-    }
-}
-
 /// The surfaces that a ray is followed through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

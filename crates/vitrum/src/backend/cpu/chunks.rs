@@ -3,8 +3,8 @@
 use crate::backend::{Buffer, Pass};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
-use std::time::Instant;
 use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Marks, Window};
+use web_time::Instant;
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
@@ -15,8 +15,8 @@ const CACHED_BYTES: usize = 1 << 19;
 /// Invocations of passes that run together, not many more than a second's work.
 const INVOCATIONS_TOGETHER: u64 = 1 << 27;
 
-/// Records that a pass writes: their buffer, and where they start in it.
-pub(super) type Written = (Buffer, u64);
+/// Records that a pass writes: the number of their buffer, and where they start in it.
+pub(super) type Written = (usize, u64);
 
 /// What is known of the blocks of a buffer's records.
 #[derive(Default)]
@@ -56,17 +56,17 @@ impl<'a> Prepared<'a> {
     /// A pass that writes the buffer `written`; `contents` gives those that it reads, `unoccluded` what is marked in them.
     pub(super) fn new(
         pass: &'a Pass,
-        written: Buffer,
-        contents: impl Fn(Buffer) -> Option<&'a [u32]>,
-        unoccluded: impl Fn(Buffer) -> &'a [bool],
+        written: &Buffer,
+        contents: impl Fn(&Buffer) -> Option<&'a [u32]>,
+        unoccluded: impl Fn(&Buffer) -> &'a [bool],
     ) -> Self {
-        let read = pass.buffers.iter().filter(|buffer| **buffer != written);
+        let read = pass.buffers.iter().filter(|buffer| *buffer != written);
         let bound = pass.buffers.iter().zip(&pass.kernel.declaration.bindings[1..]);
         let floats = bound.filter(|(_, binding)| (binding.access, binding.element) == (Access::Read, Element::F32));
         Self {
             pass,
-            reads: read.filter_map(|buffer| contents(*buffer)).collect(),
-            marks: floats.map(|(buffer, _)| unoccluded(*buffer)).collect(),
+            reads: read.filter_map(contents).collect(),
+            marks: floats.map(|(buffer, _)| unoccluded(buffer)).collect(),
             // The kernels' uniform blocks are aligned to 16 bytes.
             uniforms: pass.uniforms.chunks(16).map(Aligned::from_bytes).collect(),
             busy: AtomicBool::new(false),

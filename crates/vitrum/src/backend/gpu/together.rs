@@ -30,14 +30,13 @@ pub(super) fn block_bytes(dispatch: &[Pass]) -> Option<NonZeroU64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::backend::Buffer;
     use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
     fn pass(kernel: &'static Kernel, width: u32) -> Pass {
         Pass {
             kernel,
             uniforms: vec![0; 8],
-            buffers: vec![Buffer(0)],
+            buffers: Vec::new(),
             start: 0,
             width,
             height: 1,

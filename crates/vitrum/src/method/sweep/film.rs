@@ -1,94 +1,90 @@
-//! From the records of a finished sweep to a frame.
+//! The outputs of a sweep, and its light as a picture.
 
 use super::Sweep;
-use crate::backend::{Backend, KernelTime};
-use crate::error::Error;
-use crate::film::{Frame, Pixel, Rays, Statistics, rgb, rgba, xyz};
-use crate::request::Wanted;
-use crate::scene::Scene;
-use std::time::Instant;
-use vitrum_io::{Layer, Picture};
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
+use crate::film::{Output, PixelFilter, Statistics, rgb, rgba, xyz};
+use crate::method::PreparedFrame;
+use vitrum_io::Picture;
 use vitrum_kernels::abi::record::{film, status};
+use vitrum_kernels::abi::sweep::SweepUniforms;
 
-/// What a frame that was run has made.
-pub(crate) struct Exposure {
-    /// Planar records, see [`film`].
-    pub film: Vec<f32>,
-    /// Irradiance, if wanted: see [`Sweep::irradiance`].
-    pub light: Option<Vec<f32>>,
-    /// Time to run it and read it back.
-    pub frame_ms: f64,
-    /// What of it the kernels took.
-    pub kernels: Vec<KernelTime>,
+/// The outputs, by the components of [`film`].
+pub(super) const OUTPUTS: &[Output] = &[
+    Output::mean("color", rgba!(film::COLOR), "linear radiance and coverage (RGBA)"),
+    Output::mean("opacity", &[("Y", film::OPACITY)], "opacity A of particles and receivers, 0 to 1"),
+    Output::mean("transmittance", rgb!(film::MEDIUM), "share of light that the filter leaves on the way, RGB, 0 to 1"),
+    Output::mean(
+        "depth",
+        &[("Z", film::DEPTH)],
+        "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque",
+    )
+    .filtered(PixelFilter::WeightedBy(film::OPACITY)),
+    Output::directions(
+        "direction",
+        xyz!(film::DIRECTION),
+        "final unit direction of the ray in view space (looking along -z)",
+    ),
+    Output::central("position", xyz!(film::POSITION), "final position of the ray in view space, world units").vectors(),
+    Output::central(
+        "status",
+        &[("Y", film::STATUS)],
+        "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed",
+    ),
+    Output::mean("light", &[], "light on the last plane, in the light grid's own texels, RGB"),
+];
+
+impl PreparedFrame for Sweep {
+    fn passes(&self) -> &PassList {
+        &self.passes
+    }
+
+    fn rays(&self) -> [u32; 2] {
+        self.rays
+    }
+
+    fn film(&self) -> &Buffer {
+        &self.buffers.film
+    }
+
+    /// The grid's rows go up, a picture's down.
+    fn light(&self, backend: &mut dyn Backend) -> Result<Option<Picture>, BackendError> {
+        if !self.request.light {
+            return Ok(None);
+        }
+        let irradiance = self.irradiance(backend)?;
+        let [width, height] = self.light_grid.size;
+        let texels = width as usize * height as usize;
+        let pixels = (0..height as usize)
+            .rev()
+            .flat_map(|row| (0..width as usize).map(move |column| row * width as usize + column))
+            .map(|at| [irradiance[at], irradiance[texels + at], irradiance[2 * texels + at]])
+            .collect();
+        Ok(Some(Picture::rgb(width, height, pixels)))
+    }
+
+    fn plane(&self, pass: &Pass) -> Option<u32> {
+        let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
+        let distance = |plane: &u32| (self.planes.depth(*plane) - f64::from(uniforms.plane.y)).abs();
+        (0..self.planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    fn statistics(&self, records: &[f32], statistics: &mut Statistics) {
+        let rays = self.rays[0] as usize * self.rays[1] as usize;
+        let terminated = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
+        statistics.planes = Some(self.planes.count);
+        statistics.light_texels = Some(self.light_grid.size);
+        statistics.rays_terminated = Some(terminated as u64);
+        if let Some(Voxelized { dimensions, open_rows }) = self.voxelized {
+            (statistics.voxels, statistics.open_rows) = (Some(dimensions), Some(open_rows));
+        }
+    }
 }
 
-/// Runs a prepared frame and reads its outputs; `progress` is told the planes that are done.
-pub(crate) fn expose(
-    sweep: &Sweep,
-    wanted: Wanted,
-    backend: &mut dyn Backend,
-    progress: &mut dyn FnMut(u32) -> bool,
-) -> Result<Exposure, Error> {
-    let started = Instant::now();
-    backend.take_kernel_times();
-    sweep.run(backend, progress)?;
-    let film = sweep.film(backend)?;
-    let frame_ms = started.elapsed().as_secs_f64() * 1e3;
-    let light = if wanted.light { Some(sweep.irradiance(backend)?) } else { None };
-    Ok(Exposure { film, light, frame_ms, kernels: backend.take_kernel_times() })
-}
-
-/// A frame of what a sweep has made.
-pub(crate) fn develop(
-    scene: &Scene,
-    sweep: &Sweep,
-    exposure: &Exposure,
-    backend: &mut dyn Backend,
-    upload_ms: f64,
-) -> Frame {
-    let (width, height) = (scene.film.width, scene.film.height);
-    let rays = sweep.rays[0] as usize * sweep.rays[1] as usize;
-    let turned = exposure.film[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
-    let frame = Frame {
-        width,
-        height,
-        layers: layers(scene, &exposure.film),
-        light: exposure.light.as_ref().map(|light| light_picture(sweep, light)),
-        statistics: Statistics {
-            planes: sweep.planes.count,
-            light_texels: sweep.light_grid.size,
-            rays_turned: turned as u64,
-            frame_ms: vec![exposure.frame_ms],
-            upload_ms: Some(upload_ms),
-            kernels: exposure.kernels.clone(),
-            ..Statistics::of(scene, backend)
-        },
-    };
-    frame.expose(scene.film.exposure)
-}
-
-fn layers(scene: &Scene, records: &[f32]) -> Vec<Layer> {
-    let size = [scene.film.width, scene.film.height];
-    let rays = Rays { records, size, edge: scene.film.supersampling };
-    vec![
-        rays.layer("color", Pixel::Mean, rgba(film::COLOR)),
-        rays.layer("opacity", Pixel::Mean, [("Y", film::OPACITY)]),
-        rays.layer("transmittance", Pixel::Mean, rgb(film::MEDIUM)),
-        rays.layer("depth", Pixel::WeightedBy(film::OPACITY), [("Z", film::DEPTH)]),
-        rays.layer("direction", Pixel::Direction, xyz(film::DIRECTION)),
-        rays.layer("position", Pixel::Central, xyz(film::POSITION)),
-        rays.layer("status", Pixel::Central, [("Y", film::STATUS)]),
-    ]
-}
-
-/// The light on the last plane; the grid's rows go up, a picture's down.
-fn light_picture(sweep: &Sweep, records: &[f32]) -> Picture {
-    let [width, height] = sweep.light_grid.size;
-    let texels = width as usize * height as usize;
-    let pixels = (0..height as usize)
-        .rev()
-        .flat_map(|row| (0..width as usize).map(move |column| row * width as usize + column))
-        .map(|at| [records[at], records[texels + at], records[2 * texels + at]])
-        .collect();
-    Picture::rgb(width, height, pixels)
+/// The volumes that were made of a mesh.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Voxelized {
+    /// Voxels along x, y and z.
+    pub(super) dimensions: [u32; 3],
+    /// Rows of voxels that go through holes of the surface.
+    pub(super) open_rows: u64,
 }

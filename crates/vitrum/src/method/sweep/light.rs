@@ -3,10 +3,10 @@
 use super::planes::Planes;
 use crate::error::Error;
 use crate::method::view::light::travels;
-use crate::method::view::{View, corners};
+use crate::method::view::{Bounds, View};
 use crate::scene::{Light, Scene};
+use crate::subject::Volumes;
 use glam::{DVec2, DVec3};
-use vitrum_io::Volume;
 
 /// The steepest angle between light and viewing direction, in degrees (sweep §7).
 const STEEPEST: f64 = 85.0;
@@ -47,7 +47,7 @@ impl LightGrid {
     pub(super) fn new(
         scene: &Scene,
         view: &View,
-        volumes: &[&Volume],
+        volumes: Volumes<'_>,
         planes: &Planes,
         direction: DVec3,
     ) -> Result<Self, Error> {
@@ -60,7 +60,7 @@ impl LightGrid {
         let drift = (slope - shear) * (last - first);
         let mut low = DVec2::INFINITY;
         let mut high = DVec2::NEG_INFINITY;
-        for corner in volumes.iter().flat_map(|volume| corners(volume)) {
+        for corner in volumes.iter().flat_map(|volume| Bounds::from(volume).corners) {
             let point = view.point(corner);
             let outline = point.truncate() - shear * (point.z - first);
             low = low.min(outline).min(outline + drift);
@@ -73,7 +73,7 @@ impl LightGrid {
         let pixel = view.pixel_size(rays, depth.abs().max(1e-6)) / f64::from(scene.sweep.light_resolution);
         let extent = high - low;
         // Close up, pixels get finer than any voxel; light needs no more than a few texels a voxel.
-        let voxel = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let voxel = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
         let finest = (f64::from(voxel) / (4.0 * f64::from(scene.sweep.light_resolution)))
             .max(extent.max_element() / MOST_TEXELS);
         // Light that is the same everywhere needs no texels.

@@ -2,10 +2,10 @@
 
 use crate::error::Error;
 use crate::method::view::receivers::Receivers;
-use crate::method::view::{View, bounding_sphere, corners};
+use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
+use crate::subject::Volumes;
 use glam::DVec3;
-use vitrum_io::Volume;
 
 /// The most planes of one frame.
 const MOST_PLANES: f64 = 65_536.0;
@@ -36,18 +36,18 @@ impl Planes {
     pub(super) fn new(
         scene: &Scene,
         view: &View,
-        volumes: &[&Volume],
+        volumes: Volumes<'_>,
         receivers: &Receivers,
         light: DVec3,
     ) -> Result<Self, Error> {
-        let edge = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let edge = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
         let distance = f64::from(edge) * f64::from(scene.sweep.sample_distance);
         let points: Vec<DVec3> =
-            volumes.iter().flat_map(|volume| corners(volume)).map(|corner| view.point(corner)).collect();
+            volumes.iter().flat_map(|volume| Bounds::from(volume).corners).map(|corner| view.point(corner)).collect();
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
         // Where the volume's shadow falls on a receiver, but not endlessly far; without shadows all ends behind the volume.
-        let limit = if scene.first_light().shadows { far + 3.0 * bounding_sphere(volumes[0]).1 } else { far };
+        let limit = if scene.first_light().shadows { far + 3.0 * Bounds::from(volumes.shown).sphere().1 } else { far };
         let reach = points
             .iter()
             .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))

@@ -2,7 +2,7 @@
 //!
 //! None of the plane sweep's published kin does this: they keep one direction a texel, which cannot say what a focus leaves behind.
 
-use super::carrier::{Carrier, Maker, Volumes};
+use super::carrier::{Carrier, Maker, VolumeBuffers};
 use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::grid::format;
@@ -12,7 +12,7 @@ use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The buffers of sheets.
 pub(super) struct Sheets {
-    volumes: Volumes,
+    volumes: VolumeBuffers,
     count: u32,
     sources: Buffer,
     nodes: Buffer,
@@ -35,7 +35,11 @@ fn advance_kernel(stored: u32) -> &'static Kernel {
 }
 
 impl Sheets {
-    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes, sources: &[[f32; 3]]) -> Result<Self, BackendError> {
+    pub(super) fn new(
+        maker: &mut Maker<'_>,
+        volumes: VolumeBuffers,
+        sources: &[[f32; 3]],
+    ) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
         let count = sources.len() as u32;
         Ok(Self {
@@ -58,8 +62,8 @@ fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
 impl Carrier for Sheets {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
         let nodes = nodes(fixed.light_grid.size, self.count);
-        let mut passes = Vec::from(fixed.unoccluded(self.light, self.irradiance));
-        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[self.sources, self.nodes]));
+        let mut passes = Vec::from(fixed.unoccluded(&self.light, &self.irradiance));
+        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[&self.sources, &self.nodes]));
         passes
     }
 
@@ -68,17 +72,17 @@ impl Carrier for Sheets {
         let [width, height] = texels;
         let cells = [width, height * self.count];
         let mut push =
-            |kernel, size, mode, buffers: &[Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
-        let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
-        let bound = [voxels, ior_voxels, occupancy, tables, self.sources, self.nodes];
+            |kernel, size, mode, buffers: &[&Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
+        let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
+        let bound = [voxels, ior_voxels, occupancy, tables, &self.sources, &self.nodes];
         push(advance_kernel(fixed.format), nodes(texels, self.count), mode::any_medium(fixed.mode), &bound);
-        push(&kernels::sweep_clear_sums, texels, 0, &[self.sums]);
-        push(&kernels::sweep_scatter_sheet, cells, 0, &[self.nodes, self.sources, self.sums]);
-        push(&kernels::sweep_collect_light, texels, 0, &[self.sums, self.light]);
-        passes.push(fixed.concentrate(Window::whole(width, height), plane, self.light, self.irradiance));
+        push(&kernels::sweep_clear_sums, texels, 0, &[&self.sums]);
+        push(&kernels::sweep_scatter_sheet, cells, 0, &[&self.nodes, &self.sources, &self.sums]);
+        push(&kernels::sweep_collect_light, texels, 0, &[&self.sums, &self.light]);
+        passes.push(fixed.concentrate(Window::whole(width, height), plane, &self.light, &self.irradiance));
     }
 
-    fn irradiance(&self) -> Buffer {
-        self.irradiance
+    fn irradiance(&self) -> &Buffer {
+        &self.irradiance
     }
 }

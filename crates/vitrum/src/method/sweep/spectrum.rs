@@ -1,6 +1,7 @@
 //! Wavelengths that stand for the spectrum, and what each adds to red, green and blue.
 
-use crate::scene::Scene;
+use crate::method::Exposure;
+use crate::scene::{Scene, YELLOW};
 
 /// A part of the spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,12 +46,18 @@ pub fn bands(count: u32) -> Vec<Band> {
     bands
 }
 
-/// What of a scene each band sees: the bands with their scenes, or the scene alone if all colours bend alike.
-pub(crate) fn exposures(scene: &Scene) -> Vec<(Option<Band>, Scene)> {
+/// The exposures of a scene: one for each band, or the scene alone if all colours bend alike.
+pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
     if !(scene.sweep.refraction && scene.transfer.disperses()) {
-        return vec![(None, scene.clone())];
+        return vec![Exposure::whole(scene)];
     }
-    bands(scene.sweep.wavelengths).into_iter().map(|band| (Some(band), scene.at_wavelength(band.wavelength))).collect()
+    let exposure = |Band { wavelength, weights }: Band| Exposure {
+        scene: scene.at_wavelength(wavelength),
+        weights: weights.map(|weight| weight as f32),
+        // Indices are stated for yellow light.
+        distance: (wavelength - YELLOW).abs(),
+    };
+    bands(scene.sweep.wavelengths).into_iter().map(exposure).collect()
 }
 
 /// Linear sRGB of spectral light, from the fit of Wyman, Sloan and Shirley (2013, JCGT 2:2, Eq. 4) to the CIE's functions of 1931.

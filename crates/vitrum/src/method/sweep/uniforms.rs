@@ -9,12 +9,13 @@ use super::tables::Tables;
 use super::voxels::grid;
 use super::window::Seen;
 use crate::error::Error;
-use crate::inputs::Inputs;
-use crate::method::view::environment::Prepared;
+use crate::method::view::environment::{EnvironmentMap, Prepared};
 use crate::method::view::receivers::{Receivers, plane};
-use crate::method::view::{View, bounding_sphere, vector};
+use crate::method::view::{Bounds, View, vector};
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
+use crate::subject::Volumes;
 use glam::{DVec3, DVec4, UVec4};
+use std::sync::Arc;
 use vitrum_kernels::abi::grid::format::is_paged;
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::Vec4;
@@ -30,8 +31,7 @@ pub(super) struct Fixed {
     pub(super) planes: Planes,
     pub(super) light_grid: LightGrid,
     pub(super) rays: [u32; 2],
-    pub(super) tables: Tables,
-    pub(super) environment: Prepared,
+    pub(super) tables: Arc<Tables>,
     /// One of [`vitrum_kernels::abi::grid::format`].
     pub(super) format: u32,
     /// The farthest step, in voxels, over which a brick's range holds.
@@ -77,35 +77,38 @@ struct Geometry {
 }
 
 impl Geometry {
-    fn new(scene: &Scene, inputs: &Inputs) -> Result<Self, Error> {
-        let shown = &inputs.volume;
-        let volumes: Vec<_> = std::iter::once(shown).chain(&inputs.ior_volume).collect();
-        let view = View::new(scene, shown);
+    fn new(scene: &Scene, volumes: Volumes<'_>) -> Result<Self, Error> {
+        let bounds = Bounds::from(volumes.shown);
+        let view = View::new(scene, bounds);
         let towards = direction(scene.first_light(), &view)?;
-        let receivers = Receivers::new(scene, &view, shown);
-        let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
-        let light_grid = LightGrid::new(scene, &view, &volumes, &planes, towards)?;
+        let receivers = Receivers::new(scene, &view, bounds);
+        let planes = Planes::new(scene, &view, volumes, &receivers, towards)?;
+        let light_grid = LightGrid::new(scene, &view, volumes, &planes, towards)?;
         Ok(Self { view, towards, planes, light_grid, receivers })
     }
 }
 
-/// Whether there are planes and a light grid for a scene of these inputs, and its clips are planes.
+/// Whether there are planes and a light grid for a scene of these volumes, and its clips are planes.
 ///
 /// # Errors
 /// [`Error::Scene`] where the light shines towards the camera, or planes or light texels would be too many.
-pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
-    let Geometry { view, .. } = Geometry::new(scene, inputs)?;
-    set_clips(&mut SweepUniforms::default(), scene, &view, &inputs.volume)
+pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
+    let Geometry { view, .. } = Geometry::new(scene, volumes)?;
+    set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)
 }
 
 impl Fixed {
     /// What `scene` comes to for volumes that are stored as `format` says, on a backend whose buffers have at most `largest_buffer` bytes.
-    pub(super) fn new(scene: &Scene, inputs: &Inputs, format: u32, largest_buffer: u64) -> Result<Self, Error> {
-        let shown = &inputs.volume;
-        let bending = inputs.ior_volume.as_ref();
-        let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, inputs)?;
-        let tables = Tables::new(&scene.transfer, scene.sweep.refraction, shown, bending.unwrap_or(shown));
-        let environment = Prepared::new(&scene.environment, inputs.environment.as_ref(), &view);
+    pub(super) fn new(
+        scene: &Scene,
+        volumes: Volumes<'_>,
+        tables: Arc<Tables>,
+        map: &EnvironmentMap,
+        (format, largest_buffer): (u32, u64),
+    ) -> Result<Self, Error> {
+        let Volumes { shown, ior: bending } = volumes;
+        let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, volumes)?;
+        let environment = Prepared::new(&scene.environment, map, &view);
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
@@ -181,7 +184,6 @@ impl Fixed {
             light_grid,
             rays,
             tables,
-            environment,
             format,
             sampling,
             reach,
@@ -303,7 +305,7 @@ fn set_clips(block: &mut SweepUniforms, scene: &Scene, view: &View, volume: &vit
             scene.clip.len()
         )));
     }
-    let (centre, _) = bounding_sphere(volume);
+    let (centre, _) = Bounds::from(volume).sphere();
     let mut planes = [Vec4::ZERO; MOST_CLIPS];
     let mut everything = [0.0; MOST_CLIPS];
     for (slot, clip) in scene.clip.iter().enumerate() {

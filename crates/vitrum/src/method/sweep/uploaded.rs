@@ -4,8 +4,7 @@ use super::occupancy::Ranges;
 use super::voxels::{chosen_format, fit, upload};
 use crate::backend::{Backend, Buffer};
 use crate::error::Error;
-use crate::inputs::Inputs;
-use vitrum_io::Volume;
+use crate::subject::Volumes;
 use vitrum_kernels::abi::grid::format;
 
 /// A frame's voxels on a backend: what stays the same while scene and camera change.
@@ -27,20 +26,16 @@ impl Uploaded {
     ///
     /// # Errors
     /// If the backend fails.
-    pub fn new(inputs: &Inputs, backend: &mut dyn Backend) -> Result<Self, Error> {
-        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
+    pub fn new(volumes: Volumes<'_>, backend: &mut dyn Backend) -> Result<Self, Error> {
+        let Volumes { shown, ior: bending } = volumes;
         let format = chosen_format(shown, bending);
-        if !fit(&volumes(inputs), format, backend) {
-            return Ok(Self { tight: false, ..Self::streamed(inputs) });
+        if !fit(volumes, format, backend) {
+            return Ok(Self { tight: false, ..Self::streamed(volumes) });
         }
         let voxels = upload(shown, format, backend)?;
-        let ior_voxels = match bending.map(|bending| upload(bending, format, backend)) {
-            None => voxels,
-            Some(Ok(ior_voxels)) => ior_voxels,
-            Some(Err(error)) => {
-                backend.free(voxels);
-                return Err(error.into());
-            }
+        let ior_voxels = match bending {
+            None => voxels.clone(),
+            Some(bending) => upload(bending, format, backend)?,
         };
         let ior_ranges = bending.map(Ranges::new);
         let ranges = Ranges::new(shown);
@@ -49,23 +44,9 @@ impl Uploaded {
 
     /// Streams the volumes in as little memory as that takes, however small they are.
     #[must_use]
-    pub fn streamed(inputs: &Inputs) -> Self {
-        let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
+    pub fn streamed(volumes: Volumes<'_>) -> Self {
+        let Volumes { shown, ior: bending } = volumes;
         let format = format::paged(chosen_format(shown, bending));
         Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
     }
-
-    /// Frees the buffers.
-    pub fn free(&self, backend: &mut dyn Backend) {
-        let Some([voxels, ior_voxels]) = self.voxels else { return };
-        backend.free(voxels);
-        if ior_voxels != voxels {
-            backend.free(ior_voxels);
-        }
-    }
-}
-
-/// The volume that is shown, and the second one if there is one.
-pub(super) fn volumes(inputs: &Inputs) -> Vec<&Volume> {
-    std::iter::once(&inputs.volume).chain(&inputs.ior_volume).collect()
 }

@@ -1,7 +1,8 @@
 //! Volumes as kernels read them: the voxels as they came, x fastest, as words.
 
-use crate::backend::{Backend, BackendError, Buffer};
+use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::view::{View, vector, voxel_steps};
+use crate::subject::Volumes;
 use bytemuck::cast_slice_mut;
 use glam::{DVec3, IVec4};
 use rayon::prelude::*;
@@ -32,7 +33,7 @@ pub(super) fn bytes(volume: &Volume, stored: u32) -> u64 {
 }
 
 /// Whether the backend can have all of `volumes` in one piece each.
-pub(super) fn fit(volumes: &[&Volume], stored: u32, backend: &dyn Backend) -> bool {
+pub(super) fn fit(volumes: Volumes<'_>, stored: u32, backend: &dyn Backend) -> bool {
     // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
     let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * format::bytes(stored));
     let sizes = volumes.iter().map(|volume| bytes(volume, stored));
@@ -44,7 +45,7 @@ pub(super) fn upload(volume: &Volume, stored: u32, backend: &mut dyn Backend) ->
     Ok(match (&volume.voxels, stored) {
         (Voxels::U8(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
         (Voxels::U16(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
-        (voxels, _) => backend.share("voxels", &voxels.words())?,
+        (voxels, _) => backend.create("voxels", Contents::Shared(&voxels.words()))?,
     })
 }
 
@@ -52,10 +53,11 @@ fn floats<T: Copy + Sync>(voxels: &[T], backend: &mut dyn Backend) -> Result<Buf
 where
     f32: From<T>,
 {
-    backend.create_with("voxels", voxels.len() as u64 * 4, &mut |words| {
+    let mut convert = |words: &mut [u32]| {
         let floats: &mut [f32] = cast_slice_mut(words);
         floats.par_iter_mut().zip(voxels).for_each(|(float, &voxel)| *float = f32::from(voxel));
-    })
+    };
+    backend.create("voxels", Contents::Written(voxels.len() as u64 * 4, &mut convert))
 }
 
 /// log₂ of the edge of a volume's bricks.

@@ -7,6 +7,25 @@ use vitrum_io::Picture;
 use vitrum_kernels::abi::environment::{MAX_LEVELS, kind};
 use vitrum_kernels::abi::vector::Vec4;
 
+/// The environment's equirectangular picture with its mip chain, as kernels read it.
+pub(in crate::method) struct EnvironmentMap {
+    /// Width and height of the finest level, and the number of levels.
+    size: [u32; 3],
+    /// RGB floats of all levels; one black texel if there is no map.
+    pub(in crate::method) texels: Vec<f32>,
+}
+
+impl EnvironmentMap {
+    /// The map of an environment whose picture is `picture`.
+    pub(in crate::method) fn new(environment: &Environment, picture: Option<&Picture>) -> Self {
+        let (texels, width, height, levels) = match (environment.kind, picture) {
+            (EnvironmentKind::Map, Some(picture)) => chain(picture),
+            _ => (vec![0.0; 3], 1, 1, 1),
+        };
+        Self { size: [width, height, levels], texels }
+    }
+}
+
 /// An environment as kernels read it.
 pub(in crate::method) struct Prepared {
     /// Pattern, width, height, levels.
@@ -18,8 +37,6 @@ pub(in crate::method) struct Prepared {
     pub(in crate::method) color: Vec4,
     pub(in crate::method) horizon: Vec4,
     pub(in crate::method) nadir: Vec4,
-    /// RGB floats of all levels; one black texel if there is no map.
-    pub(in crate::method) map: Vec<f32>,
 }
 
 fn scaled(color: Rgb, factor: f32, w: f32) -> Vec4 {
@@ -27,17 +44,14 @@ fn scaled(color: Rgb, factor: f32, w: f32) -> Vec4 {
 }
 
 impl Prepared {
-    pub(in crate::method) fn new(environment: &Environment, picture: Option<&Picture>, view: &View) -> Self {
+    pub(in crate::method) fn new(environment: &Environment, map: &EnvironmentMap, view: &View) -> Self {
         let pattern = match environment.kind {
             EnvironmentKind::Color => kind::COLOR,
             EnvironmentKind::Gradient => kind::GRADIENT,
             EnvironmentKind::Checkerboard => kind::CHECKERBOARD,
             EnvironmentKind::Map => kind::MAP,
         };
-        let (map, width, height, levels) = match (environment.kind, picture) {
-            (EnvironmentKind::Map, Some(picture)) => chain(picture),
-            _ => (vec![0.0; 3], 1, 1, 1),
-        };
+        let [width, height, levels] = map.size;
         let facing = from_angles(view.up, view.front, environment.rotation, 0.0);
         let side = view.up.cross(facing);
         let row = |axis: DVec3| Vec4::from(view.direction(axis).as_vec3().extend(0.0));
@@ -49,7 +63,6 @@ impl Prepared {
             color: scaled(environment.color, factor, environment.square.to_radians()),
             horizon: scaled(environment.horizon, factor, factor),
             nadir: scaled(environment.nadir, factor, if environment.visible { 1.0 } else { 0.0 }),
-            map,
         }
     }
 }

@@ -1,9 +1,8 @@
 //! Ground and wall as planes of the sweep frame.
 
-use super::{View, bounding_sphere, corners, from_angles};
+use super::{Bounds, View, from_angles};
 use crate::scene::Scene;
 use glam::{DVec3, DVec4};
-use vitrum_io::Volume;
 
 /// Planes of the sweep frame: signed distance = xyz · point + w, positive on the visible side; all 0 if absent.
 #[derive(Debug, Clone, Copy)]
@@ -18,11 +17,10 @@ pub(in crate::method) fn plane(view: &View, normal: DVec3, point: DVec3) -> DVec
 }
 
 impl Receivers {
-    pub(in crate::method) fn new(scene: &Scene, view: &View, volume: &Volume) -> Self {
-        let (centre, radius) = bounding_sphere(volume);
+    pub(in crate::method) fn new(scene: &Scene, view: &View, bounds: Bounds) -> Self {
+        let (centre, radius) = bounds.sphere();
         let ground = scene.ground.as_ref().map_or(DVec4::ZERO, |ground| {
-            let lowest = corners(volume).iter().map(|corner| corner.dot(view.up)).fold(f64::INFINITY, f64::min);
-            let height = ground.height.map_or(lowest, f64::from);
+            let height = ground.height.map_or(bounds.lowest(view.up), f64::from);
             plane(view, view.up, view.up * height)
         });
         let wall = scene.wall.as_ref().map_or(DVec4::ZERO, |wall| {

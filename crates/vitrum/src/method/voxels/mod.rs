@@ -6,9 +6,10 @@
 
 pub(in crate::method) mod bodies;
 mod bricks;
+mod cache;
 mod distances;
 mod fields;
-pub(crate) mod film;
+mod film;
 mod looks;
 mod normals;
 mod passes;
@@ -22,3 +23,68 @@ pub use bodies::{Body, bodies};
 pub(crate) use looks::GREY;
 pub use passes::Rays;
 pub use uploaded::Uploaded;
+
+use crate::assets::Assets;
+use crate::error::Error;
+use crate::film::Output;
+use crate::method::{Cache, Job, Method, PreparedFrame, Tools};
+use crate::scene::{MethodName, Scene};
+use cache::MeshCache;
+use vitrum_io::Mesh;
+
+/// Rays through a mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct MeshRays;
+
+/// Whether a mesh has a surface.
+///
+/// # Errors
+/// [`Error::Scene`] where no triangle has an area.
+pub(in crate::method) fn check_mesh(mesh: &Mesh) -> Result<(), Error> {
+    if mesh.surface_area() > 0.0 {
+        return Ok(());
+    }
+    let (name, count) = (&mesh.name, mesh.triangles.len());
+    Err(Error::Scene(format!("{name}: none of its {count} triangles has an area; give a mesh that has a surface")))
+}
+
+impl Method for MeshRays {
+    fn name(&self) -> MethodName {
+        MethodName::Voxels
+    }
+
+    fn outputs(&self) -> &'static [Output] {
+        film::OUTPUTS
+    }
+
+    fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
+        match assets.subject.mesh() {
+            Some(mesh) => {
+                scene.check_for_mesh()?;
+                check_mesh(mesh)
+            }
+            None => Err(Error::Scene("the method `voxels` shows a mesh, and volumes were read".to_owned())),
+        }
+    }
+
+    fn prepare(
+        &self,
+        job: &Job<'_>,
+        cache: &mut Cache,
+        tools: &mut Tools<'_>,
+    ) -> Result<Box<dyn PreparedFrame>, Error> {
+        let Job { scene, assets, .. } = *job;
+        let mesh = uploaded::shown(assets)?;
+        let cache: &mut MeshCache = cache.of();
+        if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(scene, mesh)) {
+            *cache = MeshCache::default();
+        }
+        let MeshCache { uploaded, frame } = cache;
+        let uploaded = match uploaded {
+            Some(uploaded) => uploaded,
+            None => uploaded.insert(Uploaded::new(scene, assets, tools)?),
+        };
+        uploaded.update(scene, assets, tools)?;
+        Ok(Box::new(passes::list(scene, assets, uploaded, frame, tools.backend)?))
+    }
+}

@@ -4,9 +4,10 @@ use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
 use super::{bricks, tree};
-use crate::backend::{Backend, Buffer};
+use crate::assets::Assets;
+use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
-use crate::inputs::Inputs;
+use crate::method::Tools;
 use crate::method::twist::twisted;
 use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
 use crate::scene::{Normals, Scene, Surfaces};
@@ -66,18 +67,12 @@ pub struct Uploaded {
 }
 
 impl Uploaded {
-    /// Turns a mesh into what the scene's rays run through. `progress` is told how much is done and how much there is, and cancels
-    /// by returning `false`.
+    /// Turns a mesh into what the scene's rays run through.
     ///
     /// # Errors
-    /// If `inputs` have no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
-    pub fn new(
-        scene: &Scene,
-        inputs: &Inputs,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<Self, Error> {
-        let mesh = shown(inputs)?;
+    /// If the subject is no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
+    pub fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
+        let mesh = shown(assets)?;
         let kind = Kind::of(scene, mesh);
         let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
         let mesh = deformed.as_ref().unwrap_or(mesh);
@@ -97,14 +92,9 @@ impl Uploaded {
             nodes: 0,
             shadow: None,
         };
-        let filled = uploaded.fill(&settings, backend, progress);
-        match filled.and_then(|()| uploaded.update(scene, inputs, backend, progress)) {
-            Ok(()) => Ok(uploaded),
-            Err(error) => {
-                uploaded.free(backend);
-                Err(error)
-            }
-        }
+        uploaded.fill(&settings, tools)?;
+        uploaded.update(scene, assets, tools)?;
+        Ok(uploaded)
     }
 
     /// Whether a scene's rays run through the same.
@@ -119,26 +109,18 @@ impl Uploaded {
         (!self.kind.exact).then_some(self.grid.dimensions)
     }
 
-    /// Makes the shadow that a scene's light casts, if it is another one than before. `progress` is as for [`Self::new`].
+    /// Makes the shadow that a scene's light casts, if it is another one than before.
     ///
     /// # Errors
     /// If the shadow map is too large for the backend, or the backend fails.
-    pub fn update(
-        &mut self,
-        scene: &Scene,
-        inputs: &Inputs,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
-        let cast = Cast::of(scene, inputs, &self.bodies)?;
+    pub fn update(&mut self, scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<(), Error> {
+        let cast = Cast::of(scene, assets, &self.bodies)?;
         let is_of = |map: &ShadowMap| cast.as_ref().is_some_and(|cast| map.is_of(cast));
         if self.shadow.as_ref().is_some_and(is_of) {
             return Ok(());
         }
-        if let Some(other) = self.shadow.take() {
-            backend.free(other.buffer);
-        }
-        self.shadow = cast.map(|cast| ShadowMap::new(cast, &self.bodies, backend, progress)).transpose()?;
+        self.shadow = None;
+        self.shadow = cast.map(|cast| ShadowMap::new(cast, &self.bodies, tools)).transpose()?;
         Ok(())
     }
 
@@ -157,33 +139,28 @@ impl Uploaded {
         self.nodes
     }
 
-    fn fill(
-        &mut self,
-        settings: &Settings,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
+    fn fill(&mut self, settings: &Settings, tools: &mut Tools<'_>) -> Result<(), Error> {
         let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper)?;
         self.nodes = tree.count();
         for (label, floats) in [("nodes of the tree", &tree.nodes), ("corners of triangles", &tree.corners)] {
-            self.tree.push(backend.create(label, cast_slice(floats))?);
+            self.tree.push(tools.backend.create(label, Contents::Bytes(cast_slice(floats)))?);
         }
         if self.kind.exact {
             self.kernel = &kernels::voxels_trace_triangles;
             Ok(())
         } else if self.kind.paper {
-            self.paper(settings, backend, progress)
+            self.paper(settings, tools)
         } else {
-            self.solids(backend, progress)
+            self.solids(tools)
         }
     }
 
     fn upload(&mut self, label: &str, contents: &[u8], backend: &mut dyn Backend) -> Result<(), Error> {
-        self.buffers.push(backend.create(label, contents)?);
+        self.buffers.push(backend.create(label, Contents::Bytes(contents))?);
         Ok(())
     }
 
-    fn solids(&mut self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), Error> {
+    fn solids(&mut self, tools: &mut Tools<'_>) -> Result<(), Error> {
         let [x, y, z] = self.grid.dimensions;
         let bytes = self.grid.voxels() * 2 * self.clear as u64;
         // Kernels count bytes by a signed number.
@@ -194,24 +171,19 @@ impl Uploaded {
             )));
         }
         let clear = &self.bodies[..self.clear];
-        let Solids { fields: mut all, open_rows } = Solids::new(clear, self.grid, backend, progress)?;
+        let Solids { fields: mut all, open_rows } = Solids::new(clear, self.grid, tools)?;
         self.open_rows = open_rows;
         let distances = bricks::distances(&all, self.grid.dimensions);
         // Whole words, and one more for the pair of the last voxel.
         all.resize(all.len().next_multiple_of(2) + 2, 0);
-        self.upload("distances of bricks", cast_slice(&distances), backend)?;
-        self.upload("fields of materials", cast_slice(&all), backend)
+        self.upload("distances of bricks", cast_slice(&distances), tools.backend)?;
+        self.upload("fields of materials", cast_slice(&all), tools.backend)
     }
 
-    fn paper(
-        &mut self,
-        settings: &Settings,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
+    fn paper(&mut self, settings: &Settings, tools: &mut Tools<'_>) -> Result<(), Error> {
         let whole = together(&self.bodies[..self.clear]);
         let settings = Settings { attributes: true, ..*settings };
-        let Voxelization { surface, attributes, .. } = voxelize_in(self.grid, &whole, &settings, backend, progress)?;
+        let Voxelization { surface, attributes, .. } = voxelize_in(self.grid, &whole, &settings, tools)?;
         let (mask, attributes) = surface.zip(attributes).expect("both were asked for");
         let surfaces: Vec<[f32; surface::SIZE]> = attributes
             .normals
@@ -223,23 +195,15 @@ impl Uploaded {
             })
             .collect();
         self.kernel = &kernels::voxels_march_paper;
-        self.upload("mask of the surface", cast_slice(mask.words()), backend)?;
-        self.upload("ranks of the mask", cast_slice(&mask.ranks().0), backend)?;
-        self.upload("surfaces of voxels", cast_slice(&surfaces), backend)
-    }
-
-    /// Frees the buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
-        let shadow = self.shadow.map(|map| map.buffer);
-        for buffer in self.buffers.into_iter().chain(self.tree).chain(shadow) {
-            backend.free(buffer);
-        }
+        self.upload("mask of the surface", cast_slice(mask.words()), tools.backend)?;
+        self.upload("ranks of the mask", cast_slice(&mask.ranks().0), tools.backend)?;
+        self.upload("surfaces of voxels", cast_slice(&surfaces), tools.backend)
     }
 }
 
-/// The mesh that inputs have.
-pub(super) fn shown(inputs: &Inputs) -> Result<&Mesh, Error> {
-    inputs.mesh.as_ref().ok_or_else(|| Error::Scene("`voxels` shows a mesh, and none is given".to_owned()))
+/// The mesh that is the subject.
+pub(super) fn shown(assets: &Assets) -> Result<&Mesh, Error> {
+    assets.subject.mesh().ok_or_else(|| Error::Scene("`voxels` shows a mesh, and none is given".to_owned()))
 }
 
 /// Several bodies in one mesh, each with its number as its material.

@@ -2,7 +2,7 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Camera, Film, Intensity, Light, LightKind, Method, Scene, Sweep, TransferFunction, Transport, Vector,
+    Camera, Film, Intensity, Light, LightKind, MethodName, Scene, Sweep, TransferFunction, Transport, Vector,
 };
 use super::refuse;
 
@@ -31,9 +31,9 @@ fn check_method(scene: &Scene) -> Result<(), Fault> {
         ));
     }
     match scene.method {
-        Method::Sweep if scene.mesh.is_empty() => Ok(()),
-        Method::Sweep => check_swept_mesh(scene),
-        Method::Voxels => {
+        MethodName::Sweep if scene.mesh.is_empty() => Ok(()),
+        MethodName::Sweep => check_swept_mesh(scene),
+        MethodName::Voxels => {
             let given = [("clip", !scene.clip.is_empty())];
             refuse(
                 &given,
@@ -43,6 +43,13 @@ fn check_method(scene: &Scene) -> Result<(), Fault> {
             check_materials(scene)
         }
     }
+}
+
+/// Rays through a mesh are not clipped.
+pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
+    let given = [("clip", !scene.clip.is_empty())];
+    refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")?;
+    check_materials(scene)
 }
 
 /// The materials say what a mesh's volume looks like.
@@ -117,7 +124,7 @@ fn check_light(key: &str, light: &Light) -> Result<(), Fault> {
 
 /// The lights that the scene's method has.
 fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
-    let method = scene.method.name();
+    let method = scene.method.as_str();
     if let Some((index, light)) = scene.light.iter().enumerate().find(|(_, light)| light.kind != LightKind::Distant) {
         return Err(Fault::contradiction(
             &format!("light.{index}.kind"),

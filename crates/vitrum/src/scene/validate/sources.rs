@@ -1,7 +1,7 @@
 //! Checks of the keys that name files and built-in data.
 
 use super::super::error::Fault;
-use super::super::{Environment, EnvironmentKind, MeshSource, Method, Scene, VolumeSource};
+use super::super::{Environment, EnvironmentKind, MeshSource, MethodName, Scene, VolumeSource};
 use super::refuse;
 use vitrum_io::{RawLayout, Up};
 
@@ -17,8 +17,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
 fn check_shown(scene: &Scene) -> Result<(), Fault> {
     if scene.mesh.is_empty() {
         return match scene.method {
-            Method::Sweep => check_source("volume", &scene.volume),
-            Method::Voxels => Err(Fault::contradiction(
+            MethodName::Sweep => check_source("volume", &scene.volume),
+            MethodName::Voxels => Err(Fault::contradiction(
                 "method",
                 "`voxels` shows a mesh, and none is given",
                 "name one in `mesh.0.file` or `mesh.0.builtin`, or take the method `sweep`",

@@ -3,7 +3,7 @@
 
 use super::needs::Needs;
 use super::schedule::{Batch, busiest, schedule};
-use crate::backend::{Backend, BackendError, Buffer, Fill, Write};
+use crate::backend::{Backend, BackendError, Buffer, Contents, Fill, Write};
 use crate::method::sweep::uploaded::Uploaded;
 use crate::method::sweep::voxels::bytes;
 use bytemuck::Pod;
@@ -79,7 +79,7 @@ fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
     Some(wanted.iter().map(|[least, all]| least + part(all - least) as u64).collect())
 }
 
-/// For each of `volumes` a buffer, which is added to `created`: within the backend's limits together, or with as few slots as will do.
+/// For each of `volumes` a buffer: within the backend's limits together, or with as few slots as will do.
 ///
 /// # Errors
 /// Where the pages that one plane needs are too many.
@@ -88,7 +88,6 @@ pub(in crate::method::sweep) fn pools(
     needs: Vec<Needs>,
     uploaded: &Uploaded,
     backend: &mut dyn Backend,
-    created: &mut Vec<Buffer>,
 ) -> Result<Vec<Pool>, BackendError> {
     let layouts: Vec<Layout> = needs.iter().map(|needs| Layout::new(uploaded.format, needs)).collect();
     let of_each = layouts.iter().zip(&needs);
@@ -120,8 +119,7 @@ pub(in crate::method::sweep) fn pools(
     {
         let room = layout.slots(if uploaded.tight { least } else { share.min(largest) });
         let slots = needs.needed.len().min(room);
-        let buffer = backend.create_zeroed("voxels", layout.bytes(slots))?;
-        created.push(buffer);
+        let buffer = backend.create("voxels", Contents::Zeros(layout.bytes(slots)))?;
         let batches = schedule(&needs.needed, slots);
         pools.push(Pool { buffer, volume: (*volume).clone(), needs, layout, batches });
     }
@@ -134,7 +132,7 @@ impl Pool {
         let Self { buffer, volume, needs, layout, batches } = self;
         let mut writes = Vec::new();
         let mut add = |before: usize, start: u64, words: usize, fill: Arc<Fill>| {
-            writes.push(Write { before, buffer, start, words, fill });
+            writes.push(Write { before, buffer: buffer.clone(), start, words, fill });
         };
         let mut table: Vec<u32> = needs.filled.iter().map(|&fill| layout.entry(u32::from(fill))).collect();
         add(0, 0, table.len(), copy(table.clone()));

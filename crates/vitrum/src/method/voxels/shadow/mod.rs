@@ -4,9 +4,10 @@ mod casters;
 mod passes;
 
 use super::bodies::Body;
-use crate::backend::{Backend, Buffer};
+use crate::assets::Assets;
+use crate::backend::Buffer;
 use crate::error::Error;
-use crate::inputs::Inputs;
+use crate::method::Tools;
 use crate::method::view::View;
 use crate::method::view::light::travels;
 use crate::method::voxelize::{Grid, Settings};
@@ -58,10 +59,12 @@ impl Cast {
     ///
     /// # Errors
     /// If the light has no direction.
-    pub(super) fn of(scene: &Scene, inputs: &Inputs, bodies: &[Body]) -> Result<Option<Self>, Error> {
+    pub(super) fn of(scene: &Scene, assets: &Assets, bodies: &[Body]) -> Result<Option<Self>, Error> {
         let shows = bodies.iter().any(|body| body.opaque) || scene.ground.is_some() || scene.wall.is_some();
-        let Some(mesh) = inputs.mesh.as_ref().filter(|_| shows && scene.first_light().shadows) else { return Ok(None) };
-        let view = View::new(scene, &inputs.volume);
+        let Some(mesh) = assets.subject.mesh().filter(|_| shows && scene.first_light().shadows) else {
+            return Ok(None);
+        };
+        let view = View::new(scene, mesh);
         let casters = Caster::all(bodies, mesh, scene);
         if casters.iter().all(Caster::is_nothing) {
             return Ok(None);
@@ -77,16 +80,11 @@ impl Cast {
 }
 
 impl ShadowMap {
-    /// Makes a shadow map. `progress` is as for [`crate::method::voxelize::voxelize`].
+    /// Makes a shadow map.
     ///
     /// # Errors
     /// If it is too large for the backend, or the backend fails.
-    pub(super) fn new(
-        cast: Cast,
-        bodies: &[Body],
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<Self, Error> {
+    pub(super) fn new(cast: Cast, bodies: &[Body], tools: &mut Tools<'_>) -> Result<Self, Error> {
         let across = cast.direction.any_orthonormal_vector();
         let axes = DMat3::from_cols(cast.direction, across, cast.direction.cross(across));
         let turned = casters::Turned::new(bodies, axes);
@@ -97,7 +95,7 @@ impl ShadowMap {
         } else {
             1
         };
-        let buffer = passes::run(&cast, &turned, grid, channels, backend, progress)?;
+        let buffer = passes::run(&cast, &turned, grid, channels, tools)?;
         Ok(Self { axes, centre: turned.centre, grid, channels, buffer, cast })
     }
 

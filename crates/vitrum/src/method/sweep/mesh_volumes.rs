@@ -6,15 +6,16 @@
 //! clearest to the darkest: on its way across a surface it only passes materials that absorb more than one side and less than the
 //! other, so that a voxel's mixture absorbs about what it should.
 
-use super::twist::twisted;
-use super::view::{bounding_sphere, corners};
-use super::voxelize::{Grid, Settings};
-use super::voxels::bodies::{Clear, bodies, clear, longest_edge};
-use super::voxels::solids::{BAND, Solids};
-use crate::backend::Backend;
+use crate::assets::Assets;
 use crate::error::Error;
-use crate::inputs::Inputs;
+use crate::method::Tools;
+use crate::method::twist::twisted;
+use crate::method::view::Bounds;
+use crate::method::voxelize::{Grid, Settings};
+use crate::method::voxels::bodies::{Clear, bodies, clear, longest_edge};
+use crate::method::voxels::solids::{BAND, Solids};
 use crate::scene::{ColorPoint, IorPoint, OpacityPoint, Scene, TransferFunction};
+use crate::subject::Volumes;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use vitrum_io::{Mesh, Volume, Voxels};
@@ -43,52 +44,48 @@ impl Kind {
     }
 }
 
-/// A mesh as what a sweep shows.
-pub(crate) struct MeshVolumes {
+/// The volumes that a mesh is swept as.
+pub(super) struct MeshVolumes {
     kind: Kind,
-    /// The volumes, and the rest of the mesh's inputs.
-    pub(crate) inputs: Inputs,
+    shown: Volume,
+    ior: Option<Volume>,
     /// See [`Solids::open_rows`].
-    pub(crate) open_rows: u64,
+    pub(super) open_rows: u64,
 }
 
 impl MeshVolumes {
-    /// Makes volumes of a mesh, with `scene.voxelization.resolution` voxels along its longest edge. `progress` is told how much is done and
-    /// how much there is, and cancels by returning `false`.
+    /// Makes volumes of a mesh, with `scene.voxelization.resolution` voxels along its longest edge.
     ///
     /// # Errors
     /// If there are too many materials, or the backend fails or lacks the memory.
-    pub(crate) fn new(
-        scene: &Scene,
-        inputs: &Inputs,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<Self, Error> {
-        let mesh = mesh_of(inputs)?;
-        scene.check_for_swept_mesh()?;
+    pub(super) fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
+        let mesh = mesh_of(assets)?;
         let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
         let kind = Kind::of(scene, &materials);
         let deformed = twisted(mesh, kind.twist);
         let bodies = bodies(&deformed, &scene.material)?;
         let grid = Grid::around(&deformed, &Settings { padding: PADDING, ..Settings::new(kind.resolution) })?;
-        let solids = Solids::new(&bodies, grid, backend, progress)?;
+        let solids = Solids::new(&bodies, grid, tools)?;
         let shares = Shares::new(&solids.fields, grid);
-        let environment = inputs.environment.clone();
-        let (volume, ior_volume) = match &materials[..] {
+        let (shown, ior) = match &materials[..] {
             [_] => (shares.of_one(&mesh.name)?, None),
             several => {
                 let numbers = numbers(several);
-                let ior: Vec<f32> = several.iter().map(|material| material.ior).collect();
-                (shares.mixed(&mesh.name, &numbers, 0.0)?, Some(shares.mixed(&mesh.name, &ior, 1.0)?))
+                let indices: Vec<f32> = several.iter().map(|material| material.ior).collect();
+                (shares.mixed(&mesh.name, &numbers, 0.0)?, Some(shares.mixed(&mesh.name, &indices, 1.0)?))
             }
         };
-        let open_rows = solids.open_rows;
-        Ok(Self { kind, open_rows, inputs: Inputs { volume, mesh: None, ior_volume, environment } })
+        Ok(Self { kind, shown, ior, open_rows: solids.open_rows })
+    }
+
+    /// The volumes.
+    pub(super) fn volumes(&self) -> Volumes<'_> {
+        Volumes { shown: &self.shown, ior: self.ior.as_ref() }
     }
 
     /// Whether a scene of the same mesh shows the same volumes.
-    pub(crate) fn fits(&self, scene: &Scene, inputs: &Inputs) -> Result<bool, Error> {
-        let mesh = mesh_of(inputs)?;
+    pub(super) fn fits(&self, scene: &Scene, assets: &Assets) -> Result<bool, Error> {
+        let mesh = mesh_of(assets)?;
         Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
     }
 
@@ -96,21 +93,21 @@ impl MeshVolumes {
     ///
     /// # Errors
     /// If there are too many materials.
-    pub(crate) fn scene(&self, scene: &Scene, inputs: &Inputs) -> Result<Scene, Error> {
-        let mesh = mesh_of(inputs)?;
+    pub(super) fn scene(&self, scene: &Scene, assets: &Assets) -> Result<Scene, Error> {
+        let mesh = mesh_of(assets)?;
         let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
         let mut seen = scene.clone();
         seen.transfer = transfer(&materials, REFERENCE * longest_edge(mesh));
         // The mesh's box decides what is in the picture, not that of voxels around it.
-        let (centre, radius) = bounding_sphere(&inputs.volume);
-        let (_, padded) = bounding_sphere(&self.inputs.volume);
+        let bounds = Bounds::from(mesh);
+        let (centre, radius) = bounds.sphere();
+        let (_, padded) = Bounds::from(&self.shown).sphere();
         let at = centre.as_vec3().to_array();
         seen.camera.target.get_or_insert(at);
         seen.camera.zoom *= (padded / radius) as f32;
         let up = Vec3::from_array(scene.camera.up).as_dvec3().try_normalize().unwrap_or(DVec3::Z);
-        let lowest = corners(&inputs.volume).iter().map(|corner| corner.dot(up)).fold(f64::INFINITY, f64::min);
         if let Some(ground) = &mut seen.ground {
-            ground.height.get_or_insert(lowest as f32);
+            ground.height.get_or_insert(bounds.lowest(up) as f32);
         }
         if let Some(wall) = &mut seen.wall {
             wall.distance.get_or_insert(radius as f32);
@@ -119,8 +116,8 @@ impl MeshVolumes {
     }
 }
 
-fn mesh_of(inputs: &Inputs) -> Result<&Mesh, Error> {
-    inputs.mesh.as_ref().ok_or_else(|| Error::Scene("there is no mesh".to_owned()))
+fn mesh_of(assets: &Assets) -> Result<&Mesh, Error> {
+    assets.subject.mesh().ok_or_else(|| Error::Scene("there is no mesh".to_owned()))
 }
 
 /// Bodies' places among the materials from the clearest, above 0, to the darkest, 1; 0 is air.
