@@ -30,14 +30,22 @@ pub struct LightGrid {
     pub direction: DVec3,
 }
 
-/// As [`travels`]; an error if it is too far from the viewing direction.
-pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
+/// Whether the sweep can carry all lights of a scene.
+///
+/// # Errors
+/// [`Error::Scene`] where a light is too far from the viewing direction.
+pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
+    scene.light.iter().enumerate().try_for_each(|(index, light)| direction(light, index, view).map(drop))
+}
+
+/// As [`travels`], of the light `index`; an error if it is too far from the viewing direction.
+pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec3, Error> {
     let unit = travels(light, view)?;
     let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
     if angle > STEEPEST {
         return Err(Error::Scene(format!(
             "the light travels at {angle:.1}° to the viewing direction, at most {STEEPEST}° are possible: it must shine away from \
-             the camera; turn light.0.azimuth or light.0.elevation towards 0, or use light.0.attachment = \"camera\""
+             the camera; turn light.{index}.azimuth or light.{index}.elevation towards 0, or use light.{index}.attachment = \"camera\""
         )));
     }
     Ok(unit)

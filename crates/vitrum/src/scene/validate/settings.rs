@@ -132,13 +132,6 @@ fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
             format!("set `light.{index}.kind = \"distant\"`; no method renders other lights yet"),
         ));
     }
-    if scene.light.len() > 1 {
-        return Err(Fault::contradiction(
-            "light.1",
-            format!("the method `{method}` renders one light, and {} are given", scene.light.len()),
-            "leave the others out; no method renders several yet",
-        ));
-    }
     Ok(())
 }
 
