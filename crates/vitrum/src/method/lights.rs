@@ -1,7 +1,9 @@
 //! A frame with several lights: light adds up, so that it is the sum of frames with one light each.
 
-use super::{Exposure, Part};
-use crate::scene::{Light, Scene};
+use super::sources::sources;
+use super::view::light::travels;
+use super::{Exposure, Part, View};
+use crate::scene::{Attachment, Light, Scene};
 
 /// The exposures of a scene: the first has the first light and everything else that shines, each further one a further light alone.
 pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
@@ -13,6 +15,28 @@ pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
     let shining = others.iter().filter(|light| !is_black(light));
     let alone = |light: &Light| Exposure { part: Part::Light, ..Exposure::whole(&alone(scene, light)) };
     std::iter::once(whole).chain(shining.map(alone)).collect()
+}
+
+/// The scene with crisp lights instead of soft ones: each distant light that casts soft shadows becomes `shadow.samples` lights, spread over
+/// its disc, that have its strength together.
+pub(super) fn crisp(scene: &Scene, view: &View) -> Scene {
+    let count = scene.shadow.samples;
+    let split = |light: &Light| match travels(light, view) {
+        Ok(direction) if count > 1 && light.shadows && light.angular_radius > 0.0 && !is_black(light) => {
+            let sample = |towards: [f32; 3]| {
+                let world = view.axes * glam::Vec3::from_array(towards).as_dvec3();
+                Light {
+                    attachment: Some(Attachment::World),
+                    direction: Some(world.as_vec3().to_array()),
+                    intensity: light.intensity / count as f32,
+                    ..light.clone()
+                }
+            };
+            sources(direction, light.angular_radius, count).into_iter().map(sample).collect()
+        }
+        _ => vec![light.clone()],
+    };
+    Scene { light: scene.light.iter().flat_map(split).collect(), ..scene.clone() }
 }
 
 /// A scene in which nothing shines but one of its lights. It keeps the environment's kind, so that a map of it stays where it is.

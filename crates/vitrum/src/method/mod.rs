@@ -6,6 +6,7 @@
 mod brick_distances;
 pub(crate) mod cache;
 mod lights;
+mod sources;
 pub mod sweep;
 mod twist;
 mod view;

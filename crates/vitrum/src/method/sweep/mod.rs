@@ -15,7 +15,6 @@ mod paging;
 mod passes;
 mod planes;
 mod sheets;
-mod sources;
 pub mod spectrum;
 mod tables;
 mod texels;

@@ -27,7 +27,7 @@ pub use uploaded::Uploaded;
 use crate::assets::Assets;
 use crate::error::Error;
 use crate::film::Output;
-use crate::method::{Cache, Job, Method, PreparedFrame, Tools};
+use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
 use crate::scene::{MethodName, Scene};
 use cache::MeshCache;
 use vitrum_io::Mesh;
@@ -65,6 +65,11 @@ impl Method for MeshRays {
             }
             None => Err(Error::Scene("the method `voxels` shows a mesh, and volumes were read".to_owned())),
         }
+    }
+
+    /// One exposure for each light, or for each of the crisp ones that a soft light is made of.
+    fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        lights::exposures(&lights::crisp(scene, &View::new(scene, &assets.subject)))
     }
 
     fn prepare(
