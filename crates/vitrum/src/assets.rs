@@ -60,7 +60,7 @@ impl Assets {
 
 /// Built-in data.
 #[cfg(feature = "builtin")]
-mod made {
+pub(crate) mod made {
     use crate::builtin;
     use crate::error::Error;
     use crate::unrenderable::Unrenderable;
@@ -81,7 +81,7 @@ mod made {
 
 /// The place of built-in data in a build without it.
 #[cfg(not(feature = "builtin"))]
-mod made {
+pub(crate) mod made {
     use crate::error::Error;
     use crate::unrenderable::Unrenderable;
     use vitrum_io::{Mesh, Volume};

@@ -4,7 +4,7 @@ use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, ReadBack as _};
 use crate::error::Error;
 use crate::film::{Accumulator, Frame, RayRecords, Statistics};
-use crate::method::{self, Cache, Job, Tools};
+use crate::method::{self, Cache, Job, Part, Tools};
 use crate::request::{OutputRequest, Progress, Stage};
 use crate::scene::Scene;
 use web_time::Instant;
@@ -148,8 +148,11 @@ fn frame_here(
     let method = method::of(scene.method);
     let exposures = method.exposures(scene, job.assets);
     let count = exposures.len() as u64;
+    // These come first.
+    let whole = exposures.iter().filter(|exposure| exposure.part == Part::Whole).count() as u64;
     let mut sum = Accumulator::new(method.outputs(), exposures.len());
     let mut statistics = Statistics::default();
+    let mut dispatches = 0;
     let mut upload_ms = 0.0;
     for (index, exposure) in (0..).zip(&exposures) {
         let started = Instant::now();
@@ -167,17 +170,17 @@ fn frame_here(
         let light = prepared.light(backend)?;
         let [across, down] = prepared.rays();
         sum.add(exposure, film, across as usize * down as usize, light);
-        if index + 1 == count {
+        if index + 1 == whole {
             statistics = Statistics::of(scene, backend);
             prepared.statistics(&sum.film, &mut statistics);
         }
-        statistics.dispatches += prepared.passes().passes.len() as u64;
+        dispatches += prepared.passes().passes.len() as u64;
     }
     let (width, height) = (scene.film.width, scene.film.height);
     let rays = RayRecords { records: &sum.film, size: [width, height], edge: scene.film.supersampling };
     let shown = method.outputs().iter().filter(|output| !output.channels.is_empty());
     let layers = shown.map(|output| rays.layer(output)).collect();
     let (frame_ms, kernels) = (vec![sum.frame_ms], sum.kernels);
-    let statistics = Statistics { frame_ms, kernels, upload_ms: Some(upload_ms), ..statistics };
+    let statistics = Statistics { dispatches, frame_ms, kernels, upload_ms: Some(upload_ms), ..statistics };
     Ok(Frame { width, height, layers, light: sum.light, statistics }.expose(scene.film.exposure))
 }

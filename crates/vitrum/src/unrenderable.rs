@@ -193,6 +193,8 @@ pub enum Unrenderable {
         "the light travels at {angle:.1}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera"
     )]
     ObliqueLight {
+        /// The place of the light in the scene's list.
+        light: usize,
         /// The angle, in degrees.
         angle: f64,
         /// The greatest angle, in degrees.
@@ -231,9 +233,9 @@ impl Unrenderable {
             Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),
             Self::TooManyPlanes { .. } => "make it larger".to_owned(),
             Self::BehindCamera => "move camera.position or camera.target".to_owned(),
-            Self::ObliqueLight { .. } => {
-                "turn light.0.azimuth or light.0.elevation towards 0, or use light.0.attachment = \"camera\"".to_owned()
-            }
+            Self::ObliqueLight { light, .. } => format!(
+                "turn light.{light}.azimuth or light.{light}.elevation towards 0, or use light.{light}.attachment = \"camera\""
+            ),
         }
     }
 }

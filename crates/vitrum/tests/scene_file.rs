@@ -202,9 +202,8 @@ fn scenes_that_programs_make_are_checked_too() {
 
 #[test]
 fn lights_are_a_list_that_may_be_empty() {
-    let two = Scene::from_toml(&format!("{BALL}[[light]]\n[[light]]\nazimuth = 3"), "ball.toml");
-    // Two lights are read, and what becomes of them is the method's.
-    assert!(two.is_ok() || two.is_err_and(|error| error.key == "light.1"));
+    let two = Scene::from_toml(&format!("{BALL}[[light]]\n[[light]]\nazimuth = 3"), "ball.toml").expect("two lights");
+    assert_eq!(two.light.iter().map(|light| light.azimuth).collect::<Vec<_>>(), [-35.0, 3.0]);
     let dark = Scene::from_toml(&format!("light = []\n{BALL}"), "ball.toml").expect("darkness is valid");
     assert!(dark.light.is_empty() && ball().light.len() == 1);
     let text = dark.to_toml().expect("every name is Unicode");
@@ -236,6 +235,20 @@ fn keys_of_another_kind_of_light_are_refused_and_a_change_of_the_kind_takes_them
         scene.set(setting).expect(setting);
     }
     assert_eq!(scene, ball());
+}
+
+#[test]
+fn lights_that_no_method_has_are_refused_by_name() {
+    let mesh = "method = \"voxels\"\nmesh = [{ builtin = \"vase\" }]\n";
+    for (method, shown) in [("sweep", BALL), ("voxels", mesh)] {
+        for kind in ["point", "spot"] {
+            let text = format!("{shown}[[light]]\n[[light]]\nkind = \"{kind}\"\nposition = [0, 0, 3]\n");
+            let error = Scene::from_toml(&text, "scene.toml").expect_err(&text);
+            let words = format!("the method `{method}` renders distant lights alone, and this is a {kind} light");
+            assert!(error.key == "light.1.kind" && error.to_string().contains(&words), "{error}");
+            assert!(error.help().contains("no method renders other lights yet"), "{}", error.help());
+        }
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod backends;
 mod coverage;
+mod lights;
 mod pictures;
 mod sheets;
 mod surfaces;

@@ -3,7 +3,7 @@
 use super::output::{Blend, Output};
 use crate::backend::KernelTime;
 use crate::backend::times::merge;
-use crate::method::Exposure;
+use crate::method::{Exposure, Part};
 use vitrum_io::Picture;
 
 /// The sum of the exposures so far.
@@ -38,8 +38,9 @@ impl Accumulator {
 
     /// Adds an exposure: its planar records for `rays` viewing rays, and its light.
     pub fn add(&mut self, exposure: &Exposure, film: Vec<f32>, rays: usize, light: Option<Picture>) {
-        let is_nearest = exposure.distance < self.nearest;
-        self.nearest = self.nearest.min(exposure.distance);
+        let is_whole = exposure.part == Part::Whole;
+        let is_nearest = is_whole && exposure.distance < self.nearest;
+        self.nearest = if is_whole { self.nearest.min(exposure.distance) } else { self.nearest };
         if self.count == 1 {
             (self.film, self.light) = (film, light);
             return;
@@ -50,13 +51,18 @@ impl Accumulator {
                 let part = component * rays..(component + 1) * rays;
                 let (whole, added) = (&mut self.film[part.clone()], &film[part]);
                 match output.blend {
-                    Blend::Sum => add_weighted(whole, added, weight(exposure.weights, name, channel)),
+                    Blend::Sum if !is_whole => {}
+                    Blend::Radiance if !is_whole && channel > 2 => {}
+                    Blend::Sum | Blend::Radiance => {
+                        add_weighted(whole, added, weight(exposure.weights, name, channel));
+                    }
                     Blend::Nearest if is_nearest => whole.copy_from_slice(added),
                     Blend::Nearest => {}
                 }
             }
         }
-        if let Some(light) = light {
+        // Each light has a grid of its own, and the picture is that of the first.
+        if let Some(light) = light.filter(|_| is_whole) {
             self.add_light(light, exposure.weights);
         }
     }

@@ -38,11 +38,26 @@ pub(crate) enum PixelFilter {
 pub(crate) enum Blend {
     /// The sum, weighted by the exposures' weights of the channel: red, green and blue; the mean of the three for other channels.
     Sum,
+    /// For red, green and blue the same sum, for coverage that of the exposures of everything: further lights add to the radiance alone.
+    Radiance,
     /// The value of the exposure with the least distance.
     Nearest,
 }
 
 impl Output {
+    /// The picture's radiance and coverage.
+    pub(crate) const fn color(channels: &'static [(&'static str, usize)]) -> Self {
+        let description = "linear radiance and coverage (RGBA)";
+        Self {
+            name: "color",
+            description,
+            is_vector: false,
+            channels,
+            pixel: PixelFilter::Mean,
+            blend: Blend::Radiance,
+        }
+    }
+
     /// An output with a mean over a pixel's rays and over exposures.
     pub(crate) const fn mean(
         name: &'static str,

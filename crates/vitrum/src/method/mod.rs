@@ -5,6 +5,8 @@
 
 mod brick_distances;
 pub(crate) mod cache;
+mod lights;
+mod sources;
 pub mod sweep;
 mod twist;
 mod view;
@@ -39,9 +41,9 @@ pub trait Method: Sync {
     /// [`Error::Unrenderable`] where the method cannot show the assets, or the scene's values together make no frame.
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error>;
 
-    /// The exposures whose weighted sum a frame is, at least one.
+    /// The exposures whose weighted sum a frame is: at least one, those of the part [`Part::Whole`] first.
     fn exposures(&self, scene: &Scene, _assets: &Assets) -> Vec<Exposure> {
-        vec![Exposure::whole(scene)]
+        lights::exposures(scene)
     }
 
     /// Makes the buffers of an exposure and lists its passes. Data that the next frame needs, too, stays in `cache`.
@@ -75,13 +77,24 @@ pub struct Exposure {
     pub weights: [f32; 3],
     /// How far its rays are from those that outputs without a mean show, such as depth: the least distance wins.
     pub distance: f64,
+    /// The outputs that it adds to.
+    pub part: Part,
+}
+
+/// The outputs that an exposure adds to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// All of them.
+    Whole,
+    /// Radiance alone: the exposure has the light of a further source, and everything else is in another exposure.
+    Light,
 }
 
 impl Exposure {
     /// A scene that is the whole frame.
     #[must_use]
     pub fn whole(scene: &Scene) -> Self {
-        Self { scene: scene.clone(), weights: [1.0; 3], distance: 0.0 }
+        Self { scene: scene.clone(), weights: [1.0; 3], distance: 0.0, part: Part::Whole }
     }
 }
 

@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MethodName {
-    /// A plane sweep through a volume, or through volumes that are made of a mesh.
+    /// A plane sweep through a volume, or through the volumes that are made of meshes.
     #[default]
     Sweep,
-    /// Rays through a mesh as voxels.
+    /// Rays through the voxels or triangles of meshes.
     Voxels,
 }
 

@@ -67,7 +67,7 @@ pub type Vector = [f32; 3];
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
-    /// Way in which a picture is made.
+    /// Method that makes the picture.
     pub method: MethodName,
     /// The volume that is shown.
     pub volume: VolumeSource,

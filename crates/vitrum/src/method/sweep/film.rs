@@ -10,9 +10,9 @@ use vitrum_kernels::abi::sweep::SweepUniforms;
 
 /// The outputs, by the components of [`film`].
 pub(super) const OUTPUTS: &[Output] = &[
-    Output::mean("color", rgba!(film::COLOR), "linear radiance and coverage (RGBA)"),
+    Output::color(rgba!(film::COLOR)),
     Output::mean("opacity", &[("Y", film::OPACITY)], "opacity A of particles and receivers, 0 to 1"),
-    Output::mean("transmittance", rgb!(film::MEDIUM), "transmittance M of the filter, RGB, 0 to 1"),
+    Output::mean("transmittance", rgb!(film::MEDIUM), "share of light that the filter leaves on the way, RGB, 0 to 1"),
     Output::mean(
         "depth",
         &[("Z", film::DEPTH)],
@@ -30,7 +30,11 @@ pub(super) const OUTPUTS: &[Output] = &[
         &[("Y", film::STATUS)],
         "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed",
     ),
-    Output::mean("light", &[], "light on the last plane, in the light grid's own texels, RGB"),
+    Output::mean(
+        "light",
+        &[],
+        "light of the first light source on the last plane, in the light grid's own texels, RGB",
+    ),
 ];
 
 impl PreparedFrame for Sweep {

@@ -15,7 +15,6 @@ mod paging;
 mod passes;
 mod planes;
 mod sheets;
-mod sources;
 pub mod spectrum;
 mod tables;
 mod texels;
@@ -33,7 +32,7 @@ use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, PassList, ReadBack as _};
 use crate::error::Error;
 use crate::film::Output;
-use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools};
+use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
 use crate::request::OutputRequest;
 use crate::scene::{MethodName, Scene};
 use crate::subject::{Subject, Volumes};
@@ -62,7 +61,8 @@ impl Method for PlaneSweep {
         match &assets.subject {
             Subject::Mesh(mesh) => {
                 scene.check_for_swept_mesh()?;
-                crate::method::voxels::check_mesh(mesh)
+                crate::method::voxels::check_mesh(mesh)?;
+                light::check(scene, &View::new(scene, &**mesh))
             }
             Subject::Volume(_) | Subject::Volumes { .. } => {
                 assets.subject.volumes().map_or(Ok(()), |volumes| uniforms::check(scene, volumes))
@@ -70,10 +70,11 @@ impl Method for PlaneSweep {
         }
     }
 
-    /// One exposure for each wavelength where indices of refraction depend on it.
+    /// One exposure for each light, and of each for each wavelength where indices of refraction depend on it.
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        let lights = lights::exposures(scene);
         // The materials of a mesh do not disperse.
-        if assets.subject.mesh().is_some() { vec![Exposure::whole(scene)] } else { spectrum::exposures(scene) }
+        if assets.subject.mesh().is_some() { lights } else { lights.into_iter().flat_map(spectrum::split).collect() }
     }
 
     fn prepare(

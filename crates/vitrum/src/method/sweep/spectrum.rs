@@ -1,7 +1,7 @@
 //! Wavelengths that stand for the spectrum, and what each adds to red, green and blue.
 
 use crate::method::Exposure;
-use crate::scene::{Scene, YELLOW};
+use crate::scene::YELLOW;
 
 /// A part of the spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,18 +46,20 @@ pub fn bands(count: u32) -> Vec<Band> {
     bands
 }
 
-/// The exposures of a scene: one for each band, or the scene alone if all colours bend alike.
-pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
+/// The exposure of a whole spectrum as exposures of bands, or as it is if all colours bend alike.
+pub(super) fn split(exposure: Exposure) -> Vec<Exposure> {
+    let Exposure { scene, part, .. } = &exposure;
     if !(scene.sweep.refraction && scene.transfer.disperses()) {
-        return vec![Exposure::whole(scene)];
+        return vec![exposure];
     }
-    let exposure = |Band { wavelength, weights }: Band| Exposure {
+    let of_band = |Band { wavelength, weights }: Band| Exposure {
         scene: scene.at_wavelength(wavelength),
         weights: weights.map(|weight| weight as f32),
         // Indices are stated for yellow light.
         distance: (wavelength - YELLOW).abs(),
+        part: *part,
     };
-    bands(scene.sweep.wavelengths).into_iter().map(exposure).collect()
+    bands(scene.sweep.wavelengths).into_iter().map(of_band).collect()
 }
 
 /// Linear sRGB of spectral light, from the fit of Wyman, Sloan and Shirley (2013, JCGT 2:2, Eq. 4) to the CIE's functions of 1931.

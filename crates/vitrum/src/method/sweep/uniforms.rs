@@ -4,11 +4,12 @@ use super::kept::Kept;
 use super::light::{LightGrid, direction};
 use super::paging::Sampling;
 use super::planes::Planes;
-use super::sources::sources;
 use super::tables::Tables;
 use super::voxels::grid;
 use super::window::Seen;
 use crate::error::Error;
+use crate::method::lights;
+use crate::method::sources::sources;
 use crate::method::view::environment::{EnvironmentMap, Prepared};
 use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
@@ -81,7 +82,7 @@ impl Geometry {
     fn new(scene: &Scene, volumes: Volumes<'_>) -> Result<Self, Error> {
         let bounds = Bounds::from(volumes.shown);
         let view = View::new(scene, bounds);
-        let towards = direction(scene.first_light(), &view)?;
+        let towards = direction(scene.first_light(), 0, &view)?;
         let receivers = Receivers::new(scene, &view, bounds);
         let planes = Planes::new(scene, &view, volumes, &receivers, towards)?;
         let light_grid = LightGrid::new(scene, &view, volumes, &planes, towards)?;
@@ -94,7 +95,11 @@ impl Geometry {
 /// # Errors
 /// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
 pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
-    let Geometry { view, .. } = Geometry::new(scene, volumes)?;
+    let view = View::new(scene, volumes.shown);
+    super::light::check(scene, &view)?;
+    for exposure in lights::exposures(scene) {
+        Geometry::new(&exposure.scene, volumes)?;
+    }
     set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)
 }
 

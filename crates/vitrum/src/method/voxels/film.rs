@@ -8,7 +8,7 @@ use vitrum_kernels::abi::record::{fate, view};
 
 /// The outputs, by the components of [`view`].
 pub(super) const OUTPUTS: &[Output] = &[
-    Output::mean("color", rgba!(view::COLOR), "linear radiance and coverage (RGBA)"),
+    Output::color(rgba!(view::COLOR)),
     Output::mean(
         "depth",
         &[("Z", view::DEPTH)],

@@ -27,7 +27,7 @@ pub use uploaded::Uploaded;
 use crate::assets::Assets;
 use crate::error::Error;
 use crate::film::Output;
-use crate::method::{Cache, Job, Method, PreparedFrame, Tools};
+use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
 use crate::scene::{MethodName, Scene};
 use crate::unrenderable::Unrenderable;
 use cache::MeshCache;
@@ -57,11 +57,19 @@ impl Method for MeshRays {
         film::OUTPUTS
     }
 
-    fn check(&self, _scene: &Scene, assets: &Assets) -> Result<(), Error> {
+    fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
         match assets.subject.mesh() {
-            Some(mesh) => check_mesh(mesh),
+            Some(mesh) => {
+                scene.check_for_mesh()?;
+                check_mesh(mesh)
+            }
             None => Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into()),
         }
+    }
+
+    /// One exposure for each light, or for each of the crisp ones that a soft light is made of.
+    fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        lights::exposures(&lights::crisp(scene, &View::new(scene, &assets.subject)))
     }
 
     fn prepare(

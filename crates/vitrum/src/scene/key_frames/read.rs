@@ -200,7 +200,7 @@ fn check_free(value: &Value, key: &mut Vec<String>, place: &[String]) -> Result<
         let segments: Vec<_> = pattern.split('.').collect();
         segments.len() == key.len() && segments.iter().zip(&*key).all(|(known, given)| *known == "*" || known == given)
     };
-    if FIXED.iter().any(|pattern| is_fixed(pattern)) {
+    if FIXED.iter().any(is_fixed) {
         let path = [place, key.as_slice()].concat().join(".");
         let problem = "this is the same for the whole animation";
         return Err(Fault::contradiction(&path, problem, "set it in the scene, or by --set or --size"));

@@ -55,6 +55,15 @@ impl Scene {
         settings::check_swept_mesh(self).map_err(|fault| fault.from(Origin::Memory))
     }
 
+    /// Checks that what the scene says of materials and clipping fits rays through a mesh.
+    ///
+    /// # Errors
+    ///
+    /// Where there are clipping planes, or a clear material has a colour.
+    pub(crate) fn check_for_mesh(&self) -> Result<(), SceneError> {
+        settings::check_mesh(self).map_err(|fault| fault.from(Origin::Memory))
+    }
+
     /// The part of [`Scene::validate`] that looks at several keys at once.
     pub(super) fn check_consistency(&self) -> Result<(), Fault> {
         sources::check(self)?;

@@ -45,6 +45,13 @@ fn check_method(scene: &Scene) -> Result<(), Fault> {
     }
 }
 
+/// Rays through a mesh are not clipped.
+pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
+    let given = [("clip", !scene.clip.is_empty())];
+    refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")?;
+    check_materials(scene)
+}
+
 /// The materials say what a mesh's volume looks like.
 pub(super) fn check_swept_mesh(scene: &Scene) -> Result<(), Fault> {
     if let Some(index) = scene.material.iter().position(|material| material.opaque) {
@@ -123,13 +130,6 @@ fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
             &format!("light.{index}.kind"),
             format!("the method `{method}` renders distant lights alone, and this is a {} light", light.kind.name()),
             format!("set `light.{index}.kind = \"distant\"`; no method renders other lights yet"),
-        ));
-    }
-    if scene.light.len() > 1 {
-        return Err(Fault::contradiction(
-            "light.1",
-            format!("the method `{method}` renders one light, and {} are given", scene.light.len()),
-            "leave the others out; no method renders several yet",
         ));
     }
     Ok(())

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-/// The directions of `count` sheets: `direction` alone, or a sunflower's seeds over the disc of a source with half-angle `softness`
-/// (degrees), each for the same share of its area.
-pub(super) fn sources(direction: DVec3, softness: f32, count: u32) -> Vec<[f32; 3]> {
-    let tangent = f64::from(softness).to_radians().tan();
+/// Unit directions that stand for a distant source around `direction` whose angular radius is given in degrees: `direction` alone if
+/// `count` is 1, else a sunflower's seeds over the source's disc, each for the same share of its area (Vogel 1979).
+pub(super) fn sources(direction: DVec3, angular_radius: f32, count: u32) -> Vec<[f32; 3]> {
+    let tangent = f64::from(angular_radius).to_radians().tan();
     let (across, up) = direction.any_orthonormal_pair();
     let golden = std::f64::consts::PI * (3.0 - 5.0f64.sqrt());
     (0..count)
