@@ -234,7 +234,7 @@ fn stops(passes: &[Pass], planes: Option<&Planes>) -> Vec<Stop> {
 /// The plane that a pass leads to, by its depth.
 fn plane(pass: &Pass, planes: &Planes) -> u32 {
     let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
-    let depth = f64::from(uniforms.plane.y);
+    let depth = f64::from(uniforms.step.ahead);
     let distance = |plane: &u32| (planes.depth(*plane) - depth).abs();
     (0..planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or_default()
 }

@@ -93,8 +93,8 @@ impl Memory {
         let prepared: Vec<Prepared> = passes
             .iter()
             .map(|pass| {
-                let unoccluded = |buffer| known.get(&(buffer, 0)).map_or(&[][..], |known| known.unoccluded(pass));
-                Prepared::new(pass, written, |buffer| self.buffers[buffer.0].as_deref(), unoccluded)
+                let same = |buffer| known.get(&(buffer, 0)).map_or(&[][..], |known| known.same(pass));
+                Prepared::new(pass, written, |buffer| self.buffers[buffer.0].as_deref(), same)
             })
             .collect();
         let started = Instant::now();

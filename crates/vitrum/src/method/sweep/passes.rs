@@ -15,31 +15,16 @@ use crate::render::{Error, Wanted};
 use glam::DVec3;
 use std::collections::BTreeSet;
 use vitrum_io::Volume;
-use vitrum_kernels::abi::grid::format;
+use vitrum_kernels::abi::format::Format;
 use vitrum_kernels::abi::record::{film, ray};
-use vitrum_kernels::kernel::{Kernel, kernels};
-
-/// The kernel that carries viewing rays through voxels of one format.
-fn ray_kernel(stored: u32) -> &'static Kernel {
-    match stored {
-        format::U8 => &kernels::sweep_propagate_rays_u8,
-        format::U16 => &kernels::sweep_propagate_rays_u16,
-        format::U8_PAGED => &kernels::sweep_propagate_rays_u8_paged,
-        format::U16_PAGED => &kernels::sweep_propagate_rays_u16_paged,
-        format::F32 => &kernels::sweep_propagate_rays_f32,
-        format::F32_PAGED => &kernels::sweep_propagate_rays_f32_paged,
-        format::F32_WITH_IOR_PAGED => &kernels::sweep_propagate_rays_f32_with_ior_paged,
-        _ => &kernels::sweep_propagate_rays_f32_with_ior,
-    }
-}
+use vitrum_kernels::kernel::kernels;
 
 /// A frame's voxels on a backend: what stays the same while scene and camera change.
 #[derive(Debug)]
 pub struct Uploaded {
     /// The volume's voxels and the second one's, or the same again; none if they come and go in the course of a frame.
     voxels: Option<[Buffer; 2]>,
-    /// One of [`format`].
-    pub(super) format: u32,
+    pub(super) format: Format,
     /// Whether streamed voxels take as little memory as they can, not as much as they may.
     pub(super) tight: bool,
     ranges: Ranges,
@@ -76,7 +61,7 @@ impl Uploaded {
     #[must_use]
     pub fn streamed(inputs: &Inputs) -> Self {
         let (shown, bending) = (&inputs.volume, inputs.ior_volume.as_ref());
-        let format = format::paged(chosen_format(shown, bending));
+        let format = chosen_format(shown, bending).paged();
         Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
     }
 
@@ -154,7 +139,7 @@ pub(super) fn build(
     let rays = maker.planar("rays", pixels, ray::SIZE)?;
     let finished = maker.planar("film", pixels, film::SIZE)?;
 
-    let ray_kernel = ray_kernel(fixed.format);
+    let ray_kernel = kernels::sweep_propagate_rays.get(fixed.format);
     let mut passes = light.start(fixed);
     passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[rays]));
     // The first pass of each plane.

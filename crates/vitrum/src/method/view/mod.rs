@@ -1,6 +1,6 @@
 //! What every method has of a scene: where the picture is taken from, what is around, where light comes from.
 //!
-//! The sweep frame, in which all of it is stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
+//! The view frame, in which all of it is stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
 
 pub(in crate::method) mod environment;
 pub(in crate::method) mod light;
@@ -19,7 +19,7 @@ const FIT: f64 = 0.87;
 pub struct View {
     /// The eye, in the world.
     pub eye: DVec3,
-    /// Unit vectors of the sweep frame, in the world, as columns: right, up, away from the eye.
+    /// Unit vectors of the view frame, in the world, as columns: right, up, away from the eye.
     pub axes: DMat3,
     /// Whether rays are parallel.
     pub orthographic: bool,
@@ -115,12 +115,12 @@ impl View {
         }
     }
 
-    /// A world point in the sweep frame.
+    /// A world point in the view frame.
     pub fn point(&self, world: DVec3) -> DVec3 {
         self.direction(world - self.eye)
     }
 
-    /// A world direction in the sweep frame.
+    /// A world direction in the view frame.
     pub fn direction(&self, world: DVec3) -> DVec3 {
         self.axes.transpose() * world
     }

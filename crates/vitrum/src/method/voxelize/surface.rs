@@ -11,9 +11,10 @@ use rayon::prelude::*;
 use std::ops::Range;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::attributes;
+use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, brought, item, pieces, triangle};
 use vitrum_kernels::field::sums::to_number;
-use vitrum_kernels::glam::{IVec3, UVec4};
+use vitrum_kernels::glam::IVec3;
 use vitrum_kernels::kernel::{Kernel, kernels};
 use vitrum_kernels::voxelize::place::{Place, is_tiny};
 
@@ -115,8 +116,10 @@ impl<'a> Surface<'a> {
         let [x, y, z] = grid.dimensions;
         let overlap = (f64::from(overlap) * f64::from(1u32 << fixed.units)).ceil() as u32;
         let uniforms = VoxelizeUniforms {
-            size: UVec4::new(x, y, z, x.div_ceil(32)),
-            surface: UVec4::new(fixed.units, overlap, 0, 0),
+            size: Counts::new(x, y, z),
+            row_words: x.div_ceil(32),
+            corner_units: fixed.units,
+            margin: overlap,
             ..VoxelizeUniforms::default()
         };
         Self { mesh, grid, fixed, uniforms }
@@ -183,7 +186,7 @@ impl<'a> Surface<'a> {
             large.into_iter().for_each(|(number, of_triangle)| slices[number] = of_triangle);
             for batch in Plan::new(&slices).batches() {
                 let mut uniforms = self.uniforms;
-                uniforms.surface.z = batch.first as u32;
+                uniforms.first_triangle = batch.first as u32;
                 held.within(|held| -> Result<(), Error> {
                     let items = held.create("items", cast_slice(&batch.items))?;
                     let bound = [&[corners, items], others].concat();
@@ -198,7 +201,8 @@ impl<'a> Surface<'a> {
 
     /// Marks the voxels that triangles meet.
     pub(super) fn mark(&self, held: &mut Held<'_>, stage: &mut Stage<'_>) -> Result<Mask, Error> {
-        let UVec4 { x: _, y, z, w: row } = self.uniforms.size;
+        let Counts { y, z, .. } = self.uniforms.size;
+        let row = self.uniforms.row_words;
         let words = held.within(|held| -> Result<_, Error> {
             let mask = held.create_zeroed("mask of the surface", u64::from(row) * u64::from(y) * u64::from(z))?;
             self.run(&kernels::voxelize_mark_surface, &[mask], &|_, _| Ok(()), held, stage)?;

@@ -126,7 +126,7 @@ impl Rays {
 fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
     // Nodes of a tree, several times those of a ray.
     const NODES: u32 = 16 * STEPS as u32;
-    let crossings = block.bricks.w + 1;
+    let crossings = block.most_bounces + 1;
     let steps = uploaded.voxels().map_or(NODES, |[x, y, z]| {
         // From end to end in half voxels, as if there were a surface all along the way.
         let march = 2 * (x + y + z);
@@ -164,7 +164,7 @@ fn list(
         receivers,
     };
     let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
-    let size = [block.dispatch.x, block.dispatch.y];
+    let size = [block.dispatch.width, block.dispatch.height];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
     let mut keep = |buffer: Buffer| {
         created.push(buffer);
@@ -182,7 +182,7 @@ fn list(
     let film = keep(backend.create_zeroed("film", planes(view::SIZE))?);
     let pass = |kernel: &'static Kernel, mode: u32, buffers: Vec<Buffer>| {
         let mut block = block;
-        block.dispatch.z = mode;
+        block.dispatch.mode = mode;
         Pass {
             kernel,
             uniforms: bytes_of(&block).to_vec(),
@@ -196,7 +196,7 @@ fn list(
     let tree = [uploaded.tree[0], uploaded.tree[1], materials, rays];
     let marched = || uploaded.buffers.iter().copied().chain([materials, rays]).collect();
     let through: Vec<Buffer> = if exact { tree.to_vec() } else { marched() };
-    let mode = block.dispatch.z;
+    let mode = block.dispatch.mode;
     let mut passes = vec![pass(&kernels::voxels_initialize_rays, 0, vec![rays])];
     for _ in 0..rounds(uploaded, &block) {
         if seeks {
