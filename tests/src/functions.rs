@@ -4,9 +4,9 @@ use std::ops::RangeInclusive;
 
 use vitrum::backend::{Backend, Buffer, Contents, Pass, PassList, ReadBack as _};
 use vitrum::scene::MethodName;
+use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::record::probe;
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::{Window, kernels};
 use vitrum_kernels::probe::functions::NAMES;
 
@@ -109,7 +109,7 @@ fn results(rows: u32, arguments: &[f32], backend: &mut dyn Backend) -> Result<Ve
 }
 
 fn apply(function: u32, rows: u32, buffers: &[Buffer; 2], backend: &mut dyn Backend) -> Result<Vec<f32>, Failure> {
-    let uniforms = ProbeUniforms { dispatch: UVec4::new(WIDTH, rows, 0, function) };
+    let uniforms = ProbeUniforms { dispatch: Dispatch { width: WIDTH, height: rows, mode: 0 }, function };
     let pass = Pass {
         kernel: &kernels::probe_apply_function,
         uniforms: bytemuck::bytes_of(&uniforms).to_vec(),

@@ -59,13 +59,13 @@ impl Map {
     /// Edge of a voxel of the shadow map, in world units.
     #[must_use]
     pub fn edge(&self) -> f64 {
-        f64::from(self.block.shadow_filter.y) * self.voxel
+        f64::from(self.block.shadow.edge) * self.voxel
     }
 
     /// Unit direction in which light travels.
     #[must_use]
     pub fn light(&self) -> DVec3 {
-        let light = self.block.light;
+        let light = self.block.light.direction;
         DVec3::new(f64::from(light.x), f64::from(light.y), f64::from(light.z)).normalize()
     }
 }

@@ -1,12 +1,16 @@
 //! The CPU against itself: what must not change the picture does not.
 
-use vitrum::backend::{CpuBackend, Pass};
+use vitrum::backend::{Backend as _, Contents, CpuBackend, Pass, PassList, ReadBack as _};
 use vitrum::method::sweep::Sweep;
 use vitrum_compare::Bound;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
 use vitrum_conformance::{Failure, evidence, frames, kernels, raster};
-use vitrum_kernels::kernel::{InstructionSet, Window};
+use vitrum_kernels::abi::dispatch::Dispatch;
+use vitrum_kernels::abi::probe::ProbeUniforms;
+use vitrum_kernels::abi::record::probe;
+use vitrum_kernels::kernel::{InstructionSet, Window, kernels as tree};
+use vitrum_kernels::probe::functions::NAMES;
 
 const EDGE: u32 = 48;
 const RESOLUTION: u32 = 32;
@@ -155,5 +159,40 @@ fn a_renderer_renders_what_a_fresh_start_renders() -> Result<(), Failure> {
     assert!(renderer.render(&case.scene, Default::default(), &mut |_| true).is_err());
     case.scene.camera.zoom = 1.0;
     assert!(renderer.render(&case.scene, Default::default(), &mut |_| true).is_ok());
+    Ok(())
+}
+
+/// Blocks at the end of rows begin in the block before, and rows of fewer columns than a block has lanes are run apart.
+#[test]
+fn records_do_not_depend_on_the_width_of_rows() -> Result<(), Failure> {
+    const RECORDS: u32 = 2 * 3 * 4 * 5 * 7;
+    let function = NAMES.iter().position(|name| *name == "composited").expect("a function with several results") as u32;
+    let count = RECORDS as usize * probe::ARGUMENTS;
+    let arguments: Vec<f32> = (0..count).map(|index| (index * 37 % 101) as f32 / 101.0).collect();
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        let mut backend = CpuBackend::with_instruction_set(None, set)?;
+        let inputs = backend.create("arguments", Contents::Bytes(bytemuck::cast_slice(&arguments)))?;
+        let outputs = backend.create("results", Contents::Zeros(u64::from(RECORDS) * probe::SIZE as u64 * 4))?;
+        let mut results = |width: u32| -> Result<Vec<u8>, Failure> {
+            let height = RECORDS / width;
+            let uniforms = ProbeUniforms { dispatch: Dispatch { width, height, mode: 0 }, function };
+            let pass = Pass {
+                kernel: &tree::probe_apply_function,
+                uniforms: bytemuck::bytes_of(&uniforms).to_vec(),
+                buffers: vec![inputs.clone(), outputs.clone()],
+                width,
+                height,
+                start: 0,
+                window: Window::whole(width, height),
+            };
+            backend.clear(&outputs)?;
+            backend.run(&PassList { passes: vec![pass], ..PassList::default() }, &mut |_| true)?;
+            Ok(backend.read_all(&outputs)?)
+        };
+        let one = results(1)?;
+        for width in (2..=RECORDS).filter(|width| RECORDS % width == 0) {
+            assert!(results(width)? == one, "{set:?}, rows of {width}");
+        }
+    }
     Ok(())
 }

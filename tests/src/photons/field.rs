@@ -8,13 +8,13 @@ use vitrum_kernels::glam::{DMat3, DVec3};
 /// Half the distance, in voxels, over which the gradient is taken: small, since the medium between voxels is what it is.
 const HALF_STEP: f64 = 0.05;
 
-/// A refracting, absorbing medium in the sweep frame.
+/// A refracting, absorbing medium in the view frame.
 pub struct Field<'a> {
     volume: &'a Volume,
     transfer: &'a TransferFunction,
     /// Its values, x fastest: asking the volume for each is half of a photon's time.
     values: Vec<f32>,
-    /// Voxel coordinates of a point of the sweep frame: `to_voxels · point + offset`.
+    /// Voxel coordinates of a point of the view frame: `to_voxels · point + offset`.
     to_voxels: DMat3,
     offset: DVec3,
     reference_length: f64,
@@ -101,7 +101,7 @@ impl<'a> Field<'a> {
         interpolate(points, self.scalar(at)).map_or(1.0, |ior| ior[0])
     }
 
-    /// ½∇(η²) at a point of the volume, per world unit, in the sweep frame.
+    /// ½∇(η²) at a point of the volume, per world unit, in the view frame.
     #[must_use]
     pub fn acceleration(&self, point: DVec3) -> DVec3 {
         let at = self.to_voxels * point + self.offset;

@@ -73,14 +73,14 @@ fn columns_count_what_rays_cross() -> Result<(), Failure> {
         let caster = Caster::new(&mesh, map.light(), |_| 0.09);
         let (mut compared, mut different) = (0, 0);
         let b = map.block;
-        let (rows, edge) = ([b.shadow_x, b.shadow_y, b.shadow_z], map.edge());
-        let axes = rows.map(|row| DVec3::new(f64::from(row.x), f64::from(row.y), f64::from(row.z)).normalize());
+        let (rows, edge) = ([b.shadow.row_x, b.shadow.row_y, b.shadow.row_z], map.edge());
+        let axes = rows.map(|row| DVec3::new(row.factors.x.into(), row.factors.y.into(), row.factors.z.into()).normalize());
         // The world's point at a place in the shadow map's voxels.
-        let zero = rows.map(|row| f64::from(row.w));
+        let zero = rows.map(|row| f64::from(row.constant));
         let origin = map.world_origin();
-        for y in (1..b.shadow.y).step_by(3) {
-            for z in (1..b.shadow.z).step_by(3) {
-                for face in [b.shadow.x / 3, b.shadow.x / 2, b.shadow.x] {
+        for y in (1..b.shadow.size.y).step_by(3) {
+            for z in (1..b.shadow.size.z).step_by(3) {
+                for face in [b.shadow.size.x / 3, b.shadow.size.x / 2, b.shadow.size.x] {
                     let place = [f64::from(face), f64::from(y) + 0.5, f64::from(z) + 0.5];
                     let point =
                         origin + (0..3).map(|axis| axes[axis] * ((place[axis] - zero[axis]) * edge)).sum::<DVec3>();

@@ -79,9 +79,8 @@ impl Memory {
         let prepared: Vec<Prepared> = passes
             .iter()
             .map(|pass| {
-                let unoccluded =
-                    |buffer: &Buffer| known.get(&(buffer.number(), 0)).map_or(&[][..], |known| known.unoccluded(pass));
-                Prepared::new(pass, written, |buffer| self.buffers.find(buffer).map(|words| &**words), unoccluded)
+                let same = |buffer: &Buffer| known.get(&(buffer.number(), 0)).map_or(&[][..], |known| known.same(pass));
+                Prepared::new(pass, written, |buffer| self.buffers.find(buffer).map(|words| &**words), same)
             })
             .collect();
         let started = Instant::now();

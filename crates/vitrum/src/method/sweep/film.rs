@@ -68,7 +68,7 @@ impl PreparedFrame for Sweep {
 
     fn plane(&self, pass: &Pass) -> Option<u32> {
         let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
-        let distance = |plane: &u32| (self.planes.depth(*plane) - f64::from(uniforms.plane.y)).abs();
+        let distance = |plane: &u32| (self.planes.depth(*plane) - f64::from(uniforms.step.ahead)).abs();
         (0..self.planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 

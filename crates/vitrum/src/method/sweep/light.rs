@@ -19,7 +19,7 @@ const MOST_TEXELS: f64 = 8192.0;
 /// The grid of light texels: one rectangle per plane, shifted from plane to plane along the light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightGrid {
-    /// Corner of texel (0, 0) on plane 0, in the sweep frame.
+    /// Corner of texel (0, 0) on plane 0, in the view frame.
     pub corner: DVec2,
     /// Edge of a texel, world units.
     pub texel: f64,

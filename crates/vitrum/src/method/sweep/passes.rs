@@ -17,23 +17,8 @@ use crate::request::OutputRequest;
 use crate::scene::Scene;
 use crate::subject::Volumes;
 use std::collections::BTreeSet;
-use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{film, ray};
-use vitrum_kernels::kernel::{Kernel, kernels};
-
-/// The kernel that carries viewing rays through voxels of one format.
-fn ray_kernel(stored: u32) -> &'static Kernel {
-    match stored {
-        format::U8 => &kernels::sweep_propagate_rays_u8,
-        format::U16 => &kernels::sweep_propagate_rays_u16,
-        format::U8_PAGED => &kernels::sweep_propagate_rays_u8_paged,
-        format::U16_PAGED => &kernels::sweep_propagate_rays_u16_paged,
-        format::F32 => &kernels::sweep_propagate_rays_f32,
-        format::F32_PAGED => &kernels::sweep_propagate_rays_f32_paged,
-        format::F32_WITH_IOR_PAGED => &kernels::sweep_propagate_rays_f32_with_ior_paged,
-        _ => &kernels::sweep_propagate_rays_f32_with_ior,
-    }
-}
+use vitrum_kernels::kernel::kernels;
 
 /// Uploads what else a frame needs and lists its passes.
 pub(super) fn build(
@@ -90,7 +75,7 @@ pub(super) fn build(
     let rays = maker.planar("rays", pixels, ray::SIZE)?;
     let finished = maker.planar("film", pixels, film::SIZE)?;
 
-    let ray_kernel = ray_kernel(fixed.format);
+    let ray_kernel = kernels::sweep_propagate_rays.get(fixed.format);
     let mut passes = light.start(fixed);
     passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&rays]));
     // The first pass of each plane.

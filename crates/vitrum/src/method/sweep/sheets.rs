@@ -5,10 +5,9 @@
 use super::carrier::{Carrier, Maker, VolumeBuffers};
 use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
-use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{light, sheet, sums};
 use vitrum_kernels::abi::sweep::mode;
-use vitrum_kernels::kernel::{Kernel, Window, kernels};
+use vitrum_kernels::kernel::{Window, kernels};
 
 /// The buffers of sheets.
 pub(super) struct Sheets {
@@ -19,19 +18,6 @@ pub(super) struct Sheets {
     sums: Buffer,
     light: Buffer,
     irradiance: Buffer,
-}
-
-fn advance_kernel(stored: u32) -> &'static Kernel {
-    match stored {
-        format::U8 => &kernels::sweep_advance_sheet_u8,
-        format::U16 => &kernels::sweep_advance_sheet_u16,
-        format::U8_PAGED => &kernels::sweep_advance_sheet_u8_paged,
-        format::U16_PAGED => &kernels::sweep_advance_sheet_u16_paged,
-        format::F32 => &kernels::sweep_advance_sheet_f32,
-        format::F32_PAGED => &kernels::sweep_advance_sheet_f32_paged,
-        format::F32_WITH_IOR_PAGED => &kernels::sweep_advance_sheet_f32_with_ior_paged,
-        _ => &kernels::sweep_advance_sheet_f32_with_ior,
-    }
 }
 
 impl Sheets {
@@ -75,7 +61,12 @@ impl Carrier for Sheets {
             |kernel, size, mode, buffers: &[&Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
         let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
         let bound = [voxels, ior_voxels, occupancy, tables, &self.sources, &self.nodes];
-        push(advance_kernel(fixed.format), nodes(texels, self.count), mode::any_medium(fixed.mode), &bound);
+        push(
+            kernels::sweep_advance_sheet.get(fixed.format),
+            nodes(texels, self.count),
+            mode::any_medium(fixed.mode),
+            &bound,
+        );
         push(&kernels::sweep_clear_sums, texels, 0, &[&self.sums]);
         push(&kernels::sweep_scatter_sheet, cells, 0, &[&self.nodes, &self.sources, &self.sums]);
         push(&kernels::sweep_collect_light, texels, 0, &[&self.sums, &self.light]);

@@ -4,10 +4,9 @@ use super::carrier::{Carrier, Maker, VolumeBuffers};
 use super::uniforms::Fixed;
 use super::window::Seen;
 use crate::backend::{BackendError, Buffer, Pass};
-use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{light, trace};
 use vitrum_kernels::abi::sweep::mode;
-use vitrum_kernels::kernel::{Kernel, Window, kernels};
+use vitrum_kernels::kernel::{Window, kernels};
 
 /// The buffers of light on texels.
 pub(super) struct Texels {
@@ -18,19 +17,6 @@ pub(super) struct Texels {
     filtered: Buffer,
     irradiance: Buffer,
     traced: Buffer,
-}
-
-fn refract_kernel(stored: u32) -> &'static Kernel {
-    match stored {
-        format::U8 => &kernels::sweep_refract_light_u8,
-        format::U16 => &kernels::sweep_refract_light_u16,
-        format::U8_PAGED => &kernels::sweep_refract_light_u8_paged,
-        format::U16_PAGED => &kernels::sweep_refract_light_u16_paged,
-        format::F32 => &kernels::sweep_refract_light_f32,
-        format::F32_PAGED => &kernels::sweep_refract_light_f32_paged,
-        format::F32_WITH_IOR_PAGED => &kernels::sweep_refract_light_f32_with_ior_paged,
-        _ => &kernels::sweep_refract_light_f32_with_ior,
-    }
 }
 
 impl Texels {
@@ -83,7 +69,7 @@ impl Carrier for Texels {
         if !fixed.planes.is_behind(plane) {
             let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
             let bound = [voxels, ior_voxels, occupancy, tables, &self.traced, ahead];
-            push(refract_kernel(fixed.format), fixed.mode, &bound);
+            push(kernels::sweep_refract_light.get(fixed.format), fixed.mode, &bound);
         }
         passes.push(fixed.concentrate(window, plane, ahead, &self.irradiance));
     }

@@ -5,15 +5,14 @@ use super::voxels::{chosen_format, fit, upload};
 use crate::backend::{Backend, Buffer};
 use crate::error::Error;
 use crate::subject::Volumes;
-use vitrum_kernels::abi::grid::format;
+use vitrum_kernels::abi::format::Format;
 
 /// A frame's voxels on a backend: what stays the same while scene and camera change.
 #[derive(Debug)]
 pub struct Uploaded {
     /// The volume's voxels and the second one's, or the same again; none if they come and go in the course of a frame.
     pub(super) voxels: Option<[Buffer; 2]>,
-    /// One of [`format`].
-    pub(super) format: u32,
+    pub(super) format: Format,
     /// Whether streamed voxels take as little memory as they can, not as much as they may.
     pub(super) tight: bool,
     pub(super) ranges: Ranges,
@@ -46,7 +45,7 @@ impl Uploaded {
     #[must_use]
     pub fn streamed(volumes: Volumes<'_>) -> Self {
         let Volumes { shown, ior: bending } = volumes;
-        let format = format::paged(chosen_format(shown, bending));
+        let format = chosen_format(shown, bending).paged();
         Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
     }
 }

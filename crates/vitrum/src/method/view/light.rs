@@ -6,7 +6,7 @@ use crate::scene::{Attachment, Light};
 use crate::unrenderable::Unrenderable;
 use glam::DVec3;
 
-/// The unit direction in which light travels, in the sweep frame.
+/// The unit direction in which light travels, in the view frame.
 pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Error> {
     let travels = match (light.attachment(), light.direction) {
         (Attachment::Camera, Some(v)) => {

@@ -22,7 +22,7 @@ const FIT: f64 = 0.87;
 pub struct View {
     /// The eye, in the world.
     pub eye: DVec3,
-    /// Unit vectors of the sweep frame, in the world, as columns: right, up, away from the eye.
+    /// Unit vectors of the view frame, in the world, as columns: right, up, away from the eye.
     pub axes: DMat3,
     /// Whether rays are parallel.
     pub orthographic: bool,
@@ -101,12 +101,12 @@ impl View {
         }
     }
 
-    /// A world point in the sweep frame.
+    /// A world point in the view frame.
     pub fn point(&self, world: DVec3) -> DVec3 {
         self.direction(world - self.eye)
     }
 
-    /// A world direction in the sweep frame.
+    /// A world direction in the view frame.
     pub fn direction(&self, world: DVec3) -> DVec3 {
         self.axes.transpose() * world
     }

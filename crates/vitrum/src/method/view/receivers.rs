@@ -1,17 +1,17 @@
-//! Ground and wall as planes of the sweep frame.
+//! Ground and wall as planes of the view frame.
 
 use super::{Bounds, View, from_angles};
 use crate::scene::Scene;
 use glam::{DVec3, DVec4};
 
-/// Planes of the sweep frame: signed distance = xyz · point + w, positive on the visible side; all 0 if absent.
+/// Planes of the view frame: signed distance = xyz · point + w, positive on the visible side; all 0 if absent.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::method) struct Receivers {
     pub(in crate::method) ground: DVec4,
     pub(in crate::method) wall: DVec4,
 }
 
-/// The plane through `point` with `normal` (world), in the sweep frame.
+/// The plane through `point` with `normal` (world), in the view frame.
 pub(in crate::method) fn plane(view: &View, normal: DVec3, point: DVec3) -> DVec4 {
     view.direction(normal).extend((view.eye - point).dot(normal))
 }

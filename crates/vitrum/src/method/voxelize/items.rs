@@ -3,8 +3,8 @@
 use crate::backend::{Buffer, Pass, PassList};
 use bytemuck::bytes_of;
 use rayon::prelude::*;
+use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, item, triangle};
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::{Kernel, Window};
 
 /// Rows up to which a triangle is one item.
@@ -133,7 +133,8 @@ pub(in crate::method) fn pass(
     buffers: &[Buffer],
 ) -> PassList {
     let [width, height] = dispatch(count);
-    uniforms.dispatch = UVec4::new(width, height, mode, count);
+    uniforms.dispatch = Dispatch { width, height, mode };
+    uniforms.work = count;
     let pass = Pass {
         kernel,
         uniforms: bytes_of(&uniforms).to_vec(),

@@ -11,8 +11,8 @@ use crate::unrenderable::Unrenderable;
 use bytemuck::{cast_slice, pod_collect_to_vec};
 use rayon::prelude::*;
 use vitrum_io::Mesh;
+use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, mode};
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::kernels;
 
 /// log₂ of the columns through a voxel along y, and along z. A face across y or z is off by up to half of their distance: with 2 × 2
@@ -99,8 +99,12 @@ impl Body {
     fn uniforms(&self, [first, layers]: [u32; 2], row: u32) -> VoxelizeUniforms {
         let [x, y, _] = self.grid.dimensions;
         VoxelizeUniforms {
-            size: UVec4::new(x, y, layers, row),
-            columns: UVec4::new(COLUMNS, first, self.scale, self.scale + 2 * COLUMNS),
+            size: Counts::new(x, y, layers),
+            row_words: row,
+            column_shift: COLUMNS,
+            first_layer: first,
+            column_units: self.scale,
+            voxel_units: self.scale + 2 * COLUMNS,
             ..VoxelizeUniforms::default()
         }
     }

@@ -12,9 +12,10 @@ use rayon::prelude::*;
 use std::ops::Range;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::attributes;
+use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, brought, item, pieces, triangle};
 use vitrum_kernels::field::sums::to_number;
-use vitrum_kernels::glam::{IVec3, UVec4};
+use vitrum_kernels::glam::IVec3;
 use vitrum_kernels::kernel::{Kernel, kernels};
 use vitrum_kernels::voxelize::place::{Place, is_tiny};
 
@@ -116,8 +117,10 @@ impl<'a> Surface<'a> {
         let [x, y, z] = grid.dimensions;
         let overlap = (f64::from(overlap) * f64::from(1u32 << fixed.units)).ceil() as u32;
         let uniforms = VoxelizeUniforms {
-            size: UVec4::new(x, y, z, x.div_ceil(32)),
-            surface: UVec4::new(fixed.units, overlap, 0, 0),
+            size: Counts::new(x, y, z),
+            row_words: x.div_ceil(32),
+            corner_units: fixed.units,
+            margin: overlap,
             ..VoxelizeUniforms::default()
         };
         Self { mesh, grid, fixed, uniforms }
@@ -185,7 +188,7 @@ impl<'a> Surface<'a> {
             large.into_iter().for_each(|(number, of_triangle)| slices[number] = of_triangle);
             for batch in Plan::new(&slices).batches() {
                 let mut uniforms = self.uniforms;
-                uniforms.surface.z = batch.first as u32;
+                uniforms.first_triangle = batch.first as u32;
                 let items = backend.create("items", Contents::Bytes(cast_slice(&batch.items)))?;
                 let bound = [&[corners.clone(), items], others].concat();
                 let passes = pass(kernel, batch.items(), pieces::ITEMS, uniforms, &bound);
@@ -198,7 +201,8 @@ impl<'a> Surface<'a> {
 
     /// Marks the voxels that triangles meet.
     pub(super) fn mark(&self, backend: &mut dyn Backend, work: &mut Work<'_>) -> Result<Mask, Error> {
-        let UVec4 { x: _, y, z, w: row } = self.uniforms.size;
+        let Counts { y, z, .. } = self.uniforms.size;
+        let row = self.uniforms.row_words;
         let bytes = u64::from(row) * u64::from(y) * u64::from(z) * 4;
         let mask = backend.create("mask of the surface", Contents::Zeros(bytes))?;
         self.run(&kernels::voxelize_mark_surface, std::slice::from_ref(&mask), &|_, _| Ok(()), backend, work)?;

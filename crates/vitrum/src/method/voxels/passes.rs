@@ -120,7 +120,7 @@ impl Rays {
 fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
     // Nodes of a tree, several times those of a ray.
     const NODES: u32 = 16 * STEPS as u32;
-    let crossings = block.bricks.w + 1;
+    let crossings = block.most_bounces + 1;
     let steps = uploaded.voxels().map_or(NODES, |[x, y, z]| {
         // From end to end in half voxels, as if there were a surface all along the way.
         let march = 2 * (x + y + z);
@@ -160,7 +160,7 @@ pub(super) fn list(
         receivers,
     };
     let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
-    let size = [block.dispatch.x, block.dispatch.y];
+    let size = [block.dispatch.width, block.dispatch.height];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
     let materials = cache.materials(materials, backend)?;
     let looks = cache.looks_buffer(scene, &looks, backend)?;
@@ -173,7 +173,7 @@ pub(super) fn list(
     let film = cache.scratch.zeros("film", planes(view::SIZE), backend)?;
     let pass = |kernel: &'static Kernel, mode: u32, buffers: Vec<Buffer>| {
         let mut block = block;
-        block.dispatch.z = mode;
+        block.dispatch.mode = mode;
         Pass {
             kernel,
             uniforms: bytes_of(&block).to_vec(),
@@ -188,7 +188,7 @@ pub(super) fn list(
     let tree = [nodes.clone(), corners.clone(), materials.clone(), rays.clone()];
     let marched = || uploaded.buffers.iter().cloned().chain([materials.clone(), rays.clone()]).collect();
     let through: Vec<Buffer> = if exact { tree.to_vec() } else { marched() };
-    let mode = block.dispatch.z;
+    let mode = block.dispatch.mode;
     let mut passes = vec![pass(&kernels::voxels_initialize_rays, 0, vec![rays.clone()])];
     for _ in 0..rounds(uploaded, &block) {
         if seeks {

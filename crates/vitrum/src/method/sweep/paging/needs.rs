@@ -7,7 +7,7 @@ use crate::method::view::{View, vector, voxel_steps};
 use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::Volume;
-use vitrum_kernels::abi::grid::page;
+use vitrum_kernels::abi::format::page;
 
 /// The most different values that pages of nothing else have slots for.
 const MOST_FILLS: usize = 256;

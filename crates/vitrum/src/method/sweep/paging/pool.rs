@@ -10,7 +10,7 @@ use bytemuck::Pod;
 use rayon::prelude::*;
 use std::sync::Arc;
 use vitrum_io::{Volume, Voxels};
-use vitrum_kernels::abi::grid::{format, page};
+use vitrum_kernels::abi::format::{Format, page};
 
 /// Words that are written at once.
 const WORDS_PER_WRITE: usize = 1 << 22;
@@ -30,7 +30,7 @@ pub(in crate::method::sweep) struct Pool {
 /// Where things lie in the buffer.
 #[derive(Clone, Copy)]
 struct Layout {
-    stored: u32,
+    stored: Format,
     table_words: u64,
     slot_words: u64,
     voxels_per_word: u64,
@@ -38,8 +38,8 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(stored: u32, needs: &Needs) -> Self {
-        let voxels_per_word = 4 / format::bytes(stored);
+    fn new(stored: Format, needs: &Needs) -> Self {
+        let voxels_per_word = 4 / stored.bytes();
         Self {
             stored,
             table_words: needs.filled.len() as u64,
@@ -94,7 +94,7 @@ pub(in crate::method::sweep) fn pools(
     let wanted = of_each.map(|(layout, needs)| [busiest(&needs.needed), needs.needed.len()].map(|n| layout.bytes(n)));
     let wanted: Vec<[u64; 2]> = wanted.collect();
     // Kernels count stored voxels by a signed 32-bit number.
-    let largest = backend.largest_buffer().min(i32::MAX as u64 * format::bytes(uploaded.format));
+    let largest = backend.largest_buffer().min(i32::MAX as u64 * uploaded.format.bytes());
     let limit = backend.volume_limit();
     let too_small = |needed: u64, limit: u64, of: &[&Volume], asked_for: bool| BackendError::VolumeLimit {
         whole: of.iter().map(|volume| bytes(volume, uploaded.format)).sum(),
@@ -174,8 +174,8 @@ fn copy(words: Vec<u32>) -> Arc<Fill> {
 }
 
 /// Writes a stored value again and again.
-fn constant(stored: u32, value: f32) -> Arc<Fill> {
-    let word = match format::bytes(stored) {
+fn constant(stored: Format, value: f32) -> Arc<Fill> {
+    let word = match stored.bytes() {
         1 => u32::from_le_bytes([value as u8; 4]),
         2 => u32::from(value as u16) * 0x1_0001,
         _ => value.to_bits(),
@@ -187,7 +187,7 @@ fn constant(stored: u32, value: f32) -> Arc<Fill> {
 struct Source {
     volume: Volume,
     pages: [u32; 3],
-    stored: u32,
+    stored: Format,
 }
 
 impl Source {
@@ -195,7 +195,7 @@ impl Source {
     fn fill(self: &Arc<Self>, numbers: Vec<u32>, slot_words: usize) -> Arc<Fill> {
         let source = Arc::clone(self);
         Arc::new(move |to| {
-            let floats = format::bytes(source.stored) == 4;
+            let floats = source.stored.bytes() == 4;
             to.par_chunks_exact_mut(slot_words).zip(&numbers).for_each(|(to, &number)| match &source.volume.voxels {
                 Voxels::U8(voxels) if floats => source.page::<_, f32>(voxels, number, to),
                 Voxels::U16(voxels) if floats => source.page::<_, f32>(voxels, number, to),

@@ -15,8 +15,8 @@ use crate::scene::{Coefficient, Scene};
 use crate::unrenderable::Unrenderable;
 use casters::Caster;
 use glam::{DMat3, DVec3};
-use vitrum_kernels::abi::vector::Vec4;
-use vitrum_kernels::glam::UVec4;
+use vitrum_kernels::abi::vector::{Affine, Counts};
+pub(super) use vitrum_kernels::abi::voxels::ShadowMap as Lookup;
 use vitrum_kernels::shadow::look_up::MOST_COLUMNS;
 
 /// Voxels around the mesh: columns beside it are lit.
@@ -45,14 +45,6 @@ pub(super) struct ShadowMap {
     grid: Grid,
     channels: u32,
     pub(super) buffer: Buffer,
-}
-
-/// What kernels are told of a shadow map.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Lookup {
-    pub size: UVec4,
-    pub rows: [Vec4; 3],
-    pub filter: Vec4,
 }
 
 impl Cast {
@@ -120,13 +112,17 @@ impl ShadowMap {
         let row = |axis: usize| {
             let along = self.axes.col(axis);
             let origin = (DVec3::from_array(viewed.origin) - self.centre).dot(along) - self.grid.origin[axis];
-            Vec4::from((along * viewed.voxel_size / edge).extend(origin / edge).as_vec4())
+            Affine::from((along * viewed.voxel_size / edge).extend(origin / edge).as_vec4())
         };
         let [x, y, z] = self.grid.dimensions;
         Ok(Lookup {
-            size: UVec4::new(x, y, z, self.channels),
-            rows: [row(0), row(1), row(2)],
-            filter: Vec4::new(width as f32, (edge / viewed.voxel_size) as f32, 0.0, 0.0),
+            size: Counts::new(x, y, z),
+            channels: self.channels,
+            row_x: row(0),
+            row_y: row(1),
+            row_z: row(2),
+            radius: width as f32,
+            edge: (edge / viewed.voxel_size) as f32,
         })
     }
 }

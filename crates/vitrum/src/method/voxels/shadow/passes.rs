@@ -14,11 +14,11 @@ use crate::scene::Coefficient;
 use crate::unrenderable::Unrenderable;
 use bytemuck::{bytes_of, cast_slice};
 use rayon::prelude::*;
+use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::record::absorption;
 use vitrum_kernels::abi::shadow::{ShadowUniforms, caster, mode, row_words};
-use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The most words of a slab's optical depths: less than any device's buffer.
@@ -136,7 +136,8 @@ impl<'a> Work<'a> {
         backend: &mut dyn Backend,
     ) -> Result<(), Error> {
         let [width, height] = dispatch(count);
-        let block = ShadowUniforms { dispatch: UVec4::new(width, height, block.dispatch.z, count), ..block };
+        let dispatch = Dispatch { width, height, ..block.dispatch };
+        let block = ShadowUniforms { dispatch, work: count, ..block };
         let pass = Pass {
             kernel,
             uniforms: bytes_of(&block).to_vec(),
@@ -161,8 +162,13 @@ impl<'a> Work<'a> {
         let words = u64::from(x) * u64::from(rows) * u64::from(self.channels) * absorption::SIZE as u64;
         let depths = backend.create("optical depths", Contents::Zeros(words * 4))?;
         let block = ShadowUniforms {
-            size: UVec4::new(x, y, layers, first),
-            depth: UVec4::new(self.channels, z, 0, self.uniform.unwrap_or(0)),
+            width: x,
+            height: y,
+            layers,
+            first_layer: first,
+            depth: z,
+            channels: self.channels,
+            uniform_depth: self.uniform.unwrap_or(0),
             ..ShadowUniforms::default()
         };
         let slices = slices(&self.surface, 0, [first, layers]);
@@ -178,7 +184,7 @@ impl<'a> Work<'a> {
             self.solid(index, block, &depths, backend)?;
         }
         let mode = if self.uniform.is_some() { mode::UNIFORM } else { mode::COUNTED };
-        let block = ShadowUniforms { dispatch: UVec4::new(0, 0, mode, 0), ..block };
+        let block = ShadowUniforms { dispatch: Dispatch { mode, ..Dispatch::default() }, ..block };
         self.pass(&kernels::shadow_accumulate, rows * self.channels, block, vec![depths, map.clone()], backend)?;
         self.done += 1;
         Ok(())
@@ -192,14 +198,17 @@ impl<'a> Work<'a> {
         depths: &Buffer,
         backend: &mut dyn Backend,
     ) -> Result<(), Error> {
-        let UVec4 { x, y, z: layers, w: first } = block.size;
+        let ShadowUniforms { width: x, height: y, layers, first_layer: first, .. } = block;
         let scale = self.solids[index].scale;
         let bytes = u64::from(x + 1) * u64::from(y * layers) * 4;
         let changes = backend.create("changes of the winding", Contents::Zeros(bytes))?;
         let slices = slices(&self.solids[index].corners, 0, [first, layers]);
         let uniforms = VoxelizeUniforms {
-            size: UVec4::new(x, y, layers, x + 1),
-            columns: UVec4::new(0, first, scale, scale),
+            size: Counts::new(x, y, layers),
+            row_words: x + 1,
+            first_layer: first,
+            column_units: scale,
+            voxel_units: scale,
             ..VoxelizeUniforms::default()
         };
         for batch in Plan::new(&slices).batches() {
@@ -210,12 +219,8 @@ impl<'a> Work<'a> {
             let bound = [corners, items, changes.clone()];
             self.run(&pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &bound), backend)?;
         }
-        let [red, green, blue] = self.solids[index].absorption;
-        let block = ShadowUniforms {
-            absorption: Vec4::new(red, green, blue, 0.0),
-            depth: UVec4::new(block.depth.x, block.depth.y, scale, block.depth.w),
-            ..block
-        };
+        let absorption = self.solids[index].absorption.into();
+        let block = ShadowUniforms { absorption, winding_units: scale, ..block };
         self.pass(&kernels::shadow_absorb_solid, y * layers, block, vec![changes, depths.clone()], backend)?;
         self.done += 2;
         Ok(())

@@ -4,9 +4,9 @@
 //! invocations read as contiguous loads instead of scattered ones. Nothing here chooses between loaded values: LLVM would make that a
 //! load from a chosen address.
 
-use super::access::{read, read_inside};
 use crate::abi::record::light as record;
 use crate::abi::sweep::SweepUniforms;
+use crate::field::access::{read, read_inside};
 use crate::math::{floor_to_int, select};
 use spirv_std::glam::Vec3;
 
@@ -49,13 +49,13 @@ fn axis(way: f32) -> Axis {
 /// the rows' ends in the rows next to them, where they have no weight.
 #[inline(always)]
 pub fn is_inner_row(u: &SweepUniforms, y: u32) -> bool {
-    (y > 1) & (y + 2 < u.size.w)
+    (y > 1) & (y + 2 < u.light_grid.height)
 }
 
 #[inline(always)]
 fn is_inside(u: &SweepUniforms, way: &Way) -> bool {
     let (x, y) = (way.x as i32 as f32 + way.across, way.y as i32 as f32 + way.up);
-    let (right, top) = (u.size.z as i32 as f32 - 1.0, u.size.w as i32 as f32 - 1.0);
+    let (right, top) = (u.light_grid.width as i32 as f32 - 1.0, u.light_grid.height as i32 as f32 - 1.0);
     (x >= 0.0) & (x <= right) & (y >= 0.0) & (y <= top)
 }
 
@@ -78,8 +78,8 @@ unsafe fn interpolate<const NEAR: bool>(
     component: usize,
     outside: f32,
 ) -> f32 {
-    let width = u.size.z as i32;
-    let base = component as i32 * (u.size.z * u.size.w) as i32 + way.y as i32 * width;
+    let width = u.light_grid.width as i32;
+    let base = component as i32 * (u.light_grid.width * u.light_grid.height) as i32 + way.y as i32 * width;
     let (x, y) = (axis(way.across), axis(way.up));
     if NEAR {
         let (left, right) = (select(x.towards < 0, x.weight, 0.0), select(x.towards < 0, 0.0, x.weight));
@@ -125,9 +125,9 @@ pub unsafe fn direction_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32
     // SAFETY: the caller's promise.
     let component = |c: usize, outside: f32| unsafe { interpolate::<NEAR>(u, light, way, c, outside) };
     Vec3::new(
-        component(record::DIRECTION_X, u.light_direction.x),
-        component(record::DIRECTION_X + 1, u.light_direction.y),
-        component(record::DIRECTION_X + 2, u.light_direction.z),
+        component(record::DIRECTION_X, u.light.direction.x),
+        component(record::DIRECTION_X + 1, u.light.direction.y),
+        component(record::DIRECTION_X + 2, u.light.direction.z),
     )
 }
 
@@ -153,9 +153,9 @@ pub unsafe fn record_around<const NEAR: bool>(
         red,
         green,
         blue,
-        component(record::DIRECTION_X, u.light_direction.x),
-        component(record::DIRECTION_X + 1, u.light_direction.y),
-        component(record::DIRECTION_X + 2, u.light_direction.z),
+        component(record::DIRECTION_X, u.light.direction.x),
+        component(record::DIRECTION_X + 1, u.light.direction.y),
+        component(record::DIRECTION_X + 2, u.light.direction.z),
         component(record::DISPLACEMENT_X, 0.0),
         component(record::DISPLACEMENT_X + 1, 0.0),
         component(record::CONCENTRATION, 1.0),
@@ -168,8 +168,8 @@ pub unsafe fn record_around<const NEAR: bool>(
 /// (x, y) must lie in the grid, and the grid's components inside `light`.
 #[inline(always)]
 pub unsafe fn record_of_texel(u: &SweepUniforms, light: &[f32], x: u32, y: u32) -> [f32; record::SIZE] {
-    let texels = (u.size.z * u.size.w) as i32;
-    let base = y as i32 * u.size.z as i32;
+    let texels = (u.light_grid.width * u.light_grid.height) as i32;
+    let base = y as i32 * u.light_grid.width as i32;
     // SAFETY: the caller's promise.
     let component = |c: usize| unsafe { read_inside(light, c as i32 * texels + base, x) };
     [

@@ -1,7 +1,7 @@
 //! How a map from texels to texels stretches: its derivatives from differences between neighbouring texels.
 
-use super::access::{read, read_inside};
 use crate::abi::sweep::SweepUniforms;
+use crate::field::access::{read, read_inside};
 use crate::math::{absolute, min, select, sqrt};
 
 /// The derivatives of the map p(x, y).
@@ -40,8 +40,8 @@ fn pair<const INSIDE: bool>(
     across: i32,
     y: i32,
 ) -> (f32, f32) {
-    let texels = (u.size.z * u.size.w) as i32;
-    let base = first as i32 * texels + y * u.size.z as i32 + across;
+    let texels = (u.light_grid.width * u.light_grid.height) as i32;
+    let base = first as i32 * texels + y * u.light_grid.width as i32 + across;
     if INSIDE {
         // SAFETY: the caller's promise.
         unsafe { (read_inside(buffer, base, x), read_inside(buffer, base + texels, x)) }
@@ -74,8 +74,8 @@ pub unsafe fn slopes<const INSIDE: bool>(
     let (bx, by) = pair::<INSIDE>(u, buffer, first, column, 0, y - 1);
     let (ax, ay) = pair::<INSIDE>(u, buffer, first, column, 0, y + 1);
     let weight = |exists: bool| select(exists, sign, 0.0);
-    let (left, right) = (weight(x > 0), weight(x < u.size.z as i32 - 1));
-    let (below, above) = (weight(INSIDE | (y > 0)), weight(INSIDE | (y < u.size.w as i32 - 1)));
+    let (left, right) = (weight(x > 0), weight(x < u.light_grid.width as i32 - 1));
+    let (below, above) = (weight(INSIDE | (y > 0)), weight(INSIDE | (y < u.light_grid.height as i32 - 1)));
     Slopes {
         along_x: (1.0 + deviation((cx - lx) * left, (rx - cx) * right), limited((cy - ly) * left, (ry - cy) * right)),
         along_y: (limited((cx - bx) * below, (ax - cx) * above), 1.0 + deviation((cy - by) * below, (ay - cy) * above)),

@@ -2,14 +2,14 @@
 //!
 //! Sheet k has rows k · (texel rows + 1) to (k + 1) · (texel rows + 1) − 1 of the buffer.
 
-use super::access::read;
 use crate::abi::sweep::SweepUniforms;
+use crate::field::access::read_vector;
 use spirv_std::glam::Vec3;
 
 /// Rows of nodes that a sheet has; never 0, so that dividing by it cannot panic.
 #[inline(always)]
 pub fn rows(u: &SweepUniforms) -> u32 {
-    let rows = u.size.w + 1;
+    let rows = u.light_grid.height + 1;
     if rows > 0 { rows } else { 1 }
 }
 
@@ -17,5 +17,5 @@ pub fn rows(u: &SweepUniforms) -> u32 {
 #[inline(always)]
 pub fn source(u: &SweepUniforms, sources: &[f32], y: u32) -> Vec3 {
     let at = (y / rows(u) * 3) as i32;
-    Vec3::new(read(sources, at), read(sources, at + 1), read(sources, at + 2))
+    read_vector(sources, at)
 }

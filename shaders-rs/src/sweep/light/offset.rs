@@ -9,7 +9,7 @@ use spirv_std::glam::Vec3;
 
 /// Units in 1. Components of two unit vectors differ by at most 2.
 const SCALE: f32 = 16255.0;
-/// What stands for no difference in x, in the lower half.
+/// The lower half of a word with no difference in x.
 const NONE: i32 = 0x8000;
 /// The least that stands in the upper half, beside the sign: with it no word has the bits of a denormal float or of a NaN, which a device
 /// may change when it moves them.
@@ -19,7 +19,7 @@ const LEAST: i32 = 0x80;
 #[inline(always)]
 pub fn pack(u: &SweepUniforms, v: Vec3) -> f32 {
     let inverse = 1.0 / max(length(v), 1e-20);
-    let initial = xyz(u.light_direction);
+    let initial = xyz(u.light.direction);
     let (x, y) = (v.x * inverse - initial.x, v.y * inverse - initial.y);
     let units = |difference: f32| floor_to_int(absolute(difference) * SCALE + 0.5, 0.0, 2.0 * SCALE);
     let across = if x < 0.0 { NONE - units(x) } else { NONE + units(x) };
@@ -42,7 +42,7 @@ pub fn unpack(word: f32) -> (f32, f32) {
 /// The unit direction that differs by (`across`, `up`) units from the initial one.
 #[inline(always)]
 pub fn direction(u: &SweepUniforms, across: f32, up: f32) -> Vec3 {
-    let initial = xyz(u.light_direction);
+    let initial = xyz(u.light.direction);
     let (x, y) = (initial.x + across * (1.0 / SCALE), initial.y + up * (1.0 / SCALE));
     // Light goes away from the eye, and never along the planes.
     Vec3::new(x, y, sqrt(max(1.0 - (x * x + y * y), 1e-4)))
@@ -51,9 +51,11 @@ pub fn direction(u: &SweepUniforms, across: f32, up: f32) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::abi::light::Light;
 
     fn under(initial: Vec3) -> SweepUniforms {
-        SweepUniforms { light_direction: initial.extend(0.0).into(), ..SweepUniforms::default() }
+        let light = Light { direction: initial.into(), ..Light::default() };
+        SweepUniforms { light, ..SweepUniforms::default() }
     }
 
     fn unit(towards: Vec3) -> Vec3 {
