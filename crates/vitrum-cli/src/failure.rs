@@ -2,6 +2,7 @@
 
 use crate::interrupt;
 use std::process::ExitCode;
+use vitrum::Unrenderable;
 use vitrum::backend::BackendError;
 use vitrum::preset::PresetError;
 use vitrum::scene::{Origin, SceneError};
@@ -101,9 +102,15 @@ impl From<vitrum::Error> for Failure {
             vitrum::Error::SceneFile(error) => error.into(),
             vitrum::Error::Backend(error) => error.into(),
             // What no single value shows, but the scene and its files do together.
-            vitrum::Error::Scene(problem) => {
-                let (message, help) = problem.rsplit_once("; ").unwrap_or((&problem, "change the scene"));
-                Self::new(Status::Input, message, help)
+            vitrum::Error::Unrenderable(problem) => {
+                let help = match &*problem {
+                    // The program has a command that lists them with their variants.
+                    Unrenderable::UnknownBuiltin { kind: "volume", .. } => {
+                        "`vitrum scenes` lists the built-in scenes".to_owned()
+                    }
+                    problem => problem.advice(),
+                };
+                Self::new(Status::Input, problem.to_string(), help)
             }
         }
     }

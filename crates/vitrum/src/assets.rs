@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::meshes::load_meshes;
 use crate::scene::{EnvironmentKind, Scene, VolumeSource};
 use crate::subject::Subject;
+use crate::unrenderable::Unrenderable;
 use std::path::Path;
 use std::sync::Arc;
 use vitrum_io::{OpenOptions, Picture, STANDARD_INPUT, Volume};
@@ -27,7 +28,7 @@ impl Assets {
     /// Reads the files that `scene` names; relative paths start at `base`.
     ///
     /// # Errors
-    /// [`Error::Io`] where a file cannot be read, [`Error::Scene`] where the scene names no data, or built-in data that does not exist.
+    /// [`Error::Io`] where a file cannot be read, [`Error::Unrenderable`] where the scene names no data, or built-in data that does not exist.
     pub fn load(scene: &Scene, base: &Path) -> Result<Self, Error> {
         Self::load_within(scene, base, None)
     }
@@ -40,10 +41,7 @@ impl Assets {
         let environment = match (scene.environment.kind, &scene.environment.file) {
             (EnvironmentKind::Map, Some(file)) => Some(Arc::new(vitrum_io::read_picture(&base.join(file))?)),
             (EnvironmentKind::Map, None) => {
-                return Err(Error::Scene(
-                    "environment.kind is \"map\" but environment.file is not given: name an equirectangular picture"
-                        .to_owned(),
-                ));
+                return Err(Unrenderable::NoEnvironmentMap.into());
             }
             _ => None,
         };
@@ -65,18 +63,18 @@ impl Assets {
 pub(crate) mod made {
     use crate::builtin;
     use crate::error::Error;
+    use crate::unrenderable::Unrenderable;
     use vitrum_io::{Mesh, Volume};
 
     pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
-        builtin::mesh(name).ok_or_else(|| {
-            let names = builtin::mesh_names().collect::<Vec<_>>().join(", ");
-            Error::Scene(format!("there is no built-in mesh `{name}`; they are {names}"))
-        })
+        let known = || builtin::mesh_names().collect();
+        let unknown = || Unrenderable::UnknownBuiltin { kind: "mesh", name: name.to_owned(), known: known() };
+        Ok(builtin::mesh(name).ok_or_else(unknown)?)
     }
 
     pub(super) fn volume(name: &str, resolution: Option<u32>) -> Result<Volume, Error> {
-        let unknown =
-            || Error::Scene(format!("there is no built-in volume `{name}`; `vitrum scenes` lists the built-in scenes"));
+        let known = || builtin::volume_names().collect();
+        let unknown = || Unrenderable::UnknownBuiltin { kind: "volume", name: name.to_owned(), known: known() };
         Ok(builtin::volume(name, resolution).ok_or_else(unknown)??)
     }
 }
@@ -85,6 +83,7 @@ pub(crate) mod made {
 #[cfg(not(feature = "builtin"))]
 pub(crate) mod made {
     use crate::error::Error;
+    use crate::unrenderable::Unrenderable;
     use vitrum_io::{Mesh, Volume};
 
     pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
@@ -95,9 +94,13 @@ pub(crate) mod made {
         Err(left_out("volume", name))
     }
 
-    fn left_out(kind: &str, name: &str) -> Error {
-        Error::Scene(format!("the built-in {kind} `{name}` is not in this build (feature `builtin`); name a file"))
+    fn left_out(kind: &'static str, name: &str) -> Error {
+        Unrenderable::BuiltinLeftOut { kind, name: name.to_owned() }.into()
     }
+}
+
+pub(crate) fn syntax(problem: String) -> Error {
+    Unrenderable::Syntax { problem }.into()
 }
 
 /// Reads the one volume that `source` names; a relative path starts at `base`.
@@ -111,18 +114,18 @@ pub fn load_volume(source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -
         (Some(file), None) if file == Path::new(STANDARD_INPUT) => Ok(vitrum_io::open(file, &options)?),
         (Some(file), None) => Ok(vitrum_io::open(&base.join(file), &options)?),
         (None, Some(name)) => Ok(options.place(made::volume(name, source.resolution)?)?),
-        (Some(_), Some(_)) => Err(Error::Scene("a volume has both a file and a builtin; keep one".to_owned())),
-        (None, None) => Err(Error::Scene("a volume has neither a file nor a builtin; give one of them".to_owned())),
+        (Some(_), Some(_)) => Err(Unrenderable::TwoSources { kind: "volume" }.into()),
+        (None, None) => Err(Unrenderable::NoSource { kind: "volume" }.into()),
     }
 }
 
 fn options(source: &VolumeSource, max_bytes: Option<u64>) -> Result<OpenOptions, Error> {
     Ok(OpenOptions {
         max_bytes,
-        raw: source.raw.as_deref().map(str::parse).transpose().map_err(Error::Scene)?,
+        raw: source.raw.as_deref().map(str::parse).transpose().map_err(syntax)?,
         spacing: source.spacing,
         array: source.array.clone(),
         time: source.time,
-        up: source.up.as_deref().map(str::parse).transpose().map_err(Error::Scene)?,
+        up: source.up.as_deref().map(str::parse).transpose().map_err(syntax)?,
     })
 }

@@ -2,6 +2,7 @@
 
 use crate::backend::BackendError;
 use crate::scene::SceneError;
+use crate::unrenderable::Unrenderable;
 
 /// Why a frame could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -12,19 +13,25 @@ pub enum Error {
     /// A scene file is not valid.
     #[error(transparent)]
     SceneFile(#[from] SceneError),
-    /// The scene asks for something impossible.
-    #[error("{0}")]
-    Scene(String),
+    /// The scene and its data make no frame together.
+    #[error("{0}; {advice}", advice = .0.advice())]
+    Unrenderable(Box<Unrenderable>),
     /// The backend failed.
     #[error(transparent)]
     Backend(#[from] BackendError),
+}
+
+impl From<Unrenderable> for Error {
+    fn from(problem: Unrenderable) -> Self {
+        Self::Unrenderable(Box::new(problem))
+    }
 }
 
 impl Error {
     /// The program's exit code: 2 for a memory limit that is too low, 3 for inputs, 4 for devices.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Io(_) | Self::SceneFile(_) | Self::Scene(_) => 3,
+            Self::Io(_) | Self::SceneFile(_) | Self::Unrenderable(_) => 3,
             Self::Backend(error) if error.is_of_use() => 2,
             Self::Backend(_) => 4,
         }
@@ -34,7 +41,7 @@ impl Error {
     pub fn help(&self) -> Option<String> {
         match self {
             Self::Backend(error) => error.help().map(str::to_owned),
-            Self::Io(_) | Self::SceneFile(_) | Self::Scene(_) => None,
+            Self::Io(_) | Self::SceneFile(_) | Self::Unrenderable(_) => None,
         }
     }
 

@@ -18,6 +18,7 @@ mod renderer;
 mod request;
 pub mod scene;
 mod subject;
+mod unrenderable;
 
 pub use assets::{Assets, load_volume};
 pub use error::Error;
@@ -27,5 +28,6 @@ pub use method::sweep::spectrum;
 pub use renderer::{Fallback, Renderer, check, frame, render, render_requested};
 pub use request::{OutputRequest, Progress, Stage};
 pub use subject::{Subject, Volumes};
+pub use unrenderable::Unrenderable;
 pub use vitrum_io as io;
 pub use vitrum_io::suggest;

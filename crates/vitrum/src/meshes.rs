@@ -1,9 +1,10 @@
 //! The meshes of a scene, each read, turned upright and placed, as one mesh.
 
-use crate::assets::made;
+use crate::assets::{made, syntax};
 use crate::error::Error;
 use crate::method::voxels::GREY;
 use crate::scene::{MeshSource, Rgb};
+use crate::unrenderable::Unrenderable;
 use glam::{DMat3, DVec3, EulerRot};
 use std::collections::HashMap;
 use std::path::Path;
@@ -33,13 +34,11 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
             (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
         }
         (None, Some(name)) => (made::mesh(name)?, Up::Superior),
-        (Some(_), Some(_)) => return Err(Error::Scene("a mesh has both a file and a builtin; keep one".to_owned())),
-        (None, None) => {
-            return Err(Error::Scene("a mesh has neither a file nor a builtin; give one of them".to_owned()));
-        }
+        (Some(_), Some(_)) => return Err(Unrenderable::TwoSources { kind: "mesh" }.into()),
+        (None, None) => return Err(Unrenderable::NoSource { kind: "mesh" }.into()),
     };
     let up = match &source.up {
-        Some(text) => text.parse().map_err(Error::Scene)?,
+        Some(text) => text.parse().map_err(syntax)?,
         None => usual,
     };
     let turn = |vector: &mut [f32; 3]| *vector = up.turn(*vector);
@@ -86,7 +85,7 @@ fn placed(mut mesh: Mesh, source: &MeshSource) -> Result<Mesh, Error> {
 fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     let mut meshes = meshes;
     if meshes.len() < 2 {
-        return meshes.pop().ok_or_else(|| Error::Scene("no mesh is given".to_owned()));
+        return meshes.pop().ok_or_else(|| Unrenderable::NoSource { kind: "mesh" }.into());
     }
     if meshes.iter().any(|mesh| mesh.colors.is_some()) {
         meshes = meshes.into_iter().map(with_colors).collect();
@@ -96,7 +95,7 @@ fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     let source = meshes[0].source.clone();
     let vertices: usize = meshes.iter().map(|mesh| mesh.positions.len()).sum();
     if u32::try_from(vertices).is_err() {
-        return Err(Error::Scene(format!("{name}: {vertices} vertices, and {} is the most; decimate them", u32::MAX)));
+        return Err(Unrenderable::TooManyVertices { name, vertices, limit: u32::MAX }.into());
     }
     let (mut positions, mut triangles) = (Vec::with_capacity(vertices), Vec::new());
     let (mut normals, mut colors) = (Vec::new(), Vec::new());

@@ -86,7 +86,7 @@ impl Renderer {
 /// Whether a frame of a scene can be made of its assets, as far as that can be told without a backend and without work.
 ///
 /// # Errors
-/// [`Error::SceneFile`] where a key is out of its range, [`Error::Scene`] where the scene's method cannot show the assets, or the scene's
+/// [`Error::SceneFile`] where a key is out of its range, [`Error::Unrenderable`] where the scene's method cannot show the assets, or the scene's
 /// values together make no frame, as when the light shines towards the camera.
 pub fn check(scene: &Scene, assets: &Assets) -> Result<(), Error> {
     scene.check_settings()?;

@@ -84,6 +84,11 @@ pub fn mesh_names() -> impl Iterator<Item = &'static str> {
     mesh::MESHES.iter().map(|entry| entry.0)
 }
 
+/// The built-in volumes.
+pub fn volume_names() -> impl Iterator<Item = &'static str> {
+    VOLUMES.iter().map(|entry| entry.0)
+}
+
 fn entries() -> impl Iterator<Item = &'static SceneEntry> {
     SCENES.iter().chain(mesh::SCENES).copied().flatten()
 }

@@ -38,7 +38,7 @@ pub trait Method: Sync {
     /// Whether a frame of a scene can be made of these assets, as far as that can be told without a backend and without work.
     ///
     /// # Errors
-    /// [`Error::Scene`] where the method cannot show the assets, or the scene's values together make no frame.
+    /// [`Error::Unrenderable`] where the method cannot show the assets, or the scene's values together make no frame.
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error>;
 
     /// The exposures whose weighted sum a frame is: at least one, those of the part [`Part::Whole`] first.

@@ -6,6 +6,7 @@ use crate::method::view::light::travels;
 use crate::method::view::{Bounds, View};
 use crate::scene::{Light, Scene};
 use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use glam::{DVec2, DVec3};
 
 /// The steepest angle between light and viewing direction, in degrees (sweep §7).
@@ -33,7 +34,7 @@ pub struct LightGrid {
 /// Whether the sweep can carry all lights of a scene.
 ///
 /// # Errors
-/// [`Error::Scene`] where a light is too far from the viewing direction.
+/// [`Error::Unrenderable`] where a light is too far from the viewing direction.
 pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
     scene.light.iter().enumerate().try_for_each(|(index, light)| direction(light, index, view).map(drop))
 }
@@ -43,10 +44,7 @@ pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec
     let unit = travels(light, view)?;
     let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
     if angle > STEEPEST {
-        return Err(Error::Scene(format!(
-            "the light travels at {angle:.1}° to the viewing direction, at most {STEEPEST}° are possible: it must shine away from \
-             the camera; turn light.{index}.azimuth or light.{index}.elevation towards 0, or use light.{index}.attachment = \"camera\""
-        )));
+        return Err(Unrenderable::ObliqueLight { index, angle, limit: STEEPEST }.into());
     }
     Ok(unit)
 }

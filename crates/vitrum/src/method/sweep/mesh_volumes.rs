@@ -14,8 +14,9 @@ use crate::method::view::Bounds;
 use crate::method::voxelize::{Grid, Settings};
 use crate::method::voxels::bodies::{Clear, bodies, clear, longest_edge};
 use crate::method::voxels::solids::{BAND, Solids};
-use crate::scene::{ColorPoint, IorPoint, OpacityPoint, Scene, TransferFunction};
+use crate::scene::{ColorPoint, IorPoint, MethodName, OpacityPoint, Scene, TransferFunction};
 use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use vitrum_io::{Mesh, Volume, Voxels};
@@ -117,7 +118,7 @@ impl MeshVolumes {
 }
 
 fn mesh_of(assets: &Assets) -> Result<&Mesh, Error> {
-    assets.subject.mesh().ok_or_else(|| Error::Scene("there is no mesh".to_owned()))
+    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Sweep.as_str() }.into())
 }
 
 /// Bodies' places among the materials from the clearest, above 0, to the darkest, 1; 0 is air.

@@ -36,6 +36,7 @@ use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, li
 use crate::request::OutputRequest;
 use crate::scene::{MethodName, Scene};
 use crate::subject::{Subject, Volumes};
+use crate::unrenderable::Unrenderable;
 use cache::{FrameCache, SweepCache};
 use film::Voxelized;
 use kept::Kept;
@@ -126,7 +127,7 @@ impl Sweep {
     /// Uploads the volumes of `assets`, builds tables and lists the passes.
     ///
     /// # Errors
-    /// [`Error::Scene`] where the subject is a mesh or the scene's values together make no frame, [`Error::Backend`] where the backend
+    /// [`Error::Unrenderable`] where the subject is a mesh or the scene's values together make no frame, [`Error::Backend`] where the backend
     /// lacks the memory or fails.
     pub fn prepare(
         scene: &Scene,
@@ -228,8 +229,5 @@ impl Sweep {
 }
 
 fn volumes(assets: &Assets) -> Result<Volumes<'_>, Error> {
-    assets
-        .subject
-        .volumes()
-        .ok_or_else(|| Error::Scene("a sweep goes through volumes, and a mesh was given".to_owned()))
+    assets.subject.volumes().ok_or_else(|| Unrenderable::NeedsVolume.into())
 }

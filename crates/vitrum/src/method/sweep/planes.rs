@@ -5,6 +5,7 @@ use crate::method::view::receivers::Receivers;
 use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
 use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use glam::DVec3;
 
 /// The most planes of one frame.
@@ -58,19 +59,15 @@ impl Planes {
         let rest = reach - (first_depth + behind * distance);
         let steps = behind + (rest / (distance * STRIDE_BEHIND)).ceil().max(0.0);
         if steps > MOST_PLANES {
-            return Err(Error::Scene(format!(
-                "sweep.sample_distance = {} makes {steps} planes; at most {MOST_PLANES} are possible: make it larger",
-                scene.sweep.sample_distance
-            )));
+            let sample_distance = scene.sweep.sample_distance;
+            return Err(Unrenderable::TooManyPlanes { sample_distance, planes: steps, limit: MOST_PLANES }.into());
         }
         let count = steps as u32 + 1;
         // Just in front of the eye: rays start there.
         let start = if view.orthographic { f64::NEG_INFINITY } else { 1e-3 * (far - near) };
         let first_visible = ((start - first_depth) / distance).ceil().max(0.0);
         if first_visible > behind {
-            return Err(Error::Scene(
-                "the whole volume is behind the camera: move camera.position or camera.target".to_owned(),
-            ));
+            return Err(Unrenderable::BehindCamera.into());
         }
         Ok(Self {
             first_depth,

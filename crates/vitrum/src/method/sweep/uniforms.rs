@@ -15,6 +15,7 @@ use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
 use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use glam::{DVec3, DVec4, UVec4};
 use std::sync::Arc;
 use vitrum_kernels::abi::grid::format::is_paged;
@@ -92,7 +93,7 @@ impl Geometry {
 /// Whether there are planes and a light grid for a scene of these volumes, and its clips are planes.
 ///
 /// # Errors
-/// [`Error::Scene`] where the light shines towards the camera, or planes or light texels would be too many.
+/// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
 pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
     let view = View::new(scene, volumes.shown);
     super::light::check(scene, &view)?;
@@ -305,18 +306,15 @@ fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec4 {
 
 fn set_clips(block: &mut SweepUniforms, scene: &Scene, view: &View, volume: &vitrum_io::Volume) -> Result<(), Error> {
     if scene.clip.len() > MOST_CLIPS {
-        return Err(Error::Scene(format!(
-            "{} clipping planes are given, at most {MOST_CLIPS} are possible",
-            scene.clip.len()
-        )));
+        return Err(Unrenderable::TooManyClips { count: scene.clip.len(), limit: MOST_CLIPS }.into());
     }
     let (centre, _) = Bounds::from(volume).sphere();
     let mut planes = [Vec4::ZERO; MOST_CLIPS];
     let mut everything = [0.0; MOST_CLIPS];
     for (slot, clip) in scene.clip.iter().enumerate() {
-        let normal = vector(clip.normal).try_normalize().ok_or_else(|| {
-            Error::Scene(format!("clip.{slot}.normal has no length: give three numbers that are not all 0"))
-        })?;
+        let normal = vector(clip.normal)
+            .try_normalize()
+            .ok_or_else(|| Unrenderable::NoDirection { key: format!("clip.{slot}.normal") })?;
         planes[slot] = single(plane(view, normal, centre + normal * f64::from(clip.offset)));
         everything[slot] = if clip.removes == Removes::Everything { 1.0 } else { 0.0 };
     }

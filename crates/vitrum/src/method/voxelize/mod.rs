@@ -19,6 +19,7 @@ pub use surface::{Attributes, Mask};
 use crate::backend::Backend;
 use crate::error::Error;
 use crate::method::Tools;
+use crate::unrenderable::Unrenderable;
 use items::Plan;
 use serde::Serialize;
 use solid::Body;
@@ -95,7 +96,7 @@ pub(crate) fn voxelize_in(
     let Tools { backend, progress } = tools;
     let backend = &mut **backend;
     if !(0.0..=1.0).contains(&settings.overlap) {
-        return Err(Error::Scene(format!("an overlap of {}, expected 0 to 1; choose another", settings.overlap)));
+        return Err(Unrenderable::Overlap { overlap: settings.overlap }.into());
     }
     let mut work = Work { done: 0, total: 0, items: 0, progress };
     let (mut surface, mut attributes, mut solid) = (None, None, None);
@@ -139,10 +140,7 @@ fn fill(
     let body = Body::new(mesh, grid, rule)?;
     let mut coverage = Vec::<u8>::new();
     let voxels = usize::try_from(grid.voxels()).unwrap_or(usize::MAX);
-    coverage.try_reserve_exact(voxels).map_err(|_| {
-        let [x, y, z] = grid.dimensions;
-        Error::Scene(format!("there is no memory for {x} x {y} x {z} voxels; choose a lower resolution"))
-    })?;
+    coverage.try_reserve_exact(voxels).map_err(|_| Unrenderable::NoMemory { dimensions: grid.dimensions })?;
     if voxels <= KEPT {
         coverage.resize(voxels, 0);
     } else {

@@ -7,6 +7,7 @@ use super::work::Work;
 use super::{columns, triangles};
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
+use crate::unrenderable::Unrenderable;
 use bytemuck::{cast_slice, pod_collect_to_vec};
 use rayon::prelude::*;
 use vitrum_io::Mesh;
@@ -66,9 +67,9 @@ impl Body {
     /// Where there are more triangles than the sums' units allow.
     pub(super) fn new(mesh: &Mesh, grid: Grid, rule: FillRule) -> Result<Self, Error> {
         let count = mesh.triangles.len();
-        let scale = columns::scale(count).checked_sub(2 * COLUMNS).ok_or_else(|| {
-            Error::Scene(format!("{}: {count} triangles are too many to fill; simplify the mesh", mesh.name))
-        })?;
+        let scale = columns::scale(count)
+            .checked_sub(2 * COLUMNS)
+            .ok_or_else(|| Unrenderable::TooManyToFill { name: mesh.name.clone(), count })?;
         let corners = (0..count).into_par_iter();
         let corners = corners.map(|index| triangles::solid(triangles::corners(mesh, grid, index), grid)).collect();
         Ok(Self { grid, corners, scale, rule })

@@ -29,6 +29,7 @@ use crate::error::Error;
 use crate::film::Output;
 use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
 use crate::scene::{MethodName, Scene};
+use crate::unrenderable::Unrenderable;
 use cache::MeshCache;
 use vitrum_io::Mesh;
 
@@ -39,13 +40,12 @@ pub struct MeshRays;
 /// Whether a mesh has a surface.
 ///
 /// # Errors
-/// [`Error::Scene`] where no triangle has an area.
+/// [`Error::Unrenderable`] where no triangle has an area.
 pub(in crate::method) fn check_mesh(mesh: &Mesh) -> Result<(), Error> {
     if mesh.surface_area() > 0.0 {
         return Ok(());
     }
-    let (name, count) = (&mesh.name, mesh.triangles.len());
-    Err(Error::Scene(format!("{name}: none of its {count} triangles has an area; give a mesh that has a surface")))
+    Err(Unrenderable::NoSurface { name: mesh.name.clone(), count: mesh.triangles.len() }.into())
 }
 
 impl Method for MeshRays {
@@ -63,7 +63,7 @@ impl Method for MeshRays {
                 scene.check_for_mesh()?;
                 check_mesh(mesh)
             }
-            None => Err(Error::Scene("the method `voxels` shows a mesh, and volumes were read".to_owned())),
+            None => Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into()),
         }
     }
 

@@ -10,7 +10,8 @@ use crate::error::Error;
 use crate::method::Tools;
 use crate::method::twist::twisted;
 use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
-use crate::scene::{Normals, Scene, Surfaces};
+use crate::scene::{MethodName, Normals, Scene, Surfaces};
+use crate::unrenderable::Unrenderable;
 use bytemuck::cast_slice;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::surface;
@@ -161,14 +162,11 @@ impl Uploaded {
     }
 
     fn solids(&mut self, tools: &mut Tools<'_>) -> Result<(), Error> {
-        let [x, y, z] = self.grid.dimensions;
         let bytes = self.grid.voxels() * 2 * self.clear as u64;
         // Kernels count bytes by a signed number.
         if bytes > i32::MAX as u64 - 8 {
-            let count = self.clear;
-            return Err(Error::Scene(format!(
-                "{x} x {y} x {z} voxels of {count} clear materials take {bytes} bytes, rays can address 2^31; lower `voxelization.resolution`"
-            )));
+            let (dimensions, materials) = (self.grid.dimensions, self.clear);
+            return Err(Unrenderable::TooManyVoxels { dimensions, materials, bytes }.into());
         }
         let clear = &self.bodies[..self.clear];
         let Solids { fields: mut all, open_rows } = Solids::new(clear, self.grid, tools)?;
@@ -203,7 +201,7 @@ impl Uploaded {
 
 /// The mesh that is the subject.
 pub(super) fn shown(assets: &Assets) -> Result<&Mesh, Error> {
-    assets.subject.mesh().ok_or_else(|| Error::Scene("`voxels` shows a mesh, and none is given".to_owned()))
+    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Voxels.as_str() }.into())
 }
 
 /// Several bodies in one mesh, each with its number as its material.

@@ -12,6 +12,7 @@ use crate::method::view::View;
 use crate::method::view::light::travels;
 use crate::method::voxelize::{Grid, Settings};
 use crate::scene::{Coefficient, Scene};
+use crate::unrenderable::Unrenderable;
 use casters::Caster;
 use glam::{DMat3, DVec3};
 use vitrum_kernels::abi::vector::Vec4;
@@ -109,16 +110,12 @@ impl ShadowMap {
     /// # Errors
     /// If the softness takes more columns than a look-up may.
     pub(super) fn lookup(&self, scene: &Scene, viewed: Grid) -> Result<Lookup, Error> {
-        let softness = f64::from(scene.shadow.filter_radius);
+        let radius = f64::from(scene.shadow.filter_radius);
         let edge = self.grid.voxel_size;
-        let width = 1.0 + softness / edge;
+        let width = 1.0 + radius / edge;
         if width > f64::from(MOST_COLUMNS) {
-            return Err(Error::Scene(format!(
-                "shadow.filter_radius = {softness} is {:.1} voxels of the shadow map, at most {} are possible; lower \
-                 `shadow.resolution`, of which a soft shadow needs less",
-                width - 1.0,
-                MOST_COLUMNS - 1
-            )));
+            let (voxels, limit) = (width - 1.0, MOST_COLUMNS - 1);
+            return Err(Unrenderable::ShadowTooSoft { radius, voxels, limit }.into());
         }
         let row = |axis: usize| {
             let along = self.axes.col(axis);

@@ -11,6 +11,7 @@ use crate::method::voxelize::items::{Batch, Plan, dispatch, pass};
 use crate::method::voxelize::triangles;
 use crate::request::{Progress, Stage};
 use crate::scene::Coefficient;
+use crate::unrenderable::Unrenderable;
 use bytemuck::{bytes_of, cast_slice};
 use rayon::prelude::*;
 use vitrum_kernels::abi::record::absorption;
@@ -66,10 +67,7 @@ pub(super) fn run(
     let words = u64::from(row_words(x)) * u64::from(y) * u64::from(z) * u64::from(channels);
     // Kernels count bytes by a signed number.
     if words > i32::MAX as u64 / 4 {
-        return Err(Error::Scene(format!(
-            "a shadow map of {x} x {y} x {z} voxels takes {} bytes, rays can address 2^31; lower `shadow.resolution`",
-            words * 4
-        )));
+        return Err(Unrenderable::ShadowMapTooLarge { dimensions: grid.dimensions, bytes: words * 4 }.into());
     }
     let Tools { backend, progress } = tools;
     let backend = &mut **backend;
