@@ -177,7 +177,7 @@ fn several_meshes_are_shown_together() {
     folder.write("apart.toml", apart);
     folder.write("both.toml", "[[mesh]]\nfile = \"both.obj\"\nup = \"z\"\n");
     let render = |scene: &str, method: &str, out: &str| {
-        let settings = [format!("method={method}"), "voxelization.resolution=32", "camera.azimuth=30"];
+        let settings = [&format!("method={method}"), "voxelization.resolution=32", "camera.azimuth=30"];
         let settings = settings.iter().flat_map(|setting| ["--set", setting]);
         let common = ["render", scene, "-o", out, "--backend", "cpu", "--size", "32x32"];
         folder.succeed(&common.into_iter().chain(settings).collect::<Vec<_>>());
