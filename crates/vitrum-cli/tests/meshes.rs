@@ -170,8 +170,8 @@ fn several_meshes_are_shown_together() {
     let folder = Folder::new();
     let one = "usemtl glass\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     let other = "v 4 1 0\nv 6 1 0\nv 4 5 0\nv 4 1 6\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
-    folder.write("a.obj", &format!("mtllib a.mtl\n{one}"));
-    folder.write("both.obj", &format!("mtllib a.mtl\n{one}{other}"));
+    folder.write("a.obj", format!("mtllib a.mtl\n{one}"));
+    folder.write("both.obj", format!("mtllib a.mtl\n{one}{other}"));
     folder.write("a.mtl", "newmtl glass\nNi 1.5\nnewmtl unused\n");
     let apart = "[[mesh]]\nfile = \"a.obj\"\nup = \"z\"\n[[mesh]]\nfile = \"a.obj\"\nup = \"z\"\nscale = 2\nposition = [4, 1, 0]\n";
     folder.write("apart.toml", apart);
@@ -192,7 +192,7 @@ fn several_meshes_are_shown_together() {
     // A material of the scene for one of them alone.
     folder.write(
         "gold.toml",
-        &format!("method = \"voxels\"\n{apart}material = \"gold\"\n[[material]]\nname = \"gold\"\nopaque = true\n"),
+        format!("method = \"voxels\"\n{apart}material = \"gold\"\n[[material]]\nname = \"gold\"\nopaque = true\n"),
     );
     render("gold.toml", "voxels", "gold.exr");
     assert_eq!(folder.vitrum(&["diff", "gold.exr", "apart.exr", "--max-abs", "1e-2"]).code, Some(1));

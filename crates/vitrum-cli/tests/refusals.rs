@@ -47,7 +47,18 @@ fn wrong_flags_exit_2() {
         (&["--set", "light.0.angular_radiu=3"], &["unknown key", "did you mean `light.0.angular_radius`?"]),
         (&["--set", "light.0.angular_radius=90"], &["found 90", "0 to 45"]),
         (&["--set", "light.0.angular_radius=nan"], &["found nan", "0 to 45"]),
+        (
+            &["--set", "light.softness=3"],
+            &["this key is now `light.0.angular_radius`", "write `light.0.angular_radius`"],
+        ),
+        (&["--set", "light.0.kind=point"], &["`light.0`", "a point light needs a `position`"]),
+        (
+            &["--set", "light.0.kind=spot", "--set", "light.0.position=[0, 0, 9]"],
+            &["the method `sweep` renders distant lights alone", "no method renders other lights yet"],
+        ),
+        (&["--set", "medium.scattering=[1, 1, 1]"], &["no method renders a participating medium yet"]),
         (&["--set", "volume.file=x.nrrd"], &["both `file` and `builtin`"]),
+        (&["--aov", "medium=m.exr"], &["the output `medium` is now `transmittance`"]),
         (&["--preset", "ambr"], &["no preset `ambr`", "did you mean `amber`?"]),
         (&["--preset", "zzz"], &["no preset `zzz`", "plain, bone, amber, glass, xray, haze"]),
         (&["--aov", "dept=d.exr"], &["no output `dept`", "did you mean `depth`?"]),

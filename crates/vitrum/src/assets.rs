@@ -99,12 +99,9 @@ pub(crate) mod made {
     }
 }
 
-/// The error of a value in a small language of its own.
 pub(crate) fn syntax(problem: String) -> Error {
     Unrenderable::Syntax { problem }.into()
 }
-
-pub(crate) use made::mesh as builtin_mesh;
 
 /// Reads the one volume that `source` names; a relative path starts at `base`.
 ///

@@ -1,6 +1,6 @@
 //! The meshes of a scene, each read, turned upright and placed, as one mesh.
 
-use crate::assets::{builtin_mesh, syntax};
+use crate::assets::{made, syntax};
 use crate::error::Error;
 use crate::method::voxels::GREY;
 use crate::scene::{MeshSource, Rgb};
@@ -33,7 +33,7 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
             let options = OpenOptions { max_bytes, ..OpenOptions::default() };
             (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
         }
-        (None, Some(name)) => (builtin_mesh(name)?, Up::Superior),
+        (None, Some(name)) => (made::mesh(name)?, Up::Superior),
         (Some(_), Some(_)) => return Err(Unrenderable::TwoSources { kind: "mesh" }.into()),
         (None, None) => return Err(Unrenderable::NoSource { kind: "mesh" }.into()),
     };
@@ -95,7 +95,7 @@ fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     let source = meshes[0].source.clone();
     let vertices: usize = meshes.iter().map(|mesh| mesh.positions.len()).sum();
     if u32::try_from(vertices).is_err() {
-        return Err(Unrenderable::TooManyVertices { name, count: vertices, limit: u32::MAX }.into());
+        return Err(Unrenderable::TooManyVertices { name, vertices, limit: u32::MAX }.into());
     }
     let (mut positions, mut triangles) = (Vec::with_capacity(vertices), Vec::new());
     let (mut normals, mut colors) = (Vec::new(), Vec::new());

@@ -75,6 +75,16 @@ pub enum Unrenderable {
         /// Its triangles.
         count: usize,
     },
+    /// Meshes that are shown together have more vertices than indices of 32 bits tell apart.
+    #[error("{name}: {vertices} vertices, at most {limit} are possible")]
+    TooManyVertices {
+        /// The meshes.
+        name: String,
+        /// Their vertices.
+        vertices: usize,
+        /// The most that are possible.
+        limit: u32,
+    },
     /// The tree has no room for so many triangles.
     #[error("rays look for {count} triangles, and can tell {limit} apart")]
     TooManyTriangles {
@@ -82,16 +92,6 @@ pub enum Unrenderable {
         count: usize,
         /// The most that are possible.
         limit: usize,
-    },
-    /// Meshes together have more vertices than an index can tell apart.
-    #[error("{name}: {count} vertices, at most {limit} are possible")]
-    TooManyVertices {
-        /// The meshes.
-        name: String,
-        /// Their vertices.
-        count: usize,
-        /// The most that are possible.
-        limit: u32,
     },
     /// The mesh has more clear materials than rays can tell apart.
     #[error("{name}: {count} clear materials, at most {limit} are possible")]
@@ -152,10 +152,10 @@ pub enum Unrenderable {
         bytes: u64,
     },
     /// A soft shadow takes more columns of the shadow map than a look-up may.
-    #[error("shadow.filter_radius = {softness} is {voxels:.1} voxels of the shadow map, at most {limit} are possible")]
+    #[error("shadow.filter_radius = {radius} is {voxels:.1} voxels of the shadow map, at most {limit} are possible")]
     ShadowTooSoft {
         /// The radius of the filter, in world units.
-        softness: f64,
+        radius: f64,
         /// The same in voxels.
         voxels: f64,
         /// The most voxels.
@@ -190,11 +190,11 @@ pub enum Unrenderable {
     BehindCamera,
     /// The light of a sweep shines across the viewing direction or against it.
     #[error(
-        "the light travels at {angle:.1}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera"
+        "light.{index} travels at {angle:.1}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera"
     )]
     ObliqueLight {
-        /// The place of the light in the scene's list.
-        light: usize,
+        /// The number of the light.
+        index: usize,
         /// The angle, in degrees.
         angle: f64,
         /// The greatest angle, in degrees.
@@ -218,10 +218,10 @@ impl Unrenderable {
             Self::NoSurface { .. } => "give a mesh that has a surface".to_owned(),
             Self::NoExtent { .. } => "scale the mesh up".to_owned(),
             Self::TooManyToFill { .. } => "simplify the mesh".to_owned(),
+            Self::TooManyVertices { .. } => "simplify the meshes".to_owned(),
             Self::TooManyTriangles { .. } => {
                 "simplify the mesh, or make it clear and set `voxels.surfaces` to `multi`".to_owned()
             }
-            Self::TooManyVertices { .. } => "decimate them".to_owned(),
             Self::TooManyMaterials { .. } => "merge some, or make them opaque (`material`)".to_owned(),
             Self::VoxelCount { .. } => "choose another resolution".to_owned(),
             Self::Overlap { .. } => "choose another".to_owned(),
@@ -233,9 +233,10 @@ impl Unrenderable {
             Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),
             Self::TooManyPlanes { .. } => "make it larger".to_owned(),
             Self::BehindCamera => "move camera.position or camera.target".to_owned(),
-            Self::ObliqueLight { light, .. } => format!(
-                "turn light.{light}.azimuth or light.{light}.elevation towards 0, or use light.{light}.attachment = \"camera\""
-            ),
+            Self::ObliqueLight { index, .. } => {
+                let key = format!("light.{index}");
+                format!("turn {key}.azimuth or {key}.elevation towards 0, or use {key}.attachment = \"camera\"")
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use vitrum::backend::{BackendError, Contents, PassList};
 use vitrum::io::{Volume, Voxels};
-use vitrum::scene::{Attachment, Scene};
+use vitrum::scene::{Attachment, Light, Scene};
 use vitrum::{Error, OutputRequest, Renderer, render_requested};
 
 /// Counts the bytes that the host hands to a backend for buffers, without the uniform blocks of passes.
@@ -53,6 +53,24 @@ fn a_turn_of_the_camera_uploads_nothing_but_uniforms() {
         assert_eq!(again, 0, "{name}: bytes were uploaded again");
         let fresh = render_requested(&scene, &assets, request, &mut cpu(), &mut |_| true).expect("a picture");
         assert!(frame.layers == fresh.layers, "{name}: the picture is another one");
+    }
+}
+
+#[test]
+fn exposures_of_several_lights_share_what_is_uploaded() {
+    for name in ["ball", "vase"] {
+        let (mut scene, assets) = small(name);
+        let uploaded = Arc::new(AtomicU64::new(0));
+        let mut renderer = Renderer::new(Box::new(Watched::new(Uploads(Arc::clone(&uploaded)))), assets);
+        let request = OutputRequest { light: false };
+        renderer.render(&scene, request, &mut |_| true).expect("a picture");
+        let of_one = uploaded.swap(0, Ordering::Relaxed);
+        let other = Light { azimuth: 20.0, ..scene.light[0].clone() };
+        scene.light.push(other);
+        renderer.render(&scene, request, &mut |_| true).expect("a picture");
+        let of_another = uploaded.swap(0, Ordering::Relaxed);
+        // Through a mesh each light has a shadow map of its own.
+        assert!(of_one > 1000 && (of_another == 0 || name == "vase"), "{name}: {of_one}, then {of_another} bytes");
     }
 }
 

@@ -142,5 +142,5 @@ fn without_lights_there_is_ambient_light_alone() {
 fn a_light_towards_the_camera_is_refused_by_its_number() {
     let (scene, volume) = before_a_wall(0.0, &[light(0.0, [1.0; 3]), light(120.0, [1.0; 3])]);
     let refusal = vitrum::check(&scene, &volume.into()).unwrap_err().to_string();
-    assert!(refusal.contains("120.0°") && refusal.contains("light.1.azimuth"), "{refusal}");
+    assert!(refusal.contains("120.0°") && refusal.contains("light.1"), "{refusal}");
 }

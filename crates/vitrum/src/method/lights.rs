@@ -17,8 +17,8 @@ pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
     std::iter::once(whole).chain(shining.map(alone)).collect()
 }
 
-/// The scene with crisp lights instead of soft ones: each distant light that casts soft shadows becomes `shadow.samples` lights, spread over
-/// its disc, that have its strength together.
+/// The scene with crisp lights instead of soft ones: each distant light that casts soft shadows becomes `shadow.samples` lights,
+/// spread over its disc, that have its strength together.
 pub(super) fn crisp(scene: &Scene, view: &View) -> Scene {
     let count = scene.shadow.samples;
     let split = |light: &Light| match travels(light, view) {

@@ -27,19 +27,21 @@ pub struct MeshSource {
     /// Factor on the mesh's size.
     #[schemars(range(max = 1e6), extend("exclusiveMinimum" = 0))]
     pub scale: f32,
-    /// Angles by which the mesh is rotated about the world's x axis, then about y, then about z, each counterclockwise for a viewer that the
-    /// axis points at.
+    /// Angles by which the mesh is rotated about the world's x axis, then about y, then about z, each counterclockwise for a
+    /// viewer that the axis points at.
     #[schemars(extend("x-unit" = "degrees"))]
     pub rotation: Vector,
     /// Place that the mesh's own origin is moved to.
     #[schemars(extend("x-unit" = "world units"))]
     pub position: Vector,
-    /// Name of an entry of `material` that all of this mesh's bodies take, whatever its file names; a mesh without it keeps its own materials.
+    /// Name of an entry of `material` that all of this mesh's bodies take, whatever its file names; a mesh without it keeps its
+    /// own materials.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-range" = "a name"))]
     pub material: Option<String>,
-    /// Angle by which the mesh's top is turned against its bottom, about the upright line through its middle, after it has been placed. It may
-    /// change from frame to frame, and the mesh is made into voxels anew for each; only a mesh that is alone can be twisted.
+    /// Angle by which the mesh's top is turned against its bottom, about the upright line through its middle, after it has been
+    /// placed. It may change from frame to frame, and the mesh is made into voxels anew for each; only a mesh that is alone can
+    /// be twisted.
     #[schemars(range(min = -3600, max = 3600), extend("x-unit" = "degrees"))]
     pub twist: f32,
 }

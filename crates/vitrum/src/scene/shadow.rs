@@ -31,8 +31,8 @@ pub struct Shadow {
     /// voxels of the map. It softens all shadows alike, however far away the body is that casts them.
     #[schemars(range(min = 0, max = 1e6), extend("x-unit" = "world units"))]
     pub filter_radius: f32,
-    /// Number of crisp lights that a distant light with an `angular_radius` is made of, spread over its disc, each with a shadow map of its own;
-    /// each takes the time of a frame. With 1 shadows are crisp, but for `filter_radius`.
+    /// Number of crisp lights that a distant light with an `angular_radius` is made of, spread over its disc, each with a shadow
+    /// map of its own; each takes the time of a frame. With 1 shadows are crisp, but for `filter_radius`.
     #[schemars(range(min = 1, max = 64), extend("x-unit" = "lights"))]
     pub samples: u32,
 }

@@ -8,7 +8,8 @@ use toml::{Table, Value};
 impl Scene {
     /// The scene as the text of a scene file, with every key that has a value, in the order of `docs/scene.md`.
     ///
-    /// [`Scene::from_toml`] gives an equal scene back. Sections are tables, and lists of tables a section for each; lists in sections stand with an item a line.
+    /// [`Scene::from_toml`] gives an equal scene back. Sections are tables, and lists of tables a section for each; lists in
+    /// sections stand with an item a line.
     ///
     /// # Errors
     ///

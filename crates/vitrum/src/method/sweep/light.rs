@@ -34,7 +34,7 @@ pub struct LightGrid {
 /// Whether the sweep can carry all lights of a scene.
 ///
 /// # Errors
-/// [`Error::Scene`] where a light is too far from the viewing direction.
+/// [`Error::Unrenderable`] where a light is too far from the viewing direction.
 pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
     scene.light.iter().enumerate().try_for_each(|(index, light)| direction(light, index, view).map(drop))
 }
@@ -44,7 +44,7 @@ pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec
     let unit = travels(light, view)?;
     let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
     if angle > STEEPEST {
-        return Err(Unrenderable::ObliqueLight { light: index, angle, limit: STEEPEST }.into());
+        return Err(Unrenderable::ObliqueLight { index, angle, limit: STEEPEST }.into());
     }
     Ok(unit)
 }

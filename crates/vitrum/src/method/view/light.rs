@@ -20,6 +20,6 @@ pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Er
         }
         (Attachment::World, None) => view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation)),
     };
-    let no_length = || Unrenderable::NoDirection { key: "a light's direction".to_owned() }.into();
+    let no_length = || Unrenderable::NoDirection { key: "the `direction` of a light".to_owned() }.into();
     travels.try_normalize().ok_or_else(no_length)
 }

@@ -102,12 +102,12 @@ impl ShadowMap {
     /// # Errors
     /// If the softness takes more columns than a look-up may.
     pub(super) fn lookup(&self, scene: &Scene, viewed: Grid) -> Result<Lookup, Error> {
-        let softness = f64::from(scene.shadow.filter_radius);
+        let radius = f64::from(scene.shadow.filter_radius);
         let edge = self.grid.voxel_size;
-        let width = 1.0 + softness / edge;
+        let width = 1.0 + radius / edge;
         if width > f64::from(MOST_COLUMNS) {
             let (voxels, limit) = (width - 1.0, MOST_COLUMNS - 1);
-            return Err(Unrenderable::ShadowTooSoft { softness, voxels, limit }.into());
+            return Err(Unrenderable::ShadowTooSoft { radius, voxels, limit }.into());
         }
         let row = |axis: usize| {
             let along = self.axes.col(axis);
