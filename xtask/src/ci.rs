@@ -5,13 +5,15 @@ use clap::ValueEnum;
 use crate::command::{cargo, run as run_command};
 use crate::diff;
 use crate::failure::Failure;
+use crate::package;
 use crate::peers;
 use crate::shaders::{self, COMPILER};
 use crate::steps::{Completion, Steps};
 use crate::test;
+use crate::wasm;
 
-/// Run every check: format, lints, documentation, tests, committed SPIR-V, backends against each other, readers against
-/// independent ones.
+/// Run every check: format, lints, documentation, WebAssembly, tests, committed modules, backends against each other, packages,
+/// readers against independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Leave a step out; repeatable.
@@ -24,9 +26,11 @@ enum Step {
     Fmt,
     Clippy,
     Doc,
+    Wasm,
     Test,
     Shaders,
     Diff,
+    Package,
     Peers,
 }
 
@@ -36,9 +40,11 @@ impl Step {
             Self::Fmt => "fmt",
             Self::Clippy => "clippy",
             Self::Doc => "doc",
+            Self::Wasm => "wasm",
             Self::Test => "test",
             Self::Shaders => "shaders",
             Self::Diff => "diff",
+            Self::Package => "package",
             Self::Peers => "peers",
         }
     }
@@ -55,9 +61,11 @@ impl Step {
                 let mut command = cargo(["doc", "--release", "--no-deps"]);
                 run_command(command.args(selection).env("RUSTDOCFLAGS", "-D warnings"))
             }),
+            Self::Wasm => return wasm::check(),
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),
             Self::Diff => diff::run(&diff::Arguments::default()),
+            Self::Package => package::verify(),
             Self::Peers => return peers::compare(&peers::Arguments::default()),
         };
         whole.map(|()| Completion::Whole)

@@ -12,12 +12,14 @@ mod distribution;
 mod failure;
 mod fuzz;
 mod man;
+mod package;
 mod peers;
 mod shaders;
 mod steps;
 mod test;
 mod toolchain;
 mod vulkan;
+mod wasm;
 
 use std::process::ExitCode;
 

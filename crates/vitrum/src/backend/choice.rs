@@ -1,7 +1,7 @@
 //! Choosing a backend.
 
-use super::gpu::{adapters, describe, is_hardware};
-use super::{Backend, BackendError, CpuBackend, GpuBackend};
+use super::gpu::{adapters, describe, is_hardware, takes_spirv};
+use super::{Backend, BackendError, CpuBackend, GpuBackend, GpuOptions};
 use serde::Serialize;
 use vitrum_kernels::kernel::InstructionSet;
 
@@ -30,7 +30,7 @@ pub struct DeviceInfo {
     pub driver: String,
     /// The most bytes one buffer may have.
     pub largest_buffer: u64,
-    /// Whether SPIR-V reaches the driver unchanged, which bit-equal results need.
+    /// Whether SPIR-V reaches the driver unchanged, which bit-equal results need; else shaders are translated.
     pub passes_through: bool,
     /// Whether `auto` takes it.
     pub chosen_by_auto: bool,
@@ -48,8 +48,7 @@ pub fn devices() -> Vec<DeviceInfo> {
                 kind: format!("{:?}", info.device_type),
                 driver: describe(&info),
                 largest_buffer: adapter.limits().max_storage_buffer_binding_size.min(adapter.limits().max_buffer_size),
-                passes_through: adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
-                    && info.backend == wgpu::Backend::Vulkan,
+                passes_through: takes_spirv(adapter),
                 chosen_by_auto: is_hardware(&info),
             }
         })
@@ -72,19 +71,19 @@ pub fn devices() -> Vec<DeviceInfo> {
     found
 }
 
-/// Opens a backend. `adapter` picks a graphics adapter by a part of its name, and then even `auto` takes a software one.
+/// Opens a backend. Where `options` name an adapter, even `auto` takes a software one.
 ///
 /// # Errors
 /// [`BackendError::NoAdapter`] and [`BackendError::Unsupported`] where a graphics adapter is asked for and none can be used,
 /// [`BackendError::Threads`] where the CPU's threads cannot be started.
-pub fn open(choice: Choice, adapter: Option<&str>, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
+pub fn open(choice: Choice, options: &GpuOptions, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
     let cpu = || CpuBackend::new(threads).map(|backend| Box::new(backend) as Box<dyn Backend>);
-    let gpu = |found| GpuBackend::among(found, adapter).map(|backend| Box::new(backend) as Box<dyn Backend>);
+    let gpu = |found| GpuBackend::among(found, options).map(|backend| Box::new(backend) as Box<dyn Backend>);
     if choice == Choice::Cpu {
         return cpu();
     }
     // Once: each time drivers are loaded, and some of them speak.
     let found = adapters();
-    let wanted = choice == Choice::Gpu || adapter.is_some();
+    let wanted = choice == Choice::Gpu || options.adapter.is_some();
     if wanted || found.iter().any(|found| is_hardware(&found.get_info())) { gpu(found) } else { cpu() }
 }

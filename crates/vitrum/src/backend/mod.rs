@@ -13,9 +13,11 @@ pub(crate) mod times;
 pub use choice::{Choice, DeviceInfo, devices, open};
 pub use cpu::CpuBackend;
 pub use error::BackendError;
-pub use gpu::GpuBackend;
+pub use gpu::{GpuBackend, GpuOptions};
 pub use pass::{Buffer, Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
 pub use times::KernelTime;
+/// For callers that own a device.
+pub use wgpu;
 
 use vitrum_io::Words;
 

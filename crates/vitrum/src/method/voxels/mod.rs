@@ -6,6 +6,7 @@
 
 pub(in crate::method) mod bodies;
 mod bricks;
+mod cropped;
 mod distances;
 mod fields;
 mod looks;

@@ -3,7 +3,7 @@
 use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
-use super::{bricks, tree};
+use super::{bricks, cropped, tree};
 use crate::backend::{Backend, Buffer};
 use crate::inputs::Inputs;
 use crate::method::twist::twisted;
@@ -194,13 +194,13 @@ impl Uploaded {
             )));
         }
         let clear = &self.bodies[..self.clear];
-        let Solids { fields: mut all, open_rows } = Solids::new(clear, self.grid, backend, progress)?;
+        let Solids { fields: all, open_rows } = Solids::new(clear, self.grid, backend, progress)?;
         self.open_rows = open_rows;
         let distances = bricks::distances(&all, self.grid.dimensions);
-        // Whole words, and one more for the pair of the last voxel.
-        all.resize(all.len().next_multiple_of(2) + 2, 0);
+        let cropped = cropped::cropped(&all, self.grid.dimensions);
+        drop(all);
         self.upload("distances of bricks", cast_slice(&distances), backend)?;
-        self.upload("fields of materials", cast_slice(&all), backend)
+        self.upload("fields of materials", cast_slice(&cropped), backend)
     }
 
     fn paper(
