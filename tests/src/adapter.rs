@@ -1,6 +1,6 @@
 //! The graphics adapter that is held against the CPU.
 
-use vitrum::backend::{Backend, BackendError, GpuBackend};
+use vitrum::backend::{Backend, BackendError, GpuBackend, GpuOptions};
 
 use crate::Failure;
 use crate::bounds;
@@ -10,12 +10,12 @@ use crate::left_out;
 const ADVICE: &str = "install a Vulkan driver (Mesa's runs on any processor; Debian: mesa-vulkan-drivers libvulkan1); \
                       `vitrum devices` lists what is found";
 
-/// Opens the best adapter, or the best whose name, interface or driver contains `wanted`.
+/// Opens the adapter that `options` say, in the way they say.
 ///
 /// # Errors
 /// If there is none, with advice; or if it fails.
-pub fn open(wanted: Option<&str>) -> Result<GpuBackend, Failure> {
-    GpuBackend::new(wanted).map_err(|error| match error {
+pub fn open(options: &GpuOptions) -> Result<GpuBackend, Failure> {
+    GpuBackend::open(options).map_err(|error| match error {
         BackendError::NoAdapter { .. } => Failure::Setup(format!("{error}; {ADVICE}")),
         other => other.into(),
     })
@@ -27,7 +27,26 @@ pub fn open(wanted: Option<&str>) -> Result<GpuBackend, Failure> {
 /// If there is none and `VITRUM_REQUIRE_GPU` is set, so that a machine that should have one notices; or if it fails.
 #[must_use]
 pub fn for_test() -> Option<GpuBackend> {
-    match GpuBackend::new(None) {
+    opened_for_test(&GpuOptions::default())
+}
+
+/// As [`for_test`], with shaders translated by naga, as Metal and Direct3D 12 need them, on a device with the limits that every adapter
+/// for WebGPU has.
+///
+/// # Panics
+/// As [`for_test`].
+#[must_use]
+pub fn portable_for_test() -> Option<GpuBackend> {
+    opened_for_test(&GpuOptions { translate_shaders: true, portable_limits: true, ..GpuOptions::default() })
+}
+
+/// As [`for_test`], opened as `options` say.
+///
+/// # Panics
+/// As [`for_test`].
+#[must_use]
+pub fn opened_for_test(options: &GpuOptions) -> Option<GpuBackend> {
+    match GpuBackend::open(options) {
         Ok(backend) => Some(backend),
         Err(error @ BackendError::NoAdapter { .. }) => {
             let required = left_out::is_required("VITRUM_REQUIRE_GPU");

@@ -99,7 +99,7 @@ const BY_VULKAN: &str =
     "Vulkan: + − × round as IEEE 754 and are not contracted, ÷ is within 2.5 ULP, √ is that of 1 ÷ inversesqrt (2 ULP)";
 const TRANSLATED: &str = "translated by naga: a × b + c may be contracted, ÷ and √ are those of fast mathematics";
 
-/// Every family; the last takes what no other does. Interfaces without pass-through stand before the makers of adapters.
+/// Every family; the last takes what no other does, and whatever has its shaders translated. Metal stands before the makers of adapters.
 #[rustfmt::skip]
 pub const FAMILIES: [Family; 6] = [
     Family { name: "lavapipe", words: &["llvmpipe", "lavapipe"], frames: Bound::BitEqual, functions: EXACT,
@@ -108,7 +108,7 @@ pub const FAMILIES: [Family; 6] = [
     Family { name: "NVIDIA", words: &["nvidia", "geforce", "nvk"], frames: NEARLY, functions: VULKAN, reason: BY_VULKAN },
     Family { name: "AMD", words: &["amd", "radeon", "radv"], frames: NEARLY, functions: VULKAN, reason: BY_VULKAN },
     Family { name: "Intel", words: &["intel"], frames: NEARLY, functions: VULKAN, reason: BY_VULKAN },
-    Family { name: "other, Direct3D 12", words: &[], frames: NEARLY, functions: CONTRACTED, reason: TRANSLATED },
+    Family { name: "other, Direct3D 12, translated", words: &[], frames: NEARLY, functions: CONTRACTED, reason: TRANSLATED },
 ];
 
 impl Family {
@@ -117,10 +117,10 @@ impl Family {
     pub fn of(adapter: &str) -> &'static Self {
         let description = adapter.to_lowercase();
         let [named @ .., rest] = &FAMILIES;
-        // Whoever made it, through Direct3D 12 its modules are translated.
-        let translated = description.contains("(dx12");
+        // Whoever made it, through Direct3D 12 its modules are translated, as through Metal; elsewhere where that was asked for.
+        let translated = ["(dx12", "shaders translated"].iter().any(|word| description.contains(word));
         let of_family = |family: &&Self| family.words.iter().any(|word| description.contains(word));
-        named.iter().filter(|_| !translated).find(of_family).unwrap_or(rest)
+        named.iter().filter(|family| !translated || family.reason == TRANSLATED).find(of_family).unwrap_or(rest)
     }
 
     fn cells(&self) -> [String; 9] {
@@ -192,8 +192,14 @@ mod tests {
             ("Intel(R) Arc(tm) A770 Graphics (DG2) (Vulkan, Intel open-source Mesa driver Mesa 24.0)", "Intel"),
             ("Apple M2 (Metal, )", "Apple, Metal"),
             ("AMD Radeon Pro 5500M (Metal, )", "Apple, Metal"),
-            ("NVIDIA GeForce RTX 4080 (Dx12, 32.0.15.6094)", "other, Direct3D 12"),
-            ("SwiftShader Device (LLVM 16.0.0) (Vulkan, SwiftShader driver)", "other, Direct3D 12"),
+            ("AMD Radeon Pro 5500M (Metal, ; shaders translated)", "Apple, Metal"),
+            ("NVIDIA GeForce RTX 4080 (Dx12, 32.0.15.6094)", "other, Direct3D 12, translated"),
+            ("SwiftShader Device (LLVM 16.0.0) (Vulkan, SwiftShader driver)", "other, Direct3D 12, translated"),
+            (
+                "llvmpipe (LLVM 15.0.6, 256 bits) (Vulkan, Mesa 22.3.6; shaders translated)",
+                "other, Direct3D 12, translated",
+            ),
+            ("NVIDIA H100 80GB HBM3 (Vulkan, NVIDIA 570.86; shaders translated)", "other, Direct3D 12, translated"),
         ] {
             assert_eq!(Family::of(adapter).name, family, "{adapter}");
         }

@@ -1,7 +1,6 @@
 //! How far kernels are from what the machine can do: time over the larger of two floors, the fewest bytes at the speed of a copy
 //! and the arithmetic at the speed of the vector units (Williams et al. 2009, "Roofline").
 
-use std::fs;
 use std::hint::black_box;
 use std::thread;
 use std::time::Instant;
@@ -120,9 +119,8 @@ fn arithmetic(threads: usize) -> f64 {
 
 /// Float instructions of a kernel's module, all modes together. Kernels have no loops but in `scatter_sheet`.
 fn operations(kernel: &str) -> Result<u64, Failure> {
-    let path = crate::root().join("shaders-rs/spirv").join(format!("{kernel}.spv"));
-    let bytes = fs::read(&path).map_err(|error| Failure::Setup(format!("{}: {error}", path.display())))?;
-    let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+    let bytes = vitrum_shaders::spirv(kernel).ok_or_else(|| Failure::Setup(format!("{kernel} has no module")))?;
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
     let (mut at, mut count) = (5, 0);
     while at < words.len() {
         // OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv; OpExtInst, which are roots, roundings, extremes; comparisons.

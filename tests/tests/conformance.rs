@@ -46,6 +46,25 @@ fn frames_are_the_same_on_both_backends() -> Result<(), Failure> {
     Ok(())
 }
 
+/// The course of Metal and Direct3D 12, on a device that allows no more than every adapter for WebGPU does.
+#[test]
+fn translated_kernels_give_nearly_the_same() -> Result<(), Failure> {
+    let Some(mut gpu) = adapter::portable_for_test() else { return Ok(()) };
+    let (mut cpu, mut run) = (CpuBackend::new(None)?, Run::new(evidence::folder()));
+    functions::compare(64, &mut cpu, &mut gpu, &mut run)?;
+    for case in kernels::cases(EDGE, RESOLUTION)? {
+        kernels::compare(&case, &mut cpu, &mut gpu, &mut run)?;
+    }
+    for name in ["ball", "glass", "head", "combustion", "luneburg"] {
+        frames::compare(&Case::builtin(name, EDGE, Some(RESOLUTION), &[])?, &mut cpu, &mut gpu, &mut run)?;
+    }
+    for case in kernels::meshes(EDGE, RESOLUTION)? {
+        frames::compare(&case, &mut cpu, &mut gpu, &mut run)?;
+    }
+    run.assert_passed();
+    Ok(())
+}
+
 #[test]
 fn golden_pictures_are_met() -> Result<(), Failure> {
     let mut run = Run::new(evidence::folder());

@@ -1,7 +1,6 @@
-//! The committed SPIR-V belongs to the tree, and lays structs out as the host does.
+//! The committed modules belong to the tree, and lays structs out as the host does.
 
 use std::collections::HashMap;
-use std::fs;
 use std::mem::{offset_of, size_of_val};
 
 use rspirv::dr::{Instruction, Module, Operand, load_words};
@@ -21,7 +20,7 @@ use vitrum_kernels::abi::vector::{Affine, Counts, Size, Vec3};
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
 use vitrum_kernels::abi::voxels::{ShadowMap, VoxelsUniforms};
 use vitrum_kernels::kernel::ALL;
-use vitrum_shader_manifest::{Manifest, folder};
+use vitrum_shader_manifest::Manifest;
 
 #[test]
 fn the_committed_modules_are_current() {
@@ -31,6 +30,7 @@ fn the_committed_modules_are_current() {
     let mut kernels: Vec<&str> = ALL.iter().map(|kernel| kernel.declaration.name).collect();
     kernels.sort_unstable();
     assert_eq!(manifest.modules.keys().map(String::as_str).collect::<Vec<_>>(), kernels);
+    assert_eq!(vitrum_shaders::NAMES, kernels);
 }
 
 /// A field of a struct.
@@ -210,10 +210,9 @@ fn agree(module: &Module, id: Word, fields: &[Field], path: &str) {
 }
 
 fn load(name: &str) -> Module {
-    let path = folder(&root()).join(format!("{name}.spv"));
-    let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-    load_words(words).unwrap_or_else(|error| panic!("{}: {error}; run `cargo xtask shaders`", path.display()))
+    let bytes = vitrum_shaders::spirv(name).unwrap_or_else(|| panic!("{name}: no module; run `cargo xtask shaders`"));
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
+    load_words(words).unwrap_or_else(|error| panic!("{name}: {error}; run `cargo xtask shaders`"))
 }
 
 /// The struct behind binding 0; rust-gpu puts it into a block of its own.

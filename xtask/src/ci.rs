@@ -7,13 +7,15 @@ use crate::command::{cargo, run as run_command};
 use crate::diff;
 use crate::failure::Failure;
 use crate::features;
+use crate::package;
 use crate::peers;
 use crate::shaders::{self, COMPILER};
 use crate::steps::{Completion, Steps};
 use crate::test;
+use crate::wasm;
 
-/// Run every check: format, circles of files, lints, documentation, features, tests, committed SPIR-V, backends against each other, readers against
-/// independent ones.
+/// Run every check: format, circles of files, lints, documentation, features, WebAssembly, tests, committed modules, backends against each other,
+/// packages, readers against independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Leave a step out; repeatable.
@@ -28,9 +30,11 @@ enum Step {
     Clippy,
     Doc,
     Features,
+    Wasm,
     Test,
     Shaders,
     Diff,
+    Package,
     Peers,
 }
 
@@ -42,9 +46,11 @@ impl Step {
             Self::Clippy => "clippy",
             Self::Doc => "doc",
             Self::Features => "features",
+            Self::Wasm => "wasm",
             Self::Test => "test",
             Self::Shaders => "shaders",
             Self::Diff => "diff",
+            Self::Package => "package",
             Self::Peers => "peers",
         }
     }
@@ -63,9 +69,11 @@ impl Step {
                 run_command(command.args(selection).env("RUSTDOCFLAGS", "-D warnings"))
             }),
             Self::Features => features::run(&features::Arguments::default()),
+            Self::Wasm => return wasm::check(),
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),
             Self::Diff => diff::run(&diff::Arguments::default()),
+            Self::Package => package::verify(),
             Self::Peers => return peers::compare(&peers::Arguments::default()),
         };
         whole.map(|()| Completion::Whole)

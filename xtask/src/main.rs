@@ -15,12 +15,14 @@ mod failure;
 mod features;
 mod fuzz;
 mod man;
+mod package;
 mod peers;
 mod shaders;
 mod steps;
 mod test;
 mod toolchain;
 mod vulkan;
+mod wasm;
 
 use std::process::ExitCode;
 

@@ -1,4 +1,4 @@
-//! `cargo xtask shaders`: compiles the kernels to SPIR-V.
+//! `cargo xtask shaders`: compiles the kernels to SPIR-V and WGSL.
 
 use vitrum_shader_manifest::{Manifest, ManifestError, TOOLCHAIN};
 
@@ -6,7 +6,7 @@ use crate::command::{self, cargo};
 use crate::failure::Failure;
 use crate::toolchain;
 
-/// Compile the kernels to SPIR-V and write `shaders-rs/spirv`.
+/// Compile the kernels to SPIR-V and WGSL and write `crates/vitrum-shaders`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Write nothing; fail if what is committed is not what the sources give.
@@ -31,7 +31,7 @@ pub fn check() -> Result<(), Failure> {
     let stale = stale().map_err(|error| Failure::check(error.to_string()))?;
     if !stale.is_empty() {
         let reasons = stale.join("\n  ");
-        return Err(Failure::check(format!("the committed SPIR-V is stale; run `cargo xtask shaders`\n  {reasons}")));
+        return Err(Failure::check(format!("the committed modules are stale; run `cargo xtask shaders`\n  {reasons}")));
     }
     if toolchain::is_available() {
         return compile(&["--", "--check"]);

@@ -1,4 +1,4 @@
-//! The Rust toolchain that compiles the kernels to SPIR-V.
+//! What rustup brings: the toolchain that compiles the kernels to SPIR-V, and targets of the usual one.
 
 use std::process::Stdio;
 
@@ -25,4 +25,14 @@ fn is_installed() -> bool {
         let installed = String::from_utf8_lossy(&output.stdout);
         output.status.success() && COMPONENTS.iter().all(|component| installed.contains(component))
     })
+}
+
+/// Whether the usual toolchain compiles for `target`; fetches what that needs through rustup if it does not.
+pub fn has_target(target: &str) -> bool {
+    let is_installed = || {
+        let mut command = program("rustup");
+        command.args(["target", "list", "--installed"]).stderr(Stdio::null());
+        command.output().is_ok_and(|output| String::from_utf8_lossy(&output.stdout).lines().any(|line| line == target))
+    };
+    is_installed() || (run(program("rustup").args(["target", "add", target])).is_ok() && is_installed())
 }

@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Status};
 use crate::volume::ByteCount;
 use clap::{Args, ValueEnum};
-use vitrum::backend::{self, BackendError, Choice};
+use vitrum::backend::{self, Backend, BackendError, Choice, GpuOptions};
 use vitrum::scene::{MethodName, Scene};
 use vitrum::{Assets, Renderer};
 
@@ -17,6 +17,10 @@ pub struct DeviceArguments {
     /// Take the GPU whose name has this text in it (`vitrum devices` lists them), software or not
     #[arg(long, value_name = "SUBSTRING")]
     pub adapter: Option<String>,
+
+    /// On a GPU, translate the kernels by naga even where the driver takes their SPIR-V as it is, as Metal and Direct3D 12 always do
+    #[arg(long)]
+    pub translate_shaders: bool,
 
     /// CPU threads; all cores if absent
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -61,6 +65,16 @@ impl From<BackendName> for Choice {
 }
 
 impl DeviceArguments {
+    /// Opens the device.
+    pub fn open(&self) -> Result<Box<dyn Backend>, BackendError> {
+        let options = GpuOptions {
+            adapter: self.adapter.clone(),
+            translate_shaders: self.translate_shaders,
+            ..GpuOptions::default()
+        };
+        backend::open(self.backend.into(), &options, self.threads.map(usize::from))
+    }
+
     /// Opens the device for a renderer of `assets`, and says which it is unless `quiet`.
     ///
     /// Where `auto` chose a GPU by itself, the CPU takes over if that cannot be opened or fails.
@@ -69,14 +83,14 @@ impl DeviceArguments {
         let limit = memory.memory_limit.map(|ByteCount(bytes)| bytes);
         let by_itself = self.backend == BackendName::Auto && self.adapter.is_none();
         let take_over = move |failure: &BackendError| {
-            let mut cpu = backend::open(Choice::Cpu, None, threads)?;
+            let mut cpu = backend::open(Choice::Cpu, &GpuOptions::default(), threads)?;
             cpu.set_volume_limit(limit);
             if !quiet {
                 eprintln!("warning: {failure}; rendering on {} ({}) instead", cpu.name(), cpu.adapter());
             }
             Ok(cpu)
         };
-        let mut backend = match backend::open(self.backend.into(), self.adapter.as_deref(), threads) {
+        let mut backend = match self.open() {
             Err(failure) if by_itself && failure.is_of_device() => take_over(&failure)?,
             opened => opened?,
         };

@@ -132,8 +132,8 @@ pub mod ray {
     pub const IOR: usize = 15;
     /// Depth of the plane on which scalar and η were last sampled; [`NOWHERE`] if on none.
     pub const SAMPLED: usize = 17;
-    /// The depth of no plane.
-    pub const NOWHERE: f32 = f32::MIN;
+    /// The depth of no plane: −2¹⁰⁰. Not `f32::MIN`, which some browsers refuse as translators write it.
+    pub const NOWHERE: f32 = -1.267_650_6e30;
 }
 
 /// A ray through a mesh.

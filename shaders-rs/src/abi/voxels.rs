@@ -134,6 +134,16 @@ pub mod material {
     pub const ABSORPTION: usize = 1;
 }
 
+/// A clear material's field, which is 0 outside of a box: words in front of all samples, one entry a material.
+pub mod field {
+    /// Words.
+    pub const SIZE: usize = 4;
+    /// Number of the box's first sample, two samples a word from the buffer's first word on. They go along x, then y, then z.
+    pub const FIRST: usize = 0;
+    /// The box along x, in voxels: where it begins (16 bits), how many it has (16 bits, from bit 16 on); y and z follow.
+    pub const BOX: usize = 1;
+}
+
 /// A node of the tree of boxes, in depth-first order: floats next to each other, not planar.
 pub mod node {
     /// Floats.

@@ -15,12 +15,36 @@ fn left(low: u32, high: u32) -> u32 {
     floor_to_int(exp(-depth) * 65535.0 + 0.5, 0.0, 65535.0) as u32
 }
 
+/// The optical depth behind a voxel, as a 64-bit sum (`low`, `high`), and the transmittance that is left there in 1 / 65535, from those
+/// in front of it. The row begins at voxel `row`; beyond its end nothing absorbs.
+#[inline(always)]
+fn behind(
+    u: &ShadowUniforms,
+    mode: u32,
+    depths: &[u32],
+    row: i32,
+    voxel: i32,
+    channel: i32,
+    (low, high, transmittance): (u32, u32, u32),
+) -> (u32, u32, u32) {
+    let channels = u.channels as i32;
+    let at = ((row + voxel) * channels + channel) * absorption::SIZE as i32;
+    let (more, carry) = (read(depths, at), read(depths, at + 1));
+    if (voxel < u.width as i32) & ((more | carry) != 0) {
+        let (more, carry) = if mode == mode::UNIFORM { (u.uniform_depth, 0) } else { (more, carry) };
+        let sum = low.wrapping_add(more);
+        let carried = high.wrapping_add(carry).wrapping_add((sum < low) as u32);
+        (sum, carried, left(sum, carried))
+    } else {
+        (low, high, transmittance)
+    }
+}
+
 /// Does row y · width + x of the slab, channels one behind the other: 16 bits in front of the row's first voxel and behind each.
 #[inline(always)]
 pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, mode: u32, depths: &[u32], light: &mut S) {
     let row = y * u.dispatch.width + x;
     if row < u.work {
-        let channels = u.channels as i32;
         let rows = (u.height * u.layers) as i32;
         // The dispatch has the rows of all channels.
         let mut channel = 0;
@@ -33,32 +57,16 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, mode: u32, d
         let words = row_words(u.width) as i32;
         let layers_before = channel * u.depth as i32 + u.first_layer as i32;
         let base = (layers_before * u.height as i32 + line) * words;
-        let (mut low, mut high) = (0u32, 0u32);
-        let mut now = 65535;
+        let mut sum = (0, 0, 65535);
         let mut word = 0;
         while word < words {
-            // In front of voxel 2 word, and behind it.
-            let mut pair = now;
-            let mut half = 0;
-            while half < 2 {
-                let voxel = 2 * word + half;
-                if voxel < length {
-                    let at = ((line * length + voxel) * channels + channel) * absorption::SIZE as i32;
-                    let (more, carry) = (read(depths, at), read(depths, at + 1));
-                    if (more | carry) != 0 {
-                        let (more, carry) = if mode == mode::UNIFORM { (u.uniform_depth, 0) } else { (more, carry) };
-                        let before = low;
-                        low = low.wrapping_add(more);
-                        high = high.wrapping_add(carry).wrapping_add((low < before) as u32);
-                        now = left(low, high);
-                    }
-                }
-                if half == 0 {
-                    pair |= now << 16;
-                }
-                half += 1;
-            }
-            light.add((base + word) as usize, pair);
+            // Two voxels a word, one after the other and not in a loop of their own, which naga cannot translate.
+            let first = 2 * word;
+            let in_front = sum.2;
+            sum = behind(u, mode, depths, line * length, first, channel, sum);
+            let between = sum.2;
+            sum = behind(u, mode, depths, line * length, first + 1, channel, sum);
+            light.add((base + word) as usize, in_front | between << 16);
             word += 1;
         }
     }

@@ -1,7 +1,7 @@
-//! Materials' fields: how much of the neighbourhood is inside, whose level ½ is the surface.
+//! Materials' fields: how much of the neighbourhood is inside, whose level ½ is the surface. Each is stored in the box where it is not 0.
 
-use crate::abi::voxels::{AIR, VoxelsUniforms};
-use crate::field::access::read_bytes;
+use crate::abi::voxels::{AIR, VoxelsUniforms, field};
+use crate::field::access::{read, read_bytes};
 use crate::math::{floor_to_int, length, max};
 use spirv_std::glam::Vec3;
 
@@ -16,6 +16,13 @@ fn along_row(fields: &[u32], sample: i32, t: f32) -> f32 {
     a + (b - a) * t
 }
 
+/// Along one axis, the number of sample `at` in a field's box `bounds` (see [`field::BOX`]), and whether the next one is in it, too.
+#[inline(always)]
+fn in_box(bounds: u32, at: i32) -> (i32, bool) {
+    let inside = at - (bounds & 0xffff) as i32;
+    (inside, (inside >= 0) & (inside + 1 < (bounds >> 16) as i32))
+}
+
 /// The field of material `number` at a position in voxels, 0 to 65535, linear between voxels' centres.
 #[inline(always)]
 pub fn value(u: &VoxelsUniforms, fields: &[u32], number: i32, position: Vec3) -> f32 {
@@ -24,12 +31,24 @@ pub fn value(u: &VoxelsUniforms, fields: &[u32], number: i32, position: Vec3) ->
     let x = floor_to_int(q.x, 0.0, (nx - 2) as f32);
     let y = floor_to_int(q.y, 0.0, (ny - 2) as f32);
     let z = floor_to_int(q.z, 0.0, (nz - 2) as f32);
-    let (fx, fy, fz) = (q.x - x as f32, q.y - y as f32, q.z - z as f32);
-    let at = ((number * nz + z) * ny + y) * nx + x;
-    let (a, b) = (along_row(fields, at, fx), along_row(fields, at + nx, fx));
-    let (c, d) = (along_row(fields, at + nx * ny, fx), along_row(fields, at + nx * ny + nx, fx));
-    let (low, high) = (a + (b - a) * fy, c + (d - c) * fy);
-    low + (high - low) * fz
+    let entry = number * field::SIZE as i32;
+    let bounds = entry + field::BOX as i32;
+    let (along_x, along_y, along_z) = (read(fields, bounds), read(fields, bounds + 1), read(fields, bounds + 2));
+    let (box_x, inside_x) = in_box(along_x, x);
+    let (box_y, inside_y) = in_box(along_y, y);
+    let (box_z, inside_z) = in_box(along_z, z);
+    if inside_x & inside_y & inside_z {
+        let row = (along_x >> 16) as i32;
+        let layer = (along_y >> 16) as i32 * row;
+        let at = read(fields, entry + field::FIRST as i32) as i32 + box_z * layer + box_y * row + box_x;
+        let (fx, fy, fz) = (q.x - x as f32, q.y - y as f32, q.z - z as f32);
+        let (a, b) = (along_row(fields, at, fx), along_row(fields, at + row, fx));
+        let (c, d) = (along_row(fields, at + layer, fx), along_row(fields, at + layer + row, fx));
+        let (low, high) = (a + (b - a) * fy, c + (d - c) * fy);
+        low + (high - low) * fz
+    } else {
+        0.0
+    }
 }
 
 /// The number of the material at a position: the lowest one, where bodies overlap.

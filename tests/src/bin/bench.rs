@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use vitrum::backend::{Backend, CpuBackend};
+use vitrum::backend::{Backend, CpuBackend, GpuOptions};
 use vitrum::preset;
 use vitrum_conformance::accuracy::{rewrite, write};
 use vitrum_conformance::bench::{self, Contender};
@@ -111,7 +111,7 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
 fn paper(arguments: &Arguments) -> Result<bool, Failure> {
     let mut backend: Box<dyn Backend> = match arguments.threads.first() {
         Some(&threads) => Box::new(CpuBackend::new(Some(threads.into()))?),
-        None => Box::new(adapter::open(arguments.adapter.as_deref())?),
+        None => Box::new(adapter::open(&GpuOptions::new(arguments.adapter.as_deref()))?),
     };
     println!("{}\n- {}: {}\n", machine::description(), backend.name(), backend.adapter());
     let wants =
@@ -172,7 +172,7 @@ fn contenders(arguments: &Arguments) -> Result<Vec<Contender>, Failure> {
         let of_set = |set| threads.iter().map(move |&threads| Contender::build(threads, set));
         return sets.flat_map(of_set).collect();
     }
-    let gpu = adapter::open(arguments.adapter.as_deref())?;
+    let gpu = adapter::open(&GpuOptions::new(arguments.adapter.as_deref()))?;
     let mut contenders = threads.iter().map(|&threads| Contender::cpu(threads)).collect::<Result<Vec<_>, _>>()?;
     contenders.push(Contender { backend: Box::new(gpu), threads: None, build: None });
     Ok(contenders)

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, ValueEnum};
 use serde_json::json;
-use vitrum::backend::{Backend, CpuBackend, GpuBackend};
+use vitrum::backend::{Backend, CpuBackend, GpuBackend, GpuOptions};
 use vitrum::builtin;
 use vitrum::scene::MethodName;
 use vitrum_conformance::bounds::{self, Family};
@@ -40,6 +40,10 @@ struct Arguments {
     #[arg(long, value_name = "SUBSTRING")]
     adapter: Vec<String>,
 
+    /// Only with shaders that reach the driver so; both if absent, where the driver can do both. Repeatable
+    #[arg(long, value_enum)]
+    shaders: Vec<Shaders>,
+
     /// Also write everything that was measured as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -63,6 +67,15 @@ enum Tier {
     T2,
     /// Golden pictures, on the CPU; needs no graphics adapter
     T3,
+}
+
+/// How shaders reach the driver.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Shaders {
+    /// SPIR-V as it is, where the driver takes it
+    PassedThrough,
+    /// Translated by naga, as Metal and Direct3D 12 need them
+    Translated,
 }
 
 /// T0's inputs, in units of 1024.
@@ -123,13 +136,17 @@ impl Arguments {
         Ok(Selection { functions: functions.into_iter().any(wants), kernels, frames, meshes, golden })
     }
 
-    /// The adapters, each once: the best if none is named.
+    /// The adapters, each once with its shaders passed through and once translated: the best adapter if none is named.
     fn adapters(&self) -> Result<Vec<GpuBackend>, Failure> {
         let named = self.adapter.iter().map(|name| Some(name.as_str()));
         let wanted: Vec<Option<&str>> = if self.adapter.is_empty() { vec![None] } else { named.collect() };
+        let courses =
+            Shaders::value_variants().iter().filter(|course| self.shaders.is_empty() || self.shaders.contains(course));
         let mut adapters: Vec<GpuBackend> = Vec::new();
-        for name in wanted {
-            let found = adapter::open(name)?;
+        for (name, course) in wanted.iter().flat_map(|name| courses.clone().map(move |course| (name, course))) {
+            let translate_shaders = *course == Shaders::Translated;
+            let found = adapter::open(&GpuOptions { translate_shaders, ..GpuOptions::new(*name) })?;
+            // Where nothing is passed through, both are the same.
             if adapters.iter().all(|adapter| adapter.adapter() != found.adapter()) {
                 adapters.push(found);
             }

@@ -74,7 +74,8 @@ fn columns_count_what_rays_cross() -> Result<(), Failure> {
         let (mut compared, mut different) = (0, 0);
         let b = map.block;
         let (rows, edge) = ([b.shadow.row_x, b.shadow.row_y, b.shadow.row_z], map.edge());
-        let axes = rows.map(|row| DVec3::new(row.factors.x.into(), row.factors.y.into(), row.factors.z.into()).normalize());
+        let axes =
+            rows.map(|row| DVec3::new(row.factors.x.into(), row.factors.y.into(), row.factors.z.into()).normalize());
         // The world's point at a place in the shadow map's voxels.
         let zero = rows.map(|row| f64::from(row.constant));
         let origin = map.world_origin();

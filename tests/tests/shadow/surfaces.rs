@@ -67,7 +67,7 @@ fn grey_glass_is_grey() -> Result<(), Failure> {
     let case = case(mesh, 8, &[&ABOVE[..], &[material, "voxelization.resolution=16"]].concat())?;
     on_both(|backend| {
         let map = Map::of(&case, backend)?;
-        assert_eq!(map.block.shadow.w, 1);
+        assert_eq!(map.block.shadow.channels, 1);
         assert!(map.at(DVec3::new(0.1, 0.2, -0.8)).iter().all(|left| (left - 0.5).abs() < 1e-4));
         Ok(())
     })

@@ -8,6 +8,7 @@ use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble as _;
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{AddressingModel, Capability, Decoration, MemoryModel, Op, Scope};
+use vitrum_shaders::ENTRY_POINT;
 
 /// Whether an operation's float result could be contracted or re-associated.
 fn is_float_arithmetic(op: Op) -> bool {
@@ -29,7 +30,7 @@ fn is_float_arithmetic(op: Op) -> bool {
     )
 }
 
-/// The module with every float operation marked `NoContraction`, in the GLSL450 memory model, its entry point named by the kernel.
+/// The module with every float operation marked `NoContraction`, in the GLSL450 memory model, its entry point named [`ENTRY_POINT`].
 pub fn pin(bytes: &[u8]) -> Result<Vec<u32>> {
     let mut module = rspirv::dr::load_bytes(bytes).map_err(|state| anyhow!("not a SPIR-V module: {state:?}"))?;
     module
@@ -45,12 +46,9 @@ pub fn pin(bytes: &[u8]) -> Result<Vec<u32>> {
         vec![Operand::AddressingModel(AddressingModel::Logical), Operand::MemoryModel(MemoryModel::GLSL450)],
     ));
     widen_scopes(&mut module);
-    // Entry points are named by their kernel, not by the path of the function.
-    for entry_point in &mut module.entry_points {
-        for operand in &mut entry_point.operands {
-            if let Operand::LiteralString(name) = operand {
-                *name = name.rsplit("::").next().unwrap_or(name).to_owned();
-            }
+    for operand in module.entry_points.iter_mut().flat_map(|entry_point| &mut entry_point.operands) {
+        if let Operand::LiteralString(name) = operand {
+            ENTRY_POINT.clone_into(name);
         }
     }
     let results: Vec<u32> = module

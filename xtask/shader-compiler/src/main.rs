@@ -1,20 +1,24 @@
-//! Compiles the kernels to SPIR-V: `vitrum-shader-compiler [--check]`, run by `cargo xtask shaders`.
+//! Compiles the kernels to SPIR-V and WGSL: `vitrum-shader-compiler [--check]`, run by `cargo xtask shaders`.
 //!
 //! 1. rust-gpu compiles `shaders-rs`, one module an entry point, unoptimised;
 //! 2. [`exact`] pins the arithmetic;
 //! 3. spirv-val checks the module, spirv-opt optimises it, spirv-val checks the result;
-//! 4. `shaders-rs/spirv` gets the modules and the manifest. With `--check` nothing is written, and any byte that differs
-//!    from what is committed is an error.
+//! 4. naga translates it to WGSL;
+//! 5. `crates/vitrum-shaders` gets the modules, the list of their names and the manifest. With `--check` nothing is written, and any
+//!    byte that differs from what is committed is an error.
 
 mod compile;
 mod exact;
 mod optimise;
+mod output;
 
 use anyhow::{Context, Result, bail};
+use output::Output;
 use std::collections::BTreeMap;
 use std::path::Path;
 use vitrum_kernels::kernel::{ALL, Access, Declaration, Element};
-use vitrum_shader_manifest::{Manifest, Module, folder, sha256};
+use vitrum_shader_manifest::{File, Manifest, Module};
+use vitrum_shader_translation::Translation;
 
 fn main() -> Result<()> {
     let check = match std::env::args().skip(1).collect::<Vec<_>>().as_slice() {
@@ -27,26 +31,28 @@ fn main() -> Result<()> {
         .nth(2)
         .context("this crate lies two folders below the workspace")?;
 
-    let modules = build(root)?;
     let mut manifest = Manifest::of_tree(root)?;
-    for (name, words) in &modules {
+    let mut files = BTreeMap::new();
+    for (name, words) in build(root)? {
         let declaration = ALL
             .iter()
             .map(|kernel| &kernel.declaration)
             .find(|declaration| declaration.name == name)
             .with_context(|| format!("entry point {name} is not in the list of kernels"))?;
-        let bytes: &[u8] = bytemuck::cast_slice(words);
-        manifest.modules.insert(
-            name.clone(),
-            Module {
-                file: format!("{name}.spv"),
-                sha256: sha256(bytes),
-                bytes: bytes.len(),
-                bindings: describe(declaration),
-            },
-        );
+        let spirv = bytemuck::cast_slice::<u32, u8>(&words).to_vec();
+        let translation = Translation::of_spirv(&spirv).with_context(|| name.clone())?;
+        let wgsl = translation.wgsl().with_context(|| name.clone())?.into_bytes();
+        let module = Module {
+            spirv: File::new(format!("spirv/{name}.spv"), &spirv),
+            wgsl: File::new(format!("wgsl/{name}.wgsl"), &wgsl),
+            bindings: describe(declaration),
+        };
+        files.insert(module.spirv.path.clone(), spirv);
+        files.insert(module.wgsl.path.clone(), wgsl);
+        manifest.modules.insert(name, module);
     }
-    if check { compare(root, &manifest, &modules) } else { write(root, &manifest, &modules) }
+    let output = Output::new(root, &manifest, files)?;
+    if check { output.compare() } else { output.write() }
 }
 
 fn build(root: &Path) -> Result<BTreeMap<String, Vec<u32>>> {
@@ -88,43 +94,4 @@ fn describe(declaration: &Declaration) -> Vec<String> {
             format!("{} {access} {}: {element}", binding.binding, binding.name)
         })
         .collect()
-}
-
-fn write(root: &Path, manifest: &Manifest, modules: &BTreeMap<String, Vec<u32>>) -> Result<()> {
-    let folder = folder(root);
-    if folder.exists() {
-        std::fs::remove_dir_all(&folder).with_context(|| format!("{} cannot be emptied", folder.display()))?;
-    }
-    std::fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
-    for (name, words) in modules {
-        let path = folder.join(format!("{name}.spv"));
-        std::fs::write(&path, bytemuck::cast_slice::<u32, u8>(words))
-            .with_context(|| format!("{} cannot be written", path.display()))?;
-        println!("{name}: {} bytes", words.len() * 4);
-    }
-    std::fs::write(folder.join("manifest.json"), manifest.to_json()?)?;
-    Ok(())
-}
-
-fn compare(root: &Path, manifest: &Manifest, modules: &BTreeMap<String, Vec<u32>>) -> Result<()> {
-    let committed = Manifest::read(root)?;
-    let mut differing = Vec::new();
-    for (name, words) in modules {
-        let path = folder(root).join(format!("{name}.spv"));
-        let bytes = std::fs::read(&path).unwrap_or_default();
-        if bytes != bytemuck::cast_slice::<u32, u8>(words) {
-            differing.push(format!("{name}.spv: {} bytes committed, {} built", bytes.len(), words.len() * 4));
-        }
-    }
-    if &committed != manifest {
-        differing.push("manifest.json".to_owned());
-    }
-    if !differing.is_empty() {
-        bail!(
-            "the committed SPIR-V is not what the sources give; run `cargo xtask shaders` and commit the result:\n  {}",
-            differing.join("\n  ")
-        );
-    }
-    println!("{} modules are what the sources give", modules.len());
-    Ok(())
 }

@@ -5,8 +5,8 @@ use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// The crates whose versions shape the modules: the kernels' own dependencies and the compiler's.
-const ROOTS: &[&str] = &["spirv-std", "cargo-gpu-install", "spirv-tools", "rspirv", "glam"];
+/// The crates whose versions shape the modules: the kernels' own dependencies, the compiler's, and the translator.
+const ROOTS: &[&str] = &["spirv-std", "cargo-gpu-install", "spirv-tools", "rspirv", "glam", "naga"];
 
 /// SHA-256 in hexadecimal.
 pub fn sha256(bytes: &[u8]) -> String {

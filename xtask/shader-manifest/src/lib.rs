@@ -1,6 +1,6 @@
-//! The manifest of the committed SPIR-V: what it was made from, and what is in it.
+//! The manifest of the committed modules: the sources, the lock file and the flags they were made from, and each module's hashes.
 //!
-//! `shaders-rs/spirv/manifest.json` lets a test without the nightly toolchain tell whether the `.spv` files still belong to
+//! `crates/vitrum-shaders/manifest.json` lets a test without the nightly toolchain tell whether the modules still belong to
 //! the sources, the lock file and the flags.
 
 mod error;
@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 pub const TOOLCHAIN: &str = "nightly-2026-08-15";
 /// The target kernels are compiled for.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
-/// Everything that shapes the `.spv` files beside the sources: change it when the compiler's steps change.
+/// Everything that shapes the modules beside the sources: change it when the compiler's steps change.
 pub const FLAGS: &[&str] = &[
     "rust-gpu 0.11.0",
     "--no-spirv-opt",
@@ -26,22 +26,40 @@ pub const FLAGS: &[&str] = &[
     "glsl450-memory-model",
     "spirv-opt --strip-debug -O",
     "spirv-val vulkan1.2",
+    "entry points named main",
+    "WGSL by naga 30.0.1, compacted, shortened",
 ];
 
-/// One module.
+/// A file of a module.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct File {
+    /// Its path from the manifest's folder, with forward slashes.
+    pub path: String,
+    /// SHA-256 of its contents.
+    pub sha256: String,
+    /// Its size in bytes.
+    pub bytes: usize,
+}
+
+impl File {
+    /// A file of these contents.
+    pub fn new(path: String, contents: &[u8]) -> Self {
+        Self { path, sha256: sha256(contents), bytes: contents.len() }
+    }
+}
+
+/// One kernel's module.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Module {
-    /// File name in the manifest's folder.
-    pub file: String,
-    /// SHA-256 of the file.
-    pub sha256: String,
-    /// Bytes of the file.
-    pub bytes: usize,
-    /// What each binding of group 0 is, in order, e.g. `1 read voxels: u32`.
+    /// The module in SPIR-V.
+    pub spirv: File,
+    /// The module in WGSL, translated from SPIR-V.
+    pub wgsl: File,
+    /// Each binding of group 0, in order, e.g. `1 read voxels: u32`.
     pub bindings: Vec<String>,
 }
 
-/// What the committed SPIR-V was made from, and what is in it.
+/// The committed modules: what they were made from, and each module's hashes.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
     /// The toolchain.
@@ -54,13 +72,13 @@ pub struct Manifest {
     pub sources: String,
     /// SHA-256 over the lock file's entries for the kernels' dependencies and the compiler.
     pub lock: String,
-    /// Modules by entry point.
+    /// Modules by kernel.
     pub modules: BTreeMap<String, Module>,
 }
 
-/// The folder of the committed modules.
+/// The folder of the committed modules: crate `vitrum-shaders`.
 pub fn folder(root: &Path) -> PathBuf {
-    root.join("shaders-rs/spirv")
+    root.join("crates/vitrum-shaders")
 }
 
 impl Manifest {
@@ -105,10 +123,10 @@ impl Manifest {
         compare("flags", &self.flags.join(", "), &now.flags.join(", "));
         compare("sources of shaders-rs", &self.sources, &now.sources);
         compare("locked dependencies", &self.lock, &now.lock);
-        for (entry_point, module) in &self.modules {
-            let path = folder(root).join(&module.file);
+        for file in self.modules.values().flat_map(|module| [&module.spirv, &module.wgsl]) {
+            let path = folder(root).join(&file.path);
             let bytes = std::fs::read(&path).map_err(|error| ManifestError::Unreadable { path, error })?;
-            compare(&format!("{} ({entry_point})", module.file), &module.sha256, &sha256(&bytes));
+            compare(&file.path, &file.sha256, &sha256(&bytes));
         }
         Ok(reasons)
     }

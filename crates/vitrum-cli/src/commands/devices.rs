@@ -22,7 +22,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     } else {
         let rows = devices.iter().map(|device| {
             let mark = if device.chosen_by_auto { '*' } else { ' ' };
-            format!("{mark} {:4} {}  ({}; {})\n", device.backend, device.name, device.kind, device.driver)
+            let course = if device.passes_through { "" } else { "; shaders translated" };
+            format!("{mark} {:4} {}  ({}; {}{course})\n", device.backend, device.name, device.kind, device.driver)
         });
         output::print(&rows.collect::<String>())?;
     }

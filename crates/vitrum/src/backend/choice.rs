@@ -1,6 +1,6 @@
 //! Choosing a backend.
 
-use super::{Backend, BackendError, CpuBackend};
+use super::{Backend, BackendError, CpuBackend, GpuOptions};
 use serde::Serialize;
 use vitrum_kernels::kernel::InstructionSet;
 
@@ -29,7 +29,7 @@ pub struct DeviceInfo {
     pub driver: String,
     /// The most bytes one buffer may have.
     pub largest_buffer: u64,
-    /// Whether SPIR-V reaches the driver unchanged, which bit-equal results need.
+    /// Whether SPIR-V reaches the driver unchanged, which bit-equal results need; else shaders are translated.
     pub passes_through: bool,
     /// Whether `auto` takes it.
     pub chosen_by_auto: bool,
@@ -56,16 +56,15 @@ pub fn devices() -> Vec<DeviceInfo> {
     found
 }
 
-/// Opens a backend. `adapter` picks a graphics adapter by a part of its name, and then even `auto` takes a software one. `threads` is how many
-/// threads the kernels have on the CPU, and the work of the host beside either backend; all processors if `None`.
+/// Opens a backend. Where `options` name an adapter, even `auto` takes a software one. `threads` is how many threads the kernels have on the CPU, and the work of the host beside either backend; all processors if `None`.
 ///
 /// # Errors
 /// [`BackendError::NoAdapter`] and [`BackendError::Unsupported`] where a graphics adapter is asked for and none can be used,
 /// [`BackendError::Threads`] where the threads cannot be started.
-pub fn open(choice: Choice, adapter: Option<&str>, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
+pub fn open(choice: Choice, options: &GpuOptions, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
     if choice != Choice::Cpu {
-        let wanted = choice == Choice::Gpu || adapter.is_some();
-        if let Some(backend) = graphics::open(adapter, wanted, threads)? {
+        let wanted = choice == Choice::Gpu || options.adapter.is_some();
+        if let Some(backend) = graphics::open(options, wanted, threads)? {
             return Ok(backend);
         }
     }
@@ -75,8 +74,8 @@ pub fn open(choice: Choice, adapter: Option<&str>, threads: Option<usize>) -> Re
 /// Graphics adapters.
 #[cfg(feature = "gpu")]
 mod graphics {
-    use super::super::gpu::{adapters, describe, is_hardware};
-    use super::super::{Backend, BackendError, GpuBackend};
+    use super::super::gpu::{adapters, describe, is_hardware, takes_spirv};
+    use super::super::{Backend, BackendError, GpuBackend, GpuOptions};
     use super::DeviceInfo;
 
     pub(super) fn devices() -> Vec<DeviceInfo> {
@@ -88,8 +87,7 @@ mod graphics {
                 kind: format!("{:?}", info.device_type),
                 driver: describe(&info),
                 largest_buffer: adapter.limits().max_storage_buffer_binding_size.min(adapter.limits().max_buffer_size),
-                passes_through: adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
-                    && info.backend == wgpu::Backend::Vulkan,
+                passes_through: takes_spirv(adapter),
                 chosen_by_auto: is_hardware(&info),
             }
         };
@@ -98,7 +96,7 @@ mod graphics {
 
     /// Opens the adapter that is `wanted`, or a hardware one if there is one.
     pub(super) fn open(
-        adapter: Option<&str>,
+        options: &GpuOptions,
         wanted: bool,
         threads: Option<usize>,
     ) -> Result<Option<Box<dyn Backend>>, BackendError> {
@@ -107,7 +105,7 @@ mod graphics {
         if !wanted && !found.iter().any(|found| is_hardware(&found.get_info())) {
             return Ok(None);
         }
-        let backend = GpuBackend::among(found, adapter)?;
+        let backend = GpuBackend::among(found, options)?;
         Ok(Some(match threads {
             Some(threads) => Box::new(backend.with_threads(threads)?),
             None => Box::new(backend),
@@ -118,7 +116,7 @@ mod graphics {
 /// The place of graphics adapters in a build without them.
 #[cfg(not(feature = "gpu"))]
 mod graphics {
-    use super::super::{Backend, BackendError};
+    use super::super::{Backend, BackendError, GpuOptions};
     use super::DeviceInfo;
 
     pub(super) fn devices() -> Vec<DeviceInfo> {
@@ -126,7 +124,7 @@ mod graphics {
     }
 
     pub(super) fn open(
-        _adapter: Option<&str>,
+        _options: &GpuOptions,
         wanted: bool,
         _threads: Option<usize>,
     ) -> Result<Option<Box<dyn Backend>>, BackendError> {

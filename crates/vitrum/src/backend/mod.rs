@@ -9,6 +9,7 @@ mod cpu;
 mod error;
 #[cfg(feature = "gpu")]
 mod gpu;
+mod options;
 mod pass;
 mod threads;
 pub(crate) mod times;
@@ -19,9 +20,13 @@ pub use cpu::CpuBackend;
 pub use error::BackendError;
 #[cfg(feature = "gpu")]
 pub use gpu::GpuBackend;
+pub use options::GpuOptions;
 pub use pass::{Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
 pub use threads::Threads;
 pub use times::KernelTime;
+/// For callers that own a device.
+#[cfg(feature = "gpu")]
+pub use wgpu;
 
 use bytemuck::{AnyBitPattern, NoUninit};
 use std::ops::Range;

@@ -10,7 +10,7 @@ use crate::{input, interrupt, output};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use vitrum::backend::{self, Backend};
+use vitrum::backend::Backend;
 use vitrum::io::Mesh;
 use vitrum::method::Tools;
 use vitrum::method::voxelize::{FillRule, Settings, Statistics, Voxelization, voxelize};
@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     }
     let mesh = input::open_mesh(&arguments.mesh, None)?;
     let device = &arguments.device;
-    let mut backend = backend::open(device.backend.into(), device.adapter.as_deref(), device.threads.map(usize::from))?;
+    let mut backend = device.open()?;
     if !arguments.quiet {
         eprintln!("voxelizing on {} ({})", backend.name(), backend.adapter());
     }

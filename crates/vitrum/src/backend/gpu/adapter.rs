@@ -1,5 +1,6 @@
 //! Finding an adapter and opening its device.
 
+use super::GpuOptions;
 use crate::backend::BackendError;
 use std::sync::{Arc, Mutex};
 
@@ -31,6 +32,12 @@ fn rank(info: &wgpu::AdapterInfo) -> u32 {
         wgpu::DeviceType::Other => 3,
         wgpu::DeviceType::Cpu => 4,
     }
+}
+
+/// Whether an adapter's driver takes SPIR-V as it is.
+pub(crate) fn takes_spirv(adapter: &wgpu::Adapter) -> bool {
+    adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+        && adapter.get_info().backend == wgpu::Backend::Vulkan
 }
 
 /// The adapter's own words: name, interface, driver.
@@ -65,30 +72,34 @@ pub(super) struct Opened {
     pub(super) failure: Failure,
     /// Whether SPIR-V goes to the driver as it is.
     pub(super) passes_through: bool,
+    /// The adapter's name, interface and driver, and whether shaders are translated.
+    pub(super) description: String,
 }
 
-/// Opens an adapter's device with all its limits.
-pub(super) fn open(adapter: &wgpu::Adapter) -> Result<Opened, BackendError> {
-    let name = describe(&adapter.get_info());
-    let passes_through = adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
-        && adapter.get_info().backend == wgpu::Backend::Vulkan;
-    let pass_through = if passes_through { wgpu::Features::PASSTHROUGH_SHADERS } else { wgpu::Features::empty() };
+/// The features and limits that an adapter's device is asked for.
+pub(super) fn required(adapter: &wgpu::Adapter, options: &GpuOptions) -> wgpu::DeviceDescriptor<'static> {
+    let pass_through = takes_spirv(adapter) && !options.translate_shaders;
+    let pass_through = if pass_through { wgpu::Features::PASSTHROUGH_SHADERS } else { wgpu::Features::empty() };
     // Clocks where there are some.
     let clocks = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
     let clocks = if adapter.features().contains(clocks) { clocks } else { wgpu::Features::empty() };
-    let required_features = pass_through | clocks;
-    // SAFETY: pass-through hands the driver a module that wgpu did not check. Only the committed modules are passed; spirv-val
-    // has checked them, their bindings come from the declarations they were compiled from, and all their accesses are
-    // limited to the buffers.
-    let experimental_features = unsafe { wgpu::ExperimentalFeatures::enabled() };
-    let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+    wgpu::DeviceDescriptor {
         label: Some("vitrum"),
-        required_features,
-        required_limits: adapter.limits(),
-        experimental_features,
+        required_features: pass_through | clocks,
+        required_limits: if options.portable_limits { wgpu::Limits::default() } else { adapter.limits() },
+        // SAFETY: pass-through hands the driver a module that wgpu did not check. Only the committed modules are passed; spirv-val
+        // has checked them, their bindings come from the declarations they were compiled from, and all their accesses are
+        // limited to the buffers.
+        experimental_features: unsafe { wgpu::ExperimentalFeatures::enabled() },
         ..Default::default()
-    }))
-    .map_err(|error| BackendError::Unsupported { adapter: name, what: error.to_string() })?;
+    }
+}
+
+/// Opens an adapter's device.
+pub(super) fn open(adapter: &wgpu::Adapter, options: &GpuOptions) -> Result<Opened, BackendError> {
+    let info = adapter.get_info();
+    let (device, queue) = pollster::block_on(adapter.request_device(&required(adapter, options)))
+        .map_err(|error| BackendError::Unsupported { adapter: describe(&info), what: error.to_string() })?;
     let failure = Failure::default();
     let lost = Arc::clone(&failure);
     device.set_device_lost_callback(move |reason, message| {
@@ -98,7 +109,18 @@ pub(super) fn open(adapter: &wgpu::Adapter) -> Result<Opened, BackendError> {
     });
     let uncaptured = Arc::clone(&failure);
     device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
-    Ok(Opened { device, queue, failure, passes_through })
+    Ok(Opened { failure, ..adopt(device, queue, &info) })
+}
+
+/// A device that somebody else opened, and whose failures are told to its owner.
+pub(super) fn adopt(device: wgpu::Device, queue: wgpu::Queue, info: &wgpu::AdapterInfo) -> Opened {
+    let passes_through =
+        device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS) && info.backend == wgpu::Backend::Vulkan;
+    let description = match describe(info).strip_suffix(')') {
+        Some(open) if !passes_through => format!("{open}; shaders translated)"),
+        _ => describe(info),
+    };
+    Opened { device, queue, failure: Failure::default(), passes_through, description }
 }
 
 /// Keeps the first failure.

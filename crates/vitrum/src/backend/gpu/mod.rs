@@ -1,17 +1,20 @@
 //! The GPU backend: the kernels' SPIR-V through wgpu, on Vulkan, Metal or DX12, without a window.
 
 mod adapter;
-mod modules;
+#[cfg_attr(target_arch = "wasm32", path = "module_in_browser.rs")]
+mod module;
 mod pipeline;
+mod read;
 mod stopwatch;
 mod together;
 
-pub(crate) use adapter::{adapters, describe, is_hardware};
+pub(crate) use adapter::{adapters, describe, is_hardware, takes_spirv};
 
 use super::buffer::Buffers;
-use super::{Backend, BackendError, Buffer, Contents, KernelTime, Pass, PassList, Threads, Write, pass};
+use super::{Backend, BackendError, Buffer, Contents, GpuOptions, KernelTime, Pass, PassList, Threads, Write, pass};
 use adapter::Opened;
 use pipeline::Pipeline;
+use read::Reading;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::ops::Range;
@@ -41,24 +44,74 @@ impl GpuBackend {
     /// Opens the best adapter whose name, interface or driver contains `wanted`; software adapters come last.
     ///
     /// # Errors
-    /// [`BackendError::NoAdapter`] where there is none of that name, [`BackendError::Unsupported`] where its device cannot be opened.
+    /// [`BackendError::NoAdapter`] where no adapter has that name, [`BackendError::Unsupported`] where its device cannot be opened.
     pub fn new(wanted: Option<&str>) -> Result<Self, BackendError> {
-        Self::among(adapters(), wanted)
+        Self::open(&GpuOptions::new(wanted))
     }
 
-    /// As [`Self::new`], among adapters that were found already.
-    pub(crate) fn among(found: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<Self, BackendError> {
-        let adapter = adapter::choose(found, wanted)?;
-        Ok(Self {
-            opened: adapter::open(&adapter)?,
-            adapter: describe(&adapter.get_info()),
-            limits: adapter.limits(),
+    /// Opens the adapter that `options` say, in the way they say.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn open(options: &GpuOptions) -> Result<Self, BackendError> {
+        Self::among(adapters(), options)
+    }
+
+    /// As [`Self::open`], among adapters that were found already.
+    pub(crate) fn among(found: Vec<wgpu::Adapter>, options: &GpuOptions) -> Result<Self, BackendError> {
+        let adapter = adapter::choose(found, options.adapter.as_deref())?;
+        Ok(Self::of(adapter::open(&adapter, options)?))
+    }
+
+    /// A backend on a device that the caller has opened, such as a window's, which the two share: kernels run in the order in which
+    /// the caller and the backend submit. The caller hears of the device's failures by its own callbacks.
+    ///
+    /// [`Self::required`] says which features and limits the device should have; where it lacks them, shaders are translated, kernels
+    /// are not timed, and buffers may be too large.
+    #[must_use]
+    pub fn with_device(device: wgpu::Device, queue: wgpu::Queue, info: &wgpu::AdapterInfo) -> Self {
+        Self::of(adapter::adopt(device, queue, info))
+    }
+
+    /// The features and limits for a device of an adapter that is handed to [`Self::with_device`]; a caller adds its own.
+    #[must_use]
+    pub fn required(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+        adapter::required(adapter, &GpuOptions::default())
+    }
+
+    fn of(opened: Opened) -> Self {
+        Self {
+            adapter: opened.description.clone(),
+            limits: opened.device.limits(),
+            opened,
             pipelines: HashMap::new(),
             buffers: Buffers::default(),
             times: Vec::new(),
             volume_limit: None,
             threads: Threads::default(),
-        })
+        }
+    }
+
+    /// As [`Backend::read`], without waiting: for browsers, where nothing may wait, and for callers that share a device and go on.
+    /// Outside of a browser the caller polls the device, for example by [`wgpu::Device::poll`] in its loop.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub async fn read_async(&self, buffer: &Buffer, range: Range<u64>) -> Result<Vec<u8>, BackendError> {
+        let read = self.start_reading(buffer, range)?.finish().await;
+        self.check()?;
+        read.map_err(|reason| self.lost(reason))
+    }
+
+    fn start_reading(&self, buffer: &Buffer, range: Range<u64>) -> Result<Reading, BackendError> {
+        let source = self.buffers.get(buffer)?;
+        let (start, bytes) = (range.start, range.end.saturating_sub(range.start));
+        pass::check_part(start, bytes, Some(source.size()))?;
+        Ok(Reading::submit(&self.opened, source, start, bytes))
+    }
+
+    fn lost(&self, reason: String) -> BackendError {
+        BackendError::DeviceLost { adapter: self.adapter.clone(), reason }
     }
 
     /// Has the work of the host run on `threads` threads instead of the process's own.
@@ -350,28 +403,9 @@ impl Backend for GpuBackend {
         range: Range<u64>,
         see: &mut (dyn FnMut(&[u8]) + Send),
     ) -> Result<(), BackendError> {
-        let source = self.buffers.get(buffer)?.clone();
-        let (start, bytes) = (range.start, range.end.saturating_sub(range.start));
-        pass::check_part(start, bytes, Some(source.size()))?;
-        let staging = self.opened.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read back"),
-            size: bytes,
-            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_buffer_to_buffer(&source, start, &staging, 0, bytes);
-        let submission = self.opened.queue.submit([encoder.finish()]);
-        let (sender, receiver) = std::sync::mpsc::channel();
-        staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
-            // The receiver is gone only if this function already returned with an error.
-            let _ = sender.send(result);
-        });
-        self.wait(submission)?;
-        let lost = |reason: String| BackendError::DeviceLost { adapter: self.adapter.clone(), reason };
-        receiver.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
-        let view = staging.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
-        see(&view);
+        let reading = self.start_reading(buffer, range)?;
+        self.wait(reading.submission.clone())?;
+        see(&pollster::block_on(reading.finish()).map_err(|reason| self.lost(reason))?);
         Ok(())
     }
 

@@ -1,10 +1,10 @@
 //! Pipelines, made from the kernels' declarations.
 
 use super::adapter::Opened;
-use super::modules::module;
+use super::module;
 use crate::backend::BackendError;
-use std::borrow::Cow;
-use vitrum_kernels::kernel::{Access, Binding, Declaration, WORKGROUP};
+use vitrum_kernels::kernel::{Access, Binding, Declaration};
+use vitrum_shaders::{ENTRY_POINT, NAMES};
 
 /// A kernel on the device.
 pub(super) struct Pipeline {
@@ -35,29 +35,20 @@ impl Pipeline {
     /// Compiles a kernel for the device.
     pub(super) fn new(opened: &Opened, adapter: &str, declaration: &Declaration) -> Result<Self, BackendError> {
         let name = declaration.name;
-        let missing =
-            || BackendError::Misuse { kernel: name, what: "has no SPIR-V; run `cargo xtask shaders`".to_owned() };
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(module(name).ok_or_else(missing)?);
+        let unsupported = |reason: String| BackendError::Unsupported {
+            adapter: adapter.to_owned(),
+            what: format!("what kernel {name} needs: {reason}"),
+        };
+        if !NAMES.contains(&name) {
+            let what = "has no module; run `cargo xtask shaders`".to_owned();
+            return Err(BackendError::Misuse { kernel: name, what });
+        }
         let device = &opened.device;
         let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
         let shader = if opened.passes_through {
-            // SAFETY: see `adapter::open`.
-            unsafe {
-                device.create_shader_module_passthrough(wgpu::ShaderModuleDescriptorPassthrough {
-                    label: Some(name),
-                    entry_points: Cow::Owned(vec![wgpu::PassthroughShaderEntryPoint {
-                        name: Cow::Borrowed(name),
-                        workgroup_size: (WORKGROUP, WORKGROUP, 1),
-                    }]),
-                    spirv: Some(Cow::Owned(words)),
-                    ..Default::default()
-                })
-            }
+            module::passed_through(device, name)
         } else {
-            device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(name),
-                source: wgpu::ShaderSource::SpirV(Cow::Owned(words)),
-            })
+            module::translated(device, name).map_err(unsupported)?
         };
         let entries: Vec<_> =
             declaration.bindings.iter().map(|binding| layout_entry(binding, declaration.uniform_bytes)).collect();
@@ -72,16 +63,13 @@ impl Pipeline {
             label: Some(name),
             layout: Some(&pipeline_layout),
             module: &shader,
-            entry_point: Some(name),
+            entry_point: Some(ENTRY_POINT),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,
         });
         match pollster::block_on(scope.pop()) {
             None => Ok(Self { pipeline, layout }),
-            Some(error) => Err(BackendError::Unsupported {
-                adapter: adapter.to_owned(),
-                what: format!("what kernel {name} needs: {error}"),
-            }),
+            Some(error) => Err(unsupported(error.to_string())),
         }
     }
 }

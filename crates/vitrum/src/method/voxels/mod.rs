@@ -7,6 +7,7 @@
 pub(in crate::method) mod bodies;
 mod bricks;
 mod cache;
+mod cropped;
 mod distances;
 mod fields;
 mod film;

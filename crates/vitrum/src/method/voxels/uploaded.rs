@@ -3,7 +3,7 @@
 use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
-use super::{bricks, tree};
+use super::{bricks, cropped, tree};
 use crate::assets::Assets;
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
@@ -169,13 +169,13 @@ impl Uploaded {
             return Err(Unrenderable::TooManyVoxels { dimensions, materials, bytes }.into());
         }
         let clear = &self.bodies[..self.clear];
-        let Solids { fields: mut all, open_rows } = Solids::new(clear, self.grid, tools)?;
+        let Solids { fields: all, open_rows } = Solids::new(clear, self.grid, tools)?;
         self.open_rows = open_rows;
         let distances = bricks::distances(&all, self.grid.dimensions);
-        // Whole words, and one more for the pair of the last voxel.
-        all.resize(all.len().next_multiple_of(2) + 2, 0);
+        let cropped = cropped::cropped(&all, self.grid.dimensions);
+        drop(all);
         self.upload("distances of bricks", cast_slice(&distances), tools.backend)?;
-        self.upload("fields of materials", cast_slice(&all), tools.backend)
+        self.upload("fields of materials", cast_slice(&cropped), tools.backend)
     }
 
     fn paper(&mut self, settings: &Settings, tools: &mut Tools<'_>) -> Result<(), Error> {

@@ -1,21 +1,4 @@
-//! The committed SPIR-V modules.
-
-macro_rules! modules {
-    ($($name:ident)*) => {
-        /// The SPIR-V of a kernel, by name.
-        pub(super) fn module(kernel: &str) -> Option<&'static [u8]> {
-            match kernel {
-                $(stringify!($name) => Some(include_bytes!(concat!(
-                    env!("CARGO_MANIFEST_DIR"),
-                    "/../../shaders-rs/spirv/",
-                    stringify!($name),
-                    ".spv"
-                ))),)*
-                _ => None,
-            }
-        }
-    };
-}
+//! The kernels that have modules. `cargo xtask shaders` writes this file.
 
 modules! {
     probe_apply_function

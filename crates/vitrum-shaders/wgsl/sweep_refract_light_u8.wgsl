@@ -1,0 +1,1223 @@
+struct type_4 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+}
+struct type_6 {
+member: array<f32>,
+}
+struct type_11 {
+member: array<u32>,
+}
+struct type_13 {
+member: type_4,
+member_1: type_4,
+member_2: type_4,
+member_3: type_4,
+member_4: type_4,
+member_5: vec4<i32>,
+member_6: vec4<i32>,
+member_7: vec4<i32>,
+}
+struct type_14 {
+member: vec4<u32>,
+member_1: vec4<u32>,
+member_2: vec4<u32>,
+member_3: vec4<u32>,
+member_4: type_4,
+member_5: type_13,
+member_6: type_13,
+member_7: type_4,
+member_8: type_4,
+member_9: type_4,
+member_10: type_4,
+member_11: type_4,
+member_12: type_4,
+member_13: type_4,
+member_14: type_4,
+member_15: type_4,
+member_16: type_4,
+member_17: type_4,
+member_18: type_4,
+member_19: type_4,
+member_20: type_4,
+member_21: type_4,
+member_22: type_4,
+member_23: type_4,
+member_24: type_4,
+member_25: vec4<u32>,
+member_26: type_4,
+member_27: type_4,
+member_28: type_4,
+member_29: type_4,
+member_30: type_4,
+member_31: type_4,
+}
+struct type_15 {
+member: type_14,
+}
+struct type_18 {
+member: array<i32, 4>,
+member_1: array<u32, 6>,
+}
+struct type_19 {
+member: f32,
+member_1: vec3<f32>,
+member_2: vec3<f32>,
+}
+struct type_20 {
+member: f32,
+member_1: vec3<f32>,
+member_2: f32,
+member_3: vec3<f32>,
+member_4: vec3<f32>,
+}
+struct type_21 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_22 {
+member: f32,
+member_1: f32,
+member_2: vec3<f32>,
+member_3: vec3<f32>,
+}
+var<private> global: vec3<u32>;
+@group(0) @binding(0)
+var<storage> global_1: type_15;
+@group(0) @binding(1)
+var<storage> global_2: type_11;
+@group(0) @binding(3)
+var<storage> global_3: type_11;
+@group(0) @binding(4)
+var<storage> global_4: type_11;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_6;
+@group(0) @binding(5)
+var<storage> global_6: type_6;
+fn function_() {
+var local: type_18;
+var local_1: vec3<f32>;
+var local_2: type_18;
+var local_3: vec3<f32>;
+var local_4: type_18;
+var local_5: vec3<f32>;
+var phi_943_: u32;
+var phi_5350_: type_19;
+var phi_6694_: type_20;
+var phi_8203_: type_21;
+var phi_9313_: type_22;
+var phi_9464_: f32;
+var phi_9465_: f32;
+var phi_9466_: f32;
+var phi_9467_: f32;
+let _e86 = global;
+let _e89 = arrayLength((&global_2.member));
+let _e93 = arrayLength((&global_4.member));
+let _e95 = arrayLength((&global_6.member));
+let _e100 = global_1.member.member_1;
+let _e103 = (_e86.x + _e100.x);
+let _e106 = (_e86.y + _e100.y);
+if (_e103 < _e100.z) {
+if (_e106 < _e100.w) {
+let _e114 = global_1.member.member[0u];
+let _e118 = global_1.member.member[1u];
+let _e119 = (_e114 * _e118);
+let _e121 = ((_e106 * _e114) + _e103);
+let _e122 = bitcast<i32>(_e121);
+let _e124 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e126 = select(_e124, _e122, (_e122 < _e124));
+let _e132 = global_5.member[bitcast<u32>(select(0i, _e126, (_e126 > 0i)))];
+let _e133 = (_e119 + _e121);
+let _e134 = bitcast<i32>(_e133);
+let _e136 = select(_e124, _e134, (_e134 < _e124));
+let _e142 = global_5.member[bitcast<u32>(select(0i, _e136, (_e136 > 0i)))];
+let _e144 = ((2u * _e119) + _e121);
+let _e145 = bitcast<i32>(_e144);
+let _e147 = select(_e124, _e145, (_e145 < _e124));
+let _e153 = global_5.member[bitcast<u32>(select(0i, _e147, (_e147 > 0i)))];
+let _e155 = ((3u * _e119) + _e121);
+let _e156 = bitcast<i32>(_e155);
+let _e158 = select(_e124, _e156, (_e156 < _e124));
+let _e164 = global_5.member[bitcast<u32>(select(0i, _e158, (_e158 > 0i)))];
+let _e166 = ((4u * _e119) + _e121);
+let _e167 = bitcast<i32>(_e166);
+let _e169 = select(_e124, _e167, (_e167 < _e124));
+let _e175 = global_5.member[bitcast<u32>(select(0i, _e169, (_e169 > 0i)))];
+let _e177 = ((5u * _e119) + _e121);
+let _e178 = bitcast<i32>(_e177);
+let _e180 = select(_e124, _e178, (_e178 < _e124));
+let _e186 = global_5.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
+let _e188 = ((6u * _e119) + _e121);
+let _e189 = bitcast<i32>(_e188);
+let _e191 = select(_e124, _e189, (_e189 < _e124));
+let _e197 = global_5.member[bitcast<u32>(select(0i, _e191, (_e191 > 0i)))];
+let _e199 = ((7u * _e119) + _e121);
+let _e200 = bitcast<i32>(_e199);
+let _e202 = select(_e124, _e200, (_e200 < _e124));
+let _e208 = global_5.member[bitcast<u32>(select(0i, _e202, (_e202 > 0i)))];
+let _e210 = ((8u * _e119) + _e121);
+let _e211 = bitcast<i32>(_e210);
+let _e213 = select(_e124, _e211, (_e211 < _e124));
+let _e219 = global_5.member[bitcast<u32>(select(0i, _e213, (_e213 > 0i)))];
+let _e223 = global_1.member.member_2[2u];
+let _e227 = global_1.member.member_2[3u];
+let _e228 = (_e223 * _e227);
+if (_e95 >= (_e228 * 2u)) {
+let _e232 = bitcast<i32>((_e106 * _e223));
+let _e234 = bitcast<i32>(_e103);
+let _e239 = global_6.member[bitcast<u32>((_e232 + _e234))];
+let _e245 = global_6.member[bitcast<u32>(((bitcast<i32>(_e228) + _e232) + _e234))];
+let _e246 = f32(_e234);
+let _e248 = f32(bitcast<i32>(_e106));
+let _e254 = global_1.member.member_4.member;
+let _e258 = global_1.member.member_8.member_2;
+let _e259 = (_e254 - _e258);
+let _e263 = global_1.member.member_7.member;
+let _e267 = global_1.member.member_8.member;
+let _e274 = global_1.member.member_7.member_2;
+let _e276 = ((_e263 + (_e267 * _e259)) + (((_e246 - _e239) + 0.5f) * _e274));
+let _e280 = global_1.member.member_7.member_1;
+let _e284 = global_1.member.member_8.member_1;
+let _e289 = ((_e280 + (_e284 * _e259)) + (((_e248 - _e245) + 0.5f) * _e274));
+let _e293 = global_1.member.member_4.member_1;
+let _e294 = (_e293 - _e258);
+let _e299 = ((_e263 + (_e267 * _e294)) + ((_e246 + 0.5f) * _e274));
+let _e304 = ((_e280 + (_e284 * _e294)) + ((_e248 + 0.5f) * _e274));
+let _e308 = global_1.member.member_5.member;
+let _e321 = global_1.member.member_5.member.member_3;
+let _e322 = ((((_e308.member * _e276) + (_e308.member_1 * _e289)) + (_e308.member_2 * _e254)) + _e321);
+let _e326 = global_1.member.member_5.member_1;
+let _e339 = global_1.member.member_5.member_1.member_3;
+let _e340 = ((((_e326.member * _e276) + (_e326.member_1 * _e289)) + (_e326.member_2 * _e254)) + _e339);
+let _e344 = global_1.member.member_5.member_2;
+let _e357 = global_1.member.member_5.member_2.member_3;
+let _e358 = ((((_e344.member * _e276) + (_e344.member_1 * _e289)) + (_e344.member_2 * _e254)) + _e357);
+let _e364 = ((((_e308.member * _e299) + (_e308.member_1 * _e304)) + (_e308.member_2 * _e293)) + _e321);
+let _e370 = ((((_e326.member * _e299) + (_e326.member_1 * _e304)) + (_e326.member_2 * _e293)) + _e339);
+let _e376 = ((((_e344.member * _e299) + (_e344.member_1 * _e304)) + (_e344.member_2 * _e293)) + _e357);
+let _e382 = global_1.member.member_5.member_3.member;
+let _e383 = (_e382 - 1f);
+let _e392 = global_1.member.member_5.member_3.member_1;
+let _e393 = (_e392 - 1f);
+let _e402 = global_1.member.member_5.member_3.member_2;
+let _e403 = (_e402 - 1f);
+let _e423 = global_1.member.member_5.member_3.member_3;
+let _e424 = (_e382 - 0.5f);
+let _e426 = select(-0.5f, _e364, (_e364 > -0.5f));
+let _e428 = select(_e424, _e426, (_e426 < _e424));
+let _e429 = (_e392 - 0.5f);
+let _e431 = select(-0.5f, _e370, (_e370 > -0.5f));
+let _e433 = select(_e429, _e431, (_e431 < _e429));
+let _e434 = (_e402 - 0.5f);
+let _e436 = select(-0.5f, _e376, (_e376 > -0.5f));
+let _e438 = select(_e434, _e436, (_e436 < _e434));
+let _e444 = bitcast<f32>((bitcast<u32>((_e364 - _e322)) & 2147483647u));
+let _e447 = bitcast<f32>((bitcast<u32>((_e370 - _e340)) & 2147483647u));
+let _e449 = select(_e447, _e444, (_e444 > _e447));
+let _e452 = bitcast<f32>((bitcast<u32>((_e376 - _e358)) & 2147483647u));
+let _e461 = bitcast<f32>((bitcast<u32>((_e364 - _e428)) & 2147483647u));
+let _e464 = bitcast<f32>((bitcast<u32>((_e370 - _e433)) & 2147483647u));
+let _e466 = select(_e464, _e461, (_e461 > _e464));
+let _e469 = bitcast<f32>((bitcast<u32>((_e376 - _e438)) & 2147483647u));
+let _e473 = (_e428 + 0.5f);
+let _e475 = select(0f, _e473, (_e473 > 0f));
+let _e477 = select(_e383, _e475, (_e475 < _e383));
+let _e484 = select(0i, select(select(i32(_e477), i32(-2147483648), (_e477 < -2147483600f)), 2147483647i, (_e477 > 2147483500f)), (_e477 == _e477));
+let _e493 = global_1.member.member_5.member_7[3u];
+let _e494 = (_e493 & 31i);
+let _e497 = (_e433 + 0.5f);
+let _e499 = select(0f, _e497, (_e497 > 0f));
+let _e501 = select(_e393, _e499, (_e499 < _e393));
+let _e508 = select(0i, select(select(i32(_e501), i32(-2147483648), (_e501 < -2147483600f)), 2147483647i, (_e501 > 2147483500f)), (_e501 == _e501));
+let _e515 = (_e438 + 0.5f);
+let _e517 = select(0f, _e515, (_e515 > 0f));
+let _e519 = select(_e403, _e517, (_e517 < _e403));
+let _e526 = select(0i, select(select(i32(_e519), i32(-2147483648), (_e519 < -2147483600f)), 2147483647i, (_e519 > 2147483500f)), (_e519 == _e519));
+let _e537 = global_1.member.member_5.member_6[3u];
+let _e543 = global_1.member.member_5.member_6[0u];
+let _e548 = global_1.member.member_5.member_6[1u];
+let _e552 = ((_e537 + ((_e484 - select(0i, 1i, (_e477 < f32(_e484)))) >> bitcast<u32>(_e494))) + (_e543 * (((_e508 - select(0i, 1i, (_e501 < f32(_e508)))) >> bitcast<u32>(_e494)) + (_e548 * ((_e526 - select(0i, 1i, (_e519 < f32(_e526)))) >> bitcast<u32>(_e494))))));
+let _e554 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e556 = select(_e554, _e552, (_e552 < _e554));
+let _e562 = global_3.member[bitcast<u32>(select(0i, _e556, (_e556 > 0i)))];
+let _e569 = global_1.member.member[3u];
+phi_943_ = select(select(7u, 3u, (((((((_e322 >= 0f) && (_e322 <= _e383)) && (_e340 >= 0f)) && (_e340 <= _e393)) && (_e358 >= 0f)) && (_e358 <= _e403)) && ((((((_e364 >= 0f) && (_e364 <= _e383)) && (_e370 >= 0f)) && (_e370 <= _e393)) && (_e376 >= 0f)) && (_e376 <= _e403)))), 1u, (((_e569 & 64u) != 0u) || ((((select(_e452, _e449, (_e449 > _e452)) <= _e423) && ((select(_e469, _e466, (_e466 > _e469)) > _e423) || (_e562 != 0u))) && true) && ((_e569 & 32u) != 0u))));
+} else {
+phi_943_ = 7u;
+}
+let _e579 = phi_943_;
+if (_e579 > 1u) {
+let _e584 = global_1.member.member[2u];
+let _e587 = bitcast<i32>(((_e106 * _e223) + _e103));
+let _e590 = (bitcast<i32>(_e95) - 1i);
+let _e592 = select(_e590, _e587, (_e587 < _e590));
+let _e598 = global_6.member[bitcast<u32>(select(0i, _e592, (_e592 > 0i)))];
+let _e599 = (bitcast<i32>(_e228) + _e587);
+let _e601 = select(_e590, _e599, (_e599 < _e590));
+let _e607 = global_6.member[bitcast<u32>(select(0i, _e601, (_e601 > 0i)))];
+let _e609 = f32(bitcast<i32>(_e103));
+let _e611 = f32(bitcast<i32>(_e106));
+let _e617 = global_1.member.member_4.member;
+let _e621 = global_1.member.member_8.member_2;
+let _e622 = (_e617 - _e621);
+let _e626 = global_1.member.member_7.member;
+let _e630 = global_1.member.member_8.member;
+let _e637 = global_1.member.member_7.member_2;
+let _e639 = ((_e626 + (_e630 * _e622)) + (((_e609 - _e598) + 0.5f) * _e637));
+let _e643 = global_1.member.member_7.member_1;
+let _e647 = global_1.member.member_8.member_1;
+let _e652 = ((_e643 + (_e647 * _e622)) + (((_e611 - _e607) + 0.5f) * _e637));
+let _e656 = global_1.member.member_4.member_1;
+let _e657 = (_e656 - _e621);
+let _e662 = ((_e626 + (_e630 * _e657)) + ((_e609 + 0.5f) * _e637));
+let _e667 = ((_e643 + (_e647 * _e657)) + ((_e611 + 0.5f) * _e637));
+let _e671 = global_1.member.member_5.member;
+let _e684 = global_1.member.member_5.member.member_3;
+let _e685 = ((((_e671.member * _e639) + (_e671.member_1 * _e652)) + (_e671.member_2 * _e617)) + _e684);
+let _e689 = global_1.member.member_5.member_1;
+let _e702 = global_1.member.member_5.member_1.member_3;
+let _e703 = ((((_e689.member * _e639) + (_e689.member_1 * _e652)) + (_e689.member_2 * _e617)) + _e702);
+let _e707 = global_1.member.member_5.member_2;
+let _e720 = global_1.member.member_5.member_2.member_3;
+let _e721 = ((((_e707.member * _e639) + (_e707.member_1 * _e652)) + (_e707.member_2 * _e617)) + _e720);
+let _e727 = ((((_e671.member * _e662) + (_e671.member_1 * _e667)) + (_e671.member_2 * _e656)) + _e684);
+let _e733 = ((((_e689.member * _e662) + (_e689.member_1 * _e667)) + (_e689.member_2 * _e656)) + _e702);
+let _e739 = ((((_e707.member * _e662) + (_e707.member_1 * _e667)) + (_e707.member_2 * _e656)) + _e720);
+let _e741 = (_e584 == 2u);
+let _e744 = (((_e584 == 1u) || _e741) || (_e584 == 5u));
+if _e744 {
+let _e1154 = global_1.member.member_5.member_3.member;
+let _e1155 = (_e1154 - 0.5f);
+let _e1157 = select(-0.5f, _e727, (_e727 > -0.5f));
+let _e1159 = select(_e1155, _e1157, (_e1157 < _e1155));
+let _e1164 = global_1.member.member_5.member_3.member_1;
+let _e1165 = (_e1164 - 0.5f);
+let _e1167 = select(-0.5f, _e733, (_e733 > -0.5f));
+let _e1169 = select(_e1165, _e1167, (_e1167 < _e1165));
+let _e1174 = global_1.member.member_5.member_3.member_2;
+let _e1175 = (_e1174 - 0.5f);
+let _e1177 = select(-0.5f, _e739, (_e739 > -0.5f));
+let _e1179 = select(_e1175, _e1177, (_e1177 < _e1175));
+let _e1181 = select(-1f, _e1159, (_e1159 > -1f));
+let _e1183 = select(_e1154, _e1181, (_e1181 < _e1154));
+let _e1190 = select(0i, select(select(i32(_e1183), i32(-2147483648), (_e1183 < -2147483600f)), 2147483647i, (_e1183 > 2147483500f)), (_e1183 == _e1183));
+let _e1194 = (_e1190 - select(0i, 1i, (_e1183 < f32(_e1190))));
+let _e1196 = select(-1f, _e1169, (_e1169 > -1f));
+let _e1198 = select(_e1164, _e1196, (_e1196 < _e1164));
+let _e1205 = select(0i, select(select(i32(_e1198), i32(-2147483648), (_e1198 < -2147483600f)), 2147483647i, (_e1198 > 2147483500f)), (_e1198 == _e1198));
+let _e1209 = (_e1205 - select(0i, 1i, (_e1198 < f32(_e1205))));
+let _e1211 = select(-1f, _e1179, (_e1179 > -1f));
+let _e1213 = select(_e1174, _e1211, (_e1211 < _e1174));
+let _e1220 = select(0i, select(select(i32(_e1213), i32(-2147483648), (_e1213 < -2147483600f)), 2147483647i, (_e1213 > 2147483500f)), (_e1213 == _e1213));
+let _e1224 = (_e1220 - select(0i, 1i, (_e1213 < f32(_e1220))));
+let _e1229 = global_1.member.member_5.member_5[0u];
+let _e1234 = global_1.member.member_5.member_5[1u];
+let _e1242 = (select(0i, select(select(i32(_e1164), i32(-2147483648), (_e1164 < -2147483600f)), 2147483647i, (_e1164 > 2147483500f)), (_e1164 == _e1164)) - 1i);
+let _e1243 = (_e1209 - 1i);
+let _e1248 = (_e1209 + 1i);
+let _e1251 = (_e1209 + 2i);
+let _e1261 = (select(0i, select(select(i32(_e1174), i32(-2147483648), (_e1174 < -2147483600f)), 2147483647i, (_e1174 > 2147483500f)), (_e1174 == _e1174)) - 1i);
+let _e1262 = (_e1224 - 1i);
+let _e1267 = (_e1224 + 1i);
+let _e1270 = (_e1224 + 2i);
+let _e1279 = select(0i, select(select(i32(_e1154), i32(-2147483648), (_e1154 < -2147483600f)), 2147483647i, (_e1154 > 2147483500f)), (_e1154 == _e1154));
+let _e1280 = (_e1279 - 1i);
+let _e1281 = (_e1194 - 1i);
+let _e1283 = select(0i, _e1281, (_e1281 > 0i));
+let _e1286 = (_e1194 + 1i);
+let _e1289 = (_e1194 + 2i);
+let _e1292 = (_e1279 - 4i);
+let _e1294 = select(0i, _e1292, (_e1292 > 0i));
+let _e1296 = select(_e1294, _e1283, (_e1283 < _e1294));
+let _e1309 = (select(0i, _e1243, (_e1243 > 0i)) * _e1229);
+let _e1310 = (select(0i, _e1209, (_e1209 > 0i)) * _e1229);
+let _e1311 = (select(_e1242, _e1248, (_e1248 < _e1242)) * _e1229);
+let _e1312 = (select(_e1242, _e1251, (_e1251 < _e1242)) * _e1229);
+let _e1313 = (select(0i, _e1262, (_e1262 > 0i)) * _e1234);
+let _e1314 = (select(0i, _e1224, (_e1224 > 0i)) * _e1234);
+let _e1315 = (select(_e1261, _e1267, (_e1267 < _e1261)) * _e1234);
+let _e1316 = (select(_e1261, _e1270, (_e1270 < _e1261)) * _e1234);
+local_4 = type_18(array<i32, 4>(_e1296, _e1296, _e1296, _e1296), array<u32, 6>(bitcast<u32>(((_e1283 - _e1296) * 8i)), bitcast<u32>(((select(0i, _e1194, (_e1194 > 0i)) - _e1296) * 8i)), bitcast<u32>(((select(_e1280, _e1286, (_e1286 < _e1280)) - _e1296) * 8i)), bitcast<u32>(((select(_e1280, _e1289, (_e1289 < _e1280)) - _e1296) * 8i)), 0u, 0u));
+local_5 = vec3<f32>((_e1159 - f32(_e1194)), (_e1169 - f32(_e1209)), (_e1179 - f32(_e1224)));
+let _e1331 = local_4.member[0u];
+let _e1332 = ((_e1314 + _e1310) + _e1331);
+let _e1334 = (_e1332 >> bitcast<u32>(2i));
+let _e1337 = bitcast<u32>(((_e1332 & 3i) * 8i));
+let _e1339 = (bitcast<i32>(_e89) - 1i);
+let _e1341 = select(_e1339, _e1334, (_e1334 < _e1339));
+let _e1346 = global_2.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
+let _e1350 = (_e1334 + 1i);
+let _e1352 = select(_e1339, _e1350, (_e1350 < _e1339));
+let _e1357 = global_2.member[bitcast<u32>(select(0i, _e1352, (_e1352 > 0i)))];
+let _e1364 = ((_e1346 >> bitcast<u32>((_e1337 & 31u))) | ((_e1357 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1337) & 31u))));
+let _e1367 = local_4.member_1[0u];
+let _e1373 = f32(bitcast<i32>(((_e1364 >> bitcast<u32>((_e1367 & 31u))) & 255u)));
+let _e1376 = local_4.member_1[1u];
+let _e1382 = f32(bitcast<i32>(((_e1364 >> bitcast<u32>((_e1376 & 31u))) & 255u)));
+let _e1385 = local_4.member_1[2u];
+let _e1391 = f32(bitcast<i32>(((_e1364 >> bitcast<u32>((_e1385 & 31u))) & 255u)));
+let _e1394 = local_4.member_1[3u];
+let _e1401 = local_5[0u];
+let _e1404 = (_e1373 + ((_e1382 - _e1373) * _e1401));
+let _e1405 = local_5[0u];
+let _e1408 = (_e1382 + ((_e1391 - _e1382) * _e1405));
+let _e1409 = local_5[0u];
+let _e1412 = (_e1391 + ((f32(bitcast<i32>(((_e1364 >> bitcast<u32>((_e1394 & 31u))) & 255u))) - _e1391) * _e1409));
+let _e1414 = local_4.member[0u];
+let _e1415 = ((_e1314 + _e1311) + _e1414);
+let _e1417 = (_e1415 >> bitcast<u32>(2i));
+let _e1420 = bitcast<u32>(((_e1415 & 3i) * 8i));
+let _e1422 = select(_e1339, _e1417, (_e1417 < _e1339));
+let _e1427 = global_2.member[bitcast<u32>(select(0i, _e1422, (_e1422 > 0i)))];
+let _e1431 = (_e1417 + 1i);
+let _e1433 = select(_e1339, _e1431, (_e1431 < _e1339));
+let _e1438 = global_2.member[bitcast<u32>(select(0i, _e1433, (_e1433 > 0i)))];
+let _e1445 = ((_e1427 >> bitcast<u32>((_e1420 & 31u))) | ((_e1438 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1420) & 31u))));
+let _e1446 = local_4.member_1[0u];
+let _e1452 = f32(bitcast<i32>(((_e1445 >> bitcast<u32>((_e1446 & 31u))) & 255u)));
+let _e1453 = local_4.member_1[1u];
+let _e1459 = f32(bitcast<i32>(((_e1445 >> bitcast<u32>((_e1453 & 31u))) & 255u)));
+let _e1460 = local_4.member_1[2u];
+let _e1466 = f32(bitcast<i32>(((_e1445 >> bitcast<u32>((_e1460 & 31u))) & 255u)));
+let _e1467 = local_4.member_1[3u];
+let _e1474 = local_5[0u];
+let _e1478 = local_5[0u];
+let _e1481 = (_e1459 + ((_e1466 - _e1459) * _e1478));
+let _e1482 = local_5[0u];
+let _e1487 = local_4.member[0u];
+let _e1488 = ((_e1315 + _e1310) + _e1487);
+let _e1490 = (_e1488 >> bitcast<u32>(2i));
+let _e1493 = bitcast<u32>(((_e1488 & 3i) * 8i));
+let _e1495 = select(_e1339, _e1490, (_e1490 < _e1339));
+let _e1500 = global_2.member[bitcast<u32>(select(0i, _e1495, (_e1495 > 0i)))];
+let _e1504 = (_e1490 + 1i);
+let _e1506 = select(_e1339, _e1504, (_e1504 < _e1339));
+let _e1511 = global_2.member[bitcast<u32>(select(0i, _e1506, (_e1506 > 0i)))];
+let _e1518 = ((_e1500 >> bitcast<u32>((_e1493 & 31u))) | ((_e1511 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1493) & 31u))));
+let _e1519 = local_4.member_1[0u];
+let _e1525 = f32(bitcast<i32>(((_e1518 >> bitcast<u32>((_e1519 & 31u))) & 255u)));
+let _e1526 = local_4.member_1[1u];
+let _e1532 = f32(bitcast<i32>(((_e1518 >> bitcast<u32>((_e1526 & 31u))) & 255u)));
+let _e1533 = local_4.member_1[2u];
+let _e1539 = f32(bitcast<i32>(((_e1518 >> bitcast<u32>((_e1533 & 31u))) & 255u)));
+let _e1540 = local_4.member_1[3u];
+let _e1547 = local_5[0u];
+let _e1550 = (_e1525 + ((_e1532 - _e1525) * _e1547));
+let _e1551 = local_5[0u];
+let _e1554 = (_e1532 + ((_e1539 - _e1532) * _e1551));
+let _e1555 = local_5[0u];
+let _e1558 = (_e1539 + ((f32(bitcast<i32>(((_e1518 >> bitcast<u32>((_e1540 & 31u))) & 255u))) - _e1539) * _e1555));
+let _e1560 = local_4.member[0u];
+let _e1561 = ((_e1315 + _e1311) + _e1560);
+let _e1563 = (_e1561 >> bitcast<u32>(2i));
+let _e1566 = bitcast<u32>(((_e1561 & 3i) * 8i));
+let _e1568 = select(_e1339, _e1563, (_e1563 < _e1339));
+let _e1573 = global_2.member[bitcast<u32>(select(0i, _e1568, (_e1568 > 0i)))];
+let _e1577 = (_e1563 + 1i);
+let _e1579 = select(_e1339, _e1577, (_e1577 < _e1339));
+let _e1584 = global_2.member[bitcast<u32>(select(0i, _e1579, (_e1579 > 0i)))];
+let _e1591 = ((_e1573 >> bitcast<u32>((_e1566 & 31u))) | ((_e1584 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1566) & 31u))));
+let _e1592 = local_4.member_1[0u];
+let _e1598 = f32(bitcast<i32>(((_e1591 >> bitcast<u32>((_e1592 & 31u))) & 255u)));
+let _e1599 = local_4.member_1[1u];
+let _e1605 = f32(bitcast<i32>(((_e1591 >> bitcast<u32>((_e1599 & 31u))) & 255u)));
+let _e1606 = local_4.member_1[2u];
+let _e1612 = f32(bitcast<i32>(((_e1591 >> bitcast<u32>((_e1606 & 31u))) & 255u)));
+let _e1613 = local_4.member_1[3u];
+let _e1620 = local_5[0u];
+let _e1624 = local_5[0u];
+let _e1627 = (_e1605 + ((_e1612 - _e1605) * _e1624));
+let _e1628 = local_5[0u];
+let _e1633 = local_4.member[0u];
+let _e1634 = ((_e1314 + _e1309) + _e1633);
+let _e1636 = (_e1634 >> bitcast<u32>(2i));
+let _e1639 = bitcast<u32>(((_e1634 & 3i) * 8i));
+let _e1641 = select(_e1339, _e1636, (_e1636 < _e1339));
+let _e1646 = global_2.member[bitcast<u32>(select(0i, _e1641, (_e1641 > 0i)))];
+let _e1650 = (_e1636 + 1i);
+let _e1652 = select(_e1339, _e1650, (_e1650 < _e1339));
+let _e1657 = global_2.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
+let _e1664 = ((_e1646 >> bitcast<u32>((_e1639 & 31u))) | ((_e1657 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1639) & 31u))));
+let _e1665 = local_4.member_1[1u];
+let _e1671 = f32(bitcast<i32>(((_e1664 >> bitcast<u32>((_e1665 & 31u))) & 255u)));
+let _e1672 = local_4.member_1[2u];
+let _e1679 = local_5[0u];
+let _e1682 = (_e1671 + ((f32(bitcast<i32>(((_e1664 >> bitcast<u32>((_e1672 & 31u))) & 255u))) - _e1671) * _e1679));
+let _e1684 = local_4.member[0u];
+let _e1685 = ((_e1314 + _e1312) + _e1684);
+let _e1687 = (_e1685 >> bitcast<u32>(2i));
+let _e1690 = bitcast<u32>(((_e1685 & 3i) * 8i));
+let _e1692 = select(_e1339, _e1687, (_e1687 < _e1339));
+let _e1697 = global_2.member[bitcast<u32>(select(0i, _e1692, (_e1692 > 0i)))];
+let _e1701 = (_e1687 + 1i);
+let _e1703 = select(_e1339, _e1701, (_e1701 < _e1339));
+let _e1708 = global_2.member[bitcast<u32>(select(0i, _e1703, (_e1703 > 0i)))];
+let _e1715 = ((_e1697 >> bitcast<u32>((_e1690 & 31u))) | ((_e1708 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1690) & 31u))));
+let _e1716 = local_4.member_1[1u];
+let _e1722 = f32(bitcast<i32>(((_e1715 >> bitcast<u32>((_e1716 & 31u))) & 255u)));
+let _e1723 = local_4.member_1[2u];
+let _e1730 = local_5[0u];
+let _e1735 = local_4.member[0u];
+let _e1736 = ((_e1315 + _e1309) + _e1735);
+let _e1738 = (_e1736 >> bitcast<u32>(2i));
+let _e1741 = bitcast<u32>(((_e1736 & 3i) * 8i));
+let _e1743 = select(_e1339, _e1738, (_e1738 < _e1339));
+let _e1748 = global_2.member[bitcast<u32>(select(0i, _e1743, (_e1743 > 0i)))];
+let _e1752 = (_e1738 + 1i);
+let _e1754 = select(_e1339, _e1752, (_e1752 < _e1339));
+let _e1759 = global_2.member[bitcast<u32>(select(0i, _e1754, (_e1754 > 0i)))];
+let _e1766 = ((_e1748 >> bitcast<u32>((_e1741 & 31u))) | ((_e1759 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1741) & 31u))));
+let _e1767 = local_4.member_1[1u];
+let _e1773 = f32(bitcast<i32>(((_e1766 >> bitcast<u32>((_e1767 & 31u))) & 255u)));
+let _e1774 = local_4.member_1[2u];
+let _e1781 = local_5[0u];
+let _e1784 = (_e1773 + ((f32(bitcast<i32>(((_e1766 >> bitcast<u32>((_e1774 & 31u))) & 255u))) - _e1773) * _e1781));
+let _e1786 = local_4.member[0u];
+let _e1787 = ((_e1315 + _e1312) + _e1786);
+let _e1789 = (_e1787 >> bitcast<u32>(2i));
+let _e1792 = bitcast<u32>(((_e1787 & 3i) * 8i));
+let _e1794 = select(_e1339, _e1789, (_e1789 < _e1339));
+let _e1799 = global_2.member[bitcast<u32>(select(0i, _e1794, (_e1794 > 0i)))];
+let _e1803 = (_e1789 + 1i);
+let _e1805 = select(_e1339, _e1803, (_e1803 < _e1339));
+let _e1810 = global_2.member[bitcast<u32>(select(0i, _e1805, (_e1805 > 0i)))];
+let _e1817 = ((_e1799 >> bitcast<u32>((_e1792 & 31u))) | ((_e1810 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1792) & 31u))));
+let _e1818 = local_4.member_1[1u];
+let _e1824 = f32(bitcast<i32>(((_e1817 >> bitcast<u32>((_e1818 & 31u))) & 255u)));
+let _e1825 = local_4.member_1[2u];
+let _e1832 = local_5[0u];
+let _e1837 = local_4.member[0u];
+let _e1838 = ((_e1313 + _e1310) + _e1837);
+let _e1840 = (_e1838 >> bitcast<u32>(2i));
+let _e1843 = bitcast<u32>(((_e1838 & 3i) * 8i));
+let _e1845 = select(_e1339, _e1840, (_e1840 < _e1339));
+let _e1850 = global_2.member[bitcast<u32>(select(0i, _e1845, (_e1845 > 0i)))];
+let _e1854 = (_e1840 + 1i);
+let _e1856 = select(_e1339, _e1854, (_e1854 < _e1339));
+let _e1861 = global_2.member[bitcast<u32>(select(0i, _e1856, (_e1856 > 0i)))];
+let _e1868 = ((_e1850 >> bitcast<u32>((_e1843 & 31u))) | ((_e1861 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1843) & 31u))));
+let _e1869 = local_4.member_1[1u];
+let _e1875 = f32(bitcast<i32>(((_e1868 >> bitcast<u32>((_e1869 & 31u))) & 255u)));
+let _e1876 = local_4.member_1[2u];
+let _e1883 = local_5[0u];
+let _e1886 = (_e1875 + ((f32(bitcast<i32>(((_e1868 >> bitcast<u32>((_e1876 & 31u))) & 255u))) - _e1875) * _e1883));
+let _e1888 = local_4.member[0u];
+let _e1889 = ((_e1316 + _e1310) + _e1888);
+let _e1891 = (_e1889 >> bitcast<u32>(2i));
+let _e1894 = bitcast<u32>(((_e1889 & 3i) * 8i));
+let _e1896 = select(_e1339, _e1891, (_e1891 < _e1339));
+let _e1901 = global_2.member[bitcast<u32>(select(0i, _e1896, (_e1896 > 0i)))];
+let _e1905 = (_e1891 + 1i);
+let _e1907 = select(_e1339, _e1905, (_e1905 < _e1339));
+let _e1912 = global_2.member[bitcast<u32>(select(0i, _e1907, (_e1907 > 0i)))];
+let _e1919 = ((_e1901 >> bitcast<u32>((_e1894 & 31u))) | ((_e1912 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1894) & 31u))));
+let _e1920 = local_4.member_1[1u];
+let _e1926 = f32(bitcast<i32>(((_e1919 >> bitcast<u32>((_e1920 & 31u))) & 255u)));
+let _e1927 = local_4.member_1[2u];
+let _e1934 = local_5[0u];
+let _e1937 = (_e1926 + ((f32(bitcast<i32>(((_e1919 >> bitcast<u32>((_e1927 & 31u))) & 255u))) - _e1926) * _e1934));
+let _e1939 = local_4.member[0u];
+let _e1940 = ((_e1313 + _e1311) + _e1939);
+let _e1942 = (_e1940 >> bitcast<u32>(2i));
+let _e1945 = bitcast<u32>(((_e1940 & 3i) * 8i));
+let _e1947 = select(_e1339, _e1942, (_e1942 < _e1339));
+let _e1952 = global_2.member[bitcast<u32>(select(0i, _e1947, (_e1947 > 0i)))];
+let _e1956 = (_e1942 + 1i);
+let _e1958 = select(_e1339, _e1956, (_e1956 < _e1339));
+let _e1963 = global_2.member[bitcast<u32>(select(0i, _e1958, (_e1958 > 0i)))];
+let _e1970 = ((_e1952 >> bitcast<u32>((_e1945 & 31u))) | ((_e1963 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1945) & 31u))));
+let _e1971 = local_4.member_1[1u];
+let _e1977 = f32(bitcast<i32>(((_e1970 >> bitcast<u32>((_e1971 & 31u))) & 255u)));
+let _e1978 = local_4.member_1[2u];
+let _e1985 = local_5[0u];
+let _e1990 = local_4.member[0u];
+let _e1991 = ((_e1316 + _e1311) + _e1990);
+let _e1993 = (_e1991 >> bitcast<u32>(2i));
+let _e1996 = bitcast<u32>(((_e1991 & 3i) * 8i));
+let _e1998 = select(_e1339, _e1993, (_e1993 < _e1339));
+let _e2003 = global_2.member[bitcast<u32>(select(0i, _e1998, (_e1998 > 0i)))];
+let _e2007 = (_e1993 + 1i);
+let _e2009 = select(_e1339, _e2007, (_e2007 < _e1339));
+let _e2014 = global_2.member[bitcast<u32>(select(0i, _e2009, (_e2009 > 0i)))];
+let _e2021 = ((_e2003 >> bitcast<u32>((_e1996 & 31u))) | ((_e2014 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1996) & 31u))));
+let _e2022 = local_4.member_1[1u];
+let _e2028 = f32(bitcast<i32>(((_e2021 >> bitcast<u32>((_e2022 & 31u))) & 255u)));
+let _e2029 = local_4.member_1[2u];
+let _e2036 = local_5[0u];
+let _e2041 = local_5[1u];
+let _e2044 = (_e1408 + ((_e1481 - _e1408) * _e2041));
+let _e2045 = local_5[1u];
+let _e2048 = (_e1554 + ((_e1627 - _e1554) * _e2045));
+let _e2049 = local_5[1u];
+let _e2052 = (_e1404 + (((_e1452 + ((_e1459 - _e1452) * _e1474)) - _e1404) * _e2049));
+let _e2053 = local_5[1u];
+let _e2058 = local_5[2u];
+let _e2062 = local_5[1u];
+let _e2065 = (_e1412 + (((_e1466 + ((f32(bitcast<i32>(((_e1445 >> bitcast<u32>((_e1467 & 31u))) & 255u))) - _e1466) * _e1482)) - _e1412) * _e2062));
+let _e2066 = local_5[1u];
+let _e2070 = local_5[2u];
+let _e2074 = local_5[1u];
+let _e2077 = (_e1682 + ((_e1408 - _e1682) * _e2074));
+let _e2078 = local_5[1u];
+let _e2082 = local_5[2u];
+let _e2086 = local_5[1u];
+let _e2089 = (_e1481 + (((_e1722 + ((f32(bitcast<i32>(((_e1715 >> bitcast<u32>((_e1723 & 31u))) & 255u))) - _e1722) * _e1730)) - _e1481) * _e2086));
+let _e2090 = local_5[1u];
+let _e2094 = local_5[2u];
+let _e2098 = local_5[1u];
+let _e2101 = (_e1886 + (((_e1977 + ((f32(bitcast<i32>(((_e1970 >> bitcast<u32>((_e1978 & 31u))) & 255u))) - _e1977) * _e1985)) - _e1886) * _e2098));
+let _e2102 = local_5[2u];
+let _e2106 = local_5[1u];
+let _e2110 = local_5[2u];
+let _e2114 = local_5[2u];
+let _e2122 = global_1.member.member_5.member_4.member;
+let _e2128 = global_1.member.member_5.member_4.member_1;
+let _e2129 = (((_e2044 + ((_e2048 - _e2044) * _e2114)) * _e2122) + _e2128);
+let _e2131 = select(0f, _e2129, (_e2129 > 0f));
+let _e2133 = select(1f, _e2131, (_e2131 < 1f));
+let _e2135 = (((_e2052 + (((_e1550 + (((_e1598 + ((_e1605 - _e1598) * _e1620)) - _e1550) * _e2053)) - _e2052) * _e2058)) * _e2122) + _e2128);
+let _e2137 = select(0f, _e2135, (_e2135 > 0f));
+let _e2139 = select(1f, _e2137, (_e2137 < 1f));
+let _e2141 = (((_e2065 + (((_e1558 + (((_e1612 + ((f32(bitcast<i32>(((_e1591 >> bitcast<u32>((_e1613 & 31u))) & 255u))) - _e1612) * _e1628)) - _e1558) * _e2066)) - _e2065) * _e2070)) * _e2122) + _e2128);
+let _e2143 = select(0f, _e2141, (_e2141 > 0f));
+let _e2145 = select(1f, _e2143, (_e2143 < 1f));
+let _e2147 = (((_e2077 + (((_e1784 + ((_e1554 - _e1784) * _e2078)) - _e2077) * _e2082)) * _e2122) + _e2128);
+let _e2149 = select(0f, _e2147, (_e2147 > 0f));
+let _e2151 = select(1f, _e2149, (_e2149 < 1f));
+let _e2153 = (((_e2089 + (((_e1627 + (((_e1824 + ((f32(bitcast<i32>(((_e1817 >> bitcast<u32>((_e1825 & 31u))) & 255u))) - _e1824) * _e1832)) - _e1627) * _e2090)) - _e2089) * _e2094)) * _e2122) + _e2128);
+let _e2155 = select(0f, _e2153, (_e2153 > 0f));
+let _e2157 = select(1f, _e2155, (_e2155 < 1f));
+let _e2159 = (((_e2101 + ((_e2044 - _e2101) * _e2102)) * _e2122) + _e2128);
+let _e2161 = select(0f, _e2159, (_e2159 > 0f));
+let _e2163 = select(1f, _e2161, (_e2161 < 1f));
+let _e2165 = (((_e2048 + (((_e1937 + (((_e2028 + ((f32(bitcast<i32>(((_e2021 >> bitcast<u32>((_e2029 & 31u))) & 255u))) - _e2028) * _e2036)) - _e1937) * _e2106)) - _e2048) * _e2110)) * _e2122) + _e2128);
+let _e2167 = select(0f, _e2165, (_e2165 > 0f));
+let _e2169 = select(1f, _e2167, (_e2167 < 1f));
+let _e2170 = (_e2133 * 1024f);
+let _e2171 = (1024f - 1f);
+let _e2173 = select(0f, _e2170, (_e2170 > 0f));
+let _e2175 = select(_e2171, _e2173, (_e2173 < _e2171));
+let _e2182 = select(0i, select(select(i32(_e2175), i32(-2147483648), (_e2175 < -2147483600f)), 2147483647i, (_e2175 > 2147483500f)), (_e2175 == _e2175));
+let _e2186 = (_e2182 - select(0i, 1i, (_e2175 < f32(_e2182))));
+let _e2187 = (262147i + _e2186);
+let _e2189 = (bitcast<i32>(_e93) - 1i);
+let _e2191 = select(_e2189, _e2187, (_e2187 < _e2189));
+let _e2197 = global_4.member[bitcast<u32>(select(0i, _e2191, (_e2191 > 0i)))];
+let _e2207 = select(_e2189, 262146i, (262146i < _e2189));
+let _e2213 = global_4.member[bitcast<u32>(select(0i, _e2207, (_e2207 > 0i)))];
+let _e2214 = bitcast<f32>(_e2213);
+let _e2215 = (f32((bitcast<i32>((_e2197 & 4095u)) - 2048i)) * _e2214);
+let _e2217 = select(_e2189, 262144i, (262144i < _e2189));
+let _e2223 = global_4.member[bitcast<u32>(select(0i, _e2217, (_e2217 > 0i)))];
+let _e2224 = bitcast<f32>(_e2223);
+let _e2226 = select(_e2189, 262145i, (262145i < _e2189));
+let _e2232 = global_4.member[bitcast<u32>(select(0i, _e2226, (_e2226 > 0i)))];
+let _e2233 = bitcast<f32>(_e2232);
+let _e2239 = ((_e2224 + (f32(bitcast<i32>((_e2197 >> bitcast<u32>(12u)))) * _e2233)) + (_e2215 * (_e2170 - f32(_e2186))));
+let _e2240 = (_e2215 * 1024f);
+if _e741 {
+let _e2505 = ((0.5f * (_e2145 - _e2139)) * _e2240);
+let _e2506 = ((0.5f * (_e2157 - _e2151)) * _e2240);
+let _e2507 = ((0.5f * (_e2169 - _e2163)) * _e2240);
+phi_5350_ = type_19(_e2239, vec3<f32>(_e2505, _e2506, _e2507), vec3<f32>((_e2505 * _e2239), (_e2506 * _e2239), (_e2507 * _e2239)));
+} else {
+let _e2241 = (_e2139 * 1024f);
+let _e2243 = select(0f, _e2241, (_e2241 > 0f));
+let _e2245 = select(_e2171, _e2243, (_e2243 < _e2171));
+let _e2252 = select(0i, select(select(i32(_e2245), i32(-2147483648), (_e2245 < -2147483600f)), 2147483647i, (_e2245 > 2147483500f)), (_e2245 == _e2245));
+let _e2256 = (_e2252 - select(0i, 1i, (_e2245 < f32(_e2252))));
+let _e2257 = (262147i + _e2256);
+let _e2259 = select(_e2189, _e2257, (_e2257 < _e2189));
+let _e2265 = global_4.member[bitcast<u32>(select(0i, _e2259, (_e2259 > 0i)))];
+let _e2280 = ((_e2224 + (f32(bitcast<i32>((_e2265 >> bitcast<u32>(12u)))) * _e2233)) + ((f32((bitcast<i32>((_e2265 & 4095u)) - 2048i)) * _e2214) * (_e2241 - f32(_e2256))));
+let _e2281 = (_e2145 * 1024f);
+let _e2283 = select(0f, _e2281, (_e2281 > 0f));
+let _e2285 = select(_e2171, _e2283, (_e2283 < _e2171));
+let _e2292 = select(0i, select(select(i32(_e2285), i32(-2147483648), (_e2285 < -2147483600f)), 2147483647i, (_e2285 > 2147483500f)), (_e2285 == _e2285));
+let _e2296 = (_e2292 - select(0i, 1i, (_e2285 < f32(_e2292))));
+let _e2297 = (262147i + _e2296);
+let _e2299 = select(_e2189, _e2297, (_e2297 < _e2189));
+let _e2305 = global_4.member[bitcast<u32>(select(0i, _e2299, (_e2299 > 0i)))];
+let _e2320 = ((_e2224 + (f32(bitcast<i32>((_e2305 >> bitcast<u32>(12u)))) * _e2233)) + ((f32((bitcast<i32>((_e2305 & 4095u)) - 2048i)) * _e2214) * (_e2281 - f32(_e2296))));
+let _e2321 = (_e2151 * 1024f);
+let _e2323 = select(0f, _e2321, (_e2321 > 0f));
+let _e2325 = select(_e2171, _e2323, (_e2323 < _e2171));
+let _e2332 = select(0i, select(select(i32(_e2325), i32(-2147483648), (_e2325 < -2147483600f)), 2147483647i, (_e2325 > 2147483500f)), (_e2325 == _e2325));
+let _e2336 = (_e2332 - select(0i, 1i, (_e2325 < f32(_e2332))));
+let _e2337 = (262147i + _e2336);
+let _e2339 = select(_e2189, _e2337, (_e2337 < _e2189));
+let _e2345 = global_4.member[bitcast<u32>(select(0i, _e2339, (_e2339 > 0i)))];
+let _e2360 = ((_e2224 + (f32(bitcast<i32>((_e2345 >> bitcast<u32>(12u)))) * _e2233)) + ((f32((bitcast<i32>((_e2345 & 4095u)) - 2048i)) * _e2214) * (_e2321 - f32(_e2336))));
+let _e2361 = (_e2157 * 1024f);
+let _e2363 = select(0f, _e2361, (_e2361 > 0f));
+let _e2365 = select(_e2171, _e2363, (_e2363 < _e2171));
+let _e2372 = select(0i, select(select(i32(_e2365), i32(-2147483648), (_e2365 < -2147483600f)), 2147483647i, (_e2365 > 2147483500f)), (_e2365 == _e2365));
+let _e2376 = (_e2372 - select(0i, 1i, (_e2365 < f32(_e2372))));
+let _e2377 = (262147i + _e2376);
+let _e2379 = select(_e2189, _e2377, (_e2377 < _e2189));
+let _e2385 = global_4.member[bitcast<u32>(select(0i, _e2379, (_e2379 > 0i)))];
+let _e2400 = ((_e2224 + (f32(bitcast<i32>((_e2385 >> bitcast<u32>(12u)))) * _e2233)) + ((f32((bitcast<i32>((_e2385 & 4095u)) - 2048i)) * _e2214) * (_e2361 - f32(_e2376))));
+let _e2401 = (_e2163 * 1024f);
+let _e2403 = select(0f, _e2401, (_e2401 > 0f));
+let _e2405 = select(_e2171, _e2403, (_e2403 < _e2171));
+let _e2412 = select(0i, select(select(i32(_e2405), i32(-2147483648), (_e2405 < -2147483600f)), 2147483647i, (_e2405 > 2147483500f)), (_e2405 == _e2405));
+let _e2416 = (_e2412 - select(0i, 1i, (_e2405 < f32(_e2412))));
+let _e2417 = (262147i + _e2416);
+let _e2419 = select(_e2189, _e2417, (_e2417 < _e2189));
+let _e2425 = global_4.member[bitcast<u32>(select(0i, _e2419, (_e2419 > 0i)))];
+let _e2440 = ((_e2224 + (f32(bitcast<i32>((_e2425 >> bitcast<u32>(12u)))) * _e2233)) + ((f32((bitcast<i32>((_e2425 & 4095u)) - 2048i)) * _e2214) * (_e2401 - f32(_e2416))));
+let _e2441 = (_e2169 * 1024f);
+let _e2443 = select(0f, _e2441, (_e2441 > 0f));
+let _e2445 = select(_e2171, _e2443, (_e2443 < _e2171));
+let _e2452 = select(0i, select(select(i32(_e2445), i32(-2147483648), (_e2445 < -2147483600f)), 2147483647i, (_e2445 > 2147483500f)), (_e2445 == _e2445));
+let _e2456 = (_e2452 - select(0i, 1i, (_e2445 < f32(_e2452))));
+let _e2457 = (262147i + _e2456);
+let _e2459 = select(_e2189, _e2457, (_e2457 < _e2189));
+let _e2465 = global_4.member[bitcast<u32>(select(0i, _e2459, (_e2459 > 0i)))];
+let _e2480 = ((_e2224 + (f32(bitcast<i32>((_e2465 >> bitcast<u32>(12u)))) * _e2233)) + ((f32((bitcast<i32>((_e2465 & 4095u)) - 2048i)) * _e2214) * (_e2441 - f32(_e2456))));
+let _e2481 = (_e2320 - _e2280);
+let _e2483 = (_e2400 - _e2360);
+let _e2485 = (_e2480 - _e2440);
+phi_5350_ = type_19(_e2239, vec3<f32>((0.5f * _e2481), (0.5f * _e2483), (0.5f * _e2485)), vec3<f32>((0.25f * (_e2481 * (_e2320 + _e2280))), (0.25f * (_e2483 * (_e2400 + _e2360))), (0.25f * (_e2485 * (_e2480 + _e2440)))));
+}
+let _e2515 = phi_5350_;
+let _e2530 = select(0f, 1f, ((((((_e727 >= -0.5f) && (_e727 <= _e1155)) && (_e733 >= -0.5f)) && (_e733 <= _e1165)) && (_e739 >= -0.5f)) && (_e739 <= _e1175)));
+let _e2532 = (0.5f * (_e2145 - _e2139));
+let _e2534 = (0.5f * (_e2157 - _e2151));
+let _e2536 = (0.5f * (_e2169 - _e2163));
+let _e2541 = global_1.member.member_5.member.member;
+let _e2547 = global_1.member.member_5.member_1.member;
+let _e2554 = global_1.member.member_5.member_2.member;
+let _e2561 = global_1.member.member_5.member.member_1;
+let _e2567 = global_1.member.member_5.member_1.member_1;
+let _e2574 = global_1.member.member_5.member_2.member_1;
+let _e2581 = global_1.member.member_5.member.member_2;
+let _e2587 = global_1.member.member_5.member_1.member_2;
+let _e2594 = global_1.member.member_5.member_2.member_2;
+phi_6694_ = type_20(_e2133, vec3<f32>(((((_e2541 * _e2532) + (_e2547 * _e2534)) + (_e2554 * _e2536)) * _e2530), ((((_e2561 * _e2532) + (_e2567 * _e2534)) + (_e2574 * _e2536)) * _e2530), ((((_e2581 * _e2532) + (_e2587 * _e2534)) + (_e2594 * _e2536)) * _e2530)), _e2515.member, vec3<f32>(((((_e2541 * _e2515.member_2.x) + (_e2547 * _e2515.member_2.y)) + (_e2554 * _e2515.member_2.z)) * _e2530), ((((_e2561 * _e2515.member_2.x) + (_e2567 * _e2515.member_2.y)) + (_e2574 * _e2515.member_2.z)) * _e2530), ((((_e2581 * _e2515.member_2.x) + (_e2587 * _e2515.member_2.y)) + (_e2594 * _e2515.member_2.z)) * _e2530)), vec3<f32>(((((_e2541 * _e2515.member_1.x) + (_e2547 * _e2515.member_1.y)) + (_e2554 * _e2515.member_1.z)) * _e2530), ((((_e2561 * _e2515.member_1.x) + (_e2567 * _e2515.member_1.y)) + (_e2574 * _e2515.member_1.z)) * _e2530), ((((_e2581 * _e2515.member_1.x) + (_e2587 * _e2515.member_1.y)) + (_e2594 * _e2515.member_1.z)) * _e2530)));
+} else {
+let _e749 = global_1.member.member_5.member_3.member;
+let _e750 = (_e749 - 0.5f);
+let _e752 = select(-0.5f, _e727, (_e727 > -0.5f));
+let _e754 = select(_e750, _e752, (_e752 < _e750));
+let _e759 = global_1.member.member_5.member_3.member_1;
+let _e760 = (_e759 - 0.5f);
+let _e762 = select(-0.5f, _e733, (_e733 > -0.5f));
+let _e764 = select(_e760, _e762, (_e762 < _e760));
+let _e769 = global_1.member.member_5.member_3.member_2;
+let _e770 = (_e769 - 0.5f);
+let _e772 = select(-0.5f, _e739, (_e739 > -0.5f));
+let _e774 = select(_e770, _e772, (_e772 < _e770));
+let _e776 = select(-1f, _e754, (_e754 > -1f));
+let _e778 = select(_e749, _e776, (_e776 < _e749));
+let _e785 = select(0i, select(select(i32(_e778), i32(-2147483648), (_e778 < -2147483600f)), 2147483647i, (_e778 > 2147483500f)), (_e778 == _e778));
+let _e789 = (_e785 - select(0i, 1i, (_e778 < f32(_e785))));
+let _e791 = select(-1f, _e764, (_e764 > -1f));
+let _e793 = select(_e759, _e791, (_e791 < _e759));
+let _e800 = select(0i, select(select(i32(_e793), i32(-2147483648), (_e793 < -2147483600f)), 2147483647i, (_e793 > 2147483500f)), (_e793 == _e793));
+let _e804 = (_e800 - select(0i, 1i, (_e793 < f32(_e800))));
+let _e806 = select(-1f, _e774, (_e774 > -1f));
+let _e808 = select(_e769, _e806, (_e806 < _e769));
+let _e815 = select(0i, select(select(i32(_e808), i32(-2147483648), (_e808 < -2147483600f)), 2147483647i, (_e808 > 2147483500f)), (_e808 == _e808));
+let _e819 = (_e815 - select(0i, 1i, (_e808 < f32(_e815))));
+let _e824 = global_1.member.member_5.member_5[0u];
+let _e829 = global_1.member.member_5.member_5[1u];
+let _e837 = (select(0i, select(select(i32(_e759), i32(-2147483648), (_e759 < -2147483600f)), 2147483647i, (_e759 > 2147483500f)), (_e759 == _e759)) - 1i);
+let _e840 = (_e804 + 1i);
+let _e850 = (select(0i, select(select(i32(_e769), i32(-2147483648), (_e769 < -2147483600f)), 2147483647i, (_e769 > 2147483500f)), (_e769 == _e769)) - 1i);
+let _e853 = (_e819 + 1i);
+let _e862 = select(0i, select(select(i32(_e749), i32(-2147483648), (_e749 < -2147483600f)), 2147483647i, (_e749 > 2147483500f)), (_e749 == _e749));
+let _e863 = (_e862 - 1i);
+let _e864 = (_e789 - 1i);
+let _e866 = select(0i, _e864, (_e864 > 0i));
+let _e869 = (_e789 + 1i);
+let _e872 = (_e789 + 2i);
+let _e875 = (_e862 - 4i);
+let _e877 = select(0i, _e875, (_e875 > 0i));
+let _e879 = select(_e877, _e866, (_e866 < _e877));
+let _e892 = (select(0i, _e804, (_e804 > 0i)) * _e824);
+let _e893 = (select(_e837, _e840, (_e840 < _e837)) * _e824);
+let _e894 = (select(0i, _e819, (_e819 > 0i)) * _e829);
+let _e895 = (select(_e850, _e853, (_e853 < _e850)) * _e829);
+local_2 = type_18(array<i32, 4>(_e879, _e879, _e879, _e879), array<u32, 6>(bitcast<u32>(((_e866 - _e879) * 8i)), bitcast<u32>(((select(0i, _e789, (_e789 > 0i)) - _e879) * 8i)), bitcast<u32>(((select(_e863, _e869, (_e869 < _e863)) - _e879) * 8i)), bitcast<u32>(((select(_e863, _e872, (_e872 < _e863)) - _e879) * 8i)), 0u, 0u));
+local_3 = vec3<f32>((_e754 - f32(_e789)), (_e764 - f32(_e804)), (_e774 - f32(_e819)));
+let _e910 = local_2.member[0u];
+let _e911 = ((_e894 + _e892) + _e910);
+let _e913 = (_e911 >> bitcast<u32>(2i));
+let _e916 = bitcast<u32>(((_e911 & 3i) * 8i));
+let _e918 = (bitcast<i32>(_e89) - 1i);
+let _e920 = select(_e918, _e913, (_e913 < _e918));
+let _e925 = global_2.member[bitcast<u32>(select(0i, _e920, (_e920 > 0i)))];
+let _e929 = (_e913 + 1i);
+let _e931 = select(_e918, _e929, (_e929 < _e918));
+let _e936 = global_2.member[bitcast<u32>(select(0i, _e931, (_e931 > 0i)))];
+let _e943 = ((_e925 >> bitcast<u32>((_e916 & 31u))) | ((_e936 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e916) & 31u))));
+let _e946 = local_2.member_1[1u];
+let _e952 = f32(bitcast<i32>(((_e943 >> bitcast<u32>((_e946 & 31u))) & 255u)));
+let _e955 = local_2.member_1[2u];
+let _e962 = local_3[0u];
+let _e965 = (_e952 + ((f32(bitcast<i32>(((_e943 >> bitcast<u32>((_e955 & 31u))) & 255u))) - _e952) * _e962));
+let _e967 = local_2.member[0u];
+let _e968 = ((_e894 + _e893) + _e967);
+let _e970 = (_e968 >> bitcast<u32>(2i));
+let _e973 = bitcast<u32>(((_e968 & 3i) * 8i));
+let _e975 = select(_e918, _e970, (_e970 < _e918));
+let _e980 = global_2.member[bitcast<u32>(select(0i, _e975, (_e975 > 0i)))];
+let _e984 = (_e970 + 1i);
+let _e986 = select(_e918, _e984, (_e984 < _e918));
+let _e991 = global_2.member[bitcast<u32>(select(0i, _e986, (_e986 > 0i)))];
+let _e998 = ((_e980 >> bitcast<u32>((_e973 & 31u))) | ((_e991 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e973) & 31u))));
+let _e999 = local_2.member_1[1u];
+let _e1005 = f32(bitcast<i32>(((_e998 >> bitcast<u32>((_e999 & 31u))) & 255u)));
+let _e1006 = local_2.member_1[2u];
+let _e1013 = local_3[0u];
+let _e1018 = local_3[1u];
+let _e1021 = (_e965 + (((_e1005 + ((f32(bitcast<i32>(((_e998 >> bitcast<u32>((_e1006 & 31u))) & 255u))) - _e1005) * _e1013)) - _e965) * _e1018));
+let _e1023 = local_2.member[0u];
+let _e1024 = ((_e895 + _e892) + _e1023);
+let _e1026 = (_e1024 >> bitcast<u32>(2i));
+let _e1029 = bitcast<u32>(((_e1024 & 3i) * 8i));
+let _e1031 = select(_e918, _e1026, (_e1026 < _e918));
+let _e1036 = global_2.member[bitcast<u32>(select(0i, _e1031, (_e1031 > 0i)))];
+let _e1040 = (_e1026 + 1i);
+let _e1042 = select(_e918, _e1040, (_e1040 < _e918));
+let _e1047 = global_2.member[bitcast<u32>(select(0i, _e1042, (_e1042 > 0i)))];
+let _e1054 = ((_e1036 >> bitcast<u32>((_e1029 & 31u))) | ((_e1047 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1029) & 31u))));
+let _e1055 = local_2.member_1[1u];
+let _e1061 = f32(bitcast<i32>(((_e1054 >> bitcast<u32>((_e1055 & 31u))) & 255u)));
+let _e1062 = local_2.member_1[2u];
+let _e1069 = local_3[0u];
+let _e1072 = (_e1061 + ((f32(bitcast<i32>(((_e1054 >> bitcast<u32>((_e1062 & 31u))) & 255u))) - _e1061) * _e1069));
+let _e1074 = local_2.member[0u];
+let _e1075 = ((_e895 + _e893) + _e1074);
+let _e1077 = (_e1075 >> bitcast<u32>(2i));
+let _e1080 = bitcast<u32>(((_e1075 & 3i) * 8i));
+let _e1082 = select(_e918, _e1077, (_e1077 < _e918));
+let _e1087 = global_2.member[bitcast<u32>(select(0i, _e1082, (_e1082 > 0i)))];
+let _e1091 = (_e1077 + 1i);
+let _e1093 = select(_e918, _e1091, (_e1091 < _e918));
+let _e1098 = global_2.member[bitcast<u32>(select(0i, _e1093, (_e1093 > 0i)))];
+let _e1105 = ((_e1087 >> bitcast<u32>((_e1080 & 31u))) | ((_e1098 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1080) & 31u))));
+let _e1106 = local_2.member_1[1u];
+let _e1112 = f32(bitcast<i32>(((_e1105 >> bitcast<u32>((_e1106 & 31u))) & 255u)));
+let _e1113 = local_2.member_1[2u];
+let _e1120 = local_3[0u];
+let _e1124 = local_3[1u];
+let _e1129 = local_3[2u];
+let _e1137 = global_1.member.member_5.member_4.member;
+let _e1143 = global_1.member.member_5.member_4.member_1;
+let _e1144 = (((_e1021 + (((_e1072 + (((_e1112 + ((f32(bitcast<i32>(((_e1105 >> bitcast<u32>((_e1113 & 31u))) & 255u))) - _e1112) * _e1120)) - _e1072) * _e1124)) - _e1021) * _e1129)) * _e1137) + _e1143);
+let _e1146 = select(0f, _e1144, (_e1144 > 0f));
+phi_6694_ = type_20(select(1f, _e1146, (_e1146 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+}
+let _e2647 = phi_6694_;
+let _e2652 = global_1.member.member_5.member_3.member;
+let _e2653 = (_e2652 - 0.5f);
+let _e2655 = select(-0.5f, _e685, (_e685 > -0.5f));
+let _e2657 = select(_e2653, _e2655, (_e2655 < _e2653));
+let _e2662 = global_1.member.member_5.member_3.member_1;
+let _e2663 = (_e2662 - 0.5f);
+let _e2665 = select(-0.5f, _e703, (_e703 > -0.5f));
+let _e2667 = select(_e2663, _e2665, (_e2665 < _e2663));
+let _e2672 = global_1.member.member_5.member_3.member_2;
+let _e2673 = (_e2672 - 0.5f);
+let _e2675 = select(-0.5f, _e721, (_e721 > -0.5f));
+let _e2677 = select(_e2673, _e2675, (_e2675 < _e2673));
+let _e2679 = select(-1f, _e2657, (_e2657 > -1f));
+let _e2681 = select(_e2652, _e2679, (_e2679 < _e2652));
+let _e2688 = select(0i, select(select(i32(_e2681), i32(-2147483648), (_e2681 < -2147483600f)), 2147483647i, (_e2681 > 2147483500f)), (_e2681 == _e2681));
+let _e2692 = (_e2688 - select(0i, 1i, (_e2681 < f32(_e2688))));
+let _e2694 = select(-1f, _e2667, (_e2667 > -1f));
+let _e2696 = select(_e2662, _e2694, (_e2694 < _e2662));
+let _e2703 = select(0i, select(select(i32(_e2696), i32(-2147483648), (_e2696 < -2147483600f)), 2147483647i, (_e2696 > 2147483500f)), (_e2696 == _e2696));
+let _e2707 = (_e2703 - select(0i, 1i, (_e2696 < f32(_e2703))));
+let _e2709 = select(-1f, _e2677, (_e2677 > -1f));
+let _e2711 = select(_e2672, _e2709, (_e2709 < _e2672));
+let _e2718 = select(0i, select(select(i32(_e2711), i32(-2147483648), (_e2711 < -2147483600f)), 2147483647i, (_e2711 > 2147483500f)), (_e2711 == _e2711));
+let _e2722 = (_e2718 - select(0i, 1i, (_e2711 < f32(_e2718))));
+let _e2727 = global_1.member.member_5.member_5[0u];
+let _e2732 = global_1.member.member_5.member_5[1u];
+let _e2740 = (select(0i, select(select(i32(_e2662), i32(-2147483648), (_e2662 < -2147483600f)), 2147483647i, (_e2662 > 2147483500f)), (_e2662 == _e2662)) - 1i);
+let _e2743 = (_e2707 + 1i);
+let _e2753 = (select(0i, select(select(i32(_e2672), i32(-2147483648), (_e2672 < -2147483600f)), 2147483647i, (_e2672 > 2147483500f)), (_e2672 == _e2672)) - 1i);
+let _e2756 = (_e2722 + 1i);
+let _e2765 = select(0i, select(select(i32(_e2652), i32(-2147483648), (_e2652 < -2147483600f)), 2147483647i, (_e2652 > 2147483500f)), (_e2652 == _e2652));
+let _e2766 = (_e2765 - 1i);
+let _e2767 = (_e2692 - 1i);
+let _e2769 = select(0i, _e2767, (_e2767 > 0i));
+let _e2772 = (_e2692 + 1i);
+let _e2775 = (_e2692 + 2i);
+let _e2778 = (_e2765 - 4i);
+let _e2780 = select(0i, _e2778, (_e2778 > 0i));
+let _e2782 = select(_e2780, _e2769, (_e2769 < _e2780));
+let _e2795 = (select(0i, _e2707, (_e2707 > 0i)) * _e2727);
+let _e2796 = (select(_e2740, _e2743, (_e2743 < _e2740)) * _e2727);
+let _e2797 = (select(0i, _e2722, (_e2722 > 0i)) * _e2732);
+let _e2798 = (select(_e2753, _e2756, (_e2756 < _e2753)) * _e2732);
+local = type_18(array<i32, 4>(_e2782, _e2782, _e2782, _e2782), array<u32, 6>(bitcast<u32>(((_e2769 - _e2782) * 8i)), bitcast<u32>(((select(0i, _e2692, (_e2692 > 0i)) - _e2782) * 8i)), bitcast<u32>(((select(_e2766, _e2772, (_e2772 < _e2766)) - _e2782) * 8i)), bitcast<u32>(((select(_e2766, _e2775, (_e2775 < _e2766)) - _e2782) * 8i)), 0u, 0u));
+local_1 = vec3<f32>((_e2657 - f32(_e2692)), (_e2667 - f32(_e2707)), (_e2677 - f32(_e2722)));
+let _e2813 = local.member[0u];
+let _e2814 = ((_e2797 + _e2795) + _e2813);
+let _e2816 = (_e2814 >> bitcast<u32>(2i));
+let _e2819 = bitcast<u32>(((_e2814 & 3i) * 8i));
+let _e2821 = (bitcast<i32>(_e89) - 1i);
+let _e2823 = select(_e2821, _e2816, (_e2816 < _e2821));
+let _e2828 = global_2.member[bitcast<u32>(select(0i, _e2823, (_e2823 > 0i)))];
+let _e2832 = (_e2816 + 1i);
+let _e2834 = select(_e2821, _e2832, (_e2832 < _e2821));
+let _e2839 = global_2.member[bitcast<u32>(select(0i, _e2834, (_e2834 > 0i)))];
+let _e2846 = ((_e2828 >> bitcast<u32>((_e2819 & 31u))) | ((_e2839 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2819) & 31u))));
+let _e2849 = local.member_1[1u];
+let _e2855 = f32(bitcast<i32>(((_e2846 >> bitcast<u32>((_e2849 & 31u))) & 255u)));
+let _e2858 = local.member_1[2u];
+let _e2865 = local_1[0u];
+let _e2868 = (_e2855 + ((f32(bitcast<i32>(((_e2846 >> bitcast<u32>((_e2858 & 31u))) & 255u))) - _e2855) * _e2865));
+let _e2870 = local.member[0u];
+let _e2871 = ((_e2797 + _e2796) + _e2870);
+let _e2873 = (_e2871 >> bitcast<u32>(2i));
+let _e2876 = bitcast<u32>(((_e2871 & 3i) * 8i));
+let _e2878 = select(_e2821, _e2873, (_e2873 < _e2821));
+let _e2883 = global_2.member[bitcast<u32>(select(0i, _e2878, (_e2878 > 0i)))];
+let _e2887 = (_e2873 + 1i);
+let _e2889 = select(_e2821, _e2887, (_e2887 < _e2821));
+let _e2894 = global_2.member[bitcast<u32>(select(0i, _e2889, (_e2889 > 0i)))];
+let _e2901 = ((_e2883 >> bitcast<u32>((_e2876 & 31u))) | ((_e2894 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2876) & 31u))));
+let _e2902 = local.member_1[1u];
+let _e2908 = f32(bitcast<i32>(((_e2901 >> bitcast<u32>((_e2902 & 31u))) & 255u)));
+let _e2909 = local.member_1[2u];
+let _e2916 = local_1[0u];
+let _e2921 = local_1[1u];
+let _e2924 = (_e2868 + (((_e2908 + ((f32(bitcast<i32>(((_e2901 >> bitcast<u32>((_e2909 & 31u))) & 255u))) - _e2908) * _e2916)) - _e2868) * _e2921));
+let _e2926 = local.member[0u];
+let _e2927 = ((_e2798 + _e2795) + _e2926);
+let _e2929 = (_e2927 >> bitcast<u32>(2i));
+let _e2932 = bitcast<u32>(((_e2927 & 3i) * 8i));
+let _e2934 = select(_e2821, _e2929, (_e2929 < _e2821));
+let _e2939 = global_2.member[bitcast<u32>(select(0i, _e2934, (_e2934 > 0i)))];
+let _e2943 = (_e2929 + 1i);
+let _e2945 = select(_e2821, _e2943, (_e2943 < _e2821));
+let _e2950 = global_2.member[bitcast<u32>(select(0i, _e2945, (_e2945 > 0i)))];
+let _e2957 = ((_e2939 >> bitcast<u32>((_e2932 & 31u))) | ((_e2950 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2932) & 31u))));
+let _e2958 = local.member_1[1u];
+let _e2964 = f32(bitcast<i32>(((_e2957 >> bitcast<u32>((_e2958 & 31u))) & 255u)));
+let _e2965 = local.member_1[2u];
+let _e2972 = local_1[0u];
+let _e2975 = (_e2964 + ((f32(bitcast<i32>(((_e2957 >> bitcast<u32>((_e2965 & 31u))) & 255u))) - _e2964) * _e2972));
+let _e2977 = local.member[0u];
+let _e2978 = ((_e2798 + _e2796) + _e2977);
+let _e2980 = (_e2978 >> bitcast<u32>(2i));
+let _e2983 = bitcast<u32>(((_e2978 & 3i) * 8i));
+let _e2985 = select(_e2821, _e2980, (_e2980 < _e2821));
+let _e2990 = global_2.member[bitcast<u32>(select(0i, _e2985, (_e2985 > 0i)))];
+let _e2994 = (_e2980 + 1i);
+let _e2996 = select(_e2821, _e2994, (_e2994 < _e2821));
+let _e3001 = global_2.member[bitcast<u32>(select(0i, _e2996, (_e2996 > 0i)))];
+let _e3008 = ((_e2990 >> bitcast<u32>((_e2983 & 31u))) | ((_e3001 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2983) & 31u))));
+let _e3009 = local.member_1[1u];
+let _e3015 = f32(bitcast<i32>(((_e3008 >> bitcast<u32>((_e3009 & 31u))) & 255u)));
+let _e3016 = local.member_1[2u];
+let _e3023 = local_1[0u];
+let _e3027 = local_1[1u];
+let _e3032 = local_1[2u];
+let _e3040 = global_1.member.member_5.member_4.member;
+let _e3046 = global_1.member.member_5.member_4.member_1;
+let _e3047 = (((_e2924 + (((_e2975 + (((_e3015 + ((f32(bitcast<i32>(((_e3008 >> bitcast<u32>((_e3016 & 31u))) & 255u))) - _e3015) * _e3023)) - _e2975) * _e3027)) - _e2924) * _e3032)) * _e3040) + _e3046);
+let _e3049 = select(0f, _e3047, (_e3047 > 0f));
+let _e3051 = select(1f, _e3049, (_e3049 < 1f));
+let _e3055 = global_1.member.member[3u];
+if ((_e3055 & 16u) == 0u) {
+phi_8203_ = type_21(1f, 1f, 1f);
+} else {
+let _e3060 = global_1.member.member_18;
+let _e3064 = global_1.member.member_22.member;
+let _e3074 = ((((_e3060.member * _e639) + (_e3060.member_1 * _e652)) + (_e3060.member_2 * _e617)) + _e3060.member_3);
+let _e3080 = ((((_e3060.member * _e662) + (_e3060.member_1 * _e667)) + (_e3060.member_2 * _e656)) + _e3060.member_3);
+let _e3082 = select(_e3080, _e3074, (_e3074 < _e3080));
+let _e3084 = select(_e3080, _e3074, (_e3074 > _e3080));
+let _e3086 = (_e3084 - _e3082);
+let _e3089 = (-(_e3082) / select(1e-30f, _e3086, (_e3086 > 1e-30f)));
+let _e3091 = select(0f, _e3089, (_e3089 > 0f));
+let _e3097 = select(select(select(1f, _e3091, (_e3091 < 1f)), 1f, (_e3084 <= 0f)), 0f, (_e3082 > 0f));
+let _e3099 = (_e3064 > 0.5f);
+let _e3108 = global_1.member.member_19;
+let _e3112 = global_1.member.member_22.member_1;
+let _e3122 = ((((_e3108.member * _e639) + (_e3108.member_1 * _e652)) + (_e3108.member_2 * _e617)) + _e3108.member_3);
+let _e3128 = ((((_e3108.member * _e662) + (_e3108.member_1 * _e667)) + (_e3108.member_2 * _e656)) + _e3108.member_3);
+let _e3130 = select(_e3128, _e3122, (_e3122 < _e3128));
+let _e3132 = select(_e3128, _e3122, (_e3122 > _e3128));
+let _e3134 = (_e3132 - _e3130);
+let _e3137 = (-(_e3130) / select(1e-30f, _e3134, (_e3134 > 1e-30f)));
+let _e3139 = select(0f, _e3137, (_e3137 > 0f));
+let _e3145 = select(select(select(1f, _e3139, (_e3139 < 1f)), 1f, (_e3132 <= 0f)), 0f, (_e3130 > 0f));
+let _e3147 = (_e3112 > 0.5f);
+let _e3156 = global_1.member.member_20;
+let _e3160 = global_1.member.member_22.member_2;
+let _e3170 = ((((_e3156.member * _e639) + (_e3156.member_1 * _e652)) + (_e3156.member_2 * _e617)) + _e3156.member_3);
+let _e3176 = ((((_e3156.member * _e662) + (_e3156.member_1 * _e667)) + (_e3156.member_2 * _e656)) + _e3156.member_3);
+let _e3178 = select(_e3176, _e3170, (_e3170 < _e3176));
+let _e3180 = select(_e3176, _e3170, (_e3170 > _e3176));
+let _e3182 = (_e3180 - _e3178);
+let _e3185 = (-(_e3178) / select(1e-30f, _e3182, (_e3182 > 1e-30f)));
+let _e3187 = select(0f, _e3185, (_e3185 > 0f));
+let _e3193 = select(select(select(1f, _e3187, (_e3187 < 1f)), 1f, (_e3180 <= 0f)), 0f, (_e3178 > 0f));
+let _e3195 = (_e3160 > 0.5f);
+let _e3204 = global_1.member.member_21;
+let _e3208 = global_1.member.member_22.member_3;
+let _e3218 = ((((_e3204.member * _e639) + (_e3204.member_1 * _e652)) + (_e3204.member_2 * _e617)) + _e3204.member_3);
+let _e3224 = ((((_e3204.member * _e662) + (_e3204.member_1 * _e667)) + (_e3204.member_2 * _e656)) + _e3204.member_3);
+let _e3226 = select(_e3224, _e3218, (_e3218 < _e3224));
+let _e3228 = select(_e3224, _e3218, (_e3218 > _e3224));
+let _e3230 = (_e3228 - _e3226);
+let _e3233 = (-(_e3226) / select(1e-30f, _e3230, (_e3230 > 1e-30f)));
+let _e3235 = select(0f, _e3233, (_e3233 > 0f));
+let _e3241 = select(select(select(1f, _e3235, (_e3235 < 1f)), 1f, (_e3228 <= 0f)), 0f, (_e3226 > 0f));
+let _e3243 = (_e3208 > 0.5f);
+phi_8203_ = type_21(((((1f * _e3097) * _e3145) * _e3193) * _e3241), ((((1f * select(1f, _e3097, _e3099)) * select(1f, _e3145, _e3147)) * select(1f, _e3193, _e3195)) * select(1f, _e3241, _e3243)), ((((1f * select(1f, 0f, (_e3099 && (_e3080 > 0f)))) * select(1f, 0f, (_e3147 && (_e3128 > 0f)))) * select(1f, 0f, (_e3195 && (_e3176 > 0f)))) * select(1f, 0f, (_e3243 && (_e3224 > 0f)))));
+}
+let _e3252 = phi_8203_;
+let _e3253 = (_e727 - _e685);
+let _e3257 = (bitcast<f32>((bitcast<u32>(_e3253) & 2147483647u)) < 1e-12f);
+let _e3259 = (1f / select(_e3253, 1f, _e3257));
+let _e3261 = ((-0.5f - _e685) * _e3259);
+let _e3263 = ((_e2653 - _e685) * _e3259);
+let _e3269 = select(_e3263, _e3261, (_e3261 < _e3263));
+let _e3271 = select(0f, _e3269, (_e3269 > 0f));
+let _e3274 = select(select(1f, _e3271, (_e3271 < 1f)), select(2f, 0f, ((_e685 >= -0.5f) && (_e685 <= _e2653))), _e3257);
+let _e3276 = select(_e3263, _e3261, (_e3261 > _e3263));
+let _e3278 = select(0f, _e3276, (_e3276 > 0f));
+let _e3281 = select(select(1f, _e3278, (_e3278 < 1f)), 1f, _e3257);
+let _e3282 = (_e733 - _e703);
+let _e3286 = (bitcast<f32>((bitcast<u32>(_e3282) & 2147483647u)) < 1e-12f);
+let _e3288 = (1f / select(_e3282, 1f, _e3286));
+let _e3290 = ((-0.5f - _e703) * _e3288);
+let _e3292 = ((_e2663 - _e703) * _e3288);
+let _e3298 = select(_e3292, _e3290, (_e3290 < _e3292));
+let _e3300 = select(0f, _e3298, (_e3298 > 0f));
+let _e3303 = select(select(1f, _e3300, (_e3300 < 1f)), select(2f, 0f, ((_e703 >= -0.5f) && (_e703 <= _e2663))), _e3286);
+let _e3305 = select(_e3292, _e3290, (_e3290 > _e3292));
+let _e3307 = select(0f, _e3305, (_e3305 > 0f));
+let _e3310 = select(select(1f, _e3307, (_e3307 < 1f)), 1f, _e3286);
+let _e3311 = (_e739 - _e721);
+let _e3315 = (bitcast<f32>((bitcast<u32>(_e3311) & 2147483647u)) < 1e-12f);
+let _e3317 = (1f / select(_e3311, 1f, _e3315));
+let _e3319 = ((-0.5f - _e721) * _e3317);
+let _e3321 = ((_e2673 - _e721) * _e3317);
+let _e3327 = select(_e3321, _e3319, (_e3319 < _e3321));
+let _e3329 = select(0f, _e3327, (_e3327 > 0f));
+let _e3332 = select(select(1f, _e3329, (_e3329 < 1f)), select(2f, 0f, ((_e721 >= -0.5f) && (_e721 <= _e2673))), _e3315);
+let _e3334 = select(_e3321, _e3319, (_e3319 > _e3321));
+let _e3336 = select(0f, _e3334, (_e3334 > 0f));
+let _e3339 = select(select(1f, _e3336, (_e3336 < 1f)), 1f, _e3315);
+let _e3341 = select(_e3310, _e3281, (_e3281 < _e3310));
+let _e3345 = select(_e3303, _e3274, (_e3274 > _e3303));
+let _e3348 = (select(_e3339, _e3341, (_e3341 < _e3339)) - select(_e3332, _e3345, (_e3345 > _e3332)));
+let _e3351 = (_e662 - _e639);
+let _e3352 = (_e667 - _e652);
+let _e3353 = (_e656 - _e617);
+let _e3358 = (((_e3351 * _e3351) + (_e3352 * _e3352)) + (_e3353 * _e3353));
+let _e3366 = global_1.member.member_4.member_3;
+let _e3367 = ((sqrt(select(0f, _e3358, (_e3358 > 0f))) * select(0f, _e3348, (_e3348 > 0f))) * _e3366);
+if (_e584 >= 3u) {
+let _e3820 = (_e3051 * 255f);
+let _e3821 = (_e2647.member * 255f);
+let _e3822 = (255f - 1f);
+let _e3824 = select(0f, _e3820, (_e3820 > 0f));
+let _e3826 = select(_e3822, _e3824, (_e3824 < _e3822));
+let _e3833 = select(0i, select(select(i32(_e3826), i32(-2147483648), (_e3826 < -2147483600f)), 2147483647i, (_e3826 > 2147483500f)), (_e3826 == _e3826));
+let _e3837 = (_e3833 - select(0i, 1i, (_e3826 < f32(_e3833))));
+let _e3839 = select(0f, _e3821, (_e3821 > 0f));
+let _e3841 = select(_e3822, _e3839, (_e3839 < _e3822));
+let _e3848 = select(0i, select(select(i32(_e3841), i32(-2147483648), (_e3841 < -2147483600f)), 2147483647i, (_e3841 > 2147483500f)), (_e3841 == _e3841));
+let _e3852 = (_e3848 - select(0i, 1i, (_e3841 < f32(_e3848))));
+let _e3855 = (((_e3837 * 256i) + _e3852) * 4i);
+let _e3859 = (_e3821 - f32(_e3852));
+let _e3861 = (bitcast<i32>(_e93) - 1i);
+let _e3863 = select(_e3861, _e3855, (_e3855 < _e3861));
+let _e3869 = global_4.member[bitcast<u32>(select(0i, _e3863, (_e3863 > 0i)))];
+let _e3870 = (_e3855 + 4i);
+let _e3872 = select(_e3861, _e3870, (_e3870 < _e3861));
+let _e3878 = global_4.member[bitcast<u32>(select(0i, _e3872, (_e3872 > 0i)))];
+let _e3879 = (_e3855 + 1024i);
+let _e3881 = select(_e3861, _e3879, (_e3879 < _e3861));
+let _e3887 = global_4.member[bitcast<u32>(select(0i, _e3881, (_e3881 > 0i)))];
+let _e3888 = (_e3855 + 1028i);
+let _e3890 = select(_e3861, _e3888, (_e3888 < _e3861));
+let _e3896 = global_4.member[bitcast<u32>(select(0i, _e3890, (_e3890 > 0i)))];
+let _e3901 = (bitcast<f32>(((_e3869 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3909 = (_e3901 + (((bitcast<f32>(((_e3878 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3901) * _e3859));
+let _e3914 = (bitcast<f32>(((_e3887 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3925 = (_e3909 + (((_e3914 + (((bitcast<f32>(((_e3896 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3914) * _e3859)) - _e3909) * (_e3820 - f32(_e3837))));
+let _e3929 = -((_e3925 * (_e3367 * _e3252.member)));
+let _e3931 = select(-87f, _e3929, (_e3929 > -87f));
+let _e3933 = select(88f, _e3931, (_e3931 < 88f));
+let _e3935 = ((_e3933 * 1.442695f) + 0.5f);
+let _e3937 = select(-127f, _e3935, (_e3935 > -127f));
+let _e3939 = select(128f, _e3937, (_e3937 < 128f));
+let _e3946 = select(0i, select(select(i32(_e3939), i32(-2147483648), (_e3939 < -2147483600f)), 2147483647i, (_e3939 > 2147483500f)), (_e3939 == _e3939));
+let _e3950 = (_e3946 - select(0i, 1i, (_e3939 < f32(_e3946))));
+let _e3951 = f32(_e3950);
+let _e3955 = ((_e3933 - (_e3951 * 0.6933594f)) - (_e3951 * -2.1219444e-4f));
+let _e3975 = ((1f + (_e3955 * (1f + (_e3955 * (0.5f + (_e3955 * (0.16666667f + (_e3955 * (0.041666668f + (_e3955 * (0.008333334f + (_e3955 * (0.001388889f + (_e3955 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3950 + 127i)) << bitcast<u32>(23i))));
+let _e3976 = (1f - _e3975);
+phi_9313_ = type_22(_e3975, _e3976, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e3976 / select(1e-12f, _e3925, (_e3925 > 1e-12f))))));
+} else {
+let _e3370 = (_e3051 * 255f);
+let _e3371 = (_e2647.member * 255f);
+let _e3372 = (255f - 1f);
+let _e3374 = select(0f, _e3370, (_e3370 > 0f));
+let _e3376 = select(_e3372, _e3374, (_e3374 < _e3372));
+let _e3383 = select(0i, select(select(i32(_e3376), i32(-2147483648), (_e3376 < -2147483600f)), 2147483647i, (_e3376 > 2147483500f)), (_e3376 == _e3376));
+let _e3387 = (_e3383 - select(0i, 1i, (_e3376 < f32(_e3383))));
+let _e3389 = select(0f, _e3371, (_e3371 > 0f));
+let _e3391 = select(_e3372, _e3389, (_e3389 < _e3372));
+let _e3398 = select(0i, select(select(i32(_e3391), i32(-2147483648), (_e3391 < -2147483600f)), 2147483647i, (_e3391 > 2147483500f)), (_e3391 == _e3391));
+let _e3402 = (_e3398 - select(0i, 1i, (_e3391 < f32(_e3398))));
+let _e3405 = (((_e3387 * 256i) + _e3402) * 4i);
+let _e3407 = (_e3370 - f32(_e3387));
+let _e3409 = (_e3371 - f32(_e3402));
+let _e3411 = (bitcast<i32>(_e93) - 1i);
+let _e3413 = select(_e3411, _e3405, (_e3405 < _e3411));
+let _e3419 = global_4.member[bitcast<u32>(select(0i, _e3413, (_e3413 > 0i)))];
+let _e3420 = (_e3405 + 4i);
+let _e3422 = select(_e3411, _e3420, (_e3420 < _e3411));
+let _e3428 = global_4.member[bitcast<u32>(select(0i, _e3422, (_e3422 > 0i)))];
+let _e3429 = (_e3405 + 1024i);
+let _e3431 = select(_e3411, _e3429, (_e3429 < _e3411));
+let _e3437 = global_4.member[bitcast<u32>(select(0i, _e3431, (_e3431 > 0i)))];
+let _e3438 = (_e3405 + 1028i);
+let _e3440 = select(_e3411, _e3438, (_e3438 < _e3411));
+let _e3446 = global_4.member[bitcast<u32>(select(0i, _e3440, (_e3440 > 0i)))];
+let _e3451 = (bitcast<f32>(((_e3419 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3459 = (_e3451 + (((bitcast<f32>(((_e3428 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3451) * _e3409));
+let _e3464 = (bitcast<f32>(((_e3437 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3475 = (_e3459 + (((_e3464 + (((bitcast<f32>(((_e3446 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3464) * _e3409)) - _e3459) * _e3407));
+let _e3488 = (bitcast<f32>((((_e3419 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3496 = (_e3488 + (((bitcast<f32>((((_e3428 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3488) * _e3409));
+let _e3501 = (bitcast<f32>((((_e3437 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3513 = (_e3405 + 1i);
+let _e3515 = select(_e3411, _e3513, (_e3513 < _e3411));
+let _e3521 = global_4.member[bitcast<u32>(select(0i, _e3515, (_e3515 > 0i)))];
+let _e3522 = (_e3405 + 5i);
+let _e3524 = select(_e3411, _e3522, (_e3522 < _e3411));
+let _e3530 = global_4.member[bitcast<u32>(select(0i, _e3524, (_e3524 > 0i)))];
+let _e3531 = (_e3405 + 1025i);
+let _e3533 = select(_e3411, _e3531, (_e3531 < _e3411));
+let _e3539 = global_4.member[bitcast<u32>(select(0i, _e3533, (_e3533 > 0i)))];
+let _e3540 = (_e3405 + 1029i);
+let _e3542 = select(_e3411, _e3540, (_e3540 < _e3411));
+let _e3548 = global_4.member[bitcast<u32>(select(0i, _e3542, (_e3542 > 0i)))];
+let _e3553 = (bitcast<f32>(((_e3521 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3561 = (_e3553 + (((bitcast<f32>(((_e3530 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3553) * _e3409));
+let _e3566 = (bitcast<f32>(((_e3539 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3590 = (bitcast<f32>((((_e3521 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3598 = (_e3590 + (((bitcast<f32>((((_e3530 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3590) * _e3409));
+let _e3603 = (bitcast<f32>((((_e3539 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3618 = (_e3367 * _e3252.member_1);
+let _e3620 = -(((_e3496 + (((_e3501 + (((bitcast<f32>((((_e3446 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3501) * _e3409)) - _e3496) * _e3407)) * _e3618));
+let _e3622 = select(-87f, _e3620, (_e3620 > -87f));
+let _e3624 = select(88f, _e3622, (_e3622 < 88f));
+let _e3626 = ((_e3624 * 1.442695f) + 0.5f);
+let _e3628 = select(-127f, _e3626, (_e3626 > -127f));
+let _e3630 = select(128f, _e3628, (_e3628 < 128f));
+let _e3637 = select(0i, select(select(i32(_e3630), i32(-2147483648), (_e3630 < -2147483600f)), 2147483647i, (_e3630 > 2147483500f)), (_e3630 == _e3630));
+let _e3641 = (_e3637 - select(0i, 1i, (_e3630 < f32(_e3637))));
+let _e3642 = f32(_e3641);
+let _e3646 = ((_e3624 - (_e3642 * 0.6933594f)) - (_e3642 * -2.1219444e-4f));
+let _e3668 = -(((_e3561 + (((_e3566 + (((bitcast<f32>(((_e3548 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3566) * _e3409)) - _e3561) * _e3407)) * _e3618));
+let _e3670 = select(-87f, _e3668, (_e3668 > -87f));
+let _e3672 = select(88f, _e3670, (_e3670 < 88f));
+let _e3674 = ((_e3672 * 1.442695f) + 0.5f);
+let _e3676 = select(-127f, _e3674, (_e3674 > -127f));
+let _e3678 = select(128f, _e3676, (_e3676 < 128f));
+let _e3685 = select(0i, select(select(i32(_e3678), i32(-2147483648), (_e3678 < -2147483600f)), 2147483647i, (_e3678 > 2147483500f)), (_e3678 == _e3678));
+let _e3689 = (_e3685 - select(0i, 1i, (_e3678 < f32(_e3685))));
+let _e3690 = f32(_e3689);
+let _e3694 = ((_e3672 - (_e3690 * 0.6933594f)) - (_e3690 * -2.1219444e-4f));
+let _e3716 = -(((_e3598 + (((_e3603 + (((bitcast<f32>((((_e3548 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3603) * _e3409)) - _e3598) * _e3407)) * _e3618));
+let _e3718 = select(-87f, _e3716, (_e3716 > -87f));
+let _e3720 = select(88f, _e3718, (_e3718 < 88f));
+let _e3722 = ((_e3720 * 1.442695f) + 0.5f);
+let _e3724 = select(-127f, _e3722, (_e3722 > -127f));
+let _e3726 = select(128f, _e3724, (_e3724 < 128f));
+let _e3733 = select(0i, select(select(i32(_e3726), i32(-2147483648), (_e3726 < -2147483600f)), 2147483647i, (_e3726 > 2147483500f)), (_e3726 == _e3726));
+let _e3737 = (_e3733 - select(0i, 1i, (_e3726 < f32(_e3733))));
+let _e3738 = f32(_e3737);
+let _e3742 = ((_e3720 - (_e3738 * 0.6933594f)) - (_e3738 * -2.1219444e-4f));
+let _e3765 = -((_e3475 * (_e3367 * _e3252.member)));
+let _e3767 = select(-87f, _e3765, (_e3765 > -87f));
+let _e3769 = select(88f, _e3767, (_e3767 < 88f));
+let _e3771 = ((_e3769 * 1.442695f) + 0.5f);
+let _e3773 = select(-127f, _e3771, (_e3771 > -127f));
+let _e3775 = select(128f, _e3773, (_e3773 < 128f));
+let _e3782 = select(0i, select(select(i32(_e3775), i32(-2147483648), (_e3775 < -2147483600f)), 2147483647i, (_e3775 > 2147483500f)), (_e3775 == _e3775));
+let _e3786 = (_e3782 - select(0i, 1i, (_e3775 < f32(_e3782))));
+let _e3787 = f32(_e3786);
+let _e3791 = ((_e3769 - (_e3787 * 0.6933594f)) - (_e3787 * -2.1219444e-4f));
+let _e3811 = ((1f + (_e3791 * (1f + (_e3791 * (0.5f + (_e3791 * (0.16666667f + (_e3791 * (0.041666668f + (_e3791 * (0.008333334f + (_e3791 * (0.001388889f + (_e3791 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3786 + 127i)) << bitcast<u32>(23i))));
+let _e3812 = (1f - _e3811);
+phi_9313_ = type_22(_e3811, _e3812, vec3<f32>(((1f + (_e3646 * (1f + (_e3646 * (0.5f + (_e3646 * (0.16666667f + (_e3646 * (0.041666668f + (_e3646 * (0.008333334f + (_e3646 * (0.001388889f + (_e3646 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3641 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3694 * (1f + (_e3694 * (0.5f + (_e3694 * (0.16666667f + (_e3694 * (0.041666668f + (_e3694 * (0.008333334f + (_e3694 * (0.001388889f + (_e3694 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3689 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3742 * (1f + (_e3742 * (0.5f + (_e3742 * (0.16666667f + (_e3742 * (0.041666668f + (_e3742 * (0.008333334f + (_e3742 * (0.001388889f + (_e3742 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3737 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e3812 / select(1e-12f, _e3475, (_e3475 > 1e-12f))))));
+}
+let _e3984 = phi_9313_;
+if _e744 {
+let _e3988 = global_1.member.member_4.member_2;
+let _e3996 = global_1.member.member_24.member_2;
+let _e3999 = (_e2647.member_3.x * _e3252.member_2);
+let _e4001 = (_e2647.member_3.y * _e3252.member_2);
+let _e4003 = (_e2647.member_3.z * _e3252.member_2);
+let _e4004 = (0.5f * (_e3988 / select(1e-6f, _e186, (_e186 > 1e-6f))));
+let _e4008 = (_e164 + (_e3999 * _e4004));
+let _e4009 = (_e175 + (_e4001 * _e4004));
+let _e4010 = (_e186 + (_e4003 * _e4004));
+let _e4012 = (2f * _e3988);
+let _e4014 = ((_e4010 * _e4010) + (_e4012 * _e4003));
+let _e4018 = (_e4010 + sqrt(select(0f, _e4014, (_e4014 > 0f))));
+let _e4022 = (0.5f * (_e4012 / select(1e-6f, _e4018, (_e4018 > 1e-6f))));
+let _e4026 = (_e4008 + (_e3999 * _e4022));
+let _e4027 = (_e4009 + (_e4001 * _e4022));
+let _e4028 = (_e4010 + (_e4003 * _e4022));
+let _e4032 = (_e3996 * _e3996);
+let _e4034 = (_e4028 * _e4028);
+let _e4042 = (((_e4010 <= 0f) || (_e4014 <= 0f)) || ((_e4028 <= 0f) || (_e4034 <= (_e4032 * (((_e4026 * _e4026) + (_e4027 * _e4027)) + _e4034)))));
+let _e4056 = (_e164 + ((_e2647.member_4.x * _e3252.member_2) * _e3988));
+let _e4057 = (_e175 + ((_e2647.member_4.y * _e3252.member_2) * _e3988));
+let _e4058 = (_e186 + ((_e2647.member_4.z * _e3252.member_2) * _e3988));
+let _e4060 = (_e4058 * _e4058);
+let _e4069 = ((_e3055 & 1u) != 0u);
+let _e4073 = select(_e4042, ((_e4058 <= 0f) || (_e4060 <= (_e4032 * (((_e4056 * _e4056) + (_e4057 * _e4057)) + _e4060)))), _e4069);
+phi_9464_ = select(select(select(_e4028, _e4010, _e4042), _e4058, _e4069), _e186, _e4073);
+phi_9465_ = select(select(select(_e4027, _e4009, _e4042), _e4057, _e4069), _e175, _e4073);
+phi_9466_ = select(select(select(_e4026, _e4008, _e4042), _e4056, _e4069), _e164, _e4073);
+phi_9467_ = select(1f, 0f, _e4073);
+} else {
+phi_9464_ = _e186;
+phi_9465_ = _e175;
+phi_9466_ = _e164;
+phi_9467_ = 1f;
+}
+let _e4079 = phi_9464_;
+let _e4081 = phi_9465_;
+let _e4083 = phi_9466_;
+let _e4085 = phi_9467_;
+let _e4088 = (_e3984.member * _e4085);
+global_5.member[_e121] = (_e132 * (_e3984.member_2.x * _e4088));
+global_5.member[_e133] = (_e142 * (_e3984.member_2.y * _e4088));
+global_5.member[_e144] = (_e153 * (_e3984.member_2.z * _e4088));
+global_5.member[_e155] = _e4083;
+global_5.member[_e166] = _e4081;
+global_5.member[_e177] = _e4079;
+global_5.member[_e188] = _e197;
+global_5.member[_e199] = _e208;
+global_5.member[_e210] = _e219;
+}
+}
+}
+return;
+}
+@compute @workgroup_size(8, 8, 1)
+fn sweep_refract_light_u8_(@builtin(global_invocation_id) param: vec3<u32>) {
+global = param;
+function_();
+}
