@@ -65,7 +65,8 @@ impl Failure {
         match self {
             Self::Compare { .. } => 1,
             Self::Setup(_) | Self::Output { .. } => 2,
-            Self::Render(error) => error.exit_code(),
+            Self::Render(vitrum::Error::Backend(_)) => 4,
+            Self::Render(_) => 3,
         }
     }
 }
@@ -79,11 +80,6 @@ pub fn exit(outcome: Result<bool, Failure>) -> ExitCode {
         Ok(false) => ExitCode::FAILURE,
         Err(failure) => {
             eprintln!("error: {failure}");
-            if let Failure::Render(error) = &failure
-                && let Some(help) = error.help()
-            {
-                eprintln!("help: {help}");
-            }
             ExitCode::from(failure.exit_code())
         }
     }

@@ -1,6 +1,26 @@
 //! The program's own advice: the flags that do what the library's errors and assumptions ask for.
 
+use vitrum::backend::BackendError;
 use vitrum::io::{Assumption, Error, Found, Setting};
+
+/// The advice on a failure of a backend.
+pub fn on_backend(error: &BackendError) -> Option<&'static str> {
+    match error {
+        BackendError::NoAdapter { .. } => Some(
+            "use --backend cpu, or install a Vulkan driver (Debian: mesa-vulkan-drivers libvulkan1); `vitrum devices` lists what is found",
+        ),
+        BackendError::Unsupported { .. } | BackendError::DeviceLost { .. } => {
+            Some("use --backend cpu, or another adapter (--adapter)")
+        }
+        BackendError::TooLarge { .. } | BackendError::OutOfMemory { .. } => {
+            Some("use --backend cpu, a smaller picture (--size) or a smaller volume")
+        }
+        BackendError::VolumeLimit { asked_for: true, .. } => Some("allow as much (--memory-limit), or set no limit"),
+        BackendError::VolumeLimit { asked_for: false, .. } => Some("use --backend cpu, or a smaller volume"),
+        BackendError::Threads { .. } => Some("ask for fewer (--threads)"),
+        BackendError::Misuse { .. } | BackendError::Cancelled => None,
+    }
+}
 
 /// What went wrong with a file, and what to do about it by this program.
 pub fn on_error(error: &Error) -> (String, Option<String>) {

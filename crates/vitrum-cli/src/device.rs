@@ -91,7 +91,7 @@ impl DeviceArguments {
             Ok(cpu)
         };
         let mut backend = match self.open() {
-            Err(failure) if by_itself && failure.is_of_device() => take_over(&failure)?,
+            Err(failure) if by_itself && failure.is_device_error() => take_over(&failure)?,
             opened => opened?,
         };
         backend.set_volume_limit(limit);

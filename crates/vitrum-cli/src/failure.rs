@@ -32,16 +32,6 @@ impl Failure {
         Self { status, message: message.into(), help: Some(help.into()) }
     }
 
-    /// Errors of libraries end in their advice, which becomes the help: it is cut from the message.
-    fn with_advice(status: Status, error: &dyn std::error::Error, advice: Option<String>) -> Self {
-        let mut message = error.to_string();
-        let help = advice.filter(|advice| !advice.is_empty());
-        if let Some(head) = help.as_ref().and_then(|help| message.strip_suffix(help)?.strip_suffix("; ")) {
-            message.truncate(head.len());
-        }
-        Self { status, message, help }
-    }
-
     /// The failure of a part of the work.
     pub fn at(self, place: &str) -> Self {
         Self { message: format!("{place}: {}", self.message), ..self }
@@ -123,8 +113,8 @@ impl From<BackendError> for Failure {
         match error {
             BackendError::Cancelled => interrupt::failure(),
             error => {
-                let status = if error.is_of_use() { Status::WrongUse } else { Status::Device };
-                Self::with_advice(status, &error, error.help().map(str::to_owned))
+                let status = if error.is_usage_error() { Status::WrongUse } else { Status::Device };
+                Self { status, message: error.to_string(), help: advice::on_backend(&error).map(str::to_owned) }
             }
         }
     }

@@ -28,23 +28,6 @@ impl From<Unrenderable> for Error {
 }
 
 impl Error {
-    /// The program's exit code: 2 for a memory limit that is too low, 3 for inputs, 4 for devices.
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Self::Io(_) | Self::SceneFile(_) | Self::Unrenderable(_) => 3,
-            Self::Backend(error) if error.is_of_use() => 2,
-            Self::Backend(_) => 4,
-        }
-    }
-
-    /// What to do about it, if that is not in the message.
-    pub fn help(&self) -> Option<String> {
-        match self {
-            Self::Backend(error) => error.help().map(str::to_owned),
-            Self::Io(_) | Self::SceneFile(_) | Self::Unrenderable(_) => None,
-        }
-    }
-
     /// Whether the caller cancelled.
     pub fn is_cancelled(&self) -> bool {
         matches!(self, Self::Backend(BackendError::Cancelled))

@@ -2,6 +2,25 @@
 //!
 //! The way data flows: [`vitrum_io::open`] reads a volume, a [`scene::Scene`] says how it is shown, a [`Renderer`] prepares tables and
 //! buffers, hands a list of passes to a [`backend::Backend`] and returns a [`Frame`].
+//!
+//! ```
+//! use vitrum::io::{Volume, Voxels};
+//! use vitrum::{OutputRequest, Renderer, backend::CpuBackend, preset, scene::Scene};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let voxels: Vec<u8> = (0..32u32.pow(3)).map(|index| (index / 128) as u8).collect();
+//! let volume = Volume::new("a ramp", [32; 3], [1.0; 3], Voxels::from(voxels))?;
+//! let mut scene = Scene::default();
+//! (scene.film.width, scene.film.height) = (64, 64);
+//! preset::apply("haze", &volume, &mut scene)?;
+//! let mut renderer = Renderer::new(Box::new(CpuBackend::new(None)?), volume);
+//! let frame = renderer.render(&scene, OutputRequest::default(), &mut |_| true)?;
+//! assert_eq!(frame.to_srgb8().len(), 64 * 64 * 4);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The examples of this package show files, meshes, named outputs, both backends, and a kernel by itself.
 
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 

@@ -63,7 +63,7 @@ impl Renderer {
         progress: &mut (dyn FnMut(Progress) -> bool + Send),
     ) -> Result<Frame, Error> {
         let failure = match self.render_once(scene, request, progress) {
-            Err(Error::Backend(error)) if error.is_of_device() => error,
+            Err(Error::Backend(error)) if error.is_device_error() => error,
             outcome => return outcome,
         };
         let Some(mut fallback) = self.fallback.take() else { return Err(failure.into()) };

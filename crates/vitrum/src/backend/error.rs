@@ -84,7 +84,7 @@ pub enum BackendError {
 
 impl BackendError {
     /// Whether another device could do the same work: this one cannot be used, failed, or has too little memory.
-    pub fn is_of_device(&self) -> bool {
+    pub fn is_device_error(&self) -> bool {
         matches!(
             self,
             Self::NoAdapter { .. }
@@ -97,26 +97,7 @@ impl BackendError {
     }
 
     /// Whether it is a matter of use and not of the device: a memory limit that was asked for is too low.
-    pub fn is_of_use(&self) -> bool {
+    pub fn is_usage_error(&self) -> bool {
         matches!(self, Self::VolumeLimit { asked_for: true, .. })
-    }
-
-    /// What to do about it.
-    pub fn help(&self) -> Option<&'static str> {
-        match self {
-            Self::NoAdapter { .. } => Some(
-                "use --backend cpu, or install a Vulkan driver (Debian: mesa-vulkan-drivers libvulkan1); `vitrum devices` lists what is found",
-            ),
-            Self::Unsupported { .. } | Self::DeviceLost { .. } => {
-                Some("use --backend cpu, or another adapter (--adapter)")
-            }
-            Self::TooLarge { .. } | Self::OutOfMemory { .. } => {
-                Some("use --backend cpu, a smaller picture (--size) or a smaller volume")
-            }
-            Self::VolumeLimit { asked_for: true, .. } => Some("allow as much (--memory-limit), or set no limit"),
-            Self::VolumeLimit { asked_for: false, .. } => Some("use --backend cpu, or a smaller volume"),
-            Self::Threads { .. } => Some("ask for fewer (--threads)"),
-            Self::Misuse { .. } | Self::Cancelled => None,
-        }
     }
 }

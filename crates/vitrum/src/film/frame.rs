@@ -1,7 +1,8 @@
 //! A finished frame.
 
 use super::statistics::Statistics;
-use vitrum_io::{Layer, Picture};
+use std::path::Path;
+use vitrum_io::{Layer, Picture, linear_to_srgb};
 
 /// A finished frame: named outputs, row 0 on top, linear.
 ///
@@ -35,6 +36,27 @@ impl Frame {
     /// All outputs of the picture's size in one picture.
     pub fn picture(&self) -> Picture {
         Picture { width: self.width, height: self.height, layers: self.layers.clone() }
+    }
+
+    /// Writes the picture to a file, in the format of its extension; formats with layers get all outputs of the picture's size.
+    ///
+    /// # Errors
+    /// Those of [`vitrum_io::write_picture`].
+    pub fn write(&self, path: &Path) -> Result<(), vitrum_io::Error> {
+        vitrum_io::write_picture(path, &self.picture())
+    }
+
+    /// The picture for a screen: red, green, blue and coverage of each pixel, row by row from the top, 0 to 255. Colours are encoded by the
+    /// curve of sRGB, brighter ones than white are white; coverage is linear, and colours are not divided by it.
+    #[must_use]
+    pub fn to_srgb8(&self) -> Vec<u8> {
+        let code = |value: f32| (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        let channels = ["R", "G", "B", "A"].map(|name| self.channel("color", name).unwrap_or_default());
+        let pixel = |at: usize| {
+            let [red, green, blue, coverage] = channels.map(|channel| channel[at]);
+            [code(linear_to_srgb(red)), code(linear_to_srgb(green)), code(linear_to_srgb(blue)), code(coverage)]
+        };
+        (0..channels[0].len()).flat_map(pixel).collect()
     }
 
     /// Multiplies the colour by 2^`stops`.
