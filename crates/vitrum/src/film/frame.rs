@@ -43,7 +43,7 @@ impl Frame {
     /// # Errors
     /// Those of [`vitrum_io::write_picture`].
     pub fn write(&self, path: &Path) -> Result<(), vitrum_io::Error> {
-        vitrum_io::write_picture(path, &self.picture())
+        vitrum_io::write_picture(path, &self.picture(), &[])
     }
 
     /// The picture for a screen: red, green, blue and coverage of each pixel, row by row from the top, 0 to 255. Colours are encoded by the
