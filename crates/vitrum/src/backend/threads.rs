@@ -57,6 +57,6 @@ mod tests {
     #[test]
     fn work_runs_on_as_many_threads_as_were_started() {
         assert_eq!(Threads::start(Some(3)).expect("three threads").count(), 3);
-        assert_eq!(Threads::start(Some(1)).expect("a thread").run(|| rayon::current_num_threads()), 1);
+        assert_eq!(Threads::start(Some(1)).expect("a thread").run(rayon::current_num_threads), 1);
     }
 }

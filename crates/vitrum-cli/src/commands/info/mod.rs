@@ -31,7 +31,8 @@ const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = input::open(&arguments.input)?;
-    if !opened.scene.mesh.is_empty() && !(opened.bare && arguments.volume.raw.is_some()) {
+    let as_raw_voxels = opened.bare && arguments.volume.raw.is_some();
+    if !opened.scene.mesh.is_empty() && !as_raw_voxels {
         let mesh = input::open_mesh(&arguments.input, arguments.volume.limit())?;
         if arguments.json {
             output::print_json(&mesh::json(&mesh))?;
