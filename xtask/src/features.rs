@@ -1,10 +1,10 @@
 //! `cargo xtask features`: each feature of the crate of file formats compiles by itself, and all of them for a page.
 
 use std::fs;
-use std::path::Path;
 
-use crate::command::{cargo, program, root, run as run_command};
+use crate::command::{cargo, root, run as run_command};
 use crate::failure::Failure;
+use crate::toolchain;
 
 /// The crate with a feature for each file format.
 const CRATE: &str = "vitrum-io";
@@ -32,11 +32,9 @@ pub fn run(_arguments: &Arguments) -> Result<(), Failure> {
     run_command(&mut cargo(["check", "--package", CRATE, "--target", PAGE]))
 }
 
-/// Fails where the standard library of pages is not installed.
+/// Fails where the standard library of pages is not installed and rustup cannot fetch it.
 fn require_target() -> Result<(), Failure> {
-    let folder = program("rustc").args(["--print", "target-libdir", "--target", PAGE]).output();
-    let folder = folder.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
-    if !folder.is_empty() && Path::new(&folder).is_dir() {
+    if toolchain::has_target(PAGE) {
         return Ok(());
     }
     Err(Failure::setup(format!("the check for WebAssembly needs its standard library: rustup target add {PAGE}")))
