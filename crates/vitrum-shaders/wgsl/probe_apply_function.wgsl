@@ -463,7 +463,7 @@ global_1.member[((3u * _e122) + _e124)] = _e1097[3];
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn probe_apply_function(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -213,7 +213,7 @@ break if !(_e101);
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn shadow_absorb_solid(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

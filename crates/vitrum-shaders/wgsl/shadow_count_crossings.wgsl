@@ -235,7 +235,7 @@ break if !(_e221);
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn shadow_count_crossings(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

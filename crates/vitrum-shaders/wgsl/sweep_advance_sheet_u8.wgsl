@@ -1127,7 +1127,7 @@ break;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_advance_sheet_u8_(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

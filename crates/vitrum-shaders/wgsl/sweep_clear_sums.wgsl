@@ -85,7 +85,7 @@ global_2.member[((9u * _e36) + _e38)] = 0f;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_clear_sums(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

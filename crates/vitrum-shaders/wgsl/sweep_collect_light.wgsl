@@ -221,7 +221,7 @@ global_2.member[((8u * _e62) + _e64)] = 1f;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_collect_light(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -213,7 +213,7 @@ global_3.member[((3u * _e59) + _e61)] = bitcast<f32>(((select(0u, 2147483648u, (
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_concentrate_light(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

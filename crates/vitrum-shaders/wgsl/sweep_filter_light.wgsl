@@ -849,7 +849,7 @@ global_2.member[((8u * _e61) + _e63)] = (_e1913 + (((select(1f, (_e1958 + (((_e1
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_filter_light(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -706,7 +706,7 @@ global_2.member[((8u * _e67) + _e69)] = (_e1273 * _e1568);
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_gather_light(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

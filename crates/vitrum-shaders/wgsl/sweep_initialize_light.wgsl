@@ -87,7 +87,7 @@ global_2.member[((8u * _e36) + _e38)] = 1f;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_initialize_light(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

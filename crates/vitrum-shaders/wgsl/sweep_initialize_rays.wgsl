@@ -145,13 +145,13 @@ global_2.member[((13u * _e51) + _e53)] = 1f;
 global_2.member[((14u * _e51) + _e53)] = 1f;
 global_2.member[((15u * _e51) + _e53)] = 1f;
 global_2.member[((16u * _e51) + _e53)] = _e129;
-global_2.member[((17u * _e51) + _e53)] = -3.4028235e38f;
+global_2.member[((17u * _e51) + _e53)] = -1.2676506e30f;
 }
 }
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_initialize_rays(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -1652,7 +1652,7 @@ break;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_propagate_rays_u8_paged(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

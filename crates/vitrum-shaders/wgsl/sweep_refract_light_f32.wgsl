@@ -1166,7 +1166,7 @@ global_5.member[_e207] = _e216;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_refract_light_f32_(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -1326,7 +1326,7 @@ global_5.member[_e212] = _e221;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_refract_light_f32_with_ior(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

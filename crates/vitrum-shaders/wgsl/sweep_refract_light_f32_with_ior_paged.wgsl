@@ -1332,7 +1332,7 @@ global_5.member[_e214] = _e223;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_refract_light_f32_with_ior_paged(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -1273,7 +1273,7 @@ global_5.member[_e208] = _e217;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_refract_light_u16_(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

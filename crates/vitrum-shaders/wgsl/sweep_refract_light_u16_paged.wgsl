@@ -1249,7 +1249,7 @@ global_5.member[_e211] = _e220;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_refract_light_u16_paged(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

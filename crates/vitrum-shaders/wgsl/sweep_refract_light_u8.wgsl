@@ -1217,7 +1217,7 @@ global_5.member[_e210] = _e219;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_refract_light_u8_(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -1009,7 +1009,7 @@ global_4.member[((15u * _e120) + _e122)] = select(2f, _e169, (_e169 < 2f));
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_resolve(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

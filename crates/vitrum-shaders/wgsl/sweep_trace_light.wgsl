@@ -297,7 +297,7 @@ global_3.member[((_e47 * _e51) + _e54)] = select((((select(_e290, (_e369 + (((_e
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn sweep_trace_light(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

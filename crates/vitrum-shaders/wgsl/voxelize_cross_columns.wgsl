@@ -221,7 +221,7 @@ break if !(_e198);
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxelize_cross_columns(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

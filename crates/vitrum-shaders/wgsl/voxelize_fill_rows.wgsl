@@ -274,7 +274,7 @@ let _e248 = atomicAdd((&global_1.member[_e244]), 1u);
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxelize_fill_rows(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

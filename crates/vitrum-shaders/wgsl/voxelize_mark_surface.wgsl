@@ -3899,7 +3899,7 @@ break;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxelize_mark_surface(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

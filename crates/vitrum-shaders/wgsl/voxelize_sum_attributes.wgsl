@@ -5138,7 +5138,7 @@ break;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxelize_sum_attributes(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

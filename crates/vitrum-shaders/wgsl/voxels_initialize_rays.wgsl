@@ -161,7 +161,7 @@ global_2.member[((24u * _e59) + _e61)] = (_e300 - _e311);
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxels_initialize_rays(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

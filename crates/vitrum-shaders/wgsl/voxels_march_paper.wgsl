@@ -653,7 +653,7 @@ global_3.member[_e369] = _e2084.member_14;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxels_march_paper(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

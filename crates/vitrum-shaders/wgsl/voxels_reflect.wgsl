@@ -393,7 +393,7 @@ global_6.member[_e116] = _e880[3];
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxels_reflect(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

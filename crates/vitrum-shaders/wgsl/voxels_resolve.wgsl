@@ -2591,7 +2591,7 @@ global_8.member[((17u * _e171) + _e173)] = select(_e275, 2f, ((_e275 == 0f) || (
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxels_resolve(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

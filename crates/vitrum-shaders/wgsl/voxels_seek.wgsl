@@ -470,7 +470,7 @@ global_4.member[_e344] = _e1027.member_14;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxels_seek(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }

@@ -1097,7 +1097,7 @@ global_5.member[_e381] = _e3120.member_14;
 return;
 }
 @compute @workgroup_size(8, 8, 1)
-fn voxels_trace_triangles(@builtin(global_invocation_id) param: vec3<u32>) {
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
 global = param;
 function_();
 }
