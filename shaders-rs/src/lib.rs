@@ -7,7 +7,7 @@
 //! - [`voxels`] holds those that follow rays through a mesh, clear and opaque, as voxels or as triangles.
 //! - [`shadow`] holds those that find how much light gets to where in a mesh.
 //! - [`probe`] applies building blocks by themselves, for the conformance suite.
-//! - [`kernel`] is the one place where a kernel is declared; `entry_points` and the CPU dispatch come from it.
+//! - [`kernel`] is the one place where a kernel is declared; the SPIR-V entry points and the CPU dispatch come from it.
 //!
 //! A kernel maps an index (x, y) to a record of floats. It reads uniforms and whole buffers, it has no side effects, and
 //! its arithmetic is `+ − × ÷`, `sqrt`, comparisons and integers, so that both backends give the same bits.
@@ -23,8 +23,5 @@ pub mod shadow;
 pub mod sweep;
 pub mod voxelize;
 pub mod voxels;
-
-#[cfg(target_arch = "spirv")]
-pub mod entry_points;
 
 pub use spirv_std::glam;

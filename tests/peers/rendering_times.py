@@ -19,12 +19,12 @@ OPACITIES = {
     "phantom": LOW + ((170, 0.25), (190, 0.4), (255, 0.6)),
     "phantom/translucent": LOW + ((170, 0.01), (190, 0.02), (255, 0.03)),
 }
-PLAIN = ["light.shadows=false", "sweep.refraction=false"]
+PLAIN = ["light.0.shadows=false", "sweep.refraction=false"]
 VITRUM = {
-    "Vitrum, `light.shadows=false`, `sweep.refraction=false`": PLAIN,
+    "Vitrum, `light.0.shadows=false`, `sweep.refraction=false`": PLAIN,
     "Vitrum, everything on": [],
-    "Vitrum, everything on, `light.resolution=0.5`": ["light.resolution=0.5"],
-    "Vitrum, everything on, `light.resolution=0.375`": ["light.resolution=0.375"],
+    "Vitrum, everything on, `sweep.light_resolution=0.5`": ["sweep.light_resolution=0.5"],
+    "Vitrum, everything on, `sweep.light_resolution=0.375`": ["sweep.light_resolution=0.375"],
 }
 
 

@@ -1,13 +1,15 @@
 //! A CPU that does something else than it should, to see whether a check says so.
 
-use vitrum::backend::{Backend, BackendError, Buffer, CpuBackend, PassList};
+use std::ops::Range;
+
+use vitrum::backend::{Backend, BackendError, Buffer, Contents, CpuBackend, PassList};
 
 use crate::Failure;
 
-/// Passes before they run.
-type ChangePasses = Box<dyn Fn(&mut PassList)>;
-/// A buffer as it is read.
-type ChangeBytes = Box<dyn Fn(&mut [u8])>;
+/// Changes passes before they run.
+type ChangePasses = Box<dyn Fn(&mut PassList) + Send>;
+/// Changes the bytes of a buffer as they are read.
+type ChangeBytes = Box<dyn Fn(&mut [u8]) + Send>;
 
 /// The CPU, altered.
 pub struct AlteredCpu {
@@ -18,12 +20,12 @@ pub struct AlteredCpu {
 
 impl AlteredCpu {
     /// Runs passes as `change` leaves them.
-    pub fn of_passes(change: impl Fn(&mut PassList) + 'static) -> Result<Self, Failure> {
+    pub fn of_passes(change: impl Fn(&mut PassList) + Send + 'static) -> Result<Self, Failure> {
         Ok(Self { cpu: CpuBackend::new(None)?, passes: Box::new(change), bytes: Box::new(|_| {}) })
     }
 
     /// Gives what is read as `change` leaves it.
-    pub fn of_bytes(change: impl Fn(&mut [u8]) + 'static) -> Result<Self, Failure> {
+    pub fn of_bytes(change: impl Fn(&mut [u8]) + Send + 'static) -> Result<Self, Failure> {
         Ok(Self { cpu: CpuBackend::new(None)?, passes: Box::new(|_| {}), bytes: Box::new(change) })
     }
 }
@@ -41,24 +43,20 @@ impl Backend for AlteredCpu {
         self.cpu.largest_buffer()
     }
 
-    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
+    fn create(&mut self, label: &str, contents: Contents<'_>) -> Result<Buffer, BackendError> {
         self.cpu.create(label, contents)
     }
 
-    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
-        self.cpu.create_zeroed(label, bytes)
-    }
-
-    fn overwrite(
+    fn write(
         &mut self,
-        buffer: Buffer,
+        buffer: &Buffer,
         words: usize,
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError> {
-        self.cpu.overwrite(buffer, words, fill)
+        self.cpu.write(buffer, words, fill)
     }
 
-    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
+    fn clear(&mut self, buffer: &Buffer) -> Result<(), BackendError> {
         self.cpu.clear(buffer)
     }
 
@@ -72,20 +70,23 @@ impl Backend for AlteredCpu {
         self.cpu.leaves_out_idle_passes()
     }
 
-    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        let mut bytes = self.cpu.read(buffer)?;
-        (self.bytes)(&mut bytes);
-        Ok(bytes)
+    fn read(
+        &mut self,
+        buffer: &Buffer,
+        range: Range<u64>,
+        see: &mut (dyn FnMut(&[u8]) + Send),
+    ) -> Result<(), BackendError> {
+        let change = &self.bytes;
+        let mut words = Vec::<u32>::new();
+        self.cpu.read(buffer, range, &mut |bytes| words = bytemuck::pod_collect_to_vec(bytes))?;
+        let bytes = bytemuck::cast_slice_mut(&mut words);
+        change(bytes);
+        see(bytes);
+        Ok(())
     }
 
-    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
-        let mut bytes = self.cpu.read_part(buffer, start, bytes)?;
-        (self.bytes)(&mut bytes);
-        Ok(bytes)
-    }
-
-    fn free(&mut self, buffer: Buffer) {
-        self.cpu.free(buffer);
+    fn bytes(&self, buffer: &Buffer) -> Result<u64, BackendError> {
+        self.cpu.bytes(buffer)
     }
 
     fn device_bytes(&self) -> Option<u64> {

@@ -116,8 +116,8 @@ impl Timing {
         Self {
             scene: case.name.clone(),
             size: [statistics.width, statistics.height],
-            planes: statistics.planes,
-            light_texels: statistics.light_texels,
+            planes: statistics.planes.unwrap_or_default(),
+            light_texels: statistics.light_texels.unwrap_or_default(),
             rays: u64::from(statistics.width) * u64::from(statistics.height) * supersampling * supersampling,
             backend: match contender.build {
                 Some(set) => format!("{}, {set:?}", statistics.backend),

@@ -1,26 +1,27 @@
-//! What is rendered: a scene, and what it names, read.
+//! A rendered case: a scene and its assets.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use vitrum::scene::{Scene, VolumeSource};
-use vitrum::{Inputs, Wanted, builtin, preset};
+use vitrum::{Assets, OutputRequest, Subject, builtin, preset};
 use vitrum_io::{Volume, Voxels};
 
 use crate::Failure;
 
-/// A scene and its inputs.
+/// A scene and its assets.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// The scene's name, and how it was changed.
     pub name: String,
     /// The scene.
     pub scene: Scene,
-    /// What it names.
-    pub inputs: Inputs,
+    /// The data that it shows.
+    pub assets: Assets,
     /// Whether the volume is streamed, in as little memory as that takes.
     pub streamed: bool,
     /// Whether the light is an output, or carried as far as the picture needs it.
-    pub wanted: Wanted,
+    pub request: OutputRequest,
 }
 
 impl Case {
@@ -32,8 +33,8 @@ impl Case {
     pub fn builtin(name: &str, edge: u32, resolution: Option<u32>, settings: &[&str]) -> Result<Self, Failure> {
         let unknown = || Failure::Setup(format!("there is no built-in scene {name}; `vitrum scenes` lists them"));
         let mut scene = sized(builtin::scene(name).ok_or_else(unknown)?, edge);
-        if scene.mesh.is_some() {
-            scene.voxels.resolution = resolution.unwrap_or(scene.voxels.resolution);
+        if !scene.mesh.is_empty() {
+            scene.voxelization.resolution = resolution.unwrap_or(scene.voxelization.resolution);
         } else {
             for source in [Some(&mut scene.volume), scene.ior_volume.as_mut()].into_iter().flatten() {
                 source.resolution = resolution.or(source.resolution);
@@ -42,9 +43,9 @@ impl Case {
         for setting in settings {
             scene.set(setting)?;
         }
-        let inputs = Inputs::load(&scene, Path::new(""))?;
+        let assets = Assets::load(&scene, Path::new(""))?;
         let name = [&[name], settings].concat().join(" ");
-        Ok(Self { name, scene, inputs, streamed: false, wanted: Wanted::default() })
+        Ok(Self { name, scene, assets, streamed: false, request: OutputRequest::default() })
     }
 
     /// A volume file with the look of a preset, as a picture of `edge` × `edge` pixels.
@@ -54,15 +55,15 @@ impl Case {
     pub fn file(path: &Path, preset: &str, edge: u32) -> Result<Self, Failure> {
         let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };
         let mut scene = sized(Scene { volume, ..Scene::default() }, edge);
-        let inputs = Inputs::load(&scene, Path::new(""))?;
-        preset::apply(preset, &inputs.volume, &mut scene)?;
+        let assets = Assets::load(&scene, Path::new(""))?;
+        preset::apply(preset, shown(&assets), &mut scene)?;
         let file = path.file_name().unwrap_or(path.as_os_str());
         Ok(Self {
             name: format!("{} ({preset})", file.display()),
             scene,
-            inputs,
+            assets,
             streamed: false,
-            wanted: Wanted::default(),
+            request: OutputRequest::default(),
         })
     }
 
@@ -80,7 +81,7 @@ impl Case {
     /// The same case with the light carried as far as the picture needs it.
     #[must_use]
     pub fn without_light(self) -> Self {
-        Self { wanted: Wanted { light: false }, ..self }
+        Self { request: OutputRequest { light: false }, ..self }
     }
 
     /// The same case with the voxels rounded to bytes, as many scans are stored.
@@ -88,9 +89,26 @@ impl Case {
     /// # Errors
     /// None that built-in volumes cause.
     pub fn in_bytes(mut self) -> Result<Self, Failure> {
-        self.inputs.volume = in_bytes(&self.inputs.volume)?;
+        let rounded = Arc::new(in_bytes(self.volume())?);
+        match &mut self.assets.subject {
+            Subject::Volume(shown) | Subject::Volumes { shown, .. } => *shown = rounded,
+            Subject::Mesh(_) => {}
+        }
         Ok(self)
     }
+
+    /// The volume that the case shows.
+    ///
+    /// # Panics
+    /// If it shows a mesh.
+    #[must_use]
+    pub fn volume(&self) -> &Volume {
+        shown(&self.assets)
+    }
+}
+
+fn shown(assets: &Assets) -> &Volume {
+    assets.subject.volume().expect("the case shows a volume")
 }
 
 fn sized(mut scene: Scene, edge: u32) -> Scene {
@@ -119,15 +137,15 @@ mod tests {
     fn settings_are_applied_and_named() {
         let case = Case::builtin("ball", 24, Some(16), &["sweep.gradient=chain"]).unwrap();
         assert_eq!((case.name.as_str(), case.scene.film.width), ("ball sweep.gradient=chain", 24));
-        assert_eq!(case.inputs.volume.dimensions.iter().max(), Some(&16));
+        assert_eq!(case.volume().dimensions.iter().max(), Some(&16));
         assert!(Case::builtin("bal", 24, None, &[]).unwrap_err().to_string().contains("no built-in scene bal"));
     }
 
     #[test]
     fn bytes_keep_place_and_values() {
         let case = Case::builtin("head", 24, Some(16), &[]).unwrap();
-        let before = case.inputs.volume.clone();
-        let after = case.in_bytes().unwrap().inputs.volume;
+        let before = case.volume().clone();
+        let after = case.in_bytes().unwrap().volume().clone();
         assert!(matches!(after.voxels, Voxels::U8(_)));
         assert_eq!(
             (after.dimensions, after.origin, after.range[0]),

@@ -25,5 +25,5 @@ pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run:
 /// # Errors
 /// If the backend fails.
 pub fn render(case: &Case, backend: &mut dyn Backend) -> Result<Frame, Failure> {
-    Ok(vitrum::render_wanted(&case.scene, &case.inputs, case.wanted, backend, &mut |_| true)?)
+    Ok(vitrum::render_requested(&case.scene, &case.assets, case.request, backend, &mut |_| true)?)
 }

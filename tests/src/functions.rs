@@ -2,11 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-use vitrum::backend::{Backend, Buffer, Pass, PassList};
-use vitrum::scene::Method;
+use vitrum::backend::{Backend, Buffer, Contents, Pass, PassList, ReadBack as _};
+use vitrum::scene::MethodName;
+use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::record::probe;
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::{Window, kernels};
 use vitrum_kernels::probe::functions::NAMES;
 
@@ -15,7 +15,7 @@ use crate::bounds;
 use crate::raster::Raster;
 use crate::run::{About, Run};
 
-/// Inputs in a row of the dispatch.
+/// Assets in a row of the dispatch.
 const WIDTH: u32 = 1024;
 
 /// Numbers at which functions change their ways.
@@ -55,7 +55,7 @@ const NOT_A_NUMBER: f32 = -1.234_567_9e-30;
 /// If a backend fails, or evidence cannot be written.
 pub fn compare(rows: u32, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &mut Run) -> Result<(), Failure> {
     // Functions are of all methods; the first stands for them.
-    run.method(Method::Sweep);
+    run.method(MethodName::Sweep);
     let arguments = arguments(rows * WIDTH);
     let expected = results(rows, &arguments, cpu)?;
     let found = results(rows, &arguments, other)?;
@@ -102,16 +102,14 @@ fn ordinary(arguments: &[f32], expected: &[f32], found: &[f32]) -> (Vec<f32>, Ve
 /// The results of every function.
 fn results(rows: u32, arguments: &[f32], backend: &mut dyn Backend) -> Result<Vec<Vec<f32>>, Failure> {
     let count = rows as usize * WIDTH as usize;
-    let inputs = backend.create("arguments", bytemuck::cast_slice(arguments))?;
-    let outputs = backend.create_zeroed("results", (count * probe::SIZE * 4) as u64)?;
-    let all = (0..NAMES.len() as u32).map(|function| apply(function, rows, [inputs, outputs], backend)).collect();
-    backend.free(inputs);
-    backend.free(outputs);
-    all
+    let inputs = backend.create("arguments", Contents::Bytes(bytemuck::cast_slice(arguments)))?;
+    let outputs = backend.create("results", Contents::Zeros((count * probe::SIZE * 4) as u64))?;
+    let buffers = [inputs, outputs];
+    (0..NAMES.len() as u32).map(|function| apply(function, rows, &buffers, backend)).collect()
 }
 
-fn apply(function: u32, rows: u32, buffers: [Buffer; 2], backend: &mut dyn Backend) -> Result<Vec<f32>, Failure> {
-    let uniforms = ProbeUniforms { dispatch: UVec4::new(WIDTH, rows, 0, function) };
+fn apply(function: u32, rows: u32, buffers: &[Buffer; 2], backend: &mut dyn Backend) -> Result<Vec<f32>, Failure> {
+    let uniforms = ProbeUniforms { dispatch: Dispatch { width: WIDTH, height: rows, mode: 0 }, function };
     let pass = Pass {
         kernel: &kernels::probe_apply_function,
         uniforms: bytemuck::bytes_of(&uniforms).to_vec(),
@@ -122,7 +120,7 @@ fn apply(function: u32, rows: u32, buffers: [Buffer; 2], backend: &mut dyn Backe
         window: Window::whole(WIDTH, rows),
     };
     backend.run(&PassList { passes: vec![pass], ..PassList::default() }, &mut |_| true)?;
-    let mut numbers: Vec<f32> = bytemuck::pod_collect_to_vec(&backend.read(buffers[1])?);
+    let mut numbers: Vec<f32> = backend.read_all(&buffers[1])?;
     numbers.iter_mut().filter(|number| number.is_nan()).for_each(|number| *number = NOT_A_NUMBER);
     Ok(numbers)
 }

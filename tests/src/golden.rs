@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use vitrum::backend::CpuBackend;
-use vitrum::scene::Method;
+use vitrum::scene::MethodName;
 use vitrum::{Frame, builtin};
 use vitrum_compare::Bound;
 use vitrum_io::{Picture, read_picture, write_picture};
@@ -71,7 +71,7 @@ pub fn hold(folder: &Path, scene: &str, maker: &str, frame: &Frame, run: &mut Ru
     let rasters = |picture: &Picture| -> Vec<(String, Raster)> {
         rasters(picture).into_iter().map(|(item, raster)| (format!("{item}, {maker}"), raster)).collect()
     };
-    run.method(builtin::scene(scene).map_or(Method::Sweep, |scene| scene.method));
+    run.method(builtin::scene(scene).map_or(MethodName::Sweep, |scene| scene.method));
     run.hold_all(("T3", scene), bounds::of_golden, &rasters(&read_picture(&path)?), &rasters(&picture(frame)))
 }
 

@@ -6,13 +6,11 @@
 //! is wrong, not one that read what it wrote.
 
 use std::collections::BTreeMap;
-use std::mem;
 
-use vitrum::backend::{Backend, Pass, PassList};
-use vitrum::method::sweep::{Planes, Sweep};
-use vitrum::method::voxels::{Rays, Uploaded};
+use vitrum::backend::{Backend, ReadBack as _};
+use vitrum::method::sweep::Sweep;
+use vitrum::method::{self, Cache, Job, PreparedFrame, Tools};
 use vitrum_io::Mesh;
-use vitrum_kernels::abi::sweep::SweepUniforms;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
 use vitrum_kernels::kernel::Access;
 
@@ -37,39 +35,50 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("ball", "ball", &[])?,
         case("ball chain", "ball", &["sweep.gradient=chain"])?,
         case("ball euler", "ball", &euler)?,
-        case("glass hard", "glass", &["light.softness=0"])?,
-        case("glass/straight", "glass/straight", &["light.softness=1"])?,
-        case("glass/straight hard", "glass/straight", &["light.softness=0"])?,
+        case("glass hard", "glass", &["light.0.angular_radius=0"])?,
+        case("glass/straight", "glass/straight", &["light.0.angular_radius=1"])?,
+        case("glass/straight hard", "glass/straight", &["light.0.angular_radius=0"])?,
         case("head", "head", &[])?,
         case("head all", "head", &["sweep.empty_space_skipping=false"])?,
         case("head u8", "head", &[])?.in_bytes()?,
         case("head u8 without light", "head", &[])?.in_bytes()?.without_light(),
-        case("luneburg without light", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?.without_light(),
-        case("phantom unshaded", "phantom", &["light.shadows=false", "sweep.refraction=false"])?,
+        case("luneburg without light", "luneburg", &["light.0.angular_radius=0", "sweep.gradient=chain"])?
+            .without_light(),
+        case("phantom unshaded", "phantom", &["light.0.shadows=false", "sweep.refraction=false"])?,
         case("phantom", "phantom", &[])?,
-        case("phantom straight hard", "phantom", &["sweep.refraction=false", "light.softness=0"])?,
+        case("phantom straight hard", "phantom", &["sweep.refraction=false", "light.0.angular_radius=0"])?,
         case("phantom sheets", "phantom", &["sweep.light=sheets"])?,
         case("phantom streamed", "phantom", &[])?.streamed(),
         case("phantom streamed straight", "phantom", &["sweep.refraction=false"])?.streamed(),
-        case("ball without shadows", "ball", &["light.shadows=false"])?,
-        case("luneburg chain hard", "luneburg", &["light.softness=0", "sweep.gradient=chain"])?,
+        case("ball without shadows", "ball", &["light.0.shadows=false"])?,
+        case("luneburg chain hard", "luneburg", &["light.0.angular_radius=0", "sweep.gradient=chain"])?,
         case("combustion/mixture", "combustion/mixture", &[])?,
         case("ball sheets", "ball", &["sweep.light=sheets"])?,
-        case("glass/straight sheets", "glass/straight", &["sweep.light=sheets", "light.softness=1", "sweep.sheets=3"])?,
-        case("head u8 sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?,
-        case("luneburg chain sheets", "luneburg", &["sweep.light=sheets", "light.softness=0", "sweep.gradient=chain"])?,
+        case(
+            "glass/straight sheets",
+            "glass/straight",
+            &["sweep.light=sheets", "light.0.angular_radius=1", "sweep.sheets=3"],
+        )?,
+        case("head u8 sheets", "head", &["sweep.light=sheets", "light.0.angular_radius=0"])?.in_bytes()?,
+        case(
+            "luneburg chain sheets",
+            "luneburg",
+            &["sweep.light=sheets", "light.0.angular_radius=0", "sweep.gradient=chain"],
+        )?,
         case("ball streamed", "ball", &[])?.streamed(),
         case("ball streamed chain", "ball", &["sweep.gradient=chain"])?.streamed(),
         case("ball streamed straight", "ball", &["sweep.refraction=false"])?.streamed(),
         case("ball streamed sheets", "ball", &["sweep.light=sheets"])?.streamed(),
-        case("ball streamed unshaded", "ball", &["light.shadows=false", "sweep.refraction=false"])?.streamed(),
+        case("ball streamed unshaded", "ball", &["light.0.shadows=false", "sweep.refraction=false"])?.streamed(),
         case("head u8 streamed", "head", &[])?.in_bytes()?.streamed(),
-        case("head u8 streamed sheets", "head", &["sweep.light=sheets", "light.softness=0"])?.in_bytes()?.streamed(),
+        case("head u8 streamed sheets", "head", &["sweep.light=sheets", "light.0.angular_radius=0"])?
+            .in_bytes()?
+            .streamed(),
         case("luneburg streamed", "luneburg", &["sweep.gradient=chain"])?.streamed(),
         case("luneburg streamed sheets", "luneburg", &["sweep.light=sheets"])?.streamed(),
         case("combustion/mixture streamed", "combustion/mixture", &[])?.streamed(),
         case("combustion/mixture streamed sheets", "combustion/mixture", &["sweep.light=sheets"])?.streamed(),
-        case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.softness=0"])?,
+        case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.0.angular_radius=0"])?,
     ]);
     cases.extend(meshes(edge, resolution)?);
     Ok(cases)
@@ -80,7 +89,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
 /// # Errors
 /// None that these meshes cause.
 pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
-    let voxels = format!("voxels.resolution={resolution}");
+    let voxels = format!("voxelization.resolution={resolution}");
     let case = |label: &str, mesh: &Mesh, settings: &[&str]| {
         let case = refraction::case(label, mesh.clone(), edge, &[settings, &[&voxels]].concat())?;
         Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
@@ -101,11 +110,11 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("mesh ball paper two", &ball, &["voxels.normals=paper", "voxels.surfaces=two"])?,
         case("mesh ball exact", &ball, &["voxels.surfaces=exact", checkerboard])?,
         case("mesh nested", &nested, &["material=[{name=\"m1\",ior=1.2},{ior=1.7,attenuation_color=[0.5,0.7,0.9]}]"])?,
-        case("mesh opaque", &nested, &[OPAQUE, "light.attachment=world", "light.elevation=60", "ground={}"])?,
+        case("mesh opaque", &nested, &[OPAQUE, "light.0.attachment=world", "light.0.elevation=60", "ground={}"])?,
         case(
             "mesh opaque two",
             &nested,
-            &[&OPAQUE.replace("m1", "m0"), "voxels.surfaces=two", "wall={}", "shadow.softness=0.1"],
+            &[&OPAQUE.replace("m1", "m0"), "voxels.surfaces=two", "wall={}", "shadow.filter_radius=0.1"],
         )?,
         case(
             "mesh opaque paper",
@@ -116,7 +125,7 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case(
             "mesh all opaque",
             &nested,
-            &["material=[{opaque=true,density=0.5}]", "voxels.surfaces=two", "light.shadows=false"],
+            &["material=[{opaque=true,density=0.5}]", "voxels.surfaces=two", "light.0.shadows=false"],
         )?,
         case("mesh nested exact", &nested, &["voxels.surfaces=exact", "voxels.reflection=false"])?,
     ])
@@ -146,9 +155,9 @@ pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run:
     if let Some(breach) = breach {
         let after = breach.checked_sub(1).map(|before| stopped[before].at.pass);
         let until = stopped[breach].at.pass;
-        let between = |passes: &[Pass], planes: Option<&Planes>| {
+        let between = |frame: &dyn PreparedFrame| {
             let between = after.map_or(0, |pass| pass + 1)..until;
-            between.map(|pass| Stop::new(pass, passes, planes)).collect()
+            between.map(|pass| Stop::new(pass, frame)).collect()
         };
         for stop in stop_after(case, cpu, other, between)? {
             if !holds(&stop)? {
@@ -185,16 +194,14 @@ fn stop_after(
     case: &Case,
     cpu: &mut dyn Backend,
     other: &mut dyn Backend,
-    stops: impl FnOnce(&[Pass], Option<&Planes>) -> Vec<Stop>,
+    stops: impl FnOnce(&dyn PreparedFrame) -> Vec<Stop>,
 ) -> Result<Vec<Stopped>, Failure> {
     let mut reference = Stepper::new(case, cpu)?;
     let mut other = Stepper::new(case, other)?;
     let mut stopped = Vec::new();
-    for at in stops(&reference.passes.passes, reference.frame.planes()) {
+    for at in stops(reference.frame.as_ref()) {
         stopped.push(Stopped { at, expected: reference.advance(at.pass)?, found: other.advance(at.pass)? });
     }
-    reference.free();
-    other.free();
     Ok(stopped)
 }
 
@@ -202,23 +209,23 @@ fn stop_after(
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Stop {
     pass: usize,
-    /// Rays through a mesh know no planes.
+    /// The plane that it leads to, in a sweep.
     plane: Option<u32>,
     kernel: &'static str,
 }
 
 impl Stop {
-    fn new(pass: usize, passes: &[Pass], planes: Option<&Planes>) -> Self {
-        let plane = planes.map(|planes| plane(&passes[pass], planes));
-        Self { pass, plane, kernel: passes[pass].kernel.declaration.name }
+    fn new(pass: usize, frame: &dyn PreparedFrame) -> Self {
+        let passes = &frame.passes().passes;
+        Self { pass, plane: frame.plane(&passes[pass]), kernel: passes[pass].kernel.declaration.name }
     }
 }
 
 /// The first, quarter, middle, three-quarter and last pass of each kernel, in order.
-fn stops(passes: &[Pass], planes: Option<&Planes>) -> Vec<Stop> {
+fn stops(frame: &dyn PreparedFrame) -> Vec<Stop> {
     let mut by_kernel: BTreeMap<&str, Vec<Stop>> = BTreeMap::new();
-    for index in 0..passes.len() {
-        let stop = Stop::new(index, passes, planes);
+    for index in 0..frame.passes().passes.len() {
+        let stop = Stop::new(index, frame);
         by_kernel.entry(stop.kernel).or_default().push(stop);
     }
     let chosen = |stops: &Vec<Stop>| {
@@ -231,82 +238,44 @@ fn stops(passes: &[Pass], planes: Option<&Planes>) -> Vec<Stop> {
     stops
 }
 
-/// The plane that a pass leads to, by its depth.
-fn plane(pass: &Pass, planes: &Planes) -> u32 {
-    let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
-    let depth = f64::from(uniforms.plane.y);
-    let distance = |plane: &u32| (planes.depth(*plane) - depth).abs();
-    (0..planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or_default()
-}
-
-/// A frame of either method.
-pub enum Frame {
-    /// Of a volume.
-    Sweep(Box<Sweep>),
-    /// Of a mesh.
-    Voxels(Box<Rays>, Box<Uploaded>),
-}
-
-impl Frame {
-    /// A frame that is ready to run, and its passes.
-    ///
-    /// # Errors
-    /// If the backend fails.
-    pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<(Self, PassList), Failure> {
-        if case.inputs.mesh.is_none() {
-            let prepare = if case.streamed { Sweep::prepare_streamed } else { Sweep::prepare };
-            let mut sweep = prepare(&case.scene, &case.inputs, case.wanted, backend)?;
-            let passes = mem::take(&mut sweep.passes);
-            return Ok((Self::Sweep(Box::new(sweep)), passes));
-        }
-        let uploaded = Uploaded::new(&case.scene, &case.inputs, backend, &mut |_, _| true)?;
-        let mut rays = Rays::prepare(&case.scene, &case.inputs, &uploaded, backend)?;
-        let passes = mem::take(&mut rays.passes);
-        Ok((Self::Voxels(Box::new(rays), Box::new(uploaded)), passes))
+/// The prepared first exposure of a case.
+///
+/// # Errors
+/// If the backend fails.
+pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<Box<dyn PreparedFrame>, Failure> {
+    let Case { scene, assets, request, .. } = case;
+    if case.streamed {
+        return Ok(Box::new(Sweep::prepare_streamed(scene, assets, *request, backend)?));
     }
-
-    fn planes(&self) -> Option<&Planes> {
-        match self {
-            Self::Sweep(sweep) => Some(&sweep.planes),
-            Self::Voxels(..) => None,
-        }
-    }
-
-    /// Frees what it has on the backend.
-    pub fn free(self, backend: &mut dyn Backend) {
-        match self {
-            Self::Sweep(sweep) => sweep.free(backend),
-            Self::Voxels(rays, uploaded) => {
-                rays.free(backend);
-                uploaded.free(backend);
-            }
-        }
-    }
+    let method = method::of(scene.method);
+    let exposures = method.exposures(scene, assets);
+    let job = Job { scene: &exposures[0].scene, assets, request: *request };
+    let mut tools = Tools { backend, progress: &mut |_| true };
+    Ok(method.prepare(&job, &mut Cache::default(), &mut tools)?)
 }
 
 /// A frame that runs in parts.
 struct Stepper<'a> {
     backend: &'a mut dyn Backend,
-    frame: Frame,
-    passes: PassList,
+    frame: Box<dyn PreparedFrame>,
     done: usize,
 }
 
 impl<'a> Stepper<'a> {
     fn new(case: &Case, backend: &'a mut dyn Backend) -> Result<Self, Failure> {
-        let (frame, passes) = Frame::prepare(case, backend)?;
-        Ok(Self { backend, frame, passes, done: 0 })
+        let frame = prepare(case, backend)?;
+        Ok(Self { backend, frame, done: 0 })
     }
 
     /// Runs on until pass `last` is done; what that wrote, each component's plane below the one before.
     fn advance(&mut self, last: usize) -> Result<Raster, Failure> {
         // Every pass counts here, also one that no pixel needs: nothing is left out.
-        let list = self.passes.part(self.done, last + 1);
+        let list = self.frame.passes().part(self.done, last + 1);
         self.done = last + 1;
         self.backend.run(&list, &mut |_| true)?;
         let pass = list.passes.last().expect("stops are in ascending order, and different");
         let output = pass.output().expect("every kernel writes");
-        let bytes = self.backend.read(output)?;
+        let bytes: Vec<u8> = self.backend.read_all(output)?;
         let declaration = &pass.kernel.declaration;
         if declaration.bindings.iter().any(|binding| binding.access == Access::Add) {
             // Sums are integers, of which some bit patterns are no numbers as floats: their halves are.
@@ -317,9 +286,5 @@ impl<'a> Stepper<'a> {
         let words: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
         let count = pass.width as usize * pass.height as usize * declaration.components;
         Ok(Raster::stacked(pass.width, [&words[..count]]))
-    }
-
-    fn free(self) {
-        self.frame.free(self.backend);
     }
 }

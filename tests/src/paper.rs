@@ -47,8 +47,7 @@ impl DataSet {
     pub fn case(&self, edge: u32) -> Result<Case, Failure> {
         let mut case = Case::builtin(self.scene, edge, None, &[])?.without_light();
         case.name = self.name.to_owned();
-        case.inputs.volume = stretched(&case.inputs.volume, self.dimensions)?;
-        case.inputs.ior_volume = None;
+        case.assets.subject = stretched(case.volume(), self.dimensions)?.into();
         Ok(case)
     }
 
@@ -105,7 +104,7 @@ pub fn measure(set: &DataSet, case: &Case, backend: &mut dyn Backend, frames: us
     Ok(Row {
         name: case.name.clone(),
         dimensions: set.dimensions,
-        planes: first.planes,
+        planes: first.planes.unwrap_or_default(),
         edge: first.width,
         paper_ms: set.paper_ms(first.width),
         frame_ms: median(&frame_ms).unwrap_or(f64::NAN),
@@ -153,8 +152,8 @@ mod tests {
     #[test]
     fn stretched_volumes_have_the_same_occupancy() {
         let set = DataSet { name: "small", dimensions: [40, 24, 90], scene: "head", paper_ms: [1.0, 2.0, 3.0] };
-        let before = Case::builtin("head", 16, None, &[]).unwrap().inputs.volume;
-        let after = set.case(16).unwrap().inputs.volume;
+        let before = Case::builtin("head", 16, None, &[]).unwrap().volume().clone();
+        let after = set.case(16).unwrap().volume().clone();
         assert_eq!(after.dimensions, set.dimensions);
         let air = |volume: &Volume| f64::from(volume.histogram(50)[0] as u32) / volume.voxel_count() as f64;
         assert!((air(&before) - air(&after)).abs() < 0.02, "{} and {}", air(&before), air(&after));

@@ -1,10 +1,10 @@
 //! Rays through meshes, one by one: where they leave and which way they go.
 
 use vitrum::backend::Backend;
-use vitrum::method::sweep::View;
 use vitrum::method::voxels::{Rays, Uploaded};
-use vitrum::scene::{Method, Scene};
-use vitrum::{Error, Inputs, Wanted};
+use vitrum::method::{Tools, View};
+use vitrum::scene::{MethodName, Scene};
+use vitrum::{Assets, Error, OutputRequest};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::path;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
@@ -38,15 +38,14 @@ pub struct Traced {
 /// # Errors
 /// If a setting is wrong.
 pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case, Failure> {
-    let mut scene = Scene { method: Method::Voxels, ..Scene::default() };
+    let mut scene = Scene { method: MethodName::Voxels, ..Scene::default() };
     (scene.film.width, scene.film.height) = (edge, edge);
-    scene.set("mesh.file=none.ply")?;
     for setting in settings {
         scene.set(setting)?;
     }
-    scene.validate()?;
+    scene.check_settings()?;
     let name = [&[name], settings].concat().join(" ");
-    Ok(Case { name, scene, inputs: Inputs::of_mesh(mesh)?, streamed: false, wanted: Wanted::default() })
+    Ok(Case { name, scene, assets: Assets::from(mesh), streamed: false, request: OutputRequest::default() })
 }
 
 /// Follows the rays of a case's pixels.
@@ -54,17 +53,15 @@ pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case
 /// # Errors
 /// If the backend fails.
 pub fn trace(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Traced>, Failure> {
-    let Case { scene, inputs, .. } = case;
-    let uploaded = Uploaded::new(scene, inputs, backend, &mut |_, _| true)?;
-    let rays = Rays::prepare(scene, inputs, &uploaded, backend)?;
+    let Case { scene, assets, .. } = case;
+    let uploaded = Uploaded::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
+    let rays = Rays::prepare(scene, assets, &uploaded, backend)?;
     let run = rays.run(backend, &mut |_| true).and_then(|()| rays.records(backend));
     let size = rays.rays;
     let grid = uploaded.grid;
-    rays.free(backend);
-    uploaded.free(backend);
     let records = run.map_err(Error::from)?;
     let count = size[0] as usize * size[1] as usize;
-    let view = View::new(scene, &inputs.volume);
+    let view = View::new(scene, &assets.subject);
     let traced = |index: usize| {
         let component = |c: usize| f64::from(records[c * count + index]);
         let vector = |c: usize| DVec3::new(component(c), component(c + 1), component(c + 2));
@@ -97,13 +94,13 @@ pub fn trace(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Traced>, Fail
 /// # Errors
 /// If the scene is not valid for a sweep, or the backend fails.
 pub fn sweep(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Option<DVec3>>, Failure> {
-    let scene = Scene { method: Method::Sweep, ..case.scene.clone() };
-    let frame = vitrum::render(&scene, &case.inputs, backend, &mut |_| true)?;
+    let scene = Scene { method: MethodName::Sweep, ..case.scene.clone() };
+    let frame = vitrum::render(&scene, &case.assets, backend, &mut |_| true)?;
     let missing = |name: &str| Failure::Setup(format!("a frame has no `{name}`"));
     let channel = |name: &str, channel| frame.channel(name, channel).ok_or_else(|| missing(name));
     let [x, y, z] = [channel("direction", "X")?, channel("direction", "Y")?, channel("direction", "Z")?];
     let status = channel("status", "Y")?;
-    let View { axes, .. } = View::new(&scene, &case.inputs.volume);
+    let View { axes, .. } = View::new(&scene, &case.assets.subject);
     let direction = |pixel: usize| {
         let [right, up, back] = [x[pixel], y[pixel], z[pixel]].map(f64::from);
         axes * DVec3::new(right, up, -back)

@@ -8,7 +8,7 @@ use std::path::Path;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use vitrum_compare::difference_picture;
-use vitrum_io::{Picture, write_picture};
+use vitrum_io::{Picture, PictureFormat, WriteOptions, encode_picture};
 
 use crate::raster::{Pixels, Raster};
 use crate::run::Run;
@@ -43,10 +43,7 @@ impl Pictures {
 
 /// A picture as a PNG file.
 fn encode(picture: &Picture) -> io::Result<Vec<u8>> {
-    let folder = tempfile::tempdir()?;
-    let path = folder.path().join("picture.png");
-    write_picture(&path, picture, &[]).map_err(io::Error::other)?;
-    fs::read(path)
+    encode_picture(picture, PictureFormat::Png, &[], &WriteOptions::default()).map_err(io::Error::other)
 }
 
 const STYLE: &str = "body{font:14px/1.4 system-ui,sans-serif;margin:2em;color:#222}table{border-collapse:collapse}\

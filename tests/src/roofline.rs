@@ -142,7 +142,7 @@ fn bytes(pass: &Pass, before: &[Pass], voxel_bytes: f64) -> f64 {
         // A voxel an invocation.
         (_, "voxels" | "ior_voxels") => voxel_bytes * invocations,
         // What another kernel has written there.
-        _ => before.iter().rfind(|other| other.output() == Some(*buffer)).map_or(0.0, |other| {
+        _ => before.iter().rfind(|other| other.output() == Some(buffer)).map_or(0.0, |other| {
             let alike = (other.width, other.height) == (pass.width, pass.height);
             let records = if alike { invocations } else { other.invocations() as f64 };
             records * other.kernel.declaration.components as f64 * 4.0
@@ -159,8 +159,8 @@ const HEADER: [&str; 9] =
 /// # Errors
 /// If the backend fails, or a module cannot be read.
 pub fn markdown(case: &Case, backend: &mut CpuBackend, ceilings: Ceilings) -> Result<String, Failure> {
-    let prepared = Sweep::prepare(&case.scene, &case.inputs, case.wanted, backend)?;
-    let voxel_bytes = match &case.inputs.volume.voxels {
+    let prepared = Sweep::prepare(&case.scene, &case.assets, case.request, backend)?;
+    let voxel_bytes = match &case.volume().voxels {
         Voxels::U8(_) => 1.0,
         Voxels::U16(_) => 2.0,
         Voxels::F32(_) => 4.0,
@@ -188,7 +188,7 @@ pub fn markdown(case: &Case, backend: &mut CpuBackend, ceilings: Ceilings) -> Re
             format!("{:.1}", time.ms / floor),
         ]);
     }
-    prepared.free(backend);
+    drop(prepared);
     Ok(table::aligned(HEADER.map(str::to_owned), rows))
 }
 
@@ -210,12 +210,11 @@ mod tests {
     fn a_pass_moves_at_least_its_records() {
         let case = Case::builtin("ball", 24, Some(16), &[]).unwrap();
         let mut backend = CpuBackend::new(Some(1)).unwrap();
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut backend).unwrap();
+        let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut backend).unwrap();
         let rays = sweep.passes.passes.iter().find(|pass| pass.kernel.declaration.name.contains("propagate")).unwrap();
         // 18 floats read and written, a voxel; besides, the irradiance of 4 floats a texel.
         let texels = f64::from(sweep.light_grid.size[0] * sweep.light_grid.size[1]);
         let expected = 24.0 * 24.0 * (2.0 * 72.0 + 2.0 * 2.0) + texels * 16.0;
         assert!((bytes(rays, &sweep.passes.passes, 2.0) - expected).abs() < 1e-6);
-        sweep.free(&mut backend);
     }
 }

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use vitrum::scene::Method;
+use vitrum::method;
+use vitrum::scene::MethodName;
 use vitrum_compare::Bound;
 
 use crate::Failure;
@@ -13,8 +14,10 @@ use crate::raster::Raster;
 use crate::report::Pictures;
 use crate::table::{self, Row};
 
-/// The methods that are compared.
-pub const METHODS: [&str; 2] = [Method::Sweep.name(), Method::Voxels.name()];
+/// The names of the methods that are compared.
+pub fn methods() -> impl Iterator<Item = &'static str> {
+    method::ALL.into_iter().map(|method| method.name().as_str())
+}
 
 /// What two rasters are.
 #[derive(Debug, Clone, Copy)]
@@ -44,7 +47,15 @@ impl Run {
     #[must_use]
     pub fn new(folder: PathBuf) -> Self {
         let (rows, evidence, pictures) = (Vec::new(), Vec::new(), Vec::new());
-        Self { folder, against: String::new(), method: METHODS[0], rows, evidence, keeps_pictures: false, pictures }
+        Self {
+            folder,
+            against: String::new(),
+            method: MethodName::default().as_str(),
+            rows,
+            evidence,
+            keeps_pictures: false,
+            pictures,
+        }
     }
 
     /// Says what all further comparisons are with, such as an adapter; their evidence gets a folder of that name.
@@ -53,8 +64,8 @@ impl Run {
     }
 
     /// Says which method all further comparisons are of.
-    pub fn method(&mut self, method: Method) {
-        self.method = method.name();
+    pub fn method(&mut self, method: MethodName) {
+        self.method = method.as_str();
     }
 
     /// Keeps the pictures of all further comparisons, for a report.

@@ -30,7 +30,7 @@ impl Setup {
         // The planes stay where they are when voxels become finer.
         let distance = self.sample_distance * self.resolution as f32 / RESOLUTION as f32;
         let settings =
-            [format!("sweep.sample_distance={distance}"), format!("light.resolution={}", self.light_resolution)];
+            [format!("sweep.sample_distance={distance}"), format!("sweep.light_resolution={}", self.light_resolution)];
         Case::builtin("glass", self.edge, Some(self.resolution), &settings.each_ref().map(String::as_str))
             .map(Case::without_light)
     }
@@ -56,7 +56,7 @@ fn quantities(threads: usize) -> Vec<Quantity> {
         Quantity {
             name: "planes",
             setups: [4.0, 2.0, 1.0, 0.5].map(|sample_distance| Setup { sample_distance, ..base }).to_vec(),
-            amount: |_, frame| f64::from(frame.statistics.planes),
+            amount: |_, frame| f64::from(frame.statistics.planes.unwrap_or_default()),
         },
         Quantity {
             name: "voxels",
@@ -66,7 +66,7 @@ fn quantities(threads: usize) -> Vec<Quantity> {
         Quantity {
             name: "light texels",
             setups: [0.25, 0.5, 1.0, 2.0].map(|light_resolution| Setup { light_resolution, ..base }).to_vec(),
-            amount: |_, frame| frame.statistics.light_texels.map(f64::from).iter().product(),
+            amount: |_, frame| frame.statistics.light_texels.unwrap_or_default().map(f64::from).iter().product(),
         },
         Quantity {
             name: "threads",

@@ -1,9 +1,9 @@
 //! Shadow maps of meshes, point by point, and what light meets on its way by an exact caster of rays.
 
 use vitrum::Error;
-use vitrum::backend::Backend;
-use vitrum::method::sweep::View;
+use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::voxels::{Rays, Uploaded};
+use vitrum::method::{Tools, View};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::VoxelsUniforms;
 use vitrum_kernels::glam::{DVec2, DVec3};
@@ -29,20 +29,18 @@ impl Map {
     /// # Errors
     /// If the backend fails.
     pub fn of(case: &Case, backend: &mut dyn Backend) -> Result<Self, Failure> {
-        let Case { scene, inputs, .. } = case;
-        let uploaded = Uploaded::new(scene, inputs, backend, &mut |_, _| true)?;
-        let rays = Rays::prepare(scene, inputs, &uploaded, backend)?;
+        let Case { scene, assets, .. } = case;
+        let uploaded = Uploaded::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
+        let rays = Rays::prepare(scene, assets, &uploaded, backend)?;
         let last = rays.passes.passes.last().expect("there are passes");
         let block = bytemuck::pod_read_unaligned(&last.uniforms);
         // By its binding's name; the uniforms are the first.
         let bindings = kernels::voxels_resolve.declaration.bindings;
         let place = bindings.iter().position(|binding| binding.name == "shadow").expect("it is read");
-        let words = backend.read(last.buffers[place - 1]);
+        let words = backend.read_all(&last.buffers[place - 1]).map_err(Error::from)?;
         let origin = DVec3::from_array(uploaded.grid.origin);
         let voxel = uploaded.grid.voxel_size;
-        rays.free(backend);
-        uploaded.free(backend);
-        Ok(Self { block, words: bytemuck::pod_collect_to_vec(&words.map_err(Error::from)?), origin, voxel })
+        Ok(Self { block, words, origin, voxel })
     }
 
     /// What is left of the light at a point in the world, red, green and blue.
@@ -61,13 +59,13 @@ impl Map {
     /// Edge of a voxel of the shadow map, in world units.
     #[must_use]
     pub fn edge(&self) -> f64 {
-        f64::from(self.block.shadow_filter.y) * self.voxel
+        f64::from(self.block.shadow.edge) * self.voxel
     }
 
     /// Unit direction in which light travels.
     #[must_use]
     pub fn light(&self) -> DVec3 {
-        let light = self.block.light;
+        let light = self.block.light.direction;
         DVec3::new(f64::from(light.x), f64::from(light.y), f64::from(light.z)).normalize()
     }
 }
@@ -75,7 +73,7 @@ impl Map {
 /// The camera's view of a case, in which directions of normals are given.
 #[must_use]
 pub fn view(case: &Case) -> View {
-    View::new(&case.scene, &case.inputs.volume)
+    View::new(&case.scene, &case.assets.subject)
 }
 
 /// Triangles that light along one direction goes through, in cells across it: an independent and exact reference.

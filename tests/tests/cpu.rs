@@ -1,12 +1,16 @@
 //! The CPU against itself: what must not change the picture does not.
 
-use vitrum::backend::{CpuBackend, Pass};
+use vitrum::backend::{Backend as _, Contents, CpuBackend, Pass, PassList, ReadBack as _};
 use vitrum::method::sweep::Sweep;
 use vitrum_compare::Bound;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
 use vitrum_conformance::{Failure, evidence, frames, kernels, raster};
-use vitrum_kernels::kernel::{InstructionSet, Window};
+use vitrum_kernels::abi::dispatch::Dispatch;
+use vitrum_kernels::abi::probe::ProbeUniforms;
+use vitrum_kernels::abi::record::probe;
+use vitrum_kernels::kernel::{InstructionSet, Window, kernels as tree};
+use vitrum_kernels::probe::functions::NAMES;
 
 const EDGE: u32 = 48;
 const RESOLUTION: u32 = 32;
@@ -88,7 +92,7 @@ fn a_frame_that_ends_with_its_rays_is_the_same() -> Result<(), Failure> {
         let times = ended.statistics.kernels.iter().find(|times| times.kernel.starts_with(prefix));
         times.map_or(0, |times| times.passes)
     };
-    let planes = ended.statistics.planes;
+    let planes = ended.statistics.planes.expect("it sweeps");
     let (rays, light) = (passes("sweep_propagate_rays"), passes("sweep_gather_light"));
     assert!(0 < rays && rays < planes / 2, "{rays} passes for {planes} planes although no ray was left");
     assert!(light <= rays + 1, "light went on although no ray was left");
@@ -101,8 +105,8 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
     let names =
         ["head", "supernova", "luneburg", "combustion/mixture", "phantom", "phantom/translucent", "ball", "glass"];
     // Steep light; close up from a corner, so that much lies outside of the picture, with a wide filter.
-    let steep: &[&str] = &["light.azimuth=60", "light.elevation=20", "light.softness=0"];
-    let near: &[&str] = &["camera.azimuth=40", "camera.elevation=35", "camera.zoom=2.5", "light.softness=6"];
+    let steep: &[&str] = &["light.0.azimuth=60", "light.0.elevation=20", "light.0.angular_radius=0"];
+    let near: &[&str] = &["camera.azimuth=40", "camera.elevation=35", "camera.zoom=2.5", "light.0.angular_radius=6"];
     for (name, settings) in names.iter().flat_map(|name| [(name, &[][..]), (name, steep), (name, near)]) {
         let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), settings)?;
         (case.scene.ground, case.scene.wall) = (None, None);
@@ -112,12 +116,11 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
         assert!(seen.light.is_none() && all.light.is_some());
         assert!(all.layers == seen.layers, "{}: the picture is another one", case.name);
 
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
+        let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;
         let run: u64 = sweep.passes.passes.iter().map(Pass::invocations).sum();
         let whole = |pass: &Pass| Pass { window: Window::whole(pass.width, pass.height), ..pass.clone() };
         let most: u64 = sweep.passes.passes.iter().map(|pass| whole(pass).invocations()).sum();
         assert!(run < most, "{}: all texels on every plane", case.name);
-        sweep.free(&mut cpu);
     }
     Ok(())
 }
@@ -129,33 +132,67 @@ fn light_goes_on_where_it_may_be_seen_again() -> Result<(), Failure> {
         Case::builtin("ball", EDGE, Some(RESOLUTION), &[])?,
         Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?.without_light(),
         // So oblique that texels do not follow it, and light moves on to those that were seen before.
-        Case::builtin("head", EDGE, Some(RESOLUTION), &["light.azimuth=75"])?.without_light(),
+        Case::builtin("head", EDGE, Some(RESOLUTION), &["light.0.azimuth=75"])?.without_light(),
     ];
     for case in cases {
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
+        let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;
         let whole = |pass: &Pass| pass.window == Window::whole(pass.width, pass.height);
         assert!(sweep.passes.passes.iter().all(whole), "{}: not all texels", case.name);
-        sweep.free(&mut cpu);
     }
     Ok(())
 }
 
 #[test]
-fn a_session_renders_what_a_fresh_start_renders() -> Result<(), Failure> {
+fn a_renderer_renders_what_a_fresh_start_renders() -> Result<(), Failure> {
     let mut case = Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?;
-    let (mut used, mut fresh) = (CpuBackend::new(None)?, CpuBackend::new(None)?);
-    let inputs = case.inputs.clone();
-    let mut session = vitrum::Session::new(&inputs, &mut used)?;
-    for setting in ["camera.azimuth=20", "light.azimuth=-30", "transfer.ior=[{ value = 0, ior = 1 }]", "film.width=33"]
+    let mut fresh = CpuBackend::new(None)?;
+    let mut renderer = vitrum::Renderer::new(Box::new(CpuBackend::new(None)?), case.assets.clone());
+    for setting in
+        ["camera.azimuth=20", "light.0.azimuth=-30", "transfer.ior=[{ value = 0, ior = 1 }]", "film.width=33"]
     {
         case.scene.set(setting)?;
         let (kept, anew) =
-            (session.render(&case.scene, Default::default(), &mut |_| true)?, frames::render(&case, &mut fresh)?);
+            (renderer.render(&case.scene, Default::default(), &mut |_| true)?, frames::render(&case, &mut fresh)?);
         assert_eq!(kept.layers, anew.layers, "{setting}");
     }
     case.scene.camera.zoom = -1.0;
-    assert!(session.render(&case.scene, Default::default(), &mut |_| true).is_err());
+    assert!(renderer.render(&case.scene, Default::default(), &mut |_| true).is_err());
     case.scene.camera.zoom = 1.0;
-    assert!(session.render(&case.scene, Default::default(), &mut |_| true).is_ok());
+    assert!(renderer.render(&case.scene, Default::default(), &mut |_| true).is_ok());
+    Ok(())
+}
+
+/// Blocks at the end of rows begin in the block before, and rows of fewer columns than a block has lanes are run apart.
+#[test]
+fn records_do_not_depend_on_the_width_of_rows() -> Result<(), Failure> {
+    const RECORDS: u32 = 2 * 3 * 4 * 5 * 7;
+    let function = NAMES.iter().position(|name| *name == "composited").expect("a function with several results") as u32;
+    let count = RECORDS as usize * probe::ARGUMENTS;
+    let arguments: Vec<f32> = (0..count).map(|index| (index * 37 % 101) as f32 / 101.0).collect();
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        let mut backend = CpuBackend::with_instruction_set(None, set)?;
+        let inputs = backend.create("arguments", Contents::Bytes(bytemuck::cast_slice(&arguments)))?;
+        let outputs = backend.create("results", Contents::Zeros(u64::from(RECORDS) * probe::SIZE as u64 * 4))?;
+        let mut results = |width: u32| -> Result<Vec<u8>, Failure> {
+            let height = RECORDS / width;
+            let uniforms = ProbeUniforms { dispatch: Dispatch { width, height, mode: 0 }, function };
+            let pass = Pass {
+                kernel: &tree::probe_apply_function,
+                uniforms: bytemuck::bytes_of(&uniforms).to_vec(),
+                buffers: vec![inputs.clone(), outputs.clone()],
+                width,
+                height,
+                start: 0,
+                window: Window::whole(width, height),
+            };
+            backend.clear(&outputs)?;
+            backend.run(&PassList { passes: vec![pass], ..PassList::default() }, &mut |_| true)?;
+            Ok(backend.read_all(&outputs)?)
+        };
+        let one = results(1)?;
+        for width in (2..=RECORDS).filter(|width| RECORDS % width == 0) {
+            assert!(results(width)? == one, "{set:?}, rows of {width}");
+        }
+    }
     Ok(())
 }

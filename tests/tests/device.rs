@@ -5,7 +5,7 @@ use std::task::{Context, Poll, Waker};
 
 use pollster::block_on;
 use vitrum::backend::wgpu::{self, Adapter, DeviceDescriptor, PollType};
-use vitrum::backend::{Backend, CpuBackend, GpuBackend};
+use vitrum::backend::{Backend, Contents, CpuBackend, GpuBackend};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::run::Run;
 use vitrum_conformance::{Failure, adapter, evidence, frames};
@@ -41,16 +41,15 @@ fn a_buffer_is_read_without_waiting() -> Result<(), Failure> {
     let opened = block_on(adapter.request_device(&GpuBackend::required(&adapter)));
     let (device, queue) = opened.expect("the device opens");
     let mut gpu = GpuBackend::with_device(device.clone(), queue, &adapter.get_info());
-    let buffer = gpu.create("numbers", bytemuck::cast_slice(&[1u32, 2, 3, 4]))?;
+    let buffer = gpu.create("numbers", Contents::Bytes(bytemuck::cast_slice(&[1u32, 2, 3, 4])))?;
     {
-        let mut read = pin!(gpu.read_part_async(buffer, 4, 8));
+        let mut read = pin!(gpu.read_async(&buffer, 4..12));
         let mut context = Context::from_waker(Waker::noop());
         assert!(read.as_mut().poll(&mut context).is_pending(), "nobody has polled the device");
         device.poll(PollType::wait_indefinitely()).expect("the device works");
         let Poll::Ready(bytes) = read.as_mut().poll(&mut context) else { panic!("the device was polled") };
         assert_eq!(bytes?, bytemuck::cast_slice::<u32, u8>(&[2, 3]));
     }
-    assert!(block_on(gpu.read_part_async(buffer, 8, 16)).is_err(), "the part ends behind the buffer");
-    gpu.free(buffer);
+    assert!(block_on(gpu.read_async(&buffer, 8..24)).is_err(), "the part ends behind the buffer");
     Ok(())
 }

@@ -108,7 +108,7 @@ fn kernels_are_vector_code_whose_loops_do_not_panic() {
     for kernel in ALL.iter().map(|kernel| kernel.declaration.name) {
         let Some((_, least)) = LEAST.into_iter().find(|(prefix, _)| kernel.starts_with(prefix)) else { continue };
         for ((build, is_whole), least) in BUILDS.into_iter().zip(least) {
-            let path = format!("kernel::dispatch::{kernel}::{build}");
+            let path = format!("kernel::list::{kernel}::{build}");
             let found = functions.iter().find(|(name, _)| name.ends_with(&path));
             let (_, symbol) = found.unwrap_or_else(|| panic!("no function {path}: was it inlined?"));
             check(&path, &contents(&file, symbol, is_whole), least);
@@ -123,7 +123,7 @@ fn check(path: &str, contents: &Contents, least: f64) {
     assert!(ratio >= least, "{path}: {wide} wide and {scalar} scalar operations: {ratio:.2} below {least}");
     // What copies the rest of a row and what looks at marks are not inlined, all else is. Before the loops a chunk without room
     // for its records and a mode that is not in the list panic, each once.
-    let ours = ["dispatch::copy_some", "marks::Marks::around"];
+    let ours = ["lanes::copy_some", "skip::Marks::around"];
     let expected = |name: &str| ours.iter().any(|end| name.ends_with(end)) || ["memcpy", "memset"].contains(&name);
     let (panics, others): (Vec<_>, Vec<_>) =
         calls.iter().filter(|name| !expected(name)).partition(|name| name.starts_with("core::panicking::panic"));

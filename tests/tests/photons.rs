@@ -1,6 +1,6 @@
 //! The sweep's light against photons that were followed one by one.
 
-use vitrum::method::sweep::View;
+use vitrum::method::View;
 use vitrum::scene::Transport;
 use vitrum_conformance::Failure;
 use vitrum_conformance::case::Case;
@@ -13,9 +13,9 @@ fn photons_obey_snell() {
     use vitrum_kernels::glam::DVec3;
     let case = Case::builtin("ball", 16, Some(32), &[]).expect("the scene exists");
     let mut scene = case.scene.clone();
-    scene.transfer.medium.clear();
-    let view = View::new(&scene, &case.inputs.volume);
-    let field = Field::new(&case.inputs.volume, &scene.transfer, &view);
+    scene.transfer.filter.clear();
+    let view = View::new(&scene, case.volume());
+    let field = Field::new(case.volume(), &scene.transfer, &view);
     // Through the ball's centre nothing bends; beside it the ray crosses the axis where a ball lens has it.
     let (right, away) = (DVec3::X, DVec3::Z);
     let centre = view.point(DVec3::ZERO);
@@ -103,9 +103,9 @@ fn photons_have_the_spot_of_a_ball_lens() {
     use vitrum_kernels::glam::DVec3;
     let case = Case::builtin("ball", 16, Some(96), &[]).expect("the scene exists");
     let mut scene = case.scene.clone();
-    scene.transfer.medium.clear();
-    let view = View::new(&scene, &case.inputs.volume);
-    let field = Field::new(&case.inputs.volume, &scene.transfer, &view);
+    scene.transfer.filter.clear();
+    let view = View::new(&scene, case.volume());
+    let field = Field::new(case.volume(), &scene.transfer, &view);
     let centre = view.point(DVec3::ZERO);
     let depths = [centre.z + 1.5, centre.z + 2.0, centre.z + 3.0];
     let mut distances: [Vec<f64>; 3] = Default::default();

@@ -27,11 +27,12 @@ const REVERSED: u32 = 2;
 fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
     let u: &SweepUniforms = from_bytes(chunk.uniforms);
     let behind: &[f32] = cast_slice(chunk.reads[0]);
-    let [width, height] = [u.size.z as i32, u.size.w as i32];
+    let [width, height] = [u.light_grid.width as i32, u.light_grid.height as i32];
     let last = if MISTAKE == BORDER { [width, height] } else { [width - 1, height - 1] };
     let outside: [f32; light::SIZE] =
-        [1.0, 1.0, 1.0, u.light_direction.x, u.light_direction.y, u.light_direction.z, 0.0, 0.0, 1.0];
-    let offsets = [[u.taps_a.x, u.taps_a.y], [u.taps_a.z, u.taps_a.w], [u.taps_b.x, u.taps_b.y]];
+        [1.0, 1.0, 1.0, u.light.direction.x, u.light.direction.y, u.light.direction.z, 0.0, 0.0, 1.0];
+    let offsets =
+        [[u.taps.first_x, u.taps.first_y], [u.taps.second_x, u.taps.second_y], [u.taps.third_x, u.taps.third_y]];
     let inside = |row: &u32, column: &u32| chunk.inside.contains(row) && chunk.columns.contains(column);
     let texels = (0..chunk.rows).flat_map(|row| (0..chunk.width).map(move |column| (row, column)));
     for (row, column) in texels.filter(|(row, column)| inside(row, column)) {
@@ -64,14 +65,14 @@ fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
 fn apply_function<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
     let u: &ProbeUniforms = from_bytes(chunk.uniforms);
     let arguments: &[f32] = cast_slice(chunk.reads[0]);
-    let count = (u.dispatch.x * u.dispatch.y) as usize;
+    let count = (u.dispatch.width * u.dispatch.height) as usize;
     for index in 0..(chunk.rows * chunk.width) as usize {
         let at = (chunk.first_row * chunk.width) as usize + index;
         let a: [f32; probe::ARGUMENTS] = std::array::from_fn(|argument| arguments[argument * count + at]);
-        let results = match (NAMES[u.dispatch.w as usize], MISTAKE) {
+        let results = match (NAMES[u.function as usize], MISTAKE) {
             ("dot_product", REVERSED) => [(a[2] * a[5] + a[1] * a[4]) + a[0] * a[3], 0.0, 0.0, 0.0],
             ("dot_product", _) => [(a[0] * a[3] + a[1] * a[4]) + a[2] * a[5], 0.0, 0.0, 0.0],
-            _ => apply(u.dispatch.w, a),
+            _ => apply(u.function, a),
         };
         for (component, result) in chunk.output.iter_mut().zip(results) {
             component[index] = result;

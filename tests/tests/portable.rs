@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use vitrum::backend::{BackendError, GpuOptions};
-use vitrum::scene::Method;
-use vitrum::{Error, Inputs, Wanted, builtin};
+use vitrum::scene::MethodName;
+use vitrum::{Assets, Error, OutputRequest, Progress, Stage, builtin};
 use vitrum_conformance::{Failure, adapter};
 
 /// Sweeps are prepared, since all their buffers are made by then; rays through meshes, which make buffers as they go, are rendered.
@@ -14,9 +14,10 @@ fn every_built_in_scene_fits_into_portable_buffers() -> Result<(), Failure> {
     let Some(mut gpu) = adapter::opened_for_test(&options) else { return Ok(()) };
     for (name, _) in builtin::names() {
         let scene = builtin::scene(name).expect("names are those of scenes");
-        let inputs = Inputs::load(&scene, Path::new(""))?;
-        let renders = scene.method == Method::Voxels;
-        let frame = vitrum::render_wanted(&scene, &inputs, Wanted::default(), &mut gpu, &mut |_| renders);
+        let assets = Assets::load(&scene, Path::new(""))?;
+        let renders = scene.method == MethodName::Voxels;
+        let mut goes_on = |progress: Progress| renders || progress.stage != Stage::Render;
+        let frame = vitrum::render_requested(&scene, &assets, OutputRequest::default(), &mut gpu, &mut goes_on);
         match frame {
             Ok(_) if renders => {}
             Err(Error::Backend(BackendError::Cancelled)) if !renders => {}

@@ -6,12 +6,19 @@ use std::mem::{offset_of, size_of_val};
 use rspirv::dr::{Instruction, Module, Operand, load_words};
 use rspirv::spirv::{Decoration, Op, Word};
 use vitrum_conformance::root;
+use vitrum_kernels::abi::camera::Camera;
+use vitrum_kernels::abi::clip::Clip;
+use vitrum_kernels::abi::dispatch::{Dispatch, Region};
+use vitrum_kernels::abi::environment::Environment;
 use vitrum_kernels::abi::grid::Grid;
+use vitrum_kernels::abi::light::{Light, LightGrid, Taps};
 use vitrum_kernels::abi::probe::ProbeUniforms;
+use vitrum_kernels::abi::receivers::{Receiver, Receivers};
 use vitrum_kernels::abi::shadow::ShadowUniforms;
-use vitrum_kernels::abi::sweep::SweepUniforms;
+use vitrum_kernels::abi::sweep::{Step, SweepUniforms};
+use vitrum_kernels::abi::vector::{Affine, Counts, Size, Vec3};
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
-use vitrum_kernels::abi::voxels::VoxelsUniforms;
+use vitrum_kernels::abi::voxels::{ShadowMap, VoxelsUniforms};
 use vitrum_kernels::kernel::ALL;
 use vitrum_shader_manifest::Manifest;
 
@@ -27,104 +34,177 @@ fn the_committed_modules_are_current() {
 }
 
 /// A field of a struct.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 struct Field {
     name: &'static str,
     offset: usize,
     size: usize,
+    /// Its own fields; none if it is a scalar.
+    fields: Vec<Field>,
 }
 
-/// All fields of a struct; one that is left out does not compile.
+/// All fields of a struct, with those of the structs in it; one that is left out does not compile.
 macro_rules! fields {
-    ($struct:ident { $($field:ident),* $(,)? }) => {{
+    ($struct:ident { $($field:ident $(: $fields:expr)?),* $(,)? }) => {{
         let $struct { $($field),* } = $struct::default();
         vec![$(Field {
             name: stringify!($field),
             offset: offset_of!($struct, $field),
             size: size_of_val(&$field),
+            fields: fields!($($fields)?),
         }),*]
     }};
+    () => { Vec::new() };
+    ($fields:expr) => { $fields };
 }
 
-fn grid() -> Vec<Field> {
-    fields!(Grid { row_x, row_y, row_z, size, value, pitch, bricks, pages })
+fn of_vec3() -> Vec<Field> {
+    fields!(Vec3 { x, y, z })
+}
+
+fn of_affine() -> Vec<Field> {
+    fields!(Affine { factors: of_vec3(), constant })
+}
+
+fn of_counts() -> Vec<Field> {
+    fields!(Counts { x, y, z })
+}
+
+fn of_dispatch() -> Vec<Field> {
+    fields!(Dispatch { width, height, mode })
+}
+
+#[rustfmt::skip]
+fn of_grid() -> Vec<Field> {
+    fields!(Grid {
+        row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), size: of_vec3(), reach, value_scale, value_offset,
+        row_pitch, slice_pitch, bricks: of_counts(), first_brick, pages: of_counts(), brick_shift,
+    })
+}
+
+fn of_light() -> Vec<Field> {
+    fields!(Light { direction: of_vec3(), color: of_vec3() })
+}
+
+fn of_camera() -> Vec<Field> {
+    fields!(Camera { half_width, half_height, start, orthographic })
+}
+
+fn of_receivers() -> Vec<Field> {
+    let of_receiver = || fields!(Receiver { plane: of_affine(), color: of_vec3() });
+    fields!(Receivers { ground: of_receiver(), wall: of_receiver() })
+}
+
+#[rustfmt::skip]
+fn of_environment() -> Vec<Field> {
+    fields!(Environment {
+        kind, map_width, map_height, map_levels, row_x: of_vec3(), row_y: of_vec3(), row_z: of_vec3(),
+        color: of_vec3(), horizon: of_vec3(), nadir: of_vec3(), square, intensity, visible,
+    })
 }
 
 #[rustfmt::skip]
 fn sweep_uniforms() -> Vec<Field> {
+    let of_region = fields!(Region { first_column, first_row, end_column, end_row });
+    let of_step = fields!(Step { behind, ahead, distance, inverse_reference_length, smallest_cosine, alike });
+    let of_light_grid = fields!(LightGrid {
+        width, height, corner_x, corner_y, texel, inverse_texel, shear_x, shear_y, shear_depth,
+    });
+    let of_taps = fields!(Taps { first_x, first_y, second_x, second_y, third_x, third_y });
+    let of_clip = || fields!(Clip { plane: of_affine(), everything });
     fields!(SweepUniforms {
-        dispatch, window, size, irradiance, plane, grid, ior_grid,
-        light_grid, light_shear, light_initial, light_direction, taps_a, taps_b,
-        camera, ground_plane, ground_color, wall_plane, wall_color,
-        clip_0, clip_1, clip_2, clip_3, clip_everything,
-        ambient, shading,
-        environment, environment_x, environment_y, environment_z,
-        environment_color, environment_horizon, environment_nadir,
+        dispatch: of_dispatch(), flags, region: of_region, picture: fields!(Size { width, height }), irradiance_start,
+        step: of_step, grid: of_grid(), ior_grid: of_grid(), light_grid: of_light_grid, light: of_light(), sheet_share, taps: of_taps,
+        camera: of_camera(), receivers: of_receivers(), clip_0: of_clip(), clip_1: of_clip(), clip_2: of_clip(), clip_3: of_clip(),
+        ambient: of_vec3(), roughness, specular, environment: of_environment(),
     })
 }
 
+#[rustfmt::skip]
 fn voxelize_uniforms() -> Vec<Field> {
-    fields!(VoxelizeUniforms { dispatch, size, columns, surface })
+    fields!(VoxelizeUniforms {
+        dispatch: of_dispatch(), work, size: of_counts(), row_words, column_shift, first_layer, column_units, voxel_units,
+        corner_units, margin, first_triangle,
+    })
 }
 
+#[rustfmt::skip]
 fn shadow_uniforms() -> Vec<Field> {
-    fields!(ShadowUniforms { dispatch, size, depth, absorption })
+    fields!(ShadowUniforms {
+        dispatch: of_dispatch(), work, width, height, layers, first_layer, depth, channels, winding_units, uniform_depth,
+        absorption: of_vec3(),
+    })
 }
 
 #[rustfmt::skip]
 fn voxels_uniforms() -> Vec<Field> {
+    let of_shadow = fields!(ShadowMap {
+        size: of_counts(), channels, row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), radius, edge,
+    });
     fields!(VoxelsUniforms {
-        dispatch, size, bricks, camera, right, up, away, scale, low, high,
-        environment, environment_x, environment_y, environment_z,
-        environment_color, environment_horizon, environment_nadir,
-        ground, ground_color, wall, wall_color, light, light_color, ambient,
-        shadow, shadow_x, shadow_y, shadow_z, shadow_filter,
+        dispatch: of_dispatch(), flags, size: of_counts(), materials, bricks: of_counts(), most_bounces, camera: of_camera(),
+        right: of_vec3(), up: of_vec3(), away: of_vec3(), eye: of_vec3(), voxel, same_cosine, same_distance, low: of_vec3(), high: of_vec3(),
+        environment: of_environment(), receivers: of_receivers(), light: of_light(), ambient: of_vec3(), shadow: of_shadow,
     })
 }
 
-/// std140 aligns vectors of four, and structs of them, to 16 bytes. With no other fields it leaves no gap: each begins where
+fn probe_uniforms() -> Vec<Field> {
+    fields!(ProbeUniforms { dispatch: of_dispatch(), function })
+}
+
+/// The size of a struct by the rules of std430, which aligns scalars, and structs of nothing but scalars, to 4 bytes: each field begins where
 /// the one before ends.
+fn size_by_std430(name: &str, fields: &[Field]) -> usize {
+    let mut end = 0;
+    for field in fields {
+        let size =
+            if field.fields.is_empty() { 4 } else { size_by_std430(&format!("{name}.{}", field.name), &field.fields) };
+        assert_eq!((field.offset, field.size), (end, size), "{name}.{}", field.name);
+        end += size;
+    }
+    end
+}
+
 #[test]
-fn uniforms_are_laid_out_by_the_rules_of_std140() {
+fn uniforms_are_laid_out_by_the_rules_of_std430() {
     for (name, size, alignment, fields) in [
-        ("Grid", size_of::<Grid>(), align_of::<Grid>(), grid()),
         ("SweepUniforms", size_of::<SweepUniforms>(), align_of::<SweepUniforms>(), sweep_uniforms()),
-        ("ProbeUniforms", size_of::<ProbeUniforms>(), align_of::<ProbeUniforms>(), fields!(ProbeUniforms { dispatch })),
+        ("ProbeUniforms", size_of::<ProbeUniforms>(), align_of::<ProbeUniforms>(), probe_uniforms()),
         ("ShadowUniforms", size_of::<ShadowUniforms>(), align_of::<ShadowUniforms>(), shadow_uniforms()),
         ("VoxelizeUniforms", size_of::<VoxelizeUniforms>(), align_of::<VoxelizeUniforms>(), voxelize_uniforms()),
         ("VoxelsUniforms", size_of::<VoxelsUniforms>(), align_of::<VoxelsUniforms>(), voxels_uniforms()),
     ] {
-        let mut end = 0;
-        for field in fields {
-            assert_eq!((field.offset, field.offset % 16, field.size % 16), (end, 0, 0), "{name}.{}", field.name);
-            end += field.size;
-        }
-        assert_eq!((size, alignment), (end, 16), "{name}");
+        assert_eq!((size, alignment), (size_by_std430(name, &fields), 4), "{name}");
     }
 }
 
 #[test]
 fn modules_read_uniforms_where_the_host_puts_them() {
-    let offsets = |fields: &[Field]| fields.iter().map(|field| field.offset as u32).collect::<Vec<_>>();
-    let (uniforms, probe, grid) = (sweep_uniforms(), fields!(ProbeUniforms { dispatch }), grid());
-    let (voxelize, voxels, shadow) = (voxelize_uniforms(), voxels_uniforms(), shadow_uniforms());
+    let blocks = HashMap::from([
+        ("sweep", sweep_uniforms()),
+        ("voxelize", voxelize_uniforms()),
+        ("voxels", voxels_uniforms()),
+        ("shadow", shadow_uniforms()),
+        ("probe", probe_uniforms()),
+    ]);
     for kernel in ALL {
         let name = kernel.declaration.name;
         let module = load(name);
         let block = uniform_block(&module).unwrap_or_else(|| panic!("{name} has no uniform block"));
-        let fields = match name.split_once('_') {
-            Some(("probe", _)) => &probe,
-            Some(("voxelize", _)) => &voxelize,
-            Some(("voxels", _)) => &voxels,
-            Some(("shadow", _)) => &shadow,
-            _ => &uniforms,
-        };
-        assert_eq!(member_offsets(&module, block), offsets(fields), "{name}: uniforms");
-        for (field, member) in fields.iter().zip(members(&module, block)) {
-            let expected = if field.size == size_of::<Grid>() { offsets(&grid) } else { vec![0, 4, 8, 12] };
-            let found = member_offsets(&module, member);
-            // Vectors have no members.
-            assert!(!is_struct(&module, member) || found == expected, "{name}: {} has {found:?}", field.name);
+        let (folder, _) = name.split_once('_').unwrap_or_else(|| panic!("{name} has no folder"));
+        agree(&module, block, &blocks[folder], name);
+    }
+}
+
+/// Holds the offsets of a module's struct, and of the structs in it, to the host's.
+fn agree(module: &Module, id: Word, fields: &[Field], path: &str) {
+    let offsets: Vec<u32> = fields.iter().map(|field| field.offset as u32).collect();
+    assert_eq!(member_offsets(module, id), offsets, "{path}");
+    for (field, member) in fields.iter().zip(members(module, id)) {
+        let path = format!("{path}.{}", field.name);
+        assert_eq!(is_struct(module, member), !field.fields.is_empty(), "{path}");
+        if !field.fields.is_empty() {
+            agree(module, member, &field.fields, &path);
         }
     }
 }

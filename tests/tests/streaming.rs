@@ -3,10 +3,11 @@
 
 use std::collections::BTreeSet;
 
-use vitrum::backend::{Backend, BackendError, CpuBackend};
+use std::sync::Arc;
+use vitrum::backend::{Backend, BackendError, Buffer, CpuBackend};
 use vitrum::io::{Shared, Volume, Voxels};
 use vitrum::method::sweep::Sweep;
-use vitrum::{Error, Inputs, Session, Wanted};
+use vitrum::{Error, OutputRequest, Renderer, Subject};
 use vitrum_conformance::Failure;
 use vitrum_conformance::adapter::exact_for_test;
 use vitrum_conformance::case::Case;
@@ -23,12 +24,11 @@ type Bits = (Vec<u32>, Vec<u32>);
 /// Runs a frame; how many times pages came, too.
 fn run(case: &Case, backend: &mut dyn Backend) -> Result<(Bits, usize), Failure> {
     let prepare = if case.streamed { Sweep::prepare_streamed } else { Sweep::prepare };
-    let sweep = prepare(&case.scene, &case.inputs, case.wanted, backend)?;
+    let sweep = prepare(&case.scene, &case.assets, case.request, backend)?;
     let times: BTreeSet<usize> = sweep.passes.writes.iter().map(|write| write.before).collect();
     sweep.run(backend, &mut |_| true)?;
     let bits = |values: Vec<f32>| values.into_iter().map(f32::to_bits).collect();
     let made = (bits(sweep.film(backend)?), bits(sweep.irradiance(backend)?));
-    sweep.free(backend);
     Ok((made, times.len()))
 }
 
@@ -45,13 +45,16 @@ fn cases() -> Result<Vec<Case>, Failure> {
     let no_skipping = "sweep.empty_space_skipping=false";
     Ok(vec![
         case("ball", &[])?,
-        case("ball", &[OBLIQUE, FROM_ABOVE, "light.softness=3", "light.elevation=50"])?,
+        case("ball", &[OBLIQUE, FROM_ABOVE, "light.0.angular_radius=3", "light.0.elevation=50"])?,
         case("ball", &[OBLIQUE, no_skipping, "sweep.gradient=chain"])?,
-        case("ball", &["camera.azimuth=45", "camera.elevation=35.26", "camera.roll=30", sheets, "light.softness=2"])?,
+        case(
+            "ball",
+            &["camera.azimuth=45", "camera.elevation=35.26", "camera.roll=30", sheets, "light.0.angular_radius=2"],
+        )?,
         case("ball", &["camera.zoom=5", "camera.elevation=-30", "sweep.sample_distance=0.5"])?,
         case("phantom", &[OBLIQUE, FROM_ABOVE])?,
         case("phantom", &["camera.projection=orthographic", FROM_ABOVE, no_skipping])?,
-        case("phantom", &["light.shadows=false", "sweep.refraction=false", OBLIQUE])?,
+        case("phantom", &["light.0.shadows=false", "sweep.refraction=false", OBLIQUE])?,
         case("phantom/translucent", &[OBLIQUE, "camera.elevation=-60", sheets, "sweep.sample_distance=2"])?,
         case("head", &["camera.azimuth=120", FROM_ABOVE, "sweep.integrator=euler", "sweep.intensity=paper"])?,
         case("head", &[OBLIQUE, sheets])?.in_bytes()?,
@@ -59,7 +62,7 @@ fn cases() -> Result<Vec<Case>, Failure> {
         noisy(case("phantom", &[FROM_ABOVE, "sweep.refraction=false", "camera.field_of_view=70"])?)?,
         case("luneburg", &[OBLIQUE, FROM_ABOVE])?,
         case("luneburg", &[OBLIQUE, sheets, no_skipping, "sweep.gradient=chain"])?,
-        case("luneburg", &["camera.elevation=-50", "light.shadows=false", "sweep.refraction=false"])?,
+        case("luneburg", &["camera.elevation=-50", "light.0.shadows=false", "sweep.refraction=false"])?,
         case("combustion/mixture", &[OBLIQUE, FROM_ABOVE])?,
         case("combustion/mixture", &[FROM_ABOVE, sheets, no_skipping])?,
         two_of_integers([RESOLUTION, 37], &[OBLIQUE, FROM_ABOVE])?,
@@ -72,11 +75,13 @@ fn cases() -> Result<Vec<Case>, Failure> {
 
 /// With noise where there is air, as scans have it: no page is the same everywhere, and some do nothing all the same.
 fn noisy(mut case: Case) -> Result<Case, Failure> {
-    let Voxels::U8(voxels) = &mut case.inputs.volume.voxels else { return Ok(case) };
+    let mut volume = case.volume().clone();
+    let Voxels::U8(voxels) = &mut volume.voxels else { return Ok(case) };
     for (index, voxel) in voxels.make_mut().iter_mut().enumerate() {
         let noise = (index as u32).wrapping_mul(2_654_435_761) >> 29;
         *voxel = voxel.saturating_add(noise as u8);
     }
+    case.assets.subject = volume.into();
     case.name.push_str(" with noise");
     Ok(case)
 }
@@ -85,8 +90,9 @@ fn noisy(mut case: Case) -> Result<Case, Failure> {
 fn two_of_integers([shown, bending]: [u32; 2], settings: &[&str]) -> Result<Case, Failure> {
     let bends = "transfer.ior=[{value=0,ior=1},{value=200,ior=1.2}]";
     let mut both = Case::builtin("head", EDGE, Some(shown), &[settings, &[bends]].concat())?;
-    let bending = Case::builtin("phantom", EDGE, Some(bending), &[])?.inputs.volume;
-    both.inputs.ior_volume = Some(bending);
+    let bending = Case::builtin("phantom", EDGE, Some(bending), &[])?;
+    let [shown, ior] = [&both, &bending].map(|case| Arc::new(case.volume().clone()));
+    both.assets.subject = Subject::Volumes { shown, ior };
     both.name.push_str(" and a phantom");
     Ok(both)
 }
@@ -96,7 +102,8 @@ fn reshaped(dimensions: [u32; 3], spacing: [f32; 3]) -> Result<Case, Failure> {
     let mut case = case("phantom", &[OBLIQUE, FROM_ABOVE])?;
     let count = dimensions.iter().product::<u32>();
     let voxels: Shared<u8> = (0..count).map(|index| (index.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
-    case.inputs.volume = Volume::new("a block", dimensions, spacing, Voxels::U8(voxels)).map_err(Error::from)?;
+    let volume = Volume::new("a block", dimensions, spacing, Voxels::U8(voxels)).map_err(Error::from)?;
+    case.assets.subject = volume.into();
     case.name = format!("a block of {dimensions:?} voxels");
     Ok(case)
 }
@@ -132,17 +139,17 @@ fn differing(a: &Bits, b: &Bits) -> usize {
 fn within(case: &Case, limit: Option<u64>) -> Result<Vec<f32>, Error> {
     let mut cpu = CpuBackend::new(None)?;
     cpu.set_volume_limit(limit);
-    let mut session = Session::new(&case.inputs, &mut cpu)?;
+    let mut renderer = Renderer::new(Box::new(cpu), case.assets.clone());
     // The second frame finds what the first one left.
-    session.render(&case.scene, Wanted::default(), &mut |_| true)?;
-    let frame = session.render(&case.scene, Wanted::default(), &mut |_| true)?;
+    renderer.render(&case.scene, OutputRequest::default(), &mut |_| true)?;
+    let frame = renderer.render(&case.scene, OutputRequest::default(), &mut |_| true)?;
     Ok(frame.layers.into_iter().flat_map(|layer| layer.channels).flat_map(|channel| channel.data).collect())
 }
 
 #[test]
 fn a_limit_streams_what_is_larger_and_says_when_it_is_too_small() -> Result<(), Failure> {
     let case = Case::builtin("phantom", EDGE, Some(128), &[OBLIQUE, "sweep.sample_distance=4"])?;
-    let whole = case.inputs.volume.bytes() as u64;
+    let whole = case.volume().bytes() as u64;
     let expected = within(&case, None)?;
     assert_eq!(expected, within(&case, Some(whole))?);
     assert_eq!(expected, within(&case, Some(whole - 1))?);
@@ -161,8 +168,8 @@ fn a_limit_streams_what_is_larger_and_says_when_it_is_too_small() -> Result<(), 
 #[test]
 fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
     let case = two_of_integers([128, 112], &[])?;
-    let Inputs { volume, ior_volume, .. } = &case.inputs;
-    let voxels = volume.voxels.len() + ior_volume.as_ref().map_or(0, |second| second.voxels.len());
+    let volumes = case.assets.subject.volumes().expect("it shows volumes");
+    let voxels: usize = volumes.iter().map(|volume| volume.voxels.len()).sum();
     let whole = voxels as u64 * 4;
     let expected = within(&case, None)?;
     assert_eq!(expected, within(&case, Some(whole))?);
@@ -176,15 +183,19 @@ fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
     for limit in [*needed, (needed + whole) / 2] {
         let mut cpu = CpuBackend::new(None)?;
         cpu.set_volume_limit(Some(limit));
-        let sweep = Sweep::prepare(&case.scene, &case.inputs, case.wanted, &mut cpu)?;
-        let voxels: BTreeSet<_> = sweep.passes.writes.iter().map(|write| write.buffer).collect();
+        let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;
+        let mut voxels: Vec<Buffer> = Vec::new();
+        for write in &sweep.passes.writes {
+            if !voxels.contains(&write.buffer) {
+                voxels.push(write.buffer.clone());
+            }
+        }
         assert_eq!(voxels.len(), 2, "both volumes are streamed");
         let mut taken = 0;
         for buffer in voxels {
-            taken += cpu.read(buffer)?.len() as u64;
+            taken += cpu.bytes(&buffer)?;
         }
         assert!(taken <= limit, "{taken} of {limit} bytes");
-        sweep.free(&mut cpu);
         assert_eq!(expected, within(&case, Some(limit))?);
     }
     Ok(())

@@ -2,9 +2,11 @@
 
 use clap::ValueEnum;
 
+use crate::circles;
 use crate::command::{cargo, run as run_command};
 use crate::diff;
 use crate::failure::Failure;
+use crate::features;
 use crate::package;
 use crate::peers;
 use crate::shaders::{self, COMPILER};
@@ -12,8 +14,8 @@ use crate::steps::{Completion, Steps};
 use crate::test;
 use crate::wasm;
 
-/// Run every check: format, lints, documentation, WebAssembly, tests, committed modules, backends against each other, packages,
-/// readers against independent ones.
+/// Run every check: format, circles of files, lints, documentation, features, WebAssembly, tests, committed modules, backends against each other,
+/// packages, readers against independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Leave a step out; repeatable.
@@ -24,8 +26,10 @@ pub struct Arguments {
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Step {
     Fmt,
+    Circles,
     Clippy,
     Doc,
+    Features,
     Wasm,
     Test,
     Shaders,
@@ -38,8 +42,10 @@ impl Step {
     fn name(self) -> &'static str {
         match self {
             Self::Fmt => "fmt",
+            Self::Circles => "circles",
             Self::Clippy => "clippy",
             Self::Doc => "doc",
+            Self::Features => "features",
             Self::Wasm => "wasm",
             Self::Test => "test",
             Self::Shaders => "shaders",
@@ -52,6 +58,7 @@ impl Step {
     fn run(self) -> Result<Completion, Failure> {
         let whole = match self {
             Self::Fmt => run_command(&mut cargo(["fmt", "--all", "--check"])),
+            Self::Circles => circles::run(&circles::Arguments::default()),
             Self::Clippy => for_all_packages(|selection| {
                 let mut command = cargo(["clippy", "--release", "--all-targets"]);
                 command.args(selection).args(["--", "-D", "warnings"]);
@@ -61,6 +68,7 @@ impl Step {
                 let mut command = cargo(["doc", "--release", "--no-deps"]);
                 run_command(command.args(selection).env("RUSTDOCFLAGS", "-D warnings"))
             }),
+            Self::Features => features::run(&features::Arguments::default()),
             Self::Wasm => return wasm::check(),
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),

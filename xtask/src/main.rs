@@ -6,10 +6,13 @@
 mod accuracy;
 mod bench;
 mod ci;
+mod circles;
 mod command;
 mod diff;
 mod distribution;
+mod docs;
 mod failure;
+mod features;
 mod fuzz;
 mod man;
 mod package;
@@ -41,9 +44,12 @@ enum Task {
     Diff(diff::Arguments),
     Bench(bench::Arguments),
     Accuracy(accuracy::Arguments),
+    Docs(docs::Arguments),
     Fuzz(fuzz::Arguments),
     Man(man::Arguments),
     Peers(peers::Arguments),
+    Circles(circles::Arguments),
+    Features(features::Arguments),
     Ci(ci::Arguments),
 }
 
@@ -54,9 +60,12 @@ fn main() -> ExitCode {
         Task::Diff(arguments) => diff::run(&arguments),
         Task::Bench(arguments) => bench::run(&arguments),
         Task::Accuracy(arguments) => accuracy::run(&arguments),
+        Task::Docs(arguments) => docs::run(&arguments),
         Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Man(arguments) => man::run(&arguments),
         Task::Peers(arguments) => peers::run(&arguments),
+        Task::Circles(arguments) => circles::run(&arguments),
+        Task::Features(arguments) => features::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),
     };
     match outcome {

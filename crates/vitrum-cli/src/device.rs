@@ -1,11 +1,11 @@
-//! Where the work is done: flags, and what opens a session by them.
+//! The device flags, and the renderer that they open.
 
 use crate::failure::{Failure, Status};
 use crate::volume::ByteCount;
 use clap::{Args, ValueEnum};
 use vitrum::backend::{self, Backend, BackendError, Choice, GpuOptions};
-use vitrum::scene::{Method, Scene};
-use vitrum::{Fallback, Inputs, Session};
+use vitrum::scene::{MethodName, Scene};
+use vitrum::{Assets, Renderer};
 
 /// Where the work is done.
 #[derive(Debug, Args)]
@@ -38,11 +38,11 @@ pub struct MemoryArguments {
 impl MemoryArguments {
     /// Fails where a scene's voxels cannot be streamed.
     pub fn check(&self, scene: &Scene) -> Result<(), Failure> {
-        if self.memory_limit.is_none() || scene.method != Method::Voxels {
+        if self.memory_limit.is_none() || scene.method != MethodName::Voxels {
             return Ok(());
         }
         let message = "--memory-limit is for volumes, and rays go through a mesh whose voxels are all there at once";
-        let help = "leave it out and lower `voxels.resolution`, or set `method = \"sweep\"`";
+        let help = "leave it out and lower `voxelization.resolution`, or set `method = \"sweep\"`";
         Err(Failure::new(Status::WrongUse, message.to_owned(), help))
     }
 }
@@ -75,15 +75,10 @@ impl DeviceArguments {
         backend::open(self.backend.into(), &options, self.threads.map(usize::from))
     }
 
-    /// Opens the device and uploads the volumes, and says where unless `quiet`.
+    /// Opens the device for a renderer of `assets`, and says which it is unless `quiet`.
     ///
     /// Where `auto` chose a GPU by itself, the CPU takes over if that cannot be opened or fails.
-    pub fn session<'a>(
-        &self,
-        inputs: &'a Inputs,
-        memory: &MemoryArguments,
-        quiet: bool,
-    ) -> Result<Session<'a>, Failure> {
+    pub fn renderer(&self, assets: &Assets, memory: &MemoryArguments, quiet: bool) -> Result<Renderer, Failure> {
         let threads = self.threads.map(usize::from);
         let limit = memory.memory_limit.map(|ByteCount(bytes)| bytes);
         let by_itself = self.backend == BackendName::Auto && self.adapter.is_none();
@@ -103,7 +98,8 @@ impl DeviceArguments {
         if !quiet {
             eprintln!("rendering on {} ({})", backend.name(), backend.adapter());
         }
-        let fallback = (by_itself && backend.name() != "cpu").then(|| Box::new(take_over) as Box<Fallback>);
-        Ok(Session::owning(inputs, backend, fallback)?)
+        let falls_back = by_itself && backend.name() != "cpu";
+        let renderer = Renderer::new(backend, assets.clone());
+        Ok(if falls_back { renderer.with_fallback(Box::new(take_over)) } else { renderer })
     }
 }

@@ -1,7 +1,8 @@
 //! Why a command failed, as the user reads it.
 
-use crate::interrupt;
+use crate::{advice, interrupt};
 use std::process::ExitCode;
+use vitrum::Unrenderable;
 use vitrum::backend::BackendError;
 use vitrum::preset::PresetError;
 use vitrum::scene::{Origin, SceneError};
@@ -48,7 +49,8 @@ impl Failure {
 
     /// An output that cannot be written: the user named it.
     pub fn output(error: &vitrum::io::Error) -> Self {
-        Self::with_advice(Status::WrongUse, error, advice(error))
+        let (message, help) = advice::on_error(error);
+        Self { status: Status::WrongUse, message, help }
     }
 
     /// The same, with other advice.
@@ -73,7 +75,8 @@ impl Failure {
 /// An input that cannot be read.
 impl From<vitrum::io::Error> for Failure {
     fn from(error: vitrum::io::Error) -> Self {
-        Self::with_advice(Status::Input, &error, advice(&error))
+        let (message, help) = advice::on_error(&error);
+        Self { status: Status::Input, message, help }
     }
 }
 
@@ -101,9 +104,15 @@ impl From<vitrum::Error> for Failure {
             vitrum::Error::SceneFile(error) => error.into(),
             vitrum::Error::Backend(error) => error.into(),
             // What no single value shows, but the scene and its files do together.
-            vitrum::Error::Scene(problem) => {
-                let (message, help) = problem.rsplit_once("; ").unwrap_or((&problem, "change the scene"));
-                Self::new(Status::Input, message, help)
+            vitrum::Error::Unrenderable(problem) => {
+                let help = match &*problem {
+                    // The program has a command that lists them with their variants.
+                    Unrenderable::UnknownBuiltin { kind: "volume", .. } => {
+                        "`vitrum scenes` lists the built-in scenes".to_owned()
+                    }
+                    problem => problem.advice(),
+                };
+                Self::new(Status::Input, problem.to_string(), help)
             }
         }
     }
@@ -118,18 +127,6 @@ impl From<BackendError> for Failure {
                 Self::with_advice(status, &error, error.help().map(str::to_owned))
             }
         }
-    }
-}
-
-fn advice(error: &vitrum::io::Error) -> Option<String> {
-    use vitrum::io::Error;
-    match error {
-        Error::Unreadable { advice, .. }
-        | Error::Invalid { advice, .. }
-        | Error::Unsupported { advice, .. }
-        | Error::TooLarge { advice, .. }
-        | Error::Write { advice, .. } => Some(advice.clone()),
-        _ => None,
     }
 }
 

@@ -7,9 +7,9 @@ use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use vitrum::io::{Mesh, OpenOptions, STANDARD_INPUT, Up, Volume, is_mesh};
-use vitrum::scene::{MeshSource, Method, Problem, Scene, VolumeSource};
+use vitrum::scene::{MeshSource, MethodName, Problem, Scene, VolumeSource};
 use vitrum::suggest::nearest;
-use vitrum::{Inputs, builtin, load_mesh, load_volume, preset};
+use vitrum::{Assets, builtin, load_mesh, load_meshes, load_volume, preset};
 
 /// The input and the flags that change its scene.
 #[derive(Debug, Args)]
@@ -25,7 +25,7 @@ pub struct SceneArguments {
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
 
-    /// Set a scene key, such as light.softness=3; repeatable, applied in order, after --preset
+    /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 
@@ -41,7 +41,7 @@ impl SceneArguments {
         if bare && self.volume.raw.is_some() {
             scene = without_mesh(scene);
         }
-        if scene.mesh.is_some() {
+        if !scene.mesh.is_empty() {
             return self.prepare_mesh(scene, base, bare);
         }
         // Names first: a slip should not cost the time to read a volume.
@@ -49,12 +49,14 @@ impl SceneArguments {
         let preset = self.preset.as_deref().or(bare.then_some(preset::DEFAULT));
         let mut before = scene.clone();
         self.change(&mut before, preset.is_some())?;
-        let inputs = Inputs::load_within(&before, &base, self.volume.limit())?;
+        let assets = Assets::load_within(&before, &base, self.volume.limit())?;
         if let Some(name) = preset {
-            preset::apply(name, &inputs.volume, &mut scene)?;
+            // Without a mesh in the scene, a volume was loaded.
+            let volume = assets.subject.volume().expect("a scene without a mesh shows a volume");
+            preset::apply(name, volume, &mut scene)?;
         }
         self.change(&mut scene, false)?;
-        Ok(Prepared { scene, base, inputs })
+        Ok(Prepared { scene, base, assets })
     }
 
     /// What a mesh looks like does not depend on what is in its file.
@@ -65,8 +67,8 @@ impl SceneArguments {
             None => {}
         }
         self.change(&mut scene, false)?;
-        let inputs = Inputs::load_within(&scene, &base, self.volume.limit())?;
-        Ok(Prepared { scene, base, inputs })
+        let assets = Assets::load_within(&scene, &base, self.volume.limit())?;
+        Ok(Prepared { scene, base, assets })
     }
 
     /// Applies `--size`, the volume's flags and `--set`. If a preset is still to come, what is missing now may be filled in by it, such as
@@ -96,7 +98,7 @@ pub struct Prepared {
     pub scene: Scene,
     /// The folder that relative paths in the scene start at.
     pub base: PathBuf,
-    pub inputs: Inputs,
+    pub assets: Assets,
 }
 
 /// An input before flags.
@@ -121,8 +123,8 @@ pub fn open(input: &str) -> Result<Opened, Failure> {
     }
     // What cannot be looked at, the reader of volumes has the message for.
     if path != Path::new(STANDARD_INPUT) && is_mesh(path).unwrap_or(false) {
-        let mesh = Some(MeshSource { file: Some(path.to_owned()), ..MeshSource::default() });
-        let scene = Scene { method: Method::Voxels, mesh, ..Scene::default() };
+        let mesh = vec![MeshSource { file: Some(path.to_owned()), ..MeshSource::default() }];
+        let scene = Scene { method: MethodName::Voxels, mesh, ..Scene::default() };
         return Ok(Opened { scene, base: PathBuf::new(), bare: true });
     }
     let volume = VolumeSource { file: Some(path.to_owned()), ..VolumeSource::default() };
@@ -131,9 +133,9 @@ pub fn open(input: &str) -> Result<Opened, Failure> {
 
 /// The scene of a mesh's file as a volume.
 fn without_mesh(scene: Scene) -> Scene {
-    match scene.mesh {
-        Some(MeshSource { file: Some(file), .. }) => {
-            Scene { volume: VolumeSource { file: Some(file), ..VolumeSource::default() }, ..Scene::default() }
+    match scene.mesh.as_slice() {
+        [MeshSource { file: Some(file), .. }] => {
+            Scene { volume: VolumeSource { file: Some(file.clone()), ..VolumeSource::default() }, ..Scene::default() }
         }
         _ => scene,
     }
@@ -144,7 +146,7 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
     let Opened { mut scene, base, .. } = open(input)?;
     // Reading a mesh as a volume says what is wrong with that.
     scene = without_mesh(scene);
-    if scene.mesh.is_some() {
+    if !scene.mesh.is_empty() {
         let message = format!("{input}: this is a mesh, and there is no volume in it");
         let help = format!("`vitrum voxelize {input} -r 256 -o voxels.nrrd` makes one of it");
         return Err(Failure::new(Status::WrongUse, message, help));
@@ -158,17 +160,17 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
 pub fn open_mesh(input: &str, max_bytes: Option<u64>) -> Result<Mesh, Failure> {
     let Opened { scene, base, bare } = open(input)?;
     let as_it_stands = Up::Superior.to_string();
-    match scene.mesh {
-        Some(source) if bare => {
-            Ok(load_mesh(&MeshSource { up: Some(as_it_stands), ..source }, Path::new(""), max_bytes)?)
+    match scene.mesh.as_slice() {
+        [source] if bare => {
+            Ok(load_mesh(&MeshSource { up: Some(as_it_stands), ..source.clone() }, Path::new(""), max_bytes)?)
         }
-        Some(source) => Ok(load_mesh(&source, &base, max_bytes)?),
-        None if !bare => {
+        [_, ..] => Ok(load_meshes(&scene.mesh, &base, max_bytes)?),
+        [] if !bare => {
             let message = format!("{input}: this shows a volume, and no mesh");
             let help = "name a mesh's file, a scene that shows one, or a built-in one (`vitrum scenes` lists them)";
             Err(Failure::new(Status::WrongUse, message, help))
         }
-        None => Ok(vitrum::io::open_mesh(Path::new(input), &OpenOptions { max_bytes, ..OpenOptions::default() })?),
+        [] => Ok(vitrum::io::open_mesh(Path::new(input), &OpenOptions { max_bytes, ..OpenOptions::default() })?),
     }
 }
 

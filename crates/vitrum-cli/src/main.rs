@@ -4,6 +4,7 @@
 //! 2 wrong use, 3 an input could not be read or is invalid, 4 the device failed or is missing, 124 out of
 //! time, 130 interrupted.
 
+mod advice;
 mod arguments;
 mod commands;
 mod device;

@@ -1,9 +1,9 @@
 //! The progress bar: on standard error, and only where that is a terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use vitrum::Progress;
+use vitrum::{Progress, Stage};
 
-/// Planes done over all frames, and the time left.
+/// Work done over all frames, and the time left.
 pub struct Bar {
     bar: ProgressBar,
     frames: u32,
@@ -14,7 +14,7 @@ impl Bar {
     pub fn new(frames: u32, quiet: bool) -> Self {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(None, target);
-        let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} planes, {eta} left");
+        let style = ProgressStyle::with_template("{wide_bar} {msg} {pos}/{len}, {eta} left");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         Self { bar, frames }
     }
@@ -28,16 +28,21 @@ impl Bar {
     }
 
     /// Shows how much of the work is done.
-    pub fn set(&self, done: u64, total: u64) {
-        self.bar.set_length(total);
-        self.bar.set_position(done);
+    pub fn set(&self, progress: &Progress) {
+        self.bar.set_length(progress.total);
+        self.bar.set_position(progress.done);
     }
 
     /// Shows how far the frame with this index is.
     pub fn update(&self, frame: u32, progress: &Progress) {
-        let total = u64::from(progress.total);
-        self.bar.set_length(total * u64::from(self.frames));
-        self.bar.set_position(total * u64::from(frame) + u64::from(progress.done));
+        self.bar.set_message(progress.stage.name());
+        if progress.stage == Stage::Render {
+            self.bar.set_length(progress.total * u64::from(self.frames));
+            self.bar.set_position(progress.total * u64::from(frame) + progress.done);
+        } else {
+            self.bar.set_length(progress.total);
+            self.bar.set_position(progress.done);
+        }
     }
 }
 

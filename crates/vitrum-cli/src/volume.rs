@@ -44,11 +44,13 @@ impl VolumeArguments {
         source.up = up.map(|up| up.to_string()).or(source.up.take());
     }
 
-    /// Sets the keys of a scene: of its mesh what a mesh has, of its volume the rest.
+    /// Sets the keys of a scene: of its meshes what a mesh has, of its volume the rest.
     pub fn apply_to(&self, scene: &mut Scene) {
         let mut rest = self.clone();
-        if let Some(mesh) = &mut scene.mesh {
-            mesh.up = rest.up.take().map(|up| up.to_string()).or(mesh.up.take());
+        if !scene.mesh.is_empty()
+            && let Some(up) = rest.up.take()
+        {
+            scene.mesh.iter_mut().for_each(|mesh| mesh.up = Some(up.to_string()));
         }
         rest.apply(&mut scene.volume);
     }

@@ -19,13 +19,13 @@ fn key_frames_make_the_pictures_that_settings_make() {
     let folder = Folder::new();
     folder.write(
         "keys.toml",
-        "[[key]]\nframe = 0\ncamera.azimuth = 10\nlight.softness = 0\n[[key]]\ntime = 0.5\ncamera.azimuth = 50\nlight.softness = 4\n",
+        "[[key]]\nframe = 0\ncamera.azimuth = 10\nlight.0.angular_radius = 0\n[[key]]\ntime = 0.5\ncamera.azimuth = 50\nlight.0.angular_radius = 4\n",
     );
     folder.succeed(&turn(&["-o", "animation", "--keys", "keys.toml", "--rate", "8"]));
     assert_eq!(fs::read_dir(folder.file("animation")).expect("a folder").count(), 5, "frames 0 to 4");
     let render = [&["render"], &TURN[1..]].concat();
     for (frame, azimuth, softness) in [(0, 10, 0), (2, 30, 2), (4, 50, 4)] {
-        let settings = [format!("camera.azimuth={azimuth}"), format!("light.softness={softness}")];
+        let settings = [format!("camera.azimuth={azimuth}"), format!("light.0.angular_radius={softness}")];
         folder.succeed(&[&render[..], &["-o", "still.png", "--set", &settings[0], "--set", &settings[1]]].concat());
         let animation = read_picture(&folder.file(&format!("animation/frame-0000{frame}.png"))).expect("a picture");
         assert_eq!(
@@ -63,10 +63,10 @@ fn wrong_key_frames_are_refused_before_any_work() {
 #[test]
 fn a_film_that_would_break_off_is_refused_before_its_first_frame() {
     let folder = Folder::new();
-    let turning = ["builtin:ball", "--set", "light.attachment=world", "--set", "light.azimuth=0", "--frames", "12"];
+    let turning = ["builtin:ball", "--set", "light.0.attachment=world", "--set", "light.0.azimuth=0", "--frames", "12"];
     let animation = [&["turntable"][..], &turning, &["-o", "animation"]].concat();
     folder.refuse(&animation, 3, &["frame 4 of 12", "85"]);
-    folder.refuse(&["scene", "builtin:ball", "--set", "light.azimuth=180"], 3, &["85", "light.azimuth"]);
+    folder.refuse(&["scene", "builtin:ball", "--set", "light.0.azimuth=180"], 3, &["85", "light.0.azimuth"]);
 }
 
 #[test]

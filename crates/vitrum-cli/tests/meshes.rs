@@ -84,13 +84,13 @@ fn a_mesh_is_rendered_and_its_scene_renders_the_same() {
     let folder = Folder::new();
     folder.write("a.obj", TETRAHEDRON);
     folder.write("a.mtl", "newmtl glass\nNi 1.7\n");
-    let common = ["--backend", "cpu", "--size", "48x48", "--set", "voxels.resolution=32"];
+    let common = ["--backend", "cpu", "--size", "48x48", "--set", "voxelization.resolution=32"];
     let with = |first: &[&str]| folder.succeed(&[first, &common].concat());
     with(&["render", "a.obj", "-o", "a.exr", "--aov", "normal=n.exr", "--aov", "bounces=b.exr", "--stats", "a.json"]);
     let stats = std::fs::read_to_string(folder.file("a.json")).expect("it was written");
     let stats: Value = serde_json::from_str(&stats).expect("it is JSON");
     assert_eq!(stats["method"], "voxels");
-    assert!(stats["voxels"].is_array() && stats["rays_turned"].is_number(), "{stats}");
+    assert!(stats["voxels"].is_array() && stats["rays_trapped"].is_number(), "{stats}");
     folder.succeed(&[&["scene", "a.obj", "-o", "a.toml"], &common[2..]].concat());
     folder.succeed(&["render", "a.toml", "-o", "c.exr", "--backend", "cpu"]);
     folder.succeed(&["diff", "a.exr", "c.exr", "--max-abs", "0"]);
@@ -109,7 +109,7 @@ fn what_rays_cannot_do_is_refused() {
     }
     folder.write("a.obj", TETRAHEDRON);
     let render = ["render", "a.obj", "-o", "out.png", "--set", "method=voxels", "--memory-limit", "1KiB"];
-    folder.refuse(&render, 2, &["--memory-limit is for volumes", "voxels.resolution"]);
+    folder.refuse(&render, 2, &["--memory-limit is for volumes", "voxelization.resolution"]);
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn holes_of_a_rendered_mesh_are_told() {
     let folder = Folder::new();
     folder.write("closed.obj", TETRAHEDRON);
     folder.write("a.mtl", "newmtl glass\n");
-    let small = ["--size", "16x16", "--set", "voxels.resolution=16", "--backend", "cpu"];
+    let small = ["--size", "16x16", "--set", "voxelization.resolution=16", "--backend", "cpu"];
     let messages = |file: &str, method: &str| {
         let outcome = folder.vitrum(&[&["render", file, "-o", "out.png", "--set", method][..], &small].concat());
         assert_eq!(outcome.code, Some(0), "{}", outcome.stderr);
@@ -144,7 +144,7 @@ fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
         |out: &str, more: &[&str]| folder.succeed(&[&["render", "a.obj", "-o", out], &common[..], more].concat());
     let differ = |a: &str, b: &str| folder.vitrum(&["diff", a, b, "--max-abs", "1e-2"]).code == Some(1);
     render("clay.exr", &["--preset", "clay", "--aov", "status=s.exr"]);
-    render("lit.exr", &["--preset", "clay", "--set", "light.shadows=false"]);
+    render("lit.exr", &["--preset", "clay", "--set", "light.0.shadows=false"]);
     // The colour of the file instead of the preset's.
     render("own.exr", &["--preset", "clay", "--set", "material.0.color=none"]);
     assert!(differ("clay.exr", "lit.exr") && differ("clay.exr", "own.exr"));
@@ -158,8 +158,42 @@ fn an_opaque_mesh_stands_on_the_ground_in_its_shadow() {
         &["material.0.opaque", "method = \"voxels\""],
     );
     refused(
-        &["--preset", "clay", "--quiet", "--set", "shadow.softness=2"],
+        &["--preset", "clay", "--quiet", "--set", "shadow.filter_radius=2"],
         3,
-        &["shadow.softness", "lower `shadow.resolution`"],
+        &["shadow.filter_radius", "lower `shadow.resolution`"],
     );
+}
+
+/// Two meshes of a scene, each at its place, are the one mesh that has both, by either method.
+#[test]
+fn several_meshes_are_shown_together() {
+    let folder = Folder::new();
+    let one = "usemtl glass\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    let other = "v 4 1 0\nv 6 1 0\nv 4 5 0\nv 4 1 6\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
+    folder.write("a.obj", format!("mtllib a.mtl\n{one}"));
+    folder.write("both.obj", format!("mtllib a.mtl\n{one}{other}"));
+    folder.write("a.mtl", "newmtl glass\nNi 1.5\nnewmtl unused\n");
+    let apart = "[[mesh]]\nfile = \"a.obj\"\nup = \"z\"\n[[mesh]]\nfile = \"a.obj\"\nup = \"z\"\nscale = 2\nposition = [4, 1, 0]\n";
+    folder.write("apart.toml", apart);
+    folder.write("both.toml", "[[mesh]]\nfile = \"both.obj\"\nup = \"z\"\n");
+    let render = |scene: &str, method: &str, out: &str| {
+        let settings = [&format!("method={method}"), "voxelization.resolution=32", "camera.azimuth=30"];
+        let settings = settings.iter().flat_map(|setting| ["--set", setting]);
+        let common = ["render", scene, "-o", out, "--backend", "cpu", "--size", "32x32"];
+        folder.succeed(&common.into_iter().chain(settings).collect::<Vec<_>>());
+    };
+    for method in ["voxels", "sweep"] {
+        render("apart.toml", method, "apart.exr");
+        render("both.toml", method, "both.exr");
+        folder.succeed(&["diff", "apart.exr", "both.exr", "--max-abs", "0"]);
+    }
+    let info = folder.succeed(&["info", "apart.toml"]);
+    assert!(info.contains("triangles   8") && info.contains("[0.0, 0.0, 0.0] to [6.0, 5.0, 6.0]"), "{info}");
+    // A material of the scene for one of them alone.
+    folder.write(
+        "gold.toml",
+        format!("method = \"voxels\"\n{apart}material = \"gold\"\n[[material]]\nname = \"gold\"\nopaque = true\n"),
+    );
+    render("gold.toml", "voxels", "gold.exr");
+    assert_eq!(folder.vitrum(&["diff", "gold.exr", "apart.exr", "--max-abs", "1e-2"]).code, Some(1));
 }

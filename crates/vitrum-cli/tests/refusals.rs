@@ -14,11 +14,11 @@ fn ball<'a>(more: &[&'a str]) -> Vec<&'a str> {
 fn scene_files_with_mistakes_exit_3_and_name_the_line() {
     let folder = Folder::new();
     let render = ["render", "scene.toml", "-o", "out.png"];
-    folder.write("scene.toml", "volume.builtin = \"ball\"\n\n[light]\nsoftnes = 3\n");
+    folder.write("scene.toml", "volume.builtin = \"ball\"\n\n[[light]]\nangular_radiu = 3\n");
     folder.refuse(
         &render,
         3,
-        &["scene.toml, line 4", "`light.softnes`", "unknown key", "did you mean `light.softness`?"],
+        &["scene.toml, line 4", "`light.0.angular_radiu`", "unknown key", "did you mean `light.0.angular_radius`?"],
     );
     folder.write("scene.toml", "volume.builtin = \"ball\"\nfilm.width = 0\n");
     folder.refuse(&render, 3, &["line 2", "`film.width`", "found 0", "1 to 16384"]);
@@ -43,11 +43,22 @@ fn wrong_flags_exit_2() {
         (&["--size", "100000x100000"], &["the width is 100000 pixels", "1 to 16384"]),
         (&["--size", "32"], &["WIDTHxHEIGHT"]),
         (&["--size", "16384x16384", "--set", "film.supersampling=2"], &["1073741824", "85899345"]),
-        (&["--set", "light.softness"], &["there is no `=`", "KEY=VALUE"]),
-        (&["--set", "light.softnes=3"], &["unknown key", "did you mean `light.softness`?"]),
-        (&["--set", "light.softness=90"], &["found 90", "0 to 45"]),
-        (&["--set", "light.softness=nan"], &["found nan", "0 to 45"]),
+        (&["--set", "light.0.angular_radius"], &["there is no `=`", "KEY=VALUE"]),
+        (&["--set", "light.0.angular_radiu=3"], &["unknown key", "did you mean `light.0.angular_radius`?"]),
+        (&["--set", "light.0.angular_radius=90"], &["found 90", "0 to 45"]),
+        (&["--set", "light.0.angular_radius=nan"], &["found nan", "0 to 45"]),
+        (
+            &["--set", "light.softness=3"],
+            &["this key is now `light.0.angular_radius`", "write `light.0.angular_radius`"],
+        ),
+        (&["--set", "light.0.kind=point"], &["`light.0`", "a point light needs a `position`"]),
+        (
+            &["--set", "light.0.kind=spot", "--set", "light.0.position=[0, 0, 9]"],
+            &["the method `sweep` renders distant lights alone", "no method renders other lights yet"],
+        ),
+        (&["--set", "medium.scattering=[1, 1, 1]"], &["no method renders a participating medium yet"]),
         (&["--set", "volume.file=x.nrrd"], &["both `file` and `builtin`"]),
+        (&["--aov", "medium=m.exr"], &["the output `medium` is now `transmittance`"]),
         (&["--preset", "ambr"], &["no preset `ambr`", "did you mean `amber`?"]),
         (&["--preset", "zzz"], &["no preset `zzz`", "plain, bone, amber, glass, xray, haze"]),
         (&["--aov", "dept=d.exr"], &["no output `dept`", "did you mean `depth`?"]),
@@ -84,7 +95,7 @@ fn outputs_that_cannot_be_written_exit_2_before_any_work() {
 fn outputs_that_a_method_does_not_have_are_refused_before_any_work() {
     let folder = Folder::new();
     let outputs = ["-o", "out.png", "--aov", "bounces=b.exr"];
-    folder.refuse(&[&["render", "builtin:ball"][..], &outputs].concat(), 2, &["`sweep`", "`bounces`", "medium"]);
+    folder.refuse(&[&["render", "builtin:ball"][..], &outputs].concat(), 2, &["`sweep`", "`bounces`", "transmittance"]);
     let outputs = ["-o", "out.png", "--aov", "light=l.exr"];
     folder.refuse(&[&["render", "builtin:vase"][..], &outputs].concat(), 2, &["`voxels`", "`light`", "bounces"]);
 }

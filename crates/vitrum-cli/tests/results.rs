@@ -48,7 +48,7 @@ fn exr_keeps_every_output_and_aov_writes_one() {
     folder.succeed(&small(&["-o", "out.exr", "--aov", "depth=depth.exr", "--aov", "light=light.exr"]));
     let picture = read_picture(&folder.file("out.exr")).expect("the file is whole");
     let layer = |name: &str| picture.layers.iter().find(|layer| layer.name == name);
-    for name in ["color", "opacity", "medium", "depth", "direction", "position", "status"] {
+    for name in ["color", "opacity", "transmittance", "depth", "direction", "position", "status"] {
         assert!(layer(name).is_some(), "there is no {name}");
     }
     let depth = read_picture(&folder.file("depth.exr")).expect("the file is whole");
@@ -68,7 +68,17 @@ fn statistics_are_json_with_every_field() {
     assert_eq!((&stats["width"], &stats["height"], &stats["backend"]), (&32.into(), &24.into(), &"cpu".into()));
     assert_eq!(stats["frame_ms"].as_array().map(Vec::len), Some(3));
     assert!(stats["planes"].as_u64() > Some(0));
-    for field in ["method", "adapter", "rays_turned", "upload_ms", "peak_rss_bytes", "gpu_bytes", "version"] {
+    for field in [
+        "method",
+        "adapter",
+        "rays_terminated",
+        "rays_trapped",
+        "dispatches",
+        "upload_ms",
+        "peak_rss_bytes",
+        "gpu_bytes",
+        "version",
+    ] {
         assert!(stats.get(field).is_some(), "there is no {field}: {stats}");
     }
 }

@@ -78,7 +78,7 @@ fn points_in_time_and_arrays_are_picked() {
     assert_eq!(info(&folder, &["time.nrrd", "--time", "2"])["range"], serde_json::json!([16.0, 23.0]));
     let first = info(&folder, &["time.nrrd"]);
     assert!(first["range"][0] == 0.0 && assumes(&first, "3 points in time: the first was taken"));
-    folder.refuse(&["info", "time.nrrd", "--time", "3"], 3, &["the point in time 3", "0 to 2"]);
+    folder.refuse(&["info", "time.nrrd", "--time", "3"], 3, &["the point in time 3", "0 to 2 (--time)"]);
     let array = |name: &str, value: u8| {
         let values = format!("{value} ").repeat(8);
         format!("<DataArray type=\"UInt8\" Name=\"{name}\" format=\"ascii\">{values}</DataArray>")
@@ -93,7 +93,11 @@ fn points_in_time_and_arrays_are_picked() {
     assert_eq!(info(&folder, &["a.vti", "--array", "density"])["range"][0], 7.0);
     let first = info(&folder, &["a.vti"]);
     assert!(first["range"][0] == 3.0 && assumes(&first, "--array takes another: `density`"));
-    folder.refuse(&["info", "a.vti", "--array", "densty"], 3, &["no array `densty`", "did you mean `density`?"]);
+    folder.refuse(
+        &["info", "a.vti", "--array", "densty"],
+        3,
+        &["no array `densty`", "did you mean `density`? (--array)"],
+    );
     folder.refuse(&["info", "time.nrrd", "--array", "a"], 3, &["no arrays with names"]);
     folder.write("scene.toml", "[volume]\nfile = \"a.vti\"\narray = \"density\"\nup = \"-z\"\n");
     assert_eq!(info(&folder, &["scene.toml"])["range"][0], 7.0);

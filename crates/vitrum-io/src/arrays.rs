@@ -1,6 +1,8 @@
 //! Files with several arrays, of which one is read.
 
 use crate::error::{Error, Place, Report, clip};
+use crate::setting::Setting;
+use crate::source::Assumption;
 use crate::suggest::nearest;
 
 /// At most so many names stand in a message.
@@ -14,14 +16,14 @@ pub(crate) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
 }
 
-/// A sentence for [`crate::Source::assumptions`] where there are `others` beside the one that was taken.
-pub(crate) fn others_note<'a>(taken: &str, others: impl Iterator<Item = &'a str>) -> Option<String> {
+/// The assumption that an array is the one that is wanted, where there are `others`.
+pub(crate) fn others_note<'a>(taken: &str, others: impl Iterator<Item = &'a str>) -> Option<Assumption> {
     let others = listed(others);
-    let taken = clip(taken);
-    (!others.is_empty()).then(|| format!("the array `{taken}` was taken; --array takes another: {others}"))
+    let fact = format!("the array `{}` was taken", clip(taken));
+    (!others.is_empty()).then(|| Assumption::replaceable(fact, Setting::Array, others))
 }
 
-/// That nothing is there by a name somebody asked for.
+/// The error of an array that is asked for by a name and is not there.
 pub(crate) fn unknown<'a>(report: Report, asked: &str, known: impl Iterator<Item = &'a str> + Clone) -> Error {
     let advice = match nearest(asked, known.clone()) {
         Some(near) => format!("did you mean `{}`?", clip(near)),
@@ -30,5 +32,5 @@ pub(crate) fn unknown<'a>(report: Report, asked: &str, known: impl Iterator<Item
             names => format!("the arrays are: {names}"),
         },
     };
-    report.unsupported(Place::File, format!("there is no array `{}`", clip(asked)), advice)
+    report.unsupported(Place::File, format!("there is no array `{}`", clip(asked)), advice).with_setting(Setting::Array)
 }

@@ -3,9 +3,13 @@
 use std::fmt;
 use std::io;
 
+use crate::formats::Format;
+use crate::setting::Setting;
+
 /// Why a volume or a picture could not be read or written.
 ///
-/// Every message names the file, the place in it, what was expected there and what to do.
+/// Every message names the file, the place in it, what was expected there and what to do. Where a field of
+/// [`OpenOptions`](crate::OpenOptions) is the remedy, [`Self::setting`] names it.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -14,9 +18,9 @@ pub enum Error {
     Unreadable {
         /// The file's path, as it was given.
         file: String,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: io::Error,
-        /// What to do.
+        /// Advice: a remedy.
         advice: String,
     },
 
@@ -25,11 +29,11 @@ pub enum Error {
     Invalid {
         /// The file's path, as it was given.
         file: String,
-        /// Where in it.
+        /// Place in the file.
         place: Place,
-        /// What was found, and what was expected.
+        /// The contradiction: found and expected.
         problem: String,
-        /// What to do.
+        /// Advice: a remedy.
         advice: String,
     },
 
@@ -38,12 +42,48 @@ pub enum Error {
     Unsupported {
         /// The file's path, as it was given.
         file: String,
-        /// Where in it.
+        /// Place in the file.
         place: Place,
-        /// What is not supported, and what is.
+        /// The thing that is not supported, and those that are.
         problem: String,
-        /// What to do.
+        /// Advice: a remedy.
         advice: String,
+        /// The field of [`OpenOptions`](crate::OpenOptions) that does it, where one does.
+        setting: Option<Setting>,
+    },
+
+    /// Neither the content nor the name is of a volume format that is known here.
+    #[error("{file}: {found}; expected one of: {expected}; or voxels without a header, with their layout given")]
+    UnknownFormat {
+        /// The file's path, as it was given.
+        file: String,
+        /// Kind of the file, as far as it is known.
+        found: Found,
+        /// The known formats with their extensions.
+        expected: String,
+    },
+
+    /// The layout of voxels without a header is not known, or contradicts the file's size.
+    #[error(
+        "{file}: {problem}; expected a layout such as 256x256x109:u8 or 64x64x32:i16:be:skip=512, or a name such as \
+             NAME_256x256x109_uint8.raw; if a header lies beside it, open that"
+    )]
+    UnknownLayout {
+        /// The file's path, as it was given.
+        file: String,
+        /// The part of the layout that is missing or wrong.
+        problem: String,
+    },
+
+    /// The file is of a format that this build of the library leaves out.
+    #[error("{file}: this build leaves out the format {format}; expected vitrum-io with its feature `{feature}`")]
+    LeftOut {
+        /// The file's path, as it was given.
+        file: String,
+        /// The format's name.
+        format: &'static str,
+        /// The feature that has it.
+        feature: &'static str,
     },
 
     /// The decoded data would not fit; nothing was allocated.
@@ -55,7 +95,7 @@ pub enum Error {
         needed: u64,
         /// Bytes that it may take.
         limit: u64,
-        /// What to do.
+        /// Advice: a remedy.
         advice: String,
     },
 
@@ -64,11 +104,11 @@ pub enum Error {
     Write {
         /// The file's path, as it was given.
         file: String,
-        /// What stood in the way.
+        /// The obstacle.
         problem: String,
-        /// What to do.
+        /// Advice: a remedy.
         advice: String,
-        /// What the operating system said, where it was asked.
+        /// Error of the operating system, where it was asked.
         source: Option<io::Error>,
     },
 }
@@ -81,9 +121,66 @@ impl Error {
             other => other,
         }
     }
+
+    /// The same error, which a field of [`OpenOptions`](crate::OpenOptions) can mend.
+    pub(crate) fn with_setting(self, setting: Setting) -> Self {
+        match self {
+            Self::Unsupported { file, place, problem, advice, .. } => {
+                Self::Unsupported { file, place, problem, advice, setting: Some(setting) }
+            }
+            other => other,
+        }
+    }
+
+    /// The field of [`OpenOptions`](crate::OpenOptions) that can mend it, where one can.
+    #[must_use]
+    pub fn setting(&self) -> Option<Setting> {
+        match self {
+            Self::Unsupported { setting, .. } => *setting,
+            Self::UnknownFormat { found: Found::Mesh | Found::Unknown, .. } | Self::UnknownLayout { .. } => {
+                Some(Setting::Raw)
+            }
+            _ => None,
+        }
+    }
+
+    /// Advice in the error's own words, where it has such; a program may have better ones.
+    #[must_use]
+    pub fn advice(&self) -> Option<&str> {
+        match self {
+            Self::Unreadable { advice, .. }
+            | Self::Invalid { advice, .. }
+            | Self::Unsupported { advice, .. }
+            | Self::TooLarge { advice, .. }
+            | Self::Write { advice, .. } => Some(advice),
+            Self::UnknownFormat { .. } | Self::UnknownLayout { .. } | Self::LeftOut { .. } => None,
+        }
+    }
 }
 
-/// Where in a file an [`Error`] was found; displayed behind the file's name.
+/// Kind of a file that is no volume of a known format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Found {
+    /// A folder without the files of a series.
+    Folder,
+    /// A mesh.
+    Mesh,
+    /// Nothing known.
+    Unknown,
+}
+
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Folder => "this is a folder without DICOM or TIFF files, and without DICOM files below it",
+            Self::Mesh => "this is a mesh, and volumes alone are read here",
+            Self::Unknown => "neither the content nor the extension is of a known volume format",
+        })
+    }
+}
+
+/// Place of an [`Error`] in a file; displayed behind the file's name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
@@ -130,7 +227,12 @@ impl<'a> Report<'a> {
     }
 
     pub fn unsupported(self, place: Place, problem: impl Into<String>, advice: impl Into<String>) -> Error {
-        Error::Unsupported { file: self.file.to_owned(), place, problem: problem.into(), advice: advice.into() }
+        let (problem, advice) = (problem.into(), advice.into());
+        Error::Unsupported { file: self.file.to_owned(), place, problem, advice, setting: None }
+    }
+
+    pub fn left_out(self, format: &Format) -> Error {
+        Error::LeftOut { file: self.file.to_owned(), format: format.name, feature: format.feature }
     }
 
     pub fn too_large(self, needed: u64, limit: u64, advice: impl Into<String>) -> Error {

@@ -1,37 +1,54 @@
 //! A file about to be read: where it is, how it is packed, how it begins.
 
-use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, IsTerminal, Read};
+use std::borrow::Cow;
+use std::fs;
+use std::io::{self, BufRead, IsTerminal, Read};
 use std::path::Path;
-
-use tempfile::NamedTempFile;
 
 use crate::error::{Error, Place, Report};
 use crate::memory;
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
 use crate::packing::Packing;
 use crate::samples::read_up_to;
+use crate::storage::{ByteReader, Storage};
 use crate::stream;
 use crate::temporary::Temporary;
 
 /// The path that stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
 
+/// First bytes of a file that readers look at.
+const HEAD: usize = 1024;
+
 /// A file about to be read.
 #[derive(Debug)]
 pub struct Input<'a> {
-    /// Its path; the files that a header names lie beside it.
-    pub path: &'a Path,
+    /// Its path, or of bytes in memory its name.
+    path: &'a Path,
     /// Its name for messages: the path as it was given.
     pub name: String,
     /// Its size in bytes as it is packed; 0 for a folder.
     pub length: u64,
     /// Its first bytes, at most 1024, unpacked.
     pub head: Vec<u8>,
-    /// How the whole file is packed.
+    /// Compression around the whole file.
     pub packing: Packing,
-    /// Where the bytes are, if not at `path`; removed with this.
-    spooled: Option<Temporary>,
+    content: Content<'a>,
+}
+
+/// The bytes of an [`Input`].
+#[derive(Debug)]
+enum Content<'a> {
+    /// The file at the path has them.
+    File,
+    /// There are none: the path is a folder's.
+    Folder,
+    /// A temporary file has them, which is removed with this value.
+    Spooled(Temporary),
+    /// The caller gave them.
+    Given(&'a [u8]),
+    /// The caller gave them packed; these are unpacked.
+    Unpacked(Vec<u8>),
 }
 
 impl<'a> Input<'a> {
@@ -50,17 +67,17 @@ impl<'a> Input<'a> {
             length: 0,
             head: Vec::new(),
             packing: Packing::Plain,
-            spooled: None,
+            content: Content::File,
         };
         if path == Path::new(STANDARD_INPUT) {
             input.name = "standard input".to_owned();
             let (file, length) = standard_input(Report::new(&input.name), options)?;
-            (input.spooled, input.length) = (Some(file), length);
+            (input.content, input.length) = (Content::Spooled(file), length);
         } else {
             let report = Report::new(&input.name);
             let metadata = fs::metadata(path).map_err(|error| report.unreadable(error))?;
             if metadata.is_dir() {
-                return Ok(input);
+                return Ok(Self { content: Content::Folder, ..input });
             }
             if !metadata.is_file() {
                 return Err(report.unsupported(
@@ -75,46 +92,93 @@ impl<'a> Input<'a> {
         Ok(input)
     }
 
+    /// The bytes of a file of this name. Nothing beside it is ever read.
+    #[must_use]
+    pub fn of_bytes(name: &'a str, bytes: &'a [u8]) -> Self {
+        let path = Path::new(name);
+        let mut input = Self {
+            path,
+            name: display_name(path),
+            length: bytes.len() as u64,
+            head: Vec::new(),
+            packing: Packing::Plain,
+            content: Content::Given(bytes),
+        };
+        // A plain slice has no error, and that of a packed one is reported by its reader.
+        let _ = input.look();
+        input
+    }
+
     /// The last part of its path, for readers that look at names.
     pub(crate) fn file_name(&self) -> String {
         file_name(self.path)
     }
 
-    /// The file that holds the bytes.
-    pub(crate) fn file(&self) -> &Path {
-        self.spooled.as_ref().map_or(self.path, Temporary::path)
+    /// Its path, or the name that its bytes were given under.
+    pub(crate) fn path(&self) -> &'a Path {
+        self.path
+    }
+
+    /// The folder that this is.
+    pub(crate) fn folder(&self) -> Option<&'a Path> {
+        matches!(self.content, Content::Folder).then_some(self.path)
     }
 
     /// Whether this is a folder.
     pub(crate) fn is_folder(&self) -> bool {
-        self.spooled.is_none() && self.path.is_dir()
+        self.folder().is_some()
+    }
+
+    /// Whether the bytes are those of the file at its path.
+    pub(crate) fn is_at_path(&self) -> bool {
+        matches!(self.content, Content::File)
+    }
+
+    /// The folder of the files that this one names; `None` where the caller gave bytes.
+    pub(crate) fn folder_beside(&self) -> Option<&'a Path> {
+        match self.content {
+            Content::Given(_) | Content::Unpacked(_) => None,
+            Content::File | Content::Folder | Content::Spooled(_) => Some(self.path.parent().unwrap_or(Path::new(""))),
+        }
+    }
+
+    /// Place of the bytes.
+    pub(crate) fn storage(&self) -> Storage<'_> {
+        match &self.content {
+            Content::File | Content::Folder => Storage::Disk(Cow::Borrowed(self.path)),
+            Content::Spooled(file) => Storage::Disk(Cow::Borrowed(file.path())),
+            Content::Given(bytes) => Storage::Memory(bytes),
+            Content::Unpacked(bytes) => Storage::Memory(bytes),
+        }
     }
 
     /// The bytes as they are packed.
-    pub(crate) fn open(&self) -> Result<BufReader<File>, Error> {
-        let file = File::open(self.file()).map_err(|error| Report::new(&self.name).unreadable(error))?;
-        Ok(BufReader::new(file))
+    pub(crate) fn open(&self) -> Result<ByteReader<'_>, Error> {
+        self.storage().open().map_err(|error| Report::new(&self.name).unreadable(error))
     }
 
     /// The unpacked bytes.
-    pub(crate) fn unpacked(&self) -> Result<Box<dyn Read>, Error> {
+    pub(crate) fn unpacked(&self) -> Result<Box<dyn Read + '_>, Error> {
         Ok(self.packing.unpack(self.open()?))
     }
 
     /// Takes in how the file begins.
     fn look(&mut self) -> Result<(), Error> {
-        const HEAD: usize = 1024;
-        let report = Report::new(&self.name);
         let mut file = self.open()?;
-        self.packing = Packing::of(file.fill_buf().map_err(|error| report.unreadable(error))?);
-        self.head = vec![0; HEAD];
-        let (filled, outcome) = read_up_to(&mut self.packing.unpack(file), &mut self.head);
-        self.head.truncate(filled);
+        let packing = Packing::of(file.fill_buf().map_err(|error| Report::new(&self.name).unreadable(error))?);
+        let mut head = vec![0; HEAD];
+        let (filled, outcome) = read_up_to(&mut packing.unpack(file), &mut head);
+        head.truncate(filled);
+        (self.packing, self.head) = (packing, head);
         // A damaged stream shows as far as it goes; the reader reports the damage.
-        if self.packing == Packing::Plain { outcome.map_err(|error| report.unreadable(error)) } else { Ok(()) }
+        if packing == Packing::Plain {
+            outcome.map_err(|error| Report::new(&self.name).unreadable(error))
+        } else {
+            Ok(())
+        }
     }
 
-    /// Unpacks the whole file into a temporary one, for readers that go back and forth.
+    /// Unpacks the whole file, for readers that go back and forth: into a temporary one, and bytes in memory into memory.
     ///
     /// Stops at the limit in `options`, however far the file would go on.
     pub(crate) fn unpack(&mut self, options: &OpenOptions) -> Result<(), Error> {
@@ -122,8 +186,25 @@ impl<'a> Input<'a> {
             return Ok(());
         }
         let report = Report::new(&self.name);
-        let (file, length) = spool(report, &mut self.unpacked()?, options)?;
-        (self.spooled, self.length) = (Some(file), length);
+        let (content, length) = match self.content {
+            Content::Given(_) | Content::Unpacked(_) => {
+                let mut bytes = Vec::new();
+                let length = copy(report, &mut self.unpacked()?, options, |chunk| {
+                    bytes.try_reserve(chunk.len()).map_err(|_| {
+                        let needed = (bytes.len() + chunk.len()) as u64;
+                        report.too_large(needed, memory::available(), "the system refused the memory: free some first")
+                    })?;
+                    bytes.extend_from_slice(chunk);
+                    Ok(())
+                })?;
+                (Content::Unpacked(bytes), length)
+            }
+            _ => {
+                let (file, length) = spool(report, &mut self.unpacked()?, options)?;
+                (Content::Spooled(file), length)
+            }
+        };
+        (self.content, self.length) = (content, length);
         self.packing = Packing::Plain;
         Ok(())
     }
@@ -135,7 +216,7 @@ fn standard_input(report: Report, options: &OpenOptions) -> Result<(Temporary, u
         return Err(report.unsupported(
             Place::File,
             "this is a terminal",
-            "send a file there, such as by `vitrum info - < head.nrrd`",
+            "redirect a file there, such as by `< head.nrrd`",
         ));
     }
     let (file, length) = spool(report, &mut stdin.lock(), options)?;
@@ -145,10 +226,8 @@ fn standard_input(report: Report, options: &OpenOptions) -> Result<(Temporary, u
     Ok((file, length))
 }
 
-/// Puts all that `reader` gives into a temporary file; its path and length.
+/// Puts all that `reader` gives into a temporary file; that and its length.
 fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result<(Temporary, u64), Error> {
-    // The folder for temporary files is often in memory, so that the limit is that of memory.
-    let limit = options.max_bytes.unwrap_or_else(memory::available);
     let unwritable = |error: io::Error| {
         report.unsupported(
             Place::File,
@@ -156,7 +235,21 @@ fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result
             "free some space in the folder for temporary files, or choose another by TMPDIR",
         )
     };
-    let file = Temporary::new(|| NamedTempFile::with_prefix("vitrum-")).map_err(unwritable)?;
+    let file = Temporary::new().map_err(unwritable)?;
+    let length =
+        copy(report, reader, options, |chunk| io::Write::write_all(&mut file.file(), chunk).map_err(unwritable))?;
+    Ok((file, length))
+}
+
+/// Gives all that `reader` gives to `take`, piece by piece, and returns the length; fails beyond the limit in `options`.
+fn copy(
+    report: Report,
+    reader: &mut dyn Read,
+    options: &OpenOptions,
+    mut take: impl FnMut(&[u8]) -> Result<(), Error>,
+) -> Result<u64, Error> {
+    // The folder for temporary files is often in memory, so that the limit is that of memory.
+    let limit = options.max_bytes.unwrap_or_else(memory::available);
     let mut chunk = vec![0; 64 * 1024];
     let mut length = 0_u64;
     loop {
@@ -170,9 +263,9 @@ fn spool(report: Report, reader: &mut dyn Read, options: &OpenOptions) -> Result
                 "that is only as far as it was read: raise the limit, or crop or downsample the data first",
             ));
         }
-        io::Write::write_all(&mut file.file(), &chunk[..count]).map_err(unwritable)?;
+        take(&chunk[..count])?;
         if count < chunk.len() {
-            return Ok((file, length));
+            return Ok(length);
         }
     }
 }

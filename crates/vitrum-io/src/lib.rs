@@ -6,6 +6,13 @@
 //! and a wrong file ends in an [`Error`] that names the place and the remedy, never in a panic.
 //! Pictures are written beside their path and renamed onto it, so a path never holds half of one.
 //!
+//! Volumes, meshes and pictures are read from paths ([`open`], [`open_mesh`], [`read_picture`]) and from bytes in memory
+//! ([`open_bytes`], [`open_mesh_bytes`], [`read_picture_bytes`]); pictures are written to paths ([`write_picture`]) and
+//! into memory ([`encode_picture`]).
+//!
+//! Each format is a feature of the crate, all of them on by default; a file of a format that a build leaves out is told by
+//! [`Error::LeftOut`].
+//!
 //! ```no_run
 //! use std::path::Path;
 //! use vitrum_io::{OpenOptions, Picture, open, write_picture};
@@ -18,29 +25,47 @@
 //! ```
 
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
+// What formats share is partly unused where some of them are left out.
+#![cfg_attr(not(feature = "default"), allow(dead_code, unused_imports, unused_macros))]
 
 mod arrays;
-mod beside;
-mod data_file;
+mod atomic_write;
+mod detached;
+#[cfg(feature = "dicom")]
 mod dicom;
 mod error;
 mod fields;
+mod folder;
+mod formats;
 pub mod image;
 mod input;
 mod memory;
 pub mod mesh;
+#[cfg(feature = "metaimage")]
 mod metaimage;
+#[cfg(feature = "nifti")]
 mod nifti;
+#[cfg(feature = "nrrd")]
 mod nrrd;
+#[cfg(feature = "numpy")]
 mod numpy;
-mod open;
+mod options;
 mod orientation;
 mod packing;
+mod physical_values;
 mod placement;
+#[cfg(feature = "raw")]
 mod raw;
+mod raw_layout;
+mod reader;
+mod registry;
 mod samples;
+mod setting;
 mod shared;
+mod source;
+#[cfg(feature = "tiff")]
 mod stack;
+mod storage;
 mod stream;
 pub mod suggest;
 mod temporary;
@@ -50,26 +75,37 @@ mod up;
 mod volume;
 mod volume_file;
 mod voxels;
+#[cfg(feature = "vti")]
 mod vti;
+#[cfg(feature = "vtk")]
 mod vtk;
 
-pub use beside::{check_text_writable, write_text};
-pub use error::{Error, Place};
+pub use atomic_write::{check_text_writable, write_text};
+pub use error::{Error, Found, Place};
+pub use formats::{Format, MESH_FORMATS, PICTURE_FORMATS, VOLUME_FORMATS};
+#[cfg(all(feature = "animations", not(target_family = "wasm")))]
+pub use image::Animation;
 pub use image::{
-    Animation, Channel, Layer, Picture, WriteOptions, check_holds_vectors, check_writable, linear_to_srgb,
-    read_picture, read_picture_with, srgb_to_linear, write_picture, write_picture_with,
+    Channel, Layer, Picture, PictureFormat, WriteOptions, check_holds_vectors, check_writable, encode_picture,
+    linear_to_srgb, read_picture, read_picture_bytes, read_picture_with, srgb_to_linear, write_picture,
+    write_picture_with,
 };
 pub use input::{Input, STANDARD_INPUT};
 pub use memory::require_memory;
-pub use mesh::{Material, Mesh, MeshReader, Topology, is_mesh, mesh_readers, open_mesh};
+pub use mesh::{Material, Mesh, MeshReader, Topology, mesh_readers, open_mesh, open_mesh_bytes};
+#[cfg(feature = "nrrd")]
 pub use nrrd::{Lattice, Samples, check_nrrd_writable, write_nrrd};
-pub use open::{OpenOptions, Part, VolumeReader, open, readers};
+pub use options::{OpenOptions, Part};
 pub use orientation::Orientation;
 pub use packing::Packing;
-pub use raw::RawLayout;
+pub use raw_layout::RawLayout;
+pub use reader::VolumeReader;
+pub use registry::{is_mesh, open, open_bytes, readers};
+pub use setting::Setting;
 pub use shared::Shared;
+pub use source::{Assumption, Assumptions, Source};
 pub use temporary::remove_unfinished;
 pub use up::Up;
-pub use volume::{Source, Volume};
+pub use volume::Volume;
 pub use volume_file::{check_volume_writable, write_volume};
 pub use voxels::{Voxels, Words};

@@ -1,10 +1,11 @@
-//! How much memory a file may ask for, asked before anything is allocated.
+//! Limits of the memory that a file may ask for, checked before anything is allocated.
 
 use crate::error::{Error, Report};
 
 /// Bytes of memory that this process can still have, within its control group where it has one.
 ///
 /// `u64::MAX` where the operating system does not say: the allocation itself is then the check.
+#[cfg(not(target_family = "wasm"))]
 pub(crate) fn available() -> u64 {
     let Ok(mut system) = sysinfo::System::new() else {
         return u64::MAX;
@@ -15,6 +16,12 @@ pub(crate) fn available() -> u64 {
         bytes => bytes,
     };
     system.cgroup_limits().map_or(machine, |group| machine.min(group.free_memory))
+}
+
+/// A page is not told its memory: the allocation itself is then the check.
+#[cfg(target_family = "wasm")]
+pub(crate) fn available() -> u64 {
+    u64::MAX
 }
 
 /// Fails when `needed` decoded bytes exceed `max_bytes`, or the available memory where it is `None`.

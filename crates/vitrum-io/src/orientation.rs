@@ -1,13 +1,13 @@
-//! What is known about how a volume lies.
+//! Orientation of a volume in the world.
 
-/// What a volume's world is, as far as its file says it.
+/// Kind of a volume's world, as far as its file says it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Orientation {
     /// A patient: world x points to the right, y to anterior and z to superior (RAS+).
     Patient,
     /// A world that is no patient's, or one that the volume was turned in; it is right-handed.
     World,
-    /// Nobody has said how the grid lies: z was taken for up and y for the front, and left and right may be exchanged.
+    /// The file does not say the grid's orientation: z was taken for up and y for the front, and left and right may be exchanged.
     #[default]
     Unknown,
 }

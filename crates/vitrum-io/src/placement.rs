@@ -1,15 +1,21 @@
-//! Where a grid lies in the world, from the direction columns that medical files give.
+//! Placement of a grid in the world, from the direction columns that medical files give.
+
+use glam::DVec3;
 
 use crate::error::Error;
 use crate::orientation::Orientation;
 use crate::samples::SampleType;
+use crate::setting::Setting;
+use crate::source::Assumption;
 use crate::volume::Volume;
 use crate::voxels::Voxels;
 
-/// For [`crate::Source::assumptions`], of formats and files that do not say how the grid lies in the world.
-pub(crate) const UNORIENTED: &str = "the file says no orientation: its z was taken for up and its y for the front; where the picture \
-                                     stands on its head, --up -z turns it, and where it lies, --up y or --up -y; left \
-                                     and right may be exchanged";
+/// The assumption about formats and files that do not say how the grid lies in the world.
+pub(crate) fn unoriented() -> Assumption {
+    let fact = "the file says no orientation: its z was taken for up and its y for the front, and left and right may be \
+                exchanged";
+    Assumption::replaceable(fact, Setting::Up, "")
+}
 
 /// Spacing, axes and, where the file says it, origin.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,8 +39,8 @@ impl Placement {
         let lengths = columns.map(|[x, y, z]| x.hypot(y).hypot(z));
         let unit: [[f64; 3]; 3] = std::array::from_fn(|axis| columns[axis].map(|component| component / lengths[axis]));
         // Of unit columns: 1 at right angles, 0 where two or three fall together.
-        let [a, b, c] = unit;
-        let volume = dot(a, cross(b, c)).abs();
+        let [a, b, c] = unit.map(DVec3::from);
+        let volume = a.dot(b.cross(c)).abs();
         if lengths.iter().any(|&length| !(length > 0.0 && length.is_finite())) || volume < 1e-4 {
             return Err(format!(
                 "the axis directions {} {} {} do not span space",
@@ -49,8 +55,8 @@ impl Placement {
 
     /// A sentence for [`crate::Source::assumptions`] where the axes are not at right angles.
     pub fn shear_note(&self) -> Option<String> {
-        let [a, b, c] = self.axes.map(|axis| axis.map(f64::from));
-        let skew = [dot(a, b), dot(b, c), dot(c, a)].into_iter().fold(0.0, |most, cosine| f64::max(most, cosine.abs()));
+        let [a, b, c] = self.axes.map(|axis| DVec3::from(axis.map(f64::from)));
+        let skew = [a.dot(b), b.dot(c), c.dot(a)].into_iter().fold(0.0, |most, cosine| f64::max(most, cosine.abs()));
         (skew > 1e-3).then(|| {
             let degrees = 90.0 - skew.min(1.0).acos().to_degrees();
             format!("the axes are up to {degrees:.1}° off right angles, as the file says")
@@ -86,14 +92,6 @@ impl Placement {
             })
         });
     }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// A world position in float32, or the problem with it.

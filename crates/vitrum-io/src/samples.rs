@@ -73,13 +73,18 @@ impl SampleType {
         if self == Self::F16 { 4 } else { self.size().min(4) }
     }
 
-    /// What turns a stored voxel back into the file's sample: signed integers are stored shifted.
+    /// Offset from a stored voxel to the file's sample: signed integers are stored shifted.
     pub fn value_offset(self) -> f32 {
         match self {
             Self::I8 => -128.0,
             Self::I16 => -32768.0,
             _ => 0.0,
         }
+    }
+
+    /// Coding of samples for people: its `name`, and the byte order where a sample has several bytes.
+    pub fn coding(self, name: &str, endian: Endian) -> String {
+        if self.size() == 1 { name.to_owned() } else { format!("{name}, {}", endian.name()) }
     }
 
     /// A sentence for [`crate::Source::assumptions`] where decoding may round.

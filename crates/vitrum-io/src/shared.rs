@@ -21,7 +21,7 @@ struct Roomy<T> {
 pub struct Shared<T>(Arc<Roomy<T>>);
 
 impl<T: Pod> Shared<T> {
-    /// How many numbers a vector of `count` should have room for, so that it becomes shared where it lies.
+    /// Capacity that a vector of `count` numbers needs to become shared without a copy.
     #[must_use]
     pub const fn room(count: usize) -> usize {
         let bytes = (count.saturating_mul(size_of::<T>())).next_multiple_of(4).saturating_add(TAIL);

@@ -5,7 +5,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use tempfile::NamedTempFile;
+#[cfg(not(target_family = "wasm"))]
+use tempfile::NamedTempFile as Named;
 
 /// The paths of all that are there now.
 static THERE: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -33,16 +34,25 @@ pub fn remove_unfinished() {
 #[derive(Debug)]
 pub(crate) struct Temporary {
     // In this order: the file goes, then its entry.
-    named: NamedTempFile,
+    named: Named,
     _entry: Entry,
 }
 
 impl Temporary {
-    /// A file that `make` makes.
-    pub fn new(make: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<Self> {
+    /// A file in the system's folder for temporary files.
+    pub fn new() -> io::Result<Self> {
+        Self::make(create)
+    }
+
+    /// A file in a folder, with the permissions of any new file.
+    pub fn beside(folder: &Path) -> io::Result<Self> {
+        Self::make(|| create_in(folder))
+    }
+
+    fn make(create: impl FnOnce() -> io::Result<Named>) -> io::Result<Self> {
         // Locked before it is there, so that none is missed.
         let mut there = there();
-        let named = make()?;
+        let named = create()?;
         let path = named.path().to_owned();
         there.push(path.clone());
         Ok(Self { named, _entry: Entry(path) })
@@ -63,7 +73,7 @@ impl Temporary {
         let renamed = named.persist(path);
         drop(there);
         drop(entry);
-        renamed.map(drop).map_err(|error| error.error)
+        renamed.map(drop).map_err(io::Error::from)
     }
 }
 
@@ -74,5 +84,58 @@ struct Entry(PathBuf);
 impl Drop for Entry {
     fn drop(&mut self) {
         there().retain(|path| *path != self.0);
+    }
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn create() -> io::Result<Named> {
+    Named::with_prefix("vitrum-")
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn create_in(folder: &Path) -> io::Result<Named> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".vitrum-").suffix(".part");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // What any new file gets, less the umask; the default is private to its owner.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+#[cfg(target_family = "wasm")]
+use without_files::{Named, create, create_in};
+
+/// A page has no files: none can be created there.
+#[cfg(target_family = "wasm")]
+mod without_files {
+    use super::{File, Path, io};
+
+    /// A file that cannot be there.
+    #[derive(Debug)]
+    pub enum Named {}
+
+    impl Named {
+        pub fn as_file(&self) -> &File {
+            match *self {}
+        }
+
+        pub fn path(&self) -> &Path {
+            match *self {}
+        }
+
+        pub fn persist(self, _path: &Path) -> io::Result<()> {
+            match self {}
+        }
+    }
+
+    pub fn create() -> io::Result<Named> {
+        Err(io::Error::new(io::ErrorKind::Unsupported, "there are no files on this platform"))
+    }
+
+    pub fn create_in(_folder: &Path) -> io::Result<Named> {
+        create()
     }
 }

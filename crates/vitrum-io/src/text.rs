@@ -1,4 +1,4 @@
-//! What files write in words: header lines, lists of numbers, and quotes for messages.
+//! Text in files: header lines and lists of numbers.
 
 use std::io::{self, BufRead, Take};
 

@@ -1,7 +1,9 @@
 //! Files with several points in time, of which one is read.
 
 use crate::error::{Error, Place, Report};
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
+use crate::setting::Setting;
+use crate::source::{Assumption, Assumptions};
 
 /// The points in time of a file, one after the other, and the one that is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,21 +20,18 @@ impl Times {
         place: Place,
         count: u64,
         options: &OpenOptions,
-        assumptions: &mut Vec<String>,
+        assumptions: &mut Assumptions,
     ) -> Result<Self, Error> {
         let last = count.saturating_sub(1);
         if options.time.is_none() && count > 1 {
-            assumptions.push(format!(
-                "the file has {count} points in time: the first was taken; --time takes another, 0 to {last}"
-            ));
+            let fact = format!("the file has {count} points in time: the first was taken");
+            assumptions.push(Assumption::replaceable(fact, Setting::Time, format!("0 to {last}")));
         }
         let chosen = u64::from(options.time.unwrap_or(0));
         if chosen > last {
-            return Err(report.unsupported(
-                place,
-                format!("the point in time {chosen} is asked for, and the file has {count}, counted from 0"),
-                format!("give a time from 0 to {last}"),
-            ));
+            let problem = format!("the point in time {chosen} is asked for, and the file has {count}, counted from 0");
+            let advice = format!("give a time from 0 to {last}");
+            return Err(report.unsupported(place, problem, advice).with_setting(Setting::Time));
         }
         Ok(Self { count, chosen })
     }

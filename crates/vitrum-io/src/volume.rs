@@ -3,20 +3,8 @@
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
 use crate::samples::SampleType;
+use crate::source::Source;
 use crate::voxels::Voxels;
-
-/// What a reader found in a file and what it had to assume, for people to read.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Source {
-    /// The file format, such as `NRRD`; empty for volumes that no file holds.
-    pub format: &'static str,
-    /// The file's sample type, such as `int16`.
-    pub sample_type: String,
-    /// How the file stores its samples, such as `gzip, little-endian`.
-    pub encoding: String,
-    /// What the file did not say or what was changed in reading, one sentence each.
-    pub assumptions: Vec<String>,
-}
 
 /// A scalar field on a regular grid, placed in the world.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,11 +26,11 @@ pub struct Volume {
     pub origin: [f32; 3],
     /// Unit world direction of each index axis: `axes[0]` is that of +x.
     pub axes: [[f32; 3]; 3],
-    /// What the world of `origin` and `axes` is.
+    /// Kind of the world in which `origin` and `axes` are given.
     pub orientation: Orientation,
     /// Smallest and largest physical value over the voxels, both finite.
     pub range: [f32; 2],
-    /// Where the volume comes from.
+    /// Origin of the volume.
     pub source: Source,
 }
 

@@ -62,7 +62,7 @@ impl Deref for Words {
 }
 
 impl Voxels {
-    /// How many there are.
+    /// Count of the voxels.
     #[must_use]
     pub fn len(&self) -> usize {
         match self {

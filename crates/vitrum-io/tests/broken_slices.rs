@@ -86,7 +86,7 @@ fn broken_raw_files() {
     damaged[end] ^= 0xff;
     let plain = || vec![1; 12];
     let cases: Vec<(&str, Vec<u8>, &str)> = vec![
-        ("a.raw", plain(), "the file has no header, and its name says no dimensions; say it by --raw, such as"),
+        ("a.raw", plain(), "the file has no header, and its name says no dimensions; expected a layout such as"),
         ("a_3x2.raw", plain(), "its name says no dimensions"),
         ("a_3x2x0.raw", plain(), "its name says no dimensions"),
         ("a_3x2x2x2.raw", plain(), "its name says no dimensions"),

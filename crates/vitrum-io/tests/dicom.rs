@@ -30,7 +30,7 @@ fn folder(slices: &[Dicom]) -> Folder {
 }
 
 fn told(volume: &Volume, note: &str) -> bool {
-    volume.source.assumptions.iter().any(|assumption| assumption.contains(note))
+    volume.source.assumptions.iter().any(|assumption| assumption.fact.contains(note))
 }
 
 #[test]

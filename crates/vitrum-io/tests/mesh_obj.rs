@@ -37,7 +37,7 @@ fn polygons_that_are_not_convex_keep_their_area() {
     assert_eq!((mesh.triangles.len(), mesh.surface_area()), (4, 3.0));
     let crossing = Folder::new().mesh("a.obj", format!("{SQUARE}v 0 1.5 0\nf 1 3 2 5\n"));
     assert!(
-        crossing.source.assumptions[0].contains("1 polygons cross themselves"),
+        crossing.source.assumptions[0].fact.contains("1 polygons cross themselves"),
         "{:?}",
         crossing.source.assumptions
     );
@@ -53,7 +53,7 @@ fn creases_double_vertices_and_leave_the_surface_whole() {
     );
     assert_eq!((mesh.positions.len(), mesh.topology().points), (12, 4));
     assert!(mesh.is_closed());
-    assert_eq!(mesh.source.assumptions, ["vertices with several normals were doubled: 4 became 12"]);
+    assert_eq!(mesh.source.assumptions.facts(), ["vertices with several normals were doubled: 4 became 12"]);
     let normals = mesh.normals.unwrap();
     for (index, triangle) in mesh.triangles.iter().enumerate() {
         let expected = [[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], [(1.0_f32 / 3.0).sqrt(); 3]][index];
@@ -75,7 +75,7 @@ fn colours_of_vertices() {
     let mesh = Folder::new().mesh("a.obj", "v 0 0 0\nv 1 0 0 0.5 0 1\nv 1 1 0 1 1 1 0.25\nv 0 0 0 1\nf 1 2 3\n");
     let half = srgb_to_linear(0.5);
     assert_eq!(mesh.colors.unwrap(), [[1.0; 4], [half, 0.0, 1.0, 1.0], [1.0, 1.0, 1.0, 0.25], [1.0; 4]]);
-    assert_eq!(mesh.source.assumptions, ["the colours of vertices were taken for sRGB, and decoded"]);
+    assert_eq!(mesh.source.assumptions.facts(), ["the colours of vertices were taken for sRGB, and decoded"]);
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn materials_of_mtl() {
     assert_eq!(mesh.materials, [named(""), glass, stone, named("ghost")]);
     assert_eq!(mesh.triangle_materials, [0, 1, 1, 2, 1, 3]);
     assert_eq!(
-        mesh.source.assumptions,
+        mesh.source.assumptions.facts(),
         [
             "a b.mtl, line 14: `Ni -1` is out of range, and was left out",
             "the textures of a b.mtl were left out",
@@ -118,7 +118,7 @@ fn materials_of_mtl() {
 fn a_missing_mtl_file_is_told() {
     let mesh = Folder::new().mesh("a.obj", format!("mtllib no.mtl\nmtllib no.mtl\n{SQUARE}usemtl x\nf 1 2 3\n"));
     assert_eq!(mesh.materials.len(), 1);
-    assert_eq!(mesh.source.assumptions, ["the file `no.mtl` is missing: its materials have a name alone"]);
+    assert_eq!(mesh.source.assumptions.facts(), ["the file `no.mtl` is missing: its materials have a name alone"]);
     let folder = Folder::new();
     folder.write("a.mtl", "newmtl x\nd 0.5\n");
     folder.write("b.mtl", "newmtl y\nd 0.25\n");
@@ -130,7 +130,7 @@ fn a_missing_mtl_file_is_told() {
 fn what_makes_no_triangle_is_told() {
     let mesh = Folder::new().mesh("a.obj", format!("{SQUARE}v 9 9 9 0.5\nl 1 2\np 1\nvp 1 2\nf 1 2 3\n"));
     assert_eq!(
-        mesh.source.assumptions,
+        mesh.source.assumptions.facts(),
         [
             "the weights of 1 vertices, which are for curves, were left out",
             "statements that make no triangles were left out: `l`, `p`, `vp`",

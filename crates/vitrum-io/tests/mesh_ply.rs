@@ -66,7 +66,7 @@ fn every_type_of_number() {
     let (header, mut data) = positions("double");
     data.extend([("uchar", 3.0), ("int", 0.0), ("int", 1.0), ("int", 2.0)]);
     for mesh in each(&format!("{header}element face 1\nproperty list uchar int vertex_indices\n"), &data) {
-        assert_eq!(mesh.source.assumptions, ["the coordinates were rounded from float64 to float32"]);
+        assert_eq!(mesh.source.assumptions.facts(), ["the coordinates were rounded from float64 to float32"]);
         assert_eq!(mesh.source.sample_type, "double");
     }
 }
@@ -90,7 +90,7 @@ fn properties_and_elements_that_nobody_asked_for() {
         assert_eq!(mesh.positions, [[0.0, 0.0, 0.0], [-1.0, 1.0, 1.0], [-2.0, 4.0, 2.0]]);
         assert_eq!(mesh.triangles, [[0, 1, 2]]);
         assert_eq!(
-            mesh.source.assumptions,
+            mesh.source.assumptions.facts(),
             [
                 "the element `camera` was left out",
                 "of the element `vertex`, the properties were left out: `quality`, `marks`",
@@ -136,7 +136,7 @@ fn faces_before_vertices_and_strips() {
     let strip = [8, 0, 1, 2, 3, -1, 3, 2, 2].map(|value| ("int", f64::from(value)));
     for mesh in each(&format!("{vertices}{strips}"), &[&data[..], &strip].concat()) {
         assert_eq!(mesh.triangles, [[0, 1, 2], [1, 3, 2]]);
-        assert_eq!(mesh.source.assumptions, ["1 triangles of strips that have a vertex twice were left out"]);
+        assert_eq!(mesh.source.assumptions.facts(), ["1 triangles of strips that have a vertex twice were left out"]);
     }
 }
 
@@ -162,5 +162,5 @@ fn every_line_end() {
         assert_eq!(mesh.positions[0][0], f32::from_bits(10), "{end:?}");
     }
     let surplus = folder.mesh("a.ply", [header.into_bytes(), data, vec![0; 3]].concat());
-    assert_eq!(surplus.source.assumptions, ["3 bytes behind the last element were left unread"]);
+    assert_eq!(surplus.source.assumptions.facts(), ["3 bytes behind the last element were left unread"]);
 }

@@ -15,7 +15,7 @@ fn binary_files_may_start_with_solid() {
         let mesh = folder.mesh("a.stl", &file);
         assert_eq!(mesh.triangles, plain.triangles);
         assert_eq!(mesh.source.encoding, "binary, little-endian");
-        assert!(mesh.source.assumptions[0].starts_with("the header starts like text, `solid"));
+        assert!(mesh.source.assumptions[0].fact.starts_with("the header starts like text, `solid"));
         let cut = folder.open_mesh("a.stl", &file[..file.len() - 1]).unwrap_err().to_string();
         assert!(
             cut.contains("byte 80: the header promises 12 triangles, which take 600 bytes, and 599 follow"),
@@ -49,7 +49,7 @@ fn normals_against_the_order_of_corners_are_told() {
     // The first facet looks down, and so do the two that follow it, at right angles to the rest.
     let up = folder.mesh("a.stl", text.replace("normal 0 0 0", "normal 0 0 1"));
     assert_eq!(
-        up.source.assumptions,
+        up.source.assumptions.facts(),
         ["2 normals point against the order of their triangles' corners, which was followed"]
     );
     assert!(folder.mesh("a.stl", text.replace("normal 0 0 0", "normal nan nan nan")).source.assumptions.is_empty());
@@ -62,7 +62,7 @@ fn what_follows_and_attributes_are_told() {
     file.extend([1, 2, 3]);
     let mesh = Folder::new().mesh("a.stl", file);
     assert_eq!(
-        mesh.source.assumptions,
+        mesh.source.assumptions.facts(),
         [
             "3 bytes behind the last triangle were left unread",
             "the attributes of 1 triangles, perhaps colours, were left out"

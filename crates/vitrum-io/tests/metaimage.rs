@@ -134,8 +134,8 @@ fn a_file_that_says_nothing_is_centred() {
     assert_eq!(volume.spacing, [1.0; 3]);
     assert_eq!(volume.axes, [[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert!(near(volume.origin, [1.0, 0.5, -0.5]));
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("no spacings")));
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("no TransformMatrix")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no spacings")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no TransformMatrix")));
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn without_a_matrix_the_anatomical_orientation_counts() {
     assert_eq!(axes("AnatomicalOrientation = asl\n"), expected);
     assert_eq!(axes("AnatomicalOrientation = ASL\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"), axes(""));
     let notes = open_u8("AnatomicalOrientation = ASL\n").source.assumptions;
-    assert!(notes.iter().any(|note| note.contains("run from ASL, as ITK means")), "{notes:?}");
+    assert!(notes.iter().any(|note| note.fact.contains("run from ASL, as ITK means")), "{notes:?}");
 }
 
 #[test]
@@ -193,7 +193,7 @@ fn more_axes_are_fine_where_they_are_of_size_1() {
 fn what_was_assumed_is_told() {
     let told = |volume: Volume, expected: &str| {
         let notes = volume.source.assumptions;
-        assert!(notes.iter().any(|note| note.contains(expected)), "{expected} not in {notes:?}");
+        assert!(notes.iter().any(|note| note.fact.contains(expected)), "{expected} not in {notes:?}");
     };
     told(open_u8("ElementToIntensityFunctionSlope = 2\n"), "`ElementToIntensityFunctionSlope` was left out of account");
     told(open_u8("DistanceUnits = parsec\n"), "no known unit");

@@ -149,7 +149,7 @@ fn the_image_of_a_pair_may_start_late() {
         };
         let volume = folder.open("a.hdr", header.bytes).unwrap();
         assert_eq!(volume.voxels, Voxels::U8(vec![7; 12].into()));
-        assert!(volume.source.assumptions.iter().any(|note| note.contains("2 bytes behind")));
+        assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("2 bytes behind")));
     }
 }
 

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Folder, attached, check, gzip, hex, nrrd, samples, values};
-use vitrum_io::{Error, OpenOptions, Volume, Voxels};
+use vitrum_io::{Error, OpenOptions, Setting, Volume, Voxels};
 
 const BYTES: [u8; 12] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11];
 
@@ -143,7 +143,7 @@ fn a_file_that_says_nothing_is_centred() {
     assert_eq!(volume.origin, [-1.0, -0.5, -0.5]);
     assert_eq!(volume.axes, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert_eq!(volume.extent(), [3.0, 2.0, 2.0]);
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("no spacings")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no spacings")));
 }
 
 #[test]
@@ -199,9 +199,13 @@ fn lengths_turn_into_millimetres() {
 fn what_was_assumed_is_told() {
     let told = |more: &str, expected: &str| {
         let notes = open_u8(more).source.assumptions;
-        assert!(notes.iter().any(|note| note.contains(expected)), "{expected} not in {notes:?}");
+        assert!(notes.iter().any(|note| note.fact.contains(expected)), "{expected} not in {notes:?}");
     };
-    told("", "--up -z turns it");
+    told("", "no orientation");
+    let turned = |more: &str| open_u8(more).source.assumptions.iter().any(|note| note.setting == Some(Setting::Up));
+    assert!(turned("") && !turned("space: LPS\n"));
+    assert!(turned("space: 3D-left-handed\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"));
+    assert!(turned("space: scanner-xyz\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"));
     told("space: LPS\n", "run along the space's");
     told("space: 3D-left-handed\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n", "left-handed");
     told("space: RAS\nspace directions: (1,0,0) (0.5,1,0) (0,0,1)\n", "26.6° off right angles");
@@ -209,7 +213,7 @@ fn what_was_assumed_is_told() {
     told("old min: 0\n", "`oldmin` was left out of account");
     let file = attached(&nrrd("uint8", "raw", ""), &[1; 15]);
     let volume = Folder::new().open("a.nrrd", file).unwrap();
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("3 bytes behind")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("3 bytes behind")));
 }
 
 #[test]

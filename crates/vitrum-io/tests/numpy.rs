@@ -63,7 +63,7 @@ fn the_index_that_changes_fastest_is_x() {
         assert_eq!(volume.dimensions, dimensions);
         assert_eq!(volume.voxels, Voxels::from(BYTES.to_vec()));
         let notes = &volume.source.assumptions;
-        assert!(notes.iter().any(|note| note.contains(expected)), "{notes:?}");
+        assert!(notes.iter().any(|note| note.fact.contains(expected)), "{notes:?}");
     }
 }
 
@@ -75,7 +75,7 @@ fn an_array_is_centred_with_spacings_of_1() {
     assert_eq!(volume.origin, [-1.0, -0.5, -0.5]);
     assert_eq!((volume.source.format, volume.source.encoding.as_str()), ("NumPy", "raw, big-endian"));
     let surplus = open([npy("|u1", &BYTES), vec![0; 5]].concat());
-    assert!(surplus.source.assumptions.iter().any(|note| note.contains("5 bytes behind")));
+    assert!(surplus.source.assumptions.iter().any(|note| note.fact.contains("5 bytes behind")));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use common::tiff::{Page, tiff};
 use common::vtk::{vti_text, vtk};
 use common::{Folder, NiftiHeader, attached, gzip, metaimage, npy, npy_with, nrrd, values};
 use ruzstd::encoding::{CompressionLevel, compress_to_vec};
-use vitrum_io::{Error, OpenOptions, Volume, open};
+use vitrum_io::{Error, OpenOptions, Setting, Volume, open};
 
 /// The numbers 1 to 12.
 const DATA: [u8; 12] = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
@@ -112,13 +112,13 @@ fn a_layout_reads_any_file() {
     let volume = read(&path, |options| options.raw = layout("3x2x2:i16:be:skip=6")).unwrap();
     assert_eq!(values(&volume), (1..=12).map(|value| -value as f32).collect::<Vec<_>>());
     assert_eq!((volume.spacing, volume.source.encoding.as_str()), ([1.0; 3], "raw, big-endian"));
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("no spacing")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no spacing")));
     let spaced = |options: &mut OpenOptions| {
         (options.raw, options.spacing) = (layout("3x2x2:i16:be:skip=6"), Some([0.5, 1.0, 2.0]));
     };
     let volume = read(&path, spaced).unwrap();
     assert_eq!((volume.spacing, volume.origin), ([0.5, 1.0, 2.0], [-0.5, -0.5, -1.0]));
-    assert!(!volume.source.assumptions.iter().any(|note| note.contains("no spacing")));
+    assert!(!volume.source.assumptions.iter().any(|note| note.fact.contains("no spacing")));
     assert!(refused(&path, |options| options.raw = layout("3x2x2:i16")).contains("take 24 bytes, and 30 are there"));
     assert!(refused(&path, |options| options.raw = layout("3x2x2:i16:skip=7")).contains("behind the 7 skipped"));
     // Voxels that begin as a gzip file does are voxels where their size fits.
@@ -167,12 +167,18 @@ fn points_in_time_are_picked() {
             let volume = read(&path, |options| options.time = Some(time)).unwrap_or_else(|error| panic!("{error}"));
             let expected: Vec<f32> = (1..=12).map(|value| (100 * time + value) as f32).collect();
             assert_eq!(values(&volume), expected, "{name} at {time}");
-            assert!(!volume.source.assumptions.iter().any(|note| note.contains("in time")), "{name}");
+            assert!(!volume.source.assumptions.iter().any(|note| note.fact.contains("in time")), "{name}");
         }
         let volume = read(&path, |_| {}).unwrap();
         assert_eq!(values(&volume)[0], 1.0);
-        let note = "the file has 3 points in time: the first was taken; --time takes another, 0 to 2";
-        assert!(volume.source.assumptions.iter().any(|other| other == note), "{name}");
+        let taken = volume.source.assumptions.iter().find(|note| note.setting == Some(Setting::Time)).unwrap();
+        assert_eq!(
+            taken.to_string(),
+            "the file has 3 points in time: the first was taken; others are: 0 to 2",
+            "{name}"
+        );
+        let error = read(&path, |options| options.time = Some(3)).unwrap_err();
+        assert_eq!(error.setting(), Some(Setting::Time));
         let error = refused(&path, |options| options.time = Some(3));
         assert!(error.contains("the point in time 3 is asked for, and the file has 3"), "{error}");
     }
@@ -199,7 +205,7 @@ fn up_turns_what_is_placed() {
     let volume = read(&path, |options| options.up = Some(vitrum_io::Up::Inferior)).unwrap();
     assert_eq!(volume.axes, [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]);
     assert_eq!((volume.origin, volume.spacing), ([-1.0, 2.0, -3.0], [1.0, 2.0, 3.0]));
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("turned so that -z points up")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("turned so that -z points up")));
     let volume = read(&path, |options| options.up = Some(vitrum_io::Up::Superior)).unwrap();
     assert_eq!(volume, read(&path, |_| {}).unwrap());
 }

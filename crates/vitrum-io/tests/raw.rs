@@ -19,7 +19,7 @@ fn every_type_and_endian_comes_back() {
         }
         let volume = folder.open(&format!("name_3x2x2_{}.raw", sample.name), &sample.little).unwrap();
         check(&volume, &sample);
-        let noted = volume.source.assumptions.iter().any(|note| note.contains("little-endian was taken"));
+        let noted = volume.source.assumptions.iter().any(|note| note.fact.contains("little-endian was taken"));
         assert_eq!(noted, sample.size > 1);
     }
 }
@@ -30,5 +30,5 @@ fn the_type_may_be_guessed_where_a_voxel_is_a_byte() {
     assert_eq!(volume.voxels, Voxels::U8(vec![7; 12].into()));
     assert_eq!((volume.spacing, volume.origin), ([1.0; 3], [-1.0, -0.5, -0.5]));
     assert_eq!((volume.source.format, volume.source.encoding.as_str()), ("raw voxels", "raw"));
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("uint8 was taken")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("uint8 was taken")));
 }

@@ -15,7 +15,7 @@ fn open(content: Vec<u8>) -> Volume {
 }
 
 fn notes(volume: &Volume) -> String {
-    volume.source.assumptions.join("; ")
+    volume.source.assumptions.facts().join("; ")
 }
 
 #[test]

@@ -66,7 +66,7 @@ fn what_a_file_does_not_say_about_its_place_stays_unsaid() {
             // A patient that stands on its head does not lie along the patient's axes.
             let kept = if up == Up::Inferior && orientation == patient { world } else { orientation };
             assert_eq!((volume.orientation, again.orientation), (kept, kept), "{name}");
-            let told = again.source.assumptions.iter().any(|note| note.contains("the file says no orientation"));
+            let told = again.source.assumptions.iter().any(|note| note.fact.contains("the file says no orientation"));
             assert_eq!(told, kept == unknown, "{name}: {:?}", again.source.assumptions);
         }
     }

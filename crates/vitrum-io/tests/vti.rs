@@ -4,7 +4,7 @@ mod common;
 
 use common::vtk::{LITTLE, appended, base64, vti, vti_text, word, zlib_blocks};
 use common::{Folder, check, samples, values};
-use vitrum_io::{OpenOptions, Volume, Voxels};
+use vitrum_io::{OpenOptions, Setting, Volume, Voxels};
 
 fn open(text: &str) -> Volume {
     Folder::new().open("a.vti", text).unwrap_or_else(|error| panic!("{error}"))
@@ -73,7 +73,7 @@ fn the_grid_lies_where_the_file_says() {
     let volume = open(&vti_text());
     assert_eq!((volume.spacing, volume.origin), ([1.0, 2.0, 3.0], [5.0, 6.0, 7.0]));
     assert_eq!(volume.source.format, "VTK image data");
-    assert!(matches!(&volume.source.assumptions[..], [note] if note.contains("no orientation")));
+    assert!(matches!(&volume.source.assumptions[..], [note] if note.fact.contains("no orientation")));
     let shifted = vti_text().replace("0 2 0 1 0 1", "-1 1 10 11 0 1");
     assert_eq!(open(&shifted).origin, [4.0, 26.0, 7.0]);
     // The first row is what x, y and z of the index axes add to the world's x.
@@ -84,7 +84,7 @@ fn the_grid_lies_where_the_file_says() {
     assert_eq!(volume.spacing, [1.0, 2.0, 3.0]);
     let bare = open(&vti_text().replace(" Origin=\"5 6 7\" Spacing=\"1 2 3\"", ""));
     assert_eq!((bare.spacing, bare.origin), ([1.0; 3], [-1.0, -0.5, -0.5]));
-    assert!(bare.source.assumptions.iter().any(|note| note.contains("no spacing")));
+    assert!(bare.source.assumptions.iter().any(|note| note.fact.contains("no spacing")));
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn values_of_cells_lie_at_their_centres() {
     let volume = open(&cells);
     assert_eq!(volume.dimensions, [3, 2, 2]);
     assert_eq!(volume.origin, [5.5, 7.0, 7.0 + 4.5 * 3.0]);
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("cells")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("cells")));
 }
 
 #[test]
@@ -108,11 +108,13 @@ fn the_active_scalars_are_read_of_several_arrays() {
     for text in [with("Name=\"mask\""), with(vector), with(vector).replace(" Scalars=\"density\"", "")] {
         let volume = open(&text);
         assert_eq!(values(&volume)[11], 12.0);
-        assert!(volume.source.assumptions[0].contains("`density` was taken; --array takes another: "));
+        let taken = &volume.source.assumptions[0];
+        assert_eq!((taken.fact.as_str(), taken.setting), ("the array `density` was taken", Some(Setting::Array)));
+        assert!(taken.choices.starts_with('`'), "{taken}");
     }
     let missing = open(&with("Name=\"mask\"").replace("Scalars=\"density\"", "Scalars=\"none\""));
     assert_eq!(values(&missing), [0.0; 12]);
-    assert!(missing.source.assumptions[0].contains("the active scalars `none` are not there"));
+    assert!(missing.source.assumptions[0].fact.contains("the active scalars `none` are not there"));
 }
 
 #[test]

@@ -4,7 +4,7 @@ mod common;
 
 use common::vtk::vtk;
 use common::{Folder, check, samples, values};
-use vitrum_io::{OpenOptions, Volume, Voxels};
+use vitrum_io::{OpenOptions, Setting, Volume, Voxels};
 
 fn open(content: impl AsRef<[u8]>) -> Volume {
     Folder::new().open("a.vtk", content).unwrap_or_else(|error| panic!("{error}"))
@@ -44,19 +44,19 @@ fn the_grid_lies_where_the_file_says() {
     let volume = open(text());
     assert_eq!((volume.spacing, volume.origin), ([1.0, 2.0, 3.0], [5.0, 6.0, 7.0]));
     assert_eq!(volume.source.format, "legacy VTK");
-    assert!(matches!(&volume.source.assumptions[..], [note] if note.contains("no orientation")));
+    assert!(matches!(&volume.source.assumptions[..], [note] if note.fact.contains("no orientation")));
     let old = open(text().replace("SPACING", "ASPECT_RATIO").to_lowercase());
     assert_eq!(old, Volume { name: old.name.clone(), source: old.source.clone(), ..volume });
     let bare = open(text().replace("SPACING 1 2 3\n", "").replace("ORIGIN 5 6 7\n", "\n"));
     assert_eq!((bare.spacing, bare.origin), ([1.0; 3], [-1.0, -0.5, -0.5]));
-    assert!(bare.source.assumptions[0].contains("no spacing"));
+    assert!(bare.source.assumptions[0].fact.contains("no spacing"));
 }
 
 #[test]
 fn values_of_cells_lie_at_their_centres() {
     let volume = open(text().replace("POINT_DATA", "CELL_DATA").replace("3 2 2", "4 3 3"));
     assert_eq!((volume.dimensions, volume.origin), ([3, 2, 2], [5.5, 7.0, 8.5]));
-    assert!(volume.source.assumptions.iter().any(|note| note.contains("cells")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("cells")));
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn more_fields_may_surround_the_scalars() {
     assert_eq!(values(&behind)[11], 12.0);
     let bytes = open(vtk("BINARY", "unsigned_char", &[&[7; 12][..], b"\nVECTORS v float\n"].concat()));
     assert_eq!(bytes.voxels, Voxels::U8(vec![7; 12].into()));
-    assert!(bytes.source.assumptions.iter().any(|note| note.contains("--array takes another: `v`")));
+    assert!(bytes.source.assumptions.iter().any(|note| note.setting == Some(Setting::Array) && note.choices == "`v`"));
     let components = text().replace("unsigned_char\n", "unsigned_char 1\n");
     assert_eq!(values(&open(components))[11], 12.0);
 }
@@ -104,9 +104,12 @@ fn an_array_is_picked_by_its_name() {
         for (array, value) in [(None, 1.0), (Some("density"), 1.0), (Some("other name"), 2.0), (Some("last"), 5.0)] {
             assert_eq!(values(&open(array).unwrap()), [value; 12], "{array:?}, binary {binary}");
         }
-        let note = "the array `density` was taken; --array takes another: `other name`, `flow`, `pair`, `last`";
-        assert!(open(None).unwrap().source.assumptions.iter().any(|other| other == note));
+        let volume = open(None).unwrap();
+        let taken = volume.source.assumptions.iter().find(|note| note.setting == Some(Setting::Array)).unwrap();
+        let note = "the array `density` was taken; others are: `other name`, `flow`, `pair`, `last`";
+        assert_eq!(taken.to_string(), note);
         let error = |array| open(Some(array)).unwrap_err().to_string();
+        assert_eq!(open(Some("desity")).unwrap_err().setting(), Some(Setting::Array));
         assert!(error("desity").contains("there is no array `desity`; did you mean `density`?"));
         assert!(error("zzz").contains("the arrays are: `density`, `other name`"), "{}", error("zzz"));
         assert!(error("flow").contains("`flow` has 3 components"));

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 use vitrum::backend::CpuBackend;
-use vitrum::scene::Scene;
+use vitrum::scene::{Light, Scene};
 use vitrum::spectrum::bands;
-use vitrum::{Frame, Inputs, builtin};
+use vitrum::{Assets, Frame, builtin};
 
 fn scene(abbe: Option<f32>, wavelengths: u32) -> Scene {
     let mut scene = builtin::scene("ball").expect("it exists");
@@ -16,8 +16,8 @@ fn scene(abbe: Option<f32>, wavelengths: u32) -> Scene {
 }
 
 fn render(scene: &Scene) -> Frame {
-    let inputs = Inputs::load(scene, Path::new("")).expect("the volume can be made");
-    vitrum::render(scene, &inputs, &mut CpuBackend::new(None).expect("it opens"), &mut |_| true).expect("it renders")
+    let assets = Assets::load(scene, Path::new("")).expect("the volume can be made");
+    vitrum::render(scene, &assets, &mut CpuBackend::new(None).expect("it opens"), &mut |_| true).expect("it renders")
 }
 
 fn difference(a: &Frame, b: &Frame, layer: &str, channel: &str) -> f32 {
@@ -32,7 +32,7 @@ fn each_channel_is_that_of_its_wavelength() {
     for (band, channel) in bands(3).iter().zip(["R", "G", "B"]) {
         let one = render(&scene.at_wavelength(band.wavelength));
         assert_eq!(difference(&whole, &one, "color", channel), 0.0, "{channel}");
-        assert_eq!(difference(&whole, &one, "medium", channel), 0.0, "{channel}");
+        assert_eq!(difference(&whole, &one, "transmittance", channel), 0.0, "{channel}");
         let light = |frame: &Frame| -> Vec<f32> {
             let picture = frame.light.as_ref().expect("it is wanted by default");
             picture.color().iter().map(|rgb| rgb["RGB".find(channel).expect("one of them")]).collect()
@@ -60,4 +60,35 @@ fn two_measures_of_dispersion_are_a_contradiction() {
     scene.transfer.ior[1].cauchy_b = Some(0.004);
     let error = scene.validate().expect_err("both are given").to_string();
     assert!(error.contains("transfer.ior.1.abbe") && error.contains("cauchy_b"), "{error}");
+}
+
+#[test]
+fn light_of_several_sources_disperses_alike() {
+    let both = {
+        let mut scene = scene(Some(20.0), 5);
+        let other = Light { azimuth: -20.0, color: [0.2, 0.5, 1.0], ..scene.light[0].clone() };
+        scene.light.push(other);
+        scene
+    };
+    let mut first = both.clone();
+    first.light.truncate(1);
+    let mut second = both.clone();
+    second.light.remove(0);
+    (second.shading.ambient, second.environment.intensity) = ([0.0; 3], 0.0);
+    let [both, first, second] = [both, first, second].map(|scene| render(&scene));
+    for channel in ["R", "G", "B"] {
+        let [both, first, second] =
+            [&both, &first, &second].map(|frame| frame.channel("color", channel).expect("it is there"));
+        for ((both, first), second) in both.iter().zip(first).zip(second) {
+            // Ten exposures are added in another order, some with negative weights.
+            assert!(
+                (both - (first + second)).abs() < 2e-6 * both.abs().max(1.0),
+                "{channel}: {both}, {first} and {second}"
+            );
+        }
+    }
+    for (layer, alone) in both.layers.iter().zip(&first.layers).filter(|(layer, _)| layer.name != "color") {
+        assert_eq!(layer, alone, "{}", layer.name);
+    }
+    assert_eq!(both.light, first.light);
 }

@@ -14,9 +14,9 @@ fn keys(text: &str) -> KeyFrames {
 #[test]
 fn every_kind_of_key_moves() {
     let keys = keys(
-        "[[key]]\nframe = 0\ncamera.azimuth = -30\nlight.color = [0, 1, 2]\nsweep.sheets = 2\nshading.specular = 1\n\
+        "[[key]]\nframe = 0\ncamera.azimuth = -30\nlight.0.color = [0, 1, 2]\nsweep.sheets = 2\nshading.specular = 1\n\
          environment.visible = true\nsweep.light = \"sheets\"\n\
-         [[key]]\ntime = 1\ncamera = { azimuth = 30 }\nlight.color = [1, 1, 0]\nsweep.sheets = 5\n\
+         [[key]]\ntime = 1\ncamera = { azimuth = 30 }\nlight.0.color = [1, 1, 0]\nsweep.sheets = 5\n\
          environment.visible = false\n",
     );
     assert_eq!(keys.last_frame(), 10.0);
@@ -25,21 +25,26 @@ fn every_kind_of_key_moves() {
     for (frame, azimuth) in [(0, -30.0), (5, 0.0), (8, 18.0), (10, 30.0), (99, 30.0)] {
         assert!((at(frame).camera.azimuth - azimuth).abs() < 1e-5, "{frame}");
     }
-    assert_eq!(at(5).light.color, [0.5, 1.0, 1.0]);
+    assert_eq!(at(5).light[0].color, [0.5, 1.0, 1.0]);
     assert_eq!([at(0), at(1), at(2), at(5), at(10)].map(|scene| scene.sweep.sheets), [2, 2, 3, 4, 5]);
     assert_eq!([at(0), at(9), at(10)].map(|scene| scene.environment.visible), [true, true, false]);
     assert_eq!(at(7).shading.specular, 1.0);
-    assert!(keys.set("camera") && keys.set("light.color") && !keys.set("light.softness") && !keys.set("light.col"));
+    assert!(
+        keys.set("camera")
+            && keys.set("light.0.color")
+            && !keys.set("light.0.angular_radius")
+            && !keys.set("light.col")
+    );
 }
 
 #[test]
 fn keys_that_a_frame_does_not_name_go_on() {
     let keys = keys(
-        "[[key]]\nframe = 2\nlight.softness = 1\ncamera.zoom = 1\n[[key]]\nframe = 4\ncamera.zoom = 9\n\
-         [[key]]\nframe = 6\nlight.softness = 5\n",
+        "[[key]]\nframe = 2\nlight.0.angular_radius = 1\ncamera.zoom = 1\n[[key]]\nframe = 4\ncamera.zoom = 9\n\
+         [[key]]\nframe = 6\nlight.0.angular_radius = 5\n",
     );
     let at = |frame| keys.at(&scene(), frame).expect("a scene");
-    assert_eq!([0, 2, 4, 6].map(|frame| at(frame).light.softness), [1.0, 1.0, 3.0, 5.0]);
+    assert_eq!([0, 2, 4, 6].map(|frame| at(frame).light[0].angular_radius), [1.0, 1.0, 3.0, 5.0]);
     assert_eq!([0, 3, 4, 6].map(|frame| at(frame).camera.zoom), [1.0, 5.0, 9.0, 9.0]);
 }
 
@@ -61,17 +66,21 @@ fn lists_move_as_a_whole_or_by_their_indices() {
 
 #[test]
 fn mistakes_name_the_line_and_what_to_do() {
-    let first = "[[key]]\nframe = 0\nlight.softness = 1\n";
+    let first = "[[key]]\nframe = 0\nlight.0.angular_radius = 1\n";
     for (text, line, words) in [
         (
-            "[[key]]\nframe = 0\nlight.softnes = 1\n".to_owned(),
+            "[[key]]\nframe = 0\nlight.0.angular_radiu = 1\n".to_owned(),
             3,
-            &["key.0.light.softnes", "unknown key", "light.softness"][..],
+            &["key.0.light.0.angular_radiu", "unknown key", "light.0.angular_radius"][..],
         ),
-        (format!("{first}[[key]]\nframe = 1\nlight.softness = 90\n"), 6, &["key.1.light.softness", "0 to 45"]),
-        (format!("{first}[[key]]\nframe = 1\nlight.softness = \"soft\"\n"), 6, &["soft", "number"]),
+        (
+            format!("{first}[[key]]\nframe = 1\nlight.0.angular_radius = 90\n"),
+            6,
+            &["key.1.light.0.angular_radius", "0 to 45"],
+        ),
+        (format!("{first}[[key]]\nframe = 1\nlight.0.angular_radius = \"soft\"\n"), 6, &["soft", "number"]),
         (format!("{first}[[key]]\nframe = 0\n"), 4, &["frame 0 comes after frame 0"]),
-        (format!("{first}[[key]]\nlight.softness = 2\n"), 4, &["`frame` or `time`"]),
+        (format!("{first}[[key]]\nlight.0.angular_radius = 2\n"), 4, &["`frame` or `time`"]),
         (format!("{first}[[key]]\nframe = 1\ntime = 1\n"), 4, &["`frame` or `time`"]),
         (format!("{first}[[key]]\nframe = -1\n"), 4, &["frame -1"]),
         (format!("{first}[[key]]\ntime = nan\n"), 4, &["frame NaN"]),

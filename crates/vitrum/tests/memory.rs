@@ -4,7 +4,7 @@
 
 use std::path::Path;
 use vitrum::backend::CpuBackend;
-use vitrum::{Inputs, Session, Wanted, builtin, render};
+use vitrum::{Assets, OutputRequest, builtin, render, render_requested};
 
 /// Bytes of memory that this process has now.
 fn resident() -> u64 {
@@ -18,16 +18,16 @@ fn two_hundred_renders_take_the_memory_of_one() {
     let mut scene = builtin::scene("ball").expect("it is built in");
     scene.volume.resolution = Some(32);
     (scene.film.width, scene.film.height) = (64, 64);
-    let inputs = Inputs::load(&scene, Path::new("")).expect("it needs no file");
+    let assets = Assets::load(&scene, Path::new("")).expect("it needs no file");
     let mut backend = CpuBackend::new(Some(2)).expect("threads");
     let frame = |backend: &mut CpuBackend, index: u32| {
-        // All of it: volumes up and down each time, and once in a while within a session, with another light grid.
+        // All of it: volumes up and down each time, twice, with another light grid.
         let mut scene = scene.clone();
         scene.camera.azimuth = index as f32;
         scene.film.width = 60 + index % 5;
-        let one = render(&scene, &inputs, backend, &mut |_| true).expect("a picture");
-        let mut session = Session::new(&inputs, backend).expect("an upload");
-        session.render(&scene, Wanted { light: false }, &mut |_| true).expect("a picture");
+        let one = render(&scene, &assets, backend, &mut |_| true).expect("a picture");
+        let request = OutputRequest { light: false };
+        render_requested(&scene, &assets, request, backend, &mut |_| true).expect("a picture");
         one.layers.iter().flat_map(|layer| &layer.channels).map(|channel| 4 * channel.data.len() as u64).sum::<u64>()
     };
     // Until the allocator and the threads have what they keep.

@@ -1,34 +1,35 @@
 //! Named outputs: each method has those that are listed, and pixels of several rays stay what their output says.
 
 use vitrum::backend::CpuBackend;
-use vitrum::scene::{Method, Scene};
-use vitrum::{Frame, Inputs, builtin, render};
+use vitrum::method;
+use vitrum::scene::{MethodName, Scene};
+use vitrum::{Assets, Frame, builtin, render};
 
 fn frame(name: &str, supersampling: u32) -> (Scene, Frame) {
     let mut scene = builtin::scene(name).unwrap();
     (scene.film.width, scene.film.height, scene.film.supersampling) = (24, 20, supersampling);
-    scene.voxels.resolution = 32;
-    scene.volume.resolution = Some(32).filter(|_| scene.mesh.is_none());
-    let inputs = Inputs::load(&scene, std::path::Path::new("")).unwrap();
+    scene.voxelization.resolution = 32;
+    scene.volume.resolution = Some(32).filter(|_| scene.mesh.is_empty());
+    let assets = Assets::load(&scene, std::path::Path::new("")).unwrap();
     let mut backend = CpuBackend::new(None).unwrap();
-    let frame = render(&scene, &inputs, &mut backend, &mut |_| true).unwrap();
+    let frame = render(&scene, &assets, &mut backend, &mut |_| true).unwrap();
     (scene, frame)
 }
 
 #[test]
 fn frames_have_the_outputs_that_are_listed() {
-    for (name, method) in [("ball", Method::Sweep), ("vase", Method::Voxels)] {
+    for (name, method) in [("ball", MethodName::Sweep), ("vase", MethodName::Voxels)] {
         let (scene, frame) = frame(name, 1);
         assert_eq!(scene.method, method);
-        let listed = Frame::OUTPUTS.iter().filter(|output| output.methods.contains(&method));
-        let mut listed: Vec<&str> = listed.map(|output| output.name).collect();
+        let outputs = method::of(method).outputs();
+        let mut listed: Vec<&str> = outputs.iter().map(|output| output.name).collect();
         let mut found: Vec<&str> = frame.layers.iter().map(|layer| layer.name.as_str()).collect();
         found.extend(frame.light.as_ref().map(|_| "light"));
         listed.sort_unstable();
         found.sort_unstable();
         assert_eq!(found, listed, "{name}");
         for layer in &frame.layers {
-            let output = Frame::OUTPUTS.iter().find(|output| output.name == layer.name).expect("it is listed");
+            let output = outputs.iter().find(|output| output.name == layer.name).expect("it is listed");
             assert_eq!(layer.is_vector(), output.is_vector, "{name}: {}", layer.name);
         }
     }

@@ -4,7 +4,7 @@
 
 use vitrum::backend::CpuBackend;
 use vitrum::io::{Shared, Volume, Voxels};
-use vitrum::{Inputs, builtin, render};
+use vitrum::{builtin, render};
 
 /// The most memory that this process had, in bytes.
 fn peak() -> u64 {
@@ -25,8 +25,7 @@ fn a_render_takes_the_volume_a_fifth_of_it_and_the_film() {
         voxels.extend((0..count).map(|index| (index.wrapping_mul(2_654_435_761) >> 24) as u8));
         let spacing = [2.0 / edge as f32; 3];
         let volume = Volume::new("noise", [edge; 3], spacing, Voxels::U8(voxels.into())).expect("a volume");
-        let inputs = Inputs { volume, mesh: None, ior_volume: None, environment: None };
-        render(&scene, &inputs, &mut backend, &mut |_| true).expect("a picture");
+        render(&scene, &volume.into(), &mut backend, &mut |_| true).expect("a picture");
         u64::from(count)
     };
     // What the program, its threads, the tables and the picture take: this volume is 32 KiB.

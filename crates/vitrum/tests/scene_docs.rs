@@ -81,7 +81,8 @@ fn range(shape: &Value, items: &Value) -> String {
     }
     let bounds = |shape: &Value| match (shape.get("minimum"), shape.get("maximum"), shape.get("exclusiveMinimum")) {
         (None, None, None) => String::new(),
-        (_, _, Some(least)) => format!("above {}", words(Some(least))),
+        (_, Some(most), Some(least)) => format!("above {}, to {}", words(Some(least)), words(Some(most))),
+        (_, None, Some(least)) => format!("above {}", words(Some(least))),
         (least, most, None) => format!("{} to {}", words(least), words(most)),
     };
     match bounds(items) {
@@ -95,7 +96,7 @@ fn words(value: Option<&Value>) -> String {
         None | Some(Value::Null) => "—".to_owned(),
         Some(Value::String(text)) => text.clone(),
         Some(Value::Number(number)) => match number.as_f64() {
-            Some(1e6) => "1e6".to_owned(),
+            Some(large) if number.is_f64() && large >= 1e6 => format!("{large:e}"),
             Some(number) => number.to_string(),
             None => number.to_string(),
         },

@@ -31,8 +31,8 @@ fn everything_left_out_takes_its_default() {
 #[test]
 fn unknown_keys_name_their_line_and_the_nearest_key() {
     assert_eq!(
-        refusal("[light]\nsoftnes = 3\n"),
-        "ball.toml, line 3: `light.softnes`: unknown key\ndid you mean `light.softness`?"
+        refusal("[[light]]\nangular_radiu = 3\n"),
+        "ball.toml, line 3: `light.0.angular_radiu`: unknown key\ndid you mean `light.0.angular_radius`?"
     );
     assert_eq!(
         refusal("[ground]\nfriction = 3\n"),
@@ -43,8 +43,8 @@ fn unknown_keys_name_their_line_and_the_nearest_key() {
 #[test]
 fn values_out_of_range_name_the_range_and_the_default() {
     assert_eq!(
-        refusal("[light]\nsoftness = 400\n"),
-        "ball.toml, line 3: `light.softness`: found 400, expected a number from 0 to 45\n\
+        refusal("[[light]]\nangular_radius = 400\n"),
+        "ball.toml, line 3: `light.0.angular_radius`: found 400, expected a number from 0 to 45\n\
          correct the value, or leave the key out for its default, 1.0"
     );
     assert_eq!(
@@ -60,13 +60,13 @@ fn values_out_of_range_name_the_range_and_the_default() {
 
 #[test]
 fn values_of_the_wrong_type_and_numbers_that_are_not_finite_are_refused() {
-    assert!(refusal("light.softness = \"soft\"").contains("found \"soft\", expected a number from 0 to 45"));
-    assert!(refusal("light.softness = nan").contains("found nan, expected a number from 0 to 45"));
+    assert!(refusal("[[light]]\nangular_radius = \"soft\"").contains("found \"soft\", expected a number from 0 to 45"));
+    assert!(refusal("[[light]]\nangular_radius = nan").contains("found nan, expected a number from 0 to 45"));
     assert!(refusal("camera.azimuth = inf").contains("found inf, expected a finite number"));
     assert!(refusal("camera.azimuth = 1e300").contains("expected a finite number"));
     assert!(refusal("camera.up = [0, 1]").contains("found a list of 2 items, expected a list of 3 items"));
     assert!(refusal("film.width = 512.5").contains("expected a whole number"));
-    assert!(refusal("light = 3").contains("found 3, expected a table of the keys attachment, azimuth"));
+    assert!(refusal("camera = 3").contains("found 3, expected a table of the keys projection, azimuth"));
     assert_eq!(
         refusal("sweep.integrator = \"simplectic\""),
         "ball.toml, line 2: `sweep.integrator`: found \"simplectic\", expected one of symplectic, euler\n\
@@ -76,7 +76,7 @@ fn values_of_the_wrong_type_and_numbers_that_are_not_finite_are_refused() {
 
 #[test]
 fn bounds_themselves_are_valid() {
-    for text in ["shading.roughness = 0.02", "sweep.sample_distance = 0.05", "light.softness = 45"] {
+    for text in ["shading.roughness = 0.02", "sweep.sample_distance = 0.05", "[[light]]\nangular_radius = 45"] {
         Scene::from_toml(&format!("{BALL}{text}"), "ball.toml").expect(text);
     }
 }
@@ -107,7 +107,7 @@ fn a_step_of_two_points_at_one_value_is_valid() {
 #[test]
 fn text_that_is_not_toml_names_its_line() {
     assert_eq!(
-        refusal("[light]\nsoftness = [1,\n"),
+        refusal("[camera]\nroll = [1,\n"),
         "ball.toml, line 3: unclosed array, expected `]`\ncorrect the TOML there; docs/scene.md describes every key"
     );
     assert!(refusal("volume.builtin = \"head\"").contains("duplicate key"));
@@ -117,7 +117,7 @@ fn text_that_is_not_toml_names_its_line() {
 fn settings_reach_every_kind_of_key() {
     let mut scene = ball();
     for setting in [
-        "light.softness=3",
+        "light.0.angular_radius=3",
         "camera.up = [0, 1, 0]",
         "environment.kind=checkerboard",
         "sweep.refraction=false",
@@ -133,7 +133,7 @@ fn settings_reach_every_kind_of_key() {
     ] {
         scene.set(setting).unwrap_or_else(|error| panic!("{setting}: {error}"));
     }
-    assert_eq!(scene.light.softness, 3.0);
+    assert_eq!(scene.light[0].angular_radius, 3.0);
     assert_eq!(scene.camera.up, [0.0, 1.0, 0.0]);
     assert_eq!(scene.environment.kind, EnvironmentKind::Checkerboard);
     assert!(!scene.sweep.refraction);
@@ -156,16 +156,19 @@ fn settings_reach_every_kind_of_key() {
 #[test]
 fn refused_settings_say_why() {
     assert_eq!(
-        set_refusal("light.softnes=3"),
-        "setting light.softnes=3: `light.softnes`: unknown key\ndid you mean `light.softness`?"
+        set_refusal("light.0.angular_radiu=3"),
+        "setting light.0.angular_radiu=3: `light.0.angular_radiu`: unknown key\ndid you mean `light.0.angular_radius`?"
     );
-    assert!(set_refusal("light.softness=soft").contains("found \"soft\", expected a number from 0 to 45"));
-    assert!(set_refusal("light.softness").contains("there is no `=`"));
+    assert!(set_refusal("light.0.angular_radius=soft").contains("found \"soft\", expected a number from 0 to 45"));
+    assert!(set_refusal("light.0.angular_radius").contains("there is no `=`"));
     assert!(set_refusal("=3").contains("there is no key"));
-    assert!(set_refusal("light..softness=3").contains("a part of it is empty"));
-    assert!(set_refusal("light.softness.x=3").contains("unknown key\nthis value has no keys inside"));
+    assert!(set_refusal("light..color=3").contains("a part of it is empty"));
+    assert!(set_refusal("light.0.angular_radius.x=3").contains("unknown key\nthis value has no keys inside"));
     assert!(set_refusal("clip.1.offset=3").contains("the list has 0 items"));
     assert!(set_refusal("clip.0.ofset=3").contains("did you mean `clip.0.offset`?"));
+    assert!(set_refusal("light.azimut=3").contains("did you mean `light.0.azimuth`?"));
+    assert!(set_refusal("light.azimuth=3").contains("this key is now `light.0.azimuth`\nwrite `light.0.azimuth`"));
+    assert!(set_refusal("light={azimuth=3}").contains("this key is now `light.0.azimuth`"));
     assert!(set_refusal("clip=[{").contains("`clip`: "));
     assert!(set_refusal("camera=none").contains("expected a table"));
     assert!(set_refusal("transfer.ior.0.ior=1.5").contains("`transfer.ior.0.value`: this key is missing"));
@@ -176,7 +179,7 @@ fn a_scene_survives_being_written_and_read() {
     let mut scene = ball();
     for setting in [
         "clip=[{ normal = [0.1, 0.2, 0.3] }]",
-        "transfer.medium=[{ value = -1000, color = [0.3, 1e-7, 1] }]",
+        "transfer.filter=[{ value = -1000, color = [0.3, 1e-7, 1] }]",
         "wall={}",
         "volume.spacing=[0.1, 0.2, 0.3]",
         "ior_volume.file=it's \"quoted\".nrrd",
@@ -192,7 +195,90 @@ fn a_scene_survives_being_written_and_read() {
 fn scenes_that_programs_make_are_checked_too() {
     let mut scene = ball();
     scene.validate().expect("valid");
-    scene.light.softness = f32::NAN;
+    scene.light[0].angular_radius = f32::NAN;
     let error = scene.validate().expect_err("NaN is no softness");
-    assert_eq!(error.to_string(), "scene: `light.softness`: found nan, expected a number from 0 to 45");
+    assert_eq!(error.to_string(), "scene: `light.0.angular_radius`: found nan, expected a number from 0 to 45");
+}
+
+#[test]
+fn lights_are_a_list_that_may_be_empty() {
+    let two = Scene::from_toml(&format!("{BALL}[[light]]\n[[light]]\nazimuth = 3"), "ball.toml").expect("two lights");
+    assert_eq!(two.light.iter().map(|light| light.azimuth).collect::<Vec<_>>(), [-35.0, 3.0]);
+    let dark = Scene::from_toml(&format!("light = []\n{BALL}"), "ball.toml").expect("darkness is valid");
+    assert!(dark.light.is_empty() && ball().light.len() == 1);
+    let text = dark.to_toml().expect("every name is Unicode");
+    assert_eq!(Scene::from_toml(&text, "written").expect(&text), dark);
+    assert_eq!(
+        refusal("[light]\nsoftness = 2\n"),
+        "ball.toml, line 3: `light.softness`: this key is now `light.0.angular_radius`\n\
+         write `angular_radius` in a table `[[light]]`, and `light.0.angular_radius` in key frames"
+    );
+    assert_eq!(
+        refusal("[light]\n"),
+        "ball.toml, line 2: `light`: found a table, expected a list\nwrite `[[light]]`, once for each item"
+    );
+}
+
+#[test]
+fn keys_of_another_kind_of_light_are_refused_and_a_change_of_the_kind_takes_them_away() {
+    for (text, words) in [
+        ("kind = \"point\"\nposition = [0, 0, 1]\nazimuth = 3", "a point light has no `azimuth`"),
+        ("kind = \"point\"\nposition = [0, 0, 1]\ncone_angle = 3", "a point light has no `cone_angle`"),
+        ("radius = 3", "a distant light has no `radius`"),
+        ("kind = \"spot\"", "a spot light needs a `position`"),
+        ("direction = [0, 0, 0]", "gives no direction"),
+    ] {
+        assert!(refusal(&format!("[[light]]\n{text}\n")).contains(words), "{}", refusal(&format!("[[light]]\n{text}")));
+    }
+    let mut scene = ball();
+    for setting in ["light.0.azimuth=70", "light.0.position=[0, 0, 3]", "light.0.kind=point", "light.0.kind=distant"] {
+        scene.set(setting).expect(setting);
+    }
+    assert_eq!(scene, ball());
+}
+
+#[test]
+fn lights_that_no_method_has_are_refused_by_name() {
+    let mesh = "method = \"voxels\"\nmesh = [{ builtin = \"vase\" }]\n";
+    for (method, shown) in [("sweep", BALL), ("voxels", mesh)] {
+        for kind in ["point", "spot"] {
+            let text = format!("{shown}[[light]]\n[[light]]\nkind = \"{kind}\"\nposition = [0, 0, 3]\n");
+            let error = Scene::from_toml(&text, "scene.toml").expect_err(&text);
+            let words = format!("the method `{method}` renders distant lights alone, and this is a {kind} light");
+            assert!(error.key == "light.1.kind" && error.to_string().contains(&words), "{error}");
+            assert!(error.help().contains("no method renders other lights yet"), "{}", error.help());
+        }
+    }
+}
+
+#[test]
+fn a_medium_is_read_and_refused_by_name() {
+    let text = "[medium]\nscattering = [0.1, 0.2, 0.3]\nanisotropy = 0.7\n";
+    assert!(refusal(text).contains("line 2: `medium`: no method renders a participating medium yet"));
+    assert!(refusal("[medium]\nanisotropy = 1\n").contains("a number from -0.99 to 0.99"));
+    assert!(refusal("[medium]\ndensity = {}\n").contains("`medium.density`: neither `file` nor `builtin` is given"));
+}
+
+#[test]
+fn meshes_are_a_list_with_places_and_materials() {
+    let refusal = |text: &str| {
+        let error = Scene::from_toml(&format!("method = \"voxels\"\n{text}"), "scene.toml").expect_err(text);
+        format!("{error}\n{}", error.help())
+    };
+    let two = "[[mesh]]\nbuiltin = \"torus\"\n[[mesh]]\nbuiltin = \"vase\"\nposition = [1, 0, 0]\n";
+    let scene = Scene::from_toml(&format!("method = \"voxels\"\n{two}"), "scene.toml").expect("two meshes");
+    assert_eq!((scene.mesh.len(), scene.mesh[0].scale, scene.mesh[1].position), (2, 1.0, [1.0, 0.0, 0.0]));
+    assert!(refusal(&format!("{two}twist = 3")).contains("`mesh.1.twist`: only a mesh that is alone can be twisted"));
+    let nameless = refusal(&format!("{two}material = \"gold\""));
+    assert!(nameless.contains("`mesh.1.material`: no entry of `material` has the name \"gold\""), "{nameless}");
+    assert!(refusal("[[mesh]]\nscale = 0").contains("above 0"));
+    assert!(refusal("[[mesh]]").contains("`mesh.0`: neither `file` nor `builtin` is given"));
+    assert!(refusal("[mesh]\nfile = \"a.ply\"").contains("`mesh.file`: this key is now `mesh.0.file`"));
+}
+
+#[test]
+fn data_in_memory_needs_no_names() {
+    let scene = Scene::default();
+    scene.check_settings().expect("nothing is wrong with the settings");
+    assert!(scene.check_sources().is_err() && scene.validate().is_err());
 }

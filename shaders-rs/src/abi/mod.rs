@@ -1,8 +1,14 @@
 //! What host and kernels share: uniform blocks, record layouts and table layouts.
 
+pub mod camera;
+pub mod clip;
+pub mod dispatch;
 pub mod environment;
+pub mod format;
 pub mod grid;
+pub mod light;
 pub mod probe;
+pub mod receivers;
 pub mod record;
 pub mod shadow;
 pub mod sweep;
@@ -11,10 +17,4 @@ pub mod vector;
 pub mod voxelize;
 pub mod voxels;
 
-use spirv_std::glam::UVec4;
-
-/// A uniform block that says over which invocations its pass runs.
-pub trait Dispatched {
-    /// The first column and row (`x`, `y`), and those before which it ends (`z`, `w`).
-    fn window(&self) -> UVec4;
-}
+pub use dispatch::Dispatched;

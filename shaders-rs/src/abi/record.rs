@@ -22,7 +22,7 @@ pub mod irradiance {
     pub const SIZE: usize = 4;
     /// Red; green and blue follow.
     pub const SHARE: usize = 0;
-    /// The direction, as [`crate::field::offset`] packs it.
+    /// The direction, as [`crate::sweep::light::offset`] packs it.
     pub const DIRECTION: usize = 3;
 }
 
@@ -48,7 +48,7 @@ pub mod sheet {
     pub const TURNED: usize = 10;
 }
 
-/// Fixed-point sums of what sheets change on a texel: for each channel a low and a high word, next to each other (not planar).
+/// Fixed-point sums of the changes that sheets make on a texel: for each channel a low and a high word, next to each other (not planar).
 pub mod sums {
     /// Words.
     pub const SIZE: usize = 2 * CHANNELS;
@@ -64,7 +64,13 @@ pub mod sums {
     pub const SLOPE_SCALE: f32 = 8_388_608.0;
 }
 
-/// What the triangles bring to a voxel: words next to each other (not planar), sums as in [`crate::field::sums`].
+/// A single word a place: bits of a mask, or a count.
+pub mod word {
+    /// Words.
+    pub const SIZE: usize = 1;
+}
+
+/// Sums of the attributes of the triangles that meet a voxel: words next to each other (not planar), sums as in [`crate::field::sums`].
 pub mod attributes {
     /// Words.
     pub const SIZE: usize = 14;
@@ -90,7 +96,7 @@ pub mod absorption {
     pub const MOST: f32 = 64.0;
 }
 
-/// What [`crate::probe::apply_function`] reads and writes for an index.
+/// Arguments and results of [`crate::probe::apply_function`] for an index.
 pub mod probe {
     /// Arguments.
     pub const ARGUMENTS: usize = 8;
@@ -102,7 +108,7 @@ pub mod probe {
 pub mod ray {
     /// Components.
     pub const SIZE: usize = 18;
-    /// Position in the sweep frame where the ray last bent, or ended; from there it flies straight.
+    /// Position in the view frame where the ray last bent, or ended; from there it flies straight.
     pub const X: usize = 0;
     /// See `X`.
     pub const Y: usize = 1;
@@ -138,7 +144,7 @@ pub mod path {
     pub const POSITION: usize = 0;
     /// Unit direction along the grid's axes; y and z follow.
     pub const DIRECTION: usize = 3;
-    /// What is left of the light by absorption and reflection, red; green and blue follow.
+    /// Transmittance of absorption and reflection, red; green and blue follow.
     pub const TRANSMITTANCE: usize = 6;
     /// Unit normal at the first surface, outwards; y and z follow. 0 if there was none.
     pub const NORMAL: usize = 9;
@@ -148,7 +154,7 @@ pub mod path {
     pub const SINCE: usize = 15;
     /// One of [`super::fate`].
     pub const STATUS: usize = 16;
-    /// What the ray is in: the number of the material, [`super::super::voxels::AIR`] outside. For triangles, where it is in
+    /// The number of the material around the ray, [`super::super::voxels::AIR`] outside. For triangles, where it is in
     /// any, minus the number that has a bit for each material that it is in.
     pub const MEDIUM: usize = 17;
     /// Surfaces at which the ray was refracted or reflected.
@@ -161,23 +167,13 @@ pub mod path {
     pub const REFLECTANCE: usize = 21;
     /// The node of the tree of triangles that is next.
     pub const NODE: usize = 22;
-    /// The nearest triangle so far on the ray's straight way, or one of [`ahead`].
+    /// The nearest triangle so far on the ray's straight way, or one of [`ahead`](super::super::receivers::ahead).
     pub const TRIANGLE: usize = 23;
     /// Its distance, in voxels.
     pub const DISTANCE: usize = 24;
-
-    /// What may be ahead of a ray instead of a triangle.
-    pub mod ahead {
-        /// Nothing.
-        pub const NOTHING: i32 = -1;
-        /// The ground.
-        pub const GROUND: i32 = -2;
-        /// The wall.
-        pub const WALL: i32 = -3;
-    }
 }
 
-/// What the first surface mirrors.
+/// The search for the triangle that the first surface mirrors.
 pub mod mirror {
     /// Components.
     pub const SIZE: usize = 4;
@@ -185,7 +181,7 @@ pub mod mirror {
     pub const STAGE: usize = 0;
     /// The node of the tree of triangles that is next.
     pub const NODE: usize = 1;
-    /// The nearest opaque triangle so far on the reflected ray's way, or one of [`super::path::ahead`].
+    /// The nearest opaque triangle so far on the reflected ray's way, or one of [`ahead`](super::super::receivers::ahead).
     pub const TRIANGLE: usize = 2;
     /// Its distance, in voxels.
     pub const DISTANCE: usize = 3;
@@ -201,7 +197,7 @@ pub mod mirror {
     }
 }
 
-/// What became of a ray through a mesh.
+/// States of a ray through a mesh.
 pub mod fate {
     /// Under way.
     pub const ACTIVE: f32 = 0.0;
@@ -231,7 +227,7 @@ pub mod view {
     pub const DEPTH: usize = 9;
     /// Final unit direction in view space, x; y and z follow.
     pub const DIRECTION: usize = 10;
-    /// What is left of the light by absorption and reflection, red; green and blue follow.
+    /// Transmittance of absorption and reflection, red; green and blue follow.
     pub const TRANSMITTANCE: usize = 13;
     /// Share of the light that the first surface reflects.
     pub const REFLECTANCE: usize = 16;
@@ -239,7 +235,7 @@ pub mod view {
     pub const STATUS: usize = 17;
 }
 
-/// What became of a viewing ray.
+/// States of a viewing ray.
 pub mod status {
     /// Under way.
     pub const ACTIVE: f32 = 0.0;

@@ -1,36 +1,50 @@
 //! The uniform block of the kernels that make the shadow map, and the buffers they read.
 
 use super::Dispatched;
-use super::vector::Vec4;
-use spirv_std::glam::UVec4;
+use super::dispatch::Dispatch;
+use super::vector::Vec3;
 
 /// Uniforms of the kernels in [`crate::shadow`].
 ///
 /// The shadow map's grid has x along the light: rows of voxels along x are columns of light.
-#[repr(C, align(16))]
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
 pub struct ShadowUniforms {
-    /// Width and height of the dispatch, mode (see [`mode`]), invocations that have work: items, or rows of voxels.
-    pub dispatch: UVec4,
-    /// Voxels along x and y, layers along z of this slab, the first of them.
-    pub size: UVec4,
-    /// Channels; layers along z of the whole grid; log₂ of the units of a winding that a voxel has; optical depth of an occupied
-    /// voxel in units ([`mode::UNIFORM`]).
-    pub depth: UVec4,
-    /// Absorption coefficient a voxel's edge of a clear body: red, green, blue.
-    pub absorption: Vec4,
+    /// Size of the dispatch and mode (see [`mode`]).
+    pub dispatch: Dispatch,
+    /// Invocations that have work: items, or rows of voxels.
+    pub work: u32,
+    /// Voxels along x.
+    pub width: u32,
+    /// Voxels along y.
+    pub height: u32,
+    /// Layers along z of this slab.
+    pub layers: u32,
+    /// The first of this slab's layers.
+    pub first_layer: u32,
+    /// Layers along z of the whole grid.
+    pub depth: u32,
+    /// Channels, 1 or 3.
+    pub channels: u32,
+    /// log₂ of the units of a winding that a voxel has.
+    pub winding_units: u32,
+    /// Optical depth of an occupied voxel in units ([`mode::UNIFORM`]).
+    pub uniform_depth: u32,
+    /// Absorption coefficient of a clear body, linear RGB, per edge of a voxel.
+    pub absorption: Vec3,
 }
 
 impl Dispatched for ShadowUniforms {
-    fn window(&self) -> UVec4 {
-        UVec4::new(0, 0, self.dispatch.x, self.dispatch.y)
+    #[inline(always)]
+    fn dispatch(&self) -> Dispatch {
+        self.dispatch
     }
 }
 
-/// What a voxel absorbs, for [`crate::shadow::accumulate`].
+/// Modes of [`crate::shadow::accumulate`]: how a voxel absorbs.
 pub mod mode {
-    /// What was summed up in it (Chang et al. 2010).
+    /// By the sum of optical depths in it (Chang et al. 2010).
     pub const COUNTED: u32 = 0;
     /// The same in each voxel in which there is anything (Eisemann & Décoret 2006).
     pub const UNIFORM: u32 = 1;

@@ -1,93 +1,105 @@
 //! The uniform block of the plane sweep's kernels.
 //!
-//! The sweep frame: x right, y up, z the depth away from the eye, world units, the eye at the origin.
+//! They work in the view frame: x right, y up, z the depth away from the eye, world units, the eye at the origin.
 
 use super::Dispatched;
+use super::camera::Camera;
+use super::clip::Clip;
+use super::dispatch::{Dispatch, Region};
+use super::environment::Environment;
 use super::grid::Grid;
-use super::vector::Vec4;
-use spirv_std::glam::UVec4;
+use super::light::{Light, LightGrid, Taps};
+use super::receivers::Receivers;
+use super::vector::{Size, Vec3};
 
 /// Uniforms of every kernel of the sweep; one block a pass.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
 pub struct SweepUniforms {
-    /// Width and height of the dispatch, mode (see [`mode`]), flags (see [`flag`]).
-    pub dispatch: UVec4,
-    /// Where the pass runs: its first column and row (`x`, `y`), and those before which it ends (`z`, `w`).
-    pub window: UVec4,
-    /// Width and height of the picture (`x`, `y`) and of the light grid (`z`, `w`).
-    pub size: UVec4,
-    /// Where the irradiance of the plane behind starts in its buffer, in words (`x`).
-    pub irradiance: UVec4,
-    /// Depth of the plane behind (`x`) and ahead (`y`), their distance (`z`), 1 / reference length (`w`).
-    pub plane: Vec4,
+    /// Size of the dispatch and mode (see [`mode`]).
+    pub dispatch: Dispatch,
+    /// Switches, see [`flag`].
+    pub flags: u32,
+    /// Where the pass runs.
+    pub region: Region,
+    /// Pixels of the picture.
+    pub picture: Size,
+    /// Where the irradiance of the plane behind starts in its buffer, in words.
+    pub irradiance_start: u32,
+    /// The step from the plane behind to the plane ahead.
+    pub step: Step,
     /// The volume.
     pub grid: Grid,
     /// The volume that gives η, where there is a second one.
     pub ior_grid: Grid,
-    /// Light grid: the corner of texel (0, 0) on the plane at depth `light_shear.z` (`x`, `y`), texel edge (`z`), its inverse (`w`).
-    pub light_grid: Vec4,
-    /// Shift of the light grid per unit of depth (`x`, `y`); the depth where the shift is 0 (`z`).
-    pub light_shear: Vec4,
-    /// Unoccluded light as it is stored: plane irradiance, or radiance under [`flag::STORE_RADIANCE`] (`xyz`); the share of it
-    /// that one sheet carries (`w`).
-    pub light_initial: Vec4,
-    /// Initial optical direction.
-    pub light_direction: Vec4,
-    /// Two of the three filter taps, in texels.
-    pub taps_a: Vec4,
-    /// The third filter tap.
-    pub taps_b: Vec4,
-    /// Half width (`x`) and height (`y`) of the picture at depth 1 (perspective) or anywhere (orthographic); depth at which rays
-    /// start (`z`); 1 if orthographic (`w`).
-    pub camera: Vec4,
-    /// Ground: signed distance = xyz · point + w, positive on its visible side. All 0 if there is none.
-    pub ground_plane: Vec4,
-    /// Ground reflectance.
-    pub ground_color: Vec4,
-    /// Wall: as the ground.
-    pub wall_plane: Vec4,
-    /// Wall reflectance.
-    pub wall_color: Vec4,
-    /// Clipping planes: signed distance = xyz · point + w, positive where it removes. All 0 if unused.
-    pub clip_0: Vec4,
-    /// See `clip_0`.
-    pub clip_1: Vec4,
-    /// See `clip_0`.
-    pub clip_2: Vec4,
-    /// See `clip_0`.
-    pub clip_3: Vec4,
-    /// For each clipping plane 1 if it removes everything, 0 if opacity only.
-    pub clip_everything: Vec4,
-    /// Ambient radiance (`xyz`).
-    pub ambient: Vec4,
-    /// GGX roughness (`x`), specular factor (`y`), smallest v_z / |v| of a ray that goes on (`z`); planes behind this one that are as
-    /// far apart (`w`).
-    pub shading: Vec4,
-    /// Environment: pattern (`x`), map width (`y`), map height (`z`), levels (`w`).
-    pub environment: UVec4,
-    /// Rows of the rotation from the sweep frame to the environment's frame (z up).
-    pub environment_x: Vec4,
-    /// See `environment_x`.
-    pub environment_y: Vec4,
-    /// See `environment_x`.
-    pub environment_z: Vec4,
-    /// Colour (zenith, first square), times intensity; `w`: edge of a square in radians.
-    pub environment_color: Vec4,
-    /// Horizon (second square), times intensity; `w`: factor on a map.
-    pub environment_horizon: Vec4,
-    /// Nadir, times intensity; `w`: 1 if the environment is visible.
-    pub environment_nadir: Vec4,
+    /// The light texels.
+    pub light_grid: LightGrid,
+    /// The light; its colour is plane irradiance, or radiance under [`flag::STORE_RADIANCE`].
+    pub light: Light,
+    /// The share of the light's flux that one sheet carries, 0 to 1.
+    pub sheet_share: f32,
+    /// The softness filter's taps.
+    pub taps: Taps,
+    /// The camera; lengths in world units.
+    pub camera: Camera,
+    /// Ground and wall.
+    pub receivers: Receivers,
+    /// The first clipping plane.
+    pub clip_0: Clip,
+    /// The second clipping plane.
+    pub clip_1: Clip,
+    /// The third clipping plane.
+    pub clip_2: Clip,
+    /// The fourth clipping plane.
+    pub clip_3: Clip,
+    /// Ambient radiance, linear RGB.
+    pub ambient: Vec3,
+    /// GGX roughness, 0 to 1.
+    pub roughness: f32,
+    /// Factor on specular reflection.
+    pub specular: f32,
+    /// The environment.
+    pub environment: Environment,
+}
+
+/// A step from plane to plane.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct Step {
+    /// Depth of the plane behind, world units.
+    pub behind: f32,
+    /// Depth of the plane ahead.
+    pub ahead: f32,
+    /// The planes' distance.
+    pub distance: f32,
+    /// 1 / the reference length of optical depths.
+    pub inverse_reference_length: f32,
+    /// The smallest v_z / |v| of a ray that goes on.
+    pub smallest_cosine: f32,
+    /// Length of the run of equally spaced planes after the plane ahead.
+    pub alike: f32,
 }
 
 impl Dispatched for SweepUniforms {
-    fn window(&self) -> UVec4 {
-        self.window
+    #[inline(always)]
+    fn dispatch(&self) -> Dispatch {
+        self.dispatch
+    }
+
+    #[inline(always)]
+    fn region(&self) -> Region {
+        self.region
+    }
+
+    #[inline(always)]
+    fn position(&self) -> (f32, f32) {
+        (self.step.ahead, self.step.distance)
     }
 }
 
-/// What a pass specialises on; each backend may compile one body per mode.
+/// Modes of a pass; each backend may compile a body for each.
 pub mod mode {
     /// η is 1 everywhere: rays are straight, nothing reflects.
     pub const STRAIGHT: u32 = 0;

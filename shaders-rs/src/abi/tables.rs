@@ -27,7 +27,7 @@ pub const IOR_OFFSET: u32 = IOR_LEAST + 3;
 pub const IOR_CELLS: u32 = 1024;
 /// Bits of a level.
 pub const IOR_LEVEL_BITS: u32 = 20;
-/// What stands for no rise at all.
+/// The number of a cell without any rise.
 pub const IOR_NO_RISE: u32 = 1 << (31 - IOR_LEVEL_BITS);
 /// Words of the whole buffer.
 pub const WORDS: u32 = IOR_OFFSET + IOR_CELLS;

@@ -1,32 +1,46 @@
 //! The uniform block of the voxelization kernels, and the buffers they read.
 
 use super::Dispatched;
-use spirv_std::glam::UVec4;
+use super::dispatch::Dispatch;
+use super::vector::Counts;
 
 /// Uniforms of the kernels in [`crate::voxelize`].
-#[repr(C, align(16))]
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
 pub struct VoxelizeUniforms {
-    /// Width and height of the dispatch, mode (see [`mode`]), invocations that have work: items, or rows of voxels.
-    pub dispatch: UVec4,
-    /// Voxels along x, y and z; words that a row of voxels takes in the buffer that is written.
-    pub size: UVec4,
-    /// log₂ of the columns through a voxel along y, and along z; the first layer along z that is worked on; log₂ of the units that a
-    /// column has along a voxel; log₂ of those that a voxel has.
-    pub columns: UVec4,
-    /// log₂ of the units that a voxel has in the corners of the surface's triangles; by how many a voxel is enlarged on each side; the
-    /// triangle from which items count.
-    pub surface: UVec4,
+    /// Size of the dispatch and mode (see [`mode`]).
+    pub dispatch: Dispatch,
+    /// Invocations that have work: items, or rows of voxels.
+    pub work: u32,
+    /// Voxels along each axis, or in a slab of layers along z.
+    pub size: Counts,
+    /// Words that a row of voxels takes in the buffer that is written.
+    pub row_words: u32,
+    /// log₂ of the columns through a voxel along y, and along z.
+    pub column_shift: u32,
+    /// The first layer along z that is worked on.
+    pub first_layer: u32,
+    /// log₂ of the units that a column has along a voxel.
+    pub column_units: u32,
+    /// log₂ of the units that a voxel has.
+    pub voxel_units: u32,
+    /// log₂ of the units that a voxel has in the corners of the surface's triangles.
+    pub corner_units: u32,
+    /// Units by which a voxel is enlarged on each side.
+    pub margin: u32,
+    /// The triangle from which items count.
+    pub first_triangle: u32,
 }
 
 impl Dispatched for VoxelizeUniforms {
-    fn window(&self) -> UVec4 {
-        UVec4::new(0, 0, self.dispatch.x, self.dispatch.y)
+    #[inline(always)]
+    fn dispatch(&self) -> Dispatch {
+        self.dispatch
     }
 }
 
-/// What an invocation does on the surface, for [`crate::voxelize::mark_surface`] and [`crate::voxelize::sum_attributes`].
+/// Pieces of work on the surface, for [`crate::voxelize::mark_surface`] and [`crate::voxelize::sum_attributes`].
 pub mod pieces {
     /// A triangle, if it is small.
     pub const TRIANGLES: u32 = 0;
@@ -43,7 +57,7 @@ pub mod mode {
 }
 
 /// A triangle of the surface: words next to each other, not planar. x, y and z of its first corner from the grid's low corner, then
-/// those of the others, signed integers in units of a power of two of a voxel (see [`VoxelizeUniforms::surface`]).
+/// those of the others, signed integers in units of a power of two of a voxel (see [`VoxelizeUniforms::corner_units`]).
 pub mod triangle {
     /// Words.
     pub const SIZE: usize = 9;
@@ -51,7 +65,7 @@ pub mod triangle {
     pub const SMALL: i32 = 32;
 }
 
-/// What a triangle brings to the voxels: floats next to each other, not planar.
+/// Attributes of a triangle: floats next to each other, not planar.
 pub mod brought {
     /// Floats.
     pub const SIZE: usize = 19;

@@ -1,82 +1,90 @@
 //! The uniform block of the kernels that follow rays through a mesh, and the buffers they read.
 
 use super::Dispatched;
-use super::vector::Vec4;
-use spirv_std::glam::UVec4;
+use super::camera::Camera;
+use super::dispatch::Dispatch;
+use super::environment::Environment;
+use super::light::Light;
+use super::receivers::Receivers;
+use super::vector::{Affine, Counts, Vec3};
 
 /// Uniforms of the kernels in [`crate::voxels`].
 ///
 /// Rays run in the grid's frame: voxels from its low corner along its axes, which are the world's. In the view frame x is right, y up,
 /// z the depth away from the eye.
-#[repr(C, align(16))]
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
 pub struct VoxelsUniforms {
-    /// Width and height of the picture, mode (see [`mode`]), flags (see [`flag`]).
-    pub dispatch: UVec4,
-    /// Voxels along x, y and z; clear materials.
-    pub size: UVec4,
-    /// Bricks along x, y and z; surfaces that a ray may meet at most.
-    pub bricks: UVec4,
-    /// Half width (`x`) and height (`y`) of the picture at depth 1 (perspective) or anywhere (orthographic), in voxels there; the
-    /// depth of the picture's plane (orthographic) (`z`); 1 if orthographic (`w`).
-    pub camera: Vec4,
-    /// Unit vectors of the view frame in the grid's: right; `w`: the eye's x in the grid's frame.
-    pub right: Vec4,
-    /// Up; `w`: the eye's y.
-    pub up: Vec4,
-    /// Away from the eye; `w`: the eye's z.
-    pub away: Vec4,
-    /// Edge of a voxel in world units (`x`); the cosine of the angle up to which two normals are one surface's (`y`); the distance, in
-    /// voxels, up to which they are (`z`).
-    pub scale: Vec4,
+    /// Size of the picture and mode (see [`mode`]).
+    pub dispatch: Dispatch,
+    /// Switches, see [`flag`].
+    pub flags: u32,
+    /// Voxels along each axis.
+    pub size: Counts,
+    /// Clear materials.
+    pub materials: u32,
+    /// Bricks along each axis.
+    pub bricks: Counts,
+    /// Surfaces that a ray may meet at most.
+    pub most_bounces: u32,
+    /// The camera; lengths in voxels.
+    pub camera: Camera,
+    /// The view frame's x, right, as a unit vector in the grid's frame.
+    pub right: Vec3,
+    /// The view frame's y, up.
+    pub up: Vec3,
+    /// The view frame's z, away from the eye.
+    pub away: Vec3,
+    /// The eye, in the grid's frame.
+    pub eye: Vec3,
+    /// Edge of a voxel, world units.
+    pub voxel: f32,
+    /// Cosine of the angle up to which two normals are one surface's.
+    pub same_cosine: f32,
+    /// Distance up to which they are, in voxels.
+    pub same_distance: f32,
     /// Low corner of the box that holds all surfaces, in voxels.
-    pub low: Vec4,
-    /// High corner of it.
-    pub high: Vec4,
-    /// Environment: pattern (`x`), map width (`y`), map height (`z`), levels (`w`).
-    pub environment: UVec4,
-    /// Rows of the rotation from the grid's frame to the environment's (z up).
-    pub environment_x: Vec4,
-    /// See `environment_x`.
-    pub environment_y: Vec4,
-    /// See `environment_x`.
-    pub environment_z: Vec4,
-    /// Colour (zenith, first square), times intensity; `w`: edge of a square in radians.
-    pub environment_color: Vec4,
-    /// Horizon (second square), times intensity; `w`: factor on a map.
-    pub environment_horizon: Vec4,
-    /// Nadir, times intensity; `w`: 1 if the environment is visible.
-    pub environment_nadir: Vec4,
-    /// The ground: xyz · position + w is the distance in voxels, positive on the visible side. All 0 if there is none.
-    pub ground: Vec4,
-    /// Its reflectance.
-    pub ground_color: Vec4,
-    /// The wall, as the ground.
-    pub wall: Vec4,
-    /// Its reflectance.
-    pub wall_color: Vec4,
-    /// Unit direction in which light travels, along the grid's axes.
-    pub light: Vec4,
-    /// Its radiance.
-    pub light_color: Vec4,
-    /// Radiance from all sides.
-    pub ambient: Vec4,
-    /// Voxels of the shadow map: along the light, and across (2); its channels, 0 if nothing casts a shadow.
-    pub shadow: UVec4,
-    /// Rows that take a position to the shadow map's voxels: along the light; `w` is added.
-    pub shadow_x: Vec4,
-    /// Across.
-    pub shadow_y: Vec4,
-    /// Across.
-    pub shadow_z: Vec4,
-    /// Half the width of the filter, in the shadow map's voxels, at least 1 (`x`); edge of one of these in the grid's voxels (`y`).
-    pub shadow_filter: Vec4,
+    pub low: Vec3,
+    /// High corner of that box.
+    pub high: Vec3,
+    /// The environment.
+    pub environment: Environment,
+    /// Ground and wall; distances in voxels.
+    pub receivers: Receivers,
+    /// The light, along the grid's axes.
+    pub light: Light,
+    /// Radiance from all sides, linear RGB.
+    pub ambient: Vec3,
+    /// The shadow map.
+    pub shadow: ShadowMap,
+}
+
+/// The grid of the transparent shadow map (Chang et al. 2010, §3).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct ShadowMap {
+    /// Its voxels: along the light (x), and across (y, z).
+    pub size: Counts,
+    /// Its channels, 1 or 3; 0 if nothing casts a shadow.
+    pub channels: u32,
+    /// Its coordinate along the light, in its voxels, of a position in the grid's frame.
+    pub row_x: Affine,
+    /// Its first coordinate across.
+    pub row_y: Affine,
+    /// Its second coordinate across.
+    pub row_z: Affine,
+    /// Half the width of the filter, in its voxels, at least 1.
+    pub radius: f32,
+    /// Edge of one of its voxels, in voxels of the grid.
+    pub edge: f32,
 }
 
 impl Dispatched for VoxelsUniforms {
-    fn window(&self) -> UVec4 {
-        UVec4::new(0, 0, self.dispatch.x, self.dispatch.y)
+    #[inline(always)]
+    fn dispatch(&self) -> Dispatch {
+        self.dispatch
     }
 }
 
@@ -88,7 +96,7 @@ pub mod mode {
     pub const MULTI_SURFACE: u32 = 1;
 }
 
-/// What [`crate::voxels::resolve`] sees.
+/// Modes of [`crate::voxels::resolve`]: the things that it sees.
 pub mod seen {
     /// The environment alone.
     pub const ENVIRONMENT: u32 = 0;
@@ -106,7 +114,7 @@ pub mod flag {
     pub const LOOK_OF_TRIANGLE: u32 = 4;
 }
 
-/// The number of what is outside of all materials: higher than any material's.
+/// The number of the air outside of all materials: higher than any material's.
 pub const AIR: i32 = 16;
 
 /// log₂ of a brick's edge in voxels.
@@ -172,7 +180,7 @@ pub mod look {
     pub const TRANSMITTANCE: usize = 9;
 }
 
-/// What a voxel that triangles meet has, for the paper's rays: floats next to each other, not planar.
+/// Normal and material of a voxel that triangles meet, for the paper's rays: floats next to each other, not planar.
 pub mod surface {
     /// Floats.
     pub const SIZE: usize = 4;

@@ -1,6 +1,8 @@
 //! The one way a kernel reads a buffer: the index is limited to the buffer, so that no index is out of bounds and no bounds
 //! check with its panic path gets into the loop.
 
+use spirv_std::glam::Vec3;
+
 /// `buffer[index]`, the index limited to the buffer. The buffer must not be empty (backends refuse empty ones).
 #[inline(always)]
 pub fn read<T: Copy>(buffer: &[T], index: i32) -> T {
@@ -20,6 +22,12 @@ pub fn read<T: Copy>(buffer: &[T], index: i32) -> T {
         // becoming vector code; the signed offset makes it a 32-bit gather.
         unsafe { *buffer.as_ptr().offset(index as isize) }
     }
+}
+
+/// Three floats of `buffer` from `index` on, each index limited to the buffer.
+#[inline(always)]
+pub fn read_vector(buffer: &[f32], index: i32) -> Vec3 {
+    Vec3::new(read(buffer, index), read(buffer, index + 1), read(buffer, index + 2))
 }
 
 /// `buffer[base + column]` without limiting the index: where `base` is the same for neighbouring invocations, their reads become

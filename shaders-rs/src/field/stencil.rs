@@ -3,8 +3,9 @@
 //! The seven values share one neighbourhood of 32 voxels instead of reading 56.
 
 use super::voxels::{Rows, pair, quad, rows};
+use crate::abi::format::VoxelFormat;
 use crate::abi::grid::Grid;
-use crate::math::{clamp, dot, floor_to_int, lerp, xyz};
+use crate::math::{affine, clamp, floor_to_int, lerp};
 use spirv_std::glam::Vec3;
 
 /// Scalars, normalised to 0…1, at a point and at one voxel's distance along each axis.
@@ -26,14 +27,10 @@ struct Cell {
     fraction: Vec3,
 }
 
-/// The voxel coordinates of a point of the sweep frame.
+/// The voxel coordinates of a point of the view frame.
 #[inline(always)]
 pub fn voxel_coordinates(grid: &Grid, point: Vec3) -> Vec3 {
-    Vec3::new(
-        dot(xyz(grid.row_x), point) + grid.row_x.w,
-        dot(xyz(grid.row_y), point) + grid.row_y.w,
-        dot(xyz(grid.row_z), point) + grid.row_z.w,
-    )
+    Vec3::new(affine(grid.row_x, point), affine(grid.row_y, point), affine(grid.row_z, point))
 }
 
 /// The grid's voxels fill −½ … size − ½.
@@ -47,23 +44,23 @@ pub fn limit_to_grid(grid: &Grid, at: Vec3) -> Vec3 {
 }
 
 #[inline(always)]
-fn cell<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> Cell {
+fn cell<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> Cell {
     let at = limit_to_grid(grid, at);
     let x = floor_to_int(at.x, -1.0, grid.size.x);
     let y = floor_to_int(at.y, -1.0, grid.size.y);
     let z = floor_to_int(at.z, -1.0, grid.size.z);
     Cell {
-        rows: rows::<FORMAT>(voxels, grid, x, y, z),
+        rows: rows::<V>(voxels, grid, x, y, z),
         fraction: Vec3::new(at.x - x as f32, at.y - y as f32, at.z - z as f32),
     }
 }
 
-/// The normalised scalar at voxel coordinates `at`; beyond the grid, that of the nearest point of the grid.
+/// The normalised scalar at voxel coordinates `at`; beyond the grid, the nearest grid point's scalar.
 #[inline(always)]
-pub fn scalar<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> f32 {
-    let Cell { rows: Rows { columns, y, z }, fraction } = cell::<FORMAT>(voxels, grid, at);
+pub fn scalar<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> f32 {
+    let Cell { rows: Rows { columns, y, z }, fraction } = cell::<V>(voxels, grid, at);
     let along_x = |row: i32| {
-        let (a, b) = pair::<FORMAT>(voxels, row, &columns);
+        let (a, b) = pair::<V>(voxels, row, &columns);
         lerp(a, b, fraction.x)
     };
     let near = lerp(along_x(z[1] + y[1]), along_x(z[1] + y[2]), fraction.y);
@@ -73,15 +70,15 @@ pub fn scalar<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> f32 {
 
 /// The normalised scalars at voxel coordinates `at` and around it.
 #[inline(always)]
-pub fn stencil<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> Stencil {
-    let Cell { rows: Rows { columns, y, z }, fraction: f } = cell::<FORMAT>(voxels, grid, at);
+pub fn stencil<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> Stencil {
+    let Cell { rows: Rows { columns, y, z }, fraction: f } = cell::<V>(voxels, grid, at);
     // Along x at the four inner rows: (left, centre, right) of the point.
     let inner = |row: i32| {
-        let (a, b, c, d) = quad::<FORMAT>(voxels, row, &columns);
+        let (a, b, c, d) = quad::<V>(voxels, row, &columns);
         (lerp(a, b, f.x), lerp(b, c, f.x), lerp(c, d, f.x))
     };
     let outer = |row: i32| {
-        let (a, b) = pair::<FORMAT>(voxels, row, &columns);
+        let (a, b) = pair::<V>(voxels, row, &columns);
         lerp(a, b, f.x)
     };
     let (l00, c00, r00) = inner(z[1] + y[1]);
@@ -111,16 +108,17 @@ pub fn stencil<const FORMAT: u32>(voxels: &[u32], grid: &Grid, at: Vec3) -> Sten
 
 #[inline(always)]
 fn normalise(grid: &Grid, stored: f32) -> f32 {
-    clamp(stored * grid.value.x + grid.value.y, 0.0, 1.0)
+    clamp(stored * grid.value_scale + grid.value_offset, 0.0, 1.0)
 }
 
-/// A gradient over voxel coordinates, turned into the sweep frame (per world unit).
+/// A gradient over voxel coordinates, turned into the view frame (per world unit).
 #[inline(always)]
-pub fn to_sweep_frame(grid: &Grid, gradient: Vec3) -> Vec3 {
+pub fn to_view_frame(grid: &Grid, gradient: Vec3) -> Vec3 {
+    let (x, y, z) = (grid.row_x.factors, grid.row_y.factors, grid.row_z.factors);
     Vec3::new(
-        (grid.row_x.x * gradient.x + grid.row_y.x * gradient.y) + grid.row_z.x * gradient.z,
-        (grid.row_x.y * gradient.x + grid.row_y.y * gradient.y) + grid.row_z.y * gradient.z,
-        (grid.row_x.z * gradient.x + grid.row_y.z * gradient.y) + grid.row_z.z * gradient.z,
+        (x.x * gradient.x + y.x * gradient.y) + z.x * gradient.z,
+        (x.y * gradient.x + y.y * gradient.y) + z.y * gradient.z,
+        (x.z * gradient.x + y.z * gradient.y) + z.z * gradient.z,
     )
 }
 

@@ -14,7 +14,7 @@ use crate::math::{absolute, floor_to_int, select};
 
 /// Words that are changed atomically, each in ways that may come in any order.
 pub trait Sums {
-    /// Adds `value` to the word at `index` and returns what was there before; does nothing beyond the end.
+    /// Adds `value` to the word at `index` and returns the word before that; does nothing beyond the end.
     fn add(&mut self, index: usize, value: u32) -> u32;
 
     /// Sets the bits of `value` in the word at `index`; does nothing beyond the end.

@@ -8,7 +8,7 @@ use crate::abi::tables::{
 use crate::math::{floor_to_int, half_to_f32, lerp};
 use spirv_std::glam::Vec3;
 
-/// What lies between two scalars, for a segment of the reference length.
+/// Optical depths and emission between two scalars, for a segment of the reference length.
 #[derive(Clone, Copy)]
 pub struct Segment {
     /// Optical depth of the particles, τ.
@@ -79,7 +79,7 @@ pub fn attenuation_of_particles(tables: &[u32], front: f32, back: f32) -> Segmen
     Segment { particles: interpolate(tables, &cell(front, back), 0).0, medium: nothing, emission: nothing }
 }
 
-/// Attenuation between the scalars `front` and `back`: what light needs.
+/// Attenuation between the scalars `front` and `back`, as light needs it.
 #[inline(always)]
 pub fn attenuation(tables: &[u32], front: f32, back: f32) -> Segment {
     let cell = cell(front, back);
@@ -88,7 +88,7 @@ pub fn attenuation(tables: &[u32], front: f32, back: f32) -> Segment {
     Segment { particles, medium: Vec3::new(red, green, blue), emission: Vec3::new(0.0, 0.0, 0.0) }
 }
 
-/// Attenuation and colour between the scalars `front` and `back`: what a viewing ray needs.
+/// Attenuation and colour between the scalars `front` and `back`, as a viewing ray needs them.
 #[inline(always)]
 pub fn segment(tables: &[u32], front: f32, back: f32) -> Segment {
     let cell = cell(front, back);

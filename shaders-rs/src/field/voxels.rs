@@ -1,7 +1,8 @@
 //! Rows of stored voxels, as floats.
 
 use super::access::{read, read_bytes, read_halves};
-use crate::abi::grid::{Grid, format, page};
+use crate::abi::format::{VoxelFormat, page};
+use crate::abi::grid::Grid;
 
 /// The voxels x − 1 to x + 2 of a row, from the row's start.
 #[derive(Clone, Copy)]
@@ -30,7 +31,7 @@ pub fn neighbours(i: i32, last: i32) -> [i32; 4] {
     [most(i - 1, 0), most(i, 0), least(i + 1, last), least(i + 2, last)]
 }
 
-/// The bits before voxel `at` of what is read from voxel `start` on.
+/// The bits before voxel `at` in a word that begins with voxel `start`.
 #[inline(always)]
 fn bits<const SIZE: i32>(at: i32, start: i32) -> u32 {
     ((at - start) * SIZE) as u32
@@ -38,15 +39,15 @@ fn bits<const SIZE: i32>(at: i32, start: i32) -> u32 {
 
 /// The columns around x, −1 ≤ x < width: those beyond the row are its first and its last voxel.
 #[inline(always)]
-fn columns<const FORMAT: u32>(x: i32, width: i32) -> Columns {
+fn columns<V: VoxelFormat>(x: i32, width: i32) -> Columns {
     let at = neighbours(x, width - 1);
-    if FORMAT == format::U8 {
+    if V::BITS == 8 {
         // Four voxels of the row; of a shorter one all, and what lies behind.
         let start = least(at[0], most(width - 4, 0));
         let shift =
             [bits::<8>(at[0], start), bits::<8>(at[1], start), bits::<8>(at[2], start), bits::<8>(at[3], start), 0, 0];
         Columns { at: [start, start, start, start], shift }
-    } else if FORMAT == format::U16 {
+    } else if V::BITS == 16 {
         let last = most(width - 2, 0);
         let (left, middle, right) = (least(at[0], last), least(at[1], last), least(at[2], last));
         let shift = [
@@ -65,8 +66,8 @@ fn columns<const FORMAT: u32>(x: i32, width: i32) -> Columns {
 
 /// The columns `at` − 1 to `at` + 2 of a row that has them all.
 #[inline(always)]
-fn inner_columns<const FORMAT: u32>(at: i32) -> Columns {
-    if FORMAT == format::U8_PAGED {
+fn inner_columns<V: VoxelFormat>(at: i32) -> Columns {
+    if V::BITS == 8 {
         Columns { at: [at - 1, at - 1, at - 1, at - 1], shift: [0, 8, 16, 24, 0, 0] }
     } else {
         Columns { at: [at - 1, at, at + 1, at + 2], shift: [0, 16, 0, 16, 0, 16] }
@@ -75,12 +76,12 @@ fn inner_columns<const FORMAT: u32>(at: i32) -> Columns {
 
 /// Voxels x and x + 1 of the row that starts at `row`.
 #[inline(always)]
-pub fn pair<const FORMAT: u32>(voxels: &[u32], row: i32, columns: &Columns) -> (f32, f32) {
+pub fn pair<V: VoxelFormat>(voxels: &[u32], row: i32, columns: &Columns) -> (f32, f32) {
     let Columns { at, shift } = columns;
-    if format::is_u8(FORMAT) {
+    if V::BITS == 8 {
         let word = read_bytes(voxels, row + at[0]);
         (((word >> shift[1]) & 0xff) as i32 as f32, ((word >> shift[2]) & 0xff) as i32 as f32)
-    } else if format::is_u16(FORMAT) {
+    } else if V::BITS == 16 {
         let word = read_halves(voxels, row + at[1]);
         (((word >> shift[2]) & 0xffff) as i32 as f32, ((word >> shift[3]) & 0xffff) as i32 as f32)
     } else {
@@ -90,9 +91,9 @@ pub fn pair<const FORMAT: u32>(voxels: &[u32], row: i32, columns: &Columns) -> (
 
 /// Voxels x − 1 to x + 2 of the row that starts at `row`.
 #[inline(always)]
-pub fn quad<const FORMAT: u32>(voxels: &[u32], row: i32, columns: &Columns) -> (f32, f32, f32, f32) {
+pub fn quad<V: VoxelFormat>(voxels: &[u32], row: i32, columns: &Columns) -> (f32, f32, f32, f32) {
     let Columns { at, shift } = columns;
-    if format::is_u8(FORMAT) {
+    if V::BITS == 8 {
         let word = read_bytes(voxels, row + at[0]);
         (
             ((word >> shift[0]) & 0xff) as i32 as f32,
@@ -100,7 +101,7 @@ pub fn quad<const FORMAT: u32>(voxels: &[u32], row: i32, columns: &Columns) -> (
             ((word >> shift[2]) & 0xff) as i32 as f32,
             ((word >> shift[3]) & 0xff) as i32 as f32,
         )
-    } else if format::is_u16(FORMAT) {
+    } else if V::BITS == 16 {
         let (left, right) = (read_halves(voxels, row + at[0]), read_halves(voxels, row + at[2]));
         (
             ((left >> shift[0]) & 0xffff) as i32 as f32,
@@ -118,7 +119,7 @@ pub fn quad<const FORMAT: u32>(voxels: &[u32], row: i32, columns: &Columns) -> (
     }
 }
 
-/// The rows around a cell: that of y − 1 + j and z − 1 + k starts at `y[j] + z[k]`.
+/// The rows around a cell: the row at y − 1 + j and z − 1 + k starts at `y[j] + z[k]`.
 #[derive(Clone, Copy)]
 pub struct Rows {
     /// Along x.
@@ -131,24 +132,25 @@ pub struct Rows {
 
 /// Where the voxels around cell (x, y, z) are stored; −1 ≤ x < width, and so on.
 #[inline(always)]
-pub fn rows<const FORMAT: u32>(voxels: &[u32], grid: &Grid, x: i32, y: i32, z: i32) -> Rows {
-    let (row, slice) = (grid.pitch.x, grid.pitch.y);
-    if format::is_paged(FORMAT) {
+pub fn rows<V: VoxelFormat>(voxels: &[u32], grid: &Grid, x: i32, y: i32, z: i32) -> Rows {
+    let (row, slice) = (grid.row_pitch, grid.slice_pitch);
+    if V::PAGED {
         // Cell −1 is the first of the first page.
         let (x, y, z) = (x + 1, y + 1, z + 1);
-        let entry = (x >> page::SHIFT) + grid.pages.x * ((y >> page::SHIFT) + grid.pages.y * (z >> page::SHIFT));
+        let (pages_x, pages_y) = (grid.pages.x as i32, grid.pages.y as i32);
+        let entry = (x >> page::SHIFT) + pages_x * ((y >> page::SHIFT) + pages_y * (z >> page::SHIFT));
         let start = read(voxels, entry) as i32;
         let (x, y, z) = (x & page::MASK, y & page::MASK, z & page::MASK);
         let (first_row, first_slice) = (y * row, start + z * slice);
         Rows {
-            columns: inner_columns::<FORMAT>(x + 1),
+            columns: inner_columns::<V>(x + 1),
             y: [first_row, first_row + row, first_row + 2 * row, first_row + 3 * row],
             z: [first_slice, first_slice + slice, first_slice + 2 * slice, first_slice + 3 * slice],
         }
     } else {
         let (y, z) = (neighbours(y, grid.size.y as i32 - 1), neighbours(z, grid.size.z as i32 - 1));
         Rows {
-            columns: columns::<FORMAT>(x, grid.size.x as i32),
+            columns: columns::<V>(x, grid.size.x as i32),
             y: [y[0] * row, y[1] * row, y[2] * row, y[3] * row],
             z: [z[0] * slice, z[1] * slice, z[2] * slice, z[3] * slice],
         }

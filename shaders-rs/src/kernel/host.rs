@@ -1,168 +1,153 @@
-//! What a backend knows of a kernel.
+//! The [`Kernel`](super::Kernel) of a declaration, which the CPU runs.
 
-#[cfg(target_endian = "big")]
-compile_error!("kernels read packed voxels as little-endian words");
+/// The kernel as the CPU runs it: for each instruction set a function with a body for each mode and level.
+///
+/// With AVX-512 a kernel has a body for each of its modes and levels. With AVX2, and for voxels in pages, which are rare on the CPU, it has
+/// bodies for the `few` levels and for the modes that are not another's special case. At the baseline, and for rows of fewer than
+/// [`LANES`](super::LANES) columns, the mode is a variable.
+macro_rules! host {
+    ($name:ident $format:tt $folder:ident $uniforms:ident $module:ident $access:ident $record:ident
+     [$($level:ident)*] $few:tt $modes:tt $skip:tt [$($number:literal $read:ident: $element:ident,)*] $out:literal) => {
+        #[doc = concat!("See [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ").")]
+        #[allow(non_upper_case_globals)]
+        pub static $name: Kernel = Kernel {
+            declaration: Declaration {
+                name: stringify!($name),
+                family: concat!(stringify!($folder), "_", stringify!($module)),
+                uniform_bytes: size_of::<crate::abi::$folder::$uniforms>(),
+                components: $name::SIZE,
+                levels: &[$(crate::$folder::$module::level::$level),*],
+                modes: host!(@modes $folder $modes),
+                skip: host!(@skip $skip),
+                bindings: &[
+                    Binding { binding: 0, name: "uniforms", element: Element::U32, access: Access::Uniform },
+                    $(Binding {
+                        binding: $number,
+                        name: stringify!($read),
+                        element: host!(@element $element),
+                        access: Access::Read,
+                    },)*
+                    Binding { binding: $out, name: "record", element: Element::F32, access: host!(@access $access) },
+                ],
+            },
+            run: $name::run,
+        };
 
-use super::marks::Marks;
-use core::ops::Range;
-use core::sync::atomic::AtomicU32;
+        mod $name {
+            use super::*;
 
-/// The most invocations a block of the CPU dispatch has; one AVX-512 register of floats.
-pub const LANES: usize = 16;
+            type Uniforms = crate::abi::$folder::$uniforms;
+            pub const SIZE: usize = crate::abi::record::$record::SIZE;
 
-/// Passes that a block is left out of when there is nothing more to do.
-pub const FOREVER: u32 = u32::MAX;
-
-/// A buffer's element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Element {
-    /// 32-bit words.
-    U32,
-    /// 32-bit floats.
-    F32,
-}
-
-/// How a kernel uses a binding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Access {
-    /// A uniform block.
-    Uniform,
-    /// A storage buffer that is read anywhere.
-    Read,
-    /// A planar storage buffer, one record an invocation, written.
-    Write,
-    /// A planar storage buffer, one record an invocation, read and written.
-    Update,
-    /// Words that any invocation adds to (see [`crate::field::sums`]).
-    Add,
-}
-
-/// One binding of bind group 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Binding {
-    /// Number; dense from 0.
-    pub binding: u32,
-    /// The kernel's name for it.
-    pub name: &'static str,
-    /// Element type; [`Element::U32`] for the uniform block.
-    pub element: Element,
-    /// Use.
-    pub access: Access,
-}
-
-/// What is said once about a kernel.
-#[derive(Clone, Copy, Debug)]
-pub struct Declaration {
-    /// Name of the kernel, of its SPIR-V entry point and of its `.spv` file.
-    pub name: &'static str,
-    /// Bytes of its uniform block.
-    pub uniform_bytes: usize,
-    /// Floats in a record of its output; words a place has, if it adds.
-    pub components: usize,
-    /// Whether blocks of invocations may rest for some passes, see [`Chunk::rests`].
-    pub rests: bool,
-    /// Whether it keeps unoccluded light as it is, see [`Chunk::marks`].
-    pub keeps_unoccluded: bool,
-    /// Bindings of group 0, in order.
-    pub bindings: &'static [Binding],
-}
-
-/// Rows of a dispatch, for the CPU.
-pub struct Chunk<'a> {
-    /// The first row.
-    pub first_row: u32,
-    /// Rows in the chunk.
-    pub rows: u32,
-    /// Invocations in a row.
-    pub width: u32,
-    /// Its rows that are run, counted from its first.
-    pub inside: Range<u32>,
-    /// The columns that are run; the first is that of a block.
-    pub columns: Range<u32>,
-    /// The uniform block.
-    pub uniforms: &'a [u8],
-    /// The buffers that are read, in order of their bindings. Not empty.
-    pub reads: &'a [&'a [u32]],
-    /// For each component of the output, this chunk's part: `rows · width` floats. Empty for a kernel that adds.
-    pub output: &'a mut [&'a mut [f32]],
-    /// What a kernel adds to; empty for the others.
-    pub sums: &'a [AtomicU32],
-    /// For a kernel that rests, row by row for each block of [`LANES`] invocations the passes that it is to be left out of, from this
-    /// one on, or [`FOREVER`]; the kernel keeps count. All 0 before its first pass over a record. Empty for the others.
-    pub rests: &'a mut [u32],
-    /// Where light is unoccluded, for a kernel that keeps it as it is.
-    pub marks: Marks<'a>,
-}
-
-impl Chunk<'_> {
-    /// The number of the block that begins at column `x` of the chunk's row `row`.
-    #[inline(always)]
-    pub(super) fn block(&self, row: u32, x: u32) -> usize {
-        (row * self.width.div_ceil(LANES as u32) + x / LANES as u32) as usize
-    }
-}
-
-/// The part of a dispatch's invocations that a pass runs over; what the others wrote before stays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Window {
-    /// The first column, a multiple of [`LANES`], and the first row.
-    pub first: [u32; 2],
-    /// The column, a multiple of [`LANES`] or the width, and the row before which it ends.
-    pub end: [u32; 2],
-}
-
-impl Window {
-    /// All of `width` × `height` invocations.
-    #[must_use]
-    pub fn whole(width: u32, height: u32) -> Self {
-        Self { first: [0, 0], end: [width, height] }
-    }
-}
-
-/// Instruction sets the CPU dispatch is compiled for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum InstructionSet {
-    /// What the target guarantees (SSE2 on x86-64, NEON on AArch64).
-    Baseline,
-    /// AVX2.
-    Avx2,
-    /// AVX-512 F, BW, CD, DQ, VL.
-    Avx512,
-}
-
-impl InstructionSet {
-    /// All of them, slowest first.
-    pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
-
-    /// Whether this machine has it.
-    pub fn is_available(self) -> bool {
-        match self {
-            Self::Baseline => true,
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx2 => std::arch::is_x86_feature_detected!("avx2"),
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx512 => {
-                std::arch::is_x86_feature_detected!("avx512f")
-                    && std::arch::is_x86_feature_detected!("avx512bw")
-                    && std::arch::is_x86_feature_detected!("avx512cd")
-                    && std::arch::is_x86_feature_detected!("avx512dq")
-                    && std::arch::is_x86_feature_detected!("avx512vl")
+            /// A kernel and its arguments.
+            struct Body<'a, const FEW: bool> {
+                u: &'a Uniforms,
+                mode: u32,
+                $($read: &'a [$element],)*
             }
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => false,
+
+            adaptor!(@body $access [$($level)*] $few $skip, $folder $module $format [$($read)*]);
+
+            /// All rows of the chunk, for a mode that is a constant where this is inlined.
+            #[inline(always)]
+            #[allow(unused_mut, unused_variables)]
+            fn rows<const FEW: bool>(u: &Uniforms, chunk: &mut Chunk<'_>, mode: u32, lanes: usize) -> bool {
+                let mut reads = chunk.reads.iter();
+                let kernel = Body::<FEW> {
+                    u,
+                    mode,
+                    $($read: bytemuck::cast_slice(reads.next().copied().unwrap_or(&[0])),)*
+                };
+                host!(@drive $access [$($level)*] $skip, kernel, chunk, lanes)
+            }
+
+            #[inline(always)]
+            fn many(u: &Uniforms, chunk: &mut Chunk<'_>) -> bool {
+                host!(@many $folder $modes, $name, u, chunk)
+            }
+
+            #[inline(always)]
+            #[allow(unreachable_patterns)]
+            fn few(u: &Uniforms, chunk: &mut Chunk<'_>) -> bool {
+                host!(@few $folder $modes, $name, u, chunk)
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            #[target_feature(enable = "avx2")]
+            fn avx2(u: &Uniforms, chunk: &mut Chunk<'_>) -> bool {
+                few(u, chunk)
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]
+            fn avx512(u: &Uniforms, chunk: &mut Chunk<'_>) -> bool {
+                if host!(@is_paged $format) { few(u, chunk) } else { many(u, chunk) }
+            }
+
+            fn baseline(u: &Uniforms, chunk: &mut Chunk<'_>) -> bool {
+                rows::<true>(u, chunk, u.dispatch().mode, drive::lanes_in(chunk.width))
+            }
+
+            pub fn run(set: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
+                assert!(set.is_available(), "{set:?} is not available on this machine");
+                // An argument of its own: a reference in a structure may, to LLVM, point into the output, and then everything
+                // that is derived from uniforms is computed anew for every block.
+                let u: &Uniforms = bytemuck::from_bytes(chunk.uniforms);
+                match set {
+                    _ if (chunk.width as usize) < LANES => baseline(u, chunk),
+                    #[cfg(target_arch = "x86_64")]
+                    // SAFETY: the machine has the instruction set, by the assertion above.
+                    InstructionSet::Avx512 => unsafe { avx512(u, chunk) },
+                    #[cfg(target_arch = "x86_64")]
+                    // SAFETY: as above.
+                    InstructionSet::Avx2 => unsafe { avx2(u, chunk) },
+                    _ => baseline(u, chunk),
+                }
+            }
         }
-    }
+    };
 
-    /// The best this machine has.
-    pub fn best() -> Self {
-        Self::ALL.into_iter().rfind(|set| set.is_available()).unwrap_or(Self::Baseline)
-    }
-}
+    (@element u32) => { Element::U32 };
+    (@element f32) => { Element::F32 };
+    (@access writes) => { Access::Write };
+    (@access updates) => { Access::Update };
+    (@access adds) => { Access::Add };
+    (@skip []) => { Skip::Never };
+    (@skip [until]) => { Skip::Until };
+    (@skip [same $($until:ident)?]) => { Skip::Same };
+    (@is_paged []) => { false };
+    (@is_paged [$format:ident]) => { <crate::abi::format::$format as crate::abi::format::VoxelFormat>::PAGED };
 
-/// A kernel as the CPU runs it.
-pub struct Kernel {
-    /// What is said about it.
-    pub declaration: Declaration,
-    /// Runs it over a chunk; the instruction set must be available. Returns whether any invocation had work to do.
-    pub run: fn(InstructionSet, &mut Chunk<'_>) -> bool,
+    // Modes; a kernel without has the mode 0.
+    (@modes $folder:ident []) => { &[0] };
+    (@modes $folder:ident [$group:ident [$($mode:ident $(= $general:ident)?),*]]) => { &[$(crate::abi::$folder::$group::$mode),*] };
+    (@many $folder:ident [], $name:ident, $u:ident, $chunk:ident) => { rows::<false>($u, $chunk, 0, drive::whole()) };
+    (@many $folder:ident [$group:ident [$($mode:ident $(= $general:ident)?),*]], $name:ident, $u:ident, $chunk:ident) => {
+        match $u.dispatch().mode {
+            $(crate::abi::$folder::$group::$mode => rows::<false>($u, $chunk, crate::abi::$folder::$group::$mode, drive::whole()),)*
+            other => unreachable!("{} has no mode {other}", stringify!($name)),
+        }
+    };
+    (@few $folder:ident [], $name:ident, $u:ident, $chunk:ident) => { rows::<true>($u, $chunk, 0, drive::whole()) };
+    (@few $folder:ident [$group:ident [$($mode:ident $(= $general:ident)?),*]], $name:ident, $u:ident, $chunk:ident) => {{
+        let general = match $u.dispatch().mode {
+            $(crate::abi::$folder::$group::$mode => host!(@general $folder $group $mode $($general)?),)*
+            other => other,
+        };
+        match general {
+            $(host!(@general $folder $group $mode $($general)?) =>
+                rows::<true>($u, $chunk, host!(@general $folder $group $mode $($general)?), drive::whole()),)*
+            other => unreachable!("{} has no mode {other}", stringify!($name)),
+        }
+    }};
+    (@general $folder:ident $group:ident $mode:ident) => { crate::abi::$folder::$group::$mode };
+    (@general $folder:ident $group:ident $mode:ident $general:ident) => { crate::abi::$folder::$group::$general };
+
+    // Loops.
+    (@drive adds [] [], $kernel:ident, $chunk:ident, $lanes:ident) => { drive::scatter(&$kernel, $chunk, $lanes) };
+    (@drive $access:ident [] [], $kernel:ident, $chunk:ident, $lanes:ident) => { drive::plain(&$kernel, $chunk, $lanes) };
+    (@drive $access:ident $levels:tt [], $kernel:ident, $chunk:ident, $lanes:ident) => { drive::leveled(&$kernel, $chunk, $lanes) };
+    (@drive $access:ident $levels:tt [until], $kernel:ident, $chunk:ident, $lanes:ident) => { drive::skip_until(&$kernel, $chunk, $lanes) };
+    (@drive $access:ident $levels:tt [same], $kernel:ident, $chunk:ident, $lanes:ident) => { drive::skip_same(&$kernel, $chunk, $lanes) };
+    (@drive $access:ident $levels:tt [same until], $kernel:ident, $chunk:ident, $lanes:ident) => { drive::skip_same_until(&$kernel, $chunk, $lanes) };
 }

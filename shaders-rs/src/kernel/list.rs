@@ -1,176 +1,128 @@
 //! The list of kernels.
+//!
+//! A declaration stands under its folder and the folder's uniform block (always binding 0, from the folder's namesake in [`crate::abi`]). It reads:
+//!
+//! `module(buffer: element, …) writes|updates|adds record, levels […], modes group […], skip […];`
+//!
+//! - The **module** in the folder has the kernel's function `invoke`. A kernel that reads voxels is a *family*, `module<V>`: it is declared
+//!   once and has a member for each format of voxels ([`crate::abi::format`]).
+//! - The **buffers** that it reads, in order of their bindings, by name and element; `volume` stands for voxels, the second volume's
+//!   voxels, occupancy and tables.
+//! - The planar buffer of records of which it **writes** or **updates** one an index, or the sums that it **adds** to; the
+//!   record's components, or the words that a place has, are the `SIZE` of its module in [`crate::abi::record`].
+//! - The **levels** of work that get a body of their own on the CPU, by their names in the module's `level`, and the `few` of them that are
+//!   enough where there are fewer bodies. A level is a set of bits; each has all bits of those before, and the last one can do
+//!   everything. A block of invocations on the CPU runs at the first level that has all bits its invocations need (the module's function
+//!   `level`), a GPU at the last. A kernel that updates its record leaves it alone where the level is 0 (there is nothing more to do in this
+//!   frame) or 1 (nothing now).
+//! - The **modes** that it is run in, by their names in a group of constants beside the uniform block. A mode is the same for a
+//!   whole pass, and gets bodies of its own on the CPU; after `=` stands the mode that computes the same bits where there are fewer bodies.
+//! - What the CPU may **skip** ([`super::skip`]): blocks that have nothing to do `until` a later pass, or around which all is the `same`.
 
-/// Calls `$callback!` with every kernel's declaration.
-///
-/// A declaration reads: name, uniform block (always binding 0), the buffers it reads (binding, name, element), the planar
-/// buffer it `writes` or `updates` (binding, components) or the sums it `adds` to (binding, words a place has), its module with
-/// const generics, the `levels` it may run at (see the module's `level`) with the one that a GPU runs, and the `modes` that get a
-/// body of their own on the CPU. Of one that `rests`, the CPU leaves out blocks for as many passes as the module's `rest` says; of one
-/// that keeps `unoccluded` light as it is (see the module's `unoccluded`), blocks that have nothing else around them.
-///
-/// A level is a set of bits, what it can do. A block of invocations on the CPU runs at the union of the levels its invocations
-/// need, so unions must be in the list. The last level can do everything. A kernel that updates its record leaves it alone where
-/// the level is 0 (there is nothing more to do in this frame) or 1 (nothing now).
-#[macro_export]
-macro_rules! for_each_kernel {
-    ($callback:ident) => {
-        $callback! {
-            sweep_initialize_light: SweepUniforms, [], writes 1 [light::SIZE],
-                sweep::initialize_light [], plain, modes [0];
-            sweep_initialize_rays: SweepUniforms, [], writes 1 [ray::SIZE],
-                sweep::initialize_rays [], plain, modes [0];
-            sweep_filter_light: SweepUniforms, [1 behind: f32], writes 2 [light::SIZE],
-                sweep::filter_light [], levels [1 3] gpu 3 unoccluded, modes [0 4];
-            sweep_trace_light: SweepUniforms, [1 light: f32], writes 2 [trace::SIZE],
-                sweep::trace_light [], levels [1 3 7] gpu 7 unoccluded, modes [0];
-            sweep_gather_light: SweepUniforms, [1 behind: f32, 2 trace: f32], writes 3 [light::SIZE],
-                sweep::gather_light [], levels [1 3 7] gpu 7 unoccluded, modes [0 4];
-            sweep_refract_light_u8: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::U8, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_refract_light_u16: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::U16, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_refract_light_f32: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::F32, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_refract_light_f32_with_ior: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::F32, true], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_refract_light_u8_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::U8_PAGED, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_refract_light_u16_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::U16_PAGED, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_refract_light_f32_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::F32_PAGED, false], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_refract_light_f32_with_ior_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 trace: f32],
-                updates 6 [light::SIZE],
-                sweep::refract_light [format::F32_PAGED, true], levels [3 7] gpu 7 unoccluded, modes [0 1 2 4 5];
-            sweep_concentrate_light: SweepUniforms, [1 light: f32], writes 2 [irradiance::SIZE],
-                sweep::concentrate_light [], levels [1 3] gpu 3 unoccluded, modes [0];
-            sweep_propagate_rays_u8: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U8, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_propagate_rays_u16: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U16, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_propagate_rays_f32: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_propagate_rays_f32_with_ior: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32, true], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_propagate_rays_u8_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U8_PAGED, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_propagate_rays_u16_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::U16_PAGED, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_propagate_rays_f32_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32_PAGED, false], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_propagate_rays_f32_with_ior_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 irradiance: f32],
-                updates 6 [ray::SIZE],
-                sweep::propagate_rays [format::F32_PAGED, true], levels [3 7 15 31] gpu 31 rests, modes [0 1 2 3 4 5];
-            sweep_initialize_sheet: SweepUniforms, [1 sources: f32], writes 2 [sheet::SIZE],
-                sweep::initialize_sheet [], plain, modes [0];
-            sweep_advance_sheet_u8: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::U8, false], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_advance_sheet_u16: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::U16, false], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_advance_sheet_f32: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::F32, false], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_advance_sheet_f32_with_ior: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::F32, true], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_advance_sheet_u8_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::U8_PAGED, false], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_advance_sheet_u16_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::U16_PAGED, false], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_advance_sheet_f32_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::F32_PAGED, false], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_advance_sheet_f32_with_ior_paged: SweepUniforms,
-                [1 voxels: u32, 2 ior_voxels: u32, 3 occupancy: u32, 4 tables: u32, 5 sources: f32],
-                updates 6 [sheet::SIZE],
-                sweep::advance_sheet [format::F32_PAGED, true], levels [3 7] gpu 7, modes [0 1 2];
-            sweep_clear_sums: SweepUniforms, [], writes 1 [sums::SIZE],
-                sweep::clear_sums [], plain, modes [0];
-            sweep_scatter_sheet: SweepUniforms, [1 sheet: f32, 2 sources: f32], adds 3 [sums::SIZE],
-                sweep::scatter_sheet [], plain, modes [0];
-            sweep_collect_light: SweepUniforms, [1 sums: u32], writes 2 [light::SIZE],
-                sweep::collect_light [], plain, modes [0];
-            sweep_resolve: SweepUniforms, [1 rays: f32, 2 map: f32], writes 3 [film::SIZE],
-                sweep::resolve [], plain, modes [0];
-            voxelize_mark_surface: VoxelizeUniforms, [1 corners: u32, 2 items: u32], adds 3 [1],
-                voxelize::mark_surface [], plain, modes [0 1];
-            voxelize_sum_attributes: VoxelizeUniforms,
-                [1 corners: u32, 2 items: u32, 3 attributes: f32, 4 mask: u32, 5 ranks: u32],
-                adds 6 [attributes::SIZE],
-                voxelize::sum_attributes [], plain, modes [0 1];
-            voxelize_cross_columns: VoxelizeUniforms, [1 corners: f32, 2 items: u32], adds 3 [1],
-                voxelize::cross_columns [], plain, modes [0];
-            voxelize_fill_rows: VoxelizeUniforms, [1 changes: u32], adds 2 [1],
-                voxelize::fill_rows [], plain, modes [0 1];
-            voxels_initialize_rays: VoxelsUniforms, [], writes 1 [path::SIZE],
-                voxels::initialize_rays [], plain, modes [0];
-            voxels_march: VoxelsUniforms, [1 bricks: u32, 2 fields: u32, 3 materials: f32], updates 4 [path::SIZE],
-                voxels::march [], levels [3] gpu 3, modes [0 1];
-            voxels_march_paper: VoxelsUniforms, [1 mask: u32, 2 ranks: u32, 3 surfaces: f32, 4 materials: f32],
-                updates 5 [path::SIZE],
-                voxels::march_paper [], levels [3] gpu 3, modes [0 1];
-            voxels_trace_triangles: VoxelsUniforms, [1 nodes: f32, 2 corners: f32, 3 materials: f32],
-                updates 4 [path::SIZE],
-                voxels::trace_triangles [], levels [3] gpu 3, modes [1];
-            voxels_seek: VoxelsUniforms, [1 nodes: f32, 2 corners: f32, 3 materials: f32],
-                updates 4 [path::SIZE],
-                voxels::seek [], levels [3] gpu 3, modes [0 1];
-            voxels_reflect: VoxelsUniforms, [1 rays: f32, 2 nodes: f32, 3 corners: f32, 4 materials: f32],
-                updates 5 [mirror::SIZE],
-                voxels::reflect [], levels [3] gpu 3, modes [0];
-            voxels_resolve: VoxelsUniforms,
-                [1 rays: f32, 2 map: f32, 3 corners: f32, 4 looks: f32, 5 shadow: u32, 6 mirrors: f32],
-                writes 7 [view::SIZE],
-                voxels::resolve [], plain, modes [0 1];
-            shadow_count_crossings: ShadowUniforms, [1 casters: f32, 2 items: u32], adds 3 [absorption::SIZE],
-                shadow::count_crossings [], plain, modes [0];
-            shadow_absorb_solid: ShadowUniforms, [1 changes: u32], adds 2 [absorption::SIZE],
-                shadow::absorb_solid [], plain, modes [0];
-            shadow_accumulate: ShadowUniforms, [1 depths: u32], adds 2 [1],
-                shadow::accumulate [], plain, modes [0 1];
-            probe_apply_function: ProbeUniforms, [1 arguments: f32], writes 2 [probe::SIZE],
-                probe::apply_function [], plain, modes [0];
+#[cfg(not(target_arch = "spirv"))]
+use super::{
+    chunk::{Chunk, LANES},
+    declaration::{Access, Binding, Declaration, Element, Family, Kernel, Skip},
+    drive,
+    instruction_set::InstructionSet,
+    skip,
+};
+#[cfg(target_arch = "spirv")]
+use super::{last, record};
+use crate::abi::Dispatched as _;
+#[cfg(target_arch = "spirv")]
+use crate::abi::dispatch::Dispatch;
+#[cfg(not(target_arch = "spirv"))]
+use crate::field::sums::SharedSums;
+#[cfg(target_arch = "spirv")]
+use spirv_std::{glam::UVec3, spirv};
+
+kernels! {
+    sweep: SweepUniforms {
+        initialize_light() writes light;
+        initialize_rays() writes ray;
+        filter_light(behind: f32) writes light,
+            levels [INSIDE BORDER], modes mode [STRAIGHT, CLEAR_STRAIGHT], skip [same];
+        trace_light(light: f32) writes trace,
+            levels [STILL NEAR FAR], skip [same];
+        gather_light(behind: f32, trace: f32) writes light,
+            levels [STILL NEAR FAR], modes mode [STRAIGHT, CLEAR_STRAIGHT], skip [same];
+        refract_light<V>(volume, trace: f32) updates light,
+            levels [FULL BORDER] few [BORDER],
+            modes mode [STRAIGHT, CENTRAL, CHAIN, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],
+            skip [same until];
+        concentrate_light(light: f32) writes irradiance,
+            levels [INNER BORDER], skip [same];
+        propagate_rays<V>(volume, irradiance: f32) updates ray,
+            levels [FULL MEETING],
+            modes mode [STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],
+            skip [until];
+        initialize_sheet(sources: f32) writes sheet;
+        advance_sheet<V>(volume, sources: f32) updates sheet,
+            levels [DRIFT FULL] few [FULL], modes mode [STRAIGHT, CENTRAL, CHAIN];
+        clear_sums() writes sums;
+        scatter_sheet(sheet: f32, sources: f32) adds sums;
+        collect_light(sums: u32) writes light;
+        resolve(rays: f32, map: f32) writes film;
+    }
+    voxelize: VoxelizeUniforms {
+        mark_surface(corners: u32, items: u32) adds word, modes pieces [TRIANGLES, ITEMS];
+        sum_attributes(corners: u32, items: u32, attributes: f32, mask: u32, ranks: u32) adds attributes,
+            modes pieces [TRIANGLES, ITEMS];
+        cross_columns(corners: f32, items: u32) adds word;
+        fill_rows(changes: u32) adds word, modes mode [NONZERO, EVEN_ODD];
+    }
+    voxels: VoxelsUniforms {
+        initialize_rays() writes path;
+        march(bricks: u32, fields: u32, materials: f32) updates path,
+            levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE];
+        march_paper(mask: u32, ranks: u32, surfaces: f32, materials: f32) updates path,
+            levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE];
+        trace_triangles(nodes: f32, corners: f32, materials: f32) updates path,
+            levels [WORK], modes mode [MULTI_SURFACE];
+        seek(nodes: f32, corners: f32, materials: f32) updates path,
+            levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE];
+        reflect(rays: f32, nodes: f32, corners: f32, materials: f32) updates mirror,
+            levels [WORK];
+        resolve(rays: f32, map: f32, corners: f32, looks: f32, shadow: u32, mirrors: f32) writes view,
+            modes seen [ENVIRONMENT, SURFACES];
+    }
+    shadow: ShadowUniforms {
+        count_crossings(casters: f32, items: u32) adds absorption;
+        absorb_solid(changes: u32) adds absorption;
+        accumulate(depths: u32) adds word, modes mode [COUNTED, UNIFORM];
+    }
+    probe: ProbeUniforms {
+        apply_function(arguments: f32) writes probe;
+    }
+}
+
+/// Every kernel.
+#[cfg(not(target_arch = "spirv"))]
+pub static ALL: &[&Kernel] = &flatten(DECLARED);
+
+#[cfg(not(target_arch = "spirv"))]
+const COUNT: usize = {
+    let (mut count, mut at) = (0, 0);
+    while at < DECLARED.len() {
+        count += DECLARED[at].len();
+        at += 1;
+    }
+    count
+};
+
+#[cfg(not(target_arch = "spirv"))]
+const fn flatten(declared: &[&[&'static Kernel]]) -> [&'static Kernel; COUNT] {
+    let mut all = [declared[0][0]; COUNT];
+    let (mut count, mut at) = (0, 0);
+    while at < declared.len() {
+        let mut member = 0;
+        while member < declared[at].len() {
+            all[count] = declared[at][member];
+            count += 1;
+            member += 1;
         }
-    };
+        at += 1;
+    }
+    all
 }

@@ -2,9 +2,13 @@
 //!
 //! Unrolled by hand: an array indexed by a variable would live in memory on the GPU.
 
-/// Reads the record at `index`.
+/// Components that [`load`] and [`store`] are unrolled for.
+const MOST: usize = 25;
+
+/// Reads the record at `index`. One of more components than that does not compile.
 #[inline(always)]
 pub fn load<const N: usize>(buffer: &[f32], index: u32, count: u32) -> [f32; N] {
+    const { assert!(N <= MOST, "load and store are unrolled for fewer components") };
     let mut record = [0.0; N];
     macro_rules! component {
         ($($c:literal)*) => {
@@ -20,6 +24,7 @@ pub fn load<const N: usize>(buffer: &[f32], index: u32, count: u32) -> [f32; N] 
 /// Writes the record at `index`; `index` must be below `count`, and the buffer hold `N · count` floats.
 #[inline(always)]
 pub fn store<const N: usize>(buffer: &mut [f32], index: u32, count: u32, record: [f32; N]) {
+    const { assert!(N <= MOST, "load and store are unrolled for fewer components") };
     macro_rules! component {
         ($($c:literal)*) => {
             $(if N > $c {

@@ -15,7 +15,7 @@ pub use exponential::exp;
 pub use integer::{floor_to_int, half_to_f32};
 pub use logarithm::log2;
 pub use select::{absolute, clamp, lerp, max, min, select, sqrt};
-pub use vector::{dot, length, xyz};
+pub use vector::{affine, cross, dot, length, normalize, select_vector, xyz};
 
 /// π.
 pub const PI: f32 = core::f32::consts::PI;

@@ -4,7 +4,7 @@ use crate::field::tables::Segment;
 use crate::math::{exp, max};
 use spirv_std::glam::Vec3;
 
-/// What a ray has gathered.
+/// Colour, opacity and transmittance along a ray so far (sweep Eq. 14).
 #[derive(Clone, Copy)]
 pub struct Gathered {
     /// Particle colour C.

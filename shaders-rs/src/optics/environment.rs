@@ -1,28 +1,20 @@
 //! What a ray sees behind everything (sweep §4.4).
 
-use crate::abi::environment::kind;
-use crate::abi::vector::Vec4;
-use crate::field::access::read;
-use crate::math::{PI, absolute, asin, atan2, clamp, floor_to_int, log2, max, select, sqrt, xyz};
-use spirv_std::glam::{UVec4, Vec3};
+use crate::abi::environment::{Environment, kind};
+use crate::field::access::read_vector;
+use crate::math::{PI, absolute, asin, atan2, clamp, dot, floor_to_int, log2, max, select, sqrt, xyz};
+use spirv_std::glam::Vec3;
 
-/// The environment, as the uniforms of every method have it.
-#[derive(Clone, Copy)]
-pub struct Surroundings {
-    /// Pattern (`x`), map width (`y`), map height (`z`), levels (`w`).
-    pub shape: UVec4,
-    /// Colour (zenith, first square), times intensity; `w`: edge of a square in radians.
-    pub color: Vec4,
-    /// Horizon (second square), times intensity; `w`: factor on a map.
-    pub horizon: Vec4,
-    /// Nadir, times intensity.
-    pub nadir: Vec4,
+/// A direction in the environment's frame (z up).
+#[inline(always)]
+pub fn in_environment(u: &Environment, d: Vec3) -> Vec3 {
+    Vec3::new(dot(xyz(u.row_x), d), dot(xyz(u.row_y), d), dot(xyz(u.row_z), d))
 }
 
 /// Radiance of the environment in direction `d`, averaged over about `angle` radians.
 #[inline(always)]
-pub fn environment(u: &Surroundings, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
-    let pattern = u.shape.x;
+pub fn environment(u: &Environment, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
+    let pattern = u.kind;
     let color = xyz(u.color);
     let horizon = xyz(u.horizon);
     if pattern == kind::COLOR {
@@ -34,14 +26,14 @@ pub fn environment(u: &Surroundings, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
     } else if pattern == kind::CHECKERBOARD {
         checkerboard(u, d, angle, color, horizon)
     } else {
-        equirectangular(u, map, d, angle) * u.horizon.w
+        equirectangular(u, map, d, angle) * u.intensity
     }
 }
 
 /// Squares in longitude and latitude; where a pixel covers more than a square, their mean.
 #[inline(always)]
-fn checkerboard(u: &Surroundings, d: Vec3, angle: f32, even: Vec3, odd: Vec3) -> Vec3 {
-    let square = u.color.w;
+fn checkerboard(u: &Environment, d: Vec3, angle: f32, even: Vec3, odd: Vec3) -> Vec3 {
+    let square = u.square;
     let soft = max(angle / square, 1e-4);
     let across = wave(atan2(d.y, d.x) / square, soft / max(sqrt(1.0 - d.z * d.z), 1e-3));
     let up = wave(asin(d.z) / square, soft);
@@ -61,9 +53,9 @@ fn wave(x: f32, width: f32) -> f32 {
 
 /// An equirectangular map, trilinear between the two levels whose texels are about `angle` wide.
 #[inline(always)]
-fn equirectangular(u: &Surroundings, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
-    let width = u.shape.y as i32 as f32;
-    let levels = u.shape.w as i32 as f32;
+fn equirectangular(u: &Environment, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
+    let width = u.map_width as i32 as f32;
+    let levels = u.map_levels as i32 as f32;
     let level = clamp(log2(max(angle * width / (2.0 * PI), 1e-6)), 0.0, levels - 1.0);
     let lower = floor_to_int(level, 0.0, max(levels - 2.0, 0.0));
     let longitude = 0.5 - atan2(d.x, d.y) / (2.0 * PI);
@@ -87,16 +79,11 @@ fn limit(y: i32, height: i32) -> i32 {
     if y >= height { height - 1 } else { y }
 }
 
-#[inline(always)]
-fn rgb_at(map: &[f32], at: i32) -> Vec3 {
-    Vec3::new(read(map, at), read(map, at + 1), read(map, at + 2))
-}
-
 /// Bilinear look-up in one level; longitude wraps around.
 #[inline(always)]
-fn texel(u: &Surroundings, map: &[f32], longitude: f32, latitude: f32, level: i32) -> Vec3 {
-    let mut width = u.shape.y as i32;
-    let mut height = u.shape.z as i32;
+fn texel(u: &Environment, map: &[f32], longitude: f32, latitude: f32, level: i32) -> Vec3 {
+    let mut width = u.map_width as i32;
+    let mut height = u.map_height as i32;
     let mut start = 0;
     let mut i = 0;
     while i < level {
@@ -113,8 +100,8 @@ fn texel(u: &Surroundings, map: &[f32], longitude: f32, latitude: f32, level: i3
     let (x0, x1) = (wrap(left, width), wrap(left + 1, width));
     let (y0, y1) = (limit(top, height), limit(top + 1, height));
     let (upper_row, lower_row) = (start + y0 * width, start + y1 * width);
-    let (a, b) = (rgb_at(map, 3 * (upper_row + x0)), rgb_at(map, 3 * (upper_row + x1)));
-    let (c, d) = (rgb_at(map, 3 * (lower_row + x0)), rgb_at(map, 3 * (lower_row + x1)));
+    let (a, b) = (read_vector(map, 3 * (upper_row + x0)), read_vector(map, 3 * (upper_row + x1)));
+    let (c, d) = (read_vector(map, 3 * (lower_row + x0)), read_vector(map, 3 * (lower_row + x1)));
     let upper = a + (b - a) * fx;
     let lower = c + (d - c) * fx;
     upper + (lower - upper) * fy

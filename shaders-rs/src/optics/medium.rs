@@ -1,8 +1,9 @@
 //! What the volume does along a segment: where it lies, how it bends.
 
+use crate::abi::format::VoxelFormat;
 use crate::abi::grid::Grid;
 use crate::abi::sweep::mode;
-use crate::field::stencil::{Stencil, central_differences, scalar, stencil, to_sweep_frame};
+use crate::field::stencil::{Stencil, central_differences, scalar, stencil, to_view_frame};
 use crate::field::tables::{ior, ior_and_slope};
 use crate::math::{absolute, clamp, max, min, select};
 use spirv_std::glam::Vec3;
@@ -12,13 +13,13 @@ use spirv_std::glam::Vec3;
 pub struct Medium {
     /// Normalised scalar.
     pub scalar: f32,
-    /// ∇f in the sweep frame. Zero where rays are straight.
+    /// ∇f in the view frame. Zero where rays are straight.
     pub scalar_gradient: Vec3,
     /// η.
     pub ior: f32,
-    /// ½∇(η²) in the sweep frame.
+    /// ½∇(η²) in the view frame.
     pub acceleration: Vec3,
-    /// ∇η in the sweep frame.
+    /// ∇η in the view frame.
     pub ior_gradient: Vec3,
 }
 
@@ -93,7 +94,7 @@ fn refraction(tables: &[u32], s: &Stencil, chosen: u32) -> (f32, Vec3, Vec3) {
 
 /// The medium at voxel coordinates `at` of the grid (`at_ior` of the second one). Outside the grid nothing bends.
 #[inline(always)]
-pub fn medium<const FORMAT: u32, const SECOND: bool>(
+pub fn medium<V: VoxelFormat>(
     grids: (&Grid, &Grid),
     chosen: u32,
     voxels: &[u32],
@@ -106,34 +107,34 @@ pub fn medium<const FORMAT: u32, const SECOND: bool>(
     if !mode::bends(chosen) {
         let zero = Vec3::new(0.0, 0.0, 0.0);
         Medium {
-            scalar: scalar::<FORMAT>(voxels, grid, at),
+            scalar: scalar::<V>(voxels, grid, at),
             scalar_gradient: zero,
             ior: 1.0,
             acceleration: zero,
             ior_gradient: zero,
         }
-    } else if SECOND {
-        let shown = stencil::<FORMAT>(voxels, grid, at);
-        let bending = stencil::<FORMAT>(ior_voxels, ior_grid, at_ior);
+    } else if V::SECOND {
+        let shown = stencil::<V>(voxels, grid, at);
+        let bending = stencil::<V>(ior_voxels, ior_grid, at_ior);
         let (eta, gradient, acceleration) = refraction(tables, &bending, chosen);
         let within = inside(ior_grid, at_ior);
         Medium {
             scalar: shown.centre,
-            scalar_gradient: to_sweep_frame(ior_grid, central_differences(&bending)) * within,
+            scalar_gradient: to_view_frame(ior_grid, central_differences(&bending)) * within,
             ior: eta,
-            acceleration: to_sweep_frame(ior_grid, acceleration) * within,
-            ior_gradient: to_sweep_frame(ior_grid, gradient) * within,
+            acceleration: to_view_frame(ior_grid, acceleration) * within,
+            ior_gradient: to_view_frame(ior_grid, gradient) * within,
         }
     } else {
-        let shown = stencil::<FORMAT>(voxels, grid, at);
+        let shown = stencil::<V>(voxels, grid, at);
         let (eta, gradient, acceleration) = refraction(tables, &shown, chosen);
         let within = inside(grid, at);
         Medium {
             scalar: shown.centre,
-            scalar_gradient: to_sweep_frame(grid, central_differences(&shown)) * within,
+            scalar_gradient: to_view_frame(grid, central_differences(&shown)) * within,
             ior: eta,
-            acceleration: to_sweep_frame(grid, acceleration) * within,
-            ior_gradient: to_sweep_frame(grid, gradient) * within,
+            acceleration: to_view_frame(grid, acceleration) * within,
+            ior_gradient: to_view_frame(grid, gradient) * within,
         }
     }
 }

@@ -1,19 +1,21 @@
 //! Diffuse receivers: the ground and the wall.
 
-use crate::abi::sweep::{SweepUniforms, flag};
-use crate::abi::vector::Vec4;
-use crate::field::light::Light;
-use crate::math::{absolute, dot, length, max, min, select, xyz};
+use crate::abi::receivers::{Receiver, Receivers, ahead};
+use crate::abi::vector::Affine;
+use crate::math::{absolute, affine, dot, length, max, min, select, select_vector, xyz};
 use spirv_std::glam::Vec3;
 
-/// Where a segment meets a receiver.
+/// The distance of a miss.
+pub const FAR: f32 = 1e30;
+
+/// Where a segment crosses a receiver.
 #[derive(Clone, Copy)]
 pub struct Hit {
     /// Whether it does.
     pub hit: bool,
-    /// Share of the segment before it, 0 to 1 (or the ray parameter of [`first_along`]).
+    /// Share of the segment before it, 0 to 1.
     pub at: f32,
-    /// The receiver's normal.
+    /// The receiver's unit normal.
     pub normal: Vec3,
     /// Its reflectance.
     pub color: Vec3,
@@ -21,80 +23,78 @@ pub struct Hit {
 
 /// The first receiver between `from` and `to`, crossed from its visible side.
 #[inline(always)]
-pub fn first_between(u: &SweepUniforms, from: Vec3, to: Vec3) -> Hit {
-    let (ground, ground_at) = crossing(u.ground_plane, from, to);
-    let (wall, wall_at) = crossing(u.wall_plane, from, to);
-    choose(u, ground, ground_at, wall, wall_at)
+pub fn first_between(receivers: &Receivers, from: Vec3, to: Vec3) -> Hit {
+    let Receivers { ground, wall } = receivers;
+    let (ground_hit, ground_at) = crossing(ground.plane, from, to);
+    let (wall_hit, wall_at) = crossing(wall.plane, from, to);
+    let wall_first = wall_hit & (!ground_hit | (wall_at < ground_at));
+    let (normal, color) = surface(receivers, wall_first);
+    Hit { hit: ground_hit | wall_hit, at: select(wall_first, wall_at, ground_at), normal, color }
 }
 
-/// The first receiver on the way from `from` along `direction`, `at` being the ray parameter.
+/// The unit normal and the reflectance of the wall, or of the ground.
 #[inline(always)]
-pub fn first_along(u: &SweepUniforms, from: Vec3, direction: Vec3) -> Hit {
-    let (ground, ground_at) = meeting(u.ground_plane, from, direction);
-    let (wall, wall_at) = meeting(u.wall_plane, from, direction);
-    choose(u, ground, ground_at, wall, wall_at)
+pub fn surface(receivers: &Receivers, wall: bool) -> (Vec3, Vec3) {
+    let Receiver { plane, color } = receivers.wall;
+    let ground = receivers.ground;
+    (
+        select_vector(wall, xyz(plane.factors), xyz(ground.plane.factors)),
+        select_vector(wall, xyz(color), xyz(ground.color)),
+    )
 }
 
+/// An absent receiver's distance is 0 everywhere, never positive, so nothing crosses it.
 #[inline(always)]
-fn choose(u: &SweepUniforms, ground: bool, ground_at: f32, wall: bool, wall_at: f32) -> Hit {
-    let wall_first = wall & (!ground | (wall_at < ground_at));
-    let pick = |w: Vec4, g: Vec4| {
-        Vec3::new(select(wall_first, w.x, g.x), select(wall_first, w.y, g.y), select(wall_first, w.z, g.z))
-    };
-    Hit {
-        hit: ground | wall,
-        at: select(wall_first, wall_at, ground_at),
-        normal: pick(u.wall_plane, u.ground_plane),
-        color: pick(u.wall_color, u.ground_color),
-    }
-}
-
-/// An absent receiver has the plane (0, 0, 0, 0): the distance is never positive, so nothing crosses it.
-#[inline(always)]
-fn crossing(plane: Vec4, from: Vec3, to: Vec3) -> (bool, f32) {
-    let a = dot(xyz(plane), from) + plane.w;
-    let b = dot(xyz(plane), to) + plane.w;
+fn crossing(plane: Affine, from: Vec3, to: Vec3) -> (bool, f32) {
+    let (a, b) = (affine(plane, from), affine(plane, to));
     ((a > 0.0) & (b <= 0.0), a / max(a - b, 1e-20))
 }
 
-/// How many of the steps behind the one from `from` to `to`, all alike, cross no receiver either: that or fewer.
+/// A lower bound of the number of steps behind the one from `from` to `to`, all alike, that cross no receiver either.
 #[inline(always)]
-pub fn free_steps(u: &SweepUniforms, from: Vec3, to: Vec3) -> f32 {
-    min(free_of(u.ground_plane, from, to), free_of(u.wall_plane, from, to))
+pub fn free_steps(receivers: &Receivers, from: Vec3, to: Vec3) -> f32 {
+    min(free_of(receivers.ground.plane, from, to), free_of(receivers.wall.plane, from, to))
 }
 
 #[inline(always)]
-fn free_of(plane: Vec4, from: Vec3, to: Vec3) -> f32 {
-    let a = dot(xyz(plane), from) + plane.w;
-    let b = dot(xyz(plane), to) + plane.w;
-    // Only what is in front and comes nearer can meet it.
+fn free_of(plane: Affine, from: Vec3, to: Vec3) -> f32 {
+    let (a, b) = (affine(plane, from), affine(plane, to));
+    // Only a point in front that comes nearer can meet it.
     select((b > 0.0) & (a > b), min(0.99 * b / max(a - b, 1e-20), 65536.0), 65536.0)
 }
 
-#[inline(always)]
-fn meeting(plane: Vec4, from: Vec3, direction: Vec3) -> (bool, f32) {
-    let distance = dot(xyz(plane), from) + plane.w;
-    let speed = -dot(xyz(plane), direction);
-    ((distance > 0.0) & (speed > 1e-9), distance / max(speed, 1e-9))
+/// A receiver ahead of a ray.
+#[derive(Clone, Copy)]
+pub struct Ahead {
+    /// One of [`ahead`].
+    pub which: i32,
+    /// The ray parameter at which it is; [`FAR`] if there is none.
+    pub distance: f32,
 }
 
-/// Radiance of light at a point: L = E / cos θ where the light buffer holds plane irradiance.
+/// The first receiver on the way from `position` along `direction`, each taken to be nearer by `nearer`.
 #[inline(always)]
-pub fn radiance(u: &SweepUniforms, light: &Light) -> Vec3 {
-    let size = length(light.direction);
-    let stored = u.dispatch.w & flag::STORE_RADIANCE != 0;
-    light.flux * select(stored, 1.0, size / max(light.direction.z, 1e-6 * size))
+pub fn first_ahead(receivers: &Receivers, position: Vec3, direction: Vec3, nearer: f32) -> Ahead {
+    let ground = distance(receivers.ground.plane, position, direction, nearer);
+    let wall = distance(receivers.wall.plane, position, direction, nearer);
+    let nothing = (ground >= FAR) & (wall >= FAR);
+    let which = if wall < ground { ahead::WALL } else { ahead::GROUND };
+    Ahead { which: if nothing { ahead::NOTHING } else { which }, distance: select(wall < ground, wall, ground) }
 }
 
-/// Radiance that a receiver sends back: reflectance · (L cos θ + ambient).
+/// The ray parameter at which a ray meets a plane from its visible side; [`FAR`] if it does not.
 #[inline(always)]
-pub fn shade(u: &SweepUniforms, hit: &Hit, light: &Light) -> Vec3 {
-    let cosine = max(-dot(hit.normal, light.direction) / max(length(light.direction), 1e-20), 0.0);
-    hit.color * (radiance(u, light) * absolute(cosine) + xyz(u.ambient))
+fn distance(plane: Affine, position: Vec3, direction: Vec3, nearer: f32) -> f32 {
+    let height = affine(plane, position);
+    let speed = -dot(xyz(plane.factors), direction);
+    let met = (height > 0.0) & (speed > 1e-9);
+    select(met, max(height / max(speed, 1e-9) - nearer, 0.0), FAR)
 }
 
-/// The light where nothing is in its way.
+/// Radiance that a diffuse surface of unit normal `normal` sends back: reflectance · (L cos θ + ambient), for light of radiance L that travels
+/// along `direction`.
 #[inline(always)]
-pub fn unoccluded(u: &SweepUniforms) -> Light {
-    Light { flux: xyz(u.light_initial), direction: xyz(u.light_direction) }
+pub fn diffuse(color: Vec3, normal: Vec3, direction: Vec3, radiance: Vec3, ambient: Vec3) -> Vec3 {
+    let cosine = max(-dot(normal, direction) / max(length(direction), 1e-20), 0.0);
+    color * (radiance * absolute(cosine) + ambient)
 }

@@ -4,9 +4,7 @@
 //! Hamiltonian. A ray keeps the direction with which it leaves its plane ("drift"), so one gradient a plane is enough:
 //! on arrival it gets the second half kick of the step behind and the first half kick of the step ahead.
 
-use super::medium::Medium;
-use crate::abi::sweep::{SweepUniforms, flag};
-use crate::math::{max, select, sqrt};
+use crate::math::{dot, max, select_vector, sqrt};
 use spirv_std::glam::Vec3;
 
 /// A ray after its kick.
@@ -33,14 +31,7 @@ pub fn kick(v: Vec3, acceleration: Vec3, sigma_behind: f32, distance: f32, small
     let sigma_ahead = 2.0 * distance / max(arrived.z + sqrt(discriminant), 1e-6);
     let leaving = arrived + acceleration * (0.5 * sigma_ahead);
     let turned = (arrived.z <= 0.0) | (discriminant <= 0.0) | grazes(leaving, smallest_cosine);
-    Kicked {
-        direction: Vec3::new(
-            select(turned, arrived.x, leaving.x),
-            select(turned, arrived.y, leaving.y),
-            select(turned, arrived.z, leaving.z),
-        ),
-        turned,
-    }
+    Kicked { direction: select_vector(turned, arrived, leaving), turned }
 }
 
 /// The paper's explicit Euler step (Eqs. 8 and 10, Δs = plane distance), kept for comparison.
@@ -50,26 +41,8 @@ pub fn kick_euler(v: Vec3, ior_gradient: Vec3, distance: f32, smallest_cosine: f
     Kicked { direction, turned: grazes(direction, smallest_cosine) }
 }
 
-/// The step that the uniforms choose, for light and viewing rays alike: direction `v` at a plane where the medium is `here`, of
-/// which the share `kept` bends; `sigma_behind` is dσ of the step behind.
-#[inline(always)]
-pub fn turn(u: &SweepUniforms, v: Vec3, here: &Medium, kept: f32, sigma_behind: f32) -> Kicked {
-    let (distance, smallest_cosine) = (u.plane.z, u.shading.z);
-    let symplectic = kick(v, here.acceleration * kept, sigma_behind, distance, smallest_cosine);
-    let euler = kick_euler(v, here.ior_gradient * kept, distance, smallest_cosine);
-    let use_euler = u.dispatch.w & flag::EULER != 0;
-    Kicked {
-        direction: Vec3::new(
-            select(use_euler, euler.direction.x, symplectic.direction.x),
-            select(use_euler, euler.direction.y, symplectic.direction.y),
-            select(use_euler, euler.direction.z, symplectic.direction.z),
-        ),
-        turned: if use_euler { euler.turned } else { symplectic.turned },
-    }
-}
-
 #[inline(always)]
 fn grazes(v: Vec3, smallest_cosine: f32) -> bool {
     let limit = smallest_cosine * smallest_cosine;
-    (v.z <= 0.0) | (v.z * v.z <= limit * crate::math::dot(v, v))
+    (v.z <= 0.0) | (v.z * v.z <= limit * dot(v, v))
 }

@@ -11,9 +11,9 @@ use crate::math::min;
 /// what is inside there: nothing is.
 #[inline(always)]
 pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, _mode: u32, changes: &[u32], depths: &mut S) {
-    let row = y * u.dispatch.x + x;
-    if row < u.dispatch.w {
-        let length = u.size.x as i32;
+    let row = y * u.dispatch.width + x;
+    if row < u.work {
+        let length = u.width as i32;
         let base = row as i32 * (length + 1);
         let mut total = 0u32;
         let mut i = 0;
@@ -22,8 +22,8 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, _mode: u32, 
             i += 1;
         }
         if total == 0 {
-            let part = 1.0 / (1u32 << u.depth.z) as f32;
-            let channels = u.depth.x as i32;
+            let part = 1.0 / (1u32 << u.winding_units) as f32;
+            let channels = u.channels as i32;
             let mut winding = 0u32;
             let mut voxel = 0;
             while voxel < length {

@@ -8,7 +8,7 @@ use crate::field::access::read;
 use crate::field::sums::{Sums, to_number};
 use crate::math::{exp, floor_to_int};
 
-/// What is left behind an optical depth, in 1 / 65535.
+/// Transmittance e^−τ of an optical depth τ, in units of 1 / 65535.
 #[inline(always)]
 fn left(low: u32, high: u32) -> u32 {
     let depth = to_number(low, high) * (1.0 / absorption::SCALE);
@@ -27,11 +27,11 @@ fn behind(
     channel: i32,
     (low, high, transmittance): (u32, u32, u32),
 ) -> (u32, u32, u32) {
-    let channels = u.depth.x as i32;
+    let channels = u.channels as i32;
     let at = ((row + voxel) * channels + channel) * absorption::SIZE as i32;
     let (more, carry) = (read(depths, at), read(depths, at + 1));
-    if (voxel < u.size.x as i32) & ((more | carry) != 0) {
-        let (more, carry) = if mode == mode::UNIFORM { (u.depth.w, 0) } else { (more, carry) };
+    if (voxel < u.width as i32) & ((more | carry) != 0) {
+        let (more, carry) = if mode == mode::UNIFORM { (u.uniform_depth, 0) } else { (more, carry) };
         let sum = low.wrapping_add(more);
         let carried = high.wrapping_add(carry).wrapping_add((sum < low) as u32);
         (sum, carried, left(sum, carried))
@@ -43,9 +43,9 @@ fn behind(
 /// Does row y · width + x of the slab, channels one behind the other: 16 bits in front of the row's first voxel and behind each.
 #[inline(always)]
 pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, mode: u32, depths: &[u32], light: &mut S) {
-    let row = y * u.dispatch.x + x;
-    if row < u.dispatch.w {
-        let rows = (u.size.y * u.size.z) as i32;
+    let row = y * u.dispatch.width + x;
+    if row < u.work {
+        let rows = (u.height * u.layers) as i32;
         // The dispatch has the rows of all channels.
         let mut channel = 0;
         let mut line = row as i32;
@@ -53,10 +53,10 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, mode: u32, d
             line -= rows;
             channel += 1;
         }
-        let length = u.size.x as i32;
-        let words = row_words(u.size.x) as i32;
-        let layers_before = channel * u.depth.y as i32 + u.size.w as i32;
-        let base = (layers_before * u.size.y as i32 + line) * words;
+        let length = u.width as i32;
+        let words = row_words(u.width) as i32;
+        let layers_before = channel * u.depth as i32 + u.first_layer as i32;
+        let base = (layers_before * u.height as i32 + line) * words;
         let mut sum = (0, 0, 65535);
         let mut word = 0;
         while word < words {

@@ -5,17 +5,11 @@
 
 use crate::abi::record::absorption;
 use crate::abi::shadow::{ShadowUniforms, caster};
-use crate::field::access::read;
+use crate::field::access::{read, read_vector};
 use crate::field::sums::{Sums, add, quantise};
 use crate::math::{clamp, floor_to_int};
 use crate::voxelize::columns::{columns_before, cross};
 use crate::voxelize::{Item, item_at};
-use spirv_std::glam::Vec3;
-
-#[inline(always)]
-fn corner(casters: &[f32], at: i32) -> Vec3 {
-    Vec3::new(read(casters, at), read(casters, at + 1), read(casters, at + 2))
-}
 
 /// Does item y · width + x: adds the triangle's optical depth to the voxels in which the middles of columns cross it.
 #[inline(always)]
@@ -28,13 +22,13 @@ pub fn invoke<S: Sums + ?Sized>(
     items: &[u32],
     depths: &mut S,
 ) {
-    let Item { triangle, first, end } = item_at(y * u.dispatch.x + x, u.dispatch.w, items);
+    let Item { triangle, first, end } = item_at(y * u.dispatch.width + x, u.work, items);
     let at = triangle * caster::SIZE as i32;
-    let (a, b, c) = (corner(casters, at), corner(casters, at + 3), corner(casters, at + 6));
+    let (a, b, c) = (read_vector(casters, at), read_vector(casters, at + 3), read_vector(casters, at + 6));
     let depth = quantise(read(casters, at + caster::DEPTH as i32), absorption::SCALE);
-    let length = u.size.x as i32 as f32;
-    let most = u.size.y as i32 as f32;
-    let channels = u.depth.x as i32;
+    let length = u.width as i32 as f32;
+    let most = u.height as i32 as f32;
+    let channels = u.channels as i32;
     let mut layer = first;
     while layer < end {
         let line = cross(a, b, c, layer as f32 + 0.5);
@@ -44,8 +38,8 @@ pub fn invoke<S: Sums + ?Sized>(
             while column < last {
                 let x = clamp(line.at(column as f32 + 0.5), 0.0, length);
                 let voxel = floor_to_int(x, 0.0, length - 1.0);
-                let row = (layer - u.size.w as i32) * u.size.y as i32 + column;
-                let place = row * u.size.x as i32 + voxel;
+                let row = (layer - u.first_layer as i32) * u.height as i32 + column;
+                let place = row * u.width as i32 + voxel;
                 let mut channel = 0;
                 while channel < channels {
                     add(depths, (place * channels + channel) * absorption::SIZE as i32, depth);

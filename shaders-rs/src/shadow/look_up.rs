@@ -1,15 +1,15 @@
-//! How much light gets to a point.
+//! Transmittance from the light to a point.
 
 use crate::abi::shadow::row_words;
 use crate::abi::voxels::VoxelsUniforms;
 use crate::field::access::read_bytes;
-use crate::math::{absolute, dot, floor_to_int, max, select, sqrt, xyz};
+use crate::math::{absolute, affine, floor_to_int, max, select, sqrt};
 use spirv_std::glam::Vec3;
 
 /// The most columns that a filter reaches to either side: its loops stay well below what drivers end.
 pub const MOST_COLUMNS: i32 = 16;
 
-/// What is left of the light at `along` voxels, 0 to 1, in the column whose row begins at word `row`.
+/// Transmittance at `along` voxels, 0 to 1, in the column whose row begins at word `row`.
 #[inline(always)]
 fn in_column(shadow: &[u32], row: i32, voxel: i32, share: f32) -> f32 {
     let pair = read_bytes(shadow, 4 * row + 2 * voxel);
@@ -17,19 +17,19 @@ fn in_column(shadow: &[u32], row: i32, voxel: i32, share: f32) -> f32 {
     (a + (b - a) * share) * (1.0 / 65535.0)
 }
 
-/// What is left of the light at a position in the grid's voxels, red, green and blue: linear along the light, and across it the
+/// Transmittance from the light to a position in the grid's voxels, linear RGB, 0 to 1 (Chang et al. 2010, §3): linear along the light, and across it the
 /// mean of the columns around, weighted by a tent.
 ///
 /// Transmittances are averaged, not optical depths: half of a shadow's edge is light. All light gets to what is in front of
 /// or beside the shadow map.
 #[inline(always)]
 pub fn transmittance(u: &VoxelsUniforms, shadow: &[u32], position: Vec3) -> Vec3 {
-    let (nx, ny, nz) = (u.shadow.x as i32, u.shadow.y as i32, u.shadow.z as i32);
-    let channels = u.shadow.w as i32;
-    let along = dot(xyz(u.shadow_x), position) + u.shadow_x.w;
-    let across = dot(xyz(u.shadow_y), position) + u.shadow_y.w - 0.5;
-    let up = dot(xyz(u.shadow_z), position) + u.shadow_z.w - 0.5;
-    let width = u.shadow_filter.x;
+    let (nx, ny, nz) = (u.shadow.size.x as i32, u.shadow.size.y as i32, u.shadow.size.z as i32);
+    let channels = u.shadow.channels as i32;
+    let along = affine(u.shadow.row_x, position);
+    let across = affine(u.shadow.row_y, position) - 0.5;
+    let up = affine(u.shadow.row_z, position) - 0.5;
+    let width = u.shadow.radius;
     let voxel = floor_to_int(along, 0.0, (nx - 1) as f32);
     let share = select(along < nx as f32, max(along - voxel as f32, 0.0), 1.0);
     let reach = MOST_COLUMNS as f32;
@@ -37,7 +37,7 @@ pub fn transmittance(u: &VoxelsUniforms, shadow: &[u32], position: Vec3) -> Vec3
     let last = floor_to_int(across + width, -1.0, (ny - 1) as f32 + reach);
     let low = floor_to_int(up - width, -reach, nz as f32) + 1;
     let high = floor_to_int(up + width, -1.0, (nz - 1) as f32 + reach);
-    let words = row_words(u.shadow.x) as i32;
+    let words = row_words(u.shadow.size.x) as i32;
     let plane = ny * nz * words;
     let mut sum = Vec3::new(0.0, 0.0, 0.0);
     let mut total = 0.0;
@@ -83,5 +83,5 @@ pub fn transmittance(u: &VoxelsUniforms, shadow: &[u32], position: Vec3) -> Vec3
 #[inline(always)]
 pub fn bias(u: &VoxelsUniforms, cosine: f32) -> f32 {
     let sine = sqrt(1.0 - cosine * cosine);
-    (core::f32::consts::SQRT_2 * u.shadow_filter.x * sine + cosine) * u.shadow_filter.y
+    (core::f32::consts::SQRT_2 * u.shadow.radius * sine + cosine) * u.shadow.edge
 }

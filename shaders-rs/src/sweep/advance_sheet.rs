@@ -1,18 +1,20 @@
 //! A sheet's nodes from the plane behind to this one: attenuation and refraction as of a light texel ([`super::refract_light`]), but
 //! forward, each node from where it is (sweep §4.2, Eqs. 9 and 10).
 
+use crate::abi::format::VoxelFormat;
 use crate::abi::record::sheet;
 use crate::abi::sweep::{SweepUniforms, mode};
-use crate::field::empty::step_is_empty;
-use crate::field::light::{shift, texel_position};
-use crate::field::sheet::{rows, source};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::attenuation;
-use crate::math::{length, select};
-use crate::optics::clip::keep;
+use crate::math::{length, select, select_vector};
 use crate::optics::composite::layer;
 use crate::optics::medium::{medium, share_inside};
-use crate::optics::step::{flight, turn};
+use crate::optics::step::flight;
+use crate::sweep::clip::keep;
+use crate::sweep::empty::step_is_empty;
+use crate::sweep::light::look_up::{shift, texel_position};
+use crate::sweep::light::sheet::{rows, source};
+use crate::sweep::turn::turn;
 use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
@@ -34,29 +36,29 @@ struct Drift {
     v: Vec3,
     /// The way over the grid, in texels.
     way: (f32, f32),
-    /// That of unrefracted light.
+    /// The way of unrefracted light, in texels.
     unrefracted: (f32, f32),
 }
 
 #[inline(always)]
 fn drift(x: u32, y: u32, u: &SweepUniforms, node: &[f32; sheet::SIZE], sources: &[f32]) -> Drift {
     let v = Vec3::new(node[sheet::DIRECTION_X], node[sheet::DIRECTION_X + 1], node[sheet::DIRECTION_X + 2]);
-    let way = shift(u, v, u.plane.z);
+    let way = shift(u, v, u.step.distance);
     // Texels' centres are whole numbers, and corners half of one before.
     let across = x as i32 as f32 - 0.5 + node[sheet::DISPLACEMENT_X];
     let up = (y % rows(u)) as i32 as f32 - 0.5 + node[sheet::DISPLACEMENT_X + 1];
     Drift {
-        from: texel_position(u, across, up, u.plane.x),
-        to: texel_position(u, across + way.0, up + way.1, u.plane.y),
+        from: texel_position(u, across, up, u.step.behind),
+        to: texel_position(u, across + way.0, up + way.1, u.step.ahead),
         v,
         way,
-        unrefracted: shift(u, source(u, sources, y), u.plane.z),
+        unrefracted: shift(u, source(u, sources, y), u.step.distance),
     }
 }
 
 /// The level that node (x, y) needs.
 #[inline(always)]
-pub fn level<const FORMAT: u32, const SECOND: bool>(
+pub fn level<V: VoxelFormat>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
@@ -71,13 +73,13 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     let step = drift(x, y, u, &node, sources);
     let still = (step.way.0 == 0.0) & (step.way.1 == 0.0) & (step.unrefracted.0 == 0.0) & (step.unrefracted.1 == 0.0);
     let moving = if still { level::STILL } else { level::DRIFT };
-    let needed = if step_is_empty::<SECOND>(u, occupancy, step.from, step.to) { moving } else { level::FULL };
+    let needed = if step_is_empty::<V>(u, occupancy, step.from, step.to) { moving } else { level::FULL };
     if node[sheet::TURNED] == 0.0 { needed } else { level::ENDED }
 }
 
 /// Node (x, y) one plane further.
 #[inline(always)]
-pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
+pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
@@ -95,29 +97,21 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let mut turned = false;
     if LEVEL == level::FULL {
         // A lane that drifts is carried along with its block.
-        let skipped = step_is_empty::<SECOND>(u, occupancy, from, to);
+        let skipped = step_is_empty::<V>(u, occupancy, from, to);
         let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
         let ior_to = voxel_coordinates(&u.ior_grid, to);
         let grids = (&u.grid, &u.ior_grid);
-        let here = medium::<FORMAT, SECOND>(grids, chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
-        let front = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
+        let here = medium::<V>(grids, chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
+        let front = scalar::<V>(voxels, &u.grid, voxel_from);
         let kept = keep(u, from, to);
-        let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.plane.w;
+        let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.step.inverse_reference_length;
         let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
         let attenuated = left * (layer.medium * layer.clear);
-        left = Vec3::new(
-            select(skipped, left.x, attenuated.x),
-            select(skipped, left.y, attenuated.y),
-            select(skipped, left.z, attenuated.z),
-        );
+        left = select_vector(skipped, left, attenuated);
         if mode::bends(chosen) {
-            let kicked = turn(u, v, &here, kept.refraction, flight(v, u.plane.z));
+            let kicked = turn(u, v, &here, kept.refraction, flight(v, u.step.distance));
             turned = kicked.turned & !skipped;
-            out = Vec3::new(
-                select(skipped, v.x, kicked.direction.x),
-                select(skipped, v.y, kicked.direction.y),
-                select(skipped, v.z, kicked.direction.z),
-            );
+            out = select_vector(skipped, v, kicked.direction);
         }
     }
     [

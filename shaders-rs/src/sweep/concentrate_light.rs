@@ -3,12 +3,12 @@
 use crate::abi::record::{irradiance, light as record};
 use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::{read, read_inside};
-use crate::field::light::holds;
-use crate::field::light_around::is_inner_row;
-use crate::field::offset::{UNBENT, pack};
-use crate::field::slopes::{jacobian, slopes};
-use crate::field::unoccluded::{Reach, Unoccluded};
+use crate::kernel::skip::{Reach, Same};
 use crate::math::{max, min, select};
+use crate::sweep::light::around::is_inner_row;
+use crate::sweep::light::look_up::holds;
+use crate::sweep::light::offset::{UNBENT, pack};
+use crate::sweep::light::slopes::{jacobian, slopes};
 use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
@@ -31,7 +31,7 @@ pub fn level(_x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> u
 
 #[inline(always)]
 fn component<const LEVEL: u32>(u: &SweepUniforms, light: &[f32], component: usize, x: u32, y: u32) -> f32 {
-    let base = component as i32 * (u.size.z * u.size.w) as i32 + (y * u.size.z) as i32;
+    let base = component as i32 * (u.light_grid.width * u.light_grid.height) as i32 + (y * u.light_grid.width) as i32;
     if LEVEL == level::INNER {
         // SAFETY: `level` found the grid inside the buffer.
         unsafe { read_inside(light, base, x) }
@@ -42,13 +42,13 @@ fn component<const LEVEL: u32>(u: &SweepUniforms, light: &[f32], component: usiz
 
 /// Unoccluded light has the irradiance it started with.
 #[inline(always)]
-pub fn unoccluded(_u: &SweepUniforms) -> Option<Unoccluded<{ irradiance::SIZE }>> {
-    Some(Unoccluded { record: [1.0, 1.0, 1.0, UNBENT], reach: Reach::NEIGHBOURS })
+pub fn same(_u: &SweepUniforms) -> Option<Same<{ irradiance::SIZE }>> {
+    Some(Same { record: [1.0, 1.0, 1.0, UNBENT], reach: Reach::NEIGHBOURS })
 }
 
 /// The irradiance of texel (x, y), over that of unoccluded light, and its direction.
 ///
-/// What is stored is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is then conserved by the ratio of
+/// The stored quantity is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is then conserved by the ratio of
 /// areas alone: E is that of unoccluded light, times what absorption has left, times the area that the texel's light would cover if
 /// it had not been refracted.
 ///
@@ -75,7 +75,7 @@ pub fn invoke<const LEVEL: u32>(
     };
     let product = component::<LEVEL>(u, light, record::CONCENTRATION, x, y);
     let bounded = min(1.0, jacobian(&slopes) * TRUSTED / max(product, 1e-20));
-    let as_it_is = u.dispatch.w & (flag::PAPER_INTENSITY | flag::NO_INTENSITY) != 0;
+    let as_it_is = u.flags & (flag::PAPER_INTENSITY | flag::NO_INTENSITY) != 0;
     let factor = select(as_it_is, 1.0, bounded);
     let v = Vec3::new(
         component::<LEVEL>(u, light, record::DIRECTION_X, x, y),

@@ -6,9 +6,10 @@
 use crate::abi::record::light as record;
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::{read, read_inside};
-use crate::field::light::holds;
-use crate::field::unoccluded::{self, Reach, Unoccluded};
+use crate::kernel::skip::{Reach, Same};
 use crate::math::{floor_to_int, lerp, select};
+use crate::sweep::light::look_up::holds;
+use crate::sweep::light::unoccluded;
 
 /// How much of the kernel an invocation needs.
 pub mod level {
@@ -37,14 +38,14 @@ fn tap(x: f32, y: f32) -> Tap {
 
 #[inline(always)]
 fn taps(u: &SweepUniforms) -> (Tap, Tap, Tap) {
-    (tap(u.taps_a.x, u.taps_a.y), tap(u.taps_a.z, u.taps_a.w), tap(u.taps_b.x, u.taps_b.y))
+    (tap(u.taps.first_x, u.taps.first_y), tap(u.taps.second_x, u.taps.second_y), tap(u.taps.third_x, u.taps.third_y))
 }
 
 /// Whether the four texels around a tap of texel (x, y) are in the grid.
 #[inline(always)]
 fn inside(u: &SweepUniforms, x: i32, y: i32, tap: &Tap) -> bool {
     let (i, j) = (x + tap.x, y + tap.y);
-    (i >= 0) & (i < u.size.z as i32 - 1) & (j >= 0) & (j < u.size.w as i32 - 1)
+    (i >= 0) & (i < u.light_grid.width as i32 - 1) & (j >= 0) & (j < u.light_grid.height as i32 - 1)
 }
 
 /// Whether the two rows around a tap of row `y`, and one more on each side, are in the grid: what lies beyond a row's end is then
@@ -52,7 +53,7 @@ fn inside(u: &SweepUniforms, x: i32, y: i32, tap: &Tap) -> bool {
 #[inline(always)]
 fn rows_inside(u: &SweepUniforms, y: i32, tap: &Tap) -> bool {
     let row = y + tap.y;
-    let (width, height) = (u.size.z as i32, u.size.w as i32);
+    let (width, height) = (u.light_grid.width as i32, u.light_grid.height as i32);
     (row >= 1) & (row < height - 2) & (tap.x > -width) & (tap.x < width - 1)
 }
 
@@ -76,8 +77,8 @@ fn at<const LEVEL: u32>(
     component: usize,
     outside: f32,
 ) -> f32 {
-    let width = u.size.z as i32;
-    let plane = component as i32 * (u.size.z * u.size.w) as i32;
+    let width = u.light_grid.width as i32;
+    let plane = component as i32 * (u.light_grid.width * u.light_grid.height) as i32;
     // Everything but x is the same along a row.
     let base = plane + (y + tap.y) * width + tap.x;
     let (a, b, c, d) = if LEVEL == level::INSIDE {
@@ -100,7 +101,7 @@ fn at<const LEVEL: u32>(
 
 /// Filtered, unoccluded light stays what it is: the mean of equal numbers is that number.
 #[inline(always)]
-pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
+pub fn same(u: &SweepUniforms) -> Option<Same<{ record::SIZE }>> {
     let (a, b, c) = taps(u);
     // A tap looks at two texels along each axis.
     let farthest = |first: i32, second: i32, third: i32| first.max(second).max(third) + 1;
@@ -110,7 +111,7 @@ pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
         below: farthest(-a.y, -b.y, -c.y),
         above: farthest(a.y, b.y, c.y),
     };
-    Some(Unoccluded { record: unoccluded::light(u), reach })
+    Some(Same { record: unoccluded::light(u), reach })
 }
 
 /// The filtered light texel (x, y).
@@ -134,9 +135,9 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, chosen: u32, 
         red,
         green,
         blue,
-        mean(record::DIRECTION_X, u.light_direction.x),
-        mean(record::DIRECTION_X + 1, u.light_direction.y),
-        mean(record::DIRECTION_X + 2, u.light_direction.z),
+        mean(record::DIRECTION_X, u.light.direction.x),
+        mean(record::DIRECTION_X + 1, u.light.direction.y),
+        mean(record::DIRECTION_X + 2, u.light.direction.z),
         mean(record::DISPLACEMENT_X, 0.0),
         mean(record::DISPLACEMENT_X + 1, 0.0),
         mean(record::CONCENTRATION, 1.0),

@@ -3,11 +3,12 @@
 use crate::abi::record::{light as record, trace as traced};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::access::{read, read_inside};
-use crate::field::light::{holds, shift};
-use crate::field::light_around::{Way, is_inner_row, is_near, record_around, record_of_texel};
-use crate::field::slopes::{jacobian, product_of_lengths, slopes};
-use crate::field::unoccluded::{self, Reach, Unoccluded, stays_on_texel};
+use crate::kernel::skip::{Reach, Same};
 use crate::math::{max, min, select, xyz};
+use crate::sweep::light::around::{Way, is_inner_row, is_near, record_around, record_of_texel};
+use crate::sweep::light::look_up::{holds, shift};
+use crate::sweep::light::slopes::{jacobian, product_of_lengths, slopes};
+use crate::sweep::light::unoccluded::{self, stays_on_texel};
 
 /// How much of the kernel an invocation needs.
 pub mod level {
@@ -25,8 +26,8 @@ const DENSEST: f32 = 1e6;
 /// The way back, in texels, from texel (x, y).
 #[inline(always)]
 fn back<const INSIDE: bool>(u: &SweepUniforms, trace: &[f32], x: u32, y: u32) -> (f32, f32) {
-    let base = (y * u.size.z) as i32;
-    let texels = (u.size.z * u.size.w) as i32;
+    let base = (y * u.light_grid.width) as i32;
+    let texels = (u.light_grid.width * u.light_grid.height) as i32;
     let (across, up) = if INSIDE {
         // SAFETY: `level` found the grid inside the buffer.
         unsafe { (read_inside(trace, base, x), read_inside(trace, texels + base, x)) }
@@ -50,8 +51,8 @@ pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, behind: &[f32], trac
 
 /// Unoccluded light stays what it is, if texels move as it does.
 #[inline(always)]
-pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
-    stays_on_texel(u).then_some(Unoccluded { record: unoccluded::light(u), reach: Reach::NEIGHBOURS })
+pub fn same(u: &SweepUniforms) -> Option<Same<{ record::SIZE }>> {
+    stays_on_texel(u).then_some(Same { record: unoccluded::light(u), reach: Reach::NEIGHBOURS })
 }
 
 /// The light that arrives at texel (x, y) of this plane.
@@ -80,7 +81,7 @@ pub fn invoke<const LEVEL: u32>(
             record_around::<false>(u, behind, &way, mode::is_clear(chosen))
         }
     };
-    let unrefracted = shift(u, xyz(u.light_direction), u.plane.z);
+    let unrefracted = shift(u, xyz(u.light.direction), u.step.distance);
     light[record::DISPLACEMENT_X] += across + unrefracted.0;
     light[record::DISPLACEMENT_X + 1] += up + unrefracted.1;
     // SAFETY: only inner rows of a grid that lies in the buffer have a level other than `FAR`.
@@ -91,9 +92,9 @@ pub fn invoke<const LEVEL: u32>(
             slopes::<true>(u, trace, 0, -1.0, x, y)
         }
     };
-    let paper = u.dispatch.w & flag::PAPER_INTENSITY != 0;
+    let paper = u.flags & flag::PAPER_INTENSITY != 0;
     let corrected = select(paper, product_of_lengths(&slopes), jacobian(&slopes));
-    let denser = select(u.dispatch.w & flag::NO_INTENSITY != 0, 1.0, corrected);
+    let denser = select(u.flags & flag::NO_INTENSITY != 0, 1.0, corrected);
     let concentration = light[record::CONCENTRATION];
     let denser = min(denser, DENSEST / max(concentration, 1.0));
     light[record::FLUX] *= denser;

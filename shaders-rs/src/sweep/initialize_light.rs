@@ -2,7 +2,7 @@
 
 use crate::abi::record::light;
 use crate::abi::sweep::SweepUniforms;
-use crate::field::unoccluded;
+use crate::sweep::light::unoccluded;
 
 /// The light of texel (x, y) on the first plane.
 #[inline(always)]

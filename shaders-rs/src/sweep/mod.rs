@@ -10,16 +10,20 @@
 
 pub mod advance_sheet;
 pub mod clear_sums;
+pub mod clip;
 pub mod collect_light;
 pub mod concentrate_light;
+pub mod empty;
 pub mod filter_light;
 pub mod gather_light;
 pub mod initialize_light;
 pub mod initialize_rays;
 pub mod initialize_sheet;
+pub mod light;
 pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;
 pub mod scatter_sheet;
 pub mod tiles;
 pub mod trace_light;
+pub mod turn;

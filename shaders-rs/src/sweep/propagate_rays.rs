@@ -1,18 +1,20 @@
 //! Viewing rays from the plane behind to this one (sweep §4.3, Eq. 14, Algorithm 1, lines 21 to 36).
 
+use crate::abi::format::VoxelFormat;
 use crate::abi::record::{ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
-use crate::field::empty::{step_is_empty, steps_are_empty};
-use crate::field::light::{direction, light, shift, texel_coordinates};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
-use crate::math::{length, lerp, max, min, select, xyz};
-use crate::optics::clip::keep;
+use crate::math::{length, lerp, max, min, select, select_vector, xyz};
 use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
 use crate::optics::medium::{is_well_inside, medium, share_inside};
-use crate::optics::receiver::{Hit, first_between, free_steps, radiance, shade, unoccluded};
+use crate::optics::receiver::{Hit, first_between, free_steps};
 use crate::optics::specular::cook_torrance;
-use crate::optics::step::{flight, turn};
+use crate::optics::step::flight;
+use crate::sweep::clip::keep;
+use crate::sweep::empty::{step_is_empty, steps_are_empty};
+use crate::sweep::light::look_up::{direction, light, radiance, shade, shift, texel_coordinates, unoccluded};
+use crate::sweep::turn::turn;
 use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
@@ -45,22 +47,22 @@ struct Flight {
 #[inline(always)]
 fn fly(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> Flight {
     let v = Vec3::new(r[ray::DIRECTION_X], r[ray::DIRECTION_X + 1], r[ray::DIRECTION_X + 2]);
-    let sigma = flight(v, u.plane.z);
-    let straight = flight(v, u.plane.x - r[ray::Z]);
-    let from = Vec3::new(r[ray::X] + v.x * straight, r[ray::Y] + v.y * straight, u.plane.x);
-    let to = Vec3::new(from.x + v.x * sigma, from.y + v.y * sigma, u.plane.y);
+    let sigma = flight(v, u.step.distance);
+    let straight = flight(v, u.step.behind - r[ray::Z]);
+    let from = Vec3::new(r[ray::X] + v.x * straight, r[ray::Y] + v.y * straight, u.step.behind);
+    let to = Vec3::new(from.x + v.x * sigma, from.y + v.y * sigma, u.step.ahead);
     Flight { from, to, v, sigma }
 }
 
 /// Whether the scalar on the plane behind was not sampled.
 #[inline(always)]
 fn is_unknown(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> bool {
-    r[ray::SAMPLED] != u.plane.x
+    r[ray::SAMPLED] != u.step.behind
 }
 
 /// The level that the ray `r` needs.
 #[inline(always)]
-pub fn level<const FORMAT: u32, const SECOND: bool>(
+pub fn level<V: VoxelFormat>(
     _x: u32,
     _y: u32,
     u: &SweepUniforms,
@@ -73,8 +75,8 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     _irradiance: &[f32],
 ) -> u32 {
     let flight = fly(u, &r);
-    let hit = first_between(u, flight.from, flight.to);
-    let empty = step_is_empty::<SECOND>(u, occupancy, flight.from, flight.to);
+    let hit = first_between(&u.receivers, flight.from, flight.to);
+    let empty = step_is_empty::<V>(u, occupancy, flight.from, flight.to);
     let within =
         is_well_inside(&u.grid, voxel_coordinates(&u.grid, flight.from), voxel_coordinates(&u.grid, flight.to));
     let known = if within { level::FULL } else { level::BORDER };
@@ -87,7 +89,7 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
 /// How many planes behind the next one a ray at level `EMPTY` will be at that level for certain, if they are as far apart and it is so on the
 /// first `known` of them; without end if that is all planes there are.
 #[inline(always)]
-pub fn rest<const FORMAT: u32, const SECOND: bool>(
+pub fn until<V: VoxelFormat>(
     _x: u32,
     _y: u32,
     u: &SweepUniforms,
@@ -102,15 +104,15 @@ pub fn rest<const FORMAT: u32, const SECOND: bool>(
 ) -> f32 {
     let Flight { from, to, .. } = fly(u, &r);
     let step = to - from;
-    let empty = known + steps_are_empty::<SECOND>(u, occupancy, from + step * known, to + step * known);
-    let free = min(min(empty, free_steps(u, from, to)), u.shading.w);
-    let to_the_end = (u.dispatch.w & flag::LAST_STRETCH != 0) & (free >= u.shading.w);
+    let empty = known + steps_are_empty::<V>(u, occupancy, from + step * known, to + step * known);
+    let free = min(min(empty, free_steps(&u.receivers, from, to)), u.step.alike);
+    let to_the_end = (u.flags & flag::LAST_STRETCH != 0) & (free >= u.step.alike);
     select((r[ray::STATUS] == status::ACTIVE) & !to_the_end, free, f32::MAX)
 }
 
 /// The ray `r` one plane further.
 #[inline(always)]
-pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
+pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     _x: u32,
     _y: u32,
     u: &SweepUniforms,
@@ -124,19 +126,19 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
 ) -> [f32; ray::SIZE] {
     let Flight { from, to, v, sigma } = fly(u, &r);
     let none = Hit { hit: false, at: 1.0, normal: v, color: v };
-    let hit = if LEVEL == level::MEETING { first_between(u, from, to) } else { none };
+    let hit = if LEVEL == level::MEETING { first_between(&u.receivers, from, to) } else { none };
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let ior_to = voxel_coordinates(&u.ior_grid, to);
-    let here = medium::<FORMAT, SECOND>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
+    let here = medium::<V>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
     let mut front = r[ray::FRONT];
     let mut ior_front = r[ray::IOR];
     if LEVEL >= level::ENTERING {
         let unknown = is_unknown(u, &r);
-        let sampled = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
+        let sampled = scalar::<V>(voxels, &u.grid, voxel_from);
         front = select(unknown, sampled, front);
         if mode::bends(chosen) {
-            let bending = if SECOND {
-                scalar::<FORMAT>(ior_voxels, &u.ior_grid, voxel_coordinates(&u.ior_grid, from))
+            let bending = if V::SECOND {
+                scalar::<V>(ior_voxels, &u.ior_grid, voxel_coordinates(&u.ior_grid, from))
             } else {
                 sampled
             };
@@ -148,7 +150,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let part = select(hit.hit, min(hit.at, 1.0), 1.0);
     let kept = keep(u, from, to);
     let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
-    let path = length(to - from) * inside * part * u.plane.w;
+    let path = length(to - from) * inside * part * u.step.inverse_reference_length;
     let layer = if mode::is_clear(chosen) {
         layer_of_particles(&segment_of_particles(tables, front, here.scalar), path * kept.particles)
     } else {
@@ -170,8 +172,8 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
     if mode::bends(chosen) {
-        let reflected = cook_torrance(here.scalar_gradient, light.direction, v, u.shading.x, ior_front, here.ior);
-        specular = radiance * (reflected * u.shading.y * select(hit.hit, 0.0, kept.refraction));
+        let reflected = cook_torrance(here.scalar_gradient, light.direction, v, u.roughness, ior_front, here.ior);
+        specular = radiance * (reflected * u.specular * select(hit.hit, 0.0, kept.refraction));
     }
     let before = Gathered {
         color: Vec3::new(r[ray::COLOR], r[ray::COLOR + 1], r[ray::COLOR + 2]),
@@ -181,7 +183,7 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let after = over(before, &layer, radiance + xyz(u.ambient), specular);
     let depth = r[ray::DEPTH] + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
     let (after, depth) = if LEVEL == level::MEETING {
-        end_on_receiver(&hit, after, depth, shade(u, &hit, &light), lit.z)
+        end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &light), lit.z)
     } else {
         (after, depth)
     };
@@ -226,18 +228,14 @@ fn stay(hit: &Hit, there: f32, next: f32) -> f32 {
     select(hit.hit, there, next)
 }
 
-/// A receiver is opaque: what is left of the ray shows it.
+/// Composites a receiver, which is opaque, behind a ray that ends on it.
 #[inline(always)]
 fn end_on_receiver(hit: &Hit, g: Gathered, depth: f32, seen: Vec3, hit_depth: f32) -> (Gathered, f32) {
     let clear = 1.0 - g.opacity;
     let color = g.color + (g.medium * seen) * clear;
     (
         Gathered {
-            color: Vec3::new(
-                select(hit.hit, color.x, g.color.x),
-                select(hit.hit, color.y, g.color.y),
-                select(hit.hit, color.z, g.color.z),
-            ),
+            color: select_vector(hit.hit, color, g.color),
             opacity: select(hit.hit, 1.0, g.opacity),
             medium: g.medium,
         },

@@ -1,19 +1,21 @@
 //! What the volume does to the light on its way to this plane: attenuation by (1 − α) · m, and refraction (sweep §4.2, Eqs. 9
 //! and 10, Algorithm 1, lines 14 to 18).
 
+use crate::abi::format::VoxelFormat;
 use crate::abi::record::{light as record, trace as traced};
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::{read, read_inside};
-use crate::field::empty::{step_is_empty, steps_are_empty};
-use crate::field::light::{holds, texel_position};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
-use crate::field::unoccluded::{self, Reach, Unoccluded};
-use crate::math::{length, max, select};
-use crate::optics::clip::keep;
+use crate::kernel::skip::{Reach, Same};
+use crate::math::{length, max, select, select_vector};
 use crate::optics::composite::{layer, layer_of_particles};
 use crate::optics::medium::{is_well_inside, medium, share_inside};
-use crate::optics::step::turn;
+use crate::sweep::clip::keep;
+use crate::sweep::empty::{step_is_empty, steps_are_empty};
+use crate::sweep::light::look_up::{holds, texel_position};
+use crate::sweep::light::unoccluded;
+use crate::sweep::turn::turn;
 use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
@@ -30,12 +32,12 @@ pub mod level {
 #[inline(always)]
 fn ends(u: &SweepUniforms, x: u32, y: u32, way: (f32, f32)) -> (Vec3, Vec3) {
     let (x, y) = (x as i32 as f32, y as i32 as f32);
-    (texel_position(u, x - way.0, y - way.1, u.plane.x), texel_position(u, x, y, u.plane.y))
+    (texel_position(u, x - way.0, y - way.1, u.step.behind), texel_position(u, x, y, u.step.ahead))
 }
 
 /// The level that texel (x, y) needs.
 #[inline(always)]
-pub fn level<const FORMAT: u32, const SECOND: bool>(
+pub fn level<V: VoxelFormat>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
@@ -50,33 +52,45 @@ pub fn level<const FORMAT: u32, const SECOND: bool>(
     if !holds(u, trace, traced::SIZE) {
         return level::BORDER;
     }
-    let base = (y * u.size.z) as i32;
-    let texels = (u.size.z * u.size.w) as i32;
+    let base = (y * u.light_grid.width) as i32;
+    let texels = (u.light_grid.width * u.light_grid.height) as i32;
     // SAFETY: (x, y) lies in the grid, and the grid in the buffer.
     let way = unsafe { (read_inside(trace, base, x), read_inside(trace, texels + base, x)) };
     let (from, to) = ends(u, x, y, way);
     let within = is_well_inside(&u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let crossing = if within { level::FULL } else { level::BORDER };
-    if step_is_empty::<SECOND>(u, occupancy, from, to) { level::EMPTY } else { crossing }
+    if step_is_empty::<V>(u, occupancy, from, to) { level::EMPTY } else { crossing }
 }
 
-/// Unoccluded light stays what it is as long as nothing is in its way: see [`free_steps`].
+/// Unoccluded light stays as it is as long as nothing is in its way: see [`until`].
 #[inline(always)]
-pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ record::SIZE }>> {
-    Some(Unoccluded { record: unoccluded::light(u), reach: Reach::OWN })
+pub fn same(u: &SweepUniforms) -> Option<Same<{ record::SIZE }>> {
+    Some(Same { record: unoccluded::light(u), reach: Reach::OWN })
 }
 
 /// How many planes behind the next one unoccluded light on texel (x, y) that is at level `EMPTY` has nothing in its way, if they are as
 /// far apart: that or fewer.
 #[inline(always)]
-pub fn free_steps<const SECOND: bool>(x: u32, y: u32, u: &SweepUniforms, occupancy: &[u32]) -> f32 {
+pub fn until<V: VoxelFormat>(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    _mode: u32,
+    _arrived: [f32; record::SIZE],
+    _voxels: &[u32],
+    _ior_voxels: &[u32],
+    occupancy: &[u32],
+    _tables: &[u32],
+    _trace: &[f32],
+    _known: f32,
+) -> f32 {
     let (from, to) = ends(u, x, y, (0.0, 0.0));
-    steps_are_empty::<SECOND>(u, occupancy, from, to)
+    steps_are_empty::<V>(u, occupancy, from, to)
 }
 
 /// The light `arrived` at texel (x, y), after the segment behind it.
 #[inline(always)]
-pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
+pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
@@ -90,11 +104,11 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
 ) -> [f32; record::SIZE] {
     let flux = Vec3::new(arrived[record::FLUX], arrived[record::FLUX + 1], arrived[record::FLUX + 2]);
     let v = Vec3::new(arrived[record::DIRECTION_X], arrived[record::DIRECTION_X + 1], arrived[record::DIRECTION_X + 2]);
-    let at = (y * u.size.z + x) as i32;
-    let texels = (u.size.z * u.size.w) as i32;
+    let at = (y * u.light_grid.width + x) as i32;
+    let texels = (u.light_grid.width * u.light_grid.height) as i32;
     let (from, to) = ends(u, x, y, (read(trace, at), read(trace, texels + at)));
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
-    let here = medium::<FORMAT, SECOND>(
+    let here = medium::<V>(
         (&u.grid, &u.ior_grid),
         chosen,
         voxels,
@@ -103,10 +117,10 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
         voxel_to,
         voxel_coordinates(&u.ior_grid, to),
     );
-    let front = scalar::<FORMAT>(voxels, &u.grid, voxel_from);
+    let front = scalar::<V>(voxels, &u.grid, voxel_from);
     let kept = keep(u, from, to);
     let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
-    let path = length(to - from) * inside * u.plane.w;
+    let path = length(to - from) * inside * u.step.inverse_reference_length;
     let layer = if mode::is_clear(chosen) {
         layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles)
     } else {
@@ -116,15 +130,11 @@ pub fn invoke<const FORMAT: u32, const SECOND: bool, const LEVEL: u32>(
     let mut out = v;
     let mut lost = 1.0;
     if mode::bends(chosen) {
-        let sigma = u.plane.z / max(v.z, 1e-6);
+        let sigma = u.step.distance / max(v.z, 1e-6);
         let turn = turn(u, v, &here, kept.refraction, sigma);
         // Light that turns back is lost to the sweep; its texel keeps the direction it had.
         lost = select(turn.turned, 0.0, 1.0);
-        out = Vec3::new(
-            select(turn.turned, v.x, turn.direction.x),
-            select(turn.turned, v.y, turn.direction.y),
-            select(turn.turned, v.z, turn.direction.z),
-        );
+        out = select_vector(turn.turned, v, turn.direction);
     }
     let left = flux * (layer.medium * (layer.clear * lost));
     [

@@ -1,35 +1,38 @@
 //! Finished pixels: receivers beyond the last plane, the environment, the outputs (sweep §4.4).
 
 use super::tiles;
+use crate::abi::receivers::ahead;
 use crate::abi::record::{film, ray, status};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
-use crate::math::{dot, length, lerp, max, min, select, xyz};
-use crate::optics::environment::{Surroundings, environment};
-use crate::optics::receiver::{first_along, shade, unoccluded};
+use crate::math::{length, lerp, max, min, normalize, select};
+use crate::optics::environment::{environment, in_environment};
+use crate::optics::receiver::{first_ahead, surface};
 use crate::optics::step::flight;
+use crate::sweep::light::look_up::{shade, unoccluded};
 use spirv_std::glam::Vec3;
 
 /// A ray's final unit direction in the environment's frame (z up).
 #[inline(always)]
 fn final_direction(u: &SweepUniforms, rays: &[f32], at: i32) -> Vec3 {
-    let count = (u.size.x * u.size.y) as i32;
+    let count = (u.picture.width * u.picture.height) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
     let v = Vec3::new(component(ray::DIRECTION_X), component(ray::DIRECTION_X + 1), component(ray::DIRECTION_X + 2));
-    let unit = v * (1.0 / max(length(v), 1e-20));
-    Vec3::new(dot(xyz(u.environment_x), unit), dot(xyz(u.environment_y), unit), dot(xyz(u.environment_z), unit))
+    let unit = normalize(v);
+    in_environment(&u.environment, unit)
 }
 
 /// The angle, in radians, over which a pixel gathers directions, from its neighbours' final directions.
 #[inline(always)]
 fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32) -> f32 {
-    let (width, height) = (u.size.x as i32, u.size.y as i32);
+    let (width, height) = (u.picture.width as i32, u.picture.height as i32);
     let left = if x > 0 { x - 1 } else { 0 };
     let right = if x < width - 1 { x + 1 } else { width - 1 };
     let above = if y > 0 { y - 1 } else { 0 };
     let below = if y < height - 1 { y + 1 } else { height - 1 };
-    let direction =
-        |x: i32, y: i32| final_direction(u, rays, tiles::ray(u.size.x, u.size.y, x as u32, y as u32) as i32);
+    let direction = |x: i32, y: i32| {
+        final_direction(u, rays, tiles::ray(u.picture.width, u.picture.height, x as u32, y as u32) as i32)
+    };
     let across = length(direction(right, y) - direction(left, y));
     let down = length(direction(x, below) - direction(x, above));
     max(across / max((right - left) as f32, 1.0), down / max((below - above) as f32, 1.0))
@@ -38,8 +41,8 @@ fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32) -> f32 {
 /// The finished pixel (x, y).
 #[inline(always)]
 pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: &[f32]) -> [f32; film::SIZE] {
-    let at = tiles::ray(u.size.x, u.size.y, x, y) as i32;
-    let count = (u.size.x * u.size.y) as i32;
+    let at = tiles::ray(u.picture.width, u.picture.height, x, y) as i32;
+    let count = (u.picture.width * u.picture.height) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
     let vector = |c: usize| Vec3::new(component(c), component(c + 1), component(c + 2));
     let fate = component(ray::STATUS);
@@ -48,29 +51,24 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     let mut depth_sum = component(ray::DEPTH);
     let medium = vector(ray::MEDIUM);
     let v = vector(ray::DIRECTION_X);
-    let unit = v * (1.0 / max(length(v), 1e-20));
+    let unit = normalize(v);
     let under_way = fate == status::ACTIVE;
     let last = Vec3::new(component(ray::X), component(ray::Y), component(ray::Z));
-    let position = last + v * select(under_way, flight(v, u.plane.y - last.z), 0.0);
+    let position = last + v * select(under_way, flight(v, u.step.ahead - last.z), 0.0);
 
     // Beyond the last plane rays are straight and light is unoccluded.
-    let hit = first_along(u, position, unit);
-    let seen = shade(u, &hit, &unoccluded(u));
-    let met = under_way & hit.hit;
+    let receiver = first_ahead(&u.receivers, position, unit, 0.0);
+    let (normal, reflectance) = surface(&u.receivers, receiver.which == ahead::WALL);
+    let seen = shade(u, normal, reflectance, &unoccluded(u));
+    let met = under_way & (receiver.which != ahead::NOTHING);
     let clear = select(met, 1.0 - opacity, 0.0);
     color += (medium * seen) * clear;
     opacity += clear;
-    depth_sum += clear * (position.z + unit.z * hit.at);
+    depth_sum += clear * (position.z + unit.z * receiver.distance);
 
     let left = 1.0 - opacity;
-    let surroundings = Surroundings {
-        shape: u.environment,
-        color: u.environment_color,
-        horizon: u.environment_horizon,
-        nadir: u.environment_nadir,
-    };
-    let behind = environment(&surroundings, map, final_direction(u, rays, at), spread(u, rays, x as i32, y as i32));
-    let visible = u.environment_nadir.w;
+    let behind = environment(&u.environment, map, final_direction(u, rays, at), spread(u, rays, x as i32, y as i32));
+    let visible = u.environment.visible;
     color += (medium * behind) * (left * visible);
     // Without an environment the picture is transparent where light would come through.
     let passes = left * ((medium.x + medium.y) + medium.z) * (1.0 / 3.0);

@@ -9,9 +9,9 @@
 use crate::abi::record::{sheet, sums};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
-use crate::field::sheet::{rows, source};
 use crate::field::sums::{Sums, add, quantise};
 use crate::math::{absolute, clamp, floor_to_int, lerp, max, min, select, sqrt};
+use crate::sweep::light::sheet::{rows, source};
 use spirv_std::glam::{Vec2, Vec3};
 
 /// The most parts of a cell; one that needs more has wider ones.
@@ -44,8 +44,8 @@ fn slope(x: f32, y: f32, z: f32) -> Vec2 {
 
 #[inline(always)]
 fn node(u: &SweepUniforms, sheets: &[f32], x: u32, y: u32, row: u32) -> Node {
-    let count = (u.size.z + 1) * rows(u) * sheet_count(u);
-    let index = row * (u.size.z + 1) + x;
+    let count = (u.light_grid.width + 1) * rows(u) * sheet_count(u);
+    let index = row * (u.light_grid.width + 1) + x;
     let component = |c: usize| read(sheets, (c as u32 * count + index) as i32);
     let corner = Vec2::new(x as i32 as f32 - 0.5, y as i32 as f32 - 0.5);
     let v = |axis: usize| component(sheet::DIRECTION_X + axis);
@@ -61,13 +61,13 @@ fn node(u: &SweepUniforms, sheets: &[f32], x: u32, y: u32, row: u32) -> Node {
 /// Sheets that the dispatch is over.
 #[inline(always)]
 fn sheet_count(u: &SweepUniforms) -> u32 {
-    u.dispatch.y / u.size.w
+    u.dispatch.height / u.light_grid.height
 }
 
 /// Whether nothing has happened to a node.
 #[inline(always)]
 fn is_undisturbed(u: &SweepUniforms, n: &Node) -> bool {
-    let whole = u.light_initial.w;
+    let whole = u.sheet_share;
     (n.at.x == n.unrefracted.x)
         & (n.at.y == n.unrefracted.y)
         & (n.flux.x == whole)
@@ -129,7 +129,7 @@ fn share(i: i32, low: f32, width: f32) -> f32 {
 /// Spreads `flux`, and its change of slope, over a box.
 #[inline(always)]
 fn spread<S: Sums + ?Sized>(u: &SweepUniforms, sums: &mut S, centre: Vec2, size: Vec2, flux: Vec3, change: Vec2) {
-    let (columns, lines) = (u.size.z as i32, u.size.w as i32);
+    let (columns, lines) = (u.light_grid.width as i32, u.light_grid.height as i32);
     let (width, height) = (clamp(size.x, NARROWEST, WIDEST), clamp(size.y, NARROWEST, WIDEST));
     let (left, below) = (centre.x - 0.5 * width, centre.y - 0.5 * height);
     let weight = (flux.x + flux.y + flux.z) * (1.0 / 3.0);
@@ -167,17 +167,17 @@ pub fn invoke<S: Sums + ?Sized>(
     sources: &[f32],
     sums: &mut S,
 ) {
-    let number = y / u.size.w;
-    let line = y - number * u.size.w;
+    let number = y / u.light_grid.height;
+    let line = y - number * u.light_grid.height;
     let row = number * rows(u) + line;
     let a = node(u, sheets, x, line, row);
     let b = node(u, sheets, x + 1, line, row);
     let c = node(u, sheets, x, line + 1, row + 1);
     let d = node(u, sheets, x + 1, line + 1, row + 1);
     let disturbed = !(is_undisturbed(u, &a) & is_undisturbed(u, &b) & is_undisturbed(u, &c) & is_undisturbed(u, &d));
-    let start = slope(u.light_direction.x, u.light_direction.y, u.light_direction.z);
+    let start = slope(u.light.direction.x, u.light.direction.y, u.light.direction.z);
     if disturbed {
-        let whole = u.light_initial.w;
+        let whole = u.sheet_share;
         let home = (a.unrefracted + b.unrefracted + c.unrefracted + d.unrefracted) * 0.25;
         let v = source(u, sources, row);
         let taken = Vec3::new(-whole, -whole, -whole);

@@ -3,10 +3,11 @@
 use crate::abi::record::{light as record, trace};
 use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::{read, read_inside};
-use crate::field::light::{holds, shift};
-use crate::field::light_around::{Way, direction_around, is_near};
-use crate::field::unoccluded::{Reach, Unoccluded, stays_on_texel};
+use crate::kernel::skip::{Reach, Same};
 use crate::math::select;
+use crate::sweep::light::around::{Way, direction_around, is_near};
+use crate::sweep::light::look_up::{holds, shift};
+use crate::sweep::light::unoccluded::stays_on_texel;
 use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
@@ -22,8 +23,8 @@ pub mod level {
 /// The direction at texel (x, y).
 #[inline(always)]
 fn here<const INSIDE: bool>(u: &SweepUniforms, light: &[f32], x: u32, y: u32) -> Vec3 {
-    let base = (y * u.size.z) as i32;
-    let texels = (u.size.z * u.size.w) as i32;
+    let base = (y * u.light_grid.width) as i32;
+    let texels = (u.light_grid.width * u.light_grid.height) as i32;
     let component = |c: usize| {
         if INSIDE {
             // SAFETY: (x, y) lies in the grid, and only where the grid lies in the buffer is `INSIDE` asked for.
@@ -41,7 +42,7 @@ pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> u3
     if !holds(u, light, record::SIZE) {
         return level::FAR;
     }
-    let (sx, sy) = shift(u, here::<true>(u, light, x, y), u.plane.z);
+    let (sx, sy) = shift(u, here::<true>(u, light, x, y), u.step.distance);
     let still = (sx == 0.0) & (sy == 0.0);
     let near = is_near(u, &Way { x, y, across: -sx, up: -sy });
     let moving = if near { level::NEAR } else { level::FAR };
@@ -50,8 +51,8 @@ pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> u3
 
 /// Unoccluded light comes from its own texel, if texels move as it does.
 #[inline(always)]
-pub fn unoccluded(u: &SweepUniforms) -> Option<Unoccluded<{ trace::SIZE }>> {
-    stays_on_texel(u).then_some(Unoccluded { record: [0.0, 0.0], reach: Reach::OWN })
+pub fn same(u: &SweepUniforms) -> Option<Same<{ trace::SIZE }>> {
+    stays_on_texel(u).then_some(Same { record: [0.0, 0.0], reach: Reach::OWN })
 }
 
 /// The way, in texels, to texel (x, y) from the point of the plane behind from which its light comes.
@@ -64,7 +65,7 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, l
         return [0.0, 0.0];
     }
     let v = if LEVEL == level::NEAR { here::<true>(u, light, x, y) } else { here::<false>(u, light, x, y) };
-    let (first_x, first_y) = shift(u, v, u.plane.z);
+    let (first_x, first_y) = shift(u, v, u.step.distance);
     let way = Way { x, y, across: -first_x, up: -first_y };
     // SAFETY: only if `level` found this texel's look-up near, and the grid inside the buffer, is the near one asked for.
     let v = unsafe {
@@ -74,7 +75,7 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, l
             direction_around::<false>(u, light, &way)
         }
     };
-    let (second_x, second_y) = shift(u, v, u.plane.z);
-    let euler = u.dispatch.w & flag::EULER != 0;
+    let (second_x, second_y) = shift(u, v, u.step.distance);
+    let euler = u.flags & flag::EULER != 0;
     [select(euler, first_x, second_x), select(euler, first_y, second_y)]
 }

@@ -33,7 +33,7 @@ fn only(a: bool, b: bool, a_value: f32, b_value: f32, c_value: f32) -> f32 {
     select(a, a_value, select(b, b_value, c_value))
 }
 
-/// What a triangle has of a plane across z.
+/// The intersection of a triangle with a plane across z.
 #[derive(Clone, Copy)]
 pub struct Line {
     /// Whether it has any of it.
@@ -59,7 +59,7 @@ impl Line {
     }
 }
 
-/// What triangle `a`, `b`, `c` has of the plane at `z`.
+/// The intersection of triangle `a`, `b`, `c` with the plane at `z`.
 #[inline(always)]
 pub fn cross(a: Vec3, b: Vec3, c: Vec3, z: f32) -> Line {
     let (p, q, r) = (pass(a, b, z), pass(b, c, z), pass(c, a, z));

@@ -30,10 +30,10 @@ pub fn invoke<S: Sums + ?Sized>(
     let item = item_of(x, y, u, items);
     let at = item.triangle * 9;
     let (a, b, c) = (corner(corners, at), corner(corners, at + 3), corner(corners, at + 6));
-    let shift = u.columns.x;
+    let shift = u.column_shift;
     let a_voxel = (1u32 << shift) as f32;
     let spacing = 1.0 / a_voxel;
-    let units = (1u32 << u.columns.z) as f32;
+    let units = (1u32 << u.column_units) as f32;
     let length = u.size.x as f32;
     let mut line = item.first;
     while line < item.end {
@@ -43,7 +43,7 @@ pub fn invoke<S: Sums + ?Sized>(
             let most = u.size.y as f32 * a_voxel;
             let end = columns_before(across.high_y, a_voxel, most);
             let mut column = columns_before(across.low_y, a_voxel, most);
-            let layer = (line >> shift) - u.columns.y as i32;
+            let layer = (line >> shift) - u.first_layer as i32;
             while column < end {
                 let x = clamp(across.at((column as f32 + 0.5) * spacing), 0.0, length);
                 let voxel = floor_to_int(x, 0.0, length - 1.0);
@@ -52,7 +52,7 @@ pub fn invoke<S: Sums + ?Sized>(
                 let before = floor_to_int((x - voxel as f32) * units + 0.5, 0.0, units);
                 let behind = whole - before;
                 let row = layer * u.size.y as i32 + (column >> shift);
-                let index = (row * u.size.w as i32 + voxel) as usize;
+                let index = (row * u.row_words as i32 + voxel) as usize;
                 let (first, second) = if across.leaves { (-behind, -before) } else { (behind, before) };
                 if first != 0 {
                     changes.add(index, first as u32);

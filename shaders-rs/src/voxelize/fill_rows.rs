@@ -26,10 +26,10 @@ fn inside(winding: i32, scale: u32, rule: u32) -> u32 {
 /// surface, which does not say what is inside there: it is left empty and counted in the last word, behind all rows.
 #[inline(always)]
 pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &VoxelizeUniforms, rule: u32, changes: &[u32], coverage: &mut S) {
-    let row = y * u.dispatch.x + x;
+    let row = y * u.dispatch.width + x;
     let length = u.size.x;
     let base = (row * (length + 1)) as i32;
-    if (row < u.dispatch.w) & (base >= 0) & (base + (length as i32) < changes.len() as i32) {
+    if (row < u.work) & (base >= 0) & (base + (length as i32) < changes.len() as i32) {
         // SAFETY: a row has a place for each voxel and one behind them, and that one lies in the buffer.
         let change = |voxel: u32| unsafe { read_inside(changes, base, voxel) };
         let (mut total, mut any) = (0u32, 0);
@@ -41,7 +41,7 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &VoxelizeUniforms, rule: u32,
             voxel += 1;
         }
         if total != 0 {
-            coverage.add((u.dispatch.w * u.size.w) as usize, 1);
+            coverage.add((u.work * u.row_words) as usize, 1);
         } else if any != 0 {
             fill(row, u, rule, change, coverage);
         }
@@ -53,7 +53,7 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &VoxelizeUniforms, rule: u32,
 fn fill<S: Sums + ?Sized>(row: u32, u: &VoxelizeUniforms, rule: u32, change: impl Fn(u32) -> u32, coverage: &mut S) {
     let (mut winding, mut level) = (0u32, 0);
     let mut word = 0;
-    while word < u.size.w {
+    while word < u.row_words {
         let first = word * 4;
         let whole = first + 3 < u.size.x;
         // Most voxels are as their neighbours.
@@ -65,14 +65,14 @@ fn fill<S: Sums + ?Sized>(row: u32, u: &VoxelizeUniforms, rule: u32, change: imp
             while lane < 4 {
                 if first + lane < u.size.x {
                     winding = winding.wrapping_add(change(first + lane));
-                    level = inside(winding as i32, u.columns.w, rule);
+                    level = inside(winding as i32, u.voxel_units, rule);
                     bytes |= level << (8 * lane);
                 }
                 lane += 1;
             }
         }
         if bytes != 0 {
-            coverage.add((row * u.size.w + word) as usize, bytes);
+            coverage.add((row * u.row_words + word) as usize, bytes);
         }
         word += 1;
     }

@@ -34,7 +34,7 @@ pub fn invoke<S: Sums + ?Sized>(
     }
 }
 
-/// Marks what the slices of an item meet.
+/// Marks the voxels that the slices of an item meet.
 #[inline(always)]
 fn mark<const SHAPE: u32, S: Sums + ?Sized>(u: &VoxelizeUniforms, place: &Place, item: Item, mask: &mut S) {
     let overlap = Overlap::<SHAPE>::new(place);
@@ -48,7 +48,7 @@ fn mark<const SHAPE: u32, S: Sums + ?Sized>(u: &VoxelizeUniforms, place: &Place,
             let span = overlap.voxels(y, z);
             if span.first <= span.last {
                 let line = (place.first.z + z) * u.size.y as i32 + place.first.y + y;
-                let base = line * u.size.w as i32;
+                let base = line * u.row_words as i32;
                 let (first, last) = (place.first.x + span.first, place.first.x + span.last);
                 let mut word = first >> 5;
                 while word <= last >> 5 {

@@ -35,7 +35,7 @@ pub struct Item {
 /// The item of invocation (x, y); one without slices if there are no more items.
 #[inline(always)]
 pub fn item_of(x: u32, y: u32, u: &VoxelizeUniforms, items: &[u32]) -> Item {
-    item_at(y * u.dispatch.x + x, u.dispatch.w, items)
+    item_at(y * u.dispatch.width + x, u.work, items)
 }
 
 /// Item number `index` out of `all`; one without slices if there are not so many.
@@ -51,13 +51,13 @@ pub fn item_at(index: u32, all: u32, items: &[u32]) -> Item {
 #[inline(always)]
 pub fn piece_of(x: u32, y: u32, u: &VoxelizeUniforms, mode: u32, corners: &[u32], items: &[u32]) -> (Item, Place) {
     if mode == pieces::TRIANGLES {
-        let index = y * u.dispatch.x + x;
+        let index = y * u.dispatch.width + x;
         let place = Place::of(u, corners, index as i32);
-        let is_here = (index < u.dispatch.w) & place.is_small();
+        let is_here = (index < u.work) & place.is_small();
         (Item { triangle: index as i32, first: 0, end: if is_here { place.slices() } else { 0 } }, place)
     } else {
         let item = item_of(x, y, u, items);
-        let item = Item { triangle: item.triangle + u.surface.z as i32, ..item };
+        let item = Item { triangle: item.triangle + u.first_triangle as i32, ..item };
         (item, Place::of(u, corners, item.triangle))
     }
 }

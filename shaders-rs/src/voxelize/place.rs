@@ -59,14 +59,14 @@ fn longest(a: IVec3, b: IVec3, c: IVec3) -> i32 {
 #[inline(always)]
 pub fn is_tiny(u: &VoxelizeUniforms, a: IVec3, b: IVec3, c: IVec3) -> bool {
     // Then it meets five voxels along an axis at most: 25 rows.
-    longest(a, b, c) + 2 * (u.surface.y as i32) < 3 << u.surface.x
+    longest(a, b, c) + 2 * (u.margin as i32) < 3 << u.corner_units
 }
 
 impl Place {
     /// Of triangle `a`, `b`, `c`, in units.
     #[inline(always)]
     pub fn new(u: &VoxelizeUniforms, a: IVec3, b: IVec3, c: IVec3) -> Self {
-        let (units, overlap) = (u.surface.x, u.surface.y as i32);
+        let (units, overlap) = (u.corner_units, u.margin as i32);
         let low = a.min(b).min(c);
         let high = a.max(b).max(c);
         let extent = longest(a, b, c) + 2 * overlap + (2 << units);

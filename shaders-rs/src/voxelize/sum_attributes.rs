@@ -8,7 +8,7 @@ use super::place::Place;
 use super::{Item, piece_of};
 use crate::abi::record::attributes;
 use crate::abi::voxelize::{VoxelizeUniforms, brought};
-use crate::field::access::read;
+use crate::field::access::{read, read_vector};
 use crate::field::sums::{Sums, add, quantise};
 use crate::math::{dot, floor_to_int, length, max, min, select};
 use spirv_std::glam::Vec3;
@@ -35,15 +35,10 @@ fn weights(from_a: Vec3, e: Vec3, f: Vec3) -> Vec3 {
     Vec3::new(a * inverse, b * inverse, c * inverse)
 }
 
-#[inline(always)]
-fn vector(brought: &[f32], at: i32) -> Vec3 {
-    Vec3::new(read(brought, at), read(brought, at + 1), read(brought, at + 2))
-}
-
 /// The vectors of a triangle's corners, from `at` on, by their weights.
 #[inline(always)]
 fn mean(brought: &[f32], at: i32, weights: Vec3) -> Vec3 {
-    let (a, b, c) = (vector(brought, at), vector(brought, at + 3), vector(brought, at + 6));
+    let (a, b, c) = (read_vector(brought, at), read_vector(brought, at + 3), read_vector(brought, at + 6));
     Vec3::new(
         (a.x * weights.x + b.x * weights.y) + c.x * weights.z,
         (a.y * weights.x + b.y * weights.y) + c.y * weights.z,
@@ -113,7 +108,7 @@ fn add_slices<const SHAPE: u32, S: Sums + ?Sized>(
         while row <= rows.last {
             let (y, z) = if layers { (row, slice) } else { (slice, row) };
             let span = overlap.voxels(y, z);
-            let base = ((place.first.z + z) * u.size.y as i32 + place.first.y + y) * u.size.w as i32;
+            let base = ((place.first.z + z) * u.size.y as i32 + place.first.y + y) * u.row_words as i32;
             let mut x = span.first;
             while x <= span.last {
                 let centre = Vec3::new(x as f32 + 0.5, y as f32 + 0.5, z as f32 + 0.5);

@@ -10,6 +10,8 @@ use crate::field::access::read;
 use crate::math::{dot, floor_to_int, max, min, select};
 use spirv_std::glam::Vec3;
 
+pub use super::ray::level;
+
 /// Steps near a surface, in voxels.
 const STEP: f32 = 0.5;
 /// By how much a step leads beyond a brick's face, so that the ray is in the next one.
@@ -109,7 +111,7 @@ pub fn invoke<const LEVEL: u32>(
             let owner = if to < from { to } else { from };
             let normal = normal(u, fields, owner, point);
             // The paper's threshold: a surface that has just been met, found once more where it is a little uneven.
-            let again = (ray.since + until < u.scale.z) & (dot(normal, ray.last_normal) > u.scale.y);
+            let again = (ray.since + until < u.same_distance) & (dot(normal, ray.last_normal) > u.same_cosine);
             goes_on = again | (to == from);
             if !goes_on {
                 ray.advance(until, from, materials);

@@ -5,9 +5,11 @@ use super::ray::{Ray, level_of};
 use super::surface::meet;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, STEPS, VoxelsUniforms, surface};
-use crate::field::access::read;
+use crate::field::access::{read, read_vector};
 use crate::math::{absolute, dot, floor_to_int, max};
 use spirv_std::glam::Vec3;
+
+pub use super::ray::level;
 
 /// Whether the ray is under way, and marches.
 #[inline(always)]
@@ -73,11 +75,11 @@ pub fn invoke<const LEVEL: u32>(
             if (bits >> bit) & 1 == 1 {
                 let place = (read(ranks, word) + (bits & ((1 << bit) - 1)).count_ones()) as i32;
                 let at = place * surface::SIZE as i32;
-                let normal = Vec3::new(read(surfaces, at), read(surfaces, at + 1), read(surfaces, at + 2));
+                let normal = read_vector(surfaces, at);
                 let material = floor_to_int(read(surfaces, at + surface::MATERIAL as i32), 0.0, AIR as f32);
                 let along = dot(d, normal);
                 let to = if along < 0.0 { material } else { AIR };
-                let again = (ray.bounces > 0.0) & (dot(normal, ray.last_normal) > u.scale.y);
+                let again = (ray.bounces > 0.0) & (dot(normal, ray.last_normal) > u.same_cosine);
                 if !again & (along != 0.0) & (to != ray.medium) {
                     let from = ray.medium;
                     let through = meet(&mut ray, u, mode, normal, from, to, materials);

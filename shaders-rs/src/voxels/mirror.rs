@@ -3,13 +3,13 @@
 use crate::abi::record::path;
 use crate::abi::voxels::VoxelsUniforms;
 use crate::field::access::read;
-use crate::math::{dot, length, max, select, xyz};
+use crate::math::{dot, normalize, select, xyz};
 use spirv_std::glam::Vec3;
 
 /// Three components of the record of ray number `at`.
 #[inline(always)]
 pub fn vector(u: &VoxelsUniforms, rays: &[f32], at: i32, component: usize) -> Vec3 {
-    let count = (u.dispatch.x * u.dispatch.y) as i32;
+    let count = (u.dispatch.width * u.dispatch.height) as i32;
     let c = |c: usize| read(rays, c as i32 * count + at);
     Vec3::new(c(component), c(component + 1), c(component + 2))
 }
@@ -17,11 +17,11 @@ pub fn vector(u: &VoxelsUniforms, rays: &[f32], at: i32, component: usize) -> Ve
 /// Where pixel (x, y) looks, along the grid's axes, at depth 1 from the eye; and across from the middle.
 #[inline(always)]
 fn aim(u: &VoxelsUniforms, x: i32, y: i32) -> (Vec3, Vec3) {
-    let (width, height) = (u.dispatch.x as i32 as f32, u.dispatch.y as i32 as f32);
-    let across = ((x as f32 + 0.5) / width * 2.0 - 1.0) * u.camera.x;
-    let upwards = (1.0 - (y as f32 + 0.5) / height * 2.0) * u.camera.y;
+    let (width, height) = (u.dispatch.width as i32 as f32, u.dispatch.height as i32 as f32);
+    let across = ((x as f32 + 0.5) / width * 2.0 - 1.0) * u.camera.half_width;
+    let upwards = (1.0 - (y as f32 + 0.5) / height * 2.0) * u.camera.half_height;
     let side = xyz(u.right) * across + xyz(u.up) * upwards;
-    let perspective = select(u.camera.w > 0.5, 0.0, 1.0);
+    let perspective = select(u.camera.orthographic != 0, 0.0, 1.0);
     (xyz(u.away) + side * perspective, side * (1.0 - perspective))
 }
 
@@ -29,20 +29,20 @@ fn aim(u: &VoxelsUniforms, x: i32, y: i32) -> (Vec3, Vec3) {
 #[inline(always)]
 pub fn viewing(u: &VoxelsUniforms, x: i32, y: i32) -> Vec3 {
     let (aim, _) = aim(u, x, y);
-    aim * (1.0 / max(length(aim), 1e-20))
+    normalize(aim)
 }
 
 /// The first surface that pixel (x, y) looks at, `depth` voxels away.
 #[inline(always)]
 pub fn first_surface(u: &VoxelsUniforms, x: i32, y: i32, depth: f32) -> Vec3 {
     let (_, side) = aim(u, x, y);
-    Vec3::new(u.right.w, u.up.w, u.away.w) + side + viewing(u, x, y) * depth
+    xyz(u.eye) + side + viewing(u, x, y) * depth
 }
 
 /// Where the first surface mirrors pixel (x, y); its own direction where there is none.
 #[inline(always)]
 pub fn mirrored(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32) -> Vec3 {
     let direction = viewing(u, x, y);
-    let normal = vector(u, rays, y * u.dispatch.x as i32 + x, path::NORMAL);
+    let normal = vector(u, rays, y * u.dispatch.width as i32 + x, path::NORMAL);
     direction - normal * (2.0 * dot(direction, normal))
 }

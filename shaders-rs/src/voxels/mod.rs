@@ -12,7 +12,6 @@ pub mod march;
 pub mod march_paper;
 pub mod mirror;
 pub mod ray;
-pub mod receivers;
 pub mod reflect;
 pub mod resolve;
 pub mod seek;

@@ -1,12 +1,11 @@
 //! The state of a ray, and how it moves.
 
-use super::receivers;
-use super::triangle::FAR;
-use crate::abi::record::path::ahead;
+use crate::abi::receivers::ahead;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, VoxelsUniforms, material};
 use crate::field::access::read;
 use crate::math::{absolute, exp, max, min, select};
+use crate::optics::receiver::{Ahead, FAR, first_ahead};
 use spirv_std::glam::Vec3;
 
 /// A ray; see [`path`].
@@ -16,7 +15,7 @@ pub struct Ray {
     pub position: Vec3,
     /// Of length 1.
     pub direction: Vec3,
-    /// What is left of the light.
+    /// Transmittance so far, linear RGB, 0 to 1.
     pub transmittance: Vec3,
     /// At the first surface.
     pub normal: Vec3,
@@ -26,7 +25,7 @@ pub struct Ray {
     pub since: f32,
     /// One of [`fate`].
     pub status: f32,
-    /// What it is in.
+    /// The number of the material around it.
     pub medium: i32,
     /// Surfaces so far.
     pub bounces: f32,
@@ -38,7 +37,7 @@ pub struct Ray {
     pub reflectance: f32,
     /// The node of the tree of triangles that is next.
     pub node: i32,
-    /// What ends its straight way: a triangle, or one of [`ahead`].
+    /// The number of the triangle that ends its straight way, or one of [`ahead`].
     pub triangle: i32,
     /// How far that is.
     pub distance: f32,
@@ -154,7 +153,7 @@ impl Ray {
         }
     }
 
-    /// Ends the ray at what is ahead, through material `medium`.
+    /// Ends the ray at the triangle or receiver ahead, through material `medium`.
     #[inline(always)]
     pub fn meet(&mut self, medium: i32, materials: &[f32]) {
         self.advance(self.distance, medium, materials);
@@ -164,23 +163,43 @@ impl Ray {
     /// Looks ahead as far as receivers go, on a new straight way; triangles are still to be looked for.
     #[inline(always)]
     pub fn turn(&mut self, u: &VoxelsUniforms) {
-        let receiver = receivers::first(u, self.position, self.direction);
+        let receiver = first_receiver(u, self.position, self.direction);
         self.node = 0;
         self.triangle = receiver.which;
         self.distance = receiver.distance;
     }
 }
 
-/// How much work a ray of that status is for what follows it: none if it has ended, none now if it seeks.
+/// Levels of work of kernels that follow rays.
+pub mod level {
+    /// The ray has ended.
+    pub const ENDED: u32 = 0;
+    /// It waits for another kernel.
+    pub const WAITING: u32 = 1;
+    /// It is the kernel's to follow.
+    pub const WORK: u32 = 3;
+}
+
+/// The level of a ray of status `status` for a kernel that follows active rays; rays that seek wait for [`super::seek`].
 #[inline(always)]
 pub fn level_of(status: f32) -> u32 {
     if status == fate::ACTIVE {
-        3
+        level::WORK
     } else if status == fate::SEEKS {
-        1
+        level::WAITING
     } else {
-        0
+        level::ENDED
     }
+}
+
+/// Distance, in voxels, by which receivers are taken to be nearer: a body that stands on one is in contact with it, and no ray inside of the
+/// body gets between them.
+const CONTACT: f32 = 1.0 / 64.0;
+
+/// The first receiver from `position` along `direction`; its distance in voxels.
+#[inline(always)]
+pub fn first_receiver(u: &VoxelsUniforms, position: Vec3, direction: Vec3) -> Ahead {
+    first_ahead(&u.receivers, position, direction, CONTACT)
 }
 
 /// 1 / `x`, large where `x` is 0.

@@ -2,20 +2,22 @@
 //! twice, so that a search has an end that is known.
 
 use super::mirror::{first_surface, mirrored};
-use super::ray::Ray;
+use super::ray::{Ray, first_receiver};
 use super::surface::ior;
-use super::triangle::FAR;
-use super::{receivers, tree};
+use super::tree;
+use crate::abi::receivers::ahead;
 use crate::abi::record::mirror::stage;
-use crate::abi::record::path::ahead;
 use crate::abi::record::{mirror, path};
 use crate::abi::voxels::{STEPS, VoxelsUniforms, corner};
 use crate::field::access::read;
+use crate::optics::receiver::FAR;
+
+pub use super::ray::level;
 
 #[inline(always)]
 fn component(x: u32, y: u32, u: &VoxelsUniforms, rays: &[f32], component: usize) -> f32 {
-    let count = (u.dispatch.x * u.dispatch.y) as i32;
-    read(rays, component as i32 * count + (y * u.dispatch.x + x) as i32)
+    let count = (u.dispatch.width * u.dispatch.height) as i32;
+    read(rays, component as i32 * count + (y * u.dispatch.width + x) as i32)
 }
 
 /// Whether the search is under way.
@@ -31,7 +33,7 @@ pub fn level(
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    if before[mirror::STAGE] == stage::FOUND { 0 } else { 3 }
+    if before[mirror::STAGE] == stage::FOUND { level::ENDED } else { level::WORK }
 }
 
 /// The search some nodes on. Where nothing is mirrored it is done at once.
@@ -57,7 +59,7 @@ pub fn invoke<const LEVEL: u32>(
     let (column, row) = (x as i32, y as i32);
     let mut ray = Ray::straight(first_surface(u, column, row, depth), mirrored(u, rays, column, row));
     if before[mirror::STAGE] == stage::NEW {
-        let receiver = receivers::first(u, ray.position, ray.direction);
+        let receiver = first_receiver(u, ray.position, ray.direction);
         ray.triangle = receiver.which;
         ray.distance = receiver.distance;
     } else {

@@ -2,18 +2,18 @@
 
 use super::mirror::{first_surface, mirrored, vector, viewing};
 use super::shade::{Point, facing, on_receiver, on_triangle, shade};
-use crate::abi::record::path::ahead;
+use crate::abi::receivers::ahead;
 use crate::abi::record::{fate, mirror, path, view};
 use crate::abi::voxels::{VoxelsUniforms, seen};
 use crate::field::access::read;
 use crate::math::{dot, length, max, select, xyz};
-use crate::optics::environment::{Surroundings, environment};
+use crate::optics::environment::{environment, in_environment};
 use spirv_std::glam::Vec3;
 
 /// A pixel next to another.
 #[derive(Clone, Copy)]
 struct Neighbour {
-    /// Whether there is one whose ray took the same way.
+    /// Whether the pixel lies in the picture and its ray took the same way.
     alike: bool,
     /// The direction in which its ray left.
     leaves: Vec3,
@@ -23,10 +23,10 @@ struct Neighbour {
     mirrored: Vec3,
 }
 
-/// Pixel (x, y), next to one whose ray met `bounces` surfaces and has become of it what `status` says.
+/// Pixel (x, y), beside a pixel whose ray met `bounces` surfaces and has status `status`.
 #[inline(always)]
 fn neighbour(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32, bounces: f32, status: f32) -> Neighbour {
-    let (width, height) = (u.dispatch.x as i32, u.dispatch.y as i32);
+    let (width, height) = (u.dispatch.width as i32, u.dispatch.height as i32);
     let there = (x >= 0) & (x < width) & (y >= 0) & (y < height);
     let at = if there { y * width + x } else { 0 };
     let component = |c: usize| read(rays, c as i32 * (width * height) + at);
@@ -38,8 +38,8 @@ fn neighbour(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32, bounces: f32, sta
     }
 }
 
-/// How far apart directions are from pixel to pixel, of one with direction `own` between two neighbours, of which only those `first_counts`
-/// and `last_counts`; if neither does, what is `usual`.
+/// The change of a unit direction from pixel to pixel, radians: by central differences over the two neighbours of the pixel with direction `own`, or by
+/// one difference if only one neighbour counts; `usual` if neither does.
 #[inline(always)]
 fn apart(own: Vec3, (first, first_counts): (Vec3, bool), (last, last_counts): (Vec3, bool), usual: f32) -> f32 {
     let whole = 0.5 * length(last - first);
@@ -50,14 +50,7 @@ fn apart(own: Vec3, (first, first_counts): (Vec3, bool), (last, last_counts): (V
 /// The environment in direction `d`, over an angle.
 #[inline(always)]
 fn surroundings(u: &VoxelsUniforms, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
-    let surroundings = Surroundings {
-        shape: u.environment,
-        color: u.environment_color,
-        horizon: u.environment_horizon,
-        nadir: u.environment_nadir,
-    };
-    let turned = Vec3::new(dot(xyz(u.environment_x), d), dot(xyz(u.environment_y), d), dot(xyz(u.environment_z), d));
-    environment(&surroundings, map, turned, angle)
+    environment(&u.environment, map, in_environment(&u.environment, d), angle)
 }
 
 /// A direction in view space (looking along −z).
@@ -87,8 +80,8 @@ pub fn invoke(
     mirrors: &[f32],
 ) -> [f32; view::SIZE] {
     let (x, y) = (x as i32, y as i32);
-    let at = y * u.dispatch.x as i32 + x;
-    let count = (u.dispatch.x * u.dispatch.y) as i32;
+    let at = y * u.dispatch.width as i32 + x;
+    let count = (u.dispatch.width * u.dispatch.height) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
     let direction = vector(u, rays, at, path::DIRECTION);
     let transmittance = vector(u, rays, at, path::TRANSMITTANCE);
@@ -134,11 +127,11 @@ pub fn invoke(
     let reflected = reflected * reflectance;
     // Without an environment the picture is transparent where there is no surface.
     let something = (bounces > 0.0) | met;
-    let visible = select(something, 1.0, u.environment_nadir.w);
+    let visible = select(something, 1.0, u.environment.visible);
     let color = (through + reflected) * visible;
     let normal = in_view(u, first_normal);
     let towards = in_view(u, direction);
-    let voxel = u.scale.x;
+    let voxel = u.voxel;
     let depth = component(path::DEPTH) * voxel * dot(xyz(u.away), viewing(u, x, y));
     [
         color.x,

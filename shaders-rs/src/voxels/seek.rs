@@ -5,6 +5,8 @@ use super::tree;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{STEPS, VoxelsUniforms, mode};
 
+pub use super::ray::level;
+
 /// Whether the ray looks for it.
 #[inline(always)]
 pub fn level(
@@ -18,11 +20,11 @@ pub fn level(
     _materials: &[f32],
 ) -> u32 {
     if before[path::STATUS] == fate::SEEKS {
-        3
+        level::WORK
     } else if before[path::STATUS] == fate::ACTIVE {
-        1
+        level::WAITING
     } else {
-        0
+        level::ENDED
     }
 }
 

@@ -1,10 +1,10 @@
 //! Diffuse surfaces in the light: opaque triangles and receivers.
 
-use super::triangle::vector;
-use crate::abi::record::path::ahead;
+use crate::abi::receivers::ahead;
 use crate::abi::voxels::{VoxelsUniforms, corner, flag, look};
-use crate::field::access::read;
-use crate::math::{dot, length, max, min, select, xyz};
+use crate::field::access::{read, read_vector};
+use crate::math::{cross, dot, max, min, normalize, select, select_vector, xyz};
+use crate::optics::receiver::surface;
 use crate::shadow::look_up::{bias, transmittance};
 use spirv_std::glam::Vec3;
 
@@ -25,36 +25,28 @@ pub struct Point {
     pub casts: bool,
 }
 
-#[inline(always)]
-fn unit(v: Vec3) -> Vec3 {
-    v * (1.0 / max(length(v), 1e-20))
-}
-
-#[inline(always)]
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
-}
-
 /// Three vectors next to each other, by weights.
 #[inline(always)]
 fn mean(floats: &[f32], at: i32, weights: Vec3) -> Vec3 {
-    vector(floats, at) * weights.x + vector(floats, at + 3) * weights.y + vector(floats, at + 6) * weights.z
+    read_vector(floats, at) * weights.x
+        + read_vector(floats, at + 3) * weights.y
+        + read_vector(floats, at + 6) * weights.z
 }
 
 /// The point at `position` of triangle number `index`.
 #[inline(always)]
 pub fn on_triangle(u: &VoxelsUniforms, corners: &[f32], looks: &[f32], index: i32, position: Vec3) -> Point {
     let at = index * corner::SIZE as i32;
-    let (a, b, c) = (vector(corners, at), vector(corners, at + 3), vector(corners, at + 6));
+    let (a, b, c) = (read_vector(corners, at), read_vector(corners, at + 3), read_vector(corners, at + 6));
     let normal = cross(b - a, c - a);
     // Weights of the corners are parts of the area.
     let part = |p: Vec3, q: Vec3| max(dot(cross(p - position, q - position), normal), 0.0);
     let (first, second, third) = (part(b, c), part(c, a), part(a, b));
     let sum = max((first + second) + third, 1e-30);
     let weights = Vec3::new(first / sum, second / sum, third / sum);
-    let plane = unit(normal);
-    let smooth = unit(mean(corners, at + corner::NORMALS as i32, weights));
-    let of_triangle = u.dispatch.w & flag::LOOK_OF_TRIANGLE != 0;
+    let plane = normalize(normal);
+    let smooth = normalize(mean(corners, at + corner::NORMALS as i32, weights));
+    let of_triangle = u.flags & flag::LOOK_OF_TRIANGLE != 0;
     let material = read(corners, at + corner::MATERIAL as i32) as i32;
     let from = if of_triangle { index } else { material } * look::SIZE as i32;
     Point {
@@ -71,16 +63,8 @@ pub fn on_triangle(u: &VoxelsUniforms, corners: &[f32], looks: &[f32], index: i3
 #[inline(always)]
 pub fn on_receiver(u: &VoxelsUniforms, which: i32, position: Vec3) -> Point {
     let wall = which == ahead::WALL;
-    let pick = |w: Vec3, g: Vec3| Vec3::new(select(wall, w.x, g.x), select(wall, w.y, g.y), select(wall, w.z, g.z));
-    let normal = pick(xyz(u.wall), xyz(u.ground));
-    Point {
-        position,
-        plane: normal,
-        normal,
-        color: pick(xyz(u.wall_color), xyz(u.ground_color)),
-        transmittance: 0.0,
-        casts: false,
-    }
+    let (normal, color) = surface(&u.receivers, wall);
+    Point { position, plane: normal, normal, color, transmittance: 0.0, casts: false }
 }
 
 /// The unit normal of a point on the side from which a ray along `direction` sees it.
@@ -91,7 +75,7 @@ pub fn facing(point: &Point, direction: Vec3) -> Vec3 {
     let normal = point.normal * select(dot(point.normal, point.plane) < 0.0, -side, side);
     let plane = point.plane * side;
     let beyond = dot(normal, direction) > 0.0;
-    Vec3::new(select(beyond, plane.x, normal.x), select(beyond, plane.y, normal.y), select(beyond, plane.z, normal.z))
+    select_vector(beyond, plane, normal)
 }
 
 /// Radiance along a ray that meets a point from direction `direction`: reflectance · (L cos θ + ambient), where a surface that is lit
@@ -99,7 +83,7 @@ pub fn facing(point: &Point, direction: Vec3) -> Vec3 {
 #[inline(always)]
 pub fn shade(u: &VoxelsUniforms, shadow: &[u32], point: &Point, direction: Vec3) -> Vec3 {
     let normal = facing(point, direction);
-    let light = xyz(u.light);
+    let light = xyz(u.light.direction);
     let cosine = -dot(normal, light);
     // By its plane a triangle is lit from the side that it is seen from, or from the other one.
     let plane = -dot(point.plane, light);
@@ -110,6 +94,5 @@ pub fn shade(u: &VoxelsUniforms, shadow: &[u32], point: &Point, direction: Vec3)
     let above = point.plane * (select(plane < 0.0, -1.0, 1.0) * bias(u, slope));
     let lifted = select(point.casts, 1.0, 0.0);
     let lit = transmittance(u, shadow, point.position + above * lifted) * strength;
-    let sum = Vec3::new(u.light_color.x * lit.x, u.light_color.y * lit.y, u.light_color.z * lit.z) + xyz(u.ambient);
-    Vec3::new(point.color.x * sum.x, point.color.y * sum.y, point.color.z * sum.z)
+    point.color * (xyz(u.light.color) * lit + xyz(u.ambient))
 }

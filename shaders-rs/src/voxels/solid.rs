@@ -51,11 +51,11 @@ pub fn value(u: &VoxelsUniforms, fields: &[u32], number: i32, position: Vec3) ->
     }
 }
 
-/// The material at a position: that of the lowest number.
+/// The number of the material at a position: the lowest one, where bodies overlap.
 #[inline(always)]
 pub fn medium(u: &VoxelsUniforms, fields: &[u32], position: Vec3) -> i32 {
     let mut found = AIR;
-    let mut number = u.size.w as i32 - 1;
+    let mut number = u.materials as i32 - 1;
     while number >= 0 {
         if value(u, fields, number, position) > LEVEL {
             found = number;

@@ -4,7 +4,7 @@ use super::ray::Ray;
 use crate::abi::record::fate;
 use crate::abi::voxels::{AIR, VoxelsUniforms, flag, material, mode};
 use crate::field::access::read;
-use crate::math::{dot, length, max, select, sqrt};
+use crate::math::{dot, max, normalize, select, select_vector, sqrt};
 use crate::optics::specular::fresnel;
 use spirv_std::glam::Vec3;
 
@@ -31,12 +31,7 @@ pub fn bend(direction: Vec3, normal: Vec3, from: f32, to: f32) -> Bent {
     let reflected = squared <= 0.0;
     let passed = direction * ratio + n * (ratio * cosine - sqrt(squared));
     let mirrored = direction + n * (2.0 * cosine);
-    let bent = Vec3::new(
-        select(reflected, mirrored.x, passed.x),
-        select(reflected, mirrored.y, passed.y),
-        select(reflected, mirrored.z, passed.z),
-    );
-    let direction = bent * (1.0 / max(length(bent), 1e-20));
+    let direction = normalize(select_vector(reflected, mirrored, passed));
     Bent { direction, reflected, reflectance: fresnel(from, to, cosine) }
 }
 
@@ -53,7 +48,7 @@ pub fn ior(medium: i32, materials: &[f32]) -> f32 {
 pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i32, to: i32, materials: &[f32]) -> bool {
     let bent = bend(ray.direction, normal, ior(from, materials), ior(to, materials));
     let first = ray.bounces == 0.0;
-    let share = select(u.dispatch.w & flag::FRESNEL != 0, bent.reflectance, 0.0);
+    let share = select(u.flags & flag::FRESNEL != 0, bent.reflectance, 0.0);
     if first {
         ray.normal = normal;
         ray.reflectance = share;
@@ -63,7 +58,7 @@ pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i3
     if bent.reflected & second {
         // Two surfaces have no place for a reflection in between: the ray leaves along the surface, as at the critical angle.
         let along = ray.direction - normal * dot(ray.direction, normal);
-        ray.direction = along * (1.0 / max(length(along), 1e-20));
+        ray.direction = normalize(along);
     } else {
         ray.direction = bent.direction;
     }
@@ -72,10 +67,10 @@ pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i3
     }
     ray.turn(u);
     let inside = if bent.reflected { from } else { to };
-    let seeks = u.dispatch.w & flag::SEEKS != 0;
+    let seeks = u.flags & flag::SEEKS != 0;
     if second & !seeks {
         ray.end(materials);
-    } else if !second & (ray.bounces >= u.bricks.w as i32 as f32) & (inside != AIR) {
+    } else if !second & (ray.bounces >= u.most_bounces as i32 as f32) & (inside != AIR) {
         ray.status = fate::TRAPPED;
     } else if seeks {
         ray.status = fate::SEEKS;

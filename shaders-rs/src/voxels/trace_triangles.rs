@@ -3,13 +3,15 @@
 use super::ray::{Ray, level_of};
 use super::surface::{ior, meet};
 use super::tree;
-use super::triangle::{shear, vector};
-use crate::abi::record::path::ahead;
+use super::triangle::shear;
+use crate::abi::receivers::ahead;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, STEPS, VoxelsUniforms, corner};
-use crate::field::access::read;
-use crate::math::{dot, length, max, select};
+use crate::field::access::{read, read_vector};
+use crate::math::{cross, dot, normalize, select, select_vector};
 use spirv_std::glam::Vec3;
+
+pub use super::ray::level;
 
 /// Whether the ray is under way.
 #[inline(always)]
@@ -54,21 +56,20 @@ struct Surface {
 #[inline(always)]
 fn surface(ray: &Ray, corners: &[f32], index: i32) -> Surface {
     let at = index * corner::SIZE as i32;
-    let (a, b, c) = (vector(corners, at), vector(corners, at + 3), vector(corners, at + 6));
+    let (a, b, c) = (read_vector(corners, at), read_vector(corners, at + 3), read_vector(corners, at + 6));
     let (e, f) = (b - a, c - a);
-    let across = Vec3::new(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
-    let plane = across * (1.0 / max(length(across), 1e-20));
+    let plane = normalize(cross(e, f));
     let weights = super::triangle::meet(&shear(ray.position, ray.direction), corners, index).weights;
     let sum = (weights.x + weights.y) + weights.z;
     let share = weights * (1.0 / select(sum == 0.0, 1.0, sum));
     let normals = at + corner::NORMALS as i32;
-    let mean = vector(corners, normals) * share.x
-        + vector(corners, normals + 3) * share.y
-        + vector(corners, normals + 6) * share.z;
-    let mean = mean * (1.0 / max(length(mean), 1e-20));
+    let mean = read_vector(corners, normals) * share.x
+        + read_vector(corners, normals + 3) * share.y
+        + read_vector(corners, normals + 6) * share.z;
+    let mean = normalize(mean);
     // Where the ray is on the other side of the one than of the other, only the triangle's can be right.
     let same = dot(mean, ray.direction) * dot(plane, ray.direction) > 0.0;
-    let normal = Vec3::new(select(same, mean.x, plane.x), select(same, mean.y, plane.y), select(same, mean.z, plane.z));
+    let normal = select_vector(same, mean, plane);
     Surface { plane, normal, material: read(corners, at + corner::MATERIAL as i32) as i32 }
 }
 

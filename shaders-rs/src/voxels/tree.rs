@@ -1,9 +1,9 @@
 //! The nearest triangle on a ray's way, in a tree of boxes whose nodes say which one is behind all below: no stack.
 
 use super::ray::{Ray, reciprocal, slab};
-use super::triangle::{meet, shear, vector};
+use super::triangle::{meet, shear};
 use crate::abi::voxels::node;
-use crate::field::access::read;
+use crate::field::access::{read, read_vector};
 use crate::math::min;
 use spirv_std::glam::Vec3;
 
@@ -19,7 +19,7 @@ pub fn visit(ray: &mut Ray, nodes: &[f32], corners: &[f32]) {
     let d = ray.direction;
     let at = ray.node * node::SIZE as i32;
     let inverse = Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
-    let (enters, leaves) = slab(ray.position, inverse, vector(nodes, at), vector(nodes, at + 3));
+    let (enters, leaves) = slab(ray.position, inverse, read_vector(nodes, at), read_vector(nodes, at + 3));
     let reached = (enters <= min(leaves, ray.distance)) & (leaves >= 0.0);
     let triangle = read(nodes, at + node::TRIANGLE as i32) as i32;
     if reached & (triangle >= 0) {

@@ -1,12 +1,11 @@
 //! Where a ray meets a triangle, so that no ray slips through between two (Woop, Benthin & Wald 2013).
 
 use crate::abi::voxels::corner;
-use crate::field::access::read;
+use crate::field::access::read_vector;
 use crate::math::{absolute, select};
+use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
 
-/// The distance of what is not met.
-pub const FAR: f32 = 1e30;
 /// The nearest distance that counts, in voxels: a ray leaves the surface that it starts from.
 const NEAR: f32 = 1e-3;
 
@@ -17,12 +16,6 @@ pub struct Hit {
     pub distance: f32,
     /// Weights of the corners, not normalised; their sum is not 0 if there is a hit.
     pub weights: Vec3,
-}
-
-/// Three floats.
-#[inline(always)]
-pub fn vector(floats: &[f32], at: i32) -> Vec3 {
-    Vec3::new(read(floats, at), read(floats, at + 1), read(floats, at + 2))
 }
 
 /// A ray's frame in which its longest axis is z and it runs along it.
@@ -73,9 +66,9 @@ fn agree(a: f32, b: f32, c: f32) -> bool {
 #[inline(always)]
 pub fn meet(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
     let at = index * corner::SIZE as i32;
-    let a = in_frame(ray, vector(corners, at));
-    let b = in_frame(ray, vector(corners, at + 3));
-    let c = in_frame(ray, vector(corners, at + 6));
+    let a = in_frame(ray, read_vector(corners, at));
+    let b = in_frame(ray, read_vector(corners, at + 3));
+    let c = in_frame(ray, read_vector(corners, at + 6));
     let (u, v, w) = (c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
     let sum = u + v + w;
     let inside = agree(u, v, w) & (sum != 0.0);

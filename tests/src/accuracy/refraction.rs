@@ -69,7 +69,7 @@ pub fn refraction(backend: &mut dyn Backend) -> Result<Section, Failure> {
         let exact = run("exact", &["voxels.surfaces=exact"])?;
         let mut points: [Vec<(f64, f64)>; KINDS.len()] = Default::default();
         for resolution in RESOLUTIONS {
-            let setting = format!("voxels.resolution={resolution}");
+            let setting = format!("voxelization.resolution={resolution}");
             let mut cells = vec![name.to_owned(), resolution.to_string()];
             for ((kind, settings), points) in KINDS.iter().zip(&mut points) {
                 let [median, within] =

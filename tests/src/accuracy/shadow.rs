@@ -1,6 +1,7 @@
 //! The shadow of the tree on the ground against what an exact caster of rays finds.
 
 use vitrum::backend::Backend;
+use vitrum::method::Tools;
 use vitrum::method::voxelize::{Settings, voxelize};
 use vitrum_io::Mesh;
 use vitrum_kernels::glam::{DVec2, DVec3};
@@ -92,7 +93,8 @@ fn touched(
         let [low, high] = part.bounds();
         let longest = (0..3).map(|axis| f64::from(high[axis] - low[axis])).fold(0.0, f64::max);
         let settings = Settings { attributes: true, ..Settings::new((longest / edge).round().max(1.0) as u32) };
-        let voxels = voxelize(&part, &settings, backend, &mut |_, _| true)?;
+        let mut tools = Tools { backend: &mut *backend, progress: &mut |_| true };
+        let voxels = voxelize(&part, &settings, &mut tools)?;
         let (surface, attributes) =
             (voxels.surface.expect("it was wanted"), voxels.attributes.expect("they were wanted"));
         let counts = surface.spread(&attributes.counts, 0);
@@ -116,13 +118,13 @@ pub fn shadow(backend: &mut dyn Backend) -> Result<Section, Failure> {
     };
     let tree = with("tree", RESOLUTIONS[0])?;
     let missing = || Failure::Setup("the scene `tree` shows no mesh".to_owned());
-    let mesh = tree.inputs.mesh.as_ref().ok_or_else(missing)?;
+    let mesh = tree.assets.subject.mesh().ok_or_else(missing)?;
     let named = |name: &str| tree.scene.material.iter().find(|material| material.name.as_deref() == Some(name));
     let depths: Vec<f64> = mesh
         .materials
         .iter()
         .map(|material| {
-            named(&material.name).map_or(0.0, |listed| f64::from(listed.density * tree.scene.shadow.absorption))
+            named(&material.name).map_or(0.0, |listed| f64::from(listed.density * tree.scene.shadow.optical_depth))
         })
         .collect();
     let direction = Map::of(&tree, backend)?.light();

@@ -9,10 +9,10 @@ use clap::{Parser, ValueEnum};
 use serde_json::json;
 use vitrum::backend::{Backend, CpuBackend, GpuBackend, GpuOptions};
 use vitrum::builtin;
-use vitrum::scene::Method;
+use vitrum::scene::MethodName;
 use vitrum_conformance::bounds::{self, Family};
 use vitrum_conformance::case::Case;
-use vitrum_conformance::run::{METHODS, Run};
+use vitrum_conformance::run::{Run, methods};
 use vitrum_conformance::{Failure, adapter, evidence, failure, frames, functions, golden, kernels, report, table};
 
 /// Compare the backends with each other and with the golden pictures; print a table.
@@ -33,7 +33,7 @@ struct Arguments {
     scene: Vec<String>,
 
     /// Only this method; repeatable
-    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(METHODS))]
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(methods()))]
     method: Vec<String>,
 
     /// Compare with the adapter whose name has this text in it (`vitrum devices` lists them); repeatable
@@ -127,7 +127,7 @@ impl Arguments {
         }
         let wants = |scene: &str| self.scene.is_empty() || self.scene.iter().any(|wanted| scene.contains(wanted));
         let of_method =
-            |method: Method| self.method.is_empty() || self.method.iter().any(|wanted| wanted == method.name());
+            |method: MethodName| self.method.is_empty() || self.method.iter().any(|wanted| wanted == method.as_str());
         kernels.retain(|case| wants(&case.name) && of_method(case.scene.method));
         meshes.retain(|case| wants(&case.name) && of_method(case.scene.method));
         let of_scene = |name: &str| builtin::scene(name).is_some_and(|scene| of_method(scene.method));

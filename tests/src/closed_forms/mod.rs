@@ -10,11 +10,11 @@ pub mod saddle;
 pub mod slab;
 pub mod step;
 
+use vitrum::Frame;
 use vitrum::backend::Backend;
 use vitrum::io::{Volume, Voxels};
 use vitrum::method::sweep::Sweep;
 use vitrum::scene::{IorPoint, OpacityPoint, Projection, Scene};
-use vitrum::{Frame, Inputs};
 
 /// A cube of `n`³ voxels with edge `size`, centred at the origin, holding `field` at the voxels' centres.
 ///
@@ -50,14 +50,12 @@ pub fn straight_on(pixels: u32) -> Scene {
     scene.camera.projection = Projection::Orthographic;
     scene.camera.azimuth = 0.0;
     scene.camera.elevation = 0.0;
-    scene.light.azimuth = 0.0;
-    scene.light.elevation = 0.0;
-    scene.light.softness = 0.0;
+    scene.light[0].azimuth = 0.0;
+    scene.light[0].elevation = 0.0;
+    scene.light[0].angular_radius = 0.0;
     scene.shading.ambient = [0.0; 3];
     scene.film.width = pixels;
     scene.film.height = pixels;
-    // The loader would find this by name; here the volume is handed over.
-    scene.volume.builtin = Some("ball".to_owned());
     scene
 }
 
@@ -77,8 +75,7 @@ pub fn refracting(volume: &Volume, pixels: u32) -> Scene {
 /// # Panics
 /// If the scene does not render.
 pub fn render(scene: &Scene, volume: &Volume, backend: &mut dyn Backend) -> Frame {
-    let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
-    vitrum::render(scene, &inputs, backend, &mut |_| true).expect("the scene renders")
+    vitrum::render(scene, &volume.clone().into(), backend, &mut |_| true).expect("the scene renders")
 }
 
 /// A ray's end, in view space: position and unit direction.

@@ -4,7 +4,7 @@
 use vitrum::backend::Backend;
 use vitrum::method::sweep::Sweep;
 use vitrum::scene::{Intensity, Wall};
-use vitrum::{Inputs, Wanted};
+use vitrum::{Assets, OutputRequest};
 
 use super::{cuboid, refracting};
 use crate::Failure;
@@ -31,12 +31,11 @@ pub fn flux(strength: f64, intensity: Intensity, backend: &mut dyn Backend) -> R
     scene.sweep.intensity = intensity;
     scene.sweep.sample_distance = SAMPLE_DISTANCE;
     scene.wall = Some(Wall { distance: Some(1.0), azimuth: 0.0, color: [1.0; 3] });
-    let inputs = Inputs { volume, mesh: None, ior_volume: None, environment: None };
-    let sweep = Sweep::prepare(&scene, &inputs, Wanted::default(), backend)?;
+    let assets = Assets::from(volume);
+    let sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend)?;
     sweep.run(backend, &mut |_| true)?;
     let light = sweep.irradiance(backend)?;
     let (planes, [width, height]) = (sweep.planes, sweep.light_grid.size.map(|n| n as usize));
-    sweep.free(backend);
     let middle = |n: usize| n * 2 / 5..n * 3 / 5;
     let texels = middle(height).flat_map(|y| middle(width).map(move |x| y * width + x));
     let (sum, count) = texels.fold((0.0, 0.0), |(sum, count), texel| (sum + f64::from(light[texel]), count + 1.0));

@@ -33,7 +33,7 @@ pub fn irradiance(
     });
     let mut scene = refracting(&volume, 64);
     scene.sweep.intensity = intensity;
-    scene.light.resolution = resolution;
+    scene.sweep.light_resolution = resolution;
     scene.sweep.sample_distance = sample_distance;
     let distance = share * focus;
     scene.wall = Some(Wall { distance: Some(distance as f32), azimuth: 0.0, color: [1.0; 3] });

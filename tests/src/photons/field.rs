@@ -1,20 +1,20 @@
 //! A volume as a continuous medium, in double precision.
 
 use vitrum::io::Volume;
-use vitrum::method::sweep::View;
+use vitrum::method::View;
 use vitrum::scene::TransferFunction;
 use vitrum_kernels::glam::{DMat3, DVec3};
 
 /// Half the distance, in voxels, over which the gradient is taken: small, since the medium between voxels is what it is.
 const HALF_STEP: f64 = 0.05;
 
-/// A refracting, absorbing medium in the sweep frame.
+/// A refracting, absorbing medium in the view frame.
 pub struct Field<'a> {
     volume: &'a Volume,
     transfer: &'a TransferFunction,
     /// Its values, x fastest: asking the volume for each is half of a photon's time.
     values: Vec<f32>,
-    /// Voxel coordinates of a point of the sweep frame: `to_voxels · point + offset`.
+    /// Voxel coordinates of a point of the view frame: `to_voxels · point + offset`.
     to_voxels: DMat3,
     offset: DVec3,
     reference_length: f64,
@@ -101,7 +101,7 @@ impl<'a> Field<'a> {
         interpolate(points, self.scalar(at)).map_or(1.0, |ior| ior[0])
     }
 
-    /// ½∇(η²) at a point of the volume, per world unit, in the sweep frame.
+    /// ½∇(η²) at a point of the volume, per world unit, in the view frame.
     #[must_use]
     pub fn acceleration(&self, point: DVec3) -> DVec3 {
         let at = self.to_voxels * point + self.offset;
@@ -115,7 +115,7 @@ impl<'a> Field<'a> {
     #[must_use]
     pub fn extinction(&self, point: DVec3) -> DVec3 {
         let scalar = self.scalar(self.to_voxels * point + self.offset);
-        let medium = self.transfer.medium.iter().map(|point| (f64::from(point.value), point.color.map(f64::from)));
+        let medium = self.transfer.filter.iter().map(|point| (f64::from(point.value), point.color.map(f64::from)));
         let opacity = self.transfer.opacity.iter().map(|point| (f64::from(point.value), [f64::from(point.opacity); 3]));
         let depth = |share: f64| -share.max(1e-6).ln() / self.reference_length;
         let medium = interpolate(medium, scalar).unwrap_or([1.0; 3]);

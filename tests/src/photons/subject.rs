@@ -1,7 +1,8 @@
 //! A scene whose light is followed both by the sweep and by photons.
 
 use vitrum::backend::CpuBackend;
-use vitrum::method::sweep::{LightGrid, Planes, Sweep, View};
+use vitrum::method::View;
+use vitrum::method::sweep::{LightGrid, Planes, Sweep};
 use vitrum::scene::Transport;
 
 use super::{Field, blocks, irradiance, misplaced};
@@ -38,7 +39,7 @@ impl Subject {
     /// # Errors
     /// If there is no such scene, or the backend fails.
     pub fn new(scene: &str, edge: u32, resolution: u32) -> Result<Self, Failure> {
-        let case = Case::builtin(scene, edge, Some(resolution), &["light.softness=0", "light.elevation=20"])?;
+        let case = Case::builtin(scene, edge, Some(resolution), &["light.0.angular_radius=0", "light.0.elevation=20"])?;
         let (_, texels) = light(&case, Transport::Texels)?;
         let (sweep, sheets) = light(&case, Transport::Sheets)?;
         let (grid, planes) = (sweep.light_grid, sweep.planes);
@@ -54,7 +55,7 @@ impl Subject {
     /// The photons' light on the three planes, with `across` × `across` of them for each texel.
     #[must_use]
     pub fn photons(&self, across: u32) -> Vec<Vec<f64>> {
-        let volume = &self.case.inputs.volume;
+        let volume = self.case.volume();
         let view = View::new(&self.case.scene, volume);
         let field = Field::new(volume, &self.case.scene.transfer, &view);
         irradiance(&field, &self.grid, &self.planes, &self.at, across)
@@ -94,7 +95,7 @@ fn light(case: &Case, carried: Transport) -> Result<(Sweep, Vec<Vec<f64>>), Fail
     let mut scene = case.scene.clone();
     scene.sweep.light = carried;
     let mut backend = CpuBackend::new(None)?;
-    let mut sweep = Sweep::prepare(&scene, &case.inputs, case.wanted, &mut backend)?;
+    let mut sweep = Sweep::prepare(&scene, &case.assets, case.request, &mut backend)?;
     let at = at(&sweep.planes);
     let (mut unoccluded, mut light) = (1.0, Vec::new());
     light_on_planes(

@@ -14,7 +14,7 @@ const MOST_STEPS: usize = 20_000;
 /// A photon: position, optical direction v = η dx/ds, and what absorption has left of it.
 #[derive(Debug, Clone, Copy)]
 pub struct Photon {
-    /// Position in the sweep frame.
+    /// Position in the view frame.
     pub position: DVec3,
     /// Optical direction.
     pub direction: DVec3,

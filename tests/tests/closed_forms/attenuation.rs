@@ -19,7 +19,7 @@ fn scene(azimuth: f32, sample_distance: f32) -> Scene {
     scene.volume.builtin = Some("ball".to_owned());
     scene.transfer.reference_length = Some(0.5);
     scene.transfer.opacity = vec![OpacityPoint { value: 0.0, opacity: 0.3 }];
-    scene.transfer.medium = vec![ColorPoint { value: 0.0, color: [0.9, 0.5, 0.2] }];
+    scene.transfer.filter = vec![ColorPoint { value: 0.0, color: [0.9, 0.5, 0.2] }];
     scene.camera.projection = Projection::Orthographic;
     scene.camera.azimuth = azimuth;
     scene.camera.elevation = 0.0;
@@ -43,7 +43,7 @@ fn medium_and_particles_follow_beer_and_lambert() {
                 // Half floats in the table: optical depth to 2⁻¹¹, here times up to 2.
                 assert!((opacity - expected).abs() < 1e-3, "{azimuth}°: opacity {opacity} instead of {expected}");
                 for (channel, transmittance) in [("R", 0.9f64), ("G", 0.5), ("B", 0.2)] {
-                    let medium = f64::from(frame.channel("medium", channel).expect("medium")[middle]);
+                    let medium = f64::from(frame.channel("transmittance", channel).expect("transmittance")[middle]);
                     let expected = transmittance.powf(length / 0.5);
                     assert!(
                         (medium - expected).abs() < 1e-3 * expected.max(0.1),

@@ -3,7 +3,7 @@
 use crate::setup::{backends, cube, light_on_planes, refracting};
 use vitrum::method::sweep::Sweep;
 use vitrum::scene::{Transport, Wall};
-use vitrum::{Inputs, Wanted};
+use vitrum::{Assets, OutputRequest};
 
 #[test]
 fn every_plane_gets_the_same_flux() {
@@ -13,12 +13,12 @@ fn every_plane_gets_the_same_flux() {
     });
     for azimuth in [0.0f32, 30.0] {
         let mut scene = refracting(&volume, 128);
-        scene.light.azimuth = azimuth;
-        scene.light.margin = 0.3;
-        let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
+        scene.light[0].azimuth = azimuth;
+        scene.sweep.light_margin = 0.3;
+        let assets = Assets::from(volume.clone());
         for mut backend in backends() {
-            let mut sweep =
-                Sweep::prepare(&scene, &inputs, Wanted::default(), backend.as_mut()).expect("the scene is sound");
+            let mut sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend.as_mut())
+                .expect("the scene is sound");
             let (mut flux, mut at_plane) = (Vec::new(), Vec::new());
             let last = sweep.planes.count - 1;
             light_on_planes(
@@ -37,7 +37,6 @@ fn every_plane_gets_the_same_flux() {
             for (mean, plane) in flux.iter().zip(at_plane) {
                 assert!((mean / expected - 1.0).abs() < 5e-3, "plane {plane}: {mean} instead of {expected}");
             }
-            sweep.free(backend.as_mut());
         }
     }
 }
@@ -49,9 +48,10 @@ fn behind_a_focus_there_is_no_more_light_than_before() {
     for name in ["glass", "ball"] {
         let mut scene = vitrum::builtin::scene(name).expect("the scene exists");
         (scene.film.width, scene.film.height) = (300, 300);
-        let inputs = Inputs::load(&scene, std::path::Path::new("")).expect("the scene loads");
+        let assets = Assets::load(&scene, std::path::Path::new("")).expect("the scene loads");
         let mut backend = vitrum::backend::CpuBackend::new(None).expect("the CPU backend opens");
-        let mut sweep = Sweep::prepare(&scene, &inputs, Wanted::default(), &mut backend).expect("the scene is sound");
+        let mut sweep =
+            Sweep::prepare(&scene, &assets, OutputRequest::default(), &mut backend).expect("the scene is sound");
         let mut first = None;
         let mut most = 0.0f64;
         light_on_planes(
@@ -67,7 +67,6 @@ fn behind_a_focus_there_is_no_more_light_than_before() {
         println!("{name}: at most {most:.4} of the light");
         // A focus is a few texels wide; differences between texels cannot tell its area to better than some percent.
         assert!(most < 1.02, "{most} of the light at some plane");
-        sweep.free(&mut backend);
     }
 }
 
@@ -78,14 +77,14 @@ fn sheets_carry_all_light_through_a_focus() {
     for azimuth in [0.0f32, 30.0] {
         let mut scene = refracting(&volume, 96);
         scene.sweep.light = Transport::Sheets;
-        scene.light.azimuth = azimuth;
+        scene.light[0].azimuth = azimuth;
         // None of it leaves the grid, nor reaches it from outside.
-        scene.light.margin = 1.0;
+        scene.sweep.light_margin = 1.0;
         scene.wall = Some(Wall { distance: Some(2.5), ..Wall::default() });
-        let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
+        let assets = Assets::from(volume.clone());
         for mut backend in backends() {
-            let mut sweep =
-                Sweep::prepare(&scene, &inputs, Wanted::default(), backend.as_mut()).expect("the scene is sound");
+            let mut sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend.as_mut())
+                .expect("the scene is sound");
             let (mut brightest, mut first, mut worst) = (0.0f32, None, 0.0f64);
             light_on_planes(
                 &mut sweep,
@@ -102,7 +101,6 @@ fn sheets_carry_all_light_through_a_focus() {
             );
             println!("{} at {azimuth}°: flux within {worst:.1e}, brightest {brightest:.1}", backend.name());
             assert!(brightest > 20.0, "{brightest}: there should be a focus");
-            sweep.free(backend.as_mut());
         }
     }
 }

@@ -8,6 +8,7 @@ mod ball;
 mod flux;
 mod gradients;
 mod layer;
+mod lights;
 mod luneburg;
 mod porter_duff;
 mod prism;

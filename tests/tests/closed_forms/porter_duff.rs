@@ -56,7 +56,7 @@ fn the_defaults_are_plain_compositing() {
             assert!((found / expected - 1.0).abs() < 0.012, "{name}: {found} instead of {expected}");
             assert!((found - expected).abs() < 0.2 * (far - expected).abs(), "{name}: {far}, {found}, {expected}");
         }
-        let medium = frame.channel("medium", "R").expect("medium");
+        let medium = frame.channel("transmittance", "R").expect("transmittance");
         assert!(medium.iter().all(|&m| m == 1.0), "a white medium stays exactly white");
         let straight = frame.channel("direction", "Z").expect("direction");
         assert!(straight.iter().all(|&z| z == -1.0), "rays stay exactly straight");

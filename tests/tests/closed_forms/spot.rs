@@ -3,9 +3,10 @@
 
 use crate::setup::{backends, cube, light_on_planes, refracting};
 use vitrum::backend::Backend;
-use vitrum::method::sweep::{Sweep, View};
+use vitrum::method::View;
+use vitrum::method::sweep::Sweep;
 use vitrum::scene::{Transport, Wall};
-use vitrum::{Inputs, Wanted};
+use vitrum::{Assets, OutputRequest};
 
 /// (z, a, share).
 const TRUTH: [(f64, f64, f64); 9] = [
@@ -53,12 +54,12 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
     // Not a multiple of the voxels': light that samples every voxel at the same place sees its interpolation's error everywhere.
     let mut scene = refracting(&volume, 217);
     scene.sweep.light = Transport::Sheets;
-    scene.light.resolution = 1.0;
+    scene.sweep.light_resolution = 1.0;
     // So that planes reach it.
     scene.wall = Some(Wall { distance: Some(3.1), ..Wall::default() });
-    let inputs = Inputs { volume: volume.clone(), mesh: None, ior_volume: None, environment: None };
+    let assets = Assets::from(volume.clone());
     let view = View::new(&scene, &volume);
-    let mut sweep = Sweep::prepare(&scene, &inputs, Wanted::default(), backend).expect("the scene is sound");
+    let mut sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend).expect("the scene is sound");
     let (planes, grid) = (sweep.planes, sweep.light_grid);
     let centre = view.point(Default::default());
     let nearest = |z: f64| {
@@ -88,7 +89,6 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
             }
         },
     );
-    sweep.free(backend);
     assert_eq!(found.len(), TRUTH.len(), "some planes were not visited");
     found
 }

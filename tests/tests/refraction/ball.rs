@@ -32,7 +32,7 @@ fn errors(rays: &[Traced], h: f64) -> Vec<f64> {
 #[test]
 fn a_ball_lens_focuses() -> Result<(), Failure> {
     let truth = [(0.1, 1.4958), (0.25, 1.4737), (0.5, 1.3916), (0.75, 1.2410), (0.9, 1.1044)];
-    for (settings, bound) in [("voxels.surfaces=exact", 2e-3), ("voxels.resolution=256", 3e-2)] {
+    for (settings, bound) in [("voxels.surfaces=exact", 2e-3), ("voxelization.resolution=256", 3e-2)] {
         on_both(|backend| {
             let rays = rays(&[settings], backend)?;
             for (h, expected) in truth {
@@ -70,7 +70,7 @@ fn directions_converge_with_the_resolution() -> Result<(), Failure> {
     let mut before = f64::INFINITY;
     // From 64 voxels on what is left is the triangles' own: their normals are off by up to 0.35°.
     for resolution in [16, 32, 64, 128, 256] {
-        let setting = format!("voxels.resolution={resolution}");
+        let setting = format!("voxelization.resolution={resolution}");
         let found = errors(&rays(&[&setting], &mut cpu)?, 0.95);
         let median = found[found.len() / 2];
         println!("{resolution}: median {median:.3}°, 95 % below {:.3}°", found[found.len() * 95 / 100]);
@@ -118,7 +118,7 @@ fn backends_agree_on_every_ray() -> Result<(), Failure> {
     let mut cpu = CpuBackend::new(None)?;
     for surfaces in ["two", "multi", "exact"] {
         let surfaces = format!("voxels.surfaces={surfaces}");
-        let case = case("ball", ball(96), 53, &[&surfaces, "voxels.resolution=96"])?;
+        let case = case("ball", ball(96), 53, &[&surfaces, "voxelization.resolution=96"])?;
         let (expected, found) = (trace(&case, &mut cpu)?, trace(&case, &mut gpu)?);
         for (expected, found) in expected.iter().zip(&found) {
             assert_eq!((expected.left, expected.direction), (found.left, found.direction), "{surfaces}");

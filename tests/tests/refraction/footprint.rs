@@ -19,9 +19,9 @@ fn noise() -> Picture {
 }
 
 fn ball_of(ior: &str) -> Result<Case, Failure> {
-    let settings = ["environment.kind=map", "environment.file=none.hdr", "voxels.resolution=64", ior];
+    let settings = ["environment.kind=map", "voxelization.resolution=64", ior];
     let mut case = case("footprint", ball(48), 64, &settings)?;
-    case.inputs.environment = Some(noise());
+    case.assets.environment = Some(noise().into());
     Ok(case)
 }
 

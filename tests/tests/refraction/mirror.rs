@@ -37,7 +37,7 @@ fn scene(settings: &[&str]) -> Result<Case, Failure> {
         "environment.color=[0,0,0]",
         "camera.position=[0.5,-5,3]",
         "camera.target=[0,0,0.2]",
-        "voxels.resolution=128",
+        "voxelization.resolution=128",
     ];
     case("mirror", mesh, EDGE, &[&usual, settings].concat())
 }
@@ -87,7 +87,7 @@ fn a_ball_is_mirrored_where_its_image_is() -> Result<(), Failure> {
         ("voxels.surfaces=two", PERSPECTIVE, 2e-3),
     ] {
         let wall = format!("wall={{color={WALL:?},azimuth=180,distance=4}}");
-        let case = scene(&[kind, projection, "light.intensity=0", "shading.ambient=[1,1,1]", &wall])?;
+        let case = scene(&[kind, projection, "light.0.intensity=0", "shading.ambient=[1,1,1]", &wall])?;
         on_both(|backend| {
             let rays = mirrored(&trace(&case, backend)?);
             let found = color(&case, backend)?;
@@ -109,7 +109,8 @@ fn a_ball_is_mirrored_where_its_image_is() -> Result<(), Failure> {
 /// Light from one side: what is mirrored is lit as what is seen, by Lambert's law on the side of the ball that shows.
 #[test]
 fn what_is_mirrored_has_its_light() -> Result<(), Failure> {
-    let settings = ["light.attachment=world", "light.elevation=0", "light.azimuth=180", "shading.ambient=[0,0,0]"];
+    let settings =
+        ["light.0.attachment=world", "light.0.elevation=0", "light.0.azimuth=180", "shading.ambient=[0,0,0]"];
     let case = scene(&[&settings[..], &["voxels.surfaces=exact"]].concat())?;
     on_both(|backend| {
         let rays = mirrored(&trace(&case, backend)?);
@@ -165,7 +166,7 @@ fn searches_end_where_the_tree_does() -> Result<(), Failure> {
         "camera.position=[0.5,-5,3]",
         "camera.target=[0,0,0.2]",
         "voxels.surfaces=exact",
-        "light.intensity=0",
+        "light.0.intensity=0",
         "shading.ambient=[1,1,1]",
     ];
     let case = case("needles", together(&[plate, needles, ceiling]), 48, &settings)?;
@@ -191,7 +192,7 @@ fn searches_end_where_the_tree_does() -> Result<(), Failure> {
 #[test]
 fn shadows_are_mirrored() -> Result<(), Failure> {
     let wall = format!("wall={{color={WALL:?},azimuth=180,distance=4}}");
-    let light = ["light.attachment=world", "light.elevation=0", "light.azimuth=180", "shading.ambient=[0,0,0]"];
+    let light = ["light.0.attachment=world", "light.0.elevation=0", "light.0.azimuth=180", "shading.ambient=[0,0,0]"];
     let case = scene(&[&light[..], &["voxels.surfaces=exact", &wall]].concat())?;
     on_both(|backend| {
         let rays = mirrored(&trace(&case, backend)?);

@@ -26,7 +26,7 @@ fn plate(degrees: f64, settings: &[&str], backend: &mut dyn Backend) -> Result<V
 #[test]
 fn a_plate_moves_rays_to_the_side() -> Result<(), Failure> {
     // A voxel is 2.2 / 192. Between voxels' centres the field is not quite that of a plane: a thousandth of a radian.
-    for (settings, bound) in [(["voxels.surfaces=exact"], 2e-5), (["voxels.resolution=192"], 2e-3)] {
+    for (settings, bound) in [(["voxels.surfaces=exact"], 2e-5), (["voxelization.resolution=192"], 2e-3)] {
         on_both(|backend| {
             for degrees in [20.0f64, 40.0, 60.0] {
                 let (sin, cos) = degrees.to_radians().sin_cos();
@@ -54,7 +54,7 @@ fn a_box_absorbs_by_beer_lambert() -> Result<(), Failure> {
     let material = "material=[{ior=1.5,attenuation_color=[1,0.3,1],attenuation_distance=1}]";
     for surfaces in ["voxels.surfaces=multi", "voxels.surfaces=exact", "voxels.surfaces=two"] {
         on_both(|backend| {
-            let settings = [material, surfaces, "voxels.resolution=128", "voxels.reflection=false"];
+            let settings = [material, surfaces, "voxelization.resolution=128", "voxels.reflection=false"];
             for ray in plate(0.0, &settings, backend)? {
                 let expected = 0.3f64.powf(0.4);
                 assert!((ray.transmittance / expected - 1.0).abs() < 0.01, "{}: {expected}", ray.transmittance);
@@ -70,7 +70,7 @@ fn a_box_absorbs_by_beer_lambert() -> Result<(), Failure> {
 #[test]
 fn faces_reflect_by_fresnel() -> Result<(), Failure> {
     on_both(|backend| {
-        for ray in plate(0.0, &["voxels.resolution=64"], backend)? {
+        for ray in plate(0.0, &["voxelization.resolution=64"], backend)? {
             assert!((ray.transmittance - 0.9216).abs() < 1e-4, "{}", ray.transmittance);
         }
         Ok(())
@@ -83,7 +83,7 @@ fn faces_reflect_by_fresnel() -> Result<(), Failure> {
 #[test]
 fn faces_reflect_totally() -> Result<(), Failure> {
     let mesh = cuboid(DVec3::new(1.0, 1.0, 1.0), DQuat::from_rotation_z(45f64.to_radians()));
-    for (settings, bound) in [("voxels.surfaces=exact", 1e-4), ("voxels.resolution=128", 0.02)] {
+    for (settings, bound) in [("voxels.surfaces=exact", 1e-4), ("voxelization.resolution=128", 0.02)] {
         on_both(|backend| {
             let case = case("bar", mesh.clone(), 48, &[&ALONG_Y[..], &[settings]].concat())?;
             let traced = trace(&case, backend)?;
@@ -111,7 +111,7 @@ fn a_box_within_a_box_has_a_material_of_its_own() -> Result<(), Failure> {
                     {name=\"m1\",ior=1.2,attenuation_color=[1,0.1,1],attenuation_distance=1}]";
     for surfaces in ["voxels.surfaces=multi", "voxels.surfaces=exact"] {
         on_both(|backend| {
-            let settings = [material, surfaces, "voxels.resolution=128", "voxels.reflection=false"];
+            let settings = [material, surfaces, "voxelization.resolution=128", "voxels.reflection=false"];
             let parts = together(&[outer.clone(), inner.clone()]);
             let case = case("nested", parts, 48, &[&ALONG_Y[..], &settings].concat())?;
             for ray in middle(&trace(&case, backend)?, 48) {

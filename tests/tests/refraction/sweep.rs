@@ -2,7 +2,7 @@
 
 use super::on_both;
 use vitrum::backend::Backend;
-use vitrum::scene::{Method, Scene};
+use vitrum::scene::{MethodName, Scene};
 use vitrum_conformance::Failure;
 use vitrum_conformance::refraction::{ball, case, cuboid, sweep, through_ball, together, trace};
 use vitrum_io::Mesh;
@@ -15,7 +15,7 @@ const STRAIGHT_ON: [&str; 3] = ["camera.projection=orthographic", "camera.azimut
 #[test]
 fn a_ball_bends_rays_by_snells_law() -> Result<(), Failure> {
     on_both(|backend| {
-        let case = case("ball", ball(128), 40, &[&STRAIGHT_ON[..], &["voxels.resolution=96"]].concat())?;
+        let case = case("ball", ball(128), 40, &[&STRAIGHT_ON[..], &["voxelization.resolution=96"]].concat())?;
         let found = sweep(&case, backend)?;
         let rays = trace(&case, backend)?;
         let mut angles: Vec<f64> = rays
@@ -36,11 +36,12 @@ fn a_ball_bends_rays_by_snells_law() -> Result<(), Failure> {
 
 /// What light is left of, through the middle of the picture.
 fn transmittance(parts: &[Mesh], materials: &str, backend: &mut dyn Backend) -> Result<[f64; 3], Failure> {
-    let settings = [&STRAIGHT_ON[..], &["voxels.resolution=64", materials]].concat();
+    let settings = [&STRAIGHT_ON[..], &["voxelization.resolution=64", materials]].concat();
     let case = case("plates", together(parts), 16, &settings)?;
-    let scene = Scene { method: Method::Sweep, ..case.scene };
-    let frame = vitrum::render(&scene, &case.inputs, backend, &mut |_| true)?;
-    Ok(["R", "G", "B"].map(|channel| f64::from(frame.channel("medium", channel).expect("it is there")[8 * 16 + 8])))
+    let scene = Scene { method: MethodName::Sweep, ..case.scene };
+    let frame = vitrum::render(&scene, &case.assets, backend, &mut |_| true)?;
+    Ok(["R", "G", "B"]
+        .map(|channel| f64::from(frame.channel("transmittance", channel).expect("it is there")[8 * 16 + 8])))
 }
 
 /// Two plates that touch, each half as thick as it is wide: e^(−Σ σ ℓ), wherever the mixture at a surface is of several materials.

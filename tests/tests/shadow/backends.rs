@@ -27,7 +27,7 @@ fn the_map_is_the_same_on_both_backends() -> Result<(), Failure> {
     for settings in KINDS {
         // The second one is cut into several slabs.
         for resolution in ["shadow.resolution=33", "shadow.resolution=256"] {
-            let case = case(mesh(), 8, &[settings, &[resolution, "voxels.resolution=16"]].concat())?;
+            let case = case(mesh(), 8, &[settings, &[resolution, "voxelization.resolution=16"]].concat())?;
             let (expected, found) = (Map::of(&case, &mut cpu)?, Map::of(&case, &mut gpu)?);
             assert!(expected.words.iter().any(|word| *word != u32::MAX), "there is a shadow");
             assert!(expected.words == found.words, "{settings:?}, {resolution}");
@@ -41,7 +41,7 @@ fn the_order_of_triangles_does_not_matter() -> Result<(), Failure> {
     let mut cpu = CpuBackend::new(None)?;
     let mut random = Random(3);
     for settings in KINDS {
-        let settings = [settings, &["shadow.resolution=64", "voxels.resolution=16"]].concat();
+        let settings = [settings, &["shadow.resolution=64", "voxelization.resolution=16"]].concat();
         let expected = Map::of(&case(mesh(), 8, &settings)?, &mut cpu)?;
         let mut shuffled = mesh();
         for index in (1..shuffled.triangles.len()).rev() {

@@ -34,7 +34,7 @@ fn missing_light_approaches_coverage() -> Result<(), Failure> {
         [middle, e * 0.02, f * 0.03]
     };
     let mesh = quads((0..1500).map(|_| quad()));
-    for (density, light) in [(16.0, ABOVE), (0.7, ["light.elevation=55", "light.azimuth=130"])] {
+    for (density, light) in [(16.0, ABOVE), (0.7, ["light.0.elevation=55", "light.0.azimuth=130"])] {
         on_both(|backend| {
             let mut before = f64::INFINITY;
             for (resolution, bound) in [(32, 0.02), (64, 0.01), (128, 0.005), (256, 0.0025), (384, 0.0015)] {
@@ -66,21 +66,22 @@ fn columns_count_what_rays_cross() -> Result<(), Failure> {
         [middle, e, f]
     };
     let mesh = quads((0..300).map(|_| quad()));
-    let settings = ["light.elevation=40", "light.azimuth=-70", "material.0.density=0.09", "shadow.resolution=96"];
+    let settings = ["light.0.elevation=40", "light.0.azimuth=-70", "material.0.density=0.09", "shadow.resolution=96"];
     let case = case(mesh.clone(), 8, &settings)?;
     on_both(|backend| {
         let map = Map::of(&case, backend)?;
         let caster = Caster::new(&mesh, map.light(), |_| 0.09);
         let (mut compared, mut different) = (0, 0);
         let b = map.block;
-        let (rows, edge) = ([b.shadow_x, b.shadow_y, b.shadow_z], map.edge());
-        let axes = rows.map(|row| DVec3::new(f64::from(row.x), f64::from(row.y), f64::from(row.z)).normalize());
+        let (rows, edge) = ([b.shadow.row_x, b.shadow.row_y, b.shadow.row_z], map.edge());
+        let axes =
+            rows.map(|row| DVec3::new(row.factors.x.into(), row.factors.y.into(), row.factors.z.into()).normalize());
         // The world's point at a place in the shadow map's voxels.
-        let zero = rows.map(|row| f64::from(row.w));
+        let zero = rows.map(|row| f64::from(row.constant));
         let origin = map.world_origin();
-        for y in (1..b.shadow.y).step_by(3) {
-            for z in (1..b.shadow.z).step_by(3) {
-                for face in [b.shadow.x / 3, b.shadow.x / 2, b.shadow.x] {
+        for y in (1..b.shadow.size.y).step_by(3) {
+            for z in (1..b.shadow.size.z).step_by(3) {
+                for face in [b.shadow.size.x / 3, b.shadow.size.x / 2, b.shadow.size.x] {
                     let place = [f64::from(face), f64::from(y) + 0.5, f64::from(z) + 0.5];
                     let point =
                         origin + (0..3).map(|axis| axes[axis] * ((place[axis] - zero[axis]) * edge)).sum::<DVec3>();

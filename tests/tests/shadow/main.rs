@@ -2,6 +2,7 @@
 
 mod backends;
 mod coverage;
+mod lights;
 mod pictures;
 mod sheets;
 mod surfaces;
@@ -22,12 +23,12 @@ fn on_both(check: impl Fn(&mut dyn Backend) -> Result<(), Failure>) -> Result<()
 
 /// A case whose bodies are opaque, in the light of the world.
 fn case(mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case, Failure> {
-    let usual = ["light.attachment=world", "material.0.opaque=true", "ground={}", "light.softness=0"];
+    let usual = ["light.0.attachment=world", "material.0.opaque=true", "ground={}", "light.0.angular_radius=0"];
     refraction::case("shadow", mesh, edge, &[&usual, settings].concat())
 }
 
 /// Light from straight above.
-const ABOVE: [&str; 2] = ["light.elevation=90", "light.azimuth=0"];
+const ABOVE: [&str; 2] = ["light.0.elevation=90", "light.0.azimuth=0"];
 
 /// Quads of two triangles, by their middles and two half edges each.
 fn quads(quads: impl IntoIterator<Item = [DVec3; 3]>) -> Mesh {

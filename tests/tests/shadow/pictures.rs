@@ -2,7 +2,9 @@
 
 use super::{ABOVE, case, on_both, sheets};
 use vitrum::Frame;
+use vitrum::OutputRequest;
 use vitrum::backend::Backend;
+use vitrum::method::{Cache, Job};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::refraction::{self, ball, cuboid, together};
 use vitrum_conformance::{Failure, frames};
@@ -31,11 +33,11 @@ fn moved(mesh: &Mesh, by: [f32; 3]) -> Mesh {
 #[test]
 fn the_ground_is_lit_through_a_sheet() -> Result<(), Failure> {
     let settings = [
-        "light.elevation=60",
+        "light.0.elevation=60",
         // From behind, so that the shadow falls towards the camera.
-        "light.azimuth=180",
-        "light.color=[2,1,0.5]",
-        "light.intensity=0.5",
+        "light.0.azimuth=180",
+        "light.0.color=[2,1,0.5]",
+        "light.0.intensity=0.5",
         "shading.ambient=[0.1,0.2,0.3]",
         "ground={height=-1,color=[0.5,0.6,0.7]}",
         "material.0.density=0.9",
@@ -83,8 +85,8 @@ fn bodies_and_ground_are_seen_through_clear_ones() -> Result<(), Failure> {
     ]);
     all.materials[2].name = "plate".to_owned();
     let usual = [
-        "light.elevation=50",
-        "light.azimuth=-40",
+        "light.0.elevation=50",
+        "light.0.azimuth=-40",
         "material=[{name=\"plate\",ior=1},{opaque=true,color=[0.8,0.3,0.1]}]",
         "ground={height=-1.2}",
         "camera.elevation=12",
@@ -92,7 +94,7 @@ fn bodies_and_ground_are_seen_through_clear_ones() -> Result<(), Failure> {
         "camera.target=[0,-1,0]",
         "camera.position=[1,9,3]",
         "shadow.resolution=128",
-        "voxels.resolution=64",
+        "voxelization.resolution=64",
     ];
     // Boxes differ, and with them the grids of the shadow maps: its edges move by a part of a voxel.
     for (kind, few) in [("voxels.surfaces=exact", 150), ("voxels.surfaces=multi", 150), ("voxels.surfaces=two", 150)] {
@@ -119,10 +121,10 @@ fn glass_on_the_ground_shows_the_ground() -> Result<(), Failure> {
         let settings = [
             "ground={color=[0.9,0.1,0.1]}",
             "wall={color=[0.1,0.1,0.9]}",
-            "light.attachment=camera",
+            "light.0.attachment=camera",
             "environment.color=[0,1,0]",
             "environment.kind=color",
-            "voxels.resolution=64",
+            "voxelization.resolution=64",
             kind,
         ];
         let case = refraction::case("ball", ball(48), 64, &settings)?;
@@ -149,9 +151,9 @@ fn glass_on_the_ground_shows_the_ground() -> Result<(), Failure> {
 #[test]
 fn bodies_have_their_own_colours() -> Result<(), Failure> {
     let settings = [
-        "light.attachment=camera",
-        "light.azimuth=0",
-        "light.elevation=0",
+        "light.0.attachment=camera",
+        "light.0.azimuth=0",
+        "light.0.elevation=0",
         "shading.ambient=[0,0,0]",
         "camera.elevation=89",
         "camera.projection=orthographic",
@@ -203,7 +205,7 @@ fn leaves_glow_against_the_light() -> Result<(), Failure> {
 /// Without shadows light is everywhere.
 #[test]
 fn shadows_can_be_turned_off() -> Result<(), Failure> {
-    let settings = ["light.shadows=false", "ground={height=-1}", "camera.elevation=60", "shading.ambient=[0,0,0]"];
+    let settings = ["light.0.shadows=false", "ground={height=-1}", "camera.elevation=60", "shading.ambient=[0,0,0]"];
     on_both(|backend| {
         let frame = frames::render(&case(sheets([0.0]), 64, &[&ABOVE[..], &settings].concat())?, backend)?;
         assert!(color(&frame).iter().all(|pixel| (pixel[0] - 0.7).abs() < 1e-5));
@@ -215,13 +217,13 @@ fn shadows_can_be_turned_off() -> Result<(), Failure> {
 #[test]
 fn sessions_follow_the_light() -> Result<(), Failure> {
     let mesh = together(&[ball(16), moved(&sheets([0.0]), [0.0, 0.0, 1.5])]);
-    let usual = ["light.elevation=50", "shadow.resolution=48", "voxels.resolution=32"];
+    let usual = ["light.0.elevation=50", "shadow.resolution=48", "voxelization.resolution=32"];
     let changes: [&[&str]; 5] = [
         &[],
-        &["light.azimuth=70"],
-        &["light.azimuth=70", "shadow.coefficient=uniform"],
+        &["light.0.azimuth=70"],
+        &["light.0.azimuth=70", "shadow.coefficient=uniform"],
         &["material=[{name=\"m0\",ior=1.4},{opaque=true,density=0.3}]"],
-        &["light.shadows=false"],
+        &["light.0.shadows=false"],
     ];
     on_both(|backend| {
         let cases: Vec<Case> = changes
@@ -231,9 +233,10 @@ fn sessions_follow_the_light() -> Result<(), Failure> {
         let fresh: Vec<Vec<[f32; 3]>> =
             cases.iter().map(|case| Ok(color(&frames::render(case, backend)?))).collect::<Result<_, Failure>>()?;
         assert!(fresh.windows(2).all(|pair| pair[0] != pair[1]), "the changes are to be seen");
-        let mut session = vitrum::Session::new(&cases[0].inputs, backend)?;
+        let mut cache = Cache::default();
         for (case, fresh) in cases.iter().zip(&fresh) {
-            let frame = session.render(&case.scene, vitrum::Wanted::default(), &mut |_| true)?;
+            let job = Job { scene: &case.scene, assets: &cases[0].assets, request: OutputRequest::default() };
+            let frame = vitrum::frame(&job, &mut cache, backend, &mut |_| true)?;
             assert!(color(&frame) == *fresh, "{}", case.name);
         }
         Ok(())

@@ -47,7 +47,7 @@ fn coincident_sheets_multiply() -> Result<(), Failure> {
 #[test]
 fn a_stack_darkens_step_by_step() -> Result<(), Failure> {
     for (elevation, azimuth) in [(90.0, 0.0), (60.0, 30.0), (35.0, 200.0)] {
-        let light = [format!("light.elevation={elevation}"), format!("light.azimuth={azimuth}")];
+        let light = [format!("light.0.elevation={elevation}"), format!("light.0.azimuth={azimuth}")];
         let settings = [light[0].as_str(), light[1].as_str(), "material.0.density=0.2", "shadow.resolution=160"];
         let case = case(sheets((0..5).map(|k| f64::from(k) * 0.1)), 8, &settings)?;
         on_both(|backend| {
@@ -77,7 +77,7 @@ fn oblique_light_moves_the_shadow_by_its_tangent() -> Result<(), Failure> {
     for resolution in [64, 256] {
         let setting = format!("shadow.resolution={resolution}");
         // From the right of one who looks from the front, which is world −x.
-        let settings = ["light.elevation=60", "light.azimuth=90", &setting];
+        let settings = ["light.0.elevation=60", "light.0.azimuth=90", &setting];
         let case = case(sheets([0.0]), 8, &settings)?;
         on_both(|backend| {
             let map = Map::of(&case, backend)?;
@@ -105,7 +105,7 @@ fn oblique_light_moves_the_shadow_by_its_tangent() -> Result<(), Failure> {
 /// With one coefficient for all, n coincident sheets are one occupied voxel.
 #[test]
 fn a_uniform_coefficient_does_not_count() -> Result<(), Failure> {
-    let settings = ["shadow.coefficient=uniform", "shadow.absorption=0.4", "shadow.resolution=64"];
+    let settings = ["shadow.coefficient=uniform", "shadow.optical_depth=0.4", "shadow.resolution=64"];
     let case = case(sheets([0.0, 0.0, 0.0, 0.5]), 8, &[&ABOVE[..], &settings].concat())?;
     on_both(|backend| {
         let map = Map::of(&case, backend)?;
@@ -122,7 +122,7 @@ fn a_uniform_coefficient_does_not_count() -> Result<(), Failure> {
 fn softness_is_a_length_in_the_world() -> Result<(), Failure> {
     for resolution in [32, 96] {
         let setting = format!("shadow.resolution={resolution}");
-        let case = case(sheets([0.0]), 8, &[&ABOVE[..], &[&setting, "shadow.softness=0.2"]].concat())?;
+        let case = case(sheets([0.0]), 8, &[&ABOVE[..], &[&setting, "shadow.filter_radius=0.2"]].concat())?;
         on_both(|backend| {
             let map = Map::of(&case, backend)?;
             let at = |x: f64| map.at(DVec3::new(1.0 + x, 0.05, -0.5))[0];

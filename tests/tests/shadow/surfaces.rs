@@ -12,7 +12,7 @@ fn trunks_are_dark_and_leaves_let_light_through() -> Result<(), Failure> {
     let mesh = together(&[cuboid(DVec3::new(0.2, 0.2, 0.4), DQuat::IDENTITY), sheets([0.1])]);
     let settings = [
         "material=[{name=\"m0\",opaque=true},{opaque=true,density=0.5}]",
-        "shadow.absorption=0.6",
+        "shadow.optical_depth=0.6",
         "shadow.resolution=100",
     ];
     let case = case(mesh, 8, &[&ABOVE[..], &settings].concat())?;
@@ -32,9 +32,9 @@ fn trunks_are_dark_and_leaves_let_light_through() -> Result<(), Failure> {
 fn clear_bodies_cast_coloured_shadows() -> Result<(), Failure> {
     let mesh = cuboid(DVec3::new(1.0, 0.8, 0.3), DQuat::IDENTITY);
     let material = "material=[{ior=1.5,attenuation_color=[0.9,0.5,0.2],attenuation_distance=1.2}]";
-    for (elevation, cosine) in [("light.elevation=90", 1.0), ("light.elevation=60", 60f64.to_radians().sin())] {
+    for (elevation, cosine) in [("light.0.elevation=90", 1.0), ("light.0.elevation=60", 60f64.to_radians().sin())] {
         for resolution in ["shadow.resolution=40", "shadow.resolution=128"] {
-            let settings = [material, elevation, resolution, "voxels.resolution=32"];
+            let settings = [material, elevation, resolution, "voxelization.resolution=32"];
             let case = case(mesh.clone(), 8, &settings)?;
             on_both(|backend| {
                 let map = Map::of(&case, backend)?;
@@ -64,10 +64,10 @@ fn clear_bodies_cast_coloured_shadows() -> Result<(), Failure> {
 fn grey_glass_is_grey() -> Result<(), Failure> {
     let mesh = cuboid(DVec3::new(1.0, 1.0, 0.5), DQuat::IDENTITY);
     let material = "material=[{attenuation_color=[0.25,0.25,0.25],attenuation_distance=2}]";
-    let case = case(mesh, 8, &[&ABOVE[..], &[material, "voxels.resolution=16"]].concat())?;
+    let case = case(mesh, 8, &[&ABOVE[..], &[material, "voxelization.resolution=16"]].concat())?;
     on_both(|backend| {
         let map = Map::of(&case, backend)?;
-        assert_eq!(map.block.shadow.w, 1);
+        assert_eq!(map.block.shadow.channels, 1);
         assert!(map.at(DVec3::new(0.1, 0.2, -0.8)).iter().all(|left| (left - 0.5).abs() < 1e-4));
         Ok(())
     })
@@ -78,13 +78,13 @@ fn grey_glass_is_grey() -> Result<(), Failure> {
 fn a_ball_does_not_shade_itself() -> Result<(), Failure> {
     let turned = cuboid(DVec3::new(0.7, 0.5, 0.9), DQuat::from_rotation_x(0.4) * DQuat::from_rotation_y(0.9));
     for mesh in [ball(48), turned] {
-        for softness in ["shadow.softness=0", "shadow.softness=0.1"] {
+        for softness in ["shadow.filter_radius=0", "shadow.filter_radius=0.1"] {
             for resolution in [16, 47, 128] {
                 let setting = format!("shadow.resolution={resolution}");
                 let settings = [
-                    "light.attachment=world",
-                    "light.elevation=35",
-                    "light.azimuth=60",
+                    "light.0.attachment=world",
+                    "light.0.elevation=35",
+                    "light.0.azimuth=60",
                     "material.0.opaque=true",
                     "material.0.color=[1,0.5,0.25]",
                     "shading.ambient=[0,0,0]",
@@ -94,7 +94,7 @@ fn a_ball_does_not_shade_itself() -> Result<(), Failure> {
                 let case = refraction::case("ball", mesh.clone(), 64, &settings)?;
                 on_both(|backend| {
                     let light = Map::of(&case, backend)?.light();
-                    let frame = vitrum::render(&case.scene, &case.inputs, backend, &mut |_| true)?;
+                    let frame = vitrum::render(&case.scene, &case.assets, backend, &mut |_| true)?;
                     let view = vitrum_conformance::shadow::view(&case);
                     let channel = |layer: &str, name: &str| frame.channel(layer, name).expect("it is an output");
                     let normals = ["X", "Y", "Z"].map(|name| channel("normal", name));

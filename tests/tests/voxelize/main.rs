@@ -8,6 +8,7 @@ mod solid;
 mod surface;
 
 use vitrum::backend::{Backend, CpuBackend};
+use vitrum::method::Tools;
 use vitrum::method::voxelize::{Settings, Voxelization, voxelize};
 use vitrum_io::Mesh;
 
@@ -15,8 +16,18 @@ fn cpu() -> CpuBackend {
     CpuBackend::new(Some(2)).expect("threads can be started")
 }
 
+/// Voxelizes a mesh; `goes_on` says whether the work is not cancelled.
+fn try_on(
+    mesh: &Mesh,
+    settings: &Settings,
+    backend: &mut dyn Backend,
+    goes_on: bool,
+) -> Result<Voxelization, vitrum::Error> {
+    voxelize(mesh, settings, &mut Tools { backend, progress: &mut |_| goes_on })
+}
+
 fn run_on(mesh: &Mesh, settings: &Settings, backend: &mut dyn Backend) -> Voxelization {
-    voxelize(mesh, settings, backend, &mut |_, _| true).unwrap_or_else(|error| panic!("{}: {error}", mesh.name))
+    try_on(mesh, settings, backend, true).unwrap_or_else(|error| panic!("{}: {error}", mesh.name))
 }
 
 fn run(mesh: &Mesh, settings: &Settings) -> Voxelization {

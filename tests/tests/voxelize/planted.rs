@@ -54,7 +54,7 @@ fn voxels<const SHAPE: u32>(place: &Place, item: Item, skipped: i32) -> Vec<[i32
 
 /// A piece of work: its item, where the triangle lies, and the voxels that it meets, counted from the triangle's first.
 fn piece(x: u32, y: u32, u: &VoxelizeUniforms, reads: &[&[u32]], mistake: u32) -> (Item, Place, Vec<[i32; 3]>) {
-    let (mut item, place) = piece_of(x, y, u, u.dispatch.z, reads[0], reads[1]);
+    let (mut item, place) = piece_of(x, y, u, u.dispatch.mode, reads[0], reads[1]);
     item.end -= i32::from(mistake == SLICE);
     let skipped = i32::from(mistake == SPAN);
     let voxels = match shape_of(&place) {
@@ -77,7 +77,7 @@ fn mark_surface<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
         for [x, y, z] in met {
             let (x, line) = (place.first.x + x, (place.first.z + z) * u.size.y as i32 + place.first.y + y);
             let word = if MISTAKE == WORD { 0 } else { x / 32 };
-            mask.set((line * u.size.w as i32 + word) as usize, 1 << (x % 32));
+            mask.set((line * u.row_words as i32 + word) as usize, 1 << (x % 32));
         }
     }
     true
@@ -99,7 +99,7 @@ fn sum_attributes<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) 
         let length = if MISTAKE == AREA { (b - a).cross(c - a).length() } else { 1.0 };
         for [x, y, z] in met {
             let (x, line) = (place.first.x + x, (place.first.z + z) * u.size.y as i32 + place.first.y + y);
-            let word = (line * u.size.w as i32 + x / 32) as usize;
+            let word = (line * u.row_words as i32 + x / 32) as usize;
             let rank = ranks[word] + (mask[word] & ((1 << (x % 32)) - 1)).count_ones();
             let at = rank as usize * attributes::SIZE;
             sums.add(at + attributes::COUNT, 1);
@@ -127,7 +127,7 @@ fn sum_attributes<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) 
 fn cross_columns<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
     let u: &VoxelizeUniforms = from_bytes(chunk.uniforms);
     let corners: &[f32] = cast_slice(chunk.reads[0]);
-    let (a_voxel, units) = ((1 << u.columns.x) as f32, 1 << u.columns.z);
+    let (a_voxel, units) = ((1 << u.column_shift) as f32, 1 << u.column_units);
     let [nx, ny] = [u.size.x as i32, u.size.y as i32];
     let mut changes = SharedSums(chunk.sums);
     for index in 0..chunk.rows * chunk.width {
@@ -143,8 +143,8 @@ fn cross_columns<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -
                 let part = ((x - voxel as f32) * units as f32 + 0.5).floor() as i32;
                 let part = if MISTAKE == PART { 0 } else { part };
                 let sign = if across.leaves && MISTAKE != WINDING { -1 } else { 1 };
-                let row = ((line >> u.columns.x) - u.columns.y as i32) * ny + (column >> u.columns.x);
-                let at = (row * u.size.w as i32 + voxel) as usize;
+                let row = ((line >> u.column_shift) - u.first_layer as i32) * ny + (column >> u.column_shift);
+                let at = (row * u.row_words as i32 + voxel) as usize;
                 changes.add(at, (sign * (units - part)) as u32);
                 changes.add(at + 1, (sign * part) as u32);
             }

@@ -2,8 +2,8 @@
 
 use crate::exact::{in_voxels, meets, near};
 use crate::shapes::{ball, cuboid, mesh, random};
-use crate::{cpu, run};
-use vitrum::method::voxelize::{Settings, voxelize};
+use crate::{cpu, run, try_on};
+use vitrum::method::voxelize::Settings;
 use vitrum_conformance::data::shared;
 use vitrum_io::{Mesh, OpenOptions, open_mesh};
 use vitrum_kernels::glam::DVec3;
@@ -67,7 +67,7 @@ fn no_voxel_of_single_triangles_is_missed() {
         let kind = (seed % 9) as usize;
         let single = mesh(whole.positions.clone(), vec![whole.triangles[kind]]);
         // Points and triangles of one: there is no grid around them.
-        if voxelize(&single, &Settings::new(40), &mut cpu(), &mut |_, _| true).is_ok() {
+        if try_on(&single, &Settings::new(40), &mut cpu(), true).is_ok() {
             compare(&single, &Settings { padding: 2, ..Settings::new(40) });
         }
     }
@@ -191,12 +191,12 @@ fn what_is_no_grid_is_refused() {
         (&flat, Settings { padding: u32::MAX, ..Settings::new(8) }, "at most 1024"),
         (&flat, Settings { overlap: f32::NAN, ..Settings::new(8) }, "expected 0 to 1"),
     ] {
-        let error = voxelize(mesh, &settings, &mut cpu(), &mut |_, _| true).expect_err(words).to_string();
+        let error = try_on(mesh, &settings, &mut cpu(), true).expect_err(words).to_string();
         assert!(error.contains(words), "{error}");
     }
     // Not a number never gets here.
     assert!(Mesh::new("nan", vec![[f32::NAN; 3]; 3], vec![[0, 1, 2]]).is_err());
     // Cancelled before anything is done.
-    let cancelled = voxelize(&flat, &Settings::new(8), &mut cpu(), &mut |_, _| false).expect_err("cancelled");
+    let cancelled = try_on(&flat, &Settings::new(8), &mut cpu(), false).expect_err("cancelled");
     assert!(cancelled.is_cancelled());
 }

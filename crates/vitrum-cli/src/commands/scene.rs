@@ -26,7 +26,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.output.as_deref().map_or(Ok(()), output::check_writable)?;
     let prepared = arguments.scene.prepare()?;
-    vitrum::check(&prepared.scene, &prepared.inputs)?;
+    vitrum::check(&prepared.scene, &prepared.assets)?;
     let mut scene = prepared.scene;
     let folder = arguments.output.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
     if !same_folder(&prepared.base, folder) {
@@ -44,7 +44,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 fn make_absolute(scene: &mut Scene, base: &Path) {
     let sources = std::iter::once(&mut scene.volume).chain(&mut scene.ior_volume);
     let mesh = scene.mesh.iter_mut().filter_map(|mesh| mesh.file.as_mut());
-    let files = sources.filter_map(|source| source.file.as_mut()).chain(mesh).chain(&mut scene.environment.file);
+    let textures = scene.light.iter_mut().filter_map(|light| light.texture.as_mut());
+    let density = scene.medium.iter_mut().filter_map(|medium| medium.density.as_mut());
+    let files = sources
+        .chain(density)
+        .filter_map(|source| source.file.as_mut())
+        .chain(mesh)
+        .chain(&mut scene.environment.file)
+        .chain(textures);
     for file in files.filter(|file| file.as_path() != Path::new(STANDARD_INPUT)) {
         if let Ok(absolute) = std::path::absolute(base.join(&*file)) {
             *file = absolute;

@@ -69,7 +69,7 @@ pub(super) fn jpeg_ls(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>
     Ok(pixels.into_iter().flat_map(|pixel| u32::from(pixel).to_le_bytes().into_iter().take(bytes)).collect())
 }
 
-/// The same of a JPEG 2000 picture, whose pixels may have signs.
+/// The pixels of a JPEG 2000 picture, which may have signs, each in `bytes` bytes, little-endian; else the problem.
 pub(super) fn jpeg_2000(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
     let Codestream { precision, signed } = Codestream::check(packed, size)?;
     // What is damaged is an error, and not made up for.
@@ -88,7 +88,7 @@ pub(super) fn jpeg_2000(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u
     Ok(samples.into_iter().flat_map(|sample| number(sample).to_le_bytes().into_iter().take(bytes)).collect())
 }
 
-/// What the first segment of a JPEG 2000 codestream says.
+/// First segment of a JPEG 2000 codestream.
 struct Codestream {
     /// Bits of a sample.
     precision: u32,

@@ -1,8 +1,10 @@
-//! How far the slices of a series lie from each other: whether they make a grid, and how they are made to.
+//! Distances of the slices of a series: whether they make a grid, and positions that do.
 
-use super::grid::dot;
-use super::header::Slice;
+use glam::DVec3;
+
+use super::image::Slice;
 use crate::error::{Error, Place, Report};
+use crate::source::Assumptions;
 
 /// Distances of slices that differ by less than this share are rounded ones.
 const EVEN: f64 = 0.02;
@@ -69,7 +71,7 @@ pub(super) fn check_line(
     for (index, position) in positions.iter().enumerate().take(last).skip(1) {
         let share = (heights[index] - heights[0]) / length;
         let off = [0, 1, 2].map(|axis| position[axis] - start[axis] - share * (end[axis] - start[axis]));
-        let off = dot(off, off).sqrt();
+        let off = DVec3::from(off).length();
         if off > most {
             return Err(Report::new(&slices[order[index]].file.name).invalid(
                 Place::File,
@@ -81,8 +83,8 @@ pub(super) fn check_line(
     Ok(())
 }
 
-/// Where the slices of an even grid lie among those of the file, where these are not even.
-pub(super) fn uneven(heights: &[f64], assumptions: &mut Vec<String>) -> Vec<f64> {
+/// Positions of the slices of an even grid among the file's slices; empty where these are even.
+pub(super) fn uneven(heights: &[f64], assumptions: &mut Assumptions) -> Vec<f64> {
     let last = heights.len() - 1;
     let mean = (heights[last] - heights[0]) / last.max(1) as f64;
     let gaps = || heights.windows(2).map(|pair| pair[1] - pair[0]);

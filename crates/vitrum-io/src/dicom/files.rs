@@ -3,11 +3,13 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use super::header::{File, Frame, Header, Slice};
+use super::header::Header;
+use super::image::{File, Frame, Slice};
 use super::search::{Images, images, images_in};
 use super::syntax::{self, Compression};
 use crate::error::{Error, Place, Report, clip};
 use crate::input::{Input, display_name};
+use crate::source::Assumptions;
 
 /// The files of one series, at least one, each with at least one frame.
 pub(super) struct Series {
@@ -16,13 +18,13 @@ pub(super) struct Series {
 
 impl Series {
     /// The series of a file, the largest one in a folder, or the only one below it.
-    pub fn find(input: &Input, assumptions: &mut Vec<String>) -> Result<Self, Error> {
+    pub fn find(input: &Input, assumptions: &mut Assumptions) -> Result<Self, Error> {
         let report = Report::new(&input.name);
-        if input.is_folder() {
-            let images = images(report, input.path, assumptions)?;
-            return Self::choose(report, input.path, images, assumptions);
+        if let Some(folder) = input.folder() {
+            let images = images(report, folder, assumptions)?;
+            return Self::choose(report, folder, images, assumptions);
         }
-        let opened = match File::read(input.file(), &input.name, input.length)? {
+        let opened = match File::read(&input.storage(), input.path(), &input.name, input.length)? {
             Header::Image(file) => *file,
             Header::Refused { error, .. } => return Err(error),
             Header::Other => {
@@ -30,11 +32,11 @@ impl Series {
                 return Err(report.unsupported(Place::File, "this DICOM file holds no image", advice));
             }
         };
-        let beside = input.file() == input.path && opened.frames.len() == 1 && !opened.series.is_empty();
+        let beside = input.is_at_path() && opened.frames.len() == 1 && !opened.series.is_empty();
         if !beside {
             return Ok(Self { files: vec![opened] });
         }
-        let folder = input.path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+        let folder = input.path().parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
         let Images { mut files, mut refused, .. } = images_in(report, folder)?;
         files.retain(|file| file.series == opened.series);
         if let Some(index) = refused.iter().position(|(series, _)| *series == opened.series) {
@@ -47,7 +49,7 @@ impl Series {
     }
 
     /// The series of a folder that is meant: in it the largest, below it the only one.
-    fn choose(report: Report, folder: &Path, images: Images, assumptions: &mut Vec<String>) -> Result<Self, Error> {
+    fn choose(report: Report, folder: &Path, images: Images, assumptions: &mut Assumptions) -> Result<Self, Error> {
         let Images { files, mut refused, below } = images;
         let mut groups = grouped(files);
         let slices = |group: &[File]| group.iter().map(|file| file.frames.len()).sum::<usize>();

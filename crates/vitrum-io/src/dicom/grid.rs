@@ -1,16 +1,19 @@
 //! The slices of a series as a grid: their order, their distance, and where they lie in the world.
 
+use bytemuck::Pod;
+use glam::DVec3;
+
 use super::distances::{check_distances, check_line, uneven};
-use super::header::Slice;
+use super::image::{Slice, normal};
 use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::orientation::Orientation;
-use crate::placement::{Placement, UNORIENTED};
+use crate::placement::{Placement, unoriented};
 use crate::shared::Shared;
+use crate::source::Assumptions;
 use crate::voxels::Voxels;
-use bytemuck::Pod;
 
-/// Where the slices lie.
+/// A grid of slices in the world.
 pub(super) struct Grid {
     pub placement: Placement,
     /// The indices of the slices, from the lowest.
@@ -19,17 +22,8 @@ pub(super) struct Grid {
     uneven: Vec<f64>,
 }
 
-/// The direction from slice to slice, by those of a row and a column.
-pub(super) fn normal([a, b, c, d, e, f]: [f64; 6]) -> [f64; 3] {
-    [b * f - c * e, c * d - a * f, a * e - b * d]
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 impl Grid {
-    pub fn new(report: Report, slices: &[Slice], assumptions: &mut Vec<String>) -> Result<Self, Error> {
+    pub fn new(report: Report, slices: &[Slice], assumptions: &mut Assumptions) -> Result<Self, Error> {
         let first = &slices[0];
         if slices.iter().any(|slice| slice.file.inverted) {
             assumptions.push("the smallest value is meant to be white: values were kept as they are".to_owned());
@@ -45,7 +39,7 @@ impl Grid {
                 "put only the slices of one volume into the series",
             ));
         }
-        let along_z = |assumptions: &mut Vec<String>| {
+        let along_z = |assumptions: &mut Assumptions| {
             first.file.step.unwrap_or_else(|| {
                 assumptions.push("the files say no distance of slices: 1 was taken".to_owned());
                 1.0
@@ -78,7 +72,7 @@ impl Grid {
     }
 
     /// Frames of one file without a place: in their order.
-    fn unplaced(slices: &[Slice], spacing: [f64; 2], step: f64, assumptions: &mut Vec<String>) -> Result<Self, Error> {
+    fn unplaced(slices: &[Slice], spacing: [f64; 2], step: f64, assumptions: &mut Assumptions) -> Result<Self, Error> {
         if let Some(other) = slices.iter().find(|slice| slice.index[0] > 0) {
             let lost = slices.iter().find(|slice| slice.position.is_none() || slice.orientation.is_none());
             return Err(Report::new(&lost.unwrap_or(other).file.name).unsupported(
@@ -90,7 +84,7 @@ impl Grid {
         if slices.len() > 1 {
             assumptions.push("the frames say no place: they were taken for slices in their order".to_owned());
         }
-        assumptions.push(UNORIENTED.to_owned());
+        assumptions.push(unoriented());
         let columns = [[spacing[1], 0.0, 0.0], [0.0, spacing[0], 0.0], [0.0, 0.0, step]];
         let placement = Placement::from_columns(columns, None, Orientation::Unknown).map_err(|problem| {
             Report::new(&slices[0].file.name).invalid(Place::File, problem, "correct the distances of pixels")
@@ -146,9 +140,9 @@ impl Grid {
 fn orientation(slices: &[Slice]) -> Result<[f64; 6], Error> {
     let first = &slices[0];
     let six = first.orientation.unwrap_or_default();
-    let [row, column] = [[six[0], six[1], six[2]], [six[3], six[4], six[5]]];
-    let unit = |vector| (dot(vector, vector) - 1.0).abs() < 0.01;
-    if !(unit(row) && unit(column) && dot(row, column).abs() < 0.01) {
+    let [row, column] = [DVec3::new(six[0], six[1], six[2]), DVec3::new(six[3], six[4], six[5])];
+    let unit = |vector: DVec3| (vector.length_squared() - 1.0).abs() < 0.01;
+    if !(unit(row) && unit(column) && row.dot(column).abs() < 0.01) {
         return Err(Report::new(&first.file.name).invalid(
             Place::File,
             format!("Image Orientation (Patient) {six:?} is not two directions of length 1 at right angles"),
@@ -172,8 +166,9 @@ fn orientation(slices: &[Slice]) -> Result<[f64; 6], Error> {
 fn sorted(slices: &[Slice], normal: [f64; 3]) -> (Vec<usize>, Vec<[f64; 3]>, Vec<f64>) {
     let position = |index: usize| slices[index].position.unwrap_or_default();
     let mut order: Vec<usize> = (0..slices.len()).collect();
-    order.sort_by(|&a, &b| dot(position(a), normal).total_cmp(&dot(position(b), normal)));
+    let height = |position: [f64; 3]| DVec3::from(position).dot(DVec3::from(normal));
+    order.sort_by(|&a, &b| height(position(a)).total_cmp(&height(position(b))));
     let positions: Vec<_> = order.iter().map(|&index| position(index)).collect();
-    let heights = positions.iter().map(|&position| dot(position, normal)).collect();
+    let heights = positions.iter().map(|&position| height(position)).collect();
     (order, positions, heights)
 }

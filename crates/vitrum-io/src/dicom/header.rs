@@ -1,74 +1,17 @@
-//! What a file says before its pixels: size, sample type, and where its frames lie.
+//! Header of an image file: size, sample type, and places of its frames.
 
-use std::io::BufReader;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use dicom_object::{InMemDicomObject, OpenFileOptions};
 
 use super::attributes::{self, items, numbers, text, vector, whole};
-use super::lengths;
-use super::padding::Padding;
+use super::image::{File, Frame, Pixels, normal};
+use super::{lengths, padding};
 use crate::error::{Error, Place, Report, clip};
-use crate::input::file_name;
 use crate::samples::SampleType;
+use crate::storage::Storage;
 
-/// How a pixel's bits are laid out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Pixels {
-    /// By the bits that are allocated and the sign.
-    pub sample: SampleType,
-    /// Bits that hold the number, at most those of the sample.
-    pub stored: u32,
-    /// The lowest of them.
-    pub low_bit: u32,
-}
-
-/// A frame's place and value mapping.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Frame {
-    /// Of the centre of the first pixel, in mm, towards the patient's left, posterior, superior.
-    pub position: Option<[f64; 3]>,
-    /// The directions of a row and of a column.
-    pub orientation: Option<[f64; 6]>,
-    /// Slope and intercept.
-    pub rescale: [f64; 2],
-}
-
-/// A file of one or more frames, all of one size and type.
-#[derive(Debug)]
-pub(super) struct File {
-    pub path: PathBuf,
-    pub name: String,
-    /// Its size in bytes.
-    pub length: u64,
-    pub series: String,
-    /// For people, such as `MR, T1 sagittal`.
-    pub description: String,
-    pub syntax: String,
-    pub columns: u32,
-    pub rows: u32,
-    pub pixels: Pixels,
-    pub padding: Option<Padding>,
-    pub inverted: bool,
-    /// Between rows and between columns, in mm.
-    pub spacing: Option<[f64; 2]>,
-    /// Between slices, in mm, where positions do not tell.
-    pub step: Option<f64>,
-    pub frames: Vec<Frame>,
-}
-
-/// One slice of a volume: a frame of a file.
-#[derive(Debug, Clone)]
-pub(super) struct Slice<'a> {
-    pub file: &'a File,
-    /// Which file of the series, and which frame of it.
-    pub index: [usize; 2],
-    pub position: Option<[f64; 3]>,
-    pub orientation: Option<[f64; 6]>,
-    pub rescale: [f64; 2],
-}
-
-/// What a DICOM file turned out to be.
+/// Kind of a DICOM file.
 pub(super) enum Header {
     Image(Box<File>),
     /// An image that is not read, such as one in colours.
@@ -81,16 +24,16 @@ pub(super) enum Header {
 }
 
 impl File {
-    /// Reads the header of the file at `path`.
-    pub fn read(path: &Path, name: &str, length: u64) -> Result<Header, Error> {
+    /// Reads the header of the file whose bytes lie in `storage`; `path` is its path, or the name that its bytes were given under.
+    pub fn read(storage: &Storage, path: &Path, name: &str, length: u64) -> Result<Header, Error> {
         let report = Report::new(name);
-        let file = std::fs::File::open(path).map_err(|error| report.unreadable(error))?;
-        lengths::check(BufReader::new(file), length).map_err(|(byte, problem)| {
+        let open = || storage.open().map_err(|error| report.unreadable(error));
+        lengths::check(open()?, length).map_err(|(byte, problem)| {
             report.invalid(Place::Byte(byte), problem, "get the whole file, or write it anew")
         })?;
         let object = OpenFileOptions::new()
             .read_until(attributes::PIXEL_DATA)
-            .open_file(path)
+            .from_reader(open()?)
             .map_err(|error| damaged(report, &error))?;
         let series = text(&object, attributes::SERIES).unwrap_or_default();
         let syntax = text_of(object.meta().transfer_syntax());
@@ -139,23 +82,13 @@ impl File {
             columns,
             rows,
             pixels,
-            padding: Padding::of(object, pixels),
+            padding: padding::of(object, pixels),
             inverted,
             spacing: spacing.filter(|spacing| spacing.iter().all(positive)),
             step,
             frames,
             name: name.to_owned(),
         }))
-    }
-
-    /// Its name without the folder, for messages about another of the same series.
-    pub fn short_name(&self) -> String {
-        file_name(&self.path)
-    }
-
-    /// Such as `256 x 256 int16`.
-    pub fn describe(&self) -> String {
-        format!("{} x {} {}", self.columns, self.rows, self.pixels.sample.name())
     }
 }
 
@@ -250,7 +183,7 @@ fn frames(object: &InMemDicomObject, report: Report, length: u64) -> Result<Vec<
         let offset = offsets.as_ref().map(|offsets| offsets[index] - offsets[0]);
         let position = match (position, offset, orientation) {
             (Some(position), Some(offset), Some(orientation)) => {
-                let normal = super::grid::normal(orientation);
+                let normal = normal(orientation);
                 Some([0, 1, 2].map(|axis| position[axis] + offset * normal[axis]))
             }
             // One position for many frames is that of none of them but the first.

@@ -2,13 +2,13 @@
 //!
 //! The library that reads the elements takes as much memory as they say, up to 4 GiB each.
 
-use std::fs::File;
-use std::io::{self, BufReader, Read, Seek};
+use std::io::{self, Read, Seek};
 
 use dicom_core::dictionary::{DataDictionary, DataDictionaryEntry};
 use dicom_object::{StandardDataDictionary, Tag};
 
 use super::attributes::PIXEL_DATA;
+use crate::storage::ByteReader;
 
 /// Sequences that lie deeper are no image's.
 const MAX_DEPTH: u32 = 32;
@@ -27,7 +27,7 @@ const SHORT: [&[u8; 2]; 21] = [
     b"TM", b"UI", b"UL", b"US",
 ];
 
-/// Those with one of 32 bits.
+/// Kinds of values with a length of 32 bits.
 const LONG: [&[u8; 2]; 13] =
     [b"OB", b"OD", b"OF", b"OL", b"OV", b"OW", b"SQ", b"SV", b"UC", b"UN", b"UR", b"UT", b"UV"];
 
@@ -51,7 +51,7 @@ fn known_kind([group, element]: [u16; 2]) -> [u8; 2] {
     kind.unwrap_or(*b"UN")
 }
 
-/// How elements are written.
+/// Coding of elements.
 #[derive(Clone, Copy)]
 struct Coding {
     explicit: bool,
@@ -59,7 +59,7 @@ struct Coding {
 }
 
 /// Walks through all elements of a file of so many bytes; the problem, and the byte where it is.
-pub(super) fn check(file: BufReader<File>, length: u64) -> Result<(), (u64, String)> {
+pub(super) fn check(file: ByteReader, length: u64) -> Result<(), (u64, String)> {
     let mut walk = Walk { file, position: 0, syntax: String::new(), first_group_end: None };
     let start = 132;
     let outcome = walk.seek(start).and_then(|()| {
@@ -75,7 +75,7 @@ pub(super) fn check(file: BufReader<File>, length: u64) -> Result<(), (u64, Stri
     outcome.map_err(|problem| (walk.position, problem.0))
 }
 
-/// What ends a row of elements.
+/// End of a row of elements.
 #[derive(Clone, Copy, PartialEq)]
 enum Within {
     /// The first element of another group.
@@ -86,7 +86,7 @@ enum Within {
     Item,
 }
 
-/// What is wrong.
+/// A fault of the file.
 struct Problem(String);
 
 impl From<io::Error> for Problem {
@@ -95,16 +95,16 @@ impl From<io::Error> for Problem {
     }
 }
 
-struct Walk {
-    file: BufReader<File>,
+struct Walk<'a> {
+    file: ByteReader<'a>,
     position: u64,
     /// The transfer syntax, once it was found.
     syntax: String,
-    /// Where the first group says to end.
+    /// End of the first group, as it says.
     first_group_end: Option<u64>,
 }
 
-impl Walk {
+impl Walk<'_> {
     /// Elements up to `end`, or what ends them before.
     fn elements(&mut self, end: u64, coding: Coding, depth: u32, within: Within) -> Result<(), Problem> {
         if depth > MAX_DEPTH {

@@ -8,6 +8,7 @@ mod distances;
 mod files;
 mod grid;
 mod header;
+mod image;
 mod lengths;
 mod padding;
 mod pixels;
@@ -19,37 +20,36 @@ use std::path::Path;
 
 use self::files::Series;
 use self::grid::Grid;
-use self::header::Slice;
+use self::image::Slice;
 use crate::error::{Error, Place, Report};
+use crate::folder::has_tiff;
+use crate::formats::{self, Format};
 use crate::input::Input;
 use crate::memory;
-use crate::open::{OpenOptions, VolumeReader};
+use crate::options::OpenOptions;
+use crate::reader::VolumeReader;
 use crate::samples::{Endian, SampleType, VoxelBuffer};
-use crate::stack::has_tiff;
+use crate::source::{Assumptions, Source};
 use crate::stream;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 
 /// The reader of `.dcm` files and of folders of them.
 pub(crate) struct Dicom;
 
 impl VolumeReader for Dicom {
-    fn name(&self) -> &'static str {
-        "DICOM"
+    fn format(&self) -> &'static Format {
+        &formats::DICOM
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".dcm", ".dicom"]
-    }
-
-    fn recognises(&self, head: &[u8], path: &Path) -> bool {
+    fn recognises(&self, input: &Input) -> bool {
         // What lies in a folder comes before what lies below it.
-        let folder = || search::has_dicom(path) || !has_tiff(path) && search::has_dicom_below(path);
-        search::is_dicom(head) || head.is_empty() && folder()
+        let holds = |path: &Path| search::has_dicom(path) || !has_tiff(path) && search::has_dicom_below(path);
+        search::is_dicom(&input.head) || input.folder().is_some_and(holds)
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let mut assumptions = Vec::new();
+        let mut assumptions = Assumptions::default();
         let series = Series::find(input, &mut assumptions)?;
         let first = series.check_alike()?;
         let slices: Vec<Slice> = series.slices();
@@ -74,7 +74,7 @@ impl VolumeReader for Dicom {
         let capacity = usize::try_from(count).unwrap_or(usize::MAX);
         let mut voxels = VoxelBuffer::reserve(report, sample, Endian::Little, capacity)?;
         let ordered = grid.order(&slices);
-        pixels::read(&series, &ordered, uniform, &mut voxels)?;
+        pixels::read(input, &series, &ordered, uniform, &mut voxels)?;
         let mut voxels = voxels.into_voxels();
         assumptions.extend(padding::replace(&ordered, uniform, &mut voxels));
         let voxels = grid.resample(report, voxels, dimensions)?;
@@ -90,7 +90,7 @@ impl VolumeReader for Dicom {
         }
         let stored = first.pixels.sample.name().to_owned();
         let encoding = syntax::name(&first.syntax);
-        volume.source = Source { format: self.name(), sample_type: stored, encoding, assumptions };
+        volume.source = Source { format: self.format().name, sample_type: stored, encoding, assumptions };
         Ok(volume)
     }
 }

@@ -5,29 +5,20 @@
 use bytemuck::Pod;
 
 use super::attributes;
-use super::header::{Pixels, Slice};
+use super::image::{Padding, Pixels, Slice};
 use crate::samples::SampleType;
 use crate::voxels::Voxels;
 use dicom_object::InMemDicomObject;
 
-/// The stored values from Pixel Padding Value to Pixel Padding Range Limit, both included.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Padding {
-    low: i64,
-    high: i64,
-}
-
-impl Padding {
-    /// What a file says of it.
-    pub fn of(object: &InMemDicomObject, pixels: Pixels) -> Option<Self> {
-        let number = |tag| {
-            let number: i64 = object.get(tag)?.to_int().ok()?;
-            Some(wrapped(number, pixels.sample))
-        };
-        let value = number(attributes::PADDING)?;
-        let limit = number(attributes::PADDING_LIMIT).unwrap_or(value);
-        Some(Self { low: value.min(limit), high: value.max(limit) })
-    }
+/// The padding that a file names.
+pub(super) fn of(object: &InMemDicomObject, pixels: Pixels) -> Option<Padding> {
+    let number = |tag| {
+        let number: i64 = object.get(tag)?.to_int().ok()?;
+        Some(wrapped(number, pixels.sample))
+    };
+    let value = number(attributes::PADDING)?;
+    let limit = number(attributes::PADDING_LIMIT).unwrap_or(value);
+    Some(Padding { low: value.min(limit), high: value.max(limit) })
 }
 
 /// As the pixels have it: some files write -2000 as 63536 though the pixels are signed, and the other way round.

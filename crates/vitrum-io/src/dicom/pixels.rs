@@ -1,25 +1,36 @@
 //! The pixels of the slices, decoded.
 
-use dicom_object::{DefaultDicomObject, open_file};
+use std::borrow::Cow;
+
+use dicom_object::{DefaultDicomObject, OpenFileOptions};
 
 use super::attributes;
 use super::files::Series;
-use super::header::{File, Pixels, Slice, damaged};
+use super::header::damaged;
+use super::image::{File, Pixels, Slice};
 use super::syntax::{self, Compression};
 use super::{codecs, rle};
 use crate::error::{Error, Place, Report};
+use crate::input::Input;
 use crate::samples::VoxelBuffer;
+use crate::storage::Storage;
 use crate::stream;
 
 /// Decodes `slices` in their order; values of slopes of their own where the series has no one slope.
-pub(super) fn read(series: &Series, slices: &[Slice], uniform: bool, voxels: &mut VoxelBuffer) -> Result<(), Error> {
+pub(super) fn read(
+    input: &Input,
+    series: &Series,
+    slices: &[Slice],
+    uniform: bool,
+    voxels: &mut VoxelBuffer,
+) -> Result<(), Error> {
     let mut opened: Option<(usize, Opened)> = None;
     for slice in slices {
         let [file, frame] = slice.index;
         let report = Report::new(&slice.file.name);
         let opened = match &mut opened {
             Some((number, opened)) if *number == file => opened,
-            other => &mut other.insert((file, Opened::new(&series.files[file])?)).1,
+            other => &mut other.insert((file, Opened::new(input, &series.files[file])?)).1,
         };
         let mut bytes = opened.frame(slice.file, frame)?;
         straighten(&mut bytes, slice.file.pixels);
@@ -43,9 +54,13 @@ struct Opened {
 }
 
 impl Opened {
-    fn new(file: &File) -> Result<Self, Error> {
+    fn new(input: &Input, file: &File) -> Result<Self, Error> {
         let report = Report::new(&file.name);
-        let object = open_file(&file.path).map_err(|error| damaged(report, &error))?;
+        // Only a file at a path has others beside it.
+        let at_path = input.is_at_path() || input.is_folder();
+        let storage = if at_path { Storage::Disk(Cow::Borrowed(&file.path)) } else { input.storage() };
+        let bytes = storage.open().map_err(|error| report.unreadable(error))?;
+        let object = OpenFileOptions::new().from_reader(bytes).map_err(|error| damaged(report, &error))?;
         let missing = || report.invalid(Place::File, "there are no pixels behind the header", "get the whole file");
         let data = object.get(attributes::PIXEL_DATA).ok_or_else(missing)?;
         let compression = syntax::compression(report, &file.syntax)?;

@@ -1,20 +1,22 @@
-//! Where the images of a folder are: in it, or below it, as hospitals export them.
+//! Search for the images of a folder: in it, or below it, as hospitals export them.
 
+use std::borrow::Cow;
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::header::{File, Header};
+use super::header::Header;
+use super::image::File;
 use crate::error::{Error, Place, Report};
+use crate::folder::MOST_FILES;
 use crate::input::display_name;
-
-/// More files than this are no volume.
-const MOST_FILES: usize = 100_000;
+use crate::source::Assumptions;
+use crate::storage::Storage;
 
 /// Folders below one another that are looked into: exports have one for the patient, the study and the series, and perhaps some above.
 const MOST_DEPTH: usize = 8;
 
-/// Where the letters are that every file has.
+/// Position of the letters that every file has.
 const MAGIC: std::ops::Range<usize> = 128..132;
 
 pub(super) fn is_dicom(head: &[u8]) -> bool {
@@ -82,14 +84,14 @@ impl Iterator for Below {
 pub(super) struct Images {
     /// By their names.
     pub files: Vec<File>,
-    /// Those that are not read for what they hold, with their series.
+    /// Images of kinds that are not read, with their series.
     pub refused: Vec<(String, Error)>,
     /// Whether they lie below the folder, and not in it.
     pub below: bool,
 }
 
 /// The images in a folder, and where there are none those below it.
-pub(super) fn images(report: Report, folder: &Path, assumptions: &mut Vec<String>) -> Result<Images, Error> {
+pub(super) fn images(report: Report, folder: &Path, assumptions: &mut Assumptions) -> Result<Images, Error> {
     let direct = scan(report, &[folder.to_owned()], assumptions)?;
     if !direct.files.is_empty() || !direct.refused.is_empty() {
         return Ok(direct);
@@ -101,10 +103,10 @@ pub(super) fn images(report: Report, folder: &Path, assumptions: &mut Vec<String
 
 /// The images in one folder.
 pub(super) fn images_in(report: Report, folder: &Path) -> Result<Images, Error> {
-    scan(report, &[folder.to_owned()], &mut Vec::new())
+    scan(report, &[folder.to_owned()], &mut Assumptions::default())
 }
 
-fn scan(report: Report, folders: &[PathBuf], assumptions: &mut Vec<String>) -> Result<Images, Error> {
+fn scan(report: Report, folders: &[PathBuf], assumptions: &mut Assumptions) -> Result<Images, Error> {
     let mut paths: Vec<PathBuf> = Vec::new();
     let mut others = 0_u64;
     for folder in folders {
@@ -128,7 +130,7 @@ fn scan(report: Report, folders: &[PathBuf], assumptions: &mut Vec<String>) -> R
     for path in paths {
         let name = display_name(&path);
         let length = fs::metadata(&path).map_err(|error| Report::new(&name).unreadable(error))?.len();
-        match File::read(&path, &name, length)? {
+        match File::read(&Storage::Disk(Cow::Borrowed(&path)), &path, &name, length)? {
             Header::Image(file) => images.files.push(*file),
             Header::Refused { series, error } => images.refused.push((series, error)),
             Header::Other => others += 1,

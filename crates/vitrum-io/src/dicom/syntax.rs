@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Place, Report, clip};
 
-/// How pixels are compressed.
+/// Compression of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Compression {
     /// Not at all.
@@ -13,7 +13,7 @@ pub(super) enum Compression {
     Jpeg2000,
 }
 
-/// Those that are read: identifier, name, and how pixels are compressed.
+/// Transfer syntaxes that are read: identifier, name, and compression of pixels.
 const READ: [(&str, &str, Compression); 12] = [
     ("1.2.840.10008.1.2", "raw, little-endian", Compression::None),
     ("1.2.840.10008.1.2.1", "raw, little-endian", Compression::None),
@@ -39,7 +39,7 @@ pub(super) fn is_raw(identifier: &str) -> bool {
     found(identifier).is_some_and(|(_, compression)| compression == Compression::None)
 }
 
-/// How the pixels are compressed; an error where they cannot be read.
+/// Compression of the pixels; an error where they cannot be read.
 pub(super) fn compression(report: Report, identifier: &str) -> Result<Compression, Error> {
     if let Some((_, compression)) = found(identifier) {
         return Ok(compression);

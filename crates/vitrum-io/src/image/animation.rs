@@ -11,7 +11,7 @@ use png::{BitDepth, ColorType, SrgbRenderingIntent};
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
 use super::video::Video;
-use crate::beside::create_beside;
+use crate::atomic_write::create_beside;
 use crate::error::{Error, Place, Report};
 use crate::input::display_name;
 use crate::temporary::Temporary;

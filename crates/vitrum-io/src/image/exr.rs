@@ -1,8 +1,6 @@
 //! OpenEXR: every layer with its name, float32, and metadata.
 
-use std::fs::File;
-use std::io::{self, BufReader};
-use std::path::Path;
+use std::io;
 
 use exr::meta::MetaData;
 use exr::meta::attribute::{AttributeValue, Text};
@@ -12,22 +10,15 @@ use exr::prelude::{
     ReadChannels, ReadLayers, Vec2, WritableImage, read,
 };
 
+use super::options::Metadata;
 use super::picture::{COLOR, Channel, Layer, Picture};
-use super::read::{check_size, empty};
-use super::write::{Metadata, WriteOptions};
-use crate::beside::Sink;
+use super::size::{check_size, empty};
+use crate::atomic_write::Sink;
 use crate::error::{Error, Place, Report};
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
+use crate::storage::Storage;
 
-/// The first four bytes of a file.
-pub(super) const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
-
-pub(super) fn encode(
-    sink: &mut Sink,
-    picture: &Picture,
-    metadata: &Metadata,
-    _options: WriteOptions,
-) -> io::Result<()> {
+pub(super) fn encode(sink: &mut dyn Sink, picture: &Picture, metadata: &Metadata) -> io::Result<()> {
     let size = Vec2(picture.width as usize, picture.height as usize);
     let mut attributes = ImageAttributes::new(IntegerBounds::from_dimensions(size));
     for (key, value) in metadata {
@@ -67,7 +58,7 @@ fn string(text: &Text) -> String {
 }
 
 /// Reads every layer: a part by its name, and channels such as `depth.Z` as a layer `depth`.
-pub(super) fn decode(path: &Path, report: Report, options: &OpenOptions) -> Result<Picture, Error> {
+pub(super) fn decode(storage: &Storage, report: Report, options: &OpenOptions) -> Result<Picture, Error> {
     let wrong = |error: exr::error::Error| match error {
         exr::error::Error::Io(error) if error.kind() != io::ErrorKind::UnexpectedEof => report.unreadable(error),
         other => report.invalid(
@@ -76,7 +67,7 @@ pub(super) fn decode(path: &Path, report: Report, options: &OpenOptions) -> Resu
             "write it anew with flat, uncompressed or ZIP-compressed layers",
         ),
     };
-    let open = || File::open(path).map(BufReader::new).map_err(|error| report.unreadable(error));
+    let open = || storage.open().map_err(|error| report.unreadable(error));
     let metadata = MetaData::read_from_buffered(open()?, false).map_err(wrong)?;
     // All layers have one size, and stand in memory twice: as decoded, and as returned.
     let channels: u64 = metadata.headers.iter().map(|header| header.channels.list.len() as u64).sum();

@@ -6,18 +6,12 @@ use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
 
 use super::picture::Picture;
-use super::write::{Metadata, WriteOptions};
-use crate::beside::Sink;
+use crate::atomic_write::Sink;
 
 /// Largest value that the format holds: mantissa 255/256, exponent 127.
 const LARGEST: f32 = 1.694_9e38;
 
-pub(super) fn encode(
-    sink: &mut Sink,
-    picture: &Picture,
-    _metadata: &Metadata,
-    _options: WriteOptions,
-) -> io::Result<()> {
+pub(super) fn encode(sink: &mut dyn Sink, picture: &Picture) -> io::Result<()> {
     // RGBE has no negative numbers, no infinity and no NaN, which becomes black.
     let sane = |value: f32| if value.is_nan() { 0.0 } else { value.clamp(0.0, LARGEST) };
     let pixels: Vec<_> = picture.color().into_iter().map(|pixel| Rgb(pixel.map(sane))).collect();

@@ -5,17 +5,12 @@ use std::io;
 use image::ExtendedColorType;
 use image::codecs::jpeg::JpegEncoder;
 
+use super::options::WriteOptions;
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
-use super::write::{Metadata, WriteOptions};
-use crate::beside::Sink;
+use crate::atomic_write::Sink;
 
-pub(super) fn encode(
-    sink: &mut Sink,
-    picture: &Picture,
-    _metadata: &Metadata,
-    options: WriteOptions,
-) -> io::Result<()> {
+pub(super) fn encode(sink: &mut dyn Sink, picture: &Picture, options: WriteOptions) -> io::Result<()> {
     let code = |value| to_8_bits(linear_to_srgb(value));
     let bytes: Vec<u8> = picture.color().into_iter().flat_map(|pixel| pixel.map(code)).collect();
     JpegEncoder::new_with_quality(sink, options.jpeg_quality)

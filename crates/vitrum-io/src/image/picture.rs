@@ -87,10 +87,10 @@ pub(super) const COLOR: &str = "color";
 
 const COLORS: [&str; 3] = ["R", "G", "B"];
 
-/// Those of a vector, in the order in which they take the places of R, G and B.
+/// Channels of a vector, in the order in which they take the places of R, G and B.
 const COMPONENTS: [&str; 3] = ["X", "Y", "Z"];
 
-/// What a format without named channels writes of a layer.
+/// Channels of a layer that a format without named channels writes.
 pub(super) enum Samples<'a> {
     Color([&'a [f32]; 3]),
     Gray(&'a [f32]),

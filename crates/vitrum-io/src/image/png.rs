@@ -4,12 +4,17 @@ use std::io;
 
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 
+use super::options::{Metadata, WriteOptions};
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits, to_16_bits};
-use super::write::{Metadata, WriteOptions};
-use crate::beside::Sink;
+use crate::atomic_write::Sink;
 
-pub(super) fn encode(sink: &mut Sink, picture: &Picture, metadata: &Metadata, options: WriteOptions) -> io::Result<()> {
+pub(super) fn encode(
+    sink: &mut dyn Sink,
+    picture: &Picture,
+    metadata: &Metadata,
+    options: WriteOptions,
+) -> io::Result<()> {
     let Some(layer) = picture.layers.first() else { return Ok(()) };
     let (bytes, channels, depth) = if options.png_bits == 16 {
         let (codes, channels) = layer.interleave(|value| to_16_bits(linear_to_srgb(value)), to_16_bits);

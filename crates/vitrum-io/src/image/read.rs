@@ -1,22 +1,15 @@
 //! Reading a picture of any format: the content decides.
 
-use std::fs::File;
-use std::io::{BufReader, Read};
+use std::borrow::Cow;
+use std::io::Read;
 use std::path::Path;
 
-use image::error::ImageError;
-use image::{DynamicImage, ImageReader, Limits};
-
-use super::exr;
-use super::picture::{Channel, Picture};
-use super::srgb::srgb_to_linear;
+use super::picture::Picture;
 use crate::error::{Error, Place, Report};
+use crate::formats::{self, PICTURE_FORMATS};
 use crate::input::display_name;
-use crate::memory;
-use crate::open::OpenOptions;
-
-/// Most pixels of a picture: 16384 squared, as much as a graphics card takes in one texture.
-const MOST_PIXELS: u64 = 1 << 28;
+use crate::options::OpenOptions;
+use crate::storage::Storage;
 
 /// Reads a PNG, JPEG, Radiance HDR, OpenEXR or TIFF file as linear values.
 ///
@@ -26,7 +19,7 @@ const MOST_PIXELS: u64 = 1 << 28;
 /// # Errors
 ///
 /// [`Error::Unreadable`] where the file cannot be read, [`Error::Unsupported`] where its format is
-/// none of these, [`Error::Invalid`] where it contradicts its format, and [`Error::TooLarge`] where
+/// none of these, [`Error::LeftOut`] where this build leaves it out, [`Error::Invalid`] where it contradicts its format, and [`Error::TooLarge`] where
 /// it has more than 16384 x 16384 pixels, or more than the available memory holds; that is found
 /// before its pixels are decoded.
 pub fn read_picture(path: &Path) -> Result<Picture, Error> {
@@ -46,91 +39,40 @@ pub fn read_picture_with(path: &Path, options: &OpenOptions) -> Result<Picture, 
     if !metadata.is_file() {
         return Err(report.unsupported(Place::File, "this is not a regular file", "name a picture"));
     }
-    let mut magic = Vec::new();
-    File::open(path).map_err(unreadable)?.take(4).read_to_end(&mut magic).map_err(unreadable)?;
-    if magic == exr::MAGIC {
-        return exr::decode(path, report, options);
+    decode(&Storage::Disk(Cow::Borrowed(path)), report, options)
+}
+
+/// Reads a picture from the bytes of its file, as [`read_picture_with`] does; `name` stands in messages.
+///
+/// # Errors
+///
+/// Those of [`read_picture`].
+pub fn read_picture_bytes(name: &str, bytes: &[u8], options: &OpenOptions) -> Result<Picture, Error> {
+    let name = display_name(Path::new(name));
+    decode(&Storage::Memory(bytes), Report::new(&name), options)
+}
+
+fn decode(storage: &Storage, report: Report, options: &OpenOptions) -> Result<Picture, Error> {
+    /// As many as tell every format.
+    const HEAD: u64 = 16;
+    let unreadable = |error| report.unreadable(error);
+    let mut head = Vec::new();
+    storage.open().map_err(unreadable)?.take(HEAD).read_to_end(&mut head).map_err(unreadable)?;
+    if let Some(format) = formats::left_out(PICTURE_FORMATS, &head, "") {
+        return Err(report.left_out(format));
     }
-    let wrong = |error| decode_error(report, error);
-    let (width, height) = reader(path, report)?.into_dimensions().map_err(wrong)?;
-    if width == 0 || height == 0 {
-        return Err(empty(report));
+    #[cfg(feature = "exr")]
+    if formats::EXR.begins(&head) {
+        return super::exr::decode(storage, report, options);
     }
-    // Four channels in memory twice: as decoded, and as returned.
-    check_size(report, width.into(), height.into(), 8, options)?;
-    let mut reader = reader(path, report)?;
-    let mut limits = Limits::no_limits();
-    limits.max_alloc = Some(options.max_bytes.unwrap_or_else(memory::available));
-    reader.limits(limits);
-    Ok(linear(reader.decode().map_err(wrong)?))
-}
-
-/// The error of a picture that is whole, and shows nothing.
-pub(super) fn empty(report: Report) -> Error {
-    report.invalid(Place::File, "there are no pixels in it", "get the file again, or write it anew")
-}
-
-/// Fails where `channels` of float32 in this size are too many, before they are allocated.
-pub(super) fn check_size(
-    report: Report,
-    width: u64,
-    height: u64,
-    channels: u64,
-    options: &OpenOptions,
-) -> Result<(), Error> {
-    let pixels = width.saturating_mul(height);
-    let bytes = |pixels: u64| pixels.saturating_mul(channels).saturating_mul(4);
-    if pixels > MOST_PIXELS {
-        let advice = format!("scale it down from {width} x {height} pixels");
-        return Err(report.too_large(bytes(pixels), bytes(MOST_PIXELS), advice));
+    #[cfg(any(feature = "png", feature = "hdr", feature = "jpeg", feature = "tiff"))]
+    return super::raster::decode(storage, report, options);
+    #[cfg(not(any(feature = "png", feature = "hdr", feature = "jpeg", feature = "tiff")))]
+    {
+        // No decoder is left that takes them.
+        let _ = options;
+        let included = PICTURE_FORMATS.iter().copied().filter(|format| format.included);
+        let advice = format!("convert it to one of: {}", formats::described(included));
+        Err(report.unsupported(Place::File, "the content is of no known picture format", advice))
     }
-    memory::check(report, bytes(pixels), options.max_bytes)
-}
-
-fn reader(path: &Path, report: Report) -> Result<ImageReader<BufReader<File>>, Error> {
-    let file = File::open(path).map_err(|error| report.unreadable(error))?;
-    // Content alone: an extension that lies should not choose the decoder.
-    ImageReader::new(BufReader::new(file)).with_guessed_format().map_err(|error| report.unreadable(error))
-}
-
-fn decode_error(report: Report, error: ImageError) -> Error {
-    let problem = error.to_string();
-    match error {
-        ImageError::Unsupported(_) => report.unsupported(
-            Place::File,
-            problem,
-            "convert it to PNG, JPEG, Radiance HDR, OpenEXR or float32 RGB TIFF",
-        ),
-        // What a decoder needs besides the pixels.
-        ImageError::Limits(_) => {
-            report.unsupported(Place::File, problem, "free some memory, raise the limit, or scale the picture down")
-        }
-        ImageError::IoError(error) if error.kind() != std::io::ErrorKind::UnexpectedEof => report.unreadable(error),
-        _ => report.invalid(Place::File, problem, "get the file again, or write it anew"),
-    }
-}
-
-fn linear(decoded: DynamicImage) -> Picture {
-    let (width, height) = (decoded.width(), decoded.height());
-    let color = decoded.color();
-    let float = matches!(decoded, DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_));
-    let names: &[(&str, usize)] = match (color.has_color(), color.has_alpha()) {
-        (false, false) => &[("Y", 0)],
-        (false, true) => &[("Y", 0), ("A", 3)],
-        (true, false) => &[("R", 0), ("G", 1), ("B", 2)],
-        (true, true) => &[("R", 0), ("G", 1), ("B", 2), ("A", 3)],
-    };
-    let pixels = decoded.into_rgba32f().into_raw();
-    let to_linear = |name: &str, value: f32| match name {
-        "A" => value,
-        _ if float => value,
-        _ => srgb_to_linear(value),
-    };
-    let channels = names.iter().map(|&(name, offset)| Channel {
-        name: name.to_owned(),
-        data: pixels.iter().skip(offset).step_by(4).map(|&v| to_linear(name, v)).collect(),
-    });
-    let mut picture = Picture::gray(width, height, Vec::new());
-    picture.layers[0].channels = channels.collect();
-    picture
 }

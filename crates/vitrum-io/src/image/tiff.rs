@@ -6,15 +6,9 @@ use image::codecs::tiff::TiffEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
 use super::picture::Picture;
-use super::write::{Metadata, WriteOptions};
-use crate::beside::Sink;
+use crate::atomic_write::Sink;
 
-pub(super) fn encode(
-    sink: &mut Sink,
-    picture: &Picture,
-    _metadata: &Metadata,
-    _options: WriteOptions,
-) -> io::Result<()> {
+pub(super) fn encode(sink: &mut dyn Sink, picture: &Picture) -> io::Result<()> {
     let Picture { width, height, .. } = *picture;
     let Some(layer) = picture.layers.first() else { return Ok(()) };
     // The encoder has no float32 gray, so that becomes colour.

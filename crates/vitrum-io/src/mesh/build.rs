@@ -1,10 +1,12 @@
-//! What a reader has gathered so far, each piece counted against the limit.
+//! A mesh in the making, each piece counted against the limit of memory.
 
-use super::content::Budget;
+use super::content::{self, Budget};
 use super::triangulate::{MOST_CORNERS, triangulate};
 use super::{Material, Mesh};
 use crate::error::{Error, Place, Report};
-use crate::volume::Source;
+use crate::input::Input;
+use crate::options::OpenOptions;
+use crate::source::{Assumptions, Source};
 
 /// A mesh in the making.
 #[derive(Debug)]
@@ -20,7 +22,7 @@ pub(super) struct Builder<'a> {
     pub materials: Vec<Material>,
     /// Empty, or as many as triangles.
     pub triangle_materials: Vec<u32>,
-    pub assumptions: Vec<String>,
+    pub assumptions: Assumptions,
     /// Polygons that cross themselves.
     crossing: u64,
     pieces: Vec<[usize; 3]>,
@@ -37,7 +39,7 @@ impl<'a> Builder<'a> {
             colors: Vec::new(),
             materials: Vec::new(),
             triangle_materials: Vec::new(),
-            assumptions: Vec::new(),
+            assumptions: Assumptions::default(),
             crossing: 0,
             pieces: Vec::new(),
         }
@@ -130,13 +132,21 @@ impl<'a> Builder<'a> {
     }
 }
 
+/// The file's bytes and an empty mesh: how every reader starts.
+pub(super) fn start<'a>(input: &'a Input, options: &OpenOptions) -> Result<(Vec<u8>, Builder<'a>), Error> {
+    let report = Report::new(&input.name);
+    let mut budget = Budget::new(report, options);
+    let bytes = content::read(input, &mut budget)?;
+    Ok((bytes, Builder::new(report, budget)))
+}
+
 /// The vector of length 1 in the same direction; 0 stays 0.
 pub(super) fn unit(vector: [f64; 3]) -> [f32; 3] {
     let length = vector.iter().map(|component| component * component).sum::<f64>().sqrt();
     if length > 0.0 { vector.map(|component| (component / length) as f32) } else { [0.0; 3] }
 }
 
-/// How many had to be; NaN becomes 0.
+/// Clamps colours to 0 to 1, NaN to 0, and returns the count of those that it changed.
 fn clamp_colors(colors: &mut [[f32; 4]]) -> usize {
     let mut count = 0;
     for color in colors {

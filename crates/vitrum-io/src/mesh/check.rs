@@ -1,4 +1,4 @@
-//! What every mesh has to keep, whatever it was read from.
+//! The invariants of meshes, whatever file they come from.
 
 use crate::error::{Error, Place, Report};
 

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use crate::error::{Error, Place, Report};
 use crate::input::Input;
 use crate::memory;
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
 use crate::packing::Packing;
 
 /// Counts what is allocated for a file against its limit.

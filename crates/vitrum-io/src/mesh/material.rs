@@ -1,4 +1,4 @@
-//! What a surface, or the body within it, is made of.
+//! Materials of surfaces and of the bodies within them.
 
 /// A material as far as the file describes it; `None` is what the file does not say.
 #[derive(Debug, Clone, Default, PartialEq)]

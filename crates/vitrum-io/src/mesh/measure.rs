@@ -1,5 +1,7 @@
 //! Size, area and volume, summed up in float64.
 
+use glam::DVec3;
+
 use super::Mesh;
 
 impl Mesh {
@@ -41,10 +43,10 @@ impl Mesh {
     pub fn signed_volume(&self) -> f64 {
         // About the middle, so that no digits are lost far from the origin.
         let [low, high] = self.bounds();
-        let middle: [f64; 3] = std::array::from_fn(|axis| 0.5 * (f64::from(low[axis]) + f64::from(high[axis])));
+        let middle = 0.5 * (DVec3::from(low.map(f64::from)) + DVec3::from(high.map(f64::from)));
         let volume = |triangle: &[u32; 3]| {
-            let [a, b, c] = self.corners(triangle).map(|corner| subtract(corner, middle));
-            dot(a, cross(b, c)) / 6.0
+            let [a, b, c] = self.corners(triangle).map(|corner| corner - middle);
+            a.dot(b.cross(c)) / 6.0
         };
         self.triangles.iter().map(volume).sum()
     }
@@ -56,19 +58,6 @@ impl Mesh {
     }
 }
 
-fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
-    let normal = cross(subtract(b, a), subtract(c, a));
-    0.5 * dot(normal, normal).sqrt()
-}
-
-pub(super) fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| a[axis] - b[axis])
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+fn area([a, b, c]: [DVec3; 3]) -> f64 {
+    0.5 * (b - a).cross(c - a).length()
 }

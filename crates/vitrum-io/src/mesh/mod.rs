@@ -1,19 +1,21 @@
 //! Triangle meshes and the files that hold them: OBJ, PLY, STL and glTF.
 //!
-//! The formats are read by code of our own, as no crate tells the place of an error in every one of them and counts
-//! what it allocates against a limit. Beyond that, `gltf-json` 1.4 indexes by numbers out of the file before it checks
-//! them, and so panics; `tobj` 4.0 makes fans of polygons that are not convex, and drops what its errors are about;
-//! `ply-rs-bw` 4.0 allocates each face apart.
+//! The readers are written here rather than taken from libraries: `docs/adr/0015-readers-of-our-own.md` says why.
 
 mod build;
 mod check;
 mod content;
+#[cfg(feature = "gltf")]
 mod gltf;
 mod material;
 mod measure;
+#[cfg(feature = "obj")]
 mod obj;
-mod open;
+#[cfg(feature = "ply")]
 mod ply;
+mod reader;
+pub(crate) mod registry;
+#[cfg(feature = "stl")]
 mod stl;
 mod strip;
 mod subdivide;
@@ -23,12 +25,14 @@ mod weld;
 mod words;
 
 pub use material::Material;
-pub(crate) use open::looks_like_mesh;
-pub use open::{MeshReader, is_mesh, mesh_readers, open_mesh};
+pub use reader::MeshReader;
+pub use registry::{mesh_readers, open_mesh, open_mesh_bytes};
 pub use topology::Topology;
 
+use glam::DVec3;
+
 use crate::error::Error;
-use crate::volume::Source;
+use crate::source::Source;
 
 /// Triangles in space that share their vertices.
 ///
@@ -47,11 +51,11 @@ pub struct Mesh {
     /// Linear RGB and alpha for each vertex. What files hold as integers, and as text in OBJ, is taken for sRGB and
     /// decoded; floats of PLY and all colours of glTF are linear already. Alpha is never decoded.
     pub colors: Option<Vec<[f32; 4]>>,
-    /// What the triangles are made of; empty where the format knows no materials or the file names none.
+    /// Materials of the triangles; empty where the format knows none or the file names none.
     pub materials: Vec<Material>,
     /// For each triangle an index into [`Self::materials`]; empty where those are.
     pub triangle_materials: Vec<u32>,
-    /// Where the mesh comes from; its sample type is that of the coordinates.
+    /// Origin of the mesh; the sample type is the coordinates' type.
     pub source: Source,
 }
 
@@ -88,7 +92,7 @@ impl Mesh {
     }
 
     /// The corners of a triangle in float64. The index is below the count of triangles.
-    fn corners(&self, triangle: &[u32; 3]) -> [[f64; 3]; 3] {
-        triangle.map(|vertex| self.positions[vertex as usize].map(f64::from))
+    fn corners(&self, triangle: &[u32; 3]) -> [DVec3; 3] {
+        triangle.map(|vertex| DVec3::from(self.positions[vertex as usize].map(f64::from)))
     }
 }

@@ -18,7 +18,7 @@ pub(super) fn strip(builder: &mut Builder, vertices: &[u32]) -> Result<u64, Erro
     Ok(joints)
 }
 
-/// What to tell about so many joints.
+/// The assumption about so many joints.
 pub(super) fn joints_note(joints: u64) -> Option<String> {
     (joints > 0).then(|| format!("{joints} triangles of strips that have a vertex twice were left out"))
 }

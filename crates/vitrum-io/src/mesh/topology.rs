@@ -1,4 +1,4 @@
-//! How the triangles hang together.
+//! Topology of a mesh: edges, boundaries and connected parts.
 
 use super::Mesh;
 use super::weld::Weld;

@@ -1,5 +1,7 @@
 //! Polygons into triangles, with no vertex left out, so that neighbours stay joined.
 
+use glam::DVec3;
+
 /// Most corners of a polygon that is not convex: ears are looked for in quadratic time at best.
 pub(super) const MOST_CORNERS: usize = 1024;
 
@@ -25,12 +27,10 @@ pub(super) fn triangulate(points: &[[f64; 3]], triangles: &mut Vec<[usize; 3]>) 
 /// The polygon seen along the axis that shows most of its area, counterclockwise; `None` where it has no area.
 fn flatten(points: &[[f64; 3]]) -> Option<Vec<[f64; 2]>> {
     // Newell's normal, about the first corner, for the digits' sake.
-    let from_first = |point: [f64; 3]| [0, 1, 2].map(|axis| point[axis] - points[0][axis]);
-    let mut normal = [0.0; 3];
+    let from_first = |point: [f64; 3]| DVec3::from(point) - DVec3::from(points[0]);
+    let mut normal = DVec3::ZERO;
     for (index, &point) in points.iter().enumerate() {
-        let (a, b) = (from_first(point), from_first(points[(index + 1) % points.len()]));
-        let part = super::measure::cross(a, b);
-        normal = [0, 1, 2].map(|axis| normal[axis] + part[axis]);
+        normal += from_first(point).cross(from_first(points[(index + 1) % points.len()]));
     }
     let axis = (0..3).max_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs()))?;
     let (u, v) = if normal[axis] > 0.0 { ((axis + 1) % 3, (axis + 2) % 3) } else { ((axis + 2) % 3, (axis + 1) % 3) };

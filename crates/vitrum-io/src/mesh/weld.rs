@@ -19,7 +19,7 @@ impl Weld {
         }
     }
 
-    /// How many numbers were given.
+    /// Count of the numbers that were given.
     pub fn len(&self) -> usize {
         self.0.len()
     }

@@ -21,7 +21,7 @@ impl<'a> Words<'a> {
         Place::Line(self.line)
     }
 
-    /// How many bytes were read.
+    /// Count of the bytes that were read.
     pub fn position(&self) -> usize {
         self.position
     }

@@ -1,19 +1,19 @@
-//! Which files hold the data of a MetaImage header.
+//! Data files of a MetaImage header.
 
 use super::description::{Description, HeaderSize};
-use super::header::{Header, is_list};
-use crate::data_file::{DataFile, MOST_FILES, NumberedNames, numbered_name};
-use crate::error::{Error, Place, Report, clip};
+use super::header::Header;
+use crate::detached::{DataFile, List, NumberedNames, check_file_count, numbered_name};
+use crate::error::{Error, Place, Report};
 use crate::fields::Field;
 use crate::input::Input;
 
 /// The files in the order of their slices, each with the same share of the voxels.
-pub(super) fn locate(
+pub(super) fn locate<'a>(
     header: &Header,
     description: &Description,
-    input: &Input,
+    input: &'a Input,
     report: Report,
-) -> Result<Vec<DataFile>, Error> {
+) -> Result<Vec<DataFile<'a>>, Error> {
     let field = &header.data_file;
     let mut files = if field.text.eq_ignore_ascii_case("LOCAL") {
         vec![attached(header, description, input, report)?]
@@ -27,19 +27,31 @@ pub(super) fn locate(
     Ok(files)
 }
 
-fn detached(header: &Header, description: &Description, input: &Input, report: Report) -> Result<Vec<DataFile>, Error> {
+fn detached<'a>(
+    header: &Header,
+    description: &Description,
+    input: &Input,
+    report: Report,
+) -> Result<Vec<DataFile<'a>>, Error> {
     let names = names(header, description, report)?;
     let skipped = match description.header_size {
         HeaderSize::Bytes(size) => size,
         HeaderSize::None | HeaderSize::FromEnd => 0,
     };
-    let detached = |name: &String| -> Result<DataFile, Error> {
-        Ok(DataFile { start: skipped, ..DataFile::detached(report, header.data_file.place(), input, name)? })
+    let detached = |name: &String| -> Result<DataFile<'a>, Error> {
+        let mut file = DataFile::detached(report, header.data_file.place(), input, name)?;
+        file.start = skipped;
+        Ok(file)
     };
     names.iter().map(detached).collect()
 }
 
-fn attached(header: &Header, description: &Description, input: &Input, report: Report) -> Result<DataFile, Error> {
+fn attached<'a>(
+    header: &Header,
+    description: &Description,
+    input: &'a Input,
+    report: Report,
+) -> Result<DataFile<'a>, Error> {
     match description.header_size {
         HeaderSize::Bytes(size) if size < header.length => Err(report.invalid(
             header.fields.get("HeaderSize").map_or(Place::File, Field::place),
@@ -54,26 +66,15 @@ fn attached(header: &Header, description: &Description, input: &Input, report: R
 /// File names as the header writes them: one, a list, or a numbered pattern.
 fn names(header: &Header, description: &Description, report: Report) -> Result<Vec<String>, Error> {
     let field = &header.data_file;
-    if is_list(field) {
-        let dimension = match field.text.trim_start_matches("LIST").trim() {
-            "" => description.rank - 1,
-            text => {
-                text.parse().ok().filter(|dimension| (1..=description.rank).contains(dimension)).ok_or_else(|| {
-                    report.invalid(
-                        field.place(),
-                        format!("`{}` is not the dimension of a file's data, 1 to {}", clip(text), description.rank),
-                        "give 1 for rows, 2 for slices, or nothing for slices",
-                    )
-                })?
-            }
-        };
-        check_file_count(report, field, description, dimension, header.listed_files.len() as u64)?;
+    if let Some(List { dimension }) = List::of(report, field, description.rank)? {
+        let dimension = dimension.unwrap_or(description.rank - 1);
+        check_count(report, field, description, dimension, header.listed_files.len() as u64)?;
         return Ok(header.listed_files.clone());
     }
     let Some(numbered) = pattern(&field.text, description) else {
         return Ok(vec![field.text.clone()]);
     };
-    check_file_count(report, field, description, description.rank - 1, numbered.count())?;
+    check_count(report, field, description, description.rank - 1, numbered.count())?;
     numbered.names(report, field, "ElementDataFile = slice%03d.raw FIRST LAST STEP")
 }
 
@@ -98,7 +99,7 @@ fn pattern<'a>(text: &'a str, description: &Description) -> Option<NumberedNames
 }
 
 /// Each file holds a part of `dimension` dimensions: a row, a slice or the volume.
-fn check_file_count(
+fn check_count(
     report: Report,
     field: &Field,
     description: &Description,
@@ -111,12 +112,5 @@ fn check_file_count(
         2 => (depth, "slices"),
         _ => (1, "volume"),
     };
-    if count != expected || count > MOST_FILES {
-        return Err(report.invalid(
-            field.place(),
-            format!("{count} data files for {expected} {parts}, where at most {MOST_FILES} are read"),
-            "give one file for each, and check the numbers behind the pattern",
-        ));
-    }
-    Ok(())
+    check_file_count(report, field, count, count == expected, &format!("{expected} {parts}"))
 }

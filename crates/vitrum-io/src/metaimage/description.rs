@@ -1,4 +1,4 @@
-//! What the fields of a MetaImage header mean.
+//! Meaning of the fields of a MetaImage header.
 
 use super::header::Header;
 use super::space;
@@ -6,9 +6,10 @@ use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields};
 use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
+use crate::source::Assumptions;
 use crate::stream;
 
-/// How the samples are written.
+/// Coding of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Raw,
@@ -26,14 +27,14 @@ impl Encoding {
     }
 }
 
-/// Where the data starts in its file.
+/// Start of the data in its file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum HeaderSize {
     /// Behind the header, or at the start of a file of its own.
     None,
     /// So many bytes behind the start of the file.
     Bytes(u64),
-    /// Where it has to, to end with the file.
+    /// So that the data ends with the file.
     FromEnd,
 }
 
@@ -50,13 +51,13 @@ pub(super) struct Description {
     pub data_bytes: u64,
     pub header_size: HeaderSize,
     pub placement: Placement,
-    pub assumptions: Vec<String>,
+    pub assumptions: Assumptions,
 }
 
 impl Description {
     pub fn new(header: &Header, report: Report) -> Result<Self, Error> {
         let fields = &header.fields;
-        let mut assumptions = Vec::new();
+        let mut assumptions = Assumptions::default();
         check_object(fields, report)?;
         let sample = sample_type(fields, report)?;
         let encoding = encoding(fields, report)?;
@@ -154,7 +155,7 @@ fn endian(
     report: Report,
     sample: SampleType,
     encoding: Encoding,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
 ) -> Result<Endian, Error> {
     match fields.get("BinaryDataByteOrderMSB").or_else(|| fields.get("ElementByteOrderMSB")) {
         Some(field) => Ok(if truth(field, report)? { Endian::Big } else { Endian::Little }),

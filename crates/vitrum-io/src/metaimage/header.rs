@@ -2,6 +2,7 @@
 
 use std::io::BufRead;
 
+use crate::detached::List;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
 use crate::text::Lines;
@@ -30,7 +31,7 @@ impl Header {
             if field.name.eq_ignore_ascii_case("ElementDataFile") {
                 let length = lines.length;
                 let mut listed_files = vec![];
-                while is_list(&field)
+                while List::begins(&field)
                     && let Some(line) = lines.next()?
                 {
                     listed_files.extend(Some(line.trim().to_owned()).filter(|name| !name.is_empty()));
@@ -47,11 +48,6 @@ impl Header {
             "end it by `ElementDataFile = LOCAL` and the data, or by the data file's name",
         ))
     }
-}
-
-/// Whether the data is in files that the lines behind this field name.
-pub(super) fn is_list(field: &Field) -> bool {
-    field.text.split_whitespace().next() == Some("LIST")
 }
 
 /// `Name = value`; some writers have a colon for the equals sign.

@@ -7,38 +7,35 @@ mod description;
 mod header;
 mod space;
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::io::{BufRead, Read};
 
 use flate2::bufread::{MultiGzDecoder, ZlibDecoder};
 
 use self::description::{Description, Encoding};
 use self::header::Header;
-use crate::data_file::{DataFile, DataFiles};
+use crate::detached::{DataFile, DataFiles};
 use crate::error::{Error, Report};
+use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::open::{OpenOptions, VolumeReader};
+use crate::options::OpenOptions;
+use crate::reader::VolumeReader;
 use crate::samples::VoxelBuffer;
+use crate::source::{Assumptions, Source};
 use crate::stream;
 use crate::text::{check_text_length, read_text};
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 use crate::voxels::Voxels;
 
 /// The reader of `.mha` and `.mhd` files.
 pub(crate) struct MetaImage;
 
 impl VolumeReader for MetaImage {
-    fn name(&self) -> &'static str {
-        "MetaImage"
+    fn format(&self) -> &'static Format {
+        &formats::METAIMAGE
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".mha", ".mhd"]
-    }
-
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
-        header::recognises(head)
+    fn recognises(&self, input: &Input) -> bool {
+        header::recognises(&input.head)
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
@@ -49,11 +46,11 @@ impl VolumeReader for MetaImage {
         let mut volume =
             description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
         volume.source = Source {
-            format: self.name(),
+            format: self.format().name,
             sample_type: description.sample.name().to_owned(),
-            encoding: match (description.sample.size(), description.encoding) {
-                (1, encoding) | (_, encoding @ Encoding::Text) => encoding.name().to_owned(),
-                (_, encoding) => format!("{}, {}", encoding.name(), description.endian.name()),
+            encoding: match description.encoding {
+                Encoding::Text => Encoding::Text.name().to_owned(),
+                encoding => description.sample.coding(encoding.name(), description.endian),
             },
             assumptions: description.assumptions,
         };
@@ -71,7 +68,7 @@ fn read_data(
     let files = data_files::locate(header, description, input, report)?;
     let Description { sample, endian, .. } = *description;
     let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
-    let mut notes = Vec::new();
+    let mut notes = Assumptions::default();
     let check = |file: &DataFile, share| check_possible(file, description, share);
     let append = |file: &DataFile, voxels: &mut _, count| read_file(file, description, voxels, count);
     let voxels = data.read(report, options, &mut notes, check, append)?;
@@ -84,7 +81,7 @@ fn read_data(
 fn check_possible(file: &DataFile, description: &Description, share: u64) -> Result<(), Error> {
     let report = Report::new(&file.name);
     let bytes = share * description.sample.size() as u64;
-    let there = file.length.saturating_sub(file.start);
+    let there = file.available();
     match description.encoding {
         Encoding::Deflate => stream::check_deflate(report, bytes, there),
         Encoding::Raw => stream::check_length(report, bytes, file.start, there),
@@ -96,14 +93,13 @@ fn check_possible(file: &DataFile, description: &Description, share: u64) -> Res
 fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffer, count: usize) -> Result<u64, Error> {
     let report = Report::new(&file.name);
     let unreadable = |error| report.unreadable(error);
-    let mut reader = BufReader::new(File::open(&file.path).map_err(unreadable)?);
-    reader.seek(SeekFrom::Start(file.start)).map_err(unreadable)?;
+    let mut reader = file.open()?;
     let size = description.sample.size();
     let bytes = count as u64 * size as u64;
     match description.encoding {
         Encoding::Raw => {
             stream::fill(report, voxels, &mut reader, count, size)?;
-            return Ok(file.length.saturating_sub(file.start).saturating_sub(bytes));
+            return Ok(file.available().saturating_sub(bytes));
         }
         Encoding::Deflate => {
             let gzipped = reader.fill_buf().map_err(unreadable)?.starts_with(&[0x1f, 0x8b]);
@@ -120,7 +116,7 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
 /// A wrong `CompressedDataSize` does no harm, since the stream knows its own end.
 fn size_note(header: &Header, description: &Description, files: &[DataFile]) -> Option<String> {
     let stated: u64 = header.fields.get("CompressedDataSize")?.text.parse().ok()?;
-    let there: u64 = files.iter().map(|file| file.length.saturating_sub(file.start)).sum();
+    let there: u64 = files.iter().map(DataFile::available).sum();
     (description.encoding == Encoding::Deflate && stated != there && files.len() == 1)
         .then(|| format!("the header says {stated} bytes of compressed data, {there} are there: all were read"))
 }

@@ -1,9 +1,11 @@
-//! Where a MetaImage header says its grid lies: spacings, a matrix of directions and an offset.
+//! Placement of a MetaImage grid in the world: spacings, a matrix of directions and an offset.
 
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields};
 use crate::orientation::Orientation;
 use crate::placement::{Placement, millimetres};
+use crate::setting::Setting;
+use crate::source::{Assumption, Assumptions};
 use crate::volume::{IDENTITY, check_spacing};
 
 /// The format's world is LPS+: x to the patient's left, y to posterior, z to superior. Ours is RAS+.
@@ -14,7 +16,7 @@ pub(super) fn placement(
     fields: &Fields,
     report: Report,
     rank: usize,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
 ) -> Result<Placement, Error> {
     let scale = unit_scale(fields, assumptions);
     let spacing = spacing(fields, report, rank, scale, assumptions)?;
@@ -48,15 +50,13 @@ pub(super) fn placement(
 fn unstated(
     fields: &Fields,
     report: Report,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
 ) -> Result<([[f64; 3]; 3], Orientation), Error> {
     // ITK writes question marks where it does not know.
     let Some(field) = fields.get("AnatomicalOrientation").filter(|field| !field.text.contains('?')) else {
-        assumptions.push(
-            "the file has no TransformMatrix: its axes were taken to point to the patient's left, posterior and \
-             superior, the format's default; --up turns it"
-                .to_owned(),
-        );
+        let fact = "the file has no TransformMatrix: its axes were taken to point to the patient's left, posterior and \
+                    superior, the format's default";
+        assumptions.push(Assumption::replaceable(fact, Setting::Up, ""));
         return Ok((IDENTITY.map(|axis| axis.map(f64::from)), Orientation::Unknown));
     };
     let directions = anatomical(&field.text).ok_or_else(|| {
@@ -66,11 +66,11 @@ fn unstated(
             "write one of R and L, one of A and P, and one of I and S, such as RAI",
         )
     })?;
-    assumptions.push(format!(
-        "the file has no TransformMatrix: its axes were taken to run from {}, as ITK means `AnatomicalOrientation`; \
-         --up turns it",
+    let fact = format!(
+        "the file has no TransformMatrix: its axes were taken to run from {}, as ITK means `AnatomicalOrientation`",
         clip(&field.text)
-    ));
+    );
+    assumptions.push(Assumption::replaceable(fact, Setting::Up, ""));
     Ok((directions, Orientation::Patient))
 }
 
@@ -103,7 +103,7 @@ fn spacing(
     report: Report,
     rank: usize,
     scale: f64,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
 ) -> Result<[f64; 3], Error> {
     // `ElementSize` is the size of a voxel itself, and stands in where no distance is given.
     let Some(field) = fields.get("ElementSpacing").or_else(|| fields.get("ElementSize")) else {
@@ -117,7 +117,7 @@ fn spacing(
 }
 
 /// Millimetres per unit of the file, where it names one; otherwise 1.
-fn unit_scale(fields: &Fields, assumptions: &mut Vec<String>) -> f64 {
+fn unit_scale(fields: &Fields, assumptions: &mut Assumptions) -> f64 {
     let Some(field) = fields.get("DistanceUnits").filter(|field| field.text != "?") else {
         assumptions.push("the file names no unit of length: its own was kept".to_owned());
         return 1.0;

@@ -1,4 +1,4 @@
-//! Where the two versions of the NIfTI header have their fields, and how wide those are.
+//! Offsets and widths of the fields of both versions of the NIfTI header.
 
 use crate::samples::Endian;
 

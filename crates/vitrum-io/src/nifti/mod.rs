@@ -7,35 +7,33 @@ mod orientation;
 mod pair;
 
 use std::io::Read;
-use std::path::Path;
 
 use self::header::Header;
 use self::layout::FIRST;
 use crate::error::{Error, Place, Report};
+use crate::formats::{self, Format};
 use crate::input::Input;
 use crate::memory;
-use crate::open::{OpenOptions, Part, VolumeReader};
+use crate::options::{OpenOptions, Part};
 use crate::packing::Packing;
+use crate::reader::VolumeReader;
 use crate::samples::{VoxelBuffer, read_up_to};
+use crate::source::{Assumptions, Source};
 use crate::stream;
 use crate::time::Times;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 use crate::voxels::Voxels;
 
 /// The reader of `.nii` files and of pairs of `.hdr` and `.img`, each perhaps packed.
 pub(crate) struct Nifti;
 
 impl VolumeReader for Nifti {
-    fn name(&self) -> &'static str {
-        "NIfTI"
+    fn format(&self) -> &'static Format {
+        &formats::NIFTI
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"]
-    }
-
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
-        header::kind(head).is_some()
+    fn recognises(&self, input: &Input) -> bool {
+        header::kind(&input.head).is_some()
     }
 
     fn parts(&self) -> &'static [Part] {
@@ -61,12 +59,12 @@ impl VolumeReader for Nifti {
             ));
         }
         let header = Header::parse(&bytes, kind, report)?;
-        let mut assumptions = Vec::new();
+        let mut assumptions = Assumptions::default();
         let placement = orientation::placement(&header, report, &mut assumptions)?;
         assumptions.extend(header.sample.rounding_note());
         let (voxels, packing) = if kind.pair {
             let image = pair::image(input, kind)?;
-            let image = Input::new(&image.path, options)?;
+            let image = Input::new(&image, options)?;
             let data = Data { input: &image, reader: image.unpacked()?, position: 0 };
             (data.read(&header, options, &mut assumptions)?, image.packing)
         } else {
@@ -118,13 +116,13 @@ fn refusal(report: Report, head: &[u8]) -> Error {
 /// The file with the samples, which is the header's or another.
 struct Data<'a> {
     input: &'a Input<'a>,
-    reader: Box<dyn Read>,
-    /// How far that was read.
+    reader: Box<dyn Read + 'a>,
+    /// Bytes of it that were read.
     position: u64,
 }
 
 impl Data<'_> {
-    fn read(mut self, header: &Header, options: &OpenOptions, assumptions: &mut Vec<String>) -> Result<Voxels, Error> {
+    fn read(mut self, header: &Header, options: &OpenOptions, assumptions: &mut Assumptions) -> Result<Voxels, Error> {
         let Input { name, length, packing, .. } = self.input;
         let report = Report::new(name);
         let size = header.sample.size();

@@ -1,14 +1,15 @@
-//! Where a NIfTI header says its grid lies. NIfTI's world is RAS+ as ours is.
+//! Placement of a NIfTI grid in the world, which is RAS+ as Vitrum's is.
 
 use super::header::Header;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
-use crate::placement::{Placement, UNORIENTED};
+use crate::placement::{Placement, unoriented};
+use crate::source::Assumptions;
 use crate::volume::{IDENTITY, check_spacing};
 
 /// Three ways to place a grid, of which the header's codes pick one: the sform, an affine matrix;
 /// the qform, a rotation; or the spacings alone.
-pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<String>) -> Result<Placement, Error> {
+pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Assumptions) -> Result<Placement, Error> {
     let scale = unit_scale(header, report, assumptions)?;
     let pixdim = [header.pixdim[1], header.pixdim[2], header.pixdim[3]];
     let spacing = pixdim.map(|spacing| (spacing * scale) as f32);
@@ -47,7 +48,7 @@ pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Vec<S
         return placed([column(0), column(1), column(2)], origin);
     }
     assumptions.push("the file has neither sform nor qform".to_owned());
-    assumptions.push(UNORIENTED.to_owned());
+    assumptions.push(unoriented());
     Ok(Placement { spacing, axes: IDENTITY, origin: None, orientation: Orientation::Unknown })
 }
 
@@ -70,7 +71,7 @@ fn rotation(quaternion: [f64; 3]) -> Option<[[f64; 3]; 3]> {
 }
 
 /// Millimetres per unit of the file.
-fn unit_scale(header: &Header, report: Report, assumptions: &mut Vec<String>) -> Result<f64, Error> {
+fn unit_scale(header: &Header, report: Report, assumptions: &mut Assumptions) -> Result<f64, Error> {
     // The low 3 bits are of space, the next 3 of time.
     let (scale, note) = match header.units & 7 {
         0 => (1.0, "the file names no unit of length: its own was kept"),

@@ -1,7 +1,9 @@
 //! Pairs: a header in `NAME.hdr`, and its data in `NAME.img` beside it.
 
+use std::path::PathBuf;
+
 use super::header::Kind;
-use crate::data_file::DataFile;
+use crate::detached::locate;
 use crate::error::{Error, Place, Report};
 use crate::input::Input;
 
@@ -19,7 +21,7 @@ pub(super) fn is_image(name: &str) -> bool {
 }
 
 /// The file with the data of a header: plain or gzipped, whichever is there, as the header is where both are.
-pub(super) fn image(input: &Input, kind: Kind) -> Result<DataFile, Error> {
+pub(super) fn image(input: &Input, kind: Kind) -> Result<PathBuf, Error> {
     let report = Report::new(&input.name);
     let place = Place::Byte(kind.layout.magic as u64);
     let [mut first, mut second] = IMAGES;
@@ -41,9 +43,9 @@ pub(super) fn image(input: &Input, kind: Kind) -> Result<DataFile, Error> {
     let upper = file_name.ends_with(|last: char| last.is_ascii_uppercase());
     let name =
         |extension: &str| format!("{stem}{}", if upper { extension.to_uppercase() } else { extension.to_owned() });
-    let there = |extension: &&str| input.path.with_file_name(name(extension)).exists();
+    let there = |extension: &&str| input.path().with_file_name(name(extension)).exists();
     let extension = [first, second].into_iter().find(|extension| there(extension)).unwrap_or(first);
-    DataFile::detached(report, place, input, &name(extension))
+    locate(report, place, input, &name(extension)).map(|(path, _)| path)
 }
 
 /// A name without its extension, in capitals or not.

@@ -1,20 +1,20 @@
-//! Which files hold the data of a NRRD header.
+//! Data files of a NRRD header.
 
 use super::description::Description;
 use super::header::Header;
-use crate::data_file::{DataFile, MOST_FILES, NumberedNames};
-use crate::error::{Error, Place, Report, clip};
+use crate::detached::{DataFile, List, NumberedNames, check_file_count, dimension};
+use crate::error::{Error, Place, Report};
 use crate::fields::Field;
 use crate::input::Input;
 
 /// The files in the order of their slices, each with the same share of the voxels; of several points in time in a file
 /// each, that of the chosen one.
-pub(super) fn locate(
+pub(super) fn locate<'a>(
     header: &Header,
     description: &Description,
-    input: &Input,
+    input: &'a Input,
     report: Report,
-) -> Result<Vec<DataFile>, Error> {
+) -> Result<Vec<DataFile<'a>>, Error> {
     let Some(field) = header.get("datafile") else {
         if !header.closed {
             return Err(report.invalid(
@@ -34,18 +34,15 @@ pub(super) fn locate(
 
 /// File names as the header writes them: one, a list, or a numbered pattern.
 fn names(header: &Header, field: &Field, description: &Description, report: Report) -> Result<Vec<String>, Error> {
-    if field.text.split_whitespace().next() == Some("LIST") {
-        let rest = field.text.trim_start_matches("LIST").trim();
-        let subdim = if rest.is_empty() { None } else { Some(subdim(report, field, rest)?) };
-        let count = header.listed_files.len() as u64;
-        check_file_count(report, field, description, subdim, count)?;
+    if let Some(List { dimension }) = List::of(report, field, 3)? {
+        check_count(report, field, description, dimension, header.listed_files.len() as u64)?;
         return Ok(header.listed_files.clone());
     }
-    let Some((numbered, subdim_text)) = pattern(&field.text) else {
+    let Some((numbered, subdim)) = pattern(&field.text) else {
         return Ok(vec![field.text.clone()]);
     };
-    let subdim = subdim_text.map(|text| subdim(report, field, text)).transpose()?;
-    check_file_count(report, field, description, subdim, numbered.count())?;
+    let subdim = subdim.map(|text| dimension(report, field, text, 3)).transpose()?;
+    check_count(report, field, description, subdim, numbered.count())?;
     numbered.names(report, field, "data file: slice%03d.raw FIRST LAST STEP")
 }
 
@@ -62,18 +59,8 @@ fn pattern(text: &str) -> Option<(NumberedNames<'_>, Option<&str>)> {
     name.contains('%').then_some((NumberedNames { name, first, last, step }, subdim))
 }
 
-fn subdim(report: Report, field: &Field, text: &str) -> Result<usize, Error> {
-    text.parse().ok().filter(|subdim| (1..=3).contains(subdim)).ok_or_else(|| {
-        report.invalid(
-            field.place(),
-            format!("`{}` is not the dimension of a file's data, 1, 2 or 3", clip(text)),
-            "give 1 for rows, 2 for slices, 3 for slabs, or nothing for slices",
-        )
-    })
-}
-
-/// Each file holds a slice, or what `subdim` says: rows (1), slices (2) or slabs of slices (3).
-fn check_file_count(
+/// Each file holds a slice, or the data of `subdim` dimensions: rows (1), slices (2) or slabs of slices (3).
+fn check_count(
     report: Report,
     field: &Field,
     description: &Description,
@@ -89,12 +76,5 @@ fn check_file_count(
         Some(3) => (count > 0 && depth.is_multiple_of(count), format!("equal slabs of {depth} slices")),
         _ => (count == depth, format!("{depth} slices")),
     };
-    if !fits || count > MOST_FILES {
-        return Err(report.invalid(
-            field.place(),
-            format!("{count} data files for {expected}, where at most {MOST_FILES} are read"),
-            "give one file for each, and check the numbers behind the pattern",
-        ));
-    }
-    Ok(())
+    check_file_count(report, field, count, fits, &expected)
 }

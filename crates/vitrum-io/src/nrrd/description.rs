@@ -1,16 +1,17 @@
-//! What the fields of a NRRD header mean.
+//! Meaning of the fields of a NRRD header.
 
 use super::header::Header;
 use super::space;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
 use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
+use crate::source::Assumptions;
 use crate::stream;
 use crate::time::Times;
 
-/// How the samples are written.
+/// Coding of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Raw,
@@ -30,12 +31,12 @@ impl Encoding {
     }
 }
 
-/// Where the data starts, behind the skipped lines.
+/// Start of the data, behind the skipped lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ByteSkip {
     /// So many bytes on; with gzip, so many decompressed ones.
     Forward(u64),
-    /// Where it has to, to end with the file.
+    /// So that the data ends with the file.
     FromEnd,
 }
 
@@ -53,7 +54,7 @@ pub(super) struct Description {
     pub line_skip: u64,
     pub byte_skip: ByteSkip,
     pub placement: Placement,
-    pub assumptions: Vec<String>,
+    pub assumptions: Assumptions,
 }
 
 impl Description {
@@ -65,7 +66,7 @@ impl Description {
         let sizes = header.get("sizes").map_or(Place::File, Field::place);
         let data_bytes = stream::data_bytes(report, sizes, dimensions, sample)?;
         let (line_skip, byte_skip) = skips(header, report, encoding)?;
-        let mut assumptions = Vec::new();
+        let mut assumptions = Assumptions::default();
         let times = Times::choose(report, sizes, count, options, &mut assumptions)?;
         times.spans(report, sizes, data_bytes)?;
         let placement = space::placement(header, rank, report, &mut assumptions)?;

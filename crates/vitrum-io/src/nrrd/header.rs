@@ -2,6 +2,7 @@
 
 use std::io::BufRead;
 
+use crate::detached::List;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
 use crate::text::Lines;
@@ -50,8 +51,9 @@ impl Header {
             }
             let name = name.replace(' ', "").to_ascii_lowercase();
             let text = text.trim().to_owned();
-            listing = name == "datafile" && text.split_whitespace().next() == Some("LIST");
-            header.fields.add(report, Field { name, text, line: lines.number })?;
+            let field = Field { name, text, line: lines.number };
+            listing = field.name == "datafile" && List::begins(&field);
+            header.fields.add(report, field)?;
         }
         header.length = lines.length;
         Ok(header)

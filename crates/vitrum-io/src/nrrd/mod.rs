@@ -13,39 +13,36 @@ mod write;
 pub use samples::Samples;
 pub use write::{Lattice, check_nrrd_writable, write_nrrd};
 
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::io::{self, BufRead, Read, Seek, SeekFrom};
 
 use flate2::bufread::MultiGzDecoder;
 
 use self::description::{ByteSkip, Description, Encoding};
 use self::header::Header;
-use crate::data_file::{DataFile, DataFiles};
+use crate::detached::{DataFile, DataFiles};
 use crate::error::{Error, Place, Report};
+use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::open::{OpenOptions, Part, VolumeReader};
+use crate::options::{OpenOptions, Part};
+use crate::reader::VolumeReader;
 use crate::samples::VoxelBuffer;
+use crate::source::{Assumptions, Source};
 use crate::stream;
 use crate::text;
 use crate::time::Times;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 use crate::voxels::Voxels;
 
 /// The reader of `.nrrd` and `.nhdr` files.
 pub(crate) struct Nrrd;
 
 impl VolumeReader for Nrrd {
-    fn name(&self) -> &'static str {
-        "NRRD"
+    fn format(&self) -> &'static Format {
+        &formats::NRRD
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".nrrd", ".nhdr"]
-    }
-
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
-        head.starts_with(b"NRRD00")
+    fn recognises(&self, input: &Input) -> bool {
+        self.format().begins(&input.head)
     }
 
     fn parts(&self) -> &'static [Part] {
@@ -60,12 +57,9 @@ impl VolumeReader for Nrrd {
         let mut volume =
             description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
         volume.source = Source {
-            format: self.name(),
+            format: self.format().name,
             sample_type: description.sample.name().to_owned(),
-            encoding: match description.sample.size() {
-                1 => description.encoding.name().to_owned(),
-                _ => format!("{}, {}", description.encoding.name(), description.endian.name()),
-            },
+            encoding: description.sample.coding(description.encoding.name(), description.endian),
             assumptions: description.assumptions,
         };
         Ok(volume)
@@ -86,7 +80,7 @@ fn read_data(
     }
     let Description { sample, endian, .. } = *description;
     let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
-    let mut notes = Vec::new();
+    let mut notes = Assumptions::default();
     let check = |file: &DataFile, share| check_possible(file, description, share);
     let append = |file: &DataFile, voxels: &mut _, count| read_file(file, description, voxels, count);
     let voxels = data.read(report, options, &mut notes, check, append)?;
@@ -99,7 +93,7 @@ fn check_possible(file: &DataFile, description: &Description, share: u64) -> Res
     let report = Report::new(&file.name);
     let share = share.saturating_mul(description.times.count);
     let bytes = share.saturating_mul(description.sample.size() as u64);
-    let there = file.length.saturating_sub(file.start);
+    let there = file.available();
     match description.encoding {
         Encoding::Gzip => stream::check_deflate(report, bytes, there),
         Encoding::Raw => stream::check_length(report, bytes, file.start, there),
@@ -110,13 +104,12 @@ fn check_possible(file: &DataFile, description: &Description, share: u64) -> Res
 
 /// Decodes a file's `count` voxels, and returns how many bytes of raw data it has behind them.
 ///
-/// Those may be padding or another program's. Surplus in any other encoding is an error: nothing
+/// Such bytes may be padding or another program's. Surplus in any other encoding is an error: nothing
 /// pads inside a compressed stream or a list of numbers.
 fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffer, count: usize) -> Result<u64, Error> {
     let report = Report::new(&file.name);
     let unreadable = |error| report.unreadable(error);
-    let mut reader = BufReader::new(File::open(&file.path).map_err(unreadable)?);
-    reader.seek(SeekFrom::Start(file.start)).map_err(unreadable)?;
+    let mut reader = file.open()?;
     skip_lines(report, &mut reader, description.line_skip)?;
     let size = description.sample.size();
     let bytes = count as u64 * size as u64;

@@ -1,10 +1,10 @@
-//! What a NRRD file can be written of.
+//! Samples that are written as NRRD.
 
 use std::io::Write;
 
+use crate::physical_values::{sample_type, write_values};
 use crate::samples::SampleType;
 use crate::volume::Volume;
-use crate::volume_file::{sample_type, write_values};
 
 /// Samples of a grid, x fastest; those of a vector lie next to each other.
 #[derive(Debug, Clone, Copy)]

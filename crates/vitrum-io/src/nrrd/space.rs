@@ -1,10 +1,12 @@
-//! Where a NRRD file says its grid lies: `space`, its directions and origin, spacings and units.
+//! Placement of a NRRD grid in the world: `space`, its directions and origin, spacings and units.
 
 use super::header::Header;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
 use crate::orientation::Orientation;
-use crate::placement::{Placement, UNORIENTED, millimetres};
+use crate::placement::{Placement, millimetres, unoriented};
+use crate::setting::Setting;
+use crate::source::{Assumption, Assumptions};
 use crate::volume::{IDENTITY, check_spacing};
 
 /// `rank` is the number of axes in the file: 3, or 4 with time.
@@ -12,7 +14,7 @@ pub(super) fn placement(
     header: &Header,
     rank: usize,
     report: Report,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
 ) -> Result<Placement, Error> {
     refuse_components(header, report)?;
     let Space { signs, orientation, note } = space(header, report)?;
@@ -24,7 +26,7 @@ pub(super) fn placement(
         let columns = directions(report, field, rank)?.map(to_world);
         let placement = Placement::from_columns(columns, origin, orientation)
             .map_err(|problem| report.invalid(field.place(), problem, "correct the directions or the origin"))?;
-        assumptions.extend(note.map(str::to_owned));
+        assumptions.extend(note);
         assumptions.extend(placement.shear_note());
         return Ok(placement);
     }
@@ -48,20 +50,20 @@ pub(super) fn placement(
             "the file names a space but no `space directions`: its axes were taken to run along the space's".to_owned(),
         );
     }
-    assumptions.extend(note.map(str::to_owned));
+    assumptions.extend(note);
     Placement::from_columns(columns, origin, orientation).map_err(|problem| {
         let place = header.get("spaceorigin").map_or(Place::File, Field::place);
         report.invalid(place, problem, "correct the origin")
     })
 }
 
-/// What the file's directions and origin are given in.
+/// The space in which a file's directions and origin are given.
 struct Space {
     /// Turn it into RAS+: x to the right, y to anterior, z to superior.
     signs: [f64; 3],
     orientation: Orientation,
-    /// A sentence where it is no patient's.
-    note: Option<&'static str>,
+    /// The assumption about a world that is no patient's.
+    note: Option<Assumption>,
 }
 
 fn space(header: &Header, report: Report) -> Result<Space, Error> {
@@ -76,22 +78,24 @@ fn space(header: &Header, report: Report) -> Result<Space, Error> {
         }
     }
     let Some(field) = header.get("space") else {
-        return Ok(Space { signs: [1.0; 3], orientation: Orientation::Unknown, note: Some(UNORIENTED) });
+        return Ok(Space { signs: [1.0; 3], orientation: Orientation::Unknown, note: Some(unoriented()) });
     };
     let patient = |signs| Ok(Space { signs, orientation: Orientation::Patient, note: None });
-    let world = |signs, note| Ok(Space { signs, orientation: Orientation::World, note: Some(note) });
+    let world = |signs, fact: &str| {
+        let note = Some(Assumption::replaceable(fact, Setting::Up, ""));
+        Ok(Space { signs, orientation: Orientation::World, note })
+    };
     match field.text.to_ascii_lowercase().as_str() {
         "right-anterior-superior" | "ras" => patient([1.0, 1.0, 1.0]),
         "left-anterior-superior" | "las" => patient([-1.0, 1.0, 1.0]),
         "left-posterior-superior" | "lps" => patient([-1.0, -1.0, 1.0]),
         "scanner-xyz" | "3d-right-handed" => {
-            world([1.0; 3], "the file's space is no patient's: its x, y, z were taken for the world's; --up turns it")
+            world([1.0; 3], "the file's space is no patient's: its x, y, z were taken for the world's")
         }
         // Most often it is, because rows of pictures run downwards: what they begin with faces the front then.
-        "3d-left-handed" => world(
-            [1.0, -1.0, 1.0],
-            "the file's space is left-handed: its y was turned round to make the world's; --up turns it",
-        ),
+        "3d-left-handed" => {
+            world([1.0, -1.0, 1.0], "the file's space is left-handed: its y was turned round to make the world's")
+        }
         name if name.ends_with("-time") || matches!(name, "rast" | "last" | "lpst") => Err(report.unsupported(
             field.place(),
             format!("`{}` is a space with time", clip(name)),
@@ -129,7 +133,7 @@ fn refuse_components(header: &Header, report: Report) -> Result<(), Error> {
 }
 
 /// Millimetres per unit of the file, where it names one and the same for all axes; otherwise 1.
-fn unit_scale(header: &Header, assumptions: &mut Vec<String>) -> f64 {
+fn unit_scale(header: &Header, assumptions: &mut Assumptions) -> f64 {
     let Some(field) = header.get("spaceunits").or_else(|| header.get("units")) else {
         assumptions.push("the file names no unit of length: its own was kept".to_owned());
         return 1.0;

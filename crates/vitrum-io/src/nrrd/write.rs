@@ -1,14 +1,13 @@
 //! Writing NRRD: one attached file, gzip, of the world's space.
 
 use std::fmt::Write as _;
-use std::io::Write;
 use std::path::Path;
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
 use super::samples::Samples;
-use crate::beside::{create_beside, write_whole};
+use crate::atomic_write::{create_beside, write_whole};
 use crate::error::{Error, Report};
 use crate::input::display_name;
 use crate::orientation::Orientation;
@@ -19,11 +18,11 @@ use crate::volume::Volume;
 pub struct Lattice {
     /// Voxels along x, y and z.
     pub dimensions: [u32; 3],
-    /// What leads from a voxel's centre to that of the next along x, y and z, in world units.
+    /// Vectors from a voxel's centre to the next voxel's along x, y and z, in world units.
     pub steps: [[f64; 3]; 3],
     /// The centre of the first voxel.
     pub origin: [f64; 3],
-    /// What the world is, which becomes the file's `space`; it has none where nobody knows.
+    /// Kind of the world, which becomes the file's `space`; the file has none where it is unknown.
     pub orientation: Orientation,
 }
 

@@ -1,9 +1,5 @@
 //! NumPy's `.npz`: a ZIP archive of arrays, each a `.npy` file.
 
-use std::fs::File;
-use std::io::BufReader;
-use std::path::Path;
-
 use zip::result::ZipError;
 use zip::{CompressionMethod, ZipArchive};
 
@@ -11,8 +7,11 @@ use super::array;
 use super::header::Header;
 use crate::arrays;
 use crate::error::{Error, Place, Report, clip};
+use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::open::{OpenOptions, Part, VolumeReader};
+use crate::options::{OpenOptions, Part};
+use crate::reader::VolumeReader;
+use crate::storage::ByteReader;
 use crate::stream;
 use crate::volume::Volume;
 
@@ -22,20 +21,17 @@ pub(crate) struct Npz;
 /// The extension that the arrays have inside.
 const EXTENSION: &str = ".npy";
 
-type Archive = ZipArchive<BufReader<File>>;
+type Archive<'a> = ZipArchive<ByteReader<'a>>;
 
 impl VolumeReader for Npz {
-    fn name(&self) -> &'static str {
-        "NumPy archive"
+    fn format(&self) -> &'static Format {
+        &formats::NPZ
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".npz"]
-    }
-
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
+    fn recognises(&self, input: &Input) -> bool {
         // The name of the first file is as long as two bytes say, behind 30 bytes in all.
         let length = |low: u8, high: u8| usize::from(u16::from_le_bytes([low, high]));
+        let head = &input.head;
         head.starts_with(b"PK\x03\x04")
             && head
                 .get(26..28)
@@ -63,7 +59,7 @@ impl VolumeReader for Npz {
             stream::refuse_surplus(report, &mut entry, length)?;
         }
         volume.name.clone_from(&input.name);
-        volume.source.format = self.name();
+        volume.source.format = self.format().name;
         if options.array.is_none() {
             let others = arrays.iter().filter(|(other, _)| *other != index).map(|(_, name)| name.as_str());
             volume.source.assumptions.extend(arrays::others_note(name, others));
@@ -122,7 +118,7 @@ fn choose<'a>(
     Err(first.unwrap_or_else(|| arrays::unknown(report, "", known)))
 }
 
-/// How an array is packed; an error where that is unknown, or where it cannot hold what it promises.
+/// Compression of an array; an error where it is unknown, or where it cannot hold what it promises.
 fn packing(archive: &mut Archive, index: usize, most: u64, report: Report) -> Result<&'static str, Error> {
     let entry = archive.by_index_raw(index).map_err(|error| damaged(report, error))?;
     let (name, ratio) = match entry.compression() {

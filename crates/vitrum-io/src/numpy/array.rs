@@ -5,12 +5,13 @@ use std::io::Read;
 use super::header::Header;
 use crate::error::{Error, Report};
 use crate::memory;
-use crate::open::OpenOptions;
-use crate::placement::UNORIENTED;
+use crate::options::OpenOptions;
+use crate::placement::unoriented;
 use crate::samples::VoxelBuffer;
+use crate::source::{Assumptions, Source};
 use crate::stream;
 use crate::time::Times;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 
 /// Reads an array of `length` bytes, its header included, which were unpacked from `packing`; the volume, and how many bytes
 /// of other points in time and of nothing that is known are left behind its voxels.
@@ -43,25 +44,23 @@ pub(super) fn read(
     volume.source = Source {
         format: "",
         sample_type: header.sample_name().to_owned(),
-        encoding: match size {
-            1 => packing.to_owned(),
-            _ => format!("{packing}, {}", header.endian.name()),
-        },
+        encoding: header.sample.coding(packing, header.endian),
         assumptions,
     };
     Ok((volume, there - before - bytes))
 }
 
-fn assumptions(header: &Header, spacing_given: bool) -> Vec<String> {
+fn assumptions(header: &Header, spacing_given: bool) -> Assumptions {
     let fastest = if header.fortran_order { "first, as the array is in Fortran order," } else { "last" };
-    let mut notes = vec![format!(
+    let mut notes = Assumptions::default();
+    notes.push(format!(
         "the array's index that changes fastest, the {fastest} was taken for x, the slowest for {}",
         if header.times > 1 { "time" } else { "z" }
-    )];
+    ));
     if !spacing_given {
         notes.push("an array has no spacings: 1 was taken along each axis".to_owned());
     }
-    notes.push(UNORIENTED.to_owned());
+    notes.push(unoriented());
     notes.extend(header.sample.rounding_note());
     notes
 }

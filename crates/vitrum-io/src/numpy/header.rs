@@ -7,7 +7,7 @@ use crate::error::{Error, Place, Report, clip};
 use crate::samples::{Endian, SampleType, read_up_to};
 use crate::stream;
 
-/// What every file starts with, before two bytes of version.
+/// First bytes of every file, before two bytes of version.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// Longest dictionary that is read; those of plain arrays are about 100 bytes.
@@ -25,9 +25,9 @@ pub(super) struct Header {
     pub dimensions: [u32; 3],
     /// Volumes one after the other, along the index that changes slowest; 1 where the array has 3 dimensions.
     pub times: u64,
-    /// Where the dictionary starts.
+    /// Start of the dictionary.
     pub dictionary: Place,
-    /// Where the samples start.
+    /// First byte of the samples.
     pub data_start: u64,
 }
 

@@ -6,30 +6,27 @@ mod archive;
 mod array;
 mod header;
 mod literal;
-
-use std::path::Path;
+mod write;
 
 pub(crate) use self::archive::Npz;
-use self::header::MAGIC;
+pub(crate) use self::write::write_npy;
 use crate::error::{Error, Report};
+use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::open::{OpenOptions, Part, VolumeReader};
+use crate::options::{OpenOptions, Part};
+use crate::reader::VolumeReader;
 use crate::volume::Volume;
 
 /// The reader of `.npy` files.
 pub(crate) struct Numpy;
 
 impl VolumeReader for Numpy {
-    fn name(&self) -> &'static str {
-        "NumPy"
+    fn format(&self) -> &'static Format {
+        &formats::NUMPY
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".npy"]
-    }
-
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
-        head.starts_with(MAGIC)
+    fn recognises(&self, input: &Input) -> bool {
+        self.format().begins(&input.head)
     }
 
     fn parts(&self) -> &'static [Part] {
@@ -39,7 +36,7 @@ impl VolumeReader for Numpy {
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
         let (mut volume, _) = array::read(&mut input.open()?, input.length, "raw", report, options)?;
-        volume.source.format = self.name();
+        volume.source.format = self.format().name;
         Ok(volume)
     }
 }

@@ -4,27 +4,16 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::series::MOST_FILES;
 use crate::error::{Error, Place, Report, clip};
+use crate::folder::{MOST_FILES, is_tiff};
 use crate::input::file_name;
-
-/// Whether a folder has a TIFF file in it, by its name.
-pub(crate) fn has_tiff(path: &Path) -> bool {
-    path.is_dir()
-        && fs::read_dir(path)
-            .is_ok_and(|entries| entries.flatten().take(MOST_FILES).any(|entry| is_tiff(&entry.path())))
-}
-
-fn is_tiff(path: &Path) -> bool {
-    let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    matches!(extension.as_str(), "tif" | "tiff") && path.is_file()
-}
+use crate::source::Assumptions;
 
 /// A file, by the numbers in its name.
 type Numbered = (Vec<u64>, PathBuf);
 
 /// The files of the largest series in a folder, in the order of their numbers. Never empty.
-pub(super) fn slices(report: Report, folder: &Path, assumptions: &mut Vec<String>) -> Result<Vec<PathBuf>, Error> {
+pub(super) fn slices(report: Report, folder: &Path, assumptions: &mut Assumptions) -> Result<Vec<PathBuf>, Error> {
     let entries = fs::read_dir(folder).map_err(|error| report.unreadable(error))?;
     let mut series: BTreeMap<String, Vec<Numbered>> = BTreeMap::new();
     for (count, entry) in entries.enumerate() {

@@ -1,25 +1,31 @@
 //! TIFF files whose pages are the slices of a volume, or numbered files of one page each, perhaps a folder of them.
 
+mod decoder;
 mod folder;
 mod page;
 mod selection;
 mod series;
 mod spacing;
 
-use std::path::{Path, PathBuf};
+use std::borrow::Cow;
+use std::path::PathBuf;
 
-pub(crate) use self::folder::has_tiff;
 use self::page::Pages;
 use self::selection::Selection;
 use self::series::series;
 use crate::error::{Error, Place, Report};
+use crate::folder::has_tiff;
+use crate::formats::{self, Format};
 use crate::input::{Input, display_name, file_name};
 use crate::memory;
-use crate::open::{OpenOptions, Part, VolumeReader};
-use crate::placement::UNORIENTED;
+use crate::options::{OpenOptions, Part};
+use crate::placement::unoriented;
+use crate::reader::VolumeReader;
 use crate::samples::{Endian, VoxelBuffer};
+use crate::source::{Assumptions, Source};
+use crate::storage::Storage;
 use crate::stream;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 
 /// The reader of `.tif` and `.tiff` files.
 pub(crate) struct Stack;
@@ -28,17 +34,12 @@ pub(crate) struct Stack;
 const NATIVE: Endian = if cfg!(target_endian = "big") { Endian::Big } else { Endian::Little };
 
 impl VolumeReader for Stack {
-    fn name(&self) -> &'static str {
-        "TIFF stack"
+    fn format(&self) -> &'static Format {
+        &formats::STACK
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".tif", ".tiff"]
-    }
-
-    fn recognises(&self, head: &[u8], path: &Path) -> bool {
-        [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|magic| head.starts_with(*magic))
-            || head.is_empty() && has_tiff(path)
+    fn recognises(&self, input: &Input) -> bool {
+        self.format().begins(&input.head) || input.folder().is_some_and(has_tiff)
     }
 
     fn parts(&self) -> &'static [Part] {
@@ -47,10 +48,10 @@ impl VolumeReader for Stack {
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let mut assumptions = Vec::new();
+        let mut assumptions = Assumptions::default();
         let files = files(input, &mut assumptions)?;
         let first = &files[0];
-        let selection = Selection::of(report, first, options, &mut assumptions)?;
+        let selection = Selection::of(report, &first.notes, first.count, options, &mut assumptions)?;
         // Several files have a page each.
         let slices = selection.count * files.len() as u64;
         let dimensions = [first.first.width, first.first.height, u32::try_from(slices).unwrap_or(u32::MAX)];
@@ -65,29 +66,31 @@ impl VolumeReader for Stack {
             file.read(selection, &mut voxels)?;
         }
         note(&files, &mut assumptions);
-        assumptions.push(UNORIENTED.to_owned());
+        assumptions.push(unoriented());
         assumptions.extend(sample.rounding_note());
         let spacing = first.notes.spacing(&mut assumptions);
         let name = input.name.clone();
         let mut volume = Volume::of_samples(name, dimensions, spacing, voxels.into_voxels(), sample)?;
         let encoding = first.encoding.clone();
-        volume.source = Source { format: self.name(), sample_type: sample.name().to_owned(), encoding, assumptions };
+        volume.source =
+            Source { format: self.format().name, sample_type: sample.name().to_owned(), encoding, assumptions };
         Ok(volume)
     }
 }
 
 /// The file itself where it has several pages, else it and its numbered neighbours; of a folder, its slices. Never empty.
-fn files(input: &Input, assumptions: &mut Vec<String>) -> Result<Vec<Pages>, Error> {
+fn files<'a>(input: &'a Input, assumptions: &mut Assumptions) -> Result<Vec<Pages<'a>>, Error> {
     let scan = |path: PathBuf| {
         let name = display_name(&path);
-        Pages::scan(path, name)
+        Pages::scan(Storage::Disk(Cow::Owned(path.clone())), path, name)
     };
-    let (opened, paths) = if input.is_folder() {
-        let paths = folder::slices(Report::new(&input.name), input.path, assumptions)?;
+    let (opened, paths) = if let Some(folder) = input.folder() {
+        let paths = folder::slices(Report::new(&input.name), folder, assumptions)?;
         (scan(paths[0].clone())?, paths)
     } else {
-        let opened = Pages::scan(input.file().to_owned(), input.name.clone())?;
-        let paths = if opened.count > 1 { Vec::new() } else { series(input.path) };
+        let opened = Pages::scan(input.storage(), input.path().to_owned(), input.name.clone())?;
+        let alone = opened.count > 1 || input.folder_beside().is_none();
+        let paths = if alone { Vec::new() } else { series(input.path()) };
         (opened, paths)
     };
     if paths.len() <= 1 {
@@ -113,7 +116,7 @@ fn files(input: &Input, assumptions: &mut Vec<String>) -> Result<Vec<Pages>, Err
     Ok(files)
 }
 
-fn note(files: &[Pages], assumptions: &mut Vec<String>) {
+fn note(files: &[Pages], assumptions: &mut Assumptions) {
     if let [first, .., last] = files {
         let (count, first, last) = (files.len(), file_name(&first.path), file_name(&last.path));
         assumptions.push(format!("the data was put together from {count} files, {first} to {last}"));

@@ -1,21 +1,21 @@
 //! The pages of one TIFF file, before and while they are decoded.
 
-use std::fs::File;
-use std::io::{self, BufReader};
 use std::path::PathBuf;
 
-use tiff::decoder::{Decoder, DecodingSampleType, Limits};
-use tiff::tags::{CompressionMethod, PhotometricInterpretation, Tag};
-use tiff::{ColorType, TiffError};
+use tiff::ColorType;
+use tiff::decoder::DecodingSampleType;
+use tiff::tags::{PhotometricInterpretation, Tag};
 
+use super::decoder::{Compression, Reader, damaged, is_thumbnail, open, order};
 use super::selection::Selection;
 use super::spacing::Notes;
 use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::samples::{SampleType, VoxelBuffer};
+use crate::storage::Storage;
 use crate::stream;
 
-/// What must be the same for all slices of a volume.
+/// Size and samples of a page, which all slices of a volume share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Page {
     pub width: u32,
@@ -39,26 +39,28 @@ impl Page {
 
 /// A file of one or more pages.
 #[derive(Debug)]
-pub(super) struct Pages {
+pub(super) struct Pages<'a> {
+    storage: Storage<'a>,
+    /// Its path, or the name that its bytes were given under.
     pub path: PathBuf,
     pub name: String,
     pub first: Page,
-    /// How many pages are slices.
+    /// Count of the pages that are slices.
     pub count: u64,
     /// Smaller copies of pages, which are no slices.
     pub thumbnails: u64,
-    /// How the first page is written, such as `deflate, big-endian`.
+    /// Coding of the first page, such as `deflate, big-endian`.
     pub encoding: String,
-    /// What the first page says of its spacing.
+    /// Notes of the first page on its spacing.
     pub notes: Notes,
 }
 
-impl Pages {
+impl<'a> Pages<'a> {
     /// Looks at all pages, and decodes none.
-    pub fn scan(path: PathBuf, name: String) -> Result<Self, Error> {
+    pub fn scan(storage: Storage<'a>, path: PathBuf, name: String) -> Result<Self, Error> {
         let report = Report::new(&name);
-        let mut decoder = open(&path, report)?;
-        let length = path.metadata().map_err(|error| report.unreadable(error))?.len();
+        let mut decoder = open(&storage, report)?;
+        let length = storage.length().map_err(|error| report.unreadable(error))?;
         let mut found: Option<(Page, String, Notes)> = None;
         let (mut count, mut thumbnails, mut number, mut bytes, mut most) = (0, 0, 1_u64, 0_u64, 0);
         loop {
@@ -96,13 +98,13 @@ impl Pages {
             return Err(report.invalid(Place::File, "all pages are thumbnails", "get the whole file"));
         };
         stream::check_ratio(report, bytes, length, most)?;
-        Ok(Self { path, first, count, thumbnails, encoding, notes, name })
+        Ok(Self { storage, path, first, count, thumbnails, encoding, notes, name })
     }
 
     /// Decodes the slices that are selected.
     pub fn read(&self, selection: Selection, voxels: &mut VoxelBuffer) -> Result<(), Error> {
         let report = Report::new(&self.name);
-        let mut decoder = open(&self.path, report)?;
+        let mut decoder = open(&self.storage, report)?;
         let count = usize::try_from(self.first.voxels()).unwrap_or(usize::MAX);
         let size = count.saturating_mul(self.first.sample.size());
         let mut bytes = memory::reserve(report, size)?;
@@ -123,57 +125,6 @@ impl Pages {
             decoder.next_image().map_err(at)?;
         }
         Ok(())
-    }
-}
-
-pub(super) type Reader = Decoder<BufReader<File>>;
-
-fn open(path: &PathBuf, report: Report) -> Result<Reader, Error> {
-    let file = File::open(path).map_err(|error| report.unreadable(error))?;
-    let mut limits = Limits::default();
-    // Strips are read through small buffers, however long they are.
-    limits.intermediate_buffer_size = usize::MAX;
-    let decoder = Decoder::new(BufReader::new(file)).map_err(|error| damaged(report, 1, error))?;
-    Ok(decoder.with_limits(limits))
-}
-
-fn order(decoder: &Reader) -> &'static str {
-    match decoder.byte_order() {
-        tiff::tags::ByteOrder::LittleEndian => "little-endian",
-        tiff::tags::ByteOrder::BigEndian => "big-endian",
-    }
-}
-
-fn is_thumbnail(decoder: &mut Reader) -> Result<bool, TiffError> {
-    let kind: Option<u32> = decoder.find_tag_unsigned(Tag::NewSubfileType)?;
-    Ok(kind.is_some_and(|kind| kind & 1 == 1))
-}
-
-/// What a page's bytes are packed by, and the most that one of them can unpack to.
-struct Compression {
-    name: &'static str,
-    ratio: u64,
-}
-
-impl Compression {
-    fn of(decoder: &mut Reader, report: Report, number: u64) -> Result<Self, Error> {
-        let code = decoder.find_tag_unsigned(Tag::Compression).map_err(|error| damaged(report, number, error))?;
-        let (name, ratio) = match CompressionMethod::from_u16_exhaustive(code.unwrap_or(1)) {
-            CompressionMethod::None => ("raw", 1),
-            // A code of at least 9 bits stands for at most 4096 bytes.
-            CompressionMethod::LZW => ("LZW", 3641),
-            CompressionMethod::Deflate | CompressionMethod::OldDeflate => ("deflate", stream::DEFLATE_RATIO),
-            // Two bytes stand for at most 128.
-            CompressionMethod::PackBits => ("PackBits", 64),
-            other => {
-                return Err(report.unsupported(
-                    Place::File,
-                    format!("page {number} is compressed by {other:?}, none of LZW, deflate and PackBits"),
-                    "write it without compression, or by one of these",
-                ));
-            }
-        };
-        Ok(Self { name, ratio })
     }
 }
 
@@ -230,28 +181,4 @@ fn page(decoder: &mut Reader, report: Report, number: u64) -> Result<Page, Error
         ));
     }
     Ok(page)
-}
-
-/// The decoder's error in our words: what is not supported, what is damaged, what is the system's.
-fn damaged(report: Report, number: u64, error: TiffError) -> Error {
-    match error {
-        TiffError::UnsupportedError(error) => report.unsupported(
-            Place::File,
-            format!("page {number} cannot be read: {error}"),
-            "convert it, for example by saving it as TIFF from ImageJ",
-        ),
-        TiffError::IoError(error)
-            if !matches!(
-                error.kind(),
-                io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput | io::ErrorKind::UnexpectedEof
-            ) =>
-        {
-            report.unreadable(error)
-        }
-        error => report.invalid(
-            Place::File,
-            format!("page {number} is damaged: {error}"),
-            "get the whole file, or write it anew",
-        ),
-    }
 }

@@ -1,8 +1,10 @@
 //! Which pages are the slices of one volume, where ImageJ says that they are more.
 
-use super::page::Pages;
+use super::spacing::Notes;
 use crate::error::{Error, Place, Report, clip};
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
+use crate::setting::Setting;
+use crate::source::{Assumption, Assumptions};
 use crate::time::Times;
 
 /// Every so many pages of a file, counted without its thumbnails.
@@ -14,16 +16,17 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// All pages, or those of one channel at one point in time: ImageJ writes channels first, then slices, then times.
+    /// All `pages` of a file, or those of one channel at one point in time: ImageJ writes channels first, then slices, then times.
     pub fn of(
         report: Report,
-        file: &Pages,
+        notes: &Notes,
+        pages: u64,
         options: &OpenOptions,
-        assumptions: &mut Vec<String>,
+        assumptions: &mut Assumptions,
     ) -> Result<Self, Error> {
         let [images, channels, slices, frames] =
-            ["images", "channels", "slices", "frames"].map(|name| file.notes.count(name));
-        if images > 1 && file.count == 1 {
+            ["images", "channels", "slices", "frames"].map(|name| notes.count(name));
+        if images > 1 && pages == 1 {
             return Err(report.unsupported(
                 Place::File,
                 format!("ImageJ wrote {images} images behind one page, as it does beyond 4 GiB"),
@@ -35,13 +38,12 @@ impl Selection {
             assumptions.push("the pages are points in time, and were taken for slices".to_owned());
         }
         let all = channels.checked_mul(slices).and_then(|pages| pages.checked_mul(frames));
-        if (channels > 1 || several_times) && all != Some(file.count) {
+        if (channels > 1 || several_times) && all != Some(pages) {
             return Err(report.invalid(
                 Place::File,
                 format!(
                     "the pages are {channels} channels of {slices} slices at {frames} points in time, as ImageJ says, \
-                     and {} are there",
-                    file.count
+                     and {pages} are there"
                 ),
                 "get the whole file, or write it anew by ImageJ",
             ));
@@ -51,7 +53,7 @@ impl Selection {
         let count = if several_times { frames } else { 1 };
         let times = Times::choose(report, Place::File, count, options, assumptions)?;
         // Divides without rest: where there are several of either, the product is checked above.
-        let slices = file.count / channels / times.count;
+        let slices = pages / channels / times.count;
         Ok(Self { first: channel + channels * slices * times.chosen, step: channels, count: slices })
     }
 
@@ -63,12 +65,11 @@ impl Selection {
 }
 
 /// The channel that is asked for by its number, as ImageJ counts them from 1; counted from 0.
-fn channel(report: Report, channels: u64, options: &OpenOptions, assumptions: &mut Vec<String>) -> Result<u64, Error> {
+fn channel(report: Report, channels: u64, options: &OpenOptions, assumptions: &mut Assumptions) -> Result<u64, Error> {
     let Some(asked) = &options.array else {
         if channels > 1 {
-            assumptions.push(format!(
-                "the file has {channels} channels: the first was taken; --array takes another, 1 to {channels}"
-            ));
+            let fact = format!("the file has {channels} channels: the first was taken");
+            assumptions.push(Assumption::replaceable(fact, Setting::Array, format!("1 to {channels}")));
         }
         return Ok(0);
     };
@@ -77,6 +78,6 @@ fn channel(report: Report, channels: u64, options: &OpenOptions, assumptions: &m
         let problem = format!("the array `{}` is asked for, and the file has {channels} channels", clip(asked));
         let advice =
             if channels > 1 { format!("give a number from 1 to {channels}") } else { "leave out the array".to_owned() };
-        report.unsupported(Place::File, problem, advice)
+        report.unsupported(Place::File, problem, advice).with_setting(Setting::Array)
     })
 }

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// More files than this are no volume.
-pub(super) const MOST_FILES: usize = 100_000;
+use crate::folder::MOST_FILES;
 
 /// A file name with a number at its end.
 struct Numbered<'a> {

@@ -1,9 +1,10 @@
-//! What a TIFF file says of the distance between its pixels and its slices.
+//! Spacing of a TIFF file's pixels and slices.
 
+use crate::source::Assumptions;
 use tiff::decoder::ifd::Value;
 use tiff::tags::Tag;
 
-use super::page::Reader;
+use super::decoder::Reader;
 
 /// The tags and the description that matter, as found.
 #[derive(Debug, Default)]
@@ -17,7 +18,7 @@ pub(super) struct Notes {
 }
 
 impl Notes {
-    /// What is broken there counts as not there: it is no part of the picture.
+    /// The notes of a page. A broken tag counts as absent: it is no part of the picture.
     pub fn read(decoder: &mut Reader) -> Self {
         let mut resolution = |tag| match decoder.find_tag(tag) {
             Ok(Some(Value::Rational(pixels, units))) => {
@@ -48,7 +49,7 @@ impl Notes {
     }
 
     /// The spacing in millimetres, or where no unit is named in the file's own.
-    pub fn spacing(&self, assumptions: &mut Vec<String>) -> [f32; 3] {
+    pub fn spacing(&self, assumptions: &mut Assumptions) -> [f32; 3] {
         let scale = match (self.imagej("unit"), self.unit) {
             (Some(unit), _) => millimetres(unit),
             (None, 3) => Some(10.0),

@@ -1,4 +1,4 @@
-//! What the attributes of a `.vti` file mean.
+//! Meaning of the attributes of a `.vti` file.
 
 use std::str::FromStr;
 
@@ -8,12 +8,14 @@ use crate::arrays;
 use crate::error::clip;
 use crate::error::{Error, Report};
 use crate::orientation::Orientation;
-use crate::placement::{Placement, UNORIENTED};
+use crate::placement::{Placement, unoriented};
 use crate::samples::{Endian, SampleType};
+use crate::setting::Setting;
+use crate::source::Assumptions;
 use crate::stream;
 use crate::volume::check_spacing;
 
-/// How an array's bytes are written.
+/// Coding of an array's bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Coding {
     Text,
@@ -52,12 +54,12 @@ pub(super) struct Description {
     /// Bytes of data, decoded to the file's sample type.
     pub data_bytes: u64,
     pub placement: Placement,
-    pub assumptions: Vec<String>,
+    pub assumptions: Assumptions,
 }
 
 impl Description {
     pub fn new(layout: &Layout, file_length: u64, asked: Option<&str>, report: Report) -> Result<Self, Error> {
-        let mut assumptions = Vec::new();
+        let mut assumptions = Assumptions::default();
         let array = choose(layout, asked, report, &mut assumptions)?;
         let sample = sample_type(report, array)?;
         let (coding, start, length) = locate(layout, array, file_length, report)?;
@@ -103,7 +105,7 @@ fn choose<'a>(
     layout: &'a Layout,
     asked: Option<&str>,
     report: Report,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
 ) -> Result<&'a Array, Error> {
     let scalar = |array: &&Array| matches!(array.tag.get("NumberOfComponents").map(str::trim), None | Some("1"));
     let of = |association| layout.arrays.iter().filter(move |array| array.association == association);
@@ -140,14 +142,12 @@ fn choose<'a>(
 
 fn components(report: Report, array: &Array) -> Error {
     let components = array.tag.get("NumberOfComponents").unwrap_or_default();
-    report.unsupported(
-        array.tag.place(),
-        format!("`{}` has {} components a voxel, not 1", clip(array.name()), clip(components)),
-        "take another array by --array, or write one component alone, for example by ParaView's filter Calculator",
-    )
+    let problem = format!("`{}` has {} components a voxel, not 1", clip(array.name()), clip(components));
+    let advice = "take another array, or write one component alone, for example by ParaView's filter Calculator";
+    report.unsupported(array.tag.place(), problem, advice).with_setting(Setting::Array)
 }
 
-fn note_others(layout: &Layout, array: &Array, assumptions: &mut Vec<String>) {
+fn note_others(layout: &Layout, array: &Array, assumptions: &mut Assumptions) {
     let others = layout.arrays.iter().filter(|other| !std::ptr::eq(*other, array)).map(Array::name);
     assumptions.extend(arrays::others_note(array.name(), others));
 }
@@ -222,7 +222,7 @@ fn compressed(report: Report, file: &Tag) -> Result<bool, Error> {
     }
 }
 
-fn endian(report: Report, file: &Tag, assumptions: &mut Vec<String>) -> Result<Endian, Error> {
+fn endian(report: Report, file: &Tag, assumptions: &mut Assumptions) -> Result<Endian, Error> {
     match file.get("byte_order") {
         Some("LittleEndian") => Ok(Endian::Little),
         Some("BigEndian") => Ok(Endian::Big),
@@ -242,7 +242,7 @@ fn grid(
     report: Report,
     image: &Tag,
     association: Association,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
 ) -> Result<([u32; 3], Placement), Error> {
     let extent = numbers::<i32, 6>(report, image, "WholeExtent", None)?.map(i64::from);
     let [low, high] = [0, 1].map(|end| [extent[end], extent[end + 2], extent[end + 4]]);
@@ -263,7 +263,7 @@ fn grid(
     check_spacing(report, spacing.map(|value: f64| value as f32)).map_err(|error| error.at(image.place()))?;
     let stated = !image.get("Direction").is_none_or(numbers_are_identity);
     let orientation = if stated { Orientation::World } else { Orientation::Unknown };
-    assumptions.extend((!stated).then(|| UNORIENTED.to_owned()));
+    assumptions.extend((!stated).then(unoriented));
     if image.get("Spacing").is_none() {
         assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
     }

@@ -91,7 +91,7 @@ impl Layout {
     }
 }
 
-/// What was found so far.
+/// Elements that were found so far.
 #[derive(Default)]
 struct Parts {
     image: Option<Tag>,

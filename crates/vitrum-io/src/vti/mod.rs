@@ -8,35 +8,33 @@ mod layout;
 mod xml;
 
 use std::io::{BufRead, Read, Seek, SeekFrom};
-use std::path::Path;
 
 use self::data::{Base64Reader, Block, BlockReader};
 use self::description::{Coding, Description, Word};
 use self::layout::Layout;
 use crate::error::{Error, Place, Report};
+use crate::formats::{self, Format};
 use crate::input::Input;
 use crate::memory;
-use crate::open::{OpenOptions, Part, VolumeReader};
+use crate::options::{OpenOptions, Part};
+use crate::reader::VolumeReader;
 use crate::samples::{Endian, VoxelBuffer};
+use crate::source::Source;
 use crate::stream;
 use crate::text;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 use crate::voxels::Voxels;
 
 /// The reader of `.vti` files.
 pub(crate) struct Vti;
 
 impl VolumeReader for Vti {
-    fn name(&self) -> &'static str {
-        "VTK image data"
+    fn format(&self) -> &'static Format {
+        &formats::VTI
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".vti"]
-    }
-
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
-        head.windows(8).any(|window| window == b"<VTKFile")
+    fn recognises(&self, input: &Input) -> bool {
+        input.head.windows(8).any(|window| window == b"<VTKFile")
     }
 
     fn parts(&self) -> &'static [Part] {
@@ -51,7 +49,7 @@ impl VolumeReader for Vti {
         let mut volume =
             description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
         volume.source = Source {
-            format: self.name(),
+            format: self.format().name,
             sample_type: description.sample.name().to_owned(),
             encoding: description.encoding(),
             assumptions: description.assumptions,

@@ -33,7 +33,7 @@ impl Tag {
     }
 }
 
-/// Where an element's text lies in the file.
+/// Place of an element's text in the file.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Text {
     pub start: u64,
@@ -42,7 +42,7 @@ pub(super) struct Text {
     pub blank: bool,
 }
 
-/// What comes next in the document; text is skipped.
+/// Next tag of the document; text is skipped.
 pub(super) enum Step {
     Start(Tag),
     End,

@@ -25,12 +25,12 @@ impl Block {
         Self { name: name.to_owned(), sample: sample_type(kind), kind: kind.to_owned(), components, count, line }
     }
 
-    /// How many numbers it has.
+    /// Count of its numbers.
     pub fn numbers(&self) -> u64 {
         self.components.saturating_mul(self.count)
     }
 
-    /// How many bytes they take, where that is known.
+    /// Bytes that the numbers take, where that is known.
     pub fn bytes(&self) -> Option<u64> {
         match (self.sample, self.kind.to_ascii_lowercase().as_str()) {
             (Some(sample), _) => self.numbers().checked_mul(sample.size() as u64),

@@ -7,10 +7,10 @@ use super::blocks::{Block, decoded};
 use crate::error::{Error, Place, Report, clip};
 use crate::text::Lines;
 
-/// How many values there are, whether they are the cells', and the line that says so.
+/// Count of the values, whether they are the cells', and the line that says so.
 pub(super) type Attributes = (u64, bool, usize);
 
-/// What was read so far; each with the number of its line.
+/// Fields that were read so far, each with the number of its line.
 #[derive(Default)]
 pub(super) struct Fields {
     pub binary: bool,

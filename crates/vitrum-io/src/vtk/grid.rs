@@ -5,7 +5,8 @@ use super::fields::{Attributes, Fields};
 use super::header::Header;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
-use crate::placement::{Placement, UNORIENTED};
+use crate::placement::{Placement, unoriented};
+use crate::source::Assumptions;
 use crate::stream;
 use crate::volume::{IDENTITY, check_spacing};
 
@@ -42,7 +43,8 @@ impl Fields {
                 "correct one of the two",
             ));
         }
-        let mut assumptions: Vec<String> = sample.rounding_note().into_iter().collect();
+        let mut assumptions = Assumptions::default();
+        assumptions.extend(sample.rounding_note());
         let placement = self.placement(report, points, cells, &mut assumptions)?;
         let binary = self.binary;
         Ok(Header { binary, sample, dimensions, data_bytes, length: start, placement, assumptions })
@@ -53,7 +55,7 @@ impl Fields {
         report: Report,
         points: [u32; 3],
         cells: bool,
-        assumptions: &mut Vec<String>,
+        assumptions: &mut Assumptions,
     ) -> Result<Placement, Error> {
         let spacing = match self.spacing {
             Some((spacing, line)) => {
@@ -66,7 +68,7 @@ impl Fields {
                 [1.0; 3]
             }
         };
-        assumptions.push(UNORIENTED.to_owned());
+        assumptions.push(unoriented());
         if cells {
             assumptions.push("the values of the cells were taken at their centres".to_owned());
         }

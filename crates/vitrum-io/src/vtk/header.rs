@@ -8,6 +8,7 @@ use crate::arrays;
 use crate::error::{Error, Place, Report, clip};
 use crate::placement::Placement;
 use crate::samples::SampleType;
+use crate::source::Assumptions;
 use crate::stream;
 use crate::text::{self, Lines};
 
@@ -27,10 +28,10 @@ pub(super) struct Header {
     pub dimensions: [u32; 3],
     /// Bytes of data, decoded to the file's sample type.
     pub data_bytes: u64,
-    /// Where the data starts.
+    /// First byte of the data.
     pub length: u64,
     pub placement: Placement,
-    pub assumptions: Vec<String>,
+    pub assumptions: Assumptions,
 }
 
 impl Header {
@@ -112,7 +113,7 @@ fn skip<R: BufRead + Seek>(
     reader.seek(SeekFrom::Start(start + bytes)).map(drop).map_err(|error| report.unreadable(error))
 }
 
-/// What was found of the arrays so far.
+/// Arrays that were found so far.
 #[derive(Default)]
 struct Arrays {
     names: Vec<String>,
@@ -121,7 +122,7 @@ struct Arrays {
     scalars: bool,
     /// Why the first that would have been chosen was not.
     refusal: Option<Error>,
-    /// What ended the search for more.
+    /// Reason for which the search for more ended.
     unread: Option<Error>,
 }
 

@@ -8,33 +8,31 @@ mod grid;
 mod header;
 
 use std::io::{Seek, SeekFrom};
-use std::path::Path;
 
 use self::header::Header;
 use crate::error::{Error, Report};
+use crate::formats::{self, Format};
 use crate::input::Input;
 use crate::memory;
-use crate::open::{OpenOptions, Part, VolumeReader};
+use crate::options::{OpenOptions, Part};
+use crate::reader::VolumeReader;
 use crate::samples::{Endian, VoxelBuffer};
+use crate::source::Source;
 use crate::stream;
 use crate::text;
-use crate::volume::{Source, Volume};
+use crate::volume::Volume;
 use crate::voxels::Voxels;
 
 /// The reader of `.vtk` files.
 pub(crate) struct Vtk;
 
 impl VolumeReader for Vtk {
-    fn name(&self) -> &'static str {
-        "legacy VTK"
+    fn format(&self) -> &'static Format {
+        &formats::VTK
     }
 
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".vtk"]
-    }
-
-    fn recognises(&self, head: &[u8], _path: &Path) -> bool {
-        head.get(..14).is_some_and(|head| head.eq_ignore_ascii_case(b"# vtk DataFile"))
+    fn recognises(&self, input: &Input) -> bool {
+        input.head.get(..14).is_some_and(|head| head.eq_ignore_ascii_case(b"# vtk DataFile"))
     }
 
     fn parts(&self) -> &'static [Part] {
@@ -47,7 +45,7 @@ impl VolumeReader for Vtk {
         let voxels = read_data(&header, input, options)?;
         let mut volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
         volume.source = Source {
-            format: self.name(),
+            format: self.format().name,
             sample_type: header.sample.name().to_owned(),
             encoding: if header.binary { "binary, big-endian" } else { "ascii" }.to_owned(),
             assumptions: header.assumptions,

@@ -130,9 +130,9 @@ impl Readers {
 
     fn volume(&self, reader: &str, file: &str, bytes: &[u8]) {
         let path = self.write(file, bytes);
-        let reader = readers().iter().find(|known| known.name() == reader).expect("a known reader");
+        let reader = readers().iter().find(|known| known.format().name == reader).expect("a known reader");
         let volume = Input::new(&path, &OPTIONS).and_then(|input| {
-            let _ = reader.recognises(&input.head, &path);
+            let _ = reader.recognises(&input);
             reader.read(&input, &OPTIONS)
         });
         let _ = fs::remove_file(path);
@@ -144,7 +144,7 @@ impl Readers {
     fn mesh(&self, reader: &str, file: &str, bytes: &[u8]) {
         let path = self.write(file, bytes);
         let input = Input::new(&path, &OPTIONS).expect("a written file");
-        let reader = mesh_readers().iter().find(|known| known.name() == reader).expect("a known reader");
+        let reader = mesh_readers().iter().find(|known| known.format().name == reader).expect("a known reader");
         let mesh = if reader.recognises(&input) { open_mesh(&path, &OPTIONS) } else { reader.read(&input, &OPTIONS) };
         if let Ok(mesh) = mesh {
             mesh.assert_whole(MOST);

@@ -1,7 +1,6 @@
 //! Choosing a backend.
 
-use super::gpu::{adapters, describe, is_hardware, takes_spirv};
-use super::{Backend, BackendError, CpuBackend, GpuBackend, GpuOptions};
+use super::{Backend, BackendError, CpuBackend, GpuOptions};
 use serde::Serialize;
 use vitrum_kernels::kernel::InstructionSet;
 
@@ -38,21 +37,7 @@ pub struct DeviceInfo {
 
 /// Everything kernels can run on, the best graphics adapter first, the CPU last.
 pub fn devices() -> Vec<DeviceInfo> {
-    let mut found: Vec<DeviceInfo> = adapters()
-        .iter()
-        .map(|adapter| {
-            let info = adapter.get_info();
-            DeviceInfo {
-                name: info.name.clone(),
-                backend: "gpu",
-                kind: format!("{:?}", info.device_type),
-                driver: describe(&info),
-                largest_buffer: adapter.limits().max_storage_buffer_binding_size.min(adapter.limits().max_buffer_size),
-                passes_through: takes_spirv(adapter),
-                chosen_by_auto: is_hardware(&info),
-            }
-        })
-        .collect();
+    let mut found = graphics::devices();
     // `auto` takes the first hardware adapter only.
     let mut taken = false;
     for device in &mut found {
@@ -71,19 +56,82 @@ pub fn devices() -> Vec<DeviceInfo> {
     found
 }
 
-/// Opens a backend. Where `options` name an adapter, even `auto` takes a software one.
+/// Opens a backend. Where `options` name an adapter, even `auto` takes a software one. `threads` is how many threads the kernels have on the CPU, and the work of the host beside either backend; all processors if `None`.
 ///
 /// # Errors
 /// [`BackendError::NoAdapter`] and [`BackendError::Unsupported`] where a graphics adapter is asked for and none can be used,
-/// [`BackendError::Threads`] where the CPU's threads cannot be started.
+/// [`BackendError::Threads`] where the threads cannot be started.
 pub fn open(choice: Choice, options: &GpuOptions, threads: Option<usize>) -> Result<Box<dyn Backend>, BackendError> {
-    let cpu = || CpuBackend::new(threads).map(|backend| Box::new(backend) as Box<dyn Backend>);
-    let gpu = |found| GpuBackend::among(found, options).map(|backend| Box::new(backend) as Box<dyn Backend>);
-    if choice == Choice::Cpu {
-        return cpu();
+    if choice != Choice::Cpu {
+        let wanted = choice == Choice::Gpu || options.adapter.is_some();
+        if let Some(backend) = graphics::open(options, wanted, threads)? {
+            return Ok(backend);
+        }
     }
-    // Once: each time drivers are loaded, and some of them speak.
-    let found = adapters();
-    let wanted = choice == Choice::Gpu || options.adapter.is_some();
-    if wanted || found.iter().any(|found| is_hardware(&found.get_info())) { gpu(found) } else { cpu() }
+    Ok(Box::new(CpuBackend::new(threads)?))
+}
+
+/// Graphics adapters.
+#[cfg(feature = "gpu")]
+mod graphics {
+    use super::super::gpu::{adapters, describe, is_hardware, takes_spirv};
+    use super::super::{Backend, BackendError, GpuBackend, GpuOptions};
+    use super::DeviceInfo;
+
+    pub(super) fn devices() -> Vec<DeviceInfo> {
+        let device = |adapter: &wgpu::Adapter| {
+            let info = adapter.get_info();
+            DeviceInfo {
+                name: info.name.clone(),
+                backend: "gpu",
+                kind: format!("{:?}", info.device_type),
+                driver: describe(&info),
+                largest_buffer: adapter.limits().max_storage_buffer_binding_size.min(adapter.limits().max_buffer_size),
+                passes_through: takes_spirv(adapter),
+                chosen_by_auto: is_hardware(&info),
+            }
+        };
+        adapters().iter().map(device).collect()
+    }
+
+    /// Opens the adapter that is `wanted`, or a hardware one if there is one.
+    pub(super) fn open(
+        options: &GpuOptions,
+        wanted: bool,
+        threads: Option<usize>,
+    ) -> Result<Option<Box<dyn Backend>>, BackendError> {
+        // Once: each time drivers are loaded, and some of them speak.
+        let found = adapters();
+        if !wanted && !found.iter().any(|found| is_hardware(&found.get_info())) {
+            return Ok(None);
+        }
+        let backend = GpuBackend::among(found, options)?;
+        Ok(Some(match threads {
+            Some(threads) => Box::new(backend.with_threads(threads)?),
+            None => Box::new(backend),
+        }))
+    }
+}
+
+/// The place of graphics adapters in a build without them.
+#[cfg(not(feature = "gpu"))]
+mod graphics {
+    use super::super::{Backend, BackendError, GpuOptions};
+    use super::DeviceInfo;
+
+    pub(super) fn devices() -> Vec<DeviceInfo> {
+        Vec::new()
+    }
+
+    pub(super) fn open(
+        _options: &GpuOptions,
+        wanted: bool,
+        _threads: Option<usize>,
+    ) -> Result<Option<Box<dyn Backend>>, BackendError> {
+        if !wanted {
+            return Ok(None);
+        }
+        let reason = "this build has no GPU backend (feature `gpu`)".to_owned();
+        Err(BackendError::NoAdapter { reason })
+    }
 }

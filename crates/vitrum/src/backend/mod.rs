@@ -3,26 +3,36 @@
 //! A method is written once, against [`Backend`]: it makes buffers, lists passes, reads buffers. No method knows which backend
 //! runs it.
 
+mod buffer;
 mod choice;
 mod cpu;
 mod error;
+#[cfg(feature = "gpu")]
 mod gpu;
+mod options;
 mod pass;
+mod threads;
 pub(crate) mod times;
 
+pub use buffer::{Buffer, Contents};
 pub use choice::{Choice, DeviceInfo, devices, open};
 pub use cpu::CpuBackend;
 pub use error::BackendError;
-pub use gpu::{GpuBackend, GpuOptions};
-pub use pass::{Buffer, Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
+#[cfg(feature = "gpu")]
+pub use gpu::GpuBackend;
+pub use options::GpuOptions;
+pub use pass::{Fill, Pass, PassList, START_ALIGNMENT, WhileBusy, Write};
+pub use threads::Threads;
 pub use times::KernelTime;
 /// For callers that own a device.
+#[cfg(feature = "gpu")]
 pub use wgpu;
 
-use vitrum_io::Words;
+use bytemuck::{AnyBitPattern, NoUninit};
+use std::ops::Range;
 
 /// Runs passes over buffers.
-pub trait Backend {
+pub trait Backend: Send {
     /// `cpu` or `gpu`.
     fn name(&self) -> &'static str;
 
@@ -40,63 +50,39 @@ pub trait Backend {
     /// Sets [`Self::volume_limit`]; with `None` there is none but [`Self::largest_buffer`] for each volume.
     fn set_volume_limit(&mut self, _bytes: Option<u64>) {}
 
-    /// A buffer with `contents` (not empty; whole words).
-    ///
-    /// # Errors
-    /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
-    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError>;
-
-    /// A buffer of `bytes` bytes (not 0; whole words) that `fill` writes, which gets zeros: where a backend can, without a copy.
-    ///
-    /// # Errors
-    /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
-    fn create_with(
-        &mut self,
-        label: &str,
-        bytes: u64,
-        fill: &mut dyn FnMut(&mut [u32]),
-    ) -> Result<Buffer, BackendError> {
-        let mut contents = vec![0; bytes as usize / 4];
-        fill(&mut contents);
-        self.create(label, bytemuck::cast_slice(&contents))
+    /// The threads on which the work of the host runs, such as the preparation of a frame.
+    fn threads(&self) -> Threads {
+        Threads::default()
     }
 
-    /// A buffer with the contents of `words`, which nothing may write: where a backend can, the same memory.
+    /// Makes a buffer.
     ///
     /// # Errors
     /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
-    fn share(&mut self, label: &str, words: &Words) -> Result<Buffer, BackendError> {
-        self.create(label, bytemuck::cast_slice(words))
-    }
-
-    /// A buffer of `bytes` zero bytes (not 0; whole words).
-    ///
-    /// # Errors
-    /// [`BackendError::TooLarge`] beyond [`Self::largest_buffer`], [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
-    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError>;
+    fn create(&mut self, label: &str, contents: Contents<'_>) -> Result<Buffer, BackendError>;
 
     /// Has `fill` write the first `words` words of a buffer, all of them, once what runs is done: where a backend can, without a copy.
     ///
     /// # Errors
     /// [`BackendError::Misuse`] for words beyond the buffer's end, [`BackendError::DeviceLost`].
-    fn overwrite(
+    fn write(
         &mut self,
-        buffer: Buffer,
+        buffer: &Buffer,
         words: usize,
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError>;
 
-    /// Makes all words of a buffer 0 again, once what runs is done.
+    /// Makes all words of a buffer 0, once what runs is done.
     ///
     /// # Errors
-    /// [`BackendError::Misuse`] for a buffer that is freed, [`BackendError::DeviceLost`].
-    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError>;
+    /// [`BackendError::DeviceLost`].
+    fn clear(&mut self, buffer: &Buffer) -> Result<(), BackendError>;
 
     /// Runs all passes in order. `progress` is told how many are done from time to time; when it returns `false` the run ends
     /// early with [`BackendError::Cancelled`].
     ///
     /// # Errors
-    /// [`BackendError::Cancelled`]; [`BackendError::Misuse`] where a pass does not fit its kernel's declaration; what the device fails with.
+    /// [`BackendError::Cancelled`]; [`BackendError::Misuse`] where a pass does not fit its kernel's declaration; the device's failures.
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
 
     /// Whether [`Self::run`] leaves passes out as [`PassList::while_busy`] allows.
@@ -104,49 +90,33 @@ pub trait Backend {
         false
     }
 
-    /// The contents of a buffer.
+    /// Shows `see` the bytes `range` of a buffer, whole words that lie inside it: where a backend can, without a copy and without the rest.
     ///
     /// # Errors
-    /// [`BackendError::Misuse`] for a buffer that is freed, [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
-    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError>;
-
-    /// `bytes` bytes of a buffer from byte `start` on, whole words that lie inside it: where a backend can, without reading the rest.
-    ///
-    /// # Errors
-    /// As [`Self::read`], and [`BackendError::Misuse`] for what lies outside the buffer.
-    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
-        let all = self.read(buffer)?;
-        pass::check_part(start, bytes, Some(all.len() as u64))?;
-        Ok(all[start as usize..][..bytes as usize].to_vec())
-    }
-
-    /// Lets `see` look at what [`Self::read_part`] gives: where a backend can, without a copy.
-    ///
-    /// # Errors
-    /// As [`Self::read_part`].
-    fn look(
+    /// [`BackendError::Misuse`] for a range beyond the buffer's end, [`BackendError::OutOfMemory`], [`BackendError::DeviceLost`].
+    fn read(
         &mut self,
-        buffer: Buffer,
-        start: u64,
-        bytes: u64,
+        buffer: &Buffer,
+        range: Range<u64>,
         see: &mut (dyn FnMut(&[u8]) + Send),
-    ) -> Result<(), BackendError> {
-        see(&self.read_part(buffer, start, bytes)?);
-        Ok(())
-    }
+    ) -> Result<(), BackendError>;
 
-    /// The contents of a buffer in words, which is freed: where a backend can, without a copy.
+    /// The size of a buffer, in bytes.
+    ///
+    /// # Errors
+    /// [`BackendError::Misuse`] for a buffer of another backend.
+    fn bytes(&self, buffer: &Buffer) -> Result<u64, BackendError>;
+
+    /// The contents of a buffer, as words: where a backend can, without a copy.
     ///
     /// # Errors
     /// As [`Self::read`].
     fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
-        let bytes = self.read(buffer)?;
-        self.free(buffer);
-        Ok(bytemuck::pod_collect_to_vec(&bytes))
+        let mut words = Vec::new();
+        let all = self.bytes(&buffer)?;
+        self.read(&buffer, 0..all, &mut |bytes| words = bytemuck::pod_collect_to_vec(bytes))?;
+        Ok(words)
     }
-
-    /// Frees a buffer.
-    fn free(&mut self, buffer: Buffer);
 
     /// What each kernel took in the runs since the last call, in order of their first passes; empty where that is not known. Passes
     /// that wait for nothing but each other may run at once: then their time is shared out by the work they did.
@@ -157,3 +127,31 @@ pub trait Backend {
     /// Bytes of graphics memory that buffers take; `None` for the CPU.
     fn device_bytes(&self) -> Option<u64>;
 }
+
+/// Reads buffers as numbers of one type.
+pub trait ReadBack: Backend {
+    /// The contents of a buffer, as numbers of one type.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    fn read_all<T: AnyBitPattern + NoUninit + Send>(&mut self, buffer: &Buffer) -> Result<Vec<T>, BackendError> {
+        let all = self.bytes(buffer)?;
+        self.read_part(buffer, 0..all)
+    }
+
+    /// The bytes `range` of a buffer, as numbers of one type.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    fn read_part<T: AnyBitPattern + NoUninit + Send>(
+        &mut self,
+        buffer: &Buffer,
+        range: Range<u64>,
+    ) -> Result<Vec<T>, BackendError> {
+        let mut numbers = Vec::new();
+        self.read(buffer, range, &mut |bytes| numbers = bytemuck::pod_collect_to_vec(bytes))?;
+        Ok(numbers)
+    }
+}
+
+impl<B: Backend + ?Sized> ReadBack for B {}

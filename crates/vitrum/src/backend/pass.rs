@@ -1,12 +1,8 @@
 //! Pass lists.
 
-use super::BackendError;
+use super::{BackendError, Buffer};
 use std::sync::Arc;
 use vitrum_kernels::kernel::{Access, Kernel, LANES, Window};
-
-/// A buffer of a backend.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Buffer(pub(super) usize);
 
 /// What records may start at multiples of, in words: no device asks for more.
 pub const START_ALIGNMENT: u64 = 64;
@@ -107,8 +103,8 @@ pub(super) fn check_part(start: u64, bytes: u64, size: Option<u64>) -> Result<()
 
 impl Write {
     /// Checks that the part lies inside the buffer; `bytes` gives a buffer's size.
-    pub(super) fn check(&self, bytes: impl Fn(Buffer) -> Option<u64>) -> Result<(), BackendError> {
-        check_part(self.start.saturating_mul(4), self.words as u64 * 4, bytes(self.buffer))
+    pub(super) fn check(&self, bytes: impl Fn(&Buffer) -> Option<u64>) -> Result<(), BackendError> {
+        check_part(self.start.saturating_mul(4), self.words as u64 * 4, bytes(&self.buffer))
     }
 }
 
@@ -121,15 +117,15 @@ impl Pass {
     }
 
     /// The buffer that the pass writes.
-    pub fn output(&self) -> Option<Buffer> {
+    pub fn output(&self) -> Option<&Buffer> {
         let writes = |access: Access| matches!(access, Access::Write | Access::Update | Access::Add);
         let written = self.kernel.declaration.bindings[1..].iter().position(|binding| writes(binding.access))?;
-        self.buffers.get(written).copied()
+        self.buffers.get(written)
     }
 
     /// Checks that buffers fit the declaration: their number, that none is bound twice where one use writes, and that the
     /// written one holds a record for each invocation. `bytes` gives a buffer's size.
-    pub(super) fn check(&self, bytes: impl Fn(Buffer) -> Option<u64>) -> Result<(), BackendError> {
+    pub(super) fn check(&self, bytes: impl Fn(&Buffer) -> Option<u64>) -> Result<(), BackendError> {
         let declaration = &self.kernel.declaration;
         let wrong = |what: String| Err(BackendError::Misuse { kernel: declaration.name, what });
         if self.uniforms.len() != declaration.uniform_bytes {
@@ -156,8 +152,8 @@ impl Pass {
             return wrong(format!("records start at word {}, not at a multiple of {START_ALIGNMENT}", self.start));
         }
         for (buffer, binding) in self.buffers.iter().zip(&declaration.bindings[1..]) {
-            let Some(size) = bytes(*buffer) else {
-                return wrong(format!("binding {} ({}) is freed", binding.binding, binding.name));
+            let Some(size) = bytes(buffer) else {
+                return wrong(format!("binding {} ({}) is a buffer of another backend", binding.binding, binding.name));
             };
             let records = u64::from(self.width) * u64::from(self.height) * declaration.components as u64 * 4;
             // Sums have a place for a texel, not for an invocation; adding beyond the end does nothing.

@@ -16,7 +16,7 @@ pub(super) const SCENES: &[SceneEntry] = &[
 fn sheets() -> Scene {
     let mut scene = scene();
     // What the rim deflects goes far.
-    scene.light.margin = 0.5;
+    scene.sweep.light_margin = 0.5;
     scene.sweep.light = Transport::Sheets;
     scene
 }
@@ -25,12 +25,12 @@ fn scene() -> Scene {
     Scene {
         volume: procedural("ball"),
         camera: Camera { azimuth: 0.0, elevation: 18.0, ..Camera::default() },
-        light: Light { azimuth: 40.0, elevation: 28.0, softness: 0.5, ..Light::default() },
+        light: vec![Light { azimuth: 40.0, elevation: 28.0, angular_radius: 0.5, ..Light::default() }],
         transfer: TransferFunction {
             reference_length: Some(0.1),
             opacity: opacities([(0.0, 0.0)]),
             ior: iors([(0.0, 1.0), (1.0, 1.5)]),
-            medium: colors([(0.0, [1.0; 3]), (1.0, [0.985, 0.993, 0.990])]),
+            filter: colors([(0.0, [1.0; 3]), (1.0, [0.985, 0.993, 0.990])]),
             ..TransferFunction::default()
         },
         shading: Shading { roughness: 0.08, ..Shading::default() },

@@ -26,7 +26,7 @@ fn base() -> Scene {
     Scene {
         volume: procedural("combustion"),
         camera: Camera { azimuth: 0.0, elevation: 0.0, zoom: 1.1, ..Camera::default() },
-        light: Light { azimuth: -30.0, elevation: 40.0, ..Light::default() },
+        light: vec![Light { azimuth: -30.0, elevation: 40.0, ..Light::default() }],
         transfer: TransferFunction {
             reference_length: Some(0.02),
             color: colors(HEAT),

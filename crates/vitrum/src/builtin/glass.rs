@@ -33,7 +33,7 @@ fn base() -> Scene {
     Scene {
         volume: procedural("glass"),
         camera: Camera { azimuth: 0.0, elevation: 14.0, zoom: 1.0, ..Camera::default() },
-        light: Light { azimuth: 32.0, elevation: 10.0, ..Light::default() },
+        light: vec![Light { azimuth: 32.0, elevation: 10.0, ..Light::default() }],
         transfer: TransferFunction { reference_length: Some(0.1), ..TransferFunction::default() },
         shading: Shading { roughness: 0.12, ambient: [0.12; 3], ..Shading::default() },
         environment: Environment::default(),
@@ -48,7 +48,7 @@ fn filled(glass: Rgb, liquid: Rgb) -> Scene {
     let mut scene = base();
     scene.transfer.opacity = opacities([(AIR, 0.0)]);
     scene.transfer.ior = iors([(AIR, 1.0), (GLASS, 1.5), (LIQUID, 1.34)]);
-    scene.transfer.medium = colors([(AIR, [1.0; 3]), (GLASS, glass), (LIQUID, liquid)]);
+    scene.transfer.filter = colors([(AIR, [1.0; 3]), (GLASS, glass), (LIQUID, liquid)]);
     scene
 }
 
@@ -86,9 +86,9 @@ fn juice() -> Scene {
 
 fn sheets() -> Scene {
     let mut scene = beer();
-    scene.light.softness = 0.0;
+    scene.light.iter_mut().for_each(|light| light.angular_radius = 0.0);
     // What walls and liquid scatter goes far.
-    scene.light.margin = 0.4;
+    scene.sweep.light_margin = 0.4;
     scene.sweep.light = Transport::Sheets;
     scene
 }

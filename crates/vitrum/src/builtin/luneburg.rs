@@ -34,7 +34,8 @@ fn scene() -> Scene {
 
 fn fog() -> Scene {
     let mut scene = scene();
-    scene.light = Light { azimuth: -75.0, elevation: 0.0, softness: 0.0, intensity: 3.0, ..Light::default() };
+    scene.light =
+        vec![Light { azimuth: -75.0, elevation: 0.0, angular_radius: 0.0, intensity: 3.0, ..Light::default() }];
     scene.transfer.color = colors([(1.0, [1.0, 0.9, 0.7])]);
     scene.transfer.opacity = opacities([(1.0, 0.0), (1.02, 0.008)]);
     scene.shading = Shading { specular: 0.0, ambient: [0.0; 3], ..Shading::default() };

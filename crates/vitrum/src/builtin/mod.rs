@@ -84,6 +84,11 @@ pub fn mesh_names() -> impl Iterator<Item = &'static str> {
     mesh::MESHES.iter().map(|entry| entry.0)
 }
 
+/// The built-in volumes.
+pub fn volume_names() -> impl Iterator<Item = &'static str> {
+    VOLUMES.iter().map(|entry| entry.0)
+}
+
 fn entries() -> impl Iterator<Item = &'static SceneEntry> {
     SCENES.iter().chain(mesh::SCENES).copied().flatten()
 }
@@ -91,7 +96,7 @@ fn entries() -> impl Iterator<Item = &'static SceneEntry> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Attachment, Light};
+    use crate::scene::{Attachment, Light, MeshSource};
     use vitrum_io::Voxels;
 
     #[test]
@@ -110,8 +115,9 @@ mod tests {
             let base = name.split('/').next().unwrap();
             let same = entries().filter(|entry| entry.0.starts_with(base) && entry.2() == scene).count();
             assert!(same <= if names().iter().any(|other| other.0 == base) { 2 } else { 1 }, "{name}");
-            if let Some(source) = &scene.mesh {
-                assert!(mesh_names().any(|known| Some(known) == source.builtin.as_deref()), "{name}");
+            if !scene.mesh.is_empty() {
+                let known = |source: &MeshSource| mesh_names().any(|known| Some(known) == source.builtin.as_deref());
+                assert!(scene.mesh.iter().all(known), "{name}");
                 continue;
             }
             for source in [Some(&scene.volume), scene.ior_volume.as_ref()].into_iter().flatten() {
@@ -134,10 +140,12 @@ mod tests {
     #[test]
     fn light_shines_away_from_the_camera() {
         for (name, scene) in entries().map(|entry| (entry.0, entry.2())) {
-            let Light { attachment, azimuth, elevation, direction, .. } = scene.light;
-            assert_eq!((attachment, direction), (Attachment::Camera, None), "{name}");
-            let cosine = azimuth.to_radians().cos() * elevation.to_radians().cos();
-            assert!(cosine > 85_f32.to_radians().cos(), "{name}");
+            for light in scene.light {
+                let Light { azimuth, elevation, direction, .. } = light;
+                assert_eq!((light.attachment(), direction), (Attachment::Camera, None), "{name}");
+                let cosine = azimuth.to_radians().cos() * elevation.to_radians().cos();
+                assert!(cosine > 85_f32.to_radians().cos(), "{name}");
+            }
         }
     }
 
@@ -148,7 +156,7 @@ mod tests {
             let transfer = scene.transfer;
             assert!(transfer.opacity[0].opacity == 0.0 && transfer.opacity[0].value >= volume.range[0], "{name}");
             assert!(transfer.ior.first().is_none_or(|point| point.ior == 1.0), "{name}");
-            assert!(transfer.medium.first().is_none_or(|point| point.color == [1.0; 3]), "{name}");
+            assert!(transfer.filter.first().is_none_or(|point| point.color == [1.0; 3]), "{name}");
             let air = volume.histogram(50)[0] as f32 / volume.voxel_count() as f32;
             assert!((0.3..0.9).contains(&air), "{name}: {air} is air");
         }

@@ -47,7 +47,7 @@ fn scene(opacity: Vec<OpacityPoint>) -> Scene {
     Scene {
         volume: procedural("phantom"),
         camera: Camera { azimuth: 0.0, elevation: 0.0, zoom: 1.12, ..Camera::default() },
-        light: Light { azimuth: 26.6, elevation: 33.9, ..Light::default() },
+        light: vec![Light { azimuth: 26.6, elevation: 33.9, ..Light::default() }],
         transfer: TransferFunction {
             // A voxel of the default resolution.
             reference_length: Some(1.0 / 128.0),

@@ -18,12 +18,12 @@ fn scene() -> Scene {
     let mut scene = Scene {
         volume: procedural("prism"),
         camera: Camera { azimuth: 0.0, elevation: 12.0, ..Camera::default() },
-        light: Light { azimuth: 19.0, elevation: 22.0, softness: 0.0, margin: 1.0, ..Light::default() },
+        light: vec![Light { azimuth: 19.0, elevation: 22.0, angular_radius: 0.0, ..Light::default() }],
         transfer: TransferFunction {
             reference_length: Some(0.1),
             opacity: opacities([(0.0, 0.0)]),
             ior,
-            medium: colors([(0.0, [1.0; 3]), (1.0, [0.99, 0.993, 0.992])]),
+            filter: colors([(0.0, [1.0; 3]), (1.0, [0.99, 0.993, 0.992])]),
             ..TransferFunction::default()
         },
         shading: Shading { roughness: 0.08, ..Shading::default() },
@@ -31,6 +31,7 @@ fn scene() -> Scene {
         wall: Some(Wall { distance: Some(2.2), azimuth: 0.0, color: [0.75, 0.75, 0.75] }),
         ..Scene::default()
     };
+    scene.sweep.light_margin = 1.0;
     scene.sweep.light = Transport::Sheets;
     scene.sweep.wavelengths = 7;
     scene

@@ -25,7 +25,7 @@ fn layer(ior: f32) -> Scene {
     Scene {
         volume: procedural("supernova"),
         camera: Camera { azimuth: 0.0, elevation: 22.0, zoom: 1.3, ..Camera::default() },
-        light: Light { azimuth: 0.0, elevation: 55.0, softness: 0.5, intensity: 1.0, ..Light::default() },
+        light: vec![Light { azimuth: 0.0, elevation: 55.0, angular_radius: 0.5, intensity: 1.0, ..Light::default() }],
         transfer: TransferFunction {
             reference_length: Some(0.1),
             color: colors([
@@ -36,7 +36,7 @@ fn layer(ior: f32) -> Scene {
             ]),
             opacity: opacities([(0.30, 0.0), (0.40, 0.12), (0.46, 0.05), (0.55, 0.8), (0.75, 0.95)]),
             ior: iors([(0.0, 1.0), (LAYER, ior), (0.5, 1.0)]),
-            medium: colors([(0.0, [1.0; 3]), (LAYER, [0.93, 0.84, 0.96]), (0.4, [0.97, 0.9, 0.9])]),
+            filter: colors([(0.0, [1.0; 3]), (LAYER, [0.93, 0.84, 0.96]), (0.4, [0.97, 0.9, 0.9])]),
         },
         shading: Shading { roughness: 0.2, ..Shading::default() },
         ground: Some(Ground { height: Some(-1.0), color: [0.55; 3] }),

@@ -1,9 +1,183 @@
-//! Methods: what becomes of a scene, or of a mesh, before a backend sees it.
+//! Methods: the ways in which a scene becomes a picture.
+//!
+//! A [`Method`] turns a scene and its assets into a [`PreparedFrame`]: buffers on a backend, and a list of passes. [`ALL`] lists the
+//! methods; the renderer, the outputs, the statistics, the program's help and the conformance suite go through that list.
 
 mod brick_distances;
-pub(crate) mod mesh_volumes;
+pub(crate) mod cache;
+mod lights;
+mod sources;
 pub mod sweep;
 mod twist;
 mod view;
 pub mod voxelize;
 pub mod voxels;
+
+pub use cache::Cache;
+pub use view::{Bounds, View};
+
+use crate::assets::Assets;
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
+use crate::error::Error;
+use crate::film::{Output, Statistics};
+use crate::request::{OutputRequest, Progress};
+use crate::scene::{MethodName, Scene};
+use vitrum_io::Picture;
+
+/// Every method.
+pub static ALL: [&dyn Method; 2] = [&sweep::PlaneSweep, &voxels::MeshRays];
+
+/// A way in which a scene becomes a picture.
+pub trait Method: Sync {
+    /// The value of the scene's key `method` that takes it.
+    fn name(&self) -> MethodName;
+
+    /// The outputs that its frames have, `color` first, with their places in its film records.
+    fn outputs(&self) -> &'static [Output];
+
+    /// Whether a frame of a scene can be made of these assets, as far as that can be told without a backend and without work.
+    ///
+    /// # Errors
+    /// [`Error::Unrenderable`] where the method cannot show the assets, or the scene's values together make no frame.
+    fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error>;
+
+    /// The exposures whose weighted sum a frame is: at least one, those of the part [`Part::Whole`] first.
+    fn exposures(&self, scene: &Scene, _assets: &Assets) -> Vec<Exposure> {
+        lights::exposures(scene)
+    }
+
+    /// Makes the buffers of an exposure and lists its passes. Data that the next frame needs, too, stays in `cache`.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`]; [`Error::Backend`] where the backend lacks the memory or fails, or `progress` cancels.
+    fn prepare(&self, job: &Job<'_>, cache: &mut Cache, tools: &mut Tools<'_>)
+    -> Result<Box<dyn PreparedFrame>, Error>;
+}
+
+/// The method of a name.
+#[must_use]
+pub fn of(name: MethodName) -> &'static dyn Method {
+    match name {
+        MethodName::Sweep => &sweep::PlaneSweep,
+        MethodName::Voxels => &voxels::MeshRays,
+    }
+}
+
+/// Every output of any method, in the order of [`ALL`], with the methods whose frames have it.
+pub fn outputs() -> impl Iterator<Item = (&'static dyn Method, &'static Output)> {
+    ALL.into_iter().flat_map(|method| method.outputs().iter().map(move |output| (method, output)))
+}
+
+/// The part of a frame that is rendered by itself: one of the scenes whose weighted sum the picture is.
+#[derive(Debug, Clone)]
+pub struct Exposure {
+    /// The scene of this exposure.
+    pub scene: Scene,
+    /// Its weights in linear red, green and blue.
+    pub weights: [f32; 3],
+    /// How far its rays are from those that outputs without a mean show, such as depth: the least distance wins.
+    pub distance: f64,
+    /// The outputs that it adds to.
+    pub part: Part,
+}
+
+/// The outputs that an exposure adds to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// All of them.
+    Whole,
+    /// Radiance alone: the exposure has the light of a further source, and everything else is in another exposure.
+    Light,
+}
+
+impl Exposure {
+    /// A scene that is the whole frame.
+    #[must_use]
+    pub fn whole(scene: &Scene) -> Self {
+        Self { scene: scene.clone(), weights: [1.0; 3], distance: 0.0, part: Part::Whole }
+    }
+}
+
+/// The description of an exposure that is to be prepared.
+#[derive(Clone, Copy)]
+pub struct Job<'a> {
+    /// The exposure's scene.
+    pub scene: &'a Scene,
+    /// The data that the scene shows.
+    pub assets: &'a Assets,
+    /// The outputs that are asked for.
+    pub request: OutputRequest,
+}
+
+/// The backend that a frame is prepared on, and the caller's progress function.
+pub struct Tools<'a> {
+    /// The backend.
+    pub backend: &'a mut dyn Backend,
+    /// Is told how far the preparation is, and cancels it by returning `false`.
+    pub progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
+}
+
+/// An exposure that is ready to run: buffers on a backend and a list of passes. Its buffers are freed when it is dropped.
+pub trait PreparedFrame {
+    /// The passes, in order.
+    fn passes(&self) -> &PassList;
+
+    /// Viewing rays across and down.
+    fn rays(&self) -> [u32; 2];
+
+    /// The planar records that the passes leave, one for each viewing ray: the components are those that the method's outputs name.
+    fn film(&self) -> &Buffer;
+
+    /// Runs the passes; `progress` is told how many are done and how many there are, and cancels by returning `false`.
+    ///
+    /// # Errors
+    /// As [`Backend::run`].
+    fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), BackendError> {
+        let total = self.passes().passes.len() as u64;
+        backend.run(self.passes(), &mut |done| progress(done as u64, total))
+    }
+
+    /// The light on the last plane, in texels of its own, row 0 on top; `None` where the method carries no light from plane to plane.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    fn light(&self, _backend: &mut dyn Backend) -> Result<Option<Picture>, BackendError> {
+        Ok(None)
+    }
+
+    /// The plane that a pass leads to, where the method sweeps planes.
+    fn plane(&self, _pass: &Pass) -> Option<u32> {
+        None
+    }
+
+    /// Fills in the statistics that are the method's own; `film` has the finished records.
+    fn statistics(&self, film: &[f32], statistics: &mut Statistics);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_name_has_one_method() {
+        let names: BTreeSet<&str> = ALL.iter().map(|method| method.name().as_str()).collect();
+        assert_eq!(names.len(), ALL.len());
+        for name in MethodName::ALL {
+            assert_eq!(of(name).name(), name);
+        }
+    }
+
+    #[test]
+    fn every_component_of_a_record_is_shown_once() {
+        for method in ALL {
+            let name = method.name().as_str();
+            let channels = method.outputs().iter().flat_map(|output| output.channels.iter().map(|channel| channel.1));
+            let components: Vec<usize> = channels.collect();
+            let different: BTreeSet<usize> = components.iter().copied().collect();
+            assert_eq!(different.len(), components.len(), "{name}: a component is shown twice");
+            assert_eq!(different.last(), Some(&(components.len() - 1)), "{name}: a component is not shown");
+            assert_eq!(method.outputs()[0].name, "color", "{name}");
+        }
+    }
+}

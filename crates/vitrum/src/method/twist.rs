@@ -33,7 +33,7 @@ pub(crate) fn twisted(mesh: &Mesh, degrees: f32) -> Mesh {
     twisted
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "builtin"))]
 mod tests {
     use super::*;
     use crate::builtin;

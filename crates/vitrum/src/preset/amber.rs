@@ -30,9 +30,9 @@ fn apply(subject: &Subject, scene: &mut Scene) {
             ior(subject.between(soft, dense, 0.5), subject.index(0.15)),
             ior(bright, subject.index(0.25)),
         ],
-        medium: vec![color(air, [1.0; 3]), color(surface, body)],
+        filter: vec![color(air, [1.0; 3]), color(surface, body)],
     };
-    scene.light = Light { softness: 1.5, intensity: 1.1, ..Light::default() };
+    scene.light = vec![Light { angular_radius: 1.5, intensity: 1.1, ..Light::default() }];
     scene.shading = Shading { roughness: 0.15, ambient: [0.18, 0.17, 0.16], ..Shading::default() };
     // Bright behind and above: a clear body shows by what passes through it.
     scene.environment = Environment {

@@ -25,9 +25,9 @@ fn apply(subject: &Subject, scene: &mut Scene) {
             opacity(subject.between(dense, bright, 0.5), 0.8),
         ],
         ior: Vec::new(),
-        medium: Vec::new(),
+        filter: Vec::new(),
     };
-    scene.light = Light { softness: 3.0, ..Light::default() };
+    scene.light = vec![Light { angular_radius: 3.0, ..Light::default() }];
     scene.shading = Shading { ambient: [0.12, 0.12, 0.14], ..Shading::default() };
     // Ivory stands out from dark slate.
     scene.environment = Environment {

@@ -22,9 +22,9 @@ fn apply(subject: &Subject, scene: &mut Scene) {
             ior(subject.between(soft, dense, 0.5), subject.index(0.14)),
             ior(bright, subject.index(0.2)),
         ],
-        medium: vec![color(air, [1.0; 3]), color(surface, body)],
+        filter: vec![color(air, [1.0; 3]), color(surface, body)],
     };
-    scene.light = Light { softness: 0.5, intensity: 1.2, ..Light::default() };
+    scene.light = vec![Light { angular_radius: 0.5, intensity: 1.2, ..Light::default() }];
     scene.shading = Shading { roughness: 0.06, ..Shading::default() };
     // A clear body shows by what it mirrors and bends into view: a bright band between two dark ones.
     scene.environment = Environment {

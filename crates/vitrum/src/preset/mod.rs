@@ -3,7 +3,7 @@
 //! Those of meshes say what the bodies are made of and what is around them (`mesh`).
 //!
 //! A preset sets what a volume looks like — `transfer`, `light`, `shading`, `environment`, `ground` and `wall` — and
-//! leaves alone what is shown and from where: `volume`, `camera`, `clip`, `sweep` and `film`. It reads the volume's own
+//! leaves alone what is shown and from where: `volume`, `camera`, `clip`, `sweep` (but for the grid of the light) and `film`. It reads the volume's own
 //! values (`subject`), so that an 8-bit CT, a signed CT and a simulation between 0 and 1 each get thresholds of
 //! theirs, and it states absorption for a share of the volume's size, so that 64³ and 512³ voxels look alike.
 
@@ -20,7 +20,7 @@ mod xray;
 
 pub use mesh::{apply_to_mesh, mesh_names, surround_mesh};
 
-use crate::scene::Scene;
+use crate::scene::{Scene, Sweep};
 use crate::suggest::nearest;
 use subject::Subject;
 use vitrum_io::Volume;
@@ -111,6 +111,9 @@ pub fn check(name: &str) -> Result<(), PresetError> {
 /// Those of [`check`]; the scene is then unchanged.
 pub fn apply(name: &str, volume: &Volume, scene: &mut Scene) -> Result<(), PresetError> {
     (find(name)?.apply)(&Subject::of(volume), scene);
+    // The grid of light was made to the measure of the light that is replaced.
+    let Sweep { light_resolution, light_margin, .. } = Sweep::default();
+    (scene.sweep.light_resolution, scene.sweep.light_margin) = (light_resolution, light_margin);
     Ok(())
 }
 

@@ -24,9 +24,9 @@ fn apply(subject: &Subject, scene: &mut Scene) {
             opacity(dense, 0.6),
         ],
         ior: Vec::new(),
-        medium: Vec::new(),
+        filter: Vec::new(),
     };
-    scene.light = Light { softness: 4.0, ..Light::default() };
+    scene.light = vec![Light { angular_radius: 4.0, ..Light::default() }];
     // Without indices of refraction there is no Fresnel reflection to make rough.
     scene.shading = Shading { ambient: [0.08, 0.085, 0.1], ..Shading::default() };
     scene.environment = Environment::default();

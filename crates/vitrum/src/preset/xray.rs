@@ -20,9 +20,9 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         // An empty list would be a ramp of opacity.
         opacity: vec![opacity(subject.surface, 0.0)],
         ior: Vec::new(),
-        medium: medium(subject),
+        filter: filter(subject),
     };
-    scene.light = Light::default();
+    scene.light = vec![Light::default()];
     scene.shading = Shading { specular: 0.0, ..Shading::default() };
     scene.environment =
         Environment { kind: EnvironmentKind::Color, color: [0.88, 0.93, 1.0], ..Environment::default() };
@@ -31,7 +31,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
 }
 
 /// Absorption proportional to density: exponential in the value, in pieces short enough to look smooth.
-fn medium(subject: &Subject) -> Vec<ColorPoint> {
+fn filter(subject: &Subject) -> Vec<ColorPoint> {
     const PIECES: u8 = 8;
     let pieces = 0..=PIECES;
     pieces

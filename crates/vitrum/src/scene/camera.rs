@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Projection {
-    /// Rays leave one eye point.
+    /// Viewing rays leave one eye point.
     #[default]
     Perspective,
-    /// Rays are parallel.
+    /// Viewing rays are parallel.
     Orthographic,
 }
 
@@ -19,28 +19,33 @@ pub enum Projection {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Camera {
-    /// `perspective` or `orthographic`.
+    /// Form of the viewing rays.
     pub projection: Projection,
-    /// Degrees around `up`, counted from the front (for scans, the patient's front; world +y), positive to the viewer's right.
+    /// Angle around `up`, from the front (world +y; for scans the patient's front), positive to the viewer's right.
+    #[schemars(extend("x-unit" = "degrees"))]
     pub azimuth: f32,
-    /// Degrees above the horizon, −89 to 89.
-    #[schemars(range(min = -89, max = 89))]
+    /// Angle above the horizon.
+    #[schemars(range(min = -89, max = 89), extend("x-unit" = "degrees"))]
     pub elevation: f32,
-    /// Degrees by which the camera turns around its viewing direction, positive counter-clockwise.
+    /// Angle by which the camera turns around its viewing direction, positive counter-clockwise.
+    #[schemars(extend("x-unit" = "degrees"))]
     pub roll: f32,
-    /// Magnification, 0.01 to 100; 1 shows the whole volume.
+    /// Magnification; 1 shows the whole volume or mesh.
     #[schemars(range(min = 0.01, max = 100))]
     pub zoom: f32,
-    /// Vertical field of view in degrees, 1 to 120 (perspective only).
-    #[schemars(range(min = 1, max = 120))]
+    /// Vertical field of view; perspective only.
+    #[schemars(range(min = 1, max = 120), extend("x-unit" = "degrees"))]
     pub field_of_view: f32,
-    /// The world point in the middle of the picture; the volume's centre if absent.
+    /// Point in the middle of the picture; the centre of the volume or mesh if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-unit" = "world units"))]
     pub target: Option<Vector>,
-    /// The eye's world position; replaces `azimuth`, `elevation` and `zoom`.
+    /// Position of the eye. It replaces `azimuth`, `elevation` and `zoom`.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-unit" = "world units"))]
     pub position: Option<Vector>,
-    /// The world direction that is up in the picture, of any length but 0.
+    /// World direction that is up in the picture, of any length but 0.
+    #[schemars(extend("x-range" = "three numbers, not all 0"))]
     pub up: Vector,
 }
 

@@ -1,6 +1,7 @@
 //! Holding a tree of TOML values against the schema: keys, types, ranges and lengths.
 
 use super::error::{Fault, Problem};
+use super::renamed;
 use super::schema::{Kind, Shape};
 use crate::suggest::nearest;
 use toml::{Table, Value};
@@ -37,6 +38,7 @@ pub(super) fn check_value(shape: Shape<'_>, value: &Value, path: &mut Vec<String
             }
             (least..=most).contains(&items.len())
         }
+        (Kind::List { .. }, Value::Table(members)) => return Err(table_for_list(members, path)),
         (Kind::Number, Value::Float(number)) => in_range(shape, *number),
         (Kind::Number | Kind::WholeNumber, Value::Integer(number)) => in_range(shape, *number as f64),
         (Kind::Choice(choices), Value::String(text)) => choices.contains(&text.as_str()),
@@ -53,15 +55,41 @@ fn in_range(shape: Shape<'_>, number: f64) -> bool {
     number.is_finite() && number >= least && number <= most && !(excluded && number == least)
 }
 
+/// One table where a list of them is expected.
+fn table_for_list(members: &Table, path: &[String]) -> Fault {
+    let old = members.keys().find_map(|key| Some((key, renamed::key(path, key)?)));
+    old.map_or_else(
+        || {
+            let key = path.join(".");
+            Fault::contradiction(
+                &key,
+                "found a table, expected a list",
+                format!("write `[[{key}]]`, once for each item"),
+            )
+        },
+        |(key, new)| renamed_key(path, key, new),
+    )
+}
+
+pub(super) fn renamed_key(path: &[String], key: &str, new: &str) -> Fault {
+    Fault::at(&[path, &[key.to_owned()]].concat(), Problem::RenamedKey { new: new.to_owned() })
+}
+
 pub(super) fn unknown_key(shape: Shape<'_>, path: &[String], key: &str) -> Fault {
-    let full = |name: &str| path.iter().map(String::as_str).chain([name]).collect::<Vec<_>>().join(".");
-    let mut path = path.to_vec();
-    let known = shape.keys();
+    if let Some(new) = renamed::key(path, key) {
+        return renamed_key(path, key, new);
+    }
+    // Of a list's items the first stands for all.
+    let (known, item) = match shape.kind() {
+        Kind::List { .. } => (shape.item().keys(), Some("0")),
+        _ => (shape.keys(), None),
+    };
+    let full = |name: &str| path.iter().map(String::as_str).chain(item).chain([name]).collect::<Vec<_>>().join(".");
     let near = nearest(key, known.iter().copied());
-    let problem =
-        Problem::UnknownKey { nearest: near.map(full), known: known.into_iter().map(str::to_owned).collect() };
-    path.push(key.to_owned());
-    Fault { path, problem }
+    let nearest = near.map(full);
+    let known = known.into_iter().map(|key| item.map_or_else(|| key.to_owned(), |item| format!("{item}.{key}")));
+    let problem = Problem::UnknownKey { nearest, known: known.collect() };
+    Fault { path: [path, &[key.to_owned()]].concat(), problem }
 }
 
 fn wrong_value(shape: Shape<'_>, path: &[String], value: &Value) -> Fault {
@@ -69,12 +97,13 @@ fn wrong_value(shape: Shape<'_>, path: &[String], value: &Value) -> Fault {
         (Kind::Choice(choices), Value::String(text)) => nearest(text, choices),
         _ => None,
     };
+    let new = value.as_str().and_then(|text| renamed::value(path, text));
     Fault::at(
         path,
         Problem::WrongValue {
             found: found(value),
             expected: shape.expected(),
-            nearest: near.map(str::to_owned),
+            nearest: new.or(near).map(str::to_owned),
             default: shape.default(),
         },
     )

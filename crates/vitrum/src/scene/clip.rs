@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Removes {
-    /// Opacity only: the medium stays and goes on bending light (sweep, Fig. 9).
+    /// Opacity alone: the clear medium stays and goes on bending light (sweep, Fig. 9).
     Opacity,
-    /// Everything: opacity, medium and refraction.
+    /// Opacity, filter and refraction.
     #[default]
     Everything,
 }
@@ -19,11 +19,13 @@ pub enum Removes {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Clip {
-    /// Points into the half-space that is removed; world axes, any length but 0.
+    /// Normal of the plane, into the half-space that is removed, of any length but 0; world axes.
+    #[schemars(extend("x-range" = "three numbers, not all 0"))]
     pub normal: Vector,
-    /// Signed distance of the plane from the volume's centre along `normal`, in world units.
+    /// Signed distance of the plane from the volume's centre, along `normal`.
+    #[schemars(extend("x-unit" = "world units"))]
     pub offset: f32,
-    /// `opacity` or `everything`.
+    /// Properties that are removed.
     pub removes: Removes,
 }
 

@@ -8,14 +8,14 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum EnvironmentKind {
-    /// `color` everywhere.
+    /// One colour, `color`.
     Color,
-    /// `horizon` at eye level, `color` at the zenith, `nadir` straight down.
+    /// From `nadir` straight down over `horizon` at eye level to `color` at the zenith.
     #[default]
     Gradient,
     /// Squares of `color` and `horizon` in longitude and latitude.
     Checkerboard,
-    /// An equirectangular picture (`file`), world up in its middle row's normal.
+    /// An equirectangular picture, `file`, whose middle row is the horizon.
     Map,
 }
 
@@ -23,29 +23,32 @@ pub enum EnvironmentKind {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Environment {
-    /// `color`, `gradient`, `checkerboard` or `map`.
+    /// Pattern of the environment.
     pub kind: EnvironmentKind,
-    /// Linear RGB, each 0 to 1e6; see `kind`.
-    #[schemars(inner(range(min = 0, max = 1e6)))]
+    /// Radiance, linear RGB: see `kind`.
+    #[schemars(inner(range(min = 0, max = 1e6)), extend("x-unit" = "radiance"))]
     pub color: Rgb,
-    /// Linear RGB, each 0 to 1e6; see `kind`.
-    #[schemars(inner(range(min = 0, max = 1e6)))]
+    /// Radiance, linear RGB: see `kind`.
+    #[schemars(inner(range(min = 0, max = 1e6)), extend("x-unit" = "radiance"))]
     pub horizon: Rgb,
-    /// Linear RGB, each 0 to 1e6; see `kind`.
-    #[schemars(inner(range(min = 0, max = 1e6)))]
+    /// Radiance, linear RGB: see `kind`.
+    #[schemars(inner(range(min = 0, max = 1e6)), extend("x-unit" = "radiance"))]
     pub nadir: Rgb,
-    /// Edge of a checkerboard square in degrees, 0.5 to 90.
-    #[schemars(range(min = 0.5, max = 90))]
+    /// Edge of a checkerboard square.
+    #[schemars(range(min = 0.5, max = 90), extend("x-unit" = "degrees"))]
     pub square: f32,
-    /// The equirectangular picture (HDR, EXR, PNG, JPEG), relative to the scene file; `map` only, and needed there.
+    /// Equirectangular picture (HDR, EXR, PNG, JPEG, TIFF) of the kind `map`, which needs it; a relative path starts at
+    /// the scene file's folder.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "a path"))]
     pub file: Option<std::path::PathBuf>,
-    /// Degrees by which the environment is turned around the world's up.
+    /// Angle by which the environment is turned around the world's up.
+    #[schemars(extend("x-unit" = "degrees"))]
     pub rotation: f32,
-    /// Factor on the environment's radiance, 0 to 1e6.
+    /// Factor on the environment's radiance.
     #[schemars(range(min = 0, max = 1e6))]
     pub intensity: f32,
-    /// Whether the environment shows in the picture; if `false` the background is transparent.
+    /// Whether the environment shows in the picture; `false` makes the background transparent.
     pub visible: bool,
 }
 

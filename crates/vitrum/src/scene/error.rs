@@ -9,7 +9,7 @@ use std::fmt;
 pub struct SceneError {
     /// Where the scene comes from.
     pub origin: Origin,
-    /// The dotted path of the key, such as `light.softness` or `clip.0.offset`; empty for the scene as a whole.
+    /// The dotted path of the key, such as `camera.azimuth` or `clip.0.offset`; empty for the scene as a whole.
     pub key: String,
     /// What is wrong there.
     pub problem: Box<Problem>,
@@ -48,6 +48,13 @@ pub enum Problem {
         known: Vec<String>,
     },
 
+    /// A key's old name.
+    #[error("this key is now `{new}`")]
+    RenamedKey {
+        /// Its name, as a full path.
+        new: String,
+    },
+
     /// A key that has no default is not there.
     #[error("this key is missing")]
     MissingKey {
@@ -84,12 +91,18 @@ impl SceneError {
     pub fn help(&self) -> String {
         match &*self.problem {
             Problem::Syntax(_) if matches!(self.origin, Origin::Setting(_)) => {
-                "write KEY=VALUE with a scene key and a TOML value, such as light.softness=3".to_owned()
+                "write KEY=VALUE with a scene key and a TOML value, such as camera.azimuth=30".to_owned()
             }
             Problem::Syntax(_) => "correct the TOML there; docs/scene.md describes every key".to_owned(),
             Problem::UnknownKey { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
             Problem::UnknownKey { known, .. } if known.is_empty() => "this value has no keys inside".to_owned(),
             Problem::UnknownKey { known, .. } => format!("the keys here are: {}", known.join(", ")),
+            Problem::RenamedKey { new } => match (&self.origin, new.split_once(".0.")) {
+                (Origin::File { .. }, Some((list, key))) => {
+                    format!("write `{key}` in a table `[[{list}]]`, and `{new}` in key frames")
+                }
+                _ => format!("write `{new}`"),
+            },
             Problem::MissingKey { expected } => format!("give it {expected}"),
             Problem::WrongValue { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
             Problem::WrongValue { default: Some(default), .. } => {

@@ -8,17 +8,17 @@ use vitrum_kernels::abi::record::{path, ray};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Film {
-    /// Pixels across, 1 to 16384.
-    #[schemars(range(min = 1, max = 16384))]
+    /// Width of the picture.
+    #[schemars(range(min = 1, max = 16384), extend("x-unit" = "pixels"))]
     pub width: u32,
-    /// Pixels down, 1 to 16384.
-    #[schemars(range(min = 1, max = 16384))]
+    /// Height of the picture.
+    #[schemars(range(min = 1, max = 16384), extend("x-unit" = "pixels"))]
     pub height: u32,
-    /// Stops by which the picture is brightened (2^exposure), −20 to 20; applies to `color` only.
-    #[schemars(range(min = -20, max = 20))]
+    /// Exposure: the picture is brightened by 2^exposure; named outputs other than `color` are left alone.
+    #[schemars(range(min = -20, max = 20), extend("x-unit" = "stops"))]
     pub exposure: f32,
-    /// Rays per pixel edge, 1 to 4; the picture is averaged from that many times larger a one.
-    #[schemars(range(min = 1, max = 4))]
+    /// Number of viewing rays per pixel edge; the picture is averaged from one so many times larger.
+    #[schemars(range(min = 1, max = 4), extend("x-unit" = "rays"))]
     pub supersampling: u32,
 }
 

@@ -35,7 +35,7 @@ pub(super) fn line_of_key(text: &str, path: &[String]) -> Option<usize> {
 mod tests {
     use super::line_of_key;
 
-    const TEXT: &str = "[light]\nsoftness = 3\n\n[[clip]]\noffset = 1\n\n[[clip]]\nnormal = [\n  0,\n  1,\n  2,\n]\n";
+    const TEXT: &str = "[camera]\nroll = 3\n\n[[clip]]\noffset = 1\n\n[[clip]]\nnormal = [\n  0,\n  1,\n  2,\n]\n";
 
     fn line(path: &str) -> Option<usize> {
         line_of_key(TEXT, &path.split('.').map(str::to_owned).collect::<Vec<_>>())
@@ -43,15 +43,15 @@ mod tests {
 
     #[test]
     fn every_depth_has_its_line() {
-        assert_eq!(line("light"), Some(1));
-        assert_eq!(line("light.softness"), Some(2));
+        assert_eq!(line("camera"), Some(1));
+        assert_eq!(line("camera.roll"), Some(2));
         assert_eq!(line("clip.0.offset"), Some(5));
         assert_eq!(line("clip.1.normal.2"), Some(11));
     }
 
     #[test]
     fn a_missing_key_has_the_line_of_what_is_around_it() {
-        assert_eq!(line("light.color"), Some(1));
+        assert_eq!(line("camera.zoom"), Some(1));
         assert_eq!(line("film.width"), None);
     }
 }

@@ -8,29 +8,32 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Material {
-    /// The material of the mesh that this one stands for; all that are not named if absent.
+    /// Name of the mesh's material that the entry stands for; if absent all materials that no other entry names.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "a name"))]
     pub name: Option<String>,
-    /// Whether the body is opaque and reflects light diffusely, instead of being clear.
+    /// Whether the body is opaque and reflects light diffusely, on both sides of its surface, instead of being clear.
     pub opaque: bool,
-    /// Of an opaque body: linear RGB, each 0 to 1, of the light that it reflects. If absent what the mesh says of its vertices or of the
-    /// material, else a light grey.
+    /// Diffuse reflectance of an opaque body, linear RGB; if absent that of the mesh's vertices, or of its material
+    /// (`Kd`, base colour), or a light grey.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(inner(range(min = 0, max = 1)))]
+    #[schemars(inner(range(min = 0, max = 1)), extend("x-unit" = "reflectance"))]
     pub color: Option<Rgb>,
-    /// Of an opaque body: how much light each of its triangles absorbs in the shadow map, 0 to 1000, times
-    /// [`super::Shadow::absorption`]. With the default nothing gets through.
+    /// Factor on the optical depth `shadow.optical_depth` of each triangle of an opaque body. 16 is solid; leaves, of
+    /// which light goes through many, have less than 1. A triangle that is lit from behind shows the light that it lets
+    /// through.
     #[schemars(range(min = 0, max = 1000))]
     pub density: f32,
-    /// Index of refraction, 1 to 4.
+    /// Index of refraction of a clear body.
     #[schemars(range(min = 1, max = 4))]
     pub ior: f32,
-    /// Linear RGB, each 0.001 to 1, that is left of white light on its way through `attenuation_distance`.
-    #[schemars(inner(range(min = 0.001, max = 1)))]
+    /// Transmittance of a clear body `attenuation_distance` thick, linear RGB.
+    #[schemars(inner(range(min = 0.001, max = 1)), extend("x-unit" = "transmittance"))]
     pub attenuation_color: Rgb,
-    /// In world units, above 0; the mesh's longest edge if absent.
+    /// Thickness that `attenuation_color` is stated for; the longest edge of the mesh, or of all meshes together, if
+    /// absent.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("x-unit" = "world units", "exclusiveMinimum" = 0))]
     pub attenuation_distance: Option<f32>,
 }
 

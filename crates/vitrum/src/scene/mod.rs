@@ -16,8 +16,11 @@ mod light;
 mod lines;
 mod load;
 mod material;
+mod medium;
 mod mesh;
+mod method;
 mod receiver;
+mod renamed;
 mod schema;
 mod set;
 mod shading;
@@ -26,6 +29,7 @@ mod sweep;
 mod transfer;
 mod validate;
 mod volume;
+mod voxelization;
 mod voxels;
 mod write;
 
@@ -36,16 +40,19 @@ pub use environment::{Environment, EnvironmentKind};
 pub use error::{Origin, Problem, SceneError};
 pub use film::Film;
 pub use key_frames::KeyFrames;
-pub use light::{Attachment, Light};
+pub use light::{Attachment, Light, LightKind};
 pub use material::Material;
+pub use medium::Medium;
 pub use mesh::MeshSource;
+pub use method::MethodName;
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use shadow::{Coefficient, Shadow};
 pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
 pub use volume::VolumeSource;
-pub use voxels::{Method, Normals, Surfaces, Voxels};
+pub use voxelization::Voxelization;
+pub use voxels::{Normals, Surfaces, Voxels};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -57,29 +64,33 @@ pub type Rgb = [f32; 3];
 pub type Vector = [f32; 3];
 
 /// Everything a picture depends on.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
-    /// `sweep` for a volume or a mesh, `voxels` for a mesh.
-    pub method: Method,
+    /// Method that makes the picture.
+    pub method: MethodName,
     /// The volume that is shown.
     pub volume: VolumeSource,
-    /// The mesh that is shown, instead of a volume.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mesh: Option<MeshSource>,
+    /// The meshes that are shown, instead of a volume.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 64))]
+    pub mesh: Vec<MeshSource>,
     /// A second volume whose scalar gives the index of refraction instead (sweep, Figs. 11e and 12e).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior_volume: Option<VolumeSource>,
     /// Where the picture is taken from.
     pub camera: Camera,
-    /// The one distant light.
-    pub light: Light,
-    /// Colour, opacity, index of refraction and medium colour over the scalar.
+    /// The light sources; one distant light if the key is absent, none if the list is empty.
+    #[schemars(length(max = 16))]
+    pub light: Vec<Light>,
+    /// Colour, opacity, index of refraction and filter over the scalar.
     pub transfer: TransferFunction,
     /// What the mesh's bodies are made of; what is not said here is the mesh's own, or glass.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 64))]
     pub material: Vec<Material>,
+    /// How a mesh is made into voxels.
+    pub voxelization: Voxelization,
     /// How rays go through a mesh.
     pub voxels: Voxels,
     /// The shadow that a mesh casts.
@@ -90,6 +101,9 @@ pub struct Scene {
     pub shading: Shading,
     /// What a ray sees behind everything.
     pub environment: Environment,
+    /// A participating medium.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub medium: Option<Medium>,
     /// A horizontal, diffuse plane that shows shadow and caustics.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ground: Option<Ground>,
@@ -102,4 +116,30 @@ pub struct Scene {
     pub clip: Vec<Clip>,
     /// Size and exposure of the picture.
     pub film: Film,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            method: MethodName::default(),
+            volume: VolumeSource::default(),
+            mesh: Vec::new(),
+            ior_volume: None,
+            camera: Camera::default(),
+            light: vec![Light::default()],
+            transfer: TransferFunction::default(),
+            material: Vec::new(),
+            voxelization: Voxelization::default(),
+            voxels: Voxels::default(),
+            shadow: Shadow::default(),
+            sweep: Sweep::default(),
+            shading: Shading::default(),
+            environment: Environment::default(),
+            medium: None,
+            ground: None,
+            wall: None,
+            clip: Vec::new(),
+            film: Film::default(),
+        }
+    }
 }

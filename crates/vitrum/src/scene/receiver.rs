@@ -8,11 +8,12 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Ground {
-    /// Height along the camera's `up`, in world units; the volume's lowest point if absent.
+    /// Height along `camera.up`; the lowest point of the volume or mesh if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-unit" = "world units"))]
     pub height: Option<f32>,
-    /// Diffuse reflectance, linear RGB, 0 to 1.
-    #[schemars(inner(range(min = 0, max = 1)))]
+    /// Diffuse reflectance, linear RGB.
+    #[schemars(inner(range(min = 0, max = 1)), extend("x-unit" = "reflectance"))]
     pub color: Rgb,
 }
 
@@ -26,14 +27,15 @@ impl Default for Ground {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Wall {
-    /// Distance from the volume's centre, in world units, above 0; the volume's bounding radius if absent.
+    /// Distance from the centre of the volume or mesh; its bounding radius if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("x-unit" = "world units", "exclusiveMinimum" = 0))]
     pub distance: Option<f32>,
-    /// Degrees around `up` of the direction the wall faces, like the camera's azimuth.
+    /// Direction that the wall faces, an angle around `camera.up` as the camera's azimuth.
+    #[schemars(extend("x-unit" = "degrees"))]
     pub azimuth: f32,
-    /// Diffuse reflectance, linear RGB, 0 to 1.
-    #[schemars(inner(range(min = 0, max = 1)))]
+    /// Diffuse reflectance, linear RGB.
+    #[schemars(inner(range(min = 0, max = 1)), extend("x-unit" = "reflectance"))]
     pub color: Rgb,
 }
 

@@ -157,7 +157,8 @@ impl<'a> Shape<'a> {
             (f32::NEG_INFINITY, f32::INFINITY, _) => format!("a finite {noun}"),
             (least, f32::INFINITY, true) => format!("a finite {noun} above {least}"),
             (least, f32::INFINITY, false) => format!("a finite {noun} of at least {least}"),
-            (least, most, _) => format!("a {noun} from {least} to {most}"),
+            (least, most, true) => format!("a {noun} above {least}, {most} at most"),
+            (least, most, false) => format!("a {noun} from {least} to {most}"),
         };
         match self.kind() {
             Kind::Table => format!("a table of the keys {}", self.keys().join(", ")),

@@ -7,10 +7,11 @@ use super::schema::{Kind, Shape};
 use toml::{Table, Value};
 
 impl Scene {
-    /// Sets one key: `light.softness=3`, `camera.up=[0, 1, 0]`, `clip.0.offset=2.5`, `volume.builtin=ball`.
+    /// Sets one key: `light.0.azimuth=30`, `camera.up=[0, 1, 0]`, `clip.0.offset=2.5`, `volume.builtin=ball`.
     ///
-    /// The value is TOML; texts need no quotes. A number in the key is an index into a list, and the index behind the
-    /// last item appends one. `none` removes an optional key: `ground=none`; a text of that name takes quotes.
+    /// The value is TOML; texts need no quotes. A number in the key is an index into a list, and the index behind the last item
+    /// appends one. A new kind of a light takes the keys away that lights of that kind do not have. `none` removes an optional
+    /// key: `ground=none`; a text of that name takes quotes.
     ///
     /// The value is checked against its own range. Whether it fits the rest of the scene is left to
     /// [`Scene::validate`], so that keys that depend on each other can be set one after the other.
@@ -41,7 +42,14 @@ impl Scene {
             }
             None => remove(&mut table, &path),
         }
-        Self::from_table(table)
+        let mut scene = Self::from_table(table)?;
+        if let [list, index, key] = path.as_slice()
+            && (list.as_str(), key.as_str()) == ("light", "kind")
+            && let Some(light) = index.parse().ok().and_then(|index: usize| scene.light.get_mut(index))
+        {
+            light.forget_foreign_keys();
+        }
+        Ok(scene)
     }
 }
 

@@ -8,14 +8,14 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Shading {
-    /// GGX roughness, 0.02 (polished) to 1.
+    /// Roughness of specular reflection (GGX); 0.02 is polished.
     #[schemars(range(min = 0.02, max = 1))]
     pub roughness: f32,
-    /// Factor on the specular term, 0 to 100; 0 turns it off.
+    /// Factor on specular reflection; 0 turns it off.
     #[schemars(range(min = 0, max = 100))]
     pub specular: f32,
-    /// Radiance that reaches every particle and receiver from all sides; linear RGB, each 0 to 1e6.
-    #[schemars(inner(range(min = 0, max = 1e6)))]
+    /// Radiance that reaches every particle and receiver from all sides, linear RGB.
+    #[schemars(inner(range(min = 0, max = 1e6)), extend("x-unit" = "radiance"))]
     pub ambient: Rgb,
 }
 

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Coefficient {
-    /// As much as the triangles in it, by their number and material (Chang et al. 2010).
+    /// Each triangle in it adds its optical depth (Chang et al. 2010).
     #[default]
-    Counted,
+    PerTriangle,
     /// The same wherever there is anything (Eisemann & Décoret 2006), for comparison.
     Uniform,
 }
@@ -18,22 +18,33 @@ pub enum Coefficient {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Shadow {
-    /// Voxels of the shadow map along the longest edge of the mesh's box in the light's direction, 16 to 1024.
-    #[schemars(range(min = 16, max = 1024))]
+    /// Number of voxels of the shadow map along the longest edge of the mesh's box as the light sees it.
+    #[schemars(range(min = 16, max = 1024), extend("x-unit" = "voxels"))]
     pub resolution: u32,
-    /// `counted` or `uniform`.
+    /// Extinction of a voxel of the shadow map.
     pub coefficient: Coefficient,
-    /// Optical depth of a triangle of density 1 that light goes through, or of an occupied voxel where the coefficient is uniform;
-    /// 0 to 100. What is left behind it is e to the power of minus that.
-    #[schemars(range(min = 0, max = 100))]
-    pub absorption: f32,
-    /// World units, 0 to 1e6: light is averaged over columns that are up to so far away across it, 15 voxels at most.
-    #[schemars(range(min = 0, max = 1e6))]
-    pub softness: f32,
+    /// Optical depth of a triangle of density 1 that light goes through, or of an occupied voxel where `coefficient` is
+    /// `uniform`.
+    #[schemars(range(min = 0, max = 100), extend("x-unit" = "optical depth"))]
+    pub optical_depth: f32,
+    /// Radius, across the light, within which the columns of the shadow map are averaged, besides the nearest; at most 15
+    /// voxels of the map. It softens all shadows alike, however far away the body is that casts them.
+    #[schemars(range(min = 0, max = 1e6), extend("x-unit" = "world units"))]
+    pub filter_radius: f32,
+    /// Number of crisp lights that a distant light with an `angular_radius` is made of, spread over its disc, each with a shadow
+    /// map of its own; each takes the time of a frame. With 1 shadows are crisp, but for `filter_radius`.
+    #[schemars(range(min = 1, max = 64), extend("x-unit" = "lights"))]
+    pub samples: u32,
 }
 
 impl Default for Shadow {
     fn default() -> Self {
-        Self { resolution: 256, coefficient: Coefficient::Counted, absorption: 1.0, softness: 0.0 }
+        Self {
+            resolution: 256,
+            coefficient: Coefficient::PerTriangle,
+            optical_depth: 1.0,
+            filter_radius: 0.0,
+            samples: 1,
+        }
     }
 }

@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Integrator {
-    /// Kick–drift–kick on dx/dσ = v, dv/dσ = η∇η: second order.
+    /// Kick–drift–kick on dx/dσ = v, dv/dσ = η∇η, of second order.
     #[default]
     Symplectic,
-    /// The paper's Eqs. 8 and 10 with Δs = plane distance: for comparison, it does not converge for oblique rays.
+    /// The paper's Eqs. 8 and 10 with Δs = plane distance, which does not converge for oblique rays and is there for
+    /// comparison.
     Euler,
 }
 
@@ -23,7 +24,7 @@ pub enum Intensity {
     Jacobian,
     /// The paper's Eq. 13, a product of derivative lengths.
     Paper,
-    /// No correction: no caustics (sweep, Fig. 4b).
+    /// No correction, and no caustics (sweep, Fig. 4b).
     None,
 }
 
@@ -31,10 +32,10 @@ pub enum Intensity {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Gradient {
-    /// η of six neighbours, then central differences (sweep §5).
+    /// Central differences of η, which six neighbours give (sweep §5).
     #[default]
     Central,
-    /// ∇η = η'(f)·∇f.
+    /// The chain rule, ∇η = η'(f)·∇f.
     Chain,
 }
 
@@ -53,24 +54,34 @@ pub enum Transport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Sweep {
-    /// Distance of the planes in units of the smallest voxel edge, 0.05 to 16.
-    #[schemars(range(min = 0.05, max = 16))]
+    /// Distance of the planes. Smaller is slower and more exact.
+    #[schemars(range(min = 0.05, max = 16), extend("x-unit" = "smallest voxel edges"))]
     pub sample_distance: f32,
-    /// `texels` or `sheets`.
+    /// Carrier of light from plane to plane. Sheets take about four times as long, and that for each sheet.
     pub light: Transport,
-    /// Sheets that a soft light is made of where `light` is `sheets`, 1 to 64; a crisp one has one.
-    #[schemars(range(min = 1, max = 64))]
+    /// Number of sheets that a soft light is made of where `light` is `sheets`, each in a direction of its own; a crisp
+    /// one has one.
+    #[schemars(range(min = 1, max = 64), extend("x-unit" = "sheets"))]
     pub sheets: u32,
-    /// `symplectic` or `euler`.
+    /// Rule that advances a ray by one plane.
     pub integrator: Integrator,
-    /// `jacobian`, `paper` or `none`. Sheets need no correction: they conserve flux.
+    /// Rule that turns converging light into brighter light. Sheets conserve flux by themselves: with them it stays
+    /// `jacobian`.
     pub intensity: Intensity,
-    /// `central` or `chain`.
+    /// Gradient of the index of refraction.
     pub gradient: Gradient,
-    /// Whether indices of refraction bend rays at all; `false` keeps every ray straight.
+    /// Light texels per pixel edge; more makes crisper caustics.
+    #[schemars(range(min = 0.125, max = 4), extend("x-unit" = "texels"))]
+    pub light_resolution: f32,
+    /// Margin of the light grid around the region that it covers, as a share of that region's size. Light from outside the grid counts as
+    /// unoccluded.
+    #[schemars(range(min = 0, max = 1))]
+    pub light_margin: f32,
+    /// Whether indices of refraction bend rays; `false` keeps every ray straight.
     pub refraction: bool,
-    /// Wavelengths that are followed one after another where `transfer.ior` disperses, 3 (one for red, green and blue each) to 32.
-    #[schemars(range(min = 3, max = 32))]
+    /// Number of wavelengths that are followed one after another where `transfer.ior` disperses; each takes the time of a
+    /// frame. 3 are one for red, green and blue each, which shows as three colours in a wide spectrum.
+    #[schemars(range(min = 3, max = 32), extend("x-unit" = "wavelengths"))]
     pub wavelengths: u32,
     /// Whether space that the transfer functions leave empty is skipped. The picture is the same.
     pub empty_space_skipping: bool,
@@ -82,6 +93,8 @@ impl Default for Sweep {
             sample_distance: 1.0,
             light: Transport::Texels,
             sheets: 8,
+            light_resolution: 0.75,
+            light_margin: 0.05,
             integrator: Integrator::Symplectic,
             intensity: Intensity::Jacobian,
             gradient: Gradient::Central,

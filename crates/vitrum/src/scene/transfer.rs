@@ -8,10 +8,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ColorPoint {
-    /// Scalar value, in the volume's physical unit.
+    /// Scalar value.
+    #[schemars(extend("x-unit" = "the volume's"))]
     pub value: f32,
-    /// Linear RGB, 0 to 1.
-    #[schemars(inner(range(min = 0, max = 1)))]
+    /// Linear RGB: the reflectance of particles, or the transmittance of a layer as thick as the reference length.
+    #[schemars(inner(range(min = 0, max = 1)), extend("x-unit" = "a share"))]
     pub color: Rgb,
 }
 
@@ -19,9 +20,10 @@ pub struct ColorPoint {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OpacityPoint {
-    /// Scalar value, in the volume's physical unit.
+    /// Scalar value.
+    #[schemars(extend("x-unit" = "the volume's"))]
     pub value: f32,
-    /// Opacity of a layer as thick as the reference length, 0 to 1.
+    /// Opacity of a layer as thick as the reference length.
     #[schemars(range(min = 0, max = 1))]
     pub opacity: f32,
 }
@@ -30,43 +32,43 @@ pub struct OpacityPoint {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct IorPoint {
-    /// Scalar value, in the (index) volume's physical unit.
+    /// Scalar value, of `ior_volume` where there is one.
+    #[schemars(extend("x-unit" = "the volume's"))]
     pub value: f32,
-    /// Index of refraction relative to the surroundings, 0.2 to 5.
+    /// Index of refraction relative to the surroundings: 1 bends no light, water in air is 1.33, glass 1.5.
     #[schemars(range(min = 0.2, max = 5))]
     pub ior: f32,
-    /// Abbe number V_d: how little `ior`, which is then that of yellow light (587.6 nm), differs between colours. 5 to 1000; glass has
-    /// 20 to 90. All colours bend alike if absent.
+    /// Abbe number V_d: the smaller, the more blue bends than red, as crown glass (60) and flint glass (30) do. `ior` is
+    /// then that of yellow light (587.6 nm). All colours bend alike if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 5, max = 1000))]
     pub abbe: Option<f32>,
-    /// Cauchy's B in µm², 0 to 0.1, instead of `abbe`: η(λ) = A + B/λ².
+    /// Coefficient B of Cauchy's η(λ) = A + B/λ², instead of `abbe`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 0, max = 0.1))]
+    #[schemars(range(min = 0, max = 0.1), extend("x-unit" = "µm²"))]
     pub cauchy_b: Option<f32>,
 }
 
 /// Four piecewise linear functions over the scalar, each constant beyond its first and last point. Points are sorted by
 /// `value`; two points at the same value make a step.
 ///
-/// `color` and `opacity` describe pigment particles, `medium` the colour of the filter they float in (sweep §4.1). The
-/// defaults for `ior` (1) and `medium` (white) make plain Porter–Duff volume rendering.
+/// `color` and `opacity` describe pigment particles, `filter` the transmittance of the clear medium they float in (sweep §4.1). The
+/// defaults for `ior` (1) and `filter` (white) make plain Porter–Duff volume rendering.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct TransferFunction {
-    /// Thickness, in world units, of the layer that `opacity` and `medium` are stated for, above 0; the
-    /// smallest voxel edge if absent.
+    /// Thickness of the layer that `opacity` and `filter` are stated for; the smallest voxel edge if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("x-unit" = "world units", "exclusiveMinimum" = 0))]
     pub reference_length: Option<f32>,
-    /// Particle colour. White if empty.
+    /// Reflectance of particles; white if empty.
     pub color: Vec<ColorPoint>,
-    /// Particle opacity. A ramp over the volume's range if empty.
+    /// Opacity of particles; a ramp over the volume's range if empty.
     pub opacity: Vec<OpacityPoint>,
-    /// Index of refraction. 1 if empty.
+    /// Index of refraction; 1 if empty.
     pub ior: Vec<IorPoint>,
-    /// Medium colour: the share of light a layer of the reference length lets pass. White if empty.
-    pub medium: Vec<ColorPoint>,
+    /// Transmittance of the clear medium that particles float in; white if empty.
+    pub filter: Vec<ColorPoint>,
 }
 
 impl TransferFunction {

@@ -7,33 +7,40 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct VolumeSource {
-    /// A file, or a folder of DICOM files; a relative path starts at the scene file's folder, and `-` is standard input.
-    /// Exactly one of `file` and `builtin` is given.
+    /// Volume file, folder of DICOM or TIFF files, or `-`, standard input; `vitrum info` shows the contents. A relative
+    /// path starts at the scene file's folder. Exactly one of `file` and `builtin` is given.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "a path"))]
     pub file: Option<std::path::PathBuf>,
-    /// A procedural volume by name, e.g. `glass` or `supernova`.
+    /// Name of a procedural volume, such as `ball`, `glass` or `supernova`.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "a name"))]
     pub builtin: Option<String>,
-    /// Voxels along the longest edge of a procedural volume (16 to 2048); ignored for files.
+    /// Number of voxels along the longest edge of a procedural volume, which has a resolution of its own if this is
+    /// absent; files have theirs.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 16, max = 2048))]
+    #[schemars(range(min = 16, max = 2048), extend("x-unit" = "voxels"))]
     pub resolution: Option<u32>,
-    /// Replaces the file's voxel spacing (world units, each > 0).
+    /// Edges of a voxel, instead of the file's; the middle of the volume stays where it is.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("items" = { "type": "number", "format": "float", "exclusiveMinimum": 0 }))]
+    #[schemars(extend("x-unit" = "world units", "items" = { "type": "number", "format": "float", "exclusiveMinimum": 0 }))]
     pub spacing: Option<[f32; 3]>,
-    /// How a file without a header is laid out: `WxHxD:TYPE`, then perhaps `:le` or `:be` and `:skip=BYTES`.
+    /// Layout of a file without a header: `256x256x109:u8`, perhaps with `:le` or `:be` and `:skip=BYTES` behind it.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "a layout"))]
     pub raw: Option<String>,
-    /// The array to show of a VTK or NumPy file with several, or the number of a channel of a TIFF file, counted from 1.
+    /// Array of a VTK or NumPy file with several, else its active scalars or its first; of a TIFF file the number of a
+    /// channel, counted from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "a name"))]
     pub array: Option<String>,
-    /// The point in time to show of a file with several, counted from 0.
+    /// Point in time of a file with several, counted from 0; the first if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_000_000_000))]
     pub time: Option<u32>,
-    /// The direction that is turned to point up: `x`, `-x`, `y`, `-y`, `z`, `-z`, or `right`, `left`, `anterior`,
-    /// `posterior`, `superior`, `inferior`.
+    /// Direction that is turned to point up: `x`, `-x`, `y`, `-y`, `z`, `-z` or `right`, `left`, `anterior`, `posterior`,
+    /// `superior`, `inferior`.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "an axis"))]
     pub up: Option<String>,
 }

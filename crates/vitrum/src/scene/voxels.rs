@@ -3,38 +3,16 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a picture is made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Method {
-    /// A plane sweep through a volume, or through what is made of a mesh.
-    #[default]
-    Sweep,
-    /// Rays through a mesh as voxels.
-    Voxels,
-}
-
-impl Method {
-    /// Its name in scene files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sweep => "sweep",
-            Self::Voxels => "voxels",
-        }
-    }
-}
-
 /// The surfaces that a ray is followed through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Surfaces {
-    /// Two, where it enters and where it leaves (Wyman 2005).
+    /// The one where it enters and the one where it leaves (Wyman 2005).
     Two,
-    /// All, up to `bounces`.
+    /// All that it meets, up to `bounces`.
     #[default]
     Multi,
-    /// All, of the triangles themselves: no voxels.
+    /// All, of the triangles themselves, without voxels.
     Exact,
 }
 
@@ -42,10 +20,10 @@ pub enum Surfaces {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Normals {
-    /// From how much of the neighbouring voxels is inside.
+    /// Distances to the triangles, smoothed over neighbouring voxels.
     #[default]
     Filtered,
-    /// The sum of the triangles' that meet the voxel, as in the paper.
+    /// The sum of the normals that triangles bring to the voxel.
     Paper,
 }
 
@@ -53,32 +31,31 @@ pub enum Normals {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Voxels {
-    /// Voxels along the mesh's longest edge, 8 to 2048; of the box around it, five more on each side, 2^30 at most for all its clear materials together (1013 for a cube of one).
-    #[schemars(range(min = 8, max = 2048))]
-    pub resolution: u32,
-    /// `two`, `multi` or `exact`.
+    /// Surfaces that a ray is followed through.
     pub surfaces: Surfaces,
-    /// Surfaces that a ray may be refracted or reflected at, 1 to 64, where `surfaces` is not `two`.
-    #[schemars(range(min = 1, max = 64))]
+    /// Largest number of surfaces that refract or reflect a ray where `surfaces` is not `two`; a ray that is then still
+    /// inside looks up the environment in its direction.
+    #[schemars(range(min = 1, max = 64), extend("x-unit" = "surfaces"))]
     pub bounces: u32,
-    /// `filtered` or `paper`. Where `surfaces` is `exact` and the mesh has no normals: between the triangles', or the triangles' own.
+    /// Source of the normals of voxels. Where `surfaces` is `exact` and the mesh has no normals, `filtered` makes them
+    /// smooth between triangles that meet at less than 45°, `paper` takes the triangles' own.
     pub normals: Normals,
-    /// By how much a voxel reaches over its neighbours where triangles meet it, 0 to 1 of its edge, with the paper's normals: slices
+    /// Length by which a voxel reaches over its neighbours where triangles meet it, with the paper's normals: slices
     /// overlap, so that no ray slips between two voxels of a surface.
-    #[schemars(range(min = 0, max = 1))]
+    #[schemars(range(min = 0, max = 1), extend("x-unit" = "voxels"))]
     pub overlap: f32,
-    /// Degrees, 0 to 90: two surfaces whose normals differ by less are taken for one that was met twice, within two voxels or, with
-    /// the paper's normals, anywhere.
-    #[schemars(range(min = 0, max = 90))]
+    /// Angle between the normals of two surfaces below which they are taken for one that was met twice: within two
+    /// voxels, or with the paper's normals anywhere.
+    #[schemars(range(min = 0, max = 90), extend("x-unit" = "degrees"))]
     pub threshold: f32,
-    /// Whether surfaces reflect, as they must (Fresnel); `false` lets all light through that is not reflected totally.
+    /// Whether surfaces reflect (Fresnel): of the first one the reflection is seen, of all the light that goes on is
+    /// less. `false` leaves total reflection alone.
     pub reflection: bool,
 }
 
 impl Default for Voxels {
     fn default() -> Self {
         Self {
-            resolution: 256,
             surfaces: Surfaces::Multi,
             bounces: 16,
             normals: Normals::Filtered,

@@ -3,12 +3,13 @@
 use super::Scene;
 use super::error::{Origin, SceneError};
 use std::fmt::Write;
-use toml::Value;
+use toml::{Table, Value};
 
 impl Scene {
     /// The scene as the text of a scene file, with every key that has a value, in the order of `docs/scene.md`.
     ///
-    /// [`Scene::from_toml`] gives an equal scene back. Sections are tables; lists stand in them with an item a line.
+    /// [`Scene::from_toml`] gives an equal scene back. Sections are tables, and lists of tables a section for each; lists in
+    /// sections stand with an item a line.
     ///
     /// # Errors
     ///
@@ -16,20 +17,31 @@ impl Scene {
     pub fn to_toml(&self) -> Result<String, SceneError> {
         let table = self.to_table().map_err(|fault| fault.from(Origin::Memory))?;
         let mut text = String::new();
-        let (values, sections): (Vec<_>, Vec<_>) = table.iter().partition(|(_, value)| !value.is_table());
-        // Lists and plain values come first: what follows a section's head would belong to the section.
+        let (values, sections): (Vec<_>, Vec<_>) = table.iter().partition(|(_, value)| tables(value).is_empty());
+        // Plain values come first: what follows a section's head would belong to the section.
         for (key, value) in values {
             push_line(&mut text, key, value);
         }
         for (key, section) in sections {
-            let separator = if text.is_empty() { "" } else { "\n" };
-            // Writing to a String cannot fail.
-            let _ = writeln!(text, "{separator}[{key}]");
-            for (key, value) in section.as_table().into_iter().flatten() {
-                push_line(&mut text, key, value);
+            for table in tables(section) {
+                let separator = if text.is_empty() { "" } else { "\n" };
+                let head = if section.is_array() { format!("[[{key}]]") } else { format!("[{key}]") };
+                // Writing to a String cannot fail.
+                let _ = writeln!(text, "{separator}{head}");
+                for (key, value) in table {
+                    push_line(&mut text, key, value);
+                }
             }
         }
         Ok(text)
+    }
+}
+
+/// The tables that a value of the scene stands for as sections: itself, or the items of a list.
+fn tables(value: &Value) -> Vec<&Table> {
+    match value {
+        Value::Array(items) => items.iter().filter_map(Value::as_table).collect(),
+        _ => value.as_table().into_iter().collect(),
     }
 }
 

@@ -4,6 +4,8 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use vitrum::io::{Material, Mesh, Topology};
 
+use crate::advice;
+
 pub fn text(mesh: &Mesh) -> String {
     let topology = mesh.topology();
     let [low, high] = mesh.bounds();
@@ -46,7 +48,7 @@ pub fn text(mesh: &Mesh) -> String {
         row(if index == 0 { "materials" } else { "" }, describe(material));
     }
     for (index, assumption) in source.assumptions.iter().enumerate() {
-        row(if index == 0 { "assumed" } else { "" }, assumption.clone());
+        row(if index == 0 { "assumed" } else { "" }, advice::on_assumption(assumption));
     }
     text
 }
@@ -75,7 +77,7 @@ pub fn json(mesh: &Mesh) -> Value {
         "colors": mesh.colors.is_some(),
         "materials": mesh.materials.iter().map(material_json).collect::<Vec<_>>(),
         "bytes": mesh.bytes(),
-        "assumptions": mesh.source.assumptions,
+        "assumptions": mesh.source.assumptions.iter().map(advice::on_assumption).collect::<Vec<_>>(),
     })
 }
 

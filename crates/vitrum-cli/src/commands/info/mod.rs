@@ -4,7 +4,7 @@ mod mesh;
 
 use crate::failure::Failure;
 use crate::volume::VolumeArguments;
-use crate::{input, output};
+use crate::{advice, input, output};
 use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
@@ -31,7 +31,7 @@ const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = input::open(&arguments.input)?;
-    if opened.scene.mesh.is_some() && !(opened.bare && arguments.volume.raw.is_some()) {
+    if !opened.scene.mesh.is_empty() && !(opened.bare && arguments.volume.raw.is_some()) {
         let mesh = input::open_mesh(&arguments.input, arguments.volume.limit())?;
         if arguments.json {
             output::print_json(&mesh::json(&mesh))?;
@@ -74,7 +74,7 @@ fn text(volume: &Volume) -> String {
     row("range", format!("{low} to {high}"));
     row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
     for (index, assumption) in source.assumptions.iter().enumerate() {
-        row(if index == 0 { "assumed" } else { "" }, assumption.clone());
+        row(if index == 0 { "assumed" } else { "" }, advice::on_assumption(assumption));
     }
     text
 }
@@ -97,7 +97,7 @@ fn json(volume: &Volume) -> serde_json::Value {
         "range": volume.range,
         "bytes": volume.bytes(),
         "histogram": volume.histogram(BINS),
-        "assumptions": volume.source.assumptions,
+        "assumptions": volume.source.assumptions.iter().map(advice::on_assumption).collect::<Vec<_>>(),
     })
 }
 

@@ -8,7 +8,7 @@ use crate::progress::Bar;
 use crate::{interrupt, output};
 use std::process::ExitCode;
 use vitrum::method::voxels::bodies;
-use vitrum::{Frame, Session, Statistics, Wanted};
+use vitrum::{Frame, OutputRequest, Renderer, Statistics};
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
@@ -17,9 +17,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let prepared = arguments.scene.prepare()?;
     check_names(arguments, &prepared.scene)?;
     arguments.memory.check(&prepared.scene)?;
-    vitrum::check(&prepared.scene, &prepared.inputs)?;
-    let mut session = arguments.device.session(&prepared.inputs, &arguments.memory, arguments.quiet)?;
-    let frame = render(arguments, &prepared, &mut session)?;
+    vitrum::check(&prepared.scene, &prepared.assets)?;
+    let mut renderer = arguments.device.renderer(&prepared.assets, &arguments.memory, arguments.quiet)?;
+    let frame = render(arguments, &prepared, &mut renderer)?;
     interrupt::check()?;
     write_outputs(arguments, &prepared.scene, &frame)?;
     if !arguments.quiet {
@@ -34,7 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
 /// Says whether clear bodies of a mesh have holes.
 fn warn_of_holes(arguments: &Arguments, prepared: &Prepared, frame: &Frame) -> Result<(), Failure> {
-    let Some(mesh) = &prepared.inputs.mesh else { return Ok(()) };
+    let Some(mesh) = prepared.assets.subject.mesh() else { return Ok(()) };
     let bodies = bodies(mesh, &prepared.scene.material)?;
     let clear = bodies.iter().filter(|body| !body.opaque);
     let edges = clear.map(|body| body.mesh.topology().unpaired_edges).sum();
@@ -43,8 +43,8 @@ fn warn_of_holes(arguments: &Arguments, prepared: &Prepared, frame: &Frame) -> R
 }
 
 /// The last of `--frames` frames, with the times of all.
-fn render(arguments: &Arguments, prepared: &Prepared, session: &mut Session) -> Result<Frame, Failure> {
-    let wanted = Wanted { light: arguments.aov.iter().any(|aov| aov.output.name == "light") };
+fn render(arguments: &Arguments, prepared: &Prepared, renderer: &mut Renderer) -> Result<Frame, Failure> {
+    let request = OutputRequest { light: arguments.aov.iter().any(|aov| aov.name == "light") };
     let bar = Bar::new(arguments.frames, arguments.quiet);
     let mut frame_ms = Vec::new();
     // Only the first frame waits for the volume.
@@ -55,7 +55,7 @@ fn render(arguments: &Arguments, prepared: &Prepared, session: &mut Session) -> 
             bar.update(index, &progress);
             !interrupt::requested()
         };
-        let mut frame = session.render(&prepared.scene, wanted, &mut progress)?;
+        let mut frame = renderer.render(&prepared.scene, request, &mut progress)?;
         frame_ms.append(&mut frame.statistics.frame_ms);
         upload_ms = upload_ms.or(frame.statistics.upload_ms);
         index += 1;

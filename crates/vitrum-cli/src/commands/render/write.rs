@@ -6,7 +6,7 @@ use crate::output;
 use std::path::Path;
 use vitrum::io::{Picture, check_holds_vectors, check_writable, write_picture_with};
 use vitrum::scene::Scene;
-use vitrum::{Frame, Output, Statistics};
+use vitrum::{Frame, Statistics, method};
 
 /// Whether every output could be written now, and each to a file of its own.
 pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
@@ -23,20 +23,19 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
     for file in pictures {
         check_writable(file).map_err(|error| Failure::output(&error))?;
     }
-    for aov in arguments.aov.iter().filter(|aov| aov.output.is_vector) {
-        check_holds_vectors(&aov.file, aov.output.name).map_err(|error| Failure::output(&error))?;
+    for aov in arguments.aov.iter().filter(|aov| aov.is_vector) {
+        check_holds_vectors(&aov.file, aov.name).map_err(|error| Failure::output(&error))?;
     }
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)
 }
 
 /// Whether a frame of the scene has every output that is asked for.
 pub fn check_names(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
-    let has = |output: &Output| output.methods.contains(&scene.method);
-    let Some(missing) = arguments.aov.iter().map(|aov| aov.output).find(|output| !has(output)) else {
+    let names: Vec<&str> = method::of(scene.method).outputs().iter().map(|output| output.name).collect();
+    let Some(missing) = arguments.aov.iter().map(|aov| aov.name).find(|name| !names.contains(name)) else {
         return Ok(());
     };
-    let names: Vec<&str> = Frame::OUTPUTS.iter().filter(|output| has(output)).map(|output| output.name).collect();
-    let message = format!("the method `{}` has no output `{}`", scene.method.name(), missing.name);
+    let message = format!("the method `{}` has no output `{missing}`", scene.method.as_str());
     Err(Failure::new(Status::WrongUse, message, format!("it has {}", names.join(", "))))
 }
 
@@ -50,8 +49,8 @@ pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Res
     // Formats without layers write the first one, the color.
     write(&arguments.output, &frame.picture())?;
     for aov in &arguments.aov {
-        let picture = frame.aov(aov.output.name).ok_or_else(|| {
-            let message = format!("the frame has no output `{}`", aov.output.name);
+        let picture = frame.aov(aov.name).ok_or_else(|| {
+            let message = format!("the frame has no output `{}`", aov.name);
             Failure::new(Status::WrongUse, message, "leave it out")
         })?;
         write(&aov.file, &picture)?;

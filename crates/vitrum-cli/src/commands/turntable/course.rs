@@ -4,7 +4,7 @@ use super::Arguments;
 use crate::failure::{Failure, Status};
 use crate::input::read_text;
 use std::path::Path;
-use vitrum::Inputs;
+use vitrum::Assets;
 use vitrum::scene::{KeyFrames, Scene};
 
 /// Pictures of a whole turn.
@@ -30,8 +30,8 @@ pub fn read_keys(path: &Path, rate: u16) -> Result<KeyFrames, Failure> {
 }
 
 impl Course {
-    /// Fails where a frame has no valid scene of these inputs, so that no animation breaks off at it.
-    pub fn new(arguments: &Arguments, start: Scene, inputs: &Inputs, keys: Option<KeyFrames>) -> Result<Self, Failure> {
+    /// Fails where a frame has no valid scene of these assets, so that no animation breaks off at it.
+    pub fn new(arguments: &Arguments, start: Scene, assets: &Assets, keys: Option<KeyFrames>) -> Result<Self, Failure> {
         let (motion, frames) = match keys {
             Some(keys) => {
                 let all = keys.last_frame().floor() as u32 + 1;
@@ -46,7 +46,7 @@ impl Course {
         };
         let course = Self { start, frames, motion };
         for index in 0..frames {
-            vitrum::check(&course.scene(index)?, inputs)
+            vitrum::check(&course.scene(index)?, assets)
                 .map_err(|error| Failure::from(error).at(&format!("frame {index} of {frames}")))?;
         }
         Ok(course)

@@ -15,7 +15,7 @@ use serde_json::Value;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use target::Target;
-use vitrum::Wanted;
+use vitrum::OutputRequest;
 
 /// Render an animation of the camera going round, or of a scene that changes along key frames
 #[derive(Debug, Args)]
@@ -80,19 +80,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
     // Before the volume: a slip in it should not cost the time to read one.
     let keys = arguments.keys.as_deref().map(|path| course::read_keys(path, arguments.rate)).transpose()?;
-    let Prepared { scene, inputs, .. } = arguments.scene.prepare()?;
-    let course = Course::new(arguments, scene, &inputs, keys)?;
+    let Prepared { scene, assets, .. } = arguments.scene.prepare()?;
+    let course = Course::new(arguments, scene, &assets, keys)?;
     arguments.memory.check(course.start())?;
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;
     let mut target = Target::open(arguments, course.start(), course.frames())?;
-    let mut session = arguments.device.session(&inputs, &arguments.memory, arguments.quiet)?;
+    let mut renderer = arguments.device.renderer(&assets, &arguments.memory, arguments.quiet)?;
     let bar = Bar::new(course.frames(), arguments.quiet);
     let mut statistics = Vec::new();
     for index in 0..course.frames() {
         if arguments.resume && target.file(index).is_some_and(|file| file.exists()) {
             continue;
         }
-        let frame = session.render(&course.scene(index)?, Wanted { light: false }, &mut |progress| {
+        let frame = renderer.render(&course.scene(index)?, OutputRequest { light: false }, &mut |progress| {
             bar.update(index, &progress);
             !interrupt::requested()
         })?;

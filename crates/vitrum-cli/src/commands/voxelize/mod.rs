@@ -12,6 +12,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use vitrum::backend::Backend;
 use vitrum::io::Mesh;
+use vitrum::method::Tools;
 use vitrum::method::voxelize::{FillRule, Settings, Statistics, Voxelization, voxelize};
 use write::FieldRequest;
 
@@ -134,11 +135,12 @@ fn run_all(
     let bar = Bar::of_work(quiet);
     let mut times = Vec::new();
     loop {
-        let mut voxels = voxelize(mesh, settings, backend, &mut |done, total| {
-            bar.set(done, total);
+        let mut progress = |progress| {
+            bar.set(&progress);
             !interrupt::requested()
-        })
-        .map_err(failure)?;
+        };
+        let mut tools = Tools { backend: &mut *backend, progress: &mut progress };
+        let mut voxels = voxelize(mesh, settings, &mut tools).map_err(failure)?;
         times.append(&mut voxels.statistics.voxelize_ms);
         if times.len() >= runs as usize {
             voxels.statistics.voxelize_ms = times;

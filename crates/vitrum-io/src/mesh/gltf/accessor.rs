@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::buffers::Buffers;
 use super::document::{Accessor, Document, Sparse};
-use super::lookup;
+use super::lookup::lookup;
 use crate::error::{Error, Place, clip};
 use crate::mesh::build::Builder;
 
@@ -77,7 +77,7 @@ pub(super) struct Values<'a> {
     sparse: HashMap<u32, &'a [u8]>,
 }
 
-/// What finding an accessor's bytes takes.
+/// A document and its buffers, in which accessors lie.
 #[derive(Clone, Copy)]
 pub(super) struct Files<'a> {
     pub document: &'a Document,

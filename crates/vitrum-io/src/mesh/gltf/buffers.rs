@@ -8,8 +8,8 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use percent_encoding::percent_decode_str;
 
 use super::document::{Buffer, Document};
-use super::lookup;
-use crate::data_file::DataFile;
+use super::lookup::lookup;
+use crate::detached::locate;
 use crate::error::{Error, Place, clip};
 use crate::input::Input;
 use crate::mesh::build::Builder;
@@ -78,19 +78,14 @@ fn read(uri: &str, index: usize, buffer: &Buffer, input: &Input, builder: &mut B
         return Err(wrong(format!("is `{}`, and nothing is fetched from elsewhere", clip(uri))));
     }
     let name = percent_decode_str(uri).decode_utf8().map_err(|_| wrong(format!("is `{}`, not UTF-8", clip(uri))))?;
-    let file = DataFile::detached(report, Place::File, input, &name)?;
-    if file.length < buffer.byte_length {
+    let (path, length) = locate(report, Place::File, input, &name)?;
+    if length < buffer.byte_length {
         return Err(report.invalid(
             Place::File,
-            format!(
-                "buffers[{index}] promises {} bytes, and `{}` has {}",
-                buffer.byte_length,
-                clip(&name),
-                file.length
-            ),
+            format!("buffers[{index}] promises {} bytes, and `{}` has {length}", buffer.byte_length, clip(&name)),
             "get the whole file, or correct `byteLength`",
         ));
     }
-    builder.budget.take(file.length)?;
-    fs::read(&file.path).map_err(|error| report.unreadable(error))
+    builder.budget.take(length)?;
+    fs::read(&path).map_err(|error| report.unreadable(error))
 }

@@ -10,7 +10,7 @@ pub(super) struct Container<'a> {
     pub json: &'a [u8],
     /// The chunk of bytes of a GLB file; empty where that has none.
     pub binary: Option<&'a [u8]>,
-    /// How many bytes follow the end that a GLB file states.
+    /// Bytes behind the end that a GLB file states.
     surplus: usize,
 }
 

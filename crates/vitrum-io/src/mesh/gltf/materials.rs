@@ -1,7 +1,7 @@
 //! Materials as glTF and its extensions describe them.
 
 use super::document::MaterialEntry;
-use super::lookup;
+use super::lookup::lookup;
 use super::scene::Assembly;
 use crate::error::{Error, Place};
 use crate::mesh::Material;

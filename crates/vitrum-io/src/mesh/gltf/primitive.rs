@@ -1,9 +1,11 @@
 //! The triangles of a primitive, put where its node stands.
 
+use glam::{DAffine3, DVec3};
+
 use super::accessor::Values;
 use super::document::Primitive;
 use super::scene::Assembly;
-use super::transform::Transform;
+use super::transform;
 use crate::error::{Error, Place};
 use crate::mesh::build::unit;
 use crate::mesh::strip::strip;
@@ -13,7 +15,7 @@ const STRIP: u32 = 5;
 const FAN: u32 = 6;
 
 impl Assembly<'_, '_> {
-    pub fn add_primitive(&mut self, primitive: &Primitive, transform: &Transform, name: &str) -> Result<(), Error> {
+    pub fn add_primitive(&mut self, primitive: &Primitive, map: &DAffine3, name: &str) -> Result<(), Error> {
         let report = self.builder.report;
         let mode = primitive.mode.unwrap_or(TRIANGLES);
         if mode > FAN {
@@ -40,7 +42,7 @@ impl Assembly<'_, '_> {
         let mut indices = self.indices(primitive, positions.count, name)?;
         let before = self.builder.triangles.len();
         let vertices = Vertices { positions, normals, colors };
-        self.add_vertices(&vertices, &mut indices, transform)?;
+        self.add_vertices(&vertices, &mut indices, map)?;
         match mode {
             TRIANGLES if !indices.len().is_multiple_of(3) => {
                 let problem = format!("{name} has {} corners, which do not make triangles", indices.len());
@@ -58,7 +60,7 @@ impl Assembly<'_, '_> {
                 }
             }
         }
-        if transform.mirrors() {
+        if transform::mirrors(map) {
             self.builder.triangles[before..].iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
         let material = self.material(primitive.material, name)?;
@@ -89,7 +91,7 @@ impl Assembly<'_, '_> {
     }
 
     /// Adds the vertices that are used, since primitives may share accessors, and makes the indices those in the mesh.
-    fn add_vertices(&mut self, vertices: &Vertices, indices: &mut [u32], transform: &Transform) -> Result<(), Error> {
+    fn add_vertices(&mut self, vertices: &Vertices, indices: &mut [u32], map: &DAffine3) -> Result<(), Error> {
         const UNUSED: u32 = u32::MAX;
         let builder = &mut *self.builder;
         builder.budget.check(4 * u64::from(vertices.positions.count))?;
@@ -99,11 +101,12 @@ impl Assembly<'_, '_> {
         }
         for (index, number) in (0..).zip(&mut numbers).filter(|(_, number)| **number != UNUSED) {
             *number = builder.positions.len() as u32;
-            let position = transform.point(vertices.positions.floats(index, 0.0).map(f64::from));
+            let position =
+                map.transform_point3(DVec3::from(vertices.positions.floats(index, 0.0).map(f64::from))).to_array();
             builder.budget.push(&mut builder.positions, position.map(|coordinate| coordinate as f32))?;
         }
         crate::mesh::check::check_count(builder.report, builder.positions.len())?;
-        self.add_normals(vertices, &numbers, transform)?;
+        self.add_normals(vertices, &numbers, map)?;
         self.add_colors(vertices, &numbers)?;
         for index in indices {
             *index = numbers[*index as usize];
@@ -112,7 +115,7 @@ impl Assembly<'_, '_> {
     }
 
     /// Primitives without normals have 0 where others have some.
-    fn add_normals(&mut self, vertices: &Vertices, numbers: &[u32], transform: &Transform) -> Result<(), Error> {
+    fn add_normals(&mut self, vertices: &Vertices, numbers: &[u32], map: &DAffine3) -> Result<(), Error> {
         let builder = &mut *self.builder;
         if vertices.normals.is_none() && builder.normals.is_empty() {
             return Ok(());
@@ -123,7 +126,7 @@ impl Assembly<'_, '_> {
         }
         for index in used(numbers) {
             let normal = vertices.normals.as_ref().map_or([0.0; 3], |values| values.floats(index, 0.0));
-            builder.budget.push(&mut builder.normals, unit(transform.normal(normal.map(f64::from))))?;
+            builder.budget.push(&mut builder.normals, unit(transform::normal(map, normal.map(f64::from))))?;
         }
         Ok(())
     }

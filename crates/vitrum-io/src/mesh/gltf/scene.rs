@@ -1,10 +1,12 @@
 //! The nodes of a scene, from its roots down.
 
+use glam::DAffine3;
+
 use super::accessor::Files;
 use super::buffers::Buffers;
 use super::document::Document;
-use super::lookup;
-use super::transform::Transform;
+use super::lookup::lookup;
+use super::transform::of_node;
 use crate::error::{Error, Place};
 use crate::mesh::build::Builder;
 
@@ -42,7 +44,7 @@ impl<'a, 'b> Assembly<'a, 'b> {
                     "make the nodes a tree",
                 ));
             }
-            let transform = parent.after(&Transform::of(node));
+            let transform = parent * of_node(node);
             if let Some(mesh) = node.mesh {
                 self.add_mesh(mesh, &transform, || format!("nodes[{index}].mesh"))?;
             }
@@ -54,10 +56,10 @@ impl<'a, 'b> Assembly<'a, 'b> {
     }
 
     /// The nodes to start from.
-    fn roots(&mut self) -> Result<Vec<(usize, Origin, Transform)>, Error> {
+    fn roots(&mut self) -> Result<Vec<(usize, Origin, DAffine3)>, Error> {
         let document = self.files.document;
         let with = |nodes: &[usize], origin| {
-            nodes.iter().rev().map(|&node| (node, origin, Transform::IDENTITY)).collect::<Vec<_>>()
+            nodes.iter().rev().map(|&node| (node, origin, DAffine3::IDENTITY)).collect::<Vec<_>>()
         };
         if !document.scenes.is_empty() || document.scene.is_some() {
             let index = document.scene.unwrap_or(0);
@@ -70,7 +72,7 @@ impl<'a, 'b> Assembly<'a, 'b> {
         }
         if document.nodes.is_empty() {
             for mesh in 0..document.meshes.len() {
-                self.add_mesh(mesh, &Transform::IDENTITY, String::new)?;
+                self.add_mesh(mesh, &DAffine3::IDENTITY, String::new)?;
             }
             self.builder.assumptions.push("there are no scenes and nodes: each mesh was read once".to_owned());
             return Ok(Vec::new());
@@ -91,7 +93,7 @@ impl<'a, 'b> Assembly<'a, 'b> {
         Ok(with(&roots, Origin::Scene(0)))
     }
 
-    fn add_mesh(&mut self, index: usize, transform: &Transform, from: impl FnOnce() -> String) -> Result<(), Error> {
+    fn add_mesh(&mut self, index: usize, transform: &DAffine3, from: impl FnOnce() -> String) -> Result<(), Error> {
         let mesh = lookup(self.builder.report, &self.files.document.meshes, "meshes", index, from)?;
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             self.targets |= !primitive.targets.is_empty();

@@ -7,7 +7,7 @@ use crate::error::{Error, Place, Report};
 use crate::mesh::build::Builder;
 use crate::mesh::words::show;
 
-/// How many of each kind stand before a statement; negative indices count back from there.
+/// Counts of each kind of vertex data before a statement; negative indices count back from there.
 #[derive(Debug, Default, Clone, Copy)]
 pub(super) struct Before {
     pub positions: usize,
@@ -18,7 +18,7 @@ pub(super) struct Before {
 /// Which vertices have which normals. A vertex that corners give several has to be there several times.
 pub(super) struct Corners<'a> {
     vertices: &'a Vertices,
-    /// How many the file has.
+    /// Counts in the whole file.
     positions: usize,
     /// The normal of each vertex of the file; empty where the file has no normals.
     normals: Vec<Normal>,

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::mtl;
 use super::statements::Statement;
-use crate::data_file::is_below;
+use crate::detached::is_below;
 use crate::error::{Error, Place, Report};
 use crate::input::{Input, display_name};
 use crate::mesh::Material;
@@ -15,15 +15,15 @@ use crate::mesh::words::{name, show};
 
 /// Materials by name.
 pub(super) struct Library<'a> {
-    folder: &'a Path,
+    /// The folder of the mesh; `None` where its bytes alone were given.
+    folder: Option<&'a Path>,
     materials: HashMap<String, Material>,
     loaded: Vec<PathBuf>,
 }
 
 impl<'a> Library<'a> {
     pub fn new(input: &'a Input) -> Self {
-        let folder = input.path.parent().unwrap_or(Path::new(""));
-        Self { folder, materials: HashMap::new(), loaded: Vec::new() }
+        Self { folder: input.folder_beside(), materials: HashMap::new(), loaded: Vec::new() }
     }
 
     /// Reads what a `mtllib` statement names: one file whose name may have spaces, or several.
@@ -35,9 +35,11 @@ impl<'a> Library<'a> {
             None => words().filter_map(Result::transpose).collect::<Result<_, _>>()?,
         };
         if paths.is_empty() {
-            let note = format!("the file `{}` is missing: its materials have a name alone", show(statement.rest));
+            let why =
+                if self.folder.is_some() { "is missing" } else { "lies beside the mesh, whose bytes alone were given" };
+            let note = format!("the file `{}` {why}: its materials have a name alone", show(statement.rest));
             // Some files name it once for each object.
-            if !builder.assumptions.contains(&note) {
+            if !builder.assumptions.iter().any(|other| other.fact == note) {
                 builder.assumptions.push(note);
             }
         }
@@ -58,8 +60,7 @@ impl<'a> Library<'a> {
             let problem = format!("the file `{}` is not below the folder of the mesh", show(written));
             return Err(report.invalid(place, problem, "put it beside the mesh, and name it relative to that"));
         }
-        let path = self.folder.join(relative);
-        Ok(path.is_file().then_some(path))
+        Ok(self.folder.map(|folder| folder.join(relative)).filter(|path| path.is_file()))
     }
 
     fn read(&mut self, builder: &mut Builder, path: &Path) -> Result<(), Error> {

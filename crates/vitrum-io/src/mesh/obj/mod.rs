@@ -12,22 +12,20 @@ mod vertices;
 use self::faces::Faces;
 use self::statements::Statements;
 use self::vertices::Vertices;
-use super::open::start;
-use super::{Mesh, MeshReader};
+use super::Mesh;
+use super::build::start;
+use super::reader::MeshReader;
 use crate::error::Error;
+use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
 
 /// The reader of `.obj` files.
 pub(crate) struct Obj;
 
 impl MeshReader for Obj {
-    fn name(&self) -> &'static str {
-        "OBJ"
-    }
-
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".obj"]
+    fn format(&self) -> &'static Format {
+        &formats::OBJ
     }
 
     /// By its first statements, as there is no mark: a vertex among them, and nothing that OBJ does not have.
@@ -51,6 +49,6 @@ impl MeshReader for Obj {
         // Vertices first: faces may stand anywhere.
         let vertices = Vertices::read(&bytes, &mut builder)?;
         Faces::new(input, &vertices, &mut builder)?.read(&bytes)?;
-        builder.finish(self.name(), "text", "ascii")
+        builder.finish(self.format().name, "text", "ascii")
     }
 }

@@ -7,9 +7,10 @@ use crate::error::{Error, Report};
 use crate::input::file_name;
 use crate::mesh::Material;
 use crate::mesh::words::{name, number, show};
+use crate::source::Assumptions;
 
 /// The materials in the order of the file.
-pub(super) fn read(bytes: &[u8], report: Report, assumptions: &mut Vec<String>) -> Result<Vec<Material>, Error> {
+pub(super) fn read(bytes: &[u8], report: Report, assumptions: &mut Assumptions) -> Result<Vec<Material>, Error> {
     let mut materials: Vec<Material> = Vec::new();
     let mut textures = false;
     let mut statements = Statements::new(bytes);
@@ -48,7 +49,7 @@ pub(super) fn read(bytes: &[u8], report: Report, assumptions: &mut Vec<String>) 
 fn scalar(
     report: Report,
     statement: &Statement,
-    assumptions: &mut Vec<String>,
+    assumptions: &mut Assumptions,
     is_fit: impl Fn(f32) -> bool,
 ) -> Result<Option<f32>, Error> {
     let mut words = statement.words().filter(|word| *word != b"-halo");
@@ -64,7 +65,7 @@ fn scalar(
 }
 
 /// Linear RGB; one number is a grey.
-fn color(report: Report, statement: &Statement, assumptions: &mut Vec<String>) -> Result<Option<[f32; 3]>, Error> {
+fn color(report: Report, statement: &Statement, assumptions: &mut Assumptions) -> Result<Option<[f32; 3]>, Error> {
     if statement.words().next().is_some_and(|word| matches!(word, b"spectral" | b"xyz")) {
         note(report, statement, assumptions, "is no RGB");
         return Ok(None);
@@ -91,7 +92,7 @@ fn short_name(report: Report) -> String {
 }
 
 /// Tells that a statement was left out; a hostile file may have many.
-fn note(report: Report, statement: &Statement, assumptions: &mut Vec<String>, why: &str) {
+fn note(report: Report, statement: &Statement, assumptions: &mut Assumptions, why: &str) {
     const MOST: usize = 64;
     if assumptions.len() < MOST {
         let (keyword, value) = (show(statement.keyword), show(statement.rest));

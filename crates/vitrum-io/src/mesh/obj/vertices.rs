@@ -6,11 +6,11 @@ use crate::image::srgb_to_linear;
 use crate::mesh::build::Builder;
 use crate::mesh::check;
 
-/// What the file holds; positions and colours are in the builder.
+/// The vertex data of a file; positions and colours are in the builder.
 #[derive(Debug, Default)]
 pub(super) struct Vertices {
     pub normals: Vec<[f32; 3]>,
-    /// How many texture coordinates there are.
+    /// Count of texture coordinates.
     pub textures: usize,
 }
 

@@ -6,7 +6,7 @@ use crate::mesh::words::{name, show};
 /// Longest header that is read; real ones are a few hundred bytes.
 const MAX_BYTES: usize = 1 << 20;
 
-/// How the data is written.
+/// Coding of the data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,

@@ -9,27 +9,25 @@ mod vertices;
 
 use self::header::{Element, Header, Kind};
 use self::source::Source;
-use super::open::start;
+use super::Mesh;
+use super::build::start;
+use super::reader::MeshReader;
 use super::strip::joints_note;
-use super::{Mesh, MeshReader};
 use crate::error::{Error, Report, clip};
+use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
 
 /// The reader of `.ply` files.
 pub(crate) struct Ply;
 
 impl MeshReader for Ply {
-    fn name(&self) -> &'static str {
-        "PLY"
-    }
-
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".ply"]
+    fn format(&self) -> &'static Format {
+        &formats::PLY
     }
 
     fn recognises(&self, input: &Input) -> bool {
-        input.head.strip_prefix(b"ply").is_some_and(|rest| rest.starts_with(b"\n") || rest.starts_with(b"\r"))
+        self.format().begins(&input.head)
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Mesh, Error> {
@@ -65,7 +63,7 @@ impl MeshReader for Ply {
         }
         builder.assumptions.extend(joints_note(joints));
         builder.assumptions.extend(source.surplus_note());
-        builder.finish(self.name(), coordinates, header.encoding.describe())
+        builder.finish(self.format().name, coordinates, header.encoding.describe())
     }
 }
 

@@ -4,7 +4,7 @@ use super::header::{Encoding, Header, Kind, Scalar};
 use crate::error::{Error, Place, Report};
 use crate::mesh::words::{Words, show};
 
-/// Where reading has come to.
+/// The position that reading has come to.
 #[derive(Debug, Clone)]
 pub(super) enum Source<'a> {
     Text { words: Words<'a>, length: usize },
@@ -35,7 +35,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// What [`Self::least_bytes`] may take: the last word of a text has no separator.
+    /// Bytes that [`Self::least_bytes`] may take: the last word of a text has no separator.
     pub fn left(&self) -> u64 {
         self.bytes_left() + u64::from(matches!(self, Self::Text { .. }))
     }
@@ -72,7 +72,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// How many items a list has, which are there as far as sizes tell.
+    /// Length of a list, whose items are there as far as sizes tell.
     pub fn list_length(&mut self, report: Report, count: Scalar, item: Scalar) -> Result<u64, Error> {
         let place = self.place();
         let value = self.value(report, count)?;
@@ -91,7 +91,7 @@ impl<'a> Source<'a> {
         Ok(length)
     }
 
-    /// What to tell about anything behind the last element.
+    /// The assumption about bytes behind the last element.
     pub fn surplus_note(&mut self) -> Option<String> {
         let left = self.bytes_left();
         match self {

@@ -37,7 +37,7 @@ pub(super) fn read(bytes: &[u8], facets: &mut Facets) -> Result<(), Error> {
     if inside { Err(unexpected(report, &words, None, "`facet` or `endsolid`")) } else { Ok(()) }
 }
 
-/// What follows the word `facet`, up to `endfacet`.
+/// The words behind `facet`, up to `endfacet`.
 fn facet(report: Report, words: &mut Words, facets: &mut Facets) -> Result<(), Error> {
     expect(report, words, &["normal"])?;
     let normal = vector(report, words, true)?;

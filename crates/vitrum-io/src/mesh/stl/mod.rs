@@ -5,26 +5,25 @@
 mod ascii;
 mod binary;
 
+use glam::DVec3;
+
+use super::Mesh;
 use super::build::Builder;
-use super::measure::{cross, dot, subtract};
-use super::open::start;
+use super::build::start;
+use super::reader::MeshReader;
 use super::weld::Weld;
-use super::{Mesh, MeshReader};
 use crate::error::Error;
+use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::open::OpenOptions;
+use crate::options::OpenOptions;
 use crate::packing::Packing;
 
 /// The reader of `.stl` files.
 pub(crate) struct Stl;
 
 impl MeshReader for Stl {
-    fn name(&self) -> &'static str {
-        "STL"
-    }
-
-    fn extensions(&self) -> &'static [&'static str] {
-        &[".stl"]
+    fn format(&self) -> &'static Format {
+        &formats::STL
     }
 
     fn recognises(&self, input: &Input) -> bool {
@@ -50,7 +49,7 @@ impl MeshReader for Stl {
             facets.builder.assumptions.push(note);
         }
         let encoding = if text { "ascii" } else { "binary, little-endian" };
-        facets.builder.finish(self.name(), if text { "text" } else { "float" }, encoding)
+        facets.builder.finish(self.format().name, if text { "text" } else { "float" }, encoding)
     }
 }
 
@@ -58,7 +57,7 @@ impl MeshReader for Stl {
 struct Facets<'a> {
     builder: Builder<'a>,
     weld: Weld,
-    /// How many normals contradict their triangle.
+    /// Count of the normals that contradict their triangle.
     opposite: u64,
 }
 
@@ -74,9 +73,9 @@ impl Facets<'_> {
             }
             *vertex = number;
         }
-        let [a, b, c] = corners.map(|corner| corner.map(f64::from));
-        let wound = cross(subtract(b, a), subtract(c, a));
-        self.opposite += u64::from(dot(wound, normal.map(f64::from)) < 0.0);
+        let [a, b, c] = corners.map(|corner| DVec3::from(corner.map(f64::from)));
+        let wound = (b - a).cross(c - a);
+        self.opposite += u64::from(wound.dot(DVec3::from(normal.map(f64::from))) < 0.0);
         self.builder.triangle(triangle)
     }
 }

@@ -3,8 +3,9 @@
 use crate::backend::{Buffer, Pass};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
-use std::time::Instant;
-use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Marks, Window};
+use vitrum_kernels::kernel::skip::Marks;
+use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Skip, Window};
+use web_time::Instant;
 
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
@@ -15,8 +16,8 @@ const CACHED_BYTES: usize = 1 << 19;
 /// Invocations of passes that run together, not many more than a second's work.
 const INVOCATIONS_TOGETHER: u64 = 1 << 27;
 
-/// Records that a pass writes: their buffer, and where they start in it.
-pub(super) type Written = (Buffer, u64);
+/// Records that a pass writes: the number of their buffer, and where they start in it.
+pub(super) type Written = (usize, u64);
 
 /// What is known of the blocks of a buffer's records.
 #[derive(Default)]
@@ -25,18 +26,18 @@ pub(super) struct Known {
     size: (u32, u32),
     /// The kernel that wrote them last.
     kernel: Option<&'static str>,
-    /// How long they rest from that kernel, see [`Chunk::rests`].
+    /// How many of that kernel's passes they are left out of, see [`Chunk::rests`].
     rests: Vec<u32>,
-    /// Which hold unoccluded light, see [`Marks`]; none if that is not known.
-    unoccluded: Vec<bool>,
-    /// The depths up to which those have nothing in their way.
+    /// Which hold nothing but the record that kernels keep as it is, see [`Marks`]; none if that is not known.
+    same: Vec<bool>,
+    /// The positions of passes up to which those have nothing in their way.
     free_to: Vec<f32>,
 }
 
 impl Known {
-    /// Which blocks of the pass's invocations hold unoccluded light; none if that is not known.
-    pub(super) fn unoccluded(&self, pass: &Pass) -> &[bool] {
-        if self.size == (pass.width, pass.height) { &self.unoccluded } else { &[] }
+    /// Which blocks of the pass's invocations hold nothing but the record that kernels keep as it is; none if that is not known.
+    pub(super) fn same(&self, pass: &Pass) -> &[bool] {
+        if self.size == (pass.width, pass.height) { &self.same } else { &[] }
     }
 }
 
@@ -53,20 +54,20 @@ pub(super) struct Prepared<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// A pass that writes the buffer `written`; `contents` gives those that it reads, `unoccluded` what is marked in them.
+    /// A pass that writes the buffer `written`; `contents` gives those that it reads, `same` the marks of their blocks.
     pub(super) fn new(
         pass: &'a Pass,
-        written: Buffer,
-        contents: impl Fn(Buffer) -> Option<&'a [u32]>,
-        unoccluded: impl Fn(Buffer) -> &'a [bool],
+        written: &Buffer,
+        contents: impl Fn(&Buffer) -> Option<&'a [u32]>,
+        same: impl Fn(&Buffer) -> &'a [bool],
     ) -> Self {
-        let read = pass.buffers.iter().filter(|buffer| **buffer != written);
+        let read = pass.buffers.iter().filter(|buffer| *buffer != written);
         let bound = pass.buffers.iter().zip(&pass.kernel.declaration.bindings[1..]);
         let floats = bound.filter(|(_, binding)| (binding.access, binding.element) == (Access::Read, Element::F32));
         Self {
             pass,
-            reads: read.filter_map(|buffer| contents(*buffer)).collect(),
-            marks: floats.map(|(buffer, _)| unoccluded(*buffer)).collect(),
+            reads: read.filter_map(contents).collect(),
+            marks: floats.map(|(buffer, _)| same(buffer)).collect(),
             // The kernels' uniform blocks are aligned to 16 bytes.
             uniforms: pass.uniforms.chunks(16).map(Aligned::from_bytes).collect(),
             busy: AtomicBool::new(false),
@@ -137,18 +138,18 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
     }
     known.rests.resize(all, 0);
     // Whoever else writes the records does not keep the marks.
-    let keeps = passes.iter().all(|pass| pass.pass.kernel.declaration.keeps_unoccluded);
+    let keeps = passes.iter().all(|pass| pass.pass.kernel.declaration.skip == Skip::Same);
     let marked = if keeps { all } else { 0 };
-    known.unoccluded.resize(marked, false);
+    known.same.resize(marked, false);
     known.free_to.resize(marked, f32::NEG_INFINITY);
     let before = known.kernel;
     known.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
     let part = blocks * chunk_rows as usize;
     let rests = parts(&mut known.rests, part, first_chunk, number);
-    let unoccluded = parts(&mut known.unoccluded, part, first_chunk, number);
+    let same = parts(&mut known.same, part, first_chunk, number);
     let free_to = parts(&mut known.free_to, part, first_chunk, number);
-    chunks.par_iter_mut().zip(rests).zip(unoccluded).zip(free_to).enumerate().for_each(|(index, chunk)| {
-        let (((output, rests), unoccluded), free_to) = chunk;
+    chunks.par_iter_mut().zip(rests).zip(same).zip(free_to).enumerate().for_each(|(index, chunk)| {
+        let (((output, rests), same), free_to) = chunk;
         let first_row = (first_chunk + index) as u32 * chunk_rows;
         let mut before = before;
         for Prepared { pass, reads, marks, uniforms, busy, nanoseconds } in passes {
@@ -162,7 +163,7 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
             let rows = chunk_rows.min(height - first_row);
             let mut output: Vec<&mut [f32]> = output.iter_mut().map(|component| &mut **component).collect();
             let output = output.as_mut_slice();
-            let marks = Marks { own: &mut *unoccluded, free_to: &mut *free_to, reads: marks, height };
+            let marks = Marks { own: &mut *same, free_to: &mut *free_to, reads: marks, height };
             let inside = first[1].saturating_sub(first_row)..rows.min(end[1] - first_row);
             let columns = first[0]..end[0];
             let rests = &mut *rests;

@@ -49,7 +49,7 @@ impl<'a> Course<'a> {
         let (now, later) = std::mem::take(&mut self.waiting).into_iter().partition(reads);
         self.waiting = later;
         for write in &now {
-            self.known.retain(|(buffer, _), _| *buffer != write.buffer);
+            self.known.retain(|(buffer, _), _| *buffer != write.buffer.number());
         }
         memory.write(now)?;
         let busy = memory.run_together(&together, self.set, &mut self.known)?;

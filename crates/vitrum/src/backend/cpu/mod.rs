@@ -4,17 +4,18 @@ mod chunks;
 mod contents;
 mod course;
 
+use super::buffer::Buffers;
 use super::pass::check_part;
 use super::times::{self, KernelTime};
-use super::{Backend, BackendError, Buffer, Pass, PassList, Write};
+use super::{Backend, BackendError, Buffer, Pass, PassList, Threads, Write, buffer};
 use chunks::{Known, Prepared, Written, rows};
 use contents::Contents;
 use course::{Course, Part, parts};
 use rayon::prelude::*;
 use std::collections::HashMap;
-use std::time::Instant;
-use vitrum_io::Words;
+use std::ops::Range;
 use vitrum_kernels::kernel::InstructionSet;
+use web_time::Instant;
 
 /// Passes between two calls of the progress function.
 const PASSES_PER_REPORT: usize = 24;
@@ -24,7 +25,7 @@ const CLEARED_TOGETHER: usize = 1 << 16;
 
 /// Runs kernels natively, compiled per instruction set.
 pub struct CpuBackend {
-    pool: rayon::ThreadPool,
+    threads: Threads,
     set: InstructionSet,
     memory: Memory,
     volume_limit: Option<u64>,
@@ -33,7 +34,7 @@ pub struct CpuBackend {
 /// Buffers, and what was measured while passes changed them.
 #[derive(Default)]
 struct Memory {
-    buffers: Vec<Option<Contents>>,
+    buffers: Buffers<Contents>,
     times: Vec<KernelTime>,
 }
 
@@ -51,28 +52,13 @@ impl CpuBackend {
     /// # Errors
     /// [`BackendError::Threads`] where the threads cannot be started.
     pub fn with_instruction_set(threads: Option<usize>, set: InstructionSet) -> Result<Self, BackendError> {
-        let threads = threads.unwrap_or(0);
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .thread_name(|index| format!("vitrum-{index}"))
-            .build()
-            .map_err(|error| BackendError::Threads { threads, reason: error.to_string() })?;
+        let threads = Threads::start(threads)?;
         let set = if set.is_available() { set } else { InstructionSet::best() };
-        Ok(Self { pool, set, memory: Memory::default(), volume_limit: None })
+        Ok(Self { threads, set, memory: Memory::default(), volume_limit: None })
     }
 }
 
 impl Memory {
-    fn add(&mut self, contents: Contents) -> Buffer {
-        let free = self.buffers.iter().position(Option::is_none);
-        let index = free.unwrap_or_else(|| {
-            self.buffers.push(None);
-            self.buffers.len() - 1
-        });
-        self.buffers[index] = Some(contents);
-        Buffer(index)
-    }
-
     /// Runs passes that [`follows`] puts together; for each, whether any invocation had work to do.
     fn run_together(
         &mut self,
@@ -81,20 +67,20 @@ impl Memory {
         known: &mut HashMap<Written, Known>,
     ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
-            pass.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
+            pass.check(|buffer| self.size(buffer))?;
         }
         let Some(written) = passes[0].output() else {
             return Ok(vec![false; passes.len()]);
         };
         // Taken out for the time of the passes, so that the others can be borrowed beside it.
         let start = passes[0].start;
-        let mut written_known = known.remove(&(written, start)).unwrap_or_default();
-        let mut output = self.buffers[written.0].take().map_or(Vec::new(), Contents::into_own);
+        let mut written_known = known.remove(&(written.number(), start)).unwrap_or_default();
+        let mut output = self.own(written)?;
         let prepared: Vec<Prepared> = passes
             .iter()
             .map(|pass| {
-                let unoccluded = |buffer| known.get(&(buffer, 0)).map_or(&[][..], |known| known.unoccluded(pass));
-                Prepared::new(pass, written, |buffer| self.buffers[buffer.0].as_deref(), unoccluded)
+                let same = |buffer: &Buffer| known.get(&(buffer.number(), 0)).map_or(&[][..], |known| known.same(pass));
+                Prepared::new(pass, written, |buffer| self.buffers.find(buffer).map(|words| &**words), same)
             })
             .collect();
         let started = Instant::now();
@@ -107,20 +93,34 @@ impl Memory {
         for (pass, share) in passes.iter().zip(shares) {
             times::add(&mut self.times, pass.kernel.declaration.name, 1, elapsed * share / whole.max(1.0));
         }
-        self.buffers[written.0] = Some(Contents::Own(output));
-        known.insert((written, start), written_known);
+        *self.buffers.slot(written)? = Some(Contents::Own(output));
+        known.insert((written.number(), start), written_known);
         Ok(busy)
     }
 
-    /// Writes what comes before a pass.
+    /// The size of a buffer, in bytes.
+    fn size(&self, buffer: &Buffer) -> Option<u64> {
+        self.buffers.find(buffer).map(|words| words.len() as u64 * 4)
+    }
+
+    /// Takes the words of a buffer out of it, to be changed; memory that is shared with somebody else is copied.
+    fn own(&mut self, buffer: &Buffer) -> Result<Vec<u32>, BackendError> {
+        Ok(self.buffers.slot(buffer)?.take().map_or(Vec::new(), Contents::into_own))
+    }
+
+    /// Has `change` change the words of a buffer.
+    fn change<T>(&mut self, buffer: &Buffer, change: impl FnOnce(&mut [u32]) -> T) -> Result<T, BackendError> {
+        let mut words = self.own(buffer)?;
+        let result = change(&mut words);
+        *self.buffers.slot(buffer)? = Some(Contents::Own(words));
+        Ok(result)
+    }
+
+    /// Does the writes that come before a pass.
     fn write(&mut self, writes: Vec<&Write>) -> Result<(), BackendError> {
         for write in writes {
-            write.check(|buffer| self.buffers[buffer.0].as_ref().map(|words| words.len() as u64 * 4))?;
-            let words = self.buffers[write.buffer.0].take().map_or(Vec::new(), Contents::into_own);
-            let words = self.buffers[write.buffer.0].insert(Contents::Own(words));
-            let Contents::Own(words) = words else { continue };
-            let part = &mut words[write.start as usize..][..write.words];
-            (write.fill)(part);
+            write.check(|buffer| self.size(buffer))?;
+            self.change(&write.buffer, |words| (write.fill)(&mut words[write.start as usize..][..write.words]))?;
         }
         Ok(())
     }
@@ -132,7 +132,7 @@ impl Backend for CpuBackend {
     }
 
     fn adapter(&self) -> String {
-        format!("{} threads, {:?}", self.pool.current_num_threads(), self.set)
+        format!("{} threads, {:?}", self.threads.count(), self.set)
     }
 
     fn largest_buffer(&self) -> u64 {
@@ -148,59 +148,51 @@ impl Backend for CpuBackend {
         self.volume_limit = bytes;
     }
 
-    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
-        self.check_size(label, contents.len() as u64)?;
-        Ok(self.memory.add(Contents::Own(bytemuck::pod_collect_to_vec(contents))))
+    fn threads(&self) -> Threads {
+        self.threads.clone()
     }
 
-    fn create_with(
+    fn create(&mut self, label: &str, contents: buffer::Contents<'_>) -> Result<Buffer, BackendError> {
+        // Before the memory is taken, not behind it: what was dropped makes room.
+        self.memory.buffers.collect();
+        let bytes = contents.bytes();
+        self.check_size(label, bytes)?;
+        let contents = match contents {
+            buffer::Contents::Bytes(bytes) => Contents::Own(bytemuck::pod_collect_to_vec(bytes)),
+            buffer::Contents::Shared(words) => Contents::Shared(words.clone()),
+            buffer::Contents::Zeros(_) => Contents::Own(self.zeros(label, bytes)?),
+            buffer::Contents::Written(_, fill) => {
+                let mut words = self.zeros(label, bytes)?;
+                self.threads.run(|| fill(&mut words));
+                Contents::Own(words)
+            }
+        };
+        Ok(self.memory.buffers.add(contents))
+    }
+
+    fn write(
         &mut self,
-        label: &str,
-        bytes: u64,
-        fill: &mut dyn FnMut(&mut [u32]),
-    ) -> Result<Buffer, BackendError> {
-        let mut words = self.zeros(label, bytes)?;
-        fill(&mut words);
-        Ok(self.memory.add(Contents::Own(words)))
-    }
-
-    fn share(&mut self, label: &str, words: &Words) -> Result<Buffer, BackendError> {
-        self.check_size(label, size_of_val(&**words) as u64)?;
-        Ok(self.memory.add(Contents::Shared(words.clone())))
-    }
-
-    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
-        let words = self.zeros(label, bytes)?;
-        Ok(self.memory.add(Contents::Own(words)))
-    }
-
-    fn overwrite(
-        &mut self,
-        buffer: Buffer,
+        buffer: &Buffer,
         words: usize,
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError> {
-        let contents = self.memory.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own);
-        let Contents::Own(contents) = self.memory.buffers[buffer.0].insert(Contents::Own(contents)) else {
-            return Ok(());
-        };
-        check_part(0, words as u64 * 4, Some(contents.len() as u64 * 4))?;
-        let part = &mut contents[..words];
-        self.pool.install(|| fill(part));
-        Ok(())
+        check_part(0, words as u64 * 4, self.memory.size(buffer))?;
+        let threads = &self.threads;
+        self.memory.change(buffer, |contents| threads.run(|| fill(&mut contents[..words])))
     }
 
-    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
-        let all = self.words(buffer)?.len();
-        self.overwrite(buffer, all, &mut |words| {
+    fn clear(&mut self, buffer: &Buffer) -> Result<(), BackendError> {
+        let all = self.bytes(buffer)? as usize / 4;
+        self.write(buffer, all, &mut |words| {
             words.par_chunks_mut(CLEARED_TOGETHER).for_each(|words| words.fill(0));
         })
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+        self.memory.buffers.collect();
         let mut course = Course::new(passes, self.set);
         let parts: Vec<Part> = parts(passes).collect();
-        let (pool, memory) = (&self.pool, &mut self.memory);
+        let (threads, memory) = (&self.threads, &mut self.memory);
         let (mut done, mut next) = (0, 0);
         while next < parts.len() {
             if !progress(done) {
@@ -212,10 +204,10 @@ impl Backend for CpuBackend {
                 done += parts[next].1.len();
                 next += 1;
             }
-            // Handing work to the pool from outside takes as long as a small pass, so that it gets many at once.
-            pool.install(|| parts[first..next].iter().try_for_each(|part| course.run(part, memory)))?;
+            // Handing work to other threads takes as long as a small pass, so that it gets many at once.
+            threads.run(|| parts[first..next].iter().try_for_each(|part| course.run(part, memory)))?;
         }
-        pool.install(|| course.end(memory))?;
+        threads.run(|| course.end(memory))?;
         progress(done);
         Ok(())
     }
@@ -224,32 +216,25 @@ impl Backend for CpuBackend {
         true
     }
 
-    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        Ok(bytemuck::cast_slice(self.words(buffer)?).to_vec())
-    }
-
-    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
-        Ok(self.part(buffer, start, bytes)?.to_vec())
-    }
-
-    fn look(
+    fn read(
         &mut self,
-        buffer: Buffer,
-        start: u64,
-        bytes: u64,
+        buffer: &Buffer,
+        range: Range<u64>,
         see: &mut (dyn FnMut(&[u8]) + Send),
     ) -> Result<(), BackendError> {
-        let part = self.part(buffer, start, bytes)?;
-        self.pool.install(|| see(part));
+        let contents: &[u8] = bytemuck::cast_slice(self.memory.buffers.get(buffer)?);
+        check_part(range.start, range.end.saturating_sub(range.start), Some(contents.len() as u64))?;
+        let part = &contents[range.start as usize..range.end as usize];
+        self.threads.run(|| see(part));
         Ok(())
     }
 
-    fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
-        Ok(self.memory.buffers[buffer.0].take().map_or(Vec::new(), Contents::into_own))
+    fn bytes(&self, buffer: &Buffer) -> Result<u64, BackendError> {
+        Ok(self.memory.buffers.get(buffer)?.len() as u64 * 4)
     }
 
-    fn free(&mut self, buffer: Buffer) {
-        self.memory.buffers[buffer.0] = None;
+    fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
+        if buffer.is_last() { self.memory.own(&buffer) } else { Ok(self.memory.buffers.get(&buffer)?.to_vec()) }
     }
 
     fn take_kernel_times(&mut self) -> Vec<KernelTime> {
@@ -262,20 +247,13 @@ impl Backend for CpuBackend {
 }
 
 impl CpuBackend {
-    fn words(&self, buffer: Buffer) -> Result<&[u32], BackendError> {
-        let freed = || BackendError::Misuse { kernel: "-", what: format!("buffer {} is freed", buffer.0) };
-        self.memory.buffers[buffer.0].as_deref().ok_or_else(freed)
-    }
-
-    /// `bytes` bytes of a buffer from byte `start` on.
-    fn part(&self, buffer: Buffer, start: u64, bytes: u64) -> Result<&[u8], BackendError> {
-        let contents: &[u8] = bytemuck::cast_slice(self.words(buffer)?);
-        check_part(start, bytes, Some(contents.len() as u64))?;
-        Ok(&contents[start as usize..][..bytes as usize])
+    /// Bytes of host memory that buffers take, and memory that they share with volumes.
+    #[must_use]
+    pub fn buffer_bytes(&self) -> u64 {
+        self.memory.buffers.living().map(|words| words.len() as u64 * 4).sum()
     }
 
     fn zeros(&self, label: &str, bytes: u64) -> Result<Vec<u32>, BackendError> {
-        self.check_size(label, bytes)?;
         let count = usize::try_from(bytes / 4).unwrap_or(usize::MAX);
         // Whether there is the memory, since the next line would end the program. It gets pages that the system has cleared.
         Vec::<u32>::new().try_reserve_exact(count).map_err(|_| BackendError::OutOfMemory {

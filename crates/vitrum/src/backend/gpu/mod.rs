@@ -3,21 +3,21 @@
 mod adapter;
 #[cfg_attr(target_arch = "wasm32", path = "module_in_browser.rs")]
 mod module;
-mod options;
 mod pipeline;
 mod read;
 mod stopwatch;
 mod together;
 
 pub(crate) use adapter::{adapters, describe, is_hardware, takes_spirv};
-pub use options::GpuOptions;
 
-use super::{Backend, BackendError, Buffer, KernelTime, Pass, PassList, Write, pass};
+use super::buffer::Buffers;
+use super::{Backend, BackendError, Buffer, Contents, GpuOptions, KernelTime, Pass, PassList, Threads, Write, pass};
 use adapter::Opened;
 use pipeline::Pipeline;
 use read::Reading;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
+use std::ops::Range;
 use stopwatch::Stopwatch;
 use together::{block_bytes, dispatches};
 use vitrum_kernels::kernel::{Access, WORKGROUP, Window};
@@ -34,9 +34,10 @@ pub struct GpuBackend {
     adapter: String,
     limits: wgpu::Limits,
     pipelines: HashMap<&'static str, Pipeline>,
-    buffers: Vec<Option<wgpu::Buffer>>,
+    buffers: Buffers<wgpu::Buffer>,
     times: Vec<KernelTime>,
     volume_limit: Option<u64>,
+    threads: Threads,
 }
 
 impl GpuBackend {
@@ -84,31 +85,41 @@ impl GpuBackend {
             limits: opened.device.limits(),
             opened,
             pipelines: HashMap::new(),
-            buffers: Vec::new(),
+            buffers: Buffers::default(),
             times: Vec::new(),
             volume_limit: None,
+            threads: Threads::default(),
         }
     }
 
-    /// As [`Backend::read_part`], without waiting: for browsers, where nothing may wait, and for callers that share a device and go on.
+    /// As [`Backend::read`], without waiting: for browsers, where nothing may wait, and for callers that share a device and go on.
     /// Outside of a browser the caller polls the device, for example by [`wgpu::Device::poll`] in its loop.
     ///
     /// # Errors
-    /// As [`Backend::read_part`].
-    pub async fn read_part_async(&self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
-        let read = self.start_reading(buffer, start, bytes)?.finish().await;
+    /// As [`Backend::read`].
+    pub async fn read_async(&self, buffer: &Buffer, range: Range<u64>) -> Result<Vec<u8>, BackendError> {
+        let read = self.start_reading(buffer, range)?.finish().await;
         self.check()?;
         read.map_err(|reason| self.lost(reason))
     }
 
-    fn start_reading(&self, buffer: Buffer, start: u64, bytes: u64) -> Result<Reading, BackendError> {
-        let source = self.get(buffer)?;
+    fn start_reading(&self, buffer: &Buffer, range: Range<u64>) -> Result<Reading, BackendError> {
+        let source = self.buffers.get(buffer)?;
+        let (start, bytes) = (range.start, range.end.saturating_sub(range.start));
         pass::check_part(start, bytes, Some(source.size()))?;
         Ok(Reading::submit(&self.opened, source, start, bytes))
     }
 
     fn lost(&self, reason: String) -> BackendError {
         BackendError::DeviceLost { adapter: self.adapter.clone(), reason }
+    }
+
+    /// Has the work of the host run on `threads` threads instead of the process's own.
+    ///
+    /// # Errors
+    /// [`BackendError::Threads`] where the threads cannot be started.
+    pub fn with_threads(self, threads: usize) -> Result<Self, BackendError> {
+        Ok(Self { threads: Threads::start(Some(threads))?, ..self })
     }
 
     /// The device's failure, if it had one.
@@ -154,22 +165,6 @@ impl GpuBackend {
         }
     }
 
-    fn add(&mut self, buffer: wgpu::Buffer) -> Buffer {
-        let free = self.buffers.iter().position(Option::is_none);
-        let index = free.unwrap_or_else(|| {
-            self.buffers.push(None);
-            self.buffers.len() - 1
-        });
-        self.buffers[index] = Some(buffer);
-        Buffer(index)
-    }
-
-    fn get(&self, buffer: Buffer) -> Result<&wgpu::Buffer, BackendError> {
-        self.buffers[buffer.0]
-            .as_ref()
-            .ok_or_else(|| BackendError::Misuse { kernel: "-", what: format!("buffer {} is freed", buffer.0) })
-    }
-
     /// All dispatches' uniform blocks in one buffer; where those of each start.
     fn upload_uniforms<'a>(
         &mut self,
@@ -191,14 +186,31 @@ impl GpuBackend {
         Ok((buffer, starts))
     }
 
-    /// Writes what comes before a pass, behind all submissions.
-    fn write(&self, writes: &[Write]) -> Result<(), BackendError> {
+    /// Copies bytes to a new buffer.
+    fn copy(&self, contents: &[u8], buffer: &wgpu::Buffer) -> Result<(), BackendError> {
+        let mut offset = 0;
+        for part in contents.chunks(BYTES_PER_COPY) {
+            self.opened.queue.write_buffer(buffer, offset, part);
+            offset += part.len() as u64;
+            // Without this the copy waits in host memory until the first pass.
+            let submission = self.opened.queue.submit([]);
+            self.wait(submission)?;
+        }
+        Ok(())
+    }
+
+    /// Does the writes that come before a pass, behind all submissions.
+    fn write_before(&self, writes: &[Write]) -> Result<(), BackendError> {
         let mut under_way = 0;
         for write in writes {
-            write.check(|buffer| self.buffers[buffer.0].as_ref().map(wgpu::Buffer::size))?;
+            write.check(|buffer| self.buffers.find(buffer).map(wgpu::Buffer::size))?;
             let mut words = vec![0; write.words];
             (write.fill)(&mut words);
-            self.opened.queue.write_buffer(self.get(write.buffer)?, write.start * 4, bytemuck::cast_slice(&words));
+            self.opened.queue.write_buffer(
+                self.buffers.get(&write.buffer)?,
+                write.start * 4,
+                bytemuck::cast_slice(&words),
+            );
             under_way += write.words * 4;
             if under_way >= BYTES_PER_COPY {
                 under_way = 0;
@@ -211,7 +223,7 @@ impl GpuBackend {
 
     fn prepare_pipelines(&mut self, passes: &[Pass]) -> Result<(), BackendError> {
         for pass in passes {
-            pass.check(|buffer| self.buffers[buffer.0].as_ref().map(wgpu::Buffer::size))?;
+            pass.check(|buffer| self.buffers.find(buffer).map(wgpu::Buffer::size))?;
             let declaration = &pass.kernel.declaration;
             if let Entry::Vacant(slot) = self.pipelines.entry(declaration.name) {
                 slot.insert(Pipeline::new(&self.opened, &self.adapter, declaration)?);
@@ -226,7 +238,7 @@ impl GpuBackend {
         let blocks = wgpu::BufferBinding { buffer: uniforms, offset: 0, size: block_bytes(dispatch) };
         let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(blocks) }];
         for (buffer, binding) in pass.buffers.iter().zip(&declaration.bindings[1..]) {
-            let mut resource = self.get(*buffer)?.as_entire_buffer_binding();
+            let mut resource = self.buffers.get(buffer)?.as_entire_buffer_binding();
             if binding.access != Access::Read {
                 resource.offset = pass.start * 4;
             }
@@ -243,12 +255,13 @@ impl GpuBackend {
     }
 }
 
-/// What a bind group is made of: the kernel, its buffers, where its records start, and how many passes' uniform blocks there are.
-type Bound<'a> = (&'a str, &'a [Buffer], u64, usize);
+/// What a bind group is made of: the kernel, the numbers of its buffers, where its records start, and how many passes' uniform blocks there
+/// are.
+type Bound<'a> = (&'a str, Vec<usize>, u64, usize);
 
 fn bound(dispatch: &[Pass]) -> Bound<'_> {
     let pass = &dispatch[0];
-    (pass.kernel.declaration.name, &pass.buffers, pass.start, dispatch.len())
+    (pass.kernel.declaration.name, pass.buffers.iter().map(Buffer::number).collect(), pass.start, dispatch.len())
 }
 
 impl Backend for GpuBackend {
@@ -265,6 +278,10 @@ impl Backend for GpuBackend {
         self.limits.max_storage_buffer_binding_size.min(self.limits.max_buffer_size).min((i32::MAX as u64) * 4)
     }
 
+    fn threads(&self) -> Threads {
+        self.threads.clone()
+    }
+
     fn volume_limit(&self) -> u64 {
         self.volume_limit.unwrap_or(u64::MAX)
     }
@@ -273,32 +290,32 @@ impl Backend for GpuBackend {
         self.volume_limit = bytes;
     }
 
-    fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
-        let buffer = self.allocate(label, contents.len() as u64, wgpu::BufferUsages::STORAGE)?;
-        let mut offset = 0;
-        for part in contents.chunks(BYTES_PER_COPY) {
-            self.opened.queue.write_buffer(&buffer, offset, part);
-            offset += part.len() as u64;
-            // Without this the copy waits in host memory until the first pass.
-            let submission = self.opened.queue.submit([]);
-            self.wait(submission)?;
-        }
-        Ok(self.add(buffer))
-    }
-
-    fn create_zeroed(&mut self, label: &str, bytes: u64) -> Result<Buffer, BackendError> {
-        // wgpu clears new buffers.
+    fn create(&mut self, label: &str, contents: Contents<'_>) -> Result<Buffer, BackendError> {
+        // Before the memory is taken, not behind it: what was dropped makes room.
+        self.buffers.collect();
+        let bytes = contents.bytes();
         let buffer = self.allocate(label, bytes, wgpu::BufferUsages::STORAGE)?;
-        Ok(self.add(buffer))
+        match contents {
+            Contents::Bytes(bytes) => self.copy(bytes, &buffer)?,
+            Contents::Shared(words) => self.copy(bytemuck::cast_slice(words), &buffer)?,
+            // wgpu clears new buffers.
+            Contents::Zeros(_) => {}
+            Contents::Written(_, fill) => {
+                let mut words = vec![0; bytes as usize / 4];
+                fill(&mut words);
+                self.copy(bytemuck::cast_slice(&words), &buffer)?;
+            }
+        }
+        Ok(self.buffers.add(buffer))
     }
 
-    fn overwrite(
+    fn write(
         &mut self,
-        buffer: Buffer,
+        buffer: &Buffer,
         words: usize,
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError> {
-        let target = self.get(buffer)?;
+        let target = self.buffers.get(buffer)?;
         pass::check_part(0, words as u64 * 4, Some(target.size()))?;
         let mut contents = vec![0; words];
         fill(&mut contents);
@@ -306,14 +323,15 @@ impl Backend for GpuBackend {
         Ok(())
     }
 
-    fn clear(&mut self, buffer: Buffer) -> Result<(), BackendError> {
+    fn clear(&mut self, buffer: &Buffer) -> Result<(), BackendError> {
         let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.clear_buffer(self.get(buffer)?, 0, None);
+        encoder.clear_buffer(self.buffers.get(buffer)?, 0, None);
         self.opened.queue.submit([encoder.finish()]);
         self.check()
     }
 
     fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+        self.buffers.collect();
         let passes = &list.passes;
         self.prepare_pipelines(passes)?;
         let batches = || {
@@ -332,7 +350,7 @@ impl Backend for GpuBackend {
             if !progress(done) {
                 return Err(BackendError::Cancelled);
             }
-            self.write(writes)?;
+            self.write_before(writes)?;
             for dispatch in dispatches(chunk) {
                 if let Entry::Vacant(slot) = groups.entry(bound(dispatch)) {
                     slot.insert(self.bind_group(dispatch, &uniforms)?);
@@ -379,19 +397,20 @@ impl Backend for GpuBackend {
         Ok(())
     }
 
-    fn read(&mut self, buffer: Buffer) -> Result<Vec<u8>, BackendError> {
-        let whole = self.get(buffer)?.size();
-        self.read_part(buffer, 0, whole)
-    }
-
-    fn read_part(&mut self, buffer: Buffer, start: u64, bytes: u64) -> Result<Vec<u8>, BackendError> {
-        let reading = self.start_reading(buffer, start, bytes)?;
+    fn read(
+        &mut self,
+        buffer: &Buffer,
+        range: Range<u64>,
+        see: &mut (dyn FnMut(&[u8]) + Send),
+    ) -> Result<(), BackendError> {
+        let reading = self.start_reading(buffer, range)?;
         self.wait(reading.submission.clone())?;
-        pollster::block_on(reading.finish()).map_err(|reason| self.lost(reason))
+        see(&pollster::block_on(reading.finish()).map_err(|reason| self.lost(reason))?);
+        Ok(())
     }
 
-    fn free(&mut self, buffer: Buffer) {
-        self.buffers[buffer.0] = None;
+    fn bytes(&self, buffer: &Buffer) -> Result<u64, BackendError> {
+        Ok(self.buffers.get(buffer)?.size())
     }
 
     fn take_kernel_times(&mut self) -> Vec<KernelTime> {
@@ -399,6 +418,6 @@ impl Backend for GpuBackend {
     }
 
     fn device_bytes(&self) -> Option<u64> {
-        Some(self.buffers.iter().flatten().map(wgpu::Buffer::size).sum())
+        Some(self.buffers.living().map(wgpu::Buffer::size).sum())
     }
 }

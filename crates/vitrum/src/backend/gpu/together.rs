@@ -5,6 +5,7 @@
 
 use crate::backend::Pass;
 use std::num::NonZeroU64;
+use vitrum_kernels::kernel::Skip;
 
 /// The most passes of one dispatch: devices stop dispatches that take too long.
 const MOST: usize = 16;
@@ -14,7 +15,7 @@ fn follows(pass: &Pass, next: &Pass) -> bool {
     let same = (&next.buffers, next.start, next.width, next.height, next.window)
         == (&pass.buffers, pass.start, pass.width, pass.height, pass.window);
     let kernel = &pass.kernel.declaration;
-    kernel.rests && kernel.name == next.kernel.declaration.name && same
+    kernel.skip == Skip::Until && kernel.name == next.kernel.declaration.name && same
 }
 
 /// The passes of a list, dispatch by dispatch.
@@ -30,14 +31,13 @@ pub(super) fn block_bytes(dispatch: &[Pass]) -> Option<NonZeroU64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::backend::Buffer;
     use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
     fn pass(kernel: &'static Kernel, width: u32) -> Pass {
         Pass {
             kernel,
             uniforms: vec![0; 8],
-            buffers: vec![Buffer(0)],
+            buffers: Vec::new(),
             start: 0,
             width,
             height: 1,

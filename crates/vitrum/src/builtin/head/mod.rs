@@ -36,7 +36,7 @@ fn unclipped() -> Scene {
             target: Some([0.0, 0.0, 0.08]),
             ..Camera::default()
         },
-        light: Light { azimuth: 25.0, elevation: 30.0, ..Light::default() },
+        light: vec![Light { azimuth: 25.0, elevation: 30.0, ..Light::default() }],
         transfer: TransferFunction {
             reference_length: Some(0.02),
             color: colors([
@@ -47,7 +47,7 @@ fn unclipped() -> Scene {
             ]),
             opacity: opacities([(220.0, 0.0), (VESSEL, 0.45), (600.0, 0.6), (BONE, 0.95)]),
             ior: iors([(AIR, 1.0), (SOFT, 1.15), (BRAIN, 1.20), (VESSEL, 1.22)]),
-            medium: colors([(AIR, [1.0; 3]), (SOFT, [0.995, 0.978, 0.925]), (BRAIN, [0.993, 0.965, 0.920])]),
+            filter: colors([(AIR, [1.0; 3]), (SOFT, [0.995, 0.978, 0.925]), (BRAIN, [0.993, 0.965, 0.920])]),
         },
         shading: Shading { roughness: 0.2, ..Shading::default() },
         environment: Environment::default(),

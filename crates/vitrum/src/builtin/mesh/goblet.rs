@@ -5,7 +5,7 @@ use super::super::glass::{BODY, CAVITY, LEVEL, MENISCUS, WALL};
 use super::parts::{Part, clear, together};
 use super::rays_through;
 use super::revolve::{revolve, smooth_outline};
-use crate::scene::{Camera, Ground, Light, Method, Scene, Surfaces, Wall};
+use crate::scene::{Camera, Ground, Light, MethodName, Scene, Surfaces, Wall};
 use glam::Vec2;
 use vitrum_io::{Material, Mesh};
 
@@ -35,10 +35,10 @@ fn swept() -> Scene {
 /// A plane sweep through the mesh of that name, in daylight from the right.
 pub(super) fn swept_before_a_wall(name: &str) -> Scene {
     Scene {
-        method: Method::Sweep,
+        method: MethodName::Sweep,
         mesh: rays_through(name).mesh,
         camera: Camera { azimuth: 0.0, elevation: 14.0, zoom: 0.95, ..Camera::default() },
-        light: Light { azimuth: 32.0, elevation: 14.0, ..Light::default() },
+        light: vec![Light { azimuth: 32.0, elevation: 14.0, ..Light::default() }],
         ground: Some(Ground { height: None, color: [0.72, 0.70, 0.67] }),
         wall: Some(Wall { distance: Some(0.95), azimuth: 0.0, color: [0.72, 0.70, 0.67] }),
         ..Scene::default()

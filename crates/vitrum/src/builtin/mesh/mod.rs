@@ -16,7 +16,7 @@ mod vase;
 
 use super::SceneEntry;
 use crate::preset::surround_mesh;
-use crate::scene::{Camera, MeshSource, Method, Scene};
+use crate::scene::{Camera, MeshSource, MethodName, Scene};
 use vitrum_io::Mesh;
 
 /// Name and maker of a mesh.
@@ -41,8 +41,8 @@ const OPAQUE: [&str; 1] = ["tree"];
 /// Rays through the procedural mesh of that name, in the surroundings that meshes have by default.
 fn rays_through(name: &str) -> Scene {
     let mut scene = Scene {
-        method: Method::Voxels,
-        mesh: Some(MeshSource { builtin: Some(name.to_owned()), ..MeshSource::default() }),
+        method: MethodName::Voxels,
+        mesh: vec![MeshSource { builtin: Some(name.to_owned()), ..MeshSource::default() }],
         camera: Camera { azimuth: 0.0, elevation: 10.0, ..Camera::default() },
         ..Scene::default()
     };

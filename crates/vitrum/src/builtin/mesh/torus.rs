@@ -10,7 +10,7 @@ use glam::{Vec2, Vec3};
 use vitrum_io::Mesh;
 
 pub(in super::super) const SCENES: &[SceneEntry] = &[
-    ("torus", "rays through a glass torus; `mesh.twist` deforms it from frame to frame", scene),
+    ("torus", "rays through a glass torus; `mesh.0.twist` deforms it from frame to frame", scene),
     ("torus/twisted", "the torus with its top turned by half a turn", twisted),
 ];
 
@@ -26,9 +26,7 @@ fn scene() -> Scene {
 
 fn twisted() -> Scene {
     let mut scene = scene();
-    if let Some(mesh) = &mut scene.mesh {
-        mesh.twist = 180.0;
-    }
+    scene.mesh.iter_mut().for_each(|mesh| mesh.twist = 180.0);
     scene
 }
 

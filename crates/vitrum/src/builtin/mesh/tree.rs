@@ -25,7 +25,13 @@ fn scene() -> Scene {
         material: vec![opaque("bark", 16.0), opaque("leaves", 0.12)],
         shadow: Shadow { resolution: 384, ..Shadow::default() },
         camera: Camera { azimuth: 0.0, elevation: 13.0, target: Some([-0.5, 0.1, -0.16]), ..Camera::default() },
-        light: Light { azimuth: -62.0, elevation: 42.0, intensity: 1.05, color: [1.0, 0.96, 0.88], ..Light::default() },
+        light: vec![Light {
+            azimuth: -62.0,
+            elevation: 42.0,
+            intensity: 1.05,
+            color: [1.0, 0.96, 0.88],
+            ..Light::default()
+        }],
         shading: Shading { ambient: [0.16, 0.19, 0.24], ..Shading::default() },
         ground: Some(Ground { color: [0.72, 0.70, 0.64], ..Ground::default() }),
         environment: Environment {
@@ -42,7 +48,7 @@ fn scene() -> Scene {
 fn uniform() -> Scene {
     let mut scene = scene();
     scene.shadow.coefficient = Coefficient::Uniform;
-    scene.shadow.absorption = 0.15;
+    scene.shadow.optical_depth = 0.15;
     scene
 }
 

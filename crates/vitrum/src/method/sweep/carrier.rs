@@ -1,7 +1,8 @@
 //! How light is carried from plane to plane: on texels, as the paper has it, as sheets, or not at all.
 
 use super::uniforms::Fixed;
-use crate::backend::{Backend, BackendError, Buffer, Pass};
+use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
+use crate::method::cache::Scratch;
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Passes that carry light from the first plane to the last.
@@ -14,53 +15,52 @@ pub(super) trait Carrier {
 
     /// The buffer that holds the irradiance of the planes to which light was carried last, as [`Fixed::kept`] has it: records as
     /// [`irradiance`](vitrum_kernels::abi::record::irradiance) describes.
-    fn irradiance(&self) -> Buffer;
+    fn irradiance(&self) -> &Buffer;
 }
 
 /// The buffers that describe the volume.
-#[derive(Clone, Copy)]
-pub(super) struct Volumes {
+#[derive(Clone)]
+pub(super) struct VolumeBuffers {
     pub(super) voxels: Buffer,
     pub(super) ior_voxels: Buffer,
     pub(super) occupancy: Buffer,
     pub(super) tables: Buffer,
 }
 
-/// Makes buffers, and remembers them.
+/// Makes the buffers of a frame.
 pub(super) struct Maker<'a> {
     pub(super) fixed: &'a Fixed,
+    pub(super) scratch: &'a mut Scratch,
     pub(super) backend: &'a mut dyn Backend,
-    pub(super) created: &'a mut Vec<Buffer>,
 }
 
 impl Maker<'_> {
     /// A planar buffer of records, or one of sums.
-    pub(super) fn planar(&mut self, label: &str, records: [u32; 2], words: usize) -> Result<Buffer, BackendError> {
+    pub(super) fn planar(
+        &mut self,
+        label: &'static str,
+        records: [u32; 2],
+        words: usize,
+    ) -> Result<Buffer, BackendError> {
         let bytes = u64::from(records[0]) * u64::from(records[1]) * words as u64 * 4;
-        let buffer = self.backend.create_zeroed(label, bytes)?;
-        self.created.push(buffer);
-        Ok(buffer)
+        self.scratch.zeros(label, bytes, self.backend)
     }
 
     /// A buffer for the irradiance of as many planes as are kept.
     pub(super) fn irradiance(&mut self) -> Result<Buffer, BackendError> {
         let words = self.fixed.kept().words() * u64::from(self.fixed.kept().planes);
-        let buffer = self.backend.create_zeroed("irradiance", words * 4)?;
-        self.created.push(buffer);
-        Ok(buffer)
+        self.scratch.zeros("irradiance", words * 4, self.backend)
     }
 
     /// A buffer of floats.
     pub(super) fn floats(&mut self, label: &str, contents: &[f32]) -> Result<Buffer, BackendError> {
-        let buffer = self.backend.create(label, bytemuck::cast_slice(contents))?;
-        self.created.push(buffer);
-        Ok(buffer)
+        self.backend.create(label, Contents::Bytes(bytemuck::cast_slice(contents)))
     }
 }
 
 impl Fixed {
     /// Passes that fill `light` and `irradiance` with unoccluded light: that of the first plane.
-    pub(super) fn unoccluded(&self, light: Buffer, irradiance: Buffer) -> [Pass; 2] {
+    pub(super) fn unoccluded(&self, light: &Buffer, irradiance: &Buffer) -> [Pass; 2] {
         let texels = self.light_grid.size;
         [
             self.pass(&kernels::sweep_initialize_light, texels, 0, 0, &[light]),
@@ -69,7 +69,7 @@ impl Fixed {
     }
 
     /// The pass that makes the irradiance of plane `plane` of its light.
-    pub(super) fn concentrate(&self, window: Window, plane: u32, light: Buffer, irradiance: Buffer) -> Pass {
+    pub(super) fn concentrate(&self, window: Window, plane: u32, light: &Buffer, irradiance: &Buffer) -> Pass {
         let texels = self.light_grid.size;
         let pass = self.pass_over(window, &kernels::sweep_concentrate_light, texels, 0, plane, &[light, irradiance]);
         Pass { start: self.kept().start(plane), ..pass }
@@ -82,7 +82,7 @@ impl Fixed {
         size: [u32; 2],
         mode: u32,
         plane: u32,
-        buffers: &[Buffer],
+        buffers: &[&Buffer],
     ) -> Pass {
         self.pass_over(Window::whole(size[0], size[1]), kernel, size, mode, plane, buffers)
     }
@@ -95,12 +95,12 @@ impl Fixed {
         size: [u32; 2],
         mode: u32,
         plane: u32,
-        buffers: &[Buffer],
+        buffers: &[&Buffer],
     ) -> Pass {
         Pass {
             kernel,
             uniforms: bytemuck::bytes_of(&self.block(size, window, mode, plane)).to_vec(),
-            buffers: buffers.to_vec(),
+            buffers: buffers.iter().copied().cloned().collect(),
             start: 0,
             width: size[0],
             height: size[1],

@@ -1,12 +1,13 @@
 //! The light's direction and its grid.
 
 use super::planes::Planes;
+use crate::error::Error;
 use crate::method::view::light::travels;
-use crate::method::view::{View, corners};
-use crate::render::Error;
+use crate::method::view::{Bounds, View};
 use crate::scene::{Light, Scene};
+use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use glam::{DVec2, DVec3};
-use vitrum_io::Volume;
 
 /// The steepest angle between light and viewing direction, in degrees (sweep §7).
 const STEEPEST: f64 = 85.0;
@@ -18,7 +19,7 @@ const MOST_TEXELS: f64 = 8192.0;
 /// The grid of light texels: one rectangle per plane, shifted from plane to plane along the light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightGrid {
-    /// Corner of texel (0, 0) on plane 0, in the sweep frame.
+    /// Corner of texel (0, 0) on plane 0, in the view frame.
     pub corner: DVec2,
     /// Edge of a texel, world units.
     pub texel: f64,
@@ -30,15 +31,20 @@ pub struct LightGrid {
     pub direction: DVec3,
 }
 
-/// As [`travels`]; an error if it is too far from the viewing direction.
-pub(super) fn direction(light: &Light, view: &View) -> Result<DVec3, Error> {
+/// Whether the sweep can carry all lights of a scene.
+///
+/// # Errors
+/// [`Error::Unrenderable`] where a light is too far from the viewing direction.
+pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
+    scene.light.iter().enumerate().try_for_each(|(index, light)| direction(light, index, view).map(drop))
+}
+
+/// As [`travels`], of the light `index`; an error if it is too far from the viewing direction.
+pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec3, Error> {
     let unit = travels(light, view)?;
     let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
     if angle > STEEPEST {
-        return Err(Error::Scene(format!(
-            "the light travels at {angle:.1}° to the viewing direction, at most {STEEPEST}° are possible: it must shine away from \
-             the camera; turn light.azimuth or light.elevation towards 0, or use light.attachment = \"camera\""
-        )));
+        return Err(Unrenderable::ObliqueLight { index, angle, limit: STEEPEST }.into());
     }
     Ok(unit)
 }
@@ -47,7 +53,7 @@ impl LightGrid {
     pub(super) fn new(
         scene: &Scene,
         view: &View,
-        volumes: &[&Volume],
+        volumes: Volumes<'_>,
         planes: &Planes,
         direction: DVec3,
     ) -> Result<Self, Error> {
@@ -60,24 +66,24 @@ impl LightGrid {
         let drift = (slope - shear) * (last - first);
         let mut low = DVec2::INFINITY;
         let mut high = DVec2::NEG_INFINITY;
-        for corner in volumes.iter().flat_map(|volume| corners(volume)) {
+        for corner in volumes.iter().flat_map(|volume| Bounds::from(volume).corners) {
             let point = view.point(corner);
             let outline = point.truncate() - shear * (point.z - first);
             low = low.min(outline).min(outline + drift);
             high = high.max(outline).max(outline + drift);
         }
-        let margin = (high - low) * f64::from(scene.light.margin);
+        let margin = (high - low) * f64::from(scene.sweep.light_margin);
         let (low, high) = (low - margin, high + margin);
         let rays = scene.film.height * scene.film.supersampling;
         let depth = 0.5 * (planes.volume_depths[0].max(planes.volume_depths[1] * 0.1) + planes.volume_depths[1]);
-        let pixel = view.pixel_size(rays, depth.abs().max(1e-6)) / f64::from(scene.light.resolution);
+        let pixel = view.pixel_size(rays, depth.abs().max(1e-6)) / f64::from(scene.sweep.light_resolution);
         let extent = high - low;
         // Close up, pixels get finer than any voxel; light needs no more than a few texels a voxel.
-        let voxel = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
-        let finest =
-            (f64::from(voxel) / (4.0 * f64::from(scene.light.resolution))).max(extent.max_element() / MOST_TEXELS);
+        let voxel = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let finest = (f64::from(voxel) / (4.0 * f64::from(scene.sweep.light_resolution)))
+            .max(extent.max_element() / MOST_TEXELS);
         // Light that is the same everywhere needs no texels.
-        let finest = if scene.light.shadows { finest } else { f64::INFINITY };
+        let finest = if scene.first_light().shadows { finest } else { f64::INFINITY };
         let texel = pixel.max(finest).min(extent.max_element() / 16.0);
         let count = |length: f64| (length / texel).ceil().clamp(4.0, MOST_TEXELS) as u32;
         let size = [count(extent.x), count(extent.y)];
@@ -92,28 +98,28 @@ impl LightGrid {
     }
 
     /// The radius of the filter's taps across the light, in texels.
-    fn tap_radius(&self, softness: f32, planes: &Planes, index: u32) -> f64 {
+    fn tap_radius(&self, angular_radius: f32, planes: &Planes, index: u32) -> f64 {
         let depth = planes.volume_depths[1] - planes.volume_depths[0];
-        let tangent = f64::from(softness).to_radians().tan();
+        let tangent = f64::from(angular_radius).to_radians().tan();
         tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel
     }
 
     /// How far away a tap of the softness filter is at most, in texels.
-    pub(super) fn filter_radius(&self, softness: f32, planes: &Planes, index: u32) -> f64 {
-        self.tap_radius(softness, planes, index) / self.direction.z
+    pub(super) fn filter_radius(&self, angular_radius: f32, planes: &Planes, index: u32) -> f64 {
+        self.tap_radius(angular_radius, planes, index) / self.direction.z
     }
 
     /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
     ///
     /// The taps lie on an ellipse, stretched along the light's tilt and turned by a hash of the plane's index. Blurring n times
-    /// adds variances, so a radius of Δz·tan(softness) would blur by √n instead of n and depend on the sample distance. The
-    /// radius is chosen so that the blur over the volume's depth D is that of a source with half-angle `softness`: three taps
+    /// adds variances, so a radius of Δz·tan(angular radius) would blur by √n instead of n and depend on the sample distance. The
+    /// radius is chosen so that the blur over the volume's depth D is that of a source of that angular radius: three taps
     /// have variance r²/2 an axis, a disc R²/4, and n r²/2 = (D tan)²/4 gives r = tan √(Δz D / 2).
     ///
     /// Every plane filters, even if the radius is a fraction of a texel: one wider filter after several planes gives the same blur
     /// of a shadow, but between filters refracted light breaks into stripes.
-    pub(super) fn taps(&self, softness: f32, planes: &Planes, index: u32) -> [DVec2; 3] {
-        let radius = self.tap_radius(softness, planes, index);
+    pub(super) fn taps(&self, angular_radius: f32, planes: &Planes, index: u32) -> [DVec2; 3] {
+        let radius = self.tap_radius(angular_radius, planes, index);
         let along = self.direction.truncate().try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
         let start = hash(index) * std::f64::consts::TAU;

@@ -3,37 +3,102 @@
 //! [`Sweep::prepare`] turns a scene into tables, buffers and a pass list; [`Sweep::run`] hands the list to the backend;
 //! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
+mod cache;
 mod carrier;
+mod film;
 mod hull;
 mod kept;
 mod light;
+mod mesh_volumes;
 mod occupancy;
 mod paging;
 mod passes;
 mod planes;
 mod sheets;
+pub mod spectrum;
 mod tables;
 mod texels;
 mod uniforms;
 mod unoccluded;
+mod uploaded;
 mod voxels;
 mod window;
 
-pub use crate::method::view::View;
 pub use light::LightGrid;
-pub use passes::Uploaded;
 pub use planes::Planes;
 pub use tables::Tables;
-pub use uniforms::check;
 
-use crate::backend::{Backend, BackendError, Buffer, PassList};
-use crate::inputs::Inputs;
-use crate::render::{Error, Wanted};
-use crate::scene::Scene;
+use crate::assets::Assets;
+use crate::backend::{Backend, BackendError, Buffer, PassList, ReadBack as _};
+use crate::error::Error;
+use crate::film::Output;
+use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
+use crate::request::OutputRequest;
+use crate::scene::{MethodName, Scene};
+use crate::subject::{Subject, Volumes};
+use crate::unrenderable::Unrenderable;
+use cache::{FrameCache, SweepCache};
+use film::Voxelized;
 use kept::Kept;
+use std::sync::Arc;
 use uniforms::Fixed;
+use uploaded::Uploaded;
 
-/// A frame that is ready to run.
+/// The plane sweep.
+#[derive(Debug, Clone, Copy)]
+pub struct PlaneSweep;
+
+impl Method for PlaneSweep {
+    fn name(&self) -> MethodName {
+        MethodName::Sweep
+    }
+
+    fn outputs(&self) -> &'static [Output] {
+        film::OUTPUTS
+    }
+
+    fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
+        match &assets.subject {
+            Subject::Mesh(mesh) => {
+                scene.check_for_swept_mesh()?;
+                crate::method::voxels::check_mesh(mesh)?;
+                light::check(scene, &View::new(scene, &**mesh))
+            }
+            Subject::Volume(_) | Subject::Volumes { .. } => {
+                assets.subject.volumes().map_or(Ok(()), |volumes| uniforms::check(scene, volumes))
+            }
+        }
+    }
+
+    /// One exposure for each light, and of each for each wavelength where indices of refraction depend on it.
+    fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        let lights = lights::exposures(scene);
+        // The materials of a mesh do not disperse.
+        if assets.subject.mesh().is_some() { lights } else { lights.into_iter().flat_map(spectrum::split).collect() }
+    }
+
+    fn prepare(
+        &self,
+        job: &Job<'_>,
+        cache: &mut Cache,
+        tools: &mut Tools<'_>,
+    ) -> Result<Box<dyn PreparedFrame>, Error> {
+        let Job { scene, assets, request } = *job;
+        let cache: &mut SweepCache = cache.of();
+        let map = assets.environment.as_deref();
+        if let Some(volumes) = assets.subject.volumes() {
+            return Ok(Box::new(Sweep::of(scene, volumes, map, request, &mut cache.frame, tools.backend)?));
+        }
+        cache.mesh(scene, assets, tools)?;
+        let SweepCache { mesh: Some(mesh), frame } = cache else { unreachable!("it was made above") };
+        let (scene, volumes) = (mesh.scene(scene, assets)?, mesh.volumes());
+        let voxelized = Some(Voxelized { dimensions: volumes.shown.dimensions, open_rows: mesh.open_rows });
+        let sweep = Sweep::of(&scene, volumes, map, request, frame, tools.backend)?;
+        Ok(Box::new(Sweep { voxelized, ..sweep }))
+    }
+}
+
+/// A sweep that is ready to run. Its buffers are freed when it is dropped.
 pub struct Sweep {
     /// The passes.
     pub passes: PassList,
@@ -47,81 +112,77 @@ pub struct Sweep {
     kept: Kept,
     /// The irradiance of unoccluded light.
     unoccluded: [f32; 3],
-    /// The volumes, where they are freed with the frame.
-    uploaded: Option<Uploaded>,
+    request: OutputRequest,
+    /// The volumes that were made of a mesh, if the subject is one.
+    voxelized: Option<Voxelized>,
 }
 
-/// The buffers of a frame.
+/// The buffers of a frame that are read.
 struct Buffers {
-    all: Vec<Buffer>,
     irradiance: Buffer,
     film: Buffer,
 }
 
 impl Sweep {
-    /// Uploads the volumes, builds tables and lists the passes.
+    /// Uploads the volumes of `assets`, builds tables and lists the passes.
     ///
     /// # Errors
-    /// [`Error::Scene`] where what is seen and lit makes no frame, [`Error::Backend`] where the backend lacks the memory or fails.
-    pub fn prepare(scene: &Scene, inputs: &Inputs, wanted: Wanted, backend: &mut dyn Backend) -> Result<Self, Error> {
-        let uploaded = Uploaded::new(inputs, backend)?;
-        let prepared = Self::prepare_uploaded(scene, inputs, &uploaded, wanted, backend);
-        match prepared {
-            Ok(sweep) => Ok(Self { uploaded: Some(uploaded), ..sweep }),
-            Err(error) => {
-                uploaded.free(backend);
-                Err(error)
-            }
-        }
+    /// [`Error::Unrenderable`] where the subject is a mesh or the scene's values together make no frame, [`Error::Backend`] where the backend
+    /// lacks the memory or fails.
+    pub fn prepare(
+        scene: &Scene,
+        assets: &Assets,
+        request: OutputRequest,
+        backend: &mut dyn Backend,
+    ) -> Result<Self, Error> {
+        let map = assets.environment.as_deref();
+        Self::of(scene, volumes(assets)?, map, request, &mut FrameCache::default(), backend)
     }
 
-    /// As [`Self::prepare`], with the volumes streamed in as little memory as that takes, however small they are: what large volumes come
-    /// to by themselves.
+    /// As [`Self::prepare`], with the volumes streamed in as little memory as that takes, however small they are: large volumes are
+    /// streamed by themselves.
     ///
     /// # Errors
     /// As [`Self::prepare`].
     pub fn prepare_streamed(
         scene: &Scene,
-        inputs: &Inputs,
-        wanted: Wanted,
+        assets: &Assets,
+        request: OutputRequest,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
-        Self::prepare_uploaded(scene, inputs, &Uploaded::streamed(inputs), wanted, backend)
+        let volumes = volumes(assets)?;
+        let mut cache = FrameCache::holding(Arc::new(Uploaded::streamed(volumes)));
+        Self::of(scene, volumes, assets.environment.as_deref(), request, &mut cache, backend)
     }
 
-    /// Builds tables and lists the passes for volumes that are on the backend already. They stay there when the frame is freed. Where
-    /// the light is not wanted, it is only carried as far as a viewing ray can see it, and [`Self::irradiance`] gives what is left of it.
-    ///
-    /// # Errors
-    /// As [`Self::prepare`].
-    pub fn prepare_uploaded(
+    /// Builds tables and lists the passes. Where the light is not requested, it is only carried as far as a viewing ray can see it, and
+    /// [`Self::irradiance`] gives what is left of it.
+    fn of(
         scene: &Scene,
-        inputs: &Inputs,
-        uploaded: &Uploaded,
-        wanted: Wanted,
+        volumes: Volumes<'_>,
+        picture: Option<&vitrum_io::Picture>,
+        request: OutputRequest,
+        cache: &mut FrameCache,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
-        let fixed = Fixed::new(scene, inputs, uploaded.format, backend.largest_buffer())?;
-        let mut created = Vec::new();
-        let result = passes::build(inputs, &fixed, uploaded, wanted, backend, &mut created);
-        match result {
-            Ok((passes, buffers)) => Ok(Self {
-                passes,
-                planes: fixed.planes,
-                light_grid: fixed.light_grid,
-                rays: fixed.rays,
-                buffers,
-                kept: fixed.kept(),
-                unoccluded: fixed.unoccluded_irradiance(),
-                uploaded: None,
-            }),
-            Err(error) => {
-                for buffer in created {
-                    backend.free(buffer);
-                }
-                Err(error)
-            }
-        }
+        let uploaded = cache.uploaded(volumes, backend)?;
+        let tables = cache.tables(scene, volumes);
+        let (map, map_buffer) = cache.environment(scene, picture, backend)?;
+        let limits = (uploaded.format, backend.largest_buffer());
+        let fixed = Fixed::new(scene, volumes, tables, &map, limits)?;
+        let (passes, buffers) =
+            passes::build(scene, volumes, &fixed, (&uploaded, &map_buffer), request, cache, backend)?;
+        Ok(Self {
+            passes,
+            planes: fixed.planes,
+            light_grid: fixed.light_grid,
+            rays: fixed.rays,
+            buffers,
+            kept: fixed.kept(),
+            unoccluded: fixed.unoccluded_irradiance(),
+            request,
+            voxelized: None,
+        })
     }
 
     /// Runs all passes; `progress` gets the planes that are done and returns whether to go on.
@@ -139,7 +200,7 @@ impl Sweep {
     /// # Errors
     /// As [`Backend::read`].
     pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.buffers.film)?))
+        backend.read_all(&self.buffers.film)
     }
 
     /// The light on the last plane: red, then green, then blue plane irradiance for the light grid's texels (radiance if
@@ -158,21 +219,15 @@ impl Sweep {
     pub fn irradiance_on(&self, plane: u32, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         let texels = self.light_grid.size[0] as usize * self.light_grid.size[1] as usize;
         let bytes = (self.unoccluded.len() * texels * 4) as u64;
-        let part = backend.read_part(self.buffers.irradiance, self.kept.start(plane) * 4, bytes)?;
-        let mut shares: Vec<f32> = bytemuck::pod_collect_to_vec(&part);
+        let start = self.kept.start(plane) * 4;
+        let mut shares: Vec<f32> = backend.read_part(&self.buffers.irradiance, start..start + bytes)?;
         for (channel, unoccluded) in shares.chunks_exact_mut(texels).zip(self.unoccluded) {
             channel.iter_mut().for_each(|share| *share *= unoccluded);
         }
         Ok(shares)
     }
+}
 
-    /// Frees the frame's buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
-        for buffer in self.buffers.all {
-            backend.free(buffer);
-        }
-        if let Some(uploaded) = self.uploaded {
-            uploaded.free(backend);
-        }
-    }
+fn volumes(assets: &Assets) -> Result<Volumes<'_>, Error> {
+    assets.subject.volumes().ok_or_else(|| Unrenderable::NeedsVolume.into())
 }

@@ -3,11 +3,22 @@
 use super::hull::hull;
 use super::tables::Tables;
 use super::voxels::{brick_shift, bricks, normalisation};
+use crate::backend::Buffer;
 use crate::method::brick_distances::spread;
 use crate::method::view::point_between_voxels;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
+use std::sync::Arc;
 use vitrum_io::{Volume, Voxels};
+
+/// The bricks of all volumes on a backend.
+#[derive(Debug, Clone)]
+pub(super) struct Occupancy {
+    /// A word for each brick, see [`Question::answer`], one volume after the other.
+    pub(super) buffer: Buffer,
+    /// Points in the world whose convex hull is that of the bricks that are not empty.
+    pub(super) occupied: Arc<[DVec3]>,
+}
 
 /// What a volume is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,11 +1,12 @@
 //! The planes of a sweep.
 
+use crate::error::Error;
 use crate::method::view::receivers::Receivers;
-use crate::method::view::{View, bounding_sphere, corners};
-use crate::render::Error;
+use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
+use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use glam::DVec3;
-use vitrum_io::Volume;
 
 /// The most planes of one frame.
 const MOST_PLANES: f64 = 65_536.0;
@@ -36,18 +37,18 @@ impl Planes {
     pub(super) fn new(
         scene: &Scene,
         view: &View,
-        volumes: &[&Volume],
+        volumes: Volumes<'_>,
         receivers: &Receivers,
         light: DVec3,
     ) -> Result<Self, Error> {
-        let edge = volumes[0].spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let edge = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
         let distance = f64::from(edge) * f64::from(scene.sweep.sample_distance);
         let points: Vec<DVec3> =
-            volumes.iter().flat_map(|volume| corners(volume)).map(|corner| view.point(corner)).collect();
+            volumes.iter().flat_map(|volume| Bounds::from(volume).corners).map(|corner| view.point(corner)).collect();
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
         // Where the volume's shadow falls on a receiver, but not endlessly far; without shadows all ends behind the volume.
-        let limit = if scene.light.shadows { far + 3.0 * bounding_sphere(volumes[0]).1 } else { far };
+        let limit = if scene.first_light().shadows { far + 3.0 * Bounds::from(volumes.shown).sphere().1 } else { far };
         let reach = points
             .iter()
             .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))
@@ -58,19 +59,15 @@ impl Planes {
         let rest = reach - (first_depth + behind * distance);
         let steps = behind + (rest / (distance * STRIDE_BEHIND)).ceil().max(0.0);
         if steps > MOST_PLANES {
-            return Err(Error::Scene(format!(
-                "sweep.sample_distance = {} makes {steps} planes; at most {MOST_PLANES} are possible: make it larger",
-                scene.sweep.sample_distance
-            )));
+            let sample_distance = scene.sweep.sample_distance;
+            return Err(Unrenderable::TooManyPlanes { sample_distance, planes: steps, limit: MOST_PLANES }.into());
         }
         let count = steps as u32 + 1;
         // Just in front of the eye: rays start there.
         let start = if view.orthographic { f64::NEG_INFINITY } else { 1e-3 * (far - near) };
         let first_visible = ((start - first_depth) / distance).ceil().max(0.0);
         if first_visible > behind {
-            return Err(Error::Scene(
-                "the whole volume is behind the camera: move camera.position or camera.target".to_owned(),
-            ));
+            return Err(Unrenderable::BehindCamera.into());
         }
         Ok(Self {
             first_depth,

@@ -2,18 +2,16 @@
 //!
 //! None of the plane sweep's published kin does this: they keep one direction a texel, which cannot say what a focus leaves behind.
 
-use super::carrier::{Carrier, Maker, Volumes};
+use super::carrier::{Carrier, Maker, VolumeBuffers};
 use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
-use glam::DVec3;
-use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{light, sheet, sums};
 use vitrum_kernels::abi::sweep::mode;
-use vitrum_kernels::kernel::{Kernel, Window, kernels};
+use vitrum_kernels::kernel::{Window, kernels};
 
 /// The buffers of sheets.
 pub(super) struct Sheets {
-    volumes: Volumes,
+    volumes: VolumeBuffers,
     count: u32,
     sources: Buffer,
     nodes: Buffer,
@@ -22,38 +20,12 @@ pub(super) struct Sheets {
     irradiance: Buffer,
 }
 
-/// The directions of `count` sheets: `direction` alone, or a sunflower's seeds over the disc of a source with half-angle `softness`
-/// (degrees), each for the same share of its area.
-pub(super) fn sources(direction: DVec3, softness: f32, count: u32) -> Vec<[f32; 3]> {
-    let tangent = f64::from(softness).to_radians().tan();
-    let (across, up) = direction.any_orthonormal_pair();
-    let golden = std::f64::consts::PI * (3.0 - 5.0f64.sqrt());
-    (0..count)
-        .map(|seed| {
-            let radius = if count == 1 { 0.0 } else { ((f64::from(seed) + 0.5) / f64::from(count)).sqrt() * tangent };
-            let angle = golden * f64::from(seed);
-            let towards = direction + (across * angle.cos() + up * angle.sin()) * radius;
-            // Adding 0 leaves no negative zero, by which unrefracted light would seem to move.
-            (towards.normalize().as_vec3() + glam::Vec3::ZERO).to_array()
-        })
-        .collect()
-}
-
-fn advance_kernel(stored: u32) -> &'static Kernel {
-    match stored {
-        format::U8 => &kernels::sweep_advance_sheet_u8,
-        format::U16 => &kernels::sweep_advance_sheet_u16,
-        format::U8_PAGED => &kernels::sweep_advance_sheet_u8_paged,
-        format::U16_PAGED => &kernels::sweep_advance_sheet_u16_paged,
-        format::F32 => &kernels::sweep_advance_sheet_f32,
-        format::F32_PAGED => &kernels::sweep_advance_sheet_f32_paged,
-        format::F32_WITH_IOR_PAGED => &kernels::sweep_advance_sheet_f32_with_ior_paged,
-        _ => &kernels::sweep_advance_sheet_f32_with_ior,
-    }
-}
-
 impl Sheets {
-    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes, sources: &[[f32; 3]]) -> Result<Self, BackendError> {
+    pub(super) fn new(
+        maker: &mut Maker<'_>,
+        volumes: VolumeBuffers,
+        sources: &[[f32; 3]],
+    ) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
         let count = sources.len() as u32;
         Ok(Self {
@@ -76,8 +48,8 @@ fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
 impl Carrier for Sheets {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
         let nodes = nodes(fixed.light_grid.size, self.count);
-        let mut passes = Vec::from(fixed.unoccluded(self.light, self.irradiance));
-        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[self.sources, self.nodes]));
+        let mut passes = Vec::from(fixed.unoccluded(&self.light, &self.irradiance));
+        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[&self.sources, &self.nodes]));
         passes
     }
 
@@ -86,17 +58,22 @@ impl Carrier for Sheets {
         let [width, height] = texels;
         let cells = [width, height * self.count];
         let mut push =
-            |kernel, size, mode, buffers: &[Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
-        let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
-        let bound = [voxels, ior_voxels, occupancy, tables, self.sources, self.nodes];
-        push(advance_kernel(fixed.format), nodes(texels, self.count), mode::any_medium(fixed.mode), &bound);
-        push(&kernels::sweep_clear_sums, texels, 0, &[self.sums]);
-        push(&kernels::sweep_scatter_sheet, cells, 0, &[self.nodes, self.sources, self.sums]);
-        push(&kernels::sweep_collect_light, texels, 0, &[self.sums, self.light]);
-        passes.push(fixed.concentrate(Window::whole(width, height), plane, self.light, self.irradiance));
+            |kernel, size, mode, buffers: &[&Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
+        let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
+        let bound = [voxels, ior_voxels, occupancy, tables, &self.sources, &self.nodes];
+        push(
+            kernels::sweep_advance_sheet.get(fixed.format),
+            nodes(texels, self.count),
+            mode::any_medium(fixed.mode),
+            &bound,
+        );
+        push(&kernels::sweep_clear_sums, texels, 0, &[&self.sums]);
+        push(&kernels::sweep_scatter_sheet, cells, 0, &[&self.nodes, &self.sources, &self.sums]);
+        push(&kernels::sweep_collect_light, texels, 0, &[&self.sums, &self.light]);
+        passes.push(fixed.concentrate(Window::whole(width, height), plane, &self.light, &self.irradiance));
     }
 
-    fn irradiance(&self) -> Buffer {
-        self.irradiance
+    fn irradiance(&self) -> &Buffer {
+        &self.irradiance
     }
 }

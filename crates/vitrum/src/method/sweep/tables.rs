@@ -128,7 +128,7 @@ impl Tables {
     /// The optical depths over the fine grid.
     fn sample(transfer: &TransferFunction, shown: &Volume) -> Vec<Depths> {
         let color = colors(&transfer.color);
-        let medium = colors(&transfer.medium);
+        let filter = colors(&transfer.filter);
         let opacity: Vec<(f32, [f32; 1])> = if transfer.opacity.is_empty() {
             vec![(shown.range[0], [0.0]), (shown.range[1], [0.1])]
         } else {
@@ -139,7 +139,7 @@ impl Tables {
                 let value = scalar(shown, i as f64 / FINE as f64);
                 let [alpha] = interpolate(&opacity, value, [0.0]);
                 let tau = optical_depth(1.0 - alpha);
-                let kappa = interpolate(&medium, value, [1.0; 3]).map(optical_depth);
+                let kappa = interpolate(&filter, value, [1.0; 3]).map(optical_depth);
                 let color = interpolate(&color, value, [1.0; 3]);
                 [tau, kappa[0], kappa[1], kappa[2], tau * color[0], tau * color[1], tau * color[2]]
             })

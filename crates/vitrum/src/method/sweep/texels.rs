@@ -1,17 +1,16 @@
 //! Light on texels: each follows its light back to the plane behind (sweep §4.2).
 
-use super::carrier::{Carrier, Maker, Volumes};
+use super::carrier::{Carrier, Maker, VolumeBuffers};
 use super::uniforms::Fixed;
 use super::window::Seen;
 use crate::backend::{BackendError, Buffer, Pass};
-use vitrum_kernels::abi::grid::format;
 use vitrum_kernels::abi::record::{light, trace};
 use vitrum_kernels::abi::sweep::mode;
-use vitrum_kernels::kernel::{Kernel, Window, kernels};
+use vitrum_kernels::kernel::{Window, kernels};
 
 /// The buffers of light on texels.
 pub(super) struct Texels {
-    volumes: Volumes,
+    volumes: VolumeBuffers,
     seen: Option<Seen>,
     /// They swap roles from plane to plane.
     light: [Buffer; 2],
@@ -20,27 +19,17 @@ pub(super) struct Texels {
     traced: Buffer,
 }
 
-fn refract_kernel(stored: u32) -> &'static Kernel {
-    match stored {
-        format::U8 => &kernels::sweep_refract_light_u8,
-        format::U16 => &kernels::sweep_refract_light_u16,
-        format::U8_PAGED => &kernels::sweep_refract_light_u8_paged,
-        format::U16_PAGED => &kernels::sweep_refract_light_u16_paged,
-        format::F32 => &kernels::sweep_refract_light_f32,
-        format::F32_PAGED => &kernels::sweep_refract_light_f32_paged,
-        format::F32_WITH_IOR_PAGED => &kernels::sweep_refract_light_f32_with_ior_paged,
-        _ => &kernels::sweep_refract_light_f32_with_ior,
-    }
-}
-
 impl Texels {
     /// Light that is looked at where `seen` says, or everywhere.
-    pub(super) fn new(maker: &mut Maker<'_>, volumes: Volumes, seen: Option<Seen>) -> Result<Self, BackendError> {
+    pub(super) fn new(maker: &mut Maker<'_>, volumes: VolumeBuffers, seen: Option<Seen>) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
         Ok(Self {
             volumes,
             seen,
-            light: [maker.planar("light", texels, light::SIZE)?, maker.planar("light", texels, light::SIZE)?],
+            light: [
+                maker.planar("light of even planes", texels, light::SIZE)?,
+                maker.planar("light of odd planes", texels, light::SIZE)?,
+            ],
             filtered: maker.planar(
                 "filtered light",
                 if maker.fixed.is_soft() { texels } else { [1, 1] },
@@ -51,14 +40,14 @@ impl Texels {
         })
     }
 
-    fn light(&self, plane: u32) -> Buffer {
-        self.light[plane as usize % 2]
+    fn light(&self, plane: u32) -> &Buffer {
+        &self.light[plane as usize % 2]
     }
 }
 
 impl Carrier for Texels {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        fixed.unoccluded(self.light(0), self.irradiance).into()
+        fixed.unoccluded(self.light(0), &self.irradiance).into()
     }
 
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {
@@ -66,26 +55,26 @@ impl Carrier for Texels {
         let (behind, ahead) = (self.light(plane - 1), self.light(plane));
         let whole = Window::whole(texels[0], texels[1]);
         let window = self.seen.as_ref().map_or(whole, |seen| fixed.window(seen, plane));
-        let mut push = |kernel, mode, buffers: &[Buffer]| {
+        let mut push = |kernel, mode, buffers: &[&Buffer]| {
             passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers));
         };
         let colors = if mode::is_clear(fixed.mode) { mode::CLEAR_STRAIGHT } else { mode::STRAIGHT };
         // What light is followed into: the plane behind, filtered where the light is soft.
-        let source = if fixed.is_soft() { self.filtered } else { behind };
+        let source = if fixed.is_soft() { &self.filtered } else { behind };
         if fixed.is_soft() {
-            push(&kernels::sweep_filter_light, colors, &[behind, self.filtered]);
+            push(&kernels::sweep_filter_light, colors, &[behind, &self.filtered]);
         }
-        push(&kernels::sweep_trace_light, 0, &[source, self.traced]);
-        push(&kernels::sweep_gather_light, colors, &[source, self.traced, ahead]);
+        push(&kernels::sweep_trace_light, 0, &[source, &self.traced]);
+        push(&kernels::sweep_gather_light, colors, &[source, &self.traced, ahead]);
         if !fixed.planes.is_behind(plane) {
-            let Volumes { voxels, ior_voxels, occupancy, tables } = self.volumes;
-            let bound = [voxels, ior_voxels, occupancy, tables, self.traced, ahead];
-            push(refract_kernel(fixed.format), fixed.mode, &bound);
+            let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
+            let bound = [voxels, ior_voxels, occupancy, tables, &self.traced, ahead];
+            push(kernels::sweep_refract_light.get(fixed.format), fixed.mode, &bound);
         }
-        passes.push(fixed.concentrate(window, plane, ahead, self.irradiance));
+        passes.push(fixed.concentrate(window, plane, ahead, &self.irradiance));
     }
 
-    fn irradiance(&self) -> Buffer {
-        self.irradiance
+    fn irradiance(&self) -> &Buffer {
+        &self.irradiance
     }
 }

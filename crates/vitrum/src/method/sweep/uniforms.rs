@@ -4,36 +4,40 @@ use super::kept::Kept;
 use super::light::{LightGrid, direction};
 use super::paging::Sampling;
 use super::planes::Planes;
-use super::sheets::sources;
 use super::tables::Tables;
 use super::voxels::grid;
 use super::window::Seen;
-use crate::inputs::Inputs;
-use crate::method::view::environment::Prepared;
+use crate::error::Error;
+use crate::method::lights;
+use crate::method::sources::sources;
+use crate::method::view::environment::{EnvironmentMap, Prepared};
 use crate::method::view::receivers::{Receivers, plane};
-use crate::method::view::{View, bounding_sphere, vector};
-use crate::render::Error;
-use crate::scene::{Gradient, Integrator, Intensity, Removes, Scene, Transport};
-use glam::{DVec3, DVec4, UVec4};
-use vitrum_kernels::abi::grid::format::is_paged;
+use crate::method::view::{Bounds, View, vector};
+use crate::scene::{Gradient, Integrator, Intensity, Removes, Rgb, Scene, Transport};
+use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
+use glam::{DVec3, DVec4};
+use std::sync::Arc;
+use vitrum_kernels::abi::camera::Camera;
+use vitrum_kernels::abi::clip::{Clip, MOST_CLIPS};
+use vitrum_kernels::abi::dispatch::{Dispatch, Region};
+use vitrum_kernels::abi::format::Format;
+use vitrum_kernels::abi::light as abi;
+use vitrum_kernels::abi::receivers::{self, Receiver};
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
-use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::abi::vector::{Size, Vec3};
 use vitrum_kernels::kernel::Window;
 
 /// The smallest v_z / |v| of a ray that goes on: 89°. Beyond, one plane's step would cross dozens of voxels.
 const SMALLEST_COSINE: f32 = 0.017_452;
-/// The most clipping planes.
-const MOST_CLIPS: usize = 4;
 
 /// What does not change from plane to plane.
 pub(super) struct Fixed {
     pub(super) planes: Planes,
     pub(super) light_grid: LightGrid,
     pub(super) rays: [u32; 2],
-    pub(super) tables: Tables,
-    pub(super) environment: Prepared,
-    /// One of [`vitrum_kernels::abi::grid::format`].
-    pub(super) format: u32,
+    pub(super) tables: Arc<Tables>,
+    pub(super) format: Format,
     /// The farthest step, in voxels, over which a brick's range holds.
     pub(super) reach: [u32; 2],
     /// [`mode`] of viewing rays.
@@ -52,12 +56,8 @@ pub(super) struct Fixed {
     softness: f32,
 }
 
-fn single(v: DVec4) -> Vec4 {
-    v.as_vec4().into()
-}
-
-fn rgb(color: [f32; 3]) -> Vec4 {
-    Vec4::new(color[0], color[1], color[2], 0.0)
+fn receiver(plane: DVec4, color: Option<Rgb>) -> Receiver {
+    Receiver { plane: plane.as_vec4().into(), color: color.map_or(Vec3::ZERO, Vec3::from) }
 }
 
 /// Steps up to one and a half times the plane distance (48° to the planes' normal) stay within a brick's range.
@@ -77,41 +77,48 @@ struct Geometry {
 }
 
 impl Geometry {
-    fn new(scene: &Scene, inputs: &Inputs) -> Result<Self, Error> {
-        let shown = &inputs.volume;
-        let volumes: Vec<_> = std::iter::once(shown).chain(&inputs.ior_volume).collect();
-        let view = View::new(scene, shown);
-        let towards = direction(&scene.light, &view)?;
-        let receivers = Receivers::new(scene, &view, shown);
-        let planes = Planes::new(scene, &view, &volumes, &receivers, towards)?;
-        let light_grid = LightGrid::new(scene, &view, &volumes, &planes, towards)?;
+    fn new(scene: &Scene, volumes: Volumes<'_>) -> Result<Self, Error> {
+        let bounds = Bounds::from(volumes.shown);
+        let view = View::new(scene, bounds);
+        let towards = direction(scene.first_light(), 0, &view)?;
+        let receivers = Receivers::new(scene, &view, bounds);
+        let planes = Planes::new(scene, &view, volumes, &receivers, towards)?;
+        let light_grid = LightGrid::new(scene, &view, volumes, &planes, towards)?;
         Ok(Self { view, towards, planes, light_grid, receivers })
     }
 }
 
-/// Whether there are planes and a light grid for a scene of these inputs, and its clips are planes.
+/// Whether there are planes and a light grid for a scene of these volumes, and its clips are planes.
 ///
 /// # Errors
-/// [`Error::Scene`] where the light shines towards the camera, or planes or light texels would be too many.
-pub fn check(scene: &Scene, inputs: &Inputs) -> Result<(), Error> {
-    let Geometry { view, .. } = Geometry::new(scene, inputs)?;
-    set_clips(&mut SweepUniforms::default(), scene, &view, &inputs.volume)
+/// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
+pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
+    let view = View::new(scene, volumes.shown);
+    super::light::check(scene, &view)?;
+    for exposure in lights::exposures(scene) {
+        Geometry::new(&exposure.scene, volumes)?;
+    }
+    set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)
 }
 
 impl Fixed {
     /// What `scene` comes to for volumes that are stored as `format` says, on a backend whose buffers have at most `largest_buffer` bytes.
-    pub(super) fn new(scene: &Scene, inputs: &Inputs, format: u32, largest_buffer: u64) -> Result<Self, Error> {
-        let shown = &inputs.volume;
-        let bending = inputs.ior_volume.as_ref();
-        let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, inputs)?;
-        let tables = Tables::new(&scene.transfer, scene.sweep.refraction, shown, bending.unwrap_or(shown));
-        let environment = Prepared::new(&scene.environment, inputs.environment.as_ref(), &view);
+    pub(super) fn new(
+        scene: &Scene,
+        volumes: Volumes<'_>,
+        tables: Arc<Tables>,
+        map: &EnvironmentMap,
+        (format, largest_buffer): (Format, u64),
+    ) -> Result<Self, Error> {
+        let Volumes { shown, ior: bending } = volumes;
+        let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, volumes)?;
+        let environment = Prepared::new(&scene.environment, map, &view);
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
         let mode = match (tables.refracts, scene.sweep.gradient) {
             (false, _) if tables.colors => mode::STRAIGHT,
-            (false, _) if scene.light.shadows => mode::CLEAR_STRAIGHT,
+            (false, _) if scene.first_light().shadows => mode::CLEAR_STRAIGHT,
             (false, _) => mode::UNSHADED,
             (true, Gradient::Central) if tables.colors => mode::CENTRAL,
             (true, Gradient::Central) => mode::CLEAR_CENTRAL,
@@ -119,42 +126,42 @@ impl Fixed {
         };
         let first_ior_brick: u32 = super::voxels::bricks(shown).iter().product();
         let mut block = SweepUniforms {
-            dispatch: UVec4::new(0, 0, 0, flags(scene)),
-            size: UVec4::new(rays[0], rays[1], light_grid.size[0], light_grid.size[1]),
+            flags: flags(scene),
+            picture: Size { width: rays[0], height: rays[1] },
             grid: grid(shown, format, &view, reach[0], 0),
-            light_grid: Vec4::new(
-                light_grid.corner.x as f32,
-                light_grid.corner.y as f32,
-                light_grid.texel as f32,
-                (1.0 / light_grid.texel) as f32,
-            ),
-            light_shear: Vec4::new(light_grid.shear.x as f32, light_grid.shear.y as f32, planes.depth(0) as f32, 0.0),
-            light_direction: (towards.as_vec3() + glam::Vec3::ZERO).extend(0.0).into(),
-            camera: Vec4::new(
-                view.half_size[0] as f32,
-                view.half_size[1] as f32,
-                planes.depth(planes.first_visible) as f32,
-                if view.orthographic { 1.0 } else { 0.0 },
-            ),
-            ground_plane: single(receivers.ground),
-            ground_color: scene.ground.as_ref().map_or(Vec4::ZERO, |ground| rgb(ground.color)),
-            wall_plane: single(receivers.wall),
-            wall_color: scene.wall.as_ref().map_or(Vec4::ZERO, |wall| rgb(wall.color)),
-            ambient: rgb(scene.shading.ambient),
-            shading: Vec4::new(scene.shading.roughness, scene.shading.specular, SMALLEST_COSINE, 0.0),
-            environment: environment.shape,
-            environment_x: environment.rows[0],
-            environment_y: environment.rows[1],
-            environment_z: environment.rows[2],
-            environment_color: environment.color,
-            environment_horizon: environment.horizon,
-            environment_nadir: environment.nadir,
+            light_grid: abi::LightGrid {
+                width: light_grid.size[0],
+                height: light_grid.size[1],
+                corner_x: light_grid.corner.x as f32,
+                corner_y: light_grid.corner.y as f32,
+                texel: light_grid.texel as f32,
+                inverse_texel: (1.0 / light_grid.texel) as f32,
+                shear_x: light_grid.shear.x as f32,
+                shear_y: light_grid.shear.y as f32,
+                shear_depth: planes.depth(0) as f32,
+            },
+            // Adding 0 leaves no negative zero.
+            light: abi::Light { direction: (towards.as_vec3() + glam::Vec3::ZERO).into(), ..abi::Light::default() },
+            camera: Camera {
+                half_width: view.half_size[0] as f32,
+                half_height: view.half_size[1] as f32,
+                start: planes.depth(planes.first_visible) as f32,
+                orthographic: u32::from(view.orthographic),
+            },
+            receivers: receivers::Receivers {
+                ground: receiver(receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
+                wall: receiver(receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
+            },
+            ambient: scene.shading.ambient.into(),
+            roughness: scene.shading.roughness,
+            specular: scene.shading.specular,
+            environment: environment.block,
             ..SweepUniforms::default()
         };
         block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, format, &view, reach[1], first_ior_brick));
         let sheets = (scene.sweep.light == Transport::Sheets).then(|| {
-            let count = if scene.light.softness > 0.0 { scene.sweep.sheets } else { 1 };
-            sources(towards, scene.light.softness, count)
+            let count = if scene.first_light().angular_radius > 0.0 { scene.sweep.sheets } else { 1 };
+            sources(towards, scene.first_light().angular_radius, count)
         });
         let steepest = steepest(
             &view,
@@ -163,17 +170,20 @@ impl Fixed {
         );
         let sampled = std::iter::once(shown).chain(bending);
         let sampling = sampled.map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
-        block.light_initial = initial_light(scene, &block);
-        block.light_initial.w = sheets.as_ref().map_or(0.0, |sheets| 1.0 / sheets.len() as f32);
-        block.light_shear = exact_shear(&block, &light_grid);
+        block.light.color = initial_light(scene, &block);
+        block.sheet_share = sheets.as_ref().map_or(0.0, |sheets| 1.0 / sheets.len() as f32);
+        if light_grid.follows_light() {
+            [block.light_grid.shear_x, block.light_grid.shear_y] = exact_shear(&block.light);
+        }
         let reference = scene
             .transfer
             .reference_length
             .unwrap_or_else(|| shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
-        block.plane.w = 1.0 / reference;
+        block.step.inverse_reference_length = 1.0 / reference;
+        block.step.smallest_cosine = SMALLEST_COSINE;
         set_clips(&mut block, scene, &view, shown)?;
         // Streamed voxels go as soon as they can, and irradiance that never changes needs to be there but once.
-        let several = scene.light.shadows && !is_paged(format);
+        let several = scene.first_light().shadows && !format.is_paged();
         let kept = if several { Kept::new(light_grid.size, largest_buffer) } else { Kept::one(light_grid.size) };
         Ok(Self {
             kept,
@@ -181,21 +191,20 @@ impl Fixed {
             light_grid,
             rays,
             tables,
-            environment,
             format,
             sampling,
             reach,
             mode,
-            shadows: scene.light.shadows,
+            shadows: scene.first_light().shadows,
             sheets,
             view,
             lights_surroundings: scene.ground.is_some() || scene.wall.is_some(),
             block,
-            softness: scene.light.softness,
+            softness: scene.first_light().angular_radius,
         })
     }
 
-    /// Where light is looked at, if that is in the convex hull of `points` (in the sweep frame).
+    /// Where light is looked at, if that is in the convex hull of `points` (in the view frame).
     pub(super) fn seen(&self, points: impl Iterator<Item = DVec3>) -> Seen {
         self.light_grid.seen(points, &self.planes)
     }
@@ -210,30 +219,39 @@ impl Fixed {
     /// The block of a pass over a part of `size` invocations that leads to plane `index`.
     pub(super) fn block(&self, size: [u32; 2], window: Window, mode: u32, index: u32) -> SweepUniforms {
         let mut block = self.block;
-        block.dispatch.x = size[0];
-        block.dispatch.y = size[1];
-        block.window = UVec4::new(window.first[0], window.first[1], window.end[0], window.end[1]);
-        block.dispatch.z = mode;
-        block.irradiance.x = self.kept.start(index.saturating_sub(1)) as u32;
-        block.plane.x = self.planes.depth(index.saturating_sub(1)) as f32;
-        block.plane.y = self.planes.depth(index) as f32;
-        block.plane.z = self.planes.step(index) as f32;
-        block.shading.w = self.planes.alike(index) as f32;
+        block.dispatch = Dispatch { width: size[0], height: size[1], mode };
+        block.region = Region {
+            first_column: window.first[0],
+            first_row: window.first[1],
+            end_column: window.end[0],
+            end_row: window.end[1],
+        };
+        block.irradiance_start = self.kept.start(index.saturating_sub(1)) as u32;
+        block.step.behind = self.planes.depth(index.saturating_sub(1)) as f32;
+        block.step.ahead = self.planes.depth(index) as f32;
+        block.step.distance = self.planes.step(index) as f32;
+        block.step.alike = self.planes.alike(index) as f32;
         if self.planes.is_behind(index) {
-            block.dispatch.w |= flag::BEHIND_VOLUME;
+            block.flags |= flag::BEHIND_VOLUME;
         }
         if index + self.planes.alike(index) + 1 == self.planes.count {
-            block.dispatch.w |= flag::LAST_STRETCH;
+            block.flags |= flag::LAST_STRETCH;
         }
-        let [a, b, c] = self.light_grid.taps(self.softness, &self.planes, index);
-        block.taps_a = Vec4::new(a.x as f32, a.y as f32, b.x as f32, b.y as f32);
-        block.taps_b = Vec4::new(c.x as f32, c.y as f32, 0.0, 0.0);
+        let [first, second, third] = self.light_grid.taps(self.softness, &self.planes, index).map(|tap| tap.as_vec2());
+        block.taps = abi::Taps {
+            first_x: first.x,
+            first_y: first.y,
+            second_x: second.x,
+            second_y: second.y,
+            third_x: third.x,
+            third_y: third.y,
+        };
         block
     }
 
     /// The plane irradiance (or radiance, see [`flag::STORE_RADIANCE`]) of unoccluded light.
     pub(super) fn unoccluded_irradiance(&self) -> [f32; 3] {
-        let Vec4 { x, y, z, .. } = self.block.light_initial;
+        let Vec3 { x, y, z } = self.block.light.color;
         [x, y, z]
     }
 
@@ -277,42 +295,35 @@ fn steepest(view: &View, tables: &Tables, directions: impl Iterator<Item = [f32;
 }
 
 /// The grid's shear, rounded as kernels round the light's slope: unrefracted light then stays exactly on its texel.
-fn exact_shear(block: &SweepUniforms, light_grid: &LightGrid) -> Vec4 {
-    let v = block.light_direction;
+fn exact_shear(light: &abi::Light) -> [f32; 2] {
+    let v = light.direction;
     let inverse = 1.0 / v.z;
-    let mut shear = block.light_shear;
-    if light_grid.follows_light() {
-        (shear.x, shear.y) = (v.x * inverse, v.y * inverse);
-    }
-    shear
+    [v.x * inverse, v.y * inverse]
 }
 
 /// Unoccluded light as it is stored.
-fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec4 {
-    let stored = if block.dispatch.w & flag::STORE_RADIANCE != 0 { 1.0 } else { block.light_direction.z };
-    let factor = scene.light.intensity * stored;
-    let [r, g, b] = scene.light.color;
-    Vec4::new(r * factor, g * factor, b * factor, 0.0)
+fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec3 {
+    let stored = if block.flags & flag::STORE_RADIANCE != 0 { 1.0 } else { block.light.direction.z };
+    let light = scene.first_light();
+    let factor = light.intensity * stored;
+    light.color.map(|channel| channel * factor).into()
 }
 
 fn set_clips(block: &mut SweepUniforms, scene: &Scene, view: &View, volume: &vitrum_io::Volume) -> Result<(), Error> {
     if scene.clip.len() > MOST_CLIPS {
-        return Err(Error::Scene(format!(
-            "{} clipping planes are given, at most {MOST_CLIPS} are possible",
-            scene.clip.len()
-        )));
+        return Err(Unrenderable::TooManyClips { count: scene.clip.len(), limit: MOST_CLIPS }.into());
     }
-    let (centre, _) = bounding_sphere(volume);
-    let mut planes = [Vec4::ZERO; MOST_CLIPS];
-    let mut everything = [0.0; MOST_CLIPS];
+    let (centre, _) = Bounds::from(volume).sphere();
+    let mut clips = [Clip::default(); MOST_CLIPS];
     for (slot, clip) in scene.clip.iter().enumerate() {
-        let normal = vector(clip.normal).try_normalize().ok_or_else(|| {
-            Error::Scene(format!("clip.{slot}.normal has no length: give three numbers that are not all 0"))
-        })?;
-        planes[slot] = single(plane(view, normal, centre + normal * f64::from(clip.offset)));
-        everything[slot] = if clip.removes == Removes::Everything { 1.0 } else { 0.0 };
+        let normal = vector(clip.normal)
+            .try_normalize()
+            .ok_or_else(|| Unrenderable::NoDirection { key: format!("clip.{slot}.normal") })?;
+        clips[slot] = Clip {
+            plane: plane(view, normal, centre + normal * f64::from(clip.offset)).as_vec4().into(),
+            everything: u32::from(clip.removes == Removes::Everything),
+        };
     }
-    [block.clip_0, block.clip_1, block.clip_2, block.clip_3] = planes;
-    block.clip_everything = glam::Vec4::from_array(everything).into();
+    [block.clip_0, block.clip_1, block.clip_2, block.clip_3] = clips;
     Ok(())
 }

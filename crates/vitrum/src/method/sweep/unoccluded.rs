@@ -20,12 +20,12 @@ impl Unoccluded {
 
 impl Carrier for Unoccluded {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        fixed.unoccluded(self.light, self.irradiance).into()
+        fixed.unoccluded(&self.light, &self.irradiance).into()
     }
 
     fn advance(&self, _fixed: &Fixed, _plane: u32, _passes: &mut Vec<Pass>) {}
 
-    fn irradiance(&self) -> Buffer {
-        self.irradiance
+    fn irradiance(&self) -> &Buffer {
+        &self.irradiance
     }
 }

@@ -1,14 +1,15 @@
 //! Volumes as kernels read them: the voxels as they came, x fastest, as words.
 
-use super::paging::count;
-use crate::backend::{Backend, BackendError, Buffer};
+use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::view::{View, vector, voxel_steps};
+use crate::subject::Volumes;
 use bytemuck::cast_slice_mut;
-use glam::{DVec3, IVec4};
+use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::{Volume, Voxels};
-use vitrum_kernels::abi::grid::{Grid, format, page};
-use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::abi::format::{Format, page};
+use vitrum_kernels::abi::grid::Grid;
+use vitrum_kernels::abi::vector::{Affine, Counts, Vec3};
 
 /// log₂ of the edge of a brick of the occupancy buffer, in voxels, unless that makes more than [`MOST_BRICKS`].
 const FINEST_BRICK: u32 = 2;
@@ -18,34 +19,34 @@ const FINEST_BRICK: u32 = 2;
 const MOST_BRICKS: u64 = 1 << 23;
 
 /// How a volume is stored, and whether a second one gives η.
-pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> u32 {
+pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
     match (&shown.voxels, ior) {
-        (_, Some(_)) => format::F32_WITH_IOR,
-        (Voxels::U8(_), None) => format::U8,
-        (Voxels::U16(_), None) => format::U16,
-        (Voxels::F32(_), None) => format::F32,
+        (_, Some(_)) => Format::F32WithIor,
+        (Voxels::U8(_), None) => Format::U8,
+        (Voxels::U16(_), None) => Format::U16,
+        (Voxels::F32(_), None) => Format::F32,
     }
 }
 
 /// Bytes of a volume that is stored as `stored` says.
-pub(super) fn bytes(volume: &Volume, stored: u32) -> u64 {
-    volume.voxels.len() as u64 * format::bytes(stored)
+pub(super) fn bytes(volume: &Volume, stored: Format) -> u64 {
+    volume.voxels.len() as u64 * stored.bytes()
 }
 
 /// Whether the backend can have all of `volumes` in one piece each.
-pub(super) fn fit(volumes: &[&Volume], stored: u32, backend: &dyn Backend) -> bool {
+pub(super) fn fit(volumes: Volumes<'_>, stored: Format, backend: &dyn Backend) -> bool {
     // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
-    let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * format::bytes(stored));
+    let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * stored.bytes());
     let sizes = volumes.iter().map(|volume| bytes(volume, stored));
     sizes.clone().all(|size| size <= most) && sizes.sum::<u64>() <= backend.volume_limit()
 }
 
 /// Hands a volume to the backend in one piece. The CPU backend reads the volume's own memory, unless it has to be turned into floats.
-pub(super) fn upload(volume: &Volume, stored: u32, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
+pub(super) fn upload(volume: &Volume, stored: Format, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
     Ok(match (&volume.voxels, stored) {
-        (Voxels::U8(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
-        (Voxels::U16(voxels), format::F32_WITH_IOR) => floats(voxels, backend)?,
-        (voxels, _) => backend.share("voxels", &voxels.words())?,
+        (Voxels::U8(voxels), Format::F32WithIor) => floats(voxels, backend)?,
+        (Voxels::U16(voxels), Format::F32WithIor) => floats(voxels, backend)?,
+        (voxels, _) => backend.create("voxels", Contents::Shared(&voxels.words()))?,
     })
 }
 
@@ -53,10 +54,11 @@ fn floats<T: Copy + Sync>(voxels: &[T], backend: &mut dyn Backend) -> Result<Buf
 where
     f32: From<T>,
 {
-    backend.create_with("voxels", voxels.len() as u64 * 4, &mut |words| {
+    let mut convert = |words: &mut [u32]| {
         let floats: &mut [f32] = cast_slice_mut(words);
         floats.par_iter_mut().zip(voxels).for_each(|(float, &voxel)| *float = f32::from(voxel));
-    })
+    };
+    backend.create("voxels", Contents::Written(voxels.len() as u64 * 4, &mut convert))
 }
 
 /// log₂ of the edge of a volume's bricks.
@@ -71,6 +73,11 @@ pub(super) fn bricks(volume: &Volume) -> [u32; 3] {
     volume.dimensions.map(|n| n.div_ceil(1 << shift))
 }
 
+/// Pages of a streamed volume along each axis.
+pub(super) fn pages(dimensions: [u32; 3]) -> [u32; 3] {
+    dimensions.map(|n| (n >> page::SHIFT) + 1)
+}
+
 /// What a stored value is multiplied by, and what is added then, for the normalised scalar.
 pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
     let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
@@ -81,33 +88,39 @@ pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
     ]
 }
 
-/// Where a volume, stored as `format` says, lies in the sweep frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
+/// Where a volume, stored as `format` says, lies in the view frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
 /// bricks start in the occupancy buffer.
-pub(super) fn grid(volume: &Volume, stored: u32, view: &View, reach: u32, first_brick: u32) -> Grid {
+pub(super) fn grid(volume: &Volume, stored: Format, view: &View, reach: u32, first_brick: u32) -> Grid {
     let inverse = voxel_steps(volume).inverse();
     let along = inverse * view.axes;
     let start = inverse * (view.eye - vector(volume.origin));
     let row = |axis: usize| {
         let row: DVec3 = along.row(axis);
-        Vec4::from(row.as_vec3().extend(start[axis] as f32))
+        Affine::from(row.as_vec3().extend(start[axis] as f32))
     };
     let [width, height, depth] = volume.dimensions;
     let [factor, summand] = normalisation(volume);
-    let [bx, by, bz] = bricks(volume).map(|n| n as i32);
-    let [px, py, pz] = count(volume.dimensions).map(|n| n as i32);
+    let [bx, by, bz] = bricks(volume);
+    let [px, py, pz] = pages(volume.dimensions);
+    let [row_pitch, slice_pitch] = if stored.is_paged() {
+        [page::ROW, page::SLICE]
+    } else {
+        // A slice of a volume that can be addressed is no longer than that.
+        [width as i32, width.wrapping_mul(height) as i32]
+    };
     Grid {
         row_x: row(0),
         row_y: row(1),
         row_z: row(2),
-        size: Vec4::new(width as f32, height as f32, depth as f32, reach as f32),
-        value: Vec4::new(factor, summand, 0.0, 0.0),
-        pitch: if format::is_paged(stored) {
-            IVec4::new(page::ROW, page::SLICE, 0, 0)
-        } else {
-            // A slice of a volume that can be addressed is no longer than that.
-            IVec4::new(width as i32, width.wrapping_mul(height) as i32, 0, 0)
-        },
-        bricks: IVec4::new(bx, by, bz, first_brick as i32),
-        pages: IVec4::new(px, py, pz, brick_shift(volume) as i32),
+        size: Vec3::new(width as f32, height as f32, depth as f32),
+        reach: reach as f32,
+        value_scale: factor,
+        value_offset: summand,
+        row_pitch,
+        slice_pitch,
+        bricks: Counts::new(bx, by, bz),
+        first_brick,
+        pages: Counts::new(px, py, pz),
+        brick_shift: brick_shift(volume),
     }
 }

@@ -9,7 +9,7 @@ use super::hull::{extent, hull};
 use super::light::LightGrid;
 use super::planes::Planes;
 use glam::{DVec2, DVec3};
-use vitrum_kernels::kernel::{LANES, Window};
+use vitrum_kernels::kernel::Window;
 
 /// Texels around a slice, besides those that the softness filter looks at: interpolation, differences of neighbours, and light that is on
 /// its way out and comes from beside the slice.
@@ -24,7 +24,7 @@ pub(super) struct Seen {
 }
 
 impl LightGrid {
-    /// Where light is looked at, if that is in the convex hull of `points` (in the sweep frame).
+    /// Where light is looked at, if that is in the convex hull of `points` (in the view frame).
     pub(super) fn seen(&self, points: impl Iterator<Item = DVec3>, planes: &Planes) -> Seen {
         let texel = |point: DVec3| {
             (point.truncate() - self.shear * (point.z - planes.depth(0)) - self.corner) / self.texel - DVec2::splat(0.5)
@@ -49,7 +49,7 @@ impl LightGrid {
         }
         let depths = [planes.depth(plane - 1), planes.depth(plane)];
         let Some((columns, rows)) = extent(&seen.across, depths).zip(extent(&seen.up, depths)) else {
-            return Window { first: [0, 0], end: [0, 0] };
+            return Window::empty();
         };
         let margin = filter.ceil() + MARGIN;
         // Casts cut off below 0.
@@ -57,8 +57,6 @@ impl LightGrid {
         let to = |high: f64, size: u32| ((high + margin).ceil() as u32).saturating_add(1).min(size);
         let end = [to(columns[1], width), to(rows[1], height)];
         let first = [from(columns[0], end[0]), from(rows[0], end[1])];
-        // Whole blocks, on every backend: what is not run keeps what it was.
-        let lanes = LANES as u32;
-        Window { first: [first[0] / lanes * lanes, first[1]], end: [end[0].next_multiple_of(lanes).min(width), end[1]] }
+        Window::around(first, end, width)
     }
 }

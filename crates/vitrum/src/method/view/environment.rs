@@ -2,54 +2,72 @@
 
 use super::{View, from_angles};
 use crate::scene::{Environment, EnvironmentKind, Rgb};
-use glam::{DVec3, UVec4};
+use glam::DVec3;
 use vitrum_io::Picture;
-use vitrum_kernels::abi::environment::{MAX_LEVELS, kind};
-use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::abi::environment::{Environment as Block, MAX_LEVELS, kind};
+use vitrum_kernels::abi::vector::Vec3;
+
+/// The environment's equirectangular picture with its mip chain, as kernels read it.
+pub(in crate::method) struct EnvironmentMap {
+    /// Width and height of the finest level, and the number of levels.
+    size: [u32; 3],
+    /// RGB floats of all levels; one black texel if there is no map.
+    pub(in crate::method) texels: Vec<f32>,
+}
+
+impl EnvironmentMap {
+    /// The map of an environment whose picture is `picture`.
+    pub(in crate::method) fn new(environment: &Environment, picture: Option<&Picture>) -> Self {
+        let (texels, width, height, levels) = match (environment.kind, picture) {
+            (EnvironmentKind::Map, Some(picture)) => chain(picture),
+            _ => (vec![0.0; 3], 1, 1, 1),
+        };
+        Self { size: [width, height, levels], texels }
+    }
+}
 
 /// An environment as kernels read it.
 pub(in crate::method) struct Prepared {
-    /// Pattern, width, height, levels.
-    pub(in crate::method) shape: UVec4,
+    /// Its uniforms, for rays in the view frame.
+    pub(in crate::method) block: Block,
     /// The environment's axes in the world: its side, its middle, up.
     pub(in crate::method) axes: [DVec3; 3],
-    /// Rows of the rotation from the sweep frame to the environment's frame.
-    pub(in crate::method) rows: [Vec4; 3],
-    pub(in crate::method) color: Vec4,
-    pub(in crate::method) horizon: Vec4,
-    pub(in crate::method) nadir: Vec4,
-    /// RGB floats of all levels; one black texel if there is no map.
-    pub(in crate::method) map: Vec<f32>,
 }
 
-fn scaled(color: Rgb, factor: f32, w: f32) -> Vec4 {
-    Vec4::new(color[0] * factor, color[1] * factor, color[2] * factor, w)
+fn scaled(color: Rgb, factor: f32) -> Vec3 {
+    color.map(|channel| channel * factor).into()
 }
 
 impl Prepared {
-    pub(in crate::method) fn new(environment: &Environment, picture: Option<&Picture>, view: &View) -> Self {
+    pub(in crate::method) fn new(environment: &Environment, map: &EnvironmentMap, view: &View) -> Self {
         let pattern = match environment.kind {
             EnvironmentKind::Color => kind::COLOR,
             EnvironmentKind::Gradient => kind::GRADIENT,
             EnvironmentKind::Checkerboard => kind::CHECKERBOARD,
             EnvironmentKind::Map => kind::MAP,
         };
-        let (map, width, height, levels) = match (environment.kind, picture) {
-            (EnvironmentKind::Map, Some(picture)) => chain(picture),
-            _ => (vec![0.0; 3], 1, 1, 1),
-        };
+        let [width, height, levels] = map.size;
         let facing = from_angles(view.up, view.front, environment.rotation, 0.0);
         let side = view.up.cross(facing);
-        let row = |axis: DVec3| Vec4::from(view.direction(axis).as_vec3().extend(0.0));
+        let row = |axis: DVec3| Vec3::from(view.direction(axis).as_vec3());
         let factor = environment.intensity;
         Self {
-            shape: UVec4::new(pattern, width, height, levels),
+            block: Block {
+                kind: pattern,
+                map_width: width,
+                map_height: height,
+                map_levels: levels,
+                row_x: row(side),
+                row_y: row(facing),
+                row_z: row(view.up),
+                color: scaled(environment.color, factor),
+                horizon: scaled(environment.horizon, factor),
+                nadir: scaled(environment.nadir, factor),
+                square: environment.square.to_radians(),
+                intensity: factor,
+                visible: if environment.visible { 1.0 } else { 0.0 },
+            },
             axes: [side, facing, view.up],
-            rows: [row(side), row(facing), row(view.up)],
-            color: scaled(environment.color, factor, environment.square.to_radians()),
-            horizon: scaled(environment.horizon, factor, factor),
-            nadir: scaled(environment.nadir, factor, if environment.visible { 1.0 } else { 0.0 }),
-            map,
         }
     }
 }

@@ -1,10 +1,13 @@
-//! What every method has of a scene: where the picture is taken from, what is around, where light comes from.
+//! The parts of a scene that every method has: the camera's view, the environment, receivers, lights' directions.
 //!
-//! The sweep frame, in which all of it is stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
+//! The view frame, in which all of them are stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
 
+pub(in crate::method) mod bounds;
 pub(in crate::method) mod environment;
 pub(in crate::method) mod light;
 pub(in crate::method) mod receivers;
+
+pub use bounds::Bounds;
 
 use crate::scene::{Camera, Projection, Scene, Vector};
 use glam::{DMat3, DVec3};
@@ -19,7 +22,7 @@ const FIT: f64 = 0.87;
 pub struct View {
     /// The eye, in the world.
     pub eye: DVec3,
-    /// Unit vectors of the sweep frame, in the world, as columns: right, up, away from the eye.
+    /// Unit vectors of the view frame, in the world, as columns: right, up, away from the eye.
     pub axes: DMat3,
     /// Whether rays are parallel.
     pub orthographic: bool,
@@ -44,26 +47,9 @@ pub(in crate::method) fn voxel_steps(volume: &Volume) -> DMat3 {
     DMat3::from_cols(step(0), step(1), step(2))
 }
 
-/// The eight corners of the volume's box (whole voxels), in the world.
-pub(in crate::method) fn corners(volume: &Volume) -> [DVec3; 8] {
-    let ends = volume.dimensions.map(|n| [-0.5, f64::from(n) - 0.5]);
-    std::array::from_fn(|corner| {
-        let end = |axis: usize| ends[axis][corner >> axis & 1];
-        point_between_voxels(volume, DVec3::new(end(0), end(1), end(2)))
-    })
-}
-
 /// The point in the world at voxel coordinates `at`.
 pub(in crate::method) fn point_between_voxels(volume: &Volume, at: DVec3) -> DVec3 {
     vector(volume.origin) + voxel_steps(volume) * at
-}
-
-/// Centre and radius of the sphere around the volume's box.
-pub(in crate::method) fn bounding_sphere(volume: &Volume) -> (DVec3, f64) {
-    let corners = corners(volume);
-    let centre = corners.iter().sum::<DVec3>() / 8.0;
-    let radius = corners.iter().map(|corner| (*corner - centre).length()).fold(0.0, f64::max);
-    (centre, radius)
 }
 
 /// The world's up and, across it, the direction from which azimuth 0 looks.
@@ -82,10 +68,10 @@ pub(in crate::method) fn from_angles(up: DVec3, front: DVec3, azimuth: f32, elev
 }
 
 impl View {
-    /// The view of a scene's camera on a volume.
-    pub fn new(scene: &Scene, volume: &Volume) -> Self {
+    /// The view of a scene's camera on a subject with these bounds.
+    pub fn new(scene: &Scene, bounds: impl Into<Bounds>) -> Self {
         let camera = &scene.camera;
-        let (centre, radius) = bounding_sphere(volume);
+        let (centre, radius) = bounds.into().sphere();
         let target = camera.target.map_or(centre, vector);
         let (up, front) = up_and_front(camera);
         let orthographic = camera.projection == Projection::Orthographic;
@@ -115,12 +101,12 @@ impl View {
         }
     }
 
-    /// A world point in the sweep frame.
+    /// A world point in the view frame.
     pub fn point(&self, world: DVec3) -> DVec3 {
         self.direction(world - self.eye)
     }
 
-    /// A world direction in the sweep frame.
+    /// A world direction in the view frame.
     pub fn direction(&self, world: DVec3) -> DVec3 {
         self.axes.transpose() * world
     }

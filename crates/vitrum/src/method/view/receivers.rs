@@ -1,28 +1,26 @@
-//! Ground and wall as planes of the sweep frame.
+//! Ground and wall as planes of the view frame.
 
-use super::{View, bounding_sphere, corners, from_angles};
+use super::{Bounds, View, from_angles};
 use crate::scene::Scene;
 use glam::{DVec3, DVec4};
-use vitrum_io::Volume;
 
-/// Planes of the sweep frame: signed distance = xyz · point + w, positive on the visible side; all 0 if absent.
+/// Planes of the view frame: signed distance = xyz · point + w, positive on the visible side; all 0 if absent.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::method) struct Receivers {
     pub(in crate::method) ground: DVec4,
     pub(in crate::method) wall: DVec4,
 }
 
-/// The plane through `point` with `normal` (world), in the sweep frame.
+/// The plane through `point` with `normal` (world), in the view frame.
 pub(in crate::method) fn plane(view: &View, normal: DVec3, point: DVec3) -> DVec4 {
     view.direction(normal).extend((view.eye - point).dot(normal))
 }
 
 impl Receivers {
-    pub(in crate::method) fn new(scene: &Scene, view: &View, volume: &Volume) -> Self {
-        let (centre, radius) = bounding_sphere(volume);
+    pub(in crate::method) fn new(scene: &Scene, view: &View, bounds: Bounds) -> Self {
+        let (centre, radius) = bounds.sphere();
         let ground = scene.ground.as_ref().map_or(DVec4::ZERO, |ground| {
-            let lowest = corners(volume).iter().map(|corner| corner.dot(view.up)).fold(f64::INFINITY, f64::min);
-            let height = ground.height.map_or(lowest, f64::from);
+            let height = ground.height.map_or(bounds.lowest(view.up), f64::from);
             plane(view, view.up, view.up * height)
         });
         let wall = scene.wall.as_ref().map_or(DVec4::ZERO, |wall| {

@@ -1,7 +1,8 @@
 //! The grid around a mesh.
 
-use super::Settings;
-use crate::render::Error;
+use super::settings::Settings;
+use crate::error::Error;
+use crate::unrenderable::Unrenderable;
 use vitrum_io::Mesh;
 
 /// The most voxels along a mesh's longest edge.
@@ -43,19 +44,15 @@ impl Grid {
     ) -> Result<Self, Error> {
         let Settings { resolution, padding, .. } = *settings;
         if !(1..=MOST_VOXELS).contains(&resolution) || padding > MOST_PADDING {
-            return Err(Error::Scene(format!(
-                "{resolution} voxels with {padding} around them, expected 1 to {MOST_VOXELS} and at most {MOST_PADDING}; \
-                 choose another resolution"
-            )));
+            let (most_voxels, most_padding) = (MOST_VOXELS, MOST_PADDING);
+            return Err(Unrenderable::VoxelCount { resolution, padding, most_voxels, most_padding }.into());
         }
         let extent: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
         let longest = extent.into_iter().fold(0.0, f64::max);
         let voxel_size = longest / (f64::from(resolution) * (1.0 - 2.0 * CLEARANCE));
         // Neither too small for the world's floats nor for the quotients.
         if voxel_size < f64::from(f32::MIN_POSITIVE) {
-            return Err(Error::Scene(format!(
-                "{name}: all vertices are at one point or too close to each other; scale the mesh up"
-            )));
+            return Err(Unrenderable::NoExtent { name: name.to_owned() }.into());
         }
         let inner = extent.map(|extent| ((extent / voxel_size).ceil() as u32).clamp(1, resolution));
         let dimensions = inner.map(|voxels| voxels + 2 * padding);

@@ -1,10 +1,10 @@
 //! Shares the work: a large triangle among many invocations, and all triangles among several batches.
 
-use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
+use crate::backend::{Buffer, Pass, PassList};
 use bytemuck::bytes_of;
 use rayon::prelude::*;
+use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, item, triangle};
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::{Kernel, Window};
 
 /// Rows up to which a triangle is one item.
@@ -133,7 +133,8 @@ pub(in crate::method) fn pass(
     buffers: &[Buffer],
 ) -> PassList {
     let [width, height] = dispatch(count);
-    uniforms.dispatch = UVec4::new(width, height, mode, count);
+    uniforms.dispatch = Dispatch { width, height, mode };
+    uniforms.work = count;
     let pass = Pass {
         kernel,
         uniforms: bytes_of(&uniforms).to_vec(),
@@ -144,49 +145,6 @@ pub(in crate::method) fn pass(
         window: Window::whole(width, height),
     };
     PassList { passes: vec![pass], ..PassList::default() }
-}
-
-/// Buffers that are freed together.
-pub(in crate::method) struct Held<'a> {
-    pub backend: &'a mut dyn Backend,
-    buffers: Vec<Buffer>,
-}
-
-impl<'a> Held<'a> {
-    pub(in crate::method) fn new(backend: &'a mut dyn Backend) -> Self {
-        Self { backend, buffers: Vec::new() }
-    }
-
-    pub(in crate::method) fn create(&mut self, label: &str, contents: &[u8]) -> Result<Buffer, BackendError> {
-        let buffer = self.backend.create(label, contents)?;
-        self.buffers.push(buffer);
-        Ok(buffer)
-    }
-
-    pub(in crate::method) fn create_zeroed(&mut self, label: &str, words: u64) -> Result<Buffer, BackendError> {
-        let buffer = self.backend.create_zeroed(label, words * 4)?;
-        self.buffers.push(buffer);
-        Ok(buffer)
-    }
-
-    /// The contents of one of them in words, which is freed.
-    pub(in crate::method) fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
-        self.buffers.retain(|other| *other != buffer);
-        self.backend.take(buffer)
-    }
-
-    /// Those created within `work` are freed behind it.
-    pub(in crate::method) fn within<T>(&mut self, work: impl FnOnce(&mut Held<'_>) -> T) -> T {
-        work(&mut Held::new(&mut *self.backend))
-    }
-}
-
-impl Drop for Held<'_> {
-    fn drop(&mut self) {
-        for buffer in self.buffers.drain(..) {
-            self.backend.free(buffer);
-        }
-    }
 }
 
 #[cfg(test)]

@@ -5,59 +5,28 @@ pub(in crate::method) mod columns;
 mod fixed;
 mod grid;
 pub(in crate::method) mod items;
+mod settings;
 mod solid;
 mod surface;
 pub(in crate::method) mod triangles;
+mod work;
 
 pub use grid::{Grid, MOST_PADDING, MOST_VOXELS};
+pub use settings::{FillRule, Settings};
 pub use solid::Solid;
 pub use surface::{Attributes, Mask};
 
-use crate::backend::{Backend, PassList};
-use crate::render::Error;
-use items::{Held, Plan};
+use crate::backend::Backend;
+use crate::error::Error;
+use crate::method::Tools;
+use crate::unrenderable::Unrenderable;
+use items::Plan;
 use serde::Serialize;
 use solid::Body;
-use std::time::Instant;
 use surface::Surface;
 use vitrum_io::Mesh;
-
-/// What is inside a surface that crosses itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum FillRule {
-    /// Where the surface winds about a point at all: where bodies overlap is inside, and a cavity is where a part within faces the
-    /// other way. Which way the surface as a whole faces does not matter.
-    #[default]
-    Nonzero,
-    /// Where it takes an odd number of crossings to get out: where two bodies overlap is outside, whichever way they face.
-    EvenOdd,
-}
-
-/// How a mesh becomes voxels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
-    /// Voxels along the mesh's longest edge, from 1.
-    pub resolution: u32,
-    /// Empty voxels around the mesh.
-    pub padding: u32,
-    /// By how much a voxel reaches over its neighbours for the surface, as a part of its edge, 0 to 1 (§4.1.1 of the paper, which
-    /// enlarges slices along their axis alone).
-    pub overlap: f32,
-    /// Whether the voxels that triangles meet are marked.
-    pub surface: bool,
-    /// Whether counts, normals, colours and materials are summed up; implies `surface`.
-    pub attributes: bool,
-    /// Whether and how the inside is filled.
-    pub solid: Option<FillRule>,
-}
-
-impl Settings {
-    /// The surface alone.
-    #[must_use]
-    pub fn new(resolution: u32) -> Self {
-        Self { resolution, padding: 1, overlap: 0.0, surface: true, attributes: false, solid: None }
-    }
-}
+use web_time::Instant;
+use work::Work;
 
 /// What there is to tell about a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -100,42 +69,20 @@ pub struct Voxelization {
     pub statistics: Statistics,
 }
 
-/// Work done, and told.
-struct Stage<'a> {
-    done: u64,
-    total: u64,
-    items: u64,
-    progress: &'a mut dyn FnMut(u64, u64) -> bool,
-}
-
-impl Stage<'_> {
-    /// Runs passes of `items` items that are so much of the `work`.
-    fn run(&mut self, backend: &mut dyn Backend, passes: &PassList, work: u64, items: u64) -> Result<(), Error> {
-        let (progress, done, total) = (&mut *self.progress, self.done, self.total);
-        backend.run(passes, &mut |_| progress(done, total))?;
-        self.done += work;
-        self.items += items;
-        Ok(())
-    }
-}
-
 /// Makes voxels of a mesh. The result does not depend on the backend, nor on the order of the triangles.
 ///
-/// `progress` is told from time to time how much of the work is done and how much there is, and cancels it by returning `false`.
+/// `tools.progress` is told from time to time how much of the work is done, and cancels it by returning `false`.
 ///
 /// # Errors
 /// Where the settings are out of their ranges, the mesh is a point, or the backend fails or lacks the memory.
-pub fn voxelize(
-    mesh: &Mesh,
-    settings: &Settings,
-    backend: &mut dyn Backend,
-    progress: &mut dyn FnMut(u64, u64) -> bool,
-) -> Result<Voxelization, Error> {
-    let started = Instant::now();
-    let grid = Grid::around(mesh, settings)?;
-    let mut made = voxelize_in(grid, mesh, settings, backend, progress)?;
-    made.statistics.voxelize_ms = vec![started.elapsed().as_secs_f64() * 1e3];
-    Ok(made)
+pub fn voxelize(mesh: &Mesh, settings: &Settings, tools: &mut Tools<'_>) -> Result<Voxelization, Error> {
+    tools.backend.threads().run(|| {
+        let started = Instant::now();
+        let grid = Grid::around(mesh, settings)?;
+        let mut made = voxelize_in(grid, mesh, settings, tools)?;
+        made.statistics.voxelize_ms = vec![started.elapsed().as_secs_f64() * 1e3];
+        Ok(made)
+    })
 }
 
 /// As [`voxelize`], in a grid that is given; the mesh must lie within it.
@@ -143,38 +90,38 @@ pub(crate) fn voxelize_in(
     grid: Grid,
     mesh: &Mesh,
     settings: &Settings,
-    backend: &mut dyn Backend,
-    progress: &mut dyn FnMut(u64, u64) -> bool,
+    tools: &mut Tools<'_>,
 ) -> Result<Voxelization, Error> {
     let started = Instant::now();
+    let Tools { backend, progress } = tools;
+    let backend = &mut **backend;
     if !(0.0..=1.0).contains(&settings.overlap) {
-        return Err(Error::Scene(format!("an overlap of {}, expected 0 to 1; choose another", settings.overlap)));
+        return Err(Unrenderable::Overlap { overlap: settings.overlap }.into());
     }
-    let mut stage = Stage { done: 0, total: 0, items: 0, progress };
-    let mut held = Held::new(backend);
+    let mut work = Work { done: 0, total: 0, items: 0, progress };
     let (mut surface, mut attributes, mut solid) = (None, None, None);
     if settings.surface || settings.attributes {
         let prepared = Surface::new(mesh, grid, settings.overlap);
-        stage.total += mesh.triangles.len() as u64 * (1 + u64::from(settings.attributes));
-        let mask = prepared.mark(&mut held, &mut stage)?;
+        work.total += mesh.triangles.len() as u64 * (1 + u64::from(settings.attributes));
+        let mask = prepared.mark(backend, &mut work)?;
         if settings.attributes {
-            attributes = Some(prepared.attributes(&mask, &mut held, &mut stage)?);
+            attributes = Some(prepared.attributes(&mask, backend, &mut work)?);
         }
         surface = Some(mask);
     }
     if let Some(rule) = settings.solid {
-        solid = Some(fill(mesh, grid, rule, &mut held, &mut stage)?);
+        solid = Some(fill(mesh, grid, rule, backend, &mut work)?);
     }
     let statistics = Statistics {
-        backend: held.backend.name().to_owned(),
-        adapter: held.backend.adapter(),
+        backend: backend.name().to_owned(),
+        adapter: backend.adapter(),
         triangles: mesh.triangles.len(),
         dimensions: grid.dimensions,
         voxel_size: grid.voxel_size,
         surface_voxels: surface.as_ref().map(Mask::count),
         volume: solid.as_ref().map(|solid| solid.volume() * grid.voxel_size.powi(3)),
         open_rows: solid.as_ref().map(|solid| solid.open_rows),
-        items: stage.items,
+        items: work.items,
         voxelize_ms: vec![started.elapsed().as_secs_f64() * 1e3],
     };
     Ok(Voxelization { grid, surface, attributes, solid, statistics })
@@ -183,14 +130,17 @@ pub(crate) fn voxelize_in(
 /// Bytes that an allocator keeps for the next time; larger pieces it gets from the system.
 const KEPT: usize = 1 << 25;
 
-fn fill(mesh: &Mesh, grid: Grid, rule: FillRule, held: &mut Held<'_>, stage: &mut Stage<'_>) -> Result<Solid, Error> {
+fn fill(
+    mesh: &Mesh,
+    grid: Grid,
+    rule: FillRule,
+    backend: &mut dyn Backend,
+    work: &mut Work<'_>,
+) -> Result<Solid, Error> {
     let body = Body::new(mesh, grid, rule)?;
     let mut coverage = Vec::<u8>::new();
     let voxels = usize::try_from(grid.voxels()).unwrap_or(usize::MAX);
-    coverage.try_reserve_exact(voxels).map_err(|_| {
-        let [x, y, z] = grid.dimensions;
-        Error::Scene(format!("there is no memory for {x} x {y} x {z} voxels; choose a lower resolution"))
-    })?;
+    coverage.try_reserve_exact(voxels).map_err(|_| Unrenderable::NoMemory { dimensions: grid.dimensions })?;
     if voxels <= KEPT {
         coverage.resize(voxels, 0);
     } else {
@@ -199,14 +149,12 @@ fn fill(mesh: &Mesh, grid: Grid, rule: FillRule, held: &mut Held<'_>, stage: &mu
         coverage = vec![0; voxels];
     }
     let mut solid = Solid { coverage, open_rows: 0 };
-    held.within(|held| {
-        let buffers = body.buffers(held)?;
-        for slab in body.slabs() {
-            let slices = body.slices(slab);
-            let plan = Plan::new(&slices);
-            stage.total += plan.total();
-            body.fill(slab, &plan, &buffers, held, stage, &mut solid)?;
-        }
-        Ok(solid)
-    })
+    let buffers = body.buffers(backend)?;
+    for slab in body.slabs() {
+        let slices = body.slices(slab);
+        let plan = Plan::new(&slices);
+        work.total += plan.total();
+        body.fill(slab, &plan, &buffers, backend, work, &mut solid)?;
+    }
+    Ok(solid)
 }

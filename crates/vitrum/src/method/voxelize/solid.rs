@@ -1,15 +1,18 @@
 //! How much of each voxel is inside the surface.
 
 use super::grid::Grid;
-use super::items::{Batch, Held, Plan, Slices, pass};
-use super::{FillRule, Stage, columns, triangles};
-use crate::backend::Buffer;
-use crate::render::Error;
+use super::items::{Batch, Plan, Slices, pass};
+use super::settings::FillRule;
+use super::work::Work;
+use super::{columns, triangles};
+use crate::backend::{Backend, Buffer, Contents};
+use crate::error::Error;
+use crate::unrenderable::Unrenderable;
 use bytemuck::{cast_slice, pod_collect_to_vec};
 use rayon::prelude::*;
 use vitrum_io::Mesh;
+use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, mode};
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::kernels;
 
 /// log₂ of the columns through a voxel along y, and along z. A face across y or z is off by up to half of their distance: with 2 × 2
@@ -64,9 +67,9 @@ impl Body {
     /// Where there are more triangles than the sums' units allow.
     pub(super) fn new(mesh: &Mesh, grid: Grid, rule: FillRule) -> Result<Self, Error> {
         let count = mesh.triangles.len();
-        let scale = columns::scale(count).checked_sub(2 * COLUMNS).ok_or_else(|| {
-            Error::Scene(format!("{}: {count} triangles are too many to fill; simplify the mesh", mesh.name))
-        })?;
+        let scale = columns::scale(count)
+            .checked_sub(2 * COLUMNS)
+            .ok_or_else(|| Unrenderable::TooManyToFill { name: mesh.name.clone(), count })?;
         let corners = (0..count).into_par_iter();
         let corners = corners.map(|index| triangles::solid(triangles::corners(mesh, grid, index), grid)).collect();
         Ok(Self { grid, corners, scale, rule })
@@ -96,19 +99,23 @@ impl Body {
     fn uniforms(&self, [first, layers]: [u32; 2], row: u32) -> VoxelizeUniforms {
         let [x, y, _] = self.grid.dimensions;
         VoxelizeUniforms {
-            size: UVec4::new(x, y, layers, row),
-            columns: UVec4::new(COLUMNS, first, self.scale, self.scale + 2 * COLUMNS),
+            size: Counts::new(x, y, layers),
+            row_words: row,
+            column_shift: COLUMNS,
+            first_layer: first,
+            column_units: self.scale,
+            voxel_units: self.scale + 2 * COLUMNS,
             ..VoxelizeUniforms::default()
         }
     }
 
     /// What a slab is filled with, for all slabs.
-    pub(super) fn buffers(&self, held: &mut Held<'_>) -> Result<Slab, Error> {
+    pub(super) fn buffers(&self, backend: &mut dyn Backend) -> Result<Slab, Error> {
         let [x, y, _] = self.grid.dimensions;
         let rows = u64::from(y) * u64::from(self.layers());
         Ok(Slab {
-            changes: held.create_zeroed("changes of the winding", u64::from(x + 1) * rows)?,
-            coverage: held.create_zeroed("coverage", u64::from(x.div_ceil(4)) * rows + 1)?,
+            changes: backend.create("changes of the winding", Contents::Zeros(u64::from(x + 1) * rows * 4))?,
+            coverage: backend.create("coverage", Contents::Zeros((u64::from(x.div_ceil(4)) * rows + 1) * 4))?,
         })
     }
 
@@ -118,31 +125,37 @@ impl Body {
         slab: [u32; 2],
         plan: &Plan<'_>,
         Slab { changes, coverage }: &Slab,
-        held: &mut Held<'_>,
-        stage: &mut Stage<'_>,
+        backend: &mut dyn Backend,
+        work: &mut Work<'_>,
         solid: &mut Solid,
     ) -> Result<(), Error> {
         let [x, y, _] = self.grid.dimensions;
         let rows = y * slab[1];
         if slab[0] > 0 {
-            held.backend.clear(*changes)?;
-            held.backend.clear(*coverage)?;
+            backend.clear(changes)?;
+            backend.clear(coverage)?;
         }
         for batch in plan.batches() {
-            held.within(|held| self.cross(slab, &batch, *changes, held, stage))?;
+            self.cross(slab, &batch, changes, backend, work)?;
         }
         let row = x.div_ceil(4);
         let rule = match self.rule {
             FillRule::Nonzero => mode::NONZERO,
             FillRule::EvenOdd => mode::EVEN_ODD,
         };
-        let passes = pass(&kernels::voxelize_fill_rows, rows, rule, self.uniforms(slab, row), &[*changes, *coverage]);
-        stage.run(held.backend, &passes, 0, 0)?;
+        let passes = pass(
+            &kernels::voxelize_fill_rows,
+            rows,
+            rule,
+            self.uniforms(slab, row),
+            &[changes.clone(), coverage.clone()],
+        );
+        work.run(backend, &passes, 0, 0)?;
         let (row, x) = (4 * row as usize, x as usize);
         let written = u64::from(rows) * row as u64;
         let target = &mut solid.coverage[slab[0] as usize * y as usize * x..][..rows as usize * x];
         let open_rows = &mut solid.open_rows;
-        held.backend.look(*coverage, 0, written + 4, &mut |bytes| {
+        backend.read(coverage, 0..written + 4, &mut |bytes| {
             let (bytes, open) = bytes.split_at(written as usize);
             *open_rows += u64::from(pod_collect_to_vec::<u8, u32>(open)[0]);
             let layers = target.par_chunks_mut(x * y as usize).zip(bytes.par_chunks(row * y as usize));
@@ -159,15 +172,16 @@ impl Body {
         &self,
         slab: [u32; 2],
         batch: &Batch,
-        changes: Buffer,
-        held: &mut Held<'_>,
-        stage: &mut Stage<'_>,
+        changes: &Buffer,
+        backend: &mut dyn Backend,
+        work: &mut Work<'_>,
     ) -> Result<(), Error> {
-        let corners = held.create("corners", cast_slice(&self.corners[batch.first..batch.end]))?;
-        let items = held.create("items", cast_slice(&batch.items))?;
+        let corners = backend.create("corners", Contents::Bytes(cast_slice(&self.corners[batch.first..batch.end])))?;
+        let items = backend.create("items", Contents::Bytes(cast_slice(&batch.items)))?;
         let uniforms = self.uniforms(slab, self.grid.dimensions[0] + 1);
-        let passes = pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &[corners, items, changes]);
+        let bound = [corners, items, changes.clone()];
+        let passes = pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &bound);
         let items = u64::from(batch.items());
-        stage.run(held.backend, &passes, items, items)
+        work.run(backend, &passes, items, items)
     }
 }

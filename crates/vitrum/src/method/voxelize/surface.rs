@@ -2,18 +2,20 @@
 
 use super::fixed::Fixed;
 use super::grid::Grid;
-use super::items::{Held, Plan, Slices, pass};
-use super::{Stage, triangles};
-use crate::backend::{Backend, Buffer};
-use crate::render::Error;
+use super::items::{Plan, Slices, pass};
+use super::triangles;
+use super::work::Work;
+use crate::backend::{Backend, Buffer, Contents};
+use crate::error::Error;
 use bytemuck::cast_slice;
 use rayon::prelude::*;
 use std::ops::Range;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::attributes;
+use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::{VoxelizeUniforms, brought, item, pieces, triangle};
 use vitrum_kernels::field::sums::to_number;
-use vitrum_kernels::glam::{IVec3, UVec4};
+use vitrum_kernels::glam::IVec3;
 use vitrum_kernels::kernel::{Kernel, kernels};
 use vitrum_kernels::voxelize::place::{Place, is_tiny};
 
@@ -115,8 +117,10 @@ impl<'a> Surface<'a> {
         let [x, y, z] = grid.dimensions;
         let overlap = (f64::from(overlap) * f64::from(1u32 << fixed.units)).ceil() as u32;
         let uniforms = VoxelizeUniforms {
-            size: UVec4::new(x, y, z, x.div_ceil(32)),
-            surface: UVec4::new(fixed.units, overlap, 0, 0),
+            size: Counts::new(x, y, z),
+            row_words: x.div_ceil(32),
+            corner_units: fixed.units,
+            margin: overlap,
             ..VoxelizeUniforms::default()
         };
         Self { mesh, grid, fixed, uniforms }
@@ -155,55 +159,54 @@ impl<'a> Surface<'a> {
         kernel: &'static Kernel,
         others: &[Buffer],
         prepare: &Prepare<'_>,
-        held: &mut Held<'_>,
-        stage: &mut Stage<'_>,
+        backend: &mut dyn Backend,
+        work: &mut Work<'_>,
     ) -> Result<(), Error> {
         let all = self.mesh.triangles.len();
-        let corners = held.create_zeroed("corners", (all.clamp(1, BATCH) * triangle::SIZE) as u64)?;
-        let no_items = held.create_zeroed("no items", item::SIZE as u64)?;
+        let corners_bytes = (all.clamp(1, BATCH) * triangle::SIZE * 4) as u64;
+        let corners = backend.create("corners", Contents::Zeros(corners_bytes))?;
+        let no_items = backend.create("no items", Contents::Zeros(item::SIZE as u64 * 4))?;
         for first in (0..all).step_by(BATCH) {
             let triangles = first..(first + BATCH).min(all);
             let count = triangles.len();
             let mut large = Vec::new();
-            held.backend.overwrite(corners, count * triangle::SIZE, &mut |words| {
+            backend.write(&corners, count * triangle::SIZE, &mut |words| {
                 large = self.write_corners(triangles.clone(), words);
             })?;
-            prepare(triangles, held.backend)?;
+            prepare(triangles, backend)?;
             let small = count - large.len();
             if small > 0 {
-                let bound = [&[corners, no_items], others].concat();
+                let bound = [&[corners.clone(), no_items.clone()], others].concat();
                 let passes = pass(kernel, count as u32, pieces::TRIANGLES, self.uniforms, &bound);
-                stage.run(held.backend, &passes, small as u64, small as u64)?;
+                work.run(backend, &passes, small as u64, small as u64)?;
             }
             if large.is_empty() {
                 continue;
             }
-            let work = large.len() as u64;
+            let pieces = large.len() as u64;
             let mut slices = vec![Slices::default(); count];
             large.into_iter().for_each(|(number, of_triangle)| slices[number] = of_triangle);
             for batch in Plan::new(&slices).batches() {
                 let mut uniforms = self.uniforms;
-                uniforms.surface.z = batch.first as u32;
-                held.within(|held| -> Result<(), Error> {
-                    let items = held.create("items", cast_slice(&batch.items))?;
-                    let bound = [&[corners, items], others].concat();
-                    let passes = pass(kernel, batch.items(), pieces::ITEMS, uniforms, &bound);
-                    stage.run(held.backend, &passes, 0, u64::from(batch.items()))
-                })?;
+                uniforms.first_triangle = batch.first as u32;
+                let items = backend.create("items", Contents::Bytes(cast_slice(&batch.items)))?;
+                let bound = [&[corners.clone(), items], others].concat();
+                let passes = pass(kernel, batch.items(), pieces::ITEMS, uniforms, &bound);
+                work.run(backend, &passes, 0, u64::from(batch.items()))?;
             }
-            stage.done += work;
+            work.done += pieces;
         }
         Ok(())
     }
 
     /// Marks the voxels that triangles meet.
-    pub(super) fn mark(&self, held: &mut Held<'_>, stage: &mut Stage<'_>) -> Result<Mask, Error> {
-        let UVec4 { x: _, y, z, w: row } = self.uniforms.size;
-        let words = held.within(|held| -> Result<_, Error> {
-            let mask = held.create_zeroed("mask of the surface", u64::from(row) * u64::from(y) * u64::from(z))?;
-            self.run(&kernels::voxelize_mark_surface, &[mask], &|_, _| Ok(()), held, stage)?;
-            Ok(held.take(mask)?)
-        })?;
+    pub(super) fn mark(&self, backend: &mut dyn Backend, work: &mut Work<'_>) -> Result<Mask, Error> {
+        let Counts { y, z, .. } = self.uniforms.size;
+        let row = self.uniforms.row_words;
+        let bytes = u64::from(row) * u64::from(y) * u64::from(z) * 4;
+        let mask = backend.create("mask of the surface", Contents::Zeros(bytes))?;
+        self.run(&kernels::voxelize_mark_surface, std::slice::from_ref(&mask), &|_, _| Ok(()), backend, work)?;
+        let words = backend.take(mask)?;
         Ok(Mask { dimensions: self.grid.dimensions, row: row as usize, words })
     }
 
@@ -211,29 +214,29 @@ impl<'a> Surface<'a> {
     pub(super) fn attributes(
         &self,
         mask: &Mask,
-        held: &mut Held<'_>,
-        stage: &mut Stage<'_>,
+        backend: &mut dyn Backend,
+        work: &mut Work<'_>,
     ) -> Result<Attributes, Error> {
         let (ranks, count) = mask.ranks();
-        held.within(|held| {
-            let mask = held.create("mask of the surface", cast_slice(&mask.words))?;
-            let ranks = held.create("ranks of the mask", cast_slice(&ranks))?;
-            let sums = held.create_zeroed("attributes", count.max(1) * attributes::SIZE as u64)?;
-            let most = self.mesh.triangles.len().clamp(1, BATCH);
-            let brought = held.create_zeroed("attributes of triangles", (most * brought::SIZE) as u64)?;
-            let prepare = |triangles: Range<usize>, backend: &mut dyn Backend| {
-                backend.overwrite(brought, triangles.len() * brought::SIZE, &mut |words| {
-                    let records = words.par_chunks_exact_mut(brought::SIZE).zip(triangles.clone());
-                    records.for_each(|(words, index)| {
-                        words.copy_from_slice(&triangles::attributes(self.mesh, index).map(f32::to_bits));
-                    });
-                })?;
-                Ok(())
-            };
-            let others = [brought, mask, ranks, sums];
-            self.run(&kernels::voxelize_sum_attributes, &others, &prepare, held, stage)?;
-            Ok(read(&held.take(sums)?, count))
-        })
+        let mask = backend.create("mask of the surface", Contents::Bytes(cast_slice(&mask.words)))?;
+        let ranks = backend.create("ranks of the mask", Contents::Bytes(cast_slice(&ranks)))?;
+        let sums = backend.create("attributes", Contents::Zeros(count.max(1) * attributes::SIZE as u64 * 4))?;
+        let most = self.mesh.triangles.len().clamp(1, BATCH);
+        let bytes = (most * brought::SIZE * 4) as u64;
+        let brought = backend.create("attributes of triangles", Contents::Zeros(bytes))?;
+        let prepare = |triangles: Range<usize>, backend: &mut dyn Backend| {
+            backend.write(&brought, triangles.len() * brought::SIZE, &mut |words| {
+                let records = words.par_chunks_exact_mut(brought::SIZE).zip(triangles.clone());
+                records.for_each(|(words, index)| {
+                    words.copy_from_slice(&triangles::attributes(self.mesh, index).map(f32::to_bits));
+                });
+            })?;
+            Ok(())
+        };
+        let others = [brought.clone(), mask, ranks, sums.clone()];
+        self.run(&kernels::voxelize_sum_attributes, &others, &prepare, backend, work)?;
+        drop(others);
+        Ok(read(&backend.take(sums)?, count))
     }
 }
 

@@ -1,7 +1,8 @@
 //! The mesh, apart by material.
 
-use crate::render::Error;
+use crate::error::Error;
 use crate::scene::{Material, Scene};
+use crate::unrenderable::Unrenderable;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::{AIR, material};
 
@@ -58,11 +59,8 @@ pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
     let (opaque, mut bodies): (Vec<Body>, Vec<Body>) =
         groups(mesh, listed).into_iter().map(split).partition(|body| body.opaque);
     if bodies.len() > AIR as usize {
-        let count = bodies.len();
-        return Err(Error::Scene(format!(
-            "{}: {count} clear materials, at most {AIR} are possible; merge some, or make them opaque (`material`)",
-            mesh.name
-        )));
+        let (name, count) = (mesh.name.clone(), bodies.len());
+        return Err(Unrenderable::TooManyMaterials { name, count, limit: AIR as usize }.into());
     }
     bodies.sort_by(|a, b| a.mesh.signed_volume().total_cmp(&b.mesh.signed_volume()));
     bodies.extend(opaque);

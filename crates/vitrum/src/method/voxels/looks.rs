@@ -6,7 +6,7 @@ use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::look;
 
 /// The reflectance of a body of which nobody says it.
-const GREY: Rgb = [0.7; 3];
+pub const GREY: Rgb = [0.7; 3];
 
 /// Looks as kernels read them.
 pub(super) struct Looks {
@@ -22,7 +22,7 @@ fn of_body<'a>(body: &'a Body, mesh: &Mesh, scene: &Scene) -> (Option<&'a [[f32;
     // A colour in the scene is for the whole body.
     let colors = body.mesh.colors.as_deref().filter(|_| body.opaque && material.color.is_none());
     let color = material.color.or_else(|| own?.base_color).unwrap_or(GREY);
-    let left = (-f64::from(material.density) * f64::from(scene.shadow.absorption)).exp() as f32;
+    let left = (-f64::from(material.density) * f64::from(scene.shadow.optical_depth)).exp() as f32;
     (colors, color, left)
 }
 

@@ -6,9 +6,11 @@
 
 pub(in crate::method) mod bodies;
 mod bricks;
+mod cache;
 mod cropped;
 mod distances;
 mod fields;
+mod film;
 mod looks;
 mod normals;
 mod passes;
@@ -19,5 +21,76 @@ mod uniforms;
 mod uploaded;
 
 pub use bodies::{Body, bodies};
+pub(crate) use looks::GREY;
 pub use passes::Rays;
 pub use uploaded::Uploaded;
+
+use crate::assets::Assets;
+use crate::error::Error;
+use crate::film::Output;
+use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
+use crate::scene::{MethodName, Scene};
+use crate::unrenderable::Unrenderable;
+use cache::MeshCache;
+use vitrum_io::Mesh;
+
+/// Rays through a mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct MeshRays;
+
+/// Whether a mesh has a surface.
+///
+/// # Errors
+/// [`Error::Unrenderable`] where no triangle has an area.
+pub(in crate::method) fn check_mesh(mesh: &Mesh) -> Result<(), Error> {
+    if mesh.surface_area() > 0.0 {
+        return Ok(());
+    }
+    Err(Unrenderable::NoSurface { name: mesh.name.clone(), count: mesh.triangles.len() }.into())
+}
+
+impl Method for MeshRays {
+    fn name(&self) -> MethodName {
+        MethodName::Voxels
+    }
+
+    fn outputs(&self) -> &'static [Output] {
+        film::OUTPUTS
+    }
+
+    fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
+        match assets.subject.mesh() {
+            Some(mesh) => {
+                scene.check_for_mesh()?;
+                check_mesh(mesh)
+            }
+            None => Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into()),
+        }
+    }
+
+    /// One exposure for each light, or for each of the crisp ones that a soft light is made of.
+    fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        lights::exposures(&lights::crisp(scene, &View::new(scene, &assets.subject)))
+    }
+
+    fn prepare(
+        &self,
+        job: &Job<'_>,
+        cache: &mut Cache,
+        tools: &mut Tools<'_>,
+    ) -> Result<Box<dyn PreparedFrame>, Error> {
+        let Job { scene, assets, .. } = *job;
+        let mesh = uploaded::shown(assets)?;
+        let cache: &mut MeshCache = cache.of();
+        if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(scene, mesh)) {
+            *cache = MeshCache::default();
+        }
+        let MeshCache { uploaded, frame } = cache;
+        let uploaded = match uploaded {
+            Some(uploaded) => uploaded,
+            None => uploaded.insert(Uploaded::new(scene, assets, tools)?),
+        };
+        uploaded.update(scene, assets, tools)?;
+        Ok(Box::new(passes::list(scene, assets, uploaded, frame, tools.backend)?))
+    }
+}

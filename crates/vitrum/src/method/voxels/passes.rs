@@ -1,17 +1,17 @@
 //! The pass list of a frame.
 
 use super::bodies::materials;
-use super::looks::looks;
+use super::cache::FrameCache;
 use super::shadow::Lookup;
 use super::uniforms::{self, Seen};
 use super::uploaded::{Uploaded, shown};
-use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, WhileBusy};
-use crate::inputs::Inputs;
-use crate::method::sweep::View;
+use crate::assets::Assets;
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, WhileBusy};
+use crate::error::Error;
 use crate::method::view::environment::Prepared;
 use crate::method::view::light::travels;
 use crate::method::view::receivers::Receivers;
-use crate::render::Error;
+use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
 use bytemuck::{bytes_of, cast_slice};
 use vitrum_kernels::abi::record::{fate, mirror, path, view};
@@ -26,9 +26,12 @@ pub struct Rays {
     pub rays: [u32; 2],
     /// Parts of the passes that may end early.
     stretches: Vec<Stretch>,
-    created: Vec<Buffer>,
     records: Buffer,
-    film: Buffer,
+    pub(super) film: Buffer,
+    /// Voxels along x, y and z that the mesh was turned into, if it was.
+    pub(super) voxels: Option<[u32; 3]>,
+    /// Rows of them that go through holes of the surface and were left empty.
+    pub(super) open_rows: u64,
 }
 
 /// Passes up to number `end` that matter while there is work.
@@ -49,16 +52,11 @@ impl Rays {
     /// If the backend fails.
     pub fn prepare(
         scene: &Scene,
-        inputs: &Inputs,
+        assets: &Assets,
         uploaded: &Uploaded,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
-        let mut created = Vec::new();
-        let listed = list(scene, inputs, uploaded, backend, &mut created);
-        if listed.is_err() {
-            created.iter().for_each(|buffer| backend.free(*buffer));
-        }
-        Ok(Self { created, ..listed? })
+        list(scene, assets, uploaded, &mut FrameCache::default(), backend)
     }
 
     /// Runs all passes; `progress` gets how many are done and returns whether to go on.
@@ -92,9 +90,12 @@ impl Rays {
     /// Whether any invocation has work left.
     fn is_busy(&self, stretch: &Stretch, backend: &mut dyn Backend) -> Result<bool, BackendError> {
         let component = u64::from(self.rays[0]) * u64::from(self.rays[1]) * 4;
-        let bytes = backend.read_part(stretch.records, stretch.component as u64 * component, component)?;
-        let stages: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
-        Ok(stages.into_iter().any(stretch.is_busy))
+        let start = stretch.component as u64 * component;
+        let mut busy = false;
+        backend.read(&stretch.records, start..start + component, &mut |bytes| {
+            busy = cast_slice::<u8, f32>(bytes).iter().any(|&stage| (stretch.is_busy)(stage));
+        })?;
+        Ok(busy)
     }
 
     /// The finished pixels: planar records as [`view`] describes.
@@ -102,7 +103,7 @@ impl Rays {
     /// # Errors
     /// As [`Backend::read`].
     pub fn film(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.film)?))
+        backend.read_all(&self.film)
     }
 
     /// The rays as they are now: planar records as [`path`] describes.
@@ -110,14 +111,7 @@ impl Rays {
     /// # Errors
     /// As [`Backend::read`].
     pub fn records(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        Ok(bytemuck::pod_collect_to_vec(&backend.read(self.records)?))
-    }
-
-    /// Frees the frame's buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
-        for buffer in self.created {
-            backend.free(buffer);
-        }
+        backend.read_all(&self.records)
     }
 }
 
@@ -126,7 +120,7 @@ impl Rays {
 fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
     // Nodes of a tree, several times those of a ray.
     const NODES: u32 = 16 * STEPS as u32;
-    let crossings = block.bricks.w + 1;
+    let crossings = block.most_bounces + 1;
     let steps = uploaded.voxels().map_or(NODES, |[x, y, z]| {
         // From end to end in half voxels, as if there were a surface all along the way.
         let march = 2 * (x + y + z);
@@ -140,49 +134,46 @@ fn searches(uploaded: &Uploaded) -> u32 {
     uploaded.nodes().div_ceil(4 * STEPS as u32)
 }
 
-/// A frame, but for what is to be freed with it: buffers are added to `created` as they are made.
-fn list(
+/// Uploads a frame's buffers and lists its passes.
+pub(super) fn list(
     scene: &Scene,
-    inputs: &Inputs,
+    assets: &Assets,
     uploaded: &Uploaded,
+    cache: &mut FrameCache,
     backend: &mut dyn Backend,
-    created: &mut Vec<Buffer>,
 ) -> Result<Rays, Error> {
-    let mesh = shown(inputs)?;
-    let eye = View::new(scene, &inputs.volume);
-    let looks = looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
-    let receivers = Receivers::new(scene, &eye, &inputs.volume);
+    let mesh = shown(assets)?;
+    let bounds = Bounds::from(mesh);
+    let eye = View::new(scene, bounds);
+    let looks = cache.looks(scene, mesh, uploaded);
+    let receivers = Receivers::new(scene, &eye, bounds);
     let surfaces = uploaded.has_opaque() || scene.ground.is_some() || scene.wall.is_some();
     let exact = uploaded.voxels().is_none();
     let seeks = surfaces && !exact;
     let mut flags = if seeks { flag::SEEKS } else { 0 };
     flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
+    let (environment, map) = cache.environment(scene, assets.environment.as_deref(), backend)?;
     let seen = Seen {
-        environment: Prepared::new(&scene.environment, inputs.environment.as_ref(), &eye),
-        light: eye.axes * travels(&scene.light, &eye)?,
+        environment: Prepared::new(&scene.environment, &environment, &eye),
+        light: eye.axes * travels(scene.first_light(), &eye)?,
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
     };
     let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
-    let size = [block.dispatch.x, block.dispatch.y];
+    let size = [block.dispatch.width, block.dispatch.height];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
-    let mut keep = |buffer: Buffer| {
-        created.push(buffer);
-        buffer
-    };
-    let materials = keep(backend.create("materials", cast_slice(&materials))?);
-    let map = keep(backend.create("environment", cast_slice(&seen.environment.map))?);
-    let looks = keep(backend.create("looks", cast_slice(&looks.floats))?);
+    let materials = cache.materials(materials, backend)?;
+    let looks = cache.looks_buffer(scene, &looks, backend)?;
     let shadow = match &uploaded.shadow {
-        Some(map) => map.buffer,
-        None => keep(backend.create_zeroed("no shadow map", 4)?),
+        Some(map) => map.buffer.clone(),
+        None => cache.scratch.zeros("no shadow map", 4, backend)?,
     };
     let planes = |components: usize| u64::from(size[0]) * u64::from(size[1]) * components as u64 * 4;
-    let rays = keep(backend.create_zeroed("rays", planes(path::SIZE))?);
-    let film = keep(backend.create_zeroed("film", planes(view::SIZE))?);
+    let rays = cache.scratch.zeros("rays", planes(path::SIZE), backend)?;
+    let film = cache.scratch.zeros("film", planes(view::SIZE), backend)?;
     let pass = |kernel: &'static Kernel, mode: u32, buffers: Vec<Buffer>| {
         let mut block = block;
-        block.dispatch.z = mode;
+        block.dispatch.mode = mode;
         Pass {
             kernel,
             uniforms: bytes_of(&block).to_vec(),
@@ -193,11 +184,12 @@ fn list(
             window: Window::whole(size[0], size[1]),
         }
     };
-    let tree = [uploaded.tree[0], uploaded.tree[1], materials, rays];
-    let marched = || uploaded.buffers.iter().copied().chain([materials, rays]).collect();
+    let [nodes, corners] = [0, 1].map(|half| uploaded.tree[half].clone());
+    let tree = [nodes.clone(), corners.clone(), materials.clone(), rays.clone()];
+    let marched = || uploaded.buffers.iter().cloned().chain([materials.clone(), rays.clone()]).collect();
     let through: Vec<Buffer> = if exact { tree.to_vec() } else { marched() };
-    let mode = block.dispatch.z;
-    let mut passes = vec![pass(&kernels::voxels_initialize_rays, 0, vec![rays])];
+    let mode = block.dispatch.mode;
+    let mut passes = vec![pass(&kernels::voxels_initialize_rays, 0, vec![rays.clone()])];
     for _ in 0..rounds(uploaded, &block) {
         if seeks {
             passes.push(pass(&kernels::voxels_seek, mode, tree.to_vec()));
@@ -205,19 +197,19 @@ fn list(
         passes.push(pass(uploaded.kernel, mode, through.clone()));
     }
     let is_busy = |status: f32| status == fate::ACTIVE || status == fate::SEEKS;
-    let mut stretches = vec![Stretch { end: passes.len(), records: rays, component: path::STATUS, is_busy }];
+    let mut stretches = vec![Stretch { end: passes.len(), records: rays.clone(), component: path::STATUS, is_busy }];
     let (sees, mirrors) = if surfaces {
-        let mirrors = keep(backend.create_zeroed("mirrors", planes(mirror::SIZE))?);
-        let reflected = vec![rays, uploaded.tree[0], uploaded.tree[1], materials, mirrors];
+        let mirrors = cache.scratch.zeros("mirrors", planes(mirror::SIZE), backend)?;
+        let reflected = vec![rays.clone(), nodes, corners.clone(), materials, mirrors.clone()];
         passes.extend((0..searches(uploaded)).map(|_| pass(&kernels::voxels_reflect, 0, reflected.clone())));
         let is_busy = |stage: f32| stage != mirror::stage::FOUND;
-        stretches.push(Stretch { end: passes.len(), records: mirrors, component: mirror::STAGE, is_busy });
+        stretches.push(Stretch { end: passes.len(), records: mirrors.clone(), component: mirror::STAGE, is_busy });
         (seen::SURFACES, mirrors)
     } else {
-        // What nothing is read of.
-        (seen::ENVIRONMENT, rays)
+        // Nothing of it is read.
+        (seen::ENVIRONMENT, rays.clone())
     };
-    let resolved = vec![rays, map, uploaded.tree[1], looks, shadow, mirrors, film];
+    let resolved = vec![rays.clone(), map, corners, looks, shadow, mirrors, film.clone()];
     passes.push(pass(&kernels::voxels_resolve, sees, resolved));
     let name = uploaded.kernel.declaration.name;
     let searches = kernels::voxels_reflect.declaration.name;
@@ -226,5 +218,13 @@ fn list(
         WhileBusy { kernel: searches, passes: vec![searches] },
     ];
     let passes = PassList { passes, while_busy, ..PassList::default() };
-    Ok(Rays { passes, rays: size, stretches, created: Vec::new(), records: rays, film })
+    Ok(Rays {
+        passes,
+        rays: size,
+        stretches,
+        records: rays,
+        film,
+        voxels: uploaded.voxels(),
+        open_rows: uploaded.open_rows,
+    })
 }

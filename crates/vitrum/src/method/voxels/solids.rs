@@ -2,9 +2,9 @@
 
 use super::bodies::Body;
 use super::{distances, fields};
-use crate::backend::Backend;
+use crate::error::Error;
+use crate::method::Tools;
 use crate::method::voxelize::{FillRule, Grid, Settings, voxelize_in};
-use crate::render::Error;
 
 pub(in crate::method) use super::distances::BAND;
 
@@ -22,16 +22,11 @@ impl Solids {
     ///
     /// # Errors
     /// If the backend fails or lacks the memory.
-    pub(in crate::method) fn new(
-        bodies: &[Body],
-        grid: Grid,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<Self, Error> {
+    pub(in crate::method) fn new(bodies: &[Body], grid: Grid, tools: &mut Tools<'_>) -> Result<Self, Error> {
         let settings = Settings { surface: false, solid: Some(FillRule::Nonzero), ..Settings::new(1) };
         let mut solids = Self { fields: Vec::new(), open_rows: 0 };
         for body in bodies {
-            let solid = voxelize_in(grid, &body.mesh, &settings, backend, progress)?.solid;
+            let solid = voxelize_in(grid, &body.mesh, &settings, tools)?.solid;
             let solid = solid.expect("a solid was asked for");
             solids.open_rows += solid.open_rows;
             let field = distances::distances(body, grid, &solid.coverage);

@@ -2,8 +2,9 @@
 
 use super::bodies::Body;
 use super::normals::of_corners;
+use crate::error::Error;
 use crate::method::voxelize::Grid;
-use crate::render::Error;
+use crate::unrenderable::Unrenderable;
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::Bvh;
@@ -59,9 +60,7 @@ fn check(triangles: usize) -> Result<(), Error> {
     if triangles < MOST_TRIANGLES {
         return Ok(());
     }
-    Err(Error::Scene(format!(
-        "rays look for {triangles} triangles, and can tell {MOST_TRIANGLES} apart; simplify the mesh, or make it clear and set `voxels.surfaces` to `multi`"
-    )))
+    Err(Unrenderable::TooManyTriangles { count: triangles, limit: MOST_TRIANGLES }.into())
 }
 
 /// Builds the tree of the triangles of `bodies` from number `first` on; `smooth` makes normals for a mesh that has none.

@@ -4,12 +4,14 @@ use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
 use super::{bricks, cropped, tree};
-use crate::backend::{Backend, Buffer};
-use crate::inputs::Inputs;
+use crate::assets::Assets;
+use crate::backend::{Backend, Buffer, Contents};
+use crate::error::Error;
+use crate::method::Tools;
 use crate::method::twist::twisted;
 use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
-use crate::render::Error;
-use crate::scene::{Normals, Scene, Surfaces};
+use crate::scene::{MethodName, Normals, Scene, Surfaces};
+use crate::unrenderable::Unrenderable;
 use bytemuck::cast_slice;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::surface;
@@ -37,9 +39,9 @@ impl Kind {
         // Opaque bodies are triangles always.
         let exact = scene.voxels.surfaces == Surfaces::Exact || groups.iter().all(|group| group.opaque);
         let paper = scene.voxels.normals == Normals::Paper;
-        let twist = scene.mesh.as_ref().map_or(0.0, |mesh| mesh.twist);
+        let twist = scene.mesh.first().map_or(0.0, |mesh| mesh.twist);
         let overlap = if paper { scene.voxels.overlap } else { 0.0 };
-        Self { resolution: scene.voxels.resolution, twist, exact, paper, overlap, groups }
+        Self { resolution: scene.voxelization.resolution, twist, exact, paper, overlap, groups }
     }
 }
 
@@ -66,18 +68,12 @@ pub struct Uploaded {
 }
 
 impl Uploaded {
-    /// Turns a mesh into what the scene's rays run through. `progress` is told how much is done and how much there is, and cancels
-    /// by returning `false`.
+    /// Turns a mesh into what the scene's rays run through.
     ///
     /// # Errors
-    /// If `inputs` have no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
-    pub fn new(
-        scene: &Scene,
-        inputs: &Inputs,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<Self, Error> {
-        let mesh = shown(inputs)?;
+    /// If the subject is no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
+    pub fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
+        let mesh = shown(assets)?;
         let kind = Kind::of(scene, mesh);
         let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
         let mesh = deformed.as_ref().unwrap_or(mesh);
@@ -97,14 +93,9 @@ impl Uploaded {
             nodes: 0,
             shadow: None,
         };
-        let filled = uploaded.fill(&settings, backend, progress);
-        match filled.and_then(|()| uploaded.update(scene, inputs, backend, progress)) {
-            Ok(()) => Ok(uploaded),
-            Err(error) => {
-                uploaded.free(backend);
-                Err(error)
-            }
-        }
+        uploaded.fill(&settings, tools)?;
+        uploaded.update(scene, assets, tools)?;
+        Ok(uploaded)
     }
 
     /// Whether a scene's rays run through the same.
@@ -119,26 +110,18 @@ impl Uploaded {
         (!self.kind.exact).then_some(self.grid.dimensions)
     }
 
-    /// Makes the shadow that a scene's light casts, if it is another one than before. `progress` is as for [`Self::new`].
+    /// Makes the shadow that a scene's light casts, if it is another one than before.
     ///
     /// # Errors
     /// If the shadow map is too large for the backend, or the backend fails.
-    pub fn update(
-        &mut self,
-        scene: &Scene,
-        inputs: &Inputs,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
-        let cast = Cast::of(scene, inputs, &self.bodies)?;
+    pub fn update(&mut self, scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<(), Error> {
+        let cast = Cast::of(scene, assets, &self.bodies)?;
         let is_of = |map: &ShadowMap| cast.as_ref().is_some_and(|cast| map.is_of(cast));
         if self.shadow.as_ref().is_some_and(is_of) {
             return Ok(());
         }
-        if let Some(other) = self.shadow.take() {
-            backend.free(other.buffer);
-        }
-        self.shadow = cast.map(|cast| ShadowMap::new(cast, &self.bodies, backend, progress)).transpose()?;
+        self.shadow = None;
+        self.shadow = cast.map(|cast| ShadowMap::new(cast, &self.bodies, tools)).transpose()?;
         Ok(())
     }
 
@@ -157,61 +140,48 @@ impl Uploaded {
         self.nodes
     }
 
-    fn fill(
-        &mut self,
-        settings: &Settings,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
+    fn fill(&mut self, settings: &Settings, tools: &mut Tools<'_>) -> Result<(), Error> {
         let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper)?;
         self.nodes = tree.count();
         for (label, floats) in [("nodes of the tree", &tree.nodes), ("corners of triangles", &tree.corners)] {
-            self.tree.push(backend.create(label, cast_slice(floats))?);
+            self.tree.push(tools.backend.create(label, Contents::Bytes(cast_slice(floats)))?);
         }
         if self.kind.exact {
             self.kernel = &kernels::voxels_trace_triangles;
             Ok(())
         } else if self.kind.paper {
-            self.paper(settings, backend, progress)
+            self.paper(settings, tools)
         } else {
-            self.solids(backend, progress)
+            self.solids(tools)
         }
     }
 
     fn upload(&mut self, label: &str, contents: &[u8], backend: &mut dyn Backend) -> Result<(), Error> {
-        self.buffers.push(backend.create(label, contents)?);
+        self.buffers.push(backend.create(label, Contents::Bytes(contents))?);
         Ok(())
     }
 
-    fn solids(&mut self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), Error> {
-        let [x, y, z] = self.grid.dimensions;
+    fn solids(&mut self, tools: &mut Tools<'_>) -> Result<(), Error> {
         let bytes = self.grid.voxels() * 2 * self.clear as u64;
         // Kernels count bytes by a signed number.
         if bytes > i32::MAX as u64 - 8 {
-            let count = self.clear;
-            return Err(Error::Scene(format!(
-                "{x} x {y} x {z} voxels of {count} clear materials take {bytes} bytes, rays can address 2^31; lower `voxels.resolution`"
-            )));
+            let (dimensions, materials) = (self.grid.dimensions, self.clear);
+            return Err(Unrenderable::TooManyVoxels { dimensions, materials, bytes }.into());
         }
         let clear = &self.bodies[..self.clear];
-        let Solids { fields: all, open_rows } = Solids::new(clear, self.grid, backend, progress)?;
+        let Solids { fields: all, open_rows } = Solids::new(clear, self.grid, tools)?;
         self.open_rows = open_rows;
         let distances = bricks::distances(&all, self.grid.dimensions);
         let cropped = cropped::cropped(&all, self.grid.dimensions);
         drop(all);
-        self.upload("distances of bricks", cast_slice(&distances), backend)?;
-        self.upload("fields of materials", cast_slice(&cropped), backend)
+        self.upload("distances of bricks", cast_slice(&distances), tools.backend)?;
+        self.upload("fields of materials", cast_slice(&cropped), tools.backend)
     }
 
-    fn paper(
-        &mut self,
-        settings: &Settings,
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<(), Error> {
+    fn paper(&mut self, settings: &Settings, tools: &mut Tools<'_>) -> Result<(), Error> {
         let whole = together(&self.bodies[..self.clear]);
         let settings = Settings { attributes: true, ..*settings };
-        let Voxelization { surface, attributes, .. } = voxelize_in(self.grid, &whole, &settings, backend, progress)?;
+        let Voxelization { surface, attributes, .. } = voxelize_in(self.grid, &whole, &settings, tools)?;
         let (mask, attributes) = surface.zip(attributes).expect("both were asked for");
         let surfaces: Vec<[f32; surface::SIZE]> = attributes
             .normals
@@ -223,23 +193,15 @@ impl Uploaded {
             })
             .collect();
         self.kernel = &kernels::voxels_march_paper;
-        self.upload("mask of the surface", cast_slice(mask.words()), backend)?;
-        self.upload("ranks of the mask", cast_slice(&mask.ranks().0), backend)?;
-        self.upload("surfaces of voxels", cast_slice(&surfaces), backend)
-    }
-
-    /// Frees the buffers.
-    pub fn free(self, backend: &mut dyn Backend) {
-        let shadow = self.shadow.map(|map| map.buffer);
-        for buffer in self.buffers.into_iter().chain(self.tree).chain(shadow) {
-            backend.free(buffer);
-        }
+        self.upload("mask of the surface", cast_slice(mask.words()), tools.backend)?;
+        self.upload("ranks of the mask", cast_slice(&mask.ranks().0), tools.backend)?;
+        self.upload("surfaces of voxels", cast_slice(&surfaces), tools.backend)
     }
 }
 
-/// The mesh that inputs have.
-pub(super) fn shown(inputs: &Inputs) -> Result<&Mesh, Error> {
-    inputs.mesh.as_ref().ok_or_else(|| Error::Scene("`voxels` shows a mesh, and none is given".to_owned()))
+/// The mesh that is the subject.
+pub(super) fn shown(assets: &Assets) -> Result<&Mesh, Error> {
+    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Voxels.as_str() }.into())
 }
 
 /// Several bodies in one mesh, each with its number as its material.

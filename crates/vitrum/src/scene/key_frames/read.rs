@@ -1,8 +1,9 @@
 //! Reading key frames from TOML.
 
-use super::super::check::{check_value, unknown_key};
+use super::super::check::{check_value, renamed_key, unknown_key};
 use super::super::error::{Fault, Origin, Problem, SceneError};
 use super::super::lines::{line_of, line_of_key};
+use super::super::renamed;
 use super::super::schema::{Kind, Shape};
 use super::curve::Curve;
 use super::value;
@@ -10,12 +11,22 @@ use super::{Course, KeyFrames, Track};
 use toml::{Table, Value};
 
 /// What the whole animation shares, since it is read once or gives the pictures their size.
-const FIXED: [&str; 11] = [
+///
+/// `*` stands for any index of a list.
+const FIXED: [&str; 19] = [
     "method",
     "volume",
-    "mesh.file",
-    "mesh.builtin",
-    "mesh.up",
+    "mesh.*.file",
+    "mesh.*.builtin",
+    "mesh.*.up",
+    "mesh.*.scale",
+    "mesh.*.rotation",
+    "mesh.*.position",
+    "mesh.*.material",
+    "light.*.kind",
+    "light.*.texture",
+    "medium.density",
+    "voxelization",
     "voxels",
     "ior_volume",
     "environment.kind",
@@ -54,7 +65,7 @@ impl KeyFrames {
     /// [[key]]
     /// time = 2.5
     /// camera.azimuth = 80
-    /// light.softness = 3
+    /// light.0.angular_radius = 3
     /// ```
     ///
     /// # Errors
@@ -138,11 +149,8 @@ fn gather(
     frame: f64,
     settings: &mut Vec<Settings>,
 ) -> Result<(), Fault> {
+    check_free(value, key, place)?;
     let written = || [place, key.as_slice()].concat();
-    if FIXED.contains(&key.join(".").as_str()) {
-        let problem = "this is the same for the whole animation";
-        return Err(Fault::contradiction(&written().join("."), problem, "set it in the scene, or by --set or --size"));
-    }
     match (shape.kind(), value) {
         // A list by its indices: what is not named stays.
         (Kind::Table | Kind::List { .. }, Value::Table(members)) => {
@@ -171,6 +179,33 @@ fn gather(
             Ok(())
         }
     }
+}
+
+/// Fails if the value sets a key that the whole animation shares, or one by its old name.
+fn check_free(value: &Value, key: &mut Vec<String>, place: &[String]) -> Result<(), Fault> {
+    let inside: Vec<(String, &Value)> = match value {
+        Value::Table(members) => members.iter().map(|(name, member)| (name.clone(), member)).collect(),
+        Value::Array(items) => items.iter().enumerate().map(|(index, item)| (index.to_string(), item)).collect(),
+        _ => Vec::new(),
+    };
+    for (segment, value) in inside {
+        if let Some(new) = renamed::key(key, &segment) {
+            return Err(renamed_key(&[place, key.as_slice()].concat(), &segment, new));
+        }
+        key.push(segment);
+        check_free(value, key, place)?;
+        key.pop();
+    }
+    let is_fixed = |pattern: &&str| {
+        let segments: Vec<_> = pattern.split('.').collect();
+        segments.len() == key.len() && segments.iter().zip(&*key).all(|(known, given)| *known == "*" || known == given)
+    };
+    if FIXED.iter().any(is_fixed) {
+        let path = [place, key.as_slice()].concat().join(".");
+        let problem = "this is the same for the whole animation";
+        return Err(Fault::contradiction(&path, problem, "set it in the scene, or by --set or --size"));
+    }
+    Ok(())
 }
 
 impl Settings {

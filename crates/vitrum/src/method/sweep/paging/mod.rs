@@ -9,4 +9,4 @@ mod pool;
 mod schedule;
 
 pub(super) use needs::{Needs, Sampling};
-pub(super) use pool::{count, pools};
+pub(super) use pool::pools;

@@ -1,13 +1,13 @@
 //! Which pages a frame looks at, and on the way to which planes.
 
-use super::pool::count;
 use crate::method::sweep::occupancy::{Question, widen};
 use crate::method::sweep::planes::Planes;
+use crate::method::sweep::voxels::pages;
 use crate::method::view::{View, vector, voxel_steps};
 use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::Volume;
-use vitrum_kernels::abi::grid::page;
+use vitrum_kernels::abi::format::page;
 
 /// The most different values that pages of nothing else have slots for.
 const MOST_FILLS: usize = 256;
@@ -65,7 +65,7 @@ impl Needs {
     /// The pages for which `question`'s volume is asked on the way to the planes from `first` on.
     pub(in crate::method::sweep) fn new(question: &Question, sampling: &Sampling, planes: &Planes, first: u32) -> Self {
         let dimensions = question.volume.dimensions;
-        let pages = count(dimensions);
+        let pages = pages(dimensions);
         let kinds = kinds(question, sampling, pages);
         let mut needs = Self { pages, needed: Vec::new(), fills: Vec::new(), filled: vec![0; kinds.len()] };
         let mut recent = [0; 2];

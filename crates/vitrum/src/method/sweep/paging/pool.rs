@@ -3,25 +3,20 @@
 
 use super::needs::Needs;
 use super::schedule::{Batch, busiest, schedule};
-use crate::backend::{Backend, BackendError, Buffer, Fill, Write};
-use crate::method::sweep::passes::Uploaded;
+use crate::backend::{Backend, BackendError, Buffer, Contents, Fill, Write};
+use crate::method::sweep::uploaded::Uploaded;
 use crate::method::sweep::voxels::bytes;
 use bytemuck::Pod;
 use rayon::prelude::*;
 use std::sync::Arc;
 use vitrum_io::{Volume, Voxels};
-use vitrum_kernels::abi::grid::{format, page};
+use vitrum_kernels::abi::format::{Format, page};
 
 /// Words that are written at once.
 const WORDS_PER_WRITE: usize = 1 << 22;
 
 /// Entries of the table that are written again rather than begin another write.
 const ENTRIES_BETWEEN: u32 = 256;
-
-/// Pages along each axis.
-pub(in crate::method::sweep) fn count(dimensions: [u32; 3]) -> [u32; 3] {
-    dimensions.map(|n| (n >> page::SHIFT) + 1)
-}
 
 /// A volume's buffer, and when pages come to it.
 pub(in crate::method::sweep) struct Pool {
@@ -35,7 +30,7 @@ pub(in crate::method::sweep) struct Pool {
 /// Where things lie in the buffer.
 #[derive(Clone, Copy)]
 struct Layout {
-    stored: u32,
+    stored: Format,
     table_words: u64,
     slot_words: u64,
     voxels_per_word: u64,
@@ -43,8 +38,8 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(stored: u32, needs: &Needs) -> Self {
-        let voxels_per_word = 4 / format::bytes(stored);
+    fn new(stored: Format, needs: &Needs) -> Self {
+        let voxels_per_word = 4 / stored.bytes();
         Self {
             stored,
             table_words: needs.filled.len() as u64,
@@ -84,7 +79,7 @@ fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
     Some(wanted.iter().map(|[least, all]| least + part(all - least) as u64).collect())
 }
 
-/// For each of `volumes` a buffer, which is added to `created`: within the backend's limits together, or with as few slots as will do.
+/// For each of `volumes` a buffer: within the backend's limits together, or with as few slots as will do.
 ///
 /// # Errors
 /// Where the pages that one plane needs are too many.
@@ -93,14 +88,13 @@ pub(in crate::method::sweep) fn pools(
     needs: Vec<Needs>,
     uploaded: &Uploaded,
     backend: &mut dyn Backend,
-    created: &mut Vec<Buffer>,
 ) -> Result<Vec<Pool>, BackendError> {
     let layouts: Vec<Layout> = needs.iter().map(|needs| Layout::new(uploaded.format, needs)).collect();
     let of_each = layouts.iter().zip(&needs);
     let wanted = of_each.map(|(layout, needs)| [busiest(&needs.needed), needs.needed.len()].map(|n| layout.bytes(n)));
     let wanted: Vec<[u64; 2]> = wanted.collect();
     // Kernels count stored voxels by a signed 32-bit number.
-    let largest = backend.largest_buffer().min(i32::MAX as u64 * format::bytes(uploaded.format));
+    let largest = backend.largest_buffer().min(i32::MAX as u64 * uploaded.format.bytes());
     let limit = backend.volume_limit();
     let too_small = |needed: u64, limit: u64, of: &[&Volume], asked_for: bool| BackendError::VolumeLimit {
         whole: of.iter().map(|volume| bytes(volume, uploaded.format)).sum(),
@@ -125,8 +119,7 @@ pub(in crate::method::sweep) fn pools(
     {
         let room = layout.slots(if uploaded.tight { least } else { share.min(largest) });
         let slots = needs.needed.len().min(room);
-        let buffer = backend.create_zeroed("voxels", layout.bytes(slots))?;
-        created.push(buffer);
+        let buffer = backend.create("voxels", Contents::Zeros(layout.bytes(slots)))?;
         let batches = schedule(&needs.needed, slots);
         pools.push(Pool { buffer, volume: (*volume).clone(), needs, layout, batches });
     }
@@ -139,7 +132,7 @@ impl Pool {
         let Self { buffer, volume, needs, layout, batches } = self;
         let mut writes = Vec::new();
         let mut add = |before: usize, start: u64, words: usize, fill: Arc<Fill>| {
-            writes.push(Write { before, buffer, start, words, fill });
+            writes.push(Write { before, buffer: buffer.clone(), start, words, fill });
         };
         let mut table: Vec<u32> = needs.filled.iter().map(|&fill| layout.entry(u32::from(fill))).collect();
         add(0, 0, table.len(), copy(table.clone()));
@@ -181,8 +174,8 @@ fn copy(words: Vec<u32>) -> Arc<Fill> {
 }
 
 /// Writes a stored value again and again.
-fn constant(stored: u32, value: f32) -> Arc<Fill> {
-    let word = match format::bytes(stored) {
+fn constant(stored: Format, value: f32) -> Arc<Fill> {
+    let word = match stored.bytes() {
         1 => u32::from_le_bytes([value as u8; 4]),
         2 => u32::from(value as u16) * 0x1_0001,
         _ => value.to_bits(),
@@ -194,7 +187,7 @@ fn constant(stored: u32, value: f32) -> Arc<Fill> {
 struct Source {
     volume: Volume,
     pages: [u32; 3],
-    stored: u32,
+    stored: Format,
 }
 
 impl Source {
@@ -202,7 +195,7 @@ impl Source {
     fn fill(self: &Arc<Self>, numbers: Vec<u32>, slot_words: usize) -> Arc<Fill> {
         let source = Arc::clone(self);
         Arc::new(move |to| {
-            let floats = format::bytes(source.stored) == 4;
+            let floats = source.stored.bytes() == 4;
             to.par_chunks_exact_mut(slot_words).zip(&numbers).for_each(|(to, &number)| match &source.volume.voxels {
                 Voxels::U8(voxels) if floats => source.page::<_, f32>(voxels, number, to),
                 Voxels::U16(voxels) if floats => source.page::<_, f32>(voxels, number, to),

@@ -20,7 +20,7 @@ impl Caster {
     pub(super) fn all(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> Vec<Self> {
         let of_body = |(body, solid): (&Body, _)| {
             let material = chosen(&scene.material, of_mesh(mesh, body.material));
-            if body.opaque { Self::Surface(material.density * scene.shadow.absorption) } else { Self::Solid(solid) }
+            if body.opaque { Self::Surface(material.density * scene.shadow.optical_depth) } else { Self::Solid(solid) }
         };
         let solids = clear(bodies, mesh, scene).into_iter().map(|clear| clear.absorption);
         bodies.iter().zip(solids).map(of_body).collect()

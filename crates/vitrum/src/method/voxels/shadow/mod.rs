@@ -4,17 +4,19 @@ mod casters;
 mod passes;
 
 use super::bodies::Body;
-use crate::backend::{Backend, Buffer};
-use crate::inputs::Inputs;
-use crate::method::sweep::View;
+use crate::assets::Assets;
+use crate::backend::Buffer;
+use crate::error::Error;
+use crate::method::Tools;
+use crate::method::view::View;
 use crate::method::view::light::travels;
 use crate::method::voxelize::{Grid, Settings};
-use crate::render::Error;
 use crate::scene::{Coefficient, Scene};
+use crate::unrenderable::Unrenderable;
 use casters::Caster;
 use glam::{DMat3, DVec3};
-use vitrum_kernels::abi::vector::Vec4;
-use vitrum_kernels::glam::UVec4;
+use vitrum_kernels::abi::vector::{Affine, Counts};
+pub(super) use vitrum_kernels::abi::voxels::ShadowMap as Lookup;
 use vitrum_kernels::shadow::look_up::MOST_COLUMNS;
 
 /// Voxels around the mesh: columns beside it are lit.
@@ -45,56 +47,48 @@ pub(super) struct ShadowMap {
     pub(super) buffer: Buffer,
 }
 
-/// What kernels are told of a shadow map.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Lookup {
-    pub size: UVec4,
-    pub rows: [Vec4; 3],
-    pub filter: Vec4,
-}
-
 impl Cast {
     /// Of a scene; `None` where there is no shadow to be seen.
     ///
     /// # Errors
     /// If the light has no direction.
-    pub(super) fn of(scene: &Scene, inputs: &Inputs, bodies: &[Body]) -> Result<Option<Self>, Error> {
+    pub(super) fn of(scene: &Scene, assets: &Assets, bodies: &[Body]) -> Result<Option<Self>, Error> {
         let shows = bodies.iter().any(|body| body.opaque) || scene.ground.is_some() || scene.wall.is_some();
-        let Some(mesh) = inputs.mesh.as_ref().filter(|_| shows && scene.light.shadows) else { return Ok(None) };
-        let view = View::new(scene, &inputs.volume);
+        let Some(mesh) = assets.subject.mesh().filter(|_| shows && scene.first_light().shadows) else {
+            return Ok(None);
+        };
+        let view = View::new(scene, mesh);
         let casters = Caster::all(bodies, mesh, scene);
         if casters.iter().all(Caster::is_nothing) {
             return Ok(None);
         }
         Ok(Some(Self {
-            direction: view.axes * travels(&scene.light, &view)?,
+            direction: view.axes * travels(scene.first_light(), &view)?,
             resolution: scene.shadow.resolution,
             coefficient: scene.shadow.coefficient,
-            absorption: scene.shadow.absorption,
+            absorption: scene.shadow.optical_depth,
             casters,
         }))
     }
 }
 
 impl ShadowMap {
-    /// Makes a shadow map. `progress` is as for [`crate::method::voxelize::voxelize`].
+    /// Makes a shadow map.
     ///
     /// # Errors
     /// If it is too large for the backend, or the backend fails.
-    pub(super) fn new(
-        cast: Cast,
-        bodies: &[Body],
-        backend: &mut dyn Backend,
-        progress: &mut dyn FnMut(u64, u64) -> bool,
-    ) -> Result<Self, Error> {
+    pub(super) fn new(cast: Cast, bodies: &[Body], tools: &mut Tools<'_>) -> Result<Self, Error> {
         let across = cast.direction.any_orthonormal_vector();
         let axes = DMat3::from_cols(cast.direction, across, cast.direction.cross(across));
         let turned = casters::Turned::new(bodies, axes);
         let settings = Settings { padding: PADDING, ..Settings::new(cast.resolution) };
         let grid = Grid::around_box("the mesh", turned.bounds, &settings)?;
-        let channels =
-            if cast.coefficient == Coefficient::Counted && cast.casters.iter().any(Caster::is_colored) { 3 } else { 1 };
-        let buffer = passes::run(&cast, &turned, grid, channels, backend, progress)?;
+        let channels = if cast.coefficient == Coefficient::PerTriangle && cast.casters.iter().any(Caster::is_colored) {
+            3
+        } else {
+            1
+        };
+        let buffer = passes::run(&cast, &turned, grid, channels, tools)?;
         Ok(Self { axes, centre: turned.centre, grid, channels, buffer, cast })
     }
 
@@ -108,27 +102,27 @@ impl ShadowMap {
     /// # Errors
     /// If the softness takes more columns than a look-up may.
     pub(super) fn lookup(&self, scene: &Scene, viewed: Grid) -> Result<Lookup, Error> {
-        let softness = f64::from(scene.shadow.softness);
+        let radius = f64::from(scene.shadow.filter_radius);
         let edge = self.grid.voxel_size;
-        let width = 1.0 + softness / edge;
+        let width = 1.0 + radius / edge;
         if width > f64::from(MOST_COLUMNS) {
-            return Err(Error::Scene(format!(
-                "shadow.softness = {softness} is {:.1} voxels of the shadow map, at most {} are possible; lower \
-                 `shadow.resolution`, of which a soft shadow needs less",
-                width - 1.0,
-                MOST_COLUMNS - 1
-            )));
+            let (voxels, limit) = (width - 1.0, MOST_COLUMNS - 1);
+            return Err(Unrenderable::ShadowTooSoft { radius, voxels, limit }.into());
         }
         let row = |axis: usize| {
             let along = self.axes.col(axis);
             let origin = (DVec3::from_array(viewed.origin) - self.centre).dot(along) - self.grid.origin[axis];
-            Vec4::from((along * viewed.voxel_size / edge).extend(origin / edge).as_vec4())
+            Affine::from((along * viewed.voxel_size / edge).extend(origin / edge).as_vec4())
         };
         let [x, y, z] = self.grid.dimensions;
         Ok(Lookup {
-            size: UVec4::new(x, y, z, self.channels),
-            rows: [row(0), row(1), row(2)],
-            filter: Vec4::new(width as f32, (edge / viewed.voxel_size) as f32, 0.0, 0.0),
+            size: Counts::new(x, y, z),
+            channels: self.channels,
+            row_x: row(0),
+            row_y: row(1),
+            row_z: row(2),
+            radius: width as f32,
+            edge: (edge / viewed.voxel_size) as f32,
         })
     }
 }

@@ -2,20 +2,23 @@
 
 use super::Cast;
 use super::casters::{Caster, Turned};
-use crate::backend::{Backend, Buffer, Pass, PassList};
+use crate::backend::{Backend, Buffer, Contents, Pass, PassList};
+use crate::error::Error;
+use crate::method::Tools;
 use crate::method::voxelize::Grid;
 use crate::method::voxelize::columns::{scale, slices};
-use crate::method::voxelize::items::{Batch, Held, Plan, dispatch, pass};
+use crate::method::voxelize::items::{Batch, Plan, dispatch, pass};
 use crate::method::voxelize::triangles;
-use crate::render::Error;
+use crate::request::{Progress, Stage};
 use crate::scene::Coefficient;
+use crate::unrenderable::Unrenderable;
 use bytemuck::{bytes_of, cast_slice};
 use rayon::prelude::*;
+use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::record::absorption;
 use vitrum_kernels::abi::shadow::{ShadowUniforms, caster, mode, row_words};
-use vitrum_kernels::abi::vector::Vec4;
+use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
-use vitrum_kernels::glam::UVec4;
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The most words of a slab's optical depths: less than any device's buffer.
@@ -42,7 +45,7 @@ struct Work<'a> {
     words: Vec<[f32; caster::SIZE]>,
     solids: Vec<Solid>,
     uniform: Option<u32>,
-    progress: &'a mut dyn FnMut(u64, u64) -> bool,
+    progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
     done: u64,
     total: u64,
 }
@@ -58,25 +61,19 @@ pub(super) fn run(
     turned: &Turned,
     grid: Grid,
     channels: u32,
-    backend: &mut dyn Backend,
-    progress: &mut dyn FnMut(u64, u64) -> bool,
+    tools: &mut Tools<'_>,
 ) -> Result<Buffer, Error> {
     let [x, y, z] = grid.dimensions;
     let words = u64::from(row_words(x)) * u64::from(y) * u64::from(z) * u64::from(channels);
     // Kernels count bytes by a signed number.
     if words > i32::MAX as u64 / 4 {
-        return Err(Error::Scene(format!(
-            "a shadow map of {x} x {y} x {z} voxels takes {} bytes, rays can address 2^31; lower `shadow.resolution`",
-            words * 4
-        )));
+        return Err(Unrenderable::ShadowMapTooLarge { dimensions: grid.dimensions, bytes: words * 4 }.into());
     }
-    let mut work = Work::new(cast, turned, grid, channels, progress);
-    let map = backend.create_zeroed("shadow map", words * 4)?;
-    let made = work.slabs().try_for_each(|slab| work.slab(slab, map, &mut Held::new(&mut *backend)));
-    if let Err(error) = made {
-        backend.free(map);
-        return Err(error);
-    }
+    let Tools { backend, progress } = tools;
+    let backend = &mut **backend;
+    let mut work = Work::new(cast, turned, grid, channels, *progress);
+    let map = backend.create("shadow map", Contents::Zeros(words * 4))?;
+    work.slabs().try_for_each(|slab| work.slab(slab, &map, backend))?;
     Ok(map)
 }
 
@@ -86,7 +83,7 @@ impl<'a> Work<'a> {
         turned: &Turned,
         grid: Grid,
         channels: u32,
-        progress: &'a mut dyn FnMut(u64, u64) -> bool,
+        progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
     ) -> Self {
         let in_voxels = |corners: &Vec<[[f64; 3]; 3]>| -> Vec<Corners> {
             let voxels = |at: [f64; 3]| std::array::from_fn(|axis| (at[axis] - grid.origin[axis]) / grid.voxel_size);
@@ -136,10 +133,11 @@ impl<'a> Work<'a> {
         count: u32,
         block: ShadowUniforms,
         buffers: Vec<Buffer>,
-        held: &mut Held<'_>,
+        backend: &mut dyn Backend,
     ) -> Result<(), Error> {
         let [width, height] = dispatch(count);
-        let block = ShadowUniforms { dispatch: UVec4::new(width, height, block.dispatch.z, count), ..block };
+        let dispatch = Dispatch { width, height, ..block.dispatch };
+        let block = ShadowUniforms { dispatch, work: count, ..block };
         let pass = Pass {
             kernel,
             uniforms: bytes_of(&block).to_vec(),
@@ -149,72 +147,81 @@ impl<'a> Work<'a> {
             start: 0,
             window: Window::whole(width, height),
         };
-        self.run(&PassList { passes: vec![pass], ..PassList::default() }, held)
+        self.run(&PassList { passes: vec![pass], ..PassList::default() }, backend)
     }
 
-    fn run(&mut self, passes: &PassList, held: &mut Held<'_>) -> Result<(), Error> {
+    fn run(&mut self, passes: &PassList, backend: &mut dyn Backend) -> Result<(), Error> {
         let (progress, done, total) = (&mut *self.progress, self.done, self.total);
-        Ok(held.backend.run(passes, &mut |_| progress(done.min(total), total))?)
+        Ok(backend.run(passes, &mut |_| progress(Progress { stage: Stage::Shadow, done: done.min(total), total }))?)
     }
 
     /// One slab, into the map.
-    fn slab(&mut self, [first, layers]: [u32; 2], map: Buffer, held: &mut Held<'_>) -> Result<(), Error> {
+    fn slab(&mut self, [first, layers]: [u32; 2], map: &Buffer, backend: &mut dyn Backend) -> Result<(), Error> {
         let [x, y, z] = self.grid.dimensions;
         let rows = y * layers;
         let words = u64::from(x) * u64::from(rows) * u64::from(self.channels) * absorption::SIZE as u64;
-        let depths = held.create_zeroed("optical depths", words)?;
+        let depths = backend.create("optical depths", Contents::Zeros(words * 4))?;
         let block = ShadowUniforms {
-            size: UVec4::new(x, y, layers, first),
-            depth: UVec4::new(self.channels, z, 0, self.uniform.unwrap_or(0)),
+            width: x,
+            height: y,
+            layers,
+            first_layer: first,
+            depth: z,
+            channels: self.channels,
+            uniform_depth: self.uniform.unwrap_or(0),
             ..ShadowUniforms::default()
         };
         let slices = slices(&self.surface, 0, [first, layers]);
         for batch in Plan::new(&slices).batches() {
-            held.within(|held| {
-                let casters = held.create("casters", cast_slice(&self.words[batch.first..batch.end]))?;
-                let items = held.create("items", cast_slice(&batch.items))?;
-                let buffers = vec![casters, items, depths];
-                self.pass(&kernels::shadow_count_crossings, batch.items(), block, buffers, held)
-            })?;
+            let words = Contents::Bytes(cast_slice(&self.words[batch.first..batch.end]));
+            let casters = backend.create("casters", words)?;
+            let items = backend.create("items", Contents::Bytes(cast_slice(&batch.items)))?;
+            let buffers = vec![casters, items, depths.clone()];
+            self.pass(&kernels::shadow_count_crossings, batch.items(), block, buffers, backend)?;
         }
         self.done += 1;
         for index in 0..self.solids.len() {
-            held.within(|held| self.solid(index, block, depths, held))?;
+            self.solid(index, block, &depths, backend)?;
         }
         let mode = if self.uniform.is_some() { mode::UNIFORM } else { mode::COUNTED };
-        let block = ShadowUniforms { dispatch: UVec4::new(0, 0, mode, 0), ..block };
-        self.pass(&kernels::shadow_accumulate, rows * self.channels, block, vec![depths, map], held)?;
+        let block = ShadowUniforms { dispatch: Dispatch { mode, ..Dispatch::default() }, ..block };
+        self.pass(&kernels::shadow_accumulate, rows * self.channels, block, vec![depths, map.clone()], backend)?;
         self.done += 1;
         Ok(())
     }
 
     /// What clear body number `index` absorbs in a slab.
-    fn solid(&mut self, index: usize, block: ShadowUniforms, depths: Buffer, held: &mut Held<'_>) -> Result<(), Error> {
-        let UVec4 { x, y, z: layers, w: first } = block.size;
+    fn solid(
+        &mut self,
+        index: usize,
+        block: ShadowUniforms,
+        depths: &Buffer,
+        backend: &mut dyn Backend,
+    ) -> Result<(), Error> {
+        let ShadowUniforms { width: x, height: y, layers, first_layer: first, .. } = block;
         let scale = self.solids[index].scale;
-        let changes = held.create_zeroed("changes of the winding", u64::from(x + 1) * u64::from(y * layers))?;
+        let bytes = u64::from(x + 1) * u64::from(y * layers) * 4;
+        let changes = backend.create("changes of the winding", Contents::Zeros(bytes))?;
         let slices = slices(&self.solids[index].corners, 0, [first, layers]);
         let uniforms = VoxelizeUniforms {
-            size: UVec4::new(x, y, layers, x + 1),
-            columns: UVec4::new(0, first, scale, scale),
+            size: Counts::new(x, y, layers),
+            row_words: x + 1,
+            first_layer: first,
+            column_units: scale,
+            voxel_units: scale,
             ..VoxelizeUniforms::default()
         };
         for batch in Plan::new(&slices).batches() {
-            held.within(|held| {
-                let Batch { first, end, items: words } = &batch;
-                let corners = held.create("corners", cast_slice(&self.solids[index].corners[*first..*end]))?;
-                let items = held.create("items", cast_slice(words))?;
-                let bound = [corners, items, changes];
-                self.run(&pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &bound), held)
-            })?;
+            let Batch { first, end, items: words } = &batch;
+            let corners = Contents::Bytes(cast_slice(&self.solids[index].corners[*first..*end]));
+            let corners = backend.create("corners", corners)?;
+            let items = backend.create("items", Contents::Bytes(cast_slice(words)))?;
+            let bound = [corners, items, changes.clone()];
+            self.run(&pass(&kernels::voxelize_cross_columns, batch.items(), 0, uniforms, &bound), backend)?;
         }
-        let [red, green, blue] = self.solids[index].absorption;
-        let block = ShadowUniforms {
-            absorption: Vec4::new(red, green, blue, 0.0),
-            depth: UVec4::new(block.depth.x, block.depth.y, scale, block.depth.w),
-            ..block
-        };
-        self.pass(&kernels::shadow_absorb_solid, y * layers, block, vec![changes, depths], held)?;
+        let absorption = self.solids[index].absorption.into();
+        let block = ShadowUniforms { absorption, winding_units: scale, ..block };
+        self.pass(&kernels::shadow_absorb_solid, y * layers, block, vec![changes, depths.clone()], backend)?;
         self.done += 2;
         Ok(())
     }

@@ -1,0 +1,50 @@
+//! Options of reading.
+
+use crate::error::Error;
+use crate::raw_layout::RawLayout;
+use crate::up::Up;
+use crate::volume::Volume;
+
+/// Choices about reading.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct OpenOptions {
+    /// Most bytes that the decoded voxels may take, or the decompressed file and the mesh in it together, and likewise a file
+    /// that has to be unpacked or comes by standard input; the memory available where it is `None`.
+    pub max_bytes: Option<u64>,
+    /// Reads the file as voxels without a header, laid out like this, whatever it looks like.
+    pub raw: Option<RawLayout>,
+    /// Replaces the file's spacing; the middle of the grid stays where it is.
+    pub spacing: Option<[f32; 3]>,
+    /// The array to read of a file with several.
+    pub array: Option<String>,
+    /// The point in time to read of a file with several, counted from 0.
+    pub time: Option<u32>,
+    /// The world direction that is to point up; the volume is turned for it.
+    pub up: Option<Up>,
+}
+
+impl OpenOptions {
+    /// Applies what is set here of a volume's place, its spacing and its up.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Volume::with_spacing`].
+    pub fn place(&self, mut volume: Volume) -> Result<Volume, Error> {
+        if let Some(spacing) = self.spacing {
+            volume = volume.with_spacing(spacing)?;
+        }
+        Ok(match self.up {
+            Some(up) => volume.turned(up),
+            None => volume,
+        })
+    }
+}
+
+/// A part of a file that can be picked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// [`OpenOptions::array`].
+    Array,
+    /// [`OpenOptions::time`].
+    Time,
+}

@@ -1,0 +1,16 @@
+//! The choices of whoever opens a file, by name.
+
+/// A field of [`OpenOptions`](crate::OpenOptions) that reads a file otherwise. Errors and assumptions name it, so that a program
+/// can tell its user by which of its own controls that is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Setting {
+    /// [`OpenOptions::raw`](crate::OpenOptions::raw): the layout of voxels without a header.
+    Raw,
+    /// [`OpenOptions::array`](crate::OpenOptions::array): the array, or the channel, of several.
+    Array,
+    /// [`OpenOptions::time`](crate::OpenOptions::time): the point in time of several.
+    Time,
+    /// [`OpenOptions::up`](crate::OpenOptions::up): the direction that points up.
+    Up,
+}

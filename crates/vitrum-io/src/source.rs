@@ -1,0 +1,95 @@
+//! Origin of a volume or a mesh, and the assumptions of its reader.
+
+use std::fmt;
+use std::ops::Deref;
+
+use crate::setting::Setting;
+
+/// The file format of a volume or a mesh and the assumptions of its reader, for people to read.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Source {
+    /// The file format, such as `NRRD`; empty for data that no file holds.
+    pub format: &'static str,
+    /// The file's sample type, such as `int16`; of a mesh the type of its coordinates.
+    pub sample_type: String,
+    /// Coding of the samples in the file, such as `gzip, little-endian`.
+    pub encoding: String,
+    /// Statements about gaps in the file, and about changes by its reader.
+    pub assumptions: Assumptions,
+}
+
+/// A statement about something that a file does not say, or that its reader changed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Assumption {
+    /// The statement, without a full stop.
+    pub fact: String,
+    /// The field of [`OpenOptions`](crate::OpenOptions) that replaces the assumption, where one does.
+    pub setting: Option<Setting>,
+    /// The other values that the field may have, such as the names of the other arrays or `0 to 2`; empty where any is possible.
+    pub choices: String,
+}
+
+impl Assumption {
+    /// An assumption that a field of [`OpenOptions`](crate::OpenOptions) replaces.
+    pub(crate) fn replaceable(fact: impl Into<String>, setting: Setting, choices: impl Into<String>) -> Self {
+        Self { fact: fact.into(), setting: Some(setting), choices: choices.into() }
+    }
+}
+
+impl From<String> for Assumption {
+    fn from(fact: String) -> Self {
+        Self { fact, setting: None, choices: String::new() }
+    }
+}
+
+impl fmt::Display for Assumption {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.fact)?;
+        if self.choices.is_empty() { Ok(()) } else { write!(f, "; others are: {}", self.choices) }
+    }
+}
+
+/// A list of assumptions, in the order in which they were made.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Assumptions(Vec<Assumption>);
+
+impl Assumptions {
+    /// Appends one.
+    pub fn push(&mut self, assumption: impl Into<Assumption>) {
+        self.0.push(assumption.into());
+    }
+
+    /// The statements alone.
+    #[must_use]
+    pub fn facts(&self) -> Vec<&str> {
+        self.0.iter().map(|assumption| assumption.fact.as_str()).collect()
+    }
+
+    /// Removes all.
+    pub(crate) fn clear(&mut self) {
+        self.0.clear();
+    }
+}
+
+impl Deref for Assumptions {
+    type Target = [Assumption];
+
+    fn deref(&self) -> &[Assumption] {
+        &self.0
+    }
+}
+
+impl<T: Into<Assumption>> Extend<T> for Assumptions {
+    fn extend<I: IntoIterator<Item = T>>(&mut self, assumptions: I) {
+        self.0.extend(assumptions.into_iter().map(Into::into));
+    }
+}
+
+impl IntoIterator for Assumptions {
+    type Item = Assumption;
+    type IntoIter = std::vec::IntoIter<Assumption>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}

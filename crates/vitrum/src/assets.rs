@@ -1,0 +1,131 @@
+//! The data that a scene names, read from files or made.
+
+use crate::error::Error;
+use crate::meshes::load_meshes;
+use crate::scene::{EnvironmentKind, Scene, VolumeSource};
+use crate::subject::Subject;
+use crate::unrenderable::Unrenderable;
+use std::path::Path;
+use std::sync::Arc;
+use vitrum_io::{OpenOptions, Picture, STANDARD_INPUT, Volume};
+
+/// The data that a picture is made of. It is shared, not copied: a clone is the same data.
+#[derive(Debug, Clone)]
+pub struct Assets {
+    /// The data that the picture shows.
+    pub subject: Subject,
+    /// The equirectangular picture of the environment, if the scene's environment is a map.
+    pub environment: Option<Arc<Picture>>,
+}
+
+impl<S: Into<Subject>> From<S> for Assets {
+    fn from(subject: S) -> Self {
+        Self { subject: subject.into(), environment: None }
+    }
+}
+
+impl Assets {
+    /// Reads the files that `scene` names; relative paths start at `base`.
+    ///
+    /// # Errors
+    /// [`Error::Io`] where a file cannot be read, [`Error::Unrenderable`] where the scene names no data, or built-in data that does not exist.
+    pub fn load(scene: &Scene, base: &Path) -> Result<Self, Error> {
+        Self::load_within(scene, base, None)
+    }
+
+    /// As [`Self::load`], with at most `max_bytes` for each volume ([`OpenOptions::max_bytes`]).
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub fn load_within(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
+        let environment = match (scene.environment.kind, &scene.environment.file) {
+            (EnvironmentKind::Map, Some(file)) => Some(Arc::new(vitrum_io::read_picture(&base.join(file))?)),
+            (EnvironmentKind::Map, None) => {
+                return Err(Unrenderable::NoEnvironmentMap.into());
+            }
+            _ => None,
+        };
+        if !scene.mesh.is_empty() {
+            return Ok(Self { subject: load_meshes(&scene.mesh, base, max_bytes)?.into(), environment });
+        }
+        let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
+        let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
+        let subject = match ior {
+            None => Subject::Volume(shown),
+            Some(ior) => Subject::Volumes { shown, ior: Arc::new(ior) },
+        };
+        Ok(Self { subject, environment })
+    }
+}
+
+/// Built-in data.
+#[cfg(feature = "builtin")]
+pub(crate) mod made {
+    use crate::builtin;
+    use crate::error::Error;
+    use crate::unrenderable::Unrenderable;
+    use vitrum_io::{Mesh, Volume};
+
+    pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
+        let known = || builtin::mesh_names().collect();
+        let unknown = || Unrenderable::UnknownBuiltin { kind: "mesh", name: name.to_owned(), known: known() };
+        Ok(builtin::mesh(name).ok_or_else(unknown)?)
+    }
+
+    pub(super) fn volume(name: &str, resolution: Option<u32>) -> Result<Volume, Error> {
+        let known = || builtin::volume_names().collect();
+        let unknown = || Unrenderable::UnknownBuiltin { kind: "volume", name: name.to_owned(), known: known() };
+        Ok(builtin::volume(name, resolution).ok_or_else(unknown)??)
+    }
+}
+
+/// The place of built-in data in a build without it.
+#[cfg(not(feature = "builtin"))]
+pub(crate) mod made {
+    use crate::error::Error;
+    use crate::unrenderable::Unrenderable;
+    use vitrum_io::{Mesh, Volume};
+
+    pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
+        Err(left_out("mesh", name))
+    }
+
+    pub(super) fn volume(name: &str, _resolution: Option<u32>) -> Result<Volume, Error> {
+        Err(left_out("volume", name))
+    }
+
+    fn left_out(kind: &'static str, name: &str) -> Error {
+        Unrenderable::BuiltinLeftOut { kind, name: name.to_owned() }.into()
+    }
+}
+
+pub(crate) fn syntax(problem: String) -> Error {
+    Unrenderable::Syntax { problem }.into()
+}
+
+/// Reads the one volume that `source` names; a relative path starts at `base`.
+///
+/// # Errors
+///
+/// Those of [`vitrum_io::open`]; where `source` would not pass [`Scene::validate`], or its built-in volume does not exist.
+pub fn load_volume(source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -> Result<Volume, Error> {
+    let options = options(source, max_bytes)?;
+    match (&source.file, &source.builtin) {
+        (Some(file), None) if file == Path::new(STANDARD_INPUT) => Ok(vitrum_io::open(file, &options)?),
+        (Some(file), None) => Ok(vitrum_io::open(&base.join(file), &options)?),
+        (None, Some(name)) => Ok(options.place(made::volume(name, source.resolution)?)?),
+        (Some(_), Some(_)) => Err(Unrenderable::TwoSources { kind: "volume" }.into()),
+        (None, None) => Err(Unrenderable::NoSource { kind: "volume" }.into()),
+    }
+}
+
+fn options(source: &VolumeSource, max_bytes: Option<u64>) -> Result<OpenOptions, Error> {
+    Ok(OpenOptions {
+        max_bytes,
+        raw: source.raw.as_deref().map(str::parse).transpose().map_err(syntax)?,
+        spacing: source.spacing,
+        array: source.array.clone(),
+        time: source.time,
+        up: source.up.as_deref().map(str::parse).transpose().map_err(syntax)?,
+    })
+}

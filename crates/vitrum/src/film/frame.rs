@@ -1,0 +1,54 @@
+//! A finished frame.
+
+use super::statistics::Statistics;
+use vitrum_io::{Layer, Picture};
+
+/// A finished frame: named outputs, row 0 on top, linear.
+///
+/// [`Method::outputs`](crate::method::Method::outputs) describes the outputs. Where a pixel has several rays (`film.supersampling`) it shows
+/// their mean: of depths the mean of the rays that have one, of directions and normals the unit vector; `position`, `status` and
+/// `bounces` are those of the ray next to the pixel's centre.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// All outputs that have the picture's size, `color` (RGBA) first.
+    pub layers: Vec<Layer>,
+    /// The light on the last plane, in the light grid's texels, row 0 on top, if it was wanted.
+    pub light: Option<Picture>,
+    /// How it was made.
+    pub statistics: Statistics,
+}
+
+impl Frame {
+    /// An output as a picture of its own; `None` if there is no output of that name, or it was not wanted.
+    pub fn aov(&self, name: &str) -> Option<Picture> {
+        if name == "light" {
+            return self.light.clone();
+        }
+        let layer = self.layers.iter().find(|layer| layer.name == name)?;
+        Some(Picture { width: self.width, height: self.height, layers: vec![layer.clone()] })
+    }
+
+    /// All outputs of the picture's size in one picture.
+    pub fn picture(&self) -> Picture {
+        Picture { width: self.width, height: self.height, layers: self.layers.clone() }
+    }
+
+    /// Multiplies the colour by 2^`stops`.
+    pub(crate) fn expose(mut self, stops: f32) -> Self {
+        let color = self.layers.iter_mut().filter(|layer| layer.name == "color");
+        for channel in color.flat_map(|layer| layer.channels.iter_mut().filter(|channel| channel.name != "A")) {
+            channel.data.iter_mut().for_each(|value| *value *= stops.exp2());
+        }
+        self
+    }
+
+    /// One channel of an output, e.g. `color` and `R`.
+    pub fn channel(&self, layer: &str, channel: &str) -> Option<&[f32]> {
+        let layer = self.layers.iter().find(|found| found.name == layer)?;
+        layer.channels.iter().find(|found| found.name == channel).map(|found| found.data.as_slice())
+    }
+}

@@ -1,0 +1,14 @@
+//! Finished frames: named outputs, and the statistics of how they were made.
+
+mod accumulator;
+mod frame;
+mod output;
+mod resolve;
+mod statistics;
+
+pub(crate) use accumulator::Accumulator;
+pub use frame::Frame;
+pub use output::Output;
+pub(crate) use output::{PixelFilter, rgb, rgba, xyz};
+pub(crate) use resolve::RayRecords;
+pub use statistics::Statistics;

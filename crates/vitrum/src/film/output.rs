@@ -1,0 +1,122 @@
+//! The named outputs of a method's frames, and how they come from its film records.
+
+/// A named output of a frame.
+#[derive(Debug, Clone, Copy)]
+pub struct Output {
+    /// Its name.
+    pub name: &'static str,
+    /// The quantity that it holds, with its unit and range.
+    pub description: &'static str,
+    /// Whether it holds vectors, which may be negative.
+    pub is_vector: bool,
+    /// The names of its channels with their components in the method's film records; none for an output whose size is not the
+    /// picture's.
+    pub(crate) channels: &'static [(&'static str, usize)],
+    /// The value of a pixel that several rays go through.
+    pub(crate) pixel: PixelFilter,
+    /// The value of a picture that is a sum of several exposures.
+    pub(crate) blend: Blend,
+}
+
+/// The value of a pixel that several rays go through.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum PixelFilter {
+    /// The mean.
+    Mean,
+    /// The mean, weighted by another component; 0 where that is 0 everywhere.
+    WeightedBy(usize),
+    /// The mean of the rays for which it is not 0.
+    Present,
+    /// The unit vector of the mean's direction; 0 where the mean is.
+    Direction,
+    /// The value of the ray next to the pixel's centre, for numbers that have no mean.
+    Nearest,
+}
+
+/// The value of a picture that is a sum of several exposures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Blend {
+    /// The sum, weighted by the exposures' weights of the channel: red, green and blue; the mean of the three for other channels.
+    Sum,
+    /// For red, green and blue the same sum, for coverage that of the exposures of everything: further lights add to the radiance alone.
+    Radiance,
+    /// The value of the exposure with the least distance.
+    Nearest,
+}
+
+impl Output {
+    /// The picture's radiance and coverage.
+    pub(crate) const fn color(channels: &'static [(&'static str, usize)]) -> Self {
+        let description = "linear radiance and coverage (RGBA)";
+        Self {
+            name: "color",
+            description,
+            is_vector: false,
+            channels,
+            pixel: PixelFilter::Mean,
+            blend: Blend::Radiance,
+        }
+    }
+
+    /// An output with a mean over a pixel's rays and over exposures.
+    pub(crate) const fn mean(
+        name: &'static str,
+        channels: &'static [(&'static str, usize)],
+        description: &'static str,
+    ) -> Self {
+        Self { name, description, is_vector: false, channels, pixel: PixelFilter::Mean, blend: Blend::Sum }
+    }
+
+    /// An output of vectors, of which a pixel shows the mean direction.
+    pub(crate) const fn directions(
+        name: &'static str,
+        channels: &'static [(&'static str, usize)],
+        description: &'static str,
+    ) -> Self {
+        let blend = Blend::Nearest;
+        Self { name, description, is_vector: true, channels, pixel: PixelFilter::Direction, blend }
+    }
+
+    /// An output of which a pixel shows the value of its central ray.
+    pub(crate) const fn central(
+        name: &'static str,
+        channels: &'static [(&'static str, usize)],
+        description: &'static str,
+    ) -> Self {
+        let blend = Blend::Nearest;
+        Self { name, description, is_vector: false, channels, pixel: PixelFilter::Nearest, blend }
+    }
+
+    /// The same output with another rule for a pixel that several rays go through, and of the nearest exposure.
+    pub(crate) const fn filtered(self, pixel: PixelFilter) -> Self {
+        Self { pixel, blend: Blend::Nearest, ..self }
+    }
+
+    /// The same output as one of vectors.
+    pub(crate) const fn vectors(self) -> Self {
+        Self { is_vector: true, ..self }
+    }
+}
+
+/// The channels of a colour whose components begin at `from`.
+macro_rules! rgb {
+    ($from:expr) => {
+        &[("R", $from), ("G", $from + 1), ("B", $from + 2)]
+    };
+}
+
+/// The channels of a colour and its coverage.
+macro_rules! rgba {
+    ($from:expr) => {
+        &[("R", $from), ("G", $from + 1), ("B", $from + 2), ("A", $from + 3)]
+    };
+}
+
+/// The channels of a vector.
+macro_rules! xyz {
+    ($from:expr) => {
+        &[("X", $from), ("Y", $from + 1), ("Z", $from + 2)]
+    };
+}
+
+pub(crate) use {rgb, rgba, xyz};

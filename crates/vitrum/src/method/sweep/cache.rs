@@ -1,0 +1,118 @@
+//! Data that a sweep keeps from frame to frame: volumes, tables, the occupancy, the environment map.
+
+use super::mesh_volumes::MeshVolumes;
+use super::occupancy::Occupancy;
+use super::tables::Tables;
+use super::uploaded::Uploaded;
+use crate::assets::Assets;
+use crate::backend::{Backend, BackendError, Buffer, Contents};
+use crate::error::Error;
+use crate::method::Tools;
+use crate::method::cache::{Memo, Scratch};
+use crate::method::view::environment::EnvironmentMap;
+use crate::scene::{EnvironmentKind, Scene, TransferFunction};
+use crate::subject::Volumes;
+use std::sync::Arc;
+use vitrum_io::Picture;
+
+/// The scene's values that tables depend on: the transfer functions, and whether rays are refracted.
+type TablesKey = (TransferFunction, bool);
+
+/// Data of a sweep that the next frame of the same assets uses again.
+#[derive(Default)]
+pub(super) struct SweepCache {
+    /// The volumes that were made of a mesh.
+    pub(super) mesh: Option<MeshVolumes>,
+    pub(super) frame: FrameCache,
+}
+
+/// The part of it that belongs to the volumes.
+#[derive(Default)]
+pub(super) struct FrameCache {
+    uploaded: Memo<(), Arc<Uploaded>>,
+    tables: Memo<TablesKey, Arc<Tables>>,
+    tables_buffer: Memo<TablesKey, Buffer>,
+    pub(super) occupancy: Memo<(TablesKey, [u32; 2]), Occupancy>,
+    environment: Memo<bool, (Arc<EnvironmentMap>, Buffer)>,
+    pub(super) scratch: Scratch,
+}
+
+/// The key of a scene's tables.
+pub(super) fn tables_key(scene: &Scene) -> TablesKey {
+    (scene.transfer.clone(), scene.sweep.refraction)
+}
+
+impl SweepCache {
+    /// The volumes that a scene's mesh is swept as; those of the last frame where they are the same.
+    ///
+    /// # Errors
+    /// As [`MeshVolumes::new`].
+    pub(super) fn mesh(&mut self, scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<(), Error> {
+        if let Some(made) = &self.mesh
+            && made.fits(scene, assets)?
+        {
+            return Ok(());
+        }
+        *self = Self::default();
+        self.mesh = Some(MeshVolumes::new(scene, assets, tools)?);
+        Ok(())
+    }
+}
+
+impl FrameCache {
+    /// A cache that holds volumes already.
+    pub(super) fn holding(uploaded: Arc<Uploaded>) -> Self {
+        let mut cache = Self::default();
+        let held = cache.uploaded.get((), || Ok::<_, std::convert::Infallible>(uploaded));
+        held.expect("nothing fails there");
+        cache
+    }
+
+    /// The volumes on the backend.
+    ///
+    /// # Errors
+    /// As [`Uploaded::new`].
+    pub(super) fn uploaded(&mut self, volumes: Volumes<'_>, backend: &mut dyn Backend) -> Result<Arc<Uploaded>, Error> {
+        self.uploaded.get((), || Uploaded::new(volumes, backend).map(Arc::new)).cloned()
+    }
+
+    /// The tables of a scene's transfer functions.
+    pub(super) fn tables(&mut self, scene: &Scene, volumes: Volumes<'_>) -> Arc<Tables> {
+        let make = || Tables::new(&scene.transfer, scene.sweep.refraction, volumes.shown, volumes.bending());
+        let made = self.tables.get(tables_key(scene), || Ok::<_, std::convert::Infallible>(Arc::new(make())));
+        Arc::clone(made.expect("nothing fails there"))
+    }
+
+    /// The tables on the backend.
+    ///
+    /// # Errors
+    /// As [`Backend::create`].
+    pub(super) fn tables_buffer(
+        &mut self,
+        scene: &Scene,
+        tables: &Tables,
+        backend: &mut dyn Backend,
+    ) -> Result<Buffer, BackendError> {
+        let words = Contents::Bytes(bytemuck::cast_slice(&tables.words));
+        self.tables_buffer.get(tables_key(scene), || backend.create("tables", words)).cloned()
+    }
+
+    /// The environment map, on the host and on the backend.
+    ///
+    /// # Errors
+    /// As [`Backend::create`].
+    pub(super) fn environment(
+        &mut self,
+        scene: &Scene,
+        picture: Option<&Picture>,
+        backend: &mut dyn Backend,
+    ) -> Result<(Arc<EnvironmentMap>, Buffer), BackendError> {
+        let is_map = scene.environment.kind == EnvironmentKind::Map;
+        let made = self.environment.get(is_map, || {
+            let map = EnvironmentMap::new(&scene.environment, picture);
+            let buffer = backend.create("environment", Contents::Bytes(bytemuck::cast_slice(&map.texels)))?;
+            Ok::<_, BackendError>((Arc::new(map), buffer))
+        })?;
+        Ok(made.clone())
+    }
+}

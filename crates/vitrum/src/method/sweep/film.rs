@@ -1,0 +1,94 @@
+//! The outputs of a sweep, and its light as a picture.
+
+use super::Sweep;
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
+use crate::film::{Output, PixelFilter, Statistics, rgb, rgba, xyz};
+use crate::method::PreparedFrame;
+use vitrum_io::Picture;
+use vitrum_kernels::abi::record::{film, status};
+use vitrum_kernels::abi::sweep::SweepUniforms;
+
+/// The outputs, by the components of [`film`].
+pub(super) const OUTPUTS: &[Output] = &[
+    Output::color(rgba!(film::COLOR)),
+    Output::mean("opacity", &[("Y", film::OPACITY)], "opacity A of particles and receivers, 0 to 1"),
+    Output::mean("transmittance", rgb!(film::MEDIUM), "share of light that the filter leaves on the way, RGB, 0 to 1"),
+    Output::mean(
+        "depth",
+        &[("Z", film::DEPTH)],
+        "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque",
+    )
+    .filtered(PixelFilter::WeightedBy(film::OPACITY)),
+    Output::directions(
+        "direction",
+        xyz!(film::DIRECTION),
+        "final unit direction of the ray in view space (looking along -z)",
+    ),
+    Output::central("position", xyz!(film::POSITION), "final position of the ray in view space, world units").vectors(),
+    Output::central(
+        "status",
+        &[("Y", film::STATUS)],
+        "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed",
+    ),
+    Output::mean(
+        "light",
+        &[],
+        "light of the first light source on the last plane, in the light grid's own texels, RGB",
+    ),
+];
+
+impl PreparedFrame for Sweep {
+    fn passes(&self) -> &PassList {
+        &self.passes
+    }
+
+    fn rays(&self) -> [u32; 2] {
+        self.rays
+    }
+
+    fn film(&self) -> &Buffer {
+        &self.buffers.film
+    }
+
+    /// The grid's rows go up, a picture's down.
+    fn light(&self, backend: &mut dyn Backend) -> Result<Option<Picture>, BackendError> {
+        if !self.request.light {
+            return Ok(None);
+        }
+        let irradiance = self.irradiance(backend)?;
+        let [width, height] = self.light_grid.size;
+        let texels = width as usize * height as usize;
+        let pixels = (0..height as usize)
+            .rev()
+            .flat_map(|row| (0..width as usize).map(move |column| row * width as usize + column))
+            .map(|at| [irradiance[at], irradiance[texels + at], irradiance[2 * texels + at]])
+            .collect();
+        Ok(Some(Picture::rgb(width, height, pixels)))
+    }
+
+    fn plane(&self, pass: &Pass) -> Option<u32> {
+        let uniforms: SweepUniforms = bytemuck::pod_read_unaligned(&pass.uniforms);
+        let distance = |plane: &u32| (self.planes.depth(*plane) - f64::from(uniforms.step.ahead)).abs();
+        (0..self.planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    fn statistics(&self, records: &[f32], statistics: &mut Statistics) {
+        let rays = self.rays[0] as usize * self.rays[1] as usize;
+        let terminated = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
+        statistics.planes = Some(self.planes.count);
+        statistics.light_texels = Some(self.light_grid.size);
+        statistics.rays_terminated = Some(terminated as u64);
+        if let Some(Voxelized { dimensions, open_rows }) = self.voxelized {
+            (statistics.voxels, statistics.open_rows) = (Some(dimensions), Some(open_rows));
+        }
+    }
+}
+
+/// The volumes that were made of a mesh.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Voxelized {
+    /// Voxels along x, y and z.
+    pub(super) dimensions: [u32; 3],
+    /// Rows of voxels that go through holes of the surface.
+    pub(super) open_rows: u64,
+}

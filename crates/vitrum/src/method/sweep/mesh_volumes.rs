@@ -1,0 +1,237 @@
+//! A mesh as volumes for the plane sweep: how much of each voxel is of which material, without the staircase of voxels.
+//!
+//! A body's share of a voxel falls from 1 to 0 over [`EDGE`] voxels across its surface, by the smoothed distance, so that the index of
+//! refraction has a slope that rays can follow. One body is one volume: its share is the scalar, and transfer functions say what it
+//! does. Of several, the index of refraction is a volume of its own, and the scalar of the other one counts materials from the
+//! clearest to the darkest: on its way across a surface it only passes materials that absorb more than one side and less than the
+//! other, so that a voxel's mixture absorbs about what it should.
+
+use crate::assets::Assets;
+use crate::error::Error;
+use crate::method::Tools;
+use crate::method::twist::twisted;
+use crate::method::view::Bounds;
+use crate::method::voxelize::{Grid, Settings};
+use crate::method::voxels::bodies::{Clear, bodies, clear, longest_edge};
+use crate::method::voxels::solids::{BAND, Solids};
+use crate::scene::{ColorPoint, IorPoint, MethodName, OpacityPoint, Scene, TransferFunction};
+use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+use vitrum_io::{Mesh, Volume, Voxels};
+
+/// Voxels over which a body's share falls from 1 to 0.
+const EDGE: f64 = 3.0;
+/// Empty voxels around the mesh: the reach of the edge and of gradients.
+const PADDING: u32 = 4;
+/// The part of the mesh's longest edge that transfer functions are stated for.
+const REFERENCE: f32 = 0.01;
+
+/// What the volumes depend on.
+#[derive(Debug, Clone, PartialEq)]
+struct Kind {
+    resolution: u32,
+    twist: f32,
+    /// Of several bodies what they do to light; the volume of one does not depend on it.
+    materials: Vec<Clear>,
+}
+
+impl Kind {
+    fn of(scene: &Scene, materials: &[Clear]) -> Self {
+        let twist = scene.mesh.first().map_or(0.0, |mesh| mesh.twist);
+        let materials = if materials.len() > 1 { materials.to_vec() } else { Vec::new() };
+        Self { resolution: scene.voxelization.resolution, twist, materials }
+    }
+}
+
+/// The volumes that a mesh is swept as.
+pub(super) struct MeshVolumes {
+    kind: Kind,
+    shown: Volume,
+    ior: Option<Volume>,
+    /// See [`Solids::open_rows`].
+    pub(super) open_rows: u64,
+}
+
+impl MeshVolumes {
+    /// Makes volumes of a mesh, with `scene.voxelization.resolution` voxels along its longest edge.
+    ///
+    /// # Errors
+    /// If there are too many materials, or the backend fails or lacks the memory.
+    pub(super) fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
+        let mesh = mesh_of(assets)?;
+        let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
+        let kind = Kind::of(scene, &materials);
+        let deformed = twisted(mesh, kind.twist);
+        let bodies = bodies(&deformed, &scene.material)?;
+        let grid = Grid::around(&deformed, &Settings { padding: PADDING, ..Settings::new(kind.resolution) })?;
+        let solids = Solids::new(&bodies, grid, tools)?;
+        let shares = Shares::new(&solids.fields, grid);
+        let (shown, ior) = match &materials[..] {
+            [_] => (shares.of_one(&mesh.name)?, None),
+            several => {
+                let numbers = numbers(several);
+                let indices: Vec<f32> = several.iter().map(|material| material.ior).collect();
+                (shares.mixed(&mesh.name, &numbers, 0.0)?, Some(shares.mixed(&mesh.name, &indices, 1.0)?))
+            }
+        };
+        Ok(Self { kind, shown, ior, open_rows: solids.open_rows })
+    }
+
+    /// The volumes.
+    pub(super) fn volumes(&self) -> Volumes<'_> {
+        Volumes { shown: &self.shown, ior: self.ior.as_ref() }
+    }
+
+    /// Whether a scene of the same mesh shows the same volumes.
+    pub(super) fn fits(&self, scene: &Scene, assets: &Assets) -> Result<bool, Error> {
+        let mesh = mesh_of(assets)?;
+        Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
+    }
+
+    /// The scene of these volumes: materials as transfer functions, and everything where it is for the mesh alone.
+    ///
+    /// # Errors
+    /// If there are too many materials.
+    pub(super) fn scene(&self, scene: &Scene, assets: &Assets) -> Result<Scene, Error> {
+        let mesh = mesh_of(assets)?;
+        let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
+        let mut seen = scene.clone();
+        seen.transfer = transfer(&materials, REFERENCE * longest_edge(mesh));
+        // The mesh's box decides what is in the picture, not that of voxels around it.
+        let bounds = Bounds::from(mesh);
+        let (centre, radius) = bounds.sphere();
+        let (_, padded) = Bounds::from(&self.shown).sphere();
+        let at = centre.as_vec3().to_array();
+        seen.camera.target.get_or_insert(at);
+        seen.camera.zoom *= (padded / radius) as f32;
+        let up = Vec3::from_array(scene.camera.up).as_dvec3().try_normalize().unwrap_or(DVec3::Z);
+        if let Some(ground) = &mut seen.ground {
+            ground.height.get_or_insert(bounds.lowest(up) as f32);
+        }
+        if let Some(wall) = &mut seen.wall {
+            wall.distance.get_or_insert(radius as f32);
+        }
+        Ok(seen)
+    }
+}
+
+fn mesh_of(assets: &Assets) -> Result<&Mesh, Error> {
+    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Sweep.as_str() }.into())
+}
+
+/// Bodies' places among the materials from the clearest, above 0, to the darkest, 1; 0 is air.
+fn numbers(materials: &[Clear]) -> Vec<f32> {
+    let darkness = |material: &Clear| material.absorption.iter().sum::<f64>();
+    let place = |material: &Clear| materials.iter().filter(|other| darkness(other) < darkness(material)).count();
+    materials.iter().map(|material| (place(material) + 1) as f32 / materials.len() as f32).collect()
+}
+
+/// What one body's share, or several bodies' number and index of refraction, mean.
+fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
+    let color =
+        |material: &Clear| material.absorption.map(|coefficient| (-coefficient * f64::from(reference)).exp() as f32);
+    let mut filter = vec![ColorPoint { value: 0.0, color: [1.0; 3] }];
+    filter.extend(
+        numbers(materials)
+            .into_iter()
+            .zip(materials)
+            .map(|(value, material)| ColorPoint { value, color: color(material) }),
+    );
+    filter.sort_by(|a, b| a.value.total_cmp(&b.value));
+    let ior = match materials {
+        [one] => vec![IorPoint::new(0.0, 1.0), IorPoint::new(1.0, one.ior)],
+        // The volume's scalar is the index.
+        _ => vec![IorPoint::new(1.0, 1.0), IorPoint::new(4.0, 4.0)],
+    };
+    TransferFunction {
+        reference_length: Some(reference),
+        opacity: vec![OpacityPoint { value: 0.0, opacity: 0.0 }],
+        ior,
+        filter,
+        ..TransferFunction::default()
+    }
+}
+
+/// How much of each voxel is of which body.
+struct Shares<'a> {
+    fields: &'a [u16],
+    grid: Grid,
+    /// The share for each number of a field, 0 to 1.
+    of_distance: Vec<f32>,
+}
+
+impl<'a> Shares<'a> {
+    fn new(fields: &'a [u16], grid: Grid) -> Self {
+        let share = |stored: u32| {
+            let distance = (f64::from(stored) / 65535.0 * 2.0 - 1.0) * BAND;
+            let t = (distance / EDGE + 0.5).clamp(0.0, 1.0);
+            (t * t * (3.0 - 2.0 * t)) as f32
+        };
+        Self { fields, grid, of_distance: (0..=65535).map(share).collect() }
+    }
+
+    fn of_one(&self, name: &str) -> Result<Volume, Error> {
+        let share = |stored: &u16| (self.of_distance[usize::from(*stored)] * 65535.0 + 0.5) as u16;
+        let voxels: Vec<u16> = self.fields.par_iter().map(share).collect();
+        Ok(self.placed(name, Voxels::from(voxels))?.with_value_mapping(1.0 / 65535.0, 0.0)?)
+    }
+
+    /// The mean of `values` of the bodies, and of `air` where they leave room; the first body takes its share first.
+    fn mixed(&self, name: &str, values: &[f32], air: f32) -> Result<Volume, Error> {
+        let voxels = self.fields.len() / values.len();
+        let mix = |voxel: usize| {
+            let (mut left, mut sum) = (1.0_f32, 0.0);
+            for (body, value) in values.iter().enumerate() {
+                let share = self.of_distance[usize::from(self.fields[body * voxels + voxel])].min(left);
+                left -= share;
+                sum += share * value;
+            }
+            sum + left * air
+        };
+        let mixed: Vec<f32> = (0..voxels).into_par_iter().map(mix).collect();
+        self.placed(name, Voxels::from(mixed))
+    }
+
+    fn placed(&self, name: &str, voxels: Voxels) -> Result<Volume, Error> {
+        let Grid { dimensions, origin, voxel_size } = self.grid;
+        let mut volume = Volume::new(name, dimensions, [voxel_size as f32; 3], voxels)?;
+        // Where the first voxel's centre is.
+        volume.origin = origin.map(|corner| (corner + 0.5 * voxel_size) as f32);
+        Ok(volume)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn material(ior: f32, absorption: f64) -> Clear {
+        Clear { ior, absorption: [absorption; 3] }
+    }
+
+    #[test]
+    fn materials_are_counted_from_the_clearest() {
+        let materials = [material(1.5, 2.0), material(1.3, 0.5), material(1.7, 2.0)];
+        assert_eq!(numbers(&materials), [2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0]);
+        let transfer = transfer(&materials, 0.1);
+        let filter: Vec<f32> = transfer.filter.iter().map(|point| point.color[0]).collect();
+        assert!(filter.windows(2).all(|pair| pair[0] >= pair[1]) && filter[0] == 1.0, "{filter:?}");
+        assert!((filter[1] - (-0.05_f32).exp()).abs() < 1e-6);
+    }
+
+    #[test]
+    fn bodies_that_touch_leave_no_air_between() {
+        let grid = Grid { dimensions: [4, 1, 1], origin: [0.0; 3], voxel_size: 0.5 };
+        // The surface that both share is in the third voxel.
+        let fields = [65535, 65535, 32768, 0, 0, 0, 32768, 65535];
+        let shares = Shares::new(&fields, grid);
+        let volume = shares.mixed("two", &[1.5, 1.3], 1.0).unwrap();
+        let found: Vec<f32> = (0..4).map(|x| volume.value(x, 0, 0)).collect();
+        for (found, expected) in found.iter().zip([1.5, 1.5, 1.4, 1.3]) {
+            assert!((found - expected).abs() < 1e-4, "{found}, not {expected}");
+        }
+        assert_eq!(volume.origin, [0.25; 3]);
+    }
+}

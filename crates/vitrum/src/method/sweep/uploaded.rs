@@ -1,0 +1,51 @@
+//! The volumes of a frame on a backend.
+
+use super::occupancy::Ranges;
+use super::voxels::{chosen_format, fit, upload};
+use crate::backend::{Backend, Buffer};
+use crate::error::Error;
+use crate::subject::Volumes;
+use vitrum_kernels::abi::format::Format;
+
+/// A frame's voxels on a backend: what stays the same while scene and camera change.
+#[derive(Debug)]
+pub struct Uploaded {
+    /// The volume's voxels and the second one's, or the same again; none if they come and go in the course of a frame.
+    pub(super) voxels: Option<[Buffer; 2]>,
+    pub(super) format: Format,
+    /// Whether streamed voxels take as little memory as they can, not as much as they may.
+    pub(super) tight: bool,
+    pub(super) ranges: Ranges,
+    /// The second volume's.
+    pub(super) ior_ranges: Option<Ranges>,
+}
+
+impl Uploaded {
+    /// Hands the volumes to the backend, unless that is more than it may have at once.
+    ///
+    /// # Errors
+    /// If the backend fails.
+    pub fn new(volumes: Volumes<'_>, backend: &mut dyn Backend) -> Result<Self, Error> {
+        let Volumes { shown, ior: bending } = volumes;
+        let format = chosen_format(shown, bending);
+        if !fit(volumes, format, backend) {
+            return Ok(Self { tight: false, ..Self::streamed(volumes) });
+        }
+        let voxels = upload(shown, format, backend)?;
+        let ior_voxels = match bending {
+            None => voxels.clone(),
+            Some(bending) => upload(bending, format, backend)?,
+        };
+        let ior_ranges = bending.map(Ranges::new);
+        let ranges = Ranges::new(shown);
+        Ok(Self { voxels: Some([voxels, ior_voxels]), format, tight: false, ranges, ior_ranges })
+    }
+
+    /// Streams the volumes in as little memory as that takes, however small they are.
+    #[must_use]
+    pub fn streamed(volumes: Volumes<'_>) -> Self {
+        let Volumes { shown, ior: bending } = volumes;
+        let format = chosen_format(shown, bending).paged();
+        Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
+    }
+}

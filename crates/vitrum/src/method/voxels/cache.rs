@@ -1,0 +1,87 @@
+//! Data that rays through a mesh keep from frame to frame: voxels, trees, shadow maps, looks, the environment map.
+
+use super::looks::{Looks, looks};
+use super::uploaded::Uploaded;
+use crate::backend::{Backend, BackendError, Buffer, Contents};
+use crate::method::cache::{Memo, Scratch};
+use crate::method::view::environment::EnvironmentMap;
+use crate::scene::{EnvironmentKind, Material, Scene};
+use bytemuck::cast_slice;
+use std::convert::Infallible;
+use std::sync::Arc;
+use vitrum_io::{Mesh, Picture};
+
+/// The scene's values that looks depend on: the materials, and the optical depth of an opaque triangle of density 1.
+type LooksKey = (Vec<Material>, f32);
+
+/// Data of rays through a mesh that the next frame of the same assets uses again.
+#[derive(Default)]
+pub(super) struct MeshCache {
+    pub(super) uploaded: Option<Uploaded>,
+    pub(super) frame: FrameCache,
+}
+
+/// The part of it beside the mesh.
+#[derive(Default)]
+pub(super) struct FrameCache {
+    looks: Memo<LooksKey, Arc<Looks>>,
+    looks_buffer: Memo<LooksKey, Buffer>,
+    materials: Memo<Vec<f32>, Buffer>,
+    environment: Memo<bool, (Arc<EnvironmentMap>, Buffer)>,
+    pub(super) scratch: Scratch,
+}
+
+fn looks_key(scene: &Scene) -> LooksKey {
+    (scene.material.clone(), scene.shadow.optical_depth)
+}
+
+impl FrameCache {
+    /// The looks of the bodies.
+    pub(super) fn looks(&mut self, scene: &Scene, mesh: &Mesh, uploaded: &Uploaded) -> Arc<Looks> {
+        let make = || looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
+        let made = self.looks.get(looks_key(scene), || Ok::<_, Infallible>(Arc::new(make())));
+        Arc::clone(made.expect("nothing fails there"))
+    }
+
+    /// The looks on the backend.
+    ///
+    /// # Errors
+    /// As [`Backend::create`].
+    pub(super) fn looks_buffer(
+        &mut self,
+        scene: &Scene,
+        looks: &Looks,
+        backend: &mut dyn Backend,
+    ) -> Result<Buffer, BackendError> {
+        let floats = Contents::Bytes(cast_slice(&looks.floats));
+        self.looks_buffer.get(looks_key(scene), || backend.create("looks", floats)).cloned()
+    }
+
+    /// The records of materials on the backend.
+    ///
+    /// # Errors
+    /// As [`Backend::create`].
+    pub(super) fn materials(&mut self, materials: Vec<f32>, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
+        let floats = materials.clone();
+        self.materials.get(materials, || backend.create("materials", Contents::Bytes(cast_slice(&floats)))).cloned()
+    }
+
+    /// The environment map, on the host and on the backend.
+    ///
+    /// # Errors
+    /// As [`Backend::create`].
+    pub(super) fn environment(
+        &mut self,
+        scene: &Scene,
+        picture: Option<&Picture>,
+        backend: &mut dyn Backend,
+    ) -> Result<(Arc<EnvironmentMap>, Buffer), BackendError> {
+        let is_map = scene.environment.kind == EnvironmentKind::Map;
+        let made = self.environment.get(is_map, || {
+            let map = EnvironmentMap::new(&scene.environment, picture);
+            let buffer = backend.create("environment", Contents::Bytes(cast_slice(&map.texels)))?;
+            Ok::<_, BackendError>((Arc::new(map), buffer))
+        })?;
+        Ok(made.clone())
+    }
+}

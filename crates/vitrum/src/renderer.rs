@@ -1,0 +1,186 @@
+//! From a scene to a frame.
+
+use crate::assets::Assets;
+use crate::backend::{Backend, BackendError, ReadBack as _};
+use crate::error::Error;
+use crate::film::{Accumulator, Frame, RayRecords, Statistics};
+use crate::method::{self, Cache, Job, Part, Tools};
+use crate::request::{OutputRequest, Progress, Stage};
+use crate::scene::Scene;
+use web_time::Instant;
+
+/// Opens another backend after a failure of the first one's device.
+pub type Fallback = dyn FnMut(&BackendError) -> Result<Box<dyn Backend>, BackendError> + Send;
+
+/// Renders frames of the same assets one after another, while camera, lights, transfer functions or materials change: data that a
+/// change leaves alone stays on the backend.
+pub struct Renderer {
+    assets: Assets,
+    backend: Box<dyn Backend>,
+    /// Opens the backend to go on with when the device fails, until it has been called.
+    fallback: Option<Box<Fallback>>,
+    cache: Cache,
+}
+
+impl Renderer {
+    /// A renderer of `assets`, such as a volume or a mesh, on `backend`.
+    pub fn new(backend: Box<dyn Backend>, assets: impl Into<Assets>) -> Self {
+        Self { assets: assets.into(), backend, fallback: None, cache: Cache::default() }
+    }
+
+    /// When the backend's device fails or has too little memory, the renderer goes on with the backend that `fallback` opens: data is
+    /// uploaded again, and the frame begins anew. `fallback` is called once at most, with the reason; it is the place to tell the user.
+    #[must_use]
+    pub fn with_fallback(self, fallback: Box<Fallback>) -> Self {
+        Self { fallback: Some(fallback), ..self }
+    }
+
+    /// The data that is rendered.
+    pub fn assets(&self) -> &Assets {
+        &self.assets
+    }
+
+    /// Renders other assets from now on.
+    pub fn show(&mut self, assets: impl Into<Assets>) {
+        self.assets = assets.into();
+        self.cache = Cache::default();
+    }
+
+    /// The backend.
+    pub fn backend(&mut self) -> &mut dyn Backend {
+        self.backend.as_mut()
+    }
+
+    /// Renders a scene of the renderer's assets, with the outputs that are requested. The files that the scene names are not looked at.
+    /// `progress` is called from time to time and cancels the frame by returning `false`.
+    ///
+    /// # Errors
+    /// If the scene is not valid, or the backend fails; the renderer can go on with another scene.
+    pub fn render(
+        &mut self,
+        scene: &Scene,
+        request: OutputRequest,
+        progress: &mut (dyn FnMut(Progress) -> bool + Send),
+    ) -> Result<Frame, Error> {
+        let failure = match self.render_once(scene, request, progress) {
+            Err(Error::Backend(error)) if error.is_of_device() => error,
+            outcome => return outcome,
+        };
+        let Some(mut fallback) = self.fallback.take() else { return Err(failure.into()) };
+        self.cache = Cache::default();
+        self.backend = fallback(&failure)?;
+        self.render_once(scene, request, progress)
+    }
+
+    fn render_once(
+        &mut self,
+        scene: &Scene,
+        request: OutputRequest,
+        progress: &mut (dyn FnMut(Progress) -> bool + Send),
+    ) -> Result<Frame, Error> {
+        let job = Job { scene, assets: &self.assets, request };
+        frame(&job, &mut self.cache, self.backend.as_mut(), progress)
+    }
+}
+
+/// Whether a frame of a scene can be made of its assets, as far as that can be told without a backend and without work.
+///
+/// # Errors
+/// [`Error::SceneFile`] where a key is out of its range, [`Error::Unrenderable`] where the scene's method cannot show the assets, or the scene's
+/// values together make no frame, as when the light shines towards the camera.
+pub fn check(scene: &Scene, assets: &Assets) -> Result<(), Error> {
+    scene.check_settings()?;
+    method::of(scene.method).check(scene, assets)
+}
+
+/// Renders one frame of a scene with all outputs. `progress` is called from time to time and cancels the frame by returning `false`.
+///
+/// # Errors
+/// Those of [`check`]; [`Error::Backend`] where the backend lacks the memory or fails, or `progress` cancels.
+pub fn render(
+    scene: &Scene,
+    assets: &Assets,
+    backend: &mut dyn Backend,
+    progress: &mut (dyn FnMut(Progress) -> bool + Send),
+) -> Result<Frame, Error> {
+    render_requested(scene, assets, OutputRequest::default(), backend, progress)
+}
+
+/// As [`render`], with the outputs that are requested. Each is the same as with all.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_requested(
+    scene: &Scene,
+    assets: &Assets,
+    request: OutputRequest,
+    backend: &mut dyn Backend,
+    progress: &mut (dyn FnMut(Progress) -> bool + Send),
+) -> Result<Frame, Error> {
+    frame(&Job { scene, assets, request }, &mut Cache::default(), backend, progress)
+}
+
+/// Renders one frame with what a cache has of the frames before; the cache must belong to the same assets and the same backend.
+///
+/// This is the one course from a scene to a frame, for every method: each exposure is prepared, run and read, then summed up; the sum
+/// becomes the frame's layers.
+///
+/// # Errors
+/// As [`render`].
+pub fn frame(
+    job: &Job<'_>,
+    cache: &mut Cache,
+    backend: &mut dyn Backend,
+    progress: &mut (dyn FnMut(Progress) -> bool + Send),
+) -> Result<Frame, Error> {
+    backend.threads().run(|| frame_here(job, cache, backend, progress))
+}
+
+/// As [`frame`], on the threads that this is called on.
+fn frame_here(
+    job: &Job<'_>,
+    cache: &mut Cache,
+    backend: &mut dyn Backend,
+    progress: &mut (dyn FnMut(Progress) -> bool + Send),
+) -> Result<Frame, Error> {
+    let scene = job.scene;
+    check(scene, job.assets)?;
+    let method = method::of(scene.method);
+    let exposures = method.exposures(scene, job.assets);
+    let count = exposures.len() as u64;
+    // These come first.
+    let whole = exposures.iter().filter(|exposure| exposure.part == Part::Whole).count() as u64;
+    let mut sum = Accumulator::new(method.outputs(), exposures.len());
+    let mut statistics = Statistics::default();
+    let mut dispatches = 0;
+    let mut upload_ms = 0.0;
+    for (index, exposure) in (0..).zip(&exposures) {
+        let started = Instant::now();
+        let mut tools = Tools { backend: &mut *backend, progress: &mut *progress };
+        let prepared = method.prepare(&Job { scene: &exposure.scene, ..*job }, cache, &mut tools)?;
+        upload_ms += started.elapsed().as_secs_f64() * 1e3;
+        backend.take_kernel_times();
+        let started = Instant::now();
+        let mut tell = |done: u64, all: u64| {
+            progress(Progress { stage: Stage::Render, done: index * all + done, total: count * all })
+        };
+        prepared.run(backend, &mut tell)?;
+        let film = backend.read_all(prepared.film())?;
+        sum.time(started.elapsed().as_secs_f64() * 1e3, &backend.take_kernel_times());
+        let light = prepared.light(backend)?;
+        let [across, down] = prepared.rays();
+        sum.add(exposure, film, across as usize * down as usize, light);
+        if index + 1 == whole {
+            statistics = Statistics::of(scene, backend);
+            prepared.statistics(&sum.film, &mut statistics);
+        }
+        dispatches += prepared.passes().passes.len() as u64;
+    }
+    let (width, height) = (scene.film.width, scene.film.height);
+    let rays = RayRecords { records: &sum.film, size: [width, height], edge: scene.film.supersampling };
+    let shown = method.outputs().iter().filter(|output| !output.channels.is_empty());
+    let layers = shown.map(|output| rays.layer(output)).collect();
+    let (frame_ms, kernels) = (vec![sum.frame_ms], sum.kernels);
+    let statistics = Statistics { dispatches, frame_ms, kernels, upload_ms: Some(upload_ms), ..statistics };
+    Ok(Frame { width, height, layers, light: sum.light, statistics }.expose(scene.film.exposure))
+}

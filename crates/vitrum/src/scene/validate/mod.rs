@@ -1,0 +1,80 @@
+//! The rules that tie several keys of a scene together.
+
+mod settings;
+mod sources;
+
+use super::Scene;
+use super::check::check_table;
+use super::error::{Fault, Origin, SceneError};
+use super::schema::Shape;
+
+impl Scene {
+    /// Checks the whole scene, as a scene file is: the settings and the sources.
+    ///
+    /// Scenes read by [`Scene::from_toml`] have passed; one that was changed since may have lost it.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Scene::check_settings`] and of [`Scene::check_sources`].
+    pub fn validate(&self) -> Result<(), SceneError> {
+        self.check_settings()?;
+        self.check_sources()
+    }
+
+    /// Checks every value's range, and that the values that a picture depends on do not contradict each other. Files and built-in data need
+    /// not be named: data in memory can be rendered by a scene that passes.
+    ///
+    /// # Errors
+    ///
+    /// Where a value is out of its documented range or not finite; where the method cannot do what a key asks for; where a direction has no
+    /// length, the eye stands on its target, the points of a transfer function are not sorted, or the film is beyond 2^28 rays.
+    pub fn check_settings(&self) -> Result<(), SceneError> {
+        let check = || {
+            check_table(Shape::scene(), &self.to_table()?, &mut Vec::new())?;
+            settings::check(self)
+        };
+        check().map_err(|fault: Fault| fault.from(Origin::Memory))
+    }
+
+    /// Checks that the scene names the files or built-in data that it shows.
+    ///
+    /// # Errors
+    ///
+    /// Where a volume or mesh has not exactly one of `file` and `builtin`, or a key that only files have; where the method does not show what
+    /// is named; where an environment map has no file.
+    pub fn check_sources(&self) -> Result<(), SceneError> {
+        sources::check(self).map_err(|fault| fault.from(Origin::Memory))
+    }
+
+    /// Checks that what the scene says of materials and transfer functions fits a plane sweep through a mesh.
+    ///
+    /// # Errors
+    ///
+    /// Where a material is opaque, or there is a transfer function.
+    pub(crate) fn check_for_swept_mesh(&self) -> Result<(), SceneError> {
+        settings::check_swept_mesh(self).map_err(|fault| fault.from(Origin::Memory))
+    }
+
+    /// Checks that what the scene says of materials and clipping fits rays through a mesh.
+    ///
+    /// # Errors
+    ///
+    /// Where there are clipping planes, or a clear material has a colour.
+    pub(crate) fn check_for_mesh(&self) -> Result<(), SceneError> {
+        settings::check_mesh(self).map_err(|fault| fault.from(Origin::Memory))
+    }
+
+    /// The part of [`Scene::validate`] that looks at several keys at once.
+    pub(super) fn check_consistency(&self) -> Result<(), Fault> {
+        sources::check(self)?;
+        settings::check(self)
+    }
+}
+
+/// Fails at the first key that is given and must not be.
+fn refuse(given: &[(&str, bool)], problem: &str, advice: &str) -> Result<(), Fault> {
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((name, _)) => Err(Fault::contradiction(name, problem, format!("leave `{name}` out, {advice}"))),
+    }
+}

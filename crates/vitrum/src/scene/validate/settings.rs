@@ -1,0 +1,193 @@
+//! Checks of the keys that a picture depends on, wherever its data comes from.
+
+use super::super::error::Fault;
+use super::super::{
+    Camera, Film, Intensity, Light, LightKind, MethodName, Scene, Sweep, TransferFunction, Transport, Vector,
+};
+use super::refuse;
+
+pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
+    check_method(scene)?;
+    check_camera(&scene.camera)?;
+    for (index, light) in scene.light.iter().enumerate() {
+        check_light(&format!("light.{index}"), light)?;
+    }
+    check_lights_of_method(scene)?;
+    for (index, clip) in scene.clip.iter().enumerate() {
+        check_direction(&format!("clip.{index}.normal"), clip.normal)?;
+    }
+    check_transfer(&scene.transfer)?;
+    check_sweep(&scene.sweep)?;
+    check_film(&scene.film)
+}
+
+/// What a method cannot do is refused.
+fn check_method(scene: &Scene) -> Result<(), Fault> {
+    if scene.medium.is_some() {
+        return Err(Fault::contradiction(
+            "medium",
+            "no method renders a participating medium yet, neither `sweep` nor `voxels`",
+            "leave `medium` out; a clear colour is `transfer.filter` of a volume, `attenuation_color` of a mesh's material",
+        ));
+    }
+    match scene.method {
+        MethodName::Sweep if scene.mesh.is_empty() => Ok(()),
+        MethodName::Sweep => check_swept_mesh(scene),
+        MethodName::Voxels => {
+            let given = [("clip", !scene.clip.is_empty())];
+            refuse(
+                &given,
+                "rays through a mesh know nothing of it, and `mesh` is given",
+                "or take the method `sweep`",
+            )?;
+            check_materials(scene)
+        }
+    }
+}
+
+/// Rays through a mesh are not clipped.
+pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
+    let given = [("clip", !scene.clip.is_empty())];
+    refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")?;
+    check_materials(scene)
+}
+
+/// The materials say what a mesh's volume looks like.
+pub(super) fn check_swept_mesh(scene: &Scene) -> Result<(), Fault> {
+    if let Some(index) = scene.material.iter().position(|material| material.opaque) {
+        return Err(Fault::contradiction(
+            &format!("material.{index}.opaque"),
+            "a plane sweep shows clear bodies of a mesh, and this one is opaque",
+            "set `method = \"voxels\"`, or make the material clear",
+        ));
+    }
+    let given = [("transfer", scene.transfer != TransferFunction::default())];
+    refuse(&given, "a mesh has no scalar, and `mesh` is given", "and say in `material` what bodies are made of")
+}
+
+/// Only an opaque body has a colour.
+fn check_materials(scene: &Scene) -> Result<(), Fault> {
+    match scene.material.iter().position(|material| material.color.is_some() && !material.opaque) {
+        None => Ok(()),
+        Some(index) => Err(Fault::contradiction(
+            &format!("material.{index}.color"),
+            "it is the colour of an opaque body, and the material is clear",
+            format!("set `material.{index}.opaque = true`, or give a clear material an `attenuation_color`"),
+        )),
+    }
+}
+
+fn check_camera(camera: &Camera) -> Result<(), Fault> {
+    check_direction("camera.up", camera.up)?;
+    if camera.position.is_some() && camera.position == camera.target {
+        return Err(Fault::contradiction(
+            "camera.position",
+            "the eye stands on its target, so there is no viewing direction",
+            "move `camera.position` or `camera.target`",
+        ));
+    }
+    Ok(())
+}
+
+/// A direction may have any length that survives being squared in f32.
+fn check_direction(key: &str, direction: Vector) -> Result<(), Fault> {
+    let length = direction.iter().fold(0.0, |length: f64, &component| length.hypot(f64::from(component)));
+    if (1e-15..=1e15).contains(&length) {
+        return Ok(());
+    }
+    Err(Fault::contradiction(
+        key,
+        format!("{direction:?} is {length} long and gives no direction"),
+        "give a vector whose length is from 1e-15 to 1e15, such as one of length 1",
+    ))
+}
+
+fn check_light(key: &str, light: &Light) -> Result<(), Fault> {
+    let kind = light.kind.name();
+    light.direction.map_or(Ok(()), |direction| check_direction(&format!("{key}.direction"), direction))?;
+    if let Some(foreign) = light.foreign_key() {
+        return Err(Fault::contradiction(
+            &format!("{key}.{foreign}"),
+            format!("a {kind} light has no `{foreign}`"),
+            format!("leave it out, or set another `{key}.kind`"),
+        ));
+    }
+    if light.kind != LightKind::Distant && light.position.is_none() {
+        return Err(Fault::contradiction(
+            key,
+            format!("a {kind} light needs a `position`, and none is given"),
+            format!("give it one, such as `{key}.position = [0, 0, 100]`"),
+        ));
+    }
+    Ok(())
+}
+
+/// The lights that the scene's method has.
+fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
+    let method = scene.method.as_str();
+    if let Some((index, light)) = scene.light.iter().enumerate().find(|(_, light)| light.kind != LightKind::Distant) {
+        return Err(Fault::contradiction(
+            &format!("light.{index}.kind"),
+            format!("the method `{method}` renders distant lights alone, and this is a {} light", light.kind.name()),
+            format!("set `light.{index}.kind = \"distant\"`; no method renders other lights yet"),
+        ));
+    }
+    Ok(())
+}
+
+fn check_sweep(sweep: &Sweep) -> Result<(), Fault> {
+    if sweep.light == Transport::Sheets && sweep.intensity != Intensity::Jacobian {
+        return Err(Fault::contradiction(
+            "sweep.intensity",
+            "there is nothing to correct where `sweep.light` is `sheets`: they conserve flux by themselves",
+            "leave `sweep.intensity` out, or set `sweep.light = \"texels\"`",
+        ));
+    }
+    Ok(())
+}
+
+fn check_transfer(transfer: &TransferFunction) -> Result<(), Fault> {
+    if let Some(index) = transfer.ior.iter().position(|point| point.abbe.is_some() && point.cauchy_b.is_some()) {
+        return Err(Fault::contradiction(
+            &format!("transfer.ior.{index}.abbe"),
+            "both `abbe` and `cauchy_b` are given",
+            "leave one of them out",
+        ));
+    }
+    check_sorted("transfer.color", transfer.color.iter().map(|point| point.value))?;
+    check_sorted("transfer.opacity", transfer.opacity.iter().map(|point| point.value))?;
+    check_sorted("transfer.ior", transfer.ior.iter().map(|point| point.value))?;
+    check_sorted("transfer.filter", transfer.filter.iter().map(|point| point.value))
+}
+
+fn check_sorted(key: &str, values: impl Iterator<Item = f32>) -> Result<(), Fault> {
+    let mut previous = f32::NEG_INFINITY;
+    for (index, value) in values.enumerate() {
+        if value < previous {
+            return Err(Fault::contradiction(
+                &format!("{key}.{index}.value"),
+                format!("{value} comes after {previous}"),
+                "sort the points by `value`; two points at the same value make a step",
+            ));
+        }
+        previous = value;
+    }
+    Ok(())
+}
+
+fn check_film(film: &Film) -> Result<(), Fault> {
+    let Film { width, height, supersampling, .. } = *film;
+    // Each factor has passed its range, so that the product fits easily.
+    let rays = u64::from(width) * u64::from(height) * u64::from(supersampling).pow(2);
+    if rays > Film::MOST_RAYS {
+        return Err(Fault::contradiction(
+            "film",
+            format!(
+                "{width} x {height} pixels with supersampling {supersampling} are {rays} viewing rays, and the limit is {}",
+                Film::MOST_RAYS
+            ),
+            "make the picture smaller, or lower `film.supersampling`",
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,81 @@
+//! The data that a picture shows: one volume, two volumes, or a mesh.
+
+use std::sync::Arc;
+use vitrum_io::{Mesh, Volume};
+
+/// The data that a picture shows. It is shared, not copied: a clone is the same data.
+#[derive(Debug, Clone)]
+pub enum Subject {
+    /// A volume, whose scalar gives colour, opacity, filter and index of refraction.
+    Volume(Arc<Volume>),
+    /// Two volumes.
+    Volumes {
+        /// The volume whose scalar gives colour, opacity and filter.
+        shown: Arc<Volume>,
+        /// The volume whose scalar gives the index of refraction (Magnus & Bruckner 2017, Figs. 11e and 12e).
+        ior: Arc<Volume>,
+    },
+    /// A mesh.
+    Mesh(Arc<Mesh>),
+}
+
+/// The volumes that a sweep goes through.
+#[derive(Debug, Clone, Copy)]
+pub struct Volumes<'a> {
+    /// The volume whose scalar gives colour, opacity and filter.
+    pub shown: &'a Volume,
+    /// The volume whose scalar gives the index of refraction, if that is another one.
+    pub ior: Option<&'a Volume>,
+}
+
+impl<'a> Volumes<'a> {
+    /// The volume whose scalar gives the index of refraction.
+    #[must_use]
+    pub fn bending(self) -> &'a Volume {
+        self.ior.unwrap_or(self.shown)
+    }
+
+    /// The shown volume, then the other one if there are two.
+    pub fn iter(self) -> impl Iterator<Item = &'a Volume> + Clone {
+        std::iter::once(self.shown).chain(self.ior)
+    }
+}
+
+impl Subject {
+    /// The volumes; `None` for a mesh.
+    #[must_use]
+    pub fn volumes(&self) -> Option<Volumes<'_>> {
+        match self {
+            Self::Volume(shown) => Some(Volumes { shown, ior: None }),
+            Self::Volumes { shown, ior } => Some(Volumes { shown, ior: Some(ior) }),
+            Self::Mesh(_) => None,
+        }
+    }
+
+    /// The shown volume; `None` for a mesh.
+    #[must_use]
+    pub fn volume(&self) -> Option<&Volume> {
+        self.volumes().map(|volumes| volumes.shown)
+    }
+
+    /// The mesh; `None` for volumes.
+    #[must_use]
+    pub fn mesh(&self) -> Option<&Mesh> {
+        match self {
+            Self::Mesh(mesh) => Some(mesh),
+            Self::Volume(_) | Self::Volumes { .. } => None,
+        }
+    }
+}
+
+impl From<Volume> for Subject {
+    fn from(volume: Volume) -> Self {
+        Self::Volume(Arc::new(volume))
+    }
+}
+
+impl From<Mesh> for Subject {
+    fn from(mesh: Mesh) -> Self {
+        Self::Mesh(Arc::new(mesh))
+    }
+}

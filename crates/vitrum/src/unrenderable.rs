@@ -1,0 +1,242 @@
+//! Why a valid scene and its data make no frame.
+
+/// Why a scene and its data, each valid by itself, make no frame together. The display states the fact and the limit;
+/// [`advice`](Self::advice) says what to change.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Unrenderable {
+    /// The environment is a map without a picture.
+    #[error("environment.kind is \"map\" but environment.file is not given")]
+    NoEnvironmentMap,
+    /// A volume or a mesh is named twice.
+    #[error("a {kind} has both a file and a builtin")]
+    TwoSources {
+        /// `volume` or `mesh`.
+        kind: &'static str,
+    },
+    /// A volume or a mesh is not named.
+    #[error("a {kind} has neither a file nor a builtin")]
+    NoSource {
+        /// `volume` or `mesh`.
+        kind: &'static str,
+    },
+    /// There is no such built-in data.
+    #[error("there is no built-in {kind} `{name}`")]
+    UnknownBuiltin {
+        /// `volume` or `mesh`.
+        kind: &'static str,
+        /// The name that was asked for.
+        name: String,
+        /// The names that there are.
+        known: Vec<&'static str>,
+    },
+    /// Built-in data is not part of this build.
+    #[error("the built-in {kind} `{name}` is not in this build (feature `builtin`)")]
+    BuiltinLeftOut {
+        /// `volume` or `mesh`.
+        kind: &'static str,
+        /// The name that was asked for.
+        name: String,
+    },
+    /// A value in a small language of its own, such as `volume.raw`, cannot be understood.
+    #[error("{problem}")]
+    Syntax {
+        /// The fact, and what was expected.
+        problem: String,
+    },
+    /// The method shows a mesh.
+    #[error("the method `{method}` shows a mesh, and volumes were given")]
+    NeedsMesh {
+        /// The method.
+        method: &'static str,
+    },
+    /// The data for a sweep is no volume.
+    #[error("a sweep goes through volumes, and a mesh was given")]
+    NeedsVolume,
+    /// No triangle of the mesh has an area.
+    #[error("{name}: none of its {count} triangles has an area")]
+    NoSurface {
+        /// The mesh.
+        name: String,
+        /// Its triangles.
+        count: usize,
+    },
+    /// All vertices of the mesh are at one point.
+    #[error("{name}: all vertices are at one point or too close to each other")]
+    NoExtent {
+        /// The mesh.
+        name: String,
+    },
+    /// The mesh has more triangles than sums over them have room for.
+    #[error("{name}: {count} triangles are too many to fill")]
+    TooManyToFill {
+        /// The mesh.
+        name: String,
+        /// Its triangles.
+        count: usize,
+    },
+    /// Meshes that are shown together have more vertices than indices of 32 bits tell apart.
+    #[error("{name}: {vertices} vertices, at most {limit} are possible")]
+    TooManyVertices {
+        /// The meshes.
+        name: String,
+        /// Their vertices.
+        vertices: usize,
+        /// The most that are possible.
+        limit: u32,
+    },
+    /// The tree has no room for so many triangles.
+    #[error("rays look for {count} triangles, and can tell {limit} apart")]
+    TooManyTriangles {
+        /// The triangles.
+        count: usize,
+        /// The most that are possible.
+        limit: usize,
+    },
+    /// The mesh has more clear materials than rays can tell apart.
+    #[error("{name}: {count} clear materials, at most {limit} are possible")]
+    TooManyMaterials {
+        /// The mesh.
+        name: String,
+        /// Its clear materials.
+        count: usize,
+        /// The most that are possible.
+        limit: usize,
+    },
+    /// A grid of voxels is finer or more padded than possible.
+    #[error("{resolution} voxels with {padding} around them, expected 1 to {most_voxels} and at most {most_padding}")]
+    VoxelCount {
+        /// Voxels along the longest edge.
+        resolution: u32,
+        /// Voxels around the mesh.
+        padding: u32,
+        /// The most along the longest edge.
+        most_voxels: u32,
+        /// The most around the mesh.
+        most_padding: u32,
+    },
+    /// Voxels overlap by less than nothing or by more than themselves.
+    #[error("an overlap of {overlap}, expected 0 to 1")]
+    Overlap {
+        /// The overlap, as a part of a voxel's edge.
+        overlap: f32,
+    },
+    /// There is no memory for the voxels.
+    #[error("there is no memory for {} x {} x {} voxels", dimensions[0], dimensions[1], dimensions[2])]
+    NoMemory {
+        /// Voxels along x, y and z.
+        dimensions: [u32; 3],
+    },
+    /// The voxels of a mesh are more than a kernel can address.
+    #[error(
+        "{} x {} x {} voxels of {materials} clear materials take {bytes} bytes, rays can address 2^31",
+        dimensions[0], dimensions[1], dimensions[2]
+    )]
+    TooManyVoxels {
+        /// Voxels along x, y and z.
+        dimensions: [u32; 3],
+        /// Clear materials.
+        materials: usize,
+        /// Bytes of all.
+        bytes: u64,
+    },
+    /// The shadow map is larger than a kernel can address.
+    #[error(
+        "a shadow map of {} x {} x {} voxels takes {bytes} bytes, rays can address 2^31",
+        dimensions[0], dimensions[1], dimensions[2]
+    )]
+    ShadowMapTooLarge {
+        /// Voxels along the light and across it.
+        dimensions: [u32; 3],
+        /// Bytes of all.
+        bytes: u64,
+    },
+    /// A soft shadow takes more columns of the shadow map than a look-up may.
+    #[error("shadow.filter_radius = {radius} is {voxels:.1} voxels of the shadow map, at most {limit} are possible")]
+    ShadowTooSoft {
+        /// The radius of the filter, in world units.
+        radius: f64,
+        /// The same in voxels.
+        voxels: f64,
+        /// The most voxels.
+        limit: i32,
+    },
+    /// There are more clipping planes than a sweep can have.
+    #[error("{count} clipping planes are given, at most {limit} are possible")]
+    TooManyClips {
+        /// The planes.
+        count: usize,
+        /// The most that are possible.
+        limit: usize,
+    },
+    /// A direction has no length.
+    #[error("{key} has no length")]
+    NoDirection {
+        /// The scene key.
+        key: String,
+    },
+    /// The planes of a sweep are too close together.
+    #[error("sweep.sample_distance = {sample_distance} makes {planes} planes; at most {limit} are possible")]
+    TooManyPlanes {
+        /// The distance of the planes, in voxels.
+        sample_distance: f32,
+        /// The planes that this makes.
+        planes: f64,
+        /// The most that are possible.
+        limit: f64,
+    },
+    /// Nothing of the volume is in front of the camera.
+    #[error("the whole volume is behind the camera")]
+    BehindCamera,
+    /// The light of a sweep shines across the viewing direction or against it.
+    #[error(
+        "light.{index} travels at {angle:.1}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera"
+    )]
+    ObliqueLight {
+        /// The number of the light.
+        index: usize,
+        /// The angle, in degrees.
+        angle: f64,
+        /// The greatest angle, in degrees.
+        limit: f64,
+    },
+}
+
+impl Unrenderable {
+    /// What to change, in terms of scene keys and data.
+    #[must_use]
+    pub fn advice(&self) -> String {
+        match self {
+            Self::NoEnvironmentMap => "name an equirectangular picture".to_owned(),
+            Self::TwoSources { .. } => "keep one".to_owned(),
+            Self::NoSource { .. } => "give one of them".to_owned(),
+            Self::UnknownBuiltin { known, .. } => format!("there are {}", known.join(", ")),
+            Self::BuiltinLeftOut { .. } => "name a file".to_owned(),
+            Self::Syntax { .. } => "correct it".to_owned(),
+            Self::NeedsMesh { .. } => "give a mesh, or take the method `sweep`".to_owned(),
+            Self::NeedsVolume => "give a volume".to_owned(),
+            Self::NoSurface { .. } => "give a mesh that has a surface".to_owned(),
+            Self::NoExtent { .. } => "scale the mesh up".to_owned(),
+            Self::TooManyToFill { .. } => "simplify the mesh".to_owned(),
+            Self::TooManyVertices { .. } => "simplify the meshes".to_owned(),
+            Self::TooManyTriangles { .. } => {
+                "simplify the mesh, or make it clear and set `voxels.surfaces` to `multi`".to_owned()
+            }
+            Self::TooManyMaterials { .. } => "merge some, or make them opaque (`material`)".to_owned(),
+            Self::VoxelCount { .. } => "choose another resolution".to_owned(),
+            Self::Overlap { .. } => "choose another".to_owned(),
+            Self::NoMemory { .. } => "choose a lower resolution".to_owned(),
+            Self::TooManyVoxels { .. } => "lower `voxelization.resolution`".to_owned(),
+            Self::ShadowMapTooLarge { .. } => "lower `shadow.resolution`".to_owned(),
+            Self::ShadowTooSoft { .. } => "lower `shadow.resolution`, of which a soft shadow needs less".to_owned(),
+            Self::TooManyClips { .. } => "leave some out".to_owned(),
+            Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),
+            Self::TooManyPlanes { .. } => "make it larger".to_owned(),
+            Self::BehindCamera => "move camera.position or camera.target".to_owned(),
+            Self::ObliqueLight { index, .. } => {
+                let key = format!("light.{index}");
+                format!("turn {key}.azimuth or {key}.elevation towards 0, or use {key}.attachment = \"camera\"")
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The declaration of a kernel, as backends read it.
+
+use super::chunk::Chunk;
+use super::instruction_set::InstructionSet;
+use crate::abi::format::Format;
+
+/// A buffer's element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// 32-bit words.
+    U32,
+    /// 32-bit floats.
+    F32,
+}
+
+/// How a kernel uses a binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// A uniform block.
+    Uniform,
+    /// A storage buffer that is read anywhere.
+    Read,
+    /// A planar storage buffer, one record an invocation, written.
+    Write,
+    /// A planar storage buffer, one record an invocation, read and written.
+    Update,
+    /// Words that any invocation adds to (see [`crate::field::sums`]).
+    Add,
+}
+
+/// One binding of bind group 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// Number; dense from 0.
+    pub binding: u32,
+    /// The kernel's name for it.
+    pub name: &'static str,
+    /// Element type; [`Element::U32`] for the uniform block.
+    pub element: Element,
+    /// Use.
+    pub access: Access,
+}
+
+/// Which blocks of invocations the CPU may leave out without a change of any bit, see [`super::skip`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Skip {
+    /// None.
+    Never,
+    /// Blocks that have nothing to do until a later pass.
+    Until,
+    /// Blocks around which all records are the one that the kernel keeps as it is.
+    Same,
+}
+
+/// The declaration of a kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct Declaration {
+    /// Name of the kernel, of its SPIR-V entry point and of its `.spv` file.
+    pub name: &'static str,
+    /// Its declaration's name: of a family, the name that its kernels' names begin with.
+    pub family: &'static str,
+    /// Bytes of its uniform block.
+    pub uniform_bytes: usize,
+    /// Floats in a record of its output; words a place has, if it adds.
+    pub components: usize,
+    /// Levels of work that have a body of their own on the CPU, each with all bits of those before; empty if there is but one body.
+    pub levels: &'static [u32],
+    /// Modes that it is run in.
+    pub modes: &'static [u32],
+    /// Which blocks the CPU may leave out.
+    pub skip: Skip,
+    /// Bindings of group 0, in order.
+    pub bindings: &'static [Binding],
+}
+
+/// A kernel as the CPU runs it.
+pub struct Kernel {
+    /// Its declaration.
+    pub declaration: Declaration,
+    /// Runs it over a chunk; the instruction set must be available. Returns whether any invocation had work to do.
+    pub run: fn(InstructionSet, &mut Chunk<'_>) -> bool,
+}
+
+/// A kernel for each format of voxels.
+pub struct Family(pub(super) &'static [&'static Kernel; Format::ALL.len()]);
+
+impl Family {
+    /// The kernel for voxels that are stored as `format`.
+    #[must_use]
+    pub fn get(&self, format: Format) -> &'static Kernel {
+        self.0[format as usize]
+    }
+}

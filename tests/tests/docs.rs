@@ -1,0 +1,10 @@
+//! What is made from the code in `docs/` is current.
+
+use vitrum_conformance::docs;
+
+#[test]
+fn files_that_are_made_from_the_code_are_current() {
+    for made in docs::all().unwrap() {
+        assert!(made.is_current().unwrap(), "{} is not current; run: cargo xtask docs", made.path.display());
+    }
+}
