@@ -1,27 +1,33 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
 }
 struct type_7 {
 member: array<u32>,
 }
 struct type_8 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: type_4,
+member: type_2,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: type_4,
 }
 struct type_9 {
 member: type_8,
 }
-struct type_10 {
-member: u32,
-member_1: u32,
-member_2: u32,
-}
-struct type_13 {
+struct type_12 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
@@ -30,208 +36,207 @@ var<storage> global_1: type_9;
 @group(0) @binding(1)
 var<storage> global_2: type_7;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_13;
+var<storage, read_write> global_3: type_12;
 fn function_() {
+var phi_136_: i32;
+var phi_139_: i32;
 var phi_137_: i32;
 var phi_140_: i32;
-var phi_138_: i32;
-var phi_141_: i32;
 var local: i32;
 var local_1: i32;
-var phi_178_: i32;
-var phi_181_: type_10;
+var phi_172_: i32;
+var phi_175_: type_2;
 var local_2: i32;
 var local_3: i32;
-var phi_254_: u32;
-var phi_269_: u32;
-var phi_275_: u32;
-var phi_387_: type_10;
+var phi_245_: u32;
+var phi_260_: u32;
+var phi_266_: u32;
+var phi_378_: type_2;
 var local_4: i32;
-var phi_453_: u32;
-var phi_468_: u32;
-var phi_474_: u32;
-var phi_586_: type_10;
-var phi_179_: i32;
-var phi_182_: type_10;
-let _e43 = global;
-let _e51 = global_1.member.member[0u];
-let _e55 = global_1.member.member[1u];
-if (_e43.x < _e51) {
-if (_e43.y < _e55) {
-let _e63 = global_1.member.member[2u];
-let _e65 = ((_e43.y * _e51) + _e43.x);
-let _e69 = global_1.member.member[3u];
-if (_e65 < _e69) {
-let _e74 = global_1.member.member_1[1u];
-let _e78 = global_1.member.member_1[2u];
-let _e80 = bitcast<i32>((_e74 * _e78));
-phi_137_ = bitcast<i32>(_e65);
-phi_140_ = 0i;
+var phi_441_: u32;
+var phi_456_: u32;
+var phi_462_: u32;
+var phi_574_: type_2;
+var phi_173_: i32;
+var phi_176_: type_2;
+let _e42 = global;
+let _e49 = global_1.member.member;
+if (_e42.x < _e49.member) {
+if (_e42.y < _e49.member_1) {
+let _e60 = global_1.member.member.member;
+let _e62 = ((_e42.y * _e60) + _e42.x);
+let _e65 = global_1.member.member_1;
+if (_e62 < _e65) {
+let _e69 = global_1.member.member_3;
+let _e72 = global_1.member.member_4;
+let _e74 = bitcast<i32>((_e69 * _e72));
+phi_136_ = bitcast<i32>(_e62);
+phi_139_ = 0i;
 loop {
-let _e83 = phi_137_;
-let _e85 = phi_140_;
-local = _e85;
-local_1 = _e83;
-local_2 = _e83;
-local_3 = _e85;
-local_4 = _e85;
-let _e86 = (_e83 >= _e80);
-if _e86 {
-phi_138_ = (_e83 - _e80);
-phi_141_ = (_e85 + 1i);
+let _e77 = phi_136_;
+let _e79 = phi_139_;
+local = _e79;
+local_1 = _e77;
+local_2 = _e77;
+local_3 = _e79;
+local_4 = _e79;
+let _e80 = (_e77 >= _e74);
+if _e80 {
+phi_137_ = (_e77 - _e74);
+phi_140_ = (_e79 + 1i);
 } else {
-phi_138_ = i32();
-phi_141_ = i32();
+phi_137_ = i32();
+phi_140_ = i32();
 }
-let _e90 = phi_138_;
-let _e92 = phi_141_;
+let _e84 = phi_137_;
+let _e86 = phi_140_;
 continue;
 continuing {
-phi_137_ = _e90;
-phi_140_ = _e92;
-break if !(_e86);
+phi_136_ = _e84;
+phi_139_ = _e86;
+break if !(_e80);
 }
 }
-let _e97 = global_1.member.member_1[0u];
-let _e98 = bitcast<i32>(_e97);
-let _e102 = bitcast<i32>(((_e97 + 2u) >> bitcast<u32>(1i)));
-let _e106 = global_1.member.member_2[1u];
-let _e109 = local;
-let _e114 = global_1.member.member_1[3u];
-let _e120 = local_1;
-phi_178_ = 0i;
-phi_181_ = type_10(0u, 0u, 65535u);
+let _e90 = global_1.member.member_2;
+let _e91 = bitcast<i32>(_e90);
+let _e95 = bitcast<i32>(((_e90 + 2u) >> bitcast<u32>(1i)));
+let _e98 = global_1.member.member_6;
+let _e101 = local;
+let _e105 = global_1.member.member_5;
+let _e111 = local_1;
+phi_172_ = 0i;
+phi_175_ = type_2(0u, 0u, 65535u);
 loop {
-let _e124 = phi_178_;
-let _e126 = phi_181_;
-let _e127 = (_e124 < _e102);
-if _e127 {
-let _e128 = (2i * _e124);
-let _e131 = local_2;
-let _e132 = (_e131 * _e98);
-let _e138 = global_1.member.member_2[0u];
-let _e139 = bitcast<i32>(_e138);
-let _e143 = local_3;
-let _e145 = ((((_e132 + _e128) * _e139) + _e143) * 2i);
-let _e147 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
-let _e149 = select(_e147, _e145, (_e145 < _e147));
-let _e155 = global_2.member[bitcast<u32>(select(0i, _e149, (_e149 > 0i)))];
-let _e156 = (_e145 + 1i);
-let _e158 = select(_e147, _e156, (_e156 < _e147));
-let _e164 = global_2.member[bitcast<u32>(select(0i, _e158, (_e158 > 0i)))];
-if ((_e128 < _e98) && ((_e155 | _e164) != 0u)) {
-let _e169 = (_e63 == 1u);
-if _e169 {
-let _e173 = global_1.member.member_2[3u];
-phi_254_ = _e173;
+let _e115 = phi_172_;
+let _e117 = phi_175_;
+let _e118 = (_e115 < _e95);
+if _e118 {
+let _e119 = (2i * _e115);
+let _e122 = local_2;
+let _e123 = (_e122 * _e91);
+let _e128 = global_1.member.member_7;
+let _e129 = bitcast<i32>(_e128);
+let _e133 = local_3;
+let _e135 = ((((_e123 + _e119) * _e129) + _e133) * 2i);
+let _e137 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e139 = select(_e137, _e135, (_e135 < _e137));
+let _e145 = global_2.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
+let _e146 = (_e135 + 1i);
+let _e148 = select(_e137, _e146, (_e146 < _e137));
+let _e154 = global_2.member[bitcast<u32>(select(0i, _e148, (_e148 > 0i)))];
+if ((_e119 < _e91) && ((_e145 | _e154) != 0u)) {
+let _e159 = (_e49.member_2 == 1u);
+if _e159 {
+let _e162 = global_1.member.member_9;
+phi_245_ = _e162;
 } else {
-phi_254_ = _e155;
+phi_245_ = _e145;
 }
-let _e175 = phi_254_;
-let _e177 = (_e126.member + _e175);
-let _e181 = ((_e126.member_1 + select(_e164, 0u, _e169)) + select(0u, 1u, (_e177 < _e126.member)));
-let _e184 = ((_e181 >> bitcast<u32>(31i)) != 0u);
-if _e184 {
-phi_269_ = (~(_e177) + 1u);
+let _e164 = phi_245_;
+let _e166 = (_e117.member + _e164);
+let _e170 = ((_e117.member_1 + select(_e154, 0u, _e159)) + select(0u, 1u, (_e166 < _e117.member)));
+let _e173 = ((_e170 >> bitcast<u32>(31i)) != 0u);
+if _e173 {
+phi_260_ = (~(_e166) + 1u);
 } else {
-phi_269_ = _e177;
+phi_260_ = _e166;
 }
-let _e190 = phi_269_;
-if _e184 {
-phi_275_ = (~(_e181) + select(0u, 1u, (_e177 == 0u)));
+let _e179 = phi_260_;
+if _e173 {
+phi_266_ = (~(_e170) + select(0u, 1u, (_e166 == 0u)));
 } else {
-phi_275_ = _e181;
+phi_266_ = _e170;
 }
-let _e194 = phi_275_;
-let _e216 = ((((f32(bitcast<i32>(((_e194 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e194 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e190 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e190 & 65535u)))));
-let _e224 = -((select(_e216, -(bitcast<f32>((bitcast<u32>(_e216) & 2147483647u))), _e184) * (1f / 16777216f)));
-let _e226 = select(-87f, _e224, (_e224 > -87f));
-let _e228 = select(88f, _e226, (_e226 < 88f));
-let _e230 = ((_e228 * 1.442695f) + 0.5f);
-let _e232 = select(-127f, _e230, (_e230 > -127f));
-let _e234 = select(128f, _e232, (_e232 < 128f));
-let _e241 = select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < -2147483600f)), 2147483647i, (_e234 > 2147483500f)), (_e234 == _e234));
-let _e245 = (_e241 - select(0i, 1i, (_e234 < f32(_e241))));
-let _e246 = f32(_e245);
-let _e250 = ((_e228 - (_e246 * 0.6933594f)) - (_e246 * -2.1219444e-4f));
-let _e272 = ((((1f + (_e250 * (1f + (_e250 * (0.5f + (_e250 * (0.16666667f + (_e250 * (0.041666668f + (_e250 * (0.008333334f + (_e250 * (0.001388889f + (_e250 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e245 + 127i)) << bitcast<u32>(23i)))) * 65535f) + 0.5f);
-let _e274 = select(0f, _e272, (_e272 > 0f));
-let _e276 = select(65535f, _e274, (_e274 < 65535f));
-let _e283 = select(0i, select(select(i32(_e276), i32(-2147483648), (_e276 < -2147483600f)), 2147483647i, (_e276 > 2147483500f)), (_e276 == _e276));
-phi_387_ = type_10(_e177, _e181, bitcast<u32>((_e283 - select(0i, 1i, (_e276 < f32(_e283))))));
+let _e183 = phi_266_;
+let _e205 = ((((f32(bitcast<i32>(((_e183 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e183 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e179 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e179 & 65535u)))));
+let _e213 = -((select(_e205, -(bitcast<f32>((bitcast<u32>(_e205) & 2147483647u))), _e173) * (1f / 16777216f)));
+let _e215 = select(-87f, _e213, (_e213 > -87f));
+let _e217 = select(88f, _e215, (_e215 < 88f));
+let _e219 = ((_e217 * 1.442695f) + 0.5f);
+let _e221 = select(-127f, _e219, (_e219 > -127f));
+let _e223 = select(128f, _e221, (_e221 < 128f));
+let _e230 = select(0i, select(select(i32(_e223), i32(-2147483648), (_e223 < -2147483600f)), 2147483647i, (_e223 > 2147483500f)), (_e223 == _e223));
+let _e234 = (_e230 - select(0i, 1i, (_e223 < f32(_e230))));
+let _e235 = f32(_e234);
+let _e239 = ((_e217 - (_e235 * 0.6933594f)) - (_e235 * -2.1219444e-4f));
+let _e261 = ((((1f + (_e239 * (1f + (_e239 * (0.5f + (_e239 * (0.16666667f + (_e239 * (0.041666668f + (_e239 * (0.008333334f + (_e239 * (0.001388889f + (_e239 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e234 + 127i)) << bitcast<u32>(23i)))) * 65535f) + 0.5f);
+let _e263 = select(0f, _e261, (_e261 > 0f));
+let _e265 = select(65535f, _e263, (_e263 < 65535f));
+let _e272 = select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < -2147483600f)), 2147483647i, (_e265 > 2147483500f)), (_e265 == _e265));
+phi_378_ = type_2(_e166, _e170, bitcast<u32>((_e272 - select(0i, 1i, (_e265 < f32(_e272))))));
 } else {
-phi_387_ = _e126;
+phi_378_ = _e117;
 }
-let _e291 = phi_387_;
-let _e293 = (_e128 + 1i);
-let _e299 = local_4;
-let _e301 = ((((_e132 + _e293) * _e139) + _e299) * 2i);
-let _e303 = select(_e147, _e301, (_e301 < _e147));
-let _e309 = global_2.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
-let _e310 = (_e301 + 1i);
-let _e312 = select(_e147, _e310, (_e310 < _e147));
-let _e318 = global_2.member[bitcast<u32>(select(0i, _e312, (_e312 > 0i)))];
-if ((_e293 < _e98) && ((_e309 | _e318) != 0u)) {
-let _e323 = (_e63 == 1u);
-if _e323 {
-let _e327 = global_1.member.member_2[3u];
-phi_453_ = _e327;
+let _e280 = phi_378_;
+let _e282 = (_e119 + 1i);
+let _e288 = local_4;
+let _e290 = ((((_e123 + _e282) * _e129) + _e288) * 2i);
+let _e292 = select(_e137, _e290, (_e290 < _e137));
+let _e298 = global_2.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
+let _e299 = (_e290 + 1i);
+let _e301 = select(_e137, _e299, (_e299 < _e137));
+let _e307 = global_2.member[bitcast<u32>(select(0i, _e301, (_e301 > 0i)))];
+if ((_e282 < _e91) && ((_e298 | _e307) != 0u)) {
+let _e312 = (_e49.member_2 == 1u);
+if _e312 {
+let _e315 = global_1.member.member_9;
+phi_441_ = _e315;
 } else {
-phi_453_ = _e309;
+phi_441_ = _e298;
 }
-let _e329 = phi_453_;
-let _e331 = (_e291.member + _e329);
-let _e335 = ((_e291.member_1 + select(_e318, 0u, _e323)) + select(0u, 1u, (_e331 < _e291.member)));
-let _e338 = ((_e335 >> bitcast<u32>(31i)) != 0u);
-if _e338 {
-phi_468_ = (~(_e331) + 1u);
+let _e317 = phi_441_;
+let _e319 = (_e280.member + _e317);
+let _e323 = ((_e280.member_1 + select(_e307, 0u, _e312)) + select(0u, 1u, (_e319 < _e280.member)));
+let _e326 = ((_e323 >> bitcast<u32>(31i)) != 0u);
+if _e326 {
+phi_456_ = (~(_e319) + 1u);
 } else {
-phi_468_ = _e331;
+phi_456_ = _e319;
 }
-let _e344 = phi_468_;
-if _e338 {
-phi_474_ = (~(_e335) + select(0u, 1u, (_e331 == 0u)));
+let _e332 = phi_456_;
+if _e326 {
+phi_462_ = (~(_e323) + select(0u, 1u, (_e319 == 0u)));
 } else {
-phi_474_ = _e335;
+phi_462_ = _e323;
 }
-let _e348 = phi_474_;
-let _e370 = ((((f32(bitcast<i32>(((_e348 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e348 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e344 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e344 & 65535u)))));
-let _e378 = -((select(_e370, -(bitcast<f32>((bitcast<u32>(_e370) & 2147483647u))), _e338) * (1f / 16777216f)));
-let _e380 = select(-87f, _e378, (_e378 > -87f));
-let _e382 = select(88f, _e380, (_e380 < 88f));
-let _e384 = ((_e382 * 1.442695f) + 0.5f);
-let _e386 = select(-127f, _e384, (_e384 > -127f));
-let _e388 = select(128f, _e386, (_e386 < 128f));
-let _e395 = select(0i, select(select(i32(_e388), i32(-2147483648), (_e388 < -2147483600f)), 2147483647i, (_e388 > 2147483500f)), (_e388 == _e388));
-let _e399 = (_e395 - select(0i, 1i, (_e388 < f32(_e395))));
-let _e400 = f32(_e399);
-let _e404 = ((_e382 - (_e400 * 0.6933594f)) - (_e400 * -2.1219444e-4f));
-let _e426 = ((((1f + (_e404 * (1f + (_e404 * (0.5f + (_e404 * (0.16666667f + (_e404 * (0.041666668f + (_e404 * (0.008333334f + (_e404 * (0.001388889f + (_e404 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e399 + 127i)) << bitcast<u32>(23i)))) * 65535f) + 0.5f);
-let _e428 = select(0f, _e426, (_e426 > 0f));
-let _e430 = select(65535f, _e428, (_e428 < 65535f));
-let _e437 = select(0i, select(select(i32(_e430), i32(-2147483648), (_e430 < -2147483600f)), 2147483647i, (_e430 > 2147483500f)), (_e430 == _e430));
-phi_586_ = type_10(_e331, _e335, bitcast<u32>((_e437 - select(0i, 1i, (_e430 < f32(_e437))))));
+let _e336 = phi_462_;
+let _e358 = ((((f32(bitcast<i32>(((_e336 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e336 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e332 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e332 & 65535u)))));
+let _e366 = -((select(_e358, -(bitcast<f32>((bitcast<u32>(_e358) & 2147483647u))), _e326) * (1f / 16777216f)));
+let _e368 = select(-87f, _e366, (_e366 > -87f));
+let _e370 = select(88f, _e368, (_e368 < 88f));
+let _e372 = ((_e370 * 1.442695f) + 0.5f);
+let _e374 = select(-127f, _e372, (_e372 > -127f));
+let _e376 = select(128f, _e374, (_e374 < 128f));
+let _e383 = select(0i, select(select(i32(_e376), i32(-2147483648), (_e376 < -2147483600f)), 2147483647i, (_e376 > 2147483500f)), (_e376 == _e376));
+let _e387 = (_e383 - select(0i, 1i, (_e376 < f32(_e383))));
+let _e388 = f32(_e387);
+let _e392 = ((_e370 - (_e388 * 0.6933594f)) - (_e388 * -2.1219444e-4f));
+let _e414 = ((((1f + (_e392 * (1f + (_e392 * (0.5f + (_e392 * (0.16666667f + (_e392 * (0.041666668f + (_e392 * (0.008333334f + (_e392 * (0.001388889f + (_e392 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e387 + 127i)) << bitcast<u32>(23i)))) * 65535f) + 0.5f);
+let _e416 = select(0f, _e414, (_e414 > 0f));
+let _e418 = select(65535f, _e416, (_e416 < 65535f));
+let _e425 = select(0i, select(select(i32(_e418), i32(-2147483648), (_e418 < -2147483600f)), 2147483647i, (_e418 > 2147483500f)), (_e418 == _e418));
+phi_574_ = type_2(_e319, _e323, bitcast<u32>((_e425 - select(0i, 1i, (_e418 < f32(_e425))))));
 } else {
-phi_586_ = _e291;
+phi_574_ = _e280;
 }
-let _e445 = phi_586_;
-let _e447 = bitcast<u32>(((((((_e109 * bitcast<i32>(_e106)) + bitcast<i32>(_e114)) * bitcast<i32>(_e74)) + _e120) * _e102) + _e124));
-if (_e447 < arrayLength((&global_3.member))) {
-let _e454 = atomicAdd((&global_3.member[_e447]), (_e126.member_2 | (_e291.member_2 << bitcast<u32>(16i))));
+let _e433 = phi_574_;
+let _e435 = bitcast<u32>(((((((_e101 * bitcast<i32>(_e98)) + bitcast<i32>(_e105)) * bitcast<i32>(_e69)) + _e111) * _e95) + _e115));
+if (_e435 < arrayLength((&global_3.member))) {
+let _e442 = atomicAdd((&global_3.member[_e435]), (_e117.member_2 | (_e280.member_2 << bitcast<u32>(16i))));
 }
-phi_179_ = (_e124 + 1i);
-phi_182_ = _e445;
+phi_173_ = (_e115 + 1i);
+phi_176_ = _e433;
 } else {
-phi_179_ = i32();
-phi_182_ = type_10();
+phi_173_ = i32();
+phi_176_ = type_2();
 }
-let _e457 = phi_179_;
-let _e459 = phi_182_;
+let _e445 = phi_173_;
+let _e447 = phi_176_;
 continue;
 continuing {
-phi_178_ = _e457;
-phi_181_ = _e459;
-break if !(_e127);
+phi_172_ = _e445;
+phi_175_ = _e447;
+break if !(_e118);
 }
 }
 }

@@ -1,8 +1,12 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
 }
 struct type_6 {
 member: array<f32>,
@@ -11,10 +15,17 @@ struct type_9 {
 member: array<u32>,
 }
 struct type_10 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: type_4,
+member: type_2,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: type_4,
 }
 struct type_11 {
 member: type_10,
@@ -32,37 +43,37 @@ var<storage> global_3: type_9;
 @group(0) @binding(1)
 var<storage> global_4: type_6;
 fn function_() {
-var phi_149_: i32;
-var phi_371_: i32;
-var phi_625_: i32;
-var phi_703_: i32;
-var phi_728_: u32;
-var phi_704_: i32;
-var phi_626_: i32;
-var phi_372_: i32;
+var phi_147_: i32;
+var phi_366_: i32;
+var phi_620_: i32;
+var phi_695_: i32;
+var phi_720_: u32;
+var phi_696_: i32;
+var phi_621_: i32;
+var phi_367_: i32;
 let _e31 = global;
 let _e37 = arrayLength((&global_2.member));
-let _e41 = global_1.member.member[0u];
-let _e45 = global_1.member.member[1u];
-if (_e31.x < _e41) {
-if (_e31.y < _e45) {
-let _e51 = ((_e31.y * _e41) + _e31.x);
-let _e55 = global_1.member.member[3u];
-let _e57 = bitcast<i32>((_e51 * 3u));
+let _e40 = global_1.member.member;
+if (_e31.x < _e40.member) {
+if (_e31.y < _e40.member_1) {
+let _e50 = global_1.member.member.member;
+let _e52 = ((_e31.y * _e50) + _e31.x);
+let _e55 = global_1.member.member_1;
+let _e57 = bitcast<i32>((_e52 * 3u));
 let _e58 = (_e57 + 1i);
 let _e60 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e62 = select(_e60, _e58, (_e58 < _e60));
 let _e68 = global_3.member[bitcast<u32>(select(0i, _e62, (_e62 > 0i)))];
 let _e69 = bitcast<i32>(_e68);
-if (_e51 < _e55) {
+if (_e52 < _e55) {
 let _e71 = (_e57 + 2i);
 let _e73 = select(_e60, _e71, (_e71 < _e60));
 let _e79 = global_3.member[bitcast<u32>(select(0i, _e73, (_e73 > 0i)))];
-phi_149_ = bitcast<i32>(_e79);
+phi_147_ = bitcast<i32>(_e79);
 } else {
-phi_149_ = 0i;
+phi_147_ = 0i;
 }
-let _e82 = phi_149_;
+let _e82 = phi_147_;
 let _e84 = select(_e60, _e57, (_e57 < _e60));
 let _e90 = global_3.member[bitcast<u32>(select(0i, _e84, (_e84 > 0i)))];
 let _e93 = (bitcast<i32>(_e90) * 10i);
@@ -101,133 +112,133 @@ let _e188 = select(-1073741800f, _e186, (_e186 > -1073741800f));
 let _e190 = select(1073741800f, _e188, (_e188 < 1073741800f));
 let _e197 = select(0i, select(select(i32(_e190), i32(-2147483648), (_e190 < -2147483600f)), 2147483647i, (_e190 > 2147483500f)), (_e190 == _e190));
 let _e201 = (_e197 - select(0i, 1i, (_e190 < f32(_e197))));
-let _e205 = global_1.member.member_1[0u];
-let _e206 = bitcast<i32>(_e205);
-let _e207 = f32(_e206);
-let _e211 = global_1.member.member_1[1u];
-let _e212 = bitcast<i32>(_e211);
-let _e217 = global_1.member.member_2[0u];
-let _e218 = bitcast<i32>(_e217);
-phi_371_ = _e69;
+let _e204 = global_1.member.member_2;
+let _e205 = bitcast<i32>(_e204);
+let _e206 = f32(_e205);
+let _e209 = global_1.member.member_3;
+let _e210 = bitcast<i32>(_e209);
+let _e214 = global_1.member.member_7;
+let _e215 = bitcast<i32>(_e214);
+phi_366_ = _e69;
 loop {
-let _e220 = phi_371_;
-let _e221 = (_e220 < (_e69 + _e82));
-if _e221 {
-let _e223 = (f32(_e220) + 0.5f);
-let _e224 = (_e121 <= _e223);
-let _e225 = (_e148 > _e223);
+let _e217 = phi_366_;
+let _e218 = (_e217 < (_e69 + _e82));
+if _e218 {
+let _e220 = (f32(_e217) + 0.5f);
+let _e221 = (_e121 <= _e220);
+let _e222 = (_e148 > _e220);
+let _e223 = (_e221 && _e222);
+let _e224 = (_e148 <= _e220);
+let _e225 = (_e121 > _e220);
 let _e226 = (_e224 && _e225);
-let _e227 = (_e148 <= _e223);
-let _e228 = (_e121 > _e223);
-let _e229 = (_e227 && _e228);
-let _e230 = select(_e130, _e103, _e226);
-let _e232 = select(_e139, _e112, _e226);
-let _e234 = select(_e148, _e121, _e226);
-let _e240 = ((_e223 - _e234) / select(1f, (select(_e121, _e148, _e226) - _e234), (_e226 || _e229)));
-let _e243 = (_e230 + ((select(_e103, _e130, _e226) - _e230) * _e240));
-let _e246 = (_e232 + ((select(_e112, _e139, _e226) - _e232) * _e240));
-let _e247 = (_e175 > _e223);
-let _e248 = (_e227 && _e247);
-let _e249 = (_e175 <= _e223);
-let _e250 = (_e249 && _e225);
-let _e251 = select(_e157, _e130, _e248);
-let _e253 = select(_e166, _e139, _e248);
-let _e255 = select(_e175, _e148, _e248);
-let _e261 = ((_e223 - _e255) / select(1f, (select(_e148, _e175, _e248) - _e255), (_e248 || _e250)));
-let _e264 = (_e251 + ((select(_e130, _e157, _e248) - _e251) * _e261));
-let _e267 = (_e253 + ((select(_e139, _e166, _e248) - _e253) * _e261));
-let _e268 = (_e249 && _e228);
-let _e270 = select(_e103, _e157, _e268);
-let _e272 = select(_e112, _e166, _e268);
-let _e274 = select(_e121, _e175, _e268);
-let _e280 = ((_e223 - _e274) / select(1f, (select(_e175, _e121, _e268) - _e274), (_e268 || (_e224 && _e247))));
-let _e283 = (_e270 + ((select(_e157, _e103, _e268) - _e270) * _e280));
-let _e286 = (_e272 + ((select(_e166, _e112, _e268) - _e272) * _e280));
-let _e290 = select(select(_e286, _e267, _e248), _e246, _e226);
-let _e292 = select(select(_e283, _e264, _e250), _e243, _e229);
-let _e294 = select(select(_e286, _e267, _e250), _e246, _e229);
-if ((_e226 || _e248) || _e268) {
-let _e307 = -(((select(_e294, _e290, (_e290 > _e294)) * 1f) - 0.5f));
-let _e308 = -(f32(_e212));
-let _e310 = select(_e308, _e307, (_e307 > _e308));
-let _e312 = select(0f, _e310, (_e310 < 0f));
-let _e319 = select(0i, select(select(i32(_e312), i32(-2147483648), (_e312 < -2147483600f)), 2147483647i, (_e312 > 2147483500f)), (_e312 == _e312));
-let _e327 = -(((select(_e294, _e290, (_e290 < _e294)) * 1f) - 0.5f));
-let _e329 = select(_e308, _e327, (_e327 > _e308));
-let _e331 = select(0f, _e329, (_e329 < 0f));
-let _e338 = select(0i, select(select(i32(_e331), i32(-2147483648), (_e331 < -2147483600f)), 2147483647i, (_e331 > 2147483500f)), (_e331 == _e331));
-phi_625_ = -((_e338 - select(0i, 1i, (_e331 < f32(_e338)))));
+let _e227 = select(_e130, _e103, _e223);
+let _e229 = select(_e139, _e112, _e223);
+let _e231 = select(_e148, _e121, _e223);
+let _e237 = ((_e220 - _e231) / select(1f, (select(_e121, _e148, _e223) - _e231), (_e223 || _e226)));
+let _e240 = (_e227 + ((select(_e103, _e130, _e223) - _e227) * _e237));
+let _e243 = (_e229 + ((select(_e112, _e139, _e223) - _e229) * _e237));
+let _e244 = (_e175 > _e220);
+let _e245 = (_e224 && _e244);
+let _e246 = (_e175 <= _e220);
+let _e247 = (_e246 && _e222);
+let _e248 = select(_e157, _e130, _e245);
+let _e250 = select(_e166, _e139, _e245);
+let _e252 = select(_e175, _e148, _e245);
+let _e258 = ((_e220 - _e252) / select(1f, (select(_e148, _e175, _e245) - _e252), (_e245 || _e247)));
+let _e261 = (_e248 + ((select(_e130, _e157, _e245) - _e248) * _e258));
+let _e264 = (_e250 + ((select(_e139, _e166, _e245) - _e250) * _e258));
+let _e265 = (_e246 && _e225);
+let _e267 = select(_e103, _e157, _e265);
+let _e269 = select(_e112, _e166, _e265);
+let _e271 = select(_e121, _e175, _e265);
+let _e277 = ((_e220 - _e271) / select(1f, (select(_e175, _e121, _e265) - _e271), (_e265 || (_e221 && _e244))));
+let _e280 = (_e267 + ((select(_e157, _e103, _e265) - _e267) * _e277));
+let _e283 = (_e269 + ((select(_e166, _e112, _e265) - _e269) * _e277));
+let _e287 = select(select(_e283, _e264, _e245), _e243, _e223);
+let _e289 = select(select(_e280, _e261, _e247), _e240, _e226);
+let _e291 = select(select(_e283, _e264, _e247), _e243, _e226);
+if ((_e223 || _e245) || _e265) {
+let _e304 = -(((select(_e291, _e287, (_e287 > _e291)) * 1f) - 0.5f));
+let _e305 = -(f32(_e210));
+let _e307 = select(_e305, _e304, (_e304 > _e305));
+let _e309 = select(0f, _e307, (_e307 < 0f));
+let _e316 = select(0i, select(select(i32(_e309), i32(-2147483648), (_e309 < -2147483600f)), 2147483647i, (_e309 > 2147483500f)), (_e309 == _e309));
+let _e324 = -(((select(_e291, _e287, (_e287 < _e291)) * 1f) - 0.5f));
+let _e326 = select(_e305, _e324, (_e324 > _e305));
+let _e328 = select(0f, _e326, (_e326 < 0f));
+let _e335 = select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328));
+phi_620_ = -((_e335 - select(0i, 1i, (_e328 < f32(_e335)))));
 loop {
-let _e345 = phi_625_;
-let _e346 = (_e345 < -((_e319 - select(0i, 1i, (_e312 < f32(_e319))))));
-if _e346 {
-let _e350 = (((f32(_e345) + 0.5f) - _e294) * (1f / select((_e290 - _e294), 1f, (_e290 == _e294))));
-let _e352 = select(0f, _e350, (_e350 > 0f));
-let _e357 = (_e292 + ((select(select(_e283, _e264, _e248), _e243, _e226) - _e292) * select(1f, _e352, (_e352 < 1f))));
-let _e359 = select(0f, _e357, (_e357 > 0f));
-let _e361 = select(_e207, _e359, (_e359 < _e207));
-let _e362 = (_e207 - 1f);
-let _e364 = select(0f, _e361, (_e361 > 0f));
-let _e366 = select(_e362, _e364, (_e364 < _e362));
-let _e373 = select(0i, select(select(i32(_e366), i32(-2147483648), (_e366 < -2147483600f)), 2147483647i, (_e366 > 2147483500f)), (_e366 == _e366));
-let _e381 = global_1.member.member_1[3u];
-phi_703_ = 0i;
+let _e342 = phi_620_;
+let _e343 = (_e342 < -((_e316 - select(0i, 1i, (_e309 < f32(_e316))))));
+if _e343 {
+let _e347 = (((f32(_e342) + 0.5f) - _e291) * (1f / select((_e287 - _e291), 1f, (_e287 == _e291))));
+let _e349 = select(0f, _e347, (_e347 > 0f));
+let _e354 = (_e289 + ((select(select(_e280, _e261, _e245), _e240, _e223) - _e289) * select(1f, _e349, (_e349 < 1f))));
+let _e356 = select(0f, _e354, (_e354 > 0f));
+let _e358 = select(_e206, _e356, (_e356 < _e206));
+let _e359 = (_e206 - 1f);
+let _e361 = select(0f, _e358, (_e358 > 0f));
+let _e363 = select(_e359, _e361, (_e361 < _e359));
+let _e370 = select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < -2147483600f)), 2147483647i, (_e363 > 2147483500f)), (_e363 == _e363));
+let _e377 = global_1.member.member_5;
+phi_695_ = 0i;
 loop {
-let _e389 = phi_703_;
-let _e390 = (_e389 < _e218);
-if _e390 {
+let _e385 = phi_695_;
+let _e386 = (_e385 < _e215);
+if _e386 {
 if (_e201 == 0i) {
 } else {
-let _e395 = bitcast<u32>(_e201);
-let _e396 = bitcast<u32>(((((((((_e220 - bitcast<i32>(_e381)) * _e212) + _e345) * _e206) + (_e373 - select(0i, 1i, (_e366 < f32(_e373))))) * _e218) + _e389) * 2i));
-if (_e396 < _e37) {
-let _e400 = atomicAdd((&global_2.member[_e396]), _e395);
-phi_728_ = _e400;
+let _e391 = bitcast<u32>(_e201);
+let _e392 = bitcast<u32>(((((((((_e217 - bitcast<i32>(_e377)) * _e210) + _e342) * _e205) + (_e370 - select(0i, 1i, (_e363 < f32(_e370))))) * _e215) + _e385) * 2i));
+if (_e392 < _e37) {
+let _e396 = atomicAdd((&global_2.member[_e392]), _e391);
+phi_720_ = _e396;
 } else {
-phi_728_ = 0u;
+phi_720_ = 0u;
 }
-let _e402 = phi_728_;
-let _e409 = (bitcast<u32>((_e201 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e402 + _e395) < _e395)));
-if (_e409 == 0u) {
+let _e398 = phi_720_;
+let _e405 = (bitcast<u32>((_e201 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e398 + _e391) < _e391)));
+if (_e405 == 0u) {
 } else {
-let _e411 = (_e396 + 1u);
-if (_e411 < _e37) {
-let _e415 = atomicAdd((&global_2.member[_e411]), _e409);
+let _e407 = (_e392 + 1u);
+if (_e407 < _e37) {
+let _e411 = atomicAdd((&global_2.member[_e407]), _e405);
 }
 }
 }
-phi_704_ = (_e389 + 1i);
+phi_696_ = (_e385 + 1i);
 } else {
-phi_704_ = i32();
+phi_696_ = i32();
 }
-let _e418 = phi_704_;
+let _e414 = phi_696_;
 continue;
 continuing {
-phi_703_ = _e418;
-break if !(_e390);
+phi_695_ = _e414;
+break if !(_e386);
 }
 }
-phi_626_ = (_e345 + 1i);
+phi_621_ = (_e342 + 1i);
 } else {
-phi_626_ = i32();
+phi_621_ = i32();
 }
-let _e422 = phi_626_;
+let _e418 = phi_621_;
 continue;
 continuing {
-phi_625_ = _e422;
-break if !(_e346);
+phi_620_ = _e418;
+break if !(_e343);
 }
 }
 }
-phi_372_ = (_e220 + 1i);
+phi_367_ = (_e217 + 1i);
 } else {
-phi_372_ = i32();
+phi_367_ = i32();
 }
-let _e426 = phi_372_;
+let _e422 = phi_367_;
 continue;
 continuing {
-phi_371_ = _e426;
-break if !(_e221);
+phi_366_ = _e422;
+break if !(_e218);
 }
 }
 }

@@ -1,1072 +1,1131 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
 member: array<f32>,
 }
-struct type_11 {
+struct type_17 {
 member: array<u32>,
 }
-struct type_13 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_14 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_13,
-member_6: type_13,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_15 {
-member: type_14,
-}
 struct type_18 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+}
+struct type_20 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_22 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_23 {
+member: type_7,
+member_1: u32,
+}
+struct type_24 {
+member: type_2,
+member_1: u32,
+member_2: type_18,
+member_3: type_19,
+member_4: u32,
+member_5: type_20,
+member_6: type_21,
+member_7: type_21,
+member_8: type_22,
+member_9: type_10,
+member_10: f32,
+member_11: type_20,
+member_12: type_4,
+member_13: type_9,
+member_14: type_23,
+member_15: type_23,
+member_16: type_23,
+member_17: type_23,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_25 {
+member: type_24,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_19 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_20 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_21 {
-member: f32,
-member_1: f32,
-member_2: f32,
-}
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_15;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_11;
+var<storage> global_2: type_17;
 @group(0) @binding(3)
-var<storage> global_3: type_11;
+var<storage> global_3: type_17;
 @group(0) @binding(4)
-var<storage> global_4: type_11;
+var<storage> global_4: type_17;
 @group(0) @binding(5)
-var<storage> global_5: type_6;
+var<storage> global_5: type_12;
 @group(0) @binding(6)
-var<storage, read_write> global_6: type_6;
+var<storage, read_write> global_6: type_12;
 fn function_() {
-var local: type_18;
+var local: type_28;
 var local_1: vec3<f32>;
-var local_2: type_18;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_18;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var phi_5835_: type_19;
-var phi_7155_: type_20;
-var phi_8676_: type_21;
-var phi_9700_: f32;
-var phi_9701_: f32;
-var phi_9702_: f32;
-var phi_9703_: bool;
+var phi_3695_: type_29;
+var phi_4341_: type_30;
+var phi_5210_: type_5;
+var phi_6234_: f32;
+var phi_6235_: f32;
+var phi_6236_: f32;
+var phi_6237_: bool;
 switch bitcast<i32>(0u) {
 default: {
 let _e86 = global;
 let _e89 = arrayLength((&global_2.member));
 let _e93 = arrayLength((&global_4.member));
-let _e100 = global_1.member.member_1;
-let _e103 = (_e86.x + _e100.x);
-let _e106 = (_e86.y + _e100.y);
-if (_e103 < _e100.z) {
-if (_e106 < _e100.w) {
-let _e114 = global_1.member.member[0u];
-let _e118 = global_1.member.member[1u];
-let _e119 = (_e114 * _e118);
-let _e121 = ((_e106 * _e114) + _e103);
-let _e122 = bitcast<i32>(_e121);
-let _e124 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e126 = select(_e124, _e122, (_e122 < _e124));
-let _e132 = global_6.member[bitcast<u32>(select(0i, _e126, (_e126 > 0i)))];
-let _e133 = (_e119 + _e121);
-let _e134 = bitcast<i32>(_e133);
-let _e136 = select(_e124, _e134, (_e134 < _e124));
-let _e142 = global_6.member[bitcast<u32>(select(0i, _e136, (_e136 > 0i)))];
-let _e144 = ((2u * _e119) + _e121);
-let _e145 = bitcast<i32>(_e144);
-let _e147 = select(_e124, _e145, (_e145 < _e124));
-let _e153 = global_6.member[bitcast<u32>(select(0i, _e147, (_e147 > 0i)))];
-let _e155 = ((3u * _e119) + _e121);
-let _e156 = bitcast<i32>(_e155);
-let _e158 = select(_e124, _e156, (_e156 < _e124));
-let _e164 = global_6.member[bitcast<u32>(select(0i, _e158, (_e158 > 0i)))];
-let _e166 = ((4u * _e119) + _e121);
-let _e167 = bitcast<i32>(_e166);
-let _e169 = select(_e124, _e167, (_e167 < _e124));
-let _e175 = global_6.member[bitcast<u32>(select(0i, _e169, (_e169 > 0i)))];
-let _e177 = ((5u * _e119) + _e121);
-let _e178 = bitcast<i32>(_e177);
-let _e180 = select(_e124, _e178, (_e178 < _e124));
-let _e186 = global_6.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
-let _e188 = ((6u * _e119) + _e121);
-let _e189 = bitcast<i32>(_e188);
-let _e191 = select(_e124, _e189, (_e189 < _e124));
-let _e197 = global_6.member[bitcast<u32>(select(0i, _e191, (_e191 > 0i)))];
-let _e199 = ((7u * _e119) + _e121);
-let _e200 = bitcast<i32>(_e199);
-let _e202 = select(_e124, _e200, (_e200 < _e124));
-let _e208 = global_6.member[bitcast<u32>(select(0i, _e202, (_e202 > 0i)))];
-let _e210 = ((8u * _e119) + _e121);
-let _e211 = bitcast<i32>(_e210);
-let _e213 = select(_e124, _e211, (_e211 < _e124));
-let _e219 = global_6.member[bitcast<u32>(select(0i, _e213, (_e213 > 0i)))];
-let _e221 = ((9u * _e119) + _e121);
-let _e222 = bitcast<i32>(_e221);
-let _e224 = select(_e124, _e222, (_e222 < _e124));
-let _e230 = global_6.member[bitcast<u32>(select(0i, _e224, (_e224 > 0i)))];
-let _e232 = ((10u * _e119) + _e121);
-let _e233 = bitcast<i32>(_e232);
-let _e235 = select(_e124, _e233, (_e233 < _e124));
-let _e241 = global_6.member[bitcast<u32>(select(0i, _e235, (_e235 > 0i)))];
-let _e245 = global_1.member.member_4.member_2;
-let _e248 = (1f / select(1e-6f, _e197, (_e197 > 1e-6f)));
-let _e252 = global_1.member.member_7.member_3;
-let _e253 = (_e245 * _e252);
-let _e258 = global_1.member.member_8.member;
-let _e260 = (((_e175 * _e248) - _e258) * _e253);
-let _e265 = global_1.member.member_8.member_1;
-let _e267 = (((_e186 * _e248) - _e265) * _e253);
-let _e271 = ((f32(bitcast<i32>(_e103)) - 0.5f) + _e132);
-let _e275 = global_1.member.member_2[3u];
-let _e276 = (_e275 + 1u);
-let _e278 = select(1u, _e276, (_e276 > 0u));
-let _e279 = (_e278 == 0u);
-if _e279 {
+let _e100 = global_1.member.member_2;
+let _e103 = global_1.member.member;
+let _e111 = (_e86.x + _e100.member);
+let _e113 = (_e86.y + _e100.member_1);
+if (_e111 < _e100.member_2) {
+if (_e113 < _e100.member_3) {
+let _e116 = (_e103.member * _e103.member_1);
+let _e118 = ((_e113 * _e103.member) + _e111);
+let _e119 = bitcast<i32>(_e118);
+let _e121 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e123 = select(_e121, _e119, (_e119 < _e121));
+let _e129 = global_6.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
+let _e130 = (_e116 + _e118);
+let _e131 = bitcast<i32>(_e130);
+let _e133 = select(_e121, _e131, (_e131 < _e121));
+let _e139 = global_6.member[bitcast<u32>(select(0i, _e133, (_e133 > 0i)))];
+let _e141 = ((2u * _e116) + _e118);
+let _e142 = bitcast<i32>(_e141);
+let _e144 = select(_e121, _e142, (_e142 < _e121));
+let _e150 = global_6.member[bitcast<u32>(select(0i, _e144, (_e144 > 0i)))];
+let _e152 = ((3u * _e116) + _e118);
+let _e153 = bitcast<i32>(_e152);
+let _e155 = select(_e121, _e153, (_e153 < _e121));
+let _e161 = global_6.member[bitcast<u32>(select(0i, _e155, (_e155 > 0i)))];
+let _e163 = ((4u * _e116) + _e118);
+let _e164 = bitcast<i32>(_e163);
+let _e166 = select(_e121, _e164, (_e164 < _e121));
+let _e172 = global_6.member[bitcast<u32>(select(0i, _e166, (_e166 > 0i)))];
+let _e174 = ((5u * _e116) + _e118);
+let _e175 = bitcast<i32>(_e174);
+let _e177 = select(_e121, _e175, (_e175 < _e121));
+let _e183 = global_6.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
+let _e185 = ((6u * _e116) + _e118);
+let _e186 = bitcast<i32>(_e185);
+let _e188 = select(_e121, _e186, (_e186 < _e121));
+let _e194 = global_6.member[bitcast<u32>(select(0i, _e188, (_e188 > 0i)))];
+let _e196 = ((7u * _e116) + _e118);
+let _e197 = bitcast<i32>(_e196);
+let _e199 = select(_e121, _e197, (_e197 < _e121));
+let _e205 = global_6.member[bitcast<u32>(select(0i, _e199, (_e199 > 0i)))];
+let _e207 = ((8u * _e116) + _e118);
+let _e208 = bitcast<i32>(_e207);
+let _e210 = select(_e121, _e208, (_e208 < _e121));
+let _e216 = global_6.member[bitcast<u32>(select(0i, _e210, (_e210 > 0i)))];
+let _e218 = ((9u * _e116) + _e118);
+let _e219 = bitcast<i32>(_e218);
+let _e221 = select(_e121, _e219, (_e219 < _e121));
+let _e227 = global_6.member[bitcast<u32>(select(0i, _e221, (_e221 > 0i)))];
+let _e229 = ((10u * _e116) + _e118);
+let _e230 = bitcast<i32>(_e229);
+let _e232 = select(_e121, _e230, (_e230 < _e121));
+let _e238 = global_6.member[bitcast<u32>(select(0i, _e232, (_e232 > 0i)))];
+let _e242 = global_1.member.member_5.member_2;
+let _e245 = (1f / select(1e-6f, _e194, (_e194 > 1e-6f)));
+let _e249 = global_1.member.member_8.member_5;
+let _e250 = (_e242 * _e249);
+let _e255 = global_1.member.member_8.member_6;
+let _e257 = (((_e172 * _e245) - _e255) * _e250);
+let _e262 = global_1.member.member_8.member_7;
+let _e264 = (((_e183 * _e245) - _e262) * _e250);
+let _e268 = ((f32(bitcast<i32>(_e111)) - 0.5f) + _e129);
+let _e272 = global_1.member.member_8.member_1;
+let _e273 = (_e272 + 1u);
+let _e275 = select(1u, _e273, (_e273 > 0u));
+let _e276 = (_e275 == 0u);
+if _e276 {
 break;
 }
-let _e284 = ((f32(bitcast<i32>((_e106 % _e278))) - 0.5f) + _e142);
-let _e288 = global_1.member.member_4.member;
-let _e292 = global_1.member.member_8.member_2;
-let _e293 = (_e288 - _e292);
-let _e297 = global_1.member.member_7.member;
-let _e304 = global_1.member.member_7.member_2;
-let _e306 = ((_e297 + (_e258 * _e293)) + ((_e271 + 0.5f) * _e304));
-let _e310 = global_1.member.member_7.member_1;
-let _e315 = ((_e310 + (_e265 * _e293)) + ((_e284 + 0.5f) * _e304));
-let _e321 = global_1.member.member_4.member_1;
-let _e322 = (_e321 - _e292);
-let _e327 = ((_e297 + (_e258 * _e322)) + (((_e271 + _e260) + 0.5f) * _e304));
-let _e332 = ((_e310 + (_e265 * _e322)) + (((_e284 + _e267) + 0.5f) * _e304));
-if _e279 {
+let _e281 = ((f32(bitcast<i32>((_e113 % _e275))) - 0.5f) + _e139);
+let _e285 = global_1.member.member_5.member;
+let _e289 = global_1.member.member_8.member_8;
+let _e290 = (_e285 - _e289);
+let _e294 = global_1.member.member_8.member_2;
+let _e301 = global_1.member.member_8.member_4;
+let _e303 = ((_e294 + (_e255 * _e290)) + ((_e268 + 0.5f) * _e301));
+let _e307 = global_1.member.member_8.member_3;
+let _e312 = ((_e307 + (_e262 * _e290)) + ((_e281 + 0.5f) * _e301));
+let _e318 = global_1.member.member_5.member_1;
+let _e319 = (_e318 - _e289);
+let _e324 = ((_e294 + (_e255 * _e319)) + (((_e268 + _e257) + 0.5f) * _e301));
+let _e329 = ((_e307 + (_e262 * _e319)) + (((_e281 + _e264) + 0.5f) * _e301));
+if _e276 {
 break;
 }
-let _e335 = bitcast<i32>(((_e106 / _e278) * 3u));
-let _e337 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e339 = select(_e337, _e335, (_e335 < _e337));
-let _e345 = global_5.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
-let _e346 = (_e335 + 1i);
-let _e348 = select(_e337, _e346, (_e346 < _e337));
-let _e354 = global_5.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
-let _e355 = (_e335 + 2i);
-let _e357 = select(_e337, _e355, (_e355 < _e337));
-let _e363 = global_5.member[bitcast<u32>(select(0i, _e357, (_e357 > 0i)))];
-let _e366 = (1f / select(1e-6f, _e363, (_e363 > 1e-6f)));
-let _e369 = (((_e345 * _e366) - _e258) * _e253);
-let _e372 = (((_e354 * _e366) - _e265) * _e253);
-let _e384 = global_1.member.member_5.member;
-let _e397 = global_1.member.member_5.member.member_3;
-let _e398 = ((((_e384.member * _e306) + (_e384.member_1 * _e315)) + (_e384.member_2 * _e288)) + _e397);
-let _e402 = global_1.member.member_5.member_1;
-let _e415 = global_1.member.member_5.member_1.member_3;
-let _e416 = ((((_e402.member * _e306) + (_e402.member_1 * _e315)) + (_e402.member_2 * _e288)) + _e415);
-let _e420 = global_1.member.member_5.member_2;
-let _e433 = global_1.member.member_5.member_2.member_3;
-let _e434 = ((((_e420.member * _e306) + (_e420.member_1 * _e315)) + (_e420.member_2 * _e288)) + _e433);
-let _e440 = ((((_e384.member * _e327) + (_e384.member_1 * _e332)) + (_e384.member_2 * _e321)) + _e397);
-let _e446 = ((((_e402.member * _e327) + (_e402.member_1 * _e332)) + (_e402.member_2 * _e321)) + _e415);
-let _e452 = ((((_e420.member * _e327) + (_e420.member_1 * _e332)) + (_e420.member_2 * _e321)) + _e433);
-let _e457 = global_1.member.member_5.member_3.member_3;
-let _e462 = global_1.member.member_5.member_3.member;
-let _e463 = (_e462 - 0.5f);
-let _e465 = select(-0.5f, _e440, (_e440 > -0.5f));
-let _e467 = select(_e463, _e465, (_e465 < _e463));
-let _e472 = global_1.member.member_5.member_3.member_1;
-let _e473 = (_e472 - 0.5f);
-let _e475 = select(-0.5f, _e446, (_e446 > -0.5f));
-let _e477 = select(_e473, _e475, (_e475 < _e473));
-let _e482 = global_1.member.member_5.member_3.member_2;
-let _e483 = (_e482 - 0.5f);
-let _e485 = select(-0.5f, _e452, (_e452 > -0.5f));
-let _e487 = select(_e483, _e485, (_e485 < _e483));
-let _e488 = (_e440 - _e398);
-let _e489 = (_e446 - _e416);
-let _e490 = (_e452 - _e434);
-let _e493 = bitcast<f32>((bitcast<u32>(_e488) & 2147483647u));
-let _e496 = bitcast<f32>((bitcast<u32>(_e489) & 2147483647u));
-let _e498 = select(_e496, _e493, (_e493 > _e496));
-let _e501 = bitcast<f32>((bitcast<u32>(_e490) & 2147483647u));
-let _e510 = bitcast<f32>((bitcast<u32>((_e440 - _e467)) & 2147483647u));
-let _e513 = bitcast<f32>((bitcast<u32>((_e446 - _e477)) & 2147483647u));
-let _e515 = select(_e513, _e510, (_e510 > _e513));
-let _e518 = bitcast<f32>((bitcast<u32>((_e452 - _e487)) & 2147483647u));
-let _e522 = (_e467 + 0.5f);
-let _e523 = (_e462 - 1f);
-let _e525 = select(0f, _e522, (_e522 > 0f));
-let _e527 = select(_e523, _e525, (_e525 < _e523));
-let _e534 = select(0i, select(select(i32(_e527), i32(-2147483648), (_e527 < -2147483600f)), 2147483647i, (_e527 > 2147483500f)), (_e527 == _e527));
-let _e543 = global_1.member.member_5.member_7[3u];
-let _e544 = (_e543 & 31i);
-let _e547 = (_e477 + 0.5f);
-let _e548 = (_e472 - 1f);
-let _e550 = select(0f, _e547, (_e547 > 0f));
-let _e552 = select(_e548, _e550, (_e550 < _e548));
-let _e559 = select(0i, select(select(i32(_e552), i32(-2147483648), (_e552 < -2147483600f)), 2147483647i, (_e552 > 2147483500f)), (_e552 == _e552));
-let _e566 = (_e487 + 0.5f);
-let _e567 = (_e482 - 1f);
-let _e569 = select(0f, _e566, (_e566 > 0f));
-let _e571 = select(_e567, _e569, (_e569 < _e567));
-let _e578 = select(0i, select(select(i32(_e571), i32(-2147483648), (_e571 < -2147483600f)), 2147483647i, (_e571 > 2147483500f)), (_e571 == _e571));
-let _e589 = global_1.member.member_5.member_6[3u];
-let _e595 = global_1.member.member_5.member_6[0u];
-let _e600 = global_1.member.member_5.member_6[1u];
-let _e604 = ((_e589 + ((_e534 - select(0i, 1i, (_e527 < f32(_e534)))) >> bitcast<u32>(_e544))) + (_e595 * (((_e559 - select(0i, 1i, (_e552 < f32(_e559)))) >> bitcast<u32>(_e544)) + (_e600 * ((_e578 - select(0i, 1i, (_e571 < f32(_e578)))) >> bitcast<u32>(_e544))))));
-let _e606 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e608 = select(_e606, _e604, (_e604 < _e606));
-let _e614 = global_3.member[bitcast<u32>(select(0i, _e608, (_e608 > 0i)))];
-let _e621 = global_1.member.member[3u];
-let _e628 = (((_e621 & 64u) != 0u) || ((((select(_e501, _e498, (_e498 > _e501)) <= _e457) && ((select(_e518, _e515, (_e515 > _e518)) > _e457) || (_e614 != 0u))) && true) && ((_e621 & 32u) != 0u)));
-if (select(0u, select(7u, select(3u, 1u, ((((_e260 == 0f) && (_e267 == 0f)) && (_e369 == 0f)) && (_e372 == 0f))), _e628), (_e241 == 0f)) > 1u) {
-let _e636 = global_1.member.member[2u];
-if _e279 {
+let _e332 = bitcast<i32>(((_e113 / _e275) * 3u));
+let _e334 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e336 = select(_e334, _e332, (_e332 < _e334));
+let _e342 = global_5.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e343 = (_e332 + 1i);
+let _e345 = select(_e334, _e343, (_e343 < _e334));
+let _e351 = global_5.member[bitcast<u32>(select(0i, _e345, (_e345 > 0i)))];
+let _e352 = (_e332 + 2i);
+let _e354 = select(_e334, _e352, (_e352 < _e334));
+let _e360 = global_5.member[bitcast<u32>(select(0i, _e354, (_e354 > 0i)))];
+let _e363 = (1f / select(1e-6f, _e360, (_e360 > 1e-6f)));
+let _e366 = (((_e342 * _e363) - _e255) * _e250);
+let _e369 = (((_e351 * _e363) - _e262) * _e250);
+let _e381 = global_1.member.member_6.member;
+let _e392 = ((((_e381.member.member * _e303) + (_e381.member.member_1 * _e312)) + (_e381.member.member_2 * _e285)) + _e381.member_1);
+let _e396 = global_1.member.member_6.member_1;
+let _e407 = ((((_e396.member.member * _e303) + (_e396.member.member_1 * _e312)) + (_e396.member.member_2 * _e285)) + _e396.member_1);
+let _e411 = global_1.member.member_6.member_2;
+let _e422 = ((((_e411.member.member * _e303) + (_e411.member.member_1 * _e312)) + (_e411.member.member_2 * _e285)) + _e411.member_1);
+let _e428 = ((((_e381.member.member * _e324) + (_e381.member.member_1 * _e329)) + (_e381.member.member_2 * _e318)) + _e381.member_1);
+let _e434 = ((((_e396.member.member * _e324) + (_e396.member.member_1 * _e329)) + (_e396.member.member_2 * _e318)) + _e396.member_1);
+let _e440 = ((((_e411.member.member * _e324) + (_e411.member.member_1 * _e329)) + (_e411.member.member_2 * _e318)) + _e411.member_1);
+let _e444 = global_1.member.member_6.member_4;
+let _e449 = global_1.member.member_6.member_3.member;
+let _e450 = (_e449 - 0.5f);
+let _e452 = select(-0.5f, _e428, (_e428 > -0.5f));
+let _e454 = select(_e450, _e452, (_e452 < _e450));
+let _e459 = global_1.member.member_6.member_3.member_1;
+let _e460 = (_e459 - 0.5f);
+let _e462 = select(-0.5f, _e434, (_e434 > -0.5f));
+let _e464 = select(_e460, _e462, (_e462 < _e460));
+let _e469 = global_1.member.member_6.member_3.member_2;
+let _e470 = (_e469 - 0.5f);
+let _e472 = select(-0.5f, _e440, (_e440 > -0.5f));
+let _e474 = select(_e470, _e472, (_e472 < _e470));
+let _e475 = (_e428 - _e392);
+let _e476 = (_e434 - _e407);
+let _e477 = (_e440 - _e422);
+let _e480 = bitcast<f32>((bitcast<u32>(_e475) & 2147483647u));
+let _e483 = bitcast<f32>((bitcast<u32>(_e476) & 2147483647u));
+let _e485 = select(_e483, _e480, (_e480 > _e483));
+let _e488 = bitcast<f32>((bitcast<u32>(_e477) & 2147483647u));
+let _e497 = bitcast<f32>((bitcast<u32>((_e428 - _e454)) & 2147483647u));
+let _e500 = bitcast<f32>((bitcast<u32>((_e434 - _e464)) & 2147483647u));
+let _e502 = select(_e500, _e497, (_e497 > _e500));
+let _e505 = bitcast<f32>((bitcast<u32>((_e440 - _e474)) & 2147483647u));
+let _e509 = (_e454 + 0.5f);
+let _e510 = (_e449 - 1f);
+let _e512 = select(0f, _e509, (_e509 > 0f));
+let _e514 = select(_e510, _e512, (_e512 < _e510));
+let _e521 = select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < -2147483600f)), 2147483647i, (_e514 > 2147483500f)), (_e514 == _e514));
+let _e529 = global_1.member.member_6.member_12;
+let _e530 = (_e529 & 31u);
+let _e533 = (_e464 + 0.5f);
+let _e534 = (_e459 - 1f);
+let _e536 = select(0f, _e533, (_e533 > 0f));
+let _e538 = select(_e534, _e536, (_e536 < _e534));
+let _e545 = select(0i, select(select(i32(_e538), i32(-2147483648), (_e538 < -2147483600f)), 2147483647i, (_e538 > 2147483500f)), (_e538 == _e538));
+let _e552 = (_e474 + 0.5f);
+let _e553 = (_e469 - 1f);
+let _e555 = select(0f, _e552, (_e552 > 0f));
+let _e557 = select(_e553, _e555, (_e555 < _e553));
+let _e564 = select(0i, select(select(i32(_e557), i32(-2147483648), (_e557 < -2147483600f)), 2147483647i, (_e557 > 2147483500f)), (_e557 == _e557));
+let _e575 = global_1.member.member_6.member_9.member;
+let _e581 = global_1.member.member_6.member_9.member_1;
+let _e586 = global_1.member.member_6.member_10;
+let _e592 = ((bitcast<i32>(_e586) + ((_e521 - select(0i, 1i, (_e514 < f32(_e521)))) >> bitcast<u32>(_e530))) + (bitcast<i32>(_e575) * (((_e545 - select(0i, 1i, (_e538 < f32(_e545)))) >> bitcast<u32>(_e530)) + (bitcast<i32>(_e581) * ((_e564 - select(0i, 1i, (_e557 < f32(_e564)))) >> bitcast<u32>(_e530))))));
+let _e594 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e596 = select(_e594, _e592, (_e592 < _e594));
+let _e602 = global_3.member[bitcast<u32>(select(0i, _e596, (_e596 > 0i)))];
+let _e608 = global_1.member.member_1;
+let _e615 = (((_e608 & 64u) != 0u) || ((((select(_e488, _e485, (_e485 > _e488)) <= _e444) && ((select(_e505, _e502, (_e502 > _e505)) > _e444) || (_e602 != 0u))) && true) && ((_e608 & 32u) != 0u)));
+if (select(0u, select(7u, select(3u, 1u, ((((_e257 == 0f) && (_e264 == 0f)) && (_e366 == 0f)) && (_e369 == 0f))), _e615), (_e238 == 0f)) > 1u) {
+if _e276 {
 break;
 }
-if _e279 {
+if _e276 {
 break;
 }
-let _e638 = (_e636 == 2u);
-let _e641 = (((_e636 == 1u) || _e638) || (_e636 == 5u));
-if _e641 {
-let _e894 = select(-1f, _e467, (_e467 > -1f));
-let _e896 = select(_e462, _e894, (_e894 < _e462));
-let _e903 = select(0i, select(select(i32(_e896), i32(-2147483648), (_e896 < -2147483600f)), 2147483647i, (_e896 > 2147483500f)), (_e896 == _e896));
-let _e907 = (_e903 - select(0i, 1i, (_e896 < f32(_e903))));
-let _e909 = select(-1f, _e477, (_e477 > -1f));
-let _e911 = select(_e472, _e909, (_e909 < _e472));
-let _e918 = select(0i, select(select(i32(_e911), i32(-2147483648), (_e911 < -2147483600f)), 2147483647i, (_e911 > 2147483500f)), (_e911 == _e911));
-let _e922 = (_e918 - select(0i, 1i, (_e911 < f32(_e918))));
-let _e924 = select(-1f, _e487, (_e487 > -1f));
-let _e926 = select(_e482, _e924, (_e924 < _e482));
-let _e933 = select(0i, select(select(i32(_e926), i32(-2147483648), (_e926 < -2147483600f)), 2147483647i, (_e926 > 2147483500f)), (_e926 == _e926));
-let _e937 = (_e933 - select(0i, 1i, (_e926 < f32(_e933))));
-let _e942 = global_1.member.member_5.member_5[0u];
-let _e947 = global_1.member.member_5.member_5[1u];
-let _e955 = (select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < -2147483600f)), 2147483647i, (_e472 > 2147483500f)), (_e472 == _e472)) - 1i);
-let _e956 = (_e922 - 1i);
-let _e961 = (_e922 + 1i);
-let _e964 = (_e922 + 2i);
-let _e974 = (select(0i, select(select(i32(_e482), i32(-2147483648), (_e482 < -2147483600f)), 2147483647i, (_e482 > 2147483500f)), (_e482 == _e482)) - 1i);
-let _e975 = (_e937 - 1i);
-let _e980 = (_e937 + 1i);
-let _e983 = (_e937 + 2i);
-let _e993 = (select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < -2147483600f)), 2147483647i, (_e462 > 2147483500f)), (_e462 == _e462)) - 1i);
-let _e994 = (_e907 - 1i);
-let _e999 = (_e907 + 1i);
-let _e1002 = (_e907 + 2i);
-let _e1005 = (select(0i, _e956, (_e956 > 0i)) * _e942);
-let _e1006 = (select(0i, _e922, (_e922 > 0i)) * _e942);
-let _e1007 = (select(_e955, _e961, (_e961 < _e955)) * _e942);
-let _e1008 = (select(_e955, _e964, (_e964 < _e955)) * _e942);
-let _e1009 = (select(0i, _e975, (_e975 > 0i)) * _e947);
-let _e1010 = (select(0i, _e937, (_e937 > 0i)) * _e947);
-let _e1011 = (select(_e974, _e980, (_e980 < _e974)) * _e947);
-let _e1012 = (select(_e974, _e983, (_e983 < _e974)) * _e947);
-local_4 = type_18(array<i32, 4>(select(0i, _e994, (_e994 > 0i)), select(0i, _e907, (_e907 > 0i)), select(_e993, _e999, (_e999 < _e993)), select(_e993, _e1002, (_e1002 < _e993))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
-local_5 = vec3<f32>((_e467 - f32(_e907)), (_e477 - f32(_e922)), (_e487 - f32(_e937)));
-let _e1023 = (_e1010 + _e1006);
-let _e1026 = local_4.member[0u];
-let _e1027 = (_e1023 + _e1026);
-let _e1029 = (bitcast<i32>(_e89) - 1i);
-let _e1031 = select(_e1029, _e1027, (_e1027 < _e1029));
-let _e1036 = global_2.member[bitcast<u32>(select(0i, _e1031, (_e1031 > 0i)))];
-let _e1037 = bitcast<f32>(_e1036);
-let _e1040 = local_4.member[1u];
-let _e1041 = (_e1023 + _e1040);
-let _e1043 = select(_e1029, _e1041, (_e1041 < _e1029));
-let _e1048 = global_2.member[bitcast<u32>(select(0i, _e1043, (_e1043 > 0i)))];
-let _e1049 = bitcast<f32>(_e1048);
-let _e1052 = local_4.member[2u];
-let _e1053 = (_e1023 + _e1052);
-let _e1055 = select(_e1029, _e1053, (_e1053 < _e1029));
-let _e1060 = global_2.member[bitcast<u32>(select(0i, _e1055, (_e1055 > 0i)))];
-let _e1061 = bitcast<f32>(_e1060);
-let _e1064 = local_4.member[3u];
-let _e1065 = (_e1023 + _e1064);
-let _e1067 = select(_e1029, _e1065, (_e1065 < _e1029));
-let _e1072 = global_2.member[bitcast<u32>(select(0i, _e1067, (_e1067 > 0i)))];
-let _e1074 = local_5[0u];
-let _e1077 = (_e1037 + ((_e1049 - _e1037) * _e1074));
-let _e1078 = local_5[0u];
-let _e1081 = (_e1049 + ((_e1061 - _e1049) * _e1078));
-let _e1082 = local_5[0u];
-let _e1085 = (_e1061 + ((bitcast<f32>(_e1072) - _e1061) * _e1082));
-let _e1086 = (_e1010 + _e1007);
-let _e1087 = local_4.member[0u];
-let _e1088 = (_e1086 + _e1087);
-let _e1090 = select(_e1029, _e1088, (_e1088 < _e1029));
-let _e1095 = global_2.member[bitcast<u32>(select(0i, _e1090, (_e1090 > 0i)))];
-let _e1096 = bitcast<f32>(_e1095);
-let _e1097 = local_4.member[1u];
-let _e1098 = (_e1086 + _e1097);
-let _e1100 = select(_e1029, _e1098, (_e1098 < _e1029));
-let _e1105 = global_2.member[bitcast<u32>(select(0i, _e1100, (_e1100 > 0i)))];
-let _e1106 = bitcast<f32>(_e1105);
-let _e1107 = local_4.member[2u];
-let _e1108 = (_e1086 + _e1107);
-let _e1110 = select(_e1029, _e1108, (_e1108 < _e1029));
-let _e1115 = global_2.member[bitcast<u32>(select(0i, _e1110, (_e1110 > 0i)))];
-let _e1116 = bitcast<f32>(_e1115);
-let _e1117 = local_4.member[3u];
-let _e1118 = (_e1086 + _e1117);
-let _e1120 = select(_e1029, _e1118, (_e1118 < _e1029));
-let _e1125 = global_2.member[bitcast<u32>(select(0i, _e1120, (_e1120 > 0i)))];
-let _e1127 = local_5[0u];
-let _e1131 = local_5[0u];
-let _e1134 = (_e1106 + ((_e1116 - _e1106) * _e1131));
-let _e1135 = local_5[0u];
-let _e1139 = (_e1011 + _e1006);
-let _e1140 = local_4.member[0u];
-let _e1141 = (_e1139 + _e1140);
-let _e1143 = select(_e1029, _e1141, (_e1141 < _e1029));
-let _e1148 = global_2.member[bitcast<u32>(select(0i, _e1143, (_e1143 > 0i)))];
-let _e1149 = bitcast<f32>(_e1148);
-let _e1150 = local_4.member[1u];
-let _e1151 = (_e1139 + _e1150);
-let _e1153 = select(_e1029, _e1151, (_e1151 < _e1029));
-let _e1158 = global_2.member[bitcast<u32>(select(0i, _e1153, (_e1153 > 0i)))];
-let _e1159 = bitcast<f32>(_e1158);
-let _e1160 = local_4.member[2u];
-let _e1161 = (_e1139 + _e1160);
-let _e1163 = select(_e1029, _e1161, (_e1161 < _e1029));
-let _e1168 = global_2.member[bitcast<u32>(select(0i, _e1163, (_e1163 > 0i)))];
-let _e1169 = bitcast<f32>(_e1168);
-let _e1170 = local_4.member[3u];
-let _e1171 = (_e1139 + _e1170);
-let _e1173 = select(_e1029, _e1171, (_e1171 < _e1029));
-let _e1178 = global_2.member[bitcast<u32>(select(0i, _e1173, (_e1173 > 0i)))];
-let _e1180 = local_5[0u];
-let _e1183 = (_e1149 + ((_e1159 - _e1149) * _e1180));
-let _e1184 = local_5[0u];
-let _e1187 = (_e1159 + ((_e1169 - _e1159) * _e1184));
-let _e1188 = local_5[0u];
-let _e1191 = (_e1169 + ((bitcast<f32>(_e1178) - _e1169) * _e1188));
-let _e1192 = (_e1011 + _e1007);
-let _e1193 = local_4.member[0u];
-let _e1194 = (_e1192 + _e1193);
-let _e1196 = select(_e1029, _e1194, (_e1194 < _e1029));
-let _e1201 = global_2.member[bitcast<u32>(select(0i, _e1196, (_e1196 > 0i)))];
-let _e1202 = bitcast<f32>(_e1201);
-let _e1203 = local_4.member[1u];
-let _e1204 = (_e1192 + _e1203);
-let _e1206 = select(_e1029, _e1204, (_e1204 < _e1029));
-let _e1211 = global_2.member[bitcast<u32>(select(0i, _e1206, (_e1206 > 0i)))];
-let _e1212 = bitcast<f32>(_e1211);
-let _e1213 = local_4.member[2u];
-let _e1214 = (_e1192 + _e1213);
-let _e1216 = select(_e1029, _e1214, (_e1214 < _e1029));
-let _e1221 = global_2.member[bitcast<u32>(select(0i, _e1216, (_e1216 > 0i)))];
-let _e1222 = bitcast<f32>(_e1221);
-let _e1223 = local_4.member[3u];
-let _e1224 = (_e1192 + _e1223);
-let _e1226 = select(_e1029, _e1224, (_e1224 < _e1029));
-let _e1231 = global_2.member[bitcast<u32>(select(0i, _e1226, (_e1226 > 0i)))];
-let _e1233 = local_5[0u];
-let _e1237 = local_5[0u];
-let _e1240 = (_e1212 + ((_e1222 - _e1212) * _e1237));
-let _e1241 = local_5[0u];
-let _e1245 = (_e1010 + _e1005);
-let _e1246 = local_4.member[1u];
-let _e1247 = (_e1245 + _e1246);
-let _e1249 = select(_e1029, _e1247, (_e1247 < _e1029));
-let _e1254 = global_2.member[bitcast<u32>(select(0i, _e1249, (_e1249 > 0i)))];
-let _e1255 = bitcast<f32>(_e1254);
-let _e1256 = local_4.member[2u];
-let _e1257 = (_e1245 + _e1256);
-let _e1259 = select(_e1029, _e1257, (_e1257 < _e1029));
-let _e1264 = global_2.member[bitcast<u32>(select(0i, _e1259, (_e1259 > 0i)))];
-let _e1266 = local_5[0u];
-let _e1269 = (_e1255 + ((bitcast<f32>(_e1264) - _e1255) * _e1266));
-let _e1270 = (_e1010 + _e1008);
-let _e1271 = local_4.member[1u];
-let _e1272 = (_e1270 + _e1271);
-let _e1274 = select(_e1029, _e1272, (_e1272 < _e1029));
-let _e1279 = global_2.member[bitcast<u32>(select(0i, _e1274, (_e1274 > 0i)))];
-let _e1280 = bitcast<f32>(_e1279);
-let _e1281 = local_4.member[2u];
-let _e1282 = (_e1270 + _e1281);
-let _e1284 = select(_e1029, _e1282, (_e1282 < _e1029));
-let _e1289 = global_2.member[bitcast<u32>(select(0i, _e1284, (_e1284 > 0i)))];
-let _e1291 = local_5[0u];
-let _e1295 = (_e1011 + _e1005);
-let _e1296 = local_4.member[1u];
-let _e1297 = (_e1295 + _e1296);
-let _e1299 = select(_e1029, _e1297, (_e1297 < _e1029));
-let _e1304 = global_2.member[bitcast<u32>(select(0i, _e1299, (_e1299 > 0i)))];
-let _e1305 = bitcast<f32>(_e1304);
-let _e1306 = local_4.member[2u];
-let _e1307 = (_e1295 + _e1306);
-let _e1309 = select(_e1029, _e1307, (_e1307 < _e1029));
-let _e1314 = global_2.member[bitcast<u32>(select(0i, _e1309, (_e1309 > 0i)))];
-let _e1316 = local_5[0u];
-let _e1319 = (_e1305 + ((bitcast<f32>(_e1314) - _e1305) * _e1316));
-let _e1320 = (_e1011 + _e1008);
-let _e1321 = local_4.member[1u];
-let _e1322 = (_e1320 + _e1321);
-let _e1324 = select(_e1029, _e1322, (_e1322 < _e1029));
-let _e1329 = global_2.member[bitcast<u32>(select(0i, _e1324, (_e1324 > 0i)))];
-let _e1330 = bitcast<f32>(_e1329);
-let _e1331 = local_4.member[2u];
-let _e1332 = (_e1320 + _e1331);
-let _e1334 = select(_e1029, _e1332, (_e1332 < _e1029));
-let _e1339 = global_2.member[bitcast<u32>(select(0i, _e1334, (_e1334 > 0i)))];
-let _e1341 = local_5[0u];
-let _e1345 = (_e1009 + _e1006);
-let _e1346 = local_4.member[1u];
-let _e1347 = (_e1345 + _e1346);
-let _e1349 = select(_e1029, _e1347, (_e1347 < _e1029));
-let _e1354 = global_2.member[bitcast<u32>(select(0i, _e1349, (_e1349 > 0i)))];
-let _e1355 = bitcast<f32>(_e1354);
-let _e1356 = local_4.member[2u];
-let _e1357 = (_e1345 + _e1356);
-let _e1359 = select(_e1029, _e1357, (_e1357 < _e1029));
-let _e1364 = global_2.member[bitcast<u32>(select(0i, _e1359, (_e1359 > 0i)))];
-let _e1366 = local_5[0u];
-let _e1369 = (_e1355 + ((bitcast<f32>(_e1364) - _e1355) * _e1366));
-let _e1370 = (_e1012 + _e1006);
-let _e1371 = local_4.member[1u];
-let _e1372 = (_e1370 + _e1371);
-let _e1374 = select(_e1029, _e1372, (_e1372 < _e1029));
-let _e1379 = global_2.member[bitcast<u32>(select(0i, _e1374, (_e1374 > 0i)))];
-let _e1380 = bitcast<f32>(_e1379);
-let _e1381 = local_4.member[2u];
-let _e1382 = (_e1370 + _e1381);
-let _e1384 = select(_e1029, _e1382, (_e1382 < _e1029));
-let _e1389 = global_2.member[bitcast<u32>(select(0i, _e1384, (_e1384 > 0i)))];
-let _e1391 = local_5[0u];
-let _e1394 = (_e1380 + ((bitcast<f32>(_e1389) - _e1380) * _e1391));
-let _e1395 = (_e1009 + _e1007);
-let _e1396 = local_4.member[1u];
-let _e1397 = (_e1395 + _e1396);
-let _e1399 = select(_e1029, _e1397, (_e1397 < _e1029));
-let _e1404 = global_2.member[bitcast<u32>(select(0i, _e1399, (_e1399 > 0i)))];
-let _e1405 = bitcast<f32>(_e1404);
-let _e1406 = local_4.member[2u];
-let _e1407 = (_e1395 + _e1406);
-let _e1409 = select(_e1029, _e1407, (_e1407 < _e1029));
-let _e1414 = global_2.member[bitcast<u32>(select(0i, _e1409, (_e1409 > 0i)))];
-let _e1416 = local_5[0u];
-let _e1420 = (_e1012 + _e1007);
-let _e1421 = local_4.member[1u];
-let _e1422 = (_e1420 + _e1421);
-let _e1424 = select(_e1029, _e1422, (_e1422 < _e1029));
-let _e1429 = global_2.member[bitcast<u32>(select(0i, _e1424, (_e1424 > 0i)))];
-let _e1430 = bitcast<f32>(_e1429);
-let _e1431 = local_4.member[2u];
-let _e1432 = (_e1420 + _e1431);
-let _e1434 = select(_e1029, _e1432, (_e1432 < _e1029));
-let _e1439 = global_2.member[bitcast<u32>(select(0i, _e1434, (_e1434 > 0i)))];
-let _e1441 = local_5[0u];
-let _e1446 = local_5[1u];
-let _e1449 = (_e1081 + ((_e1134 - _e1081) * _e1446));
-let _e1450 = local_5[1u];
-let _e1453 = (_e1187 + ((_e1240 - _e1187) * _e1450));
-let _e1454 = local_5[1u];
-let _e1457 = (_e1077 + (((_e1096 + ((_e1106 - _e1096) * _e1127)) - _e1077) * _e1454));
-let _e1458 = local_5[1u];
-let _e1463 = local_5[2u];
-let _e1467 = local_5[1u];
-let _e1470 = (_e1085 + (((_e1116 + ((bitcast<f32>(_e1125) - _e1116) * _e1135)) - _e1085) * _e1467));
-let _e1471 = local_5[1u];
-let _e1475 = local_5[2u];
-let _e1479 = local_5[1u];
-let _e1482 = (_e1269 + ((_e1081 - _e1269) * _e1479));
-let _e1483 = local_5[1u];
-let _e1487 = local_5[2u];
-let _e1491 = local_5[1u];
-let _e1494 = (_e1134 + (((_e1280 + ((bitcast<f32>(_e1289) - _e1280) * _e1291)) - _e1134) * _e1491));
-let _e1495 = local_5[1u];
-let _e1499 = local_5[2u];
-let _e1503 = local_5[1u];
-let _e1506 = (_e1369 + (((_e1405 + ((bitcast<f32>(_e1414) - _e1405) * _e1416)) - _e1369) * _e1503));
-let _e1507 = local_5[2u];
-let _e1511 = local_5[1u];
-let _e1515 = local_5[2u];
-let _e1519 = local_5[2u];
-let _e1527 = global_1.member.member_5.member_4.member;
-let _e1533 = global_1.member.member_5.member_4.member_1;
-let _e1534 = (((_e1449 + ((_e1453 - _e1449) * _e1519)) * _e1527) + _e1533);
-let _e1536 = select(0f, _e1534, (_e1534 > 0f));
-let _e1538 = select(1f, _e1536, (_e1536 < 1f));
-let _e1540 = (((_e1457 + (((_e1183 + (((_e1202 + ((_e1212 - _e1202) * _e1233)) - _e1183) * _e1458)) - _e1457) * _e1463)) * _e1527) + _e1533);
-let _e1542 = select(0f, _e1540, (_e1540 > 0f));
-let _e1544 = select(1f, _e1542, (_e1542 < 1f));
-let _e1546 = (((_e1470 + (((_e1191 + (((_e1222 + ((bitcast<f32>(_e1231) - _e1222) * _e1241)) - _e1191) * _e1471)) - _e1470) * _e1475)) * _e1527) + _e1533);
-let _e1548 = select(0f, _e1546, (_e1546 > 0f));
-let _e1550 = select(1f, _e1548, (_e1548 < 1f));
-let _e1552 = (((_e1482 + (((_e1319 + ((_e1187 - _e1319) * _e1483)) - _e1482) * _e1487)) * _e1527) + _e1533);
-let _e1554 = select(0f, _e1552, (_e1552 > 0f));
-let _e1556 = select(1f, _e1554, (_e1554 < 1f));
-let _e1558 = (((_e1494 + (((_e1240 + (((_e1330 + ((bitcast<f32>(_e1339) - _e1330) * _e1341)) - _e1240) * _e1495)) - _e1494) * _e1499)) * _e1527) + _e1533);
-let _e1560 = select(0f, _e1558, (_e1558 > 0f));
-let _e1562 = select(1f, _e1560, (_e1560 < 1f));
-let _e1564 = (((_e1506 + ((_e1449 - _e1506) * _e1507)) * _e1527) + _e1533);
-let _e1566 = select(0f, _e1564, (_e1564 > 0f));
-let _e1568 = select(1f, _e1566, (_e1566 < 1f));
-let _e1570 = (((_e1453 + (((_e1394 + (((_e1430 + ((bitcast<f32>(_e1439) - _e1430) * _e1441)) - _e1394) * _e1511)) - _e1453) * _e1515)) * _e1527) + _e1533);
-let _e1572 = select(0f, _e1570, (_e1570 > 0f));
-let _e1574 = select(1f, _e1572, (_e1572 < 1f));
-let _e1575 = (_e1538 * 1024f);
-let _e1576 = (1024f - 1f);
-let _e1578 = select(0f, _e1575, (_e1575 > 0f));
-let _e1580 = select(_e1576, _e1578, (_e1578 < _e1576));
-let _e1587 = select(0i, select(select(i32(_e1580), i32(-2147483648), (_e1580 < -2147483600f)), 2147483647i, (_e1580 > 2147483500f)), (_e1580 == _e1580));
-let _e1591 = (_e1587 - select(0i, 1i, (_e1580 < f32(_e1587))));
-let _e1592 = (262147i + _e1591);
-let _e1594 = (bitcast<i32>(_e93) - 1i);
-let _e1596 = select(_e1594, _e1592, (_e1592 < _e1594));
-let _e1602 = global_4.member[bitcast<u32>(select(0i, _e1596, (_e1596 > 0i)))];
-let _e1612 = select(_e1594, 262146i, (262146i < _e1594));
-let _e1618 = global_4.member[bitcast<u32>(select(0i, _e1612, (_e1612 > 0i)))];
-let _e1619 = bitcast<f32>(_e1618);
-let _e1620 = (f32((bitcast<i32>((_e1602 & 4095u)) - 2048i)) * _e1619);
-let _e1622 = select(_e1594, 262144i, (262144i < _e1594));
-let _e1628 = global_4.member[bitcast<u32>(select(0i, _e1622, (_e1622 > 0i)))];
-let _e1629 = bitcast<f32>(_e1628);
-let _e1631 = select(_e1594, 262145i, (262145i < _e1594));
-let _e1637 = global_4.member[bitcast<u32>(select(0i, _e1631, (_e1631 > 0i)))];
-let _e1638 = bitcast<f32>(_e1637);
-let _e1644 = ((_e1629 + (f32(bitcast<i32>((_e1602 >> bitcast<u32>(12u)))) * _e1638)) + (_e1620 * (_e1575 - f32(_e1591))));
-let _e1645 = (_e1620 * 1024f);
-if _e638 {
-let _e1910 = ((0.5f * (_e1550 - _e1544)) * _e1645);
-let _e1911 = ((0.5f * (_e1562 - _e1556)) * _e1645);
-let _e1912 = ((0.5f * (_e1574 - _e1568)) * _e1645);
-phi_5835_ = type_19(_e1644, vec3<f32>(_e1910, _e1911, _e1912), vec3<f32>((_e1910 * _e1644), (_e1911 * _e1644), (_e1912 * _e1644)));
-} else {
-let _e1646 = (_e1544 * 1024f);
-let _e1648 = select(0f, _e1646, (_e1646 > 0f));
-let _e1650 = select(_e1576, _e1648, (_e1648 < _e1576));
-let _e1657 = select(0i, select(select(i32(_e1650), i32(-2147483648), (_e1650 < -2147483600f)), 2147483647i, (_e1650 > 2147483500f)), (_e1650 == _e1650));
-let _e1661 = (_e1657 - select(0i, 1i, (_e1650 < f32(_e1657))));
-let _e1662 = (262147i + _e1661);
-let _e1664 = select(_e1594, _e1662, (_e1662 < _e1594));
-let _e1670 = global_4.member[bitcast<u32>(select(0i, _e1664, (_e1664 > 0i)))];
-let _e1685 = ((_e1629 + (f32(bitcast<i32>((_e1670 >> bitcast<u32>(12u)))) * _e1638)) + ((f32((bitcast<i32>((_e1670 & 4095u)) - 2048i)) * _e1619) * (_e1646 - f32(_e1661))));
-let _e1686 = (_e1550 * 1024f);
-let _e1688 = select(0f, _e1686, (_e1686 > 0f));
-let _e1690 = select(_e1576, _e1688, (_e1688 < _e1576));
-let _e1697 = select(0i, select(select(i32(_e1690), i32(-2147483648), (_e1690 < -2147483600f)), 2147483647i, (_e1690 > 2147483500f)), (_e1690 == _e1690));
-let _e1701 = (_e1697 - select(0i, 1i, (_e1690 < f32(_e1697))));
-let _e1702 = (262147i + _e1701);
-let _e1704 = select(_e1594, _e1702, (_e1702 < _e1594));
-let _e1710 = global_4.member[bitcast<u32>(select(0i, _e1704, (_e1704 > 0i)))];
-let _e1725 = ((_e1629 + (f32(bitcast<i32>((_e1710 >> bitcast<u32>(12u)))) * _e1638)) + ((f32((bitcast<i32>((_e1710 & 4095u)) - 2048i)) * _e1619) * (_e1686 - f32(_e1701))));
-let _e1726 = (_e1556 * 1024f);
-let _e1728 = select(0f, _e1726, (_e1726 > 0f));
-let _e1730 = select(_e1576, _e1728, (_e1728 < _e1576));
-let _e1737 = select(0i, select(select(i32(_e1730), i32(-2147483648), (_e1730 < -2147483600f)), 2147483647i, (_e1730 > 2147483500f)), (_e1730 == _e1730));
-let _e1741 = (_e1737 - select(0i, 1i, (_e1730 < f32(_e1737))));
-let _e1742 = (262147i + _e1741);
-let _e1744 = select(_e1594, _e1742, (_e1742 < _e1594));
-let _e1750 = global_4.member[bitcast<u32>(select(0i, _e1744, (_e1744 > 0i)))];
-let _e1765 = ((_e1629 + (f32(bitcast<i32>((_e1750 >> bitcast<u32>(12u)))) * _e1638)) + ((f32((bitcast<i32>((_e1750 & 4095u)) - 2048i)) * _e1619) * (_e1726 - f32(_e1741))));
-let _e1766 = (_e1562 * 1024f);
-let _e1768 = select(0f, _e1766, (_e1766 > 0f));
-let _e1770 = select(_e1576, _e1768, (_e1768 < _e1576));
-let _e1777 = select(0i, select(select(i32(_e1770), i32(-2147483648), (_e1770 < -2147483600f)), 2147483647i, (_e1770 > 2147483500f)), (_e1770 == _e1770));
-let _e1781 = (_e1777 - select(0i, 1i, (_e1770 < f32(_e1777))));
-let _e1782 = (262147i + _e1781);
-let _e1784 = select(_e1594, _e1782, (_e1782 < _e1594));
-let _e1790 = global_4.member[bitcast<u32>(select(0i, _e1784, (_e1784 > 0i)))];
-let _e1805 = ((_e1629 + (f32(bitcast<i32>((_e1790 >> bitcast<u32>(12u)))) * _e1638)) + ((f32((bitcast<i32>((_e1790 & 4095u)) - 2048i)) * _e1619) * (_e1766 - f32(_e1781))));
-let _e1806 = (_e1568 * 1024f);
-let _e1808 = select(0f, _e1806, (_e1806 > 0f));
-let _e1810 = select(_e1576, _e1808, (_e1808 < _e1576));
-let _e1817 = select(0i, select(select(i32(_e1810), i32(-2147483648), (_e1810 < -2147483600f)), 2147483647i, (_e1810 > 2147483500f)), (_e1810 == _e1810));
-let _e1821 = (_e1817 - select(0i, 1i, (_e1810 < f32(_e1817))));
-let _e1822 = (262147i + _e1821);
-let _e1824 = select(_e1594, _e1822, (_e1822 < _e1594));
-let _e1830 = global_4.member[bitcast<u32>(select(0i, _e1824, (_e1824 > 0i)))];
-let _e1845 = ((_e1629 + (f32(bitcast<i32>((_e1830 >> bitcast<u32>(12u)))) * _e1638)) + ((f32((bitcast<i32>((_e1830 & 4095u)) - 2048i)) * _e1619) * (_e1806 - f32(_e1821))));
-let _e1846 = (_e1574 * 1024f);
-let _e1848 = select(0f, _e1846, (_e1846 > 0f));
-let _e1850 = select(_e1576, _e1848, (_e1848 < _e1576));
-let _e1857 = select(0i, select(select(i32(_e1850), i32(-2147483648), (_e1850 < -2147483600f)), 2147483647i, (_e1850 > 2147483500f)), (_e1850 == _e1850));
-let _e1861 = (_e1857 - select(0i, 1i, (_e1850 < f32(_e1857))));
-let _e1862 = (262147i + _e1861);
-let _e1864 = select(_e1594, _e1862, (_e1862 < _e1594));
-let _e1870 = global_4.member[bitcast<u32>(select(0i, _e1864, (_e1864 > 0i)))];
-let _e1885 = ((_e1629 + (f32(bitcast<i32>((_e1870 >> bitcast<u32>(12u)))) * _e1638)) + ((f32((bitcast<i32>((_e1870 & 4095u)) - 2048i)) * _e1619) * (_e1846 - f32(_e1861))));
-let _e1886 = (_e1725 - _e1685);
-let _e1888 = (_e1805 - _e1765);
-let _e1890 = (_e1885 - _e1845);
-phi_5835_ = type_19(_e1644, vec3<f32>((0.5f * _e1886), (0.5f * _e1888), (0.5f * _e1890)), vec3<f32>((0.25f * (_e1886 * (_e1725 + _e1685))), (0.25f * (_e1888 * (_e1805 + _e1765))), (0.25f * (_e1890 * (_e1885 + _e1845)))));
-}
-let _e1920 = phi_5835_;
-let _e1935 = select(0f, 1f, ((((((_e440 >= -0.5f) && (_e440 <= _e463)) && (_e446 >= -0.5f)) && (_e446 <= _e473)) && (_e452 >= -0.5f)) && (_e452 <= _e483)));
-let _e1937 = (0.5f * (_e1550 - _e1544));
-let _e1939 = (0.5f * (_e1562 - _e1556));
-let _e1941 = (0.5f * (_e1574 - _e1568));
-let _e1946 = global_1.member.member_5.member.member;
-let _e1952 = global_1.member.member_5.member_1.member;
-let _e1959 = global_1.member.member_5.member_2.member;
-let _e1966 = global_1.member.member_5.member.member_1;
-let _e1972 = global_1.member.member_5.member_1.member_1;
-let _e1979 = global_1.member.member_5.member_2.member_1;
-let _e1986 = global_1.member.member_5.member.member_2;
-let _e1992 = global_1.member.member_5.member_1.member_2;
-let _e1999 = global_1.member.member_5.member_2.member_2;
-phi_7155_ = type_20(_e1538, vec3<f32>(((((_e1946 * _e1937) + (_e1952 * _e1939)) + (_e1959 * _e1941)) * _e1935), ((((_e1966 * _e1937) + (_e1972 * _e1939)) + (_e1979 * _e1941)) * _e1935), ((((_e1986 * _e1937) + (_e1992 * _e1939)) + (_e1999 * _e1941)) * _e1935)), _e1920.member, vec3<f32>(((((_e1946 * _e1920.member_2.x) + (_e1952 * _e1920.member_2.y)) + (_e1959 * _e1920.member_2.z)) * _e1935), ((((_e1966 * _e1920.member_2.x) + (_e1972 * _e1920.member_2.y)) + (_e1979 * _e1920.member_2.z)) * _e1935), ((((_e1986 * _e1920.member_2.x) + (_e1992 * _e1920.member_2.y)) + (_e1999 * _e1920.member_2.z)) * _e1935)), vec3<f32>(((((_e1946 * _e1920.member_1.x) + (_e1952 * _e1920.member_1.y)) + (_e1959 * _e1920.member_1.z)) * _e1935), ((((_e1966 * _e1920.member_1.x) + (_e1972 * _e1920.member_1.y)) + (_e1979 * _e1920.member_1.z)) * _e1935), ((((_e1986 * _e1920.member_1.x) + (_e1992 * _e1920.member_1.y)) + (_e1999 * _e1920.member_1.z)) * _e1935)));
-} else {
-let _e643 = select(-1f, _e467, (_e467 > -1f));
-let _e645 = select(_e462, _e643, (_e643 < _e462));
-let _e652 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < -2147483600f)), 2147483647i, (_e645 > 2147483500f)), (_e645 == _e645));
-let _e656 = (_e652 - select(0i, 1i, (_e645 < f32(_e652))));
-let _e658 = select(-1f, _e477, (_e477 > -1f));
-let _e660 = select(_e472, _e658, (_e658 < _e472));
-let _e667 = select(0i, select(select(i32(_e660), i32(-2147483648), (_e660 < -2147483600f)), 2147483647i, (_e660 > 2147483500f)), (_e660 == _e660));
-let _e671 = (_e667 - select(0i, 1i, (_e660 < f32(_e667))));
-let _e673 = select(-1f, _e487, (_e487 > -1f));
-let _e675 = select(_e482, _e673, (_e673 < _e482));
-let _e682 = select(0i, select(select(i32(_e675), i32(-2147483648), (_e675 < -2147483600f)), 2147483647i, (_e675 > 2147483500f)), (_e675 == _e675));
-let _e686 = (_e682 - select(0i, 1i, (_e675 < f32(_e682))));
-let _e691 = global_1.member.member_5.member_5[0u];
-let _e696 = global_1.member.member_5.member_5[1u];
-let _e704 = (select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < -2147483600f)), 2147483647i, (_e472 > 2147483500f)), (_e472 == _e472)) - 1i);
-let _e707 = (_e671 + 1i);
-let _e717 = (select(0i, select(select(i32(_e482), i32(-2147483648), (_e482 < -2147483600f)), 2147483647i, (_e482 > 2147483500f)), (_e482 == _e482)) - 1i);
-let _e720 = (_e686 + 1i);
-let _e730 = (select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < -2147483600f)), 2147483647i, (_e462 > 2147483500f)), (_e462 == _e462)) - 1i);
-let _e731 = (_e656 - 1i);
-let _e736 = (_e656 + 1i);
-let _e739 = (_e656 + 2i);
-let _e742 = (select(0i, _e671, (_e671 > 0i)) * _e691);
-let _e743 = (select(_e704, _e707, (_e707 < _e704)) * _e691);
-let _e744 = (select(0i, _e686, (_e686 > 0i)) * _e696);
-let _e745 = (select(_e717, _e720, (_e720 < _e717)) * _e696);
-local_2 = type_18(array<i32, 4>(select(0i, _e731, (_e731 > 0i)), select(0i, _e656, (_e656 > 0i)), select(_e730, _e736, (_e736 < _e730)), select(_e730, _e739, (_e739 < _e730))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
-local_3 = vec3<f32>((_e467 - f32(_e656)), (_e477 - f32(_e671)), (_e487 - f32(_e686)));
-let _e756 = (_e744 + _e742);
-let _e759 = local_2.member[1u];
-let _e760 = (_e756 + _e759);
-let _e762 = (bitcast<i32>(_e89) - 1i);
-let _e764 = select(_e762, _e760, (_e760 < _e762));
-let _e769 = global_2.member[bitcast<u32>(select(0i, _e764, (_e764 > 0i)))];
-let _e770 = bitcast<f32>(_e769);
-let _e773 = local_2.member[2u];
-let _e774 = (_e756 + _e773);
-let _e776 = select(_e762, _e774, (_e774 < _e762));
-let _e781 = global_2.member[bitcast<u32>(select(0i, _e776, (_e776 > 0i)))];
-let _e783 = local_3[0u];
-let _e786 = (_e770 + ((bitcast<f32>(_e781) - _e770) * _e783));
-let _e787 = (_e744 + _e743);
-let _e788 = local_2.member[1u];
-let _e789 = (_e787 + _e788);
-let _e791 = select(_e762, _e789, (_e789 < _e762));
-let _e796 = global_2.member[bitcast<u32>(select(0i, _e791, (_e791 > 0i)))];
-let _e797 = bitcast<f32>(_e796);
-let _e798 = local_2.member[2u];
-let _e799 = (_e787 + _e798);
-let _e801 = select(_e762, _e799, (_e799 < _e762));
-let _e806 = global_2.member[bitcast<u32>(select(0i, _e801, (_e801 > 0i)))];
-let _e808 = local_3[0u];
-let _e813 = local_3[1u];
-let _e816 = (_e786 + (((_e797 + ((bitcast<f32>(_e806) - _e797) * _e808)) - _e786) * _e813));
-let _e817 = (_e745 + _e742);
-let _e818 = local_2.member[1u];
+let _e622 = (_e103.member_2 == 2u);
+let _e625 = (((_e103.member_2 == 1u) || _e622) || (_e103.member_2 == 5u));
+if _e625 {
+let _e627 = select(-1f, _e454, (_e454 > -1f));
+let _e629 = select(_e449, _e627, (_e627 < _e449));
+let _e636 = select(0i, select(select(i32(_e629), i32(-2147483648), (_e629 < -2147483600f)), 2147483647i, (_e629 > 2147483500f)), (_e629 == _e629));
+let _e640 = (_e636 - select(0i, 1i, (_e629 < f32(_e636))));
+let _e642 = select(-1f, _e464, (_e464 > -1f));
+let _e644 = select(_e459, _e642, (_e642 < _e459));
+let _e651 = select(0i, select(select(i32(_e644), i32(-2147483648), (_e644 < -2147483600f)), 2147483647i, (_e644 > 2147483500f)), (_e644 == _e644));
+let _e655 = (_e651 - select(0i, 1i, (_e644 < f32(_e651))));
+let _e657 = select(-1f, _e474, (_e474 > -1f));
+let _e659 = select(_e469, _e657, (_e657 < _e469));
+let _e666 = select(0i, select(select(i32(_e659), i32(-2147483648), (_e659 < -2147483600f)), 2147483647i, (_e659 > 2147483500f)), (_e659 == _e659));
+let _e670 = (_e666 - select(0i, 1i, (_e659 < f32(_e666))));
+let _e674 = global_1.member.member_6.member_7;
+let _e678 = global_1.member.member_6.member_8;
+let _e686 = (select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)) - 1i);
+let _e687 = (_e655 - 1i);
+let _e692 = (_e655 + 1i);
+let _e695 = (_e655 + 2i);
+let _e705 = (select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < -2147483600f)), 2147483647i, (_e469 > 2147483500f)), (_e469 == _e469)) - 1i);
+let _e706 = (_e670 - 1i);
+let _e711 = (_e670 + 1i);
+let _e714 = (_e670 + 2i);
+let _e724 = (select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < -2147483600f)), 2147483647i, (_e449 > 2147483500f)), (_e449 == _e449)) - 1i);
+let _e725 = (_e640 - 1i);
+let _e730 = (_e640 + 1i);
+let _e733 = (_e640 + 2i);
+let _e736 = (select(0i, _e687, (_e687 > 0i)) * _e674);
+let _e737 = (select(0i, _e655, (_e655 > 0i)) * _e674);
+let _e738 = (select(_e686, _e692, (_e692 < _e686)) * _e674);
+let _e739 = (select(_e686, _e695, (_e695 < _e686)) * _e674);
+let _e740 = (select(0i, _e706, (_e706 > 0i)) * _e678);
+let _e741 = (select(0i, _e670, (_e670 > 0i)) * _e678);
+let _e742 = (select(_e705, _e711, (_e711 < _e705)) * _e678);
+let _e743 = (select(_e705, _e714, (_e714 < _e705)) * _e678);
+local_4 = type_28(array<i32, 4>(select(0i, _e725, (_e725 > 0i)), select(0i, _e640, (_e640 > 0i)), select(_e724, _e730, (_e730 < _e724)), select(_e724, _e733, (_e733 < _e724))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_5 = vec3<f32>((_e454 - f32(_e640)), (_e464 - f32(_e655)), (_e474 - f32(_e670)));
+let _e754 = (_e741 + _e737);
+let _e757 = local_4.member[0u];
+let _e758 = (_e754 + _e757);
+let _e760 = (bitcast<i32>(_e89) - 1i);
+let _e762 = select(_e760, _e758, (_e758 < _e760));
+let _e767 = global_2.member[bitcast<u32>(select(0i, _e762, (_e762 > 0i)))];
+let _e768 = bitcast<f32>(_e767);
+let _e771 = local_4.member[1u];
+let _e772 = (_e754 + _e771);
+let _e774 = select(_e760, _e772, (_e772 < _e760));
+let _e779 = global_2.member[bitcast<u32>(select(0i, _e774, (_e774 > 0i)))];
+let _e780 = bitcast<f32>(_e779);
+let _e783 = local_4.member[2u];
+let _e784 = (_e754 + _e783);
+let _e786 = select(_e760, _e784, (_e784 < _e760));
+let _e791 = global_2.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
+let _e792 = bitcast<f32>(_e791);
+let _e795 = local_4.member[3u];
+let _e796 = (_e754 + _e795);
+let _e798 = select(_e760, _e796, (_e796 < _e760));
+let _e803 = global_2.member[bitcast<u32>(select(0i, _e798, (_e798 > 0i)))];
+let _e805 = local_5[0u];
+let _e808 = (_e768 + ((_e780 - _e768) * _e805));
+let _e809 = local_5[0u];
+let _e812 = (_e780 + ((_e792 - _e780) * _e809));
+let _e813 = local_5[0u];
+let _e816 = (_e792 + ((bitcast<f32>(_e803) - _e792) * _e813));
+let _e817 = (_e741 + _e738);
+let _e818 = local_4.member[0u];
 let _e819 = (_e817 + _e818);
-let _e821 = select(_e762, _e819, (_e819 < _e762));
+let _e821 = select(_e760, _e819, (_e819 < _e760));
 let _e826 = global_2.member[bitcast<u32>(select(0i, _e821, (_e821 > 0i)))];
 let _e827 = bitcast<f32>(_e826);
-let _e828 = local_2.member[2u];
+let _e828 = local_4.member[1u];
 let _e829 = (_e817 + _e828);
-let _e831 = select(_e762, _e829, (_e829 < _e762));
+let _e831 = select(_e760, _e829, (_e829 < _e760));
 let _e836 = global_2.member[bitcast<u32>(select(0i, _e831, (_e831 > 0i)))];
-let _e838 = local_3[0u];
-let _e841 = (_e827 + ((bitcast<f32>(_e836) - _e827) * _e838));
-let _e842 = (_e745 + _e743);
-let _e843 = local_2.member[1u];
-let _e844 = (_e842 + _e843);
-let _e846 = select(_e762, _e844, (_e844 < _e762));
-let _e851 = global_2.member[bitcast<u32>(select(0i, _e846, (_e846 > 0i)))];
-let _e852 = bitcast<f32>(_e851);
-let _e853 = local_2.member[2u];
-let _e854 = (_e842 + _e853);
-let _e856 = select(_e762, _e854, (_e854 < _e762));
-let _e861 = global_2.member[bitcast<u32>(select(0i, _e856, (_e856 > 0i)))];
-let _e863 = local_3[0u];
-let _e867 = local_3[1u];
-let _e872 = local_3[2u];
-let _e880 = global_1.member.member_5.member_4.member;
-let _e886 = global_1.member.member_5.member_4.member_1;
-let _e887 = (((_e816 + (((_e841 + (((_e852 + ((bitcast<f32>(_e861) - _e852) * _e863)) - _e841) * _e867)) - _e816) * _e872)) * _e880) + _e886);
-let _e889 = select(0f, _e887, (_e887 > 0f));
-phi_7155_ = type_20(select(1f, _e889, (_e889 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e837 = bitcast<f32>(_e836);
+let _e838 = local_4.member[2u];
+let _e839 = (_e817 + _e838);
+let _e841 = select(_e760, _e839, (_e839 < _e760));
+let _e846 = global_2.member[bitcast<u32>(select(0i, _e841, (_e841 > 0i)))];
+let _e847 = bitcast<f32>(_e846);
+let _e848 = local_4.member[3u];
+let _e849 = (_e817 + _e848);
+let _e851 = select(_e760, _e849, (_e849 < _e760));
+let _e856 = global_2.member[bitcast<u32>(select(0i, _e851, (_e851 > 0i)))];
+let _e858 = local_5[0u];
+let _e862 = local_5[0u];
+let _e865 = (_e837 + ((_e847 - _e837) * _e862));
+let _e866 = local_5[0u];
+let _e870 = (_e742 + _e737);
+let _e871 = local_4.member[0u];
+let _e872 = (_e870 + _e871);
+let _e874 = select(_e760, _e872, (_e872 < _e760));
+let _e879 = global_2.member[bitcast<u32>(select(0i, _e874, (_e874 > 0i)))];
+let _e880 = bitcast<f32>(_e879);
+let _e881 = local_4.member[1u];
+let _e882 = (_e870 + _e881);
+let _e884 = select(_e760, _e882, (_e882 < _e760));
+let _e889 = global_2.member[bitcast<u32>(select(0i, _e884, (_e884 > 0i)))];
+let _e890 = bitcast<f32>(_e889);
+let _e891 = local_4.member[2u];
+let _e892 = (_e870 + _e891);
+let _e894 = select(_e760, _e892, (_e892 < _e760));
+let _e899 = global_2.member[bitcast<u32>(select(0i, _e894, (_e894 > 0i)))];
+let _e900 = bitcast<f32>(_e899);
+let _e901 = local_4.member[3u];
+let _e902 = (_e870 + _e901);
+let _e904 = select(_e760, _e902, (_e902 < _e760));
+let _e909 = global_2.member[bitcast<u32>(select(0i, _e904, (_e904 > 0i)))];
+let _e911 = local_5[0u];
+let _e914 = (_e880 + ((_e890 - _e880) * _e911));
+let _e915 = local_5[0u];
+let _e918 = (_e890 + ((_e900 - _e890) * _e915));
+let _e919 = local_5[0u];
+let _e922 = (_e900 + ((bitcast<f32>(_e909) - _e900) * _e919));
+let _e923 = (_e742 + _e738);
+let _e924 = local_4.member[0u];
+let _e925 = (_e923 + _e924);
+let _e927 = select(_e760, _e925, (_e925 < _e760));
+let _e932 = global_2.member[bitcast<u32>(select(0i, _e927, (_e927 > 0i)))];
+let _e933 = bitcast<f32>(_e932);
+let _e934 = local_4.member[1u];
+let _e935 = (_e923 + _e934);
+let _e937 = select(_e760, _e935, (_e935 < _e760));
+let _e942 = global_2.member[bitcast<u32>(select(0i, _e937, (_e937 > 0i)))];
+let _e943 = bitcast<f32>(_e942);
+let _e944 = local_4.member[2u];
+let _e945 = (_e923 + _e944);
+let _e947 = select(_e760, _e945, (_e945 < _e760));
+let _e952 = global_2.member[bitcast<u32>(select(0i, _e947, (_e947 > 0i)))];
+let _e953 = bitcast<f32>(_e952);
+let _e954 = local_4.member[3u];
+let _e955 = (_e923 + _e954);
+let _e957 = select(_e760, _e955, (_e955 < _e760));
+let _e962 = global_2.member[bitcast<u32>(select(0i, _e957, (_e957 > 0i)))];
+let _e964 = local_5[0u];
+let _e968 = local_5[0u];
+let _e971 = (_e943 + ((_e953 - _e943) * _e968));
+let _e972 = local_5[0u];
+let _e976 = (_e741 + _e736);
+let _e977 = local_4.member[1u];
+let _e978 = (_e976 + _e977);
+let _e980 = select(_e760, _e978, (_e978 < _e760));
+let _e985 = global_2.member[bitcast<u32>(select(0i, _e980, (_e980 > 0i)))];
+let _e986 = bitcast<f32>(_e985);
+let _e987 = local_4.member[2u];
+let _e988 = (_e976 + _e987);
+let _e990 = select(_e760, _e988, (_e988 < _e760));
+let _e995 = global_2.member[bitcast<u32>(select(0i, _e990, (_e990 > 0i)))];
+let _e997 = local_5[0u];
+let _e1000 = (_e986 + ((bitcast<f32>(_e995) - _e986) * _e997));
+let _e1001 = (_e741 + _e739);
+let _e1002 = local_4.member[1u];
+let _e1003 = (_e1001 + _e1002);
+let _e1005 = select(_e760, _e1003, (_e1003 < _e760));
+let _e1010 = global_2.member[bitcast<u32>(select(0i, _e1005, (_e1005 > 0i)))];
+let _e1011 = bitcast<f32>(_e1010);
+let _e1012 = local_4.member[2u];
+let _e1013 = (_e1001 + _e1012);
+let _e1015 = select(_e760, _e1013, (_e1013 < _e760));
+let _e1020 = global_2.member[bitcast<u32>(select(0i, _e1015, (_e1015 > 0i)))];
+let _e1022 = local_5[0u];
+let _e1026 = (_e742 + _e736);
+let _e1027 = local_4.member[1u];
+let _e1028 = (_e1026 + _e1027);
+let _e1030 = select(_e760, _e1028, (_e1028 < _e760));
+let _e1035 = global_2.member[bitcast<u32>(select(0i, _e1030, (_e1030 > 0i)))];
+let _e1036 = bitcast<f32>(_e1035);
+let _e1037 = local_4.member[2u];
+let _e1038 = (_e1026 + _e1037);
+let _e1040 = select(_e760, _e1038, (_e1038 < _e760));
+let _e1045 = global_2.member[bitcast<u32>(select(0i, _e1040, (_e1040 > 0i)))];
+let _e1047 = local_5[0u];
+let _e1050 = (_e1036 + ((bitcast<f32>(_e1045) - _e1036) * _e1047));
+let _e1051 = (_e742 + _e739);
+let _e1052 = local_4.member[1u];
+let _e1053 = (_e1051 + _e1052);
+let _e1055 = select(_e760, _e1053, (_e1053 < _e760));
+let _e1060 = global_2.member[bitcast<u32>(select(0i, _e1055, (_e1055 > 0i)))];
+let _e1061 = bitcast<f32>(_e1060);
+let _e1062 = local_4.member[2u];
+let _e1063 = (_e1051 + _e1062);
+let _e1065 = select(_e760, _e1063, (_e1063 < _e760));
+let _e1070 = global_2.member[bitcast<u32>(select(0i, _e1065, (_e1065 > 0i)))];
+let _e1072 = local_5[0u];
+let _e1076 = (_e740 + _e737);
+let _e1077 = local_4.member[1u];
+let _e1078 = (_e1076 + _e1077);
+let _e1080 = select(_e760, _e1078, (_e1078 < _e760));
+let _e1085 = global_2.member[bitcast<u32>(select(0i, _e1080, (_e1080 > 0i)))];
+let _e1086 = bitcast<f32>(_e1085);
+let _e1087 = local_4.member[2u];
+let _e1088 = (_e1076 + _e1087);
+let _e1090 = select(_e760, _e1088, (_e1088 < _e760));
+let _e1095 = global_2.member[bitcast<u32>(select(0i, _e1090, (_e1090 > 0i)))];
+let _e1097 = local_5[0u];
+let _e1100 = (_e1086 + ((bitcast<f32>(_e1095) - _e1086) * _e1097));
+let _e1101 = (_e743 + _e737);
+let _e1102 = local_4.member[1u];
+let _e1103 = (_e1101 + _e1102);
+let _e1105 = select(_e760, _e1103, (_e1103 < _e760));
+let _e1110 = global_2.member[bitcast<u32>(select(0i, _e1105, (_e1105 > 0i)))];
+let _e1111 = bitcast<f32>(_e1110);
+let _e1112 = local_4.member[2u];
+let _e1113 = (_e1101 + _e1112);
+let _e1115 = select(_e760, _e1113, (_e1113 < _e760));
+let _e1120 = global_2.member[bitcast<u32>(select(0i, _e1115, (_e1115 > 0i)))];
+let _e1122 = local_5[0u];
+let _e1125 = (_e1111 + ((bitcast<f32>(_e1120) - _e1111) * _e1122));
+let _e1126 = (_e740 + _e738);
+let _e1127 = local_4.member[1u];
+let _e1128 = (_e1126 + _e1127);
+let _e1130 = select(_e760, _e1128, (_e1128 < _e760));
+let _e1135 = global_2.member[bitcast<u32>(select(0i, _e1130, (_e1130 > 0i)))];
+let _e1136 = bitcast<f32>(_e1135);
+let _e1137 = local_4.member[2u];
+let _e1138 = (_e1126 + _e1137);
+let _e1140 = select(_e760, _e1138, (_e1138 < _e760));
+let _e1145 = global_2.member[bitcast<u32>(select(0i, _e1140, (_e1140 > 0i)))];
+let _e1147 = local_5[0u];
+let _e1151 = (_e743 + _e738);
+let _e1152 = local_4.member[1u];
+let _e1153 = (_e1151 + _e1152);
+let _e1155 = select(_e760, _e1153, (_e1153 < _e760));
+let _e1160 = global_2.member[bitcast<u32>(select(0i, _e1155, (_e1155 > 0i)))];
+let _e1161 = bitcast<f32>(_e1160);
+let _e1162 = local_4.member[2u];
+let _e1163 = (_e1151 + _e1162);
+let _e1165 = select(_e760, _e1163, (_e1163 < _e760));
+let _e1170 = global_2.member[bitcast<u32>(select(0i, _e1165, (_e1165 > 0i)))];
+let _e1172 = local_5[0u];
+let _e1177 = local_5[1u];
+let _e1180 = (_e812 + ((_e865 - _e812) * _e1177));
+let _e1181 = local_5[1u];
+let _e1184 = (_e918 + ((_e971 - _e918) * _e1181));
+let _e1185 = local_5[1u];
+let _e1188 = (_e808 + (((_e827 + ((_e837 - _e827) * _e858)) - _e808) * _e1185));
+let _e1189 = local_5[1u];
+let _e1194 = local_5[2u];
+let _e1198 = local_5[1u];
+let _e1201 = (_e816 + (((_e847 + ((bitcast<f32>(_e856) - _e847) * _e866)) - _e816) * _e1198));
+let _e1202 = local_5[1u];
+let _e1206 = local_5[2u];
+let _e1210 = local_5[1u];
+let _e1213 = (_e1000 + ((_e812 - _e1000) * _e1210));
+let _e1214 = local_5[1u];
+let _e1218 = local_5[2u];
+let _e1222 = local_5[1u];
+let _e1225 = (_e865 + (((_e1011 + ((bitcast<f32>(_e1020) - _e1011) * _e1022)) - _e865) * _e1222));
+let _e1226 = local_5[1u];
+let _e1230 = local_5[2u];
+let _e1234 = local_5[1u];
+let _e1237 = (_e1100 + (((_e1136 + ((bitcast<f32>(_e1145) - _e1136) * _e1147)) - _e1100) * _e1234));
+let _e1238 = local_5[2u];
+let _e1242 = local_5[1u];
+let _e1246 = local_5[2u];
+let _e1250 = local_5[2u];
+let _e1257 = global_1.member.member_6.member_5;
+let _e1262 = global_1.member.member_6.member_6;
+let _e1263 = (((_e1180 + ((_e1184 - _e1180) * _e1250)) * _e1257) + _e1262);
+let _e1265 = select(0f, _e1263, (_e1263 > 0f));
+let _e1267 = select(1f, _e1265, (_e1265 < 1f));
+let _e1269 = (((_e1188 + (((_e914 + (((_e933 + ((_e943 - _e933) * _e964)) - _e914) * _e1189)) - _e1188) * _e1194)) * _e1257) + _e1262);
+let _e1271 = select(0f, _e1269, (_e1269 > 0f));
+let _e1273 = select(1f, _e1271, (_e1271 < 1f));
+let _e1275 = (((_e1201 + (((_e922 + (((_e953 + ((bitcast<f32>(_e962) - _e953) * _e972)) - _e922) * _e1202)) - _e1201) * _e1206)) * _e1257) + _e1262);
+let _e1277 = select(0f, _e1275, (_e1275 > 0f));
+let _e1279 = select(1f, _e1277, (_e1277 < 1f));
+let _e1281 = (((_e1213 + (((_e1050 + ((_e918 - _e1050) * _e1214)) - _e1213) * _e1218)) * _e1257) + _e1262);
+let _e1283 = select(0f, _e1281, (_e1281 > 0f));
+let _e1285 = select(1f, _e1283, (_e1283 < 1f));
+let _e1287 = (((_e1225 + (((_e971 + (((_e1061 + ((bitcast<f32>(_e1070) - _e1061) * _e1072)) - _e971) * _e1226)) - _e1225) * _e1230)) * _e1257) + _e1262);
+let _e1289 = select(0f, _e1287, (_e1287 > 0f));
+let _e1291 = select(1f, _e1289, (_e1289 < 1f));
+let _e1293 = (((_e1237 + ((_e1180 - _e1237) * _e1238)) * _e1257) + _e1262);
+let _e1295 = select(0f, _e1293, (_e1293 > 0f));
+let _e1297 = select(1f, _e1295, (_e1295 < 1f));
+let _e1299 = (((_e1184 + (((_e1125 + (((_e1161 + ((bitcast<f32>(_e1170) - _e1161) * _e1172)) - _e1125) * _e1242)) - _e1184) * _e1246)) * _e1257) + _e1262);
+let _e1301 = select(0f, _e1299, (_e1299 > 0f));
+let _e1303 = select(1f, _e1301, (_e1301 < 1f));
+let _e1304 = (_e1267 * 1024f);
+let _e1305 = (1024f - 1f);
+let _e1307 = select(0f, _e1304, (_e1304 > 0f));
+let _e1309 = select(_e1305, _e1307, (_e1307 < _e1305));
+let _e1316 = select(0i, select(select(i32(_e1309), i32(-2147483648), (_e1309 < -2147483600f)), 2147483647i, (_e1309 > 2147483500f)), (_e1309 == _e1309));
+let _e1320 = (_e1316 - select(0i, 1i, (_e1309 < f32(_e1316))));
+let _e1321 = (262147i + _e1320);
+let _e1323 = (bitcast<i32>(_e93) - 1i);
+let _e1325 = select(_e1323, _e1321, (_e1321 < _e1323));
+let _e1331 = global_4.member[bitcast<u32>(select(0i, _e1325, (_e1325 > 0i)))];
+let _e1341 = select(_e1323, 262146i, (262146i < _e1323));
+let _e1347 = global_4.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
+let _e1348 = bitcast<f32>(_e1347);
+let _e1349 = (f32((bitcast<i32>((_e1331 & 4095u)) - 2048i)) * _e1348);
+let _e1351 = select(_e1323, 262144i, (262144i < _e1323));
+let _e1357 = global_4.member[bitcast<u32>(select(0i, _e1351, (_e1351 > 0i)))];
+let _e1358 = bitcast<f32>(_e1357);
+let _e1360 = select(_e1323, 262145i, (262145i < _e1323));
+let _e1366 = global_4.member[bitcast<u32>(select(0i, _e1360, (_e1360 > 0i)))];
+let _e1367 = bitcast<f32>(_e1366);
+let _e1373 = ((_e1358 + (f32(bitcast<i32>((_e1331 >> bitcast<u32>(12u)))) * _e1367)) + (_e1349 * (_e1304 - f32(_e1320))));
+let _e1374 = (_e1349 * 1024f);
+if _e622 {
+let _e1381 = ((0.5f * (_e1279 - _e1273)) * _e1374);
+let _e1382 = ((0.5f * (_e1291 - _e1285)) * _e1374);
+let _e1383 = ((0.5f * (_e1303 - _e1297)) * _e1374);
+phi_3695_ = type_29(_e1373, vec3<f32>(_e1381, _e1382, _e1383), vec3<f32>((_e1381 * _e1373), (_e1382 * _e1373), (_e1383 * _e1373)));
+} else {
+let _e1390 = (_e1273 * 1024f);
+let _e1392 = select(0f, _e1390, (_e1390 > 0f));
+let _e1394 = select(_e1305, _e1392, (_e1392 < _e1305));
+let _e1401 = select(0i, select(select(i32(_e1394), i32(-2147483648), (_e1394 < -2147483600f)), 2147483647i, (_e1394 > 2147483500f)), (_e1394 == _e1394));
+let _e1405 = (_e1401 - select(0i, 1i, (_e1394 < f32(_e1401))));
+let _e1406 = (262147i + _e1405);
+let _e1408 = select(_e1323, _e1406, (_e1406 < _e1323));
+let _e1414 = global_4.member[bitcast<u32>(select(0i, _e1408, (_e1408 > 0i)))];
+let _e1429 = ((_e1358 + (f32(bitcast<i32>((_e1414 >> bitcast<u32>(12u)))) * _e1367)) + ((f32((bitcast<i32>((_e1414 & 4095u)) - 2048i)) * _e1348) * (_e1390 - f32(_e1405))));
+let _e1430 = (_e1279 * 1024f);
+let _e1432 = select(0f, _e1430, (_e1430 > 0f));
+let _e1434 = select(_e1305, _e1432, (_e1432 < _e1305));
+let _e1441 = select(0i, select(select(i32(_e1434), i32(-2147483648), (_e1434 < -2147483600f)), 2147483647i, (_e1434 > 2147483500f)), (_e1434 == _e1434));
+let _e1445 = (_e1441 - select(0i, 1i, (_e1434 < f32(_e1441))));
+let _e1446 = (262147i + _e1445);
+let _e1448 = select(_e1323, _e1446, (_e1446 < _e1323));
+let _e1454 = global_4.member[bitcast<u32>(select(0i, _e1448, (_e1448 > 0i)))];
+let _e1469 = ((_e1358 + (f32(bitcast<i32>((_e1454 >> bitcast<u32>(12u)))) * _e1367)) + ((f32((bitcast<i32>((_e1454 & 4095u)) - 2048i)) * _e1348) * (_e1430 - f32(_e1445))));
+let _e1470 = (_e1285 * 1024f);
+let _e1472 = select(0f, _e1470, (_e1470 > 0f));
+let _e1474 = select(_e1305, _e1472, (_e1472 < _e1305));
+let _e1481 = select(0i, select(select(i32(_e1474), i32(-2147483648), (_e1474 < -2147483600f)), 2147483647i, (_e1474 > 2147483500f)), (_e1474 == _e1474));
+let _e1485 = (_e1481 - select(0i, 1i, (_e1474 < f32(_e1481))));
+let _e1486 = (262147i + _e1485);
+let _e1488 = select(_e1323, _e1486, (_e1486 < _e1323));
+let _e1494 = global_4.member[bitcast<u32>(select(0i, _e1488, (_e1488 > 0i)))];
+let _e1509 = ((_e1358 + (f32(bitcast<i32>((_e1494 >> bitcast<u32>(12u)))) * _e1367)) + ((f32((bitcast<i32>((_e1494 & 4095u)) - 2048i)) * _e1348) * (_e1470 - f32(_e1485))));
+let _e1510 = (_e1291 * 1024f);
+let _e1512 = select(0f, _e1510, (_e1510 > 0f));
+let _e1514 = select(_e1305, _e1512, (_e1512 < _e1305));
+let _e1521 = select(0i, select(select(i32(_e1514), i32(-2147483648), (_e1514 < -2147483600f)), 2147483647i, (_e1514 > 2147483500f)), (_e1514 == _e1514));
+let _e1525 = (_e1521 - select(0i, 1i, (_e1514 < f32(_e1521))));
+let _e1526 = (262147i + _e1525);
+let _e1528 = select(_e1323, _e1526, (_e1526 < _e1323));
+let _e1534 = global_4.member[bitcast<u32>(select(0i, _e1528, (_e1528 > 0i)))];
+let _e1549 = ((_e1358 + (f32(bitcast<i32>((_e1534 >> bitcast<u32>(12u)))) * _e1367)) + ((f32((bitcast<i32>((_e1534 & 4095u)) - 2048i)) * _e1348) * (_e1510 - f32(_e1525))));
+let _e1550 = (_e1297 * 1024f);
+let _e1552 = select(0f, _e1550, (_e1550 > 0f));
+let _e1554 = select(_e1305, _e1552, (_e1552 < _e1305));
+let _e1561 = select(0i, select(select(i32(_e1554), i32(-2147483648), (_e1554 < -2147483600f)), 2147483647i, (_e1554 > 2147483500f)), (_e1554 == _e1554));
+let _e1565 = (_e1561 - select(0i, 1i, (_e1554 < f32(_e1561))));
+let _e1566 = (262147i + _e1565);
+let _e1568 = select(_e1323, _e1566, (_e1566 < _e1323));
+let _e1574 = global_4.member[bitcast<u32>(select(0i, _e1568, (_e1568 > 0i)))];
+let _e1589 = ((_e1358 + (f32(bitcast<i32>((_e1574 >> bitcast<u32>(12u)))) * _e1367)) + ((f32((bitcast<i32>((_e1574 & 4095u)) - 2048i)) * _e1348) * (_e1550 - f32(_e1565))));
+let _e1590 = (_e1303 * 1024f);
+let _e1592 = select(0f, _e1590, (_e1590 > 0f));
+let _e1594 = select(_e1305, _e1592, (_e1592 < _e1305));
+let _e1601 = select(0i, select(select(i32(_e1594), i32(-2147483648), (_e1594 < -2147483600f)), 2147483647i, (_e1594 > 2147483500f)), (_e1594 == _e1594));
+let _e1605 = (_e1601 - select(0i, 1i, (_e1594 < f32(_e1601))));
+let _e1606 = (262147i + _e1605);
+let _e1608 = select(_e1323, _e1606, (_e1606 < _e1323));
+let _e1614 = global_4.member[bitcast<u32>(select(0i, _e1608, (_e1608 > 0i)))];
+let _e1629 = ((_e1358 + (f32(bitcast<i32>((_e1614 >> bitcast<u32>(12u)))) * _e1367)) + ((f32((bitcast<i32>((_e1614 & 4095u)) - 2048i)) * _e1348) * (_e1590 - f32(_e1605))));
+let _e1630 = (_e1469 - _e1429);
+let _e1632 = (_e1549 - _e1509);
+let _e1634 = (_e1629 - _e1589);
+phi_3695_ = type_29(_e1373, vec3<f32>((0.5f * _e1630), (0.5f * _e1632), (0.5f * _e1634)), vec3<f32>((0.25f * (_e1630 * (_e1469 + _e1429))), (0.25f * (_e1632 * (_e1549 + _e1509))), (0.25f * (_e1634 * (_e1629 + _e1589)))));
 }
-let _e2052 = phi_7155_;
-let _e2054 = select(-0.5f, _e398, (_e398 > -0.5f));
-let _e2056 = select(_e463, _e2054, (_e2054 < _e463));
-let _e2058 = select(-0.5f, _e416, (_e416 > -0.5f));
-let _e2060 = select(_e473, _e2058, (_e2058 < _e473));
-let _e2062 = select(-0.5f, _e434, (_e434 > -0.5f));
-let _e2064 = select(_e483, _e2062, (_e2062 < _e483));
-let _e2066 = select(-1f, _e2056, (_e2056 > -1f));
-let _e2068 = select(_e462, _e2066, (_e2066 < _e462));
+let _e1649 = phi_3695_;
+let _e1664 = select(0f, 1f, ((((((_e428 >= -0.5f) && (_e428 <= _e450)) && (_e434 >= -0.5f)) && (_e434 <= _e460)) && (_e440 >= -0.5f)) && (_e440 <= _e470)));
+let _e1666 = (0.5f * (_e1279 - _e1273));
+let _e1668 = (0.5f * (_e1291 - _e1285));
+let _e1670 = (0.5f * (_e1303 - _e1297));
+let _e1676 = global_1.member.member_6.member.member.member;
+let _e1682 = global_1.member.member_6.member.member.member_1;
+let _e1688 = global_1.member.member_6.member.member.member_2;
+let _e1694 = global_1.member.member_6.member_1.member.member;
+let _e1700 = global_1.member.member_6.member_1.member.member_1;
+let _e1706 = global_1.member.member_6.member_1.member.member_2;
+let _e1712 = global_1.member.member_6.member_2.member.member;
+let _e1718 = global_1.member.member_6.member_2.member.member_1;
+let _e1724 = global_1.member.member_6.member_2.member.member_2;
+phi_4341_ = type_30(_e1267, vec3<f32>(((((_e1676 * _e1666) + (_e1694 * _e1668)) + (_e1712 * _e1670)) * _e1664), ((((_e1682 * _e1666) + (_e1700 * _e1668)) + (_e1718 * _e1670)) * _e1664), ((((_e1688 * _e1666) + (_e1706 * _e1668)) + (_e1724 * _e1670)) * _e1664)), _e1649.member, vec3<f32>(((((_e1676 * _e1649.member_2.x) + (_e1694 * _e1649.member_2.y)) + (_e1712 * _e1649.member_2.z)) * _e1664), ((((_e1682 * _e1649.member_2.x) + (_e1700 * _e1649.member_2.y)) + (_e1718 * _e1649.member_2.z)) * _e1664), ((((_e1688 * _e1649.member_2.x) + (_e1706 * _e1649.member_2.y)) + (_e1724 * _e1649.member_2.z)) * _e1664)), vec3<f32>(((((_e1676 * _e1649.member_1.x) + (_e1694 * _e1649.member_1.y)) + (_e1712 * _e1649.member_1.z)) * _e1664), ((((_e1682 * _e1649.member_1.x) + (_e1700 * _e1649.member_1.y)) + (_e1718 * _e1649.member_1.z)) * _e1664), ((((_e1688 * _e1649.member_1.x) + (_e1706 * _e1649.member_1.y)) + (_e1724 * _e1649.member_1.z)) * _e1664)));
+} else {
+let _e1790 = select(-1f, _e454, (_e454 > -1f));
+let _e1792 = select(_e449, _e1790, (_e1790 < _e449));
+let _e1799 = select(0i, select(select(i32(_e1792), i32(-2147483648), (_e1792 < -2147483600f)), 2147483647i, (_e1792 > 2147483500f)), (_e1792 == _e1792));
+let _e1803 = (_e1799 - select(0i, 1i, (_e1792 < f32(_e1799))));
+let _e1805 = select(-1f, _e464, (_e464 > -1f));
+let _e1807 = select(_e459, _e1805, (_e1805 < _e459));
+let _e1814 = select(0i, select(select(i32(_e1807), i32(-2147483648), (_e1807 < -2147483600f)), 2147483647i, (_e1807 > 2147483500f)), (_e1807 == _e1807));
+let _e1818 = (_e1814 - select(0i, 1i, (_e1807 < f32(_e1814))));
+let _e1820 = select(-1f, _e474, (_e474 > -1f));
+let _e1822 = select(_e469, _e1820, (_e1820 < _e469));
+let _e1829 = select(0i, select(select(i32(_e1822), i32(-2147483648), (_e1822 < -2147483600f)), 2147483647i, (_e1822 > 2147483500f)), (_e1822 == _e1822));
+let _e1833 = (_e1829 - select(0i, 1i, (_e1822 < f32(_e1829))));
+let _e1837 = global_1.member.member_6.member_7;
+let _e1841 = global_1.member.member_6.member_8;
+let _e1849 = (select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)) - 1i);
+let _e1852 = (_e1818 + 1i);
+let _e1862 = (select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < -2147483600f)), 2147483647i, (_e469 > 2147483500f)), (_e469 == _e469)) - 1i);
+let _e1865 = (_e1833 + 1i);
+let _e1875 = (select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < -2147483600f)), 2147483647i, (_e449 > 2147483500f)), (_e449 == _e449)) - 1i);
+let _e1876 = (_e1803 - 1i);
+let _e1881 = (_e1803 + 1i);
+let _e1884 = (_e1803 + 2i);
+let _e1887 = (select(0i, _e1818, (_e1818 > 0i)) * _e1837);
+let _e1888 = (select(_e1849, _e1852, (_e1852 < _e1849)) * _e1837);
+let _e1889 = (select(0i, _e1833, (_e1833 > 0i)) * _e1841);
+let _e1890 = (select(_e1862, _e1865, (_e1865 < _e1862)) * _e1841);
+local_2 = type_28(array<i32, 4>(select(0i, _e1876, (_e1876 > 0i)), select(0i, _e1803, (_e1803 > 0i)), select(_e1875, _e1881, (_e1881 < _e1875)), select(_e1875, _e1884, (_e1884 < _e1875))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_3 = vec3<f32>((_e454 - f32(_e1803)), (_e464 - f32(_e1818)), (_e474 - f32(_e1833)));
+let _e1901 = (_e1889 + _e1887);
+let _e1904 = local_2.member[1u];
+let _e1905 = (_e1901 + _e1904);
+let _e1907 = (bitcast<i32>(_e89) - 1i);
+let _e1909 = select(_e1907, _e1905, (_e1905 < _e1907));
+let _e1914 = global_2.member[bitcast<u32>(select(0i, _e1909, (_e1909 > 0i)))];
+let _e1915 = bitcast<f32>(_e1914);
+let _e1918 = local_2.member[2u];
+let _e1919 = (_e1901 + _e1918);
+let _e1921 = select(_e1907, _e1919, (_e1919 < _e1907));
+let _e1926 = global_2.member[bitcast<u32>(select(0i, _e1921, (_e1921 > 0i)))];
+let _e1928 = local_3[0u];
+let _e1931 = (_e1915 + ((bitcast<f32>(_e1926) - _e1915) * _e1928));
+let _e1932 = (_e1889 + _e1888);
+let _e1933 = local_2.member[1u];
+let _e1934 = (_e1932 + _e1933);
+let _e1936 = select(_e1907, _e1934, (_e1934 < _e1907));
+let _e1941 = global_2.member[bitcast<u32>(select(0i, _e1936, (_e1936 > 0i)))];
+let _e1942 = bitcast<f32>(_e1941);
+let _e1943 = local_2.member[2u];
+let _e1944 = (_e1932 + _e1943);
+let _e1946 = select(_e1907, _e1944, (_e1944 < _e1907));
+let _e1951 = global_2.member[bitcast<u32>(select(0i, _e1946, (_e1946 > 0i)))];
+let _e1953 = local_3[0u];
+let _e1958 = local_3[1u];
+let _e1961 = (_e1931 + (((_e1942 + ((bitcast<f32>(_e1951) - _e1942) * _e1953)) - _e1931) * _e1958));
+let _e1962 = (_e1890 + _e1887);
+let _e1963 = local_2.member[1u];
+let _e1964 = (_e1962 + _e1963);
+let _e1966 = select(_e1907, _e1964, (_e1964 < _e1907));
+let _e1971 = global_2.member[bitcast<u32>(select(0i, _e1966, (_e1966 > 0i)))];
+let _e1972 = bitcast<f32>(_e1971);
+let _e1973 = local_2.member[2u];
+let _e1974 = (_e1962 + _e1973);
+let _e1976 = select(_e1907, _e1974, (_e1974 < _e1907));
+let _e1981 = global_2.member[bitcast<u32>(select(0i, _e1976, (_e1976 > 0i)))];
+let _e1983 = local_3[0u];
+let _e1986 = (_e1972 + ((bitcast<f32>(_e1981) - _e1972) * _e1983));
+let _e1987 = (_e1890 + _e1888);
+let _e1988 = local_2.member[1u];
+let _e1989 = (_e1987 + _e1988);
+let _e1991 = select(_e1907, _e1989, (_e1989 < _e1907));
+let _e1996 = global_2.member[bitcast<u32>(select(0i, _e1991, (_e1991 > 0i)))];
+let _e1997 = bitcast<f32>(_e1996);
+let _e1998 = local_2.member[2u];
+let _e1999 = (_e1987 + _e1998);
+let _e2001 = select(_e1907, _e1999, (_e1999 < _e1907));
+let _e2006 = global_2.member[bitcast<u32>(select(0i, _e2001, (_e2001 > 0i)))];
+let _e2008 = local_3[0u];
+let _e2012 = local_3[1u];
+let _e2017 = local_3[2u];
+let _e2024 = global_1.member.member_6.member_5;
+let _e2029 = global_1.member.member_6.member_6;
+let _e2030 = (((_e1961 + (((_e1986 + (((_e1997 + ((bitcast<f32>(_e2006) - _e1997) * _e2008)) - _e1986) * _e2012)) - _e1961) * _e2017)) * _e2024) + _e2029);
+let _e2032 = select(0f, _e2030, (_e2030 > 0f));
+phi_4341_ = type_30(select(1f, _e2032, (_e2032 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+}
+let _e2037 = phi_4341_;
+let _e2039 = select(-0.5f, _e392, (_e392 > -0.5f));
+let _e2041 = select(_e450, _e2039, (_e2039 < _e450));
+let _e2043 = select(-0.5f, _e407, (_e407 > -0.5f));
+let _e2045 = select(_e460, _e2043, (_e2043 < _e460));
+let _e2047 = select(-0.5f, _e422, (_e422 > -0.5f));
+let _e2049 = select(_e470, _e2047, (_e2047 < _e470));
+let _e2051 = select(-1f, _e2041, (_e2041 > -1f));
+let _e2053 = select(_e449, _e2051, (_e2051 < _e449));
+let _e2060 = select(0i, select(select(i32(_e2053), i32(-2147483648), (_e2053 < -2147483600f)), 2147483647i, (_e2053 > 2147483500f)), (_e2053 == _e2053));
+let _e2064 = (_e2060 - select(0i, 1i, (_e2053 < f32(_e2060))));
+let _e2066 = select(-1f, _e2045, (_e2045 > -1f));
+let _e2068 = select(_e459, _e2066, (_e2066 < _e459));
 let _e2075 = select(0i, select(select(i32(_e2068), i32(-2147483648), (_e2068 < -2147483600f)), 2147483647i, (_e2068 > 2147483500f)), (_e2068 == _e2068));
 let _e2079 = (_e2075 - select(0i, 1i, (_e2068 < f32(_e2075))));
-let _e2081 = select(-1f, _e2060, (_e2060 > -1f));
-let _e2083 = select(_e472, _e2081, (_e2081 < _e472));
+let _e2081 = select(-1f, _e2049, (_e2049 > -1f));
+let _e2083 = select(_e469, _e2081, (_e2081 < _e469));
 let _e2090 = select(0i, select(select(i32(_e2083), i32(-2147483648), (_e2083 < -2147483600f)), 2147483647i, (_e2083 > 2147483500f)), (_e2083 == _e2083));
 let _e2094 = (_e2090 - select(0i, 1i, (_e2083 < f32(_e2090))));
-let _e2096 = select(-1f, _e2064, (_e2064 > -1f));
-let _e2098 = select(_e482, _e2096, (_e2096 < _e482));
-let _e2105 = select(0i, select(select(i32(_e2098), i32(-2147483648), (_e2098 < -2147483600f)), 2147483647i, (_e2098 > 2147483500f)), (_e2098 == _e2098));
-let _e2109 = (_e2105 - select(0i, 1i, (_e2098 < f32(_e2105))));
-let _e2114 = global_1.member.member_5.member_5[0u];
-let _e2119 = global_1.member.member_5.member_5[1u];
-let _e2127 = (select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < -2147483600f)), 2147483647i, (_e472 > 2147483500f)), (_e472 == _e472)) - 1i);
-let _e2130 = (_e2094 + 1i);
-let _e2140 = (select(0i, select(select(i32(_e482), i32(-2147483648), (_e482 < -2147483600f)), 2147483647i, (_e482 > 2147483500f)), (_e482 == _e482)) - 1i);
-let _e2143 = (_e2109 + 1i);
-let _e2153 = (select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < -2147483600f)), 2147483647i, (_e462 > 2147483500f)), (_e462 == _e462)) - 1i);
-let _e2154 = (_e2079 - 1i);
-let _e2159 = (_e2079 + 1i);
-let _e2162 = (_e2079 + 2i);
-let _e2165 = (select(0i, _e2094, (_e2094 > 0i)) * _e2114);
-let _e2166 = (select(_e2127, _e2130, (_e2130 < _e2127)) * _e2114);
-let _e2167 = (select(0i, _e2109, (_e2109 > 0i)) * _e2119);
-let _e2168 = (select(_e2140, _e2143, (_e2143 < _e2140)) * _e2119);
-local = type_18(array<i32, 4>(select(0i, _e2154, (_e2154 > 0i)), select(0i, _e2079, (_e2079 > 0i)), select(_e2153, _e2159, (_e2159 < _e2153)), select(_e2153, _e2162, (_e2162 < _e2153))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
-local_1 = vec3<f32>((_e2056 - f32(_e2079)), (_e2060 - f32(_e2094)), (_e2064 - f32(_e2109)));
-let _e2179 = (_e2167 + _e2165);
-let _e2182 = local.member[1u];
-let _e2183 = (_e2179 + _e2182);
-let _e2185 = (bitcast<i32>(_e89) - 1i);
-let _e2187 = select(_e2185, _e2183, (_e2183 < _e2185));
-let _e2192 = global_2.member[bitcast<u32>(select(0i, _e2187, (_e2187 > 0i)))];
-let _e2193 = bitcast<f32>(_e2192);
-let _e2196 = local.member[2u];
-let _e2197 = (_e2179 + _e2196);
-let _e2199 = select(_e2185, _e2197, (_e2197 < _e2185));
-let _e2204 = global_2.member[bitcast<u32>(select(0i, _e2199, (_e2199 > 0i)))];
-let _e2206 = local_1[0u];
-let _e2209 = (_e2193 + ((bitcast<f32>(_e2204) - _e2193) * _e2206));
-let _e2210 = (_e2167 + _e2166);
-let _e2211 = local.member[1u];
-let _e2212 = (_e2210 + _e2211);
-let _e2214 = select(_e2185, _e2212, (_e2212 < _e2185));
-let _e2219 = global_2.member[bitcast<u32>(select(0i, _e2214, (_e2214 > 0i)))];
-let _e2220 = bitcast<f32>(_e2219);
-let _e2221 = local.member[2u];
-let _e2222 = (_e2210 + _e2221);
-let _e2224 = select(_e2185, _e2222, (_e2222 < _e2185));
-let _e2229 = global_2.member[bitcast<u32>(select(0i, _e2224, (_e2224 > 0i)))];
-let _e2231 = local_1[0u];
-let _e2236 = local_1[1u];
-let _e2239 = (_e2209 + (((_e2220 + ((bitcast<f32>(_e2229) - _e2220) * _e2231)) - _e2209) * _e2236));
-let _e2240 = (_e2168 + _e2165);
-let _e2241 = local.member[1u];
-let _e2242 = (_e2240 + _e2241);
-let _e2244 = select(_e2185, _e2242, (_e2242 < _e2185));
-let _e2249 = global_2.member[bitcast<u32>(select(0i, _e2244, (_e2244 > 0i)))];
-let _e2250 = bitcast<f32>(_e2249);
-let _e2251 = local.member[2u];
-let _e2252 = (_e2240 + _e2251);
-let _e2254 = select(_e2185, _e2252, (_e2252 < _e2185));
-let _e2259 = global_2.member[bitcast<u32>(select(0i, _e2254, (_e2254 > 0i)))];
-let _e2261 = local_1[0u];
-let _e2264 = (_e2250 + ((bitcast<f32>(_e2259) - _e2250) * _e2261));
-let _e2265 = (_e2168 + _e2166);
-let _e2266 = local.member[1u];
-let _e2267 = (_e2265 + _e2266);
-let _e2269 = select(_e2185, _e2267, (_e2267 < _e2185));
-let _e2274 = global_2.member[bitcast<u32>(select(0i, _e2269, (_e2269 > 0i)))];
-let _e2275 = bitcast<f32>(_e2274);
-let _e2276 = local.member[2u];
-let _e2277 = (_e2265 + _e2276);
-let _e2279 = select(_e2185, _e2277, (_e2277 < _e2185));
-let _e2284 = global_2.member[bitcast<u32>(select(0i, _e2279, (_e2279 > 0i)))];
-let _e2286 = local_1[0u];
-let _e2290 = local_1[1u];
-let _e2295 = local_1[2u];
-let _e2303 = global_1.member.member_5.member_4.member;
-let _e2309 = global_1.member.member_5.member_4.member_1;
-let _e2310 = (((_e2239 + (((_e2264 + (((_e2275 + ((bitcast<f32>(_e2284) - _e2275) * _e2286)) - _e2264) * _e2290)) - _e2239) * _e2295)) * _e2303) + _e2309);
-let _e2312 = select(0f, _e2310, (_e2310 > 0f));
-if ((_e621 & 16u) == 0u) {
-phi_8676_ = type_21(1f, 1f, 1f);
+let _e2098 = global_1.member.member_6.member_7;
+let _e2102 = global_1.member.member_6.member_8;
+let _e2110 = (select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)) - 1i);
+let _e2113 = (_e2079 + 1i);
+let _e2123 = (select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < -2147483600f)), 2147483647i, (_e469 > 2147483500f)), (_e469 == _e469)) - 1i);
+let _e2126 = (_e2094 + 1i);
+let _e2136 = (select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < -2147483600f)), 2147483647i, (_e449 > 2147483500f)), (_e449 == _e449)) - 1i);
+let _e2137 = (_e2064 - 1i);
+let _e2142 = (_e2064 + 1i);
+let _e2145 = (_e2064 + 2i);
+let _e2148 = (select(0i, _e2079, (_e2079 > 0i)) * _e2098);
+let _e2149 = (select(_e2110, _e2113, (_e2113 < _e2110)) * _e2098);
+let _e2150 = (select(0i, _e2094, (_e2094 > 0i)) * _e2102);
+let _e2151 = (select(_e2123, _e2126, (_e2126 < _e2123)) * _e2102);
+local = type_28(array<i32, 4>(select(0i, _e2137, (_e2137 > 0i)), select(0i, _e2064, (_e2064 > 0i)), select(_e2136, _e2142, (_e2142 < _e2136)), select(_e2136, _e2145, (_e2145 < _e2136))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_1 = vec3<f32>((_e2041 - f32(_e2064)), (_e2045 - f32(_e2079)), (_e2049 - f32(_e2094)));
+let _e2162 = (_e2150 + _e2148);
+let _e2165 = local.member[1u];
+let _e2166 = (_e2162 + _e2165);
+let _e2168 = (bitcast<i32>(_e89) - 1i);
+let _e2170 = select(_e2168, _e2166, (_e2166 < _e2168));
+let _e2175 = global_2.member[bitcast<u32>(select(0i, _e2170, (_e2170 > 0i)))];
+let _e2176 = bitcast<f32>(_e2175);
+let _e2179 = local.member[2u];
+let _e2180 = (_e2162 + _e2179);
+let _e2182 = select(_e2168, _e2180, (_e2180 < _e2168));
+let _e2187 = global_2.member[bitcast<u32>(select(0i, _e2182, (_e2182 > 0i)))];
+let _e2189 = local_1[0u];
+let _e2192 = (_e2176 + ((bitcast<f32>(_e2187) - _e2176) * _e2189));
+let _e2193 = (_e2150 + _e2149);
+let _e2194 = local.member[1u];
+let _e2195 = (_e2193 + _e2194);
+let _e2197 = select(_e2168, _e2195, (_e2195 < _e2168));
+let _e2202 = global_2.member[bitcast<u32>(select(0i, _e2197, (_e2197 > 0i)))];
+let _e2203 = bitcast<f32>(_e2202);
+let _e2204 = local.member[2u];
+let _e2205 = (_e2193 + _e2204);
+let _e2207 = select(_e2168, _e2205, (_e2205 < _e2168));
+let _e2212 = global_2.member[bitcast<u32>(select(0i, _e2207, (_e2207 > 0i)))];
+let _e2214 = local_1[0u];
+let _e2219 = local_1[1u];
+let _e2222 = (_e2192 + (((_e2203 + ((bitcast<f32>(_e2212) - _e2203) * _e2214)) - _e2192) * _e2219));
+let _e2223 = (_e2151 + _e2148);
+let _e2224 = local.member[1u];
+let _e2225 = (_e2223 + _e2224);
+let _e2227 = select(_e2168, _e2225, (_e2225 < _e2168));
+let _e2232 = global_2.member[bitcast<u32>(select(0i, _e2227, (_e2227 > 0i)))];
+let _e2233 = bitcast<f32>(_e2232);
+let _e2234 = local.member[2u];
+let _e2235 = (_e2223 + _e2234);
+let _e2237 = select(_e2168, _e2235, (_e2235 < _e2168));
+let _e2242 = global_2.member[bitcast<u32>(select(0i, _e2237, (_e2237 > 0i)))];
+let _e2244 = local_1[0u];
+let _e2247 = (_e2233 + ((bitcast<f32>(_e2242) - _e2233) * _e2244));
+let _e2248 = (_e2151 + _e2149);
+let _e2249 = local.member[1u];
+let _e2250 = (_e2248 + _e2249);
+let _e2252 = select(_e2168, _e2250, (_e2250 < _e2168));
+let _e2257 = global_2.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
+let _e2258 = bitcast<f32>(_e2257);
+let _e2259 = local.member[2u];
+let _e2260 = (_e2248 + _e2259);
+let _e2262 = select(_e2168, _e2260, (_e2260 < _e2168));
+let _e2267 = global_2.member[bitcast<u32>(select(0i, _e2262, (_e2262 > 0i)))];
+let _e2269 = local_1[0u];
+let _e2273 = local_1[1u];
+let _e2278 = local_1[2u];
+let _e2285 = global_1.member.member_6.member_5;
+let _e2290 = global_1.member.member_6.member_6;
+let _e2291 = (((_e2222 + (((_e2247 + (((_e2258 + ((bitcast<f32>(_e2267) - _e2258) * _e2269)) - _e2247) * _e2273)) - _e2222) * _e2278)) * _e2285) + _e2290);
+let _e2293 = select(0f, _e2291, (_e2291 > 0f));
+if ((_e608 & 16u) == 0u) {
+phi_5210_ = type_5(1f, 1f, 1f);
 } else {
-let _e2319 = global_1.member.member_18;
-let _e2323 = global_1.member.member_22.member;
-let _e2333 = ((((_e2319.member * _e306) + (_e2319.member_1 * _e315)) + (_e2319.member_2 * _e288)) + _e2319.member_3);
-let _e2339 = ((((_e2319.member * _e327) + (_e2319.member_1 * _e332)) + (_e2319.member_2 * _e321)) + _e2319.member_3);
-let _e2341 = select(_e2339, _e2333, (_e2333 < _e2339));
-let _e2343 = select(_e2339, _e2333, (_e2333 > _e2339));
-let _e2345 = (_e2343 - _e2341);
-let _e2348 = (-(_e2341) / select(1e-30f, _e2345, (_e2345 > 1e-30f)));
-let _e2350 = select(0f, _e2348, (_e2348 > 0f));
-let _e2356 = select(select(select(1f, _e2350, (_e2350 < 1f)), 1f, (_e2343 <= 0f)), 0f, (_e2341 > 0f));
-let _e2358 = (_e2323 > 0.5f);
-let _e2367 = global_1.member.member_19;
-let _e2371 = global_1.member.member_22.member_1;
-let _e2381 = ((((_e2367.member * _e306) + (_e2367.member_1 * _e315)) + (_e2367.member_2 * _e288)) + _e2367.member_3);
-let _e2387 = ((((_e2367.member * _e327) + (_e2367.member_1 * _e332)) + (_e2367.member_2 * _e321)) + _e2367.member_3);
-let _e2389 = select(_e2387, _e2381, (_e2381 < _e2387));
-let _e2391 = select(_e2387, _e2381, (_e2381 > _e2387));
-let _e2393 = (_e2391 - _e2389);
-let _e2396 = (-(_e2389) / select(1e-30f, _e2393, (_e2393 > 1e-30f)));
-let _e2398 = select(0f, _e2396, (_e2396 > 0f));
-let _e2404 = select(select(select(1f, _e2398, (_e2398 < 1f)), 1f, (_e2391 <= 0f)), 0f, (_e2389 > 0f));
-let _e2406 = (_e2371 > 0.5f);
-let _e2415 = global_1.member.member_20;
-let _e2419 = global_1.member.member_22.member_2;
-let _e2429 = ((((_e2415.member * _e306) + (_e2415.member_1 * _e315)) + (_e2415.member_2 * _e288)) + _e2415.member_3);
-let _e2435 = ((((_e2415.member * _e327) + (_e2415.member_1 * _e332)) + (_e2415.member_2 * _e321)) + _e2415.member_3);
-let _e2437 = select(_e2435, _e2429, (_e2429 < _e2435));
-let _e2439 = select(_e2435, _e2429, (_e2429 > _e2435));
-let _e2441 = (_e2439 - _e2437);
-let _e2444 = (-(_e2437) / select(1e-30f, _e2441, (_e2441 > 1e-30f)));
-let _e2446 = select(0f, _e2444, (_e2444 > 0f));
-let _e2452 = select(select(select(1f, _e2446, (_e2446 < 1f)), 1f, (_e2439 <= 0f)), 0f, (_e2437 > 0f));
-let _e2454 = (_e2419 > 0.5f);
-let _e2463 = global_1.member.member_21;
-let _e2467 = global_1.member.member_22.member_3;
-let _e2477 = ((((_e2463.member * _e306) + (_e2463.member_1 * _e315)) + (_e2463.member_2 * _e288)) + _e2463.member_3);
-let _e2483 = ((((_e2463.member * _e327) + (_e2463.member_1 * _e332)) + (_e2463.member_2 * _e321)) + _e2463.member_3);
-let _e2485 = select(_e2483, _e2477, (_e2477 < _e2483));
-let _e2487 = select(_e2483, _e2477, (_e2477 > _e2483));
-let _e2489 = (_e2487 - _e2485);
-let _e2492 = (-(_e2485) / select(1e-30f, _e2489, (_e2489 > 1e-30f)));
-let _e2494 = select(0f, _e2492, (_e2492 > 0f));
-let _e2500 = select(select(select(1f, _e2494, (_e2494 < 1f)), 1f, (_e2487 <= 0f)), 0f, (_e2485 > 0f));
-let _e2502 = (_e2467 > 0.5f);
-phi_8676_ = type_21(((((1f * _e2356) * _e2404) * _e2452) * _e2500), ((((1f * select(1f, _e2356, _e2358)) * select(1f, _e2404, _e2406)) * select(1f, _e2452, _e2454)) * select(1f, _e2500, _e2502)), ((((1f * select(1f, 0f, (_e2358 && (_e2339 > 0f)))) * select(1f, 0f, (_e2406 && (_e2387 > 0f)))) * select(1f, 0f, (_e2454 && (_e2435 > 0f)))) * select(1f, 0f, (_e2502 && (_e2483 > 0f)))));
+let _e2301 = global_1.member.member_14.member;
+let _e2312 = ((((_e2301.member.member * _e303) + (_e2301.member.member_1 * _e312)) + (_e2301.member.member_2 * _e285)) + _e2301.member_1);
+let _e2318 = ((((_e2301.member.member * _e324) + (_e2301.member.member_1 * _e329)) + (_e2301.member.member_2 * _e318)) + _e2301.member_1);
+let _e2320 = select(_e2318, _e2312, (_e2312 < _e2318));
+let _e2322 = select(_e2318, _e2312, (_e2312 > _e2318));
+let _e2324 = (_e2322 - _e2320);
+let _e2327 = (-(_e2320) / select(1e-30f, _e2324, (_e2324 > 1e-30f)));
+let _e2329 = select(0f, _e2327, (_e2327 > 0f));
+let _e2335 = select(select(select(1f, _e2329, (_e2329 < 1f)), 1f, (_e2322 <= 0f)), 0f, (_e2320 > 0f));
+let _e2340 = global_1.member.member_14.member_1;
+let _e2341 = (_e2340 != 0u);
+let _e2351 = global_1.member.member_15.member;
+let _e2362 = ((((_e2351.member.member * _e303) + (_e2351.member.member_1 * _e312)) + (_e2351.member.member_2 * _e285)) + _e2351.member_1);
+let _e2368 = ((((_e2351.member.member * _e324) + (_e2351.member.member_1 * _e329)) + (_e2351.member.member_2 * _e318)) + _e2351.member_1);
+let _e2370 = select(_e2368, _e2362, (_e2362 < _e2368));
+let _e2372 = select(_e2368, _e2362, (_e2362 > _e2368));
+let _e2374 = (_e2372 - _e2370);
+let _e2377 = (-(_e2370) / select(1e-30f, _e2374, (_e2374 > 1e-30f)));
+let _e2379 = select(0f, _e2377, (_e2377 > 0f));
+let _e2385 = select(select(select(1f, _e2379, (_e2379 < 1f)), 1f, (_e2372 <= 0f)), 0f, (_e2370 > 0f));
+let _e2390 = global_1.member.member_15.member_1;
+let _e2391 = (_e2390 != 0u);
+let _e2401 = global_1.member.member_16.member;
+let _e2412 = ((((_e2401.member.member * _e303) + (_e2401.member.member_1 * _e312)) + (_e2401.member.member_2 * _e285)) + _e2401.member_1);
+let _e2418 = ((((_e2401.member.member * _e324) + (_e2401.member.member_1 * _e329)) + (_e2401.member.member_2 * _e318)) + _e2401.member_1);
+let _e2420 = select(_e2418, _e2412, (_e2412 < _e2418));
+let _e2422 = select(_e2418, _e2412, (_e2412 > _e2418));
+let _e2424 = (_e2422 - _e2420);
+let _e2427 = (-(_e2420) / select(1e-30f, _e2424, (_e2424 > 1e-30f)));
+let _e2429 = select(0f, _e2427, (_e2427 > 0f));
+let _e2435 = select(select(select(1f, _e2429, (_e2429 < 1f)), 1f, (_e2422 <= 0f)), 0f, (_e2420 > 0f));
+let _e2440 = global_1.member.member_16.member_1;
+let _e2441 = (_e2440 != 0u);
+let _e2451 = global_1.member.member_17.member;
+let _e2462 = ((((_e2451.member.member * _e303) + (_e2451.member.member_1 * _e312)) + (_e2451.member.member_2 * _e285)) + _e2451.member_1);
+let _e2468 = ((((_e2451.member.member * _e324) + (_e2451.member.member_1 * _e329)) + (_e2451.member.member_2 * _e318)) + _e2451.member_1);
+let _e2470 = select(_e2468, _e2462, (_e2462 < _e2468));
+let _e2472 = select(_e2468, _e2462, (_e2462 > _e2468));
+let _e2474 = (_e2472 - _e2470);
+let _e2477 = (-(_e2470) / select(1e-30f, _e2474, (_e2474 > 1e-30f)));
+let _e2479 = select(0f, _e2477, (_e2477 > 0f));
+let _e2485 = select(select(select(1f, _e2479, (_e2479 < 1f)), 1f, (_e2472 <= 0f)), 0f, (_e2470 > 0f));
+let _e2490 = global_1.member.member_17.member_1;
+let _e2491 = (_e2490 != 0u);
+phi_5210_ = type_5(((((1f * _e2335) * _e2385) * _e2435) * _e2485), ((((1f * select(1f, _e2335, _e2341)) * select(1f, _e2385, _e2391)) * select(1f, _e2435, _e2441)) * select(1f, _e2485, _e2491)), ((((1f * select(1f, 0f, (_e2341 && (_e2318 > 0f)))) * select(1f, 0f, (_e2391 && (_e2368 > 0f)))) * select(1f, 0f, (_e2441 && (_e2418 > 0f)))) * select(1f, 0f, (_e2491 && (_e2468 > 0f)))));
 }
-let _e2511 = phi_8676_;
-let _e2512 = (_e327 - _e306);
-let _e2513 = (_e332 - _e315);
-let _e2514 = (_e321 - _e288);
-let _e2519 = (((_e2512 * _e2512) + (_e2513 * _e2513)) + (_e2514 * _e2514));
-let _e2523 = (_e493 < 1e-12f);
-let _e2525 = (1f / select(_e488, 1f, _e2523));
-let _e2527 = ((-0.5f - _e398) * _e2525);
-let _e2529 = ((_e463 - _e398) * _e2525);
-let _e2535 = select(_e2529, _e2527, (_e2527 < _e2529));
-let _e2537 = select(0f, _e2535, (_e2535 > 0f));
-let _e2540 = select(select(1f, _e2537, (_e2537 < 1f)), select(2f, 0f, ((_e398 >= -0.5f) && (_e398 <= _e463))), _e2523);
-let _e2542 = select(_e2529, _e2527, (_e2527 > _e2529));
-let _e2544 = select(0f, _e2542, (_e2542 > 0f));
-let _e2547 = select(select(1f, _e2544, (_e2544 < 1f)), 1f, _e2523);
-let _e2548 = (_e496 < 1e-12f);
-let _e2550 = (1f / select(_e489, 1f, _e2548));
-let _e2552 = ((-0.5f - _e416) * _e2550);
-let _e2554 = ((_e473 - _e416) * _e2550);
-let _e2560 = select(_e2554, _e2552, (_e2552 < _e2554));
-let _e2562 = select(0f, _e2560, (_e2560 > 0f));
-let _e2565 = select(select(1f, _e2562, (_e2562 < 1f)), select(2f, 0f, ((_e416 >= -0.5f) && (_e416 <= _e473))), _e2548);
-let _e2567 = select(_e2554, _e2552, (_e2552 > _e2554));
-let _e2569 = select(0f, _e2567, (_e2567 > 0f));
-let _e2572 = select(select(1f, _e2569, (_e2569 < 1f)), 1f, _e2548);
-let _e2573 = (_e501 < 1e-12f);
-let _e2575 = (1f / select(_e490, 1f, _e2573));
-let _e2577 = ((-0.5f - _e434) * _e2575);
-let _e2579 = ((_e483 - _e434) * _e2575);
-let _e2585 = select(_e2579, _e2577, (_e2577 < _e2579));
-let _e2587 = select(0f, _e2585, (_e2585 > 0f));
-let _e2590 = select(select(1f, _e2587, (_e2587 < 1f)), select(2f, 0f, ((_e434 >= -0.5f) && (_e434 <= _e483))), _e2573);
-let _e2592 = select(_e2579, _e2577, (_e2577 > _e2579));
-let _e2594 = select(0f, _e2592, (_e2592 > 0f));
-let _e2597 = select(select(1f, _e2594, (_e2594 < 1f)), 1f, _e2573);
-let _e2599 = select(_e2572, _e2547, (_e2547 < _e2572));
-let _e2603 = select(_e2565, _e2540, (_e2540 > _e2565));
-let _e2606 = (select(_e2597, _e2599, (_e2599 < _e2597)) - select(_e2590, _e2603, (_e2603 > _e2590)));
-let _e2613 = global_1.member.member_4.member_3;
-let _e2614 = ((sqrt(select(0f, _e2519, (_e2519 > 0f))) * select(0f, _e2606, (_e2606 > 0f))) * _e2613);
-let _e2616 = (select(1f, _e2312, (_e2312 < 1f)) * 255f);
-let _e2617 = (_e2052.member * 255f);
-let _e2618 = (255f - 1f);
-let _e2620 = select(0f, _e2616, (_e2616 > 0f));
-let _e2622 = select(_e2618, _e2620, (_e2620 < _e2618));
-let _e2629 = select(0i, select(select(i32(_e2622), i32(-2147483648), (_e2622 < -2147483600f)), 2147483647i, (_e2622 > 2147483500f)), (_e2622 == _e2622));
-let _e2633 = (_e2629 - select(0i, 1i, (_e2622 < f32(_e2629))));
-let _e2635 = select(0f, _e2617, (_e2617 > 0f));
-let _e2637 = select(_e2618, _e2635, (_e2635 < _e2618));
-let _e2644 = select(0i, select(select(i32(_e2637), i32(-2147483648), (_e2637 < -2147483600f)), 2147483647i, (_e2637 > 2147483500f)), (_e2637 == _e2637));
-let _e2648 = (_e2644 - select(0i, 1i, (_e2637 < f32(_e2644))));
-let _e2651 = (((_e2633 * 256i) + _e2648) * 4i);
-let _e2653 = (_e2616 - f32(_e2633));
-let _e2655 = (_e2617 - f32(_e2648));
-let _e2657 = (bitcast<i32>(_e93) - 1i);
-let _e2659 = select(_e2657, _e2651, (_e2651 < _e2657));
-let _e2665 = global_4.member[bitcast<u32>(select(0i, _e2659, (_e2659 > 0i)))];
-let _e2666 = (_e2651 + 4i);
-let _e2668 = select(_e2657, _e2666, (_e2666 < _e2657));
-let _e2674 = global_4.member[bitcast<u32>(select(0i, _e2668, (_e2668 > 0i)))];
-let _e2675 = (_e2651 + 1024i);
-let _e2677 = select(_e2657, _e2675, (_e2675 < _e2657));
-let _e2683 = global_4.member[bitcast<u32>(select(0i, _e2677, (_e2677 > 0i)))];
-let _e2684 = (_e2651 + 1028i);
-let _e2686 = select(_e2657, _e2684, (_e2684 < _e2657));
-let _e2692 = global_4.member[bitcast<u32>(select(0i, _e2686, (_e2686 > 0i)))];
-let _e2697 = (bitcast<f32>(((_e2665 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2705 = (_e2697 + (((bitcast<f32>(((_e2674 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2697) * _e2655));
-let _e2710 = (bitcast<f32>(((_e2683 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2734 = (bitcast<f32>((((_e2665 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2742 = (_e2734 + (((bitcast<f32>((((_e2674 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2734) * _e2655));
-let _e2747 = (bitcast<f32>((((_e2683 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2759 = (_e2651 + 1i);
-let _e2761 = select(_e2657, _e2759, (_e2759 < _e2657));
-let _e2767 = global_4.member[bitcast<u32>(select(0i, _e2761, (_e2761 > 0i)))];
-let _e2768 = (_e2651 + 5i);
-let _e2770 = select(_e2657, _e2768, (_e2768 < _e2657));
-let _e2776 = global_4.member[bitcast<u32>(select(0i, _e2770, (_e2770 > 0i)))];
-let _e2777 = (_e2651 + 1025i);
-let _e2779 = select(_e2657, _e2777, (_e2777 < _e2657));
-let _e2785 = global_4.member[bitcast<u32>(select(0i, _e2779, (_e2779 > 0i)))];
-let _e2786 = (_e2651 + 1029i);
-let _e2788 = select(_e2657, _e2786, (_e2786 < _e2657));
-let _e2794 = global_4.member[bitcast<u32>(select(0i, _e2788, (_e2788 > 0i)))];
-let _e2799 = (bitcast<f32>(((_e2767 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2807 = (_e2799 + (((bitcast<f32>(((_e2776 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2799) * _e2655));
-let _e2812 = (bitcast<f32>(((_e2785 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2836 = (bitcast<f32>((((_e2767 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2844 = (_e2836 + (((bitcast<f32>((((_e2776 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2836) * _e2655));
-let _e2849 = (bitcast<f32>((((_e2785 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2864 = (_e2614 * _e2511.member_1);
-let _e2866 = -(((_e2742 + (((_e2747 + (((bitcast<f32>((((_e2692 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2747) * _e2655)) - _e2742) * _e2653)) * _e2864));
-let _e2868 = select(-87f, _e2866, (_e2866 > -87f));
-let _e2870 = select(88f, _e2868, (_e2868 < 88f));
-let _e2872 = ((_e2870 * 1.442695f) + 0.5f);
-let _e2874 = select(-127f, _e2872, (_e2872 > -127f));
-let _e2876 = select(128f, _e2874, (_e2874 < 128f));
-let _e2883 = select(0i, select(select(i32(_e2876), i32(-2147483648), (_e2876 < -2147483600f)), 2147483647i, (_e2876 > 2147483500f)), (_e2876 == _e2876));
-let _e2887 = (_e2883 - select(0i, 1i, (_e2876 < f32(_e2883))));
-let _e2888 = f32(_e2887);
-let _e2892 = ((_e2870 - (_e2888 * 0.6933594f)) - (_e2888 * -2.1219444e-4f));
-let _e2914 = -(((_e2807 + (((_e2812 + (((bitcast<f32>(((_e2794 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2812) * _e2655)) - _e2807) * _e2653)) * _e2864));
-let _e2916 = select(-87f, _e2914, (_e2914 > -87f));
-let _e2918 = select(88f, _e2916, (_e2916 < 88f));
-let _e2920 = ((_e2918 * 1.442695f) + 0.5f);
-let _e2922 = select(-127f, _e2920, (_e2920 > -127f));
-let _e2924 = select(128f, _e2922, (_e2922 < 128f));
-let _e2931 = select(0i, select(select(i32(_e2924), i32(-2147483648), (_e2924 < -2147483600f)), 2147483647i, (_e2924 > 2147483500f)), (_e2924 == _e2924));
-let _e2935 = (_e2931 - select(0i, 1i, (_e2924 < f32(_e2931))));
-let _e2936 = f32(_e2935);
-let _e2940 = ((_e2918 - (_e2936 * 0.6933594f)) - (_e2936 * -2.1219444e-4f));
-let _e2962 = -(((_e2844 + (((_e2849 + (((bitcast<f32>((((_e2794 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2849) * _e2655)) - _e2844) * _e2653)) * _e2864));
-let _e2964 = select(-87f, _e2962, (_e2962 > -87f));
-let _e2966 = select(88f, _e2964, (_e2964 < 88f));
-let _e2968 = ((_e2966 * 1.442695f) + 0.5f);
-let _e2970 = select(-127f, _e2968, (_e2968 > -127f));
-let _e2972 = select(128f, _e2970, (_e2970 < 128f));
-let _e2979 = select(0i, select(select(i32(_e2972), i32(-2147483648), (_e2972 < -2147483600f)), 2147483647i, (_e2972 > 2147483500f)), (_e2972 == _e2972));
-let _e2983 = (_e2979 - select(0i, 1i, (_e2972 < f32(_e2979))));
-let _e2984 = f32(_e2983);
-let _e2988 = ((_e2966 - (_e2984 * 0.6933594f)) - (_e2984 * -2.1219444e-4f));
-let _e3010 = -(((_e2705 + (((_e2710 + (((bitcast<f32>(((_e2692 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2710) * _e2655)) - _e2705) * _e2653)) * (_e2614 * _e2511.member)));
-let _e3012 = select(-87f, _e3010, (_e3010 > -87f));
-let _e3014 = select(88f, _e3012, (_e3012 < 88f));
-let _e3016 = ((_e3014 * 1.442695f) + 0.5f);
-let _e3018 = select(-127f, _e3016, (_e3016 > -127f));
-let _e3020 = select(128f, _e3018, (_e3018 < 128f));
-let _e3027 = select(0i, select(select(i32(_e3020), i32(-2147483648), (_e3020 < -2147483600f)), 2147483647i, (_e3020 > 2147483500f)), (_e3020 == _e3020));
-let _e3031 = (_e3027 - select(0i, 1i, (_e3020 < f32(_e3027))));
-let _e3032 = f32(_e3031);
-let _e3036 = ((_e3014 - (_e3032 * 0.6933594f)) - (_e3032 * -2.1219444e-4f));
-let _e3056 = ((1f + (_e3036 * (1f + (_e3036 * (0.5f + (_e3036 * (0.16666667f + (_e3036 * (0.041666668f + (_e3036 * (0.008333334f + (_e3036 * (0.001388889f + (_e3036 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3031 + 127i)) << bitcast<u32>(23i))));
-if _e641 {
-let _e3071 = global_1.member.member_24.member_2;
-let _e3074 = (_e2052.member_3.x * _e2511.member_2);
-let _e3076 = (_e2052.member_3.y * _e2511.member_2);
-let _e3078 = (_e2052.member_3.z * _e2511.member_2);
-let _e3079 = (0.5f * (_e245 / _e197));
-let _e3083 = (_e175 + (_e3074 * _e3079));
-let _e3084 = (_e186 + (_e3076 * _e3079));
-let _e3085 = (_e197 + (_e3078 * _e3079));
-let _e3087 = (2f * _e245);
-let _e3089 = ((_e3085 * _e3085) + (_e3087 * _e3078));
-let _e3093 = (_e3085 + sqrt(select(0f, _e3089, (_e3089 > 0f))));
-let _e3097 = (0.5f * (_e3087 / select(1e-6f, _e3093, (_e3093 > 1e-6f))));
-let _e3101 = (_e3083 + (_e3074 * _e3097));
-let _e3102 = (_e3084 + (_e3076 * _e3097));
-let _e3103 = (_e3085 + (_e3078 * _e3097));
-let _e3107 = (_e3071 * _e3071);
-let _e3109 = (_e3103 * _e3103);
-let _e3117 = (((_e3085 <= 0f) || (_e3089 <= 0f)) || ((_e3103 <= 0f) || (_e3109 <= (_e3107 * (((_e3101 * _e3101) + (_e3102 * _e3102)) + _e3109)))));
-let _e3131 = (_e175 + ((_e2052.member_4.x * _e2511.member_2) * _e245));
-let _e3132 = (_e186 + ((_e2052.member_4.y * _e2511.member_2) * _e245));
-let _e3133 = (_e197 + ((_e2052.member_4.z * _e2511.member_2) * _e245));
-let _e3135 = (_e3133 * _e3133);
-let _e3144 = ((_e621 & 1u) != 0u);
-phi_9700_ = select(select(select(_e3103, _e3085, _e3117), _e3133, _e3144), _e197, _e628);
-phi_9701_ = select(select(select(_e3102, _e3084, _e3117), _e3132, _e3144), _e186, _e628);
-phi_9702_ = select(select(select(_e3101, _e3083, _e3117), _e3131, _e3144), _e175, _e628);
-phi_9703_ = (select(_e3117, ((_e3133 <= 0f) || (_e3135 <= (_e3107 * (((_e3131 * _e3131) + (_e3132 * _e3132)) + _e3135)))), _e3144) && !(_e628));
+let _e2500 = phi_5210_;
+let _e2501 = (_e324 - _e303);
+let _e2502 = (_e329 - _e312);
+let _e2503 = (_e318 - _e285);
+let _e2508 = (((_e2501 * _e2501) + (_e2502 * _e2502)) + (_e2503 * _e2503));
+let _e2512 = (_e480 < 1e-12f);
+let _e2514 = (1f / select(_e475, 1f, _e2512));
+let _e2516 = ((-0.5f - _e392) * _e2514);
+let _e2518 = ((_e450 - _e392) * _e2514);
+let _e2524 = select(_e2518, _e2516, (_e2516 < _e2518));
+let _e2526 = select(0f, _e2524, (_e2524 > 0f));
+let _e2529 = select(select(1f, _e2526, (_e2526 < 1f)), select(2f, 0f, ((_e392 >= -0.5f) && (_e392 <= _e450))), _e2512);
+let _e2531 = select(_e2518, _e2516, (_e2516 > _e2518));
+let _e2533 = select(0f, _e2531, (_e2531 > 0f));
+let _e2536 = select(select(1f, _e2533, (_e2533 < 1f)), 1f, _e2512);
+let _e2537 = (_e483 < 1e-12f);
+let _e2539 = (1f / select(_e476, 1f, _e2537));
+let _e2541 = ((-0.5f - _e407) * _e2539);
+let _e2543 = ((_e460 - _e407) * _e2539);
+let _e2549 = select(_e2543, _e2541, (_e2541 < _e2543));
+let _e2551 = select(0f, _e2549, (_e2549 > 0f));
+let _e2554 = select(select(1f, _e2551, (_e2551 < 1f)), select(2f, 0f, ((_e407 >= -0.5f) && (_e407 <= _e460))), _e2537);
+let _e2556 = select(_e2543, _e2541, (_e2541 > _e2543));
+let _e2558 = select(0f, _e2556, (_e2556 > 0f));
+let _e2561 = select(select(1f, _e2558, (_e2558 < 1f)), 1f, _e2537);
+let _e2562 = (_e488 < 1e-12f);
+let _e2564 = (1f / select(_e477, 1f, _e2562));
+let _e2566 = ((-0.5f - _e422) * _e2564);
+let _e2568 = ((_e470 - _e422) * _e2564);
+let _e2574 = select(_e2568, _e2566, (_e2566 < _e2568));
+let _e2576 = select(0f, _e2574, (_e2574 > 0f));
+let _e2579 = select(select(1f, _e2576, (_e2576 < 1f)), select(2f, 0f, ((_e422 >= -0.5f) && (_e422 <= _e470))), _e2562);
+let _e2581 = select(_e2568, _e2566, (_e2566 > _e2568));
+let _e2583 = select(0f, _e2581, (_e2581 > 0f));
+let _e2586 = select(select(1f, _e2583, (_e2583 < 1f)), 1f, _e2562);
+let _e2588 = select(_e2561, _e2536, (_e2536 < _e2561));
+let _e2592 = select(_e2554, _e2529, (_e2529 > _e2554));
+let _e2595 = (select(_e2586, _e2588, (_e2588 < _e2586)) - select(_e2579, _e2592, (_e2592 > _e2579)));
+let _e2602 = global_1.member.member_5.member_3;
+let _e2603 = ((sqrt(select(0f, _e2508, (_e2508 > 0f))) * select(0f, _e2595, (_e2595 > 0f))) * _e2602);
+let _e2605 = (select(1f, _e2293, (_e2293 < 1f)) * 255f);
+let _e2606 = (_e2037.member * 255f);
+let _e2607 = (255f - 1f);
+let _e2609 = select(0f, _e2605, (_e2605 > 0f));
+let _e2611 = select(_e2607, _e2609, (_e2609 < _e2607));
+let _e2618 = select(0i, select(select(i32(_e2611), i32(-2147483648), (_e2611 < -2147483600f)), 2147483647i, (_e2611 > 2147483500f)), (_e2611 == _e2611));
+let _e2622 = (_e2618 - select(0i, 1i, (_e2611 < f32(_e2618))));
+let _e2624 = select(0f, _e2606, (_e2606 > 0f));
+let _e2626 = select(_e2607, _e2624, (_e2624 < _e2607));
+let _e2633 = select(0i, select(select(i32(_e2626), i32(-2147483648), (_e2626 < -2147483600f)), 2147483647i, (_e2626 > 2147483500f)), (_e2626 == _e2626));
+let _e2637 = (_e2633 - select(0i, 1i, (_e2626 < f32(_e2633))));
+let _e2640 = (((_e2622 * 256i) + _e2637) * 4i);
+let _e2642 = (_e2605 - f32(_e2622));
+let _e2644 = (_e2606 - f32(_e2637));
+let _e2646 = (bitcast<i32>(_e93) - 1i);
+let _e2648 = select(_e2646, _e2640, (_e2640 < _e2646));
+let _e2654 = global_4.member[bitcast<u32>(select(0i, _e2648, (_e2648 > 0i)))];
+let _e2655 = (_e2640 + 4i);
+let _e2657 = select(_e2646, _e2655, (_e2655 < _e2646));
+let _e2663 = global_4.member[bitcast<u32>(select(0i, _e2657, (_e2657 > 0i)))];
+let _e2664 = (_e2640 + 1024i);
+let _e2666 = select(_e2646, _e2664, (_e2664 < _e2646));
+let _e2672 = global_4.member[bitcast<u32>(select(0i, _e2666, (_e2666 > 0i)))];
+let _e2673 = (_e2640 + 1028i);
+let _e2675 = select(_e2646, _e2673, (_e2673 < _e2646));
+let _e2681 = global_4.member[bitcast<u32>(select(0i, _e2675, (_e2675 > 0i)))];
+let _e2686 = (bitcast<f32>(((_e2654 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2694 = (_e2686 + (((bitcast<f32>(((_e2663 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2686) * _e2644));
+let _e2699 = (bitcast<f32>(((_e2672 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2723 = (bitcast<f32>((((_e2654 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2731 = (_e2723 + (((bitcast<f32>((((_e2663 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2723) * _e2644));
+let _e2736 = (bitcast<f32>((((_e2672 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2748 = (_e2640 + 1i);
+let _e2750 = select(_e2646, _e2748, (_e2748 < _e2646));
+let _e2756 = global_4.member[bitcast<u32>(select(0i, _e2750, (_e2750 > 0i)))];
+let _e2757 = (_e2640 + 5i);
+let _e2759 = select(_e2646, _e2757, (_e2757 < _e2646));
+let _e2765 = global_4.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
+let _e2766 = (_e2640 + 1025i);
+let _e2768 = select(_e2646, _e2766, (_e2766 < _e2646));
+let _e2774 = global_4.member[bitcast<u32>(select(0i, _e2768, (_e2768 > 0i)))];
+let _e2775 = (_e2640 + 1029i);
+let _e2777 = select(_e2646, _e2775, (_e2775 < _e2646));
+let _e2783 = global_4.member[bitcast<u32>(select(0i, _e2777, (_e2777 > 0i)))];
+let _e2788 = (bitcast<f32>(((_e2756 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2796 = (_e2788 + (((bitcast<f32>(((_e2765 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2788) * _e2644));
+let _e2801 = (bitcast<f32>(((_e2774 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2825 = (bitcast<f32>((((_e2756 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2833 = (_e2825 + (((bitcast<f32>((((_e2765 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2825) * _e2644));
+let _e2838 = (bitcast<f32>((((_e2774 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2853 = (_e2603 * _e2500.member_1);
+let _e2855 = -(((_e2731 + (((_e2736 + (((bitcast<f32>((((_e2681 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2736) * _e2644)) - _e2731) * _e2642)) * _e2853));
+let _e2857 = select(-87f, _e2855, (_e2855 > -87f));
+let _e2859 = select(88f, _e2857, (_e2857 < 88f));
+let _e2861 = ((_e2859 * 1.442695f) + 0.5f);
+let _e2863 = select(-127f, _e2861, (_e2861 > -127f));
+let _e2865 = select(128f, _e2863, (_e2863 < 128f));
+let _e2872 = select(0i, select(select(i32(_e2865), i32(-2147483648), (_e2865 < -2147483600f)), 2147483647i, (_e2865 > 2147483500f)), (_e2865 == _e2865));
+let _e2876 = (_e2872 - select(0i, 1i, (_e2865 < f32(_e2872))));
+let _e2877 = f32(_e2876);
+let _e2881 = ((_e2859 - (_e2877 * 0.6933594f)) - (_e2877 * -2.1219444e-4f));
+let _e2903 = -(((_e2796 + (((_e2801 + (((bitcast<f32>(((_e2783 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2801) * _e2644)) - _e2796) * _e2642)) * _e2853));
+let _e2905 = select(-87f, _e2903, (_e2903 > -87f));
+let _e2907 = select(88f, _e2905, (_e2905 < 88f));
+let _e2909 = ((_e2907 * 1.442695f) + 0.5f);
+let _e2911 = select(-127f, _e2909, (_e2909 > -127f));
+let _e2913 = select(128f, _e2911, (_e2911 < 128f));
+let _e2920 = select(0i, select(select(i32(_e2913), i32(-2147483648), (_e2913 < -2147483600f)), 2147483647i, (_e2913 > 2147483500f)), (_e2913 == _e2913));
+let _e2924 = (_e2920 - select(0i, 1i, (_e2913 < f32(_e2920))));
+let _e2925 = f32(_e2924);
+let _e2929 = ((_e2907 - (_e2925 * 0.6933594f)) - (_e2925 * -2.1219444e-4f));
+let _e2951 = -(((_e2833 + (((_e2838 + (((bitcast<f32>((((_e2783 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2838) * _e2644)) - _e2833) * _e2642)) * _e2853));
+let _e2953 = select(-87f, _e2951, (_e2951 > -87f));
+let _e2955 = select(88f, _e2953, (_e2953 < 88f));
+let _e2957 = ((_e2955 * 1.442695f) + 0.5f);
+let _e2959 = select(-127f, _e2957, (_e2957 > -127f));
+let _e2961 = select(128f, _e2959, (_e2959 < 128f));
+let _e2968 = select(0i, select(select(i32(_e2961), i32(-2147483648), (_e2961 < -2147483600f)), 2147483647i, (_e2961 > 2147483500f)), (_e2961 == _e2961));
+let _e2972 = (_e2968 - select(0i, 1i, (_e2961 < f32(_e2968))));
+let _e2973 = f32(_e2972);
+let _e2977 = ((_e2955 - (_e2973 * 0.6933594f)) - (_e2973 * -2.1219444e-4f));
+let _e2999 = -(((_e2694 + (((_e2699 + (((bitcast<f32>(((_e2681 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2699) * _e2644)) - _e2694) * _e2642)) * (_e2603 * _e2500.member)));
+let _e3001 = select(-87f, _e2999, (_e2999 > -87f));
+let _e3003 = select(88f, _e3001, (_e3001 < 88f));
+let _e3005 = ((_e3003 * 1.442695f) + 0.5f);
+let _e3007 = select(-127f, _e3005, (_e3005 > -127f));
+let _e3009 = select(128f, _e3007, (_e3007 < 128f));
+let _e3016 = select(0i, select(select(i32(_e3009), i32(-2147483648), (_e3009 < -2147483600f)), 2147483647i, (_e3009 > 2147483500f)), (_e3009 == _e3009));
+let _e3020 = (_e3016 - select(0i, 1i, (_e3009 < f32(_e3016))));
+let _e3021 = f32(_e3020);
+let _e3025 = ((_e3003 - (_e3021 * 0.6933594f)) - (_e3021 * -2.1219444e-4f));
+let _e3045 = ((1f + (_e3025 * (1f + (_e3025 * (0.5f + (_e3025 * (0.16666667f + (_e3025 * (0.041666668f + (_e3025 * (0.008333334f + (_e3025 * (0.001388889f + (_e3025 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3020 + 127i)) << bitcast<u32>(23i))));
+if _e625 {
+let _e3060 = global_1.member.member_5.member_4;
+let _e3063 = (_e2037.member_3.x * _e2500.member_2);
+let _e3065 = (_e2037.member_3.y * _e2500.member_2);
+let _e3067 = (_e2037.member_3.z * _e2500.member_2);
+let _e3068 = (0.5f * (_e242 / _e194));
+let _e3072 = (_e172 + (_e3063 * _e3068));
+let _e3073 = (_e183 + (_e3065 * _e3068));
+let _e3074 = (_e194 + (_e3067 * _e3068));
+let _e3076 = (2f * _e242);
+let _e3078 = ((_e3074 * _e3074) + (_e3076 * _e3067));
+let _e3082 = (_e3074 + sqrt(select(0f, _e3078, (_e3078 > 0f))));
+let _e3086 = (0.5f * (_e3076 / select(1e-6f, _e3082, (_e3082 > 1e-6f))));
+let _e3090 = (_e3072 + (_e3063 * _e3086));
+let _e3091 = (_e3073 + (_e3065 * _e3086));
+let _e3092 = (_e3074 + (_e3067 * _e3086));
+let _e3096 = (_e3060 * _e3060);
+let _e3098 = (_e3092 * _e3092);
+let _e3106 = (((_e3074 <= 0f) || (_e3078 <= 0f)) || ((_e3092 <= 0f) || (_e3098 <= (_e3096 * (((_e3090 * _e3090) + (_e3091 * _e3091)) + _e3098)))));
+let _e3120 = (_e172 + ((_e2037.member_4.x * _e2500.member_2) * _e242));
+let _e3121 = (_e183 + ((_e2037.member_4.y * _e2500.member_2) * _e242));
+let _e3122 = (_e194 + ((_e2037.member_4.z * _e2500.member_2) * _e242));
+let _e3124 = (_e3122 * _e3122);
+let _e3133 = ((_e608 & 1u) != 0u);
+phi_6234_ = select(select(select(_e3092, _e3074, _e3106), _e3122, _e3133), _e194, _e615);
+phi_6235_ = select(select(select(_e3091, _e3073, _e3106), _e3121, _e3133), _e183, _e615);
+phi_6236_ = select(select(select(_e3090, _e3072, _e3106), _e3120, _e3133), _e172, _e615);
+phi_6237_ = (select(_e3106, ((_e3122 <= 0f) || (_e3124 <= (_e3096 * (((_e3120 * _e3120) + (_e3121 * _e3121)) + _e3124)))), _e3133) && !(_e615));
 } else {
-phi_9700_ = _e197;
-phi_9701_ = _e186;
-phi_9702_ = _e175;
-phi_9703_ = false;
+phi_6234_ = _e194;
+phi_6235_ = _e183;
+phi_6236_ = _e172;
+phi_6237_ = false;
 }
-let _e3155 = phi_9700_;
-let _e3157 = phi_9701_;
-let _e3159 = phi_9702_;
-let _e3161 = phi_9703_;
-global_6.member[_e121] = (_e132 + _e260);
-global_6.member[_e133] = (_e142 + _e267);
-global_6.member[_e144] = (_e153 + _e369);
-global_6.member[_e155] = (_e164 + _e372);
-global_6.member[_e166] = _e3159;
-global_6.member[_e177] = _e3157;
-global_6.member[_e188] = _e3155;
-global_6.member[_e199] = select((_e208 * (((1f + (_e2892 * (1f + (_e2892 * (0.5f + (_e2892 * (0.16666667f + (_e2892 * (0.041666668f + (_e2892 * (0.008333334f + (_e2892 * (0.001388889f + (_e2892 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2887 + 127i)) << bitcast<u32>(23i)))) * _e3056)), _e208, _e628);
-global_6.member[_e210] = select((_e219 * (((1f + (_e2940 * (1f + (_e2940 * (0.5f + (_e2940 * (0.16666667f + (_e2940 * (0.041666668f + (_e2940 * (0.008333334f + (_e2940 * (0.001388889f + (_e2940 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2935 + 127i)) << bitcast<u32>(23i)))) * _e3056)), _e219, _e628);
-global_6.member[_e221] = select((_e230 * (((1f + (_e2988 * (1f + (_e2988 * (0.5f + (_e2988 * (0.16666667f + (_e2988 * (0.041666668f + (_e2988 * (0.008333334f + (_e2988 * (0.001388889f + (_e2988 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2983 + 127i)) << bitcast<u32>(23i)))) * _e3056)), _e230, _e628);
-global_6.member[_e232] = select(_e241, 1f, _e3161);
+let _e3144 = phi_6234_;
+let _e3146 = phi_6235_;
+let _e3148 = phi_6236_;
+let _e3150 = phi_6237_;
+global_6.member[_e118] = (_e129 + _e257);
+global_6.member[_e130] = (_e139 + _e264);
+global_6.member[_e141] = (_e150 + _e366);
+global_6.member[_e152] = (_e161 + _e369);
+global_6.member[_e163] = _e3148;
+global_6.member[_e174] = _e3146;
+global_6.member[_e185] = _e3144;
+global_6.member[_e196] = select((_e205 * (((1f + (_e2881 * (1f + (_e2881 * (0.5f + (_e2881 * (0.16666667f + (_e2881 * (0.041666668f + (_e2881 * (0.008333334f + (_e2881 * (0.001388889f + (_e2881 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2876 + 127i)) << bitcast<u32>(23i)))) * _e3045)), _e205, _e615);
+global_6.member[_e207] = select((_e216 * (((1f + (_e2929 * (1f + (_e2929 * (0.5f + (_e2929 * (0.16666667f + (_e2929 * (0.041666668f + (_e2929 * (0.008333334f + (_e2929 * (0.001388889f + (_e2929 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2924 + 127i)) << bitcast<u32>(23i)))) * _e3045)), _e216, _e615);
+global_6.member[_e218] = select((_e227 * (((1f + (_e2977 * (1f + (_e2977 * (0.5f + (_e2977 * (0.16666667f + (_e2977 * (0.041666668f + (_e2977 * (0.008333334f + (_e2977 * (0.001388889f + (_e2977 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2972 + 127i)) << bitcast<u32>(23i)))) * _e3045)), _e227, _e615);
+global_6.member[_e229] = select(_e238, 1f, _e3150);
 }
 }
 }

@@ -1,1075 +1,1134 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
 member: array<f32>,
 }
-struct type_11 {
+struct type_17 {
 member: array<u32>,
 }
-struct type_13 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_14 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_13,
-member_6: type_13,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_15 {
-member: type_14,
-}
 struct type_18 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+}
+struct type_20 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_22 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_23 {
+member: type_7,
+member_1: u32,
+}
+struct type_24 {
+member: type_2,
+member_1: u32,
+member_2: type_18,
+member_3: type_19,
+member_4: u32,
+member_5: type_20,
+member_6: type_21,
+member_7: type_21,
+member_8: type_22,
+member_9: type_10,
+member_10: f32,
+member_11: type_20,
+member_12: type_4,
+member_13: type_9,
+member_14: type_23,
+member_15: type_23,
+member_16: type_23,
+member_17: type_23,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_25 {
+member: type_24,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_19 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_20 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_21 {
-member: f32,
-member_1: f32,
-member_2: f32,
-}
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_15;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_11;
+var<storage> global_2: type_17;
 @group(0) @binding(3)
-var<storage> global_3: type_11;
+var<storage> global_3: type_17;
 @group(0) @binding(4)
-var<storage> global_4: type_11;
+var<storage> global_4: type_17;
 @group(0) @binding(5)
-var<storage> global_5: type_6;
+var<storage> global_5: type_12;
 @group(0) @binding(6)
-var<storage, read_write> global_6: type_6;
+var<storage, read_write> global_6: type_12;
 fn function_() {
-var local: type_18;
+var local: type_28;
 var local_1: vec3<f32>;
-var local_2: type_18;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_18;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var phi_5835_: type_19;
-var phi_7155_: type_20;
-var phi_8676_: type_21;
-var phi_9700_: f32;
-var phi_9701_: f32;
-var phi_9702_: f32;
-var phi_9703_: bool;
+var phi_3637_: type_29;
+var phi_4246_: type_30;
+var phi_5078_: type_5;
+var phi_6102_: f32;
+var phi_6103_: f32;
+var phi_6104_: f32;
+var phi_6105_: bool;
 switch bitcast<i32>(0u) {
 default: {
 let _e88 = global;
 let _e91 = arrayLength((&global_2.member));
 let _e95 = arrayLength((&global_4.member));
-let _e102 = global_1.member.member_1;
-let _e105 = (_e88.x + _e102.x);
-let _e108 = (_e88.y + _e102.y);
-if (_e105 < _e102.z) {
-if (_e108 < _e102.w) {
-let _e116 = global_1.member.member[0u];
-let _e120 = global_1.member.member[1u];
-let _e121 = (_e116 * _e120);
-let _e123 = ((_e108 * _e116) + _e105);
-let _e124 = bitcast<i32>(_e123);
-let _e126 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e128 = select(_e126, _e124, (_e124 < _e126));
-let _e134 = global_6.member[bitcast<u32>(select(0i, _e128, (_e128 > 0i)))];
-let _e135 = (_e121 + _e123);
-let _e136 = bitcast<i32>(_e135);
-let _e138 = select(_e126, _e136, (_e136 < _e126));
-let _e144 = global_6.member[bitcast<u32>(select(0i, _e138, (_e138 > 0i)))];
-let _e146 = ((2u * _e121) + _e123);
-let _e147 = bitcast<i32>(_e146);
-let _e149 = select(_e126, _e147, (_e147 < _e126));
-let _e155 = global_6.member[bitcast<u32>(select(0i, _e149, (_e149 > 0i)))];
-let _e157 = ((3u * _e121) + _e123);
-let _e158 = bitcast<i32>(_e157);
-let _e160 = select(_e126, _e158, (_e158 < _e126));
-let _e166 = global_6.member[bitcast<u32>(select(0i, _e160, (_e160 > 0i)))];
-let _e168 = ((4u * _e121) + _e123);
-let _e169 = bitcast<i32>(_e168);
-let _e171 = select(_e126, _e169, (_e169 < _e126));
-let _e177 = global_6.member[bitcast<u32>(select(0i, _e171, (_e171 > 0i)))];
-let _e179 = ((5u * _e121) + _e123);
-let _e180 = bitcast<i32>(_e179);
-let _e182 = select(_e126, _e180, (_e180 < _e126));
-let _e188 = global_6.member[bitcast<u32>(select(0i, _e182, (_e182 > 0i)))];
-let _e190 = ((6u * _e121) + _e123);
-let _e191 = bitcast<i32>(_e190);
-let _e193 = select(_e126, _e191, (_e191 < _e126));
-let _e199 = global_6.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
-let _e201 = ((7u * _e121) + _e123);
-let _e202 = bitcast<i32>(_e201);
-let _e204 = select(_e126, _e202, (_e202 < _e126));
-let _e210 = global_6.member[bitcast<u32>(select(0i, _e204, (_e204 > 0i)))];
-let _e212 = ((8u * _e121) + _e123);
-let _e213 = bitcast<i32>(_e212);
-let _e215 = select(_e126, _e213, (_e213 < _e126));
-let _e221 = global_6.member[bitcast<u32>(select(0i, _e215, (_e215 > 0i)))];
-let _e223 = ((9u * _e121) + _e123);
-let _e224 = bitcast<i32>(_e223);
-let _e226 = select(_e126, _e224, (_e224 < _e126));
-let _e232 = global_6.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
-let _e234 = ((10u * _e121) + _e123);
-let _e235 = bitcast<i32>(_e234);
-let _e237 = select(_e126, _e235, (_e235 < _e126));
-let _e243 = global_6.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
-let _e247 = global_1.member.member_4.member_2;
-let _e250 = (1f / select(1e-6f, _e199, (_e199 > 1e-6f)));
-let _e254 = global_1.member.member_7.member_3;
-let _e255 = (_e247 * _e254);
-let _e260 = global_1.member.member_8.member;
-let _e262 = (((_e177 * _e250) - _e260) * _e255);
-let _e267 = global_1.member.member_8.member_1;
-let _e269 = (((_e188 * _e250) - _e267) * _e255);
-let _e273 = ((f32(bitcast<i32>(_e105)) - 0.5f) + _e134);
-let _e277 = global_1.member.member_2[3u];
-let _e278 = (_e277 + 1u);
-let _e280 = select(1u, _e278, (_e278 > 0u));
-let _e281 = (_e280 == 0u);
-if _e281 {
+let _e102 = global_1.member.member_2;
+let _e105 = global_1.member.member;
+let _e113 = (_e88.x + _e102.member);
+let _e115 = (_e88.y + _e102.member_1);
+if (_e113 < _e102.member_2) {
+if (_e115 < _e102.member_3) {
+let _e118 = (_e105.member * _e105.member_1);
+let _e120 = ((_e115 * _e105.member) + _e113);
+let _e121 = bitcast<i32>(_e120);
+let _e123 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e125 = select(_e123, _e121, (_e121 < _e123));
+let _e131 = global_6.member[bitcast<u32>(select(0i, _e125, (_e125 > 0i)))];
+let _e132 = (_e118 + _e120);
+let _e133 = bitcast<i32>(_e132);
+let _e135 = select(_e123, _e133, (_e133 < _e123));
+let _e141 = global_6.member[bitcast<u32>(select(0i, _e135, (_e135 > 0i)))];
+let _e143 = ((2u * _e118) + _e120);
+let _e144 = bitcast<i32>(_e143);
+let _e146 = select(_e123, _e144, (_e144 < _e123));
+let _e152 = global_6.member[bitcast<u32>(select(0i, _e146, (_e146 > 0i)))];
+let _e154 = ((3u * _e118) + _e120);
+let _e155 = bitcast<i32>(_e154);
+let _e157 = select(_e123, _e155, (_e155 < _e123));
+let _e163 = global_6.member[bitcast<u32>(select(0i, _e157, (_e157 > 0i)))];
+let _e165 = ((4u * _e118) + _e120);
+let _e166 = bitcast<i32>(_e165);
+let _e168 = select(_e123, _e166, (_e166 < _e123));
+let _e174 = global_6.member[bitcast<u32>(select(0i, _e168, (_e168 > 0i)))];
+let _e176 = ((5u * _e118) + _e120);
+let _e177 = bitcast<i32>(_e176);
+let _e179 = select(_e123, _e177, (_e177 < _e123));
+let _e185 = global_6.member[bitcast<u32>(select(0i, _e179, (_e179 > 0i)))];
+let _e187 = ((6u * _e118) + _e120);
+let _e188 = bitcast<i32>(_e187);
+let _e190 = select(_e123, _e188, (_e188 < _e123));
+let _e196 = global_6.member[bitcast<u32>(select(0i, _e190, (_e190 > 0i)))];
+let _e198 = ((7u * _e118) + _e120);
+let _e199 = bitcast<i32>(_e198);
+let _e201 = select(_e123, _e199, (_e199 < _e123));
+let _e207 = global_6.member[bitcast<u32>(select(0i, _e201, (_e201 > 0i)))];
+let _e209 = ((8u * _e118) + _e120);
+let _e210 = bitcast<i32>(_e209);
+let _e212 = select(_e123, _e210, (_e210 < _e123));
+let _e218 = global_6.member[bitcast<u32>(select(0i, _e212, (_e212 > 0i)))];
+let _e220 = ((9u * _e118) + _e120);
+let _e221 = bitcast<i32>(_e220);
+let _e223 = select(_e123, _e221, (_e221 < _e123));
+let _e229 = global_6.member[bitcast<u32>(select(0i, _e223, (_e223 > 0i)))];
+let _e231 = ((10u * _e118) + _e120);
+let _e232 = bitcast<i32>(_e231);
+let _e234 = select(_e123, _e232, (_e232 < _e123));
+let _e240 = global_6.member[bitcast<u32>(select(0i, _e234, (_e234 > 0i)))];
+let _e244 = global_1.member.member_5.member_2;
+let _e247 = (1f / select(1e-6f, _e196, (_e196 > 1e-6f)));
+let _e251 = global_1.member.member_8.member_5;
+let _e252 = (_e244 * _e251);
+let _e257 = global_1.member.member_8.member_6;
+let _e259 = (((_e174 * _e247) - _e257) * _e252);
+let _e264 = global_1.member.member_8.member_7;
+let _e266 = (((_e185 * _e247) - _e264) * _e252);
+let _e270 = ((f32(bitcast<i32>(_e113)) - 0.5f) + _e131);
+let _e274 = global_1.member.member_8.member_1;
+let _e275 = (_e274 + 1u);
+let _e277 = select(1u, _e275, (_e275 > 0u));
+let _e278 = (_e277 == 0u);
+if _e278 {
 break;
 }
-let _e286 = ((f32(bitcast<i32>((_e108 % _e280))) - 0.5f) + _e144);
-let _e290 = global_1.member.member_4.member;
-let _e294 = global_1.member.member_8.member_2;
-let _e295 = (_e290 - _e294);
-let _e299 = global_1.member.member_7.member;
-let _e306 = global_1.member.member_7.member_2;
-let _e308 = ((_e299 + (_e260 * _e295)) + ((_e273 + 0.5f) * _e306));
-let _e312 = global_1.member.member_7.member_1;
-let _e317 = ((_e312 + (_e267 * _e295)) + ((_e286 + 0.5f) * _e306));
-let _e323 = global_1.member.member_4.member_1;
-let _e324 = (_e323 - _e294);
-let _e329 = ((_e299 + (_e260 * _e324)) + (((_e273 + _e262) + 0.5f) * _e306));
-let _e334 = ((_e312 + (_e267 * _e324)) + (((_e286 + _e269) + 0.5f) * _e306));
-if _e281 {
+let _e283 = ((f32(bitcast<i32>((_e115 % _e277))) - 0.5f) + _e141);
+let _e287 = global_1.member.member_5.member;
+let _e291 = global_1.member.member_8.member_8;
+let _e292 = (_e287 - _e291);
+let _e296 = global_1.member.member_8.member_2;
+let _e303 = global_1.member.member_8.member_4;
+let _e305 = ((_e296 + (_e257 * _e292)) + ((_e270 + 0.5f) * _e303));
+let _e309 = global_1.member.member_8.member_3;
+let _e314 = ((_e309 + (_e264 * _e292)) + ((_e283 + 0.5f) * _e303));
+let _e320 = global_1.member.member_5.member_1;
+let _e321 = (_e320 - _e291);
+let _e326 = ((_e296 + (_e257 * _e321)) + (((_e270 + _e259) + 0.5f) * _e303));
+let _e331 = ((_e309 + (_e264 * _e321)) + (((_e283 + _e266) + 0.5f) * _e303));
+if _e278 {
 break;
 }
-let _e337 = bitcast<i32>(((_e108 / _e280) * 3u));
-let _e339 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e341 = select(_e339, _e337, (_e337 < _e339));
-let _e347 = global_5.member[bitcast<u32>(select(0i, _e341, (_e341 > 0i)))];
-let _e348 = (_e337 + 1i);
-let _e350 = select(_e339, _e348, (_e348 < _e339));
-let _e356 = global_5.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
-let _e357 = (_e337 + 2i);
-let _e359 = select(_e339, _e357, (_e357 < _e339));
-let _e365 = global_5.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
-let _e368 = (1f / select(1e-6f, _e365, (_e365 > 1e-6f)));
-let _e371 = (((_e347 * _e368) - _e260) * _e255);
-let _e374 = (((_e356 * _e368) - _e267) * _e255);
-let _e386 = global_1.member.member_5.member;
-let _e399 = global_1.member.member_5.member.member_3;
-let _e400 = ((((_e386.member * _e308) + (_e386.member_1 * _e317)) + (_e386.member_2 * _e290)) + _e399);
-let _e404 = global_1.member.member_5.member_1;
-let _e417 = global_1.member.member_5.member_1.member_3;
-let _e418 = ((((_e404.member * _e308) + (_e404.member_1 * _e317)) + (_e404.member_2 * _e290)) + _e417);
-let _e422 = global_1.member.member_5.member_2;
-let _e435 = global_1.member.member_5.member_2.member_3;
-let _e436 = ((((_e422.member * _e308) + (_e422.member_1 * _e317)) + (_e422.member_2 * _e290)) + _e435);
-let _e442 = ((((_e386.member * _e329) + (_e386.member_1 * _e334)) + (_e386.member_2 * _e323)) + _e399);
-let _e448 = ((((_e404.member * _e329) + (_e404.member_1 * _e334)) + (_e404.member_2 * _e323)) + _e417);
-let _e454 = ((((_e422.member * _e329) + (_e422.member_1 * _e334)) + (_e422.member_2 * _e323)) + _e435);
-let _e459 = global_1.member.member_5.member_3.member_3;
-let _e464 = global_1.member.member_5.member_3.member;
-let _e465 = (_e464 - 0.5f);
-let _e467 = select(-0.5f, _e442, (_e442 > -0.5f));
-let _e469 = select(_e465, _e467, (_e467 < _e465));
-let _e474 = global_1.member.member_5.member_3.member_1;
-let _e475 = (_e474 - 0.5f);
-let _e477 = select(-0.5f, _e448, (_e448 > -0.5f));
-let _e479 = select(_e475, _e477, (_e477 < _e475));
-let _e484 = global_1.member.member_5.member_3.member_2;
-let _e485 = (_e484 - 0.5f);
-let _e487 = select(-0.5f, _e454, (_e454 > -0.5f));
-let _e489 = select(_e485, _e487, (_e487 < _e485));
-let _e490 = (_e442 - _e400);
-let _e491 = (_e448 - _e418);
-let _e492 = (_e454 - _e436);
-let _e495 = bitcast<f32>((bitcast<u32>(_e490) & 2147483647u));
-let _e498 = bitcast<f32>((bitcast<u32>(_e491) & 2147483647u));
-let _e500 = select(_e498, _e495, (_e495 > _e498));
-let _e503 = bitcast<f32>((bitcast<u32>(_e492) & 2147483647u));
-let _e512 = bitcast<f32>((bitcast<u32>((_e442 - _e469)) & 2147483647u));
-let _e515 = bitcast<f32>((bitcast<u32>((_e448 - _e479)) & 2147483647u));
-let _e517 = select(_e515, _e512, (_e512 > _e515));
-let _e520 = bitcast<f32>((bitcast<u32>((_e454 - _e489)) & 2147483647u));
-let _e524 = (_e469 + 0.5f);
-let _e525 = (_e464 - 1f);
-let _e527 = select(0f, _e524, (_e524 > 0f));
-let _e529 = select(_e525, _e527, (_e527 < _e525));
-let _e536 = select(0i, select(select(i32(_e529), i32(-2147483648), (_e529 < -2147483600f)), 2147483647i, (_e529 > 2147483500f)), (_e529 == _e529));
-let _e545 = global_1.member.member_5.member_7[3u];
-let _e546 = (_e545 & 31i);
-let _e549 = (_e479 + 0.5f);
-let _e550 = (_e474 - 1f);
-let _e552 = select(0f, _e549, (_e549 > 0f));
-let _e554 = select(_e550, _e552, (_e552 < _e550));
-let _e561 = select(0i, select(select(i32(_e554), i32(-2147483648), (_e554 < -2147483600f)), 2147483647i, (_e554 > 2147483500f)), (_e554 == _e554));
-let _e568 = (_e489 + 0.5f);
-let _e569 = (_e484 - 1f);
-let _e571 = select(0f, _e568, (_e568 > 0f));
-let _e573 = select(_e569, _e571, (_e571 < _e569));
-let _e580 = select(0i, select(select(i32(_e573), i32(-2147483648), (_e573 < -2147483600f)), 2147483647i, (_e573 > 2147483500f)), (_e573 == _e573));
-let _e591 = global_1.member.member_5.member_6[3u];
-let _e597 = global_1.member.member_5.member_6[0u];
-let _e602 = global_1.member.member_5.member_6[1u];
-let _e606 = ((_e591 + ((_e536 - select(0i, 1i, (_e529 < f32(_e536)))) >> bitcast<u32>(_e546))) + (_e597 * (((_e561 - select(0i, 1i, (_e554 < f32(_e561)))) >> bitcast<u32>(_e546)) + (_e602 * ((_e580 - select(0i, 1i, (_e573 < f32(_e580)))) >> bitcast<u32>(_e546))))));
-let _e608 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e610 = select(_e608, _e606, (_e606 < _e608));
-let _e616 = global_3.member[bitcast<u32>(select(0i, _e610, (_e610 > 0i)))];
-let _e623 = global_1.member.member[3u];
-let _e630 = (((_e623 & 64u) != 0u) || ((((select(_e503, _e500, (_e500 > _e503)) <= _e459) && ((select(_e520, _e517, (_e517 > _e520)) > _e459) || (_e616 != 0u))) && true) && ((_e623 & 32u) != 0u)));
-if (select(0u, select(7u, select(3u, 1u, ((((_e262 == 0f) && (_e269 == 0f)) && (_e371 == 0f)) && (_e374 == 0f))), _e630), (_e243 == 0f)) > 1u) {
-let _e638 = global_1.member.member[2u];
-if _e281 {
+let _e334 = bitcast<i32>(((_e115 / _e277) * 3u));
+let _e336 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e338 = select(_e336, _e334, (_e334 < _e336));
+let _e344 = global_5.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
+let _e345 = (_e334 + 1i);
+let _e347 = select(_e336, _e345, (_e345 < _e336));
+let _e353 = global_5.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
+let _e354 = (_e334 + 2i);
+let _e356 = select(_e336, _e354, (_e354 < _e336));
+let _e362 = global_5.member[bitcast<u32>(select(0i, _e356, (_e356 > 0i)))];
+let _e365 = (1f / select(1e-6f, _e362, (_e362 > 1e-6f)));
+let _e368 = (((_e344 * _e365) - _e257) * _e252);
+let _e371 = (((_e353 * _e365) - _e264) * _e252);
+let _e383 = global_1.member.member_6.member;
+let _e394 = ((((_e383.member.member * _e305) + (_e383.member.member_1 * _e314)) + (_e383.member.member_2 * _e287)) + _e383.member_1);
+let _e398 = global_1.member.member_6.member_1;
+let _e409 = ((((_e398.member.member * _e305) + (_e398.member.member_1 * _e314)) + (_e398.member.member_2 * _e287)) + _e398.member_1);
+let _e413 = global_1.member.member_6.member_2;
+let _e424 = ((((_e413.member.member * _e305) + (_e413.member.member_1 * _e314)) + (_e413.member.member_2 * _e287)) + _e413.member_1);
+let _e430 = ((((_e383.member.member * _e326) + (_e383.member.member_1 * _e331)) + (_e383.member.member_2 * _e320)) + _e383.member_1);
+let _e436 = ((((_e398.member.member * _e326) + (_e398.member.member_1 * _e331)) + (_e398.member.member_2 * _e320)) + _e398.member_1);
+let _e442 = ((((_e413.member.member * _e326) + (_e413.member.member_1 * _e331)) + (_e413.member.member_2 * _e320)) + _e413.member_1);
+let _e446 = global_1.member.member_6.member_4;
+let _e451 = global_1.member.member_6.member_3.member;
+let _e452 = (_e451 - 0.5f);
+let _e454 = select(-0.5f, _e430, (_e430 > -0.5f));
+let _e456 = select(_e452, _e454, (_e454 < _e452));
+let _e461 = global_1.member.member_6.member_3.member_1;
+let _e462 = (_e461 - 0.5f);
+let _e464 = select(-0.5f, _e436, (_e436 > -0.5f));
+let _e466 = select(_e462, _e464, (_e464 < _e462));
+let _e471 = global_1.member.member_6.member_3.member_2;
+let _e472 = (_e471 - 0.5f);
+let _e474 = select(-0.5f, _e442, (_e442 > -0.5f));
+let _e476 = select(_e472, _e474, (_e474 < _e472));
+let _e477 = (_e430 - _e394);
+let _e478 = (_e436 - _e409);
+let _e479 = (_e442 - _e424);
+let _e482 = bitcast<f32>((bitcast<u32>(_e477) & 2147483647u));
+let _e485 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
+let _e487 = select(_e485, _e482, (_e482 > _e485));
+let _e490 = bitcast<f32>((bitcast<u32>(_e479) & 2147483647u));
+let _e499 = bitcast<f32>((bitcast<u32>((_e430 - _e456)) & 2147483647u));
+let _e502 = bitcast<f32>((bitcast<u32>((_e436 - _e466)) & 2147483647u));
+let _e504 = select(_e502, _e499, (_e499 > _e502));
+let _e507 = bitcast<f32>((bitcast<u32>((_e442 - _e476)) & 2147483647u));
+let _e511 = (_e456 + 0.5f);
+let _e512 = (_e451 - 1f);
+let _e514 = select(0f, _e511, (_e511 > 0f));
+let _e516 = select(_e512, _e514, (_e514 < _e512));
+let _e523 = select(0i, select(select(i32(_e516), i32(-2147483648), (_e516 < -2147483600f)), 2147483647i, (_e516 > 2147483500f)), (_e516 == _e516));
+let _e531 = global_1.member.member_6.member_12;
+let _e532 = (_e531 & 31u);
+let _e535 = (_e466 + 0.5f);
+let _e536 = (_e461 - 1f);
+let _e538 = select(0f, _e535, (_e535 > 0f));
+let _e540 = select(_e536, _e538, (_e538 < _e536));
+let _e547 = select(0i, select(select(i32(_e540), i32(-2147483648), (_e540 < -2147483600f)), 2147483647i, (_e540 > 2147483500f)), (_e540 == _e540));
+let _e554 = (_e476 + 0.5f);
+let _e555 = (_e471 - 1f);
+let _e557 = select(0f, _e554, (_e554 > 0f));
+let _e559 = select(_e555, _e557, (_e557 < _e555));
+let _e566 = select(0i, select(select(i32(_e559), i32(-2147483648), (_e559 < -2147483600f)), 2147483647i, (_e559 > 2147483500f)), (_e559 == _e559));
+let _e577 = global_1.member.member_6.member_9.member;
+let _e583 = global_1.member.member_6.member_9.member_1;
+let _e588 = global_1.member.member_6.member_10;
+let _e594 = ((bitcast<i32>(_e588) + ((_e523 - select(0i, 1i, (_e516 < f32(_e523)))) >> bitcast<u32>(_e532))) + (bitcast<i32>(_e577) * (((_e547 - select(0i, 1i, (_e540 < f32(_e547)))) >> bitcast<u32>(_e532)) + (bitcast<i32>(_e583) * ((_e566 - select(0i, 1i, (_e559 < f32(_e566)))) >> bitcast<u32>(_e532))))));
+let _e596 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e598 = select(_e596, _e594, (_e594 < _e596));
+let _e604 = global_3.member[bitcast<u32>(select(0i, _e598, (_e598 > 0i)))];
+let _e610 = global_1.member.member_1;
+let _e617 = (((_e610 & 64u) != 0u) || ((((select(_e490, _e487, (_e487 > _e490)) <= _e446) && ((select(_e507, _e504, (_e504 > _e507)) > _e446) || (_e604 != 0u))) && true) && ((_e610 & 32u) != 0u)));
+if (select(0u, select(7u, select(3u, 1u, ((((_e259 == 0f) && (_e266 == 0f)) && (_e368 == 0f)) && (_e371 == 0f))), _e617), (_e240 == 0f)) > 1u) {
+if _e278 {
 break;
 }
-if _e281 {
+if _e278 {
 break;
 }
-let _e640 = (_e638 == 2u);
-let _e643 = (((_e638 == 1u) || _e640) || (_e638 == 5u));
-if _e643 {
-let _e894 = select(-1f, _e469, (_e469 > -1f));
-let _e896 = select(_e464, _e894, (_e894 < _e464));
-let _e903 = select(0i, select(select(i32(_e896), i32(-2147483648), (_e896 < -2147483600f)), 2147483647i, (_e896 > 2147483500f)), (_e896 == _e896));
-let _e907 = (_e903 - select(0i, 1i, (_e896 < f32(_e903))));
-let _e909 = select(-1f, _e479, (_e479 > -1f));
-let _e911 = select(_e474, _e909, (_e909 < _e474));
-let _e918 = select(0i, select(select(i32(_e911), i32(-2147483648), (_e911 < -2147483600f)), 2147483647i, (_e911 > 2147483500f)), (_e911 == _e911));
-let _e922 = (_e918 - select(0i, 1i, (_e911 < f32(_e918))));
-let _e924 = select(-1f, _e489, (_e489 > -1f));
-let _e926 = select(_e484, _e924, (_e924 < _e484));
-let _e933 = select(0i, select(select(i32(_e926), i32(-2147483648), (_e926 < -2147483600f)), 2147483647i, (_e926 > 2147483500f)), (_e926 == _e926));
-let _e937 = (_e933 - select(0i, 1i, (_e926 < f32(_e933))));
-let _e942 = global_1.member.member_5.member_5[0u];
-let _e947 = global_1.member.member_5.member_5[1u];
-let _e948 = (_e907 + 1i);
-let _e949 = (_e922 + 1i);
-let _e950 = (_e937 + 1i);
-let _e957 = global_1.member.member_5.member_7[0u];
-let _e964 = global_1.member.member_5.member_7[1u];
-let _e970 = ((_e948 >> bitcast<u32>(4i)) + (_e957 * ((_e949 >> bitcast<u32>(4i)) + (_e964 * (_e950 >> bitcast<u32>(4i))))));
-let _e972 = (bitcast<i32>(_e91) - 1i);
-let _e974 = select(_e972, _e970, (_e970 < _e972));
-let _e980 = global_2.member[bitcast<u32>(select(0i, _e974, (_e974 > 0i)))];
-let _e982 = (_e948 & 15i);
-let _e985 = ((_e949 & 15i) * _e942);
-let _e987 = (bitcast<i32>(_e980) + ((_e950 & 15i) * _e947));
-let _e991 = (_e985 + _e942);
-let _e993 = (_e985 + (2i * _e942));
-let _e995 = (_e985 + (3i * _e942));
-let _e996 = (_e987 + _e947);
-let _e998 = (_e987 + (2i * _e947));
-let _e1000 = (_e987 + (3i * _e947));
-local_4 = type_18(array<i32, 4>(_e982, (_e982 + 1i), (_e982 + 2i), (_e982 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_5 = vec3<f32>((_e469 - f32(_e907)), (_e479 - f32(_e922)), (_e489 - f32(_e937)));
-let _e1011 = (_e996 + _e991);
-let _e1014 = local_4.member[0u];
-let _e1015 = (_e1011 + _e1014);
-let _e1017 = select(_e972, _e1015, (_e1015 < _e972));
-let _e1022 = global_2.member[bitcast<u32>(select(0i, _e1017, (_e1017 > 0i)))];
-let _e1023 = bitcast<f32>(_e1022);
-let _e1026 = local_4.member[1u];
-let _e1027 = (_e1011 + _e1026);
-let _e1029 = select(_e972, _e1027, (_e1027 < _e972));
-let _e1034 = global_2.member[bitcast<u32>(select(0i, _e1029, (_e1029 > 0i)))];
-let _e1035 = bitcast<f32>(_e1034);
-let _e1038 = local_4.member[2u];
-let _e1039 = (_e1011 + _e1038);
-let _e1041 = select(_e972, _e1039, (_e1039 < _e972));
-let _e1046 = global_2.member[bitcast<u32>(select(0i, _e1041, (_e1041 > 0i)))];
-let _e1047 = bitcast<f32>(_e1046);
-let _e1050 = local_4.member[3u];
-let _e1051 = (_e1011 + _e1050);
-let _e1053 = select(_e972, _e1051, (_e1051 < _e972));
-let _e1058 = global_2.member[bitcast<u32>(select(0i, _e1053, (_e1053 > 0i)))];
-let _e1060 = local_5[0u];
-let _e1063 = (_e1023 + ((_e1035 - _e1023) * _e1060));
-let _e1064 = local_5[0u];
-let _e1067 = (_e1035 + ((_e1047 - _e1035) * _e1064));
-let _e1068 = local_5[0u];
-let _e1071 = (_e1047 + ((bitcast<f32>(_e1058) - _e1047) * _e1068));
-let _e1072 = (_e996 + _e993);
-let _e1073 = local_4.member[0u];
-let _e1074 = (_e1072 + _e1073);
-let _e1076 = select(_e972, _e1074, (_e1074 < _e972));
-let _e1081 = global_2.member[bitcast<u32>(select(0i, _e1076, (_e1076 > 0i)))];
-let _e1082 = bitcast<f32>(_e1081);
-let _e1083 = local_4.member[1u];
-let _e1084 = (_e1072 + _e1083);
-let _e1086 = select(_e972, _e1084, (_e1084 < _e972));
-let _e1091 = global_2.member[bitcast<u32>(select(0i, _e1086, (_e1086 > 0i)))];
-let _e1092 = bitcast<f32>(_e1091);
-let _e1093 = local_4.member[2u];
-let _e1094 = (_e1072 + _e1093);
-let _e1096 = select(_e972, _e1094, (_e1094 < _e972));
-let _e1101 = global_2.member[bitcast<u32>(select(0i, _e1096, (_e1096 > 0i)))];
-let _e1102 = bitcast<f32>(_e1101);
-let _e1103 = local_4.member[3u];
-let _e1104 = (_e1072 + _e1103);
-let _e1106 = select(_e972, _e1104, (_e1104 < _e972));
-let _e1111 = global_2.member[bitcast<u32>(select(0i, _e1106, (_e1106 > 0i)))];
-let _e1113 = local_5[0u];
-let _e1117 = local_5[0u];
-let _e1120 = (_e1092 + ((_e1102 - _e1092) * _e1117));
-let _e1121 = local_5[0u];
-let _e1125 = (_e998 + _e991);
-let _e1126 = local_4.member[0u];
-let _e1127 = (_e1125 + _e1126);
-let _e1129 = select(_e972, _e1127, (_e1127 < _e972));
-let _e1134 = global_2.member[bitcast<u32>(select(0i, _e1129, (_e1129 > 0i)))];
-let _e1135 = bitcast<f32>(_e1134);
-let _e1136 = local_4.member[1u];
-let _e1137 = (_e1125 + _e1136);
-let _e1139 = select(_e972, _e1137, (_e1137 < _e972));
-let _e1144 = global_2.member[bitcast<u32>(select(0i, _e1139, (_e1139 > 0i)))];
-let _e1145 = bitcast<f32>(_e1144);
-let _e1146 = local_4.member[2u];
-let _e1147 = (_e1125 + _e1146);
-let _e1149 = select(_e972, _e1147, (_e1147 < _e972));
-let _e1154 = global_2.member[bitcast<u32>(select(0i, _e1149, (_e1149 > 0i)))];
-let _e1155 = bitcast<f32>(_e1154);
-let _e1156 = local_4.member[3u];
-let _e1157 = (_e1125 + _e1156);
-let _e1159 = select(_e972, _e1157, (_e1157 < _e972));
-let _e1164 = global_2.member[bitcast<u32>(select(0i, _e1159, (_e1159 > 0i)))];
-let _e1166 = local_5[0u];
-let _e1169 = (_e1135 + ((_e1145 - _e1135) * _e1166));
-let _e1170 = local_5[0u];
-let _e1173 = (_e1145 + ((_e1155 - _e1145) * _e1170));
-let _e1174 = local_5[0u];
-let _e1177 = (_e1155 + ((bitcast<f32>(_e1164) - _e1155) * _e1174));
-let _e1178 = (_e998 + _e993);
-let _e1179 = local_4.member[0u];
-let _e1180 = (_e1178 + _e1179);
-let _e1182 = select(_e972, _e1180, (_e1180 < _e972));
-let _e1187 = global_2.member[bitcast<u32>(select(0i, _e1182, (_e1182 > 0i)))];
-let _e1188 = bitcast<f32>(_e1187);
-let _e1189 = local_4.member[1u];
-let _e1190 = (_e1178 + _e1189);
-let _e1192 = select(_e972, _e1190, (_e1190 < _e972));
-let _e1197 = global_2.member[bitcast<u32>(select(0i, _e1192, (_e1192 > 0i)))];
-let _e1198 = bitcast<f32>(_e1197);
-let _e1199 = local_4.member[2u];
-let _e1200 = (_e1178 + _e1199);
-let _e1202 = select(_e972, _e1200, (_e1200 < _e972));
-let _e1207 = global_2.member[bitcast<u32>(select(0i, _e1202, (_e1202 > 0i)))];
-let _e1208 = bitcast<f32>(_e1207);
-let _e1209 = local_4.member[3u];
-let _e1210 = (_e1178 + _e1209);
-let _e1212 = select(_e972, _e1210, (_e1210 < _e972));
-let _e1217 = global_2.member[bitcast<u32>(select(0i, _e1212, (_e1212 > 0i)))];
-let _e1219 = local_5[0u];
-let _e1223 = local_5[0u];
-let _e1226 = (_e1198 + ((_e1208 - _e1198) * _e1223));
-let _e1227 = local_5[0u];
-let _e1231 = (_e996 + _e985);
-let _e1232 = local_4.member[1u];
-let _e1233 = (_e1231 + _e1232);
-let _e1235 = select(_e972, _e1233, (_e1233 < _e972));
-let _e1240 = global_2.member[bitcast<u32>(select(0i, _e1235, (_e1235 > 0i)))];
-let _e1241 = bitcast<f32>(_e1240);
-let _e1242 = local_4.member[2u];
-let _e1243 = (_e1231 + _e1242);
-let _e1245 = select(_e972, _e1243, (_e1243 < _e972));
-let _e1250 = global_2.member[bitcast<u32>(select(0i, _e1245, (_e1245 > 0i)))];
-let _e1252 = local_5[0u];
-let _e1255 = (_e1241 + ((bitcast<f32>(_e1250) - _e1241) * _e1252));
-let _e1256 = (_e996 + _e995);
-let _e1257 = local_4.member[1u];
-let _e1258 = (_e1256 + _e1257);
-let _e1260 = select(_e972, _e1258, (_e1258 < _e972));
-let _e1265 = global_2.member[bitcast<u32>(select(0i, _e1260, (_e1260 > 0i)))];
-let _e1266 = bitcast<f32>(_e1265);
-let _e1267 = local_4.member[2u];
-let _e1268 = (_e1256 + _e1267);
-let _e1270 = select(_e972, _e1268, (_e1268 < _e972));
-let _e1275 = global_2.member[bitcast<u32>(select(0i, _e1270, (_e1270 > 0i)))];
-let _e1277 = local_5[0u];
-let _e1281 = (_e998 + _e985);
-let _e1282 = local_4.member[1u];
-let _e1283 = (_e1281 + _e1282);
-let _e1285 = select(_e972, _e1283, (_e1283 < _e972));
-let _e1290 = global_2.member[bitcast<u32>(select(0i, _e1285, (_e1285 > 0i)))];
-let _e1291 = bitcast<f32>(_e1290);
-let _e1292 = local_4.member[2u];
-let _e1293 = (_e1281 + _e1292);
-let _e1295 = select(_e972, _e1293, (_e1293 < _e972));
-let _e1300 = global_2.member[bitcast<u32>(select(0i, _e1295, (_e1295 > 0i)))];
-let _e1302 = local_5[0u];
-let _e1305 = (_e1291 + ((bitcast<f32>(_e1300) - _e1291) * _e1302));
-let _e1306 = (_e998 + _e995);
-let _e1307 = local_4.member[1u];
-let _e1308 = (_e1306 + _e1307);
-let _e1310 = select(_e972, _e1308, (_e1308 < _e972));
-let _e1315 = global_2.member[bitcast<u32>(select(0i, _e1310, (_e1310 > 0i)))];
-let _e1316 = bitcast<f32>(_e1315);
-let _e1317 = local_4.member[2u];
-let _e1318 = (_e1306 + _e1317);
-let _e1320 = select(_e972, _e1318, (_e1318 < _e972));
-let _e1325 = global_2.member[bitcast<u32>(select(0i, _e1320, (_e1320 > 0i)))];
-let _e1327 = local_5[0u];
-let _e1331 = (_e987 + _e991);
-let _e1332 = local_4.member[1u];
-let _e1333 = (_e1331 + _e1332);
-let _e1335 = select(_e972, _e1333, (_e1333 < _e972));
-let _e1340 = global_2.member[bitcast<u32>(select(0i, _e1335, (_e1335 > 0i)))];
-let _e1341 = bitcast<f32>(_e1340);
-let _e1342 = local_4.member[2u];
-let _e1343 = (_e1331 + _e1342);
-let _e1345 = select(_e972, _e1343, (_e1343 < _e972));
-let _e1350 = global_2.member[bitcast<u32>(select(0i, _e1345, (_e1345 > 0i)))];
-let _e1352 = local_5[0u];
-let _e1355 = (_e1341 + ((bitcast<f32>(_e1350) - _e1341) * _e1352));
-let _e1356 = (_e1000 + _e991);
-let _e1357 = local_4.member[1u];
-let _e1358 = (_e1356 + _e1357);
-let _e1360 = select(_e972, _e1358, (_e1358 < _e972));
-let _e1365 = global_2.member[bitcast<u32>(select(0i, _e1360, (_e1360 > 0i)))];
-let _e1366 = bitcast<f32>(_e1365);
-let _e1367 = local_4.member[2u];
-let _e1368 = (_e1356 + _e1367);
-let _e1370 = select(_e972, _e1368, (_e1368 < _e972));
-let _e1375 = global_2.member[bitcast<u32>(select(0i, _e1370, (_e1370 > 0i)))];
-let _e1377 = local_5[0u];
-let _e1380 = (_e1366 + ((bitcast<f32>(_e1375) - _e1366) * _e1377));
-let _e1381 = (_e987 + _e993);
-let _e1382 = local_4.member[1u];
-let _e1383 = (_e1381 + _e1382);
-let _e1385 = select(_e972, _e1383, (_e1383 < _e972));
-let _e1390 = global_2.member[bitcast<u32>(select(0i, _e1385, (_e1385 > 0i)))];
-let _e1391 = bitcast<f32>(_e1390);
-let _e1392 = local_4.member[2u];
-let _e1393 = (_e1381 + _e1392);
-let _e1395 = select(_e972, _e1393, (_e1393 < _e972));
-let _e1400 = global_2.member[bitcast<u32>(select(0i, _e1395, (_e1395 > 0i)))];
-let _e1402 = local_5[0u];
-let _e1406 = (_e1000 + _e993);
-let _e1407 = local_4.member[1u];
-let _e1408 = (_e1406 + _e1407);
-let _e1410 = select(_e972, _e1408, (_e1408 < _e972));
-let _e1415 = global_2.member[bitcast<u32>(select(0i, _e1410, (_e1410 > 0i)))];
-let _e1416 = bitcast<f32>(_e1415);
-let _e1417 = local_4.member[2u];
-let _e1418 = (_e1406 + _e1417);
-let _e1420 = select(_e972, _e1418, (_e1418 < _e972));
-let _e1425 = global_2.member[bitcast<u32>(select(0i, _e1420, (_e1420 > 0i)))];
-let _e1427 = local_5[0u];
-let _e1432 = local_5[1u];
-let _e1435 = (_e1067 + ((_e1120 - _e1067) * _e1432));
-let _e1436 = local_5[1u];
-let _e1439 = (_e1173 + ((_e1226 - _e1173) * _e1436));
-let _e1440 = local_5[1u];
-let _e1443 = (_e1063 + (((_e1082 + ((_e1092 - _e1082) * _e1113)) - _e1063) * _e1440));
-let _e1444 = local_5[1u];
-let _e1449 = local_5[2u];
-let _e1453 = local_5[1u];
-let _e1456 = (_e1071 + (((_e1102 + ((bitcast<f32>(_e1111) - _e1102) * _e1121)) - _e1071) * _e1453));
-let _e1457 = local_5[1u];
-let _e1461 = local_5[2u];
-let _e1465 = local_5[1u];
-let _e1468 = (_e1255 + ((_e1067 - _e1255) * _e1465));
-let _e1469 = local_5[1u];
-let _e1473 = local_5[2u];
-let _e1477 = local_5[1u];
-let _e1480 = (_e1120 + (((_e1266 + ((bitcast<f32>(_e1275) - _e1266) * _e1277)) - _e1120) * _e1477));
-let _e1481 = local_5[1u];
-let _e1485 = local_5[2u];
-let _e1489 = local_5[1u];
-let _e1492 = (_e1355 + (((_e1391 + ((bitcast<f32>(_e1400) - _e1391) * _e1402)) - _e1355) * _e1489));
-let _e1493 = local_5[2u];
-let _e1497 = local_5[1u];
-let _e1501 = local_5[2u];
-let _e1505 = local_5[2u];
-let _e1513 = global_1.member.member_5.member_4.member;
-let _e1519 = global_1.member.member_5.member_4.member_1;
-let _e1520 = (((_e1435 + ((_e1439 - _e1435) * _e1505)) * _e1513) + _e1519);
-let _e1522 = select(0f, _e1520, (_e1520 > 0f));
-let _e1524 = select(1f, _e1522, (_e1522 < 1f));
-let _e1526 = (((_e1443 + (((_e1169 + (((_e1188 + ((_e1198 - _e1188) * _e1219)) - _e1169) * _e1444)) - _e1443) * _e1449)) * _e1513) + _e1519);
-let _e1528 = select(0f, _e1526, (_e1526 > 0f));
-let _e1530 = select(1f, _e1528, (_e1528 < 1f));
-let _e1532 = (((_e1456 + (((_e1177 + (((_e1208 + ((bitcast<f32>(_e1217) - _e1208) * _e1227)) - _e1177) * _e1457)) - _e1456) * _e1461)) * _e1513) + _e1519);
-let _e1534 = select(0f, _e1532, (_e1532 > 0f));
-let _e1536 = select(1f, _e1534, (_e1534 < 1f));
-let _e1538 = (((_e1468 + (((_e1305 + ((_e1173 - _e1305) * _e1469)) - _e1468) * _e1473)) * _e1513) + _e1519);
-let _e1540 = select(0f, _e1538, (_e1538 > 0f));
-let _e1542 = select(1f, _e1540, (_e1540 < 1f));
-let _e1544 = (((_e1480 + (((_e1226 + (((_e1316 + ((bitcast<f32>(_e1325) - _e1316) * _e1327)) - _e1226) * _e1481)) - _e1480) * _e1485)) * _e1513) + _e1519);
-let _e1546 = select(0f, _e1544, (_e1544 > 0f));
-let _e1548 = select(1f, _e1546, (_e1546 < 1f));
-let _e1550 = (((_e1492 + ((_e1435 - _e1492) * _e1493)) * _e1513) + _e1519);
-let _e1552 = select(0f, _e1550, (_e1550 > 0f));
-let _e1554 = select(1f, _e1552, (_e1552 < 1f));
-let _e1556 = (((_e1439 + (((_e1380 + (((_e1416 + ((bitcast<f32>(_e1425) - _e1416) * _e1427)) - _e1380) * _e1497)) - _e1439) * _e1501)) * _e1513) + _e1519);
-let _e1558 = select(0f, _e1556, (_e1556 > 0f));
-let _e1560 = select(1f, _e1558, (_e1558 < 1f));
-let _e1561 = (_e1524 * 1024f);
-let _e1562 = (1024f - 1f);
-let _e1564 = select(0f, _e1561, (_e1561 > 0f));
-let _e1566 = select(_e1562, _e1564, (_e1564 < _e1562));
-let _e1573 = select(0i, select(select(i32(_e1566), i32(-2147483648), (_e1566 < -2147483600f)), 2147483647i, (_e1566 > 2147483500f)), (_e1566 == _e1566));
-let _e1577 = (_e1573 - select(0i, 1i, (_e1566 < f32(_e1573))));
-let _e1578 = (262147i + _e1577);
-let _e1580 = (bitcast<i32>(_e95) - 1i);
-let _e1582 = select(_e1580, _e1578, (_e1578 < _e1580));
-let _e1588 = global_4.member[bitcast<u32>(select(0i, _e1582, (_e1582 > 0i)))];
-let _e1598 = select(_e1580, 262146i, (262146i < _e1580));
-let _e1604 = global_4.member[bitcast<u32>(select(0i, _e1598, (_e1598 > 0i)))];
-let _e1605 = bitcast<f32>(_e1604);
-let _e1606 = (f32((bitcast<i32>((_e1588 & 4095u)) - 2048i)) * _e1605);
-let _e1608 = select(_e1580, 262144i, (262144i < _e1580));
-let _e1614 = global_4.member[bitcast<u32>(select(0i, _e1608, (_e1608 > 0i)))];
-let _e1615 = bitcast<f32>(_e1614);
-let _e1617 = select(_e1580, 262145i, (262145i < _e1580));
-let _e1623 = global_4.member[bitcast<u32>(select(0i, _e1617, (_e1617 > 0i)))];
-let _e1624 = bitcast<f32>(_e1623);
-let _e1630 = ((_e1615 + (f32(bitcast<i32>((_e1588 >> bitcast<u32>(12u)))) * _e1624)) + (_e1606 * (_e1561 - f32(_e1577))));
-let _e1631 = (_e1606 * 1024f);
-if _e640 {
-let _e1896 = ((0.5f * (_e1536 - _e1530)) * _e1631);
-let _e1897 = ((0.5f * (_e1548 - _e1542)) * _e1631);
-let _e1898 = ((0.5f * (_e1560 - _e1554)) * _e1631);
-phi_5835_ = type_19(_e1630, vec3<f32>(_e1896, _e1897, _e1898), vec3<f32>((_e1896 * _e1630), (_e1897 * _e1630), (_e1898 * _e1630)));
-} else {
-let _e1632 = (_e1530 * 1024f);
-let _e1634 = select(0f, _e1632, (_e1632 > 0f));
-let _e1636 = select(_e1562, _e1634, (_e1634 < _e1562));
-let _e1643 = select(0i, select(select(i32(_e1636), i32(-2147483648), (_e1636 < -2147483600f)), 2147483647i, (_e1636 > 2147483500f)), (_e1636 == _e1636));
-let _e1647 = (_e1643 - select(0i, 1i, (_e1636 < f32(_e1643))));
-let _e1648 = (262147i + _e1647);
-let _e1650 = select(_e1580, _e1648, (_e1648 < _e1580));
-let _e1656 = global_4.member[bitcast<u32>(select(0i, _e1650, (_e1650 > 0i)))];
-let _e1671 = ((_e1615 + (f32(bitcast<i32>((_e1656 >> bitcast<u32>(12u)))) * _e1624)) + ((f32((bitcast<i32>((_e1656 & 4095u)) - 2048i)) * _e1605) * (_e1632 - f32(_e1647))));
-let _e1672 = (_e1536 * 1024f);
-let _e1674 = select(0f, _e1672, (_e1672 > 0f));
-let _e1676 = select(_e1562, _e1674, (_e1674 < _e1562));
-let _e1683 = select(0i, select(select(i32(_e1676), i32(-2147483648), (_e1676 < -2147483600f)), 2147483647i, (_e1676 > 2147483500f)), (_e1676 == _e1676));
-let _e1687 = (_e1683 - select(0i, 1i, (_e1676 < f32(_e1683))));
-let _e1688 = (262147i + _e1687);
-let _e1690 = select(_e1580, _e1688, (_e1688 < _e1580));
-let _e1696 = global_4.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
-let _e1711 = ((_e1615 + (f32(bitcast<i32>((_e1696 >> bitcast<u32>(12u)))) * _e1624)) + ((f32((bitcast<i32>((_e1696 & 4095u)) - 2048i)) * _e1605) * (_e1672 - f32(_e1687))));
-let _e1712 = (_e1542 * 1024f);
-let _e1714 = select(0f, _e1712, (_e1712 > 0f));
-let _e1716 = select(_e1562, _e1714, (_e1714 < _e1562));
-let _e1723 = select(0i, select(select(i32(_e1716), i32(-2147483648), (_e1716 < -2147483600f)), 2147483647i, (_e1716 > 2147483500f)), (_e1716 == _e1716));
-let _e1727 = (_e1723 - select(0i, 1i, (_e1716 < f32(_e1723))));
-let _e1728 = (262147i + _e1727);
-let _e1730 = select(_e1580, _e1728, (_e1728 < _e1580));
-let _e1736 = global_4.member[bitcast<u32>(select(0i, _e1730, (_e1730 > 0i)))];
-let _e1751 = ((_e1615 + (f32(bitcast<i32>((_e1736 >> bitcast<u32>(12u)))) * _e1624)) + ((f32((bitcast<i32>((_e1736 & 4095u)) - 2048i)) * _e1605) * (_e1712 - f32(_e1727))));
-let _e1752 = (_e1548 * 1024f);
-let _e1754 = select(0f, _e1752, (_e1752 > 0f));
-let _e1756 = select(_e1562, _e1754, (_e1754 < _e1562));
-let _e1763 = select(0i, select(select(i32(_e1756), i32(-2147483648), (_e1756 < -2147483600f)), 2147483647i, (_e1756 > 2147483500f)), (_e1756 == _e1756));
-let _e1767 = (_e1763 - select(0i, 1i, (_e1756 < f32(_e1763))));
-let _e1768 = (262147i + _e1767);
-let _e1770 = select(_e1580, _e1768, (_e1768 < _e1580));
-let _e1776 = global_4.member[bitcast<u32>(select(0i, _e1770, (_e1770 > 0i)))];
-let _e1791 = ((_e1615 + (f32(bitcast<i32>((_e1776 >> bitcast<u32>(12u)))) * _e1624)) + ((f32((bitcast<i32>((_e1776 & 4095u)) - 2048i)) * _e1605) * (_e1752 - f32(_e1767))));
-let _e1792 = (_e1554 * 1024f);
-let _e1794 = select(0f, _e1792, (_e1792 > 0f));
-let _e1796 = select(_e1562, _e1794, (_e1794 < _e1562));
-let _e1803 = select(0i, select(select(i32(_e1796), i32(-2147483648), (_e1796 < -2147483600f)), 2147483647i, (_e1796 > 2147483500f)), (_e1796 == _e1796));
-let _e1807 = (_e1803 - select(0i, 1i, (_e1796 < f32(_e1803))));
-let _e1808 = (262147i + _e1807);
-let _e1810 = select(_e1580, _e1808, (_e1808 < _e1580));
-let _e1816 = global_4.member[bitcast<u32>(select(0i, _e1810, (_e1810 > 0i)))];
-let _e1831 = ((_e1615 + (f32(bitcast<i32>((_e1816 >> bitcast<u32>(12u)))) * _e1624)) + ((f32((bitcast<i32>((_e1816 & 4095u)) - 2048i)) * _e1605) * (_e1792 - f32(_e1807))));
-let _e1832 = (_e1560 * 1024f);
-let _e1834 = select(0f, _e1832, (_e1832 > 0f));
-let _e1836 = select(_e1562, _e1834, (_e1834 < _e1562));
-let _e1843 = select(0i, select(select(i32(_e1836), i32(-2147483648), (_e1836 < -2147483600f)), 2147483647i, (_e1836 > 2147483500f)), (_e1836 == _e1836));
-let _e1847 = (_e1843 - select(0i, 1i, (_e1836 < f32(_e1843))));
-let _e1848 = (262147i + _e1847);
-let _e1850 = select(_e1580, _e1848, (_e1848 < _e1580));
-let _e1856 = global_4.member[bitcast<u32>(select(0i, _e1850, (_e1850 > 0i)))];
-let _e1871 = ((_e1615 + (f32(bitcast<i32>((_e1856 >> bitcast<u32>(12u)))) * _e1624)) + ((f32((bitcast<i32>((_e1856 & 4095u)) - 2048i)) * _e1605) * (_e1832 - f32(_e1847))));
-let _e1872 = (_e1711 - _e1671);
-let _e1874 = (_e1791 - _e1751);
-let _e1876 = (_e1871 - _e1831);
-phi_5835_ = type_19(_e1630, vec3<f32>((0.5f * _e1872), (0.5f * _e1874), (0.5f * _e1876)), vec3<f32>((0.25f * (_e1872 * (_e1711 + _e1671))), (0.25f * (_e1874 * (_e1791 + _e1751))), (0.25f * (_e1876 * (_e1871 + _e1831)))));
-}
-let _e1906 = phi_5835_;
-let _e1921 = select(0f, 1f, ((((((_e442 >= -0.5f) && (_e442 <= _e465)) && (_e448 >= -0.5f)) && (_e448 <= _e475)) && (_e454 >= -0.5f)) && (_e454 <= _e485)));
-let _e1923 = (0.5f * (_e1536 - _e1530));
-let _e1925 = (0.5f * (_e1548 - _e1542));
-let _e1927 = (0.5f * (_e1560 - _e1554));
-let _e1932 = global_1.member.member_5.member.member;
-let _e1938 = global_1.member.member_5.member_1.member;
-let _e1945 = global_1.member.member_5.member_2.member;
-let _e1952 = global_1.member.member_5.member.member_1;
-let _e1958 = global_1.member.member_5.member_1.member_1;
-let _e1965 = global_1.member.member_5.member_2.member_1;
-let _e1972 = global_1.member.member_5.member.member_2;
-let _e1978 = global_1.member.member_5.member_1.member_2;
-let _e1985 = global_1.member.member_5.member_2.member_2;
-phi_7155_ = type_20(_e1524, vec3<f32>(((((_e1932 * _e1923) + (_e1938 * _e1925)) + (_e1945 * _e1927)) * _e1921), ((((_e1952 * _e1923) + (_e1958 * _e1925)) + (_e1965 * _e1927)) * _e1921), ((((_e1972 * _e1923) + (_e1978 * _e1925)) + (_e1985 * _e1927)) * _e1921)), _e1906.member, vec3<f32>(((((_e1932 * _e1906.member_2.x) + (_e1938 * _e1906.member_2.y)) + (_e1945 * _e1906.member_2.z)) * _e1921), ((((_e1952 * _e1906.member_2.x) + (_e1958 * _e1906.member_2.y)) + (_e1965 * _e1906.member_2.z)) * _e1921), ((((_e1972 * _e1906.member_2.x) + (_e1978 * _e1906.member_2.y)) + (_e1985 * _e1906.member_2.z)) * _e1921)), vec3<f32>(((((_e1932 * _e1906.member_1.x) + (_e1938 * _e1906.member_1.y)) + (_e1945 * _e1906.member_1.z)) * _e1921), ((((_e1952 * _e1906.member_1.x) + (_e1958 * _e1906.member_1.y)) + (_e1965 * _e1906.member_1.z)) * _e1921), ((((_e1972 * _e1906.member_1.x) + (_e1978 * _e1906.member_1.y)) + (_e1985 * _e1906.member_1.z)) * _e1921)));
-} else {
-let _e645 = select(-1f, _e469, (_e469 > -1f));
-let _e647 = select(_e464, _e645, (_e645 < _e464));
-let _e654 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < -2147483600f)), 2147483647i, (_e647 > 2147483500f)), (_e647 == _e647));
-let _e658 = (_e654 - select(0i, 1i, (_e647 < f32(_e654))));
-let _e660 = select(-1f, _e479, (_e479 > -1f));
-let _e662 = select(_e474, _e660, (_e660 < _e474));
-let _e669 = select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < -2147483600f)), 2147483647i, (_e662 > 2147483500f)), (_e662 == _e662));
-let _e673 = (_e669 - select(0i, 1i, (_e662 < f32(_e669))));
-let _e675 = select(-1f, _e489, (_e489 > -1f));
-let _e677 = select(_e484, _e675, (_e675 < _e484));
-let _e684 = select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < -2147483600f)), 2147483647i, (_e677 > 2147483500f)), (_e677 == _e677));
-let _e688 = (_e684 - select(0i, 1i, (_e677 < f32(_e684))));
-let _e693 = global_1.member.member_5.member_5[0u];
-let _e698 = global_1.member.member_5.member_5[1u];
-let _e699 = (_e658 + 1i);
-let _e700 = (_e673 + 1i);
-let _e701 = (_e688 + 1i);
-let _e708 = global_1.member.member_5.member_7[0u];
-let _e715 = global_1.member.member_5.member_7[1u];
-let _e721 = ((_e699 >> bitcast<u32>(4i)) + (_e708 * ((_e700 >> bitcast<u32>(4i)) + (_e715 * (_e701 >> bitcast<u32>(4i))))));
-let _e723 = (bitcast<i32>(_e91) - 1i);
-let _e725 = select(_e723, _e721, (_e721 < _e723));
-let _e731 = global_2.member[bitcast<u32>(select(0i, _e725, (_e725 > 0i)))];
-let _e733 = (_e699 & 15i);
-let _e736 = ((_e700 & 15i) * _e693);
-let _e738 = (bitcast<i32>(_e731) + ((_e701 & 15i) * _e698));
-let _e742 = (_e736 + _e693);
-let _e744 = (_e736 + (2i * _e693));
-let _e745 = (_e738 + _e698);
-let _e747 = (_e738 + (2i * _e698));
-local_2 = type_18(array<i32, 4>(_e733, (_e733 + 1i), (_e733 + 2i), (_e733 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_3 = vec3<f32>((_e469 - f32(_e658)), (_e479 - f32(_e673)), (_e489 - f32(_e688)));
-let _e758 = (_e745 + _e742);
-let _e761 = local_2.member[1u];
-let _e762 = (_e758 + _e761);
-let _e764 = select(_e723, _e762, (_e762 < _e723));
+let _e624 = (_e105.member_2 == 2u);
+let _e627 = (((_e105.member_2 == 1u) || _e624) || (_e105.member_2 == 5u));
+if _e627 {
+let _e629 = select(-1f, _e456, (_e456 > -1f));
+let _e631 = select(_e451, _e629, (_e629 < _e451));
+let _e638 = select(0i, select(select(i32(_e631), i32(-2147483648), (_e631 < -2147483600f)), 2147483647i, (_e631 > 2147483500f)), (_e631 == _e631));
+let _e642 = (_e638 - select(0i, 1i, (_e631 < f32(_e638))));
+let _e644 = select(-1f, _e466, (_e466 > -1f));
+let _e646 = select(_e461, _e644, (_e644 < _e461));
+let _e653 = select(0i, select(select(i32(_e646), i32(-2147483648), (_e646 < -2147483600f)), 2147483647i, (_e646 > 2147483500f)), (_e646 == _e646));
+let _e657 = (_e653 - select(0i, 1i, (_e646 < f32(_e653))));
+let _e659 = select(-1f, _e476, (_e476 > -1f));
+let _e661 = select(_e471, _e659, (_e659 < _e471));
+let _e668 = select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < -2147483600f)), 2147483647i, (_e661 > 2147483500f)), (_e661 == _e661));
+let _e672 = (_e668 - select(0i, 1i, (_e661 < f32(_e668))));
+let _e676 = global_1.member.member_6.member_7;
+let _e680 = global_1.member.member_6.member_8;
+let _e681 = (_e642 + 1i);
+let _e682 = (_e657 + 1i);
+let _e683 = (_e672 + 1i);
+let _e688 = global_1.member.member_6.member_11.member;
+let _e694 = global_1.member.member_6.member_11.member_1;
+let _e705 = ((_e681 >> bitcast<u32>(4i)) + (bitcast<i32>(_e688) * ((_e682 >> bitcast<u32>(4i)) + (bitcast<i32>(_e694) * (_e683 >> bitcast<u32>(4i))))));
+let _e707 = (bitcast<i32>(_e91) - 1i);
+let _e709 = select(_e707, _e705, (_e705 < _e707));
+let _e715 = global_2.member[bitcast<u32>(select(0i, _e709, (_e709 > 0i)))];
+let _e717 = (_e681 & 15i);
+let _e720 = ((_e682 & 15i) * _e676);
+let _e722 = (bitcast<i32>(_e715) + ((_e683 & 15i) * _e680));
+let _e726 = (_e720 + _e676);
+let _e728 = (_e720 + (2i * _e676));
+let _e730 = (_e720 + (3i * _e676));
+let _e731 = (_e722 + _e680);
+let _e733 = (_e722 + (2i * _e680));
+let _e735 = (_e722 + (3i * _e680));
+local_4 = type_28(array<i32, 4>(_e717, (_e717 + 1i), (_e717 + 2i), (_e717 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_5 = vec3<f32>((_e456 - f32(_e642)), (_e466 - f32(_e657)), (_e476 - f32(_e672)));
+let _e746 = (_e731 + _e726);
+let _e749 = local_4.member[0u];
+let _e750 = (_e746 + _e749);
+let _e752 = select(_e707, _e750, (_e750 < _e707));
+let _e757 = global_2.member[bitcast<u32>(select(0i, _e752, (_e752 > 0i)))];
+let _e758 = bitcast<f32>(_e757);
+let _e761 = local_4.member[1u];
+let _e762 = (_e746 + _e761);
+let _e764 = select(_e707, _e762, (_e762 < _e707));
 let _e769 = global_2.member[bitcast<u32>(select(0i, _e764, (_e764 > 0i)))];
 let _e770 = bitcast<f32>(_e769);
-let _e773 = local_2.member[2u];
-let _e774 = (_e758 + _e773);
-let _e776 = select(_e723, _e774, (_e774 < _e723));
+let _e773 = local_4.member[2u];
+let _e774 = (_e746 + _e773);
+let _e776 = select(_e707, _e774, (_e774 < _e707));
 let _e781 = global_2.member[bitcast<u32>(select(0i, _e776, (_e776 > 0i)))];
-let _e783 = local_3[0u];
-let _e786 = (_e770 + ((bitcast<f32>(_e781) - _e770) * _e783));
-let _e787 = (_e745 + _e744);
-let _e788 = local_2.member[1u];
-let _e789 = (_e787 + _e788);
-let _e791 = select(_e723, _e789, (_e789 < _e723));
-let _e796 = global_2.member[bitcast<u32>(select(0i, _e791, (_e791 > 0i)))];
-let _e797 = bitcast<f32>(_e796);
-let _e798 = local_2.member[2u];
-let _e799 = (_e787 + _e798);
-let _e801 = select(_e723, _e799, (_e799 < _e723));
-let _e806 = global_2.member[bitcast<u32>(select(0i, _e801, (_e801 > 0i)))];
-let _e808 = local_3[0u];
-let _e813 = local_3[1u];
-let _e816 = (_e786 + (((_e797 + ((bitcast<f32>(_e806) - _e797) * _e808)) - _e786) * _e813));
-let _e817 = (_e747 + _e742);
-let _e818 = local_2.member[1u];
-let _e819 = (_e817 + _e818);
-let _e821 = select(_e723, _e819, (_e819 < _e723));
+let _e782 = bitcast<f32>(_e781);
+let _e785 = local_4.member[3u];
+let _e786 = (_e746 + _e785);
+let _e788 = select(_e707, _e786, (_e786 < _e707));
+let _e793 = global_2.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
+let _e795 = local_5[0u];
+let _e798 = (_e758 + ((_e770 - _e758) * _e795));
+let _e799 = local_5[0u];
+let _e802 = (_e770 + ((_e782 - _e770) * _e799));
+let _e803 = local_5[0u];
+let _e806 = (_e782 + ((bitcast<f32>(_e793) - _e782) * _e803));
+let _e807 = (_e731 + _e728);
+let _e808 = local_4.member[0u];
+let _e809 = (_e807 + _e808);
+let _e811 = select(_e707, _e809, (_e809 < _e707));
+let _e816 = global_2.member[bitcast<u32>(select(0i, _e811, (_e811 > 0i)))];
+let _e817 = bitcast<f32>(_e816);
+let _e818 = local_4.member[1u];
+let _e819 = (_e807 + _e818);
+let _e821 = select(_e707, _e819, (_e819 < _e707));
 let _e826 = global_2.member[bitcast<u32>(select(0i, _e821, (_e821 > 0i)))];
 let _e827 = bitcast<f32>(_e826);
-let _e828 = local_2.member[2u];
-let _e829 = (_e817 + _e828);
-let _e831 = select(_e723, _e829, (_e829 < _e723));
+let _e828 = local_4.member[2u];
+let _e829 = (_e807 + _e828);
+let _e831 = select(_e707, _e829, (_e829 < _e707));
 let _e836 = global_2.member[bitcast<u32>(select(0i, _e831, (_e831 > 0i)))];
-let _e838 = local_3[0u];
-let _e841 = (_e827 + ((bitcast<f32>(_e836) - _e827) * _e838));
-let _e842 = (_e747 + _e744);
-let _e843 = local_2.member[1u];
-let _e844 = (_e842 + _e843);
-let _e846 = select(_e723, _e844, (_e844 < _e723));
-let _e851 = global_2.member[bitcast<u32>(select(0i, _e846, (_e846 > 0i)))];
-let _e852 = bitcast<f32>(_e851);
-let _e853 = local_2.member[2u];
-let _e854 = (_e842 + _e853);
-let _e856 = select(_e723, _e854, (_e854 < _e723));
-let _e861 = global_2.member[bitcast<u32>(select(0i, _e856, (_e856 > 0i)))];
-let _e863 = local_3[0u];
-let _e867 = local_3[1u];
-let _e872 = local_3[2u];
-let _e880 = global_1.member.member_5.member_4.member;
-let _e886 = global_1.member.member_5.member_4.member_1;
-let _e887 = (((_e816 + (((_e841 + (((_e852 + ((bitcast<f32>(_e861) - _e852) * _e863)) - _e841) * _e867)) - _e816) * _e872)) * _e880) + _e886);
-let _e889 = select(0f, _e887, (_e887 > 0f));
-phi_7155_ = type_20(select(1f, _e889, (_e889 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
-}
-let _e2038 = phi_7155_;
-let _e2040 = select(-0.5f, _e400, (_e400 > -0.5f));
-let _e2042 = select(_e465, _e2040, (_e2040 < _e465));
-let _e2044 = select(-0.5f, _e418, (_e418 > -0.5f));
-let _e2046 = select(_e475, _e2044, (_e2044 < _e475));
-let _e2048 = select(-0.5f, _e436, (_e436 > -0.5f));
-let _e2050 = select(_e485, _e2048, (_e2048 < _e485));
-let _e2052 = select(-1f, _e2042, (_e2042 > -1f));
-let _e2054 = select(_e464, _e2052, (_e2052 < _e464));
-let _e2061 = select(0i, select(select(i32(_e2054), i32(-2147483648), (_e2054 < -2147483600f)), 2147483647i, (_e2054 > 2147483500f)), (_e2054 == _e2054));
-let _e2065 = (_e2061 - select(0i, 1i, (_e2054 < f32(_e2061))));
-let _e2067 = select(-1f, _e2046, (_e2046 > -1f));
-let _e2069 = select(_e474, _e2067, (_e2067 < _e474));
-let _e2076 = select(0i, select(select(i32(_e2069), i32(-2147483648), (_e2069 < -2147483600f)), 2147483647i, (_e2069 > 2147483500f)), (_e2069 == _e2069));
-let _e2080 = (_e2076 - select(0i, 1i, (_e2069 < f32(_e2076))));
-let _e2082 = select(-1f, _e2050, (_e2050 > -1f));
-let _e2084 = select(_e484, _e2082, (_e2082 < _e484));
-let _e2091 = select(0i, select(select(i32(_e2084), i32(-2147483648), (_e2084 < -2147483600f)), 2147483647i, (_e2084 > 2147483500f)), (_e2084 == _e2084));
-let _e2095 = (_e2091 - select(0i, 1i, (_e2084 < f32(_e2091))));
-let _e2100 = global_1.member.member_5.member_5[0u];
-let _e2105 = global_1.member.member_5.member_5[1u];
-let _e2106 = (_e2065 + 1i);
-let _e2107 = (_e2080 + 1i);
-let _e2108 = (_e2095 + 1i);
-let _e2115 = global_1.member.member_5.member_7[0u];
-let _e2122 = global_1.member.member_5.member_7[1u];
-let _e2128 = ((_e2106 >> bitcast<u32>(4i)) + (_e2115 * ((_e2107 >> bitcast<u32>(4i)) + (_e2122 * (_e2108 >> bitcast<u32>(4i))))));
-let _e2130 = (bitcast<i32>(_e91) - 1i);
-let _e2132 = select(_e2130, _e2128, (_e2128 < _e2130));
-let _e2138 = global_2.member[bitcast<u32>(select(0i, _e2132, (_e2132 > 0i)))];
-let _e2140 = (_e2106 & 15i);
-let _e2143 = ((_e2107 & 15i) * _e2100);
-let _e2145 = (bitcast<i32>(_e2138) + ((_e2108 & 15i) * _e2105));
-let _e2149 = (_e2143 + _e2100);
-let _e2151 = (_e2143 + (2i * _e2100));
-let _e2152 = (_e2145 + _e2105);
-let _e2154 = (_e2145 + (2i * _e2105));
-local = type_18(array<i32, 4>(_e2140, (_e2140 + 1i), (_e2140 + 2i), (_e2140 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_1 = vec3<f32>((_e2042 - f32(_e2065)), (_e2046 - f32(_e2080)), (_e2050 - f32(_e2095)));
-let _e2165 = (_e2152 + _e2149);
-let _e2168 = local.member[1u];
-let _e2169 = (_e2165 + _e2168);
-let _e2171 = select(_e2130, _e2169, (_e2169 < _e2130));
-let _e2176 = global_2.member[bitcast<u32>(select(0i, _e2171, (_e2171 > 0i)))];
-let _e2177 = bitcast<f32>(_e2176);
-let _e2180 = local.member[2u];
-let _e2181 = (_e2165 + _e2180);
-let _e2183 = select(_e2130, _e2181, (_e2181 < _e2130));
-let _e2188 = global_2.member[bitcast<u32>(select(0i, _e2183, (_e2183 > 0i)))];
-let _e2190 = local_1[0u];
-let _e2193 = (_e2177 + ((bitcast<f32>(_e2188) - _e2177) * _e2190));
-let _e2194 = (_e2152 + _e2151);
-let _e2195 = local.member[1u];
-let _e2196 = (_e2194 + _e2195);
-let _e2198 = select(_e2130, _e2196, (_e2196 < _e2130));
-let _e2203 = global_2.member[bitcast<u32>(select(0i, _e2198, (_e2198 > 0i)))];
-let _e2204 = bitcast<f32>(_e2203);
-let _e2205 = local.member[2u];
-let _e2206 = (_e2194 + _e2205);
-let _e2208 = select(_e2130, _e2206, (_e2206 < _e2130));
-let _e2213 = global_2.member[bitcast<u32>(select(0i, _e2208, (_e2208 > 0i)))];
-let _e2215 = local_1[0u];
-let _e2220 = local_1[1u];
-let _e2223 = (_e2193 + (((_e2204 + ((bitcast<f32>(_e2213) - _e2204) * _e2215)) - _e2193) * _e2220));
-let _e2224 = (_e2154 + _e2149);
-let _e2225 = local.member[1u];
-let _e2226 = (_e2224 + _e2225);
-let _e2228 = select(_e2130, _e2226, (_e2226 < _e2130));
-let _e2233 = global_2.member[bitcast<u32>(select(0i, _e2228, (_e2228 > 0i)))];
-let _e2234 = bitcast<f32>(_e2233);
-let _e2235 = local.member[2u];
-let _e2236 = (_e2224 + _e2235);
-let _e2238 = select(_e2130, _e2236, (_e2236 < _e2130));
-let _e2243 = global_2.member[bitcast<u32>(select(0i, _e2238, (_e2238 > 0i)))];
-let _e2245 = local_1[0u];
-let _e2248 = (_e2234 + ((bitcast<f32>(_e2243) - _e2234) * _e2245));
-let _e2249 = (_e2154 + _e2151);
-let _e2250 = local.member[1u];
-let _e2251 = (_e2249 + _e2250);
-let _e2253 = select(_e2130, _e2251, (_e2251 < _e2130));
-let _e2258 = global_2.member[bitcast<u32>(select(0i, _e2253, (_e2253 > 0i)))];
-let _e2259 = bitcast<f32>(_e2258);
-let _e2260 = local.member[2u];
-let _e2261 = (_e2249 + _e2260);
-let _e2263 = select(_e2130, _e2261, (_e2261 < _e2130));
-let _e2268 = global_2.member[bitcast<u32>(select(0i, _e2263, (_e2263 > 0i)))];
-let _e2270 = local_1[0u];
-let _e2274 = local_1[1u];
-let _e2279 = local_1[2u];
-let _e2287 = global_1.member.member_5.member_4.member;
-let _e2293 = global_1.member.member_5.member_4.member_1;
-let _e2294 = (((_e2223 + (((_e2248 + (((_e2259 + ((bitcast<f32>(_e2268) - _e2259) * _e2270)) - _e2248) * _e2274)) - _e2223) * _e2279)) * _e2287) + _e2293);
-let _e2296 = select(0f, _e2294, (_e2294 > 0f));
-if ((_e623 & 16u) == 0u) {
-phi_8676_ = type_21(1f, 1f, 1f);
+let _e837 = bitcast<f32>(_e836);
+let _e838 = local_4.member[3u];
+let _e839 = (_e807 + _e838);
+let _e841 = select(_e707, _e839, (_e839 < _e707));
+let _e846 = global_2.member[bitcast<u32>(select(0i, _e841, (_e841 > 0i)))];
+let _e848 = local_5[0u];
+let _e852 = local_5[0u];
+let _e855 = (_e827 + ((_e837 - _e827) * _e852));
+let _e856 = local_5[0u];
+let _e860 = (_e733 + _e726);
+let _e861 = local_4.member[0u];
+let _e862 = (_e860 + _e861);
+let _e864 = select(_e707, _e862, (_e862 < _e707));
+let _e869 = global_2.member[bitcast<u32>(select(0i, _e864, (_e864 > 0i)))];
+let _e870 = bitcast<f32>(_e869);
+let _e871 = local_4.member[1u];
+let _e872 = (_e860 + _e871);
+let _e874 = select(_e707, _e872, (_e872 < _e707));
+let _e879 = global_2.member[bitcast<u32>(select(0i, _e874, (_e874 > 0i)))];
+let _e880 = bitcast<f32>(_e879);
+let _e881 = local_4.member[2u];
+let _e882 = (_e860 + _e881);
+let _e884 = select(_e707, _e882, (_e882 < _e707));
+let _e889 = global_2.member[bitcast<u32>(select(0i, _e884, (_e884 > 0i)))];
+let _e890 = bitcast<f32>(_e889);
+let _e891 = local_4.member[3u];
+let _e892 = (_e860 + _e891);
+let _e894 = select(_e707, _e892, (_e892 < _e707));
+let _e899 = global_2.member[bitcast<u32>(select(0i, _e894, (_e894 > 0i)))];
+let _e901 = local_5[0u];
+let _e904 = (_e870 + ((_e880 - _e870) * _e901));
+let _e905 = local_5[0u];
+let _e908 = (_e880 + ((_e890 - _e880) * _e905));
+let _e909 = local_5[0u];
+let _e912 = (_e890 + ((bitcast<f32>(_e899) - _e890) * _e909));
+let _e913 = (_e733 + _e728);
+let _e914 = local_4.member[0u];
+let _e915 = (_e913 + _e914);
+let _e917 = select(_e707, _e915, (_e915 < _e707));
+let _e922 = global_2.member[bitcast<u32>(select(0i, _e917, (_e917 > 0i)))];
+let _e923 = bitcast<f32>(_e922);
+let _e924 = local_4.member[1u];
+let _e925 = (_e913 + _e924);
+let _e927 = select(_e707, _e925, (_e925 < _e707));
+let _e932 = global_2.member[bitcast<u32>(select(0i, _e927, (_e927 > 0i)))];
+let _e933 = bitcast<f32>(_e932);
+let _e934 = local_4.member[2u];
+let _e935 = (_e913 + _e934);
+let _e937 = select(_e707, _e935, (_e935 < _e707));
+let _e942 = global_2.member[bitcast<u32>(select(0i, _e937, (_e937 > 0i)))];
+let _e943 = bitcast<f32>(_e942);
+let _e944 = local_4.member[3u];
+let _e945 = (_e913 + _e944);
+let _e947 = select(_e707, _e945, (_e945 < _e707));
+let _e952 = global_2.member[bitcast<u32>(select(0i, _e947, (_e947 > 0i)))];
+let _e954 = local_5[0u];
+let _e958 = local_5[0u];
+let _e961 = (_e933 + ((_e943 - _e933) * _e958));
+let _e962 = local_5[0u];
+let _e966 = (_e731 + _e720);
+let _e967 = local_4.member[1u];
+let _e968 = (_e966 + _e967);
+let _e970 = select(_e707, _e968, (_e968 < _e707));
+let _e975 = global_2.member[bitcast<u32>(select(0i, _e970, (_e970 > 0i)))];
+let _e976 = bitcast<f32>(_e975);
+let _e977 = local_4.member[2u];
+let _e978 = (_e966 + _e977);
+let _e980 = select(_e707, _e978, (_e978 < _e707));
+let _e985 = global_2.member[bitcast<u32>(select(0i, _e980, (_e980 > 0i)))];
+let _e987 = local_5[0u];
+let _e990 = (_e976 + ((bitcast<f32>(_e985) - _e976) * _e987));
+let _e991 = (_e731 + _e730);
+let _e992 = local_4.member[1u];
+let _e993 = (_e991 + _e992);
+let _e995 = select(_e707, _e993, (_e993 < _e707));
+let _e1000 = global_2.member[bitcast<u32>(select(0i, _e995, (_e995 > 0i)))];
+let _e1001 = bitcast<f32>(_e1000);
+let _e1002 = local_4.member[2u];
+let _e1003 = (_e991 + _e1002);
+let _e1005 = select(_e707, _e1003, (_e1003 < _e707));
+let _e1010 = global_2.member[bitcast<u32>(select(0i, _e1005, (_e1005 > 0i)))];
+let _e1012 = local_5[0u];
+let _e1016 = (_e733 + _e720);
+let _e1017 = local_4.member[1u];
+let _e1018 = (_e1016 + _e1017);
+let _e1020 = select(_e707, _e1018, (_e1018 < _e707));
+let _e1025 = global_2.member[bitcast<u32>(select(0i, _e1020, (_e1020 > 0i)))];
+let _e1026 = bitcast<f32>(_e1025);
+let _e1027 = local_4.member[2u];
+let _e1028 = (_e1016 + _e1027);
+let _e1030 = select(_e707, _e1028, (_e1028 < _e707));
+let _e1035 = global_2.member[bitcast<u32>(select(0i, _e1030, (_e1030 > 0i)))];
+let _e1037 = local_5[0u];
+let _e1040 = (_e1026 + ((bitcast<f32>(_e1035) - _e1026) * _e1037));
+let _e1041 = (_e733 + _e730);
+let _e1042 = local_4.member[1u];
+let _e1043 = (_e1041 + _e1042);
+let _e1045 = select(_e707, _e1043, (_e1043 < _e707));
+let _e1050 = global_2.member[bitcast<u32>(select(0i, _e1045, (_e1045 > 0i)))];
+let _e1051 = bitcast<f32>(_e1050);
+let _e1052 = local_4.member[2u];
+let _e1053 = (_e1041 + _e1052);
+let _e1055 = select(_e707, _e1053, (_e1053 < _e707));
+let _e1060 = global_2.member[bitcast<u32>(select(0i, _e1055, (_e1055 > 0i)))];
+let _e1062 = local_5[0u];
+let _e1066 = (_e722 + _e726);
+let _e1067 = local_4.member[1u];
+let _e1068 = (_e1066 + _e1067);
+let _e1070 = select(_e707, _e1068, (_e1068 < _e707));
+let _e1075 = global_2.member[bitcast<u32>(select(0i, _e1070, (_e1070 > 0i)))];
+let _e1076 = bitcast<f32>(_e1075);
+let _e1077 = local_4.member[2u];
+let _e1078 = (_e1066 + _e1077);
+let _e1080 = select(_e707, _e1078, (_e1078 < _e707));
+let _e1085 = global_2.member[bitcast<u32>(select(0i, _e1080, (_e1080 > 0i)))];
+let _e1087 = local_5[0u];
+let _e1090 = (_e1076 + ((bitcast<f32>(_e1085) - _e1076) * _e1087));
+let _e1091 = (_e735 + _e726);
+let _e1092 = local_4.member[1u];
+let _e1093 = (_e1091 + _e1092);
+let _e1095 = select(_e707, _e1093, (_e1093 < _e707));
+let _e1100 = global_2.member[bitcast<u32>(select(0i, _e1095, (_e1095 > 0i)))];
+let _e1101 = bitcast<f32>(_e1100);
+let _e1102 = local_4.member[2u];
+let _e1103 = (_e1091 + _e1102);
+let _e1105 = select(_e707, _e1103, (_e1103 < _e707));
+let _e1110 = global_2.member[bitcast<u32>(select(0i, _e1105, (_e1105 > 0i)))];
+let _e1112 = local_5[0u];
+let _e1115 = (_e1101 + ((bitcast<f32>(_e1110) - _e1101) * _e1112));
+let _e1116 = (_e722 + _e728);
+let _e1117 = local_4.member[1u];
+let _e1118 = (_e1116 + _e1117);
+let _e1120 = select(_e707, _e1118, (_e1118 < _e707));
+let _e1125 = global_2.member[bitcast<u32>(select(0i, _e1120, (_e1120 > 0i)))];
+let _e1126 = bitcast<f32>(_e1125);
+let _e1127 = local_4.member[2u];
+let _e1128 = (_e1116 + _e1127);
+let _e1130 = select(_e707, _e1128, (_e1128 < _e707));
+let _e1135 = global_2.member[bitcast<u32>(select(0i, _e1130, (_e1130 > 0i)))];
+let _e1137 = local_5[0u];
+let _e1141 = (_e735 + _e728);
+let _e1142 = local_4.member[1u];
+let _e1143 = (_e1141 + _e1142);
+let _e1145 = select(_e707, _e1143, (_e1143 < _e707));
+let _e1150 = global_2.member[bitcast<u32>(select(0i, _e1145, (_e1145 > 0i)))];
+let _e1151 = bitcast<f32>(_e1150);
+let _e1152 = local_4.member[2u];
+let _e1153 = (_e1141 + _e1152);
+let _e1155 = select(_e707, _e1153, (_e1153 < _e707));
+let _e1160 = global_2.member[bitcast<u32>(select(0i, _e1155, (_e1155 > 0i)))];
+let _e1162 = local_5[0u];
+let _e1167 = local_5[1u];
+let _e1170 = (_e802 + ((_e855 - _e802) * _e1167));
+let _e1171 = local_5[1u];
+let _e1174 = (_e908 + ((_e961 - _e908) * _e1171));
+let _e1175 = local_5[1u];
+let _e1178 = (_e798 + (((_e817 + ((_e827 - _e817) * _e848)) - _e798) * _e1175));
+let _e1179 = local_5[1u];
+let _e1184 = local_5[2u];
+let _e1188 = local_5[1u];
+let _e1191 = (_e806 + (((_e837 + ((bitcast<f32>(_e846) - _e837) * _e856)) - _e806) * _e1188));
+let _e1192 = local_5[1u];
+let _e1196 = local_5[2u];
+let _e1200 = local_5[1u];
+let _e1203 = (_e990 + ((_e802 - _e990) * _e1200));
+let _e1204 = local_5[1u];
+let _e1208 = local_5[2u];
+let _e1212 = local_5[1u];
+let _e1215 = (_e855 + (((_e1001 + ((bitcast<f32>(_e1010) - _e1001) * _e1012)) - _e855) * _e1212));
+let _e1216 = local_5[1u];
+let _e1220 = local_5[2u];
+let _e1224 = local_5[1u];
+let _e1227 = (_e1090 + (((_e1126 + ((bitcast<f32>(_e1135) - _e1126) * _e1137)) - _e1090) * _e1224));
+let _e1228 = local_5[2u];
+let _e1232 = local_5[1u];
+let _e1236 = local_5[2u];
+let _e1240 = local_5[2u];
+let _e1247 = global_1.member.member_6.member_5;
+let _e1252 = global_1.member.member_6.member_6;
+let _e1253 = (((_e1170 + ((_e1174 - _e1170) * _e1240)) * _e1247) + _e1252);
+let _e1255 = select(0f, _e1253, (_e1253 > 0f));
+let _e1257 = select(1f, _e1255, (_e1255 < 1f));
+let _e1259 = (((_e1178 + (((_e904 + (((_e923 + ((_e933 - _e923) * _e954)) - _e904) * _e1179)) - _e1178) * _e1184)) * _e1247) + _e1252);
+let _e1261 = select(0f, _e1259, (_e1259 > 0f));
+let _e1263 = select(1f, _e1261, (_e1261 < 1f));
+let _e1265 = (((_e1191 + (((_e912 + (((_e943 + ((bitcast<f32>(_e952) - _e943) * _e962)) - _e912) * _e1192)) - _e1191) * _e1196)) * _e1247) + _e1252);
+let _e1267 = select(0f, _e1265, (_e1265 > 0f));
+let _e1269 = select(1f, _e1267, (_e1267 < 1f));
+let _e1271 = (((_e1203 + (((_e1040 + ((_e908 - _e1040) * _e1204)) - _e1203) * _e1208)) * _e1247) + _e1252);
+let _e1273 = select(0f, _e1271, (_e1271 > 0f));
+let _e1275 = select(1f, _e1273, (_e1273 < 1f));
+let _e1277 = (((_e1215 + (((_e961 + (((_e1051 + ((bitcast<f32>(_e1060) - _e1051) * _e1062)) - _e961) * _e1216)) - _e1215) * _e1220)) * _e1247) + _e1252);
+let _e1279 = select(0f, _e1277, (_e1277 > 0f));
+let _e1281 = select(1f, _e1279, (_e1279 < 1f));
+let _e1283 = (((_e1227 + ((_e1170 - _e1227) * _e1228)) * _e1247) + _e1252);
+let _e1285 = select(0f, _e1283, (_e1283 > 0f));
+let _e1287 = select(1f, _e1285, (_e1285 < 1f));
+let _e1289 = (((_e1174 + (((_e1115 + (((_e1151 + ((bitcast<f32>(_e1160) - _e1151) * _e1162)) - _e1115) * _e1232)) - _e1174) * _e1236)) * _e1247) + _e1252);
+let _e1291 = select(0f, _e1289, (_e1289 > 0f));
+let _e1293 = select(1f, _e1291, (_e1291 < 1f));
+let _e1294 = (_e1257 * 1024f);
+let _e1295 = (1024f - 1f);
+let _e1297 = select(0f, _e1294, (_e1294 > 0f));
+let _e1299 = select(_e1295, _e1297, (_e1297 < _e1295));
+let _e1306 = select(0i, select(select(i32(_e1299), i32(-2147483648), (_e1299 < -2147483600f)), 2147483647i, (_e1299 > 2147483500f)), (_e1299 == _e1299));
+let _e1310 = (_e1306 - select(0i, 1i, (_e1299 < f32(_e1306))));
+let _e1311 = (262147i + _e1310);
+let _e1313 = (bitcast<i32>(_e95) - 1i);
+let _e1315 = select(_e1313, _e1311, (_e1311 < _e1313));
+let _e1321 = global_4.member[bitcast<u32>(select(0i, _e1315, (_e1315 > 0i)))];
+let _e1331 = select(_e1313, 262146i, (262146i < _e1313));
+let _e1337 = global_4.member[bitcast<u32>(select(0i, _e1331, (_e1331 > 0i)))];
+let _e1338 = bitcast<f32>(_e1337);
+let _e1339 = (f32((bitcast<i32>((_e1321 & 4095u)) - 2048i)) * _e1338);
+let _e1341 = select(_e1313, 262144i, (262144i < _e1313));
+let _e1347 = global_4.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
+let _e1348 = bitcast<f32>(_e1347);
+let _e1350 = select(_e1313, 262145i, (262145i < _e1313));
+let _e1356 = global_4.member[bitcast<u32>(select(0i, _e1350, (_e1350 > 0i)))];
+let _e1357 = bitcast<f32>(_e1356);
+let _e1363 = ((_e1348 + (f32(bitcast<i32>((_e1321 >> bitcast<u32>(12u)))) * _e1357)) + (_e1339 * (_e1294 - f32(_e1310))));
+let _e1364 = (_e1339 * 1024f);
+if _e624 {
+let _e1371 = ((0.5f * (_e1269 - _e1263)) * _e1364);
+let _e1372 = ((0.5f * (_e1281 - _e1275)) * _e1364);
+let _e1373 = ((0.5f * (_e1293 - _e1287)) * _e1364);
+phi_3637_ = type_29(_e1363, vec3<f32>(_e1371, _e1372, _e1373), vec3<f32>((_e1371 * _e1363), (_e1372 * _e1363), (_e1373 * _e1363)));
 } else {
-let _e2303 = global_1.member.member_18;
-let _e2307 = global_1.member.member_22.member;
-let _e2317 = ((((_e2303.member * _e308) + (_e2303.member_1 * _e317)) + (_e2303.member_2 * _e290)) + _e2303.member_3);
-let _e2323 = ((((_e2303.member * _e329) + (_e2303.member_1 * _e334)) + (_e2303.member_2 * _e323)) + _e2303.member_3);
-let _e2325 = select(_e2323, _e2317, (_e2317 < _e2323));
-let _e2327 = select(_e2323, _e2317, (_e2317 > _e2323));
-let _e2329 = (_e2327 - _e2325);
-let _e2332 = (-(_e2325) / select(1e-30f, _e2329, (_e2329 > 1e-30f)));
-let _e2334 = select(0f, _e2332, (_e2332 > 0f));
-let _e2340 = select(select(select(1f, _e2334, (_e2334 < 1f)), 1f, (_e2327 <= 0f)), 0f, (_e2325 > 0f));
-let _e2342 = (_e2307 > 0.5f);
-let _e2351 = global_1.member.member_19;
-let _e2355 = global_1.member.member_22.member_1;
-let _e2365 = ((((_e2351.member * _e308) + (_e2351.member_1 * _e317)) + (_e2351.member_2 * _e290)) + _e2351.member_3);
-let _e2371 = ((((_e2351.member * _e329) + (_e2351.member_1 * _e334)) + (_e2351.member_2 * _e323)) + _e2351.member_3);
-let _e2373 = select(_e2371, _e2365, (_e2365 < _e2371));
-let _e2375 = select(_e2371, _e2365, (_e2365 > _e2371));
-let _e2377 = (_e2375 - _e2373);
-let _e2380 = (-(_e2373) / select(1e-30f, _e2377, (_e2377 > 1e-30f)));
-let _e2382 = select(0f, _e2380, (_e2380 > 0f));
-let _e2388 = select(select(select(1f, _e2382, (_e2382 < 1f)), 1f, (_e2375 <= 0f)), 0f, (_e2373 > 0f));
-let _e2390 = (_e2355 > 0.5f);
-let _e2399 = global_1.member.member_20;
-let _e2403 = global_1.member.member_22.member_2;
-let _e2413 = ((((_e2399.member * _e308) + (_e2399.member_1 * _e317)) + (_e2399.member_2 * _e290)) + _e2399.member_3);
-let _e2419 = ((((_e2399.member * _e329) + (_e2399.member_1 * _e334)) + (_e2399.member_2 * _e323)) + _e2399.member_3);
-let _e2421 = select(_e2419, _e2413, (_e2413 < _e2419));
-let _e2423 = select(_e2419, _e2413, (_e2413 > _e2419));
-let _e2425 = (_e2423 - _e2421);
-let _e2428 = (-(_e2421) / select(1e-30f, _e2425, (_e2425 > 1e-30f)));
-let _e2430 = select(0f, _e2428, (_e2428 > 0f));
-let _e2436 = select(select(select(1f, _e2430, (_e2430 < 1f)), 1f, (_e2423 <= 0f)), 0f, (_e2421 > 0f));
-let _e2438 = (_e2403 > 0.5f);
-let _e2447 = global_1.member.member_21;
-let _e2451 = global_1.member.member_22.member_3;
-let _e2461 = ((((_e2447.member * _e308) + (_e2447.member_1 * _e317)) + (_e2447.member_2 * _e290)) + _e2447.member_3);
-let _e2467 = ((((_e2447.member * _e329) + (_e2447.member_1 * _e334)) + (_e2447.member_2 * _e323)) + _e2447.member_3);
-let _e2469 = select(_e2467, _e2461, (_e2461 < _e2467));
-let _e2471 = select(_e2467, _e2461, (_e2461 > _e2467));
-let _e2473 = (_e2471 - _e2469);
-let _e2476 = (-(_e2469) / select(1e-30f, _e2473, (_e2473 > 1e-30f)));
-let _e2478 = select(0f, _e2476, (_e2476 > 0f));
-let _e2484 = select(select(select(1f, _e2478, (_e2478 < 1f)), 1f, (_e2471 <= 0f)), 0f, (_e2469 > 0f));
-let _e2486 = (_e2451 > 0.5f);
-phi_8676_ = type_21(((((1f * _e2340) * _e2388) * _e2436) * _e2484), ((((1f * select(1f, _e2340, _e2342)) * select(1f, _e2388, _e2390)) * select(1f, _e2436, _e2438)) * select(1f, _e2484, _e2486)), ((((1f * select(1f, 0f, (_e2342 && (_e2323 > 0f)))) * select(1f, 0f, (_e2390 && (_e2371 > 0f)))) * select(1f, 0f, (_e2438 && (_e2419 > 0f)))) * select(1f, 0f, (_e2486 && (_e2467 > 0f)))));
+let _e1380 = (_e1263 * 1024f);
+let _e1382 = select(0f, _e1380, (_e1380 > 0f));
+let _e1384 = select(_e1295, _e1382, (_e1382 < _e1295));
+let _e1391 = select(0i, select(select(i32(_e1384), i32(-2147483648), (_e1384 < -2147483600f)), 2147483647i, (_e1384 > 2147483500f)), (_e1384 == _e1384));
+let _e1395 = (_e1391 - select(0i, 1i, (_e1384 < f32(_e1391))));
+let _e1396 = (262147i + _e1395);
+let _e1398 = select(_e1313, _e1396, (_e1396 < _e1313));
+let _e1404 = global_4.member[bitcast<u32>(select(0i, _e1398, (_e1398 > 0i)))];
+let _e1419 = ((_e1348 + (f32(bitcast<i32>((_e1404 >> bitcast<u32>(12u)))) * _e1357)) + ((f32((bitcast<i32>((_e1404 & 4095u)) - 2048i)) * _e1338) * (_e1380 - f32(_e1395))));
+let _e1420 = (_e1269 * 1024f);
+let _e1422 = select(0f, _e1420, (_e1420 > 0f));
+let _e1424 = select(_e1295, _e1422, (_e1422 < _e1295));
+let _e1431 = select(0i, select(select(i32(_e1424), i32(-2147483648), (_e1424 < -2147483600f)), 2147483647i, (_e1424 > 2147483500f)), (_e1424 == _e1424));
+let _e1435 = (_e1431 - select(0i, 1i, (_e1424 < f32(_e1431))));
+let _e1436 = (262147i + _e1435);
+let _e1438 = select(_e1313, _e1436, (_e1436 < _e1313));
+let _e1444 = global_4.member[bitcast<u32>(select(0i, _e1438, (_e1438 > 0i)))];
+let _e1459 = ((_e1348 + (f32(bitcast<i32>((_e1444 >> bitcast<u32>(12u)))) * _e1357)) + ((f32((bitcast<i32>((_e1444 & 4095u)) - 2048i)) * _e1338) * (_e1420 - f32(_e1435))));
+let _e1460 = (_e1275 * 1024f);
+let _e1462 = select(0f, _e1460, (_e1460 > 0f));
+let _e1464 = select(_e1295, _e1462, (_e1462 < _e1295));
+let _e1471 = select(0i, select(select(i32(_e1464), i32(-2147483648), (_e1464 < -2147483600f)), 2147483647i, (_e1464 > 2147483500f)), (_e1464 == _e1464));
+let _e1475 = (_e1471 - select(0i, 1i, (_e1464 < f32(_e1471))));
+let _e1476 = (262147i + _e1475);
+let _e1478 = select(_e1313, _e1476, (_e1476 < _e1313));
+let _e1484 = global_4.member[bitcast<u32>(select(0i, _e1478, (_e1478 > 0i)))];
+let _e1499 = ((_e1348 + (f32(bitcast<i32>((_e1484 >> bitcast<u32>(12u)))) * _e1357)) + ((f32((bitcast<i32>((_e1484 & 4095u)) - 2048i)) * _e1338) * (_e1460 - f32(_e1475))));
+let _e1500 = (_e1281 * 1024f);
+let _e1502 = select(0f, _e1500, (_e1500 > 0f));
+let _e1504 = select(_e1295, _e1502, (_e1502 < _e1295));
+let _e1511 = select(0i, select(select(i32(_e1504), i32(-2147483648), (_e1504 < -2147483600f)), 2147483647i, (_e1504 > 2147483500f)), (_e1504 == _e1504));
+let _e1515 = (_e1511 - select(0i, 1i, (_e1504 < f32(_e1511))));
+let _e1516 = (262147i + _e1515);
+let _e1518 = select(_e1313, _e1516, (_e1516 < _e1313));
+let _e1524 = global_4.member[bitcast<u32>(select(0i, _e1518, (_e1518 > 0i)))];
+let _e1539 = ((_e1348 + (f32(bitcast<i32>((_e1524 >> bitcast<u32>(12u)))) * _e1357)) + ((f32((bitcast<i32>((_e1524 & 4095u)) - 2048i)) * _e1338) * (_e1500 - f32(_e1515))));
+let _e1540 = (_e1287 * 1024f);
+let _e1542 = select(0f, _e1540, (_e1540 > 0f));
+let _e1544 = select(_e1295, _e1542, (_e1542 < _e1295));
+let _e1551 = select(0i, select(select(i32(_e1544), i32(-2147483648), (_e1544 < -2147483600f)), 2147483647i, (_e1544 > 2147483500f)), (_e1544 == _e1544));
+let _e1555 = (_e1551 - select(0i, 1i, (_e1544 < f32(_e1551))));
+let _e1556 = (262147i + _e1555);
+let _e1558 = select(_e1313, _e1556, (_e1556 < _e1313));
+let _e1564 = global_4.member[bitcast<u32>(select(0i, _e1558, (_e1558 > 0i)))];
+let _e1579 = ((_e1348 + (f32(bitcast<i32>((_e1564 >> bitcast<u32>(12u)))) * _e1357)) + ((f32((bitcast<i32>((_e1564 & 4095u)) - 2048i)) * _e1338) * (_e1540 - f32(_e1555))));
+let _e1580 = (_e1293 * 1024f);
+let _e1582 = select(0f, _e1580, (_e1580 > 0f));
+let _e1584 = select(_e1295, _e1582, (_e1582 < _e1295));
+let _e1591 = select(0i, select(select(i32(_e1584), i32(-2147483648), (_e1584 < -2147483600f)), 2147483647i, (_e1584 > 2147483500f)), (_e1584 == _e1584));
+let _e1595 = (_e1591 - select(0i, 1i, (_e1584 < f32(_e1591))));
+let _e1596 = (262147i + _e1595);
+let _e1598 = select(_e1313, _e1596, (_e1596 < _e1313));
+let _e1604 = global_4.member[bitcast<u32>(select(0i, _e1598, (_e1598 > 0i)))];
+let _e1619 = ((_e1348 + (f32(bitcast<i32>((_e1604 >> bitcast<u32>(12u)))) * _e1357)) + ((f32((bitcast<i32>((_e1604 & 4095u)) - 2048i)) * _e1338) * (_e1580 - f32(_e1595))));
+let _e1620 = (_e1459 - _e1419);
+let _e1622 = (_e1539 - _e1499);
+let _e1624 = (_e1619 - _e1579);
+phi_3637_ = type_29(_e1363, vec3<f32>((0.5f * _e1620), (0.5f * _e1622), (0.5f * _e1624)), vec3<f32>((0.25f * (_e1620 * (_e1459 + _e1419))), (0.25f * (_e1622 * (_e1539 + _e1499))), (0.25f * (_e1624 * (_e1619 + _e1579)))));
 }
-let _e2495 = phi_8676_;
-let _e2496 = (_e329 - _e308);
-let _e2497 = (_e334 - _e317);
-let _e2498 = (_e323 - _e290);
-let _e2503 = (((_e2496 * _e2496) + (_e2497 * _e2497)) + (_e2498 * _e2498));
-let _e2507 = (_e495 < 1e-12f);
-let _e2509 = (1f / select(_e490, 1f, _e2507));
-let _e2511 = ((-0.5f - _e400) * _e2509);
-let _e2513 = ((_e465 - _e400) * _e2509);
-let _e2519 = select(_e2513, _e2511, (_e2511 < _e2513));
-let _e2521 = select(0f, _e2519, (_e2519 > 0f));
-let _e2524 = select(select(1f, _e2521, (_e2521 < 1f)), select(2f, 0f, ((_e400 >= -0.5f) && (_e400 <= _e465))), _e2507);
-let _e2526 = select(_e2513, _e2511, (_e2511 > _e2513));
-let _e2528 = select(0f, _e2526, (_e2526 > 0f));
-let _e2531 = select(select(1f, _e2528, (_e2528 < 1f)), 1f, _e2507);
-let _e2532 = (_e498 < 1e-12f);
-let _e2534 = (1f / select(_e491, 1f, _e2532));
-let _e2536 = ((-0.5f - _e418) * _e2534);
-let _e2538 = ((_e475 - _e418) * _e2534);
-let _e2544 = select(_e2538, _e2536, (_e2536 < _e2538));
-let _e2546 = select(0f, _e2544, (_e2544 > 0f));
-let _e2549 = select(select(1f, _e2546, (_e2546 < 1f)), select(2f, 0f, ((_e418 >= -0.5f) && (_e418 <= _e475))), _e2532);
-let _e2551 = select(_e2538, _e2536, (_e2536 > _e2538));
-let _e2553 = select(0f, _e2551, (_e2551 > 0f));
-let _e2556 = select(select(1f, _e2553, (_e2553 < 1f)), 1f, _e2532);
-let _e2557 = (_e503 < 1e-12f);
-let _e2559 = (1f / select(_e492, 1f, _e2557));
-let _e2561 = ((-0.5f - _e436) * _e2559);
-let _e2563 = ((_e485 - _e436) * _e2559);
-let _e2569 = select(_e2563, _e2561, (_e2561 < _e2563));
-let _e2571 = select(0f, _e2569, (_e2569 > 0f));
-let _e2574 = select(select(1f, _e2571, (_e2571 < 1f)), select(2f, 0f, ((_e436 >= -0.5f) && (_e436 <= _e485))), _e2557);
-let _e2576 = select(_e2563, _e2561, (_e2561 > _e2563));
-let _e2578 = select(0f, _e2576, (_e2576 > 0f));
-let _e2581 = select(select(1f, _e2578, (_e2578 < 1f)), 1f, _e2557);
-let _e2583 = select(_e2556, _e2531, (_e2531 < _e2556));
-let _e2587 = select(_e2549, _e2524, (_e2524 > _e2549));
-let _e2590 = (select(_e2581, _e2583, (_e2583 < _e2581)) - select(_e2574, _e2587, (_e2587 > _e2574)));
-let _e2597 = global_1.member.member_4.member_3;
-let _e2598 = ((sqrt(select(0f, _e2503, (_e2503 > 0f))) * select(0f, _e2590, (_e2590 > 0f))) * _e2597);
-let _e2600 = (select(1f, _e2296, (_e2296 < 1f)) * 255f);
-let _e2601 = (_e2038.member * 255f);
-let _e2602 = (255f - 1f);
-let _e2604 = select(0f, _e2600, (_e2600 > 0f));
-let _e2606 = select(_e2602, _e2604, (_e2604 < _e2602));
-let _e2613 = select(0i, select(select(i32(_e2606), i32(-2147483648), (_e2606 < -2147483600f)), 2147483647i, (_e2606 > 2147483500f)), (_e2606 == _e2606));
-let _e2617 = (_e2613 - select(0i, 1i, (_e2606 < f32(_e2613))));
-let _e2619 = select(0f, _e2601, (_e2601 > 0f));
-let _e2621 = select(_e2602, _e2619, (_e2619 < _e2602));
-let _e2628 = select(0i, select(select(i32(_e2621), i32(-2147483648), (_e2621 < -2147483600f)), 2147483647i, (_e2621 > 2147483500f)), (_e2621 == _e2621));
-let _e2632 = (_e2628 - select(0i, 1i, (_e2621 < f32(_e2628))));
-let _e2635 = (((_e2617 * 256i) + _e2632) * 4i);
-let _e2637 = (_e2600 - f32(_e2617));
-let _e2639 = (_e2601 - f32(_e2632));
-let _e2641 = (bitcast<i32>(_e95) - 1i);
-let _e2643 = select(_e2641, _e2635, (_e2635 < _e2641));
-let _e2649 = global_4.member[bitcast<u32>(select(0i, _e2643, (_e2643 > 0i)))];
-let _e2650 = (_e2635 + 4i);
-let _e2652 = select(_e2641, _e2650, (_e2650 < _e2641));
-let _e2658 = global_4.member[bitcast<u32>(select(0i, _e2652, (_e2652 > 0i)))];
-let _e2659 = (_e2635 + 1024i);
-let _e2661 = select(_e2641, _e2659, (_e2659 < _e2641));
-let _e2667 = global_4.member[bitcast<u32>(select(0i, _e2661, (_e2661 > 0i)))];
-let _e2668 = (_e2635 + 1028i);
-let _e2670 = select(_e2641, _e2668, (_e2668 < _e2641));
-let _e2676 = global_4.member[bitcast<u32>(select(0i, _e2670, (_e2670 > 0i)))];
-let _e2681 = (bitcast<f32>(((_e2649 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2689 = (_e2681 + (((bitcast<f32>(((_e2658 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2681) * _e2639));
-let _e2694 = (bitcast<f32>(((_e2667 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2718 = (bitcast<f32>((((_e2649 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2726 = (_e2718 + (((bitcast<f32>((((_e2658 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2718) * _e2639));
-let _e2731 = (bitcast<f32>((((_e2667 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2743 = (_e2635 + 1i);
-let _e2745 = select(_e2641, _e2743, (_e2743 < _e2641));
-let _e2751 = global_4.member[bitcast<u32>(select(0i, _e2745, (_e2745 > 0i)))];
-let _e2752 = (_e2635 + 5i);
-let _e2754 = select(_e2641, _e2752, (_e2752 < _e2641));
-let _e2760 = global_4.member[bitcast<u32>(select(0i, _e2754, (_e2754 > 0i)))];
-let _e2761 = (_e2635 + 1025i);
-let _e2763 = select(_e2641, _e2761, (_e2761 < _e2641));
-let _e2769 = global_4.member[bitcast<u32>(select(0i, _e2763, (_e2763 > 0i)))];
-let _e2770 = (_e2635 + 1029i);
-let _e2772 = select(_e2641, _e2770, (_e2770 < _e2641));
-let _e2778 = global_4.member[bitcast<u32>(select(0i, _e2772, (_e2772 > 0i)))];
-let _e2783 = (bitcast<f32>(((_e2751 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2791 = (_e2783 + (((bitcast<f32>(((_e2760 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2783) * _e2639));
-let _e2796 = (bitcast<f32>(((_e2769 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2820 = (bitcast<f32>((((_e2751 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2828 = (_e2820 + (((bitcast<f32>((((_e2760 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2820) * _e2639));
-let _e2833 = (bitcast<f32>((((_e2769 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e2848 = (_e2598 * _e2495.member_1);
-let _e2850 = -(((_e2726 + (((_e2731 + (((bitcast<f32>((((_e2676 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2731) * _e2639)) - _e2726) * _e2637)) * _e2848));
-let _e2852 = select(-87f, _e2850, (_e2850 > -87f));
-let _e2854 = select(88f, _e2852, (_e2852 < 88f));
-let _e2856 = ((_e2854 * 1.442695f) + 0.5f);
-let _e2858 = select(-127f, _e2856, (_e2856 > -127f));
-let _e2860 = select(128f, _e2858, (_e2858 < 128f));
-let _e2867 = select(0i, select(select(i32(_e2860), i32(-2147483648), (_e2860 < -2147483600f)), 2147483647i, (_e2860 > 2147483500f)), (_e2860 == _e2860));
-let _e2871 = (_e2867 - select(0i, 1i, (_e2860 < f32(_e2867))));
-let _e2872 = f32(_e2871);
-let _e2876 = ((_e2854 - (_e2872 * 0.6933594f)) - (_e2872 * -2.1219444e-4f));
-let _e2898 = -(((_e2791 + (((_e2796 + (((bitcast<f32>(((_e2778 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2796) * _e2639)) - _e2791) * _e2637)) * _e2848));
-let _e2900 = select(-87f, _e2898, (_e2898 > -87f));
-let _e2902 = select(88f, _e2900, (_e2900 < 88f));
-let _e2904 = ((_e2902 * 1.442695f) + 0.5f);
-let _e2906 = select(-127f, _e2904, (_e2904 > -127f));
-let _e2908 = select(128f, _e2906, (_e2906 < 128f));
-let _e2915 = select(0i, select(select(i32(_e2908), i32(-2147483648), (_e2908 < -2147483600f)), 2147483647i, (_e2908 > 2147483500f)), (_e2908 == _e2908));
-let _e2919 = (_e2915 - select(0i, 1i, (_e2908 < f32(_e2915))));
-let _e2920 = f32(_e2919);
-let _e2924 = ((_e2902 - (_e2920 * 0.6933594f)) - (_e2920 * -2.1219444e-4f));
-let _e2946 = -(((_e2828 + (((_e2833 + (((bitcast<f32>((((_e2778 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2833) * _e2639)) - _e2828) * _e2637)) * _e2848));
-let _e2948 = select(-87f, _e2946, (_e2946 > -87f));
-let _e2950 = select(88f, _e2948, (_e2948 < 88f));
-let _e2952 = ((_e2950 * 1.442695f) + 0.5f);
-let _e2954 = select(-127f, _e2952, (_e2952 > -127f));
-let _e2956 = select(128f, _e2954, (_e2954 < 128f));
-let _e2963 = select(0i, select(select(i32(_e2956), i32(-2147483648), (_e2956 < -2147483600f)), 2147483647i, (_e2956 > 2147483500f)), (_e2956 == _e2956));
-let _e2967 = (_e2963 - select(0i, 1i, (_e2956 < f32(_e2963))));
-let _e2968 = f32(_e2967);
-let _e2972 = ((_e2950 - (_e2968 * 0.6933594f)) - (_e2968 * -2.1219444e-4f));
-let _e2994 = -(((_e2689 + (((_e2694 + (((bitcast<f32>(((_e2676 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2694) * _e2639)) - _e2689) * _e2637)) * (_e2598 * _e2495.member)));
-let _e2996 = select(-87f, _e2994, (_e2994 > -87f));
-let _e2998 = select(88f, _e2996, (_e2996 < 88f));
-let _e3000 = ((_e2998 * 1.442695f) + 0.5f);
-let _e3002 = select(-127f, _e3000, (_e3000 > -127f));
-let _e3004 = select(128f, _e3002, (_e3002 < 128f));
-let _e3011 = select(0i, select(select(i32(_e3004), i32(-2147483648), (_e3004 < -2147483600f)), 2147483647i, (_e3004 > 2147483500f)), (_e3004 == _e3004));
-let _e3015 = (_e3011 - select(0i, 1i, (_e3004 < f32(_e3011))));
-let _e3016 = f32(_e3015);
-let _e3020 = ((_e2998 - (_e3016 * 0.6933594f)) - (_e3016 * -2.1219444e-4f));
-let _e3040 = ((1f + (_e3020 * (1f + (_e3020 * (0.5f + (_e3020 * (0.16666667f + (_e3020 * (0.041666668f + (_e3020 * (0.008333334f + (_e3020 * (0.001388889f + (_e3020 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3015 + 127i)) << bitcast<u32>(23i))));
-if _e643 {
-let _e3055 = global_1.member.member_24.member_2;
-let _e3058 = (_e2038.member_3.x * _e2495.member_2);
-let _e3060 = (_e2038.member_3.y * _e2495.member_2);
-let _e3062 = (_e2038.member_3.z * _e2495.member_2);
-let _e3063 = (0.5f * (_e247 / _e199));
-let _e3067 = (_e177 + (_e3058 * _e3063));
-let _e3068 = (_e188 + (_e3060 * _e3063));
-let _e3069 = (_e199 + (_e3062 * _e3063));
-let _e3071 = (2f * _e247);
-let _e3073 = ((_e3069 * _e3069) + (_e3071 * _e3062));
-let _e3077 = (_e3069 + sqrt(select(0f, _e3073, (_e3073 > 0f))));
-let _e3081 = (0.5f * (_e3071 / select(1e-6f, _e3077, (_e3077 > 1e-6f))));
-let _e3085 = (_e3067 + (_e3058 * _e3081));
-let _e3086 = (_e3068 + (_e3060 * _e3081));
-let _e3087 = (_e3069 + (_e3062 * _e3081));
-let _e3091 = (_e3055 * _e3055);
-let _e3093 = (_e3087 * _e3087);
-let _e3101 = (((_e3069 <= 0f) || (_e3073 <= 0f)) || ((_e3087 <= 0f) || (_e3093 <= (_e3091 * (((_e3085 * _e3085) + (_e3086 * _e3086)) + _e3093)))));
-let _e3115 = (_e177 + ((_e2038.member_4.x * _e2495.member_2) * _e247));
-let _e3116 = (_e188 + ((_e2038.member_4.y * _e2495.member_2) * _e247));
-let _e3117 = (_e199 + ((_e2038.member_4.z * _e2495.member_2) * _e247));
-let _e3119 = (_e3117 * _e3117);
-let _e3128 = ((_e623 & 1u) != 0u);
-phi_9700_ = select(select(select(_e3087, _e3069, _e3101), _e3117, _e3128), _e199, _e630);
-phi_9701_ = select(select(select(_e3086, _e3068, _e3101), _e3116, _e3128), _e188, _e630);
-phi_9702_ = select(select(select(_e3085, _e3067, _e3101), _e3115, _e3128), _e177, _e630);
-phi_9703_ = (select(_e3101, ((_e3117 <= 0f) || (_e3119 <= (_e3091 * (((_e3115 * _e3115) + (_e3116 * _e3116)) + _e3119)))), _e3128) && !(_e630));
+let _e1639 = phi_3637_;
+let _e1654 = select(0f, 1f, ((((((_e430 >= -0.5f) && (_e430 <= _e452)) && (_e436 >= -0.5f)) && (_e436 <= _e462)) && (_e442 >= -0.5f)) && (_e442 <= _e472)));
+let _e1656 = (0.5f * (_e1269 - _e1263));
+let _e1658 = (0.5f * (_e1281 - _e1275));
+let _e1660 = (0.5f * (_e1293 - _e1287));
+let _e1666 = global_1.member.member_6.member.member.member;
+let _e1672 = global_1.member.member_6.member.member.member_1;
+let _e1678 = global_1.member.member_6.member.member.member_2;
+let _e1684 = global_1.member.member_6.member_1.member.member;
+let _e1690 = global_1.member.member_6.member_1.member.member_1;
+let _e1696 = global_1.member.member_6.member_1.member.member_2;
+let _e1702 = global_1.member.member_6.member_2.member.member;
+let _e1708 = global_1.member.member_6.member_2.member.member_1;
+let _e1714 = global_1.member.member_6.member_2.member.member_2;
+phi_4246_ = type_30(_e1257, vec3<f32>(((((_e1666 * _e1656) + (_e1684 * _e1658)) + (_e1702 * _e1660)) * _e1654), ((((_e1672 * _e1656) + (_e1690 * _e1658)) + (_e1708 * _e1660)) * _e1654), ((((_e1678 * _e1656) + (_e1696 * _e1658)) + (_e1714 * _e1660)) * _e1654)), _e1639.member, vec3<f32>(((((_e1666 * _e1639.member_2.x) + (_e1684 * _e1639.member_2.y)) + (_e1702 * _e1639.member_2.z)) * _e1654), ((((_e1672 * _e1639.member_2.x) + (_e1690 * _e1639.member_2.y)) + (_e1708 * _e1639.member_2.z)) * _e1654), ((((_e1678 * _e1639.member_2.x) + (_e1696 * _e1639.member_2.y)) + (_e1714 * _e1639.member_2.z)) * _e1654)), vec3<f32>(((((_e1666 * _e1639.member_1.x) + (_e1684 * _e1639.member_1.y)) + (_e1702 * _e1639.member_1.z)) * _e1654), ((((_e1672 * _e1639.member_1.x) + (_e1690 * _e1639.member_1.y)) + (_e1708 * _e1639.member_1.z)) * _e1654), ((((_e1678 * _e1639.member_1.x) + (_e1696 * _e1639.member_1.y)) + (_e1714 * _e1639.member_1.z)) * _e1654)));
 } else {
-phi_9700_ = _e199;
-phi_9701_ = _e188;
-phi_9702_ = _e177;
-phi_9703_ = false;
+let _e1780 = select(-1f, _e456, (_e456 > -1f));
+let _e1782 = select(_e451, _e1780, (_e1780 < _e451));
+let _e1789 = select(0i, select(select(i32(_e1782), i32(-2147483648), (_e1782 < -2147483600f)), 2147483647i, (_e1782 > 2147483500f)), (_e1782 == _e1782));
+let _e1793 = (_e1789 - select(0i, 1i, (_e1782 < f32(_e1789))));
+let _e1795 = select(-1f, _e466, (_e466 > -1f));
+let _e1797 = select(_e461, _e1795, (_e1795 < _e461));
+let _e1804 = select(0i, select(select(i32(_e1797), i32(-2147483648), (_e1797 < -2147483600f)), 2147483647i, (_e1797 > 2147483500f)), (_e1797 == _e1797));
+let _e1808 = (_e1804 - select(0i, 1i, (_e1797 < f32(_e1804))));
+let _e1810 = select(-1f, _e476, (_e476 > -1f));
+let _e1812 = select(_e471, _e1810, (_e1810 < _e471));
+let _e1819 = select(0i, select(select(i32(_e1812), i32(-2147483648), (_e1812 < -2147483600f)), 2147483647i, (_e1812 > 2147483500f)), (_e1812 == _e1812));
+let _e1823 = (_e1819 - select(0i, 1i, (_e1812 < f32(_e1819))));
+let _e1827 = global_1.member.member_6.member_7;
+let _e1831 = global_1.member.member_6.member_8;
+let _e1832 = (_e1793 + 1i);
+let _e1833 = (_e1808 + 1i);
+let _e1834 = (_e1823 + 1i);
+let _e1839 = global_1.member.member_6.member_11.member;
+let _e1845 = global_1.member.member_6.member_11.member_1;
+let _e1856 = ((_e1832 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1839) * ((_e1833 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1845) * (_e1834 >> bitcast<u32>(4i))))));
+let _e1858 = (bitcast<i32>(_e91) - 1i);
+let _e1860 = select(_e1858, _e1856, (_e1856 < _e1858));
+let _e1866 = global_2.member[bitcast<u32>(select(0i, _e1860, (_e1860 > 0i)))];
+let _e1868 = (_e1832 & 15i);
+let _e1871 = ((_e1833 & 15i) * _e1827);
+let _e1873 = (bitcast<i32>(_e1866) + ((_e1834 & 15i) * _e1831));
+let _e1877 = (_e1871 + _e1827);
+let _e1879 = (_e1871 + (2i * _e1827));
+let _e1880 = (_e1873 + _e1831);
+let _e1882 = (_e1873 + (2i * _e1831));
+local_2 = type_28(array<i32, 4>(_e1868, (_e1868 + 1i), (_e1868 + 2i), (_e1868 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_3 = vec3<f32>((_e456 - f32(_e1793)), (_e466 - f32(_e1808)), (_e476 - f32(_e1823)));
+let _e1893 = (_e1880 + _e1877);
+let _e1896 = local_2.member[1u];
+let _e1897 = (_e1893 + _e1896);
+let _e1899 = select(_e1858, _e1897, (_e1897 < _e1858));
+let _e1904 = global_2.member[bitcast<u32>(select(0i, _e1899, (_e1899 > 0i)))];
+let _e1905 = bitcast<f32>(_e1904);
+let _e1908 = local_2.member[2u];
+let _e1909 = (_e1893 + _e1908);
+let _e1911 = select(_e1858, _e1909, (_e1909 < _e1858));
+let _e1916 = global_2.member[bitcast<u32>(select(0i, _e1911, (_e1911 > 0i)))];
+let _e1918 = local_3[0u];
+let _e1921 = (_e1905 + ((bitcast<f32>(_e1916) - _e1905) * _e1918));
+let _e1922 = (_e1880 + _e1879);
+let _e1923 = local_2.member[1u];
+let _e1924 = (_e1922 + _e1923);
+let _e1926 = select(_e1858, _e1924, (_e1924 < _e1858));
+let _e1931 = global_2.member[bitcast<u32>(select(0i, _e1926, (_e1926 > 0i)))];
+let _e1932 = bitcast<f32>(_e1931);
+let _e1933 = local_2.member[2u];
+let _e1934 = (_e1922 + _e1933);
+let _e1936 = select(_e1858, _e1934, (_e1934 < _e1858));
+let _e1941 = global_2.member[bitcast<u32>(select(0i, _e1936, (_e1936 > 0i)))];
+let _e1943 = local_3[0u];
+let _e1948 = local_3[1u];
+let _e1951 = (_e1921 + (((_e1932 + ((bitcast<f32>(_e1941) - _e1932) * _e1943)) - _e1921) * _e1948));
+let _e1952 = (_e1882 + _e1877);
+let _e1953 = local_2.member[1u];
+let _e1954 = (_e1952 + _e1953);
+let _e1956 = select(_e1858, _e1954, (_e1954 < _e1858));
+let _e1961 = global_2.member[bitcast<u32>(select(0i, _e1956, (_e1956 > 0i)))];
+let _e1962 = bitcast<f32>(_e1961);
+let _e1963 = local_2.member[2u];
+let _e1964 = (_e1952 + _e1963);
+let _e1966 = select(_e1858, _e1964, (_e1964 < _e1858));
+let _e1971 = global_2.member[bitcast<u32>(select(0i, _e1966, (_e1966 > 0i)))];
+let _e1973 = local_3[0u];
+let _e1976 = (_e1962 + ((bitcast<f32>(_e1971) - _e1962) * _e1973));
+let _e1977 = (_e1882 + _e1879);
+let _e1978 = local_2.member[1u];
+let _e1979 = (_e1977 + _e1978);
+let _e1981 = select(_e1858, _e1979, (_e1979 < _e1858));
+let _e1986 = global_2.member[bitcast<u32>(select(0i, _e1981, (_e1981 > 0i)))];
+let _e1987 = bitcast<f32>(_e1986);
+let _e1988 = local_2.member[2u];
+let _e1989 = (_e1977 + _e1988);
+let _e1991 = select(_e1858, _e1989, (_e1989 < _e1858));
+let _e1996 = global_2.member[bitcast<u32>(select(0i, _e1991, (_e1991 > 0i)))];
+let _e1998 = local_3[0u];
+let _e2002 = local_3[1u];
+let _e2007 = local_3[2u];
+let _e2014 = global_1.member.member_6.member_5;
+let _e2019 = global_1.member.member_6.member_6;
+let _e2020 = (((_e1951 + (((_e1976 + (((_e1987 + ((bitcast<f32>(_e1996) - _e1987) * _e1998)) - _e1976) * _e2002)) - _e1951) * _e2007)) * _e2014) + _e2019);
+let _e2022 = select(0f, _e2020, (_e2020 > 0f));
+phi_4246_ = type_30(select(1f, _e2022, (_e2022 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3139 = phi_9700_;
-let _e3141 = phi_9701_;
-let _e3143 = phi_9702_;
-let _e3145 = phi_9703_;
-global_6.member[_e123] = (_e134 + _e262);
-global_6.member[_e135] = (_e144 + _e269);
-global_6.member[_e146] = (_e155 + _e371);
-global_6.member[_e157] = (_e166 + _e374);
-global_6.member[_e168] = _e3143;
-global_6.member[_e179] = _e3141;
-global_6.member[_e190] = _e3139;
-global_6.member[_e201] = select((_e210 * (((1f + (_e2876 * (1f + (_e2876 * (0.5f + (_e2876 * (0.16666667f + (_e2876 * (0.041666668f + (_e2876 * (0.008333334f + (_e2876 * (0.001388889f + (_e2876 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2871 + 127i)) << bitcast<u32>(23i)))) * _e3040)), _e210, _e630);
-global_6.member[_e212] = select((_e221 * (((1f + (_e2924 * (1f + (_e2924 * (0.5f + (_e2924 * (0.16666667f + (_e2924 * (0.041666668f + (_e2924 * (0.008333334f + (_e2924 * (0.001388889f + (_e2924 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2919 + 127i)) << bitcast<u32>(23i)))) * _e3040)), _e221, _e630);
-global_6.member[_e223] = select((_e232 * (((1f + (_e2972 * (1f + (_e2972 * (0.5f + (_e2972 * (0.16666667f + (_e2972 * (0.041666668f + (_e2972 * (0.008333334f + (_e2972 * (0.001388889f + (_e2972 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2967 + 127i)) << bitcast<u32>(23i)))) * _e3040)), _e232, _e630);
-global_6.member[_e234] = select(_e243, 1f, _e3145);
+let _e2027 = phi_4246_;
+let _e2029 = select(-0.5f, _e394, (_e394 > -0.5f));
+let _e2031 = select(_e452, _e2029, (_e2029 < _e452));
+let _e2033 = select(-0.5f, _e409, (_e409 > -0.5f));
+let _e2035 = select(_e462, _e2033, (_e2033 < _e462));
+let _e2037 = select(-0.5f, _e424, (_e424 > -0.5f));
+let _e2039 = select(_e472, _e2037, (_e2037 < _e472));
+let _e2041 = select(-1f, _e2031, (_e2031 > -1f));
+let _e2043 = select(_e451, _e2041, (_e2041 < _e451));
+let _e2050 = select(0i, select(select(i32(_e2043), i32(-2147483648), (_e2043 < -2147483600f)), 2147483647i, (_e2043 > 2147483500f)), (_e2043 == _e2043));
+let _e2054 = (_e2050 - select(0i, 1i, (_e2043 < f32(_e2050))));
+let _e2056 = select(-1f, _e2035, (_e2035 > -1f));
+let _e2058 = select(_e461, _e2056, (_e2056 < _e461));
+let _e2065 = select(0i, select(select(i32(_e2058), i32(-2147483648), (_e2058 < -2147483600f)), 2147483647i, (_e2058 > 2147483500f)), (_e2058 == _e2058));
+let _e2069 = (_e2065 - select(0i, 1i, (_e2058 < f32(_e2065))));
+let _e2071 = select(-1f, _e2039, (_e2039 > -1f));
+let _e2073 = select(_e471, _e2071, (_e2071 < _e471));
+let _e2080 = select(0i, select(select(i32(_e2073), i32(-2147483648), (_e2073 < -2147483600f)), 2147483647i, (_e2073 > 2147483500f)), (_e2073 == _e2073));
+let _e2084 = (_e2080 - select(0i, 1i, (_e2073 < f32(_e2080))));
+let _e2088 = global_1.member.member_6.member_7;
+let _e2092 = global_1.member.member_6.member_8;
+let _e2093 = (_e2054 + 1i);
+let _e2094 = (_e2069 + 1i);
+let _e2095 = (_e2084 + 1i);
+let _e2100 = global_1.member.member_6.member_11.member;
+let _e2106 = global_1.member.member_6.member_11.member_1;
+let _e2117 = ((_e2093 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2100) * ((_e2094 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2106) * (_e2095 >> bitcast<u32>(4i))))));
+let _e2119 = (bitcast<i32>(_e91) - 1i);
+let _e2121 = select(_e2119, _e2117, (_e2117 < _e2119));
+let _e2127 = global_2.member[bitcast<u32>(select(0i, _e2121, (_e2121 > 0i)))];
+let _e2129 = (_e2093 & 15i);
+let _e2132 = ((_e2094 & 15i) * _e2088);
+let _e2134 = (bitcast<i32>(_e2127) + ((_e2095 & 15i) * _e2092));
+let _e2138 = (_e2132 + _e2088);
+let _e2140 = (_e2132 + (2i * _e2088));
+let _e2141 = (_e2134 + _e2092);
+let _e2143 = (_e2134 + (2i * _e2092));
+local = type_28(array<i32, 4>(_e2129, (_e2129 + 1i), (_e2129 + 2i), (_e2129 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_1 = vec3<f32>((_e2031 - f32(_e2054)), (_e2035 - f32(_e2069)), (_e2039 - f32(_e2084)));
+let _e2154 = (_e2141 + _e2138);
+let _e2157 = local.member[1u];
+let _e2158 = (_e2154 + _e2157);
+let _e2160 = select(_e2119, _e2158, (_e2158 < _e2119));
+let _e2165 = global_2.member[bitcast<u32>(select(0i, _e2160, (_e2160 > 0i)))];
+let _e2166 = bitcast<f32>(_e2165);
+let _e2169 = local.member[2u];
+let _e2170 = (_e2154 + _e2169);
+let _e2172 = select(_e2119, _e2170, (_e2170 < _e2119));
+let _e2177 = global_2.member[bitcast<u32>(select(0i, _e2172, (_e2172 > 0i)))];
+let _e2179 = local_1[0u];
+let _e2182 = (_e2166 + ((bitcast<f32>(_e2177) - _e2166) * _e2179));
+let _e2183 = (_e2141 + _e2140);
+let _e2184 = local.member[1u];
+let _e2185 = (_e2183 + _e2184);
+let _e2187 = select(_e2119, _e2185, (_e2185 < _e2119));
+let _e2192 = global_2.member[bitcast<u32>(select(0i, _e2187, (_e2187 > 0i)))];
+let _e2193 = bitcast<f32>(_e2192);
+let _e2194 = local.member[2u];
+let _e2195 = (_e2183 + _e2194);
+let _e2197 = select(_e2119, _e2195, (_e2195 < _e2119));
+let _e2202 = global_2.member[bitcast<u32>(select(0i, _e2197, (_e2197 > 0i)))];
+let _e2204 = local_1[0u];
+let _e2209 = local_1[1u];
+let _e2212 = (_e2182 + (((_e2193 + ((bitcast<f32>(_e2202) - _e2193) * _e2204)) - _e2182) * _e2209));
+let _e2213 = (_e2143 + _e2138);
+let _e2214 = local.member[1u];
+let _e2215 = (_e2213 + _e2214);
+let _e2217 = select(_e2119, _e2215, (_e2215 < _e2119));
+let _e2222 = global_2.member[bitcast<u32>(select(0i, _e2217, (_e2217 > 0i)))];
+let _e2223 = bitcast<f32>(_e2222);
+let _e2224 = local.member[2u];
+let _e2225 = (_e2213 + _e2224);
+let _e2227 = select(_e2119, _e2225, (_e2225 < _e2119));
+let _e2232 = global_2.member[bitcast<u32>(select(0i, _e2227, (_e2227 > 0i)))];
+let _e2234 = local_1[0u];
+let _e2237 = (_e2223 + ((bitcast<f32>(_e2232) - _e2223) * _e2234));
+let _e2238 = (_e2143 + _e2140);
+let _e2239 = local.member[1u];
+let _e2240 = (_e2238 + _e2239);
+let _e2242 = select(_e2119, _e2240, (_e2240 < _e2119));
+let _e2247 = global_2.member[bitcast<u32>(select(0i, _e2242, (_e2242 > 0i)))];
+let _e2248 = bitcast<f32>(_e2247);
+let _e2249 = local.member[2u];
+let _e2250 = (_e2238 + _e2249);
+let _e2252 = select(_e2119, _e2250, (_e2250 < _e2119));
+let _e2257 = global_2.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
+let _e2259 = local_1[0u];
+let _e2263 = local_1[1u];
+let _e2268 = local_1[2u];
+let _e2275 = global_1.member.member_6.member_5;
+let _e2280 = global_1.member.member_6.member_6;
+let _e2281 = (((_e2212 + (((_e2237 + (((_e2248 + ((bitcast<f32>(_e2257) - _e2248) * _e2259)) - _e2237) * _e2263)) - _e2212) * _e2268)) * _e2275) + _e2280);
+let _e2283 = select(0f, _e2281, (_e2281 > 0f));
+if ((_e610 & 16u) == 0u) {
+phi_5078_ = type_5(1f, 1f, 1f);
+} else {
+let _e2291 = global_1.member.member_14.member;
+let _e2302 = ((((_e2291.member.member * _e305) + (_e2291.member.member_1 * _e314)) + (_e2291.member.member_2 * _e287)) + _e2291.member_1);
+let _e2308 = ((((_e2291.member.member * _e326) + (_e2291.member.member_1 * _e331)) + (_e2291.member.member_2 * _e320)) + _e2291.member_1);
+let _e2310 = select(_e2308, _e2302, (_e2302 < _e2308));
+let _e2312 = select(_e2308, _e2302, (_e2302 > _e2308));
+let _e2314 = (_e2312 - _e2310);
+let _e2317 = (-(_e2310) / select(1e-30f, _e2314, (_e2314 > 1e-30f)));
+let _e2319 = select(0f, _e2317, (_e2317 > 0f));
+let _e2325 = select(select(select(1f, _e2319, (_e2319 < 1f)), 1f, (_e2312 <= 0f)), 0f, (_e2310 > 0f));
+let _e2330 = global_1.member.member_14.member_1;
+let _e2331 = (_e2330 != 0u);
+let _e2341 = global_1.member.member_15.member;
+let _e2352 = ((((_e2341.member.member * _e305) + (_e2341.member.member_1 * _e314)) + (_e2341.member.member_2 * _e287)) + _e2341.member_1);
+let _e2358 = ((((_e2341.member.member * _e326) + (_e2341.member.member_1 * _e331)) + (_e2341.member.member_2 * _e320)) + _e2341.member_1);
+let _e2360 = select(_e2358, _e2352, (_e2352 < _e2358));
+let _e2362 = select(_e2358, _e2352, (_e2352 > _e2358));
+let _e2364 = (_e2362 - _e2360);
+let _e2367 = (-(_e2360) / select(1e-30f, _e2364, (_e2364 > 1e-30f)));
+let _e2369 = select(0f, _e2367, (_e2367 > 0f));
+let _e2375 = select(select(select(1f, _e2369, (_e2369 < 1f)), 1f, (_e2362 <= 0f)), 0f, (_e2360 > 0f));
+let _e2380 = global_1.member.member_15.member_1;
+let _e2381 = (_e2380 != 0u);
+let _e2391 = global_1.member.member_16.member;
+let _e2402 = ((((_e2391.member.member * _e305) + (_e2391.member.member_1 * _e314)) + (_e2391.member.member_2 * _e287)) + _e2391.member_1);
+let _e2408 = ((((_e2391.member.member * _e326) + (_e2391.member.member_1 * _e331)) + (_e2391.member.member_2 * _e320)) + _e2391.member_1);
+let _e2410 = select(_e2408, _e2402, (_e2402 < _e2408));
+let _e2412 = select(_e2408, _e2402, (_e2402 > _e2408));
+let _e2414 = (_e2412 - _e2410);
+let _e2417 = (-(_e2410) / select(1e-30f, _e2414, (_e2414 > 1e-30f)));
+let _e2419 = select(0f, _e2417, (_e2417 > 0f));
+let _e2425 = select(select(select(1f, _e2419, (_e2419 < 1f)), 1f, (_e2412 <= 0f)), 0f, (_e2410 > 0f));
+let _e2430 = global_1.member.member_16.member_1;
+let _e2431 = (_e2430 != 0u);
+let _e2441 = global_1.member.member_17.member;
+let _e2452 = ((((_e2441.member.member * _e305) + (_e2441.member.member_1 * _e314)) + (_e2441.member.member_2 * _e287)) + _e2441.member_1);
+let _e2458 = ((((_e2441.member.member * _e326) + (_e2441.member.member_1 * _e331)) + (_e2441.member.member_2 * _e320)) + _e2441.member_1);
+let _e2460 = select(_e2458, _e2452, (_e2452 < _e2458));
+let _e2462 = select(_e2458, _e2452, (_e2452 > _e2458));
+let _e2464 = (_e2462 - _e2460);
+let _e2467 = (-(_e2460) / select(1e-30f, _e2464, (_e2464 > 1e-30f)));
+let _e2469 = select(0f, _e2467, (_e2467 > 0f));
+let _e2475 = select(select(select(1f, _e2469, (_e2469 < 1f)), 1f, (_e2462 <= 0f)), 0f, (_e2460 > 0f));
+let _e2480 = global_1.member.member_17.member_1;
+let _e2481 = (_e2480 != 0u);
+phi_5078_ = type_5(((((1f * _e2325) * _e2375) * _e2425) * _e2475), ((((1f * select(1f, _e2325, _e2331)) * select(1f, _e2375, _e2381)) * select(1f, _e2425, _e2431)) * select(1f, _e2475, _e2481)), ((((1f * select(1f, 0f, (_e2331 && (_e2308 > 0f)))) * select(1f, 0f, (_e2381 && (_e2358 > 0f)))) * select(1f, 0f, (_e2431 && (_e2408 > 0f)))) * select(1f, 0f, (_e2481 && (_e2458 > 0f)))));
+}
+let _e2490 = phi_5078_;
+let _e2491 = (_e326 - _e305);
+let _e2492 = (_e331 - _e314);
+let _e2493 = (_e320 - _e287);
+let _e2498 = (((_e2491 * _e2491) + (_e2492 * _e2492)) + (_e2493 * _e2493));
+let _e2502 = (_e482 < 1e-12f);
+let _e2504 = (1f / select(_e477, 1f, _e2502));
+let _e2506 = ((-0.5f - _e394) * _e2504);
+let _e2508 = ((_e452 - _e394) * _e2504);
+let _e2514 = select(_e2508, _e2506, (_e2506 < _e2508));
+let _e2516 = select(0f, _e2514, (_e2514 > 0f));
+let _e2519 = select(select(1f, _e2516, (_e2516 < 1f)), select(2f, 0f, ((_e394 >= -0.5f) && (_e394 <= _e452))), _e2502);
+let _e2521 = select(_e2508, _e2506, (_e2506 > _e2508));
+let _e2523 = select(0f, _e2521, (_e2521 > 0f));
+let _e2526 = select(select(1f, _e2523, (_e2523 < 1f)), 1f, _e2502);
+let _e2527 = (_e485 < 1e-12f);
+let _e2529 = (1f / select(_e478, 1f, _e2527));
+let _e2531 = ((-0.5f - _e409) * _e2529);
+let _e2533 = ((_e462 - _e409) * _e2529);
+let _e2539 = select(_e2533, _e2531, (_e2531 < _e2533));
+let _e2541 = select(0f, _e2539, (_e2539 > 0f));
+let _e2544 = select(select(1f, _e2541, (_e2541 < 1f)), select(2f, 0f, ((_e409 >= -0.5f) && (_e409 <= _e462))), _e2527);
+let _e2546 = select(_e2533, _e2531, (_e2531 > _e2533));
+let _e2548 = select(0f, _e2546, (_e2546 > 0f));
+let _e2551 = select(select(1f, _e2548, (_e2548 < 1f)), 1f, _e2527);
+let _e2552 = (_e490 < 1e-12f);
+let _e2554 = (1f / select(_e479, 1f, _e2552));
+let _e2556 = ((-0.5f - _e424) * _e2554);
+let _e2558 = ((_e472 - _e424) * _e2554);
+let _e2564 = select(_e2558, _e2556, (_e2556 < _e2558));
+let _e2566 = select(0f, _e2564, (_e2564 > 0f));
+let _e2569 = select(select(1f, _e2566, (_e2566 < 1f)), select(2f, 0f, ((_e424 >= -0.5f) && (_e424 <= _e472))), _e2552);
+let _e2571 = select(_e2558, _e2556, (_e2556 > _e2558));
+let _e2573 = select(0f, _e2571, (_e2571 > 0f));
+let _e2576 = select(select(1f, _e2573, (_e2573 < 1f)), 1f, _e2552);
+let _e2578 = select(_e2551, _e2526, (_e2526 < _e2551));
+let _e2582 = select(_e2544, _e2519, (_e2519 > _e2544));
+let _e2585 = (select(_e2576, _e2578, (_e2578 < _e2576)) - select(_e2569, _e2582, (_e2582 > _e2569)));
+let _e2592 = global_1.member.member_5.member_3;
+let _e2593 = ((sqrt(select(0f, _e2498, (_e2498 > 0f))) * select(0f, _e2585, (_e2585 > 0f))) * _e2592);
+let _e2595 = (select(1f, _e2283, (_e2283 < 1f)) * 255f);
+let _e2596 = (_e2027.member * 255f);
+let _e2597 = (255f - 1f);
+let _e2599 = select(0f, _e2595, (_e2595 > 0f));
+let _e2601 = select(_e2597, _e2599, (_e2599 < _e2597));
+let _e2608 = select(0i, select(select(i32(_e2601), i32(-2147483648), (_e2601 < -2147483600f)), 2147483647i, (_e2601 > 2147483500f)), (_e2601 == _e2601));
+let _e2612 = (_e2608 - select(0i, 1i, (_e2601 < f32(_e2608))));
+let _e2614 = select(0f, _e2596, (_e2596 > 0f));
+let _e2616 = select(_e2597, _e2614, (_e2614 < _e2597));
+let _e2623 = select(0i, select(select(i32(_e2616), i32(-2147483648), (_e2616 < -2147483600f)), 2147483647i, (_e2616 > 2147483500f)), (_e2616 == _e2616));
+let _e2627 = (_e2623 - select(0i, 1i, (_e2616 < f32(_e2623))));
+let _e2630 = (((_e2612 * 256i) + _e2627) * 4i);
+let _e2632 = (_e2595 - f32(_e2612));
+let _e2634 = (_e2596 - f32(_e2627));
+let _e2636 = (bitcast<i32>(_e95) - 1i);
+let _e2638 = select(_e2636, _e2630, (_e2630 < _e2636));
+let _e2644 = global_4.member[bitcast<u32>(select(0i, _e2638, (_e2638 > 0i)))];
+let _e2645 = (_e2630 + 4i);
+let _e2647 = select(_e2636, _e2645, (_e2645 < _e2636));
+let _e2653 = global_4.member[bitcast<u32>(select(0i, _e2647, (_e2647 > 0i)))];
+let _e2654 = (_e2630 + 1024i);
+let _e2656 = select(_e2636, _e2654, (_e2654 < _e2636));
+let _e2662 = global_4.member[bitcast<u32>(select(0i, _e2656, (_e2656 > 0i)))];
+let _e2663 = (_e2630 + 1028i);
+let _e2665 = select(_e2636, _e2663, (_e2663 < _e2636));
+let _e2671 = global_4.member[bitcast<u32>(select(0i, _e2665, (_e2665 > 0i)))];
+let _e2676 = (bitcast<f32>(((_e2644 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2684 = (_e2676 + (((bitcast<f32>(((_e2653 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2676) * _e2634));
+let _e2689 = (bitcast<f32>(((_e2662 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2713 = (bitcast<f32>((((_e2644 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2721 = (_e2713 + (((bitcast<f32>((((_e2653 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2713) * _e2634));
+let _e2726 = (bitcast<f32>((((_e2662 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2738 = (_e2630 + 1i);
+let _e2740 = select(_e2636, _e2738, (_e2738 < _e2636));
+let _e2746 = global_4.member[bitcast<u32>(select(0i, _e2740, (_e2740 > 0i)))];
+let _e2747 = (_e2630 + 5i);
+let _e2749 = select(_e2636, _e2747, (_e2747 < _e2636));
+let _e2755 = global_4.member[bitcast<u32>(select(0i, _e2749, (_e2749 > 0i)))];
+let _e2756 = (_e2630 + 1025i);
+let _e2758 = select(_e2636, _e2756, (_e2756 < _e2636));
+let _e2764 = global_4.member[bitcast<u32>(select(0i, _e2758, (_e2758 > 0i)))];
+let _e2765 = (_e2630 + 1029i);
+let _e2767 = select(_e2636, _e2765, (_e2765 < _e2636));
+let _e2773 = global_4.member[bitcast<u32>(select(0i, _e2767, (_e2767 > 0i)))];
+let _e2778 = (bitcast<f32>(((_e2746 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2786 = (_e2778 + (((bitcast<f32>(((_e2755 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2778) * _e2634));
+let _e2791 = (bitcast<f32>(((_e2764 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2815 = (bitcast<f32>((((_e2746 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2823 = (_e2815 + (((bitcast<f32>((((_e2755 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2815) * _e2634));
+let _e2828 = (bitcast<f32>((((_e2764 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e2843 = (_e2593 * _e2490.member_1);
+let _e2845 = -(((_e2721 + (((_e2726 + (((bitcast<f32>((((_e2671 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2726) * _e2634)) - _e2721) * _e2632)) * _e2843));
+let _e2847 = select(-87f, _e2845, (_e2845 > -87f));
+let _e2849 = select(88f, _e2847, (_e2847 < 88f));
+let _e2851 = ((_e2849 * 1.442695f) + 0.5f);
+let _e2853 = select(-127f, _e2851, (_e2851 > -127f));
+let _e2855 = select(128f, _e2853, (_e2853 < 128f));
+let _e2862 = select(0i, select(select(i32(_e2855), i32(-2147483648), (_e2855 < -2147483600f)), 2147483647i, (_e2855 > 2147483500f)), (_e2855 == _e2855));
+let _e2866 = (_e2862 - select(0i, 1i, (_e2855 < f32(_e2862))));
+let _e2867 = f32(_e2866);
+let _e2871 = ((_e2849 - (_e2867 * 0.6933594f)) - (_e2867 * -2.1219444e-4f));
+let _e2893 = -(((_e2786 + (((_e2791 + (((bitcast<f32>(((_e2773 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2791) * _e2634)) - _e2786) * _e2632)) * _e2843));
+let _e2895 = select(-87f, _e2893, (_e2893 > -87f));
+let _e2897 = select(88f, _e2895, (_e2895 < 88f));
+let _e2899 = ((_e2897 * 1.442695f) + 0.5f);
+let _e2901 = select(-127f, _e2899, (_e2899 > -127f));
+let _e2903 = select(128f, _e2901, (_e2901 < 128f));
+let _e2910 = select(0i, select(select(i32(_e2903), i32(-2147483648), (_e2903 < -2147483600f)), 2147483647i, (_e2903 > 2147483500f)), (_e2903 == _e2903));
+let _e2914 = (_e2910 - select(0i, 1i, (_e2903 < f32(_e2910))));
+let _e2915 = f32(_e2914);
+let _e2919 = ((_e2897 - (_e2915 * 0.6933594f)) - (_e2915 * -2.1219444e-4f));
+let _e2941 = -(((_e2823 + (((_e2828 + (((bitcast<f32>((((_e2773 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2828) * _e2634)) - _e2823) * _e2632)) * _e2843));
+let _e2943 = select(-87f, _e2941, (_e2941 > -87f));
+let _e2945 = select(88f, _e2943, (_e2943 < 88f));
+let _e2947 = ((_e2945 * 1.442695f) + 0.5f);
+let _e2949 = select(-127f, _e2947, (_e2947 > -127f));
+let _e2951 = select(128f, _e2949, (_e2949 < 128f));
+let _e2958 = select(0i, select(select(i32(_e2951), i32(-2147483648), (_e2951 < -2147483600f)), 2147483647i, (_e2951 > 2147483500f)), (_e2951 == _e2951));
+let _e2962 = (_e2958 - select(0i, 1i, (_e2951 < f32(_e2958))));
+let _e2963 = f32(_e2962);
+let _e2967 = ((_e2945 - (_e2963 * 0.6933594f)) - (_e2963 * -2.1219444e-4f));
+let _e2989 = -(((_e2684 + (((_e2689 + (((bitcast<f32>(((_e2671 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2689) * _e2634)) - _e2684) * _e2632)) * (_e2593 * _e2490.member)));
+let _e2991 = select(-87f, _e2989, (_e2989 > -87f));
+let _e2993 = select(88f, _e2991, (_e2991 < 88f));
+let _e2995 = ((_e2993 * 1.442695f) + 0.5f);
+let _e2997 = select(-127f, _e2995, (_e2995 > -127f));
+let _e2999 = select(128f, _e2997, (_e2997 < 128f));
+let _e3006 = select(0i, select(select(i32(_e2999), i32(-2147483648), (_e2999 < -2147483600f)), 2147483647i, (_e2999 > 2147483500f)), (_e2999 == _e2999));
+let _e3010 = (_e3006 - select(0i, 1i, (_e2999 < f32(_e3006))));
+let _e3011 = f32(_e3010);
+let _e3015 = ((_e2993 - (_e3011 * 0.6933594f)) - (_e3011 * -2.1219444e-4f));
+let _e3035 = ((1f + (_e3015 * (1f + (_e3015 * (0.5f + (_e3015 * (0.16666667f + (_e3015 * (0.041666668f + (_e3015 * (0.008333334f + (_e3015 * (0.001388889f + (_e3015 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3010 + 127i)) << bitcast<u32>(23i))));
+if _e627 {
+let _e3050 = global_1.member.member_5.member_4;
+let _e3053 = (_e2027.member_3.x * _e2490.member_2);
+let _e3055 = (_e2027.member_3.y * _e2490.member_2);
+let _e3057 = (_e2027.member_3.z * _e2490.member_2);
+let _e3058 = (0.5f * (_e244 / _e196));
+let _e3062 = (_e174 + (_e3053 * _e3058));
+let _e3063 = (_e185 + (_e3055 * _e3058));
+let _e3064 = (_e196 + (_e3057 * _e3058));
+let _e3066 = (2f * _e244);
+let _e3068 = ((_e3064 * _e3064) + (_e3066 * _e3057));
+let _e3072 = (_e3064 + sqrt(select(0f, _e3068, (_e3068 > 0f))));
+let _e3076 = (0.5f * (_e3066 / select(1e-6f, _e3072, (_e3072 > 1e-6f))));
+let _e3080 = (_e3062 + (_e3053 * _e3076));
+let _e3081 = (_e3063 + (_e3055 * _e3076));
+let _e3082 = (_e3064 + (_e3057 * _e3076));
+let _e3086 = (_e3050 * _e3050);
+let _e3088 = (_e3082 * _e3082);
+let _e3096 = (((_e3064 <= 0f) || (_e3068 <= 0f)) || ((_e3082 <= 0f) || (_e3088 <= (_e3086 * (((_e3080 * _e3080) + (_e3081 * _e3081)) + _e3088)))));
+let _e3110 = (_e174 + ((_e2027.member_4.x * _e2490.member_2) * _e244));
+let _e3111 = (_e185 + ((_e2027.member_4.y * _e2490.member_2) * _e244));
+let _e3112 = (_e196 + ((_e2027.member_4.z * _e2490.member_2) * _e244));
+let _e3114 = (_e3112 * _e3112);
+let _e3123 = ((_e610 & 1u) != 0u);
+phi_6102_ = select(select(select(_e3082, _e3064, _e3096), _e3112, _e3123), _e196, _e617);
+phi_6103_ = select(select(select(_e3081, _e3063, _e3096), _e3111, _e3123), _e185, _e617);
+phi_6104_ = select(select(select(_e3080, _e3062, _e3096), _e3110, _e3123), _e174, _e617);
+phi_6105_ = (select(_e3096, ((_e3112 <= 0f) || (_e3114 <= (_e3086 * (((_e3110 * _e3110) + (_e3111 * _e3111)) + _e3114)))), _e3123) && !(_e617));
+} else {
+phi_6102_ = _e196;
+phi_6103_ = _e185;
+phi_6104_ = _e174;
+phi_6105_ = false;
+}
+let _e3134 = phi_6102_;
+let _e3136 = phi_6103_;
+let _e3138 = phi_6104_;
+let _e3140 = phi_6105_;
+global_6.member[_e120] = (_e131 + _e259);
+global_6.member[_e132] = (_e141 + _e266);
+global_6.member[_e143] = (_e152 + _e368);
+global_6.member[_e154] = (_e163 + _e371);
+global_6.member[_e165] = _e3138;
+global_6.member[_e176] = _e3136;
+global_6.member[_e187] = _e3134;
+global_6.member[_e198] = select((_e207 * (((1f + (_e2871 * (1f + (_e2871 * (0.5f + (_e2871 * (0.16666667f + (_e2871 * (0.041666668f + (_e2871 * (0.008333334f + (_e2871 * (0.001388889f + (_e2871 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2866 + 127i)) << bitcast<u32>(23i)))) * _e3035)), _e207, _e617);
+global_6.member[_e209] = select((_e218 * (((1f + (_e2919 * (1f + (_e2919 * (0.5f + (_e2919 * (0.16666667f + (_e2919 * (0.041666668f + (_e2919 * (0.008333334f + (_e2919 * (0.001388889f + (_e2919 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2914 + 127i)) << bitcast<u32>(23i)))) * _e3035)), _e218, _e617);
+global_6.member[_e220] = select((_e229 * (((1f + (_e2967 * (1f + (_e2967 * (0.5f + (_e2967 * (0.16666667f + (_e2967 * (0.041666668f + (_e2967 * (0.008333334f + (_e2967 * (0.001388889f + (_e2967 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2962 + 127i)) << bitcast<u32>(23i)))) * _e3035)), _e229, _e617);
+global_6.member[_e231] = select(_e240, 1f, _e3140);
 }
 }
 }

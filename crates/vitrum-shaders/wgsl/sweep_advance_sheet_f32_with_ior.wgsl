@@ -1,1211 +1,1267 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
 member: array<f32>,
 }
-struct type_11 {
+struct type_17 {
 member: array<u32>,
 }
-struct type_13 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_14 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_13,
-member_6: type_13,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_15 {
-member: type_14,
-}
 struct type_18 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+}
+struct type_20 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_22 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_23 {
+member: type_7,
+member_1: u32,
+}
+struct type_24 {
+member: type_2,
+member_1: u32,
+member_2: type_18,
+member_3: type_19,
+member_4: u32,
+member_5: type_20,
+member_6: type_21,
+member_7: type_21,
+member_8: type_22,
+member_9: type_10,
+member_10: f32,
+member_11: type_20,
+member_12: type_4,
+member_13: type_9,
+member_14: type_23,
+member_15: type_23,
+member_16: type_23,
+member_17: type_23,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_25 {
+member: type_24,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_19 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_20 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_21 {
-member: f32,
-member_1: f32,
-member_2: f32,
-}
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_15;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_11;
+var<storage> global_2: type_17;
 @group(0) @binding(3)
-var<storage> global_3: type_11;
+var<storage> global_3: type_17;
 @group(0) @binding(4)
-var<storage> global_4: type_11;
+var<storage> global_4: type_17;
 @group(0) @binding(5)
-var<storage> global_5: type_6;
+var<storage> global_5: type_12;
 @group(0) @binding(6)
-var<storage, read_write> global_6: type_6;
+var<storage, read_write> global_6: type_12;
 @group(0) @binding(2)
-var<storage> global_7: type_11;
+var<storage> global_7: type_17;
 fn function_() {
-var local: type_18;
+var local: type_28;
 var local_1: vec3<f32>;
-var local_2: type_18;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_18;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_18;
+var local_6: type_28;
 var local_7: vec3<f32>;
-var phi_9856_: type_19;
-var phi_11176_: type_20;
-var phi_12697_: type_21;
-var phi_13721_: f32;
-var phi_13722_: f32;
-var phi_13723_: f32;
-var phi_13724_: bool;
+var phi_5592_: type_29;
+var phi_6238_: type_30;
+var phi_7107_: type_5;
+var phi_8131_: f32;
+var phi_8132_: f32;
+var phi_8133_: f32;
+var phi_8134_: bool;
 switch bitcast<i32>(0u) {
 default: {
 let _e88 = global;
 let _e91 = arrayLength((&global_2.member));
 let _e98 = arrayLength((&global_4.member));
-let _e105 = global_1.member.member_1;
-let _e108 = (_e88.x + _e105.x);
-let _e111 = (_e88.y + _e105.y);
-if (_e108 < _e105.z) {
-if (_e111 < _e105.w) {
-let _e119 = global_1.member.member[0u];
-let _e123 = global_1.member.member[1u];
-let _e124 = (_e119 * _e123);
-let _e126 = ((_e111 * _e119) + _e108);
-let _e127 = bitcast<i32>(_e126);
-let _e129 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e131 = select(_e129, _e127, (_e127 < _e129));
-let _e137 = global_6.member[bitcast<u32>(select(0i, _e131, (_e131 > 0i)))];
-let _e138 = (_e124 + _e126);
-let _e139 = bitcast<i32>(_e138);
-let _e141 = select(_e129, _e139, (_e139 < _e129));
-let _e147 = global_6.member[bitcast<u32>(select(0i, _e141, (_e141 > 0i)))];
-let _e149 = ((2u * _e124) + _e126);
-let _e150 = bitcast<i32>(_e149);
-let _e152 = select(_e129, _e150, (_e150 < _e129));
-let _e158 = global_6.member[bitcast<u32>(select(0i, _e152, (_e152 > 0i)))];
-let _e160 = ((3u * _e124) + _e126);
-let _e161 = bitcast<i32>(_e160);
-let _e163 = select(_e129, _e161, (_e161 < _e129));
-let _e169 = global_6.member[bitcast<u32>(select(0i, _e163, (_e163 > 0i)))];
-let _e171 = ((4u * _e124) + _e126);
-let _e172 = bitcast<i32>(_e171);
-let _e174 = select(_e129, _e172, (_e172 < _e129));
-let _e180 = global_6.member[bitcast<u32>(select(0i, _e174, (_e174 > 0i)))];
-let _e182 = ((5u * _e124) + _e126);
-let _e183 = bitcast<i32>(_e182);
-let _e185 = select(_e129, _e183, (_e183 < _e129));
-let _e191 = global_6.member[bitcast<u32>(select(0i, _e185, (_e185 > 0i)))];
-let _e193 = ((6u * _e124) + _e126);
-let _e194 = bitcast<i32>(_e193);
-let _e196 = select(_e129, _e194, (_e194 < _e129));
-let _e202 = global_6.member[bitcast<u32>(select(0i, _e196, (_e196 > 0i)))];
-let _e204 = ((7u * _e124) + _e126);
-let _e205 = bitcast<i32>(_e204);
-let _e207 = select(_e129, _e205, (_e205 < _e129));
-let _e213 = global_6.member[bitcast<u32>(select(0i, _e207, (_e207 > 0i)))];
-let _e215 = ((8u * _e124) + _e126);
-let _e216 = bitcast<i32>(_e215);
-let _e218 = select(_e129, _e216, (_e216 < _e129));
-let _e224 = global_6.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
-let _e226 = ((9u * _e124) + _e126);
-let _e227 = bitcast<i32>(_e226);
-let _e229 = select(_e129, _e227, (_e227 < _e129));
-let _e235 = global_6.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
-let _e237 = ((10u * _e124) + _e126);
-let _e238 = bitcast<i32>(_e237);
-let _e240 = select(_e129, _e238, (_e238 < _e129));
-let _e246 = global_6.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
-let _e250 = global_1.member.member_4.member_2;
-let _e253 = (1f / select(1e-6f, _e202, (_e202 > 1e-6f)));
-let _e257 = global_1.member.member_7.member_3;
-let _e258 = (_e250 * _e257);
-let _e263 = global_1.member.member_8.member;
-let _e265 = (((_e180 * _e253) - _e263) * _e258);
-let _e270 = global_1.member.member_8.member_1;
-let _e272 = (((_e191 * _e253) - _e270) * _e258);
-let _e276 = ((f32(bitcast<i32>(_e108)) - 0.5f) + _e137);
-let _e280 = global_1.member.member_2[3u];
-let _e281 = (_e280 + 1u);
-let _e283 = select(1u, _e281, (_e281 > 0u));
-let _e284 = (_e283 == 0u);
-if _e284 {
+let _e105 = global_1.member.member_2;
+let _e108 = global_1.member.member;
+let _e116 = (_e88.x + _e105.member);
+let _e118 = (_e88.y + _e105.member_1);
+if (_e116 < _e105.member_2) {
+if (_e118 < _e105.member_3) {
+let _e121 = (_e108.member * _e108.member_1);
+let _e123 = ((_e118 * _e108.member) + _e116);
+let _e124 = bitcast<i32>(_e123);
+let _e126 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e128 = select(_e126, _e124, (_e124 < _e126));
+let _e134 = global_6.member[bitcast<u32>(select(0i, _e128, (_e128 > 0i)))];
+let _e135 = (_e121 + _e123);
+let _e136 = bitcast<i32>(_e135);
+let _e138 = select(_e126, _e136, (_e136 < _e126));
+let _e144 = global_6.member[bitcast<u32>(select(0i, _e138, (_e138 > 0i)))];
+let _e146 = ((2u * _e121) + _e123);
+let _e147 = bitcast<i32>(_e146);
+let _e149 = select(_e126, _e147, (_e147 < _e126));
+let _e155 = global_6.member[bitcast<u32>(select(0i, _e149, (_e149 > 0i)))];
+let _e157 = ((3u * _e121) + _e123);
+let _e158 = bitcast<i32>(_e157);
+let _e160 = select(_e126, _e158, (_e158 < _e126));
+let _e166 = global_6.member[bitcast<u32>(select(0i, _e160, (_e160 > 0i)))];
+let _e168 = ((4u * _e121) + _e123);
+let _e169 = bitcast<i32>(_e168);
+let _e171 = select(_e126, _e169, (_e169 < _e126));
+let _e177 = global_6.member[bitcast<u32>(select(0i, _e171, (_e171 > 0i)))];
+let _e179 = ((5u * _e121) + _e123);
+let _e180 = bitcast<i32>(_e179);
+let _e182 = select(_e126, _e180, (_e180 < _e126));
+let _e188 = global_6.member[bitcast<u32>(select(0i, _e182, (_e182 > 0i)))];
+let _e190 = ((6u * _e121) + _e123);
+let _e191 = bitcast<i32>(_e190);
+let _e193 = select(_e126, _e191, (_e191 < _e126));
+let _e199 = global_6.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
+let _e201 = ((7u * _e121) + _e123);
+let _e202 = bitcast<i32>(_e201);
+let _e204 = select(_e126, _e202, (_e202 < _e126));
+let _e210 = global_6.member[bitcast<u32>(select(0i, _e204, (_e204 > 0i)))];
+let _e212 = ((8u * _e121) + _e123);
+let _e213 = bitcast<i32>(_e212);
+let _e215 = select(_e126, _e213, (_e213 < _e126));
+let _e221 = global_6.member[bitcast<u32>(select(0i, _e215, (_e215 > 0i)))];
+let _e223 = ((9u * _e121) + _e123);
+let _e224 = bitcast<i32>(_e223);
+let _e226 = select(_e126, _e224, (_e224 < _e126));
+let _e232 = global_6.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
+let _e234 = ((10u * _e121) + _e123);
+let _e235 = bitcast<i32>(_e234);
+let _e237 = select(_e126, _e235, (_e235 < _e126));
+let _e243 = global_6.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
+let _e247 = global_1.member.member_5.member_2;
+let _e250 = (1f / select(1e-6f, _e199, (_e199 > 1e-6f)));
+let _e254 = global_1.member.member_8.member_5;
+let _e255 = (_e247 * _e254);
+let _e260 = global_1.member.member_8.member_6;
+let _e262 = (((_e177 * _e250) - _e260) * _e255);
+let _e267 = global_1.member.member_8.member_7;
+let _e269 = (((_e188 * _e250) - _e267) * _e255);
+let _e273 = ((f32(bitcast<i32>(_e116)) - 0.5f) + _e134);
+let _e277 = global_1.member.member_8.member_1;
+let _e278 = (_e277 + 1u);
+let _e280 = select(1u, _e278, (_e278 > 0u));
+let _e281 = (_e280 == 0u);
+if _e281 {
 break;
 }
-let _e289 = ((f32(bitcast<i32>((_e111 % _e283))) - 0.5f) + _e147);
-let _e293 = global_1.member.member_4.member;
-let _e297 = global_1.member.member_8.member_2;
-let _e298 = (_e293 - _e297);
-let _e302 = global_1.member.member_7.member;
-let _e309 = global_1.member.member_7.member_2;
-let _e311 = ((_e302 + (_e263 * _e298)) + ((_e276 + 0.5f) * _e309));
-let _e315 = global_1.member.member_7.member_1;
-let _e320 = ((_e315 + (_e270 * _e298)) + ((_e289 + 0.5f) * _e309));
-let _e326 = global_1.member.member_4.member_1;
-let _e327 = (_e326 - _e297);
-let _e332 = ((_e302 + (_e263 * _e327)) + (((_e276 + _e265) + 0.5f) * _e309));
-let _e337 = ((_e315 + (_e270 * _e327)) + (((_e289 + _e272) + 0.5f) * _e309));
-if _e284 {
+let _e286 = ((f32(bitcast<i32>((_e118 % _e280))) - 0.5f) + _e144);
+let _e290 = global_1.member.member_5.member;
+let _e294 = global_1.member.member_8.member_8;
+let _e295 = (_e290 - _e294);
+let _e299 = global_1.member.member_8.member_2;
+let _e306 = global_1.member.member_8.member_4;
+let _e308 = ((_e299 + (_e260 * _e295)) + ((_e273 + 0.5f) * _e306));
+let _e312 = global_1.member.member_8.member_3;
+let _e317 = ((_e312 + (_e267 * _e295)) + ((_e286 + 0.5f) * _e306));
+let _e323 = global_1.member.member_5.member_1;
+let _e324 = (_e323 - _e294);
+let _e329 = ((_e299 + (_e260 * _e324)) + (((_e273 + _e262) + 0.5f) * _e306));
+let _e334 = ((_e312 + (_e267 * _e324)) + (((_e286 + _e269) + 0.5f) * _e306));
+if _e281 {
 break;
 }
-let _e340 = bitcast<i32>(((_e111 / _e283) * 3u));
-let _e342 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e344 = select(_e342, _e340, (_e340 < _e342));
-let _e350 = global_5.member[bitcast<u32>(select(0i, _e344, (_e344 > 0i)))];
-let _e351 = (_e340 + 1i);
-let _e353 = select(_e342, _e351, (_e351 < _e342));
-let _e359 = global_5.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
-let _e360 = (_e340 + 2i);
-let _e362 = select(_e342, _e360, (_e360 < _e342));
-let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
-let _e371 = (1f / select(1e-6f, _e368, (_e368 > 1e-6f)));
-let _e374 = (((_e350 * _e371) - _e263) * _e258);
-let _e377 = (((_e359 * _e371) - _e270) * _e258);
-let _e389 = global_1.member.member_5.member;
-let _e402 = global_1.member.member_5.member.member_3;
-let _e403 = ((((_e389.member * _e311) + (_e389.member_1 * _e320)) + (_e389.member_2 * _e293)) + _e402);
-let _e407 = global_1.member.member_5.member_1;
-let _e420 = global_1.member.member_5.member_1.member_3;
-let _e421 = ((((_e407.member * _e311) + (_e407.member_1 * _e320)) + (_e407.member_2 * _e293)) + _e420);
-let _e425 = global_1.member.member_5.member_2;
-let _e438 = global_1.member.member_5.member_2.member_3;
-let _e439 = ((((_e425.member * _e311) + (_e425.member_1 * _e320)) + (_e425.member_2 * _e293)) + _e438);
-let _e445 = ((((_e389.member * _e332) + (_e389.member_1 * _e337)) + (_e389.member_2 * _e326)) + _e402);
-let _e451 = ((((_e407.member * _e332) + (_e407.member_1 * _e337)) + (_e407.member_2 * _e326)) + _e420);
-let _e457 = ((((_e425.member * _e332) + (_e425.member_1 * _e337)) + (_e425.member_2 * _e326)) + _e438);
-let _e462 = global_1.member.member_5.member_3.member_3;
-let _e467 = global_1.member.member_5.member_3.member;
-let _e468 = (_e467 - 0.5f);
-let _e470 = select(-0.5f, _e445, (_e445 > -0.5f));
-let _e472 = select(_e468, _e470, (_e470 < _e468));
-let _e477 = global_1.member.member_5.member_3.member_1;
-let _e478 = (_e477 - 0.5f);
-let _e480 = select(-0.5f, _e451, (_e451 > -0.5f));
-let _e482 = select(_e478, _e480, (_e480 < _e478));
-let _e487 = global_1.member.member_5.member_3.member_2;
-let _e488 = (_e487 - 0.5f);
-let _e490 = select(-0.5f, _e457, (_e457 > -0.5f));
-let _e492 = select(_e488, _e490, (_e490 < _e488));
-let _e493 = (_e445 - _e403);
-let _e494 = (_e451 - _e421);
-let _e495 = (_e457 - _e439);
-let _e498 = bitcast<f32>((bitcast<u32>(_e493) & 2147483647u));
-let _e501 = bitcast<f32>((bitcast<u32>(_e494) & 2147483647u));
-let _e503 = select(_e501, _e498, (_e498 > _e501));
-let _e506 = bitcast<f32>((bitcast<u32>(_e495) & 2147483647u));
-let _e515 = bitcast<f32>((bitcast<u32>((_e445 - _e472)) & 2147483647u));
-let _e518 = bitcast<f32>((bitcast<u32>((_e451 - _e482)) & 2147483647u));
-let _e520 = select(_e518, _e515, (_e515 > _e518));
-let _e523 = bitcast<f32>((bitcast<u32>((_e457 - _e492)) & 2147483647u));
-let _e527 = (_e472 + 0.5f);
-let _e528 = (_e467 - 1f);
-let _e530 = select(0f, _e527, (_e527 > 0f));
-let _e532 = select(_e528, _e530, (_e530 < _e528));
-let _e539 = select(0i, select(select(i32(_e532), i32(-2147483648), (_e532 < -2147483600f)), 2147483647i, (_e532 > 2147483500f)), (_e532 == _e532));
-let _e548 = global_1.member.member_5.member_7[3u];
-let _e549 = (_e548 & 31i);
-let _e552 = (_e482 + 0.5f);
-let _e553 = (_e477 - 1f);
-let _e555 = select(0f, _e552, (_e552 > 0f));
-let _e557 = select(_e553, _e555, (_e555 < _e553));
-let _e564 = select(0i, select(select(i32(_e557), i32(-2147483648), (_e557 < -2147483600f)), 2147483647i, (_e557 > 2147483500f)), (_e557 == _e557));
-let _e571 = (_e492 + 0.5f);
-let _e572 = (_e487 - 1f);
-let _e574 = select(0f, _e571, (_e571 > 0f));
-let _e576 = select(_e572, _e574, (_e574 < _e572));
-let _e583 = select(0i, select(select(i32(_e576), i32(-2147483648), (_e576 < -2147483600f)), 2147483647i, (_e576 > 2147483500f)), (_e576 == _e576));
-let _e594 = global_1.member.member_5.member_6[3u];
-let _e600 = global_1.member.member_5.member_6[0u];
-let _e605 = global_1.member.member_5.member_6[1u];
-let _e609 = ((_e594 + ((_e539 - select(0i, 1i, (_e532 < f32(_e539)))) >> bitcast<u32>(_e549))) + (_e600 * (((_e564 - select(0i, 1i, (_e557 < f32(_e564)))) >> bitcast<u32>(_e549)) + (_e605 * ((_e583 - select(0i, 1i, (_e576 < f32(_e583)))) >> bitcast<u32>(_e549))))));
-let _e611 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e613 = select(_e611, _e609, (_e609 < _e611));
-let _e619 = global_3.member[bitcast<u32>(select(0i, _e613, (_e613 > 0i)))];
-let _e626 = global_1.member.member_6.member;
-let _e639 = global_1.member.member_6.member.member_3;
-let _e644 = global_1.member.member_6.member_1;
-let _e657 = global_1.member.member_6.member_1.member_3;
-let _e662 = global_1.member.member_6.member_2;
-let _e675 = global_1.member.member_6.member_2.member_3;
-let _e682 = ((((_e626.member * _e332) + (_e626.member_1 * _e337)) + (_e626.member_2 * _e326)) + _e639);
-let _e688 = ((((_e644.member * _e332) + (_e644.member_1 * _e337)) + (_e644.member_2 * _e326)) + _e657);
-let _e694 = ((((_e662.member * _e332) + (_e662.member_1 * _e337)) + (_e662.member_2 * _e326)) + _e675);
-let _e699 = global_1.member.member_6.member_3.member_3;
-let _e704 = global_1.member.member_6.member_3.member;
-let _e705 = (_e704 - 0.5f);
-let _e707 = select(-0.5f, _e682, (_e682 > -0.5f));
-let _e709 = select(_e705, _e707, (_e707 < _e705));
-let _e714 = global_1.member.member_6.member_3.member_1;
-let _e715 = (_e714 - 0.5f);
-let _e717 = select(-0.5f, _e688, (_e688 > -0.5f));
-let _e719 = select(_e715, _e717, (_e717 < _e715));
-let _e724 = global_1.member.member_6.member_3.member_2;
-let _e725 = (_e724 - 0.5f);
-let _e727 = select(-0.5f, _e694, (_e694 > -0.5f));
-let _e729 = select(_e725, _e727, (_e727 < _e725));
-let _e735 = bitcast<f32>((bitcast<u32>((_e682 - ((((_e626.member * _e311) + (_e626.member_1 * _e320)) + (_e626.member_2 * _e293)) + _e639))) & 2147483647u));
-let _e738 = bitcast<f32>((bitcast<u32>((_e688 - ((((_e644.member * _e311) + (_e644.member_1 * _e320)) + (_e644.member_2 * _e293)) + _e657))) & 2147483647u));
-let _e740 = select(_e738, _e735, (_e735 > _e738));
-let _e743 = bitcast<f32>((bitcast<u32>((_e694 - ((((_e662.member * _e311) + (_e662.member_1 * _e320)) + (_e662.member_2 * _e293)) + _e675))) & 2147483647u));
-let _e752 = bitcast<f32>((bitcast<u32>((_e682 - _e709)) & 2147483647u));
-let _e755 = bitcast<f32>((bitcast<u32>((_e688 - _e719)) & 2147483647u));
-let _e757 = select(_e755, _e752, (_e752 > _e755));
-let _e760 = bitcast<f32>((bitcast<u32>((_e694 - _e729)) & 2147483647u));
-let _e764 = (_e709 + 0.5f);
-let _e765 = (_e704 - 1f);
-let _e767 = select(0f, _e764, (_e764 > 0f));
-let _e769 = select(_e765, _e767, (_e767 < _e765));
-let _e776 = select(0i, select(select(i32(_e769), i32(-2147483648), (_e769 < -2147483600f)), 2147483647i, (_e769 > 2147483500f)), (_e769 == _e769));
-let _e785 = global_1.member.member_6.member_7[3u];
-let _e786 = (_e785 & 31i);
-let _e789 = (_e719 + 0.5f);
-let _e790 = (_e714 - 1f);
-let _e792 = select(0f, _e789, (_e789 > 0f));
-let _e794 = select(_e790, _e792, (_e792 < _e790));
-let _e801 = select(0i, select(select(i32(_e794), i32(-2147483648), (_e794 < -2147483600f)), 2147483647i, (_e794 > 2147483500f)), (_e794 == _e794));
-let _e808 = (_e729 + 0.5f);
-let _e809 = (_e724 - 1f);
-let _e811 = select(0f, _e808, (_e808 > 0f));
-let _e813 = select(_e809, _e811, (_e811 < _e809));
-let _e820 = select(0i, select(select(i32(_e813), i32(-2147483648), (_e813 < -2147483600f)), 2147483647i, (_e813 > 2147483500f)), (_e813 == _e813));
-let _e831 = global_1.member.member_6.member_6[3u];
-let _e837 = global_1.member.member_6.member_6[0u];
-let _e842 = global_1.member.member_6.member_6[1u];
-let _e846 = ((_e831 + ((_e776 - select(0i, 1i, (_e769 < f32(_e776)))) >> bitcast<u32>(_e786))) + (_e837 * (((_e801 - select(0i, 1i, (_e794 < f32(_e801)))) >> bitcast<u32>(_e786)) + (_e842 * ((_e820 - select(0i, 1i, (_e813 < f32(_e820)))) >> bitcast<u32>(_e786))))));
-let _e848 = select(_e611, _e846, (_e846 < _e611));
-let _e854 = global_3.member[bitcast<u32>(select(0i, _e848, (_e848 > 0i)))];
-let _e861 = global_1.member.member[3u];
-let _e868 = (((_e861 & 64u) != 0u) || ((((select(_e506, _e503, (_e503 > _e506)) <= _e462) && ((select(_e523, _e520, (_e520 > _e523)) > _e462) || (_e619 != 0u))) && ((select(_e743, _e740, (_e740 > _e743)) <= _e699) && ((select(_e760, _e757, (_e757 > _e760)) > _e699) || (_e854 != 0u)))) && ((_e861 & 32u) != 0u)));
-if (select(0u, select(7u, select(3u, 1u, ((((_e265 == 0f) && (_e272 == 0f)) && (_e374 == 0f)) && (_e377 == 0f))), _e868), (_e246 == 0f)) > 1u) {
-let _e876 = global_1.member.member[2u];
-if _e284 {
+let _e337 = bitcast<i32>(((_e118 / _e280) * 3u));
+let _e339 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e341 = select(_e339, _e337, (_e337 < _e339));
+let _e347 = global_5.member[bitcast<u32>(select(0i, _e341, (_e341 > 0i)))];
+let _e348 = (_e337 + 1i);
+let _e350 = select(_e339, _e348, (_e348 < _e339));
+let _e356 = global_5.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
+let _e357 = (_e337 + 2i);
+let _e359 = select(_e339, _e357, (_e357 < _e339));
+let _e365 = global_5.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
+let _e368 = (1f / select(1e-6f, _e365, (_e365 > 1e-6f)));
+let _e371 = (((_e347 * _e368) - _e260) * _e255);
+let _e374 = (((_e356 * _e368) - _e267) * _e255);
+let _e386 = global_1.member.member_6.member;
+let _e397 = ((((_e386.member.member * _e308) + (_e386.member.member_1 * _e317)) + (_e386.member.member_2 * _e290)) + _e386.member_1);
+let _e401 = global_1.member.member_6.member_1;
+let _e412 = ((((_e401.member.member * _e308) + (_e401.member.member_1 * _e317)) + (_e401.member.member_2 * _e290)) + _e401.member_1);
+let _e416 = global_1.member.member_6.member_2;
+let _e427 = ((((_e416.member.member * _e308) + (_e416.member.member_1 * _e317)) + (_e416.member.member_2 * _e290)) + _e416.member_1);
+let _e433 = ((((_e386.member.member * _e329) + (_e386.member.member_1 * _e334)) + (_e386.member.member_2 * _e323)) + _e386.member_1);
+let _e439 = ((((_e401.member.member * _e329) + (_e401.member.member_1 * _e334)) + (_e401.member.member_2 * _e323)) + _e401.member_1);
+let _e445 = ((((_e416.member.member * _e329) + (_e416.member.member_1 * _e334)) + (_e416.member.member_2 * _e323)) + _e416.member_1);
+let _e449 = global_1.member.member_6.member_4;
+let _e454 = global_1.member.member_6.member_3.member;
+let _e455 = (_e454 - 0.5f);
+let _e457 = select(-0.5f, _e433, (_e433 > -0.5f));
+let _e459 = select(_e455, _e457, (_e457 < _e455));
+let _e464 = global_1.member.member_6.member_3.member_1;
+let _e465 = (_e464 - 0.5f);
+let _e467 = select(-0.5f, _e439, (_e439 > -0.5f));
+let _e469 = select(_e465, _e467, (_e467 < _e465));
+let _e474 = global_1.member.member_6.member_3.member_2;
+let _e475 = (_e474 - 0.5f);
+let _e477 = select(-0.5f, _e445, (_e445 > -0.5f));
+let _e479 = select(_e475, _e477, (_e477 < _e475));
+let _e480 = (_e433 - _e397);
+let _e481 = (_e439 - _e412);
+let _e482 = (_e445 - _e427);
+let _e485 = bitcast<f32>((bitcast<u32>(_e480) & 2147483647u));
+let _e488 = bitcast<f32>((bitcast<u32>(_e481) & 2147483647u));
+let _e490 = select(_e488, _e485, (_e485 > _e488));
+let _e493 = bitcast<f32>((bitcast<u32>(_e482) & 2147483647u));
+let _e502 = bitcast<f32>((bitcast<u32>((_e433 - _e459)) & 2147483647u));
+let _e505 = bitcast<f32>((bitcast<u32>((_e439 - _e469)) & 2147483647u));
+let _e507 = select(_e505, _e502, (_e502 > _e505));
+let _e510 = bitcast<f32>((bitcast<u32>((_e445 - _e479)) & 2147483647u));
+let _e514 = (_e459 + 0.5f);
+let _e515 = (_e454 - 1f);
+let _e517 = select(0f, _e514, (_e514 > 0f));
+let _e519 = select(_e515, _e517, (_e517 < _e515));
+let _e526 = select(0i, select(select(i32(_e519), i32(-2147483648), (_e519 < -2147483600f)), 2147483647i, (_e519 > 2147483500f)), (_e519 == _e519));
+let _e534 = global_1.member.member_6.member_12;
+let _e535 = (_e534 & 31u);
+let _e538 = (_e469 + 0.5f);
+let _e539 = (_e464 - 1f);
+let _e541 = select(0f, _e538, (_e538 > 0f));
+let _e543 = select(_e539, _e541, (_e541 < _e539));
+let _e550 = select(0i, select(select(i32(_e543), i32(-2147483648), (_e543 < -2147483600f)), 2147483647i, (_e543 > 2147483500f)), (_e543 == _e543));
+let _e557 = (_e479 + 0.5f);
+let _e558 = (_e474 - 1f);
+let _e560 = select(0f, _e557, (_e557 > 0f));
+let _e562 = select(_e558, _e560, (_e560 < _e558));
+let _e569 = select(0i, select(select(i32(_e562), i32(-2147483648), (_e562 < -2147483600f)), 2147483647i, (_e562 > 2147483500f)), (_e562 == _e562));
+let _e580 = global_1.member.member_6.member_9.member;
+let _e586 = global_1.member.member_6.member_9.member_1;
+let _e591 = global_1.member.member_6.member_10;
+let _e597 = ((bitcast<i32>(_e591) + ((_e526 - select(0i, 1i, (_e519 < f32(_e526)))) >> bitcast<u32>(_e535))) + (bitcast<i32>(_e580) * (((_e550 - select(0i, 1i, (_e543 < f32(_e550)))) >> bitcast<u32>(_e535)) + (bitcast<i32>(_e586) * ((_e569 - select(0i, 1i, (_e562 < f32(_e569)))) >> bitcast<u32>(_e535))))));
+let _e599 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e601 = select(_e599, _e597, (_e597 < _e599));
+let _e607 = global_3.member[bitcast<u32>(select(0i, _e601, (_e601 > 0i)))];
+let _e614 = global_1.member.member_7.member;
+let _e629 = global_1.member.member_7.member_1;
+let _e644 = global_1.member.member_7.member_2;
+let _e661 = ((((_e614.member.member * _e329) + (_e614.member.member_1 * _e334)) + (_e614.member.member_2 * _e323)) + _e614.member_1);
+let _e667 = ((((_e629.member.member * _e329) + (_e629.member.member_1 * _e334)) + (_e629.member.member_2 * _e323)) + _e629.member_1);
+let _e673 = ((((_e644.member.member * _e329) + (_e644.member.member_1 * _e334)) + (_e644.member.member_2 * _e323)) + _e644.member_1);
+let _e677 = global_1.member.member_7.member_4;
+let _e682 = global_1.member.member_7.member_3.member;
+let _e683 = (_e682 - 0.5f);
+let _e685 = select(-0.5f, _e661, (_e661 > -0.5f));
+let _e687 = select(_e683, _e685, (_e685 < _e683));
+let _e692 = global_1.member.member_7.member_3.member_1;
+let _e693 = (_e692 - 0.5f);
+let _e695 = select(-0.5f, _e667, (_e667 > -0.5f));
+let _e697 = select(_e693, _e695, (_e695 < _e693));
+let _e702 = global_1.member.member_7.member_3.member_2;
+let _e703 = (_e702 - 0.5f);
+let _e705 = select(-0.5f, _e673, (_e673 > -0.5f));
+let _e707 = select(_e703, _e705, (_e705 < _e703));
+let _e713 = bitcast<f32>((bitcast<u32>((_e661 - ((((_e614.member.member * _e308) + (_e614.member.member_1 * _e317)) + (_e614.member.member_2 * _e290)) + _e614.member_1))) & 2147483647u));
+let _e716 = bitcast<f32>((bitcast<u32>((_e667 - ((((_e629.member.member * _e308) + (_e629.member.member_1 * _e317)) + (_e629.member.member_2 * _e290)) + _e629.member_1))) & 2147483647u));
+let _e718 = select(_e716, _e713, (_e713 > _e716));
+let _e721 = bitcast<f32>((bitcast<u32>((_e673 - ((((_e644.member.member * _e308) + (_e644.member.member_1 * _e317)) + (_e644.member.member_2 * _e290)) + _e644.member_1))) & 2147483647u));
+let _e730 = bitcast<f32>((bitcast<u32>((_e661 - _e687)) & 2147483647u));
+let _e733 = bitcast<f32>((bitcast<u32>((_e667 - _e697)) & 2147483647u));
+let _e735 = select(_e733, _e730, (_e730 > _e733));
+let _e738 = bitcast<f32>((bitcast<u32>((_e673 - _e707)) & 2147483647u));
+let _e742 = (_e687 + 0.5f);
+let _e743 = (_e682 - 1f);
+let _e745 = select(0f, _e742, (_e742 > 0f));
+let _e747 = select(_e743, _e745, (_e745 < _e743));
+let _e754 = select(0i, select(select(i32(_e747), i32(-2147483648), (_e747 < -2147483600f)), 2147483647i, (_e747 > 2147483500f)), (_e747 == _e747));
+let _e762 = global_1.member.member_7.member_12;
+let _e763 = (_e762 & 31u);
+let _e766 = (_e697 + 0.5f);
+let _e767 = (_e692 - 1f);
+let _e769 = select(0f, _e766, (_e766 > 0f));
+let _e771 = select(_e767, _e769, (_e769 < _e767));
+let _e778 = select(0i, select(select(i32(_e771), i32(-2147483648), (_e771 < -2147483600f)), 2147483647i, (_e771 > 2147483500f)), (_e771 == _e771));
+let _e785 = (_e707 + 0.5f);
+let _e786 = (_e702 - 1f);
+let _e788 = select(0f, _e785, (_e785 > 0f));
+let _e790 = select(_e786, _e788, (_e788 < _e786));
+let _e797 = select(0i, select(select(i32(_e790), i32(-2147483648), (_e790 < -2147483600f)), 2147483647i, (_e790 > 2147483500f)), (_e790 == _e790));
+let _e808 = global_1.member.member_7.member_9.member;
+let _e814 = global_1.member.member_7.member_9.member_1;
+let _e819 = global_1.member.member_7.member_10;
+let _e825 = ((bitcast<i32>(_e819) + ((_e754 - select(0i, 1i, (_e747 < f32(_e754)))) >> bitcast<u32>(_e763))) + (bitcast<i32>(_e808) * (((_e778 - select(0i, 1i, (_e771 < f32(_e778)))) >> bitcast<u32>(_e763)) + (bitcast<i32>(_e814) * ((_e797 - select(0i, 1i, (_e790 < f32(_e797)))) >> bitcast<u32>(_e763))))));
+let _e827 = select(_e599, _e825, (_e825 < _e599));
+let _e833 = global_3.member[bitcast<u32>(select(0i, _e827, (_e827 > 0i)))];
+let _e839 = global_1.member.member_1;
+let _e846 = (((_e839 & 64u) != 0u) || ((((select(_e493, _e490, (_e490 > _e493)) <= _e449) && ((select(_e510, _e507, (_e507 > _e510)) > _e449) || (_e607 != 0u))) && ((select(_e721, _e718, (_e718 > _e721)) <= _e677) && ((select(_e738, _e735, (_e735 > _e738)) > _e677) || (_e833 != 0u)))) && ((_e839 & 32u) != 0u)));
+if (select(0u, select(7u, select(3u, 1u, ((((_e262 == 0f) && (_e269 == 0f)) && (_e371 == 0f)) && (_e374 == 0f))), _e846), (_e243 == 0f)) > 1u) {
+if _e281 {
 break;
 }
-if _e284 {
+if _e281 {
 break;
 }
-let _e878 = (_e876 == 2u);
-let _e881 = (((_e876 == 1u) || _e878) || (_e876 == 5u));
-if _e881 {
-let _e1134 = select(-1f, _e472, (_e472 > -1f));
-let _e1136 = select(_e467, _e1134, (_e1134 < _e467));
-let _e1143 = select(0i, select(select(i32(_e1136), i32(-2147483648), (_e1136 < -2147483600f)), 2147483647i, (_e1136 > 2147483500f)), (_e1136 == _e1136));
-let _e1147 = (_e1143 - select(0i, 1i, (_e1136 < f32(_e1143))));
-let _e1149 = select(-1f, _e482, (_e482 > -1f));
-let _e1151 = select(_e477, _e1149, (_e1149 < _e477));
-let _e1158 = select(0i, select(select(i32(_e1151), i32(-2147483648), (_e1151 < -2147483600f)), 2147483647i, (_e1151 > 2147483500f)), (_e1151 == _e1151));
-let _e1162 = (_e1158 - select(0i, 1i, (_e1151 < f32(_e1158))));
-let _e1164 = select(-1f, _e492, (_e492 > -1f));
-let _e1166 = select(_e487, _e1164, (_e1164 < _e487));
-let _e1173 = select(0i, select(select(i32(_e1166), i32(-2147483648), (_e1166 < -2147483600f)), 2147483647i, (_e1166 > 2147483500f)), (_e1166 == _e1166));
-let _e1177 = (_e1173 - select(0i, 1i, (_e1166 < f32(_e1173))));
-let _e1182 = global_1.member.member_5.member_5[0u];
-let _e1187 = global_1.member.member_5.member_5[1u];
-let _e1195 = (select(0i, select(select(i32(_e477), i32(-2147483648), (_e477 < -2147483600f)), 2147483647i, (_e477 > 2147483500f)), (_e477 == _e477)) - 1i);
-let _e1198 = (_e1162 + 1i);
-let _e1208 = (select(0i, select(select(i32(_e487), i32(-2147483648), (_e487 < -2147483600f)), 2147483647i, (_e487 > 2147483500f)), (_e487 == _e487)) - 1i);
-let _e1211 = (_e1177 + 1i);
-let _e1221 = (select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < -2147483600f)), 2147483647i, (_e467 > 2147483500f)), (_e467 == _e467)) - 1i);
-let _e1222 = (_e1147 - 1i);
-let _e1227 = (_e1147 + 1i);
-let _e1230 = (_e1147 + 2i);
-let _e1233 = (select(0i, _e1162, (_e1162 > 0i)) * _e1182);
-let _e1234 = (select(_e1195, _e1198, (_e1198 < _e1195)) * _e1182);
-let _e1235 = (select(0i, _e1177, (_e1177 > 0i)) * _e1187);
-let _e1236 = (select(_e1208, _e1211, (_e1211 < _e1208)) * _e1187);
-local_6 = type_18(array<i32, 4>(select(0i, _e1222, (_e1222 > 0i)), select(0i, _e1147, (_e1147 > 0i)), select(_e1221, _e1227, (_e1227 < _e1221)), select(_e1221, _e1230, (_e1230 < _e1221))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
-local_7 = vec3<f32>((_e472 - f32(_e1147)), (_e482 - f32(_e1162)), (_e492 - f32(_e1177)));
-let _e1247 = (_e1235 + _e1233);
-let _e1249 = (bitcast<i32>(_e91) - 1i);
-let _e1252 = local_6.member[1u];
-let _e1253 = (_e1247 + _e1252);
-let _e1255 = select(_e1249, _e1253, (_e1253 < _e1249));
-let _e1260 = global_2.member[bitcast<u32>(select(0i, _e1255, (_e1255 > 0i)))];
-let _e1261 = bitcast<f32>(_e1260);
-let _e1264 = local_6.member[2u];
-let _e1265 = (_e1247 + _e1264);
-let _e1267 = select(_e1249, _e1265, (_e1265 < _e1249));
-let _e1272 = global_2.member[bitcast<u32>(select(0i, _e1267, (_e1267 > 0i)))];
-let _e1274 = local_7[0u];
-let _e1277 = (_e1261 + ((bitcast<f32>(_e1272) - _e1261) * _e1274));
-let _e1278 = (_e1235 + _e1234);
-let _e1279 = local_6.member[1u];
-let _e1280 = (_e1278 + _e1279);
-let _e1282 = select(_e1249, _e1280, (_e1280 < _e1249));
-let _e1287 = global_2.member[bitcast<u32>(select(0i, _e1282, (_e1282 > 0i)))];
-let _e1288 = bitcast<f32>(_e1287);
-let _e1289 = local_6.member[2u];
-let _e1290 = (_e1278 + _e1289);
-let _e1292 = select(_e1249, _e1290, (_e1290 < _e1249));
-let _e1297 = global_2.member[bitcast<u32>(select(0i, _e1292, (_e1292 > 0i)))];
-let _e1299 = local_7[0u];
-let _e1303 = (_e1236 + _e1233);
-let _e1304 = local_6.member[1u];
-let _e1305 = (_e1303 + _e1304);
-let _e1307 = select(_e1249, _e1305, (_e1305 < _e1249));
-let _e1312 = global_2.member[bitcast<u32>(select(0i, _e1307, (_e1307 > 0i)))];
-let _e1313 = bitcast<f32>(_e1312);
-let _e1314 = local_6.member[2u];
-let _e1315 = (_e1303 + _e1314);
-let _e1317 = select(_e1249, _e1315, (_e1315 < _e1249));
-let _e1322 = global_2.member[bitcast<u32>(select(0i, _e1317, (_e1317 > 0i)))];
-let _e1324 = local_7[0u];
-let _e1327 = (_e1313 + ((bitcast<f32>(_e1322) - _e1313) * _e1324));
-let _e1328 = (_e1236 + _e1234);
-let _e1329 = local_6.member[1u];
-let _e1330 = (_e1328 + _e1329);
-let _e1332 = select(_e1249, _e1330, (_e1330 < _e1249));
-let _e1337 = global_2.member[bitcast<u32>(select(0i, _e1332, (_e1332 > 0i)))];
-let _e1338 = bitcast<f32>(_e1337);
-let _e1339 = local_6.member[2u];
-let _e1340 = (_e1328 + _e1339);
-let _e1342 = select(_e1249, _e1340, (_e1340 < _e1249));
-let _e1347 = global_2.member[bitcast<u32>(select(0i, _e1342, (_e1342 > 0i)))];
-let _e1349 = local_7[0u];
-let _e1354 = local_7[1u];
-let _e1357 = (_e1277 + (((_e1288 + ((bitcast<f32>(_e1297) - _e1288) * _e1299)) - _e1277) * _e1354));
-let _e1358 = local_7[1u];
-let _e1363 = local_7[2u];
-let _e1371 = global_1.member.member_5.member_4.member;
-let _e1377 = global_1.member.member_5.member_4.member_1;
-let _e1378 = (((_e1357 + (((_e1327 + (((_e1338 + ((bitcast<f32>(_e1347) - _e1338) * _e1349)) - _e1327) * _e1358)) - _e1357) * _e1363)) * _e1371) + _e1377);
-let _e1380 = select(0f, _e1378, (_e1378 > 0f));
-let _e1384 = select(-1f, _e709, (_e709 > -1f));
-let _e1386 = select(_e704, _e1384, (_e1384 < _e704));
-let _e1393 = select(0i, select(select(i32(_e1386), i32(-2147483648), (_e1386 < -2147483600f)), 2147483647i, (_e1386 > 2147483500f)), (_e1386 == _e1386));
-let _e1397 = (_e1393 - select(0i, 1i, (_e1386 < f32(_e1393))));
-let _e1399 = select(-1f, _e719, (_e719 > -1f));
-let _e1401 = select(_e714, _e1399, (_e1399 < _e714));
-let _e1408 = select(0i, select(select(i32(_e1401), i32(-2147483648), (_e1401 < -2147483600f)), 2147483647i, (_e1401 > 2147483500f)), (_e1401 == _e1401));
-let _e1412 = (_e1408 - select(0i, 1i, (_e1401 < f32(_e1408))));
-let _e1414 = select(-1f, _e729, (_e729 > -1f));
-let _e1416 = select(_e724, _e1414, (_e1414 < _e724));
-let _e1423 = select(0i, select(select(i32(_e1416), i32(-2147483648), (_e1416 < -2147483600f)), 2147483647i, (_e1416 > 2147483500f)), (_e1416 == _e1416));
-let _e1427 = (_e1423 - select(0i, 1i, (_e1416 < f32(_e1423))));
-let _e1432 = global_1.member.member_6.member_5[0u];
-let _e1437 = global_1.member.member_6.member_5[1u];
-let _e1445 = (select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < -2147483600f)), 2147483647i, (_e714 > 2147483500f)), (_e714 == _e714)) - 1i);
-let _e1446 = (_e1412 - 1i);
-let _e1451 = (_e1412 + 1i);
-let _e1454 = (_e1412 + 2i);
-let _e1464 = (select(0i, select(select(i32(_e724), i32(-2147483648), (_e724 < -2147483600f)), 2147483647i, (_e724 > 2147483500f)), (_e724 == _e724)) - 1i);
-let _e1465 = (_e1427 - 1i);
-let _e1470 = (_e1427 + 1i);
-let _e1473 = (_e1427 + 2i);
-let _e1483 = (select(0i, select(select(i32(_e704), i32(-2147483648), (_e704 < -2147483600f)), 2147483647i, (_e704 > 2147483500f)), (_e704 == _e704)) - 1i);
-let _e1484 = (_e1397 - 1i);
-let _e1489 = (_e1397 + 1i);
-let _e1492 = (_e1397 + 2i);
-let _e1495 = (select(0i, _e1446, (_e1446 > 0i)) * _e1432);
-let _e1496 = (select(0i, _e1412, (_e1412 > 0i)) * _e1432);
-let _e1497 = (select(_e1445, _e1451, (_e1451 < _e1445)) * _e1432);
-let _e1498 = (select(_e1445, _e1454, (_e1454 < _e1445)) * _e1432);
-let _e1499 = (select(0i, _e1465, (_e1465 > 0i)) * _e1437);
-let _e1500 = (select(0i, _e1427, (_e1427 > 0i)) * _e1437);
-let _e1501 = (select(_e1464, _e1470, (_e1470 < _e1464)) * _e1437);
-let _e1502 = (select(_e1464, _e1473, (_e1473 < _e1464)) * _e1437);
-local_4 = type_18(array<i32, 4>(select(0i, _e1484, (_e1484 > 0i)), select(0i, _e1397, (_e1397 > 0i)), select(_e1483, _e1489, (_e1489 < _e1483)), select(_e1483, _e1492, (_e1492 < _e1483))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
-local_5 = vec3<f32>((_e709 - f32(_e1397)), (_e719 - f32(_e1412)), (_e729 - f32(_e1427)));
-let _e1513 = (_e1500 + _e1496);
-let _e1516 = local_4.member[0u];
-let _e1517 = (_e1513 + _e1516);
-let _e1519 = (bitcast<i32>(arrayLength((&global_7.member))) - 1i);
-let _e1521 = select(_e1519, _e1517, (_e1517 < _e1519));
-let _e1526 = global_7.member[bitcast<u32>(select(0i, _e1521, (_e1521 > 0i)))];
-let _e1527 = bitcast<f32>(_e1526);
-let _e1530 = local_4.member[1u];
-let _e1531 = (_e1513 + _e1530);
-let _e1533 = select(_e1519, _e1531, (_e1531 < _e1519));
-let _e1538 = global_7.member[bitcast<u32>(select(0i, _e1533, (_e1533 > 0i)))];
-let _e1539 = bitcast<f32>(_e1538);
-let _e1542 = local_4.member[2u];
-let _e1543 = (_e1513 + _e1542);
-let _e1545 = select(_e1519, _e1543, (_e1543 < _e1519));
-let _e1550 = global_7.member[bitcast<u32>(select(0i, _e1545, (_e1545 > 0i)))];
-let _e1551 = bitcast<f32>(_e1550);
-let _e1554 = local_4.member[3u];
-let _e1555 = (_e1513 + _e1554);
-let _e1557 = select(_e1519, _e1555, (_e1555 < _e1519));
-let _e1562 = global_7.member[bitcast<u32>(select(0i, _e1557, (_e1557 > 0i)))];
-let _e1564 = local_5[0u];
-let _e1567 = (_e1527 + ((_e1539 - _e1527) * _e1564));
-let _e1568 = local_5[0u];
-let _e1571 = (_e1539 + ((_e1551 - _e1539) * _e1568));
-let _e1572 = local_5[0u];
-let _e1575 = (_e1551 + ((bitcast<f32>(_e1562) - _e1551) * _e1572));
-let _e1576 = (_e1500 + _e1497);
-let _e1577 = local_4.member[0u];
-let _e1578 = (_e1576 + _e1577);
-let _e1580 = select(_e1519, _e1578, (_e1578 < _e1519));
-let _e1585 = global_7.member[bitcast<u32>(select(0i, _e1580, (_e1580 > 0i)))];
-let _e1586 = bitcast<f32>(_e1585);
-let _e1587 = local_4.member[1u];
-let _e1588 = (_e1576 + _e1587);
-let _e1590 = select(_e1519, _e1588, (_e1588 < _e1519));
-let _e1595 = global_7.member[bitcast<u32>(select(0i, _e1590, (_e1590 > 0i)))];
-let _e1596 = bitcast<f32>(_e1595);
-let _e1597 = local_4.member[2u];
-let _e1598 = (_e1576 + _e1597);
-let _e1600 = select(_e1519, _e1598, (_e1598 < _e1519));
-let _e1605 = global_7.member[bitcast<u32>(select(0i, _e1600, (_e1600 > 0i)))];
-let _e1606 = bitcast<f32>(_e1605);
-let _e1607 = local_4.member[3u];
-let _e1608 = (_e1576 + _e1607);
-let _e1610 = select(_e1519, _e1608, (_e1608 < _e1519));
-let _e1615 = global_7.member[bitcast<u32>(select(0i, _e1610, (_e1610 > 0i)))];
-let _e1617 = local_5[0u];
-let _e1621 = local_5[0u];
-let _e1624 = (_e1596 + ((_e1606 - _e1596) * _e1621));
-let _e1625 = local_5[0u];
-let _e1629 = (_e1501 + _e1496);
-let _e1630 = local_4.member[0u];
-let _e1631 = (_e1629 + _e1630);
-let _e1633 = select(_e1519, _e1631, (_e1631 < _e1519));
-let _e1638 = global_7.member[bitcast<u32>(select(0i, _e1633, (_e1633 > 0i)))];
-let _e1639 = bitcast<f32>(_e1638);
-let _e1640 = local_4.member[1u];
-let _e1641 = (_e1629 + _e1640);
-let _e1643 = select(_e1519, _e1641, (_e1641 < _e1519));
-let _e1648 = global_7.member[bitcast<u32>(select(0i, _e1643, (_e1643 > 0i)))];
-let _e1649 = bitcast<f32>(_e1648);
-let _e1650 = local_4.member[2u];
-let _e1651 = (_e1629 + _e1650);
-let _e1653 = select(_e1519, _e1651, (_e1651 < _e1519));
-let _e1658 = global_7.member[bitcast<u32>(select(0i, _e1653, (_e1653 > 0i)))];
-let _e1659 = bitcast<f32>(_e1658);
-let _e1660 = local_4.member[3u];
-let _e1661 = (_e1629 + _e1660);
-let _e1663 = select(_e1519, _e1661, (_e1661 < _e1519));
-let _e1668 = global_7.member[bitcast<u32>(select(0i, _e1663, (_e1663 > 0i)))];
-let _e1670 = local_5[0u];
-let _e1673 = (_e1639 + ((_e1649 - _e1639) * _e1670));
-let _e1674 = local_5[0u];
-let _e1677 = (_e1649 + ((_e1659 - _e1649) * _e1674));
-let _e1678 = local_5[0u];
-let _e1681 = (_e1659 + ((bitcast<f32>(_e1668) - _e1659) * _e1678));
-let _e1682 = (_e1501 + _e1497);
-let _e1683 = local_4.member[0u];
-let _e1684 = (_e1682 + _e1683);
-let _e1686 = select(_e1519, _e1684, (_e1684 < _e1519));
-let _e1691 = global_7.member[bitcast<u32>(select(0i, _e1686, (_e1686 > 0i)))];
-let _e1692 = bitcast<f32>(_e1691);
-let _e1693 = local_4.member[1u];
-let _e1694 = (_e1682 + _e1693);
-let _e1696 = select(_e1519, _e1694, (_e1694 < _e1519));
-let _e1701 = global_7.member[bitcast<u32>(select(0i, _e1696, (_e1696 > 0i)))];
-let _e1702 = bitcast<f32>(_e1701);
-let _e1703 = local_4.member[2u];
-let _e1704 = (_e1682 + _e1703);
-let _e1706 = select(_e1519, _e1704, (_e1704 < _e1519));
-let _e1711 = global_7.member[bitcast<u32>(select(0i, _e1706, (_e1706 > 0i)))];
-let _e1712 = bitcast<f32>(_e1711);
-let _e1713 = local_4.member[3u];
-let _e1714 = (_e1682 + _e1713);
-let _e1716 = select(_e1519, _e1714, (_e1714 < _e1519));
-let _e1721 = global_7.member[bitcast<u32>(select(0i, _e1716, (_e1716 > 0i)))];
-let _e1723 = local_5[0u];
-let _e1727 = local_5[0u];
-let _e1730 = (_e1702 + ((_e1712 - _e1702) * _e1727));
-let _e1731 = local_5[0u];
-let _e1735 = (_e1500 + _e1495);
-let _e1736 = local_4.member[1u];
-let _e1737 = (_e1735 + _e1736);
-let _e1739 = select(_e1519, _e1737, (_e1737 < _e1519));
-let _e1744 = global_7.member[bitcast<u32>(select(0i, _e1739, (_e1739 > 0i)))];
-let _e1745 = bitcast<f32>(_e1744);
-let _e1746 = local_4.member[2u];
-let _e1747 = (_e1735 + _e1746);
-let _e1749 = select(_e1519, _e1747, (_e1747 < _e1519));
-let _e1754 = global_7.member[bitcast<u32>(select(0i, _e1749, (_e1749 > 0i)))];
-let _e1756 = local_5[0u];
-let _e1759 = (_e1745 + ((bitcast<f32>(_e1754) - _e1745) * _e1756));
-let _e1760 = (_e1500 + _e1498);
-let _e1761 = local_4.member[1u];
-let _e1762 = (_e1760 + _e1761);
-let _e1764 = select(_e1519, _e1762, (_e1762 < _e1519));
-let _e1769 = global_7.member[bitcast<u32>(select(0i, _e1764, (_e1764 > 0i)))];
-let _e1770 = bitcast<f32>(_e1769);
-let _e1771 = local_4.member[2u];
-let _e1772 = (_e1760 + _e1771);
-let _e1774 = select(_e1519, _e1772, (_e1772 < _e1519));
-let _e1779 = global_7.member[bitcast<u32>(select(0i, _e1774, (_e1774 > 0i)))];
-let _e1781 = local_5[0u];
-let _e1785 = (_e1501 + _e1495);
-let _e1786 = local_4.member[1u];
-let _e1787 = (_e1785 + _e1786);
-let _e1789 = select(_e1519, _e1787, (_e1787 < _e1519));
-let _e1794 = global_7.member[bitcast<u32>(select(0i, _e1789, (_e1789 > 0i)))];
-let _e1795 = bitcast<f32>(_e1794);
-let _e1796 = local_4.member[2u];
-let _e1797 = (_e1785 + _e1796);
-let _e1799 = select(_e1519, _e1797, (_e1797 < _e1519));
-let _e1804 = global_7.member[bitcast<u32>(select(0i, _e1799, (_e1799 > 0i)))];
-let _e1806 = local_5[0u];
-let _e1809 = (_e1795 + ((bitcast<f32>(_e1804) - _e1795) * _e1806));
-let _e1810 = (_e1501 + _e1498);
-let _e1811 = local_4.member[1u];
-let _e1812 = (_e1810 + _e1811);
-let _e1814 = select(_e1519, _e1812, (_e1812 < _e1519));
-let _e1819 = global_7.member[bitcast<u32>(select(0i, _e1814, (_e1814 > 0i)))];
-let _e1820 = bitcast<f32>(_e1819);
-let _e1821 = local_4.member[2u];
-let _e1822 = (_e1810 + _e1821);
-let _e1824 = select(_e1519, _e1822, (_e1822 < _e1519));
-let _e1829 = global_7.member[bitcast<u32>(select(0i, _e1824, (_e1824 > 0i)))];
-let _e1831 = local_5[0u];
-let _e1835 = (_e1499 + _e1496);
-let _e1836 = local_4.member[1u];
-let _e1837 = (_e1835 + _e1836);
-let _e1839 = select(_e1519, _e1837, (_e1837 < _e1519));
-let _e1844 = global_7.member[bitcast<u32>(select(0i, _e1839, (_e1839 > 0i)))];
-let _e1845 = bitcast<f32>(_e1844);
-let _e1846 = local_4.member[2u];
-let _e1847 = (_e1835 + _e1846);
-let _e1849 = select(_e1519, _e1847, (_e1847 < _e1519));
-let _e1854 = global_7.member[bitcast<u32>(select(0i, _e1849, (_e1849 > 0i)))];
-let _e1856 = local_5[0u];
-let _e1859 = (_e1845 + ((bitcast<f32>(_e1854) - _e1845) * _e1856));
-let _e1860 = (_e1502 + _e1496);
-let _e1861 = local_4.member[1u];
-let _e1862 = (_e1860 + _e1861);
-let _e1864 = select(_e1519, _e1862, (_e1862 < _e1519));
-let _e1869 = global_7.member[bitcast<u32>(select(0i, _e1864, (_e1864 > 0i)))];
-let _e1870 = bitcast<f32>(_e1869);
-let _e1871 = local_4.member[2u];
-let _e1872 = (_e1860 + _e1871);
-let _e1874 = select(_e1519, _e1872, (_e1872 < _e1519));
-let _e1879 = global_7.member[bitcast<u32>(select(0i, _e1874, (_e1874 > 0i)))];
-let _e1881 = local_5[0u];
-let _e1884 = (_e1870 + ((bitcast<f32>(_e1879) - _e1870) * _e1881));
-let _e1885 = (_e1499 + _e1497);
-let _e1886 = local_4.member[1u];
-let _e1887 = (_e1885 + _e1886);
-let _e1889 = select(_e1519, _e1887, (_e1887 < _e1519));
-let _e1894 = global_7.member[bitcast<u32>(select(0i, _e1889, (_e1889 > 0i)))];
-let _e1895 = bitcast<f32>(_e1894);
-let _e1896 = local_4.member[2u];
-let _e1897 = (_e1885 + _e1896);
-let _e1899 = select(_e1519, _e1897, (_e1897 < _e1519));
-let _e1904 = global_7.member[bitcast<u32>(select(0i, _e1899, (_e1899 > 0i)))];
-let _e1906 = local_5[0u];
-let _e1910 = (_e1502 + _e1497);
-let _e1911 = local_4.member[1u];
-let _e1912 = (_e1910 + _e1911);
-let _e1914 = select(_e1519, _e1912, (_e1912 < _e1519));
-let _e1919 = global_7.member[bitcast<u32>(select(0i, _e1914, (_e1914 > 0i)))];
-let _e1920 = bitcast<f32>(_e1919);
-let _e1921 = local_4.member[2u];
-let _e1922 = (_e1910 + _e1921);
-let _e1924 = select(_e1519, _e1922, (_e1922 < _e1519));
-let _e1929 = global_7.member[bitcast<u32>(select(0i, _e1924, (_e1924 > 0i)))];
-let _e1931 = local_5[0u];
-let _e1936 = local_5[1u];
-let _e1939 = (_e1571 + ((_e1624 - _e1571) * _e1936));
-let _e1940 = local_5[1u];
-let _e1943 = (_e1677 + ((_e1730 - _e1677) * _e1940));
-let _e1944 = local_5[1u];
-let _e1947 = (_e1567 + (((_e1586 + ((_e1596 - _e1586) * _e1617)) - _e1567) * _e1944));
-let _e1948 = local_5[1u];
-let _e1953 = local_5[2u];
-let _e1957 = local_5[1u];
-let _e1960 = (_e1575 + (((_e1606 + ((bitcast<f32>(_e1615) - _e1606) * _e1625)) - _e1575) * _e1957));
-let _e1961 = local_5[1u];
-let _e1965 = local_5[2u];
-let _e1969 = local_5[1u];
-let _e1972 = (_e1759 + ((_e1571 - _e1759) * _e1969));
-let _e1973 = local_5[1u];
-let _e1977 = local_5[2u];
-let _e1981 = local_5[1u];
-let _e1984 = (_e1624 + (((_e1770 + ((bitcast<f32>(_e1779) - _e1770) * _e1781)) - _e1624) * _e1981));
-let _e1985 = local_5[1u];
-let _e1989 = local_5[2u];
-let _e1993 = local_5[1u];
-let _e1996 = (_e1859 + (((_e1895 + ((bitcast<f32>(_e1904) - _e1895) * _e1906)) - _e1859) * _e1993));
-let _e1997 = local_5[2u];
-let _e2001 = local_5[1u];
-let _e2005 = local_5[2u];
-let _e2009 = local_5[2u];
-let _e2017 = global_1.member.member_6.member_4.member;
-let _e2023 = global_1.member.member_6.member_4.member_1;
-let _e2024 = (((_e1939 + ((_e1943 - _e1939) * _e2009)) * _e2017) + _e2023);
-let _e2026 = select(0f, _e2024, (_e2024 > 0f));
-let _e2030 = (((_e1947 + (((_e1673 + (((_e1692 + ((_e1702 - _e1692) * _e1723)) - _e1673) * _e1948)) - _e1947) * _e1953)) * _e2017) + _e2023);
-let _e2032 = select(0f, _e2030, (_e2030 > 0f));
-let _e2034 = select(1f, _e2032, (_e2032 < 1f));
-let _e2036 = (((_e1960 + (((_e1681 + (((_e1712 + ((bitcast<f32>(_e1721) - _e1712) * _e1731)) - _e1681) * _e1961)) - _e1960) * _e1965)) * _e2017) + _e2023);
-let _e2038 = select(0f, _e2036, (_e2036 > 0f));
-let _e2040 = select(1f, _e2038, (_e2038 < 1f));
-let _e2042 = (((_e1972 + (((_e1809 + ((_e1677 - _e1809) * _e1973)) - _e1972) * _e1977)) * _e2017) + _e2023);
-let _e2044 = select(0f, _e2042, (_e2042 > 0f));
-let _e2046 = select(1f, _e2044, (_e2044 < 1f));
-let _e2048 = (((_e1984 + (((_e1730 + (((_e1820 + ((bitcast<f32>(_e1829) - _e1820) * _e1831)) - _e1730) * _e1985)) - _e1984) * _e1989)) * _e2017) + _e2023);
-let _e2050 = select(0f, _e2048, (_e2048 > 0f));
-let _e2052 = select(1f, _e2050, (_e2050 < 1f));
-let _e2054 = (((_e1996 + ((_e1939 - _e1996) * _e1997)) * _e2017) + _e2023);
-let _e2056 = select(0f, _e2054, (_e2054 > 0f));
-let _e2058 = select(1f, _e2056, (_e2056 < 1f));
-let _e2060 = (((_e1943 + (((_e1884 + (((_e1920 + ((bitcast<f32>(_e1929) - _e1920) * _e1931)) - _e1884) * _e2001)) - _e1943) * _e2005)) * _e2017) + _e2023);
-let _e2062 = select(0f, _e2060, (_e2060 > 0f));
-let _e2064 = select(1f, _e2062, (_e2062 < 1f));
-let _e2065 = (select(1f, _e2026, (_e2026 < 1f)) * 1024f);
-let _e2066 = (1024f - 1f);
-let _e2068 = select(0f, _e2065, (_e2065 > 0f));
-let _e2070 = select(_e2066, _e2068, (_e2068 < _e2066));
-let _e2077 = select(0i, select(select(i32(_e2070), i32(-2147483648), (_e2070 < -2147483600f)), 2147483647i, (_e2070 > 2147483500f)), (_e2070 == _e2070));
-let _e2081 = (_e2077 - select(0i, 1i, (_e2070 < f32(_e2077))));
-let _e2082 = (262147i + _e2081);
-let _e2084 = (bitcast<i32>(_e98) - 1i);
-let _e2086 = select(_e2084, _e2082, (_e2082 < _e2084));
-let _e2092 = global_4.member[bitcast<u32>(select(0i, _e2086, (_e2086 > 0i)))];
-let _e2102 = select(_e2084, 262146i, (262146i < _e2084));
-let _e2108 = global_4.member[bitcast<u32>(select(0i, _e2102, (_e2102 > 0i)))];
-let _e2109 = bitcast<f32>(_e2108);
-let _e2110 = (f32((bitcast<i32>((_e2092 & 4095u)) - 2048i)) * _e2109);
-let _e2112 = select(_e2084, 262144i, (262144i < _e2084));
-let _e2118 = global_4.member[bitcast<u32>(select(0i, _e2112, (_e2112 > 0i)))];
-let _e2119 = bitcast<f32>(_e2118);
-let _e2121 = select(_e2084, 262145i, (262145i < _e2084));
-let _e2127 = global_4.member[bitcast<u32>(select(0i, _e2121, (_e2121 > 0i)))];
-let _e2128 = bitcast<f32>(_e2127);
-let _e2134 = ((_e2119 + (f32(bitcast<i32>((_e2092 >> bitcast<u32>(12u)))) * _e2128)) + (_e2110 * (_e2065 - f32(_e2081))));
-let _e2135 = (_e2110 * 1024f);
-if _e878 {
-let _e2400 = ((0.5f * (_e2040 - _e2034)) * _e2135);
-let _e2401 = ((0.5f * (_e2052 - _e2046)) * _e2135);
-let _e2402 = ((0.5f * (_e2064 - _e2058)) * _e2135);
-phi_9856_ = type_19(_e2134, vec3<f32>(_e2400, _e2401, _e2402), vec3<f32>((_e2400 * _e2134), (_e2401 * _e2134), (_e2402 * _e2134)));
-} else {
-let _e2136 = (_e2034 * 1024f);
-let _e2138 = select(0f, _e2136, (_e2136 > 0f));
-let _e2140 = select(_e2066, _e2138, (_e2138 < _e2066));
-let _e2147 = select(0i, select(select(i32(_e2140), i32(-2147483648), (_e2140 < -2147483600f)), 2147483647i, (_e2140 > 2147483500f)), (_e2140 == _e2140));
-let _e2151 = (_e2147 - select(0i, 1i, (_e2140 < f32(_e2147))));
-let _e2152 = (262147i + _e2151);
-let _e2154 = select(_e2084, _e2152, (_e2152 < _e2084));
-let _e2160 = global_4.member[bitcast<u32>(select(0i, _e2154, (_e2154 > 0i)))];
-let _e2175 = ((_e2119 + (f32(bitcast<i32>((_e2160 >> bitcast<u32>(12u)))) * _e2128)) + ((f32((bitcast<i32>((_e2160 & 4095u)) - 2048i)) * _e2109) * (_e2136 - f32(_e2151))));
-let _e2176 = (_e2040 * 1024f);
-let _e2178 = select(0f, _e2176, (_e2176 > 0f));
-let _e2180 = select(_e2066, _e2178, (_e2178 < _e2066));
-let _e2187 = select(0i, select(select(i32(_e2180), i32(-2147483648), (_e2180 < -2147483600f)), 2147483647i, (_e2180 > 2147483500f)), (_e2180 == _e2180));
-let _e2191 = (_e2187 - select(0i, 1i, (_e2180 < f32(_e2187))));
-let _e2192 = (262147i + _e2191);
-let _e2194 = select(_e2084, _e2192, (_e2192 < _e2084));
-let _e2200 = global_4.member[bitcast<u32>(select(0i, _e2194, (_e2194 > 0i)))];
-let _e2215 = ((_e2119 + (f32(bitcast<i32>((_e2200 >> bitcast<u32>(12u)))) * _e2128)) + ((f32((bitcast<i32>((_e2200 & 4095u)) - 2048i)) * _e2109) * (_e2176 - f32(_e2191))));
-let _e2216 = (_e2046 * 1024f);
-let _e2218 = select(0f, _e2216, (_e2216 > 0f));
-let _e2220 = select(_e2066, _e2218, (_e2218 < _e2066));
-let _e2227 = select(0i, select(select(i32(_e2220), i32(-2147483648), (_e2220 < -2147483600f)), 2147483647i, (_e2220 > 2147483500f)), (_e2220 == _e2220));
-let _e2231 = (_e2227 - select(0i, 1i, (_e2220 < f32(_e2227))));
-let _e2232 = (262147i + _e2231);
-let _e2234 = select(_e2084, _e2232, (_e2232 < _e2084));
-let _e2240 = global_4.member[bitcast<u32>(select(0i, _e2234, (_e2234 > 0i)))];
-let _e2255 = ((_e2119 + (f32(bitcast<i32>((_e2240 >> bitcast<u32>(12u)))) * _e2128)) + ((f32((bitcast<i32>((_e2240 & 4095u)) - 2048i)) * _e2109) * (_e2216 - f32(_e2231))));
-let _e2256 = (_e2052 * 1024f);
-let _e2258 = select(0f, _e2256, (_e2256 > 0f));
-let _e2260 = select(_e2066, _e2258, (_e2258 < _e2066));
-let _e2267 = select(0i, select(select(i32(_e2260), i32(-2147483648), (_e2260 < -2147483600f)), 2147483647i, (_e2260 > 2147483500f)), (_e2260 == _e2260));
-let _e2271 = (_e2267 - select(0i, 1i, (_e2260 < f32(_e2267))));
-let _e2272 = (262147i + _e2271);
-let _e2274 = select(_e2084, _e2272, (_e2272 < _e2084));
-let _e2280 = global_4.member[bitcast<u32>(select(0i, _e2274, (_e2274 > 0i)))];
-let _e2295 = ((_e2119 + (f32(bitcast<i32>((_e2280 >> bitcast<u32>(12u)))) * _e2128)) + ((f32((bitcast<i32>((_e2280 & 4095u)) - 2048i)) * _e2109) * (_e2256 - f32(_e2271))));
-let _e2296 = (_e2058 * 1024f);
-let _e2298 = select(0f, _e2296, (_e2296 > 0f));
-let _e2300 = select(_e2066, _e2298, (_e2298 < _e2066));
-let _e2307 = select(0i, select(select(i32(_e2300), i32(-2147483648), (_e2300 < -2147483600f)), 2147483647i, (_e2300 > 2147483500f)), (_e2300 == _e2300));
-let _e2311 = (_e2307 - select(0i, 1i, (_e2300 < f32(_e2307))));
-let _e2312 = (262147i + _e2311);
-let _e2314 = select(_e2084, _e2312, (_e2312 < _e2084));
-let _e2320 = global_4.member[bitcast<u32>(select(0i, _e2314, (_e2314 > 0i)))];
-let _e2335 = ((_e2119 + (f32(bitcast<i32>((_e2320 >> bitcast<u32>(12u)))) * _e2128)) + ((f32((bitcast<i32>((_e2320 & 4095u)) - 2048i)) * _e2109) * (_e2296 - f32(_e2311))));
-let _e2336 = (_e2064 * 1024f);
-let _e2338 = select(0f, _e2336, (_e2336 > 0f));
-let _e2340 = select(_e2066, _e2338, (_e2338 < _e2066));
-let _e2347 = select(0i, select(select(i32(_e2340), i32(-2147483648), (_e2340 < -2147483600f)), 2147483647i, (_e2340 > 2147483500f)), (_e2340 == _e2340));
-let _e2351 = (_e2347 - select(0i, 1i, (_e2340 < f32(_e2347))));
-let _e2352 = (262147i + _e2351);
-let _e2354 = select(_e2084, _e2352, (_e2352 < _e2084));
-let _e2360 = global_4.member[bitcast<u32>(select(0i, _e2354, (_e2354 > 0i)))];
-let _e2375 = ((_e2119 + (f32(bitcast<i32>((_e2360 >> bitcast<u32>(12u)))) * _e2128)) + ((f32((bitcast<i32>((_e2360 & 4095u)) - 2048i)) * _e2109) * (_e2336 - f32(_e2351))));
-let _e2376 = (_e2215 - _e2175);
-let _e2378 = (_e2295 - _e2255);
-let _e2380 = (_e2375 - _e2335);
-phi_9856_ = type_19(_e2134, vec3<f32>((0.5f * _e2376), (0.5f * _e2378), (0.5f * _e2380)), vec3<f32>((0.25f * (_e2376 * (_e2215 + _e2175))), (0.25f * (_e2378 * (_e2295 + _e2255))), (0.25f * (_e2380 * (_e2375 + _e2335)))));
-}
-let _e2410 = phi_9856_;
-let _e2425 = select(0f, 1f, ((((((_e682 >= -0.5f) && (_e682 <= _e705)) && (_e688 >= -0.5f)) && (_e688 <= _e715)) && (_e694 >= -0.5f)) && (_e694 <= _e725)));
-let _e2427 = (0.5f * (_e2040 - _e2034));
-let _e2429 = (0.5f * (_e2052 - _e2046));
-let _e2431 = (0.5f * (_e2064 - _e2058));
-let _e2436 = global_1.member.member_6.member.member;
-let _e2442 = global_1.member.member_6.member_1.member;
-let _e2449 = global_1.member.member_6.member_2.member;
-let _e2456 = global_1.member.member_6.member.member_1;
-let _e2462 = global_1.member.member_6.member_1.member_1;
-let _e2469 = global_1.member.member_6.member_2.member_1;
-let _e2476 = global_1.member.member_6.member.member_2;
-let _e2482 = global_1.member.member_6.member_1.member_2;
-let _e2489 = global_1.member.member_6.member_2.member_2;
-phi_11176_ = type_20(select(1f, _e1380, (_e1380 < 1f)), vec3<f32>(((((_e2436 * _e2427) + (_e2442 * _e2429)) + (_e2449 * _e2431)) * _e2425), ((((_e2456 * _e2427) + (_e2462 * _e2429)) + (_e2469 * _e2431)) * _e2425), ((((_e2476 * _e2427) + (_e2482 * _e2429)) + (_e2489 * _e2431)) * _e2425)), _e2410.member, vec3<f32>(((((_e2436 * _e2410.member_2.x) + (_e2442 * _e2410.member_2.y)) + (_e2449 * _e2410.member_2.z)) * _e2425), ((((_e2456 * _e2410.member_2.x) + (_e2462 * _e2410.member_2.y)) + (_e2469 * _e2410.member_2.z)) * _e2425), ((((_e2476 * _e2410.member_2.x) + (_e2482 * _e2410.member_2.y)) + (_e2489 * _e2410.member_2.z)) * _e2425)), vec3<f32>(((((_e2436 * _e2410.member_1.x) + (_e2442 * _e2410.member_1.y)) + (_e2449 * _e2410.member_1.z)) * _e2425), ((((_e2456 * _e2410.member_1.x) + (_e2462 * _e2410.member_1.y)) + (_e2469 * _e2410.member_1.z)) * _e2425), ((((_e2476 * _e2410.member_1.x) + (_e2482 * _e2410.member_1.y)) + (_e2489 * _e2410.member_1.z)) * _e2425)));
-} else {
-let _e883 = select(-1f, _e472, (_e472 > -1f));
-let _e885 = select(_e467, _e883, (_e883 < _e467));
-let _e892 = select(0i, select(select(i32(_e885), i32(-2147483648), (_e885 < -2147483600f)), 2147483647i, (_e885 > 2147483500f)), (_e885 == _e885));
-let _e896 = (_e892 - select(0i, 1i, (_e885 < f32(_e892))));
-let _e898 = select(-1f, _e482, (_e482 > -1f));
-let _e900 = select(_e477, _e898, (_e898 < _e477));
-let _e907 = select(0i, select(select(i32(_e900), i32(-2147483648), (_e900 < -2147483600f)), 2147483647i, (_e900 > 2147483500f)), (_e900 == _e900));
-let _e911 = (_e907 - select(0i, 1i, (_e900 < f32(_e907))));
-let _e913 = select(-1f, _e492, (_e492 > -1f));
-let _e915 = select(_e487, _e913, (_e913 < _e487));
-let _e922 = select(0i, select(select(i32(_e915), i32(-2147483648), (_e915 < -2147483600f)), 2147483647i, (_e915 > 2147483500f)), (_e915 == _e915));
-let _e926 = (_e922 - select(0i, 1i, (_e915 < f32(_e922))));
-let _e931 = global_1.member.member_5.member_5[0u];
-let _e936 = global_1.member.member_5.member_5[1u];
-let _e944 = (select(0i, select(select(i32(_e477), i32(-2147483648), (_e477 < -2147483600f)), 2147483647i, (_e477 > 2147483500f)), (_e477 == _e477)) - 1i);
-let _e947 = (_e911 + 1i);
-let _e957 = (select(0i, select(select(i32(_e487), i32(-2147483648), (_e487 < -2147483600f)), 2147483647i, (_e487 > 2147483500f)), (_e487 == _e487)) - 1i);
-let _e960 = (_e926 + 1i);
-let _e970 = (select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < -2147483600f)), 2147483647i, (_e467 > 2147483500f)), (_e467 == _e467)) - 1i);
-let _e971 = (_e896 - 1i);
-let _e976 = (_e896 + 1i);
-let _e979 = (_e896 + 2i);
-let _e982 = (select(0i, _e911, (_e911 > 0i)) * _e931);
-let _e983 = (select(_e944, _e947, (_e947 < _e944)) * _e931);
-let _e984 = (select(0i, _e926, (_e926 > 0i)) * _e936);
-let _e985 = (select(_e957, _e960, (_e960 < _e957)) * _e936);
-local_2 = type_18(array<i32, 4>(select(0i, _e971, (_e971 > 0i)), select(0i, _e896, (_e896 > 0i)), select(_e970, _e976, (_e976 < _e970)), select(_e970, _e979, (_e979 < _e970))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
-local_3 = vec3<f32>((_e472 - f32(_e896)), (_e482 - f32(_e911)), (_e492 - f32(_e926)));
-let _e996 = (_e984 + _e982);
-let _e999 = local_2.member[1u];
-let _e1000 = (_e996 + _e999);
-let _e1002 = (bitcast<i32>(_e91) - 1i);
-let _e1004 = select(_e1002, _e1000, (_e1000 < _e1002));
+let _e853 = (_e108.member_2 == 2u);
+let _e856 = (((_e108.member_2 == 1u) || _e853) || (_e108.member_2 == 5u));
+if _e856 {
+let _e858 = select(-1f, _e459, (_e459 > -1f));
+let _e860 = select(_e454, _e858, (_e858 < _e454));
+let _e867 = select(0i, select(select(i32(_e860), i32(-2147483648), (_e860 < -2147483600f)), 2147483647i, (_e860 > 2147483500f)), (_e860 == _e860));
+let _e871 = (_e867 - select(0i, 1i, (_e860 < f32(_e867))));
+let _e873 = select(-1f, _e469, (_e469 > -1f));
+let _e875 = select(_e464, _e873, (_e873 < _e464));
+let _e882 = select(0i, select(select(i32(_e875), i32(-2147483648), (_e875 < -2147483600f)), 2147483647i, (_e875 > 2147483500f)), (_e875 == _e875));
+let _e886 = (_e882 - select(0i, 1i, (_e875 < f32(_e882))));
+let _e888 = select(-1f, _e479, (_e479 > -1f));
+let _e890 = select(_e474, _e888, (_e888 < _e474));
+let _e897 = select(0i, select(select(i32(_e890), i32(-2147483648), (_e890 < -2147483600f)), 2147483647i, (_e890 > 2147483500f)), (_e890 == _e890));
+let _e901 = (_e897 - select(0i, 1i, (_e890 < f32(_e897))));
+let _e905 = global_1.member.member_6.member_7;
+let _e909 = global_1.member.member_6.member_8;
+let _e917 = (select(0i, select(select(i32(_e464), i32(-2147483648), (_e464 < -2147483600f)), 2147483647i, (_e464 > 2147483500f)), (_e464 == _e464)) - 1i);
+let _e920 = (_e886 + 1i);
+let _e930 = (select(0i, select(select(i32(_e474), i32(-2147483648), (_e474 < -2147483600f)), 2147483647i, (_e474 > 2147483500f)), (_e474 == _e474)) - 1i);
+let _e933 = (_e901 + 1i);
+let _e943 = (select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < -2147483600f)), 2147483647i, (_e454 > 2147483500f)), (_e454 == _e454)) - 1i);
+let _e944 = (_e871 - 1i);
+let _e949 = (_e871 + 1i);
+let _e952 = (_e871 + 2i);
+let _e955 = (select(0i, _e886, (_e886 > 0i)) * _e905);
+let _e956 = (select(_e917, _e920, (_e920 < _e917)) * _e905);
+let _e957 = (select(0i, _e901, (_e901 > 0i)) * _e909);
+let _e958 = (select(_e930, _e933, (_e933 < _e930)) * _e909);
+local_6 = type_28(array<i32, 4>(select(0i, _e944, (_e944 > 0i)), select(0i, _e871, (_e871 > 0i)), select(_e943, _e949, (_e949 < _e943)), select(_e943, _e952, (_e952 < _e943))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_7 = vec3<f32>((_e459 - f32(_e871)), (_e469 - f32(_e886)), (_e479 - f32(_e901)));
+let _e969 = (_e957 + _e955);
+let _e971 = (bitcast<i32>(_e91) - 1i);
+let _e974 = local_6.member[1u];
+let _e975 = (_e969 + _e974);
+let _e977 = select(_e971, _e975, (_e975 < _e971));
+let _e982 = global_2.member[bitcast<u32>(select(0i, _e977, (_e977 > 0i)))];
+let _e983 = bitcast<f32>(_e982);
+let _e986 = local_6.member[2u];
+let _e987 = (_e969 + _e986);
+let _e989 = select(_e971, _e987, (_e987 < _e971));
+let _e994 = global_2.member[bitcast<u32>(select(0i, _e989, (_e989 > 0i)))];
+let _e996 = local_7[0u];
+let _e999 = (_e983 + ((bitcast<f32>(_e994) - _e983) * _e996));
+let _e1000 = (_e957 + _e956);
+let _e1001 = local_6.member[1u];
+let _e1002 = (_e1000 + _e1001);
+let _e1004 = select(_e971, _e1002, (_e1002 < _e971));
 let _e1009 = global_2.member[bitcast<u32>(select(0i, _e1004, (_e1004 > 0i)))];
 let _e1010 = bitcast<f32>(_e1009);
-let _e1013 = local_2.member[2u];
-let _e1014 = (_e996 + _e1013);
-let _e1016 = select(_e1002, _e1014, (_e1014 < _e1002));
-let _e1021 = global_2.member[bitcast<u32>(select(0i, _e1016, (_e1016 > 0i)))];
-let _e1023 = local_3[0u];
-let _e1026 = (_e1010 + ((bitcast<f32>(_e1021) - _e1010) * _e1023));
-let _e1027 = (_e984 + _e983);
-let _e1028 = local_2.member[1u];
-let _e1029 = (_e1027 + _e1028);
-let _e1031 = select(_e1002, _e1029, (_e1029 < _e1002));
-let _e1036 = global_2.member[bitcast<u32>(select(0i, _e1031, (_e1031 > 0i)))];
-let _e1037 = bitcast<f32>(_e1036);
-let _e1038 = local_2.member[2u];
-let _e1039 = (_e1027 + _e1038);
-let _e1041 = select(_e1002, _e1039, (_e1039 < _e1002));
-let _e1046 = global_2.member[bitcast<u32>(select(0i, _e1041, (_e1041 > 0i)))];
-let _e1048 = local_3[0u];
-let _e1053 = local_3[1u];
-let _e1056 = (_e1026 + (((_e1037 + ((bitcast<f32>(_e1046) - _e1037) * _e1048)) - _e1026) * _e1053));
-let _e1057 = (_e985 + _e982);
-let _e1058 = local_2.member[1u];
-let _e1059 = (_e1057 + _e1058);
-let _e1061 = select(_e1002, _e1059, (_e1059 < _e1002));
-let _e1066 = global_2.member[bitcast<u32>(select(0i, _e1061, (_e1061 > 0i)))];
-let _e1067 = bitcast<f32>(_e1066);
-let _e1068 = local_2.member[2u];
-let _e1069 = (_e1057 + _e1068);
-let _e1071 = select(_e1002, _e1069, (_e1069 < _e1002));
-let _e1076 = global_2.member[bitcast<u32>(select(0i, _e1071, (_e1071 > 0i)))];
-let _e1078 = local_3[0u];
-let _e1081 = (_e1067 + ((bitcast<f32>(_e1076) - _e1067) * _e1078));
-let _e1082 = (_e985 + _e983);
-let _e1083 = local_2.member[1u];
-let _e1084 = (_e1082 + _e1083);
-let _e1086 = select(_e1002, _e1084, (_e1084 < _e1002));
-let _e1091 = global_2.member[bitcast<u32>(select(0i, _e1086, (_e1086 > 0i)))];
-let _e1092 = bitcast<f32>(_e1091);
-let _e1093 = local_2.member[2u];
-let _e1094 = (_e1082 + _e1093);
-let _e1096 = select(_e1002, _e1094, (_e1094 < _e1002));
-let _e1101 = global_2.member[bitcast<u32>(select(0i, _e1096, (_e1096 > 0i)))];
-let _e1103 = local_3[0u];
-let _e1107 = local_3[1u];
-let _e1112 = local_3[2u];
-let _e1120 = global_1.member.member_5.member_4.member;
-let _e1126 = global_1.member.member_5.member_4.member_1;
-let _e1127 = (((_e1056 + (((_e1081 + (((_e1092 + ((bitcast<f32>(_e1101) - _e1092) * _e1103)) - _e1081) * _e1107)) - _e1056) * _e1112)) * _e1120) + _e1126);
-let _e1129 = select(0f, _e1127, (_e1127 > 0f));
-phi_11176_ = type_20(select(1f, _e1129, (_e1129 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e1011 = local_6.member[2u];
+let _e1012 = (_e1000 + _e1011);
+let _e1014 = select(_e971, _e1012, (_e1012 < _e971));
+let _e1019 = global_2.member[bitcast<u32>(select(0i, _e1014, (_e1014 > 0i)))];
+let _e1021 = local_7[0u];
+let _e1025 = (_e958 + _e955);
+let _e1026 = local_6.member[1u];
+let _e1027 = (_e1025 + _e1026);
+let _e1029 = select(_e971, _e1027, (_e1027 < _e971));
+let _e1034 = global_2.member[bitcast<u32>(select(0i, _e1029, (_e1029 > 0i)))];
+let _e1035 = bitcast<f32>(_e1034);
+let _e1036 = local_6.member[2u];
+let _e1037 = (_e1025 + _e1036);
+let _e1039 = select(_e971, _e1037, (_e1037 < _e971));
+let _e1044 = global_2.member[bitcast<u32>(select(0i, _e1039, (_e1039 > 0i)))];
+let _e1046 = local_7[0u];
+let _e1049 = (_e1035 + ((bitcast<f32>(_e1044) - _e1035) * _e1046));
+let _e1050 = (_e958 + _e956);
+let _e1051 = local_6.member[1u];
+let _e1052 = (_e1050 + _e1051);
+let _e1054 = select(_e971, _e1052, (_e1052 < _e971));
+let _e1059 = global_2.member[bitcast<u32>(select(0i, _e1054, (_e1054 > 0i)))];
+let _e1060 = bitcast<f32>(_e1059);
+let _e1061 = local_6.member[2u];
+let _e1062 = (_e1050 + _e1061);
+let _e1064 = select(_e971, _e1062, (_e1062 < _e971));
+let _e1069 = global_2.member[bitcast<u32>(select(0i, _e1064, (_e1064 > 0i)))];
+let _e1071 = local_7[0u];
+let _e1076 = local_7[1u];
+let _e1079 = (_e999 + (((_e1010 + ((bitcast<f32>(_e1019) - _e1010) * _e1021)) - _e999) * _e1076));
+let _e1080 = local_7[1u];
+let _e1085 = local_7[2u];
+let _e1092 = global_1.member.member_6.member_5;
+let _e1097 = global_1.member.member_6.member_6;
+let _e1098 = (((_e1079 + (((_e1049 + (((_e1060 + ((bitcast<f32>(_e1069) - _e1060) * _e1071)) - _e1049) * _e1080)) - _e1079) * _e1085)) * _e1092) + _e1097);
+let _e1100 = select(0f, _e1098, (_e1098 > 0f));
+let _e1104 = select(-1f, _e687, (_e687 > -1f));
+let _e1106 = select(_e682, _e1104, (_e1104 < _e682));
+let _e1113 = select(0i, select(select(i32(_e1106), i32(-2147483648), (_e1106 < -2147483600f)), 2147483647i, (_e1106 > 2147483500f)), (_e1106 == _e1106));
+let _e1117 = (_e1113 - select(0i, 1i, (_e1106 < f32(_e1113))));
+let _e1119 = select(-1f, _e697, (_e697 > -1f));
+let _e1121 = select(_e692, _e1119, (_e1119 < _e692));
+let _e1128 = select(0i, select(select(i32(_e1121), i32(-2147483648), (_e1121 < -2147483600f)), 2147483647i, (_e1121 > 2147483500f)), (_e1121 == _e1121));
+let _e1132 = (_e1128 - select(0i, 1i, (_e1121 < f32(_e1128))));
+let _e1134 = select(-1f, _e707, (_e707 > -1f));
+let _e1136 = select(_e702, _e1134, (_e1134 < _e702));
+let _e1143 = select(0i, select(select(i32(_e1136), i32(-2147483648), (_e1136 < -2147483600f)), 2147483647i, (_e1136 > 2147483500f)), (_e1136 == _e1136));
+let _e1147 = (_e1143 - select(0i, 1i, (_e1136 < f32(_e1143))));
+let _e1151 = global_1.member.member_7.member_7;
+let _e1155 = global_1.member.member_7.member_8;
+let _e1163 = (select(0i, select(select(i32(_e692), i32(-2147483648), (_e692 < -2147483600f)), 2147483647i, (_e692 > 2147483500f)), (_e692 == _e692)) - 1i);
+let _e1164 = (_e1132 - 1i);
+let _e1169 = (_e1132 + 1i);
+let _e1172 = (_e1132 + 2i);
+let _e1182 = (select(0i, select(select(i32(_e702), i32(-2147483648), (_e702 < -2147483600f)), 2147483647i, (_e702 > 2147483500f)), (_e702 == _e702)) - 1i);
+let _e1183 = (_e1147 - 1i);
+let _e1188 = (_e1147 + 1i);
+let _e1191 = (_e1147 + 2i);
+let _e1201 = (select(0i, select(select(i32(_e682), i32(-2147483648), (_e682 < -2147483600f)), 2147483647i, (_e682 > 2147483500f)), (_e682 == _e682)) - 1i);
+let _e1202 = (_e1117 - 1i);
+let _e1207 = (_e1117 + 1i);
+let _e1210 = (_e1117 + 2i);
+let _e1213 = (select(0i, _e1164, (_e1164 > 0i)) * _e1151);
+let _e1214 = (select(0i, _e1132, (_e1132 > 0i)) * _e1151);
+let _e1215 = (select(_e1163, _e1169, (_e1169 < _e1163)) * _e1151);
+let _e1216 = (select(_e1163, _e1172, (_e1172 < _e1163)) * _e1151);
+let _e1217 = (select(0i, _e1183, (_e1183 > 0i)) * _e1155);
+let _e1218 = (select(0i, _e1147, (_e1147 > 0i)) * _e1155);
+let _e1219 = (select(_e1182, _e1188, (_e1188 < _e1182)) * _e1155);
+let _e1220 = (select(_e1182, _e1191, (_e1191 < _e1182)) * _e1155);
+local_4 = type_28(array<i32, 4>(select(0i, _e1202, (_e1202 > 0i)), select(0i, _e1117, (_e1117 > 0i)), select(_e1201, _e1207, (_e1207 < _e1201)), select(_e1201, _e1210, (_e1210 < _e1201))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_5 = vec3<f32>((_e687 - f32(_e1117)), (_e697 - f32(_e1132)), (_e707 - f32(_e1147)));
+let _e1231 = (_e1218 + _e1214);
+let _e1234 = local_4.member[0u];
+let _e1235 = (_e1231 + _e1234);
+let _e1237 = (bitcast<i32>(arrayLength((&global_7.member))) - 1i);
+let _e1239 = select(_e1237, _e1235, (_e1235 < _e1237));
+let _e1244 = global_7.member[bitcast<u32>(select(0i, _e1239, (_e1239 > 0i)))];
+let _e1245 = bitcast<f32>(_e1244);
+let _e1248 = local_4.member[1u];
+let _e1249 = (_e1231 + _e1248);
+let _e1251 = select(_e1237, _e1249, (_e1249 < _e1237));
+let _e1256 = global_7.member[bitcast<u32>(select(0i, _e1251, (_e1251 > 0i)))];
+let _e1257 = bitcast<f32>(_e1256);
+let _e1260 = local_4.member[2u];
+let _e1261 = (_e1231 + _e1260);
+let _e1263 = select(_e1237, _e1261, (_e1261 < _e1237));
+let _e1268 = global_7.member[bitcast<u32>(select(0i, _e1263, (_e1263 > 0i)))];
+let _e1269 = bitcast<f32>(_e1268);
+let _e1272 = local_4.member[3u];
+let _e1273 = (_e1231 + _e1272);
+let _e1275 = select(_e1237, _e1273, (_e1273 < _e1237));
+let _e1280 = global_7.member[bitcast<u32>(select(0i, _e1275, (_e1275 > 0i)))];
+let _e1282 = local_5[0u];
+let _e1285 = (_e1245 + ((_e1257 - _e1245) * _e1282));
+let _e1286 = local_5[0u];
+let _e1289 = (_e1257 + ((_e1269 - _e1257) * _e1286));
+let _e1290 = local_5[0u];
+let _e1293 = (_e1269 + ((bitcast<f32>(_e1280) - _e1269) * _e1290));
+let _e1294 = (_e1218 + _e1215);
+let _e1295 = local_4.member[0u];
+let _e1296 = (_e1294 + _e1295);
+let _e1298 = select(_e1237, _e1296, (_e1296 < _e1237));
+let _e1303 = global_7.member[bitcast<u32>(select(0i, _e1298, (_e1298 > 0i)))];
+let _e1304 = bitcast<f32>(_e1303);
+let _e1305 = local_4.member[1u];
+let _e1306 = (_e1294 + _e1305);
+let _e1308 = select(_e1237, _e1306, (_e1306 < _e1237));
+let _e1313 = global_7.member[bitcast<u32>(select(0i, _e1308, (_e1308 > 0i)))];
+let _e1314 = bitcast<f32>(_e1313);
+let _e1315 = local_4.member[2u];
+let _e1316 = (_e1294 + _e1315);
+let _e1318 = select(_e1237, _e1316, (_e1316 < _e1237));
+let _e1323 = global_7.member[bitcast<u32>(select(0i, _e1318, (_e1318 > 0i)))];
+let _e1324 = bitcast<f32>(_e1323);
+let _e1325 = local_4.member[3u];
+let _e1326 = (_e1294 + _e1325);
+let _e1328 = select(_e1237, _e1326, (_e1326 < _e1237));
+let _e1333 = global_7.member[bitcast<u32>(select(0i, _e1328, (_e1328 > 0i)))];
+let _e1335 = local_5[0u];
+let _e1339 = local_5[0u];
+let _e1342 = (_e1314 + ((_e1324 - _e1314) * _e1339));
+let _e1343 = local_5[0u];
+let _e1347 = (_e1219 + _e1214);
+let _e1348 = local_4.member[0u];
+let _e1349 = (_e1347 + _e1348);
+let _e1351 = select(_e1237, _e1349, (_e1349 < _e1237));
+let _e1356 = global_7.member[bitcast<u32>(select(0i, _e1351, (_e1351 > 0i)))];
+let _e1357 = bitcast<f32>(_e1356);
+let _e1358 = local_4.member[1u];
+let _e1359 = (_e1347 + _e1358);
+let _e1361 = select(_e1237, _e1359, (_e1359 < _e1237));
+let _e1366 = global_7.member[bitcast<u32>(select(0i, _e1361, (_e1361 > 0i)))];
+let _e1367 = bitcast<f32>(_e1366);
+let _e1368 = local_4.member[2u];
+let _e1369 = (_e1347 + _e1368);
+let _e1371 = select(_e1237, _e1369, (_e1369 < _e1237));
+let _e1376 = global_7.member[bitcast<u32>(select(0i, _e1371, (_e1371 > 0i)))];
+let _e1377 = bitcast<f32>(_e1376);
+let _e1378 = local_4.member[3u];
+let _e1379 = (_e1347 + _e1378);
+let _e1381 = select(_e1237, _e1379, (_e1379 < _e1237));
+let _e1386 = global_7.member[bitcast<u32>(select(0i, _e1381, (_e1381 > 0i)))];
+let _e1388 = local_5[0u];
+let _e1391 = (_e1357 + ((_e1367 - _e1357) * _e1388));
+let _e1392 = local_5[0u];
+let _e1395 = (_e1367 + ((_e1377 - _e1367) * _e1392));
+let _e1396 = local_5[0u];
+let _e1399 = (_e1377 + ((bitcast<f32>(_e1386) - _e1377) * _e1396));
+let _e1400 = (_e1219 + _e1215);
+let _e1401 = local_4.member[0u];
+let _e1402 = (_e1400 + _e1401);
+let _e1404 = select(_e1237, _e1402, (_e1402 < _e1237));
+let _e1409 = global_7.member[bitcast<u32>(select(0i, _e1404, (_e1404 > 0i)))];
+let _e1410 = bitcast<f32>(_e1409);
+let _e1411 = local_4.member[1u];
+let _e1412 = (_e1400 + _e1411);
+let _e1414 = select(_e1237, _e1412, (_e1412 < _e1237));
+let _e1419 = global_7.member[bitcast<u32>(select(0i, _e1414, (_e1414 > 0i)))];
+let _e1420 = bitcast<f32>(_e1419);
+let _e1421 = local_4.member[2u];
+let _e1422 = (_e1400 + _e1421);
+let _e1424 = select(_e1237, _e1422, (_e1422 < _e1237));
+let _e1429 = global_7.member[bitcast<u32>(select(0i, _e1424, (_e1424 > 0i)))];
+let _e1430 = bitcast<f32>(_e1429);
+let _e1431 = local_4.member[3u];
+let _e1432 = (_e1400 + _e1431);
+let _e1434 = select(_e1237, _e1432, (_e1432 < _e1237));
+let _e1439 = global_7.member[bitcast<u32>(select(0i, _e1434, (_e1434 > 0i)))];
+let _e1441 = local_5[0u];
+let _e1445 = local_5[0u];
+let _e1448 = (_e1420 + ((_e1430 - _e1420) * _e1445));
+let _e1449 = local_5[0u];
+let _e1453 = (_e1218 + _e1213);
+let _e1454 = local_4.member[1u];
+let _e1455 = (_e1453 + _e1454);
+let _e1457 = select(_e1237, _e1455, (_e1455 < _e1237));
+let _e1462 = global_7.member[bitcast<u32>(select(0i, _e1457, (_e1457 > 0i)))];
+let _e1463 = bitcast<f32>(_e1462);
+let _e1464 = local_4.member[2u];
+let _e1465 = (_e1453 + _e1464);
+let _e1467 = select(_e1237, _e1465, (_e1465 < _e1237));
+let _e1472 = global_7.member[bitcast<u32>(select(0i, _e1467, (_e1467 > 0i)))];
+let _e1474 = local_5[0u];
+let _e1477 = (_e1463 + ((bitcast<f32>(_e1472) - _e1463) * _e1474));
+let _e1478 = (_e1218 + _e1216);
+let _e1479 = local_4.member[1u];
+let _e1480 = (_e1478 + _e1479);
+let _e1482 = select(_e1237, _e1480, (_e1480 < _e1237));
+let _e1487 = global_7.member[bitcast<u32>(select(0i, _e1482, (_e1482 > 0i)))];
+let _e1488 = bitcast<f32>(_e1487);
+let _e1489 = local_4.member[2u];
+let _e1490 = (_e1478 + _e1489);
+let _e1492 = select(_e1237, _e1490, (_e1490 < _e1237));
+let _e1497 = global_7.member[bitcast<u32>(select(0i, _e1492, (_e1492 > 0i)))];
+let _e1499 = local_5[0u];
+let _e1503 = (_e1219 + _e1213);
+let _e1504 = local_4.member[1u];
+let _e1505 = (_e1503 + _e1504);
+let _e1507 = select(_e1237, _e1505, (_e1505 < _e1237));
+let _e1512 = global_7.member[bitcast<u32>(select(0i, _e1507, (_e1507 > 0i)))];
+let _e1513 = bitcast<f32>(_e1512);
+let _e1514 = local_4.member[2u];
+let _e1515 = (_e1503 + _e1514);
+let _e1517 = select(_e1237, _e1515, (_e1515 < _e1237));
+let _e1522 = global_7.member[bitcast<u32>(select(0i, _e1517, (_e1517 > 0i)))];
+let _e1524 = local_5[0u];
+let _e1527 = (_e1513 + ((bitcast<f32>(_e1522) - _e1513) * _e1524));
+let _e1528 = (_e1219 + _e1216);
+let _e1529 = local_4.member[1u];
+let _e1530 = (_e1528 + _e1529);
+let _e1532 = select(_e1237, _e1530, (_e1530 < _e1237));
+let _e1537 = global_7.member[bitcast<u32>(select(0i, _e1532, (_e1532 > 0i)))];
+let _e1538 = bitcast<f32>(_e1537);
+let _e1539 = local_4.member[2u];
+let _e1540 = (_e1528 + _e1539);
+let _e1542 = select(_e1237, _e1540, (_e1540 < _e1237));
+let _e1547 = global_7.member[bitcast<u32>(select(0i, _e1542, (_e1542 > 0i)))];
+let _e1549 = local_5[0u];
+let _e1553 = (_e1217 + _e1214);
+let _e1554 = local_4.member[1u];
+let _e1555 = (_e1553 + _e1554);
+let _e1557 = select(_e1237, _e1555, (_e1555 < _e1237));
+let _e1562 = global_7.member[bitcast<u32>(select(0i, _e1557, (_e1557 > 0i)))];
+let _e1563 = bitcast<f32>(_e1562);
+let _e1564 = local_4.member[2u];
+let _e1565 = (_e1553 + _e1564);
+let _e1567 = select(_e1237, _e1565, (_e1565 < _e1237));
+let _e1572 = global_7.member[bitcast<u32>(select(0i, _e1567, (_e1567 > 0i)))];
+let _e1574 = local_5[0u];
+let _e1577 = (_e1563 + ((bitcast<f32>(_e1572) - _e1563) * _e1574));
+let _e1578 = (_e1220 + _e1214);
+let _e1579 = local_4.member[1u];
+let _e1580 = (_e1578 + _e1579);
+let _e1582 = select(_e1237, _e1580, (_e1580 < _e1237));
+let _e1587 = global_7.member[bitcast<u32>(select(0i, _e1582, (_e1582 > 0i)))];
+let _e1588 = bitcast<f32>(_e1587);
+let _e1589 = local_4.member[2u];
+let _e1590 = (_e1578 + _e1589);
+let _e1592 = select(_e1237, _e1590, (_e1590 < _e1237));
+let _e1597 = global_7.member[bitcast<u32>(select(0i, _e1592, (_e1592 > 0i)))];
+let _e1599 = local_5[0u];
+let _e1602 = (_e1588 + ((bitcast<f32>(_e1597) - _e1588) * _e1599));
+let _e1603 = (_e1217 + _e1215);
+let _e1604 = local_4.member[1u];
+let _e1605 = (_e1603 + _e1604);
+let _e1607 = select(_e1237, _e1605, (_e1605 < _e1237));
+let _e1612 = global_7.member[bitcast<u32>(select(0i, _e1607, (_e1607 > 0i)))];
+let _e1613 = bitcast<f32>(_e1612);
+let _e1614 = local_4.member[2u];
+let _e1615 = (_e1603 + _e1614);
+let _e1617 = select(_e1237, _e1615, (_e1615 < _e1237));
+let _e1622 = global_7.member[bitcast<u32>(select(0i, _e1617, (_e1617 > 0i)))];
+let _e1624 = local_5[0u];
+let _e1628 = (_e1220 + _e1215);
+let _e1629 = local_4.member[1u];
+let _e1630 = (_e1628 + _e1629);
+let _e1632 = select(_e1237, _e1630, (_e1630 < _e1237));
+let _e1637 = global_7.member[bitcast<u32>(select(0i, _e1632, (_e1632 > 0i)))];
+let _e1638 = bitcast<f32>(_e1637);
+let _e1639 = local_4.member[2u];
+let _e1640 = (_e1628 + _e1639);
+let _e1642 = select(_e1237, _e1640, (_e1640 < _e1237));
+let _e1647 = global_7.member[bitcast<u32>(select(0i, _e1642, (_e1642 > 0i)))];
+let _e1649 = local_5[0u];
+let _e1654 = local_5[1u];
+let _e1657 = (_e1289 + ((_e1342 - _e1289) * _e1654));
+let _e1658 = local_5[1u];
+let _e1661 = (_e1395 + ((_e1448 - _e1395) * _e1658));
+let _e1662 = local_5[1u];
+let _e1665 = (_e1285 + (((_e1304 + ((_e1314 - _e1304) * _e1335)) - _e1285) * _e1662));
+let _e1666 = local_5[1u];
+let _e1671 = local_5[2u];
+let _e1675 = local_5[1u];
+let _e1678 = (_e1293 + (((_e1324 + ((bitcast<f32>(_e1333) - _e1324) * _e1343)) - _e1293) * _e1675));
+let _e1679 = local_5[1u];
+let _e1683 = local_5[2u];
+let _e1687 = local_5[1u];
+let _e1690 = (_e1477 + ((_e1289 - _e1477) * _e1687));
+let _e1691 = local_5[1u];
+let _e1695 = local_5[2u];
+let _e1699 = local_5[1u];
+let _e1702 = (_e1342 + (((_e1488 + ((bitcast<f32>(_e1497) - _e1488) * _e1499)) - _e1342) * _e1699));
+let _e1703 = local_5[1u];
+let _e1707 = local_5[2u];
+let _e1711 = local_5[1u];
+let _e1714 = (_e1577 + (((_e1613 + ((bitcast<f32>(_e1622) - _e1613) * _e1624)) - _e1577) * _e1711));
+let _e1715 = local_5[2u];
+let _e1719 = local_5[1u];
+let _e1723 = local_5[2u];
+let _e1727 = local_5[2u];
+let _e1734 = global_1.member.member_7.member_5;
+let _e1739 = global_1.member.member_7.member_6;
+let _e1740 = (((_e1657 + ((_e1661 - _e1657) * _e1727)) * _e1734) + _e1739);
+let _e1742 = select(0f, _e1740, (_e1740 > 0f));
+let _e1746 = (((_e1665 + (((_e1391 + (((_e1410 + ((_e1420 - _e1410) * _e1441)) - _e1391) * _e1666)) - _e1665) * _e1671)) * _e1734) + _e1739);
+let _e1748 = select(0f, _e1746, (_e1746 > 0f));
+let _e1750 = select(1f, _e1748, (_e1748 < 1f));
+let _e1752 = (((_e1678 + (((_e1399 + (((_e1430 + ((bitcast<f32>(_e1439) - _e1430) * _e1449)) - _e1399) * _e1679)) - _e1678) * _e1683)) * _e1734) + _e1739);
+let _e1754 = select(0f, _e1752, (_e1752 > 0f));
+let _e1756 = select(1f, _e1754, (_e1754 < 1f));
+let _e1758 = (((_e1690 + (((_e1527 + ((_e1395 - _e1527) * _e1691)) - _e1690) * _e1695)) * _e1734) + _e1739);
+let _e1760 = select(0f, _e1758, (_e1758 > 0f));
+let _e1762 = select(1f, _e1760, (_e1760 < 1f));
+let _e1764 = (((_e1702 + (((_e1448 + (((_e1538 + ((bitcast<f32>(_e1547) - _e1538) * _e1549)) - _e1448) * _e1703)) - _e1702) * _e1707)) * _e1734) + _e1739);
+let _e1766 = select(0f, _e1764, (_e1764 > 0f));
+let _e1768 = select(1f, _e1766, (_e1766 < 1f));
+let _e1770 = (((_e1714 + ((_e1657 - _e1714) * _e1715)) * _e1734) + _e1739);
+let _e1772 = select(0f, _e1770, (_e1770 > 0f));
+let _e1774 = select(1f, _e1772, (_e1772 < 1f));
+let _e1776 = (((_e1661 + (((_e1602 + (((_e1638 + ((bitcast<f32>(_e1647) - _e1638) * _e1649)) - _e1602) * _e1719)) - _e1661) * _e1723)) * _e1734) + _e1739);
+let _e1778 = select(0f, _e1776, (_e1776 > 0f));
+let _e1780 = select(1f, _e1778, (_e1778 < 1f));
+let _e1781 = (select(1f, _e1742, (_e1742 < 1f)) * 1024f);
+let _e1782 = (1024f - 1f);
+let _e1784 = select(0f, _e1781, (_e1781 > 0f));
+let _e1786 = select(_e1782, _e1784, (_e1784 < _e1782));
+let _e1793 = select(0i, select(select(i32(_e1786), i32(-2147483648), (_e1786 < -2147483600f)), 2147483647i, (_e1786 > 2147483500f)), (_e1786 == _e1786));
+let _e1797 = (_e1793 - select(0i, 1i, (_e1786 < f32(_e1793))));
+let _e1798 = (262147i + _e1797);
+let _e1800 = (bitcast<i32>(_e98) - 1i);
+let _e1802 = select(_e1800, _e1798, (_e1798 < _e1800));
+let _e1808 = global_4.member[bitcast<u32>(select(0i, _e1802, (_e1802 > 0i)))];
+let _e1818 = select(_e1800, 262146i, (262146i < _e1800));
+let _e1824 = global_4.member[bitcast<u32>(select(0i, _e1818, (_e1818 > 0i)))];
+let _e1825 = bitcast<f32>(_e1824);
+let _e1826 = (f32((bitcast<i32>((_e1808 & 4095u)) - 2048i)) * _e1825);
+let _e1828 = select(_e1800, 262144i, (262144i < _e1800));
+let _e1834 = global_4.member[bitcast<u32>(select(0i, _e1828, (_e1828 > 0i)))];
+let _e1835 = bitcast<f32>(_e1834);
+let _e1837 = select(_e1800, 262145i, (262145i < _e1800));
+let _e1843 = global_4.member[bitcast<u32>(select(0i, _e1837, (_e1837 > 0i)))];
+let _e1844 = bitcast<f32>(_e1843);
+let _e1850 = ((_e1835 + (f32(bitcast<i32>((_e1808 >> bitcast<u32>(12u)))) * _e1844)) + (_e1826 * (_e1781 - f32(_e1797))));
+let _e1851 = (_e1826 * 1024f);
+if _e853 {
+let _e1858 = ((0.5f * (_e1756 - _e1750)) * _e1851);
+let _e1859 = ((0.5f * (_e1768 - _e1762)) * _e1851);
+let _e1860 = ((0.5f * (_e1780 - _e1774)) * _e1851);
+phi_5592_ = type_29(_e1850, vec3<f32>(_e1858, _e1859, _e1860), vec3<f32>((_e1858 * _e1850), (_e1859 * _e1850), (_e1860 * _e1850)));
+} else {
+let _e1867 = (_e1750 * 1024f);
+let _e1869 = select(0f, _e1867, (_e1867 > 0f));
+let _e1871 = select(_e1782, _e1869, (_e1869 < _e1782));
+let _e1878 = select(0i, select(select(i32(_e1871), i32(-2147483648), (_e1871 < -2147483600f)), 2147483647i, (_e1871 > 2147483500f)), (_e1871 == _e1871));
+let _e1882 = (_e1878 - select(0i, 1i, (_e1871 < f32(_e1878))));
+let _e1883 = (262147i + _e1882);
+let _e1885 = select(_e1800, _e1883, (_e1883 < _e1800));
+let _e1891 = global_4.member[bitcast<u32>(select(0i, _e1885, (_e1885 > 0i)))];
+let _e1906 = ((_e1835 + (f32(bitcast<i32>((_e1891 >> bitcast<u32>(12u)))) * _e1844)) + ((f32((bitcast<i32>((_e1891 & 4095u)) - 2048i)) * _e1825) * (_e1867 - f32(_e1882))));
+let _e1907 = (_e1756 * 1024f);
+let _e1909 = select(0f, _e1907, (_e1907 > 0f));
+let _e1911 = select(_e1782, _e1909, (_e1909 < _e1782));
+let _e1918 = select(0i, select(select(i32(_e1911), i32(-2147483648), (_e1911 < -2147483600f)), 2147483647i, (_e1911 > 2147483500f)), (_e1911 == _e1911));
+let _e1922 = (_e1918 - select(0i, 1i, (_e1911 < f32(_e1918))));
+let _e1923 = (262147i + _e1922);
+let _e1925 = select(_e1800, _e1923, (_e1923 < _e1800));
+let _e1931 = global_4.member[bitcast<u32>(select(0i, _e1925, (_e1925 > 0i)))];
+let _e1946 = ((_e1835 + (f32(bitcast<i32>((_e1931 >> bitcast<u32>(12u)))) * _e1844)) + ((f32((bitcast<i32>((_e1931 & 4095u)) - 2048i)) * _e1825) * (_e1907 - f32(_e1922))));
+let _e1947 = (_e1762 * 1024f);
+let _e1949 = select(0f, _e1947, (_e1947 > 0f));
+let _e1951 = select(_e1782, _e1949, (_e1949 < _e1782));
+let _e1958 = select(0i, select(select(i32(_e1951), i32(-2147483648), (_e1951 < -2147483600f)), 2147483647i, (_e1951 > 2147483500f)), (_e1951 == _e1951));
+let _e1962 = (_e1958 - select(0i, 1i, (_e1951 < f32(_e1958))));
+let _e1963 = (262147i + _e1962);
+let _e1965 = select(_e1800, _e1963, (_e1963 < _e1800));
+let _e1971 = global_4.member[bitcast<u32>(select(0i, _e1965, (_e1965 > 0i)))];
+let _e1986 = ((_e1835 + (f32(bitcast<i32>((_e1971 >> bitcast<u32>(12u)))) * _e1844)) + ((f32((bitcast<i32>((_e1971 & 4095u)) - 2048i)) * _e1825) * (_e1947 - f32(_e1962))));
+let _e1987 = (_e1768 * 1024f);
+let _e1989 = select(0f, _e1987, (_e1987 > 0f));
+let _e1991 = select(_e1782, _e1989, (_e1989 < _e1782));
+let _e1998 = select(0i, select(select(i32(_e1991), i32(-2147483648), (_e1991 < -2147483600f)), 2147483647i, (_e1991 > 2147483500f)), (_e1991 == _e1991));
+let _e2002 = (_e1998 - select(0i, 1i, (_e1991 < f32(_e1998))));
+let _e2003 = (262147i + _e2002);
+let _e2005 = select(_e1800, _e2003, (_e2003 < _e1800));
+let _e2011 = global_4.member[bitcast<u32>(select(0i, _e2005, (_e2005 > 0i)))];
+let _e2026 = ((_e1835 + (f32(bitcast<i32>((_e2011 >> bitcast<u32>(12u)))) * _e1844)) + ((f32((bitcast<i32>((_e2011 & 4095u)) - 2048i)) * _e1825) * (_e1987 - f32(_e2002))));
+let _e2027 = (_e1774 * 1024f);
+let _e2029 = select(0f, _e2027, (_e2027 > 0f));
+let _e2031 = select(_e1782, _e2029, (_e2029 < _e1782));
+let _e2038 = select(0i, select(select(i32(_e2031), i32(-2147483648), (_e2031 < -2147483600f)), 2147483647i, (_e2031 > 2147483500f)), (_e2031 == _e2031));
+let _e2042 = (_e2038 - select(0i, 1i, (_e2031 < f32(_e2038))));
+let _e2043 = (262147i + _e2042);
+let _e2045 = select(_e1800, _e2043, (_e2043 < _e1800));
+let _e2051 = global_4.member[bitcast<u32>(select(0i, _e2045, (_e2045 > 0i)))];
+let _e2066 = ((_e1835 + (f32(bitcast<i32>((_e2051 >> bitcast<u32>(12u)))) * _e1844)) + ((f32((bitcast<i32>((_e2051 & 4095u)) - 2048i)) * _e1825) * (_e2027 - f32(_e2042))));
+let _e2067 = (_e1780 * 1024f);
+let _e2069 = select(0f, _e2067, (_e2067 > 0f));
+let _e2071 = select(_e1782, _e2069, (_e2069 < _e1782));
+let _e2078 = select(0i, select(select(i32(_e2071), i32(-2147483648), (_e2071 < -2147483600f)), 2147483647i, (_e2071 > 2147483500f)), (_e2071 == _e2071));
+let _e2082 = (_e2078 - select(0i, 1i, (_e2071 < f32(_e2078))));
+let _e2083 = (262147i + _e2082);
+let _e2085 = select(_e1800, _e2083, (_e2083 < _e1800));
+let _e2091 = global_4.member[bitcast<u32>(select(0i, _e2085, (_e2085 > 0i)))];
+let _e2106 = ((_e1835 + (f32(bitcast<i32>((_e2091 >> bitcast<u32>(12u)))) * _e1844)) + ((f32((bitcast<i32>((_e2091 & 4095u)) - 2048i)) * _e1825) * (_e2067 - f32(_e2082))));
+let _e2107 = (_e1946 - _e1906);
+let _e2109 = (_e2026 - _e1986);
+let _e2111 = (_e2106 - _e2066);
+phi_5592_ = type_29(_e1850, vec3<f32>((0.5f * _e2107), (0.5f * _e2109), (0.5f * _e2111)), vec3<f32>((0.25f * (_e2107 * (_e1946 + _e1906))), (0.25f * (_e2109 * (_e2026 + _e1986))), (0.25f * (_e2111 * (_e2106 + _e2066)))));
 }
-let _e2542 = phi_11176_;
-let _e2544 = select(-0.5f, _e403, (_e403 > -0.5f));
-let _e2546 = select(_e468, _e2544, (_e2544 < _e468));
-let _e2548 = select(-0.5f, _e421, (_e421 > -0.5f));
-let _e2550 = select(_e478, _e2548, (_e2548 < _e478));
-let _e2552 = select(-0.5f, _e439, (_e439 > -0.5f));
-let _e2554 = select(_e488, _e2552, (_e2552 < _e488));
-let _e2556 = select(-1f, _e2546, (_e2546 > -1f));
-let _e2558 = select(_e467, _e2556, (_e2556 < _e467));
-let _e2565 = select(0i, select(select(i32(_e2558), i32(-2147483648), (_e2558 < -2147483600f)), 2147483647i, (_e2558 > 2147483500f)), (_e2558 == _e2558));
-let _e2569 = (_e2565 - select(0i, 1i, (_e2558 < f32(_e2565))));
-let _e2571 = select(-1f, _e2550, (_e2550 > -1f));
-let _e2573 = select(_e477, _e2571, (_e2571 < _e477));
-let _e2580 = select(0i, select(select(i32(_e2573), i32(-2147483648), (_e2573 < -2147483600f)), 2147483647i, (_e2573 > 2147483500f)), (_e2573 == _e2573));
-let _e2584 = (_e2580 - select(0i, 1i, (_e2573 < f32(_e2580))));
-let _e2586 = select(-1f, _e2554, (_e2554 > -1f));
-let _e2588 = select(_e487, _e2586, (_e2586 < _e487));
-let _e2595 = select(0i, select(select(i32(_e2588), i32(-2147483648), (_e2588 < -2147483600f)), 2147483647i, (_e2588 > 2147483500f)), (_e2588 == _e2588));
-let _e2599 = (_e2595 - select(0i, 1i, (_e2588 < f32(_e2595))));
-let _e2604 = global_1.member.member_5.member_5[0u];
-let _e2609 = global_1.member.member_5.member_5[1u];
-let _e2617 = (select(0i, select(select(i32(_e477), i32(-2147483648), (_e477 < -2147483600f)), 2147483647i, (_e477 > 2147483500f)), (_e477 == _e477)) - 1i);
-let _e2620 = (_e2584 + 1i);
-let _e2630 = (select(0i, select(select(i32(_e487), i32(-2147483648), (_e487 < -2147483600f)), 2147483647i, (_e487 > 2147483500f)), (_e487 == _e487)) - 1i);
-let _e2633 = (_e2599 + 1i);
-let _e2643 = (select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < -2147483600f)), 2147483647i, (_e467 > 2147483500f)), (_e467 == _e467)) - 1i);
-let _e2644 = (_e2569 - 1i);
-let _e2649 = (_e2569 + 1i);
-let _e2652 = (_e2569 + 2i);
-let _e2655 = (select(0i, _e2584, (_e2584 > 0i)) * _e2604);
-let _e2656 = (select(_e2617, _e2620, (_e2620 < _e2617)) * _e2604);
-let _e2657 = (select(0i, _e2599, (_e2599 > 0i)) * _e2609);
-let _e2658 = (select(_e2630, _e2633, (_e2633 < _e2630)) * _e2609);
-local = type_18(array<i32, 4>(select(0i, _e2644, (_e2644 > 0i)), select(0i, _e2569, (_e2569 > 0i)), select(_e2643, _e2649, (_e2649 < _e2643)), select(_e2643, _e2652, (_e2652 < _e2643))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
-local_1 = vec3<f32>((_e2546 - f32(_e2569)), (_e2550 - f32(_e2584)), (_e2554 - f32(_e2599)));
-let _e2669 = (_e2657 + _e2655);
-let _e2672 = local.member[1u];
-let _e2673 = (_e2669 + _e2672);
-let _e2675 = (bitcast<i32>(_e91) - 1i);
-let _e2677 = select(_e2675, _e2673, (_e2673 < _e2675));
-let _e2682 = global_2.member[bitcast<u32>(select(0i, _e2677, (_e2677 > 0i)))];
-let _e2683 = bitcast<f32>(_e2682);
-let _e2686 = local.member[2u];
-let _e2687 = (_e2669 + _e2686);
-let _e2689 = select(_e2675, _e2687, (_e2687 < _e2675));
-let _e2694 = global_2.member[bitcast<u32>(select(0i, _e2689, (_e2689 > 0i)))];
-let _e2696 = local_1[0u];
-let _e2699 = (_e2683 + ((bitcast<f32>(_e2694) - _e2683) * _e2696));
-let _e2700 = (_e2657 + _e2656);
+let _e2126 = phi_5592_;
+let _e2141 = select(0f, 1f, ((((((_e661 >= -0.5f) && (_e661 <= _e683)) && (_e667 >= -0.5f)) && (_e667 <= _e693)) && (_e673 >= -0.5f)) && (_e673 <= _e703)));
+let _e2143 = (0.5f * (_e1756 - _e1750));
+let _e2145 = (0.5f * (_e1768 - _e1762));
+let _e2147 = (0.5f * (_e1780 - _e1774));
+let _e2153 = global_1.member.member_7.member.member.member;
+let _e2159 = global_1.member.member_7.member.member.member_1;
+let _e2165 = global_1.member.member_7.member.member.member_2;
+let _e2171 = global_1.member.member_7.member_1.member.member;
+let _e2177 = global_1.member.member_7.member_1.member.member_1;
+let _e2183 = global_1.member.member_7.member_1.member.member_2;
+let _e2189 = global_1.member.member_7.member_2.member.member;
+let _e2195 = global_1.member.member_7.member_2.member.member_1;
+let _e2201 = global_1.member.member_7.member_2.member.member_2;
+phi_6238_ = type_30(select(1f, _e1100, (_e1100 < 1f)), vec3<f32>(((((_e2153 * _e2143) + (_e2171 * _e2145)) + (_e2189 * _e2147)) * _e2141), ((((_e2159 * _e2143) + (_e2177 * _e2145)) + (_e2195 * _e2147)) * _e2141), ((((_e2165 * _e2143) + (_e2183 * _e2145)) + (_e2201 * _e2147)) * _e2141)), _e2126.member, vec3<f32>(((((_e2153 * _e2126.member_2.x) + (_e2171 * _e2126.member_2.y)) + (_e2189 * _e2126.member_2.z)) * _e2141), ((((_e2159 * _e2126.member_2.x) + (_e2177 * _e2126.member_2.y)) + (_e2195 * _e2126.member_2.z)) * _e2141), ((((_e2165 * _e2126.member_2.x) + (_e2183 * _e2126.member_2.y)) + (_e2201 * _e2126.member_2.z)) * _e2141)), vec3<f32>(((((_e2153 * _e2126.member_1.x) + (_e2171 * _e2126.member_1.y)) + (_e2189 * _e2126.member_1.z)) * _e2141), ((((_e2159 * _e2126.member_1.x) + (_e2177 * _e2126.member_1.y)) + (_e2195 * _e2126.member_1.z)) * _e2141), ((((_e2165 * _e2126.member_1.x) + (_e2183 * _e2126.member_1.y)) + (_e2201 * _e2126.member_1.z)) * _e2141)));
+} else {
+let _e2267 = select(-1f, _e459, (_e459 > -1f));
+let _e2269 = select(_e454, _e2267, (_e2267 < _e454));
+let _e2276 = select(0i, select(select(i32(_e2269), i32(-2147483648), (_e2269 < -2147483600f)), 2147483647i, (_e2269 > 2147483500f)), (_e2269 == _e2269));
+let _e2280 = (_e2276 - select(0i, 1i, (_e2269 < f32(_e2276))));
+let _e2282 = select(-1f, _e469, (_e469 > -1f));
+let _e2284 = select(_e464, _e2282, (_e2282 < _e464));
+let _e2291 = select(0i, select(select(i32(_e2284), i32(-2147483648), (_e2284 < -2147483600f)), 2147483647i, (_e2284 > 2147483500f)), (_e2284 == _e2284));
+let _e2295 = (_e2291 - select(0i, 1i, (_e2284 < f32(_e2291))));
+let _e2297 = select(-1f, _e479, (_e479 > -1f));
+let _e2299 = select(_e474, _e2297, (_e2297 < _e474));
+let _e2306 = select(0i, select(select(i32(_e2299), i32(-2147483648), (_e2299 < -2147483600f)), 2147483647i, (_e2299 > 2147483500f)), (_e2299 == _e2299));
+let _e2310 = (_e2306 - select(0i, 1i, (_e2299 < f32(_e2306))));
+let _e2314 = global_1.member.member_6.member_7;
+let _e2318 = global_1.member.member_6.member_8;
+let _e2326 = (select(0i, select(select(i32(_e464), i32(-2147483648), (_e464 < -2147483600f)), 2147483647i, (_e464 > 2147483500f)), (_e464 == _e464)) - 1i);
+let _e2329 = (_e2295 + 1i);
+let _e2339 = (select(0i, select(select(i32(_e474), i32(-2147483648), (_e474 < -2147483600f)), 2147483647i, (_e474 > 2147483500f)), (_e474 == _e474)) - 1i);
+let _e2342 = (_e2310 + 1i);
+let _e2352 = (select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < -2147483600f)), 2147483647i, (_e454 > 2147483500f)), (_e454 == _e454)) - 1i);
+let _e2353 = (_e2280 - 1i);
+let _e2358 = (_e2280 + 1i);
+let _e2361 = (_e2280 + 2i);
+let _e2364 = (select(0i, _e2295, (_e2295 > 0i)) * _e2314);
+let _e2365 = (select(_e2326, _e2329, (_e2329 < _e2326)) * _e2314);
+let _e2366 = (select(0i, _e2310, (_e2310 > 0i)) * _e2318);
+let _e2367 = (select(_e2339, _e2342, (_e2342 < _e2339)) * _e2318);
+local_2 = type_28(array<i32, 4>(select(0i, _e2353, (_e2353 > 0i)), select(0i, _e2280, (_e2280 > 0i)), select(_e2352, _e2358, (_e2358 < _e2352)), select(_e2352, _e2361, (_e2361 < _e2352))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_3 = vec3<f32>((_e459 - f32(_e2280)), (_e469 - f32(_e2295)), (_e479 - f32(_e2310)));
+let _e2378 = (_e2366 + _e2364);
+let _e2381 = local_2.member[1u];
+let _e2382 = (_e2378 + _e2381);
+let _e2384 = (bitcast<i32>(_e91) - 1i);
+let _e2386 = select(_e2384, _e2382, (_e2382 < _e2384));
+let _e2391 = global_2.member[bitcast<u32>(select(0i, _e2386, (_e2386 > 0i)))];
+let _e2392 = bitcast<f32>(_e2391);
+let _e2395 = local_2.member[2u];
+let _e2396 = (_e2378 + _e2395);
+let _e2398 = select(_e2384, _e2396, (_e2396 < _e2384));
+let _e2403 = global_2.member[bitcast<u32>(select(0i, _e2398, (_e2398 > 0i)))];
+let _e2405 = local_3[0u];
+let _e2408 = (_e2392 + ((bitcast<f32>(_e2403) - _e2392) * _e2405));
+let _e2409 = (_e2366 + _e2365);
+let _e2410 = local_2.member[1u];
+let _e2411 = (_e2409 + _e2410);
+let _e2413 = select(_e2384, _e2411, (_e2411 < _e2384));
+let _e2418 = global_2.member[bitcast<u32>(select(0i, _e2413, (_e2413 > 0i)))];
+let _e2419 = bitcast<f32>(_e2418);
+let _e2420 = local_2.member[2u];
+let _e2421 = (_e2409 + _e2420);
+let _e2423 = select(_e2384, _e2421, (_e2421 < _e2384));
+let _e2428 = global_2.member[bitcast<u32>(select(0i, _e2423, (_e2423 > 0i)))];
+let _e2430 = local_3[0u];
+let _e2435 = local_3[1u];
+let _e2438 = (_e2408 + (((_e2419 + ((bitcast<f32>(_e2428) - _e2419) * _e2430)) - _e2408) * _e2435));
+let _e2439 = (_e2367 + _e2364);
+let _e2440 = local_2.member[1u];
+let _e2441 = (_e2439 + _e2440);
+let _e2443 = select(_e2384, _e2441, (_e2441 < _e2384));
+let _e2448 = global_2.member[bitcast<u32>(select(0i, _e2443, (_e2443 > 0i)))];
+let _e2449 = bitcast<f32>(_e2448);
+let _e2450 = local_2.member[2u];
+let _e2451 = (_e2439 + _e2450);
+let _e2453 = select(_e2384, _e2451, (_e2451 < _e2384));
+let _e2458 = global_2.member[bitcast<u32>(select(0i, _e2453, (_e2453 > 0i)))];
+let _e2460 = local_3[0u];
+let _e2463 = (_e2449 + ((bitcast<f32>(_e2458) - _e2449) * _e2460));
+let _e2464 = (_e2367 + _e2365);
+let _e2465 = local_2.member[1u];
+let _e2466 = (_e2464 + _e2465);
+let _e2468 = select(_e2384, _e2466, (_e2466 < _e2384));
+let _e2473 = global_2.member[bitcast<u32>(select(0i, _e2468, (_e2468 > 0i)))];
+let _e2474 = bitcast<f32>(_e2473);
+let _e2475 = local_2.member[2u];
+let _e2476 = (_e2464 + _e2475);
+let _e2478 = select(_e2384, _e2476, (_e2476 < _e2384));
+let _e2483 = global_2.member[bitcast<u32>(select(0i, _e2478, (_e2478 > 0i)))];
+let _e2485 = local_3[0u];
+let _e2489 = local_3[1u];
+let _e2494 = local_3[2u];
+let _e2501 = global_1.member.member_6.member_5;
+let _e2506 = global_1.member.member_6.member_6;
+let _e2507 = (((_e2438 + (((_e2463 + (((_e2474 + ((bitcast<f32>(_e2483) - _e2474) * _e2485)) - _e2463) * _e2489)) - _e2438) * _e2494)) * _e2501) + _e2506);
+let _e2509 = select(0f, _e2507, (_e2507 > 0f));
+phi_6238_ = type_30(select(1f, _e2509, (_e2509 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+}
+let _e2514 = phi_6238_;
+let _e2516 = select(-0.5f, _e397, (_e397 > -0.5f));
+let _e2518 = select(_e455, _e2516, (_e2516 < _e455));
+let _e2520 = select(-0.5f, _e412, (_e412 > -0.5f));
+let _e2522 = select(_e465, _e2520, (_e2520 < _e465));
+let _e2524 = select(-0.5f, _e427, (_e427 > -0.5f));
+let _e2526 = select(_e475, _e2524, (_e2524 < _e475));
+let _e2528 = select(-1f, _e2518, (_e2518 > -1f));
+let _e2530 = select(_e454, _e2528, (_e2528 < _e454));
+let _e2537 = select(0i, select(select(i32(_e2530), i32(-2147483648), (_e2530 < -2147483600f)), 2147483647i, (_e2530 > 2147483500f)), (_e2530 == _e2530));
+let _e2541 = (_e2537 - select(0i, 1i, (_e2530 < f32(_e2537))));
+let _e2543 = select(-1f, _e2522, (_e2522 > -1f));
+let _e2545 = select(_e464, _e2543, (_e2543 < _e464));
+let _e2552 = select(0i, select(select(i32(_e2545), i32(-2147483648), (_e2545 < -2147483600f)), 2147483647i, (_e2545 > 2147483500f)), (_e2545 == _e2545));
+let _e2556 = (_e2552 - select(0i, 1i, (_e2545 < f32(_e2552))));
+let _e2558 = select(-1f, _e2526, (_e2526 > -1f));
+let _e2560 = select(_e474, _e2558, (_e2558 < _e474));
+let _e2567 = select(0i, select(select(i32(_e2560), i32(-2147483648), (_e2560 < -2147483600f)), 2147483647i, (_e2560 > 2147483500f)), (_e2560 == _e2560));
+let _e2571 = (_e2567 - select(0i, 1i, (_e2560 < f32(_e2567))));
+let _e2575 = global_1.member.member_6.member_7;
+let _e2579 = global_1.member.member_6.member_8;
+let _e2587 = (select(0i, select(select(i32(_e464), i32(-2147483648), (_e464 < -2147483600f)), 2147483647i, (_e464 > 2147483500f)), (_e464 == _e464)) - 1i);
+let _e2590 = (_e2556 + 1i);
+let _e2600 = (select(0i, select(select(i32(_e474), i32(-2147483648), (_e474 < -2147483600f)), 2147483647i, (_e474 > 2147483500f)), (_e474 == _e474)) - 1i);
+let _e2603 = (_e2571 + 1i);
+let _e2613 = (select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < -2147483600f)), 2147483647i, (_e454 > 2147483500f)), (_e454 == _e454)) - 1i);
+let _e2614 = (_e2541 - 1i);
+let _e2619 = (_e2541 + 1i);
+let _e2622 = (_e2541 + 2i);
+let _e2625 = (select(0i, _e2556, (_e2556 > 0i)) * _e2575);
+let _e2626 = (select(_e2587, _e2590, (_e2590 < _e2587)) * _e2575);
+let _e2627 = (select(0i, _e2571, (_e2571 > 0i)) * _e2579);
+let _e2628 = (select(_e2600, _e2603, (_e2603 < _e2600)) * _e2579);
+local = type_28(array<i32, 4>(select(0i, _e2614, (_e2614 > 0i)), select(0i, _e2541, (_e2541 > 0i)), select(_e2613, _e2619, (_e2619 < _e2613)), select(_e2613, _e2622, (_e2622 < _e2613))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_1 = vec3<f32>((_e2518 - f32(_e2541)), (_e2522 - f32(_e2556)), (_e2526 - f32(_e2571)));
+let _e2639 = (_e2627 + _e2625);
+let _e2642 = local.member[1u];
+let _e2643 = (_e2639 + _e2642);
+let _e2645 = (bitcast<i32>(_e91) - 1i);
+let _e2647 = select(_e2645, _e2643, (_e2643 < _e2645));
+let _e2652 = global_2.member[bitcast<u32>(select(0i, _e2647, (_e2647 > 0i)))];
+let _e2653 = bitcast<f32>(_e2652);
+let _e2656 = local.member[2u];
+let _e2657 = (_e2639 + _e2656);
+let _e2659 = select(_e2645, _e2657, (_e2657 < _e2645));
+let _e2664 = global_2.member[bitcast<u32>(select(0i, _e2659, (_e2659 > 0i)))];
+let _e2666 = local_1[0u];
+let _e2669 = (_e2653 + ((bitcast<f32>(_e2664) - _e2653) * _e2666));
+let _e2670 = (_e2627 + _e2626);
+let _e2671 = local.member[1u];
+let _e2672 = (_e2670 + _e2671);
+let _e2674 = select(_e2645, _e2672, (_e2672 < _e2645));
+let _e2679 = global_2.member[bitcast<u32>(select(0i, _e2674, (_e2674 > 0i)))];
+let _e2680 = bitcast<f32>(_e2679);
+let _e2681 = local.member[2u];
+let _e2682 = (_e2670 + _e2681);
+let _e2684 = select(_e2645, _e2682, (_e2682 < _e2645));
+let _e2689 = global_2.member[bitcast<u32>(select(0i, _e2684, (_e2684 > 0i)))];
+let _e2691 = local_1[0u];
+let _e2696 = local_1[1u];
+let _e2699 = (_e2669 + (((_e2680 + ((bitcast<f32>(_e2689) - _e2680) * _e2691)) - _e2669) * _e2696));
+let _e2700 = (_e2628 + _e2625);
 let _e2701 = local.member[1u];
 let _e2702 = (_e2700 + _e2701);
-let _e2704 = select(_e2675, _e2702, (_e2702 < _e2675));
+let _e2704 = select(_e2645, _e2702, (_e2702 < _e2645));
 let _e2709 = global_2.member[bitcast<u32>(select(0i, _e2704, (_e2704 > 0i)))];
 let _e2710 = bitcast<f32>(_e2709);
 let _e2711 = local.member[2u];
 let _e2712 = (_e2700 + _e2711);
-let _e2714 = select(_e2675, _e2712, (_e2712 < _e2675));
+let _e2714 = select(_e2645, _e2712, (_e2712 < _e2645));
 let _e2719 = global_2.member[bitcast<u32>(select(0i, _e2714, (_e2714 > 0i)))];
 let _e2721 = local_1[0u];
-let _e2726 = local_1[1u];
-let _e2729 = (_e2699 + (((_e2710 + ((bitcast<f32>(_e2719) - _e2710) * _e2721)) - _e2699) * _e2726));
-let _e2730 = (_e2658 + _e2655);
-let _e2731 = local.member[1u];
-let _e2732 = (_e2730 + _e2731);
-let _e2734 = select(_e2675, _e2732, (_e2732 < _e2675));
-let _e2739 = global_2.member[bitcast<u32>(select(0i, _e2734, (_e2734 > 0i)))];
-let _e2740 = bitcast<f32>(_e2739);
-let _e2741 = local.member[2u];
-let _e2742 = (_e2730 + _e2741);
-let _e2744 = select(_e2675, _e2742, (_e2742 < _e2675));
-let _e2749 = global_2.member[bitcast<u32>(select(0i, _e2744, (_e2744 > 0i)))];
-let _e2751 = local_1[0u];
-let _e2754 = (_e2740 + ((bitcast<f32>(_e2749) - _e2740) * _e2751));
-let _e2755 = (_e2658 + _e2656);
-let _e2756 = local.member[1u];
-let _e2757 = (_e2755 + _e2756);
-let _e2759 = select(_e2675, _e2757, (_e2757 < _e2675));
-let _e2764 = global_2.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
-let _e2765 = bitcast<f32>(_e2764);
-let _e2766 = local.member[2u];
-let _e2767 = (_e2755 + _e2766);
-let _e2769 = select(_e2675, _e2767, (_e2767 < _e2675));
-let _e2774 = global_2.member[bitcast<u32>(select(0i, _e2769, (_e2769 > 0i)))];
-let _e2776 = local_1[0u];
-let _e2780 = local_1[1u];
-let _e2785 = local_1[2u];
-let _e2793 = global_1.member.member_5.member_4.member;
-let _e2799 = global_1.member.member_5.member_4.member_1;
-let _e2800 = (((_e2729 + (((_e2754 + (((_e2765 + ((bitcast<f32>(_e2774) - _e2765) * _e2776)) - _e2754) * _e2780)) - _e2729) * _e2785)) * _e2793) + _e2799);
-let _e2802 = select(0f, _e2800, (_e2800 > 0f));
-if ((_e861 & 16u) == 0u) {
-phi_12697_ = type_21(1f, 1f, 1f);
+let _e2724 = (_e2710 + ((bitcast<f32>(_e2719) - _e2710) * _e2721));
+let _e2725 = (_e2628 + _e2626);
+let _e2726 = local.member[1u];
+let _e2727 = (_e2725 + _e2726);
+let _e2729 = select(_e2645, _e2727, (_e2727 < _e2645));
+let _e2734 = global_2.member[bitcast<u32>(select(0i, _e2729, (_e2729 > 0i)))];
+let _e2735 = bitcast<f32>(_e2734);
+let _e2736 = local.member[2u];
+let _e2737 = (_e2725 + _e2736);
+let _e2739 = select(_e2645, _e2737, (_e2737 < _e2645));
+let _e2744 = global_2.member[bitcast<u32>(select(0i, _e2739, (_e2739 > 0i)))];
+let _e2746 = local_1[0u];
+let _e2750 = local_1[1u];
+let _e2755 = local_1[2u];
+let _e2762 = global_1.member.member_6.member_5;
+let _e2767 = global_1.member.member_6.member_6;
+let _e2768 = (((_e2699 + (((_e2724 + (((_e2735 + ((bitcast<f32>(_e2744) - _e2735) * _e2746)) - _e2724) * _e2750)) - _e2699) * _e2755)) * _e2762) + _e2767);
+let _e2770 = select(0f, _e2768, (_e2768 > 0f));
+if ((_e839 & 16u) == 0u) {
+phi_7107_ = type_5(1f, 1f, 1f);
 } else {
-let _e2809 = global_1.member.member_18;
-let _e2813 = global_1.member.member_22.member;
-let _e2823 = ((((_e2809.member * _e311) + (_e2809.member_1 * _e320)) + (_e2809.member_2 * _e293)) + _e2809.member_3);
-let _e2829 = ((((_e2809.member * _e332) + (_e2809.member_1 * _e337)) + (_e2809.member_2 * _e326)) + _e2809.member_3);
-let _e2831 = select(_e2829, _e2823, (_e2823 < _e2829));
-let _e2833 = select(_e2829, _e2823, (_e2823 > _e2829));
-let _e2835 = (_e2833 - _e2831);
-let _e2838 = (-(_e2831) / select(1e-30f, _e2835, (_e2835 > 1e-30f)));
-let _e2840 = select(0f, _e2838, (_e2838 > 0f));
-let _e2846 = select(select(select(1f, _e2840, (_e2840 < 1f)), 1f, (_e2833 <= 0f)), 0f, (_e2831 > 0f));
-let _e2848 = (_e2813 > 0.5f);
-let _e2857 = global_1.member.member_19;
-let _e2861 = global_1.member.member_22.member_1;
-let _e2871 = ((((_e2857.member * _e311) + (_e2857.member_1 * _e320)) + (_e2857.member_2 * _e293)) + _e2857.member_3);
-let _e2877 = ((((_e2857.member * _e332) + (_e2857.member_1 * _e337)) + (_e2857.member_2 * _e326)) + _e2857.member_3);
-let _e2879 = select(_e2877, _e2871, (_e2871 < _e2877));
-let _e2881 = select(_e2877, _e2871, (_e2871 > _e2877));
-let _e2883 = (_e2881 - _e2879);
-let _e2886 = (-(_e2879) / select(1e-30f, _e2883, (_e2883 > 1e-30f)));
-let _e2888 = select(0f, _e2886, (_e2886 > 0f));
-let _e2894 = select(select(select(1f, _e2888, (_e2888 < 1f)), 1f, (_e2881 <= 0f)), 0f, (_e2879 > 0f));
-let _e2896 = (_e2861 > 0.5f);
-let _e2905 = global_1.member.member_20;
-let _e2909 = global_1.member.member_22.member_2;
-let _e2919 = ((((_e2905.member * _e311) + (_e2905.member_1 * _e320)) + (_e2905.member_2 * _e293)) + _e2905.member_3);
-let _e2925 = ((((_e2905.member * _e332) + (_e2905.member_1 * _e337)) + (_e2905.member_2 * _e326)) + _e2905.member_3);
-let _e2927 = select(_e2925, _e2919, (_e2919 < _e2925));
-let _e2929 = select(_e2925, _e2919, (_e2919 > _e2925));
-let _e2931 = (_e2929 - _e2927);
-let _e2934 = (-(_e2927) / select(1e-30f, _e2931, (_e2931 > 1e-30f)));
-let _e2936 = select(0f, _e2934, (_e2934 > 0f));
-let _e2942 = select(select(select(1f, _e2936, (_e2936 < 1f)), 1f, (_e2929 <= 0f)), 0f, (_e2927 > 0f));
-let _e2944 = (_e2909 > 0.5f);
-let _e2953 = global_1.member.member_21;
-let _e2957 = global_1.member.member_22.member_3;
-let _e2967 = ((((_e2953.member * _e311) + (_e2953.member_1 * _e320)) + (_e2953.member_2 * _e293)) + _e2953.member_3);
-let _e2973 = ((((_e2953.member * _e332) + (_e2953.member_1 * _e337)) + (_e2953.member_2 * _e326)) + _e2953.member_3);
-let _e2975 = select(_e2973, _e2967, (_e2967 < _e2973));
-let _e2977 = select(_e2973, _e2967, (_e2967 > _e2973));
-let _e2979 = (_e2977 - _e2975);
-let _e2982 = (-(_e2975) / select(1e-30f, _e2979, (_e2979 > 1e-30f)));
-let _e2984 = select(0f, _e2982, (_e2982 > 0f));
-let _e2990 = select(select(select(1f, _e2984, (_e2984 < 1f)), 1f, (_e2977 <= 0f)), 0f, (_e2975 > 0f));
-let _e2992 = (_e2957 > 0.5f);
-phi_12697_ = type_21(((((1f * _e2846) * _e2894) * _e2942) * _e2990), ((((1f * select(1f, _e2846, _e2848)) * select(1f, _e2894, _e2896)) * select(1f, _e2942, _e2944)) * select(1f, _e2990, _e2992)), ((((1f * select(1f, 0f, (_e2848 && (_e2829 > 0f)))) * select(1f, 0f, (_e2896 && (_e2877 > 0f)))) * select(1f, 0f, (_e2944 && (_e2925 > 0f)))) * select(1f, 0f, (_e2992 && (_e2973 > 0f)))));
+let _e2778 = global_1.member.member_14.member;
+let _e2789 = ((((_e2778.member.member * _e308) + (_e2778.member.member_1 * _e317)) + (_e2778.member.member_2 * _e290)) + _e2778.member_1);
+let _e2795 = ((((_e2778.member.member * _e329) + (_e2778.member.member_1 * _e334)) + (_e2778.member.member_2 * _e323)) + _e2778.member_1);
+let _e2797 = select(_e2795, _e2789, (_e2789 < _e2795));
+let _e2799 = select(_e2795, _e2789, (_e2789 > _e2795));
+let _e2801 = (_e2799 - _e2797);
+let _e2804 = (-(_e2797) / select(1e-30f, _e2801, (_e2801 > 1e-30f)));
+let _e2806 = select(0f, _e2804, (_e2804 > 0f));
+let _e2812 = select(select(select(1f, _e2806, (_e2806 < 1f)), 1f, (_e2799 <= 0f)), 0f, (_e2797 > 0f));
+let _e2817 = global_1.member.member_14.member_1;
+let _e2818 = (_e2817 != 0u);
+let _e2828 = global_1.member.member_15.member;
+let _e2839 = ((((_e2828.member.member * _e308) + (_e2828.member.member_1 * _e317)) + (_e2828.member.member_2 * _e290)) + _e2828.member_1);
+let _e2845 = ((((_e2828.member.member * _e329) + (_e2828.member.member_1 * _e334)) + (_e2828.member.member_2 * _e323)) + _e2828.member_1);
+let _e2847 = select(_e2845, _e2839, (_e2839 < _e2845));
+let _e2849 = select(_e2845, _e2839, (_e2839 > _e2845));
+let _e2851 = (_e2849 - _e2847);
+let _e2854 = (-(_e2847) / select(1e-30f, _e2851, (_e2851 > 1e-30f)));
+let _e2856 = select(0f, _e2854, (_e2854 > 0f));
+let _e2862 = select(select(select(1f, _e2856, (_e2856 < 1f)), 1f, (_e2849 <= 0f)), 0f, (_e2847 > 0f));
+let _e2867 = global_1.member.member_15.member_1;
+let _e2868 = (_e2867 != 0u);
+let _e2878 = global_1.member.member_16.member;
+let _e2889 = ((((_e2878.member.member * _e308) + (_e2878.member.member_1 * _e317)) + (_e2878.member.member_2 * _e290)) + _e2878.member_1);
+let _e2895 = ((((_e2878.member.member * _e329) + (_e2878.member.member_1 * _e334)) + (_e2878.member.member_2 * _e323)) + _e2878.member_1);
+let _e2897 = select(_e2895, _e2889, (_e2889 < _e2895));
+let _e2899 = select(_e2895, _e2889, (_e2889 > _e2895));
+let _e2901 = (_e2899 - _e2897);
+let _e2904 = (-(_e2897) / select(1e-30f, _e2901, (_e2901 > 1e-30f)));
+let _e2906 = select(0f, _e2904, (_e2904 > 0f));
+let _e2912 = select(select(select(1f, _e2906, (_e2906 < 1f)), 1f, (_e2899 <= 0f)), 0f, (_e2897 > 0f));
+let _e2917 = global_1.member.member_16.member_1;
+let _e2918 = (_e2917 != 0u);
+let _e2928 = global_1.member.member_17.member;
+let _e2939 = ((((_e2928.member.member * _e308) + (_e2928.member.member_1 * _e317)) + (_e2928.member.member_2 * _e290)) + _e2928.member_1);
+let _e2945 = ((((_e2928.member.member * _e329) + (_e2928.member.member_1 * _e334)) + (_e2928.member.member_2 * _e323)) + _e2928.member_1);
+let _e2947 = select(_e2945, _e2939, (_e2939 < _e2945));
+let _e2949 = select(_e2945, _e2939, (_e2939 > _e2945));
+let _e2951 = (_e2949 - _e2947);
+let _e2954 = (-(_e2947) / select(1e-30f, _e2951, (_e2951 > 1e-30f)));
+let _e2956 = select(0f, _e2954, (_e2954 > 0f));
+let _e2962 = select(select(select(1f, _e2956, (_e2956 < 1f)), 1f, (_e2949 <= 0f)), 0f, (_e2947 > 0f));
+let _e2967 = global_1.member.member_17.member_1;
+let _e2968 = (_e2967 != 0u);
+phi_7107_ = type_5(((((1f * _e2812) * _e2862) * _e2912) * _e2962), ((((1f * select(1f, _e2812, _e2818)) * select(1f, _e2862, _e2868)) * select(1f, _e2912, _e2918)) * select(1f, _e2962, _e2968)), ((((1f * select(1f, 0f, (_e2818 && (_e2795 > 0f)))) * select(1f, 0f, (_e2868 && (_e2845 > 0f)))) * select(1f, 0f, (_e2918 && (_e2895 > 0f)))) * select(1f, 0f, (_e2968 && (_e2945 > 0f)))));
 }
-let _e3001 = phi_12697_;
-let _e3002 = (_e332 - _e311);
-let _e3003 = (_e337 - _e320);
-let _e3004 = (_e326 - _e293);
-let _e3009 = (((_e3002 * _e3002) + (_e3003 * _e3003)) + (_e3004 * _e3004));
-let _e3013 = (_e498 < 1e-12f);
-let _e3015 = (1f / select(_e493, 1f, _e3013));
-let _e3017 = ((-0.5f - _e403) * _e3015);
-let _e3019 = ((_e468 - _e403) * _e3015);
-let _e3025 = select(_e3019, _e3017, (_e3017 < _e3019));
-let _e3027 = select(0f, _e3025, (_e3025 > 0f));
-let _e3030 = select(select(1f, _e3027, (_e3027 < 1f)), select(2f, 0f, ((_e403 >= -0.5f) && (_e403 <= _e468))), _e3013);
-let _e3032 = select(_e3019, _e3017, (_e3017 > _e3019));
-let _e3034 = select(0f, _e3032, (_e3032 > 0f));
-let _e3037 = select(select(1f, _e3034, (_e3034 < 1f)), 1f, _e3013);
-let _e3038 = (_e501 < 1e-12f);
-let _e3040 = (1f / select(_e494, 1f, _e3038));
-let _e3042 = ((-0.5f - _e421) * _e3040);
-let _e3044 = ((_e478 - _e421) * _e3040);
-let _e3050 = select(_e3044, _e3042, (_e3042 < _e3044));
-let _e3052 = select(0f, _e3050, (_e3050 > 0f));
-let _e3055 = select(select(1f, _e3052, (_e3052 < 1f)), select(2f, 0f, ((_e421 >= -0.5f) && (_e421 <= _e478))), _e3038);
-let _e3057 = select(_e3044, _e3042, (_e3042 > _e3044));
-let _e3059 = select(0f, _e3057, (_e3057 > 0f));
-let _e3062 = select(select(1f, _e3059, (_e3059 < 1f)), 1f, _e3038);
-let _e3063 = (_e506 < 1e-12f);
-let _e3065 = (1f / select(_e495, 1f, _e3063));
-let _e3067 = ((-0.5f - _e439) * _e3065);
-let _e3069 = ((_e488 - _e439) * _e3065);
-let _e3075 = select(_e3069, _e3067, (_e3067 < _e3069));
-let _e3077 = select(0f, _e3075, (_e3075 > 0f));
-let _e3080 = select(select(1f, _e3077, (_e3077 < 1f)), select(2f, 0f, ((_e439 >= -0.5f) && (_e439 <= _e488))), _e3063);
-let _e3082 = select(_e3069, _e3067, (_e3067 > _e3069));
-let _e3084 = select(0f, _e3082, (_e3082 > 0f));
-let _e3087 = select(select(1f, _e3084, (_e3084 < 1f)), 1f, _e3063);
-let _e3089 = select(_e3062, _e3037, (_e3037 < _e3062));
-let _e3093 = select(_e3055, _e3030, (_e3030 > _e3055));
-let _e3096 = (select(_e3087, _e3089, (_e3089 < _e3087)) - select(_e3080, _e3093, (_e3093 > _e3080)));
-let _e3103 = global_1.member.member_4.member_3;
-let _e3104 = ((sqrt(select(0f, _e3009, (_e3009 > 0f))) * select(0f, _e3096, (_e3096 > 0f))) * _e3103);
-let _e3106 = (select(1f, _e2802, (_e2802 < 1f)) * 255f);
-let _e3107 = (_e2542.member * 255f);
-let _e3108 = (255f - 1f);
-let _e3110 = select(0f, _e3106, (_e3106 > 0f));
-let _e3112 = select(_e3108, _e3110, (_e3110 < _e3108));
-let _e3119 = select(0i, select(select(i32(_e3112), i32(-2147483648), (_e3112 < -2147483600f)), 2147483647i, (_e3112 > 2147483500f)), (_e3112 == _e3112));
-let _e3123 = (_e3119 - select(0i, 1i, (_e3112 < f32(_e3119))));
-let _e3125 = select(0f, _e3107, (_e3107 > 0f));
-let _e3127 = select(_e3108, _e3125, (_e3125 < _e3108));
-let _e3134 = select(0i, select(select(i32(_e3127), i32(-2147483648), (_e3127 < -2147483600f)), 2147483647i, (_e3127 > 2147483500f)), (_e3127 == _e3127));
-let _e3138 = (_e3134 - select(0i, 1i, (_e3127 < f32(_e3134))));
-let _e3141 = (((_e3123 * 256i) + _e3138) * 4i);
-let _e3143 = (_e3106 - f32(_e3123));
-let _e3145 = (_e3107 - f32(_e3138));
-let _e3147 = (bitcast<i32>(_e98) - 1i);
-let _e3149 = select(_e3147, _e3141, (_e3141 < _e3147));
-let _e3155 = global_4.member[bitcast<u32>(select(0i, _e3149, (_e3149 > 0i)))];
-let _e3156 = (_e3141 + 4i);
-let _e3158 = select(_e3147, _e3156, (_e3156 < _e3147));
-let _e3164 = global_4.member[bitcast<u32>(select(0i, _e3158, (_e3158 > 0i)))];
-let _e3165 = (_e3141 + 1024i);
-let _e3167 = select(_e3147, _e3165, (_e3165 < _e3147));
-let _e3173 = global_4.member[bitcast<u32>(select(0i, _e3167, (_e3167 > 0i)))];
-let _e3174 = (_e3141 + 1028i);
-let _e3176 = select(_e3147, _e3174, (_e3174 < _e3147));
-let _e3182 = global_4.member[bitcast<u32>(select(0i, _e3176, (_e3176 > 0i)))];
-let _e3187 = (bitcast<f32>(((_e3155 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3195 = (_e3187 + (((bitcast<f32>(((_e3164 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3187) * _e3145));
-let _e3200 = (bitcast<f32>(((_e3173 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3224 = (bitcast<f32>((((_e3155 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3232 = (_e3224 + (((bitcast<f32>((((_e3164 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3224) * _e3145));
-let _e3237 = (bitcast<f32>((((_e3173 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3249 = (_e3141 + 1i);
-let _e3251 = select(_e3147, _e3249, (_e3249 < _e3147));
-let _e3257 = global_4.member[bitcast<u32>(select(0i, _e3251, (_e3251 > 0i)))];
-let _e3258 = (_e3141 + 5i);
-let _e3260 = select(_e3147, _e3258, (_e3258 < _e3147));
-let _e3266 = global_4.member[bitcast<u32>(select(0i, _e3260, (_e3260 > 0i)))];
-let _e3267 = (_e3141 + 1025i);
-let _e3269 = select(_e3147, _e3267, (_e3267 < _e3147));
-let _e3275 = global_4.member[bitcast<u32>(select(0i, _e3269, (_e3269 > 0i)))];
-let _e3276 = (_e3141 + 1029i);
-let _e3278 = select(_e3147, _e3276, (_e3276 < _e3147));
-let _e3284 = global_4.member[bitcast<u32>(select(0i, _e3278, (_e3278 > 0i)))];
-let _e3289 = (bitcast<f32>(((_e3257 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3297 = (_e3289 + (((bitcast<f32>(((_e3266 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3289) * _e3145));
-let _e3302 = (bitcast<f32>(((_e3275 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3326 = (bitcast<f32>((((_e3257 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3334 = (_e3326 + (((bitcast<f32>((((_e3266 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3326) * _e3145));
-let _e3339 = (bitcast<f32>((((_e3275 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3354 = (_e3104 * _e3001.member_1);
-let _e3356 = -(((_e3232 + (((_e3237 + (((bitcast<f32>((((_e3182 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3237) * _e3145)) - _e3232) * _e3143)) * _e3354));
-let _e3358 = select(-87f, _e3356, (_e3356 > -87f));
-let _e3360 = select(88f, _e3358, (_e3358 < 88f));
-let _e3362 = ((_e3360 * 1.442695f) + 0.5f);
-let _e3364 = select(-127f, _e3362, (_e3362 > -127f));
-let _e3366 = select(128f, _e3364, (_e3364 < 128f));
-let _e3373 = select(0i, select(select(i32(_e3366), i32(-2147483648), (_e3366 < -2147483600f)), 2147483647i, (_e3366 > 2147483500f)), (_e3366 == _e3366));
-let _e3377 = (_e3373 - select(0i, 1i, (_e3366 < f32(_e3373))));
-let _e3378 = f32(_e3377);
-let _e3382 = ((_e3360 - (_e3378 * 0.6933594f)) - (_e3378 * -2.1219444e-4f));
-let _e3404 = -(((_e3297 + (((_e3302 + (((bitcast<f32>(((_e3284 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3302) * _e3145)) - _e3297) * _e3143)) * _e3354));
-let _e3406 = select(-87f, _e3404, (_e3404 > -87f));
-let _e3408 = select(88f, _e3406, (_e3406 < 88f));
-let _e3410 = ((_e3408 * 1.442695f) + 0.5f);
-let _e3412 = select(-127f, _e3410, (_e3410 > -127f));
-let _e3414 = select(128f, _e3412, (_e3412 < 128f));
-let _e3421 = select(0i, select(select(i32(_e3414), i32(-2147483648), (_e3414 < -2147483600f)), 2147483647i, (_e3414 > 2147483500f)), (_e3414 == _e3414));
-let _e3425 = (_e3421 - select(0i, 1i, (_e3414 < f32(_e3421))));
-let _e3426 = f32(_e3425);
-let _e3430 = ((_e3408 - (_e3426 * 0.6933594f)) - (_e3426 * -2.1219444e-4f));
-let _e3452 = -(((_e3334 + (((_e3339 + (((bitcast<f32>((((_e3284 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3339) * _e3145)) - _e3334) * _e3143)) * _e3354));
-let _e3454 = select(-87f, _e3452, (_e3452 > -87f));
-let _e3456 = select(88f, _e3454, (_e3454 < 88f));
-let _e3458 = ((_e3456 * 1.442695f) + 0.5f);
-let _e3460 = select(-127f, _e3458, (_e3458 > -127f));
-let _e3462 = select(128f, _e3460, (_e3460 < 128f));
-let _e3469 = select(0i, select(select(i32(_e3462), i32(-2147483648), (_e3462 < -2147483600f)), 2147483647i, (_e3462 > 2147483500f)), (_e3462 == _e3462));
-let _e3473 = (_e3469 - select(0i, 1i, (_e3462 < f32(_e3469))));
-let _e3474 = f32(_e3473);
-let _e3478 = ((_e3456 - (_e3474 * 0.6933594f)) - (_e3474 * -2.1219444e-4f));
-let _e3500 = -(((_e3195 + (((_e3200 + (((bitcast<f32>(((_e3182 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3200) * _e3145)) - _e3195) * _e3143)) * (_e3104 * _e3001.member)));
-let _e3502 = select(-87f, _e3500, (_e3500 > -87f));
-let _e3504 = select(88f, _e3502, (_e3502 < 88f));
-let _e3506 = ((_e3504 * 1.442695f) + 0.5f);
-let _e3508 = select(-127f, _e3506, (_e3506 > -127f));
-let _e3510 = select(128f, _e3508, (_e3508 < 128f));
-let _e3517 = select(0i, select(select(i32(_e3510), i32(-2147483648), (_e3510 < -2147483600f)), 2147483647i, (_e3510 > 2147483500f)), (_e3510 == _e3510));
-let _e3521 = (_e3517 - select(0i, 1i, (_e3510 < f32(_e3517))));
-let _e3522 = f32(_e3521);
-let _e3526 = ((_e3504 - (_e3522 * 0.6933594f)) - (_e3522 * -2.1219444e-4f));
-let _e3546 = ((1f + (_e3526 * (1f + (_e3526 * (0.5f + (_e3526 * (0.16666667f + (_e3526 * (0.041666668f + (_e3526 * (0.008333334f + (_e3526 * (0.001388889f + (_e3526 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3521 + 127i)) << bitcast<u32>(23i))));
-if _e881 {
-let _e3561 = global_1.member.member_24.member_2;
-let _e3564 = (_e2542.member_3.x * _e3001.member_2);
-let _e3566 = (_e2542.member_3.y * _e3001.member_2);
-let _e3568 = (_e2542.member_3.z * _e3001.member_2);
-let _e3569 = (0.5f * (_e250 / _e202));
-let _e3573 = (_e180 + (_e3564 * _e3569));
-let _e3574 = (_e191 + (_e3566 * _e3569));
-let _e3575 = (_e202 + (_e3568 * _e3569));
-let _e3577 = (2f * _e250);
-let _e3579 = ((_e3575 * _e3575) + (_e3577 * _e3568));
-let _e3583 = (_e3575 + sqrt(select(0f, _e3579, (_e3579 > 0f))));
-let _e3587 = (0.5f * (_e3577 / select(1e-6f, _e3583, (_e3583 > 1e-6f))));
-let _e3591 = (_e3573 + (_e3564 * _e3587));
-let _e3592 = (_e3574 + (_e3566 * _e3587));
-let _e3593 = (_e3575 + (_e3568 * _e3587));
-let _e3597 = (_e3561 * _e3561);
-let _e3599 = (_e3593 * _e3593);
-let _e3607 = (((_e3575 <= 0f) || (_e3579 <= 0f)) || ((_e3593 <= 0f) || (_e3599 <= (_e3597 * (((_e3591 * _e3591) + (_e3592 * _e3592)) + _e3599)))));
-let _e3621 = (_e180 + ((_e2542.member_4.x * _e3001.member_2) * _e250));
-let _e3622 = (_e191 + ((_e2542.member_4.y * _e3001.member_2) * _e250));
-let _e3623 = (_e202 + ((_e2542.member_4.z * _e3001.member_2) * _e250));
-let _e3625 = (_e3623 * _e3623);
-let _e3634 = ((_e861 & 1u) != 0u);
-phi_13721_ = select(select(select(_e3593, _e3575, _e3607), _e3623, _e3634), _e202, _e868);
-phi_13722_ = select(select(select(_e3592, _e3574, _e3607), _e3622, _e3634), _e191, _e868);
-phi_13723_ = select(select(select(_e3591, _e3573, _e3607), _e3621, _e3634), _e180, _e868);
-phi_13724_ = (select(_e3607, ((_e3623 <= 0f) || (_e3625 <= (_e3597 * (((_e3621 * _e3621) + (_e3622 * _e3622)) + _e3625)))), _e3634) && !(_e868));
+let _e2977 = phi_7107_;
+let _e2978 = (_e329 - _e308);
+let _e2979 = (_e334 - _e317);
+let _e2980 = (_e323 - _e290);
+let _e2985 = (((_e2978 * _e2978) + (_e2979 * _e2979)) + (_e2980 * _e2980));
+let _e2989 = (_e485 < 1e-12f);
+let _e2991 = (1f / select(_e480, 1f, _e2989));
+let _e2993 = ((-0.5f - _e397) * _e2991);
+let _e2995 = ((_e455 - _e397) * _e2991);
+let _e3001 = select(_e2995, _e2993, (_e2993 < _e2995));
+let _e3003 = select(0f, _e3001, (_e3001 > 0f));
+let _e3006 = select(select(1f, _e3003, (_e3003 < 1f)), select(2f, 0f, ((_e397 >= -0.5f) && (_e397 <= _e455))), _e2989);
+let _e3008 = select(_e2995, _e2993, (_e2993 > _e2995));
+let _e3010 = select(0f, _e3008, (_e3008 > 0f));
+let _e3013 = select(select(1f, _e3010, (_e3010 < 1f)), 1f, _e2989);
+let _e3014 = (_e488 < 1e-12f);
+let _e3016 = (1f / select(_e481, 1f, _e3014));
+let _e3018 = ((-0.5f - _e412) * _e3016);
+let _e3020 = ((_e465 - _e412) * _e3016);
+let _e3026 = select(_e3020, _e3018, (_e3018 < _e3020));
+let _e3028 = select(0f, _e3026, (_e3026 > 0f));
+let _e3031 = select(select(1f, _e3028, (_e3028 < 1f)), select(2f, 0f, ((_e412 >= -0.5f) && (_e412 <= _e465))), _e3014);
+let _e3033 = select(_e3020, _e3018, (_e3018 > _e3020));
+let _e3035 = select(0f, _e3033, (_e3033 > 0f));
+let _e3038 = select(select(1f, _e3035, (_e3035 < 1f)), 1f, _e3014);
+let _e3039 = (_e493 < 1e-12f);
+let _e3041 = (1f / select(_e482, 1f, _e3039));
+let _e3043 = ((-0.5f - _e427) * _e3041);
+let _e3045 = ((_e475 - _e427) * _e3041);
+let _e3051 = select(_e3045, _e3043, (_e3043 < _e3045));
+let _e3053 = select(0f, _e3051, (_e3051 > 0f));
+let _e3056 = select(select(1f, _e3053, (_e3053 < 1f)), select(2f, 0f, ((_e427 >= -0.5f) && (_e427 <= _e475))), _e3039);
+let _e3058 = select(_e3045, _e3043, (_e3043 > _e3045));
+let _e3060 = select(0f, _e3058, (_e3058 > 0f));
+let _e3063 = select(select(1f, _e3060, (_e3060 < 1f)), 1f, _e3039);
+let _e3065 = select(_e3038, _e3013, (_e3013 < _e3038));
+let _e3069 = select(_e3031, _e3006, (_e3006 > _e3031));
+let _e3072 = (select(_e3063, _e3065, (_e3065 < _e3063)) - select(_e3056, _e3069, (_e3069 > _e3056)));
+let _e3079 = global_1.member.member_5.member_3;
+let _e3080 = ((sqrt(select(0f, _e2985, (_e2985 > 0f))) * select(0f, _e3072, (_e3072 > 0f))) * _e3079);
+let _e3082 = (select(1f, _e2770, (_e2770 < 1f)) * 255f);
+let _e3083 = (_e2514.member * 255f);
+let _e3084 = (255f - 1f);
+let _e3086 = select(0f, _e3082, (_e3082 > 0f));
+let _e3088 = select(_e3084, _e3086, (_e3086 < _e3084));
+let _e3095 = select(0i, select(select(i32(_e3088), i32(-2147483648), (_e3088 < -2147483600f)), 2147483647i, (_e3088 > 2147483500f)), (_e3088 == _e3088));
+let _e3099 = (_e3095 - select(0i, 1i, (_e3088 < f32(_e3095))));
+let _e3101 = select(0f, _e3083, (_e3083 > 0f));
+let _e3103 = select(_e3084, _e3101, (_e3101 < _e3084));
+let _e3110 = select(0i, select(select(i32(_e3103), i32(-2147483648), (_e3103 < -2147483600f)), 2147483647i, (_e3103 > 2147483500f)), (_e3103 == _e3103));
+let _e3114 = (_e3110 - select(0i, 1i, (_e3103 < f32(_e3110))));
+let _e3117 = (((_e3099 * 256i) + _e3114) * 4i);
+let _e3119 = (_e3082 - f32(_e3099));
+let _e3121 = (_e3083 - f32(_e3114));
+let _e3123 = (bitcast<i32>(_e98) - 1i);
+let _e3125 = select(_e3123, _e3117, (_e3117 < _e3123));
+let _e3131 = global_4.member[bitcast<u32>(select(0i, _e3125, (_e3125 > 0i)))];
+let _e3132 = (_e3117 + 4i);
+let _e3134 = select(_e3123, _e3132, (_e3132 < _e3123));
+let _e3140 = global_4.member[bitcast<u32>(select(0i, _e3134, (_e3134 > 0i)))];
+let _e3141 = (_e3117 + 1024i);
+let _e3143 = select(_e3123, _e3141, (_e3141 < _e3123));
+let _e3149 = global_4.member[bitcast<u32>(select(0i, _e3143, (_e3143 > 0i)))];
+let _e3150 = (_e3117 + 1028i);
+let _e3152 = select(_e3123, _e3150, (_e3150 < _e3123));
+let _e3158 = global_4.member[bitcast<u32>(select(0i, _e3152, (_e3152 > 0i)))];
+let _e3163 = (bitcast<f32>(((_e3131 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3171 = (_e3163 + (((bitcast<f32>(((_e3140 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3163) * _e3121));
+let _e3176 = (bitcast<f32>(((_e3149 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3200 = (bitcast<f32>((((_e3131 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3208 = (_e3200 + (((bitcast<f32>((((_e3140 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3200) * _e3121));
+let _e3213 = (bitcast<f32>((((_e3149 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3225 = (_e3117 + 1i);
+let _e3227 = select(_e3123, _e3225, (_e3225 < _e3123));
+let _e3233 = global_4.member[bitcast<u32>(select(0i, _e3227, (_e3227 > 0i)))];
+let _e3234 = (_e3117 + 5i);
+let _e3236 = select(_e3123, _e3234, (_e3234 < _e3123));
+let _e3242 = global_4.member[bitcast<u32>(select(0i, _e3236, (_e3236 > 0i)))];
+let _e3243 = (_e3117 + 1025i);
+let _e3245 = select(_e3123, _e3243, (_e3243 < _e3123));
+let _e3251 = global_4.member[bitcast<u32>(select(0i, _e3245, (_e3245 > 0i)))];
+let _e3252 = (_e3117 + 1029i);
+let _e3254 = select(_e3123, _e3252, (_e3252 < _e3123));
+let _e3260 = global_4.member[bitcast<u32>(select(0i, _e3254, (_e3254 > 0i)))];
+let _e3265 = (bitcast<f32>(((_e3233 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3273 = (_e3265 + (((bitcast<f32>(((_e3242 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3265) * _e3121));
+let _e3278 = (bitcast<f32>(((_e3251 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3302 = (bitcast<f32>((((_e3233 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3310 = (_e3302 + (((bitcast<f32>((((_e3242 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3302) * _e3121));
+let _e3315 = (bitcast<f32>((((_e3251 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3330 = (_e3080 * _e2977.member_1);
+let _e3332 = -(((_e3208 + (((_e3213 + (((bitcast<f32>((((_e3158 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3213) * _e3121)) - _e3208) * _e3119)) * _e3330));
+let _e3334 = select(-87f, _e3332, (_e3332 > -87f));
+let _e3336 = select(88f, _e3334, (_e3334 < 88f));
+let _e3338 = ((_e3336 * 1.442695f) + 0.5f);
+let _e3340 = select(-127f, _e3338, (_e3338 > -127f));
+let _e3342 = select(128f, _e3340, (_e3340 < 128f));
+let _e3349 = select(0i, select(select(i32(_e3342), i32(-2147483648), (_e3342 < -2147483600f)), 2147483647i, (_e3342 > 2147483500f)), (_e3342 == _e3342));
+let _e3353 = (_e3349 - select(0i, 1i, (_e3342 < f32(_e3349))));
+let _e3354 = f32(_e3353);
+let _e3358 = ((_e3336 - (_e3354 * 0.6933594f)) - (_e3354 * -2.1219444e-4f));
+let _e3380 = -(((_e3273 + (((_e3278 + (((bitcast<f32>(((_e3260 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3278) * _e3121)) - _e3273) * _e3119)) * _e3330));
+let _e3382 = select(-87f, _e3380, (_e3380 > -87f));
+let _e3384 = select(88f, _e3382, (_e3382 < 88f));
+let _e3386 = ((_e3384 * 1.442695f) + 0.5f);
+let _e3388 = select(-127f, _e3386, (_e3386 > -127f));
+let _e3390 = select(128f, _e3388, (_e3388 < 128f));
+let _e3397 = select(0i, select(select(i32(_e3390), i32(-2147483648), (_e3390 < -2147483600f)), 2147483647i, (_e3390 > 2147483500f)), (_e3390 == _e3390));
+let _e3401 = (_e3397 - select(0i, 1i, (_e3390 < f32(_e3397))));
+let _e3402 = f32(_e3401);
+let _e3406 = ((_e3384 - (_e3402 * 0.6933594f)) - (_e3402 * -2.1219444e-4f));
+let _e3428 = -(((_e3310 + (((_e3315 + (((bitcast<f32>((((_e3260 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3315) * _e3121)) - _e3310) * _e3119)) * _e3330));
+let _e3430 = select(-87f, _e3428, (_e3428 > -87f));
+let _e3432 = select(88f, _e3430, (_e3430 < 88f));
+let _e3434 = ((_e3432 * 1.442695f) + 0.5f);
+let _e3436 = select(-127f, _e3434, (_e3434 > -127f));
+let _e3438 = select(128f, _e3436, (_e3436 < 128f));
+let _e3445 = select(0i, select(select(i32(_e3438), i32(-2147483648), (_e3438 < -2147483600f)), 2147483647i, (_e3438 > 2147483500f)), (_e3438 == _e3438));
+let _e3449 = (_e3445 - select(0i, 1i, (_e3438 < f32(_e3445))));
+let _e3450 = f32(_e3449);
+let _e3454 = ((_e3432 - (_e3450 * 0.6933594f)) - (_e3450 * -2.1219444e-4f));
+let _e3476 = -(((_e3171 + (((_e3176 + (((bitcast<f32>(((_e3158 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3176) * _e3121)) - _e3171) * _e3119)) * (_e3080 * _e2977.member)));
+let _e3478 = select(-87f, _e3476, (_e3476 > -87f));
+let _e3480 = select(88f, _e3478, (_e3478 < 88f));
+let _e3482 = ((_e3480 * 1.442695f) + 0.5f);
+let _e3484 = select(-127f, _e3482, (_e3482 > -127f));
+let _e3486 = select(128f, _e3484, (_e3484 < 128f));
+let _e3493 = select(0i, select(select(i32(_e3486), i32(-2147483648), (_e3486 < -2147483600f)), 2147483647i, (_e3486 > 2147483500f)), (_e3486 == _e3486));
+let _e3497 = (_e3493 - select(0i, 1i, (_e3486 < f32(_e3493))));
+let _e3498 = f32(_e3497);
+let _e3502 = ((_e3480 - (_e3498 * 0.6933594f)) - (_e3498 * -2.1219444e-4f));
+let _e3522 = ((1f + (_e3502 * (1f + (_e3502 * (0.5f + (_e3502 * (0.16666667f + (_e3502 * (0.041666668f + (_e3502 * (0.008333334f + (_e3502 * (0.001388889f + (_e3502 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3497 + 127i)) << bitcast<u32>(23i))));
+if _e856 {
+let _e3537 = global_1.member.member_5.member_4;
+let _e3540 = (_e2514.member_3.x * _e2977.member_2);
+let _e3542 = (_e2514.member_3.y * _e2977.member_2);
+let _e3544 = (_e2514.member_3.z * _e2977.member_2);
+let _e3545 = (0.5f * (_e247 / _e199));
+let _e3549 = (_e177 + (_e3540 * _e3545));
+let _e3550 = (_e188 + (_e3542 * _e3545));
+let _e3551 = (_e199 + (_e3544 * _e3545));
+let _e3553 = (2f * _e247);
+let _e3555 = ((_e3551 * _e3551) + (_e3553 * _e3544));
+let _e3559 = (_e3551 + sqrt(select(0f, _e3555, (_e3555 > 0f))));
+let _e3563 = (0.5f * (_e3553 / select(1e-6f, _e3559, (_e3559 > 1e-6f))));
+let _e3567 = (_e3549 + (_e3540 * _e3563));
+let _e3568 = (_e3550 + (_e3542 * _e3563));
+let _e3569 = (_e3551 + (_e3544 * _e3563));
+let _e3573 = (_e3537 * _e3537);
+let _e3575 = (_e3569 * _e3569);
+let _e3583 = (((_e3551 <= 0f) || (_e3555 <= 0f)) || ((_e3569 <= 0f) || (_e3575 <= (_e3573 * (((_e3567 * _e3567) + (_e3568 * _e3568)) + _e3575)))));
+let _e3597 = (_e177 + ((_e2514.member_4.x * _e2977.member_2) * _e247));
+let _e3598 = (_e188 + ((_e2514.member_4.y * _e2977.member_2) * _e247));
+let _e3599 = (_e199 + ((_e2514.member_4.z * _e2977.member_2) * _e247));
+let _e3601 = (_e3599 * _e3599);
+let _e3610 = ((_e839 & 1u) != 0u);
+phi_8131_ = select(select(select(_e3569, _e3551, _e3583), _e3599, _e3610), _e199, _e846);
+phi_8132_ = select(select(select(_e3568, _e3550, _e3583), _e3598, _e3610), _e188, _e846);
+phi_8133_ = select(select(select(_e3567, _e3549, _e3583), _e3597, _e3610), _e177, _e846);
+phi_8134_ = (select(_e3583, ((_e3599 <= 0f) || (_e3601 <= (_e3573 * (((_e3597 * _e3597) + (_e3598 * _e3598)) + _e3601)))), _e3610) && !(_e846));
 } else {
-phi_13721_ = _e202;
-phi_13722_ = _e191;
-phi_13723_ = _e180;
-phi_13724_ = false;
+phi_8131_ = _e199;
+phi_8132_ = _e188;
+phi_8133_ = _e177;
+phi_8134_ = false;
 }
-let _e3645 = phi_13721_;
-let _e3647 = phi_13722_;
-let _e3649 = phi_13723_;
-let _e3651 = phi_13724_;
-global_6.member[_e126] = (_e137 + _e265);
-global_6.member[_e138] = (_e147 + _e272);
-global_6.member[_e149] = (_e158 + _e374);
-global_6.member[_e160] = (_e169 + _e377);
-global_6.member[_e171] = _e3649;
-global_6.member[_e182] = _e3647;
-global_6.member[_e193] = _e3645;
-global_6.member[_e204] = select((_e213 * (((1f + (_e3382 * (1f + (_e3382 * (0.5f + (_e3382 * (0.16666667f + (_e3382 * (0.041666668f + (_e3382 * (0.008333334f + (_e3382 * (0.001388889f + (_e3382 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3377 + 127i)) << bitcast<u32>(23i)))) * _e3546)), _e213, _e868);
-global_6.member[_e215] = select((_e224 * (((1f + (_e3430 * (1f + (_e3430 * (0.5f + (_e3430 * (0.16666667f + (_e3430 * (0.041666668f + (_e3430 * (0.008333334f + (_e3430 * (0.001388889f + (_e3430 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3425 + 127i)) << bitcast<u32>(23i)))) * _e3546)), _e224, _e868);
-global_6.member[_e226] = select((_e235 * (((1f + (_e3478 * (1f + (_e3478 * (0.5f + (_e3478 * (0.16666667f + (_e3478 * (0.041666668f + (_e3478 * (0.008333334f + (_e3478 * (0.001388889f + (_e3478 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3473 + 127i)) << bitcast<u32>(23i)))) * _e3546)), _e235, _e868);
-global_6.member[_e237] = select(_e246, 1f, _e3651);
+let _e3621 = phi_8131_;
+let _e3623 = phi_8132_;
+let _e3625 = phi_8133_;
+let _e3627 = phi_8134_;
+global_6.member[_e123] = (_e134 + _e262);
+global_6.member[_e135] = (_e144 + _e269);
+global_6.member[_e146] = (_e155 + _e371);
+global_6.member[_e157] = (_e166 + _e374);
+global_6.member[_e168] = _e3625;
+global_6.member[_e179] = _e3623;
+global_6.member[_e190] = _e3621;
+global_6.member[_e201] = select((_e210 * (((1f + (_e3358 * (1f + (_e3358 * (0.5f + (_e3358 * (0.16666667f + (_e3358 * (0.041666668f + (_e3358 * (0.008333334f + (_e3358 * (0.001388889f + (_e3358 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3353 + 127i)) << bitcast<u32>(23i)))) * _e3522)), _e210, _e846);
+global_6.member[_e212] = select((_e221 * (((1f + (_e3406 * (1f + (_e3406 * (0.5f + (_e3406 * (0.16666667f + (_e3406 * (0.041666668f + (_e3406 * (0.008333334f + (_e3406 * (0.001388889f + (_e3406 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3401 + 127i)) << bitcast<u32>(23i)))) * _e3522)), _e221, _e846);
+global_6.member[_e223] = select((_e232 * (((1f + (_e3454 * (1f + (_e3454 * (0.5f + (_e3454 * (0.16666667f + (_e3454 * (0.041666668f + (_e3454 * (0.008333334f + (_e3454 * (0.001388889f + (_e3454 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3449 + 127i)) << bitcast<u32>(23i)))) * _e3522)), _e232, _e846);
+global_6.member[_e234] = select(_e243, 1f, _e3627);
 }
 }
 }

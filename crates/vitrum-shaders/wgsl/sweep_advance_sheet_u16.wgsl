@@ -1,1179 +1,1238 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
 member: array<f32>,
 }
-struct type_11 {
+struct type_17 {
 member: array<u32>,
 }
-struct type_13 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_14 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_13,
-member_6: type_13,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_15 {
-member: type_14,
-}
 struct type_18 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+}
+struct type_20 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_22 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_23 {
+member: type_7,
+member_1: u32,
+}
+struct type_24 {
+member: type_2,
+member_1: u32,
+member_2: type_18,
+member_3: type_19,
+member_4: u32,
+member_5: type_20,
+member_6: type_21,
+member_7: type_21,
+member_8: type_22,
+member_9: type_10,
+member_10: f32,
+member_11: type_20,
+member_12: type_4,
+member_13: type_9,
+member_14: type_23,
+member_15: type_23,
+member_16: type_23,
+member_17: type_23,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_25 {
+member: type_24,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_19 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_20 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_21 {
-member: f32,
-member_1: f32,
-member_2: f32,
-}
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_15;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_11;
+var<storage> global_2: type_17;
 @group(0) @binding(3)
-var<storage> global_3: type_11;
+var<storage> global_3: type_17;
 @group(0) @binding(4)
-var<storage> global_4: type_11;
+var<storage> global_4: type_17;
 @group(0) @binding(5)
-var<storage> global_5: type_6;
+var<storage> global_5: type_12;
 @group(0) @binding(6)
-var<storage, read_write> global_6: type_6;
+var<storage, read_write> global_6: type_12;
 fn function_() {
-var local: type_18;
+var local: type_28;
 var local_1: vec3<f32>;
-var local_2: type_18;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_18;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var phi_5874_: type_19;
-var phi_7234_: type_20;
-var phi_8795_: type_21;
-var phi_9819_: f32;
-var phi_9820_: f32;
-var phi_9821_: f32;
-var phi_9822_: bool;
+var phi_4105_: type_29;
+var phi_4883_: type_30;
+var phi_5884_: type_5;
+var phi_6908_: f32;
+var phi_6909_: f32;
+var phi_6910_: f32;
+var phi_6911_: bool;
 switch bitcast<i32>(0u) {
 default: {
-let _e87 = global;
-let _e90 = arrayLength((&global_2.member));
-let _e94 = arrayLength((&global_4.member));
-let _e101 = global_1.member.member_1;
-let _e104 = (_e87.x + _e101.x);
-let _e107 = (_e87.y + _e101.y);
-if (_e104 < _e101.z) {
-if (_e107 < _e101.w) {
-let _e115 = global_1.member.member[0u];
-let _e119 = global_1.member.member[1u];
-let _e120 = (_e115 * _e119);
-let _e122 = ((_e107 * _e115) + _e104);
-let _e123 = bitcast<i32>(_e122);
-let _e125 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e127 = select(_e125, _e123, (_e123 < _e125));
-let _e133 = global_6.member[bitcast<u32>(select(0i, _e127, (_e127 > 0i)))];
-let _e134 = (_e120 + _e122);
-let _e135 = bitcast<i32>(_e134);
-let _e137 = select(_e125, _e135, (_e135 < _e125));
-let _e143 = global_6.member[bitcast<u32>(select(0i, _e137, (_e137 > 0i)))];
-let _e145 = ((2u * _e120) + _e122);
-let _e146 = bitcast<i32>(_e145);
-let _e148 = select(_e125, _e146, (_e146 < _e125));
-let _e154 = global_6.member[bitcast<u32>(select(0i, _e148, (_e148 > 0i)))];
-let _e156 = ((3u * _e120) + _e122);
-let _e157 = bitcast<i32>(_e156);
-let _e159 = select(_e125, _e157, (_e157 < _e125));
-let _e165 = global_6.member[bitcast<u32>(select(0i, _e159, (_e159 > 0i)))];
-let _e167 = ((4u * _e120) + _e122);
-let _e168 = bitcast<i32>(_e167);
-let _e170 = select(_e125, _e168, (_e168 < _e125));
-let _e176 = global_6.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
-let _e178 = ((5u * _e120) + _e122);
-let _e179 = bitcast<i32>(_e178);
-let _e181 = select(_e125, _e179, (_e179 < _e125));
-let _e187 = global_6.member[bitcast<u32>(select(0i, _e181, (_e181 > 0i)))];
-let _e189 = ((6u * _e120) + _e122);
-let _e190 = bitcast<i32>(_e189);
-let _e192 = select(_e125, _e190, (_e190 < _e125));
-let _e198 = global_6.member[bitcast<u32>(select(0i, _e192, (_e192 > 0i)))];
-let _e200 = ((7u * _e120) + _e122);
-let _e201 = bitcast<i32>(_e200);
-let _e203 = select(_e125, _e201, (_e201 < _e125));
-let _e209 = global_6.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
-let _e211 = ((8u * _e120) + _e122);
-let _e212 = bitcast<i32>(_e211);
-let _e214 = select(_e125, _e212, (_e212 < _e125));
-let _e220 = global_6.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
-let _e222 = ((9u * _e120) + _e122);
-let _e223 = bitcast<i32>(_e222);
-let _e225 = select(_e125, _e223, (_e223 < _e125));
-let _e231 = global_6.member[bitcast<u32>(select(0i, _e225, (_e225 > 0i)))];
-let _e233 = ((10u * _e120) + _e122);
-let _e234 = bitcast<i32>(_e233);
-let _e236 = select(_e125, _e234, (_e234 < _e125));
-let _e242 = global_6.member[bitcast<u32>(select(0i, _e236, (_e236 > 0i)))];
-let _e246 = global_1.member.member_4.member_2;
-let _e249 = (1f / select(1e-6f, _e198, (_e198 > 1e-6f)));
-let _e253 = global_1.member.member_7.member_3;
-let _e254 = (_e246 * _e253);
-let _e259 = global_1.member.member_8.member;
-let _e261 = (((_e176 * _e249) - _e259) * _e254);
-let _e266 = global_1.member.member_8.member_1;
-let _e268 = (((_e187 * _e249) - _e266) * _e254);
-let _e272 = ((f32(bitcast<i32>(_e104)) - 0.5f) + _e133);
-let _e276 = global_1.member.member_2[3u];
-let _e277 = (_e276 + 1u);
-let _e279 = select(1u, _e277, (_e277 > 0u));
-let _e280 = (_e279 == 0u);
-if _e280 {
+let _e86 = global;
+let _e89 = arrayLength((&global_2.member));
+let _e93 = arrayLength((&global_4.member));
+let _e100 = global_1.member.member_2;
+let _e103 = global_1.member.member;
+let _e111 = (_e86.x + _e100.member);
+let _e113 = (_e86.y + _e100.member_1);
+if (_e111 < _e100.member_2) {
+if (_e113 < _e100.member_3) {
+let _e116 = (_e103.member * _e103.member_1);
+let _e118 = ((_e113 * _e103.member) + _e111);
+let _e119 = bitcast<i32>(_e118);
+let _e121 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e123 = select(_e121, _e119, (_e119 < _e121));
+let _e129 = global_6.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
+let _e130 = (_e116 + _e118);
+let _e131 = bitcast<i32>(_e130);
+let _e133 = select(_e121, _e131, (_e131 < _e121));
+let _e139 = global_6.member[bitcast<u32>(select(0i, _e133, (_e133 > 0i)))];
+let _e141 = ((2u * _e116) + _e118);
+let _e142 = bitcast<i32>(_e141);
+let _e144 = select(_e121, _e142, (_e142 < _e121));
+let _e150 = global_6.member[bitcast<u32>(select(0i, _e144, (_e144 > 0i)))];
+let _e152 = ((3u * _e116) + _e118);
+let _e153 = bitcast<i32>(_e152);
+let _e155 = select(_e121, _e153, (_e153 < _e121));
+let _e161 = global_6.member[bitcast<u32>(select(0i, _e155, (_e155 > 0i)))];
+let _e163 = ((4u * _e116) + _e118);
+let _e164 = bitcast<i32>(_e163);
+let _e166 = select(_e121, _e164, (_e164 < _e121));
+let _e172 = global_6.member[bitcast<u32>(select(0i, _e166, (_e166 > 0i)))];
+let _e174 = ((5u * _e116) + _e118);
+let _e175 = bitcast<i32>(_e174);
+let _e177 = select(_e121, _e175, (_e175 < _e121));
+let _e183 = global_6.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
+let _e185 = ((6u * _e116) + _e118);
+let _e186 = bitcast<i32>(_e185);
+let _e188 = select(_e121, _e186, (_e186 < _e121));
+let _e194 = global_6.member[bitcast<u32>(select(0i, _e188, (_e188 > 0i)))];
+let _e196 = ((7u * _e116) + _e118);
+let _e197 = bitcast<i32>(_e196);
+let _e199 = select(_e121, _e197, (_e197 < _e121));
+let _e205 = global_6.member[bitcast<u32>(select(0i, _e199, (_e199 > 0i)))];
+let _e207 = ((8u * _e116) + _e118);
+let _e208 = bitcast<i32>(_e207);
+let _e210 = select(_e121, _e208, (_e208 < _e121));
+let _e216 = global_6.member[bitcast<u32>(select(0i, _e210, (_e210 > 0i)))];
+let _e218 = ((9u * _e116) + _e118);
+let _e219 = bitcast<i32>(_e218);
+let _e221 = select(_e121, _e219, (_e219 < _e121));
+let _e227 = global_6.member[bitcast<u32>(select(0i, _e221, (_e221 > 0i)))];
+let _e229 = ((10u * _e116) + _e118);
+let _e230 = bitcast<i32>(_e229);
+let _e232 = select(_e121, _e230, (_e230 < _e121));
+let _e238 = global_6.member[bitcast<u32>(select(0i, _e232, (_e232 > 0i)))];
+let _e242 = global_1.member.member_5.member_2;
+let _e245 = (1f / select(1e-6f, _e194, (_e194 > 1e-6f)));
+let _e249 = global_1.member.member_8.member_5;
+let _e250 = (_e242 * _e249);
+let _e255 = global_1.member.member_8.member_6;
+let _e257 = (((_e172 * _e245) - _e255) * _e250);
+let _e262 = global_1.member.member_8.member_7;
+let _e264 = (((_e183 * _e245) - _e262) * _e250);
+let _e268 = ((f32(bitcast<i32>(_e111)) - 0.5f) + _e129);
+let _e272 = global_1.member.member_8.member_1;
+let _e273 = (_e272 + 1u);
+let _e275 = select(1u, _e273, (_e273 > 0u));
+let _e276 = (_e275 == 0u);
+if _e276 {
 break;
 }
-let _e285 = ((f32(bitcast<i32>((_e107 % _e279))) - 0.5f) + _e143);
-let _e289 = global_1.member.member_4.member;
-let _e293 = global_1.member.member_8.member_2;
-let _e294 = (_e289 - _e293);
-let _e298 = global_1.member.member_7.member;
-let _e305 = global_1.member.member_7.member_2;
-let _e307 = ((_e298 + (_e259 * _e294)) + ((_e272 + 0.5f) * _e305));
-let _e311 = global_1.member.member_7.member_1;
-let _e316 = ((_e311 + (_e266 * _e294)) + ((_e285 + 0.5f) * _e305));
-let _e322 = global_1.member.member_4.member_1;
-let _e323 = (_e322 - _e293);
-let _e328 = ((_e298 + (_e259 * _e323)) + (((_e272 + _e261) + 0.5f) * _e305));
-let _e333 = ((_e311 + (_e266 * _e323)) + (((_e285 + _e268) + 0.5f) * _e305));
-if _e280 {
+let _e281 = ((f32(bitcast<i32>((_e113 % _e275))) - 0.5f) + _e139);
+let _e285 = global_1.member.member_5.member;
+let _e289 = global_1.member.member_8.member_8;
+let _e290 = (_e285 - _e289);
+let _e294 = global_1.member.member_8.member_2;
+let _e301 = global_1.member.member_8.member_4;
+let _e303 = ((_e294 + (_e255 * _e290)) + ((_e268 + 0.5f) * _e301));
+let _e307 = global_1.member.member_8.member_3;
+let _e312 = ((_e307 + (_e262 * _e290)) + ((_e281 + 0.5f) * _e301));
+let _e318 = global_1.member.member_5.member_1;
+let _e319 = (_e318 - _e289);
+let _e324 = ((_e294 + (_e255 * _e319)) + (((_e268 + _e257) + 0.5f) * _e301));
+let _e329 = ((_e307 + (_e262 * _e319)) + (((_e281 + _e264) + 0.5f) * _e301));
+if _e276 {
 break;
 }
-let _e336 = bitcast<i32>(((_e107 / _e279) * 3u));
-let _e338 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e340 = select(_e338, _e336, (_e336 < _e338));
-let _e346 = global_5.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
-let _e347 = (_e336 + 1i);
-let _e349 = select(_e338, _e347, (_e347 < _e338));
-let _e355 = global_5.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
-let _e356 = (_e336 + 2i);
-let _e358 = select(_e338, _e356, (_e356 < _e338));
-let _e364 = global_5.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
-let _e367 = (1f / select(1e-6f, _e364, (_e364 > 1e-6f)));
-let _e370 = (((_e346 * _e367) - _e259) * _e254);
-let _e373 = (((_e355 * _e367) - _e266) * _e254);
-let _e385 = global_1.member.member_5.member;
-let _e398 = global_1.member.member_5.member.member_3;
-let _e399 = ((((_e385.member * _e307) + (_e385.member_1 * _e316)) + (_e385.member_2 * _e289)) + _e398);
-let _e403 = global_1.member.member_5.member_1;
-let _e416 = global_1.member.member_5.member_1.member_3;
-let _e417 = ((((_e403.member * _e307) + (_e403.member_1 * _e316)) + (_e403.member_2 * _e289)) + _e416);
-let _e421 = global_1.member.member_5.member_2;
-let _e434 = global_1.member.member_5.member_2.member_3;
-let _e435 = ((((_e421.member * _e307) + (_e421.member_1 * _e316)) + (_e421.member_2 * _e289)) + _e434);
-let _e441 = ((((_e385.member * _e328) + (_e385.member_1 * _e333)) + (_e385.member_2 * _e322)) + _e398);
-let _e447 = ((((_e403.member * _e328) + (_e403.member_1 * _e333)) + (_e403.member_2 * _e322)) + _e416);
-let _e453 = ((((_e421.member * _e328) + (_e421.member_1 * _e333)) + (_e421.member_2 * _e322)) + _e434);
-let _e458 = global_1.member.member_5.member_3.member_3;
-let _e463 = global_1.member.member_5.member_3.member;
-let _e464 = (_e463 - 0.5f);
-let _e466 = select(-0.5f, _e441, (_e441 > -0.5f));
-let _e468 = select(_e464, _e466, (_e466 < _e464));
-let _e473 = global_1.member.member_5.member_3.member_1;
-let _e474 = (_e473 - 0.5f);
-let _e476 = select(-0.5f, _e447, (_e447 > -0.5f));
-let _e478 = select(_e474, _e476, (_e476 < _e474));
-let _e483 = global_1.member.member_5.member_3.member_2;
-let _e484 = (_e483 - 0.5f);
-let _e486 = select(-0.5f, _e453, (_e453 > -0.5f));
-let _e488 = select(_e484, _e486, (_e486 < _e484));
-let _e489 = (_e441 - _e399);
-let _e490 = (_e447 - _e417);
-let _e491 = (_e453 - _e435);
-let _e494 = bitcast<f32>((bitcast<u32>(_e489) & 2147483647u));
-let _e497 = bitcast<f32>((bitcast<u32>(_e490) & 2147483647u));
-let _e499 = select(_e497, _e494, (_e494 > _e497));
-let _e502 = bitcast<f32>((bitcast<u32>(_e491) & 2147483647u));
-let _e511 = bitcast<f32>((bitcast<u32>((_e441 - _e468)) & 2147483647u));
-let _e514 = bitcast<f32>((bitcast<u32>((_e447 - _e478)) & 2147483647u));
-let _e516 = select(_e514, _e511, (_e511 > _e514));
-let _e519 = bitcast<f32>((bitcast<u32>((_e453 - _e488)) & 2147483647u));
-let _e523 = (_e468 + 0.5f);
-let _e524 = (_e463 - 1f);
-let _e526 = select(0f, _e523, (_e523 > 0f));
-let _e528 = select(_e524, _e526, (_e526 < _e524));
-let _e535 = select(0i, select(select(i32(_e528), i32(-2147483648), (_e528 < -2147483600f)), 2147483647i, (_e528 > 2147483500f)), (_e528 == _e528));
-let _e544 = global_1.member.member_5.member_7[3u];
-let _e545 = (_e544 & 31i);
-let _e548 = (_e478 + 0.5f);
-let _e549 = (_e473 - 1f);
-let _e551 = select(0f, _e548, (_e548 > 0f));
-let _e553 = select(_e549, _e551, (_e551 < _e549));
-let _e560 = select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < -2147483600f)), 2147483647i, (_e553 > 2147483500f)), (_e553 == _e553));
-let _e567 = (_e488 + 0.5f);
-let _e568 = (_e483 - 1f);
-let _e570 = select(0f, _e567, (_e567 > 0f));
-let _e572 = select(_e568, _e570, (_e570 < _e568));
-let _e579 = select(0i, select(select(i32(_e572), i32(-2147483648), (_e572 < -2147483600f)), 2147483647i, (_e572 > 2147483500f)), (_e572 == _e572));
-let _e590 = global_1.member.member_5.member_6[3u];
-let _e596 = global_1.member.member_5.member_6[0u];
-let _e601 = global_1.member.member_5.member_6[1u];
-let _e605 = ((_e590 + ((_e535 - select(0i, 1i, (_e528 < f32(_e535)))) >> bitcast<u32>(_e545))) + (_e596 * (((_e560 - select(0i, 1i, (_e553 < f32(_e560)))) >> bitcast<u32>(_e545)) + (_e601 * ((_e579 - select(0i, 1i, (_e572 < f32(_e579)))) >> bitcast<u32>(_e545))))));
-let _e607 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e609 = select(_e607, _e605, (_e605 < _e607));
-let _e615 = global_3.member[bitcast<u32>(select(0i, _e609, (_e609 > 0i)))];
-let _e622 = global_1.member.member[3u];
-let _e629 = (((_e622 & 64u) != 0u) || ((((select(_e502, _e499, (_e499 > _e502)) <= _e458) && ((select(_e519, _e516, (_e516 > _e519)) > _e458) || (_e615 != 0u))) && true) && ((_e622 & 32u) != 0u)));
-if (select(0u, select(7u, select(3u, 1u, ((((_e261 == 0f) && (_e268 == 0f)) && (_e370 == 0f)) && (_e373 == 0f))), _e629), (_e242 == 0f)) > 1u) {
-let _e637 = global_1.member.member[2u];
-if _e280 {
+let _e332 = bitcast<i32>(((_e113 / _e275) * 3u));
+let _e334 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e336 = select(_e334, _e332, (_e332 < _e334));
+let _e342 = global_5.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e343 = (_e332 + 1i);
+let _e345 = select(_e334, _e343, (_e343 < _e334));
+let _e351 = global_5.member[bitcast<u32>(select(0i, _e345, (_e345 > 0i)))];
+let _e352 = (_e332 + 2i);
+let _e354 = select(_e334, _e352, (_e352 < _e334));
+let _e360 = global_5.member[bitcast<u32>(select(0i, _e354, (_e354 > 0i)))];
+let _e363 = (1f / select(1e-6f, _e360, (_e360 > 1e-6f)));
+let _e366 = (((_e342 * _e363) - _e255) * _e250);
+let _e369 = (((_e351 * _e363) - _e262) * _e250);
+let _e381 = global_1.member.member_6.member;
+let _e392 = ((((_e381.member.member * _e303) + (_e381.member.member_1 * _e312)) + (_e381.member.member_2 * _e285)) + _e381.member_1);
+let _e396 = global_1.member.member_6.member_1;
+let _e407 = ((((_e396.member.member * _e303) + (_e396.member.member_1 * _e312)) + (_e396.member.member_2 * _e285)) + _e396.member_1);
+let _e411 = global_1.member.member_6.member_2;
+let _e422 = ((((_e411.member.member * _e303) + (_e411.member.member_1 * _e312)) + (_e411.member.member_2 * _e285)) + _e411.member_1);
+let _e428 = ((((_e381.member.member * _e324) + (_e381.member.member_1 * _e329)) + (_e381.member.member_2 * _e318)) + _e381.member_1);
+let _e434 = ((((_e396.member.member * _e324) + (_e396.member.member_1 * _e329)) + (_e396.member.member_2 * _e318)) + _e396.member_1);
+let _e440 = ((((_e411.member.member * _e324) + (_e411.member.member_1 * _e329)) + (_e411.member.member_2 * _e318)) + _e411.member_1);
+let _e444 = global_1.member.member_6.member_4;
+let _e449 = global_1.member.member_6.member_3.member;
+let _e450 = (_e449 - 0.5f);
+let _e452 = select(-0.5f, _e428, (_e428 > -0.5f));
+let _e454 = select(_e450, _e452, (_e452 < _e450));
+let _e459 = global_1.member.member_6.member_3.member_1;
+let _e460 = (_e459 - 0.5f);
+let _e462 = select(-0.5f, _e434, (_e434 > -0.5f));
+let _e464 = select(_e460, _e462, (_e462 < _e460));
+let _e469 = global_1.member.member_6.member_3.member_2;
+let _e470 = (_e469 - 0.5f);
+let _e472 = select(-0.5f, _e440, (_e440 > -0.5f));
+let _e474 = select(_e470, _e472, (_e472 < _e470));
+let _e475 = (_e428 - _e392);
+let _e476 = (_e434 - _e407);
+let _e477 = (_e440 - _e422);
+let _e480 = bitcast<f32>((bitcast<u32>(_e475) & 2147483647u));
+let _e483 = bitcast<f32>((bitcast<u32>(_e476) & 2147483647u));
+let _e485 = select(_e483, _e480, (_e480 > _e483));
+let _e488 = bitcast<f32>((bitcast<u32>(_e477) & 2147483647u));
+let _e497 = bitcast<f32>((bitcast<u32>((_e428 - _e454)) & 2147483647u));
+let _e500 = bitcast<f32>((bitcast<u32>((_e434 - _e464)) & 2147483647u));
+let _e502 = select(_e500, _e497, (_e497 > _e500));
+let _e505 = bitcast<f32>((bitcast<u32>((_e440 - _e474)) & 2147483647u));
+let _e509 = (_e454 + 0.5f);
+let _e510 = (_e449 - 1f);
+let _e512 = select(0f, _e509, (_e509 > 0f));
+let _e514 = select(_e510, _e512, (_e512 < _e510));
+let _e521 = select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < -2147483600f)), 2147483647i, (_e514 > 2147483500f)), (_e514 == _e514));
+let _e529 = global_1.member.member_6.member_12;
+let _e530 = (_e529 & 31u);
+let _e533 = (_e464 + 0.5f);
+let _e534 = (_e459 - 1f);
+let _e536 = select(0f, _e533, (_e533 > 0f));
+let _e538 = select(_e534, _e536, (_e536 < _e534));
+let _e545 = select(0i, select(select(i32(_e538), i32(-2147483648), (_e538 < -2147483600f)), 2147483647i, (_e538 > 2147483500f)), (_e538 == _e538));
+let _e552 = (_e474 + 0.5f);
+let _e553 = (_e469 - 1f);
+let _e555 = select(0f, _e552, (_e552 > 0f));
+let _e557 = select(_e553, _e555, (_e555 < _e553));
+let _e564 = select(0i, select(select(i32(_e557), i32(-2147483648), (_e557 < -2147483600f)), 2147483647i, (_e557 > 2147483500f)), (_e557 == _e557));
+let _e575 = global_1.member.member_6.member_9.member;
+let _e581 = global_1.member.member_6.member_9.member_1;
+let _e586 = global_1.member.member_6.member_10;
+let _e592 = ((bitcast<i32>(_e586) + ((_e521 - select(0i, 1i, (_e514 < f32(_e521)))) >> bitcast<u32>(_e530))) + (bitcast<i32>(_e575) * (((_e545 - select(0i, 1i, (_e538 < f32(_e545)))) >> bitcast<u32>(_e530)) + (bitcast<i32>(_e581) * ((_e564 - select(0i, 1i, (_e557 < f32(_e564)))) >> bitcast<u32>(_e530))))));
+let _e594 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e596 = select(_e594, _e592, (_e592 < _e594));
+let _e602 = global_3.member[bitcast<u32>(select(0i, _e596, (_e596 > 0i)))];
+let _e608 = global_1.member.member_1;
+let _e615 = (((_e608 & 64u) != 0u) || ((((select(_e488, _e485, (_e485 > _e488)) <= _e444) && ((select(_e505, _e502, (_e502 > _e505)) > _e444) || (_e602 != 0u))) && true) && ((_e608 & 32u) != 0u)));
+if (select(0u, select(7u, select(3u, 1u, ((((_e257 == 0f) && (_e264 == 0f)) && (_e366 == 0f)) && (_e369 == 0f))), _e615), (_e238 == 0f)) > 1u) {
+if _e276 {
 break;
 }
-if _e280 {
+if _e276 {
 break;
 }
-let _e639 = (_e637 == 2u);
-let _e642 = (((_e637 == 1u) || _e639) || (_e637 == 5u));
-if _e642 {
-let _e1029 = select(-1f, _e468, (_e468 > -1f));
-let _e1031 = select(_e463, _e1029, (_e1029 < _e463));
-let _e1038 = select(0i, select(select(i32(_e1031), i32(-2147483648), (_e1031 < -2147483600f)), 2147483647i, (_e1031 > 2147483500f)), (_e1031 == _e1031));
-let _e1042 = (_e1038 - select(0i, 1i, (_e1031 < f32(_e1038))));
-let _e1044 = select(-1f, _e478, (_e478 > -1f));
-let _e1046 = select(_e473, _e1044, (_e1044 < _e473));
-let _e1053 = select(0i, select(select(i32(_e1046), i32(-2147483648), (_e1046 < -2147483600f)), 2147483647i, (_e1046 > 2147483500f)), (_e1046 == _e1046));
-let _e1057 = (_e1053 - select(0i, 1i, (_e1046 < f32(_e1053))));
-let _e1059 = select(-1f, _e488, (_e488 > -1f));
-let _e1061 = select(_e483, _e1059, (_e1059 < _e483));
-let _e1068 = select(0i, select(select(i32(_e1061), i32(-2147483648), (_e1061 < -2147483600f)), 2147483647i, (_e1061 > 2147483500f)), (_e1061 == _e1061));
-let _e1072 = (_e1068 - select(0i, 1i, (_e1061 < f32(_e1068))));
-let _e1077 = global_1.member.member_5.member_5[0u];
-let _e1082 = global_1.member.member_5.member_5[1u];
-let _e1090 = (select(0i, select(select(i32(_e473), i32(-2147483648), (_e473 < -2147483600f)), 2147483647i, (_e473 > 2147483500f)), (_e473 == _e473)) - 1i);
-let _e1091 = (_e1057 - 1i);
-let _e1096 = (_e1057 + 1i);
-let _e1099 = (_e1057 + 2i);
-let _e1109 = (select(0i, select(select(i32(_e483), i32(-2147483648), (_e483 < -2147483600f)), 2147483647i, (_e483 > 2147483500f)), (_e483 == _e483)) - 1i);
-let _e1110 = (_e1072 - 1i);
-let _e1115 = (_e1072 + 1i);
-let _e1118 = (_e1072 + 2i);
-let _e1127 = select(0i, select(select(i32(_e463), i32(-2147483648), (_e463 < -2147483600f)), 2147483647i, (_e463 > 2147483500f)), (_e463 == _e463));
-let _e1128 = (_e1127 - 1i);
-let _e1129 = (_e1042 - 1i);
-let _e1131 = select(0i, _e1129, (_e1129 > 0i));
-let _e1133 = select(0i, _e1042, (_e1042 > 0i));
-let _e1134 = (_e1042 + 1i);
-let _e1136 = select(_e1128, _e1134, (_e1134 < _e1128));
-let _e1137 = (_e1042 + 2i);
-let _e1140 = (_e1127 - 2i);
-let _e1142 = select(0i, _e1140, (_e1140 > 0i));
-let _e1144 = select(_e1142, _e1131, (_e1131 < _e1142));
-let _e1146 = select(_e1142, _e1133, (_e1133 < _e1142));
-let _e1148 = select(_e1142, _e1136, (_e1136 < _e1142));
-let _e1167 = (select(0i, _e1091, (_e1091 > 0i)) * _e1077);
-let _e1168 = (select(0i, _e1057, (_e1057 > 0i)) * _e1077);
-let _e1169 = (select(_e1090, _e1096, (_e1096 < _e1090)) * _e1077);
-let _e1170 = (select(_e1090, _e1099, (_e1099 < _e1090)) * _e1077);
-let _e1171 = (select(0i, _e1110, (_e1110 > 0i)) * _e1082);
-let _e1172 = (select(0i, _e1072, (_e1072 > 0i)) * _e1082);
-let _e1173 = (select(_e1109, _e1115, (_e1115 < _e1109)) * _e1082);
-let _e1174 = (select(_e1109, _e1118, (_e1118 < _e1109)) * _e1082);
-local_4 = type_18(array<i32, 4>(_e1144, _e1146, _e1148, 0i), array<u32, 6>(bitcast<u32>(((_e1131 - _e1144) * 16i)), bitcast<u32>(((_e1133 - _e1144) * 16i)), bitcast<u32>(((_e1133 - _e1146) * 16i)), bitcast<u32>(((_e1136 - _e1146) * 16i)), bitcast<u32>(((_e1136 - _e1148) * 16i)), bitcast<u32>(((select(_e1128, _e1137, (_e1137 < _e1128)) - _e1148) * 16i))));
-local_5 = vec3<f32>((_e468 - f32(_e1042)), (_e478 - f32(_e1057)), (_e488 - f32(_e1072)));
-let _e1186 = (_e1172 + _e1168);
-let _e1189 = local_4.member[0u];
-let _e1190 = (_e1186 + _e1189);
-let _e1192 = (_e1190 >> bitcast<u32>(1i));
-let _e1195 = bitcast<u32>(((_e1190 & 1i) * 16i));
-let _e1197 = (bitcast<i32>(_e90) - 1i);
-let _e1199 = select(_e1197, _e1192, (_e1192 < _e1197));
-let _e1204 = global_2.member[bitcast<u32>(select(0i, _e1199, (_e1199 > 0i)))];
-let _e1208 = (_e1192 + 1i);
-let _e1210 = select(_e1197, _e1208, (_e1208 < _e1197));
-let _e1215 = global_2.member[bitcast<u32>(select(0i, _e1210, (_e1210 > 0i)))];
-let _e1222 = ((_e1204 >> bitcast<u32>((_e1195 & 31u))) | ((_e1215 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1195) & 31u))));
-let _e1225 = local_4.member[2u];
-let _e1226 = (_e1186 + _e1225);
-let _e1228 = (_e1226 >> bitcast<u32>(1i));
-let _e1231 = bitcast<u32>(((_e1226 & 1i) * 16i));
-let _e1233 = select(_e1197, _e1228, (_e1228 < _e1197));
-let _e1238 = global_2.member[bitcast<u32>(select(0i, _e1233, (_e1233 > 0i)))];
-let _e1242 = (_e1228 + 1i);
-let _e1244 = select(_e1197, _e1242, (_e1242 < _e1197));
-let _e1249 = global_2.member[bitcast<u32>(select(0i, _e1244, (_e1244 > 0i)))];
-let _e1256 = ((_e1238 >> bitcast<u32>((_e1231 & 31u))) | ((_e1249 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1231) & 31u))));
-let _e1259 = local_4.member_1[0u];
-let _e1265 = f32(bitcast<i32>(((_e1222 >> bitcast<u32>((_e1259 & 31u))) & 65535u)));
-let _e1268 = local_4.member_1[1u];
-let _e1274 = f32(bitcast<i32>(((_e1222 >> bitcast<u32>((_e1268 & 31u))) & 65535u)));
-let _e1277 = local_4.member_1[4u];
-let _e1283 = f32(bitcast<i32>(((_e1256 >> bitcast<u32>((_e1277 & 31u))) & 65535u)));
-let _e1286 = local_4.member_1[5u];
-let _e1293 = local_5[0u];
-let _e1296 = (_e1265 + ((_e1274 - _e1265) * _e1293));
-let _e1297 = local_5[0u];
-let _e1300 = (_e1274 + ((_e1283 - _e1274) * _e1297));
-let _e1301 = local_5[0u];
-let _e1304 = (_e1283 + ((f32(bitcast<i32>(((_e1256 >> bitcast<u32>((_e1286 & 31u))) & 65535u))) - _e1283) * _e1301));
-let _e1305 = (_e1172 + _e1169);
-let _e1306 = local_4.member[0u];
-let _e1307 = (_e1305 + _e1306);
-let _e1309 = (_e1307 >> bitcast<u32>(1i));
-let _e1312 = bitcast<u32>(((_e1307 & 1i) * 16i));
-let _e1314 = select(_e1197, _e1309, (_e1309 < _e1197));
-let _e1319 = global_2.member[bitcast<u32>(select(0i, _e1314, (_e1314 > 0i)))];
-let _e1323 = (_e1309 + 1i);
-let _e1325 = select(_e1197, _e1323, (_e1323 < _e1197));
-let _e1330 = global_2.member[bitcast<u32>(select(0i, _e1325, (_e1325 > 0i)))];
-let _e1337 = ((_e1319 >> bitcast<u32>((_e1312 & 31u))) | ((_e1330 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1312) & 31u))));
-let _e1338 = local_4.member[2u];
-let _e1339 = (_e1305 + _e1338);
-let _e1341 = (_e1339 >> bitcast<u32>(1i));
-let _e1344 = bitcast<u32>(((_e1339 & 1i) * 16i));
-let _e1346 = select(_e1197, _e1341, (_e1341 < _e1197));
-let _e1351 = global_2.member[bitcast<u32>(select(0i, _e1346, (_e1346 > 0i)))];
-let _e1355 = (_e1341 + 1i);
-let _e1357 = select(_e1197, _e1355, (_e1355 < _e1197));
-let _e1362 = global_2.member[bitcast<u32>(select(0i, _e1357, (_e1357 > 0i)))];
-let _e1369 = ((_e1351 >> bitcast<u32>((_e1344 & 31u))) | ((_e1362 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1344) & 31u))));
-let _e1370 = local_4.member_1[0u];
-let _e1376 = f32(bitcast<i32>(((_e1337 >> bitcast<u32>((_e1370 & 31u))) & 65535u)));
-let _e1377 = local_4.member_1[1u];
-let _e1383 = f32(bitcast<i32>(((_e1337 >> bitcast<u32>((_e1377 & 31u))) & 65535u)));
-let _e1384 = local_4.member_1[4u];
-let _e1390 = f32(bitcast<i32>(((_e1369 >> bitcast<u32>((_e1384 & 31u))) & 65535u)));
-let _e1391 = local_4.member_1[5u];
-let _e1398 = local_5[0u];
-let _e1402 = local_5[0u];
-let _e1405 = (_e1383 + ((_e1390 - _e1383) * _e1402));
-let _e1406 = local_5[0u];
-let _e1410 = (_e1173 + _e1168);
-let _e1411 = local_4.member[0u];
-let _e1412 = (_e1410 + _e1411);
-let _e1414 = (_e1412 >> bitcast<u32>(1i));
-let _e1417 = bitcast<u32>(((_e1412 & 1i) * 16i));
-let _e1419 = select(_e1197, _e1414, (_e1414 < _e1197));
-let _e1424 = global_2.member[bitcast<u32>(select(0i, _e1419, (_e1419 > 0i)))];
-let _e1428 = (_e1414 + 1i);
-let _e1430 = select(_e1197, _e1428, (_e1428 < _e1197));
-let _e1435 = global_2.member[bitcast<u32>(select(0i, _e1430, (_e1430 > 0i)))];
-let _e1442 = ((_e1424 >> bitcast<u32>((_e1417 & 31u))) | ((_e1435 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1417) & 31u))));
-let _e1443 = local_4.member[2u];
-let _e1444 = (_e1410 + _e1443);
-let _e1446 = (_e1444 >> bitcast<u32>(1i));
-let _e1449 = bitcast<u32>(((_e1444 & 1i) * 16i));
-let _e1451 = select(_e1197, _e1446, (_e1446 < _e1197));
-let _e1456 = global_2.member[bitcast<u32>(select(0i, _e1451, (_e1451 > 0i)))];
-let _e1460 = (_e1446 + 1i);
-let _e1462 = select(_e1197, _e1460, (_e1460 < _e1197));
-let _e1467 = global_2.member[bitcast<u32>(select(0i, _e1462, (_e1462 > 0i)))];
-let _e1474 = ((_e1456 >> bitcast<u32>((_e1449 & 31u))) | ((_e1467 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1449) & 31u))));
-let _e1475 = local_4.member_1[0u];
-let _e1481 = f32(bitcast<i32>(((_e1442 >> bitcast<u32>((_e1475 & 31u))) & 65535u)));
-let _e1482 = local_4.member_1[1u];
-let _e1488 = f32(bitcast<i32>(((_e1442 >> bitcast<u32>((_e1482 & 31u))) & 65535u)));
-let _e1489 = local_4.member_1[4u];
-let _e1495 = f32(bitcast<i32>(((_e1474 >> bitcast<u32>((_e1489 & 31u))) & 65535u)));
-let _e1496 = local_4.member_1[5u];
-let _e1503 = local_5[0u];
-let _e1506 = (_e1481 + ((_e1488 - _e1481) * _e1503));
-let _e1507 = local_5[0u];
-let _e1510 = (_e1488 + ((_e1495 - _e1488) * _e1507));
-let _e1511 = local_5[0u];
-let _e1514 = (_e1495 + ((f32(bitcast<i32>(((_e1474 >> bitcast<u32>((_e1496 & 31u))) & 65535u))) - _e1495) * _e1511));
-let _e1515 = (_e1173 + _e1169);
-let _e1516 = local_4.member[0u];
-let _e1517 = (_e1515 + _e1516);
-let _e1519 = (_e1517 >> bitcast<u32>(1i));
-let _e1522 = bitcast<u32>(((_e1517 & 1i) * 16i));
-let _e1524 = select(_e1197, _e1519, (_e1519 < _e1197));
-let _e1529 = global_2.member[bitcast<u32>(select(0i, _e1524, (_e1524 > 0i)))];
-let _e1533 = (_e1519 + 1i);
-let _e1535 = select(_e1197, _e1533, (_e1533 < _e1197));
-let _e1540 = global_2.member[bitcast<u32>(select(0i, _e1535, (_e1535 > 0i)))];
-let _e1547 = ((_e1529 >> bitcast<u32>((_e1522 & 31u))) | ((_e1540 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1522) & 31u))));
-let _e1548 = local_4.member[2u];
-let _e1549 = (_e1515 + _e1548);
-let _e1551 = (_e1549 >> bitcast<u32>(1i));
-let _e1554 = bitcast<u32>(((_e1549 & 1i) * 16i));
-let _e1556 = select(_e1197, _e1551, (_e1551 < _e1197));
-let _e1561 = global_2.member[bitcast<u32>(select(0i, _e1556, (_e1556 > 0i)))];
-let _e1565 = (_e1551 + 1i);
-let _e1567 = select(_e1197, _e1565, (_e1565 < _e1197));
-let _e1572 = global_2.member[bitcast<u32>(select(0i, _e1567, (_e1567 > 0i)))];
-let _e1579 = ((_e1561 >> bitcast<u32>((_e1554 & 31u))) | ((_e1572 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1554) & 31u))));
-let _e1580 = local_4.member_1[0u];
-let _e1586 = f32(bitcast<i32>(((_e1547 >> bitcast<u32>((_e1580 & 31u))) & 65535u)));
-let _e1587 = local_4.member_1[1u];
-let _e1593 = f32(bitcast<i32>(((_e1547 >> bitcast<u32>((_e1587 & 31u))) & 65535u)));
-let _e1594 = local_4.member_1[4u];
-let _e1600 = f32(bitcast<i32>(((_e1579 >> bitcast<u32>((_e1594 & 31u))) & 65535u)));
-let _e1601 = local_4.member_1[5u];
-let _e1608 = local_5[0u];
-let _e1612 = local_5[0u];
-let _e1615 = (_e1593 + ((_e1600 - _e1593) * _e1612));
-let _e1616 = local_5[0u];
-let _e1623 = local_4.member[1u];
-let _e1624 = ((_e1172 + _e1167) + _e1623);
-let _e1626 = (_e1624 >> bitcast<u32>(1i));
-let _e1629 = bitcast<u32>(((_e1624 & 1i) * 16i));
-let _e1631 = select(_e1197, _e1626, (_e1626 < _e1197));
-let _e1636 = global_2.member[bitcast<u32>(select(0i, _e1631, (_e1631 > 0i)))];
-let _e1640 = (_e1626 + 1i);
-let _e1642 = select(_e1197, _e1640, (_e1640 < _e1197));
-let _e1647 = global_2.member[bitcast<u32>(select(0i, _e1642, (_e1642 > 0i)))];
-let _e1654 = ((_e1636 >> bitcast<u32>((_e1629 & 31u))) | ((_e1647 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1629) & 31u))));
-let _e1657 = local_4.member_1[2u];
-let _e1663 = f32(bitcast<i32>(((_e1654 >> bitcast<u32>((_e1657 & 31u))) & 65535u)));
-let _e1666 = local_4.member_1[3u];
-let _e1673 = local_5[0u];
-let _e1676 = (_e1663 + ((f32(bitcast<i32>(((_e1654 >> bitcast<u32>((_e1666 & 31u))) & 65535u))) - _e1663) * _e1673));
-let _e1678 = local_4.member[1u];
-let _e1679 = ((_e1172 + _e1170) + _e1678);
-let _e1681 = (_e1679 >> bitcast<u32>(1i));
-let _e1684 = bitcast<u32>(((_e1679 & 1i) * 16i));
-let _e1686 = select(_e1197, _e1681, (_e1681 < _e1197));
-let _e1691 = global_2.member[bitcast<u32>(select(0i, _e1686, (_e1686 > 0i)))];
-let _e1695 = (_e1681 + 1i);
-let _e1697 = select(_e1197, _e1695, (_e1695 < _e1197));
-let _e1702 = global_2.member[bitcast<u32>(select(0i, _e1697, (_e1697 > 0i)))];
-let _e1709 = ((_e1691 >> bitcast<u32>((_e1684 & 31u))) | ((_e1702 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1684) & 31u))));
-let _e1710 = local_4.member_1[2u];
-let _e1716 = f32(bitcast<i32>(((_e1709 >> bitcast<u32>((_e1710 & 31u))) & 65535u)));
-let _e1717 = local_4.member_1[3u];
-let _e1724 = local_5[0u];
-let _e1729 = local_4.member[1u];
-let _e1730 = ((_e1173 + _e1167) + _e1729);
-let _e1732 = (_e1730 >> bitcast<u32>(1i));
-let _e1735 = bitcast<u32>(((_e1730 & 1i) * 16i));
-let _e1737 = select(_e1197, _e1732, (_e1732 < _e1197));
-let _e1742 = global_2.member[bitcast<u32>(select(0i, _e1737, (_e1737 > 0i)))];
-let _e1746 = (_e1732 + 1i);
-let _e1748 = select(_e1197, _e1746, (_e1746 < _e1197));
-let _e1753 = global_2.member[bitcast<u32>(select(0i, _e1748, (_e1748 > 0i)))];
-let _e1760 = ((_e1742 >> bitcast<u32>((_e1735 & 31u))) | ((_e1753 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1735) & 31u))));
-let _e1761 = local_4.member_1[2u];
-let _e1767 = f32(bitcast<i32>(((_e1760 >> bitcast<u32>((_e1761 & 31u))) & 65535u)));
-let _e1768 = local_4.member_1[3u];
-let _e1775 = local_5[0u];
-let _e1778 = (_e1767 + ((f32(bitcast<i32>(((_e1760 >> bitcast<u32>((_e1768 & 31u))) & 65535u))) - _e1767) * _e1775));
-let _e1780 = local_4.member[1u];
-let _e1781 = ((_e1173 + _e1170) + _e1780);
-let _e1783 = (_e1781 >> bitcast<u32>(1i));
-let _e1786 = bitcast<u32>(((_e1781 & 1i) * 16i));
-let _e1788 = select(_e1197, _e1783, (_e1783 < _e1197));
-let _e1793 = global_2.member[bitcast<u32>(select(0i, _e1788, (_e1788 > 0i)))];
-let _e1797 = (_e1783 + 1i);
-let _e1799 = select(_e1197, _e1797, (_e1797 < _e1197));
-let _e1804 = global_2.member[bitcast<u32>(select(0i, _e1799, (_e1799 > 0i)))];
-let _e1811 = ((_e1793 >> bitcast<u32>((_e1786 & 31u))) | ((_e1804 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1786) & 31u))));
-let _e1812 = local_4.member_1[2u];
-let _e1818 = f32(bitcast<i32>(((_e1811 >> bitcast<u32>((_e1812 & 31u))) & 65535u)));
-let _e1819 = local_4.member_1[3u];
-let _e1826 = local_5[0u];
-let _e1831 = local_4.member[1u];
-let _e1832 = ((_e1171 + _e1168) + _e1831);
-let _e1834 = (_e1832 >> bitcast<u32>(1i));
-let _e1837 = bitcast<u32>(((_e1832 & 1i) * 16i));
-let _e1839 = select(_e1197, _e1834, (_e1834 < _e1197));
-let _e1844 = global_2.member[bitcast<u32>(select(0i, _e1839, (_e1839 > 0i)))];
-let _e1848 = (_e1834 + 1i);
-let _e1850 = select(_e1197, _e1848, (_e1848 < _e1197));
-let _e1855 = global_2.member[bitcast<u32>(select(0i, _e1850, (_e1850 > 0i)))];
-let _e1862 = ((_e1844 >> bitcast<u32>((_e1837 & 31u))) | ((_e1855 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1837) & 31u))));
-let _e1863 = local_4.member_1[2u];
-let _e1869 = f32(bitcast<i32>(((_e1862 >> bitcast<u32>((_e1863 & 31u))) & 65535u)));
-let _e1870 = local_4.member_1[3u];
-let _e1877 = local_5[0u];
-let _e1880 = (_e1869 + ((f32(bitcast<i32>(((_e1862 >> bitcast<u32>((_e1870 & 31u))) & 65535u))) - _e1869) * _e1877));
-let _e1882 = local_4.member[1u];
-let _e1883 = ((_e1174 + _e1168) + _e1882);
-let _e1885 = (_e1883 >> bitcast<u32>(1i));
-let _e1888 = bitcast<u32>(((_e1883 & 1i) * 16i));
-let _e1890 = select(_e1197, _e1885, (_e1885 < _e1197));
-let _e1895 = global_2.member[bitcast<u32>(select(0i, _e1890, (_e1890 > 0i)))];
-let _e1899 = (_e1885 + 1i);
-let _e1901 = select(_e1197, _e1899, (_e1899 < _e1197));
-let _e1906 = global_2.member[bitcast<u32>(select(0i, _e1901, (_e1901 > 0i)))];
-let _e1913 = ((_e1895 >> bitcast<u32>((_e1888 & 31u))) | ((_e1906 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1888) & 31u))));
-let _e1914 = local_4.member_1[2u];
-let _e1920 = f32(bitcast<i32>(((_e1913 >> bitcast<u32>((_e1914 & 31u))) & 65535u)));
-let _e1921 = local_4.member_1[3u];
-let _e1928 = local_5[0u];
-let _e1931 = (_e1920 + ((f32(bitcast<i32>(((_e1913 >> bitcast<u32>((_e1921 & 31u))) & 65535u))) - _e1920) * _e1928));
-let _e1933 = local_4.member[1u];
-let _e1934 = ((_e1171 + _e1169) + _e1933);
-let _e1936 = (_e1934 >> bitcast<u32>(1i));
-let _e1939 = bitcast<u32>(((_e1934 & 1i) * 16i));
-let _e1941 = select(_e1197, _e1936, (_e1936 < _e1197));
-let _e1946 = global_2.member[bitcast<u32>(select(0i, _e1941, (_e1941 > 0i)))];
-let _e1950 = (_e1936 + 1i);
-let _e1952 = select(_e1197, _e1950, (_e1950 < _e1197));
-let _e1957 = global_2.member[bitcast<u32>(select(0i, _e1952, (_e1952 > 0i)))];
-let _e1964 = ((_e1946 >> bitcast<u32>((_e1939 & 31u))) | ((_e1957 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1939) & 31u))));
-let _e1965 = local_4.member_1[2u];
-let _e1971 = f32(bitcast<i32>(((_e1964 >> bitcast<u32>((_e1965 & 31u))) & 65535u)));
-let _e1972 = local_4.member_1[3u];
-let _e1979 = local_5[0u];
-let _e1984 = local_4.member[1u];
-let _e1985 = ((_e1174 + _e1169) + _e1984);
-let _e1987 = (_e1985 >> bitcast<u32>(1i));
-let _e1990 = bitcast<u32>(((_e1985 & 1i) * 16i));
-let _e1992 = select(_e1197, _e1987, (_e1987 < _e1197));
-let _e1997 = global_2.member[bitcast<u32>(select(0i, _e1992, (_e1992 > 0i)))];
-let _e2001 = (_e1987 + 1i);
-let _e2003 = select(_e1197, _e2001, (_e2001 < _e1197));
-let _e2008 = global_2.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
-let _e2015 = ((_e1997 >> bitcast<u32>((_e1990 & 31u))) | ((_e2008 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1990) & 31u))));
-let _e2016 = local_4.member_1[2u];
-let _e2022 = f32(bitcast<i32>(((_e2015 >> bitcast<u32>((_e2016 & 31u))) & 65535u)));
-let _e2023 = local_4.member_1[3u];
-let _e2030 = local_5[0u];
-let _e2035 = local_5[1u];
-let _e2038 = (_e1300 + ((_e1405 - _e1300) * _e2035));
-let _e2039 = local_5[1u];
-let _e2042 = (_e1510 + ((_e1615 - _e1510) * _e2039));
-let _e2043 = local_5[1u];
-let _e2046 = (_e1296 + (((_e1376 + ((_e1383 - _e1376) * _e1398)) - _e1296) * _e2043));
-let _e2047 = local_5[1u];
-let _e2052 = local_5[2u];
-let _e2056 = local_5[1u];
-let _e2059 = (_e1304 + (((_e1390 + ((f32(bitcast<i32>(((_e1369 >> bitcast<u32>((_e1391 & 31u))) & 65535u))) - _e1390) * _e1406)) - _e1304) * _e2056));
-let _e2060 = local_5[1u];
-let _e2064 = local_5[2u];
-let _e2068 = local_5[1u];
-let _e2071 = (_e1676 + ((_e1300 - _e1676) * _e2068));
-let _e2072 = local_5[1u];
-let _e2076 = local_5[2u];
-let _e2080 = local_5[1u];
-let _e2083 = (_e1405 + (((_e1716 + ((f32(bitcast<i32>(((_e1709 >> bitcast<u32>((_e1717 & 31u))) & 65535u))) - _e1716) * _e1724)) - _e1405) * _e2080));
-let _e2084 = local_5[1u];
-let _e2088 = local_5[2u];
-let _e2092 = local_5[1u];
-let _e2095 = (_e1880 + (((_e1971 + ((f32(bitcast<i32>(((_e1964 >> bitcast<u32>((_e1972 & 31u))) & 65535u))) - _e1971) * _e1979)) - _e1880) * _e2092));
-let _e2096 = local_5[2u];
-let _e2100 = local_5[1u];
-let _e2104 = local_5[2u];
-let _e2108 = local_5[2u];
-let _e2116 = global_1.member.member_5.member_4.member;
-let _e2122 = global_1.member.member_5.member_4.member_1;
-let _e2123 = (((_e2038 + ((_e2042 - _e2038) * _e2108)) * _e2116) + _e2122);
-let _e2125 = select(0f, _e2123, (_e2123 > 0f));
-let _e2127 = select(1f, _e2125, (_e2125 < 1f));
-let _e2129 = (((_e2046 + (((_e1506 + (((_e1586 + ((_e1593 - _e1586) * _e1608)) - _e1506) * _e2047)) - _e2046) * _e2052)) * _e2116) + _e2122);
-let _e2131 = select(0f, _e2129, (_e2129 > 0f));
-let _e2133 = select(1f, _e2131, (_e2131 < 1f));
-let _e2135 = (((_e2059 + (((_e1514 + (((_e1600 + ((f32(bitcast<i32>(((_e1579 >> bitcast<u32>((_e1601 & 31u))) & 65535u))) - _e1600) * _e1616)) - _e1514) * _e2060)) - _e2059) * _e2064)) * _e2116) + _e2122);
-let _e2137 = select(0f, _e2135, (_e2135 > 0f));
-let _e2139 = select(1f, _e2137, (_e2137 < 1f));
-let _e2141 = (((_e2071 + (((_e1778 + ((_e1510 - _e1778) * _e2072)) - _e2071) * _e2076)) * _e2116) + _e2122);
-let _e2143 = select(0f, _e2141, (_e2141 > 0f));
-let _e2145 = select(1f, _e2143, (_e2143 < 1f));
-let _e2147 = (((_e2083 + (((_e1615 + (((_e1818 + ((f32(bitcast<i32>(((_e1811 >> bitcast<u32>((_e1819 & 31u))) & 65535u))) - _e1818) * _e1826)) - _e1615) * _e2084)) - _e2083) * _e2088)) * _e2116) + _e2122);
-let _e2149 = select(0f, _e2147, (_e2147 > 0f));
-let _e2151 = select(1f, _e2149, (_e2149 < 1f));
-let _e2153 = (((_e2095 + ((_e2038 - _e2095) * _e2096)) * _e2116) + _e2122);
-let _e2155 = select(0f, _e2153, (_e2153 > 0f));
-let _e2157 = select(1f, _e2155, (_e2155 < 1f));
-let _e2159 = (((_e2042 + (((_e1931 + (((_e2022 + ((f32(bitcast<i32>(((_e2015 >> bitcast<u32>((_e2023 & 31u))) & 65535u))) - _e2022) * _e2030)) - _e1931) * _e2100)) - _e2042) * _e2104)) * _e2116) + _e2122);
-let _e2161 = select(0f, _e2159, (_e2159 > 0f));
-let _e2163 = select(1f, _e2161, (_e2161 < 1f));
-let _e2164 = (_e2127 * 1024f);
-let _e2165 = (1024f - 1f);
-let _e2167 = select(0f, _e2164, (_e2164 > 0f));
-let _e2169 = select(_e2165, _e2167, (_e2167 < _e2165));
-let _e2176 = select(0i, select(select(i32(_e2169), i32(-2147483648), (_e2169 < -2147483600f)), 2147483647i, (_e2169 > 2147483500f)), (_e2169 == _e2169));
-let _e2180 = (_e2176 - select(0i, 1i, (_e2169 < f32(_e2176))));
-let _e2181 = (262147i + _e2180);
-let _e2183 = (bitcast<i32>(_e94) - 1i);
-let _e2185 = select(_e2183, _e2181, (_e2181 < _e2183));
-let _e2191 = global_4.member[bitcast<u32>(select(0i, _e2185, (_e2185 > 0i)))];
-let _e2201 = select(_e2183, 262146i, (262146i < _e2183));
-let _e2207 = global_4.member[bitcast<u32>(select(0i, _e2201, (_e2201 > 0i)))];
-let _e2208 = bitcast<f32>(_e2207);
-let _e2209 = (f32((bitcast<i32>((_e2191 & 4095u)) - 2048i)) * _e2208);
-let _e2211 = select(_e2183, 262144i, (262144i < _e2183));
-let _e2217 = global_4.member[bitcast<u32>(select(0i, _e2211, (_e2211 > 0i)))];
-let _e2218 = bitcast<f32>(_e2217);
-let _e2220 = select(_e2183, 262145i, (262145i < _e2183));
-let _e2226 = global_4.member[bitcast<u32>(select(0i, _e2220, (_e2220 > 0i)))];
-let _e2227 = bitcast<f32>(_e2226);
-let _e2233 = ((_e2218 + (f32(bitcast<i32>((_e2191 >> bitcast<u32>(12u)))) * _e2227)) + (_e2209 * (_e2164 - f32(_e2180))));
-let _e2234 = (_e2209 * 1024f);
-if _e639 {
-let _e2499 = ((0.5f * (_e2139 - _e2133)) * _e2234);
-let _e2500 = ((0.5f * (_e2151 - _e2145)) * _e2234);
-let _e2501 = ((0.5f * (_e2163 - _e2157)) * _e2234);
-phi_5874_ = type_19(_e2233, vec3<f32>(_e2499, _e2500, _e2501), vec3<f32>((_e2499 * _e2233), (_e2500 * _e2233), (_e2501 * _e2233)));
+let _e622 = (_e103.member_2 == 2u);
+let _e625 = (((_e103.member_2 == 1u) || _e622) || (_e103.member_2 == 5u));
+if _e625 {
+let _e627 = select(-1f, _e454, (_e454 > -1f));
+let _e629 = select(_e449, _e627, (_e627 < _e449));
+let _e636 = select(0i, select(select(i32(_e629), i32(-2147483648), (_e629 < -2147483600f)), 2147483647i, (_e629 > 2147483500f)), (_e629 == _e629));
+let _e640 = (_e636 - select(0i, 1i, (_e629 < f32(_e636))));
+let _e642 = select(-1f, _e464, (_e464 > -1f));
+let _e644 = select(_e459, _e642, (_e642 < _e459));
+let _e651 = select(0i, select(select(i32(_e644), i32(-2147483648), (_e644 < -2147483600f)), 2147483647i, (_e644 > 2147483500f)), (_e644 == _e644));
+let _e655 = (_e651 - select(0i, 1i, (_e644 < f32(_e651))));
+let _e657 = select(-1f, _e474, (_e474 > -1f));
+let _e659 = select(_e469, _e657, (_e657 < _e469));
+let _e666 = select(0i, select(select(i32(_e659), i32(-2147483648), (_e659 < -2147483600f)), 2147483647i, (_e659 > 2147483500f)), (_e659 == _e659));
+let _e670 = (_e666 - select(0i, 1i, (_e659 < f32(_e666))));
+let _e674 = global_1.member.member_6.member_7;
+let _e678 = global_1.member.member_6.member_8;
+let _e686 = (select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)) - 1i);
+let _e687 = (_e655 - 1i);
+let _e692 = (_e655 + 1i);
+let _e695 = (_e655 + 2i);
+let _e705 = (select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < -2147483600f)), 2147483647i, (_e469 > 2147483500f)), (_e469 == _e469)) - 1i);
+let _e706 = (_e670 - 1i);
+let _e711 = (_e670 + 1i);
+let _e714 = (_e670 + 2i);
+let _e723 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < -2147483600f)), 2147483647i, (_e449 > 2147483500f)), (_e449 == _e449));
+let _e724 = (_e723 - 1i);
+let _e725 = (_e640 - 1i);
+let _e727 = select(0i, _e725, (_e725 > 0i));
+let _e729 = select(0i, _e640, (_e640 > 0i));
+let _e730 = (_e640 + 1i);
+let _e732 = select(_e724, _e730, (_e730 < _e724));
+let _e733 = (_e640 + 2i);
+let _e736 = (_e723 - 2i);
+let _e738 = select(0i, _e736, (_e736 > 0i));
+let _e740 = select(_e738, _e727, (_e727 < _e738));
+let _e742 = select(_e738, _e729, (_e729 < _e738));
+let _e744 = select(_e738, _e732, (_e732 < _e738));
+let _e763 = (select(0i, _e687, (_e687 > 0i)) * _e674);
+let _e764 = (select(0i, _e655, (_e655 > 0i)) * _e674);
+let _e765 = (select(_e686, _e692, (_e692 < _e686)) * _e674);
+let _e766 = (select(_e686, _e695, (_e695 < _e686)) * _e674);
+let _e767 = (select(0i, _e706, (_e706 > 0i)) * _e678);
+let _e768 = (select(0i, _e670, (_e670 > 0i)) * _e678);
+let _e769 = (select(_e705, _e711, (_e711 < _e705)) * _e678);
+let _e770 = (select(_e705, _e714, (_e714 < _e705)) * _e678);
+local_4 = type_28(array<i32, 4>(_e740, _e742, _e744, 0i), array<u32, 6>(bitcast<u32>(((_e727 - _e740) * 16i)), bitcast<u32>(((_e729 - _e740) * 16i)), bitcast<u32>(((_e729 - _e742) * 16i)), bitcast<u32>(((_e732 - _e742) * 16i)), bitcast<u32>(((_e732 - _e744) * 16i)), bitcast<u32>(((select(_e724, _e733, (_e733 < _e724)) - _e744) * 16i))));
+local_5 = vec3<f32>((_e454 - f32(_e640)), (_e464 - f32(_e655)), (_e474 - f32(_e670)));
+let _e782 = (_e768 + _e764);
+let _e785 = local_4.member[0u];
+let _e786 = (_e782 + _e785);
+let _e788 = (_e786 >> bitcast<u32>(1i));
+let _e791 = bitcast<u32>(((_e786 & 1i) * 16i));
+let _e793 = (bitcast<i32>(_e89) - 1i);
+let _e795 = select(_e793, _e788, (_e788 < _e793));
+let _e800 = global_2.member[bitcast<u32>(select(0i, _e795, (_e795 > 0i)))];
+let _e804 = (_e788 + 1i);
+let _e806 = select(_e793, _e804, (_e804 < _e793));
+let _e811 = global_2.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
+let _e818 = ((_e800 >> bitcast<u32>((_e791 & 31u))) | ((_e811 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e791) & 31u))));
+let _e821 = local_4.member[2u];
+let _e822 = (_e782 + _e821);
+let _e824 = (_e822 >> bitcast<u32>(1i));
+let _e827 = bitcast<u32>(((_e822 & 1i) * 16i));
+let _e829 = select(_e793, _e824, (_e824 < _e793));
+let _e834 = global_2.member[bitcast<u32>(select(0i, _e829, (_e829 > 0i)))];
+let _e838 = (_e824 + 1i);
+let _e840 = select(_e793, _e838, (_e838 < _e793));
+let _e845 = global_2.member[bitcast<u32>(select(0i, _e840, (_e840 > 0i)))];
+let _e852 = ((_e834 >> bitcast<u32>((_e827 & 31u))) | ((_e845 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e827) & 31u))));
+let _e855 = local_4.member_1[0u];
+let _e861 = f32(bitcast<i32>(((_e818 >> bitcast<u32>((_e855 & 31u))) & 65535u)));
+let _e864 = local_4.member_1[1u];
+let _e870 = f32(bitcast<i32>(((_e818 >> bitcast<u32>((_e864 & 31u))) & 65535u)));
+let _e873 = local_4.member_1[4u];
+let _e879 = f32(bitcast<i32>(((_e852 >> bitcast<u32>((_e873 & 31u))) & 65535u)));
+let _e882 = local_4.member_1[5u];
+let _e889 = local_5[0u];
+let _e892 = (_e861 + ((_e870 - _e861) * _e889));
+let _e893 = local_5[0u];
+let _e896 = (_e870 + ((_e879 - _e870) * _e893));
+let _e897 = local_5[0u];
+let _e900 = (_e879 + ((f32(bitcast<i32>(((_e852 >> bitcast<u32>((_e882 & 31u))) & 65535u))) - _e879) * _e897));
+let _e901 = (_e768 + _e765);
+let _e902 = local_4.member[0u];
+let _e903 = (_e901 + _e902);
+let _e905 = (_e903 >> bitcast<u32>(1i));
+let _e908 = bitcast<u32>(((_e903 & 1i) * 16i));
+let _e910 = select(_e793, _e905, (_e905 < _e793));
+let _e915 = global_2.member[bitcast<u32>(select(0i, _e910, (_e910 > 0i)))];
+let _e919 = (_e905 + 1i);
+let _e921 = select(_e793, _e919, (_e919 < _e793));
+let _e926 = global_2.member[bitcast<u32>(select(0i, _e921, (_e921 > 0i)))];
+let _e933 = ((_e915 >> bitcast<u32>((_e908 & 31u))) | ((_e926 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e908) & 31u))));
+let _e934 = local_4.member[2u];
+let _e935 = (_e901 + _e934);
+let _e937 = (_e935 >> bitcast<u32>(1i));
+let _e940 = bitcast<u32>(((_e935 & 1i) * 16i));
+let _e942 = select(_e793, _e937, (_e937 < _e793));
+let _e947 = global_2.member[bitcast<u32>(select(0i, _e942, (_e942 > 0i)))];
+let _e951 = (_e937 + 1i);
+let _e953 = select(_e793, _e951, (_e951 < _e793));
+let _e958 = global_2.member[bitcast<u32>(select(0i, _e953, (_e953 > 0i)))];
+let _e965 = ((_e947 >> bitcast<u32>((_e940 & 31u))) | ((_e958 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e940) & 31u))));
+let _e966 = local_4.member_1[0u];
+let _e972 = f32(bitcast<i32>(((_e933 >> bitcast<u32>((_e966 & 31u))) & 65535u)));
+let _e973 = local_4.member_1[1u];
+let _e979 = f32(bitcast<i32>(((_e933 >> bitcast<u32>((_e973 & 31u))) & 65535u)));
+let _e980 = local_4.member_1[4u];
+let _e986 = f32(bitcast<i32>(((_e965 >> bitcast<u32>((_e980 & 31u))) & 65535u)));
+let _e987 = local_4.member_1[5u];
+let _e994 = local_5[0u];
+let _e998 = local_5[0u];
+let _e1001 = (_e979 + ((_e986 - _e979) * _e998));
+let _e1002 = local_5[0u];
+let _e1006 = (_e769 + _e764);
+let _e1007 = local_4.member[0u];
+let _e1008 = (_e1006 + _e1007);
+let _e1010 = (_e1008 >> bitcast<u32>(1i));
+let _e1013 = bitcast<u32>(((_e1008 & 1i) * 16i));
+let _e1015 = select(_e793, _e1010, (_e1010 < _e793));
+let _e1020 = global_2.member[bitcast<u32>(select(0i, _e1015, (_e1015 > 0i)))];
+let _e1024 = (_e1010 + 1i);
+let _e1026 = select(_e793, _e1024, (_e1024 < _e793));
+let _e1031 = global_2.member[bitcast<u32>(select(0i, _e1026, (_e1026 > 0i)))];
+let _e1038 = ((_e1020 >> bitcast<u32>((_e1013 & 31u))) | ((_e1031 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1013) & 31u))));
+let _e1039 = local_4.member[2u];
+let _e1040 = (_e1006 + _e1039);
+let _e1042 = (_e1040 >> bitcast<u32>(1i));
+let _e1045 = bitcast<u32>(((_e1040 & 1i) * 16i));
+let _e1047 = select(_e793, _e1042, (_e1042 < _e793));
+let _e1052 = global_2.member[bitcast<u32>(select(0i, _e1047, (_e1047 > 0i)))];
+let _e1056 = (_e1042 + 1i);
+let _e1058 = select(_e793, _e1056, (_e1056 < _e793));
+let _e1063 = global_2.member[bitcast<u32>(select(0i, _e1058, (_e1058 > 0i)))];
+let _e1070 = ((_e1052 >> bitcast<u32>((_e1045 & 31u))) | ((_e1063 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1045) & 31u))));
+let _e1071 = local_4.member_1[0u];
+let _e1077 = f32(bitcast<i32>(((_e1038 >> bitcast<u32>((_e1071 & 31u))) & 65535u)));
+let _e1078 = local_4.member_1[1u];
+let _e1084 = f32(bitcast<i32>(((_e1038 >> bitcast<u32>((_e1078 & 31u))) & 65535u)));
+let _e1085 = local_4.member_1[4u];
+let _e1091 = f32(bitcast<i32>(((_e1070 >> bitcast<u32>((_e1085 & 31u))) & 65535u)));
+let _e1092 = local_4.member_1[5u];
+let _e1099 = local_5[0u];
+let _e1102 = (_e1077 + ((_e1084 - _e1077) * _e1099));
+let _e1103 = local_5[0u];
+let _e1106 = (_e1084 + ((_e1091 - _e1084) * _e1103));
+let _e1107 = local_5[0u];
+let _e1110 = (_e1091 + ((f32(bitcast<i32>(((_e1070 >> bitcast<u32>((_e1092 & 31u))) & 65535u))) - _e1091) * _e1107));
+let _e1111 = (_e769 + _e765);
+let _e1112 = local_4.member[0u];
+let _e1113 = (_e1111 + _e1112);
+let _e1115 = (_e1113 >> bitcast<u32>(1i));
+let _e1118 = bitcast<u32>(((_e1113 & 1i) * 16i));
+let _e1120 = select(_e793, _e1115, (_e1115 < _e793));
+let _e1125 = global_2.member[bitcast<u32>(select(0i, _e1120, (_e1120 > 0i)))];
+let _e1129 = (_e1115 + 1i);
+let _e1131 = select(_e793, _e1129, (_e1129 < _e793));
+let _e1136 = global_2.member[bitcast<u32>(select(0i, _e1131, (_e1131 > 0i)))];
+let _e1143 = ((_e1125 >> bitcast<u32>((_e1118 & 31u))) | ((_e1136 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1118) & 31u))));
+let _e1144 = local_4.member[2u];
+let _e1145 = (_e1111 + _e1144);
+let _e1147 = (_e1145 >> bitcast<u32>(1i));
+let _e1150 = bitcast<u32>(((_e1145 & 1i) * 16i));
+let _e1152 = select(_e793, _e1147, (_e1147 < _e793));
+let _e1157 = global_2.member[bitcast<u32>(select(0i, _e1152, (_e1152 > 0i)))];
+let _e1161 = (_e1147 + 1i);
+let _e1163 = select(_e793, _e1161, (_e1161 < _e793));
+let _e1168 = global_2.member[bitcast<u32>(select(0i, _e1163, (_e1163 > 0i)))];
+let _e1175 = ((_e1157 >> bitcast<u32>((_e1150 & 31u))) | ((_e1168 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1150) & 31u))));
+let _e1176 = local_4.member_1[0u];
+let _e1182 = f32(bitcast<i32>(((_e1143 >> bitcast<u32>((_e1176 & 31u))) & 65535u)));
+let _e1183 = local_4.member_1[1u];
+let _e1189 = f32(bitcast<i32>(((_e1143 >> bitcast<u32>((_e1183 & 31u))) & 65535u)));
+let _e1190 = local_4.member_1[4u];
+let _e1196 = f32(bitcast<i32>(((_e1175 >> bitcast<u32>((_e1190 & 31u))) & 65535u)));
+let _e1197 = local_4.member_1[5u];
+let _e1204 = local_5[0u];
+let _e1208 = local_5[0u];
+let _e1211 = (_e1189 + ((_e1196 - _e1189) * _e1208));
+let _e1212 = local_5[0u];
+let _e1219 = local_4.member[1u];
+let _e1220 = ((_e768 + _e763) + _e1219);
+let _e1222 = (_e1220 >> bitcast<u32>(1i));
+let _e1225 = bitcast<u32>(((_e1220 & 1i) * 16i));
+let _e1227 = select(_e793, _e1222, (_e1222 < _e793));
+let _e1232 = global_2.member[bitcast<u32>(select(0i, _e1227, (_e1227 > 0i)))];
+let _e1236 = (_e1222 + 1i);
+let _e1238 = select(_e793, _e1236, (_e1236 < _e793));
+let _e1243 = global_2.member[bitcast<u32>(select(0i, _e1238, (_e1238 > 0i)))];
+let _e1250 = ((_e1232 >> bitcast<u32>((_e1225 & 31u))) | ((_e1243 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1225) & 31u))));
+let _e1253 = local_4.member_1[2u];
+let _e1259 = f32(bitcast<i32>(((_e1250 >> bitcast<u32>((_e1253 & 31u))) & 65535u)));
+let _e1262 = local_4.member_1[3u];
+let _e1269 = local_5[0u];
+let _e1272 = (_e1259 + ((f32(bitcast<i32>(((_e1250 >> bitcast<u32>((_e1262 & 31u))) & 65535u))) - _e1259) * _e1269));
+let _e1274 = local_4.member[1u];
+let _e1275 = ((_e768 + _e766) + _e1274);
+let _e1277 = (_e1275 >> bitcast<u32>(1i));
+let _e1280 = bitcast<u32>(((_e1275 & 1i) * 16i));
+let _e1282 = select(_e793, _e1277, (_e1277 < _e793));
+let _e1287 = global_2.member[bitcast<u32>(select(0i, _e1282, (_e1282 > 0i)))];
+let _e1291 = (_e1277 + 1i);
+let _e1293 = select(_e793, _e1291, (_e1291 < _e793));
+let _e1298 = global_2.member[bitcast<u32>(select(0i, _e1293, (_e1293 > 0i)))];
+let _e1305 = ((_e1287 >> bitcast<u32>((_e1280 & 31u))) | ((_e1298 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1280) & 31u))));
+let _e1306 = local_4.member_1[2u];
+let _e1312 = f32(bitcast<i32>(((_e1305 >> bitcast<u32>((_e1306 & 31u))) & 65535u)));
+let _e1313 = local_4.member_1[3u];
+let _e1320 = local_5[0u];
+let _e1325 = local_4.member[1u];
+let _e1326 = ((_e769 + _e763) + _e1325);
+let _e1328 = (_e1326 >> bitcast<u32>(1i));
+let _e1331 = bitcast<u32>(((_e1326 & 1i) * 16i));
+let _e1333 = select(_e793, _e1328, (_e1328 < _e793));
+let _e1338 = global_2.member[bitcast<u32>(select(0i, _e1333, (_e1333 > 0i)))];
+let _e1342 = (_e1328 + 1i);
+let _e1344 = select(_e793, _e1342, (_e1342 < _e793));
+let _e1349 = global_2.member[bitcast<u32>(select(0i, _e1344, (_e1344 > 0i)))];
+let _e1356 = ((_e1338 >> bitcast<u32>((_e1331 & 31u))) | ((_e1349 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1331) & 31u))));
+let _e1357 = local_4.member_1[2u];
+let _e1363 = f32(bitcast<i32>(((_e1356 >> bitcast<u32>((_e1357 & 31u))) & 65535u)));
+let _e1364 = local_4.member_1[3u];
+let _e1371 = local_5[0u];
+let _e1374 = (_e1363 + ((f32(bitcast<i32>(((_e1356 >> bitcast<u32>((_e1364 & 31u))) & 65535u))) - _e1363) * _e1371));
+let _e1376 = local_4.member[1u];
+let _e1377 = ((_e769 + _e766) + _e1376);
+let _e1379 = (_e1377 >> bitcast<u32>(1i));
+let _e1382 = bitcast<u32>(((_e1377 & 1i) * 16i));
+let _e1384 = select(_e793, _e1379, (_e1379 < _e793));
+let _e1389 = global_2.member[bitcast<u32>(select(0i, _e1384, (_e1384 > 0i)))];
+let _e1393 = (_e1379 + 1i);
+let _e1395 = select(_e793, _e1393, (_e1393 < _e793));
+let _e1400 = global_2.member[bitcast<u32>(select(0i, _e1395, (_e1395 > 0i)))];
+let _e1407 = ((_e1389 >> bitcast<u32>((_e1382 & 31u))) | ((_e1400 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1382) & 31u))));
+let _e1408 = local_4.member_1[2u];
+let _e1414 = f32(bitcast<i32>(((_e1407 >> bitcast<u32>((_e1408 & 31u))) & 65535u)));
+let _e1415 = local_4.member_1[3u];
+let _e1422 = local_5[0u];
+let _e1427 = local_4.member[1u];
+let _e1428 = ((_e767 + _e764) + _e1427);
+let _e1430 = (_e1428 >> bitcast<u32>(1i));
+let _e1433 = bitcast<u32>(((_e1428 & 1i) * 16i));
+let _e1435 = select(_e793, _e1430, (_e1430 < _e793));
+let _e1440 = global_2.member[bitcast<u32>(select(0i, _e1435, (_e1435 > 0i)))];
+let _e1444 = (_e1430 + 1i);
+let _e1446 = select(_e793, _e1444, (_e1444 < _e793));
+let _e1451 = global_2.member[bitcast<u32>(select(0i, _e1446, (_e1446 > 0i)))];
+let _e1458 = ((_e1440 >> bitcast<u32>((_e1433 & 31u))) | ((_e1451 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1433) & 31u))));
+let _e1459 = local_4.member_1[2u];
+let _e1465 = f32(bitcast<i32>(((_e1458 >> bitcast<u32>((_e1459 & 31u))) & 65535u)));
+let _e1466 = local_4.member_1[3u];
+let _e1473 = local_5[0u];
+let _e1476 = (_e1465 + ((f32(bitcast<i32>(((_e1458 >> bitcast<u32>((_e1466 & 31u))) & 65535u))) - _e1465) * _e1473));
+let _e1478 = local_4.member[1u];
+let _e1479 = ((_e770 + _e764) + _e1478);
+let _e1481 = (_e1479 >> bitcast<u32>(1i));
+let _e1484 = bitcast<u32>(((_e1479 & 1i) * 16i));
+let _e1486 = select(_e793, _e1481, (_e1481 < _e793));
+let _e1491 = global_2.member[bitcast<u32>(select(0i, _e1486, (_e1486 > 0i)))];
+let _e1495 = (_e1481 + 1i);
+let _e1497 = select(_e793, _e1495, (_e1495 < _e793));
+let _e1502 = global_2.member[bitcast<u32>(select(0i, _e1497, (_e1497 > 0i)))];
+let _e1509 = ((_e1491 >> bitcast<u32>((_e1484 & 31u))) | ((_e1502 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1484) & 31u))));
+let _e1510 = local_4.member_1[2u];
+let _e1516 = f32(bitcast<i32>(((_e1509 >> bitcast<u32>((_e1510 & 31u))) & 65535u)));
+let _e1517 = local_4.member_1[3u];
+let _e1524 = local_5[0u];
+let _e1527 = (_e1516 + ((f32(bitcast<i32>(((_e1509 >> bitcast<u32>((_e1517 & 31u))) & 65535u))) - _e1516) * _e1524));
+let _e1529 = local_4.member[1u];
+let _e1530 = ((_e767 + _e765) + _e1529);
+let _e1532 = (_e1530 >> bitcast<u32>(1i));
+let _e1535 = bitcast<u32>(((_e1530 & 1i) * 16i));
+let _e1537 = select(_e793, _e1532, (_e1532 < _e793));
+let _e1542 = global_2.member[bitcast<u32>(select(0i, _e1537, (_e1537 > 0i)))];
+let _e1546 = (_e1532 + 1i);
+let _e1548 = select(_e793, _e1546, (_e1546 < _e793));
+let _e1553 = global_2.member[bitcast<u32>(select(0i, _e1548, (_e1548 > 0i)))];
+let _e1560 = ((_e1542 >> bitcast<u32>((_e1535 & 31u))) | ((_e1553 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1535) & 31u))));
+let _e1561 = local_4.member_1[2u];
+let _e1567 = f32(bitcast<i32>(((_e1560 >> bitcast<u32>((_e1561 & 31u))) & 65535u)));
+let _e1568 = local_4.member_1[3u];
+let _e1575 = local_5[0u];
+let _e1580 = local_4.member[1u];
+let _e1581 = ((_e770 + _e765) + _e1580);
+let _e1583 = (_e1581 >> bitcast<u32>(1i));
+let _e1586 = bitcast<u32>(((_e1581 & 1i) * 16i));
+let _e1588 = select(_e793, _e1583, (_e1583 < _e793));
+let _e1593 = global_2.member[bitcast<u32>(select(0i, _e1588, (_e1588 > 0i)))];
+let _e1597 = (_e1583 + 1i);
+let _e1599 = select(_e793, _e1597, (_e1597 < _e793));
+let _e1604 = global_2.member[bitcast<u32>(select(0i, _e1599, (_e1599 > 0i)))];
+let _e1611 = ((_e1593 >> bitcast<u32>((_e1586 & 31u))) | ((_e1604 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1586) & 31u))));
+let _e1612 = local_4.member_1[2u];
+let _e1618 = f32(bitcast<i32>(((_e1611 >> bitcast<u32>((_e1612 & 31u))) & 65535u)));
+let _e1619 = local_4.member_1[3u];
+let _e1626 = local_5[0u];
+let _e1631 = local_5[1u];
+let _e1634 = (_e896 + ((_e1001 - _e896) * _e1631));
+let _e1635 = local_5[1u];
+let _e1638 = (_e1106 + ((_e1211 - _e1106) * _e1635));
+let _e1639 = local_5[1u];
+let _e1642 = (_e892 + (((_e972 + ((_e979 - _e972) * _e994)) - _e892) * _e1639));
+let _e1643 = local_5[1u];
+let _e1648 = local_5[2u];
+let _e1652 = local_5[1u];
+let _e1655 = (_e900 + (((_e986 + ((f32(bitcast<i32>(((_e965 >> bitcast<u32>((_e987 & 31u))) & 65535u))) - _e986) * _e1002)) - _e900) * _e1652));
+let _e1656 = local_5[1u];
+let _e1660 = local_5[2u];
+let _e1664 = local_5[1u];
+let _e1667 = (_e1272 + ((_e896 - _e1272) * _e1664));
+let _e1668 = local_5[1u];
+let _e1672 = local_5[2u];
+let _e1676 = local_5[1u];
+let _e1679 = (_e1001 + (((_e1312 + ((f32(bitcast<i32>(((_e1305 >> bitcast<u32>((_e1313 & 31u))) & 65535u))) - _e1312) * _e1320)) - _e1001) * _e1676));
+let _e1680 = local_5[1u];
+let _e1684 = local_5[2u];
+let _e1688 = local_5[1u];
+let _e1691 = (_e1476 + (((_e1567 + ((f32(bitcast<i32>(((_e1560 >> bitcast<u32>((_e1568 & 31u))) & 65535u))) - _e1567) * _e1575)) - _e1476) * _e1688));
+let _e1692 = local_5[2u];
+let _e1696 = local_5[1u];
+let _e1700 = local_5[2u];
+let _e1704 = local_5[2u];
+let _e1711 = global_1.member.member_6.member_5;
+let _e1716 = global_1.member.member_6.member_6;
+let _e1717 = (((_e1634 + ((_e1638 - _e1634) * _e1704)) * _e1711) + _e1716);
+let _e1719 = select(0f, _e1717, (_e1717 > 0f));
+let _e1721 = select(1f, _e1719, (_e1719 < 1f));
+let _e1723 = (((_e1642 + (((_e1102 + (((_e1182 + ((_e1189 - _e1182) * _e1204)) - _e1102) * _e1643)) - _e1642) * _e1648)) * _e1711) + _e1716);
+let _e1725 = select(0f, _e1723, (_e1723 > 0f));
+let _e1727 = select(1f, _e1725, (_e1725 < 1f));
+let _e1729 = (((_e1655 + (((_e1110 + (((_e1196 + ((f32(bitcast<i32>(((_e1175 >> bitcast<u32>((_e1197 & 31u))) & 65535u))) - _e1196) * _e1212)) - _e1110) * _e1656)) - _e1655) * _e1660)) * _e1711) + _e1716);
+let _e1731 = select(0f, _e1729, (_e1729 > 0f));
+let _e1733 = select(1f, _e1731, (_e1731 < 1f));
+let _e1735 = (((_e1667 + (((_e1374 + ((_e1106 - _e1374) * _e1668)) - _e1667) * _e1672)) * _e1711) + _e1716);
+let _e1737 = select(0f, _e1735, (_e1735 > 0f));
+let _e1739 = select(1f, _e1737, (_e1737 < 1f));
+let _e1741 = (((_e1679 + (((_e1211 + (((_e1414 + ((f32(bitcast<i32>(((_e1407 >> bitcast<u32>((_e1415 & 31u))) & 65535u))) - _e1414) * _e1422)) - _e1211) * _e1680)) - _e1679) * _e1684)) * _e1711) + _e1716);
+let _e1743 = select(0f, _e1741, (_e1741 > 0f));
+let _e1745 = select(1f, _e1743, (_e1743 < 1f));
+let _e1747 = (((_e1691 + ((_e1634 - _e1691) * _e1692)) * _e1711) + _e1716);
+let _e1749 = select(0f, _e1747, (_e1747 > 0f));
+let _e1751 = select(1f, _e1749, (_e1749 < 1f));
+let _e1753 = (((_e1638 + (((_e1527 + (((_e1618 + ((f32(bitcast<i32>(((_e1611 >> bitcast<u32>((_e1619 & 31u))) & 65535u))) - _e1618) * _e1626)) - _e1527) * _e1696)) - _e1638) * _e1700)) * _e1711) + _e1716);
+let _e1755 = select(0f, _e1753, (_e1753 > 0f));
+let _e1757 = select(1f, _e1755, (_e1755 < 1f));
+let _e1758 = (_e1721 * 1024f);
+let _e1759 = (1024f - 1f);
+let _e1761 = select(0f, _e1758, (_e1758 > 0f));
+let _e1763 = select(_e1759, _e1761, (_e1761 < _e1759));
+let _e1770 = select(0i, select(select(i32(_e1763), i32(-2147483648), (_e1763 < -2147483600f)), 2147483647i, (_e1763 > 2147483500f)), (_e1763 == _e1763));
+let _e1774 = (_e1770 - select(0i, 1i, (_e1763 < f32(_e1770))));
+let _e1775 = (262147i + _e1774);
+let _e1777 = (bitcast<i32>(_e93) - 1i);
+let _e1779 = select(_e1777, _e1775, (_e1775 < _e1777));
+let _e1785 = global_4.member[bitcast<u32>(select(0i, _e1779, (_e1779 > 0i)))];
+let _e1795 = select(_e1777, 262146i, (262146i < _e1777));
+let _e1801 = global_4.member[bitcast<u32>(select(0i, _e1795, (_e1795 > 0i)))];
+let _e1802 = bitcast<f32>(_e1801);
+let _e1803 = (f32((bitcast<i32>((_e1785 & 4095u)) - 2048i)) * _e1802);
+let _e1805 = select(_e1777, 262144i, (262144i < _e1777));
+let _e1811 = global_4.member[bitcast<u32>(select(0i, _e1805, (_e1805 > 0i)))];
+let _e1812 = bitcast<f32>(_e1811);
+let _e1814 = select(_e1777, 262145i, (262145i < _e1777));
+let _e1820 = global_4.member[bitcast<u32>(select(0i, _e1814, (_e1814 > 0i)))];
+let _e1821 = bitcast<f32>(_e1820);
+let _e1827 = ((_e1812 + (f32(bitcast<i32>((_e1785 >> bitcast<u32>(12u)))) * _e1821)) + (_e1803 * (_e1758 - f32(_e1774))));
+let _e1828 = (_e1803 * 1024f);
+if _e622 {
+let _e1835 = ((0.5f * (_e1733 - _e1727)) * _e1828);
+let _e1836 = ((0.5f * (_e1745 - _e1739)) * _e1828);
+let _e1837 = ((0.5f * (_e1757 - _e1751)) * _e1828);
+phi_4105_ = type_29(_e1827, vec3<f32>(_e1835, _e1836, _e1837), vec3<f32>((_e1835 * _e1827), (_e1836 * _e1827), (_e1837 * _e1827)));
 } else {
-let _e2235 = (_e2133 * 1024f);
-let _e2237 = select(0f, _e2235, (_e2235 > 0f));
-let _e2239 = select(_e2165, _e2237, (_e2237 < _e2165));
-let _e2246 = select(0i, select(select(i32(_e2239), i32(-2147483648), (_e2239 < -2147483600f)), 2147483647i, (_e2239 > 2147483500f)), (_e2239 == _e2239));
-let _e2250 = (_e2246 - select(0i, 1i, (_e2239 < f32(_e2246))));
-let _e2251 = (262147i + _e2250);
-let _e2253 = select(_e2183, _e2251, (_e2251 < _e2183));
-let _e2259 = global_4.member[bitcast<u32>(select(0i, _e2253, (_e2253 > 0i)))];
-let _e2274 = ((_e2218 + (f32(bitcast<i32>((_e2259 >> bitcast<u32>(12u)))) * _e2227)) + ((f32((bitcast<i32>((_e2259 & 4095u)) - 2048i)) * _e2208) * (_e2235 - f32(_e2250))));
-let _e2275 = (_e2139 * 1024f);
-let _e2277 = select(0f, _e2275, (_e2275 > 0f));
-let _e2279 = select(_e2165, _e2277, (_e2277 < _e2165));
-let _e2286 = select(0i, select(select(i32(_e2279), i32(-2147483648), (_e2279 < -2147483600f)), 2147483647i, (_e2279 > 2147483500f)), (_e2279 == _e2279));
-let _e2290 = (_e2286 - select(0i, 1i, (_e2279 < f32(_e2286))));
-let _e2291 = (262147i + _e2290);
-let _e2293 = select(_e2183, _e2291, (_e2291 < _e2183));
-let _e2299 = global_4.member[bitcast<u32>(select(0i, _e2293, (_e2293 > 0i)))];
-let _e2314 = ((_e2218 + (f32(bitcast<i32>((_e2299 >> bitcast<u32>(12u)))) * _e2227)) + ((f32((bitcast<i32>((_e2299 & 4095u)) - 2048i)) * _e2208) * (_e2275 - f32(_e2290))));
-let _e2315 = (_e2145 * 1024f);
-let _e2317 = select(0f, _e2315, (_e2315 > 0f));
-let _e2319 = select(_e2165, _e2317, (_e2317 < _e2165));
-let _e2326 = select(0i, select(select(i32(_e2319), i32(-2147483648), (_e2319 < -2147483600f)), 2147483647i, (_e2319 > 2147483500f)), (_e2319 == _e2319));
-let _e2330 = (_e2326 - select(0i, 1i, (_e2319 < f32(_e2326))));
-let _e2331 = (262147i + _e2330);
-let _e2333 = select(_e2183, _e2331, (_e2331 < _e2183));
-let _e2339 = global_4.member[bitcast<u32>(select(0i, _e2333, (_e2333 > 0i)))];
-let _e2354 = ((_e2218 + (f32(bitcast<i32>((_e2339 >> bitcast<u32>(12u)))) * _e2227)) + ((f32((bitcast<i32>((_e2339 & 4095u)) - 2048i)) * _e2208) * (_e2315 - f32(_e2330))));
-let _e2355 = (_e2151 * 1024f);
-let _e2357 = select(0f, _e2355, (_e2355 > 0f));
-let _e2359 = select(_e2165, _e2357, (_e2357 < _e2165));
-let _e2366 = select(0i, select(select(i32(_e2359), i32(-2147483648), (_e2359 < -2147483600f)), 2147483647i, (_e2359 > 2147483500f)), (_e2359 == _e2359));
-let _e2370 = (_e2366 - select(0i, 1i, (_e2359 < f32(_e2366))));
-let _e2371 = (262147i + _e2370);
-let _e2373 = select(_e2183, _e2371, (_e2371 < _e2183));
-let _e2379 = global_4.member[bitcast<u32>(select(0i, _e2373, (_e2373 > 0i)))];
-let _e2394 = ((_e2218 + (f32(bitcast<i32>((_e2379 >> bitcast<u32>(12u)))) * _e2227)) + ((f32((bitcast<i32>((_e2379 & 4095u)) - 2048i)) * _e2208) * (_e2355 - f32(_e2370))));
-let _e2395 = (_e2157 * 1024f);
-let _e2397 = select(0f, _e2395, (_e2395 > 0f));
-let _e2399 = select(_e2165, _e2397, (_e2397 < _e2165));
-let _e2406 = select(0i, select(select(i32(_e2399), i32(-2147483648), (_e2399 < -2147483600f)), 2147483647i, (_e2399 > 2147483500f)), (_e2399 == _e2399));
-let _e2410 = (_e2406 - select(0i, 1i, (_e2399 < f32(_e2406))));
-let _e2411 = (262147i + _e2410);
-let _e2413 = select(_e2183, _e2411, (_e2411 < _e2183));
-let _e2419 = global_4.member[bitcast<u32>(select(0i, _e2413, (_e2413 > 0i)))];
-let _e2434 = ((_e2218 + (f32(bitcast<i32>((_e2419 >> bitcast<u32>(12u)))) * _e2227)) + ((f32((bitcast<i32>((_e2419 & 4095u)) - 2048i)) * _e2208) * (_e2395 - f32(_e2410))));
-let _e2435 = (_e2163 * 1024f);
-let _e2437 = select(0f, _e2435, (_e2435 > 0f));
-let _e2439 = select(_e2165, _e2437, (_e2437 < _e2165));
-let _e2446 = select(0i, select(select(i32(_e2439), i32(-2147483648), (_e2439 < -2147483600f)), 2147483647i, (_e2439 > 2147483500f)), (_e2439 == _e2439));
-let _e2450 = (_e2446 - select(0i, 1i, (_e2439 < f32(_e2446))));
-let _e2451 = (262147i + _e2450);
-let _e2453 = select(_e2183, _e2451, (_e2451 < _e2183));
-let _e2459 = global_4.member[bitcast<u32>(select(0i, _e2453, (_e2453 > 0i)))];
-let _e2474 = ((_e2218 + (f32(bitcast<i32>((_e2459 >> bitcast<u32>(12u)))) * _e2227)) + ((f32((bitcast<i32>((_e2459 & 4095u)) - 2048i)) * _e2208) * (_e2435 - f32(_e2450))));
-let _e2475 = (_e2314 - _e2274);
-let _e2477 = (_e2394 - _e2354);
-let _e2479 = (_e2474 - _e2434);
-phi_5874_ = type_19(_e2233, vec3<f32>((0.5f * _e2475), (0.5f * _e2477), (0.5f * _e2479)), vec3<f32>((0.25f * (_e2475 * (_e2314 + _e2274))), (0.25f * (_e2477 * (_e2394 + _e2354))), (0.25f * (_e2479 * (_e2474 + _e2434)))));
+let _e1844 = (_e1727 * 1024f);
+let _e1846 = select(0f, _e1844, (_e1844 > 0f));
+let _e1848 = select(_e1759, _e1846, (_e1846 < _e1759));
+let _e1855 = select(0i, select(select(i32(_e1848), i32(-2147483648), (_e1848 < -2147483600f)), 2147483647i, (_e1848 > 2147483500f)), (_e1848 == _e1848));
+let _e1859 = (_e1855 - select(0i, 1i, (_e1848 < f32(_e1855))));
+let _e1860 = (262147i + _e1859);
+let _e1862 = select(_e1777, _e1860, (_e1860 < _e1777));
+let _e1868 = global_4.member[bitcast<u32>(select(0i, _e1862, (_e1862 > 0i)))];
+let _e1883 = ((_e1812 + (f32(bitcast<i32>((_e1868 >> bitcast<u32>(12u)))) * _e1821)) + ((f32((bitcast<i32>((_e1868 & 4095u)) - 2048i)) * _e1802) * (_e1844 - f32(_e1859))));
+let _e1884 = (_e1733 * 1024f);
+let _e1886 = select(0f, _e1884, (_e1884 > 0f));
+let _e1888 = select(_e1759, _e1886, (_e1886 < _e1759));
+let _e1895 = select(0i, select(select(i32(_e1888), i32(-2147483648), (_e1888 < -2147483600f)), 2147483647i, (_e1888 > 2147483500f)), (_e1888 == _e1888));
+let _e1899 = (_e1895 - select(0i, 1i, (_e1888 < f32(_e1895))));
+let _e1900 = (262147i + _e1899);
+let _e1902 = select(_e1777, _e1900, (_e1900 < _e1777));
+let _e1908 = global_4.member[bitcast<u32>(select(0i, _e1902, (_e1902 > 0i)))];
+let _e1923 = ((_e1812 + (f32(bitcast<i32>((_e1908 >> bitcast<u32>(12u)))) * _e1821)) + ((f32((bitcast<i32>((_e1908 & 4095u)) - 2048i)) * _e1802) * (_e1884 - f32(_e1899))));
+let _e1924 = (_e1739 * 1024f);
+let _e1926 = select(0f, _e1924, (_e1924 > 0f));
+let _e1928 = select(_e1759, _e1926, (_e1926 < _e1759));
+let _e1935 = select(0i, select(select(i32(_e1928), i32(-2147483648), (_e1928 < -2147483600f)), 2147483647i, (_e1928 > 2147483500f)), (_e1928 == _e1928));
+let _e1939 = (_e1935 - select(0i, 1i, (_e1928 < f32(_e1935))));
+let _e1940 = (262147i + _e1939);
+let _e1942 = select(_e1777, _e1940, (_e1940 < _e1777));
+let _e1948 = global_4.member[bitcast<u32>(select(0i, _e1942, (_e1942 > 0i)))];
+let _e1963 = ((_e1812 + (f32(bitcast<i32>((_e1948 >> bitcast<u32>(12u)))) * _e1821)) + ((f32((bitcast<i32>((_e1948 & 4095u)) - 2048i)) * _e1802) * (_e1924 - f32(_e1939))));
+let _e1964 = (_e1745 * 1024f);
+let _e1966 = select(0f, _e1964, (_e1964 > 0f));
+let _e1968 = select(_e1759, _e1966, (_e1966 < _e1759));
+let _e1975 = select(0i, select(select(i32(_e1968), i32(-2147483648), (_e1968 < -2147483600f)), 2147483647i, (_e1968 > 2147483500f)), (_e1968 == _e1968));
+let _e1979 = (_e1975 - select(0i, 1i, (_e1968 < f32(_e1975))));
+let _e1980 = (262147i + _e1979);
+let _e1982 = select(_e1777, _e1980, (_e1980 < _e1777));
+let _e1988 = global_4.member[bitcast<u32>(select(0i, _e1982, (_e1982 > 0i)))];
+let _e2003 = ((_e1812 + (f32(bitcast<i32>((_e1988 >> bitcast<u32>(12u)))) * _e1821)) + ((f32((bitcast<i32>((_e1988 & 4095u)) - 2048i)) * _e1802) * (_e1964 - f32(_e1979))));
+let _e2004 = (_e1751 * 1024f);
+let _e2006 = select(0f, _e2004, (_e2004 > 0f));
+let _e2008 = select(_e1759, _e2006, (_e2006 < _e1759));
+let _e2015 = select(0i, select(select(i32(_e2008), i32(-2147483648), (_e2008 < -2147483600f)), 2147483647i, (_e2008 > 2147483500f)), (_e2008 == _e2008));
+let _e2019 = (_e2015 - select(0i, 1i, (_e2008 < f32(_e2015))));
+let _e2020 = (262147i + _e2019);
+let _e2022 = select(_e1777, _e2020, (_e2020 < _e1777));
+let _e2028 = global_4.member[bitcast<u32>(select(0i, _e2022, (_e2022 > 0i)))];
+let _e2043 = ((_e1812 + (f32(bitcast<i32>((_e2028 >> bitcast<u32>(12u)))) * _e1821)) + ((f32((bitcast<i32>((_e2028 & 4095u)) - 2048i)) * _e1802) * (_e2004 - f32(_e2019))));
+let _e2044 = (_e1757 * 1024f);
+let _e2046 = select(0f, _e2044, (_e2044 > 0f));
+let _e2048 = select(_e1759, _e2046, (_e2046 < _e1759));
+let _e2055 = select(0i, select(select(i32(_e2048), i32(-2147483648), (_e2048 < -2147483600f)), 2147483647i, (_e2048 > 2147483500f)), (_e2048 == _e2048));
+let _e2059 = (_e2055 - select(0i, 1i, (_e2048 < f32(_e2055))));
+let _e2060 = (262147i + _e2059);
+let _e2062 = select(_e1777, _e2060, (_e2060 < _e1777));
+let _e2068 = global_4.member[bitcast<u32>(select(0i, _e2062, (_e2062 > 0i)))];
+let _e2083 = ((_e1812 + (f32(bitcast<i32>((_e2068 >> bitcast<u32>(12u)))) * _e1821)) + ((f32((bitcast<i32>((_e2068 & 4095u)) - 2048i)) * _e1802) * (_e2044 - f32(_e2059))));
+let _e2084 = (_e1923 - _e1883);
+let _e2086 = (_e2003 - _e1963);
+let _e2088 = (_e2083 - _e2043);
+phi_4105_ = type_29(_e1827, vec3<f32>((0.5f * _e2084), (0.5f * _e2086), (0.5f * _e2088)), vec3<f32>((0.25f * (_e2084 * (_e1923 + _e1883))), (0.25f * (_e2086 * (_e2003 + _e1963))), (0.25f * (_e2088 * (_e2083 + _e2043)))));
 }
-let _e2509 = phi_5874_;
-let _e2524 = select(0f, 1f, ((((((_e441 >= -0.5f) && (_e441 <= _e464)) && (_e447 >= -0.5f)) && (_e447 <= _e474)) && (_e453 >= -0.5f)) && (_e453 <= _e484)));
-let _e2526 = (0.5f * (_e2139 - _e2133));
-let _e2528 = (0.5f * (_e2151 - _e2145));
-let _e2530 = (0.5f * (_e2163 - _e2157));
-let _e2535 = global_1.member.member_5.member.member;
-let _e2541 = global_1.member.member_5.member_1.member;
-let _e2548 = global_1.member.member_5.member_2.member;
-let _e2555 = global_1.member.member_5.member.member_1;
-let _e2561 = global_1.member.member_5.member_1.member_1;
-let _e2568 = global_1.member.member_5.member_2.member_1;
-let _e2575 = global_1.member.member_5.member.member_2;
-let _e2581 = global_1.member.member_5.member_1.member_2;
-let _e2588 = global_1.member.member_5.member_2.member_2;
-phi_7234_ = type_20(_e2127, vec3<f32>(((((_e2535 * _e2526) + (_e2541 * _e2528)) + (_e2548 * _e2530)) * _e2524), ((((_e2555 * _e2526) + (_e2561 * _e2528)) + (_e2568 * _e2530)) * _e2524), ((((_e2575 * _e2526) + (_e2581 * _e2528)) + (_e2588 * _e2530)) * _e2524)), _e2509.member, vec3<f32>(((((_e2535 * _e2509.member_2.x) + (_e2541 * _e2509.member_2.y)) + (_e2548 * _e2509.member_2.z)) * _e2524), ((((_e2555 * _e2509.member_2.x) + (_e2561 * _e2509.member_2.y)) + (_e2568 * _e2509.member_2.z)) * _e2524), ((((_e2575 * _e2509.member_2.x) + (_e2581 * _e2509.member_2.y)) + (_e2588 * _e2509.member_2.z)) * _e2524)), vec3<f32>(((((_e2535 * _e2509.member_1.x) + (_e2541 * _e2509.member_1.y)) + (_e2548 * _e2509.member_1.z)) * _e2524), ((((_e2555 * _e2509.member_1.x) + (_e2561 * _e2509.member_1.y)) + (_e2568 * _e2509.member_1.z)) * _e2524), ((((_e2575 * _e2509.member_1.x) + (_e2581 * _e2509.member_1.y)) + (_e2588 * _e2509.member_1.z)) * _e2524)));
+let _e2103 = phi_4105_;
+let _e2118 = select(0f, 1f, ((((((_e428 >= -0.5f) && (_e428 <= _e450)) && (_e434 >= -0.5f)) && (_e434 <= _e460)) && (_e440 >= -0.5f)) && (_e440 <= _e470)));
+let _e2120 = (0.5f * (_e1733 - _e1727));
+let _e2122 = (0.5f * (_e1745 - _e1739));
+let _e2124 = (0.5f * (_e1757 - _e1751));
+let _e2130 = global_1.member.member_6.member.member.member;
+let _e2136 = global_1.member.member_6.member.member.member_1;
+let _e2142 = global_1.member.member_6.member.member.member_2;
+let _e2148 = global_1.member.member_6.member_1.member.member;
+let _e2154 = global_1.member.member_6.member_1.member.member_1;
+let _e2160 = global_1.member.member_6.member_1.member.member_2;
+let _e2166 = global_1.member.member_6.member_2.member.member;
+let _e2172 = global_1.member.member_6.member_2.member.member_1;
+let _e2178 = global_1.member.member_6.member_2.member.member_2;
+phi_4883_ = type_30(_e1721, vec3<f32>(((((_e2130 * _e2120) + (_e2148 * _e2122)) + (_e2166 * _e2124)) * _e2118), ((((_e2136 * _e2120) + (_e2154 * _e2122)) + (_e2172 * _e2124)) * _e2118), ((((_e2142 * _e2120) + (_e2160 * _e2122)) + (_e2178 * _e2124)) * _e2118)), _e2103.member, vec3<f32>(((((_e2130 * _e2103.member_2.x) + (_e2148 * _e2103.member_2.y)) + (_e2166 * _e2103.member_2.z)) * _e2118), ((((_e2136 * _e2103.member_2.x) + (_e2154 * _e2103.member_2.y)) + (_e2172 * _e2103.member_2.z)) * _e2118), ((((_e2142 * _e2103.member_2.x) + (_e2160 * _e2103.member_2.y)) + (_e2178 * _e2103.member_2.z)) * _e2118)), vec3<f32>(((((_e2130 * _e2103.member_1.x) + (_e2148 * _e2103.member_1.y)) + (_e2166 * _e2103.member_1.z)) * _e2118), ((((_e2136 * _e2103.member_1.x) + (_e2154 * _e2103.member_1.y)) + (_e2172 * _e2103.member_1.z)) * _e2118), ((((_e2142 * _e2103.member_1.x) + (_e2160 * _e2103.member_1.y)) + (_e2178 * _e2103.member_1.z)) * _e2118)));
 } else {
-let _e644 = select(-1f, _e468, (_e468 > -1f));
-let _e646 = select(_e463, _e644, (_e644 < _e463));
-let _e653 = select(0i, select(select(i32(_e646), i32(-2147483648), (_e646 < -2147483600f)), 2147483647i, (_e646 > 2147483500f)), (_e646 == _e646));
-let _e657 = (_e653 - select(0i, 1i, (_e646 < f32(_e653))));
-let _e659 = select(-1f, _e478, (_e478 > -1f));
-let _e661 = select(_e473, _e659, (_e659 < _e473));
-let _e668 = select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < -2147483600f)), 2147483647i, (_e661 > 2147483500f)), (_e661 == _e661));
-let _e672 = (_e668 - select(0i, 1i, (_e661 < f32(_e668))));
-let _e674 = select(-1f, _e488, (_e488 > -1f));
-let _e676 = select(_e483, _e674, (_e674 < _e483));
-let _e683 = select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < -2147483600f)), 2147483647i, (_e676 > 2147483500f)), (_e676 == _e676));
-let _e687 = (_e683 - select(0i, 1i, (_e676 < f32(_e683))));
-let _e692 = global_1.member.member_5.member_5[0u];
-let _e697 = global_1.member.member_5.member_5[1u];
-let _e705 = (select(0i, select(select(i32(_e473), i32(-2147483648), (_e473 < -2147483600f)), 2147483647i, (_e473 > 2147483500f)), (_e473 == _e473)) - 1i);
-let _e708 = (_e672 + 1i);
-let _e718 = (select(0i, select(select(i32(_e483), i32(-2147483648), (_e483 < -2147483600f)), 2147483647i, (_e483 > 2147483500f)), (_e483 == _e483)) - 1i);
-let _e721 = (_e687 + 1i);
-let _e730 = select(0i, select(select(i32(_e463), i32(-2147483648), (_e463 < -2147483600f)), 2147483647i, (_e463 > 2147483500f)), (_e463 == _e463));
-let _e731 = (_e730 - 1i);
-let _e732 = (_e657 - 1i);
-let _e734 = select(0i, _e732, (_e732 > 0i));
-let _e736 = select(0i, _e657, (_e657 > 0i));
-let _e737 = (_e657 + 1i);
-let _e739 = select(_e731, _e737, (_e737 < _e731));
-let _e740 = (_e657 + 2i);
-let _e743 = (_e730 - 2i);
-let _e745 = select(0i, _e743, (_e743 > 0i));
-let _e747 = select(_e745, _e734, (_e734 < _e745));
-let _e749 = select(_e745, _e736, (_e736 < _e745));
-let _e751 = select(_e745, _e739, (_e739 < _e745));
-let _e770 = (select(0i, _e672, (_e672 > 0i)) * _e692);
-let _e771 = (select(_e705, _e708, (_e708 < _e705)) * _e692);
-let _e772 = (select(0i, _e687, (_e687 > 0i)) * _e697);
-let _e773 = (select(_e718, _e721, (_e721 < _e718)) * _e697);
-local_2 = type_18(array<i32, 4>(_e747, _e749, _e751, 0i), array<u32, 6>(bitcast<u32>(((_e734 - _e747) * 16i)), bitcast<u32>(((_e736 - _e747) * 16i)), bitcast<u32>(((_e736 - _e749) * 16i)), bitcast<u32>(((_e739 - _e749) * 16i)), bitcast<u32>(((_e739 - _e751) * 16i)), bitcast<u32>(((select(_e731, _e740, (_e740 < _e731)) - _e751) * 16i))));
-local_3 = vec3<f32>((_e468 - f32(_e657)), (_e478 - f32(_e672)), (_e488 - f32(_e687)));
-let _e788 = local_2.member[1u];
-let _e789 = ((_e772 + _e770) + _e788);
-let _e791 = (_e789 >> bitcast<u32>(1i));
-let _e794 = bitcast<u32>(((_e789 & 1i) * 16i));
-let _e796 = (bitcast<i32>(_e90) - 1i);
-let _e798 = select(_e796, _e791, (_e791 < _e796));
-let _e803 = global_2.member[bitcast<u32>(select(0i, _e798, (_e798 > 0i)))];
-let _e807 = (_e791 + 1i);
-let _e809 = select(_e796, _e807, (_e807 < _e796));
-let _e814 = global_2.member[bitcast<u32>(select(0i, _e809, (_e809 > 0i)))];
-let _e821 = ((_e803 >> bitcast<u32>((_e794 & 31u))) | ((_e814 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e794) & 31u))));
-let _e824 = local_2.member_1[2u];
-let _e830 = f32(bitcast<i32>(((_e821 >> bitcast<u32>((_e824 & 31u))) & 65535u)));
-let _e833 = local_2.member_1[3u];
-let _e840 = local_3[0u];
-let _e843 = (_e830 + ((f32(bitcast<i32>(((_e821 >> bitcast<u32>((_e833 & 31u))) & 65535u))) - _e830) * _e840));
-let _e845 = local_2.member[1u];
-let _e846 = ((_e772 + _e771) + _e845);
-let _e848 = (_e846 >> bitcast<u32>(1i));
-let _e851 = bitcast<u32>(((_e846 & 1i) * 16i));
-let _e853 = select(_e796, _e848, (_e848 < _e796));
-let _e858 = global_2.member[bitcast<u32>(select(0i, _e853, (_e853 > 0i)))];
-let _e862 = (_e848 + 1i);
-let _e864 = select(_e796, _e862, (_e862 < _e796));
-let _e869 = global_2.member[bitcast<u32>(select(0i, _e864, (_e864 > 0i)))];
-let _e876 = ((_e858 >> bitcast<u32>((_e851 & 31u))) | ((_e869 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e851) & 31u))));
-let _e877 = local_2.member_1[2u];
-let _e883 = f32(bitcast<i32>(((_e876 >> bitcast<u32>((_e877 & 31u))) & 65535u)));
-let _e884 = local_2.member_1[3u];
-let _e891 = local_3[0u];
-let _e896 = local_3[1u];
-let _e899 = (_e843 + (((_e883 + ((f32(bitcast<i32>(((_e876 >> bitcast<u32>((_e884 & 31u))) & 65535u))) - _e883) * _e891)) - _e843) * _e896));
-let _e901 = local_2.member[1u];
-let _e902 = ((_e773 + _e770) + _e901);
-let _e904 = (_e902 >> bitcast<u32>(1i));
-let _e907 = bitcast<u32>(((_e902 & 1i) * 16i));
-let _e909 = select(_e796, _e904, (_e904 < _e796));
-let _e914 = global_2.member[bitcast<u32>(select(0i, _e909, (_e909 > 0i)))];
-let _e918 = (_e904 + 1i);
-let _e920 = select(_e796, _e918, (_e918 < _e796));
-let _e925 = global_2.member[bitcast<u32>(select(0i, _e920, (_e920 > 0i)))];
-let _e932 = ((_e914 >> bitcast<u32>((_e907 & 31u))) | ((_e925 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e907) & 31u))));
-let _e933 = local_2.member_1[2u];
-let _e939 = f32(bitcast<i32>(((_e932 >> bitcast<u32>((_e933 & 31u))) & 65535u)));
-let _e940 = local_2.member_1[3u];
-let _e947 = local_3[0u];
-let _e950 = (_e939 + ((f32(bitcast<i32>(((_e932 >> bitcast<u32>((_e940 & 31u))) & 65535u))) - _e939) * _e947));
-let _e952 = local_2.member[1u];
-let _e953 = ((_e773 + _e771) + _e952);
-let _e955 = (_e953 >> bitcast<u32>(1i));
-let _e958 = bitcast<u32>(((_e953 & 1i) * 16i));
-let _e960 = select(_e796, _e955, (_e955 < _e796));
-let _e965 = global_2.member[bitcast<u32>(select(0i, _e960, (_e960 > 0i)))];
-let _e969 = (_e955 + 1i);
-let _e971 = select(_e796, _e969, (_e969 < _e796));
-let _e976 = global_2.member[bitcast<u32>(select(0i, _e971, (_e971 > 0i)))];
-let _e983 = ((_e965 >> bitcast<u32>((_e958 & 31u))) | ((_e976 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e958) & 31u))));
-let _e984 = local_2.member_1[2u];
-let _e990 = f32(bitcast<i32>(((_e983 >> bitcast<u32>((_e984 & 31u))) & 65535u)));
-let _e991 = local_2.member_1[3u];
-let _e998 = local_3[0u];
-let _e1002 = local_3[1u];
-let _e1007 = local_3[2u];
-let _e1015 = global_1.member.member_5.member_4.member;
-let _e1021 = global_1.member.member_5.member_4.member_1;
-let _e1022 = (((_e899 + (((_e950 + (((_e990 + ((f32(bitcast<i32>(((_e983 >> bitcast<u32>((_e991 & 31u))) & 65535u))) - _e990) * _e998)) - _e950) * _e1002)) - _e899) * _e1007)) * _e1015) + _e1021);
-let _e1024 = select(0f, _e1022, (_e1022 > 0f));
-phi_7234_ = type_20(select(1f, _e1024, (_e1024 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2244 = select(-1f, _e454, (_e454 > -1f));
+let _e2246 = select(_e449, _e2244, (_e2244 < _e449));
+let _e2253 = select(0i, select(select(i32(_e2246), i32(-2147483648), (_e2246 < -2147483600f)), 2147483647i, (_e2246 > 2147483500f)), (_e2246 == _e2246));
+let _e2257 = (_e2253 - select(0i, 1i, (_e2246 < f32(_e2253))));
+let _e2259 = select(-1f, _e464, (_e464 > -1f));
+let _e2261 = select(_e459, _e2259, (_e2259 < _e459));
+let _e2268 = select(0i, select(select(i32(_e2261), i32(-2147483648), (_e2261 < -2147483600f)), 2147483647i, (_e2261 > 2147483500f)), (_e2261 == _e2261));
+let _e2272 = (_e2268 - select(0i, 1i, (_e2261 < f32(_e2268))));
+let _e2274 = select(-1f, _e474, (_e474 > -1f));
+let _e2276 = select(_e469, _e2274, (_e2274 < _e469));
+let _e2283 = select(0i, select(select(i32(_e2276), i32(-2147483648), (_e2276 < -2147483600f)), 2147483647i, (_e2276 > 2147483500f)), (_e2276 == _e2276));
+let _e2287 = (_e2283 - select(0i, 1i, (_e2276 < f32(_e2283))));
+let _e2291 = global_1.member.member_6.member_7;
+let _e2295 = global_1.member.member_6.member_8;
+let _e2303 = (select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)) - 1i);
+let _e2306 = (_e2272 + 1i);
+let _e2316 = (select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < -2147483600f)), 2147483647i, (_e469 > 2147483500f)), (_e469 == _e469)) - 1i);
+let _e2319 = (_e2287 + 1i);
+let _e2328 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < -2147483600f)), 2147483647i, (_e449 > 2147483500f)), (_e449 == _e449));
+let _e2329 = (_e2328 - 1i);
+let _e2330 = (_e2257 - 1i);
+let _e2332 = select(0i, _e2330, (_e2330 > 0i));
+let _e2334 = select(0i, _e2257, (_e2257 > 0i));
+let _e2335 = (_e2257 + 1i);
+let _e2337 = select(_e2329, _e2335, (_e2335 < _e2329));
+let _e2338 = (_e2257 + 2i);
+let _e2341 = (_e2328 - 2i);
+let _e2343 = select(0i, _e2341, (_e2341 > 0i));
+let _e2345 = select(_e2343, _e2332, (_e2332 < _e2343));
+let _e2347 = select(_e2343, _e2334, (_e2334 < _e2343));
+let _e2349 = select(_e2343, _e2337, (_e2337 < _e2343));
+let _e2368 = (select(0i, _e2272, (_e2272 > 0i)) * _e2291);
+let _e2369 = (select(_e2303, _e2306, (_e2306 < _e2303)) * _e2291);
+let _e2370 = (select(0i, _e2287, (_e2287 > 0i)) * _e2295);
+let _e2371 = (select(_e2316, _e2319, (_e2319 < _e2316)) * _e2295);
+local_2 = type_28(array<i32, 4>(_e2345, _e2347, _e2349, 0i), array<u32, 6>(bitcast<u32>(((_e2332 - _e2345) * 16i)), bitcast<u32>(((_e2334 - _e2345) * 16i)), bitcast<u32>(((_e2334 - _e2347) * 16i)), bitcast<u32>(((_e2337 - _e2347) * 16i)), bitcast<u32>(((_e2337 - _e2349) * 16i)), bitcast<u32>(((select(_e2329, _e2338, (_e2338 < _e2329)) - _e2349) * 16i))));
+local_3 = vec3<f32>((_e454 - f32(_e2257)), (_e464 - f32(_e2272)), (_e474 - f32(_e2287)));
+let _e2386 = local_2.member[1u];
+let _e2387 = ((_e2370 + _e2368) + _e2386);
+let _e2389 = (_e2387 >> bitcast<u32>(1i));
+let _e2392 = bitcast<u32>(((_e2387 & 1i) * 16i));
+let _e2394 = (bitcast<i32>(_e89) - 1i);
+let _e2396 = select(_e2394, _e2389, (_e2389 < _e2394));
+let _e2401 = global_2.member[bitcast<u32>(select(0i, _e2396, (_e2396 > 0i)))];
+let _e2405 = (_e2389 + 1i);
+let _e2407 = select(_e2394, _e2405, (_e2405 < _e2394));
+let _e2412 = global_2.member[bitcast<u32>(select(0i, _e2407, (_e2407 > 0i)))];
+let _e2419 = ((_e2401 >> bitcast<u32>((_e2392 & 31u))) | ((_e2412 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2392) & 31u))));
+let _e2422 = local_2.member_1[2u];
+let _e2428 = f32(bitcast<i32>(((_e2419 >> bitcast<u32>((_e2422 & 31u))) & 65535u)));
+let _e2431 = local_2.member_1[3u];
+let _e2438 = local_3[0u];
+let _e2441 = (_e2428 + ((f32(bitcast<i32>(((_e2419 >> bitcast<u32>((_e2431 & 31u))) & 65535u))) - _e2428) * _e2438));
+let _e2443 = local_2.member[1u];
+let _e2444 = ((_e2370 + _e2369) + _e2443);
+let _e2446 = (_e2444 >> bitcast<u32>(1i));
+let _e2449 = bitcast<u32>(((_e2444 & 1i) * 16i));
+let _e2451 = select(_e2394, _e2446, (_e2446 < _e2394));
+let _e2456 = global_2.member[bitcast<u32>(select(0i, _e2451, (_e2451 > 0i)))];
+let _e2460 = (_e2446 + 1i);
+let _e2462 = select(_e2394, _e2460, (_e2460 < _e2394));
+let _e2467 = global_2.member[bitcast<u32>(select(0i, _e2462, (_e2462 > 0i)))];
+let _e2474 = ((_e2456 >> bitcast<u32>((_e2449 & 31u))) | ((_e2467 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2449) & 31u))));
+let _e2475 = local_2.member_1[2u];
+let _e2481 = f32(bitcast<i32>(((_e2474 >> bitcast<u32>((_e2475 & 31u))) & 65535u)));
+let _e2482 = local_2.member_1[3u];
+let _e2489 = local_3[0u];
+let _e2494 = local_3[1u];
+let _e2497 = (_e2441 + (((_e2481 + ((f32(bitcast<i32>(((_e2474 >> bitcast<u32>((_e2482 & 31u))) & 65535u))) - _e2481) * _e2489)) - _e2441) * _e2494));
+let _e2499 = local_2.member[1u];
+let _e2500 = ((_e2371 + _e2368) + _e2499);
+let _e2502 = (_e2500 >> bitcast<u32>(1i));
+let _e2505 = bitcast<u32>(((_e2500 & 1i) * 16i));
+let _e2507 = select(_e2394, _e2502, (_e2502 < _e2394));
+let _e2512 = global_2.member[bitcast<u32>(select(0i, _e2507, (_e2507 > 0i)))];
+let _e2516 = (_e2502 + 1i);
+let _e2518 = select(_e2394, _e2516, (_e2516 < _e2394));
+let _e2523 = global_2.member[bitcast<u32>(select(0i, _e2518, (_e2518 > 0i)))];
+let _e2530 = ((_e2512 >> bitcast<u32>((_e2505 & 31u))) | ((_e2523 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2505) & 31u))));
+let _e2531 = local_2.member_1[2u];
+let _e2537 = f32(bitcast<i32>(((_e2530 >> bitcast<u32>((_e2531 & 31u))) & 65535u)));
+let _e2538 = local_2.member_1[3u];
+let _e2545 = local_3[0u];
+let _e2548 = (_e2537 + ((f32(bitcast<i32>(((_e2530 >> bitcast<u32>((_e2538 & 31u))) & 65535u))) - _e2537) * _e2545));
+let _e2550 = local_2.member[1u];
+let _e2551 = ((_e2371 + _e2369) + _e2550);
+let _e2553 = (_e2551 >> bitcast<u32>(1i));
+let _e2556 = bitcast<u32>(((_e2551 & 1i) * 16i));
+let _e2558 = select(_e2394, _e2553, (_e2553 < _e2394));
+let _e2563 = global_2.member[bitcast<u32>(select(0i, _e2558, (_e2558 > 0i)))];
+let _e2567 = (_e2553 + 1i);
+let _e2569 = select(_e2394, _e2567, (_e2567 < _e2394));
+let _e2574 = global_2.member[bitcast<u32>(select(0i, _e2569, (_e2569 > 0i)))];
+let _e2581 = ((_e2563 >> bitcast<u32>((_e2556 & 31u))) | ((_e2574 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2556) & 31u))));
+let _e2582 = local_2.member_1[2u];
+let _e2588 = f32(bitcast<i32>(((_e2581 >> bitcast<u32>((_e2582 & 31u))) & 65535u)));
+let _e2589 = local_2.member_1[3u];
+let _e2596 = local_3[0u];
+let _e2600 = local_3[1u];
+let _e2605 = local_3[2u];
+let _e2612 = global_1.member.member_6.member_5;
+let _e2617 = global_1.member.member_6.member_6;
+let _e2618 = (((_e2497 + (((_e2548 + (((_e2588 + ((f32(bitcast<i32>(((_e2581 >> bitcast<u32>((_e2589 & 31u))) & 65535u))) - _e2588) * _e2596)) - _e2548) * _e2600)) - _e2497) * _e2605)) * _e2612) + _e2617);
+let _e2620 = select(0f, _e2618, (_e2618 > 0f));
+phi_4883_ = type_30(select(1f, _e2620, (_e2620 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e2641 = phi_7234_;
-let _e2643 = select(-0.5f, _e399, (_e399 > -0.5f));
-let _e2645 = select(_e464, _e2643, (_e2643 < _e464));
-let _e2647 = select(-0.5f, _e417, (_e417 > -0.5f));
-let _e2649 = select(_e474, _e2647, (_e2647 < _e474));
-let _e2651 = select(-0.5f, _e435, (_e435 > -0.5f));
-let _e2653 = select(_e484, _e2651, (_e2651 < _e484));
-let _e2655 = select(-1f, _e2645, (_e2645 > -1f));
-let _e2657 = select(_e463, _e2655, (_e2655 < _e463));
-let _e2664 = select(0i, select(select(i32(_e2657), i32(-2147483648), (_e2657 < -2147483600f)), 2147483647i, (_e2657 > 2147483500f)), (_e2657 == _e2657));
-let _e2668 = (_e2664 - select(0i, 1i, (_e2657 < f32(_e2664))));
-let _e2670 = select(-1f, _e2649, (_e2649 > -1f));
-let _e2672 = select(_e473, _e2670, (_e2670 < _e473));
-let _e2679 = select(0i, select(select(i32(_e2672), i32(-2147483648), (_e2672 < -2147483600f)), 2147483647i, (_e2672 > 2147483500f)), (_e2672 == _e2672));
-let _e2683 = (_e2679 - select(0i, 1i, (_e2672 < f32(_e2679))));
-let _e2685 = select(-1f, _e2653, (_e2653 > -1f));
-let _e2687 = select(_e483, _e2685, (_e2685 < _e483));
-let _e2694 = select(0i, select(select(i32(_e2687), i32(-2147483648), (_e2687 < -2147483600f)), 2147483647i, (_e2687 > 2147483500f)), (_e2687 == _e2687));
-let _e2698 = (_e2694 - select(0i, 1i, (_e2687 < f32(_e2694))));
-let _e2703 = global_1.member.member_5.member_5[0u];
-let _e2708 = global_1.member.member_5.member_5[1u];
-let _e2716 = (select(0i, select(select(i32(_e473), i32(-2147483648), (_e473 < -2147483600f)), 2147483647i, (_e473 > 2147483500f)), (_e473 == _e473)) - 1i);
-let _e2719 = (_e2683 + 1i);
-let _e2729 = (select(0i, select(select(i32(_e483), i32(-2147483648), (_e483 < -2147483600f)), 2147483647i, (_e483 > 2147483500f)), (_e483 == _e483)) - 1i);
-let _e2732 = (_e2698 + 1i);
-let _e2741 = select(0i, select(select(i32(_e463), i32(-2147483648), (_e463 < -2147483600f)), 2147483647i, (_e463 > 2147483500f)), (_e463 == _e463));
-let _e2742 = (_e2741 - 1i);
-let _e2743 = (_e2668 - 1i);
-let _e2745 = select(0i, _e2743, (_e2743 > 0i));
-let _e2747 = select(0i, _e2668, (_e2668 > 0i));
-let _e2748 = (_e2668 + 1i);
-let _e2750 = select(_e2742, _e2748, (_e2748 < _e2742));
-let _e2751 = (_e2668 + 2i);
-let _e2754 = (_e2741 - 2i);
-let _e2756 = select(0i, _e2754, (_e2754 > 0i));
-let _e2758 = select(_e2756, _e2745, (_e2745 < _e2756));
-let _e2760 = select(_e2756, _e2747, (_e2747 < _e2756));
-let _e2762 = select(_e2756, _e2750, (_e2750 < _e2756));
-let _e2781 = (select(0i, _e2683, (_e2683 > 0i)) * _e2703);
-let _e2782 = (select(_e2716, _e2719, (_e2719 < _e2716)) * _e2703);
-let _e2783 = (select(0i, _e2698, (_e2698 > 0i)) * _e2708);
-let _e2784 = (select(_e2729, _e2732, (_e2732 < _e2729)) * _e2708);
-local = type_18(array<i32, 4>(_e2758, _e2760, _e2762, 0i), array<u32, 6>(bitcast<u32>(((_e2745 - _e2758) * 16i)), bitcast<u32>(((_e2747 - _e2758) * 16i)), bitcast<u32>(((_e2747 - _e2760) * 16i)), bitcast<u32>(((_e2750 - _e2760) * 16i)), bitcast<u32>(((_e2750 - _e2762) * 16i)), bitcast<u32>(((select(_e2742, _e2751, (_e2751 < _e2742)) - _e2762) * 16i))));
-local_1 = vec3<f32>((_e2645 - f32(_e2668)), (_e2649 - f32(_e2683)), (_e2653 - f32(_e2698)));
-let _e2799 = local.member[1u];
-let _e2800 = ((_e2783 + _e2781) + _e2799);
-let _e2802 = (_e2800 >> bitcast<u32>(1i));
-let _e2805 = bitcast<u32>(((_e2800 & 1i) * 16i));
-let _e2807 = (bitcast<i32>(_e90) - 1i);
-let _e2809 = select(_e2807, _e2802, (_e2802 < _e2807));
-let _e2814 = global_2.member[bitcast<u32>(select(0i, _e2809, (_e2809 > 0i)))];
-let _e2818 = (_e2802 + 1i);
-let _e2820 = select(_e2807, _e2818, (_e2818 < _e2807));
-let _e2825 = global_2.member[bitcast<u32>(select(0i, _e2820, (_e2820 > 0i)))];
-let _e2832 = ((_e2814 >> bitcast<u32>((_e2805 & 31u))) | ((_e2825 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2805) & 31u))));
-let _e2835 = local.member_1[2u];
-let _e2841 = f32(bitcast<i32>(((_e2832 >> bitcast<u32>((_e2835 & 31u))) & 65535u)));
-let _e2844 = local.member_1[3u];
-let _e2851 = local_1[0u];
-let _e2854 = (_e2841 + ((f32(bitcast<i32>(((_e2832 >> bitcast<u32>((_e2844 & 31u))) & 65535u))) - _e2841) * _e2851));
-let _e2856 = local.member[1u];
-let _e2857 = ((_e2783 + _e2782) + _e2856);
-let _e2859 = (_e2857 >> bitcast<u32>(1i));
-let _e2862 = bitcast<u32>(((_e2857 & 1i) * 16i));
-let _e2864 = select(_e2807, _e2859, (_e2859 < _e2807));
-let _e2869 = global_2.member[bitcast<u32>(select(0i, _e2864, (_e2864 > 0i)))];
-let _e2873 = (_e2859 + 1i);
-let _e2875 = select(_e2807, _e2873, (_e2873 < _e2807));
-let _e2880 = global_2.member[bitcast<u32>(select(0i, _e2875, (_e2875 > 0i)))];
-let _e2887 = ((_e2869 >> bitcast<u32>((_e2862 & 31u))) | ((_e2880 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2862) & 31u))));
-let _e2888 = local.member_1[2u];
-let _e2894 = f32(bitcast<i32>(((_e2887 >> bitcast<u32>((_e2888 & 31u))) & 65535u)));
-let _e2895 = local.member_1[3u];
-let _e2902 = local_1[0u];
-let _e2907 = local_1[1u];
-let _e2910 = (_e2854 + (((_e2894 + ((f32(bitcast<i32>(((_e2887 >> bitcast<u32>((_e2895 & 31u))) & 65535u))) - _e2894) * _e2902)) - _e2854) * _e2907));
-let _e2912 = local.member[1u];
-let _e2913 = ((_e2784 + _e2781) + _e2912);
-let _e2915 = (_e2913 >> bitcast<u32>(1i));
-let _e2918 = bitcast<u32>(((_e2913 & 1i) * 16i));
-let _e2920 = select(_e2807, _e2915, (_e2915 < _e2807));
-let _e2925 = global_2.member[bitcast<u32>(select(0i, _e2920, (_e2920 > 0i)))];
-let _e2929 = (_e2915 + 1i);
-let _e2931 = select(_e2807, _e2929, (_e2929 < _e2807));
-let _e2936 = global_2.member[bitcast<u32>(select(0i, _e2931, (_e2931 > 0i)))];
-let _e2943 = ((_e2925 >> bitcast<u32>((_e2918 & 31u))) | ((_e2936 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2918) & 31u))));
-let _e2944 = local.member_1[2u];
-let _e2950 = f32(bitcast<i32>(((_e2943 >> bitcast<u32>((_e2944 & 31u))) & 65535u)));
-let _e2951 = local.member_1[3u];
-let _e2958 = local_1[0u];
-let _e2961 = (_e2950 + ((f32(bitcast<i32>(((_e2943 >> bitcast<u32>((_e2951 & 31u))) & 65535u))) - _e2950) * _e2958));
-let _e2963 = local.member[1u];
-let _e2964 = ((_e2784 + _e2782) + _e2963);
-let _e2966 = (_e2964 >> bitcast<u32>(1i));
-let _e2969 = bitcast<u32>(((_e2964 & 1i) * 16i));
-let _e2971 = select(_e2807, _e2966, (_e2966 < _e2807));
-let _e2976 = global_2.member[bitcast<u32>(select(0i, _e2971, (_e2971 > 0i)))];
-let _e2980 = (_e2966 + 1i);
-let _e2982 = select(_e2807, _e2980, (_e2980 < _e2807));
-let _e2987 = global_2.member[bitcast<u32>(select(0i, _e2982, (_e2982 > 0i)))];
-let _e2994 = ((_e2976 >> bitcast<u32>((_e2969 & 31u))) | ((_e2987 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2969) & 31u))));
-let _e2995 = local.member_1[2u];
-let _e3001 = f32(bitcast<i32>(((_e2994 >> bitcast<u32>((_e2995 & 31u))) & 65535u)));
-let _e3002 = local.member_1[3u];
-let _e3009 = local_1[0u];
-let _e3013 = local_1[1u];
-let _e3018 = local_1[2u];
-let _e3026 = global_1.member.member_5.member_4.member;
-let _e3032 = global_1.member.member_5.member_4.member_1;
-let _e3033 = (((_e2910 + (((_e2961 + (((_e3001 + ((f32(bitcast<i32>(((_e2994 >> bitcast<u32>((_e3002 & 31u))) & 65535u))) - _e3001) * _e3009)) - _e2961) * _e3013)) - _e2910) * _e3018)) * _e3026) + _e3032);
-let _e3035 = select(0f, _e3033, (_e3033 > 0f));
-if ((_e622 & 16u) == 0u) {
-phi_8795_ = type_21(1f, 1f, 1f);
+let _e2625 = phi_4883_;
+let _e2627 = select(-0.5f, _e392, (_e392 > -0.5f));
+let _e2629 = select(_e450, _e2627, (_e2627 < _e450));
+let _e2631 = select(-0.5f, _e407, (_e407 > -0.5f));
+let _e2633 = select(_e460, _e2631, (_e2631 < _e460));
+let _e2635 = select(-0.5f, _e422, (_e422 > -0.5f));
+let _e2637 = select(_e470, _e2635, (_e2635 < _e470));
+let _e2639 = select(-1f, _e2629, (_e2629 > -1f));
+let _e2641 = select(_e449, _e2639, (_e2639 < _e449));
+let _e2648 = select(0i, select(select(i32(_e2641), i32(-2147483648), (_e2641 < -2147483600f)), 2147483647i, (_e2641 > 2147483500f)), (_e2641 == _e2641));
+let _e2652 = (_e2648 - select(0i, 1i, (_e2641 < f32(_e2648))));
+let _e2654 = select(-1f, _e2633, (_e2633 > -1f));
+let _e2656 = select(_e459, _e2654, (_e2654 < _e459));
+let _e2663 = select(0i, select(select(i32(_e2656), i32(-2147483648), (_e2656 < -2147483600f)), 2147483647i, (_e2656 > 2147483500f)), (_e2656 == _e2656));
+let _e2667 = (_e2663 - select(0i, 1i, (_e2656 < f32(_e2663))));
+let _e2669 = select(-1f, _e2637, (_e2637 > -1f));
+let _e2671 = select(_e469, _e2669, (_e2669 < _e469));
+let _e2678 = select(0i, select(select(i32(_e2671), i32(-2147483648), (_e2671 < -2147483600f)), 2147483647i, (_e2671 > 2147483500f)), (_e2671 == _e2671));
+let _e2682 = (_e2678 - select(0i, 1i, (_e2671 < f32(_e2678))));
+let _e2686 = global_1.member.member_6.member_7;
+let _e2690 = global_1.member.member_6.member_8;
+let _e2698 = (select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)) - 1i);
+let _e2701 = (_e2667 + 1i);
+let _e2711 = (select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < -2147483600f)), 2147483647i, (_e469 > 2147483500f)), (_e469 == _e469)) - 1i);
+let _e2714 = (_e2682 + 1i);
+let _e2723 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < -2147483600f)), 2147483647i, (_e449 > 2147483500f)), (_e449 == _e449));
+let _e2724 = (_e2723 - 1i);
+let _e2725 = (_e2652 - 1i);
+let _e2727 = select(0i, _e2725, (_e2725 > 0i));
+let _e2729 = select(0i, _e2652, (_e2652 > 0i));
+let _e2730 = (_e2652 + 1i);
+let _e2732 = select(_e2724, _e2730, (_e2730 < _e2724));
+let _e2733 = (_e2652 + 2i);
+let _e2736 = (_e2723 - 2i);
+let _e2738 = select(0i, _e2736, (_e2736 > 0i));
+let _e2740 = select(_e2738, _e2727, (_e2727 < _e2738));
+let _e2742 = select(_e2738, _e2729, (_e2729 < _e2738));
+let _e2744 = select(_e2738, _e2732, (_e2732 < _e2738));
+let _e2763 = (select(0i, _e2667, (_e2667 > 0i)) * _e2686);
+let _e2764 = (select(_e2698, _e2701, (_e2701 < _e2698)) * _e2686);
+let _e2765 = (select(0i, _e2682, (_e2682 > 0i)) * _e2690);
+let _e2766 = (select(_e2711, _e2714, (_e2714 < _e2711)) * _e2690);
+local = type_28(array<i32, 4>(_e2740, _e2742, _e2744, 0i), array<u32, 6>(bitcast<u32>(((_e2727 - _e2740) * 16i)), bitcast<u32>(((_e2729 - _e2740) * 16i)), bitcast<u32>(((_e2729 - _e2742) * 16i)), bitcast<u32>(((_e2732 - _e2742) * 16i)), bitcast<u32>(((_e2732 - _e2744) * 16i)), bitcast<u32>(((select(_e2724, _e2733, (_e2733 < _e2724)) - _e2744) * 16i))));
+local_1 = vec3<f32>((_e2629 - f32(_e2652)), (_e2633 - f32(_e2667)), (_e2637 - f32(_e2682)));
+let _e2781 = local.member[1u];
+let _e2782 = ((_e2765 + _e2763) + _e2781);
+let _e2784 = (_e2782 >> bitcast<u32>(1i));
+let _e2787 = bitcast<u32>(((_e2782 & 1i) * 16i));
+let _e2789 = (bitcast<i32>(_e89) - 1i);
+let _e2791 = select(_e2789, _e2784, (_e2784 < _e2789));
+let _e2796 = global_2.member[bitcast<u32>(select(0i, _e2791, (_e2791 > 0i)))];
+let _e2800 = (_e2784 + 1i);
+let _e2802 = select(_e2789, _e2800, (_e2800 < _e2789));
+let _e2807 = global_2.member[bitcast<u32>(select(0i, _e2802, (_e2802 > 0i)))];
+let _e2814 = ((_e2796 >> bitcast<u32>((_e2787 & 31u))) | ((_e2807 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2787) & 31u))));
+let _e2817 = local.member_1[2u];
+let _e2823 = f32(bitcast<i32>(((_e2814 >> bitcast<u32>((_e2817 & 31u))) & 65535u)));
+let _e2826 = local.member_1[3u];
+let _e2833 = local_1[0u];
+let _e2836 = (_e2823 + ((f32(bitcast<i32>(((_e2814 >> bitcast<u32>((_e2826 & 31u))) & 65535u))) - _e2823) * _e2833));
+let _e2838 = local.member[1u];
+let _e2839 = ((_e2765 + _e2764) + _e2838);
+let _e2841 = (_e2839 >> bitcast<u32>(1i));
+let _e2844 = bitcast<u32>(((_e2839 & 1i) * 16i));
+let _e2846 = select(_e2789, _e2841, (_e2841 < _e2789));
+let _e2851 = global_2.member[bitcast<u32>(select(0i, _e2846, (_e2846 > 0i)))];
+let _e2855 = (_e2841 + 1i);
+let _e2857 = select(_e2789, _e2855, (_e2855 < _e2789));
+let _e2862 = global_2.member[bitcast<u32>(select(0i, _e2857, (_e2857 > 0i)))];
+let _e2869 = ((_e2851 >> bitcast<u32>((_e2844 & 31u))) | ((_e2862 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2844) & 31u))));
+let _e2870 = local.member_1[2u];
+let _e2876 = f32(bitcast<i32>(((_e2869 >> bitcast<u32>((_e2870 & 31u))) & 65535u)));
+let _e2877 = local.member_1[3u];
+let _e2884 = local_1[0u];
+let _e2889 = local_1[1u];
+let _e2892 = (_e2836 + (((_e2876 + ((f32(bitcast<i32>(((_e2869 >> bitcast<u32>((_e2877 & 31u))) & 65535u))) - _e2876) * _e2884)) - _e2836) * _e2889));
+let _e2894 = local.member[1u];
+let _e2895 = ((_e2766 + _e2763) + _e2894);
+let _e2897 = (_e2895 >> bitcast<u32>(1i));
+let _e2900 = bitcast<u32>(((_e2895 & 1i) * 16i));
+let _e2902 = select(_e2789, _e2897, (_e2897 < _e2789));
+let _e2907 = global_2.member[bitcast<u32>(select(0i, _e2902, (_e2902 > 0i)))];
+let _e2911 = (_e2897 + 1i);
+let _e2913 = select(_e2789, _e2911, (_e2911 < _e2789));
+let _e2918 = global_2.member[bitcast<u32>(select(0i, _e2913, (_e2913 > 0i)))];
+let _e2925 = ((_e2907 >> bitcast<u32>((_e2900 & 31u))) | ((_e2918 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2900) & 31u))));
+let _e2926 = local.member_1[2u];
+let _e2932 = f32(bitcast<i32>(((_e2925 >> bitcast<u32>((_e2926 & 31u))) & 65535u)));
+let _e2933 = local.member_1[3u];
+let _e2940 = local_1[0u];
+let _e2943 = (_e2932 + ((f32(bitcast<i32>(((_e2925 >> bitcast<u32>((_e2933 & 31u))) & 65535u))) - _e2932) * _e2940));
+let _e2945 = local.member[1u];
+let _e2946 = ((_e2766 + _e2764) + _e2945);
+let _e2948 = (_e2946 >> bitcast<u32>(1i));
+let _e2951 = bitcast<u32>(((_e2946 & 1i) * 16i));
+let _e2953 = select(_e2789, _e2948, (_e2948 < _e2789));
+let _e2958 = global_2.member[bitcast<u32>(select(0i, _e2953, (_e2953 > 0i)))];
+let _e2962 = (_e2948 + 1i);
+let _e2964 = select(_e2789, _e2962, (_e2962 < _e2789));
+let _e2969 = global_2.member[bitcast<u32>(select(0i, _e2964, (_e2964 > 0i)))];
+let _e2976 = ((_e2958 >> bitcast<u32>((_e2951 & 31u))) | ((_e2969 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2951) & 31u))));
+let _e2977 = local.member_1[2u];
+let _e2983 = f32(bitcast<i32>(((_e2976 >> bitcast<u32>((_e2977 & 31u))) & 65535u)));
+let _e2984 = local.member_1[3u];
+let _e2991 = local_1[0u];
+let _e2995 = local_1[1u];
+let _e3000 = local_1[2u];
+let _e3007 = global_1.member.member_6.member_5;
+let _e3012 = global_1.member.member_6.member_6;
+let _e3013 = (((_e2892 + (((_e2943 + (((_e2983 + ((f32(bitcast<i32>(((_e2976 >> bitcast<u32>((_e2984 & 31u))) & 65535u))) - _e2983) * _e2991)) - _e2943) * _e2995)) - _e2892) * _e3000)) * _e3007) + _e3012);
+let _e3015 = select(0f, _e3013, (_e3013 > 0f));
+if ((_e608 & 16u) == 0u) {
+phi_5884_ = type_5(1f, 1f, 1f);
 } else {
-let _e3042 = global_1.member.member_18;
-let _e3046 = global_1.member.member_22.member;
-let _e3056 = ((((_e3042.member * _e307) + (_e3042.member_1 * _e316)) + (_e3042.member_2 * _e289)) + _e3042.member_3);
-let _e3062 = ((((_e3042.member * _e328) + (_e3042.member_1 * _e333)) + (_e3042.member_2 * _e322)) + _e3042.member_3);
-let _e3064 = select(_e3062, _e3056, (_e3056 < _e3062));
-let _e3066 = select(_e3062, _e3056, (_e3056 > _e3062));
-let _e3068 = (_e3066 - _e3064);
-let _e3071 = (-(_e3064) / select(1e-30f, _e3068, (_e3068 > 1e-30f)));
-let _e3073 = select(0f, _e3071, (_e3071 > 0f));
-let _e3079 = select(select(select(1f, _e3073, (_e3073 < 1f)), 1f, (_e3066 <= 0f)), 0f, (_e3064 > 0f));
-let _e3081 = (_e3046 > 0.5f);
-let _e3090 = global_1.member.member_19;
-let _e3094 = global_1.member.member_22.member_1;
-let _e3104 = ((((_e3090.member * _e307) + (_e3090.member_1 * _e316)) + (_e3090.member_2 * _e289)) + _e3090.member_3);
-let _e3110 = ((((_e3090.member * _e328) + (_e3090.member_1 * _e333)) + (_e3090.member_2 * _e322)) + _e3090.member_3);
-let _e3112 = select(_e3110, _e3104, (_e3104 < _e3110));
-let _e3114 = select(_e3110, _e3104, (_e3104 > _e3110));
-let _e3116 = (_e3114 - _e3112);
-let _e3119 = (-(_e3112) / select(1e-30f, _e3116, (_e3116 > 1e-30f)));
-let _e3121 = select(0f, _e3119, (_e3119 > 0f));
-let _e3127 = select(select(select(1f, _e3121, (_e3121 < 1f)), 1f, (_e3114 <= 0f)), 0f, (_e3112 > 0f));
-let _e3129 = (_e3094 > 0.5f);
-let _e3138 = global_1.member.member_20;
-let _e3142 = global_1.member.member_22.member_2;
-let _e3152 = ((((_e3138.member * _e307) + (_e3138.member_1 * _e316)) + (_e3138.member_2 * _e289)) + _e3138.member_3);
-let _e3158 = ((((_e3138.member * _e328) + (_e3138.member_1 * _e333)) + (_e3138.member_2 * _e322)) + _e3138.member_3);
-let _e3160 = select(_e3158, _e3152, (_e3152 < _e3158));
-let _e3162 = select(_e3158, _e3152, (_e3152 > _e3158));
-let _e3164 = (_e3162 - _e3160);
-let _e3167 = (-(_e3160) / select(1e-30f, _e3164, (_e3164 > 1e-30f)));
-let _e3169 = select(0f, _e3167, (_e3167 > 0f));
-let _e3175 = select(select(select(1f, _e3169, (_e3169 < 1f)), 1f, (_e3162 <= 0f)), 0f, (_e3160 > 0f));
-let _e3177 = (_e3142 > 0.5f);
-let _e3186 = global_1.member.member_21;
-let _e3190 = global_1.member.member_22.member_3;
-let _e3200 = ((((_e3186.member * _e307) + (_e3186.member_1 * _e316)) + (_e3186.member_2 * _e289)) + _e3186.member_3);
-let _e3206 = ((((_e3186.member * _e328) + (_e3186.member_1 * _e333)) + (_e3186.member_2 * _e322)) + _e3186.member_3);
-let _e3208 = select(_e3206, _e3200, (_e3200 < _e3206));
-let _e3210 = select(_e3206, _e3200, (_e3200 > _e3206));
-let _e3212 = (_e3210 - _e3208);
-let _e3215 = (-(_e3208) / select(1e-30f, _e3212, (_e3212 > 1e-30f)));
-let _e3217 = select(0f, _e3215, (_e3215 > 0f));
-let _e3223 = select(select(select(1f, _e3217, (_e3217 < 1f)), 1f, (_e3210 <= 0f)), 0f, (_e3208 > 0f));
-let _e3225 = (_e3190 > 0.5f);
-phi_8795_ = type_21(((((1f * _e3079) * _e3127) * _e3175) * _e3223), ((((1f * select(1f, _e3079, _e3081)) * select(1f, _e3127, _e3129)) * select(1f, _e3175, _e3177)) * select(1f, _e3223, _e3225)), ((((1f * select(1f, 0f, (_e3081 && (_e3062 > 0f)))) * select(1f, 0f, (_e3129 && (_e3110 > 0f)))) * select(1f, 0f, (_e3177 && (_e3158 > 0f)))) * select(1f, 0f, (_e3225 && (_e3206 > 0f)))));
+let _e3023 = global_1.member.member_14.member;
+let _e3034 = ((((_e3023.member.member * _e303) + (_e3023.member.member_1 * _e312)) + (_e3023.member.member_2 * _e285)) + _e3023.member_1);
+let _e3040 = ((((_e3023.member.member * _e324) + (_e3023.member.member_1 * _e329)) + (_e3023.member.member_2 * _e318)) + _e3023.member_1);
+let _e3042 = select(_e3040, _e3034, (_e3034 < _e3040));
+let _e3044 = select(_e3040, _e3034, (_e3034 > _e3040));
+let _e3046 = (_e3044 - _e3042);
+let _e3049 = (-(_e3042) / select(1e-30f, _e3046, (_e3046 > 1e-30f)));
+let _e3051 = select(0f, _e3049, (_e3049 > 0f));
+let _e3057 = select(select(select(1f, _e3051, (_e3051 < 1f)), 1f, (_e3044 <= 0f)), 0f, (_e3042 > 0f));
+let _e3062 = global_1.member.member_14.member_1;
+let _e3063 = (_e3062 != 0u);
+let _e3073 = global_1.member.member_15.member;
+let _e3084 = ((((_e3073.member.member * _e303) + (_e3073.member.member_1 * _e312)) + (_e3073.member.member_2 * _e285)) + _e3073.member_1);
+let _e3090 = ((((_e3073.member.member * _e324) + (_e3073.member.member_1 * _e329)) + (_e3073.member.member_2 * _e318)) + _e3073.member_1);
+let _e3092 = select(_e3090, _e3084, (_e3084 < _e3090));
+let _e3094 = select(_e3090, _e3084, (_e3084 > _e3090));
+let _e3096 = (_e3094 - _e3092);
+let _e3099 = (-(_e3092) / select(1e-30f, _e3096, (_e3096 > 1e-30f)));
+let _e3101 = select(0f, _e3099, (_e3099 > 0f));
+let _e3107 = select(select(select(1f, _e3101, (_e3101 < 1f)), 1f, (_e3094 <= 0f)), 0f, (_e3092 > 0f));
+let _e3112 = global_1.member.member_15.member_1;
+let _e3113 = (_e3112 != 0u);
+let _e3123 = global_1.member.member_16.member;
+let _e3134 = ((((_e3123.member.member * _e303) + (_e3123.member.member_1 * _e312)) + (_e3123.member.member_2 * _e285)) + _e3123.member_1);
+let _e3140 = ((((_e3123.member.member * _e324) + (_e3123.member.member_1 * _e329)) + (_e3123.member.member_2 * _e318)) + _e3123.member_1);
+let _e3142 = select(_e3140, _e3134, (_e3134 < _e3140));
+let _e3144 = select(_e3140, _e3134, (_e3134 > _e3140));
+let _e3146 = (_e3144 - _e3142);
+let _e3149 = (-(_e3142) / select(1e-30f, _e3146, (_e3146 > 1e-30f)));
+let _e3151 = select(0f, _e3149, (_e3149 > 0f));
+let _e3157 = select(select(select(1f, _e3151, (_e3151 < 1f)), 1f, (_e3144 <= 0f)), 0f, (_e3142 > 0f));
+let _e3162 = global_1.member.member_16.member_1;
+let _e3163 = (_e3162 != 0u);
+let _e3173 = global_1.member.member_17.member;
+let _e3184 = ((((_e3173.member.member * _e303) + (_e3173.member.member_1 * _e312)) + (_e3173.member.member_2 * _e285)) + _e3173.member_1);
+let _e3190 = ((((_e3173.member.member * _e324) + (_e3173.member.member_1 * _e329)) + (_e3173.member.member_2 * _e318)) + _e3173.member_1);
+let _e3192 = select(_e3190, _e3184, (_e3184 < _e3190));
+let _e3194 = select(_e3190, _e3184, (_e3184 > _e3190));
+let _e3196 = (_e3194 - _e3192);
+let _e3199 = (-(_e3192) / select(1e-30f, _e3196, (_e3196 > 1e-30f)));
+let _e3201 = select(0f, _e3199, (_e3199 > 0f));
+let _e3207 = select(select(select(1f, _e3201, (_e3201 < 1f)), 1f, (_e3194 <= 0f)), 0f, (_e3192 > 0f));
+let _e3212 = global_1.member.member_17.member_1;
+let _e3213 = (_e3212 != 0u);
+phi_5884_ = type_5(((((1f * _e3057) * _e3107) * _e3157) * _e3207), ((((1f * select(1f, _e3057, _e3063)) * select(1f, _e3107, _e3113)) * select(1f, _e3157, _e3163)) * select(1f, _e3207, _e3213)), ((((1f * select(1f, 0f, (_e3063 && (_e3040 > 0f)))) * select(1f, 0f, (_e3113 && (_e3090 > 0f)))) * select(1f, 0f, (_e3163 && (_e3140 > 0f)))) * select(1f, 0f, (_e3213 && (_e3190 > 0f)))));
 }
-let _e3234 = phi_8795_;
-let _e3235 = (_e328 - _e307);
-let _e3236 = (_e333 - _e316);
-let _e3237 = (_e322 - _e289);
-let _e3242 = (((_e3235 * _e3235) + (_e3236 * _e3236)) + (_e3237 * _e3237));
-let _e3246 = (_e494 < 1e-12f);
-let _e3248 = (1f / select(_e489, 1f, _e3246));
-let _e3250 = ((-0.5f - _e399) * _e3248);
-let _e3252 = ((_e464 - _e399) * _e3248);
-let _e3258 = select(_e3252, _e3250, (_e3250 < _e3252));
-let _e3260 = select(0f, _e3258, (_e3258 > 0f));
-let _e3263 = select(select(1f, _e3260, (_e3260 < 1f)), select(2f, 0f, ((_e399 >= -0.5f) && (_e399 <= _e464))), _e3246);
-let _e3265 = select(_e3252, _e3250, (_e3250 > _e3252));
-let _e3267 = select(0f, _e3265, (_e3265 > 0f));
-let _e3270 = select(select(1f, _e3267, (_e3267 < 1f)), 1f, _e3246);
-let _e3271 = (_e497 < 1e-12f);
-let _e3273 = (1f / select(_e490, 1f, _e3271));
-let _e3275 = ((-0.5f - _e417) * _e3273);
-let _e3277 = ((_e474 - _e417) * _e3273);
-let _e3283 = select(_e3277, _e3275, (_e3275 < _e3277));
-let _e3285 = select(0f, _e3283, (_e3283 > 0f));
-let _e3288 = select(select(1f, _e3285, (_e3285 < 1f)), select(2f, 0f, ((_e417 >= -0.5f) && (_e417 <= _e474))), _e3271);
-let _e3290 = select(_e3277, _e3275, (_e3275 > _e3277));
-let _e3292 = select(0f, _e3290, (_e3290 > 0f));
-let _e3295 = select(select(1f, _e3292, (_e3292 < 1f)), 1f, _e3271);
-let _e3296 = (_e502 < 1e-12f);
-let _e3298 = (1f / select(_e491, 1f, _e3296));
-let _e3300 = ((-0.5f - _e435) * _e3298);
-let _e3302 = ((_e484 - _e435) * _e3298);
-let _e3308 = select(_e3302, _e3300, (_e3300 < _e3302));
-let _e3310 = select(0f, _e3308, (_e3308 > 0f));
-let _e3313 = select(select(1f, _e3310, (_e3310 < 1f)), select(2f, 0f, ((_e435 >= -0.5f) && (_e435 <= _e484))), _e3296);
-let _e3315 = select(_e3302, _e3300, (_e3300 > _e3302));
-let _e3317 = select(0f, _e3315, (_e3315 > 0f));
-let _e3320 = select(select(1f, _e3317, (_e3317 < 1f)), 1f, _e3296);
-let _e3322 = select(_e3295, _e3270, (_e3270 < _e3295));
-let _e3326 = select(_e3288, _e3263, (_e3263 > _e3288));
-let _e3329 = (select(_e3320, _e3322, (_e3322 < _e3320)) - select(_e3313, _e3326, (_e3326 > _e3313)));
-let _e3336 = global_1.member.member_4.member_3;
-let _e3337 = ((sqrt(select(0f, _e3242, (_e3242 > 0f))) * select(0f, _e3329, (_e3329 > 0f))) * _e3336);
-let _e3339 = (select(1f, _e3035, (_e3035 < 1f)) * 255f);
-let _e3340 = (_e2641.member * 255f);
-let _e3341 = (255f - 1f);
-let _e3343 = select(0f, _e3339, (_e3339 > 0f));
-let _e3345 = select(_e3341, _e3343, (_e3343 < _e3341));
-let _e3352 = select(0i, select(select(i32(_e3345), i32(-2147483648), (_e3345 < -2147483600f)), 2147483647i, (_e3345 > 2147483500f)), (_e3345 == _e3345));
-let _e3356 = (_e3352 - select(0i, 1i, (_e3345 < f32(_e3352))));
-let _e3358 = select(0f, _e3340, (_e3340 > 0f));
-let _e3360 = select(_e3341, _e3358, (_e3358 < _e3341));
-let _e3367 = select(0i, select(select(i32(_e3360), i32(-2147483648), (_e3360 < -2147483600f)), 2147483647i, (_e3360 > 2147483500f)), (_e3360 == _e3360));
-let _e3371 = (_e3367 - select(0i, 1i, (_e3360 < f32(_e3367))));
-let _e3374 = (((_e3356 * 256i) + _e3371) * 4i);
-let _e3376 = (_e3339 - f32(_e3356));
-let _e3378 = (_e3340 - f32(_e3371));
-let _e3380 = (bitcast<i32>(_e94) - 1i);
-let _e3382 = select(_e3380, _e3374, (_e3374 < _e3380));
-let _e3388 = global_4.member[bitcast<u32>(select(0i, _e3382, (_e3382 > 0i)))];
-let _e3389 = (_e3374 + 4i);
-let _e3391 = select(_e3380, _e3389, (_e3389 < _e3380));
-let _e3397 = global_4.member[bitcast<u32>(select(0i, _e3391, (_e3391 > 0i)))];
-let _e3398 = (_e3374 + 1024i);
-let _e3400 = select(_e3380, _e3398, (_e3398 < _e3380));
-let _e3406 = global_4.member[bitcast<u32>(select(0i, _e3400, (_e3400 > 0i)))];
-let _e3407 = (_e3374 + 1028i);
-let _e3409 = select(_e3380, _e3407, (_e3407 < _e3380));
-let _e3415 = global_4.member[bitcast<u32>(select(0i, _e3409, (_e3409 > 0i)))];
-let _e3420 = (bitcast<f32>(((_e3388 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3428 = (_e3420 + (((bitcast<f32>(((_e3397 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3420) * _e3378));
-let _e3433 = (bitcast<f32>(((_e3406 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3457 = (bitcast<f32>((((_e3388 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3465 = (_e3457 + (((bitcast<f32>((((_e3397 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3457) * _e3378));
-let _e3470 = (bitcast<f32>((((_e3406 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3482 = (_e3374 + 1i);
-let _e3484 = select(_e3380, _e3482, (_e3482 < _e3380));
-let _e3490 = global_4.member[bitcast<u32>(select(0i, _e3484, (_e3484 > 0i)))];
-let _e3491 = (_e3374 + 5i);
-let _e3493 = select(_e3380, _e3491, (_e3491 < _e3380));
-let _e3499 = global_4.member[bitcast<u32>(select(0i, _e3493, (_e3493 > 0i)))];
-let _e3500 = (_e3374 + 1025i);
-let _e3502 = select(_e3380, _e3500, (_e3500 < _e3380));
-let _e3508 = global_4.member[bitcast<u32>(select(0i, _e3502, (_e3502 > 0i)))];
-let _e3509 = (_e3374 + 1029i);
-let _e3511 = select(_e3380, _e3509, (_e3509 < _e3380));
-let _e3517 = global_4.member[bitcast<u32>(select(0i, _e3511, (_e3511 > 0i)))];
-let _e3522 = (bitcast<f32>(((_e3490 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3530 = (_e3522 + (((bitcast<f32>(((_e3499 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3522) * _e3378));
-let _e3535 = (bitcast<f32>(((_e3508 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3559 = (bitcast<f32>((((_e3490 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3567 = (_e3559 + (((bitcast<f32>((((_e3499 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3559) * _e3378));
-let _e3572 = (bitcast<f32>((((_e3508 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3587 = (_e3337 * _e3234.member_1);
-let _e3589 = -(((_e3465 + (((_e3470 + (((bitcast<f32>((((_e3415 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3470) * _e3378)) - _e3465) * _e3376)) * _e3587));
-let _e3591 = select(-87f, _e3589, (_e3589 > -87f));
-let _e3593 = select(88f, _e3591, (_e3591 < 88f));
-let _e3595 = ((_e3593 * 1.442695f) + 0.5f);
-let _e3597 = select(-127f, _e3595, (_e3595 > -127f));
-let _e3599 = select(128f, _e3597, (_e3597 < 128f));
-let _e3606 = select(0i, select(select(i32(_e3599), i32(-2147483648), (_e3599 < -2147483600f)), 2147483647i, (_e3599 > 2147483500f)), (_e3599 == _e3599));
-let _e3610 = (_e3606 - select(0i, 1i, (_e3599 < f32(_e3606))));
-let _e3611 = f32(_e3610);
-let _e3615 = ((_e3593 - (_e3611 * 0.6933594f)) - (_e3611 * -2.1219444e-4f));
-let _e3637 = -(((_e3530 + (((_e3535 + (((bitcast<f32>(((_e3517 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3535) * _e3378)) - _e3530) * _e3376)) * _e3587));
-let _e3639 = select(-87f, _e3637, (_e3637 > -87f));
-let _e3641 = select(88f, _e3639, (_e3639 < 88f));
-let _e3643 = ((_e3641 * 1.442695f) + 0.5f);
-let _e3645 = select(-127f, _e3643, (_e3643 > -127f));
-let _e3647 = select(128f, _e3645, (_e3645 < 128f));
-let _e3654 = select(0i, select(select(i32(_e3647), i32(-2147483648), (_e3647 < -2147483600f)), 2147483647i, (_e3647 > 2147483500f)), (_e3647 == _e3647));
-let _e3658 = (_e3654 - select(0i, 1i, (_e3647 < f32(_e3654))));
-let _e3659 = f32(_e3658);
-let _e3663 = ((_e3641 - (_e3659 * 0.6933594f)) - (_e3659 * -2.1219444e-4f));
-let _e3685 = -(((_e3567 + (((_e3572 + (((bitcast<f32>((((_e3517 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3572) * _e3378)) - _e3567) * _e3376)) * _e3587));
-let _e3687 = select(-87f, _e3685, (_e3685 > -87f));
-let _e3689 = select(88f, _e3687, (_e3687 < 88f));
-let _e3691 = ((_e3689 * 1.442695f) + 0.5f);
-let _e3693 = select(-127f, _e3691, (_e3691 > -127f));
-let _e3695 = select(128f, _e3693, (_e3693 < 128f));
-let _e3702 = select(0i, select(select(i32(_e3695), i32(-2147483648), (_e3695 < -2147483600f)), 2147483647i, (_e3695 > 2147483500f)), (_e3695 == _e3695));
-let _e3706 = (_e3702 - select(0i, 1i, (_e3695 < f32(_e3702))));
-let _e3707 = f32(_e3706);
-let _e3711 = ((_e3689 - (_e3707 * 0.6933594f)) - (_e3707 * -2.1219444e-4f));
-let _e3733 = -(((_e3428 + (((_e3433 + (((bitcast<f32>(((_e3415 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3433) * _e3378)) - _e3428) * _e3376)) * (_e3337 * _e3234.member)));
-let _e3735 = select(-87f, _e3733, (_e3733 > -87f));
-let _e3737 = select(88f, _e3735, (_e3735 < 88f));
-let _e3739 = ((_e3737 * 1.442695f) + 0.5f);
-let _e3741 = select(-127f, _e3739, (_e3739 > -127f));
-let _e3743 = select(128f, _e3741, (_e3741 < 128f));
-let _e3750 = select(0i, select(select(i32(_e3743), i32(-2147483648), (_e3743 < -2147483600f)), 2147483647i, (_e3743 > 2147483500f)), (_e3743 == _e3743));
-let _e3754 = (_e3750 - select(0i, 1i, (_e3743 < f32(_e3750))));
-let _e3755 = f32(_e3754);
-let _e3759 = ((_e3737 - (_e3755 * 0.6933594f)) - (_e3755 * -2.1219444e-4f));
-let _e3779 = ((1f + (_e3759 * (1f + (_e3759 * (0.5f + (_e3759 * (0.16666667f + (_e3759 * (0.041666668f + (_e3759 * (0.008333334f + (_e3759 * (0.001388889f + (_e3759 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3754 + 127i)) << bitcast<u32>(23i))));
-if _e642 {
-let _e3794 = global_1.member.member_24.member_2;
-let _e3797 = (_e2641.member_3.x * _e3234.member_2);
-let _e3799 = (_e2641.member_3.y * _e3234.member_2);
-let _e3801 = (_e2641.member_3.z * _e3234.member_2);
-let _e3802 = (0.5f * (_e246 / _e198));
-let _e3806 = (_e176 + (_e3797 * _e3802));
-let _e3807 = (_e187 + (_e3799 * _e3802));
-let _e3808 = (_e198 + (_e3801 * _e3802));
-let _e3810 = (2f * _e246);
-let _e3812 = ((_e3808 * _e3808) + (_e3810 * _e3801));
-let _e3816 = (_e3808 + sqrt(select(0f, _e3812, (_e3812 > 0f))));
-let _e3820 = (0.5f * (_e3810 / select(1e-6f, _e3816, (_e3816 > 1e-6f))));
-let _e3824 = (_e3806 + (_e3797 * _e3820));
-let _e3825 = (_e3807 + (_e3799 * _e3820));
-let _e3826 = (_e3808 + (_e3801 * _e3820));
-let _e3830 = (_e3794 * _e3794);
-let _e3832 = (_e3826 * _e3826);
-let _e3840 = (((_e3808 <= 0f) || (_e3812 <= 0f)) || ((_e3826 <= 0f) || (_e3832 <= (_e3830 * (((_e3824 * _e3824) + (_e3825 * _e3825)) + _e3832)))));
-let _e3854 = (_e176 + ((_e2641.member_4.x * _e3234.member_2) * _e246));
-let _e3855 = (_e187 + ((_e2641.member_4.y * _e3234.member_2) * _e246));
-let _e3856 = (_e198 + ((_e2641.member_4.z * _e3234.member_2) * _e246));
-let _e3858 = (_e3856 * _e3856);
-let _e3867 = ((_e622 & 1u) != 0u);
-phi_9819_ = select(select(select(_e3826, _e3808, _e3840), _e3856, _e3867), _e198, _e629);
-phi_9820_ = select(select(select(_e3825, _e3807, _e3840), _e3855, _e3867), _e187, _e629);
-phi_9821_ = select(select(select(_e3824, _e3806, _e3840), _e3854, _e3867), _e176, _e629);
-phi_9822_ = (select(_e3840, ((_e3856 <= 0f) || (_e3858 <= (_e3830 * (((_e3854 * _e3854) + (_e3855 * _e3855)) + _e3858)))), _e3867) && !(_e629));
+let _e3222 = phi_5884_;
+let _e3223 = (_e324 - _e303);
+let _e3224 = (_e329 - _e312);
+let _e3225 = (_e318 - _e285);
+let _e3230 = (((_e3223 * _e3223) + (_e3224 * _e3224)) + (_e3225 * _e3225));
+let _e3234 = (_e480 < 1e-12f);
+let _e3236 = (1f / select(_e475, 1f, _e3234));
+let _e3238 = ((-0.5f - _e392) * _e3236);
+let _e3240 = ((_e450 - _e392) * _e3236);
+let _e3246 = select(_e3240, _e3238, (_e3238 < _e3240));
+let _e3248 = select(0f, _e3246, (_e3246 > 0f));
+let _e3251 = select(select(1f, _e3248, (_e3248 < 1f)), select(2f, 0f, ((_e392 >= -0.5f) && (_e392 <= _e450))), _e3234);
+let _e3253 = select(_e3240, _e3238, (_e3238 > _e3240));
+let _e3255 = select(0f, _e3253, (_e3253 > 0f));
+let _e3258 = select(select(1f, _e3255, (_e3255 < 1f)), 1f, _e3234);
+let _e3259 = (_e483 < 1e-12f);
+let _e3261 = (1f / select(_e476, 1f, _e3259));
+let _e3263 = ((-0.5f - _e407) * _e3261);
+let _e3265 = ((_e460 - _e407) * _e3261);
+let _e3271 = select(_e3265, _e3263, (_e3263 < _e3265));
+let _e3273 = select(0f, _e3271, (_e3271 > 0f));
+let _e3276 = select(select(1f, _e3273, (_e3273 < 1f)), select(2f, 0f, ((_e407 >= -0.5f) && (_e407 <= _e460))), _e3259);
+let _e3278 = select(_e3265, _e3263, (_e3263 > _e3265));
+let _e3280 = select(0f, _e3278, (_e3278 > 0f));
+let _e3283 = select(select(1f, _e3280, (_e3280 < 1f)), 1f, _e3259);
+let _e3284 = (_e488 < 1e-12f);
+let _e3286 = (1f / select(_e477, 1f, _e3284));
+let _e3288 = ((-0.5f - _e422) * _e3286);
+let _e3290 = ((_e470 - _e422) * _e3286);
+let _e3296 = select(_e3290, _e3288, (_e3288 < _e3290));
+let _e3298 = select(0f, _e3296, (_e3296 > 0f));
+let _e3301 = select(select(1f, _e3298, (_e3298 < 1f)), select(2f, 0f, ((_e422 >= -0.5f) && (_e422 <= _e470))), _e3284);
+let _e3303 = select(_e3290, _e3288, (_e3288 > _e3290));
+let _e3305 = select(0f, _e3303, (_e3303 > 0f));
+let _e3308 = select(select(1f, _e3305, (_e3305 < 1f)), 1f, _e3284);
+let _e3310 = select(_e3283, _e3258, (_e3258 < _e3283));
+let _e3314 = select(_e3276, _e3251, (_e3251 > _e3276));
+let _e3317 = (select(_e3308, _e3310, (_e3310 < _e3308)) - select(_e3301, _e3314, (_e3314 > _e3301)));
+let _e3324 = global_1.member.member_5.member_3;
+let _e3325 = ((sqrt(select(0f, _e3230, (_e3230 > 0f))) * select(0f, _e3317, (_e3317 > 0f))) * _e3324);
+let _e3327 = (select(1f, _e3015, (_e3015 < 1f)) * 255f);
+let _e3328 = (_e2625.member * 255f);
+let _e3329 = (255f - 1f);
+let _e3331 = select(0f, _e3327, (_e3327 > 0f));
+let _e3333 = select(_e3329, _e3331, (_e3331 < _e3329));
+let _e3340 = select(0i, select(select(i32(_e3333), i32(-2147483648), (_e3333 < -2147483600f)), 2147483647i, (_e3333 > 2147483500f)), (_e3333 == _e3333));
+let _e3344 = (_e3340 - select(0i, 1i, (_e3333 < f32(_e3340))));
+let _e3346 = select(0f, _e3328, (_e3328 > 0f));
+let _e3348 = select(_e3329, _e3346, (_e3346 < _e3329));
+let _e3355 = select(0i, select(select(i32(_e3348), i32(-2147483648), (_e3348 < -2147483600f)), 2147483647i, (_e3348 > 2147483500f)), (_e3348 == _e3348));
+let _e3359 = (_e3355 - select(0i, 1i, (_e3348 < f32(_e3355))));
+let _e3362 = (((_e3344 * 256i) + _e3359) * 4i);
+let _e3364 = (_e3327 - f32(_e3344));
+let _e3366 = (_e3328 - f32(_e3359));
+let _e3368 = (bitcast<i32>(_e93) - 1i);
+let _e3370 = select(_e3368, _e3362, (_e3362 < _e3368));
+let _e3376 = global_4.member[bitcast<u32>(select(0i, _e3370, (_e3370 > 0i)))];
+let _e3377 = (_e3362 + 4i);
+let _e3379 = select(_e3368, _e3377, (_e3377 < _e3368));
+let _e3385 = global_4.member[bitcast<u32>(select(0i, _e3379, (_e3379 > 0i)))];
+let _e3386 = (_e3362 + 1024i);
+let _e3388 = select(_e3368, _e3386, (_e3386 < _e3368));
+let _e3394 = global_4.member[bitcast<u32>(select(0i, _e3388, (_e3388 > 0i)))];
+let _e3395 = (_e3362 + 1028i);
+let _e3397 = select(_e3368, _e3395, (_e3395 < _e3368));
+let _e3403 = global_4.member[bitcast<u32>(select(0i, _e3397, (_e3397 > 0i)))];
+let _e3408 = (bitcast<f32>(((_e3376 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3416 = (_e3408 + (((bitcast<f32>(((_e3385 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3408) * _e3366));
+let _e3421 = (bitcast<f32>(((_e3394 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3445 = (bitcast<f32>((((_e3376 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3453 = (_e3445 + (((bitcast<f32>((((_e3385 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3445) * _e3366));
+let _e3458 = (bitcast<f32>((((_e3394 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3470 = (_e3362 + 1i);
+let _e3472 = select(_e3368, _e3470, (_e3470 < _e3368));
+let _e3478 = global_4.member[bitcast<u32>(select(0i, _e3472, (_e3472 > 0i)))];
+let _e3479 = (_e3362 + 5i);
+let _e3481 = select(_e3368, _e3479, (_e3479 < _e3368));
+let _e3487 = global_4.member[bitcast<u32>(select(0i, _e3481, (_e3481 > 0i)))];
+let _e3488 = (_e3362 + 1025i);
+let _e3490 = select(_e3368, _e3488, (_e3488 < _e3368));
+let _e3496 = global_4.member[bitcast<u32>(select(0i, _e3490, (_e3490 > 0i)))];
+let _e3497 = (_e3362 + 1029i);
+let _e3499 = select(_e3368, _e3497, (_e3497 < _e3368));
+let _e3505 = global_4.member[bitcast<u32>(select(0i, _e3499, (_e3499 > 0i)))];
+let _e3510 = (bitcast<f32>(((_e3478 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3518 = (_e3510 + (((bitcast<f32>(((_e3487 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3510) * _e3366));
+let _e3523 = (bitcast<f32>(((_e3496 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3547 = (bitcast<f32>((((_e3478 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3555 = (_e3547 + (((bitcast<f32>((((_e3487 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3547) * _e3366));
+let _e3560 = (bitcast<f32>((((_e3496 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3575 = (_e3325 * _e3222.member_1);
+let _e3577 = -(((_e3453 + (((_e3458 + (((bitcast<f32>((((_e3403 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3458) * _e3366)) - _e3453) * _e3364)) * _e3575));
+let _e3579 = select(-87f, _e3577, (_e3577 > -87f));
+let _e3581 = select(88f, _e3579, (_e3579 < 88f));
+let _e3583 = ((_e3581 * 1.442695f) + 0.5f);
+let _e3585 = select(-127f, _e3583, (_e3583 > -127f));
+let _e3587 = select(128f, _e3585, (_e3585 < 128f));
+let _e3594 = select(0i, select(select(i32(_e3587), i32(-2147483648), (_e3587 < -2147483600f)), 2147483647i, (_e3587 > 2147483500f)), (_e3587 == _e3587));
+let _e3598 = (_e3594 - select(0i, 1i, (_e3587 < f32(_e3594))));
+let _e3599 = f32(_e3598);
+let _e3603 = ((_e3581 - (_e3599 * 0.6933594f)) - (_e3599 * -2.1219444e-4f));
+let _e3625 = -(((_e3518 + (((_e3523 + (((bitcast<f32>(((_e3505 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3523) * _e3366)) - _e3518) * _e3364)) * _e3575));
+let _e3627 = select(-87f, _e3625, (_e3625 > -87f));
+let _e3629 = select(88f, _e3627, (_e3627 < 88f));
+let _e3631 = ((_e3629 * 1.442695f) + 0.5f);
+let _e3633 = select(-127f, _e3631, (_e3631 > -127f));
+let _e3635 = select(128f, _e3633, (_e3633 < 128f));
+let _e3642 = select(0i, select(select(i32(_e3635), i32(-2147483648), (_e3635 < -2147483600f)), 2147483647i, (_e3635 > 2147483500f)), (_e3635 == _e3635));
+let _e3646 = (_e3642 - select(0i, 1i, (_e3635 < f32(_e3642))));
+let _e3647 = f32(_e3646);
+let _e3651 = ((_e3629 - (_e3647 * 0.6933594f)) - (_e3647 * -2.1219444e-4f));
+let _e3673 = -(((_e3555 + (((_e3560 + (((bitcast<f32>((((_e3505 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3560) * _e3366)) - _e3555) * _e3364)) * _e3575));
+let _e3675 = select(-87f, _e3673, (_e3673 > -87f));
+let _e3677 = select(88f, _e3675, (_e3675 < 88f));
+let _e3679 = ((_e3677 * 1.442695f) + 0.5f);
+let _e3681 = select(-127f, _e3679, (_e3679 > -127f));
+let _e3683 = select(128f, _e3681, (_e3681 < 128f));
+let _e3690 = select(0i, select(select(i32(_e3683), i32(-2147483648), (_e3683 < -2147483600f)), 2147483647i, (_e3683 > 2147483500f)), (_e3683 == _e3683));
+let _e3694 = (_e3690 - select(0i, 1i, (_e3683 < f32(_e3690))));
+let _e3695 = f32(_e3694);
+let _e3699 = ((_e3677 - (_e3695 * 0.6933594f)) - (_e3695 * -2.1219444e-4f));
+let _e3721 = -(((_e3416 + (((_e3421 + (((bitcast<f32>(((_e3403 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3421) * _e3366)) - _e3416) * _e3364)) * (_e3325 * _e3222.member)));
+let _e3723 = select(-87f, _e3721, (_e3721 > -87f));
+let _e3725 = select(88f, _e3723, (_e3723 < 88f));
+let _e3727 = ((_e3725 * 1.442695f) + 0.5f);
+let _e3729 = select(-127f, _e3727, (_e3727 > -127f));
+let _e3731 = select(128f, _e3729, (_e3729 < 128f));
+let _e3738 = select(0i, select(select(i32(_e3731), i32(-2147483648), (_e3731 < -2147483600f)), 2147483647i, (_e3731 > 2147483500f)), (_e3731 == _e3731));
+let _e3742 = (_e3738 - select(0i, 1i, (_e3731 < f32(_e3738))));
+let _e3743 = f32(_e3742);
+let _e3747 = ((_e3725 - (_e3743 * 0.6933594f)) - (_e3743 * -2.1219444e-4f));
+let _e3767 = ((1f + (_e3747 * (1f + (_e3747 * (0.5f + (_e3747 * (0.16666667f + (_e3747 * (0.041666668f + (_e3747 * (0.008333334f + (_e3747 * (0.001388889f + (_e3747 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3742 + 127i)) << bitcast<u32>(23i))));
+if _e625 {
+let _e3782 = global_1.member.member_5.member_4;
+let _e3785 = (_e2625.member_3.x * _e3222.member_2);
+let _e3787 = (_e2625.member_3.y * _e3222.member_2);
+let _e3789 = (_e2625.member_3.z * _e3222.member_2);
+let _e3790 = (0.5f * (_e242 / _e194));
+let _e3794 = (_e172 + (_e3785 * _e3790));
+let _e3795 = (_e183 + (_e3787 * _e3790));
+let _e3796 = (_e194 + (_e3789 * _e3790));
+let _e3798 = (2f * _e242);
+let _e3800 = ((_e3796 * _e3796) + (_e3798 * _e3789));
+let _e3804 = (_e3796 + sqrt(select(0f, _e3800, (_e3800 > 0f))));
+let _e3808 = (0.5f * (_e3798 / select(1e-6f, _e3804, (_e3804 > 1e-6f))));
+let _e3812 = (_e3794 + (_e3785 * _e3808));
+let _e3813 = (_e3795 + (_e3787 * _e3808));
+let _e3814 = (_e3796 + (_e3789 * _e3808));
+let _e3818 = (_e3782 * _e3782);
+let _e3820 = (_e3814 * _e3814);
+let _e3828 = (((_e3796 <= 0f) || (_e3800 <= 0f)) || ((_e3814 <= 0f) || (_e3820 <= (_e3818 * (((_e3812 * _e3812) + (_e3813 * _e3813)) + _e3820)))));
+let _e3842 = (_e172 + ((_e2625.member_4.x * _e3222.member_2) * _e242));
+let _e3843 = (_e183 + ((_e2625.member_4.y * _e3222.member_2) * _e242));
+let _e3844 = (_e194 + ((_e2625.member_4.z * _e3222.member_2) * _e242));
+let _e3846 = (_e3844 * _e3844);
+let _e3855 = ((_e608 & 1u) != 0u);
+phi_6908_ = select(select(select(_e3814, _e3796, _e3828), _e3844, _e3855), _e194, _e615);
+phi_6909_ = select(select(select(_e3813, _e3795, _e3828), _e3843, _e3855), _e183, _e615);
+phi_6910_ = select(select(select(_e3812, _e3794, _e3828), _e3842, _e3855), _e172, _e615);
+phi_6911_ = (select(_e3828, ((_e3844 <= 0f) || (_e3846 <= (_e3818 * (((_e3842 * _e3842) + (_e3843 * _e3843)) + _e3846)))), _e3855) && !(_e615));
 } else {
-phi_9819_ = _e198;
-phi_9820_ = _e187;
-phi_9821_ = _e176;
-phi_9822_ = false;
+phi_6908_ = _e194;
+phi_6909_ = _e183;
+phi_6910_ = _e172;
+phi_6911_ = false;
 }
-let _e3878 = phi_9819_;
-let _e3880 = phi_9820_;
-let _e3882 = phi_9821_;
-let _e3884 = phi_9822_;
-global_6.member[_e122] = (_e133 + _e261);
-global_6.member[_e134] = (_e143 + _e268);
-global_6.member[_e145] = (_e154 + _e370);
-global_6.member[_e156] = (_e165 + _e373);
-global_6.member[_e167] = _e3882;
-global_6.member[_e178] = _e3880;
-global_6.member[_e189] = _e3878;
-global_6.member[_e200] = select((_e209 * (((1f + (_e3615 * (1f + (_e3615 * (0.5f + (_e3615 * (0.16666667f + (_e3615 * (0.041666668f + (_e3615 * (0.008333334f + (_e3615 * (0.001388889f + (_e3615 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3610 + 127i)) << bitcast<u32>(23i)))) * _e3779)), _e209, _e629);
-global_6.member[_e211] = select((_e220 * (((1f + (_e3663 * (1f + (_e3663 * (0.5f + (_e3663 * (0.16666667f + (_e3663 * (0.041666668f + (_e3663 * (0.008333334f + (_e3663 * (0.001388889f + (_e3663 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3658 + 127i)) << bitcast<u32>(23i)))) * _e3779)), _e220, _e629);
-global_6.member[_e222] = select((_e231 * (((1f + (_e3711 * (1f + (_e3711 * (0.5f + (_e3711 * (0.16666667f + (_e3711 * (0.041666668f + (_e3711 * (0.008333334f + (_e3711 * (0.001388889f + (_e3711 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3706 + 127i)) << bitcast<u32>(23i)))) * _e3779)), _e231, _e629);
-global_6.member[_e233] = select(_e242, 1f, _e3884);
+let _e3866 = phi_6908_;
+let _e3868 = phi_6909_;
+let _e3870 = phi_6910_;
+let _e3872 = phi_6911_;
+global_6.member[_e118] = (_e129 + _e257);
+global_6.member[_e130] = (_e139 + _e264);
+global_6.member[_e141] = (_e150 + _e366);
+global_6.member[_e152] = (_e161 + _e369);
+global_6.member[_e163] = _e3870;
+global_6.member[_e174] = _e3868;
+global_6.member[_e185] = _e3866;
+global_6.member[_e196] = select((_e205 * (((1f + (_e3603 * (1f + (_e3603 * (0.5f + (_e3603 * (0.16666667f + (_e3603 * (0.041666668f + (_e3603 * (0.008333334f + (_e3603 * (0.001388889f + (_e3603 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3598 + 127i)) << bitcast<u32>(23i)))) * _e3767)), _e205, _e615);
+global_6.member[_e207] = select((_e216 * (((1f + (_e3651 * (1f + (_e3651 * (0.5f + (_e3651 * (0.16666667f + (_e3651 * (0.041666668f + (_e3651 * (0.008333334f + (_e3651 * (0.001388889f + (_e3651 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3646 + 127i)) << bitcast<u32>(23i)))) * _e3767)), _e216, _e615);
+global_6.member[_e218] = select((_e227 * (((1f + (_e3699 * (1f + (_e3699 * (0.5f + (_e3699 * (0.16666667f + (_e3699 * (0.041666668f + (_e3699 * (0.008333334f + (_e3699 * (0.001388889f + (_e3699 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3694 + 127i)) << bitcast<u32>(23i)))) * _e3767)), _e227, _e615);
+global_6.member[_e229] = select(_e238, 1f, _e3872);
 }
 }
 }

@@ -1,1155 +1,1214 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
 member: array<f32>,
 }
-struct type_11 {
+struct type_17 {
 member: array<u32>,
 }
-struct type_13 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_14 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_13,
-member_6: type_13,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_15 {
-member: type_14,
-}
 struct type_18 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+}
+struct type_20 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_22 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_23 {
+member: type_7,
+member_1: u32,
+}
+struct type_24 {
+member: type_2,
+member_1: u32,
+member_2: type_18,
+member_3: type_19,
+member_4: u32,
+member_5: type_20,
+member_6: type_21,
+member_7: type_21,
+member_8: type_22,
+member_9: type_10,
+member_10: f32,
+member_11: type_20,
+member_12: type_4,
+member_13: type_9,
+member_14: type_23,
+member_15: type_23,
+member_16: type_23,
+member_17: type_23,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_25 {
+member: type_24,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_19 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_20 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_21 {
-member: f32,
-member_1: f32,
-member_2: f32,
-}
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_15;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_11;
+var<storage> global_2: type_17;
 @group(0) @binding(3)
-var<storage> global_3: type_11;
+var<storage> global_3: type_17;
 @group(0) @binding(4)
-var<storage> global_4: type_11;
+var<storage> global_4: type_17;
 @group(0) @binding(5)
-var<storage> global_5: type_6;
+var<storage> global_5: type_12;
 @group(0) @binding(6)
-var<storage, read_write> global_6: type_6;
+var<storage, read_write> global_6: type_12;
 fn function_() {
-var local: type_18;
+var local: type_28;
 var local_1: vec3<f32>;
-var local_2: type_18;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_18;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var phi_5835_: type_19;
-var phi_7155_: type_20;
-var phi_8676_: type_21;
-var phi_9700_: f32;
-var phi_9701_: f32;
-var phi_9702_: f32;
-var phi_9703_: bool;
+var phi_4008_: type_29;
+var phi_4709_: type_30;
+var phi_5633_: type_5;
+var phi_6657_: f32;
+var phi_6658_: f32;
+var phi_6659_: f32;
+var phi_6660_: bool;
 switch bitcast<i32>(0u) {
 default: {
-let _e90 = global;
-let _e93 = arrayLength((&global_2.member));
-let _e97 = arrayLength((&global_4.member));
-let _e104 = global_1.member.member_1;
-let _e107 = (_e90.x + _e104.x);
-let _e110 = (_e90.y + _e104.y);
-if (_e107 < _e104.z) {
-if (_e110 < _e104.w) {
-let _e118 = global_1.member.member[0u];
-let _e122 = global_1.member.member[1u];
-let _e123 = (_e118 * _e122);
-let _e125 = ((_e110 * _e118) + _e107);
-let _e126 = bitcast<i32>(_e125);
-let _e128 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e130 = select(_e128, _e126, (_e126 < _e128));
-let _e136 = global_6.member[bitcast<u32>(select(0i, _e130, (_e130 > 0i)))];
-let _e137 = (_e123 + _e125);
-let _e138 = bitcast<i32>(_e137);
-let _e140 = select(_e128, _e138, (_e138 < _e128));
-let _e146 = global_6.member[bitcast<u32>(select(0i, _e140, (_e140 > 0i)))];
-let _e148 = ((2u * _e123) + _e125);
-let _e149 = bitcast<i32>(_e148);
-let _e151 = select(_e128, _e149, (_e149 < _e128));
-let _e157 = global_6.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
-let _e159 = ((3u * _e123) + _e125);
-let _e160 = bitcast<i32>(_e159);
-let _e162 = select(_e128, _e160, (_e160 < _e128));
-let _e168 = global_6.member[bitcast<u32>(select(0i, _e162, (_e162 > 0i)))];
-let _e170 = ((4u * _e123) + _e125);
-let _e171 = bitcast<i32>(_e170);
-let _e173 = select(_e128, _e171, (_e171 < _e128));
-let _e179 = global_6.member[bitcast<u32>(select(0i, _e173, (_e173 > 0i)))];
-let _e181 = ((5u * _e123) + _e125);
-let _e182 = bitcast<i32>(_e181);
-let _e184 = select(_e128, _e182, (_e182 < _e128));
-let _e190 = global_6.member[bitcast<u32>(select(0i, _e184, (_e184 > 0i)))];
-let _e192 = ((6u * _e123) + _e125);
-let _e193 = bitcast<i32>(_e192);
-let _e195 = select(_e128, _e193, (_e193 < _e128));
-let _e201 = global_6.member[bitcast<u32>(select(0i, _e195, (_e195 > 0i)))];
-let _e203 = ((7u * _e123) + _e125);
-let _e204 = bitcast<i32>(_e203);
-let _e206 = select(_e128, _e204, (_e204 < _e128));
-let _e212 = global_6.member[bitcast<u32>(select(0i, _e206, (_e206 > 0i)))];
-let _e214 = ((8u * _e123) + _e125);
-let _e215 = bitcast<i32>(_e214);
-let _e217 = select(_e128, _e215, (_e215 < _e128));
-let _e223 = global_6.member[bitcast<u32>(select(0i, _e217, (_e217 > 0i)))];
-let _e225 = ((9u * _e123) + _e125);
-let _e226 = bitcast<i32>(_e225);
-let _e228 = select(_e128, _e226, (_e226 < _e128));
-let _e234 = global_6.member[bitcast<u32>(select(0i, _e228, (_e228 > 0i)))];
-let _e236 = ((10u * _e123) + _e125);
-let _e237 = bitcast<i32>(_e236);
-let _e239 = select(_e128, _e237, (_e237 < _e128));
-let _e245 = global_6.member[bitcast<u32>(select(0i, _e239, (_e239 > 0i)))];
-let _e249 = global_1.member.member_4.member_2;
-let _e252 = (1f / select(1e-6f, _e201, (_e201 > 1e-6f)));
-let _e256 = global_1.member.member_7.member_3;
-let _e257 = (_e249 * _e256);
-let _e262 = global_1.member.member_8.member;
-let _e264 = (((_e179 * _e252) - _e262) * _e257);
-let _e269 = global_1.member.member_8.member_1;
-let _e271 = (((_e190 * _e252) - _e269) * _e257);
-let _e275 = ((f32(bitcast<i32>(_e107)) - 0.5f) + _e136);
-let _e279 = global_1.member.member_2[3u];
-let _e280 = (_e279 + 1u);
-let _e282 = select(1u, _e280, (_e280 > 0u));
-let _e283 = (_e282 == 0u);
-if _e283 {
+let _e89 = global;
+let _e92 = arrayLength((&global_2.member));
+let _e96 = arrayLength((&global_4.member));
+let _e103 = global_1.member.member_2;
+let _e106 = global_1.member.member;
+let _e114 = (_e89.x + _e103.member);
+let _e116 = (_e89.y + _e103.member_1);
+if (_e114 < _e103.member_2) {
+if (_e116 < _e103.member_3) {
+let _e119 = (_e106.member * _e106.member_1);
+let _e121 = ((_e116 * _e106.member) + _e114);
+let _e122 = bitcast<i32>(_e121);
+let _e124 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e126 = select(_e124, _e122, (_e122 < _e124));
+let _e132 = global_6.member[bitcast<u32>(select(0i, _e126, (_e126 > 0i)))];
+let _e133 = (_e119 + _e121);
+let _e134 = bitcast<i32>(_e133);
+let _e136 = select(_e124, _e134, (_e134 < _e124));
+let _e142 = global_6.member[bitcast<u32>(select(0i, _e136, (_e136 > 0i)))];
+let _e144 = ((2u * _e119) + _e121);
+let _e145 = bitcast<i32>(_e144);
+let _e147 = select(_e124, _e145, (_e145 < _e124));
+let _e153 = global_6.member[bitcast<u32>(select(0i, _e147, (_e147 > 0i)))];
+let _e155 = ((3u * _e119) + _e121);
+let _e156 = bitcast<i32>(_e155);
+let _e158 = select(_e124, _e156, (_e156 < _e124));
+let _e164 = global_6.member[bitcast<u32>(select(0i, _e158, (_e158 > 0i)))];
+let _e166 = ((4u * _e119) + _e121);
+let _e167 = bitcast<i32>(_e166);
+let _e169 = select(_e124, _e167, (_e167 < _e124));
+let _e175 = global_6.member[bitcast<u32>(select(0i, _e169, (_e169 > 0i)))];
+let _e177 = ((5u * _e119) + _e121);
+let _e178 = bitcast<i32>(_e177);
+let _e180 = select(_e124, _e178, (_e178 < _e124));
+let _e186 = global_6.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
+let _e188 = ((6u * _e119) + _e121);
+let _e189 = bitcast<i32>(_e188);
+let _e191 = select(_e124, _e189, (_e189 < _e124));
+let _e197 = global_6.member[bitcast<u32>(select(0i, _e191, (_e191 > 0i)))];
+let _e199 = ((7u * _e119) + _e121);
+let _e200 = bitcast<i32>(_e199);
+let _e202 = select(_e124, _e200, (_e200 < _e124));
+let _e208 = global_6.member[bitcast<u32>(select(0i, _e202, (_e202 > 0i)))];
+let _e210 = ((8u * _e119) + _e121);
+let _e211 = bitcast<i32>(_e210);
+let _e213 = select(_e124, _e211, (_e211 < _e124));
+let _e219 = global_6.member[bitcast<u32>(select(0i, _e213, (_e213 > 0i)))];
+let _e221 = ((9u * _e119) + _e121);
+let _e222 = bitcast<i32>(_e221);
+let _e224 = select(_e124, _e222, (_e222 < _e124));
+let _e230 = global_6.member[bitcast<u32>(select(0i, _e224, (_e224 > 0i)))];
+let _e232 = ((10u * _e119) + _e121);
+let _e233 = bitcast<i32>(_e232);
+let _e235 = select(_e124, _e233, (_e233 < _e124));
+let _e241 = global_6.member[bitcast<u32>(select(0i, _e235, (_e235 > 0i)))];
+let _e245 = global_1.member.member_5.member_2;
+let _e248 = (1f / select(1e-6f, _e197, (_e197 > 1e-6f)));
+let _e252 = global_1.member.member_8.member_5;
+let _e253 = (_e245 * _e252);
+let _e258 = global_1.member.member_8.member_6;
+let _e260 = (((_e175 * _e248) - _e258) * _e253);
+let _e265 = global_1.member.member_8.member_7;
+let _e267 = (((_e186 * _e248) - _e265) * _e253);
+let _e271 = ((f32(bitcast<i32>(_e114)) - 0.5f) + _e132);
+let _e275 = global_1.member.member_8.member_1;
+let _e276 = (_e275 + 1u);
+let _e278 = select(1u, _e276, (_e276 > 0u));
+let _e279 = (_e278 == 0u);
+if _e279 {
 break;
 }
-let _e288 = ((f32(bitcast<i32>((_e110 % _e282))) - 0.5f) + _e146);
-let _e292 = global_1.member.member_4.member;
-let _e296 = global_1.member.member_8.member_2;
-let _e297 = (_e292 - _e296);
-let _e301 = global_1.member.member_7.member;
-let _e308 = global_1.member.member_7.member_2;
-let _e310 = ((_e301 + (_e262 * _e297)) + ((_e275 + 0.5f) * _e308));
-let _e314 = global_1.member.member_7.member_1;
-let _e319 = ((_e314 + (_e269 * _e297)) + ((_e288 + 0.5f) * _e308));
-let _e325 = global_1.member.member_4.member_1;
-let _e326 = (_e325 - _e296);
-let _e331 = ((_e301 + (_e262 * _e326)) + (((_e275 + _e264) + 0.5f) * _e308));
-let _e336 = ((_e314 + (_e269 * _e326)) + (((_e288 + _e271) + 0.5f) * _e308));
-if _e283 {
+let _e284 = ((f32(bitcast<i32>((_e116 % _e278))) - 0.5f) + _e142);
+let _e288 = global_1.member.member_5.member;
+let _e292 = global_1.member.member_8.member_8;
+let _e293 = (_e288 - _e292);
+let _e297 = global_1.member.member_8.member_2;
+let _e304 = global_1.member.member_8.member_4;
+let _e306 = ((_e297 + (_e258 * _e293)) + ((_e271 + 0.5f) * _e304));
+let _e310 = global_1.member.member_8.member_3;
+let _e315 = ((_e310 + (_e265 * _e293)) + ((_e284 + 0.5f) * _e304));
+let _e321 = global_1.member.member_5.member_1;
+let _e322 = (_e321 - _e292);
+let _e327 = ((_e297 + (_e258 * _e322)) + (((_e271 + _e260) + 0.5f) * _e304));
+let _e332 = ((_e310 + (_e265 * _e322)) + (((_e284 + _e267) + 0.5f) * _e304));
+if _e279 {
 break;
 }
-let _e339 = bitcast<i32>(((_e110 / _e282) * 3u));
-let _e341 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e343 = select(_e341, _e339, (_e339 < _e341));
-let _e349 = global_5.member[bitcast<u32>(select(0i, _e343, (_e343 > 0i)))];
-let _e350 = (_e339 + 1i);
-let _e352 = select(_e341, _e350, (_e350 < _e341));
-let _e358 = global_5.member[bitcast<u32>(select(0i, _e352, (_e352 > 0i)))];
-let _e359 = (_e339 + 2i);
-let _e361 = select(_e341, _e359, (_e359 < _e341));
-let _e367 = global_5.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
-let _e370 = (1f / select(1e-6f, _e367, (_e367 > 1e-6f)));
-let _e373 = (((_e349 * _e370) - _e262) * _e257);
-let _e376 = (((_e358 * _e370) - _e269) * _e257);
-let _e388 = global_1.member.member_5.member;
-let _e401 = global_1.member.member_5.member.member_3;
-let _e402 = ((((_e388.member * _e310) + (_e388.member_1 * _e319)) + (_e388.member_2 * _e292)) + _e401);
-let _e406 = global_1.member.member_5.member_1;
-let _e419 = global_1.member.member_5.member_1.member_3;
-let _e420 = ((((_e406.member * _e310) + (_e406.member_1 * _e319)) + (_e406.member_2 * _e292)) + _e419);
-let _e424 = global_1.member.member_5.member_2;
-let _e437 = global_1.member.member_5.member_2.member_3;
-let _e438 = ((((_e424.member * _e310) + (_e424.member_1 * _e319)) + (_e424.member_2 * _e292)) + _e437);
-let _e444 = ((((_e388.member * _e331) + (_e388.member_1 * _e336)) + (_e388.member_2 * _e325)) + _e401);
-let _e450 = ((((_e406.member * _e331) + (_e406.member_1 * _e336)) + (_e406.member_2 * _e325)) + _e419);
-let _e456 = ((((_e424.member * _e331) + (_e424.member_1 * _e336)) + (_e424.member_2 * _e325)) + _e437);
-let _e461 = global_1.member.member_5.member_3.member_3;
-let _e466 = global_1.member.member_5.member_3.member;
-let _e467 = (_e466 - 0.5f);
-let _e469 = select(-0.5f, _e444, (_e444 > -0.5f));
-let _e471 = select(_e467, _e469, (_e469 < _e467));
-let _e476 = global_1.member.member_5.member_3.member_1;
-let _e477 = (_e476 - 0.5f);
-let _e479 = select(-0.5f, _e450, (_e450 > -0.5f));
-let _e481 = select(_e477, _e479, (_e479 < _e477));
-let _e486 = global_1.member.member_5.member_3.member_2;
-let _e487 = (_e486 - 0.5f);
-let _e489 = select(-0.5f, _e456, (_e456 > -0.5f));
-let _e491 = select(_e487, _e489, (_e489 < _e487));
-let _e492 = (_e444 - _e402);
-let _e493 = (_e450 - _e420);
-let _e494 = (_e456 - _e438);
-let _e497 = bitcast<f32>((bitcast<u32>(_e492) & 2147483647u));
-let _e500 = bitcast<f32>((bitcast<u32>(_e493) & 2147483647u));
-let _e502 = select(_e500, _e497, (_e497 > _e500));
-let _e505 = bitcast<f32>((bitcast<u32>(_e494) & 2147483647u));
-let _e514 = bitcast<f32>((bitcast<u32>((_e444 - _e471)) & 2147483647u));
-let _e517 = bitcast<f32>((bitcast<u32>((_e450 - _e481)) & 2147483647u));
-let _e519 = select(_e517, _e514, (_e514 > _e517));
-let _e522 = bitcast<f32>((bitcast<u32>((_e456 - _e491)) & 2147483647u));
-let _e526 = (_e471 + 0.5f);
-let _e527 = (_e466 - 1f);
-let _e529 = select(0f, _e526, (_e526 > 0f));
-let _e531 = select(_e527, _e529, (_e529 < _e527));
-let _e538 = select(0i, select(select(i32(_e531), i32(-2147483648), (_e531 < -2147483600f)), 2147483647i, (_e531 > 2147483500f)), (_e531 == _e531));
-let _e547 = global_1.member.member_5.member_7[3u];
-let _e548 = (_e547 & 31i);
-let _e551 = (_e481 + 0.5f);
-let _e552 = (_e476 - 1f);
-let _e554 = select(0f, _e551, (_e551 > 0f));
-let _e556 = select(_e552, _e554, (_e554 < _e552));
-let _e563 = select(0i, select(select(i32(_e556), i32(-2147483648), (_e556 < -2147483600f)), 2147483647i, (_e556 > 2147483500f)), (_e556 == _e556));
-let _e570 = (_e491 + 0.5f);
-let _e571 = (_e486 - 1f);
-let _e573 = select(0f, _e570, (_e570 > 0f));
-let _e575 = select(_e571, _e573, (_e573 < _e571));
-let _e582 = select(0i, select(select(i32(_e575), i32(-2147483648), (_e575 < -2147483600f)), 2147483647i, (_e575 > 2147483500f)), (_e575 == _e575));
-let _e593 = global_1.member.member_5.member_6[3u];
-let _e599 = global_1.member.member_5.member_6[0u];
-let _e604 = global_1.member.member_5.member_6[1u];
-let _e608 = ((_e593 + ((_e538 - select(0i, 1i, (_e531 < f32(_e538)))) >> bitcast<u32>(_e548))) + (_e599 * (((_e563 - select(0i, 1i, (_e556 < f32(_e563)))) >> bitcast<u32>(_e548)) + (_e604 * ((_e582 - select(0i, 1i, (_e575 < f32(_e582)))) >> bitcast<u32>(_e548))))));
-let _e610 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e612 = select(_e610, _e608, (_e608 < _e610));
-let _e618 = global_3.member[bitcast<u32>(select(0i, _e612, (_e612 > 0i)))];
-let _e625 = global_1.member.member[3u];
-let _e632 = (((_e625 & 64u) != 0u) || ((((select(_e505, _e502, (_e502 > _e505)) <= _e461) && ((select(_e522, _e519, (_e519 > _e522)) > _e461) || (_e618 != 0u))) && true) && ((_e625 & 32u) != 0u)));
-if (select(0u, select(7u, select(3u, 1u, ((((_e264 == 0f) && (_e271 == 0f)) && (_e373 == 0f)) && (_e376 == 0f))), _e632), (_e245 == 0f)) > 1u) {
-let _e640 = global_1.member.member[2u];
-if _e283 {
+let _e335 = bitcast<i32>(((_e116 / _e278) * 3u));
+let _e337 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e339 = select(_e337, _e335, (_e335 < _e337));
+let _e345 = global_5.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
+let _e346 = (_e335 + 1i);
+let _e348 = select(_e337, _e346, (_e346 < _e337));
+let _e354 = global_5.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
+let _e355 = (_e335 + 2i);
+let _e357 = select(_e337, _e355, (_e355 < _e337));
+let _e363 = global_5.member[bitcast<u32>(select(0i, _e357, (_e357 > 0i)))];
+let _e366 = (1f / select(1e-6f, _e363, (_e363 > 1e-6f)));
+let _e369 = (((_e345 * _e366) - _e258) * _e253);
+let _e372 = (((_e354 * _e366) - _e265) * _e253);
+let _e384 = global_1.member.member_6.member;
+let _e395 = ((((_e384.member.member * _e306) + (_e384.member.member_1 * _e315)) + (_e384.member.member_2 * _e288)) + _e384.member_1);
+let _e399 = global_1.member.member_6.member_1;
+let _e410 = ((((_e399.member.member * _e306) + (_e399.member.member_1 * _e315)) + (_e399.member.member_2 * _e288)) + _e399.member_1);
+let _e414 = global_1.member.member_6.member_2;
+let _e425 = ((((_e414.member.member * _e306) + (_e414.member.member_1 * _e315)) + (_e414.member.member_2 * _e288)) + _e414.member_1);
+let _e431 = ((((_e384.member.member * _e327) + (_e384.member.member_1 * _e332)) + (_e384.member.member_2 * _e321)) + _e384.member_1);
+let _e437 = ((((_e399.member.member * _e327) + (_e399.member.member_1 * _e332)) + (_e399.member.member_2 * _e321)) + _e399.member_1);
+let _e443 = ((((_e414.member.member * _e327) + (_e414.member.member_1 * _e332)) + (_e414.member.member_2 * _e321)) + _e414.member_1);
+let _e447 = global_1.member.member_6.member_4;
+let _e452 = global_1.member.member_6.member_3.member;
+let _e453 = (_e452 - 0.5f);
+let _e455 = select(-0.5f, _e431, (_e431 > -0.5f));
+let _e457 = select(_e453, _e455, (_e455 < _e453));
+let _e462 = global_1.member.member_6.member_3.member_1;
+let _e463 = (_e462 - 0.5f);
+let _e465 = select(-0.5f, _e437, (_e437 > -0.5f));
+let _e467 = select(_e463, _e465, (_e465 < _e463));
+let _e472 = global_1.member.member_6.member_3.member_2;
+let _e473 = (_e472 - 0.5f);
+let _e475 = select(-0.5f, _e443, (_e443 > -0.5f));
+let _e477 = select(_e473, _e475, (_e475 < _e473));
+let _e478 = (_e431 - _e395);
+let _e479 = (_e437 - _e410);
+let _e480 = (_e443 - _e425);
+let _e483 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
+let _e486 = bitcast<f32>((bitcast<u32>(_e479) & 2147483647u));
+let _e488 = select(_e486, _e483, (_e483 > _e486));
+let _e491 = bitcast<f32>((bitcast<u32>(_e480) & 2147483647u));
+let _e500 = bitcast<f32>((bitcast<u32>((_e431 - _e457)) & 2147483647u));
+let _e503 = bitcast<f32>((bitcast<u32>((_e437 - _e467)) & 2147483647u));
+let _e505 = select(_e503, _e500, (_e500 > _e503));
+let _e508 = bitcast<f32>((bitcast<u32>((_e443 - _e477)) & 2147483647u));
+let _e512 = (_e457 + 0.5f);
+let _e513 = (_e452 - 1f);
+let _e515 = select(0f, _e512, (_e512 > 0f));
+let _e517 = select(_e513, _e515, (_e515 < _e513));
+let _e524 = select(0i, select(select(i32(_e517), i32(-2147483648), (_e517 < -2147483600f)), 2147483647i, (_e517 > 2147483500f)), (_e517 == _e517));
+let _e532 = global_1.member.member_6.member_12;
+let _e533 = (_e532 & 31u);
+let _e536 = (_e467 + 0.5f);
+let _e537 = (_e462 - 1f);
+let _e539 = select(0f, _e536, (_e536 > 0f));
+let _e541 = select(_e537, _e539, (_e539 < _e537));
+let _e548 = select(0i, select(select(i32(_e541), i32(-2147483648), (_e541 < -2147483600f)), 2147483647i, (_e541 > 2147483500f)), (_e541 == _e541));
+let _e555 = (_e477 + 0.5f);
+let _e556 = (_e472 - 1f);
+let _e558 = select(0f, _e555, (_e555 > 0f));
+let _e560 = select(_e556, _e558, (_e558 < _e556));
+let _e567 = select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560));
+let _e578 = global_1.member.member_6.member_9.member;
+let _e584 = global_1.member.member_6.member_9.member_1;
+let _e589 = global_1.member.member_6.member_10;
+let _e595 = ((bitcast<i32>(_e589) + ((_e524 - select(0i, 1i, (_e517 < f32(_e524)))) >> bitcast<u32>(_e533))) + (bitcast<i32>(_e578) * (((_e548 - select(0i, 1i, (_e541 < f32(_e548)))) >> bitcast<u32>(_e533)) + (bitcast<i32>(_e584) * ((_e567 - select(0i, 1i, (_e560 < f32(_e567)))) >> bitcast<u32>(_e533))))));
+let _e597 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e599 = select(_e597, _e595, (_e595 < _e597));
+let _e605 = global_3.member[bitcast<u32>(select(0i, _e599, (_e599 > 0i)))];
+let _e611 = global_1.member.member_1;
+let _e618 = (((_e611 & 64u) != 0u) || ((((select(_e491, _e488, (_e488 > _e491)) <= _e447) && ((select(_e508, _e505, (_e505 > _e508)) > _e447) || (_e605 != 0u))) && true) && ((_e611 & 32u) != 0u)));
+if (select(0u, select(7u, select(3u, 1u, ((((_e260 == 0f) && (_e267 == 0f)) && (_e369 == 0f)) && (_e372 == 0f))), _e618), (_e241 == 0f)) > 1u) {
+if _e279 {
 break;
 }
-if _e283 {
+if _e279 {
 break;
 }
-let _e642 = (_e640 == 2u);
-let _e645 = (((_e640 == 1u) || _e642) || (_e640 == 5u));
-if _e645 {
-let _e1002 = select(-1f, _e471, (_e471 > -1f));
-let _e1004 = select(_e466, _e1002, (_e1002 < _e466));
-let _e1011 = select(0i, select(select(i32(_e1004), i32(-2147483648), (_e1004 < -2147483600f)), 2147483647i, (_e1004 > 2147483500f)), (_e1004 == _e1004));
-let _e1015 = (_e1011 - select(0i, 1i, (_e1004 < f32(_e1011))));
-let _e1017 = select(-1f, _e481, (_e481 > -1f));
-let _e1019 = select(_e476, _e1017, (_e1017 < _e476));
-let _e1026 = select(0i, select(select(i32(_e1019), i32(-2147483648), (_e1019 < -2147483600f)), 2147483647i, (_e1019 > 2147483500f)), (_e1019 == _e1019));
-let _e1030 = (_e1026 - select(0i, 1i, (_e1019 < f32(_e1026))));
-let _e1032 = select(-1f, _e491, (_e491 > -1f));
-let _e1034 = select(_e486, _e1032, (_e1032 < _e486));
-let _e1041 = select(0i, select(select(i32(_e1034), i32(-2147483648), (_e1034 < -2147483600f)), 2147483647i, (_e1034 > 2147483500f)), (_e1034 == _e1034));
-let _e1045 = (_e1041 - select(0i, 1i, (_e1034 < f32(_e1041))));
-let _e1050 = global_1.member.member_5.member_5[0u];
-let _e1055 = global_1.member.member_5.member_5[1u];
-let _e1056 = (_e1015 + 1i);
-let _e1057 = (_e1030 + 1i);
-let _e1058 = (_e1045 + 1i);
-let _e1065 = global_1.member.member_5.member_7[0u];
-let _e1072 = global_1.member.member_5.member_7[1u];
-let _e1078 = ((_e1056 >> bitcast<u32>(4i)) + (_e1065 * ((_e1057 >> bitcast<u32>(4i)) + (_e1072 * (_e1058 >> bitcast<u32>(4i))))));
-let _e1080 = (bitcast<i32>(_e93) - 1i);
-let _e1082 = select(_e1080, _e1078, (_e1078 < _e1080));
-let _e1088 = global_2.member[bitcast<u32>(select(0i, _e1082, (_e1082 > 0i)))];
-let _e1090 = (_e1056 & 15i);
-let _e1093 = ((_e1057 & 15i) * _e1050);
-let _e1095 = (bitcast<i32>(_e1088) + ((_e1058 & 15i) * _e1055));
-let _e1099 = (_e1093 + _e1050);
-let _e1101 = (_e1093 + (2i * _e1050));
-let _e1103 = (_e1093 + (3i * _e1050));
-let _e1104 = (_e1095 + _e1055);
-let _e1106 = (_e1095 + (2i * _e1055));
-let _e1108 = (_e1095 + (3i * _e1055));
-local_4 = type_18(array<i32, 4>(_e1090, (_e1090 + 1i), (_e1090 + 2i), (_e1090 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_5 = vec3<f32>((_e471 - f32(_e1015)), (_e481 - f32(_e1030)), (_e491 - f32(_e1045)));
-let _e1119 = (_e1104 + _e1099);
-let _e1122 = local_4.member[0u];
-let _e1123 = (_e1119 + _e1122);
-let _e1125 = (_e1123 >> bitcast<u32>(1i));
-let _e1128 = bitcast<u32>(((_e1123 & 1i) * 16i));
-let _e1130 = select(_e1080, _e1125, (_e1125 < _e1080));
-let _e1135 = global_2.member[bitcast<u32>(select(0i, _e1130, (_e1130 > 0i)))];
-let _e1139 = (_e1125 + 1i);
-let _e1141 = select(_e1080, _e1139, (_e1139 < _e1080));
-let _e1146 = global_2.member[bitcast<u32>(select(0i, _e1141, (_e1141 > 0i)))];
-let _e1153 = ((_e1135 >> bitcast<u32>((_e1128 & 31u))) | ((_e1146 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1128) & 31u))));
-let _e1156 = local_4.member[2u];
-let _e1157 = (_e1119 + _e1156);
-let _e1159 = (_e1157 >> bitcast<u32>(1i));
-let _e1162 = bitcast<u32>(((_e1157 & 1i) * 16i));
-let _e1164 = select(_e1080, _e1159, (_e1159 < _e1080));
-let _e1169 = global_2.member[bitcast<u32>(select(0i, _e1164, (_e1164 > 0i)))];
-let _e1173 = (_e1159 + 1i);
-let _e1175 = select(_e1080, _e1173, (_e1173 < _e1080));
-let _e1180 = global_2.member[bitcast<u32>(select(0i, _e1175, (_e1175 > 0i)))];
-let _e1187 = ((_e1169 >> bitcast<u32>((_e1162 & 31u))) | ((_e1180 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1162) & 31u))));
-let _e1190 = local_4.member_1[0u];
-let _e1196 = f32(bitcast<i32>(((_e1153 >> bitcast<u32>((_e1190 & 31u))) & 65535u)));
-let _e1199 = local_4.member_1[1u];
-let _e1205 = f32(bitcast<i32>(((_e1153 >> bitcast<u32>((_e1199 & 31u))) & 65535u)));
-let _e1208 = local_4.member_1[4u];
-let _e1214 = f32(bitcast<i32>(((_e1187 >> bitcast<u32>((_e1208 & 31u))) & 65535u)));
-let _e1217 = local_4.member_1[5u];
-let _e1224 = local_5[0u];
-let _e1227 = (_e1196 + ((_e1205 - _e1196) * _e1224));
-let _e1228 = local_5[0u];
-let _e1231 = (_e1205 + ((_e1214 - _e1205) * _e1228));
+let _e625 = (_e106.member_2 == 2u);
+let _e628 = (((_e106.member_2 == 1u) || _e625) || (_e106.member_2 == 5u));
+if _e628 {
+let _e630 = select(-1f, _e457, (_e457 > -1f));
+let _e632 = select(_e452, _e630, (_e630 < _e452));
+let _e639 = select(0i, select(select(i32(_e632), i32(-2147483648), (_e632 < -2147483600f)), 2147483647i, (_e632 > 2147483500f)), (_e632 == _e632));
+let _e643 = (_e639 - select(0i, 1i, (_e632 < f32(_e639))));
+let _e645 = select(-1f, _e467, (_e467 > -1f));
+let _e647 = select(_e462, _e645, (_e645 < _e462));
+let _e654 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < -2147483600f)), 2147483647i, (_e647 > 2147483500f)), (_e647 == _e647));
+let _e658 = (_e654 - select(0i, 1i, (_e647 < f32(_e654))));
+let _e660 = select(-1f, _e477, (_e477 > -1f));
+let _e662 = select(_e472, _e660, (_e660 < _e472));
+let _e669 = select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < -2147483600f)), 2147483647i, (_e662 > 2147483500f)), (_e662 == _e662));
+let _e673 = (_e669 - select(0i, 1i, (_e662 < f32(_e669))));
+let _e677 = global_1.member.member_6.member_7;
+let _e681 = global_1.member.member_6.member_8;
+let _e682 = (_e643 + 1i);
+let _e683 = (_e658 + 1i);
+let _e684 = (_e673 + 1i);
+let _e689 = global_1.member.member_6.member_11.member;
+let _e695 = global_1.member.member_6.member_11.member_1;
+let _e706 = ((_e682 >> bitcast<u32>(4i)) + (bitcast<i32>(_e689) * ((_e683 >> bitcast<u32>(4i)) + (bitcast<i32>(_e695) * (_e684 >> bitcast<u32>(4i))))));
+let _e708 = (bitcast<i32>(_e92) - 1i);
+let _e710 = select(_e708, _e706, (_e706 < _e708));
+let _e716 = global_2.member[bitcast<u32>(select(0i, _e710, (_e710 > 0i)))];
+let _e718 = (_e682 & 15i);
+let _e721 = ((_e683 & 15i) * _e677);
+let _e723 = (bitcast<i32>(_e716) + ((_e684 & 15i) * _e681));
+let _e727 = (_e721 + _e677);
+let _e729 = (_e721 + (2i * _e677));
+let _e731 = (_e721 + (3i * _e677));
+let _e732 = (_e723 + _e681);
+let _e734 = (_e723 + (2i * _e681));
+let _e736 = (_e723 + (3i * _e681));
+local_4 = type_28(array<i32, 4>(_e718, (_e718 + 1i), (_e718 + 2i), (_e718 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_5 = vec3<f32>((_e457 - f32(_e643)), (_e467 - f32(_e658)), (_e477 - f32(_e673)));
+let _e747 = (_e732 + _e727);
+let _e750 = local_4.member[0u];
+let _e751 = (_e747 + _e750);
+let _e753 = (_e751 >> bitcast<u32>(1i));
+let _e756 = bitcast<u32>(((_e751 & 1i) * 16i));
+let _e758 = select(_e708, _e753, (_e753 < _e708));
+let _e763 = global_2.member[bitcast<u32>(select(0i, _e758, (_e758 > 0i)))];
+let _e767 = (_e753 + 1i);
+let _e769 = select(_e708, _e767, (_e767 < _e708));
+let _e774 = global_2.member[bitcast<u32>(select(0i, _e769, (_e769 > 0i)))];
+let _e781 = ((_e763 >> bitcast<u32>((_e756 & 31u))) | ((_e774 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e756) & 31u))));
+let _e784 = local_4.member[2u];
+let _e785 = (_e747 + _e784);
+let _e787 = (_e785 >> bitcast<u32>(1i));
+let _e790 = bitcast<u32>(((_e785 & 1i) * 16i));
+let _e792 = select(_e708, _e787, (_e787 < _e708));
+let _e797 = global_2.member[bitcast<u32>(select(0i, _e792, (_e792 > 0i)))];
+let _e801 = (_e787 + 1i);
+let _e803 = select(_e708, _e801, (_e801 < _e708));
+let _e808 = global_2.member[bitcast<u32>(select(0i, _e803, (_e803 > 0i)))];
+let _e815 = ((_e797 >> bitcast<u32>((_e790 & 31u))) | ((_e808 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e790) & 31u))));
+let _e818 = local_4.member_1[0u];
+let _e824 = f32(bitcast<i32>(((_e781 >> bitcast<u32>((_e818 & 31u))) & 65535u)));
+let _e827 = local_4.member_1[1u];
+let _e833 = f32(bitcast<i32>(((_e781 >> bitcast<u32>((_e827 & 31u))) & 65535u)));
+let _e836 = local_4.member_1[4u];
+let _e842 = f32(bitcast<i32>(((_e815 >> bitcast<u32>((_e836 & 31u))) & 65535u)));
+let _e845 = local_4.member_1[5u];
+let _e852 = local_5[0u];
+let _e855 = (_e824 + ((_e833 - _e824) * _e852));
+let _e856 = local_5[0u];
+let _e859 = (_e833 + ((_e842 - _e833) * _e856));
+let _e860 = local_5[0u];
+let _e863 = (_e842 + ((f32(bitcast<i32>(((_e815 >> bitcast<u32>((_e845 & 31u))) & 65535u))) - _e842) * _e860));
+let _e864 = (_e732 + _e729);
+let _e865 = local_4.member[0u];
+let _e866 = (_e864 + _e865);
+let _e868 = (_e866 >> bitcast<u32>(1i));
+let _e871 = bitcast<u32>(((_e866 & 1i) * 16i));
+let _e873 = select(_e708, _e868, (_e868 < _e708));
+let _e878 = global_2.member[bitcast<u32>(select(0i, _e873, (_e873 > 0i)))];
+let _e882 = (_e868 + 1i);
+let _e884 = select(_e708, _e882, (_e882 < _e708));
+let _e889 = global_2.member[bitcast<u32>(select(0i, _e884, (_e884 > 0i)))];
+let _e896 = ((_e878 >> bitcast<u32>((_e871 & 31u))) | ((_e889 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e871) & 31u))));
+let _e897 = local_4.member[2u];
+let _e898 = (_e864 + _e897);
+let _e900 = (_e898 >> bitcast<u32>(1i));
+let _e903 = bitcast<u32>(((_e898 & 1i) * 16i));
+let _e905 = select(_e708, _e900, (_e900 < _e708));
+let _e910 = global_2.member[bitcast<u32>(select(0i, _e905, (_e905 > 0i)))];
+let _e914 = (_e900 + 1i);
+let _e916 = select(_e708, _e914, (_e914 < _e708));
+let _e921 = global_2.member[bitcast<u32>(select(0i, _e916, (_e916 > 0i)))];
+let _e928 = ((_e910 >> bitcast<u32>((_e903 & 31u))) | ((_e921 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e903) & 31u))));
+let _e929 = local_4.member_1[0u];
+let _e935 = f32(bitcast<i32>(((_e896 >> bitcast<u32>((_e929 & 31u))) & 65535u)));
+let _e936 = local_4.member_1[1u];
+let _e942 = f32(bitcast<i32>(((_e896 >> bitcast<u32>((_e936 & 31u))) & 65535u)));
+let _e943 = local_4.member_1[4u];
+let _e949 = f32(bitcast<i32>(((_e928 >> bitcast<u32>((_e943 & 31u))) & 65535u)));
+let _e950 = local_4.member_1[5u];
+let _e957 = local_5[0u];
+let _e961 = local_5[0u];
+let _e964 = (_e942 + ((_e949 - _e942) * _e961));
+let _e965 = local_5[0u];
+let _e969 = (_e734 + _e727);
+let _e970 = local_4.member[0u];
+let _e971 = (_e969 + _e970);
+let _e973 = (_e971 >> bitcast<u32>(1i));
+let _e976 = bitcast<u32>(((_e971 & 1i) * 16i));
+let _e978 = select(_e708, _e973, (_e973 < _e708));
+let _e983 = global_2.member[bitcast<u32>(select(0i, _e978, (_e978 > 0i)))];
+let _e987 = (_e973 + 1i);
+let _e989 = select(_e708, _e987, (_e987 < _e708));
+let _e994 = global_2.member[bitcast<u32>(select(0i, _e989, (_e989 > 0i)))];
+let _e1001 = ((_e983 >> bitcast<u32>((_e976 & 31u))) | ((_e994 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e976) & 31u))));
+let _e1002 = local_4.member[2u];
+let _e1003 = (_e969 + _e1002);
+let _e1005 = (_e1003 >> bitcast<u32>(1i));
+let _e1008 = bitcast<u32>(((_e1003 & 1i) * 16i));
+let _e1010 = select(_e708, _e1005, (_e1005 < _e708));
+let _e1015 = global_2.member[bitcast<u32>(select(0i, _e1010, (_e1010 > 0i)))];
+let _e1019 = (_e1005 + 1i);
+let _e1021 = select(_e708, _e1019, (_e1019 < _e708));
+let _e1026 = global_2.member[bitcast<u32>(select(0i, _e1021, (_e1021 > 0i)))];
+let _e1033 = ((_e1015 >> bitcast<u32>((_e1008 & 31u))) | ((_e1026 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1008) & 31u))));
+let _e1034 = local_4.member_1[0u];
+let _e1040 = f32(bitcast<i32>(((_e1001 >> bitcast<u32>((_e1034 & 31u))) & 65535u)));
+let _e1041 = local_4.member_1[1u];
+let _e1047 = f32(bitcast<i32>(((_e1001 >> bitcast<u32>((_e1041 & 31u))) & 65535u)));
+let _e1048 = local_4.member_1[4u];
+let _e1054 = f32(bitcast<i32>(((_e1033 >> bitcast<u32>((_e1048 & 31u))) & 65535u)));
+let _e1055 = local_4.member_1[5u];
+let _e1062 = local_5[0u];
+let _e1065 = (_e1040 + ((_e1047 - _e1040) * _e1062));
+let _e1066 = local_5[0u];
+let _e1069 = (_e1047 + ((_e1054 - _e1047) * _e1066));
+let _e1070 = local_5[0u];
+let _e1073 = (_e1054 + ((f32(bitcast<i32>(((_e1033 >> bitcast<u32>((_e1055 & 31u))) & 65535u))) - _e1054) * _e1070));
+let _e1074 = (_e734 + _e729);
+let _e1075 = local_4.member[0u];
+let _e1076 = (_e1074 + _e1075);
+let _e1078 = (_e1076 >> bitcast<u32>(1i));
+let _e1081 = bitcast<u32>(((_e1076 & 1i) * 16i));
+let _e1083 = select(_e708, _e1078, (_e1078 < _e708));
+let _e1088 = global_2.member[bitcast<u32>(select(0i, _e1083, (_e1083 > 0i)))];
+let _e1092 = (_e1078 + 1i);
+let _e1094 = select(_e708, _e1092, (_e1092 < _e708));
+let _e1099 = global_2.member[bitcast<u32>(select(0i, _e1094, (_e1094 > 0i)))];
+let _e1106 = ((_e1088 >> bitcast<u32>((_e1081 & 31u))) | ((_e1099 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1081) & 31u))));
+let _e1107 = local_4.member[2u];
+let _e1108 = (_e1074 + _e1107);
+let _e1110 = (_e1108 >> bitcast<u32>(1i));
+let _e1113 = bitcast<u32>(((_e1108 & 1i) * 16i));
+let _e1115 = select(_e708, _e1110, (_e1110 < _e708));
+let _e1120 = global_2.member[bitcast<u32>(select(0i, _e1115, (_e1115 > 0i)))];
+let _e1124 = (_e1110 + 1i);
+let _e1126 = select(_e708, _e1124, (_e1124 < _e708));
+let _e1131 = global_2.member[bitcast<u32>(select(0i, _e1126, (_e1126 > 0i)))];
+let _e1138 = ((_e1120 >> bitcast<u32>((_e1113 & 31u))) | ((_e1131 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1113) & 31u))));
+let _e1139 = local_4.member_1[0u];
+let _e1145 = f32(bitcast<i32>(((_e1106 >> bitcast<u32>((_e1139 & 31u))) & 65535u)));
+let _e1146 = local_4.member_1[1u];
+let _e1152 = f32(bitcast<i32>(((_e1106 >> bitcast<u32>((_e1146 & 31u))) & 65535u)));
+let _e1153 = local_4.member_1[4u];
+let _e1159 = f32(bitcast<i32>(((_e1138 >> bitcast<u32>((_e1153 & 31u))) & 65535u)));
+let _e1160 = local_4.member_1[5u];
+let _e1167 = local_5[0u];
+let _e1171 = local_5[0u];
+let _e1174 = (_e1152 + ((_e1159 - _e1152) * _e1171));
+let _e1175 = local_5[0u];
+let _e1182 = local_4.member[1u];
+let _e1183 = ((_e732 + _e721) + _e1182);
+let _e1185 = (_e1183 >> bitcast<u32>(1i));
+let _e1188 = bitcast<u32>(((_e1183 & 1i) * 16i));
+let _e1190 = select(_e708, _e1185, (_e1185 < _e708));
+let _e1195 = global_2.member[bitcast<u32>(select(0i, _e1190, (_e1190 > 0i)))];
+let _e1199 = (_e1185 + 1i);
+let _e1201 = select(_e708, _e1199, (_e1199 < _e708));
+let _e1206 = global_2.member[bitcast<u32>(select(0i, _e1201, (_e1201 > 0i)))];
+let _e1213 = ((_e1195 >> bitcast<u32>((_e1188 & 31u))) | ((_e1206 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1188) & 31u))));
+let _e1216 = local_4.member_1[2u];
+let _e1222 = f32(bitcast<i32>(((_e1213 >> bitcast<u32>((_e1216 & 31u))) & 65535u)));
+let _e1225 = local_4.member_1[3u];
 let _e1232 = local_5[0u];
-let _e1235 = (_e1214 + ((f32(bitcast<i32>(((_e1187 >> bitcast<u32>((_e1217 & 31u))) & 65535u))) - _e1214) * _e1232));
-let _e1236 = (_e1104 + _e1101);
-let _e1237 = local_4.member[0u];
-let _e1238 = (_e1236 + _e1237);
+let _e1235 = (_e1222 + ((f32(bitcast<i32>(((_e1213 >> bitcast<u32>((_e1225 & 31u))) & 65535u))) - _e1222) * _e1232));
+let _e1237 = local_4.member[1u];
+let _e1238 = ((_e732 + _e731) + _e1237);
 let _e1240 = (_e1238 >> bitcast<u32>(1i));
 let _e1243 = bitcast<u32>(((_e1238 & 1i) * 16i));
-let _e1245 = select(_e1080, _e1240, (_e1240 < _e1080));
+let _e1245 = select(_e708, _e1240, (_e1240 < _e708));
 let _e1250 = global_2.member[bitcast<u32>(select(0i, _e1245, (_e1245 > 0i)))];
 let _e1254 = (_e1240 + 1i);
-let _e1256 = select(_e1080, _e1254, (_e1254 < _e1080));
+let _e1256 = select(_e708, _e1254, (_e1254 < _e708));
 let _e1261 = global_2.member[bitcast<u32>(select(0i, _e1256, (_e1256 > 0i)))];
 let _e1268 = ((_e1250 >> bitcast<u32>((_e1243 & 31u))) | ((_e1261 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1243) & 31u))));
-let _e1269 = local_4.member[2u];
-let _e1270 = (_e1236 + _e1269);
-let _e1272 = (_e1270 >> bitcast<u32>(1i));
-let _e1275 = bitcast<u32>(((_e1270 & 1i) * 16i));
-let _e1277 = select(_e1080, _e1272, (_e1272 < _e1080));
-let _e1282 = global_2.member[bitcast<u32>(select(0i, _e1277, (_e1277 > 0i)))];
-let _e1286 = (_e1272 + 1i);
-let _e1288 = select(_e1080, _e1286, (_e1286 < _e1080));
-let _e1293 = global_2.member[bitcast<u32>(select(0i, _e1288, (_e1288 > 0i)))];
-let _e1300 = ((_e1282 >> bitcast<u32>((_e1275 & 31u))) | ((_e1293 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1275) & 31u))));
-let _e1301 = local_4.member_1[0u];
-let _e1307 = f32(bitcast<i32>(((_e1268 >> bitcast<u32>((_e1301 & 31u))) & 65535u)));
-let _e1308 = local_4.member_1[1u];
-let _e1314 = f32(bitcast<i32>(((_e1268 >> bitcast<u32>((_e1308 & 31u))) & 65535u)));
-let _e1315 = local_4.member_1[4u];
-let _e1321 = f32(bitcast<i32>(((_e1300 >> bitcast<u32>((_e1315 & 31u))) & 65535u)));
-let _e1322 = local_4.member_1[5u];
-let _e1329 = local_5[0u];
-let _e1333 = local_5[0u];
-let _e1336 = (_e1314 + ((_e1321 - _e1314) * _e1333));
-let _e1337 = local_5[0u];
-let _e1341 = (_e1106 + _e1099);
-let _e1342 = local_4.member[0u];
-let _e1343 = (_e1341 + _e1342);
-let _e1345 = (_e1343 >> bitcast<u32>(1i));
-let _e1348 = bitcast<u32>(((_e1343 & 1i) * 16i));
-let _e1350 = select(_e1080, _e1345, (_e1345 < _e1080));
-let _e1355 = global_2.member[bitcast<u32>(select(0i, _e1350, (_e1350 > 0i)))];
-let _e1359 = (_e1345 + 1i);
-let _e1361 = select(_e1080, _e1359, (_e1359 < _e1080));
-let _e1366 = global_2.member[bitcast<u32>(select(0i, _e1361, (_e1361 > 0i)))];
-let _e1373 = ((_e1355 >> bitcast<u32>((_e1348 & 31u))) | ((_e1366 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1348) & 31u))));
-let _e1374 = local_4.member[2u];
-let _e1375 = (_e1341 + _e1374);
-let _e1377 = (_e1375 >> bitcast<u32>(1i));
-let _e1380 = bitcast<u32>(((_e1375 & 1i) * 16i));
-let _e1382 = select(_e1080, _e1377, (_e1377 < _e1080));
-let _e1387 = global_2.member[bitcast<u32>(select(0i, _e1382, (_e1382 > 0i)))];
-let _e1391 = (_e1377 + 1i);
-let _e1393 = select(_e1080, _e1391, (_e1391 < _e1080));
-let _e1398 = global_2.member[bitcast<u32>(select(0i, _e1393, (_e1393 > 0i)))];
-let _e1405 = ((_e1387 >> bitcast<u32>((_e1380 & 31u))) | ((_e1398 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1380) & 31u))));
-let _e1406 = local_4.member_1[0u];
-let _e1412 = f32(bitcast<i32>(((_e1373 >> bitcast<u32>((_e1406 & 31u))) & 65535u)));
-let _e1413 = local_4.member_1[1u];
-let _e1419 = f32(bitcast<i32>(((_e1373 >> bitcast<u32>((_e1413 & 31u))) & 65535u)));
-let _e1420 = local_4.member_1[4u];
-let _e1426 = f32(bitcast<i32>(((_e1405 >> bitcast<u32>((_e1420 & 31u))) & 65535u)));
-let _e1427 = local_4.member_1[5u];
-let _e1434 = local_5[0u];
-let _e1437 = (_e1412 + ((_e1419 - _e1412) * _e1434));
-let _e1438 = local_5[0u];
-let _e1441 = (_e1419 + ((_e1426 - _e1419) * _e1438));
-let _e1442 = local_5[0u];
-let _e1445 = (_e1426 + ((f32(bitcast<i32>(((_e1405 >> bitcast<u32>((_e1427 & 31u))) & 65535u))) - _e1426) * _e1442));
-let _e1446 = (_e1106 + _e1101);
-let _e1447 = local_4.member[0u];
-let _e1448 = (_e1446 + _e1447);
-let _e1450 = (_e1448 >> bitcast<u32>(1i));
-let _e1453 = bitcast<u32>(((_e1448 & 1i) * 16i));
-let _e1455 = select(_e1080, _e1450, (_e1450 < _e1080));
-let _e1460 = global_2.member[bitcast<u32>(select(0i, _e1455, (_e1455 > 0i)))];
-let _e1464 = (_e1450 + 1i);
-let _e1466 = select(_e1080, _e1464, (_e1464 < _e1080));
-let _e1471 = global_2.member[bitcast<u32>(select(0i, _e1466, (_e1466 > 0i)))];
-let _e1478 = ((_e1460 >> bitcast<u32>((_e1453 & 31u))) | ((_e1471 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1453) & 31u))));
-let _e1479 = local_4.member[2u];
-let _e1480 = (_e1446 + _e1479);
-let _e1482 = (_e1480 >> bitcast<u32>(1i));
-let _e1485 = bitcast<u32>(((_e1480 & 1i) * 16i));
-let _e1487 = select(_e1080, _e1482, (_e1482 < _e1080));
-let _e1492 = global_2.member[bitcast<u32>(select(0i, _e1487, (_e1487 > 0i)))];
-let _e1496 = (_e1482 + 1i);
-let _e1498 = select(_e1080, _e1496, (_e1496 < _e1080));
-let _e1503 = global_2.member[bitcast<u32>(select(0i, _e1498, (_e1498 > 0i)))];
-let _e1510 = ((_e1492 >> bitcast<u32>((_e1485 & 31u))) | ((_e1503 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1485) & 31u))));
-let _e1511 = local_4.member_1[0u];
-let _e1517 = f32(bitcast<i32>(((_e1478 >> bitcast<u32>((_e1511 & 31u))) & 65535u)));
-let _e1518 = local_4.member_1[1u];
-let _e1524 = f32(bitcast<i32>(((_e1478 >> bitcast<u32>((_e1518 & 31u))) & 65535u)));
-let _e1525 = local_4.member_1[4u];
-let _e1531 = f32(bitcast<i32>(((_e1510 >> bitcast<u32>((_e1525 & 31u))) & 65535u)));
-let _e1532 = local_4.member_1[5u];
-let _e1539 = local_5[0u];
-let _e1543 = local_5[0u];
-let _e1546 = (_e1524 + ((_e1531 - _e1524) * _e1543));
-let _e1547 = local_5[0u];
-let _e1554 = local_4.member[1u];
-let _e1555 = ((_e1104 + _e1093) + _e1554);
-let _e1557 = (_e1555 >> bitcast<u32>(1i));
-let _e1560 = bitcast<u32>(((_e1555 & 1i) * 16i));
-let _e1562 = select(_e1080, _e1557, (_e1557 < _e1080));
+let _e1269 = local_4.member_1[2u];
+let _e1275 = f32(bitcast<i32>(((_e1268 >> bitcast<u32>((_e1269 & 31u))) & 65535u)));
+let _e1276 = local_4.member_1[3u];
+let _e1283 = local_5[0u];
+let _e1288 = local_4.member[1u];
+let _e1289 = ((_e734 + _e721) + _e1288);
+let _e1291 = (_e1289 >> bitcast<u32>(1i));
+let _e1294 = bitcast<u32>(((_e1289 & 1i) * 16i));
+let _e1296 = select(_e708, _e1291, (_e1291 < _e708));
+let _e1301 = global_2.member[bitcast<u32>(select(0i, _e1296, (_e1296 > 0i)))];
+let _e1305 = (_e1291 + 1i);
+let _e1307 = select(_e708, _e1305, (_e1305 < _e708));
+let _e1312 = global_2.member[bitcast<u32>(select(0i, _e1307, (_e1307 > 0i)))];
+let _e1319 = ((_e1301 >> bitcast<u32>((_e1294 & 31u))) | ((_e1312 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1294) & 31u))));
+let _e1320 = local_4.member_1[2u];
+let _e1326 = f32(bitcast<i32>(((_e1319 >> bitcast<u32>((_e1320 & 31u))) & 65535u)));
+let _e1327 = local_4.member_1[3u];
+let _e1334 = local_5[0u];
+let _e1337 = (_e1326 + ((f32(bitcast<i32>(((_e1319 >> bitcast<u32>((_e1327 & 31u))) & 65535u))) - _e1326) * _e1334));
+let _e1339 = local_4.member[1u];
+let _e1340 = ((_e734 + _e731) + _e1339);
+let _e1342 = (_e1340 >> bitcast<u32>(1i));
+let _e1345 = bitcast<u32>(((_e1340 & 1i) * 16i));
+let _e1347 = select(_e708, _e1342, (_e1342 < _e708));
+let _e1352 = global_2.member[bitcast<u32>(select(0i, _e1347, (_e1347 > 0i)))];
+let _e1356 = (_e1342 + 1i);
+let _e1358 = select(_e708, _e1356, (_e1356 < _e708));
+let _e1363 = global_2.member[bitcast<u32>(select(0i, _e1358, (_e1358 > 0i)))];
+let _e1370 = ((_e1352 >> bitcast<u32>((_e1345 & 31u))) | ((_e1363 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1345) & 31u))));
+let _e1371 = local_4.member_1[2u];
+let _e1377 = f32(bitcast<i32>(((_e1370 >> bitcast<u32>((_e1371 & 31u))) & 65535u)));
+let _e1378 = local_4.member_1[3u];
+let _e1385 = local_5[0u];
+let _e1390 = local_4.member[1u];
+let _e1391 = ((_e723 + _e727) + _e1390);
+let _e1393 = (_e1391 >> bitcast<u32>(1i));
+let _e1396 = bitcast<u32>(((_e1391 & 1i) * 16i));
+let _e1398 = select(_e708, _e1393, (_e1393 < _e708));
+let _e1403 = global_2.member[bitcast<u32>(select(0i, _e1398, (_e1398 > 0i)))];
+let _e1407 = (_e1393 + 1i);
+let _e1409 = select(_e708, _e1407, (_e1407 < _e708));
+let _e1414 = global_2.member[bitcast<u32>(select(0i, _e1409, (_e1409 > 0i)))];
+let _e1421 = ((_e1403 >> bitcast<u32>((_e1396 & 31u))) | ((_e1414 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1396) & 31u))));
+let _e1422 = local_4.member_1[2u];
+let _e1428 = f32(bitcast<i32>(((_e1421 >> bitcast<u32>((_e1422 & 31u))) & 65535u)));
+let _e1429 = local_4.member_1[3u];
+let _e1436 = local_5[0u];
+let _e1439 = (_e1428 + ((f32(bitcast<i32>(((_e1421 >> bitcast<u32>((_e1429 & 31u))) & 65535u))) - _e1428) * _e1436));
+let _e1441 = local_4.member[1u];
+let _e1442 = ((_e736 + _e727) + _e1441);
+let _e1444 = (_e1442 >> bitcast<u32>(1i));
+let _e1447 = bitcast<u32>(((_e1442 & 1i) * 16i));
+let _e1449 = select(_e708, _e1444, (_e1444 < _e708));
+let _e1454 = global_2.member[bitcast<u32>(select(0i, _e1449, (_e1449 > 0i)))];
+let _e1458 = (_e1444 + 1i);
+let _e1460 = select(_e708, _e1458, (_e1458 < _e708));
+let _e1465 = global_2.member[bitcast<u32>(select(0i, _e1460, (_e1460 > 0i)))];
+let _e1472 = ((_e1454 >> bitcast<u32>((_e1447 & 31u))) | ((_e1465 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1447) & 31u))));
+let _e1473 = local_4.member_1[2u];
+let _e1479 = f32(bitcast<i32>(((_e1472 >> bitcast<u32>((_e1473 & 31u))) & 65535u)));
+let _e1480 = local_4.member_1[3u];
+let _e1487 = local_5[0u];
+let _e1490 = (_e1479 + ((f32(bitcast<i32>(((_e1472 >> bitcast<u32>((_e1480 & 31u))) & 65535u))) - _e1479) * _e1487));
+let _e1492 = local_4.member[1u];
+let _e1493 = ((_e723 + _e729) + _e1492);
+let _e1495 = (_e1493 >> bitcast<u32>(1i));
+let _e1498 = bitcast<u32>(((_e1493 & 1i) * 16i));
+let _e1500 = select(_e708, _e1495, (_e1495 < _e708));
+let _e1505 = global_2.member[bitcast<u32>(select(0i, _e1500, (_e1500 > 0i)))];
+let _e1509 = (_e1495 + 1i);
+let _e1511 = select(_e708, _e1509, (_e1509 < _e708));
+let _e1516 = global_2.member[bitcast<u32>(select(0i, _e1511, (_e1511 > 0i)))];
+let _e1523 = ((_e1505 >> bitcast<u32>((_e1498 & 31u))) | ((_e1516 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1498) & 31u))));
+let _e1524 = local_4.member_1[2u];
+let _e1530 = f32(bitcast<i32>(((_e1523 >> bitcast<u32>((_e1524 & 31u))) & 65535u)));
+let _e1531 = local_4.member_1[3u];
+let _e1538 = local_5[0u];
+let _e1543 = local_4.member[1u];
+let _e1544 = ((_e736 + _e729) + _e1543);
+let _e1546 = (_e1544 >> bitcast<u32>(1i));
+let _e1549 = bitcast<u32>(((_e1544 & 1i) * 16i));
+let _e1551 = select(_e708, _e1546, (_e1546 < _e708));
+let _e1556 = global_2.member[bitcast<u32>(select(0i, _e1551, (_e1551 > 0i)))];
+let _e1560 = (_e1546 + 1i);
+let _e1562 = select(_e708, _e1560, (_e1560 < _e708));
 let _e1567 = global_2.member[bitcast<u32>(select(0i, _e1562, (_e1562 > 0i)))];
-let _e1571 = (_e1557 + 1i);
-let _e1573 = select(_e1080, _e1571, (_e1571 < _e1080));
-let _e1578 = global_2.member[bitcast<u32>(select(0i, _e1573, (_e1573 > 0i)))];
-let _e1585 = ((_e1567 >> bitcast<u32>((_e1560 & 31u))) | ((_e1578 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1560) & 31u))));
-let _e1588 = local_4.member_1[2u];
-let _e1594 = f32(bitcast<i32>(((_e1585 >> bitcast<u32>((_e1588 & 31u))) & 65535u)));
-let _e1597 = local_4.member_1[3u];
-let _e1604 = local_5[0u];
-let _e1607 = (_e1594 + ((f32(bitcast<i32>(((_e1585 >> bitcast<u32>((_e1597 & 31u))) & 65535u))) - _e1594) * _e1604));
-let _e1609 = local_4.member[1u];
-let _e1610 = ((_e1104 + _e1103) + _e1609);
-let _e1612 = (_e1610 >> bitcast<u32>(1i));
-let _e1615 = bitcast<u32>(((_e1610 & 1i) * 16i));
-let _e1617 = select(_e1080, _e1612, (_e1612 < _e1080));
-let _e1622 = global_2.member[bitcast<u32>(select(0i, _e1617, (_e1617 > 0i)))];
-let _e1626 = (_e1612 + 1i);
-let _e1628 = select(_e1080, _e1626, (_e1626 < _e1080));
-let _e1633 = global_2.member[bitcast<u32>(select(0i, _e1628, (_e1628 > 0i)))];
-let _e1640 = ((_e1622 >> bitcast<u32>((_e1615 & 31u))) | ((_e1633 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1615) & 31u))));
-let _e1641 = local_4.member_1[2u];
-let _e1647 = f32(bitcast<i32>(((_e1640 >> bitcast<u32>((_e1641 & 31u))) & 65535u)));
-let _e1648 = local_4.member_1[3u];
-let _e1655 = local_5[0u];
-let _e1660 = local_4.member[1u];
-let _e1661 = ((_e1106 + _e1093) + _e1660);
-let _e1663 = (_e1661 >> bitcast<u32>(1i));
-let _e1666 = bitcast<u32>(((_e1661 & 1i) * 16i));
-let _e1668 = select(_e1080, _e1663, (_e1663 < _e1080));
-let _e1673 = global_2.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
-let _e1677 = (_e1663 + 1i);
-let _e1679 = select(_e1080, _e1677, (_e1677 < _e1080));
-let _e1684 = global_2.member[bitcast<u32>(select(0i, _e1679, (_e1679 > 0i)))];
-let _e1691 = ((_e1673 >> bitcast<u32>((_e1666 & 31u))) | ((_e1684 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1666) & 31u))));
-let _e1692 = local_4.member_1[2u];
-let _e1698 = f32(bitcast<i32>(((_e1691 >> bitcast<u32>((_e1692 & 31u))) & 65535u)));
-let _e1699 = local_4.member_1[3u];
-let _e1706 = local_5[0u];
-let _e1709 = (_e1698 + ((f32(bitcast<i32>(((_e1691 >> bitcast<u32>((_e1699 & 31u))) & 65535u))) - _e1698) * _e1706));
-let _e1711 = local_4.member[1u];
-let _e1712 = ((_e1106 + _e1103) + _e1711);
-let _e1714 = (_e1712 >> bitcast<u32>(1i));
-let _e1717 = bitcast<u32>(((_e1712 & 1i) * 16i));
-let _e1719 = select(_e1080, _e1714, (_e1714 < _e1080));
-let _e1724 = global_2.member[bitcast<u32>(select(0i, _e1719, (_e1719 > 0i)))];
-let _e1728 = (_e1714 + 1i);
-let _e1730 = select(_e1080, _e1728, (_e1728 < _e1080));
-let _e1735 = global_2.member[bitcast<u32>(select(0i, _e1730, (_e1730 > 0i)))];
-let _e1742 = ((_e1724 >> bitcast<u32>((_e1717 & 31u))) | ((_e1735 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1717) & 31u))));
-let _e1743 = local_4.member_1[2u];
-let _e1749 = f32(bitcast<i32>(((_e1742 >> bitcast<u32>((_e1743 & 31u))) & 65535u)));
-let _e1750 = local_4.member_1[3u];
-let _e1757 = local_5[0u];
-let _e1762 = local_4.member[1u];
-let _e1763 = ((_e1095 + _e1099) + _e1762);
-let _e1765 = (_e1763 >> bitcast<u32>(1i));
-let _e1768 = bitcast<u32>(((_e1763 & 1i) * 16i));
-let _e1770 = select(_e1080, _e1765, (_e1765 < _e1080));
-let _e1775 = global_2.member[bitcast<u32>(select(0i, _e1770, (_e1770 > 0i)))];
-let _e1779 = (_e1765 + 1i);
-let _e1781 = select(_e1080, _e1779, (_e1779 < _e1080));
-let _e1786 = global_2.member[bitcast<u32>(select(0i, _e1781, (_e1781 > 0i)))];
-let _e1793 = ((_e1775 >> bitcast<u32>((_e1768 & 31u))) | ((_e1786 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1768) & 31u))));
-let _e1794 = local_4.member_1[2u];
-let _e1800 = f32(bitcast<i32>(((_e1793 >> bitcast<u32>((_e1794 & 31u))) & 65535u)));
-let _e1801 = local_4.member_1[3u];
-let _e1808 = local_5[0u];
-let _e1811 = (_e1800 + ((f32(bitcast<i32>(((_e1793 >> bitcast<u32>((_e1801 & 31u))) & 65535u))) - _e1800) * _e1808));
-let _e1813 = local_4.member[1u];
-let _e1814 = ((_e1108 + _e1099) + _e1813);
-let _e1816 = (_e1814 >> bitcast<u32>(1i));
-let _e1819 = bitcast<u32>(((_e1814 & 1i) * 16i));
-let _e1821 = select(_e1080, _e1816, (_e1816 < _e1080));
-let _e1826 = global_2.member[bitcast<u32>(select(0i, _e1821, (_e1821 > 0i)))];
-let _e1830 = (_e1816 + 1i);
-let _e1832 = select(_e1080, _e1830, (_e1830 < _e1080));
-let _e1837 = global_2.member[bitcast<u32>(select(0i, _e1832, (_e1832 > 0i)))];
-let _e1844 = ((_e1826 >> bitcast<u32>((_e1819 & 31u))) | ((_e1837 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1819) & 31u))));
-let _e1845 = local_4.member_1[2u];
-let _e1851 = f32(bitcast<i32>(((_e1844 >> bitcast<u32>((_e1845 & 31u))) & 65535u)));
-let _e1852 = local_4.member_1[3u];
-let _e1859 = local_5[0u];
-let _e1862 = (_e1851 + ((f32(bitcast<i32>(((_e1844 >> bitcast<u32>((_e1852 & 31u))) & 65535u))) - _e1851) * _e1859));
-let _e1864 = local_4.member[1u];
-let _e1865 = ((_e1095 + _e1101) + _e1864);
-let _e1867 = (_e1865 >> bitcast<u32>(1i));
-let _e1870 = bitcast<u32>(((_e1865 & 1i) * 16i));
-let _e1872 = select(_e1080, _e1867, (_e1867 < _e1080));
-let _e1877 = global_2.member[bitcast<u32>(select(0i, _e1872, (_e1872 > 0i)))];
-let _e1881 = (_e1867 + 1i);
-let _e1883 = select(_e1080, _e1881, (_e1881 < _e1080));
-let _e1888 = global_2.member[bitcast<u32>(select(0i, _e1883, (_e1883 > 0i)))];
-let _e1895 = ((_e1877 >> bitcast<u32>((_e1870 & 31u))) | ((_e1888 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1870) & 31u))));
-let _e1896 = local_4.member_1[2u];
-let _e1902 = f32(bitcast<i32>(((_e1895 >> bitcast<u32>((_e1896 & 31u))) & 65535u)));
-let _e1903 = local_4.member_1[3u];
-let _e1910 = local_5[0u];
-let _e1915 = local_4.member[1u];
-let _e1916 = ((_e1108 + _e1101) + _e1915);
-let _e1918 = (_e1916 >> bitcast<u32>(1i));
-let _e1921 = bitcast<u32>(((_e1916 & 1i) * 16i));
-let _e1923 = select(_e1080, _e1918, (_e1918 < _e1080));
-let _e1928 = global_2.member[bitcast<u32>(select(0i, _e1923, (_e1923 > 0i)))];
-let _e1932 = (_e1918 + 1i);
-let _e1934 = select(_e1080, _e1932, (_e1932 < _e1080));
-let _e1939 = global_2.member[bitcast<u32>(select(0i, _e1934, (_e1934 > 0i)))];
-let _e1946 = ((_e1928 >> bitcast<u32>((_e1921 & 31u))) | ((_e1939 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1921) & 31u))));
-let _e1947 = local_4.member_1[2u];
-let _e1953 = f32(bitcast<i32>(((_e1946 >> bitcast<u32>((_e1947 & 31u))) & 65535u)));
-let _e1954 = local_4.member_1[3u];
-let _e1961 = local_5[0u];
-let _e1966 = local_5[1u];
-let _e1969 = (_e1231 + ((_e1336 - _e1231) * _e1966));
-let _e1970 = local_5[1u];
-let _e1973 = (_e1441 + ((_e1546 - _e1441) * _e1970));
-let _e1974 = local_5[1u];
-let _e1977 = (_e1227 + (((_e1307 + ((_e1314 - _e1307) * _e1329)) - _e1227) * _e1974));
-let _e1978 = local_5[1u];
-let _e1983 = local_5[2u];
-let _e1987 = local_5[1u];
-let _e1990 = (_e1235 + (((_e1321 + ((f32(bitcast<i32>(((_e1300 >> bitcast<u32>((_e1322 & 31u))) & 65535u))) - _e1321) * _e1337)) - _e1235) * _e1987));
-let _e1991 = local_5[1u];
-let _e1995 = local_5[2u];
-let _e1999 = local_5[1u];
-let _e2002 = (_e1607 + ((_e1231 - _e1607) * _e1999));
-let _e2003 = local_5[1u];
-let _e2007 = local_5[2u];
-let _e2011 = local_5[1u];
-let _e2014 = (_e1336 + (((_e1647 + ((f32(bitcast<i32>(((_e1640 >> bitcast<u32>((_e1648 & 31u))) & 65535u))) - _e1647) * _e1655)) - _e1336) * _e2011));
-let _e2015 = local_5[1u];
-let _e2019 = local_5[2u];
-let _e2023 = local_5[1u];
-let _e2026 = (_e1811 + (((_e1902 + ((f32(bitcast<i32>(((_e1895 >> bitcast<u32>((_e1903 & 31u))) & 65535u))) - _e1902) * _e1910)) - _e1811) * _e2023));
-let _e2027 = local_5[2u];
-let _e2031 = local_5[1u];
-let _e2035 = local_5[2u];
-let _e2039 = local_5[2u];
-let _e2047 = global_1.member.member_5.member_4.member;
-let _e2053 = global_1.member.member_5.member_4.member_1;
-let _e2054 = (((_e1969 + ((_e1973 - _e1969) * _e2039)) * _e2047) + _e2053);
-let _e2056 = select(0f, _e2054, (_e2054 > 0f));
-let _e2058 = select(1f, _e2056, (_e2056 < 1f));
-let _e2060 = (((_e1977 + (((_e1437 + (((_e1517 + ((_e1524 - _e1517) * _e1539)) - _e1437) * _e1978)) - _e1977) * _e1983)) * _e2047) + _e2053);
-let _e2062 = select(0f, _e2060, (_e2060 > 0f));
-let _e2064 = select(1f, _e2062, (_e2062 < 1f));
-let _e2066 = (((_e1990 + (((_e1445 + (((_e1531 + ((f32(bitcast<i32>(((_e1510 >> bitcast<u32>((_e1532 & 31u))) & 65535u))) - _e1531) * _e1547)) - _e1445) * _e1991)) - _e1990) * _e1995)) * _e2047) + _e2053);
-let _e2068 = select(0f, _e2066, (_e2066 > 0f));
-let _e2070 = select(1f, _e2068, (_e2068 < 1f));
-let _e2072 = (((_e2002 + (((_e1709 + ((_e1441 - _e1709) * _e2003)) - _e2002) * _e2007)) * _e2047) + _e2053);
-let _e2074 = select(0f, _e2072, (_e2072 > 0f));
-let _e2076 = select(1f, _e2074, (_e2074 < 1f));
-let _e2078 = (((_e2014 + (((_e1546 + (((_e1749 + ((f32(bitcast<i32>(((_e1742 >> bitcast<u32>((_e1750 & 31u))) & 65535u))) - _e1749) * _e1757)) - _e1546) * _e2015)) - _e2014) * _e2019)) * _e2047) + _e2053);
-let _e2080 = select(0f, _e2078, (_e2078 > 0f));
-let _e2082 = select(1f, _e2080, (_e2080 < 1f));
-let _e2084 = (((_e2026 + ((_e1969 - _e2026) * _e2027)) * _e2047) + _e2053);
-let _e2086 = select(0f, _e2084, (_e2084 > 0f));
-let _e2088 = select(1f, _e2086, (_e2086 < 1f));
-let _e2090 = (((_e1973 + (((_e1862 + (((_e1953 + ((f32(bitcast<i32>(((_e1946 >> bitcast<u32>((_e1954 & 31u))) & 65535u))) - _e1953) * _e1961)) - _e1862) * _e2031)) - _e1973) * _e2035)) * _e2047) + _e2053);
-let _e2092 = select(0f, _e2090, (_e2090 > 0f));
-let _e2094 = select(1f, _e2092, (_e2092 < 1f));
-let _e2095 = (_e2058 * 1024f);
-let _e2096 = (1024f - 1f);
-let _e2098 = select(0f, _e2095, (_e2095 > 0f));
-let _e2100 = select(_e2096, _e2098, (_e2098 < _e2096));
-let _e2107 = select(0i, select(select(i32(_e2100), i32(-2147483648), (_e2100 < -2147483600f)), 2147483647i, (_e2100 > 2147483500f)), (_e2100 == _e2100));
-let _e2111 = (_e2107 - select(0i, 1i, (_e2100 < f32(_e2107))));
-let _e2112 = (262147i + _e2111);
-let _e2114 = (bitcast<i32>(_e97) - 1i);
-let _e2116 = select(_e2114, _e2112, (_e2112 < _e2114));
-let _e2122 = global_4.member[bitcast<u32>(select(0i, _e2116, (_e2116 > 0i)))];
-let _e2132 = select(_e2114, 262146i, (262146i < _e2114));
-let _e2138 = global_4.member[bitcast<u32>(select(0i, _e2132, (_e2132 > 0i)))];
-let _e2139 = bitcast<f32>(_e2138);
-let _e2140 = (f32((bitcast<i32>((_e2122 & 4095u)) - 2048i)) * _e2139);
-let _e2142 = select(_e2114, 262144i, (262144i < _e2114));
-let _e2148 = global_4.member[bitcast<u32>(select(0i, _e2142, (_e2142 > 0i)))];
-let _e2149 = bitcast<f32>(_e2148);
-let _e2151 = select(_e2114, 262145i, (262145i < _e2114));
-let _e2157 = global_4.member[bitcast<u32>(select(0i, _e2151, (_e2151 > 0i)))];
-let _e2158 = bitcast<f32>(_e2157);
-let _e2164 = ((_e2149 + (f32(bitcast<i32>((_e2122 >> bitcast<u32>(12u)))) * _e2158)) + (_e2140 * (_e2095 - f32(_e2111))));
-let _e2165 = (_e2140 * 1024f);
-if _e642 {
-let _e2430 = ((0.5f * (_e2070 - _e2064)) * _e2165);
-let _e2431 = ((0.5f * (_e2082 - _e2076)) * _e2165);
-let _e2432 = ((0.5f * (_e2094 - _e2088)) * _e2165);
-phi_5835_ = type_19(_e2164, vec3<f32>(_e2430, _e2431, _e2432), vec3<f32>((_e2430 * _e2164), (_e2431 * _e2164), (_e2432 * _e2164)));
+let _e1574 = ((_e1556 >> bitcast<u32>((_e1549 & 31u))) | ((_e1567 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1549) & 31u))));
+let _e1575 = local_4.member_1[2u];
+let _e1581 = f32(bitcast<i32>(((_e1574 >> bitcast<u32>((_e1575 & 31u))) & 65535u)));
+let _e1582 = local_4.member_1[3u];
+let _e1589 = local_5[0u];
+let _e1594 = local_5[1u];
+let _e1597 = (_e859 + ((_e964 - _e859) * _e1594));
+let _e1598 = local_5[1u];
+let _e1601 = (_e1069 + ((_e1174 - _e1069) * _e1598));
+let _e1602 = local_5[1u];
+let _e1605 = (_e855 + (((_e935 + ((_e942 - _e935) * _e957)) - _e855) * _e1602));
+let _e1606 = local_5[1u];
+let _e1611 = local_5[2u];
+let _e1615 = local_5[1u];
+let _e1618 = (_e863 + (((_e949 + ((f32(bitcast<i32>(((_e928 >> bitcast<u32>((_e950 & 31u))) & 65535u))) - _e949) * _e965)) - _e863) * _e1615));
+let _e1619 = local_5[1u];
+let _e1623 = local_5[2u];
+let _e1627 = local_5[1u];
+let _e1630 = (_e1235 + ((_e859 - _e1235) * _e1627));
+let _e1631 = local_5[1u];
+let _e1635 = local_5[2u];
+let _e1639 = local_5[1u];
+let _e1642 = (_e964 + (((_e1275 + ((f32(bitcast<i32>(((_e1268 >> bitcast<u32>((_e1276 & 31u))) & 65535u))) - _e1275) * _e1283)) - _e964) * _e1639));
+let _e1643 = local_5[1u];
+let _e1647 = local_5[2u];
+let _e1651 = local_5[1u];
+let _e1654 = (_e1439 + (((_e1530 + ((f32(bitcast<i32>(((_e1523 >> bitcast<u32>((_e1531 & 31u))) & 65535u))) - _e1530) * _e1538)) - _e1439) * _e1651));
+let _e1655 = local_5[2u];
+let _e1659 = local_5[1u];
+let _e1663 = local_5[2u];
+let _e1667 = local_5[2u];
+let _e1674 = global_1.member.member_6.member_5;
+let _e1679 = global_1.member.member_6.member_6;
+let _e1680 = (((_e1597 + ((_e1601 - _e1597) * _e1667)) * _e1674) + _e1679);
+let _e1682 = select(0f, _e1680, (_e1680 > 0f));
+let _e1684 = select(1f, _e1682, (_e1682 < 1f));
+let _e1686 = (((_e1605 + (((_e1065 + (((_e1145 + ((_e1152 - _e1145) * _e1167)) - _e1065) * _e1606)) - _e1605) * _e1611)) * _e1674) + _e1679);
+let _e1688 = select(0f, _e1686, (_e1686 > 0f));
+let _e1690 = select(1f, _e1688, (_e1688 < 1f));
+let _e1692 = (((_e1618 + (((_e1073 + (((_e1159 + ((f32(bitcast<i32>(((_e1138 >> bitcast<u32>((_e1160 & 31u))) & 65535u))) - _e1159) * _e1175)) - _e1073) * _e1619)) - _e1618) * _e1623)) * _e1674) + _e1679);
+let _e1694 = select(0f, _e1692, (_e1692 > 0f));
+let _e1696 = select(1f, _e1694, (_e1694 < 1f));
+let _e1698 = (((_e1630 + (((_e1337 + ((_e1069 - _e1337) * _e1631)) - _e1630) * _e1635)) * _e1674) + _e1679);
+let _e1700 = select(0f, _e1698, (_e1698 > 0f));
+let _e1702 = select(1f, _e1700, (_e1700 < 1f));
+let _e1704 = (((_e1642 + (((_e1174 + (((_e1377 + ((f32(bitcast<i32>(((_e1370 >> bitcast<u32>((_e1378 & 31u))) & 65535u))) - _e1377) * _e1385)) - _e1174) * _e1643)) - _e1642) * _e1647)) * _e1674) + _e1679);
+let _e1706 = select(0f, _e1704, (_e1704 > 0f));
+let _e1708 = select(1f, _e1706, (_e1706 < 1f));
+let _e1710 = (((_e1654 + ((_e1597 - _e1654) * _e1655)) * _e1674) + _e1679);
+let _e1712 = select(0f, _e1710, (_e1710 > 0f));
+let _e1714 = select(1f, _e1712, (_e1712 < 1f));
+let _e1716 = (((_e1601 + (((_e1490 + (((_e1581 + ((f32(bitcast<i32>(((_e1574 >> bitcast<u32>((_e1582 & 31u))) & 65535u))) - _e1581) * _e1589)) - _e1490) * _e1659)) - _e1601) * _e1663)) * _e1674) + _e1679);
+let _e1718 = select(0f, _e1716, (_e1716 > 0f));
+let _e1720 = select(1f, _e1718, (_e1718 < 1f));
+let _e1721 = (_e1684 * 1024f);
+let _e1722 = (1024f - 1f);
+let _e1724 = select(0f, _e1721, (_e1721 > 0f));
+let _e1726 = select(_e1722, _e1724, (_e1724 < _e1722));
+let _e1733 = select(0i, select(select(i32(_e1726), i32(-2147483648), (_e1726 < -2147483600f)), 2147483647i, (_e1726 > 2147483500f)), (_e1726 == _e1726));
+let _e1737 = (_e1733 - select(0i, 1i, (_e1726 < f32(_e1733))));
+let _e1738 = (262147i + _e1737);
+let _e1740 = (bitcast<i32>(_e96) - 1i);
+let _e1742 = select(_e1740, _e1738, (_e1738 < _e1740));
+let _e1748 = global_4.member[bitcast<u32>(select(0i, _e1742, (_e1742 > 0i)))];
+let _e1758 = select(_e1740, 262146i, (262146i < _e1740));
+let _e1764 = global_4.member[bitcast<u32>(select(0i, _e1758, (_e1758 > 0i)))];
+let _e1765 = bitcast<f32>(_e1764);
+let _e1766 = (f32((bitcast<i32>((_e1748 & 4095u)) - 2048i)) * _e1765);
+let _e1768 = select(_e1740, 262144i, (262144i < _e1740));
+let _e1774 = global_4.member[bitcast<u32>(select(0i, _e1768, (_e1768 > 0i)))];
+let _e1775 = bitcast<f32>(_e1774);
+let _e1777 = select(_e1740, 262145i, (262145i < _e1740));
+let _e1783 = global_4.member[bitcast<u32>(select(0i, _e1777, (_e1777 > 0i)))];
+let _e1784 = bitcast<f32>(_e1783);
+let _e1790 = ((_e1775 + (f32(bitcast<i32>((_e1748 >> bitcast<u32>(12u)))) * _e1784)) + (_e1766 * (_e1721 - f32(_e1737))));
+let _e1791 = (_e1766 * 1024f);
+if _e625 {
+let _e1798 = ((0.5f * (_e1696 - _e1690)) * _e1791);
+let _e1799 = ((0.5f * (_e1708 - _e1702)) * _e1791);
+let _e1800 = ((0.5f * (_e1720 - _e1714)) * _e1791);
+phi_4008_ = type_29(_e1790, vec3<f32>(_e1798, _e1799, _e1800), vec3<f32>((_e1798 * _e1790), (_e1799 * _e1790), (_e1800 * _e1790)));
 } else {
-let _e2166 = (_e2064 * 1024f);
-let _e2168 = select(0f, _e2166, (_e2166 > 0f));
-let _e2170 = select(_e2096, _e2168, (_e2168 < _e2096));
-let _e2177 = select(0i, select(select(i32(_e2170), i32(-2147483648), (_e2170 < -2147483600f)), 2147483647i, (_e2170 > 2147483500f)), (_e2170 == _e2170));
-let _e2181 = (_e2177 - select(0i, 1i, (_e2170 < f32(_e2177))));
-let _e2182 = (262147i + _e2181);
-let _e2184 = select(_e2114, _e2182, (_e2182 < _e2114));
-let _e2190 = global_4.member[bitcast<u32>(select(0i, _e2184, (_e2184 > 0i)))];
-let _e2205 = ((_e2149 + (f32(bitcast<i32>((_e2190 >> bitcast<u32>(12u)))) * _e2158)) + ((f32((bitcast<i32>((_e2190 & 4095u)) - 2048i)) * _e2139) * (_e2166 - f32(_e2181))));
-let _e2206 = (_e2070 * 1024f);
-let _e2208 = select(0f, _e2206, (_e2206 > 0f));
-let _e2210 = select(_e2096, _e2208, (_e2208 < _e2096));
-let _e2217 = select(0i, select(select(i32(_e2210), i32(-2147483648), (_e2210 < -2147483600f)), 2147483647i, (_e2210 > 2147483500f)), (_e2210 == _e2210));
-let _e2221 = (_e2217 - select(0i, 1i, (_e2210 < f32(_e2217))));
-let _e2222 = (262147i + _e2221);
-let _e2224 = select(_e2114, _e2222, (_e2222 < _e2114));
-let _e2230 = global_4.member[bitcast<u32>(select(0i, _e2224, (_e2224 > 0i)))];
-let _e2245 = ((_e2149 + (f32(bitcast<i32>((_e2230 >> bitcast<u32>(12u)))) * _e2158)) + ((f32((bitcast<i32>((_e2230 & 4095u)) - 2048i)) * _e2139) * (_e2206 - f32(_e2221))));
-let _e2246 = (_e2076 * 1024f);
-let _e2248 = select(0f, _e2246, (_e2246 > 0f));
-let _e2250 = select(_e2096, _e2248, (_e2248 < _e2096));
-let _e2257 = select(0i, select(select(i32(_e2250), i32(-2147483648), (_e2250 < -2147483600f)), 2147483647i, (_e2250 > 2147483500f)), (_e2250 == _e2250));
-let _e2261 = (_e2257 - select(0i, 1i, (_e2250 < f32(_e2257))));
-let _e2262 = (262147i + _e2261);
-let _e2264 = select(_e2114, _e2262, (_e2262 < _e2114));
-let _e2270 = global_4.member[bitcast<u32>(select(0i, _e2264, (_e2264 > 0i)))];
-let _e2285 = ((_e2149 + (f32(bitcast<i32>((_e2270 >> bitcast<u32>(12u)))) * _e2158)) + ((f32((bitcast<i32>((_e2270 & 4095u)) - 2048i)) * _e2139) * (_e2246 - f32(_e2261))));
-let _e2286 = (_e2082 * 1024f);
-let _e2288 = select(0f, _e2286, (_e2286 > 0f));
-let _e2290 = select(_e2096, _e2288, (_e2288 < _e2096));
-let _e2297 = select(0i, select(select(i32(_e2290), i32(-2147483648), (_e2290 < -2147483600f)), 2147483647i, (_e2290 > 2147483500f)), (_e2290 == _e2290));
-let _e2301 = (_e2297 - select(0i, 1i, (_e2290 < f32(_e2297))));
-let _e2302 = (262147i + _e2301);
-let _e2304 = select(_e2114, _e2302, (_e2302 < _e2114));
-let _e2310 = global_4.member[bitcast<u32>(select(0i, _e2304, (_e2304 > 0i)))];
-let _e2325 = ((_e2149 + (f32(bitcast<i32>((_e2310 >> bitcast<u32>(12u)))) * _e2158)) + ((f32((bitcast<i32>((_e2310 & 4095u)) - 2048i)) * _e2139) * (_e2286 - f32(_e2301))));
-let _e2326 = (_e2088 * 1024f);
-let _e2328 = select(0f, _e2326, (_e2326 > 0f));
-let _e2330 = select(_e2096, _e2328, (_e2328 < _e2096));
-let _e2337 = select(0i, select(select(i32(_e2330), i32(-2147483648), (_e2330 < -2147483600f)), 2147483647i, (_e2330 > 2147483500f)), (_e2330 == _e2330));
-let _e2341 = (_e2337 - select(0i, 1i, (_e2330 < f32(_e2337))));
-let _e2342 = (262147i + _e2341);
-let _e2344 = select(_e2114, _e2342, (_e2342 < _e2114));
-let _e2350 = global_4.member[bitcast<u32>(select(0i, _e2344, (_e2344 > 0i)))];
-let _e2365 = ((_e2149 + (f32(bitcast<i32>((_e2350 >> bitcast<u32>(12u)))) * _e2158)) + ((f32((bitcast<i32>((_e2350 & 4095u)) - 2048i)) * _e2139) * (_e2326 - f32(_e2341))));
-let _e2366 = (_e2094 * 1024f);
-let _e2368 = select(0f, _e2366, (_e2366 > 0f));
-let _e2370 = select(_e2096, _e2368, (_e2368 < _e2096));
-let _e2377 = select(0i, select(select(i32(_e2370), i32(-2147483648), (_e2370 < -2147483600f)), 2147483647i, (_e2370 > 2147483500f)), (_e2370 == _e2370));
-let _e2381 = (_e2377 - select(0i, 1i, (_e2370 < f32(_e2377))));
-let _e2382 = (262147i + _e2381);
-let _e2384 = select(_e2114, _e2382, (_e2382 < _e2114));
-let _e2390 = global_4.member[bitcast<u32>(select(0i, _e2384, (_e2384 > 0i)))];
-let _e2405 = ((_e2149 + (f32(bitcast<i32>((_e2390 >> bitcast<u32>(12u)))) * _e2158)) + ((f32((bitcast<i32>((_e2390 & 4095u)) - 2048i)) * _e2139) * (_e2366 - f32(_e2381))));
-let _e2406 = (_e2245 - _e2205);
-let _e2408 = (_e2325 - _e2285);
-let _e2410 = (_e2405 - _e2365);
-phi_5835_ = type_19(_e2164, vec3<f32>((0.5f * _e2406), (0.5f * _e2408), (0.5f * _e2410)), vec3<f32>((0.25f * (_e2406 * (_e2245 + _e2205))), (0.25f * (_e2408 * (_e2325 + _e2285))), (0.25f * (_e2410 * (_e2405 + _e2365)))));
+let _e1807 = (_e1690 * 1024f);
+let _e1809 = select(0f, _e1807, (_e1807 > 0f));
+let _e1811 = select(_e1722, _e1809, (_e1809 < _e1722));
+let _e1818 = select(0i, select(select(i32(_e1811), i32(-2147483648), (_e1811 < -2147483600f)), 2147483647i, (_e1811 > 2147483500f)), (_e1811 == _e1811));
+let _e1822 = (_e1818 - select(0i, 1i, (_e1811 < f32(_e1818))));
+let _e1823 = (262147i + _e1822);
+let _e1825 = select(_e1740, _e1823, (_e1823 < _e1740));
+let _e1831 = global_4.member[bitcast<u32>(select(0i, _e1825, (_e1825 > 0i)))];
+let _e1846 = ((_e1775 + (f32(bitcast<i32>((_e1831 >> bitcast<u32>(12u)))) * _e1784)) + ((f32((bitcast<i32>((_e1831 & 4095u)) - 2048i)) * _e1765) * (_e1807 - f32(_e1822))));
+let _e1847 = (_e1696 * 1024f);
+let _e1849 = select(0f, _e1847, (_e1847 > 0f));
+let _e1851 = select(_e1722, _e1849, (_e1849 < _e1722));
+let _e1858 = select(0i, select(select(i32(_e1851), i32(-2147483648), (_e1851 < -2147483600f)), 2147483647i, (_e1851 > 2147483500f)), (_e1851 == _e1851));
+let _e1862 = (_e1858 - select(0i, 1i, (_e1851 < f32(_e1858))));
+let _e1863 = (262147i + _e1862);
+let _e1865 = select(_e1740, _e1863, (_e1863 < _e1740));
+let _e1871 = global_4.member[bitcast<u32>(select(0i, _e1865, (_e1865 > 0i)))];
+let _e1886 = ((_e1775 + (f32(bitcast<i32>((_e1871 >> bitcast<u32>(12u)))) * _e1784)) + ((f32((bitcast<i32>((_e1871 & 4095u)) - 2048i)) * _e1765) * (_e1847 - f32(_e1862))));
+let _e1887 = (_e1702 * 1024f);
+let _e1889 = select(0f, _e1887, (_e1887 > 0f));
+let _e1891 = select(_e1722, _e1889, (_e1889 < _e1722));
+let _e1898 = select(0i, select(select(i32(_e1891), i32(-2147483648), (_e1891 < -2147483600f)), 2147483647i, (_e1891 > 2147483500f)), (_e1891 == _e1891));
+let _e1902 = (_e1898 - select(0i, 1i, (_e1891 < f32(_e1898))));
+let _e1903 = (262147i + _e1902);
+let _e1905 = select(_e1740, _e1903, (_e1903 < _e1740));
+let _e1911 = global_4.member[bitcast<u32>(select(0i, _e1905, (_e1905 > 0i)))];
+let _e1926 = ((_e1775 + (f32(bitcast<i32>((_e1911 >> bitcast<u32>(12u)))) * _e1784)) + ((f32((bitcast<i32>((_e1911 & 4095u)) - 2048i)) * _e1765) * (_e1887 - f32(_e1902))));
+let _e1927 = (_e1708 * 1024f);
+let _e1929 = select(0f, _e1927, (_e1927 > 0f));
+let _e1931 = select(_e1722, _e1929, (_e1929 < _e1722));
+let _e1938 = select(0i, select(select(i32(_e1931), i32(-2147483648), (_e1931 < -2147483600f)), 2147483647i, (_e1931 > 2147483500f)), (_e1931 == _e1931));
+let _e1942 = (_e1938 - select(0i, 1i, (_e1931 < f32(_e1938))));
+let _e1943 = (262147i + _e1942);
+let _e1945 = select(_e1740, _e1943, (_e1943 < _e1740));
+let _e1951 = global_4.member[bitcast<u32>(select(0i, _e1945, (_e1945 > 0i)))];
+let _e1966 = ((_e1775 + (f32(bitcast<i32>((_e1951 >> bitcast<u32>(12u)))) * _e1784)) + ((f32((bitcast<i32>((_e1951 & 4095u)) - 2048i)) * _e1765) * (_e1927 - f32(_e1942))));
+let _e1967 = (_e1714 * 1024f);
+let _e1969 = select(0f, _e1967, (_e1967 > 0f));
+let _e1971 = select(_e1722, _e1969, (_e1969 < _e1722));
+let _e1978 = select(0i, select(select(i32(_e1971), i32(-2147483648), (_e1971 < -2147483600f)), 2147483647i, (_e1971 > 2147483500f)), (_e1971 == _e1971));
+let _e1982 = (_e1978 - select(0i, 1i, (_e1971 < f32(_e1978))));
+let _e1983 = (262147i + _e1982);
+let _e1985 = select(_e1740, _e1983, (_e1983 < _e1740));
+let _e1991 = global_4.member[bitcast<u32>(select(0i, _e1985, (_e1985 > 0i)))];
+let _e2006 = ((_e1775 + (f32(bitcast<i32>((_e1991 >> bitcast<u32>(12u)))) * _e1784)) + ((f32((bitcast<i32>((_e1991 & 4095u)) - 2048i)) * _e1765) * (_e1967 - f32(_e1982))));
+let _e2007 = (_e1720 * 1024f);
+let _e2009 = select(0f, _e2007, (_e2007 > 0f));
+let _e2011 = select(_e1722, _e2009, (_e2009 < _e1722));
+let _e2018 = select(0i, select(select(i32(_e2011), i32(-2147483648), (_e2011 < -2147483600f)), 2147483647i, (_e2011 > 2147483500f)), (_e2011 == _e2011));
+let _e2022 = (_e2018 - select(0i, 1i, (_e2011 < f32(_e2018))));
+let _e2023 = (262147i + _e2022);
+let _e2025 = select(_e1740, _e2023, (_e2023 < _e1740));
+let _e2031 = global_4.member[bitcast<u32>(select(0i, _e2025, (_e2025 > 0i)))];
+let _e2046 = ((_e1775 + (f32(bitcast<i32>((_e2031 >> bitcast<u32>(12u)))) * _e1784)) + ((f32((bitcast<i32>((_e2031 & 4095u)) - 2048i)) * _e1765) * (_e2007 - f32(_e2022))));
+let _e2047 = (_e1886 - _e1846);
+let _e2049 = (_e1966 - _e1926);
+let _e2051 = (_e2046 - _e2006);
+phi_4008_ = type_29(_e1790, vec3<f32>((0.5f * _e2047), (0.5f * _e2049), (0.5f * _e2051)), vec3<f32>((0.25f * (_e2047 * (_e1886 + _e1846))), (0.25f * (_e2049 * (_e1966 + _e1926))), (0.25f * (_e2051 * (_e2046 + _e2006)))));
 }
-let _e2440 = phi_5835_;
-let _e2455 = select(0f, 1f, ((((((_e444 >= -0.5f) && (_e444 <= _e467)) && (_e450 >= -0.5f)) && (_e450 <= _e477)) && (_e456 >= -0.5f)) && (_e456 <= _e487)));
-let _e2457 = (0.5f * (_e2070 - _e2064));
-let _e2459 = (0.5f * (_e2082 - _e2076));
-let _e2461 = (0.5f * (_e2094 - _e2088));
-let _e2466 = global_1.member.member_5.member.member;
-let _e2472 = global_1.member.member_5.member_1.member;
-let _e2479 = global_1.member.member_5.member_2.member;
-let _e2486 = global_1.member.member_5.member.member_1;
-let _e2492 = global_1.member.member_5.member_1.member_1;
-let _e2499 = global_1.member.member_5.member_2.member_1;
-let _e2506 = global_1.member.member_5.member.member_2;
-let _e2512 = global_1.member.member_5.member_1.member_2;
-let _e2519 = global_1.member.member_5.member_2.member_2;
-phi_7155_ = type_20(_e2058, vec3<f32>(((((_e2466 * _e2457) + (_e2472 * _e2459)) + (_e2479 * _e2461)) * _e2455), ((((_e2486 * _e2457) + (_e2492 * _e2459)) + (_e2499 * _e2461)) * _e2455), ((((_e2506 * _e2457) + (_e2512 * _e2459)) + (_e2519 * _e2461)) * _e2455)), _e2440.member, vec3<f32>(((((_e2466 * _e2440.member_2.x) + (_e2472 * _e2440.member_2.y)) + (_e2479 * _e2440.member_2.z)) * _e2455), ((((_e2486 * _e2440.member_2.x) + (_e2492 * _e2440.member_2.y)) + (_e2499 * _e2440.member_2.z)) * _e2455), ((((_e2506 * _e2440.member_2.x) + (_e2512 * _e2440.member_2.y)) + (_e2519 * _e2440.member_2.z)) * _e2455)), vec3<f32>(((((_e2466 * _e2440.member_1.x) + (_e2472 * _e2440.member_1.y)) + (_e2479 * _e2440.member_1.z)) * _e2455), ((((_e2486 * _e2440.member_1.x) + (_e2492 * _e2440.member_1.y)) + (_e2499 * _e2440.member_1.z)) * _e2455), ((((_e2506 * _e2440.member_1.x) + (_e2512 * _e2440.member_1.y)) + (_e2519 * _e2440.member_1.z)) * _e2455)));
+let _e2066 = phi_4008_;
+let _e2081 = select(0f, 1f, ((((((_e431 >= -0.5f) && (_e431 <= _e453)) && (_e437 >= -0.5f)) && (_e437 <= _e463)) && (_e443 >= -0.5f)) && (_e443 <= _e473)));
+let _e2083 = (0.5f * (_e1696 - _e1690));
+let _e2085 = (0.5f * (_e1708 - _e1702));
+let _e2087 = (0.5f * (_e1720 - _e1714));
+let _e2093 = global_1.member.member_6.member.member.member;
+let _e2099 = global_1.member.member_6.member.member.member_1;
+let _e2105 = global_1.member.member_6.member.member.member_2;
+let _e2111 = global_1.member.member_6.member_1.member.member;
+let _e2117 = global_1.member.member_6.member_1.member.member_1;
+let _e2123 = global_1.member.member_6.member_1.member.member_2;
+let _e2129 = global_1.member.member_6.member_2.member.member;
+let _e2135 = global_1.member.member_6.member_2.member.member_1;
+let _e2141 = global_1.member.member_6.member_2.member.member_2;
+phi_4709_ = type_30(_e1684, vec3<f32>(((((_e2093 * _e2083) + (_e2111 * _e2085)) + (_e2129 * _e2087)) * _e2081), ((((_e2099 * _e2083) + (_e2117 * _e2085)) + (_e2135 * _e2087)) * _e2081), ((((_e2105 * _e2083) + (_e2123 * _e2085)) + (_e2141 * _e2087)) * _e2081)), _e2066.member, vec3<f32>(((((_e2093 * _e2066.member_2.x) + (_e2111 * _e2066.member_2.y)) + (_e2129 * _e2066.member_2.z)) * _e2081), ((((_e2099 * _e2066.member_2.x) + (_e2117 * _e2066.member_2.y)) + (_e2135 * _e2066.member_2.z)) * _e2081), ((((_e2105 * _e2066.member_2.x) + (_e2123 * _e2066.member_2.y)) + (_e2141 * _e2066.member_2.z)) * _e2081)), vec3<f32>(((((_e2093 * _e2066.member_1.x) + (_e2111 * _e2066.member_1.y)) + (_e2129 * _e2066.member_1.z)) * _e2081), ((((_e2099 * _e2066.member_1.x) + (_e2117 * _e2066.member_1.y)) + (_e2135 * _e2066.member_1.z)) * _e2081), ((((_e2105 * _e2066.member_1.x) + (_e2123 * _e2066.member_1.y)) + (_e2141 * _e2066.member_1.z)) * _e2081)));
 } else {
-let _e647 = select(-1f, _e471, (_e471 > -1f));
-let _e649 = select(_e466, _e647, (_e647 < _e466));
-let _e656 = select(0i, select(select(i32(_e649), i32(-2147483648), (_e649 < -2147483600f)), 2147483647i, (_e649 > 2147483500f)), (_e649 == _e649));
-let _e660 = (_e656 - select(0i, 1i, (_e649 < f32(_e656))));
-let _e662 = select(-1f, _e481, (_e481 > -1f));
-let _e664 = select(_e476, _e662, (_e662 < _e476));
-let _e671 = select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < -2147483600f)), 2147483647i, (_e664 > 2147483500f)), (_e664 == _e664));
-let _e675 = (_e671 - select(0i, 1i, (_e664 < f32(_e671))));
-let _e677 = select(-1f, _e491, (_e491 > -1f));
-let _e679 = select(_e486, _e677, (_e677 < _e486));
-let _e686 = select(0i, select(select(i32(_e679), i32(-2147483648), (_e679 < -2147483600f)), 2147483647i, (_e679 > 2147483500f)), (_e679 == _e679));
-let _e690 = (_e686 - select(0i, 1i, (_e679 < f32(_e686))));
-let _e695 = global_1.member.member_5.member_5[0u];
-let _e700 = global_1.member.member_5.member_5[1u];
-let _e701 = (_e660 + 1i);
-let _e702 = (_e675 + 1i);
-let _e703 = (_e690 + 1i);
-let _e710 = global_1.member.member_5.member_7[0u];
-let _e717 = global_1.member.member_5.member_7[1u];
-let _e723 = ((_e701 >> bitcast<u32>(4i)) + (_e710 * ((_e702 >> bitcast<u32>(4i)) + (_e717 * (_e703 >> bitcast<u32>(4i))))));
-let _e725 = (bitcast<i32>(_e93) - 1i);
-let _e727 = select(_e725, _e723, (_e723 < _e725));
-let _e733 = global_2.member[bitcast<u32>(select(0i, _e727, (_e727 > 0i)))];
-let _e735 = (_e701 & 15i);
-let _e738 = ((_e702 & 15i) * _e695);
-let _e740 = (bitcast<i32>(_e733) + ((_e703 & 15i) * _e700));
-let _e744 = (_e738 + _e695);
-let _e746 = (_e738 + (2i * _e695));
-let _e747 = (_e740 + _e700);
-let _e749 = (_e740 + (2i * _e700));
-local_2 = type_18(array<i32, 4>(_e735, (_e735 + 1i), (_e735 + 2i), (_e735 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_3 = vec3<f32>((_e471 - f32(_e660)), (_e481 - f32(_e675)), (_e491 - f32(_e690)));
-let _e763 = local_2.member[1u];
-let _e764 = ((_e747 + _e744) + _e763);
-let _e766 = (_e764 >> bitcast<u32>(1i));
-let _e769 = bitcast<u32>(((_e764 & 1i) * 16i));
-let _e771 = select(_e725, _e766, (_e766 < _e725));
-let _e776 = global_2.member[bitcast<u32>(select(0i, _e771, (_e771 > 0i)))];
-let _e780 = (_e766 + 1i);
-let _e782 = select(_e725, _e780, (_e780 < _e725));
-let _e787 = global_2.member[bitcast<u32>(select(0i, _e782, (_e782 > 0i)))];
-let _e794 = ((_e776 >> bitcast<u32>((_e769 & 31u))) | ((_e787 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e769) & 31u))));
-let _e797 = local_2.member_1[2u];
-let _e803 = f32(bitcast<i32>(((_e794 >> bitcast<u32>((_e797 & 31u))) & 65535u)));
-let _e806 = local_2.member_1[3u];
-let _e813 = local_3[0u];
-let _e816 = (_e803 + ((f32(bitcast<i32>(((_e794 >> bitcast<u32>((_e806 & 31u))) & 65535u))) - _e803) * _e813));
-let _e818 = local_2.member[1u];
-let _e819 = ((_e747 + _e746) + _e818);
-let _e821 = (_e819 >> bitcast<u32>(1i));
-let _e824 = bitcast<u32>(((_e819 & 1i) * 16i));
-let _e826 = select(_e725, _e821, (_e821 < _e725));
-let _e831 = global_2.member[bitcast<u32>(select(0i, _e826, (_e826 > 0i)))];
-let _e835 = (_e821 + 1i);
-let _e837 = select(_e725, _e835, (_e835 < _e725));
-let _e842 = global_2.member[bitcast<u32>(select(0i, _e837, (_e837 > 0i)))];
-let _e849 = ((_e831 >> bitcast<u32>((_e824 & 31u))) | ((_e842 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e824) & 31u))));
-let _e850 = local_2.member_1[2u];
-let _e856 = f32(bitcast<i32>(((_e849 >> bitcast<u32>((_e850 & 31u))) & 65535u)));
-let _e857 = local_2.member_1[3u];
-let _e864 = local_3[0u];
-let _e869 = local_3[1u];
-let _e872 = (_e816 + (((_e856 + ((f32(bitcast<i32>(((_e849 >> bitcast<u32>((_e857 & 31u))) & 65535u))) - _e856) * _e864)) - _e816) * _e869));
-let _e874 = local_2.member[1u];
-let _e875 = ((_e749 + _e744) + _e874);
-let _e877 = (_e875 >> bitcast<u32>(1i));
-let _e880 = bitcast<u32>(((_e875 & 1i) * 16i));
-let _e882 = select(_e725, _e877, (_e877 < _e725));
-let _e887 = global_2.member[bitcast<u32>(select(0i, _e882, (_e882 > 0i)))];
-let _e891 = (_e877 + 1i);
-let _e893 = select(_e725, _e891, (_e891 < _e725));
-let _e898 = global_2.member[bitcast<u32>(select(0i, _e893, (_e893 > 0i)))];
-let _e905 = ((_e887 >> bitcast<u32>((_e880 & 31u))) | ((_e898 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e880) & 31u))));
-let _e906 = local_2.member_1[2u];
-let _e912 = f32(bitcast<i32>(((_e905 >> bitcast<u32>((_e906 & 31u))) & 65535u)));
-let _e913 = local_2.member_1[3u];
-let _e920 = local_3[0u];
-let _e923 = (_e912 + ((f32(bitcast<i32>(((_e905 >> bitcast<u32>((_e913 & 31u))) & 65535u))) - _e912) * _e920));
-let _e925 = local_2.member[1u];
-let _e926 = ((_e749 + _e746) + _e925);
-let _e928 = (_e926 >> bitcast<u32>(1i));
-let _e931 = bitcast<u32>(((_e926 & 1i) * 16i));
-let _e933 = select(_e725, _e928, (_e928 < _e725));
-let _e938 = global_2.member[bitcast<u32>(select(0i, _e933, (_e933 > 0i)))];
-let _e942 = (_e928 + 1i);
-let _e944 = select(_e725, _e942, (_e942 < _e725));
-let _e949 = global_2.member[bitcast<u32>(select(0i, _e944, (_e944 > 0i)))];
-let _e956 = ((_e938 >> bitcast<u32>((_e931 & 31u))) | ((_e949 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e931) & 31u))));
-let _e957 = local_2.member_1[2u];
-let _e963 = f32(bitcast<i32>(((_e956 >> bitcast<u32>((_e957 & 31u))) & 65535u)));
-let _e964 = local_2.member_1[3u];
-let _e971 = local_3[0u];
-let _e975 = local_3[1u];
-let _e980 = local_3[2u];
-let _e988 = global_1.member.member_5.member_4.member;
-let _e994 = global_1.member.member_5.member_4.member_1;
-let _e995 = (((_e872 + (((_e923 + (((_e963 + ((f32(bitcast<i32>(((_e956 >> bitcast<u32>((_e964 & 31u))) & 65535u))) - _e963) * _e971)) - _e923) * _e975)) - _e872) * _e980)) * _e988) + _e994);
-let _e997 = select(0f, _e995, (_e995 > 0f));
-phi_7155_ = type_20(select(1f, _e997, (_e997 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2207 = select(-1f, _e457, (_e457 > -1f));
+let _e2209 = select(_e452, _e2207, (_e2207 < _e452));
+let _e2216 = select(0i, select(select(i32(_e2209), i32(-2147483648), (_e2209 < -2147483600f)), 2147483647i, (_e2209 > 2147483500f)), (_e2209 == _e2209));
+let _e2220 = (_e2216 - select(0i, 1i, (_e2209 < f32(_e2216))));
+let _e2222 = select(-1f, _e467, (_e467 > -1f));
+let _e2224 = select(_e462, _e2222, (_e2222 < _e462));
+let _e2231 = select(0i, select(select(i32(_e2224), i32(-2147483648), (_e2224 < -2147483600f)), 2147483647i, (_e2224 > 2147483500f)), (_e2224 == _e2224));
+let _e2235 = (_e2231 - select(0i, 1i, (_e2224 < f32(_e2231))));
+let _e2237 = select(-1f, _e477, (_e477 > -1f));
+let _e2239 = select(_e472, _e2237, (_e2237 < _e472));
+let _e2246 = select(0i, select(select(i32(_e2239), i32(-2147483648), (_e2239 < -2147483600f)), 2147483647i, (_e2239 > 2147483500f)), (_e2239 == _e2239));
+let _e2250 = (_e2246 - select(0i, 1i, (_e2239 < f32(_e2246))));
+let _e2254 = global_1.member.member_6.member_7;
+let _e2258 = global_1.member.member_6.member_8;
+let _e2259 = (_e2220 + 1i);
+let _e2260 = (_e2235 + 1i);
+let _e2261 = (_e2250 + 1i);
+let _e2266 = global_1.member.member_6.member_11.member;
+let _e2272 = global_1.member.member_6.member_11.member_1;
+let _e2283 = ((_e2259 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2266) * ((_e2260 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2272) * (_e2261 >> bitcast<u32>(4i))))));
+let _e2285 = (bitcast<i32>(_e92) - 1i);
+let _e2287 = select(_e2285, _e2283, (_e2283 < _e2285));
+let _e2293 = global_2.member[bitcast<u32>(select(0i, _e2287, (_e2287 > 0i)))];
+let _e2295 = (_e2259 & 15i);
+let _e2298 = ((_e2260 & 15i) * _e2254);
+let _e2300 = (bitcast<i32>(_e2293) + ((_e2261 & 15i) * _e2258));
+let _e2304 = (_e2298 + _e2254);
+let _e2306 = (_e2298 + (2i * _e2254));
+let _e2307 = (_e2300 + _e2258);
+let _e2309 = (_e2300 + (2i * _e2258));
+local_2 = type_28(array<i32, 4>(_e2295, (_e2295 + 1i), (_e2295 + 2i), (_e2295 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_3 = vec3<f32>((_e457 - f32(_e2220)), (_e467 - f32(_e2235)), (_e477 - f32(_e2250)));
+let _e2323 = local_2.member[1u];
+let _e2324 = ((_e2307 + _e2304) + _e2323);
+let _e2326 = (_e2324 >> bitcast<u32>(1i));
+let _e2329 = bitcast<u32>(((_e2324 & 1i) * 16i));
+let _e2331 = select(_e2285, _e2326, (_e2326 < _e2285));
+let _e2336 = global_2.member[bitcast<u32>(select(0i, _e2331, (_e2331 > 0i)))];
+let _e2340 = (_e2326 + 1i);
+let _e2342 = select(_e2285, _e2340, (_e2340 < _e2285));
+let _e2347 = global_2.member[bitcast<u32>(select(0i, _e2342, (_e2342 > 0i)))];
+let _e2354 = ((_e2336 >> bitcast<u32>((_e2329 & 31u))) | ((_e2347 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2329) & 31u))));
+let _e2357 = local_2.member_1[2u];
+let _e2363 = f32(bitcast<i32>(((_e2354 >> bitcast<u32>((_e2357 & 31u))) & 65535u)));
+let _e2366 = local_2.member_1[3u];
+let _e2373 = local_3[0u];
+let _e2376 = (_e2363 + ((f32(bitcast<i32>(((_e2354 >> bitcast<u32>((_e2366 & 31u))) & 65535u))) - _e2363) * _e2373));
+let _e2378 = local_2.member[1u];
+let _e2379 = ((_e2307 + _e2306) + _e2378);
+let _e2381 = (_e2379 >> bitcast<u32>(1i));
+let _e2384 = bitcast<u32>(((_e2379 & 1i) * 16i));
+let _e2386 = select(_e2285, _e2381, (_e2381 < _e2285));
+let _e2391 = global_2.member[bitcast<u32>(select(0i, _e2386, (_e2386 > 0i)))];
+let _e2395 = (_e2381 + 1i);
+let _e2397 = select(_e2285, _e2395, (_e2395 < _e2285));
+let _e2402 = global_2.member[bitcast<u32>(select(0i, _e2397, (_e2397 > 0i)))];
+let _e2409 = ((_e2391 >> bitcast<u32>((_e2384 & 31u))) | ((_e2402 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2384) & 31u))));
+let _e2410 = local_2.member_1[2u];
+let _e2416 = f32(bitcast<i32>(((_e2409 >> bitcast<u32>((_e2410 & 31u))) & 65535u)));
+let _e2417 = local_2.member_1[3u];
+let _e2424 = local_3[0u];
+let _e2429 = local_3[1u];
+let _e2432 = (_e2376 + (((_e2416 + ((f32(bitcast<i32>(((_e2409 >> bitcast<u32>((_e2417 & 31u))) & 65535u))) - _e2416) * _e2424)) - _e2376) * _e2429));
+let _e2434 = local_2.member[1u];
+let _e2435 = ((_e2309 + _e2304) + _e2434);
+let _e2437 = (_e2435 >> bitcast<u32>(1i));
+let _e2440 = bitcast<u32>(((_e2435 & 1i) * 16i));
+let _e2442 = select(_e2285, _e2437, (_e2437 < _e2285));
+let _e2447 = global_2.member[bitcast<u32>(select(0i, _e2442, (_e2442 > 0i)))];
+let _e2451 = (_e2437 + 1i);
+let _e2453 = select(_e2285, _e2451, (_e2451 < _e2285));
+let _e2458 = global_2.member[bitcast<u32>(select(0i, _e2453, (_e2453 > 0i)))];
+let _e2465 = ((_e2447 >> bitcast<u32>((_e2440 & 31u))) | ((_e2458 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2440) & 31u))));
+let _e2466 = local_2.member_1[2u];
+let _e2472 = f32(bitcast<i32>(((_e2465 >> bitcast<u32>((_e2466 & 31u))) & 65535u)));
+let _e2473 = local_2.member_1[3u];
+let _e2480 = local_3[0u];
+let _e2483 = (_e2472 + ((f32(bitcast<i32>(((_e2465 >> bitcast<u32>((_e2473 & 31u))) & 65535u))) - _e2472) * _e2480));
+let _e2485 = local_2.member[1u];
+let _e2486 = ((_e2309 + _e2306) + _e2485);
+let _e2488 = (_e2486 >> bitcast<u32>(1i));
+let _e2491 = bitcast<u32>(((_e2486 & 1i) * 16i));
+let _e2493 = select(_e2285, _e2488, (_e2488 < _e2285));
+let _e2498 = global_2.member[bitcast<u32>(select(0i, _e2493, (_e2493 > 0i)))];
+let _e2502 = (_e2488 + 1i);
+let _e2504 = select(_e2285, _e2502, (_e2502 < _e2285));
+let _e2509 = global_2.member[bitcast<u32>(select(0i, _e2504, (_e2504 > 0i)))];
+let _e2516 = ((_e2498 >> bitcast<u32>((_e2491 & 31u))) | ((_e2509 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2491) & 31u))));
+let _e2517 = local_2.member_1[2u];
+let _e2523 = f32(bitcast<i32>(((_e2516 >> bitcast<u32>((_e2517 & 31u))) & 65535u)));
+let _e2524 = local_2.member_1[3u];
+let _e2531 = local_3[0u];
+let _e2535 = local_3[1u];
+let _e2540 = local_3[2u];
+let _e2547 = global_1.member.member_6.member_5;
+let _e2552 = global_1.member.member_6.member_6;
+let _e2553 = (((_e2432 + (((_e2483 + (((_e2523 + ((f32(bitcast<i32>(((_e2516 >> bitcast<u32>((_e2524 & 31u))) & 65535u))) - _e2523) * _e2531)) - _e2483) * _e2535)) - _e2432) * _e2540)) * _e2547) + _e2552);
+let _e2555 = select(0f, _e2553, (_e2553 > 0f));
+phi_4709_ = type_30(select(1f, _e2555, (_e2555 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e2572 = phi_7155_;
-let _e2574 = select(-0.5f, _e402, (_e402 > -0.5f));
-let _e2576 = select(_e467, _e2574, (_e2574 < _e467));
-let _e2578 = select(-0.5f, _e420, (_e420 > -0.5f));
-let _e2580 = select(_e477, _e2578, (_e2578 < _e477));
-let _e2582 = select(-0.5f, _e438, (_e438 > -0.5f));
-let _e2584 = select(_e487, _e2582, (_e2582 < _e487));
-let _e2586 = select(-1f, _e2576, (_e2576 > -1f));
-let _e2588 = select(_e466, _e2586, (_e2586 < _e466));
-let _e2595 = select(0i, select(select(i32(_e2588), i32(-2147483648), (_e2588 < -2147483600f)), 2147483647i, (_e2588 > 2147483500f)), (_e2588 == _e2588));
-let _e2599 = (_e2595 - select(0i, 1i, (_e2588 < f32(_e2595))));
-let _e2601 = select(-1f, _e2580, (_e2580 > -1f));
-let _e2603 = select(_e476, _e2601, (_e2601 < _e476));
-let _e2610 = select(0i, select(select(i32(_e2603), i32(-2147483648), (_e2603 < -2147483600f)), 2147483647i, (_e2603 > 2147483500f)), (_e2603 == _e2603));
-let _e2614 = (_e2610 - select(0i, 1i, (_e2603 < f32(_e2610))));
-let _e2616 = select(-1f, _e2584, (_e2584 > -1f));
-let _e2618 = select(_e486, _e2616, (_e2616 < _e486));
-let _e2625 = select(0i, select(select(i32(_e2618), i32(-2147483648), (_e2618 < -2147483600f)), 2147483647i, (_e2618 > 2147483500f)), (_e2618 == _e2618));
-let _e2629 = (_e2625 - select(0i, 1i, (_e2618 < f32(_e2625))));
-let _e2634 = global_1.member.member_5.member_5[0u];
-let _e2639 = global_1.member.member_5.member_5[1u];
-let _e2640 = (_e2599 + 1i);
-let _e2641 = (_e2614 + 1i);
-let _e2642 = (_e2629 + 1i);
-let _e2649 = global_1.member.member_5.member_7[0u];
-let _e2656 = global_1.member.member_5.member_7[1u];
-let _e2662 = ((_e2640 >> bitcast<u32>(4i)) + (_e2649 * ((_e2641 >> bitcast<u32>(4i)) + (_e2656 * (_e2642 >> bitcast<u32>(4i))))));
-let _e2664 = (bitcast<i32>(_e93) - 1i);
-let _e2666 = select(_e2664, _e2662, (_e2662 < _e2664));
-let _e2672 = global_2.member[bitcast<u32>(select(0i, _e2666, (_e2666 > 0i)))];
-let _e2674 = (_e2640 & 15i);
-let _e2677 = ((_e2641 & 15i) * _e2634);
-let _e2679 = (bitcast<i32>(_e2672) + ((_e2642 & 15i) * _e2639));
-let _e2683 = (_e2677 + _e2634);
-let _e2685 = (_e2677 + (2i * _e2634));
-let _e2686 = (_e2679 + _e2639);
-let _e2688 = (_e2679 + (2i * _e2639));
-local = type_18(array<i32, 4>(_e2674, (_e2674 + 1i), (_e2674 + 2i), (_e2674 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_1 = vec3<f32>((_e2576 - f32(_e2599)), (_e2580 - f32(_e2614)), (_e2584 - f32(_e2629)));
-let _e2702 = local.member[1u];
-let _e2703 = ((_e2686 + _e2683) + _e2702);
-let _e2705 = (_e2703 >> bitcast<u32>(1i));
-let _e2708 = bitcast<u32>(((_e2703 & 1i) * 16i));
-let _e2710 = select(_e2664, _e2705, (_e2705 < _e2664));
-let _e2715 = global_2.member[bitcast<u32>(select(0i, _e2710, (_e2710 > 0i)))];
-let _e2719 = (_e2705 + 1i);
-let _e2721 = select(_e2664, _e2719, (_e2719 < _e2664));
-let _e2726 = global_2.member[bitcast<u32>(select(0i, _e2721, (_e2721 > 0i)))];
-let _e2733 = ((_e2715 >> bitcast<u32>((_e2708 & 31u))) | ((_e2726 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2708) & 31u))));
-let _e2736 = local.member_1[2u];
-let _e2742 = f32(bitcast<i32>(((_e2733 >> bitcast<u32>((_e2736 & 31u))) & 65535u)));
-let _e2745 = local.member_1[3u];
-let _e2752 = local_1[0u];
-let _e2755 = (_e2742 + ((f32(bitcast<i32>(((_e2733 >> bitcast<u32>((_e2745 & 31u))) & 65535u))) - _e2742) * _e2752));
-let _e2757 = local.member[1u];
-let _e2758 = ((_e2686 + _e2685) + _e2757);
-let _e2760 = (_e2758 >> bitcast<u32>(1i));
-let _e2763 = bitcast<u32>(((_e2758 & 1i) * 16i));
-let _e2765 = select(_e2664, _e2760, (_e2760 < _e2664));
-let _e2770 = global_2.member[bitcast<u32>(select(0i, _e2765, (_e2765 > 0i)))];
-let _e2774 = (_e2760 + 1i);
-let _e2776 = select(_e2664, _e2774, (_e2774 < _e2664));
-let _e2781 = global_2.member[bitcast<u32>(select(0i, _e2776, (_e2776 > 0i)))];
-let _e2788 = ((_e2770 >> bitcast<u32>((_e2763 & 31u))) | ((_e2781 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2763) & 31u))));
-let _e2789 = local.member_1[2u];
-let _e2795 = f32(bitcast<i32>(((_e2788 >> bitcast<u32>((_e2789 & 31u))) & 65535u)));
-let _e2796 = local.member_1[3u];
-let _e2803 = local_1[0u];
-let _e2808 = local_1[1u];
-let _e2811 = (_e2755 + (((_e2795 + ((f32(bitcast<i32>(((_e2788 >> bitcast<u32>((_e2796 & 31u))) & 65535u))) - _e2795) * _e2803)) - _e2755) * _e2808));
-let _e2813 = local.member[1u];
-let _e2814 = ((_e2688 + _e2683) + _e2813);
-let _e2816 = (_e2814 >> bitcast<u32>(1i));
-let _e2819 = bitcast<u32>(((_e2814 & 1i) * 16i));
-let _e2821 = select(_e2664, _e2816, (_e2816 < _e2664));
-let _e2826 = global_2.member[bitcast<u32>(select(0i, _e2821, (_e2821 > 0i)))];
-let _e2830 = (_e2816 + 1i);
-let _e2832 = select(_e2664, _e2830, (_e2830 < _e2664));
-let _e2837 = global_2.member[bitcast<u32>(select(0i, _e2832, (_e2832 > 0i)))];
-let _e2844 = ((_e2826 >> bitcast<u32>((_e2819 & 31u))) | ((_e2837 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2819) & 31u))));
-let _e2845 = local.member_1[2u];
-let _e2851 = f32(bitcast<i32>(((_e2844 >> bitcast<u32>((_e2845 & 31u))) & 65535u)));
-let _e2852 = local.member_1[3u];
-let _e2859 = local_1[0u];
-let _e2862 = (_e2851 + ((f32(bitcast<i32>(((_e2844 >> bitcast<u32>((_e2852 & 31u))) & 65535u))) - _e2851) * _e2859));
-let _e2864 = local.member[1u];
-let _e2865 = ((_e2688 + _e2685) + _e2864);
-let _e2867 = (_e2865 >> bitcast<u32>(1i));
-let _e2870 = bitcast<u32>(((_e2865 & 1i) * 16i));
-let _e2872 = select(_e2664, _e2867, (_e2867 < _e2664));
-let _e2877 = global_2.member[bitcast<u32>(select(0i, _e2872, (_e2872 > 0i)))];
-let _e2881 = (_e2867 + 1i);
-let _e2883 = select(_e2664, _e2881, (_e2881 < _e2664));
-let _e2888 = global_2.member[bitcast<u32>(select(0i, _e2883, (_e2883 > 0i)))];
-let _e2895 = ((_e2877 >> bitcast<u32>((_e2870 & 31u))) | ((_e2888 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2870) & 31u))));
-let _e2896 = local.member_1[2u];
-let _e2902 = f32(bitcast<i32>(((_e2895 >> bitcast<u32>((_e2896 & 31u))) & 65535u)));
-let _e2903 = local.member_1[3u];
-let _e2910 = local_1[0u];
-let _e2914 = local_1[1u];
-let _e2919 = local_1[2u];
-let _e2927 = global_1.member.member_5.member_4.member;
-let _e2933 = global_1.member.member_5.member_4.member_1;
-let _e2934 = (((_e2811 + (((_e2862 + (((_e2902 + ((f32(bitcast<i32>(((_e2895 >> bitcast<u32>((_e2903 & 31u))) & 65535u))) - _e2902) * _e2910)) - _e2862) * _e2914)) - _e2811) * _e2919)) * _e2927) + _e2933);
-let _e2936 = select(0f, _e2934, (_e2934 > 0f));
-if ((_e625 & 16u) == 0u) {
-phi_8676_ = type_21(1f, 1f, 1f);
+let _e2560 = phi_4709_;
+let _e2562 = select(-0.5f, _e395, (_e395 > -0.5f));
+let _e2564 = select(_e453, _e2562, (_e2562 < _e453));
+let _e2566 = select(-0.5f, _e410, (_e410 > -0.5f));
+let _e2568 = select(_e463, _e2566, (_e2566 < _e463));
+let _e2570 = select(-0.5f, _e425, (_e425 > -0.5f));
+let _e2572 = select(_e473, _e2570, (_e2570 < _e473));
+let _e2574 = select(-1f, _e2564, (_e2564 > -1f));
+let _e2576 = select(_e452, _e2574, (_e2574 < _e452));
+let _e2583 = select(0i, select(select(i32(_e2576), i32(-2147483648), (_e2576 < -2147483600f)), 2147483647i, (_e2576 > 2147483500f)), (_e2576 == _e2576));
+let _e2587 = (_e2583 - select(0i, 1i, (_e2576 < f32(_e2583))));
+let _e2589 = select(-1f, _e2568, (_e2568 > -1f));
+let _e2591 = select(_e462, _e2589, (_e2589 < _e462));
+let _e2598 = select(0i, select(select(i32(_e2591), i32(-2147483648), (_e2591 < -2147483600f)), 2147483647i, (_e2591 > 2147483500f)), (_e2591 == _e2591));
+let _e2602 = (_e2598 - select(0i, 1i, (_e2591 < f32(_e2598))));
+let _e2604 = select(-1f, _e2572, (_e2572 > -1f));
+let _e2606 = select(_e472, _e2604, (_e2604 < _e472));
+let _e2613 = select(0i, select(select(i32(_e2606), i32(-2147483648), (_e2606 < -2147483600f)), 2147483647i, (_e2606 > 2147483500f)), (_e2606 == _e2606));
+let _e2617 = (_e2613 - select(0i, 1i, (_e2606 < f32(_e2613))));
+let _e2621 = global_1.member.member_6.member_7;
+let _e2625 = global_1.member.member_6.member_8;
+let _e2626 = (_e2587 + 1i);
+let _e2627 = (_e2602 + 1i);
+let _e2628 = (_e2617 + 1i);
+let _e2633 = global_1.member.member_6.member_11.member;
+let _e2639 = global_1.member.member_6.member_11.member_1;
+let _e2650 = ((_e2626 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2633) * ((_e2627 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2639) * (_e2628 >> bitcast<u32>(4i))))));
+let _e2652 = (bitcast<i32>(_e92) - 1i);
+let _e2654 = select(_e2652, _e2650, (_e2650 < _e2652));
+let _e2660 = global_2.member[bitcast<u32>(select(0i, _e2654, (_e2654 > 0i)))];
+let _e2662 = (_e2626 & 15i);
+let _e2665 = ((_e2627 & 15i) * _e2621);
+let _e2667 = (bitcast<i32>(_e2660) + ((_e2628 & 15i) * _e2625));
+let _e2671 = (_e2665 + _e2621);
+let _e2673 = (_e2665 + (2i * _e2621));
+let _e2674 = (_e2667 + _e2625);
+let _e2676 = (_e2667 + (2i * _e2625));
+local = type_28(array<i32, 4>(_e2662, (_e2662 + 1i), (_e2662 + 2i), (_e2662 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_1 = vec3<f32>((_e2564 - f32(_e2587)), (_e2568 - f32(_e2602)), (_e2572 - f32(_e2617)));
+let _e2690 = local.member[1u];
+let _e2691 = ((_e2674 + _e2671) + _e2690);
+let _e2693 = (_e2691 >> bitcast<u32>(1i));
+let _e2696 = bitcast<u32>(((_e2691 & 1i) * 16i));
+let _e2698 = select(_e2652, _e2693, (_e2693 < _e2652));
+let _e2703 = global_2.member[bitcast<u32>(select(0i, _e2698, (_e2698 > 0i)))];
+let _e2707 = (_e2693 + 1i);
+let _e2709 = select(_e2652, _e2707, (_e2707 < _e2652));
+let _e2714 = global_2.member[bitcast<u32>(select(0i, _e2709, (_e2709 > 0i)))];
+let _e2721 = ((_e2703 >> bitcast<u32>((_e2696 & 31u))) | ((_e2714 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2696) & 31u))));
+let _e2724 = local.member_1[2u];
+let _e2730 = f32(bitcast<i32>(((_e2721 >> bitcast<u32>((_e2724 & 31u))) & 65535u)));
+let _e2733 = local.member_1[3u];
+let _e2740 = local_1[0u];
+let _e2743 = (_e2730 + ((f32(bitcast<i32>(((_e2721 >> bitcast<u32>((_e2733 & 31u))) & 65535u))) - _e2730) * _e2740));
+let _e2745 = local.member[1u];
+let _e2746 = ((_e2674 + _e2673) + _e2745);
+let _e2748 = (_e2746 >> bitcast<u32>(1i));
+let _e2751 = bitcast<u32>(((_e2746 & 1i) * 16i));
+let _e2753 = select(_e2652, _e2748, (_e2748 < _e2652));
+let _e2758 = global_2.member[bitcast<u32>(select(0i, _e2753, (_e2753 > 0i)))];
+let _e2762 = (_e2748 + 1i);
+let _e2764 = select(_e2652, _e2762, (_e2762 < _e2652));
+let _e2769 = global_2.member[bitcast<u32>(select(0i, _e2764, (_e2764 > 0i)))];
+let _e2776 = ((_e2758 >> bitcast<u32>((_e2751 & 31u))) | ((_e2769 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2751) & 31u))));
+let _e2777 = local.member_1[2u];
+let _e2783 = f32(bitcast<i32>(((_e2776 >> bitcast<u32>((_e2777 & 31u))) & 65535u)));
+let _e2784 = local.member_1[3u];
+let _e2791 = local_1[0u];
+let _e2796 = local_1[1u];
+let _e2799 = (_e2743 + (((_e2783 + ((f32(bitcast<i32>(((_e2776 >> bitcast<u32>((_e2784 & 31u))) & 65535u))) - _e2783) * _e2791)) - _e2743) * _e2796));
+let _e2801 = local.member[1u];
+let _e2802 = ((_e2676 + _e2671) + _e2801);
+let _e2804 = (_e2802 >> bitcast<u32>(1i));
+let _e2807 = bitcast<u32>(((_e2802 & 1i) * 16i));
+let _e2809 = select(_e2652, _e2804, (_e2804 < _e2652));
+let _e2814 = global_2.member[bitcast<u32>(select(0i, _e2809, (_e2809 > 0i)))];
+let _e2818 = (_e2804 + 1i);
+let _e2820 = select(_e2652, _e2818, (_e2818 < _e2652));
+let _e2825 = global_2.member[bitcast<u32>(select(0i, _e2820, (_e2820 > 0i)))];
+let _e2832 = ((_e2814 >> bitcast<u32>((_e2807 & 31u))) | ((_e2825 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2807) & 31u))));
+let _e2833 = local.member_1[2u];
+let _e2839 = f32(bitcast<i32>(((_e2832 >> bitcast<u32>((_e2833 & 31u))) & 65535u)));
+let _e2840 = local.member_1[3u];
+let _e2847 = local_1[0u];
+let _e2850 = (_e2839 + ((f32(bitcast<i32>(((_e2832 >> bitcast<u32>((_e2840 & 31u))) & 65535u))) - _e2839) * _e2847));
+let _e2852 = local.member[1u];
+let _e2853 = ((_e2676 + _e2673) + _e2852);
+let _e2855 = (_e2853 >> bitcast<u32>(1i));
+let _e2858 = bitcast<u32>(((_e2853 & 1i) * 16i));
+let _e2860 = select(_e2652, _e2855, (_e2855 < _e2652));
+let _e2865 = global_2.member[bitcast<u32>(select(0i, _e2860, (_e2860 > 0i)))];
+let _e2869 = (_e2855 + 1i);
+let _e2871 = select(_e2652, _e2869, (_e2869 < _e2652));
+let _e2876 = global_2.member[bitcast<u32>(select(0i, _e2871, (_e2871 > 0i)))];
+let _e2883 = ((_e2865 >> bitcast<u32>((_e2858 & 31u))) | ((_e2876 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2858) & 31u))));
+let _e2884 = local.member_1[2u];
+let _e2890 = f32(bitcast<i32>(((_e2883 >> bitcast<u32>((_e2884 & 31u))) & 65535u)));
+let _e2891 = local.member_1[3u];
+let _e2898 = local_1[0u];
+let _e2902 = local_1[1u];
+let _e2907 = local_1[2u];
+let _e2914 = global_1.member.member_6.member_5;
+let _e2919 = global_1.member.member_6.member_6;
+let _e2920 = (((_e2799 + (((_e2850 + (((_e2890 + ((f32(bitcast<i32>(((_e2883 >> bitcast<u32>((_e2891 & 31u))) & 65535u))) - _e2890) * _e2898)) - _e2850) * _e2902)) - _e2799) * _e2907)) * _e2914) + _e2919);
+let _e2922 = select(0f, _e2920, (_e2920 > 0f));
+if ((_e611 & 16u) == 0u) {
+phi_5633_ = type_5(1f, 1f, 1f);
 } else {
-let _e2943 = global_1.member.member_18;
-let _e2947 = global_1.member.member_22.member;
-let _e2957 = ((((_e2943.member * _e310) + (_e2943.member_1 * _e319)) + (_e2943.member_2 * _e292)) + _e2943.member_3);
-let _e2963 = ((((_e2943.member * _e331) + (_e2943.member_1 * _e336)) + (_e2943.member_2 * _e325)) + _e2943.member_3);
-let _e2965 = select(_e2963, _e2957, (_e2957 < _e2963));
-let _e2967 = select(_e2963, _e2957, (_e2957 > _e2963));
-let _e2969 = (_e2967 - _e2965);
-let _e2972 = (-(_e2965) / select(1e-30f, _e2969, (_e2969 > 1e-30f)));
-let _e2974 = select(0f, _e2972, (_e2972 > 0f));
-let _e2980 = select(select(select(1f, _e2974, (_e2974 < 1f)), 1f, (_e2967 <= 0f)), 0f, (_e2965 > 0f));
-let _e2982 = (_e2947 > 0.5f);
-let _e2991 = global_1.member.member_19;
-let _e2995 = global_1.member.member_22.member_1;
-let _e3005 = ((((_e2991.member * _e310) + (_e2991.member_1 * _e319)) + (_e2991.member_2 * _e292)) + _e2991.member_3);
-let _e3011 = ((((_e2991.member * _e331) + (_e2991.member_1 * _e336)) + (_e2991.member_2 * _e325)) + _e2991.member_3);
-let _e3013 = select(_e3011, _e3005, (_e3005 < _e3011));
-let _e3015 = select(_e3011, _e3005, (_e3005 > _e3011));
-let _e3017 = (_e3015 - _e3013);
-let _e3020 = (-(_e3013) / select(1e-30f, _e3017, (_e3017 > 1e-30f)));
-let _e3022 = select(0f, _e3020, (_e3020 > 0f));
-let _e3028 = select(select(select(1f, _e3022, (_e3022 < 1f)), 1f, (_e3015 <= 0f)), 0f, (_e3013 > 0f));
-let _e3030 = (_e2995 > 0.5f);
-let _e3039 = global_1.member.member_20;
-let _e3043 = global_1.member.member_22.member_2;
-let _e3053 = ((((_e3039.member * _e310) + (_e3039.member_1 * _e319)) + (_e3039.member_2 * _e292)) + _e3039.member_3);
-let _e3059 = ((((_e3039.member * _e331) + (_e3039.member_1 * _e336)) + (_e3039.member_2 * _e325)) + _e3039.member_3);
-let _e3061 = select(_e3059, _e3053, (_e3053 < _e3059));
-let _e3063 = select(_e3059, _e3053, (_e3053 > _e3059));
-let _e3065 = (_e3063 - _e3061);
-let _e3068 = (-(_e3061) / select(1e-30f, _e3065, (_e3065 > 1e-30f)));
-let _e3070 = select(0f, _e3068, (_e3068 > 0f));
-let _e3076 = select(select(select(1f, _e3070, (_e3070 < 1f)), 1f, (_e3063 <= 0f)), 0f, (_e3061 > 0f));
-let _e3078 = (_e3043 > 0.5f);
-let _e3087 = global_1.member.member_21;
-let _e3091 = global_1.member.member_22.member_3;
-let _e3101 = ((((_e3087.member * _e310) + (_e3087.member_1 * _e319)) + (_e3087.member_2 * _e292)) + _e3087.member_3);
-let _e3107 = ((((_e3087.member * _e331) + (_e3087.member_1 * _e336)) + (_e3087.member_2 * _e325)) + _e3087.member_3);
-let _e3109 = select(_e3107, _e3101, (_e3101 < _e3107));
-let _e3111 = select(_e3107, _e3101, (_e3101 > _e3107));
-let _e3113 = (_e3111 - _e3109);
-let _e3116 = (-(_e3109) / select(1e-30f, _e3113, (_e3113 > 1e-30f)));
-let _e3118 = select(0f, _e3116, (_e3116 > 0f));
-let _e3124 = select(select(select(1f, _e3118, (_e3118 < 1f)), 1f, (_e3111 <= 0f)), 0f, (_e3109 > 0f));
-let _e3126 = (_e3091 > 0.5f);
-phi_8676_ = type_21(((((1f * _e2980) * _e3028) * _e3076) * _e3124), ((((1f * select(1f, _e2980, _e2982)) * select(1f, _e3028, _e3030)) * select(1f, _e3076, _e3078)) * select(1f, _e3124, _e3126)), ((((1f * select(1f, 0f, (_e2982 && (_e2963 > 0f)))) * select(1f, 0f, (_e3030 && (_e3011 > 0f)))) * select(1f, 0f, (_e3078 && (_e3059 > 0f)))) * select(1f, 0f, (_e3126 && (_e3107 > 0f)))));
+let _e2930 = global_1.member.member_14.member;
+let _e2941 = ((((_e2930.member.member * _e306) + (_e2930.member.member_1 * _e315)) + (_e2930.member.member_2 * _e288)) + _e2930.member_1);
+let _e2947 = ((((_e2930.member.member * _e327) + (_e2930.member.member_1 * _e332)) + (_e2930.member.member_2 * _e321)) + _e2930.member_1);
+let _e2949 = select(_e2947, _e2941, (_e2941 < _e2947));
+let _e2951 = select(_e2947, _e2941, (_e2941 > _e2947));
+let _e2953 = (_e2951 - _e2949);
+let _e2956 = (-(_e2949) / select(1e-30f, _e2953, (_e2953 > 1e-30f)));
+let _e2958 = select(0f, _e2956, (_e2956 > 0f));
+let _e2964 = select(select(select(1f, _e2958, (_e2958 < 1f)), 1f, (_e2951 <= 0f)), 0f, (_e2949 > 0f));
+let _e2969 = global_1.member.member_14.member_1;
+let _e2970 = (_e2969 != 0u);
+let _e2980 = global_1.member.member_15.member;
+let _e2991 = ((((_e2980.member.member * _e306) + (_e2980.member.member_1 * _e315)) + (_e2980.member.member_2 * _e288)) + _e2980.member_1);
+let _e2997 = ((((_e2980.member.member * _e327) + (_e2980.member.member_1 * _e332)) + (_e2980.member.member_2 * _e321)) + _e2980.member_1);
+let _e2999 = select(_e2997, _e2991, (_e2991 < _e2997));
+let _e3001 = select(_e2997, _e2991, (_e2991 > _e2997));
+let _e3003 = (_e3001 - _e2999);
+let _e3006 = (-(_e2999) / select(1e-30f, _e3003, (_e3003 > 1e-30f)));
+let _e3008 = select(0f, _e3006, (_e3006 > 0f));
+let _e3014 = select(select(select(1f, _e3008, (_e3008 < 1f)), 1f, (_e3001 <= 0f)), 0f, (_e2999 > 0f));
+let _e3019 = global_1.member.member_15.member_1;
+let _e3020 = (_e3019 != 0u);
+let _e3030 = global_1.member.member_16.member;
+let _e3041 = ((((_e3030.member.member * _e306) + (_e3030.member.member_1 * _e315)) + (_e3030.member.member_2 * _e288)) + _e3030.member_1);
+let _e3047 = ((((_e3030.member.member * _e327) + (_e3030.member.member_1 * _e332)) + (_e3030.member.member_2 * _e321)) + _e3030.member_1);
+let _e3049 = select(_e3047, _e3041, (_e3041 < _e3047));
+let _e3051 = select(_e3047, _e3041, (_e3041 > _e3047));
+let _e3053 = (_e3051 - _e3049);
+let _e3056 = (-(_e3049) / select(1e-30f, _e3053, (_e3053 > 1e-30f)));
+let _e3058 = select(0f, _e3056, (_e3056 > 0f));
+let _e3064 = select(select(select(1f, _e3058, (_e3058 < 1f)), 1f, (_e3051 <= 0f)), 0f, (_e3049 > 0f));
+let _e3069 = global_1.member.member_16.member_1;
+let _e3070 = (_e3069 != 0u);
+let _e3080 = global_1.member.member_17.member;
+let _e3091 = ((((_e3080.member.member * _e306) + (_e3080.member.member_1 * _e315)) + (_e3080.member.member_2 * _e288)) + _e3080.member_1);
+let _e3097 = ((((_e3080.member.member * _e327) + (_e3080.member.member_1 * _e332)) + (_e3080.member.member_2 * _e321)) + _e3080.member_1);
+let _e3099 = select(_e3097, _e3091, (_e3091 < _e3097));
+let _e3101 = select(_e3097, _e3091, (_e3091 > _e3097));
+let _e3103 = (_e3101 - _e3099);
+let _e3106 = (-(_e3099) / select(1e-30f, _e3103, (_e3103 > 1e-30f)));
+let _e3108 = select(0f, _e3106, (_e3106 > 0f));
+let _e3114 = select(select(select(1f, _e3108, (_e3108 < 1f)), 1f, (_e3101 <= 0f)), 0f, (_e3099 > 0f));
+let _e3119 = global_1.member.member_17.member_1;
+let _e3120 = (_e3119 != 0u);
+phi_5633_ = type_5(((((1f * _e2964) * _e3014) * _e3064) * _e3114), ((((1f * select(1f, _e2964, _e2970)) * select(1f, _e3014, _e3020)) * select(1f, _e3064, _e3070)) * select(1f, _e3114, _e3120)), ((((1f * select(1f, 0f, (_e2970 && (_e2947 > 0f)))) * select(1f, 0f, (_e3020 && (_e2997 > 0f)))) * select(1f, 0f, (_e3070 && (_e3047 > 0f)))) * select(1f, 0f, (_e3120 && (_e3097 > 0f)))));
 }
-let _e3135 = phi_8676_;
-let _e3136 = (_e331 - _e310);
-let _e3137 = (_e336 - _e319);
-let _e3138 = (_e325 - _e292);
-let _e3143 = (((_e3136 * _e3136) + (_e3137 * _e3137)) + (_e3138 * _e3138));
-let _e3147 = (_e497 < 1e-12f);
-let _e3149 = (1f / select(_e492, 1f, _e3147));
-let _e3151 = ((-0.5f - _e402) * _e3149);
-let _e3153 = ((_e467 - _e402) * _e3149);
-let _e3159 = select(_e3153, _e3151, (_e3151 < _e3153));
-let _e3161 = select(0f, _e3159, (_e3159 > 0f));
-let _e3164 = select(select(1f, _e3161, (_e3161 < 1f)), select(2f, 0f, ((_e402 >= -0.5f) && (_e402 <= _e467))), _e3147);
-let _e3166 = select(_e3153, _e3151, (_e3151 > _e3153));
-let _e3168 = select(0f, _e3166, (_e3166 > 0f));
-let _e3171 = select(select(1f, _e3168, (_e3168 < 1f)), 1f, _e3147);
-let _e3172 = (_e500 < 1e-12f);
-let _e3174 = (1f / select(_e493, 1f, _e3172));
-let _e3176 = ((-0.5f - _e420) * _e3174);
-let _e3178 = ((_e477 - _e420) * _e3174);
-let _e3184 = select(_e3178, _e3176, (_e3176 < _e3178));
-let _e3186 = select(0f, _e3184, (_e3184 > 0f));
-let _e3189 = select(select(1f, _e3186, (_e3186 < 1f)), select(2f, 0f, ((_e420 >= -0.5f) && (_e420 <= _e477))), _e3172);
-let _e3191 = select(_e3178, _e3176, (_e3176 > _e3178));
-let _e3193 = select(0f, _e3191, (_e3191 > 0f));
-let _e3196 = select(select(1f, _e3193, (_e3193 < 1f)), 1f, _e3172);
-let _e3197 = (_e505 < 1e-12f);
-let _e3199 = (1f / select(_e494, 1f, _e3197));
-let _e3201 = ((-0.5f - _e438) * _e3199);
-let _e3203 = ((_e487 - _e438) * _e3199);
-let _e3209 = select(_e3203, _e3201, (_e3201 < _e3203));
-let _e3211 = select(0f, _e3209, (_e3209 > 0f));
-let _e3214 = select(select(1f, _e3211, (_e3211 < 1f)), select(2f, 0f, ((_e438 >= -0.5f) && (_e438 <= _e487))), _e3197);
-let _e3216 = select(_e3203, _e3201, (_e3201 > _e3203));
-let _e3218 = select(0f, _e3216, (_e3216 > 0f));
-let _e3221 = select(select(1f, _e3218, (_e3218 < 1f)), 1f, _e3197);
-let _e3223 = select(_e3196, _e3171, (_e3171 < _e3196));
-let _e3227 = select(_e3189, _e3164, (_e3164 > _e3189));
-let _e3230 = (select(_e3221, _e3223, (_e3223 < _e3221)) - select(_e3214, _e3227, (_e3227 > _e3214)));
-let _e3237 = global_1.member.member_4.member_3;
-let _e3238 = ((sqrt(select(0f, _e3143, (_e3143 > 0f))) * select(0f, _e3230, (_e3230 > 0f))) * _e3237);
-let _e3240 = (select(1f, _e2936, (_e2936 < 1f)) * 255f);
-let _e3241 = (_e2572.member * 255f);
-let _e3242 = (255f - 1f);
-let _e3244 = select(0f, _e3240, (_e3240 > 0f));
-let _e3246 = select(_e3242, _e3244, (_e3244 < _e3242));
-let _e3253 = select(0i, select(select(i32(_e3246), i32(-2147483648), (_e3246 < -2147483600f)), 2147483647i, (_e3246 > 2147483500f)), (_e3246 == _e3246));
-let _e3257 = (_e3253 - select(0i, 1i, (_e3246 < f32(_e3253))));
-let _e3259 = select(0f, _e3241, (_e3241 > 0f));
-let _e3261 = select(_e3242, _e3259, (_e3259 < _e3242));
-let _e3268 = select(0i, select(select(i32(_e3261), i32(-2147483648), (_e3261 < -2147483600f)), 2147483647i, (_e3261 > 2147483500f)), (_e3261 == _e3261));
-let _e3272 = (_e3268 - select(0i, 1i, (_e3261 < f32(_e3268))));
-let _e3275 = (((_e3257 * 256i) + _e3272) * 4i);
-let _e3277 = (_e3240 - f32(_e3257));
-let _e3279 = (_e3241 - f32(_e3272));
-let _e3281 = (bitcast<i32>(_e97) - 1i);
-let _e3283 = select(_e3281, _e3275, (_e3275 < _e3281));
-let _e3289 = global_4.member[bitcast<u32>(select(0i, _e3283, (_e3283 > 0i)))];
-let _e3290 = (_e3275 + 4i);
-let _e3292 = select(_e3281, _e3290, (_e3290 < _e3281));
-let _e3298 = global_4.member[bitcast<u32>(select(0i, _e3292, (_e3292 > 0i)))];
-let _e3299 = (_e3275 + 1024i);
-let _e3301 = select(_e3281, _e3299, (_e3299 < _e3281));
-let _e3307 = global_4.member[bitcast<u32>(select(0i, _e3301, (_e3301 > 0i)))];
-let _e3308 = (_e3275 + 1028i);
-let _e3310 = select(_e3281, _e3308, (_e3308 < _e3281));
-let _e3316 = global_4.member[bitcast<u32>(select(0i, _e3310, (_e3310 > 0i)))];
-let _e3321 = (bitcast<f32>(((_e3289 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3329 = (_e3321 + (((bitcast<f32>(((_e3298 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3321) * _e3279));
-let _e3334 = (bitcast<f32>(((_e3307 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3358 = (bitcast<f32>((((_e3289 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3366 = (_e3358 + (((bitcast<f32>((((_e3298 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3358) * _e3279));
-let _e3371 = (bitcast<f32>((((_e3307 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3383 = (_e3275 + 1i);
-let _e3385 = select(_e3281, _e3383, (_e3383 < _e3281));
-let _e3391 = global_4.member[bitcast<u32>(select(0i, _e3385, (_e3385 > 0i)))];
-let _e3392 = (_e3275 + 5i);
-let _e3394 = select(_e3281, _e3392, (_e3392 < _e3281));
-let _e3400 = global_4.member[bitcast<u32>(select(0i, _e3394, (_e3394 > 0i)))];
-let _e3401 = (_e3275 + 1025i);
-let _e3403 = select(_e3281, _e3401, (_e3401 < _e3281));
-let _e3409 = global_4.member[bitcast<u32>(select(0i, _e3403, (_e3403 > 0i)))];
-let _e3410 = (_e3275 + 1029i);
-let _e3412 = select(_e3281, _e3410, (_e3410 < _e3281));
-let _e3418 = global_4.member[bitcast<u32>(select(0i, _e3412, (_e3412 > 0i)))];
-let _e3423 = (bitcast<f32>(((_e3391 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3431 = (_e3423 + (((bitcast<f32>(((_e3400 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3423) * _e3279));
-let _e3436 = (bitcast<f32>(((_e3409 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3460 = (bitcast<f32>((((_e3391 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3468 = (_e3460 + (((bitcast<f32>((((_e3400 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3460) * _e3279));
-let _e3473 = (bitcast<f32>((((_e3409 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3488 = (_e3238 * _e3135.member_1);
-let _e3490 = -(((_e3366 + (((_e3371 + (((bitcast<f32>((((_e3316 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3371) * _e3279)) - _e3366) * _e3277)) * _e3488));
-let _e3492 = select(-87f, _e3490, (_e3490 > -87f));
-let _e3494 = select(88f, _e3492, (_e3492 < 88f));
-let _e3496 = ((_e3494 * 1.442695f) + 0.5f);
-let _e3498 = select(-127f, _e3496, (_e3496 > -127f));
-let _e3500 = select(128f, _e3498, (_e3498 < 128f));
-let _e3507 = select(0i, select(select(i32(_e3500), i32(-2147483648), (_e3500 < -2147483600f)), 2147483647i, (_e3500 > 2147483500f)), (_e3500 == _e3500));
-let _e3511 = (_e3507 - select(0i, 1i, (_e3500 < f32(_e3507))));
-let _e3512 = f32(_e3511);
-let _e3516 = ((_e3494 - (_e3512 * 0.6933594f)) - (_e3512 * -2.1219444e-4f));
-let _e3538 = -(((_e3431 + (((_e3436 + (((bitcast<f32>(((_e3418 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3436) * _e3279)) - _e3431) * _e3277)) * _e3488));
-let _e3540 = select(-87f, _e3538, (_e3538 > -87f));
-let _e3542 = select(88f, _e3540, (_e3540 < 88f));
-let _e3544 = ((_e3542 * 1.442695f) + 0.5f);
-let _e3546 = select(-127f, _e3544, (_e3544 > -127f));
-let _e3548 = select(128f, _e3546, (_e3546 < 128f));
-let _e3555 = select(0i, select(select(i32(_e3548), i32(-2147483648), (_e3548 < -2147483600f)), 2147483647i, (_e3548 > 2147483500f)), (_e3548 == _e3548));
-let _e3559 = (_e3555 - select(0i, 1i, (_e3548 < f32(_e3555))));
-let _e3560 = f32(_e3559);
-let _e3564 = ((_e3542 - (_e3560 * 0.6933594f)) - (_e3560 * -2.1219444e-4f));
-let _e3586 = -(((_e3468 + (((_e3473 + (((bitcast<f32>((((_e3418 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3473) * _e3279)) - _e3468) * _e3277)) * _e3488));
-let _e3588 = select(-87f, _e3586, (_e3586 > -87f));
-let _e3590 = select(88f, _e3588, (_e3588 < 88f));
-let _e3592 = ((_e3590 * 1.442695f) + 0.5f);
-let _e3594 = select(-127f, _e3592, (_e3592 > -127f));
-let _e3596 = select(128f, _e3594, (_e3594 < 128f));
-let _e3603 = select(0i, select(select(i32(_e3596), i32(-2147483648), (_e3596 < -2147483600f)), 2147483647i, (_e3596 > 2147483500f)), (_e3596 == _e3596));
-let _e3607 = (_e3603 - select(0i, 1i, (_e3596 < f32(_e3603))));
-let _e3608 = f32(_e3607);
-let _e3612 = ((_e3590 - (_e3608 * 0.6933594f)) - (_e3608 * -2.1219444e-4f));
-let _e3634 = -(((_e3329 + (((_e3334 + (((bitcast<f32>(((_e3316 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3334) * _e3279)) - _e3329) * _e3277)) * (_e3238 * _e3135.member)));
-let _e3636 = select(-87f, _e3634, (_e3634 > -87f));
-let _e3638 = select(88f, _e3636, (_e3636 < 88f));
-let _e3640 = ((_e3638 * 1.442695f) + 0.5f);
-let _e3642 = select(-127f, _e3640, (_e3640 > -127f));
-let _e3644 = select(128f, _e3642, (_e3642 < 128f));
-let _e3651 = select(0i, select(select(i32(_e3644), i32(-2147483648), (_e3644 < -2147483600f)), 2147483647i, (_e3644 > 2147483500f)), (_e3644 == _e3644));
-let _e3655 = (_e3651 - select(0i, 1i, (_e3644 < f32(_e3651))));
-let _e3656 = f32(_e3655);
-let _e3660 = ((_e3638 - (_e3656 * 0.6933594f)) - (_e3656 * -2.1219444e-4f));
-let _e3680 = ((1f + (_e3660 * (1f + (_e3660 * (0.5f + (_e3660 * (0.16666667f + (_e3660 * (0.041666668f + (_e3660 * (0.008333334f + (_e3660 * (0.001388889f + (_e3660 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3655 + 127i)) << bitcast<u32>(23i))));
-if _e645 {
-let _e3695 = global_1.member.member_24.member_2;
-let _e3698 = (_e2572.member_3.x * _e3135.member_2);
-let _e3700 = (_e2572.member_3.y * _e3135.member_2);
-let _e3702 = (_e2572.member_3.z * _e3135.member_2);
-let _e3703 = (0.5f * (_e249 / _e201));
-let _e3707 = (_e179 + (_e3698 * _e3703));
-let _e3708 = (_e190 + (_e3700 * _e3703));
-let _e3709 = (_e201 + (_e3702 * _e3703));
-let _e3711 = (2f * _e249);
-let _e3713 = ((_e3709 * _e3709) + (_e3711 * _e3702));
-let _e3717 = (_e3709 + sqrt(select(0f, _e3713, (_e3713 > 0f))));
-let _e3721 = (0.5f * (_e3711 / select(1e-6f, _e3717, (_e3717 > 1e-6f))));
-let _e3725 = (_e3707 + (_e3698 * _e3721));
-let _e3726 = (_e3708 + (_e3700 * _e3721));
-let _e3727 = (_e3709 + (_e3702 * _e3721));
-let _e3731 = (_e3695 * _e3695);
-let _e3733 = (_e3727 * _e3727);
-let _e3741 = (((_e3709 <= 0f) || (_e3713 <= 0f)) || ((_e3727 <= 0f) || (_e3733 <= (_e3731 * (((_e3725 * _e3725) + (_e3726 * _e3726)) + _e3733)))));
-let _e3755 = (_e179 + ((_e2572.member_4.x * _e3135.member_2) * _e249));
-let _e3756 = (_e190 + ((_e2572.member_4.y * _e3135.member_2) * _e249));
-let _e3757 = (_e201 + ((_e2572.member_4.z * _e3135.member_2) * _e249));
-let _e3759 = (_e3757 * _e3757);
-let _e3768 = ((_e625 & 1u) != 0u);
-phi_9700_ = select(select(select(_e3727, _e3709, _e3741), _e3757, _e3768), _e201, _e632);
-phi_9701_ = select(select(select(_e3726, _e3708, _e3741), _e3756, _e3768), _e190, _e632);
-phi_9702_ = select(select(select(_e3725, _e3707, _e3741), _e3755, _e3768), _e179, _e632);
-phi_9703_ = (select(_e3741, ((_e3757 <= 0f) || (_e3759 <= (_e3731 * (((_e3755 * _e3755) + (_e3756 * _e3756)) + _e3759)))), _e3768) && !(_e632));
+let _e3129 = phi_5633_;
+let _e3130 = (_e327 - _e306);
+let _e3131 = (_e332 - _e315);
+let _e3132 = (_e321 - _e288);
+let _e3137 = (((_e3130 * _e3130) + (_e3131 * _e3131)) + (_e3132 * _e3132));
+let _e3141 = (_e483 < 1e-12f);
+let _e3143 = (1f / select(_e478, 1f, _e3141));
+let _e3145 = ((-0.5f - _e395) * _e3143);
+let _e3147 = ((_e453 - _e395) * _e3143);
+let _e3153 = select(_e3147, _e3145, (_e3145 < _e3147));
+let _e3155 = select(0f, _e3153, (_e3153 > 0f));
+let _e3158 = select(select(1f, _e3155, (_e3155 < 1f)), select(2f, 0f, ((_e395 >= -0.5f) && (_e395 <= _e453))), _e3141);
+let _e3160 = select(_e3147, _e3145, (_e3145 > _e3147));
+let _e3162 = select(0f, _e3160, (_e3160 > 0f));
+let _e3165 = select(select(1f, _e3162, (_e3162 < 1f)), 1f, _e3141);
+let _e3166 = (_e486 < 1e-12f);
+let _e3168 = (1f / select(_e479, 1f, _e3166));
+let _e3170 = ((-0.5f - _e410) * _e3168);
+let _e3172 = ((_e463 - _e410) * _e3168);
+let _e3178 = select(_e3172, _e3170, (_e3170 < _e3172));
+let _e3180 = select(0f, _e3178, (_e3178 > 0f));
+let _e3183 = select(select(1f, _e3180, (_e3180 < 1f)), select(2f, 0f, ((_e410 >= -0.5f) && (_e410 <= _e463))), _e3166);
+let _e3185 = select(_e3172, _e3170, (_e3170 > _e3172));
+let _e3187 = select(0f, _e3185, (_e3185 > 0f));
+let _e3190 = select(select(1f, _e3187, (_e3187 < 1f)), 1f, _e3166);
+let _e3191 = (_e491 < 1e-12f);
+let _e3193 = (1f / select(_e480, 1f, _e3191));
+let _e3195 = ((-0.5f - _e425) * _e3193);
+let _e3197 = ((_e473 - _e425) * _e3193);
+let _e3203 = select(_e3197, _e3195, (_e3195 < _e3197));
+let _e3205 = select(0f, _e3203, (_e3203 > 0f));
+let _e3208 = select(select(1f, _e3205, (_e3205 < 1f)), select(2f, 0f, ((_e425 >= -0.5f) && (_e425 <= _e473))), _e3191);
+let _e3210 = select(_e3197, _e3195, (_e3195 > _e3197));
+let _e3212 = select(0f, _e3210, (_e3210 > 0f));
+let _e3215 = select(select(1f, _e3212, (_e3212 < 1f)), 1f, _e3191);
+let _e3217 = select(_e3190, _e3165, (_e3165 < _e3190));
+let _e3221 = select(_e3183, _e3158, (_e3158 > _e3183));
+let _e3224 = (select(_e3215, _e3217, (_e3217 < _e3215)) - select(_e3208, _e3221, (_e3221 > _e3208)));
+let _e3231 = global_1.member.member_5.member_3;
+let _e3232 = ((sqrt(select(0f, _e3137, (_e3137 > 0f))) * select(0f, _e3224, (_e3224 > 0f))) * _e3231);
+let _e3234 = (select(1f, _e2922, (_e2922 < 1f)) * 255f);
+let _e3235 = (_e2560.member * 255f);
+let _e3236 = (255f - 1f);
+let _e3238 = select(0f, _e3234, (_e3234 > 0f));
+let _e3240 = select(_e3236, _e3238, (_e3238 < _e3236));
+let _e3247 = select(0i, select(select(i32(_e3240), i32(-2147483648), (_e3240 < -2147483600f)), 2147483647i, (_e3240 > 2147483500f)), (_e3240 == _e3240));
+let _e3251 = (_e3247 - select(0i, 1i, (_e3240 < f32(_e3247))));
+let _e3253 = select(0f, _e3235, (_e3235 > 0f));
+let _e3255 = select(_e3236, _e3253, (_e3253 < _e3236));
+let _e3262 = select(0i, select(select(i32(_e3255), i32(-2147483648), (_e3255 < -2147483600f)), 2147483647i, (_e3255 > 2147483500f)), (_e3255 == _e3255));
+let _e3266 = (_e3262 - select(0i, 1i, (_e3255 < f32(_e3262))));
+let _e3269 = (((_e3251 * 256i) + _e3266) * 4i);
+let _e3271 = (_e3234 - f32(_e3251));
+let _e3273 = (_e3235 - f32(_e3266));
+let _e3275 = (bitcast<i32>(_e96) - 1i);
+let _e3277 = select(_e3275, _e3269, (_e3269 < _e3275));
+let _e3283 = global_4.member[bitcast<u32>(select(0i, _e3277, (_e3277 > 0i)))];
+let _e3284 = (_e3269 + 4i);
+let _e3286 = select(_e3275, _e3284, (_e3284 < _e3275));
+let _e3292 = global_4.member[bitcast<u32>(select(0i, _e3286, (_e3286 > 0i)))];
+let _e3293 = (_e3269 + 1024i);
+let _e3295 = select(_e3275, _e3293, (_e3293 < _e3275));
+let _e3301 = global_4.member[bitcast<u32>(select(0i, _e3295, (_e3295 > 0i)))];
+let _e3302 = (_e3269 + 1028i);
+let _e3304 = select(_e3275, _e3302, (_e3302 < _e3275));
+let _e3310 = global_4.member[bitcast<u32>(select(0i, _e3304, (_e3304 > 0i)))];
+let _e3315 = (bitcast<f32>(((_e3283 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3323 = (_e3315 + (((bitcast<f32>(((_e3292 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3315) * _e3273));
+let _e3328 = (bitcast<f32>(((_e3301 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3352 = (bitcast<f32>((((_e3283 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3360 = (_e3352 + (((bitcast<f32>((((_e3292 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3352) * _e3273));
+let _e3365 = (bitcast<f32>((((_e3301 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3377 = (_e3269 + 1i);
+let _e3379 = select(_e3275, _e3377, (_e3377 < _e3275));
+let _e3385 = global_4.member[bitcast<u32>(select(0i, _e3379, (_e3379 > 0i)))];
+let _e3386 = (_e3269 + 5i);
+let _e3388 = select(_e3275, _e3386, (_e3386 < _e3275));
+let _e3394 = global_4.member[bitcast<u32>(select(0i, _e3388, (_e3388 > 0i)))];
+let _e3395 = (_e3269 + 1025i);
+let _e3397 = select(_e3275, _e3395, (_e3395 < _e3275));
+let _e3403 = global_4.member[bitcast<u32>(select(0i, _e3397, (_e3397 > 0i)))];
+let _e3404 = (_e3269 + 1029i);
+let _e3406 = select(_e3275, _e3404, (_e3404 < _e3275));
+let _e3412 = global_4.member[bitcast<u32>(select(0i, _e3406, (_e3406 > 0i)))];
+let _e3417 = (bitcast<f32>(((_e3385 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3425 = (_e3417 + (((bitcast<f32>(((_e3394 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3417) * _e3273));
+let _e3430 = (bitcast<f32>(((_e3403 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3454 = (bitcast<f32>((((_e3385 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3462 = (_e3454 + (((bitcast<f32>((((_e3394 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3454) * _e3273));
+let _e3467 = (bitcast<f32>((((_e3403 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3482 = (_e3232 * _e3129.member_1);
+let _e3484 = -(((_e3360 + (((_e3365 + (((bitcast<f32>((((_e3310 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3365) * _e3273)) - _e3360) * _e3271)) * _e3482));
+let _e3486 = select(-87f, _e3484, (_e3484 > -87f));
+let _e3488 = select(88f, _e3486, (_e3486 < 88f));
+let _e3490 = ((_e3488 * 1.442695f) + 0.5f);
+let _e3492 = select(-127f, _e3490, (_e3490 > -127f));
+let _e3494 = select(128f, _e3492, (_e3492 < 128f));
+let _e3501 = select(0i, select(select(i32(_e3494), i32(-2147483648), (_e3494 < -2147483600f)), 2147483647i, (_e3494 > 2147483500f)), (_e3494 == _e3494));
+let _e3505 = (_e3501 - select(0i, 1i, (_e3494 < f32(_e3501))));
+let _e3506 = f32(_e3505);
+let _e3510 = ((_e3488 - (_e3506 * 0.6933594f)) - (_e3506 * -2.1219444e-4f));
+let _e3532 = -(((_e3425 + (((_e3430 + (((bitcast<f32>(((_e3412 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3430) * _e3273)) - _e3425) * _e3271)) * _e3482));
+let _e3534 = select(-87f, _e3532, (_e3532 > -87f));
+let _e3536 = select(88f, _e3534, (_e3534 < 88f));
+let _e3538 = ((_e3536 * 1.442695f) + 0.5f);
+let _e3540 = select(-127f, _e3538, (_e3538 > -127f));
+let _e3542 = select(128f, _e3540, (_e3540 < 128f));
+let _e3549 = select(0i, select(select(i32(_e3542), i32(-2147483648), (_e3542 < -2147483600f)), 2147483647i, (_e3542 > 2147483500f)), (_e3542 == _e3542));
+let _e3553 = (_e3549 - select(0i, 1i, (_e3542 < f32(_e3549))));
+let _e3554 = f32(_e3553);
+let _e3558 = ((_e3536 - (_e3554 * 0.6933594f)) - (_e3554 * -2.1219444e-4f));
+let _e3580 = -(((_e3462 + (((_e3467 + (((bitcast<f32>((((_e3412 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3467) * _e3273)) - _e3462) * _e3271)) * _e3482));
+let _e3582 = select(-87f, _e3580, (_e3580 > -87f));
+let _e3584 = select(88f, _e3582, (_e3582 < 88f));
+let _e3586 = ((_e3584 * 1.442695f) + 0.5f);
+let _e3588 = select(-127f, _e3586, (_e3586 > -127f));
+let _e3590 = select(128f, _e3588, (_e3588 < 128f));
+let _e3597 = select(0i, select(select(i32(_e3590), i32(-2147483648), (_e3590 < -2147483600f)), 2147483647i, (_e3590 > 2147483500f)), (_e3590 == _e3590));
+let _e3601 = (_e3597 - select(0i, 1i, (_e3590 < f32(_e3597))));
+let _e3602 = f32(_e3601);
+let _e3606 = ((_e3584 - (_e3602 * 0.6933594f)) - (_e3602 * -2.1219444e-4f));
+let _e3628 = -(((_e3323 + (((_e3328 + (((bitcast<f32>(((_e3310 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3328) * _e3273)) - _e3323) * _e3271)) * (_e3232 * _e3129.member)));
+let _e3630 = select(-87f, _e3628, (_e3628 > -87f));
+let _e3632 = select(88f, _e3630, (_e3630 < 88f));
+let _e3634 = ((_e3632 * 1.442695f) + 0.5f);
+let _e3636 = select(-127f, _e3634, (_e3634 > -127f));
+let _e3638 = select(128f, _e3636, (_e3636 < 128f));
+let _e3645 = select(0i, select(select(i32(_e3638), i32(-2147483648), (_e3638 < -2147483600f)), 2147483647i, (_e3638 > 2147483500f)), (_e3638 == _e3638));
+let _e3649 = (_e3645 - select(0i, 1i, (_e3638 < f32(_e3645))));
+let _e3650 = f32(_e3649);
+let _e3654 = ((_e3632 - (_e3650 * 0.6933594f)) - (_e3650 * -2.1219444e-4f));
+let _e3674 = ((1f + (_e3654 * (1f + (_e3654 * (0.5f + (_e3654 * (0.16666667f + (_e3654 * (0.041666668f + (_e3654 * (0.008333334f + (_e3654 * (0.001388889f + (_e3654 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3649 + 127i)) << bitcast<u32>(23i))));
+if _e628 {
+let _e3689 = global_1.member.member_5.member_4;
+let _e3692 = (_e2560.member_3.x * _e3129.member_2);
+let _e3694 = (_e2560.member_3.y * _e3129.member_2);
+let _e3696 = (_e2560.member_3.z * _e3129.member_2);
+let _e3697 = (0.5f * (_e245 / _e197));
+let _e3701 = (_e175 + (_e3692 * _e3697));
+let _e3702 = (_e186 + (_e3694 * _e3697));
+let _e3703 = (_e197 + (_e3696 * _e3697));
+let _e3705 = (2f * _e245);
+let _e3707 = ((_e3703 * _e3703) + (_e3705 * _e3696));
+let _e3711 = (_e3703 + sqrt(select(0f, _e3707, (_e3707 > 0f))));
+let _e3715 = (0.5f * (_e3705 / select(1e-6f, _e3711, (_e3711 > 1e-6f))));
+let _e3719 = (_e3701 + (_e3692 * _e3715));
+let _e3720 = (_e3702 + (_e3694 * _e3715));
+let _e3721 = (_e3703 + (_e3696 * _e3715));
+let _e3725 = (_e3689 * _e3689);
+let _e3727 = (_e3721 * _e3721);
+let _e3735 = (((_e3703 <= 0f) || (_e3707 <= 0f)) || ((_e3721 <= 0f) || (_e3727 <= (_e3725 * (((_e3719 * _e3719) + (_e3720 * _e3720)) + _e3727)))));
+let _e3749 = (_e175 + ((_e2560.member_4.x * _e3129.member_2) * _e245));
+let _e3750 = (_e186 + ((_e2560.member_4.y * _e3129.member_2) * _e245));
+let _e3751 = (_e197 + ((_e2560.member_4.z * _e3129.member_2) * _e245));
+let _e3753 = (_e3751 * _e3751);
+let _e3762 = ((_e611 & 1u) != 0u);
+phi_6657_ = select(select(select(_e3721, _e3703, _e3735), _e3751, _e3762), _e197, _e618);
+phi_6658_ = select(select(select(_e3720, _e3702, _e3735), _e3750, _e3762), _e186, _e618);
+phi_6659_ = select(select(select(_e3719, _e3701, _e3735), _e3749, _e3762), _e175, _e618);
+phi_6660_ = (select(_e3735, ((_e3751 <= 0f) || (_e3753 <= (_e3725 * (((_e3749 * _e3749) + (_e3750 * _e3750)) + _e3753)))), _e3762) && !(_e618));
 } else {
-phi_9700_ = _e201;
-phi_9701_ = _e190;
-phi_9702_ = _e179;
-phi_9703_ = false;
+phi_6657_ = _e197;
+phi_6658_ = _e186;
+phi_6659_ = _e175;
+phi_6660_ = false;
 }
-let _e3779 = phi_9700_;
-let _e3781 = phi_9701_;
-let _e3783 = phi_9702_;
-let _e3785 = phi_9703_;
-global_6.member[_e125] = (_e136 + _e264);
-global_6.member[_e137] = (_e146 + _e271);
-global_6.member[_e148] = (_e157 + _e373);
-global_6.member[_e159] = (_e168 + _e376);
-global_6.member[_e170] = _e3783;
-global_6.member[_e181] = _e3781;
-global_6.member[_e192] = _e3779;
-global_6.member[_e203] = select((_e212 * (((1f + (_e3516 * (1f + (_e3516 * (0.5f + (_e3516 * (0.16666667f + (_e3516 * (0.041666668f + (_e3516 * (0.008333334f + (_e3516 * (0.001388889f + (_e3516 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3511 + 127i)) << bitcast<u32>(23i)))) * _e3680)), _e212, _e632);
-global_6.member[_e214] = select((_e223 * (((1f + (_e3564 * (1f + (_e3564 * (0.5f + (_e3564 * (0.16666667f + (_e3564 * (0.041666668f + (_e3564 * (0.008333334f + (_e3564 * (0.001388889f + (_e3564 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3559 + 127i)) << bitcast<u32>(23i)))) * _e3680)), _e223, _e632);
-global_6.member[_e225] = select((_e234 * (((1f + (_e3612 * (1f + (_e3612 * (0.5f + (_e3612 * (0.16666667f + (_e3612 * (0.041666668f + (_e3612 * (0.008333334f + (_e3612 * (0.001388889f + (_e3612 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3607 + 127i)) << bitcast<u32>(23i)))) * _e3680)), _e234, _e632);
-global_6.member[_e236] = select(_e245, 1f, _e3785);
+let _e3773 = phi_6657_;
+let _e3775 = phi_6658_;
+let _e3777 = phi_6659_;
+let _e3779 = phi_6660_;
+global_6.member[_e121] = (_e132 + _e260);
+global_6.member[_e133] = (_e142 + _e267);
+global_6.member[_e144] = (_e153 + _e369);
+global_6.member[_e155] = (_e164 + _e372);
+global_6.member[_e166] = _e3777;
+global_6.member[_e177] = _e3775;
+global_6.member[_e188] = _e3773;
+global_6.member[_e199] = select((_e208 * (((1f + (_e3510 * (1f + (_e3510 * (0.5f + (_e3510 * (0.16666667f + (_e3510 * (0.041666668f + (_e3510 * (0.008333334f + (_e3510 * (0.001388889f + (_e3510 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3505 + 127i)) << bitcast<u32>(23i)))) * _e3674)), _e208, _e618);
+global_6.member[_e210] = select((_e219 * (((1f + (_e3558 * (1f + (_e3558 * (0.5f + (_e3558 * (0.16666667f + (_e3558 * (0.041666668f + (_e3558 * (0.008333334f + (_e3558 * (0.001388889f + (_e3558 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3553 + 127i)) << bitcast<u32>(23i)))) * _e3674)), _e219, _e618);
+global_6.member[_e221] = select((_e230 * (((1f + (_e3606 * (1f + (_e3606 * (0.5f + (_e3606 * (0.16666667f + (_e3606 * (0.041666668f + (_e3606 * (0.008333334f + (_e3606 * (0.001388889f + (_e3606 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3601 + 127i)) << bitcast<u32>(23i)))) * _e3674)), _e230, _e618);
+global_6.member[_e232] = select(_e241, 1f, _e3779);
 }
 }
 }

@@ -1,1111 +1,1170 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
 member: array<f32>,
 }
-struct type_11 {
+struct type_17 {
 member: array<u32>,
 }
-struct type_13 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_14 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_13,
-member_6: type_13,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_15 {
-member: type_14,
-}
 struct type_18 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+}
+struct type_20 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_22 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_23 {
+member: type_7,
+member_1: u32,
+}
+struct type_24 {
+member: type_2,
+member_1: u32,
+member_2: type_18,
+member_3: type_19,
+member_4: u32,
+member_5: type_20,
+member_6: type_21,
+member_7: type_21,
+member_8: type_22,
+member_9: type_10,
+member_10: f32,
+member_11: type_20,
+member_12: type_4,
+member_13: type_9,
+member_14: type_23,
+member_15: type_23,
+member_16: type_23,
+member_17: type_23,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_25 {
+member: type_24,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_19 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_20 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_21 {
-member: f32,
-member_1: f32,
-member_2: f32,
-}
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_15;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_11;
+var<storage> global_2: type_17;
 @group(0) @binding(3)
-var<storage> global_3: type_11;
+var<storage> global_3: type_17;
 @group(0) @binding(4)
-var<storage> global_4: type_11;
+var<storage> global_4: type_17;
 @group(0) @binding(5)
-var<storage> global_5: type_6;
+var<storage> global_5: type_12;
 @group(0) @binding(6)
-var<storage, read_write> global_6: type_6;
+var<storage, read_write> global_6: type_12;
 fn function_() {
-var local: type_18;
+var local: type_28;
 var local_1: vec3<f32>;
-var local_2: type_18;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_18;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var phi_5836_: type_19;
-var phi_7157_: type_20;
-var phi_8679_: type_21;
-var phi_9703_: f32;
-var phi_9704_: f32;
-var phi_9705_: f32;
-var phi_9706_: bool;
+var phi_3830_: type_29;
+var phi_4532_: type_30;
+var phi_5457_: type_5;
+var phi_6481_: f32;
+var phi_6482_: f32;
+var phi_6483_: f32;
+var phi_6484_: bool;
 switch bitcast<i32>(0u) {
 default: {
-let _e91 = global;
-let _e94 = arrayLength((&global_2.member));
-let _e98 = arrayLength((&global_4.member));
-let _e105 = global_1.member.member_1;
-let _e108 = (_e91.x + _e105.x);
-let _e111 = (_e91.y + _e105.y);
-if (_e108 < _e105.z) {
-if (_e111 < _e105.w) {
-let _e119 = global_1.member.member[0u];
-let _e123 = global_1.member.member[1u];
-let _e124 = (_e119 * _e123);
-let _e126 = ((_e111 * _e119) + _e108);
-let _e127 = bitcast<i32>(_e126);
-let _e129 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e131 = select(_e129, _e127, (_e127 < _e129));
-let _e137 = global_6.member[bitcast<u32>(select(0i, _e131, (_e131 > 0i)))];
-let _e138 = (_e124 + _e126);
-let _e139 = bitcast<i32>(_e138);
-let _e141 = select(_e129, _e139, (_e139 < _e129));
-let _e147 = global_6.member[bitcast<u32>(select(0i, _e141, (_e141 > 0i)))];
-let _e149 = ((2u * _e124) + _e126);
-let _e150 = bitcast<i32>(_e149);
-let _e152 = select(_e129, _e150, (_e150 < _e129));
-let _e158 = global_6.member[bitcast<u32>(select(0i, _e152, (_e152 > 0i)))];
-let _e160 = ((3u * _e124) + _e126);
-let _e161 = bitcast<i32>(_e160);
-let _e163 = select(_e129, _e161, (_e161 < _e129));
-let _e169 = global_6.member[bitcast<u32>(select(0i, _e163, (_e163 > 0i)))];
-let _e171 = ((4u * _e124) + _e126);
-let _e172 = bitcast<i32>(_e171);
-let _e174 = select(_e129, _e172, (_e172 < _e129));
-let _e180 = global_6.member[bitcast<u32>(select(0i, _e174, (_e174 > 0i)))];
-let _e182 = ((5u * _e124) + _e126);
-let _e183 = bitcast<i32>(_e182);
-let _e185 = select(_e129, _e183, (_e183 < _e129));
-let _e191 = global_6.member[bitcast<u32>(select(0i, _e185, (_e185 > 0i)))];
-let _e193 = ((6u * _e124) + _e126);
-let _e194 = bitcast<i32>(_e193);
-let _e196 = select(_e129, _e194, (_e194 < _e129));
-let _e202 = global_6.member[bitcast<u32>(select(0i, _e196, (_e196 > 0i)))];
-let _e204 = ((7u * _e124) + _e126);
-let _e205 = bitcast<i32>(_e204);
-let _e207 = select(_e129, _e205, (_e205 < _e129));
-let _e213 = global_6.member[bitcast<u32>(select(0i, _e207, (_e207 > 0i)))];
-let _e215 = ((8u * _e124) + _e126);
-let _e216 = bitcast<i32>(_e215);
-let _e218 = select(_e129, _e216, (_e216 < _e129));
-let _e224 = global_6.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
-let _e226 = ((9u * _e124) + _e126);
-let _e227 = bitcast<i32>(_e226);
-let _e229 = select(_e129, _e227, (_e227 < _e129));
-let _e235 = global_6.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
-let _e237 = ((10u * _e124) + _e126);
-let _e238 = bitcast<i32>(_e237);
-let _e240 = select(_e129, _e238, (_e238 < _e129));
-let _e246 = global_6.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
-let _e250 = global_1.member.member_4.member_2;
-let _e253 = (1f / select(1e-6f, _e202, (_e202 > 1e-6f)));
-let _e257 = global_1.member.member_7.member_3;
-let _e258 = (_e250 * _e257);
-let _e263 = global_1.member.member_8.member;
-let _e265 = (((_e180 * _e253) - _e263) * _e258);
-let _e270 = global_1.member.member_8.member_1;
-let _e272 = (((_e191 * _e253) - _e270) * _e258);
-let _e276 = ((f32(bitcast<i32>(_e108)) - 0.5f) + _e137);
-let _e280 = global_1.member.member_2[3u];
-let _e281 = (_e280 + 1u);
-let _e283 = select(1u, _e281, (_e281 > 0u));
-let _e284 = (_e283 == 0u);
-if _e284 {
+let _e90 = global;
+let _e93 = arrayLength((&global_2.member));
+let _e97 = arrayLength((&global_4.member));
+let _e104 = global_1.member.member_2;
+let _e107 = global_1.member.member;
+let _e115 = (_e90.x + _e104.member);
+let _e117 = (_e90.y + _e104.member_1);
+if (_e115 < _e104.member_2) {
+if (_e117 < _e104.member_3) {
+let _e120 = (_e107.member * _e107.member_1);
+let _e122 = ((_e117 * _e107.member) + _e115);
+let _e123 = bitcast<i32>(_e122);
+let _e125 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e127 = select(_e125, _e123, (_e123 < _e125));
+let _e133 = global_6.member[bitcast<u32>(select(0i, _e127, (_e127 > 0i)))];
+let _e134 = (_e120 + _e122);
+let _e135 = bitcast<i32>(_e134);
+let _e137 = select(_e125, _e135, (_e135 < _e125));
+let _e143 = global_6.member[bitcast<u32>(select(0i, _e137, (_e137 > 0i)))];
+let _e145 = ((2u * _e120) + _e122);
+let _e146 = bitcast<i32>(_e145);
+let _e148 = select(_e125, _e146, (_e146 < _e125));
+let _e154 = global_6.member[bitcast<u32>(select(0i, _e148, (_e148 > 0i)))];
+let _e156 = ((3u * _e120) + _e122);
+let _e157 = bitcast<i32>(_e156);
+let _e159 = select(_e125, _e157, (_e157 < _e125));
+let _e165 = global_6.member[bitcast<u32>(select(0i, _e159, (_e159 > 0i)))];
+let _e167 = ((4u * _e120) + _e122);
+let _e168 = bitcast<i32>(_e167);
+let _e170 = select(_e125, _e168, (_e168 < _e125));
+let _e176 = global_6.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
+let _e178 = ((5u * _e120) + _e122);
+let _e179 = bitcast<i32>(_e178);
+let _e181 = select(_e125, _e179, (_e179 < _e125));
+let _e187 = global_6.member[bitcast<u32>(select(0i, _e181, (_e181 > 0i)))];
+let _e189 = ((6u * _e120) + _e122);
+let _e190 = bitcast<i32>(_e189);
+let _e192 = select(_e125, _e190, (_e190 < _e125));
+let _e198 = global_6.member[bitcast<u32>(select(0i, _e192, (_e192 > 0i)))];
+let _e200 = ((7u * _e120) + _e122);
+let _e201 = bitcast<i32>(_e200);
+let _e203 = select(_e125, _e201, (_e201 < _e125));
+let _e209 = global_6.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
+let _e211 = ((8u * _e120) + _e122);
+let _e212 = bitcast<i32>(_e211);
+let _e214 = select(_e125, _e212, (_e212 < _e125));
+let _e220 = global_6.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
+let _e222 = ((9u * _e120) + _e122);
+let _e223 = bitcast<i32>(_e222);
+let _e225 = select(_e125, _e223, (_e223 < _e125));
+let _e231 = global_6.member[bitcast<u32>(select(0i, _e225, (_e225 > 0i)))];
+let _e233 = ((10u * _e120) + _e122);
+let _e234 = bitcast<i32>(_e233);
+let _e236 = select(_e125, _e234, (_e234 < _e125));
+let _e242 = global_6.member[bitcast<u32>(select(0i, _e236, (_e236 > 0i)))];
+let _e246 = global_1.member.member_5.member_2;
+let _e249 = (1f / select(1e-6f, _e198, (_e198 > 1e-6f)));
+let _e253 = global_1.member.member_8.member_5;
+let _e254 = (_e246 * _e253);
+let _e259 = global_1.member.member_8.member_6;
+let _e261 = (((_e176 * _e249) - _e259) * _e254);
+let _e266 = global_1.member.member_8.member_7;
+let _e268 = (((_e187 * _e249) - _e266) * _e254);
+let _e272 = ((f32(bitcast<i32>(_e115)) - 0.5f) + _e133);
+let _e276 = global_1.member.member_8.member_1;
+let _e277 = (_e276 + 1u);
+let _e279 = select(1u, _e277, (_e277 > 0u));
+let _e280 = (_e279 == 0u);
+if _e280 {
 break;
 }
-let _e289 = ((f32(bitcast<i32>((_e111 % _e283))) - 0.5f) + _e147);
-let _e293 = global_1.member.member_4.member;
-let _e297 = global_1.member.member_8.member_2;
-let _e298 = (_e293 - _e297);
-let _e302 = global_1.member.member_7.member;
-let _e309 = global_1.member.member_7.member_2;
-let _e311 = ((_e302 + (_e263 * _e298)) + ((_e276 + 0.5f) * _e309));
-let _e315 = global_1.member.member_7.member_1;
-let _e320 = ((_e315 + (_e270 * _e298)) + ((_e289 + 0.5f) * _e309));
-let _e326 = global_1.member.member_4.member_1;
-let _e327 = (_e326 - _e297);
-let _e332 = ((_e302 + (_e263 * _e327)) + (((_e276 + _e265) + 0.5f) * _e309));
-let _e337 = ((_e315 + (_e270 * _e327)) + (((_e289 + _e272) + 0.5f) * _e309));
-if _e284 {
+let _e285 = ((f32(bitcast<i32>((_e117 % _e279))) - 0.5f) + _e143);
+let _e289 = global_1.member.member_5.member;
+let _e293 = global_1.member.member_8.member_8;
+let _e294 = (_e289 - _e293);
+let _e298 = global_1.member.member_8.member_2;
+let _e305 = global_1.member.member_8.member_4;
+let _e307 = ((_e298 + (_e259 * _e294)) + ((_e272 + 0.5f) * _e305));
+let _e311 = global_1.member.member_8.member_3;
+let _e316 = ((_e311 + (_e266 * _e294)) + ((_e285 + 0.5f) * _e305));
+let _e322 = global_1.member.member_5.member_1;
+let _e323 = (_e322 - _e293);
+let _e328 = ((_e298 + (_e259 * _e323)) + (((_e272 + _e261) + 0.5f) * _e305));
+let _e333 = ((_e311 + (_e266 * _e323)) + (((_e285 + _e268) + 0.5f) * _e305));
+if _e280 {
 break;
 }
-let _e340 = bitcast<i32>(((_e111 / _e283) * 3u));
-let _e342 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e344 = select(_e342, _e340, (_e340 < _e342));
-let _e350 = global_5.member[bitcast<u32>(select(0i, _e344, (_e344 > 0i)))];
-let _e351 = (_e340 + 1i);
-let _e353 = select(_e342, _e351, (_e351 < _e342));
-let _e359 = global_5.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
-let _e360 = (_e340 + 2i);
-let _e362 = select(_e342, _e360, (_e360 < _e342));
-let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
-let _e371 = (1f / select(1e-6f, _e368, (_e368 > 1e-6f)));
-let _e374 = (((_e350 * _e371) - _e263) * _e258);
-let _e377 = (((_e359 * _e371) - _e270) * _e258);
-let _e389 = global_1.member.member_5.member;
-let _e402 = global_1.member.member_5.member.member_3;
-let _e403 = ((((_e389.member * _e311) + (_e389.member_1 * _e320)) + (_e389.member_2 * _e293)) + _e402);
-let _e407 = global_1.member.member_5.member_1;
-let _e420 = global_1.member.member_5.member_1.member_3;
-let _e421 = ((((_e407.member * _e311) + (_e407.member_1 * _e320)) + (_e407.member_2 * _e293)) + _e420);
-let _e425 = global_1.member.member_5.member_2;
-let _e438 = global_1.member.member_5.member_2.member_3;
-let _e439 = ((((_e425.member * _e311) + (_e425.member_1 * _e320)) + (_e425.member_2 * _e293)) + _e438);
-let _e445 = ((((_e389.member * _e332) + (_e389.member_1 * _e337)) + (_e389.member_2 * _e326)) + _e402);
-let _e451 = ((((_e407.member * _e332) + (_e407.member_1 * _e337)) + (_e407.member_2 * _e326)) + _e420);
-let _e457 = ((((_e425.member * _e332) + (_e425.member_1 * _e337)) + (_e425.member_2 * _e326)) + _e438);
-let _e462 = global_1.member.member_5.member_3.member_3;
-let _e467 = global_1.member.member_5.member_3.member;
-let _e468 = (_e467 - 0.5f);
-let _e470 = select(-0.5f, _e445, (_e445 > -0.5f));
-let _e472 = select(_e468, _e470, (_e470 < _e468));
-let _e477 = global_1.member.member_5.member_3.member_1;
-let _e478 = (_e477 - 0.5f);
-let _e480 = select(-0.5f, _e451, (_e451 > -0.5f));
-let _e482 = select(_e478, _e480, (_e480 < _e478));
-let _e487 = global_1.member.member_5.member_3.member_2;
-let _e488 = (_e487 - 0.5f);
-let _e490 = select(-0.5f, _e457, (_e457 > -0.5f));
-let _e492 = select(_e488, _e490, (_e490 < _e488));
-let _e493 = (_e445 - _e403);
-let _e494 = (_e451 - _e421);
-let _e495 = (_e457 - _e439);
-let _e498 = bitcast<f32>((bitcast<u32>(_e493) & 2147483647u));
-let _e501 = bitcast<f32>((bitcast<u32>(_e494) & 2147483647u));
-let _e503 = select(_e501, _e498, (_e498 > _e501));
-let _e506 = bitcast<f32>((bitcast<u32>(_e495) & 2147483647u));
-let _e515 = bitcast<f32>((bitcast<u32>((_e445 - _e472)) & 2147483647u));
-let _e518 = bitcast<f32>((bitcast<u32>((_e451 - _e482)) & 2147483647u));
-let _e520 = select(_e518, _e515, (_e515 > _e518));
-let _e523 = bitcast<f32>((bitcast<u32>((_e457 - _e492)) & 2147483647u));
-let _e527 = (_e472 + 0.5f);
-let _e528 = (_e467 - 1f);
-let _e530 = select(0f, _e527, (_e527 > 0f));
-let _e532 = select(_e528, _e530, (_e530 < _e528));
-let _e539 = select(0i, select(select(i32(_e532), i32(-2147483648), (_e532 < -2147483600f)), 2147483647i, (_e532 > 2147483500f)), (_e532 == _e532));
-let _e548 = global_1.member.member_5.member_7[3u];
-let _e549 = (_e548 & 31i);
-let _e552 = (_e482 + 0.5f);
-let _e553 = (_e477 - 1f);
-let _e555 = select(0f, _e552, (_e552 > 0f));
-let _e557 = select(_e553, _e555, (_e555 < _e553));
-let _e564 = select(0i, select(select(i32(_e557), i32(-2147483648), (_e557 < -2147483600f)), 2147483647i, (_e557 > 2147483500f)), (_e557 == _e557));
-let _e571 = (_e492 + 0.5f);
-let _e572 = (_e487 - 1f);
-let _e574 = select(0f, _e571, (_e571 > 0f));
-let _e576 = select(_e572, _e574, (_e574 < _e572));
-let _e583 = select(0i, select(select(i32(_e576), i32(-2147483648), (_e576 < -2147483600f)), 2147483647i, (_e576 > 2147483500f)), (_e576 == _e576));
-let _e594 = global_1.member.member_5.member_6[3u];
-let _e600 = global_1.member.member_5.member_6[0u];
-let _e605 = global_1.member.member_5.member_6[1u];
-let _e609 = ((_e594 + ((_e539 - select(0i, 1i, (_e532 < f32(_e539)))) >> bitcast<u32>(_e549))) + (_e600 * (((_e564 - select(0i, 1i, (_e557 < f32(_e564)))) >> bitcast<u32>(_e549)) + (_e605 * ((_e583 - select(0i, 1i, (_e576 < f32(_e583)))) >> bitcast<u32>(_e549))))));
-let _e611 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e613 = select(_e611, _e609, (_e609 < _e611));
-let _e619 = global_3.member[bitcast<u32>(select(0i, _e613, (_e613 > 0i)))];
-let _e626 = global_1.member.member[3u];
-let _e633 = (((_e626 & 64u) != 0u) || ((((select(_e506, _e503, (_e503 > _e506)) <= _e462) && ((select(_e523, _e520, (_e520 > _e523)) > _e462) || (_e619 != 0u))) && true) && ((_e626 & 32u) != 0u)));
-if (select(0u, select(7u, select(3u, 1u, ((((_e265 == 0f) && (_e272 == 0f)) && (_e374 == 0f)) && (_e377 == 0f))), _e633), (_e246 == 0f)) > 1u) {
-let _e641 = global_1.member.member[2u];
-if _e284 {
+let _e336 = bitcast<i32>(((_e117 / _e279) * 3u));
+let _e338 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e340 = select(_e338, _e336, (_e336 < _e338));
+let _e346 = global_5.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e347 = (_e336 + 1i);
+let _e349 = select(_e338, _e347, (_e347 < _e338));
+let _e355 = global_5.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
+let _e356 = (_e336 + 2i);
+let _e358 = select(_e338, _e356, (_e356 < _e338));
+let _e364 = global_5.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e367 = (1f / select(1e-6f, _e364, (_e364 > 1e-6f)));
+let _e370 = (((_e346 * _e367) - _e259) * _e254);
+let _e373 = (((_e355 * _e367) - _e266) * _e254);
+let _e385 = global_1.member.member_6.member;
+let _e396 = ((((_e385.member.member * _e307) + (_e385.member.member_1 * _e316)) + (_e385.member.member_2 * _e289)) + _e385.member_1);
+let _e400 = global_1.member.member_6.member_1;
+let _e411 = ((((_e400.member.member * _e307) + (_e400.member.member_1 * _e316)) + (_e400.member.member_2 * _e289)) + _e400.member_1);
+let _e415 = global_1.member.member_6.member_2;
+let _e426 = ((((_e415.member.member * _e307) + (_e415.member.member_1 * _e316)) + (_e415.member.member_2 * _e289)) + _e415.member_1);
+let _e432 = ((((_e385.member.member * _e328) + (_e385.member.member_1 * _e333)) + (_e385.member.member_2 * _e322)) + _e385.member_1);
+let _e438 = ((((_e400.member.member * _e328) + (_e400.member.member_1 * _e333)) + (_e400.member.member_2 * _e322)) + _e400.member_1);
+let _e444 = ((((_e415.member.member * _e328) + (_e415.member.member_1 * _e333)) + (_e415.member.member_2 * _e322)) + _e415.member_1);
+let _e448 = global_1.member.member_6.member_4;
+let _e453 = global_1.member.member_6.member_3.member;
+let _e454 = (_e453 - 0.5f);
+let _e456 = select(-0.5f, _e432, (_e432 > -0.5f));
+let _e458 = select(_e454, _e456, (_e456 < _e454));
+let _e463 = global_1.member.member_6.member_3.member_1;
+let _e464 = (_e463 - 0.5f);
+let _e466 = select(-0.5f, _e438, (_e438 > -0.5f));
+let _e468 = select(_e464, _e466, (_e466 < _e464));
+let _e473 = global_1.member.member_6.member_3.member_2;
+let _e474 = (_e473 - 0.5f);
+let _e476 = select(-0.5f, _e444, (_e444 > -0.5f));
+let _e478 = select(_e474, _e476, (_e476 < _e474));
+let _e479 = (_e432 - _e396);
+let _e480 = (_e438 - _e411);
+let _e481 = (_e444 - _e426);
+let _e484 = bitcast<f32>((bitcast<u32>(_e479) & 2147483647u));
+let _e487 = bitcast<f32>((bitcast<u32>(_e480) & 2147483647u));
+let _e489 = select(_e487, _e484, (_e484 > _e487));
+let _e492 = bitcast<f32>((bitcast<u32>(_e481) & 2147483647u));
+let _e501 = bitcast<f32>((bitcast<u32>((_e432 - _e458)) & 2147483647u));
+let _e504 = bitcast<f32>((bitcast<u32>((_e438 - _e468)) & 2147483647u));
+let _e506 = select(_e504, _e501, (_e501 > _e504));
+let _e509 = bitcast<f32>((bitcast<u32>((_e444 - _e478)) & 2147483647u));
+let _e513 = (_e458 + 0.5f);
+let _e514 = (_e453 - 1f);
+let _e516 = select(0f, _e513, (_e513 > 0f));
+let _e518 = select(_e514, _e516, (_e516 < _e514));
+let _e525 = select(0i, select(select(i32(_e518), i32(-2147483648), (_e518 < -2147483600f)), 2147483647i, (_e518 > 2147483500f)), (_e518 == _e518));
+let _e533 = global_1.member.member_6.member_12;
+let _e534 = (_e533 & 31u);
+let _e537 = (_e468 + 0.5f);
+let _e538 = (_e463 - 1f);
+let _e540 = select(0f, _e537, (_e537 > 0f));
+let _e542 = select(_e538, _e540, (_e540 < _e538));
+let _e549 = select(0i, select(select(i32(_e542), i32(-2147483648), (_e542 < -2147483600f)), 2147483647i, (_e542 > 2147483500f)), (_e542 == _e542));
+let _e556 = (_e478 + 0.5f);
+let _e557 = (_e473 - 1f);
+let _e559 = select(0f, _e556, (_e556 > 0f));
+let _e561 = select(_e557, _e559, (_e559 < _e557));
+let _e568 = select(0i, select(select(i32(_e561), i32(-2147483648), (_e561 < -2147483600f)), 2147483647i, (_e561 > 2147483500f)), (_e561 == _e561));
+let _e579 = global_1.member.member_6.member_9.member;
+let _e585 = global_1.member.member_6.member_9.member_1;
+let _e590 = global_1.member.member_6.member_10;
+let _e596 = ((bitcast<i32>(_e590) + ((_e525 - select(0i, 1i, (_e518 < f32(_e525)))) >> bitcast<u32>(_e534))) + (bitcast<i32>(_e579) * (((_e549 - select(0i, 1i, (_e542 < f32(_e549)))) >> bitcast<u32>(_e534)) + (bitcast<i32>(_e585) * ((_e568 - select(0i, 1i, (_e561 < f32(_e568)))) >> bitcast<u32>(_e534))))));
+let _e598 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e600 = select(_e598, _e596, (_e596 < _e598));
+let _e606 = global_3.member[bitcast<u32>(select(0i, _e600, (_e600 > 0i)))];
+let _e612 = global_1.member.member_1;
+let _e619 = (((_e612 & 64u) != 0u) || ((((select(_e492, _e489, (_e489 > _e492)) <= _e448) && ((select(_e509, _e506, (_e506 > _e509)) > _e448) || (_e606 != 0u))) && true) && ((_e612 & 32u) != 0u)));
+if (select(0u, select(7u, select(3u, 1u, ((((_e261 == 0f) && (_e268 == 0f)) && (_e370 == 0f)) && (_e373 == 0f))), _e619), (_e242 == 0f)) > 1u) {
+if _e280 {
 break;
 }
-if _e284 {
+if _e280 {
 break;
 }
-let _e643 = (_e641 == 2u);
-let _e646 = (((_e641 == 1u) || _e643) || (_e641 == 5u));
-if _e646 {
-let _e1000 = select(-1f, _e472, (_e472 > -1f));
-let _e1002 = select(_e467, _e1000, (_e1000 < _e467));
-let _e1009 = select(0i, select(select(i32(_e1002), i32(-2147483648), (_e1002 < -2147483600f)), 2147483647i, (_e1002 > 2147483500f)), (_e1002 == _e1002));
-let _e1013 = (_e1009 - select(0i, 1i, (_e1002 < f32(_e1009))));
-let _e1015 = select(-1f, _e482, (_e482 > -1f));
-let _e1017 = select(_e477, _e1015, (_e1015 < _e477));
-let _e1024 = select(0i, select(select(i32(_e1017), i32(-2147483648), (_e1017 < -2147483600f)), 2147483647i, (_e1017 > 2147483500f)), (_e1017 == _e1017));
-let _e1028 = (_e1024 - select(0i, 1i, (_e1017 < f32(_e1024))));
-let _e1030 = select(-1f, _e492, (_e492 > -1f));
-let _e1032 = select(_e487, _e1030, (_e1030 < _e487));
-let _e1039 = select(0i, select(select(i32(_e1032), i32(-2147483648), (_e1032 < -2147483600f)), 2147483647i, (_e1032 > 2147483500f)), (_e1032 == _e1032));
-let _e1043 = (_e1039 - select(0i, 1i, (_e1032 < f32(_e1039))));
-let _e1048 = global_1.member.member_5.member_5[0u];
-let _e1053 = global_1.member.member_5.member_5[1u];
-let _e1054 = (_e1013 + 1i);
-let _e1055 = (_e1028 + 1i);
-let _e1056 = (_e1043 + 1i);
-let _e1063 = global_1.member.member_5.member_7[0u];
-let _e1070 = global_1.member.member_5.member_7[1u];
-let _e1076 = ((_e1054 >> bitcast<u32>(4i)) + (_e1063 * ((_e1055 >> bitcast<u32>(4i)) + (_e1070 * (_e1056 >> bitcast<u32>(4i))))));
-let _e1078 = (bitcast<i32>(_e94) - 1i);
-let _e1080 = select(_e1078, _e1076, (_e1076 < _e1078));
-let _e1086 = global_2.member[bitcast<u32>(select(0i, _e1080, (_e1080 > 0i)))];
-let _e1088 = (_e1054 & 15i);
-let _e1091 = ((_e1055 & 15i) * _e1048);
-let _e1093 = (bitcast<i32>(_e1086) + ((_e1056 & 15i) * _e1053));
-let _e1094 = (_e1091 + _e1048);
-let _e1096 = (_e1091 + (2i * _e1048));
-let _e1098 = (_e1091 + (3i * _e1048));
-let _e1099 = (_e1093 + _e1053);
-let _e1101 = (_e1093 + (2i * _e1053));
-let _e1103 = (_e1093 + (3i * _e1053));
-local_4 = type_18(array<i32, 4>(_e1088, _e1088, _e1088, _e1088), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
-local_5 = vec3<f32>((_e472 - f32(_e1013)), (_e482 - f32(_e1028)), (_e492 - f32(_e1043)));
-let _e1117 = local_4.member[0u];
-let _e1118 = ((_e1099 + _e1094) + _e1117);
-let _e1120 = (_e1118 >> bitcast<u32>(2i));
-let _e1123 = bitcast<u32>(((_e1118 & 3i) * 8i));
-let _e1125 = select(_e1078, _e1120, (_e1120 < _e1078));
-let _e1130 = global_2.member[bitcast<u32>(select(0i, _e1125, (_e1125 > 0i)))];
-let _e1134 = (_e1120 + 1i);
-let _e1136 = select(_e1078, _e1134, (_e1134 < _e1078));
-let _e1141 = global_2.member[bitcast<u32>(select(0i, _e1136, (_e1136 > 0i)))];
-let _e1148 = ((_e1130 >> bitcast<u32>((_e1123 & 31u))) | ((_e1141 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1123) & 31u))));
-let _e1151 = local_4.member_1[0u];
-let _e1157 = f32(bitcast<i32>(((_e1148 >> bitcast<u32>((_e1151 & 31u))) & 255u)));
-let _e1160 = local_4.member_1[1u];
-let _e1166 = f32(bitcast<i32>(((_e1148 >> bitcast<u32>((_e1160 & 31u))) & 255u)));
-let _e1169 = local_4.member_1[2u];
-let _e1175 = f32(bitcast<i32>(((_e1148 >> bitcast<u32>((_e1169 & 31u))) & 255u)));
-let _e1178 = local_4.member_1[3u];
-let _e1185 = local_5[0u];
-let _e1188 = (_e1157 + ((_e1166 - _e1157) * _e1185));
-let _e1189 = local_5[0u];
-let _e1192 = (_e1166 + ((_e1175 - _e1166) * _e1189));
-let _e1193 = local_5[0u];
-let _e1196 = (_e1175 + ((f32(bitcast<i32>(((_e1148 >> bitcast<u32>((_e1178 & 31u))) & 255u))) - _e1175) * _e1193));
-let _e1198 = local_4.member[0u];
-let _e1199 = ((_e1099 + _e1096) + _e1198);
-let _e1201 = (_e1199 >> bitcast<u32>(2i));
-let _e1204 = bitcast<u32>(((_e1199 & 3i) * 8i));
-let _e1206 = select(_e1078, _e1201, (_e1201 < _e1078));
-let _e1211 = global_2.member[bitcast<u32>(select(0i, _e1206, (_e1206 > 0i)))];
-let _e1215 = (_e1201 + 1i);
-let _e1217 = select(_e1078, _e1215, (_e1215 < _e1078));
-let _e1222 = global_2.member[bitcast<u32>(select(0i, _e1217, (_e1217 > 0i)))];
-let _e1229 = ((_e1211 >> bitcast<u32>((_e1204 & 31u))) | ((_e1222 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1204) & 31u))));
-let _e1230 = local_4.member_1[0u];
-let _e1236 = f32(bitcast<i32>(((_e1229 >> bitcast<u32>((_e1230 & 31u))) & 255u)));
-let _e1237 = local_4.member_1[1u];
-let _e1243 = f32(bitcast<i32>(((_e1229 >> bitcast<u32>((_e1237 & 31u))) & 255u)));
-let _e1244 = local_4.member_1[2u];
-let _e1250 = f32(bitcast<i32>(((_e1229 >> bitcast<u32>((_e1244 & 31u))) & 255u)));
-let _e1251 = local_4.member_1[3u];
-let _e1258 = local_5[0u];
-let _e1262 = local_5[0u];
-let _e1265 = (_e1243 + ((_e1250 - _e1243) * _e1262));
-let _e1266 = local_5[0u];
-let _e1271 = local_4.member[0u];
-let _e1272 = ((_e1101 + _e1094) + _e1271);
-let _e1274 = (_e1272 >> bitcast<u32>(2i));
-let _e1277 = bitcast<u32>(((_e1272 & 3i) * 8i));
-let _e1279 = select(_e1078, _e1274, (_e1274 < _e1078));
-let _e1284 = global_2.member[bitcast<u32>(select(0i, _e1279, (_e1279 > 0i)))];
-let _e1288 = (_e1274 + 1i);
-let _e1290 = select(_e1078, _e1288, (_e1288 < _e1078));
-let _e1295 = global_2.member[bitcast<u32>(select(0i, _e1290, (_e1290 > 0i)))];
-let _e1302 = ((_e1284 >> bitcast<u32>((_e1277 & 31u))) | ((_e1295 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1277) & 31u))));
-let _e1303 = local_4.member_1[0u];
-let _e1309 = f32(bitcast<i32>(((_e1302 >> bitcast<u32>((_e1303 & 31u))) & 255u)));
-let _e1310 = local_4.member_1[1u];
-let _e1316 = f32(bitcast<i32>(((_e1302 >> bitcast<u32>((_e1310 & 31u))) & 255u)));
-let _e1317 = local_4.member_1[2u];
-let _e1323 = f32(bitcast<i32>(((_e1302 >> bitcast<u32>((_e1317 & 31u))) & 255u)));
-let _e1324 = local_4.member_1[3u];
-let _e1331 = local_5[0u];
-let _e1334 = (_e1309 + ((_e1316 - _e1309) * _e1331));
-let _e1335 = local_5[0u];
-let _e1338 = (_e1316 + ((_e1323 - _e1316) * _e1335));
-let _e1339 = local_5[0u];
-let _e1342 = (_e1323 + ((f32(bitcast<i32>(((_e1302 >> bitcast<u32>((_e1324 & 31u))) & 255u))) - _e1323) * _e1339));
-let _e1344 = local_4.member[0u];
-let _e1345 = ((_e1101 + _e1096) + _e1344);
-let _e1347 = (_e1345 >> bitcast<u32>(2i));
-let _e1350 = bitcast<u32>(((_e1345 & 3i) * 8i));
-let _e1352 = select(_e1078, _e1347, (_e1347 < _e1078));
-let _e1357 = global_2.member[bitcast<u32>(select(0i, _e1352, (_e1352 > 0i)))];
-let _e1361 = (_e1347 + 1i);
-let _e1363 = select(_e1078, _e1361, (_e1361 < _e1078));
-let _e1368 = global_2.member[bitcast<u32>(select(0i, _e1363, (_e1363 > 0i)))];
-let _e1375 = ((_e1357 >> bitcast<u32>((_e1350 & 31u))) | ((_e1368 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1350) & 31u))));
-let _e1376 = local_4.member_1[0u];
-let _e1382 = f32(bitcast<i32>(((_e1375 >> bitcast<u32>((_e1376 & 31u))) & 255u)));
-let _e1383 = local_4.member_1[1u];
-let _e1389 = f32(bitcast<i32>(((_e1375 >> bitcast<u32>((_e1383 & 31u))) & 255u)));
-let _e1390 = local_4.member_1[2u];
-let _e1396 = f32(bitcast<i32>(((_e1375 >> bitcast<u32>((_e1390 & 31u))) & 255u)));
-let _e1397 = local_4.member_1[3u];
-let _e1404 = local_5[0u];
-let _e1408 = local_5[0u];
-let _e1411 = (_e1389 + ((_e1396 - _e1389) * _e1408));
-let _e1412 = local_5[0u];
-let _e1417 = local_4.member[0u];
-let _e1418 = ((_e1099 + _e1091) + _e1417);
-let _e1420 = (_e1418 >> bitcast<u32>(2i));
-let _e1423 = bitcast<u32>(((_e1418 & 3i) * 8i));
-let _e1425 = select(_e1078, _e1420, (_e1420 < _e1078));
-let _e1430 = global_2.member[bitcast<u32>(select(0i, _e1425, (_e1425 > 0i)))];
-let _e1434 = (_e1420 + 1i);
-let _e1436 = select(_e1078, _e1434, (_e1434 < _e1078));
-let _e1441 = global_2.member[bitcast<u32>(select(0i, _e1436, (_e1436 > 0i)))];
-let _e1448 = ((_e1430 >> bitcast<u32>((_e1423 & 31u))) | ((_e1441 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1423) & 31u))));
-let _e1449 = local_4.member_1[1u];
-let _e1455 = f32(bitcast<i32>(((_e1448 >> bitcast<u32>((_e1449 & 31u))) & 255u)));
-let _e1456 = local_4.member_1[2u];
-let _e1463 = local_5[0u];
-let _e1466 = (_e1455 + ((f32(bitcast<i32>(((_e1448 >> bitcast<u32>((_e1456 & 31u))) & 255u))) - _e1455) * _e1463));
-let _e1468 = local_4.member[0u];
-let _e1469 = ((_e1099 + _e1098) + _e1468);
-let _e1471 = (_e1469 >> bitcast<u32>(2i));
-let _e1474 = bitcast<u32>(((_e1469 & 3i) * 8i));
-let _e1476 = select(_e1078, _e1471, (_e1471 < _e1078));
-let _e1481 = global_2.member[bitcast<u32>(select(0i, _e1476, (_e1476 > 0i)))];
-let _e1485 = (_e1471 + 1i);
-let _e1487 = select(_e1078, _e1485, (_e1485 < _e1078));
-let _e1492 = global_2.member[bitcast<u32>(select(0i, _e1487, (_e1487 > 0i)))];
-let _e1499 = ((_e1481 >> bitcast<u32>((_e1474 & 31u))) | ((_e1492 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1474) & 31u))));
-let _e1500 = local_4.member_1[1u];
-let _e1506 = f32(bitcast<i32>(((_e1499 >> bitcast<u32>((_e1500 & 31u))) & 255u)));
-let _e1507 = local_4.member_1[2u];
-let _e1514 = local_5[0u];
-let _e1519 = local_4.member[0u];
-let _e1520 = ((_e1101 + _e1091) + _e1519);
-let _e1522 = (_e1520 >> bitcast<u32>(2i));
-let _e1525 = bitcast<u32>(((_e1520 & 3i) * 8i));
-let _e1527 = select(_e1078, _e1522, (_e1522 < _e1078));
-let _e1532 = global_2.member[bitcast<u32>(select(0i, _e1527, (_e1527 > 0i)))];
-let _e1536 = (_e1522 + 1i);
-let _e1538 = select(_e1078, _e1536, (_e1536 < _e1078));
-let _e1543 = global_2.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
-let _e1550 = ((_e1532 >> bitcast<u32>((_e1525 & 31u))) | ((_e1543 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1525) & 31u))));
-let _e1551 = local_4.member_1[1u];
-let _e1557 = f32(bitcast<i32>(((_e1550 >> bitcast<u32>((_e1551 & 31u))) & 255u)));
-let _e1558 = local_4.member_1[2u];
-let _e1565 = local_5[0u];
-let _e1568 = (_e1557 + ((f32(bitcast<i32>(((_e1550 >> bitcast<u32>((_e1558 & 31u))) & 255u))) - _e1557) * _e1565));
-let _e1570 = local_4.member[0u];
-let _e1571 = ((_e1101 + _e1098) + _e1570);
-let _e1573 = (_e1571 >> bitcast<u32>(2i));
-let _e1576 = bitcast<u32>(((_e1571 & 3i) * 8i));
-let _e1578 = select(_e1078, _e1573, (_e1573 < _e1078));
-let _e1583 = global_2.member[bitcast<u32>(select(0i, _e1578, (_e1578 > 0i)))];
-let _e1587 = (_e1573 + 1i);
-let _e1589 = select(_e1078, _e1587, (_e1587 < _e1078));
-let _e1594 = global_2.member[bitcast<u32>(select(0i, _e1589, (_e1589 > 0i)))];
-let _e1601 = ((_e1583 >> bitcast<u32>((_e1576 & 31u))) | ((_e1594 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1576) & 31u))));
-let _e1602 = local_4.member_1[1u];
-let _e1608 = f32(bitcast<i32>(((_e1601 >> bitcast<u32>((_e1602 & 31u))) & 255u)));
-let _e1609 = local_4.member_1[2u];
-let _e1616 = local_5[0u];
-let _e1621 = local_4.member[0u];
-let _e1622 = ((_e1093 + _e1094) + _e1621);
-let _e1624 = (_e1622 >> bitcast<u32>(2i));
-let _e1627 = bitcast<u32>(((_e1622 & 3i) * 8i));
-let _e1629 = select(_e1078, _e1624, (_e1624 < _e1078));
-let _e1634 = global_2.member[bitcast<u32>(select(0i, _e1629, (_e1629 > 0i)))];
-let _e1638 = (_e1624 + 1i);
-let _e1640 = select(_e1078, _e1638, (_e1638 < _e1078));
-let _e1645 = global_2.member[bitcast<u32>(select(0i, _e1640, (_e1640 > 0i)))];
-let _e1652 = ((_e1634 >> bitcast<u32>((_e1627 & 31u))) | ((_e1645 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1627) & 31u))));
-let _e1653 = local_4.member_1[1u];
-let _e1659 = f32(bitcast<i32>(((_e1652 >> bitcast<u32>((_e1653 & 31u))) & 255u)));
-let _e1660 = local_4.member_1[2u];
-let _e1667 = local_5[0u];
-let _e1670 = (_e1659 + ((f32(bitcast<i32>(((_e1652 >> bitcast<u32>((_e1660 & 31u))) & 255u))) - _e1659) * _e1667));
-let _e1672 = local_4.member[0u];
-let _e1673 = ((_e1103 + _e1094) + _e1672);
-let _e1675 = (_e1673 >> bitcast<u32>(2i));
-let _e1678 = bitcast<u32>(((_e1673 & 3i) * 8i));
-let _e1680 = select(_e1078, _e1675, (_e1675 < _e1078));
-let _e1685 = global_2.member[bitcast<u32>(select(0i, _e1680, (_e1680 > 0i)))];
-let _e1689 = (_e1675 + 1i);
-let _e1691 = select(_e1078, _e1689, (_e1689 < _e1078));
-let _e1696 = global_2.member[bitcast<u32>(select(0i, _e1691, (_e1691 > 0i)))];
-let _e1703 = ((_e1685 >> bitcast<u32>((_e1678 & 31u))) | ((_e1696 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1678) & 31u))));
-let _e1704 = local_4.member_1[1u];
-let _e1710 = f32(bitcast<i32>(((_e1703 >> bitcast<u32>((_e1704 & 31u))) & 255u)));
-let _e1711 = local_4.member_1[2u];
-let _e1718 = local_5[0u];
-let _e1721 = (_e1710 + ((f32(bitcast<i32>(((_e1703 >> bitcast<u32>((_e1711 & 31u))) & 255u))) - _e1710) * _e1718));
-let _e1723 = local_4.member[0u];
-let _e1724 = ((_e1093 + _e1096) + _e1723);
-let _e1726 = (_e1724 >> bitcast<u32>(2i));
-let _e1729 = bitcast<u32>(((_e1724 & 3i) * 8i));
-let _e1731 = select(_e1078, _e1726, (_e1726 < _e1078));
-let _e1736 = global_2.member[bitcast<u32>(select(0i, _e1731, (_e1731 > 0i)))];
-let _e1740 = (_e1726 + 1i);
-let _e1742 = select(_e1078, _e1740, (_e1740 < _e1078));
-let _e1747 = global_2.member[bitcast<u32>(select(0i, _e1742, (_e1742 > 0i)))];
-let _e1754 = ((_e1736 >> bitcast<u32>((_e1729 & 31u))) | ((_e1747 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1729) & 31u))));
-let _e1755 = local_4.member_1[1u];
-let _e1761 = f32(bitcast<i32>(((_e1754 >> bitcast<u32>((_e1755 & 31u))) & 255u)));
-let _e1762 = local_4.member_1[2u];
-let _e1769 = local_5[0u];
-let _e1774 = local_4.member[0u];
-let _e1775 = ((_e1103 + _e1096) + _e1774);
-let _e1777 = (_e1775 >> bitcast<u32>(2i));
-let _e1780 = bitcast<u32>(((_e1775 & 3i) * 8i));
-let _e1782 = select(_e1078, _e1777, (_e1777 < _e1078));
-let _e1787 = global_2.member[bitcast<u32>(select(0i, _e1782, (_e1782 > 0i)))];
-let _e1791 = (_e1777 + 1i);
-let _e1793 = select(_e1078, _e1791, (_e1791 < _e1078));
-let _e1798 = global_2.member[bitcast<u32>(select(0i, _e1793, (_e1793 > 0i)))];
-let _e1805 = ((_e1787 >> bitcast<u32>((_e1780 & 31u))) | ((_e1798 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1780) & 31u))));
-let _e1806 = local_4.member_1[1u];
-let _e1812 = f32(bitcast<i32>(((_e1805 >> bitcast<u32>((_e1806 & 31u))) & 255u)));
-let _e1813 = local_4.member_1[2u];
-let _e1820 = local_5[0u];
-let _e1825 = local_5[1u];
-let _e1828 = (_e1192 + ((_e1265 - _e1192) * _e1825));
-let _e1829 = local_5[1u];
-let _e1832 = (_e1338 + ((_e1411 - _e1338) * _e1829));
-let _e1833 = local_5[1u];
-let _e1836 = (_e1188 + (((_e1236 + ((_e1243 - _e1236) * _e1258)) - _e1188) * _e1833));
-let _e1837 = local_5[1u];
-let _e1842 = local_5[2u];
-let _e1846 = local_5[1u];
-let _e1849 = (_e1196 + (((_e1250 + ((f32(bitcast<i32>(((_e1229 >> bitcast<u32>((_e1251 & 31u))) & 255u))) - _e1250) * _e1266)) - _e1196) * _e1846));
-let _e1850 = local_5[1u];
-let _e1854 = local_5[2u];
-let _e1858 = local_5[1u];
-let _e1861 = (_e1466 + ((_e1192 - _e1466) * _e1858));
-let _e1862 = local_5[1u];
-let _e1866 = local_5[2u];
-let _e1870 = local_5[1u];
-let _e1873 = (_e1265 + (((_e1506 + ((f32(bitcast<i32>(((_e1499 >> bitcast<u32>((_e1507 & 31u))) & 255u))) - _e1506) * _e1514)) - _e1265) * _e1870));
-let _e1874 = local_5[1u];
-let _e1878 = local_5[2u];
-let _e1882 = local_5[1u];
-let _e1885 = (_e1670 + (((_e1761 + ((f32(bitcast<i32>(((_e1754 >> bitcast<u32>((_e1762 & 31u))) & 255u))) - _e1761) * _e1769)) - _e1670) * _e1882));
-let _e1886 = local_5[2u];
-let _e1890 = local_5[1u];
-let _e1894 = local_5[2u];
-let _e1898 = local_5[2u];
-let _e1906 = global_1.member.member_5.member_4.member;
-let _e1912 = global_1.member.member_5.member_4.member_1;
-let _e1913 = (((_e1828 + ((_e1832 - _e1828) * _e1898)) * _e1906) + _e1912);
-let _e1915 = select(0f, _e1913, (_e1913 > 0f));
-let _e1917 = select(1f, _e1915, (_e1915 < 1f));
-let _e1919 = (((_e1836 + (((_e1334 + (((_e1382 + ((_e1389 - _e1382) * _e1404)) - _e1334) * _e1837)) - _e1836) * _e1842)) * _e1906) + _e1912);
-let _e1921 = select(0f, _e1919, (_e1919 > 0f));
-let _e1923 = select(1f, _e1921, (_e1921 < 1f));
-let _e1925 = (((_e1849 + (((_e1342 + (((_e1396 + ((f32(bitcast<i32>(((_e1375 >> bitcast<u32>((_e1397 & 31u))) & 255u))) - _e1396) * _e1412)) - _e1342) * _e1850)) - _e1849) * _e1854)) * _e1906) + _e1912);
-let _e1927 = select(0f, _e1925, (_e1925 > 0f));
-let _e1929 = select(1f, _e1927, (_e1927 < 1f));
-let _e1931 = (((_e1861 + (((_e1568 + ((_e1338 - _e1568) * _e1862)) - _e1861) * _e1866)) * _e1906) + _e1912);
-let _e1933 = select(0f, _e1931, (_e1931 > 0f));
-let _e1935 = select(1f, _e1933, (_e1933 < 1f));
-let _e1937 = (((_e1873 + (((_e1411 + (((_e1608 + ((f32(bitcast<i32>(((_e1601 >> bitcast<u32>((_e1609 & 31u))) & 255u))) - _e1608) * _e1616)) - _e1411) * _e1874)) - _e1873) * _e1878)) * _e1906) + _e1912);
-let _e1939 = select(0f, _e1937, (_e1937 > 0f));
-let _e1941 = select(1f, _e1939, (_e1939 < 1f));
-let _e1943 = (((_e1885 + ((_e1828 - _e1885) * _e1886)) * _e1906) + _e1912);
-let _e1945 = select(0f, _e1943, (_e1943 > 0f));
-let _e1947 = select(1f, _e1945, (_e1945 < 1f));
-let _e1949 = (((_e1832 + (((_e1721 + (((_e1812 + ((f32(bitcast<i32>(((_e1805 >> bitcast<u32>((_e1813 & 31u))) & 255u))) - _e1812) * _e1820)) - _e1721) * _e1890)) - _e1832) * _e1894)) * _e1906) + _e1912);
-let _e1951 = select(0f, _e1949, (_e1949 > 0f));
-let _e1953 = select(1f, _e1951, (_e1951 < 1f));
-let _e1954 = (_e1917 * 1024f);
-let _e1955 = (1024f - 1f);
-let _e1957 = select(0f, _e1954, (_e1954 > 0f));
-let _e1959 = select(_e1955, _e1957, (_e1957 < _e1955));
-let _e1966 = select(0i, select(select(i32(_e1959), i32(-2147483648), (_e1959 < -2147483600f)), 2147483647i, (_e1959 > 2147483500f)), (_e1959 == _e1959));
-let _e1970 = (_e1966 - select(0i, 1i, (_e1959 < f32(_e1966))));
-let _e1971 = (262147i + _e1970);
-let _e1973 = (bitcast<i32>(_e98) - 1i);
-let _e1975 = select(_e1973, _e1971, (_e1971 < _e1973));
-let _e1981 = global_4.member[bitcast<u32>(select(0i, _e1975, (_e1975 > 0i)))];
-let _e1991 = select(_e1973, 262146i, (262146i < _e1973));
-let _e1997 = global_4.member[bitcast<u32>(select(0i, _e1991, (_e1991 > 0i)))];
-let _e1998 = bitcast<f32>(_e1997);
-let _e1999 = (f32((bitcast<i32>((_e1981 & 4095u)) - 2048i)) * _e1998);
-let _e2001 = select(_e1973, 262144i, (262144i < _e1973));
-let _e2007 = global_4.member[bitcast<u32>(select(0i, _e2001, (_e2001 > 0i)))];
-let _e2008 = bitcast<f32>(_e2007);
-let _e2010 = select(_e1973, 262145i, (262145i < _e1973));
-let _e2016 = global_4.member[bitcast<u32>(select(0i, _e2010, (_e2010 > 0i)))];
-let _e2017 = bitcast<f32>(_e2016);
-let _e2023 = ((_e2008 + (f32(bitcast<i32>((_e1981 >> bitcast<u32>(12u)))) * _e2017)) + (_e1999 * (_e1954 - f32(_e1970))));
-let _e2024 = (_e1999 * 1024f);
-if _e643 {
-let _e2289 = ((0.5f * (_e1929 - _e1923)) * _e2024);
-let _e2290 = ((0.5f * (_e1941 - _e1935)) * _e2024);
-let _e2291 = ((0.5f * (_e1953 - _e1947)) * _e2024);
-phi_5836_ = type_19(_e2023, vec3<f32>(_e2289, _e2290, _e2291), vec3<f32>((_e2289 * _e2023), (_e2290 * _e2023), (_e2291 * _e2023)));
+let _e626 = (_e107.member_2 == 2u);
+let _e629 = (((_e107.member_2 == 1u) || _e626) || (_e107.member_2 == 5u));
+if _e629 {
+let _e631 = select(-1f, _e458, (_e458 > -1f));
+let _e633 = select(_e453, _e631, (_e631 < _e453));
+let _e640 = select(0i, select(select(i32(_e633), i32(-2147483648), (_e633 < -2147483600f)), 2147483647i, (_e633 > 2147483500f)), (_e633 == _e633));
+let _e644 = (_e640 - select(0i, 1i, (_e633 < f32(_e640))));
+let _e646 = select(-1f, _e468, (_e468 > -1f));
+let _e648 = select(_e463, _e646, (_e646 < _e463));
+let _e655 = select(0i, select(select(i32(_e648), i32(-2147483648), (_e648 < -2147483600f)), 2147483647i, (_e648 > 2147483500f)), (_e648 == _e648));
+let _e659 = (_e655 - select(0i, 1i, (_e648 < f32(_e655))));
+let _e661 = select(-1f, _e478, (_e478 > -1f));
+let _e663 = select(_e473, _e661, (_e661 < _e473));
+let _e670 = select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < -2147483600f)), 2147483647i, (_e663 > 2147483500f)), (_e663 == _e663));
+let _e674 = (_e670 - select(0i, 1i, (_e663 < f32(_e670))));
+let _e678 = global_1.member.member_6.member_7;
+let _e682 = global_1.member.member_6.member_8;
+let _e683 = (_e644 + 1i);
+let _e684 = (_e659 + 1i);
+let _e685 = (_e674 + 1i);
+let _e690 = global_1.member.member_6.member_11.member;
+let _e696 = global_1.member.member_6.member_11.member_1;
+let _e707 = ((_e683 >> bitcast<u32>(4i)) + (bitcast<i32>(_e690) * ((_e684 >> bitcast<u32>(4i)) + (bitcast<i32>(_e696) * (_e685 >> bitcast<u32>(4i))))));
+let _e709 = (bitcast<i32>(_e93) - 1i);
+let _e711 = select(_e709, _e707, (_e707 < _e709));
+let _e717 = global_2.member[bitcast<u32>(select(0i, _e711, (_e711 > 0i)))];
+let _e719 = (_e683 & 15i);
+let _e722 = ((_e684 & 15i) * _e678);
+let _e724 = (bitcast<i32>(_e717) + ((_e685 & 15i) * _e682));
+let _e725 = (_e722 + _e678);
+let _e727 = (_e722 + (2i * _e678));
+let _e729 = (_e722 + (3i * _e678));
+let _e730 = (_e724 + _e682);
+let _e732 = (_e724 + (2i * _e682));
+let _e734 = (_e724 + (3i * _e682));
+local_4 = type_28(array<i32, 4>(_e719, _e719, _e719, _e719), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_5 = vec3<f32>((_e458 - f32(_e644)), (_e468 - f32(_e659)), (_e478 - f32(_e674)));
+let _e748 = local_4.member[0u];
+let _e749 = ((_e730 + _e725) + _e748);
+let _e751 = (_e749 >> bitcast<u32>(2i));
+let _e754 = bitcast<u32>(((_e749 & 3i) * 8i));
+let _e756 = select(_e709, _e751, (_e751 < _e709));
+let _e761 = global_2.member[bitcast<u32>(select(0i, _e756, (_e756 > 0i)))];
+let _e765 = (_e751 + 1i);
+let _e767 = select(_e709, _e765, (_e765 < _e709));
+let _e772 = global_2.member[bitcast<u32>(select(0i, _e767, (_e767 > 0i)))];
+let _e779 = ((_e761 >> bitcast<u32>((_e754 & 31u))) | ((_e772 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e754) & 31u))));
+let _e782 = local_4.member_1[0u];
+let _e788 = f32(bitcast<i32>(((_e779 >> bitcast<u32>((_e782 & 31u))) & 255u)));
+let _e791 = local_4.member_1[1u];
+let _e797 = f32(bitcast<i32>(((_e779 >> bitcast<u32>((_e791 & 31u))) & 255u)));
+let _e800 = local_4.member_1[2u];
+let _e806 = f32(bitcast<i32>(((_e779 >> bitcast<u32>((_e800 & 31u))) & 255u)));
+let _e809 = local_4.member_1[3u];
+let _e816 = local_5[0u];
+let _e819 = (_e788 + ((_e797 - _e788) * _e816));
+let _e820 = local_5[0u];
+let _e823 = (_e797 + ((_e806 - _e797) * _e820));
+let _e824 = local_5[0u];
+let _e827 = (_e806 + ((f32(bitcast<i32>(((_e779 >> bitcast<u32>((_e809 & 31u))) & 255u))) - _e806) * _e824));
+let _e829 = local_4.member[0u];
+let _e830 = ((_e730 + _e727) + _e829);
+let _e832 = (_e830 >> bitcast<u32>(2i));
+let _e835 = bitcast<u32>(((_e830 & 3i) * 8i));
+let _e837 = select(_e709, _e832, (_e832 < _e709));
+let _e842 = global_2.member[bitcast<u32>(select(0i, _e837, (_e837 > 0i)))];
+let _e846 = (_e832 + 1i);
+let _e848 = select(_e709, _e846, (_e846 < _e709));
+let _e853 = global_2.member[bitcast<u32>(select(0i, _e848, (_e848 > 0i)))];
+let _e860 = ((_e842 >> bitcast<u32>((_e835 & 31u))) | ((_e853 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e835) & 31u))));
+let _e861 = local_4.member_1[0u];
+let _e867 = f32(bitcast<i32>(((_e860 >> bitcast<u32>((_e861 & 31u))) & 255u)));
+let _e868 = local_4.member_1[1u];
+let _e874 = f32(bitcast<i32>(((_e860 >> bitcast<u32>((_e868 & 31u))) & 255u)));
+let _e875 = local_4.member_1[2u];
+let _e881 = f32(bitcast<i32>(((_e860 >> bitcast<u32>((_e875 & 31u))) & 255u)));
+let _e882 = local_4.member_1[3u];
+let _e889 = local_5[0u];
+let _e893 = local_5[0u];
+let _e896 = (_e874 + ((_e881 - _e874) * _e893));
+let _e897 = local_5[0u];
+let _e902 = local_4.member[0u];
+let _e903 = ((_e732 + _e725) + _e902);
+let _e905 = (_e903 >> bitcast<u32>(2i));
+let _e908 = bitcast<u32>(((_e903 & 3i) * 8i));
+let _e910 = select(_e709, _e905, (_e905 < _e709));
+let _e915 = global_2.member[bitcast<u32>(select(0i, _e910, (_e910 > 0i)))];
+let _e919 = (_e905 + 1i);
+let _e921 = select(_e709, _e919, (_e919 < _e709));
+let _e926 = global_2.member[bitcast<u32>(select(0i, _e921, (_e921 > 0i)))];
+let _e933 = ((_e915 >> bitcast<u32>((_e908 & 31u))) | ((_e926 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e908) & 31u))));
+let _e934 = local_4.member_1[0u];
+let _e940 = f32(bitcast<i32>(((_e933 >> bitcast<u32>((_e934 & 31u))) & 255u)));
+let _e941 = local_4.member_1[1u];
+let _e947 = f32(bitcast<i32>(((_e933 >> bitcast<u32>((_e941 & 31u))) & 255u)));
+let _e948 = local_4.member_1[2u];
+let _e954 = f32(bitcast<i32>(((_e933 >> bitcast<u32>((_e948 & 31u))) & 255u)));
+let _e955 = local_4.member_1[3u];
+let _e962 = local_5[0u];
+let _e965 = (_e940 + ((_e947 - _e940) * _e962));
+let _e966 = local_5[0u];
+let _e969 = (_e947 + ((_e954 - _e947) * _e966));
+let _e970 = local_5[0u];
+let _e973 = (_e954 + ((f32(bitcast<i32>(((_e933 >> bitcast<u32>((_e955 & 31u))) & 255u))) - _e954) * _e970));
+let _e975 = local_4.member[0u];
+let _e976 = ((_e732 + _e727) + _e975);
+let _e978 = (_e976 >> bitcast<u32>(2i));
+let _e981 = bitcast<u32>(((_e976 & 3i) * 8i));
+let _e983 = select(_e709, _e978, (_e978 < _e709));
+let _e988 = global_2.member[bitcast<u32>(select(0i, _e983, (_e983 > 0i)))];
+let _e992 = (_e978 + 1i);
+let _e994 = select(_e709, _e992, (_e992 < _e709));
+let _e999 = global_2.member[bitcast<u32>(select(0i, _e994, (_e994 > 0i)))];
+let _e1006 = ((_e988 >> bitcast<u32>((_e981 & 31u))) | ((_e999 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e981) & 31u))));
+let _e1007 = local_4.member_1[0u];
+let _e1013 = f32(bitcast<i32>(((_e1006 >> bitcast<u32>((_e1007 & 31u))) & 255u)));
+let _e1014 = local_4.member_1[1u];
+let _e1020 = f32(bitcast<i32>(((_e1006 >> bitcast<u32>((_e1014 & 31u))) & 255u)));
+let _e1021 = local_4.member_1[2u];
+let _e1027 = f32(bitcast<i32>(((_e1006 >> bitcast<u32>((_e1021 & 31u))) & 255u)));
+let _e1028 = local_4.member_1[3u];
+let _e1035 = local_5[0u];
+let _e1039 = local_5[0u];
+let _e1042 = (_e1020 + ((_e1027 - _e1020) * _e1039));
+let _e1043 = local_5[0u];
+let _e1048 = local_4.member[0u];
+let _e1049 = ((_e730 + _e722) + _e1048);
+let _e1051 = (_e1049 >> bitcast<u32>(2i));
+let _e1054 = bitcast<u32>(((_e1049 & 3i) * 8i));
+let _e1056 = select(_e709, _e1051, (_e1051 < _e709));
+let _e1061 = global_2.member[bitcast<u32>(select(0i, _e1056, (_e1056 > 0i)))];
+let _e1065 = (_e1051 + 1i);
+let _e1067 = select(_e709, _e1065, (_e1065 < _e709));
+let _e1072 = global_2.member[bitcast<u32>(select(0i, _e1067, (_e1067 > 0i)))];
+let _e1079 = ((_e1061 >> bitcast<u32>((_e1054 & 31u))) | ((_e1072 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1054) & 31u))));
+let _e1080 = local_4.member_1[1u];
+let _e1086 = f32(bitcast<i32>(((_e1079 >> bitcast<u32>((_e1080 & 31u))) & 255u)));
+let _e1087 = local_4.member_1[2u];
+let _e1094 = local_5[0u];
+let _e1097 = (_e1086 + ((f32(bitcast<i32>(((_e1079 >> bitcast<u32>((_e1087 & 31u))) & 255u))) - _e1086) * _e1094));
+let _e1099 = local_4.member[0u];
+let _e1100 = ((_e730 + _e729) + _e1099);
+let _e1102 = (_e1100 >> bitcast<u32>(2i));
+let _e1105 = bitcast<u32>(((_e1100 & 3i) * 8i));
+let _e1107 = select(_e709, _e1102, (_e1102 < _e709));
+let _e1112 = global_2.member[bitcast<u32>(select(0i, _e1107, (_e1107 > 0i)))];
+let _e1116 = (_e1102 + 1i);
+let _e1118 = select(_e709, _e1116, (_e1116 < _e709));
+let _e1123 = global_2.member[bitcast<u32>(select(0i, _e1118, (_e1118 > 0i)))];
+let _e1130 = ((_e1112 >> bitcast<u32>((_e1105 & 31u))) | ((_e1123 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1105) & 31u))));
+let _e1131 = local_4.member_1[1u];
+let _e1137 = f32(bitcast<i32>(((_e1130 >> bitcast<u32>((_e1131 & 31u))) & 255u)));
+let _e1138 = local_4.member_1[2u];
+let _e1145 = local_5[0u];
+let _e1150 = local_4.member[0u];
+let _e1151 = ((_e732 + _e722) + _e1150);
+let _e1153 = (_e1151 >> bitcast<u32>(2i));
+let _e1156 = bitcast<u32>(((_e1151 & 3i) * 8i));
+let _e1158 = select(_e709, _e1153, (_e1153 < _e709));
+let _e1163 = global_2.member[bitcast<u32>(select(0i, _e1158, (_e1158 > 0i)))];
+let _e1167 = (_e1153 + 1i);
+let _e1169 = select(_e709, _e1167, (_e1167 < _e709));
+let _e1174 = global_2.member[bitcast<u32>(select(0i, _e1169, (_e1169 > 0i)))];
+let _e1181 = ((_e1163 >> bitcast<u32>((_e1156 & 31u))) | ((_e1174 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1156) & 31u))));
+let _e1182 = local_4.member_1[1u];
+let _e1188 = f32(bitcast<i32>(((_e1181 >> bitcast<u32>((_e1182 & 31u))) & 255u)));
+let _e1189 = local_4.member_1[2u];
+let _e1196 = local_5[0u];
+let _e1199 = (_e1188 + ((f32(bitcast<i32>(((_e1181 >> bitcast<u32>((_e1189 & 31u))) & 255u))) - _e1188) * _e1196));
+let _e1201 = local_4.member[0u];
+let _e1202 = ((_e732 + _e729) + _e1201);
+let _e1204 = (_e1202 >> bitcast<u32>(2i));
+let _e1207 = bitcast<u32>(((_e1202 & 3i) * 8i));
+let _e1209 = select(_e709, _e1204, (_e1204 < _e709));
+let _e1214 = global_2.member[bitcast<u32>(select(0i, _e1209, (_e1209 > 0i)))];
+let _e1218 = (_e1204 + 1i);
+let _e1220 = select(_e709, _e1218, (_e1218 < _e709));
+let _e1225 = global_2.member[bitcast<u32>(select(0i, _e1220, (_e1220 > 0i)))];
+let _e1232 = ((_e1214 >> bitcast<u32>((_e1207 & 31u))) | ((_e1225 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1207) & 31u))));
+let _e1233 = local_4.member_1[1u];
+let _e1239 = f32(bitcast<i32>(((_e1232 >> bitcast<u32>((_e1233 & 31u))) & 255u)));
+let _e1240 = local_4.member_1[2u];
+let _e1247 = local_5[0u];
+let _e1252 = local_4.member[0u];
+let _e1253 = ((_e724 + _e725) + _e1252);
+let _e1255 = (_e1253 >> bitcast<u32>(2i));
+let _e1258 = bitcast<u32>(((_e1253 & 3i) * 8i));
+let _e1260 = select(_e709, _e1255, (_e1255 < _e709));
+let _e1265 = global_2.member[bitcast<u32>(select(0i, _e1260, (_e1260 > 0i)))];
+let _e1269 = (_e1255 + 1i);
+let _e1271 = select(_e709, _e1269, (_e1269 < _e709));
+let _e1276 = global_2.member[bitcast<u32>(select(0i, _e1271, (_e1271 > 0i)))];
+let _e1283 = ((_e1265 >> bitcast<u32>((_e1258 & 31u))) | ((_e1276 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1258) & 31u))));
+let _e1284 = local_4.member_1[1u];
+let _e1290 = f32(bitcast<i32>(((_e1283 >> bitcast<u32>((_e1284 & 31u))) & 255u)));
+let _e1291 = local_4.member_1[2u];
+let _e1298 = local_5[0u];
+let _e1301 = (_e1290 + ((f32(bitcast<i32>(((_e1283 >> bitcast<u32>((_e1291 & 31u))) & 255u))) - _e1290) * _e1298));
+let _e1303 = local_4.member[0u];
+let _e1304 = ((_e734 + _e725) + _e1303);
+let _e1306 = (_e1304 >> bitcast<u32>(2i));
+let _e1309 = bitcast<u32>(((_e1304 & 3i) * 8i));
+let _e1311 = select(_e709, _e1306, (_e1306 < _e709));
+let _e1316 = global_2.member[bitcast<u32>(select(0i, _e1311, (_e1311 > 0i)))];
+let _e1320 = (_e1306 + 1i);
+let _e1322 = select(_e709, _e1320, (_e1320 < _e709));
+let _e1327 = global_2.member[bitcast<u32>(select(0i, _e1322, (_e1322 > 0i)))];
+let _e1334 = ((_e1316 >> bitcast<u32>((_e1309 & 31u))) | ((_e1327 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1309) & 31u))));
+let _e1335 = local_4.member_1[1u];
+let _e1341 = f32(bitcast<i32>(((_e1334 >> bitcast<u32>((_e1335 & 31u))) & 255u)));
+let _e1342 = local_4.member_1[2u];
+let _e1349 = local_5[0u];
+let _e1352 = (_e1341 + ((f32(bitcast<i32>(((_e1334 >> bitcast<u32>((_e1342 & 31u))) & 255u))) - _e1341) * _e1349));
+let _e1354 = local_4.member[0u];
+let _e1355 = ((_e724 + _e727) + _e1354);
+let _e1357 = (_e1355 >> bitcast<u32>(2i));
+let _e1360 = bitcast<u32>(((_e1355 & 3i) * 8i));
+let _e1362 = select(_e709, _e1357, (_e1357 < _e709));
+let _e1367 = global_2.member[bitcast<u32>(select(0i, _e1362, (_e1362 > 0i)))];
+let _e1371 = (_e1357 + 1i);
+let _e1373 = select(_e709, _e1371, (_e1371 < _e709));
+let _e1378 = global_2.member[bitcast<u32>(select(0i, _e1373, (_e1373 > 0i)))];
+let _e1385 = ((_e1367 >> bitcast<u32>((_e1360 & 31u))) | ((_e1378 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1360) & 31u))));
+let _e1386 = local_4.member_1[1u];
+let _e1392 = f32(bitcast<i32>(((_e1385 >> bitcast<u32>((_e1386 & 31u))) & 255u)));
+let _e1393 = local_4.member_1[2u];
+let _e1400 = local_5[0u];
+let _e1405 = local_4.member[0u];
+let _e1406 = ((_e734 + _e727) + _e1405);
+let _e1408 = (_e1406 >> bitcast<u32>(2i));
+let _e1411 = bitcast<u32>(((_e1406 & 3i) * 8i));
+let _e1413 = select(_e709, _e1408, (_e1408 < _e709));
+let _e1418 = global_2.member[bitcast<u32>(select(0i, _e1413, (_e1413 > 0i)))];
+let _e1422 = (_e1408 + 1i);
+let _e1424 = select(_e709, _e1422, (_e1422 < _e709));
+let _e1429 = global_2.member[bitcast<u32>(select(0i, _e1424, (_e1424 > 0i)))];
+let _e1436 = ((_e1418 >> bitcast<u32>((_e1411 & 31u))) | ((_e1429 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1411) & 31u))));
+let _e1437 = local_4.member_1[1u];
+let _e1443 = f32(bitcast<i32>(((_e1436 >> bitcast<u32>((_e1437 & 31u))) & 255u)));
+let _e1444 = local_4.member_1[2u];
+let _e1451 = local_5[0u];
+let _e1456 = local_5[1u];
+let _e1459 = (_e823 + ((_e896 - _e823) * _e1456));
+let _e1460 = local_5[1u];
+let _e1463 = (_e969 + ((_e1042 - _e969) * _e1460));
+let _e1464 = local_5[1u];
+let _e1467 = (_e819 + (((_e867 + ((_e874 - _e867) * _e889)) - _e819) * _e1464));
+let _e1468 = local_5[1u];
+let _e1473 = local_5[2u];
+let _e1477 = local_5[1u];
+let _e1480 = (_e827 + (((_e881 + ((f32(bitcast<i32>(((_e860 >> bitcast<u32>((_e882 & 31u))) & 255u))) - _e881) * _e897)) - _e827) * _e1477));
+let _e1481 = local_5[1u];
+let _e1485 = local_5[2u];
+let _e1489 = local_5[1u];
+let _e1492 = (_e1097 + ((_e823 - _e1097) * _e1489));
+let _e1493 = local_5[1u];
+let _e1497 = local_5[2u];
+let _e1501 = local_5[1u];
+let _e1504 = (_e896 + (((_e1137 + ((f32(bitcast<i32>(((_e1130 >> bitcast<u32>((_e1138 & 31u))) & 255u))) - _e1137) * _e1145)) - _e896) * _e1501));
+let _e1505 = local_5[1u];
+let _e1509 = local_5[2u];
+let _e1513 = local_5[1u];
+let _e1516 = (_e1301 + (((_e1392 + ((f32(bitcast<i32>(((_e1385 >> bitcast<u32>((_e1393 & 31u))) & 255u))) - _e1392) * _e1400)) - _e1301) * _e1513));
+let _e1517 = local_5[2u];
+let _e1521 = local_5[1u];
+let _e1525 = local_5[2u];
+let _e1529 = local_5[2u];
+let _e1536 = global_1.member.member_6.member_5;
+let _e1541 = global_1.member.member_6.member_6;
+let _e1542 = (((_e1459 + ((_e1463 - _e1459) * _e1529)) * _e1536) + _e1541);
+let _e1544 = select(0f, _e1542, (_e1542 > 0f));
+let _e1546 = select(1f, _e1544, (_e1544 < 1f));
+let _e1548 = (((_e1467 + (((_e965 + (((_e1013 + ((_e1020 - _e1013) * _e1035)) - _e965) * _e1468)) - _e1467) * _e1473)) * _e1536) + _e1541);
+let _e1550 = select(0f, _e1548, (_e1548 > 0f));
+let _e1552 = select(1f, _e1550, (_e1550 < 1f));
+let _e1554 = (((_e1480 + (((_e973 + (((_e1027 + ((f32(bitcast<i32>(((_e1006 >> bitcast<u32>((_e1028 & 31u))) & 255u))) - _e1027) * _e1043)) - _e973) * _e1481)) - _e1480) * _e1485)) * _e1536) + _e1541);
+let _e1556 = select(0f, _e1554, (_e1554 > 0f));
+let _e1558 = select(1f, _e1556, (_e1556 < 1f));
+let _e1560 = (((_e1492 + (((_e1199 + ((_e969 - _e1199) * _e1493)) - _e1492) * _e1497)) * _e1536) + _e1541);
+let _e1562 = select(0f, _e1560, (_e1560 > 0f));
+let _e1564 = select(1f, _e1562, (_e1562 < 1f));
+let _e1566 = (((_e1504 + (((_e1042 + (((_e1239 + ((f32(bitcast<i32>(((_e1232 >> bitcast<u32>((_e1240 & 31u))) & 255u))) - _e1239) * _e1247)) - _e1042) * _e1505)) - _e1504) * _e1509)) * _e1536) + _e1541);
+let _e1568 = select(0f, _e1566, (_e1566 > 0f));
+let _e1570 = select(1f, _e1568, (_e1568 < 1f));
+let _e1572 = (((_e1516 + ((_e1459 - _e1516) * _e1517)) * _e1536) + _e1541);
+let _e1574 = select(0f, _e1572, (_e1572 > 0f));
+let _e1576 = select(1f, _e1574, (_e1574 < 1f));
+let _e1578 = (((_e1463 + (((_e1352 + (((_e1443 + ((f32(bitcast<i32>(((_e1436 >> bitcast<u32>((_e1444 & 31u))) & 255u))) - _e1443) * _e1451)) - _e1352) * _e1521)) - _e1463) * _e1525)) * _e1536) + _e1541);
+let _e1580 = select(0f, _e1578, (_e1578 > 0f));
+let _e1582 = select(1f, _e1580, (_e1580 < 1f));
+let _e1583 = (_e1546 * 1024f);
+let _e1584 = (1024f - 1f);
+let _e1586 = select(0f, _e1583, (_e1583 > 0f));
+let _e1588 = select(_e1584, _e1586, (_e1586 < _e1584));
+let _e1595 = select(0i, select(select(i32(_e1588), i32(-2147483648), (_e1588 < -2147483600f)), 2147483647i, (_e1588 > 2147483500f)), (_e1588 == _e1588));
+let _e1599 = (_e1595 - select(0i, 1i, (_e1588 < f32(_e1595))));
+let _e1600 = (262147i + _e1599);
+let _e1602 = (bitcast<i32>(_e97) - 1i);
+let _e1604 = select(_e1602, _e1600, (_e1600 < _e1602));
+let _e1610 = global_4.member[bitcast<u32>(select(0i, _e1604, (_e1604 > 0i)))];
+let _e1620 = select(_e1602, 262146i, (262146i < _e1602));
+let _e1626 = global_4.member[bitcast<u32>(select(0i, _e1620, (_e1620 > 0i)))];
+let _e1627 = bitcast<f32>(_e1626);
+let _e1628 = (f32((bitcast<i32>((_e1610 & 4095u)) - 2048i)) * _e1627);
+let _e1630 = select(_e1602, 262144i, (262144i < _e1602));
+let _e1636 = global_4.member[bitcast<u32>(select(0i, _e1630, (_e1630 > 0i)))];
+let _e1637 = bitcast<f32>(_e1636);
+let _e1639 = select(_e1602, 262145i, (262145i < _e1602));
+let _e1645 = global_4.member[bitcast<u32>(select(0i, _e1639, (_e1639 > 0i)))];
+let _e1646 = bitcast<f32>(_e1645);
+let _e1652 = ((_e1637 + (f32(bitcast<i32>((_e1610 >> bitcast<u32>(12u)))) * _e1646)) + (_e1628 * (_e1583 - f32(_e1599))));
+let _e1653 = (_e1628 * 1024f);
+if _e626 {
+let _e1660 = ((0.5f * (_e1558 - _e1552)) * _e1653);
+let _e1661 = ((0.5f * (_e1570 - _e1564)) * _e1653);
+let _e1662 = ((0.5f * (_e1582 - _e1576)) * _e1653);
+phi_3830_ = type_29(_e1652, vec3<f32>(_e1660, _e1661, _e1662), vec3<f32>((_e1660 * _e1652), (_e1661 * _e1652), (_e1662 * _e1652)));
 } else {
-let _e2025 = (_e1923 * 1024f);
-let _e2027 = select(0f, _e2025, (_e2025 > 0f));
-let _e2029 = select(_e1955, _e2027, (_e2027 < _e1955));
-let _e2036 = select(0i, select(select(i32(_e2029), i32(-2147483648), (_e2029 < -2147483600f)), 2147483647i, (_e2029 > 2147483500f)), (_e2029 == _e2029));
-let _e2040 = (_e2036 - select(0i, 1i, (_e2029 < f32(_e2036))));
-let _e2041 = (262147i + _e2040);
-let _e2043 = select(_e1973, _e2041, (_e2041 < _e1973));
-let _e2049 = global_4.member[bitcast<u32>(select(0i, _e2043, (_e2043 > 0i)))];
-let _e2064 = ((_e2008 + (f32(bitcast<i32>((_e2049 >> bitcast<u32>(12u)))) * _e2017)) + ((f32((bitcast<i32>((_e2049 & 4095u)) - 2048i)) * _e1998) * (_e2025 - f32(_e2040))));
-let _e2065 = (_e1929 * 1024f);
-let _e2067 = select(0f, _e2065, (_e2065 > 0f));
-let _e2069 = select(_e1955, _e2067, (_e2067 < _e1955));
-let _e2076 = select(0i, select(select(i32(_e2069), i32(-2147483648), (_e2069 < -2147483600f)), 2147483647i, (_e2069 > 2147483500f)), (_e2069 == _e2069));
-let _e2080 = (_e2076 - select(0i, 1i, (_e2069 < f32(_e2076))));
-let _e2081 = (262147i + _e2080);
-let _e2083 = select(_e1973, _e2081, (_e2081 < _e1973));
-let _e2089 = global_4.member[bitcast<u32>(select(0i, _e2083, (_e2083 > 0i)))];
-let _e2104 = ((_e2008 + (f32(bitcast<i32>((_e2089 >> bitcast<u32>(12u)))) * _e2017)) + ((f32((bitcast<i32>((_e2089 & 4095u)) - 2048i)) * _e1998) * (_e2065 - f32(_e2080))));
-let _e2105 = (_e1935 * 1024f);
-let _e2107 = select(0f, _e2105, (_e2105 > 0f));
-let _e2109 = select(_e1955, _e2107, (_e2107 < _e1955));
-let _e2116 = select(0i, select(select(i32(_e2109), i32(-2147483648), (_e2109 < -2147483600f)), 2147483647i, (_e2109 > 2147483500f)), (_e2109 == _e2109));
-let _e2120 = (_e2116 - select(0i, 1i, (_e2109 < f32(_e2116))));
-let _e2121 = (262147i + _e2120);
-let _e2123 = select(_e1973, _e2121, (_e2121 < _e1973));
-let _e2129 = global_4.member[bitcast<u32>(select(0i, _e2123, (_e2123 > 0i)))];
-let _e2144 = ((_e2008 + (f32(bitcast<i32>((_e2129 >> bitcast<u32>(12u)))) * _e2017)) + ((f32((bitcast<i32>((_e2129 & 4095u)) - 2048i)) * _e1998) * (_e2105 - f32(_e2120))));
-let _e2145 = (_e1941 * 1024f);
-let _e2147 = select(0f, _e2145, (_e2145 > 0f));
-let _e2149 = select(_e1955, _e2147, (_e2147 < _e1955));
-let _e2156 = select(0i, select(select(i32(_e2149), i32(-2147483648), (_e2149 < -2147483600f)), 2147483647i, (_e2149 > 2147483500f)), (_e2149 == _e2149));
-let _e2160 = (_e2156 - select(0i, 1i, (_e2149 < f32(_e2156))));
-let _e2161 = (262147i + _e2160);
-let _e2163 = select(_e1973, _e2161, (_e2161 < _e1973));
-let _e2169 = global_4.member[bitcast<u32>(select(0i, _e2163, (_e2163 > 0i)))];
-let _e2184 = ((_e2008 + (f32(bitcast<i32>((_e2169 >> bitcast<u32>(12u)))) * _e2017)) + ((f32((bitcast<i32>((_e2169 & 4095u)) - 2048i)) * _e1998) * (_e2145 - f32(_e2160))));
-let _e2185 = (_e1947 * 1024f);
-let _e2187 = select(0f, _e2185, (_e2185 > 0f));
-let _e2189 = select(_e1955, _e2187, (_e2187 < _e1955));
-let _e2196 = select(0i, select(select(i32(_e2189), i32(-2147483648), (_e2189 < -2147483600f)), 2147483647i, (_e2189 > 2147483500f)), (_e2189 == _e2189));
-let _e2200 = (_e2196 - select(0i, 1i, (_e2189 < f32(_e2196))));
-let _e2201 = (262147i + _e2200);
-let _e2203 = select(_e1973, _e2201, (_e2201 < _e1973));
-let _e2209 = global_4.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
-let _e2224 = ((_e2008 + (f32(bitcast<i32>((_e2209 >> bitcast<u32>(12u)))) * _e2017)) + ((f32((bitcast<i32>((_e2209 & 4095u)) - 2048i)) * _e1998) * (_e2185 - f32(_e2200))));
-let _e2225 = (_e1953 * 1024f);
-let _e2227 = select(0f, _e2225, (_e2225 > 0f));
-let _e2229 = select(_e1955, _e2227, (_e2227 < _e1955));
-let _e2236 = select(0i, select(select(i32(_e2229), i32(-2147483648), (_e2229 < -2147483600f)), 2147483647i, (_e2229 > 2147483500f)), (_e2229 == _e2229));
-let _e2240 = (_e2236 - select(0i, 1i, (_e2229 < f32(_e2236))));
-let _e2241 = (262147i + _e2240);
-let _e2243 = select(_e1973, _e2241, (_e2241 < _e1973));
-let _e2249 = global_4.member[bitcast<u32>(select(0i, _e2243, (_e2243 > 0i)))];
-let _e2264 = ((_e2008 + (f32(bitcast<i32>((_e2249 >> bitcast<u32>(12u)))) * _e2017)) + ((f32((bitcast<i32>((_e2249 & 4095u)) - 2048i)) * _e1998) * (_e2225 - f32(_e2240))));
-let _e2265 = (_e2104 - _e2064);
-let _e2267 = (_e2184 - _e2144);
-let _e2269 = (_e2264 - _e2224);
-phi_5836_ = type_19(_e2023, vec3<f32>((0.5f * _e2265), (0.5f * _e2267), (0.5f * _e2269)), vec3<f32>((0.25f * (_e2265 * (_e2104 + _e2064))), (0.25f * (_e2267 * (_e2184 + _e2144))), (0.25f * (_e2269 * (_e2264 + _e2224)))));
+let _e1669 = (_e1552 * 1024f);
+let _e1671 = select(0f, _e1669, (_e1669 > 0f));
+let _e1673 = select(_e1584, _e1671, (_e1671 < _e1584));
+let _e1680 = select(0i, select(select(i32(_e1673), i32(-2147483648), (_e1673 < -2147483600f)), 2147483647i, (_e1673 > 2147483500f)), (_e1673 == _e1673));
+let _e1684 = (_e1680 - select(0i, 1i, (_e1673 < f32(_e1680))));
+let _e1685 = (262147i + _e1684);
+let _e1687 = select(_e1602, _e1685, (_e1685 < _e1602));
+let _e1693 = global_4.member[bitcast<u32>(select(0i, _e1687, (_e1687 > 0i)))];
+let _e1708 = ((_e1637 + (f32(bitcast<i32>((_e1693 >> bitcast<u32>(12u)))) * _e1646)) + ((f32((bitcast<i32>((_e1693 & 4095u)) - 2048i)) * _e1627) * (_e1669 - f32(_e1684))));
+let _e1709 = (_e1558 * 1024f);
+let _e1711 = select(0f, _e1709, (_e1709 > 0f));
+let _e1713 = select(_e1584, _e1711, (_e1711 < _e1584));
+let _e1720 = select(0i, select(select(i32(_e1713), i32(-2147483648), (_e1713 < -2147483600f)), 2147483647i, (_e1713 > 2147483500f)), (_e1713 == _e1713));
+let _e1724 = (_e1720 - select(0i, 1i, (_e1713 < f32(_e1720))));
+let _e1725 = (262147i + _e1724);
+let _e1727 = select(_e1602, _e1725, (_e1725 < _e1602));
+let _e1733 = global_4.member[bitcast<u32>(select(0i, _e1727, (_e1727 > 0i)))];
+let _e1748 = ((_e1637 + (f32(bitcast<i32>((_e1733 >> bitcast<u32>(12u)))) * _e1646)) + ((f32((bitcast<i32>((_e1733 & 4095u)) - 2048i)) * _e1627) * (_e1709 - f32(_e1724))));
+let _e1749 = (_e1564 * 1024f);
+let _e1751 = select(0f, _e1749, (_e1749 > 0f));
+let _e1753 = select(_e1584, _e1751, (_e1751 < _e1584));
+let _e1760 = select(0i, select(select(i32(_e1753), i32(-2147483648), (_e1753 < -2147483600f)), 2147483647i, (_e1753 > 2147483500f)), (_e1753 == _e1753));
+let _e1764 = (_e1760 - select(0i, 1i, (_e1753 < f32(_e1760))));
+let _e1765 = (262147i + _e1764);
+let _e1767 = select(_e1602, _e1765, (_e1765 < _e1602));
+let _e1773 = global_4.member[bitcast<u32>(select(0i, _e1767, (_e1767 > 0i)))];
+let _e1788 = ((_e1637 + (f32(bitcast<i32>((_e1773 >> bitcast<u32>(12u)))) * _e1646)) + ((f32((bitcast<i32>((_e1773 & 4095u)) - 2048i)) * _e1627) * (_e1749 - f32(_e1764))));
+let _e1789 = (_e1570 * 1024f);
+let _e1791 = select(0f, _e1789, (_e1789 > 0f));
+let _e1793 = select(_e1584, _e1791, (_e1791 < _e1584));
+let _e1800 = select(0i, select(select(i32(_e1793), i32(-2147483648), (_e1793 < -2147483600f)), 2147483647i, (_e1793 > 2147483500f)), (_e1793 == _e1793));
+let _e1804 = (_e1800 - select(0i, 1i, (_e1793 < f32(_e1800))));
+let _e1805 = (262147i + _e1804);
+let _e1807 = select(_e1602, _e1805, (_e1805 < _e1602));
+let _e1813 = global_4.member[bitcast<u32>(select(0i, _e1807, (_e1807 > 0i)))];
+let _e1828 = ((_e1637 + (f32(bitcast<i32>((_e1813 >> bitcast<u32>(12u)))) * _e1646)) + ((f32((bitcast<i32>((_e1813 & 4095u)) - 2048i)) * _e1627) * (_e1789 - f32(_e1804))));
+let _e1829 = (_e1576 * 1024f);
+let _e1831 = select(0f, _e1829, (_e1829 > 0f));
+let _e1833 = select(_e1584, _e1831, (_e1831 < _e1584));
+let _e1840 = select(0i, select(select(i32(_e1833), i32(-2147483648), (_e1833 < -2147483600f)), 2147483647i, (_e1833 > 2147483500f)), (_e1833 == _e1833));
+let _e1844 = (_e1840 - select(0i, 1i, (_e1833 < f32(_e1840))));
+let _e1845 = (262147i + _e1844);
+let _e1847 = select(_e1602, _e1845, (_e1845 < _e1602));
+let _e1853 = global_4.member[bitcast<u32>(select(0i, _e1847, (_e1847 > 0i)))];
+let _e1868 = ((_e1637 + (f32(bitcast<i32>((_e1853 >> bitcast<u32>(12u)))) * _e1646)) + ((f32((bitcast<i32>((_e1853 & 4095u)) - 2048i)) * _e1627) * (_e1829 - f32(_e1844))));
+let _e1869 = (_e1582 * 1024f);
+let _e1871 = select(0f, _e1869, (_e1869 > 0f));
+let _e1873 = select(_e1584, _e1871, (_e1871 < _e1584));
+let _e1880 = select(0i, select(select(i32(_e1873), i32(-2147483648), (_e1873 < -2147483600f)), 2147483647i, (_e1873 > 2147483500f)), (_e1873 == _e1873));
+let _e1884 = (_e1880 - select(0i, 1i, (_e1873 < f32(_e1880))));
+let _e1885 = (262147i + _e1884);
+let _e1887 = select(_e1602, _e1885, (_e1885 < _e1602));
+let _e1893 = global_4.member[bitcast<u32>(select(0i, _e1887, (_e1887 > 0i)))];
+let _e1908 = ((_e1637 + (f32(bitcast<i32>((_e1893 >> bitcast<u32>(12u)))) * _e1646)) + ((f32((bitcast<i32>((_e1893 & 4095u)) - 2048i)) * _e1627) * (_e1869 - f32(_e1884))));
+let _e1909 = (_e1748 - _e1708);
+let _e1911 = (_e1828 - _e1788);
+let _e1913 = (_e1908 - _e1868);
+phi_3830_ = type_29(_e1652, vec3<f32>((0.5f * _e1909), (0.5f * _e1911), (0.5f * _e1913)), vec3<f32>((0.25f * (_e1909 * (_e1748 + _e1708))), (0.25f * (_e1911 * (_e1828 + _e1788))), (0.25f * (_e1913 * (_e1908 + _e1868)))));
 }
-let _e2299 = phi_5836_;
-let _e2314 = select(0f, 1f, ((((((_e445 >= -0.5f) && (_e445 <= _e468)) && (_e451 >= -0.5f)) && (_e451 <= _e478)) && (_e457 >= -0.5f)) && (_e457 <= _e488)));
-let _e2316 = (0.5f * (_e1929 - _e1923));
-let _e2318 = (0.5f * (_e1941 - _e1935));
-let _e2320 = (0.5f * (_e1953 - _e1947));
-let _e2325 = global_1.member.member_5.member.member;
-let _e2331 = global_1.member.member_5.member_1.member;
-let _e2338 = global_1.member.member_5.member_2.member;
-let _e2345 = global_1.member.member_5.member.member_1;
-let _e2351 = global_1.member.member_5.member_1.member_1;
-let _e2358 = global_1.member.member_5.member_2.member_1;
-let _e2365 = global_1.member.member_5.member.member_2;
-let _e2371 = global_1.member.member_5.member_1.member_2;
-let _e2378 = global_1.member.member_5.member_2.member_2;
-phi_7157_ = type_20(_e1917, vec3<f32>(((((_e2325 * _e2316) + (_e2331 * _e2318)) + (_e2338 * _e2320)) * _e2314), ((((_e2345 * _e2316) + (_e2351 * _e2318)) + (_e2358 * _e2320)) * _e2314), ((((_e2365 * _e2316) + (_e2371 * _e2318)) + (_e2378 * _e2320)) * _e2314)), _e2299.member, vec3<f32>(((((_e2325 * _e2299.member_2.x) + (_e2331 * _e2299.member_2.y)) + (_e2338 * _e2299.member_2.z)) * _e2314), ((((_e2345 * _e2299.member_2.x) + (_e2351 * _e2299.member_2.y)) + (_e2358 * _e2299.member_2.z)) * _e2314), ((((_e2365 * _e2299.member_2.x) + (_e2371 * _e2299.member_2.y)) + (_e2378 * _e2299.member_2.z)) * _e2314)), vec3<f32>(((((_e2325 * _e2299.member_1.x) + (_e2331 * _e2299.member_1.y)) + (_e2338 * _e2299.member_1.z)) * _e2314), ((((_e2345 * _e2299.member_1.x) + (_e2351 * _e2299.member_1.y)) + (_e2358 * _e2299.member_1.z)) * _e2314), ((((_e2365 * _e2299.member_1.x) + (_e2371 * _e2299.member_1.y)) + (_e2378 * _e2299.member_1.z)) * _e2314)));
+let _e1928 = phi_3830_;
+let _e1943 = select(0f, 1f, ((((((_e432 >= -0.5f) && (_e432 <= _e454)) && (_e438 >= -0.5f)) && (_e438 <= _e464)) && (_e444 >= -0.5f)) && (_e444 <= _e474)));
+let _e1945 = (0.5f * (_e1558 - _e1552));
+let _e1947 = (0.5f * (_e1570 - _e1564));
+let _e1949 = (0.5f * (_e1582 - _e1576));
+let _e1955 = global_1.member.member_6.member.member.member;
+let _e1961 = global_1.member.member_6.member.member.member_1;
+let _e1967 = global_1.member.member_6.member.member.member_2;
+let _e1973 = global_1.member.member_6.member_1.member.member;
+let _e1979 = global_1.member.member_6.member_1.member.member_1;
+let _e1985 = global_1.member.member_6.member_1.member.member_2;
+let _e1991 = global_1.member.member_6.member_2.member.member;
+let _e1997 = global_1.member.member_6.member_2.member.member_1;
+let _e2003 = global_1.member.member_6.member_2.member.member_2;
+phi_4532_ = type_30(_e1546, vec3<f32>(((((_e1955 * _e1945) + (_e1973 * _e1947)) + (_e1991 * _e1949)) * _e1943), ((((_e1961 * _e1945) + (_e1979 * _e1947)) + (_e1997 * _e1949)) * _e1943), ((((_e1967 * _e1945) + (_e1985 * _e1947)) + (_e2003 * _e1949)) * _e1943)), _e1928.member, vec3<f32>(((((_e1955 * _e1928.member_2.x) + (_e1973 * _e1928.member_2.y)) + (_e1991 * _e1928.member_2.z)) * _e1943), ((((_e1961 * _e1928.member_2.x) + (_e1979 * _e1928.member_2.y)) + (_e1997 * _e1928.member_2.z)) * _e1943), ((((_e1967 * _e1928.member_2.x) + (_e1985 * _e1928.member_2.y)) + (_e2003 * _e1928.member_2.z)) * _e1943)), vec3<f32>(((((_e1955 * _e1928.member_1.x) + (_e1973 * _e1928.member_1.y)) + (_e1991 * _e1928.member_1.z)) * _e1943), ((((_e1961 * _e1928.member_1.x) + (_e1979 * _e1928.member_1.y)) + (_e1997 * _e1928.member_1.z)) * _e1943), ((((_e1967 * _e1928.member_1.x) + (_e1985 * _e1928.member_1.y)) + (_e2003 * _e1928.member_1.z)) * _e1943)));
 } else {
-let _e648 = select(-1f, _e472, (_e472 > -1f));
-let _e650 = select(_e467, _e648, (_e648 < _e467));
-let _e657 = select(0i, select(select(i32(_e650), i32(-2147483648), (_e650 < -2147483600f)), 2147483647i, (_e650 > 2147483500f)), (_e650 == _e650));
-let _e661 = (_e657 - select(0i, 1i, (_e650 < f32(_e657))));
-let _e663 = select(-1f, _e482, (_e482 > -1f));
-let _e665 = select(_e477, _e663, (_e663 < _e477));
-let _e672 = select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < -2147483600f)), 2147483647i, (_e665 > 2147483500f)), (_e665 == _e665));
-let _e676 = (_e672 - select(0i, 1i, (_e665 < f32(_e672))));
-let _e678 = select(-1f, _e492, (_e492 > -1f));
-let _e680 = select(_e487, _e678, (_e678 < _e487));
-let _e687 = select(0i, select(select(i32(_e680), i32(-2147483648), (_e680 < -2147483600f)), 2147483647i, (_e680 > 2147483500f)), (_e680 == _e680));
-let _e691 = (_e687 - select(0i, 1i, (_e680 < f32(_e687))));
-let _e696 = global_1.member.member_5.member_5[0u];
-let _e701 = global_1.member.member_5.member_5[1u];
-let _e702 = (_e661 + 1i);
-let _e703 = (_e676 + 1i);
-let _e704 = (_e691 + 1i);
-let _e711 = global_1.member.member_5.member_7[0u];
-let _e718 = global_1.member.member_5.member_7[1u];
-let _e724 = ((_e702 >> bitcast<u32>(4i)) + (_e711 * ((_e703 >> bitcast<u32>(4i)) + (_e718 * (_e704 >> bitcast<u32>(4i))))));
-let _e726 = (bitcast<i32>(_e94) - 1i);
-let _e728 = select(_e726, _e724, (_e724 < _e726));
-let _e734 = global_2.member[bitcast<u32>(select(0i, _e728, (_e728 > 0i)))];
-let _e736 = (_e702 & 15i);
-let _e739 = ((_e703 & 15i) * _e696);
-let _e741 = (bitcast<i32>(_e734) + ((_e704 & 15i) * _e701));
-let _e742 = (_e739 + _e696);
-let _e744 = (_e739 + (2i * _e696));
-let _e745 = (_e741 + _e701);
-let _e747 = (_e741 + (2i * _e701));
-local_2 = type_18(array<i32, 4>(_e736, _e736, _e736, _e736), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
-local_3 = vec3<f32>((_e472 - f32(_e661)), (_e482 - f32(_e676)), (_e492 - f32(_e691)));
-let _e761 = local_2.member[0u];
-let _e762 = ((_e745 + _e742) + _e761);
-let _e764 = (_e762 >> bitcast<u32>(2i));
-let _e767 = bitcast<u32>(((_e762 & 3i) * 8i));
-let _e769 = select(_e726, _e764, (_e764 < _e726));
-let _e774 = global_2.member[bitcast<u32>(select(0i, _e769, (_e769 > 0i)))];
-let _e778 = (_e764 + 1i);
-let _e780 = select(_e726, _e778, (_e778 < _e726));
-let _e785 = global_2.member[bitcast<u32>(select(0i, _e780, (_e780 > 0i)))];
-let _e792 = ((_e774 >> bitcast<u32>((_e767 & 31u))) | ((_e785 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e767) & 31u))));
-let _e795 = local_2.member_1[1u];
-let _e801 = f32(bitcast<i32>(((_e792 >> bitcast<u32>((_e795 & 31u))) & 255u)));
-let _e804 = local_2.member_1[2u];
-let _e811 = local_3[0u];
-let _e814 = (_e801 + ((f32(bitcast<i32>(((_e792 >> bitcast<u32>((_e804 & 31u))) & 255u))) - _e801) * _e811));
-let _e816 = local_2.member[0u];
-let _e817 = ((_e745 + _e744) + _e816);
-let _e819 = (_e817 >> bitcast<u32>(2i));
-let _e822 = bitcast<u32>(((_e817 & 3i) * 8i));
-let _e824 = select(_e726, _e819, (_e819 < _e726));
-let _e829 = global_2.member[bitcast<u32>(select(0i, _e824, (_e824 > 0i)))];
-let _e833 = (_e819 + 1i);
-let _e835 = select(_e726, _e833, (_e833 < _e726));
-let _e840 = global_2.member[bitcast<u32>(select(0i, _e835, (_e835 > 0i)))];
-let _e847 = ((_e829 >> bitcast<u32>((_e822 & 31u))) | ((_e840 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e822) & 31u))));
-let _e848 = local_2.member_1[1u];
-let _e854 = f32(bitcast<i32>(((_e847 >> bitcast<u32>((_e848 & 31u))) & 255u)));
-let _e855 = local_2.member_1[2u];
-let _e862 = local_3[0u];
-let _e867 = local_3[1u];
-let _e870 = (_e814 + (((_e854 + ((f32(bitcast<i32>(((_e847 >> bitcast<u32>((_e855 & 31u))) & 255u))) - _e854) * _e862)) - _e814) * _e867));
-let _e872 = local_2.member[0u];
-let _e873 = ((_e747 + _e742) + _e872);
-let _e875 = (_e873 >> bitcast<u32>(2i));
-let _e878 = bitcast<u32>(((_e873 & 3i) * 8i));
-let _e880 = select(_e726, _e875, (_e875 < _e726));
-let _e885 = global_2.member[bitcast<u32>(select(0i, _e880, (_e880 > 0i)))];
-let _e889 = (_e875 + 1i);
-let _e891 = select(_e726, _e889, (_e889 < _e726));
-let _e896 = global_2.member[bitcast<u32>(select(0i, _e891, (_e891 > 0i)))];
-let _e903 = ((_e885 >> bitcast<u32>((_e878 & 31u))) | ((_e896 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e878) & 31u))));
-let _e904 = local_2.member_1[1u];
-let _e910 = f32(bitcast<i32>(((_e903 >> bitcast<u32>((_e904 & 31u))) & 255u)));
-let _e911 = local_2.member_1[2u];
-let _e918 = local_3[0u];
-let _e921 = (_e910 + ((f32(bitcast<i32>(((_e903 >> bitcast<u32>((_e911 & 31u))) & 255u))) - _e910) * _e918));
-let _e923 = local_2.member[0u];
-let _e924 = ((_e747 + _e744) + _e923);
-let _e926 = (_e924 >> bitcast<u32>(2i));
-let _e929 = bitcast<u32>(((_e924 & 3i) * 8i));
-let _e931 = select(_e726, _e926, (_e926 < _e726));
-let _e936 = global_2.member[bitcast<u32>(select(0i, _e931, (_e931 > 0i)))];
-let _e940 = (_e926 + 1i);
-let _e942 = select(_e726, _e940, (_e940 < _e726));
-let _e947 = global_2.member[bitcast<u32>(select(0i, _e942, (_e942 > 0i)))];
-let _e954 = ((_e936 >> bitcast<u32>((_e929 & 31u))) | ((_e947 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e929) & 31u))));
-let _e955 = local_2.member_1[1u];
-let _e961 = f32(bitcast<i32>(((_e954 >> bitcast<u32>((_e955 & 31u))) & 255u)));
-let _e962 = local_2.member_1[2u];
-let _e969 = local_3[0u];
-let _e973 = local_3[1u];
-let _e978 = local_3[2u];
-let _e986 = global_1.member.member_5.member_4.member;
-let _e992 = global_1.member.member_5.member_4.member_1;
-let _e993 = (((_e870 + (((_e921 + (((_e961 + ((f32(bitcast<i32>(((_e954 >> bitcast<u32>((_e962 & 31u))) & 255u))) - _e961) * _e969)) - _e921) * _e973)) - _e870) * _e978)) * _e986) + _e992);
-let _e995 = select(0f, _e993, (_e993 > 0f));
-phi_7157_ = type_20(select(1f, _e995, (_e995 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2069 = select(-1f, _e458, (_e458 > -1f));
+let _e2071 = select(_e453, _e2069, (_e2069 < _e453));
+let _e2078 = select(0i, select(select(i32(_e2071), i32(-2147483648), (_e2071 < -2147483600f)), 2147483647i, (_e2071 > 2147483500f)), (_e2071 == _e2071));
+let _e2082 = (_e2078 - select(0i, 1i, (_e2071 < f32(_e2078))));
+let _e2084 = select(-1f, _e468, (_e468 > -1f));
+let _e2086 = select(_e463, _e2084, (_e2084 < _e463));
+let _e2093 = select(0i, select(select(i32(_e2086), i32(-2147483648), (_e2086 < -2147483600f)), 2147483647i, (_e2086 > 2147483500f)), (_e2086 == _e2086));
+let _e2097 = (_e2093 - select(0i, 1i, (_e2086 < f32(_e2093))));
+let _e2099 = select(-1f, _e478, (_e478 > -1f));
+let _e2101 = select(_e473, _e2099, (_e2099 < _e473));
+let _e2108 = select(0i, select(select(i32(_e2101), i32(-2147483648), (_e2101 < -2147483600f)), 2147483647i, (_e2101 > 2147483500f)), (_e2101 == _e2101));
+let _e2112 = (_e2108 - select(0i, 1i, (_e2101 < f32(_e2108))));
+let _e2116 = global_1.member.member_6.member_7;
+let _e2120 = global_1.member.member_6.member_8;
+let _e2121 = (_e2082 + 1i);
+let _e2122 = (_e2097 + 1i);
+let _e2123 = (_e2112 + 1i);
+let _e2128 = global_1.member.member_6.member_11.member;
+let _e2134 = global_1.member.member_6.member_11.member_1;
+let _e2145 = ((_e2121 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2128) * ((_e2122 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2134) * (_e2123 >> bitcast<u32>(4i))))));
+let _e2147 = (bitcast<i32>(_e93) - 1i);
+let _e2149 = select(_e2147, _e2145, (_e2145 < _e2147));
+let _e2155 = global_2.member[bitcast<u32>(select(0i, _e2149, (_e2149 > 0i)))];
+let _e2157 = (_e2121 & 15i);
+let _e2160 = ((_e2122 & 15i) * _e2116);
+let _e2162 = (bitcast<i32>(_e2155) + ((_e2123 & 15i) * _e2120));
+let _e2163 = (_e2160 + _e2116);
+let _e2165 = (_e2160 + (2i * _e2116));
+let _e2166 = (_e2162 + _e2120);
+let _e2168 = (_e2162 + (2i * _e2120));
+local_2 = type_28(array<i32, 4>(_e2157, _e2157, _e2157, _e2157), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_3 = vec3<f32>((_e458 - f32(_e2082)), (_e468 - f32(_e2097)), (_e478 - f32(_e2112)));
+let _e2182 = local_2.member[0u];
+let _e2183 = ((_e2166 + _e2163) + _e2182);
+let _e2185 = (_e2183 >> bitcast<u32>(2i));
+let _e2188 = bitcast<u32>(((_e2183 & 3i) * 8i));
+let _e2190 = select(_e2147, _e2185, (_e2185 < _e2147));
+let _e2195 = global_2.member[bitcast<u32>(select(0i, _e2190, (_e2190 > 0i)))];
+let _e2199 = (_e2185 + 1i);
+let _e2201 = select(_e2147, _e2199, (_e2199 < _e2147));
+let _e2206 = global_2.member[bitcast<u32>(select(0i, _e2201, (_e2201 > 0i)))];
+let _e2213 = ((_e2195 >> bitcast<u32>((_e2188 & 31u))) | ((_e2206 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2188) & 31u))));
+let _e2216 = local_2.member_1[1u];
+let _e2222 = f32(bitcast<i32>(((_e2213 >> bitcast<u32>((_e2216 & 31u))) & 255u)));
+let _e2225 = local_2.member_1[2u];
+let _e2232 = local_3[0u];
+let _e2235 = (_e2222 + ((f32(bitcast<i32>(((_e2213 >> bitcast<u32>((_e2225 & 31u))) & 255u))) - _e2222) * _e2232));
+let _e2237 = local_2.member[0u];
+let _e2238 = ((_e2166 + _e2165) + _e2237);
+let _e2240 = (_e2238 >> bitcast<u32>(2i));
+let _e2243 = bitcast<u32>(((_e2238 & 3i) * 8i));
+let _e2245 = select(_e2147, _e2240, (_e2240 < _e2147));
+let _e2250 = global_2.member[bitcast<u32>(select(0i, _e2245, (_e2245 > 0i)))];
+let _e2254 = (_e2240 + 1i);
+let _e2256 = select(_e2147, _e2254, (_e2254 < _e2147));
+let _e2261 = global_2.member[bitcast<u32>(select(0i, _e2256, (_e2256 > 0i)))];
+let _e2268 = ((_e2250 >> bitcast<u32>((_e2243 & 31u))) | ((_e2261 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2243) & 31u))));
+let _e2269 = local_2.member_1[1u];
+let _e2275 = f32(bitcast<i32>(((_e2268 >> bitcast<u32>((_e2269 & 31u))) & 255u)));
+let _e2276 = local_2.member_1[2u];
+let _e2283 = local_3[0u];
+let _e2288 = local_3[1u];
+let _e2291 = (_e2235 + (((_e2275 + ((f32(bitcast<i32>(((_e2268 >> bitcast<u32>((_e2276 & 31u))) & 255u))) - _e2275) * _e2283)) - _e2235) * _e2288));
+let _e2293 = local_2.member[0u];
+let _e2294 = ((_e2168 + _e2163) + _e2293);
+let _e2296 = (_e2294 >> bitcast<u32>(2i));
+let _e2299 = bitcast<u32>(((_e2294 & 3i) * 8i));
+let _e2301 = select(_e2147, _e2296, (_e2296 < _e2147));
+let _e2306 = global_2.member[bitcast<u32>(select(0i, _e2301, (_e2301 > 0i)))];
+let _e2310 = (_e2296 + 1i);
+let _e2312 = select(_e2147, _e2310, (_e2310 < _e2147));
+let _e2317 = global_2.member[bitcast<u32>(select(0i, _e2312, (_e2312 > 0i)))];
+let _e2324 = ((_e2306 >> bitcast<u32>((_e2299 & 31u))) | ((_e2317 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2299) & 31u))));
+let _e2325 = local_2.member_1[1u];
+let _e2331 = f32(bitcast<i32>(((_e2324 >> bitcast<u32>((_e2325 & 31u))) & 255u)));
+let _e2332 = local_2.member_1[2u];
+let _e2339 = local_3[0u];
+let _e2342 = (_e2331 + ((f32(bitcast<i32>(((_e2324 >> bitcast<u32>((_e2332 & 31u))) & 255u))) - _e2331) * _e2339));
+let _e2344 = local_2.member[0u];
+let _e2345 = ((_e2168 + _e2165) + _e2344);
+let _e2347 = (_e2345 >> bitcast<u32>(2i));
+let _e2350 = bitcast<u32>(((_e2345 & 3i) * 8i));
+let _e2352 = select(_e2147, _e2347, (_e2347 < _e2147));
+let _e2357 = global_2.member[bitcast<u32>(select(0i, _e2352, (_e2352 > 0i)))];
+let _e2361 = (_e2347 + 1i);
+let _e2363 = select(_e2147, _e2361, (_e2361 < _e2147));
+let _e2368 = global_2.member[bitcast<u32>(select(0i, _e2363, (_e2363 > 0i)))];
+let _e2375 = ((_e2357 >> bitcast<u32>((_e2350 & 31u))) | ((_e2368 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2350) & 31u))));
+let _e2376 = local_2.member_1[1u];
+let _e2382 = f32(bitcast<i32>(((_e2375 >> bitcast<u32>((_e2376 & 31u))) & 255u)));
+let _e2383 = local_2.member_1[2u];
+let _e2390 = local_3[0u];
+let _e2394 = local_3[1u];
+let _e2399 = local_3[2u];
+let _e2406 = global_1.member.member_6.member_5;
+let _e2411 = global_1.member.member_6.member_6;
+let _e2412 = (((_e2291 + (((_e2342 + (((_e2382 + ((f32(bitcast<i32>(((_e2375 >> bitcast<u32>((_e2383 & 31u))) & 255u))) - _e2382) * _e2390)) - _e2342) * _e2394)) - _e2291) * _e2399)) * _e2406) + _e2411);
+let _e2414 = select(0f, _e2412, (_e2412 > 0f));
+phi_4532_ = type_30(select(1f, _e2414, (_e2414 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e2431 = phi_7157_;
-let _e2433 = select(-0.5f, _e403, (_e403 > -0.5f));
-let _e2435 = select(_e468, _e2433, (_e2433 < _e468));
-let _e2437 = select(-0.5f, _e421, (_e421 > -0.5f));
-let _e2439 = select(_e478, _e2437, (_e2437 < _e478));
-let _e2441 = select(-0.5f, _e439, (_e439 > -0.5f));
-let _e2443 = select(_e488, _e2441, (_e2441 < _e488));
-let _e2445 = select(-1f, _e2435, (_e2435 > -1f));
-let _e2447 = select(_e467, _e2445, (_e2445 < _e467));
-let _e2454 = select(0i, select(select(i32(_e2447), i32(-2147483648), (_e2447 < -2147483600f)), 2147483647i, (_e2447 > 2147483500f)), (_e2447 == _e2447));
-let _e2458 = (_e2454 - select(0i, 1i, (_e2447 < f32(_e2454))));
-let _e2460 = select(-1f, _e2439, (_e2439 > -1f));
-let _e2462 = select(_e477, _e2460, (_e2460 < _e477));
-let _e2469 = select(0i, select(select(i32(_e2462), i32(-2147483648), (_e2462 < -2147483600f)), 2147483647i, (_e2462 > 2147483500f)), (_e2462 == _e2462));
-let _e2473 = (_e2469 - select(0i, 1i, (_e2462 < f32(_e2469))));
-let _e2475 = select(-1f, _e2443, (_e2443 > -1f));
-let _e2477 = select(_e487, _e2475, (_e2475 < _e487));
-let _e2484 = select(0i, select(select(i32(_e2477), i32(-2147483648), (_e2477 < -2147483600f)), 2147483647i, (_e2477 > 2147483500f)), (_e2477 == _e2477));
-let _e2488 = (_e2484 - select(0i, 1i, (_e2477 < f32(_e2484))));
-let _e2493 = global_1.member.member_5.member_5[0u];
-let _e2498 = global_1.member.member_5.member_5[1u];
-let _e2499 = (_e2458 + 1i);
-let _e2500 = (_e2473 + 1i);
-let _e2501 = (_e2488 + 1i);
-let _e2508 = global_1.member.member_5.member_7[0u];
-let _e2515 = global_1.member.member_5.member_7[1u];
-let _e2521 = ((_e2499 >> bitcast<u32>(4i)) + (_e2508 * ((_e2500 >> bitcast<u32>(4i)) + (_e2515 * (_e2501 >> bitcast<u32>(4i))))));
-let _e2523 = (bitcast<i32>(_e94) - 1i);
-let _e2525 = select(_e2523, _e2521, (_e2521 < _e2523));
-let _e2531 = global_2.member[bitcast<u32>(select(0i, _e2525, (_e2525 > 0i)))];
-let _e2533 = (_e2499 & 15i);
-let _e2536 = ((_e2500 & 15i) * _e2493);
-let _e2538 = (bitcast<i32>(_e2531) + ((_e2501 & 15i) * _e2498));
-let _e2539 = (_e2536 + _e2493);
-let _e2541 = (_e2536 + (2i * _e2493));
-let _e2542 = (_e2538 + _e2498);
-let _e2544 = (_e2538 + (2i * _e2498));
-local = type_18(array<i32, 4>(_e2533, _e2533, _e2533, _e2533), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
-local_1 = vec3<f32>((_e2435 - f32(_e2458)), (_e2439 - f32(_e2473)), (_e2443 - f32(_e2488)));
-let _e2558 = local.member[0u];
-let _e2559 = ((_e2542 + _e2539) + _e2558);
-let _e2561 = (_e2559 >> bitcast<u32>(2i));
-let _e2564 = bitcast<u32>(((_e2559 & 3i) * 8i));
-let _e2566 = select(_e2523, _e2561, (_e2561 < _e2523));
-let _e2571 = global_2.member[bitcast<u32>(select(0i, _e2566, (_e2566 > 0i)))];
-let _e2575 = (_e2561 + 1i);
-let _e2577 = select(_e2523, _e2575, (_e2575 < _e2523));
-let _e2582 = global_2.member[bitcast<u32>(select(0i, _e2577, (_e2577 > 0i)))];
-let _e2589 = ((_e2571 >> bitcast<u32>((_e2564 & 31u))) | ((_e2582 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2564) & 31u))));
-let _e2592 = local.member_1[1u];
-let _e2598 = f32(bitcast<i32>(((_e2589 >> bitcast<u32>((_e2592 & 31u))) & 255u)));
-let _e2601 = local.member_1[2u];
-let _e2608 = local_1[0u];
-let _e2611 = (_e2598 + ((f32(bitcast<i32>(((_e2589 >> bitcast<u32>((_e2601 & 31u))) & 255u))) - _e2598) * _e2608));
-let _e2613 = local.member[0u];
-let _e2614 = ((_e2542 + _e2541) + _e2613);
-let _e2616 = (_e2614 >> bitcast<u32>(2i));
-let _e2619 = bitcast<u32>(((_e2614 & 3i) * 8i));
-let _e2621 = select(_e2523, _e2616, (_e2616 < _e2523));
-let _e2626 = global_2.member[bitcast<u32>(select(0i, _e2621, (_e2621 > 0i)))];
-let _e2630 = (_e2616 + 1i);
-let _e2632 = select(_e2523, _e2630, (_e2630 < _e2523));
-let _e2637 = global_2.member[bitcast<u32>(select(0i, _e2632, (_e2632 > 0i)))];
-let _e2644 = ((_e2626 >> bitcast<u32>((_e2619 & 31u))) | ((_e2637 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2619) & 31u))));
-let _e2645 = local.member_1[1u];
-let _e2651 = f32(bitcast<i32>(((_e2644 >> bitcast<u32>((_e2645 & 31u))) & 255u)));
-let _e2652 = local.member_1[2u];
-let _e2659 = local_1[0u];
-let _e2664 = local_1[1u];
-let _e2667 = (_e2611 + (((_e2651 + ((f32(bitcast<i32>(((_e2644 >> bitcast<u32>((_e2652 & 31u))) & 255u))) - _e2651) * _e2659)) - _e2611) * _e2664));
-let _e2669 = local.member[0u];
-let _e2670 = ((_e2544 + _e2539) + _e2669);
-let _e2672 = (_e2670 >> bitcast<u32>(2i));
-let _e2675 = bitcast<u32>(((_e2670 & 3i) * 8i));
-let _e2677 = select(_e2523, _e2672, (_e2672 < _e2523));
-let _e2682 = global_2.member[bitcast<u32>(select(0i, _e2677, (_e2677 > 0i)))];
-let _e2686 = (_e2672 + 1i);
-let _e2688 = select(_e2523, _e2686, (_e2686 < _e2523));
-let _e2693 = global_2.member[bitcast<u32>(select(0i, _e2688, (_e2688 > 0i)))];
-let _e2700 = ((_e2682 >> bitcast<u32>((_e2675 & 31u))) | ((_e2693 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2675) & 31u))));
-let _e2701 = local.member_1[1u];
-let _e2707 = f32(bitcast<i32>(((_e2700 >> bitcast<u32>((_e2701 & 31u))) & 255u)));
-let _e2708 = local.member_1[2u];
-let _e2715 = local_1[0u];
-let _e2718 = (_e2707 + ((f32(bitcast<i32>(((_e2700 >> bitcast<u32>((_e2708 & 31u))) & 255u))) - _e2707) * _e2715));
-let _e2720 = local.member[0u];
-let _e2721 = ((_e2544 + _e2541) + _e2720);
-let _e2723 = (_e2721 >> bitcast<u32>(2i));
-let _e2726 = bitcast<u32>(((_e2721 & 3i) * 8i));
-let _e2728 = select(_e2523, _e2723, (_e2723 < _e2523));
-let _e2733 = global_2.member[bitcast<u32>(select(0i, _e2728, (_e2728 > 0i)))];
-let _e2737 = (_e2723 + 1i);
-let _e2739 = select(_e2523, _e2737, (_e2737 < _e2523));
-let _e2744 = global_2.member[bitcast<u32>(select(0i, _e2739, (_e2739 > 0i)))];
-let _e2751 = ((_e2733 >> bitcast<u32>((_e2726 & 31u))) | ((_e2744 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2726) & 31u))));
-let _e2752 = local.member_1[1u];
-let _e2758 = f32(bitcast<i32>(((_e2751 >> bitcast<u32>((_e2752 & 31u))) & 255u)));
-let _e2759 = local.member_1[2u];
-let _e2766 = local_1[0u];
-let _e2770 = local_1[1u];
-let _e2775 = local_1[2u];
-let _e2783 = global_1.member.member_5.member_4.member;
-let _e2789 = global_1.member.member_5.member_4.member_1;
-let _e2790 = (((_e2667 + (((_e2718 + (((_e2758 + ((f32(bitcast<i32>(((_e2751 >> bitcast<u32>((_e2759 & 31u))) & 255u))) - _e2758) * _e2766)) - _e2718) * _e2770)) - _e2667) * _e2775)) * _e2783) + _e2789);
-let _e2792 = select(0f, _e2790, (_e2790 > 0f));
-if ((_e626 & 16u) == 0u) {
-phi_8679_ = type_21(1f, 1f, 1f);
+let _e2419 = phi_4532_;
+let _e2421 = select(-0.5f, _e396, (_e396 > -0.5f));
+let _e2423 = select(_e454, _e2421, (_e2421 < _e454));
+let _e2425 = select(-0.5f, _e411, (_e411 > -0.5f));
+let _e2427 = select(_e464, _e2425, (_e2425 < _e464));
+let _e2429 = select(-0.5f, _e426, (_e426 > -0.5f));
+let _e2431 = select(_e474, _e2429, (_e2429 < _e474));
+let _e2433 = select(-1f, _e2423, (_e2423 > -1f));
+let _e2435 = select(_e453, _e2433, (_e2433 < _e453));
+let _e2442 = select(0i, select(select(i32(_e2435), i32(-2147483648), (_e2435 < -2147483600f)), 2147483647i, (_e2435 > 2147483500f)), (_e2435 == _e2435));
+let _e2446 = (_e2442 - select(0i, 1i, (_e2435 < f32(_e2442))));
+let _e2448 = select(-1f, _e2427, (_e2427 > -1f));
+let _e2450 = select(_e463, _e2448, (_e2448 < _e463));
+let _e2457 = select(0i, select(select(i32(_e2450), i32(-2147483648), (_e2450 < -2147483600f)), 2147483647i, (_e2450 > 2147483500f)), (_e2450 == _e2450));
+let _e2461 = (_e2457 - select(0i, 1i, (_e2450 < f32(_e2457))));
+let _e2463 = select(-1f, _e2431, (_e2431 > -1f));
+let _e2465 = select(_e473, _e2463, (_e2463 < _e473));
+let _e2472 = select(0i, select(select(i32(_e2465), i32(-2147483648), (_e2465 < -2147483600f)), 2147483647i, (_e2465 > 2147483500f)), (_e2465 == _e2465));
+let _e2476 = (_e2472 - select(0i, 1i, (_e2465 < f32(_e2472))));
+let _e2480 = global_1.member.member_6.member_7;
+let _e2484 = global_1.member.member_6.member_8;
+let _e2485 = (_e2446 + 1i);
+let _e2486 = (_e2461 + 1i);
+let _e2487 = (_e2476 + 1i);
+let _e2492 = global_1.member.member_6.member_11.member;
+let _e2498 = global_1.member.member_6.member_11.member_1;
+let _e2509 = ((_e2485 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2492) * ((_e2486 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2498) * (_e2487 >> bitcast<u32>(4i))))));
+let _e2511 = (bitcast<i32>(_e93) - 1i);
+let _e2513 = select(_e2511, _e2509, (_e2509 < _e2511));
+let _e2519 = global_2.member[bitcast<u32>(select(0i, _e2513, (_e2513 > 0i)))];
+let _e2521 = (_e2485 & 15i);
+let _e2524 = ((_e2486 & 15i) * _e2480);
+let _e2526 = (bitcast<i32>(_e2519) + ((_e2487 & 15i) * _e2484));
+let _e2527 = (_e2524 + _e2480);
+let _e2529 = (_e2524 + (2i * _e2480));
+let _e2530 = (_e2526 + _e2484);
+let _e2532 = (_e2526 + (2i * _e2484));
+local = type_28(array<i32, 4>(_e2521, _e2521, _e2521, _e2521), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_1 = vec3<f32>((_e2423 - f32(_e2446)), (_e2427 - f32(_e2461)), (_e2431 - f32(_e2476)));
+let _e2546 = local.member[0u];
+let _e2547 = ((_e2530 + _e2527) + _e2546);
+let _e2549 = (_e2547 >> bitcast<u32>(2i));
+let _e2552 = bitcast<u32>(((_e2547 & 3i) * 8i));
+let _e2554 = select(_e2511, _e2549, (_e2549 < _e2511));
+let _e2559 = global_2.member[bitcast<u32>(select(0i, _e2554, (_e2554 > 0i)))];
+let _e2563 = (_e2549 + 1i);
+let _e2565 = select(_e2511, _e2563, (_e2563 < _e2511));
+let _e2570 = global_2.member[bitcast<u32>(select(0i, _e2565, (_e2565 > 0i)))];
+let _e2577 = ((_e2559 >> bitcast<u32>((_e2552 & 31u))) | ((_e2570 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2552) & 31u))));
+let _e2580 = local.member_1[1u];
+let _e2586 = f32(bitcast<i32>(((_e2577 >> bitcast<u32>((_e2580 & 31u))) & 255u)));
+let _e2589 = local.member_1[2u];
+let _e2596 = local_1[0u];
+let _e2599 = (_e2586 + ((f32(bitcast<i32>(((_e2577 >> bitcast<u32>((_e2589 & 31u))) & 255u))) - _e2586) * _e2596));
+let _e2601 = local.member[0u];
+let _e2602 = ((_e2530 + _e2529) + _e2601);
+let _e2604 = (_e2602 >> bitcast<u32>(2i));
+let _e2607 = bitcast<u32>(((_e2602 & 3i) * 8i));
+let _e2609 = select(_e2511, _e2604, (_e2604 < _e2511));
+let _e2614 = global_2.member[bitcast<u32>(select(0i, _e2609, (_e2609 > 0i)))];
+let _e2618 = (_e2604 + 1i);
+let _e2620 = select(_e2511, _e2618, (_e2618 < _e2511));
+let _e2625 = global_2.member[bitcast<u32>(select(0i, _e2620, (_e2620 > 0i)))];
+let _e2632 = ((_e2614 >> bitcast<u32>((_e2607 & 31u))) | ((_e2625 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2607) & 31u))));
+let _e2633 = local.member_1[1u];
+let _e2639 = f32(bitcast<i32>(((_e2632 >> bitcast<u32>((_e2633 & 31u))) & 255u)));
+let _e2640 = local.member_1[2u];
+let _e2647 = local_1[0u];
+let _e2652 = local_1[1u];
+let _e2655 = (_e2599 + (((_e2639 + ((f32(bitcast<i32>(((_e2632 >> bitcast<u32>((_e2640 & 31u))) & 255u))) - _e2639) * _e2647)) - _e2599) * _e2652));
+let _e2657 = local.member[0u];
+let _e2658 = ((_e2532 + _e2527) + _e2657);
+let _e2660 = (_e2658 >> bitcast<u32>(2i));
+let _e2663 = bitcast<u32>(((_e2658 & 3i) * 8i));
+let _e2665 = select(_e2511, _e2660, (_e2660 < _e2511));
+let _e2670 = global_2.member[bitcast<u32>(select(0i, _e2665, (_e2665 > 0i)))];
+let _e2674 = (_e2660 + 1i);
+let _e2676 = select(_e2511, _e2674, (_e2674 < _e2511));
+let _e2681 = global_2.member[bitcast<u32>(select(0i, _e2676, (_e2676 > 0i)))];
+let _e2688 = ((_e2670 >> bitcast<u32>((_e2663 & 31u))) | ((_e2681 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2663) & 31u))));
+let _e2689 = local.member_1[1u];
+let _e2695 = f32(bitcast<i32>(((_e2688 >> bitcast<u32>((_e2689 & 31u))) & 255u)));
+let _e2696 = local.member_1[2u];
+let _e2703 = local_1[0u];
+let _e2706 = (_e2695 + ((f32(bitcast<i32>(((_e2688 >> bitcast<u32>((_e2696 & 31u))) & 255u))) - _e2695) * _e2703));
+let _e2708 = local.member[0u];
+let _e2709 = ((_e2532 + _e2529) + _e2708);
+let _e2711 = (_e2709 >> bitcast<u32>(2i));
+let _e2714 = bitcast<u32>(((_e2709 & 3i) * 8i));
+let _e2716 = select(_e2511, _e2711, (_e2711 < _e2511));
+let _e2721 = global_2.member[bitcast<u32>(select(0i, _e2716, (_e2716 > 0i)))];
+let _e2725 = (_e2711 + 1i);
+let _e2727 = select(_e2511, _e2725, (_e2725 < _e2511));
+let _e2732 = global_2.member[bitcast<u32>(select(0i, _e2727, (_e2727 > 0i)))];
+let _e2739 = ((_e2721 >> bitcast<u32>((_e2714 & 31u))) | ((_e2732 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2714) & 31u))));
+let _e2740 = local.member_1[1u];
+let _e2746 = f32(bitcast<i32>(((_e2739 >> bitcast<u32>((_e2740 & 31u))) & 255u)));
+let _e2747 = local.member_1[2u];
+let _e2754 = local_1[0u];
+let _e2758 = local_1[1u];
+let _e2763 = local_1[2u];
+let _e2770 = global_1.member.member_6.member_5;
+let _e2775 = global_1.member.member_6.member_6;
+let _e2776 = (((_e2655 + (((_e2706 + (((_e2746 + ((f32(bitcast<i32>(((_e2739 >> bitcast<u32>((_e2747 & 31u))) & 255u))) - _e2746) * _e2754)) - _e2706) * _e2758)) - _e2655) * _e2763)) * _e2770) + _e2775);
+let _e2778 = select(0f, _e2776, (_e2776 > 0f));
+if ((_e612 & 16u) == 0u) {
+phi_5457_ = type_5(1f, 1f, 1f);
 } else {
-let _e2799 = global_1.member.member_18;
-let _e2803 = global_1.member.member_22.member;
-let _e2813 = ((((_e2799.member * _e311) + (_e2799.member_1 * _e320)) + (_e2799.member_2 * _e293)) + _e2799.member_3);
-let _e2819 = ((((_e2799.member * _e332) + (_e2799.member_1 * _e337)) + (_e2799.member_2 * _e326)) + _e2799.member_3);
-let _e2821 = select(_e2819, _e2813, (_e2813 < _e2819));
-let _e2823 = select(_e2819, _e2813, (_e2813 > _e2819));
-let _e2825 = (_e2823 - _e2821);
-let _e2828 = (-(_e2821) / select(1e-30f, _e2825, (_e2825 > 1e-30f)));
-let _e2830 = select(0f, _e2828, (_e2828 > 0f));
-let _e2836 = select(select(select(1f, _e2830, (_e2830 < 1f)), 1f, (_e2823 <= 0f)), 0f, (_e2821 > 0f));
-let _e2838 = (_e2803 > 0.5f);
-let _e2847 = global_1.member.member_19;
-let _e2851 = global_1.member.member_22.member_1;
-let _e2861 = ((((_e2847.member * _e311) + (_e2847.member_1 * _e320)) + (_e2847.member_2 * _e293)) + _e2847.member_3);
-let _e2867 = ((((_e2847.member * _e332) + (_e2847.member_1 * _e337)) + (_e2847.member_2 * _e326)) + _e2847.member_3);
-let _e2869 = select(_e2867, _e2861, (_e2861 < _e2867));
-let _e2871 = select(_e2867, _e2861, (_e2861 > _e2867));
-let _e2873 = (_e2871 - _e2869);
-let _e2876 = (-(_e2869) / select(1e-30f, _e2873, (_e2873 > 1e-30f)));
-let _e2878 = select(0f, _e2876, (_e2876 > 0f));
-let _e2884 = select(select(select(1f, _e2878, (_e2878 < 1f)), 1f, (_e2871 <= 0f)), 0f, (_e2869 > 0f));
-let _e2886 = (_e2851 > 0.5f);
-let _e2895 = global_1.member.member_20;
-let _e2899 = global_1.member.member_22.member_2;
-let _e2909 = ((((_e2895.member * _e311) + (_e2895.member_1 * _e320)) + (_e2895.member_2 * _e293)) + _e2895.member_3);
-let _e2915 = ((((_e2895.member * _e332) + (_e2895.member_1 * _e337)) + (_e2895.member_2 * _e326)) + _e2895.member_3);
-let _e2917 = select(_e2915, _e2909, (_e2909 < _e2915));
-let _e2919 = select(_e2915, _e2909, (_e2909 > _e2915));
-let _e2921 = (_e2919 - _e2917);
-let _e2924 = (-(_e2917) / select(1e-30f, _e2921, (_e2921 > 1e-30f)));
-let _e2926 = select(0f, _e2924, (_e2924 > 0f));
-let _e2932 = select(select(select(1f, _e2926, (_e2926 < 1f)), 1f, (_e2919 <= 0f)), 0f, (_e2917 > 0f));
-let _e2934 = (_e2899 > 0.5f);
-let _e2943 = global_1.member.member_21;
-let _e2947 = global_1.member.member_22.member_3;
-let _e2957 = ((((_e2943.member * _e311) + (_e2943.member_1 * _e320)) + (_e2943.member_2 * _e293)) + _e2943.member_3);
-let _e2963 = ((((_e2943.member * _e332) + (_e2943.member_1 * _e337)) + (_e2943.member_2 * _e326)) + _e2943.member_3);
-let _e2965 = select(_e2963, _e2957, (_e2957 < _e2963));
-let _e2967 = select(_e2963, _e2957, (_e2957 > _e2963));
-let _e2969 = (_e2967 - _e2965);
-let _e2972 = (-(_e2965) / select(1e-30f, _e2969, (_e2969 > 1e-30f)));
-let _e2974 = select(0f, _e2972, (_e2972 > 0f));
-let _e2980 = select(select(select(1f, _e2974, (_e2974 < 1f)), 1f, (_e2967 <= 0f)), 0f, (_e2965 > 0f));
-let _e2982 = (_e2947 > 0.5f);
-phi_8679_ = type_21(((((1f * _e2836) * _e2884) * _e2932) * _e2980), ((((1f * select(1f, _e2836, _e2838)) * select(1f, _e2884, _e2886)) * select(1f, _e2932, _e2934)) * select(1f, _e2980, _e2982)), ((((1f * select(1f, 0f, (_e2838 && (_e2819 > 0f)))) * select(1f, 0f, (_e2886 && (_e2867 > 0f)))) * select(1f, 0f, (_e2934 && (_e2915 > 0f)))) * select(1f, 0f, (_e2982 && (_e2963 > 0f)))));
+let _e2786 = global_1.member.member_14.member;
+let _e2797 = ((((_e2786.member.member * _e307) + (_e2786.member.member_1 * _e316)) + (_e2786.member.member_2 * _e289)) + _e2786.member_1);
+let _e2803 = ((((_e2786.member.member * _e328) + (_e2786.member.member_1 * _e333)) + (_e2786.member.member_2 * _e322)) + _e2786.member_1);
+let _e2805 = select(_e2803, _e2797, (_e2797 < _e2803));
+let _e2807 = select(_e2803, _e2797, (_e2797 > _e2803));
+let _e2809 = (_e2807 - _e2805);
+let _e2812 = (-(_e2805) / select(1e-30f, _e2809, (_e2809 > 1e-30f)));
+let _e2814 = select(0f, _e2812, (_e2812 > 0f));
+let _e2820 = select(select(select(1f, _e2814, (_e2814 < 1f)), 1f, (_e2807 <= 0f)), 0f, (_e2805 > 0f));
+let _e2825 = global_1.member.member_14.member_1;
+let _e2826 = (_e2825 != 0u);
+let _e2836 = global_1.member.member_15.member;
+let _e2847 = ((((_e2836.member.member * _e307) + (_e2836.member.member_1 * _e316)) + (_e2836.member.member_2 * _e289)) + _e2836.member_1);
+let _e2853 = ((((_e2836.member.member * _e328) + (_e2836.member.member_1 * _e333)) + (_e2836.member.member_2 * _e322)) + _e2836.member_1);
+let _e2855 = select(_e2853, _e2847, (_e2847 < _e2853));
+let _e2857 = select(_e2853, _e2847, (_e2847 > _e2853));
+let _e2859 = (_e2857 - _e2855);
+let _e2862 = (-(_e2855) / select(1e-30f, _e2859, (_e2859 > 1e-30f)));
+let _e2864 = select(0f, _e2862, (_e2862 > 0f));
+let _e2870 = select(select(select(1f, _e2864, (_e2864 < 1f)), 1f, (_e2857 <= 0f)), 0f, (_e2855 > 0f));
+let _e2875 = global_1.member.member_15.member_1;
+let _e2876 = (_e2875 != 0u);
+let _e2886 = global_1.member.member_16.member;
+let _e2897 = ((((_e2886.member.member * _e307) + (_e2886.member.member_1 * _e316)) + (_e2886.member.member_2 * _e289)) + _e2886.member_1);
+let _e2903 = ((((_e2886.member.member * _e328) + (_e2886.member.member_1 * _e333)) + (_e2886.member.member_2 * _e322)) + _e2886.member_1);
+let _e2905 = select(_e2903, _e2897, (_e2897 < _e2903));
+let _e2907 = select(_e2903, _e2897, (_e2897 > _e2903));
+let _e2909 = (_e2907 - _e2905);
+let _e2912 = (-(_e2905) / select(1e-30f, _e2909, (_e2909 > 1e-30f)));
+let _e2914 = select(0f, _e2912, (_e2912 > 0f));
+let _e2920 = select(select(select(1f, _e2914, (_e2914 < 1f)), 1f, (_e2907 <= 0f)), 0f, (_e2905 > 0f));
+let _e2925 = global_1.member.member_16.member_1;
+let _e2926 = (_e2925 != 0u);
+let _e2936 = global_1.member.member_17.member;
+let _e2947 = ((((_e2936.member.member * _e307) + (_e2936.member.member_1 * _e316)) + (_e2936.member.member_2 * _e289)) + _e2936.member_1);
+let _e2953 = ((((_e2936.member.member * _e328) + (_e2936.member.member_1 * _e333)) + (_e2936.member.member_2 * _e322)) + _e2936.member_1);
+let _e2955 = select(_e2953, _e2947, (_e2947 < _e2953));
+let _e2957 = select(_e2953, _e2947, (_e2947 > _e2953));
+let _e2959 = (_e2957 - _e2955);
+let _e2962 = (-(_e2955) / select(1e-30f, _e2959, (_e2959 > 1e-30f)));
+let _e2964 = select(0f, _e2962, (_e2962 > 0f));
+let _e2970 = select(select(select(1f, _e2964, (_e2964 < 1f)), 1f, (_e2957 <= 0f)), 0f, (_e2955 > 0f));
+let _e2975 = global_1.member.member_17.member_1;
+let _e2976 = (_e2975 != 0u);
+phi_5457_ = type_5(((((1f * _e2820) * _e2870) * _e2920) * _e2970), ((((1f * select(1f, _e2820, _e2826)) * select(1f, _e2870, _e2876)) * select(1f, _e2920, _e2926)) * select(1f, _e2970, _e2976)), ((((1f * select(1f, 0f, (_e2826 && (_e2803 > 0f)))) * select(1f, 0f, (_e2876 && (_e2853 > 0f)))) * select(1f, 0f, (_e2926 && (_e2903 > 0f)))) * select(1f, 0f, (_e2976 && (_e2953 > 0f)))));
 }
-let _e2991 = phi_8679_;
-let _e2992 = (_e332 - _e311);
-let _e2993 = (_e337 - _e320);
-let _e2994 = (_e326 - _e293);
-let _e2999 = (((_e2992 * _e2992) + (_e2993 * _e2993)) + (_e2994 * _e2994));
-let _e3003 = (_e498 < 1e-12f);
-let _e3005 = (1f / select(_e493, 1f, _e3003));
-let _e3007 = ((-0.5f - _e403) * _e3005);
-let _e3009 = ((_e468 - _e403) * _e3005);
-let _e3015 = select(_e3009, _e3007, (_e3007 < _e3009));
-let _e3017 = select(0f, _e3015, (_e3015 > 0f));
-let _e3020 = select(select(1f, _e3017, (_e3017 < 1f)), select(2f, 0f, ((_e403 >= -0.5f) && (_e403 <= _e468))), _e3003);
-let _e3022 = select(_e3009, _e3007, (_e3007 > _e3009));
-let _e3024 = select(0f, _e3022, (_e3022 > 0f));
-let _e3027 = select(select(1f, _e3024, (_e3024 < 1f)), 1f, _e3003);
-let _e3028 = (_e501 < 1e-12f);
-let _e3030 = (1f / select(_e494, 1f, _e3028));
-let _e3032 = ((-0.5f - _e421) * _e3030);
-let _e3034 = ((_e478 - _e421) * _e3030);
-let _e3040 = select(_e3034, _e3032, (_e3032 < _e3034));
-let _e3042 = select(0f, _e3040, (_e3040 > 0f));
-let _e3045 = select(select(1f, _e3042, (_e3042 < 1f)), select(2f, 0f, ((_e421 >= -0.5f) && (_e421 <= _e478))), _e3028);
-let _e3047 = select(_e3034, _e3032, (_e3032 > _e3034));
-let _e3049 = select(0f, _e3047, (_e3047 > 0f));
-let _e3052 = select(select(1f, _e3049, (_e3049 < 1f)), 1f, _e3028);
-let _e3053 = (_e506 < 1e-12f);
-let _e3055 = (1f / select(_e495, 1f, _e3053));
-let _e3057 = ((-0.5f - _e439) * _e3055);
-let _e3059 = ((_e488 - _e439) * _e3055);
-let _e3065 = select(_e3059, _e3057, (_e3057 < _e3059));
-let _e3067 = select(0f, _e3065, (_e3065 > 0f));
-let _e3070 = select(select(1f, _e3067, (_e3067 < 1f)), select(2f, 0f, ((_e439 >= -0.5f) && (_e439 <= _e488))), _e3053);
-let _e3072 = select(_e3059, _e3057, (_e3057 > _e3059));
-let _e3074 = select(0f, _e3072, (_e3072 > 0f));
-let _e3077 = select(select(1f, _e3074, (_e3074 < 1f)), 1f, _e3053);
-let _e3079 = select(_e3052, _e3027, (_e3027 < _e3052));
-let _e3083 = select(_e3045, _e3020, (_e3020 > _e3045));
-let _e3086 = (select(_e3077, _e3079, (_e3079 < _e3077)) - select(_e3070, _e3083, (_e3083 > _e3070)));
-let _e3093 = global_1.member.member_4.member_3;
-let _e3094 = ((sqrt(select(0f, _e2999, (_e2999 > 0f))) * select(0f, _e3086, (_e3086 > 0f))) * _e3093);
-let _e3096 = (select(1f, _e2792, (_e2792 < 1f)) * 255f);
-let _e3097 = (_e2431.member * 255f);
-let _e3098 = (255f - 1f);
-let _e3100 = select(0f, _e3096, (_e3096 > 0f));
-let _e3102 = select(_e3098, _e3100, (_e3100 < _e3098));
-let _e3109 = select(0i, select(select(i32(_e3102), i32(-2147483648), (_e3102 < -2147483600f)), 2147483647i, (_e3102 > 2147483500f)), (_e3102 == _e3102));
-let _e3113 = (_e3109 - select(0i, 1i, (_e3102 < f32(_e3109))));
-let _e3115 = select(0f, _e3097, (_e3097 > 0f));
-let _e3117 = select(_e3098, _e3115, (_e3115 < _e3098));
-let _e3124 = select(0i, select(select(i32(_e3117), i32(-2147483648), (_e3117 < -2147483600f)), 2147483647i, (_e3117 > 2147483500f)), (_e3117 == _e3117));
-let _e3128 = (_e3124 - select(0i, 1i, (_e3117 < f32(_e3124))));
-let _e3131 = (((_e3113 * 256i) + _e3128) * 4i);
-let _e3133 = (_e3096 - f32(_e3113));
-let _e3135 = (_e3097 - f32(_e3128));
-let _e3137 = (bitcast<i32>(_e98) - 1i);
-let _e3139 = select(_e3137, _e3131, (_e3131 < _e3137));
-let _e3145 = global_4.member[bitcast<u32>(select(0i, _e3139, (_e3139 > 0i)))];
-let _e3146 = (_e3131 + 4i);
-let _e3148 = select(_e3137, _e3146, (_e3146 < _e3137));
-let _e3154 = global_4.member[bitcast<u32>(select(0i, _e3148, (_e3148 > 0i)))];
-let _e3155 = (_e3131 + 1024i);
-let _e3157 = select(_e3137, _e3155, (_e3155 < _e3137));
-let _e3163 = global_4.member[bitcast<u32>(select(0i, _e3157, (_e3157 > 0i)))];
-let _e3164 = (_e3131 + 1028i);
-let _e3166 = select(_e3137, _e3164, (_e3164 < _e3137));
-let _e3172 = global_4.member[bitcast<u32>(select(0i, _e3166, (_e3166 > 0i)))];
-let _e3177 = (bitcast<f32>(((_e3145 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3185 = (_e3177 + (((bitcast<f32>(((_e3154 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3177) * _e3135));
-let _e3190 = (bitcast<f32>(((_e3163 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3214 = (bitcast<f32>((((_e3145 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3222 = (_e3214 + (((bitcast<f32>((((_e3154 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3214) * _e3135));
-let _e3227 = (bitcast<f32>((((_e3163 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3239 = (_e3131 + 1i);
-let _e3241 = select(_e3137, _e3239, (_e3239 < _e3137));
-let _e3247 = global_4.member[bitcast<u32>(select(0i, _e3241, (_e3241 > 0i)))];
-let _e3248 = (_e3131 + 5i);
-let _e3250 = select(_e3137, _e3248, (_e3248 < _e3137));
-let _e3256 = global_4.member[bitcast<u32>(select(0i, _e3250, (_e3250 > 0i)))];
-let _e3257 = (_e3131 + 1025i);
-let _e3259 = select(_e3137, _e3257, (_e3257 < _e3137));
-let _e3265 = global_4.member[bitcast<u32>(select(0i, _e3259, (_e3259 > 0i)))];
-let _e3266 = (_e3131 + 1029i);
-let _e3268 = select(_e3137, _e3266, (_e3266 < _e3137));
-let _e3274 = global_4.member[bitcast<u32>(select(0i, _e3268, (_e3268 > 0i)))];
-let _e3279 = (bitcast<f32>(((_e3247 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3287 = (_e3279 + (((bitcast<f32>(((_e3256 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3279) * _e3135));
-let _e3292 = (bitcast<f32>(((_e3265 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3316 = (bitcast<f32>((((_e3247 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3324 = (_e3316 + (((bitcast<f32>((((_e3256 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3316) * _e3135));
-let _e3329 = (bitcast<f32>((((_e3265 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3344 = (_e3094 * _e2991.member_1);
-let _e3346 = -(((_e3222 + (((_e3227 + (((bitcast<f32>((((_e3172 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3227) * _e3135)) - _e3222) * _e3133)) * _e3344));
-let _e3348 = select(-87f, _e3346, (_e3346 > -87f));
-let _e3350 = select(88f, _e3348, (_e3348 < 88f));
-let _e3352 = ((_e3350 * 1.442695f) + 0.5f);
-let _e3354 = select(-127f, _e3352, (_e3352 > -127f));
-let _e3356 = select(128f, _e3354, (_e3354 < 128f));
-let _e3363 = select(0i, select(select(i32(_e3356), i32(-2147483648), (_e3356 < -2147483600f)), 2147483647i, (_e3356 > 2147483500f)), (_e3356 == _e3356));
-let _e3367 = (_e3363 - select(0i, 1i, (_e3356 < f32(_e3363))));
-let _e3368 = f32(_e3367);
-let _e3372 = ((_e3350 - (_e3368 * 0.6933594f)) - (_e3368 * -2.1219444e-4f));
-let _e3394 = -(((_e3287 + (((_e3292 + (((bitcast<f32>(((_e3274 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3292) * _e3135)) - _e3287) * _e3133)) * _e3344));
-let _e3396 = select(-87f, _e3394, (_e3394 > -87f));
-let _e3398 = select(88f, _e3396, (_e3396 < 88f));
-let _e3400 = ((_e3398 * 1.442695f) + 0.5f);
-let _e3402 = select(-127f, _e3400, (_e3400 > -127f));
-let _e3404 = select(128f, _e3402, (_e3402 < 128f));
-let _e3411 = select(0i, select(select(i32(_e3404), i32(-2147483648), (_e3404 < -2147483600f)), 2147483647i, (_e3404 > 2147483500f)), (_e3404 == _e3404));
-let _e3415 = (_e3411 - select(0i, 1i, (_e3404 < f32(_e3411))));
-let _e3416 = f32(_e3415);
-let _e3420 = ((_e3398 - (_e3416 * 0.6933594f)) - (_e3416 * -2.1219444e-4f));
-let _e3442 = -(((_e3324 + (((_e3329 + (((bitcast<f32>((((_e3274 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3329) * _e3135)) - _e3324) * _e3133)) * _e3344));
-let _e3444 = select(-87f, _e3442, (_e3442 > -87f));
-let _e3446 = select(88f, _e3444, (_e3444 < 88f));
-let _e3448 = ((_e3446 * 1.442695f) + 0.5f);
-let _e3450 = select(-127f, _e3448, (_e3448 > -127f));
-let _e3452 = select(128f, _e3450, (_e3450 < 128f));
-let _e3459 = select(0i, select(select(i32(_e3452), i32(-2147483648), (_e3452 < -2147483600f)), 2147483647i, (_e3452 > 2147483500f)), (_e3452 == _e3452));
-let _e3463 = (_e3459 - select(0i, 1i, (_e3452 < f32(_e3459))));
-let _e3464 = f32(_e3463);
-let _e3468 = ((_e3446 - (_e3464 * 0.6933594f)) - (_e3464 * -2.1219444e-4f));
-let _e3490 = -(((_e3185 + (((_e3190 + (((bitcast<f32>(((_e3172 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3190) * _e3135)) - _e3185) * _e3133)) * (_e3094 * _e2991.member)));
-let _e3492 = select(-87f, _e3490, (_e3490 > -87f));
-let _e3494 = select(88f, _e3492, (_e3492 < 88f));
-let _e3496 = ((_e3494 * 1.442695f) + 0.5f);
-let _e3498 = select(-127f, _e3496, (_e3496 > -127f));
-let _e3500 = select(128f, _e3498, (_e3498 < 128f));
-let _e3507 = select(0i, select(select(i32(_e3500), i32(-2147483648), (_e3500 < -2147483600f)), 2147483647i, (_e3500 > 2147483500f)), (_e3500 == _e3500));
-let _e3511 = (_e3507 - select(0i, 1i, (_e3500 < f32(_e3507))));
-let _e3512 = f32(_e3511);
-let _e3516 = ((_e3494 - (_e3512 * 0.6933594f)) - (_e3512 * -2.1219444e-4f));
-let _e3536 = ((1f + (_e3516 * (1f + (_e3516 * (0.5f + (_e3516 * (0.16666667f + (_e3516 * (0.041666668f + (_e3516 * (0.008333334f + (_e3516 * (0.001388889f + (_e3516 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3511 + 127i)) << bitcast<u32>(23i))));
-if _e646 {
-let _e3551 = global_1.member.member_24.member_2;
-let _e3554 = (_e2431.member_3.x * _e2991.member_2);
-let _e3556 = (_e2431.member_3.y * _e2991.member_2);
-let _e3558 = (_e2431.member_3.z * _e2991.member_2);
-let _e3559 = (0.5f * (_e250 / _e202));
-let _e3563 = (_e180 + (_e3554 * _e3559));
-let _e3564 = (_e191 + (_e3556 * _e3559));
-let _e3565 = (_e202 + (_e3558 * _e3559));
-let _e3567 = (2f * _e250);
-let _e3569 = ((_e3565 * _e3565) + (_e3567 * _e3558));
-let _e3573 = (_e3565 + sqrt(select(0f, _e3569, (_e3569 > 0f))));
-let _e3577 = (0.5f * (_e3567 / select(1e-6f, _e3573, (_e3573 > 1e-6f))));
-let _e3581 = (_e3563 + (_e3554 * _e3577));
-let _e3582 = (_e3564 + (_e3556 * _e3577));
-let _e3583 = (_e3565 + (_e3558 * _e3577));
-let _e3587 = (_e3551 * _e3551);
-let _e3589 = (_e3583 * _e3583);
-let _e3597 = (((_e3565 <= 0f) || (_e3569 <= 0f)) || ((_e3583 <= 0f) || (_e3589 <= (_e3587 * (((_e3581 * _e3581) + (_e3582 * _e3582)) + _e3589)))));
-let _e3611 = (_e180 + ((_e2431.member_4.x * _e2991.member_2) * _e250));
-let _e3612 = (_e191 + ((_e2431.member_4.y * _e2991.member_2) * _e250));
-let _e3613 = (_e202 + ((_e2431.member_4.z * _e2991.member_2) * _e250));
-let _e3615 = (_e3613 * _e3613);
-let _e3624 = ((_e626 & 1u) != 0u);
-phi_9703_ = select(select(select(_e3583, _e3565, _e3597), _e3613, _e3624), _e202, _e633);
-phi_9704_ = select(select(select(_e3582, _e3564, _e3597), _e3612, _e3624), _e191, _e633);
-phi_9705_ = select(select(select(_e3581, _e3563, _e3597), _e3611, _e3624), _e180, _e633);
-phi_9706_ = (select(_e3597, ((_e3613 <= 0f) || (_e3615 <= (_e3587 * (((_e3611 * _e3611) + (_e3612 * _e3612)) + _e3615)))), _e3624) && !(_e633));
+let _e2985 = phi_5457_;
+let _e2986 = (_e328 - _e307);
+let _e2987 = (_e333 - _e316);
+let _e2988 = (_e322 - _e289);
+let _e2993 = (((_e2986 * _e2986) + (_e2987 * _e2987)) + (_e2988 * _e2988));
+let _e2997 = (_e484 < 1e-12f);
+let _e2999 = (1f / select(_e479, 1f, _e2997));
+let _e3001 = ((-0.5f - _e396) * _e2999);
+let _e3003 = ((_e454 - _e396) * _e2999);
+let _e3009 = select(_e3003, _e3001, (_e3001 < _e3003));
+let _e3011 = select(0f, _e3009, (_e3009 > 0f));
+let _e3014 = select(select(1f, _e3011, (_e3011 < 1f)), select(2f, 0f, ((_e396 >= -0.5f) && (_e396 <= _e454))), _e2997);
+let _e3016 = select(_e3003, _e3001, (_e3001 > _e3003));
+let _e3018 = select(0f, _e3016, (_e3016 > 0f));
+let _e3021 = select(select(1f, _e3018, (_e3018 < 1f)), 1f, _e2997);
+let _e3022 = (_e487 < 1e-12f);
+let _e3024 = (1f / select(_e480, 1f, _e3022));
+let _e3026 = ((-0.5f - _e411) * _e3024);
+let _e3028 = ((_e464 - _e411) * _e3024);
+let _e3034 = select(_e3028, _e3026, (_e3026 < _e3028));
+let _e3036 = select(0f, _e3034, (_e3034 > 0f));
+let _e3039 = select(select(1f, _e3036, (_e3036 < 1f)), select(2f, 0f, ((_e411 >= -0.5f) && (_e411 <= _e464))), _e3022);
+let _e3041 = select(_e3028, _e3026, (_e3026 > _e3028));
+let _e3043 = select(0f, _e3041, (_e3041 > 0f));
+let _e3046 = select(select(1f, _e3043, (_e3043 < 1f)), 1f, _e3022);
+let _e3047 = (_e492 < 1e-12f);
+let _e3049 = (1f / select(_e481, 1f, _e3047));
+let _e3051 = ((-0.5f - _e426) * _e3049);
+let _e3053 = ((_e474 - _e426) * _e3049);
+let _e3059 = select(_e3053, _e3051, (_e3051 < _e3053));
+let _e3061 = select(0f, _e3059, (_e3059 > 0f));
+let _e3064 = select(select(1f, _e3061, (_e3061 < 1f)), select(2f, 0f, ((_e426 >= -0.5f) && (_e426 <= _e474))), _e3047);
+let _e3066 = select(_e3053, _e3051, (_e3051 > _e3053));
+let _e3068 = select(0f, _e3066, (_e3066 > 0f));
+let _e3071 = select(select(1f, _e3068, (_e3068 < 1f)), 1f, _e3047);
+let _e3073 = select(_e3046, _e3021, (_e3021 < _e3046));
+let _e3077 = select(_e3039, _e3014, (_e3014 > _e3039));
+let _e3080 = (select(_e3071, _e3073, (_e3073 < _e3071)) - select(_e3064, _e3077, (_e3077 > _e3064)));
+let _e3087 = global_1.member.member_5.member_3;
+let _e3088 = ((sqrt(select(0f, _e2993, (_e2993 > 0f))) * select(0f, _e3080, (_e3080 > 0f))) * _e3087);
+let _e3090 = (select(1f, _e2778, (_e2778 < 1f)) * 255f);
+let _e3091 = (_e2419.member * 255f);
+let _e3092 = (255f - 1f);
+let _e3094 = select(0f, _e3090, (_e3090 > 0f));
+let _e3096 = select(_e3092, _e3094, (_e3094 < _e3092));
+let _e3103 = select(0i, select(select(i32(_e3096), i32(-2147483648), (_e3096 < -2147483600f)), 2147483647i, (_e3096 > 2147483500f)), (_e3096 == _e3096));
+let _e3107 = (_e3103 - select(0i, 1i, (_e3096 < f32(_e3103))));
+let _e3109 = select(0f, _e3091, (_e3091 > 0f));
+let _e3111 = select(_e3092, _e3109, (_e3109 < _e3092));
+let _e3118 = select(0i, select(select(i32(_e3111), i32(-2147483648), (_e3111 < -2147483600f)), 2147483647i, (_e3111 > 2147483500f)), (_e3111 == _e3111));
+let _e3122 = (_e3118 - select(0i, 1i, (_e3111 < f32(_e3118))));
+let _e3125 = (((_e3107 * 256i) + _e3122) * 4i);
+let _e3127 = (_e3090 - f32(_e3107));
+let _e3129 = (_e3091 - f32(_e3122));
+let _e3131 = (bitcast<i32>(_e97) - 1i);
+let _e3133 = select(_e3131, _e3125, (_e3125 < _e3131));
+let _e3139 = global_4.member[bitcast<u32>(select(0i, _e3133, (_e3133 > 0i)))];
+let _e3140 = (_e3125 + 4i);
+let _e3142 = select(_e3131, _e3140, (_e3140 < _e3131));
+let _e3148 = global_4.member[bitcast<u32>(select(0i, _e3142, (_e3142 > 0i)))];
+let _e3149 = (_e3125 + 1024i);
+let _e3151 = select(_e3131, _e3149, (_e3149 < _e3131));
+let _e3157 = global_4.member[bitcast<u32>(select(0i, _e3151, (_e3151 > 0i)))];
+let _e3158 = (_e3125 + 1028i);
+let _e3160 = select(_e3131, _e3158, (_e3158 < _e3131));
+let _e3166 = global_4.member[bitcast<u32>(select(0i, _e3160, (_e3160 > 0i)))];
+let _e3171 = (bitcast<f32>(((_e3139 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3179 = (_e3171 + (((bitcast<f32>(((_e3148 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3171) * _e3129));
+let _e3184 = (bitcast<f32>(((_e3157 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3208 = (bitcast<f32>((((_e3139 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3216 = (_e3208 + (((bitcast<f32>((((_e3148 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3208) * _e3129));
+let _e3221 = (bitcast<f32>((((_e3157 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3233 = (_e3125 + 1i);
+let _e3235 = select(_e3131, _e3233, (_e3233 < _e3131));
+let _e3241 = global_4.member[bitcast<u32>(select(0i, _e3235, (_e3235 > 0i)))];
+let _e3242 = (_e3125 + 5i);
+let _e3244 = select(_e3131, _e3242, (_e3242 < _e3131));
+let _e3250 = global_4.member[bitcast<u32>(select(0i, _e3244, (_e3244 > 0i)))];
+let _e3251 = (_e3125 + 1025i);
+let _e3253 = select(_e3131, _e3251, (_e3251 < _e3131));
+let _e3259 = global_4.member[bitcast<u32>(select(0i, _e3253, (_e3253 > 0i)))];
+let _e3260 = (_e3125 + 1029i);
+let _e3262 = select(_e3131, _e3260, (_e3260 < _e3131));
+let _e3268 = global_4.member[bitcast<u32>(select(0i, _e3262, (_e3262 > 0i)))];
+let _e3273 = (bitcast<f32>(((_e3241 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3281 = (_e3273 + (((bitcast<f32>(((_e3250 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3273) * _e3129));
+let _e3286 = (bitcast<f32>(((_e3259 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3310 = (bitcast<f32>((((_e3241 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3318 = (_e3310 + (((bitcast<f32>((((_e3250 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3310) * _e3129));
+let _e3323 = (bitcast<f32>((((_e3259 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3338 = (_e3088 * _e2985.member_1);
+let _e3340 = -(((_e3216 + (((_e3221 + (((bitcast<f32>((((_e3166 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3221) * _e3129)) - _e3216) * _e3127)) * _e3338));
+let _e3342 = select(-87f, _e3340, (_e3340 > -87f));
+let _e3344 = select(88f, _e3342, (_e3342 < 88f));
+let _e3346 = ((_e3344 * 1.442695f) + 0.5f);
+let _e3348 = select(-127f, _e3346, (_e3346 > -127f));
+let _e3350 = select(128f, _e3348, (_e3348 < 128f));
+let _e3357 = select(0i, select(select(i32(_e3350), i32(-2147483648), (_e3350 < -2147483600f)), 2147483647i, (_e3350 > 2147483500f)), (_e3350 == _e3350));
+let _e3361 = (_e3357 - select(0i, 1i, (_e3350 < f32(_e3357))));
+let _e3362 = f32(_e3361);
+let _e3366 = ((_e3344 - (_e3362 * 0.6933594f)) - (_e3362 * -2.1219444e-4f));
+let _e3388 = -(((_e3281 + (((_e3286 + (((bitcast<f32>(((_e3268 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3286) * _e3129)) - _e3281) * _e3127)) * _e3338));
+let _e3390 = select(-87f, _e3388, (_e3388 > -87f));
+let _e3392 = select(88f, _e3390, (_e3390 < 88f));
+let _e3394 = ((_e3392 * 1.442695f) + 0.5f);
+let _e3396 = select(-127f, _e3394, (_e3394 > -127f));
+let _e3398 = select(128f, _e3396, (_e3396 < 128f));
+let _e3405 = select(0i, select(select(i32(_e3398), i32(-2147483648), (_e3398 < -2147483600f)), 2147483647i, (_e3398 > 2147483500f)), (_e3398 == _e3398));
+let _e3409 = (_e3405 - select(0i, 1i, (_e3398 < f32(_e3405))));
+let _e3410 = f32(_e3409);
+let _e3414 = ((_e3392 - (_e3410 * 0.6933594f)) - (_e3410 * -2.1219444e-4f));
+let _e3436 = -(((_e3318 + (((_e3323 + (((bitcast<f32>((((_e3268 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3323) * _e3129)) - _e3318) * _e3127)) * _e3338));
+let _e3438 = select(-87f, _e3436, (_e3436 > -87f));
+let _e3440 = select(88f, _e3438, (_e3438 < 88f));
+let _e3442 = ((_e3440 * 1.442695f) + 0.5f);
+let _e3444 = select(-127f, _e3442, (_e3442 > -127f));
+let _e3446 = select(128f, _e3444, (_e3444 < 128f));
+let _e3453 = select(0i, select(select(i32(_e3446), i32(-2147483648), (_e3446 < -2147483600f)), 2147483647i, (_e3446 > 2147483500f)), (_e3446 == _e3446));
+let _e3457 = (_e3453 - select(0i, 1i, (_e3446 < f32(_e3453))));
+let _e3458 = f32(_e3457);
+let _e3462 = ((_e3440 - (_e3458 * 0.6933594f)) - (_e3458 * -2.1219444e-4f));
+let _e3484 = -(((_e3179 + (((_e3184 + (((bitcast<f32>(((_e3166 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3184) * _e3129)) - _e3179) * _e3127)) * (_e3088 * _e2985.member)));
+let _e3486 = select(-87f, _e3484, (_e3484 > -87f));
+let _e3488 = select(88f, _e3486, (_e3486 < 88f));
+let _e3490 = ((_e3488 * 1.442695f) + 0.5f);
+let _e3492 = select(-127f, _e3490, (_e3490 > -127f));
+let _e3494 = select(128f, _e3492, (_e3492 < 128f));
+let _e3501 = select(0i, select(select(i32(_e3494), i32(-2147483648), (_e3494 < -2147483600f)), 2147483647i, (_e3494 > 2147483500f)), (_e3494 == _e3494));
+let _e3505 = (_e3501 - select(0i, 1i, (_e3494 < f32(_e3501))));
+let _e3506 = f32(_e3505);
+let _e3510 = ((_e3488 - (_e3506 * 0.6933594f)) - (_e3506 * -2.1219444e-4f));
+let _e3530 = ((1f + (_e3510 * (1f + (_e3510 * (0.5f + (_e3510 * (0.16666667f + (_e3510 * (0.041666668f + (_e3510 * (0.008333334f + (_e3510 * (0.001388889f + (_e3510 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3505 + 127i)) << bitcast<u32>(23i))));
+if _e629 {
+let _e3545 = global_1.member.member_5.member_4;
+let _e3548 = (_e2419.member_3.x * _e2985.member_2);
+let _e3550 = (_e2419.member_3.y * _e2985.member_2);
+let _e3552 = (_e2419.member_3.z * _e2985.member_2);
+let _e3553 = (0.5f * (_e246 / _e198));
+let _e3557 = (_e176 + (_e3548 * _e3553));
+let _e3558 = (_e187 + (_e3550 * _e3553));
+let _e3559 = (_e198 + (_e3552 * _e3553));
+let _e3561 = (2f * _e246);
+let _e3563 = ((_e3559 * _e3559) + (_e3561 * _e3552));
+let _e3567 = (_e3559 + sqrt(select(0f, _e3563, (_e3563 > 0f))));
+let _e3571 = (0.5f * (_e3561 / select(1e-6f, _e3567, (_e3567 > 1e-6f))));
+let _e3575 = (_e3557 + (_e3548 * _e3571));
+let _e3576 = (_e3558 + (_e3550 * _e3571));
+let _e3577 = (_e3559 + (_e3552 * _e3571));
+let _e3581 = (_e3545 * _e3545);
+let _e3583 = (_e3577 * _e3577);
+let _e3591 = (((_e3559 <= 0f) || (_e3563 <= 0f)) || ((_e3577 <= 0f) || (_e3583 <= (_e3581 * (((_e3575 * _e3575) + (_e3576 * _e3576)) + _e3583)))));
+let _e3605 = (_e176 + ((_e2419.member_4.x * _e2985.member_2) * _e246));
+let _e3606 = (_e187 + ((_e2419.member_4.y * _e2985.member_2) * _e246));
+let _e3607 = (_e198 + ((_e2419.member_4.z * _e2985.member_2) * _e246));
+let _e3609 = (_e3607 * _e3607);
+let _e3618 = ((_e612 & 1u) != 0u);
+phi_6481_ = select(select(select(_e3577, _e3559, _e3591), _e3607, _e3618), _e198, _e619);
+phi_6482_ = select(select(select(_e3576, _e3558, _e3591), _e3606, _e3618), _e187, _e619);
+phi_6483_ = select(select(select(_e3575, _e3557, _e3591), _e3605, _e3618), _e176, _e619);
+phi_6484_ = (select(_e3591, ((_e3607 <= 0f) || (_e3609 <= (_e3581 * (((_e3605 * _e3605) + (_e3606 * _e3606)) + _e3609)))), _e3618) && !(_e619));
 } else {
-phi_9703_ = _e202;
-phi_9704_ = _e191;
-phi_9705_ = _e180;
-phi_9706_ = false;
+phi_6481_ = _e198;
+phi_6482_ = _e187;
+phi_6483_ = _e176;
+phi_6484_ = false;
 }
-let _e3635 = phi_9703_;
-let _e3637 = phi_9704_;
-let _e3639 = phi_9705_;
-let _e3641 = phi_9706_;
-global_6.member[_e126] = (_e137 + _e265);
-global_6.member[_e138] = (_e147 + _e272);
-global_6.member[_e149] = (_e158 + _e374);
-global_6.member[_e160] = (_e169 + _e377);
-global_6.member[_e171] = _e3639;
-global_6.member[_e182] = _e3637;
-global_6.member[_e193] = _e3635;
-global_6.member[_e204] = select((_e213 * (((1f + (_e3372 * (1f + (_e3372 * (0.5f + (_e3372 * (0.16666667f + (_e3372 * (0.041666668f + (_e3372 * (0.008333334f + (_e3372 * (0.001388889f + (_e3372 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3367 + 127i)) << bitcast<u32>(23i)))) * _e3536)), _e213, _e633);
-global_6.member[_e215] = select((_e224 * (((1f + (_e3420 * (1f + (_e3420 * (0.5f + (_e3420 * (0.16666667f + (_e3420 * (0.041666668f + (_e3420 * (0.008333334f + (_e3420 * (0.001388889f + (_e3420 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3415 + 127i)) << bitcast<u32>(23i)))) * _e3536)), _e224, _e633);
-global_6.member[_e226] = select((_e235 * (((1f + (_e3468 * (1f + (_e3468 * (0.5f + (_e3468 * (0.16666667f + (_e3468 * (0.041666668f + (_e3468 * (0.008333334f + (_e3468 * (0.001388889f + (_e3468 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3463 + 127i)) << bitcast<u32>(23i)))) * _e3536)), _e235, _e633);
-global_6.member[_e237] = select(_e246, 1f, _e3641);
+let _e3629 = phi_6481_;
+let _e3631 = phi_6482_;
+let _e3633 = phi_6483_;
+let _e3635 = phi_6484_;
+global_6.member[_e122] = (_e133 + _e261);
+global_6.member[_e134] = (_e143 + _e268);
+global_6.member[_e145] = (_e154 + _e370);
+global_6.member[_e156] = (_e165 + _e373);
+global_6.member[_e167] = _e3633;
+global_6.member[_e178] = _e3631;
+global_6.member[_e189] = _e3629;
+global_6.member[_e200] = select((_e209 * (((1f + (_e3366 * (1f + (_e3366 * (0.5f + (_e3366 * (0.16666667f + (_e3366 * (0.041666668f + (_e3366 * (0.008333334f + (_e3366 * (0.001388889f + (_e3366 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3361 + 127i)) << bitcast<u32>(23i)))) * _e3530)), _e209, _e619);
+global_6.member[_e211] = select((_e220 * (((1f + (_e3414 * (1f + (_e3414 * (0.5f + (_e3414 * (0.16666667f + (_e3414 * (0.041666668f + (_e3414 * (0.008333334f + (_e3414 * (0.001388889f + (_e3414 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3409 + 127i)) << bitcast<u32>(23i)))) * _e3530)), _e220, _e619);
+global_6.member[_e222] = select((_e231 * (((1f + (_e3462 * (1f + (_e3462 * (0.5f + (_e3462 * (0.16666667f + (_e3462 * (0.041666668f + (_e3462 * (0.008333334f + (_e3462 * (0.001388889f + (_e3462 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3457 + 127i)) << bitcast<u32>(23i)))) * _e3530)), _e231, _e619);
+global_6.member[_e233] = select(_e242, 1f, _e3635);
 }
 }
 }

@@ -1,85 +1,153 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
-member: array<f32>,
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
 }
 struct type_8 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
+member: type_7,
+member_1: type_5,
 }
 struct type_9 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_8,
-member_6: type_8,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
+member: type_8,
+member_1: type_8,
 }
 struct type_10 {
-member: type_9,
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
+member: array<f32>,
+}
+struct type_14 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_15 {
+member: u32,
+member_1: u32,
+}
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_18 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_19 {
+member: type_7,
+member_1: u32,
+}
+struct type_20 {
+member: type_2,
+member_1: u32,
+member_2: type_14,
+member_3: type_15,
+member_4: u32,
+member_5: type_16,
+member_6: type_17,
+member_7: type_17,
+member_8: type_18,
+member_9: type_10,
+member_10: f32,
+member_11: type_16,
+member_12: type_4,
+member_13: type_9,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_21 {
+member: type_20,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_10;
+var<storage> global_1: type_21;
 @group(0) @binding(1)
-var<storage, read_write> global_2: type_6;
+var<storage, read_write> global_2: type_12;
 fn function_() {
-let _e14 = global;
-let _e17 = global_1.member.member_1;
-let _e20 = (_e14.x + _e17.x);
-let _e23 = (_e14.y + _e17.y);
-if (_e20 < _e17.z) {
-if (_e23 < _e17.w) {
-let _e31 = global_1.member.member[0u];
-let _e35 = global_1.member.member[1u];
-let _e36 = (_e31 * _e35);
-let _e38 = ((_e23 * _e31) + _e20);
-global_2.member[_e38] = 0f;
-global_2.member[(_e36 + _e38)] = 0f;
-global_2.member[((2u * _e36) + _e38)] = 0f;
-global_2.member[((3u * _e36) + _e38)] = 0f;
-global_2.member[((4u * _e36) + _e38)] = 0f;
-global_2.member[((5u * _e36) + _e38)] = 0f;
-global_2.member[((6u * _e36) + _e38)] = 0f;
-global_2.member[((7u * _e36) + _e38)] = 0f;
-global_2.member[((8u * _e36) + _e38)] = 0f;
-global_2.member[((9u * _e36) + _e38)] = 0f;
+let _e12 = global;
+let _e15 = global_1.member.member_2;
+let _e18 = global_1.member.member;
+let _e26 = (_e12.x + _e15.member);
+let _e28 = (_e12.y + _e15.member_1);
+if (_e26 < _e15.member_2) {
+if (_e28 < _e15.member_3) {
+let _e31 = (_e18.member * _e18.member_1);
+let _e33 = ((_e28 * _e18.member) + _e26);
+global_2.member[_e33] = 0f;
+global_2.member[(_e31 + _e33)] = 0f;
+global_2.member[((2u * _e31) + _e33)] = 0f;
+global_2.member[((3u * _e31) + _e33)] = 0f;
+global_2.member[((4u * _e31) + _e33)] = 0f;
+global_2.member[((5u * _e31) + _e33)] = 0f;
+global_2.member[((6u * _e31) + _e33)] = 0f;
+global_2.member[((7u * _e31) + _e33)] = 0f;
+global_2.member[((8u * _e31) + _e33)] = 0f;
+global_2.member[((9u * _e31) + _e33)] = 0f;
 }
 }
 return;

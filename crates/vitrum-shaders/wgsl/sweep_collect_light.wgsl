@@ -1,221 +1,289 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
-member: array<f32>,
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
 }
 struct type_9 {
-member: array<u32>,
+member: type_8,
+member_1: type_8,
 }
-struct type_11 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
 }
 struct type_12 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_11,
-member_6: type_11,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
+member: array<f32>,
 }
-struct type_13 {
-member: type_12,
+struct type_15 {
+member: array<u32>,
+}
+struct type_16 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_17 {
+member: u32,
+member_1: u32,
+}
+struct type_18 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_19 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: u32,
+}
+struct type_22 {
+member: type_2,
+member_1: u32,
+member_2: type_16,
+member_3: type_17,
+member_4: u32,
+member_5: type_18,
+member_6: type_19,
+member_7: type_19,
+member_8: type_20,
+member_9: type_10,
+member_10: f32,
+member_11: type_18,
+member_12: type_4,
+member_13: type_9,
+member_14: type_21,
+member_15: type_21,
+member_16: type_21,
+member_17: type_21,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_23 {
+member: type_22,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_23;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_6;
+var<storage, read_write> global_2: type_12;
 @group(0) @binding(1)
-var<storage> global_3: type_9;
+var<storage> global_3: type_15;
 fn function_() {
 var local: i32;
-var phi_172_: u32;
-var phi_178_: u32;
-var phi_253_: u32;
-var phi_259_: u32;
-var phi_334_: u32;
-var phi_340_: u32;
-var phi_442_: u32;
-var phi_448_: u32;
-var phi_518_: u32;
-var phi_524_: u32;
+var phi_183_: u32;
+var phi_189_: u32;
+var phi_264_: u32;
+var phi_270_: u32;
+var phi_345_: u32;
+var phi_351_: u32;
+var phi_450_: u32;
+var phi_456_: u32;
+var phi_526_: u32;
+var phi_532_: u32;
 let _e37 = global;
-let _e43 = global_1.member.member_1;
-let _e46 = (_e37.x + _e43.x);
-let _e49 = (_e37.y + _e43.y);
-if (_e46 < _e43.z) {
-if (_e49 < _e43.w) {
-let _e57 = global_1.member.member[0u];
-let _e61 = global_1.member.member[1u];
-let _e62 = (_e57 * _e61);
-let _e64 = ((_e49 * _e57) + _e46);
-let _e68 = global_1.member.member_2[2u];
-local = bitcast<i32>((((_e49 * _e68) + _e46) * 10u));
-let _e73 = local;
-let _e75 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e77 = select(_e75, _e73, (_e73 < _e75));
-let _e82 = global_3.member[bitcast<u32>(select(0i, _e77, (_e77 > 0i)))];
-let _e83 = (_e73 + 1i);
-let _e85 = select(_e75, _e83, (_e83 < _e75));
-let _e90 = global_3.member[bitcast<u32>(select(0i, _e85, (_e85 > 0i)))];
-let _e93 = ((_e90 >> bitcast<u32>(31i)) != 0u);
-if _e93 {
-phi_172_ = (~(_e82) + 1u);
+let _e43 = global_1.member.member_2;
+let _e46 = global_1.member.member;
+let _e54 = (_e37.x + _e43.member);
+let _e56 = (_e37.y + _e43.member_1);
+if (_e54 < _e43.member_2) {
+if (_e56 < _e43.member_3) {
+let _e59 = (_e46.member * _e46.member_1);
+let _e61 = ((_e56 * _e46.member) + _e54);
+let _e65 = global_1.member.member_8.member;
+local = bitcast<i32>((((_e56 * _e65) + _e54) * 10u));
+let _e70 = local;
+let _e72 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e74 = select(_e72, _e70, (_e70 < _e72));
+let _e79 = global_3.member[bitcast<u32>(select(0i, _e74, (_e74 > 0i)))];
+let _e80 = (_e70 + 1i);
+let _e82 = select(_e72, _e80, (_e80 < _e72));
+let _e87 = global_3.member[bitcast<u32>(select(0i, _e82, (_e82 > 0i)))];
+let _e90 = ((_e87 >> bitcast<u32>(31i)) != 0u);
+if _e90 {
+phi_183_ = (~(_e79) + 1u);
 } else {
-phi_172_ = _e82;
+phi_183_ = _e79;
 }
-let _e99 = phi_172_;
-if _e93 {
-phi_178_ = (~(_e90) + select(0u, 1u, (_e82 == 0u)));
+let _e96 = phi_183_;
+if _e90 {
+phi_189_ = (~(_e87) + select(0u, 1u, (_e79 == 0u)));
 } else {
-phi_178_ = _e90;
+phi_189_ = _e87;
 }
-let _e103 = phi_178_;
-let _e125 = ((((f32(bitcast<i32>(((_e103 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e103 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e99 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e99 & 65535u)))));
-let _e131 = (1f / 16777216f);
-let _e133 = (1f + (select(_e125, -(bitcast<f32>((bitcast<u32>(_e125) & 2147483647u))), _e93) * _e131));
-let _e135 = select(0f, _e133, (_e133 > 0f));
-let _e136 = local;
-let _e137 = (_e136 + 2i);
-let _e139 = select(_e75, _e137, (_e137 < _e75));
-let _e144 = global_3.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
-let _e145 = (_e136 + 3i);
-let _e147 = select(_e75, _e145, (_e145 < _e75));
-let _e152 = global_3.member[bitcast<u32>(select(0i, _e147, (_e147 > 0i)))];
-let _e155 = ((_e152 >> bitcast<u32>(31i)) != 0u);
-if _e155 {
-phi_253_ = (~(_e144) + 1u);
+let _e100 = phi_189_;
+let _e122 = ((((f32(bitcast<i32>(((_e100 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e100 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e96 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e96 & 65535u)))));
+let _e128 = (1f / 16777216f);
+let _e130 = (1f + (select(_e122, -(bitcast<f32>((bitcast<u32>(_e122) & 2147483647u))), _e90) * _e128));
+let _e132 = select(0f, _e130, (_e130 > 0f));
+let _e133 = local;
+let _e134 = (_e133 + 2i);
+let _e136 = select(_e72, _e134, (_e134 < _e72));
+let _e141 = global_3.member[bitcast<u32>(select(0i, _e136, (_e136 > 0i)))];
+let _e142 = (_e133 + 3i);
+let _e144 = select(_e72, _e142, (_e142 < _e72));
+let _e149 = global_3.member[bitcast<u32>(select(0i, _e144, (_e144 > 0i)))];
+let _e152 = ((_e149 >> bitcast<u32>(31i)) != 0u);
+if _e152 {
+phi_264_ = (~(_e141) + 1u);
 } else {
-phi_253_ = _e144;
+phi_264_ = _e141;
 }
-let _e161 = phi_253_;
-if _e155 {
-phi_259_ = (~(_e152) + select(0u, 1u, (_e144 == 0u)));
+let _e158 = phi_264_;
+if _e152 {
+phi_270_ = (~(_e149) + select(0u, 1u, (_e141 == 0u)));
 } else {
-phi_259_ = _e152;
+phi_270_ = _e149;
 }
-let _e165 = phi_259_;
-let _e187 = ((((f32(bitcast<i32>(((_e165 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e165 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e161 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e161 & 65535u)))));
-let _e194 = (1f + (select(_e187, -(bitcast<f32>((bitcast<u32>(_e187) & 2147483647u))), _e155) * _e131));
-let _e196 = select(0f, _e194, (_e194 > 0f));
-let _e197 = local;
-let _e198 = (_e197 + 4i);
-let _e200 = select(_e75, _e198, (_e198 < _e75));
-let _e205 = global_3.member[bitcast<u32>(select(0i, _e200, (_e200 > 0i)))];
-let _e206 = (_e197 + 5i);
-let _e208 = select(_e75, _e206, (_e206 < _e75));
-let _e213 = global_3.member[bitcast<u32>(select(0i, _e208, (_e208 > 0i)))];
-let _e216 = ((_e213 >> bitcast<u32>(31i)) != 0u);
-if _e216 {
-phi_334_ = (~(_e205) + 1u);
+let _e162 = phi_270_;
+let _e184 = ((((f32(bitcast<i32>(((_e162 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e162 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e158 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e158 & 65535u)))));
+let _e191 = (1f + (select(_e184, -(bitcast<f32>((bitcast<u32>(_e184) & 2147483647u))), _e152) * _e128));
+let _e193 = select(0f, _e191, (_e191 > 0f));
+let _e194 = local;
+let _e195 = (_e194 + 4i);
+let _e197 = select(_e72, _e195, (_e195 < _e72));
+let _e202 = global_3.member[bitcast<u32>(select(0i, _e197, (_e197 > 0i)))];
+let _e203 = (_e194 + 5i);
+let _e205 = select(_e72, _e203, (_e203 < _e72));
+let _e210 = global_3.member[bitcast<u32>(select(0i, _e205, (_e205 > 0i)))];
+let _e213 = ((_e210 >> bitcast<u32>(31i)) != 0u);
+if _e213 {
+phi_345_ = (~(_e202) + 1u);
 } else {
-phi_334_ = _e205;
+phi_345_ = _e202;
 }
-let _e222 = phi_334_;
-if _e216 {
-phi_340_ = (~(_e213) + select(0u, 1u, (_e205 == 0u)));
+let _e219 = phi_345_;
+if _e213 {
+phi_351_ = (~(_e210) + select(0u, 1u, (_e202 == 0u)));
 } else {
-phi_340_ = _e213;
+phi_351_ = _e210;
 }
-let _e226 = phi_340_;
-let _e248 = ((((f32(bitcast<i32>(((_e226 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e226 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e222 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e222 & 65535u)))));
-let _e255 = (1f + (select(_e248, -(bitcast<f32>((bitcast<u32>(_e248) & 2147483647u))), _e216) * _e131));
-let _e257 = select(0f, _e255, (_e255 > 0f));
-let _e261 = (((_e135 + _e196) + _e257) * (1f / 3f));
-let _e262 = (_e261 > 1e-6f);
-let _e265 = select(0f, (1f / select(1e-6f, _e261, _e262)), _e262);
-let _e269 = global_1.member.member_10.member;
-let _e273 = global_1.member.member_10.member_1;
-let _e277 = global_1.member.member_10.member_2;
+let _e223 = phi_351_;
+let _e245 = ((((f32(bitcast<i32>(((_e223 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e223 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e219 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e219 & 65535u)))));
+let _e252 = (1f + (select(_e245, -(bitcast<f32>((bitcast<u32>(_e245) & 2147483647u))), _e213) * _e128));
+let _e254 = select(0f, _e252, (_e252 > 0f));
+let _e258 = (((_e132 + _e193) + _e254) * (1f / 3f));
+let _e259 = (_e258 > 1e-6f);
+let _e262 = select(0f, (1f / select(1e-6f, _e258, _e259)), _e259);
+let _e267 = global_1.member.member_9.member.member;
+let _e272 = global_1.member.member_9.member.member_1;
+let _e277 = global_1.member.member_9.member.member_2;
 let _e278 = local;
 let _e279 = (_e278 + 6i);
-let _e281 = select(_e75, _e279, (_e279 < _e75));
+let _e281 = select(_e72, _e279, (_e279 < _e72));
 let _e286 = global_3.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
 let _e287 = (_e278 + 7i);
-let _e289 = select(_e75, _e287, (_e287 < _e75));
+let _e289 = select(_e72, _e287, (_e287 < _e72));
 let _e294 = global_3.member[bitcast<u32>(select(0i, _e289, (_e289 > 0i)))];
 let _e297 = ((_e294 >> bitcast<u32>(31i)) != 0u);
 if _e297 {
-phi_442_ = (~(_e286) + 1u);
+phi_450_ = (~(_e286) + 1u);
 } else {
-phi_442_ = _e286;
+phi_450_ = _e286;
 }
-let _e303 = phi_442_;
+let _e303 = phi_450_;
 if _e297 {
-phi_448_ = (~(_e294) + select(0u, 1u, (_e286 == 0u)));
+phi_456_ = (~(_e294) + select(0u, 1u, (_e286 == 0u)));
 } else {
-phi_448_ = _e294;
+phi_456_ = _e294;
 }
-let _e307 = phi_448_;
+let _e307 = phi_456_;
 let _e329 = ((((f32(bitcast<i32>(((_e307 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e307 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e303 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e303 & 65535u)))));
 let _e335 = (1f / 8388608f);
 let _e338 = local;
 let _e339 = (_e338 + 8i);
-let _e341 = select(_e75, _e339, (_e339 < _e75));
+let _e341 = select(_e72, _e339, (_e339 < _e72));
 let _e346 = global_3.member[bitcast<u32>(select(0i, _e341, (_e341 > 0i)))];
 let _e347 = (_e338 + 9i);
-let _e349 = select(_e75, _e347, (_e347 < _e75));
+let _e349 = select(_e72, _e347, (_e347 < _e72));
 let _e354 = global_3.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
 let _e357 = ((_e354 >> bitcast<u32>(31i)) != 0u);
 if _e357 {
-phi_518_ = (~(_e346) + 1u);
+phi_526_ = (~(_e346) + 1u);
 } else {
-phi_518_ = _e346;
+phi_526_ = _e346;
 }
-let _e363 = phi_518_;
+let _e363 = phi_526_;
 if _e357 {
-phi_524_ = (~(_e354) + select(0u, 1u, (_e346 == 0u)));
+phi_532_ = (~(_e354) + select(0u, 1u, (_e346 == 0u)));
 } else {
-phi_524_ = _e354;
+phi_532_ = _e354;
 }
-let _e367 = phi_524_;
+let _e367 = phi_532_;
 let _e389 = ((((f32(bitcast<i32>(((_e367 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e367 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e363 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e363 & 65535u)))));
-global_2.member[_e64] = _e135;
-global_2.member[(_e62 + _e64)] = _e196;
-global_2.member[((2u * _e62) + _e64)] = _e257;
-global_2.member[((3u * _e62) + _e64)] = (_e269 + (((select(_e329, -(bitcast<f32>((bitcast<u32>(_e329) & 2147483647u))), _e297) * _e335) * _e265) * _e277));
-global_2.member[((4u * _e62) + _e64)] = (_e273 + (((select(_e389, -(bitcast<f32>((bitcast<u32>(_e389) & 2147483647u))), _e357) * _e335) * _e265) * _e277));
-global_2.member[((5u * _e62) + _e64)] = _e277;
-global_2.member[((6u * _e62) + _e64)] = 0f;
-global_2.member[((7u * _e62) + _e64)] = 0f;
-global_2.member[((8u * _e62) + _e64)] = 1f;
+global_2.member[_e61] = _e132;
+global_2.member[(_e59 + _e61)] = _e193;
+global_2.member[((2u * _e59) + _e61)] = _e254;
+global_2.member[((3u * _e59) + _e61)] = (_e267 + (((select(_e329, -(bitcast<f32>((bitcast<u32>(_e329) & 2147483647u))), _e297) * _e335) * _e262) * _e277));
+global_2.member[((4u * _e59) + _e61)] = (_e272 + (((select(_e389, -(bitcast<f32>((bitcast<u32>(_e389) & 2147483647u))), _e357) * _e335) * _e262) * _e277));
+global_2.member[((5u * _e59) + _e61)] = _e277;
+global_2.member[((6u * _e59) + _e61)] = 0f;
+global_2.member[((7u * _e59) + _e61)] = 0f;
+global_2.member[((8u * _e59) + _e61)] = 1f;
 }
 }
 return;

@@ -1,213 +1,281 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
-member: array<f32>,
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
 }
 struct type_10 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_11 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_10,
-member_6: type_10,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
+member: type_5,
+member_1: type_5,
 }
 struct type_12 {
-member: type_11,
+member: array<f32>,
+}
+struct type_15 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_16 {
+member: u32,
+member_1: u32,
+}
+struct type_17 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_18 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_20 {
+member: type_7,
+member_1: u32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_15,
+member_3: type_16,
+member_4: u32,
+member_5: type_17,
+member_6: type_18,
+member_7: type_18,
+member_8: type_19,
+member_9: type_10,
+member_10: f32,
+member_11: type_17,
+member_12: type_4,
+member_13: type_9,
+member_14: type_20,
+member_15: type_20,
+member_16: type_20,
+member_17: type_20,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_22 {
+member: type_21,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_12;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_2: type_6;
+var<storage> global_2: type_12;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_6;
+var<storage, read_write> global_3: type_12;
 fn function_() {
-var phi_878_: i32;
-let _e35 = global;
-let _e40 = global_1.member.member_1;
-let _e43 = (_e35.x + _e40.x);
-let _e46 = (_e35.y + _e40.y);
-if (_e43 < _e40.z) {
-if (_e46 < _e40.w) {
-let _e54 = global_1.member.member[0u];
-let _e58 = global_1.member.member[1u];
-let _e59 = (_e54 * _e58);
-let _e61 = ((_e46 * _e54) + _e43);
-let _e62 = bitcast<i32>(_e43);
-let _e63 = bitcast<i32>(_e46);
-let _e67 = global_1.member.member_2[2u];
-let _e71 = global_1.member.member_2[3u];
-let _e73 = bitcast<i32>((_e67 * _e71));
-let _e74 = (6i * _e73);
-let _e75 = bitcast<i32>(_e67);
-let _e77 = (_e74 + (_e63 * _e75));
-let _e78 = (_e77 + _e62);
-let _e80 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
-let _e82 = select(_e80, _e78, (_e78 < _e80));
-let _e88 = global_2.member[bitcast<u32>(select(0i, _e82, (_e82 > 0i)))];
-let _e90 = ((_e77 + _e73) + _e62);
-let _e92 = select(_e80, _e90, (_e90 < _e80));
-let _e98 = global_2.member[bitcast<u32>(select(0i, _e92, (_e92 > 0i)))];
-let _e99 = (_e77 + -1i);
-let _e100 = (_e99 + _e62);
-let _e102 = select(_e80, _e100, (_e100 < _e80));
-let _e108 = global_2.member[bitcast<u32>(select(0i, _e102, (_e102 > 0i)))];
-let _e110 = ((_e99 + _e73) + _e62);
-let _e112 = select(_e80, _e110, (_e110 < _e80));
-let _e118 = global_2.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
-let _e119 = (_e77 + 1i);
-let _e120 = (_e119 + _e62);
-let _e122 = select(_e80, _e120, (_e120 < _e80));
-let _e128 = global_2.member[bitcast<u32>(select(0i, _e122, (_e122 > 0i)))];
-let _e130 = ((_e119 + _e73) + _e62);
-let _e132 = select(_e80, _e130, (_e130 < _e80));
-let _e138 = global_2.member[bitcast<u32>(select(0i, _e132, (_e132 > 0i)))];
-let _e141 = (_e74 + ((_e63 - 1i) * _e75));
-let _e142 = (_e141 + _e62);
-let _e144 = select(_e80, _e142, (_e142 < _e80));
-let _e150 = global_2.member[bitcast<u32>(select(0i, _e144, (_e144 > 0i)))];
-let _e152 = ((_e141 + _e73) + _e62);
-let _e154 = select(_e80, _e152, (_e152 < _e80));
-let _e160 = global_2.member[bitcast<u32>(select(0i, _e154, (_e154 > 0i)))];
-let _e163 = (_e74 + ((_e63 + 1i) * _e75));
-let _e164 = (_e163 + _e62);
-let _e166 = select(_e80, _e164, (_e164 < _e80));
-let _e172 = global_2.member[bitcast<u32>(select(0i, _e166, (_e166 > 0i)))];
-let _e174 = ((_e163 + _e73) + _e62);
-let _e176 = select(_e80, _e174, (_e174 < _e80));
-let _e182 = global_2.member[bitcast<u32>(select(0i, _e176, (_e176 > 0i)))];
-let _e184 = select(0f, 1f, (_e62 > 0i));
-let _e187 = select(0f, 1f, (_e62 < (_e75 - 1i)));
-let _e190 = select(0f, 1f, (false || (_e63 > 0i)));
-let _e195 = select(0f, 1f, (false || (_e63 < (bitcast<i32>(_e71) - 1i))));
-let _e197 = ((_e88 - _e108) * _e184);
-let _e199 = ((_e128 - _e88) * _e187);
-let _e201 = (0.5f * (_e197 + _e199));
-let _e205 = bitcast<f32>((bitcast<u32>(_e197) & 2147483647u));
-let _e208 = bitcast<f32>((bitcast<u32>(_e199) & 2147483647u));
-let _e211 = (2f * select(_e208, _e205, (_e205 < _e208)));
-let _e214 = bitcast<f32>((bitcast<u32>(_e201) & 2147483647u));
-let _e216 = select(_e211, _e214, (_e214 < _e211));
-let _e226 = ((_e98 - _e118) * _e184);
-let _e228 = ((_e138 - _e98) * _e187);
-let _e230 = (0.5f * (_e226 + _e228));
-let _e233 = bitcast<f32>((bitcast<u32>(_e226) & 2147483647u));
-let _e236 = bitcast<f32>((bitcast<u32>(_e228) & 2147483647u));
-let _e239 = (2f * select(_e236, _e233, (_e233 < _e236)));
-let _e242 = bitcast<f32>((bitcast<u32>(_e230) & 2147483647u));
-let _e244 = select(_e239, _e242, (_e242 < _e239));
-let _e252 = ((_e88 - _e150) * _e190);
-let _e254 = ((_e172 - _e88) * _e195);
-let _e256 = (0.5f * (_e252 + _e254));
-let _e259 = bitcast<f32>((bitcast<u32>(_e252) & 2147483647u));
-let _e262 = bitcast<f32>((bitcast<u32>(_e254) & 2147483647u));
-let _e265 = (2f * select(_e262, _e259, (_e259 < _e262)));
-let _e268 = bitcast<f32>((bitcast<u32>(_e256) & 2147483647u));
-let _e270 = select(_e265, _e268, (_e268 < _e265));
-let _e278 = ((_e98 - _e160) * _e190);
-let _e280 = ((_e182 - _e98) * _e195);
-let _e282 = (0.5f * (_e278 + _e280));
-let _e286 = bitcast<f32>((bitcast<u32>(_e278) & 2147483647u));
-let _e289 = bitcast<f32>((bitcast<u32>(_e280) & 2147483647u));
-let _e292 = (2f * select(_e289, _e286, (_e286 < _e289)));
-let _e295 = bitcast<f32>((bitcast<u32>(_e282) & 2147483647u));
-let _e297 = select(_e292, _e295, (_e295 < _e292));
-let _e308 = bitcast<i32>((_e46 * _e67));
-let _e310 = (((8i * _e73) + _e308) + _e62);
-let _e312 = select(_e80, _e310, (_e310 < _e80));
-let _e318 = global_2.member[bitcast<u32>(select(0i, _e312, (_e312 > 0i)))];
-let _e328 = ((bitcast<f32>((bitcast<u32>((((1f + select(_e201, select(0f, select(_e216, -(_e216), (_e201 < 0f)), ((_e197 * _e199) > 0f)), (_e201 > 0f))) * (1f + select(_e282, select(0f, select(_e297, -(_e297), (_e282 < 0f)), ((_e278 * _e280) > 0f)), (_e282 > 0f)))) - (select(0f, select(_e244, -(_e244), (_e230 < 0f)), ((_e226 * _e228) > 0f)) * select(0f, select(_e270, -(_e270), (_e256 < 0f)), ((_e252 * _e254) > 0f))))) & 2147483647u)) * 1.25f) / select(1e-20f, _e318, (_e318 > 1e-20f)));
-let _e334 = global_1.member.member[3u];
-let _e337 = select(select(_e328, 1f, (1f < _e328)), 1f, ((_e334 & 6u) != 0u));
-let _e340 = (((3i * _e73) + _e308) + _e62);
-let _e342 = select(_e80, _e340, (_e340 < _e80));
-let _e348 = global_2.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
-let _e351 = (((4i * _e73) + _e308) + _e62);
-let _e353 = select(_e80, _e351, (_e351 < _e80));
-let _e359 = global_2.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
-let _e362 = (((5i * _e73) + _e308) + _e62);
-let _e364 = select(_e80, _e362, (_e362 < _e80));
-let _e370 = global_2.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
-let _e371 = (_e308 + _e62);
-let _e373 = select(_e80, _e371, (_e371 < _e80));
-let _e379 = global_2.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
-let _e382 = ((_e73 + _e308) + _e62);
-let _e384 = select(_e80, _e382, (_e382 < _e80));
-let _e390 = global_2.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
-let _e394 = (((2i * _e73) + _e308) + _e62);
-let _e396 = select(_e80, _e394, (_e394 < _e80));
-let _e402 = global_2.member[bitcast<u32>(select(0i, _e396, (_e396 > 0i)))];
-let _e408 = (((_e348 * _e348) + (_e359 * _e359)) + (_e370 * _e370));
-let _e411 = sqrt(select(0f, _e408, (_e408 > 0f)));
-let _e414 = (1f / select(1e-20f, _e411, (_e411 > 1e-20f)));
-let _e417 = global_1.member.member_10;
-let _e421 = ((_e348 * _e414) - _e417.member);
-let _e423 = ((_e359 * _e414) - _e417.member_1);
-if (_e421 < 0f) {
-let _e429 = ((bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) * 16255f) + 0.5f);
-let _e430 = (2f * 16255f);
-let _e432 = select(0f, _e429, (_e429 > 0f));
-let _e434 = select(_e430, _e432, (_e432 < _e430));
-let _e441 = select(0i, select(select(i32(_e434), i32(-2147483648), (_e434 < -2147483600f)), 2147483647i, (_e434 > 2147483500f)), (_e434 == _e434));
-phi_878_ = (32768i - (_e441 - select(0i, 1i, (_e434 < f32(_e441)))));
+var phi_890_: i32;
+let _e34 = global;
+let _e39 = global_1.member.member_2;
+let _e42 = global_1.member.member;
+let _e50 = (_e34.x + _e39.member);
+let _e52 = (_e34.y + _e39.member_1);
+if (_e50 < _e39.member_2) {
+if (_e52 < _e39.member_3) {
+let _e55 = (_e42.member * _e42.member_1);
+let _e57 = ((_e52 * _e42.member) + _e50);
+let _e58 = bitcast<i32>(_e50);
+let _e59 = bitcast<i32>(_e52);
+let _e63 = global_1.member.member_8.member;
+let _e67 = global_1.member.member_8.member_1;
+let _e69 = bitcast<i32>((_e63 * _e67));
+let _e70 = (6i * _e69);
+let _e71 = bitcast<i32>(_e63);
+let _e73 = (_e70 + (_e59 * _e71));
+let _e74 = (_e73 + _e58);
+let _e76 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e78 = select(_e76, _e74, (_e74 < _e76));
+let _e84 = global_2.member[bitcast<u32>(select(0i, _e78, (_e78 > 0i)))];
+let _e86 = ((_e73 + _e69) + _e58);
+let _e88 = select(_e76, _e86, (_e86 < _e76));
+let _e94 = global_2.member[bitcast<u32>(select(0i, _e88, (_e88 > 0i)))];
+let _e95 = (_e73 + -1i);
+let _e96 = (_e95 + _e58);
+let _e98 = select(_e76, _e96, (_e96 < _e76));
+let _e104 = global_2.member[bitcast<u32>(select(0i, _e98, (_e98 > 0i)))];
+let _e106 = ((_e95 + _e69) + _e58);
+let _e108 = select(_e76, _e106, (_e106 < _e76));
+let _e114 = global_2.member[bitcast<u32>(select(0i, _e108, (_e108 > 0i)))];
+let _e115 = (_e73 + 1i);
+let _e116 = (_e115 + _e58);
+let _e118 = select(_e76, _e116, (_e116 < _e76));
+let _e124 = global_2.member[bitcast<u32>(select(0i, _e118, (_e118 > 0i)))];
+let _e126 = ((_e115 + _e69) + _e58);
+let _e128 = select(_e76, _e126, (_e126 < _e76));
+let _e134 = global_2.member[bitcast<u32>(select(0i, _e128, (_e128 > 0i)))];
+let _e137 = (_e70 + ((_e59 - 1i) * _e71));
+let _e138 = (_e137 + _e58);
+let _e140 = select(_e76, _e138, (_e138 < _e76));
+let _e146 = global_2.member[bitcast<u32>(select(0i, _e140, (_e140 > 0i)))];
+let _e148 = ((_e137 + _e69) + _e58);
+let _e150 = select(_e76, _e148, (_e148 < _e76));
+let _e156 = global_2.member[bitcast<u32>(select(0i, _e150, (_e150 > 0i)))];
+let _e159 = (_e70 + ((_e59 + 1i) * _e71));
+let _e160 = (_e159 + _e58);
+let _e162 = select(_e76, _e160, (_e160 < _e76));
+let _e168 = global_2.member[bitcast<u32>(select(0i, _e162, (_e162 > 0i)))];
+let _e170 = ((_e159 + _e69) + _e58);
+let _e172 = select(_e76, _e170, (_e170 < _e76));
+let _e178 = global_2.member[bitcast<u32>(select(0i, _e172, (_e172 > 0i)))];
+let _e180 = select(0f, 1f, (_e58 > 0i));
+let _e183 = select(0f, 1f, (_e58 < (_e71 - 1i)));
+let _e186 = select(0f, 1f, (false || (_e59 > 0i)));
+let _e191 = select(0f, 1f, (false || (_e59 < (bitcast<i32>(_e67) - 1i))));
+let _e193 = ((_e84 - _e104) * _e180);
+let _e195 = ((_e124 - _e84) * _e183);
+let _e197 = (0.5f * (_e193 + _e195));
+let _e201 = bitcast<f32>((bitcast<u32>(_e193) & 2147483647u));
+let _e204 = bitcast<f32>((bitcast<u32>(_e195) & 2147483647u));
+let _e207 = (2f * select(_e204, _e201, (_e201 < _e204)));
+let _e210 = bitcast<f32>((bitcast<u32>(_e197) & 2147483647u));
+let _e212 = select(_e207, _e210, (_e210 < _e207));
+let _e222 = ((_e94 - _e114) * _e180);
+let _e224 = ((_e134 - _e94) * _e183);
+let _e226 = (0.5f * (_e222 + _e224));
+let _e229 = bitcast<f32>((bitcast<u32>(_e222) & 2147483647u));
+let _e232 = bitcast<f32>((bitcast<u32>(_e224) & 2147483647u));
+let _e235 = (2f * select(_e232, _e229, (_e229 < _e232)));
+let _e238 = bitcast<f32>((bitcast<u32>(_e226) & 2147483647u));
+let _e240 = select(_e235, _e238, (_e238 < _e235));
+let _e248 = ((_e84 - _e146) * _e186);
+let _e250 = ((_e168 - _e84) * _e191);
+let _e252 = (0.5f * (_e248 + _e250));
+let _e255 = bitcast<f32>((bitcast<u32>(_e248) & 2147483647u));
+let _e258 = bitcast<f32>((bitcast<u32>(_e250) & 2147483647u));
+let _e261 = (2f * select(_e258, _e255, (_e255 < _e258)));
+let _e264 = bitcast<f32>((bitcast<u32>(_e252) & 2147483647u));
+let _e266 = select(_e261, _e264, (_e264 < _e261));
+let _e274 = ((_e94 - _e156) * _e186);
+let _e276 = ((_e178 - _e94) * _e191);
+let _e278 = (0.5f * (_e274 + _e276));
+let _e282 = bitcast<f32>((bitcast<u32>(_e274) & 2147483647u));
+let _e285 = bitcast<f32>((bitcast<u32>(_e276) & 2147483647u));
+let _e288 = (2f * select(_e285, _e282, (_e282 < _e285)));
+let _e291 = bitcast<f32>((bitcast<u32>(_e278) & 2147483647u));
+let _e293 = select(_e288, _e291, (_e291 < _e288));
+let _e304 = bitcast<i32>((_e52 * _e63));
+let _e306 = (((8i * _e69) + _e304) + _e58);
+let _e308 = select(_e76, _e306, (_e306 < _e76));
+let _e314 = global_2.member[bitcast<u32>(select(0i, _e308, (_e308 > 0i)))];
+let _e324 = ((bitcast<f32>((bitcast<u32>((((1f + select(_e197, select(0f, select(_e212, -(_e212), (_e197 < 0f)), ((_e193 * _e195) > 0f)), (_e197 > 0f))) * (1f + select(_e278, select(0f, select(_e293, -(_e293), (_e278 < 0f)), ((_e274 * _e276) > 0f)), (_e278 > 0f)))) - (select(0f, select(_e240, -(_e240), (_e226 < 0f)), ((_e222 * _e224) > 0f)) * select(0f, select(_e266, -(_e266), (_e252 < 0f)), ((_e248 * _e250) > 0f))))) & 2147483647u)) * 1.25f) / select(1e-20f, _e314, (_e314 > 1e-20f)));
+let _e329 = global_1.member.member_1;
+let _e332 = select(select(_e324, 1f, (1f < _e324)), 1f, ((_e329 & 6u) != 0u));
+let _e335 = (((3i * _e69) + _e304) + _e58);
+let _e337 = select(_e76, _e335, (_e335 < _e76));
+let _e343 = global_2.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
+let _e346 = (((4i * _e69) + _e304) + _e58);
+let _e348 = select(_e76, _e346, (_e346 < _e76));
+let _e354 = global_2.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
+let _e357 = (((5i * _e69) + _e304) + _e58);
+let _e359 = select(_e76, _e357, (_e357 < _e76));
+let _e365 = global_2.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
+let _e366 = (_e304 + _e58);
+let _e368 = select(_e76, _e366, (_e366 < _e76));
+let _e374 = global_2.member[bitcast<u32>(select(0i, _e368, (_e368 > 0i)))];
+let _e377 = ((_e69 + _e304) + _e58);
+let _e379 = select(_e76, _e377, (_e377 < _e76));
+let _e385 = global_2.member[bitcast<u32>(select(0i, _e379, (_e379 > 0i)))];
+let _e389 = (((2i * _e69) + _e304) + _e58);
+let _e391 = select(_e76, _e389, (_e389 < _e76));
+let _e397 = global_2.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
+let _e403 = (((_e343 * _e343) + (_e354 * _e354)) + (_e365 * _e365));
+let _e406 = sqrt(select(0f, _e403, (_e403 > 0f)));
+let _e409 = (1f / select(1e-20f, _e406, (_e406 > 1e-20f)));
+let _e413 = global_1.member.member_9.member;
+let _e417 = ((_e343 * _e409) - _e413.member);
+let _e419 = ((_e354 * _e409) - _e413.member_1);
+if (_e417 < 0f) {
+let _e425 = ((bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) * 16255f) + 0.5f);
+let _e426 = (2f * 16255f);
+let _e428 = select(0f, _e425, (_e425 > 0f));
+let _e430 = select(_e426, _e428, (_e428 < _e426));
+let _e437 = select(0i, select(select(i32(_e430), i32(-2147483648), (_e430 < -2147483600f)), 2147483647i, (_e430 > 2147483500f)), (_e430 == _e430));
+phi_890_ = (32768i - (_e437 - select(0i, 1i, (_e430 < f32(_e437)))));
 } else {
-let _e451 = ((bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) * 16255f) + 0.5f);
-let _e452 = (2f * 16255f);
-let _e454 = select(0f, _e451, (_e451 > 0f));
-let _e456 = select(_e452, _e454, (_e454 < _e452));
-let _e463 = select(0i, select(select(i32(_e456), i32(-2147483648), (_e456 < -2147483600f)), 2147483647i, (_e456 > 2147483500f)), (_e456 == _e456));
-phi_878_ = (32768i + (_e463 - select(0i, 1i, (_e456 < f32(_e463)))));
+let _e447 = ((bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) * 16255f) + 0.5f);
+let _e448 = (2f * 16255f);
+let _e450 = select(0f, _e447, (_e447 > 0f));
+let _e452 = select(_e448, _e450, (_e450 < _e448));
+let _e459 = select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -2147483600f)), 2147483647i, (_e452 > 2147483500f)), (_e452 == _e452));
+phi_890_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
 }
-let _e470 = phi_878_;
-let _e477 = ((bitcast<f32>((bitcast<u32>(_e423) & 2147483647u)) * 16255f) + 0.5f);
-let _e478 = (2f * 16255f);
-let _e480 = select(0f, _e477, (_e477 > 0f));
-let _e482 = select(_e478, _e480, (_e480 < _e478));
-let _e489 = select(0i, select(select(i32(_e482), i32(-2147483648), (_e482 < -2147483600f)), 2147483647i, (_e482 > 2147483500f)), (_e482 == _e482));
-global_3.member[_e61] = (_e379 * _e337);
-global_3.member[(_e59 + _e61)] = (_e390 * _e337);
-global_3.member[((2u * _e59) + _e61)] = (_e402 * _e337);
-global_3.member[((3u * _e59) + _e61)] = bitcast<f32>(((select(0u, 2147483648u, (_e423 < 0f)) | (bitcast<u32>(((_e489 - select(0i, 1i, (_e482 < f32(_e489)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e470)));
+let _e466 = phi_890_;
+let _e473 = ((bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) * 16255f) + 0.5f);
+let _e474 = (2f * 16255f);
+let _e476 = select(0f, _e473, (_e473 > 0f));
+let _e478 = select(_e474, _e476, (_e476 < _e474));
+let _e485 = select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < -2147483600f)), 2147483647i, (_e478 > 2147483500f)), (_e478 == _e478));
+global_3.member[_e57] = (_e374 * _e332);
+global_3.member[(_e55 + _e57)] = (_e385 * _e332);
+global_3.member[((2u * _e55) + _e57)] = (_e397 * _e332);
+global_3.member[((3u * _e55) + _e57)] = bitcast<f32>(((select(0u, 2147483648u, (_e419 < 0f)) | (bitcast<u32>(((_e485 - select(0i, 1i, (_e478 < f32(_e485)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e466)));
 }
 }
 return;

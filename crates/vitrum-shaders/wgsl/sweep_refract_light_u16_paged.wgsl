@@ -1,84 +1,148 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_12 {
 member: array<f32>,
 }
-struct type_11 {
+struct type_17 {
 member: array<u32>,
 }
-struct type_13 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
-}
-struct type_14 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_13,
-member_6: type_13,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_15 {
-member: type_14,
-}
 struct type_18 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_19 {
+member: u32,
+member_1: u32,
+}
+struct type_20 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_22 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_23 {
+member: type_7,
+member_1: u32,
+}
+struct type_24 {
+member: type_2,
+member_1: u32,
+member_2: type_18,
+member_3: type_19,
+member_4: u32,
+member_5: type_20,
+member_6: type_21,
+member_7: type_21,
+member_8: type_22,
+member_9: type_10,
+member_10: f32,
+member_11: type_20,
+member_12: type_4,
+member_13: type_9,
+member_14: type_23,
+member_15: type_23,
+member_16: type_23,
+member_17: type_23,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_25 {
+member: type_24,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_19 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_20 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_21 {
-member: f32,
-member_1: f32,
-member_2: f32,
-}
-struct type_22 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -86,1163 +150,1155 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_15;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_11;
+var<storage> global_2: type_17;
 @group(0) @binding(3)
-var<storage> global_3: type_11;
+var<storage> global_3: type_17;
 @group(0) @binding(4)
-var<storage> global_4: type_11;
+var<storage> global_4: type_17;
 @group(0) @binding(6)
-var<storage, read_write> global_5: type_6;
+var<storage, read_write> global_5: type_12;
 @group(0) @binding(5)
-var<storage> global_6: type_6;
+var<storage> global_6: type_12;
 fn function_() {
-var local: type_18;
+var local: type_28;
 var local_1: vec3<f32>;
-var local_2: type_18;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_18;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var phi_944_: u32;
-var phi_5327_: type_19;
-var phi_6647_: type_20;
-var phi_8132_: type_21;
-var phi_9242_: type_22;
-var phi_9393_: f32;
-var phi_9394_: f32;
-var phi_9395_: f32;
-var phi_9396_: f32;
-let _e87 = global;
-let _e90 = arrayLength((&global_2.member));
-let _e94 = arrayLength((&global_4.member));
-let _e96 = arrayLength((&global_6.member));
-let _e101 = global_1.member.member_1;
-let _e104 = (_e87.x + _e101.x);
-let _e107 = (_e87.y + _e101.y);
-if (_e104 < _e101.z) {
-if (_e107 < _e101.w) {
-let _e115 = global_1.member.member[0u];
-let _e119 = global_1.member.member[1u];
-let _e120 = (_e115 * _e119);
-let _e122 = ((_e107 * _e115) + _e104);
-let _e123 = bitcast<i32>(_e122);
-let _e125 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e127 = select(_e125, _e123, (_e123 < _e125));
-let _e133 = global_5.member[bitcast<u32>(select(0i, _e127, (_e127 > 0i)))];
-let _e134 = (_e120 + _e122);
-let _e135 = bitcast<i32>(_e134);
-let _e137 = select(_e125, _e135, (_e135 < _e125));
-let _e143 = global_5.member[bitcast<u32>(select(0i, _e137, (_e137 > 0i)))];
-let _e145 = ((2u * _e120) + _e122);
-let _e146 = bitcast<i32>(_e145);
-let _e148 = select(_e125, _e146, (_e146 < _e125));
-let _e154 = global_5.member[bitcast<u32>(select(0i, _e148, (_e148 > 0i)))];
-let _e156 = ((3u * _e120) + _e122);
-let _e157 = bitcast<i32>(_e156);
-let _e159 = select(_e125, _e157, (_e157 < _e125));
-let _e165 = global_5.member[bitcast<u32>(select(0i, _e159, (_e159 > 0i)))];
-let _e167 = ((4u * _e120) + _e122);
-let _e168 = bitcast<i32>(_e167);
-let _e170 = select(_e125, _e168, (_e168 < _e125));
-let _e176 = global_5.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
-let _e178 = ((5u * _e120) + _e122);
-let _e179 = bitcast<i32>(_e178);
-let _e181 = select(_e125, _e179, (_e179 < _e125));
-let _e187 = global_5.member[bitcast<u32>(select(0i, _e181, (_e181 > 0i)))];
-let _e189 = ((6u * _e120) + _e122);
-let _e190 = bitcast<i32>(_e189);
-let _e192 = select(_e125, _e190, (_e190 < _e125));
-let _e198 = global_5.member[bitcast<u32>(select(0i, _e192, (_e192 > 0i)))];
-let _e200 = ((7u * _e120) + _e122);
-let _e201 = bitcast<i32>(_e200);
-let _e203 = select(_e125, _e201, (_e201 < _e125));
-let _e209 = global_5.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
-let _e211 = ((8u * _e120) + _e122);
-let _e212 = bitcast<i32>(_e211);
-let _e214 = select(_e125, _e212, (_e212 < _e125));
-let _e220 = global_5.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
-let _e224 = global_1.member.member_2[2u];
-let _e228 = global_1.member.member_2[3u];
-let _e229 = (_e224 * _e228);
-if (_e96 >= (_e229 * 2u)) {
-let _e233 = bitcast<i32>((_e107 * _e224));
-let _e235 = bitcast<i32>(_e104);
-let _e240 = global_6.member[bitcast<u32>((_e233 + _e235))];
-let _e246 = global_6.member[bitcast<u32>(((bitcast<i32>(_e229) + _e233) + _e235))];
-let _e247 = f32(_e235);
-let _e249 = f32(bitcast<i32>(_e107));
-let _e255 = global_1.member.member_4.member;
-let _e259 = global_1.member.member_8.member_2;
-let _e260 = (_e255 - _e259);
-let _e264 = global_1.member.member_7.member;
-let _e268 = global_1.member.member_8.member;
-let _e275 = global_1.member.member_7.member_2;
-let _e277 = ((_e264 + (_e268 * _e260)) + (((_e247 - _e240) + 0.5f) * _e275));
-let _e281 = global_1.member.member_7.member_1;
-let _e285 = global_1.member.member_8.member_1;
-let _e290 = ((_e281 + (_e285 * _e260)) + (((_e249 - _e246) + 0.5f) * _e275));
-let _e294 = global_1.member.member_4.member_1;
-let _e295 = (_e294 - _e259);
-let _e300 = ((_e264 + (_e268 * _e295)) + ((_e247 + 0.5f) * _e275));
-let _e305 = ((_e281 + (_e285 * _e295)) + ((_e249 + 0.5f) * _e275));
-let _e309 = global_1.member.member_5.member;
-let _e322 = global_1.member.member_5.member.member_3;
-let _e323 = ((((_e309.member * _e277) + (_e309.member_1 * _e290)) + (_e309.member_2 * _e255)) + _e322);
-let _e327 = global_1.member.member_5.member_1;
-let _e340 = global_1.member.member_5.member_1.member_3;
-let _e341 = ((((_e327.member * _e277) + (_e327.member_1 * _e290)) + (_e327.member_2 * _e255)) + _e340);
-let _e345 = global_1.member.member_5.member_2;
-let _e358 = global_1.member.member_5.member_2.member_3;
-let _e359 = ((((_e345.member * _e277) + (_e345.member_1 * _e290)) + (_e345.member_2 * _e255)) + _e358);
-let _e365 = ((((_e309.member * _e300) + (_e309.member_1 * _e305)) + (_e309.member_2 * _e294)) + _e322);
-let _e371 = ((((_e327.member * _e300) + (_e327.member_1 * _e305)) + (_e327.member_2 * _e294)) + _e340);
-let _e377 = ((((_e345.member * _e300) + (_e345.member_1 * _e305)) + (_e345.member_2 * _e294)) + _e358);
-let _e383 = global_1.member.member_5.member_3.member;
-let _e384 = (_e383 - 1f);
-let _e393 = global_1.member.member_5.member_3.member_1;
-let _e394 = (_e393 - 1f);
-let _e403 = global_1.member.member_5.member_3.member_2;
-let _e404 = (_e403 - 1f);
-let _e424 = global_1.member.member_5.member_3.member_3;
-let _e425 = (_e383 - 0.5f);
-let _e427 = select(-0.5f, _e365, (_e365 > -0.5f));
-let _e429 = select(_e425, _e427, (_e427 < _e425));
-let _e430 = (_e393 - 0.5f);
-let _e432 = select(-0.5f, _e371, (_e371 > -0.5f));
-let _e434 = select(_e430, _e432, (_e432 < _e430));
-let _e435 = (_e403 - 0.5f);
-let _e437 = select(-0.5f, _e377, (_e377 > -0.5f));
-let _e439 = select(_e435, _e437, (_e437 < _e435));
-let _e445 = bitcast<f32>((bitcast<u32>((_e365 - _e323)) & 2147483647u));
-let _e448 = bitcast<f32>((bitcast<u32>((_e371 - _e341)) & 2147483647u));
-let _e450 = select(_e448, _e445, (_e445 > _e448));
-let _e453 = bitcast<f32>((bitcast<u32>((_e377 - _e359)) & 2147483647u));
-let _e462 = bitcast<f32>((bitcast<u32>((_e365 - _e429)) & 2147483647u));
-let _e465 = bitcast<f32>((bitcast<u32>((_e371 - _e434)) & 2147483647u));
-let _e467 = select(_e465, _e462, (_e462 > _e465));
-let _e470 = bitcast<f32>((bitcast<u32>((_e377 - _e439)) & 2147483647u));
-let _e474 = (_e429 + 0.5f);
-let _e476 = select(0f, _e474, (_e474 > 0f));
-let _e478 = select(_e384, _e476, (_e476 < _e384));
-let _e485 = select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < -2147483600f)), 2147483647i, (_e478 > 2147483500f)), (_e478 == _e478));
-let _e494 = global_1.member.member_5.member_7[3u];
-let _e495 = (_e494 & 31i);
-let _e498 = (_e434 + 0.5f);
-let _e500 = select(0f, _e498, (_e498 > 0f));
-let _e502 = select(_e394, _e500, (_e500 < _e394));
-let _e509 = select(0i, select(select(i32(_e502), i32(-2147483648), (_e502 < -2147483600f)), 2147483647i, (_e502 > 2147483500f)), (_e502 == _e502));
-let _e516 = (_e439 + 0.5f);
-let _e518 = select(0f, _e516, (_e516 > 0f));
-let _e520 = select(_e404, _e518, (_e518 < _e404));
-let _e527 = select(0i, select(select(i32(_e520), i32(-2147483648), (_e520 < -2147483600f)), 2147483647i, (_e520 > 2147483500f)), (_e520 == _e520));
-let _e538 = global_1.member.member_5.member_6[3u];
-let _e544 = global_1.member.member_5.member_6[0u];
-let _e549 = global_1.member.member_5.member_6[1u];
-let _e553 = ((_e538 + ((_e485 - select(0i, 1i, (_e478 < f32(_e485)))) >> bitcast<u32>(_e495))) + (_e544 * (((_e509 - select(0i, 1i, (_e502 < f32(_e509)))) >> bitcast<u32>(_e495)) + (_e549 * ((_e527 - select(0i, 1i, (_e520 < f32(_e527)))) >> bitcast<u32>(_e495))))));
-let _e555 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e557 = select(_e555, _e553, (_e553 < _e555));
-let _e563 = global_3.member[bitcast<u32>(select(0i, _e557, (_e557 > 0i)))];
-let _e570 = global_1.member.member[3u];
-phi_944_ = select(select(7u, 3u, (((((((_e323 >= 0f) && (_e323 <= _e384)) && (_e341 >= 0f)) && (_e341 <= _e394)) && (_e359 >= 0f)) && (_e359 <= _e404)) && ((((((_e365 >= 0f) && (_e365 <= _e384)) && (_e371 >= 0f)) && (_e371 <= _e394)) && (_e377 >= 0f)) && (_e377 <= _e404)))), 1u, (((_e570 & 64u) != 0u) || ((((select(_e453, _e450, (_e450 > _e453)) <= _e424) && ((select(_e470, _e467, (_e467 > _e470)) > _e424) || (_e563 != 0u))) && true) && ((_e570 & 32u) != 0u))));
+var phi_942_: u32;
+var phi_3503_: type_29;
+var phi_4204_: type_30;
+var phi_5092_: type_5;
+var phi_6202_: type_31;
+var phi_6353_: f32;
+var phi_6354_: f32;
+var phi_6355_: f32;
+var phi_6356_: f32;
+let _e86 = global;
+let _e89 = arrayLength((&global_2.member));
+let _e93 = arrayLength((&global_4.member));
+let _e95 = arrayLength((&global_6.member));
+let _e100 = global_1.member.member_2;
+let _e103 = global_1.member.member;
+let _e111 = (_e86.x + _e100.member);
+let _e113 = (_e86.y + _e100.member_1);
+if (_e111 < _e100.member_2) {
+if (_e113 < _e100.member_3) {
+let _e116 = (_e103.member * _e103.member_1);
+let _e118 = ((_e113 * _e103.member) + _e111);
+let _e119 = bitcast<i32>(_e118);
+let _e121 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e123 = select(_e121, _e119, (_e119 < _e121));
+let _e129 = global_5.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
+let _e130 = (_e116 + _e118);
+let _e131 = bitcast<i32>(_e130);
+let _e133 = select(_e121, _e131, (_e131 < _e121));
+let _e139 = global_5.member[bitcast<u32>(select(0i, _e133, (_e133 > 0i)))];
+let _e141 = ((2u * _e116) + _e118);
+let _e142 = bitcast<i32>(_e141);
+let _e144 = select(_e121, _e142, (_e142 < _e121));
+let _e150 = global_5.member[bitcast<u32>(select(0i, _e144, (_e144 > 0i)))];
+let _e152 = ((3u * _e116) + _e118);
+let _e153 = bitcast<i32>(_e152);
+let _e155 = select(_e121, _e153, (_e153 < _e121));
+let _e161 = global_5.member[bitcast<u32>(select(0i, _e155, (_e155 > 0i)))];
+let _e163 = ((4u * _e116) + _e118);
+let _e164 = bitcast<i32>(_e163);
+let _e166 = select(_e121, _e164, (_e164 < _e121));
+let _e172 = global_5.member[bitcast<u32>(select(0i, _e166, (_e166 > 0i)))];
+let _e174 = ((5u * _e116) + _e118);
+let _e175 = bitcast<i32>(_e174);
+let _e177 = select(_e121, _e175, (_e175 < _e121));
+let _e183 = global_5.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
+let _e185 = ((6u * _e116) + _e118);
+let _e186 = bitcast<i32>(_e185);
+let _e188 = select(_e121, _e186, (_e186 < _e121));
+let _e194 = global_5.member[bitcast<u32>(select(0i, _e188, (_e188 > 0i)))];
+let _e196 = ((7u * _e116) + _e118);
+let _e197 = bitcast<i32>(_e196);
+let _e199 = select(_e121, _e197, (_e197 < _e121));
+let _e205 = global_5.member[bitcast<u32>(select(0i, _e199, (_e199 > 0i)))];
+let _e207 = ((8u * _e116) + _e118);
+let _e208 = bitcast<i32>(_e207);
+let _e210 = select(_e121, _e208, (_e208 < _e121));
+let _e216 = global_5.member[bitcast<u32>(select(0i, _e210, (_e210 > 0i)))];
+let _e220 = global_1.member.member_8.member;
+let _e224 = global_1.member.member_8.member_1;
+let _e225 = (_e220 * _e224);
+if (_e95 >= (_e225 * 2u)) {
+let _e229 = bitcast<i32>((_e113 * _e220));
+let _e231 = bitcast<i32>(_e111);
+let _e236 = global_6.member[bitcast<u32>((_e229 + _e231))];
+let _e242 = global_6.member[bitcast<u32>(((bitcast<i32>(_e225) + _e229) + _e231))];
+let _e243 = f32(_e231);
+let _e245 = f32(bitcast<i32>(_e113));
+let _e251 = global_1.member.member_5.member;
+let _e255 = global_1.member.member_8.member_8;
+let _e256 = (_e251 - _e255);
+let _e260 = global_1.member.member_8.member_2;
+let _e264 = global_1.member.member_8.member_6;
+let _e271 = global_1.member.member_8.member_4;
+let _e273 = ((_e260 + (_e264 * _e256)) + (((_e243 - _e236) + 0.5f) * _e271));
+let _e277 = global_1.member.member_8.member_3;
+let _e281 = global_1.member.member_8.member_7;
+let _e286 = ((_e277 + (_e281 * _e256)) + (((_e245 - _e242) + 0.5f) * _e271));
+let _e290 = global_1.member.member_5.member_1;
+let _e291 = (_e290 - _e255);
+let _e296 = ((_e260 + (_e264 * _e291)) + ((_e243 + 0.5f) * _e271));
+let _e301 = ((_e277 + (_e281 * _e291)) + ((_e245 + 0.5f) * _e271));
+let _e305 = global_1.member.member_6.member;
+let _e316 = ((((_e305.member.member * _e273) + (_e305.member.member_1 * _e286)) + (_e305.member.member_2 * _e251)) + _e305.member_1);
+let _e320 = global_1.member.member_6.member_1;
+let _e331 = ((((_e320.member.member * _e273) + (_e320.member.member_1 * _e286)) + (_e320.member.member_2 * _e251)) + _e320.member_1);
+let _e335 = global_1.member.member_6.member_2;
+let _e346 = ((((_e335.member.member * _e273) + (_e335.member.member_1 * _e286)) + (_e335.member.member_2 * _e251)) + _e335.member_1);
+let _e352 = ((((_e305.member.member * _e296) + (_e305.member.member_1 * _e301)) + (_e305.member.member_2 * _e290)) + _e305.member_1);
+let _e358 = ((((_e320.member.member * _e296) + (_e320.member.member_1 * _e301)) + (_e320.member.member_2 * _e290)) + _e320.member_1);
+let _e364 = ((((_e335.member.member * _e296) + (_e335.member.member_1 * _e301)) + (_e335.member.member_2 * _e290)) + _e335.member_1);
+let _e370 = global_1.member.member_6.member_3.member;
+let _e371 = (_e370 - 1f);
+let _e380 = global_1.member.member_6.member_3.member_1;
+let _e381 = (_e380 - 1f);
+let _e390 = global_1.member.member_6.member_3.member_2;
+let _e391 = (_e390 - 1f);
+let _e410 = global_1.member.member_6.member_4;
+let _e411 = (_e370 - 0.5f);
+let _e413 = select(-0.5f, _e352, (_e352 > -0.5f));
+let _e415 = select(_e411, _e413, (_e413 < _e411));
+let _e416 = (_e380 - 0.5f);
+let _e418 = select(-0.5f, _e358, (_e358 > -0.5f));
+let _e420 = select(_e416, _e418, (_e418 < _e416));
+let _e421 = (_e390 - 0.5f);
+let _e423 = select(-0.5f, _e364, (_e364 > -0.5f));
+let _e425 = select(_e421, _e423, (_e423 < _e421));
+let _e431 = bitcast<f32>((bitcast<u32>((_e352 - _e316)) & 2147483647u));
+let _e434 = bitcast<f32>((bitcast<u32>((_e358 - _e331)) & 2147483647u));
+let _e436 = select(_e434, _e431, (_e431 > _e434));
+let _e439 = bitcast<f32>((bitcast<u32>((_e364 - _e346)) & 2147483647u));
+let _e448 = bitcast<f32>((bitcast<u32>((_e352 - _e415)) & 2147483647u));
+let _e451 = bitcast<f32>((bitcast<u32>((_e358 - _e420)) & 2147483647u));
+let _e453 = select(_e451, _e448, (_e448 > _e451));
+let _e456 = bitcast<f32>((bitcast<u32>((_e364 - _e425)) & 2147483647u));
+let _e460 = (_e415 + 0.5f);
+let _e462 = select(0f, _e460, (_e460 > 0f));
+let _e464 = select(_e371, _e462, (_e462 < _e371));
+let _e471 = select(0i, select(select(i32(_e464), i32(-2147483648), (_e464 < -2147483600f)), 2147483647i, (_e464 > 2147483500f)), (_e464 == _e464));
+let _e479 = global_1.member.member_6.member_12;
+let _e480 = (_e479 & 31u);
+let _e483 = (_e420 + 0.5f);
+let _e485 = select(0f, _e483, (_e483 > 0f));
+let _e487 = select(_e381, _e485, (_e485 < _e381));
+let _e494 = select(0i, select(select(i32(_e487), i32(-2147483648), (_e487 < -2147483600f)), 2147483647i, (_e487 > 2147483500f)), (_e487 == _e487));
+let _e501 = (_e425 + 0.5f);
+let _e503 = select(0f, _e501, (_e501 > 0f));
+let _e505 = select(_e391, _e503, (_e503 < _e391));
+let _e512 = select(0i, select(select(i32(_e505), i32(-2147483648), (_e505 < -2147483600f)), 2147483647i, (_e505 > 2147483500f)), (_e505 == _e505));
+let _e523 = global_1.member.member_6.member_9.member;
+let _e529 = global_1.member.member_6.member_9.member_1;
+let _e534 = global_1.member.member_6.member_10;
+let _e540 = ((bitcast<i32>(_e534) + ((_e471 - select(0i, 1i, (_e464 < f32(_e471)))) >> bitcast<u32>(_e480))) + (bitcast<i32>(_e523) * (((_e494 - select(0i, 1i, (_e487 < f32(_e494)))) >> bitcast<u32>(_e480)) + (bitcast<i32>(_e529) * ((_e512 - select(0i, 1i, (_e505 < f32(_e512)))) >> bitcast<u32>(_e480))))));
+let _e542 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e544 = select(_e542, _e540, (_e540 < _e542));
+let _e550 = global_3.member[bitcast<u32>(select(0i, _e544, (_e544 > 0i)))];
+let _e556 = global_1.member.member_1;
+phi_942_ = select(select(7u, 3u, (((((((_e316 >= 0f) && (_e316 <= _e371)) && (_e331 >= 0f)) && (_e331 <= _e381)) && (_e346 >= 0f)) && (_e346 <= _e391)) && ((((((_e352 >= 0f) && (_e352 <= _e371)) && (_e358 >= 0f)) && (_e358 <= _e381)) && (_e364 >= 0f)) && (_e364 <= _e391)))), 1u, (((_e556 & 64u) != 0u) || ((((select(_e439, _e436, (_e436 > _e439)) <= _e410) && ((select(_e456, _e453, (_e453 > _e456)) > _e410) || (_e550 != 0u))) && true) && ((_e556 & 32u) != 0u))));
 } else {
-phi_944_ = 7u;
+phi_942_ = 7u;
 }
-let _e580 = phi_944_;
-if (_e580 > 1u) {
-let _e585 = global_1.member.member[2u];
-let _e588 = bitcast<i32>(((_e107 * _e224) + _e104));
-let _e591 = (bitcast<i32>(_e96) - 1i);
-let _e593 = select(_e591, _e588, (_e588 < _e591));
-let _e599 = global_6.member[bitcast<u32>(select(0i, _e593, (_e593 > 0i)))];
-let _e600 = (bitcast<i32>(_e229) + _e588);
-let _e602 = select(_e591, _e600, (_e600 < _e591));
-let _e608 = global_6.member[bitcast<u32>(select(0i, _e602, (_e602 > 0i)))];
-let _e610 = f32(bitcast<i32>(_e104));
-let _e612 = f32(bitcast<i32>(_e107));
-let _e618 = global_1.member.member_4.member;
-let _e622 = global_1.member.member_8.member_2;
-let _e623 = (_e618 - _e622);
-let _e627 = global_1.member.member_7.member;
-let _e631 = global_1.member.member_8.member;
-let _e638 = global_1.member.member_7.member_2;
-let _e640 = ((_e627 + (_e631 * _e623)) + (((_e610 - _e599) + 0.5f) * _e638));
-let _e644 = global_1.member.member_7.member_1;
-let _e648 = global_1.member.member_8.member_1;
-let _e653 = ((_e644 + (_e648 * _e623)) + (((_e612 - _e608) + 0.5f) * _e638));
-let _e657 = global_1.member.member_4.member_1;
-let _e658 = (_e657 - _e622);
-let _e663 = ((_e627 + (_e631 * _e658)) + ((_e610 + 0.5f) * _e638));
-let _e668 = ((_e644 + (_e648 * _e658)) + ((_e612 + 0.5f) * _e638));
-let _e672 = global_1.member.member_5.member;
-let _e685 = global_1.member.member_5.member.member_3;
-let _e686 = ((((_e672.member * _e640) + (_e672.member_1 * _e653)) + (_e672.member_2 * _e618)) + _e685);
-let _e690 = global_1.member.member_5.member_1;
-let _e703 = global_1.member.member_5.member_1.member_3;
-let _e704 = ((((_e690.member * _e640) + (_e690.member_1 * _e653)) + (_e690.member_2 * _e618)) + _e703);
-let _e708 = global_1.member.member_5.member_2;
-let _e721 = global_1.member.member_5.member_2.member_3;
-let _e722 = ((((_e708.member * _e640) + (_e708.member_1 * _e653)) + (_e708.member_2 * _e618)) + _e721);
-let _e728 = ((((_e672.member * _e663) + (_e672.member_1 * _e668)) + (_e672.member_2 * _e657)) + _e685);
-let _e734 = ((((_e690.member * _e663) + (_e690.member_1 * _e668)) + (_e690.member_2 * _e657)) + _e703);
-let _e740 = ((((_e708.member * _e663) + (_e708.member_1 * _e668)) + (_e708.member_2 * _e657)) + _e721);
-let _e742 = (_e585 == 2u);
-let _e745 = (((_e585 == 1u) || _e742) || (_e585 == 5u));
-if _e745 {
-let _e1135 = global_1.member.member_5.member_3.member;
-let _e1136 = (_e1135 - 0.5f);
-let _e1138 = select(-0.5f, _e728, (_e728 > -0.5f));
-let _e1140 = select(_e1136, _e1138, (_e1138 < _e1136));
-let _e1145 = global_1.member.member_5.member_3.member_1;
-let _e1146 = (_e1145 - 0.5f);
-let _e1148 = select(-0.5f, _e734, (_e734 > -0.5f));
-let _e1150 = select(_e1146, _e1148, (_e1148 < _e1146));
-let _e1155 = global_1.member.member_5.member_3.member_2;
-let _e1156 = (_e1155 - 0.5f);
-let _e1158 = select(-0.5f, _e740, (_e740 > -0.5f));
-let _e1160 = select(_e1156, _e1158, (_e1158 < _e1156));
-let _e1162 = select(-1f, _e1140, (_e1140 > -1f));
-let _e1164 = select(_e1135, _e1162, (_e1162 < _e1135));
-let _e1171 = select(0i, select(select(i32(_e1164), i32(-2147483648), (_e1164 < -2147483600f)), 2147483647i, (_e1164 > 2147483500f)), (_e1164 == _e1164));
-let _e1175 = (_e1171 - select(0i, 1i, (_e1164 < f32(_e1171))));
-let _e1177 = select(-1f, _e1150, (_e1150 > -1f));
-let _e1179 = select(_e1145, _e1177, (_e1177 < _e1145));
-let _e1186 = select(0i, select(select(i32(_e1179), i32(-2147483648), (_e1179 < -2147483600f)), 2147483647i, (_e1179 > 2147483500f)), (_e1179 == _e1179));
-let _e1190 = (_e1186 - select(0i, 1i, (_e1179 < f32(_e1186))));
-let _e1192 = select(-1f, _e1160, (_e1160 > -1f));
-let _e1194 = select(_e1155, _e1192, (_e1192 < _e1155));
-let _e1201 = select(0i, select(select(i32(_e1194), i32(-2147483648), (_e1194 < -2147483600f)), 2147483647i, (_e1194 > 2147483500f)), (_e1194 == _e1194));
-let _e1205 = (_e1201 - select(0i, 1i, (_e1194 < f32(_e1201))));
-let _e1210 = global_1.member.member_5.member_5[0u];
-let _e1215 = global_1.member.member_5.member_5[1u];
-let _e1216 = (_e1175 + 1i);
-let _e1217 = (_e1190 + 1i);
-let _e1218 = (_e1205 + 1i);
-let _e1225 = global_1.member.member_5.member_7[0u];
-let _e1232 = global_1.member.member_5.member_7[1u];
-let _e1238 = ((_e1216 >> bitcast<u32>(4i)) + (_e1225 * ((_e1217 >> bitcast<u32>(4i)) + (_e1232 * (_e1218 >> bitcast<u32>(4i))))));
-let _e1240 = (bitcast<i32>(_e90) - 1i);
-let _e1242 = select(_e1240, _e1238, (_e1238 < _e1240));
-let _e1248 = global_2.member[bitcast<u32>(select(0i, _e1242, (_e1242 > 0i)))];
-let _e1250 = (_e1216 & 15i);
-let _e1253 = ((_e1217 & 15i) * _e1210);
-let _e1255 = (bitcast<i32>(_e1248) + ((_e1218 & 15i) * _e1215));
-let _e1259 = (_e1253 + _e1210);
-let _e1261 = (_e1253 + (2i * _e1210));
-let _e1263 = (_e1253 + (3i * _e1210));
-let _e1264 = (_e1255 + _e1215);
-let _e1266 = (_e1255 + (2i * _e1215));
-let _e1268 = (_e1255 + (3i * _e1215));
-local_4 = type_18(array<i32, 4>(_e1250, (_e1250 + 1i), (_e1250 + 2i), (_e1250 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_5 = vec3<f32>((_e1140 - f32(_e1175)), (_e1150 - f32(_e1190)), (_e1160 - f32(_e1205)));
-let _e1279 = (_e1264 + _e1259);
-let _e1282 = local_4.member[0u];
-let _e1283 = (_e1279 + _e1282);
-let _e1285 = (_e1283 >> bitcast<u32>(1i));
-let _e1288 = bitcast<u32>(((_e1283 & 1i) * 16i));
-let _e1290 = select(_e1240, _e1285, (_e1285 < _e1240));
-let _e1295 = global_2.member[bitcast<u32>(select(0i, _e1290, (_e1290 > 0i)))];
-let _e1299 = (_e1285 + 1i);
-let _e1301 = select(_e1240, _e1299, (_e1299 < _e1240));
-let _e1306 = global_2.member[bitcast<u32>(select(0i, _e1301, (_e1301 > 0i)))];
-let _e1313 = ((_e1295 >> bitcast<u32>((_e1288 & 31u))) | ((_e1306 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1288) & 31u))));
-let _e1316 = local_4.member[2u];
-let _e1317 = (_e1279 + _e1316);
-let _e1319 = (_e1317 >> bitcast<u32>(1i));
-let _e1322 = bitcast<u32>(((_e1317 & 1i) * 16i));
-let _e1324 = select(_e1240, _e1319, (_e1319 < _e1240));
-let _e1329 = global_2.member[bitcast<u32>(select(0i, _e1324, (_e1324 > 0i)))];
-let _e1333 = (_e1319 + 1i);
-let _e1335 = select(_e1240, _e1333, (_e1333 < _e1240));
-let _e1340 = global_2.member[bitcast<u32>(select(0i, _e1335, (_e1335 > 0i)))];
-let _e1347 = ((_e1329 >> bitcast<u32>((_e1322 & 31u))) | ((_e1340 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1322) & 31u))));
-let _e1350 = local_4.member_1[0u];
-let _e1356 = f32(bitcast<i32>(((_e1313 >> bitcast<u32>((_e1350 & 31u))) & 65535u)));
-let _e1359 = local_4.member_1[1u];
-let _e1365 = f32(bitcast<i32>(((_e1313 >> bitcast<u32>((_e1359 & 31u))) & 65535u)));
-let _e1368 = local_4.member_1[4u];
-let _e1374 = f32(bitcast<i32>(((_e1347 >> bitcast<u32>((_e1368 & 31u))) & 65535u)));
-let _e1377 = local_4.member_1[5u];
-let _e1384 = local_5[0u];
-let _e1387 = (_e1356 + ((_e1365 - _e1356) * _e1384));
-let _e1388 = local_5[0u];
-let _e1391 = (_e1365 + ((_e1374 - _e1365) * _e1388));
-let _e1392 = local_5[0u];
-let _e1395 = (_e1374 + ((f32(bitcast<i32>(((_e1347 >> bitcast<u32>((_e1377 & 31u))) & 65535u))) - _e1374) * _e1392));
-let _e1396 = (_e1264 + _e1261);
-let _e1397 = local_4.member[0u];
-let _e1398 = (_e1396 + _e1397);
-let _e1400 = (_e1398 >> bitcast<u32>(1i));
-let _e1403 = bitcast<u32>(((_e1398 & 1i) * 16i));
-let _e1405 = select(_e1240, _e1400, (_e1400 < _e1240));
-let _e1410 = global_2.member[bitcast<u32>(select(0i, _e1405, (_e1405 > 0i)))];
-let _e1414 = (_e1400 + 1i);
-let _e1416 = select(_e1240, _e1414, (_e1414 < _e1240));
-let _e1421 = global_2.member[bitcast<u32>(select(0i, _e1416, (_e1416 > 0i)))];
-let _e1428 = ((_e1410 >> bitcast<u32>((_e1403 & 31u))) | ((_e1421 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1403) & 31u))));
-let _e1429 = local_4.member[2u];
-let _e1430 = (_e1396 + _e1429);
-let _e1432 = (_e1430 >> bitcast<u32>(1i));
-let _e1435 = bitcast<u32>(((_e1430 & 1i) * 16i));
-let _e1437 = select(_e1240, _e1432, (_e1432 < _e1240));
-let _e1442 = global_2.member[bitcast<u32>(select(0i, _e1437, (_e1437 > 0i)))];
-let _e1446 = (_e1432 + 1i);
-let _e1448 = select(_e1240, _e1446, (_e1446 < _e1240));
-let _e1453 = global_2.member[bitcast<u32>(select(0i, _e1448, (_e1448 > 0i)))];
-let _e1460 = ((_e1442 >> bitcast<u32>((_e1435 & 31u))) | ((_e1453 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1435) & 31u))));
-let _e1461 = local_4.member_1[0u];
-let _e1467 = f32(bitcast<i32>(((_e1428 >> bitcast<u32>((_e1461 & 31u))) & 65535u)));
-let _e1468 = local_4.member_1[1u];
-let _e1474 = f32(bitcast<i32>(((_e1428 >> bitcast<u32>((_e1468 & 31u))) & 65535u)));
-let _e1475 = local_4.member_1[4u];
-let _e1481 = f32(bitcast<i32>(((_e1460 >> bitcast<u32>((_e1475 & 31u))) & 65535u)));
-let _e1482 = local_4.member_1[5u];
-let _e1489 = local_5[0u];
-let _e1493 = local_5[0u];
-let _e1496 = (_e1474 + ((_e1481 - _e1474) * _e1493));
-let _e1497 = local_5[0u];
-let _e1501 = (_e1266 + _e1259);
-let _e1502 = local_4.member[0u];
-let _e1503 = (_e1501 + _e1502);
-let _e1505 = (_e1503 >> bitcast<u32>(1i));
-let _e1508 = bitcast<u32>(((_e1503 & 1i) * 16i));
-let _e1510 = select(_e1240, _e1505, (_e1505 < _e1240));
-let _e1515 = global_2.member[bitcast<u32>(select(0i, _e1510, (_e1510 > 0i)))];
-let _e1519 = (_e1505 + 1i);
-let _e1521 = select(_e1240, _e1519, (_e1519 < _e1240));
-let _e1526 = global_2.member[bitcast<u32>(select(0i, _e1521, (_e1521 > 0i)))];
-let _e1533 = ((_e1515 >> bitcast<u32>((_e1508 & 31u))) | ((_e1526 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1508) & 31u))));
-let _e1534 = local_4.member[2u];
-let _e1535 = (_e1501 + _e1534);
-let _e1537 = (_e1535 >> bitcast<u32>(1i));
-let _e1540 = bitcast<u32>(((_e1535 & 1i) * 16i));
-let _e1542 = select(_e1240, _e1537, (_e1537 < _e1240));
-let _e1547 = global_2.member[bitcast<u32>(select(0i, _e1542, (_e1542 > 0i)))];
-let _e1551 = (_e1537 + 1i);
-let _e1553 = select(_e1240, _e1551, (_e1551 < _e1240));
-let _e1558 = global_2.member[bitcast<u32>(select(0i, _e1553, (_e1553 > 0i)))];
-let _e1565 = ((_e1547 >> bitcast<u32>((_e1540 & 31u))) | ((_e1558 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1540) & 31u))));
-let _e1566 = local_4.member_1[0u];
-let _e1572 = f32(bitcast<i32>(((_e1533 >> bitcast<u32>((_e1566 & 31u))) & 65535u)));
-let _e1573 = local_4.member_1[1u];
-let _e1579 = f32(bitcast<i32>(((_e1533 >> bitcast<u32>((_e1573 & 31u))) & 65535u)));
-let _e1580 = local_4.member_1[4u];
-let _e1586 = f32(bitcast<i32>(((_e1565 >> bitcast<u32>((_e1580 & 31u))) & 65535u)));
-let _e1587 = local_4.member_1[5u];
-let _e1594 = local_5[0u];
-let _e1597 = (_e1572 + ((_e1579 - _e1572) * _e1594));
-let _e1598 = local_5[0u];
-let _e1601 = (_e1579 + ((_e1586 - _e1579) * _e1598));
-let _e1602 = local_5[0u];
-let _e1605 = (_e1586 + ((f32(bitcast<i32>(((_e1565 >> bitcast<u32>((_e1587 & 31u))) & 65535u))) - _e1586) * _e1602));
-let _e1606 = (_e1266 + _e1261);
-let _e1607 = local_4.member[0u];
-let _e1608 = (_e1606 + _e1607);
-let _e1610 = (_e1608 >> bitcast<u32>(1i));
-let _e1613 = bitcast<u32>(((_e1608 & 1i) * 16i));
-let _e1615 = select(_e1240, _e1610, (_e1610 < _e1240));
-let _e1620 = global_2.member[bitcast<u32>(select(0i, _e1615, (_e1615 > 0i)))];
-let _e1624 = (_e1610 + 1i);
-let _e1626 = select(_e1240, _e1624, (_e1624 < _e1240));
-let _e1631 = global_2.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
-let _e1638 = ((_e1620 >> bitcast<u32>((_e1613 & 31u))) | ((_e1631 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1613) & 31u))));
-let _e1639 = local_4.member[2u];
-let _e1640 = (_e1606 + _e1639);
-let _e1642 = (_e1640 >> bitcast<u32>(1i));
-let _e1645 = bitcast<u32>(((_e1640 & 1i) * 16i));
-let _e1647 = select(_e1240, _e1642, (_e1642 < _e1240));
-let _e1652 = global_2.member[bitcast<u32>(select(0i, _e1647, (_e1647 > 0i)))];
-let _e1656 = (_e1642 + 1i);
-let _e1658 = select(_e1240, _e1656, (_e1656 < _e1240));
-let _e1663 = global_2.member[bitcast<u32>(select(0i, _e1658, (_e1658 > 0i)))];
-let _e1670 = ((_e1652 >> bitcast<u32>((_e1645 & 31u))) | ((_e1663 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1645) & 31u))));
-let _e1671 = local_4.member_1[0u];
-let _e1677 = f32(bitcast<i32>(((_e1638 >> bitcast<u32>((_e1671 & 31u))) & 65535u)));
-let _e1678 = local_4.member_1[1u];
-let _e1684 = f32(bitcast<i32>(((_e1638 >> bitcast<u32>((_e1678 & 31u))) & 65535u)));
-let _e1685 = local_4.member_1[4u];
-let _e1691 = f32(bitcast<i32>(((_e1670 >> bitcast<u32>((_e1685 & 31u))) & 65535u)));
-let _e1692 = local_4.member_1[5u];
-let _e1699 = local_5[0u];
-let _e1703 = local_5[0u];
-let _e1706 = (_e1684 + ((_e1691 - _e1684) * _e1703));
-let _e1707 = local_5[0u];
-let _e1714 = local_4.member[1u];
-let _e1715 = ((_e1264 + _e1253) + _e1714);
-let _e1717 = (_e1715 >> bitcast<u32>(1i));
-let _e1720 = bitcast<u32>(((_e1715 & 1i) * 16i));
-let _e1722 = select(_e1240, _e1717, (_e1717 < _e1240));
-let _e1727 = global_2.member[bitcast<u32>(select(0i, _e1722, (_e1722 > 0i)))];
-let _e1731 = (_e1717 + 1i);
-let _e1733 = select(_e1240, _e1731, (_e1731 < _e1240));
-let _e1738 = global_2.member[bitcast<u32>(select(0i, _e1733, (_e1733 > 0i)))];
-let _e1745 = ((_e1727 >> bitcast<u32>((_e1720 & 31u))) | ((_e1738 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1720) & 31u))));
-let _e1748 = local_4.member_1[2u];
-let _e1754 = f32(bitcast<i32>(((_e1745 >> bitcast<u32>((_e1748 & 31u))) & 65535u)));
-let _e1757 = local_4.member_1[3u];
-let _e1764 = local_5[0u];
-let _e1767 = (_e1754 + ((f32(bitcast<i32>(((_e1745 >> bitcast<u32>((_e1757 & 31u))) & 65535u))) - _e1754) * _e1764));
-let _e1769 = local_4.member[1u];
-let _e1770 = ((_e1264 + _e1263) + _e1769);
-let _e1772 = (_e1770 >> bitcast<u32>(1i));
-let _e1775 = bitcast<u32>(((_e1770 & 1i) * 16i));
-let _e1777 = select(_e1240, _e1772, (_e1772 < _e1240));
-let _e1782 = global_2.member[bitcast<u32>(select(0i, _e1777, (_e1777 > 0i)))];
-let _e1786 = (_e1772 + 1i);
-let _e1788 = select(_e1240, _e1786, (_e1786 < _e1240));
-let _e1793 = global_2.member[bitcast<u32>(select(0i, _e1788, (_e1788 > 0i)))];
-let _e1800 = ((_e1782 >> bitcast<u32>((_e1775 & 31u))) | ((_e1793 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1775) & 31u))));
-let _e1801 = local_4.member_1[2u];
-let _e1807 = f32(bitcast<i32>(((_e1800 >> bitcast<u32>((_e1801 & 31u))) & 65535u)));
-let _e1808 = local_4.member_1[3u];
-let _e1815 = local_5[0u];
-let _e1820 = local_4.member[1u];
-let _e1821 = ((_e1266 + _e1253) + _e1820);
-let _e1823 = (_e1821 >> bitcast<u32>(1i));
-let _e1826 = bitcast<u32>(((_e1821 & 1i) * 16i));
-let _e1828 = select(_e1240, _e1823, (_e1823 < _e1240));
-let _e1833 = global_2.member[bitcast<u32>(select(0i, _e1828, (_e1828 > 0i)))];
-let _e1837 = (_e1823 + 1i);
-let _e1839 = select(_e1240, _e1837, (_e1837 < _e1240));
-let _e1844 = global_2.member[bitcast<u32>(select(0i, _e1839, (_e1839 > 0i)))];
-let _e1851 = ((_e1833 >> bitcast<u32>((_e1826 & 31u))) | ((_e1844 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1826) & 31u))));
-let _e1852 = local_4.member_1[2u];
-let _e1858 = f32(bitcast<i32>(((_e1851 >> bitcast<u32>((_e1852 & 31u))) & 65535u)));
-let _e1859 = local_4.member_1[3u];
-let _e1866 = local_5[0u];
-let _e1869 = (_e1858 + ((f32(bitcast<i32>(((_e1851 >> bitcast<u32>((_e1859 & 31u))) & 65535u))) - _e1858) * _e1866));
-let _e1871 = local_4.member[1u];
-let _e1872 = ((_e1266 + _e1263) + _e1871);
-let _e1874 = (_e1872 >> bitcast<u32>(1i));
-let _e1877 = bitcast<u32>(((_e1872 & 1i) * 16i));
-let _e1879 = select(_e1240, _e1874, (_e1874 < _e1240));
-let _e1884 = global_2.member[bitcast<u32>(select(0i, _e1879, (_e1879 > 0i)))];
-let _e1888 = (_e1874 + 1i);
-let _e1890 = select(_e1240, _e1888, (_e1888 < _e1240));
-let _e1895 = global_2.member[bitcast<u32>(select(0i, _e1890, (_e1890 > 0i)))];
-let _e1902 = ((_e1884 >> bitcast<u32>((_e1877 & 31u))) | ((_e1895 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1877) & 31u))));
-let _e1903 = local_4.member_1[2u];
-let _e1909 = f32(bitcast<i32>(((_e1902 >> bitcast<u32>((_e1903 & 31u))) & 65535u)));
-let _e1910 = local_4.member_1[3u];
-let _e1917 = local_5[0u];
-let _e1922 = local_4.member[1u];
-let _e1923 = ((_e1255 + _e1259) + _e1922);
-let _e1925 = (_e1923 >> bitcast<u32>(1i));
-let _e1928 = bitcast<u32>(((_e1923 & 1i) * 16i));
-let _e1930 = select(_e1240, _e1925, (_e1925 < _e1240));
-let _e1935 = global_2.member[bitcast<u32>(select(0i, _e1930, (_e1930 > 0i)))];
-let _e1939 = (_e1925 + 1i);
-let _e1941 = select(_e1240, _e1939, (_e1939 < _e1240));
-let _e1946 = global_2.member[bitcast<u32>(select(0i, _e1941, (_e1941 > 0i)))];
-let _e1953 = ((_e1935 >> bitcast<u32>((_e1928 & 31u))) | ((_e1946 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1928) & 31u))));
-let _e1954 = local_4.member_1[2u];
-let _e1960 = f32(bitcast<i32>(((_e1953 >> bitcast<u32>((_e1954 & 31u))) & 65535u)));
-let _e1961 = local_4.member_1[3u];
-let _e1968 = local_5[0u];
-let _e1971 = (_e1960 + ((f32(bitcast<i32>(((_e1953 >> bitcast<u32>((_e1961 & 31u))) & 65535u))) - _e1960) * _e1968));
-let _e1973 = local_4.member[1u];
-let _e1974 = ((_e1268 + _e1259) + _e1973);
-let _e1976 = (_e1974 >> bitcast<u32>(1i));
-let _e1979 = bitcast<u32>(((_e1974 & 1i) * 16i));
-let _e1981 = select(_e1240, _e1976, (_e1976 < _e1240));
-let _e1986 = global_2.member[bitcast<u32>(select(0i, _e1981, (_e1981 > 0i)))];
-let _e1990 = (_e1976 + 1i);
-let _e1992 = select(_e1240, _e1990, (_e1990 < _e1240));
-let _e1997 = global_2.member[bitcast<u32>(select(0i, _e1992, (_e1992 > 0i)))];
-let _e2004 = ((_e1986 >> bitcast<u32>((_e1979 & 31u))) | ((_e1997 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1979) & 31u))));
-let _e2005 = local_4.member_1[2u];
-let _e2011 = f32(bitcast<i32>(((_e2004 >> bitcast<u32>((_e2005 & 31u))) & 65535u)));
-let _e2012 = local_4.member_1[3u];
-let _e2019 = local_5[0u];
-let _e2022 = (_e2011 + ((f32(bitcast<i32>(((_e2004 >> bitcast<u32>((_e2012 & 31u))) & 65535u))) - _e2011) * _e2019));
-let _e2024 = local_4.member[1u];
-let _e2025 = ((_e1255 + _e1261) + _e2024);
-let _e2027 = (_e2025 >> bitcast<u32>(1i));
-let _e2030 = bitcast<u32>(((_e2025 & 1i) * 16i));
-let _e2032 = select(_e1240, _e2027, (_e2027 < _e1240));
-let _e2037 = global_2.member[bitcast<u32>(select(0i, _e2032, (_e2032 > 0i)))];
-let _e2041 = (_e2027 + 1i);
-let _e2043 = select(_e1240, _e2041, (_e2041 < _e1240));
-let _e2048 = global_2.member[bitcast<u32>(select(0i, _e2043, (_e2043 > 0i)))];
-let _e2055 = ((_e2037 >> bitcast<u32>((_e2030 & 31u))) | ((_e2048 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2030) & 31u))));
-let _e2056 = local_4.member_1[2u];
-let _e2062 = f32(bitcast<i32>(((_e2055 >> bitcast<u32>((_e2056 & 31u))) & 65535u)));
-let _e2063 = local_4.member_1[3u];
-let _e2070 = local_5[0u];
-let _e2075 = local_4.member[1u];
-let _e2076 = ((_e1268 + _e1261) + _e2075);
-let _e2078 = (_e2076 >> bitcast<u32>(1i));
-let _e2081 = bitcast<u32>(((_e2076 & 1i) * 16i));
-let _e2083 = select(_e1240, _e2078, (_e2078 < _e1240));
-let _e2088 = global_2.member[bitcast<u32>(select(0i, _e2083, (_e2083 > 0i)))];
-let _e2092 = (_e2078 + 1i);
-let _e2094 = select(_e1240, _e2092, (_e2092 < _e1240));
-let _e2099 = global_2.member[bitcast<u32>(select(0i, _e2094, (_e2094 > 0i)))];
-let _e2106 = ((_e2088 >> bitcast<u32>((_e2081 & 31u))) | ((_e2099 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2081) & 31u))));
-let _e2107 = local_4.member_1[2u];
-let _e2113 = f32(bitcast<i32>(((_e2106 >> bitcast<u32>((_e2107 & 31u))) & 65535u)));
-let _e2114 = local_4.member_1[3u];
-let _e2121 = local_5[0u];
-let _e2126 = local_5[1u];
-let _e2129 = (_e1391 + ((_e1496 - _e1391) * _e2126));
-let _e2130 = local_5[1u];
-let _e2133 = (_e1601 + ((_e1706 - _e1601) * _e2130));
-let _e2134 = local_5[1u];
-let _e2137 = (_e1387 + (((_e1467 + ((_e1474 - _e1467) * _e1489)) - _e1387) * _e2134));
-let _e2138 = local_5[1u];
-let _e2143 = local_5[2u];
-let _e2147 = local_5[1u];
-let _e2150 = (_e1395 + (((_e1481 + ((f32(bitcast<i32>(((_e1460 >> bitcast<u32>((_e1482 & 31u))) & 65535u))) - _e1481) * _e1497)) - _e1395) * _e2147));
-let _e2151 = local_5[1u];
-let _e2155 = local_5[2u];
-let _e2159 = local_5[1u];
-let _e2162 = (_e1767 + ((_e1391 - _e1767) * _e2159));
-let _e2163 = local_5[1u];
-let _e2167 = local_5[2u];
-let _e2171 = local_5[1u];
-let _e2174 = (_e1496 + (((_e1807 + ((f32(bitcast<i32>(((_e1800 >> bitcast<u32>((_e1808 & 31u))) & 65535u))) - _e1807) * _e1815)) - _e1496) * _e2171));
-let _e2175 = local_5[1u];
-let _e2179 = local_5[2u];
-let _e2183 = local_5[1u];
-let _e2186 = (_e1971 + (((_e2062 + ((f32(bitcast<i32>(((_e2055 >> bitcast<u32>((_e2063 & 31u))) & 65535u))) - _e2062) * _e2070)) - _e1971) * _e2183));
-let _e2187 = local_5[2u];
-let _e2191 = local_5[1u];
-let _e2195 = local_5[2u];
-let _e2199 = local_5[2u];
-let _e2207 = global_1.member.member_5.member_4.member;
-let _e2213 = global_1.member.member_5.member_4.member_1;
-let _e2214 = (((_e2129 + ((_e2133 - _e2129) * _e2199)) * _e2207) + _e2213);
-let _e2216 = select(0f, _e2214, (_e2214 > 0f));
-let _e2218 = select(1f, _e2216, (_e2216 < 1f));
-let _e2220 = (((_e2137 + (((_e1597 + (((_e1677 + ((_e1684 - _e1677) * _e1699)) - _e1597) * _e2138)) - _e2137) * _e2143)) * _e2207) + _e2213);
-let _e2222 = select(0f, _e2220, (_e2220 > 0f));
-let _e2224 = select(1f, _e2222, (_e2222 < 1f));
-let _e2226 = (((_e2150 + (((_e1605 + (((_e1691 + ((f32(bitcast<i32>(((_e1670 >> bitcast<u32>((_e1692 & 31u))) & 65535u))) - _e1691) * _e1707)) - _e1605) * _e2151)) - _e2150) * _e2155)) * _e2207) + _e2213);
-let _e2228 = select(0f, _e2226, (_e2226 > 0f));
-let _e2230 = select(1f, _e2228, (_e2228 < 1f));
-let _e2232 = (((_e2162 + (((_e1869 + ((_e1601 - _e1869) * _e2163)) - _e2162) * _e2167)) * _e2207) + _e2213);
-let _e2234 = select(0f, _e2232, (_e2232 > 0f));
-let _e2236 = select(1f, _e2234, (_e2234 < 1f));
-let _e2238 = (((_e2174 + (((_e1706 + (((_e1909 + ((f32(bitcast<i32>(((_e1902 >> bitcast<u32>((_e1910 & 31u))) & 65535u))) - _e1909) * _e1917)) - _e1706) * _e2175)) - _e2174) * _e2179)) * _e2207) + _e2213);
-let _e2240 = select(0f, _e2238, (_e2238 > 0f));
-let _e2242 = select(1f, _e2240, (_e2240 < 1f));
-let _e2244 = (((_e2186 + ((_e2129 - _e2186) * _e2187)) * _e2207) + _e2213);
-let _e2246 = select(0f, _e2244, (_e2244 > 0f));
-let _e2248 = select(1f, _e2246, (_e2246 < 1f));
-let _e2250 = (((_e2133 + (((_e2022 + (((_e2113 + ((f32(bitcast<i32>(((_e2106 >> bitcast<u32>((_e2114 & 31u))) & 65535u))) - _e2113) * _e2121)) - _e2022) * _e2191)) - _e2133) * _e2195)) * _e2207) + _e2213);
-let _e2252 = select(0f, _e2250, (_e2250 > 0f));
-let _e2254 = select(1f, _e2252, (_e2252 < 1f));
-let _e2255 = (_e2218 * 1024f);
-let _e2256 = (1024f - 1f);
-let _e2258 = select(0f, _e2255, (_e2255 > 0f));
-let _e2260 = select(_e2256, _e2258, (_e2258 < _e2256));
-let _e2267 = select(0i, select(select(i32(_e2260), i32(-2147483648), (_e2260 < -2147483600f)), 2147483647i, (_e2260 > 2147483500f)), (_e2260 == _e2260));
-let _e2271 = (_e2267 - select(0i, 1i, (_e2260 < f32(_e2267))));
-let _e2272 = (262147i + _e2271);
-let _e2274 = (bitcast<i32>(_e94) - 1i);
-let _e2276 = select(_e2274, _e2272, (_e2272 < _e2274));
-let _e2282 = global_4.member[bitcast<u32>(select(0i, _e2276, (_e2276 > 0i)))];
-let _e2292 = select(_e2274, 262146i, (262146i < _e2274));
-let _e2298 = global_4.member[bitcast<u32>(select(0i, _e2292, (_e2292 > 0i)))];
-let _e2299 = bitcast<f32>(_e2298);
-let _e2300 = (f32((bitcast<i32>((_e2282 & 4095u)) - 2048i)) * _e2299);
-let _e2302 = select(_e2274, 262144i, (262144i < _e2274));
-let _e2308 = global_4.member[bitcast<u32>(select(0i, _e2302, (_e2302 > 0i)))];
-let _e2309 = bitcast<f32>(_e2308);
-let _e2311 = select(_e2274, 262145i, (262145i < _e2274));
-let _e2317 = global_4.member[bitcast<u32>(select(0i, _e2311, (_e2311 > 0i)))];
-let _e2318 = bitcast<f32>(_e2317);
-let _e2324 = ((_e2309 + (f32(bitcast<i32>((_e2282 >> bitcast<u32>(12u)))) * _e2318)) + (_e2300 * (_e2255 - f32(_e2271))));
-let _e2325 = (_e2300 * 1024f);
-if _e742 {
-let _e2590 = ((0.5f * (_e2230 - _e2224)) * _e2325);
-let _e2591 = ((0.5f * (_e2242 - _e2236)) * _e2325);
-let _e2592 = ((0.5f * (_e2254 - _e2248)) * _e2325);
-phi_5327_ = type_19(_e2324, vec3<f32>(_e2590, _e2591, _e2592), vec3<f32>((_e2590 * _e2324), (_e2591 * _e2324), (_e2592 * _e2324)));
+let _e566 = phi_942_;
+if (_e566 > 1u) {
+let _e571 = bitcast<i32>(((_e113 * _e220) + _e111));
+let _e574 = (bitcast<i32>(_e95) - 1i);
+let _e576 = select(_e574, _e571, (_e571 < _e574));
+let _e582 = global_6.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
+let _e583 = (bitcast<i32>(_e225) + _e571);
+let _e585 = select(_e574, _e583, (_e583 < _e574));
+let _e591 = global_6.member[bitcast<u32>(select(0i, _e585, (_e585 > 0i)))];
+let _e593 = f32(bitcast<i32>(_e111));
+let _e595 = f32(bitcast<i32>(_e113));
+let _e601 = global_1.member.member_5.member;
+let _e605 = global_1.member.member_8.member_8;
+let _e606 = (_e601 - _e605);
+let _e610 = global_1.member.member_8.member_2;
+let _e614 = global_1.member.member_8.member_6;
+let _e621 = global_1.member.member_8.member_4;
+let _e623 = ((_e610 + (_e614 * _e606)) + (((_e593 - _e582) + 0.5f) * _e621));
+let _e627 = global_1.member.member_8.member_3;
+let _e631 = global_1.member.member_8.member_7;
+let _e636 = ((_e627 + (_e631 * _e606)) + (((_e595 - _e591) + 0.5f) * _e621));
+let _e640 = global_1.member.member_5.member_1;
+let _e641 = (_e640 - _e605);
+let _e646 = ((_e610 + (_e614 * _e641)) + ((_e593 + 0.5f) * _e621));
+let _e651 = ((_e627 + (_e631 * _e641)) + ((_e595 + 0.5f) * _e621));
+let _e655 = global_1.member.member_6.member;
+let _e666 = ((((_e655.member.member * _e623) + (_e655.member.member_1 * _e636)) + (_e655.member.member_2 * _e601)) + _e655.member_1);
+let _e670 = global_1.member.member_6.member_1;
+let _e681 = ((((_e670.member.member * _e623) + (_e670.member.member_1 * _e636)) + (_e670.member.member_2 * _e601)) + _e670.member_1);
+let _e685 = global_1.member.member_6.member_2;
+let _e696 = ((((_e685.member.member * _e623) + (_e685.member.member_1 * _e636)) + (_e685.member.member_2 * _e601)) + _e685.member_1);
+let _e702 = ((((_e655.member.member * _e646) + (_e655.member.member_1 * _e651)) + (_e655.member.member_2 * _e640)) + _e655.member_1);
+let _e708 = ((((_e670.member.member * _e646) + (_e670.member.member_1 * _e651)) + (_e670.member.member_2 * _e640)) + _e670.member_1);
+let _e714 = ((((_e685.member.member * _e646) + (_e685.member.member_1 * _e651)) + (_e685.member.member_2 * _e640)) + _e685.member_1);
+let _e716 = (_e103.member_2 == 2u);
+let _e719 = (((_e103.member_2 == 1u) || _e716) || (_e103.member_2 == 5u));
+if _e719 {
+let _e724 = global_1.member.member_6.member_3.member;
+let _e725 = (_e724 - 0.5f);
+let _e727 = select(-0.5f, _e702, (_e702 > -0.5f));
+let _e729 = select(_e725, _e727, (_e727 < _e725));
+let _e734 = global_1.member.member_6.member_3.member_1;
+let _e735 = (_e734 - 0.5f);
+let _e737 = select(-0.5f, _e708, (_e708 > -0.5f));
+let _e739 = select(_e735, _e737, (_e737 < _e735));
+let _e744 = global_1.member.member_6.member_3.member_2;
+let _e745 = (_e744 - 0.5f);
+let _e747 = select(-0.5f, _e714, (_e714 > -0.5f));
+let _e749 = select(_e745, _e747, (_e747 < _e745));
+let _e751 = select(-1f, _e729, (_e729 > -1f));
+let _e753 = select(_e724, _e751, (_e751 < _e724));
+let _e760 = select(0i, select(select(i32(_e753), i32(-2147483648), (_e753 < -2147483600f)), 2147483647i, (_e753 > 2147483500f)), (_e753 == _e753));
+let _e764 = (_e760 - select(0i, 1i, (_e753 < f32(_e760))));
+let _e766 = select(-1f, _e739, (_e739 > -1f));
+let _e768 = select(_e734, _e766, (_e766 < _e734));
+let _e775 = select(0i, select(select(i32(_e768), i32(-2147483648), (_e768 < -2147483600f)), 2147483647i, (_e768 > 2147483500f)), (_e768 == _e768));
+let _e779 = (_e775 - select(0i, 1i, (_e768 < f32(_e775))));
+let _e781 = select(-1f, _e749, (_e749 > -1f));
+let _e783 = select(_e744, _e781, (_e781 < _e744));
+let _e790 = select(0i, select(select(i32(_e783), i32(-2147483648), (_e783 < -2147483600f)), 2147483647i, (_e783 > 2147483500f)), (_e783 == _e783));
+let _e794 = (_e790 - select(0i, 1i, (_e783 < f32(_e790))));
+let _e798 = global_1.member.member_6.member_7;
+let _e802 = global_1.member.member_6.member_8;
+let _e803 = (_e764 + 1i);
+let _e804 = (_e779 + 1i);
+let _e805 = (_e794 + 1i);
+let _e810 = global_1.member.member_6.member_11.member;
+let _e816 = global_1.member.member_6.member_11.member_1;
+let _e827 = ((_e803 >> bitcast<u32>(4i)) + (bitcast<i32>(_e810) * ((_e804 >> bitcast<u32>(4i)) + (bitcast<i32>(_e816) * (_e805 >> bitcast<u32>(4i))))));
+let _e829 = (bitcast<i32>(_e89) - 1i);
+let _e831 = select(_e829, _e827, (_e827 < _e829));
+let _e837 = global_2.member[bitcast<u32>(select(0i, _e831, (_e831 > 0i)))];
+let _e839 = (_e803 & 15i);
+let _e842 = ((_e804 & 15i) * _e798);
+let _e844 = (bitcast<i32>(_e837) + ((_e805 & 15i) * _e802));
+let _e848 = (_e842 + _e798);
+let _e850 = (_e842 + (2i * _e798));
+let _e852 = (_e842 + (3i * _e798));
+let _e853 = (_e844 + _e802);
+let _e855 = (_e844 + (2i * _e802));
+let _e857 = (_e844 + (3i * _e802));
+local_4 = type_28(array<i32, 4>(_e839, (_e839 + 1i), (_e839 + 2i), (_e839 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_5 = vec3<f32>((_e729 - f32(_e764)), (_e739 - f32(_e779)), (_e749 - f32(_e794)));
+let _e868 = (_e853 + _e848);
+let _e871 = local_4.member[0u];
+let _e872 = (_e868 + _e871);
+let _e874 = (_e872 >> bitcast<u32>(1i));
+let _e877 = bitcast<u32>(((_e872 & 1i) * 16i));
+let _e879 = select(_e829, _e874, (_e874 < _e829));
+let _e884 = global_2.member[bitcast<u32>(select(0i, _e879, (_e879 > 0i)))];
+let _e888 = (_e874 + 1i);
+let _e890 = select(_e829, _e888, (_e888 < _e829));
+let _e895 = global_2.member[bitcast<u32>(select(0i, _e890, (_e890 > 0i)))];
+let _e902 = ((_e884 >> bitcast<u32>((_e877 & 31u))) | ((_e895 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e877) & 31u))));
+let _e905 = local_4.member[2u];
+let _e906 = (_e868 + _e905);
+let _e908 = (_e906 >> bitcast<u32>(1i));
+let _e911 = bitcast<u32>(((_e906 & 1i) * 16i));
+let _e913 = select(_e829, _e908, (_e908 < _e829));
+let _e918 = global_2.member[bitcast<u32>(select(0i, _e913, (_e913 > 0i)))];
+let _e922 = (_e908 + 1i);
+let _e924 = select(_e829, _e922, (_e922 < _e829));
+let _e929 = global_2.member[bitcast<u32>(select(0i, _e924, (_e924 > 0i)))];
+let _e936 = ((_e918 >> bitcast<u32>((_e911 & 31u))) | ((_e929 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e911) & 31u))));
+let _e939 = local_4.member_1[0u];
+let _e945 = f32(bitcast<i32>(((_e902 >> bitcast<u32>((_e939 & 31u))) & 65535u)));
+let _e948 = local_4.member_1[1u];
+let _e954 = f32(bitcast<i32>(((_e902 >> bitcast<u32>((_e948 & 31u))) & 65535u)));
+let _e957 = local_4.member_1[4u];
+let _e963 = f32(bitcast<i32>(((_e936 >> bitcast<u32>((_e957 & 31u))) & 65535u)));
+let _e966 = local_4.member_1[5u];
+let _e973 = local_5[0u];
+let _e976 = (_e945 + ((_e954 - _e945) * _e973));
+let _e977 = local_5[0u];
+let _e980 = (_e954 + ((_e963 - _e954) * _e977));
+let _e981 = local_5[0u];
+let _e984 = (_e963 + ((f32(bitcast<i32>(((_e936 >> bitcast<u32>((_e966 & 31u))) & 65535u))) - _e963) * _e981));
+let _e985 = (_e853 + _e850);
+let _e986 = local_4.member[0u];
+let _e987 = (_e985 + _e986);
+let _e989 = (_e987 >> bitcast<u32>(1i));
+let _e992 = bitcast<u32>(((_e987 & 1i) * 16i));
+let _e994 = select(_e829, _e989, (_e989 < _e829));
+let _e999 = global_2.member[bitcast<u32>(select(0i, _e994, (_e994 > 0i)))];
+let _e1003 = (_e989 + 1i);
+let _e1005 = select(_e829, _e1003, (_e1003 < _e829));
+let _e1010 = global_2.member[bitcast<u32>(select(0i, _e1005, (_e1005 > 0i)))];
+let _e1017 = ((_e999 >> bitcast<u32>((_e992 & 31u))) | ((_e1010 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e992) & 31u))));
+let _e1018 = local_4.member[2u];
+let _e1019 = (_e985 + _e1018);
+let _e1021 = (_e1019 >> bitcast<u32>(1i));
+let _e1024 = bitcast<u32>(((_e1019 & 1i) * 16i));
+let _e1026 = select(_e829, _e1021, (_e1021 < _e829));
+let _e1031 = global_2.member[bitcast<u32>(select(0i, _e1026, (_e1026 > 0i)))];
+let _e1035 = (_e1021 + 1i);
+let _e1037 = select(_e829, _e1035, (_e1035 < _e829));
+let _e1042 = global_2.member[bitcast<u32>(select(0i, _e1037, (_e1037 > 0i)))];
+let _e1049 = ((_e1031 >> bitcast<u32>((_e1024 & 31u))) | ((_e1042 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1024) & 31u))));
+let _e1050 = local_4.member_1[0u];
+let _e1056 = f32(bitcast<i32>(((_e1017 >> bitcast<u32>((_e1050 & 31u))) & 65535u)));
+let _e1057 = local_4.member_1[1u];
+let _e1063 = f32(bitcast<i32>(((_e1017 >> bitcast<u32>((_e1057 & 31u))) & 65535u)));
+let _e1064 = local_4.member_1[4u];
+let _e1070 = f32(bitcast<i32>(((_e1049 >> bitcast<u32>((_e1064 & 31u))) & 65535u)));
+let _e1071 = local_4.member_1[5u];
+let _e1078 = local_5[0u];
+let _e1082 = local_5[0u];
+let _e1085 = (_e1063 + ((_e1070 - _e1063) * _e1082));
+let _e1086 = local_5[0u];
+let _e1090 = (_e855 + _e848);
+let _e1091 = local_4.member[0u];
+let _e1092 = (_e1090 + _e1091);
+let _e1094 = (_e1092 >> bitcast<u32>(1i));
+let _e1097 = bitcast<u32>(((_e1092 & 1i) * 16i));
+let _e1099 = select(_e829, _e1094, (_e1094 < _e829));
+let _e1104 = global_2.member[bitcast<u32>(select(0i, _e1099, (_e1099 > 0i)))];
+let _e1108 = (_e1094 + 1i);
+let _e1110 = select(_e829, _e1108, (_e1108 < _e829));
+let _e1115 = global_2.member[bitcast<u32>(select(0i, _e1110, (_e1110 > 0i)))];
+let _e1122 = ((_e1104 >> bitcast<u32>((_e1097 & 31u))) | ((_e1115 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1097) & 31u))));
+let _e1123 = local_4.member[2u];
+let _e1124 = (_e1090 + _e1123);
+let _e1126 = (_e1124 >> bitcast<u32>(1i));
+let _e1129 = bitcast<u32>(((_e1124 & 1i) * 16i));
+let _e1131 = select(_e829, _e1126, (_e1126 < _e829));
+let _e1136 = global_2.member[bitcast<u32>(select(0i, _e1131, (_e1131 > 0i)))];
+let _e1140 = (_e1126 + 1i);
+let _e1142 = select(_e829, _e1140, (_e1140 < _e829));
+let _e1147 = global_2.member[bitcast<u32>(select(0i, _e1142, (_e1142 > 0i)))];
+let _e1154 = ((_e1136 >> bitcast<u32>((_e1129 & 31u))) | ((_e1147 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1129) & 31u))));
+let _e1155 = local_4.member_1[0u];
+let _e1161 = f32(bitcast<i32>(((_e1122 >> bitcast<u32>((_e1155 & 31u))) & 65535u)));
+let _e1162 = local_4.member_1[1u];
+let _e1168 = f32(bitcast<i32>(((_e1122 >> bitcast<u32>((_e1162 & 31u))) & 65535u)));
+let _e1169 = local_4.member_1[4u];
+let _e1175 = f32(bitcast<i32>(((_e1154 >> bitcast<u32>((_e1169 & 31u))) & 65535u)));
+let _e1176 = local_4.member_1[5u];
+let _e1183 = local_5[0u];
+let _e1186 = (_e1161 + ((_e1168 - _e1161) * _e1183));
+let _e1187 = local_5[0u];
+let _e1190 = (_e1168 + ((_e1175 - _e1168) * _e1187));
+let _e1191 = local_5[0u];
+let _e1194 = (_e1175 + ((f32(bitcast<i32>(((_e1154 >> bitcast<u32>((_e1176 & 31u))) & 65535u))) - _e1175) * _e1191));
+let _e1195 = (_e855 + _e850);
+let _e1196 = local_4.member[0u];
+let _e1197 = (_e1195 + _e1196);
+let _e1199 = (_e1197 >> bitcast<u32>(1i));
+let _e1202 = bitcast<u32>(((_e1197 & 1i) * 16i));
+let _e1204 = select(_e829, _e1199, (_e1199 < _e829));
+let _e1209 = global_2.member[bitcast<u32>(select(0i, _e1204, (_e1204 > 0i)))];
+let _e1213 = (_e1199 + 1i);
+let _e1215 = select(_e829, _e1213, (_e1213 < _e829));
+let _e1220 = global_2.member[bitcast<u32>(select(0i, _e1215, (_e1215 > 0i)))];
+let _e1227 = ((_e1209 >> bitcast<u32>((_e1202 & 31u))) | ((_e1220 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1202) & 31u))));
+let _e1228 = local_4.member[2u];
+let _e1229 = (_e1195 + _e1228);
+let _e1231 = (_e1229 >> bitcast<u32>(1i));
+let _e1234 = bitcast<u32>(((_e1229 & 1i) * 16i));
+let _e1236 = select(_e829, _e1231, (_e1231 < _e829));
+let _e1241 = global_2.member[bitcast<u32>(select(0i, _e1236, (_e1236 > 0i)))];
+let _e1245 = (_e1231 + 1i);
+let _e1247 = select(_e829, _e1245, (_e1245 < _e829));
+let _e1252 = global_2.member[bitcast<u32>(select(0i, _e1247, (_e1247 > 0i)))];
+let _e1259 = ((_e1241 >> bitcast<u32>((_e1234 & 31u))) | ((_e1252 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1234) & 31u))));
+let _e1260 = local_4.member_1[0u];
+let _e1266 = f32(bitcast<i32>(((_e1227 >> bitcast<u32>((_e1260 & 31u))) & 65535u)));
+let _e1267 = local_4.member_1[1u];
+let _e1273 = f32(bitcast<i32>(((_e1227 >> bitcast<u32>((_e1267 & 31u))) & 65535u)));
+let _e1274 = local_4.member_1[4u];
+let _e1280 = f32(bitcast<i32>(((_e1259 >> bitcast<u32>((_e1274 & 31u))) & 65535u)));
+let _e1281 = local_4.member_1[5u];
+let _e1288 = local_5[0u];
+let _e1292 = local_5[0u];
+let _e1295 = (_e1273 + ((_e1280 - _e1273) * _e1292));
+let _e1296 = local_5[0u];
+let _e1303 = local_4.member[1u];
+let _e1304 = ((_e853 + _e842) + _e1303);
+let _e1306 = (_e1304 >> bitcast<u32>(1i));
+let _e1309 = bitcast<u32>(((_e1304 & 1i) * 16i));
+let _e1311 = select(_e829, _e1306, (_e1306 < _e829));
+let _e1316 = global_2.member[bitcast<u32>(select(0i, _e1311, (_e1311 > 0i)))];
+let _e1320 = (_e1306 + 1i);
+let _e1322 = select(_e829, _e1320, (_e1320 < _e829));
+let _e1327 = global_2.member[bitcast<u32>(select(0i, _e1322, (_e1322 > 0i)))];
+let _e1334 = ((_e1316 >> bitcast<u32>((_e1309 & 31u))) | ((_e1327 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1309) & 31u))));
+let _e1337 = local_4.member_1[2u];
+let _e1343 = f32(bitcast<i32>(((_e1334 >> bitcast<u32>((_e1337 & 31u))) & 65535u)));
+let _e1346 = local_4.member_1[3u];
+let _e1353 = local_5[0u];
+let _e1356 = (_e1343 + ((f32(bitcast<i32>(((_e1334 >> bitcast<u32>((_e1346 & 31u))) & 65535u))) - _e1343) * _e1353));
+let _e1358 = local_4.member[1u];
+let _e1359 = ((_e853 + _e852) + _e1358);
+let _e1361 = (_e1359 >> bitcast<u32>(1i));
+let _e1364 = bitcast<u32>(((_e1359 & 1i) * 16i));
+let _e1366 = select(_e829, _e1361, (_e1361 < _e829));
+let _e1371 = global_2.member[bitcast<u32>(select(0i, _e1366, (_e1366 > 0i)))];
+let _e1375 = (_e1361 + 1i);
+let _e1377 = select(_e829, _e1375, (_e1375 < _e829));
+let _e1382 = global_2.member[bitcast<u32>(select(0i, _e1377, (_e1377 > 0i)))];
+let _e1389 = ((_e1371 >> bitcast<u32>((_e1364 & 31u))) | ((_e1382 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1364) & 31u))));
+let _e1390 = local_4.member_1[2u];
+let _e1396 = f32(bitcast<i32>(((_e1389 >> bitcast<u32>((_e1390 & 31u))) & 65535u)));
+let _e1397 = local_4.member_1[3u];
+let _e1404 = local_5[0u];
+let _e1409 = local_4.member[1u];
+let _e1410 = ((_e855 + _e842) + _e1409);
+let _e1412 = (_e1410 >> bitcast<u32>(1i));
+let _e1415 = bitcast<u32>(((_e1410 & 1i) * 16i));
+let _e1417 = select(_e829, _e1412, (_e1412 < _e829));
+let _e1422 = global_2.member[bitcast<u32>(select(0i, _e1417, (_e1417 > 0i)))];
+let _e1426 = (_e1412 + 1i);
+let _e1428 = select(_e829, _e1426, (_e1426 < _e829));
+let _e1433 = global_2.member[bitcast<u32>(select(0i, _e1428, (_e1428 > 0i)))];
+let _e1440 = ((_e1422 >> bitcast<u32>((_e1415 & 31u))) | ((_e1433 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1415) & 31u))));
+let _e1441 = local_4.member_1[2u];
+let _e1447 = f32(bitcast<i32>(((_e1440 >> bitcast<u32>((_e1441 & 31u))) & 65535u)));
+let _e1448 = local_4.member_1[3u];
+let _e1455 = local_5[0u];
+let _e1458 = (_e1447 + ((f32(bitcast<i32>(((_e1440 >> bitcast<u32>((_e1448 & 31u))) & 65535u))) - _e1447) * _e1455));
+let _e1460 = local_4.member[1u];
+let _e1461 = ((_e855 + _e852) + _e1460);
+let _e1463 = (_e1461 >> bitcast<u32>(1i));
+let _e1466 = bitcast<u32>(((_e1461 & 1i) * 16i));
+let _e1468 = select(_e829, _e1463, (_e1463 < _e829));
+let _e1473 = global_2.member[bitcast<u32>(select(0i, _e1468, (_e1468 > 0i)))];
+let _e1477 = (_e1463 + 1i);
+let _e1479 = select(_e829, _e1477, (_e1477 < _e829));
+let _e1484 = global_2.member[bitcast<u32>(select(0i, _e1479, (_e1479 > 0i)))];
+let _e1491 = ((_e1473 >> bitcast<u32>((_e1466 & 31u))) | ((_e1484 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1466) & 31u))));
+let _e1492 = local_4.member_1[2u];
+let _e1498 = f32(bitcast<i32>(((_e1491 >> bitcast<u32>((_e1492 & 31u))) & 65535u)));
+let _e1499 = local_4.member_1[3u];
+let _e1506 = local_5[0u];
+let _e1511 = local_4.member[1u];
+let _e1512 = ((_e844 + _e848) + _e1511);
+let _e1514 = (_e1512 >> bitcast<u32>(1i));
+let _e1517 = bitcast<u32>(((_e1512 & 1i) * 16i));
+let _e1519 = select(_e829, _e1514, (_e1514 < _e829));
+let _e1524 = global_2.member[bitcast<u32>(select(0i, _e1519, (_e1519 > 0i)))];
+let _e1528 = (_e1514 + 1i);
+let _e1530 = select(_e829, _e1528, (_e1528 < _e829));
+let _e1535 = global_2.member[bitcast<u32>(select(0i, _e1530, (_e1530 > 0i)))];
+let _e1542 = ((_e1524 >> bitcast<u32>((_e1517 & 31u))) | ((_e1535 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1517) & 31u))));
+let _e1543 = local_4.member_1[2u];
+let _e1549 = f32(bitcast<i32>(((_e1542 >> bitcast<u32>((_e1543 & 31u))) & 65535u)));
+let _e1550 = local_4.member_1[3u];
+let _e1557 = local_5[0u];
+let _e1560 = (_e1549 + ((f32(bitcast<i32>(((_e1542 >> bitcast<u32>((_e1550 & 31u))) & 65535u))) - _e1549) * _e1557));
+let _e1562 = local_4.member[1u];
+let _e1563 = ((_e857 + _e848) + _e1562);
+let _e1565 = (_e1563 >> bitcast<u32>(1i));
+let _e1568 = bitcast<u32>(((_e1563 & 1i) * 16i));
+let _e1570 = select(_e829, _e1565, (_e1565 < _e829));
+let _e1575 = global_2.member[bitcast<u32>(select(0i, _e1570, (_e1570 > 0i)))];
+let _e1579 = (_e1565 + 1i);
+let _e1581 = select(_e829, _e1579, (_e1579 < _e829));
+let _e1586 = global_2.member[bitcast<u32>(select(0i, _e1581, (_e1581 > 0i)))];
+let _e1593 = ((_e1575 >> bitcast<u32>((_e1568 & 31u))) | ((_e1586 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1568) & 31u))));
+let _e1594 = local_4.member_1[2u];
+let _e1600 = f32(bitcast<i32>(((_e1593 >> bitcast<u32>((_e1594 & 31u))) & 65535u)));
+let _e1601 = local_4.member_1[3u];
+let _e1608 = local_5[0u];
+let _e1611 = (_e1600 + ((f32(bitcast<i32>(((_e1593 >> bitcast<u32>((_e1601 & 31u))) & 65535u))) - _e1600) * _e1608));
+let _e1613 = local_4.member[1u];
+let _e1614 = ((_e844 + _e850) + _e1613);
+let _e1616 = (_e1614 >> bitcast<u32>(1i));
+let _e1619 = bitcast<u32>(((_e1614 & 1i) * 16i));
+let _e1621 = select(_e829, _e1616, (_e1616 < _e829));
+let _e1626 = global_2.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
+let _e1630 = (_e1616 + 1i);
+let _e1632 = select(_e829, _e1630, (_e1630 < _e829));
+let _e1637 = global_2.member[bitcast<u32>(select(0i, _e1632, (_e1632 > 0i)))];
+let _e1644 = ((_e1626 >> bitcast<u32>((_e1619 & 31u))) | ((_e1637 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1619) & 31u))));
+let _e1645 = local_4.member_1[2u];
+let _e1651 = f32(bitcast<i32>(((_e1644 >> bitcast<u32>((_e1645 & 31u))) & 65535u)));
+let _e1652 = local_4.member_1[3u];
+let _e1659 = local_5[0u];
+let _e1664 = local_4.member[1u];
+let _e1665 = ((_e857 + _e850) + _e1664);
+let _e1667 = (_e1665 >> bitcast<u32>(1i));
+let _e1670 = bitcast<u32>(((_e1665 & 1i) * 16i));
+let _e1672 = select(_e829, _e1667, (_e1667 < _e829));
+let _e1677 = global_2.member[bitcast<u32>(select(0i, _e1672, (_e1672 > 0i)))];
+let _e1681 = (_e1667 + 1i);
+let _e1683 = select(_e829, _e1681, (_e1681 < _e829));
+let _e1688 = global_2.member[bitcast<u32>(select(0i, _e1683, (_e1683 > 0i)))];
+let _e1695 = ((_e1677 >> bitcast<u32>((_e1670 & 31u))) | ((_e1688 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1670) & 31u))));
+let _e1696 = local_4.member_1[2u];
+let _e1702 = f32(bitcast<i32>(((_e1695 >> bitcast<u32>((_e1696 & 31u))) & 65535u)));
+let _e1703 = local_4.member_1[3u];
+let _e1710 = local_5[0u];
+let _e1715 = local_5[1u];
+let _e1718 = (_e980 + ((_e1085 - _e980) * _e1715));
+let _e1719 = local_5[1u];
+let _e1722 = (_e1190 + ((_e1295 - _e1190) * _e1719));
+let _e1723 = local_5[1u];
+let _e1726 = (_e976 + (((_e1056 + ((_e1063 - _e1056) * _e1078)) - _e976) * _e1723));
+let _e1727 = local_5[1u];
+let _e1732 = local_5[2u];
+let _e1736 = local_5[1u];
+let _e1739 = (_e984 + (((_e1070 + ((f32(bitcast<i32>(((_e1049 >> bitcast<u32>((_e1071 & 31u))) & 65535u))) - _e1070) * _e1086)) - _e984) * _e1736));
+let _e1740 = local_5[1u];
+let _e1744 = local_5[2u];
+let _e1748 = local_5[1u];
+let _e1751 = (_e1356 + ((_e980 - _e1356) * _e1748));
+let _e1752 = local_5[1u];
+let _e1756 = local_5[2u];
+let _e1760 = local_5[1u];
+let _e1763 = (_e1085 + (((_e1396 + ((f32(bitcast<i32>(((_e1389 >> bitcast<u32>((_e1397 & 31u))) & 65535u))) - _e1396) * _e1404)) - _e1085) * _e1760));
+let _e1764 = local_5[1u];
+let _e1768 = local_5[2u];
+let _e1772 = local_5[1u];
+let _e1775 = (_e1560 + (((_e1651 + ((f32(bitcast<i32>(((_e1644 >> bitcast<u32>((_e1652 & 31u))) & 65535u))) - _e1651) * _e1659)) - _e1560) * _e1772));
+let _e1776 = local_5[2u];
+let _e1780 = local_5[1u];
+let _e1784 = local_5[2u];
+let _e1788 = local_5[2u];
+let _e1795 = global_1.member.member_6.member_5;
+let _e1800 = global_1.member.member_6.member_6;
+let _e1801 = (((_e1718 + ((_e1722 - _e1718) * _e1788)) * _e1795) + _e1800);
+let _e1803 = select(0f, _e1801, (_e1801 > 0f));
+let _e1805 = select(1f, _e1803, (_e1803 < 1f));
+let _e1807 = (((_e1726 + (((_e1186 + (((_e1266 + ((_e1273 - _e1266) * _e1288)) - _e1186) * _e1727)) - _e1726) * _e1732)) * _e1795) + _e1800);
+let _e1809 = select(0f, _e1807, (_e1807 > 0f));
+let _e1811 = select(1f, _e1809, (_e1809 < 1f));
+let _e1813 = (((_e1739 + (((_e1194 + (((_e1280 + ((f32(bitcast<i32>(((_e1259 >> bitcast<u32>((_e1281 & 31u))) & 65535u))) - _e1280) * _e1296)) - _e1194) * _e1740)) - _e1739) * _e1744)) * _e1795) + _e1800);
+let _e1815 = select(0f, _e1813, (_e1813 > 0f));
+let _e1817 = select(1f, _e1815, (_e1815 < 1f));
+let _e1819 = (((_e1751 + (((_e1458 + ((_e1190 - _e1458) * _e1752)) - _e1751) * _e1756)) * _e1795) + _e1800);
+let _e1821 = select(0f, _e1819, (_e1819 > 0f));
+let _e1823 = select(1f, _e1821, (_e1821 < 1f));
+let _e1825 = (((_e1763 + (((_e1295 + (((_e1498 + ((f32(bitcast<i32>(((_e1491 >> bitcast<u32>((_e1499 & 31u))) & 65535u))) - _e1498) * _e1506)) - _e1295) * _e1764)) - _e1763) * _e1768)) * _e1795) + _e1800);
+let _e1827 = select(0f, _e1825, (_e1825 > 0f));
+let _e1829 = select(1f, _e1827, (_e1827 < 1f));
+let _e1831 = (((_e1775 + ((_e1718 - _e1775) * _e1776)) * _e1795) + _e1800);
+let _e1833 = select(0f, _e1831, (_e1831 > 0f));
+let _e1835 = select(1f, _e1833, (_e1833 < 1f));
+let _e1837 = (((_e1722 + (((_e1611 + (((_e1702 + ((f32(bitcast<i32>(((_e1695 >> bitcast<u32>((_e1703 & 31u))) & 65535u))) - _e1702) * _e1710)) - _e1611) * _e1780)) - _e1722) * _e1784)) * _e1795) + _e1800);
+let _e1839 = select(0f, _e1837, (_e1837 > 0f));
+let _e1841 = select(1f, _e1839, (_e1839 < 1f));
+let _e1842 = (_e1805 * 1024f);
+let _e1843 = (1024f - 1f);
+let _e1845 = select(0f, _e1842, (_e1842 > 0f));
+let _e1847 = select(_e1843, _e1845, (_e1845 < _e1843));
+let _e1854 = select(0i, select(select(i32(_e1847), i32(-2147483648), (_e1847 < -2147483600f)), 2147483647i, (_e1847 > 2147483500f)), (_e1847 == _e1847));
+let _e1858 = (_e1854 - select(0i, 1i, (_e1847 < f32(_e1854))));
+let _e1859 = (262147i + _e1858);
+let _e1861 = (bitcast<i32>(_e93) - 1i);
+let _e1863 = select(_e1861, _e1859, (_e1859 < _e1861));
+let _e1869 = global_4.member[bitcast<u32>(select(0i, _e1863, (_e1863 > 0i)))];
+let _e1879 = select(_e1861, 262146i, (262146i < _e1861));
+let _e1885 = global_4.member[bitcast<u32>(select(0i, _e1879, (_e1879 > 0i)))];
+let _e1886 = bitcast<f32>(_e1885);
+let _e1887 = (f32((bitcast<i32>((_e1869 & 4095u)) - 2048i)) * _e1886);
+let _e1889 = select(_e1861, 262144i, (262144i < _e1861));
+let _e1895 = global_4.member[bitcast<u32>(select(0i, _e1889, (_e1889 > 0i)))];
+let _e1896 = bitcast<f32>(_e1895);
+let _e1898 = select(_e1861, 262145i, (262145i < _e1861));
+let _e1904 = global_4.member[bitcast<u32>(select(0i, _e1898, (_e1898 > 0i)))];
+let _e1905 = bitcast<f32>(_e1904);
+let _e1911 = ((_e1896 + (f32(bitcast<i32>((_e1869 >> bitcast<u32>(12u)))) * _e1905)) + (_e1887 * (_e1842 - f32(_e1858))));
+let _e1912 = (_e1887 * 1024f);
+if _e716 {
+let _e1919 = ((0.5f * (_e1817 - _e1811)) * _e1912);
+let _e1920 = ((0.5f * (_e1829 - _e1823)) * _e1912);
+let _e1921 = ((0.5f * (_e1841 - _e1835)) * _e1912);
+phi_3503_ = type_29(_e1911, vec3<f32>(_e1919, _e1920, _e1921), vec3<f32>((_e1919 * _e1911), (_e1920 * _e1911), (_e1921 * _e1911)));
 } else {
-let _e2326 = (_e2224 * 1024f);
-let _e2328 = select(0f, _e2326, (_e2326 > 0f));
-let _e2330 = select(_e2256, _e2328, (_e2328 < _e2256));
-let _e2337 = select(0i, select(select(i32(_e2330), i32(-2147483648), (_e2330 < -2147483600f)), 2147483647i, (_e2330 > 2147483500f)), (_e2330 == _e2330));
-let _e2341 = (_e2337 - select(0i, 1i, (_e2330 < f32(_e2337))));
-let _e2342 = (262147i + _e2341);
-let _e2344 = select(_e2274, _e2342, (_e2342 < _e2274));
-let _e2350 = global_4.member[bitcast<u32>(select(0i, _e2344, (_e2344 > 0i)))];
-let _e2365 = ((_e2309 + (f32(bitcast<i32>((_e2350 >> bitcast<u32>(12u)))) * _e2318)) + ((f32((bitcast<i32>((_e2350 & 4095u)) - 2048i)) * _e2299) * (_e2326 - f32(_e2341))));
-let _e2366 = (_e2230 * 1024f);
-let _e2368 = select(0f, _e2366, (_e2366 > 0f));
-let _e2370 = select(_e2256, _e2368, (_e2368 < _e2256));
-let _e2377 = select(0i, select(select(i32(_e2370), i32(-2147483648), (_e2370 < -2147483600f)), 2147483647i, (_e2370 > 2147483500f)), (_e2370 == _e2370));
-let _e2381 = (_e2377 - select(0i, 1i, (_e2370 < f32(_e2377))));
-let _e2382 = (262147i + _e2381);
-let _e2384 = select(_e2274, _e2382, (_e2382 < _e2274));
-let _e2390 = global_4.member[bitcast<u32>(select(0i, _e2384, (_e2384 > 0i)))];
-let _e2405 = ((_e2309 + (f32(bitcast<i32>((_e2390 >> bitcast<u32>(12u)))) * _e2318)) + ((f32((bitcast<i32>((_e2390 & 4095u)) - 2048i)) * _e2299) * (_e2366 - f32(_e2381))));
-let _e2406 = (_e2236 * 1024f);
-let _e2408 = select(0f, _e2406, (_e2406 > 0f));
-let _e2410 = select(_e2256, _e2408, (_e2408 < _e2256));
-let _e2417 = select(0i, select(select(i32(_e2410), i32(-2147483648), (_e2410 < -2147483600f)), 2147483647i, (_e2410 > 2147483500f)), (_e2410 == _e2410));
-let _e2421 = (_e2417 - select(0i, 1i, (_e2410 < f32(_e2417))));
-let _e2422 = (262147i + _e2421);
-let _e2424 = select(_e2274, _e2422, (_e2422 < _e2274));
-let _e2430 = global_4.member[bitcast<u32>(select(0i, _e2424, (_e2424 > 0i)))];
-let _e2445 = ((_e2309 + (f32(bitcast<i32>((_e2430 >> bitcast<u32>(12u)))) * _e2318)) + ((f32((bitcast<i32>((_e2430 & 4095u)) - 2048i)) * _e2299) * (_e2406 - f32(_e2421))));
-let _e2446 = (_e2242 * 1024f);
-let _e2448 = select(0f, _e2446, (_e2446 > 0f));
-let _e2450 = select(_e2256, _e2448, (_e2448 < _e2256));
-let _e2457 = select(0i, select(select(i32(_e2450), i32(-2147483648), (_e2450 < -2147483600f)), 2147483647i, (_e2450 > 2147483500f)), (_e2450 == _e2450));
-let _e2461 = (_e2457 - select(0i, 1i, (_e2450 < f32(_e2457))));
-let _e2462 = (262147i + _e2461);
-let _e2464 = select(_e2274, _e2462, (_e2462 < _e2274));
-let _e2470 = global_4.member[bitcast<u32>(select(0i, _e2464, (_e2464 > 0i)))];
-let _e2485 = ((_e2309 + (f32(bitcast<i32>((_e2470 >> bitcast<u32>(12u)))) * _e2318)) + ((f32((bitcast<i32>((_e2470 & 4095u)) - 2048i)) * _e2299) * (_e2446 - f32(_e2461))));
-let _e2486 = (_e2248 * 1024f);
-let _e2488 = select(0f, _e2486, (_e2486 > 0f));
-let _e2490 = select(_e2256, _e2488, (_e2488 < _e2256));
-let _e2497 = select(0i, select(select(i32(_e2490), i32(-2147483648), (_e2490 < -2147483600f)), 2147483647i, (_e2490 > 2147483500f)), (_e2490 == _e2490));
-let _e2501 = (_e2497 - select(0i, 1i, (_e2490 < f32(_e2497))));
-let _e2502 = (262147i + _e2501);
-let _e2504 = select(_e2274, _e2502, (_e2502 < _e2274));
-let _e2510 = global_4.member[bitcast<u32>(select(0i, _e2504, (_e2504 > 0i)))];
-let _e2525 = ((_e2309 + (f32(bitcast<i32>((_e2510 >> bitcast<u32>(12u)))) * _e2318)) + ((f32((bitcast<i32>((_e2510 & 4095u)) - 2048i)) * _e2299) * (_e2486 - f32(_e2501))));
-let _e2526 = (_e2254 * 1024f);
-let _e2528 = select(0f, _e2526, (_e2526 > 0f));
-let _e2530 = select(_e2256, _e2528, (_e2528 < _e2256));
-let _e2537 = select(0i, select(select(i32(_e2530), i32(-2147483648), (_e2530 < -2147483600f)), 2147483647i, (_e2530 > 2147483500f)), (_e2530 == _e2530));
-let _e2541 = (_e2537 - select(0i, 1i, (_e2530 < f32(_e2537))));
-let _e2542 = (262147i + _e2541);
-let _e2544 = select(_e2274, _e2542, (_e2542 < _e2274));
-let _e2550 = global_4.member[bitcast<u32>(select(0i, _e2544, (_e2544 > 0i)))];
-let _e2565 = ((_e2309 + (f32(bitcast<i32>((_e2550 >> bitcast<u32>(12u)))) * _e2318)) + ((f32((bitcast<i32>((_e2550 & 4095u)) - 2048i)) * _e2299) * (_e2526 - f32(_e2541))));
-let _e2566 = (_e2405 - _e2365);
-let _e2568 = (_e2485 - _e2445);
-let _e2570 = (_e2565 - _e2525);
-phi_5327_ = type_19(_e2324, vec3<f32>((0.5f * _e2566), (0.5f * _e2568), (0.5f * _e2570)), vec3<f32>((0.25f * (_e2566 * (_e2405 + _e2365))), (0.25f * (_e2568 * (_e2485 + _e2445))), (0.25f * (_e2570 * (_e2565 + _e2525)))));
+let _e1928 = (_e1811 * 1024f);
+let _e1930 = select(0f, _e1928, (_e1928 > 0f));
+let _e1932 = select(_e1843, _e1930, (_e1930 < _e1843));
+let _e1939 = select(0i, select(select(i32(_e1932), i32(-2147483648), (_e1932 < -2147483600f)), 2147483647i, (_e1932 > 2147483500f)), (_e1932 == _e1932));
+let _e1943 = (_e1939 - select(0i, 1i, (_e1932 < f32(_e1939))));
+let _e1944 = (262147i + _e1943);
+let _e1946 = select(_e1861, _e1944, (_e1944 < _e1861));
+let _e1952 = global_4.member[bitcast<u32>(select(0i, _e1946, (_e1946 > 0i)))];
+let _e1967 = ((_e1896 + (f32(bitcast<i32>((_e1952 >> bitcast<u32>(12u)))) * _e1905)) + ((f32((bitcast<i32>((_e1952 & 4095u)) - 2048i)) * _e1886) * (_e1928 - f32(_e1943))));
+let _e1968 = (_e1817 * 1024f);
+let _e1970 = select(0f, _e1968, (_e1968 > 0f));
+let _e1972 = select(_e1843, _e1970, (_e1970 < _e1843));
+let _e1979 = select(0i, select(select(i32(_e1972), i32(-2147483648), (_e1972 < -2147483600f)), 2147483647i, (_e1972 > 2147483500f)), (_e1972 == _e1972));
+let _e1983 = (_e1979 - select(0i, 1i, (_e1972 < f32(_e1979))));
+let _e1984 = (262147i + _e1983);
+let _e1986 = select(_e1861, _e1984, (_e1984 < _e1861));
+let _e1992 = global_4.member[bitcast<u32>(select(0i, _e1986, (_e1986 > 0i)))];
+let _e2007 = ((_e1896 + (f32(bitcast<i32>((_e1992 >> bitcast<u32>(12u)))) * _e1905)) + ((f32((bitcast<i32>((_e1992 & 4095u)) - 2048i)) * _e1886) * (_e1968 - f32(_e1983))));
+let _e2008 = (_e1823 * 1024f);
+let _e2010 = select(0f, _e2008, (_e2008 > 0f));
+let _e2012 = select(_e1843, _e2010, (_e2010 < _e1843));
+let _e2019 = select(0i, select(select(i32(_e2012), i32(-2147483648), (_e2012 < -2147483600f)), 2147483647i, (_e2012 > 2147483500f)), (_e2012 == _e2012));
+let _e2023 = (_e2019 - select(0i, 1i, (_e2012 < f32(_e2019))));
+let _e2024 = (262147i + _e2023);
+let _e2026 = select(_e1861, _e2024, (_e2024 < _e1861));
+let _e2032 = global_4.member[bitcast<u32>(select(0i, _e2026, (_e2026 > 0i)))];
+let _e2047 = ((_e1896 + (f32(bitcast<i32>((_e2032 >> bitcast<u32>(12u)))) * _e1905)) + ((f32((bitcast<i32>((_e2032 & 4095u)) - 2048i)) * _e1886) * (_e2008 - f32(_e2023))));
+let _e2048 = (_e1829 * 1024f);
+let _e2050 = select(0f, _e2048, (_e2048 > 0f));
+let _e2052 = select(_e1843, _e2050, (_e2050 < _e1843));
+let _e2059 = select(0i, select(select(i32(_e2052), i32(-2147483648), (_e2052 < -2147483600f)), 2147483647i, (_e2052 > 2147483500f)), (_e2052 == _e2052));
+let _e2063 = (_e2059 - select(0i, 1i, (_e2052 < f32(_e2059))));
+let _e2064 = (262147i + _e2063);
+let _e2066 = select(_e1861, _e2064, (_e2064 < _e1861));
+let _e2072 = global_4.member[bitcast<u32>(select(0i, _e2066, (_e2066 > 0i)))];
+let _e2087 = ((_e1896 + (f32(bitcast<i32>((_e2072 >> bitcast<u32>(12u)))) * _e1905)) + ((f32((bitcast<i32>((_e2072 & 4095u)) - 2048i)) * _e1886) * (_e2048 - f32(_e2063))));
+let _e2088 = (_e1835 * 1024f);
+let _e2090 = select(0f, _e2088, (_e2088 > 0f));
+let _e2092 = select(_e1843, _e2090, (_e2090 < _e1843));
+let _e2099 = select(0i, select(select(i32(_e2092), i32(-2147483648), (_e2092 < -2147483600f)), 2147483647i, (_e2092 > 2147483500f)), (_e2092 == _e2092));
+let _e2103 = (_e2099 - select(0i, 1i, (_e2092 < f32(_e2099))));
+let _e2104 = (262147i + _e2103);
+let _e2106 = select(_e1861, _e2104, (_e2104 < _e1861));
+let _e2112 = global_4.member[bitcast<u32>(select(0i, _e2106, (_e2106 > 0i)))];
+let _e2127 = ((_e1896 + (f32(bitcast<i32>((_e2112 >> bitcast<u32>(12u)))) * _e1905)) + ((f32((bitcast<i32>((_e2112 & 4095u)) - 2048i)) * _e1886) * (_e2088 - f32(_e2103))));
+let _e2128 = (_e1841 * 1024f);
+let _e2130 = select(0f, _e2128, (_e2128 > 0f));
+let _e2132 = select(_e1843, _e2130, (_e2130 < _e1843));
+let _e2139 = select(0i, select(select(i32(_e2132), i32(-2147483648), (_e2132 < -2147483600f)), 2147483647i, (_e2132 > 2147483500f)), (_e2132 == _e2132));
+let _e2143 = (_e2139 - select(0i, 1i, (_e2132 < f32(_e2139))));
+let _e2144 = (262147i + _e2143);
+let _e2146 = select(_e1861, _e2144, (_e2144 < _e1861));
+let _e2152 = global_4.member[bitcast<u32>(select(0i, _e2146, (_e2146 > 0i)))];
+let _e2167 = ((_e1896 + (f32(bitcast<i32>((_e2152 >> bitcast<u32>(12u)))) * _e1905)) + ((f32((bitcast<i32>((_e2152 & 4095u)) - 2048i)) * _e1886) * (_e2128 - f32(_e2143))));
+let _e2168 = (_e2007 - _e1967);
+let _e2170 = (_e2087 - _e2047);
+let _e2172 = (_e2167 - _e2127);
+phi_3503_ = type_29(_e1911, vec3<f32>((0.5f * _e2168), (0.5f * _e2170), (0.5f * _e2172)), vec3<f32>((0.25f * (_e2168 * (_e2007 + _e1967))), (0.25f * (_e2170 * (_e2087 + _e2047))), (0.25f * (_e2172 * (_e2167 + _e2127)))));
 }
-let _e2600 = phi_5327_;
-let _e2615 = select(0f, 1f, ((((((_e728 >= -0.5f) && (_e728 <= _e1136)) && (_e734 >= -0.5f)) && (_e734 <= _e1146)) && (_e740 >= -0.5f)) && (_e740 <= _e1156)));
-let _e2617 = (0.5f * (_e2230 - _e2224));
-let _e2619 = (0.5f * (_e2242 - _e2236));
-let _e2621 = (0.5f * (_e2254 - _e2248));
-let _e2626 = global_1.member.member_5.member.member;
-let _e2632 = global_1.member.member_5.member_1.member;
-let _e2639 = global_1.member.member_5.member_2.member;
-let _e2646 = global_1.member.member_5.member.member_1;
-let _e2652 = global_1.member.member_5.member_1.member_1;
-let _e2659 = global_1.member.member_5.member_2.member_1;
-let _e2666 = global_1.member.member_5.member.member_2;
-let _e2672 = global_1.member.member_5.member_1.member_2;
-let _e2679 = global_1.member.member_5.member_2.member_2;
-phi_6647_ = type_20(_e2218, vec3<f32>(((((_e2626 * _e2617) + (_e2632 * _e2619)) + (_e2639 * _e2621)) * _e2615), ((((_e2646 * _e2617) + (_e2652 * _e2619)) + (_e2659 * _e2621)) * _e2615), ((((_e2666 * _e2617) + (_e2672 * _e2619)) + (_e2679 * _e2621)) * _e2615)), _e2600.member, vec3<f32>(((((_e2626 * _e2600.member_2.x) + (_e2632 * _e2600.member_2.y)) + (_e2639 * _e2600.member_2.z)) * _e2615), ((((_e2646 * _e2600.member_2.x) + (_e2652 * _e2600.member_2.y)) + (_e2659 * _e2600.member_2.z)) * _e2615), ((((_e2666 * _e2600.member_2.x) + (_e2672 * _e2600.member_2.y)) + (_e2679 * _e2600.member_2.z)) * _e2615)), vec3<f32>(((((_e2626 * _e2600.member_1.x) + (_e2632 * _e2600.member_1.y)) + (_e2639 * _e2600.member_1.z)) * _e2615), ((((_e2646 * _e2600.member_1.x) + (_e2652 * _e2600.member_1.y)) + (_e2659 * _e2600.member_1.z)) * _e2615), ((((_e2666 * _e2600.member_1.x) + (_e2672 * _e2600.member_1.y)) + (_e2679 * _e2600.member_1.z)) * _e2615)));
+let _e2187 = phi_3503_;
+let _e2202 = select(0f, 1f, ((((((_e702 >= -0.5f) && (_e702 <= _e725)) && (_e708 >= -0.5f)) && (_e708 <= _e735)) && (_e714 >= -0.5f)) && (_e714 <= _e745)));
+let _e2204 = (0.5f * (_e1817 - _e1811));
+let _e2206 = (0.5f * (_e1829 - _e1823));
+let _e2208 = (0.5f * (_e1841 - _e1835));
+let _e2214 = global_1.member.member_6.member.member.member;
+let _e2220 = global_1.member.member_6.member.member.member_1;
+let _e2226 = global_1.member.member_6.member.member.member_2;
+let _e2232 = global_1.member.member_6.member_1.member.member;
+let _e2238 = global_1.member.member_6.member_1.member.member_1;
+let _e2244 = global_1.member.member_6.member_1.member.member_2;
+let _e2250 = global_1.member.member_6.member_2.member.member;
+let _e2256 = global_1.member.member_6.member_2.member.member_1;
+let _e2262 = global_1.member.member_6.member_2.member.member_2;
+phi_4204_ = type_30(_e1805, vec3<f32>(((((_e2214 * _e2204) + (_e2232 * _e2206)) + (_e2250 * _e2208)) * _e2202), ((((_e2220 * _e2204) + (_e2238 * _e2206)) + (_e2256 * _e2208)) * _e2202), ((((_e2226 * _e2204) + (_e2244 * _e2206)) + (_e2262 * _e2208)) * _e2202)), _e2187.member, vec3<f32>(((((_e2214 * _e2187.member_2.x) + (_e2232 * _e2187.member_2.y)) + (_e2250 * _e2187.member_2.z)) * _e2202), ((((_e2220 * _e2187.member_2.x) + (_e2238 * _e2187.member_2.y)) + (_e2256 * _e2187.member_2.z)) * _e2202), ((((_e2226 * _e2187.member_2.x) + (_e2244 * _e2187.member_2.y)) + (_e2262 * _e2187.member_2.z)) * _e2202)), vec3<f32>(((((_e2214 * _e2187.member_1.x) + (_e2232 * _e2187.member_1.y)) + (_e2250 * _e2187.member_1.z)) * _e2202), ((((_e2220 * _e2187.member_1.x) + (_e2238 * _e2187.member_1.y)) + (_e2256 * _e2187.member_1.z)) * _e2202), ((((_e2226 * _e2187.member_1.x) + (_e2244 * _e2187.member_1.y)) + (_e2262 * _e2187.member_1.z)) * _e2202)));
 } else {
-let _e750 = global_1.member.member_5.member_3.member;
-let _e751 = (_e750 - 0.5f);
-let _e753 = select(-0.5f, _e728, (_e728 > -0.5f));
-let _e755 = select(_e751, _e753, (_e753 < _e751));
-let _e760 = global_1.member.member_5.member_3.member_1;
-let _e761 = (_e760 - 0.5f);
-let _e763 = select(-0.5f, _e734, (_e734 > -0.5f));
-let _e765 = select(_e761, _e763, (_e763 < _e761));
-let _e770 = global_1.member.member_5.member_3.member_2;
-let _e771 = (_e770 - 0.5f);
-let _e773 = select(-0.5f, _e740, (_e740 > -0.5f));
-let _e775 = select(_e771, _e773, (_e773 < _e771));
-let _e777 = select(-1f, _e755, (_e755 > -1f));
-let _e779 = select(_e750, _e777, (_e777 < _e750));
-let _e786 = select(0i, select(select(i32(_e779), i32(-2147483648), (_e779 < -2147483600f)), 2147483647i, (_e779 > 2147483500f)), (_e779 == _e779));
-let _e790 = (_e786 - select(0i, 1i, (_e779 < f32(_e786))));
-let _e792 = select(-1f, _e765, (_e765 > -1f));
-let _e794 = select(_e760, _e792, (_e792 < _e760));
-let _e801 = select(0i, select(select(i32(_e794), i32(-2147483648), (_e794 < -2147483600f)), 2147483647i, (_e794 > 2147483500f)), (_e794 == _e794));
-let _e805 = (_e801 - select(0i, 1i, (_e794 < f32(_e801))));
-let _e807 = select(-1f, _e775, (_e775 > -1f));
-let _e809 = select(_e770, _e807, (_e807 < _e770));
-let _e816 = select(0i, select(select(i32(_e809), i32(-2147483648), (_e809 < -2147483600f)), 2147483647i, (_e809 > 2147483500f)), (_e809 == _e809));
-let _e820 = (_e816 - select(0i, 1i, (_e809 < f32(_e816))));
-let _e825 = global_1.member.member_5.member_5[0u];
-let _e830 = global_1.member.member_5.member_5[1u];
-let _e831 = (_e790 + 1i);
-let _e832 = (_e805 + 1i);
-let _e833 = (_e820 + 1i);
-let _e840 = global_1.member.member_5.member_7[0u];
-let _e847 = global_1.member.member_5.member_7[1u];
-let _e853 = ((_e831 >> bitcast<u32>(4i)) + (_e840 * ((_e832 >> bitcast<u32>(4i)) + (_e847 * (_e833 >> bitcast<u32>(4i))))));
-let _e855 = (bitcast<i32>(_e90) - 1i);
-let _e857 = select(_e855, _e853, (_e853 < _e855));
-let _e863 = global_2.member[bitcast<u32>(select(0i, _e857, (_e857 > 0i)))];
-let _e865 = (_e831 & 15i);
-let _e868 = ((_e832 & 15i) * _e825);
-let _e870 = (bitcast<i32>(_e863) + ((_e833 & 15i) * _e830));
-let _e874 = (_e868 + _e825);
-let _e876 = (_e868 + (2i * _e825));
-let _e877 = (_e870 + _e830);
-let _e879 = (_e870 + (2i * _e830));
-local_2 = type_18(array<i32, 4>(_e865, (_e865 + 1i), (_e865 + 2i), (_e865 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_3 = vec3<f32>((_e755 - f32(_e790)), (_e765 - f32(_e805)), (_e775 - f32(_e820)));
-let _e893 = local_2.member[1u];
-let _e894 = ((_e877 + _e874) + _e893);
-let _e896 = (_e894 >> bitcast<u32>(1i));
-let _e899 = bitcast<u32>(((_e894 & 1i) * 16i));
-let _e901 = select(_e855, _e896, (_e896 < _e855));
-let _e906 = global_2.member[bitcast<u32>(select(0i, _e901, (_e901 > 0i)))];
-let _e910 = (_e896 + 1i);
-let _e912 = select(_e855, _e910, (_e910 < _e855));
-let _e917 = global_2.member[bitcast<u32>(select(0i, _e912, (_e912 > 0i)))];
-let _e924 = ((_e906 >> bitcast<u32>((_e899 & 31u))) | ((_e917 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e899) & 31u))));
-let _e927 = local_2.member_1[2u];
-let _e933 = f32(bitcast<i32>(((_e924 >> bitcast<u32>((_e927 & 31u))) & 65535u)));
-let _e936 = local_2.member_1[3u];
-let _e943 = local_3[0u];
-let _e946 = (_e933 + ((f32(bitcast<i32>(((_e924 >> bitcast<u32>((_e936 & 31u))) & 65535u))) - _e933) * _e943));
-let _e948 = local_2.member[1u];
-let _e949 = ((_e877 + _e876) + _e948);
-let _e951 = (_e949 >> bitcast<u32>(1i));
-let _e954 = bitcast<u32>(((_e949 & 1i) * 16i));
-let _e956 = select(_e855, _e951, (_e951 < _e855));
-let _e961 = global_2.member[bitcast<u32>(select(0i, _e956, (_e956 > 0i)))];
-let _e965 = (_e951 + 1i);
-let _e967 = select(_e855, _e965, (_e965 < _e855));
-let _e972 = global_2.member[bitcast<u32>(select(0i, _e967, (_e967 > 0i)))];
-let _e979 = ((_e961 >> bitcast<u32>((_e954 & 31u))) | ((_e972 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e954) & 31u))));
-let _e980 = local_2.member_1[2u];
-let _e986 = f32(bitcast<i32>(((_e979 >> bitcast<u32>((_e980 & 31u))) & 65535u)));
-let _e987 = local_2.member_1[3u];
-let _e994 = local_3[0u];
-let _e999 = local_3[1u];
-let _e1002 = (_e946 + (((_e986 + ((f32(bitcast<i32>(((_e979 >> bitcast<u32>((_e987 & 31u))) & 65535u))) - _e986) * _e994)) - _e946) * _e999));
-let _e1004 = local_2.member[1u];
-let _e1005 = ((_e879 + _e874) + _e1004);
-let _e1007 = (_e1005 >> bitcast<u32>(1i));
-let _e1010 = bitcast<u32>(((_e1005 & 1i) * 16i));
-let _e1012 = select(_e855, _e1007, (_e1007 < _e855));
-let _e1017 = global_2.member[bitcast<u32>(select(0i, _e1012, (_e1012 > 0i)))];
-let _e1021 = (_e1007 + 1i);
-let _e1023 = select(_e855, _e1021, (_e1021 < _e855));
-let _e1028 = global_2.member[bitcast<u32>(select(0i, _e1023, (_e1023 > 0i)))];
-let _e1035 = ((_e1017 >> bitcast<u32>((_e1010 & 31u))) | ((_e1028 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1010) & 31u))));
-let _e1036 = local_2.member_1[2u];
-let _e1042 = f32(bitcast<i32>(((_e1035 >> bitcast<u32>((_e1036 & 31u))) & 65535u)));
-let _e1043 = local_2.member_1[3u];
-let _e1050 = local_3[0u];
-let _e1053 = (_e1042 + ((f32(bitcast<i32>(((_e1035 >> bitcast<u32>((_e1043 & 31u))) & 65535u))) - _e1042) * _e1050));
-let _e1055 = local_2.member[1u];
-let _e1056 = ((_e879 + _e876) + _e1055);
-let _e1058 = (_e1056 >> bitcast<u32>(1i));
-let _e1061 = bitcast<u32>(((_e1056 & 1i) * 16i));
-let _e1063 = select(_e855, _e1058, (_e1058 < _e855));
-let _e1068 = global_2.member[bitcast<u32>(select(0i, _e1063, (_e1063 > 0i)))];
-let _e1072 = (_e1058 + 1i);
-let _e1074 = select(_e855, _e1072, (_e1072 < _e855));
-let _e1079 = global_2.member[bitcast<u32>(select(0i, _e1074, (_e1074 > 0i)))];
-let _e1086 = ((_e1068 >> bitcast<u32>((_e1061 & 31u))) | ((_e1079 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1061) & 31u))));
-let _e1087 = local_2.member_1[2u];
-let _e1093 = f32(bitcast<i32>(((_e1086 >> bitcast<u32>((_e1087 & 31u))) & 65535u)));
-let _e1094 = local_2.member_1[3u];
-let _e1101 = local_3[0u];
-let _e1105 = local_3[1u];
-let _e1110 = local_3[2u];
-let _e1118 = global_1.member.member_5.member_4.member;
-let _e1124 = global_1.member.member_5.member_4.member_1;
-let _e1125 = (((_e1002 + (((_e1053 + (((_e1093 + ((f32(bitcast<i32>(((_e1086 >> bitcast<u32>((_e1094 & 31u))) & 65535u))) - _e1093) * _e1101)) - _e1053) * _e1105)) - _e1002) * _e1110)) * _e1118) + _e1124);
-let _e1127 = select(0f, _e1125, (_e1125 > 0f));
-phi_6647_ = type_20(select(1f, _e1127, (_e1127 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2331 = global_1.member.member_6.member_3.member;
+let _e2332 = (_e2331 - 0.5f);
+let _e2334 = select(-0.5f, _e702, (_e702 > -0.5f));
+let _e2336 = select(_e2332, _e2334, (_e2334 < _e2332));
+let _e2341 = global_1.member.member_6.member_3.member_1;
+let _e2342 = (_e2341 - 0.5f);
+let _e2344 = select(-0.5f, _e708, (_e708 > -0.5f));
+let _e2346 = select(_e2342, _e2344, (_e2344 < _e2342));
+let _e2351 = global_1.member.member_6.member_3.member_2;
+let _e2352 = (_e2351 - 0.5f);
+let _e2354 = select(-0.5f, _e714, (_e714 > -0.5f));
+let _e2356 = select(_e2352, _e2354, (_e2354 < _e2352));
+let _e2358 = select(-1f, _e2336, (_e2336 > -1f));
+let _e2360 = select(_e2331, _e2358, (_e2358 < _e2331));
+let _e2367 = select(0i, select(select(i32(_e2360), i32(-2147483648), (_e2360 < -2147483600f)), 2147483647i, (_e2360 > 2147483500f)), (_e2360 == _e2360));
+let _e2371 = (_e2367 - select(0i, 1i, (_e2360 < f32(_e2367))));
+let _e2373 = select(-1f, _e2346, (_e2346 > -1f));
+let _e2375 = select(_e2341, _e2373, (_e2373 < _e2341));
+let _e2382 = select(0i, select(select(i32(_e2375), i32(-2147483648), (_e2375 < -2147483600f)), 2147483647i, (_e2375 > 2147483500f)), (_e2375 == _e2375));
+let _e2386 = (_e2382 - select(0i, 1i, (_e2375 < f32(_e2382))));
+let _e2388 = select(-1f, _e2356, (_e2356 > -1f));
+let _e2390 = select(_e2351, _e2388, (_e2388 < _e2351));
+let _e2397 = select(0i, select(select(i32(_e2390), i32(-2147483648), (_e2390 < -2147483600f)), 2147483647i, (_e2390 > 2147483500f)), (_e2390 == _e2390));
+let _e2401 = (_e2397 - select(0i, 1i, (_e2390 < f32(_e2397))));
+let _e2405 = global_1.member.member_6.member_7;
+let _e2409 = global_1.member.member_6.member_8;
+let _e2410 = (_e2371 + 1i);
+let _e2411 = (_e2386 + 1i);
+let _e2412 = (_e2401 + 1i);
+let _e2417 = global_1.member.member_6.member_11.member;
+let _e2423 = global_1.member.member_6.member_11.member_1;
+let _e2434 = ((_e2410 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2417) * ((_e2411 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2423) * (_e2412 >> bitcast<u32>(4i))))));
+let _e2436 = (bitcast<i32>(_e89) - 1i);
+let _e2438 = select(_e2436, _e2434, (_e2434 < _e2436));
+let _e2444 = global_2.member[bitcast<u32>(select(0i, _e2438, (_e2438 > 0i)))];
+let _e2446 = (_e2410 & 15i);
+let _e2449 = ((_e2411 & 15i) * _e2405);
+let _e2451 = (bitcast<i32>(_e2444) + ((_e2412 & 15i) * _e2409));
+let _e2455 = (_e2449 + _e2405);
+let _e2457 = (_e2449 + (2i * _e2405));
+let _e2458 = (_e2451 + _e2409);
+let _e2460 = (_e2451 + (2i * _e2409));
+local_2 = type_28(array<i32, 4>(_e2446, (_e2446 + 1i), (_e2446 + 2i), (_e2446 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_3 = vec3<f32>((_e2336 - f32(_e2371)), (_e2346 - f32(_e2386)), (_e2356 - f32(_e2401)));
+let _e2474 = local_2.member[1u];
+let _e2475 = ((_e2458 + _e2455) + _e2474);
+let _e2477 = (_e2475 >> bitcast<u32>(1i));
+let _e2480 = bitcast<u32>(((_e2475 & 1i) * 16i));
+let _e2482 = select(_e2436, _e2477, (_e2477 < _e2436));
+let _e2487 = global_2.member[bitcast<u32>(select(0i, _e2482, (_e2482 > 0i)))];
+let _e2491 = (_e2477 + 1i);
+let _e2493 = select(_e2436, _e2491, (_e2491 < _e2436));
+let _e2498 = global_2.member[bitcast<u32>(select(0i, _e2493, (_e2493 > 0i)))];
+let _e2505 = ((_e2487 >> bitcast<u32>((_e2480 & 31u))) | ((_e2498 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2480) & 31u))));
+let _e2508 = local_2.member_1[2u];
+let _e2514 = f32(bitcast<i32>(((_e2505 >> bitcast<u32>((_e2508 & 31u))) & 65535u)));
+let _e2517 = local_2.member_1[3u];
+let _e2524 = local_3[0u];
+let _e2527 = (_e2514 + ((f32(bitcast<i32>(((_e2505 >> bitcast<u32>((_e2517 & 31u))) & 65535u))) - _e2514) * _e2524));
+let _e2529 = local_2.member[1u];
+let _e2530 = ((_e2458 + _e2457) + _e2529);
+let _e2532 = (_e2530 >> bitcast<u32>(1i));
+let _e2535 = bitcast<u32>(((_e2530 & 1i) * 16i));
+let _e2537 = select(_e2436, _e2532, (_e2532 < _e2436));
+let _e2542 = global_2.member[bitcast<u32>(select(0i, _e2537, (_e2537 > 0i)))];
+let _e2546 = (_e2532 + 1i);
+let _e2548 = select(_e2436, _e2546, (_e2546 < _e2436));
+let _e2553 = global_2.member[bitcast<u32>(select(0i, _e2548, (_e2548 > 0i)))];
+let _e2560 = ((_e2542 >> bitcast<u32>((_e2535 & 31u))) | ((_e2553 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2535) & 31u))));
+let _e2561 = local_2.member_1[2u];
+let _e2567 = f32(bitcast<i32>(((_e2560 >> bitcast<u32>((_e2561 & 31u))) & 65535u)));
+let _e2568 = local_2.member_1[3u];
+let _e2575 = local_3[0u];
+let _e2580 = local_3[1u];
+let _e2583 = (_e2527 + (((_e2567 + ((f32(bitcast<i32>(((_e2560 >> bitcast<u32>((_e2568 & 31u))) & 65535u))) - _e2567) * _e2575)) - _e2527) * _e2580));
+let _e2585 = local_2.member[1u];
+let _e2586 = ((_e2460 + _e2455) + _e2585);
+let _e2588 = (_e2586 >> bitcast<u32>(1i));
+let _e2591 = bitcast<u32>(((_e2586 & 1i) * 16i));
+let _e2593 = select(_e2436, _e2588, (_e2588 < _e2436));
+let _e2598 = global_2.member[bitcast<u32>(select(0i, _e2593, (_e2593 > 0i)))];
+let _e2602 = (_e2588 + 1i);
+let _e2604 = select(_e2436, _e2602, (_e2602 < _e2436));
+let _e2609 = global_2.member[bitcast<u32>(select(0i, _e2604, (_e2604 > 0i)))];
+let _e2616 = ((_e2598 >> bitcast<u32>((_e2591 & 31u))) | ((_e2609 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2591) & 31u))));
+let _e2617 = local_2.member_1[2u];
+let _e2623 = f32(bitcast<i32>(((_e2616 >> bitcast<u32>((_e2617 & 31u))) & 65535u)));
+let _e2624 = local_2.member_1[3u];
+let _e2631 = local_3[0u];
+let _e2634 = (_e2623 + ((f32(bitcast<i32>(((_e2616 >> bitcast<u32>((_e2624 & 31u))) & 65535u))) - _e2623) * _e2631));
+let _e2636 = local_2.member[1u];
+let _e2637 = ((_e2460 + _e2457) + _e2636);
+let _e2639 = (_e2637 >> bitcast<u32>(1i));
+let _e2642 = bitcast<u32>(((_e2637 & 1i) * 16i));
+let _e2644 = select(_e2436, _e2639, (_e2639 < _e2436));
+let _e2649 = global_2.member[bitcast<u32>(select(0i, _e2644, (_e2644 > 0i)))];
+let _e2653 = (_e2639 + 1i);
+let _e2655 = select(_e2436, _e2653, (_e2653 < _e2436));
+let _e2660 = global_2.member[bitcast<u32>(select(0i, _e2655, (_e2655 > 0i)))];
+let _e2667 = ((_e2649 >> bitcast<u32>((_e2642 & 31u))) | ((_e2660 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2642) & 31u))));
+let _e2668 = local_2.member_1[2u];
+let _e2674 = f32(bitcast<i32>(((_e2667 >> bitcast<u32>((_e2668 & 31u))) & 65535u)));
+let _e2675 = local_2.member_1[3u];
+let _e2682 = local_3[0u];
+let _e2686 = local_3[1u];
+let _e2691 = local_3[2u];
+let _e2698 = global_1.member.member_6.member_5;
+let _e2703 = global_1.member.member_6.member_6;
+let _e2704 = (((_e2583 + (((_e2634 + (((_e2674 + ((f32(bitcast<i32>(((_e2667 >> bitcast<u32>((_e2675 & 31u))) & 65535u))) - _e2674) * _e2682)) - _e2634) * _e2686)) - _e2583) * _e2691)) * _e2698) + _e2703);
+let _e2706 = select(0f, _e2704, (_e2704 > 0f));
+phi_4204_ = type_30(select(1f, _e2706, (_e2706 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e2732 = phi_6647_;
-let _e2737 = global_1.member.member_5.member_3.member;
-let _e2738 = (_e2737 - 0.5f);
-let _e2740 = select(-0.5f, _e686, (_e686 > -0.5f));
-let _e2742 = select(_e2738, _e2740, (_e2740 < _e2738));
-let _e2747 = global_1.member.member_5.member_3.member_1;
-let _e2748 = (_e2747 - 0.5f);
-let _e2750 = select(-0.5f, _e704, (_e704 > -0.5f));
-let _e2752 = select(_e2748, _e2750, (_e2750 < _e2748));
-let _e2757 = global_1.member.member_5.member_3.member_2;
-let _e2758 = (_e2757 - 0.5f);
-let _e2760 = select(-0.5f, _e722, (_e722 > -0.5f));
-let _e2762 = select(_e2758, _e2760, (_e2760 < _e2758));
-let _e2764 = select(-1f, _e2742, (_e2742 > -1f));
-let _e2766 = select(_e2737, _e2764, (_e2764 < _e2737));
-let _e2773 = select(0i, select(select(i32(_e2766), i32(-2147483648), (_e2766 < -2147483600f)), 2147483647i, (_e2766 > 2147483500f)), (_e2766 == _e2766));
-let _e2777 = (_e2773 - select(0i, 1i, (_e2766 < f32(_e2773))));
-let _e2779 = select(-1f, _e2752, (_e2752 > -1f));
-let _e2781 = select(_e2747, _e2779, (_e2779 < _e2747));
-let _e2788 = select(0i, select(select(i32(_e2781), i32(-2147483648), (_e2781 < -2147483600f)), 2147483647i, (_e2781 > 2147483500f)), (_e2781 == _e2781));
-let _e2792 = (_e2788 - select(0i, 1i, (_e2781 < f32(_e2788))));
-let _e2794 = select(-1f, _e2762, (_e2762 > -1f));
-let _e2796 = select(_e2757, _e2794, (_e2794 < _e2757));
-let _e2803 = select(0i, select(select(i32(_e2796), i32(-2147483648), (_e2796 < -2147483600f)), 2147483647i, (_e2796 > 2147483500f)), (_e2796 == _e2796));
-let _e2807 = (_e2803 - select(0i, 1i, (_e2796 < f32(_e2803))));
-let _e2812 = global_1.member.member_5.member_5[0u];
-let _e2817 = global_1.member.member_5.member_5[1u];
-let _e2818 = (_e2777 + 1i);
-let _e2819 = (_e2792 + 1i);
-let _e2820 = (_e2807 + 1i);
-let _e2827 = global_1.member.member_5.member_7[0u];
-let _e2834 = global_1.member.member_5.member_7[1u];
-let _e2840 = ((_e2818 >> bitcast<u32>(4i)) + (_e2827 * ((_e2819 >> bitcast<u32>(4i)) + (_e2834 * (_e2820 >> bitcast<u32>(4i))))));
-let _e2842 = (bitcast<i32>(_e90) - 1i);
-let _e2844 = select(_e2842, _e2840, (_e2840 < _e2842));
-let _e2850 = global_2.member[bitcast<u32>(select(0i, _e2844, (_e2844 > 0i)))];
-let _e2852 = (_e2818 & 15i);
-let _e2855 = ((_e2819 & 15i) * _e2812);
-let _e2857 = (bitcast<i32>(_e2850) + ((_e2820 & 15i) * _e2817));
-let _e2861 = (_e2855 + _e2812);
-let _e2863 = (_e2855 + (2i * _e2812));
-let _e2864 = (_e2857 + _e2817);
-let _e2866 = (_e2857 + (2i * _e2817));
-local = type_18(array<i32, 4>(_e2852, (_e2852 + 1i), (_e2852 + 2i), (_e2852 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
-local_1 = vec3<f32>((_e2742 - f32(_e2777)), (_e2752 - f32(_e2792)), (_e2762 - f32(_e2807)));
-let _e2880 = local.member[1u];
-let _e2881 = ((_e2864 + _e2861) + _e2880);
-let _e2883 = (_e2881 >> bitcast<u32>(1i));
-let _e2886 = bitcast<u32>(((_e2881 & 1i) * 16i));
-let _e2888 = select(_e2842, _e2883, (_e2883 < _e2842));
-let _e2893 = global_2.member[bitcast<u32>(select(0i, _e2888, (_e2888 > 0i)))];
-let _e2897 = (_e2883 + 1i);
-let _e2899 = select(_e2842, _e2897, (_e2897 < _e2842));
-let _e2904 = global_2.member[bitcast<u32>(select(0i, _e2899, (_e2899 > 0i)))];
-let _e2911 = ((_e2893 >> bitcast<u32>((_e2886 & 31u))) | ((_e2904 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2886) & 31u))));
-let _e2914 = local.member_1[2u];
-let _e2920 = f32(bitcast<i32>(((_e2911 >> bitcast<u32>((_e2914 & 31u))) & 65535u)));
-let _e2923 = local.member_1[3u];
-let _e2930 = local_1[0u];
-let _e2933 = (_e2920 + ((f32(bitcast<i32>(((_e2911 >> bitcast<u32>((_e2923 & 31u))) & 65535u))) - _e2920) * _e2930));
-let _e2935 = local.member[1u];
-let _e2936 = ((_e2864 + _e2863) + _e2935);
-let _e2938 = (_e2936 >> bitcast<u32>(1i));
-let _e2941 = bitcast<u32>(((_e2936 & 1i) * 16i));
-let _e2943 = select(_e2842, _e2938, (_e2938 < _e2842));
-let _e2948 = global_2.member[bitcast<u32>(select(0i, _e2943, (_e2943 > 0i)))];
-let _e2952 = (_e2938 + 1i);
-let _e2954 = select(_e2842, _e2952, (_e2952 < _e2842));
-let _e2959 = global_2.member[bitcast<u32>(select(0i, _e2954, (_e2954 > 0i)))];
-let _e2966 = ((_e2948 >> bitcast<u32>((_e2941 & 31u))) | ((_e2959 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2941) & 31u))));
-let _e2967 = local.member_1[2u];
-let _e2973 = f32(bitcast<i32>(((_e2966 >> bitcast<u32>((_e2967 & 31u))) & 65535u)));
-let _e2974 = local.member_1[3u];
-let _e2981 = local_1[0u];
-let _e2986 = local_1[1u];
-let _e2989 = (_e2933 + (((_e2973 + ((f32(bitcast<i32>(((_e2966 >> bitcast<u32>((_e2974 & 31u))) & 65535u))) - _e2973) * _e2981)) - _e2933) * _e2986));
-let _e2991 = local.member[1u];
-let _e2992 = ((_e2866 + _e2861) + _e2991);
-let _e2994 = (_e2992 >> bitcast<u32>(1i));
-let _e2997 = bitcast<u32>(((_e2992 & 1i) * 16i));
-let _e2999 = select(_e2842, _e2994, (_e2994 < _e2842));
-let _e3004 = global_2.member[bitcast<u32>(select(0i, _e2999, (_e2999 > 0i)))];
-let _e3008 = (_e2994 + 1i);
-let _e3010 = select(_e2842, _e3008, (_e3008 < _e2842));
-let _e3015 = global_2.member[bitcast<u32>(select(0i, _e3010, (_e3010 > 0i)))];
-let _e3022 = ((_e3004 >> bitcast<u32>((_e2997 & 31u))) | ((_e3015 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2997) & 31u))));
-let _e3023 = local.member_1[2u];
-let _e3029 = f32(bitcast<i32>(((_e3022 >> bitcast<u32>((_e3023 & 31u))) & 65535u)));
-let _e3030 = local.member_1[3u];
-let _e3037 = local_1[0u];
-let _e3040 = (_e3029 + ((f32(bitcast<i32>(((_e3022 >> bitcast<u32>((_e3030 & 31u))) & 65535u))) - _e3029) * _e3037));
-let _e3042 = local.member[1u];
-let _e3043 = ((_e2866 + _e2863) + _e3042);
-let _e3045 = (_e3043 >> bitcast<u32>(1i));
-let _e3048 = bitcast<u32>(((_e3043 & 1i) * 16i));
-let _e3050 = select(_e2842, _e3045, (_e3045 < _e2842));
-let _e3055 = global_2.member[bitcast<u32>(select(0i, _e3050, (_e3050 > 0i)))];
-let _e3059 = (_e3045 + 1i);
-let _e3061 = select(_e2842, _e3059, (_e3059 < _e2842));
-let _e3066 = global_2.member[bitcast<u32>(select(0i, _e3061, (_e3061 > 0i)))];
-let _e3073 = ((_e3055 >> bitcast<u32>((_e3048 & 31u))) | ((_e3066 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3048) & 31u))));
-let _e3074 = local.member_1[2u];
-let _e3080 = f32(bitcast<i32>(((_e3073 >> bitcast<u32>((_e3074 & 31u))) & 65535u)));
-let _e3081 = local.member_1[3u];
-let _e3088 = local_1[0u];
-let _e3092 = local_1[1u];
-let _e3097 = local_1[2u];
-let _e3105 = global_1.member.member_5.member_4.member;
-let _e3111 = global_1.member.member_5.member_4.member_1;
-let _e3112 = (((_e2989 + (((_e3040 + (((_e3080 + ((f32(bitcast<i32>(((_e3073 >> bitcast<u32>((_e3081 & 31u))) & 65535u))) - _e3080) * _e3088)) - _e3040) * _e3092)) - _e2989) * _e3097)) * _e3105) + _e3111);
-let _e3114 = select(0f, _e3112, (_e3112 > 0f));
-let _e3116 = select(1f, _e3114, (_e3114 < 1f));
-let _e3120 = global_1.member.member[3u];
-if ((_e3120 & 16u) == 0u) {
-phi_8132_ = type_21(1f, 1f, 1f);
+let _e2711 = phi_4204_;
+let _e2716 = global_1.member.member_6.member_3.member;
+let _e2717 = (_e2716 - 0.5f);
+let _e2719 = select(-0.5f, _e666, (_e666 > -0.5f));
+let _e2721 = select(_e2717, _e2719, (_e2719 < _e2717));
+let _e2726 = global_1.member.member_6.member_3.member_1;
+let _e2727 = (_e2726 - 0.5f);
+let _e2729 = select(-0.5f, _e681, (_e681 > -0.5f));
+let _e2731 = select(_e2727, _e2729, (_e2729 < _e2727));
+let _e2736 = global_1.member.member_6.member_3.member_2;
+let _e2737 = (_e2736 - 0.5f);
+let _e2739 = select(-0.5f, _e696, (_e696 > -0.5f));
+let _e2741 = select(_e2737, _e2739, (_e2739 < _e2737));
+let _e2743 = select(-1f, _e2721, (_e2721 > -1f));
+let _e2745 = select(_e2716, _e2743, (_e2743 < _e2716));
+let _e2752 = select(0i, select(select(i32(_e2745), i32(-2147483648), (_e2745 < -2147483600f)), 2147483647i, (_e2745 > 2147483500f)), (_e2745 == _e2745));
+let _e2756 = (_e2752 - select(0i, 1i, (_e2745 < f32(_e2752))));
+let _e2758 = select(-1f, _e2731, (_e2731 > -1f));
+let _e2760 = select(_e2726, _e2758, (_e2758 < _e2726));
+let _e2767 = select(0i, select(select(i32(_e2760), i32(-2147483648), (_e2760 < -2147483600f)), 2147483647i, (_e2760 > 2147483500f)), (_e2760 == _e2760));
+let _e2771 = (_e2767 - select(0i, 1i, (_e2760 < f32(_e2767))));
+let _e2773 = select(-1f, _e2741, (_e2741 > -1f));
+let _e2775 = select(_e2736, _e2773, (_e2773 < _e2736));
+let _e2782 = select(0i, select(select(i32(_e2775), i32(-2147483648), (_e2775 < -2147483600f)), 2147483647i, (_e2775 > 2147483500f)), (_e2775 == _e2775));
+let _e2786 = (_e2782 - select(0i, 1i, (_e2775 < f32(_e2782))));
+let _e2790 = global_1.member.member_6.member_7;
+let _e2794 = global_1.member.member_6.member_8;
+let _e2795 = (_e2756 + 1i);
+let _e2796 = (_e2771 + 1i);
+let _e2797 = (_e2786 + 1i);
+let _e2802 = global_1.member.member_6.member_11.member;
+let _e2808 = global_1.member.member_6.member_11.member_1;
+let _e2819 = ((_e2795 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2802) * ((_e2796 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2808) * (_e2797 >> bitcast<u32>(4i))))));
+let _e2821 = (bitcast<i32>(_e89) - 1i);
+let _e2823 = select(_e2821, _e2819, (_e2819 < _e2821));
+let _e2829 = global_2.member[bitcast<u32>(select(0i, _e2823, (_e2823 > 0i)))];
+let _e2831 = (_e2795 & 15i);
+let _e2834 = ((_e2796 & 15i) * _e2790);
+let _e2836 = (bitcast<i32>(_e2829) + ((_e2797 & 15i) * _e2794));
+let _e2840 = (_e2834 + _e2790);
+let _e2842 = (_e2834 + (2i * _e2790));
+let _e2843 = (_e2836 + _e2794);
+let _e2845 = (_e2836 + (2i * _e2794));
+local = type_28(array<i32, 4>(_e2831, (_e2831 + 1i), (_e2831 + 2i), (_e2831 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_1 = vec3<f32>((_e2721 - f32(_e2756)), (_e2731 - f32(_e2771)), (_e2741 - f32(_e2786)));
+let _e2859 = local.member[1u];
+let _e2860 = ((_e2843 + _e2840) + _e2859);
+let _e2862 = (_e2860 >> bitcast<u32>(1i));
+let _e2865 = bitcast<u32>(((_e2860 & 1i) * 16i));
+let _e2867 = select(_e2821, _e2862, (_e2862 < _e2821));
+let _e2872 = global_2.member[bitcast<u32>(select(0i, _e2867, (_e2867 > 0i)))];
+let _e2876 = (_e2862 + 1i);
+let _e2878 = select(_e2821, _e2876, (_e2876 < _e2821));
+let _e2883 = global_2.member[bitcast<u32>(select(0i, _e2878, (_e2878 > 0i)))];
+let _e2890 = ((_e2872 >> bitcast<u32>((_e2865 & 31u))) | ((_e2883 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2865) & 31u))));
+let _e2893 = local.member_1[2u];
+let _e2899 = f32(bitcast<i32>(((_e2890 >> bitcast<u32>((_e2893 & 31u))) & 65535u)));
+let _e2902 = local.member_1[3u];
+let _e2909 = local_1[0u];
+let _e2912 = (_e2899 + ((f32(bitcast<i32>(((_e2890 >> bitcast<u32>((_e2902 & 31u))) & 65535u))) - _e2899) * _e2909));
+let _e2914 = local.member[1u];
+let _e2915 = ((_e2843 + _e2842) + _e2914);
+let _e2917 = (_e2915 >> bitcast<u32>(1i));
+let _e2920 = bitcast<u32>(((_e2915 & 1i) * 16i));
+let _e2922 = select(_e2821, _e2917, (_e2917 < _e2821));
+let _e2927 = global_2.member[bitcast<u32>(select(0i, _e2922, (_e2922 > 0i)))];
+let _e2931 = (_e2917 + 1i);
+let _e2933 = select(_e2821, _e2931, (_e2931 < _e2821));
+let _e2938 = global_2.member[bitcast<u32>(select(0i, _e2933, (_e2933 > 0i)))];
+let _e2945 = ((_e2927 >> bitcast<u32>((_e2920 & 31u))) | ((_e2938 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2920) & 31u))));
+let _e2946 = local.member_1[2u];
+let _e2952 = f32(bitcast<i32>(((_e2945 >> bitcast<u32>((_e2946 & 31u))) & 65535u)));
+let _e2953 = local.member_1[3u];
+let _e2960 = local_1[0u];
+let _e2965 = local_1[1u];
+let _e2968 = (_e2912 + (((_e2952 + ((f32(bitcast<i32>(((_e2945 >> bitcast<u32>((_e2953 & 31u))) & 65535u))) - _e2952) * _e2960)) - _e2912) * _e2965));
+let _e2970 = local.member[1u];
+let _e2971 = ((_e2845 + _e2840) + _e2970);
+let _e2973 = (_e2971 >> bitcast<u32>(1i));
+let _e2976 = bitcast<u32>(((_e2971 & 1i) * 16i));
+let _e2978 = select(_e2821, _e2973, (_e2973 < _e2821));
+let _e2983 = global_2.member[bitcast<u32>(select(0i, _e2978, (_e2978 > 0i)))];
+let _e2987 = (_e2973 + 1i);
+let _e2989 = select(_e2821, _e2987, (_e2987 < _e2821));
+let _e2994 = global_2.member[bitcast<u32>(select(0i, _e2989, (_e2989 > 0i)))];
+let _e3001 = ((_e2983 >> bitcast<u32>((_e2976 & 31u))) | ((_e2994 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2976) & 31u))));
+let _e3002 = local.member_1[2u];
+let _e3008 = f32(bitcast<i32>(((_e3001 >> bitcast<u32>((_e3002 & 31u))) & 65535u)));
+let _e3009 = local.member_1[3u];
+let _e3016 = local_1[0u];
+let _e3019 = (_e3008 + ((f32(bitcast<i32>(((_e3001 >> bitcast<u32>((_e3009 & 31u))) & 65535u))) - _e3008) * _e3016));
+let _e3021 = local.member[1u];
+let _e3022 = ((_e2845 + _e2842) + _e3021);
+let _e3024 = (_e3022 >> bitcast<u32>(1i));
+let _e3027 = bitcast<u32>(((_e3022 & 1i) * 16i));
+let _e3029 = select(_e2821, _e3024, (_e3024 < _e2821));
+let _e3034 = global_2.member[bitcast<u32>(select(0i, _e3029, (_e3029 > 0i)))];
+let _e3038 = (_e3024 + 1i);
+let _e3040 = select(_e2821, _e3038, (_e3038 < _e2821));
+let _e3045 = global_2.member[bitcast<u32>(select(0i, _e3040, (_e3040 > 0i)))];
+let _e3052 = ((_e3034 >> bitcast<u32>((_e3027 & 31u))) | ((_e3045 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3027) & 31u))));
+let _e3053 = local.member_1[2u];
+let _e3059 = f32(bitcast<i32>(((_e3052 >> bitcast<u32>((_e3053 & 31u))) & 65535u)));
+let _e3060 = local.member_1[3u];
+let _e3067 = local_1[0u];
+let _e3071 = local_1[1u];
+let _e3076 = local_1[2u];
+let _e3083 = global_1.member.member_6.member_5;
+let _e3088 = global_1.member.member_6.member_6;
+let _e3089 = (((_e2968 + (((_e3019 + (((_e3059 + ((f32(bitcast<i32>(((_e3052 >> bitcast<u32>((_e3060 & 31u))) & 65535u))) - _e3059) * _e3067)) - _e3019) * _e3071)) - _e2968) * _e3076)) * _e3083) + _e3088);
+let _e3091 = select(0f, _e3089, (_e3089 > 0f));
+let _e3093 = select(1f, _e3091, (_e3091 < 1f));
+let _e3096 = global_1.member.member_1;
+if ((_e3096 & 16u) == 0u) {
+phi_5092_ = type_5(1f, 1f, 1f);
 } else {
-let _e3125 = global_1.member.member_18;
-let _e3129 = global_1.member.member_22.member;
-let _e3139 = ((((_e3125.member * _e640) + (_e3125.member_1 * _e653)) + (_e3125.member_2 * _e618)) + _e3125.member_3);
-let _e3145 = ((((_e3125.member * _e663) + (_e3125.member_1 * _e668)) + (_e3125.member_2 * _e657)) + _e3125.member_3);
-let _e3147 = select(_e3145, _e3139, (_e3139 < _e3145));
-let _e3149 = select(_e3145, _e3139, (_e3139 > _e3145));
-let _e3151 = (_e3149 - _e3147);
-let _e3154 = (-(_e3147) / select(1e-30f, _e3151, (_e3151 > 1e-30f)));
-let _e3156 = select(0f, _e3154, (_e3154 > 0f));
-let _e3162 = select(select(select(1f, _e3156, (_e3156 < 1f)), 1f, (_e3149 <= 0f)), 0f, (_e3147 > 0f));
-let _e3164 = (_e3129 > 0.5f);
-let _e3173 = global_1.member.member_19;
-let _e3177 = global_1.member.member_22.member_1;
-let _e3187 = ((((_e3173.member * _e640) + (_e3173.member_1 * _e653)) + (_e3173.member_2 * _e618)) + _e3173.member_3);
-let _e3193 = ((((_e3173.member * _e663) + (_e3173.member_1 * _e668)) + (_e3173.member_2 * _e657)) + _e3173.member_3);
-let _e3195 = select(_e3193, _e3187, (_e3187 < _e3193));
-let _e3197 = select(_e3193, _e3187, (_e3187 > _e3193));
-let _e3199 = (_e3197 - _e3195);
-let _e3202 = (-(_e3195) / select(1e-30f, _e3199, (_e3199 > 1e-30f)));
-let _e3204 = select(0f, _e3202, (_e3202 > 0f));
-let _e3210 = select(select(select(1f, _e3204, (_e3204 < 1f)), 1f, (_e3197 <= 0f)), 0f, (_e3195 > 0f));
-let _e3212 = (_e3177 > 0.5f);
-let _e3221 = global_1.member.member_20;
-let _e3225 = global_1.member.member_22.member_2;
-let _e3235 = ((((_e3221.member * _e640) + (_e3221.member_1 * _e653)) + (_e3221.member_2 * _e618)) + _e3221.member_3);
-let _e3241 = ((((_e3221.member * _e663) + (_e3221.member_1 * _e668)) + (_e3221.member_2 * _e657)) + _e3221.member_3);
-let _e3243 = select(_e3241, _e3235, (_e3235 < _e3241));
-let _e3245 = select(_e3241, _e3235, (_e3235 > _e3241));
-let _e3247 = (_e3245 - _e3243);
-let _e3250 = (-(_e3243) / select(1e-30f, _e3247, (_e3247 > 1e-30f)));
-let _e3252 = select(0f, _e3250, (_e3250 > 0f));
-let _e3258 = select(select(select(1f, _e3252, (_e3252 < 1f)), 1f, (_e3245 <= 0f)), 0f, (_e3243 > 0f));
-let _e3260 = (_e3225 > 0.5f);
-let _e3269 = global_1.member.member_21;
-let _e3273 = global_1.member.member_22.member_3;
-let _e3283 = ((((_e3269.member * _e640) + (_e3269.member_1 * _e653)) + (_e3269.member_2 * _e618)) + _e3269.member_3);
-let _e3289 = ((((_e3269.member * _e663) + (_e3269.member_1 * _e668)) + (_e3269.member_2 * _e657)) + _e3269.member_3);
-let _e3291 = select(_e3289, _e3283, (_e3283 < _e3289));
-let _e3293 = select(_e3289, _e3283, (_e3283 > _e3289));
-let _e3295 = (_e3293 - _e3291);
-let _e3298 = (-(_e3291) / select(1e-30f, _e3295, (_e3295 > 1e-30f)));
-let _e3300 = select(0f, _e3298, (_e3298 > 0f));
-let _e3306 = select(select(select(1f, _e3300, (_e3300 < 1f)), 1f, (_e3293 <= 0f)), 0f, (_e3291 > 0f));
-let _e3308 = (_e3273 > 0.5f);
-phi_8132_ = type_21(((((1f * _e3162) * _e3210) * _e3258) * _e3306), ((((1f * select(1f, _e3162, _e3164)) * select(1f, _e3210, _e3212)) * select(1f, _e3258, _e3260)) * select(1f, _e3306, _e3308)), ((((1f * select(1f, 0f, (_e3164 && (_e3145 > 0f)))) * select(1f, 0f, (_e3212 && (_e3193 > 0f)))) * select(1f, 0f, (_e3260 && (_e3241 > 0f)))) * select(1f, 0f, (_e3308 && (_e3289 > 0f)))));
+let _e3102 = global_1.member.member_14.member;
+let _e3113 = ((((_e3102.member.member * _e623) + (_e3102.member.member_1 * _e636)) + (_e3102.member.member_2 * _e601)) + _e3102.member_1);
+let _e3119 = ((((_e3102.member.member * _e646) + (_e3102.member.member_1 * _e651)) + (_e3102.member.member_2 * _e640)) + _e3102.member_1);
+let _e3121 = select(_e3119, _e3113, (_e3113 < _e3119));
+let _e3123 = select(_e3119, _e3113, (_e3113 > _e3119));
+let _e3125 = (_e3123 - _e3121);
+let _e3128 = (-(_e3121) / select(1e-30f, _e3125, (_e3125 > 1e-30f)));
+let _e3130 = select(0f, _e3128, (_e3128 > 0f));
+let _e3136 = select(select(select(1f, _e3130, (_e3130 < 1f)), 1f, (_e3123 <= 0f)), 0f, (_e3121 > 0f));
+let _e3141 = global_1.member.member_14.member_1;
+let _e3142 = (_e3141 != 0u);
+let _e3152 = global_1.member.member_15.member;
+let _e3163 = ((((_e3152.member.member * _e623) + (_e3152.member.member_1 * _e636)) + (_e3152.member.member_2 * _e601)) + _e3152.member_1);
+let _e3169 = ((((_e3152.member.member * _e646) + (_e3152.member.member_1 * _e651)) + (_e3152.member.member_2 * _e640)) + _e3152.member_1);
+let _e3171 = select(_e3169, _e3163, (_e3163 < _e3169));
+let _e3173 = select(_e3169, _e3163, (_e3163 > _e3169));
+let _e3175 = (_e3173 - _e3171);
+let _e3178 = (-(_e3171) / select(1e-30f, _e3175, (_e3175 > 1e-30f)));
+let _e3180 = select(0f, _e3178, (_e3178 > 0f));
+let _e3186 = select(select(select(1f, _e3180, (_e3180 < 1f)), 1f, (_e3173 <= 0f)), 0f, (_e3171 > 0f));
+let _e3191 = global_1.member.member_15.member_1;
+let _e3192 = (_e3191 != 0u);
+let _e3202 = global_1.member.member_16.member;
+let _e3213 = ((((_e3202.member.member * _e623) + (_e3202.member.member_1 * _e636)) + (_e3202.member.member_2 * _e601)) + _e3202.member_1);
+let _e3219 = ((((_e3202.member.member * _e646) + (_e3202.member.member_1 * _e651)) + (_e3202.member.member_2 * _e640)) + _e3202.member_1);
+let _e3221 = select(_e3219, _e3213, (_e3213 < _e3219));
+let _e3223 = select(_e3219, _e3213, (_e3213 > _e3219));
+let _e3225 = (_e3223 - _e3221);
+let _e3228 = (-(_e3221) / select(1e-30f, _e3225, (_e3225 > 1e-30f)));
+let _e3230 = select(0f, _e3228, (_e3228 > 0f));
+let _e3236 = select(select(select(1f, _e3230, (_e3230 < 1f)), 1f, (_e3223 <= 0f)), 0f, (_e3221 > 0f));
+let _e3241 = global_1.member.member_16.member_1;
+let _e3242 = (_e3241 != 0u);
+let _e3252 = global_1.member.member_17.member;
+let _e3263 = ((((_e3252.member.member * _e623) + (_e3252.member.member_1 * _e636)) + (_e3252.member.member_2 * _e601)) + _e3252.member_1);
+let _e3269 = ((((_e3252.member.member * _e646) + (_e3252.member.member_1 * _e651)) + (_e3252.member.member_2 * _e640)) + _e3252.member_1);
+let _e3271 = select(_e3269, _e3263, (_e3263 < _e3269));
+let _e3273 = select(_e3269, _e3263, (_e3263 > _e3269));
+let _e3275 = (_e3273 - _e3271);
+let _e3278 = (-(_e3271) / select(1e-30f, _e3275, (_e3275 > 1e-30f)));
+let _e3280 = select(0f, _e3278, (_e3278 > 0f));
+let _e3286 = select(select(select(1f, _e3280, (_e3280 < 1f)), 1f, (_e3273 <= 0f)), 0f, (_e3271 > 0f));
+let _e3291 = global_1.member.member_17.member_1;
+let _e3292 = (_e3291 != 0u);
+phi_5092_ = type_5(((((1f * _e3136) * _e3186) * _e3236) * _e3286), ((((1f * select(1f, _e3136, _e3142)) * select(1f, _e3186, _e3192)) * select(1f, _e3236, _e3242)) * select(1f, _e3286, _e3292)), ((((1f * select(1f, 0f, (_e3142 && (_e3119 > 0f)))) * select(1f, 0f, (_e3192 && (_e3169 > 0f)))) * select(1f, 0f, (_e3242 && (_e3219 > 0f)))) * select(1f, 0f, (_e3292 && (_e3269 > 0f)))));
 }
-let _e3317 = phi_8132_;
-let _e3318 = (_e728 - _e686);
-let _e3322 = (bitcast<f32>((bitcast<u32>(_e3318) & 2147483647u)) < 1e-12f);
-let _e3324 = (1f / select(_e3318, 1f, _e3322));
-let _e3326 = ((-0.5f - _e686) * _e3324);
-let _e3328 = ((_e2738 - _e686) * _e3324);
-let _e3334 = select(_e3328, _e3326, (_e3326 < _e3328));
-let _e3336 = select(0f, _e3334, (_e3334 > 0f));
-let _e3339 = select(select(1f, _e3336, (_e3336 < 1f)), select(2f, 0f, ((_e686 >= -0.5f) && (_e686 <= _e2738))), _e3322);
-let _e3341 = select(_e3328, _e3326, (_e3326 > _e3328));
-let _e3343 = select(0f, _e3341, (_e3341 > 0f));
-let _e3346 = select(select(1f, _e3343, (_e3343 < 1f)), 1f, _e3322);
-let _e3347 = (_e734 - _e704);
-let _e3351 = (bitcast<f32>((bitcast<u32>(_e3347) & 2147483647u)) < 1e-12f);
-let _e3353 = (1f / select(_e3347, 1f, _e3351));
-let _e3355 = ((-0.5f - _e704) * _e3353);
-let _e3357 = ((_e2748 - _e704) * _e3353);
-let _e3363 = select(_e3357, _e3355, (_e3355 < _e3357));
-let _e3365 = select(0f, _e3363, (_e3363 > 0f));
-let _e3368 = select(select(1f, _e3365, (_e3365 < 1f)), select(2f, 0f, ((_e704 >= -0.5f) && (_e704 <= _e2748))), _e3351);
-let _e3370 = select(_e3357, _e3355, (_e3355 > _e3357));
-let _e3372 = select(0f, _e3370, (_e3370 > 0f));
-let _e3375 = select(select(1f, _e3372, (_e3372 < 1f)), 1f, _e3351);
-let _e3376 = (_e740 - _e722);
-let _e3380 = (bitcast<f32>((bitcast<u32>(_e3376) & 2147483647u)) < 1e-12f);
-let _e3382 = (1f / select(_e3376, 1f, _e3380));
-let _e3384 = ((-0.5f - _e722) * _e3382);
-let _e3386 = ((_e2758 - _e722) * _e3382);
-let _e3392 = select(_e3386, _e3384, (_e3384 < _e3386));
-let _e3394 = select(0f, _e3392, (_e3392 > 0f));
-let _e3397 = select(select(1f, _e3394, (_e3394 < 1f)), select(2f, 0f, ((_e722 >= -0.5f) && (_e722 <= _e2758))), _e3380);
-let _e3399 = select(_e3386, _e3384, (_e3384 > _e3386));
-let _e3401 = select(0f, _e3399, (_e3399 > 0f));
-let _e3404 = select(select(1f, _e3401, (_e3401 < 1f)), 1f, _e3380);
-let _e3406 = select(_e3375, _e3346, (_e3346 < _e3375));
-let _e3410 = select(_e3368, _e3339, (_e3339 > _e3368));
-let _e3413 = (select(_e3404, _e3406, (_e3406 < _e3404)) - select(_e3397, _e3410, (_e3410 > _e3397)));
-let _e3416 = (_e663 - _e640);
-let _e3417 = (_e668 - _e653);
-let _e3418 = (_e657 - _e618);
-let _e3423 = (((_e3416 * _e3416) + (_e3417 * _e3417)) + (_e3418 * _e3418));
-let _e3431 = global_1.member.member_4.member_3;
-let _e3432 = ((sqrt(select(0f, _e3423, (_e3423 > 0f))) * select(0f, _e3413, (_e3413 > 0f))) * _e3431);
-if (_e585 >= 3u) {
-let _e3885 = (_e3116 * 255f);
-let _e3886 = (_e2732.member * 255f);
-let _e3887 = (255f - 1f);
-let _e3889 = select(0f, _e3885, (_e3885 > 0f));
-let _e3891 = select(_e3887, _e3889, (_e3889 < _e3887));
+let _e3301 = phi_5092_;
+let _e3302 = (_e702 - _e666);
+let _e3306 = (bitcast<f32>((bitcast<u32>(_e3302) & 2147483647u)) < 1e-12f);
+let _e3308 = (1f / select(_e3302, 1f, _e3306));
+let _e3310 = ((-0.5f - _e666) * _e3308);
+let _e3312 = ((_e2717 - _e666) * _e3308);
+let _e3318 = select(_e3312, _e3310, (_e3310 < _e3312));
+let _e3320 = select(0f, _e3318, (_e3318 > 0f));
+let _e3323 = select(select(1f, _e3320, (_e3320 < 1f)), select(2f, 0f, ((_e666 >= -0.5f) && (_e666 <= _e2717))), _e3306);
+let _e3325 = select(_e3312, _e3310, (_e3310 > _e3312));
+let _e3327 = select(0f, _e3325, (_e3325 > 0f));
+let _e3330 = select(select(1f, _e3327, (_e3327 < 1f)), 1f, _e3306);
+let _e3331 = (_e708 - _e681);
+let _e3335 = (bitcast<f32>((bitcast<u32>(_e3331) & 2147483647u)) < 1e-12f);
+let _e3337 = (1f / select(_e3331, 1f, _e3335));
+let _e3339 = ((-0.5f - _e681) * _e3337);
+let _e3341 = ((_e2727 - _e681) * _e3337);
+let _e3347 = select(_e3341, _e3339, (_e3339 < _e3341));
+let _e3349 = select(0f, _e3347, (_e3347 > 0f));
+let _e3352 = select(select(1f, _e3349, (_e3349 < 1f)), select(2f, 0f, ((_e681 >= -0.5f) && (_e681 <= _e2727))), _e3335);
+let _e3354 = select(_e3341, _e3339, (_e3339 > _e3341));
+let _e3356 = select(0f, _e3354, (_e3354 > 0f));
+let _e3359 = select(select(1f, _e3356, (_e3356 < 1f)), 1f, _e3335);
+let _e3360 = (_e714 - _e696);
+let _e3364 = (bitcast<f32>((bitcast<u32>(_e3360) & 2147483647u)) < 1e-12f);
+let _e3366 = (1f / select(_e3360, 1f, _e3364));
+let _e3368 = ((-0.5f - _e696) * _e3366);
+let _e3370 = ((_e2737 - _e696) * _e3366);
+let _e3376 = select(_e3370, _e3368, (_e3368 < _e3370));
+let _e3378 = select(0f, _e3376, (_e3376 > 0f));
+let _e3381 = select(select(1f, _e3378, (_e3378 < 1f)), select(2f, 0f, ((_e696 >= -0.5f) && (_e696 <= _e2737))), _e3364);
+let _e3383 = select(_e3370, _e3368, (_e3368 > _e3370));
+let _e3385 = select(0f, _e3383, (_e3383 > 0f));
+let _e3388 = select(select(1f, _e3385, (_e3385 < 1f)), 1f, _e3364);
+let _e3390 = select(_e3359, _e3330, (_e3330 < _e3359));
+let _e3394 = select(_e3352, _e3323, (_e3323 > _e3352));
+let _e3397 = (select(_e3388, _e3390, (_e3390 < _e3388)) - select(_e3381, _e3394, (_e3394 > _e3381)));
+let _e3400 = (_e646 - _e623);
+let _e3401 = (_e651 - _e636);
+let _e3402 = (_e640 - _e601);
+let _e3407 = (((_e3400 * _e3400) + (_e3401 * _e3401)) + (_e3402 * _e3402));
+let _e3415 = global_1.member.member_5.member_3;
+let _e3416 = ((sqrt(select(0f, _e3407, (_e3407 > 0f))) * select(0f, _e3397, (_e3397 > 0f))) * _e3415);
+if (_e103.member_2 >= 3u) {
+let _e3419 = (_e3093 * 255f);
+let _e3420 = (_e2711.member * 255f);
+let _e3421 = (255f - 1f);
+let _e3423 = select(0f, _e3419, (_e3419 > 0f));
+let _e3425 = select(_e3421, _e3423, (_e3423 < _e3421));
+let _e3432 = select(0i, select(select(i32(_e3425), i32(-2147483648), (_e3425 < -2147483600f)), 2147483647i, (_e3425 > 2147483500f)), (_e3425 == _e3425));
+let _e3436 = (_e3432 - select(0i, 1i, (_e3425 < f32(_e3432))));
+let _e3438 = select(0f, _e3420, (_e3420 > 0f));
+let _e3440 = select(_e3421, _e3438, (_e3438 < _e3421));
+let _e3447 = select(0i, select(select(i32(_e3440), i32(-2147483648), (_e3440 < -2147483600f)), 2147483647i, (_e3440 > 2147483500f)), (_e3440 == _e3440));
+let _e3451 = (_e3447 - select(0i, 1i, (_e3440 < f32(_e3447))));
+let _e3454 = (((_e3436 * 256i) + _e3451) * 4i);
+let _e3458 = (_e3420 - f32(_e3451));
+let _e3460 = (bitcast<i32>(_e93) - 1i);
+let _e3462 = select(_e3460, _e3454, (_e3454 < _e3460));
+let _e3468 = global_4.member[bitcast<u32>(select(0i, _e3462, (_e3462 > 0i)))];
+let _e3469 = (_e3454 + 4i);
+let _e3471 = select(_e3460, _e3469, (_e3469 < _e3460));
+let _e3477 = global_4.member[bitcast<u32>(select(0i, _e3471, (_e3471 > 0i)))];
+let _e3478 = (_e3454 + 1024i);
+let _e3480 = select(_e3460, _e3478, (_e3478 < _e3460));
+let _e3486 = global_4.member[bitcast<u32>(select(0i, _e3480, (_e3480 > 0i)))];
+let _e3487 = (_e3454 + 1028i);
+let _e3489 = select(_e3460, _e3487, (_e3487 < _e3460));
+let _e3495 = global_4.member[bitcast<u32>(select(0i, _e3489, (_e3489 > 0i)))];
+let _e3500 = (bitcast<f32>(((_e3468 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3508 = (_e3500 + (((bitcast<f32>(((_e3477 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3500) * _e3458));
+let _e3513 = (bitcast<f32>(((_e3486 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3524 = (_e3508 + (((_e3513 + (((bitcast<f32>(((_e3495 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3513) * _e3458)) - _e3508) * (_e3419 - f32(_e3436))));
+let _e3528 = -((_e3524 * (_e3416 * _e3301.member)));
+let _e3530 = select(-87f, _e3528, (_e3528 > -87f));
+let _e3532 = select(88f, _e3530, (_e3530 < 88f));
+let _e3534 = ((_e3532 * 1.442695f) + 0.5f);
+let _e3536 = select(-127f, _e3534, (_e3534 > -127f));
+let _e3538 = select(128f, _e3536, (_e3536 < 128f));
+let _e3545 = select(0i, select(select(i32(_e3538), i32(-2147483648), (_e3538 < -2147483600f)), 2147483647i, (_e3538 > 2147483500f)), (_e3538 == _e3538));
+let _e3549 = (_e3545 - select(0i, 1i, (_e3538 < f32(_e3545))));
+let _e3550 = f32(_e3549);
+let _e3554 = ((_e3532 - (_e3550 * 0.6933594f)) - (_e3550 * -2.1219444e-4f));
+let _e3574 = ((1f + (_e3554 * (1f + (_e3554 * (0.5f + (_e3554 * (0.16666667f + (_e3554 * (0.041666668f + (_e3554 * (0.008333334f + (_e3554 * (0.001388889f + (_e3554 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3549 + 127i)) << bitcast<u32>(23i))));
+let _e3575 = (1f - _e3574);
+phi_6202_ = type_31(_e3574, _e3575, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e3575 / select(1e-12f, _e3524, (_e3524 > 1e-12f))))));
+} else {
+let _e3583 = (_e3093 * 255f);
+let _e3584 = (_e2711.member * 255f);
+let _e3585 = (255f - 1f);
+let _e3587 = select(0f, _e3583, (_e3583 > 0f));
+let _e3589 = select(_e3585, _e3587, (_e3587 < _e3585));
+let _e3596 = select(0i, select(select(i32(_e3589), i32(-2147483648), (_e3589 < -2147483600f)), 2147483647i, (_e3589 > 2147483500f)), (_e3589 == _e3589));
+let _e3600 = (_e3596 - select(0i, 1i, (_e3589 < f32(_e3596))));
+let _e3602 = select(0f, _e3584, (_e3584 > 0f));
+let _e3604 = select(_e3585, _e3602, (_e3602 < _e3585));
+let _e3611 = select(0i, select(select(i32(_e3604), i32(-2147483648), (_e3604 < -2147483600f)), 2147483647i, (_e3604 > 2147483500f)), (_e3604 == _e3604));
+let _e3615 = (_e3611 - select(0i, 1i, (_e3604 < f32(_e3611))));
+let _e3618 = (((_e3600 * 256i) + _e3615) * 4i);
+let _e3620 = (_e3583 - f32(_e3600));
+let _e3622 = (_e3584 - f32(_e3615));
+let _e3624 = (bitcast<i32>(_e93) - 1i);
+let _e3626 = select(_e3624, _e3618, (_e3618 < _e3624));
+let _e3632 = global_4.member[bitcast<u32>(select(0i, _e3626, (_e3626 > 0i)))];
+let _e3633 = (_e3618 + 4i);
+let _e3635 = select(_e3624, _e3633, (_e3633 < _e3624));
+let _e3641 = global_4.member[bitcast<u32>(select(0i, _e3635, (_e3635 > 0i)))];
+let _e3642 = (_e3618 + 1024i);
+let _e3644 = select(_e3624, _e3642, (_e3642 < _e3624));
+let _e3650 = global_4.member[bitcast<u32>(select(0i, _e3644, (_e3644 > 0i)))];
+let _e3651 = (_e3618 + 1028i);
+let _e3653 = select(_e3624, _e3651, (_e3651 < _e3624));
+let _e3659 = global_4.member[bitcast<u32>(select(0i, _e3653, (_e3653 > 0i)))];
+let _e3664 = (bitcast<f32>(((_e3632 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3672 = (_e3664 + (((bitcast<f32>(((_e3641 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3664) * _e3622));
+let _e3677 = (bitcast<f32>(((_e3650 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3688 = (_e3672 + (((_e3677 + (((bitcast<f32>(((_e3659 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3677) * _e3622)) - _e3672) * _e3620));
+let _e3701 = (bitcast<f32>((((_e3632 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3709 = (_e3701 + (((bitcast<f32>((((_e3641 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3701) * _e3622));
+let _e3714 = (bitcast<f32>((((_e3650 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3726 = (_e3618 + 1i);
+let _e3728 = select(_e3624, _e3726, (_e3726 < _e3624));
+let _e3734 = global_4.member[bitcast<u32>(select(0i, _e3728, (_e3728 > 0i)))];
+let _e3735 = (_e3618 + 5i);
+let _e3737 = select(_e3624, _e3735, (_e3735 < _e3624));
+let _e3743 = global_4.member[bitcast<u32>(select(0i, _e3737, (_e3737 > 0i)))];
+let _e3744 = (_e3618 + 1025i);
+let _e3746 = select(_e3624, _e3744, (_e3744 < _e3624));
+let _e3752 = global_4.member[bitcast<u32>(select(0i, _e3746, (_e3746 > 0i)))];
+let _e3753 = (_e3618 + 1029i);
+let _e3755 = select(_e3624, _e3753, (_e3753 < _e3624));
+let _e3761 = global_4.member[bitcast<u32>(select(0i, _e3755, (_e3755 > 0i)))];
+let _e3766 = (bitcast<f32>(((_e3734 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3774 = (_e3766 + (((bitcast<f32>(((_e3743 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3766) * _e3622));
+let _e3779 = (bitcast<f32>(((_e3752 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3803 = (bitcast<f32>((((_e3734 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3811 = (_e3803 + (((bitcast<f32>((((_e3743 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3803) * _e3622));
+let _e3816 = (bitcast<f32>((((_e3752 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
+let _e3831 = (_e3416 * _e3301.member_1);
+let _e3833 = -(((_e3709 + (((_e3714 + (((bitcast<f32>((((_e3659 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3714) * _e3622)) - _e3709) * _e3620)) * _e3831));
+let _e3835 = select(-87f, _e3833, (_e3833 > -87f));
+let _e3837 = select(88f, _e3835, (_e3835 < 88f));
+let _e3839 = ((_e3837 * 1.442695f) + 0.5f);
+let _e3841 = select(-127f, _e3839, (_e3839 > -127f));
+let _e3843 = select(128f, _e3841, (_e3841 < 128f));
+let _e3850 = select(0i, select(select(i32(_e3843), i32(-2147483648), (_e3843 < -2147483600f)), 2147483647i, (_e3843 > 2147483500f)), (_e3843 == _e3843));
+let _e3854 = (_e3850 - select(0i, 1i, (_e3843 < f32(_e3850))));
+let _e3855 = f32(_e3854);
+let _e3859 = ((_e3837 - (_e3855 * 0.6933594f)) - (_e3855 * -2.1219444e-4f));
+let _e3881 = -(((_e3774 + (((_e3779 + (((bitcast<f32>(((_e3761 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3779) * _e3622)) - _e3774) * _e3620)) * _e3831));
+let _e3883 = select(-87f, _e3881, (_e3881 > -87f));
+let _e3885 = select(88f, _e3883, (_e3883 < 88f));
+let _e3887 = ((_e3885 * 1.442695f) + 0.5f);
+let _e3889 = select(-127f, _e3887, (_e3887 > -127f));
+let _e3891 = select(128f, _e3889, (_e3889 < 128f));
 let _e3898 = select(0i, select(select(i32(_e3891), i32(-2147483648), (_e3891 < -2147483600f)), 2147483647i, (_e3891 > 2147483500f)), (_e3891 == _e3891));
 let _e3902 = (_e3898 - select(0i, 1i, (_e3891 < f32(_e3898))));
-let _e3904 = select(0f, _e3886, (_e3886 > 0f));
-let _e3906 = select(_e3887, _e3904, (_e3904 < _e3887));
-let _e3913 = select(0i, select(select(i32(_e3906), i32(-2147483648), (_e3906 < -2147483600f)), 2147483647i, (_e3906 > 2147483500f)), (_e3906 == _e3906));
-let _e3917 = (_e3913 - select(0i, 1i, (_e3906 < f32(_e3913))));
-let _e3920 = (((_e3902 * 256i) + _e3917) * 4i);
-let _e3924 = (_e3886 - f32(_e3917));
-let _e3926 = (bitcast<i32>(_e94) - 1i);
-let _e3928 = select(_e3926, _e3920, (_e3920 < _e3926));
-let _e3934 = global_4.member[bitcast<u32>(select(0i, _e3928, (_e3928 > 0i)))];
-let _e3935 = (_e3920 + 4i);
-let _e3937 = select(_e3926, _e3935, (_e3935 < _e3926));
-let _e3943 = global_4.member[bitcast<u32>(select(0i, _e3937, (_e3937 > 0i)))];
-let _e3944 = (_e3920 + 1024i);
-let _e3946 = select(_e3926, _e3944, (_e3944 < _e3926));
-let _e3952 = global_4.member[bitcast<u32>(select(0i, _e3946, (_e3946 > 0i)))];
-let _e3953 = (_e3920 + 1028i);
-let _e3955 = select(_e3926, _e3953, (_e3953 < _e3926));
-let _e3961 = global_4.member[bitcast<u32>(select(0i, _e3955, (_e3955 > 0i)))];
-let _e3966 = (bitcast<f32>(((_e3934 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3974 = (_e3966 + (((bitcast<f32>(((_e3943 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3966) * _e3924));
-let _e3979 = (bitcast<f32>(((_e3952 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3990 = (_e3974 + (((_e3979 + (((bitcast<f32>(((_e3961 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3979) * _e3924)) - _e3974) * (_e3885 - f32(_e3902))));
-let _e3994 = -((_e3990 * (_e3432 * _e3317.member)));
-let _e3996 = select(-87f, _e3994, (_e3994 > -87f));
-let _e3998 = select(88f, _e3996, (_e3996 < 88f));
-let _e4000 = ((_e3998 * 1.442695f) + 0.5f);
-let _e4002 = select(-127f, _e4000, (_e4000 > -127f));
-let _e4004 = select(128f, _e4002, (_e4002 < 128f));
-let _e4011 = select(0i, select(select(i32(_e4004), i32(-2147483648), (_e4004 < -2147483600f)), 2147483647i, (_e4004 > 2147483500f)), (_e4004 == _e4004));
-let _e4015 = (_e4011 - select(0i, 1i, (_e4004 < f32(_e4011))));
-let _e4016 = f32(_e4015);
-let _e4020 = ((_e3998 - (_e4016 * 0.6933594f)) - (_e4016 * -2.1219444e-4f));
-let _e4040 = ((1f + (_e4020 * (1f + (_e4020 * (0.5f + (_e4020 * (0.16666667f + (_e4020 * (0.041666668f + (_e4020 * (0.008333334f + (_e4020 * (0.001388889f + (_e4020 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4015 + 127i)) << bitcast<u32>(23i))));
-let _e4041 = (1f - _e4040);
-phi_9242_ = type_22(_e4040, _e4041, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4041 / select(1e-12f, _e3990, (_e3990 > 1e-12f))))));
-} else {
-let _e3435 = (_e3116 * 255f);
-let _e3436 = (_e2732.member * 255f);
-let _e3437 = (255f - 1f);
-let _e3439 = select(0f, _e3435, (_e3435 > 0f));
-let _e3441 = select(_e3437, _e3439, (_e3439 < _e3437));
-let _e3448 = select(0i, select(select(i32(_e3441), i32(-2147483648), (_e3441 < -2147483600f)), 2147483647i, (_e3441 > 2147483500f)), (_e3441 == _e3441));
-let _e3452 = (_e3448 - select(0i, 1i, (_e3441 < f32(_e3448))));
-let _e3454 = select(0f, _e3436, (_e3436 > 0f));
-let _e3456 = select(_e3437, _e3454, (_e3454 < _e3437));
-let _e3463 = select(0i, select(select(i32(_e3456), i32(-2147483648), (_e3456 < -2147483600f)), 2147483647i, (_e3456 > 2147483500f)), (_e3456 == _e3456));
-let _e3467 = (_e3463 - select(0i, 1i, (_e3456 < f32(_e3463))));
-let _e3470 = (((_e3452 * 256i) + _e3467) * 4i);
-let _e3472 = (_e3435 - f32(_e3452));
-let _e3474 = (_e3436 - f32(_e3467));
-let _e3476 = (bitcast<i32>(_e94) - 1i);
-let _e3478 = select(_e3476, _e3470, (_e3470 < _e3476));
-let _e3484 = global_4.member[bitcast<u32>(select(0i, _e3478, (_e3478 > 0i)))];
-let _e3485 = (_e3470 + 4i);
-let _e3487 = select(_e3476, _e3485, (_e3485 < _e3476));
-let _e3493 = global_4.member[bitcast<u32>(select(0i, _e3487, (_e3487 > 0i)))];
-let _e3494 = (_e3470 + 1024i);
-let _e3496 = select(_e3476, _e3494, (_e3494 < _e3476));
-let _e3502 = global_4.member[bitcast<u32>(select(0i, _e3496, (_e3496 > 0i)))];
-let _e3503 = (_e3470 + 1028i);
-let _e3505 = select(_e3476, _e3503, (_e3503 < _e3476));
-let _e3511 = global_4.member[bitcast<u32>(select(0i, _e3505, (_e3505 > 0i)))];
-let _e3516 = (bitcast<f32>(((_e3484 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3524 = (_e3516 + (((bitcast<f32>(((_e3493 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3516) * _e3474));
-let _e3529 = (bitcast<f32>(((_e3502 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3540 = (_e3524 + (((_e3529 + (((bitcast<f32>(((_e3511 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3529) * _e3474)) - _e3524) * _e3472));
-let _e3553 = (bitcast<f32>((((_e3484 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3561 = (_e3553 + (((bitcast<f32>((((_e3493 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3553) * _e3474));
-let _e3566 = (bitcast<f32>((((_e3502 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3578 = (_e3470 + 1i);
-let _e3580 = select(_e3476, _e3578, (_e3578 < _e3476));
-let _e3586 = global_4.member[bitcast<u32>(select(0i, _e3580, (_e3580 > 0i)))];
-let _e3587 = (_e3470 + 5i);
-let _e3589 = select(_e3476, _e3587, (_e3587 < _e3476));
-let _e3595 = global_4.member[bitcast<u32>(select(0i, _e3589, (_e3589 > 0i)))];
-let _e3596 = (_e3470 + 1025i);
-let _e3598 = select(_e3476, _e3596, (_e3596 < _e3476));
-let _e3604 = global_4.member[bitcast<u32>(select(0i, _e3598, (_e3598 > 0i)))];
-let _e3605 = (_e3470 + 1029i);
-let _e3607 = select(_e3476, _e3605, (_e3605 < _e3476));
-let _e3613 = global_4.member[bitcast<u32>(select(0i, _e3607, (_e3607 > 0i)))];
-let _e3618 = (bitcast<f32>(((_e3586 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3626 = (_e3618 + (((bitcast<f32>(((_e3595 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3618) * _e3474));
-let _e3631 = (bitcast<f32>(((_e3604 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3655 = (bitcast<f32>((((_e3586 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3663 = (_e3655 + (((bitcast<f32>((((_e3595 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3655) * _e3474));
-let _e3668 = (bitcast<f32>((((_e3604 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
-let _e3683 = (_e3432 * _e3317.member_1);
-let _e3685 = -(((_e3561 + (((_e3566 + (((bitcast<f32>((((_e3511 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3566) * _e3474)) - _e3561) * _e3472)) * _e3683));
-let _e3687 = select(-87f, _e3685, (_e3685 > -87f));
-let _e3689 = select(88f, _e3687, (_e3687 < 88f));
-let _e3691 = ((_e3689 * 1.442695f) + 0.5f);
-let _e3693 = select(-127f, _e3691, (_e3691 > -127f));
-let _e3695 = select(128f, _e3693, (_e3693 < 128f));
-let _e3702 = select(0i, select(select(i32(_e3695), i32(-2147483648), (_e3695 < -2147483600f)), 2147483647i, (_e3695 > 2147483500f)), (_e3695 == _e3695));
-let _e3706 = (_e3702 - select(0i, 1i, (_e3695 < f32(_e3702))));
-let _e3707 = f32(_e3706);
-let _e3711 = ((_e3689 - (_e3707 * 0.6933594f)) - (_e3707 * -2.1219444e-4f));
-let _e3733 = -(((_e3626 + (((_e3631 + (((bitcast<f32>(((_e3613 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3631) * _e3474)) - _e3626) * _e3472)) * _e3683));
-let _e3735 = select(-87f, _e3733, (_e3733 > -87f));
-let _e3737 = select(88f, _e3735, (_e3735 < 88f));
-let _e3739 = ((_e3737 * 1.442695f) + 0.5f);
-let _e3741 = select(-127f, _e3739, (_e3739 > -127f));
-let _e3743 = select(128f, _e3741, (_e3741 < 128f));
-let _e3750 = select(0i, select(select(i32(_e3743), i32(-2147483648), (_e3743 < -2147483600f)), 2147483647i, (_e3743 > 2147483500f)), (_e3743 == _e3743));
-let _e3754 = (_e3750 - select(0i, 1i, (_e3743 < f32(_e3750))));
-let _e3755 = f32(_e3754);
-let _e3759 = ((_e3737 - (_e3755 * 0.6933594f)) - (_e3755 * -2.1219444e-4f));
-let _e3781 = -(((_e3663 + (((_e3668 + (((bitcast<f32>((((_e3613 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3668) * _e3474)) - _e3663) * _e3472)) * _e3683));
-let _e3783 = select(-87f, _e3781, (_e3781 > -87f));
-let _e3785 = select(88f, _e3783, (_e3783 < 88f));
-let _e3787 = ((_e3785 * 1.442695f) + 0.5f);
-let _e3789 = select(-127f, _e3787, (_e3787 > -127f));
-let _e3791 = select(128f, _e3789, (_e3789 < 128f));
-let _e3798 = select(0i, select(select(i32(_e3791), i32(-2147483648), (_e3791 < -2147483600f)), 2147483647i, (_e3791 > 2147483500f)), (_e3791 == _e3791));
-let _e3802 = (_e3798 - select(0i, 1i, (_e3791 < f32(_e3798))));
-let _e3803 = f32(_e3802);
-let _e3807 = ((_e3785 - (_e3803 * 0.6933594f)) - (_e3803 * -2.1219444e-4f));
-let _e3830 = -((_e3540 * (_e3432 * _e3317.member)));
-let _e3832 = select(-87f, _e3830, (_e3830 > -87f));
-let _e3834 = select(88f, _e3832, (_e3832 < 88f));
-let _e3836 = ((_e3834 * 1.442695f) + 0.5f);
-let _e3838 = select(-127f, _e3836, (_e3836 > -127f));
-let _e3840 = select(128f, _e3838, (_e3838 < 128f));
-let _e3847 = select(0i, select(select(i32(_e3840), i32(-2147483648), (_e3840 < -2147483600f)), 2147483647i, (_e3840 > 2147483500f)), (_e3840 == _e3840));
-let _e3851 = (_e3847 - select(0i, 1i, (_e3840 < f32(_e3847))));
-let _e3852 = f32(_e3851);
-let _e3856 = ((_e3834 - (_e3852 * 0.6933594f)) - (_e3852 * -2.1219444e-4f));
-let _e3876 = ((1f + (_e3856 * (1f + (_e3856 * (0.5f + (_e3856 * (0.16666667f + (_e3856 * (0.041666668f + (_e3856 * (0.008333334f + (_e3856 * (0.001388889f + (_e3856 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3851 + 127i)) << bitcast<u32>(23i))));
-let _e3877 = (1f - _e3876);
-phi_9242_ = type_22(_e3876, _e3877, vec3<f32>(((1f + (_e3711 * (1f + (_e3711 * (0.5f + (_e3711 * (0.16666667f + (_e3711 * (0.041666668f + (_e3711 * (0.008333334f + (_e3711 * (0.001388889f + (_e3711 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3706 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3759 * (1f + (_e3759 * (0.5f + (_e3759 * (0.16666667f + (_e3759 * (0.041666668f + (_e3759 * (0.008333334f + (_e3759 * (0.001388889f + (_e3759 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3754 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3807 * (1f + (_e3807 * (0.5f + (_e3807 * (0.16666667f + (_e3807 * (0.041666668f + (_e3807 * (0.008333334f + (_e3807 * (0.001388889f + (_e3807 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3802 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e3877 / select(1e-12f, _e3540, (_e3540 > 1e-12f))))));
+let _e3903 = f32(_e3902);
+let _e3907 = ((_e3885 - (_e3903 * 0.6933594f)) - (_e3903 * -2.1219444e-4f));
+let _e3929 = -(((_e3811 + (((_e3816 + (((bitcast<f32>((((_e3761 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3816) * _e3622)) - _e3811) * _e3620)) * _e3831));
+let _e3931 = select(-87f, _e3929, (_e3929 > -87f));
+let _e3933 = select(88f, _e3931, (_e3931 < 88f));
+let _e3935 = ((_e3933 * 1.442695f) + 0.5f);
+let _e3937 = select(-127f, _e3935, (_e3935 > -127f));
+let _e3939 = select(128f, _e3937, (_e3937 < 128f));
+let _e3946 = select(0i, select(select(i32(_e3939), i32(-2147483648), (_e3939 < -2147483600f)), 2147483647i, (_e3939 > 2147483500f)), (_e3939 == _e3939));
+let _e3950 = (_e3946 - select(0i, 1i, (_e3939 < f32(_e3946))));
+let _e3951 = f32(_e3950);
+let _e3955 = ((_e3933 - (_e3951 * 0.6933594f)) - (_e3951 * -2.1219444e-4f));
+let _e3978 = -((_e3688 * (_e3416 * _e3301.member)));
+let _e3980 = select(-87f, _e3978, (_e3978 > -87f));
+let _e3982 = select(88f, _e3980, (_e3980 < 88f));
+let _e3984 = ((_e3982 * 1.442695f) + 0.5f);
+let _e3986 = select(-127f, _e3984, (_e3984 > -127f));
+let _e3988 = select(128f, _e3986, (_e3986 < 128f));
+let _e3995 = select(0i, select(select(i32(_e3988), i32(-2147483648), (_e3988 < -2147483600f)), 2147483647i, (_e3988 > 2147483500f)), (_e3988 == _e3988));
+let _e3999 = (_e3995 - select(0i, 1i, (_e3988 < f32(_e3995))));
+let _e4000 = f32(_e3999);
+let _e4004 = ((_e3982 - (_e4000 * 0.6933594f)) - (_e4000 * -2.1219444e-4f));
+let _e4024 = ((1f + (_e4004 * (1f + (_e4004 * (0.5f + (_e4004 * (0.16666667f + (_e4004 * (0.041666668f + (_e4004 * (0.008333334f + (_e4004 * (0.001388889f + (_e4004 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3999 + 127i)) << bitcast<u32>(23i))));
+let _e4025 = (1f - _e4024);
+phi_6202_ = type_31(_e4024, _e4025, vec3<f32>(((1f + (_e3859 * (1f + (_e3859 * (0.5f + (_e3859 * (0.16666667f + (_e3859 * (0.041666668f + (_e3859 * (0.008333334f + (_e3859 * (0.001388889f + (_e3859 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3854 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3907 * (1f + (_e3907 * (0.5f + (_e3907 * (0.16666667f + (_e3907 * (0.041666668f + (_e3907 * (0.008333334f + (_e3907 * (0.001388889f + (_e3907 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3902 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3955 * (1f + (_e3955 * (0.5f + (_e3955 * (0.16666667f + (_e3955 * (0.041666668f + (_e3955 * (0.008333334f + (_e3955 * (0.001388889f + (_e3955 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3950 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e4025 / select(1e-12f, _e3688, (_e3688 > 1e-12f))))));
 }
-let _e4049 = phi_9242_;
-if _e745 {
-let _e4053 = global_1.member.member_4.member_2;
-let _e4061 = global_1.member.member_24.member_2;
-let _e4064 = (_e2732.member_3.x * _e3317.member_2);
-let _e4066 = (_e2732.member_3.y * _e3317.member_2);
-let _e4068 = (_e2732.member_3.z * _e3317.member_2);
-let _e4069 = (0.5f * (_e4053 / select(1e-6f, _e187, (_e187 > 1e-6f))));
-let _e4073 = (_e165 + (_e4064 * _e4069));
-let _e4074 = (_e176 + (_e4066 * _e4069));
-let _e4075 = (_e187 + (_e4068 * _e4069));
-let _e4077 = (2f * _e4053);
-let _e4079 = ((_e4075 * _e4075) + (_e4077 * _e4068));
-let _e4083 = (_e4075 + sqrt(select(0f, _e4079, (_e4079 > 0f))));
-let _e4087 = (0.5f * (_e4077 / select(1e-6f, _e4083, (_e4083 > 1e-6f))));
-let _e4091 = (_e4073 + (_e4064 * _e4087));
-let _e4092 = (_e4074 + (_e4066 * _e4087));
-let _e4093 = (_e4075 + (_e4068 * _e4087));
-let _e4097 = (_e4061 * _e4061);
-let _e4099 = (_e4093 * _e4093);
-let _e4107 = (((_e4075 <= 0f) || (_e4079 <= 0f)) || ((_e4093 <= 0f) || (_e4099 <= (_e4097 * (((_e4091 * _e4091) + (_e4092 * _e4092)) + _e4099)))));
-let _e4121 = (_e165 + ((_e2732.member_4.x * _e3317.member_2) * _e4053));
-let _e4122 = (_e176 + ((_e2732.member_4.y * _e3317.member_2) * _e4053));
-let _e4123 = (_e187 + ((_e2732.member_4.z * _e3317.member_2) * _e4053));
-let _e4125 = (_e4123 * _e4123);
-let _e4134 = ((_e3120 & 1u) != 0u);
-let _e4138 = select(_e4107, ((_e4123 <= 0f) || (_e4125 <= (_e4097 * (((_e4121 * _e4121) + (_e4122 * _e4122)) + _e4125)))), _e4134);
-phi_9393_ = select(select(select(_e4093, _e4075, _e4107), _e4123, _e4134), _e187, _e4138);
-phi_9394_ = select(select(select(_e4092, _e4074, _e4107), _e4122, _e4134), _e176, _e4138);
-phi_9395_ = select(select(select(_e4091, _e4073, _e4107), _e4121, _e4134), _e165, _e4138);
-phi_9396_ = select(1f, 0f, _e4138);
+let _e4033 = phi_6202_;
+if _e719 {
+let _e4037 = global_1.member.member_5.member_2;
+let _e4045 = global_1.member.member_5.member_4;
+let _e4048 = (_e2711.member_3.x * _e3301.member_2);
+let _e4050 = (_e2711.member_3.y * _e3301.member_2);
+let _e4052 = (_e2711.member_3.z * _e3301.member_2);
+let _e4053 = (0.5f * (_e4037 / select(1e-6f, _e183, (_e183 > 1e-6f))));
+let _e4057 = (_e161 + (_e4048 * _e4053));
+let _e4058 = (_e172 + (_e4050 * _e4053));
+let _e4059 = (_e183 + (_e4052 * _e4053));
+let _e4061 = (2f * _e4037);
+let _e4063 = ((_e4059 * _e4059) + (_e4061 * _e4052));
+let _e4067 = (_e4059 + sqrt(select(0f, _e4063, (_e4063 > 0f))));
+let _e4071 = (0.5f * (_e4061 / select(1e-6f, _e4067, (_e4067 > 1e-6f))));
+let _e4075 = (_e4057 + (_e4048 * _e4071));
+let _e4076 = (_e4058 + (_e4050 * _e4071));
+let _e4077 = (_e4059 + (_e4052 * _e4071));
+let _e4081 = (_e4045 * _e4045);
+let _e4083 = (_e4077 * _e4077);
+let _e4091 = (((_e4059 <= 0f) || (_e4063 <= 0f)) || ((_e4077 <= 0f) || (_e4083 <= (_e4081 * (((_e4075 * _e4075) + (_e4076 * _e4076)) + _e4083)))));
+let _e4105 = (_e161 + ((_e2711.member_4.x * _e3301.member_2) * _e4037));
+let _e4106 = (_e172 + ((_e2711.member_4.y * _e3301.member_2) * _e4037));
+let _e4107 = (_e183 + ((_e2711.member_4.z * _e3301.member_2) * _e4037));
+let _e4109 = (_e4107 * _e4107);
+let _e4118 = ((_e3096 & 1u) != 0u);
+let _e4122 = select(_e4091, ((_e4107 <= 0f) || (_e4109 <= (_e4081 * (((_e4105 * _e4105) + (_e4106 * _e4106)) + _e4109)))), _e4118);
+phi_6353_ = select(select(select(_e4077, _e4059, _e4091), _e4107, _e4118), _e183, _e4122);
+phi_6354_ = select(select(select(_e4076, _e4058, _e4091), _e4106, _e4118), _e172, _e4122);
+phi_6355_ = select(select(select(_e4075, _e4057, _e4091), _e4105, _e4118), _e161, _e4122);
+phi_6356_ = select(1f, 0f, _e4122);
 } else {
-phi_9393_ = _e187;
-phi_9394_ = _e176;
-phi_9395_ = _e165;
-phi_9396_ = 1f;
+phi_6353_ = _e183;
+phi_6354_ = _e172;
+phi_6355_ = _e161;
+phi_6356_ = 1f;
 }
-let _e4144 = phi_9393_;
-let _e4146 = phi_9394_;
-let _e4148 = phi_9395_;
-let _e4150 = phi_9396_;
-let _e4153 = (_e4049.member * _e4150);
-global_5.member[_e122] = (_e133 * (_e4049.member_2.x * _e4153));
-global_5.member[_e134] = (_e143 * (_e4049.member_2.y * _e4153));
-global_5.member[_e145] = (_e154 * (_e4049.member_2.z * _e4153));
-global_5.member[_e156] = _e4148;
-global_5.member[_e167] = _e4146;
-global_5.member[_e178] = _e4144;
-global_5.member[_e189] = _e198;
-global_5.member[_e200] = _e209;
-global_5.member[_e211] = _e220;
+let _e4128 = phi_6353_;
+let _e4130 = phi_6354_;
+let _e4132 = phi_6355_;
+let _e4134 = phi_6356_;
+let _e4137 = (_e4033.member * _e4134);
+global_5.member[_e118] = (_e129 * (_e4033.member_2.x * _e4137));
+global_5.member[_e130] = (_e139 * (_e4033.member_2.y * _e4137));
+global_5.member[_e141] = (_e150 * (_e4033.member_2.z * _e4137));
+global_5.member[_e152] = _e4132;
+global_5.member[_e163] = _e4130;
+global_5.member[_e174] = _e4128;
+global_5.member[_e185] = _e194;
+global_5.member[_e196] = _e205;
+global_5.member[_e207] = _e216;
 }
 }
 }

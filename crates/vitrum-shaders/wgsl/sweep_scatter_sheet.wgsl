@@ -1,78 +1,147 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
-member: array<f32>,
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
 }
-struct type_11 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
 }
 struct type_12 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_11,
-member_6: type_11,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
+member: array<f32>,
+}
+struct type_16 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_17 {
+member: u32,
+member_1: u32,
+}
+struct type_18 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_19 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_21 {
+member: type_7,
+member_1: u32,
+}
+struct type_22 {
+member: type_2,
+member_1: u32,
+member_2: type_16,
+member_3: type_17,
+member_4: u32,
+member_5: type_18,
+member_6: type_19,
+member_7: type_19,
+member_8: type_20,
+member_9: type_10,
+member_10: f32,
+member_11: type_18,
 member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
+member_13: type_9,
+member_14: type_21,
+member_15: type_21,
+member_16: type_21,
+member_17: type_21,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
 }
-struct type_13 {
-member: type_12,
+struct type_23 {
+member: type_22,
 }
-struct type_15 {
+struct type_25 {
 member: vec2<f32>,
 member_1: vec2<f32>,
 member_2: vec2<f32>,
 member_3: vec3<f32>,
 member_4: bool,
 }
-struct type_18 {
+struct type_28 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_23;
 @group(0) @binding(1)
-var<storage> global_2: type_6;
+var<storage> global_2: type_12;
 @group(0) @binding(2)
-var<storage> global_3: type_6;
+var<storage> global_3: type_12;
 @group(0) @binding(3)
-var<storage, read_write> global_4: type_18;
+var<storage, read_write> global_4: type_28;
 fn function_() {
 var local: u32;
 var local_1: u32;
@@ -82,72 +151,72 @@ var local_4: u32;
 var local_5: u32;
 var local_6: u32;
 var local_7: u32;
-var phi_1722_: i32;
-var phi_1754_: i32;
-var phi_1835_: u32;
-var phi_1896_: u32;
-var phi_1957_: u32;
-var phi_2018_: u32;
-var phi_2080_: u32;
-var phi_1755_: i32;
-var phi_1723_: i32;
-var phi_2132_: type_15;
-var phi_2136_: type_15;
-var phi_2141_: type_15;
-var phi_2145_: type_15;
-var phi_2149_: type_15;
-var phi_2154_: type_15;
-var phi_2159_: type_15;
-var phi_2163_: type_15;
-var phi_2168_: type_15;
-var phi_2172_: type_15;
-var phi_2176_: type_15;
-var phi_2181_: type_15;
-var phi_2186_: type_15;
-var phi_2190_: type_15;
-var phi_2392_: i32;
-var phi_2423_: i32;
-var phi_2706_: i32;
-var phi_2738_: i32;
-var phi_2819_: u32;
-var phi_2880_: u32;
-var phi_2941_: u32;
-var phi_3002_: u32;
-var phi_3064_: u32;
-var phi_2739_: i32;
-var phi_2707_: i32;
-var phi_2424_: i32;
-var phi_2393_: i32;
+var phi_1725_: i32;
+var phi_1757_: i32;
+var phi_1838_: u32;
+var phi_1899_: u32;
+var phi_1960_: u32;
+var phi_2021_: u32;
+var phi_2083_: u32;
+var phi_1758_: i32;
+var phi_1726_: i32;
+var phi_2135_: type_25;
+var phi_2139_: type_25;
+var phi_2144_: type_25;
+var phi_2148_: type_25;
+var phi_2152_: type_25;
+var phi_2157_: type_25;
+var phi_2162_: type_25;
+var phi_2166_: type_25;
+var phi_2171_: type_25;
+var phi_2175_: type_25;
+var phi_2179_: type_25;
+var phi_2184_: type_25;
+var phi_2189_: type_25;
+var phi_2193_: type_25;
+var phi_2395_: i32;
+var phi_2426_: i32;
+var phi_2709_: i32;
+var phi_2741_: i32;
+var phi_2822_: u32;
+var phi_2883_: u32;
+var phi_2944_: u32;
+var phi_3005_: u32;
+var phi_3067_: u32;
+var phi_2742_: i32;
+var phi_2710_: i32;
+var phi_2427_: i32;
+var phi_2396_: i32;
 switch bitcast<i32>(0u) {
 default: {
 let _e55 = global;
 let _e62 = arrayLength((&global_4.member));
-let _e65 = global_1.member.member_1;
-let _e68 = (_e55.x + _e65.x);
-let _e71 = (_e55.y + _e65.y);
-if (_e68 < _e65.z) {
-if (_e71 < _e65.w) {
-let _e79 = global_1.member.member_2[3u];
+let _e65 = global_1.member.member_2;
+let _e71 = (_e55.x + _e65.member);
+let _e73 = (_e55.y + _e65.member_1);
+if (_e71 < _e65.member_2) {
+if (_e73 < _e65.member_3) {
+let _e79 = global_1.member.member_8.member_1;
 let _e80 = (_e79 == 0u);
 if _e80 {
 break;
 }
-let _e81 = (_e71 / _e79);
-let _e83 = (_e71 - (_e81 * _e79));
+let _e81 = (_e73 / _e79);
+let _e83 = (_e73 - (_e81 * _e79));
 let _e84 = (_e79 + 1u);
 let _e86 = select(1u, _e84, (_e84 > 0u));
 let _e88 = ((_e81 * _e86) + _e83);
-let _e92 = global_1.member.member_2[2u];
+let _e92 = global_1.member.member_8.member;
 let _e93 = (_e92 + 1u);
-let _e98 = global_1.member.member[1u];
+let _e98 = global_1.member.member.member_1;
 if _e80 {
 break;
 }
 let _e100 = ((_e93 * _e86) * (_e98 / _e79));
 local_6 = _e100;
 let _e101 = (_e88 * _e93);
-local_7 = (_e101 + _e68);
-let _e105 = (f32(bitcast<i32>(_e68)) - 0.5f);
+local_7 = (_e101 + _e71);
+let _e105 = (f32(bitcast<i32>(_e71)) - 0.5f);
 let _e108 = (f32(bitcast<i32>(_e83)) - 0.5f);
 let _e109 = local_7;
 let _e110 = bitcast<i32>(_e109);
@@ -210,8 +279,8 @@ let _e241 = bitcast<i32>(((10u * _e237) + _e239));
 let _e243 = select(_e112, _e241, (_e241 < _e112));
 let _e248 = global_2.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
 let _e249 = (_e248 != 0f);
-let _e253 = type_15(vec2<f32>(_e131, _e132), vec2<f32>(_e157, _e158), vec2<f32>((_e170 * _e197), (_e182 * _e197)), vec3<f32>(_e211, _e223, _e235), _e249);
-let _e254 = (_e68 + 1u);
+let _e253 = type_25(vec2<f32>(_e131, _e132), vec2<f32>(_e157, _e158), vec2<f32>((_e170 * _e197), (_e182 * _e197)), vec3<f32>(_e211, _e223, _e235), _e249);
+let _e254 = (_e71 + 1u);
 if _e80 {
 break;
 }
@@ -278,13 +347,13 @@ let _e389 = bitcast<i32>(((10u * _e385) + _e387));
 let _e391 = select(_e112, _e389, (_e389 < _e112));
 let _e396 = global_2.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
 let _e397 = (_e396 != 0f);
-let _e401 = type_15(vec2<f32>(_e279, _e280), vec2<f32>(_e305, _e306), vec2<f32>((_e318 * _e345), (_e330 * _e345)), vec3<f32>(_e359, _e371, _e383), _e397);
+let _e401 = type_25(vec2<f32>(_e279, _e280), vec2<f32>(_e305, _e306), vec2<f32>((_e318 * _e345), (_e330 * _e345)), vec3<f32>(_e359, _e371, _e383), _e397);
 if _e80 {
 break;
 }
 local_2 = _e100;
 let _e404 = ((_e88 + 1u) * _e93);
-local_3 = (_e404 + _e68);
+local_3 = (_e404 + _e71);
 let _e408 = (f32(bitcast<i32>((_e83 + 1u))) - 0.5f);
 let _e409 = local_3;
 let _e410 = bitcast<i32>(_e409);
@@ -346,7 +415,7 @@ let _e539 = bitcast<i32>(((10u * _e535) + _e537));
 let _e541 = select(_e112, _e539, (_e539 < _e112));
 let _e546 = global_2.member[bitcast<u32>(select(0i, _e541, (_e541 > 0i)))];
 let _e547 = (_e546 != 0f);
-let _e551 = type_15(vec2<f32>(_e429, _e430), vec2<f32>(_e455, _e456), vec2<f32>((_e468 * _e495), (_e480 * _e495)), vec3<f32>(_e509, _e521, _e533), _e547);
+let _e551 = type_25(vec2<f32>(_e429, _e430), vec2<f32>(_e455, _e456), vec2<f32>((_e468 * _e495), (_e480 * _e495)), vec3<f32>(_e509, _e521, _e533), _e547);
 if _e80 {
 break;
 }
@@ -412,591 +481,591 @@ let _e683 = bitcast<i32>(((10u * _e679) + _e681));
 let _e685 = select(_e112, _e683, (_e683 < _e112));
 let _e690 = global_2.member[bitcast<u32>(select(0i, _e685, (_e685 > 0i)))];
 let _e691 = (_e690 != 0f);
-let _e695 = type_15(vec2<f32>(_e573, _e574), vec2<f32>(_e599, _e600), vec2<f32>((_e612 * _e639), (_e624 * _e639)), vec3<f32>(_e653, _e665, _e677), _e691);
-let _e699 = global_1.member.member_9.member_3;
-let _e739 = !(((((((((_e131 == _e157) && (_e132 == _e158)) && (_e211 == _e699)) && (_e223 == _e699)) && (_e235 == _e699)) && (((((_e279 == _e305) && (_e280 == _e306)) && (_e359 == _e699)) && (_e371 == _e699)) && (_e383 == _e699))) && (((((_e429 == _e455) && (_e430 == _e456)) && (_e509 == _e699)) && (_e521 == _e699)) && (_e533 == _e699))) && (((((_e573 == _e599) && (_e574 == _e600)) && (_e653 == _e699)) && (_e665 == _e699)) && (_e677 == _e699))));
-let _e743 = global_1.member.member_10.member;
-let _e747 = global_1.member.member_10.member_1;
-let _e751 = global_1.member.member_10.member_2;
-let _e754 = (1f / select(1e-6f, _e751, (_e751 > 1e-6f)));
-let _e755 = (_e743 * _e754);
-let _e756 = (_e747 * _e754);
-if _e739 {
+let _e695 = type_25(vec2<f32>(_e573, _e574), vec2<f32>(_e599, _e600), vec2<f32>((_e612 * _e639), (_e624 * _e639)), vec3<f32>(_e653, _e665, _e677), _e691);
+let _e698 = global_1.member.member_10;
+let _e738 = !(((((((((_e131 == _e157) && (_e132 == _e158)) && (_e211 == _e698)) && (_e223 == _e698)) && (_e235 == _e698)) && (((((_e279 == _e305) && (_e280 == _e306)) && (_e359 == _e698)) && (_e371 == _e698)) && (_e383 == _e698))) && (((((_e429 == _e455) && (_e430 == _e456)) && (_e509 == _e698)) && (_e521 == _e698)) && (_e533 == _e698))) && (((((_e573 == _e599) && (_e574 == _e600)) && (_e653 == _e698)) && (_e665 == _e698)) && (_e677 == _e698))));
+let _e743 = global_1.member.member_9.member.member;
+let _e748 = global_1.member.member_9.member.member_1;
+let _e753 = global_1.member.member_9.member.member_2;
+let _e756 = (1f / select(1e-6f, _e753, (_e753 > 1e-6f)));
+let _e757 = (_e743 * _e756);
+let _e758 = (_e748 * _e756);
+if _e738 {
 if (_e86 == 0u) {
 break;
 }
-let _e768 = bitcast<i32>(((_e88 / _e86) * 3u));
-let _e770 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e772 = select(_e770, _e768, (_e768 < _e770));
-let _e778 = global_3.member[bitcast<u32>(select(0i, _e772, (_e772 > 0i)))];
-let _e779 = (_e768 + 1i);
-let _e781 = select(_e770, _e779, (_e779 < _e770));
-let _e787 = global_3.member[bitcast<u32>(select(0i, _e781, (_e781 > 0i)))];
-let _e788 = (_e768 + 2i);
-let _e790 = select(_e770, _e788, (_e788 < _e770));
-let _e796 = global_3.member[bitcast<u32>(select(0i, _e790, (_e790 > 0i)))];
-let _e797 = -(_e699);
-let _e800 = (1f / select(1e-6f, _e796, (_e796 > 1e-6f)));
-let _e805 = bitcast<i32>(_e92);
-let _e807 = (0.5f * 1f);
-let _e808 = (((((_e157 + _e305) + _e455) + _e599) * 0.25f) - _e807);
-let _e809 = (((((_e158 + _e306) + _e456) + _e600) * 0.25f) - _e807);
-let _e814 = (_e808 + 0.5f);
-let _e816 = select(0f, _e814, (_e814 > 0f));
-let _e818 = select(65536f, _e816, (_e816 < 65536f));
-let _e825 = select(0i, select(select(i32(_e818), i32(-2147483648), (_e818 < -2147483600f)), 2147483647i, (_e818 > 2147483500f)), (_e818 == _e818));
-let _e830 = (_e808 + 1f);
-let _e831 = (_e830 + 0.5f);
-let _e833 = f32((_e805 - 1i));
-let _e835 = select(-1f, _e831, (_e831 > -1f));
-let _e837 = select(_e833, _e835, (_e835 < _e833));
-let _e844 = select(0i, select(select(i32(_e837), i32(-2147483648), (_e837 < -2147483600f)), 2147483647i, (_e837 > 2147483500f)), (_e837 == _e837));
-let _e849 = (_e809 + 1f);
-let _e850 = (_e849 + 0.5f);
-let _e852 = f32((bitcast<i32>(_e79) - 1i));
-let _e854 = select(-1f, _e850, (_e850 > -1f));
-let _e856 = select(_e852, _e854, (_e854 < _e852));
-let _e863 = select(0i, select(select(i32(_e856), i32(-2147483648), (_e856 < -2147483600f)), 2147483647i, (_e856 > 2147483500f)), (_e856 == _e856));
-let _e868 = (_e809 + 0.5f);
-let _e870 = select(0f, _e868, (_e868 > 0f));
-let _e872 = select(65536f, _e870, (_e870 < 65536f));
-let _e879 = select(0i, select(select(i32(_e872), i32(-2147483648), (_e872 < -2147483600f)), 2147483647i, (_e872 > 2147483500f)), (_e872 == _e872));
-phi_1722_ = (_e879 - select(0i, 1i, (_e872 < f32(_e879))));
+let _e770 = bitcast<i32>(((_e88 / _e86) * 3u));
+let _e772 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e774 = select(_e772, _e770, (_e770 < _e772));
+let _e780 = global_3.member[bitcast<u32>(select(0i, _e774, (_e774 > 0i)))];
+let _e781 = (_e770 + 1i);
+let _e783 = select(_e772, _e781, (_e781 < _e772));
+let _e789 = global_3.member[bitcast<u32>(select(0i, _e783, (_e783 > 0i)))];
+let _e790 = (_e770 + 2i);
+let _e792 = select(_e772, _e790, (_e790 < _e772));
+let _e798 = global_3.member[bitcast<u32>(select(0i, _e792, (_e792 > 0i)))];
+let _e799 = -(_e698);
+let _e802 = (1f / select(1e-6f, _e798, (_e798 > 1e-6f)));
+let _e807 = bitcast<i32>(_e92);
+let _e809 = (0.5f * 1f);
+let _e810 = (((((_e157 + _e305) + _e455) + _e599) * 0.25f) - _e809);
+let _e811 = (((((_e158 + _e306) + _e456) + _e600) * 0.25f) - _e809);
+let _e816 = (_e810 + 0.5f);
+let _e818 = select(0f, _e816, (_e816 > 0f));
+let _e820 = select(65536f, _e818, (_e818 < 65536f));
+let _e827 = select(0i, select(select(i32(_e820), i32(-2147483648), (_e820 < -2147483600f)), 2147483647i, (_e820 > 2147483500f)), (_e820 == _e820));
+let _e832 = (_e810 + 1f);
+let _e833 = (_e832 + 0.5f);
+let _e835 = f32((_e807 - 1i));
+let _e837 = select(-1f, _e833, (_e833 > -1f));
+let _e839 = select(_e835, _e837, (_e837 < _e835));
+let _e846 = select(0i, select(select(i32(_e839), i32(-2147483648), (_e839 < -2147483600f)), 2147483647i, (_e839 > 2147483500f)), (_e839 == _e839));
+let _e851 = (_e811 + 1f);
+let _e852 = (_e851 + 0.5f);
+let _e854 = f32((bitcast<i32>(_e79) - 1i));
+let _e856 = select(-1f, _e852, (_e852 > -1f));
+let _e858 = select(_e854, _e856, (_e856 < _e854));
+let _e865 = select(0i, select(select(i32(_e858), i32(-2147483648), (_e858 < -2147483600f)), 2147483647i, (_e858 > 2147483500f)), (_e858 == _e858));
+let _e870 = (_e811 + 0.5f);
+let _e872 = select(0f, _e870, (_e870 > 0f));
+let _e874 = select(65536f, _e872, (_e872 < 65536f));
+let _e881 = select(0i, select(select(i32(_e874), i32(-2147483648), (_e874 < -2147483600f)), 2147483647i, (_e874 > 2147483500f)), (_e874 == _e874));
+phi_1725_ = (_e881 - select(0i, 1i, (_e874 < f32(_e881))));
 loop {
-let _e885 = phi_1722_;
-let _e886 = (_e885 <= (_e863 - select(0i, 1i, (_e856 < f32(_e863)))));
-if _e886 {
-let _e887 = f32(_e885);
-let _e888 = (_e887 - 0.5f);
-let _e891 = (_e887 + 0.5f);
-let _e894 = (select(_e891, _e849, (_e849 < _e891)) - select(_e888, _e809, (_e809 > _e888)));
-phi_1754_ = (_e825 - select(0i, 1i, (_e818 < f32(_e825))));
+let _e887 = phi_1725_;
+let _e888 = (_e887 <= (_e865 - select(0i, 1i, (_e858 < f32(_e865)))));
+if _e888 {
+let _e889 = f32(_e887);
+let _e890 = (_e889 - 0.5f);
+let _e893 = (_e889 + 0.5f);
+let _e896 = (select(_e893, _e851, (_e851 < _e893)) - select(_e890, _e811, (_e811 > _e890)));
+phi_1757_ = (_e827 - select(0i, 1i, (_e820 < f32(_e827))));
 loop {
-let _e899 = phi_1754_;
-let _e900 = (_e899 <= (_e844 - select(0i, 1i, (_e837 < f32(_e844)))));
-if _e900 {
-let _e901 = f32(_e899);
-let _e902 = (_e901 - 0.5f);
-let _e905 = (_e901 + 0.5f);
-let _e908 = (select(_e905, _e830, (_e830 < _e905)) - select(_e902, _e808, (_e808 > _e902)));
-let _e912 = ((select(0f, _e908, (_e908 > 0f)) / 1f) * (select(0f, _e894, (_e894 > 0f)) / 1f));
-if (_e912 > 0f) {
-let _e916 = (((_e885 * _e805) + _e899) * 10i);
-let _e919 = (((_e797 * _e912) * 16777216f) + 0.5f);
-let _e921 = select(-1073741800f, _e919, (_e919 > -1073741800f));
-let _e923 = select(1073741800f, _e921, (_e921 < 1073741800f));
-let _e930 = select(0i, select(select(i32(_e923), i32(-2147483648), (_e923 < -2147483600f)), 2147483647i, (_e923 > 2147483500f)), (_e923 == _e923));
-let _e934 = (_e930 - select(0i, 1i, (_e923 < f32(_e930))));
-let _e935 = (_e934 == 0i);
-if _e935 {
+let _e901 = phi_1757_;
+let _e902 = (_e901 <= (_e846 - select(0i, 1i, (_e839 < f32(_e846)))));
+if _e902 {
+let _e903 = f32(_e901);
+let _e904 = (_e903 - 0.5f);
+let _e907 = (_e903 + 0.5f);
+let _e910 = (select(_e907, _e832, (_e832 < _e907)) - select(_e904, _e810, (_e810 > _e904)));
+let _e914 = ((select(0f, _e910, (_e910 > 0f)) / 1f) * (select(0f, _e896, (_e896 > 0f)) / 1f));
+if (_e914 > 0f) {
+let _e918 = (((_e887 * _e807) + _e901) * 10i);
+let _e921 = (((_e799 * _e914) * 16777216f) + 0.5f);
+let _e923 = select(-1073741800f, _e921, (_e921 > -1073741800f));
+let _e925 = select(1073741800f, _e923, (_e923 < 1073741800f));
+let _e932 = select(0i, select(select(i32(_e925), i32(-2147483648), (_e925 < -2147483600f)), 2147483647i, (_e925 > 2147483500f)), (_e925 == _e925));
+let _e936 = (_e932 - select(0i, 1i, (_e925 < f32(_e932))));
+let _e937 = (_e936 == 0i);
+if _e937 {
 } else {
-let _e936 = bitcast<u32>(_e934);
-let _e937 = bitcast<u32>(_e916);
-if (_e937 < _e62) {
-let _e941 = atomicAdd((&global_4.member[_e937]), _e936);
-phi_1835_ = _e941;
+let _e938 = bitcast<u32>(_e936);
+let _e939 = bitcast<u32>(_e918);
+if (_e939 < _e62) {
+let _e943 = atomicAdd((&global_4.member[_e939]), _e938);
+phi_1838_ = _e943;
 } else {
-phi_1835_ = 0u;
+phi_1838_ = 0u;
 }
-let _e943 = phi_1835_;
-let _e950 = (bitcast<u32>((_e934 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e943 + _e936) < _e936)));
-if (_e950 == 0u) {
+let _e945 = phi_1838_;
+let _e952 = (bitcast<u32>((_e936 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e945 + _e938) < _e938)));
+if (_e952 == 0u) {
 } else {
-let _e952 = (_e937 + 1u);
-if (_e952 < _e62) {
-let _e956 = atomicAdd((&global_4.member[_e952]), _e950);
+let _e954 = (_e939 + 1u);
+if (_e954 < _e62) {
+let _e958 = atomicAdd((&global_4.member[_e954]), _e952);
 }
 }
 }
-if _e935 {
+if _e937 {
 } else {
-let _e958 = bitcast<u32>(_e934);
-let _e959 = bitcast<u32>((_e916 + 2i));
-if (_e959 < _e62) {
-let _e963 = atomicAdd((&global_4.member[_e959]), _e958);
-phi_1896_ = _e963;
+let _e960 = bitcast<u32>(_e936);
+let _e961 = bitcast<u32>((_e918 + 2i));
+if (_e961 < _e62) {
+let _e965 = atomicAdd((&global_4.member[_e961]), _e960);
+phi_1899_ = _e965;
 } else {
-phi_1896_ = 0u;
+phi_1899_ = 0u;
 }
-let _e965 = phi_1896_;
-let _e972 = (bitcast<u32>((_e934 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e965 + _e958) < _e958)));
-if (_e972 == 0u) {
+let _e967 = phi_1899_;
+let _e974 = (bitcast<u32>((_e936 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e967 + _e960) < _e960)));
+if (_e974 == 0u) {
 } else {
-let _e974 = (_e959 + 1u);
-if (_e974 < _e62) {
-let _e978 = atomicAdd((&global_4.member[_e974]), _e972);
+let _e976 = (_e961 + 1u);
+if (_e976 < _e62) {
+let _e980 = atomicAdd((&global_4.member[_e976]), _e974);
 }
 }
 }
-if _e935 {
+if _e937 {
 } else {
-let _e980 = bitcast<u32>(_e934);
-let _e981 = bitcast<u32>((_e916 + 4i));
-if (_e981 < _e62) {
-let _e985 = atomicAdd((&global_4.member[_e981]), _e980);
-phi_1957_ = _e985;
+let _e982 = bitcast<u32>(_e936);
+let _e983 = bitcast<u32>((_e918 + 4i));
+if (_e983 < _e62) {
+let _e987 = atomicAdd((&global_4.member[_e983]), _e982);
+phi_1960_ = _e987;
 } else {
-phi_1957_ = 0u;
+phi_1960_ = 0u;
 }
-let _e987 = phi_1957_;
-let _e994 = (bitcast<u32>((_e934 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e987 + _e980) < _e980)));
-if (_e994 == 0u) {
+let _e989 = phi_1960_;
+let _e996 = (bitcast<u32>((_e936 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e989 + _e982) < _e982)));
+if (_e996 == 0u) {
 } else {
-let _e996 = (_e981 + 1u);
-if (_e996 < _e62) {
-let _e1000 = atomicAdd((&global_4.member[_e996]), _e994);
+let _e998 = (_e983 + 1u);
+if (_e998 < _e62) {
+let _e1002 = atomicAdd((&global_4.member[_e998]), _e996);
 }
 }
 }
-let _e1002 = ((((_e797 + _e797) + _e797) * (1f / 3f)) * _e912);
-let _e1005 = (((_e1002 * ((_e778 * _e800) - _e755)) * 8388608f) + 0.5f);
-let _e1007 = select(-1073741800f, _e1005, (_e1005 > -1073741800f));
-let _e1009 = select(1073741800f, _e1007, (_e1007 < 1073741800f));
-let _e1016 = select(0i, select(select(i32(_e1009), i32(-2147483648), (_e1009 < -2147483600f)), 2147483647i, (_e1009 > 2147483500f)), (_e1009 == _e1009));
-let _e1020 = (_e1016 - select(0i, 1i, (_e1009 < f32(_e1016))));
-if (_e1020 == 0i) {
+let _e1004 = ((((_e799 + _e799) + _e799) * (1f / 3f)) * _e914);
+let _e1007 = (((_e1004 * ((_e780 * _e802) - _e757)) * 8388608f) + 0.5f);
+let _e1009 = select(-1073741800f, _e1007, (_e1007 > -1073741800f));
+let _e1011 = select(1073741800f, _e1009, (_e1009 < 1073741800f));
+let _e1018 = select(0i, select(select(i32(_e1011), i32(-2147483648), (_e1011 < -2147483600f)), 2147483647i, (_e1011 > 2147483500f)), (_e1011 == _e1011));
+let _e1022 = (_e1018 - select(0i, 1i, (_e1011 < f32(_e1018))));
+if (_e1022 == 0i) {
 } else {
-let _e1022 = bitcast<u32>(_e1020);
-let _e1023 = bitcast<u32>((_e916 + 6i));
-if (_e1023 < _e62) {
-let _e1027 = atomicAdd((&global_4.member[_e1023]), _e1022);
-phi_2018_ = _e1027;
+let _e1024 = bitcast<u32>(_e1022);
+let _e1025 = bitcast<u32>((_e918 + 6i));
+if (_e1025 < _e62) {
+let _e1029 = atomicAdd((&global_4.member[_e1025]), _e1024);
+phi_2021_ = _e1029;
 } else {
-phi_2018_ = 0u;
+phi_2021_ = 0u;
 }
-let _e1029 = phi_2018_;
-let _e1036 = (bitcast<u32>((_e1020 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1029 + _e1022) < _e1022)));
-if (_e1036 == 0u) {
+let _e1031 = phi_2021_;
+let _e1038 = (bitcast<u32>((_e1022 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1031 + _e1024) < _e1024)));
+if (_e1038 == 0u) {
 } else {
-let _e1038 = (_e1023 + 1u);
-if (_e1038 < _e62) {
-let _e1042 = atomicAdd((&global_4.member[_e1038]), _e1036);
+let _e1040 = (_e1025 + 1u);
+if (_e1040 < _e62) {
+let _e1044 = atomicAdd((&global_4.member[_e1040]), _e1038);
 }
 }
 }
-let _e1046 = (((_e1002 * ((_e787 * _e800) - _e756)) * 8388608f) + 0.5f);
-let _e1048 = select(-1073741800f, _e1046, (_e1046 > -1073741800f));
-let _e1050 = select(1073741800f, _e1048, (_e1048 < 1073741800f));
-let _e1057 = select(0i, select(select(i32(_e1050), i32(-2147483648), (_e1050 < -2147483600f)), 2147483647i, (_e1050 > 2147483500f)), (_e1050 == _e1050));
-let _e1061 = (_e1057 - select(0i, 1i, (_e1050 < f32(_e1057))));
-if (_e1061 == 0i) {
+let _e1048 = (((_e1004 * ((_e789 * _e802) - _e758)) * 8388608f) + 0.5f);
+let _e1050 = select(-1073741800f, _e1048, (_e1048 > -1073741800f));
+let _e1052 = select(1073741800f, _e1050, (_e1050 < 1073741800f));
+let _e1059 = select(0i, select(select(i32(_e1052), i32(-2147483648), (_e1052 < -2147483600f)), 2147483647i, (_e1052 > 2147483500f)), (_e1052 == _e1052));
+let _e1063 = (_e1059 - select(0i, 1i, (_e1052 < f32(_e1059))));
+if (_e1063 == 0i) {
 } else {
-let _e1063 = bitcast<u32>(_e1061);
-let _e1064 = bitcast<u32>((_e916 + 8i));
-if (_e1064 < _e62) {
-let _e1068 = atomicAdd((&global_4.member[_e1064]), _e1063);
-phi_2080_ = _e1068;
+let _e1065 = bitcast<u32>(_e1063);
+let _e1066 = bitcast<u32>((_e918 + 8i));
+if (_e1066 < _e62) {
+let _e1070 = atomicAdd((&global_4.member[_e1066]), _e1065);
+phi_2083_ = _e1070;
 } else {
-phi_2080_ = 0u;
+phi_2083_ = 0u;
 }
-let _e1070 = phi_2080_;
-let _e1077 = (bitcast<u32>((_e1061 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1070 + _e1063) < _e1063)));
-if (_e1077 == 0u) {
+let _e1072 = phi_2083_;
+let _e1079 = (bitcast<u32>((_e1063 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1072 + _e1065) < _e1065)));
+if (_e1079 == 0u) {
 } else {
-let _e1079 = (_e1064 + 1u);
-if (_e1079 < _e62) {
-let _e1083 = atomicAdd((&global_4.member[_e1079]), _e1077);
+let _e1081 = (_e1066 + 1u);
+if (_e1081 < _e62) {
+let _e1085 = atomicAdd((&global_4.member[_e1081]), _e1079);
 }
 }
 }
 }
-phi_1755_ = (_e899 + 1i);
+phi_1758_ = (_e901 + 1i);
 } else {
-phi_1755_ = i32();
+phi_1758_ = i32();
 }
-let _e1086 = phi_1755_;
+let _e1088 = phi_1758_;
 continue;
 continuing {
-phi_1754_ = _e1086;
-break if !(_e900);
+phi_1757_ = _e1088;
+break if !(_e902);
 }
 }
-phi_1723_ = (_e885 + 1i);
+phi_1726_ = (_e887 + 1i);
 } else {
-phi_1723_ = i32();
+phi_1726_ = i32();
 }
-let _e1090 = phi_1723_;
+let _e1092 = phi_1726_;
 continue;
 continuing {
-phi_1722_ = _e1090;
-break if !(_e886);
+phi_1725_ = _e1092;
+break if !(_e888);
 }
 }
 }
-let _e1102 = (((select(0f, 1f, !(_e249)) + select(0f, 1f, !(_e397))) + select(0f, 1f, !(_e547))) + select(0f, 1f, !(_e691)));
-if (_e739 && (_e1102 > 0f)) {
+let _e1104 = (((select(0f, 1f, !(_e249)) + select(0f, 1f, !(_e397))) + select(0f, 1f, !(_e547))) + select(0f, 1f, !(_e691)));
+if (_e738 && (_e1104 > 0f)) {
 if _e249 {
-phi_2132_ = _e551;
+phi_2135_ = _e551;
 } else {
-phi_2132_ = _e253;
+phi_2135_ = _e253;
 }
-let _e1106 = phi_2132_;
+let _e1108 = phi_2135_;
 if _e397 {
-phi_2136_ = _e695;
+phi_2139_ = _e695;
 } else {
-phi_2136_ = _e401;
+phi_2139_ = _e401;
 }
-let _e1108 = phi_2136_;
-if _e1106.member_4 {
-phi_2141_ = _e1108;
-} else {
-phi_2141_ = _e1106;
-}
-let _e1111 = phi_2141_;
-if _e397 {
-phi_2145_ = _e1111;
-} else {
-phi_2145_ = _e401;
-}
-let _e1113 = phi_2145_;
-if _e249 {
-phi_2149_ = _e1113;
-} else {
-phi_2149_ = _e253;
-}
-let _e1115 = phi_2149_;
+let _e1110 = phi_2139_;
 if _e1108.member_4 {
-phi_2154_ = _e1106;
+phi_2144_ = _e1110;
 } else {
-phi_2154_ = _e1108;
+phi_2144_ = _e1108;
 }
-let _e1118 = phi_2154_;
-if _e1115.member_4 {
-phi_2159_ = _e1118;
-} else {
-phi_2159_ = _e1115;
-}
-let _e1121 = phi_2159_;
+let _e1113 = phi_2144_;
 if _e397 {
-phi_2163_ = _e1121;
+phi_2148_ = _e1113;
 } else {
-phi_2163_ = _e401;
+phi_2148_ = _e401;
 }
-let _e1123 = phi_2163_;
-if _e1106.member_4 {
-phi_2168_ = _e1108;
+let _e1115 = phi_2148_;
+if _e249 {
+phi_2152_ = _e1115;
 } else {
-phi_2168_ = _e1106;
+phi_2152_ = _e253;
 }
-let _e1125 = phi_2168_;
+let _e1117 = phi_2152_;
+if _e1110.member_4 {
+phi_2157_ = _e1108;
+} else {
+phi_2157_ = _e1110;
+}
+let _e1120 = phi_2157_;
+if _e1117.member_4 {
+phi_2162_ = _e1120;
+} else {
+phi_2162_ = _e1117;
+}
+let _e1123 = phi_2162_;
+if _e397 {
+phi_2166_ = _e1123;
+} else {
+phi_2166_ = _e401;
+}
+let _e1125 = phi_2166_;
+if _e1108.member_4 {
+phi_2171_ = _e1110;
+} else {
+phi_2171_ = _e1108;
+}
+let _e1127 = phi_2171_;
 if _e691 {
-phi_2172_ = _e1125;
+phi_2175_ = _e1127;
 } else {
-phi_2172_ = _e695;
+phi_2175_ = _e695;
 }
-let _e1127 = phi_2172_;
+let _e1129 = phi_2175_;
 if _e547 {
-phi_2176_ = _e1127;
+phi_2179_ = _e1129;
 } else {
-phi_2176_ = _e551;
+phi_2179_ = _e551;
 }
-let _e1129 = phi_2176_;
-if _e1108.member_4 {
-phi_2181_ = _e1106;
+let _e1131 = phi_2179_;
+if _e1110.member_4 {
+phi_2184_ = _e1108;
 } else {
-phi_2181_ = _e1108;
+phi_2184_ = _e1110;
 }
-let _e1131 = phi_2181_;
-if _e1129.member_4 {
-phi_2186_ = _e1131;
+let _e1133 = phi_2184_;
+if _e1131.member_4 {
+phi_2189_ = _e1133;
 } else {
-phi_2186_ = _e1129;
+phi_2189_ = _e1131;
 }
-let _e1134 = phi_2186_;
+let _e1136 = phi_2189_;
 if _e691 {
-phi_2190_ = _e1134;
+phi_2193_ = _e1136;
 } else {
-phi_2190_ = _e695;
+phi_2193_ = _e695;
 }
-let _e1136 = phi_2190_;
-let _e1145 = (_e1123.member.x - _e1115.member.x);
-let _e1146 = (_e1123.member.y - _e1115.member.y);
-let _e1149 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
-let _e1152 = bitcast<f32>((bitcast<u32>(_e1146) & 2147483647u));
-let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
-let _e1163 = (_e1136.member.x - _e1129.member.x);
-let _e1164 = (_e1136.member.y - _e1129.member.y);
-let _e1167 = bitcast<f32>((bitcast<u32>(_e1163) & 2147483647u));
-let _e1170 = bitcast<f32>((bitcast<u32>(_e1164) & 2147483647u));
-let _e1172 = select(_e1170, _e1167, (_e1167 > _e1170));
-let _e1175 = (select(_e1172, _e1154, (_e1154 > _e1172)) - 1e-3f);
-let _e1176 = (64f - 1f);
-let _e1178 = select(0f, _e1175, (_e1175 > 0f));
-let _e1180 = select(_e1176, _e1178, (_e1178 < _e1176));
-let _e1187 = select(0i, select(select(i32(_e1180), i32(-2147483648), (_e1180 < -2147483600f)), 2147483647i, (_e1180 > 2147483500f)), (_e1180 == _e1180));
-let _e1193 = f32((1i + (_e1187 - select(0i, 1i, (_e1180 < f32(_e1187))))));
-let _e1194 = (_e1129.member.x - _e1115.member.x);
-let _e1195 = (_e1129.member.y - _e1115.member.y);
-let _e1198 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
-let _e1201 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
-let _e1203 = select(_e1201, _e1198, (_e1198 > _e1201));
-let _e1204 = (_e1136.member.x - _e1123.member.x);
-let _e1205 = (_e1136.member.y - _e1123.member.y);
-let _e1208 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
-let _e1211 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
-let _e1213 = select(_e1211, _e1208, (_e1208 > _e1211));
-let _e1216 = (select(_e1213, _e1203, (_e1203 > _e1213)) - 1e-3f);
-let _e1218 = select(0f, _e1216, (_e1216 > 0f));
-let _e1220 = select(_e1176, _e1218, (_e1218 < _e1176));
-let _e1227 = select(0i, select(select(i32(_e1220), i32(-2147483648), (_e1220 < -2147483600f)), 2147483647i, (_e1220 > 2147483500f)), (_e1220 == _e1220));
-let _e1233 = f32((1i + (_e1227 - select(0i, 1i, (_e1220 < f32(_e1227))))));
-let _e1235 = (64f / (_e1193 * _e1233));
-let _e1237 = select(_e1235, 1f, (1f < _e1235));
-let _e1240 = sqrt(select(0f, _e1237, (_e1237 > 0f)));
-let _e1241 = (_e1193 * _e1240);
-let _e1243 = select(1f, _e1241, (_e1241 > 1f));
-let _e1245 = select(64f, _e1243, (_e1243 < 64f));
-let _e1252 = select(0i, select(select(i32(_e1245), i32(-2147483648), (_e1245 < -2147483600f)), 2147483647i, (_e1245 > 2147483500f)), (_e1245 == _e1245));
-let _e1256 = (_e1252 - select(0i, 1i, (_e1245 < f32(_e1252))));
-let _e1257 = (_e1233 * _e1240);
-let _e1259 = select(1f, _e1257, (_e1257 > 1f));
-let _e1261 = select(64f, _e1259, (_e1259 < 64f));
-let _e1268 = select(0i, select(select(i32(_e1261), i32(-2147483648), (_e1261 < -2147483600f)), 2147483647i, (_e1261 > 2147483500f)), (_e1261 == _e1261));
-let _e1272 = (_e1268 - select(0i, 1i, (_e1261 < f32(_e1268))));
-let _e1274 = (1f / f32(_e1256));
-let _e1276 = (1f / f32(_e1272));
-let _e1279 = ((_e1274 * _e1276) * (_e1102 * 0.25f));
-phi_2392_ = 0i;
+let _e1138 = phi_2193_;
+let _e1147 = (_e1125.member.x - _e1117.member.x);
+let _e1148 = (_e1125.member.y - _e1117.member.y);
+let _e1151 = bitcast<f32>((bitcast<u32>(_e1147) & 2147483647u));
+let _e1154 = bitcast<f32>((bitcast<u32>(_e1148) & 2147483647u));
+let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
+let _e1165 = (_e1138.member.x - _e1131.member.x);
+let _e1166 = (_e1138.member.y - _e1131.member.y);
+let _e1169 = bitcast<f32>((bitcast<u32>(_e1165) & 2147483647u));
+let _e1172 = bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u));
+let _e1174 = select(_e1172, _e1169, (_e1169 > _e1172));
+let _e1177 = (select(_e1174, _e1156, (_e1156 > _e1174)) - 1e-3f);
+let _e1178 = (64f - 1f);
+let _e1180 = select(0f, _e1177, (_e1177 > 0f));
+let _e1182 = select(_e1178, _e1180, (_e1180 < _e1178));
+let _e1189 = select(0i, select(select(i32(_e1182), i32(-2147483648), (_e1182 < -2147483600f)), 2147483647i, (_e1182 > 2147483500f)), (_e1182 == _e1182));
+let _e1195 = f32((1i + (_e1189 - select(0i, 1i, (_e1182 < f32(_e1189))))));
+let _e1196 = (_e1131.member.x - _e1117.member.x);
+let _e1197 = (_e1131.member.y - _e1117.member.y);
+let _e1200 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
+let _e1203 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
+let _e1205 = select(_e1203, _e1200, (_e1200 > _e1203));
+let _e1206 = (_e1138.member.x - _e1125.member.x);
+let _e1207 = (_e1138.member.y - _e1125.member.y);
+let _e1210 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
+let _e1213 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
+let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
+let _e1218 = (select(_e1215, _e1205, (_e1205 > _e1215)) - 1e-3f);
+let _e1220 = select(0f, _e1218, (_e1218 > 0f));
+let _e1222 = select(_e1178, _e1220, (_e1220 < _e1178));
+let _e1229 = select(0i, select(select(i32(_e1222), i32(-2147483648), (_e1222 < -2147483600f)), 2147483647i, (_e1222 > 2147483500f)), (_e1222 == _e1222));
+let _e1235 = f32((1i + (_e1229 - select(0i, 1i, (_e1222 < f32(_e1229))))));
+let _e1237 = (64f / (_e1195 * _e1235));
+let _e1239 = select(_e1237, 1f, (1f < _e1237));
+let _e1242 = sqrt(select(0f, _e1239, (_e1239 > 0f)));
+let _e1243 = (_e1195 * _e1242);
+let _e1245 = select(1f, _e1243, (_e1243 > 1f));
+let _e1247 = select(64f, _e1245, (_e1245 < 64f));
+let _e1254 = select(0i, select(select(i32(_e1247), i32(-2147483648), (_e1247 < -2147483600f)), 2147483647i, (_e1247 > 2147483500f)), (_e1247 == _e1247));
+let _e1258 = (_e1254 - select(0i, 1i, (_e1247 < f32(_e1254))));
+let _e1259 = (_e1235 * _e1242);
+let _e1261 = select(1f, _e1259, (_e1259 > 1f));
+let _e1263 = select(64f, _e1261, (_e1261 < 64f));
+let _e1270 = select(0i, select(select(i32(_e1263), i32(-2147483648), (_e1263 < -2147483600f)), 2147483647i, (_e1263 > 2147483500f)), (_e1263 == _e1263));
+let _e1274 = (_e1270 - select(0i, 1i, (_e1263 < f32(_e1270))));
+let _e1276 = (1f / f32(_e1258));
+let _e1278 = (1f / f32(_e1274));
+let _e1281 = ((_e1276 * _e1278) * (_e1104 * 0.25f));
+phi_2395_ = 0i;
 loop {
-let _e1281 = phi_2392_;
-let _e1282 = (_e1281 < _e1272);
-if _e1282 {
-let _e1285 = ((f32(_e1281) + 0.5f) * _e1276);
-phi_2423_ = 0i;
+let _e1283 = phi_2395_;
+let _e1284 = (_e1283 < _e1274);
+if _e1284 {
+let _e1287 = ((f32(_e1283) + 0.5f) * _e1278);
+phi_2426_ = 0i;
 loop {
-let _e1293 = phi_2423_;
-let _e1294 = (_e1293 < _e1256);
-if _e1294 {
-let _e1297 = ((f32(_e1293) + 0.5f) * _e1274);
-let _e1312 = ((bitcast<f32>((bitcast<u32>((_e1145 + ((_e1163 - _e1145) * _e1285))) & 2147483647u)) * _e1274) + (bitcast<f32>((bitcast<u32>((_e1194 + ((_e1204 - _e1194) * _e1297))) & 2147483647u)) * _e1276));
-let _e1321 = ((bitcast<f32>((bitcast<u32>((_e1146 + ((_e1164 - _e1146) * _e1285))) & 2147483647u)) * _e1274) + (bitcast<f32>((bitcast<u32>((_e1195 + ((_e1205 - _e1195) * _e1297))) & 2147483647u)) * _e1276));
-let _e1323 = (_e1115.member.x + (_e1145 * _e1297));
-let _e1330 = (_e1115.member.y + (_e1146 * _e1297));
-let _e1346 = (_e1115.member_3.x + ((_e1123.member_3.x - _e1115.member_3.x) * _e1297));
-let _e1353 = ((_e1346 + (((_e1129.member_3.x + ((_e1136.member_3.x - _e1129.member_3.x) * _e1297)) - _e1346) * _e1285)) * _e1279);
-let _e1364 = (_e1115.member_3.y + ((_e1123.member_3.y - _e1115.member_3.y) * _e1297));
-let _e1371 = ((_e1364 + (((_e1129.member_3.y + ((_e1136.member_3.y - _e1129.member_3.y) * _e1297)) - _e1364) * _e1285)) * _e1279);
-let _e1382 = (_e1115.member_3.z + ((_e1123.member_3.z - _e1115.member_3.z) * _e1297));
-let _e1389 = ((_e1382 + (((_e1129.member_3.z + ((_e1136.member_3.z - _e1129.member_3.z) * _e1297)) - _e1382) * _e1285)) * _e1279);
-let _e1400 = (_e1115.member_2.x + ((_e1123.member_2.x - _e1115.member_2.x) * _e1297));
-let _e1417 = (_e1115.member_2.y + ((_e1123.member_2.y - _e1115.member_2.y) * _e1297));
-let _e1426 = bitcast<i32>(_e92);
-let _e1429 = select(9.765625e-4f, _e1312, (_e1312 > 9.765625e-4f));
-let _e1431 = select(4f, _e1429, (_e1429 < 4f));
-let _e1433 = select(9.765625e-4f, _e1321, (_e1321 > 9.765625e-4f));
-let _e1435 = select(4f, _e1433, (_e1433 < 4f));
-let _e1437 = ((_e1323 + (((_e1129.member.x + (_e1163 * _e1297)) - _e1323) * _e1285)) - (0.5f * _e1431));
-let _e1439 = ((_e1330 + (((_e1129.member.y + (_e1164 * _e1297)) - _e1330) * _e1285)) - (0.5f * _e1435));
-let _e1444 = (_e1437 + 0.5f);
-let _e1446 = select(0f, _e1444, (_e1444 > 0f));
-let _e1448 = select(65536f, _e1446, (_e1446 < 65536f));
-let _e1455 = select(0i, select(select(i32(_e1448), i32(-2147483648), (_e1448 < -2147483600f)), 2147483647i, (_e1448 > 2147483500f)), (_e1448 == _e1448));
-let _e1460 = (_e1437 + _e1431);
-let _e1461 = (_e1460 + 0.5f);
-let _e1463 = f32((_e1426 - 1i));
-let _e1465 = select(-1f, _e1461, (_e1461 > -1f));
-let _e1467 = select(_e1463, _e1465, (_e1465 < _e1463));
-let _e1474 = select(0i, select(select(i32(_e1467), i32(-2147483648), (_e1467 < -2147483600f)), 2147483647i, (_e1467 > 2147483500f)), (_e1467 == _e1467));
-let _e1479 = (_e1439 + _e1435);
-let _e1480 = (_e1479 + 0.5f);
-let _e1482 = f32((bitcast<i32>(_e79) - 1i));
-let _e1484 = select(-1f, _e1480, (_e1480 > -1f));
-let _e1486 = select(_e1482, _e1484, (_e1484 < _e1482));
-let _e1493 = select(0i, select(select(i32(_e1486), i32(-2147483648), (_e1486 < -2147483600f)), 2147483647i, (_e1486 > 2147483500f)), (_e1486 == _e1486));
-let _e1498 = (_e1439 + 0.5f);
-let _e1500 = select(0f, _e1498, (_e1498 > 0f));
-let _e1502 = select(65536f, _e1500, (_e1500 < 65536f));
-let _e1509 = select(0i, select(select(i32(_e1502), i32(-2147483648), (_e1502 < -2147483600f)), 2147483647i, (_e1502 > 2147483500f)), (_e1502 == _e1502));
-phi_2706_ = (_e1509 - select(0i, 1i, (_e1502 < f32(_e1509))));
+let _e1295 = phi_2426_;
+let _e1296 = (_e1295 < _e1258);
+if _e1296 {
+let _e1299 = ((f32(_e1295) + 0.5f) * _e1276);
+let _e1314 = ((bitcast<f32>((bitcast<u32>((_e1147 + ((_e1165 - _e1147) * _e1287))) & 2147483647u)) * _e1276) + (bitcast<f32>((bitcast<u32>((_e1196 + ((_e1206 - _e1196) * _e1299))) & 2147483647u)) * _e1278));
+let _e1323 = ((bitcast<f32>((bitcast<u32>((_e1148 + ((_e1166 - _e1148) * _e1287))) & 2147483647u)) * _e1276) + (bitcast<f32>((bitcast<u32>((_e1197 + ((_e1207 - _e1197) * _e1299))) & 2147483647u)) * _e1278));
+let _e1325 = (_e1117.member.x + (_e1147 * _e1299));
+let _e1332 = (_e1117.member.y + (_e1148 * _e1299));
+let _e1348 = (_e1117.member_3.x + ((_e1125.member_3.x - _e1117.member_3.x) * _e1299));
+let _e1355 = ((_e1348 + (((_e1131.member_3.x + ((_e1138.member_3.x - _e1131.member_3.x) * _e1299)) - _e1348) * _e1287)) * _e1281);
+let _e1366 = (_e1117.member_3.y + ((_e1125.member_3.y - _e1117.member_3.y) * _e1299));
+let _e1373 = ((_e1366 + (((_e1131.member_3.y + ((_e1138.member_3.y - _e1131.member_3.y) * _e1299)) - _e1366) * _e1287)) * _e1281);
+let _e1384 = (_e1117.member_3.z + ((_e1125.member_3.z - _e1117.member_3.z) * _e1299));
+let _e1391 = ((_e1384 + (((_e1131.member_3.z + ((_e1138.member_3.z - _e1131.member_3.z) * _e1299)) - _e1384) * _e1287)) * _e1281);
+let _e1402 = (_e1117.member_2.x + ((_e1125.member_2.x - _e1117.member_2.x) * _e1299));
+let _e1419 = (_e1117.member_2.y + ((_e1125.member_2.y - _e1117.member_2.y) * _e1299));
+let _e1428 = bitcast<i32>(_e92);
+let _e1431 = select(9.765625e-4f, _e1314, (_e1314 > 9.765625e-4f));
+let _e1433 = select(4f, _e1431, (_e1431 < 4f));
+let _e1435 = select(9.765625e-4f, _e1323, (_e1323 > 9.765625e-4f));
+let _e1437 = select(4f, _e1435, (_e1435 < 4f));
+let _e1439 = ((_e1325 + (((_e1131.member.x + (_e1165 * _e1299)) - _e1325) * _e1287)) - (0.5f * _e1433));
+let _e1441 = ((_e1332 + (((_e1131.member.y + (_e1166 * _e1299)) - _e1332) * _e1287)) - (0.5f * _e1437));
+let _e1446 = (_e1439 + 0.5f);
+let _e1448 = select(0f, _e1446, (_e1446 > 0f));
+let _e1450 = select(65536f, _e1448, (_e1448 < 65536f));
+let _e1457 = select(0i, select(select(i32(_e1450), i32(-2147483648), (_e1450 < -2147483600f)), 2147483647i, (_e1450 > 2147483500f)), (_e1450 == _e1450));
+let _e1462 = (_e1439 + _e1433);
+let _e1463 = (_e1462 + 0.5f);
+let _e1465 = f32((_e1428 - 1i));
+let _e1467 = select(-1f, _e1463, (_e1463 > -1f));
+let _e1469 = select(_e1465, _e1467, (_e1467 < _e1465));
+let _e1476 = select(0i, select(select(i32(_e1469), i32(-2147483648), (_e1469 < -2147483600f)), 2147483647i, (_e1469 > 2147483500f)), (_e1469 == _e1469));
+let _e1481 = (_e1441 + _e1437);
+let _e1482 = (_e1481 + 0.5f);
+let _e1484 = f32((bitcast<i32>(_e79) - 1i));
+let _e1486 = select(-1f, _e1482, (_e1482 > -1f));
+let _e1488 = select(_e1484, _e1486, (_e1486 < _e1484));
+let _e1495 = select(0i, select(select(i32(_e1488), i32(-2147483648), (_e1488 < -2147483600f)), 2147483647i, (_e1488 > 2147483500f)), (_e1488 == _e1488));
+let _e1500 = (_e1441 + 0.5f);
+let _e1502 = select(0f, _e1500, (_e1500 > 0f));
+let _e1504 = select(65536f, _e1502, (_e1502 < 65536f));
+let _e1511 = select(0i, select(select(i32(_e1504), i32(-2147483648), (_e1504 < -2147483600f)), 2147483647i, (_e1504 > 2147483500f)), (_e1504 == _e1504));
+phi_2709_ = (_e1511 - select(0i, 1i, (_e1504 < f32(_e1511))));
 loop {
-let _e1515 = phi_2706_;
-let _e1516 = (_e1515 <= (_e1493 - select(0i, 1i, (_e1486 < f32(_e1493)))));
-if _e1516 {
-let _e1517 = f32(_e1515);
-let _e1518 = (_e1517 - 0.5f);
-let _e1521 = (_e1517 + 0.5f);
-let _e1524 = (select(_e1521, _e1479, (_e1479 < _e1521)) - select(_e1518, _e1439, (_e1439 > _e1518)));
-phi_2738_ = (_e1455 - select(0i, 1i, (_e1448 < f32(_e1455))));
+let _e1517 = phi_2709_;
+let _e1518 = (_e1517 <= (_e1495 - select(0i, 1i, (_e1488 < f32(_e1495)))));
+if _e1518 {
+let _e1519 = f32(_e1517);
+let _e1520 = (_e1519 - 0.5f);
+let _e1523 = (_e1519 + 0.5f);
+let _e1526 = (select(_e1523, _e1481, (_e1481 < _e1523)) - select(_e1520, _e1441, (_e1441 > _e1520)));
+phi_2741_ = (_e1457 - select(0i, 1i, (_e1450 < f32(_e1457))));
 loop {
-let _e1529 = phi_2738_;
-let _e1530 = (_e1529 <= (_e1474 - select(0i, 1i, (_e1467 < f32(_e1474)))));
-if _e1530 {
-let _e1531 = f32(_e1529);
-let _e1532 = (_e1531 - 0.5f);
-let _e1535 = (_e1531 + 0.5f);
-let _e1538 = (select(_e1535, _e1460, (_e1460 < _e1535)) - select(_e1532, _e1437, (_e1437 > _e1532)));
-let _e1542 = ((select(0f, _e1538, (_e1538 > 0f)) / _e1431) * (select(0f, _e1524, (_e1524 > 0f)) / _e1435));
-if (_e1542 > 0f) {
-let _e1546 = (((_e1515 * _e1426) + _e1529) * 10i);
-let _e1549 = (((_e1353 * _e1542) * 16777216f) + 0.5f);
-let _e1551 = select(-1073741800f, _e1549, (_e1549 > -1073741800f));
-let _e1553 = select(1073741800f, _e1551, (_e1551 < 1073741800f));
-let _e1560 = select(0i, select(select(i32(_e1553), i32(-2147483648), (_e1553 < -2147483600f)), 2147483647i, (_e1553 > 2147483500f)), (_e1553 == _e1553));
-let _e1564 = (_e1560 - select(0i, 1i, (_e1553 < f32(_e1560))));
-if (_e1564 == 0i) {
+let _e1531 = phi_2741_;
+let _e1532 = (_e1531 <= (_e1476 - select(0i, 1i, (_e1469 < f32(_e1476)))));
+if _e1532 {
+let _e1533 = f32(_e1531);
+let _e1534 = (_e1533 - 0.5f);
+let _e1537 = (_e1533 + 0.5f);
+let _e1540 = (select(_e1537, _e1462, (_e1462 < _e1537)) - select(_e1534, _e1439, (_e1439 > _e1534)));
+let _e1544 = ((select(0f, _e1540, (_e1540 > 0f)) / _e1433) * (select(0f, _e1526, (_e1526 > 0f)) / _e1437));
+if (_e1544 > 0f) {
+let _e1548 = (((_e1517 * _e1428) + _e1531) * 10i);
+let _e1551 = (((_e1355 * _e1544) * 16777216f) + 0.5f);
+let _e1553 = select(-1073741800f, _e1551, (_e1551 > -1073741800f));
+let _e1555 = select(1073741800f, _e1553, (_e1553 < 1073741800f));
+let _e1562 = select(0i, select(select(i32(_e1555), i32(-2147483648), (_e1555 < -2147483600f)), 2147483647i, (_e1555 > 2147483500f)), (_e1555 == _e1555));
+let _e1566 = (_e1562 - select(0i, 1i, (_e1555 < f32(_e1562))));
+if (_e1566 == 0i) {
 } else {
-let _e1566 = bitcast<u32>(_e1564);
-let _e1567 = bitcast<u32>(_e1546);
-if (_e1567 < _e62) {
-let _e1571 = atomicAdd((&global_4.member[_e1567]), _e1566);
-phi_2819_ = _e1571;
+let _e1568 = bitcast<u32>(_e1566);
+let _e1569 = bitcast<u32>(_e1548);
+if (_e1569 < _e62) {
+let _e1573 = atomicAdd((&global_4.member[_e1569]), _e1568);
+phi_2822_ = _e1573;
 } else {
-phi_2819_ = 0u;
+phi_2822_ = 0u;
 }
-let _e1573 = phi_2819_;
-let _e1580 = (bitcast<u32>((_e1564 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1573 + _e1566) < _e1566)));
-if (_e1580 == 0u) {
+let _e1575 = phi_2822_;
+let _e1582 = (bitcast<u32>((_e1566 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1575 + _e1568) < _e1568)));
+if (_e1582 == 0u) {
 } else {
-let _e1582 = (_e1567 + 1u);
-if (_e1582 < _e62) {
-let _e1586 = atomicAdd((&global_4.member[_e1582]), _e1580);
+let _e1584 = (_e1569 + 1u);
+if (_e1584 < _e62) {
+let _e1588 = atomicAdd((&global_4.member[_e1584]), _e1582);
 }
 }
 }
-let _e1590 = (((_e1371 * _e1542) * 16777216f) + 0.5f);
-let _e1592 = select(-1073741800f, _e1590, (_e1590 > -1073741800f));
-let _e1594 = select(1073741800f, _e1592, (_e1592 < 1073741800f));
-let _e1601 = select(0i, select(select(i32(_e1594), i32(-2147483648), (_e1594 < -2147483600f)), 2147483647i, (_e1594 > 2147483500f)), (_e1594 == _e1594));
-let _e1605 = (_e1601 - select(0i, 1i, (_e1594 < f32(_e1601))));
-if (_e1605 == 0i) {
+let _e1592 = (((_e1373 * _e1544) * 16777216f) + 0.5f);
+let _e1594 = select(-1073741800f, _e1592, (_e1592 > -1073741800f));
+let _e1596 = select(1073741800f, _e1594, (_e1594 < 1073741800f));
+let _e1603 = select(0i, select(select(i32(_e1596), i32(-2147483648), (_e1596 < -2147483600f)), 2147483647i, (_e1596 > 2147483500f)), (_e1596 == _e1596));
+let _e1607 = (_e1603 - select(0i, 1i, (_e1596 < f32(_e1603))));
+if (_e1607 == 0i) {
 } else {
-let _e1607 = bitcast<u32>(_e1605);
-let _e1608 = bitcast<u32>((_e1546 + 2i));
-if (_e1608 < _e62) {
-let _e1612 = atomicAdd((&global_4.member[_e1608]), _e1607);
-phi_2880_ = _e1612;
+let _e1609 = bitcast<u32>(_e1607);
+let _e1610 = bitcast<u32>((_e1548 + 2i));
+if (_e1610 < _e62) {
+let _e1614 = atomicAdd((&global_4.member[_e1610]), _e1609);
+phi_2883_ = _e1614;
 } else {
-phi_2880_ = 0u;
+phi_2883_ = 0u;
 }
-let _e1614 = phi_2880_;
-let _e1621 = (bitcast<u32>((_e1605 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1614 + _e1607) < _e1607)));
-if (_e1621 == 0u) {
+let _e1616 = phi_2883_;
+let _e1623 = (bitcast<u32>((_e1607 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1616 + _e1609) < _e1609)));
+if (_e1623 == 0u) {
 } else {
-let _e1623 = (_e1608 + 1u);
-if (_e1623 < _e62) {
-let _e1627 = atomicAdd((&global_4.member[_e1623]), _e1621);
+let _e1625 = (_e1610 + 1u);
+if (_e1625 < _e62) {
+let _e1629 = atomicAdd((&global_4.member[_e1625]), _e1623);
 }
 }
 }
-let _e1631 = (((_e1389 * _e1542) * 16777216f) + 0.5f);
-let _e1633 = select(-1073741800f, _e1631, (_e1631 > -1073741800f));
-let _e1635 = select(1073741800f, _e1633, (_e1633 < 1073741800f));
-let _e1642 = select(0i, select(select(i32(_e1635), i32(-2147483648), (_e1635 < -2147483600f)), 2147483647i, (_e1635 > 2147483500f)), (_e1635 == _e1635));
-let _e1646 = (_e1642 - select(0i, 1i, (_e1635 < f32(_e1642))));
-if (_e1646 == 0i) {
+let _e1633 = (((_e1391 * _e1544) * 16777216f) + 0.5f);
+let _e1635 = select(-1073741800f, _e1633, (_e1633 > -1073741800f));
+let _e1637 = select(1073741800f, _e1635, (_e1635 < 1073741800f));
+let _e1644 = select(0i, select(select(i32(_e1637), i32(-2147483648), (_e1637 < -2147483600f)), 2147483647i, (_e1637 > 2147483500f)), (_e1637 == _e1637));
+let _e1648 = (_e1644 - select(0i, 1i, (_e1637 < f32(_e1644))));
+if (_e1648 == 0i) {
 } else {
-let _e1648 = bitcast<u32>(_e1646);
-let _e1649 = bitcast<u32>((_e1546 + 4i));
-if (_e1649 < _e62) {
-let _e1653 = atomicAdd((&global_4.member[_e1649]), _e1648);
-phi_2941_ = _e1653;
+let _e1650 = bitcast<u32>(_e1648);
+let _e1651 = bitcast<u32>((_e1548 + 4i));
+if (_e1651 < _e62) {
+let _e1655 = atomicAdd((&global_4.member[_e1651]), _e1650);
+phi_2944_ = _e1655;
 } else {
-phi_2941_ = 0u;
+phi_2944_ = 0u;
 }
-let _e1655 = phi_2941_;
-let _e1662 = (bitcast<u32>((_e1646 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1655 + _e1648) < _e1648)));
-if (_e1662 == 0u) {
+let _e1657 = phi_2944_;
+let _e1664 = (bitcast<u32>((_e1648 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1657 + _e1650) < _e1650)));
+if (_e1664 == 0u) {
 } else {
-let _e1664 = (_e1649 + 1u);
-if (_e1664 < _e62) {
-let _e1668 = atomicAdd((&global_4.member[_e1664]), _e1662);
+let _e1666 = (_e1651 + 1u);
+if (_e1666 < _e62) {
+let _e1670 = atomicAdd((&global_4.member[_e1666]), _e1664);
 }
 }
 }
-let _e1670 = ((((_e1353 + _e1371) + _e1389) * (1f / 3f)) * _e1542);
-let _e1673 = (((_e1670 * ((_e1400 + (((_e1129.member_2.x + ((_e1136.member_2.x - _e1129.member_2.x) * _e1297)) - _e1400) * _e1285)) - _e755)) * 8388608f) + 0.5f);
-let _e1675 = select(-1073741800f, _e1673, (_e1673 > -1073741800f));
-let _e1677 = select(1073741800f, _e1675, (_e1675 < 1073741800f));
-let _e1684 = select(0i, select(select(i32(_e1677), i32(-2147483648), (_e1677 < -2147483600f)), 2147483647i, (_e1677 > 2147483500f)), (_e1677 == _e1677));
-let _e1688 = (_e1684 - select(0i, 1i, (_e1677 < f32(_e1684))));
-if (_e1688 == 0i) {
+let _e1672 = ((((_e1355 + _e1373) + _e1391) * (1f / 3f)) * _e1544);
+let _e1675 = (((_e1672 * ((_e1402 + (((_e1131.member_2.x + ((_e1138.member_2.x - _e1131.member_2.x) * _e1299)) - _e1402) * _e1287)) - _e757)) * 8388608f) + 0.5f);
+let _e1677 = select(-1073741800f, _e1675, (_e1675 > -1073741800f));
+let _e1679 = select(1073741800f, _e1677, (_e1677 < 1073741800f));
+let _e1686 = select(0i, select(select(i32(_e1679), i32(-2147483648), (_e1679 < -2147483600f)), 2147483647i, (_e1679 > 2147483500f)), (_e1679 == _e1679));
+let _e1690 = (_e1686 - select(0i, 1i, (_e1679 < f32(_e1686))));
+if (_e1690 == 0i) {
 } else {
-let _e1690 = bitcast<u32>(_e1688);
-let _e1691 = bitcast<u32>((_e1546 + 6i));
-if (_e1691 < _e62) {
-let _e1695 = atomicAdd((&global_4.member[_e1691]), _e1690);
-phi_3002_ = _e1695;
+let _e1692 = bitcast<u32>(_e1690);
+let _e1693 = bitcast<u32>((_e1548 + 6i));
+if (_e1693 < _e62) {
+let _e1697 = atomicAdd((&global_4.member[_e1693]), _e1692);
+phi_3005_ = _e1697;
 } else {
-phi_3002_ = 0u;
+phi_3005_ = 0u;
 }
-let _e1697 = phi_3002_;
-let _e1704 = (bitcast<u32>((_e1688 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1697 + _e1690) < _e1690)));
-if (_e1704 == 0u) {
+let _e1699 = phi_3005_;
+let _e1706 = (bitcast<u32>((_e1690 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1699 + _e1692) < _e1692)));
+if (_e1706 == 0u) {
 } else {
-let _e1706 = (_e1691 + 1u);
-if (_e1706 < _e62) {
-let _e1710 = atomicAdd((&global_4.member[_e1706]), _e1704);
+let _e1708 = (_e1693 + 1u);
+if (_e1708 < _e62) {
+let _e1712 = atomicAdd((&global_4.member[_e1708]), _e1706);
 }
 }
 }
-let _e1714 = (((_e1670 * ((_e1417 + (((_e1129.member_2.y + ((_e1136.member_2.y - _e1129.member_2.y) * _e1297)) - _e1417) * _e1285)) - _e756)) * 8388608f) + 0.5f);
-let _e1716 = select(-1073741800f, _e1714, (_e1714 > -1073741800f));
-let _e1718 = select(1073741800f, _e1716, (_e1716 < 1073741800f));
-let _e1725 = select(0i, select(select(i32(_e1718), i32(-2147483648), (_e1718 < -2147483600f)), 2147483647i, (_e1718 > 2147483500f)), (_e1718 == _e1718));
-let _e1729 = (_e1725 - select(0i, 1i, (_e1718 < f32(_e1725))));
-if (_e1729 == 0i) {
+let _e1716 = (((_e1672 * ((_e1419 + (((_e1131.member_2.y + ((_e1138.member_2.y - _e1131.member_2.y) * _e1299)) - _e1419) * _e1287)) - _e758)) * 8388608f) + 0.5f);
+let _e1718 = select(-1073741800f, _e1716, (_e1716 > -1073741800f));
+let _e1720 = select(1073741800f, _e1718, (_e1718 < 1073741800f));
+let _e1727 = select(0i, select(select(i32(_e1720), i32(-2147483648), (_e1720 < -2147483600f)), 2147483647i, (_e1720 > 2147483500f)), (_e1720 == _e1720));
+let _e1731 = (_e1727 - select(0i, 1i, (_e1720 < f32(_e1727))));
+if (_e1731 == 0i) {
 } else {
-let _e1731 = bitcast<u32>(_e1729);
-let _e1732 = bitcast<u32>((_e1546 + 8i));
-if (_e1732 < _e62) {
-let _e1736 = atomicAdd((&global_4.member[_e1732]), _e1731);
-phi_3064_ = _e1736;
+let _e1733 = bitcast<u32>(_e1731);
+let _e1734 = bitcast<u32>((_e1548 + 8i));
+if (_e1734 < _e62) {
+let _e1738 = atomicAdd((&global_4.member[_e1734]), _e1733);
+phi_3067_ = _e1738;
 } else {
-phi_3064_ = 0u;
+phi_3067_ = 0u;
 }
-let _e1738 = phi_3064_;
-let _e1745 = (bitcast<u32>((_e1729 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1738 + _e1731) < _e1731)));
-if (_e1745 == 0u) {
+let _e1740 = phi_3067_;
+let _e1747 = (bitcast<u32>((_e1731 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1740 + _e1733) < _e1733)));
+if (_e1747 == 0u) {
 } else {
-let _e1747 = (_e1732 + 1u);
-if (_e1747 < _e62) {
-let _e1751 = atomicAdd((&global_4.member[_e1747]), _e1745);
+let _e1749 = (_e1734 + 1u);
+if (_e1749 < _e62) {
+let _e1753 = atomicAdd((&global_4.member[_e1749]), _e1747);
 }
 }
 }
 }
-phi_2739_ = (_e1529 + 1i);
+phi_2742_ = (_e1531 + 1i);
 } else {
-phi_2739_ = i32();
+phi_2742_ = i32();
 }
-let _e1754 = phi_2739_;
+let _e1756 = phi_2742_;
 continue;
 continuing {
-phi_2738_ = _e1754;
-break if !(_e1530);
+phi_2741_ = _e1756;
+break if !(_e1532);
 }
 }
-phi_2707_ = (_e1515 + 1i);
+phi_2710_ = (_e1517 + 1i);
 } else {
-phi_2707_ = i32();
+phi_2710_ = i32();
 }
-let _e1758 = phi_2707_;
+let _e1760 = phi_2710_;
 continue;
 continuing {
-phi_2706_ = _e1758;
-break if !(_e1516);
+phi_2709_ = _e1760;
+break if !(_e1518);
 }
 }
-phi_2424_ = (_e1293 + 1i);
+phi_2427_ = (_e1295 + 1i);
 } else {
-phi_2424_ = i32();
+phi_2427_ = i32();
 }
-let _e1762 = phi_2424_;
+let _e1764 = phi_2427_;
 continue;
 continuing {
-phi_2423_ = _e1762;
-break if !(_e1294);
+phi_2426_ = _e1764;
+break if !(_e1296);
 }
 }
-phi_2393_ = (_e1281 + 1i);
+phi_2396_ = (_e1283 + 1i);
 } else {
-phi_2393_ = i32();
+phi_2396_ = i32();
 }
-let _e1766 = phi_2393_;
+let _e1768 = phi_2396_;
 continue;
 continuing {
-phi_2392_ = _e1766;
-break if !(_e1282);
+phi_2395_ = _e1768;
+break if !(_e1284);
 }
 }
 }

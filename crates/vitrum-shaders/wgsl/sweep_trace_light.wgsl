@@ -1,60 +1,129 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
+}
+struct type_5 {
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
-member: array<f32>,
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
+member: type_5,
+member_1: f32,
+}
+struct type_8 {
+member: type_7,
+member_1: type_5,
 }
 struct type_9 {
-member: type_4,
-member_1: type_4,
-member_2: type_4,
-member_3: type_4,
-member_4: type_4,
-member_5: vec4<i32>,
-member_6: vec4<i32>,
-member_7: vec4<i32>,
+member: type_8,
+member_1: type_8,
 }
 struct type_10 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
-member_4: type_4,
-member_5: type_9,
-member_6: type_9,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: type_4,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: type_4,
-member_25: vec4<u32>,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
-member_29: type_4,
-member_30: type_4,
-member_31: type_4,
-}
-struct type_11 {
-member: type_10,
+member: type_5,
+member_1: type_5,
 }
 struct type_12 {
+member: array<f32>,
+}
+struct type_14 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+}
+struct type_15 {
+member: u32,
+member_1: u32,
+}
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_5,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: i32,
+member_8: i32,
+member_9: type_2,
+member_10: u32,
+member_11: type_2,
+member_12: u32,
+}
+struct type_18 {
+member: u32,
+member_1: u32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+}
+struct type_19 {
+member: type_7,
+member_1: u32,
+}
+struct type_20 {
+member: type_2,
+member_1: u32,
+member_2: type_14,
+member_3: type_15,
+member_4: u32,
+member_5: type_16,
+member_6: type_17,
+member_7: type_17,
+member_8: type_18,
+member_9: type_10,
+member_10: f32,
+member_11: type_16,
+member_12: type_4,
+member_13: type_9,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: type_6,
+}
+struct type_21 {
+member: type_20,
+}
+struct type_22 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -62,236 +131,235 @@ member_3: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_11;
+var<storage> global_1: type_21;
 @group(0) @binding(1)
-var<storage> global_2: type_6;
+var<storage> global_2: type_12;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_6;
+var<storage, read_write> global_3: type_12;
 fn function_() {
 var local: u32;
 var local_1: i32;
 var local_2: i32;
-var local_3: type_12;
-var phi_295_: i32;
-var phi_338_: i32;
-var phi_531_: i32;
-var phi_574_: i32;
-var phi_767_: i32;
-var phi_810_: i32;
-let _e26 = global;
-let _e33 = global_1.member.member_1;
-let _e36 = (_e26.x + _e33.x);
-let _e39 = (_e26.y + _e33.y);
-if (_e36 < _e33.z) {
-if (_e39 < _e33.w) {
-let _e47 = global_1.member.member[0u];
-let _e51 = global_1.member.member[1u];
-let _e54 = ((_e39 * _e47) + _e36);
-local = _e36;
-let _e58 = global_1.member.member_2[2u];
-local_1 = bitcast<i32>((_e39 * _e58));
-let _e64 = global_1.member.member_2[3u];
-local_2 = bitcast<i32>((_e58 * _e64));
-let _e67 = local_2;
-let _e69 = local_1;
-let _e71 = local;
-let _e73 = (((3i * _e67) + _e69) + bitcast<i32>(_e71));
-let _e75 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
-let _e77 = select(_e75, _e73, (_e73 < _e75));
-let _e82 = global_2.member[bitcast<u32>(select(0i, _e77, (_e77 > 0i)))];
-let _e83 = local_2;
-let _e85 = local_1;
-let _e87 = local;
-let _e89 = (((4i * _e83) + _e85) + bitcast<i32>(_e87));
-let _e91 = select(_e75, _e89, (_e89 < _e75));
-let _e96 = global_2.member[bitcast<u32>(select(0i, _e91, (_e91 > 0i)))];
-let _e97 = local_2;
-let _e99 = local_1;
-let _e101 = local;
-let _e103 = (((5i * _e97) + _e99) + bitcast<i32>(_e101));
-let _e105 = select(_e75, _e103, (_e103 < _e75));
-let _e110 = global_2.member[bitcast<u32>(select(0i, _e105, (_e105 > 0i)))];
-let _e114 = global_1.member.member_4.member_2;
-let _e117 = (1f / select(1e-6f, _e110, (_e110 > 1e-6f)));
-let _e121 = global_1.member.member_7.member_3;
-let _e122 = (_e114 * _e121);
-let _e127 = global_1.member.member_8.member;
-let _e129 = (((_e82 * _e117) - _e127) * _e122);
-let _e134 = global_1.member.member_8.member_1;
-let _e136 = (((_e96 * _e117) - _e134) * _e122);
-local_3.member = _e36;
-local_3.member_1 = _e39;
-local_3.member_2 = -(_e129);
-local_3.member_3 = -(_e136);
-let _e146 = global_1.member.member_10.member;
-let _e149 = global_1.member.member_2[2u];
-let _e150 = bitcast<i32>(_e149);
-let _e153 = global_1.member.member_2[3u];
-let _e155 = bitcast<i32>((_e149 * _e153));
-let _e157 = local_3.member_1;
-let _e160 = ((3i * _e155) + (bitcast<i32>(_e157) * _e150));
-let _e161 = local_3.member_2;
-let _e162 = -(32768f);
-let _e164 = select(_e162, _e161, (_e161 > _e162));
-let _e166 = select(32768f, _e164, (_e164 < 32768f));
-let _e173 = select(0i, select(select(i32(_e166), i32(-2147483648), (_e166 < -2147483600f)), 2147483647i, (_e166 > 2147483500f)), (_e166 == _e166));
-let _e177 = (_e173 - select(0i, 1i, (_e166 < f32(_e173))));
-let _e179 = (_e161 - f32(_e177));
-let _e180 = (_e177 < 0i);
-if _e180 {
-phi_295_ = (_e177 + 1i);
+var local_3: type_22;
+var phi_307_: i32;
+var phi_350_: i32;
+var phi_543_: i32;
+var phi_586_: i32;
+var phi_779_: i32;
+var phi_822_: i32;
+let _e24 = global;
+let _e31 = global_1.member.member_2;
+let _e34 = global_1.member.member;
+let _e42 = (_e24.x + _e31.member);
+let _e44 = (_e24.y + _e31.member_1);
+if (_e42 < _e31.member_2) {
+if (_e44 < _e31.member_3) {
+let _e49 = ((_e44 * _e34.member) + _e42);
+local = _e42;
+let _e53 = global_1.member.member_8.member;
+local_1 = bitcast<i32>((_e44 * _e53));
+let _e59 = global_1.member.member_8.member_1;
+local_2 = bitcast<i32>((_e53 * _e59));
+let _e62 = local_2;
+let _e64 = local_1;
+let _e66 = local;
+let _e68 = (((3i * _e62) + _e64) + bitcast<i32>(_e66));
+let _e70 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e72 = select(_e70, _e68, (_e68 < _e70));
+let _e77 = global_2.member[bitcast<u32>(select(0i, _e72, (_e72 > 0i)))];
+let _e78 = local_2;
+let _e80 = local_1;
+let _e82 = local;
+let _e84 = (((4i * _e78) + _e80) + bitcast<i32>(_e82));
+let _e86 = select(_e70, _e84, (_e84 < _e70));
+let _e91 = global_2.member[bitcast<u32>(select(0i, _e86, (_e86 > 0i)))];
+let _e92 = local_2;
+let _e94 = local_1;
+let _e96 = local;
+let _e98 = (((5i * _e92) + _e94) + bitcast<i32>(_e96));
+let _e100 = select(_e70, _e98, (_e98 < _e70));
+let _e105 = global_2.member[bitcast<u32>(select(0i, _e100, (_e100 > 0i)))];
+let _e109 = global_1.member.member_5.member_2;
+let _e112 = (1f / select(1e-6f, _e105, (_e105 > 1e-6f)));
+let _e116 = global_1.member.member_8.member_5;
+let _e117 = (_e109 * _e116);
+let _e122 = global_1.member.member_8.member_6;
+let _e124 = (((_e77 * _e112) - _e122) * _e117);
+let _e129 = global_1.member.member_8.member_7;
+let _e131 = (((_e91 * _e112) - _e129) * _e117);
+local_3.member = _e42;
+local_3.member_1 = _e44;
+local_3.member_2 = -(_e124);
+local_3.member_3 = -(_e131);
+let _e142 = global_1.member.member_9.member.member;
+let _e145 = global_1.member.member_8.member;
+let _e146 = bitcast<i32>(_e145);
+let _e149 = global_1.member.member_8.member_1;
+let _e151 = bitcast<i32>((_e145 * _e149));
+let _e153 = local_3.member_1;
+let _e156 = ((3i * _e151) + (bitcast<i32>(_e153) * _e146));
+let _e157 = local_3.member_2;
+let _e158 = -(32768f);
+let _e160 = select(_e158, _e157, (_e157 > _e158));
+let _e162 = select(32768f, _e160, (_e160 < 32768f));
+let _e169 = select(0i, select(select(i32(_e162), i32(-2147483648), (_e162 < -2147483600f)), 2147483647i, (_e162 > 2147483500f)), (_e162 == _e162));
+let _e173 = (_e169 - select(0i, 1i, (_e162 < f32(_e169))));
+let _e175 = (_e157 - f32(_e173));
+let _e176 = (_e173 < 0i);
+if _e176 {
+phi_307_ = (_e173 + 1i);
 } else {
-phi_295_ = _e177;
+phi_307_ = _e173;
 }
-let _e183 = phi_295_;
-let _e184 = select(1i, -1i, _e180);
-let _e186 = select(_e179, (1f - _e179), _e180);
-let _e187 = local_3.member_3;
-let _e189 = select(_e162, _e187, (_e187 > _e162));
-let _e191 = select(32768f, _e189, (_e189 < 32768f));
-let _e198 = select(0i, select(select(i32(_e191), i32(-2147483648), (_e191 < -2147483600f)), 2147483647i, (_e191 > 2147483500f)), (_e191 == _e191));
-let _e202 = (_e198 - select(0i, 1i, (_e191 < f32(_e198))));
-let _e204 = (_e187 - f32(_e202));
-let _e205 = (_e202 < 0i);
-if _e205 {
-phi_338_ = (_e202 + 1i);
+let _e179 = phi_307_;
+let _e180 = select(1i, -1i, _e176);
+let _e182 = select(_e175, (1f - _e175), _e176);
+let _e183 = local_3.member_3;
+let _e185 = select(_e158, _e183, (_e183 > _e158));
+let _e187 = select(32768f, _e185, (_e185 < 32768f));
+let _e194 = select(0i, select(select(i32(_e187), i32(-2147483648), (_e187 < -2147483600f)), 2147483647i, (_e187 > 2147483500f)), (_e187 == _e187));
+let _e198 = (_e194 - select(0i, 1i, (_e187 < f32(_e194))));
+let _e200 = (_e183 - f32(_e198));
+let _e201 = (_e198 < 0i);
+if _e201 {
+phi_350_ = (_e198 + 1i);
 } else {
-phi_338_ = _e202;
+phi_350_ = _e198;
 }
-let _e208 = phi_338_;
-let _e214 = local_3.member;
-let _e217 = (((_e160 + (_e208 * _e150)) + bitcast<i32>(_e214)) + _e183);
-let _e219 = select(_e75, _e217, (_e217 < _e75));
-let _e224 = global_2.member[bitcast<u32>(select(0i, _e219, (_e219 > 0i)))];
-let _e225 = (_e217 + _e184);
-let _e227 = select(_e75, _e225, (_e225 < _e75));
-let _e232 = global_2.member[bitcast<u32>(select(0i, _e227, (_e227 > 0i)))];
-let _e235 = (_e224 + ((_e232 - _e224) * _e186));
-let _e239 = local_3.member;
-let _e242 = (((_e160 + ((_e208 + select(1i, -1i, _e205)) * _e150)) + bitcast<i32>(_e239)) + _e183);
-let _e244 = select(_e75, _e242, (_e242 < _e75));
-let _e249 = global_2.member[bitcast<u32>(select(0i, _e244, (_e244 > 0i)))];
-let _e250 = (_e242 + _e184);
-let _e252 = select(_e75, _e250, (_e250 < _e75));
-let _e257 = global_2.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
-let _e261 = local_3.member;
-let _e264 = local_3.member_2;
-let _e265 = (f32(bitcast<i32>(_e261)) + _e264);
-let _e266 = local_3.member_1;
-let _e269 = local_3.member_3;
-let _e270 = (f32(bitcast<i32>(_e266)) + _e269);
-let _e272 = (f32(_e150) - 1f);
-let _e275 = (f32(bitcast<i32>(_e153)) - 1f);
-let _e290 = global_1.member.member_10.member_1;
-let _e292 = local_3.member_1;
-let _e295 = ((4i * _e155) + (bitcast<i32>(_e292) * _e150));
-let _e296 = local_3.member_2;
-let _e298 = select(_e162, _e296, (_e296 > _e162));
-let _e300 = select(32768f, _e298, (_e298 < 32768f));
-let _e307 = select(0i, select(select(i32(_e300), i32(-2147483648), (_e300 < -2147483600f)), 2147483647i, (_e300 > 2147483500f)), (_e300 == _e300));
-let _e311 = (_e307 - select(0i, 1i, (_e300 < f32(_e307))));
-let _e313 = (_e296 - f32(_e311));
-let _e314 = (_e311 < 0i);
-if _e314 {
-phi_531_ = (_e311 + 1i);
+let _e204 = phi_350_;
+let _e210 = local_3.member;
+let _e213 = (((_e156 + (_e204 * _e146)) + bitcast<i32>(_e210)) + _e179);
+let _e215 = select(_e70, _e213, (_e213 < _e70));
+let _e220 = global_2.member[bitcast<u32>(select(0i, _e215, (_e215 > 0i)))];
+let _e221 = (_e213 + _e180);
+let _e223 = select(_e70, _e221, (_e221 < _e70));
+let _e228 = global_2.member[bitcast<u32>(select(0i, _e223, (_e223 > 0i)))];
+let _e231 = (_e220 + ((_e228 - _e220) * _e182));
+let _e235 = local_3.member;
+let _e238 = (((_e156 + ((_e204 + select(1i, -1i, _e201)) * _e146)) + bitcast<i32>(_e235)) + _e179);
+let _e240 = select(_e70, _e238, (_e238 < _e70));
+let _e245 = global_2.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
+let _e246 = (_e238 + _e180);
+let _e248 = select(_e70, _e246, (_e246 < _e70));
+let _e253 = global_2.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
+let _e257 = local_3.member;
+let _e260 = local_3.member_2;
+let _e261 = (f32(bitcast<i32>(_e257)) + _e260);
+let _e262 = local_3.member_1;
+let _e265 = local_3.member_3;
+let _e266 = (f32(bitcast<i32>(_e262)) + _e265);
+let _e268 = (f32(_e146) - 1f);
+let _e271 = (f32(bitcast<i32>(_e149)) - 1f);
+let _e287 = global_1.member.member_9.member.member_1;
+let _e289 = local_3.member_1;
+let _e292 = ((4i * _e151) + (bitcast<i32>(_e289) * _e146));
+let _e293 = local_3.member_2;
+let _e295 = select(_e158, _e293, (_e293 > _e158));
+let _e297 = select(32768f, _e295, (_e295 < 32768f));
+let _e304 = select(0i, select(select(i32(_e297), i32(-2147483648), (_e297 < -2147483600f)), 2147483647i, (_e297 > 2147483500f)), (_e297 == _e297));
+let _e308 = (_e304 - select(0i, 1i, (_e297 < f32(_e304))));
+let _e310 = (_e293 - f32(_e308));
+let _e311 = (_e308 < 0i);
+if _e311 {
+phi_543_ = (_e308 + 1i);
 } else {
-phi_531_ = _e311;
+phi_543_ = _e308;
 }
-let _e317 = phi_531_;
-let _e318 = select(1i, -1i, _e314);
-let _e320 = select(_e313, (1f - _e313), _e314);
-let _e321 = local_3.member_3;
-let _e323 = select(_e162, _e321, (_e321 > _e162));
-let _e325 = select(32768f, _e323, (_e323 < 32768f));
-let _e332 = select(0i, select(select(i32(_e325), i32(-2147483648), (_e325 < -2147483600f)), 2147483647i, (_e325 > 2147483500f)), (_e325 == _e325));
-let _e336 = (_e332 - select(0i, 1i, (_e325 < f32(_e332))));
-let _e338 = (_e321 - f32(_e336));
-let _e339 = (_e336 < 0i);
-if _e339 {
-phi_574_ = (_e336 + 1i);
+let _e314 = phi_543_;
+let _e315 = select(1i, -1i, _e311);
+let _e317 = select(_e310, (1f - _e310), _e311);
+let _e318 = local_3.member_3;
+let _e320 = select(_e158, _e318, (_e318 > _e158));
+let _e322 = select(32768f, _e320, (_e320 < 32768f));
+let _e329 = select(0i, select(select(i32(_e322), i32(-2147483648), (_e322 < -2147483600f)), 2147483647i, (_e322 > 2147483500f)), (_e322 == _e322));
+let _e333 = (_e329 - select(0i, 1i, (_e322 < f32(_e329))));
+let _e335 = (_e318 - f32(_e333));
+let _e336 = (_e333 < 0i);
+if _e336 {
+phi_586_ = (_e333 + 1i);
 } else {
-phi_574_ = _e336;
+phi_586_ = _e333;
 }
-let _e342 = phi_574_;
-let _e348 = local_3.member;
-let _e351 = (((_e295 + (_e342 * _e150)) + bitcast<i32>(_e348)) + _e317);
-let _e353 = select(_e75, _e351, (_e351 < _e75));
-let _e358 = global_2.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
-let _e359 = (_e351 + _e318);
-let _e361 = select(_e75, _e359, (_e359 < _e75));
-let _e366 = global_2.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
-let _e369 = (_e358 + ((_e366 - _e358) * _e320));
-let _e373 = local_3.member;
-let _e376 = (((_e295 + ((_e342 + select(1i, -1i, _e339)) * _e150)) + bitcast<i32>(_e373)) + _e317);
-let _e378 = select(_e75, _e376, (_e376 < _e75));
-let _e383 = global_2.member[bitcast<u32>(select(0i, _e378, (_e378 > 0i)))];
-let _e384 = (_e376 + _e318);
-let _e386 = select(_e75, _e384, (_e384 < _e75));
-let _e391 = global_2.member[bitcast<u32>(select(0i, _e386, (_e386 > 0i)))];
-let _e395 = local_3.member;
-let _e398 = local_3.member_2;
-let _e399 = (f32(bitcast<i32>(_e395)) + _e398);
-let _e400 = local_3.member_1;
-let _e403 = local_3.member_3;
-let _e404 = (f32(bitcast<i32>(_e400)) + _e403);
-let _e419 = global_1.member.member_10.member_2;
-let _e421 = local_3.member_1;
-let _e424 = ((5i * _e155) + (bitcast<i32>(_e421) * _e150));
-let _e425 = local_3.member_2;
-let _e427 = select(_e162, _e425, (_e425 > _e162));
-let _e429 = select(32768f, _e427, (_e427 < 32768f));
-let _e436 = select(0i, select(select(i32(_e429), i32(-2147483648), (_e429 < -2147483600f)), 2147483647i, (_e429 > 2147483500f)), (_e429 == _e429));
-let _e440 = (_e436 - select(0i, 1i, (_e429 < f32(_e436))));
-let _e442 = (_e425 - f32(_e440));
-let _e443 = (_e440 < 0i);
-if _e443 {
-phi_767_ = (_e440 + 1i);
+let _e339 = phi_586_;
+let _e345 = local_3.member;
+let _e348 = (((_e292 + (_e339 * _e146)) + bitcast<i32>(_e345)) + _e314);
+let _e350 = select(_e70, _e348, (_e348 < _e70));
+let _e355 = global_2.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
+let _e356 = (_e348 + _e315);
+let _e358 = select(_e70, _e356, (_e356 < _e70));
+let _e363 = global_2.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e366 = (_e355 + ((_e363 - _e355) * _e317));
+let _e370 = local_3.member;
+let _e373 = (((_e292 + ((_e339 + select(1i, -1i, _e336)) * _e146)) + bitcast<i32>(_e370)) + _e314);
+let _e375 = select(_e70, _e373, (_e373 < _e70));
+let _e380 = global_2.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
+let _e381 = (_e373 + _e315);
+let _e383 = select(_e70, _e381, (_e381 < _e70));
+let _e388 = global_2.member[bitcast<u32>(select(0i, _e383, (_e383 > 0i)))];
+let _e392 = local_3.member;
+let _e395 = local_3.member_2;
+let _e396 = (f32(bitcast<i32>(_e392)) + _e395);
+let _e397 = local_3.member_1;
+let _e400 = local_3.member_3;
+let _e401 = (f32(bitcast<i32>(_e397)) + _e400);
+let _e417 = global_1.member.member_9.member.member_2;
+let _e419 = local_3.member_1;
+let _e422 = ((5i * _e151) + (bitcast<i32>(_e419) * _e146));
+let _e423 = local_3.member_2;
+let _e425 = select(_e158, _e423, (_e423 > _e158));
+let _e427 = select(32768f, _e425, (_e425 < 32768f));
+let _e434 = select(0i, select(select(i32(_e427), i32(-2147483648), (_e427 < -2147483600f)), 2147483647i, (_e427 > 2147483500f)), (_e427 == _e427));
+let _e438 = (_e434 - select(0i, 1i, (_e427 < f32(_e434))));
+let _e440 = (_e423 - f32(_e438));
+let _e441 = (_e438 < 0i);
+if _e441 {
+phi_779_ = (_e438 + 1i);
 } else {
-phi_767_ = _e440;
+phi_779_ = _e438;
 }
-let _e446 = phi_767_;
-let _e447 = select(1i, -1i, _e443);
-let _e449 = select(_e442, (1f - _e442), _e443);
-let _e450 = local_3.member_3;
-let _e452 = select(_e162, _e450, (_e450 > _e162));
-let _e454 = select(32768f, _e452, (_e452 < 32768f));
-let _e461 = select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < -2147483600f)), 2147483647i, (_e454 > 2147483500f)), (_e454 == _e454));
-let _e465 = (_e461 - select(0i, 1i, (_e454 < f32(_e461))));
-let _e467 = (_e450 - f32(_e465));
-let _e468 = (_e465 < 0i);
-if _e468 {
-phi_810_ = (_e465 + 1i);
+let _e444 = phi_779_;
+let _e445 = select(1i, -1i, _e441);
+let _e447 = select(_e440, (1f - _e440), _e441);
+let _e448 = local_3.member_3;
+let _e450 = select(_e158, _e448, (_e448 > _e158));
+let _e452 = select(32768f, _e450, (_e450 < 32768f));
+let _e459 = select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -2147483600f)), 2147483647i, (_e452 > 2147483500f)), (_e452 == _e452));
+let _e463 = (_e459 - select(0i, 1i, (_e452 < f32(_e459))));
+let _e465 = (_e448 - f32(_e463));
+let _e466 = (_e463 < 0i);
+if _e466 {
+phi_822_ = (_e463 + 1i);
 } else {
-phi_810_ = _e465;
+phi_822_ = _e463;
 }
-let _e471 = phi_810_;
-let _e477 = local_3.member;
-let _e480 = (((_e424 + (_e471 * _e150)) + bitcast<i32>(_e477)) + _e446);
-let _e482 = select(_e75, _e480, (_e480 < _e75));
-let _e487 = global_2.member[bitcast<u32>(select(0i, _e482, (_e482 > 0i)))];
-let _e488 = (_e480 + _e447);
-let _e490 = select(_e75, _e488, (_e488 < _e75));
-let _e495 = global_2.member[bitcast<u32>(select(0i, _e490, (_e490 > 0i)))];
-let _e498 = (_e487 + ((_e495 - _e487) * _e449));
-let _e502 = local_3.member;
-let _e505 = (((_e424 + ((_e471 + select(1i, -1i, _e468)) * _e150)) + bitcast<i32>(_e502)) + _e446);
-let _e507 = select(_e75, _e505, (_e505 < _e75));
-let _e512 = global_2.member[bitcast<u32>(select(0i, _e507, (_e507 > 0i)))];
-let _e513 = (_e505 + _e447);
-let _e515 = select(_e75, _e513, (_e513 < _e75));
-let _e520 = global_2.member[bitcast<u32>(select(0i, _e515, (_e515 > 0i)))];
-let _e524 = local_3.member;
-let _e527 = local_3.member_2;
-let _e528 = (f32(bitcast<i32>(_e524)) + _e527);
-let _e529 = local_3.member_1;
-let _e532 = local_3.member_3;
-let _e533 = (f32(bitcast<i32>(_e529)) + _e532);
-let _e544 = select(_e419, (_e498 + (((_e512 + ((_e520 - _e512) * _e449)) - _e498) * select(_e467, (1f - _e467), _e468))), ((((_e528 >= 0f) && (_e528 <= _e272)) && (_e533 >= 0f)) && (_e533 <= _e275)));
-let _e547 = (1f / select(1e-6f, _e544, (_e544 > 1e-6f)));
-let _e557 = global_1.member.member[3u];
-let _e559 = ((_e557 & 1u) != 0u);
-global_3.member[_e54] = select((((select(_e146, (_e235 + (((_e249 + ((_e257 - _e249) * _e186)) - _e235) * select(_e204, (1f - _e204), _e205))), ((((_e265 >= 0f) && (_e265 <= _e272)) && (_e270 >= 0f)) && (_e270 <= _e275))) * _e547) - _e127) * _e122), _e129, _e559);
-global_3.member[((_e47 * _e51) + _e54)] = select((((select(_e290, (_e369 + (((_e383 + ((_e391 - _e383) * _e320)) - _e369) * select(_e338, (1f - _e338), _e339))), ((((_e399 >= 0f) && (_e399 <= _e272)) && (_e404 >= 0f)) && (_e404 <= _e275))) * _e547) - _e134) * _e122), _e136, _e559);
+let _e469 = phi_822_;
+let _e475 = local_3.member;
+let _e478 = (((_e422 + (_e469 * _e146)) + bitcast<i32>(_e475)) + _e444);
+let _e480 = select(_e70, _e478, (_e478 < _e70));
+let _e485 = global_2.member[bitcast<u32>(select(0i, _e480, (_e480 > 0i)))];
+let _e486 = (_e478 + _e445);
+let _e488 = select(_e70, _e486, (_e486 < _e70));
+let _e493 = global_2.member[bitcast<u32>(select(0i, _e488, (_e488 > 0i)))];
+let _e496 = (_e485 + ((_e493 - _e485) * _e447));
+let _e500 = local_3.member;
+let _e503 = (((_e422 + ((_e469 + select(1i, -1i, _e466)) * _e146)) + bitcast<i32>(_e500)) + _e444);
+let _e505 = select(_e70, _e503, (_e503 < _e70));
+let _e510 = global_2.member[bitcast<u32>(select(0i, _e505, (_e505 > 0i)))];
+let _e511 = (_e503 + _e445);
+let _e513 = select(_e70, _e511, (_e511 < _e70));
+let _e518 = global_2.member[bitcast<u32>(select(0i, _e513, (_e513 > 0i)))];
+let _e522 = local_3.member;
+let _e525 = local_3.member_2;
+let _e526 = (f32(bitcast<i32>(_e522)) + _e525);
+let _e527 = local_3.member_1;
+let _e530 = local_3.member_3;
+let _e531 = (f32(bitcast<i32>(_e527)) + _e530);
+let _e542 = select(_e417, (_e496 + (((_e510 + ((_e518 - _e510) * _e447)) - _e496) * select(_e465, (1f - _e465), _e466))), ((((_e526 >= 0f) && (_e526 <= _e268)) && (_e531 >= 0f)) && (_e531 <= _e271)));
+let _e545 = (1f / select(1e-6f, _e542, (_e542 > 1e-6f)));
+let _e554 = global_1.member.member_1;
+let _e556 = ((_e554 & 1u) != 0u);
+global_3.member[_e49] = select((((select(_e142, (_e231 + (((_e245 + ((_e253 - _e245) * _e182)) - _e231) * select(_e200, (1f - _e200), _e201))), ((((_e261 >= 0f) && (_e261 <= _e268)) && (_e266 >= 0f)) && (_e266 <= _e271))) * _e545) - _e122) * _e117), _e124, _e556);
+global_3.member[((_e34.member * _e34.member_1) + _e49)] = select((((select(_e287, (_e366 + (((_e380 + ((_e388 - _e380) * _e317)) - _e366) * select(_e335, (1f - _e335), _e336))), ((((_e396 >= 0f) && (_e396 <= _e268)) && (_e401 >= 0f)) && (_e401 <= _e271))) * _e545) - _e129) * _e117), _e131, _e556);
 }
 }
 return;

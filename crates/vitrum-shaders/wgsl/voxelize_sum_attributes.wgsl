@@ -1,3 +1,8 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_5 {
 member: array<f32>,
 }
@@ -5,10 +10,17 @@ struct type_9 {
 member: array<u32>,
 }
 struct type_10 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: vec4<u32>,
+member: type_2,
+member_1: u32,
+member_2: type_2,
+member_3: u32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
 }
 struct type_11 {
 member: type_10,
@@ -200,110 +212,110 @@ var local_138: array<u32, 2>;
 var local_139: array<u32, 2>;
 var local_140: i32;
 var local_141: i32;
-var phi_1401_: i32;
-var phi_2032_: u32;
-var phi_2066_: i32;
-var phi_2080_: i32;
-var phi_2094_: i32;
-var phi_2109_: i32;
-var phi_2123_: i32;
-var phi_2137_: i32;
-var phi_1678_: u32;
-var phi_1712_: i32;
-var phi_1726_: i32;
-var phi_1740_: i32;
-var phi_1755_: i32;
-var phi_1769_: i32;
-var phi_1783_: i32;
-var phi_2143_: type_14;
-var phi_1183_: u32;
-var phi_1217_: i32;
-var phi_1231_: i32;
-var phi_1245_: i32;
-var phi_1260_: i32;
-var phi_1274_: i32;
-var phi_1288_: i32;
-var phi_829_: u32;
-var phi_863_: i32;
-var phi_877_: i32;
-var phi_891_: i32;
-var phi_906_: i32;
-var phi_920_: i32;
-var phi_934_: i32;
-var phi_1294_: type_14;
-var phi_1334_: bool;
-var phi_1350_: i32;
-var phi_2145_: type_16;
-var phi_2178_: u32;
-var phi_2179_: u32;
-var phi_2180_: u32;
-var phi_24058_: type_18;
-var phi_26015_: i32;
-var phi_26030_: i32;
-var phi_26150_: i32;
-var phi_26389_: i32;
-var phi_26917_: u32;
-var phi_26974_: u32;
-var phi_27031_: u32;
-var phi_27089_: u32;
-var phi_27146_: u32;
-var phi_27203_: u32;
-var phi_26390_: i32;
-var phi_26151_: i32;
+var phi_1396_: i32;
+var phi_2022_: u32;
+var phi_2056_: i32;
+var phi_2070_: i32;
+var phi_2084_: i32;
+var phi_2099_: i32;
+var phi_2113_: i32;
+var phi_2127_: i32;
+var phi_1670_: u32;
+var phi_1704_: i32;
+var phi_1718_: i32;
+var phi_1732_: i32;
+var phi_1747_: i32;
+var phi_1761_: i32;
+var phi_1775_: i32;
+var phi_2133_: type_14;
+var phi_1178_: u32;
+var phi_1212_: i32;
+var phi_1226_: i32;
+var phi_1240_: i32;
+var phi_1255_: i32;
+var phi_1269_: i32;
+var phi_1283_: i32;
+var phi_826_: u32;
+var phi_860_: i32;
+var phi_874_: i32;
+var phi_888_: i32;
+var phi_903_: i32;
+var phi_917_: i32;
+var phi_931_: i32;
+var phi_1289_: type_14;
+var phi_1329_: bool;
+var phi_1345_: i32;
+var phi_2135_: type_16;
+var phi_2168_: u32;
+var phi_2169_: u32;
+var phi_2170_: u32;
+var phi_24044_: type_18;
+var phi_26001_: i32;
 var phi_26016_: i32;
-var phi_21040_: i32;
-var phi_21055_: i32;
-var phi_21057_: i32;
-var phi_21185_: i32;
-var phi_21713_: u32;
-var phi_21770_: u32;
-var phi_21827_: u32;
-var phi_21885_: u32;
-var phi_21942_: u32;
-var phi_21999_: u32;
-var phi_21186_: i32;
-var phi_21058_: i32;
-var phi_21041_: i32;
-var phi_16061_: i32;
-var phi_16076_: i32;
-var phi_16078_: i32;
-var phi_16206_: i32;
-var phi_16734_: u32;
-var phi_16791_: u32;
-var phi_16848_: u32;
-var phi_16906_: u32;
-var phi_16963_: u32;
-var phi_17020_: u32;
-var phi_16207_: i32;
-var phi_16079_: i32;
-var phi_16062_: i32;
-var phi_9104_: type_18;
-var phi_11061_: i32;
-var phi_11076_: i32;
-var phi_11196_: i32;
-var phi_11227_: i32;
-var phi_11755_: u32;
-var phi_11812_: u32;
-var phi_11869_: u32;
-var phi_11927_: u32;
-var phi_11984_: u32;
-var phi_12041_: u32;
-var phi_11228_: i32;
-var phi_11197_: i32;
-var phi_11062_: i32;
-var phi_6179_: i32;
-var phi_6194_: i32;
-var phi_6196_: i32;
-var phi_6227_: i32;
-var phi_6755_: u32;
-var phi_6812_: u32;
-var phi_6869_: u32;
-var phi_6927_: u32;
-var phi_6984_: u32;
-var phi_7041_: u32;
-var phi_6228_: i32;
-var phi_6197_: i32;
-var phi_6180_: i32;
+var phi_26136_: i32;
+var phi_26374_: i32;
+var phi_26902_: u32;
+var phi_26959_: u32;
+var phi_27016_: u32;
+var phi_27074_: u32;
+var phi_27131_: u32;
+var phi_27188_: u32;
+var phi_26375_: i32;
+var phi_26137_: i32;
+var phi_26002_: i32;
+var phi_21027_: i32;
+var phi_21042_: i32;
+var phi_21044_: i32;
+var phi_21171_: i32;
+var phi_21699_: u32;
+var phi_21756_: u32;
+var phi_21813_: u32;
+var phi_21871_: u32;
+var phi_21928_: u32;
+var phi_21985_: u32;
+var phi_21172_: i32;
+var phi_21045_: i32;
+var phi_21028_: i32;
+var phi_16049_: i32;
+var phi_16064_: i32;
+var phi_16066_: i32;
+var phi_16193_: i32;
+var phi_16721_: u32;
+var phi_16778_: u32;
+var phi_16835_: u32;
+var phi_16893_: u32;
+var phi_16950_: u32;
+var phi_17007_: u32;
+var phi_16194_: i32;
+var phi_16067_: i32;
+var phi_16050_: i32;
+var phi_9093_: type_18;
+var phi_11050_: i32;
+var phi_11065_: i32;
+var phi_11185_: i32;
+var phi_11215_: i32;
+var phi_11743_: u32;
+var phi_11800_: u32;
+var phi_11857_: u32;
+var phi_11915_: u32;
+var phi_11972_: u32;
+var phi_12029_: u32;
+var phi_11216_: i32;
+var phi_11186_: i32;
+var phi_11051_: i32;
+var phi_6169_: i32;
+var phi_6184_: i32;
+var phi_6186_: i32;
+var phi_6216_: i32;
+var phi_6744_: u32;
+var phi_6801_: u32;
+var phi_6858_: u32;
+var phi_6916_: u32;
+var phi_6973_: u32;
+var phi_7030_: u32;
+var phi_6217_: i32;
+var phi_6187_: i32;
+var phi_6170_: i32;
 switch bitcast<i32>(0u) {
 default: {
 let _e207 = global;
@@ -312,4817 +324,4817 @@ let _e214 = arrayLength((&global_4.member));
 let _e216 = arrayLength((&global_5.member));
 let _e218 = arrayLength((&global_6.member));
 let _e220 = arrayLength((&global_7.member));
-let _e224 = global_1.member.member[0u];
-let _e228 = global_1.member.member[1u];
-if (_e207.x < _e224) {
-if (_e207.y < _e228) {
-let _e236 = global_1.member.member[2u];
-if (_e236 == 0u) {
-let _e599 = ((_e207.y * _e224) + _e207.x);
-let _e600 = bitcast<i32>(_e599);
-let _e601 = (_e600 * 9i);
-let _e603 = (bitcast<i32>(_e210) - 9i);
-if (_e601 < _e603) {
-local_141 = _e601;
-} else {
-local_141 = _e603;
-}
-let _e605 = local_141;
-if (_e605 < 0i) {
-let _e815 = global_1.member.member_3[0u];
-let _e819 = global_1.member.member_3[1u];
-let _e820 = bitcast<i32>(_e819);
-let _e822 = (_e815 & 31u);
-let _e825 = ((2i * _e820) + (2i << bitcast<u32>(_e822)));
-if ((_e825 >> bitcast<u32>(22u)) == 0i) {
-phi_829_ = 0u;
-} else {
-let _e830 = (_e825 >> bitcast<u32>(16i));
-let _e831 = (_e830 == 0i);
-phi_829_ = ((((bitcast<u32>(f32(select(_e830, _e825, _e831))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e831)) + 4294967275u);
-}
-let _e842 = phi_829_;
-let _e852 = (((_e820 + 1i) + ((1i << bitcast<u32>((_e842 & 31u))) >> bitcast<u32>(1i))) + (_e825 >> bitcast<u32>(19i)));
-let _e853 = (_e852 + 1i);
-let _e857 = global_1.member.member_1[0u];
-let _e858 = bitcast<i32>(_e857);
-let _e862 = global_1.member.member_1[1u];
-let _e863 = bitcast<i32>(_e862);
-let _e867 = global_1.member.member_1[2u];
-let _e868 = bitcast<i32>(_e867);
-let _e871 = ((-1i - _e852) >> bitcast<u32>(_e822));
-let _e873 = select(0i, _e871, (_e871 > 0i));
-if (_e873 < _e858) {
-phi_863_ = _e873;
-} else {
-phi_863_ = (_e858 - 1i);
-}
-let _e877 = phi_863_;
-if (_e873 < _e863) {
-phi_877_ = _e873;
-} else {
-phi_877_ = (_e863 - 1i);
-}
-let _e881 = phi_877_;
-if (_e873 < _e868) {
-phi_891_ = _e873;
-} else {
-phi_891_ = (_e868 - 1i);
-}
-let _e885 = phi_891_;
-let _e888 = (_e853 >> bitcast<u32>(_e822));
-let _e890 = select(0i, _e888, (_e888 > 0i));
-if (_e890 < _e858) {
-phi_906_ = _e890;
-} else {
-phi_906_ = (_e858 - 1i);
-}
-let _e894 = phi_906_;
-if (_e890 < _e863) {
-phi_920_ = _e890;
-} else {
-phi_920_ = (_e863 - 1i);
-}
-let _e898 = phi_920_;
-if (_e890 < _e868) {
-phi_934_ = _e890;
-} else {
-phi_934_ = (_e868 - 1i);
-}
-let _e902 = phi_934_;
-phi_1294_ = type_14(vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(_e877, _e881, _e885), vec3<i32>((_e894 - _e877), (_e898 - _e881), (_e902 - _e885)), _e853, _e815, _e842);
-} else {
-let _e607 = local_141;
-let _e610 = global_2.member[bitcast<u32>(_e607)];
-let _e611 = bitcast<i32>(_e610);
-let _e612 = local_141;
-let _e616 = global_2.member[bitcast<u32>((_e612 + 1i))];
-let _e617 = bitcast<i32>(_e616);
-let _e618 = local_141;
-let _e622 = global_2.member[bitcast<u32>((_e618 + 2i))];
-let _e623 = bitcast<i32>(_e622);
-let _e625 = local_141;
-let _e629 = global_2.member[bitcast<u32>((_e625 + 3i))];
-let _e630 = bitcast<i32>(_e629);
-let _e631 = local_141;
-let _e635 = global_2.member[bitcast<u32>((_e631 + 4i))];
-let _e636 = bitcast<i32>(_e635);
-let _e637 = local_141;
-let _e641 = global_2.member[bitcast<u32>((_e637 + 5i))];
-let _e642 = bitcast<i32>(_e641);
-let _e644 = local_141;
-let _e648 = global_2.member[bitcast<u32>((_e644 + 6i))];
-let _e649 = bitcast<i32>(_e648);
-let _e650 = local_141;
-let _e654 = global_2.member[bitcast<u32>((_e650 + 7i))];
-let _e655 = bitcast<i32>(_e654);
-let _e656 = local_141;
-let _e660 = global_2.member[bitcast<u32>((_e656 + 8i))];
-let _e661 = bitcast<i32>(_e660);
-let _e666 = global_1.member.member_3[0u];
-let _e670 = global_1.member.member_3[1u];
-let _e671 = bitcast<i32>(_e670);
-let _e673 = select(_e630, _e611, (_e611 < _e630));
-let _e675 = select(_e636, _e617, (_e617 < _e636));
-let _e677 = select(_e642, _e623, (_e623 < _e642));
-let _e679 = select(_e649, _e673, (_e673 < _e649));
-let _e681 = select(_e655, _e675, (_e675 < _e655));
-let _e683 = select(_e661, _e677, (_e677 < _e661));
-let _e685 = select(_e630, _e611, (_e611 > _e630));
-let _e687 = select(_e636, _e617, (_e617 > _e636));
-let _e689 = select(_e642, _e623, (_e623 > _e642));
-let _e691 = select(_e649, _e685, (_e685 > _e649));
-let _e693 = select(_e655, _e687, (_e687 > _e655));
-let _e695 = select(_e661, _e689, (_e689 > _e661));
-let _e696 = (_e691 - _e679);
-let _e697 = (_e693 - _e681);
-let _e698 = (_e695 - _e683);
-let _e700 = select(_e697, _e696, (_e696 > _e697));
-let _e705 = (_e666 & 31u);
-let _e708 = ((select(_e698, _e700, (_e700 > _e698)) + (2i * _e671)) + (2i << bitcast<u32>(_e705)));
-if ((_e708 >> bitcast<u32>(22u)) == 0i) {
-phi_1183_ = 0u;
-} else {
-let _e713 = (_e708 >> bitcast<u32>(16i));
-let _e714 = (_e713 == 0i);
-phi_1183_ = ((((bitcast<u32>(f32(select(_e713, _e708, _e714))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e714)) + 4294967275u);
-}
-let _e725 = phi_1183_;
-let _e736 = ((((_e671 + 1i) + ((1i << bitcast<u32>((_e725 & 31u))) >> bitcast<u32>(1i))) + (_e708 >> bitcast<u32>(19i))) + 1i);
-let _e740 = global_1.member.member_1[0u];
-let _e741 = bitcast<i32>(_e740);
-let _e745 = global_1.member.member_1[1u];
-let _e746 = bitcast<i32>(_e745);
-let _e750 = global_1.member.member_1[2u];
-let _e751 = bitcast<i32>(_e750);
-let _e754 = ((_e679 - _e736) >> bitcast<u32>(_e705));
-let _e756 = select(0i, _e754, (_e754 > 0i));
-if (_e756 < _e741) {
-phi_1217_ = _e756;
-} else {
-phi_1217_ = (_e741 - 1i);
-}
-let _e760 = phi_1217_;
-let _e763 = ((_e681 - _e736) >> bitcast<u32>(_e705));
-let _e765 = select(0i, _e763, (_e763 > 0i));
-if (_e765 < _e746) {
-phi_1231_ = _e765;
-} else {
-phi_1231_ = (_e746 - 1i);
-}
-let _e769 = phi_1231_;
-let _e772 = ((_e683 - _e736) >> bitcast<u32>(_e705));
-let _e774 = select(0i, _e772, (_e772 > 0i));
-if (_e774 < _e751) {
-phi_1245_ = _e774;
-} else {
-phi_1245_ = (_e751 - 1i);
-}
-let _e778 = phi_1245_;
-let _e782 = ((_e691 + _e736) >> bitcast<u32>(_e705));
-let _e784 = select(0i, _e782, (_e782 > 0i));
-if (_e784 < _e741) {
-phi_1260_ = _e784;
-} else {
-phi_1260_ = (_e741 - 1i);
-}
-let _e788 = phi_1260_;
-let _e791 = ((_e693 + _e736) >> bitcast<u32>(_e705));
-let _e793 = select(0i, _e791, (_e791 > 0i));
-if (_e793 < _e746) {
-phi_1274_ = _e793;
-} else {
-phi_1274_ = (_e746 - 1i);
-}
-let _e797 = phi_1274_;
-let _e800 = ((_e695 + _e736) >> bitcast<u32>(_e705));
-let _e802 = select(0i, _e800, (_e800 > 0i));
-if (_e802 < _e751) {
-phi_1288_ = _e802;
-} else {
-phi_1288_ = (_e751 - 1i);
-}
-let _e806 = phi_1288_;
-phi_1294_ = type_14(vec3<i32>(_e611, _e617, _e623), vec3<i32>(_e630, _e636, _e642), vec3<i32>(_e649, _e655, _e661), vec3<i32>(_e760, _e769, _e778), vec3<i32>((_e788 - _e760), (_e797 - _e769), (_e806 - _e778)), _e736, _e666, _e725);
-}
-let _e909 = phi_1294_;
-let _e913 = global_1.member.member[3u];
-let _e919 = (_e909.member_4.z >= _e909.member_4.y);
-let _e921 = (1i + select(_e909.member_4.y, _e909.member_4.z, _e919));
-if (_e921 == 1i) {
-phi_1334_ = true;
-} else {
-phi_1334_ = ((_e921 * (1i + select(_e909.member_4.z, _e909.member_4.y, _e919))) <= 32i);
-}
-let _e928 = phi_1334_;
-if ((_e599 < _e913) && _e928) {
-phi_1350_ = _e921;
-} else {
-phi_1350_ = 0i;
-}
-let _e931 = phi_1350_;
-phi_2145_ = type_16(type_15(_e600, 0i, _e931), _e909);
-} else {
-let _e239 = ((_e207.y * _e224) + _e207.x);
-let _e243 = global_1.member.member[3u];
-let _e245 = bitcast<i32>((_e239 * 3u));
-let _e246 = (_e245 + 1i);
-let _e248 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e250 = select(_e248, _e246, (_e246 < _e248));
-let _e256 = global_3.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
-let _e257 = bitcast<i32>(_e256);
-if (_e239 < _e243) {
-let _e259 = (_e245 + 2i);
-let _e261 = select(_e248, _e259, (_e259 < _e248));
-let _e267 = global_3.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
-phi_1401_ = bitcast<i32>(_e267);
-} else {
-phi_1401_ = 0i;
-}
-let _e270 = phi_1401_;
-let _e272 = select(_e248, _e245, (_e245 < _e248));
-let _e278 = global_3.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
-let _e284 = global_1.member.member_3[2u];
-let _e286 = (bitcast<i32>(_e278) + bitcast<i32>(_e284));
-let _e288 = (_e286 * 9i);
-let _e290 = (bitcast<i32>(_e210) - 9i);
-if (_e288 < _e290) {
-local_140 = _e288;
-} else {
-local_140 = _e290;
-}
-let _e292 = local_140;
-if (_e292 < 0i) {
-let _e502 = global_1.member.member_3[0u];
-let _e506 = global_1.member.member_3[1u];
-let _e507 = bitcast<i32>(_e506);
-let _e509 = (_e502 & 31u);
-let _e512 = ((2i * _e507) + (2i << bitcast<u32>(_e509)));
-if ((_e512 >> bitcast<u32>(22u)) == 0i) {
-phi_1678_ = 0u;
-} else {
-let _e517 = (_e512 >> bitcast<u32>(16i));
-let _e518 = (_e517 == 0i);
-phi_1678_ = ((((bitcast<u32>(f32(select(_e517, _e512, _e518))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e518)) + 4294967275u);
-}
-let _e529 = phi_1678_;
-let _e539 = (((_e507 + 1i) + ((1i << bitcast<u32>((_e529 & 31u))) >> bitcast<u32>(1i))) + (_e512 >> bitcast<u32>(19i)));
-let _e540 = (_e539 + 1i);
-let _e544 = global_1.member.member_1[0u];
-let _e545 = bitcast<i32>(_e544);
-let _e549 = global_1.member.member_1[1u];
-let _e550 = bitcast<i32>(_e549);
-let _e554 = global_1.member.member_1[2u];
-let _e555 = bitcast<i32>(_e554);
-let _e558 = ((-1i - _e539) >> bitcast<u32>(_e509));
-let _e560 = select(0i, _e558, (_e558 > 0i));
-if (_e560 < _e545) {
-phi_1712_ = _e560;
-} else {
-phi_1712_ = (_e545 - 1i);
-}
-let _e564 = phi_1712_;
-if (_e560 < _e550) {
-phi_1726_ = _e560;
-} else {
-phi_1726_ = (_e550 - 1i);
-}
-let _e568 = phi_1726_;
-if (_e560 < _e555) {
-phi_1740_ = _e560;
-} else {
-phi_1740_ = (_e555 - 1i);
-}
-let _e572 = phi_1740_;
-let _e575 = (_e540 >> bitcast<u32>(_e509));
-let _e577 = select(0i, _e575, (_e575 > 0i));
-if (_e577 < _e545) {
-phi_1755_ = _e577;
-} else {
-phi_1755_ = (_e545 - 1i);
-}
-let _e581 = phi_1755_;
-if (_e577 < _e550) {
-phi_1769_ = _e577;
-} else {
-phi_1769_ = (_e550 - 1i);
-}
-let _e585 = phi_1769_;
-if (_e577 < _e555) {
-phi_1783_ = _e577;
-} else {
-phi_1783_ = (_e555 - 1i);
-}
-let _e589 = phi_1783_;
-phi_2143_ = type_14(vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(_e564, _e568, _e572), vec3<i32>((_e581 - _e564), (_e585 - _e568), (_e589 - _e572)), _e540, _e502, _e529);
-} else {
-let _e294 = local_140;
-let _e297 = global_2.member[bitcast<u32>(_e294)];
-let _e298 = bitcast<i32>(_e297);
-let _e299 = local_140;
-let _e303 = global_2.member[bitcast<u32>((_e299 + 1i))];
-let _e304 = bitcast<i32>(_e303);
-let _e305 = local_140;
-let _e309 = global_2.member[bitcast<u32>((_e305 + 2i))];
-let _e310 = bitcast<i32>(_e309);
-let _e312 = local_140;
-let _e316 = global_2.member[bitcast<u32>((_e312 + 3i))];
-let _e317 = bitcast<i32>(_e316);
-let _e318 = local_140;
-let _e322 = global_2.member[bitcast<u32>((_e318 + 4i))];
-let _e323 = bitcast<i32>(_e322);
-let _e324 = local_140;
-let _e328 = global_2.member[bitcast<u32>((_e324 + 5i))];
-let _e329 = bitcast<i32>(_e328);
-let _e331 = local_140;
-let _e335 = global_2.member[bitcast<u32>((_e331 + 6i))];
-let _e336 = bitcast<i32>(_e335);
-let _e337 = local_140;
-let _e341 = global_2.member[bitcast<u32>((_e337 + 7i))];
-let _e342 = bitcast<i32>(_e341);
-let _e343 = local_140;
-let _e347 = global_2.member[bitcast<u32>((_e343 + 8i))];
-let _e348 = bitcast<i32>(_e347);
-let _e353 = global_1.member.member_3[0u];
-let _e357 = global_1.member.member_3[1u];
-let _e358 = bitcast<i32>(_e357);
-let _e360 = select(_e317, _e298, (_e298 < _e317));
-let _e362 = select(_e323, _e304, (_e304 < _e323));
-let _e364 = select(_e329, _e310, (_e310 < _e329));
-let _e366 = select(_e336, _e360, (_e360 < _e336));
-let _e368 = select(_e342, _e362, (_e362 < _e342));
-let _e370 = select(_e348, _e364, (_e364 < _e348));
-let _e372 = select(_e317, _e298, (_e298 > _e317));
-let _e374 = select(_e323, _e304, (_e304 > _e323));
-let _e376 = select(_e329, _e310, (_e310 > _e329));
-let _e378 = select(_e336, _e372, (_e372 > _e336));
-let _e380 = select(_e342, _e374, (_e374 > _e342));
-let _e382 = select(_e348, _e376, (_e376 > _e348));
-let _e383 = (_e378 - _e366);
-let _e384 = (_e380 - _e368);
-let _e385 = (_e382 - _e370);
-let _e387 = select(_e384, _e383, (_e383 > _e384));
-let _e392 = (_e353 & 31u);
-let _e395 = ((select(_e385, _e387, (_e387 > _e385)) + (2i * _e358)) + (2i << bitcast<u32>(_e392)));
-if ((_e395 >> bitcast<u32>(22u)) == 0i) {
-phi_2032_ = 0u;
-} else {
-let _e400 = (_e395 >> bitcast<u32>(16i));
-let _e401 = (_e400 == 0i);
-phi_2032_ = ((((bitcast<u32>(f32(select(_e400, _e395, _e401))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e401)) + 4294967275u);
-}
-let _e412 = phi_2032_;
-let _e423 = ((((_e358 + 1i) + ((1i << bitcast<u32>((_e412 & 31u))) >> bitcast<u32>(1i))) + (_e395 >> bitcast<u32>(19i))) + 1i);
-let _e427 = global_1.member.member_1[0u];
-let _e428 = bitcast<i32>(_e427);
-let _e432 = global_1.member.member_1[1u];
-let _e433 = bitcast<i32>(_e432);
-let _e437 = global_1.member.member_1[2u];
-let _e438 = bitcast<i32>(_e437);
-let _e441 = ((_e366 - _e423) >> bitcast<u32>(_e392));
-let _e443 = select(0i, _e441, (_e441 > 0i));
-if (_e443 < _e428) {
-phi_2066_ = _e443;
-} else {
-phi_2066_ = (_e428 - 1i);
-}
-let _e447 = phi_2066_;
-let _e450 = ((_e368 - _e423) >> bitcast<u32>(_e392));
-let _e452 = select(0i, _e450, (_e450 > 0i));
-if (_e452 < _e433) {
-phi_2080_ = _e452;
-} else {
-phi_2080_ = (_e433 - 1i);
-}
-let _e456 = phi_2080_;
-let _e459 = ((_e370 - _e423) >> bitcast<u32>(_e392));
-let _e461 = select(0i, _e459, (_e459 > 0i));
-if (_e461 < _e438) {
-phi_2094_ = _e461;
-} else {
-phi_2094_ = (_e438 - 1i);
-}
-let _e465 = phi_2094_;
-let _e469 = ((_e378 + _e423) >> bitcast<u32>(_e392));
-let _e471 = select(0i, _e469, (_e469 > 0i));
-if (_e471 < _e428) {
-phi_2109_ = _e471;
-} else {
-phi_2109_ = (_e428 - 1i);
-}
-let _e475 = phi_2109_;
-let _e478 = ((_e380 + _e423) >> bitcast<u32>(_e392));
-let _e480 = select(0i, _e478, (_e478 > 0i));
-if (_e480 < _e433) {
-phi_2123_ = _e480;
-} else {
-phi_2123_ = (_e433 - 1i);
-}
-let _e484 = phi_2123_;
-let _e487 = ((_e382 + _e423) >> bitcast<u32>(_e392));
-let _e489 = select(0i, _e487, (_e487 > 0i));
-if (_e489 < _e438) {
-phi_2137_ = _e489;
-} else {
-phi_2137_ = (_e438 - 1i);
-}
-let _e493 = phi_2137_;
-phi_2143_ = type_14(vec3<i32>(_e298, _e304, _e310), vec3<i32>(_e317, _e323, _e329), vec3<i32>(_e336, _e342, _e348), vec3<i32>(_e447, _e456, _e465), vec3<i32>((_e475 - _e447), (_e484 - _e456), (_e493 - _e465)), _e423, _e353, _e412);
-}
-let _e596 = phi_2143_;
-phi_2145_ = type_16(type_15(_e286, _e257, (_e257 + _e270)), _e596);
-}
-let _e935 = phi_2145_;
-if (_e935.member.member_1 < _e935.member.member_2) {
-let _e943 = (_e935.member_1.member_4.x == 0i);
-let _e946 = (_e935.member_1.member_4.y == 0i);
-let _e949 = (_e935.member_1.member_4.z == 0i);
-if (((_e943 && _e946) || (_e946 && _e949)) || (_e949 && _e943)) {
-phi_2180_ = 0u;
-} else {
-if _e943 {
-phi_2179_ = 1u;
-} else {
-if _e946 {
-phi_2178_ = 2u;
-} else {
-phi_2178_ = select(4u, 3u, _e949);
-}
-let _e957 = phi_2178_;
-phi_2179_ = _e957;
-}
-let _e959 = phi_2179_;
-phi_2180_ = _e959;
-}
-let _e961 = phi_2180_;
-if (_e961 == 0u) {
-let _e7013 = (_e935.member_1.member_6 & 31u);
-let _e7015 = (_e935.member_1.member_3.x << bitcast<u32>(_e7013));
-let _e7018 = (_e935.member_1.member_7 & 31u);
-let _e7022 = ((1i << bitcast<u32>(_e7018)) >> bitcast<u32>(1i));
-let _e7028 = bitcast<i32>(_e935.member_1.member_6);
-let _e7034 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e935.member_1.member_7) - _e7028))) << bitcast<u32>(23i)));
-let _e7035 = (f32((((_e935.member_1.member.x - _e7015) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7040 = (_e935.member_1.member_3.y << bitcast<u32>(_e7013));
-let _e7046 = (f32((((_e935.member_1.member.y - _e7040) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7051 = (_e935.member_1.member_3.z << bitcast<u32>(_e7013));
-let _e7057 = (f32((((_e935.member_1.member.z - _e7051) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7065 = (f32((((_e935.member_1.member_1.x - _e7015) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7072 = (f32((((_e935.member_1.member_1.y - _e7040) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7079 = (f32((((_e935.member_1.member_1.z - _e7051) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7087 = (f32((((_e935.member_1.member_2.x - _e7015) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7094 = (f32((((_e935.member_1.member_2.y - _e7040) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7101 = (f32((((_e935.member_1.member_2.z - _e7051) + _e7022) >> bitcast<u32>(_e7018))) * _e7034);
-let _e7109 = (f32(_e935.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e7028)) << bitcast<u32>(23i))));
-let _e7110 = (_e7065 - _e7035);
-let _e7111 = (_e7072 - _e7046);
-let _e7112 = (_e7079 - _e7057);
-let _e7113 = (_e7087 - _e7065);
-let _e7114 = (_e7094 - _e7072);
-let _e7115 = (_e7101 - _e7079);
-let _e7118 = ((_e7111 * _e7115) - (_e7112 * _e7114));
-let _e7125 = (1f + _e7109);
-let _e7128 = (_e935.member_1.member_4.z >= _e935.member_1.member_4.y);
-if _e7128 {
-let _e7222 = select(1f, -1f, (_e7118 < 0f));
-let _e7227 = ((_e7057 - _e7079) * _e7222);
-let _e7228 = ((_e7079 - _e7101) * _e7222);
-let _e7229 = ((_e7101 - _e7057) * _e7222);
-let _e7230 = ((0f - 0f) * _e7222);
-let _e7232 = (_e7111 * _e7222);
-let _e7233 = (_e7114 * _e7222);
-let _e7234 = ((_e7046 - _e7094) * _e7222);
-if (select(0u, 1u, ((_e7227 * _e7125) > -((_e7227 * _e7109)))) < 2u) {
+let _e223 = global_1.member.member;
+if (_e207.x < _e223.member) {
+if (_e207.y < _e223.member_1) {
+if (_e223.member_2 == 0u) {
+let _e593 = global_1.member.member.member;
+let _e595 = ((_e207.y * _e593) + _e207.x);
+let _e596 = bitcast<i32>(_e595);
+let _e597 = (_e596 * 9i);
+let _e599 = (bitcast<i32>(_e210) - 9i);
+if (_e597 < _e599) {
+local_141 = _e597;
+} else {
+local_141 = _e599;
+}
+let _e601 = local_141;
+if (_e601 < 0i) {
+let _e808 = global_1.member.member_8;
+let _e811 = global_1.member.member_9;
+let _e812 = bitcast<i32>(_e811);
+let _e814 = (_e808 & 31u);
+let _e817 = ((2i * _e812) + (2i << bitcast<u32>(_e814)));
+if ((_e817 >> bitcast<u32>(22u)) == 0i) {
+phi_826_ = 0u;
+} else {
+let _e822 = (_e817 >> bitcast<u32>(16i));
+let _e823 = (_e822 == 0i);
+phi_826_ = ((((bitcast<u32>(f32(select(_e822, _e817, _e823))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e823)) + 4294967275u);
+}
+let _e834 = phi_826_;
+let _e844 = (((_e812 + 1i) + ((1i << bitcast<u32>((_e834 & 31u))) >> bitcast<u32>(1i))) + (_e817 >> bitcast<u32>(19i)));
+let _e845 = (_e844 + 1i);
+let _e849 = global_1.member.member_2.member;
+let _e850 = bitcast<i32>(_e849);
+let _e854 = global_1.member.member_2.member_1;
+let _e855 = bitcast<i32>(_e854);
+let _e859 = global_1.member.member_2.member_2;
+let _e860 = bitcast<i32>(_e859);
+let _e863 = ((-1i - _e844) >> bitcast<u32>(_e814));
+let _e865 = select(0i, _e863, (_e863 > 0i));
+if (_e865 < _e850) {
+phi_860_ = _e865;
+} else {
+phi_860_ = (_e850 - 1i);
+}
+let _e869 = phi_860_;
+if (_e865 < _e855) {
+phi_874_ = _e865;
+} else {
+phi_874_ = (_e855 - 1i);
+}
+let _e873 = phi_874_;
+if (_e865 < _e860) {
+phi_888_ = _e865;
+} else {
+phi_888_ = (_e860 - 1i);
+}
+let _e877 = phi_888_;
+let _e880 = (_e845 >> bitcast<u32>(_e814));
+let _e882 = select(0i, _e880, (_e880 > 0i));
+if (_e882 < _e850) {
+phi_903_ = _e882;
+} else {
+phi_903_ = (_e850 - 1i);
+}
+let _e886 = phi_903_;
+if (_e882 < _e855) {
+phi_917_ = _e882;
+} else {
+phi_917_ = (_e855 - 1i);
+}
+let _e890 = phi_917_;
+if (_e882 < _e860) {
+phi_931_ = _e882;
+} else {
+phi_931_ = (_e860 - 1i);
+}
+let _e894 = phi_931_;
+phi_1289_ = type_14(vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(_e869, _e873, _e877), vec3<i32>((_e886 - _e869), (_e890 - _e873), (_e894 - _e877)), _e845, _e808, _e834);
+} else {
+let _e603 = local_141;
+let _e606 = global_2.member[bitcast<u32>(_e603)];
+let _e607 = bitcast<i32>(_e606);
+let _e608 = local_141;
+let _e612 = global_2.member[bitcast<u32>((_e608 + 1i))];
+let _e613 = bitcast<i32>(_e612);
+let _e614 = local_141;
+let _e618 = global_2.member[bitcast<u32>((_e614 + 2i))];
+let _e619 = bitcast<i32>(_e618);
+let _e621 = local_141;
+let _e625 = global_2.member[bitcast<u32>((_e621 + 3i))];
+let _e626 = bitcast<i32>(_e625);
+let _e627 = local_141;
+let _e631 = global_2.member[bitcast<u32>((_e627 + 4i))];
+let _e632 = bitcast<i32>(_e631);
+let _e633 = local_141;
+let _e637 = global_2.member[bitcast<u32>((_e633 + 5i))];
+let _e638 = bitcast<i32>(_e637);
+let _e640 = local_141;
+let _e644 = global_2.member[bitcast<u32>((_e640 + 6i))];
+let _e645 = bitcast<i32>(_e644);
+let _e646 = local_141;
+let _e650 = global_2.member[bitcast<u32>((_e646 + 7i))];
+let _e651 = bitcast<i32>(_e650);
+let _e652 = local_141;
+let _e656 = global_2.member[bitcast<u32>((_e652 + 8i))];
+let _e657 = bitcast<i32>(_e656);
+let _e661 = global_1.member.member_8;
+let _e664 = global_1.member.member_9;
+let _e665 = bitcast<i32>(_e664);
+let _e667 = select(_e626, _e607, (_e607 < _e626));
+let _e669 = select(_e632, _e613, (_e613 < _e632));
+let _e671 = select(_e638, _e619, (_e619 < _e638));
+let _e673 = select(_e645, _e667, (_e667 < _e645));
+let _e675 = select(_e651, _e669, (_e669 < _e651));
+let _e677 = select(_e657, _e671, (_e671 < _e657));
+let _e679 = select(_e626, _e607, (_e607 > _e626));
+let _e681 = select(_e632, _e613, (_e613 > _e632));
+let _e683 = select(_e638, _e619, (_e619 > _e638));
+let _e685 = select(_e645, _e679, (_e679 > _e645));
+let _e687 = select(_e651, _e681, (_e681 > _e651));
+let _e689 = select(_e657, _e683, (_e683 > _e657));
+let _e690 = (_e685 - _e673);
+let _e691 = (_e687 - _e675);
+let _e692 = (_e689 - _e677);
+let _e694 = select(_e691, _e690, (_e690 > _e691));
+let _e699 = (_e661 & 31u);
+let _e702 = ((select(_e692, _e694, (_e694 > _e692)) + (2i * _e665)) + (2i << bitcast<u32>(_e699)));
+if ((_e702 >> bitcast<u32>(22u)) == 0i) {
+phi_1178_ = 0u;
+} else {
+let _e707 = (_e702 >> bitcast<u32>(16i));
+let _e708 = (_e707 == 0i);
+phi_1178_ = ((((bitcast<u32>(f32(select(_e707, _e702, _e708))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e708)) + 4294967275u);
+}
+let _e719 = phi_1178_;
+let _e730 = ((((_e665 + 1i) + ((1i << bitcast<u32>((_e719 & 31u))) >> bitcast<u32>(1i))) + (_e702 >> bitcast<u32>(19i))) + 1i);
+let _e734 = global_1.member.member_2.member;
+let _e735 = bitcast<i32>(_e734);
+let _e739 = global_1.member.member_2.member_1;
+let _e740 = bitcast<i32>(_e739);
+let _e744 = global_1.member.member_2.member_2;
+let _e745 = bitcast<i32>(_e744);
+let _e748 = ((_e673 - _e730) >> bitcast<u32>(_e699));
+let _e750 = select(0i, _e748, (_e748 > 0i));
+if (_e750 < _e735) {
+phi_1212_ = _e750;
+} else {
+phi_1212_ = (_e735 - 1i);
+}
+let _e754 = phi_1212_;
+let _e757 = ((_e675 - _e730) >> bitcast<u32>(_e699));
+let _e759 = select(0i, _e757, (_e757 > 0i));
+if (_e759 < _e740) {
+phi_1226_ = _e759;
+} else {
+phi_1226_ = (_e740 - 1i);
+}
+let _e763 = phi_1226_;
+let _e766 = ((_e677 - _e730) >> bitcast<u32>(_e699));
+let _e768 = select(0i, _e766, (_e766 > 0i));
+if (_e768 < _e745) {
+phi_1240_ = _e768;
+} else {
+phi_1240_ = (_e745 - 1i);
+}
+let _e772 = phi_1240_;
+let _e776 = ((_e685 + _e730) >> bitcast<u32>(_e699));
+let _e778 = select(0i, _e776, (_e776 > 0i));
+if (_e778 < _e735) {
+phi_1255_ = _e778;
+} else {
+phi_1255_ = (_e735 - 1i);
+}
+let _e782 = phi_1255_;
+let _e785 = ((_e687 + _e730) >> bitcast<u32>(_e699));
+let _e787 = select(0i, _e785, (_e785 > 0i));
+if (_e787 < _e740) {
+phi_1269_ = _e787;
+} else {
+phi_1269_ = (_e740 - 1i);
+}
+let _e791 = phi_1269_;
+let _e794 = ((_e689 + _e730) >> bitcast<u32>(_e699));
+let _e796 = select(0i, _e794, (_e794 > 0i));
+if (_e796 < _e745) {
+phi_1283_ = _e796;
+} else {
+phi_1283_ = (_e745 - 1i);
+}
+let _e800 = phi_1283_;
+phi_1289_ = type_14(vec3<i32>(_e607, _e613, _e619), vec3<i32>(_e626, _e632, _e638), vec3<i32>(_e645, _e651, _e657), vec3<i32>(_e754, _e763, _e772), vec3<i32>((_e782 - _e754), (_e791 - _e763), (_e800 - _e772)), _e730, _e661, _e719);
+}
+let _e901 = phi_1289_;
+let _e904 = global_1.member.member_1;
+let _e910 = (_e901.member_4.z >= _e901.member_4.y);
+let _e912 = (1i + select(_e901.member_4.y, _e901.member_4.z, _e910));
+if (_e912 == 1i) {
+phi_1329_ = true;
+} else {
+phi_1329_ = ((_e912 * (1i + select(_e901.member_4.z, _e901.member_4.y, _e910))) <= 32i);
+}
+let _e919 = phi_1329_;
+if ((_e595 < _e904) && _e919) {
+phi_1345_ = _e912;
+} else {
+phi_1345_ = 0i;
+}
+let _e922 = phi_1345_;
+phi_2135_ = type_16(type_15(_e596, 0i, _e922), _e901);
+} else {
+let _e235 = global_1.member.member.member;
+let _e237 = ((_e207.y * _e235) + _e207.x);
+let _e240 = global_1.member.member_1;
+let _e242 = bitcast<i32>((_e237 * 3u));
+let _e243 = (_e242 + 1i);
+let _e245 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e247 = select(_e245, _e243, (_e243 < _e245));
+let _e253 = global_3.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
+let _e254 = bitcast<i32>(_e253);
+if (_e237 < _e240) {
+let _e256 = (_e242 + 2i);
+let _e258 = select(_e245, _e256, (_e256 < _e245));
+let _e264 = global_3.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
+phi_1396_ = bitcast<i32>(_e264);
+} else {
+phi_1396_ = 0i;
+}
+let _e267 = phi_1396_;
+let _e269 = select(_e245, _e242, (_e242 < _e245));
+let _e275 = global_3.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
+let _e280 = global_1.member.member_10;
+let _e282 = (bitcast<i32>(_e275) + bitcast<i32>(_e280));
+let _e284 = (_e282 * 9i);
+let _e286 = (bitcast<i32>(_e210) - 9i);
+if (_e284 < _e286) {
+local_140 = _e284;
+} else {
+local_140 = _e286;
+}
+let _e288 = local_140;
+if (_e288 < 0i) {
+let _e495 = global_1.member.member_8;
+let _e498 = global_1.member.member_9;
+let _e499 = bitcast<i32>(_e498);
+let _e501 = (_e495 & 31u);
+let _e504 = ((2i * _e499) + (2i << bitcast<u32>(_e501)));
+if ((_e504 >> bitcast<u32>(22u)) == 0i) {
+phi_1670_ = 0u;
+} else {
+let _e509 = (_e504 >> bitcast<u32>(16i));
+let _e510 = (_e509 == 0i);
+phi_1670_ = ((((bitcast<u32>(f32(select(_e509, _e504, _e510))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e510)) + 4294967275u);
+}
+let _e521 = phi_1670_;
+let _e531 = (((_e499 + 1i) + ((1i << bitcast<u32>((_e521 & 31u))) >> bitcast<u32>(1i))) + (_e504 >> bitcast<u32>(19i)));
+let _e532 = (_e531 + 1i);
+let _e536 = global_1.member.member_2.member;
+let _e537 = bitcast<i32>(_e536);
+let _e541 = global_1.member.member_2.member_1;
+let _e542 = bitcast<i32>(_e541);
+let _e546 = global_1.member.member_2.member_2;
+let _e547 = bitcast<i32>(_e546);
+let _e550 = ((-1i - _e531) >> bitcast<u32>(_e501));
+let _e552 = select(0i, _e550, (_e550 > 0i));
+if (_e552 < _e537) {
+phi_1704_ = _e552;
+} else {
+phi_1704_ = (_e537 - 1i);
+}
+let _e556 = phi_1704_;
+if (_e552 < _e542) {
+phi_1718_ = _e552;
+} else {
+phi_1718_ = (_e542 - 1i);
+}
+let _e560 = phi_1718_;
+if (_e552 < _e547) {
+phi_1732_ = _e552;
+} else {
+phi_1732_ = (_e547 - 1i);
+}
+let _e564 = phi_1732_;
+let _e567 = (_e532 >> bitcast<u32>(_e501));
+let _e569 = select(0i, _e567, (_e567 > 0i));
+if (_e569 < _e537) {
+phi_1747_ = _e569;
+} else {
+phi_1747_ = (_e537 - 1i);
+}
+let _e573 = phi_1747_;
+if (_e569 < _e542) {
+phi_1761_ = _e569;
+} else {
+phi_1761_ = (_e542 - 1i);
+}
+let _e577 = phi_1761_;
+if (_e569 < _e547) {
+phi_1775_ = _e569;
+} else {
+phi_1775_ = (_e547 - 1i);
+}
+let _e581 = phi_1775_;
+phi_2133_ = type_14(vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(0i, 0i, 0i), vec3<i32>(_e556, _e560, _e564), vec3<i32>((_e573 - _e556), (_e577 - _e560), (_e581 - _e564)), _e532, _e495, _e521);
+} else {
+let _e290 = local_140;
+let _e293 = global_2.member[bitcast<u32>(_e290)];
+let _e294 = bitcast<i32>(_e293);
+let _e295 = local_140;
+let _e299 = global_2.member[bitcast<u32>((_e295 + 1i))];
+let _e300 = bitcast<i32>(_e299);
+let _e301 = local_140;
+let _e305 = global_2.member[bitcast<u32>((_e301 + 2i))];
+let _e306 = bitcast<i32>(_e305);
+let _e308 = local_140;
+let _e312 = global_2.member[bitcast<u32>((_e308 + 3i))];
+let _e313 = bitcast<i32>(_e312);
+let _e314 = local_140;
+let _e318 = global_2.member[bitcast<u32>((_e314 + 4i))];
+let _e319 = bitcast<i32>(_e318);
+let _e320 = local_140;
+let _e324 = global_2.member[bitcast<u32>((_e320 + 5i))];
+let _e325 = bitcast<i32>(_e324);
+let _e327 = local_140;
+let _e331 = global_2.member[bitcast<u32>((_e327 + 6i))];
+let _e332 = bitcast<i32>(_e331);
+let _e333 = local_140;
+let _e337 = global_2.member[bitcast<u32>((_e333 + 7i))];
+let _e338 = bitcast<i32>(_e337);
+let _e339 = local_140;
+let _e343 = global_2.member[bitcast<u32>((_e339 + 8i))];
+let _e344 = bitcast<i32>(_e343);
+let _e348 = global_1.member.member_8;
+let _e351 = global_1.member.member_9;
+let _e352 = bitcast<i32>(_e351);
+let _e354 = select(_e313, _e294, (_e294 < _e313));
+let _e356 = select(_e319, _e300, (_e300 < _e319));
+let _e358 = select(_e325, _e306, (_e306 < _e325));
+let _e360 = select(_e332, _e354, (_e354 < _e332));
+let _e362 = select(_e338, _e356, (_e356 < _e338));
+let _e364 = select(_e344, _e358, (_e358 < _e344));
+let _e366 = select(_e313, _e294, (_e294 > _e313));
+let _e368 = select(_e319, _e300, (_e300 > _e319));
+let _e370 = select(_e325, _e306, (_e306 > _e325));
+let _e372 = select(_e332, _e366, (_e366 > _e332));
+let _e374 = select(_e338, _e368, (_e368 > _e338));
+let _e376 = select(_e344, _e370, (_e370 > _e344));
+let _e377 = (_e372 - _e360);
+let _e378 = (_e374 - _e362);
+let _e379 = (_e376 - _e364);
+let _e381 = select(_e378, _e377, (_e377 > _e378));
+let _e386 = (_e348 & 31u);
+let _e389 = ((select(_e379, _e381, (_e381 > _e379)) + (2i * _e352)) + (2i << bitcast<u32>(_e386)));
+if ((_e389 >> bitcast<u32>(22u)) == 0i) {
+phi_2022_ = 0u;
+} else {
+let _e394 = (_e389 >> bitcast<u32>(16i));
+let _e395 = (_e394 == 0i);
+phi_2022_ = ((((bitcast<u32>(f32(select(_e394, _e389, _e395))) >> bitcast<u32>(23i)) - 127u) + select(16u, 0u, _e395)) + 4294967275u);
+}
+let _e406 = phi_2022_;
+let _e417 = ((((_e352 + 1i) + ((1i << bitcast<u32>((_e406 & 31u))) >> bitcast<u32>(1i))) + (_e389 >> bitcast<u32>(19i))) + 1i);
+let _e421 = global_1.member.member_2.member;
+let _e422 = bitcast<i32>(_e421);
+let _e426 = global_1.member.member_2.member_1;
+let _e427 = bitcast<i32>(_e426);
+let _e431 = global_1.member.member_2.member_2;
+let _e432 = bitcast<i32>(_e431);
+let _e435 = ((_e360 - _e417) >> bitcast<u32>(_e386));
+let _e437 = select(0i, _e435, (_e435 > 0i));
+if (_e437 < _e422) {
+phi_2056_ = _e437;
+} else {
+phi_2056_ = (_e422 - 1i);
+}
+let _e441 = phi_2056_;
+let _e444 = ((_e362 - _e417) >> bitcast<u32>(_e386));
+let _e446 = select(0i, _e444, (_e444 > 0i));
+if (_e446 < _e427) {
+phi_2070_ = _e446;
+} else {
+phi_2070_ = (_e427 - 1i);
+}
+let _e450 = phi_2070_;
+let _e453 = ((_e364 - _e417) >> bitcast<u32>(_e386));
+let _e455 = select(0i, _e453, (_e453 > 0i));
+if (_e455 < _e432) {
+phi_2084_ = _e455;
+} else {
+phi_2084_ = (_e432 - 1i);
+}
+let _e459 = phi_2084_;
+let _e463 = ((_e372 + _e417) >> bitcast<u32>(_e386));
+let _e465 = select(0i, _e463, (_e463 > 0i));
+if (_e465 < _e422) {
+phi_2099_ = _e465;
+} else {
+phi_2099_ = (_e422 - 1i);
+}
+let _e469 = phi_2099_;
+let _e472 = ((_e374 + _e417) >> bitcast<u32>(_e386));
+let _e474 = select(0i, _e472, (_e472 > 0i));
+if (_e474 < _e427) {
+phi_2113_ = _e474;
+} else {
+phi_2113_ = (_e427 - 1i);
+}
+let _e478 = phi_2113_;
+let _e481 = ((_e376 + _e417) >> bitcast<u32>(_e386));
+let _e483 = select(0i, _e481, (_e481 > 0i));
+if (_e483 < _e432) {
+phi_2127_ = _e483;
+} else {
+phi_2127_ = (_e432 - 1i);
+}
+let _e487 = phi_2127_;
+phi_2133_ = type_14(vec3<i32>(_e294, _e300, _e306), vec3<i32>(_e313, _e319, _e325), vec3<i32>(_e332, _e338, _e344), vec3<i32>(_e441, _e450, _e459), vec3<i32>((_e469 - _e441), (_e478 - _e450), (_e487 - _e459)), _e417, _e348, _e406);
+}
+let _e588 = phi_2133_;
+phi_2135_ = type_16(type_15(_e282, _e254, (_e254 + _e267)), _e588);
+}
+let _e926 = phi_2135_;
+if (_e926.member.member_1 < _e926.member.member_2) {
+let _e934 = (_e926.member_1.member_4.x == 0i);
+let _e937 = (_e926.member_1.member_4.y == 0i);
+let _e940 = (_e926.member_1.member_4.z == 0i);
+if (((_e934 && _e937) || (_e937 && _e940)) || (_e940 && _e934)) {
+phi_2170_ = 0u;
+} else {
+if _e934 {
+phi_2169_ = 1u;
+} else {
+if _e937 {
+phi_2168_ = 2u;
+} else {
+phi_2168_ = select(4u, 3u, _e940);
+}
+let _e948 = phi_2168_;
+phi_2169_ = _e948;
+}
+let _e950 = phi_2169_;
+phi_2170_ = _e950;
+}
+let _e952 = phi_2170_;
+if (_e952 == 0u) {
+let _e7000 = (_e926.member_1.member_6 & 31u);
+let _e7002 = (_e926.member_1.member_3.x << bitcast<u32>(_e7000));
+let _e7005 = (_e926.member_1.member_7 & 31u);
+let _e7009 = ((1i << bitcast<u32>(_e7005)) >> bitcast<u32>(1i));
+let _e7015 = bitcast<i32>(_e926.member_1.member_6);
+let _e7021 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e7015))) << bitcast<u32>(23i)));
+let _e7022 = (f32((((_e926.member_1.member.x - _e7002) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7027 = (_e926.member_1.member_3.y << bitcast<u32>(_e7000));
+let _e7033 = (f32((((_e926.member_1.member.y - _e7027) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7038 = (_e926.member_1.member_3.z << bitcast<u32>(_e7000));
+let _e7044 = (f32((((_e926.member_1.member.z - _e7038) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7052 = (f32((((_e926.member_1.member_1.x - _e7002) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7059 = (f32((((_e926.member_1.member_1.y - _e7027) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7066 = (f32((((_e926.member_1.member_1.z - _e7038) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7074 = (f32((((_e926.member_1.member_2.x - _e7002) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7081 = (f32((((_e926.member_1.member_2.y - _e7027) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7088 = (f32((((_e926.member_1.member_2.z - _e7038) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
+let _e7096 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e7015)) << bitcast<u32>(23i))));
+let _e7097 = (_e7052 - _e7022);
+let _e7098 = (_e7059 - _e7033);
+let _e7099 = (_e7066 - _e7044);
+let _e7100 = (_e7074 - _e7052);
+let _e7101 = (_e7081 - _e7059);
+let _e7102 = (_e7088 - _e7066);
+let _e7105 = ((_e7098 * _e7102) - (_e7099 * _e7101));
+let _e7112 = (1f + _e7096);
+let _e7115 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e7115 {
+let _e7209 = select(1f, -1f, (_e7105 < 0f));
+let _e7214 = ((_e7044 - _e7066) * _e7209);
+let _e7215 = ((_e7066 - _e7088) * _e7209);
+let _e7216 = ((_e7088 - _e7044) * _e7209);
+let _e7217 = ((0f - 0f) * _e7209);
+let _e7219 = (_e7098 * _e7209);
+let _e7220 = (_e7101 * _e7209);
+let _e7221 = ((_e7033 - _e7081) * _e7209);
+if (select(0u, 1u, ((_e7214 * _e7112) > -((_e7214 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7228 * _e7125) > -((_e7228 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7215 * _e7112) > -((_e7215 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7229 * _e7125) > -((_e7229 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7216 * _e7112) > -((_e7216 * _e7096)))) < 2u) {
 } else {
 break;
 }
-let _e7258 = (select(0u, 1u, ((_e7230 * _e7125) > -((_e7230 * _e7109)))) < 2u);
-if _e7258 {
+let _e7245 = (select(0u, 1u, ((_e7217 * _e7112) > -((_e7217 * _e7096)))) < 2u);
+if _e7245 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7232 * _e7125) > -((_e7232 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7219 * _e7112) > -((_e7219 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7233 * _e7125) > -((_e7233 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7220 * _e7112) > -((_e7220 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7234 * _e7125) > -((_e7234 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7221 * _e7112) > -((_e7221 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if _e7258 {
+if _e7245 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7227 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7214 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7228 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7215 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7229 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7216 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7230 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7217 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7227 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7214 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7228 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7215 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7229 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7216 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7230 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7217 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7227 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7214 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7228 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7215 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7229 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7216 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7230 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7217 < 0f)) < 2u) {
 } else {
 break;
 }
 } else {
-let _e7130 = select(1f, -1f, (-(_e7118) < 0f));
-let _e7135 = ((_e7046 - _e7072) * _e7130);
-let _e7136 = ((_e7072 - _e7094) * _e7130);
-let _e7137 = ((_e7094 - _e7046) * _e7130);
-let _e7138 = ((0f - 0f) * _e7130);
-let _e7140 = (_e7112 * _e7130);
-let _e7141 = (_e7115 * _e7130);
-let _e7142 = ((_e7057 - _e7101) * _e7130);
-if (select(0u, 1u, ((_e7135 * _e7125) > -((_e7135 * _e7109)))) < 2u) {
+let _e7117 = select(1f, -1f, (-(_e7105) < 0f));
+let _e7122 = ((_e7033 - _e7059) * _e7117);
+let _e7123 = ((_e7059 - _e7081) * _e7117);
+let _e7124 = ((_e7081 - _e7033) * _e7117);
+let _e7125 = ((0f - 0f) * _e7117);
+let _e7127 = (_e7099 * _e7117);
+let _e7128 = (_e7102 * _e7117);
+let _e7129 = ((_e7044 - _e7088) * _e7117);
+if (select(0u, 1u, ((_e7122 * _e7112) > -((_e7122 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7136 * _e7125) > -((_e7136 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7123 * _e7112) > -((_e7123 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7137 * _e7125) > -((_e7137 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7124 * _e7112) > -((_e7124 * _e7096)))) < 2u) {
 } else {
 break;
 }
-let _e7166 = (select(0u, 1u, ((_e7138 * _e7125) > -((_e7138 * _e7109)))) < 2u);
-if _e7166 {
+let _e7153 = (select(0u, 1u, ((_e7125 * _e7112) > -((_e7125 * _e7096)))) < 2u);
+if _e7153 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7140 * _e7125) > -((_e7140 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7127 * _e7112) > -((_e7127 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7141 * _e7125) > -((_e7141 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7128 * _e7112) > -((_e7128 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7142 * _e7125) > -((_e7142 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7129 * _e7112) > -((_e7129 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if _e7166 {
+if _e7153 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7135 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7122 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7136 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7123 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7137 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7124 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7138 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7125 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7135 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7122 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7136 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7123 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7137 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7124 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7138 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7125 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7135 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7122 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7136 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7123 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7137 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7124 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7138 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7125 < 0f)) < 2u) {
 } else {
 break;
 }
 }
-let _e7315 = select(1f, -1f, (((_e7110 * _e7114) - (_e7111 * _e7113)) < 0f));
-let _e7318 = (_e7094 - _e7046);
-let _e7319 = (0f - 0f);
-let _e7320 = ((_e7046 - _e7072) * _e7315);
-let _e7321 = ((_e7072 - _e7094) * _e7315);
-let _e7322 = (_e7318 * _e7315);
-let _e7323 = (_e7319 * _e7315);
-let _e7324 = (_e7035 - _e7087);
-let _e7325 = (_e7110 * _e7315);
-let _e7326 = (_e7113 * _e7315);
-let _e7327 = (_e7324 * _e7315);
-if (select(0u, 1u, ((_e7320 * _e7125) > -((_e7320 * _e7109)))) < 2u) {
+let _e7302 = select(1f, -1f, (((_e7097 * _e7101) - (_e7098 * _e7100)) < 0f));
+let _e7305 = (_e7081 - _e7033);
+let _e7306 = (0f - 0f);
+let _e7307 = ((_e7033 - _e7059) * _e7302);
+let _e7308 = ((_e7059 - _e7081) * _e7302);
+let _e7309 = (_e7305 * _e7302);
+let _e7310 = (_e7306 * _e7302);
+let _e7311 = (_e7022 - _e7074);
+let _e7312 = (_e7097 * _e7302);
+let _e7313 = (_e7100 * _e7302);
+let _e7314 = (_e7311 * _e7302);
+if (select(0u, 1u, ((_e7307 * _e7112) > -((_e7307 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7321 * _e7125) > -((_e7321 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7308 * _e7112) > -((_e7308 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7322 * _e7125) > -((_e7322 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7309 * _e7112) > -((_e7309 * _e7096)))) < 2u) {
 } else {
 break;
 }
-let _e7351 = (select(0u, 1u, ((_e7323 * _e7125) > -((_e7323 * _e7109)))) < 2u);
-if _e7351 {
+let _e7338 = (select(0u, 1u, ((_e7310 * _e7112) > -((_e7310 * _e7096)))) < 2u);
+if _e7338 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7325 * _e7125) > -((_e7325 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7312 * _e7112) > -((_e7312 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7326 * _e7125) > -((_e7326 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7313 * _e7112) > -((_e7313 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7327 * _e7125) > -((_e7327 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7314 * _e7112) > -((_e7314 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if _e7351 {
+if _e7338 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7320 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7307 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7321 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7308 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7322 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7309 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7323 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7310 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7320 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7307 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7321 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7308 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7322 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7309 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7323 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7310 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7320 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7307 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7321 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7308 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7322 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7309 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7323 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7310 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e7407 = select(1f, -1f, (-(((_e7112 * _e7113) - (_e7110 * _e7115))) < 0f));
-let _e7410 = (_e7101 - _e7057);
-let _e7411 = ((_e7057 - _e7079) * _e7407);
-let _e7412 = ((_e7079 - _e7101) * _e7407);
-let _e7413 = (_e7410 * _e7407);
-let _e7414 = (_e7319 * _e7407);
-let _e7415 = (_e7110 * _e7407);
-let _e7416 = (_e7113 * _e7407);
-let _e7417 = (_e7324 * _e7407);
-if (select(0u, 1u, ((_e7411 * _e7125) > -((_e7411 * _e7109)))) < 2u) {
+let _e7394 = select(1f, -1f, (-(((_e7099 * _e7100) - (_e7097 * _e7102))) < 0f));
+let _e7397 = (_e7088 - _e7044);
+let _e7398 = ((_e7044 - _e7066) * _e7394);
+let _e7399 = ((_e7066 - _e7088) * _e7394);
+let _e7400 = (_e7397 * _e7394);
+let _e7401 = (_e7306 * _e7394);
+let _e7402 = (_e7097 * _e7394);
+let _e7403 = (_e7100 * _e7394);
+let _e7404 = (_e7311 * _e7394);
+if (select(0u, 1u, ((_e7398 * _e7112) > -((_e7398 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7412 * _e7125) > -((_e7412 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7399 * _e7112) > -((_e7399 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7413 * _e7125) > -((_e7413 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7400 * _e7112) > -((_e7400 * _e7096)))) < 2u) {
 } else {
 break;
 }
-let _e7441 = (select(0u, 1u, ((_e7414 * _e7125) > -((_e7414 * _e7109)))) < 2u);
-if _e7441 {
+let _e7428 = (select(0u, 1u, ((_e7401 * _e7112) > -((_e7401 * _e7096)))) < 2u);
+if _e7428 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7415 * _e7125) > -((_e7415 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7402 * _e7112) > -((_e7402 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7416 * _e7125) > -((_e7416 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7403 * _e7112) > -((_e7403 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7417 * _e7125) > -((_e7417 * _e7109)))) < 2u) {
+if (select(0u, 1u, ((_e7404 * _e7112) > -((_e7404 * _e7096)))) < 2u) {
 } else {
 break;
 }
-if _e7441 {
+if _e7428 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7411 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7398 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7412 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7399 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7413 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7400 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7414 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7401 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7411 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7398 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7412 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7399 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7413 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7400 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7414 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7401 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7411 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7398 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7412 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7399 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7413 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7400 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7414 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7401 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e7496 = (_e7087 - _e7035);
-let _e7498 = (_e935.member.member * 19i);
-let _e7499 = (_e7498 + 18i);
-let _e7501 = (bitcast<i32>(_e214) - 1i);
-let _e7503 = select(_e7501, _e7499, (_e7499 < _e7501));
-let _e7509 = global_4.member[bitcast<u32>(select(0i, _e7503, (_e7503 > 0i)))];
-let _e7511 = select(0f, _e7509, (_e7509 > 0f));
-let _e7513 = select(16777216f, _e7511, (_e7511 < 16777216f));
-let _e7520 = select(0i, select(select(i32(_e7513), i32(-2147483648), (_e7513 < -2147483600f)), 2147483647i, (_e7513 > 2147483500f)), (_e7513 == _e7513));
-phi_6179_ = _e935.member.member_1;
+let _e7483 = (_e7074 - _e7022);
+let _e7485 = (_e926.member.member * 19i);
+let _e7486 = (_e7485 + 18i);
+let _e7488 = (bitcast<i32>(_e214) - 1i);
+let _e7490 = select(_e7488, _e7486, (_e7486 < _e7488));
+let _e7496 = global_4.member[bitcast<u32>(select(0i, _e7490, (_e7490 > 0i)))];
+let _e7498 = select(0f, _e7496, (_e7496 > 0f));
+let _e7500 = select(16777216f, _e7498, (_e7498 < 16777216f));
+let _e7507 = select(0i, select(select(i32(_e7500), i32(-2147483648), (_e7500 < -2147483600f)), 2147483647i, (_e7500 > 2147483500f)), (_e7500 == _e7500));
+phi_6169_ = _e926.member.member_1;
 loop {
-let _e7527 = phi_6179_;
-let _e7528 = (_e7527 < _e935.member.member_2);
-if _e7528 {
-if _e7128 {
-phi_6194_ = _e935.member_1.member_4.y;
+let _e7514 = phi_6169_;
+let _e7515 = (_e7514 < _e926.member.member_2);
+if _e7515 {
+if _e7115 {
+phi_6184_ = _e926.member_1.member_4.y;
 } else {
-phi_6194_ = _e935.member_1.member_4.z;
+phi_6184_ = _e926.member_1.member_4.z;
 }
-let _e7532 = phi_6194_;
-phi_6196_ = 0i;
+let _e7519 = phi_6184_;
+phi_6186_ = 0i;
 loop {
-let _e7534 = phi_6196_;
-let _e7535 = (_e7534 <= _e7532);
-if _e7535 {
-let _e7536 = select(_e7534, _e7527, _e7128);
-let _e7537 = select(_e7527, _e7534, _e7128);
-let _e7543 = global_1.member.member_1[1u];
-let _e7551 = global_1.member.member_1[3u];
-phi_6227_ = 0i;
+let _e7521 = phi_6186_;
+let _e7522 = (_e7521 <= _e7519);
+if _e7522 {
+let _e7523 = select(_e7521, _e7514, _e7115);
+let _e7524 = select(_e7514, _e7521, _e7115);
+let _e7530 = global_1.member.member_2.member_1;
+let _e7537 = global_1.member.member_3;
+phi_6216_ = 0i;
 loop {
-let _e7555 = phi_6227_;
-let _e7556 = (_e7555 <= _e935.member_1.member_4.x);
-if _e7556 {
-let _e7563 = ((f32(_e7555) + 0.5f) - _e7035);
-let _e7564 = ((f32(_e7537) + 0.5f) - _e7046);
-let _e7565 = ((f32(_e7536) + 0.5f) - _e7057);
-let _e7570 = (((_e7110 * _e7110) + (_e7111 * _e7111)) + (_e7112 * _e7112));
-let _e7575 = (((_e7110 * _e7496) + (_e7111 * _e7318)) + (_e7112 * _e7410));
-let _e7580 = (((_e7496 * _e7496) + (_e7318 * _e7318)) + (_e7410 * _e7410));
-let _e7585 = (((_e7563 * _e7110) + (_e7564 * _e7111)) + (_e7565 * _e7112));
-let _e7590 = (((_e7563 * _e7496) + (_e7564 * _e7318)) + (_e7565 * _e7410));
-let _e7593 = ((_e7570 * _e7580) - (_e7575 * _e7575));
-let _e7594 = (_e7593 > 0f);
-let _e7597 = select(0f, (1f / select(1f, _e7593, _e7594)), _e7594);
-let _e7601 = (((_e7580 * _e7585) - (_e7575 * _e7590)) * _e7597);
-let _e7605 = (((_e7570 * _e7590) - (_e7575 * _e7585)) * _e7597);
-let _e7607 = ((1f - _e7601) - _e7605);
-let _e7609 = select(0f, _e7607, (_e7607 > 0f));
-let _e7611 = select(16777216f, _e7609, (_e7609 < 16777216f));
-let _e7613 = select(0f, _e7601, (_e7601 > 0f));
-let _e7615 = select(16777216f, _e7613, (_e7613 < 16777216f));
-let _e7617 = select(0f, _e7605, (_e7605 > 0f));
-let _e7619 = select(16777216f, _e7617, (_e7617 < 16777216f));
-let _e7621 = ((_e7611 + _e7615) + _e7619);
-let _e7624 = (1f / select(0.5f, _e7621, (_e7621 > 0.5f)));
-let _e7625 = (_e7611 * _e7624);
-let _e7626 = (_e7615 * _e7624);
-let _e7627 = (_e7619 * _e7624);
-let _e7629 = select(_e7501, _e7498, (_e7498 < _e7501));
-let _e7635 = global_4.member[bitcast<u32>(select(0i, _e7629, (_e7629 > 0i)))];
-let _e7636 = (_e7498 + 1i);
-let _e7638 = select(_e7501, _e7636, (_e7636 < _e7501));
-let _e7644 = global_4.member[bitcast<u32>(select(0i, _e7638, (_e7638 > 0i)))];
-let _e7645 = (_e7498 + 2i);
-let _e7647 = select(_e7501, _e7645, (_e7645 < _e7501));
-let _e7653 = global_4.member[bitcast<u32>(select(0i, _e7647, (_e7647 > 0i)))];
-let _e7654 = (_e7498 + 3i);
-let _e7656 = select(_e7501, _e7654, (_e7654 < _e7501));
-let _e7662 = global_4.member[bitcast<u32>(select(0i, _e7656, (_e7656 > 0i)))];
-let _e7663 = (_e7498 + 4i);
-let _e7665 = select(_e7501, _e7663, (_e7663 < _e7501));
-let _e7671 = global_4.member[bitcast<u32>(select(0i, _e7665, (_e7665 > 0i)))];
-let _e7672 = (_e7498 + 5i);
-let _e7674 = select(_e7501, _e7672, (_e7672 < _e7501));
-let _e7680 = global_4.member[bitcast<u32>(select(0i, _e7674, (_e7674 > 0i)))];
-let _e7681 = (_e7498 + 6i);
-let _e7683 = select(_e7501, _e7681, (_e7681 < _e7501));
-let _e7689 = global_4.member[bitcast<u32>(select(0i, _e7683, (_e7683 > 0i)))];
-let _e7690 = (_e7498 + 7i);
-let _e7692 = select(_e7501, _e7690, (_e7690 < _e7501));
-let _e7698 = global_4.member[bitcast<u32>(select(0i, _e7692, (_e7692 > 0i)))];
-let _e7699 = (_e7498 + 8i);
-let _e7701 = select(_e7501, _e7699, (_e7699 < _e7501));
-let _e7707 = global_4.member[bitcast<u32>(select(0i, _e7701, (_e7701 > 0i)))];
-let _e7712 = (((_e7635 * _e7625) + (_e7662 * _e7626)) + (_e7689 * _e7627));
-let _e7717 = (((_e7644 * _e7625) + (_e7671 * _e7626)) + (_e7698 * _e7627));
-let _e7722 = (((_e7653 * _e7625) + (_e7680 * _e7626)) + (_e7707 * _e7627));
-let _e7727 = (((_e7712 * _e7712) + (_e7717 * _e7717)) + (_e7722 * _e7722));
-let _e7730 = sqrt(select(0f, _e7727, (_e7727 > 0f)));
-let _e7731 = (_e7730 > 1e-6f);
-let _e7734 = select(0f, (1f / select(1e-6f, _e7730, _e7731)), _e7731);
-let _e7735 = (_e7498 + 9i);
-let _e7737 = select(_e7501, _e7735, (_e7735 < _e7501));
-let _e7743 = global_4.member[bitcast<u32>(select(0i, _e7737, (_e7737 > 0i)))];
-let _e7744 = (_e7498 + 10i);
-let _e7746 = select(_e7501, _e7744, (_e7744 < _e7501));
-let _e7752 = global_4.member[bitcast<u32>(select(0i, _e7746, (_e7746 > 0i)))];
-let _e7753 = (_e7498 + 11i);
-let _e7755 = select(_e7501, _e7753, (_e7753 < _e7501));
-let _e7761 = global_4.member[bitcast<u32>(select(0i, _e7755, (_e7755 > 0i)))];
-let _e7762 = (_e7498 + 12i);
-let _e7764 = select(_e7501, _e7762, (_e7762 < _e7501));
-let _e7770 = global_4.member[bitcast<u32>(select(0i, _e7764, (_e7764 > 0i)))];
-let _e7771 = (_e7498 + 13i);
-let _e7773 = select(_e7501, _e7771, (_e7771 < _e7501));
-let _e7779 = global_4.member[bitcast<u32>(select(0i, _e7773, (_e7773 > 0i)))];
-let _e7780 = (_e7498 + 14i);
-let _e7782 = select(_e7501, _e7780, (_e7780 < _e7501));
-let _e7788 = global_4.member[bitcast<u32>(select(0i, _e7782, (_e7782 > 0i)))];
-let _e7789 = (_e7498 + 15i);
-let _e7791 = select(_e7501, _e7789, (_e7789 < _e7501));
-let _e7797 = global_4.member[bitcast<u32>(select(0i, _e7791, (_e7791 > 0i)))];
-let _e7798 = (_e7498 + 16i);
-let _e7800 = select(_e7501, _e7798, (_e7798 < _e7501));
-let _e7806 = global_4.member[bitcast<u32>(select(0i, _e7800, (_e7800 > 0i)))];
-let _e7807 = (_e7498 + 17i);
-let _e7809 = select(_e7501, _e7807, (_e7807 < _e7501));
-let _e7815 = global_4.member[bitcast<u32>(select(0i, _e7809, (_e7809 > 0i)))];
-let _e7831 = (_e935.member_1.member_3.x + _e7555);
-let _e7834 = ((((((_e935.member_1.member_3.z + _e7536) * bitcast<i32>(_e7543)) + _e935.member_1.member_3.y) + _e7537) * bitcast<i32>(_e7551)) + (_e7831 >> bitcast<u32>(5i)));
-let _e7838 = (bitcast<i32>(_e218) - 1i);
-let _e7840 = select(_e7838, _e7834, (_e7834 < _e7838));
-let _e7846 = global_6.member[bitcast<u32>(select(0i, _e7840, (_e7840 > 0i)))];
-let _e7848 = (bitcast<i32>(_e216) - 1i);
-let _e7850 = select(_e7848, _e7834, (_e7834 < _e7848));
-let _e7856 = global_5.member[bitcast<u32>(select(0i, _e7850, (_e7850 > 0i)))];
-let _e7865 = (bitcast<i32>((_e7846 + countOneBits((_e7856 & ((1u << bitcast<u32>((bitcast<u32>((_e7831 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e7866 = bitcast<u32>(_e7865);
-if (_e7866 < _e220) {
-let _e7870 = atomicAdd((&global_7.member[_e7866]), 1u);
+let _e7541 = phi_6216_;
+let _e7542 = (_e7541 <= _e926.member_1.member_4.x);
+if _e7542 {
+let _e7549 = ((f32(_e7541) + 0.5f) - _e7022);
+let _e7550 = ((f32(_e7524) + 0.5f) - _e7033);
+let _e7551 = ((f32(_e7523) + 0.5f) - _e7044);
+let _e7556 = (((_e7097 * _e7097) + (_e7098 * _e7098)) + (_e7099 * _e7099));
+let _e7561 = (((_e7097 * _e7483) + (_e7098 * _e7305)) + (_e7099 * _e7397));
+let _e7566 = (((_e7483 * _e7483) + (_e7305 * _e7305)) + (_e7397 * _e7397));
+let _e7571 = (((_e7549 * _e7097) + (_e7550 * _e7098)) + (_e7551 * _e7099));
+let _e7576 = (((_e7549 * _e7483) + (_e7550 * _e7305)) + (_e7551 * _e7397));
+let _e7579 = ((_e7556 * _e7566) - (_e7561 * _e7561));
+let _e7580 = (_e7579 > 0f);
+let _e7583 = select(0f, (1f / select(1f, _e7579, _e7580)), _e7580);
+let _e7587 = (((_e7566 * _e7571) - (_e7561 * _e7576)) * _e7583);
+let _e7591 = (((_e7556 * _e7576) - (_e7561 * _e7571)) * _e7583);
+let _e7593 = ((1f - _e7587) - _e7591);
+let _e7595 = select(0f, _e7593, (_e7593 > 0f));
+let _e7597 = select(16777216f, _e7595, (_e7595 < 16777216f));
+let _e7599 = select(0f, _e7587, (_e7587 > 0f));
+let _e7601 = select(16777216f, _e7599, (_e7599 < 16777216f));
+let _e7603 = select(0f, _e7591, (_e7591 > 0f));
+let _e7605 = select(16777216f, _e7603, (_e7603 < 16777216f));
+let _e7607 = ((_e7597 + _e7601) + _e7605);
+let _e7610 = (1f / select(0.5f, _e7607, (_e7607 > 0.5f)));
+let _e7611 = (_e7597 * _e7610);
+let _e7612 = (_e7601 * _e7610);
+let _e7613 = (_e7605 * _e7610);
+let _e7615 = select(_e7488, _e7485, (_e7485 < _e7488));
+let _e7621 = global_4.member[bitcast<u32>(select(0i, _e7615, (_e7615 > 0i)))];
+let _e7622 = (_e7485 + 1i);
+let _e7624 = select(_e7488, _e7622, (_e7622 < _e7488));
+let _e7630 = global_4.member[bitcast<u32>(select(0i, _e7624, (_e7624 > 0i)))];
+let _e7631 = (_e7485 + 2i);
+let _e7633 = select(_e7488, _e7631, (_e7631 < _e7488));
+let _e7639 = global_4.member[bitcast<u32>(select(0i, _e7633, (_e7633 > 0i)))];
+let _e7640 = (_e7485 + 3i);
+let _e7642 = select(_e7488, _e7640, (_e7640 < _e7488));
+let _e7648 = global_4.member[bitcast<u32>(select(0i, _e7642, (_e7642 > 0i)))];
+let _e7649 = (_e7485 + 4i);
+let _e7651 = select(_e7488, _e7649, (_e7649 < _e7488));
+let _e7657 = global_4.member[bitcast<u32>(select(0i, _e7651, (_e7651 > 0i)))];
+let _e7658 = (_e7485 + 5i);
+let _e7660 = select(_e7488, _e7658, (_e7658 < _e7488));
+let _e7666 = global_4.member[bitcast<u32>(select(0i, _e7660, (_e7660 > 0i)))];
+let _e7667 = (_e7485 + 6i);
+let _e7669 = select(_e7488, _e7667, (_e7667 < _e7488));
+let _e7675 = global_4.member[bitcast<u32>(select(0i, _e7669, (_e7669 > 0i)))];
+let _e7676 = (_e7485 + 7i);
+let _e7678 = select(_e7488, _e7676, (_e7676 < _e7488));
+let _e7684 = global_4.member[bitcast<u32>(select(0i, _e7678, (_e7678 > 0i)))];
+let _e7685 = (_e7485 + 8i);
+let _e7687 = select(_e7488, _e7685, (_e7685 < _e7488));
+let _e7693 = global_4.member[bitcast<u32>(select(0i, _e7687, (_e7687 > 0i)))];
+let _e7698 = (((_e7621 * _e7611) + (_e7648 * _e7612)) + (_e7675 * _e7613));
+let _e7703 = (((_e7630 * _e7611) + (_e7657 * _e7612)) + (_e7684 * _e7613));
+let _e7708 = (((_e7639 * _e7611) + (_e7666 * _e7612)) + (_e7693 * _e7613));
+let _e7713 = (((_e7698 * _e7698) + (_e7703 * _e7703)) + (_e7708 * _e7708));
+let _e7716 = sqrt(select(0f, _e7713, (_e7713 > 0f)));
+let _e7717 = (_e7716 > 1e-6f);
+let _e7720 = select(0f, (1f / select(1e-6f, _e7716, _e7717)), _e7717);
+let _e7721 = (_e7485 + 9i);
+let _e7723 = select(_e7488, _e7721, (_e7721 < _e7488));
+let _e7729 = global_4.member[bitcast<u32>(select(0i, _e7723, (_e7723 > 0i)))];
+let _e7730 = (_e7485 + 10i);
+let _e7732 = select(_e7488, _e7730, (_e7730 < _e7488));
+let _e7738 = global_4.member[bitcast<u32>(select(0i, _e7732, (_e7732 > 0i)))];
+let _e7739 = (_e7485 + 11i);
+let _e7741 = select(_e7488, _e7739, (_e7739 < _e7488));
+let _e7747 = global_4.member[bitcast<u32>(select(0i, _e7741, (_e7741 > 0i)))];
+let _e7748 = (_e7485 + 12i);
+let _e7750 = select(_e7488, _e7748, (_e7748 < _e7488));
+let _e7756 = global_4.member[bitcast<u32>(select(0i, _e7750, (_e7750 > 0i)))];
+let _e7757 = (_e7485 + 13i);
+let _e7759 = select(_e7488, _e7757, (_e7757 < _e7488));
+let _e7765 = global_4.member[bitcast<u32>(select(0i, _e7759, (_e7759 > 0i)))];
+let _e7766 = (_e7485 + 14i);
+let _e7768 = select(_e7488, _e7766, (_e7766 < _e7488));
+let _e7774 = global_4.member[bitcast<u32>(select(0i, _e7768, (_e7768 > 0i)))];
+let _e7775 = (_e7485 + 15i);
+let _e7777 = select(_e7488, _e7775, (_e7775 < _e7488));
+let _e7783 = global_4.member[bitcast<u32>(select(0i, _e7777, (_e7777 > 0i)))];
+let _e7784 = (_e7485 + 16i);
+let _e7786 = select(_e7488, _e7784, (_e7784 < _e7488));
+let _e7792 = global_4.member[bitcast<u32>(select(0i, _e7786, (_e7786 > 0i)))];
+let _e7793 = (_e7485 + 17i);
+let _e7795 = select(_e7488, _e7793, (_e7793 < _e7488));
+let _e7801 = global_4.member[bitcast<u32>(select(0i, _e7795, (_e7795 > 0i)))];
+let _e7817 = (_e926.member_1.member_3.x + _e7541);
+let _e7820 = ((((((_e926.member_1.member_3.z + _e7523) * bitcast<i32>(_e7530)) + _e926.member_1.member_3.y) + _e7524) * bitcast<i32>(_e7537)) + (_e7817 >> bitcast<u32>(5i)));
+let _e7824 = (bitcast<i32>(_e218) - 1i);
+let _e7826 = select(_e7824, _e7820, (_e7820 < _e7824));
+let _e7832 = global_6.member[bitcast<u32>(select(0i, _e7826, (_e7826 > 0i)))];
+let _e7834 = (bitcast<i32>(_e216) - 1i);
+let _e7836 = select(_e7834, _e7820, (_e7820 < _e7834));
+let _e7842 = global_5.member[bitcast<u32>(select(0i, _e7836, (_e7836 > 0i)))];
+let _e7851 = (bitcast<i32>((_e7832 + countOneBits((_e7842 & ((1u << bitcast<u32>((bitcast<u32>((_e7817 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e7852 = bitcast<u32>(_e7851);
+if (_e7852 < _e220) {
+let _e7856 = atomicAdd((&global_7.member[_e7852]), 1u);
 }
-let _e7872 = bitcast<u32>((_e7865 + 1i));
-if (_e7872 < _e220) {
-let _e7876 = atomicMax((&global_7.member[_e7872]), bitcast<u32>((_e7520 - select(0i, 1i, (_e7513 < f32(_e7520))))));
+let _e7858 = bitcast<u32>((_e7851 + 1i));
+if (_e7858 < _e220) {
+let _e7862 = atomicMax((&global_7.member[_e7858]), bitcast<u32>((_e7507 - select(0i, 1i, (_e7500 < f32(_e7507))))));
 }
-let _e7882 = (((_e7712 * _e7734) * 65536f) + 0.5f);
-let _e7884 = select(-1073741800f, _e7882, (_e7882 > -1073741800f));
-let _e7886 = select(1073741800f, _e7884, (_e7884 < 1073741800f));
-let _e7893 = select(0i, select(select(i32(_e7886), i32(-2147483648), (_e7886 < -2147483600f)), 2147483647i, (_e7886 > 2147483500f)), (_e7886 == _e7886));
-let _e7897 = (_e7893 - select(0i, 1i, (_e7886 < f32(_e7893))));
-if (_e7897 == 0i) {
+let _e7868 = (((_e7698 * _e7720) * 65536f) + 0.5f);
+let _e7870 = select(-1073741800f, _e7868, (_e7868 > -1073741800f));
+let _e7872 = select(1073741800f, _e7870, (_e7870 < 1073741800f));
+let _e7879 = select(0i, select(select(i32(_e7872), i32(-2147483648), (_e7872 < -2147483600f)), 2147483647i, (_e7872 > 2147483500f)), (_e7872 == _e7872));
+let _e7883 = (_e7879 - select(0i, 1i, (_e7872 < f32(_e7879))));
+if (_e7883 == 0i) {
 } else {
-let _e7899 = bitcast<u32>(_e7897);
-let _e7900 = bitcast<u32>((_e7865 + 2i));
-if (_e7900 < _e220) {
-let _e7904 = atomicAdd((&global_7.member[_e7900]), _e7899);
-phi_6755_ = _e7904;
+let _e7885 = bitcast<u32>(_e7883);
+let _e7886 = bitcast<u32>((_e7851 + 2i));
+if (_e7886 < _e220) {
+let _e7890 = atomicAdd((&global_7.member[_e7886]), _e7885);
+phi_6744_ = _e7890;
 } else {
-phi_6755_ = 0u;
+phi_6744_ = 0u;
 }
-let _e7906 = phi_6755_;
-let _e7913 = (bitcast<u32>((_e7897 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7906 + _e7899) < _e7899)));
-if (_e7913 == 0u) {
+let _e7892 = phi_6744_;
+let _e7899 = (bitcast<u32>((_e7883 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7892 + _e7885) < _e7885)));
+if (_e7899 == 0u) {
 } else {
-let _e7915 = (_e7900 + 1u);
-if (_e7915 < _e220) {
-let _e7919 = atomicAdd((&global_7.member[_e7915]), _e7913);
+let _e7901 = (_e7886 + 1u);
+if (_e7901 < _e220) {
+let _e7905 = atomicAdd((&global_7.member[_e7901]), _e7899);
 }
 }
 }
-let _e7922 = (((_e7717 * _e7734) * 65536f) + 0.5f);
-let _e7924 = select(-1073741800f, _e7922, (_e7922 > -1073741800f));
-let _e7926 = select(1073741800f, _e7924, (_e7924 < 1073741800f));
-let _e7933 = select(0i, select(select(i32(_e7926), i32(-2147483648), (_e7926 < -2147483600f)), 2147483647i, (_e7926 > 2147483500f)), (_e7926 == _e7926));
-let _e7937 = (_e7933 - select(0i, 1i, (_e7926 < f32(_e7933))));
-if (_e7937 == 0i) {
+let _e7908 = (((_e7703 * _e7720) * 65536f) + 0.5f);
+let _e7910 = select(-1073741800f, _e7908, (_e7908 > -1073741800f));
+let _e7912 = select(1073741800f, _e7910, (_e7910 < 1073741800f));
+let _e7919 = select(0i, select(select(i32(_e7912), i32(-2147483648), (_e7912 < -2147483600f)), 2147483647i, (_e7912 > 2147483500f)), (_e7912 == _e7912));
+let _e7923 = (_e7919 - select(0i, 1i, (_e7912 < f32(_e7919))));
+if (_e7923 == 0i) {
 } else {
-let _e7939 = bitcast<u32>(_e7937);
-let _e7940 = bitcast<u32>((_e7865 + 4i));
-if (_e7940 < _e220) {
-let _e7944 = atomicAdd((&global_7.member[_e7940]), _e7939);
-phi_6812_ = _e7944;
+let _e7925 = bitcast<u32>(_e7923);
+let _e7926 = bitcast<u32>((_e7851 + 4i));
+if (_e7926 < _e220) {
+let _e7930 = atomicAdd((&global_7.member[_e7926]), _e7925);
+phi_6801_ = _e7930;
 } else {
-phi_6812_ = 0u;
+phi_6801_ = 0u;
 }
-let _e7946 = phi_6812_;
-let _e7953 = (bitcast<u32>((_e7937 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7946 + _e7939) < _e7939)));
-if (_e7953 == 0u) {
+let _e7932 = phi_6801_;
+let _e7939 = (bitcast<u32>((_e7923 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7932 + _e7925) < _e7925)));
+if (_e7939 == 0u) {
 } else {
-let _e7955 = (_e7940 + 1u);
-if (_e7955 < _e220) {
-let _e7959 = atomicAdd((&global_7.member[_e7955]), _e7953);
+let _e7941 = (_e7926 + 1u);
+if (_e7941 < _e220) {
+let _e7945 = atomicAdd((&global_7.member[_e7941]), _e7939);
 }
 }
 }
-let _e7962 = (((_e7722 * _e7734) * 65536f) + 0.5f);
-let _e7964 = select(-1073741800f, _e7962, (_e7962 > -1073741800f));
-let _e7966 = select(1073741800f, _e7964, (_e7964 < 1073741800f));
-let _e7973 = select(0i, select(select(i32(_e7966), i32(-2147483648), (_e7966 < -2147483600f)), 2147483647i, (_e7966 > 2147483500f)), (_e7966 == _e7966));
-let _e7977 = (_e7973 - select(0i, 1i, (_e7966 < f32(_e7973))));
-if (_e7977 == 0i) {
+let _e7948 = (((_e7708 * _e7720) * 65536f) + 0.5f);
+let _e7950 = select(-1073741800f, _e7948, (_e7948 > -1073741800f));
+let _e7952 = select(1073741800f, _e7950, (_e7950 < 1073741800f));
+let _e7959 = select(0i, select(select(i32(_e7952), i32(-2147483648), (_e7952 < -2147483600f)), 2147483647i, (_e7952 > 2147483500f)), (_e7952 == _e7952));
+let _e7963 = (_e7959 - select(0i, 1i, (_e7952 < f32(_e7959))));
+if (_e7963 == 0i) {
 } else {
-let _e7979 = bitcast<u32>(_e7977);
-let _e7980 = bitcast<u32>((_e7865 + 6i));
-if (_e7980 < _e220) {
-let _e7984 = atomicAdd((&global_7.member[_e7980]), _e7979);
-phi_6869_ = _e7984;
+let _e7965 = bitcast<u32>(_e7963);
+let _e7966 = bitcast<u32>((_e7851 + 6i));
+if (_e7966 < _e220) {
+let _e7970 = atomicAdd((&global_7.member[_e7966]), _e7965);
+phi_6858_ = _e7970;
 } else {
-phi_6869_ = 0u;
+phi_6858_ = 0u;
 }
-let _e7986 = phi_6869_;
-let _e7993 = (bitcast<u32>((_e7977 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7986 + _e7979) < _e7979)));
-if (_e7993 == 0u) {
+let _e7972 = phi_6858_;
+let _e7979 = (bitcast<u32>((_e7963 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7972 + _e7965) < _e7965)));
+if (_e7979 == 0u) {
 } else {
-let _e7995 = (_e7980 + 1u);
-if (_e7995 < _e220) {
-let _e7999 = atomicAdd((&global_7.member[_e7995]), _e7993);
+let _e7981 = (_e7966 + 1u);
+if (_e7981 < _e220) {
+let _e7985 = atomicAdd((&global_7.member[_e7981]), _e7979);
 }
 }
 }
-let _e8002 = (((((_e7743 * _e7625) + (_e7770 * _e7626)) + (_e7797 * _e7627)) * 65536f) + 0.5f);
-let _e8004 = select(-1073741800f, _e8002, (_e8002 > -1073741800f));
-let _e8006 = select(1073741800f, _e8004, (_e8004 < 1073741800f));
-let _e8013 = select(0i, select(select(i32(_e8006), i32(-2147483648), (_e8006 < -2147483600f)), 2147483647i, (_e8006 > 2147483500f)), (_e8006 == _e8006));
-let _e8017 = (_e8013 - select(0i, 1i, (_e8006 < f32(_e8013))));
-if (_e8017 == 0i) {
+let _e7988 = (((((_e7729 * _e7611) + (_e7756 * _e7612)) + (_e7783 * _e7613)) * 65536f) + 0.5f);
+let _e7990 = select(-1073741800f, _e7988, (_e7988 > -1073741800f));
+let _e7992 = select(1073741800f, _e7990, (_e7990 < 1073741800f));
+let _e7999 = select(0i, select(select(i32(_e7992), i32(-2147483648), (_e7992 < -2147483600f)), 2147483647i, (_e7992 > 2147483500f)), (_e7992 == _e7992));
+let _e8003 = (_e7999 - select(0i, 1i, (_e7992 < f32(_e7999))));
+if (_e8003 == 0i) {
 } else {
-let _e8019 = bitcast<u32>(_e8017);
-let _e8020 = bitcast<u32>((_e7865 + 8i));
-if (_e8020 < _e220) {
-let _e8024 = atomicAdd((&global_7.member[_e8020]), _e8019);
-phi_6927_ = _e8024;
+let _e8005 = bitcast<u32>(_e8003);
+let _e8006 = bitcast<u32>((_e7851 + 8i));
+if (_e8006 < _e220) {
+let _e8010 = atomicAdd((&global_7.member[_e8006]), _e8005);
+phi_6916_ = _e8010;
 } else {
-phi_6927_ = 0u;
+phi_6916_ = 0u;
 }
-let _e8026 = phi_6927_;
-let _e8033 = (bitcast<u32>((_e8017 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8026 + _e8019) < _e8019)));
-if (_e8033 == 0u) {
+let _e8012 = phi_6916_;
+let _e8019 = (bitcast<u32>((_e8003 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8012 + _e8005) < _e8005)));
+if (_e8019 == 0u) {
 } else {
-let _e8035 = (_e8020 + 1u);
-if (_e8035 < _e220) {
-let _e8039 = atomicAdd((&global_7.member[_e8035]), _e8033);
+let _e8021 = (_e8006 + 1u);
+if (_e8021 < _e220) {
+let _e8025 = atomicAdd((&global_7.member[_e8021]), _e8019);
 }
 }
 }
-let _e8042 = (((((_e7752 * _e7625) + (_e7779 * _e7626)) + (_e7806 * _e7627)) * 65536f) + 0.5f);
-let _e8044 = select(-1073741800f, _e8042, (_e8042 > -1073741800f));
-let _e8046 = select(1073741800f, _e8044, (_e8044 < 1073741800f));
-let _e8053 = select(0i, select(select(i32(_e8046), i32(-2147483648), (_e8046 < -2147483600f)), 2147483647i, (_e8046 > 2147483500f)), (_e8046 == _e8046));
-let _e8057 = (_e8053 - select(0i, 1i, (_e8046 < f32(_e8053))));
-if (_e8057 == 0i) {
+let _e8028 = (((((_e7738 * _e7611) + (_e7765 * _e7612)) + (_e7792 * _e7613)) * 65536f) + 0.5f);
+let _e8030 = select(-1073741800f, _e8028, (_e8028 > -1073741800f));
+let _e8032 = select(1073741800f, _e8030, (_e8030 < 1073741800f));
+let _e8039 = select(0i, select(select(i32(_e8032), i32(-2147483648), (_e8032 < -2147483600f)), 2147483647i, (_e8032 > 2147483500f)), (_e8032 == _e8032));
+let _e8043 = (_e8039 - select(0i, 1i, (_e8032 < f32(_e8039))));
+if (_e8043 == 0i) {
 } else {
-let _e8059 = bitcast<u32>(_e8057);
-let _e8060 = bitcast<u32>((_e7865 + 10i));
-if (_e8060 < _e220) {
-let _e8064 = atomicAdd((&global_7.member[_e8060]), _e8059);
-phi_6984_ = _e8064;
+let _e8045 = bitcast<u32>(_e8043);
+let _e8046 = bitcast<u32>((_e7851 + 10i));
+if (_e8046 < _e220) {
+let _e8050 = atomicAdd((&global_7.member[_e8046]), _e8045);
+phi_6973_ = _e8050;
 } else {
-phi_6984_ = 0u;
+phi_6973_ = 0u;
 }
-let _e8066 = phi_6984_;
-let _e8073 = (bitcast<u32>((_e8057 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8066 + _e8059) < _e8059)));
-if (_e8073 == 0u) {
+let _e8052 = phi_6973_;
+let _e8059 = (bitcast<u32>((_e8043 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8052 + _e8045) < _e8045)));
+if (_e8059 == 0u) {
 } else {
-let _e8075 = (_e8060 + 1u);
-if (_e8075 < _e220) {
-let _e8079 = atomicAdd((&global_7.member[_e8075]), _e8073);
+let _e8061 = (_e8046 + 1u);
+if (_e8061 < _e220) {
+let _e8065 = atomicAdd((&global_7.member[_e8061]), _e8059);
 }
 }
 }
-let _e8082 = (((((_e7761 * _e7625) + (_e7788 * _e7626)) + (_e7815 * _e7627)) * 65536f) + 0.5f);
-let _e8084 = select(-1073741800f, _e8082, (_e8082 > -1073741800f));
-let _e8086 = select(1073741800f, _e8084, (_e8084 < 1073741800f));
-let _e8093 = select(0i, select(select(i32(_e8086), i32(-2147483648), (_e8086 < -2147483600f)), 2147483647i, (_e8086 > 2147483500f)), (_e8086 == _e8086));
-let _e8097 = (_e8093 - select(0i, 1i, (_e8086 < f32(_e8093))));
-if (_e8097 == 0i) {
+let _e8068 = (((((_e7747 * _e7611) + (_e7774 * _e7612)) + (_e7801 * _e7613)) * 65536f) + 0.5f);
+let _e8070 = select(-1073741800f, _e8068, (_e8068 > -1073741800f));
+let _e8072 = select(1073741800f, _e8070, (_e8070 < 1073741800f));
+let _e8079 = select(0i, select(select(i32(_e8072), i32(-2147483648), (_e8072 < -2147483600f)), 2147483647i, (_e8072 > 2147483500f)), (_e8072 == _e8072));
+let _e8083 = (_e8079 - select(0i, 1i, (_e8072 < f32(_e8079))));
+if (_e8083 == 0i) {
 } else {
-let _e8099 = bitcast<u32>(_e8097);
-let _e8100 = bitcast<u32>((_e7865 + 12i));
-if (_e8100 < _e220) {
-let _e8104 = atomicAdd((&global_7.member[_e8100]), _e8099);
-phi_7041_ = _e8104;
+let _e8085 = bitcast<u32>(_e8083);
+let _e8086 = bitcast<u32>((_e7851 + 12i));
+if (_e8086 < _e220) {
+let _e8090 = atomicAdd((&global_7.member[_e8086]), _e8085);
+phi_7030_ = _e8090;
 } else {
-phi_7041_ = 0u;
+phi_7030_ = 0u;
 }
-let _e8106 = phi_7041_;
-let _e8113 = (bitcast<u32>((_e8097 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8106 + _e8099) < _e8099)));
-if (_e8113 == 0u) {
+let _e8092 = phi_7030_;
+let _e8099 = (bitcast<u32>((_e8083 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8092 + _e8085) < _e8085)));
+if (_e8099 == 0u) {
 } else {
-let _e8115 = (_e8100 + 1u);
-if (_e8115 < _e220) {
-let _e8119 = atomicAdd((&global_7.member[_e8115]), _e8113);
+let _e8101 = (_e8086 + 1u);
+if (_e8101 < _e220) {
+let _e8105 = atomicAdd((&global_7.member[_e8101]), _e8099);
 }
 }
 }
-phi_6228_ = (_e7555 + 1i);
+phi_6217_ = (_e7541 + 1i);
 } else {
-phi_6228_ = i32();
+phi_6217_ = i32();
 }
-let _e8122 = phi_6228_;
+let _e8108 = phi_6217_;
 continue;
 continuing {
-phi_6227_ = _e8122;
-break if !(_e7556);
+phi_6216_ = _e8108;
+break if !(_e7542);
 }
 }
-phi_6197_ = (_e7534 + 1i);
+phi_6187_ = (_e7521 + 1i);
 } else {
-phi_6197_ = i32();
+phi_6187_ = i32();
 }
-let _e8126 = phi_6197_;
+let _e8112 = phi_6187_;
 continue;
 continuing {
-phi_6196_ = _e8126;
-break if !(_e7535);
+phi_6186_ = _e8112;
+break if !(_e7522);
 }
 }
-phi_6180_ = (_e7527 + 1i);
+phi_6170_ = (_e7514 + 1i);
 } else {
-phi_6180_ = i32();
+phi_6170_ = i32();
 }
-let _e8130 = phi_6180_;
+let _e8116 = phi_6170_;
 continue;
 continuing {
-phi_6179_ = _e8130;
-break if !(_e7528);
+phi_6169_ = _e8116;
+break if !(_e7515);
 }
 }
 } else {
-if (_e961 == 1u) {
-let _e5500 = (_e935.member_1.member_6 & 31u);
-let _e5502 = (_e935.member_1.member_3.x << bitcast<u32>(_e5500));
-let _e5505 = (_e935.member_1.member_7 & 31u);
-let _e5509 = ((1i << bitcast<u32>(_e5505)) >> bitcast<u32>(1i));
-let _e5515 = bitcast<i32>(_e935.member_1.member_6);
-let _e5521 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e935.member_1.member_7) - _e5515))) << bitcast<u32>(23i)));
-let _e5522 = (f32((((_e935.member_1.member.x - _e5502) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5527 = (_e935.member_1.member_3.y << bitcast<u32>(_e5500));
-let _e5533 = (f32((((_e935.member_1.member.y - _e5527) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5538 = (_e935.member_1.member_3.z << bitcast<u32>(_e5500));
-let _e5544 = (f32((((_e935.member_1.member.z - _e5538) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5552 = (f32((((_e935.member_1.member_1.x - _e5502) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5559 = (f32((((_e935.member_1.member_1.y - _e5527) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5566 = (f32((((_e935.member_1.member_1.z - _e5538) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5574 = (f32((((_e935.member_1.member_2.x - _e5502) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5581 = (f32((((_e935.member_1.member_2.y - _e5527) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5588 = (f32((((_e935.member_1.member_2.z - _e5538) + _e5509) >> bitcast<u32>(_e5505))) * _e5521);
-let _e5596 = (f32(_e935.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e5515)) << bitcast<u32>(23i))));
-let _e5597 = (_e5552 - _e5522);
-let _e5598 = (_e5559 - _e5533);
-let _e5599 = (_e5566 - _e5544);
-let _e5600 = (_e5574 - _e5552);
-let _e5601 = (_e5581 - _e5559);
-let _e5602 = (_e5588 - _e5566);
-let _e5603 = (_e5598 * _e5602);
-let _e5604 = (_e5599 * _e5601);
-let _e5605 = (_e5603 - _e5604);
-let _e5619 = ((bitcast<f32>((bitcast<u32>(_e5603) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e5604) & 2147483647u))) * 2.3841858e-7f);
-let _e5620 = f32(_e935.member_1.member_4.y);
-let _e5621 = f32(_e935.member_1.member_4.z);
-let _e5622 = (1f + _e5596);
-let _e5623 = -(_e5605);
-let _e5625 = (_e935.member_1.member_4.z >= _e935.member_1.member_4.y);
-if _e5625 {
-let _e5866 = select(1f, -1f, (_e5605 < 0f));
-let _e5872 = select(0f, (2f * _e5619), (bitcast<f32>((bitcast<u32>(_e5605) & 2147483647u)) <= _e5619));
-let _e5877 = ((_e5544 - _e5566) * _e5866);
-let _e5878 = ((_e5566 - _e5588) * _e5866);
-let _e5879 = ((_e5588 - _e5544) * _e5866);
-let _e5880 = ((0f - 0f) * _e5866);
-let _e5882 = (_e5598 * _e5866);
-let _e5883 = (_e5601 * _e5866);
-let _e5884 = ((_e5533 - _e5581) * _e5866);
-let _e5886 = (_e5877 * _e5622);
-let _e5887 = (_e5878 * _e5622);
-let _e5888 = (_e5879 * _e5622);
-let _e5889 = (_e5880 * _e5622);
-let _e5894 = -((_e5877 * _e5596));
-let _e5895 = -((_e5878 * _e5596));
-let _e5896 = -((_e5879 * _e5596));
-let _e5897 = -((_e5880 * _e5596));
+if (_e952 == 1u) {
+let _e5488 = (_e926.member_1.member_6 & 31u);
+let _e5490 = (_e926.member_1.member_3.x << bitcast<u32>(_e5488));
+let _e5493 = (_e926.member_1.member_7 & 31u);
+let _e5497 = ((1i << bitcast<u32>(_e5493)) >> bitcast<u32>(1i));
+let _e5503 = bitcast<i32>(_e926.member_1.member_6);
+let _e5509 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e5503))) << bitcast<u32>(23i)));
+let _e5510 = (f32((((_e926.member_1.member.x - _e5490) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5515 = (_e926.member_1.member_3.y << bitcast<u32>(_e5488));
+let _e5521 = (f32((((_e926.member_1.member.y - _e5515) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5526 = (_e926.member_1.member_3.z << bitcast<u32>(_e5488));
+let _e5532 = (f32((((_e926.member_1.member.z - _e5526) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5540 = (f32((((_e926.member_1.member_1.x - _e5490) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5547 = (f32((((_e926.member_1.member_1.y - _e5515) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5554 = (f32((((_e926.member_1.member_1.z - _e5526) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5562 = (f32((((_e926.member_1.member_2.x - _e5490) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5569 = (f32((((_e926.member_1.member_2.y - _e5515) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5576 = (f32((((_e926.member_1.member_2.z - _e5526) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
+let _e5584 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e5503)) << bitcast<u32>(23i))));
+let _e5585 = (_e5540 - _e5510);
+let _e5586 = (_e5547 - _e5521);
+let _e5587 = (_e5554 - _e5532);
+let _e5588 = (_e5562 - _e5540);
+let _e5589 = (_e5569 - _e5547);
+let _e5590 = (_e5576 - _e5554);
+let _e5591 = (_e5586 * _e5590);
+let _e5592 = (_e5587 * _e5589);
+let _e5593 = (_e5591 - _e5592);
+let _e5607 = ((bitcast<f32>((bitcast<u32>(_e5591) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e5592) & 2147483647u))) * 2.3841858e-7f);
+let _e5608 = f32(_e926.member_1.member_4.y);
+let _e5609 = f32(_e926.member_1.member_4.z);
+let _e5610 = (1f + _e5584);
+let _e5611 = -(_e5593);
+let _e5613 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e5613 {
+let _e5854 = select(1f, -1f, (_e5593 < 0f));
+let _e5860 = select(0f, (2f * _e5607), (bitcast<f32>((bitcast<u32>(_e5593) & 2147483647u)) <= _e5607));
+let _e5865 = ((_e5532 - _e5554) * _e5854);
+let _e5866 = ((_e5554 - _e5576) * _e5854);
+let _e5867 = ((_e5576 - _e5532) * _e5854);
+let _e5868 = ((0f - 0f) * _e5854);
+let _e5870 = (_e5586 * _e5854);
+let _e5871 = (_e5589 * _e5854);
+let _e5872 = ((_e5521 - _e5569) * _e5854);
+let _e5874 = (_e5865 * _e5610);
+let _e5875 = (_e5866 * _e5610);
+let _e5876 = (_e5867 * _e5610);
+let _e5877 = (_e5868 * _e5610);
+let _e5882 = -((_e5865 * _e5584));
+let _e5883 = -((_e5866 * _e5584));
+let _e5884 = -((_e5867 * _e5584));
+let _e5885 = -((_e5868 * _e5584));
 local_136 = array<u32, 2>(0u, 4294967295u);
-let _e5902 = select(0u, 1u, (_e5886 > _e5894));
-if (_e5902 < 2u) {
+let _e5890 = select(0u, 1u, (_e5874 > _e5882));
+if (_e5890 < 2u) {
 } else {
 break;
 }
-let _e5905 = local_136[_e5902];
+let _e5893 = local_136[_e5890];
 local_137 = array<u32, 2>(0u, 4294967295u);
-let _e5906 = select(0u, 1u, (_e5887 > _e5895));
-if (_e5906 < 2u) {
+let _e5894 = select(0u, 1u, (_e5875 > _e5883));
+if (_e5894 < 2u) {
 } else {
 break;
 }
-let _e5909 = local_137[_e5906];
+let _e5897 = local_137[_e5894];
 local_138 = array<u32, 2>(0u, 4294967295u);
-let _e5910 = select(0u, 1u, (_e5888 > _e5896));
-if (_e5910 < 2u) {
+let _e5898 = select(0u, 1u, (_e5876 > _e5884));
+if (_e5898 < 2u) {
 } else {
 break;
 }
-let _e5913 = local_138[_e5910];
+let _e5901 = local_138[_e5898];
 local_139 = array<u32, 2>(0u, 4294967295u);
-let _e5914 = select(0u, 1u, (_e5889 > _e5897));
-let _e5915 = (_e5914 < 2u);
-if _e5915 {
+let _e5902 = select(0u, 1u, (_e5877 > _e5885));
+let _e5903 = (_e5902 < 2u);
+if _e5903 {
 } else {
 break;
 }
-let _e5917 = local_139[_e5914];
-let _e5933 = (_e5880 * 0f);
-let _e5938 = (_e5882 * _e5622);
-let _e5939 = (_e5883 * _e5622);
-let _e5940 = (_e5884 * _e5622);
-let _e5944 = -((_e5882 * _e5596));
-let _e5945 = -((_e5883 * _e5596));
-let _e5946 = -((_e5884 * _e5596));
+let _e5905 = local_139[_e5902];
+let _e5921 = (_e5868 * 0f);
+let _e5926 = (_e5870 * _e5610);
+let _e5927 = (_e5871 * _e5610);
+let _e5928 = (_e5872 * _e5610);
+let _e5932 = -((_e5870 * _e5584));
+let _e5933 = -((_e5871 * _e5584));
+let _e5934 = -((_e5872 * _e5584));
 local_132 = array<u32, 2>(0u, 4294967295u);
-let _e5950 = select(0u, 1u, (_e5938 > _e5944));
-if (_e5950 < 2u) {
+let _e5938 = select(0u, 1u, (_e5926 > _e5932));
+if (_e5938 < 2u) {
 } else {
 break;
 }
-let _e5953 = local_132[_e5950];
+let _e5941 = local_132[_e5938];
 local_133 = array<u32, 2>(0u, 4294967295u);
-let _e5954 = select(0u, 1u, (_e5939 > _e5945));
-if (_e5954 < 2u) {
+let _e5942 = select(0u, 1u, (_e5927 > _e5933));
+if (_e5942 < 2u) {
 } else {
 break;
 }
-let _e5957 = local_133[_e5954];
+let _e5945 = local_133[_e5942];
 local_134 = array<u32, 2>(0u, 4294967295u);
-let _e5958 = select(0u, 1u, (_e5940 > _e5946));
-if (_e5958 < 2u) {
+let _e5946 = select(0u, 1u, (_e5928 > _e5934));
+if (_e5946 < 2u) {
 } else {
 break;
 }
-let _e5961 = local_134[_e5958];
+let _e5949 = local_134[_e5946];
 local_135 = array<u32, 2>(0u, 4294967295u);
-if _e5915 {
+if _e5903 {
 } else {
 break;
 }
-let _e5963 = local_135[_e5914];
+let _e5951 = local_135[_e5902];
 local_128 = array<u32, 2>(0u, 4294967295u);
-let _e5996 = select(0u, 1u, (_e5877 == 0f));
+let _e5984 = select(0u, 1u, (_e5865 == 0f));
+if (_e5984 < 2u) {
+} else {
+break;
+}
+let _e5987 = local_128[_e5984];
+local_129 = array<u32, 2>(0u, 4294967295u);
+let _e5988 = select(0u, 1u, (_e5866 == 0f));
+if (_e5988 < 2u) {
+} else {
+break;
+}
+let _e5991 = local_129[_e5988];
+local_130 = array<u32, 2>(0u, 4294967295u);
+let _e5992 = select(0u, 1u, (_e5867 == 0f));
+if (_e5992 < 2u) {
+} else {
+break;
+}
+let _e5995 = local_130[_e5992];
+local_131 = array<u32, 2>(0u, 4294967295u);
+let _e5996 = select(0u, 1u, (_e5868 == 0f));
 if (_e5996 < 2u) {
 } else {
 break;
 }
-let _e5999 = local_128[_e5996];
-local_129 = array<u32, 2>(0u, 4294967295u);
-let _e6000 = select(0u, 1u, (_e5878 == 0f));
-if (_e6000 < 2u) {
-} else {
-break;
-}
-let _e6003 = local_129[_e6000];
-local_130 = array<u32, 2>(0u, 4294967295u);
-let _e6004 = select(0u, 1u, (_e5879 == 0f));
-if (_e6004 < 2u) {
-} else {
-break;
-}
-let _e6007 = local_130[_e6004];
-local_131 = array<u32, 2>(0u, 4294967295u);
-let _e6008 = select(0u, 1u, (_e5880 == 0f));
-if (_e6008 < 2u) {
-} else {
-break;
-}
-let _e6011 = local_131[_e6008];
-let _e6013 = ((_e5999 & 1u) != 0u);
-let _e6016 = ((_e6003 & 1u) != 0u);
-let _e6019 = ((_e6007 & 1u) != 0u);
-let _e6022 = ((_e6011 & 1u) != 0u);
-let _e6024 = (-1f / select(_e5877, 1f, _e6013));
-let _e6025 = (-1f / select(_e5878, 1f, _e6016));
-let _e6026 = (-1f / select(_e5879, 1f, _e6019));
-let _e6027 = (-1f / select(_e5880, 1f, _e6022));
+let _e5999 = local_131[_e5996];
+let _e6001 = ((_e5987 & 1u) != 0u);
+let _e6004 = ((_e5991 & 1u) != 0u);
+let _e6007 = ((_e5995 & 1u) != 0u);
+let _e6010 = ((_e5999 & 1u) != 0u);
+let _e6012 = (-1f / select(_e5865, 1f, _e6001));
+let _e6013 = (-1f / select(_e5866, 1f, _e6004));
+let _e6014 = (-1f / select(_e5867, 1f, _e6007));
+let _e6015 = (-1f / select(_e5868, 1f, _e6010));
 local_124 = array<u32, 2>(0u, 4294967295u);
-let _e6032 = select(0u, 1u, (_e5877 > 0f));
+let _e6020 = select(0u, 1u, (_e5865 > 0f));
+if (_e6020 < 2u) {
+} else {
+break;
+}
+let _e6023 = local_124[_e6020];
+local_125 = array<u32, 2>(0u, 4294967295u);
+let _e6024 = select(0u, 1u, (_e5866 > 0f));
+if (_e6024 < 2u) {
+} else {
+break;
+}
+let _e6027 = local_125[_e6024];
+local_126 = array<u32, 2>(0u, 4294967295u);
+let _e6028 = select(0u, 1u, (_e5867 > 0f));
+if (_e6028 < 2u) {
+} else {
+break;
+}
+let _e6031 = local_126[_e6028];
+local_127 = array<u32, 2>(0u, 4294967295u);
+let _e6032 = select(0u, 1u, (_e5868 > 0f));
 if (_e6032 < 2u) {
 } else {
 break;
 }
-let _e6035 = local_124[_e6032];
-local_125 = array<u32, 2>(0u, 4294967295u);
-let _e6036 = select(0u, 1u, (_e5878 > 0f));
-if (_e6036 < 2u) {
-} else {
-break;
-}
-let _e6039 = local_125[_e6036];
-local_126 = array<u32, 2>(0u, 4294967295u);
-let _e6040 = select(0u, 1u, (_e5879 > 0f));
+let _e6035 = local_127[_e6032];
+local_120 = array<u32, 2>(0u, 4294967295u);
+let _e6040 = select(0u, 1u, (_e5865 < 0f));
 if (_e6040 < 2u) {
 } else {
 break;
 }
-let _e6043 = local_126[_e6040];
-local_127 = array<u32, 2>(0u, 4294967295u);
-let _e6044 = select(0u, 1u, (_e5880 > 0f));
+let _e6043 = local_120[_e6040];
+local_121 = array<u32, 2>(0u, 4294967295u);
+let _e6044 = select(0u, 1u, (_e5866 < 0f));
 if (_e6044 < 2u) {
 } else {
 break;
 }
-let _e6047 = local_127[_e6044];
-local_120 = array<u32, 2>(0u, 4294967295u);
-let _e6052 = select(0u, 1u, (_e5877 < 0f));
+let _e6047 = local_121[_e6044];
+local_122 = array<u32, 2>(0u, 4294967295u);
+let _e6048 = select(0u, 1u, (_e5867 < 0f));
+if (_e6048 < 2u) {
+} else {
+break;
+}
+let _e6051 = local_122[_e6048];
+local_123 = array<u32, 2>(0u, 4294967295u);
+let _e6052 = select(0u, 1u, (_e5868 < 0f));
 if (_e6052 < 2u) {
 } else {
 break;
 }
-let _e6055 = local_120[_e6052];
-local_121 = array<u32, 2>(0u, 4294967295u);
-let _e6056 = select(0u, 1u, (_e5878 < 0f));
-if (_e6056 < 2u) {
+let _e6055 = local_123[_e6052];
+let _e6074 = ((_e6043 & 1u) != 0u);
+let _e6077 = ((_e6047 & 1u) != 0u);
+let _e6080 = ((_e6051 & 1u) != 0u);
+let _e6083 = ((_e6055 & 1u) != 0u);
+phi_9093_ = type_18(vec4<f32>(_e5870, _e5871, _e5872, _e5868), vec4<f32>((((select(_e5882, _e5874, ((_e5893 & 1u) != 0u)) - (_e5865 * _e5521)) + (select(_e5932, _e5926, ((_e5941 & 1u) != 0u)) - (_e5870 * _e5532))) + _e5860), (((select(_e5883, _e5875, ((_e5897 & 1u) != 0u)) - (_e5866 * _e5547)) + (select(_e5933, _e5927, ((_e5945 & 1u) != 0u)) - (_e5871 * _e5554))) + _e5860), (((select(_e5884, _e5876, ((_e5901 & 1u) != 0u)) - (_e5867 * _e5569)) + (select(_e5934, _e5928, ((_e5949 & 1u) != 0u)) - (_e5872 * _e5576))) + _e5860), (((select(_e5885, _e5877, ((_e5905 & 1u) != 0u)) - _e5921) + (select(_e5885, _e5877, ((_e5951 & 1u) != 0u)) - _e5921)) + _e5860)), vec4<f32>(select(0f, _e6012, ((_e6023 & 1u) != 0u)), select(0f, _e6013, ((_e6027 & 1u) != 0u)), select(0f, _e6014, ((_e6031 & 1u) != 0u)), select(0f, _e6015, ((_e6035 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e6001), _e6012, _e6074), select(select(0f, 1e20f, _e6004), _e6013, _e6077), select(select(0f, 1e20f, _e6007), _e6014, _e6080), select(select(0f, 1e20f, _e6010), _e6015, _e6083)), vec4<f32>(select(_e5608, 0f, _e6074), select(_e5608, 0f, _e6077), select(_e5608, 0f, _e6080), select(_e5608, 0f, _e6083)));
 } else {
-break;
-}
-let _e6059 = local_121[_e6056];
-local_122 = array<u32, 2>(0u, 4294967295u);
-let _e6060 = select(0u, 1u, (_e5879 < 0f));
-if (_e6060 < 2u) {
-} else {
-break;
-}
-let _e6063 = local_122[_e6060];
-local_123 = array<u32, 2>(0u, 4294967295u);
-let _e6064 = select(0u, 1u, (_e5880 < 0f));
-if (_e6064 < 2u) {
-} else {
-break;
-}
-let _e6067 = local_123[_e6064];
-let _e6086 = ((_e6055 & 1u) != 0u);
-let _e6089 = ((_e6059 & 1u) != 0u);
-let _e6092 = ((_e6063 & 1u) != 0u);
-let _e6095 = ((_e6067 & 1u) != 0u);
-phi_9104_ = type_18(vec4<f32>(_e5882, _e5883, _e5884, _e5880), vec4<f32>((((select(_e5894, _e5886, ((_e5905 & 1u) != 0u)) - (_e5877 * _e5533)) + (select(_e5944, _e5938, ((_e5953 & 1u) != 0u)) - (_e5882 * _e5544))) + _e5872), (((select(_e5895, _e5887, ((_e5909 & 1u) != 0u)) - (_e5878 * _e5559)) + (select(_e5945, _e5939, ((_e5957 & 1u) != 0u)) - (_e5883 * _e5566))) + _e5872), (((select(_e5896, _e5888, ((_e5913 & 1u) != 0u)) - (_e5879 * _e5581)) + (select(_e5946, _e5940, ((_e5961 & 1u) != 0u)) - (_e5884 * _e5588))) + _e5872), (((select(_e5897, _e5889, ((_e5917 & 1u) != 0u)) - _e5933) + (select(_e5897, _e5889, ((_e5963 & 1u) != 0u)) - _e5933)) + _e5872)), vec4<f32>(select(0f, _e6024, ((_e6035 & 1u) != 0u)), select(0f, _e6025, ((_e6039 & 1u) != 0u)), select(0f, _e6026, ((_e6043 & 1u) != 0u)), select(0f, _e6027, ((_e6047 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e6013), _e6024, _e6086), select(select(0f, 1e20f, _e6016), _e6025, _e6089), select(select(0f, 1e20f, _e6019), _e6026, _e6092), select(select(0f, 1e20f, _e6022), _e6027, _e6095)), vec4<f32>(select(_e5620, 0f, _e6086), select(_e5620, 0f, _e6089), select(_e5620, 0f, _e6092), select(_e5620, 0f, _e6095)));
-} else {
-let _e5627 = select(1f, -1f, (_e5623 < 0f));
-let _e5633 = select(0f, (2f * _e5619), (bitcast<f32>((bitcast<u32>(_e5623) & 2147483647u)) <= _e5619));
-let _e5638 = ((_e5533 - _e5559) * _e5627);
-let _e5639 = ((_e5559 - _e5581) * _e5627);
-let _e5640 = ((_e5581 - _e5533) * _e5627);
-let _e5641 = ((0f - 0f) * _e5627);
-let _e5643 = (_e5599 * _e5627);
-let _e5644 = (_e5602 * _e5627);
-let _e5645 = ((_e5544 - _e5588) * _e5627);
-let _e5647 = (_e5638 * _e5622);
-let _e5648 = (_e5639 * _e5622);
-let _e5649 = (_e5640 * _e5622);
-let _e5650 = (_e5641 * _e5622);
-let _e5655 = -((_e5638 * _e5596));
-let _e5656 = -((_e5639 * _e5596));
-let _e5657 = -((_e5640 * _e5596));
-let _e5658 = -((_e5641 * _e5596));
+let _e5615 = select(1f, -1f, (_e5611 < 0f));
+let _e5621 = select(0f, (2f * _e5607), (bitcast<f32>((bitcast<u32>(_e5611) & 2147483647u)) <= _e5607));
+let _e5626 = ((_e5521 - _e5547) * _e5615);
+let _e5627 = ((_e5547 - _e5569) * _e5615);
+let _e5628 = ((_e5569 - _e5521) * _e5615);
+let _e5629 = ((0f - 0f) * _e5615);
+let _e5631 = (_e5587 * _e5615);
+let _e5632 = (_e5590 * _e5615);
+let _e5633 = ((_e5532 - _e5576) * _e5615);
+let _e5635 = (_e5626 * _e5610);
+let _e5636 = (_e5627 * _e5610);
+let _e5637 = (_e5628 * _e5610);
+let _e5638 = (_e5629 * _e5610);
+let _e5643 = -((_e5626 * _e5584));
+let _e5644 = -((_e5627 * _e5584));
+let _e5645 = -((_e5628 * _e5584));
+let _e5646 = -((_e5629 * _e5584));
 local_116 = array<u32, 2>(0u, 4294967295u);
-let _e5663 = select(0u, 1u, (_e5647 > _e5655));
-if (_e5663 < 2u) {
+let _e5651 = select(0u, 1u, (_e5635 > _e5643));
+if (_e5651 < 2u) {
 } else {
 break;
 }
-let _e5666 = local_116[_e5663];
+let _e5654 = local_116[_e5651];
 local_117 = array<u32, 2>(0u, 4294967295u);
-let _e5667 = select(0u, 1u, (_e5648 > _e5656));
-if (_e5667 < 2u) {
+let _e5655 = select(0u, 1u, (_e5636 > _e5644));
+if (_e5655 < 2u) {
 } else {
 break;
 }
-let _e5670 = local_117[_e5667];
+let _e5658 = local_117[_e5655];
 local_118 = array<u32, 2>(0u, 4294967295u);
-let _e5671 = select(0u, 1u, (_e5649 > _e5657));
-if (_e5671 < 2u) {
+let _e5659 = select(0u, 1u, (_e5637 > _e5645));
+if (_e5659 < 2u) {
 } else {
 break;
 }
-let _e5674 = local_118[_e5671];
+let _e5662 = local_118[_e5659];
 local_119 = array<u32, 2>(0u, 4294967295u);
-let _e5675 = select(0u, 1u, (_e5650 > _e5658));
-let _e5676 = (_e5675 < 2u);
-if _e5676 {
+let _e5663 = select(0u, 1u, (_e5638 > _e5646));
+let _e5664 = (_e5663 < 2u);
+if _e5664 {
 } else {
 break;
 }
-let _e5678 = local_119[_e5675];
-let _e5694 = (_e5641 * 0f);
-let _e5699 = (_e5643 * _e5622);
-let _e5700 = (_e5644 * _e5622);
-let _e5701 = (_e5645 * _e5622);
-let _e5705 = -((_e5643 * _e5596));
-let _e5706 = -((_e5644 * _e5596));
-let _e5707 = -((_e5645 * _e5596));
+let _e5666 = local_119[_e5663];
+let _e5682 = (_e5629 * 0f);
+let _e5687 = (_e5631 * _e5610);
+let _e5688 = (_e5632 * _e5610);
+let _e5689 = (_e5633 * _e5610);
+let _e5693 = -((_e5631 * _e5584));
+let _e5694 = -((_e5632 * _e5584));
+let _e5695 = -((_e5633 * _e5584));
 local_112 = array<u32, 2>(0u, 4294967295u);
-let _e5711 = select(0u, 1u, (_e5699 > _e5705));
-if (_e5711 < 2u) {
+let _e5699 = select(0u, 1u, (_e5687 > _e5693));
+if (_e5699 < 2u) {
 } else {
 break;
 }
-let _e5714 = local_112[_e5711];
+let _e5702 = local_112[_e5699];
 local_113 = array<u32, 2>(0u, 4294967295u);
-let _e5715 = select(0u, 1u, (_e5700 > _e5706));
-if (_e5715 < 2u) {
+let _e5703 = select(0u, 1u, (_e5688 > _e5694));
+if (_e5703 < 2u) {
 } else {
 break;
 }
-let _e5718 = local_113[_e5715];
+let _e5706 = local_113[_e5703];
 local_114 = array<u32, 2>(0u, 4294967295u);
-let _e5719 = select(0u, 1u, (_e5701 > _e5707));
-if (_e5719 < 2u) {
+let _e5707 = select(0u, 1u, (_e5689 > _e5695));
+if (_e5707 < 2u) {
 } else {
 break;
 }
-let _e5722 = local_114[_e5719];
+let _e5710 = local_114[_e5707];
 local_115 = array<u32, 2>(0u, 4294967295u);
-if _e5676 {
+if _e5664 {
 } else {
 break;
 }
-let _e5724 = local_115[_e5675];
+let _e5712 = local_115[_e5663];
 local_108 = array<u32, 2>(0u, 4294967295u);
-let _e5757 = select(0u, 1u, (_e5638 == 0f));
+let _e5745 = select(0u, 1u, (_e5626 == 0f));
+if (_e5745 < 2u) {
+} else {
+break;
+}
+let _e5748 = local_108[_e5745];
+local_109 = array<u32, 2>(0u, 4294967295u);
+let _e5749 = select(0u, 1u, (_e5627 == 0f));
+if (_e5749 < 2u) {
+} else {
+break;
+}
+let _e5752 = local_109[_e5749];
+local_110 = array<u32, 2>(0u, 4294967295u);
+let _e5753 = select(0u, 1u, (_e5628 == 0f));
+if (_e5753 < 2u) {
+} else {
+break;
+}
+let _e5756 = local_110[_e5753];
+local_111 = array<u32, 2>(0u, 4294967295u);
+let _e5757 = select(0u, 1u, (_e5629 == 0f));
 if (_e5757 < 2u) {
 } else {
 break;
 }
-let _e5760 = local_108[_e5757];
-local_109 = array<u32, 2>(0u, 4294967295u);
-let _e5761 = select(0u, 1u, (_e5639 == 0f));
-if (_e5761 < 2u) {
-} else {
-break;
-}
-let _e5764 = local_109[_e5761];
-local_110 = array<u32, 2>(0u, 4294967295u);
-let _e5765 = select(0u, 1u, (_e5640 == 0f));
-if (_e5765 < 2u) {
-} else {
-break;
-}
-let _e5768 = local_110[_e5765];
-local_111 = array<u32, 2>(0u, 4294967295u);
-let _e5769 = select(0u, 1u, (_e5641 == 0f));
-if (_e5769 < 2u) {
-} else {
-break;
-}
-let _e5772 = local_111[_e5769];
-let _e5774 = ((_e5760 & 1u) != 0u);
-let _e5777 = ((_e5764 & 1u) != 0u);
-let _e5780 = ((_e5768 & 1u) != 0u);
-let _e5783 = ((_e5772 & 1u) != 0u);
-let _e5785 = (-1f / select(_e5638, 1f, _e5774));
-let _e5786 = (-1f / select(_e5639, 1f, _e5777));
-let _e5787 = (-1f / select(_e5640, 1f, _e5780));
-let _e5788 = (-1f / select(_e5641, 1f, _e5783));
+let _e5760 = local_111[_e5757];
+let _e5762 = ((_e5748 & 1u) != 0u);
+let _e5765 = ((_e5752 & 1u) != 0u);
+let _e5768 = ((_e5756 & 1u) != 0u);
+let _e5771 = ((_e5760 & 1u) != 0u);
+let _e5773 = (-1f / select(_e5626, 1f, _e5762));
+let _e5774 = (-1f / select(_e5627, 1f, _e5765));
+let _e5775 = (-1f / select(_e5628, 1f, _e5768));
+let _e5776 = (-1f / select(_e5629, 1f, _e5771));
 local_104 = array<u32, 2>(0u, 4294967295u);
-let _e5793 = select(0u, 1u, (_e5638 > 0f));
+let _e5781 = select(0u, 1u, (_e5626 > 0f));
+if (_e5781 < 2u) {
+} else {
+break;
+}
+let _e5784 = local_104[_e5781];
+local_105 = array<u32, 2>(0u, 4294967295u);
+let _e5785 = select(0u, 1u, (_e5627 > 0f));
+if (_e5785 < 2u) {
+} else {
+break;
+}
+let _e5788 = local_105[_e5785];
+local_106 = array<u32, 2>(0u, 4294967295u);
+let _e5789 = select(0u, 1u, (_e5628 > 0f));
+if (_e5789 < 2u) {
+} else {
+break;
+}
+let _e5792 = local_106[_e5789];
+local_107 = array<u32, 2>(0u, 4294967295u);
+let _e5793 = select(0u, 1u, (_e5629 > 0f));
 if (_e5793 < 2u) {
 } else {
 break;
 }
-let _e5796 = local_104[_e5793];
-local_105 = array<u32, 2>(0u, 4294967295u);
-let _e5797 = select(0u, 1u, (_e5639 > 0f));
-if (_e5797 < 2u) {
-} else {
-break;
-}
-let _e5800 = local_105[_e5797];
-local_106 = array<u32, 2>(0u, 4294967295u);
-let _e5801 = select(0u, 1u, (_e5640 > 0f));
+let _e5796 = local_107[_e5793];
+local_100 = array<u32, 2>(0u, 4294967295u);
+let _e5801 = select(0u, 1u, (_e5626 < 0f));
 if (_e5801 < 2u) {
 } else {
 break;
 }
-let _e5804 = local_106[_e5801];
-local_107 = array<u32, 2>(0u, 4294967295u);
-let _e5805 = select(0u, 1u, (_e5641 > 0f));
+let _e5804 = local_100[_e5801];
+local_101 = array<u32, 2>(0u, 4294967295u);
+let _e5805 = select(0u, 1u, (_e5627 < 0f));
 if (_e5805 < 2u) {
 } else {
 break;
 }
-let _e5808 = local_107[_e5805];
-local_100 = array<u32, 2>(0u, 4294967295u);
-let _e5813 = select(0u, 1u, (_e5638 < 0f));
+let _e5808 = local_101[_e5805];
+local_102 = array<u32, 2>(0u, 4294967295u);
+let _e5809 = select(0u, 1u, (_e5628 < 0f));
+if (_e5809 < 2u) {
+} else {
+break;
+}
+let _e5812 = local_102[_e5809];
+local_103 = array<u32, 2>(0u, 4294967295u);
+let _e5813 = select(0u, 1u, (_e5629 < 0f));
 if (_e5813 < 2u) {
 } else {
 break;
 }
-let _e5816 = local_100[_e5813];
-local_101 = array<u32, 2>(0u, 4294967295u);
-let _e5817 = select(0u, 1u, (_e5639 < 0f));
-if (_e5817 < 2u) {
+let _e5816 = local_103[_e5813];
+let _e5835 = ((_e5804 & 1u) != 0u);
+let _e5838 = ((_e5808 & 1u) != 0u);
+let _e5841 = ((_e5812 & 1u) != 0u);
+let _e5844 = ((_e5816 & 1u) != 0u);
+phi_9093_ = type_18(vec4<f32>(_e5631, _e5632, _e5633, _e5629), vec4<f32>((((select(_e5643, _e5635, ((_e5654 & 1u) != 0u)) - (_e5626 * _e5532)) + (select(_e5693, _e5687, ((_e5702 & 1u) != 0u)) - (_e5631 * _e5521))) + _e5621), (((select(_e5644, _e5636, ((_e5658 & 1u) != 0u)) - (_e5627 * _e5554)) + (select(_e5694, _e5688, ((_e5706 & 1u) != 0u)) - (_e5632 * _e5547))) + _e5621), (((select(_e5645, _e5637, ((_e5662 & 1u) != 0u)) - (_e5628 * _e5576)) + (select(_e5695, _e5689, ((_e5710 & 1u) != 0u)) - (_e5633 * _e5569))) + _e5621), (((select(_e5646, _e5638, ((_e5666 & 1u) != 0u)) - _e5682) + (select(_e5646, _e5638, ((_e5712 & 1u) != 0u)) - _e5682)) + _e5621)), vec4<f32>(select(0f, _e5773, ((_e5784 & 1u) != 0u)), select(0f, _e5774, ((_e5788 & 1u) != 0u)), select(0f, _e5775, ((_e5792 & 1u) != 0u)), select(0f, _e5776, ((_e5796 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e5762), _e5773, _e5835), select(select(0f, 1e20f, _e5765), _e5774, _e5838), select(select(0f, 1e20f, _e5768), _e5775, _e5841), select(select(0f, 1e20f, _e5771), _e5776, _e5844)), vec4<f32>(select(_e5609, 0f, _e5835), select(_e5609, 0f, _e5838), select(_e5609, 0f, _e5841), select(_e5609, 0f, _e5844)));
+}
+let _e6093 = phi_9093_;
+let _e6096 = select(1f, -1f, (((_e5585 * _e5589) - (_e5586 * _e5588)) < 0f));
+let _e6099 = (_e5569 - _e5521);
+let _e6100 = (0f - 0f);
+let _e6101 = ((_e5521 - _e5547) * _e6096);
+let _e6102 = ((_e5547 - _e5569) * _e6096);
+let _e6103 = (_e6099 * _e6096);
+let _e6104 = (_e6100 * _e6096);
+let _e6105 = (_e5510 - _e5562);
+let _e6106 = (_e5585 * _e6096);
+let _e6107 = (_e5588 * _e6096);
+let _e6108 = (_e6105 * _e6096);
+if (select(0u, 1u, ((_e6101 * _e5610) > -((_e6101 * _e5584)))) < 2u) {
 } else {
 break;
 }
-let _e5820 = local_101[_e5817];
-local_102 = array<u32, 2>(0u, 4294967295u);
-let _e5821 = select(0u, 1u, (_e5640 < 0f));
-if (_e5821 < 2u) {
+if (select(0u, 1u, ((_e6102 * _e5610) > -((_e6102 * _e5584)))) < 2u) {
 } else {
 break;
 }
-let _e5824 = local_102[_e5821];
-local_103 = array<u32, 2>(0u, 4294967295u);
-let _e5825 = select(0u, 1u, (_e5641 < 0f));
-if (_e5825 < 2u) {
+if (select(0u, 1u, ((_e6103 * _e5610) > -((_e6103 * _e5584)))) < 2u) {
 } else {
 break;
 }
-let _e5828 = local_103[_e5825];
-let _e5847 = ((_e5816 & 1u) != 0u);
-let _e5850 = ((_e5820 & 1u) != 0u);
-let _e5853 = ((_e5824 & 1u) != 0u);
-let _e5856 = ((_e5828 & 1u) != 0u);
-phi_9104_ = type_18(vec4<f32>(_e5643, _e5644, _e5645, _e5641), vec4<f32>((((select(_e5655, _e5647, ((_e5666 & 1u) != 0u)) - (_e5638 * _e5544)) + (select(_e5705, _e5699, ((_e5714 & 1u) != 0u)) - (_e5643 * _e5533))) + _e5633), (((select(_e5656, _e5648, ((_e5670 & 1u) != 0u)) - (_e5639 * _e5566)) + (select(_e5706, _e5700, ((_e5718 & 1u) != 0u)) - (_e5644 * _e5559))) + _e5633), (((select(_e5657, _e5649, ((_e5674 & 1u) != 0u)) - (_e5640 * _e5588)) + (select(_e5707, _e5701, ((_e5722 & 1u) != 0u)) - (_e5645 * _e5581))) + _e5633), (((select(_e5658, _e5650, ((_e5678 & 1u) != 0u)) - _e5694) + (select(_e5658, _e5650, ((_e5724 & 1u) != 0u)) - _e5694)) + _e5633)), vec4<f32>(select(0f, _e5785, ((_e5796 & 1u) != 0u)), select(0f, _e5786, ((_e5800 & 1u) != 0u)), select(0f, _e5787, ((_e5804 & 1u) != 0u)), select(0f, _e5788, ((_e5808 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e5774), _e5785, _e5847), select(select(0f, 1e20f, _e5777), _e5786, _e5850), select(select(0f, 1e20f, _e5780), _e5787, _e5853), select(select(0f, 1e20f, _e5783), _e5788, _e5856)), vec4<f32>(select(_e5621, 0f, _e5847), select(_e5621, 0f, _e5850), select(_e5621, 0f, _e5853), select(_e5621, 0f, _e5856)));
-}
-let _e6105 = phi_9104_;
-let _e6108 = select(1f, -1f, (((_e5597 * _e5601) - (_e5598 * _e5600)) < 0f));
-let _e6111 = (_e5581 - _e5533);
-let _e6112 = (0f - 0f);
-let _e6113 = ((_e5533 - _e5559) * _e6108);
-let _e6114 = ((_e5559 - _e5581) * _e6108);
-let _e6115 = (_e6111 * _e6108);
-let _e6116 = (_e6112 * _e6108);
-let _e6117 = (_e5522 - _e5574);
-let _e6118 = (_e5597 * _e6108);
-let _e6119 = (_e5600 * _e6108);
-let _e6120 = (_e6117 * _e6108);
-if (select(0u, 1u, ((_e6113 * _e5622) > -((_e6113 * _e5596)))) < 2u) {
+let _e6132 = (select(0u, 1u, ((_e6104 * _e5610) > -((_e6104 * _e5584)))) < 2u);
+if _e6132 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6114 * _e5622) > -((_e6114 * _e5596)))) < 2u) {
+if (select(0u, 1u, ((_e6106 * _e5610) > -((_e6106 * _e5584)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6115 * _e5622) > -((_e6115 * _e5596)))) < 2u) {
+if (select(0u, 1u, ((_e6107 * _e5610) > -((_e6107 * _e5584)))) < 2u) {
 } else {
 break;
 }
-let _e6144 = (select(0u, 1u, ((_e6116 * _e5622) > -((_e6116 * _e5596)))) < 2u);
-if _e6144 {
+if (select(0u, 1u, ((_e6108 * _e5610) > -((_e6108 * _e5584)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6118 * _e5622) > -((_e6118 * _e5596)))) < 2u) {
+if _e6132 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6119 * _e5622) > -((_e6119 * _e5596)))) < 2u) {
+if (select(0u, 1u, (_e6101 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6120 * _e5622) > -((_e6120 * _e5596)))) < 2u) {
+if (select(0u, 1u, (_e6102 == 0f)) < 2u) {
 } else {
 break;
 }
-if _e6144 {
+if (select(0u, 1u, (_e6103 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6113 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6104 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6114 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6101 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6115 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6102 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6116 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6103 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6113 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6104 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6114 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6101 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6115 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6102 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6116 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6103 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6113 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6104 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6114 < 0f)) < 2u) {
+let _e6188 = select(1f, -1f, (-(((_e5587 * _e5588) - (_e5585 * _e5590))) < 0f));
+let _e6191 = (_e5576 - _e5532);
+let _e6192 = ((_e5532 - _e5554) * _e6188);
+let _e6193 = ((_e5554 - _e5576) * _e6188);
+let _e6194 = (_e6191 * _e6188);
+let _e6195 = (_e6100 * _e6188);
+let _e6196 = (_e5585 * _e6188);
+let _e6197 = (_e5588 * _e6188);
+let _e6198 = (_e6105 * _e6188);
+if (select(0u, 1u, ((_e6192 * _e5610) > -((_e6192 * _e5584)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6115 < 0f)) < 2u) {
+if (select(0u, 1u, ((_e6193 * _e5610) > -((_e6193 * _e5584)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6116 < 0f)) < 2u) {
+if (select(0u, 1u, ((_e6194 * _e5610) > -((_e6194 * _e5584)))) < 2u) {
 } else {
 break;
 }
-let _e6200 = select(1f, -1f, (-(((_e5599 * _e5600) - (_e5597 * _e5602))) < 0f));
-let _e6203 = (_e5588 - _e5544);
-let _e6204 = ((_e5544 - _e5566) * _e6200);
-let _e6205 = ((_e5566 - _e5588) * _e6200);
-let _e6206 = (_e6203 * _e6200);
-let _e6207 = (_e6112 * _e6200);
-let _e6208 = (_e5597 * _e6200);
-let _e6209 = (_e5600 * _e6200);
-let _e6210 = (_e6117 * _e6200);
-if (select(0u, 1u, ((_e6204 * _e5622) > -((_e6204 * _e5596)))) < 2u) {
+let _e6222 = (select(0u, 1u, ((_e6195 * _e5610) > -((_e6195 * _e5584)))) < 2u);
+if _e6222 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6205 * _e5622) > -((_e6205 * _e5596)))) < 2u) {
+if (select(0u, 1u, ((_e6196 * _e5610) > -((_e6196 * _e5584)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6206 * _e5622) > -((_e6206 * _e5596)))) < 2u) {
+if (select(0u, 1u, ((_e6197 * _e5610) > -((_e6197 * _e5584)))) < 2u) {
 } else {
 break;
 }
-let _e6234 = (select(0u, 1u, ((_e6207 * _e5622) > -((_e6207 * _e5596)))) < 2u);
-if _e6234 {
+if (select(0u, 1u, ((_e6198 * _e5610) > -((_e6198 * _e5584)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6208 * _e5622) > -((_e6208 * _e5596)))) < 2u) {
+if _e6222 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6209 * _e5622) > -((_e6209 * _e5596)))) < 2u) {
+if (select(0u, 1u, (_e6192 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6210 * _e5622) > -((_e6210 * _e5596)))) < 2u) {
+if (select(0u, 1u, (_e6193 == 0f)) < 2u) {
 } else {
 break;
 }
-if _e6234 {
+if (select(0u, 1u, (_e6194 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6204 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6195 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6205 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6192 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6206 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6193 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6207 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6194 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6204 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6195 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6205 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6192 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6206 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6193 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6207 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6194 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6204 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6195 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6205 < 0f)) < 2u) {
-} else {
-break;
-}
-if (select(0u, 1u, (_e6206 < 0f)) < 2u) {
-} else {
-break;
-}
-if (select(0u, 1u, (_e6207 < 0f)) < 2u) {
-} else {
-break;
-}
-let _e6289 = (_e5574 - _e5522);
-let _e6291 = (_e935.member.member * 19i);
-let _e6292 = (_e6291 + 18i);
-let _e6294 = (bitcast<i32>(_e214) - 1i);
-let _e6296 = select(_e6294, _e6292, (_e6292 < _e6294));
-let _e6302 = global_4.member[bitcast<u32>(select(0i, _e6296, (_e6296 > 0i)))];
-let _e6304 = select(0f, _e6302, (_e6302 > 0f));
-let _e6306 = select(16777216f, _e6304, (_e6304 < 16777216f));
-let _e6313 = select(0i, select(select(i32(_e6306), i32(-2147483648), (_e6306 < -2147483600f)), 2147483647i, (_e6306 > 2147483500f)), (_e6306 == _e6306));
-phi_11061_ = _e935.member.member_1;
+let _e6277 = (_e5562 - _e5510);
+let _e6279 = (_e926.member.member * 19i);
+let _e6280 = (_e6279 + 18i);
+let _e6282 = (bitcast<i32>(_e214) - 1i);
+let _e6284 = select(_e6282, _e6280, (_e6280 < _e6282));
+let _e6290 = global_4.member[bitcast<u32>(select(0i, _e6284, (_e6284 > 0i)))];
+let _e6292 = select(0f, _e6290, (_e6290 > 0f));
+let _e6294 = select(16777216f, _e6292, (_e6292 < 16777216f));
+let _e6301 = select(0i, select(select(i32(_e6294), i32(-2147483648), (_e6294 < -2147483600f)), 2147483647i, (_e6294 > 2147483500f)), (_e6294 == _e6294));
+phi_11050_ = _e926.member.member_1;
 loop {
-let _e6320 = phi_11061_;
-let _e6321 = (_e6320 < _e935.member.member_2);
-if _e6321 {
-if _e5625 {
-phi_11076_ = _e935.member_1.member_4.y;
+let _e6308 = phi_11050_;
+let _e6309 = (_e6308 < _e926.member.member_2);
+if _e6309 {
+if _e5613 {
+phi_11065_ = _e926.member_1.member_4.y;
 } else {
-phi_11076_ = _e935.member_1.member_4.z;
+phi_11065_ = _e926.member_1.member_4.z;
 }
-let _e6325 = phi_11076_;
-let _e6326 = f32(_e6325);
-let _e6327 = f32(_e6320);
-let _e6337 = ((_e6105.member.x * _e6327) + _e6105.member_1.x);
-let _e6339 = ((_e6105.member.y * _e6327) + _e6105.member_1.y);
-let _e6341 = ((_e6105.member.z * _e6327) + _e6105.member_1.z);
-let _e6344 = (_e6337 * _e6105.member_2.x);
-let _e6346 = (_e6339 * _e6105.member_2.y);
-let _e6348 = (_e6341 * _e6105.member_2.z);
-let _e6358 = ((_e6337 * _e6105.member_3.x) + _e6105.member_4.x);
-let _e6360 = ((_e6339 * _e6105.member_3.y) + _e6105.member_4.y);
-let _e6362 = ((_e6341 * _e6105.member_3.z) + _e6105.member_4.z);
-let _e6364 = select(_e6344, 0f, (0f > _e6344));
-let _e6366 = select(_e6348, _e6346, (_e6346 > _e6348));
-let _e6370 = select(_e6358, _e6326, (_e6326 < _e6358));
-let _e6372 = select(_e6362, _e6360, (_e6360 < _e6362));
-let _e6374 = select(_e6372, _e6370, (_e6370 < _e6372));
-let _e6375 = -(select(_e6366, _e6364, (_e6364 > _e6366)));
-let _e6377 = (-(_e6326) - 1f);
-let _e6379 = select(_e6377, _e6375, (_e6375 > _e6377));
-let _e6381 = select(0f, _e6379, (_e6379 < 0f));
-let _e6388 = select(0i, select(select(i32(_e6381), i32(-2147483648), (_e6381 < -2147483600f)), 2147483647i, (_e6381 > 2147483500f)), (_e6381 == _e6381));
-let _e6395 = select(-1f, _e6374, (_e6374 > -1f));
-let _e6397 = select(_e6326, _e6395, (_e6395 < _e6326));
-let _e6404 = select(0i, select(select(i32(_e6397), i32(-2147483648), (_e6397 < -2147483600f)), 2147483647i, (_e6397 > 2147483500f)), (_e6397 == _e6397));
-phi_11196_ = -((_e6388 - select(0i, 1i, (_e6381 < f32(_e6388)))));
+let _e6313 = phi_11065_;
+let _e6314 = f32(_e6313);
+let _e6315 = f32(_e6308);
+let _e6325 = ((_e6093.member.x * _e6315) + _e6093.member_1.x);
+let _e6327 = ((_e6093.member.y * _e6315) + _e6093.member_1.y);
+let _e6329 = ((_e6093.member.z * _e6315) + _e6093.member_1.z);
+let _e6332 = (_e6325 * _e6093.member_2.x);
+let _e6334 = (_e6327 * _e6093.member_2.y);
+let _e6336 = (_e6329 * _e6093.member_2.z);
+let _e6346 = ((_e6325 * _e6093.member_3.x) + _e6093.member_4.x);
+let _e6348 = ((_e6327 * _e6093.member_3.y) + _e6093.member_4.y);
+let _e6350 = ((_e6329 * _e6093.member_3.z) + _e6093.member_4.z);
+let _e6352 = select(_e6332, 0f, (0f > _e6332));
+let _e6354 = select(_e6336, _e6334, (_e6334 > _e6336));
+let _e6358 = select(_e6346, _e6314, (_e6314 < _e6346));
+let _e6360 = select(_e6350, _e6348, (_e6348 < _e6350));
+let _e6362 = select(_e6360, _e6358, (_e6358 < _e6360));
+let _e6363 = -(select(_e6354, _e6352, (_e6352 > _e6354)));
+let _e6365 = (-(_e6314) - 1f);
+let _e6367 = select(_e6365, _e6363, (_e6363 > _e6365));
+let _e6369 = select(0f, _e6367, (_e6367 < 0f));
+let _e6376 = select(0i, select(select(i32(_e6369), i32(-2147483648), (_e6369 < -2147483600f)), 2147483647i, (_e6369 > 2147483500f)), (_e6369 == _e6369));
+let _e6383 = select(-1f, _e6362, (_e6362 > -1f));
+let _e6385 = select(_e6314, _e6383, (_e6383 < _e6314));
+let _e6392 = select(0i, select(select(i32(_e6385), i32(-2147483648), (_e6385 < -2147483600f)), 2147483647i, (_e6385 > 2147483500f)), (_e6385 == _e6385));
+phi_11185_ = -((_e6376 - select(0i, 1i, (_e6369 < f32(_e6376)))));
 loop {
-let _e6410 = phi_11196_;
-let _e6411 = (_e6410 <= (_e6404 - select(0i, 1i, (_e6397 < f32(_e6404)))));
-if _e6411 {
-let _e6412 = select(_e6410, _e6320, _e5625);
-let _e6413 = select(_e6320, _e6410, _e5625);
-let _e6419 = global_1.member.member_1[1u];
-let _e6427 = global_1.member.member_1[3u];
-phi_11227_ = 0i;
+let _e6398 = phi_11185_;
+let _e6399 = (_e6398 <= (_e6392 - select(0i, 1i, (_e6385 < f32(_e6392)))));
+if _e6399 {
+let _e6400 = select(_e6398, _e6308, _e5613);
+let _e6401 = select(_e6308, _e6398, _e5613);
+let _e6407 = global_1.member.member_2.member_1;
+let _e6414 = global_1.member.member_3;
+phi_11215_ = 0i;
 loop {
-let _e6431 = phi_11227_;
-let _e6432 = (_e6431 <= _e935.member_1.member_4.x);
-if _e6432 {
-let _e6439 = ((f32(_e6431) + 0.5f) - _e5522);
-let _e6440 = ((f32(_e6413) + 0.5f) - _e5533);
-let _e6441 = ((f32(_e6412) + 0.5f) - _e5544);
-let _e6446 = (((_e5597 * _e5597) + (_e5598 * _e5598)) + (_e5599 * _e5599));
-let _e6451 = (((_e5597 * _e6289) + (_e5598 * _e6111)) + (_e5599 * _e6203));
-let _e6456 = (((_e6289 * _e6289) + (_e6111 * _e6111)) + (_e6203 * _e6203));
-let _e6461 = (((_e6439 * _e5597) + (_e6440 * _e5598)) + (_e6441 * _e5599));
-let _e6466 = (((_e6439 * _e6289) + (_e6440 * _e6111)) + (_e6441 * _e6203));
-let _e6469 = ((_e6446 * _e6456) - (_e6451 * _e6451));
-let _e6470 = (_e6469 > 0f);
-let _e6473 = select(0f, (1f / select(1f, _e6469, _e6470)), _e6470);
-let _e6477 = (((_e6456 * _e6461) - (_e6451 * _e6466)) * _e6473);
-let _e6481 = (((_e6446 * _e6466) - (_e6451 * _e6461)) * _e6473);
-let _e6483 = ((1f - _e6477) - _e6481);
-let _e6485 = select(0f, _e6483, (_e6483 > 0f));
-let _e6487 = select(16777216f, _e6485, (_e6485 < 16777216f));
-let _e6489 = select(0f, _e6477, (_e6477 > 0f));
-let _e6491 = select(16777216f, _e6489, (_e6489 < 16777216f));
-let _e6493 = select(0f, _e6481, (_e6481 > 0f));
-let _e6495 = select(16777216f, _e6493, (_e6493 < 16777216f));
-let _e6497 = ((_e6487 + _e6491) + _e6495);
-let _e6500 = (1f / select(0.5f, _e6497, (_e6497 > 0.5f)));
-let _e6501 = (_e6487 * _e6500);
-let _e6502 = (_e6491 * _e6500);
-let _e6503 = (_e6495 * _e6500);
-let _e6505 = select(_e6294, _e6291, (_e6291 < _e6294));
-let _e6511 = global_4.member[bitcast<u32>(select(0i, _e6505, (_e6505 > 0i)))];
-let _e6512 = (_e6291 + 1i);
-let _e6514 = select(_e6294, _e6512, (_e6512 < _e6294));
-let _e6520 = global_4.member[bitcast<u32>(select(0i, _e6514, (_e6514 > 0i)))];
-let _e6521 = (_e6291 + 2i);
-let _e6523 = select(_e6294, _e6521, (_e6521 < _e6294));
-let _e6529 = global_4.member[bitcast<u32>(select(0i, _e6523, (_e6523 > 0i)))];
-let _e6530 = (_e6291 + 3i);
-let _e6532 = select(_e6294, _e6530, (_e6530 < _e6294));
-let _e6538 = global_4.member[bitcast<u32>(select(0i, _e6532, (_e6532 > 0i)))];
-let _e6539 = (_e6291 + 4i);
-let _e6541 = select(_e6294, _e6539, (_e6539 < _e6294));
-let _e6547 = global_4.member[bitcast<u32>(select(0i, _e6541, (_e6541 > 0i)))];
-let _e6548 = (_e6291 + 5i);
-let _e6550 = select(_e6294, _e6548, (_e6548 < _e6294));
-let _e6556 = global_4.member[bitcast<u32>(select(0i, _e6550, (_e6550 > 0i)))];
-let _e6557 = (_e6291 + 6i);
-let _e6559 = select(_e6294, _e6557, (_e6557 < _e6294));
-let _e6565 = global_4.member[bitcast<u32>(select(0i, _e6559, (_e6559 > 0i)))];
-let _e6566 = (_e6291 + 7i);
-let _e6568 = select(_e6294, _e6566, (_e6566 < _e6294));
-let _e6574 = global_4.member[bitcast<u32>(select(0i, _e6568, (_e6568 > 0i)))];
-let _e6575 = (_e6291 + 8i);
-let _e6577 = select(_e6294, _e6575, (_e6575 < _e6294));
-let _e6583 = global_4.member[bitcast<u32>(select(0i, _e6577, (_e6577 > 0i)))];
-let _e6588 = (((_e6511 * _e6501) + (_e6538 * _e6502)) + (_e6565 * _e6503));
-let _e6593 = (((_e6520 * _e6501) + (_e6547 * _e6502)) + (_e6574 * _e6503));
-let _e6598 = (((_e6529 * _e6501) + (_e6556 * _e6502)) + (_e6583 * _e6503));
-let _e6603 = (((_e6588 * _e6588) + (_e6593 * _e6593)) + (_e6598 * _e6598));
-let _e6606 = sqrt(select(0f, _e6603, (_e6603 > 0f)));
-let _e6607 = (_e6606 > 1e-6f);
-let _e6610 = select(0f, (1f / select(1e-6f, _e6606, _e6607)), _e6607);
-let _e6611 = (_e6291 + 9i);
-let _e6613 = select(_e6294, _e6611, (_e6611 < _e6294));
-let _e6619 = global_4.member[bitcast<u32>(select(0i, _e6613, (_e6613 > 0i)))];
-let _e6620 = (_e6291 + 10i);
-let _e6622 = select(_e6294, _e6620, (_e6620 < _e6294));
-let _e6628 = global_4.member[bitcast<u32>(select(0i, _e6622, (_e6622 > 0i)))];
-let _e6629 = (_e6291 + 11i);
-let _e6631 = select(_e6294, _e6629, (_e6629 < _e6294));
-let _e6637 = global_4.member[bitcast<u32>(select(0i, _e6631, (_e6631 > 0i)))];
-let _e6638 = (_e6291 + 12i);
-let _e6640 = select(_e6294, _e6638, (_e6638 < _e6294));
-let _e6646 = global_4.member[bitcast<u32>(select(0i, _e6640, (_e6640 > 0i)))];
-let _e6647 = (_e6291 + 13i);
-let _e6649 = select(_e6294, _e6647, (_e6647 < _e6294));
-let _e6655 = global_4.member[bitcast<u32>(select(0i, _e6649, (_e6649 > 0i)))];
-let _e6656 = (_e6291 + 14i);
-let _e6658 = select(_e6294, _e6656, (_e6656 < _e6294));
-let _e6664 = global_4.member[bitcast<u32>(select(0i, _e6658, (_e6658 > 0i)))];
-let _e6665 = (_e6291 + 15i);
-let _e6667 = select(_e6294, _e6665, (_e6665 < _e6294));
-let _e6673 = global_4.member[bitcast<u32>(select(0i, _e6667, (_e6667 > 0i)))];
-let _e6674 = (_e6291 + 16i);
-let _e6676 = select(_e6294, _e6674, (_e6674 < _e6294));
-let _e6682 = global_4.member[bitcast<u32>(select(0i, _e6676, (_e6676 > 0i)))];
-let _e6683 = (_e6291 + 17i);
-let _e6685 = select(_e6294, _e6683, (_e6683 < _e6294));
-let _e6691 = global_4.member[bitcast<u32>(select(0i, _e6685, (_e6685 > 0i)))];
-let _e6707 = (_e935.member_1.member_3.x + _e6431);
-let _e6710 = ((((((_e935.member_1.member_3.z + _e6412) * bitcast<i32>(_e6419)) + _e935.member_1.member_3.y) + _e6413) * bitcast<i32>(_e6427)) + (_e6707 >> bitcast<u32>(5i)));
-let _e6714 = (bitcast<i32>(_e218) - 1i);
-let _e6716 = select(_e6714, _e6710, (_e6710 < _e6714));
-let _e6722 = global_6.member[bitcast<u32>(select(0i, _e6716, (_e6716 > 0i)))];
-let _e6724 = (bitcast<i32>(_e216) - 1i);
-let _e6726 = select(_e6724, _e6710, (_e6710 < _e6724));
-let _e6732 = global_5.member[bitcast<u32>(select(0i, _e6726, (_e6726 > 0i)))];
-let _e6741 = (bitcast<i32>((_e6722 + countOneBits((_e6732 & ((1u << bitcast<u32>((bitcast<u32>((_e6707 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e6742 = bitcast<u32>(_e6741);
-if (_e6742 < _e220) {
-let _e6746 = atomicAdd((&global_7.member[_e6742]), 1u);
+let _e6418 = phi_11215_;
+let _e6419 = (_e6418 <= _e926.member_1.member_4.x);
+if _e6419 {
+let _e6426 = ((f32(_e6418) + 0.5f) - _e5510);
+let _e6427 = ((f32(_e6401) + 0.5f) - _e5521);
+let _e6428 = ((f32(_e6400) + 0.5f) - _e5532);
+let _e6433 = (((_e5585 * _e5585) + (_e5586 * _e5586)) + (_e5587 * _e5587));
+let _e6438 = (((_e5585 * _e6277) + (_e5586 * _e6099)) + (_e5587 * _e6191));
+let _e6443 = (((_e6277 * _e6277) + (_e6099 * _e6099)) + (_e6191 * _e6191));
+let _e6448 = (((_e6426 * _e5585) + (_e6427 * _e5586)) + (_e6428 * _e5587));
+let _e6453 = (((_e6426 * _e6277) + (_e6427 * _e6099)) + (_e6428 * _e6191));
+let _e6456 = ((_e6433 * _e6443) - (_e6438 * _e6438));
+let _e6457 = (_e6456 > 0f);
+let _e6460 = select(0f, (1f / select(1f, _e6456, _e6457)), _e6457);
+let _e6464 = (((_e6443 * _e6448) - (_e6438 * _e6453)) * _e6460);
+let _e6468 = (((_e6433 * _e6453) - (_e6438 * _e6448)) * _e6460);
+let _e6470 = ((1f - _e6464) - _e6468);
+let _e6472 = select(0f, _e6470, (_e6470 > 0f));
+let _e6474 = select(16777216f, _e6472, (_e6472 < 16777216f));
+let _e6476 = select(0f, _e6464, (_e6464 > 0f));
+let _e6478 = select(16777216f, _e6476, (_e6476 < 16777216f));
+let _e6480 = select(0f, _e6468, (_e6468 > 0f));
+let _e6482 = select(16777216f, _e6480, (_e6480 < 16777216f));
+let _e6484 = ((_e6474 + _e6478) + _e6482);
+let _e6487 = (1f / select(0.5f, _e6484, (_e6484 > 0.5f)));
+let _e6488 = (_e6474 * _e6487);
+let _e6489 = (_e6478 * _e6487);
+let _e6490 = (_e6482 * _e6487);
+let _e6492 = select(_e6282, _e6279, (_e6279 < _e6282));
+let _e6498 = global_4.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
+let _e6499 = (_e6279 + 1i);
+let _e6501 = select(_e6282, _e6499, (_e6499 < _e6282));
+let _e6507 = global_4.member[bitcast<u32>(select(0i, _e6501, (_e6501 > 0i)))];
+let _e6508 = (_e6279 + 2i);
+let _e6510 = select(_e6282, _e6508, (_e6508 < _e6282));
+let _e6516 = global_4.member[bitcast<u32>(select(0i, _e6510, (_e6510 > 0i)))];
+let _e6517 = (_e6279 + 3i);
+let _e6519 = select(_e6282, _e6517, (_e6517 < _e6282));
+let _e6525 = global_4.member[bitcast<u32>(select(0i, _e6519, (_e6519 > 0i)))];
+let _e6526 = (_e6279 + 4i);
+let _e6528 = select(_e6282, _e6526, (_e6526 < _e6282));
+let _e6534 = global_4.member[bitcast<u32>(select(0i, _e6528, (_e6528 > 0i)))];
+let _e6535 = (_e6279 + 5i);
+let _e6537 = select(_e6282, _e6535, (_e6535 < _e6282));
+let _e6543 = global_4.member[bitcast<u32>(select(0i, _e6537, (_e6537 > 0i)))];
+let _e6544 = (_e6279 + 6i);
+let _e6546 = select(_e6282, _e6544, (_e6544 < _e6282));
+let _e6552 = global_4.member[bitcast<u32>(select(0i, _e6546, (_e6546 > 0i)))];
+let _e6553 = (_e6279 + 7i);
+let _e6555 = select(_e6282, _e6553, (_e6553 < _e6282));
+let _e6561 = global_4.member[bitcast<u32>(select(0i, _e6555, (_e6555 > 0i)))];
+let _e6562 = (_e6279 + 8i);
+let _e6564 = select(_e6282, _e6562, (_e6562 < _e6282));
+let _e6570 = global_4.member[bitcast<u32>(select(0i, _e6564, (_e6564 > 0i)))];
+let _e6575 = (((_e6498 * _e6488) + (_e6525 * _e6489)) + (_e6552 * _e6490));
+let _e6580 = (((_e6507 * _e6488) + (_e6534 * _e6489)) + (_e6561 * _e6490));
+let _e6585 = (((_e6516 * _e6488) + (_e6543 * _e6489)) + (_e6570 * _e6490));
+let _e6590 = (((_e6575 * _e6575) + (_e6580 * _e6580)) + (_e6585 * _e6585));
+let _e6593 = sqrt(select(0f, _e6590, (_e6590 > 0f)));
+let _e6594 = (_e6593 > 1e-6f);
+let _e6597 = select(0f, (1f / select(1e-6f, _e6593, _e6594)), _e6594);
+let _e6598 = (_e6279 + 9i);
+let _e6600 = select(_e6282, _e6598, (_e6598 < _e6282));
+let _e6606 = global_4.member[bitcast<u32>(select(0i, _e6600, (_e6600 > 0i)))];
+let _e6607 = (_e6279 + 10i);
+let _e6609 = select(_e6282, _e6607, (_e6607 < _e6282));
+let _e6615 = global_4.member[bitcast<u32>(select(0i, _e6609, (_e6609 > 0i)))];
+let _e6616 = (_e6279 + 11i);
+let _e6618 = select(_e6282, _e6616, (_e6616 < _e6282));
+let _e6624 = global_4.member[bitcast<u32>(select(0i, _e6618, (_e6618 > 0i)))];
+let _e6625 = (_e6279 + 12i);
+let _e6627 = select(_e6282, _e6625, (_e6625 < _e6282));
+let _e6633 = global_4.member[bitcast<u32>(select(0i, _e6627, (_e6627 > 0i)))];
+let _e6634 = (_e6279 + 13i);
+let _e6636 = select(_e6282, _e6634, (_e6634 < _e6282));
+let _e6642 = global_4.member[bitcast<u32>(select(0i, _e6636, (_e6636 > 0i)))];
+let _e6643 = (_e6279 + 14i);
+let _e6645 = select(_e6282, _e6643, (_e6643 < _e6282));
+let _e6651 = global_4.member[bitcast<u32>(select(0i, _e6645, (_e6645 > 0i)))];
+let _e6652 = (_e6279 + 15i);
+let _e6654 = select(_e6282, _e6652, (_e6652 < _e6282));
+let _e6660 = global_4.member[bitcast<u32>(select(0i, _e6654, (_e6654 > 0i)))];
+let _e6661 = (_e6279 + 16i);
+let _e6663 = select(_e6282, _e6661, (_e6661 < _e6282));
+let _e6669 = global_4.member[bitcast<u32>(select(0i, _e6663, (_e6663 > 0i)))];
+let _e6670 = (_e6279 + 17i);
+let _e6672 = select(_e6282, _e6670, (_e6670 < _e6282));
+let _e6678 = global_4.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
+let _e6694 = (_e926.member_1.member_3.x + _e6418);
+let _e6697 = ((((((_e926.member_1.member_3.z + _e6400) * bitcast<i32>(_e6407)) + _e926.member_1.member_3.y) + _e6401) * bitcast<i32>(_e6414)) + (_e6694 >> bitcast<u32>(5i)));
+let _e6701 = (bitcast<i32>(_e218) - 1i);
+let _e6703 = select(_e6701, _e6697, (_e6697 < _e6701));
+let _e6709 = global_6.member[bitcast<u32>(select(0i, _e6703, (_e6703 > 0i)))];
+let _e6711 = (bitcast<i32>(_e216) - 1i);
+let _e6713 = select(_e6711, _e6697, (_e6697 < _e6711));
+let _e6719 = global_5.member[bitcast<u32>(select(0i, _e6713, (_e6713 > 0i)))];
+let _e6728 = (bitcast<i32>((_e6709 + countOneBits((_e6719 & ((1u << bitcast<u32>((bitcast<u32>((_e6694 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e6729 = bitcast<u32>(_e6728);
+if (_e6729 < _e220) {
+let _e6733 = atomicAdd((&global_7.member[_e6729]), 1u);
 }
-let _e6748 = bitcast<u32>((_e6741 + 1i));
-if (_e6748 < _e220) {
-let _e6752 = atomicMax((&global_7.member[_e6748]), bitcast<u32>((_e6313 - select(0i, 1i, (_e6306 < f32(_e6313))))));
+let _e6735 = bitcast<u32>((_e6728 + 1i));
+if (_e6735 < _e220) {
+let _e6739 = atomicMax((&global_7.member[_e6735]), bitcast<u32>((_e6301 - select(0i, 1i, (_e6294 < f32(_e6301))))));
 }
-let _e6758 = (((_e6588 * _e6610) * 65536f) + 0.5f);
-let _e6760 = select(-1073741800f, _e6758, (_e6758 > -1073741800f));
-let _e6762 = select(1073741800f, _e6760, (_e6760 < 1073741800f));
-let _e6769 = select(0i, select(select(i32(_e6762), i32(-2147483648), (_e6762 < -2147483600f)), 2147483647i, (_e6762 > 2147483500f)), (_e6762 == _e6762));
-let _e6773 = (_e6769 - select(0i, 1i, (_e6762 < f32(_e6769))));
-if (_e6773 == 0i) {
+let _e6745 = (((_e6575 * _e6597) * 65536f) + 0.5f);
+let _e6747 = select(-1073741800f, _e6745, (_e6745 > -1073741800f));
+let _e6749 = select(1073741800f, _e6747, (_e6747 < 1073741800f));
+let _e6756 = select(0i, select(select(i32(_e6749), i32(-2147483648), (_e6749 < -2147483600f)), 2147483647i, (_e6749 > 2147483500f)), (_e6749 == _e6749));
+let _e6760 = (_e6756 - select(0i, 1i, (_e6749 < f32(_e6756))));
+if (_e6760 == 0i) {
 } else {
-let _e6775 = bitcast<u32>(_e6773);
-let _e6776 = bitcast<u32>((_e6741 + 2i));
-if (_e6776 < _e220) {
-let _e6780 = atomicAdd((&global_7.member[_e6776]), _e6775);
-phi_11755_ = _e6780;
+let _e6762 = bitcast<u32>(_e6760);
+let _e6763 = bitcast<u32>((_e6728 + 2i));
+if (_e6763 < _e220) {
+let _e6767 = atomicAdd((&global_7.member[_e6763]), _e6762);
+phi_11743_ = _e6767;
 } else {
-phi_11755_ = 0u;
+phi_11743_ = 0u;
 }
-let _e6782 = phi_11755_;
-let _e6789 = (bitcast<u32>((_e6773 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6782 + _e6775) < _e6775)));
-if (_e6789 == 0u) {
+let _e6769 = phi_11743_;
+let _e6776 = (bitcast<u32>((_e6760 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6769 + _e6762) < _e6762)));
+if (_e6776 == 0u) {
 } else {
-let _e6791 = (_e6776 + 1u);
-if (_e6791 < _e220) {
-let _e6795 = atomicAdd((&global_7.member[_e6791]), _e6789);
+let _e6778 = (_e6763 + 1u);
+if (_e6778 < _e220) {
+let _e6782 = atomicAdd((&global_7.member[_e6778]), _e6776);
 }
 }
 }
-let _e6798 = (((_e6593 * _e6610) * 65536f) + 0.5f);
-let _e6800 = select(-1073741800f, _e6798, (_e6798 > -1073741800f));
-let _e6802 = select(1073741800f, _e6800, (_e6800 < 1073741800f));
-let _e6809 = select(0i, select(select(i32(_e6802), i32(-2147483648), (_e6802 < -2147483600f)), 2147483647i, (_e6802 > 2147483500f)), (_e6802 == _e6802));
-let _e6813 = (_e6809 - select(0i, 1i, (_e6802 < f32(_e6809))));
-if (_e6813 == 0i) {
+let _e6785 = (((_e6580 * _e6597) * 65536f) + 0.5f);
+let _e6787 = select(-1073741800f, _e6785, (_e6785 > -1073741800f));
+let _e6789 = select(1073741800f, _e6787, (_e6787 < 1073741800f));
+let _e6796 = select(0i, select(select(i32(_e6789), i32(-2147483648), (_e6789 < -2147483600f)), 2147483647i, (_e6789 > 2147483500f)), (_e6789 == _e6789));
+let _e6800 = (_e6796 - select(0i, 1i, (_e6789 < f32(_e6796))));
+if (_e6800 == 0i) {
 } else {
-let _e6815 = bitcast<u32>(_e6813);
-let _e6816 = bitcast<u32>((_e6741 + 4i));
-if (_e6816 < _e220) {
-let _e6820 = atomicAdd((&global_7.member[_e6816]), _e6815);
-phi_11812_ = _e6820;
+let _e6802 = bitcast<u32>(_e6800);
+let _e6803 = bitcast<u32>((_e6728 + 4i));
+if (_e6803 < _e220) {
+let _e6807 = atomicAdd((&global_7.member[_e6803]), _e6802);
+phi_11800_ = _e6807;
 } else {
-phi_11812_ = 0u;
+phi_11800_ = 0u;
 }
-let _e6822 = phi_11812_;
-let _e6829 = (bitcast<u32>((_e6813 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6822 + _e6815) < _e6815)));
-if (_e6829 == 0u) {
+let _e6809 = phi_11800_;
+let _e6816 = (bitcast<u32>((_e6800 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6809 + _e6802) < _e6802)));
+if (_e6816 == 0u) {
 } else {
-let _e6831 = (_e6816 + 1u);
-if (_e6831 < _e220) {
-let _e6835 = atomicAdd((&global_7.member[_e6831]), _e6829);
+let _e6818 = (_e6803 + 1u);
+if (_e6818 < _e220) {
+let _e6822 = atomicAdd((&global_7.member[_e6818]), _e6816);
 }
 }
 }
-let _e6838 = (((_e6598 * _e6610) * 65536f) + 0.5f);
-let _e6840 = select(-1073741800f, _e6838, (_e6838 > -1073741800f));
-let _e6842 = select(1073741800f, _e6840, (_e6840 < 1073741800f));
-let _e6849 = select(0i, select(select(i32(_e6842), i32(-2147483648), (_e6842 < -2147483600f)), 2147483647i, (_e6842 > 2147483500f)), (_e6842 == _e6842));
-let _e6853 = (_e6849 - select(0i, 1i, (_e6842 < f32(_e6849))));
-if (_e6853 == 0i) {
+let _e6825 = (((_e6585 * _e6597) * 65536f) + 0.5f);
+let _e6827 = select(-1073741800f, _e6825, (_e6825 > -1073741800f));
+let _e6829 = select(1073741800f, _e6827, (_e6827 < 1073741800f));
+let _e6836 = select(0i, select(select(i32(_e6829), i32(-2147483648), (_e6829 < -2147483600f)), 2147483647i, (_e6829 > 2147483500f)), (_e6829 == _e6829));
+let _e6840 = (_e6836 - select(0i, 1i, (_e6829 < f32(_e6836))));
+if (_e6840 == 0i) {
 } else {
-let _e6855 = bitcast<u32>(_e6853);
-let _e6856 = bitcast<u32>((_e6741 + 6i));
-if (_e6856 < _e220) {
-let _e6860 = atomicAdd((&global_7.member[_e6856]), _e6855);
-phi_11869_ = _e6860;
+let _e6842 = bitcast<u32>(_e6840);
+let _e6843 = bitcast<u32>((_e6728 + 6i));
+if (_e6843 < _e220) {
+let _e6847 = atomicAdd((&global_7.member[_e6843]), _e6842);
+phi_11857_ = _e6847;
 } else {
-phi_11869_ = 0u;
+phi_11857_ = 0u;
 }
-let _e6862 = phi_11869_;
-let _e6869 = (bitcast<u32>((_e6853 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6862 + _e6855) < _e6855)));
-if (_e6869 == 0u) {
+let _e6849 = phi_11857_;
+let _e6856 = (bitcast<u32>((_e6840 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6849 + _e6842) < _e6842)));
+if (_e6856 == 0u) {
 } else {
-let _e6871 = (_e6856 + 1u);
-if (_e6871 < _e220) {
-let _e6875 = atomicAdd((&global_7.member[_e6871]), _e6869);
+let _e6858 = (_e6843 + 1u);
+if (_e6858 < _e220) {
+let _e6862 = atomicAdd((&global_7.member[_e6858]), _e6856);
 }
 }
 }
-let _e6878 = (((((_e6619 * _e6501) + (_e6646 * _e6502)) + (_e6673 * _e6503)) * 65536f) + 0.5f);
-let _e6880 = select(-1073741800f, _e6878, (_e6878 > -1073741800f));
-let _e6882 = select(1073741800f, _e6880, (_e6880 < 1073741800f));
-let _e6889 = select(0i, select(select(i32(_e6882), i32(-2147483648), (_e6882 < -2147483600f)), 2147483647i, (_e6882 > 2147483500f)), (_e6882 == _e6882));
-let _e6893 = (_e6889 - select(0i, 1i, (_e6882 < f32(_e6889))));
-if (_e6893 == 0i) {
+let _e6865 = (((((_e6606 * _e6488) + (_e6633 * _e6489)) + (_e6660 * _e6490)) * 65536f) + 0.5f);
+let _e6867 = select(-1073741800f, _e6865, (_e6865 > -1073741800f));
+let _e6869 = select(1073741800f, _e6867, (_e6867 < 1073741800f));
+let _e6876 = select(0i, select(select(i32(_e6869), i32(-2147483648), (_e6869 < -2147483600f)), 2147483647i, (_e6869 > 2147483500f)), (_e6869 == _e6869));
+let _e6880 = (_e6876 - select(0i, 1i, (_e6869 < f32(_e6876))));
+if (_e6880 == 0i) {
 } else {
-let _e6895 = bitcast<u32>(_e6893);
-let _e6896 = bitcast<u32>((_e6741 + 8i));
-if (_e6896 < _e220) {
-let _e6900 = atomicAdd((&global_7.member[_e6896]), _e6895);
-phi_11927_ = _e6900;
+let _e6882 = bitcast<u32>(_e6880);
+let _e6883 = bitcast<u32>((_e6728 + 8i));
+if (_e6883 < _e220) {
+let _e6887 = atomicAdd((&global_7.member[_e6883]), _e6882);
+phi_11915_ = _e6887;
 } else {
-phi_11927_ = 0u;
+phi_11915_ = 0u;
 }
-let _e6902 = phi_11927_;
-let _e6909 = (bitcast<u32>((_e6893 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6902 + _e6895) < _e6895)));
-if (_e6909 == 0u) {
+let _e6889 = phi_11915_;
+let _e6896 = (bitcast<u32>((_e6880 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6889 + _e6882) < _e6882)));
+if (_e6896 == 0u) {
 } else {
-let _e6911 = (_e6896 + 1u);
-if (_e6911 < _e220) {
-let _e6915 = atomicAdd((&global_7.member[_e6911]), _e6909);
+let _e6898 = (_e6883 + 1u);
+if (_e6898 < _e220) {
+let _e6902 = atomicAdd((&global_7.member[_e6898]), _e6896);
 }
 }
 }
-let _e6918 = (((((_e6628 * _e6501) + (_e6655 * _e6502)) + (_e6682 * _e6503)) * 65536f) + 0.5f);
-let _e6920 = select(-1073741800f, _e6918, (_e6918 > -1073741800f));
-let _e6922 = select(1073741800f, _e6920, (_e6920 < 1073741800f));
-let _e6929 = select(0i, select(select(i32(_e6922), i32(-2147483648), (_e6922 < -2147483600f)), 2147483647i, (_e6922 > 2147483500f)), (_e6922 == _e6922));
-let _e6933 = (_e6929 - select(0i, 1i, (_e6922 < f32(_e6929))));
-if (_e6933 == 0i) {
+let _e6905 = (((((_e6615 * _e6488) + (_e6642 * _e6489)) + (_e6669 * _e6490)) * 65536f) + 0.5f);
+let _e6907 = select(-1073741800f, _e6905, (_e6905 > -1073741800f));
+let _e6909 = select(1073741800f, _e6907, (_e6907 < 1073741800f));
+let _e6916 = select(0i, select(select(i32(_e6909), i32(-2147483648), (_e6909 < -2147483600f)), 2147483647i, (_e6909 > 2147483500f)), (_e6909 == _e6909));
+let _e6920 = (_e6916 - select(0i, 1i, (_e6909 < f32(_e6916))));
+if (_e6920 == 0i) {
 } else {
-let _e6935 = bitcast<u32>(_e6933);
-let _e6936 = bitcast<u32>((_e6741 + 10i));
-if (_e6936 < _e220) {
-let _e6940 = atomicAdd((&global_7.member[_e6936]), _e6935);
-phi_11984_ = _e6940;
+let _e6922 = bitcast<u32>(_e6920);
+let _e6923 = bitcast<u32>((_e6728 + 10i));
+if (_e6923 < _e220) {
+let _e6927 = atomicAdd((&global_7.member[_e6923]), _e6922);
+phi_11972_ = _e6927;
 } else {
-phi_11984_ = 0u;
+phi_11972_ = 0u;
 }
-let _e6942 = phi_11984_;
-let _e6949 = (bitcast<u32>((_e6933 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6942 + _e6935) < _e6935)));
-if (_e6949 == 0u) {
+let _e6929 = phi_11972_;
+let _e6936 = (bitcast<u32>((_e6920 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6929 + _e6922) < _e6922)));
+if (_e6936 == 0u) {
 } else {
-let _e6951 = (_e6936 + 1u);
-if (_e6951 < _e220) {
-let _e6955 = atomicAdd((&global_7.member[_e6951]), _e6949);
+let _e6938 = (_e6923 + 1u);
+if (_e6938 < _e220) {
+let _e6942 = atomicAdd((&global_7.member[_e6938]), _e6936);
 }
 }
 }
-let _e6958 = (((((_e6637 * _e6501) + (_e6664 * _e6502)) + (_e6691 * _e6503)) * 65536f) + 0.5f);
-let _e6960 = select(-1073741800f, _e6958, (_e6958 > -1073741800f));
-let _e6962 = select(1073741800f, _e6960, (_e6960 < 1073741800f));
-let _e6969 = select(0i, select(select(i32(_e6962), i32(-2147483648), (_e6962 < -2147483600f)), 2147483647i, (_e6962 > 2147483500f)), (_e6962 == _e6962));
-let _e6973 = (_e6969 - select(0i, 1i, (_e6962 < f32(_e6969))));
-if (_e6973 == 0i) {
+let _e6945 = (((((_e6624 * _e6488) + (_e6651 * _e6489)) + (_e6678 * _e6490)) * 65536f) + 0.5f);
+let _e6947 = select(-1073741800f, _e6945, (_e6945 > -1073741800f));
+let _e6949 = select(1073741800f, _e6947, (_e6947 < 1073741800f));
+let _e6956 = select(0i, select(select(i32(_e6949), i32(-2147483648), (_e6949 < -2147483600f)), 2147483647i, (_e6949 > 2147483500f)), (_e6949 == _e6949));
+let _e6960 = (_e6956 - select(0i, 1i, (_e6949 < f32(_e6956))));
+if (_e6960 == 0i) {
 } else {
-let _e6975 = bitcast<u32>(_e6973);
-let _e6976 = bitcast<u32>((_e6741 + 12i));
-if (_e6976 < _e220) {
-let _e6980 = atomicAdd((&global_7.member[_e6976]), _e6975);
-phi_12041_ = _e6980;
+let _e6962 = bitcast<u32>(_e6960);
+let _e6963 = bitcast<u32>((_e6728 + 12i));
+if (_e6963 < _e220) {
+let _e6967 = atomicAdd((&global_7.member[_e6963]), _e6962);
+phi_12029_ = _e6967;
 } else {
-phi_12041_ = 0u;
+phi_12029_ = 0u;
 }
-let _e6982 = phi_12041_;
-let _e6989 = (bitcast<u32>((_e6973 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6982 + _e6975) < _e6975)));
-if (_e6989 == 0u) {
+let _e6969 = phi_12029_;
+let _e6976 = (bitcast<u32>((_e6960 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6969 + _e6962) < _e6962)));
+if (_e6976 == 0u) {
 } else {
-let _e6991 = (_e6976 + 1u);
-if (_e6991 < _e220) {
-let _e6995 = atomicAdd((&global_7.member[_e6991]), _e6989);
+let _e6978 = (_e6963 + 1u);
+if (_e6978 < _e220) {
+let _e6982 = atomicAdd((&global_7.member[_e6978]), _e6976);
 }
 }
 }
-phi_11228_ = (_e6431 + 1i);
+phi_11216_ = (_e6418 + 1i);
 } else {
-phi_11228_ = i32();
+phi_11216_ = i32();
 }
-let _e6998 = phi_11228_;
+let _e6985 = phi_11216_;
 continue;
 continuing {
-phi_11227_ = _e6998;
-break if !(_e6432);
+phi_11215_ = _e6985;
+break if !(_e6419);
 }
 }
-phi_11197_ = (_e6410 + 1i);
+phi_11186_ = (_e6398 + 1i);
 } else {
-phi_11197_ = i32();
+phi_11186_ = i32();
 }
-let _e7002 = phi_11197_;
+let _e6989 = phi_11186_;
 continue;
 continuing {
-phi_11196_ = _e7002;
-break if !(_e6411);
+phi_11185_ = _e6989;
+break if !(_e6399);
 }
 }
-phi_11062_ = (_e6320 + 1i);
+phi_11051_ = (_e6308 + 1i);
 } else {
-phi_11062_ = i32();
+phi_11051_ = i32();
 }
-let _e7006 = phi_11062_;
+let _e6993 = phi_11051_;
 continue;
 continuing {
-phi_11061_ = _e7006;
-break if !(_e6321);
+phi_11050_ = _e6993;
+break if !(_e6309);
 }
 }
 } else {
-if (_e961 == 2u) {
-let _e4197 = (_e935.member_1.member_6 & 31u);
-let _e4199 = (_e935.member_1.member_3.x << bitcast<u32>(_e4197));
-let _e4202 = (_e935.member_1.member_7 & 31u);
-let _e4206 = ((1i << bitcast<u32>(_e4202)) >> bitcast<u32>(1i));
-let _e4212 = bitcast<i32>(_e935.member_1.member_6);
-let _e4218 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e935.member_1.member_7) - _e4212))) << bitcast<u32>(23i)));
-let _e4219 = (f32((((_e935.member_1.member.x - _e4199) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4224 = (_e935.member_1.member_3.y << bitcast<u32>(_e4197));
-let _e4230 = (f32((((_e935.member_1.member.y - _e4224) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4235 = (_e935.member_1.member_3.z << bitcast<u32>(_e4197));
-let _e4241 = (f32((((_e935.member_1.member.z - _e4235) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4249 = (f32((((_e935.member_1.member_1.x - _e4199) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4256 = (f32((((_e935.member_1.member_1.y - _e4224) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4263 = (f32((((_e935.member_1.member_1.z - _e4235) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4271 = (f32((((_e935.member_1.member_2.x - _e4199) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4278 = (f32((((_e935.member_1.member_2.y - _e4224) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4285 = (f32((((_e935.member_1.member_2.z - _e4235) + _e4206) >> bitcast<u32>(_e4202))) * _e4218);
-let _e4293 = (f32(_e935.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e4212)) << bitcast<u32>(23i))));
-let _e4294 = (_e4249 - _e4219);
-let _e4295 = (_e4256 - _e4230);
-let _e4296 = (_e4263 - _e4241);
-let _e4297 = (_e4271 - _e4249);
-let _e4298 = (_e4278 - _e4256);
-let _e4299 = (_e4285 - _e4263);
-let _e4302 = ((_e4295 * _e4299) - (_e4296 * _e4298));
-let _e4303 = (_e4296 * _e4297);
-let _e4304 = (_e4294 * _e4299);
-let _e4316 = ((bitcast<f32>((bitcast<u32>(_e4303) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e4304) & 2147483647u))) * 2.3841858e-7f);
-let _e4317 = f32(_e935.member_1.member_4.x);
-let _e4318 = (1f + _e4293);
-let _e4320 = -((_e4303 - _e4304));
-let _e4321 = (_e935.member_1.member_4.z >= _e935.member_1.member_4.y);
-if _e4321 {
-let _e4415 = select(1f, -1f, (_e4302 < 0f));
-let _e4420 = ((_e4241 - _e4263) * _e4415);
-let _e4421 = ((_e4263 - _e4285) * _e4415);
-let _e4422 = ((_e4285 - _e4241) * _e4415);
-let _e4423 = ((0f - 0f) * _e4415);
-let _e4425 = (_e4295 * _e4415);
-let _e4426 = (_e4298 * _e4415);
-let _e4427 = ((_e4230 - _e4278) * _e4415);
-if (select(0u, 1u, ((_e4420 * _e4318) > -((_e4420 * _e4293)))) < 2u) {
-} else {
-break;
-}
-if (select(0u, 1u, ((_e4421 * _e4318) > -((_e4421 * _e4293)))) < 2u) {
+if (_e952 == 2u) {
+let _e4186 = (_e926.member_1.member_6 & 31u);
+let _e4188 = (_e926.member_1.member_3.x << bitcast<u32>(_e4186));
+let _e4191 = (_e926.member_1.member_7 & 31u);
+let _e4195 = ((1i << bitcast<u32>(_e4191)) >> bitcast<u32>(1i));
+let _e4201 = bitcast<i32>(_e926.member_1.member_6);
+let _e4207 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e4201))) << bitcast<u32>(23i)));
+let _e4208 = (f32((((_e926.member_1.member.x - _e4188) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4213 = (_e926.member_1.member_3.y << bitcast<u32>(_e4186));
+let _e4219 = (f32((((_e926.member_1.member.y - _e4213) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4224 = (_e926.member_1.member_3.z << bitcast<u32>(_e4186));
+let _e4230 = (f32((((_e926.member_1.member.z - _e4224) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4238 = (f32((((_e926.member_1.member_1.x - _e4188) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4245 = (f32((((_e926.member_1.member_1.y - _e4213) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4252 = (f32((((_e926.member_1.member_1.z - _e4224) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4260 = (f32((((_e926.member_1.member_2.x - _e4188) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4267 = (f32((((_e926.member_1.member_2.y - _e4213) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4274 = (f32((((_e926.member_1.member_2.z - _e4224) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
+let _e4282 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e4201)) << bitcast<u32>(23i))));
+let _e4283 = (_e4238 - _e4208);
+let _e4284 = (_e4245 - _e4219);
+let _e4285 = (_e4252 - _e4230);
+let _e4286 = (_e4260 - _e4238);
+let _e4287 = (_e4267 - _e4245);
+let _e4288 = (_e4274 - _e4252);
+let _e4291 = ((_e4284 * _e4288) - (_e4285 * _e4287));
+let _e4292 = (_e4285 * _e4286);
+let _e4293 = (_e4283 * _e4288);
+let _e4305 = ((bitcast<f32>((bitcast<u32>(_e4292) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e4293) & 2147483647u))) * 2.3841858e-7f);
+let _e4306 = f32(_e926.member_1.member_4.x);
+let _e4307 = (1f + _e4282);
+let _e4309 = -((_e4292 - _e4293));
+let _e4310 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e4310 {
+let _e4404 = select(1f, -1f, (_e4291 < 0f));
+let _e4409 = ((_e4230 - _e4252) * _e4404);
+let _e4410 = ((_e4252 - _e4274) * _e4404);
+let _e4411 = ((_e4274 - _e4230) * _e4404);
+let _e4412 = ((0f - 0f) * _e4404);
+let _e4414 = (_e4284 * _e4404);
+let _e4415 = (_e4287 * _e4404);
+let _e4416 = ((_e4219 - _e4267) * _e4404);
+if (select(0u, 1u, ((_e4409 * _e4307) > -((_e4409 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4422 * _e4318) > -((_e4422 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4410 * _e4307) > -((_e4410 * _e4282)))) < 2u) {
 } else {
 break;
 }
-let _e4451 = (select(0u, 1u, ((_e4423 * _e4318) > -((_e4423 * _e4293)))) < 2u);
-if _e4451 {
+if (select(0u, 1u, ((_e4411 * _e4307) > -((_e4411 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4425 * _e4318) > -((_e4425 * _e4293)))) < 2u) {
+let _e4440 = (select(0u, 1u, ((_e4412 * _e4307) > -((_e4412 * _e4282)))) < 2u);
+if _e4440 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4426 * _e4318) > -((_e4426 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4414 * _e4307) > -((_e4414 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4427 * _e4318) > -((_e4427 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4415 * _e4307) > -((_e4415 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if _e4451 {
+if (select(0u, 1u, ((_e4416 * _e4307) > -((_e4416 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4420 == 0f)) < 2u) {
+if _e4440 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4421 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4409 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4422 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4410 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4423 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4411 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4420 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4412 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4421 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4409 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4422 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4410 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4423 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4411 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4420 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4412 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4421 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4409 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4422 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4410 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4423 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4411 < 0f)) < 2u) {
+} else {
+break;
+}
+if (select(0u, 1u, (_e4412 < 0f)) < 2u) {
 } else {
 break;
 }
 } else {
-let _e4323 = select(1f, -1f, (-(_e4302) < 0f));
-let _e4328 = ((_e4230 - _e4256) * _e4323);
-let _e4329 = ((_e4256 - _e4278) * _e4323);
-let _e4330 = ((_e4278 - _e4230) * _e4323);
-let _e4331 = ((0f - 0f) * _e4323);
-let _e4333 = (_e4296 * _e4323);
-let _e4334 = (_e4299 * _e4323);
-let _e4335 = ((_e4241 - _e4285) * _e4323);
-if (select(0u, 1u, ((_e4328 * _e4318) > -((_e4328 * _e4293)))) < 2u) {
+let _e4312 = select(1f, -1f, (-(_e4291) < 0f));
+let _e4317 = ((_e4219 - _e4245) * _e4312);
+let _e4318 = ((_e4245 - _e4267) * _e4312);
+let _e4319 = ((_e4267 - _e4219) * _e4312);
+let _e4320 = ((0f - 0f) * _e4312);
+let _e4322 = (_e4285 * _e4312);
+let _e4323 = (_e4288 * _e4312);
+let _e4324 = ((_e4230 - _e4274) * _e4312);
+if (select(0u, 1u, ((_e4317 * _e4307) > -((_e4317 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4329 * _e4318) > -((_e4329 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4318 * _e4307) > -((_e4318 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4330 * _e4318) > -((_e4330 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4319 * _e4307) > -((_e4319 * _e4282)))) < 2u) {
 } else {
 break;
 }
-let _e4359 = (select(0u, 1u, ((_e4331 * _e4318) > -((_e4331 * _e4293)))) < 2u);
-if _e4359 {
+let _e4348 = (select(0u, 1u, ((_e4320 * _e4307) > -((_e4320 * _e4282)))) < 2u);
+if _e4348 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4333 * _e4318) > -((_e4333 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4322 * _e4307) > -((_e4322 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4334 * _e4318) > -((_e4334 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4323 * _e4307) > -((_e4323 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4335 * _e4318) > -((_e4335 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4324 * _e4307) > -((_e4324 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if _e4359 {
+if _e4348 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4328 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4317 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4329 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4318 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4330 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4319 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4331 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4320 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4328 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4317 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4329 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4318 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4330 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4319 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4331 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4320 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4328 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4317 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4329 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4318 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4330 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4319 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4331 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4320 < 0f)) < 2u) {
 } else {
 break;
 }
 }
-let _e4508 = select(1f, -1f, (((_e4294 * _e4298) - (_e4295 * _e4297)) < 0f));
-let _e4511 = (_e4278 - _e4230);
-let _e4512 = (0f - 0f);
-let _e4513 = ((_e4230 - _e4256) * _e4508);
-let _e4514 = ((_e4256 - _e4278) * _e4508);
-let _e4515 = (_e4511 * _e4508);
-let _e4516 = (_e4512 * _e4508);
-let _e4517 = (_e4219 - _e4271);
-let _e4518 = (_e4294 * _e4508);
-let _e4519 = (_e4297 * _e4508);
-let _e4520 = (_e4517 * _e4508);
-if (select(0u, 1u, ((_e4513 * _e4318) > -((_e4513 * _e4293)))) < 2u) {
+let _e4497 = select(1f, -1f, (((_e4283 * _e4287) - (_e4284 * _e4286)) < 0f));
+let _e4500 = (_e4267 - _e4219);
+let _e4501 = (0f - 0f);
+let _e4502 = ((_e4219 - _e4245) * _e4497);
+let _e4503 = ((_e4245 - _e4267) * _e4497);
+let _e4504 = (_e4500 * _e4497);
+let _e4505 = (_e4501 * _e4497);
+let _e4506 = (_e4208 - _e4260);
+let _e4507 = (_e4283 * _e4497);
+let _e4508 = (_e4286 * _e4497);
+let _e4509 = (_e4506 * _e4497);
+if (select(0u, 1u, ((_e4502 * _e4307) > -((_e4502 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4514 * _e4318) > -((_e4514 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4503 * _e4307) > -((_e4503 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4515 * _e4318) > -((_e4515 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4504 * _e4307) > -((_e4504 * _e4282)))) < 2u) {
 } else {
 break;
 }
-let _e4544 = (select(0u, 1u, ((_e4516 * _e4318) > -((_e4516 * _e4293)))) < 2u);
-if _e4544 {
+let _e4533 = (select(0u, 1u, ((_e4505 * _e4307) > -((_e4505 * _e4282)))) < 2u);
+if _e4533 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4518 * _e4318) > -((_e4518 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4507 * _e4307) > -((_e4507 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4519 * _e4318) > -((_e4519 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4508 * _e4307) > -((_e4508 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4520 * _e4318) > -((_e4520 * _e4293)))) < 2u) {
+if (select(0u, 1u, ((_e4509 * _e4307) > -((_e4509 * _e4282)))) < 2u) {
 } else {
 break;
 }
-if _e4544 {
+if _e4533 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4513 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4502 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4514 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4503 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4515 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4504 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4516 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4505 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4513 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4502 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4514 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4503 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4515 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4504 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4516 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4505 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4513 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4502 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4514 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4503 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4515 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4504 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4516 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4505 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e4600 = select(1f, -1f, (_e4320 < 0f));
-let _e4606 = select(0f, (2f * _e4316), (bitcast<f32>((bitcast<u32>(_e4320) & 2147483647u)) <= _e4316));
-let _e4609 = (_e4285 - _e4241);
-let _e4610 = ((_e4241 - _e4263) * _e4600);
-let _e4611 = ((_e4263 - _e4285) * _e4600);
-let _e4612 = (_e4609 * _e4600);
-let _e4613 = (_e4512 * _e4600);
-let _e4614 = (_e4294 * _e4600);
-let _e4615 = (_e4297 * _e4600);
-let _e4616 = (_e4517 * _e4600);
-let _e4617 = (_e4610 * _e4318);
-let _e4618 = (_e4611 * _e4318);
-let _e4619 = (_e4612 * _e4318);
-let _e4625 = -((_e4610 * _e4293));
-let _e4626 = -((_e4611 * _e4293));
-let _e4627 = -((_e4612 * _e4293));
+let _e4589 = select(1f, -1f, (_e4309 < 0f));
+let _e4595 = select(0f, (2f * _e4305), (bitcast<f32>((bitcast<u32>(_e4309) & 2147483647u)) <= _e4305));
+let _e4598 = (_e4274 - _e4230);
+let _e4599 = ((_e4230 - _e4252) * _e4589);
+let _e4600 = ((_e4252 - _e4274) * _e4589);
+let _e4601 = (_e4598 * _e4589);
+let _e4602 = (_e4501 * _e4589);
+let _e4603 = (_e4283 * _e4589);
+let _e4604 = (_e4286 * _e4589);
+let _e4605 = (_e4506 * _e4589);
+let _e4606 = (_e4599 * _e4307);
+let _e4607 = (_e4600 * _e4307);
+let _e4608 = (_e4601 * _e4307);
+let _e4614 = -((_e4599 * _e4282));
+let _e4615 = -((_e4600 * _e4282));
+let _e4616 = -((_e4601 * _e4282));
 local_97 = array<u32, 2>(0u, 4294967295u);
-let _e4633 = select(0u, 1u, (_e4617 > _e4625));
-if (_e4633 < 2u) {
+let _e4622 = select(0u, 1u, (_e4606 > _e4614));
+if (_e4622 < 2u) {
 } else {
 break;
 }
-let _e4636 = local_97[_e4633];
+let _e4625 = local_97[_e4622];
 local_98 = array<u32, 2>(0u, 4294967295u);
-let _e4637 = select(0u, 1u, (_e4618 > _e4626));
-if (_e4637 < 2u) {
+let _e4626 = select(0u, 1u, (_e4607 > _e4615));
+if (_e4626 < 2u) {
 } else {
 break;
 }
-let _e4640 = local_98[_e4637];
+let _e4629 = local_98[_e4626];
 local_99 = array<u32, 2>(0u, 4294967295u);
-let _e4641 = select(0u, 1u, (_e4619 > _e4627));
-if (_e4641 < 2u) {
+let _e4630 = select(0u, 1u, (_e4608 > _e4616));
+if (_e4630 < 2u) {
 } else {
 break;
 }
-let _e4644 = local_99[_e4641];
-let _e4646 = (select(0u, 1u, ((_e4613 * _e4318) > -((_e4613 * _e4293)))) < 2u);
-if _e4646 {
+let _e4633 = local_99[_e4630];
+let _e4635 = (select(0u, 1u, ((_e4602 * _e4307) > -((_e4602 * _e4282)))) < 2u);
+if _e4635 {
 } else {
 break;
 }
-let _e4662 = (_e4614 * _e4318);
-let _e4663 = (_e4615 * _e4318);
-let _e4664 = (_e4616 * _e4318);
-let _e4668 = -((_e4614 * _e4293));
-let _e4669 = -((_e4615 * _e4293));
-let _e4670 = -((_e4616 * _e4293));
+let _e4651 = (_e4603 * _e4307);
+let _e4652 = (_e4604 * _e4307);
+let _e4653 = (_e4605 * _e4307);
+let _e4657 = -((_e4603 * _e4282));
+let _e4658 = -((_e4604 * _e4282));
+let _e4659 = -((_e4605 * _e4282));
 local_94 = array<u32, 2>(0u, 4294967295u);
-let _e4674 = select(0u, 1u, (_e4662 > _e4668));
-if (_e4674 < 2u) {
+let _e4663 = select(0u, 1u, (_e4651 > _e4657));
+if (_e4663 < 2u) {
 } else {
 break;
 }
-let _e4677 = local_94[_e4674];
+let _e4666 = local_94[_e4663];
 local_95 = array<u32, 2>(0u, 4294967295u);
-let _e4678 = select(0u, 1u, (_e4663 > _e4669));
-if (_e4678 < 2u) {
+let _e4667 = select(0u, 1u, (_e4652 > _e4658));
+if (_e4667 < 2u) {
 } else {
 break;
 }
-let _e4681 = local_95[_e4678];
+let _e4670 = local_95[_e4667];
 local_96 = array<u32, 2>(0u, 4294967295u);
-let _e4682 = select(0u, 1u, (_e4664 > _e4670));
-if (_e4682 < 2u) {
+let _e4671 = select(0u, 1u, (_e4653 > _e4659));
+if (_e4671 < 2u) {
 } else {
 break;
 }
-let _e4685 = local_96[_e4682];
-if _e4646 {
+let _e4674 = local_96[_e4671];
+if _e4635 {
 } else {
 break;
 }
 local_91 = array<u32, 2>(0u, 4294967295u);
-let _e4711 = select(0u, 1u, (_e4610 == 0f));
-if (_e4711 < 2u) {
+let _e4700 = select(0u, 1u, (_e4599 == 0f));
+if (_e4700 < 2u) {
 } else {
 break;
 }
-let _e4714 = local_91[_e4711];
+let _e4703 = local_91[_e4700];
 local_92 = array<u32, 2>(0u, 4294967295u);
-let _e4715 = select(0u, 1u, (_e4611 == 0f));
-if (_e4715 < 2u) {
+let _e4704 = select(0u, 1u, (_e4600 == 0f));
+if (_e4704 < 2u) {
 } else {
 break;
 }
-let _e4718 = local_92[_e4715];
+let _e4707 = local_92[_e4704];
 local_93 = array<u32, 2>(0u, 4294967295u);
-let _e4719 = select(0u, 1u, (_e4612 == 0f));
-if (_e4719 < 2u) {
+let _e4708 = select(0u, 1u, (_e4601 == 0f));
+if (_e4708 < 2u) {
 } else {
 break;
 }
-let _e4722 = local_93[_e4719];
-if (select(0u, 1u, (_e4613 == 0f)) < 2u) {
+let _e4711 = local_93[_e4708];
+if (select(0u, 1u, (_e4602 == 0f)) < 2u) {
 } else {
 break;
 }
-let _e4726 = ((_e4714 & 1u) != 0u);
-let _e4729 = ((_e4718 & 1u) != 0u);
-let _e4732 = ((_e4722 & 1u) != 0u);
-let _e4734 = (-1f / select(_e4610, 1f, _e4726));
-let _e4735 = (-1f / select(_e4611, 1f, _e4729));
-let _e4736 = (-1f / select(_e4612, 1f, _e4732));
+let _e4715 = ((_e4703 & 1u) != 0u);
+let _e4718 = ((_e4707 & 1u) != 0u);
+let _e4721 = ((_e4711 & 1u) != 0u);
+let _e4723 = (-1f / select(_e4599, 1f, _e4715));
+let _e4724 = (-1f / select(_e4600, 1f, _e4718));
+let _e4725 = (-1f / select(_e4601, 1f, _e4721));
 local_88 = array<u32, 2>(0u, 4294967295u);
-let _e4741 = select(0u, 1u, (_e4610 > 0f));
-if (_e4741 < 2u) {
+let _e4730 = select(0u, 1u, (_e4599 > 0f));
+if (_e4730 < 2u) {
 } else {
 break;
 }
-let _e4744 = local_88[_e4741];
+let _e4733 = local_88[_e4730];
 local_89 = array<u32, 2>(0u, 4294967295u);
-let _e4745 = select(0u, 1u, (_e4611 > 0f));
-if (_e4745 < 2u) {
+let _e4734 = select(0u, 1u, (_e4600 > 0f));
+if (_e4734 < 2u) {
 } else {
 break;
 }
-let _e4748 = local_89[_e4745];
+let _e4737 = local_89[_e4734];
 local_90 = array<u32, 2>(0u, 4294967295u);
-let _e4749 = select(0u, 1u, (_e4612 > 0f));
-if (_e4749 < 2u) {
+let _e4738 = select(0u, 1u, (_e4601 > 0f));
+if (_e4738 < 2u) {
 } else {
 break;
 }
-let _e4752 = local_90[_e4749];
-if (select(0u, 1u, (_e4613 > 0f)) < 2u) {
+let _e4741 = local_90[_e4738];
+if (select(0u, 1u, (_e4602 > 0f)) < 2u) {
 } else {
 break;
 }
 local_85 = array<u32, 2>(0u, 4294967295u);
-let _e4759 = select(0u, 1u, (_e4610 < 0f));
-if (_e4759 < 2u) {
+let _e4748 = select(0u, 1u, (_e4599 < 0f));
+if (_e4748 < 2u) {
 } else {
 break;
 }
-let _e4762 = local_85[_e4759];
+let _e4751 = local_85[_e4748];
 local_86 = array<u32, 2>(0u, 4294967295u);
-let _e4763 = select(0u, 1u, (_e4611 < 0f));
-if (_e4763 < 2u) {
+let _e4752 = select(0u, 1u, (_e4600 < 0f));
+if (_e4752 < 2u) {
 } else {
 break;
 }
-let _e4766 = local_86[_e4763];
+let _e4755 = local_86[_e4752];
 local_87 = array<u32, 2>(0u, 4294967295u);
-let _e4767 = select(0u, 1u, (_e4612 < 0f));
-if (_e4767 < 2u) {
+let _e4756 = select(0u, 1u, (_e4601 < 0f));
+if (_e4756 < 2u) {
 } else {
 break;
 }
-let _e4770 = local_87[_e4767];
-if (select(0u, 1u, (_e4613 < 0f)) < 2u) {
+let _e4759 = local_87[_e4756];
+if (select(0u, 1u, (_e4602 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e4786 = ((_e4762 & 1u) != 0u);
-let _e4789 = ((_e4766 & 1u) != 0u);
-let _e4792 = ((_e4770 & 1u) != 0u);
-let _e4797 = (_e4271 - _e4219);
-let _e4799 = (_e935.member.member * 19i);
-let _e4800 = (_e4799 + 18i);
-let _e4802 = (bitcast<i32>(_e214) - 1i);
-let _e4804 = select(_e4802, _e4800, (_e4800 < _e4802));
-let _e4810 = global_4.member[bitcast<u32>(select(0i, _e4804, (_e4804 > 0i)))];
-let _e4812 = select(0f, _e4810, (_e4810 > 0f));
-let _e4814 = select(16777216f, _e4812, (_e4812 < 16777216f));
-let _e4821 = select(0i, select(select(i32(_e4814), i32(-2147483648), (_e4814 < -2147483600f)), 2147483647i, (_e4814 > 2147483500f)), (_e4814 == _e4814));
-phi_16061_ = _e935.member.member_1;
+let _e4775 = ((_e4751 & 1u) != 0u);
+let _e4778 = ((_e4755 & 1u) != 0u);
+let _e4781 = ((_e4759 & 1u) != 0u);
+let _e4786 = (_e4260 - _e4208);
+let _e4788 = (_e926.member.member * 19i);
+let _e4789 = (_e4788 + 18i);
+let _e4791 = (bitcast<i32>(_e214) - 1i);
+let _e4793 = select(_e4791, _e4789, (_e4789 < _e4791));
+let _e4799 = global_4.member[bitcast<u32>(select(0i, _e4793, (_e4793 > 0i)))];
+let _e4801 = select(0f, _e4799, (_e4799 > 0f));
+let _e4803 = select(16777216f, _e4801, (_e4801 < 16777216f));
+let _e4810 = select(0i, select(select(i32(_e4803), i32(-2147483648), (_e4803 < -2147483600f)), 2147483647i, (_e4803 > 2147483500f)), (_e4803 == _e4803));
+phi_16049_ = _e926.member.member_1;
 loop {
-let _e4828 = phi_16061_;
-let _e4829 = (_e4828 < _e935.member.member_2);
-if _e4829 {
-if _e4321 {
-phi_16076_ = _e935.member_1.member_4.y;
+let _e4817 = phi_16049_;
+let _e4818 = (_e4817 < _e926.member.member_2);
+if _e4818 {
+if _e4310 {
+phi_16064_ = _e926.member_1.member_4.y;
 } else {
-phi_16076_ = _e935.member_1.member_4.z;
+phi_16064_ = _e926.member_1.member_4.z;
 }
-let _e4833 = phi_16076_;
-phi_16078_ = 0i;
+let _e4822 = phi_16064_;
+phi_16066_ = 0i;
 loop {
-let _e4835 = phi_16078_;
-let _e4836 = (_e4835 <= _e4833);
-if _e4836 {
-let _e4837 = select(_e4835, _e4828, _e4321);
-let _e4838 = select(_e4828, _e4835, _e4321);
-let _e4839 = f32(_e4837);
-let _e4841 = f32(_e935.member_1.member_4.x);
-let _e4845 = ((_e4614 * _e4839) + (((select(_e4625, _e4617, ((_e4636 & 1u) != 0u)) - (_e4610 * _e4219)) + (select(_e4668, _e4662, ((_e4677 & 1u) != 0u)) - (_e4614 * _e4241))) + _e4606));
-let _e4846 = ((_e4615 * _e4839) + (((select(_e4626, _e4618, ((_e4640 & 1u) != 0u)) - (_e4611 * _e4249)) + (select(_e4669, _e4663, ((_e4681 & 1u) != 0u)) - (_e4615 * _e4263))) + _e4606));
-let _e4847 = ((_e4616 * _e4839) + (((select(_e4627, _e4619, ((_e4644 & 1u) != 0u)) - (_e4612 * _e4271)) + (select(_e4670, _e4664, ((_e4685 & 1u) != 0u)) - (_e4616 * _e4285))) + _e4606));
-let _e4848 = (_e4845 * select(0f, _e4734, ((_e4744 & 1u) != 0u)));
-let _e4849 = (_e4846 * select(0f, _e4735, ((_e4748 & 1u) != 0u)));
-let _e4850 = (_e4847 * select(0f, _e4736, ((_e4752 & 1u) != 0u)));
-let _e4854 = ((_e4845 * select(select(0f, 1e20f, _e4726), _e4734, _e4786)) + select(_e4317, 0f, _e4786));
-let _e4855 = ((_e4846 * select(select(0f, 1e20f, _e4729), _e4735, _e4789)) + select(_e4317, 0f, _e4789));
-let _e4856 = ((_e4847 * select(select(0f, 1e20f, _e4732), _e4736, _e4792)) + select(_e4317, 0f, _e4792));
-let _e4858 = select(_e4848, 0f, (0f > _e4848));
-let _e4860 = select(_e4850, _e4849, (_e4849 > _e4850));
-let _e4864 = select(_e4854, _e4841, (_e4841 < _e4854));
-let _e4866 = select(_e4856, _e4855, (_e4855 < _e4856));
-let _e4868 = select(_e4866, _e4864, (_e4864 < _e4866));
-let _e4869 = -(select(_e4860, _e4858, (_e4858 > _e4860)));
-let _e4871 = (-(_e4841) - 1f);
-let _e4873 = select(_e4871, _e4869, (_e4869 > _e4871));
-let _e4875 = select(0f, _e4873, (_e4873 < 0f));
-let _e4882 = select(0i, select(select(i32(_e4875), i32(-2147483648), (_e4875 < -2147483600f)), 2147483647i, (_e4875 > 2147483500f)), (_e4875 == _e4875));
-let _e4889 = select(-1f, _e4868, (_e4868 > -1f));
-let _e4891 = select(_e4841, _e4889, (_e4889 < _e4841));
-let _e4898 = select(0i, select(select(i32(_e4891), i32(-2147483648), (_e4891 < -2147483600f)), 2147483647i, (_e4891 > 2147483500f)), (_e4891 == _e4891));
-let _e4907 = global_1.member.member_1[1u];
-let _e4915 = global_1.member.member_1[3u];
-phi_16206_ = -((_e4882 - select(0i, 1i, (_e4875 < f32(_e4882)))));
+let _e4824 = phi_16066_;
+let _e4825 = (_e4824 <= _e4822);
+if _e4825 {
+let _e4826 = select(_e4824, _e4817, _e4310);
+let _e4827 = select(_e4817, _e4824, _e4310);
+let _e4828 = f32(_e4826);
+let _e4830 = f32(_e926.member_1.member_4.x);
+let _e4834 = ((_e4603 * _e4828) + (((select(_e4614, _e4606, ((_e4625 & 1u) != 0u)) - (_e4599 * _e4208)) + (select(_e4657, _e4651, ((_e4666 & 1u) != 0u)) - (_e4603 * _e4230))) + _e4595));
+let _e4835 = ((_e4604 * _e4828) + (((select(_e4615, _e4607, ((_e4629 & 1u) != 0u)) - (_e4600 * _e4238)) + (select(_e4658, _e4652, ((_e4670 & 1u) != 0u)) - (_e4604 * _e4252))) + _e4595));
+let _e4836 = ((_e4605 * _e4828) + (((select(_e4616, _e4608, ((_e4633 & 1u) != 0u)) - (_e4601 * _e4260)) + (select(_e4659, _e4653, ((_e4674 & 1u) != 0u)) - (_e4605 * _e4274))) + _e4595));
+let _e4837 = (_e4834 * select(0f, _e4723, ((_e4733 & 1u) != 0u)));
+let _e4838 = (_e4835 * select(0f, _e4724, ((_e4737 & 1u) != 0u)));
+let _e4839 = (_e4836 * select(0f, _e4725, ((_e4741 & 1u) != 0u)));
+let _e4843 = ((_e4834 * select(select(0f, 1e20f, _e4715), _e4723, _e4775)) + select(_e4306, 0f, _e4775));
+let _e4844 = ((_e4835 * select(select(0f, 1e20f, _e4718), _e4724, _e4778)) + select(_e4306, 0f, _e4778));
+let _e4845 = ((_e4836 * select(select(0f, 1e20f, _e4721), _e4725, _e4781)) + select(_e4306, 0f, _e4781));
+let _e4847 = select(_e4837, 0f, (0f > _e4837));
+let _e4849 = select(_e4839, _e4838, (_e4838 > _e4839));
+let _e4853 = select(_e4843, _e4830, (_e4830 < _e4843));
+let _e4855 = select(_e4845, _e4844, (_e4844 < _e4845));
+let _e4857 = select(_e4855, _e4853, (_e4853 < _e4855));
+let _e4858 = -(select(_e4849, _e4847, (_e4847 > _e4849)));
+let _e4860 = (-(_e4830) - 1f);
+let _e4862 = select(_e4860, _e4858, (_e4858 > _e4860));
+let _e4864 = select(0f, _e4862, (_e4862 < 0f));
+let _e4871 = select(0i, select(select(i32(_e4864), i32(-2147483648), (_e4864 < -2147483600f)), 2147483647i, (_e4864 > 2147483500f)), (_e4864 == _e4864));
+let _e4878 = select(-1f, _e4857, (_e4857 > -1f));
+let _e4880 = select(_e4830, _e4878, (_e4878 < _e4830));
+let _e4887 = select(0i, select(select(i32(_e4880), i32(-2147483648), (_e4880 < -2147483600f)), 2147483647i, (_e4880 > 2147483500f)), (_e4880 == _e4880));
+let _e4896 = global_1.member.member_2.member_1;
+let _e4903 = global_1.member.member_3;
+phi_16193_ = -((_e4871 - select(0i, 1i, (_e4864 < f32(_e4871)))));
 loop {
-let _e4919 = phi_16206_;
-let _e4920 = (_e4919 <= (_e4898 - select(0i, 1i, (_e4891 < f32(_e4898)))));
-if _e4920 {
-let _e4926 = ((f32(_e4919) + 0.5f) - _e4219);
-let _e4927 = ((f32(_e4838) + 0.5f) - _e4230);
-let _e4928 = ((_e4839 + 0.5f) - _e4241);
-let _e4933 = (((_e4294 * _e4294) + (_e4295 * _e4295)) + (_e4296 * _e4296));
-let _e4938 = (((_e4294 * _e4797) + (_e4295 * _e4511)) + (_e4296 * _e4609));
-let _e4943 = (((_e4797 * _e4797) + (_e4511 * _e4511)) + (_e4609 * _e4609));
-let _e4948 = (((_e4926 * _e4294) + (_e4927 * _e4295)) + (_e4928 * _e4296));
-let _e4953 = (((_e4926 * _e4797) + (_e4927 * _e4511)) + (_e4928 * _e4609));
-let _e4956 = ((_e4933 * _e4943) - (_e4938 * _e4938));
-let _e4957 = (_e4956 > 0f);
-let _e4960 = select(0f, (1f / select(1f, _e4956, _e4957)), _e4957);
-let _e4964 = (((_e4943 * _e4948) - (_e4938 * _e4953)) * _e4960);
-let _e4968 = (((_e4933 * _e4953) - (_e4938 * _e4948)) * _e4960);
-let _e4970 = ((1f - _e4964) - _e4968);
-let _e4972 = select(0f, _e4970, (_e4970 > 0f));
-let _e4974 = select(16777216f, _e4972, (_e4972 < 16777216f));
-let _e4976 = select(0f, _e4964, (_e4964 > 0f));
-let _e4978 = select(16777216f, _e4976, (_e4976 < 16777216f));
-let _e4980 = select(0f, _e4968, (_e4968 > 0f));
-let _e4982 = select(16777216f, _e4980, (_e4980 < 16777216f));
-let _e4984 = ((_e4974 + _e4978) + _e4982);
-let _e4987 = (1f / select(0.5f, _e4984, (_e4984 > 0.5f)));
-let _e4988 = (_e4974 * _e4987);
-let _e4989 = (_e4978 * _e4987);
-let _e4990 = (_e4982 * _e4987);
-let _e4992 = select(_e4802, _e4799, (_e4799 < _e4802));
-let _e4998 = global_4.member[bitcast<u32>(select(0i, _e4992, (_e4992 > 0i)))];
-let _e4999 = (_e4799 + 1i);
-let _e5001 = select(_e4802, _e4999, (_e4999 < _e4802));
-let _e5007 = global_4.member[bitcast<u32>(select(0i, _e5001, (_e5001 > 0i)))];
-let _e5008 = (_e4799 + 2i);
-let _e5010 = select(_e4802, _e5008, (_e5008 < _e4802));
-let _e5016 = global_4.member[bitcast<u32>(select(0i, _e5010, (_e5010 > 0i)))];
-let _e5017 = (_e4799 + 3i);
-let _e5019 = select(_e4802, _e5017, (_e5017 < _e4802));
-let _e5025 = global_4.member[bitcast<u32>(select(0i, _e5019, (_e5019 > 0i)))];
-let _e5026 = (_e4799 + 4i);
-let _e5028 = select(_e4802, _e5026, (_e5026 < _e4802));
-let _e5034 = global_4.member[bitcast<u32>(select(0i, _e5028, (_e5028 > 0i)))];
-let _e5035 = (_e4799 + 5i);
-let _e5037 = select(_e4802, _e5035, (_e5035 < _e4802));
-let _e5043 = global_4.member[bitcast<u32>(select(0i, _e5037, (_e5037 > 0i)))];
-let _e5044 = (_e4799 + 6i);
-let _e5046 = select(_e4802, _e5044, (_e5044 < _e4802));
-let _e5052 = global_4.member[bitcast<u32>(select(0i, _e5046, (_e5046 > 0i)))];
-let _e5053 = (_e4799 + 7i);
-let _e5055 = select(_e4802, _e5053, (_e5053 < _e4802));
-let _e5061 = global_4.member[bitcast<u32>(select(0i, _e5055, (_e5055 > 0i)))];
-let _e5062 = (_e4799 + 8i);
-let _e5064 = select(_e4802, _e5062, (_e5062 < _e4802));
-let _e5070 = global_4.member[bitcast<u32>(select(0i, _e5064, (_e5064 > 0i)))];
-let _e5075 = (((_e4998 * _e4988) + (_e5025 * _e4989)) + (_e5052 * _e4990));
-let _e5080 = (((_e5007 * _e4988) + (_e5034 * _e4989)) + (_e5061 * _e4990));
-let _e5085 = (((_e5016 * _e4988) + (_e5043 * _e4989)) + (_e5070 * _e4990));
-let _e5090 = (((_e5075 * _e5075) + (_e5080 * _e5080)) + (_e5085 * _e5085));
-let _e5093 = sqrt(select(0f, _e5090, (_e5090 > 0f)));
-let _e5094 = (_e5093 > 1e-6f);
-let _e5097 = select(0f, (1f / select(1e-6f, _e5093, _e5094)), _e5094);
-let _e5098 = (_e4799 + 9i);
-let _e5100 = select(_e4802, _e5098, (_e5098 < _e4802));
-let _e5106 = global_4.member[bitcast<u32>(select(0i, _e5100, (_e5100 > 0i)))];
-let _e5107 = (_e4799 + 10i);
-let _e5109 = select(_e4802, _e5107, (_e5107 < _e4802));
-let _e5115 = global_4.member[bitcast<u32>(select(0i, _e5109, (_e5109 > 0i)))];
-let _e5116 = (_e4799 + 11i);
-let _e5118 = select(_e4802, _e5116, (_e5116 < _e4802));
-let _e5124 = global_4.member[bitcast<u32>(select(0i, _e5118, (_e5118 > 0i)))];
-let _e5125 = (_e4799 + 12i);
-let _e5127 = select(_e4802, _e5125, (_e5125 < _e4802));
-let _e5133 = global_4.member[bitcast<u32>(select(0i, _e5127, (_e5127 > 0i)))];
-let _e5134 = (_e4799 + 13i);
-let _e5136 = select(_e4802, _e5134, (_e5134 < _e4802));
-let _e5142 = global_4.member[bitcast<u32>(select(0i, _e5136, (_e5136 > 0i)))];
-let _e5143 = (_e4799 + 14i);
-let _e5145 = select(_e4802, _e5143, (_e5143 < _e4802));
-let _e5151 = global_4.member[bitcast<u32>(select(0i, _e5145, (_e5145 > 0i)))];
-let _e5152 = (_e4799 + 15i);
-let _e5154 = select(_e4802, _e5152, (_e5152 < _e4802));
-let _e5160 = global_4.member[bitcast<u32>(select(0i, _e5154, (_e5154 > 0i)))];
-let _e5161 = (_e4799 + 16i);
-let _e5163 = select(_e4802, _e5161, (_e5161 < _e4802));
-let _e5169 = global_4.member[bitcast<u32>(select(0i, _e5163, (_e5163 > 0i)))];
-let _e5170 = (_e4799 + 17i);
-let _e5172 = select(_e4802, _e5170, (_e5170 < _e4802));
-let _e5178 = global_4.member[bitcast<u32>(select(0i, _e5172, (_e5172 > 0i)))];
-let _e5194 = (_e935.member_1.member_3.x + _e4919);
-let _e5197 = ((((((_e935.member_1.member_3.z + _e4837) * bitcast<i32>(_e4907)) + _e935.member_1.member_3.y) + _e4838) * bitcast<i32>(_e4915)) + (_e5194 >> bitcast<u32>(5i)));
-let _e5201 = (bitcast<i32>(_e218) - 1i);
-let _e5203 = select(_e5201, _e5197, (_e5197 < _e5201));
-let _e5209 = global_6.member[bitcast<u32>(select(0i, _e5203, (_e5203 > 0i)))];
-let _e5211 = (bitcast<i32>(_e216) - 1i);
-let _e5213 = select(_e5211, _e5197, (_e5197 < _e5211));
-let _e5219 = global_5.member[bitcast<u32>(select(0i, _e5213, (_e5213 > 0i)))];
-let _e5228 = (bitcast<i32>((_e5209 + countOneBits((_e5219 & ((1u << bitcast<u32>((bitcast<u32>((_e5194 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e5229 = bitcast<u32>(_e5228);
-if (_e5229 < _e220) {
-let _e5233 = atomicAdd((&global_7.member[_e5229]), 1u);
+let _e4907 = phi_16193_;
+let _e4908 = (_e4907 <= (_e4887 - select(0i, 1i, (_e4880 < f32(_e4887)))));
+if _e4908 {
+let _e4914 = ((f32(_e4907) + 0.5f) - _e4208);
+let _e4915 = ((f32(_e4827) + 0.5f) - _e4219);
+let _e4916 = ((_e4828 + 0.5f) - _e4230);
+let _e4921 = (((_e4283 * _e4283) + (_e4284 * _e4284)) + (_e4285 * _e4285));
+let _e4926 = (((_e4283 * _e4786) + (_e4284 * _e4500)) + (_e4285 * _e4598));
+let _e4931 = (((_e4786 * _e4786) + (_e4500 * _e4500)) + (_e4598 * _e4598));
+let _e4936 = (((_e4914 * _e4283) + (_e4915 * _e4284)) + (_e4916 * _e4285));
+let _e4941 = (((_e4914 * _e4786) + (_e4915 * _e4500)) + (_e4916 * _e4598));
+let _e4944 = ((_e4921 * _e4931) - (_e4926 * _e4926));
+let _e4945 = (_e4944 > 0f);
+let _e4948 = select(0f, (1f / select(1f, _e4944, _e4945)), _e4945);
+let _e4952 = (((_e4931 * _e4936) - (_e4926 * _e4941)) * _e4948);
+let _e4956 = (((_e4921 * _e4941) - (_e4926 * _e4936)) * _e4948);
+let _e4958 = ((1f - _e4952) - _e4956);
+let _e4960 = select(0f, _e4958, (_e4958 > 0f));
+let _e4962 = select(16777216f, _e4960, (_e4960 < 16777216f));
+let _e4964 = select(0f, _e4952, (_e4952 > 0f));
+let _e4966 = select(16777216f, _e4964, (_e4964 < 16777216f));
+let _e4968 = select(0f, _e4956, (_e4956 > 0f));
+let _e4970 = select(16777216f, _e4968, (_e4968 < 16777216f));
+let _e4972 = ((_e4962 + _e4966) + _e4970);
+let _e4975 = (1f / select(0.5f, _e4972, (_e4972 > 0.5f)));
+let _e4976 = (_e4962 * _e4975);
+let _e4977 = (_e4966 * _e4975);
+let _e4978 = (_e4970 * _e4975);
+let _e4980 = select(_e4791, _e4788, (_e4788 < _e4791));
+let _e4986 = global_4.member[bitcast<u32>(select(0i, _e4980, (_e4980 > 0i)))];
+let _e4987 = (_e4788 + 1i);
+let _e4989 = select(_e4791, _e4987, (_e4987 < _e4791));
+let _e4995 = global_4.member[bitcast<u32>(select(0i, _e4989, (_e4989 > 0i)))];
+let _e4996 = (_e4788 + 2i);
+let _e4998 = select(_e4791, _e4996, (_e4996 < _e4791));
+let _e5004 = global_4.member[bitcast<u32>(select(0i, _e4998, (_e4998 > 0i)))];
+let _e5005 = (_e4788 + 3i);
+let _e5007 = select(_e4791, _e5005, (_e5005 < _e4791));
+let _e5013 = global_4.member[bitcast<u32>(select(0i, _e5007, (_e5007 > 0i)))];
+let _e5014 = (_e4788 + 4i);
+let _e5016 = select(_e4791, _e5014, (_e5014 < _e4791));
+let _e5022 = global_4.member[bitcast<u32>(select(0i, _e5016, (_e5016 > 0i)))];
+let _e5023 = (_e4788 + 5i);
+let _e5025 = select(_e4791, _e5023, (_e5023 < _e4791));
+let _e5031 = global_4.member[bitcast<u32>(select(0i, _e5025, (_e5025 > 0i)))];
+let _e5032 = (_e4788 + 6i);
+let _e5034 = select(_e4791, _e5032, (_e5032 < _e4791));
+let _e5040 = global_4.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
+let _e5041 = (_e4788 + 7i);
+let _e5043 = select(_e4791, _e5041, (_e5041 < _e4791));
+let _e5049 = global_4.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
+let _e5050 = (_e4788 + 8i);
+let _e5052 = select(_e4791, _e5050, (_e5050 < _e4791));
+let _e5058 = global_4.member[bitcast<u32>(select(0i, _e5052, (_e5052 > 0i)))];
+let _e5063 = (((_e4986 * _e4976) + (_e5013 * _e4977)) + (_e5040 * _e4978));
+let _e5068 = (((_e4995 * _e4976) + (_e5022 * _e4977)) + (_e5049 * _e4978));
+let _e5073 = (((_e5004 * _e4976) + (_e5031 * _e4977)) + (_e5058 * _e4978));
+let _e5078 = (((_e5063 * _e5063) + (_e5068 * _e5068)) + (_e5073 * _e5073));
+let _e5081 = sqrt(select(0f, _e5078, (_e5078 > 0f)));
+let _e5082 = (_e5081 > 1e-6f);
+let _e5085 = select(0f, (1f / select(1e-6f, _e5081, _e5082)), _e5082);
+let _e5086 = (_e4788 + 9i);
+let _e5088 = select(_e4791, _e5086, (_e5086 < _e4791));
+let _e5094 = global_4.member[bitcast<u32>(select(0i, _e5088, (_e5088 > 0i)))];
+let _e5095 = (_e4788 + 10i);
+let _e5097 = select(_e4791, _e5095, (_e5095 < _e4791));
+let _e5103 = global_4.member[bitcast<u32>(select(0i, _e5097, (_e5097 > 0i)))];
+let _e5104 = (_e4788 + 11i);
+let _e5106 = select(_e4791, _e5104, (_e5104 < _e4791));
+let _e5112 = global_4.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
+let _e5113 = (_e4788 + 12i);
+let _e5115 = select(_e4791, _e5113, (_e5113 < _e4791));
+let _e5121 = global_4.member[bitcast<u32>(select(0i, _e5115, (_e5115 > 0i)))];
+let _e5122 = (_e4788 + 13i);
+let _e5124 = select(_e4791, _e5122, (_e5122 < _e4791));
+let _e5130 = global_4.member[bitcast<u32>(select(0i, _e5124, (_e5124 > 0i)))];
+let _e5131 = (_e4788 + 14i);
+let _e5133 = select(_e4791, _e5131, (_e5131 < _e4791));
+let _e5139 = global_4.member[bitcast<u32>(select(0i, _e5133, (_e5133 > 0i)))];
+let _e5140 = (_e4788 + 15i);
+let _e5142 = select(_e4791, _e5140, (_e5140 < _e4791));
+let _e5148 = global_4.member[bitcast<u32>(select(0i, _e5142, (_e5142 > 0i)))];
+let _e5149 = (_e4788 + 16i);
+let _e5151 = select(_e4791, _e5149, (_e5149 < _e4791));
+let _e5157 = global_4.member[bitcast<u32>(select(0i, _e5151, (_e5151 > 0i)))];
+let _e5158 = (_e4788 + 17i);
+let _e5160 = select(_e4791, _e5158, (_e5158 < _e4791));
+let _e5166 = global_4.member[bitcast<u32>(select(0i, _e5160, (_e5160 > 0i)))];
+let _e5182 = (_e926.member_1.member_3.x + _e4907);
+let _e5185 = ((((((_e926.member_1.member_3.z + _e4826) * bitcast<i32>(_e4896)) + _e926.member_1.member_3.y) + _e4827) * bitcast<i32>(_e4903)) + (_e5182 >> bitcast<u32>(5i)));
+let _e5189 = (bitcast<i32>(_e218) - 1i);
+let _e5191 = select(_e5189, _e5185, (_e5185 < _e5189));
+let _e5197 = global_6.member[bitcast<u32>(select(0i, _e5191, (_e5191 > 0i)))];
+let _e5199 = (bitcast<i32>(_e216) - 1i);
+let _e5201 = select(_e5199, _e5185, (_e5185 < _e5199));
+let _e5207 = global_5.member[bitcast<u32>(select(0i, _e5201, (_e5201 > 0i)))];
+let _e5216 = (bitcast<i32>((_e5197 + countOneBits((_e5207 & ((1u << bitcast<u32>((bitcast<u32>((_e5182 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e5217 = bitcast<u32>(_e5216);
+if (_e5217 < _e220) {
+let _e5221 = atomicAdd((&global_7.member[_e5217]), 1u);
 }
-let _e5235 = bitcast<u32>((_e5228 + 1i));
-if (_e5235 < _e220) {
-let _e5239 = atomicMax((&global_7.member[_e5235]), bitcast<u32>((_e4821 - select(0i, 1i, (_e4814 < f32(_e4821))))));
+let _e5223 = bitcast<u32>((_e5216 + 1i));
+if (_e5223 < _e220) {
+let _e5227 = atomicMax((&global_7.member[_e5223]), bitcast<u32>((_e4810 - select(0i, 1i, (_e4803 < f32(_e4810))))));
 }
-let _e5245 = (((_e5075 * _e5097) * 65536f) + 0.5f);
-let _e5247 = select(-1073741800f, _e5245, (_e5245 > -1073741800f));
-let _e5249 = select(1073741800f, _e5247, (_e5247 < 1073741800f));
-let _e5256 = select(0i, select(select(i32(_e5249), i32(-2147483648), (_e5249 < -2147483600f)), 2147483647i, (_e5249 > 2147483500f)), (_e5249 == _e5249));
-let _e5260 = (_e5256 - select(0i, 1i, (_e5249 < f32(_e5256))));
-if (_e5260 == 0i) {
+let _e5233 = (((_e5063 * _e5085) * 65536f) + 0.5f);
+let _e5235 = select(-1073741800f, _e5233, (_e5233 > -1073741800f));
+let _e5237 = select(1073741800f, _e5235, (_e5235 < 1073741800f));
+let _e5244 = select(0i, select(select(i32(_e5237), i32(-2147483648), (_e5237 < -2147483600f)), 2147483647i, (_e5237 > 2147483500f)), (_e5237 == _e5237));
+let _e5248 = (_e5244 - select(0i, 1i, (_e5237 < f32(_e5244))));
+if (_e5248 == 0i) {
 } else {
-let _e5262 = bitcast<u32>(_e5260);
-let _e5263 = bitcast<u32>((_e5228 + 2i));
-if (_e5263 < _e220) {
-let _e5267 = atomicAdd((&global_7.member[_e5263]), _e5262);
-phi_16734_ = _e5267;
+let _e5250 = bitcast<u32>(_e5248);
+let _e5251 = bitcast<u32>((_e5216 + 2i));
+if (_e5251 < _e220) {
+let _e5255 = atomicAdd((&global_7.member[_e5251]), _e5250);
+phi_16721_ = _e5255;
 } else {
-phi_16734_ = 0u;
+phi_16721_ = 0u;
 }
-let _e5269 = phi_16734_;
-let _e5276 = (bitcast<u32>((_e5260 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5269 + _e5262) < _e5262)));
-if (_e5276 == 0u) {
+let _e5257 = phi_16721_;
+let _e5264 = (bitcast<u32>((_e5248 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5257 + _e5250) < _e5250)));
+if (_e5264 == 0u) {
 } else {
-let _e5278 = (_e5263 + 1u);
-if (_e5278 < _e220) {
-let _e5282 = atomicAdd((&global_7.member[_e5278]), _e5276);
+let _e5266 = (_e5251 + 1u);
+if (_e5266 < _e220) {
+let _e5270 = atomicAdd((&global_7.member[_e5266]), _e5264);
 }
 }
 }
-let _e5285 = (((_e5080 * _e5097) * 65536f) + 0.5f);
-let _e5287 = select(-1073741800f, _e5285, (_e5285 > -1073741800f));
-let _e5289 = select(1073741800f, _e5287, (_e5287 < 1073741800f));
-let _e5296 = select(0i, select(select(i32(_e5289), i32(-2147483648), (_e5289 < -2147483600f)), 2147483647i, (_e5289 > 2147483500f)), (_e5289 == _e5289));
-let _e5300 = (_e5296 - select(0i, 1i, (_e5289 < f32(_e5296))));
-if (_e5300 == 0i) {
+let _e5273 = (((_e5068 * _e5085) * 65536f) + 0.5f);
+let _e5275 = select(-1073741800f, _e5273, (_e5273 > -1073741800f));
+let _e5277 = select(1073741800f, _e5275, (_e5275 < 1073741800f));
+let _e5284 = select(0i, select(select(i32(_e5277), i32(-2147483648), (_e5277 < -2147483600f)), 2147483647i, (_e5277 > 2147483500f)), (_e5277 == _e5277));
+let _e5288 = (_e5284 - select(0i, 1i, (_e5277 < f32(_e5284))));
+if (_e5288 == 0i) {
 } else {
-let _e5302 = bitcast<u32>(_e5300);
-let _e5303 = bitcast<u32>((_e5228 + 4i));
-if (_e5303 < _e220) {
-let _e5307 = atomicAdd((&global_7.member[_e5303]), _e5302);
-phi_16791_ = _e5307;
+let _e5290 = bitcast<u32>(_e5288);
+let _e5291 = bitcast<u32>((_e5216 + 4i));
+if (_e5291 < _e220) {
+let _e5295 = atomicAdd((&global_7.member[_e5291]), _e5290);
+phi_16778_ = _e5295;
 } else {
-phi_16791_ = 0u;
+phi_16778_ = 0u;
 }
-let _e5309 = phi_16791_;
-let _e5316 = (bitcast<u32>((_e5300 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5309 + _e5302) < _e5302)));
-if (_e5316 == 0u) {
+let _e5297 = phi_16778_;
+let _e5304 = (bitcast<u32>((_e5288 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5297 + _e5290) < _e5290)));
+if (_e5304 == 0u) {
 } else {
-let _e5318 = (_e5303 + 1u);
-if (_e5318 < _e220) {
-let _e5322 = atomicAdd((&global_7.member[_e5318]), _e5316);
+let _e5306 = (_e5291 + 1u);
+if (_e5306 < _e220) {
+let _e5310 = atomicAdd((&global_7.member[_e5306]), _e5304);
 }
 }
 }
-let _e5325 = (((_e5085 * _e5097) * 65536f) + 0.5f);
-let _e5327 = select(-1073741800f, _e5325, (_e5325 > -1073741800f));
-let _e5329 = select(1073741800f, _e5327, (_e5327 < 1073741800f));
-let _e5336 = select(0i, select(select(i32(_e5329), i32(-2147483648), (_e5329 < -2147483600f)), 2147483647i, (_e5329 > 2147483500f)), (_e5329 == _e5329));
-let _e5340 = (_e5336 - select(0i, 1i, (_e5329 < f32(_e5336))));
-if (_e5340 == 0i) {
+let _e5313 = (((_e5073 * _e5085) * 65536f) + 0.5f);
+let _e5315 = select(-1073741800f, _e5313, (_e5313 > -1073741800f));
+let _e5317 = select(1073741800f, _e5315, (_e5315 < 1073741800f));
+let _e5324 = select(0i, select(select(i32(_e5317), i32(-2147483648), (_e5317 < -2147483600f)), 2147483647i, (_e5317 > 2147483500f)), (_e5317 == _e5317));
+let _e5328 = (_e5324 - select(0i, 1i, (_e5317 < f32(_e5324))));
+if (_e5328 == 0i) {
 } else {
-let _e5342 = bitcast<u32>(_e5340);
-let _e5343 = bitcast<u32>((_e5228 + 6i));
-if (_e5343 < _e220) {
-let _e5347 = atomicAdd((&global_7.member[_e5343]), _e5342);
-phi_16848_ = _e5347;
+let _e5330 = bitcast<u32>(_e5328);
+let _e5331 = bitcast<u32>((_e5216 + 6i));
+if (_e5331 < _e220) {
+let _e5335 = atomicAdd((&global_7.member[_e5331]), _e5330);
+phi_16835_ = _e5335;
 } else {
-phi_16848_ = 0u;
+phi_16835_ = 0u;
 }
-let _e5349 = phi_16848_;
-let _e5356 = (bitcast<u32>((_e5340 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5349 + _e5342) < _e5342)));
-if (_e5356 == 0u) {
+let _e5337 = phi_16835_;
+let _e5344 = (bitcast<u32>((_e5328 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5337 + _e5330) < _e5330)));
+if (_e5344 == 0u) {
 } else {
-let _e5358 = (_e5343 + 1u);
-if (_e5358 < _e220) {
-let _e5362 = atomicAdd((&global_7.member[_e5358]), _e5356);
+let _e5346 = (_e5331 + 1u);
+if (_e5346 < _e220) {
+let _e5350 = atomicAdd((&global_7.member[_e5346]), _e5344);
 }
 }
 }
-let _e5365 = (((((_e5106 * _e4988) + (_e5133 * _e4989)) + (_e5160 * _e4990)) * 65536f) + 0.5f);
-let _e5367 = select(-1073741800f, _e5365, (_e5365 > -1073741800f));
-let _e5369 = select(1073741800f, _e5367, (_e5367 < 1073741800f));
-let _e5376 = select(0i, select(select(i32(_e5369), i32(-2147483648), (_e5369 < -2147483600f)), 2147483647i, (_e5369 > 2147483500f)), (_e5369 == _e5369));
-let _e5380 = (_e5376 - select(0i, 1i, (_e5369 < f32(_e5376))));
-if (_e5380 == 0i) {
+let _e5353 = (((((_e5094 * _e4976) + (_e5121 * _e4977)) + (_e5148 * _e4978)) * 65536f) + 0.5f);
+let _e5355 = select(-1073741800f, _e5353, (_e5353 > -1073741800f));
+let _e5357 = select(1073741800f, _e5355, (_e5355 < 1073741800f));
+let _e5364 = select(0i, select(select(i32(_e5357), i32(-2147483648), (_e5357 < -2147483600f)), 2147483647i, (_e5357 > 2147483500f)), (_e5357 == _e5357));
+let _e5368 = (_e5364 - select(0i, 1i, (_e5357 < f32(_e5364))));
+if (_e5368 == 0i) {
 } else {
-let _e5382 = bitcast<u32>(_e5380);
-let _e5383 = bitcast<u32>((_e5228 + 8i));
-if (_e5383 < _e220) {
-let _e5387 = atomicAdd((&global_7.member[_e5383]), _e5382);
-phi_16906_ = _e5387;
+let _e5370 = bitcast<u32>(_e5368);
+let _e5371 = bitcast<u32>((_e5216 + 8i));
+if (_e5371 < _e220) {
+let _e5375 = atomicAdd((&global_7.member[_e5371]), _e5370);
+phi_16893_ = _e5375;
 } else {
-phi_16906_ = 0u;
+phi_16893_ = 0u;
 }
-let _e5389 = phi_16906_;
-let _e5396 = (bitcast<u32>((_e5380 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5389 + _e5382) < _e5382)));
-if (_e5396 == 0u) {
+let _e5377 = phi_16893_;
+let _e5384 = (bitcast<u32>((_e5368 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5377 + _e5370) < _e5370)));
+if (_e5384 == 0u) {
 } else {
-let _e5398 = (_e5383 + 1u);
-if (_e5398 < _e220) {
-let _e5402 = atomicAdd((&global_7.member[_e5398]), _e5396);
+let _e5386 = (_e5371 + 1u);
+if (_e5386 < _e220) {
+let _e5390 = atomicAdd((&global_7.member[_e5386]), _e5384);
 }
 }
 }
-let _e5405 = (((((_e5115 * _e4988) + (_e5142 * _e4989)) + (_e5169 * _e4990)) * 65536f) + 0.5f);
-let _e5407 = select(-1073741800f, _e5405, (_e5405 > -1073741800f));
-let _e5409 = select(1073741800f, _e5407, (_e5407 < 1073741800f));
-let _e5416 = select(0i, select(select(i32(_e5409), i32(-2147483648), (_e5409 < -2147483600f)), 2147483647i, (_e5409 > 2147483500f)), (_e5409 == _e5409));
-let _e5420 = (_e5416 - select(0i, 1i, (_e5409 < f32(_e5416))));
-if (_e5420 == 0i) {
+let _e5393 = (((((_e5103 * _e4976) + (_e5130 * _e4977)) + (_e5157 * _e4978)) * 65536f) + 0.5f);
+let _e5395 = select(-1073741800f, _e5393, (_e5393 > -1073741800f));
+let _e5397 = select(1073741800f, _e5395, (_e5395 < 1073741800f));
+let _e5404 = select(0i, select(select(i32(_e5397), i32(-2147483648), (_e5397 < -2147483600f)), 2147483647i, (_e5397 > 2147483500f)), (_e5397 == _e5397));
+let _e5408 = (_e5404 - select(0i, 1i, (_e5397 < f32(_e5404))));
+if (_e5408 == 0i) {
 } else {
-let _e5422 = bitcast<u32>(_e5420);
-let _e5423 = bitcast<u32>((_e5228 + 10i));
-if (_e5423 < _e220) {
-let _e5427 = atomicAdd((&global_7.member[_e5423]), _e5422);
-phi_16963_ = _e5427;
+let _e5410 = bitcast<u32>(_e5408);
+let _e5411 = bitcast<u32>((_e5216 + 10i));
+if (_e5411 < _e220) {
+let _e5415 = atomicAdd((&global_7.member[_e5411]), _e5410);
+phi_16950_ = _e5415;
 } else {
-phi_16963_ = 0u;
+phi_16950_ = 0u;
 }
-let _e5429 = phi_16963_;
-let _e5436 = (bitcast<u32>((_e5420 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5429 + _e5422) < _e5422)));
-if (_e5436 == 0u) {
+let _e5417 = phi_16950_;
+let _e5424 = (bitcast<u32>((_e5408 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5417 + _e5410) < _e5410)));
+if (_e5424 == 0u) {
 } else {
-let _e5438 = (_e5423 + 1u);
-if (_e5438 < _e220) {
-let _e5442 = atomicAdd((&global_7.member[_e5438]), _e5436);
+let _e5426 = (_e5411 + 1u);
+if (_e5426 < _e220) {
+let _e5430 = atomicAdd((&global_7.member[_e5426]), _e5424);
 }
 }
 }
-let _e5445 = (((((_e5124 * _e4988) + (_e5151 * _e4989)) + (_e5178 * _e4990)) * 65536f) + 0.5f);
-let _e5447 = select(-1073741800f, _e5445, (_e5445 > -1073741800f));
-let _e5449 = select(1073741800f, _e5447, (_e5447 < 1073741800f));
-let _e5456 = select(0i, select(select(i32(_e5449), i32(-2147483648), (_e5449 < -2147483600f)), 2147483647i, (_e5449 > 2147483500f)), (_e5449 == _e5449));
-let _e5460 = (_e5456 - select(0i, 1i, (_e5449 < f32(_e5456))));
-if (_e5460 == 0i) {
+let _e5433 = (((((_e5112 * _e4976) + (_e5139 * _e4977)) + (_e5166 * _e4978)) * 65536f) + 0.5f);
+let _e5435 = select(-1073741800f, _e5433, (_e5433 > -1073741800f));
+let _e5437 = select(1073741800f, _e5435, (_e5435 < 1073741800f));
+let _e5444 = select(0i, select(select(i32(_e5437), i32(-2147483648), (_e5437 < -2147483600f)), 2147483647i, (_e5437 > 2147483500f)), (_e5437 == _e5437));
+let _e5448 = (_e5444 - select(0i, 1i, (_e5437 < f32(_e5444))));
+if (_e5448 == 0i) {
 } else {
-let _e5462 = bitcast<u32>(_e5460);
-let _e5463 = bitcast<u32>((_e5228 + 12i));
-if (_e5463 < _e220) {
-let _e5467 = atomicAdd((&global_7.member[_e5463]), _e5462);
-phi_17020_ = _e5467;
+let _e5450 = bitcast<u32>(_e5448);
+let _e5451 = bitcast<u32>((_e5216 + 12i));
+if (_e5451 < _e220) {
+let _e5455 = atomicAdd((&global_7.member[_e5451]), _e5450);
+phi_17007_ = _e5455;
 } else {
-phi_17020_ = 0u;
+phi_17007_ = 0u;
 }
-let _e5469 = phi_17020_;
-let _e5476 = (bitcast<u32>((_e5460 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5469 + _e5462) < _e5462)));
-if (_e5476 == 0u) {
+let _e5457 = phi_17007_;
+let _e5464 = (bitcast<u32>((_e5448 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5457 + _e5450) < _e5450)));
+if (_e5464 == 0u) {
 } else {
-let _e5478 = (_e5463 + 1u);
-if (_e5478 < _e220) {
-let _e5482 = atomicAdd((&global_7.member[_e5478]), _e5476);
+let _e5466 = (_e5451 + 1u);
+if (_e5466 < _e220) {
+let _e5470 = atomicAdd((&global_7.member[_e5466]), _e5464);
 }
 }
 }
-phi_16207_ = (_e4919 + 1i);
+phi_16194_ = (_e4907 + 1i);
 } else {
-phi_16207_ = i32();
+phi_16194_ = i32();
 }
-let _e5485 = phi_16207_;
+let _e5473 = phi_16194_;
 continue;
 continuing {
-phi_16206_ = _e5485;
-break if !(_e4920);
+phi_16193_ = _e5473;
+break if !(_e4908);
 }
 }
-phi_16079_ = (_e4835 + 1i);
+phi_16067_ = (_e4824 + 1i);
 } else {
-phi_16079_ = i32();
+phi_16067_ = i32();
 }
-let _e5489 = phi_16079_;
+let _e5477 = phi_16067_;
 continue;
 continuing {
-phi_16078_ = _e5489;
-break if !(_e4836);
+phi_16066_ = _e5477;
+break if !(_e4825);
 }
 }
-phi_16062_ = (_e4828 + 1i);
+phi_16050_ = (_e4817 + 1i);
 } else {
-phi_16062_ = i32();
+phi_16050_ = i32();
 }
-let _e5493 = phi_16062_;
+let _e5481 = phi_16050_;
 continue;
 continuing {
-phi_16061_ = _e5493;
-break if !(_e4829);
+phi_16049_ = _e5481;
+break if !(_e4818);
 }
 }
 } else {
-if (_e961 == 3u) {
-let _e2894 = (_e935.member_1.member_6 & 31u);
-let _e2896 = (_e935.member_1.member_3.x << bitcast<u32>(_e2894));
-let _e2899 = (_e935.member_1.member_7 & 31u);
-let _e2903 = ((1i << bitcast<u32>(_e2899)) >> bitcast<u32>(1i));
-let _e2909 = bitcast<i32>(_e935.member_1.member_6);
-let _e2915 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e935.member_1.member_7) - _e2909))) << bitcast<u32>(23i)));
-let _e2916 = (f32((((_e935.member_1.member.x - _e2896) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2921 = (_e935.member_1.member_3.y << bitcast<u32>(_e2894));
-let _e2927 = (f32((((_e935.member_1.member.y - _e2921) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2932 = (_e935.member_1.member_3.z << bitcast<u32>(_e2894));
-let _e2938 = (f32((((_e935.member_1.member.z - _e2932) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2946 = (f32((((_e935.member_1.member_1.x - _e2896) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2953 = (f32((((_e935.member_1.member_1.y - _e2921) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2960 = (f32((((_e935.member_1.member_1.z - _e2932) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2968 = (f32((((_e935.member_1.member_2.x - _e2896) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2975 = (f32((((_e935.member_1.member_2.y - _e2921) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2982 = (f32((((_e935.member_1.member_2.z - _e2932) + _e2903) >> bitcast<u32>(_e2899))) * _e2915);
-let _e2990 = (f32(_e935.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e2909)) << bitcast<u32>(23i))));
-let _e2991 = (_e2946 - _e2916);
-let _e2992 = (_e2953 - _e2927);
-let _e2993 = (_e2960 - _e2938);
-let _e2994 = (_e2968 - _e2946);
-let _e2995 = (_e2975 - _e2953);
-let _e2996 = (_e2982 - _e2960);
-let _e2999 = ((_e2992 * _e2996) - (_e2993 * _e2995));
-let _e3003 = (_e2991 * _e2995);
-let _e3004 = (_e2992 * _e2994);
-let _e3005 = (_e3003 - _e3004);
-let _e3013 = ((bitcast<f32>((bitcast<u32>(_e3003) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e3004) & 2147483647u))) * 2.3841858e-7f);
-let _e3014 = f32(_e935.member_1.member_4.x);
-let _e3015 = (1f + _e2990);
-let _e3018 = (_e935.member_1.member_4.z >= _e935.member_1.member_4.y);
-if _e3018 {
-let _e3112 = select(1f, -1f, (_e2999 < 0f));
-let _e3117 = ((_e2938 - _e2960) * _e3112);
-let _e3118 = ((_e2960 - _e2982) * _e3112);
-let _e3119 = ((_e2982 - _e2938) * _e3112);
-let _e3120 = ((0f - 0f) * _e3112);
-let _e3122 = (_e2992 * _e3112);
-let _e3123 = (_e2995 * _e3112);
-let _e3124 = ((_e2927 - _e2975) * _e3112);
-if (select(0u, 1u, ((_e3117 * _e3015) > -((_e3117 * _e2990)))) < 2u) {
-} else {
-break;
-}
-if (select(0u, 1u, ((_e3118 * _e3015) > -((_e3118 * _e2990)))) < 2u) {
+if (_e952 == 3u) {
+let _e2884 = (_e926.member_1.member_6 & 31u);
+let _e2886 = (_e926.member_1.member_3.x << bitcast<u32>(_e2884));
+let _e2889 = (_e926.member_1.member_7 & 31u);
+let _e2893 = ((1i << bitcast<u32>(_e2889)) >> bitcast<u32>(1i));
+let _e2899 = bitcast<i32>(_e926.member_1.member_6);
+let _e2905 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e2899))) << bitcast<u32>(23i)));
+let _e2906 = (f32((((_e926.member_1.member.x - _e2886) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2911 = (_e926.member_1.member_3.y << bitcast<u32>(_e2884));
+let _e2917 = (f32((((_e926.member_1.member.y - _e2911) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2922 = (_e926.member_1.member_3.z << bitcast<u32>(_e2884));
+let _e2928 = (f32((((_e926.member_1.member.z - _e2922) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2936 = (f32((((_e926.member_1.member_1.x - _e2886) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2943 = (f32((((_e926.member_1.member_1.y - _e2911) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2950 = (f32((((_e926.member_1.member_1.z - _e2922) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2958 = (f32((((_e926.member_1.member_2.x - _e2886) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2965 = (f32((((_e926.member_1.member_2.y - _e2911) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2972 = (f32((((_e926.member_1.member_2.z - _e2922) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
+let _e2980 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e2899)) << bitcast<u32>(23i))));
+let _e2981 = (_e2936 - _e2906);
+let _e2982 = (_e2943 - _e2917);
+let _e2983 = (_e2950 - _e2928);
+let _e2984 = (_e2958 - _e2936);
+let _e2985 = (_e2965 - _e2943);
+let _e2986 = (_e2972 - _e2950);
+let _e2989 = ((_e2982 * _e2986) - (_e2983 * _e2985));
+let _e2993 = (_e2981 * _e2985);
+let _e2994 = (_e2982 * _e2984);
+let _e2995 = (_e2993 - _e2994);
+let _e3003 = ((bitcast<f32>((bitcast<u32>(_e2993) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2994) & 2147483647u))) * 2.3841858e-7f);
+let _e3004 = f32(_e926.member_1.member_4.x);
+let _e3005 = (1f + _e2980);
+let _e3008 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e3008 {
+let _e3102 = select(1f, -1f, (_e2989 < 0f));
+let _e3107 = ((_e2928 - _e2950) * _e3102);
+let _e3108 = ((_e2950 - _e2972) * _e3102);
+let _e3109 = ((_e2972 - _e2928) * _e3102);
+let _e3110 = ((0f - 0f) * _e3102);
+let _e3112 = (_e2982 * _e3102);
+let _e3113 = (_e2985 * _e3102);
+let _e3114 = ((_e2917 - _e2965) * _e3102);
+if (select(0u, 1u, ((_e3107 * _e3005) > -((_e3107 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3119 * _e3015) > -((_e3119 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3108 * _e3005) > -((_e3108 * _e2980)))) < 2u) {
 } else {
 break;
 }
-let _e3148 = (select(0u, 1u, ((_e3120 * _e3015) > -((_e3120 * _e2990)))) < 2u);
-if _e3148 {
+if (select(0u, 1u, ((_e3109 * _e3005) > -((_e3109 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3122 * _e3015) > -((_e3122 * _e2990)))) < 2u) {
+let _e3138 = (select(0u, 1u, ((_e3110 * _e3005) > -((_e3110 * _e2980)))) < 2u);
+if _e3138 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3123 * _e3015) > -((_e3123 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3112 * _e3005) > -((_e3112 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3124 * _e3015) > -((_e3124 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3113 * _e3005) > -((_e3113 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if _e3148 {
+if (select(0u, 1u, ((_e3114 * _e3005) > -((_e3114 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3117 == 0f)) < 2u) {
+if _e3138 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3118 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3107 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3119 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3108 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3120 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3109 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3117 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3110 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3118 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3107 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3119 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3108 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3120 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3109 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3117 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3110 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3118 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3107 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3119 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3108 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3120 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3109 < 0f)) < 2u) {
+} else {
+break;
+}
+if (select(0u, 1u, (_e3110 < 0f)) < 2u) {
 } else {
 break;
 }
 } else {
-let _e3020 = select(1f, -1f, (-(_e2999) < 0f));
-let _e3025 = ((_e2927 - _e2953) * _e3020);
-let _e3026 = ((_e2953 - _e2975) * _e3020);
-let _e3027 = ((_e2975 - _e2927) * _e3020);
-let _e3028 = ((0f - 0f) * _e3020);
-let _e3030 = (_e2993 * _e3020);
-let _e3031 = (_e2996 * _e3020);
-let _e3032 = ((_e2938 - _e2982) * _e3020);
-if (select(0u, 1u, ((_e3025 * _e3015) > -((_e3025 * _e2990)))) < 2u) {
+let _e3010 = select(1f, -1f, (-(_e2989) < 0f));
+let _e3015 = ((_e2917 - _e2943) * _e3010);
+let _e3016 = ((_e2943 - _e2965) * _e3010);
+let _e3017 = ((_e2965 - _e2917) * _e3010);
+let _e3018 = ((0f - 0f) * _e3010);
+let _e3020 = (_e2983 * _e3010);
+let _e3021 = (_e2986 * _e3010);
+let _e3022 = ((_e2928 - _e2972) * _e3010);
+if (select(0u, 1u, ((_e3015 * _e3005) > -((_e3015 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3026 * _e3015) > -((_e3026 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3016 * _e3005) > -((_e3016 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3027 * _e3015) > -((_e3027 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3017 * _e3005) > -((_e3017 * _e2980)))) < 2u) {
 } else {
 break;
 }
-let _e3056 = (select(0u, 1u, ((_e3028 * _e3015) > -((_e3028 * _e2990)))) < 2u);
-if _e3056 {
+let _e3046 = (select(0u, 1u, ((_e3018 * _e3005) > -((_e3018 * _e2980)))) < 2u);
+if _e3046 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3030 * _e3015) > -((_e3030 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3020 * _e3005) > -((_e3020 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3031 * _e3015) > -((_e3031 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3021 * _e3005) > -((_e3021 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3032 * _e3015) > -((_e3032 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3022 * _e3005) > -((_e3022 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if _e3056 {
+if _e3046 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3025 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3015 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3026 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3016 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3027 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3017 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3028 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3018 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3025 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3015 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3026 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3016 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3027 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3017 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3028 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3018 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3025 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3015 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3026 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3016 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3027 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3017 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3028 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3018 < 0f)) < 2u) {
 } else {
 break;
 }
 }
-let _e3205 = select(1f, -1f, (_e3005 < 0f));
-let _e3211 = select(0f, (2f * _e3013), (bitcast<f32>((bitcast<u32>(_e3005) & 2147483647u)) <= _e3013));
-let _e3214 = (_e2975 - _e2927);
-let _e3215 = (0f - 0f);
-let _e3216 = ((_e2927 - _e2953) * _e3205);
-let _e3217 = ((_e2953 - _e2975) * _e3205);
-let _e3218 = (_e3214 * _e3205);
-let _e3219 = (_e3215 * _e3205);
-let _e3220 = (_e2916 - _e2968);
-let _e3221 = (_e2991 * _e3205);
-let _e3222 = (_e2994 * _e3205);
-let _e3223 = (_e3220 * _e3205);
-let _e3224 = (_e3216 * _e3015);
-let _e3225 = (_e3217 * _e3015);
-let _e3226 = (_e3218 * _e3015);
-let _e3232 = -((_e3216 * _e2990));
-let _e3233 = -((_e3217 * _e2990));
-let _e3234 = -((_e3218 * _e2990));
+let _e3195 = select(1f, -1f, (_e2995 < 0f));
+let _e3201 = select(0f, (2f * _e3003), (bitcast<f32>((bitcast<u32>(_e2995) & 2147483647u)) <= _e3003));
+let _e3204 = (_e2965 - _e2917);
+let _e3205 = (0f - 0f);
+let _e3206 = ((_e2917 - _e2943) * _e3195);
+let _e3207 = ((_e2943 - _e2965) * _e3195);
+let _e3208 = (_e3204 * _e3195);
+let _e3209 = (_e3205 * _e3195);
+let _e3210 = (_e2906 - _e2958);
+let _e3211 = (_e2981 * _e3195);
+let _e3212 = (_e2984 * _e3195);
+let _e3213 = (_e3210 * _e3195);
+let _e3214 = (_e3206 * _e3005);
+let _e3215 = (_e3207 * _e3005);
+let _e3216 = (_e3208 * _e3005);
+let _e3222 = -((_e3206 * _e2980));
+let _e3223 = -((_e3207 * _e2980));
+let _e3224 = -((_e3208 * _e2980));
 local_82 = array<u32, 2>(0u, 4294967295u);
-let _e3240 = select(0u, 1u, (_e3224 > _e3232));
-if (_e3240 < 2u) {
+let _e3230 = select(0u, 1u, (_e3214 > _e3222));
+if (_e3230 < 2u) {
 } else {
 break;
 }
-let _e3243 = local_82[_e3240];
+let _e3233 = local_82[_e3230];
 local_83 = array<u32, 2>(0u, 4294967295u);
-let _e3244 = select(0u, 1u, (_e3225 > _e3233));
-if (_e3244 < 2u) {
+let _e3234 = select(0u, 1u, (_e3215 > _e3223));
+if (_e3234 < 2u) {
 } else {
 break;
 }
-let _e3247 = local_83[_e3244];
+let _e3237 = local_83[_e3234];
 local_84 = array<u32, 2>(0u, 4294967295u);
-let _e3248 = select(0u, 1u, (_e3226 > _e3234));
-if (_e3248 < 2u) {
+let _e3238 = select(0u, 1u, (_e3216 > _e3224));
+if (_e3238 < 2u) {
 } else {
 break;
 }
-let _e3251 = local_84[_e3248];
-let _e3253 = (select(0u, 1u, ((_e3219 * _e3015) > -((_e3219 * _e2990)))) < 2u);
-if _e3253 {
+let _e3241 = local_84[_e3238];
+let _e3243 = (select(0u, 1u, ((_e3209 * _e3005) > -((_e3209 * _e2980)))) < 2u);
+if _e3243 {
 } else {
 break;
 }
-let _e3269 = (_e3221 * _e3015);
-let _e3270 = (_e3222 * _e3015);
-let _e3271 = (_e3223 * _e3015);
-let _e3275 = -((_e3221 * _e2990));
-let _e3276 = -((_e3222 * _e2990));
-let _e3277 = -((_e3223 * _e2990));
+let _e3259 = (_e3211 * _e3005);
+let _e3260 = (_e3212 * _e3005);
+let _e3261 = (_e3213 * _e3005);
+let _e3265 = -((_e3211 * _e2980));
+let _e3266 = -((_e3212 * _e2980));
+let _e3267 = -((_e3213 * _e2980));
 local_79 = array<u32, 2>(0u, 4294967295u);
-let _e3281 = select(0u, 1u, (_e3269 > _e3275));
-if (_e3281 < 2u) {
+let _e3271 = select(0u, 1u, (_e3259 > _e3265));
+if (_e3271 < 2u) {
 } else {
 break;
 }
-let _e3284 = local_79[_e3281];
+let _e3274 = local_79[_e3271];
 local_80 = array<u32, 2>(0u, 4294967295u);
-let _e3285 = select(0u, 1u, (_e3270 > _e3276));
-if (_e3285 < 2u) {
+let _e3275 = select(0u, 1u, (_e3260 > _e3266));
+if (_e3275 < 2u) {
 } else {
 break;
 }
-let _e3288 = local_80[_e3285];
+let _e3278 = local_80[_e3275];
 local_81 = array<u32, 2>(0u, 4294967295u);
-let _e3289 = select(0u, 1u, (_e3271 > _e3277));
-if (_e3289 < 2u) {
+let _e3279 = select(0u, 1u, (_e3261 > _e3267));
+if (_e3279 < 2u) {
 } else {
 break;
 }
-let _e3292 = local_81[_e3289];
-if _e3253 {
+let _e3282 = local_81[_e3279];
+if _e3243 {
 } else {
 break;
 }
 local_76 = array<u32, 2>(0u, 4294967295u);
-let _e3318 = select(0u, 1u, (_e3216 == 0f));
-if (_e3318 < 2u) {
+let _e3308 = select(0u, 1u, (_e3206 == 0f));
+if (_e3308 < 2u) {
 } else {
 break;
 }
-let _e3321 = local_76[_e3318];
+let _e3311 = local_76[_e3308];
 local_77 = array<u32, 2>(0u, 4294967295u);
-let _e3322 = select(0u, 1u, (_e3217 == 0f));
-if (_e3322 < 2u) {
+let _e3312 = select(0u, 1u, (_e3207 == 0f));
+if (_e3312 < 2u) {
 } else {
 break;
 }
-let _e3325 = local_77[_e3322];
+let _e3315 = local_77[_e3312];
 local_78 = array<u32, 2>(0u, 4294967295u);
-let _e3326 = select(0u, 1u, (_e3218 == 0f));
-if (_e3326 < 2u) {
+let _e3316 = select(0u, 1u, (_e3208 == 0f));
+if (_e3316 < 2u) {
 } else {
 break;
 }
-let _e3329 = local_78[_e3326];
-if (select(0u, 1u, (_e3219 == 0f)) < 2u) {
+let _e3319 = local_78[_e3316];
+if (select(0u, 1u, (_e3209 == 0f)) < 2u) {
 } else {
 break;
 }
-let _e3333 = ((_e3321 & 1u) != 0u);
-let _e3336 = ((_e3325 & 1u) != 0u);
-let _e3339 = ((_e3329 & 1u) != 0u);
-let _e3341 = (-1f / select(_e3216, 1f, _e3333));
-let _e3342 = (-1f / select(_e3217, 1f, _e3336));
-let _e3343 = (-1f / select(_e3218, 1f, _e3339));
+let _e3323 = ((_e3311 & 1u) != 0u);
+let _e3326 = ((_e3315 & 1u) != 0u);
+let _e3329 = ((_e3319 & 1u) != 0u);
+let _e3331 = (-1f / select(_e3206, 1f, _e3323));
+let _e3332 = (-1f / select(_e3207, 1f, _e3326));
+let _e3333 = (-1f / select(_e3208, 1f, _e3329));
 local_73 = array<u32, 2>(0u, 4294967295u);
-let _e3348 = select(0u, 1u, (_e3216 > 0f));
-if (_e3348 < 2u) {
+let _e3338 = select(0u, 1u, (_e3206 > 0f));
+if (_e3338 < 2u) {
 } else {
 break;
 }
-let _e3351 = local_73[_e3348];
+let _e3341 = local_73[_e3338];
 local_74 = array<u32, 2>(0u, 4294967295u);
-let _e3352 = select(0u, 1u, (_e3217 > 0f));
-if (_e3352 < 2u) {
+let _e3342 = select(0u, 1u, (_e3207 > 0f));
+if (_e3342 < 2u) {
 } else {
 break;
 }
-let _e3355 = local_74[_e3352];
+let _e3345 = local_74[_e3342];
 local_75 = array<u32, 2>(0u, 4294967295u);
-let _e3356 = select(0u, 1u, (_e3218 > 0f));
-if (_e3356 < 2u) {
+let _e3346 = select(0u, 1u, (_e3208 > 0f));
+if (_e3346 < 2u) {
 } else {
 break;
 }
-let _e3359 = local_75[_e3356];
-if (select(0u, 1u, (_e3219 > 0f)) < 2u) {
+let _e3349 = local_75[_e3346];
+if (select(0u, 1u, (_e3209 > 0f)) < 2u) {
 } else {
 break;
 }
 local_70 = array<u32, 2>(0u, 4294967295u);
-let _e3366 = select(0u, 1u, (_e3216 < 0f));
-if (_e3366 < 2u) {
+let _e3356 = select(0u, 1u, (_e3206 < 0f));
+if (_e3356 < 2u) {
 } else {
 break;
 }
-let _e3369 = local_70[_e3366];
+let _e3359 = local_70[_e3356];
 local_71 = array<u32, 2>(0u, 4294967295u);
-let _e3370 = select(0u, 1u, (_e3217 < 0f));
-if (_e3370 < 2u) {
+let _e3360 = select(0u, 1u, (_e3207 < 0f));
+if (_e3360 < 2u) {
 } else {
 break;
 }
-let _e3373 = local_71[_e3370];
+let _e3363 = local_71[_e3360];
 local_72 = array<u32, 2>(0u, 4294967295u);
-let _e3374 = select(0u, 1u, (_e3218 < 0f));
-if (_e3374 < 2u) {
+let _e3364 = select(0u, 1u, (_e3208 < 0f));
+if (_e3364 < 2u) {
 } else {
 break;
 }
-let _e3377 = local_72[_e3374];
-if (select(0u, 1u, (_e3219 < 0f)) < 2u) {
+let _e3367 = local_72[_e3364];
+if (select(0u, 1u, (_e3209 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e3393 = ((_e3369 & 1u) != 0u);
-let _e3396 = ((_e3373 & 1u) != 0u);
-let _e3399 = ((_e3377 & 1u) != 0u);
-let _e3405 = select(1f, -1f, (-(((_e2993 * _e2994) - (_e2991 * _e2996))) < 0f));
-let _e3408 = (_e2982 - _e2938);
-let _e3409 = ((_e2938 - _e2960) * _e3405);
-let _e3410 = ((_e2960 - _e2982) * _e3405);
-let _e3411 = (_e3408 * _e3405);
-let _e3412 = (_e3215 * _e3405);
-let _e3413 = (_e2991 * _e3405);
-let _e3414 = (_e2994 * _e3405);
-let _e3415 = (_e3220 * _e3405);
-if (select(0u, 1u, ((_e3409 * _e3015) > -((_e3409 * _e2990)))) < 2u) {
+let _e3383 = ((_e3359 & 1u) != 0u);
+let _e3386 = ((_e3363 & 1u) != 0u);
+let _e3389 = ((_e3367 & 1u) != 0u);
+let _e3395 = select(1f, -1f, (-(((_e2983 * _e2984) - (_e2981 * _e2986))) < 0f));
+let _e3398 = (_e2972 - _e2928);
+let _e3399 = ((_e2928 - _e2950) * _e3395);
+let _e3400 = ((_e2950 - _e2972) * _e3395);
+let _e3401 = (_e3398 * _e3395);
+let _e3402 = (_e3205 * _e3395);
+let _e3403 = (_e2981 * _e3395);
+let _e3404 = (_e2984 * _e3395);
+let _e3405 = (_e3210 * _e3395);
+if (select(0u, 1u, ((_e3399 * _e3005) > -((_e3399 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3410 * _e3015) > -((_e3410 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3400 * _e3005) > -((_e3400 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3411 * _e3015) > -((_e3411 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3401 * _e3005) > -((_e3401 * _e2980)))) < 2u) {
 } else {
 break;
 }
-let _e3439 = (select(0u, 1u, ((_e3412 * _e3015) > -((_e3412 * _e2990)))) < 2u);
-if _e3439 {
+let _e3429 = (select(0u, 1u, ((_e3402 * _e3005) > -((_e3402 * _e2980)))) < 2u);
+if _e3429 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3413 * _e3015) > -((_e3413 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3403 * _e3005) > -((_e3403 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3414 * _e3015) > -((_e3414 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3404 * _e3005) > -((_e3404 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3415 * _e3015) > -((_e3415 * _e2990)))) < 2u) {
+if (select(0u, 1u, ((_e3405 * _e3005) > -((_e3405 * _e2980)))) < 2u) {
 } else {
 break;
 }
-if _e3439 {
+if _e3429 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3409 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3399 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3410 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3400 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3411 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3401 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3412 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3402 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3409 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3399 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3410 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3400 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3411 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3401 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3412 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3402 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3409 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3399 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3410 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3400 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3411 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3401 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3412 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3402 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e3494 = (_e2968 - _e2916);
-let _e3496 = (_e935.member.member * 19i);
-let _e3497 = (_e3496 + 18i);
-let _e3499 = (bitcast<i32>(_e214) - 1i);
-let _e3501 = select(_e3499, _e3497, (_e3497 < _e3499));
-let _e3507 = global_4.member[bitcast<u32>(select(0i, _e3501, (_e3501 > 0i)))];
-let _e3509 = select(0f, _e3507, (_e3507 > 0f));
-let _e3511 = select(16777216f, _e3509, (_e3509 < 16777216f));
-let _e3518 = select(0i, select(select(i32(_e3511), i32(-2147483648), (_e3511 < -2147483600f)), 2147483647i, (_e3511 > 2147483500f)), (_e3511 == _e3511));
-phi_21040_ = _e935.member.member_1;
+let _e3484 = (_e2958 - _e2906);
+let _e3486 = (_e926.member.member * 19i);
+let _e3487 = (_e3486 + 18i);
+let _e3489 = (bitcast<i32>(_e214) - 1i);
+let _e3491 = select(_e3489, _e3487, (_e3487 < _e3489));
+let _e3497 = global_4.member[bitcast<u32>(select(0i, _e3491, (_e3491 > 0i)))];
+let _e3499 = select(0f, _e3497, (_e3497 > 0f));
+let _e3501 = select(16777216f, _e3499, (_e3499 < 16777216f));
+let _e3508 = select(0i, select(select(i32(_e3501), i32(-2147483648), (_e3501 < -2147483600f)), 2147483647i, (_e3501 > 2147483500f)), (_e3501 == _e3501));
+phi_21027_ = _e926.member.member_1;
 loop {
-let _e3525 = phi_21040_;
-let _e3526 = (_e3525 < _e935.member.member_2);
-if _e3526 {
-if _e3018 {
-phi_21055_ = _e935.member_1.member_4.y;
+let _e3515 = phi_21027_;
+let _e3516 = (_e3515 < _e926.member.member_2);
+if _e3516 {
+if _e3008 {
+phi_21042_ = _e926.member_1.member_4.y;
 } else {
-phi_21055_ = _e935.member_1.member_4.z;
+phi_21042_ = _e926.member_1.member_4.z;
 }
-let _e3530 = phi_21055_;
-phi_21057_ = 0i;
+let _e3520 = phi_21042_;
+phi_21044_ = 0i;
 loop {
-let _e3532 = phi_21057_;
-let _e3533 = (_e3532 <= _e3530);
-if _e3533 {
-let _e3534 = select(_e3532, _e3525, _e3018);
-let _e3535 = select(_e3525, _e3532, _e3018);
-let _e3536 = f32(_e3535);
-let _e3538 = f32(_e935.member_1.member_4.x);
-let _e3542 = ((_e3221 * _e3536) + (((select(_e3232, _e3224, ((_e3243 & 1u) != 0u)) - (_e3216 * _e2916)) + (select(_e3275, _e3269, ((_e3284 & 1u) != 0u)) - (_e3221 * _e2927))) + _e3211));
-let _e3543 = ((_e3222 * _e3536) + (((select(_e3233, _e3225, ((_e3247 & 1u) != 0u)) - (_e3217 * _e2946)) + (select(_e3276, _e3270, ((_e3288 & 1u) != 0u)) - (_e3222 * _e2953))) + _e3211));
-let _e3544 = ((_e3223 * _e3536) + (((select(_e3234, _e3226, ((_e3251 & 1u) != 0u)) - (_e3218 * _e2968)) + (select(_e3277, _e3271, ((_e3292 & 1u) != 0u)) - (_e3223 * _e2975))) + _e3211));
-let _e3545 = (_e3542 * select(0f, _e3341, ((_e3351 & 1u) != 0u)));
-let _e3546 = (_e3543 * select(0f, _e3342, ((_e3355 & 1u) != 0u)));
-let _e3547 = (_e3544 * select(0f, _e3343, ((_e3359 & 1u) != 0u)));
-let _e3551 = ((_e3542 * select(select(0f, 1e20f, _e3333), _e3341, _e3393)) + select(_e3014, 0f, _e3393));
-let _e3552 = ((_e3543 * select(select(0f, 1e20f, _e3336), _e3342, _e3396)) + select(_e3014, 0f, _e3396));
-let _e3553 = ((_e3544 * select(select(0f, 1e20f, _e3339), _e3343, _e3399)) + select(_e3014, 0f, _e3399));
-let _e3555 = select(_e3545, 0f, (0f > _e3545));
-let _e3557 = select(_e3547, _e3546, (_e3546 > _e3547));
-let _e3561 = select(_e3551, _e3538, (_e3538 < _e3551));
-let _e3563 = select(_e3553, _e3552, (_e3552 < _e3553));
-let _e3565 = select(_e3563, _e3561, (_e3561 < _e3563));
-let _e3566 = -(select(_e3557, _e3555, (_e3555 > _e3557)));
-let _e3568 = (-(_e3538) - 1f);
-let _e3570 = select(_e3568, _e3566, (_e3566 > _e3568));
-let _e3572 = select(0f, _e3570, (_e3570 < 0f));
-let _e3579 = select(0i, select(select(i32(_e3572), i32(-2147483648), (_e3572 < -2147483600f)), 2147483647i, (_e3572 > 2147483500f)), (_e3572 == _e3572));
-let _e3586 = select(-1f, _e3565, (_e3565 > -1f));
-let _e3588 = select(_e3538, _e3586, (_e3586 < _e3538));
-let _e3595 = select(0i, select(select(i32(_e3588), i32(-2147483648), (_e3588 < -2147483600f)), 2147483647i, (_e3588 > 2147483500f)), (_e3588 == _e3588));
-let _e3604 = global_1.member.member_1[1u];
-let _e3612 = global_1.member.member_1[3u];
-phi_21185_ = -((_e3579 - select(0i, 1i, (_e3572 < f32(_e3579)))));
+let _e3522 = phi_21044_;
+let _e3523 = (_e3522 <= _e3520);
+if _e3523 {
+let _e3524 = select(_e3522, _e3515, _e3008);
+let _e3525 = select(_e3515, _e3522, _e3008);
+let _e3526 = f32(_e3525);
+let _e3528 = f32(_e926.member_1.member_4.x);
+let _e3532 = ((_e3211 * _e3526) + (((select(_e3222, _e3214, ((_e3233 & 1u) != 0u)) - (_e3206 * _e2906)) + (select(_e3265, _e3259, ((_e3274 & 1u) != 0u)) - (_e3211 * _e2917))) + _e3201));
+let _e3533 = ((_e3212 * _e3526) + (((select(_e3223, _e3215, ((_e3237 & 1u) != 0u)) - (_e3207 * _e2936)) + (select(_e3266, _e3260, ((_e3278 & 1u) != 0u)) - (_e3212 * _e2943))) + _e3201));
+let _e3534 = ((_e3213 * _e3526) + (((select(_e3224, _e3216, ((_e3241 & 1u) != 0u)) - (_e3208 * _e2958)) + (select(_e3267, _e3261, ((_e3282 & 1u) != 0u)) - (_e3213 * _e2965))) + _e3201));
+let _e3535 = (_e3532 * select(0f, _e3331, ((_e3341 & 1u) != 0u)));
+let _e3536 = (_e3533 * select(0f, _e3332, ((_e3345 & 1u) != 0u)));
+let _e3537 = (_e3534 * select(0f, _e3333, ((_e3349 & 1u) != 0u)));
+let _e3541 = ((_e3532 * select(select(0f, 1e20f, _e3323), _e3331, _e3383)) + select(_e3004, 0f, _e3383));
+let _e3542 = ((_e3533 * select(select(0f, 1e20f, _e3326), _e3332, _e3386)) + select(_e3004, 0f, _e3386));
+let _e3543 = ((_e3534 * select(select(0f, 1e20f, _e3329), _e3333, _e3389)) + select(_e3004, 0f, _e3389));
+let _e3545 = select(_e3535, 0f, (0f > _e3535));
+let _e3547 = select(_e3537, _e3536, (_e3536 > _e3537));
+let _e3551 = select(_e3541, _e3528, (_e3528 < _e3541));
+let _e3553 = select(_e3543, _e3542, (_e3542 < _e3543));
+let _e3555 = select(_e3553, _e3551, (_e3551 < _e3553));
+let _e3556 = -(select(_e3547, _e3545, (_e3545 > _e3547)));
+let _e3558 = (-(_e3528) - 1f);
+let _e3560 = select(_e3558, _e3556, (_e3556 > _e3558));
+let _e3562 = select(0f, _e3560, (_e3560 < 0f));
+let _e3569 = select(0i, select(select(i32(_e3562), i32(-2147483648), (_e3562 < -2147483600f)), 2147483647i, (_e3562 > 2147483500f)), (_e3562 == _e3562));
+let _e3576 = select(-1f, _e3555, (_e3555 > -1f));
+let _e3578 = select(_e3528, _e3576, (_e3576 < _e3528));
+let _e3585 = select(0i, select(select(i32(_e3578), i32(-2147483648), (_e3578 < -2147483600f)), 2147483647i, (_e3578 > 2147483500f)), (_e3578 == _e3578));
+let _e3594 = global_1.member.member_2.member_1;
+let _e3601 = global_1.member.member_3;
+phi_21171_ = -((_e3569 - select(0i, 1i, (_e3562 < f32(_e3569)))));
 loop {
-let _e3616 = phi_21185_;
-let _e3617 = (_e3616 <= (_e3595 - select(0i, 1i, (_e3588 < f32(_e3595)))));
-if _e3617 {
-let _e3623 = ((f32(_e3616) + 0.5f) - _e2916);
-let _e3624 = ((_e3536 + 0.5f) - _e2927);
-let _e3625 = ((f32(_e3534) + 0.5f) - _e2938);
-let _e3630 = (((_e2991 * _e2991) + (_e2992 * _e2992)) + (_e2993 * _e2993));
-let _e3635 = (((_e2991 * _e3494) + (_e2992 * _e3214)) + (_e2993 * _e3408));
-let _e3640 = (((_e3494 * _e3494) + (_e3214 * _e3214)) + (_e3408 * _e3408));
-let _e3645 = (((_e3623 * _e2991) + (_e3624 * _e2992)) + (_e3625 * _e2993));
-let _e3650 = (((_e3623 * _e3494) + (_e3624 * _e3214)) + (_e3625 * _e3408));
-let _e3653 = ((_e3630 * _e3640) - (_e3635 * _e3635));
-let _e3654 = (_e3653 > 0f);
-let _e3657 = select(0f, (1f / select(1f, _e3653, _e3654)), _e3654);
-let _e3661 = (((_e3640 * _e3645) - (_e3635 * _e3650)) * _e3657);
-let _e3665 = (((_e3630 * _e3650) - (_e3635 * _e3645)) * _e3657);
-let _e3667 = ((1f - _e3661) - _e3665);
-let _e3669 = select(0f, _e3667, (_e3667 > 0f));
-let _e3671 = select(16777216f, _e3669, (_e3669 < 16777216f));
-let _e3673 = select(0f, _e3661, (_e3661 > 0f));
-let _e3675 = select(16777216f, _e3673, (_e3673 < 16777216f));
-let _e3677 = select(0f, _e3665, (_e3665 > 0f));
-let _e3679 = select(16777216f, _e3677, (_e3677 < 16777216f));
-let _e3681 = ((_e3671 + _e3675) + _e3679);
-let _e3684 = (1f / select(0.5f, _e3681, (_e3681 > 0.5f)));
-let _e3685 = (_e3671 * _e3684);
-let _e3686 = (_e3675 * _e3684);
-let _e3687 = (_e3679 * _e3684);
-let _e3689 = select(_e3499, _e3496, (_e3496 < _e3499));
-let _e3695 = global_4.member[bitcast<u32>(select(0i, _e3689, (_e3689 > 0i)))];
-let _e3696 = (_e3496 + 1i);
-let _e3698 = select(_e3499, _e3696, (_e3696 < _e3499));
-let _e3704 = global_4.member[bitcast<u32>(select(0i, _e3698, (_e3698 > 0i)))];
-let _e3705 = (_e3496 + 2i);
-let _e3707 = select(_e3499, _e3705, (_e3705 < _e3499));
-let _e3713 = global_4.member[bitcast<u32>(select(0i, _e3707, (_e3707 > 0i)))];
-let _e3714 = (_e3496 + 3i);
-let _e3716 = select(_e3499, _e3714, (_e3714 < _e3499));
-let _e3722 = global_4.member[bitcast<u32>(select(0i, _e3716, (_e3716 > 0i)))];
-let _e3723 = (_e3496 + 4i);
-let _e3725 = select(_e3499, _e3723, (_e3723 < _e3499));
-let _e3731 = global_4.member[bitcast<u32>(select(0i, _e3725, (_e3725 > 0i)))];
-let _e3732 = (_e3496 + 5i);
-let _e3734 = select(_e3499, _e3732, (_e3732 < _e3499));
-let _e3740 = global_4.member[bitcast<u32>(select(0i, _e3734, (_e3734 > 0i)))];
-let _e3741 = (_e3496 + 6i);
-let _e3743 = select(_e3499, _e3741, (_e3741 < _e3499));
-let _e3749 = global_4.member[bitcast<u32>(select(0i, _e3743, (_e3743 > 0i)))];
-let _e3750 = (_e3496 + 7i);
-let _e3752 = select(_e3499, _e3750, (_e3750 < _e3499));
-let _e3758 = global_4.member[bitcast<u32>(select(0i, _e3752, (_e3752 > 0i)))];
-let _e3759 = (_e3496 + 8i);
-let _e3761 = select(_e3499, _e3759, (_e3759 < _e3499));
-let _e3767 = global_4.member[bitcast<u32>(select(0i, _e3761, (_e3761 > 0i)))];
-let _e3772 = (((_e3695 * _e3685) + (_e3722 * _e3686)) + (_e3749 * _e3687));
-let _e3777 = (((_e3704 * _e3685) + (_e3731 * _e3686)) + (_e3758 * _e3687));
-let _e3782 = (((_e3713 * _e3685) + (_e3740 * _e3686)) + (_e3767 * _e3687));
-let _e3787 = (((_e3772 * _e3772) + (_e3777 * _e3777)) + (_e3782 * _e3782));
-let _e3790 = sqrt(select(0f, _e3787, (_e3787 > 0f)));
-let _e3791 = (_e3790 > 1e-6f);
-let _e3794 = select(0f, (1f / select(1e-6f, _e3790, _e3791)), _e3791);
-let _e3795 = (_e3496 + 9i);
-let _e3797 = select(_e3499, _e3795, (_e3795 < _e3499));
-let _e3803 = global_4.member[bitcast<u32>(select(0i, _e3797, (_e3797 > 0i)))];
-let _e3804 = (_e3496 + 10i);
-let _e3806 = select(_e3499, _e3804, (_e3804 < _e3499));
-let _e3812 = global_4.member[bitcast<u32>(select(0i, _e3806, (_e3806 > 0i)))];
-let _e3813 = (_e3496 + 11i);
-let _e3815 = select(_e3499, _e3813, (_e3813 < _e3499));
-let _e3821 = global_4.member[bitcast<u32>(select(0i, _e3815, (_e3815 > 0i)))];
-let _e3822 = (_e3496 + 12i);
-let _e3824 = select(_e3499, _e3822, (_e3822 < _e3499));
-let _e3830 = global_4.member[bitcast<u32>(select(0i, _e3824, (_e3824 > 0i)))];
-let _e3831 = (_e3496 + 13i);
-let _e3833 = select(_e3499, _e3831, (_e3831 < _e3499));
-let _e3839 = global_4.member[bitcast<u32>(select(0i, _e3833, (_e3833 > 0i)))];
-let _e3840 = (_e3496 + 14i);
-let _e3842 = select(_e3499, _e3840, (_e3840 < _e3499));
-let _e3848 = global_4.member[bitcast<u32>(select(0i, _e3842, (_e3842 > 0i)))];
-let _e3849 = (_e3496 + 15i);
-let _e3851 = select(_e3499, _e3849, (_e3849 < _e3499));
-let _e3857 = global_4.member[bitcast<u32>(select(0i, _e3851, (_e3851 > 0i)))];
-let _e3858 = (_e3496 + 16i);
-let _e3860 = select(_e3499, _e3858, (_e3858 < _e3499));
-let _e3866 = global_4.member[bitcast<u32>(select(0i, _e3860, (_e3860 > 0i)))];
-let _e3867 = (_e3496 + 17i);
-let _e3869 = select(_e3499, _e3867, (_e3867 < _e3499));
-let _e3875 = global_4.member[bitcast<u32>(select(0i, _e3869, (_e3869 > 0i)))];
-let _e3891 = (_e935.member_1.member_3.x + _e3616);
-let _e3894 = ((((((_e935.member_1.member_3.z + _e3534) * bitcast<i32>(_e3604)) + _e935.member_1.member_3.y) + _e3535) * bitcast<i32>(_e3612)) + (_e3891 >> bitcast<u32>(5i)));
-let _e3898 = (bitcast<i32>(_e218) - 1i);
-let _e3900 = select(_e3898, _e3894, (_e3894 < _e3898));
-let _e3906 = global_6.member[bitcast<u32>(select(0i, _e3900, (_e3900 > 0i)))];
-let _e3908 = (bitcast<i32>(_e216) - 1i);
-let _e3910 = select(_e3908, _e3894, (_e3894 < _e3908));
-let _e3916 = global_5.member[bitcast<u32>(select(0i, _e3910, (_e3910 > 0i)))];
-let _e3925 = (bitcast<i32>((_e3906 + countOneBits((_e3916 & ((1u << bitcast<u32>((bitcast<u32>((_e3891 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e3926 = bitcast<u32>(_e3925);
-if (_e3926 < _e220) {
-let _e3930 = atomicAdd((&global_7.member[_e3926]), 1u);
+let _e3605 = phi_21171_;
+let _e3606 = (_e3605 <= (_e3585 - select(0i, 1i, (_e3578 < f32(_e3585)))));
+if _e3606 {
+let _e3612 = ((f32(_e3605) + 0.5f) - _e2906);
+let _e3613 = ((_e3526 + 0.5f) - _e2917);
+let _e3614 = ((f32(_e3524) + 0.5f) - _e2928);
+let _e3619 = (((_e2981 * _e2981) + (_e2982 * _e2982)) + (_e2983 * _e2983));
+let _e3624 = (((_e2981 * _e3484) + (_e2982 * _e3204)) + (_e2983 * _e3398));
+let _e3629 = (((_e3484 * _e3484) + (_e3204 * _e3204)) + (_e3398 * _e3398));
+let _e3634 = (((_e3612 * _e2981) + (_e3613 * _e2982)) + (_e3614 * _e2983));
+let _e3639 = (((_e3612 * _e3484) + (_e3613 * _e3204)) + (_e3614 * _e3398));
+let _e3642 = ((_e3619 * _e3629) - (_e3624 * _e3624));
+let _e3643 = (_e3642 > 0f);
+let _e3646 = select(0f, (1f / select(1f, _e3642, _e3643)), _e3643);
+let _e3650 = (((_e3629 * _e3634) - (_e3624 * _e3639)) * _e3646);
+let _e3654 = (((_e3619 * _e3639) - (_e3624 * _e3634)) * _e3646);
+let _e3656 = ((1f - _e3650) - _e3654);
+let _e3658 = select(0f, _e3656, (_e3656 > 0f));
+let _e3660 = select(16777216f, _e3658, (_e3658 < 16777216f));
+let _e3662 = select(0f, _e3650, (_e3650 > 0f));
+let _e3664 = select(16777216f, _e3662, (_e3662 < 16777216f));
+let _e3666 = select(0f, _e3654, (_e3654 > 0f));
+let _e3668 = select(16777216f, _e3666, (_e3666 < 16777216f));
+let _e3670 = ((_e3660 + _e3664) + _e3668);
+let _e3673 = (1f / select(0.5f, _e3670, (_e3670 > 0.5f)));
+let _e3674 = (_e3660 * _e3673);
+let _e3675 = (_e3664 * _e3673);
+let _e3676 = (_e3668 * _e3673);
+let _e3678 = select(_e3489, _e3486, (_e3486 < _e3489));
+let _e3684 = global_4.member[bitcast<u32>(select(0i, _e3678, (_e3678 > 0i)))];
+let _e3685 = (_e3486 + 1i);
+let _e3687 = select(_e3489, _e3685, (_e3685 < _e3489));
+let _e3693 = global_4.member[bitcast<u32>(select(0i, _e3687, (_e3687 > 0i)))];
+let _e3694 = (_e3486 + 2i);
+let _e3696 = select(_e3489, _e3694, (_e3694 < _e3489));
+let _e3702 = global_4.member[bitcast<u32>(select(0i, _e3696, (_e3696 > 0i)))];
+let _e3703 = (_e3486 + 3i);
+let _e3705 = select(_e3489, _e3703, (_e3703 < _e3489));
+let _e3711 = global_4.member[bitcast<u32>(select(0i, _e3705, (_e3705 > 0i)))];
+let _e3712 = (_e3486 + 4i);
+let _e3714 = select(_e3489, _e3712, (_e3712 < _e3489));
+let _e3720 = global_4.member[bitcast<u32>(select(0i, _e3714, (_e3714 > 0i)))];
+let _e3721 = (_e3486 + 5i);
+let _e3723 = select(_e3489, _e3721, (_e3721 < _e3489));
+let _e3729 = global_4.member[bitcast<u32>(select(0i, _e3723, (_e3723 > 0i)))];
+let _e3730 = (_e3486 + 6i);
+let _e3732 = select(_e3489, _e3730, (_e3730 < _e3489));
+let _e3738 = global_4.member[bitcast<u32>(select(0i, _e3732, (_e3732 > 0i)))];
+let _e3739 = (_e3486 + 7i);
+let _e3741 = select(_e3489, _e3739, (_e3739 < _e3489));
+let _e3747 = global_4.member[bitcast<u32>(select(0i, _e3741, (_e3741 > 0i)))];
+let _e3748 = (_e3486 + 8i);
+let _e3750 = select(_e3489, _e3748, (_e3748 < _e3489));
+let _e3756 = global_4.member[bitcast<u32>(select(0i, _e3750, (_e3750 > 0i)))];
+let _e3761 = (((_e3684 * _e3674) + (_e3711 * _e3675)) + (_e3738 * _e3676));
+let _e3766 = (((_e3693 * _e3674) + (_e3720 * _e3675)) + (_e3747 * _e3676));
+let _e3771 = (((_e3702 * _e3674) + (_e3729 * _e3675)) + (_e3756 * _e3676));
+let _e3776 = (((_e3761 * _e3761) + (_e3766 * _e3766)) + (_e3771 * _e3771));
+let _e3779 = sqrt(select(0f, _e3776, (_e3776 > 0f)));
+let _e3780 = (_e3779 > 1e-6f);
+let _e3783 = select(0f, (1f / select(1e-6f, _e3779, _e3780)), _e3780);
+let _e3784 = (_e3486 + 9i);
+let _e3786 = select(_e3489, _e3784, (_e3784 < _e3489));
+let _e3792 = global_4.member[bitcast<u32>(select(0i, _e3786, (_e3786 > 0i)))];
+let _e3793 = (_e3486 + 10i);
+let _e3795 = select(_e3489, _e3793, (_e3793 < _e3489));
+let _e3801 = global_4.member[bitcast<u32>(select(0i, _e3795, (_e3795 > 0i)))];
+let _e3802 = (_e3486 + 11i);
+let _e3804 = select(_e3489, _e3802, (_e3802 < _e3489));
+let _e3810 = global_4.member[bitcast<u32>(select(0i, _e3804, (_e3804 > 0i)))];
+let _e3811 = (_e3486 + 12i);
+let _e3813 = select(_e3489, _e3811, (_e3811 < _e3489));
+let _e3819 = global_4.member[bitcast<u32>(select(0i, _e3813, (_e3813 > 0i)))];
+let _e3820 = (_e3486 + 13i);
+let _e3822 = select(_e3489, _e3820, (_e3820 < _e3489));
+let _e3828 = global_4.member[bitcast<u32>(select(0i, _e3822, (_e3822 > 0i)))];
+let _e3829 = (_e3486 + 14i);
+let _e3831 = select(_e3489, _e3829, (_e3829 < _e3489));
+let _e3837 = global_4.member[bitcast<u32>(select(0i, _e3831, (_e3831 > 0i)))];
+let _e3838 = (_e3486 + 15i);
+let _e3840 = select(_e3489, _e3838, (_e3838 < _e3489));
+let _e3846 = global_4.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
+let _e3847 = (_e3486 + 16i);
+let _e3849 = select(_e3489, _e3847, (_e3847 < _e3489));
+let _e3855 = global_4.member[bitcast<u32>(select(0i, _e3849, (_e3849 > 0i)))];
+let _e3856 = (_e3486 + 17i);
+let _e3858 = select(_e3489, _e3856, (_e3856 < _e3489));
+let _e3864 = global_4.member[bitcast<u32>(select(0i, _e3858, (_e3858 > 0i)))];
+let _e3880 = (_e926.member_1.member_3.x + _e3605);
+let _e3883 = ((((((_e926.member_1.member_3.z + _e3524) * bitcast<i32>(_e3594)) + _e926.member_1.member_3.y) + _e3525) * bitcast<i32>(_e3601)) + (_e3880 >> bitcast<u32>(5i)));
+let _e3887 = (bitcast<i32>(_e218) - 1i);
+let _e3889 = select(_e3887, _e3883, (_e3883 < _e3887));
+let _e3895 = global_6.member[bitcast<u32>(select(0i, _e3889, (_e3889 > 0i)))];
+let _e3897 = (bitcast<i32>(_e216) - 1i);
+let _e3899 = select(_e3897, _e3883, (_e3883 < _e3897));
+let _e3905 = global_5.member[bitcast<u32>(select(0i, _e3899, (_e3899 > 0i)))];
+let _e3914 = (bitcast<i32>((_e3895 + countOneBits((_e3905 & ((1u << bitcast<u32>((bitcast<u32>((_e3880 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e3915 = bitcast<u32>(_e3914);
+if (_e3915 < _e220) {
+let _e3919 = atomicAdd((&global_7.member[_e3915]), 1u);
 }
-let _e3932 = bitcast<u32>((_e3925 + 1i));
-if (_e3932 < _e220) {
-let _e3936 = atomicMax((&global_7.member[_e3932]), bitcast<u32>((_e3518 - select(0i, 1i, (_e3511 < f32(_e3518))))));
+let _e3921 = bitcast<u32>((_e3914 + 1i));
+if (_e3921 < _e220) {
+let _e3925 = atomicMax((&global_7.member[_e3921]), bitcast<u32>((_e3508 - select(0i, 1i, (_e3501 < f32(_e3508))))));
 }
-let _e3942 = (((_e3772 * _e3794) * 65536f) + 0.5f);
-let _e3944 = select(-1073741800f, _e3942, (_e3942 > -1073741800f));
-let _e3946 = select(1073741800f, _e3944, (_e3944 < 1073741800f));
-let _e3953 = select(0i, select(select(i32(_e3946), i32(-2147483648), (_e3946 < -2147483600f)), 2147483647i, (_e3946 > 2147483500f)), (_e3946 == _e3946));
-let _e3957 = (_e3953 - select(0i, 1i, (_e3946 < f32(_e3953))));
-if (_e3957 == 0i) {
+let _e3931 = (((_e3761 * _e3783) * 65536f) + 0.5f);
+let _e3933 = select(-1073741800f, _e3931, (_e3931 > -1073741800f));
+let _e3935 = select(1073741800f, _e3933, (_e3933 < 1073741800f));
+let _e3942 = select(0i, select(select(i32(_e3935), i32(-2147483648), (_e3935 < -2147483600f)), 2147483647i, (_e3935 > 2147483500f)), (_e3935 == _e3935));
+let _e3946 = (_e3942 - select(0i, 1i, (_e3935 < f32(_e3942))));
+if (_e3946 == 0i) {
 } else {
-let _e3959 = bitcast<u32>(_e3957);
-let _e3960 = bitcast<u32>((_e3925 + 2i));
-if (_e3960 < _e220) {
-let _e3964 = atomicAdd((&global_7.member[_e3960]), _e3959);
-phi_21713_ = _e3964;
+let _e3948 = bitcast<u32>(_e3946);
+let _e3949 = bitcast<u32>((_e3914 + 2i));
+if (_e3949 < _e220) {
+let _e3953 = atomicAdd((&global_7.member[_e3949]), _e3948);
+phi_21699_ = _e3953;
 } else {
-phi_21713_ = 0u;
+phi_21699_ = 0u;
 }
-let _e3966 = phi_21713_;
-let _e3973 = (bitcast<u32>((_e3957 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e3966 + _e3959) < _e3959)));
-if (_e3973 == 0u) {
+let _e3955 = phi_21699_;
+let _e3962 = (bitcast<u32>((_e3946 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e3955 + _e3948) < _e3948)));
+if (_e3962 == 0u) {
 } else {
-let _e3975 = (_e3960 + 1u);
-if (_e3975 < _e220) {
-let _e3979 = atomicAdd((&global_7.member[_e3975]), _e3973);
+let _e3964 = (_e3949 + 1u);
+if (_e3964 < _e220) {
+let _e3968 = atomicAdd((&global_7.member[_e3964]), _e3962);
 }
 }
 }
-let _e3982 = (((_e3777 * _e3794) * 65536f) + 0.5f);
-let _e3984 = select(-1073741800f, _e3982, (_e3982 > -1073741800f));
-let _e3986 = select(1073741800f, _e3984, (_e3984 < 1073741800f));
-let _e3993 = select(0i, select(select(i32(_e3986), i32(-2147483648), (_e3986 < -2147483600f)), 2147483647i, (_e3986 > 2147483500f)), (_e3986 == _e3986));
-let _e3997 = (_e3993 - select(0i, 1i, (_e3986 < f32(_e3993))));
-if (_e3997 == 0i) {
+let _e3971 = (((_e3766 * _e3783) * 65536f) + 0.5f);
+let _e3973 = select(-1073741800f, _e3971, (_e3971 > -1073741800f));
+let _e3975 = select(1073741800f, _e3973, (_e3973 < 1073741800f));
+let _e3982 = select(0i, select(select(i32(_e3975), i32(-2147483648), (_e3975 < -2147483600f)), 2147483647i, (_e3975 > 2147483500f)), (_e3975 == _e3975));
+let _e3986 = (_e3982 - select(0i, 1i, (_e3975 < f32(_e3982))));
+if (_e3986 == 0i) {
 } else {
-let _e3999 = bitcast<u32>(_e3997);
-let _e4000 = bitcast<u32>((_e3925 + 4i));
-if (_e4000 < _e220) {
-let _e4004 = atomicAdd((&global_7.member[_e4000]), _e3999);
-phi_21770_ = _e4004;
+let _e3988 = bitcast<u32>(_e3986);
+let _e3989 = bitcast<u32>((_e3914 + 4i));
+if (_e3989 < _e220) {
+let _e3993 = atomicAdd((&global_7.member[_e3989]), _e3988);
+phi_21756_ = _e3993;
 } else {
-phi_21770_ = 0u;
+phi_21756_ = 0u;
 }
-let _e4006 = phi_21770_;
-let _e4013 = (bitcast<u32>((_e3997 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4006 + _e3999) < _e3999)));
-if (_e4013 == 0u) {
+let _e3995 = phi_21756_;
+let _e4002 = (bitcast<u32>((_e3986 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e3995 + _e3988) < _e3988)));
+if (_e4002 == 0u) {
 } else {
-let _e4015 = (_e4000 + 1u);
-if (_e4015 < _e220) {
-let _e4019 = atomicAdd((&global_7.member[_e4015]), _e4013);
+let _e4004 = (_e3989 + 1u);
+if (_e4004 < _e220) {
+let _e4008 = atomicAdd((&global_7.member[_e4004]), _e4002);
 }
 }
 }
-let _e4022 = (((_e3782 * _e3794) * 65536f) + 0.5f);
-let _e4024 = select(-1073741800f, _e4022, (_e4022 > -1073741800f));
-let _e4026 = select(1073741800f, _e4024, (_e4024 < 1073741800f));
-let _e4033 = select(0i, select(select(i32(_e4026), i32(-2147483648), (_e4026 < -2147483600f)), 2147483647i, (_e4026 > 2147483500f)), (_e4026 == _e4026));
-let _e4037 = (_e4033 - select(0i, 1i, (_e4026 < f32(_e4033))));
-if (_e4037 == 0i) {
+let _e4011 = (((_e3771 * _e3783) * 65536f) + 0.5f);
+let _e4013 = select(-1073741800f, _e4011, (_e4011 > -1073741800f));
+let _e4015 = select(1073741800f, _e4013, (_e4013 < 1073741800f));
+let _e4022 = select(0i, select(select(i32(_e4015), i32(-2147483648), (_e4015 < -2147483600f)), 2147483647i, (_e4015 > 2147483500f)), (_e4015 == _e4015));
+let _e4026 = (_e4022 - select(0i, 1i, (_e4015 < f32(_e4022))));
+if (_e4026 == 0i) {
 } else {
-let _e4039 = bitcast<u32>(_e4037);
-let _e4040 = bitcast<u32>((_e3925 + 6i));
-if (_e4040 < _e220) {
-let _e4044 = atomicAdd((&global_7.member[_e4040]), _e4039);
-phi_21827_ = _e4044;
+let _e4028 = bitcast<u32>(_e4026);
+let _e4029 = bitcast<u32>((_e3914 + 6i));
+if (_e4029 < _e220) {
+let _e4033 = atomicAdd((&global_7.member[_e4029]), _e4028);
+phi_21813_ = _e4033;
 } else {
-phi_21827_ = 0u;
+phi_21813_ = 0u;
 }
-let _e4046 = phi_21827_;
-let _e4053 = (bitcast<u32>((_e4037 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4046 + _e4039) < _e4039)));
-if (_e4053 == 0u) {
+let _e4035 = phi_21813_;
+let _e4042 = (bitcast<u32>((_e4026 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4035 + _e4028) < _e4028)));
+if (_e4042 == 0u) {
 } else {
-let _e4055 = (_e4040 + 1u);
-if (_e4055 < _e220) {
-let _e4059 = atomicAdd((&global_7.member[_e4055]), _e4053);
+let _e4044 = (_e4029 + 1u);
+if (_e4044 < _e220) {
+let _e4048 = atomicAdd((&global_7.member[_e4044]), _e4042);
 }
 }
 }
-let _e4062 = (((((_e3803 * _e3685) + (_e3830 * _e3686)) + (_e3857 * _e3687)) * 65536f) + 0.5f);
-let _e4064 = select(-1073741800f, _e4062, (_e4062 > -1073741800f));
-let _e4066 = select(1073741800f, _e4064, (_e4064 < 1073741800f));
-let _e4073 = select(0i, select(select(i32(_e4066), i32(-2147483648), (_e4066 < -2147483600f)), 2147483647i, (_e4066 > 2147483500f)), (_e4066 == _e4066));
-let _e4077 = (_e4073 - select(0i, 1i, (_e4066 < f32(_e4073))));
-if (_e4077 == 0i) {
+let _e4051 = (((((_e3792 * _e3674) + (_e3819 * _e3675)) + (_e3846 * _e3676)) * 65536f) + 0.5f);
+let _e4053 = select(-1073741800f, _e4051, (_e4051 > -1073741800f));
+let _e4055 = select(1073741800f, _e4053, (_e4053 < 1073741800f));
+let _e4062 = select(0i, select(select(i32(_e4055), i32(-2147483648), (_e4055 < -2147483600f)), 2147483647i, (_e4055 > 2147483500f)), (_e4055 == _e4055));
+let _e4066 = (_e4062 - select(0i, 1i, (_e4055 < f32(_e4062))));
+if (_e4066 == 0i) {
 } else {
-let _e4079 = bitcast<u32>(_e4077);
-let _e4080 = bitcast<u32>((_e3925 + 8i));
-if (_e4080 < _e220) {
-let _e4084 = atomicAdd((&global_7.member[_e4080]), _e4079);
-phi_21885_ = _e4084;
+let _e4068 = bitcast<u32>(_e4066);
+let _e4069 = bitcast<u32>((_e3914 + 8i));
+if (_e4069 < _e220) {
+let _e4073 = atomicAdd((&global_7.member[_e4069]), _e4068);
+phi_21871_ = _e4073;
 } else {
-phi_21885_ = 0u;
+phi_21871_ = 0u;
 }
-let _e4086 = phi_21885_;
-let _e4093 = (bitcast<u32>((_e4077 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4086 + _e4079) < _e4079)));
-if (_e4093 == 0u) {
+let _e4075 = phi_21871_;
+let _e4082 = (bitcast<u32>((_e4066 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4075 + _e4068) < _e4068)));
+if (_e4082 == 0u) {
 } else {
-let _e4095 = (_e4080 + 1u);
-if (_e4095 < _e220) {
-let _e4099 = atomicAdd((&global_7.member[_e4095]), _e4093);
+let _e4084 = (_e4069 + 1u);
+if (_e4084 < _e220) {
+let _e4088 = atomicAdd((&global_7.member[_e4084]), _e4082);
 }
 }
 }
-let _e4102 = (((((_e3812 * _e3685) + (_e3839 * _e3686)) + (_e3866 * _e3687)) * 65536f) + 0.5f);
-let _e4104 = select(-1073741800f, _e4102, (_e4102 > -1073741800f));
-let _e4106 = select(1073741800f, _e4104, (_e4104 < 1073741800f));
-let _e4113 = select(0i, select(select(i32(_e4106), i32(-2147483648), (_e4106 < -2147483600f)), 2147483647i, (_e4106 > 2147483500f)), (_e4106 == _e4106));
-let _e4117 = (_e4113 - select(0i, 1i, (_e4106 < f32(_e4113))));
-if (_e4117 == 0i) {
+let _e4091 = (((((_e3801 * _e3674) + (_e3828 * _e3675)) + (_e3855 * _e3676)) * 65536f) + 0.5f);
+let _e4093 = select(-1073741800f, _e4091, (_e4091 > -1073741800f));
+let _e4095 = select(1073741800f, _e4093, (_e4093 < 1073741800f));
+let _e4102 = select(0i, select(select(i32(_e4095), i32(-2147483648), (_e4095 < -2147483600f)), 2147483647i, (_e4095 > 2147483500f)), (_e4095 == _e4095));
+let _e4106 = (_e4102 - select(0i, 1i, (_e4095 < f32(_e4102))));
+if (_e4106 == 0i) {
 } else {
-let _e4119 = bitcast<u32>(_e4117);
-let _e4120 = bitcast<u32>((_e3925 + 10i));
-if (_e4120 < _e220) {
-let _e4124 = atomicAdd((&global_7.member[_e4120]), _e4119);
-phi_21942_ = _e4124;
+let _e4108 = bitcast<u32>(_e4106);
+let _e4109 = bitcast<u32>((_e3914 + 10i));
+if (_e4109 < _e220) {
+let _e4113 = atomicAdd((&global_7.member[_e4109]), _e4108);
+phi_21928_ = _e4113;
 } else {
-phi_21942_ = 0u;
+phi_21928_ = 0u;
 }
-let _e4126 = phi_21942_;
-let _e4133 = (bitcast<u32>((_e4117 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4126 + _e4119) < _e4119)));
-if (_e4133 == 0u) {
+let _e4115 = phi_21928_;
+let _e4122 = (bitcast<u32>((_e4106 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4115 + _e4108) < _e4108)));
+if (_e4122 == 0u) {
 } else {
-let _e4135 = (_e4120 + 1u);
-if (_e4135 < _e220) {
-let _e4139 = atomicAdd((&global_7.member[_e4135]), _e4133);
+let _e4124 = (_e4109 + 1u);
+if (_e4124 < _e220) {
+let _e4128 = atomicAdd((&global_7.member[_e4124]), _e4122);
 }
 }
 }
-let _e4142 = (((((_e3821 * _e3685) + (_e3848 * _e3686)) + (_e3875 * _e3687)) * 65536f) + 0.5f);
-let _e4144 = select(-1073741800f, _e4142, (_e4142 > -1073741800f));
-let _e4146 = select(1073741800f, _e4144, (_e4144 < 1073741800f));
-let _e4153 = select(0i, select(select(i32(_e4146), i32(-2147483648), (_e4146 < -2147483600f)), 2147483647i, (_e4146 > 2147483500f)), (_e4146 == _e4146));
-let _e4157 = (_e4153 - select(0i, 1i, (_e4146 < f32(_e4153))));
-if (_e4157 == 0i) {
+let _e4131 = (((((_e3810 * _e3674) + (_e3837 * _e3675)) + (_e3864 * _e3676)) * 65536f) + 0.5f);
+let _e4133 = select(-1073741800f, _e4131, (_e4131 > -1073741800f));
+let _e4135 = select(1073741800f, _e4133, (_e4133 < 1073741800f));
+let _e4142 = select(0i, select(select(i32(_e4135), i32(-2147483648), (_e4135 < -2147483600f)), 2147483647i, (_e4135 > 2147483500f)), (_e4135 == _e4135));
+let _e4146 = (_e4142 - select(0i, 1i, (_e4135 < f32(_e4142))));
+if (_e4146 == 0i) {
 } else {
-let _e4159 = bitcast<u32>(_e4157);
-let _e4160 = bitcast<u32>((_e3925 + 12i));
-if (_e4160 < _e220) {
-let _e4164 = atomicAdd((&global_7.member[_e4160]), _e4159);
-phi_21999_ = _e4164;
+let _e4148 = bitcast<u32>(_e4146);
+let _e4149 = bitcast<u32>((_e3914 + 12i));
+if (_e4149 < _e220) {
+let _e4153 = atomicAdd((&global_7.member[_e4149]), _e4148);
+phi_21985_ = _e4153;
 } else {
-phi_21999_ = 0u;
+phi_21985_ = 0u;
 }
-let _e4166 = phi_21999_;
-let _e4173 = (bitcast<u32>((_e4157 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4166 + _e4159) < _e4159)));
-if (_e4173 == 0u) {
+let _e4155 = phi_21985_;
+let _e4162 = (bitcast<u32>((_e4146 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4155 + _e4148) < _e4148)));
+if (_e4162 == 0u) {
 } else {
-let _e4175 = (_e4160 + 1u);
-if (_e4175 < _e220) {
-let _e4179 = atomicAdd((&global_7.member[_e4175]), _e4173);
+let _e4164 = (_e4149 + 1u);
+if (_e4164 < _e220) {
+let _e4168 = atomicAdd((&global_7.member[_e4164]), _e4162);
 }
 }
 }
-phi_21186_ = (_e3616 + 1i);
+phi_21172_ = (_e3605 + 1i);
 } else {
-phi_21186_ = i32();
+phi_21172_ = i32();
 }
-let _e4182 = phi_21186_;
+let _e4171 = phi_21172_;
 continue;
 continuing {
-phi_21185_ = _e4182;
-break if !(_e3617);
+phi_21171_ = _e4171;
+break if !(_e3606);
 }
 }
-phi_21058_ = (_e3532 + 1i);
+phi_21045_ = (_e3522 + 1i);
 } else {
-phi_21058_ = i32();
+phi_21045_ = i32();
 }
-let _e4186 = phi_21058_;
+let _e4175 = phi_21045_;
 continue;
 continuing {
-phi_21057_ = _e4186;
-break if !(_e3533);
+phi_21044_ = _e4175;
+break if !(_e3523);
 }
 }
-phi_21041_ = (_e3525 + 1i);
+phi_21028_ = (_e3515 + 1i);
 } else {
-phi_21041_ = i32();
+phi_21028_ = i32();
 }
-let _e4190 = phi_21041_;
+let _e4179 = phi_21028_;
 continue;
 continuing {
-phi_21040_ = _e4190;
-break if !(_e3526);
+phi_21027_ = _e4179;
+break if !(_e3516);
 }
 }
 } else {
-let _e971 = (_e935.member_1.member_6 & 31u);
-let _e973 = (_e935.member_1.member_3.x << bitcast<u32>(_e971));
-let _e976 = (_e935.member_1.member_7 & 31u);
-let _e980 = ((1i << bitcast<u32>(_e976)) >> bitcast<u32>(1i));
-let _e986 = bitcast<i32>(_e935.member_1.member_6);
-let _e992 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e935.member_1.member_7) - _e986))) << bitcast<u32>(23i)));
-let _e993 = (f32((((_e935.member_1.member.x - _e973) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e998 = (_e935.member_1.member_3.y << bitcast<u32>(_e971));
-let _e1004 = (f32((((_e935.member_1.member.y - _e998) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1009 = (_e935.member_1.member_3.z << bitcast<u32>(_e971));
-let _e1015 = (f32((((_e935.member_1.member.z - _e1009) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1023 = (f32((((_e935.member_1.member_1.x - _e973) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1030 = (f32((((_e935.member_1.member_1.y - _e998) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1037 = (f32((((_e935.member_1.member_1.z - _e1009) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1045 = (f32((((_e935.member_1.member_2.x - _e973) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1052 = (f32((((_e935.member_1.member_2.y - _e998) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1059 = (f32((((_e935.member_1.member_2.z - _e1009) + _e980) >> bitcast<u32>(_e976))) * _e992);
-let _e1067 = (f32(_e935.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e986)) << bitcast<u32>(23i))));
-let _e1068 = (_e1023 - _e993);
-let _e1069 = (_e1030 - _e1004);
-let _e1070 = (_e1037 - _e1015);
-let _e1071 = (_e1045 - _e1023);
-let _e1072 = (_e1052 - _e1030);
-let _e1073 = (_e1059 - _e1037);
-let _e1074 = (_e1069 * _e1073);
-let _e1075 = (_e1070 * _e1072);
-let _e1076 = (_e1074 - _e1075);
-let _e1077 = (_e1070 * _e1071);
-let _e1078 = (_e1068 * _e1073);
-let _e1079 = (_e1077 - _e1078);
-let _e1080 = (_e1068 * _e1072);
-let _e1081 = (_e1069 * _e1071);
-let _e1082 = (_e1080 - _e1081);
-let _e1090 = ((bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u))) * 2.3841858e-7f);
-let _e1098 = ((bitcast<f32>((bitcast<u32>(_e1077) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u))) * 2.3841858e-7f);
-let _e1106 = ((bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1081) & 2147483647u))) * 2.3841858e-7f);
-let _e1107 = f32(_e935.member_1.member_4.x);
-let _e1108 = f32(_e935.member_1.member_4.y);
-let _e1109 = f32(_e935.member_1.member_4.z);
-let _e1111 = select(_e1108, _e1107, (_e1107 > _e1108));
-let _e1117 = (((_e1090 + _e1098) + _e1106) * (select(_e1109, _e1111, (_e1111 > _e1109)) + 2f));
-let _e1122 = (((_e1076 * _e993) + (_e1079 * _e1004)) + (_e1082 * _e1015));
-let _e1123 = (1f + _e1067);
-let _e1124 = (_e1076 * _e1123);
-let _e1126 = -((_e1076 * _e1067));
-let _e1129 = (_e1079 * _e1123);
-let _e1131 = -((_e1079 * _e1067));
-let _e1135 = (_e1082 * _e1123);
-let _e1137 = -((_e1082 * _e1067));
-let _e1141 = -(_e1076);
-let _e1142 = (_e1141 * _e1123);
-let _e1144 = -((_e1141 * _e1067));
-let _e1147 = -(_e1079);
-let _e1148 = (_e1147 * _e1123);
-let _e1150 = -((_e1147 * _e1067));
-let _e1154 = -(_e1082);
-let _e1155 = (_e1154 * _e1123);
-let _e1157 = -((_e1154 * _e1067));
-let _e1161 = (_e935.member_1.member_4.z >= _e935.member_1.member_4.y);
-if _e1161 {
-let _e1402 = select(1f, -1f, (_e1076 < 0f));
-let _e1408 = select(0f, (2f * _e1090), (bitcast<f32>((bitcast<u32>(_e1076) & 2147483647u)) <= _e1090));
-let _e1413 = ((_e1015 - _e1037) * _e1402);
-let _e1414 = ((_e1037 - _e1059) * _e1402);
-let _e1415 = ((_e1059 - _e1015) * _e1402);
-let _e1416 = ((0f - 0f) * _e1402);
-let _e1418 = (_e1069 * _e1402);
-let _e1419 = (_e1072 * _e1402);
-let _e1420 = ((_e1004 - _e1052) * _e1402);
-let _e1422 = (_e1413 * _e1123);
-let _e1423 = (_e1414 * _e1123);
-let _e1424 = (_e1415 * _e1123);
-let _e1425 = (_e1416 * _e1123);
-let _e1430 = -((_e1413 * _e1067));
-let _e1431 = -((_e1414 * _e1067));
-let _e1432 = -((_e1415 * _e1067));
-let _e1433 = -((_e1416 * _e1067));
+let _e962 = (_e926.member_1.member_6 & 31u);
+let _e964 = (_e926.member_1.member_3.x << bitcast<u32>(_e962));
+let _e967 = (_e926.member_1.member_7 & 31u);
+let _e971 = ((1i << bitcast<u32>(_e967)) >> bitcast<u32>(1i));
+let _e977 = bitcast<i32>(_e926.member_1.member_6);
+let _e983 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e977))) << bitcast<u32>(23i)));
+let _e984 = (f32((((_e926.member_1.member.x - _e964) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e989 = (_e926.member_1.member_3.y << bitcast<u32>(_e962));
+let _e995 = (f32((((_e926.member_1.member.y - _e989) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1000 = (_e926.member_1.member_3.z << bitcast<u32>(_e962));
+let _e1006 = (f32((((_e926.member_1.member.z - _e1000) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1014 = (f32((((_e926.member_1.member_1.x - _e964) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1021 = (f32((((_e926.member_1.member_1.y - _e989) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1028 = (f32((((_e926.member_1.member_1.z - _e1000) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1036 = (f32((((_e926.member_1.member_2.x - _e964) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1043 = (f32((((_e926.member_1.member_2.y - _e989) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1050 = (f32((((_e926.member_1.member_2.z - _e1000) + _e971) >> bitcast<u32>(_e967))) * _e983);
+let _e1058 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e977)) << bitcast<u32>(23i))));
+let _e1059 = (_e1014 - _e984);
+let _e1060 = (_e1021 - _e995);
+let _e1061 = (_e1028 - _e1006);
+let _e1062 = (_e1036 - _e1014);
+let _e1063 = (_e1043 - _e1021);
+let _e1064 = (_e1050 - _e1028);
+let _e1065 = (_e1060 * _e1064);
+let _e1066 = (_e1061 * _e1063);
+let _e1067 = (_e1065 - _e1066);
+let _e1068 = (_e1061 * _e1062);
+let _e1069 = (_e1059 * _e1064);
+let _e1070 = (_e1068 - _e1069);
+let _e1071 = (_e1059 * _e1063);
+let _e1072 = (_e1060 * _e1062);
+let _e1073 = (_e1071 - _e1072);
+let _e1081 = ((bitcast<f32>((bitcast<u32>(_e1065) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u))) * 2.3841858e-7f);
+let _e1089 = ((bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1069) & 2147483647u))) * 2.3841858e-7f);
+let _e1097 = ((bitcast<f32>((bitcast<u32>(_e1071) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u))) * 2.3841858e-7f);
+let _e1098 = f32(_e926.member_1.member_4.x);
+let _e1099 = f32(_e926.member_1.member_4.y);
+let _e1100 = f32(_e926.member_1.member_4.z);
+let _e1102 = select(_e1099, _e1098, (_e1098 > _e1099));
+let _e1108 = (((_e1081 + _e1089) + _e1097) * (select(_e1100, _e1102, (_e1102 > _e1100)) + 2f));
+let _e1113 = (((_e1067 * _e984) + (_e1070 * _e995)) + (_e1073 * _e1006));
+let _e1114 = (1f + _e1058);
+let _e1115 = (_e1067 * _e1114);
+let _e1117 = -((_e1067 * _e1058));
+let _e1120 = (_e1070 * _e1114);
+let _e1122 = -((_e1070 * _e1058));
+let _e1126 = (_e1073 * _e1114);
+let _e1128 = -((_e1073 * _e1058));
+let _e1132 = -(_e1067);
+let _e1133 = (_e1132 * _e1114);
+let _e1135 = -((_e1132 * _e1058));
+let _e1138 = -(_e1070);
+let _e1139 = (_e1138 * _e1114);
+let _e1141 = -((_e1138 * _e1058));
+let _e1145 = -(_e1073);
+let _e1146 = (_e1145 * _e1114);
+let _e1148 = -((_e1145 * _e1058));
+let _e1152 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e1152 {
+let _e1393 = select(1f, -1f, (_e1067 < 0f));
+let _e1399 = select(0f, (2f * _e1081), (bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u)) <= _e1081));
+let _e1404 = ((_e1006 - _e1028) * _e1393);
+let _e1405 = ((_e1028 - _e1050) * _e1393);
+let _e1406 = ((_e1050 - _e1006) * _e1393);
+let _e1407 = ((0f - 0f) * _e1393);
+let _e1409 = (_e1060 * _e1393);
+let _e1410 = (_e1063 * _e1393);
+let _e1411 = ((_e995 - _e1043) * _e1393);
+let _e1413 = (_e1404 * _e1114);
+let _e1414 = (_e1405 * _e1114);
+let _e1415 = (_e1406 * _e1114);
+let _e1416 = (_e1407 * _e1114);
+let _e1421 = -((_e1404 * _e1058));
+let _e1422 = -((_e1405 * _e1058));
+let _e1423 = -((_e1406 * _e1058));
+let _e1424 = -((_e1407 * _e1058));
 local_66 = array<u32, 2>(0u, 4294967295u);
-let _e1438 = select(0u, 1u, (_e1422 > _e1430));
-if (_e1438 < 2u) {
+let _e1429 = select(0u, 1u, (_e1413 > _e1421));
+if (_e1429 < 2u) {
 } else {
 break;
 }
-let _e1441 = local_66[_e1438];
+let _e1432 = local_66[_e1429];
 local_67 = array<u32, 2>(0u, 4294967295u);
-let _e1442 = select(0u, 1u, (_e1423 > _e1431));
-if (_e1442 < 2u) {
+let _e1433 = select(0u, 1u, (_e1414 > _e1422));
+if (_e1433 < 2u) {
 } else {
 break;
 }
-let _e1445 = local_67[_e1442];
+let _e1436 = local_67[_e1433];
 local_68 = array<u32, 2>(0u, 4294967295u);
-let _e1446 = select(0u, 1u, (_e1424 > _e1432));
-if (_e1446 < 2u) {
+let _e1437 = select(0u, 1u, (_e1415 > _e1423));
+if (_e1437 < 2u) {
 } else {
 break;
 }
-let _e1449 = local_68[_e1446];
+let _e1440 = local_68[_e1437];
 local_69 = array<u32, 2>(0u, 4294967295u);
-let _e1450 = select(0u, 1u, (_e1425 > _e1433));
-let _e1451 = (_e1450 < 2u);
-if _e1451 {
+let _e1441 = select(0u, 1u, (_e1416 > _e1424));
+let _e1442 = (_e1441 < 2u);
+if _e1442 {
 } else {
 break;
 }
-let _e1453 = local_69[_e1450];
-let _e1469 = (_e1416 * 0f);
-let _e1474 = (_e1418 * _e1123);
-let _e1475 = (_e1419 * _e1123);
-let _e1476 = (_e1420 * _e1123);
-let _e1480 = -((_e1418 * _e1067));
-let _e1481 = -((_e1419 * _e1067));
-let _e1482 = -((_e1420 * _e1067));
+let _e1444 = local_69[_e1441];
+let _e1460 = (_e1407 * 0f);
+let _e1465 = (_e1409 * _e1114);
+let _e1466 = (_e1410 * _e1114);
+let _e1467 = (_e1411 * _e1114);
+let _e1471 = -((_e1409 * _e1058));
+let _e1472 = -((_e1410 * _e1058));
+let _e1473 = -((_e1411 * _e1058));
 local_62 = array<u32, 2>(0u, 4294967295u);
-let _e1486 = select(0u, 1u, (_e1474 > _e1480));
-if (_e1486 < 2u) {
+let _e1477 = select(0u, 1u, (_e1465 > _e1471));
+if (_e1477 < 2u) {
 } else {
 break;
 }
-let _e1489 = local_62[_e1486];
+let _e1480 = local_62[_e1477];
 local_63 = array<u32, 2>(0u, 4294967295u);
-let _e1490 = select(0u, 1u, (_e1475 > _e1481));
-if (_e1490 < 2u) {
+let _e1481 = select(0u, 1u, (_e1466 > _e1472));
+if (_e1481 < 2u) {
 } else {
 break;
 }
-let _e1493 = local_63[_e1490];
+let _e1484 = local_63[_e1481];
 local_64 = array<u32, 2>(0u, 4294967295u);
-let _e1494 = select(0u, 1u, (_e1476 > _e1482));
-if (_e1494 < 2u) {
+let _e1485 = select(0u, 1u, (_e1467 > _e1473));
+if (_e1485 < 2u) {
 } else {
 break;
 }
-let _e1497 = local_64[_e1494];
+let _e1488 = local_64[_e1485];
 local_65 = array<u32, 2>(0u, 4294967295u);
-if _e1451 {
+if _e1442 {
 } else {
 break;
 }
-let _e1499 = local_65[_e1450];
+let _e1490 = local_65[_e1441];
 local_58 = array<u32, 2>(0u, 4294967295u);
-let _e1532 = select(0u, 1u, (_e1413 == 0f));
-if (_e1532 < 2u) {
+let _e1523 = select(0u, 1u, (_e1404 == 0f));
+if (_e1523 < 2u) {
 } else {
 break;
 }
-let _e1535 = local_58[_e1532];
+let _e1526 = local_58[_e1523];
 local_59 = array<u32, 2>(0u, 4294967295u);
-let _e1536 = select(0u, 1u, (_e1414 == 0f));
-if (_e1536 < 2u) {
+let _e1527 = select(0u, 1u, (_e1405 == 0f));
+if (_e1527 < 2u) {
 } else {
 break;
 }
-let _e1539 = local_59[_e1536];
+let _e1530 = local_59[_e1527];
 local_60 = array<u32, 2>(0u, 4294967295u);
-let _e1540 = select(0u, 1u, (_e1415 == 0f));
-if (_e1540 < 2u) {
+let _e1531 = select(0u, 1u, (_e1406 == 0f));
+if (_e1531 < 2u) {
 } else {
 break;
 }
-let _e1543 = local_60[_e1540];
+let _e1534 = local_60[_e1531];
 local_61 = array<u32, 2>(0u, 4294967295u);
-let _e1544 = select(0u, 1u, (_e1416 == 0f));
-if (_e1544 < 2u) {
+let _e1535 = select(0u, 1u, (_e1407 == 0f));
+if (_e1535 < 2u) {
 } else {
 break;
 }
-let _e1547 = local_61[_e1544];
-let _e1549 = ((_e1535 & 1u) != 0u);
-let _e1552 = ((_e1539 & 1u) != 0u);
-let _e1555 = ((_e1543 & 1u) != 0u);
-let _e1558 = ((_e1547 & 1u) != 0u);
-let _e1560 = (-1f / select(_e1413, 1f, _e1549));
-let _e1561 = (-1f / select(_e1414, 1f, _e1552));
-let _e1562 = (-1f / select(_e1415, 1f, _e1555));
-let _e1563 = (-1f / select(_e1416, 1f, _e1558));
+let _e1538 = local_61[_e1535];
+let _e1540 = ((_e1526 & 1u) != 0u);
+let _e1543 = ((_e1530 & 1u) != 0u);
+let _e1546 = ((_e1534 & 1u) != 0u);
+let _e1549 = ((_e1538 & 1u) != 0u);
+let _e1551 = (-1f / select(_e1404, 1f, _e1540));
+let _e1552 = (-1f / select(_e1405, 1f, _e1543));
+let _e1553 = (-1f / select(_e1406, 1f, _e1546));
+let _e1554 = (-1f / select(_e1407, 1f, _e1549));
 local_54 = array<u32, 2>(0u, 4294967295u);
-let _e1568 = select(0u, 1u, (_e1413 > 0f));
-if (_e1568 < 2u) {
+let _e1559 = select(0u, 1u, (_e1404 > 0f));
+if (_e1559 < 2u) {
 } else {
 break;
 }
-let _e1571 = local_54[_e1568];
+let _e1562 = local_54[_e1559];
 local_55 = array<u32, 2>(0u, 4294967295u);
-let _e1572 = select(0u, 1u, (_e1414 > 0f));
-if (_e1572 < 2u) {
+let _e1563 = select(0u, 1u, (_e1405 > 0f));
+if (_e1563 < 2u) {
 } else {
 break;
 }
-let _e1575 = local_55[_e1572];
+let _e1566 = local_55[_e1563];
 local_56 = array<u32, 2>(0u, 4294967295u);
-let _e1576 = select(0u, 1u, (_e1415 > 0f));
-if (_e1576 < 2u) {
+let _e1567 = select(0u, 1u, (_e1406 > 0f));
+if (_e1567 < 2u) {
 } else {
 break;
 }
-let _e1579 = local_56[_e1576];
+let _e1570 = local_56[_e1567];
 local_57 = array<u32, 2>(0u, 4294967295u);
-let _e1580 = select(0u, 1u, (_e1416 > 0f));
-if (_e1580 < 2u) {
+let _e1571 = select(0u, 1u, (_e1407 > 0f));
+if (_e1571 < 2u) {
 } else {
 break;
 }
-let _e1583 = local_57[_e1580];
+let _e1574 = local_57[_e1571];
 local_50 = array<u32, 2>(0u, 4294967295u);
-let _e1588 = select(0u, 1u, (_e1413 < 0f));
-if (_e1588 < 2u) {
+let _e1579 = select(0u, 1u, (_e1404 < 0f));
+if (_e1579 < 2u) {
 } else {
 break;
 }
-let _e1591 = local_50[_e1588];
+let _e1582 = local_50[_e1579];
 local_51 = array<u32, 2>(0u, 4294967295u);
-let _e1592 = select(0u, 1u, (_e1414 < 0f));
-if (_e1592 < 2u) {
+let _e1583 = select(0u, 1u, (_e1405 < 0f));
+if (_e1583 < 2u) {
 } else {
 break;
 }
-let _e1595 = local_51[_e1592];
+let _e1586 = local_51[_e1583];
 local_52 = array<u32, 2>(0u, 4294967295u);
-let _e1596 = select(0u, 1u, (_e1415 < 0f));
-if (_e1596 < 2u) {
+let _e1587 = select(0u, 1u, (_e1406 < 0f));
+if (_e1587 < 2u) {
 } else {
 break;
 }
-let _e1599 = local_52[_e1596];
+let _e1590 = local_52[_e1587];
 local_53 = array<u32, 2>(0u, 4294967295u);
-let _e1600 = select(0u, 1u, (_e1416 < 0f));
-if (_e1600 < 2u) {
+let _e1591 = select(0u, 1u, (_e1407 < 0f));
+if (_e1591 < 2u) {
 } else {
 break;
 }
-let _e1603 = local_53[_e1600];
-let _e1622 = ((_e1591 & 1u) != 0u);
-let _e1625 = ((_e1595 & 1u) != 0u);
-let _e1628 = ((_e1599 & 1u) != 0u);
-let _e1631 = ((_e1603 & 1u) != 0u);
-phi_24058_ = type_18(vec4<f32>(_e1418, _e1419, _e1420, _e1416), vec4<f32>((((select(_e1430, _e1422, ((_e1441 & 1u) != 0u)) - (_e1413 * _e1004)) + (select(_e1480, _e1474, ((_e1489 & 1u) != 0u)) - (_e1418 * _e1015))) + _e1408), (((select(_e1431, _e1423, ((_e1445 & 1u) != 0u)) - (_e1414 * _e1030)) + (select(_e1481, _e1475, ((_e1493 & 1u) != 0u)) - (_e1419 * _e1037))) + _e1408), (((select(_e1432, _e1424, ((_e1449 & 1u) != 0u)) - (_e1415 * _e1052)) + (select(_e1482, _e1476, ((_e1497 & 1u) != 0u)) - (_e1420 * _e1059))) + _e1408), (((select(_e1433, _e1425, ((_e1453 & 1u) != 0u)) - _e1469) + (select(_e1433, _e1425, ((_e1499 & 1u) != 0u)) - _e1469)) + _e1408)), vec4<f32>(select(0f, _e1560, ((_e1571 & 1u) != 0u)), select(0f, _e1561, ((_e1575 & 1u) != 0u)), select(0f, _e1562, ((_e1579 & 1u) != 0u)), select(0f, _e1563, ((_e1583 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e1549), _e1560, _e1622), select(select(0f, 1e20f, _e1552), _e1561, _e1625), select(select(0f, 1e20f, _e1555), _e1562, _e1628), select(select(0f, 1e20f, _e1558), _e1563, _e1631)), vec4<f32>(select(_e1108, 0f, _e1622), select(_e1108, 0f, _e1625), select(_e1108, 0f, _e1628), select(_e1108, 0f, _e1631)));
+let _e1594 = local_53[_e1591];
+let _e1613 = ((_e1582 & 1u) != 0u);
+let _e1616 = ((_e1586 & 1u) != 0u);
+let _e1619 = ((_e1590 & 1u) != 0u);
+let _e1622 = ((_e1594 & 1u) != 0u);
+phi_24044_ = type_18(vec4<f32>(_e1409, _e1410, _e1411, _e1407), vec4<f32>((((select(_e1421, _e1413, ((_e1432 & 1u) != 0u)) - (_e1404 * _e995)) + (select(_e1471, _e1465, ((_e1480 & 1u) != 0u)) - (_e1409 * _e1006))) + _e1399), (((select(_e1422, _e1414, ((_e1436 & 1u) != 0u)) - (_e1405 * _e1021)) + (select(_e1472, _e1466, ((_e1484 & 1u) != 0u)) - (_e1410 * _e1028))) + _e1399), (((select(_e1423, _e1415, ((_e1440 & 1u) != 0u)) - (_e1406 * _e1043)) + (select(_e1473, _e1467, ((_e1488 & 1u) != 0u)) - (_e1411 * _e1050))) + _e1399), (((select(_e1424, _e1416, ((_e1444 & 1u) != 0u)) - _e1460) + (select(_e1424, _e1416, ((_e1490 & 1u) != 0u)) - _e1460)) + _e1399)), vec4<f32>(select(0f, _e1551, ((_e1562 & 1u) != 0u)), select(0f, _e1552, ((_e1566 & 1u) != 0u)), select(0f, _e1553, ((_e1570 & 1u) != 0u)), select(0f, _e1554, ((_e1574 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e1540), _e1551, _e1613), select(select(0f, 1e20f, _e1543), _e1552, _e1616), select(select(0f, 1e20f, _e1546), _e1553, _e1619), select(select(0f, 1e20f, _e1549), _e1554, _e1622)), vec4<f32>(select(_e1099, 0f, _e1613), select(_e1099, 0f, _e1616), select(_e1099, 0f, _e1619), select(_e1099, 0f, _e1622)));
 } else {
-let _e1163 = select(1f, -1f, (_e1141 < 0f));
-let _e1169 = select(0f, (2f * _e1090), (bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u)) <= _e1090));
-let _e1174 = ((_e1004 - _e1030) * _e1163);
-let _e1175 = ((_e1030 - _e1052) * _e1163);
-let _e1176 = ((_e1052 - _e1004) * _e1163);
-let _e1177 = ((0f - 0f) * _e1163);
-let _e1179 = (_e1070 * _e1163);
-let _e1180 = (_e1073 * _e1163);
-let _e1181 = ((_e1015 - _e1059) * _e1163);
-let _e1183 = (_e1174 * _e1123);
-let _e1184 = (_e1175 * _e1123);
-let _e1185 = (_e1176 * _e1123);
-let _e1186 = (_e1177 * _e1123);
-let _e1191 = -((_e1174 * _e1067));
-let _e1192 = -((_e1175 * _e1067));
-let _e1193 = -((_e1176 * _e1067));
-let _e1194 = -((_e1177 * _e1067));
+let _e1154 = select(1f, -1f, (_e1132 < 0f));
+let _e1160 = select(0f, (2f * _e1081), (bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u)) <= _e1081));
+let _e1165 = ((_e995 - _e1021) * _e1154);
+let _e1166 = ((_e1021 - _e1043) * _e1154);
+let _e1167 = ((_e1043 - _e995) * _e1154);
+let _e1168 = ((0f - 0f) * _e1154);
+let _e1170 = (_e1061 * _e1154);
+let _e1171 = (_e1064 * _e1154);
+let _e1172 = ((_e1006 - _e1050) * _e1154);
+let _e1174 = (_e1165 * _e1114);
+let _e1175 = (_e1166 * _e1114);
+let _e1176 = (_e1167 * _e1114);
+let _e1177 = (_e1168 * _e1114);
+let _e1182 = -((_e1165 * _e1058));
+let _e1183 = -((_e1166 * _e1058));
+let _e1184 = -((_e1167 * _e1058));
+let _e1185 = -((_e1168 * _e1058));
 local_46 = array<u32, 2>(0u, 4294967295u);
-let _e1199 = select(0u, 1u, (_e1183 > _e1191));
-if (_e1199 < 2u) {
+let _e1190 = select(0u, 1u, (_e1174 > _e1182));
+if (_e1190 < 2u) {
 } else {
 break;
 }
-let _e1202 = local_46[_e1199];
+let _e1193 = local_46[_e1190];
 local_47 = array<u32, 2>(0u, 4294967295u);
-let _e1203 = select(0u, 1u, (_e1184 > _e1192));
-if (_e1203 < 2u) {
+let _e1194 = select(0u, 1u, (_e1175 > _e1183));
+if (_e1194 < 2u) {
 } else {
 break;
 }
-let _e1206 = local_47[_e1203];
+let _e1197 = local_47[_e1194];
 local_48 = array<u32, 2>(0u, 4294967295u);
-let _e1207 = select(0u, 1u, (_e1185 > _e1193));
-if (_e1207 < 2u) {
+let _e1198 = select(0u, 1u, (_e1176 > _e1184));
+if (_e1198 < 2u) {
 } else {
 break;
 }
-let _e1210 = local_48[_e1207];
+let _e1201 = local_48[_e1198];
 local_49 = array<u32, 2>(0u, 4294967295u);
-let _e1211 = select(0u, 1u, (_e1186 > _e1194));
-let _e1212 = (_e1211 < 2u);
-if _e1212 {
+let _e1202 = select(0u, 1u, (_e1177 > _e1185));
+let _e1203 = (_e1202 < 2u);
+if _e1203 {
 } else {
 break;
 }
-let _e1214 = local_49[_e1211];
-let _e1230 = (_e1177 * 0f);
-let _e1235 = (_e1179 * _e1123);
-let _e1236 = (_e1180 * _e1123);
-let _e1237 = (_e1181 * _e1123);
-let _e1241 = -((_e1179 * _e1067));
-let _e1242 = -((_e1180 * _e1067));
-let _e1243 = -((_e1181 * _e1067));
+let _e1205 = local_49[_e1202];
+let _e1221 = (_e1168 * 0f);
+let _e1226 = (_e1170 * _e1114);
+let _e1227 = (_e1171 * _e1114);
+let _e1228 = (_e1172 * _e1114);
+let _e1232 = -((_e1170 * _e1058));
+let _e1233 = -((_e1171 * _e1058));
+let _e1234 = -((_e1172 * _e1058));
 local_42 = array<u32, 2>(0u, 4294967295u);
-let _e1247 = select(0u, 1u, (_e1235 > _e1241));
-if (_e1247 < 2u) {
+let _e1238 = select(0u, 1u, (_e1226 > _e1232));
+if (_e1238 < 2u) {
 } else {
 break;
 }
-let _e1250 = local_42[_e1247];
+let _e1241 = local_42[_e1238];
 local_43 = array<u32, 2>(0u, 4294967295u);
-let _e1251 = select(0u, 1u, (_e1236 > _e1242));
-if (_e1251 < 2u) {
+let _e1242 = select(0u, 1u, (_e1227 > _e1233));
+if (_e1242 < 2u) {
 } else {
 break;
 }
-let _e1254 = local_43[_e1251];
+let _e1245 = local_43[_e1242];
 local_44 = array<u32, 2>(0u, 4294967295u);
-let _e1255 = select(0u, 1u, (_e1237 > _e1243));
-if (_e1255 < 2u) {
+let _e1246 = select(0u, 1u, (_e1228 > _e1234));
+if (_e1246 < 2u) {
 } else {
 break;
 }
-let _e1258 = local_44[_e1255];
+let _e1249 = local_44[_e1246];
 local_45 = array<u32, 2>(0u, 4294967295u);
-if _e1212 {
+if _e1203 {
 } else {
 break;
 }
-let _e1260 = local_45[_e1211];
+let _e1251 = local_45[_e1202];
 local_38 = array<u32, 2>(0u, 4294967295u);
-let _e1293 = select(0u, 1u, (_e1174 == 0f));
-if (_e1293 < 2u) {
+let _e1284 = select(0u, 1u, (_e1165 == 0f));
+if (_e1284 < 2u) {
 } else {
 break;
 }
-let _e1296 = local_38[_e1293];
+let _e1287 = local_38[_e1284];
 local_39 = array<u32, 2>(0u, 4294967295u);
-let _e1297 = select(0u, 1u, (_e1175 == 0f));
-if (_e1297 < 2u) {
+let _e1288 = select(0u, 1u, (_e1166 == 0f));
+if (_e1288 < 2u) {
 } else {
 break;
 }
-let _e1300 = local_39[_e1297];
+let _e1291 = local_39[_e1288];
 local_40 = array<u32, 2>(0u, 4294967295u);
-let _e1301 = select(0u, 1u, (_e1176 == 0f));
-if (_e1301 < 2u) {
+let _e1292 = select(0u, 1u, (_e1167 == 0f));
+if (_e1292 < 2u) {
 } else {
 break;
 }
-let _e1304 = local_40[_e1301];
+let _e1295 = local_40[_e1292];
 local_41 = array<u32, 2>(0u, 4294967295u);
-let _e1305 = select(0u, 1u, (_e1177 == 0f));
-if (_e1305 < 2u) {
+let _e1296 = select(0u, 1u, (_e1168 == 0f));
+if (_e1296 < 2u) {
 } else {
 break;
 }
-let _e1308 = local_41[_e1305];
-let _e1310 = ((_e1296 & 1u) != 0u);
-let _e1313 = ((_e1300 & 1u) != 0u);
-let _e1316 = ((_e1304 & 1u) != 0u);
-let _e1319 = ((_e1308 & 1u) != 0u);
-let _e1321 = (-1f / select(_e1174, 1f, _e1310));
-let _e1322 = (-1f / select(_e1175, 1f, _e1313));
-let _e1323 = (-1f / select(_e1176, 1f, _e1316));
-let _e1324 = (-1f / select(_e1177, 1f, _e1319));
+let _e1299 = local_41[_e1296];
+let _e1301 = ((_e1287 & 1u) != 0u);
+let _e1304 = ((_e1291 & 1u) != 0u);
+let _e1307 = ((_e1295 & 1u) != 0u);
+let _e1310 = ((_e1299 & 1u) != 0u);
+let _e1312 = (-1f / select(_e1165, 1f, _e1301));
+let _e1313 = (-1f / select(_e1166, 1f, _e1304));
+let _e1314 = (-1f / select(_e1167, 1f, _e1307));
+let _e1315 = (-1f / select(_e1168, 1f, _e1310));
 local_34 = array<u32, 2>(0u, 4294967295u);
-let _e1329 = select(0u, 1u, (_e1174 > 0f));
-if (_e1329 < 2u) {
+let _e1320 = select(0u, 1u, (_e1165 > 0f));
+if (_e1320 < 2u) {
 } else {
 break;
 }
-let _e1332 = local_34[_e1329];
+let _e1323 = local_34[_e1320];
 local_35 = array<u32, 2>(0u, 4294967295u);
-let _e1333 = select(0u, 1u, (_e1175 > 0f));
-if (_e1333 < 2u) {
+let _e1324 = select(0u, 1u, (_e1166 > 0f));
+if (_e1324 < 2u) {
 } else {
 break;
 }
-let _e1336 = local_35[_e1333];
+let _e1327 = local_35[_e1324];
 local_36 = array<u32, 2>(0u, 4294967295u);
-let _e1337 = select(0u, 1u, (_e1176 > 0f));
-if (_e1337 < 2u) {
+let _e1328 = select(0u, 1u, (_e1167 > 0f));
+if (_e1328 < 2u) {
 } else {
 break;
 }
-let _e1340 = local_36[_e1337];
+let _e1331 = local_36[_e1328];
 local_37 = array<u32, 2>(0u, 4294967295u);
-let _e1341 = select(0u, 1u, (_e1177 > 0f));
-if (_e1341 < 2u) {
+let _e1332 = select(0u, 1u, (_e1168 > 0f));
+if (_e1332 < 2u) {
 } else {
 break;
 }
-let _e1344 = local_37[_e1341];
+let _e1335 = local_37[_e1332];
 local_30 = array<u32, 2>(0u, 4294967295u);
-let _e1349 = select(0u, 1u, (_e1174 < 0f));
-if (_e1349 < 2u) {
+let _e1340 = select(0u, 1u, (_e1165 < 0f));
+if (_e1340 < 2u) {
 } else {
 break;
 }
-let _e1352 = local_30[_e1349];
+let _e1343 = local_30[_e1340];
 local_31 = array<u32, 2>(0u, 4294967295u);
-let _e1353 = select(0u, 1u, (_e1175 < 0f));
-if (_e1353 < 2u) {
+let _e1344 = select(0u, 1u, (_e1166 < 0f));
+if (_e1344 < 2u) {
 } else {
 break;
 }
-let _e1356 = local_31[_e1353];
+let _e1347 = local_31[_e1344];
 local_32 = array<u32, 2>(0u, 4294967295u);
-let _e1357 = select(0u, 1u, (_e1176 < 0f));
-if (_e1357 < 2u) {
+let _e1348 = select(0u, 1u, (_e1167 < 0f));
+if (_e1348 < 2u) {
 } else {
 break;
 }
-let _e1360 = local_32[_e1357];
+let _e1351 = local_32[_e1348];
 local_33 = array<u32, 2>(0u, 4294967295u);
-let _e1361 = select(0u, 1u, (_e1177 < 0f));
-if (_e1361 < 2u) {
+let _e1352 = select(0u, 1u, (_e1168 < 0f));
+if (_e1352 < 2u) {
 } else {
 break;
 }
-let _e1364 = local_33[_e1361];
-let _e1383 = ((_e1352 & 1u) != 0u);
-let _e1386 = ((_e1356 & 1u) != 0u);
-let _e1389 = ((_e1360 & 1u) != 0u);
-let _e1392 = ((_e1364 & 1u) != 0u);
-phi_24058_ = type_18(vec4<f32>(_e1179, _e1180, _e1181, _e1177), vec4<f32>((((select(_e1191, _e1183, ((_e1202 & 1u) != 0u)) - (_e1174 * _e1015)) + (select(_e1241, _e1235, ((_e1250 & 1u) != 0u)) - (_e1179 * _e1004))) + _e1169), (((select(_e1192, _e1184, ((_e1206 & 1u) != 0u)) - (_e1175 * _e1037)) + (select(_e1242, _e1236, ((_e1254 & 1u) != 0u)) - (_e1180 * _e1030))) + _e1169), (((select(_e1193, _e1185, ((_e1210 & 1u) != 0u)) - (_e1176 * _e1059)) + (select(_e1243, _e1237, ((_e1258 & 1u) != 0u)) - (_e1181 * _e1052))) + _e1169), (((select(_e1194, _e1186, ((_e1214 & 1u) != 0u)) - _e1230) + (select(_e1194, _e1186, ((_e1260 & 1u) != 0u)) - _e1230)) + _e1169)), vec4<f32>(select(0f, _e1321, ((_e1332 & 1u) != 0u)), select(0f, _e1322, ((_e1336 & 1u) != 0u)), select(0f, _e1323, ((_e1340 & 1u) != 0u)), select(0f, _e1324, ((_e1344 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e1310), _e1321, _e1383), select(select(0f, 1e20f, _e1313), _e1322, _e1386), select(select(0f, 1e20f, _e1316), _e1323, _e1389), select(select(0f, 1e20f, _e1319), _e1324, _e1392)), vec4<f32>(select(_e1109, 0f, _e1383), select(_e1109, 0f, _e1386), select(_e1109, 0f, _e1389), select(_e1109, 0f, _e1392)));
+let _e1355 = local_33[_e1352];
+let _e1374 = ((_e1343 & 1u) != 0u);
+let _e1377 = ((_e1347 & 1u) != 0u);
+let _e1380 = ((_e1351 & 1u) != 0u);
+let _e1383 = ((_e1355 & 1u) != 0u);
+phi_24044_ = type_18(vec4<f32>(_e1170, _e1171, _e1172, _e1168), vec4<f32>((((select(_e1182, _e1174, ((_e1193 & 1u) != 0u)) - (_e1165 * _e1006)) + (select(_e1232, _e1226, ((_e1241 & 1u) != 0u)) - (_e1170 * _e995))) + _e1160), (((select(_e1183, _e1175, ((_e1197 & 1u) != 0u)) - (_e1166 * _e1028)) + (select(_e1233, _e1227, ((_e1245 & 1u) != 0u)) - (_e1171 * _e1021))) + _e1160), (((select(_e1184, _e1176, ((_e1201 & 1u) != 0u)) - (_e1167 * _e1050)) + (select(_e1234, _e1228, ((_e1249 & 1u) != 0u)) - (_e1172 * _e1043))) + _e1160), (((select(_e1185, _e1177, ((_e1205 & 1u) != 0u)) - _e1221) + (select(_e1185, _e1177, ((_e1251 & 1u) != 0u)) - _e1221)) + _e1160)), vec4<f32>(select(0f, _e1312, ((_e1323 & 1u) != 0u)), select(0f, _e1313, ((_e1327 & 1u) != 0u)), select(0f, _e1314, ((_e1331 & 1u) != 0u)), select(0f, _e1315, ((_e1335 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e1301), _e1312, _e1374), select(select(0f, 1e20f, _e1304), _e1313, _e1377), select(select(0f, 1e20f, _e1307), _e1314, _e1380), select(select(0f, 1e20f, _e1310), _e1315, _e1383)), vec4<f32>(select(_e1100, 0f, _e1374), select(_e1100, 0f, _e1377), select(_e1100, 0f, _e1380), select(_e1100, 0f, _e1383)));
 }
-let _e1641 = phi_24058_;
-let _e1643 = (_e1076 == 0f);
-let _e1645 = (1f / select(_e1076, 1f, _e1643));
-let _e1651 = select(1f, -1f, (_e1082 < 0f));
-let _e1657 = select(0f, (2f * _e1106), (bitcast<f32>((bitcast<u32>(_e1082) & 2147483647u)) <= _e1106));
-let _e1660 = (_e1052 - _e1004);
-let _e1661 = (0f - 0f);
-let _e1662 = ((_e1004 - _e1030) * _e1651);
-let _e1663 = ((_e1030 - _e1052) * _e1651);
-let _e1664 = (_e1660 * _e1651);
-let _e1665 = (_e1661 * _e1651);
-let _e1666 = (_e993 - _e1045);
-let _e1667 = (_e1068 * _e1651);
-let _e1668 = (_e1071 * _e1651);
-let _e1669 = (_e1666 * _e1651);
-let _e1670 = (_e1662 * _e1123);
-let _e1671 = (_e1663 * _e1123);
-let _e1672 = (_e1664 * _e1123);
-let _e1678 = -((_e1662 * _e1067));
-let _e1679 = -((_e1663 * _e1067));
-let _e1680 = -((_e1664 * _e1067));
+let _e1632 = phi_24044_;
+let _e1634 = (_e1067 == 0f);
+let _e1636 = (1f / select(_e1067, 1f, _e1634));
+let _e1642 = select(1f, -1f, (_e1073 < 0f));
+let _e1648 = select(0f, (2f * _e1097), (bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) <= _e1097));
+let _e1651 = (_e1043 - _e995);
+let _e1652 = (0f - 0f);
+let _e1653 = ((_e995 - _e1021) * _e1642);
+let _e1654 = ((_e1021 - _e1043) * _e1642);
+let _e1655 = (_e1651 * _e1642);
+let _e1656 = (_e1652 * _e1642);
+let _e1657 = (_e984 - _e1036);
+let _e1658 = (_e1059 * _e1642);
+let _e1659 = (_e1062 * _e1642);
+let _e1660 = (_e1657 * _e1642);
+let _e1661 = (_e1653 * _e1114);
+let _e1662 = (_e1654 * _e1114);
+let _e1663 = (_e1655 * _e1114);
+let _e1669 = -((_e1653 * _e1058));
+let _e1670 = -((_e1654 * _e1058));
+let _e1671 = -((_e1655 * _e1058));
 local_27 = array<u32, 2>(0u, 4294967295u);
-let _e1686 = select(0u, 1u, (_e1670 > _e1678));
-if (_e1686 < 2u) {
+let _e1677 = select(0u, 1u, (_e1661 > _e1669));
+if (_e1677 < 2u) {
 } else {
 break;
 }
-let _e1689 = local_27[_e1686];
+let _e1680 = local_27[_e1677];
 local_28 = array<u32, 2>(0u, 4294967295u);
-let _e1690 = select(0u, 1u, (_e1671 > _e1679));
-if (_e1690 < 2u) {
+let _e1681 = select(0u, 1u, (_e1662 > _e1670));
+if (_e1681 < 2u) {
 } else {
 break;
 }
-let _e1693 = local_28[_e1690];
+let _e1684 = local_28[_e1681];
 local_29 = array<u32, 2>(0u, 4294967295u);
-let _e1694 = select(0u, 1u, (_e1672 > _e1680));
-if (_e1694 < 2u) {
+let _e1685 = select(0u, 1u, (_e1663 > _e1671));
+if (_e1685 < 2u) {
 } else {
 break;
 }
-let _e1697 = local_29[_e1694];
-let _e1699 = (select(0u, 1u, ((_e1665 * _e1123) > -((_e1665 * _e1067)))) < 2u);
-if _e1699 {
+let _e1688 = local_29[_e1685];
+let _e1690 = (select(0u, 1u, ((_e1656 * _e1114) > -((_e1656 * _e1058)))) < 2u);
+if _e1690 {
 } else {
 break;
 }
-let _e1715 = (_e1667 * _e1123);
-let _e1716 = (_e1668 * _e1123);
-let _e1717 = (_e1669 * _e1123);
-let _e1721 = -((_e1667 * _e1067));
-let _e1722 = -((_e1668 * _e1067));
-let _e1723 = -((_e1669 * _e1067));
+let _e1706 = (_e1658 * _e1114);
+let _e1707 = (_e1659 * _e1114);
+let _e1708 = (_e1660 * _e1114);
+let _e1712 = -((_e1658 * _e1058));
+let _e1713 = -((_e1659 * _e1058));
+let _e1714 = -((_e1660 * _e1058));
 local_24 = array<u32, 2>(0u, 4294967295u);
-let _e1727 = select(0u, 1u, (_e1715 > _e1721));
-if (_e1727 < 2u) {
+let _e1718 = select(0u, 1u, (_e1706 > _e1712));
+if (_e1718 < 2u) {
 } else {
 break;
 }
-let _e1730 = local_24[_e1727];
+let _e1721 = local_24[_e1718];
 local_25 = array<u32, 2>(0u, 4294967295u);
-let _e1731 = select(0u, 1u, (_e1716 > _e1722));
-if (_e1731 < 2u) {
+let _e1722 = select(0u, 1u, (_e1707 > _e1713));
+if (_e1722 < 2u) {
 } else {
 break;
 }
-let _e1734 = local_25[_e1731];
+let _e1725 = local_25[_e1722];
 local_26 = array<u32, 2>(0u, 4294967295u);
-let _e1735 = select(0u, 1u, (_e1717 > _e1723));
-if (_e1735 < 2u) {
+let _e1726 = select(0u, 1u, (_e1708 > _e1714));
+if (_e1726 < 2u) {
 } else {
 break;
 }
-let _e1738 = local_26[_e1735];
-if _e1699 {
+let _e1729 = local_26[_e1726];
+if _e1690 {
 } else {
 break;
 }
 local_21 = array<u32, 2>(0u, 4294967295u);
-let _e1764 = select(0u, 1u, (_e1662 == 0f));
-if (_e1764 < 2u) {
+let _e1755 = select(0u, 1u, (_e1653 == 0f));
+if (_e1755 < 2u) {
 } else {
 break;
 }
-let _e1767 = local_21[_e1764];
+let _e1758 = local_21[_e1755];
 local_22 = array<u32, 2>(0u, 4294967295u);
-let _e1768 = select(0u, 1u, (_e1663 == 0f));
-if (_e1768 < 2u) {
+let _e1759 = select(0u, 1u, (_e1654 == 0f));
+if (_e1759 < 2u) {
 } else {
 break;
 }
-let _e1771 = local_22[_e1768];
+let _e1762 = local_22[_e1759];
 local_23 = array<u32, 2>(0u, 4294967295u);
-let _e1772 = select(0u, 1u, (_e1664 == 0f));
-if (_e1772 < 2u) {
+let _e1763 = select(0u, 1u, (_e1655 == 0f));
+if (_e1763 < 2u) {
 } else {
 break;
 }
-let _e1775 = local_23[_e1772];
-if (select(0u, 1u, (_e1665 == 0f)) < 2u) {
+let _e1766 = local_23[_e1763];
+if (select(0u, 1u, (_e1656 == 0f)) < 2u) {
 } else {
 break;
 }
-let _e1779 = ((_e1767 & 1u) != 0u);
-let _e1782 = ((_e1771 & 1u) != 0u);
-let _e1785 = ((_e1775 & 1u) != 0u);
-let _e1787 = (-1f / select(_e1662, 1f, _e1779));
-let _e1788 = (-1f / select(_e1663, 1f, _e1782));
-let _e1789 = (-1f / select(_e1664, 1f, _e1785));
+let _e1770 = ((_e1758 & 1u) != 0u);
+let _e1773 = ((_e1762 & 1u) != 0u);
+let _e1776 = ((_e1766 & 1u) != 0u);
+let _e1778 = (-1f / select(_e1653, 1f, _e1770));
+let _e1779 = (-1f / select(_e1654, 1f, _e1773));
+let _e1780 = (-1f / select(_e1655, 1f, _e1776));
 local_18 = array<u32, 2>(0u, 4294967295u);
-let _e1794 = select(0u, 1u, (_e1662 > 0f));
-if (_e1794 < 2u) {
+let _e1785 = select(0u, 1u, (_e1653 > 0f));
+if (_e1785 < 2u) {
 } else {
 break;
 }
-let _e1797 = local_18[_e1794];
+let _e1788 = local_18[_e1785];
 local_19 = array<u32, 2>(0u, 4294967295u);
-let _e1798 = select(0u, 1u, (_e1663 > 0f));
-if (_e1798 < 2u) {
+let _e1789 = select(0u, 1u, (_e1654 > 0f));
+if (_e1789 < 2u) {
 } else {
 break;
 }
-let _e1801 = local_19[_e1798];
+let _e1792 = local_19[_e1789];
 local_20 = array<u32, 2>(0u, 4294967295u);
-let _e1802 = select(0u, 1u, (_e1664 > 0f));
-if (_e1802 < 2u) {
+let _e1793 = select(0u, 1u, (_e1655 > 0f));
+if (_e1793 < 2u) {
 } else {
 break;
 }
-let _e1805 = local_20[_e1802];
-if (select(0u, 1u, (_e1665 > 0f)) < 2u) {
+let _e1796 = local_20[_e1793];
+if (select(0u, 1u, (_e1656 > 0f)) < 2u) {
 } else {
 break;
 }
 local_15 = array<u32, 2>(0u, 4294967295u);
-let _e1812 = select(0u, 1u, (_e1662 < 0f));
-if (_e1812 < 2u) {
+let _e1803 = select(0u, 1u, (_e1653 < 0f));
+if (_e1803 < 2u) {
 } else {
 break;
 }
-let _e1815 = local_15[_e1812];
+let _e1806 = local_15[_e1803];
 local_16 = array<u32, 2>(0u, 4294967295u);
-let _e1816 = select(0u, 1u, (_e1663 < 0f));
-if (_e1816 < 2u) {
+let _e1807 = select(0u, 1u, (_e1654 < 0f));
+if (_e1807 < 2u) {
 } else {
 break;
 }
-let _e1819 = local_16[_e1816];
+let _e1810 = local_16[_e1807];
 local_17 = array<u32, 2>(0u, 4294967295u);
-let _e1820 = select(0u, 1u, (_e1664 < 0f));
-if (_e1820 < 2u) {
+let _e1811 = select(0u, 1u, (_e1655 < 0f));
+if (_e1811 < 2u) {
 } else {
 break;
 }
-let _e1823 = local_17[_e1820];
-if (select(0u, 1u, (_e1665 < 0f)) < 2u) {
+let _e1814 = local_17[_e1811];
+if (select(0u, 1u, (_e1656 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e1839 = ((_e1815 & 1u) != 0u);
-let _e1842 = ((_e1819 & 1u) != 0u);
-let _e1845 = ((_e1823 & 1u) != 0u);
-let _e1851 = select(1f, -1f, (_e1147 < 0f));
-let _e1857 = select(0f, (2f * _e1098), (bitcast<f32>((bitcast<u32>(_e1147) & 2147483647u)) <= _e1098));
-let _e1860 = (_e1059 - _e1015);
-let _e1861 = ((_e1015 - _e1037) * _e1851);
-let _e1862 = ((_e1037 - _e1059) * _e1851);
-let _e1863 = (_e1860 * _e1851);
-let _e1864 = (_e1661 * _e1851);
-let _e1865 = (_e1068 * _e1851);
-let _e1866 = (_e1071 * _e1851);
-let _e1867 = (_e1666 * _e1851);
-let _e1868 = (_e1861 * _e1123);
-let _e1869 = (_e1862 * _e1123);
-let _e1870 = (_e1863 * _e1123);
-let _e1876 = -((_e1861 * _e1067));
-let _e1877 = -((_e1862 * _e1067));
-let _e1878 = -((_e1863 * _e1067));
+let _e1830 = ((_e1806 & 1u) != 0u);
+let _e1833 = ((_e1810 & 1u) != 0u);
+let _e1836 = ((_e1814 & 1u) != 0u);
+let _e1842 = select(1f, -1f, (_e1138 < 0f));
+let _e1848 = select(0f, (2f * _e1089), (bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u)) <= _e1089));
+let _e1851 = (_e1050 - _e1006);
+let _e1852 = ((_e1006 - _e1028) * _e1842);
+let _e1853 = ((_e1028 - _e1050) * _e1842);
+let _e1854 = (_e1851 * _e1842);
+let _e1855 = (_e1652 * _e1842);
+let _e1856 = (_e1059 * _e1842);
+let _e1857 = (_e1062 * _e1842);
+let _e1858 = (_e1657 * _e1842);
+let _e1859 = (_e1852 * _e1114);
+let _e1860 = (_e1853 * _e1114);
+let _e1861 = (_e1854 * _e1114);
+let _e1867 = -((_e1852 * _e1058));
+let _e1868 = -((_e1853 * _e1058));
+let _e1869 = -((_e1854 * _e1058));
 local_12 = array<u32, 2>(0u, 4294967295u);
-let _e1884 = select(0u, 1u, (_e1868 > _e1876));
-if (_e1884 < 2u) {
+let _e1875 = select(0u, 1u, (_e1859 > _e1867));
+if (_e1875 < 2u) {
 } else {
 break;
 }
-let _e1887 = local_12[_e1884];
+let _e1878 = local_12[_e1875];
 local_13 = array<u32, 2>(0u, 4294967295u);
-let _e1888 = select(0u, 1u, (_e1869 > _e1877));
-if (_e1888 < 2u) {
+let _e1879 = select(0u, 1u, (_e1860 > _e1868));
+if (_e1879 < 2u) {
 } else {
 break;
 }
-let _e1891 = local_13[_e1888];
+let _e1882 = local_13[_e1879];
 local_14 = array<u32, 2>(0u, 4294967295u);
-let _e1892 = select(0u, 1u, (_e1870 > _e1878));
-if (_e1892 < 2u) {
+let _e1883 = select(0u, 1u, (_e1861 > _e1869));
+if (_e1883 < 2u) {
 } else {
 break;
 }
-let _e1895 = local_14[_e1892];
-let _e1897 = (select(0u, 1u, ((_e1864 * _e1123) > -((_e1864 * _e1067)))) < 2u);
-if _e1897 {
+let _e1886 = local_14[_e1883];
+let _e1888 = (select(0u, 1u, ((_e1855 * _e1114) > -((_e1855 * _e1058)))) < 2u);
+if _e1888 {
 } else {
 break;
 }
-let _e1913 = (_e1865 * _e1123);
-let _e1914 = (_e1866 * _e1123);
-let _e1915 = (_e1867 * _e1123);
-let _e1919 = -((_e1865 * _e1067));
-let _e1920 = -((_e1866 * _e1067));
-let _e1921 = -((_e1867 * _e1067));
+let _e1904 = (_e1856 * _e1114);
+let _e1905 = (_e1857 * _e1114);
+let _e1906 = (_e1858 * _e1114);
+let _e1910 = -((_e1856 * _e1058));
+let _e1911 = -((_e1857 * _e1058));
+let _e1912 = -((_e1858 * _e1058));
 local_9 = array<u32, 2>(0u, 4294967295u);
-let _e1925 = select(0u, 1u, (_e1913 > _e1919));
-if (_e1925 < 2u) {
+let _e1916 = select(0u, 1u, (_e1904 > _e1910));
+if (_e1916 < 2u) {
 } else {
 break;
 }
-let _e1928 = local_9[_e1925];
+let _e1919 = local_9[_e1916];
 local_10 = array<u32, 2>(0u, 4294967295u);
-let _e1929 = select(0u, 1u, (_e1914 > _e1920));
-if (_e1929 < 2u) {
+let _e1920 = select(0u, 1u, (_e1905 > _e1911));
+if (_e1920 < 2u) {
 } else {
 break;
 }
-let _e1932 = local_10[_e1929];
+let _e1923 = local_10[_e1920];
 local_11 = array<u32, 2>(0u, 4294967295u);
-let _e1933 = select(0u, 1u, (_e1915 > _e1921));
-if (_e1933 < 2u) {
+let _e1924 = select(0u, 1u, (_e1906 > _e1912));
+if (_e1924 < 2u) {
 } else {
 break;
 }
-let _e1936 = local_11[_e1933];
-if _e1897 {
+let _e1927 = local_11[_e1924];
+if _e1888 {
 } else {
 break;
 }
 local_6 = array<u32, 2>(0u, 4294967295u);
-let _e1962 = select(0u, 1u, (_e1861 == 0f));
-if (_e1962 < 2u) {
+let _e1953 = select(0u, 1u, (_e1852 == 0f));
+if (_e1953 < 2u) {
 } else {
 break;
 }
-let _e1965 = local_6[_e1962];
+let _e1956 = local_6[_e1953];
 local_7 = array<u32, 2>(0u, 4294967295u);
-let _e1966 = select(0u, 1u, (_e1862 == 0f));
-if (_e1966 < 2u) {
+let _e1957 = select(0u, 1u, (_e1853 == 0f));
+if (_e1957 < 2u) {
 } else {
 break;
 }
-let _e1969 = local_7[_e1966];
+let _e1960 = local_7[_e1957];
 local_8 = array<u32, 2>(0u, 4294967295u);
-let _e1970 = select(0u, 1u, (_e1863 == 0f));
-if (_e1970 < 2u) {
+let _e1961 = select(0u, 1u, (_e1854 == 0f));
+if (_e1961 < 2u) {
 } else {
 break;
 }
-let _e1973 = local_8[_e1970];
-if (select(0u, 1u, (_e1864 == 0f)) < 2u) {
+let _e1964 = local_8[_e1961];
+if (select(0u, 1u, (_e1855 == 0f)) < 2u) {
 } else {
 break;
 }
-let _e1977 = ((_e1965 & 1u) != 0u);
-let _e1980 = ((_e1969 & 1u) != 0u);
-let _e1983 = ((_e1973 & 1u) != 0u);
-let _e1985 = (-1f / select(_e1861, 1f, _e1977));
-let _e1986 = (-1f / select(_e1862, 1f, _e1980));
-let _e1987 = (-1f / select(_e1863, 1f, _e1983));
+let _e1968 = ((_e1956 & 1u) != 0u);
+let _e1971 = ((_e1960 & 1u) != 0u);
+let _e1974 = ((_e1964 & 1u) != 0u);
+let _e1976 = (-1f / select(_e1852, 1f, _e1968));
+let _e1977 = (-1f / select(_e1853, 1f, _e1971));
+let _e1978 = (-1f / select(_e1854, 1f, _e1974));
 local_3 = array<u32, 2>(0u, 4294967295u);
-let _e1992 = select(0u, 1u, (_e1861 > 0f));
-if (_e1992 < 2u) {
+let _e1983 = select(0u, 1u, (_e1852 > 0f));
+if (_e1983 < 2u) {
 } else {
 break;
 }
-let _e1995 = local_3[_e1992];
+let _e1986 = local_3[_e1983];
 local_4 = array<u32, 2>(0u, 4294967295u);
-let _e1996 = select(0u, 1u, (_e1862 > 0f));
-if (_e1996 < 2u) {
+let _e1987 = select(0u, 1u, (_e1853 > 0f));
+if (_e1987 < 2u) {
 } else {
 break;
 }
-let _e1999 = local_4[_e1996];
+let _e1990 = local_4[_e1987];
 local_5 = array<u32, 2>(0u, 4294967295u);
-let _e2000 = select(0u, 1u, (_e1863 > 0f));
-if (_e2000 < 2u) {
+let _e1991 = select(0u, 1u, (_e1854 > 0f));
+if (_e1991 < 2u) {
 } else {
 break;
 }
-let _e2003 = local_5[_e2000];
-if (select(0u, 1u, (_e1864 > 0f)) < 2u) {
+let _e1994 = local_5[_e1991];
+if (select(0u, 1u, (_e1855 > 0f)) < 2u) {
 } else {
 break;
 }
 local = array<u32, 2>(0u, 4294967295u);
-let _e2010 = select(0u, 1u, (_e1861 < 0f));
-if (_e2010 < 2u) {
+let _e2001 = select(0u, 1u, (_e1852 < 0f));
+if (_e2001 < 2u) {
 } else {
 break;
 }
-let _e2013 = local[_e2010];
+let _e2004 = local[_e2001];
 local_1 = array<u32, 2>(0u, 4294967295u);
-let _e2014 = select(0u, 1u, (_e1862 < 0f));
-if (_e2014 < 2u) {
+let _e2005 = select(0u, 1u, (_e1853 < 0f));
+if (_e2005 < 2u) {
 } else {
 break;
 }
-let _e2017 = local_1[_e2014];
+let _e2008 = local_1[_e2005];
 local_2 = array<u32, 2>(0u, 4294967295u);
-let _e2018 = select(0u, 1u, (_e1863 < 0f));
-if (_e2018 < 2u) {
+let _e2009 = select(0u, 1u, (_e1854 < 0f));
+if (_e2009 < 2u) {
 } else {
 break;
 }
-let _e2021 = local_2[_e2018];
-if (select(0u, 1u, (_e1864 < 0f)) < 2u) {
+let _e2012 = local_2[_e2009];
+if (select(0u, 1u, (_e1855 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e2037 = ((_e2013 & 1u) != 0u);
-let _e2040 = ((_e2017 & 1u) != 0u);
-let _e2043 = ((_e2021 & 1u) != 0u);
-let _e2048 = (_e1045 - _e993);
-let _e2050 = (_e935.member.member * 19i);
-let _e2051 = (_e2050 + 18i);
-let _e2053 = (bitcast<i32>(_e214) - 1i);
-let _e2055 = select(_e2053, _e2051, (_e2051 < _e2053));
-let _e2061 = global_4.member[bitcast<u32>(select(0i, _e2055, (_e2055 > 0i)))];
-let _e2063 = select(0f, _e2061, (_e2061 > 0f));
-let _e2065 = select(16777216f, _e2063, (_e2063 < 16777216f));
-let _e2072 = select(0i, select(select(i32(_e2065), i32(-2147483648), (_e2065 < -2147483600f)), 2147483647i, (_e2065 > 2147483500f)), (_e2065 == _e2065));
-phi_26015_ = _e935.member.member_1;
+let _e2028 = ((_e2004 & 1u) != 0u);
+let _e2031 = ((_e2008 & 1u) != 0u);
+let _e2034 = ((_e2012 & 1u) != 0u);
+let _e2039 = (_e1036 - _e984);
+let _e2041 = (_e926.member.member * 19i);
+let _e2042 = (_e2041 + 18i);
+let _e2044 = (bitcast<i32>(_e214) - 1i);
+let _e2046 = select(_e2044, _e2042, (_e2042 < _e2044));
+let _e2052 = global_4.member[bitcast<u32>(select(0i, _e2046, (_e2046 > 0i)))];
+let _e2054 = select(0f, _e2052, (_e2052 > 0f));
+let _e2056 = select(16777216f, _e2054, (_e2054 < 16777216f));
+let _e2063 = select(0i, select(select(i32(_e2056), i32(-2147483648), (_e2056 < -2147483600f)), 2147483647i, (_e2056 > 2147483500f)), (_e2056 == _e2056));
+phi_26001_ = _e926.member.member_1;
 loop {
-let _e2079 = phi_26015_;
-let _e2080 = (_e2079 < _e935.member.member_2);
-if _e2080 {
-if _e1161 {
-phi_26030_ = _e935.member_1.member_4.y;
+let _e2070 = phi_26001_;
+let _e2071 = (_e2070 < _e926.member.member_2);
+if _e2071 {
+if _e1152 {
+phi_26016_ = _e926.member_1.member_4.y;
 } else {
-phi_26030_ = _e935.member_1.member_4.z;
+phi_26016_ = _e926.member_1.member_4.z;
 }
-let _e2084 = phi_26030_;
-let _e2085 = f32(_e2084);
-let _e2086 = f32(_e2079);
-let _e2096 = ((_e1641.member.x * _e2086) + _e1641.member_1.x);
-let _e2098 = ((_e1641.member.y * _e2086) + _e1641.member_1.y);
-let _e2100 = ((_e1641.member.z * _e2086) + _e1641.member_1.z);
-let _e2103 = (_e2096 * _e1641.member_2.x);
-let _e2105 = (_e2098 * _e1641.member_2.y);
-let _e2107 = (_e2100 * _e1641.member_2.z);
-let _e2117 = ((_e2096 * _e1641.member_3.x) + _e1641.member_4.x);
-let _e2119 = ((_e2098 * _e1641.member_3.y) + _e1641.member_4.y);
-let _e2121 = ((_e2100 * _e1641.member_3.z) + _e1641.member_4.z);
-let _e2123 = select(_e2103, 0f, (0f > _e2103));
-let _e2125 = select(_e2107, _e2105, (_e2105 > _e2107));
-let _e2129 = select(_e2117, _e2085, (_e2085 < _e2117));
-let _e2131 = select(_e2121, _e2119, (_e2119 < _e2121));
-let _e2133 = select(_e2131, _e2129, (_e2129 < _e2131));
-let _e2134 = -(select(_e2125, _e2123, (_e2123 > _e2125)));
-let _e2136 = (-(_e2085) - 1f);
-let _e2138 = select(_e2136, _e2134, (_e2134 > _e2136));
-let _e2140 = select(0f, _e2138, (_e2138 < 0f));
-let _e2147 = select(0i, select(select(i32(_e2140), i32(-2147483648), (_e2140 < -2147483600f)), 2147483647i, (_e2140 > 2147483500f)), (_e2140 == _e2140));
-let _e2154 = select(-1f, _e2133, (_e2133 > -1f));
-let _e2156 = select(_e2085, _e2154, (_e2154 < _e2085));
-let _e2163 = select(0i, select(select(i32(_e2156), i32(-2147483648), (_e2156 < -2147483600f)), 2147483647i, (_e2156 > 2147483500f)), (_e2156 == _e2156));
-phi_26150_ = -((_e2147 - select(0i, 1i, (_e2140 < f32(_e2147)))));
+let _e2075 = phi_26016_;
+let _e2076 = f32(_e2075);
+let _e2077 = f32(_e2070);
+let _e2087 = ((_e1632.member.x * _e2077) + _e1632.member_1.x);
+let _e2089 = ((_e1632.member.y * _e2077) + _e1632.member_1.y);
+let _e2091 = ((_e1632.member.z * _e2077) + _e1632.member_1.z);
+let _e2094 = (_e2087 * _e1632.member_2.x);
+let _e2096 = (_e2089 * _e1632.member_2.y);
+let _e2098 = (_e2091 * _e1632.member_2.z);
+let _e2108 = ((_e2087 * _e1632.member_3.x) + _e1632.member_4.x);
+let _e2110 = ((_e2089 * _e1632.member_3.y) + _e1632.member_4.y);
+let _e2112 = ((_e2091 * _e1632.member_3.z) + _e1632.member_4.z);
+let _e2114 = select(_e2094, 0f, (0f > _e2094));
+let _e2116 = select(_e2098, _e2096, (_e2096 > _e2098));
+let _e2120 = select(_e2108, _e2076, (_e2076 < _e2108));
+let _e2122 = select(_e2112, _e2110, (_e2110 < _e2112));
+let _e2124 = select(_e2122, _e2120, (_e2120 < _e2122));
+let _e2125 = -(select(_e2116, _e2114, (_e2114 > _e2116)));
+let _e2127 = (-(_e2076) - 1f);
+let _e2129 = select(_e2127, _e2125, (_e2125 > _e2127));
+let _e2131 = select(0f, _e2129, (_e2129 < 0f));
+let _e2138 = select(0i, select(select(i32(_e2131), i32(-2147483648), (_e2131 < -2147483600f)), 2147483647i, (_e2131 > 2147483500f)), (_e2131 == _e2131));
+let _e2145 = select(-1f, _e2124, (_e2124 > -1f));
+let _e2147 = select(_e2076, _e2145, (_e2145 < _e2076));
+let _e2154 = select(0i, select(select(i32(_e2147), i32(-2147483648), (_e2147 < -2147483600f)), 2147483647i, (_e2147 > 2147483500f)), (_e2147 == _e2147));
+phi_26136_ = -((_e2138 - select(0i, 1i, (_e2131 < f32(_e2138)))));
 loop {
-let _e2169 = phi_26150_;
-let _e2170 = (_e2169 <= (_e2163 - select(0i, 1i, (_e2156 < f32(_e2163)))));
-if _e2170 {
-let _e2171 = select(_e2169, _e2079, _e1161);
-let _e2172 = select(_e2079, _e2169, _e1161);
-let _e2173 = f32(_e2172);
-let _e2174 = f32(_e2171);
-let _e2176 = f32(_e935.member_1.member_4.x);
-let _e2179 = ((_e1079 * _e2173) + (_e1082 * _e2174));
-let _e2180 = (_e2179 + ((((select(_e1126, _e1124, (_e1124 > _e1126)) + select(_e1131, _e1129, (_e1129 > _e1131))) + select(_e1137, _e1135, (_e1135 > _e1137))) - _e1122) + _e1117));
-let _e2182 = -((_e2180 * _e1645));
-let _e2186 = select(0f, select(_e2182, 0f, (0f > _e2182)), (_e1076 > 0f));
-let _e2193 = select(select(_e2176, select(_e2182, _e2176, (_e2176 < _e2182)), (_e1076 < 0f)), -1f, (_e1643 && (_e2180 < 0f)));
-let _e2195 = (((((select(_e1144, _e1142, (_e1142 > _e1144)) + select(_e1150, _e1148, (_e1148 > _e1150))) + select(_e1157, _e1155, (_e1155 > _e1157))) + _e1122) + _e1117) - _e2179);
-let _e2197 = -((_e2195 * -(_e1645)));
-let _e2201 = select(_e2186, select(_e2197, _e2186, (_e2186 > _e2197)), (_e1141 > 0f));
-let _e2209 = select(select(_e2193, select(_e2197, _e2193, (_e2193 < _e2197)), (_e1141 < 0f)), -1f, ((_e1141 == 0f) && (_e2195 < 0f)));
-let _e2213 = ((_e1667 * _e2173) + (((select(_e1678, _e1670, ((_e1689 & 1u) != 0u)) - (_e1662 * _e993)) + (select(_e1721, _e1715, ((_e1730 & 1u) != 0u)) - (_e1667 * _e1004))) + _e1657));
-let _e2214 = ((_e1668 * _e2173) + (((select(_e1679, _e1671, ((_e1693 & 1u) != 0u)) - (_e1663 * _e1023)) + (select(_e1722, _e1716, ((_e1734 & 1u) != 0u)) - (_e1668 * _e1030))) + _e1657));
-let _e2215 = ((_e1669 * _e2173) + (((select(_e1680, _e1672, ((_e1697 & 1u) != 0u)) - (_e1664 * _e1045)) + (select(_e1723, _e1717, ((_e1738 & 1u) != 0u)) - (_e1669 * _e1052))) + _e1657));
-let _e2216 = (_e2213 * select(0f, _e1787, ((_e1797 & 1u) != 0u)));
-let _e2217 = (_e2214 * select(0f, _e1788, ((_e1801 & 1u) != 0u)));
-let _e2218 = (_e2215 * select(0f, _e1789, ((_e1805 & 1u) != 0u)));
-let _e2222 = ((_e2213 * select(select(0f, 1e20f, _e1779), _e1787, _e1839)) + select(_e1107, 0f, _e1839));
-let _e2223 = ((_e2214 * select(select(0f, 1e20f, _e1782), _e1788, _e1842)) + select(_e1107, 0f, _e1842));
-let _e2224 = ((_e2215 * select(select(0f, 1e20f, _e1785), _e1789, _e1845)) + select(_e1107, 0f, _e1845));
-let _e2226 = select(_e2216, _e2201, (_e2201 > _e2216));
-let _e2228 = select(_e2218, _e2217, (_e2217 > _e2218));
-let _e2230 = select(_e2228, _e2226, (_e2226 > _e2228));
-let _e2232 = select(_e2222, _e2209, (_e2209 < _e2222));
-let _e2234 = select(_e2224, _e2223, (_e2223 < _e2224));
-let _e2236 = select(_e2234, _e2232, (_e2232 < _e2234));
-let _e2240 = ((_e1865 * _e2174) + (((select(_e1876, _e1868, ((_e1887 & 1u) != 0u)) - (_e1861 * _e993)) + (select(_e1919, _e1913, ((_e1928 & 1u) != 0u)) - (_e1865 * _e1015))) + _e1857));
-let _e2241 = ((_e1866 * _e2174) + (((select(_e1877, _e1869, ((_e1891 & 1u) != 0u)) - (_e1862 * _e1023)) + (select(_e1920, _e1914, ((_e1932 & 1u) != 0u)) - (_e1866 * _e1037))) + _e1857));
-let _e2242 = ((_e1867 * _e2174) + (((select(_e1878, _e1870, ((_e1895 & 1u) != 0u)) - (_e1863 * _e1045)) + (select(_e1921, _e1915, ((_e1936 & 1u) != 0u)) - (_e1867 * _e1059))) + _e1857));
-let _e2243 = (_e2240 * select(0f, _e1985, ((_e1995 & 1u) != 0u)));
-let _e2244 = (_e2241 * select(0f, _e1986, ((_e1999 & 1u) != 0u)));
-let _e2245 = (_e2242 * select(0f, _e1987, ((_e2003 & 1u) != 0u)));
-let _e2249 = ((_e2240 * select(select(0f, 1e20f, _e1977), _e1985, _e2037)) + select(_e1107, 0f, _e2037));
-let _e2250 = ((_e2241 * select(select(0f, 1e20f, _e1980), _e1986, _e2040)) + select(_e1107, 0f, _e2040));
-let _e2251 = ((_e2242 * select(select(0f, 1e20f, _e1983), _e1987, _e2043)) + select(_e1107, 0f, _e2043));
-let _e2253 = select(_e2243, _e2230, (_e2230 > _e2243));
-let _e2255 = select(_e2245, _e2244, (_e2244 > _e2245));
-let _e2259 = select(_e2249, _e2236, (_e2236 < _e2249));
-let _e2261 = select(_e2251, _e2250, (_e2250 < _e2251));
-let _e2263 = select(_e2261, _e2259, (_e2259 < _e2261));
-let _e2264 = -(select(_e2255, _e2253, (_e2253 > _e2255)));
-let _e2266 = (-(_e2176) - 1f);
-let _e2268 = select(_e2266, _e2264, (_e2264 > _e2266));
-let _e2270 = select(0f, _e2268, (_e2268 < 0f));
-let _e2277 = select(0i, select(select(i32(_e2270), i32(-2147483648), (_e2270 < -2147483600f)), 2147483647i, (_e2270 > 2147483500f)), (_e2270 == _e2270));
-let _e2284 = select(-1f, _e2263, (_e2263 > -1f));
-let _e2286 = select(_e2176, _e2284, (_e2284 < _e2176));
-let _e2293 = select(0i, select(select(i32(_e2286), i32(-2147483648), (_e2286 < -2147483600f)), 2147483647i, (_e2286 > 2147483500f)), (_e2286 == _e2286));
-let _e2302 = global_1.member.member_1[1u];
-let _e2310 = global_1.member.member_1[3u];
-phi_26389_ = -((_e2277 - select(0i, 1i, (_e2270 < f32(_e2277)))));
+let _e2160 = phi_26136_;
+let _e2161 = (_e2160 <= (_e2154 - select(0i, 1i, (_e2147 < f32(_e2154)))));
+if _e2161 {
+let _e2162 = select(_e2160, _e2070, _e1152);
+let _e2163 = select(_e2070, _e2160, _e1152);
+let _e2164 = f32(_e2163);
+let _e2165 = f32(_e2162);
+let _e2167 = f32(_e926.member_1.member_4.x);
+let _e2170 = ((_e1070 * _e2164) + (_e1073 * _e2165));
+let _e2171 = (_e2170 + ((((select(_e1117, _e1115, (_e1115 > _e1117)) + select(_e1122, _e1120, (_e1120 > _e1122))) + select(_e1128, _e1126, (_e1126 > _e1128))) - _e1113) + _e1108));
+let _e2173 = -((_e2171 * _e1636));
+let _e2177 = select(0f, select(_e2173, 0f, (0f > _e2173)), (_e1067 > 0f));
+let _e2184 = select(select(_e2167, select(_e2173, _e2167, (_e2167 < _e2173)), (_e1067 < 0f)), -1f, (_e1634 && (_e2171 < 0f)));
+let _e2186 = (((((select(_e1135, _e1133, (_e1133 > _e1135)) + select(_e1141, _e1139, (_e1139 > _e1141))) + select(_e1148, _e1146, (_e1146 > _e1148))) + _e1113) + _e1108) - _e2170);
+let _e2188 = -((_e2186 * -(_e1636)));
+let _e2192 = select(_e2177, select(_e2188, _e2177, (_e2177 > _e2188)), (_e1132 > 0f));
+let _e2200 = select(select(_e2184, select(_e2188, _e2184, (_e2184 < _e2188)), (_e1132 < 0f)), -1f, ((_e1132 == 0f) && (_e2186 < 0f)));
+let _e2204 = ((_e1658 * _e2164) + (((select(_e1669, _e1661, ((_e1680 & 1u) != 0u)) - (_e1653 * _e984)) + (select(_e1712, _e1706, ((_e1721 & 1u) != 0u)) - (_e1658 * _e995))) + _e1648));
+let _e2205 = ((_e1659 * _e2164) + (((select(_e1670, _e1662, ((_e1684 & 1u) != 0u)) - (_e1654 * _e1014)) + (select(_e1713, _e1707, ((_e1725 & 1u) != 0u)) - (_e1659 * _e1021))) + _e1648));
+let _e2206 = ((_e1660 * _e2164) + (((select(_e1671, _e1663, ((_e1688 & 1u) != 0u)) - (_e1655 * _e1036)) + (select(_e1714, _e1708, ((_e1729 & 1u) != 0u)) - (_e1660 * _e1043))) + _e1648));
+let _e2207 = (_e2204 * select(0f, _e1778, ((_e1788 & 1u) != 0u)));
+let _e2208 = (_e2205 * select(0f, _e1779, ((_e1792 & 1u) != 0u)));
+let _e2209 = (_e2206 * select(0f, _e1780, ((_e1796 & 1u) != 0u)));
+let _e2213 = ((_e2204 * select(select(0f, 1e20f, _e1770), _e1778, _e1830)) + select(_e1098, 0f, _e1830));
+let _e2214 = ((_e2205 * select(select(0f, 1e20f, _e1773), _e1779, _e1833)) + select(_e1098, 0f, _e1833));
+let _e2215 = ((_e2206 * select(select(0f, 1e20f, _e1776), _e1780, _e1836)) + select(_e1098, 0f, _e1836));
+let _e2217 = select(_e2207, _e2192, (_e2192 > _e2207));
+let _e2219 = select(_e2209, _e2208, (_e2208 > _e2209));
+let _e2221 = select(_e2219, _e2217, (_e2217 > _e2219));
+let _e2223 = select(_e2213, _e2200, (_e2200 < _e2213));
+let _e2225 = select(_e2215, _e2214, (_e2214 < _e2215));
+let _e2227 = select(_e2225, _e2223, (_e2223 < _e2225));
+let _e2231 = ((_e1856 * _e2165) + (((select(_e1867, _e1859, ((_e1878 & 1u) != 0u)) - (_e1852 * _e984)) + (select(_e1910, _e1904, ((_e1919 & 1u) != 0u)) - (_e1856 * _e1006))) + _e1848));
+let _e2232 = ((_e1857 * _e2165) + (((select(_e1868, _e1860, ((_e1882 & 1u) != 0u)) - (_e1853 * _e1014)) + (select(_e1911, _e1905, ((_e1923 & 1u) != 0u)) - (_e1857 * _e1028))) + _e1848));
+let _e2233 = ((_e1858 * _e2165) + (((select(_e1869, _e1861, ((_e1886 & 1u) != 0u)) - (_e1854 * _e1036)) + (select(_e1912, _e1906, ((_e1927 & 1u) != 0u)) - (_e1858 * _e1050))) + _e1848));
+let _e2234 = (_e2231 * select(0f, _e1976, ((_e1986 & 1u) != 0u)));
+let _e2235 = (_e2232 * select(0f, _e1977, ((_e1990 & 1u) != 0u)));
+let _e2236 = (_e2233 * select(0f, _e1978, ((_e1994 & 1u) != 0u)));
+let _e2240 = ((_e2231 * select(select(0f, 1e20f, _e1968), _e1976, _e2028)) + select(_e1098, 0f, _e2028));
+let _e2241 = ((_e2232 * select(select(0f, 1e20f, _e1971), _e1977, _e2031)) + select(_e1098, 0f, _e2031));
+let _e2242 = ((_e2233 * select(select(0f, 1e20f, _e1974), _e1978, _e2034)) + select(_e1098, 0f, _e2034));
+let _e2244 = select(_e2234, _e2221, (_e2221 > _e2234));
+let _e2246 = select(_e2236, _e2235, (_e2235 > _e2236));
+let _e2250 = select(_e2240, _e2227, (_e2227 < _e2240));
+let _e2252 = select(_e2242, _e2241, (_e2241 < _e2242));
+let _e2254 = select(_e2252, _e2250, (_e2250 < _e2252));
+let _e2255 = -(select(_e2246, _e2244, (_e2244 > _e2246)));
+let _e2257 = (-(_e2167) - 1f);
+let _e2259 = select(_e2257, _e2255, (_e2255 > _e2257));
+let _e2261 = select(0f, _e2259, (_e2259 < 0f));
+let _e2268 = select(0i, select(select(i32(_e2261), i32(-2147483648), (_e2261 < -2147483600f)), 2147483647i, (_e2261 > 2147483500f)), (_e2261 == _e2261));
+let _e2275 = select(-1f, _e2254, (_e2254 > -1f));
+let _e2277 = select(_e2167, _e2275, (_e2275 < _e2167));
+let _e2284 = select(0i, select(select(i32(_e2277), i32(-2147483648), (_e2277 < -2147483600f)), 2147483647i, (_e2277 > 2147483500f)), (_e2277 == _e2277));
+let _e2293 = global_1.member.member_2.member_1;
+let _e2300 = global_1.member.member_3;
+phi_26374_ = -((_e2268 - select(0i, 1i, (_e2261 < f32(_e2268)))));
 loop {
-let _e2314 = phi_26389_;
-let _e2315 = (_e2314 <= (_e2293 - select(0i, 1i, (_e2286 < f32(_e2293)))));
-if _e2315 {
-let _e2320 = ((f32(_e2314) + 0.5f) - _e993);
-let _e2321 = ((_e2173 + 0.5f) - _e1004);
-let _e2322 = ((_e2174 + 0.5f) - _e1015);
-let _e2327 = (((_e1068 * _e1068) + (_e1069 * _e1069)) + (_e1070 * _e1070));
-let _e2332 = (((_e1068 * _e2048) + (_e1069 * _e1660)) + (_e1070 * _e1860));
-let _e2337 = (((_e2048 * _e2048) + (_e1660 * _e1660)) + (_e1860 * _e1860));
-let _e2342 = (((_e2320 * _e1068) + (_e2321 * _e1069)) + (_e2322 * _e1070));
-let _e2347 = (((_e2320 * _e2048) + (_e2321 * _e1660)) + (_e2322 * _e1860));
-let _e2350 = ((_e2327 * _e2337) - (_e2332 * _e2332));
-let _e2351 = (_e2350 > 0f);
-let _e2354 = select(0f, (1f / select(1f, _e2350, _e2351)), _e2351);
-let _e2358 = (((_e2337 * _e2342) - (_e2332 * _e2347)) * _e2354);
-let _e2362 = (((_e2327 * _e2347) - (_e2332 * _e2342)) * _e2354);
-let _e2364 = ((1f - _e2358) - _e2362);
-let _e2366 = select(0f, _e2364, (_e2364 > 0f));
-let _e2368 = select(16777216f, _e2366, (_e2366 < 16777216f));
-let _e2370 = select(0f, _e2358, (_e2358 > 0f));
-let _e2372 = select(16777216f, _e2370, (_e2370 < 16777216f));
-let _e2374 = select(0f, _e2362, (_e2362 > 0f));
-let _e2376 = select(16777216f, _e2374, (_e2374 < 16777216f));
-let _e2378 = ((_e2368 + _e2372) + _e2376);
-let _e2381 = (1f / select(0.5f, _e2378, (_e2378 > 0.5f)));
-let _e2382 = (_e2368 * _e2381);
-let _e2383 = (_e2372 * _e2381);
-let _e2384 = (_e2376 * _e2381);
-let _e2386 = select(_e2053, _e2050, (_e2050 < _e2053));
-let _e2392 = global_4.member[bitcast<u32>(select(0i, _e2386, (_e2386 > 0i)))];
-let _e2393 = (_e2050 + 1i);
-let _e2395 = select(_e2053, _e2393, (_e2393 < _e2053));
-let _e2401 = global_4.member[bitcast<u32>(select(0i, _e2395, (_e2395 > 0i)))];
-let _e2402 = (_e2050 + 2i);
-let _e2404 = select(_e2053, _e2402, (_e2402 < _e2053));
-let _e2410 = global_4.member[bitcast<u32>(select(0i, _e2404, (_e2404 > 0i)))];
-let _e2411 = (_e2050 + 3i);
-let _e2413 = select(_e2053, _e2411, (_e2411 < _e2053));
-let _e2419 = global_4.member[bitcast<u32>(select(0i, _e2413, (_e2413 > 0i)))];
-let _e2420 = (_e2050 + 4i);
-let _e2422 = select(_e2053, _e2420, (_e2420 < _e2053));
-let _e2428 = global_4.member[bitcast<u32>(select(0i, _e2422, (_e2422 > 0i)))];
-let _e2429 = (_e2050 + 5i);
-let _e2431 = select(_e2053, _e2429, (_e2429 < _e2053));
-let _e2437 = global_4.member[bitcast<u32>(select(0i, _e2431, (_e2431 > 0i)))];
-let _e2438 = (_e2050 + 6i);
-let _e2440 = select(_e2053, _e2438, (_e2438 < _e2053));
-let _e2446 = global_4.member[bitcast<u32>(select(0i, _e2440, (_e2440 > 0i)))];
-let _e2447 = (_e2050 + 7i);
-let _e2449 = select(_e2053, _e2447, (_e2447 < _e2053));
-let _e2455 = global_4.member[bitcast<u32>(select(0i, _e2449, (_e2449 > 0i)))];
-let _e2456 = (_e2050 + 8i);
-let _e2458 = select(_e2053, _e2456, (_e2456 < _e2053));
-let _e2464 = global_4.member[bitcast<u32>(select(0i, _e2458, (_e2458 > 0i)))];
-let _e2469 = (((_e2392 * _e2382) + (_e2419 * _e2383)) + (_e2446 * _e2384));
-let _e2474 = (((_e2401 * _e2382) + (_e2428 * _e2383)) + (_e2455 * _e2384));
-let _e2479 = (((_e2410 * _e2382) + (_e2437 * _e2383)) + (_e2464 * _e2384));
-let _e2484 = (((_e2469 * _e2469) + (_e2474 * _e2474)) + (_e2479 * _e2479));
-let _e2487 = sqrt(select(0f, _e2484, (_e2484 > 0f)));
-let _e2488 = (_e2487 > 1e-6f);
-let _e2491 = select(0f, (1f / select(1e-6f, _e2487, _e2488)), _e2488);
-let _e2492 = (_e2050 + 9i);
-let _e2494 = select(_e2053, _e2492, (_e2492 < _e2053));
-let _e2500 = global_4.member[bitcast<u32>(select(0i, _e2494, (_e2494 > 0i)))];
-let _e2501 = (_e2050 + 10i);
-let _e2503 = select(_e2053, _e2501, (_e2501 < _e2053));
-let _e2509 = global_4.member[bitcast<u32>(select(0i, _e2503, (_e2503 > 0i)))];
-let _e2510 = (_e2050 + 11i);
-let _e2512 = select(_e2053, _e2510, (_e2510 < _e2053));
-let _e2518 = global_4.member[bitcast<u32>(select(0i, _e2512, (_e2512 > 0i)))];
-let _e2519 = (_e2050 + 12i);
-let _e2521 = select(_e2053, _e2519, (_e2519 < _e2053));
-let _e2527 = global_4.member[bitcast<u32>(select(0i, _e2521, (_e2521 > 0i)))];
-let _e2528 = (_e2050 + 13i);
-let _e2530 = select(_e2053, _e2528, (_e2528 < _e2053));
-let _e2536 = global_4.member[bitcast<u32>(select(0i, _e2530, (_e2530 > 0i)))];
-let _e2537 = (_e2050 + 14i);
-let _e2539 = select(_e2053, _e2537, (_e2537 < _e2053));
-let _e2545 = global_4.member[bitcast<u32>(select(0i, _e2539, (_e2539 > 0i)))];
-let _e2546 = (_e2050 + 15i);
-let _e2548 = select(_e2053, _e2546, (_e2546 < _e2053));
-let _e2554 = global_4.member[bitcast<u32>(select(0i, _e2548, (_e2548 > 0i)))];
-let _e2555 = (_e2050 + 16i);
-let _e2557 = select(_e2053, _e2555, (_e2555 < _e2053));
-let _e2563 = global_4.member[bitcast<u32>(select(0i, _e2557, (_e2557 > 0i)))];
-let _e2564 = (_e2050 + 17i);
-let _e2566 = select(_e2053, _e2564, (_e2564 < _e2053));
-let _e2572 = global_4.member[bitcast<u32>(select(0i, _e2566, (_e2566 > 0i)))];
-let _e2588 = (_e935.member_1.member_3.x + _e2314);
-let _e2591 = ((((((_e935.member_1.member_3.z + _e2171) * bitcast<i32>(_e2302)) + _e935.member_1.member_3.y) + _e2172) * bitcast<i32>(_e2310)) + (_e2588 >> bitcast<u32>(5i)));
-let _e2595 = (bitcast<i32>(_e218) - 1i);
-let _e2597 = select(_e2595, _e2591, (_e2591 < _e2595));
-let _e2603 = global_6.member[bitcast<u32>(select(0i, _e2597, (_e2597 > 0i)))];
-let _e2605 = (bitcast<i32>(_e216) - 1i);
-let _e2607 = select(_e2605, _e2591, (_e2591 < _e2605));
-let _e2613 = global_5.member[bitcast<u32>(select(0i, _e2607, (_e2607 > 0i)))];
-let _e2622 = (bitcast<i32>((_e2603 + countOneBits((_e2613 & ((1u << bitcast<u32>((bitcast<u32>((_e2588 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e2623 = bitcast<u32>(_e2622);
-if (_e2623 < _e220) {
-let _e2627 = atomicAdd((&global_7.member[_e2623]), 1u);
+let _e2304 = phi_26374_;
+let _e2305 = (_e2304 <= (_e2284 - select(0i, 1i, (_e2277 < f32(_e2284)))));
+if _e2305 {
+let _e2310 = ((f32(_e2304) + 0.5f) - _e984);
+let _e2311 = ((_e2164 + 0.5f) - _e995);
+let _e2312 = ((_e2165 + 0.5f) - _e1006);
+let _e2317 = (((_e1059 * _e1059) + (_e1060 * _e1060)) + (_e1061 * _e1061));
+let _e2322 = (((_e1059 * _e2039) + (_e1060 * _e1651)) + (_e1061 * _e1851));
+let _e2327 = (((_e2039 * _e2039) + (_e1651 * _e1651)) + (_e1851 * _e1851));
+let _e2332 = (((_e2310 * _e1059) + (_e2311 * _e1060)) + (_e2312 * _e1061));
+let _e2337 = (((_e2310 * _e2039) + (_e2311 * _e1651)) + (_e2312 * _e1851));
+let _e2340 = ((_e2317 * _e2327) - (_e2322 * _e2322));
+let _e2341 = (_e2340 > 0f);
+let _e2344 = select(0f, (1f / select(1f, _e2340, _e2341)), _e2341);
+let _e2348 = (((_e2327 * _e2332) - (_e2322 * _e2337)) * _e2344);
+let _e2352 = (((_e2317 * _e2337) - (_e2322 * _e2332)) * _e2344);
+let _e2354 = ((1f - _e2348) - _e2352);
+let _e2356 = select(0f, _e2354, (_e2354 > 0f));
+let _e2358 = select(16777216f, _e2356, (_e2356 < 16777216f));
+let _e2360 = select(0f, _e2348, (_e2348 > 0f));
+let _e2362 = select(16777216f, _e2360, (_e2360 < 16777216f));
+let _e2364 = select(0f, _e2352, (_e2352 > 0f));
+let _e2366 = select(16777216f, _e2364, (_e2364 < 16777216f));
+let _e2368 = ((_e2358 + _e2362) + _e2366);
+let _e2371 = (1f / select(0.5f, _e2368, (_e2368 > 0.5f)));
+let _e2372 = (_e2358 * _e2371);
+let _e2373 = (_e2362 * _e2371);
+let _e2374 = (_e2366 * _e2371);
+let _e2376 = select(_e2044, _e2041, (_e2041 < _e2044));
+let _e2382 = global_4.member[bitcast<u32>(select(0i, _e2376, (_e2376 > 0i)))];
+let _e2383 = (_e2041 + 1i);
+let _e2385 = select(_e2044, _e2383, (_e2383 < _e2044));
+let _e2391 = global_4.member[bitcast<u32>(select(0i, _e2385, (_e2385 > 0i)))];
+let _e2392 = (_e2041 + 2i);
+let _e2394 = select(_e2044, _e2392, (_e2392 < _e2044));
+let _e2400 = global_4.member[bitcast<u32>(select(0i, _e2394, (_e2394 > 0i)))];
+let _e2401 = (_e2041 + 3i);
+let _e2403 = select(_e2044, _e2401, (_e2401 < _e2044));
+let _e2409 = global_4.member[bitcast<u32>(select(0i, _e2403, (_e2403 > 0i)))];
+let _e2410 = (_e2041 + 4i);
+let _e2412 = select(_e2044, _e2410, (_e2410 < _e2044));
+let _e2418 = global_4.member[bitcast<u32>(select(0i, _e2412, (_e2412 > 0i)))];
+let _e2419 = (_e2041 + 5i);
+let _e2421 = select(_e2044, _e2419, (_e2419 < _e2044));
+let _e2427 = global_4.member[bitcast<u32>(select(0i, _e2421, (_e2421 > 0i)))];
+let _e2428 = (_e2041 + 6i);
+let _e2430 = select(_e2044, _e2428, (_e2428 < _e2044));
+let _e2436 = global_4.member[bitcast<u32>(select(0i, _e2430, (_e2430 > 0i)))];
+let _e2437 = (_e2041 + 7i);
+let _e2439 = select(_e2044, _e2437, (_e2437 < _e2044));
+let _e2445 = global_4.member[bitcast<u32>(select(0i, _e2439, (_e2439 > 0i)))];
+let _e2446 = (_e2041 + 8i);
+let _e2448 = select(_e2044, _e2446, (_e2446 < _e2044));
+let _e2454 = global_4.member[bitcast<u32>(select(0i, _e2448, (_e2448 > 0i)))];
+let _e2459 = (((_e2382 * _e2372) + (_e2409 * _e2373)) + (_e2436 * _e2374));
+let _e2464 = (((_e2391 * _e2372) + (_e2418 * _e2373)) + (_e2445 * _e2374));
+let _e2469 = (((_e2400 * _e2372) + (_e2427 * _e2373)) + (_e2454 * _e2374));
+let _e2474 = (((_e2459 * _e2459) + (_e2464 * _e2464)) + (_e2469 * _e2469));
+let _e2477 = sqrt(select(0f, _e2474, (_e2474 > 0f)));
+let _e2478 = (_e2477 > 1e-6f);
+let _e2481 = select(0f, (1f / select(1e-6f, _e2477, _e2478)), _e2478);
+let _e2482 = (_e2041 + 9i);
+let _e2484 = select(_e2044, _e2482, (_e2482 < _e2044));
+let _e2490 = global_4.member[bitcast<u32>(select(0i, _e2484, (_e2484 > 0i)))];
+let _e2491 = (_e2041 + 10i);
+let _e2493 = select(_e2044, _e2491, (_e2491 < _e2044));
+let _e2499 = global_4.member[bitcast<u32>(select(0i, _e2493, (_e2493 > 0i)))];
+let _e2500 = (_e2041 + 11i);
+let _e2502 = select(_e2044, _e2500, (_e2500 < _e2044));
+let _e2508 = global_4.member[bitcast<u32>(select(0i, _e2502, (_e2502 > 0i)))];
+let _e2509 = (_e2041 + 12i);
+let _e2511 = select(_e2044, _e2509, (_e2509 < _e2044));
+let _e2517 = global_4.member[bitcast<u32>(select(0i, _e2511, (_e2511 > 0i)))];
+let _e2518 = (_e2041 + 13i);
+let _e2520 = select(_e2044, _e2518, (_e2518 < _e2044));
+let _e2526 = global_4.member[bitcast<u32>(select(0i, _e2520, (_e2520 > 0i)))];
+let _e2527 = (_e2041 + 14i);
+let _e2529 = select(_e2044, _e2527, (_e2527 < _e2044));
+let _e2535 = global_4.member[bitcast<u32>(select(0i, _e2529, (_e2529 > 0i)))];
+let _e2536 = (_e2041 + 15i);
+let _e2538 = select(_e2044, _e2536, (_e2536 < _e2044));
+let _e2544 = global_4.member[bitcast<u32>(select(0i, _e2538, (_e2538 > 0i)))];
+let _e2545 = (_e2041 + 16i);
+let _e2547 = select(_e2044, _e2545, (_e2545 < _e2044));
+let _e2553 = global_4.member[bitcast<u32>(select(0i, _e2547, (_e2547 > 0i)))];
+let _e2554 = (_e2041 + 17i);
+let _e2556 = select(_e2044, _e2554, (_e2554 < _e2044));
+let _e2562 = global_4.member[bitcast<u32>(select(0i, _e2556, (_e2556 > 0i)))];
+let _e2578 = (_e926.member_1.member_3.x + _e2304);
+let _e2581 = ((((((_e926.member_1.member_3.z + _e2162) * bitcast<i32>(_e2293)) + _e926.member_1.member_3.y) + _e2163) * bitcast<i32>(_e2300)) + (_e2578 >> bitcast<u32>(5i)));
+let _e2585 = (bitcast<i32>(_e218) - 1i);
+let _e2587 = select(_e2585, _e2581, (_e2581 < _e2585));
+let _e2593 = global_6.member[bitcast<u32>(select(0i, _e2587, (_e2587 > 0i)))];
+let _e2595 = (bitcast<i32>(_e216) - 1i);
+let _e2597 = select(_e2595, _e2581, (_e2581 < _e2595));
+let _e2603 = global_5.member[bitcast<u32>(select(0i, _e2597, (_e2597 > 0i)))];
+let _e2612 = (bitcast<i32>((_e2593 + countOneBits((_e2603 & ((1u << bitcast<u32>((bitcast<u32>((_e2578 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e2613 = bitcast<u32>(_e2612);
+if (_e2613 < _e220) {
+let _e2617 = atomicAdd((&global_7.member[_e2613]), 1u);
 }
-let _e2629 = bitcast<u32>((_e2622 + 1i));
-if (_e2629 < _e220) {
-let _e2633 = atomicMax((&global_7.member[_e2629]), bitcast<u32>((_e2072 - select(0i, 1i, (_e2065 < f32(_e2072))))));
+let _e2619 = bitcast<u32>((_e2612 + 1i));
+if (_e2619 < _e220) {
+let _e2623 = atomicMax((&global_7.member[_e2619]), bitcast<u32>((_e2063 - select(0i, 1i, (_e2056 < f32(_e2063))))));
 }
-let _e2639 = (((_e2469 * _e2491) * 65536f) + 0.5f);
-let _e2641 = select(-1073741800f, _e2639, (_e2639 > -1073741800f));
-let _e2643 = select(1073741800f, _e2641, (_e2641 < 1073741800f));
-let _e2650 = select(0i, select(select(i32(_e2643), i32(-2147483648), (_e2643 < -2147483600f)), 2147483647i, (_e2643 > 2147483500f)), (_e2643 == _e2643));
-let _e2654 = (_e2650 - select(0i, 1i, (_e2643 < f32(_e2650))));
-if (_e2654 == 0i) {
+let _e2629 = (((_e2459 * _e2481) * 65536f) + 0.5f);
+let _e2631 = select(-1073741800f, _e2629, (_e2629 > -1073741800f));
+let _e2633 = select(1073741800f, _e2631, (_e2631 < 1073741800f));
+let _e2640 = select(0i, select(select(i32(_e2633), i32(-2147483648), (_e2633 < -2147483600f)), 2147483647i, (_e2633 > 2147483500f)), (_e2633 == _e2633));
+let _e2644 = (_e2640 - select(0i, 1i, (_e2633 < f32(_e2640))));
+if (_e2644 == 0i) {
 } else {
-let _e2656 = bitcast<u32>(_e2654);
-let _e2657 = bitcast<u32>((_e2622 + 2i));
-if (_e2657 < _e220) {
-let _e2661 = atomicAdd((&global_7.member[_e2657]), _e2656);
-phi_26917_ = _e2661;
+let _e2646 = bitcast<u32>(_e2644);
+let _e2647 = bitcast<u32>((_e2612 + 2i));
+if (_e2647 < _e220) {
+let _e2651 = atomicAdd((&global_7.member[_e2647]), _e2646);
+phi_26902_ = _e2651;
 } else {
-phi_26917_ = 0u;
+phi_26902_ = 0u;
 }
-let _e2663 = phi_26917_;
-let _e2670 = (bitcast<u32>((_e2654 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2663 + _e2656) < _e2656)));
-if (_e2670 == 0u) {
+let _e2653 = phi_26902_;
+let _e2660 = (bitcast<u32>((_e2644 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2653 + _e2646) < _e2646)));
+if (_e2660 == 0u) {
 } else {
-let _e2672 = (_e2657 + 1u);
-if (_e2672 < _e220) {
-let _e2676 = atomicAdd((&global_7.member[_e2672]), _e2670);
+let _e2662 = (_e2647 + 1u);
+if (_e2662 < _e220) {
+let _e2666 = atomicAdd((&global_7.member[_e2662]), _e2660);
 }
 }
 }
-let _e2679 = (((_e2474 * _e2491) * 65536f) + 0.5f);
-let _e2681 = select(-1073741800f, _e2679, (_e2679 > -1073741800f));
-let _e2683 = select(1073741800f, _e2681, (_e2681 < 1073741800f));
-let _e2690 = select(0i, select(select(i32(_e2683), i32(-2147483648), (_e2683 < -2147483600f)), 2147483647i, (_e2683 > 2147483500f)), (_e2683 == _e2683));
-let _e2694 = (_e2690 - select(0i, 1i, (_e2683 < f32(_e2690))));
-if (_e2694 == 0i) {
+let _e2669 = (((_e2464 * _e2481) * 65536f) + 0.5f);
+let _e2671 = select(-1073741800f, _e2669, (_e2669 > -1073741800f));
+let _e2673 = select(1073741800f, _e2671, (_e2671 < 1073741800f));
+let _e2680 = select(0i, select(select(i32(_e2673), i32(-2147483648), (_e2673 < -2147483600f)), 2147483647i, (_e2673 > 2147483500f)), (_e2673 == _e2673));
+let _e2684 = (_e2680 - select(0i, 1i, (_e2673 < f32(_e2680))));
+if (_e2684 == 0i) {
 } else {
-let _e2696 = bitcast<u32>(_e2694);
-let _e2697 = bitcast<u32>((_e2622 + 4i));
-if (_e2697 < _e220) {
-let _e2701 = atomicAdd((&global_7.member[_e2697]), _e2696);
-phi_26974_ = _e2701;
+let _e2686 = bitcast<u32>(_e2684);
+let _e2687 = bitcast<u32>((_e2612 + 4i));
+if (_e2687 < _e220) {
+let _e2691 = atomicAdd((&global_7.member[_e2687]), _e2686);
+phi_26959_ = _e2691;
 } else {
-phi_26974_ = 0u;
+phi_26959_ = 0u;
 }
-let _e2703 = phi_26974_;
-let _e2710 = (bitcast<u32>((_e2694 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2703 + _e2696) < _e2696)));
-if (_e2710 == 0u) {
+let _e2693 = phi_26959_;
+let _e2700 = (bitcast<u32>((_e2684 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2693 + _e2686) < _e2686)));
+if (_e2700 == 0u) {
 } else {
-let _e2712 = (_e2697 + 1u);
-if (_e2712 < _e220) {
-let _e2716 = atomicAdd((&global_7.member[_e2712]), _e2710);
+let _e2702 = (_e2687 + 1u);
+if (_e2702 < _e220) {
+let _e2706 = atomicAdd((&global_7.member[_e2702]), _e2700);
 }
 }
 }
-let _e2719 = (((_e2479 * _e2491) * 65536f) + 0.5f);
-let _e2721 = select(-1073741800f, _e2719, (_e2719 > -1073741800f));
-let _e2723 = select(1073741800f, _e2721, (_e2721 < 1073741800f));
-let _e2730 = select(0i, select(select(i32(_e2723), i32(-2147483648), (_e2723 < -2147483600f)), 2147483647i, (_e2723 > 2147483500f)), (_e2723 == _e2723));
-let _e2734 = (_e2730 - select(0i, 1i, (_e2723 < f32(_e2730))));
-if (_e2734 == 0i) {
+let _e2709 = (((_e2469 * _e2481) * 65536f) + 0.5f);
+let _e2711 = select(-1073741800f, _e2709, (_e2709 > -1073741800f));
+let _e2713 = select(1073741800f, _e2711, (_e2711 < 1073741800f));
+let _e2720 = select(0i, select(select(i32(_e2713), i32(-2147483648), (_e2713 < -2147483600f)), 2147483647i, (_e2713 > 2147483500f)), (_e2713 == _e2713));
+let _e2724 = (_e2720 - select(0i, 1i, (_e2713 < f32(_e2720))));
+if (_e2724 == 0i) {
 } else {
-let _e2736 = bitcast<u32>(_e2734);
-let _e2737 = bitcast<u32>((_e2622 + 6i));
-if (_e2737 < _e220) {
-let _e2741 = atomicAdd((&global_7.member[_e2737]), _e2736);
-phi_27031_ = _e2741;
+let _e2726 = bitcast<u32>(_e2724);
+let _e2727 = bitcast<u32>((_e2612 + 6i));
+if (_e2727 < _e220) {
+let _e2731 = atomicAdd((&global_7.member[_e2727]), _e2726);
+phi_27016_ = _e2731;
 } else {
-phi_27031_ = 0u;
+phi_27016_ = 0u;
 }
-let _e2743 = phi_27031_;
-let _e2750 = (bitcast<u32>((_e2734 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2743 + _e2736) < _e2736)));
-if (_e2750 == 0u) {
+let _e2733 = phi_27016_;
+let _e2740 = (bitcast<u32>((_e2724 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2733 + _e2726) < _e2726)));
+if (_e2740 == 0u) {
 } else {
-let _e2752 = (_e2737 + 1u);
-if (_e2752 < _e220) {
-let _e2756 = atomicAdd((&global_7.member[_e2752]), _e2750);
+let _e2742 = (_e2727 + 1u);
+if (_e2742 < _e220) {
+let _e2746 = atomicAdd((&global_7.member[_e2742]), _e2740);
 }
 }
 }
-let _e2759 = (((((_e2500 * _e2382) + (_e2527 * _e2383)) + (_e2554 * _e2384)) * 65536f) + 0.5f);
-let _e2761 = select(-1073741800f, _e2759, (_e2759 > -1073741800f));
-let _e2763 = select(1073741800f, _e2761, (_e2761 < 1073741800f));
-let _e2770 = select(0i, select(select(i32(_e2763), i32(-2147483648), (_e2763 < -2147483600f)), 2147483647i, (_e2763 > 2147483500f)), (_e2763 == _e2763));
-let _e2774 = (_e2770 - select(0i, 1i, (_e2763 < f32(_e2770))));
-if (_e2774 == 0i) {
+let _e2749 = (((((_e2490 * _e2372) + (_e2517 * _e2373)) + (_e2544 * _e2374)) * 65536f) + 0.5f);
+let _e2751 = select(-1073741800f, _e2749, (_e2749 > -1073741800f));
+let _e2753 = select(1073741800f, _e2751, (_e2751 < 1073741800f));
+let _e2760 = select(0i, select(select(i32(_e2753), i32(-2147483648), (_e2753 < -2147483600f)), 2147483647i, (_e2753 > 2147483500f)), (_e2753 == _e2753));
+let _e2764 = (_e2760 - select(0i, 1i, (_e2753 < f32(_e2760))));
+if (_e2764 == 0i) {
 } else {
-let _e2776 = bitcast<u32>(_e2774);
-let _e2777 = bitcast<u32>((_e2622 + 8i));
-if (_e2777 < _e220) {
-let _e2781 = atomicAdd((&global_7.member[_e2777]), _e2776);
-phi_27089_ = _e2781;
+let _e2766 = bitcast<u32>(_e2764);
+let _e2767 = bitcast<u32>((_e2612 + 8i));
+if (_e2767 < _e220) {
+let _e2771 = atomicAdd((&global_7.member[_e2767]), _e2766);
+phi_27074_ = _e2771;
 } else {
-phi_27089_ = 0u;
+phi_27074_ = 0u;
 }
-let _e2783 = phi_27089_;
-let _e2790 = (bitcast<u32>((_e2774 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2783 + _e2776) < _e2776)));
-if (_e2790 == 0u) {
+let _e2773 = phi_27074_;
+let _e2780 = (bitcast<u32>((_e2764 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2773 + _e2766) < _e2766)));
+if (_e2780 == 0u) {
 } else {
-let _e2792 = (_e2777 + 1u);
-if (_e2792 < _e220) {
-let _e2796 = atomicAdd((&global_7.member[_e2792]), _e2790);
+let _e2782 = (_e2767 + 1u);
+if (_e2782 < _e220) {
+let _e2786 = atomicAdd((&global_7.member[_e2782]), _e2780);
 }
 }
 }
-let _e2799 = (((((_e2509 * _e2382) + (_e2536 * _e2383)) + (_e2563 * _e2384)) * 65536f) + 0.5f);
-let _e2801 = select(-1073741800f, _e2799, (_e2799 > -1073741800f));
-let _e2803 = select(1073741800f, _e2801, (_e2801 < 1073741800f));
-let _e2810 = select(0i, select(select(i32(_e2803), i32(-2147483648), (_e2803 < -2147483600f)), 2147483647i, (_e2803 > 2147483500f)), (_e2803 == _e2803));
-let _e2814 = (_e2810 - select(0i, 1i, (_e2803 < f32(_e2810))));
-if (_e2814 == 0i) {
+let _e2789 = (((((_e2499 * _e2372) + (_e2526 * _e2373)) + (_e2553 * _e2374)) * 65536f) + 0.5f);
+let _e2791 = select(-1073741800f, _e2789, (_e2789 > -1073741800f));
+let _e2793 = select(1073741800f, _e2791, (_e2791 < 1073741800f));
+let _e2800 = select(0i, select(select(i32(_e2793), i32(-2147483648), (_e2793 < -2147483600f)), 2147483647i, (_e2793 > 2147483500f)), (_e2793 == _e2793));
+let _e2804 = (_e2800 - select(0i, 1i, (_e2793 < f32(_e2800))));
+if (_e2804 == 0i) {
 } else {
-let _e2816 = bitcast<u32>(_e2814);
-let _e2817 = bitcast<u32>((_e2622 + 10i));
-if (_e2817 < _e220) {
-let _e2821 = atomicAdd((&global_7.member[_e2817]), _e2816);
-phi_27146_ = _e2821;
+let _e2806 = bitcast<u32>(_e2804);
+let _e2807 = bitcast<u32>((_e2612 + 10i));
+if (_e2807 < _e220) {
+let _e2811 = atomicAdd((&global_7.member[_e2807]), _e2806);
+phi_27131_ = _e2811;
 } else {
-phi_27146_ = 0u;
+phi_27131_ = 0u;
 }
-let _e2823 = phi_27146_;
-let _e2830 = (bitcast<u32>((_e2814 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2823 + _e2816) < _e2816)));
-if (_e2830 == 0u) {
+let _e2813 = phi_27131_;
+let _e2820 = (bitcast<u32>((_e2804 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2813 + _e2806) < _e2806)));
+if (_e2820 == 0u) {
 } else {
-let _e2832 = (_e2817 + 1u);
-if (_e2832 < _e220) {
-let _e2836 = atomicAdd((&global_7.member[_e2832]), _e2830);
+let _e2822 = (_e2807 + 1u);
+if (_e2822 < _e220) {
+let _e2826 = atomicAdd((&global_7.member[_e2822]), _e2820);
 }
 }
 }
-let _e2839 = (((((_e2518 * _e2382) + (_e2545 * _e2383)) + (_e2572 * _e2384)) * 65536f) + 0.5f);
-let _e2841 = select(-1073741800f, _e2839, (_e2839 > -1073741800f));
-let _e2843 = select(1073741800f, _e2841, (_e2841 < 1073741800f));
-let _e2850 = select(0i, select(select(i32(_e2843), i32(-2147483648), (_e2843 < -2147483600f)), 2147483647i, (_e2843 > 2147483500f)), (_e2843 == _e2843));
-let _e2854 = (_e2850 - select(0i, 1i, (_e2843 < f32(_e2850))));
-if (_e2854 == 0i) {
+let _e2829 = (((((_e2508 * _e2372) + (_e2535 * _e2373)) + (_e2562 * _e2374)) * 65536f) + 0.5f);
+let _e2831 = select(-1073741800f, _e2829, (_e2829 > -1073741800f));
+let _e2833 = select(1073741800f, _e2831, (_e2831 < 1073741800f));
+let _e2840 = select(0i, select(select(i32(_e2833), i32(-2147483648), (_e2833 < -2147483600f)), 2147483647i, (_e2833 > 2147483500f)), (_e2833 == _e2833));
+let _e2844 = (_e2840 - select(0i, 1i, (_e2833 < f32(_e2840))));
+if (_e2844 == 0i) {
 } else {
-let _e2856 = bitcast<u32>(_e2854);
-let _e2857 = bitcast<u32>((_e2622 + 12i));
-if (_e2857 < _e220) {
-let _e2861 = atomicAdd((&global_7.member[_e2857]), _e2856);
-phi_27203_ = _e2861;
+let _e2846 = bitcast<u32>(_e2844);
+let _e2847 = bitcast<u32>((_e2612 + 12i));
+if (_e2847 < _e220) {
+let _e2851 = atomicAdd((&global_7.member[_e2847]), _e2846);
+phi_27188_ = _e2851;
 } else {
-phi_27203_ = 0u;
+phi_27188_ = 0u;
 }
-let _e2863 = phi_27203_;
-let _e2870 = (bitcast<u32>((_e2854 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2863 + _e2856) < _e2856)));
-if (_e2870 == 0u) {
+let _e2853 = phi_27188_;
+let _e2860 = (bitcast<u32>((_e2844 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2853 + _e2846) < _e2846)));
+if (_e2860 == 0u) {
 } else {
-let _e2872 = (_e2857 + 1u);
-if (_e2872 < _e220) {
-let _e2876 = atomicAdd((&global_7.member[_e2872]), _e2870);
+let _e2862 = (_e2847 + 1u);
+if (_e2862 < _e220) {
+let _e2866 = atomicAdd((&global_7.member[_e2862]), _e2860);
 }
 }
 }
-phi_26390_ = (_e2314 + 1i);
+phi_26375_ = (_e2304 + 1i);
 } else {
-phi_26390_ = i32();
+phi_26375_ = i32();
 }
-let _e2879 = phi_26390_;
+let _e2869 = phi_26375_;
 continue;
 continuing {
-phi_26389_ = _e2879;
-break if !(_e2315);
+phi_26374_ = _e2869;
+break if !(_e2305);
 }
 }
-phi_26151_ = (_e2169 + 1i);
+phi_26137_ = (_e2160 + 1i);
 } else {
-phi_26151_ = i32();
+phi_26137_ = i32();
 }
-let _e2883 = phi_26151_;
+let _e2873 = phi_26137_;
 continue;
 continuing {
-phi_26150_ = _e2883;
-break if !(_e2170);
+phi_26136_ = _e2873;
+break if !(_e2161);
 }
 }
-phi_26016_ = (_e2079 + 1i);
+phi_26002_ = (_e2070 + 1i);
 } else {
-phi_26016_ = i32();
+phi_26002_ = i32();
 }
-let _e2887 = phi_26016_;
+let _e2877 = phi_26002_;
 continue;
 continuing {
-phi_26015_ = _e2887;
-break if !(_e2080);
+phi_26001_ = _e2877;
+break if !(_e2071);
 }
 }
 }

@@ -1,47 +1,89 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
 }
 struct type_5 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: type_4,
-member_4: type_4,
-member_5: type_4,
-member_6: type_4,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: vec4<u32>,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: vec4<u32>,
-member_25: type_4,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
 member: type_5,
+member_1: f32,
 }
 struct type_8 {
-member: array<f32>,
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_11 {
+member: type_2,
+member_1: u32,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: f32,
+member_6: f32,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_2,
+member_3: u32,
+member_4: type_2,
+member_5: u32,
+member_6: type_4,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: type_5,
+member_11: f32,
+member_12: f32,
+member_13: f32,
+member_14: type_5,
+member_15: type_5,
+member_16: type_6,
+member_17: type_9,
+member_18: type_10,
+member_19: type_5,
+member_20: type_11,
+}
+struct type_13 {
+member: type_12,
+}
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -60,333 +102,333 @@ member_14: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_6;
+var<storage> global_1: type_13;
 @group(0) @binding(1)
-var<storage> global_2: type_8;
+var<storage> global_2: type_15;
 @group(0) @binding(2)
-var<storage> global_3: type_8;
+var<storage> global_3: type_15;
 @group(0) @binding(3)
-var<storage> global_4: type_8;
+var<storage> global_4: type_15;
 @group(0) @binding(4)
-var<storage> global_5: type_8;
+var<storage> global_5: type_15;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_8;
+var<storage, read_write> global_6: type_15;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var phi_762_: type_12;
-var phi_777_: type_12;
-var phi_780_: i32;
-var phi_1400_: type_12;
-var phi_1401_: type_12;
-var phi_1433_: i32;
-var phi_1501_: type_12;
-var phi_778_: type_12;
-var phi_781_: i32;
+var phi_775_: type_19;
+var phi_790_: type_19;
+var phi_793_: i32;
+var phi_1413_: type_19;
+var phi_1414_: type_19;
+var phi_1446_: i32;
+var phi_1514_: type_19;
+var phi_791_: type_19;
+var phi_794_: i32;
 var local_2: bool;
 var local_3: i32;
-var local_4: type_12;
-var local_5: type_12;
-var phi_1514_: array<f32, 4>;
-var phi_1515_: array<f32, 4>;
+var local_4: type_19;
+var local_5: type_19;
+var phi_1527_: array<f32, 4>;
+var phi_1528_: array<f32, 4>;
 let _e56 = global;
 let _e63 = arrayLength((&global_4.member));
-let _e71 = global_1.member.member[0u];
-let _e75 = global_1.member.member[1u];
-if (_e56.x < _e71) {
-if (_e56.y < _e75) {
-let _e80 = (_e71 * _e75);
-let _e82 = ((_e56.y * _e71) + _e56.x);
-let _e83 = bitcast<i32>(_e82);
-let _e85 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e87 = select(_e85, _e83, (_e83 < _e85));
-let _e93 = global_6.member[bitcast<u32>(select(0i, _e87, (_e87 > 0i)))];
-let _e94 = (_e80 + _e82);
-let _e95 = bitcast<i32>(_e94);
-let _e97 = select(_e85, _e95, (_e95 < _e85));
-let _e103 = global_6.member[bitcast<u32>(select(0i, _e97, (_e97 > 0i)))];
-let _e105 = ((2u * _e80) + _e82);
-let _e106 = bitcast<i32>(_e105);
-let _e108 = select(_e85, _e106, (_e106 < _e85));
-let _e114 = global_6.member[bitcast<u32>(select(0i, _e108, (_e108 > 0i)))];
-let _e116 = ((3u * _e80) + _e82);
-let _e117 = bitcast<i32>(_e116);
-let _e119 = select(_e85, _e117, (_e117 < _e85));
-let _e125 = global_6.member[bitcast<u32>(select(0i, _e119, (_e119 > 0i)))];
-let _e127 = (_e93 == 2f);
-if (select(3u, 0u, _e127) > 1u) {
-if _e127 {
-phi_1515_ = array<f32, 4>(_e93, _e103, _e114, _e125);
+let _e70 = global_1.member.member;
+if (_e56.x < _e70.member) {
+if (_e56.y < _e70.member_1) {
+let _e77 = (_e70.member * _e70.member_1);
+let _e79 = ((_e56.y * _e70.member) + _e56.x);
+let _e80 = bitcast<i32>(_e79);
+let _e82 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e84 = select(_e82, _e80, (_e80 < _e82));
+let _e90 = global_6.member[bitcast<u32>(select(0i, _e84, (_e84 > 0i)))];
+let _e91 = (_e77 + _e79);
+let _e92 = bitcast<i32>(_e91);
+let _e94 = select(_e82, _e92, (_e92 < _e82));
+let _e100 = global_6.member[bitcast<u32>(select(0i, _e94, (_e94 > 0i)))];
+let _e102 = ((2u * _e77) + _e79);
+let _e103 = bitcast<i32>(_e102);
+let _e105 = select(_e82, _e103, (_e103 < _e82));
+let _e111 = global_6.member[bitcast<u32>(select(0i, _e105, (_e105 > 0i)))];
+let _e113 = ((3u * _e77) + _e79);
+let _e114 = bitcast<i32>(_e113);
+let _e116 = select(_e82, _e114, (_e114 < _e82));
+let _e122 = global_6.member[bitcast<u32>(select(0i, _e116, (_e116 > 0i)))];
+let _e124 = (_e90 == 2f);
+if (select(3u, 0u, _e124) > 1u) {
+if _e124 {
+phi_1528_ = array<f32, 4>(_e90, _e100, _e111, _e122);
 } else {
-let _e130 = bitcast<i32>(_e80);
-let _e132 = ((21i * _e130) + _e83);
-let _e134 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
-let _e136 = select(_e134, _e132, (_e132 < _e134));
-let _e142 = global_2.member[bitcast<u32>(select(0i, _e136, (_e136 > 0i)))];
-if (_e142 <= 0f) {
-phi_1514_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
+let _e130 = global_1.member.member.member;
+let _e134 = global_1.member.member.member_1;
+let _e136 = bitcast<i32>((_e130 * _e134));
+let _e140 = bitcast<i32>(((_e56.y * _e130) + _e56.x));
+let _e141 = ((21i * _e136) + _e140);
+let _e143 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e145 = select(_e143, _e141, (_e141 < _e143));
+let _e151 = global_2.member[bitcast<u32>(select(0i, _e145, (_e145 > 0i)))];
+if (_e151 <= 0f) {
+phi_1527_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
 } else {
-let _e145 = ((20i * _e130) + _e83);
-let _e147 = select(_e134, _e145, (_e145 < _e134));
-let _e153 = global_2.member[bitcast<u32>(select(0i, _e147, (_e147 > 0i)))];
-let _e154 = bitcast<i32>(_e56.x);
-let _e155 = bitcast<i32>(_e56.y);
-let _e156 = bitcast<i32>(_e71);
-let _e168 = global_1.member.member_3.member;
-let _e169 = (((((f32(_e154) + 0.5f) / f32(_e156)) * 2f) - 1f) * _e168);
-let _e178 = global_1.member.member_3.member_1;
-let _e179 = ((1f - (((f32(_e155) + 0.5f) / f32(bitcast<i32>(_e75))) * 2f)) * _e178);
-let _e182 = global_1.member.member_4;
-let _e191 = global_1.member.member_5;
-let _e198 = ((_e182.member * _e169) + (_e191.member * _e179));
-let _e199 = ((_e182.member_1 * _e169) + (_e191.member_1 * _e179));
-let _e200 = ((_e182.member_2 * _e169) + (_e191.member_2 * _e179));
-let _e204 = global_1.member.member_3.member_3;
-let _e206 = select(1f, 0f, (_e204 > 0.5f));
-let _e207 = (1f - _e206);
-let _e214 = global_1.member.member_4.member_3;
-let _e218 = global_1.member.member_5.member_3;
-let _e224 = global_1.member.member_6.member_3;
-let _e228 = global_1.member.member_6;
-let _e235 = (_e228.member + (_e198 * _e206));
-let _e236 = (_e228.member_1 + (_e199 * _e206));
-let _e237 = (_e228.member_2 + (_e200 * _e206));
-let _e242 = (((_e235 * _e235) + (_e236 * _e236)) + (_e237 * _e237));
-let _e245 = sqrt(select(0f, _e242, (_e242 > 0f)));
-let _e248 = (1f / select(1e-20f, _e245, (_e245 > 1e-20f)));
-let _e249 = (_e235 * _e248);
-let _e250 = (_e236 * _e248);
-let _e251 = (_e237 * _e248);
-let _e255 = ((_e214 + (_e198 * _e207)) + (_e249 * _e153));
-let _e256 = ((_e218 + (_e199 * _e207)) + (_e250 * _e153));
-let _e257 = ((_e224 + (_e200 * _e207)) + (_e251 * _e153));
-let _e258 = vec3<f32>(_e255, _e256, _e257);
-local = ((_e155 * _e156) + _e154);
-local_1 = _e130;
-let _e261 = local_1;
-let _e263 = local;
-let _e264 = ((9i * _e261) + _e263);
-let _e266 = select(_e134, _e264, (_e264 < _e134));
-let _e271 = global_2.member[bitcast<u32>(select(0i, _e266, (_e266 > 0i)))];
-let _e272 = local_1;
-let _e274 = local;
-let _e275 = ((10i * _e272) + _e274);
-let _e277 = select(_e134, _e275, (_e275 < _e134));
-let _e282 = global_2.member[bitcast<u32>(select(0i, _e277, (_e277 > 0i)))];
-let _e283 = local_1;
-let _e285 = local;
-let _e286 = ((11i * _e283) + _e285);
-let _e288 = select(_e134, _e286, (_e286 < _e134));
-let _e293 = global_2.member[bitcast<u32>(select(0i, _e288, (_e288 > 0i)))];
-let _e299 = (2f * (((_e249 * _e271) + (_e250 * _e282)) + (_e251 * _e293)));
-let _e303 = (_e249 - (_e271 * _e299));
-let _e304 = (_e250 - (_e282 * _e299));
-let _e305 = (_e251 - (_e293 * _e299));
-let _e306 = vec3<f32>(_e303, _e304, _e305);
-if (_e93 == 0f) {
-let _e325 = global_1.member.member_17;
-let _e335 = ((((_e325.member * _e255) + (_e325.member_1 * _e256)) + (_e325.member_2 * _e257)) + _e325.member_3);
-let _e341 = -((((_e325.member * _e303) + (_e325.member_1 * _e304)) + (_e325.member_2 * _e305)));
-let _e343 = (_e341 > 1e-9f);
-let _e347 = ((_e335 / select(1e-9f, _e341, _e343)) - 0.015625f);
-let _e350 = select(1e30f, select(0f, _e347, (_e347 > 0f)), ((_e335 > 0f) && _e343));
-let _e353 = global_1.member.member_19;
-let _e363 = ((((_e353.member * _e255) + (_e353.member_1 * _e256)) + (_e353.member_2 * _e257)) + _e353.member_3);
-let _e369 = -((((_e353.member * _e303) + (_e353.member_1 * _e304)) + (_e353.member_2 * _e305)));
-let _e371 = (_e369 > 1e-9f);
-let _e375 = ((_e363 / select(1e-9f, _e369, _e371)) - 0.015625f);
-let _e378 = select(1e30f, select(0f, _e375, (_e375 > 0f)), ((_e363 > 0f) && _e371));
-let _e382 = (_e378 < _e350);
-phi_762_ = type_12(_e258, _e306, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e382), -1i, ((_e350 >= 1e30f) && (_e378 >= 1e30f))), select(_e350, _e378, _e382));
+let _e154 = ((20i * _e136) + _e140);
+let _e156 = select(_e143, _e154, (_e154 < _e143));
+let _e162 = global_2.member[bitcast<u32>(select(0i, _e156, (_e156 > 0i)))];
+let _e163 = bitcast<i32>(_e56.x);
+let _e164 = bitcast<i32>(_e56.y);
+let _e165 = bitcast<i32>(_e130);
+let _e177 = global_1.member.member_6.member;
+let _e178 = (((((f32(_e163) + 0.5f) / f32(_e165)) * 2f) - 1f) * _e177);
+let _e187 = global_1.member.member_6.member_1;
+let _e188 = ((1f - (((f32(_e164) + 0.5f) / f32(bitcast<i32>(_e134))) * 2f)) * _e187);
+let _e191 = global_1.member.member_7;
+let _e200 = global_1.member.member_8;
+let _e207 = ((_e191.member * _e178) + (_e200.member * _e188));
+let _e208 = ((_e191.member_1 * _e178) + (_e200.member_1 * _e188));
+let _e209 = ((_e191.member_2 * _e178) + (_e200.member_2 * _e188));
+let _e213 = global_1.member.member_6.member_3;
+let _e215 = select(1f, 0f, (_e213 != 0u));
+let _e216 = (1f - _e215);
+let _e222 = global_1.member.member_10;
+let _e231 = global_1.member.member_9;
+let _e238 = (_e231.member + (_e207 * _e215));
+let _e239 = (_e231.member_1 + (_e208 * _e215));
+let _e240 = (_e231.member_2 + (_e209 * _e215));
+let _e245 = (((_e238 * _e238) + (_e239 * _e239)) + (_e240 * _e240));
+let _e248 = sqrt(select(0f, _e245, (_e245 > 0f)));
+let _e251 = (1f / select(1e-20f, _e248, (_e248 > 1e-20f)));
+let _e252 = (_e238 * _e251);
+let _e253 = (_e239 * _e251);
+let _e254 = (_e240 * _e251);
+let _e258 = ((_e222.member + (_e207 * _e216)) + (_e252 * _e162));
+let _e259 = ((_e222.member_1 + (_e208 * _e216)) + (_e253 * _e162));
+let _e260 = ((_e222.member_2 + (_e209 * _e216)) + (_e254 * _e162));
+let _e261 = vec3<f32>(_e258, _e259, _e260);
+local = ((_e164 * _e165) + _e163);
+local_1 = _e136;
+let _e264 = local_1;
+let _e266 = local;
+let _e267 = ((9i * _e264) + _e266);
+let _e269 = select(_e143, _e267, (_e267 < _e143));
+let _e274 = global_2.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
+let _e275 = local_1;
+let _e277 = local;
+let _e278 = ((10i * _e275) + _e277);
+let _e280 = select(_e143, _e278, (_e278 < _e143));
+let _e285 = global_2.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
+let _e286 = local_1;
+let _e288 = local;
+let _e289 = ((11i * _e286) + _e288);
+let _e291 = select(_e143, _e289, (_e289 < _e143));
+let _e296 = global_2.member[bitcast<u32>(select(0i, _e291, (_e291 > 0i)))];
+let _e302 = (2f * (((_e252 * _e274) + (_e253 * _e285)) + (_e254 * _e296)));
+let _e306 = (_e252 - (_e274 * _e302));
+let _e307 = (_e253 - (_e285 * _e302));
+let _e308 = (_e254 - (_e296 * _e302));
+let _e309 = vec3<f32>(_e306, _e307, _e308);
+if (_e90 == 0f) {
+let _e330 = global_1.member.member_17.member.member;
+let _e341 = ((((_e330.member.member * _e258) + (_e330.member.member_1 * _e259)) + (_e330.member.member_2 * _e260)) + _e330.member_1);
+let _e347 = -((((_e330.member.member * _e306) + (_e330.member.member_1 * _e307)) + (_e330.member.member_2 * _e308)));
+let _e349 = (_e347 > 1e-9f);
+let _e353 = ((_e341 / select(1e-9f, _e347, _e349)) - 0.015625f);
+let _e356 = select(1e30f, select(0f, _e353, (_e353 > 0f)), ((_e341 > 0f) && _e349));
+let _e361 = global_1.member.member_17.member_1.member;
+let _e372 = ((((_e361.member.member * _e258) + (_e361.member.member_1 * _e259)) + (_e361.member.member_2 * _e260)) + _e361.member_1);
+let _e378 = -((((_e361.member.member * _e306) + (_e361.member.member_1 * _e307)) + (_e361.member.member_2 * _e308)));
+let _e380 = (_e378 > 1e-9f);
+let _e384 = ((_e372 / select(1e-9f, _e378, _e380)) - 0.015625f);
+let _e387 = select(1e30f, select(0f, _e384, (_e384 > 0f)), ((_e372 > 0f) && _e380));
+let _e391 = (_e387 < _e356);
+phi_775_ = type_19(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e391), -1i, ((_e356 >= 1e30f) && (_e387 >= 1e30f))), select(_e356, _e387, _e391));
 } else {
-phi_762_ = type_12(_e258, _e306, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e103), i32(-2147483648), (_e103 < -2147483600f)), 2147483647i, (_e103 > 2147483500f)), (_e103 == _e103)), select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < -2147483600f)), 2147483647i, (_e114 > 2147483500f)), (_e114 == _e114)), _e125);
+phi_775_ = type_19(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < -2147483600f)), 2147483647i, (_e100 > 2147483500f)), (_e100 == _e100)), select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < -2147483600f)), 2147483647i, (_e111 > 2147483500f)), (_e111 == _e111)), _e122);
 }
-let _e388 = phi_762_;
-let _e389 = bitcast<i32>(arrayLength((&global_3.member)));
-phi_777_ = _e388;
-phi_780_ = 0i;
+let _e397 = phi_775_;
+let _e398 = bitcast<i32>(arrayLength((&global_3.member)));
+phi_790_ = _e397;
+phi_793_ = 0i;
 loop {
-let _e392 = phi_777_;
-let _e394 = phi_780_;
-local_4 = _e392;
-local_5 = _e392;
-let _e397 = (_e392.member_12 < (_e389 / 8i));
-let _e398 = ((_e394 < 1024i) && _e397);
-local_2 = _e397;
-local_3 = _e392.member_12;
-if _e398 {
-let _e403 = (_e392.member_12 * 8i);
-let _e407 = bitcast<f32>((bitcast<u32>(_e392.member_1.x) & 2147483647u));
-let _e412 = (1f / select(_e392.member_1.x, select(1e-12f, -1e-12f, (_e392.member_1.x < 0f)), (_e407 < 1e-12f)));
-let _e416 = bitcast<f32>((bitcast<u32>(_e392.member_1.y) & 2147483647u));
-let _e421 = (1f / select(_e392.member_1.y, select(1e-12f, -1e-12f, (_e392.member_1.y < 0f)), (_e416 < 1e-12f)));
-let _e425 = bitcast<f32>((bitcast<u32>(_e392.member_1.z) & 2147483647u));
-let _e430 = (1f / select(_e392.member_1.z, select(1e-12f, -1e-12f, (_e392.member_1.z < 0f)), (_e425 < 1e-12f)));
-let _e432 = (_e389 - 1i);
-let _e434 = select(_e432, _e403, (_e403 < _e432));
-let _e440 = global_3.member[bitcast<u32>(select(0i, _e434, (_e434 > 0i)))];
-let _e441 = (_e403 + 1i);
-let _e443 = select(_e432, _e441, (_e441 < _e432));
+let _e401 = phi_790_;
+let _e403 = phi_793_;
+local_4 = _e401;
+local_5 = _e401;
+let _e406 = (_e401.member_12 < (_e398 / 8i));
+let _e407 = ((_e403 < 1024i) && _e406);
+local_2 = _e406;
+local_3 = _e401.member_12;
+if _e407 {
+let _e412 = (_e401.member_12 * 8i);
+let _e416 = bitcast<f32>((bitcast<u32>(_e401.member_1.x) & 2147483647u));
+let _e421 = (1f / select(_e401.member_1.x, select(1e-12f, -1e-12f, (_e401.member_1.x < 0f)), (_e416 < 1e-12f)));
+let _e425 = bitcast<f32>((bitcast<u32>(_e401.member_1.y) & 2147483647u));
+let _e430 = (1f / select(_e401.member_1.y, select(1e-12f, -1e-12f, (_e401.member_1.y < 0f)), (_e425 < 1e-12f)));
+let _e434 = bitcast<f32>((bitcast<u32>(_e401.member_1.z) & 2147483647u));
+let _e439 = (1f / select(_e401.member_1.z, select(1e-12f, -1e-12f, (_e401.member_1.z < 0f)), (_e434 < 1e-12f)));
+let _e441 = (_e398 - 1i);
+let _e443 = select(_e441, _e412, (_e412 < _e441));
 let _e449 = global_3.member[bitcast<u32>(select(0i, _e443, (_e443 > 0i)))];
-let _e450 = (_e403 + 2i);
-let _e452 = select(_e432, _e450, (_e450 < _e432));
+let _e450 = (_e412 + 1i);
+let _e452 = select(_e441, _e450, (_e450 < _e441));
 let _e458 = global_3.member[bitcast<u32>(select(0i, _e452, (_e452 > 0i)))];
-let _e459 = (_e403 + 3i);
-let _e461 = select(_e432, _e459, (_e459 < _e432));
+let _e459 = (_e412 + 2i);
+let _e461 = select(_e441, _e459, (_e459 < _e441));
 let _e467 = global_3.member[bitcast<u32>(select(0i, _e461, (_e461 > 0i)))];
-let _e468 = (_e403 + 4i);
-let _e470 = select(_e432, _e468, (_e468 < _e432));
+let _e468 = (_e412 + 3i);
+let _e470 = select(_e441, _e468, (_e468 < _e441));
 let _e476 = global_3.member[bitcast<u32>(select(0i, _e470, (_e470 > 0i)))];
-let _e477 = (_e403 + 5i);
-let _e479 = select(_e432, _e477, (_e477 < _e432));
+let _e477 = (_e412 + 4i);
+let _e479 = select(_e441, _e477, (_e477 < _e441));
 let _e485 = global_3.member[bitcast<u32>(select(0i, _e479, (_e479 > 0i)))];
-let _e488 = ((_e440 - _e392.member.x) * _e412);
-let _e490 = ((_e467 - _e392.member.x) * _e412);
-let _e493 = ((_e449 - _e392.member.y) * _e421);
-let _e495 = ((_e476 - _e392.member.y) * _e421);
-let _e498 = ((_e458 - _e392.member.z) * _e430);
-let _e500 = ((_e485 - _e392.member.z) * _e430);
-let _e502 = select(_e490, _e488, (_e488 < _e490));
-let _e504 = select(_e495, _e493, (_e493 < _e495));
-let _e506 = select(_e504, _e502, (_e502 > _e504));
-let _e508 = select(_e500, _e498, (_e498 < _e500));
-let _e512 = select(_e490, _e488, (_e488 > _e490));
-let _e514 = select(_e495, _e493, (_e493 > _e495));
-let _e516 = select(_e514, _e512, (_e512 < _e514));
-let _e518 = select(_e500, _e498, (_e498 > _e500));
-let _e520 = select(_e518, _e516, (_e516 < _e518));
-let _e525 = ((select(_e508, _e506, (_e506 > _e508)) <= select(_e392.member_14, _e520, (_e520 < _e392.member_14))) && (_e520 >= 0f));
-let _e526 = (_e403 + 6i);
-let _e528 = select(_e432, _e526, (_e526 < _e432));
-let _e534 = global_3.member[bitcast<u32>(select(0i, _e528, (_e528 > 0i)))];
-let _e541 = select(0i, select(select(i32(_e534), i32(-2147483648), (_e534 < -2147483600f)), 2147483647i, (_e534 > 2147483500f)), (_e534 == _e534));
-if (_e525 && (_e541 >= 0i)) {
-let _e546 = ((_e407 >= _e416) && (_e407 >= _e425));
-let _e549 = (!(_e546) && (_e416 >= _e425));
-let _e556 = (1f / select(select(_e392.member_1.z, _e392.member_1.y, _e549), _e392.member_1.x, _e546));
-let _e557 = (select(select(_e392.member_1.x, _e392.member_1.z, _e549), _e392.member_1.y, _e546) * _e556);
-let _e558 = (select(select(_e392.member_1.y, _e392.member_1.x, _e549), _e392.member_1.z, _e546) * _e556);
-let _e559 = (_e541 * 19i);
-let _e561 = (bitcast<i32>(_e63) - 1i);
-let _e563 = select(_e561, _e559, (_e559 < _e561));
-let _e569 = global_4.member[bitcast<u32>(select(0i, _e563, (_e563 > 0i)))];
-let _e570 = (_e559 + 1i);
-let _e572 = select(_e561, _e570, (_e570 < _e561));
+let _e486 = (_e412 + 5i);
+let _e488 = select(_e441, _e486, (_e486 < _e441));
+let _e494 = global_3.member[bitcast<u32>(select(0i, _e488, (_e488 > 0i)))];
+let _e497 = ((_e449 - _e401.member.x) * _e421);
+let _e499 = ((_e476 - _e401.member.x) * _e421);
+let _e502 = ((_e458 - _e401.member.y) * _e430);
+let _e504 = ((_e485 - _e401.member.y) * _e430);
+let _e507 = ((_e467 - _e401.member.z) * _e439);
+let _e509 = ((_e494 - _e401.member.z) * _e439);
+let _e511 = select(_e499, _e497, (_e497 < _e499));
+let _e513 = select(_e504, _e502, (_e502 < _e504));
+let _e515 = select(_e513, _e511, (_e511 > _e513));
+let _e517 = select(_e509, _e507, (_e507 < _e509));
+let _e521 = select(_e499, _e497, (_e497 > _e499));
+let _e523 = select(_e504, _e502, (_e502 > _e504));
+let _e525 = select(_e523, _e521, (_e521 < _e523));
+let _e527 = select(_e509, _e507, (_e507 > _e509));
+let _e529 = select(_e527, _e525, (_e525 < _e527));
+let _e534 = ((select(_e517, _e515, (_e515 > _e517)) <= select(_e401.member_14, _e529, (_e529 < _e401.member_14))) && (_e529 >= 0f));
+let _e535 = (_e412 + 6i);
+let _e537 = select(_e441, _e535, (_e535 < _e441));
+let _e543 = global_3.member[bitcast<u32>(select(0i, _e537, (_e537 > 0i)))];
+let _e550 = select(0i, select(select(i32(_e543), i32(-2147483648), (_e543 < -2147483600f)), 2147483647i, (_e543 > 2147483500f)), (_e543 == _e543));
+if (_e534 && (_e550 >= 0i)) {
+let _e555 = ((_e416 >= _e425) && (_e416 >= _e434));
+let _e558 = (!(_e555) && (_e425 >= _e434));
+let _e565 = (1f / select(select(_e401.member_1.z, _e401.member_1.y, _e558), _e401.member_1.x, _e555));
+let _e566 = (select(select(_e401.member_1.x, _e401.member_1.z, _e558), _e401.member_1.y, _e555) * _e565);
+let _e567 = (select(select(_e401.member_1.y, _e401.member_1.x, _e558), _e401.member_1.z, _e555) * _e565);
+let _e568 = (_e550 * 19i);
+let _e570 = (bitcast<i32>(_e63) - 1i);
+let _e572 = select(_e570, _e568, (_e568 < _e570));
 let _e578 = global_4.member[bitcast<u32>(select(0i, _e572, (_e572 > 0i)))];
-let _e579 = (_e559 + 2i);
-let _e581 = select(_e561, _e579, (_e579 < _e561));
+let _e579 = (_e568 + 1i);
+let _e581 = select(_e570, _e579, (_e579 < _e570));
 let _e587 = global_4.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
-let _e588 = (_e569 - _e392.member.x);
-let _e589 = (_e578 - _e392.member.y);
-let _e590 = (_e587 - _e392.member.z);
-let _e596 = select(select(_e590, _e589, _e549), _e588, _e546);
-let _e598 = (select(select(_e588, _e590, _e549), _e589, _e546) - (_e557 * _e596));
-let _e600 = (select(select(_e589, _e588, _e549), _e590, _e546) - (_e558 * _e596));
-let _e602 = (_e559 + 3i);
-let _e604 = select(_e561, _e602, (_e602 < _e561));
-let _e610 = global_4.member[bitcast<u32>(select(0i, _e604, (_e604 > 0i)))];
-let _e611 = (_e559 + 4i);
-let _e613 = select(_e561, _e611, (_e611 < _e561));
+let _e588 = (_e568 + 2i);
+let _e590 = select(_e570, _e588, (_e588 < _e570));
+let _e596 = global_4.member[bitcast<u32>(select(0i, _e590, (_e590 > 0i)))];
+let _e597 = (_e578 - _e401.member.x);
+let _e598 = (_e587 - _e401.member.y);
+let _e599 = (_e596 - _e401.member.z);
+let _e605 = select(select(_e599, _e598, _e558), _e597, _e555);
+let _e607 = (select(select(_e597, _e599, _e558), _e598, _e555) - (_e566 * _e605));
+let _e609 = (select(select(_e598, _e597, _e558), _e599, _e555) - (_e567 * _e605));
+let _e611 = (_e568 + 3i);
+let _e613 = select(_e570, _e611, (_e611 < _e570));
 let _e619 = global_4.member[bitcast<u32>(select(0i, _e613, (_e613 > 0i)))];
-let _e620 = (_e559 + 5i);
-let _e622 = select(_e561, _e620, (_e620 < _e561));
+let _e620 = (_e568 + 4i);
+let _e622 = select(_e570, _e620, (_e620 < _e570));
 let _e628 = global_4.member[bitcast<u32>(select(0i, _e622, (_e622 > 0i)))];
-let _e629 = (_e610 - _e392.member.x);
-let _e630 = (_e619 - _e392.member.y);
-let _e631 = (_e628 - _e392.member.z);
-let _e637 = select(select(_e631, _e630, _e549), _e629, _e546);
-let _e639 = (select(select(_e629, _e631, _e549), _e630, _e546) - (_e557 * _e637));
-let _e641 = (select(select(_e630, _e629, _e549), _e631, _e546) - (_e558 * _e637));
-let _e643 = (_e559 + 6i);
-let _e645 = select(_e561, _e643, (_e643 < _e561));
-let _e651 = global_4.member[bitcast<u32>(select(0i, _e645, (_e645 > 0i)))];
-let _e652 = (_e559 + 7i);
-let _e654 = select(_e561, _e652, (_e652 < _e561));
+let _e629 = (_e568 + 5i);
+let _e631 = select(_e570, _e629, (_e629 < _e570));
+let _e637 = global_4.member[bitcast<u32>(select(0i, _e631, (_e631 > 0i)))];
+let _e638 = (_e619 - _e401.member.x);
+let _e639 = (_e628 - _e401.member.y);
+let _e640 = (_e637 - _e401.member.z);
+let _e646 = select(select(_e640, _e639, _e558), _e638, _e555);
+let _e648 = (select(select(_e638, _e640, _e558), _e639, _e555) - (_e566 * _e646));
+let _e650 = (select(select(_e639, _e638, _e558), _e640, _e555) - (_e567 * _e646));
+let _e652 = (_e568 + 6i);
+let _e654 = select(_e570, _e652, (_e652 < _e570));
 let _e660 = global_4.member[bitcast<u32>(select(0i, _e654, (_e654 > 0i)))];
-let _e661 = (_e559 + 8i);
-let _e663 = select(_e561, _e661, (_e661 < _e561));
+let _e661 = (_e568 + 7i);
+let _e663 = select(_e570, _e661, (_e661 < _e570));
 let _e669 = global_4.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
-let _e670 = (_e651 - _e392.member.x);
-let _e671 = (_e660 - _e392.member.y);
-let _e672 = (_e669 - _e392.member.z);
-let _e678 = select(select(_e672, _e671, _e549), _e670, _e546);
-let _e680 = (select(select(_e670, _e672, _e549), _e671, _e546) - (_e557 * _e678));
-let _e682 = (select(select(_e671, _e670, _e549), _e672, _e546) - (_e558 * _e678));
-let _e686 = ((_e680 * _e641) - (_e682 * _e639));
-let _e689 = ((_e598 * _e682) - (_e600 * _e680));
-let _e692 = ((_e639 * _e600) - (_e641 * _e598));
-let _e694 = ((_e686 + _e689) + _e692);
-let _e708 = (!(((((_e686 < 0f) || (_e689 < 0f)) || (_e692 < 0f)) && (((_e686 > 0f) || (_e689 > 0f)) || (_e692 > 0f)))) && (_e694 != 0f));
-let _e715 = ((((_e686 * (_e596 * _e556)) + (_e689 * (_e637 * _e556))) + (_e692 * (_e678 * _e556))) / select(1f, _e694, _e708));
-let _e718 = select(1e30f, _e715, (_e708 && (_e715 > 1e-3f)));
-if (_e718 < _e392.member_14) {
-let _e734 = type_12(_e392.member, _e392.member_1, _e392.member_2, _e392.member_3, _e392.member_4, _e392.member_5, _e392.member_6, _e392.member_7, _e392.member_8, _e392.member_9, _e392.member_10, _e392.member_11, _e392.member_12, _e392.member_13, _e718);
-phi_1400_ = type_12(_e734.member, _e734.member_1, _e734.member_2, _e734.member_3, _e734.member_4, _e734.member_5, _e734.member_6, _e734.member_7, _e734.member_8, _e734.member_9, _e734.member_10, _e734.member_11, _e734.member_12, _e541, _e734.member_14);
+let _e670 = (_e568 + 8i);
+let _e672 = select(_e570, _e670, (_e670 < _e570));
+let _e678 = global_4.member[bitcast<u32>(select(0i, _e672, (_e672 > 0i)))];
+let _e679 = (_e660 - _e401.member.x);
+let _e680 = (_e669 - _e401.member.y);
+let _e681 = (_e678 - _e401.member.z);
+let _e687 = select(select(_e681, _e680, _e558), _e679, _e555);
+let _e689 = (select(select(_e679, _e681, _e558), _e680, _e555) - (_e566 * _e687));
+let _e691 = (select(select(_e680, _e679, _e558), _e681, _e555) - (_e567 * _e687));
+let _e695 = ((_e689 * _e650) - (_e691 * _e648));
+let _e698 = ((_e607 * _e691) - (_e609 * _e689));
+let _e701 = ((_e648 * _e609) - (_e650 * _e607));
+let _e703 = ((_e695 + _e698) + _e701);
+let _e717 = (!(((((_e695 < 0f) || (_e698 < 0f)) || (_e701 < 0f)) && (((_e695 > 0f) || (_e698 > 0f)) || (_e701 > 0f)))) && (_e703 != 0f));
+let _e724 = ((((_e695 * (_e605 * _e565)) + (_e698 * (_e646 * _e565))) + (_e701 * (_e687 * _e565))) / select(1f, _e703, _e717));
+let _e727 = select(1e30f, _e724, (_e717 && (_e724 > 1e-3f)));
+if (_e727 < _e401.member_14) {
+let _e743 = type_19(_e401.member, _e401.member_1, _e401.member_2, _e401.member_3, _e401.member_4, _e401.member_5, _e401.member_6, _e401.member_7, _e401.member_8, _e401.member_9, _e401.member_10, _e401.member_11, _e401.member_12, _e401.member_13, _e727);
+phi_1413_ = type_19(_e743.member, _e743.member_1, _e743.member_2, _e743.member_3, _e743.member_4, _e743.member_5, _e743.member_6, _e743.member_7, _e743.member_8, _e743.member_9, _e743.member_10, _e743.member_11, _e743.member_12, _e550, _e743.member_14);
 } else {
-phi_1400_ = _e392;
+phi_1413_ = _e401;
 }
-let _e751 = phi_1400_;
-phi_1401_ = _e751;
+let _e760 = phi_1413_;
+phi_1414_ = _e760;
 } else {
-phi_1401_ = _e392;
+phi_1414_ = _e401;
 }
-let _e753 = phi_1401_;
-if _e525 {
-phi_1433_ = (_e753.member_12 + 1i);
+let _e762 = phi_1414_;
+if _e534 {
+phi_1446_ = (_e762.member_12 + 1i);
 } else {
-let _e754 = (_e403 + 7i);
-let _e756 = select(_e432, _e754, (_e754 < _e432));
-let _e762 = global_3.member[bitcast<u32>(select(0i, _e756, (_e756 > 0i)))];
-phi_1433_ = select(0i, select(select(i32(_e762), i32(-2147483648), (_e762 < -2147483600f)), 2147483647i, (_e762 > 2147483500f)), (_e762 == _e762));
+let _e763 = (_e412 + 7i);
+let _e765 = select(_e441, _e763, (_e763 < _e441));
+let _e771 = global_3.member[bitcast<u32>(select(0i, _e765, (_e765 > 0i)))];
+phi_1446_ = select(0i, select(select(i32(_e771), i32(-2147483648), (_e771 < -2147483600f)), 2147483647i, (_e771 > 2147483500f)), (_e771 == _e771));
 }
-let _e773 = phi_1433_;
-let _e788 = type_12(_e753.member, _e753.member_1, _e753.member_2, _e753.member_3, _e753.member_4, _e753.member_5, _e753.member_6, _e753.member_7, _e753.member_8, _e753.member_9, _e753.member_10, _e753.member_11, _e773, _e753.member_13, _e753.member_14);
-let _e790 = (_e753.member_13 != _e392.member_13);
-let _e793 = ((select(0i, _e753.member_13, _e790) * 19i) + 18i);
-let _e795 = (bitcast<i32>(_e63) - 1i);
-let _e797 = select(_e795, _e793, (_e793 < _e795));
-let _e803 = global_4.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
-let _e810 = select(0i, select(select(i32(_e803), i32(-2147483648), (_e803 < -2147483600f)), 2147483647i, (_e803 > 2147483500f)), (_e803 == _e803));
-let _e811 = (_e810 * 4i);
-let _e813 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e815 = select(_e813, _e811, (_e811 < _e813));
-let _e821 = global_5.member[bitcast<u32>(select(0i, _e815, (_e815 > 0i)))];
-if (_e790 && (select(_e821, 1f, (_e810 == 16i)) != 0f)) {
-let _e840 = type_12(_e788.member, _e788.member_1, _e788.member_2, _e788.member_3, _e788.member_4, _e788.member_5, _e788.member_6, _e788.member_7, _e788.member_8, _e788.member_9, _e788.member_10, _e788.member_11, _e788.member_12, _e392.member_13, _e788.member_14);
-phi_1501_ = type_12(_e840.member, _e840.member_1, _e840.member_2, _e840.member_3, _e840.member_4, _e840.member_5, _e840.member_6, _e840.member_7, _e840.member_8, _e840.member_9, _e840.member_10, _e840.member_11, _e840.member_12, _e840.member_13, _e392.member_14);
+let _e782 = phi_1446_;
+let _e797 = type_19(_e762.member, _e762.member_1, _e762.member_2, _e762.member_3, _e762.member_4, _e762.member_5, _e762.member_6, _e762.member_7, _e762.member_8, _e762.member_9, _e762.member_10, _e762.member_11, _e782, _e762.member_13, _e762.member_14);
+let _e799 = (_e762.member_13 != _e401.member_13);
+let _e802 = ((select(0i, _e762.member_13, _e799) * 19i) + 18i);
+let _e804 = (bitcast<i32>(_e63) - 1i);
+let _e806 = select(_e804, _e802, (_e802 < _e804));
+let _e812 = global_4.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
+let _e819 = select(0i, select(select(i32(_e812), i32(-2147483648), (_e812 < -2147483600f)), 2147483647i, (_e812 > 2147483500f)), (_e812 == _e812));
+let _e820 = (_e819 * 4i);
+let _e822 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e824 = select(_e822, _e820, (_e820 < _e822));
+let _e830 = global_5.member[bitcast<u32>(select(0i, _e824, (_e824 > 0i)))];
+if (_e799 && (select(_e830, 1f, (_e819 == 16i)) != 0f)) {
+let _e849 = type_19(_e797.member, _e797.member_1, _e797.member_2, _e797.member_3, _e797.member_4, _e797.member_5, _e797.member_6, _e797.member_7, _e797.member_8, _e797.member_9, _e797.member_10, _e797.member_11, _e797.member_12, _e401.member_13, _e797.member_14);
+phi_1514_ = type_19(_e849.member, _e849.member_1, _e849.member_2, _e849.member_3, _e849.member_4, _e849.member_5, _e849.member_6, _e849.member_7, _e849.member_8, _e849.member_9, _e849.member_10, _e849.member_11, _e849.member_12, _e849.member_13, _e401.member_14);
 } else {
-phi_1501_ = _e788;
+phi_1514_ = _e797;
 }
-let _e857 = phi_1501_;
-phi_778_ = _e857;
-phi_781_ = (_e394 + 1i);
+let _e866 = phi_1514_;
+phi_791_ = _e866;
+phi_794_ = (_e403 + 1i);
 } else {
-phi_778_ = type_12();
-phi_781_ = i32();
+phi_791_ = type_19();
+phi_794_ = i32();
 }
-let _e859 = phi_778_;
-let _e861 = phi_781_;
+let _e868 = phi_791_;
+let _e870 = phi_794_;
 continue;
 continuing {
-phi_777_ = _e859;
-phi_780_ = _e861;
-break if !(_e398);
+phi_790_ = _e868;
+phi_793_ = _e870;
+break if !(_e407);
 }
 }
-let _e864 = local_2;
-let _e867 = local_3;
-let _e870 = local_4;
-let _e874 = local_5;
-phi_1514_ = array<f32, 4>(select(2f, 1f, _e864), f32(_e867), f32(_e870.member_13), _e874.member_14);
+let _e873 = local_2;
+let _e876 = local_3;
+let _e879 = local_4;
+let _e883 = local_5;
+phi_1527_ = array<f32, 4>(select(2f, 1f, _e873), f32(_e876), f32(_e879.member_13), _e883.member_14);
 }
-let _e878 = phi_1514_;
-phi_1515_ = _e878;
+let _e887 = phi_1527_;
+phi_1528_ = _e887;
 }
-let _e880 = phi_1515_;
-global_6.member[_e82] = _e880[0];
-global_6.member[_e94] = _e880[1];
-global_6.member[_e105] = _e880[2];
-global_6.member[_e116] = _e880[3];
+let _e889 = phi_1528_;
+global_6.member[_e79] = _e889[0];
+global_6.member[_e91] = _e889[1];
+global_6.member[_e102] = _e889[2];
+global_6.member[_e113] = _e889[3];
 }
 }
 }

@@ -1,47 +1,89 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
 }
 struct type_5 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: type_4,
-member_4: type_4,
-member_5: type_4,
-member_6: type_4,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: vec4<u32>,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: vec4<u32>,
-member_25: type_4,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
 member: type_5,
+member_1: f32,
 }
 struct type_8 {
-member: array<f32>,
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
 }
 struct type_11 {
+member: type_2,
+member_1: u32,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: f32,
+member_6: f32,
+}
+struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_2,
+member_3: u32,
+member_4: type_2,
+member_5: u32,
+member_6: type_4,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: type_5,
+member_11: f32,
+member_12: f32,
+member_13: f32,
+member_14: type_5,
+member_15: type_5,
+member_16: type_6,
+member_17: type_9,
+member_18: type_10,
+member_19: type_5,
+member_20: type_11,
+}
+struct type_13 {
+member: type_12,
+}
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -60,410 +102,408 @@ member_14: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_6;
+var<storage> global_1: type_13;
 @group(0) @binding(1)
-var<storage> global_2: type_8;
+var<storage> global_2: type_15;
 @group(0) @binding(2)
-var<storage> global_3: type_8;
+var<storage> global_3: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_4: type_8;
+var<storage, read_write> global_4: type_15;
 fn function_() {
-var phi_613_: u32;
-var phi_818_: type_11;
-var phi_821_: i32;
-var phi_1779_: type_11;
-var phi_1781_: type_11;
-var phi_1444_: type_11;
-var phi_1445_: type_11;
-var phi_1477_: i32;
-var phi_1782_: type_11;
-var phi_819_: type_11;
-var phi_822_: i32;
-var local: type_11;
-var local_1: type_11;
-var local_2: type_11;
-var local_3: type_11;
-var local_4: type_11;
-var local_5: type_11;
-var local_6: type_11;
-var local_7: type_11;
-var local_8: type_11;
-var local_9: type_11;
-var local_10: type_11;
-var local_11: type_11;
-var local_12: type_11;
-var local_13: type_11;
-var local_14: type_11;
-var local_15: type_11;
-var local_16: type_11;
-var local_17: type_11;
-var local_18: type_11;
-var local_19: type_11;
-var local_20: type_11;
-var local_21: type_11;
-var local_22: type_11;
-var local_23: type_11;
+var phi_619_: u32;
+var phi_825_: type_18;
+var phi_828_: i32;
+var phi_1786_: type_18;
+var phi_1788_: type_18;
+var phi_1451_: type_18;
+var phi_1452_: type_18;
+var phi_1484_: i32;
+var phi_1789_: type_18;
+var phi_826_: type_18;
+var phi_829_: i32;
+var local: type_18;
+var local_1: type_18;
+var local_2: type_18;
+var local_3: type_18;
+var local_4: type_18;
+var local_5: type_18;
+var local_6: type_18;
+var local_7: type_18;
+var local_8: type_18;
+var local_9: type_18;
+var local_10: type_18;
+var local_11: type_18;
+var local_12: type_18;
+var local_13: type_18;
+var local_14: type_18;
+var local_15: type_18;
+var local_16: type_18;
+var local_17: type_18;
+var local_18: type_18;
+var local_19: type_18;
+var local_20: type_18;
+var local_21: type_18;
+var local_22: type_18;
+var local_23: type_18;
 var local_24: f32;
 let _e58 = global;
-let _e68 = global_1.member.member[0u];
-let _e72 = global_1.member.member[1u];
-if (_e58.x < _e68) {
-if (_e58.y < _e72) {
-let _e77 = (_e68 * _e72);
-let _e79 = ((_e58.y * _e68) + _e58.x);
-let _e80 = bitcast<i32>(_e79);
-let _e82 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
-let _e84 = select(_e82, _e80, (_e80 < _e82));
-let _e90 = global_4.member[bitcast<u32>(select(0i, _e84, (_e84 > 0i)))];
-let _e91 = (_e77 + _e79);
-let _e92 = bitcast<i32>(_e91);
-let _e94 = select(_e82, _e92, (_e92 < _e82));
-let _e100 = global_4.member[bitcast<u32>(select(0i, _e94, (_e94 > 0i)))];
-let _e102 = ((2u * _e77) + _e79);
-let _e103 = bitcast<i32>(_e102);
-let _e105 = select(_e82, _e103, (_e103 < _e82));
-let _e111 = global_4.member[bitcast<u32>(select(0i, _e105, (_e105 > 0i)))];
-let _e113 = ((3u * _e77) + _e79);
-let _e114 = bitcast<i32>(_e113);
-let _e116 = select(_e82, _e114, (_e114 < _e82));
-let _e122 = global_4.member[bitcast<u32>(select(0i, _e116, (_e116 > 0i)))];
-let _e124 = ((4u * _e77) + _e79);
-let _e125 = bitcast<i32>(_e124);
-let _e127 = select(_e82, _e125, (_e125 < _e82));
-let _e133 = global_4.member[bitcast<u32>(select(0i, _e127, (_e127 > 0i)))];
-let _e135 = ((5u * _e77) + _e79);
-let _e136 = bitcast<i32>(_e135);
-let _e138 = select(_e82, _e136, (_e136 < _e82));
-let _e144 = global_4.member[bitcast<u32>(select(0i, _e138, (_e138 > 0i)))];
-let _e146 = ((6u * _e77) + _e79);
-let _e147 = bitcast<i32>(_e146);
-let _e149 = select(_e82, _e147, (_e147 < _e82));
-let _e155 = global_4.member[bitcast<u32>(select(0i, _e149, (_e149 > 0i)))];
-let _e157 = ((7u * _e77) + _e79);
-let _e158 = bitcast<i32>(_e157);
-let _e160 = select(_e82, _e158, (_e158 < _e82));
-let _e166 = global_4.member[bitcast<u32>(select(0i, _e160, (_e160 > 0i)))];
-let _e168 = ((8u * _e77) + _e79);
-let _e169 = bitcast<i32>(_e168);
-let _e171 = select(_e82, _e169, (_e169 < _e82));
-let _e177 = global_4.member[bitcast<u32>(select(0i, _e171, (_e171 > 0i)))];
-let _e179 = ((9u * _e77) + _e79);
-let _e180 = bitcast<i32>(_e179);
-let _e182 = select(_e82, _e180, (_e180 < _e82));
-let _e188 = global_4.member[bitcast<u32>(select(0i, _e182, (_e182 > 0i)))];
-let _e190 = ((10u * _e77) + _e79);
-let _e191 = bitcast<i32>(_e190);
-let _e193 = select(_e82, _e191, (_e191 < _e82));
-let _e199 = global_4.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
-let _e201 = ((11u * _e77) + _e79);
-let _e202 = bitcast<i32>(_e201);
-let _e204 = select(_e82, _e202, (_e202 < _e82));
-let _e210 = global_4.member[bitcast<u32>(select(0i, _e204, (_e204 > 0i)))];
-let _e212 = ((12u * _e77) + _e79);
-let _e213 = bitcast<i32>(_e212);
-let _e215 = select(_e82, _e213, (_e213 < _e82));
-let _e221 = global_4.member[bitcast<u32>(select(0i, _e215, (_e215 > 0i)))];
-let _e223 = ((13u * _e77) + _e79);
-let _e224 = bitcast<i32>(_e223);
-let _e226 = select(_e82, _e224, (_e224 < _e82));
-let _e232 = global_4.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
-let _e234 = ((14u * _e77) + _e79);
-let _e235 = bitcast<i32>(_e234);
-let _e237 = select(_e82, _e235, (_e235 < _e82));
-let _e243 = global_4.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
-let _e245 = ((15u * _e77) + _e79);
-let _e246 = bitcast<i32>(_e245);
-let _e248 = select(_e82, _e246, (_e246 < _e82));
-let _e254 = global_4.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
-let _e256 = ((16u * _e77) + _e79);
-let _e257 = bitcast<i32>(_e256);
-let _e259 = select(_e82, _e257, (_e257 < _e82));
-let _e265 = global_4.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
-let _e267 = ((17u * _e77) + _e79);
-let _e268 = bitcast<i32>(_e267);
-let _e270 = select(_e82, _e268, (_e268 < _e82));
-let _e276 = global_4.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
-let _e278 = ((18u * _e77) + _e79);
-let _e279 = bitcast<i32>(_e278);
-let _e281 = select(_e82, _e279, (_e279 < _e82));
-let _e287 = global_4.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
-let _e289 = ((19u * _e77) + _e79);
-let _e290 = bitcast<i32>(_e289);
-let _e292 = select(_e82, _e290, (_e290 < _e82));
-let _e298 = global_4.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
-let _e300 = ((20u * _e77) + _e79);
-let _e301 = bitcast<i32>(_e300);
-let _e303 = select(_e82, _e301, (_e301 < _e82));
-let _e309 = global_4.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
-let _e311 = ((21u * _e77) + _e79);
-let _e312 = bitcast<i32>(_e311);
-let _e314 = select(_e82, _e312, (_e312 < _e82));
-let _e320 = global_4.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
-let _e322 = ((22u * _e77) + _e79);
-let _e323 = bitcast<i32>(_e322);
-let _e325 = select(_e82, _e323, (_e323 < _e82));
-let _e331 = global_4.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
-let _e333 = ((23u * _e77) + _e79);
-let _e334 = bitcast<i32>(_e333);
-let _e336 = select(_e82, _e334, (_e334 < _e82));
-let _e342 = global_4.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
-let _e344 = ((24u * _e77) + _e79);
-let _e345 = bitcast<i32>(_e344);
-let _e347 = select(_e82, _e345, (_e345 < _e82));
-let _e353 = global_4.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
-if (_e265 == 4f) {
-phi_613_ = 3u;
+let _e67 = global_1.member.member;
+if (_e58.x < _e67.member) {
+if (_e58.y < _e67.member_1) {
+let _e74 = (_e67.member * _e67.member_1);
+let _e76 = ((_e58.y * _e67.member) + _e58.x);
+let _e77 = bitcast<i32>(_e76);
+let _e79 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e81 = select(_e79, _e77, (_e77 < _e79));
+let _e87 = global_4.member[bitcast<u32>(select(0i, _e81, (_e81 > 0i)))];
+let _e88 = (_e74 + _e76);
+let _e89 = bitcast<i32>(_e88);
+let _e91 = select(_e79, _e89, (_e89 < _e79));
+let _e97 = global_4.member[bitcast<u32>(select(0i, _e91, (_e91 > 0i)))];
+let _e99 = ((2u * _e74) + _e76);
+let _e100 = bitcast<i32>(_e99);
+let _e102 = select(_e79, _e100, (_e100 < _e79));
+let _e108 = global_4.member[bitcast<u32>(select(0i, _e102, (_e102 > 0i)))];
+let _e110 = ((3u * _e74) + _e76);
+let _e111 = bitcast<i32>(_e110);
+let _e113 = select(_e79, _e111, (_e111 < _e79));
+let _e119 = global_4.member[bitcast<u32>(select(0i, _e113, (_e113 > 0i)))];
+let _e121 = ((4u * _e74) + _e76);
+let _e122 = bitcast<i32>(_e121);
+let _e124 = select(_e79, _e122, (_e122 < _e79));
+let _e130 = global_4.member[bitcast<u32>(select(0i, _e124, (_e124 > 0i)))];
+let _e132 = ((5u * _e74) + _e76);
+let _e133 = bitcast<i32>(_e132);
+let _e135 = select(_e79, _e133, (_e133 < _e79));
+let _e141 = global_4.member[bitcast<u32>(select(0i, _e135, (_e135 > 0i)))];
+let _e143 = ((6u * _e74) + _e76);
+let _e144 = bitcast<i32>(_e143);
+let _e146 = select(_e79, _e144, (_e144 < _e79));
+let _e152 = global_4.member[bitcast<u32>(select(0i, _e146, (_e146 > 0i)))];
+let _e154 = ((7u * _e74) + _e76);
+let _e155 = bitcast<i32>(_e154);
+let _e157 = select(_e79, _e155, (_e155 < _e79));
+let _e163 = global_4.member[bitcast<u32>(select(0i, _e157, (_e157 > 0i)))];
+let _e165 = ((8u * _e74) + _e76);
+let _e166 = bitcast<i32>(_e165);
+let _e168 = select(_e79, _e166, (_e166 < _e79));
+let _e174 = global_4.member[bitcast<u32>(select(0i, _e168, (_e168 > 0i)))];
+let _e176 = ((9u * _e74) + _e76);
+let _e177 = bitcast<i32>(_e176);
+let _e179 = select(_e79, _e177, (_e177 < _e79));
+let _e185 = global_4.member[bitcast<u32>(select(0i, _e179, (_e179 > 0i)))];
+let _e187 = ((10u * _e74) + _e76);
+let _e188 = bitcast<i32>(_e187);
+let _e190 = select(_e79, _e188, (_e188 < _e79));
+let _e196 = global_4.member[bitcast<u32>(select(0i, _e190, (_e190 > 0i)))];
+let _e198 = ((11u * _e74) + _e76);
+let _e199 = bitcast<i32>(_e198);
+let _e201 = select(_e79, _e199, (_e199 < _e79));
+let _e207 = global_4.member[bitcast<u32>(select(0i, _e201, (_e201 > 0i)))];
+let _e209 = ((12u * _e74) + _e76);
+let _e210 = bitcast<i32>(_e209);
+let _e212 = select(_e79, _e210, (_e210 < _e79));
+let _e218 = global_4.member[bitcast<u32>(select(0i, _e212, (_e212 > 0i)))];
+let _e220 = ((13u * _e74) + _e76);
+let _e221 = bitcast<i32>(_e220);
+let _e223 = select(_e79, _e221, (_e221 < _e79));
+let _e229 = global_4.member[bitcast<u32>(select(0i, _e223, (_e223 > 0i)))];
+let _e231 = ((14u * _e74) + _e76);
+let _e232 = bitcast<i32>(_e231);
+let _e234 = select(_e79, _e232, (_e232 < _e79));
+let _e240 = global_4.member[bitcast<u32>(select(0i, _e234, (_e234 > 0i)))];
+let _e242 = ((15u * _e74) + _e76);
+let _e243 = bitcast<i32>(_e242);
+let _e245 = select(_e79, _e243, (_e243 < _e79));
+let _e251 = global_4.member[bitcast<u32>(select(0i, _e245, (_e245 > 0i)))];
+let _e253 = ((16u * _e74) + _e76);
+let _e254 = bitcast<i32>(_e253);
+let _e256 = select(_e79, _e254, (_e254 < _e79));
+let _e262 = global_4.member[bitcast<u32>(select(0i, _e256, (_e256 > 0i)))];
+let _e264 = ((17u * _e74) + _e76);
+let _e265 = bitcast<i32>(_e264);
+let _e267 = select(_e79, _e265, (_e265 < _e79));
+let _e273 = global_4.member[bitcast<u32>(select(0i, _e267, (_e267 > 0i)))];
+let _e275 = ((18u * _e74) + _e76);
+let _e276 = bitcast<i32>(_e275);
+let _e278 = select(_e79, _e276, (_e276 < _e79));
+let _e284 = global_4.member[bitcast<u32>(select(0i, _e278, (_e278 > 0i)))];
+let _e286 = ((19u * _e74) + _e76);
+let _e287 = bitcast<i32>(_e286);
+let _e289 = select(_e79, _e287, (_e287 < _e79));
+let _e295 = global_4.member[bitcast<u32>(select(0i, _e289, (_e289 > 0i)))];
+let _e297 = ((20u * _e74) + _e76);
+let _e298 = bitcast<i32>(_e297);
+let _e300 = select(_e79, _e298, (_e298 < _e79));
+let _e306 = global_4.member[bitcast<u32>(select(0i, _e300, (_e300 > 0i)))];
+let _e308 = ((21u * _e74) + _e76);
+let _e309 = bitcast<i32>(_e308);
+let _e311 = select(_e79, _e309, (_e309 < _e79));
+let _e317 = global_4.member[bitcast<u32>(select(0i, _e311, (_e311 > 0i)))];
+let _e319 = ((22u * _e74) + _e76);
+let _e320 = bitcast<i32>(_e319);
+let _e322 = select(_e79, _e320, (_e320 < _e79));
+let _e328 = global_4.member[bitcast<u32>(select(0i, _e322, (_e322 > 0i)))];
+let _e330 = ((23u * _e74) + _e76);
+let _e331 = bitcast<i32>(_e330);
+let _e333 = select(_e79, _e331, (_e331 < _e79));
+let _e339 = global_4.member[bitcast<u32>(select(0i, _e333, (_e333 > 0i)))];
+let _e341 = ((24u * _e74) + _e76);
+let _e342 = bitcast<i32>(_e341);
+let _e344 = select(_e79, _e342, (_e342 < _e79));
+let _e350 = global_4.member[bitcast<u32>(select(0i, _e344, (_e344 > 0i)))];
+if (_e262 == 4f) {
+phi_619_ = 3u;
 } else {
-phi_613_ = select(0u, 1u, (_e265 == 0f));
+phi_619_ = select(0u, 1u, (_e262 == 0f));
 }
-let _e358 = phi_613_;
-if (_e358 > 1u) {
-let _e363 = global_1.member.member[2u];
-let _e391 = bitcast<i32>(arrayLength((&global_2.member)));
-phi_818_ = type_11(vec3<f32>(_e90, _e100, _e111), vec3<f32>(_e122, _e133, _e144), vec3<f32>(_e155, _e166, _e177), vec3<f32>(_e188, _e199, _e210), vec3<f32>(_e221, _e232, _e243), _e254, _e265, select(0i, select(select(i32(_e276), i32(-2147483648), (_e276 < -2147483600f)), 2147483647i, (_e276 > 2147483500f)), (_e276 == _e276)), _e287, _e298, _e309, _e320, select(0i, select(select(i32(_e331), i32(-2147483648), (_e331 < -2147483600f)), 2147483647i, (_e331 > 2147483500f)), (_e331 == _e331)), select(0i, select(select(i32(_e342), i32(-2147483648), (_e342 < -2147483600f)), 2147483647i, (_e342 > 2147483500f)), (_e342 == _e342)), _e353);
-phi_821_ = 0i;
+let _e355 = phi_619_;
+if (_e355 > 1u) {
+let _e385 = bitcast<i32>(arrayLength((&global_2.member)));
+phi_825_ = type_18(vec3<f32>(_e87, _e97, _e108), vec3<f32>(_e119, _e130, _e141), vec3<f32>(_e152, _e163, _e174), vec3<f32>(_e185, _e196, _e207), vec3<f32>(_e218, _e229, _e240), _e251, _e262, select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -2147483600f)), 2147483647i, (_e273 > 2147483500f)), (_e273 == _e273)), _e284, _e295, _e306, _e317, select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328)), select(0i, select(select(i32(_e339), i32(-2147483648), (_e339 < -2147483600f)), 2147483647i, (_e339 > 2147483500f)), (_e339 == _e339)), _e350);
+phi_828_ = 0i;
 loop {
-let _e394 = phi_818_;
-let _e396 = phi_821_;
-local = _e394;
-local_1 = _e394;
-local_2 = _e394;
-local_3 = _e394;
-local_4 = _e394;
-local_5 = _e394;
-local_6 = _e394;
-local_7 = _e394;
-local_8 = _e394;
-local_9 = _e394;
-local_10 = _e394;
-local_11 = _e394;
-local_12 = _e394;
-local_13 = _e394;
-local_14 = _e394;
-local_15 = _e394;
-local_16 = _e394;
-local_17 = _e394;
-local_18 = _e394;
-local_19 = _e394;
-local_20 = _e394;
-local_21 = _e394;
-local_22 = _e394;
-local_23 = _e394;
-let _e400 = ((_e396 < 1024i) && (_e394.member_6 == 4f));
-local_24 = _e394.member_6;
-if _e400 {
-if (_e394.member_12 < (_e391 / 8i)) {
-let _e545 = (_e394.member_12 * 8i);
-let _e549 = bitcast<f32>((bitcast<u32>(_e394.member_1.x) & 2147483647u));
-let _e554 = (1f / select(_e394.member_1.x, select(1e-12f, -1e-12f, (_e394.member_1.x < 0f)), (_e549 < 1e-12f)));
-let _e558 = bitcast<f32>((bitcast<u32>(_e394.member_1.y) & 2147483647u));
-let _e563 = (1f / select(_e394.member_1.y, select(1e-12f, -1e-12f, (_e394.member_1.y < 0f)), (_e558 < 1e-12f)));
-let _e567 = bitcast<f32>((bitcast<u32>(_e394.member_1.z) & 2147483647u));
-let _e572 = (1f / select(_e394.member_1.z, select(1e-12f, -1e-12f, (_e394.member_1.z < 0f)), (_e567 < 1e-12f)));
-let _e574 = (_e391 - 1i);
-let _e576 = select(_e574, _e545, (_e545 < _e574));
-let _e582 = global_2.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
-let _e583 = (_e545 + 1i);
-let _e585 = select(_e574, _e583, (_e583 < _e574));
-let _e591 = global_2.member[bitcast<u32>(select(0i, _e585, (_e585 > 0i)))];
-let _e592 = (_e545 + 2i);
-let _e594 = select(_e574, _e592, (_e592 < _e574));
-let _e600 = global_2.member[bitcast<u32>(select(0i, _e594, (_e594 > 0i)))];
-let _e601 = (_e545 + 3i);
-let _e603 = select(_e574, _e601, (_e601 < _e574));
-let _e609 = global_2.member[bitcast<u32>(select(0i, _e603, (_e603 > 0i)))];
-let _e610 = (_e545 + 4i);
-let _e612 = select(_e574, _e610, (_e610 < _e574));
-let _e618 = global_2.member[bitcast<u32>(select(0i, _e612, (_e612 > 0i)))];
-let _e619 = (_e545 + 5i);
-let _e621 = select(_e574, _e619, (_e619 < _e574));
-let _e627 = global_2.member[bitcast<u32>(select(0i, _e621, (_e621 > 0i)))];
-let _e630 = ((_e582 - _e394.member.x) * _e554);
-let _e632 = ((_e609 - _e394.member.x) * _e554);
-let _e635 = ((_e591 - _e394.member.y) * _e563);
-let _e637 = ((_e618 - _e394.member.y) * _e563);
-let _e640 = ((_e600 - _e394.member.z) * _e572);
-let _e642 = ((_e627 - _e394.member.z) * _e572);
-let _e644 = select(_e632, _e630, (_e630 < _e632));
-let _e646 = select(_e637, _e635, (_e635 < _e637));
-let _e648 = select(_e646, _e644, (_e644 > _e646));
-let _e650 = select(_e642, _e640, (_e640 < _e642));
-let _e654 = select(_e632, _e630, (_e630 > _e632));
-let _e656 = select(_e637, _e635, (_e635 > _e637));
-let _e658 = select(_e656, _e654, (_e654 < _e656));
-let _e660 = select(_e642, _e640, (_e640 > _e642));
-let _e662 = select(_e660, _e658, (_e658 < _e660));
-let _e668 = ((select(_e650, _e648, (_e648 > _e650)) <= select(_e394.member_14, _e662, (_e662 < _e394.member_14))) && (_e662 >= 0f));
-let _e669 = (_e545 + 6i);
-let _e671 = select(_e574, _e669, (_e669 < _e574));
-let _e677 = global_2.member[bitcast<u32>(select(0i, _e671, (_e671 > 0i)))];
-let _e684 = select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < -2147483600f)), 2147483647i, (_e677 > 2147483500f)), (_e677 == _e677));
-if (_e668 && (_e684 >= 0i)) {
-let _e689 = ((_e549 >= _e558) && (_e549 >= _e567));
-let _e692 = (!(_e689) && (_e558 >= _e567));
-let _e699 = (1f / select(select(_e394.member_1.z, _e394.member_1.y, _e692), _e394.member_1.x, _e689));
-let _e700 = (select(select(_e394.member_1.x, _e394.member_1.z, _e692), _e394.member_1.y, _e689) * _e699);
-let _e701 = (select(select(_e394.member_1.y, _e394.member_1.x, _e692), _e394.member_1.z, _e689) * _e699);
-let _e702 = (_e684 * 19i);
-let _e704 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e706 = select(_e704, _e702, (_e702 < _e704));
-let _e712 = global_3.member[bitcast<u32>(select(0i, _e706, (_e706 > 0i)))];
-let _e713 = (_e702 + 1i);
-let _e715 = select(_e704, _e713, (_e713 < _e704));
-let _e721 = global_3.member[bitcast<u32>(select(0i, _e715, (_e715 > 0i)))];
-let _e722 = (_e702 + 2i);
-let _e724 = select(_e704, _e722, (_e722 < _e704));
-let _e730 = global_3.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
-let _e731 = (_e712 - _e394.member.x);
-let _e732 = (_e721 - _e394.member.y);
-let _e733 = (_e730 - _e394.member.z);
-let _e739 = select(select(_e733, _e732, _e692), _e731, _e689);
-let _e741 = (select(select(_e731, _e733, _e692), _e732, _e689) - (_e700 * _e739));
-let _e743 = (select(select(_e732, _e731, _e692), _e733, _e689) - (_e701 * _e739));
-let _e745 = (_e702 + 3i);
-let _e747 = select(_e704, _e745, (_e745 < _e704));
-let _e753 = global_3.member[bitcast<u32>(select(0i, _e747, (_e747 > 0i)))];
-let _e754 = (_e702 + 4i);
-let _e756 = select(_e704, _e754, (_e754 < _e704));
-let _e762 = global_3.member[bitcast<u32>(select(0i, _e756, (_e756 > 0i)))];
-let _e763 = (_e702 + 5i);
-let _e765 = select(_e704, _e763, (_e763 < _e704));
-let _e771 = global_3.member[bitcast<u32>(select(0i, _e765, (_e765 > 0i)))];
-let _e772 = (_e753 - _e394.member.x);
-let _e773 = (_e762 - _e394.member.y);
-let _e774 = (_e771 - _e394.member.z);
-let _e780 = select(select(_e774, _e773, _e692), _e772, _e689);
-let _e782 = (select(select(_e772, _e774, _e692), _e773, _e689) - (_e700 * _e780));
-let _e784 = (select(select(_e773, _e772, _e692), _e774, _e689) - (_e701 * _e780));
-let _e786 = (_e702 + 6i);
-let _e788 = select(_e704, _e786, (_e786 < _e704));
-let _e794 = global_3.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
-let _e795 = (_e702 + 7i);
-let _e797 = select(_e704, _e795, (_e795 < _e704));
-let _e803 = global_3.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
-let _e804 = (_e702 + 8i);
-let _e806 = select(_e704, _e804, (_e804 < _e704));
-let _e812 = global_3.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
-let _e813 = (_e794 - _e394.member.x);
-let _e814 = (_e803 - _e394.member.y);
-let _e815 = (_e812 - _e394.member.z);
-let _e821 = select(select(_e815, _e814, _e692), _e813, _e689);
-let _e823 = (select(select(_e813, _e815, _e692), _e814, _e689) - (_e700 * _e821));
-let _e825 = (select(select(_e814, _e813, _e692), _e815, _e689) - (_e701 * _e821));
-let _e829 = ((_e823 * _e784) - (_e825 * _e782));
-let _e832 = ((_e741 * _e825) - (_e743 * _e823));
-let _e835 = ((_e782 * _e743) - (_e784 * _e741));
-let _e837 = ((_e829 + _e832) + _e835);
-let _e851 = (!(((((_e829 < 0f) || (_e832 < 0f)) || (_e835 < 0f)) && (((_e829 > 0f) || (_e832 > 0f)) || (_e835 > 0f)))) && (_e837 != 0f));
-let _e858 = ((((_e829 * (_e739 * _e699)) + (_e832 * (_e780 * _e699))) + (_e835 * (_e821 * _e699))) / select(1f, _e837, _e851));
-let _e861 = select(1e30f, _e858, (_e851 && (_e858 > 1e-3f)));
-if (_e861 < _e394.member_14) {
-let _e877 = type_11(_e394.member, _e394.member_1, _e394.member_2, _e394.member_3, _e394.member_4, _e394.member_5, _e394.member_6, _e394.member_7, _e394.member_8, _e394.member_9, _e394.member_10, _e394.member_11, _e394.member_12, _e394.member_13, _e861);
-phi_1444_ = type_11(_e877.member, _e877.member_1, _e877.member_2, _e877.member_3, _e877.member_4, _e877.member_5, _e877.member_6, _e877.member_7, _e877.member_8, _e877.member_9, _e877.member_10, _e877.member_11, _e877.member_12, _e684, _e877.member_14);
+let _e388 = phi_825_;
+let _e390 = phi_828_;
+local = _e388;
+local_1 = _e388;
+local_2 = _e388;
+local_3 = _e388;
+local_4 = _e388;
+local_5 = _e388;
+local_6 = _e388;
+local_7 = _e388;
+local_8 = _e388;
+local_9 = _e388;
+local_10 = _e388;
+local_11 = _e388;
+local_12 = _e388;
+local_13 = _e388;
+local_14 = _e388;
+local_15 = _e388;
+local_16 = _e388;
+local_17 = _e388;
+local_18 = _e388;
+local_19 = _e388;
+local_20 = _e388;
+local_21 = _e388;
+local_22 = _e388;
+local_23 = _e388;
+let _e394 = ((_e390 < 1024i) && (_e388.member_6 == 4f));
+local_24 = _e388.member_6;
+if _e394 {
+if (_e388.member_12 < (_e385 / 8i)) {
+let _e539 = (_e388.member_12 * 8i);
+let _e543 = bitcast<f32>((bitcast<u32>(_e388.member_1.x) & 2147483647u));
+let _e548 = (1f / select(_e388.member_1.x, select(1e-12f, -1e-12f, (_e388.member_1.x < 0f)), (_e543 < 1e-12f)));
+let _e552 = bitcast<f32>((bitcast<u32>(_e388.member_1.y) & 2147483647u));
+let _e557 = (1f / select(_e388.member_1.y, select(1e-12f, -1e-12f, (_e388.member_1.y < 0f)), (_e552 < 1e-12f)));
+let _e561 = bitcast<f32>((bitcast<u32>(_e388.member_1.z) & 2147483647u));
+let _e566 = (1f / select(_e388.member_1.z, select(1e-12f, -1e-12f, (_e388.member_1.z < 0f)), (_e561 < 1e-12f)));
+let _e568 = (_e385 - 1i);
+let _e570 = select(_e568, _e539, (_e539 < _e568));
+let _e576 = global_2.member[bitcast<u32>(select(0i, _e570, (_e570 > 0i)))];
+let _e577 = (_e539 + 1i);
+let _e579 = select(_e568, _e577, (_e577 < _e568));
+let _e585 = global_2.member[bitcast<u32>(select(0i, _e579, (_e579 > 0i)))];
+let _e586 = (_e539 + 2i);
+let _e588 = select(_e568, _e586, (_e586 < _e568));
+let _e594 = global_2.member[bitcast<u32>(select(0i, _e588, (_e588 > 0i)))];
+let _e595 = (_e539 + 3i);
+let _e597 = select(_e568, _e595, (_e595 < _e568));
+let _e603 = global_2.member[bitcast<u32>(select(0i, _e597, (_e597 > 0i)))];
+let _e604 = (_e539 + 4i);
+let _e606 = select(_e568, _e604, (_e604 < _e568));
+let _e612 = global_2.member[bitcast<u32>(select(0i, _e606, (_e606 > 0i)))];
+let _e613 = (_e539 + 5i);
+let _e615 = select(_e568, _e613, (_e613 < _e568));
+let _e621 = global_2.member[bitcast<u32>(select(0i, _e615, (_e615 > 0i)))];
+let _e624 = ((_e576 - _e388.member.x) * _e548);
+let _e626 = ((_e603 - _e388.member.x) * _e548);
+let _e629 = ((_e585 - _e388.member.y) * _e557);
+let _e631 = ((_e612 - _e388.member.y) * _e557);
+let _e634 = ((_e594 - _e388.member.z) * _e566);
+let _e636 = ((_e621 - _e388.member.z) * _e566);
+let _e638 = select(_e626, _e624, (_e624 < _e626));
+let _e640 = select(_e631, _e629, (_e629 < _e631));
+let _e642 = select(_e640, _e638, (_e638 > _e640));
+let _e644 = select(_e636, _e634, (_e634 < _e636));
+let _e648 = select(_e626, _e624, (_e624 > _e626));
+let _e650 = select(_e631, _e629, (_e629 > _e631));
+let _e652 = select(_e650, _e648, (_e648 < _e650));
+let _e654 = select(_e636, _e634, (_e634 > _e636));
+let _e656 = select(_e654, _e652, (_e652 < _e654));
+let _e662 = ((select(_e644, _e642, (_e642 > _e644)) <= select(_e388.member_14, _e656, (_e656 < _e388.member_14))) && (_e656 >= 0f));
+let _e663 = (_e539 + 6i);
+let _e665 = select(_e568, _e663, (_e663 < _e568));
+let _e671 = global_2.member[bitcast<u32>(select(0i, _e665, (_e665 > 0i)))];
+let _e678 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < -2147483600f)), 2147483647i, (_e671 > 2147483500f)), (_e671 == _e671));
+if (_e662 && (_e678 >= 0i)) {
+let _e683 = ((_e543 >= _e552) && (_e543 >= _e561));
+let _e686 = (!(_e683) && (_e552 >= _e561));
+let _e693 = (1f / select(select(_e388.member_1.z, _e388.member_1.y, _e686), _e388.member_1.x, _e683));
+let _e694 = (select(select(_e388.member_1.x, _e388.member_1.z, _e686), _e388.member_1.y, _e683) * _e693);
+let _e695 = (select(select(_e388.member_1.y, _e388.member_1.x, _e686), _e388.member_1.z, _e683) * _e693);
+let _e696 = (_e678 * 19i);
+let _e698 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e700 = select(_e698, _e696, (_e696 < _e698));
+let _e706 = global_3.member[bitcast<u32>(select(0i, _e700, (_e700 > 0i)))];
+let _e707 = (_e696 + 1i);
+let _e709 = select(_e698, _e707, (_e707 < _e698));
+let _e715 = global_3.member[bitcast<u32>(select(0i, _e709, (_e709 > 0i)))];
+let _e716 = (_e696 + 2i);
+let _e718 = select(_e698, _e716, (_e716 < _e698));
+let _e724 = global_3.member[bitcast<u32>(select(0i, _e718, (_e718 > 0i)))];
+let _e725 = (_e706 - _e388.member.x);
+let _e726 = (_e715 - _e388.member.y);
+let _e727 = (_e724 - _e388.member.z);
+let _e733 = select(select(_e727, _e726, _e686), _e725, _e683);
+let _e735 = (select(select(_e725, _e727, _e686), _e726, _e683) - (_e694 * _e733));
+let _e737 = (select(select(_e726, _e725, _e686), _e727, _e683) - (_e695 * _e733));
+let _e739 = (_e696 + 3i);
+let _e741 = select(_e698, _e739, (_e739 < _e698));
+let _e747 = global_3.member[bitcast<u32>(select(0i, _e741, (_e741 > 0i)))];
+let _e748 = (_e696 + 4i);
+let _e750 = select(_e698, _e748, (_e748 < _e698));
+let _e756 = global_3.member[bitcast<u32>(select(0i, _e750, (_e750 > 0i)))];
+let _e757 = (_e696 + 5i);
+let _e759 = select(_e698, _e757, (_e757 < _e698));
+let _e765 = global_3.member[bitcast<u32>(select(0i, _e759, (_e759 > 0i)))];
+let _e766 = (_e747 - _e388.member.x);
+let _e767 = (_e756 - _e388.member.y);
+let _e768 = (_e765 - _e388.member.z);
+let _e774 = select(select(_e768, _e767, _e686), _e766, _e683);
+let _e776 = (select(select(_e766, _e768, _e686), _e767, _e683) - (_e694 * _e774));
+let _e778 = (select(select(_e767, _e766, _e686), _e768, _e683) - (_e695 * _e774));
+let _e780 = (_e696 + 6i);
+let _e782 = select(_e698, _e780, (_e780 < _e698));
+let _e788 = global_3.member[bitcast<u32>(select(0i, _e782, (_e782 > 0i)))];
+let _e789 = (_e696 + 7i);
+let _e791 = select(_e698, _e789, (_e789 < _e698));
+let _e797 = global_3.member[bitcast<u32>(select(0i, _e791, (_e791 > 0i)))];
+let _e798 = (_e696 + 8i);
+let _e800 = select(_e698, _e798, (_e798 < _e698));
+let _e806 = global_3.member[bitcast<u32>(select(0i, _e800, (_e800 > 0i)))];
+let _e807 = (_e788 - _e388.member.x);
+let _e808 = (_e797 - _e388.member.y);
+let _e809 = (_e806 - _e388.member.z);
+let _e815 = select(select(_e809, _e808, _e686), _e807, _e683);
+let _e817 = (select(select(_e807, _e809, _e686), _e808, _e683) - (_e694 * _e815));
+let _e819 = (select(select(_e808, _e807, _e686), _e809, _e683) - (_e695 * _e815));
+let _e823 = ((_e817 * _e778) - (_e819 * _e776));
+let _e826 = ((_e735 * _e819) - (_e737 * _e817));
+let _e829 = ((_e776 * _e737) - (_e778 * _e735));
+let _e831 = ((_e823 + _e826) + _e829);
+let _e845 = (!(((((_e823 < 0f) || (_e826 < 0f)) || (_e829 < 0f)) && (((_e823 > 0f) || (_e826 > 0f)) || (_e829 > 0f)))) && (_e831 != 0f));
+let _e852 = ((((_e823 * (_e733 * _e693)) + (_e826 * (_e774 * _e693))) + (_e829 * (_e815 * _e693))) / select(1f, _e831, _e845));
+let _e855 = select(1e30f, _e852, (_e845 && (_e852 > 1e-3f)));
+if (_e855 < _e388.member_14) {
+let _e871 = type_18(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e855);
+phi_1451_ = type_18(_e871.member, _e871.member_1, _e871.member_2, _e871.member_3, _e871.member_4, _e871.member_5, _e871.member_6, _e871.member_7, _e871.member_8, _e871.member_9, _e871.member_10, _e871.member_11, _e871.member_12, _e678, _e871.member_14);
 } else {
-phi_1444_ = _e394;
+phi_1451_ = _e388;
 }
-let _e894 = phi_1444_;
-phi_1445_ = _e894;
+let _e888 = phi_1451_;
+phi_1452_ = _e888;
 } else {
-phi_1445_ = _e394;
+phi_1452_ = _e388;
 }
-let _e896 = phi_1445_;
-if _e668 {
-phi_1477_ = (_e896.member_12 + 1i);
+let _e890 = phi_1452_;
+if _e662 {
+phi_1484_ = (_e890.member_12 + 1i);
 } else {
-let _e897 = (_e545 + 7i);
-let _e899 = select(_e574, _e897, (_e897 < _e574));
-let _e905 = global_2.member[bitcast<u32>(select(0i, _e899, (_e899 > 0i)))];
-phi_1477_ = select(0i, select(select(i32(_e905), i32(-2147483648), (_e905 < -2147483600f)), 2147483647i, (_e905 > 2147483500f)), (_e905 == _e905));
+let _e891 = (_e539 + 7i);
+let _e893 = select(_e568, _e891, (_e891 < _e568));
+let _e899 = global_2.member[bitcast<u32>(select(0i, _e893, (_e893 > 0i)))];
+phi_1484_ = select(0i, select(select(i32(_e899), i32(-2147483648), (_e899 < -2147483600f)), 2147483647i, (_e899 > 2147483500f)), (_e899 == _e899));
 }
-let _e916 = phi_1477_;
-phi_1782_ = type_11(_e896.member, _e896.member_1, _e896.member_2, _e896.member_3, _e896.member_4, _e896.member_5, _e896.member_6, _e896.member_7, _e896.member_8, _e896.member_9, _e896.member_10, _e896.member_11, _e916, _e896.member_13, _e896.member_14);
+let _e910 = phi_1484_;
+phi_1789_ = type_18(_e890.member, _e890.member_1, _e890.member_2, _e890.member_3, _e890.member_4, _e890.member_5, _e890.member_6, _e890.member_7, _e890.member_8, _e890.member_9, _e890.member_10, _e890.member_11, _e910, _e890.member_13, _e890.member_14);
 } else {
-if ((_e363 == 0u) && (_e394.member_8 >= 2f)) {
-if (_e394.member_13 == -1i) {
-phi_1779_ = type_11(_e394.member, _e394.member_1, _e394.member_2, _e394.member_3, _e394.member_4, _e394.member_5, 1f, _e394.member_7, _e394.member_8, _e394.member_9, _e394.member_10, _e394.member_11, _e394.member_12, _e394.member_13, _e394.member_14);
+if ((_e67.member_2 == 0u) && (_e388.member_8 >= 2f)) {
+if (_e388.member_13 == -1i) {
+phi_1786_ = type_18(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 1f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
 } else {
-let _e457 = type_11(vec3<f32>((_e394.member.x + (_e394.member_1.x * _e394.member_14)), (_e394.member.y + (_e394.member_1.y * _e394.member_14)), (_e394.member.z + (_e394.member_1.z * _e394.member_14))), _e394.member_1, _e394.member_2, _e394.member_3, _e394.member_4, _e394.member_5, _e394.member_6, _e394.member_7, _e394.member_8, _e394.member_9, _e394.member_10, _e394.member_11, _e394.member_12, _e394.member_13, _e394.member_14);
-let _e474 = type_11(_e457.member, _e457.member_1, _e457.member_2, _e457.member_3, _e457.member_4, (_e394.member_5 + _e394.member_14), _e457.member_6, _e457.member_7, _e457.member_8, _e457.member_9, _e457.member_10, _e457.member_11, _e457.member_12, _e457.member_13, _e457.member_14);
-let _e490 = type_11(_e474.member, _e474.member_1, _e474.member_2, _e474.member_3, _e474.member_4, _e474.member_5, _e474.member_6, _e474.member_7, _e474.member_8, _e474.member_9, _e474.member_10, _e474.member_11, _e474.member_12, _e474.member_13, (_e394.member_14 - _e394.member_14));
-let _e509 = type_11(_e490.member, _e490.member_1, _e490.member_2, _e490.member_3, _e490.member_4, _e490.member_5, _e490.member_6, _e490.member_7, _e490.member_8, _e490.member_9, (_e394.member_10 + select(0f, _e394.member_14, (_e394.member_8 == 0f))), _e490.member_11, _e490.member_12, _e490.member_13, _e490.member_14);
-phi_1779_ = type_11(_e509.member, _e509.member_1, _e509.member_2, _e509.member_3, _e509.member_4, _e509.member_5, 3f, _e509.member_7, _e509.member_8, _e509.member_9, _e509.member_10, _e509.member_11, _e509.member_12, _e509.member_13, _e509.member_14);
+let _e451 = type_18(vec3<f32>((_e388.member.x + (_e388.member_1.x * _e388.member_14)), (_e388.member.y + (_e388.member_1.y * _e388.member_14)), (_e388.member.z + (_e388.member_1.z * _e388.member_14))), _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
+let _e468 = type_18(_e451.member, _e451.member_1, _e451.member_2, _e451.member_3, _e451.member_4, (_e388.member_5 + _e388.member_14), _e451.member_6, _e451.member_7, _e451.member_8, _e451.member_9, _e451.member_10, _e451.member_11, _e451.member_12, _e451.member_13, _e451.member_14);
+let _e484 = type_18(_e468.member, _e468.member_1, _e468.member_2, _e468.member_3, _e468.member_4, _e468.member_5, _e468.member_6, _e468.member_7, _e468.member_8, _e468.member_9, _e468.member_10, _e468.member_11, _e468.member_12, _e468.member_13, (_e388.member_14 - _e388.member_14));
+let _e503 = type_18(_e484.member, _e484.member_1, _e484.member_2, _e484.member_3, _e484.member_4, _e484.member_5, _e484.member_6, _e484.member_7, _e484.member_8, _e484.member_9, (_e388.member_10 + select(0f, _e388.member_14, (_e388.member_8 == 0f))), _e484.member_11, _e484.member_12, _e484.member_13, _e484.member_14);
+phi_1786_ = type_18(_e503.member, _e503.member_1, _e503.member_2, _e503.member_3, _e503.member_4, _e503.member_5, 3f, _e503.member_7, _e503.member_8, _e503.member_9, _e503.member_10, _e503.member_11, _e503.member_12, _e503.member_13, _e503.member_14);
 }
-let _e541 = phi_1779_;
-phi_1781_ = _e541;
+let _e535 = phi_1786_;
+phi_1788_ = _e535;
 } else {
-phi_1781_ = type_11(_e394.member, _e394.member_1, _e394.member_2, _e394.member_3, _e394.member_4, _e394.member_5, 0f, _e394.member_7, _e394.member_8, _e394.member_9, _e394.member_10, _e394.member_11, _e394.member_12, _e394.member_13, _e394.member_14);
+phi_1788_ = type_18(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 0f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
 }
-let _e543 = phi_1781_;
-phi_1782_ = _e543;
+let _e537 = phi_1788_;
+phi_1789_ = _e537;
 }
-let _e933 = phi_1782_;
-phi_819_ = _e933;
-phi_822_ = (_e396 + 1i);
+let _e927 = phi_1789_;
+phi_826_ = _e927;
+phi_829_ = (_e390 + 1i);
 } else {
-phi_819_ = type_11();
-phi_822_ = i32();
+phi_826_ = type_18();
+phi_829_ = i32();
 }
-let _e935 = phi_819_;
-let _e937 = phi_822_;
+let _e929 = phi_826_;
+let _e931 = phi_829_;
 continue;
 continuing {
-phi_818_ = _e935;
-phi_821_ = _e937;
-break if !(_e400);
+phi_825_ = _e929;
+phi_828_ = _e931;
+break if !(_e394);
 }
 }
-let _e940 = local;
-let _e944 = local_1;
-let _e948 = local_2;
-let _e952 = local_3;
-let _e956 = local_4;
-let _e960 = local_5;
-let _e964 = local_6;
-let _e968 = local_7;
-let _e972 = local_8;
-let _e976 = local_9;
-let _e980 = local_10;
-let _e984 = local_11;
-let _e988 = local_12;
-let _e992 = local_13;
-let _e996 = local_14;
-let _e1000 = local_15;
-let _e1003 = local_16;
-let _e1007 = local_17;
-let _e1010 = local_18;
-let _e1013 = local_19;
-let _e1016 = local_20;
-let _e1019 = local_21;
-let _e1023 = local_22;
-let _e1027 = local_23;
-global_4.member[_e79] = _e940.member.x;
-global_4.member[_e91] = _e944.member.y;
-global_4.member[_e102] = _e948.member.z;
-global_4.member[_e113] = _e952.member_1.x;
-global_4.member[_e124] = _e956.member_1.y;
-global_4.member[_e135] = _e960.member_1.z;
-global_4.member[_e146] = _e964.member_2.x;
-global_4.member[_e157] = _e968.member_2.y;
-global_4.member[_e168] = _e972.member_2.z;
-global_4.member[_e179] = _e976.member_3.x;
-global_4.member[_e190] = _e980.member_3.y;
-global_4.member[_e201] = _e984.member_3.z;
-global_4.member[_e212] = _e988.member_4.x;
-global_4.member[_e223] = _e992.member_4.y;
-global_4.member[_e234] = _e996.member_4.z;
-global_4.member[_e245] = _e1000.member_5;
-let _e1064 = local_24;
-global_4.member[_e256] = _e1064;
-global_4.member[_e267] = f32(_e1003.member_7);
-global_4.member[_e278] = _e1007.member_8;
-global_4.member[_e289] = _e1010.member_9;
-global_4.member[_e300] = _e1013.member_10;
-global_4.member[_e311] = _e1016.member_11;
-global_4.member[_e322] = f32(_e1019.member_12);
-global_4.member[_e333] = f32(_e1023.member_13);
-global_4.member[_e344] = _e1027.member_14;
+let _e934 = local;
+let _e938 = local_1;
+let _e942 = local_2;
+let _e946 = local_3;
+let _e950 = local_4;
+let _e954 = local_5;
+let _e958 = local_6;
+let _e962 = local_7;
+let _e966 = local_8;
+let _e970 = local_9;
+let _e974 = local_10;
+let _e978 = local_11;
+let _e982 = local_12;
+let _e986 = local_13;
+let _e990 = local_14;
+let _e994 = local_15;
+let _e997 = local_16;
+let _e1001 = local_17;
+let _e1004 = local_18;
+let _e1007 = local_19;
+let _e1010 = local_20;
+let _e1013 = local_21;
+let _e1017 = local_22;
+let _e1021 = local_23;
+global_4.member[_e76] = _e934.member.x;
+global_4.member[_e88] = _e938.member.y;
+global_4.member[_e99] = _e942.member.z;
+global_4.member[_e110] = _e946.member_1.x;
+global_4.member[_e121] = _e950.member_1.y;
+global_4.member[_e132] = _e954.member_1.z;
+global_4.member[_e143] = _e958.member_2.x;
+global_4.member[_e154] = _e962.member_2.y;
+global_4.member[_e165] = _e966.member_2.z;
+global_4.member[_e176] = _e970.member_3.x;
+global_4.member[_e187] = _e974.member_3.y;
+global_4.member[_e198] = _e978.member_3.z;
+global_4.member[_e209] = _e982.member_4.x;
+global_4.member[_e220] = _e986.member_4.y;
+global_4.member[_e231] = _e990.member_4.z;
+global_4.member[_e242] = _e994.member_5;
+let _e1058 = local_24;
+global_4.member[_e253] = _e1058;
+global_4.member[_e264] = f32(_e997.member_7);
+global_4.member[_e275] = _e1001.member_8;
+global_4.member[_e286] = _e1004.member_9;
+global_4.member[_e297] = _e1007.member_10;
+global_4.member[_e308] = _e1010.member_11;
+global_4.member[_e319] = f32(_e1013.member_12);
+global_4.member[_e330] = f32(_e1017.member_13);
+global_4.member[_e341] = _e1021.member_14;
 }
 }
 }

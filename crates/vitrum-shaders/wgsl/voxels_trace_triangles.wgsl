@@ -1,47 +1,89 @@
+struct type_2 {
+member: u32,
+member_1: u32,
+member_2: u32,
+}
 struct type_4 {
 member: f32,
 member_1: f32,
 member_2: f32,
-member_3: f32,
+member_3: u32,
 }
 struct type_5 {
-member: vec4<u32>,
-member_1: vec4<u32>,
-member_2: vec4<u32>,
-member_3: type_4,
-member_4: type_4,
-member_5: type_4,
-member_6: type_4,
-member_7: type_4,
-member_8: type_4,
-member_9: type_4,
-member_10: vec4<u32>,
-member_11: type_4,
-member_12: type_4,
-member_13: type_4,
-member_14: type_4,
-member_15: type_4,
-member_16: type_4,
-member_17: type_4,
-member_18: type_4,
-member_19: type_4,
-member_20: type_4,
-member_21: type_4,
-member_22: type_4,
-member_23: type_4,
-member_24: vec4<u32>,
-member_25: type_4,
-member_26: type_4,
-member_27: type_4,
-member_28: type_4,
+member: f32,
+member_1: f32,
+member_2: f32,
 }
 struct type_6 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_7 {
 member: type_5,
+member_1: f32,
 }
 struct type_8 {
-member: array<f32>,
+member: type_7,
+member_1: type_5,
+}
+struct type_9 {
+member: type_8,
+member_1: type_8,
+}
+struct type_10 {
+member: type_5,
+member_1: type_5,
+}
+struct type_11 {
+member: type_2,
+member_1: u32,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: f32,
+member_6: f32,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_2,
+member_3: u32,
+member_4: type_2,
+member_5: u32,
+member_6: type_4,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+member_10: type_5,
+member_11: f32,
+member_12: f32,
+member_13: f32,
+member_14: type_5,
+member_15: type_5,
+member_16: type_6,
+member_17: type_9,
+member_18: type_10,
+member_19: type_5,
+member_20: type_11,
+}
+struct type_13 {
+member: type_12,
+}
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -60,1037 +102,1035 @@ member_14: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_6;
+var<storage> global_1: type_13;
 @group(0) @binding(1)
-var<storage> global_2: type_8;
+var<storage> global_2: type_15;
 @group(0) @binding(2)
-var<storage> global_3: type_8;
+var<storage> global_3: type_15;
 @group(0) @binding(3)
-var<storage> global_4: type_8;
+var<storage> global_4: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_5: type_8;
+var<storage, read_write> global_5: type_15;
 fn function_() {
-var phi_631_: u32;
-var phi_840_: i32;
-var phi_842_: type_12;
-var phi_845_: i32;
-var phi_847_: i32;
-var phi_2121_: i32;
-var phi_2124_: i32;
-var phi_2122_: i32;
-var phi_2125_: i32;
-var phi_3236_: i32;
-var phi_3238_: i32;
-var phi_3241_: i32;
-var phi_3239_: i32;
-var phi_3242_: i32;
+var phi_639_: u32;
+var phi_849_: i32;
+var phi_851_: type_19;
+var phi_854_: i32;
+var phi_856_: i32;
+var phi_2130_: i32;
+var phi_2133_: i32;
+var phi_2131_: i32;
+var phi_2134_: i32;
+var phi_3245_: i32;
+var phi_3247_: i32;
+var phi_3250_: i32;
+var phi_3248_: i32;
+var phi_3251_: i32;
 var local: i32;
 var local_1: i32;
-var phi_3543_: type_12;
+var phi_3552_: type_19;
 var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_3872_: type_12;
-var phi_3925_: type_12;
-var phi_3939_: type_12;
+var phi_3887_: type_19;
+var phi_3940_: type_19;
+var phi_3954_: type_19;
 var local_8: i32;
 var local_9: i32;
-var phi_4378_: type_12;
-var phi_4379_: type_12;
-var phi_4358_: type_12;
-var phi_4380_: type_12;
-var phi_4385_: type_12;
-var phi_4386_: type_12;
-var phi_4387_: bool;
-var phi_4391_: type_12;
+var phi_4398_: type_19;
+var phi_4399_: type_19;
+var phi_4379_: type_19;
+var phi_4400_: type_19;
+var phi_4405_: type_19;
+var phi_4406_: type_19;
+var phi_4407_: bool;
+var phi_4411_: type_19;
 var local_10: i32;
 var local_11: i32;
-var phi_3216_: type_12;
-var phi_4393_: type_12;
-var phi_4394_: i32;
-var phi_1511_: i32;
-var phi_1514_: i32;
-var phi_1512_: i32;
-var phi_1515_: i32;
+var phi_3225_: type_19;
+var phi_4413_: type_19;
+var phi_4414_: i32;
+var phi_1520_: i32;
+var phi_1523_: i32;
+var phi_1521_: i32;
+var phi_1524_: i32;
 var local_12: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_2117_: type_12;
-var phi_1831_: type_12;
-var phi_2119_: type_12;
-var phi_4395_: type_12;
-var phi_4396_: i32;
-var phi_1470_: type_12;
-var phi_1471_: type_12;
-var phi_1503_: i32;
-var phi_4397_: type_12;
-var phi_4398_: i32;
-var phi_843_: type_12;
-var phi_846_: i32;
-var phi_848_: i32;
+var phi_2126_: type_19;
+var phi_1840_: type_19;
+var phi_2128_: type_19;
+var phi_4415_: type_19;
+var phi_4416_: i32;
+var phi_1479_: type_19;
+var phi_1480_: type_19;
+var phi_1512_: i32;
+var phi_4417_: type_19;
+var phi_4418_: i32;
+var phi_852_: type_19;
+var phi_855_: i32;
+var phi_857_: i32;
 var local_15: i32;
 var local_16: i32;
-var phi_4404_: i32;
-var local_17: type_12;
-var local_18: type_12;
-var local_19: type_12;
-var local_20: type_12;
-var local_21: type_12;
-var local_22: type_12;
-var local_23: type_12;
-var local_24: type_12;
-var local_25: type_12;
-var local_26: type_12;
-var local_27: type_12;
-var local_28: type_12;
-var local_29: type_12;
-var local_30: type_12;
-var local_31: type_12;
-var local_32: type_12;
-var local_33: type_12;
-var local_34: type_12;
-var local_35: type_12;
-var local_36: type_12;
-var local_37: type_12;
-var local_38: type_12;
-var local_39: type_12;
+var phi_4424_: i32;
+var local_17: type_19;
+var local_18: type_19;
+var local_19: type_19;
+var local_20: type_19;
+var local_21: type_19;
+var local_22: type_19;
+var local_23: type_19;
+var local_24: type_19;
+var local_25: type_19;
+var local_26: type_19;
+var local_27: type_19;
+var local_28: type_19;
+var local_29: type_19;
+var local_30: type_19;
+var local_31: type_19;
+var local_32: type_19;
+var local_33: type_19;
+var local_34: type_19;
+var local_35: type_19;
+var local_36: type_19;
+var local_37: type_19;
+var local_38: type_19;
+var local_39: type_19;
 var local_40: f32;
 let _e93 = global;
 let _e97 = arrayLength((&global_3.member));
 let _e99 = arrayLength((&global_4.member));
-let _e105 = global_1.member.member[0u];
-let _e109 = global_1.member.member[1u];
-if (_e93.x < _e105) {
-if (_e93.y < _e109) {
-let _e114 = (_e105 * _e109);
-let _e116 = ((_e93.y * _e105) + _e93.x);
-let _e117 = bitcast<i32>(_e116);
-let _e119 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e121 = select(_e119, _e117, (_e117 < _e119));
-let _e127 = global_5.member[bitcast<u32>(select(0i, _e121, (_e121 > 0i)))];
-let _e128 = (_e114 + _e116);
-let _e129 = bitcast<i32>(_e128);
-let _e131 = select(_e119, _e129, (_e129 < _e119));
-let _e137 = global_5.member[bitcast<u32>(select(0i, _e131, (_e131 > 0i)))];
-let _e139 = ((2u * _e114) + _e116);
-let _e140 = bitcast<i32>(_e139);
-let _e142 = select(_e119, _e140, (_e140 < _e119));
-let _e148 = global_5.member[bitcast<u32>(select(0i, _e142, (_e142 > 0i)))];
-let _e150 = ((3u * _e114) + _e116);
-let _e151 = bitcast<i32>(_e150);
-let _e153 = select(_e119, _e151, (_e151 < _e119));
-let _e159 = global_5.member[bitcast<u32>(select(0i, _e153, (_e153 > 0i)))];
-let _e161 = ((4u * _e114) + _e116);
-let _e162 = bitcast<i32>(_e161);
-let _e164 = select(_e119, _e162, (_e162 < _e119));
-let _e170 = global_5.member[bitcast<u32>(select(0i, _e164, (_e164 > 0i)))];
-let _e172 = ((5u * _e114) + _e116);
-let _e173 = bitcast<i32>(_e172);
-let _e175 = select(_e119, _e173, (_e173 < _e119));
-let _e181 = global_5.member[bitcast<u32>(select(0i, _e175, (_e175 > 0i)))];
-let _e183 = ((6u * _e114) + _e116);
-let _e184 = bitcast<i32>(_e183);
-let _e186 = select(_e119, _e184, (_e184 < _e119));
-let _e192 = global_5.member[bitcast<u32>(select(0i, _e186, (_e186 > 0i)))];
-let _e194 = ((7u * _e114) + _e116);
-let _e195 = bitcast<i32>(_e194);
-let _e197 = select(_e119, _e195, (_e195 < _e119));
-let _e203 = global_5.member[bitcast<u32>(select(0i, _e197, (_e197 > 0i)))];
-let _e205 = ((8u * _e114) + _e116);
-let _e206 = bitcast<i32>(_e205);
-let _e208 = select(_e119, _e206, (_e206 < _e119));
-let _e214 = global_5.member[bitcast<u32>(select(0i, _e208, (_e208 > 0i)))];
-let _e216 = ((9u * _e114) + _e116);
-let _e217 = bitcast<i32>(_e216);
-let _e219 = select(_e119, _e217, (_e217 < _e119));
-let _e225 = global_5.member[bitcast<u32>(select(0i, _e219, (_e219 > 0i)))];
-let _e227 = ((10u * _e114) + _e116);
-let _e228 = bitcast<i32>(_e227);
-let _e230 = select(_e119, _e228, (_e228 < _e119));
-let _e236 = global_5.member[bitcast<u32>(select(0i, _e230, (_e230 > 0i)))];
-let _e238 = ((11u * _e114) + _e116);
-let _e239 = bitcast<i32>(_e238);
-let _e241 = select(_e119, _e239, (_e239 < _e119));
-let _e247 = global_5.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
-let _e249 = ((12u * _e114) + _e116);
-let _e250 = bitcast<i32>(_e249);
-let _e252 = select(_e119, _e250, (_e250 < _e119));
-let _e258 = global_5.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
-let _e260 = ((13u * _e114) + _e116);
-let _e261 = bitcast<i32>(_e260);
-let _e263 = select(_e119, _e261, (_e261 < _e119));
-let _e269 = global_5.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
-let _e271 = ((14u * _e114) + _e116);
-let _e272 = bitcast<i32>(_e271);
-let _e274 = select(_e119, _e272, (_e272 < _e119));
-let _e280 = global_5.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
-let _e282 = ((15u * _e114) + _e116);
-let _e283 = bitcast<i32>(_e282);
-let _e285 = select(_e119, _e283, (_e283 < _e119));
-let _e291 = global_5.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
-let _e293 = ((16u * _e114) + _e116);
-let _e294 = bitcast<i32>(_e293);
-let _e296 = select(_e119, _e294, (_e294 < _e119));
-let _e302 = global_5.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
-let _e304 = ((17u * _e114) + _e116);
-let _e305 = bitcast<i32>(_e304);
-let _e307 = select(_e119, _e305, (_e305 < _e119));
-let _e313 = global_5.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
-let _e315 = ((18u * _e114) + _e116);
-let _e316 = bitcast<i32>(_e315);
-let _e318 = select(_e119, _e316, (_e316 < _e119));
-let _e324 = global_5.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
-let _e326 = ((19u * _e114) + _e116);
-let _e327 = bitcast<i32>(_e326);
-let _e329 = select(_e119, _e327, (_e327 < _e119));
-let _e335 = global_5.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
-let _e337 = ((20u * _e114) + _e116);
-let _e338 = bitcast<i32>(_e337);
-let _e340 = select(_e119, _e338, (_e338 < _e119));
-let _e346 = global_5.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
-let _e348 = ((21u * _e114) + _e116);
-let _e349 = bitcast<i32>(_e348);
-let _e351 = select(_e119, _e349, (_e349 < _e119));
-let _e357 = global_5.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
-let _e359 = ((22u * _e114) + _e116);
-let _e360 = bitcast<i32>(_e359);
-let _e362 = select(_e119, _e360, (_e360 < _e119));
-let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
-let _e370 = ((23u * _e114) + _e116);
-let _e371 = bitcast<i32>(_e370);
-let _e373 = select(_e119, _e371, (_e371 < _e119));
-let _e379 = global_5.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
-let _e381 = ((24u * _e114) + _e116);
-let _e382 = bitcast<i32>(_e381);
-let _e384 = select(_e119, _e382, (_e382 < _e119));
-let _e390 = global_5.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
-if (_e302 == 0f) {
-phi_631_ = 3u;
+let _e104 = global_1.member.member;
+if (_e93.x < _e104.member) {
+if (_e93.y < _e104.member_1) {
+let _e111 = (_e104.member * _e104.member_1);
+let _e113 = ((_e93.y * _e104.member) + _e93.x);
+let _e114 = bitcast<i32>(_e113);
+let _e116 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e118 = select(_e116, _e114, (_e114 < _e116));
+let _e124 = global_5.member[bitcast<u32>(select(0i, _e118, (_e118 > 0i)))];
+let _e125 = (_e111 + _e113);
+let _e126 = bitcast<i32>(_e125);
+let _e128 = select(_e116, _e126, (_e126 < _e116));
+let _e134 = global_5.member[bitcast<u32>(select(0i, _e128, (_e128 > 0i)))];
+let _e136 = ((2u * _e111) + _e113);
+let _e137 = bitcast<i32>(_e136);
+let _e139 = select(_e116, _e137, (_e137 < _e116));
+let _e145 = global_5.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
+let _e147 = ((3u * _e111) + _e113);
+let _e148 = bitcast<i32>(_e147);
+let _e150 = select(_e116, _e148, (_e148 < _e116));
+let _e156 = global_5.member[bitcast<u32>(select(0i, _e150, (_e150 > 0i)))];
+let _e158 = ((4u * _e111) + _e113);
+let _e159 = bitcast<i32>(_e158);
+let _e161 = select(_e116, _e159, (_e159 < _e116));
+let _e167 = global_5.member[bitcast<u32>(select(0i, _e161, (_e161 > 0i)))];
+let _e169 = ((5u * _e111) + _e113);
+let _e170 = bitcast<i32>(_e169);
+let _e172 = select(_e116, _e170, (_e170 < _e116));
+let _e178 = global_5.member[bitcast<u32>(select(0i, _e172, (_e172 > 0i)))];
+let _e180 = ((6u * _e111) + _e113);
+let _e181 = bitcast<i32>(_e180);
+let _e183 = select(_e116, _e181, (_e181 < _e116));
+let _e189 = global_5.member[bitcast<u32>(select(0i, _e183, (_e183 > 0i)))];
+let _e191 = ((7u * _e111) + _e113);
+let _e192 = bitcast<i32>(_e191);
+let _e194 = select(_e116, _e192, (_e192 < _e116));
+let _e200 = global_5.member[bitcast<u32>(select(0i, _e194, (_e194 > 0i)))];
+let _e202 = ((8u * _e111) + _e113);
+let _e203 = bitcast<i32>(_e202);
+let _e205 = select(_e116, _e203, (_e203 < _e116));
+let _e211 = global_5.member[bitcast<u32>(select(0i, _e205, (_e205 > 0i)))];
+let _e213 = ((9u * _e111) + _e113);
+let _e214 = bitcast<i32>(_e213);
+let _e216 = select(_e116, _e214, (_e214 < _e116));
+let _e222 = global_5.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
+let _e224 = ((10u * _e111) + _e113);
+let _e225 = bitcast<i32>(_e224);
+let _e227 = select(_e116, _e225, (_e225 < _e116));
+let _e233 = global_5.member[bitcast<u32>(select(0i, _e227, (_e227 > 0i)))];
+let _e235 = ((11u * _e111) + _e113);
+let _e236 = bitcast<i32>(_e235);
+let _e238 = select(_e116, _e236, (_e236 < _e116));
+let _e244 = global_5.member[bitcast<u32>(select(0i, _e238, (_e238 > 0i)))];
+let _e246 = ((12u * _e111) + _e113);
+let _e247 = bitcast<i32>(_e246);
+let _e249 = select(_e116, _e247, (_e247 < _e116));
+let _e255 = global_5.member[bitcast<u32>(select(0i, _e249, (_e249 > 0i)))];
+let _e257 = ((13u * _e111) + _e113);
+let _e258 = bitcast<i32>(_e257);
+let _e260 = select(_e116, _e258, (_e258 < _e116));
+let _e266 = global_5.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
+let _e268 = ((14u * _e111) + _e113);
+let _e269 = bitcast<i32>(_e268);
+let _e271 = select(_e116, _e269, (_e269 < _e116));
+let _e277 = global_5.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
+let _e279 = ((15u * _e111) + _e113);
+let _e280 = bitcast<i32>(_e279);
+let _e282 = select(_e116, _e280, (_e280 < _e116));
+let _e288 = global_5.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
+let _e290 = ((16u * _e111) + _e113);
+let _e291 = bitcast<i32>(_e290);
+let _e293 = select(_e116, _e291, (_e291 < _e116));
+let _e299 = global_5.member[bitcast<u32>(select(0i, _e293, (_e293 > 0i)))];
+let _e301 = ((17u * _e111) + _e113);
+let _e302 = bitcast<i32>(_e301);
+let _e304 = select(_e116, _e302, (_e302 < _e116));
+let _e310 = global_5.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
+let _e312 = ((18u * _e111) + _e113);
+let _e313 = bitcast<i32>(_e312);
+let _e315 = select(_e116, _e313, (_e313 < _e116));
+let _e321 = global_5.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
+let _e323 = ((19u * _e111) + _e113);
+let _e324 = bitcast<i32>(_e323);
+let _e326 = select(_e116, _e324, (_e324 < _e116));
+let _e332 = global_5.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
+let _e334 = ((20u * _e111) + _e113);
+let _e335 = bitcast<i32>(_e334);
+let _e337 = select(_e116, _e335, (_e335 < _e116));
+let _e343 = global_5.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
+let _e345 = ((21u * _e111) + _e113);
+let _e346 = bitcast<i32>(_e345);
+let _e348 = select(_e116, _e346, (_e346 < _e116));
+let _e354 = global_5.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
+let _e356 = ((22u * _e111) + _e113);
+let _e357 = bitcast<i32>(_e356);
+let _e359 = select(_e116, _e357, (_e357 < _e116));
+let _e365 = global_5.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
+let _e367 = ((23u * _e111) + _e113);
+let _e368 = bitcast<i32>(_e367);
+let _e370 = select(_e116, _e368, (_e368 < _e116));
+let _e376 = global_5.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
+let _e378 = ((24u * _e111) + _e113);
+let _e379 = bitcast<i32>(_e378);
+let _e381 = select(_e116, _e379, (_e379 < _e116));
+let _e387 = global_5.member[bitcast<u32>(select(0i, _e381, (_e381 > 0i)))];
+if (_e299 == 0f) {
+phi_639_ = 3u;
 } else {
-phi_631_ = select(0u, 1u, (_e302 == 4f));
+phi_639_ = select(0u, 1u, (_e299 == 4f));
 }
-let _e395 = phi_631_;
-if (_e395 > 1u) {
-let _e400 = global_1.member.member[2u];
-let _e412 = select(0i, select(select(i32(_e313), i32(-2147483648), (_e313 < -2147483600f)), 2147483647i, (_e313 > 2147483500f)), (_e313 == _e313));
-let _e428 = bitcast<i32>(arrayLength((&global_2.member)));
-if (_e412 == 16i) {
-phi_840_ = 0i;
+let _e392 = phi_639_;
+if (_e392 > 1u) {
+let _e406 = select(0i, select(select(i32(_e310), i32(-2147483648), (_e310 < -2147483600f)), 2147483647i, (_e310 > 2147483500f)), (_e310 == _e310));
+let _e422 = bitcast<i32>(arrayLength((&global_2.member)));
+if (_e406 == 16i) {
+phi_849_ = 0i;
 } else {
-phi_840_ = -(_e412);
+phi_849_ = -(_e406);
 }
-let _e433 = phi_840_;
-phi_842_ = type_12(vec3<f32>(_e127, _e137, _e148), vec3<f32>(_e159, _e170, _e181), vec3<f32>(_e192, _e203, _e214), vec3<f32>(_e225, _e236, _e247), vec3<f32>(_e258, _e269, _e280), _e291, _e302, _e412, _e324, _e335, _e346, _e357, select(0i, select(select(i32(_e368), i32(-2147483648), (_e368 < -2147483600f)), 2147483647i, (_e368 > 2147483500f)), (_e368 == _e368)), select(0i, select(select(i32(_e379), i32(-2147483648), (_e379 < -2147483600f)), 2147483647i, (_e379 > 2147483500f)), (_e379 == _e379)), _e390);
-phi_845_ = 0i;
-phi_847_ = _e433;
+let _e427 = phi_849_;
+phi_851_ = type_19(vec3<f32>(_e124, _e134, _e145), vec3<f32>(_e156, _e167, _e178), vec3<f32>(_e189, _e200, _e211), vec3<f32>(_e222, _e233, _e244), vec3<f32>(_e255, _e266, _e277), _e288, _e299, _e406, _e321, _e332, _e343, _e354, select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < -2147483600f)), 2147483647i, (_e365 > 2147483500f)), (_e365 == _e365)), select(0i, select(select(i32(_e376), i32(-2147483648), (_e376 < -2147483600f)), 2147483647i, (_e376 > 2147483500f)), (_e376 == _e376)), _e387);
+phi_854_ = 0i;
+phi_856_ = _e427;
 loop {
-let _e435 = phi_842_;
-let _e437 = phi_845_;
-let _e439 = phi_847_;
-local_15 = _e439;
-local_16 = _e439;
-local_17 = _e435;
-local_18 = _e435;
-local_19 = _e435;
-local_20 = _e435;
-local_21 = _e435;
-local_22 = _e435;
-local_23 = _e435;
-local_24 = _e435;
-local_25 = _e435;
-local_26 = _e435;
-local_27 = _e435;
-local_28 = _e435;
-local_29 = _e435;
-local_30 = _e435;
-local_31 = _e435;
-local_32 = _e435;
-local_33 = _e435;
-local_34 = _e435;
-local_35 = _e435;
-local_36 = _e435;
-local_37 = _e435;
-local_38 = _e435;
-local_39 = _e435;
-let _e443 = ((_e437 < 1024i) && (_e435.member_6 == 0f));
-local_40 = _e435.member_6;
-if _e443 {
-if (_e435.member_12 < (_e428 / 8i)) {
-let _e2629 = (_e435.member_12 * 8i);
-let _e2633 = bitcast<f32>((bitcast<u32>(_e435.member_1.x) & 2147483647u));
-let _e2638 = (1f / select(_e435.member_1.x, select(1e-12f, -1e-12f, (_e435.member_1.x < 0f)), (_e2633 < 1e-12f)));
-let _e2642 = bitcast<f32>((bitcast<u32>(_e435.member_1.y) & 2147483647u));
-let _e2647 = (1f / select(_e435.member_1.y, select(1e-12f, -1e-12f, (_e435.member_1.y < 0f)), (_e2642 < 1e-12f)));
-let _e2651 = bitcast<f32>((bitcast<u32>(_e435.member_1.z) & 2147483647u));
-let _e2656 = (1f / select(_e435.member_1.z, select(1e-12f, -1e-12f, (_e435.member_1.z < 0f)), (_e2651 < 1e-12f)));
-let _e2658 = (_e428 - 1i);
-let _e2660 = select(_e2658, _e2629, (_e2629 < _e2658));
-let _e2666 = global_2.member[bitcast<u32>(select(0i, _e2660, (_e2660 > 0i)))];
-let _e2667 = (_e2629 + 1i);
-let _e2669 = select(_e2658, _e2667, (_e2667 < _e2658));
-let _e2675 = global_2.member[bitcast<u32>(select(0i, _e2669, (_e2669 > 0i)))];
-let _e2676 = (_e2629 + 2i);
-let _e2678 = select(_e2658, _e2676, (_e2676 < _e2658));
-let _e2684 = global_2.member[bitcast<u32>(select(0i, _e2678, (_e2678 > 0i)))];
-let _e2685 = (_e2629 + 3i);
-let _e2687 = select(_e2658, _e2685, (_e2685 < _e2658));
-let _e2693 = global_2.member[bitcast<u32>(select(0i, _e2687, (_e2687 > 0i)))];
-let _e2694 = (_e2629 + 4i);
-let _e2696 = select(_e2658, _e2694, (_e2694 < _e2658));
-let _e2702 = global_2.member[bitcast<u32>(select(0i, _e2696, (_e2696 > 0i)))];
-let _e2703 = (_e2629 + 5i);
-let _e2705 = select(_e2658, _e2703, (_e2703 < _e2658));
-let _e2711 = global_2.member[bitcast<u32>(select(0i, _e2705, (_e2705 > 0i)))];
-let _e2714 = ((_e2666 - _e435.member.x) * _e2638);
-let _e2716 = ((_e2693 - _e435.member.x) * _e2638);
-let _e2719 = ((_e2675 - _e435.member.y) * _e2647);
-let _e2721 = ((_e2702 - _e435.member.y) * _e2647);
-let _e2724 = ((_e2684 - _e435.member.z) * _e2656);
-let _e2726 = ((_e2711 - _e435.member.z) * _e2656);
-let _e2728 = select(_e2716, _e2714, (_e2714 < _e2716));
-let _e2730 = select(_e2721, _e2719, (_e2719 < _e2721));
-let _e2732 = select(_e2730, _e2728, (_e2728 > _e2730));
-let _e2734 = select(_e2726, _e2724, (_e2724 < _e2726));
-let _e2738 = select(_e2716, _e2714, (_e2714 > _e2716));
-let _e2740 = select(_e2721, _e2719, (_e2719 > _e2721));
-let _e2742 = select(_e2740, _e2738, (_e2738 < _e2740));
-let _e2744 = select(_e2726, _e2724, (_e2724 > _e2726));
+let _e429 = phi_851_;
+let _e431 = phi_854_;
+let _e433 = phi_856_;
+local_15 = _e433;
+local_16 = _e433;
+local_17 = _e429;
+local_18 = _e429;
+local_19 = _e429;
+local_20 = _e429;
+local_21 = _e429;
+local_22 = _e429;
+local_23 = _e429;
+local_24 = _e429;
+local_25 = _e429;
+local_26 = _e429;
+local_27 = _e429;
+local_28 = _e429;
+local_29 = _e429;
+local_30 = _e429;
+local_31 = _e429;
+local_32 = _e429;
+local_33 = _e429;
+local_34 = _e429;
+local_35 = _e429;
+local_36 = _e429;
+local_37 = _e429;
+local_38 = _e429;
+local_39 = _e429;
+let _e437 = ((_e431 < 1024i) && (_e429.member_6 == 0f));
+local_40 = _e429.member_6;
+if _e437 {
+if (_e429.member_12 < (_e422 / 8i)) {
+let _e2633 = (_e429.member_12 * 8i);
+let _e2637 = bitcast<f32>((bitcast<u32>(_e429.member_1.x) & 2147483647u));
+let _e2642 = (1f / select(_e429.member_1.x, select(1e-12f, -1e-12f, (_e429.member_1.x < 0f)), (_e2637 < 1e-12f)));
+let _e2646 = bitcast<f32>((bitcast<u32>(_e429.member_1.y) & 2147483647u));
+let _e2651 = (1f / select(_e429.member_1.y, select(1e-12f, -1e-12f, (_e429.member_1.y < 0f)), (_e2646 < 1e-12f)));
+let _e2655 = bitcast<f32>((bitcast<u32>(_e429.member_1.z) & 2147483647u));
+let _e2660 = (1f / select(_e429.member_1.z, select(1e-12f, -1e-12f, (_e429.member_1.z < 0f)), (_e2655 < 1e-12f)));
+let _e2662 = (_e422 - 1i);
+let _e2664 = select(_e2662, _e2633, (_e2633 < _e2662));
+let _e2670 = global_2.member[bitcast<u32>(select(0i, _e2664, (_e2664 > 0i)))];
+let _e2671 = (_e2633 + 1i);
+let _e2673 = select(_e2662, _e2671, (_e2671 < _e2662));
+let _e2679 = global_2.member[bitcast<u32>(select(0i, _e2673, (_e2673 > 0i)))];
+let _e2680 = (_e2633 + 2i);
+let _e2682 = select(_e2662, _e2680, (_e2680 < _e2662));
+let _e2688 = global_2.member[bitcast<u32>(select(0i, _e2682, (_e2682 > 0i)))];
+let _e2689 = (_e2633 + 3i);
+let _e2691 = select(_e2662, _e2689, (_e2689 < _e2662));
+let _e2697 = global_2.member[bitcast<u32>(select(0i, _e2691, (_e2691 > 0i)))];
+let _e2698 = (_e2633 + 4i);
+let _e2700 = select(_e2662, _e2698, (_e2698 < _e2662));
+let _e2706 = global_2.member[bitcast<u32>(select(0i, _e2700, (_e2700 > 0i)))];
+let _e2707 = (_e2633 + 5i);
+let _e2709 = select(_e2662, _e2707, (_e2707 < _e2662));
+let _e2715 = global_2.member[bitcast<u32>(select(0i, _e2709, (_e2709 > 0i)))];
+let _e2718 = ((_e2670 - _e429.member.x) * _e2642);
+let _e2720 = ((_e2697 - _e429.member.x) * _e2642);
+let _e2723 = ((_e2679 - _e429.member.y) * _e2651);
+let _e2725 = ((_e2706 - _e429.member.y) * _e2651);
+let _e2728 = ((_e2688 - _e429.member.z) * _e2660);
+let _e2730 = ((_e2715 - _e429.member.z) * _e2660);
+let _e2732 = select(_e2720, _e2718, (_e2718 < _e2720));
+let _e2734 = select(_e2725, _e2723, (_e2723 < _e2725));
+let _e2736 = select(_e2734, _e2732, (_e2732 > _e2734));
+let _e2738 = select(_e2730, _e2728, (_e2728 < _e2730));
+let _e2742 = select(_e2720, _e2718, (_e2718 > _e2720));
+let _e2744 = select(_e2725, _e2723, (_e2723 > _e2725));
 let _e2746 = select(_e2744, _e2742, (_e2742 < _e2744));
-let _e2752 = ((select(_e2734, _e2732, (_e2732 > _e2734)) <= select(_e435.member_14, _e2746, (_e2746 < _e435.member_14))) && (_e2746 >= 0f));
-let _e2753 = (_e2629 + 6i);
-let _e2755 = select(_e2658, _e2753, (_e2753 < _e2658));
-let _e2761 = global_2.member[bitcast<u32>(select(0i, _e2755, (_e2755 > 0i)))];
-let _e2768 = select(0i, select(select(i32(_e2761), i32(-2147483648), (_e2761 < -2147483600f)), 2147483647i, (_e2761 > 2147483500f)), (_e2761 == _e2761));
-if (_e2752 && (_e2768 >= 0i)) {
-let _e2773 = ((_e2633 >= _e2642) && (_e2633 >= _e2651));
-let _e2776 = (!(_e2773) && (_e2642 >= _e2651));
-let _e2783 = (1f / select(select(_e435.member_1.z, _e435.member_1.y, _e2776), _e435.member_1.x, _e2773));
-let _e2784 = (select(select(_e435.member_1.x, _e435.member_1.z, _e2776), _e435.member_1.y, _e2773) * _e2783);
-let _e2785 = (select(select(_e435.member_1.y, _e435.member_1.x, _e2776), _e435.member_1.z, _e2773) * _e2783);
-let _e2786 = (_e2768 * 19i);
-let _e2788 = (bitcast<i32>(_e97) - 1i);
-let _e2790 = select(_e2788, _e2786, (_e2786 < _e2788));
-let _e2796 = global_3.member[bitcast<u32>(select(0i, _e2790, (_e2790 > 0i)))];
-let _e2797 = (_e2786 + 1i);
-let _e2799 = select(_e2788, _e2797, (_e2797 < _e2788));
-let _e2805 = global_3.member[bitcast<u32>(select(0i, _e2799, (_e2799 > 0i)))];
-let _e2806 = (_e2786 + 2i);
-let _e2808 = select(_e2788, _e2806, (_e2806 < _e2788));
-let _e2814 = global_3.member[bitcast<u32>(select(0i, _e2808, (_e2808 > 0i)))];
-let _e2815 = (_e2796 - _e435.member.x);
-let _e2816 = (_e2805 - _e435.member.y);
-let _e2817 = (_e2814 - _e435.member.z);
-let _e2823 = select(select(_e2817, _e2816, _e2776), _e2815, _e2773);
-let _e2825 = (select(select(_e2815, _e2817, _e2776), _e2816, _e2773) - (_e2784 * _e2823));
-let _e2827 = (select(select(_e2816, _e2815, _e2776), _e2817, _e2773) - (_e2785 * _e2823));
-let _e2829 = (_e2786 + 3i);
-let _e2831 = select(_e2788, _e2829, (_e2829 < _e2788));
-let _e2837 = global_3.member[bitcast<u32>(select(0i, _e2831, (_e2831 > 0i)))];
-let _e2838 = (_e2786 + 4i);
-let _e2840 = select(_e2788, _e2838, (_e2838 < _e2788));
-let _e2846 = global_3.member[bitcast<u32>(select(0i, _e2840, (_e2840 > 0i)))];
-let _e2847 = (_e2786 + 5i);
-let _e2849 = select(_e2788, _e2847, (_e2847 < _e2788));
-let _e2855 = global_3.member[bitcast<u32>(select(0i, _e2849, (_e2849 > 0i)))];
-let _e2856 = (_e2837 - _e435.member.x);
-let _e2857 = (_e2846 - _e435.member.y);
-let _e2858 = (_e2855 - _e435.member.z);
-let _e2864 = select(select(_e2858, _e2857, _e2776), _e2856, _e2773);
-let _e2866 = (select(select(_e2856, _e2858, _e2776), _e2857, _e2773) - (_e2784 * _e2864));
-let _e2868 = (select(select(_e2857, _e2856, _e2776), _e2858, _e2773) - (_e2785 * _e2864));
-let _e2870 = (_e2786 + 6i);
-let _e2872 = select(_e2788, _e2870, (_e2870 < _e2788));
-let _e2878 = global_3.member[bitcast<u32>(select(0i, _e2872, (_e2872 > 0i)))];
-let _e2879 = (_e2786 + 7i);
-let _e2881 = select(_e2788, _e2879, (_e2879 < _e2788));
-let _e2887 = global_3.member[bitcast<u32>(select(0i, _e2881, (_e2881 > 0i)))];
-let _e2888 = (_e2786 + 8i);
-let _e2890 = select(_e2788, _e2888, (_e2888 < _e2788));
-let _e2896 = global_3.member[bitcast<u32>(select(0i, _e2890, (_e2890 > 0i)))];
-let _e2897 = (_e2878 - _e435.member.x);
-let _e2898 = (_e2887 - _e435.member.y);
-let _e2899 = (_e2896 - _e435.member.z);
-let _e2905 = select(select(_e2899, _e2898, _e2776), _e2897, _e2773);
-let _e2907 = (select(select(_e2897, _e2899, _e2776), _e2898, _e2773) - (_e2784 * _e2905));
-let _e2909 = (select(select(_e2898, _e2897, _e2776), _e2899, _e2773) - (_e2785 * _e2905));
-let _e2913 = ((_e2907 * _e2868) - (_e2909 * _e2866));
-let _e2916 = ((_e2825 * _e2909) - (_e2827 * _e2907));
-let _e2919 = ((_e2866 * _e2827) - (_e2868 * _e2825));
-let _e2921 = ((_e2913 + _e2916) + _e2919);
-let _e2935 = (!(((((_e2913 < 0f) || (_e2916 < 0f)) || (_e2919 < 0f)) && (((_e2913 > 0f) || (_e2916 > 0f)) || (_e2919 > 0f)))) && (_e2921 != 0f));
-let _e2942 = ((((_e2913 * (_e2823 * _e2783)) + (_e2916 * (_e2864 * _e2783))) + (_e2919 * (_e2905 * _e2783))) / select(1f, _e2921, _e2935));
-let _e2945 = select(1e30f, _e2942, (_e2935 && (_e2942 > 1e-3f)));
-if (_e2945 < _e435.member_14) {
-let _e2961 = type_12(_e435.member, _e435.member_1, _e435.member_2, _e435.member_3, _e435.member_4, _e435.member_5, _e435.member_6, _e435.member_7, _e435.member_8, _e435.member_9, _e435.member_10, _e435.member_11, _e435.member_12, _e435.member_13, _e2945);
-phi_1470_ = type_12(_e2961.member, _e2961.member_1, _e2961.member_2, _e2961.member_3, _e2961.member_4, _e2961.member_5, _e2961.member_6, _e2961.member_7, _e2961.member_8, _e2961.member_9, _e2961.member_10, _e2961.member_11, _e2961.member_12, _e2768, _e2961.member_14);
+let _e2748 = select(_e2730, _e2728, (_e2728 > _e2730));
+let _e2750 = select(_e2748, _e2746, (_e2746 < _e2748));
+let _e2756 = ((select(_e2738, _e2736, (_e2736 > _e2738)) <= select(_e429.member_14, _e2750, (_e2750 < _e429.member_14))) && (_e2750 >= 0f));
+let _e2757 = (_e2633 + 6i);
+let _e2759 = select(_e2662, _e2757, (_e2757 < _e2662));
+let _e2765 = global_2.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
+let _e2772 = select(0i, select(select(i32(_e2765), i32(-2147483648), (_e2765 < -2147483600f)), 2147483647i, (_e2765 > 2147483500f)), (_e2765 == _e2765));
+if (_e2756 && (_e2772 >= 0i)) {
+let _e2777 = ((_e2637 >= _e2646) && (_e2637 >= _e2655));
+let _e2780 = (!(_e2777) && (_e2646 >= _e2655));
+let _e2787 = (1f / select(select(_e429.member_1.z, _e429.member_1.y, _e2780), _e429.member_1.x, _e2777));
+let _e2788 = (select(select(_e429.member_1.x, _e429.member_1.z, _e2780), _e429.member_1.y, _e2777) * _e2787);
+let _e2789 = (select(select(_e429.member_1.y, _e429.member_1.x, _e2780), _e429.member_1.z, _e2777) * _e2787);
+let _e2790 = (_e2772 * 19i);
+let _e2792 = (bitcast<i32>(_e97) - 1i);
+let _e2794 = select(_e2792, _e2790, (_e2790 < _e2792));
+let _e2800 = global_3.member[bitcast<u32>(select(0i, _e2794, (_e2794 > 0i)))];
+let _e2801 = (_e2790 + 1i);
+let _e2803 = select(_e2792, _e2801, (_e2801 < _e2792));
+let _e2809 = global_3.member[bitcast<u32>(select(0i, _e2803, (_e2803 > 0i)))];
+let _e2810 = (_e2790 + 2i);
+let _e2812 = select(_e2792, _e2810, (_e2810 < _e2792));
+let _e2818 = global_3.member[bitcast<u32>(select(0i, _e2812, (_e2812 > 0i)))];
+let _e2819 = (_e2800 - _e429.member.x);
+let _e2820 = (_e2809 - _e429.member.y);
+let _e2821 = (_e2818 - _e429.member.z);
+let _e2827 = select(select(_e2821, _e2820, _e2780), _e2819, _e2777);
+let _e2829 = (select(select(_e2819, _e2821, _e2780), _e2820, _e2777) - (_e2788 * _e2827));
+let _e2831 = (select(select(_e2820, _e2819, _e2780), _e2821, _e2777) - (_e2789 * _e2827));
+let _e2833 = (_e2790 + 3i);
+let _e2835 = select(_e2792, _e2833, (_e2833 < _e2792));
+let _e2841 = global_3.member[bitcast<u32>(select(0i, _e2835, (_e2835 > 0i)))];
+let _e2842 = (_e2790 + 4i);
+let _e2844 = select(_e2792, _e2842, (_e2842 < _e2792));
+let _e2850 = global_3.member[bitcast<u32>(select(0i, _e2844, (_e2844 > 0i)))];
+let _e2851 = (_e2790 + 5i);
+let _e2853 = select(_e2792, _e2851, (_e2851 < _e2792));
+let _e2859 = global_3.member[bitcast<u32>(select(0i, _e2853, (_e2853 > 0i)))];
+let _e2860 = (_e2841 - _e429.member.x);
+let _e2861 = (_e2850 - _e429.member.y);
+let _e2862 = (_e2859 - _e429.member.z);
+let _e2868 = select(select(_e2862, _e2861, _e2780), _e2860, _e2777);
+let _e2870 = (select(select(_e2860, _e2862, _e2780), _e2861, _e2777) - (_e2788 * _e2868));
+let _e2872 = (select(select(_e2861, _e2860, _e2780), _e2862, _e2777) - (_e2789 * _e2868));
+let _e2874 = (_e2790 + 6i);
+let _e2876 = select(_e2792, _e2874, (_e2874 < _e2792));
+let _e2882 = global_3.member[bitcast<u32>(select(0i, _e2876, (_e2876 > 0i)))];
+let _e2883 = (_e2790 + 7i);
+let _e2885 = select(_e2792, _e2883, (_e2883 < _e2792));
+let _e2891 = global_3.member[bitcast<u32>(select(0i, _e2885, (_e2885 > 0i)))];
+let _e2892 = (_e2790 + 8i);
+let _e2894 = select(_e2792, _e2892, (_e2892 < _e2792));
+let _e2900 = global_3.member[bitcast<u32>(select(0i, _e2894, (_e2894 > 0i)))];
+let _e2901 = (_e2882 - _e429.member.x);
+let _e2902 = (_e2891 - _e429.member.y);
+let _e2903 = (_e2900 - _e429.member.z);
+let _e2909 = select(select(_e2903, _e2902, _e2780), _e2901, _e2777);
+let _e2911 = (select(select(_e2901, _e2903, _e2780), _e2902, _e2777) - (_e2788 * _e2909));
+let _e2913 = (select(select(_e2902, _e2901, _e2780), _e2903, _e2777) - (_e2789 * _e2909));
+let _e2917 = ((_e2911 * _e2872) - (_e2913 * _e2870));
+let _e2920 = ((_e2829 * _e2913) - (_e2831 * _e2911));
+let _e2923 = ((_e2870 * _e2831) - (_e2872 * _e2829));
+let _e2925 = ((_e2917 + _e2920) + _e2923);
+let _e2939 = (!(((((_e2917 < 0f) || (_e2920 < 0f)) || (_e2923 < 0f)) && (((_e2917 > 0f) || (_e2920 > 0f)) || (_e2923 > 0f)))) && (_e2925 != 0f));
+let _e2946 = ((((_e2917 * (_e2827 * _e2787)) + (_e2920 * (_e2868 * _e2787))) + (_e2923 * (_e2909 * _e2787))) / select(1f, _e2925, _e2939));
+let _e2949 = select(1e30f, _e2946, (_e2939 && (_e2946 > 1e-3f)));
+if (_e2949 < _e429.member_14) {
+let _e2965 = type_19(_e429.member, _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e2949);
+phi_1479_ = type_19(_e2965.member, _e2965.member_1, _e2965.member_2, _e2965.member_3, _e2965.member_4, _e2965.member_5, _e2965.member_6, _e2965.member_7, _e2965.member_8, _e2965.member_9, _e2965.member_10, _e2965.member_11, _e2965.member_12, _e2772, _e2965.member_14);
 } else {
-phi_1470_ = _e435;
+phi_1479_ = _e429;
 }
-let _e2978 = phi_1470_;
-phi_1471_ = _e2978;
+let _e2982 = phi_1479_;
+phi_1480_ = _e2982;
 } else {
-phi_1471_ = _e435;
+phi_1480_ = _e429;
 }
-let _e2980 = phi_1471_;
-if _e2752 {
-phi_1503_ = (_e2980.member_12 + 1i);
+let _e2984 = phi_1480_;
+if _e2756 {
+phi_1512_ = (_e2984.member_12 + 1i);
 } else {
-let _e2981 = (_e2629 + 7i);
-let _e2983 = select(_e2658, _e2981, (_e2981 < _e2658));
-let _e2989 = global_2.member[bitcast<u32>(select(0i, _e2983, (_e2983 > 0i)))];
-phi_1503_ = select(0i, select(select(i32(_e2989), i32(-2147483648), (_e2989 < -2147483600f)), 2147483647i, (_e2989 > 2147483500f)), (_e2989 == _e2989));
+let _e2985 = (_e2633 + 7i);
+let _e2987 = select(_e2662, _e2985, (_e2985 < _e2662));
+let _e2993 = global_2.member[bitcast<u32>(select(0i, _e2987, (_e2987 > 0i)))];
+phi_1512_ = select(0i, select(select(i32(_e2993), i32(-2147483648), (_e2993 < -2147483600f)), 2147483647i, (_e2993 > 2147483500f)), (_e2993 == _e2993));
 }
-let _e3000 = phi_1503_;
-phi_4397_ = type_12(_e2980.member, _e2980.member_1, _e2980.member_2, _e2980.member_3, _e2980.member_4, _e2980.member_5, _e2980.member_6, _e2980.member_7, _e2980.member_8, _e2980.member_9, _e2980.member_10, _e2980.member_11, _e3000, _e2980.member_13, _e2980.member_14);
-phi_4398_ = _e439;
+let _e3004 = phi_1512_;
+phi_4417_ = type_19(_e2984.member, _e2984.member_1, _e2984.member_2, _e2984.member_3, _e2984.member_4, _e2984.member_5, _e2984.member_6, _e2984.member_7, _e2984.member_8, _e2984.member_9, _e2984.member_10, _e2984.member_11, _e3004, _e2984.member_13, _e2984.member_14);
+phi_4418_ = _e433;
 } else {
-if (_e435.member_13 < 0i) {
-phi_1511_ = 15i;
-phi_1514_ = 16i;
+if (_e429.member_13 < 0i) {
+phi_1520_ = 15i;
+phi_1523_ = 16i;
 loop {
-let _e2159 = phi_1511_;
-let _e2161 = phi_1514_;
-local_12 = _e2161;
-local_13 = _e2161;
-local_14 = _e2161;
-let _e2162 = (_e2159 >= 0i);
-if _e2162 {
-phi_1512_ = (_e2159 - 1i);
-phi_1515_ = select(_e2161, _e2159, (((_e439 >> bitcast<u32>((_e2159 & 31i))) & 1i) == 1i));
+let _e2163 = phi_1520_;
+let _e2165 = phi_1523_;
+local_12 = _e2165;
+local_13 = _e2165;
+local_14 = _e2165;
+let _e2166 = (_e2163 >= 0i);
+if _e2166 {
+phi_1521_ = (_e2163 - 1i);
+phi_1524_ = select(_e2165, _e2163, (((_e433 >> bitcast<u32>((_e2163 & 31i))) & 1i) == 1i));
 } else {
-phi_1512_ = i32();
-phi_1515_ = i32();
+phi_1521_ = i32();
+phi_1524_ = i32();
 }
-let _e2171 = phi_1512_;
-let _e2173 = phi_1515_;
+let _e2175 = phi_1521_;
+let _e2177 = phi_1524_;
 continue;
 continuing {
-phi_1511_ = _e2171;
-phi_1514_ = _e2173;
-break if !(_e2162);
+phi_1520_ = _e2175;
+phi_1523_ = _e2177;
+break if !(_e2166);
 }
 }
-let _e2175 = (_e435.member_13 == -1i);
-let _e2177 = local_12;
-if (_e2175 || (_e2177 == 16i)) {
-if _e2175 {
-phi_1831_ = type_12(_e435.member, _e435.member_1, _e435.member_2, _e435.member_3, _e435.member_4, _e435.member_5, 1f, _e435.member_7, _e435.member_8, _e435.member_9, _e435.member_10, _e435.member_11, _e435.member_12, _e435.member_13, _e435.member_14);
+let _e2179 = (_e429.member_13 == -1i);
+let _e2181 = local_12;
+if (_e2179 || (_e2181 == 16i)) {
+if _e2179 {
+phi_1840_ = type_19(_e429.member, _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, 1f, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
 } else {
-let _e2536 = type_12(vec3<f32>((_e435.member.x + (_e435.member_1.x * _e435.member_14)), (_e435.member.y + (_e435.member_1.y * _e435.member_14)), (_e435.member.z + (_e435.member_1.z * _e435.member_14))), _e435.member_1, _e435.member_2, _e435.member_3, _e435.member_4, _e435.member_5, _e435.member_6, _e435.member_7, _e435.member_8, _e435.member_9, _e435.member_10, _e435.member_11, _e435.member_12, _e435.member_13, _e435.member_14);
-let _e2553 = type_12(_e2536.member, _e2536.member_1, _e2536.member_2, _e2536.member_3, _e2536.member_4, (_e435.member_5 + _e435.member_14), _e2536.member_6, _e2536.member_7, _e2536.member_8, _e2536.member_9, _e2536.member_10, _e2536.member_11, _e2536.member_12, _e2536.member_13, _e2536.member_14);
-let _e2569 = type_12(_e2553.member, _e2553.member_1, _e2553.member_2, _e2553.member_3, _e2553.member_4, _e2553.member_5, _e2553.member_6, _e2553.member_7, _e2553.member_8, _e2553.member_9, _e2553.member_10, _e2553.member_11, _e2553.member_12, _e2553.member_13, (_e435.member_14 - _e435.member_14));
-let _e2589 = type_12(_e2569.member, _e2569.member_1, _e2569.member_2, _e2569.member_3, _e2569.member_4, _e2569.member_5, _e2569.member_6, _e2569.member_7, _e2569.member_8, _e2569.member_9, (_e435.member_10 + select(0f, _e435.member_14, (_e435.member_8 == 0f))), _e2569.member_11, _e2569.member_12, _e2569.member_13, _e2569.member_14);
-phi_1831_ = type_12(_e2589.member, _e2589.member_1, _e2589.member_2, _e2589.member_3, _e2589.member_4, _e2589.member_5, 3f, _e2589.member_7, _e2589.member_8, _e2589.member_9, _e2589.member_10, _e2589.member_11, _e2589.member_12, _e2589.member_13, _e2589.member_14);
+let _e2540 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e2557 = type_19(_e2540.member, _e2540.member_1, _e2540.member_2, _e2540.member_3, _e2540.member_4, (_e429.member_5 + _e429.member_14), _e2540.member_6, _e2540.member_7, _e2540.member_8, _e2540.member_9, _e2540.member_10, _e2540.member_11, _e2540.member_12, _e2540.member_13, _e2540.member_14);
+let _e2573 = type_19(_e2557.member, _e2557.member_1, _e2557.member_2, _e2557.member_3, _e2557.member_4, _e2557.member_5, _e2557.member_6, _e2557.member_7, _e2557.member_8, _e2557.member_9, _e2557.member_10, _e2557.member_11, _e2557.member_12, _e2557.member_13, (_e429.member_14 - _e429.member_14));
+let _e2593 = type_19(_e2573.member, _e2573.member_1, _e2573.member_2, _e2573.member_3, _e2573.member_4, _e2573.member_5, _e2573.member_6, _e2573.member_7, _e2573.member_8, _e2573.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e2573.member_11, _e2573.member_12, _e2573.member_13, _e2573.member_14);
+phi_1840_ = type_19(_e2593.member, _e2593.member_1, _e2593.member_2, _e2593.member_3, _e2593.member_4, _e2593.member_5, 3f, _e2593.member_7, _e2593.member_8, _e2593.member_9, _e2593.member_10, _e2593.member_11, _e2593.member_12, _e2593.member_13, _e2593.member_14);
 }
-let _e2621 = phi_1831_;
-phi_2119_ = _e2621;
+let _e2625 = phi_1840_;
+phi_2128_ = _e2625;
 } else {
-let _e2212 = type_12(vec3<f32>((_e435.member.x + (_e435.member_1.x * _e435.member_14)), (_e435.member.y + (_e435.member_1.y * _e435.member_14)), (_e435.member.z + (_e435.member_1.z * _e435.member_14))), _e435.member_1, _e435.member_2, _e435.member_3, _e435.member_4, _e435.member_5, _e435.member_6, _e435.member_7, _e435.member_8, _e435.member_9, _e435.member_10, _e435.member_11, _e435.member_12, _e435.member_13, _e435.member_14);
-let _e2229 = type_12(_e2212.member, _e2212.member_1, _e2212.member_2, _e2212.member_3, _e2212.member_4, (_e435.member_5 + _e435.member_14), _e2212.member_6, _e2212.member_7, _e2212.member_8, _e2212.member_9, _e2212.member_10, _e2212.member_11, _e2212.member_12, _e2212.member_13, _e2212.member_14);
-let _e2245 = type_12(_e2229.member, _e2229.member_1, _e2229.member_2, _e2229.member_3, _e2229.member_4, _e2229.member_5, _e2229.member_6, _e2229.member_7, _e2229.member_8, _e2229.member_9, _e2229.member_10, _e2229.member_11, _e2229.member_12, _e2229.member_13, (_e435.member_14 - _e435.member_14));
-let _e2265 = type_12(_e2245.member, _e2245.member_1, _e2245.member_2, _e2245.member_3, _e2245.member_4, _e2245.member_5, _e2245.member_6, _e2245.member_7, _e2245.member_8, _e2245.member_9, (_e435.member_10 + select(0f, _e435.member_14, (_e435.member_8 == 0f))), _e2245.member_11, _e2245.member_12, _e2245.member_13, _e2245.member_14);
-let _e2267 = local_13;
-if (_e2267 != 16i) {
-let _e2285 = type_12(_e2265.member, _e2265.member_1, _e2265.member_2, _e2265.member_3, _e2265.member_4, _e2265.member_5, _e2265.member_6, _e2265.member_7, _e2265.member_8, (_e435.member_9 + _e435.member_14), _e2265.member_10, _e2265.member_11, _e2265.member_12, _e2265.member_13, _e2265.member_14);
-let _e2287 = local_14;
-let _e2288 = (_e2287 * 4i);
-let _e2289 = (_e2288 + 1i);
-let _e2291 = (bitcast<i32>(_e99) - 1i);
-let _e2293 = select(_e2291, _e2289, (_e2289 < _e2291));
-let _e2299 = global_4.member[bitcast<u32>(select(0i, _e2293, (_e2293 > 0i)))];
-let _e2301 = -((_e2299 * _e435.member_14));
-let _e2303 = select(-87f, _e2301, (_e2301 > -87f));
-let _e2305 = select(88f, _e2303, (_e2303 < 88f));
-let _e2307 = ((_e2305 * 1.442695f) + 0.5f);
-let _e2309 = select(-127f, _e2307, (_e2307 > -127f));
-let _e2311 = select(128f, _e2309, (_e2309 < 128f));
-let _e2318 = select(0i, select(select(i32(_e2311), i32(-2147483648), (_e2311 < -2147483600f)), 2147483647i, (_e2311 > 2147483500f)), (_e2311 == _e2311));
-let _e2322 = (_e2318 - select(0i, 1i, (_e2311 < f32(_e2318))));
-let _e2323 = f32(_e2322);
-let _e2327 = ((_e2305 - (_e2323 * 0.6933594f)) - (_e2323 * -2.1219444e-4f));
-let _e2351 = (_e2288 + 2i);
-let _e2353 = select(_e2291, _e2351, (_e2351 < _e2291));
-let _e2359 = global_4.member[bitcast<u32>(select(0i, _e2353, (_e2353 > 0i)))];
-let _e2361 = -((_e2359 * _e435.member_14));
-let _e2363 = select(-87f, _e2361, (_e2361 > -87f));
-let _e2365 = select(88f, _e2363, (_e2363 < 88f));
-let _e2367 = ((_e2365 * 1.442695f) + 0.5f);
-let _e2369 = select(-127f, _e2367, (_e2367 > -127f));
-let _e2371 = select(128f, _e2369, (_e2369 < 128f));
-let _e2378 = select(0i, select(select(i32(_e2371), i32(-2147483648), (_e2371 < -2147483600f)), 2147483647i, (_e2371 > 2147483500f)), (_e2371 == _e2371));
-let _e2382 = (_e2378 - select(0i, 1i, (_e2371 < f32(_e2378))));
-let _e2383 = f32(_e2382);
-let _e2387 = ((_e2365 - (_e2383 * 0.6933594f)) - (_e2383 * -2.1219444e-4f));
-let _e2411 = (_e2288 + 3i);
-let _e2413 = select(_e2291, _e2411, (_e2411 < _e2291));
-let _e2419 = global_4.member[bitcast<u32>(select(0i, _e2413, (_e2413 > 0i)))];
-let _e2421 = -((_e2419 * _e435.member_14));
-let _e2423 = select(-87f, _e2421, (_e2421 > -87f));
-let _e2425 = select(88f, _e2423, (_e2423 < 88f));
-let _e2427 = ((_e2425 * 1.442695f) + 0.5f);
-let _e2429 = select(-127f, _e2427, (_e2427 > -127f));
-let _e2431 = select(128f, _e2429, (_e2429 < 128f));
-let _e2438 = select(0i, select(select(i32(_e2431), i32(-2147483648), (_e2431 < -2147483600f)), 2147483647i, (_e2431 > 2147483500f)), (_e2431 == _e2431));
-let _e2442 = (_e2438 - select(0i, 1i, (_e2431 < f32(_e2438))));
-let _e2443 = f32(_e2442);
-let _e2447 = ((_e2425 - (_e2443 * 0.6933594f)) - (_e2443 * -2.1219444e-4f));
-phi_2117_ = type_12(_e2285.member, _e2285.member_1, vec3<f32>((_e435.member_2.x * ((1f + (_e2327 * (1f + (_e2327 * (0.5f + (_e2327 * (0.16666667f + (_e2327 * (0.041666668f + (_e2327 * (0.008333334f + (_e2327 * (0.001388889f + (_e2327 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2322 + 127i)) << bitcast<u32>(23i))))), (_e435.member_2.y * ((1f + (_e2387 * (1f + (_e2387 * (0.5f + (_e2387 * (0.16666667f + (_e2387 * (0.041666668f + (_e2387 * (0.008333334f + (_e2387 * (0.001388889f + (_e2387 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2382 + 127i)) << bitcast<u32>(23i))))), (_e435.member_2.z * ((1f + (_e2447 * (1f + (_e2447 * (0.5f + (_e2447 * (0.16666667f + (_e2447 * (0.041666668f + (_e2447 * (0.008333334f + (_e2447 * (0.001388889f + (_e2447 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2442 + 127i)) << bitcast<u32>(23i)))))), _e2285.member_3, _e2285.member_4, _e2285.member_5, _e2285.member_6, _e2285.member_7, _e2285.member_8, _e2285.member_9, _e2285.member_10, _e2285.member_11, _e2285.member_12, _e2285.member_13, _e2285.member_14);
+let _e2216 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e2233 = type_19(_e2216.member, _e2216.member_1, _e2216.member_2, _e2216.member_3, _e2216.member_4, (_e429.member_5 + _e429.member_14), _e2216.member_6, _e2216.member_7, _e2216.member_8, _e2216.member_9, _e2216.member_10, _e2216.member_11, _e2216.member_12, _e2216.member_13, _e2216.member_14);
+let _e2249 = type_19(_e2233.member, _e2233.member_1, _e2233.member_2, _e2233.member_3, _e2233.member_4, _e2233.member_5, _e2233.member_6, _e2233.member_7, _e2233.member_8, _e2233.member_9, _e2233.member_10, _e2233.member_11, _e2233.member_12, _e2233.member_13, (_e429.member_14 - _e429.member_14));
+let _e2269 = type_19(_e2249.member, _e2249.member_1, _e2249.member_2, _e2249.member_3, _e2249.member_4, _e2249.member_5, _e2249.member_6, _e2249.member_7, _e2249.member_8, _e2249.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e2249.member_11, _e2249.member_12, _e2249.member_13, _e2249.member_14);
+let _e2271 = local_13;
+if (_e2271 != 16i) {
+let _e2289 = type_19(_e2269.member, _e2269.member_1, _e2269.member_2, _e2269.member_3, _e2269.member_4, _e2269.member_5, _e2269.member_6, _e2269.member_7, _e2269.member_8, (_e429.member_9 + _e429.member_14), _e2269.member_10, _e2269.member_11, _e2269.member_12, _e2269.member_13, _e2269.member_14);
+let _e2291 = local_14;
+let _e2292 = (_e2291 * 4i);
+let _e2293 = (_e2292 + 1i);
+let _e2295 = (bitcast<i32>(_e99) - 1i);
+let _e2297 = select(_e2295, _e2293, (_e2293 < _e2295));
+let _e2303 = global_4.member[bitcast<u32>(select(0i, _e2297, (_e2297 > 0i)))];
+let _e2305 = -((_e2303 * _e429.member_14));
+let _e2307 = select(-87f, _e2305, (_e2305 > -87f));
+let _e2309 = select(88f, _e2307, (_e2307 < 88f));
+let _e2311 = ((_e2309 * 1.442695f) + 0.5f);
+let _e2313 = select(-127f, _e2311, (_e2311 > -127f));
+let _e2315 = select(128f, _e2313, (_e2313 < 128f));
+let _e2322 = select(0i, select(select(i32(_e2315), i32(-2147483648), (_e2315 < -2147483600f)), 2147483647i, (_e2315 > 2147483500f)), (_e2315 == _e2315));
+let _e2326 = (_e2322 - select(0i, 1i, (_e2315 < f32(_e2322))));
+let _e2327 = f32(_e2326);
+let _e2331 = ((_e2309 - (_e2327 * 0.6933594f)) - (_e2327 * -2.1219444e-4f));
+let _e2355 = (_e2292 + 2i);
+let _e2357 = select(_e2295, _e2355, (_e2355 < _e2295));
+let _e2363 = global_4.member[bitcast<u32>(select(0i, _e2357, (_e2357 > 0i)))];
+let _e2365 = -((_e2363 * _e429.member_14));
+let _e2367 = select(-87f, _e2365, (_e2365 > -87f));
+let _e2369 = select(88f, _e2367, (_e2367 < 88f));
+let _e2371 = ((_e2369 * 1.442695f) + 0.5f);
+let _e2373 = select(-127f, _e2371, (_e2371 > -127f));
+let _e2375 = select(128f, _e2373, (_e2373 < 128f));
+let _e2382 = select(0i, select(select(i32(_e2375), i32(-2147483648), (_e2375 < -2147483600f)), 2147483647i, (_e2375 > 2147483500f)), (_e2375 == _e2375));
+let _e2386 = (_e2382 - select(0i, 1i, (_e2375 < f32(_e2382))));
+let _e2387 = f32(_e2386);
+let _e2391 = ((_e2369 - (_e2387 * 0.6933594f)) - (_e2387 * -2.1219444e-4f));
+let _e2415 = (_e2292 + 3i);
+let _e2417 = select(_e2295, _e2415, (_e2415 < _e2295));
+let _e2423 = global_4.member[bitcast<u32>(select(0i, _e2417, (_e2417 > 0i)))];
+let _e2425 = -((_e2423 * _e429.member_14));
+let _e2427 = select(-87f, _e2425, (_e2425 > -87f));
+let _e2429 = select(88f, _e2427, (_e2427 < 88f));
+let _e2431 = ((_e2429 * 1.442695f) + 0.5f);
+let _e2433 = select(-127f, _e2431, (_e2431 > -127f));
+let _e2435 = select(128f, _e2433, (_e2433 < 128f));
+let _e2442 = select(0i, select(select(i32(_e2435), i32(-2147483648), (_e2435 < -2147483600f)), 2147483647i, (_e2435 > 2147483500f)), (_e2435 == _e2435));
+let _e2446 = (_e2442 - select(0i, 1i, (_e2435 < f32(_e2442))));
+let _e2447 = f32(_e2446);
+let _e2451 = ((_e2429 - (_e2447 * 0.6933594f)) - (_e2447 * -2.1219444e-4f));
+phi_2126_ = type_19(_e2289.member, _e2289.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e2331 * (1f + (_e2331 * (0.5f + (_e2331 * (0.16666667f + (_e2331 * (0.041666668f + (_e2331 * (0.008333334f + (_e2331 * (0.001388889f + (_e2331 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2326 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e2391 * (1f + (_e2391 * (0.5f + (_e2391 * (0.16666667f + (_e2391 * (0.041666668f + (_e2391 * (0.008333334f + (_e2391 * (0.001388889f + (_e2391 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2386 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e2451 * (1f + (_e2451 * (0.5f + (_e2451 * (0.16666667f + (_e2451 * (0.041666668f + (_e2451 * (0.008333334f + (_e2451 * (0.001388889f + (_e2451 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2446 + 127i)) << bitcast<u32>(23i)))))), _e2289.member_3, _e2289.member_4, _e2289.member_5, _e2289.member_6, _e2289.member_7, _e2289.member_8, _e2289.member_9, _e2289.member_10, _e2289.member_11, _e2289.member_12, _e2289.member_13, _e2289.member_14);
 } else {
-phi_2117_ = _e2265;
+phi_2126_ = _e2269;
 }
-let _e2488 = phi_2117_;
-phi_2119_ = type_12(_e2488.member, _e2488.member_1, _e2488.member_2, _e2488.member_3, _e2488.member_4, _e2488.member_5, 3f, _e2488.member_7, _e2488.member_8, _e2488.member_9, _e2488.member_10, _e2488.member_11, _e2488.member_12, _e2488.member_13, _e2488.member_14);
+let _e2492 = phi_2126_;
+phi_2128_ = type_19(_e2492.member, _e2492.member_1, _e2492.member_2, _e2492.member_3, _e2492.member_4, _e2492.member_5, 3f, _e2492.member_7, _e2492.member_8, _e2492.member_9, _e2492.member_10, _e2492.member_11, _e2492.member_12, _e2492.member_13, _e2492.member_14);
 }
-let _e2623 = phi_2119_;
-phi_4395_ = _e2623;
-phi_4396_ = _e439;
+let _e2627 = phi_2128_;
+phi_4415_ = _e2627;
+phi_4416_ = _e433;
 } else {
-phi_2121_ = 15i;
-phi_2124_ = 16i;
+phi_2130_ = 15i;
+phi_2133_ = 16i;
 loop {
-let _e450 = phi_2121_;
-let _e452 = phi_2124_;
-local = _e452;
-local_1 = _e452;
-local_2 = _e452;
-local_4 = _e452;
-local_5 = _e452;
-local_8 = _e452;
-local_10 = _e452;
-local_11 = _e452;
-let _e453 = (_e450 >= 0i);
-if _e453 {
-phi_2122_ = (_e450 - 1i);
-phi_2125_ = select(_e452, _e450, (((_e439 >> bitcast<u32>((_e450 & 31i))) & 1i) == 1i));
+let _e444 = phi_2130_;
+let _e446 = phi_2133_;
+local = _e446;
+local_1 = _e446;
+local_2 = _e446;
+local_4 = _e446;
+local_5 = _e446;
+local_8 = _e446;
+local_10 = _e446;
+local_11 = _e446;
+let _e447 = (_e444 >= 0i);
+if _e447 {
+phi_2131_ = (_e444 - 1i);
+phi_2134_ = select(_e446, _e444, (((_e433 >> bitcast<u32>((_e444 & 31i))) & 1i) == 1i));
 } else {
-phi_2122_ = i32();
-phi_2125_ = i32();
+phi_2131_ = i32();
+phi_2134_ = i32();
 }
-let _e462 = phi_2122_;
-let _e464 = phi_2125_;
+let _e456 = phi_2131_;
+let _e458 = phi_2134_;
 continue;
 continuing {
-phi_2121_ = _e462;
-phi_2124_ = _e464;
-break if !(_e453);
+phi_2130_ = _e456;
+phi_2133_ = _e458;
+break if !(_e447);
 }
 }
-let _e466 = (_e435.member_13 * 19i);
-let _e468 = (bitcast<i32>(_e97) - 1i);
-let _e470 = select(_e468, _e466, (_e466 < _e468));
-let _e476 = global_3.member[bitcast<u32>(select(0i, _e470, (_e470 > 0i)))];
-let _e477 = (_e466 + 1i);
-let _e479 = select(_e468, _e477, (_e477 < _e468));
-let _e485 = global_3.member[bitcast<u32>(select(0i, _e479, (_e479 > 0i)))];
-let _e486 = (_e466 + 2i);
-let _e488 = select(_e468, _e486, (_e486 < _e468));
-let _e494 = global_3.member[bitcast<u32>(select(0i, _e488, (_e488 > 0i)))];
-let _e495 = (_e466 + 3i);
-let _e497 = select(_e468, _e495, (_e495 < _e468));
-let _e503 = global_3.member[bitcast<u32>(select(0i, _e497, (_e497 > 0i)))];
-let _e504 = (_e466 + 4i);
-let _e506 = select(_e468, _e504, (_e504 < _e468));
-let _e512 = global_3.member[bitcast<u32>(select(0i, _e506, (_e506 > 0i)))];
-let _e513 = (_e466 + 5i);
-let _e515 = select(_e468, _e513, (_e513 < _e468));
-let _e521 = global_3.member[bitcast<u32>(select(0i, _e515, (_e515 > 0i)))];
-let _e522 = (_e466 + 6i);
-let _e524 = select(_e468, _e522, (_e522 < _e468));
-let _e530 = global_3.member[bitcast<u32>(select(0i, _e524, (_e524 > 0i)))];
-let _e531 = (_e466 + 7i);
-let _e533 = select(_e468, _e531, (_e531 < _e468));
-let _e539 = global_3.member[bitcast<u32>(select(0i, _e533, (_e533 > 0i)))];
-let _e540 = (_e466 + 8i);
-let _e542 = select(_e468, _e540, (_e540 < _e468));
-let _e548 = global_3.member[bitcast<u32>(select(0i, _e542, (_e542 > 0i)))];
-let _e549 = (_e503 - _e476);
-let _e550 = (_e512 - _e485);
-let _e551 = (_e521 - _e494);
-let _e552 = (_e530 - _e476);
-let _e553 = (_e539 - _e485);
-let _e554 = (_e548 - _e494);
-let _e557 = ((_e550 * _e554) - (_e551 * _e553));
-let _e560 = ((_e551 * _e552) - (_e549 * _e554));
-let _e563 = ((_e549 * _e553) - (_e550 * _e552));
-let _e568 = (((_e557 * _e557) + (_e560 * _e560)) + (_e563 * _e563));
-let _e571 = sqrt(select(0f, _e568, (_e568 > 0f)));
-let _e574 = (1f / select(1e-20f, _e571, (_e571 > 1e-20f)));
-let _e575 = (_e557 * _e574);
-let _e576 = (_e560 * _e574);
-let _e577 = (_e563 * _e574);
-let _e583 = bitcast<f32>((bitcast<u32>(_e435.member_1.x) & 2147483647u));
-let _e587 = bitcast<f32>((bitcast<u32>(_e435.member_1.y) & 2147483647u));
-let _e591 = bitcast<f32>((bitcast<u32>(_e435.member_1.z) & 2147483647u));
-let _e594 = ((_e583 >= _e587) && (_e583 >= _e591));
-let _e597 = (!(_e594) && (_e587 >= _e591));
-let _e604 = (1f / select(select(_e435.member_1.z, _e435.member_1.y, _e597), _e435.member_1.x, _e594));
-let _e605 = (select(select(_e435.member_1.x, _e435.member_1.z, _e597), _e435.member_1.y, _e594) * _e604);
-let _e606 = (select(select(_e435.member_1.y, _e435.member_1.x, _e597), _e435.member_1.z, _e594) * _e604);
-let _e608 = (_e476 - _e435.member.x);
-let _e610 = (_e485 - _e435.member.y);
-let _e612 = (_e494 - _e435.member.z);
-let _e618 = select(select(_e612, _e610, _e597), _e608, _e594);
-let _e620 = (select(select(_e608, _e612, _e597), _e610, _e594) - (_e605 * _e618));
-let _e622 = (select(select(_e610, _e608, _e597), _e612, _e594) - (_e606 * _e618));
-let _e623 = (_e503 - _e435.member.x);
-let _e624 = (_e512 - _e435.member.y);
-let _e625 = (_e521 - _e435.member.z);
-let _e631 = select(select(_e625, _e624, _e597), _e623, _e594);
-let _e633 = (select(select(_e623, _e625, _e597), _e624, _e594) - (_e605 * _e631));
-let _e635 = (select(select(_e624, _e623, _e597), _e625, _e594) - (_e606 * _e631));
-let _e636 = (_e530 - _e435.member.x);
-let _e637 = (_e539 - _e435.member.y);
-let _e638 = (_e548 - _e435.member.z);
-let _e644 = select(select(_e638, _e637, _e597), _e636, _e594);
-let _e646 = (select(select(_e636, _e638, _e597), _e637, _e594) - (_e605 * _e644));
-let _e648 = (select(select(_e637, _e636, _e597), _e638, _e594) - (_e606 * _e644));
-let _e651 = ((_e646 * _e635) - (_e648 * _e633));
-let _e654 = ((_e620 * _e648) - (_e622 * _e646));
-let _e657 = ((_e633 * _e622) - (_e635 * _e620));
-let _e659 = ((_e651 + _e654) + _e657);
-let _e662 = (1f / select(_e659, 1f, (_e659 == 0f)));
-let _e663 = (_e651 * _e662);
-let _e664 = (_e654 * _e662);
-let _e665 = (_e657 * _e662);
-let _e666 = (_e466 + 9i);
-let _e668 = select(_e468, _e666, (_e666 < _e468));
-let _e674 = global_3.member[bitcast<u32>(select(0i, _e668, (_e668 > 0i)))];
-let _e675 = (_e466 + 10i);
-let _e677 = select(_e468, _e675, (_e675 < _e468));
-let _e683 = global_3.member[bitcast<u32>(select(0i, _e677, (_e677 > 0i)))];
-let _e684 = (_e466 + 11i);
-let _e686 = select(_e468, _e684, (_e684 < _e468));
-let _e692 = global_3.member[bitcast<u32>(select(0i, _e686, (_e686 > 0i)))];
-let _e696 = (_e466 + 12i);
-let _e698 = select(_e468, _e696, (_e696 < _e468));
-let _e704 = global_3.member[bitcast<u32>(select(0i, _e698, (_e698 > 0i)))];
-let _e705 = (_e466 + 13i);
-let _e707 = select(_e468, _e705, (_e705 < _e468));
-let _e713 = global_3.member[bitcast<u32>(select(0i, _e707, (_e707 > 0i)))];
-let _e714 = (_e466 + 14i);
-let _e716 = select(_e468, _e714, (_e714 < _e468));
-let _e722 = global_3.member[bitcast<u32>(select(0i, _e716, (_e716 > 0i)))];
-let _e729 = (_e466 + 15i);
-let _e731 = select(_e468, _e729, (_e729 < _e468));
-let _e737 = global_3.member[bitcast<u32>(select(0i, _e731, (_e731 > 0i)))];
-let _e738 = (_e466 + 16i);
-let _e740 = select(_e468, _e738, (_e738 < _e468));
-let _e746 = global_3.member[bitcast<u32>(select(0i, _e740, (_e740 > 0i)))];
-let _e747 = (_e466 + 17i);
-let _e749 = select(_e468, _e747, (_e747 < _e468));
-let _e755 = global_3.member[bitcast<u32>(select(0i, _e749, (_e749 > 0i)))];
-let _e759 = (((_e674 * _e663) + (_e704 * _e664)) + (_e737 * _e665));
-let _e760 = (((_e683 * _e663) + (_e713 * _e664)) + (_e746 * _e665));
-let _e761 = (((_e692 * _e663) + (_e722 * _e664)) + (_e755 * _e665));
-let _e766 = (((_e759 * _e759) + (_e760 * _e760)) + (_e761 * _e761));
-let _e769 = sqrt(select(0f, _e766, (_e766 > 0f)));
-let _e772 = (1f / select(1e-20f, _e769, (_e769 > 1e-20f)));
-let _e773 = (_e759 * _e772);
-let _e774 = (_e760 * _e772);
-let _e775 = (_e761 * _e772);
-let _e787 = (((((_e773 * _e435.member_1.x) + (_e774 * _e435.member_1.y)) + (_e775 * _e435.member_1.z)) * (((_e575 * _e435.member_1.x) + (_e576 * _e435.member_1.y)) + (_e577 * _e435.member_1.z))) > 0f);
-let _e788 = select(_e575, _e773, _e787);
-let _e789 = select(_e576, _e774, _e787);
-let _e790 = select(_e577, _e775, _e787);
-let _e792 = (_e466 + 18i);
-let _e794 = select(_e468, _e792, (_e792 < _e468));
-let _e800 = global_3.member[bitcast<u32>(select(0i, _e794, (_e794 > 0i)))];
-let _e807 = select(0i, select(select(i32(_e800), i32(-2147483648), (_e800 < -2147483600f)), 2147483647i, (_e800 > 2147483500f)), (_e800 == _e800));
-let _e808 = (_e807 * 4i);
-let _e810 = (bitcast<i32>(_e99) - 1i);
-let _e812 = select(_e810, _e808, (_e808 < _e810));
-let _e818 = global_4.member[bitcast<u32>(select(0i, _e812, (_e812 > 0i)))];
-if (select(_e818, 1f, (_e807 == 16i)) == 0f) {
-let _e1864 = type_12(vec3<f32>((_e435.member.x + (_e435.member_1.x * _e435.member_14)), (_e435.member.y + (_e435.member_1.y * _e435.member_14)), (_e435.member.z + (_e435.member_1.z * _e435.member_14))), _e435.member_1, _e435.member_2, _e435.member_3, _e435.member_4, _e435.member_5, _e435.member_6, _e435.member_7, _e435.member_8, _e435.member_9, _e435.member_10, _e435.member_11, _e435.member_12, _e435.member_13, _e435.member_14);
-let _e1881 = type_12(_e1864.member, _e1864.member_1, _e1864.member_2, _e1864.member_3, _e1864.member_4, (_e435.member_5 + _e435.member_14), _e1864.member_6, _e1864.member_7, _e1864.member_8, _e1864.member_9, _e1864.member_10, _e1864.member_11, _e1864.member_12, _e1864.member_13, _e1864.member_14);
-let _e1897 = type_12(_e1881.member, _e1881.member_1, _e1881.member_2, _e1881.member_3, _e1881.member_4, _e1881.member_5, _e1881.member_6, _e1881.member_7, _e1881.member_8, _e1881.member_9, _e1881.member_10, _e1881.member_11, _e1881.member_12, _e1881.member_13, (_e435.member_14 - _e435.member_14));
-let _e1917 = type_12(_e1897.member, _e1897.member_1, _e1897.member_2, _e1897.member_3, _e1897.member_4, _e1897.member_5, _e1897.member_6, _e1897.member_7, _e1897.member_8, _e1897.member_9, (_e435.member_10 + select(0f, _e435.member_14, (_e435.member_8 == 0f))), _e1897.member_11, _e1897.member_12, _e1897.member_13, _e1897.member_14);
-let _e1919 = local_10;
-if (_e1919 != 16i) {
-let _e1937 = type_12(_e1917.member, _e1917.member_1, _e1917.member_2, _e1917.member_3, _e1917.member_4, _e1917.member_5, _e1917.member_6, _e1917.member_7, _e1917.member_8, (_e435.member_9 + _e435.member_14), _e1917.member_10, _e1917.member_11, _e1917.member_12, _e1917.member_13, _e1917.member_14);
-let _e1939 = local_11;
-let _e1940 = (_e1939 * 4i);
-let _e1941 = (_e1940 + 1i);
-let _e1943 = select(_e810, _e1941, (_e1941 < _e810));
-let _e1949 = global_4.member[bitcast<u32>(select(0i, _e1943, (_e1943 > 0i)))];
-let _e1951 = -((_e1949 * _e435.member_14));
-let _e1953 = select(-87f, _e1951, (_e1951 > -87f));
-let _e1955 = select(88f, _e1953, (_e1953 < 88f));
-let _e1957 = ((_e1955 * 1.442695f) + 0.5f);
-let _e1959 = select(-127f, _e1957, (_e1957 > -127f));
-let _e1961 = select(128f, _e1959, (_e1959 < 128f));
-let _e1968 = select(0i, select(select(i32(_e1961), i32(-2147483648), (_e1961 < -2147483600f)), 2147483647i, (_e1961 > 2147483500f)), (_e1961 == _e1961));
-let _e1972 = (_e1968 - select(0i, 1i, (_e1961 < f32(_e1968))));
-let _e1973 = f32(_e1972);
-let _e1977 = ((_e1955 - (_e1973 * 0.6933594f)) - (_e1973 * -2.1219444e-4f));
-let _e2001 = (_e1940 + 2i);
-let _e2003 = select(_e810, _e2001, (_e2001 < _e810));
-let _e2009 = global_4.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
-let _e2011 = -((_e2009 * _e435.member_14));
-let _e2013 = select(-87f, _e2011, (_e2011 > -87f));
-let _e2015 = select(88f, _e2013, (_e2013 < 88f));
-let _e2017 = ((_e2015 * 1.442695f) + 0.5f);
-let _e2019 = select(-127f, _e2017, (_e2017 > -127f));
-let _e2021 = select(128f, _e2019, (_e2019 < 128f));
-let _e2028 = select(0i, select(select(i32(_e2021), i32(-2147483648), (_e2021 < -2147483600f)), 2147483647i, (_e2021 > 2147483500f)), (_e2021 == _e2021));
-let _e2032 = (_e2028 - select(0i, 1i, (_e2021 < f32(_e2028))));
-let _e2033 = f32(_e2032);
-let _e2037 = ((_e2015 - (_e2033 * 0.6933594f)) - (_e2033 * -2.1219444e-4f));
-let _e2061 = (_e1940 + 3i);
-let _e2063 = select(_e810, _e2061, (_e2061 < _e810));
-let _e2069 = global_4.member[bitcast<u32>(select(0i, _e2063, (_e2063 > 0i)))];
-let _e2071 = -((_e2069 * _e435.member_14));
-let _e2073 = select(-87f, _e2071, (_e2071 > -87f));
-let _e2075 = select(88f, _e2073, (_e2073 < 88f));
-let _e2077 = ((_e2075 * 1.442695f) + 0.5f);
-let _e2079 = select(-127f, _e2077, (_e2077 > -127f));
-let _e2081 = select(128f, _e2079, (_e2079 < 128f));
-let _e2088 = select(0i, select(select(i32(_e2081), i32(-2147483648), (_e2081 < -2147483600f)), 2147483647i, (_e2081 > 2147483500f)), (_e2081 == _e2081));
-let _e2092 = (_e2088 - select(0i, 1i, (_e2081 < f32(_e2088))));
-let _e2093 = f32(_e2092);
-let _e2097 = ((_e2075 - (_e2093 * 0.6933594f)) - (_e2093 * -2.1219444e-4f));
-phi_3216_ = type_12(_e1937.member, _e1937.member_1, vec3<f32>((_e435.member_2.x * ((1f + (_e1977 * (1f + (_e1977 * (0.5f + (_e1977 * (0.16666667f + (_e1977 * (0.041666668f + (_e1977 * (0.008333334f + (_e1977 * (0.001388889f + (_e1977 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1972 + 127i)) << bitcast<u32>(23i))))), (_e435.member_2.y * ((1f + (_e2037 * (1f + (_e2037 * (0.5f + (_e2037 * (0.16666667f + (_e2037 * (0.041666668f + (_e2037 * (0.008333334f + (_e2037 * (0.001388889f + (_e2037 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2032 + 127i)) << bitcast<u32>(23i))))), (_e435.member_2.z * ((1f + (_e2097 * (1f + (_e2097 * (0.5f + (_e2097 * (0.16666667f + (_e2097 * (0.041666668f + (_e2097 * (0.008333334f + (_e2097 * (0.001388889f + (_e2097 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2092 + 127i)) << bitcast<u32>(23i)))))), _e1937.member_3, _e1937.member_4, _e1937.member_5, _e1937.member_6, _e1937.member_7, _e1937.member_8, _e1937.member_9, _e1937.member_10, _e1937.member_11, _e1937.member_12, _e1937.member_13, _e1937.member_14);
+let _e460 = (_e429.member_13 * 19i);
+let _e462 = (bitcast<i32>(_e97) - 1i);
+let _e464 = select(_e462, _e460, (_e460 < _e462));
+let _e470 = global_3.member[bitcast<u32>(select(0i, _e464, (_e464 > 0i)))];
+let _e471 = (_e460 + 1i);
+let _e473 = select(_e462, _e471, (_e471 < _e462));
+let _e479 = global_3.member[bitcast<u32>(select(0i, _e473, (_e473 > 0i)))];
+let _e480 = (_e460 + 2i);
+let _e482 = select(_e462, _e480, (_e480 < _e462));
+let _e488 = global_3.member[bitcast<u32>(select(0i, _e482, (_e482 > 0i)))];
+let _e489 = (_e460 + 3i);
+let _e491 = select(_e462, _e489, (_e489 < _e462));
+let _e497 = global_3.member[bitcast<u32>(select(0i, _e491, (_e491 > 0i)))];
+let _e498 = (_e460 + 4i);
+let _e500 = select(_e462, _e498, (_e498 < _e462));
+let _e506 = global_3.member[bitcast<u32>(select(0i, _e500, (_e500 > 0i)))];
+let _e507 = (_e460 + 5i);
+let _e509 = select(_e462, _e507, (_e507 < _e462));
+let _e515 = global_3.member[bitcast<u32>(select(0i, _e509, (_e509 > 0i)))];
+let _e516 = (_e460 + 6i);
+let _e518 = select(_e462, _e516, (_e516 < _e462));
+let _e524 = global_3.member[bitcast<u32>(select(0i, _e518, (_e518 > 0i)))];
+let _e525 = (_e460 + 7i);
+let _e527 = select(_e462, _e525, (_e525 < _e462));
+let _e533 = global_3.member[bitcast<u32>(select(0i, _e527, (_e527 > 0i)))];
+let _e534 = (_e460 + 8i);
+let _e536 = select(_e462, _e534, (_e534 < _e462));
+let _e542 = global_3.member[bitcast<u32>(select(0i, _e536, (_e536 > 0i)))];
+let _e543 = (_e497 - _e470);
+let _e544 = (_e506 - _e479);
+let _e545 = (_e515 - _e488);
+let _e546 = (_e524 - _e470);
+let _e547 = (_e533 - _e479);
+let _e548 = (_e542 - _e488);
+let _e551 = ((_e544 * _e548) - (_e545 * _e547));
+let _e554 = ((_e545 * _e546) - (_e543 * _e548));
+let _e557 = ((_e543 * _e547) - (_e544 * _e546));
+let _e562 = (((_e551 * _e551) + (_e554 * _e554)) + (_e557 * _e557));
+let _e565 = sqrt(select(0f, _e562, (_e562 > 0f)));
+let _e568 = (1f / select(1e-20f, _e565, (_e565 > 1e-20f)));
+let _e569 = (_e551 * _e568);
+let _e570 = (_e554 * _e568);
+let _e571 = (_e557 * _e568);
+let _e577 = bitcast<f32>((bitcast<u32>(_e429.member_1.x) & 2147483647u));
+let _e581 = bitcast<f32>((bitcast<u32>(_e429.member_1.y) & 2147483647u));
+let _e585 = bitcast<f32>((bitcast<u32>(_e429.member_1.z) & 2147483647u));
+let _e588 = ((_e577 >= _e581) && (_e577 >= _e585));
+let _e591 = (!(_e588) && (_e581 >= _e585));
+let _e598 = (1f / select(select(_e429.member_1.z, _e429.member_1.y, _e591), _e429.member_1.x, _e588));
+let _e599 = (select(select(_e429.member_1.x, _e429.member_1.z, _e591), _e429.member_1.y, _e588) * _e598);
+let _e600 = (select(select(_e429.member_1.y, _e429.member_1.x, _e591), _e429.member_1.z, _e588) * _e598);
+let _e602 = (_e470 - _e429.member.x);
+let _e604 = (_e479 - _e429.member.y);
+let _e606 = (_e488 - _e429.member.z);
+let _e612 = select(select(_e606, _e604, _e591), _e602, _e588);
+let _e614 = (select(select(_e602, _e606, _e591), _e604, _e588) - (_e599 * _e612));
+let _e616 = (select(select(_e604, _e602, _e591), _e606, _e588) - (_e600 * _e612));
+let _e617 = (_e497 - _e429.member.x);
+let _e618 = (_e506 - _e429.member.y);
+let _e619 = (_e515 - _e429.member.z);
+let _e625 = select(select(_e619, _e618, _e591), _e617, _e588);
+let _e627 = (select(select(_e617, _e619, _e591), _e618, _e588) - (_e599 * _e625));
+let _e629 = (select(select(_e618, _e617, _e591), _e619, _e588) - (_e600 * _e625));
+let _e630 = (_e524 - _e429.member.x);
+let _e631 = (_e533 - _e429.member.y);
+let _e632 = (_e542 - _e429.member.z);
+let _e638 = select(select(_e632, _e631, _e591), _e630, _e588);
+let _e640 = (select(select(_e630, _e632, _e591), _e631, _e588) - (_e599 * _e638));
+let _e642 = (select(select(_e631, _e630, _e591), _e632, _e588) - (_e600 * _e638));
+let _e645 = ((_e640 * _e629) - (_e642 * _e627));
+let _e648 = ((_e614 * _e642) - (_e616 * _e640));
+let _e651 = ((_e627 * _e616) - (_e629 * _e614));
+let _e653 = ((_e645 + _e648) + _e651);
+let _e656 = (1f / select(_e653, 1f, (_e653 == 0f)));
+let _e657 = (_e645 * _e656);
+let _e658 = (_e648 * _e656);
+let _e659 = (_e651 * _e656);
+let _e660 = (_e460 + 9i);
+let _e662 = select(_e462, _e660, (_e660 < _e462));
+let _e668 = global_3.member[bitcast<u32>(select(0i, _e662, (_e662 > 0i)))];
+let _e669 = (_e460 + 10i);
+let _e671 = select(_e462, _e669, (_e669 < _e462));
+let _e677 = global_3.member[bitcast<u32>(select(0i, _e671, (_e671 > 0i)))];
+let _e678 = (_e460 + 11i);
+let _e680 = select(_e462, _e678, (_e678 < _e462));
+let _e686 = global_3.member[bitcast<u32>(select(0i, _e680, (_e680 > 0i)))];
+let _e690 = (_e460 + 12i);
+let _e692 = select(_e462, _e690, (_e690 < _e462));
+let _e698 = global_3.member[bitcast<u32>(select(0i, _e692, (_e692 > 0i)))];
+let _e699 = (_e460 + 13i);
+let _e701 = select(_e462, _e699, (_e699 < _e462));
+let _e707 = global_3.member[bitcast<u32>(select(0i, _e701, (_e701 > 0i)))];
+let _e708 = (_e460 + 14i);
+let _e710 = select(_e462, _e708, (_e708 < _e462));
+let _e716 = global_3.member[bitcast<u32>(select(0i, _e710, (_e710 > 0i)))];
+let _e723 = (_e460 + 15i);
+let _e725 = select(_e462, _e723, (_e723 < _e462));
+let _e731 = global_3.member[bitcast<u32>(select(0i, _e725, (_e725 > 0i)))];
+let _e732 = (_e460 + 16i);
+let _e734 = select(_e462, _e732, (_e732 < _e462));
+let _e740 = global_3.member[bitcast<u32>(select(0i, _e734, (_e734 > 0i)))];
+let _e741 = (_e460 + 17i);
+let _e743 = select(_e462, _e741, (_e741 < _e462));
+let _e749 = global_3.member[bitcast<u32>(select(0i, _e743, (_e743 > 0i)))];
+let _e753 = (((_e668 * _e657) + (_e698 * _e658)) + (_e731 * _e659));
+let _e754 = (((_e677 * _e657) + (_e707 * _e658)) + (_e740 * _e659));
+let _e755 = (((_e686 * _e657) + (_e716 * _e658)) + (_e749 * _e659));
+let _e760 = (((_e753 * _e753) + (_e754 * _e754)) + (_e755 * _e755));
+let _e763 = sqrt(select(0f, _e760, (_e760 > 0f)));
+let _e766 = (1f / select(1e-20f, _e763, (_e763 > 1e-20f)));
+let _e767 = (_e753 * _e766);
+let _e768 = (_e754 * _e766);
+let _e769 = (_e755 * _e766);
+let _e781 = (((((_e767 * _e429.member_1.x) + (_e768 * _e429.member_1.y)) + (_e769 * _e429.member_1.z)) * (((_e569 * _e429.member_1.x) + (_e570 * _e429.member_1.y)) + (_e571 * _e429.member_1.z))) > 0f);
+let _e782 = select(_e569, _e767, _e781);
+let _e783 = select(_e570, _e768, _e781);
+let _e784 = select(_e571, _e769, _e781);
+let _e786 = (_e460 + 18i);
+let _e788 = select(_e462, _e786, (_e786 < _e462));
+let _e794 = global_3.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
+let _e801 = select(0i, select(select(i32(_e794), i32(-2147483648), (_e794 < -2147483600f)), 2147483647i, (_e794 > 2147483500f)), (_e794 == _e794));
+let _e802 = (_e801 * 4i);
+let _e804 = (bitcast<i32>(_e99) - 1i);
+let _e806 = select(_e804, _e802, (_e802 < _e804));
+let _e812 = global_4.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
+if (select(_e812, 1f, (_e801 == 16i)) == 0f) {
+let _e1868 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e1885 = type_19(_e1868.member, _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, (_e429.member_5 + _e429.member_14), _e1868.member_6, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14);
+let _e1901 = type_19(_e1885.member, _e1885.member_1, _e1885.member_2, _e1885.member_3, _e1885.member_4, _e1885.member_5, _e1885.member_6, _e1885.member_7, _e1885.member_8, _e1885.member_9, _e1885.member_10, _e1885.member_11, _e1885.member_12, _e1885.member_13, (_e429.member_14 - _e429.member_14));
+let _e1921 = type_19(_e1901.member, _e1901.member_1, _e1901.member_2, _e1901.member_3, _e1901.member_4, _e1901.member_5, _e1901.member_6, _e1901.member_7, _e1901.member_8, _e1901.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e1901.member_11, _e1901.member_12, _e1901.member_13, _e1901.member_14);
+let _e1923 = local_10;
+if (_e1923 != 16i) {
+let _e1941 = type_19(_e1921.member, _e1921.member_1, _e1921.member_2, _e1921.member_3, _e1921.member_4, _e1921.member_5, _e1921.member_6, _e1921.member_7, _e1921.member_8, (_e429.member_9 + _e429.member_14), _e1921.member_10, _e1921.member_11, _e1921.member_12, _e1921.member_13, _e1921.member_14);
+let _e1943 = local_11;
+let _e1944 = (_e1943 * 4i);
+let _e1945 = (_e1944 + 1i);
+let _e1947 = select(_e804, _e1945, (_e1945 < _e804));
+let _e1953 = global_4.member[bitcast<u32>(select(0i, _e1947, (_e1947 > 0i)))];
+let _e1955 = -((_e1953 * _e429.member_14));
+let _e1957 = select(-87f, _e1955, (_e1955 > -87f));
+let _e1959 = select(88f, _e1957, (_e1957 < 88f));
+let _e1961 = ((_e1959 * 1.442695f) + 0.5f);
+let _e1963 = select(-127f, _e1961, (_e1961 > -127f));
+let _e1965 = select(128f, _e1963, (_e1963 < 128f));
+let _e1972 = select(0i, select(select(i32(_e1965), i32(-2147483648), (_e1965 < -2147483600f)), 2147483647i, (_e1965 > 2147483500f)), (_e1965 == _e1965));
+let _e1976 = (_e1972 - select(0i, 1i, (_e1965 < f32(_e1972))));
+let _e1977 = f32(_e1976);
+let _e1981 = ((_e1959 - (_e1977 * 0.6933594f)) - (_e1977 * -2.1219444e-4f));
+let _e2005 = (_e1944 + 2i);
+let _e2007 = select(_e804, _e2005, (_e2005 < _e804));
+let _e2013 = global_4.member[bitcast<u32>(select(0i, _e2007, (_e2007 > 0i)))];
+let _e2015 = -((_e2013 * _e429.member_14));
+let _e2017 = select(-87f, _e2015, (_e2015 > -87f));
+let _e2019 = select(88f, _e2017, (_e2017 < 88f));
+let _e2021 = ((_e2019 * 1.442695f) + 0.5f);
+let _e2023 = select(-127f, _e2021, (_e2021 > -127f));
+let _e2025 = select(128f, _e2023, (_e2023 < 128f));
+let _e2032 = select(0i, select(select(i32(_e2025), i32(-2147483648), (_e2025 < -2147483600f)), 2147483647i, (_e2025 > 2147483500f)), (_e2025 == _e2025));
+let _e2036 = (_e2032 - select(0i, 1i, (_e2025 < f32(_e2032))));
+let _e2037 = f32(_e2036);
+let _e2041 = ((_e2019 - (_e2037 * 0.6933594f)) - (_e2037 * -2.1219444e-4f));
+let _e2065 = (_e1944 + 3i);
+let _e2067 = select(_e804, _e2065, (_e2065 < _e804));
+let _e2073 = global_4.member[bitcast<u32>(select(0i, _e2067, (_e2067 > 0i)))];
+let _e2075 = -((_e2073 * _e429.member_14));
+let _e2077 = select(-87f, _e2075, (_e2075 > -87f));
+let _e2079 = select(88f, _e2077, (_e2077 < 88f));
+let _e2081 = ((_e2079 * 1.442695f) + 0.5f);
+let _e2083 = select(-127f, _e2081, (_e2081 > -127f));
+let _e2085 = select(128f, _e2083, (_e2083 < 128f));
+let _e2092 = select(0i, select(select(i32(_e2085), i32(-2147483648), (_e2085 < -2147483600f)), 2147483647i, (_e2085 > 2147483500f)), (_e2085 == _e2085));
+let _e2096 = (_e2092 - select(0i, 1i, (_e2085 < f32(_e2092))));
+let _e2097 = f32(_e2096);
+let _e2101 = ((_e2079 - (_e2097 * 0.6933594f)) - (_e2097 * -2.1219444e-4f));
+phi_3225_ = type_19(_e1941.member, _e1941.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e1981 * (1f + (_e1981 * (0.5f + (_e1981 * (0.16666667f + (_e1981 * (0.041666668f + (_e1981 * (0.008333334f + (_e1981 * (0.001388889f + (_e1981 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1976 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e2041 * (1f + (_e2041 * (0.5f + (_e2041 * (0.16666667f + (_e2041 * (0.041666668f + (_e2041 * (0.008333334f + (_e2041 * (0.001388889f + (_e2041 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2036 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e2101 * (1f + (_e2101 * (0.5f + (_e2101 * (0.16666667f + (_e2101 * (0.041666668f + (_e2101 * (0.008333334f + (_e2101 * (0.001388889f + (_e2101 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2096 + 127i)) << bitcast<u32>(23i)))))), _e1941.member_3, _e1941.member_4, _e1941.member_5, _e1941.member_6, _e1941.member_7, _e1941.member_8, _e1941.member_9, _e1941.member_10, _e1941.member_11, _e1941.member_12, _e1941.member_13, _e1941.member_14);
 } else {
-phi_3216_ = _e1917;
+phi_3225_ = _e1921;
 }
-let _e2138 = phi_3216_;
-phi_4393_ = type_12(_e2138.member, _e2138.member_1, _e2138.member_2, _e2138.member_3, _e2138.member_4, _e2138.member_5, 3f, _e2138.member_7, _e2138.member_8, _e2138.member_9, _e2138.member_10, _e2138.member_11, _e2138.member_12, _e2138.member_13, _e2138.member_14);
-phi_4394_ = _e439;
+let _e2142 = phi_3225_;
+phi_4413_ = type_19(_e2142.member, _e2142.member_1, _e2142.member_2, _e2142.member_3, _e2142.member_4, _e2142.member_5, 3f, _e2142.member_7, _e2142.member_8, _e2142.member_9, _e2142.member_10, _e2142.member_11, _e2142.member_12, _e2142.member_13, _e2142.member_14);
+phi_4414_ = _e433;
 } else {
-let _e824 = (1i << bitcast<u32>((_e807 & 31i)));
-if ((((_e435.member_1.x * _e575) + (_e435.member_1.y * _e576)) + (_e435.member_1.z * _e577)) < 0f) {
-phi_3236_ = (_e439 | _e824);
+let _e818 = (1i << bitcast<u32>((_e801 & 31i)));
+if ((((_e429.member_1.x * _e569) + (_e429.member_1.y * _e570)) + (_e429.member_1.z * _e571)) < 0f) {
+phi_3245_ = (_e433 | _e818);
 } else {
-phi_3236_ = (_e439 & ~(_e824));
+phi_3245_ = (_e433 & ~(_e818));
 }
-let _e835 = phi_3236_;
-phi_3238_ = 15i;
-phi_3241_ = 16i;
+let _e829 = phi_3245_;
+phi_3247_ = 15i;
+phi_3250_ = 16i;
 loop {
-let _e837 = phi_3238_;
-let _e839 = phi_3241_;
-local_3 = _e839;
-local_6 = _e839;
-local_7 = _e839;
-local_9 = _e839;
-let _e840 = (_e837 >= 0i);
-if _e840 {
-phi_3239_ = (_e837 - 1i);
-phi_3242_ = select(_e839, _e837, (((_e835 >> bitcast<u32>((_e837 & 31i))) & 1i) == 1i));
+let _e831 = phi_3247_;
+let _e833 = phi_3250_;
+local_3 = _e833;
+local_6 = _e833;
+local_7 = _e833;
+local_9 = _e833;
+let _e834 = (_e831 >= 0i);
+if _e834 {
+phi_3248_ = (_e831 - 1i);
+phi_3251_ = select(_e833, _e831, (((_e829 >> bitcast<u32>((_e831 & 31i))) & 1i) == 1i));
 } else {
-phi_3239_ = i32();
-phi_3242_ = i32();
+phi_3248_ = i32();
+phi_3251_ = i32();
 }
-let _e849 = phi_3239_;
-let _e851 = phi_3242_;
+let _e843 = phi_3248_;
+let _e845 = phi_3251_;
 continue;
 continuing {
-phi_3238_ = _e849;
-phi_3241_ = _e851;
-break if !(_e840);
+phi_3247_ = _e843;
+phi_3250_ = _e845;
+break if !(_e834);
 }
 }
-let _e881 = type_12(vec3<f32>((_e435.member.x + (_e435.member_1.x * _e435.member_14)), (_e435.member.y + (_e435.member_1.y * _e435.member_14)), (_e435.member.z + (_e435.member_1.z * _e435.member_14))), _e435.member_1, _e435.member_2, _e435.member_3, _e435.member_4, _e435.member_5, _e435.member_6, _e435.member_7, _e435.member_8, _e435.member_9, _e435.member_10, _e435.member_11, _e435.member_12, _e435.member_13, _e435.member_14);
-let _e898 = type_12(_e881.member, _e881.member_1, _e881.member_2, _e881.member_3, _e881.member_4, (_e435.member_5 + _e435.member_14), _e881.member_6, _e881.member_7, _e881.member_8, _e881.member_9, _e881.member_10, _e881.member_11, _e881.member_12, _e881.member_13, _e881.member_14);
-let _e918 = type_12(_e898.member, _e898.member_1, _e898.member_2, _e898.member_3, _e898.member_4, _e898.member_5, _e898.member_6, _e898.member_7, _e898.member_8, _e898.member_9, (_e435.member_10 + select(0f, _e435.member_14, (_e435.member_8 == 0f))), _e898.member_11, _e898.member_12, _e898.member_13, _e898.member_14);
-let _e920 = local;
-if (_e920 != 16i) {
-let _e938 = type_12(_e918.member, _e918.member_1, _e918.member_2, _e918.member_3, _e918.member_4, _e918.member_5, _e918.member_6, _e918.member_7, _e918.member_8, (_e435.member_9 + _e435.member_14), _e918.member_10, _e918.member_11, _e918.member_12, _e918.member_13, _e918.member_14);
-let _e940 = local_1;
-let _e941 = (_e940 * 4i);
-let _e942 = (_e941 + 1i);
-let _e944 = select(_e810, _e942, (_e942 < _e810));
-let _e950 = global_4.member[bitcast<u32>(select(0i, _e944, (_e944 > 0i)))];
-let _e952 = -((_e950 * _e435.member_14));
-let _e954 = select(-87f, _e952, (_e952 > -87f));
-let _e956 = select(88f, _e954, (_e954 < 88f));
-let _e958 = ((_e956 * 1.442695f) + 0.5f);
-let _e960 = select(-127f, _e958, (_e958 > -127f));
-let _e962 = select(128f, _e960, (_e960 < 128f));
-let _e969 = select(0i, select(select(i32(_e962), i32(-2147483648), (_e962 < -2147483600f)), 2147483647i, (_e962 > 2147483500f)), (_e962 == _e962));
-let _e973 = (_e969 - select(0i, 1i, (_e962 < f32(_e969))));
-let _e974 = f32(_e973);
-let _e978 = ((_e956 - (_e974 * 0.6933594f)) - (_e974 * -2.1219444e-4f));
-let _e1002 = (_e941 + 2i);
-let _e1004 = select(_e810, _e1002, (_e1002 < _e810));
-let _e1010 = global_4.member[bitcast<u32>(select(0i, _e1004, (_e1004 > 0i)))];
-let _e1012 = -((_e1010 * _e435.member_14));
-let _e1014 = select(-87f, _e1012, (_e1012 > -87f));
-let _e1016 = select(88f, _e1014, (_e1014 < 88f));
-let _e1018 = ((_e1016 * 1.442695f) + 0.5f);
-let _e1020 = select(-127f, _e1018, (_e1018 > -127f));
-let _e1022 = select(128f, _e1020, (_e1020 < 128f));
-let _e1029 = select(0i, select(select(i32(_e1022), i32(-2147483648), (_e1022 < -2147483600f)), 2147483647i, (_e1022 > 2147483500f)), (_e1022 == _e1022));
-let _e1033 = (_e1029 - select(0i, 1i, (_e1022 < f32(_e1029))));
-let _e1034 = f32(_e1033);
-let _e1038 = ((_e1016 - (_e1034 * 0.6933594f)) - (_e1034 * -2.1219444e-4f));
-let _e1062 = (_e941 + 3i);
-let _e1064 = select(_e810, _e1062, (_e1062 < _e810));
-let _e1070 = global_4.member[bitcast<u32>(select(0i, _e1064, (_e1064 > 0i)))];
-let _e1072 = -((_e1070 * _e435.member_14));
-let _e1074 = select(-87f, _e1072, (_e1072 > -87f));
-let _e1076 = select(88f, _e1074, (_e1074 < 88f));
-let _e1078 = ((_e1076 * 1.442695f) + 0.5f);
-let _e1080 = select(-127f, _e1078, (_e1078 > -127f));
-let _e1082 = select(128f, _e1080, (_e1080 < 128f));
-let _e1089 = select(0i, select(select(i32(_e1082), i32(-2147483648), (_e1082 < -2147483600f)), 2147483647i, (_e1082 > 2147483500f)), (_e1082 == _e1082));
-let _e1093 = (_e1089 - select(0i, 1i, (_e1082 < f32(_e1089))));
-let _e1094 = f32(_e1093);
-let _e1098 = ((_e1076 - (_e1094 * 0.6933594f)) - (_e1094 * -2.1219444e-4f));
-phi_3543_ = type_12(_e938.member, _e938.member_1, vec3<f32>((_e435.member_2.x * ((1f + (_e978 * (1f + (_e978 * (0.5f + (_e978 * (0.16666667f + (_e978 * (0.041666668f + (_e978 * (0.008333334f + (_e978 * (0.001388889f + (_e978 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e973 + 127i)) << bitcast<u32>(23i))))), (_e435.member_2.y * ((1f + (_e1038 * (1f + (_e1038 * (0.5f + (_e1038 * (0.16666667f + (_e1038 * (0.041666668f + (_e1038 * (0.008333334f + (_e1038 * (0.001388889f + (_e1038 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1033 + 127i)) << bitcast<u32>(23i))))), (_e435.member_2.z * ((1f + (_e1098 * (1f + (_e1098 * (0.5f + (_e1098 * (0.16666667f + (_e1098 * (0.041666668f + (_e1098 * (0.008333334f + (_e1098 * (0.001388889f + (_e1098 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1093 + 127i)) << bitcast<u32>(23i)))))), _e938.member_3, _e938.member_4, _e938.member_5, _e938.member_6, _e938.member_7, _e938.member_8, _e938.member_9, _e938.member_10, _e938.member_11, _e938.member_12, _e938.member_13, _e938.member_14);
+let _e875 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e892 = type_19(_e875.member, _e875.member_1, _e875.member_2, _e875.member_3, _e875.member_4, (_e429.member_5 + _e429.member_14), _e875.member_6, _e875.member_7, _e875.member_8, _e875.member_9, _e875.member_10, _e875.member_11, _e875.member_12, _e875.member_13, _e875.member_14);
+let _e912 = type_19(_e892.member, _e892.member_1, _e892.member_2, _e892.member_3, _e892.member_4, _e892.member_5, _e892.member_6, _e892.member_7, _e892.member_8, _e892.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e892.member_11, _e892.member_12, _e892.member_13, _e892.member_14);
+let _e914 = local;
+if (_e914 != 16i) {
+let _e932 = type_19(_e912.member, _e912.member_1, _e912.member_2, _e912.member_3, _e912.member_4, _e912.member_5, _e912.member_6, _e912.member_7, _e912.member_8, (_e429.member_9 + _e429.member_14), _e912.member_10, _e912.member_11, _e912.member_12, _e912.member_13, _e912.member_14);
+let _e934 = local_1;
+let _e935 = (_e934 * 4i);
+let _e936 = (_e935 + 1i);
+let _e938 = select(_e804, _e936, (_e936 < _e804));
+let _e944 = global_4.member[bitcast<u32>(select(0i, _e938, (_e938 > 0i)))];
+let _e946 = -((_e944 * _e429.member_14));
+let _e948 = select(-87f, _e946, (_e946 > -87f));
+let _e950 = select(88f, _e948, (_e948 < 88f));
+let _e952 = ((_e950 * 1.442695f) + 0.5f);
+let _e954 = select(-127f, _e952, (_e952 > -127f));
+let _e956 = select(128f, _e954, (_e954 < 128f));
+let _e963 = select(0i, select(select(i32(_e956), i32(-2147483648), (_e956 < -2147483600f)), 2147483647i, (_e956 > 2147483500f)), (_e956 == _e956));
+let _e967 = (_e963 - select(0i, 1i, (_e956 < f32(_e963))));
+let _e968 = f32(_e967);
+let _e972 = ((_e950 - (_e968 * 0.6933594f)) - (_e968 * -2.1219444e-4f));
+let _e996 = (_e935 + 2i);
+let _e998 = select(_e804, _e996, (_e996 < _e804));
+let _e1004 = global_4.member[bitcast<u32>(select(0i, _e998, (_e998 > 0i)))];
+let _e1006 = -((_e1004 * _e429.member_14));
+let _e1008 = select(-87f, _e1006, (_e1006 > -87f));
+let _e1010 = select(88f, _e1008, (_e1008 < 88f));
+let _e1012 = ((_e1010 * 1.442695f) + 0.5f);
+let _e1014 = select(-127f, _e1012, (_e1012 > -127f));
+let _e1016 = select(128f, _e1014, (_e1014 < 128f));
+let _e1023 = select(0i, select(select(i32(_e1016), i32(-2147483648), (_e1016 < -2147483600f)), 2147483647i, (_e1016 > 2147483500f)), (_e1016 == _e1016));
+let _e1027 = (_e1023 - select(0i, 1i, (_e1016 < f32(_e1023))));
+let _e1028 = f32(_e1027);
+let _e1032 = ((_e1010 - (_e1028 * 0.6933594f)) - (_e1028 * -2.1219444e-4f));
+let _e1056 = (_e935 + 3i);
+let _e1058 = select(_e804, _e1056, (_e1056 < _e804));
+let _e1064 = global_4.member[bitcast<u32>(select(0i, _e1058, (_e1058 > 0i)))];
+let _e1066 = -((_e1064 * _e429.member_14));
+let _e1068 = select(-87f, _e1066, (_e1066 > -87f));
+let _e1070 = select(88f, _e1068, (_e1068 < 88f));
+let _e1072 = ((_e1070 * 1.442695f) + 0.5f);
+let _e1074 = select(-127f, _e1072, (_e1072 > -127f));
+let _e1076 = select(128f, _e1074, (_e1074 < 128f));
+let _e1083 = select(0i, select(select(i32(_e1076), i32(-2147483648), (_e1076 < -2147483600f)), 2147483647i, (_e1076 > 2147483500f)), (_e1076 == _e1076));
+let _e1087 = (_e1083 - select(0i, 1i, (_e1076 < f32(_e1083))));
+let _e1088 = f32(_e1087);
+let _e1092 = ((_e1070 - (_e1088 * 0.6933594f)) - (_e1088 * -2.1219444e-4f));
+phi_3552_ = type_19(_e932.member, _e932.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e972 * (1f + (_e972 * (0.5f + (_e972 * (0.16666667f + (_e972 * (0.041666668f + (_e972 * (0.008333334f + (_e972 * (0.001388889f + (_e972 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e967 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e1032 * (1f + (_e1032 * (0.5f + (_e1032 * (0.16666667f + (_e1032 * (0.041666668f + (_e1032 * (0.008333334f + (_e1032 * (0.001388889f + (_e1032 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1027 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e1092 * (1f + (_e1092 * (0.5f + (_e1092 * (0.16666667f + (_e1092 * (0.041666668f + (_e1092 * (0.008333334f + (_e1092 * (0.001388889f + (_e1092 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1087 + 127i)) << bitcast<u32>(23i)))))), _e932.member_3, _e932.member_4, _e932.member_5, _e932.member_6, _e932.member_7, _e932.member_8, _e932.member_9, _e932.member_10, _e932.member_11, _e932.member_12, _e932.member_13, _e932.member_14);
 } else {
-phi_3543_ = _e918;
+phi_3552_ = _e912;
 }
-let _e1139 = phi_3543_;
-let _e1141 = local_2;
-let _e1143 = local_3;
-if (_e1141 == _e1143) {
-let _e1715 = global_1.member.member_17;
-let _e1728 = ((((_e1715.member * _e1139.member.x) + (_e1715.member_1 * _e1139.member.y)) + (_e1715.member_2 * _e1139.member.z)) + _e1715.member_3);
-let _e1737 = -((((_e1715.member * _e1139.member_1.x) + (_e1715.member_1 * _e1139.member_1.y)) + (_e1715.member_2 * _e1139.member_1.z)));
-let _e1739 = (_e1737 > 1e-9f);
-let _e1743 = ((_e1728 / select(1e-9f, _e1737, _e1739)) - 0.015625f);
-let _e1746 = select(1e30f, select(0f, _e1743, (_e1743 > 0f)), ((_e1728 > 0f) && _e1739));
-let _e1749 = global_1.member.member_19;
-let _e1759 = ((((_e1749.member * _e1139.member.x) + (_e1749.member_1 * _e1139.member.y)) + (_e1749.member_2 * _e1139.member.z)) + _e1749.member_3);
-let _e1765 = -((((_e1749.member * _e1139.member_1.x) + (_e1749.member_1 * _e1139.member_1.y)) + (_e1749.member_2 * _e1139.member_1.z)));
-let _e1767 = (_e1765 > 1e-9f);
-let _e1771 = ((_e1759 / select(1e-9f, _e1765, _e1767)) - 0.015625f);
-let _e1774 = select(1e30f, select(0f, _e1771, (_e1771 > 0f)), ((_e1759 > 0f) && _e1767));
-let _e1778 = (_e1774 < _e1746);
-let _e1796 = type_12(_e1139.member, _e1139.member_1, _e1139.member_2, _e1139.member_3, _e1139.member_4, _e1139.member_5, _e1139.member_6, _e1139.member_7, _e1139.member_8, _e1139.member_9, _e1139.member_10, _e1139.member_11, 0i, _e1139.member_13, _e1139.member_14);
-let _e1811 = type_12(_e1796.member, _e1796.member_1, _e1796.member_2, _e1796.member_3, _e1796.member_4, _e1796.member_5, _e1796.member_6, _e1796.member_7, _e1796.member_8, _e1796.member_9, _e1796.member_10, _e1796.member_11, _e1796.member_12, select(select(-2i, -3i, _e1778), -1i, ((_e1746 >= 1e30f) && (_e1774 >= 1e30f))), _e1796.member_14);
-phi_4385_ = type_12(_e1811.member, _e1811.member_1, _e1811.member_2, _e1811.member_3, _e1811.member_4, _e1811.member_5, _e1811.member_6, _e1811.member_7, _e1811.member_8, _e1811.member_9, _e1811.member_10, _e1811.member_11, _e1811.member_12, _e1811.member_13, select(_e1746, _e1774, _e1778));
-phi_4386_ = type_12();
-phi_4387_ = true;
+let _e1133 = phi_3552_;
+let _e1135 = local_2;
+let _e1137 = local_3;
+if (_e1135 == _e1137) {
+let _e1715 = global_1.member.member_17.member.member;
+let _e1729 = ((((_e1715.member.member * _e1133.member.x) + (_e1715.member.member_1 * _e1133.member.y)) + (_e1715.member.member_2 * _e1133.member.z)) + _e1715.member_1);
+let _e1738 = -((((_e1715.member.member * _e1133.member_1.x) + (_e1715.member.member_1 * _e1133.member_1.y)) + (_e1715.member.member_2 * _e1133.member_1.z)));
+let _e1740 = (_e1738 > 1e-9f);
+let _e1744 = ((_e1729 / select(1e-9f, _e1738, _e1740)) - 0.015625f);
+let _e1747 = select(1e30f, select(0f, _e1744, (_e1744 > 0f)), ((_e1729 > 0f) && _e1740));
+let _e1752 = global_1.member.member_17.member_1.member;
+let _e1763 = ((((_e1752.member.member * _e1133.member.x) + (_e1752.member.member_1 * _e1133.member.y)) + (_e1752.member.member_2 * _e1133.member.z)) + _e1752.member_1);
+let _e1769 = -((((_e1752.member.member * _e1133.member_1.x) + (_e1752.member.member_1 * _e1133.member_1.y)) + (_e1752.member.member_2 * _e1133.member_1.z)));
+let _e1771 = (_e1769 > 1e-9f);
+let _e1775 = ((_e1763 / select(1e-9f, _e1769, _e1771)) - 0.015625f);
+let _e1778 = select(1e30f, select(0f, _e1775, (_e1775 > 0f)), ((_e1763 > 0f) && _e1771));
+let _e1782 = (_e1778 < _e1747);
+let _e1800 = type_19(_e1133.member, _e1133.member_1, _e1133.member_2, _e1133.member_3, _e1133.member_4, _e1133.member_5, _e1133.member_6, _e1133.member_7, _e1133.member_8, _e1133.member_9, _e1133.member_10, _e1133.member_11, 0i, _e1133.member_13, _e1133.member_14);
+let _e1815 = type_19(_e1800.member, _e1800.member_1, _e1800.member_2, _e1800.member_3, _e1800.member_4, _e1800.member_5, _e1800.member_6, _e1800.member_7, _e1800.member_8, _e1800.member_9, _e1800.member_10, _e1800.member_11, _e1800.member_12, select(select(-2i, -3i, _e1782), -1i, ((_e1747 >= 1e30f) && (_e1778 >= 1e30f))), _e1800.member_14);
+phi_4405_ = type_19(_e1815.member, _e1815.member_1, _e1815.member_2, _e1815.member_3, _e1815.member_4, _e1815.member_5, _e1815.member_6, _e1815.member_7, _e1815.member_8, _e1815.member_9, _e1815.member_10, _e1815.member_11, _e1815.member_12, _e1815.member_13, select(_e1747, _e1778, _e1782));
+phi_4406_ = type_19();
+phi_4407_ = true;
 } else {
-let _e1147 = local_4;
-let _e1148 = (_e1147 * 4i);
-let _e1150 = select(_e810, _e1148, (_e1148 < _e810));
-let _e1156 = global_4.member[bitcast<u32>(select(0i, _e1150, (_e1150 > 0i)))];
-let _e1158 = local_5;
-let _e1160 = select(_e1156, 1f, (_e1158 == 16i));
-let _e1162 = local_6;
-let _e1163 = (_e1162 * 4i);
-let _e1165 = select(_e810, _e1163, (_e1163 < _e810));
-let _e1171 = global_4.member[bitcast<u32>(select(0i, _e1165, (_e1165 > 0i)))];
-let _e1173 = local_7;
-let _e1175 = select(_e1171, 1f, (_e1173 == 16i));
-let _e1185 = select(1f, -1f, ((((_e1139.member_1.x * _e788) + (_e1139.member_1.y * _e789)) + (_e1139.member_1.z * _e790)) > 0f));
-let _e1186 = (_e788 * _e1185);
-let _e1187 = (_e789 * _e1185);
-let _e1188 = (_e790 * _e1185);
-let _e1194 = -((((_e1139.member_1.x * _e1186) + (_e1139.member_1.y * _e1187)) + (_e1139.member_1.z * _e1188)));
-let _e1196 = select(0f, _e1194, (_e1194 > 0f));
-let _e1197 = (_e1160 / _e1175);
-let _e1199 = (_e1196 * _e1196);
-let _e1202 = (1f - ((_e1197 * _e1197) * (1f - _e1199)));
-let _e1203 = (_e1202 <= 0f);
-let _e1211 = ((_e1197 * _e1196) - sqrt(select(0f, _e1202, (_e1202 > 0f))));
-let _e1218 = (2f * _e1196);
-let _e1225 = select(((_e1139.member_1.x * _e1197) + (_e1186 * _e1211)), (_e1139.member_1.x + (_e1186 * _e1218)), _e1203);
-let _e1226 = select(((_e1139.member_1.y * _e1197) + (_e1187 * _e1211)), (_e1139.member_1.y + (_e1187 * _e1218)), _e1203);
-let _e1227 = select(((_e1139.member_1.z * _e1197) + (_e1188 * _e1211)), (_e1139.member_1.z + (_e1188 * _e1218)), _e1203);
-let _e1232 = (((_e1225 * _e1225) + (_e1226 * _e1226)) + (_e1227 * _e1227));
-let _e1235 = sqrt(select(0f, _e1232, (_e1232 > 0f)));
-let _e1238 = (1f / select(1e-20f, _e1235, (_e1235 > 1e-20f)));
-let _e1243 = (_e1175 / _e1160);
-let _e1246 = (((_e1243 * _e1243) - 1f) + _e1199);
-let _e1249 = sqrt(select(0f, _e1246, (_e1246 > 0f)));
-let _e1250 = (_e1249 - _e1196);
-let _e1251 = (_e1249 + _e1196);
-let _e1254 = (_e1250 / select(1e-6f, _e1251, (_e1251 > 1e-6f)));
-let _e1258 = ((_e1196 * _e1250) + 1f);
-let _e1261 = (((_e1196 * _e1251) - 1f) / select(1e-6f, _e1258, (_e1258 > 1e-6f)));
-let _e1276 = global_1.member.member[3u];
-let _e1279 = select(0f, select(select((((0.5f * _e1254) * _e1254) * (1f + (_e1261 * _e1261))), 1f, (_e1246 <= 0f)), 0f, (_e1160 == _e1175)), ((_e1276 & 1u) != 0u));
-if (_e1139.member_8 == 0f) {
-let _e1294 = type_12(_e1139.member, _e1139.member_1, _e1139.member_2, vec3<f32>(_e788, _e789, _e790), _e1139.member_4, _e1139.member_5, _e1139.member_6, _e1139.member_7, _e1139.member_8, _e1139.member_9, _e1139.member_10, _e1139.member_11, _e1139.member_12, _e1139.member_13, _e1139.member_14);
-phi_3872_ = type_12(_e1294.member, _e1294.member_1, _e1294.member_2, _e1294.member_3, _e1294.member_4, _e1294.member_5, _e1294.member_6, _e1294.member_7, _e1294.member_8, _e1294.member_9, _e1294.member_10, _e1279, _e1294.member_12, _e1294.member_13, _e1294.member_14);
+let _e1141 = local_4;
+let _e1142 = (_e1141 * 4i);
+let _e1144 = select(_e804, _e1142, (_e1142 < _e804));
+let _e1150 = global_4.member[bitcast<u32>(select(0i, _e1144, (_e1144 > 0i)))];
+let _e1152 = local_5;
+let _e1154 = select(_e1150, 1f, (_e1152 == 16i));
+let _e1156 = local_6;
+let _e1157 = (_e1156 * 4i);
+let _e1159 = select(_e804, _e1157, (_e1157 < _e804));
+let _e1165 = global_4.member[bitcast<u32>(select(0i, _e1159, (_e1159 > 0i)))];
+let _e1167 = local_7;
+let _e1169 = select(_e1165, 1f, (_e1167 == 16i));
+let _e1179 = select(1f, -1f, ((((_e1133.member_1.x * _e782) + (_e1133.member_1.y * _e783)) + (_e1133.member_1.z * _e784)) > 0f));
+let _e1180 = (_e782 * _e1179);
+let _e1181 = (_e783 * _e1179);
+let _e1182 = (_e784 * _e1179);
+let _e1188 = -((((_e1133.member_1.x * _e1180) + (_e1133.member_1.y * _e1181)) + (_e1133.member_1.z * _e1182)));
+let _e1190 = select(0f, _e1188, (_e1188 > 0f));
+let _e1191 = (_e1154 / _e1169);
+let _e1193 = (_e1190 * _e1190);
+let _e1196 = (1f - ((_e1191 * _e1191) * (1f - _e1193)));
+let _e1197 = (_e1196 <= 0f);
+let _e1205 = ((_e1191 * _e1190) - sqrt(select(0f, _e1196, (_e1196 > 0f))));
+let _e1212 = (2f * _e1190);
+let _e1219 = select(((_e1133.member_1.x * _e1191) + (_e1180 * _e1205)), (_e1133.member_1.x + (_e1180 * _e1212)), _e1197);
+let _e1220 = select(((_e1133.member_1.y * _e1191) + (_e1181 * _e1205)), (_e1133.member_1.y + (_e1181 * _e1212)), _e1197);
+let _e1221 = select(((_e1133.member_1.z * _e1191) + (_e1182 * _e1205)), (_e1133.member_1.z + (_e1182 * _e1212)), _e1197);
+let _e1226 = (((_e1219 * _e1219) + (_e1220 * _e1220)) + (_e1221 * _e1221));
+let _e1229 = sqrt(select(0f, _e1226, (_e1226 > 0f)));
+let _e1232 = (1f / select(1e-20f, _e1229, (_e1229 > 1e-20f)));
+let _e1237 = (_e1169 / _e1154);
+let _e1240 = (((_e1237 * _e1237) - 1f) + _e1193);
+let _e1243 = sqrt(select(0f, _e1240, (_e1240 > 0f)));
+let _e1244 = (_e1243 - _e1190);
+let _e1245 = (_e1243 + _e1190);
+let _e1248 = (_e1244 / select(1e-6f, _e1245, (_e1245 > 1e-6f)));
+let _e1252 = ((_e1190 * _e1244) + 1f);
+let _e1255 = (((_e1190 * _e1245) - 1f) / select(1e-6f, _e1252, (_e1252 > 1e-6f)));
+let _e1269 = global_1.member.member_1;
+let _e1272 = select(0f, select(select((((0.5f * _e1248) * _e1248) * (1f + (_e1255 * _e1255))), 1f, (_e1240 <= 0f)), 0f, (_e1154 == _e1169)), ((_e1269 & 1u) != 0u));
+if (_e1133.member_8 == 0f) {
+let _e1287 = type_19(_e1133.member, _e1133.member_1, _e1133.member_2, vec3<f32>(_e782, _e783, _e784), _e1133.member_4, _e1133.member_5, _e1133.member_6, _e1133.member_7, _e1133.member_8, _e1133.member_9, _e1133.member_10, _e1133.member_11, _e1133.member_12, _e1133.member_13, _e1133.member_14);
+phi_3887_ = type_19(_e1287.member, _e1287.member_1, _e1287.member_2, _e1287.member_3, _e1287.member_4, _e1287.member_5, _e1287.member_6, _e1287.member_7, _e1287.member_8, _e1287.member_9, _e1287.member_10, _e1272, _e1287.member_12, _e1287.member_13, _e1287.member_14);
 } else {
-phi_3872_ = _e1139;
+phi_3887_ = _e1133;
 }
-let _e1311 = phi_3872_;
-let _e1313 = (_e1311.member_8 + 1f);
-let _e1328 = type_12(_e1311.member, _e1311.member_1, _e1311.member_2, _e1311.member_3, _e1311.member_4, _e1311.member_5, _e1311.member_6, _e1311.member_7, _e1313, _e1311.member_9, _e1311.member_10, _e1311.member_11, _e1311.member_12, _e1311.member_13, _e1311.member_14);
-let _e1331 = ((_e400 == 0u) && (_e1313 >= 2f));
-if (_e1203 && _e1331) {
-let _e1356 = (((_e1311.member_1.x * _e788) + (_e1311.member_1.y * _e789)) + (_e1311.member_1.z * _e790));
-let _e1360 = (_e1311.member_1.x - (_e788 * _e1356));
-let _e1361 = (_e1311.member_1.y - (_e789 * _e1356));
-let _e1362 = (_e1311.member_1.z - (_e790 * _e1356));
-let _e1367 = (((_e1360 * _e1360) + (_e1361 * _e1361)) + (_e1362 * _e1362));
-let _e1370 = sqrt(select(0f, _e1367, (_e1367 > 0f)));
-let _e1373 = (1f / select(1e-20f, _e1370, (_e1370 > 1e-20f)));
-phi_3925_ = type_12(_e1328.member, vec3<f32>((_e1360 * _e1373), (_e1361 * _e1373), (_e1362 * _e1373)), _e1328.member_2, _e1328.member_3, _e1328.member_4, _e1328.member_5, _e1328.member_6, _e1328.member_7, _e1328.member_8, _e1328.member_9, _e1328.member_10, _e1328.member_11, _e1328.member_12, _e1328.member_13, _e1328.member_14);
+let _e1304 = phi_3887_;
+let _e1306 = (_e1304.member_8 + 1f);
+let _e1321 = type_19(_e1304.member, _e1304.member_1, _e1304.member_2, _e1304.member_3, _e1304.member_4, _e1304.member_5, _e1304.member_6, _e1304.member_7, _e1306, _e1304.member_9, _e1304.member_10, _e1304.member_11, _e1304.member_12, _e1304.member_13, _e1304.member_14);
+let _e1324 = ((_e104.member_2 == 0u) && (_e1306 >= 2f));
+if (_e1197 && _e1324) {
+let _e1349 = (((_e1304.member_1.x * _e782) + (_e1304.member_1.y * _e783)) + (_e1304.member_1.z * _e784));
+let _e1353 = (_e1304.member_1.x - (_e782 * _e1349));
+let _e1354 = (_e1304.member_1.y - (_e783 * _e1349));
+let _e1355 = (_e1304.member_1.z - (_e784 * _e1349));
+let _e1360 = (((_e1353 * _e1353) + (_e1354 * _e1354)) + (_e1355 * _e1355));
+let _e1363 = sqrt(select(0f, _e1360, (_e1360 > 0f)));
+let _e1366 = (1f / select(1e-20f, _e1363, (_e1363 > 1e-20f)));
+phi_3940_ = type_19(_e1321.member, vec3<f32>((_e1353 * _e1366), (_e1354 * _e1366), (_e1355 * _e1366)), _e1321.member_2, _e1321.member_3, _e1321.member_4, _e1321.member_5, _e1321.member_6, _e1321.member_7, _e1321.member_8, _e1321.member_9, _e1321.member_10, _e1321.member_11, _e1321.member_12, _e1321.member_13, _e1321.member_14);
 } else {
-phi_3925_ = type_12(_e1328.member, vec3<f32>((_e1225 * _e1238), (_e1226 * _e1238), (_e1227 * _e1238)), _e1328.member_2, _e1328.member_3, _e1328.member_4, _e1328.member_5, _e1328.member_6, _e1328.member_7, _e1328.member_8, _e1328.member_9, _e1328.member_10, _e1328.member_11, _e1328.member_12, _e1328.member_13, _e1328.member_14);
+phi_3940_ = type_19(_e1321.member, vec3<f32>((_e1219 * _e1232), (_e1220 * _e1232), (_e1221 * _e1232)), _e1321.member_2, _e1321.member_3, _e1321.member_4, _e1321.member_5, _e1321.member_6, _e1321.member_7, _e1321.member_8, _e1321.member_9, _e1321.member_10, _e1321.member_11, _e1321.member_12, _e1321.member_13, _e1321.member_14);
 }
-let _e1394 = phi_3925_;
-if _e1203 {
-phi_3939_ = _e1394;
+let _e1387 = phi_3940_;
+if _e1197 {
+phi_3954_ = _e1387;
 } else {
-let _e1395 = (1f - _e1279);
-phi_3939_ = type_12(_e1394.member, _e1394.member_1, vec3<f32>((_e1394.member_2.x * _e1395), (_e1394.member_2.y * _e1395), (_e1394.member_2.z * _e1395)), _e1394.member_3, _e1394.member_4, _e1394.member_5, _e1394.member_6, _e1394.member_7, _e1394.member_8, _e1394.member_9, _e1394.member_10, _e1394.member_11, _e1394.member_12, _e1394.member_13, _e1394.member_14);
+let _e1388 = (1f - _e1272);
+phi_3954_ = type_19(_e1387.member, _e1387.member_1, vec3<f32>((_e1387.member_2.x * _e1388), (_e1387.member_2.y * _e1388), (_e1387.member_2.z * _e1388)), _e1387.member_3, _e1387.member_4, _e1387.member_5, _e1387.member_6, _e1387.member_7, _e1387.member_8, _e1387.member_9, _e1387.member_10, _e1387.member_11, _e1387.member_12, _e1387.member_13, _e1387.member_14);
 }
-let _e1422 = phi_3939_;
-let _e1427 = global_1.member.member_17;
-let _e1440 = ((((_e1427.member * _e1422.member.x) + (_e1427.member_1 * _e1422.member.y)) + (_e1427.member_2 * _e1422.member.z)) + _e1427.member_3);
-let _e1449 = -((((_e1427.member * _e1422.member_1.x) + (_e1427.member_1 * _e1422.member_1.y)) + (_e1427.member_2 * _e1422.member_1.z)));
-let _e1451 = (_e1449 > 1e-9f);
-let _e1455 = ((_e1440 / select(1e-9f, _e1449, _e1451)) - 0.015625f);
-let _e1458 = select(1e30f, select(0f, _e1455, (_e1455 > 0f)), ((_e1440 > 0f) && _e1451));
-let _e1461 = global_1.member.member_19;
-let _e1471 = ((((_e1461.member * _e1422.member.x) + (_e1461.member_1 * _e1422.member.y)) + (_e1461.member_2 * _e1422.member.z)) + _e1461.member_3);
-let _e1477 = -((((_e1461.member * _e1422.member_1.x) + (_e1461.member_1 * _e1422.member_1.y)) + (_e1461.member_2 * _e1422.member_1.z)));
-let _e1479 = (_e1477 > 1e-9f);
-let _e1483 = ((_e1471 / select(1e-9f, _e1477, _e1479)) - 0.015625f);
-let _e1486 = select(1e30f, select(0f, _e1483, (_e1483 > 0f)), ((_e1471 > 0f) && _e1479));
-let _e1490 = (_e1486 < _e1458);
-let _e1492 = select(select(-2i, -3i, _e1490), -1i, ((_e1458 >= 1e30f) && (_e1486 >= 1e30f)));
-let _e1493 = select(_e1458, _e1486, _e1490);
-let _e1508 = type_12(_e1422.member, _e1422.member_1, _e1422.member_2, _e1422.member_3, _e1422.member_4, _e1422.member_5, _e1422.member_6, _e1422.member_7, _e1422.member_8, _e1422.member_9, _e1422.member_10, _e1422.member_11, 0i, _e1422.member_13, _e1422.member_14);
-let _e1523 = type_12(_e1508.member, _e1508.member_1, _e1508.member_2, _e1508.member_3, _e1508.member_4, _e1508.member_5, _e1508.member_6, _e1508.member_7, _e1508.member_8, _e1508.member_9, _e1508.member_10, _e1508.member_11, _e1508.member_12, _e1492, _e1508.member_14);
-let _e1538 = type_12(_e1523.member, _e1523.member_1, _e1523.member_2, _e1523.member_3, _e1523.member_4, _e1523.member_5, _e1523.member_6, _e1523.member_7, _e1523.member_8, _e1523.member_9, _e1523.member_10, _e1523.member_11, _e1523.member_12, _e1523.member_13, _e1493);
-let _e1540 = local_8;
-let _e1542 = local_9;
-let _e1545 = ((_e1276 & 2u) != 0u);
-if (_e1331 && !(_e1545)) {
-if (_e1492 == -1i) {
-phi_4358_ = type_12(_e1538.member, _e1538.member_1, _e1538.member_2, _e1538.member_3, _e1538.member_4, _e1538.member_5, 1f, _e1538.member_7, _e1538.member_8, _e1538.member_9, _e1538.member_10, _e1538.member_11, _e1538.member_12, _e1538.member_13, _e1538.member_14);
+let _e1415 = phi_3954_;
+let _e1422 = global_1.member.member_17.member.member;
+let _e1436 = ((((_e1422.member.member * _e1415.member.x) + (_e1422.member.member_1 * _e1415.member.y)) + (_e1422.member.member_2 * _e1415.member.z)) + _e1422.member_1);
+let _e1445 = -((((_e1422.member.member * _e1415.member_1.x) + (_e1422.member.member_1 * _e1415.member_1.y)) + (_e1422.member.member_2 * _e1415.member_1.z)));
+let _e1447 = (_e1445 > 1e-9f);
+let _e1451 = ((_e1436 / select(1e-9f, _e1445, _e1447)) - 0.015625f);
+let _e1454 = select(1e30f, select(0f, _e1451, (_e1451 > 0f)), ((_e1436 > 0f) && _e1447));
+let _e1459 = global_1.member.member_17.member_1.member;
+let _e1470 = ((((_e1459.member.member * _e1415.member.x) + (_e1459.member.member_1 * _e1415.member.y)) + (_e1459.member.member_2 * _e1415.member.z)) + _e1459.member_1);
+let _e1476 = -((((_e1459.member.member * _e1415.member_1.x) + (_e1459.member.member_1 * _e1415.member_1.y)) + (_e1459.member.member_2 * _e1415.member_1.z)));
+let _e1478 = (_e1476 > 1e-9f);
+let _e1482 = ((_e1470 / select(1e-9f, _e1476, _e1478)) - 0.015625f);
+let _e1485 = select(1e30f, select(0f, _e1482, (_e1482 > 0f)), ((_e1470 > 0f) && _e1478));
+let _e1489 = (_e1485 < _e1454);
+let _e1491 = select(select(-2i, -3i, _e1489), -1i, ((_e1454 >= 1e30f) && (_e1485 >= 1e30f)));
+let _e1492 = select(_e1454, _e1485, _e1489);
+let _e1507 = type_19(_e1415.member, _e1415.member_1, _e1415.member_2, _e1415.member_3, _e1415.member_4, _e1415.member_5, _e1415.member_6, _e1415.member_7, _e1415.member_8, _e1415.member_9, _e1415.member_10, _e1415.member_11, 0i, _e1415.member_13, _e1415.member_14);
+let _e1522 = type_19(_e1507.member, _e1507.member_1, _e1507.member_2, _e1507.member_3, _e1507.member_4, _e1507.member_5, _e1507.member_6, _e1507.member_7, _e1507.member_8, _e1507.member_9, _e1507.member_10, _e1507.member_11, _e1507.member_12, _e1491, _e1507.member_14);
+let _e1537 = type_19(_e1522.member, _e1522.member_1, _e1522.member_2, _e1522.member_3, _e1522.member_4, _e1522.member_5, _e1522.member_6, _e1522.member_7, _e1522.member_8, _e1522.member_9, _e1522.member_10, _e1522.member_11, _e1522.member_12, _e1522.member_13, _e1492);
+let _e1539 = local_8;
+let _e1541 = local_9;
+let _e1544 = ((_e1269 & 2u) != 0u);
+if (_e1324 && !(_e1544)) {
+if (_e1491 == -1i) {
+phi_4379_ = type_19(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 1f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
 } else {
-let _e1622 = type_12(vec3<f32>((_e1422.member.x + (_e1422.member_1.x * _e1493)), (_e1422.member.y + (_e1422.member_1.y * _e1493)), (_e1422.member.z + (_e1422.member_1.z * _e1493))), _e1538.member_1, _e1538.member_2, _e1538.member_3, _e1538.member_4, _e1538.member_5, _e1538.member_6, _e1538.member_7, _e1538.member_8, _e1538.member_9, _e1538.member_10, _e1538.member_11, _e1538.member_12, _e1538.member_13, _e1538.member_14);
-let _e1639 = type_12(_e1622.member, _e1622.member_1, _e1622.member_2, _e1622.member_3, _e1622.member_4, (_e1422.member_5 + _e1493), _e1622.member_6, _e1622.member_7, _e1622.member_8, _e1622.member_9, _e1622.member_10, _e1622.member_11, _e1622.member_12, _e1622.member_13, _e1622.member_14);
-let _e1655 = type_12(_e1639.member, _e1639.member_1, _e1639.member_2, _e1639.member_3, _e1639.member_4, _e1639.member_5, _e1639.member_6, _e1639.member_7, _e1639.member_8, _e1639.member_9, _e1639.member_10, _e1639.member_11, _e1639.member_12, _e1639.member_13, (_e1493 - _e1493));
-let _e1675 = type_12(_e1655.member, _e1655.member_1, _e1655.member_2, _e1655.member_3, _e1655.member_4, _e1655.member_5, _e1655.member_6, _e1655.member_7, _e1655.member_8, _e1655.member_9, (_e1422.member_10 + select(0f, _e1493, (_e1422.member_8 == 0f))), _e1655.member_11, _e1655.member_12, _e1655.member_13, _e1655.member_14);
-phi_4358_ = type_12(_e1675.member, _e1675.member_1, _e1675.member_2, _e1675.member_3, _e1675.member_4, _e1675.member_5, 3f, _e1675.member_7, _e1675.member_8, _e1675.member_9, _e1675.member_10, _e1675.member_11, _e1675.member_12, _e1675.member_13, _e1675.member_14);
+let _e1620 = type_19(vec3<f32>((_e1415.member.x + (_e1415.member_1.x * _e1492)), (_e1415.member.y + (_e1415.member_1.y * _e1492)), (_e1415.member.z + (_e1415.member_1.z * _e1492))), _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, _e1537.member_6, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
+let _e1637 = type_19(_e1620.member, _e1620.member_1, _e1620.member_2, _e1620.member_3, _e1620.member_4, (_e1415.member_5 + _e1492), _e1620.member_6, _e1620.member_7, _e1620.member_8, _e1620.member_9, _e1620.member_10, _e1620.member_11, _e1620.member_12, _e1620.member_13, _e1620.member_14);
+let _e1653 = type_19(_e1637.member, _e1637.member_1, _e1637.member_2, _e1637.member_3, _e1637.member_4, _e1637.member_5, _e1637.member_6, _e1637.member_7, _e1637.member_8, _e1637.member_9, _e1637.member_10, _e1637.member_11, _e1637.member_12, _e1637.member_13, (_e1492 - _e1492));
+let _e1673 = type_19(_e1653.member, _e1653.member_1, _e1653.member_2, _e1653.member_3, _e1653.member_4, _e1653.member_5, _e1653.member_6, _e1653.member_7, _e1653.member_8, _e1653.member_9, (_e1415.member_10 + select(0f, _e1492, (_e1415.member_8 == 0f))), _e1653.member_11, _e1653.member_12, _e1653.member_13, _e1653.member_14);
+phi_4379_ = type_19(_e1673.member, _e1673.member_1, _e1673.member_2, _e1673.member_3, _e1673.member_4, _e1673.member_5, 3f, _e1673.member_7, _e1673.member_8, _e1673.member_9, _e1673.member_10, _e1673.member_11, _e1673.member_12, _e1673.member_13, _e1673.member_14);
 }
-let _e1707 = phi_4358_;
-phi_4380_ = _e1707;
+let _e1705 = phi_4379_;
+phi_4400_ = _e1705;
 } else {
-let _e1553 = global_1.member.member_2[3u];
-if ((!(_e1331) && (_e1422.member_8 >= f32(bitcast<i32>(_e1553)))) && (select(_e1542, _e1540, _e1203) != 16i)) {
-phi_4379_ = type_12(_e1538.member, _e1538.member_1, _e1538.member_2, _e1538.member_3, _e1538.member_4, _e1538.member_5, 2f, _e1538.member_7, _e1538.member_8, _e1538.member_9, _e1538.member_10, _e1538.member_11, _e1538.member_12, _e1538.member_13, _e1538.member_14);
+let _e1551 = global_1.member.member_5;
+if ((!(_e1324) && (_e1415.member_8 >= f32(bitcast<i32>(_e1551)))) && (select(_e1541, _e1539, _e1197) != 16i)) {
+phi_4399_ = type_19(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 2f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
 } else {
-if _e1545 {
-phi_4378_ = type_12(_e1538.member, _e1538.member_1, _e1538.member_2, _e1538.member_3, _e1538.member_4, _e1538.member_5, 4f, _e1538.member_7, _e1538.member_8, _e1538.member_9, _e1538.member_10, _e1538.member_11, _e1538.member_12, _e1538.member_13, _e1538.member_14);
+if _e1544 {
+phi_4398_ = type_19(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 4f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
 } else {
-phi_4378_ = _e1538;
+phi_4398_ = _e1537;
 }
-let _e1576 = phi_4378_;
-phi_4379_ = _e1576;
+let _e1574 = phi_4398_;
+phi_4399_ = _e1574;
 }
-let _e1593 = phi_4379_;
-phi_4380_ = _e1593;
+let _e1591 = phi_4399_;
+phi_4400_ = _e1591;
 }
-let _e1709 = phi_4380_;
-phi_4385_ = _e1709;
-phi_4386_ = _e1709;
-phi_4387_ = !(_e1203);
+let _e1707 = phi_4400_;
+phi_4405_ = _e1707;
+phi_4406_ = _e1707;
+phi_4407_ = !(_e1197);
 }
-let _e1828 = phi_4385_;
-let _e1830 = phi_4386_;
-let _e1832 = phi_4387_;
-if _e1832 {
-phi_4391_ = _e1828;
+let _e1832 = phi_4405_;
+let _e1834 = phi_4406_;
+let _e1836 = phi_4407_;
+if _e1836 {
+phi_4411_ = _e1832;
 } else {
-phi_4391_ = _e1830;
+phi_4411_ = _e1834;
 }
-let _e1834 = phi_4391_;
-phi_4393_ = _e1834;
-phi_4394_ = select(_e439, _e835, _e1832);
+let _e1838 = phi_4411_;
+phi_4413_ = _e1838;
+phi_4414_ = select(_e433, _e829, _e1836);
 }
-let _e2155 = phi_4393_;
-let _e2157 = phi_4394_;
-phi_4395_ = _e2155;
-phi_4396_ = _e2157;
+let _e2159 = phi_4413_;
+let _e2161 = phi_4414_;
+phi_4415_ = _e2159;
+phi_4416_ = _e2161;
 }
-let _e2625 = phi_4395_;
-let _e2627 = phi_4396_;
-phi_4397_ = _e2625;
-phi_4398_ = _e2627;
+let _e2629 = phi_4415_;
+let _e2631 = phi_4416_;
+phi_4417_ = _e2629;
+phi_4418_ = _e2631;
 }
-let _e3017 = phi_4397_;
-let _e3019 = phi_4398_;
-phi_843_ = _e3017;
-phi_846_ = (_e437 + 1i);
-phi_848_ = _e3019;
+let _e3021 = phi_4417_;
+let _e3023 = phi_4418_;
+phi_852_ = _e3021;
+phi_855_ = (_e431 + 1i);
+phi_857_ = _e3023;
 } else {
-phi_843_ = type_12();
-phi_846_ = i32();
-phi_848_ = i32();
+phi_852_ = type_19();
+phi_855_ = i32();
+phi_857_ = i32();
 }
-let _e3021 = phi_843_;
-let _e3023 = phi_846_;
-let _e3025 = phi_848_;
+let _e3025 = phi_852_;
+let _e3027 = phi_855_;
+let _e3029 = phi_857_;
 continue;
 continuing {
-phi_842_ = _e3021;
-phi_845_ = _e3023;
-phi_847_ = _e3025;
-break if !(_e443);
+phi_851_ = _e3025;
+phi_854_ = _e3027;
+phi_856_ = _e3029;
+break if !(_e437);
 }
 }
-let _e3028 = local_15;
-if (_e3028 == 0i) {
-phi_4404_ = 16i;
+let _e3032 = local_15;
+if (_e3032 == 0i) {
+phi_4424_ = 16i;
 } else {
-let _e3031 = local_16;
-phi_4404_ = -(_e3031);
+let _e3035 = local_16;
+phi_4424_ = -(_e3035);
 }
-let _e3034 = phi_4404_;
-let _e3036 = local_17;
-let _e3040 = local_18;
-let _e3044 = local_19;
-let _e3048 = local_20;
-let _e3052 = local_21;
-let _e3056 = local_22;
-let _e3060 = local_23;
-let _e3064 = local_24;
-let _e3068 = local_25;
-let _e3072 = local_26;
-let _e3076 = local_27;
-let _e3080 = local_28;
-let _e3084 = local_29;
-let _e3088 = local_30;
-let _e3092 = local_31;
-let _e3096 = local_32;
-let _e3100 = local_33;
-let _e3103 = local_34;
-let _e3106 = local_35;
-let _e3109 = local_36;
-let _e3112 = local_37;
-let _e3116 = local_38;
-let _e3120 = local_39;
-global_5.member[_e116] = _e3036.member.x;
-global_5.member[_e128] = _e3040.member.y;
-global_5.member[_e139] = _e3044.member.z;
-global_5.member[_e150] = _e3048.member_1.x;
-global_5.member[_e161] = _e3052.member_1.y;
-global_5.member[_e172] = _e3056.member_1.z;
-global_5.member[_e183] = _e3060.member_2.x;
-global_5.member[_e194] = _e3064.member_2.y;
-global_5.member[_e205] = _e3068.member_2.z;
-global_5.member[_e216] = _e3072.member_3.x;
-global_5.member[_e227] = _e3076.member_3.y;
-global_5.member[_e238] = _e3080.member_3.z;
-global_5.member[_e249] = _e3084.member_4.x;
-global_5.member[_e260] = _e3088.member_4.y;
-global_5.member[_e271] = _e3092.member_4.z;
-global_5.member[_e282] = _e3096.member_5;
-let _e3157 = local_40;
-global_5.member[_e293] = _e3157;
-global_5.member[_e304] = f32(_e3034);
-global_5.member[_e315] = _e3100.member_8;
-global_5.member[_e326] = _e3103.member_9;
-global_5.member[_e337] = _e3106.member_10;
-global_5.member[_e348] = _e3109.member_11;
-global_5.member[_e359] = f32(_e3112.member_12);
-global_5.member[_e370] = f32(_e3116.member_13);
-global_5.member[_e381] = _e3120.member_14;
+let _e3038 = phi_4424_;
+let _e3040 = local_17;
+let _e3044 = local_18;
+let _e3048 = local_19;
+let _e3052 = local_20;
+let _e3056 = local_21;
+let _e3060 = local_22;
+let _e3064 = local_23;
+let _e3068 = local_24;
+let _e3072 = local_25;
+let _e3076 = local_26;
+let _e3080 = local_27;
+let _e3084 = local_28;
+let _e3088 = local_29;
+let _e3092 = local_30;
+let _e3096 = local_31;
+let _e3100 = local_32;
+let _e3104 = local_33;
+let _e3107 = local_34;
+let _e3110 = local_35;
+let _e3113 = local_36;
+let _e3116 = local_37;
+let _e3120 = local_38;
+let _e3124 = local_39;
+global_5.member[_e113] = _e3040.member.x;
+global_5.member[_e125] = _e3044.member.y;
+global_5.member[_e136] = _e3048.member.z;
+global_5.member[_e147] = _e3052.member_1.x;
+global_5.member[_e158] = _e3056.member_1.y;
+global_5.member[_e169] = _e3060.member_1.z;
+global_5.member[_e180] = _e3064.member_2.x;
+global_5.member[_e191] = _e3068.member_2.y;
+global_5.member[_e202] = _e3072.member_2.z;
+global_5.member[_e213] = _e3076.member_3.x;
+global_5.member[_e224] = _e3080.member_3.y;
+global_5.member[_e235] = _e3084.member_3.z;
+global_5.member[_e246] = _e3088.member_4.x;
+global_5.member[_e257] = _e3092.member_4.y;
+global_5.member[_e268] = _e3096.member_4.z;
+global_5.member[_e279] = _e3100.member_5;
+let _e3161 = local_40;
+global_5.member[_e290] = _e3161;
+global_5.member[_e301] = f32(_e3038);
+global_5.member[_e312] = _e3104.member_8;
+global_5.member[_e323] = _e3107.member_9;
+global_5.member[_e334] = _e3110.member_10;
+global_5.member[_e345] = _e3113.member_11;
+global_5.member[_e356] = f32(_e3116.member_12);
+global_5.member[_e367] = f32(_e3120.member_13);
+global_5.member[_e378] = _e3124.member_14;
 }
 }
 }
