@@ -84,6 +84,28 @@ fn statistics_are_json_with_every_field() {
 }
 
 #[test]
+fn kernels_are_translated_where_that_is_asked_for() {
+    let folder = Folder::new();
+    let devices = json(&folder.succeed(&["devices", "--json"]));
+    let has_gpu = devices.as_array().expect("a list").iter().any(|device| device["backend"] == "gpu");
+    if !has_gpu {
+        let required = std::env::var("VITRUM_REQUIRE_GPU").is_ok_and(|value| !value.is_empty() && value != "0");
+        assert!(!required, "VITRUM_REQUIRE_GPU is set, and there is no GPU");
+        return;
+    }
+    let render = ["render", "builtin:ball", "--set", "volume.resolution=16", "--size", "16x16", "--json", "-o"];
+    let adapter = |more: &[&str]| {
+        let statistics = json(&folder.succeed(&[&render, more].concat()));
+        statistics["adapter"].as_str().expect("a name").to_owned()
+    };
+    let translated = adapter(&["translated.png", "--backend", "gpu", "--translate-shaders"]);
+    assert!(translated.ends_with("; shaders translated)"), "{translated}");
+    adapter(&["cpu.png", "--backend", "cpu"]);
+    let bounds = ["--max-rmse", "1e-3"];
+    folder.succeed(&[&["diff", "cpu.png", "translated.png"], bounds.as_slice()].concat());
+}
+
+#[test]
 fn messages_go_to_standard_error_and_quiet_silences_them() {
     let folder = Folder::new();
     let loud = folder.vitrum(&small(&["-o", "out.png"]));
