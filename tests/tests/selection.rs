@@ -50,7 +50,7 @@ fn tiers_and_adapters_are_selected() {
     let Some(gpu) = adapter::for_test() else { return };
     let name = vitrum::backend::Backend::adapter(&gpu);
     // The same adapter twice is one adapter.
-    let adapters = ["--adapter", &name, "--adapter", &name[..8]];
+    let adapters = ["--adapter", &name, "--adapter", &name[..8], "--shaders", "passed-through"];
     let (numbers, _) =
         measured(&[["--tier", "t1", "--tier", "t3", "--scene", "ball eu"].as_slice(), &adapters].concat());
     assert_eq!(values(&numbers, "tier"), texts(["T1"]));

@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Status};
 use crate::volume::ByteCount;
 use clap::{Args, ValueEnum};
-use vitrum::backend::{self, Backend, BackendError, Choice, GpuOptions};
+use vitrum::backend::{self, Backend, BackendError, Choice, GpuOptions, Threads};
 use vitrum::scene::{MethodName, Scene};
 use vitrum::{Assets, Renderer};
 
@@ -65,6 +65,11 @@ impl From<BackendName> for Choice {
 }
 
 impl DeviceArguments {
+    /// Binds all of the program's work to `--threads`; to be called before any.
+    pub fn limit_threads(&self) -> Result<(), Failure> {
+        Ok(self.threads.map_or(Ok(()), |threads| Threads::limit_process(usize::from(threads)))?)
+    }
+
     /// Opens the device.
     pub fn open(&self) -> Result<Box<dyn Backend>, BackendError> {
         let options = GpuOptions {

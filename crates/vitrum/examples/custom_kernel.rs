@@ -1,4 +1,4 @@
-//! Runs one kernel over buffers of one's own, without a scene: the building block `exp` over a list of numbers.
+//! Runs one kernel over buffers of one's own, without a scene: the building block `exponential` over a list of numbers.
 
 use vitrum::backend::{Backend, Contents, CpuBackend, Pass, PassList, ReadBack};
 use vitrum_kernels::abi::dispatch::Dispatch;
@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     (0..COUNT).for_each(|index| arguments[index as usize] = index as f32 / 16.0);
     let inputs = backend.create("arguments", Contents::Bytes(bytemuck::cast_slice(&arguments)))?;
     let results = backend.create("results", Contents::Zeros(u64::from(COUNT) * probe::SIZE as u64 * 4))?;
-    let function = NAMES.iter().position(|name| *name == "exp").ok_or("the block exists")? as u32;
+    let function = NAMES.iter().position(|name| *name == "exponential").ok_or("the block exists")? as u32;
     let uniforms = ProbeUniforms { dispatch: Dispatch { width: COUNT, height: 1, mode: 0 }, function };
     let pass = Pass {
         kernel: &kernels::probe_apply_function,

@@ -34,6 +34,21 @@ impl Threads {
         }
     }
 
+    /// Limits the process's own threads, on which work runs that belongs to no backend, such as reading files. It can be said once, and
+    /// only before any such work.
+    ///
+    /// # Errors
+    /// [`BackendError::Threads`] where it was said before, or the threads cannot be started.
+    pub fn limit_process(threads: usize) -> Result<(), BackendError> {
+        #[cfg(feature = "threads")]
+        {
+            let limited = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+            limited.map_err(|error| BackendError::Threads { threads, reason: error.to_string() })
+        }
+        #[cfg(not(feature = "threads"))]
+        Self::start(Some(threads)).map(|_| ())
+    }
+
     /// Runs `work` on these threads: parallel loops in it are shared out among them.
     pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         #[cfg(feature = "threads")]

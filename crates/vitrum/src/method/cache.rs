@@ -50,7 +50,7 @@ impl<K: PartialEq, V> Memo<K, V> {
 /// Buffers that each frame writes anew, used again by the next frame of the same size.
 #[derive(Default)]
 pub(in crate::method) struct Scratch {
-    buffers: HashMap<&'static str, Buffer>,
+    buffers: HashMap<(&'static str, usize), Buffer>,
 }
 
 impl Scratch {
@@ -64,15 +64,26 @@ impl Scratch {
         bytes: u64,
         backend: &mut dyn Backend,
     ) -> Result<Buffer, BackendError> {
-        if let Some(buffer) = self.buffers.get(label) {
+        self.zeros_of_several(label, 0, bytes, backend)
+    }
+
+    /// As [`Self::zeros`], buffer `number` of several with the same label.
+    pub(in crate::method) fn zeros_of_several(
+        &mut self,
+        label: &'static str,
+        number: usize,
+        bytes: u64,
+        backend: &mut dyn Backend,
+    ) -> Result<Buffer, BackendError> {
+        if let Some(buffer) = self.buffers.get(&(label, number)) {
             if backend.bytes(buffer)? == bytes {
                 backend.clear(buffer)?;
                 return Ok(buffer.clone());
             }
-            self.buffers.remove(label);
+            self.buffers.remove(&(label, number));
         }
         let buffer = backend.create(label, Contents::Zeros(bytes))?;
-        self.buffers.insert(label, buffer.clone());
+        self.buffers.insert((label, number), buffer.clone());
         Ok(buffer)
     }
 }

@@ -78,6 +78,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
+    arguments.device.limit_threads()?;
     // Before the volume: a slip in it should not cost the time to read one.
     let keys = arguments.keys.as_deref().map(|path| course::read_keys(path, arguments.rate)).transpose()?;
     let Prepared { scene, assets, .. } = arguments.scene.prepare()?;
