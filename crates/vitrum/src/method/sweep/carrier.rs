@@ -2,7 +2,7 @@
 
 use super::uniforms::Fixed;
 use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
-use crate::method::cache::Scratch;
+use crate::method::cache::{Label, Scratch};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Passes that carry light from the first plane to the last.
@@ -38,7 +38,7 @@ impl Maker<'_> {
     /// A planar buffer of records, or one of sums.
     pub(super) fn planar(
         &mut self,
-        label: &'static str,
+        label: impl Into<Label>,
         records: [u32; 2],
         words: usize,
     ) -> Result<Buffer, BackendError> {

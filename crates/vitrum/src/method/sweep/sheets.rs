@@ -12,12 +12,18 @@ use vitrum_kernels::kernel::{Window, kernels};
 /// The buffers of sheets.
 pub(super) struct Sheets {
     volumes: VolumeBuffers,
-    count: u32,
-    sources: Buffer,
-    nodes: Buffer,
+    batches: Vec<Batch>,
     sums: Buffer,
     light: Buffer,
     irradiance: Buffer,
+}
+
+/// As many sheets as fit into one buffer. What they bring to a texel is summed up in integers, so that their number makes no difference.
+struct Batch {
+    /// Sheets.
+    count: u32,
+    sources: Buffer,
+    nodes: Buffer,
 }
 
 impl Sheets {
@@ -27,12 +33,20 @@ impl Sheets {
         sources: &[[f32; 3]],
     ) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
-        let count = sources.len() as u32;
+        let one = nodes(texels, 1).map(u64::from).iter().product::<u64>() * sheet::SIZE as u64 * 4;
+        let most = (maker.backend.largest_buffer() / one).clamp(1, sources.len() as u64) as usize;
+        let mut batches = Vec::new();
+        for (number, sources) in sources.chunks(most).enumerate() {
+            let count = sources.len() as u32;
+            batches.push(Batch {
+                count,
+                sources: maker.floats("directions of sheets", sources.as_flattened())?,
+                nodes: maker.planar(("sheets", number), nodes(texels, count), sheet::SIZE)?,
+            });
+        }
         Ok(Self {
             volumes,
-            count,
-            sources: maker.floats("directions of sheets", sources.as_flattened())?,
-            nodes: maker.planar("sheets", nodes(texels, count), sheet::SIZE)?,
+            batches,
             sums: maker.planar("sums", texels, sums::SIZE)?,
             light: maker.planar("light", texels, light::SIZE)?,
             irradiance: maker.irradiance()?,
@@ -47,28 +61,32 @@ fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
 
 impl Carrier for Sheets {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        let nodes = nodes(fixed.light_grid.size, self.count);
         let mut passes = Vec::from(fixed.unoccluded(&self.light, &self.irradiance));
-        passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[&self.sources, &self.nodes]));
+        for Batch { count, sources, nodes: sheets } in &self.batches {
+            let nodes = nodes(fixed.light_grid.size, *count);
+            passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[sources, sheets]));
+        }
         passes
     }
 
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {
         let texels = fixed.light_grid.size;
         let [width, height] = texels;
-        let cells = [width, height * self.count];
         let mut push =
             |kernel, size, mode, buffers: &[&Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
         let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
-        let bound = [voxels, ior_voxels, occupancy, tables, &self.sources, &self.nodes];
-        push(
-            kernels::sweep_advance_sheet.get(fixed.format),
-            nodes(texels, self.count),
-            mode::any_medium(fixed.mode),
-            &bound,
-        );
+        for Batch { count, sources, nodes: sheets } in &self.batches {
+            push(
+                kernels::sweep_advance_sheet.get(fixed.format),
+                nodes(texels, *count),
+                mode::any_medium(fixed.mode),
+                &[voxels, ior_voxels, occupancy, tables, sources, sheets],
+            );
+        }
         push(&kernels::sweep_clear_sums, texels, 0, &[&self.sums]);
-        push(&kernels::sweep_scatter_sheet, cells, 0, &[&self.nodes, &self.sources, &self.sums]);
+        for Batch { count, sources, nodes } in &self.batches {
+            push(&kernels::sweep_scatter_sheet, [width, height * count], 0, &[nodes, sources, &self.sums]);
+        }
         push(&kernels::sweep_collect_light, texels, 0, &[&self.sums, &self.light]);
         passes.push(fixed.concentrate(Window::whole(width, height), plane, &self.light, &self.irradiance));
     }
