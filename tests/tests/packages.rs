@@ -68,7 +68,7 @@ fn no_include_leaves_its_package() {
     for package in packages() {
         let mut files = Vec::new();
         sources(&package, &mut files);
-        // The texts below are examples of inclusions.
+        // This file has examples of includes that leave.
         for file in files.into_iter().filter(|file| !file.ends_with(file!())) {
             let source = fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
             for path in included(&source) {

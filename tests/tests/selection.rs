@@ -50,14 +50,22 @@ fn tiers_and_adapters_are_selected() {
     let Some(gpu) = adapter::for_test() else { return };
     let name = vitrum::backend::Backend::adapter(&gpu);
     // The same adapter twice is one adapter.
-    let adapters = ["--adapter", &name, "--adapter", &name[..8], "--shaders", "passed-through"];
+    let adapters = ["--adapter", &name[..10], "--adapter", &name[..8]];
     let (numbers, _) =
         measured(&[["--tier", "t1", "--tier", "t3", "--scene", "ball eu"].as_slice(), &adapters].concat());
     assert_eq!(values(&numbers, "tier"), texts(["T1"]));
     assert_eq!(values(&numbers, "scene"), texts(["ball euler"]));
-    let backends = numbers["backends"].as_array().expect("it is a list");
-    assert_eq!(backends.len(), 1);
-    assert!(backends[0].as_str().is_some_and(|text| text.ends_with(&name)), "{backends:?}");
+    // Once with SPIR-V as it is, where the driver takes it, and once translated.
+    let backends = |numbers: &Value| -> Vec<String> {
+        let texts = numbers["backends"].as_array().expect("it is a list").iter();
+        texts.map(|text| text.as_str().expect("it is a text").to_owned()).collect()
+    };
+    let found = backends(&numbers);
+    let is_translated = |text: &String| text.ends_with("; shaders translated)");
+    assert!(found.len() == if is_translated(&name) { 1 } else { 2 } && found[0].ends_with(&name), "{found:?}");
+    assert_eq!(found.iter().filter(|text| is_translated(text)).count(), 1, "{found:?}");
+    let (numbers, _) = measured(&["--tier", "t1", "--scene", "ball eu", "--shaders", "translated"]);
+    assert_eq!(backends(&numbers).iter().map(is_translated).collect::<Vec<_>>(), [true]);
 }
 
 #[test]

@@ -38,7 +38,9 @@ fn wgsl_has_one_entry_point_called_main_and_no_long_numbers() {
         assert_eq!(text.matches("@compute").count(), 1, "{name}");
         assert!(text.contains("fn main("), "{name}");
         let words = text.split(|character: char| !(character.is_ascii_alphanumeric() || "._".contains(character)));
-        let long = words.filter(|word| word.starts_with(|first: char| first.is_ascii_digit()) && word.len() > NUMBER);
+        let numbers = words.filter(|word| word.starts_with(|first: char| first.is_ascii_digit()));
+        let digits = |word: &&str| word.chars().take_while(|digit| digit.is_ascii_digit() || *digit == '.').count();
+        let long = numbers.filter(|word| digits(word) > NUMBER);
         assert_eq!(long.collect::<Vec<_>>(), Vec::<&str>::new(), "{name}");
     }
 }

@@ -47,10 +47,26 @@ impl<K: PartialEq, V> Memo<K, V> {
     }
 }
 
+/// A buffer's name in a frame: a label, and a number where several buffers have the same one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(in crate::method) struct Label(&'static str, usize);
+
+impl From<&'static str> for Label {
+    fn from(label: &'static str) -> Self {
+        Self(label, 0)
+    }
+}
+
+impl From<(&'static str, usize)> for Label {
+    fn from((label, number): (&'static str, usize)) -> Self {
+        Self(label, number)
+    }
+}
+
 /// Buffers that each frame writes anew, used again by the next frame of the same size.
 #[derive(Default)]
 pub(in crate::method) struct Scratch {
-    buffers: HashMap<(&'static str, usize), Buffer>,
+    buffers: HashMap<Label, Buffer>,
 }
 
 impl Scratch {
@@ -60,30 +76,20 @@ impl Scratch {
     /// As [`Backend::create`].
     pub(in crate::method) fn zeros(
         &mut self,
-        label: &'static str,
+        label: impl Into<Label>,
         bytes: u64,
         backend: &mut dyn Backend,
     ) -> Result<Buffer, BackendError> {
-        self.zeros_of_several(label, 0, bytes, backend)
-    }
-
-    /// As [`Self::zeros`], buffer `number` of several with the same label.
-    pub(in crate::method) fn zeros_of_several(
-        &mut self,
-        label: &'static str,
-        number: usize,
-        bytes: u64,
-        backend: &mut dyn Backend,
-    ) -> Result<Buffer, BackendError> {
-        if let Some(buffer) = self.buffers.get(&(label, number)) {
+        let label = label.into();
+        if let Some(buffer) = self.buffers.get(&label) {
             if backend.bytes(buffer)? == bytes {
                 backend.clear(buffer)?;
                 return Ok(buffer.clone());
             }
-            self.buffers.remove(&(label, number));
+            self.buffers.remove(&label);
         }
-        let buffer = backend.create(label, Contents::Zeros(bytes))?;
-        self.buffers.insert((label, number), buffer.clone());
+        let buffer = backend.create(label.0, Contents::Zeros(bytes))?;
+        self.buffers.insert(label, buffer.clone());
         Ok(buffer)
     }
 }

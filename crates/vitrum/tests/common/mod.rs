@@ -11,6 +11,11 @@ use vitrum::{Assets, builtin};
 
 /// Sees the calls of a backend before they are carried out, and fails a call by an error.
 pub trait Watch: Send {
+    /// The most bytes that the card allows in one buffer.
+    fn largest_buffer(&self) -> u64 {
+        u64::MAX
+    }
+
     /// A buffer is made.
     fn creates(&mut self, _contents: &Contents<'_>) -> Result<(), BackendError> {
         Ok(())
@@ -54,7 +59,7 @@ impl<W: Watch> Backend for Watched<W> {
     }
 
     fn largest_buffer(&self) -> u64 {
-        self.cpu.largest_buffer()
+        self.cpu.largest_buffer().min(self.watch.largest_buffer())
     }
 
     fn create(&mut self, label: &str, contents: Contents<'_>) -> Result<Buffer, BackendError> {

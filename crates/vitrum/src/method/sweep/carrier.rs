@@ -2,7 +2,7 @@
 
 use super::uniforms::Fixed;
 use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
-use crate::method::cache::Scratch;
+use crate::method::cache::{Label, Scratch};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Passes that carry light from the first plane to the last.
@@ -27,11 +27,6 @@ pub(super) struct VolumeBuffers {
     pub(super) tables: Buffer,
 }
 
-/// The bytes of a planar buffer of records of so many words.
-pub(super) fn bytes(records: [u32; 2], words: usize) -> u64 {
-    u64::from(records[0]) * u64::from(records[1]) * words as u64 * 4
-}
-
 /// Makes the buffers of a frame.
 pub(super) struct Maker<'a> {
     pub(super) fixed: &'a Fixed,
@@ -43,22 +38,12 @@ impl Maker<'_> {
     /// A planar buffer of records, or one of sums.
     pub(super) fn planar(
         &mut self,
-        label: &'static str,
+        label: impl Into<Label>,
         records: [u32; 2],
         words: usize,
     ) -> Result<Buffer, BackendError> {
-        self.planar_of_several(label, 0, records, words)
-    }
-
-    /// As [`Self::planar`], buffer `number` of several with the same label.
-    pub(super) fn planar_of_several(
-        &mut self,
-        label: &'static str,
-        number: usize,
-        records: [u32; 2],
-        words: usize,
-    ) -> Result<Buffer, BackendError> {
-        self.scratch.zeros_of_several(label, number, bytes(records, words), self.backend)
+        let bytes = u64::from(records[0]) * u64::from(records[1]) * words as u64 * 4;
+        self.scratch.zeros(label, bytes, self.backend)
     }
 
     /// A buffer for the irradiance of as many planes as are kept.

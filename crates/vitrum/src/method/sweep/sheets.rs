@@ -2,7 +2,7 @@
 //!
 //! None of the plane sweep's published kin does this: they keep one direction a texel, which cannot say what a focus leaves behind.
 
-use super::carrier::{Carrier, Maker, VolumeBuffers, bytes};
+use super::carrier::{Carrier, Maker, VolumeBuffers};
 use super::uniforms::Fixed;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::record::{light, sheet, sums};
@@ -12,15 +12,15 @@ use vitrum_kernels::kernel::{Window, kernels};
 /// The buffers of sheets.
 pub(super) struct Sheets {
     volumes: VolumeBuffers,
-    groups: Vec<Group>,
+    batches: Vec<Batch>,
     sums: Buffer,
     light: Buffer,
     irradiance: Buffer,
 }
 
-/// Sheets whose nodes lie in one buffer: as many as the largest buffer of the device takes. All groups add to the same sums, which are
-/// integers, so that the light does not depend on how sheets are grouped.
-struct Group {
+/// As many sheets as fit into one buffer. What they bring to a texel is summed up in integers, so that their number makes no difference.
+struct Batch {
+    /// Sheets.
     count: u32,
     sources: Buffer,
     nodes: Buffer,
@@ -33,27 +33,23 @@ impl Sheets {
         sources: &[[f32; 3]],
     ) -> Result<Self, BackendError> {
         let texels = maker.fixed.light_grid.size;
-        let most = maker.backend.largest_buffer() / bytes(nodes(texels, 1), sheet::SIZE);
-        // A single sheet beyond the limit is the backend's to refuse, by name and size.
-        let groups = sources.chunks(most.clamp(1, sources.len().max(1) as u64) as usize).enumerate();
-        let groups = groups.map(|(number, sources)| Group::new(maker, number, sources)).collect::<Result<_, _>>()?;
+        let one = nodes(texels, 1).map(u64::from).iter().product::<u64>() * sheet::SIZE as u64 * 4;
+        let most = (maker.backend.largest_buffer() / one).clamp(1, sources.len() as u64) as usize;
+        let mut batches = Vec::new();
+        for (number, sources) in sources.chunks(most).enumerate() {
+            let count = sources.len() as u32;
+            batches.push(Batch {
+                count,
+                sources: maker.floats("directions of sheets", sources.as_flattened())?,
+                nodes: maker.planar(("sheets", number), nodes(texels, count), sheet::SIZE)?,
+            });
+        }
         Ok(Self {
             volumes,
-            groups,
+            batches,
             sums: maker.planar("sums", texels, sums::SIZE)?,
             light: maker.planar("light", texels, light::SIZE)?,
             irradiance: maker.irradiance()?,
-        })
-    }
-}
-
-impl Group {
-    fn new(maker: &mut Maker<'_>, number: usize, sources: &[[f32; 3]]) -> Result<Self, BackendError> {
-        let (texels, count) = (maker.fixed.light_grid.size, sources.len() as u32);
-        Ok(Self {
-            count,
-            sources: maker.floats("directions of sheets", sources.as_flattened())?,
-            nodes: maker.planar_of_several("sheets", number, nodes(texels, count), sheet::SIZE)?,
         })
     }
 }
@@ -66,10 +62,10 @@ fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
 impl Carrier for Sheets {
     fn start(&self, fixed: &Fixed) -> Vec<Pass> {
         let mut passes = Vec::from(fixed.unoccluded(&self.light, &self.irradiance));
-        passes.extend(self.groups.iter().map(|Group { count, sources, nodes: buffer }| {
+        for Batch { count, sources, nodes: sheets } in &self.batches {
             let nodes = nodes(fixed.light_grid.size, *count);
-            fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[sources, buffer])
-        }));
+            passes.push(fixed.pass(&kernels::sweep_initialize_sheet, nodes, 0, 0, &[sources, sheets]));
+        }
         passes
     }
 
@@ -79,16 +75,16 @@ impl Carrier for Sheets {
         let mut push =
             |kernel, size, mode, buffers: &[&Buffer]| passes.push(fixed.pass(kernel, size, mode, plane, buffers));
         let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
-        for Group { count, sources, nodes: buffer } in &self.groups {
+        for Batch { count, sources, nodes: sheets } in &self.batches {
             push(
                 kernels::sweep_advance_sheet.get(fixed.format),
                 nodes(texels, *count),
                 mode::any_medium(fixed.mode),
-                &[voxels, ior_voxels, occupancy, tables, sources, buffer],
+                &[voxels, ior_voxels, occupancy, tables, sources, sheets],
             );
         }
         push(&kernels::sweep_clear_sums, texels, 0, &[&self.sums]);
-        for Group { count, sources, nodes } in &self.groups {
+        for Batch { count, sources, nodes } in &self.batches {
             push(&kernels::sweep_scatter_sheet, [width, height * count], 0, &[nodes, sources, &self.sums]);
         }
         push(&kernels::sweep_collect_light, texels, 0, &[&self.sums, &self.light]);
