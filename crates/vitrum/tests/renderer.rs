@@ -109,7 +109,7 @@ fn a_frame_that_fails_anywhere_leaves_no_buffer() {
             }
             failures += 1;
         }
-        assert!(failures > 30, "{name}: only {failures} calls were failed");
+        assert!(failures > 20, "{name}: only {failures} calls were failed");
     }
 }
 
