@@ -4,6 +4,7 @@ use crate::{advice, interrupt};
 use std::process::ExitCode;
 use vitrum::Unrenderable;
 use vitrum::backend::BackendError;
+use vitrum::composition::CompositionError;
 use vitrum::preset::PresetError;
 use vitrum::scene::{Origin, SceneError};
 
@@ -84,6 +85,20 @@ impl From<SceneError> for Failure {
 impl From<PresetError> for Failure {
     fn from(error: PresetError) -> Self {
         Self::new(Status::WrongUse, error.to_string(), error.help())
+    }
+}
+
+impl From<CompositionError> for Failure {
+    fn from(error: CompositionError) -> Self {
+        match error {
+            CompositionError::Preset(error) => error.into(),
+            CompositionError::Scene(error) => error.into(),
+            error => {
+                let status =
+                    if matches!(error, CompositionError::Text { .. }) { Status::Input } else { Status::WrongUse };
+                Self { status, message: error.to_string(), help: error.advice() }
+            }
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use clap::Args;
 use std::str::FromStr;
 use vitrum::io::{RawLayout, Up};
-use vitrum::scene::{Scene, VolumeSource};
+use vitrum::scene::VolumeSource;
 
 /// How the volume is read; each but the last sets the scene's key of the same name.
 #[derive(Debug, Clone, Args)]
@@ -44,15 +44,11 @@ impl VolumeArguments {
         source.up = up.map(|up| up.to_string()).or(source.up.take());
     }
 
-    /// Sets the keys of a scene: of its meshes what a mesh has, of its volume the rest.
-    pub fn apply_to(&self, scene: &mut Scene) {
-        let mut rest = self.clone();
-        if !scene.mesh.is_empty()
-            && let Some(up) = rest.up.take()
-        {
-            scene.mesh.iter_mut().for_each(|mesh| mesh.up = Some(up.to_string()));
-        }
-        rest.apply(&mut scene.volume);
+    /// The keys that are set, in a source without a file.
+    pub fn source(&self) -> VolumeSource {
+        let mut source = VolumeSource::default();
+        self.apply(&mut source);
+        source
     }
 
     /// The limit in bytes.

@@ -28,6 +28,7 @@ mod assets;
 pub mod backend;
 #[cfg(feature = "builtin")]
 pub mod builtin;
+pub mod composition;
 mod error;
 mod film;
 mod meshes;

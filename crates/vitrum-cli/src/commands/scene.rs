@@ -25,12 +25,12 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.output.as_deref().map_or(Ok(()), output::check_writable)?;
-    let prepared = arguments.scene.prepare()?;
-    vitrum::check(&prepared.scene, &prepared.assets)?;
-    let mut scene = prepared.scene;
+    let composed = arguments.scene.compose()?;
+    vitrum::check(&composed.scene, &composed.assets)?;
+    let mut scene = composed.scene;
     let folder = arguments.output.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-    if !same_folder(&prepared.base, folder) {
-        make_absolute(&mut scene, &prepared.base);
+    if !same_folder(&composed.base, folder) {
+        make_absolute(&mut scene, &composed.base);
     }
     let text = scene.to_toml()?;
     match &arguments.output {

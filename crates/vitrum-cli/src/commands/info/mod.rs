@@ -30,7 +30,7 @@ pub struct Arguments {
 const BINS: usize = 64;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let opened = input::open(&arguments.input)?;
+    let opened = vitrum::composition::open(&arguments.input)?;
     let as_raw_voxels = opened.bare && arguments.volume.raw.is_some();
     if !opened.scene.mesh.is_empty() && !as_raw_voxels {
         let mesh = input::open_mesh(&arguments.input, arguments.volume.limit())?;

@@ -3,10 +3,10 @@
 use super::Arguments;
 use super::write::{check_names, check_outputs, write_outputs};
 use crate::failure::Failure;
-use crate::input::Prepared;
 use crate::progress::Bar;
 use crate::{interrupt, output};
 use std::process::ExitCode;
+use vitrum::composition::Composed;
 use vitrum::method::voxels::bodies;
 use vitrum::{Frame, OutputRequest, Renderer, Statistics};
 
@@ -15,16 +15,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.device.limit_threads()?;
     // What can be refused at once is refused before any work.
     check_outputs(arguments)?;
-    let prepared = arguments.scene.prepare()?;
-    check_names(arguments, &prepared.scene)?;
-    arguments.memory.check(&prepared.scene)?;
-    vitrum::check(&prepared.scene, &prepared.assets)?;
-    let mut renderer = arguments.device.renderer(&prepared.assets, &arguments.memory, arguments.quiet)?;
-    let frame = render(arguments, &prepared, &mut renderer)?;
+    let composed = arguments.scene.compose()?;
+    check_names(arguments, &composed.scene)?;
+    arguments.memory.check(&composed.scene)?;
+    vitrum::check(&composed.scene, &composed.assets)?;
+    let mut renderer = arguments.device.renderer(&composed.assets, &arguments.memory, arguments.quiet)?;
+    let frame = render(arguments, &composed, &mut renderer)?;
     interrupt::check()?;
-    write_outputs(arguments, &prepared.scene, &frame)?;
+    write_outputs(arguments, &composed.scene, &frame)?;
     if !arguments.quiet {
-        warn_of_holes(arguments, &prepared, &frame)?;
+        warn_of_holes(arguments, &composed, &frame)?;
         eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
     }
     if arguments.json {
@@ -34,9 +34,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 }
 
 /// Says whether clear bodies of a mesh have holes.
-fn warn_of_holes(arguments: &Arguments, prepared: &Prepared, frame: &Frame) -> Result<(), Failure> {
-    let Some(mesh) = prepared.assets.subject.mesh() else { return Ok(()) };
-    let bodies = bodies(mesh, &prepared.scene.material)?;
+fn warn_of_holes(arguments: &Arguments, composed: &Composed, frame: &Frame) -> Result<(), Failure> {
+    let Some(mesh) = composed.assets.subject.mesh() else { return Ok(()) };
+    let bodies = bodies(mesh, &composed.scene.material)?;
     let clear = bodies.iter().filter(|body| !body.opaque);
     let edges = clear.map(|body| body.mesh.topology().unpaired_edges).sum();
     output::warn_of_holes(&arguments.scene.input, edges, frame.statistics.open_rows);
@@ -44,7 +44,7 @@ fn warn_of_holes(arguments: &Arguments, prepared: &Prepared, frame: &Frame) -> R
 }
 
 /// The last of `--frames` frames, with the times of all.
-fn render(arguments: &Arguments, prepared: &Prepared, renderer: &mut Renderer) -> Result<Frame, Failure> {
+fn render(arguments: &Arguments, composed: &Composed, renderer: &mut Renderer) -> Result<Frame, Failure> {
     let request = OutputRequest { light: arguments.aov.iter().any(|aov| aov.name == "light") };
     let bar = Bar::new(arguments.frames, arguments.quiet);
     let mut frame_ms = Vec::new();
@@ -56,7 +56,7 @@ fn render(arguments: &Arguments, prepared: &Prepared, renderer: &mut Renderer) -
             bar.update(index, &progress);
             !interrupt::requested()
         };
-        let mut frame = renderer.render(&prepared.scene, request, &mut progress)?;
+        let mut frame = renderer.render(&composed.scene, request, &mut progress)?;
         frame_ms.append(&mut frame.statistics.frame_ms);
         upload_ms = upload_ms.or(frame.statistics.upload_ms);
         index += 1;

@@ -2,9 +2,9 @@
 
 use super::Arguments;
 use crate::failure::{Failure, Status};
-use crate::input::read_text;
 use std::path::Path;
 use vitrum::Assets;
+use vitrum::composition::read_text;
 use vitrum::scene::{KeyFrames, Scene};
 
 /// Pictures of a whole turn.

@@ -5,7 +5,7 @@ mod target;
 
 use crate::device::{DeviceArguments, MemoryArguments};
 use crate::failure::Failure;
-use crate::input::{Prepared, SceneArguments};
+use crate::input::SceneArguments;
 use crate::interrupt::{self, Timeout};
 use crate::output::{self, Bits};
 use crate::progress::Bar;
@@ -16,6 +16,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use target::Target;
 use vitrum::OutputRequest;
+use vitrum::composition::Composed;
 
 /// Render an animation of the camera going round, or of a scene that changes along key frames
 #[derive(Debug, Args)]
@@ -81,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.device.limit_threads()?;
     // Before the volume: a slip in it should not cost the time to read one.
     let keys = arguments.keys.as_deref().map(|path| course::read_keys(path, arguments.rate)).transpose()?;
-    let Prepared { scene, assets, .. } = arguments.scene.prepare()?;
+    let Composed { scene, assets, .. } = arguments.scene.compose()?;
     let course = Course::new(arguments, scene, &assets, keys)?;
     arguments.memory.check(course.start())?;
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;

@@ -1,0 +1,71 @@
+//! The ways in which a scene fails to be composed.
+
+use crate::error::Error;
+use crate::preset::PresetError;
+use crate::scene::SceneError;
+use crate::suggest::nearest;
+use std::path::PathBuf;
+
+/// Why a scene could not be composed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompositionError {
+    /// The name after `builtin:` is no scene's.
+    #[error("there is no built-in scene `{name}`")]
+    UnknownBuiltin {
+        /// The name that was asked for.
+        name: String,
+    },
+    /// A text file could not be read.
+    #[error("{}: {reason}", file.display())]
+    Text {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        reason: String,
+        /// What to do about it.
+        advice: &'static str,
+    },
+    /// There is no such preset of the input's kind.
+    #[error(transparent)]
+    Preset(#[from] PresetError),
+    /// The scene is not valid, or its data could not be read.
+    #[error(transparent)]
+    Scene(#[from] Error),
+}
+
+impl From<SceneError> for CompositionError {
+    fn from(error: SceneError) -> Self {
+        Self::Scene(error.into())
+    }
+}
+
+impl CompositionError {
+    /// What to do about an unknown name or a text that cannot be read, in one sentence; errors of other kinds have their own advice.
+    #[must_use]
+    pub fn advice(&self) -> Option<String> {
+        match self {
+            Self::UnknownBuiltin { name } => {
+                let names = || builtin_names().iter().map(|&(name, _)| name);
+                Some(match nearest(name, names()) {
+                    Some(near) => format!("did you mean `builtin:{near}`?"),
+                    None if builtin_names().is_empty() => "this build has no built-in scenes".to_owned(),
+                    None => format!("the built-in scenes are: {}", names().collect::<Vec<_>>().join(", ")),
+                })
+            }
+            Self::Text { advice, .. } => Some((*advice).to_owned()),
+            Self::Preset(error) => Some(error.help()),
+            Self::Scene(_) => None,
+        }
+    }
+}
+
+#[cfg(feature = "builtin")]
+fn builtin_names() -> &'static [(&'static str, &'static str)] {
+    crate::builtin::names()
+}
+
+#[cfg(not(feature = "builtin"))]
+fn builtin_names() -> &'static [(&'static str, &'static str)] {
+    &[]
+}

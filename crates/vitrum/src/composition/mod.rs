@@ -1,0 +1,153 @@
+//! A scene composed of an input, the look of a preset and single keys, and the data that it shows.
+
+mod error;
+mod input;
+
+pub use error::CompositionError;
+pub use input::{Opened, open, read_text};
+
+use crate::error::Error;
+use crate::scene::{Problem, Scene, SceneError, VolumeSource};
+use crate::{Assets, preset};
+use std::path::PathBuf;
+
+/// An input, and the changes to its scene. They are applied in the order of the fields.
+#[derive(Debug, Clone, Default)]
+pub struct Composition {
+    /// A scene file (`.toml`), the file of a volume or of a mesh, a folder of DICOM files, `-` for a volume from standard input, or
+    /// `builtin:NAME`.
+    pub input: String,
+    /// The name of a preset. A volume's file takes [`preset::DEFAULT`] if absent, a mesh's file what it says of itself, or glass.
+    pub preset: Option<String>,
+    /// Width and height of the film, in pixels.
+    pub size: Option<[u32; 2]>,
+    /// How the volume's file is read: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up` of meshes
+    /// as well. The other fields are not used.
+    pub source: VolumeSource,
+    /// Keys with values, such as `camera.azimuth=60`, as [`Scene::set`] takes them.
+    pub settings: Vec<String>,
+    /// The most bytes that a file may take in memory; without it the limit of [`crate::io::OpenOptions`].
+    pub max_bytes: Option<u64>,
+}
+
+/// A scene that has passed [`Scene::validate`], and its data.
+#[derive(Debug)]
+pub struct Composed {
+    /// The scene, with everything that the preset and the settings say.
+    pub scene: Scene,
+    /// The folder that relative paths in the scene start at.
+    pub base: PathBuf,
+    /// The data that the scene names.
+    pub assets: Assets,
+}
+
+impl Composition {
+    /// Reads the scene and its files, and applies the changes.
+    ///
+    /// # Errors
+    /// [`CompositionError`] where the input cannot be read, there is no such preset, or the scene is not valid with a change. Names and
+    /// values are checked before the volume is read.
+    pub fn compose(&self) -> Result<Composed, CompositionError> {
+        let Opened { mut scene, base, bare } = open(&self.input)?;
+        if bare && self.source.raw.is_some() {
+            scene = input::without_mesh(scene);
+        }
+        if !scene.mesh.is_empty() {
+            return self.compose_mesh(scene, base, bare);
+        }
+        // Names first: a slip should not cost the time to read a volume.
+        self.preset.as_deref().map_or(Ok(()), preset::check)?;
+        let preset = self.preset.as_deref().or(bare.then_some(preset::DEFAULT));
+        let mut before = scene.clone();
+        self.change(&mut before, preset.is_some())?;
+        let assets = Assets::load_within(&before, &base, self.max_bytes)?;
+        // A setting that adds a mesh leaves no volume for the preset to be fitted to.
+        if let (Some(name), Some(volume)) = (preset, assets.subject.volume()) {
+            preset::apply(name, volume, &mut scene)?;
+        }
+        self.change(&mut scene, false)?;
+        Ok(Composed { scene, base, assets })
+    }
+
+    /// The look of a mesh does not depend on the contents of its file.
+    fn compose_mesh(&self, mut scene: Scene, base: PathBuf, bare: bool) -> Result<Composed, CompositionError> {
+        match &self.preset {
+            Some(name) => preset::apply_to_mesh(name, &mut scene)?,
+            None if bare => preset::surround_mesh(&mut scene),
+            None => {}
+        }
+        self.change(&mut scene, false)?;
+        let assets = Assets::load_within(&scene, &base, self.max_bytes)?;
+        Ok(Composed { scene, base, assets })
+    }
+
+    /// Applies size, source and settings. If a preset is still to come, it may fill in a key that is missing now, such as the points of
+    /// a transfer function.
+    fn change(&self, scene: &mut Scene, preset_to_come: bool) -> Result<(), Error> {
+        if let Some([width, height]) = self.size {
+            scene.film.width = width;
+            scene.film.height = height;
+        }
+        self.change_source(scene);
+        for assignment in &self.settings {
+            match scene.set(assignment) {
+                Err(error) if preset_to_come && is_missing(&error) => {}
+                outcome => outcome?,
+            }
+        }
+        Ok(scene.validate()?)
+    }
+
+    fn change_source(&self, scene: &mut Scene) {
+        let VolumeSource { raw, spacing, array, time, mut up, .. } = self.source.clone();
+        if !scene.mesh.is_empty()
+            && let Some(up) = up.take()
+        {
+            scene.mesh.iter_mut().for_each(|mesh| mesh.up = Some(up.clone()));
+        }
+        let source = &mut scene.volume;
+        source.raw = raw.or(source.raw.take());
+        source.spacing = spacing.or(source.spacing);
+        source.array = array.or(source.array.take());
+        source.time = time.or(source.time);
+        source.up = up.or(source.up.take());
+    }
+}
+
+fn is_missing(error: &SceneError) -> bool {
+    matches!(*error.problem, Problem::MissingKey { .. } | Problem::Contradiction { .. })
+}
+
+#[cfg(all(test, feature = "builtin"))]
+mod tests {
+    use super::*;
+
+    fn composed(preset: Option<&str>, settings: &[&str]) -> Result<Composed, CompositionError> {
+        let composition = Composition {
+            input: "builtin:ball".to_owned(),
+            preset: preset.map(str::to_owned),
+            size: Some([32, 24]),
+            settings: settings.iter().map(|&setting| setting.to_owned()).collect(),
+            ..Composition::default()
+        };
+        composition.compose()
+    }
+
+    #[test]
+    fn settings_come_after_size_and_preset() -> Result<(), CompositionError> {
+        let Composed { scene, .. } = composed(Some("haze"), &["volume.resolution=16", "film.width=48"])?;
+        assert_eq!([scene.film.width, scene.film.height], [48, 24]);
+        let Composed { scene: plain, .. } = composed(None, &["volume.resolution=16"])?;
+        assert_eq!([plain.film.width, plain.film.height], [32, 24]);
+        assert_ne!(scene.transfer, plain.transfer, "the preset has a look of its own");
+        Ok(())
+    }
+
+    #[test]
+    fn unknown_names_are_told_with_what_was_meant() {
+        let error = open("builtin:bal").expect_err("there is no such scene");
+        assert_eq!(error.advice().as_deref(), Some("did you mean `builtin:ball`?"));
+        assert!(matches!(composed(Some("bune"), &[]), Err(CompositionError::Preset(_))));
+        assert!(matches!(composed(None, &["camera.azimut=3"]), Err(CompositionError::Scene(Error::SceneFile(_)))));
+    }
+}
