@@ -61,11 +61,13 @@ macro_rules! host {
                 host!(@drive $access [$($level)*] $skip, kernel, chunk, lanes)
             }
 
+            #[cfg(target_arch = "x86_64")]
             #[inline(always)]
             fn many(u: &Uniforms, chunk: &mut Chunk<'_>) -> bool {
                 host!(@many $folder $modes, $name, u, chunk)
             }
 
+            #[cfg(target_arch = "x86_64")]
             #[inline(always)]
             #[allow(unreachable_patterns)]
             fn few(u: &Uniforms, chunk: &mut Chunk<'_>) -> bool {
