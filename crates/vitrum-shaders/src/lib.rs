@@ -10,7 +10,7 @@ macro_rules! modules {
         /// Names of the kernels that have modules, in alphabetical order.
         pub const NAMES: &[&str] = &[$(stringify!($name)),*];
 
-        /// A kernel's module in SPIR-V, by the kernel's name. Its entry point is [`ENTRY_POINT`].
+        /// A kernel's module in SPIR-V, by the kernel's name. Its entry point is [`ENTRY_POINT`](crate::ENTRY_POINT).
         #[cfg(feature = "spirv")]
         #[must_use]
         pub fn spirv(kernel: &str) -> Option<&'static [u8]> {
@@ -20,7 +20,7 @@ macro_rules! modules {
             }
         }
 
-        /// A kernel's module in WGSL, by the kernel's name. Its entry point is [`ENTRY_POINT`].
+        /// A kernel's module in WGSL, by the kernel's name. Its entry point is [`ENTRY_POINT`](crate::ENTRY_POINT).
         #[cfg(feature = "wgsl")]
         #[must_use]
         pub fn wgsl(kernel: &str) -> Option<&'static str> {
