@@ -72,7 +72,7 @@ impl Step {
             Self::Wasm => return wasm::check(),
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),
-            Self::Diff => diff::run(&diff::Arguments::default()),
+            Self::Diff => diff::run(&diff::Arguments::of_ci()),
             Self::Package => package::verify(),
             Self::Peers => return peers::compare(&peers::Arguments::default()),
         };

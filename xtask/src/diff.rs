@@ -17,6 +17,14 @@ pub struct Arguments {
     arguments: Vec<String>,
 }
 
+impl Arguments {
+    /// The comparison of `cargo xtask ci`: kernels as the driver takes them. Translated kernels are compared by a test, at sizes at which their
+    /// bounds hold (docs/conformance.md).
+    pub fn of_ci() -> Self {
+        Self { arguments: ["--shaders", "passed-through"].map(str::to_owned).into() }
+    }
+}
+
 /// Runs the `conformance` program.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     vulkan::require_driver()?;
