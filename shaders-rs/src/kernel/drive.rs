@@ -74,6 +74,7 @@ pub(super) struct Block<const N: usize> {
 
 /// The lanes of a block in rows of [`LANES`] columns or more: [`LANES`], of which the compiler can tell no more than that it is a multiple of
 /// that number, not 0 and not large. Knowing it, the compiler would unroll short loops instead of making vector code of them.
+#[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn whole() -> usize {
     (usize::from(core::hint::black_box(1u16)) | 1) * LANES
