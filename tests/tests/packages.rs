@@ -83,7 +83,7 @@ fn no_include_leaves_its_package() {
 
 #[test]
 fn what_leaves_is_found() {
-    let (package, source) = (Path::new("/work/a"), Path::new("/work/a/src/lib.rs"));
+    let (package, source) = (Path::new("/packages/a"), Path::new("/packages/a/src/lib.rs"));
     let leaves = |text: &str| included(text).iter().filter(|path| !stays_inside(package, source, path)).count();
     assert_eq!(
         leaves("include_str!(\"../data/a.txt\"); include_bytes!(concat!(\"../spirv/\", stringify!($name)));"),
