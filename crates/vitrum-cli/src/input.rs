@@ -57,7 +57,7 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
         let help = format!("`vitrum voxelize {input} -r 256 -o voxels.nrrd` makes one of it");
         return Err(Failure::new(Status::WrongUse, message, help));
     }
-    arguments.apply(&mut scene.volume);
+    scene.volume.read_as(arguments.source());
     scene.validate()?;
     Ok(load_volume(&scene.volume, &base, arguments.limit())?)
 }

@@ -34,21 +34,17 @@ pub struct VolumeArguments {
 }
 
 impl VolumeArguments {
-    /// Sets the scene's keys.
-    pub fn apply(&self, source: &mut VolumeSource) {
-        let Self { raw, spacing, array, time, up, max_bytes: _ } = self;
-        source.raw = raw.map(|raw| raw.to_string()).or(source.raw.take());
-        source.spacing = spacing.map(|Spacing(spacing)| spacing).or(source.spacing);
-        source.array = array.clone().or(source.array.take());
-        source.time = time.or(source.time);
-        source.up = up.map(|up| up.to_string()).or(source.up.take());
-    }
-
     /// The keys that are set, in a source without a file.
     pub fn source(&self) -> VolumeSource {
-        let mut source = VolumeSource::default();
-        self.apply(&mut source);
-        source
+        let Self { raw, spacing, array, time, up, max_bytes: _ } = self;
+        VolumeSource {
+            raw: raw.map(|raw| raw.to_string()),
+            spacing: spacing.map(|Spacing(spacing)| spacing),
+            array: array.clone(),
+            time: *time,
+            up: up.map(|up| up.to_string()),
+            ..VolumeSource::default()
+        }
     }
 
     /// The limit in bytes.

@@ -63,8 +63,17 @@ impl Assets {
 pub(crate) mod made {
     use crate::builtin;
     use crate::error::Error;
+    use crate::scene::Scene;
     use crate::unrenderable::Unrenderable;
     use vitrum_io::{Mesh, Volume};
+
+    pub(crate) fn scene(name: &str) -> Option<Scene> {
+        builtin::scene(name)
+    }
+
+    pub(crate) fn scene_names() -> impl Iterator<Item = &'static str> {
+        builtin::names().iter().map(|&(name, _)| name)
+    }
 
     pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
         let known = || builtin::mesh_names().collect();
@@ -83,8 +92,17 @@ pub(crate) mod made {
 #[cfg(not(feature = "builtin"))]
 pub(crate) mod made {
     use crate::error::Error;
+    use crate::scene::Scene;
     use crate::unrenderable::Unrenderable;
     use vitrum_io::{Mesh, Volume};
+
+    pub(crate) fn scene(_name: &str) -> Option<Scene> {
+        None
+    }
+
+    pub(crate) fn scene_names() -> impl Iterator<Item = &'static str> {
+        std::iter::empty()
+    }
 
     pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
         Err(left_out("mesh", name))

@@ -1,5 +1,6 @@
 //! The ways in which a scene fails to be composed.
 
+use crate::assets::made;
 use crate::error::Error;
 use crate::preset::PresetError;
 use crate::scene::SceneError;
@@ -46,11 +47,11 @@ impl CompositionError {
     pub fn advice(&self) -> Option<String> {
         match self {
             Self::UnknownBuiltin { name } => {
-                let names = || builtin_names().iter().map(|&(name, _)| name);
-                Some(match nearest(name, names()) {
+                let known: Vec<_> = made::scene_names().collect();
+                Some(match nearest(name, known.iter().copied()) {
                     Some(near) => format!("did you mean `builtin:{near}`?"),
-                    None if builtin_names().is_empty() => "this build has no built-in scenes".to_owned(),
-                    None => format!("the built-in scenes are: {}", names().collect::<Vec<_>>().join(", ")),
+                    None if known.is_empty() => "this build has no built-in scenes".to_owned(),
+                    None => format!("the built-in scenes are: {}", known.join(", ")),
                 })
             }
             Self::Text { advice, .. } => Some((*advice).to_owned()),
@@ -58,14 +59,4 @@ impl CompositionError {
             Self::Scene(_) => None,
         }
     }
-}
-
-#[cfg(feature = "builtin")]
-fn builtin_names() -> &'static [(&'static str, &'static str)] {
-    crate::builtin::names()
-}
-
-#[cfg(not(feature = "builtin"))]
-fn builtin_names() -> &'static [(&'static str, &'static str)] {
-    &[]
 }

@@ -1,6 +1,7 @@
 //! The scene that an input stands for, before a preset and settings change it.
 
 use super::CompositionError;
+use crate::assets::made;
 use crate::io::{STANDARD_INPUT, is_mesh};
 use crate::scene::{MeshSource, MethodName, Scene, VolumeSource};
 use std::fs;
@@ -32,7 +33,7 @@ impl Opened {
 pub fn open(input: &str) -> Result<Opened, CompositionError> {
     if let Some(name) = input.strip_prefix("builtin:") {
         let unknown = || CompositionError::UnknownBuiltin { name: name.to_owned() };
-        let scene = builtin(name).ok_or_else(unknown)?;
+        let scene = made::scene(name).ok_or_else(unknown)?;
         return Ok(Opened { scene, base: PathBuf::new(), bare: false });
     }
     let path = Path::new(input);
@@ -48,16 +49,6 @@ pub fn open(input: &str) -> Result<Opened, CompositionError> {
         return Ok(Opened { scene, base: PathBuf::new(), bare: true });
     }
     Ok(Opened { scene: of_volume(path.to_owned()), base: PathBuf::new(), bare: true })
-}
-
-#[cfg(feature = "builtin")]
-fn builtin(name: &str) -> Option<Scene> {
-    crate::builtin::scene(name)
-}
-
-#[cfg(not(feature = "builtin"))]
-fn builtin(_: &str) -> Option<Scene> {
-    None
 }
 
 /// The scene of a mesh's file as a volume.

@@ -99,18 +99,13 @@ impl Composition {
     }
 
     fn change_source(&self, scene: &mut Scene) {
-        let VolumeSource { raw, spacing, array, time, mut up, .. } = self.source.clone();
+        let mut keys = self.source.clone();
         if !scene.mesh.is_empty()
-            && let Some(up) = up.take()
+            && let Some(up) = keys.up.take()
         {
             scene.mesh.iter_mut().for_each(|mesh| mesh.up = Some(up.clone()));
         }
-        let source = &mut scene.volume;
-        source.raw = raw.or(source.raw.take());
-        source.spacing = spacing.or(source.spacing);
-        source.array = array.or(source.array.take());
-        source.time = time.or(source.time);
-        source.up = up.or(source.up.take());
+        scene.volume.read_as(keys);
     }
 }
 

@@ -44,3 +44,15 @@ pub struct VolumeSource {
     #[schemars(extend("x-range" = "an axis"))]
     pub up: Option<String>,
 }
+
+impl VolumeSource {
+    /// Takes over from `keys` how a file is read: `raw`, `spacing`, `array`, `time` and `up` where they are set there.
+    pub fn read_as(&mut self, keys: Self) {
+        let Self { raw, spacing, array, time, up, file: _, builtin: _, resolution: _ } = keys;
+        self.raw = raw.or(self.raw.take());
+        self.spacing = spacing.or(self.spacing);
+        self.array = array.or(self.array.take());
+        self.time = time.or(self.time);
+        self.up = up.or(self.up.take());
+    }
+}
