@@ -3,6 +3,7 @@
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
+use std::convert::Infallible;
 
 /// Data that the methods of a renderer keep from frame to frame: for each method one value of a type of its own.
 ///
@@ -44,6 +45,12 @@ impl<K: PartialEq, V> Memo<K, V> {
             self.0 = Some((key, make()?));
         }
         Ok(&self.0.as_ref().expect("it was made above").1)
+    }
+
+    /// As [`Self::get`], for a computation that cannot fail.
+    pub(in crate::method) fn of(&mut self, key: K, make: impl FnOnce() -> V) -> &V {
+        let Ok(value) = self.get::<Infallible>(key, || Ok(make()));
+        value
     }
 }
 
@@ -97,19 +104,16 @@ impl Scratch {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::convert::Infallible;
 
     #[test]
     fn a_memo_computes_once_for_a_key() {
         let mut memo = Memo::default();
         let mut made = 0;
         let mut get = |key: u32| {
-            *memo
-                .get(key, || {
-                    made += 1;
-                    Ok::<_, Infallible>(10 * key)
-                })
-                .unwrap()
+            *memo.of(key, || {
+                made += 1;
+                10 * key
+            })
         };
         assert_eq!([get(1), get(1), get(2), get(1)], [10, 10, 20, 10]);
         assert_eq!(made, 3);

@@ -9,11 +9,10 @@ use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::error::Error;
 use crate::method::Tools;
 use crate::method::cache::{Memo, Scratch};
-use crate::method::view::environment::EnvironmentMap;
-use crate::scene::{EnvironmentKind, Scene, TransferFunction};
+use crate::method::view::environment::UploadedEnvironment;
+use crate::scene::{Scene, TransferFunction};
 use crate::subject::Volumes;
 use std::sync::Arc;
-use vitrum_io::Picture;
 
 /// The scene's values that tables depend on: the transfer functions, and whether rays are refracted.
 type TablesKey = (TransferFunction, bool);
@@ -33,7 +32,7 @@ pub(super) struct FrameCache {
     tables: Memo<TablesKey, Arc<Tables>>,
     tables_buffer: Memo<TablesKey, Buffer>,
     pub(super) occupancy: Memo<(TablesKey, [u32; 2]), Occupancy>,
-    environment: Memo<bool, (Arc<EnvironmentMap>, Buffer)>,
+    pub(super) environment: UploadedEnvironment,
     pub(super) scratch: Scratch,
 }
 
@@ -63,8 +62,7 @@ impl FrameCache {
     /// A cache that holds volumes already.
     pub(super) fn holding(uploaded: Arc<Uploaded>) -> Self {
         let mut cache = Self::default();
-        let held = cache.uploaded.get((), || Ok::<_, std::convert::Infallible>(uploaded));
-        held.expect("nothing fails there");
+        cache.uploaded.of((), || uploaded);
         cache
     }
 
@@ -79,8 +77,7 @@ impl FrameCache {
     /// The tables of a scene's transfer functions.
     pub(super) fn tables(&mut self, scene: &Scene, volumes: Volumes<'_>) -> Arc<Tables> {
         let make = || Tables::new(&scene.transfer, scene.sweep.refraction, volumes.shown, volumes.bending());
-        let made = self.tables.get(tables_key(scene), || Ok::<_, std::convert::Infallible>(Arc::new(make())));
-        Arc::clone(made.expect("nothing fails there"))
+        Arc::clone(self.tables.of(tables_key(scene), || Arc::new(make())))
     }
 
     /// The tables on the backend.
@@ -95,24 +92,5 @@ impl FrameCache {
     ) -> Result<Buffer, BackendError> {
         let words = Contents::Bytes(bytemuck::cast_slice(&tables.words));
         self.tables_buffer.get(tables_key(scene), || backend.create("tables", words)).cloned()
-    }
-
-    /// The environment map, on the host and on the backend.
-    ///
-    /// # Errors
-    /// As [`Backend::create`].
-    pub(super) fn environment(
-        &mut self,
-        scene: &Scene,
-        picture: Option<&Picture>,
-        backend: &mut dyn Backend,
-    ) -> Result<(Arc<EnvironmentMap>, Buffer), BackendError> {
-        let is_map = scene.environment.kind == EnvironmentKind::Map;
-        let made = self.environment.get(is_map, || {
-            let map = EnvironmentMap::new(&scene.environment, picture);
-            let buffer = backend.create("environment", Contents::Bytes(bytemuck::cast_slice(&map.texels)))?;
-            Ok::<_, BackendError>((Arc::new(map), buffer))
-        })?;
-        Ok(made.clone())
     }
 }

@@ -167,7 +167,7 @@ impl Sweep {
     ) -> Result<Self, Error> {
         let uploaded = cache.uploaded(volumes, backend)?;
         let tables = cache.tables(scene, volumes);
-        let (map, map_buffer) = cache.environment(scene, picture, backend)?;
+        let (map, map_buffer) = cache.environment.get(scene, picture, backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
         let fixed = Fixed::new(scene, volumes, tables, &map, limits)?;
         let (passes, buffers) =

@@ -4,12 +4,11 @@ use super::looks::{Looks, looks};
 use super::uploaded::Uploaded;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::cache::{Memo, Scratch};
-use crate::method::view::environment::EnvironmentMap;
-use crate::scene::{EnvironmentKind, Material, Scene};
+use crate::method::view::environment::UploadedEnvironment;
+use crate::scene::{Material, Scene};
 use bytemuck::cast_slice;
-use std::convert::Infallible;
 use std::sync::Arc;
-use vitrum_io::{Mesh, Picture};
+use vitrum_io::Mesh;
 
 /// The scene's values that looks depend on: the materials, and the optical depth of an opaque triangle of density 1.
 type LooksKey = (Vec<Material>, f32);
@@ -27,7 +26,7 @@ pub(super) struct FrameCache {
     looks: Memo<LooksKey, Arc<Looks>>,
     looks_buffer: Memo<LooksKey, Buffer>,
     materials: Memo<Vec<f32>, Buffer>,
-    environment: Memo<bool, (Arc<EnvironmentMap>, Buffer)>,
+    pub(super) environment: UploadedEnvironment,
     pub(super) scratch: Scratch,
 }
 
@@ -39,8 +38,7 @@ impl FrameCache {
     /// The looks of the bodies.
     pub(super) fn looks(&mut self, scene: &Scene, mesh: &Mesh, uploaded: &Uploaded) -> Arc<Looks> {
         let make = || looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
-        let made = self.looks.get(looks_key(scene), || Ok::<_, Infallible>(Arc::new(make())));
-        Arc::clone(made.expect("nothing fails there"))
+        Arc::clone(self.looks.of(looks_key(scene), || Arc::new(make())))
     }
 
     /// The looks on the backend.
@@ -64,24 +62,5 @@ impl FrameCache {
     pub(super) fn materials(&mut self, materials: Vec<f32>, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
         let floats = materials.clone();
         self.materials.get(materials, || backend.create("materials", Contents::Bytes(cast_slice(&floats)))).cloned()
-    }
-
-    /// The environment map, on the host and on the backend.
-    ///
-    /// # Errors
-    /// As [`Backend::create`].
-    pub(super) fn environment(
-        &mut self,
-        scene: &Scene,
-        picture: Option<&Picture>,
-        backend: &mut dyn Backend,
-    ) -> Result<(Arc<EnvironmentMap>, Buffer), BackendError> {
-        let is_map = scene.environment.kind == EnvironmentKind::Map;
-        let made = self.environment.get(is_map, || {
-            let map = EnvironmentMap::new(&scene.environment, picture);
-            let buffer = backend.create("environment", Contents::Bytes(cast_slice(&map.texels)))?;
-            Ok::<_, BackendError>((Arc::new(map), buffer))
-        })?;
-        Ok(made.clone())
     }
 }

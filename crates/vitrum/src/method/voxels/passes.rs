@@ -152,7 +152,7 @@ pub(super) fn list(
     let seeks = surfaces && !exact;
     let mut flags = if seeks { flag::SEEKS } else { 0 };
     flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
-    let (environment, map) = cache.environment(scene, assets.environment.as_deref(), backend)?;
+    let (environment, map) = cache.environment.get(scene, assets.environment.as_deref(), backend)?;
     let seen = Seen {
         environment: Prepared::new(&scene.environment, &environment, &eye),
         light: eye.axes * travels(scene.first_light(), &eye)?,
