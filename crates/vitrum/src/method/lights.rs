@@ -11,9 +11,9 @@ pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
         Some((first, others)) => (vec![first.clone()], others),
         None => (Vec::new(), &[][..]),
     };
-    let whole = Exposure::whole(&Scene { light: first, ..scene.clone() });
+    let whole = Exposure::whole(Scene { light: first, ..scene.clone() });
     let shining = others.iter().filter(|light| !is_black(light));
-    let alone = |light: &Light| Exposure { part: Part::Light, ..Exposure::whole(&alone(scene, light)) };
+    let alone = |light: &Light| Exposure { part: Part::Light, ..Exposure::whole(alone(scene, light)) };
     std::iter::once(whole).chain(shining.map(alone)).collect()
 }
 

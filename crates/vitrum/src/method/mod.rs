@@ -93,8 +93,8 @@ pub enum Part {
 impl Exposure {
     /// A scene that is the whole frame.
     #[must_use]
-    pub fn whole(scene: &Scene) -> Self {
-        Self { scene: scene.clone(), weights: [1.0; 3], distance: 0.0, part: Part::Whole }
+    pub fn whole(scene: Scene) -> Self {
+        Self { scene, weights: [1.0; 3], distance: 0.0, part: Part::Whole }
     }
 }
 
