@@ -112,10 +112,7 @@ pub trait Backend: Send {
     /// # Errors
     /// As [`Self::read`].
     fn take(&mut self, buffer: Buffer) -> Result<Vec<u32>, BackendError> {
-        let mut words = Vec::new();
-        let all = self.bytes(&buffer)?;
-        self.read(&buffer, 0..all, &mut |bytes| words = bytemuck::pod_collect_to_vec(bytes))?;
-        Ok(words)
+        self.read_all(&buffer)
     }
 
     /// What each kernel took in the runs since the last call, in order of their first passes; empty where that is not known. Passes
