@@ -44,7 +44,7 @@ pub use light::{Attachment, Light, LightKind};
 pub use material::Material;
 pub use medium::Medium;
 pub use mesh::MeshSource;
-pub use method::MethodName;
+pub use method::{Capabilities, MethodName};
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use shadow::{Coefficient, Shadow};

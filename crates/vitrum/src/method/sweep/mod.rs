@@ -60,7 +60,7 @@ impl Method for PlaneSweep {
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
         match &assets.subject {
             Subject::Mesh(mesh) => {
-                scene.check_for_swept_mesh()?;
+                scene.check_for_mesh()?;
                 crate::method::voxels::check_mesh(mesh)?;
                 light::check(scene, &View::new(scene, &**mesh))
             }
