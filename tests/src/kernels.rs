@@ -83,6 +83,14 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.0.angular_radius=0"])?,
     ]);
     cases.extend(meshes(edge, resolution)?);
+    // A method without a case of its own shows a built-in volume or mesh.
+    for method in method::ALL {
+        let name = method.name();
+        if cases.iter().all(|case| case.scene.method != name) {
+            let scene = if name.capabilities().volumes { "ball" } else { "vase" };
+            cases.push(case(name.as_str(), scene, &[&format!("method={}", name.as_str())])?);
+        }
+    }
     Ok(cases)
 }
 
