@@ -13,7 +13,7 @@ pub(super) trait Carrier {
     /// From the plane before to `plane`.
     fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>);
 
-    /// The buffer that holds the irradiance of the planes to which light was carried last, as [`Fixed::kept`] has it: records as
+    /// The buffer that holds the irradiance of the planes to which light was carried last, as [`Fixed::ring`] has it: records as
     /// [`irradiance`](vitrum_kernels::abi::record::irradiance) describes.
     fn irradiance(&self) -> &Buffer;
 }
@@ -46,9 +46,9 @@ impl Maker<'_> {
         self.scratch.zeros(label, bytes, self.backend)
     }
 
-    /// A buffer for the irradiance of as many planes as are kept.
+    /// A buffer for the irradiance of as many planes as the ring holds.
     pub(super) fn irradiance(&mut self) -> Result<Buffer, BackendError> {
-        let words = self.fixed.kept().words() * u64::from(self.fixed.kept().planes);
+        let words = self.fixed.ring().words() * u64::from(self.fixed.ring().planes);
         self.scratch.zeros("irradiance", words * 4, self.backend)
     }
 
@@ -72,7 +72,7 @@ impl Fixed {
     pub(super) fn concentrate(&self, window: Window, plane: u32, light: &Buffer, irradiance: &Buffer) -> Pass {
         let texels = self.light_grid.size;
         let pass = self.pass_over(window, &kernels::sweep_concentrate_light, texels, 0, plane, &[light, irradiance]);
-        Pass { start: self.kept().start(plane), ..pass }
+        Pass { start: self.ring().start(plane), ..pass }
     }
 
     /// A pass over `size` invocations that leads to plane `plane`.

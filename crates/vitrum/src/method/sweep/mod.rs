@@ -7,7 +7,7 @@ mod cache;
 mod carrier;
 mod film;
 mod hull;
-mod kept;
+mod irradiance_ring;
 mod light;
 mod mesh_volumes;
 mod occupancy;
@@ -39,7 +39,7 @@ use crate::subject::{Subject, Volumes};
 use crate::unrenderable::Unrenderable;
 use cache::{FrameCache, SweepCache};
 use film::Voxelized;
-use kept::Kept;
+use irradiance_ring::IrradianceRing;
 use std::sync::Arc;
 use uniforms::Fixed;
 use uploaded::Uploaded;
@@ -109,7 +109,7 @@ pub struct Sweep {
     /// Rays across and down.
     pub rays: [u32; 2],
     buffers: Buffers,
-    kept: Kept,
+    ring: IrradianceRing,
     /// The irradiance of unoccluded light.
     unoccluded: [f32; 3],
     request: OutputRequest,
@@ -178,7 +178,7 @@ impl Sweep {
             light_grid: fixed.light_grid,
             rays: fixed.rays,
             buffers,
-            kept: fixed.kept(),
+            ring: fixed.ring(),
             unoccluded: fixed.unoccluded_irradiance(),
             request,
             voxelized: None,
@@ -219,7 +219,7 @@ impl Sweep {
     pub fn irradiance_on(&self, plane: u32, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         let texels = self.light_grid.size[0] as usize * self.light_grid.size[1] as usize;
         let bytes = (self.unoccluded.len() * texels * 4) as u64;
-        let start = self.kept.start(plane) * 4;
+        let start = self.ring.start(plane) * 4;
         let mut shares: Vec<f32> = backend.read_part(&self.buffers.irradiance, start..start + bytes)?;
         for (channel, unoccluded) in shares.chunks_exact_mut(texels).zip(self.unoccluded) {
             channel.iter_mut().for_each(|share| *share *= unoccluded);

@@ -82,14 +82,14 @@ pub(super) fn build(
     let mut starts = vec![0];
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
     let bound = [voxels, ior_voxels, occupancy, tables, light.irradiance(), &rays];
-    // Rays on their way over planes whose irradiance is kept.
+    // Rays on their way over planes whose irradiance is in the ring.
     let mut waiting = Vec::new();
     for plane in 1..fixed.planes.count {
         starts.push(passes.len());
         if plane > first {
             waiting.push(fixed.pass(ray_kernel, pixels, fixed.mode, plane, &bound));
         }
-        if waiting.len() == fixed.kept().planes as usize {
+        if waiting.len() == fixed.ring().planes as usize {
             passes.append(&mut waiting);
         }
         light.advance(fixed, plane, &mut passes);

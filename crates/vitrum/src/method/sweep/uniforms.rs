@@ -1,6 +1,6 @@
 //! The uniform block, from the scene.
 
-use super::kept::Kept;
+use super::irradiance_ring::IrradianceRing;
 use super::light::{LightGrid, direction};
 use super::paging::Sampling;
 use super::planes::Planes;
@@ -52,7 +52,7 @@ pub(super) struct Fixed {
     /// Whether light is looked at outside the volumes, too.
     pub(super) lights_surroundings: bool,
     block: SweepUniforms,
-    kept: Kept,
+    ring: IrradianceRing,
     softness: f32,
 }
 
@@ -184,9 +184,13 @@ impl Fixed {
         set_clips(&mut block, scene, &view, shown)?;
         // Streamed voxels go as soon as they can, and irradiance that never changes needs to be there but once.
         let several = scene.first_light().shadows && !format.is_paged();
-        let kept = if several { Kept::new(light_grid.size, largest_buffer) } else { Kept::one(light_grid.size) };
+        let ring = if several {
+            IrradianceRing::new(light_grid.size, largest_buffer)
+        } else {
+            IrradianceRing::one(light_grid.size)
+        };
         Ok(Self {
-            kept,
+            ring,
             planes,
             light_grid,
             rays,
@@ -226,7 +230,7 @@ impl Fixed {
             end_column: window.end[0],
             end_row: window.end[1],
         };
-        block.irradiance_start = self.kept.start(index.saturating_sub(1)) as u32;
+        block.irradiance_start = self.ring.start(index.saturating_sub(1)) as u32;
         block.step.behind = self.planes.depth(index.saturating_sub(1)) as f32;
         block.step.ahead = self.planes.depth(index) as f32;
         block.step.distance = self.planes.step(index) as f32;
@@ -255,9 +259,9 @@ impl Fixed {
         [x, y, z]
     }
 
-    /// Which planes' irradiance is kept.
-    pub(super) fn kept(&self) -> Kept {
-        self.kept
+    /// The buffer of the latest planes' irradiance.
+    pub(super) fn ring(&self) -> IrradianceRing {
+        self.ring
     }
 
     /// Whether light is filtered.
