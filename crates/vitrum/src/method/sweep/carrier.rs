@@ -1,6 +1,6 @@
 //! How light is carried from plane to plane: on texels, as the paper has it, as sheets, or not at all.
 
-use super::uniforms::Fixed;
+use super::uniforms::FramePlan;
 use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
 use crate::method::cache::{Label, Scratch};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
@@ -8,12 +8,12 @@ use vitrum_kernels::kernel::{Kernel, Window, kernels};
 /// Passes that carry light from the first plane to the last.
 pub(super) trait Carrier {
     /// The light on the first plane.
-    fn start(&self, fixed: &Fixed) -> Vec<Pass>;
+    fn start(&self, plan: &FramePlan) -> Vec<Pass>;
 
     /// From the plane before to `plane`.
-    fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>);
+    fn advance(&self, plan: &FramePlan, plane: u32, passes: &mut Vec<Pass>);
 
-    /// The buffer that holds the irradiance of the planes to which light was carried last, as [`Fixed::ring`] has it: records as
+    /// The buffer that holds the irradiance of the planes to which light was carried last, as [`FramePlan::ring`] has it: records as
     /// [`irradiance`](vitrum_kernels::abi::record::irradiance) describes.
     fn irradiance(&self) -> &Buffer;
 }
@@ -29,7 +29,7 @@ pub(super) struct VolumeBuffers {
 
 /// Makes the buffers of a frame.
 pub(super) struct Maker<'a> {
-    pub(super) fixed: &'a Fixed,
+    pub(super) plan: &'a FramePlan,
     pub(super) scratch: &'a mut Scratch,
     pub(super) backend: &'a mut dyn Backend,
 }
@@ -48,7 +48,7 @@ impl Maker<'_> {
 
     /// A buffer for the irradiance of as many planes as the ring holds.
     pub(super) fn irradiance(&mut self) -> Result<Buffer, BackendError> {
-        let words = self.fixed.ring().words() * u64::from(self.fixed.ring().planes);
+        let words = self.plan.ring().words() * u64::from(self.plan.ring().planes);
         self.scratch.zeros("irradiance", words * 4, self.backend)
     }
 
@@ -58,7 +58,7 @@ impl Maker<'_> {
     }
 }
 
-impl Fixed {
+impl FramePlan {
     /// Passes that fill `light` and `irradiance` with unoccluded light: that of the first plane.
     pub(super) fn unoccluded(&self, light: &Buffer, irradiance: &Buffer) -> [Pass; 2] {
         let texels = self.light_grid.size;

@@ -41,7 +41,7 @@ use cache::{FrameCache, SweepCache};
 use film::Voxelized;
 use irradiance_ring::IrradianceRing;
 use std::sync::Arc;
-use uniforms::Fixed;
+use uniforms::FramePlan;
 use uploaded::Uploaded;
 
 /// The plane sweep.
@@ -169,17 +169,17 @@ impl Sweep {
         let tables = cache.tables(scene, volumes);
         let (map, map_buffer) = cache.environment.get(scene, picture, backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
-        let fixed = Fixed::new(scene, volumes, tables, &map, limits)?;
+        let plan = FramePlan::new(scene, volumes, tables, &map, limits)?;
         let (passes, buffers) =
-            passes::build(scene, volumes, &fixed, (&uploaded, &map_buffer), request, cache, backend)?;
+            passes::build(scene, volumes, &plan, (&uploaded, &map_buffer), request, cache, backend)?;
         Ok(Self {
             passes,
-            planes: fixed.planes,
-            light_grid: fixed.light_grid,
-            rays: fixed.rays,
+            planes: plan.planes,
+            light_grid: plan.light_grid,
+            rays: plan.rays,
             buffers,
-            ring: fixed.ring(),
-            unoccluded: fixed.unoccluded_irradiance(),
+            ring: plan.ring(),
+            unoccluded: plan.unoccluded_irradiance(),
             request,
             voxelized: None,
         })

@@ -7,7 +7,7 @@ use super::occupancy::{Occupancy, Question, Role};
 use super::paging::{Needs, pools};
 use super::sheets::Sheets;
 use super::texels::Texels;
-use super::uniforms::Fixed;
+use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
 use super::uploaded::Uploaded;
 use super::voxels::bricks;
@@ -24,7 +24,7 @@ use vitrum_kernels::kernel::kernels;
 pub(super) fn build(
     scene: &Scene,
     volumes: Volumes<'_>,
-    fixed: &Fixed,
+    plan: &FramePlan,
     (uploaded, map): (&Uploaded, &Buffer),
     request: OutputRequest,
     cache: &mut FrameCache,
@@ -32,71 +32,71 @@ pub(super) fn build(
 ) -> Result<(PassList, Buffers), Error> {
     let shown = volumes.shown;
     let Uploaded { ranges, ior_ranges, .. } = uploaded;
-    let tables = &*fixed.tables;
+    let tables = &*plan.tables;
     let second = volumes.ior.zip(ior_ranges.as_ref());
     let role = if second.is_none() { Role::Both } else { Role::Shown };
-    let mut questions = vec![Question { volume: shown, ranges, tables, reach: fixed.reach[0], role }];
+    let mut questions = vec![Question { volume: shown, ranges, tables, reach: plan.reach[0], role }];
     questions.extend(second.map(|(volume, ranges)| Question {
         volume,
         ranges,
         tables,
-        reach: fixed.reach[1],
+        reach: plan.reach[1],
         role: Role::Bending,
     }));
-    let key = (tables_key(scene), fixed.reach);
+    let key = (tables_key(scene), plan.reach);
     let Occupancy { buffer: occupancy, occupied } =
         cache.occupancy.get(key, || occupancy(&questions, backend))?.clone();
     let tables = cache.tables_buffer(scene, tables, backend)?;
 
-    let first = fixed.planes.first_visible;
+    let first = plan.planes.first_visible;
     let (voxels, pools) = match &uploaded.voxels {
         Some(voxels) => (voxels.clone(), Vec::new()),
         None => {
-            let earliest = if fixed.shadows { 1 } else { first + 1 };
-            let asked = questions.iter().zip(&fixed.sampling);
-            let needs = asked.map(|(question, sampling)| Needs::new(question, sampling, &fixed.planes, earliest));
+            let earliest = if plan.shadows { 1 } else { first + 1 };
+            let asked = questions.iter().zip(&plan.sampling);
+            let needs = asked.map(|(question, sampling)| Needs::new(question, sampling, &plan.planes, earliest));
             let pools = pools(&volumes.iter().collect::<Vec<_>>(), needs.collect(), uploaded, backend)?;
             ([pools[0].buffer.clone(), pools[pools.len() - 1].buffer.clone()], pools)
         }
     };
     let [voxels, ior_voxels] = voxels;
     let volumes = VolumeBuffers { voxels, ior_voxels, occupancy, tables };
-    let mut maker = Maker { fixed, scratch: &mut cache.scratch, backend };
-    let light: Box<dyn Carrier> = match &fixed.sheets {
-        _ if !fixed.shadows => Box::new(Unoccluded::new(&mut maker)?),
+    let mut maker = Maker { plan, scratch: &mut cache.scratch, backend };
+    let light: Box<dyn Carrier> = match &plan.sheets {
+        _ if !plan.shadows => Box::new(Unoccluded::new(&mut maker)?),
         None => {
-            let inside = || fixed.seen(occupied.iter().map(|point| fixed.view.point(*point)));
-            let everywhere = request.light || fixed.lights_surroundings || !fixed.light_grid.follows_light();
+            let inside = || plan.seen(occupied.iter().map(|point| plan.view.point(*point)));
+            let everywhere = request.light || plan.lights_surroundings || !plan.light_grid.follows_light();
             Box::new(Texels::new(&mut maker, volumes.clone(), (!everywhere).then(inside))?)
         }
         Some(sources) => Box::new(Sheets::new(&mut maker, volumes.clone(), sources)?),
     };
-    let pixels = fixed.rays;
+    let pixels = plan.rays;
     let rays = maker.planar("rays", pixels, ray::SIZE)?;
     let finished = maker.planar("film", pixels, film::SIZE)?;
 
-    let ray_kernel = kernels::sweep_propagate_rays.get(fixed.format);
-    let mut passes = light.start(fixed);
-    passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&rays]));
+    let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
+    let mut passes = light.start(plan);
+    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&rays]));
     // The first pass of each plane.
     let mut starts = vec![0];
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
     let bound = [voxels, ior_voxels, occupancy, tables, light.irradiance(), &rays];
     // Rays on their way over planes whose irradiance is in the ring.
     let mut waiting = Vec::new();
-    for plane in 1..fixed.planes.count {
+    for plane in 1..plan.planes.count {
         starts.push(passes.len());
         if plane > first {
-            waiting.push(fixed.pass(ray_kernel, pixels, fixed.mode, plane, &bound));
+            waiting.push(plan.pass(ray_kernel, pixels, plan.mode, plane, &bound));
         }
-        if waiting.len() == fixed.ring().planes as usize {
+        if waiting.len() == plan.ring().planes as usize {
             passes.append(&mut waiting);
         }
-        light.advance(fixed, plane, &mut passes);
+        light.advance(plan, plane, &mut passes);
     }
     passes.append(&mut waiting);
-    let last = fixed.planes.count - 1;
-    passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &finished]));
+    let last = plan.planes.count - 1;
+    passes.push(plan.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &finished]));
     let (name, resolve) = (ray_kernel.declaration.name, kernels::sweep_resolve.declaration.name);
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
     writes.sort_by_key(|write| write.before);

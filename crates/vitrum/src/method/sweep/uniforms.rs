@@ -31,8 +31,8 @@ use vitrum_kernels::kernel::Window;
 /// The smallest v_z / |v| of a ray that goes on: 89°. Beyond, one plane's step would cross dozens of voxels.
 const SMALLEST_COSINE: f32 = 0.017_452;
 
-/// What does not change from plane to plane.
-pub(super) struct Fixed {
+/// The plan of a frame: everything that is the same for all its planes.
+pub(super) struct FramePlan {
     pub(super) planes: Planes,
     pub(super) light_grid: LightGrid,
     pub(super) rays: [u32; 2],
@@ -101,7 +101,7 @@ pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
     set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)
 }
 
-impl Fixed {
+impl FramePlan {
     /// What `scene` comes to for volumes that are stored as `format` says, on a backend whose buffers have at most `largest_buffer` bytes.
     pub(super) fn new(
         scene: &Scene,
