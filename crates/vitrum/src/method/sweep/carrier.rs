@@ -27,14 +27,14 @@ pub(super) struct VolumeBuffers {
     pub(super) tables: Buffer,
 }
 
-/// Makes the buffers of a frame.
-pub(super) struct Maker<'a> {
+/// The allocator of the buffers of a frame: on the backend, or left by the frame before.
+pub(super) struct BufferAllocator<'a> {
     pub(super) plan: &'a FramePlan,
     pub(super) scratch: &'a mut Scratch,
     pub(super) backend: &'a mut dyn Backend,
 }
 
-impl Maker<'_> {
+impl BufferAllocator<'_> {
     /// A planar buffer of records, or one of sums.
     pub(super) fn planar(
         &mut self,

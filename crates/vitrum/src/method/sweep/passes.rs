@@ -2,7 +2,7 @@
 
 use super::Buffers;
 use super::cache::{FrameCache, tables_key};
-use super::carrier::{Carrier, Maker, VolumeBuffers};
+use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::occupancy::{Occupancy, Question, Role};
 use super::paging::{Needs, pools};
 use super::sheets::Sheets;
@@ -61,19 +61,19 @@ pub(super) fn build(
     };
     let [voxels, ior_voxels] = voxels;
     let volumes = VolumeBuffers { voxels, ior_voxels, occupancy, tables };
-    let mut maker = Maker { plan, scratch: &mut cache.scratch, backend };
+    let mut buffers = BufferAllocator { plan, scratch: &mut cache.scratch, backend };
     let light: Box<dyn Carrier> = match &plan.sheets {
-        _ if !plan.shadows => Box::new(Unoccluded::new(&mut maker)?),
+        _ if !plan.shadows => Box::new(Unoccluded::new(&mut buffers)?),
         None => {
             let inside = || plan.seen(occupied.iter().map(|point| plan.view.point(*point)));
             let everywhere = request.light || plan.lights_surroundings || !plan.light_grid.follows_light();
-            Box::new(Texels::new(&mut maker, volumes.clone(), (!everywhere).then(inside))?)
+            Box::new(Texels::new(&mut buffers, volumes.clone(), (!everywhere).then(inside))?)
         }
-        Some(sources) => Box::new(Sheets::new(&mut maker, volumes.clone(), sources)?),
+        Some(sources) => Box::new(Sheets::new(&mut buffers, volumes.clone(), sources)?),
     };
     let pixels = plan.rays;
-    let rays = maker.planar("rays", pixels, ray::SIZE)?;
-    let finished = maker.planar("film", pixels, film::SIZE)?;
+    let rays = buffers.planar("rays", pixels, ray::SIZE)?;
+    let finished = buffers.planar("film", pixels, film::SIZE)?;
 
     let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
     let mut passes = light.start(plan);

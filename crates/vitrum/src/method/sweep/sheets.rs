@@ -2,7 +2,7 @@
 //!
 //! None of the plane sweep's published kin does this: they keep one direction a texel, which cannot say what a focus leaves behind.
 
-use super::carrier::{Carrier, Maker, VolumeBuffers};
+use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::uniforms::FramePlan;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::record::{light, sheet, sums};
@@ -28,28 +28,28 @@ struct Batch {
 
 impl Sheets {
     pub(super) fn new(
-        maker: &mut Maker<'_>,
+        buffers: &mut BufferAllocator<'_>,
         volumes: VolumeBuffers,
         sources: &[[f32; 3]],
     ) -> Result<Self, BackendError> {
-        let texels = maker.plan.light_grid.size;
+        let texels = buffers.plan.light_grid.size;
         let one = nodes(texels, 1).map(u64::from).iter().product::<u64>() * sheet::SIZE as u64 * 4;
-        let most = (maker.backend.largest_buffer() / one).clamp(1, sources.len() as u64) as usize;
+        let most = (buffers.backend.largest_buffer() / one).clamp(1, sources.len() as u64) as usize;
         let mut batches = Vec::new();
         for (number, sources) in sources.chunks(most).enumerate() {
             let count = sources.len() as u32;
             batches.push(Batch {
                 count,
-                sources: maker.floats("directions of sheets", sources.as_flattened())?,
-                nodes: maker.planar(("sheets", number), nodes(texels, count), sheet::SIZE)?,
+                sources: buffers.floats("directions of sheets", sources.as_flattened())?,
+                nodes: buffers.planar(("sheets", number), nodes(texels, count), sheet::SIZE)?,
             });
         }
         Ok(Self {
             volumes,
             batches,
-            sums: maker.planar("sums", texels, sums::SIZE)?,
-            light: maker.planar("light", texels, light::SIZE)?,
-            irradiance: maker.irradiance()?,
+            sums: buffers.planar("sums", texels, sums::SIZE)?,
+            light: buffers.planar("light", texels, light::SIZE)?,
+            irradiance: buffers.irradiance()?,
         })
     }
 }

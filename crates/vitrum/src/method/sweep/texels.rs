@@ -1,6 +1,6 @@
 //! Light on texels: each follows its light back to the plane behind (sweep §4.2).
 
-use super::carrier::{Carrier, Maker, VolumeBuffers};
+use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::uniforms::FramePlan;
 use super::window::Seen;
 use crate::backend::{BackendError, Buffer, Pass};
@@ -21,22 +21,26 @@ pub(super) struct Texels {
 
 impl Texels {
     /// Light that is looked at where `seen` says, or everywhere.
-    pub(super) fn new(maker: &mut Maker<'_>, volumes: VolumeBuffers, seen: Option<Seen>) -> Result<Self, BackendError> {
-        let texels = maker.plan.light_grid.size;
+    pub(super) fn new(
+        buffers: &mut BufferAllocator<'_>,
+        volumes: VolumeBuffers,
+        seen: Option<Seen>,
+    ) -> Result<Self, BackendError> {
+        let texels = buffers.plan.light_grid.size;
         Ok(Self {
             volumes,
             seen,
             light: [
-                maker.planar("light of even planes", texels, light::SIZE)?,
-                maker.planar("light of odd planes", texels, light::SIZE)?,
+                buffers.planar("light of even planes", texels, light::SIZE)?,
+                buffers.planar("light of odd planes", texels, light::SIZE)?,
             ],
-            filtered: maker.planar(
+            filtered: buffers.planar(
                 "filtered light",
-                if maker.plan.is_soft() { texels } else { [1, 1] },
+                if buffers.plan.is_soft() { texels } else { [1, 1] },
                 light::SIZE,
             )?,
-            irradiance: maker.irradiance()?,
-            traced: maker.planar("back-traced points", texels, trace::SIZE)?,
+            irradiance: buffers.irradiance()?,
+            traced: buffers.planar("back-traced points", texels, trace::SIZE)?,
         })
     }
 

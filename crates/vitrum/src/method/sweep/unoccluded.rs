@@ -1,6 +1,6 @@
 //! Light that nothing stands in the way of: the same on every plane.
 
-use super::carrier::{Carrier, Maker};
+use super::carrier::{BufferAllocator, Carrier};
 use super::uniforms::FramePlan;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::record::light;
@@ -12,9 +12,9 @@ pub(super) struct Unoccluded {
 }
 
 impl Unoccluded {
-    pub(super) fn new(maker: &mut Maker<'_>) -> Result<Self, BackendError> {
-        let texels = maker.plan.light_grid.size;
-        Ok(Self { light: maker.planar("light", texels, light::SIZE)?, irradiance: maker.irradiance()? })
+    pub(super) fn new(buffers: &mut BufferAllocator<'_>) -> Result<Self, BackendError> {
+        let texels = buffers.plan.light_grid.size;
+        Ok(Self { light: buffers.planar("light", texels, light::SIZE)?, irradiance: buffers.irradiance()? })
     }
 }
 
@@ -23,7 +23,7 @@ impl Carrier for Unoccluded {
         plan.unoccluded(&self.light, &self.irradiance).into()
     }
 
-    fn advance(&self, _fixed: &FramePlan, _plane: u32, _passes: &mut Vec<Pass>) {}
+    fn advance(&self, _plan: &FramePlan, _plane: u32, _passes: &mut Vec<Pass>) {}
 
     fn irradiance(&self) -> &Buffer {
         &self.irradiance
