@@ -65,7 +65,7 @@ pub(super) fn build(
     let light: Box<dyn Carrier> = match &plan.sheets {
         _ if !plan.shadows => Box::new(Unoccluded::new(&mut buffers)?),
         None => {
-            let inside = || plan.seen(occupied.iter().map(|point| plan.view.point(*point)));
+            let inside = || plan.visible_light(occupied.iter().map(|point| plan.view.point(*point)));
             let everywhere = request.light || plan.lights_surroundings || !plan.light_grid.follows_light();
             Box::new(Texels::new(&mut buffers, volumes.clone(), (!everywhere).then(inside))?)
         }

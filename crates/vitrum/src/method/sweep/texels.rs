@@ -2,7 +2,7 @@
 
 use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::uniforms::FramePlan;
-use super::window::Seen;
+use super::window::VisibleLight;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::record::{light, trace};
 use vitrum_kernels::abi::sweep::mode;
@@ -11,7 +11,7 @@ use vitrum_kernels::kernel::{Window, kernels};
 /// The buffers of light on texels.
 pub(super) struct Texels {
     volumes: VolumeBuffers,
-    seen: Option<Seen>,
+    visible: Option<VisibleLight>,
     /// They swap roles from plane to plane.
     light: [Buffer; 2],
     filtered: Buffer,
@@ -20,16 +20,16 @@ pub(super) struct Texels {
 }
 
 impl Texels {
-    /// Light that is looked at where `seen` says, or everywhere.
+    /// Light that is looked at where `visible` says, or everywhere.
     pub(super) fn new(
         buffers: &mut BufferAllocator<'_>,
         volumes: VolumeBuffers,
-        seen: Option<Seen>,
+        visible: Option<VisibleLight>,
     ) -> Result<Self, BackendError> {
         let texels = buffers.plan.light_grid.size;
         Ok(Self {
             volumes,
-            seen,
+            visible,
             light: [
                 buffers.planar("light of even planes", texels, light::SIZE)?,
                 buffers.planar("light of odd planes", texels, light::SIZE)?,
@@ -58,7 +58,7 @@ impl Carrier for Texels {
         let texels = plan.light_grid.size;
         let (behind, ahead) = (self.light(plane - 1), self.light(plane));
         let whole = Window::whole(texels[0], texels[1]);
-        let window = self.seen.as_ref().map_or(whole, |seen| plan.window(seen, plane));
+        let window = self.visible.as_ref().map_or(whole, |visible| plan.window(visible, plane));
         let mut push = |kernel, mode, buffers: &[&Buffer]| {
             passes.push(plan.pass_over(window, kernel, texels, mode, plane, buffers));
         };

@@ -6,7 +6,7 @@ use super::paging::Sampling;
 use super::planes::Planes;
 use super::tables::Tables;
 use super::voxels::grid;
-use super::window::Seen;
+use super::window::VisibleLight;
 use crate::error::Error;
 use crate::method::lights;
 use crate::method::sources::sources;
@@ -208,16 +208,16 @@ impl FramePlan {
         })
     }
 
-    /// Where light is looked at, if that is in the convex hull of `points` (in the view frame).
-    pub(super) fn seen(&self, points: impl Iterator<Item = DVec3>) -> Seen {
-        self.light_grid.seen(points, &self.planes)
+    /// The region of the light that viewing rays can read when they read it inside the convex hull of `points` alone (view frame).
+    pub(super) fn visible_light(&self, points: impl Iterator<Item = DVec3>) -> VisibleLight {
+        self.light_grid.visible_light(points, &self.planes)
     }
 
-    /// The texels that are carried on to plane `plane`, if light is only looked at where `seen` says.
-    pub(super) fn window(&self, seen: &Seen, plane: u32) -> Window {
+    /// The texels that are carried on to plane `plane`, if viewing rays read light in the region `visible` alone.
+    pub(super) fn window(&self, visible: &VisibleLight, plane: u32) -> Window {
         let filter =
             if self.is_soft() { self.light_grid.filter_radius(self.softness, &self.planes, plane) } else { 0.0 };
-        self.light_grid.window(seen, &self.planes, plane, filter)
+        self.light_grid.window(visible, &self.planes, plane, filter)
     }
 
     /// The block of a pass over a part of `size` invocations that leads to plane `index`.

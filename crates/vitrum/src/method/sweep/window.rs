@@ -15,8 +15,8 @@ use vitrum_kernels::kernel::Window;
 /// its way out and comes from beside the slice.
 const MARGIN: f64 = 4.0;
 
-/// Where light is looked at: a convex body's outlines, texels against depth.
-pub(super) struct Seen {
+/// The region of the light that viewing rays can read: the outlines of a convex body, texels against depth.
+pub(super) struct VisibleLight {
     /// (depth, column).
     across: Vec<DVec2>,
     /// (depth, row).
@@ -24,8 +24,8 @@ pub(super) struct Seen {
 }
 
 impl LightGrid {
-    /// Where light is looked at, if that is in the convex hull of `points` (in the view frame).
-    pub(super) fn seen(&self, points: impl Iterator<Item = DVec3>, planes: &Planes) -> Seen {
+    /// The region of the light that viewing rays can read when they read it inside the convex hull of `points` alone (view frame).
+    pub(super) fn visible_light(&self, points: impl Iterator<Item = DVec3>, planes: &Planes) -> VisibleLight {
         let texel = |point: DVec3| {
             (point.truncate() - self.shear * (point.z - planes.depth(0)) - self.corner) / self.texel - DVec2::splat(0.5)
         };
@@ -36,19 +36,19 @@ impl LightGrid {
             })
             .unzip();
         // Texels depend on points linearly: the outline of the hull is the hull of the outline.
-        Seen { across: hull(across), up: hull(up) }
+        VisibleLight { across: hull(across), up: hull(up) }
     }
 
-    /// The texels that are carried on to plane `plane`, if light is only looked at where `seen` says and the softness filter looks
+    /// The texels that are carried on to plane `plane`, if viewing rays read light in the region `visible` alone and the softness filter looks
     /// `filter` texels far.
-    pub(super) fn window(&self, seen: &Seen, planes: &Planes, plane: u32, filter: f64) -> Window {
+    pub(super) fn window(&self, visible: &VisibleLight, planes: &Planes, plane: u32, filter: f64) -> Window {
         let [width, height] = self.size;
         // The first one fills the buffers.
         if plane <= 1 {
             return Window::whole(width, height);
         }
         let depths = [planes.depth(plane - 1), planes.depth(plane)];
-        let Some((columns, rows)) = extent(&seen.across, depths).zip(extent(&seen.up, depths)) else {
+        let Some((columns, rows)) = extent(&visible.across, depths).zip(extent(&visible.up, depths)) else {
             return Window::empty();
         };
         let margin = filter.ceil() + MARGIN;
