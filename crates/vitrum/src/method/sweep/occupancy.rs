@@ -14,20 +14,20 @@ use vitrum_io::{Volume, Voxels};
 /// The bricks of all volumes on a backend.
 #[derive(Debug, Clone)]
 pub(super) struct Occupancy {
-    /// A word for each brick, see [`Question::answer`], one volume after the other.
+    /// A word for each brick, see [`OccupancyQuery::write_distances`], one volume after the other.
     pub(super) buffer: Buffer,
     /// Points in the world whose convex hull is that of the bricks that are not empty.
     pub(super) occupied: Arc<[DVec3]>,
 }
 
-/// What a volume is asked for.
+/// The part of a volume in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
-    /// It is shown, and bends.
+pub(super) enum VolumeRole {
+    /// Its scalar gives colour, opacity, filter and index of refraction.
     Both,
-    /// It is shown; another one bends.
+    /// Its scalar gives colour, opacity and filter; that of the second volume gives the index of refraction.
     Shown,
-    /// It bends.
+    /// Its scalar gives the index of refraction.
     Bending,
 }
 
@@ -83,20 +83,20 @@ fn wider<T: Copy + PartialOrd>((low, high): Range<T>, (lower, higher): Range<T>)
     (if lower < low { lower } else { low }, if higher > high { higher } else { high })
 }
 
-/// What is asked of a volume's bricks.
-pub(super) struct Question<'a> {
+/// A query for the bricks of a volume in which nothing can happen to a ray: the volume, its ranges and the functions over them.
+pub(super) struct OccupancyQuery<'a> {
     pub(super) volume: &'a Volume,
     pub(super) ranges: &'a Ranges,
     pub(super) tables: &'a Tables,
     /// The longest step in voxels.
     pub(super) reach: u32,
-    pub(super) role: Role,
+    pub(super) role: VolumeRole,
 }
 
-impl Question<'_> {
+impl OccupancyQuery<'_> {
     /// Writes to `words` 0 for each brick in which something may happen, else how many bricks away the next such one is, x fastest. A
     /// brick counts with all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the stencil.
-    pub(super) fn answer(&self, words: &mut [u32]) {
+    pub(super) fn write_distances(&self, words: &mut [u32]) {
         match self.ranges {
             Ranges::U8(ranges) => self.classify(ranges, words),
             Ranges::U16(ranges) => self.classify(ranges, words),
@@ -143,8 +143,8 @@ impl Question<'_> {
 
     /// Whether nothing happens where stored values are from `low` to `high`.
     pub(super) fn is_empty(&self, low: f32, high: f32) -> bool {
-        (self.role == Role::Bending || self.is_clear(low, high))
-            && (self.role == Role::Shown || self.is_uniform(low, high))
+        (self.role == VolumeRole::Bending || self.is_clear(low, high))
+            && (self.role == VolumeRole::Shown || self.is_uniform(low, high))
     }
 
     fn is_clear(&self, low: f32, high: f32) -> bool {

@@ -3,7 +3,7 @@
 use super::Buffers;
 use super::cache::{FrameCache, tables_key};
 use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
-use super::occupancy::{Occupancy, Question, Role};
+use super::occupancy::{Occupancy, OccupancyQuery, VolumeRole};
 use super::paging::{Needs, pools};
 use super::sheets::Sheets;
 use super::texels::Texels;
@@ -34,18 +34,17 @@ pub(super) fn build(
     let Uploaded { ranges, ior_ranges, .. } = uploaded;
     let tables = &*plan.tables;
     let second = volumes.ior.zip(ior_ranges.as_ref());
-    let role = if second.is_none() { Role::Both } else { Role::Shown };
-    let mut questions = vec![Question { volume: shown, ranges, tables, reach: plan.reach[0], role }];
-    questions.extend(second.map(|(volume, ranges)| Question {
+    let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
+    let mut queries = vec![OccupancyQuery { volume: shown, ranges, tables, reach: plan.reach[0], role }];
+    queries.extend(second.map(|(volume, ranges)| OccupancyQuery {
         volume,
         ranges,
         tables,
         reach: plan.reach[1],
-        role: Role::Bending,
+        role: VolumeRole::Bending,
     }));
     let key = (tables_key(scene), plan.reach);
-    let Occupancy { buffer: occupancy, occupied } =
-        cache.occupancy.get(key, || occupancy(&questions, backend))?.clone();
+    let Occupancy { buffer: occupancy, occupied } = cache.occupancy.get(key, || occupancy(&queries, backend))?.clone();
     let tables = cache.tables_buffer(scene, tables, backend)?;
 
     let first = plan.planes.first_visible;
@@ -53,8 +52,8 @@ pub(super) fn build(
         Some(voxels) => (voxels.clone(), Vec::new()),
         None => {
             let earliest = if plan.shadows { 1 } else { first + 1 };
-            let asked = questions.iter().zip(&plan.sampling);
-            let needs = asked.map(|(question, sampling)| Needs::new(question, sampling, &plan.planes, earliest));
+            let asked = queries.iter().zip(&plan.sampling);
+            let needs = asked.map(|(query, sampling)| Needs::new(query, sampling, &plan.planes, earliest));
             let pools = pools(&volumes.iter().collect::<Vec<_>>(), needs.collect(), uploaded, backend)?;
             ([pools[0].buffer.clone(), pools[pools.len() - 1].buffer.clone()], pools)
         }
@@ -110,18 +109,18 @@ pub(super) fn build(
 }
 
 /// The bricks of all volumes, one volume after the other, and points in the world whose convex hull is that of those that are not empty.
-fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<Occupancy, BackendError> {
+fn occupancy(queries: &[OccupancyQuery], backend: &mut dyn Backend) -> Result<Occupancy, BackendError> {
     let counts: Vec<usize> =
-        questions.iter().map(|question| bricks(question.volume).iter().map(|&n| n as usize).product()).collect();
+        queries.iter().map(|query| bricks(query.volume).iter().map(|&n| n as usize).product()).collect();
     let bytes = counts.iter().sum::<usize>() as u64 * 4;
     let mut occupied = Vec::new();
     let buffer = backend.create(
         "occupancy",
         Contents::Written(bytes, &mut |mut words| {
-            for (question, &count) in questions.iter().zip(&counts) {
+            for (query, &count) in queries.iter().zip(&counts) {
                 let (these, rest) = words.split_at_mut(count);
-                question.answer(these);
-                occupied.extend(question.occupied(these));
+                query.write_distances(these);
+                occupied.extend(query.occupied(these));
                 words = rest;
             }
         }),

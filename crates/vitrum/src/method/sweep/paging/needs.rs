@@ -1,6 +1,6 @@
 //! Which pages a frame looks at, and on the way to which planes.
 
-use crate::method::sweep::occupancy::{Question, widen};
+use crate::method::sweep::occupancy::{OccupancyQuery, widen};
 use crate::method::sweep::planes::Planes;
 use crate::method::sweep::voxels::pages;
 use crate::method::view::{View, vector, voxel_steps};
@@ -62,18 +62,23 @@ enum Kind {
 }
 
 impl Needs {
-    /// The pages for which `question`'s volume is asked on the way to the planes from `first` on.
-    pub(in crate::method::sweep) fn new(question: &Question, sampling: &Sampling, planes: &Planes, first: u32) -> Self {
-        let dimensions = question.volume.dimensions;
+    /// The pages for which `query`'s volume is asked on the way to the planes from `first` on.
+    pub(in crate::method::sweep) fn new(
+        query: &OccupancyQuery,
+        sampling: &Sampling,
+        planes: &Planes,
+        first: u32,
+    ) -> Self {
+        let dimensions = query.volume.dimensions;
         let pages = pages(dimensions);
-        let kinds = kinds(question, sampling, pages);
+        let kinds = kinds(query, sampling, pages);
         let mut needs = Self { pages, needed: Vec::new(), fills: Vec::new(), filled: vec![0; kinds.len()] };
         let mut recent = [0; 2];
         for (number, kind) in kinds.into_iter().enumerate() {
             let fill = match kind {
                 Kind::Constant(value) => needs.fill(&mut recent[0], |known| known == value, value),
                 Kind::Empty(low, high) => {
-                    let suits = |known: f32| question.is_empty(known.min(low), known.max(high));
+                    let suits = |known: f32| query.is_empty(known.min(low), known.max(high));
                     needs.fill(&mut recent[1], suits, low)
                 }
                 Kind::Various => None,
@@ -110,8 +115,8 @@ impl Needs {
 }
 
 /// What becomes of each page.
-fn kinds(question: &Question, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind> {
-    let dimensions = question.volume.dimensions;
+fn kinds(query: &OccupancyQuery, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind> {
+    let dimensions = query.volume.dimensions;
     let all: u32 = pages.iter().product();
     let ranges: Vec<(f32, f32)> = (0..all)
         .into_par_iter()
@@ -121,7 +126,7 @@ fn kinds(question: &Question, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind>
             let low: [u32; 3] = [0, 1, 2].map(|axis| first(axis).min(dimensions[axis] - 1));
             let high =
                 [0, 1, 2].map(|axis| (at(axis) * page::EDGE as u32 + page::EDGE as u32).min(dimensions[axis] - 1));
-            question.ranges.within(question.volume, low, high)
+            query.ranges.within(query.volume, low, high)
         })
         .collect();
     // A ray may come from a page into one a step away, and go on from there.
@@ -135,7 +140,7 @@ fn kinds(question: &Question, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind>
         .zip(widened)
         .map(|((low, high), (lowest, highest))| match () {
             () if low == high => Kind::Constant(low),
-            () if question.is_empty(lowest, highest) => Kind::Empty(lowest, highest),
+            () if query.is_empty(lowest, highest) => Kind::Empty(lowest, highest),
             () => Kind::Various,
         })
         .collect()
