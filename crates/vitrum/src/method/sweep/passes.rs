@@ -4,7 +4,7 @@ use super::Buffers;
 use super::cache::{FrameCache, tables_key};
 use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::occupancy::{Occupancy, OccupancyQuery, VolumeRole};
-use super::paging::{Needs, pools};
+use super::paging::{Residency, pools};
 use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::FramePlan;
@@ -53,8 +53,8 @@ pub(super) fn build(
         None => {
             let earliest = if plan.shadows { 1 } else { first + 1 };
             let asked = queries.iter().zip(&plan.sampling);
-            let needs = asked.map(|(query, sampling)| Needs::new(query, sampling, &plan.planes, earliest));
-            let pools = pools(&volumes.iter().collect::<Vec<_>>(), needs.collect(), uploaded, backend)?;
+            let residencies = asked.map(|(query, sampling)| Residency::new(query, sampling, &plan.planes, earliest));
+            let pools = pools(&volumes.iter().collect::<Vec<_>>(), residencies.collect(), uploaded, backend)?;
             ([pools[0].buffer.clone(), pools[pools.len() - 1].buffer.clone()], pools)
         }
     };

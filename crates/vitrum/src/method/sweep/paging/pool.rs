@@ -1,8 +1,8 @@
 //! The buffers that pages come to: a table with an entry for each page, slots for those that are filled with one value, and slots for
 //! those that come and go.
 
-use super::needs::Needs;
-use super::schedule::{Batch, busiest, schedule};
+use super::residency::Residency;
+use super::schedule::{Batch, peak_pages, schedule};
 use crate::backend::{Backend, BackendError, Buffer, Contents, Fill, Write};
 use crate::method::sweep::uploaded::Uploaded;
 use crate::method::sweep::voxels::bytes;
@@ -22,7 +22,7 @@ const ENTRIES_BETWEEN: u32 = 256;
 pub(in crate::method::sweep) struct Pool {
     pub(in crate::method::sweep) buffer: Buffer,
     volume: Volume,
-    needs: Needs,
+    residency: Residency,
     layout: Layout,
     batches: Vec<Batch>,
 }
@@ -38,14 +38,14 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(stored: Format, needs: &Needs) -> Self {
+    fn new(stored: Format, residency: &Residency) -> Self {
         let voxels_per_word = 4 / stored.bytes();
         Self {
             stored,
-            table_words: needs.filled.len() as u64,
+            table_words: residency.filled.len() as u64,
             slot_words: page::STRIDE as u64 / voxels_per_word,
             voxels_per_word,
-            fills: needs.fills.len() as u32,
+            fills: residency.fills.len() as u32,
         }
     }
 
@@ -85,13 +85,14 @@ fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
 /// Where the pages that one plane needs are too many.
 pub(in crate::method::sweep) fn pools(
     volumes: &[&Volume],
-    needs: Vec<Needs>,
+    residencies: Vec<Residency>,
     uploaded: &Uploaded,
     backend: &mut dyn Backend,
 ) -> Result<Vec<Pool>, BackendError> {
-    let layouts: Vec<Layout> = needs.iter().map(|needs| Layout::new(uploaded.format, needs)).collect();
-    let of_each = layouts.iter().zip(&needs);
-    let wanted = of_each.map(|(layout, needs)| [busiest(&needs.needed), needs.needed.len()].map(|n| layout.bytes(n)));
+    let layouts: Vec<Layout> = residencies.iter().map(|residency| Layout::new(uploaded.format, residency)).collect();
+    let of_each = layouts.iter().zip(&residencies);
+    let wanted = of_each
+        .map(|(layout, residency)| [peak_pages(&residency.needed), residency.needed.len()].map(|n| layout.bytes(n)));
     let wanted: Vec<[u64; 2]> = wanted.collect();
     // Kernels count stored voxels by a signed 32-bit number.
     let largest = backend.largest_buffer().min(i32::MAX as u64 * uploaded.format.bytes());
@@ -114,14 +115,14 @@ pub(in crate::method::sweep) fn pools(
         too_small(streamed.min(whole.unwrap_or(u64::MAX)), limit, volumes, true)
     })?;
     let mut pools = Vec::new();
-    for ((((volume, needs), layout), share), [least, _]) in
-        volumes.iter().zip(needs).zip(layouts).zip(shares).zip(wanted)
+    for ((((volume, residency), layout), share), [least, _]) in
+        volumes.iter().zip(residencies).zip(layouts).zip(shares).zip(wanted)
     {
         let room = layout.slots(if uploaded.tight { least } else { share.min(largest) });
-        let slots = needs.needed.len().min(room);
+        let slots = residency.needed.len().min(room);
         let buffer = backend.create("voxels", Contents::Zeros(layout.bytes(slots)))?;
-        let batches = schedule(&needs.needed, slots);
-        pools.push(Pool { buffer, volume: (*volume).clone(), needs, layout, batches });
+        let batches = schedule(&residency.needed, slots);
+        pools.push(Pool { buffer, volume: (*volume).clone(), residency, layout, batches });
     }
     Ok(pools)
 }
@@ -129,17 +130,17 @@ pub(in crate::method::sweep) fn pools(
 impl Pool {
     /// What is written to it in the course of a frame; `passes` says which is the first of each plane.
     pub(in crate::method::sweep) fn writes(self, passes: &[usize]) -> Vec<Write> {
-        let Self { buffer, volume, needs, layout, batches } = self;
+        let Self { buffer, volume, residency, layout, batches } = self;
         let mut writes = Vec::new();
         let mut add = |before: usize, start: u64, words: usize, fill: Arc<Fill>| {
             writes.push(Write { before, buffer: buffer.clone(), start, words, fill });
         };
-        let mut table: Vec<u32> = needs.filled.iter().map(|&fill| layout.entry(u32::from(fill))).collect();
+        let mut table: Vec<u32> = residency.filled.iter().map(|&fill| layout.entry(u32::from(fill))).collect();
         add(0, 0, table.len(), copy(table.clone()));
-        for (slot, &value) in (0..).zip(&needs.fills) {
+        for (slot, &value) in (0..).zip(&residency.fills) {
             add(0, layout.start(slot), layout.slot_words as usize, constant(layout.stored, value));
         }
-        let source = Arc::new(Source { volume, pages: needs.pages, stored: layout.stored });
+        let source = Arc::new(Source { volume, pages: residency.pages, stored: layout.stored });
         for Batch { plane, pages } in batches {
             let before = passes[plane as usize];
             let follows = |a: &(u32, u32), b: &(u32, u32)| a.0 + 1 == b.0;

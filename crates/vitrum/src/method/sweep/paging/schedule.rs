@@ -1,6 +1,6 @@
 //! When pages come, and where they lie.
 
-use super::needs::Need;
+use super::residency::ResidentPage;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -14,7 +14,7 @@ pub(super) struct Batch {
 }
 
 /// The most pages that one plane needs.
-pub(super) fn busiest(needed: &[Need]) -> usize {
+pub(super) fn peak_pages(needed: &[ResidentPage]) -> usize {
     let planes = needed.iter().map(|need| need.last as usize + 2).max().unwrap_or(0);
     let mut changes = vec![0_i64; planes];
     for need in needed {
@@ -29,9 +29,9 @@ pub(super) fn busiest(needed: &[Need]) -> usize {
 }
 
 /// Batches that bring every page before the first plane that needs it and leave it there until the last one. `slots` must be at least
-/// [`busiest`]. A batch brings what the planes from its own on need, for as many planes as there are slots for.
-pub(super) fn schedule(needed: &[Need], slots: usize) -> Vec<Batch> {
-    let mut coming: Vec<&Need> = needed.iter().collect();
+/// [`peak_pages`]. A batch brings what the planes from its own on need, for as many planes as there are slots for.
+pub(super) fn schedule(needed: &[ResidentPage], slots: usize) -> Vec<Batch> {
+    let mut coming: Vec<&ResidentPage> = needed.iter().collect();
     coming.sort_by_key(|need| (need.first, need.page));
     let mut coming = coming.as_slice();
     let mut free: BinaryHeap<Reverse<u32>> = (0..slots as u32).map(Reverse).collect();
@@ -54,7 +54,7 @@ pub(super) fn schedule(needed: &[Need], slots: usize) -> Vec<Batch> {
             }
             count += together.len();
         }
-        debug_assert!(count > 0, "slots for the busiest plane");
+        debug_assert!(count > 0, "slots for the pages of every plane");
         let (now, later) = coming.split_at(count.max(1).min(coming.len()));
         coming = later;
         let slots: Vec<u32> = now.iter().filter_map(|_| free.pop()).map(|Reverse(slot)| slot).collect();
@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     /// Plays the batches and looks whether every page is there when it is needed.
-    fn check(needed: &[Need], slots: usize) -> usize {
+    fn check(needed: &[ResidentPage], slots: usize) -> usize {
         let batches = schedule(needed, slots);
         let planes = needed.iter().map(|need| need.last).max().unwrap_or(0);
         let mut there = vec![None; slots];
@@ -91,11 +91,11 @@ mod tests {
     }
 
     /// Pages that overlap irregularly.
-    fn needed() -> Vec<Need> {
+    fn needed() -> Vec<ResidentPage> {
         (0..200)
             .map(|page| {
                 let first = 1 + page * 7919 % 90;
-                Need { page, first, last: first + page * 31 % 17 }
+                ResidentPage { page, first, last: first + page * 31 % 17 }
             })
             .collect()
     }
@@ -103,18 +103,18 @@ mod tests {
     #[test]
     fn pages_are_there_when_they_are_needed() {
         let needed = needed();
-        let least = busiest(&needed);
+        let least = peak_pages(&needed);
         let found = [least, least + 1, 2 * least, needed.len()].map(|slots| check(&needed, slots));
         assert!(found.is_sorted_by(|a, b| a >= b) && found[0] > 10 && found[3] == 1, "{found:?} batches");
     }
 
     #[test]
-    fn the_busiest_plane_is_found() {
-        let need = |first, last| Need { page: 0, first, last };
-        assert_eq!(busiest(&[]), 0);
-        assert_eq!(busiest(&[need(1, 1), need(2, 5), need(5, 7), need(4, 4)]), 2);
+    fn the_most_pages_of_a_plane_are_found() {
+        let need = |first, last| ResidentPage { page: 0, first, last };
+        assert_eq!(peak_pages(&[]), 0);
+        assert_eq!(peak_pages(&[need(1, 1), need(2, 5), need(5, 7), need(4, 4)]), 2);
         let needed = needed();
         let at = |plane: u32| needed.iter().filter(|need| (need.first..=need.last).contains(&plane)).count();
-        assert_eq!(Some(busiest(&needed)), (0..120).map(at).max());
+        assert_eq!(Some(peak_pages(&needed)), (0..120).map(at).max());
     }
 }
