@@ -88,7 +88,7 @@ impl<'a> Input<'a> {
             }
             input.length = metadata.len();
         }
-        input.look()?;
+        input.read_head()?;
         Ok(input)
     }
 
@@ -105,7 +105,7 @@ impl<'a> Input<'a> {
             content: Content::Given(bytes),
         };
         // A plain slice has no error, and that of a packed one is reported by its reader.
-        let _ = input.look();
+        let _ = input.read_head();
         input
     }
 
@@ -162,8 +162,8 @@ impl<'a> Input<'a> {
         Ok(self.packing.unpack(self.open()?))
     }
 
-    /// Takes in how the file begins.
-    fn look(&mut self) -> Result<(), Error> {
+    /// Reads the first bytes of the file: its packing, and the head by which readers recognise a format.
+    fn read_head(&mut self) -> Result<(), Error> {
         let mut file = self.open()?;
         let packing = Packing::of(file.fill_buf().map_err(|error| Report::new(&self.name).unreadable(error))?);
         let mut head = vec![0; HEAD];

@@ -2,7 +2,7 @@
 
 use super::super::SceneEntry;
 use super::super::glass::{BODY, CAVITY, LEVEL, MENISCUS, WALL};
-use super::parts::{Part, clear, together};
+use super::parts::{Part, assemble, clear};
 use super::rays_through;
 use super::revolve::{revolve, smooth_outline};
 use crate::scene::{Camera, Ground, Light, MethodName, Scene, Surfaces, Wall};
@@ -46,7 +46,7 @@ pub(super) fn swept_before_a_wall(name: &str) -> Scene {
 }
 
 pub(in super::super) fn mesh(name: &str) -> Mesh {
-    together(name, parts())
+    assemble(name, parts())
 }
 
 /// The glass and the wine.

@@ -26,11 +26,11 @@ pub struct KeyFrames {
 #[derive(Debug, Clone, PartialEq)]
 struct Track {
     path: Vec<String>,
-    course: Course,
+    interpolation: Interpolation,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Course {
+enum Interpolation {
     /// A curve through the numbers of a value that looks like `form`.
     Smooth { form: Value, curve: Curve, whole: bool },
     /// Values from their frame on.
@@ -62,7 +62,7 @@ impl KeyFrames {
         let make = || {
             let mut table = scene.to_table()?;
             for track in &self.tracks {
-                *entry(&mut table, &track.path)? = track.course.at(f64::from(frame));
+                *entry(&mut table, &track.path)? = track.interpolation.at(f64::from(frame));
             }
             let scene = Scene::from_table(table)?;
             scene.check_consistency()?;
@@ -73,7 +73,7 @@ impl KeyFrames {
     }
 }
 
-impl Course {
+impl Interpolation {
     fn at(&self, frame: f64) -> Value {
         match self {
             Self::Smooth { form, curve, whole } => value::filled(form, &mut curve.at(frame).into_iter(), *whole),

@@ -7,7 +7,7 @@ use super::super::renamed;
 use super::super::schema::{Kind, Shape};
 use super::curve::Curve;
 use super::value;
-use super::{Course, KeyFrames, Track};
+use super::{Interpolation, KeyFrames, Track};
 use toml::{Table, Value};
 
 /// What the whole animation shares, since it is read once or gives the pictures their size.
@@ -213,7 +213,7 @@ impl Settings {
         let numbers: Option<Vec<_>> = self.list.iter().map(|setting| value::numbers(&setting.value)).collect();
         let Some(numbers) = numbers else {
             let steps = self.list.into_iter().map(|setting| (setting.frame, setting.value)).collect();
-            return Ok(Track { path: self.path, course: Course::Steps(steps) });
+            return Ok(Track { path: self.path, interpolation: Interpolation::Steps(steps) });
         };
         let (_, form) = &numbers[0];
         if let Some((setting, _)) = self.list.iter().zip(&numbers).find(|(_, (_, other))| other != form) {
@@ -224,6 +224,9 @@ impl Settings {
         let knots: Vec<_> =
             self.list.iter().zip(numbers).map(|(setting, (numbers, _))| (setting.frame, numbers)).collect();
         let form = self.list[0].value.clone();
-        Ok(Track { path: self.path, course: Course::Smooth { form, curve: Curve::new(&knots), whole: self.whole } })
+        Ok(Track {
+            path: self.path,
+            interpolation: Interpolation::Smooth { form, curve: Curve::new(&knots), whole: self.whole },
+        })
     }
 }
