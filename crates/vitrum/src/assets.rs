@@ -121,7 +121,7 @@ pub(crate) fn syntax(problem: String) -> Error {
     Unrenderable::Syntax { problem }.into()
 }
 
-/// Reads the one volume that `source` names; a relative path starts at `base`.
+/// Reads the volume that `source` names; a relative path starts at `base`.
 ///
 /// # Errors
 ///

@@ -81,7 +81,7 @@ fn placed(mut mesh: Mesh, source: &MeshSource) -> Result<Mesh, Error> {
     Ok(mesh)
 }
 
-/// The meshes as one, whose materials are those of the first, then those of the second, and so on.
+/// The union of the meshes as one mesh; its materials are those of the first mesh, then those of the second, and so on.
 fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     let mut meshes = meshes;
     if meshes.len() < 2 {
@@ -129,8 +129,8 @@ fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     })
 }
 
-/// The mesh with a colour for each vertex, where it has none that of the material. A vertex of triangles of several materials becomes
-/// several vertices.
+/// The mesh with a colour for each vertex; a vertex without a colour gets its material's. A vertex of triangles of several materials
+/// becomes several vertices.
 fn with_colors(mesh: Mesh) -> Mesh {
     if mesh.colors.is_some() {
         return mesh;

@@ -20,14 +20,14 @@ pub enum Unrenderable {
         /// `volume` or `mesh`.
         kind: &'static str,
     },
-    /// There is no such built-in data.
+    /// Built-in data of an unknown name.
     #[error("there is no built-in {kind} `{name}`")]
     UnknownBuiltin {
         /// `volume` or `mesh`.
         kind: &'static str,
         /// The name that was asked for.
         name: String,
-        /// The names that there are.
+        /// The names of the built-in data of that kind.
         known: Vec<&'static str>,
     },
     /// Built-in data is not part of this build.
@@ -53,15 +53,15 @@ pub enum Unrenderable {
     /// The data for a sweep is no volume.
     #[error("a sweep goes through volumes, and a mesh was given")]
     NeedsVolume,
-    /// No triangle of the mesh has an area.
+    /// A mesh of triangles without area.
     #[error("{name}: none of its {count} triangles has an area")]
     NoSurface {
         /// The mesh.
         name: String,
-        /// Its triangles.
+        /// The number of its triangles.
         count: usize,
     },
-    /// All vertices of the mesh are at one point.
+    /// A mesh whose vertices are all at one point.
     #[error("{name}: all vertices are at one point or too close to each other")]
     NoExtent {
         /// The mesh.
@@ -72,7 +72,7 @@ pub enum Unrenderable {
     TooManyToFill {
         /// The mesh.
         name: String,
-        /// Its triangles.
+        /// The number of its triangles.
         count: usize,
     },
     /// Meshes that are shown together have more vertices than indices of 32 bits tell apart.
@@ -98,7 +98,7 @@ pub enum Unrenderable {
     TooManyMaterials {
         /// The mesh.
         name: String,
-        /// Its clear materials.
+        /// The number of its clear materials.
         count: usize,
         /// The most that are possible.
         limit: usize,
@@ -121,7 +121,7 @@ pub enum Unrenderable {
         /// The overlap, as a part of a voxel's edge.
         overlap: f32,
     },
-    /// There is no memory for the voxels.
+    /// Voxels for which the host lacks the memory.
     #[error("there is no memory for {} x {} x {} voxels", dimensions[0], dimensions[1], dimensions[2])]
     NoMemory {
         /// Voxels along x, y and z.
@@ -156,12 +156,12 @@ pub enum Unrenderable {
     ShadowTooSoft {
         /// The radius of the filter, in world units.
         radius: f64,
-        /// The same in voxels.
+        /// The width in voxels.
         voxels: f64,
         /// The most voxels.
         limit: i32,
     },
-    /// There are more clipping planes than a sweep can have.
+    /// More clipping planes than a sweep can have.
     #[error("{count} clipping planes are given, at most {limit} are possible")]
     TooManyClips {
         /// The planes.
@@ -185,7 +185,7 @@ pub enum Unrenderable {
         /// The most that are possible.
         limit: f64,
     },
-    /// Nothing of the volume is in front of the camera.
+    /// A volume that is behind the camera as a whole.
     #[error("the whole volume is behind the camera")]
     BehindCamera,
     /// The light of a sweep shines across the viewing direction or against it.
@@ -203,7 +203,7 @@ pub enum Unrenderable {
 }
 
 impl Unrenderable {
-    /// What to change, in terms of scene keys and data.
+    /// Advice in terms of scene keys and data, in one sentence.
     #[must_use]
     pub fn advice(&self) -> String {
         match self {

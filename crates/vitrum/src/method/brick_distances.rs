@@ -1,4 +1,4 @@
-//! How far bricks are from the next one that counts.
+//! Chebyshev distances of bricks to the nearest brick that is not empty.
 
 /// Turns 0 for each brick that counts and a number that is large enough for the others into how many bricks away the next one is that
 /// counts, by the largest of the differences along the axes: two passes that look at half of the neighbours each.

@@ -34,7 +34,7 @@ impl<K, V> Default for Memo<K, V> {
 }
 
 impl<K: PartialEq, V> Memo<K, V> {
-    /// The result for `key`, computed by `make` unless the last one was for the same key.
+    /// The value for `key`: the stored one if it belongs to the same key, else a new one that `make` computes and the memo stores.
     ///
     /// # Errors
     /// Those of `make`.

@@ -41,12 +41,12 @@ pub trait Method: Sync {
     /// [`Error::Unrenderable`] where the method cannot show the assets, or the scene's values together make no frame.
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error>;
 
-    /// The exposures whose weighted sum a frame is: at least one, those of the part [`Part::Whole`] first.
+    /// The exposures whose weighted sum is the frame: at least one; those of the part [`Part::Whole`] come first.
     fn exposures(&self, scene: &Scene, _assets: &Assets) -> Vec<Exposure> {
         lights::exposures(scene)
     }
 
-    /// Makes the buffers of an exposure and lists its passes. Data that the next frame needs, too, stays in `cache`.
+    /// Allocates the buffers of an exposure and lists its passes. Data that the next frame reads again stays in `cache`.
     ///
     /// # Errors
     /// Those of [`Self::check`]; [`Error::Backend`] where the backend lacks the memory or fails, or `progress` cancels.
@@ -73,9 +73,10 @@ pub fn outputs() -> impl Iterator<Item = (&'static dyn Method, &'static Output)>
 pub struct Exposure {
     /// The scene of this exposure.
     pub scene: Scene,
-    /// Its weights in linear red, green and blue.
+    /// Weights of the exposure in the sum: linear red, green and blue.
     pub weights: [f32; 3],
-    /// How far its rays are from those that outputs without a mean show, such as depth: the least distance wins.
+    /// Distance of the exposure's rays from the reference rays, whose values outputs without a mean, such as depth, show: the exposure
+    /// of the least distance supplies them.
     pub distance: f64,
     /// The outputs that it adds to.
     pub part: Part,
@@ -84,7 +85,7 @@ pub struct Exposure {
 /// The outputs that an exposure adds to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// All of them.
+    /// All outputs.
     Whole,
     /// Radiance alone: the exposure has the light of a further source, and everything else is in another exposure.
     Light,
@@ -128,7 +129,7 @@ pub trait PreparedFrame {
     /// The planar records that the passes leave, one for each viewing ray: the components are those that the method's outputs name.
     fn film(&self) -> &Buffer;
 
-    /// Runs the passes; `progress` is told how many are done and how many there are, and cancels by returning `false`.
+    /// Runs the passes. `progress` receives the number of finished passes and the number of all, and cancels by returning `false`.
     ///
     /// # Errors
     /// As [`Backend::run`].

@@ -24,7 +24,7 @@ impl Part {
     }
 }
 
-/// A clear material; `color` is what is left of white light after `distance` world units of it.
+/// A clear material; `color` is its transmittance over a distance of `distance` world units.
 pub(super) fn clear(name: &str, ior: f32, color: [f32; 3], distance: f32) -> Material {
     Material {
         name: name.to_owned(),

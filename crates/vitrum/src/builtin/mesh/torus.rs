@@ -14,7 +14,7 @@ pub(in super::super) const SCENES: &[SceneEntry] = &[
     ("torus/twisted", "the torus with its top turned by half a turn", twisted),
 ];
 
-/// From the middle to the tube's.
+/// Major radius: from the middle of the torus to the middle of the tube.
 const RADIUS: f32 = 0.7;
 const TUBE: f32 = 0.28;
 

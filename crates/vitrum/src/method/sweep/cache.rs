@@ -42,7 +42,7 @@ pub(super) fn tables_key(scene: &Scene) -> TablesKey {
 }
 
 impl SweepCache {
-    /// The volumes that a scene's mesh is swept as; those of the last frame where they are the same.
+    /// The volumes that the plane sweep renders in place of the scene's mesh; the volumes of the last frame where nothing changed them.
     ///
     /// # Errors
     /// As [`MeshVolumes::new`].

@@ -1,4 +1,4 @@
-//! How light is carried from plane to plane: on texels, as the paper has it, as sheets, or not at all.
+//! Transport of light from plane to plane: on texels (sweep §4.2), as sheets of rays, or none for unoccluded light.
 
 use super::uniforms::FramePlan;
 use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
@@ -10,7 +10,7 @@ pub(super) trait Carrier {
     /// The light on the first plane.
     fn start(&self, plan: &FramePlan) -> Vec<Pass>;
 
-    /// From the plane before to `plane`.
+    /// Appends the passes that carry light from the plane before `plane` to `plane`.
     fn advance(&self, plan: &FramePlan, plane: u32, passes: &mut Vec<Pass>);
 
     /// The buffer that holds the irradiance of the planes to which light was carried last, as [`FramePlan::ring`] has it: records as
@@ -59,7 +59,7 @@ impl BufferAllocator<'_> {
 }
 
 impl FramePlan {
-    /// Passes that fill `light` and `irradiance` with unoccluded light: that of the first plane.
+    /// Passes that fill `light` and `irradiance` with the unoccluded light of the first plane.
     pub(super) fn unoccluded(&self, light: &Buffer, irradiance: &Buffer) -> [Pass; 2] {
         let texels = self.light_grid.size;
         [

@@ -17,7 +17,7 @@ pub(super) fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     corners
 }
 
-/// The points of which none turns clockwise.
+/// One chain of the convex hull (Andrew's monotone chain): the points at which the outline never turns clockwise.
 fn chain<'a>(points: impl Iterator<Item = &'a DVec2>) -> Vec<DVec2> {
     let mut kept: Vec<DVec2> = Vec::new();
     for &point in points {

@@ -104,12 +104,12 @@ impl LightGrid {
         tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel
     }
 
-    /// How far away a tap of the softness filter is at most, in texels.
+    /// Largest distance of a tap of the soft-shadow filter from its texel, in texels.
     pub(super) fn filter_radius(&self, angular_radius: f32, planes: &Planes, index: u32) -> f64 {
         self.tap_radius(angular_radius, planes, index) / self.direction.z
     }
 
-    /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
+    /// The three taps of the soft-shadow filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
     ///
     /// The taps lie on an ellipse, stretched along the light's tilt and turned by a hash of the plane's index. Blurring n times
     /// adds variances, so a radius of Δz·tan(angular radius) would blur by √n instead of n and depend on the sample distance. The

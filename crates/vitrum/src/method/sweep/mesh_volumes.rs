@@ -1,4 +1,4 @@
-//! A mesh as volumes for the plane sweep: how much of each voxel is of which material, without the staircase of voxels.
+//! A mesh as volumes for the plane sweep: each voxel's coverage by each material, smooth across surfaces.
 //!
 //! A body's share of a voxel falls from 1 to 0 over [`EDGE`] voxels across its surface, by the smoothed distance, so that the index of
 //! refraction has a slope that rays can follow. One body is one volume: its share is the scalar, and transfer functions say what it
@@ -28,12 +28,12 @@ const PADDING: u32 = 4;
 /// The part of the mesh's longest edge that transfer functions are stated for.
 const REFERENCE: f32 = 0.01;
 
-/// What the volumes depend on.
+/// The key of the volumes: all values that their voxels depend on.
 #[derive(Debug, Clone, PartialEq)]
 struct Kind {
     resolution: u32,
     twist: f32,
-    /// Of several bodies what they do to light; the volume of one does not depend on it.
+    /// The optical constants of the bodies if there are several; empty for one body, whose volume does not depend on them.
     materials: Vec<Clear>,
 }
 
@@ -55,7 +55,7 @@ pub(super) struct MeshVolumes {
 }
 
 impl MeshVolumes {
-    /// Makes volumes of a mesh, with `scene.voxelization.resolution` voxels along its longest edge.
+    /// Turns a mesh into volumes with `scene.voxelization.resolution` voxels along its longest edge.
     ///
     /// # Errors
     /// If there are too many materials, or the backend fails or lacks the memory.
@@ -90,7 +90,8 @@ impl MeshVolumes {
         Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
     }
 
-    /// The scene of these volumes: materials as transfer functions, and everything where it is for the mesh alone.
+    /// The scene that renders these volumes: materials become transfer functions, and camera, ground and wall stay where the mesh alone
+    /// would put them.
     ///
     /// # Errors
     /// If there are too many materials.
@@ -128,7 +129,8 @@ fn numbers(materials: &[Clear]) -> Vec<f32> {
     materials.iter().map(|material| (place(material) + 1) as f32 / materials.len() as f32).collect()
 }
 
-/// What one body's share, or several bodies' number and index of refraction, mean.
+/// The transfer functions over the scalar of [`MeshVolumes`]: the coverage by one body, or the number of a material and the index of
+/// refraction.
 fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
     let color =
         |material: &Clear| material.absorption.map(|coefficient| (-coefficient * f64::from(reference)).exp() as f32);
@@ -154,7 +156,7 @@ fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
     }
 }
 
-/// How much of each voxel is of which body.
+/// Coverage of each voxel by each body, 0 to 1.
 struct Shares<'a> {
     fields: &'a [u16],
     grid: Grid,

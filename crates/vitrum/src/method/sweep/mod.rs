@@ -155,8 +155,8 @@ impl Sweep {
         Self::of(scene, volumes, assets.environment.as_deref(), request, &mut cache, backend)
     }
 
-    /// Builds tables and lists the passes. Where the light is not requested, it is only carried as far as a viewing ray can see it, and
-    /// [`Self::irradiance`] gives what is left of it.
+    /// Builds tables and lists the passes. Where the light is not requested, it is carried only as far as a viewing ray can read it,
+    /// and [`Self::irradiance`] gives the irradiance of that region.
     fn of(
         scene: &Scene,
         volumes: Volumes<'_>,

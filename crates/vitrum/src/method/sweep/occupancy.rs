@@ -1,4 +1,4 @@
-//! Which bricks are empty: neither opacity, nor medium, nor a change of η.
+//! Occupancy of bricks, for empty-space skipping: a brick without opacity, filter and gradient of η is empty.
 
 use super::hull::hull;
 use super::tables::Tables;
@@ -16,25 +16,25 @@ use vitrum_io::{Volume, Voxels};
 pub(super) struct Occupancy {
     /// A word for each brick, see [`OccupancyQuery::write_distances`], one volume after the other.
     pub(super) buffer: Buffer,
-    /// Points in the world whose convex hull is that of the bricks that are not empty.
+    /// Points in the world whose convex hull encloses all bricks that are not empty.
     pub(super) occupied: Arc<[DVec3]>,
 }
 
 /// The part of a volume in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum VolumeRole {
-    /// Its scalar gives colour, opacity, filter and index of refraction.
+    /// The volume's scalar gives colour, opacity, filter and index of refraction.
     Both,
-    /// Its scalar gives colour, opacity and filter; that of the second volume gives the index of refraction.
+    /// The volume's scalar gives colour, opacity and filter; the second volume's scalar gives the index of refraction.
     Shown,
-    /// Its scalar gives the index of refraction.
+    /// The volume's scalar gives the index of refraction.
     Bending,
 }
 
 /// The least and the greatest value of something.
 type Range<T> = (T, T);
 
-/// The range of each brick's stored voxels, x fastest: what a volume is asked for again and again while tables change.
+/// The least and the greatest stored value of each brick, x fastest. They stay the same while transfer functions change.
 #[derive(Debug)]
 pub(super) enum Ranges {
     U8(Vec<Range<u8>>),
@@ -105,7 +105,7 @@ impl OccupancyQuery<'_> {
         spread(words, bricks(self.volume).map(|n| n as usize));
     }
 
-    /// Points in the world whose convex hull is that of the bricks that are not empty.
+    /// Points in the world whose convex hull encloses all bricks that are not empty.
     pub(super) fn occupied(&self, words: &[u32]) -> Vec<DVec3> {
         let [width, height, _] = bricks(self.volume).map(|n| n as usize);
         let edge = 1 << brick_shift(self.volume);
@@ -204,7 +204,7 @@ fn ranges<T: Copy + PartialOrd + Send + Sync>(
     ranges
 }
 
-/// Each brick's range together with those of up to `by` bricks before and after it along `axis`.
+/// The union of each brick's range with the ranges of up to `by` bricks before and after it along `axis`.
 pub(super) fn widen<T: Copy + PartialOrd + Send + Sync>(
     ranges: &[Range<T>],
     bricks: [usize; 3],

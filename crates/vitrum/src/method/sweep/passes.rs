@@ -108,7 +108,8 @@ pub(super) fn build(
     Ok((list, buffers))
 }
 
-/// The bricks of all volumes, one volume after the other, and points in the world whose convex hull is that of those that are not empty.
+/// Occupancy of the bricks of all volumes, one volume after the other, and points in the world whose convex hull encloses the bricks
+/// that are not empty.
 fn occupancy(queries: &[OccupancyQuery], backend: &mut dyn Backend) -> Result<Occupancy, BackendError> {
     let counts: Vec<usize> =
         queries.iter().map(|query| bricks(query.volume).iter().map(|&n| n as usize).product()).collect();

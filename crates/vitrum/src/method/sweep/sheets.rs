@@ -18,7 +18,8 @@ pub(super) struct Sheets {
     irradiance: Buffer,
 }
 
-/// As many sheets as fit into one buffer. What they bring to a texel is summed up in integers, so that their number makes no difference.
+/// As many sheets as fit one buffer. Their contributions to a texel are summed up in integers, so that the division into batches
+/// changes no bit.
 struct Batch {
     /// Sheets.
     count: u32,

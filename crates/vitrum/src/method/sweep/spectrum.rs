@@ -8,7 +8,7 @@ use crate::scene::YELLOW;
 pub struct Band {
     /// The wavelength that stands for it, in micrometres.
     pub wavelength: f64,
-    /// Its weights in linear red, green and blue; over all bands the sum of each is 1.
+    /// Weights of the band in linear red, green and blue; over all bands, the weights of each sum to 1.
     pub weights: [f64; 3],
 }
 
@@ -46,7 +46,7 @@ pub fn bands(count: u32) -> Vec<Band> {
     bands
 }
 
-/// The exposure of a whole spectrum as exposures of bands, or as it is if all colours bend alike.
+/// One exposure for each band of the spectrum, or the exposure itself if the index of refraction is the same for all wavelengths.
 pub(super) fn split(exposure: Exposure) -> Vec<Exposure> {
     let Exposure { scene, part, .. } = &exposure;
     if !(scene.sweep.refraction && scene.transfer.disperses()) {

@@ -48,7 +48,7 @@ fn colors(points: &[ColorPoint]) -> Vec<(f32, [f32; 3])> {
     points.iter().map(|point| (point.value, point.color)).collect()
 }
 
-/// −ln x, limited to what the table stores.
+/// Optical depth −ln T of a transmittance T, limited to the range of the table.
 fn optical_depth(transmittance: f64) -> f64 {
     let depth = -transmittance.max(0.0).ln();
     depth.clamp(0.0, f64::from(layout::MAX_OPTICAL_DEPTH))

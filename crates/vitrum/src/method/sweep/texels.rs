@@ -12,7 +12,7 @@ use vitrum_kernels::kernel::{Window, kernels};
 pub(super) struct Texels {
     volumes: VolumeBuffers,
     visible: Option<VisibleLight>,
-    /// They swap roles from plane to plane.
+    /// Light of the plane before and of the plane: the buffers swap these roles from plane to plane.
     light: [Buffer; 2],
     filtered: Buffer,
     irradiance: Buffer,

@@ -44,7 +44,7 @@ pub(super) struct FramePlan {
     pub(super) mode: u32,
     /// Whether light is carried through the volume; else it is unoccluded everywhere.
     pub(super) shadows: bool,
-    /// Where look-ups of a plane lie in the volume, and in the second one.
+    /// Positions of the look-ups between two planes among the voxels of the volume, and of the second one.
     pub(super) sampling: Vec<Sampling>,
     /// The directions of the sheets that carry the light, if sheets do.
     pub(super) sheets: Option<Vec<[f32; 3]>>,
@@ -66,7 +66,7 @@ fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
     (1.5 * distance / f64::from(finest)).ceil().clamp(1.0, 64.0) as u32
 }
 
-/// Where everything is.
+/// The geometry of a frame: view, light, planes and receivers.
 struct Geometry {
     view: View,
     /// The unit direction in which light travels.
@@ -88,7 +88,7 @@ impl Geometry {
     }
 }
 
-/// Whether there are planes and a light grid for a scene of these volumes, and its clips are planes.
+/// Checks that planes and a light grid exist for a scene of these volumes, and that each of its clips is a plane.
 ///
 /// # Errors
 /// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
@@ -102,7 +102,7 @@ pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
 }
 
 impl FramePlan {
-    /// What `scene` comes to for volumes that are stored as `format` says, on a backend whose buffers have at most `largest_buffer` bytes.
+    /// The plan of a frame of `scene`, for volumes stored in `format`, on a backend whose buffers have at most `largest_buffer` bytes.
     pub(super) fn new(
         scene: &Scene,
         volumes: Volumes<'_>,
@@ -305,7 +305,7 @@ fn exact_shear(light: &abi::Light) -> [f32; 2] {
     [v.x * inverse, v.y * inverse]
 }
 
-/// Unoccluded light as it is stored.
+/// Irradiance of unoccluded light on a plane, or its radiance where the kernels store radiance.
 fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec3 {
     let stored = if block.flags & flag::STORE_RADIANCE != 0 { 1.0 } else { block.light.direction.z };
     let light = scene.first_light();

@@ -18,7 +18,7 @@ const FINEST_BRICK: u32 = 2;
 /// voxels' memory.
 const MOST_BRICKS: u64 = 1 << 23;
 
-/// How a volume is stored, and whether a second one gives η.
+/// The format in which a volume is stored on the device, and with which kernels read it; `ior` is the second volume, if there is one.
 pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
     match (&shown.voxels, ior) {
         (_, Some(_)) => Format::F32WithIor,
@@ -78,7 +78,7 @@ pub(super) fn pages(dimensions: [u32; 3]) -> [u32; 3] {
     dimensions.map(|n| (n >> page::SHIFT) + 1)
 }
 
-/// What a stored value is multiplied by, and what is added then, for the normalised scalar.
+/// Factor and summand that turn a stored value into the normalised scalar, 0 to 1.
 pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
     let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
     let inverse_scale = if scale > 0.0 { 1.0 / scale } else { 0.0 };
@@ -88,8 +88,8 @@ pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
     ]
 }
 
-/// Where a volume, stored as `format` says, lies in the view frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
-/// bricks start in the occupancy buffer.
+/// The grid of a volume in the view frame, as kernels read it. `reach` is the step in voxels that a brick's range covers, `first_brick`
+/// the index of the first brick in the occupancy buffer.
 pub(super) fn grid(volume: &Volume, stored: Format, view: &View, reach: u32, first_brick: u32) -> Grid {
     let inverse = voxel_steps(volume).inverse();
     let along = inverse * view.axes;

@@ -1,9 +1,9 @@
-//! Which texels of a plane's light can reach a viewing ray.
+//! Windows of light texels: the texels of a plane whose light can still reach a viewing ray.
 //!
-//! Rays look at light inside the volumes alone, if there are no receivers. The hull around what is not empty there is convex: light that
-//! has left it does not come back, and until light enters it, it is unoccluded. So on each plane only texels on the hull's slice have
-//! to be carried on. Outside, light keeps what it was when its texel left the slice: unoccluded where it never was on one. That takes
-//! texels that move as unrefracted light does ([`LightGrid::follows_light`]): over others, which a slice has left behind, light comes in.
+//! Where there are no receivers, rays read light inside the volumes alone. The hull of the bricks that are not empty is convex: light that
+//! has left it does not come back, and light that has not entered it yet is unoccluded. So only the texels on the hull's slice are carried on
+//! to each plane. A texel outside keeps the light of the plane on which it left the slice, or unoccluded light if it never was on one. That
+//! takes texels that move as unrefracted light does ([`LightGrid::follows_light`]); light would enter others behind the slice.
 
 use super::hull::{extent, hull};
 use super::light::LightGrid;

@@ -56,7 +56,7 @@ impl UploadedEnvironment {
 
 /// An environment as kernels read it.
 pub(in crate::method) struct Prepared {
-    /// Its uniforms, for rays in the view frame.
+    /// Uniforms of the environment, for rays in the view frame.
     pub(in crate::method) block: Block,
     /// The environment's axes in the world: its side, its middle, up.
     pub(in crate::method) axes: [DVec3; 3],

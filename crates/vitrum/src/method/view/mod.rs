@@ -17,7 +17,7 @@ use vitrum_io::Volume;
 /// only a box seen exactly corner on touches the edge.
 const FIT: f64 = 0.87;
 
-/// Where the picture is taken from.
+/// The view: position, axes and projection of the camera.
 #[derive(Debug, Clone, Copy)]
 pub struct View {
     /// The eye, in the world.

@@ -5,7 +5,8 @@ use super::grid::Grid;
 /// The most units of a voxel, log₂ (see [`Fixed`]).
 const MOST_UNITS: u32 = 20;
 
-/// Positions as whole numbers of units, a power of two of which are a voxel: as many as leave room for the grid's longest edge.
+/// Fixed-point positions: integers whose unit is the edge of a voxel over a power of two, the largest that leaves room for the grid's
+/// longest edge.
 pub(super) struct Fixed {
     /// log₂ of the units of a voxel.
     pub units: u32,

@@ -15,7 +15,7 @@ pub const MOST_PADDING: u32 = 1024;
 /// faces, every mesh would meet the voxels beyond.
 const CLEARANCE: f64 = 1.0 / 65536.0;
 
-/// Where the voxels lie.
+/// A grid of cubic voxels, axis-aligned in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
     /// Voxels along x, y and z.
@@ -66,7 +66,7 @@ impl Grid {
         std::array::from_fn(|axis| (f64::from(position[axis]) - self.origin[axis]) / self.voxel_size)
     }
 
-    /// How many voxels there are.
+    /// The number of voxels.
     #[must_use]
     pub fn voxels(&self) -> u64 {
         self.dimensions.iter().map(|&count| u64::from(count)).product()

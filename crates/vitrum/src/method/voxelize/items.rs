@@ -13,7 +13,7 @@ const SMALL: u32 = triangle::SMALL as u32;
 /// Items in a batch, unless a single triangle has more.
 const BATCH: u64 = 1 << 20;
 
-/// Invocations in a row of a dispatch: eight such rows are what a processor takes at a time.
+/// Invocations in a row of a dispatch; eight such rows are the chunk that a processor's core takes at a time.
 const WIDTH: u32 = 64;
 /// The most rows of a dispatch.
 const MOST_ROWS: u32 = 65535 * 8;
@@ -47,7 +47,7 @@ impl Batch {
     }
 }
 
-/// Where each triangle's items begin in the list of all, and how many there are.
+/// The plan of the items: the index of each triangle's first item in the list of all items, and their number.
 pub(in crate::method) struct Plan<'a> {
     slices: &'a [Slices],
     begins: Vec<u64>,
@@ -65,7 +65,7 @@ impl<'a> Plan<'a> {
         Self { slices, begins }
     }
 
-    /// All items.
+    /// The number of items of all triangles.
     pub(in crate::method) fn total(&self) -> u64 {
         self.begins[self.slices.len()]
     }

@@ -1,5 +1,5 @@
-//! Voxelization: which voxels of a grid a mesh's triangles meet, what they bring there, and how much of each voxel is inside
-//! (Chang et al. 2010, §2; solids are not in the paper).
+//! Voxelization of triangle meshes: the voxels of the surface, the attributes that triangles bring to them, and the coverage of the
+//! voxels of the solid (Chang et al. 2010, §2; solids are not in the paper).
 
 pub(in crate::method) mod columns;
 mod fixed;
@@ -28,7 +28,7 @@ use vitrum_io::Mesh;
 use web_time::Instant;
 use work::Work;
 
-/// What there is to tell about a run.
+/// Statistics of a voxelization.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Statistics {
     /// `cpu` or `gpu`.
@@ -56,14 +56,14 @@ pub struct Statistics {
 /// A mesh as voxels.
 #[derive(Debug, Clone)]
 pub struct Voxelization {
-    /// Where they lie.
+    /// The grid of the voxels.
     pub grid: Grid,
-    /// Those that triangles meet, their faces included: none is missed, and none is set that is farther than 2⁻¹⁶ of the
-    /// triangle's extent and two voxels (and the overlap that was asked for) from it.
+    /// The mask of the surface: all voxels that triangles meet, their faces included. No such voxel is missing, and no voxel in the
+    /// mask is farther from a triangle than 2⁻¹⁶ of the triangle's extent, two voxels and the requested overlap.
     pub surface: Option<Mask>,
-    /// What triangles bring to those.
+    /// The attributes of the surface's voxels.
     pub attributes: Option<Attributes>,
-    /// What is inside.
+    /// The coverage of the voxels by the solid.
     pub solid: Option<Solid>,
     /// Times and counts.
     pub statistics: Statistics,

@@ -41,7 +41,7 @@ impl Mask {
         &self.words
     }
 
-    /// How many voxels are set.
+    /// The number of voxels in the mask.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.words.par_iter().map(|word| u64::from(word.count_ones())).sum()
@@ -57,7 +57,7 @@ impl Mask {
         .collect()
     }
 
-    /// How many voxels are set before each word; how many in all.
+    /// Ranks: the number of voxels in the mask before each of its words, and the number of all.
     pub(crate) fn ranks(&self) -> (Vec<u32>, u64) {
         let mut sum = 0;
         let ranks = self.words.iter().map(|word| {
@@ -81,10 +81,10 @@ impl Mask {
     }
 }
 
-/// What triangles bring to each voxel that is set, in the order of the voxels, x fastest.
+/// The attributes that triangles bring to each voxel of the mask, in the order of the voxels, x fastest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attributes {
-    /// How many triangles meet the voxel, at least 1: the paper's measure of density.
+    /// The number of triangles that meet the voxel, at least 1: the paper's measure of density.
     pub counts: Vec<u32>,
     /// Sums of unit normals, one a triangle, in units of 2⁻¹⁶; 0 of triangles without area.
     pub normals: Vec<[f32; 3]>,
@@ -126,7 +126,8 @@ impl<'a> Surface<'a> {
         Self { mesh, grid, fixed, uniforms }
     }
 
-    /// Writes the corners of `triangles` as kernels read them; what is not done with the small ones, counted from the first.
+    /// Writes the corners of `triangles` as kernels read them. The result has the triangles that are too large for the batch of small
+    /// ones, by their index from the first.
     fn write_corners(&self, triangles: Range<usize>, words: &mut [u32]) -> Vec<(usize, Slices)> {
         let parts = self.mesh.triangles[triangles].par_chunks(PART).zip(words.par_chunks_mut(PART * triangle::SIZE));
         let write = |(part, (triangles, words)): (usize, (&[[u32; 3]], &mut [u32]))| {

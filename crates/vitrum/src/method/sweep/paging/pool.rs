@@ -27,7 +27,7 @@ pub(in crate::method::sweep) struct Pool {
     batches: Vec<Batch>,
 }
 
-/// Where things lie in the buffer.
+/// The layout of a pool's buffer: the page table, then slots that one value fills, then slots of pages that come and go.
 #[derive(Clone, Copy)]
 struct Layout {
     stored: Format,
@@ -53,7 +53,7 @@ impl Layout {
         (self.table_words + (u64::from(self.fills) + slots as u64) * self.slot_words) * 4
     }
 
-    /// As many slots as there is room for in so many bytes.
+    /// The number of slots that fit a buffer of `bytes` bytes.
     fn slots(&self, bytes: u64) -> usize {
         usize::try_from((bytes - self.bytes(0)) / (self.slot_words * 4)).unwrap_or(usize::MAX)
     }
@@ -69,8 +69,8 @@ impl Layout {
     }
 }
 
-/// How `limit` bytes are divided between volumes that need the first number at least and can use the second: what is beyond the least goes
-/// to them in proportion to what they can use of it. `None` if it is not enough.
+/// The shares of `limit` bytes for several volumes, each given by its least and its largest useful number of bytes. The bytes beyond
+/// the sum of the least are divided in proportion to the useful ones; `None` if the limit is below that sum.
 fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
     let least: u64 = wanted.iter().map(|[least, _]| least).sum();
     let rest = limit.checked_sub(least)?;
@@ -79,7 +79,7 @@ fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
     Some(wanted.iter().map(|[least, all]| least + part(all - least) as u64).collect())
 }
 
-/// For each of `volumes` a buffer: within the backend's limits together, or with as few slots as will do.
+/// The pools of `volumes`, one each: within the backend's limits together, or with the fewest slots that suffice.
 ///
 /// # Errors
 /// Where the pages that one plane needs are too many.
@@ -128,7 +128,7 @@ pub(in crate::method::sweep) fn pools(
 }
 
 impl Pool {
-    /// What is written to it in the course of a frame; `passes` says which is the first of each plane.
+    /// The writes to the buffer in the course of a frame; `passes` has the number of the first pass of each plane.
     pub(in crate::method::sweep) fn writes(self, passes: &[usize]) -> Vec<Write> {
         let Self { buffer, volume, residency, layout, batches } = self;
         let mut writes = Vec::new();
@@ -184,7 +184,7 @@ fn constant(stored: Format, value: f32) -> Arc<Fill> {
     Arc::new(move |to| to.fill(word))
 }
 
-/// What pages are made of.
+/// The source of pages: a volume's voxels, and the format in which a slot stores them.
 struct Source {
     volume: Volume,
     pages: [u32; 3],

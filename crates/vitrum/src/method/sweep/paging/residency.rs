@@ -20,7 +20,7 @@ const ROUNDING: f64 = 0.25;
 pub(in crate::method::sweep) struct Sampling {
     /// The depth of voxel (0, 0, 0).
     depth: f64,
-    /// How the depth grows from voxel to voxel along each axis of the volume.
+    /// Change of the depth from voxel to voxel along each axis of the volume.
     growth: DVec3,
     /// The longest step from plane to plane along each axis, in voxels.
     step: DVec3,

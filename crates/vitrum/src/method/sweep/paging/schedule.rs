@@ -28,8 +28,8 @@ pub(super) fn peak_pages(needed: &[ResidentPage]) -> usize {
     counts.max().unwrap_or(0) as usize
 }
 
-/// Batches that bring every page before the first plane that needs it and leave it there until the last one. `slots` must be at least
-/// [`peak_pages`]. A batch brings what the planes from its own on need, for as many planes as there are slots for.
+/// Batches that load every page before the first plane that reads it and leave it in its slot until the last such plane. `slots` must
+/// be at least [`peak_pages`]. A batch loads the pages of as many planes, from its own on, as the slots hold.
 pub(super) fn schedule(needed: &[ResidentPage], slots: usize) -> Vec<Batch> {
     let mut coming: Vec<&ResidentPage> = needed.iter().collect();
     coming.sort_by_key(|need| (need.first, need.page));
