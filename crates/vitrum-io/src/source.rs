@@ -25,7 +25,7 @@ pub struct Assumption {
     pub fact: String,
     /// The field of [`OpenOptions`](crate::OpenOptions) that replaces the assumption, where one does.
     pub setting: Option<Setting>,
-    /// The other values that the field may have, such as the names of the other arrays or `0 to 2`; empty where any is possible.
+    /// Other values that the field may have, such as the names of the other arrays or `0 to 2`; empty where any value is possible.
     pub choices: String,
 }
 

@@ -1,4 +1,4 @@
-//! Files that are not to stay: removed when nobody needs them any more, and when the program has to end in the middle.
+//! Temporary files: removed when their last owner drops them, and when the program has to end early.
 
 use std::fs::{self, File};
 use std::io;

@@ -96,7 +96,7 @@ struct Codestream {
 }
 
 impl Codestream {
-    /// Reads it, and fails where it is not what the file's header says.
+    /// Reads a codestream's header, and fails where it contradicts the header of the file.
     fn check(packed: &[u8], [rows, columns]: Size) -> Result<Self, String> {
         const START: &[u8] = &[0xff, 0x4f, 0xff, 0x51];
         // Some writers put a file of the format there, with boxes before the codestream.

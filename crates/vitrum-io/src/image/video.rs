@@ -11,7 +11,7 @@ use crate::error::{Error, Report};
 pub(super) struct Video {
     child: Child,
     frames: Option<ChildStdin>,
-    /// Messages of ffmpeg; a file, since a pipe that nobody reads would stop it.
+    /// Messages of ffmpeg, in a file: a full pipe without a reader would stop it.
     log: File,
 }
 
