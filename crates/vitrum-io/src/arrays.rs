@@ -8,7 +8,7 @@ use crate::suggest::nearest;
 /// At most so many names stand in a message.
 const MOST_NAMES: usize = 8;
 
-/// A list of names in quotes, for messages; empty where the names are too many for a message.
+/// A list of names in quotes, for messages: the first [`MOST_NAMES`] and the number of the others.
 pub(crate) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<_> = names.collect();
     let shown: Vec<_> = names.iter().take(MOST_NAMES).map(|name| format!("`{}`", clip(name))).collect();
