@@ -1,4 +1,4 @@
-//! Which packages bring a Vulkan driver, by Linux distribution.
+//! The packages with a Vulkan driver, by Linux distribution.
 
 use std::fs;
 
@@ -46,7 +46,7 @@ impl Distribution {
         }
     }
 
-    /// What installs Mesa's software driver and the Vulkan loader.
+    /// The command that installs Mesa's software driver and the Vulkan loader.
     pub fn advice(self) -> &'static str {
         match self {
             Self::Debian => "run as root: apt-get install mesa-vulkan-drivers libvulkan1",

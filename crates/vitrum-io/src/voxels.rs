@@ -72,7 +72,7 @@ impl Voxels {
         }
     }
 
-    /// Whether there are none.
+    /// Whether the volume has no voxels.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -88,7 +88,7 @@ impl Voxels {
         }
     }
 
-    /// The same memory as words; a copy only where the allocator put the voxels at an odd address.
+    /// The voxels' memory as words; a copy where the allocator put the voxels at an odd address.
     #[must_use]
     pub fn words(&self) -> Words {
         fn copied<T: bytemuck::Pod>(voxels: &[T]) -> Backing {

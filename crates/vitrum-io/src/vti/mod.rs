@@ -117,8 +117,8 @@ fn check_possible(description: &Description, report: Report) -> Result<(), Error
     }
 }
 
-/// The header in front of compressed data: the number of blocks, the size that each inflates to,
-/// that of the last where it is smaller, and then the compressed size of each.
+/// The header of compressed data: the number of blocks, the size to which each inflates, the size of the last if it is smaller, and the
+/// compressed size of each.
 fn read_blocks(description: &Description, report: Report, reader: &mut dyn BufRead) -> Result<Vec<Block>, Error> {
     let Description { start, length, data_bytes, .. } = *description;
     let [count, full, last] = words::<3>(description, report, reader)?;

@@ -9,7 +9,7 @@ use quick_xml::events::{BytesStart, Event};
 use crate::error::clip;
 use crate::error::{Error, Place, Report};
 
-/// Most bytes of markup, data left out; real files have a few thousand.
+/// Largest size of the markup in bytes, without the data; real files have a few thousand.
 const MAX_BYTES: u64 = 4 << 20;
 
 /// Real files nest 7 elements.
@@ -38,7 +38,7 @@ impl Tag {
 pub(super) struct Text {
     pub start: u64,
     pub length: u64,
-    /// Whether it is nothing but white space.
+    /// Whether the text is white space alone.
     pub blank: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What a ray sees behind everything (sweep §4.4).
+//! The environment: the radiance behind everything, by direction (sweep §4.4).
 
 use super::Rgb;
 use schemars::JsonSchema;

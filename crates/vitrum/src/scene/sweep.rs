@@ -1,4 +1,4 @@
-//! How light and viewing rays travel from plane to plane (sweep §4).
+//! Settings of the plane sweep: the transport of light and viewing rays from plane to plane (sweep §4).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! How a mesh is made into voxels, which both methods go through.
+//! Settings of the voxelization of a mesh, which both methods use.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

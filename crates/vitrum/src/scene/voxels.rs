@@ -1,4 +1,4 @@
-//! How rays go through a mesh of clear materials (voxels §4).
+//! Settings of rays through a mesh of clear materials (voxels §4).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

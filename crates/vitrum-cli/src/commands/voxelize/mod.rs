@@ -150,7 +150,8 @@ fn run_all(
     }
 }
 
-/// There are as many voxels as their resolution makes, and there is no picture that could be smaller.
+/// The failure of a voxelization, with advice of its own: the resolution alone determines the memory, and no picture can be made
+/// smaller.
 fn failure(error: vitrum::Error) -> Failure {
     use vitrum::backend::BackendError::{OutOfMemory, TooLarge};
     let too_many = matches!(error, vitrum::Error::Backend(OutOfMemory { .. } | TooLarge { .. }));

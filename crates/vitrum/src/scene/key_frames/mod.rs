@@ -10,7 +10,7 @@ use super::set::entry;
 use curve::Curve;
 use toml::Value;
 
-/// How a scene changes over the frames of an animation.
+/// Key frames: the values of a scene's keys over the frames of an animation.
 ///
 /// Each key has a curve of its own through the key frames that name it, and rests before the first and after the last. Numbers,
 /// vectors, colours and lists of points are interpolated number by number, along curves that never go beyond the values on both

@@ -10,7 +10,7 @@ use super::value;
 use super::{Interpolation, KeyFrames, Track};
 use toml::{Table, Value};
 
-/// What the whole animation shares, since it is read once or gives the pictures their size.
+/// The keys that are the same for the whole animation, since they name data that is read once, or give the pictures their size.
 ///
 /// `*` stands for any index of a list.
 const FIXED: [&str; 19] = [
@@ -35,7 +35,7 @@ const FIXED: [&str; 19] = [
     "film.height",
 ];
 
-/// Most frames of an animation.
+/// Largest number of frames of an animation.
 const MOST_FRAMES: f64 = 100_000.0;
 
 /// A value of a key, where it was written.
@@ -46,7 +46,7 @@ struct Setting {
     written: Vec<String>,
 }
 
-/// All values of one key.
+/// The values of one key at all key frames.
 struct Settings {
     path: Vec<String>,
     whole: bool,

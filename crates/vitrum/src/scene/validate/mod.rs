@@ -21,8 +21,8 @@ impl Scene {
         self.check_sources()
     }
 
-    /// Checks every value's range, and that the values that a picture depends on do not contradict each other. Files and built-in data need
-    /// not be named: data in memory can be rendered by a scene that passes.
+    /// Checks the range of every value, and that the values on which a picture depends do not contradict each other. Files and built-in
+    /// data need not be named: a scene that passes can render data in memory.
     ///
     /// # Errors
     ///
@@ -36,7 +36,7 @@ impl Scene {
         check().map_err(|fault: Fault| fault.from(Origin::Memory))
     }
 
-    /// Checks that the scene names the files or built-in data that it shows.
+    /// Checks that the scene names the files or built-in data of its picture.
     ///
     /// # Errors
     ///

@@ -22,7 +22,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_film(&scene.film)
 }
 
-/// What a method cannot do is refused.
+/// Refuses a scene that its method cannot render.
 fn check_method(scene: &Scene) -> Result<(), Fault> {
     if scene.medium.is_some() {
         return Err(Fault::contradiction(
@@ -55,7 +55,7 @@ pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
     Ok(())
 }
 
-/// No body is opaque.
+/// Refuses opaque bodies.
 fn check_clear(scene: &Scene) -> Result<(), Fault> {
     match scene.material.iter().position(|material| material.opaque) {
         None => Ok(()),
