@@ -24,7 +24,7 @@ impl AlteredCpu {
         Ok(Self { cpu: CpuBackend::new(None)?, passes: Box::new(change), bytes: Box::new(|_| {}) })
     }
 
-    /// Gives what is read as `change` leaves it.
+    /// A backend whose reads return the bytes that `change` makes of them.
     pub fn of_bytes(change: impl Fn(&mut [u8]) + Send + 'static) -> Result<Self, Failure> {
         Ok(Self { cpu: CpuBackend::new(None)?, passes: Box::new(|_| {}), bytes: Box::new(change) })
     }

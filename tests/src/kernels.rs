@@ -1,4 +1,4 @@
-//! T1: what each kernel wrote, in the midst of a frame.
+//! T1: the records that each kernel writes, at stops within a frame.
 //!
 //! Both backends run the same pass list, and stop after chosen passes: the first and the last of each kernel, and those a
 //! quarter, half and three quarters in between. There the records that the last pass wrote are compared. Where a bound does not
@@ -183,7 +183,7 @@ pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run:
     Ok(())
 }
 
-/// What both backends had written after a pass.
+/// The records of both backends after a pass.
 struct Stopped {
     at: Stop,
     expected: Raster,
@@ -280,7 +280,7 @@ impl<'a> Stepper<'a> {
         Ok(Self { backend, frame, done: 0, exact })
     }
 
-    /// Runs on until pass `last` is done; what that wrote, each component's plane below the one before.
+    /// Runs on until pass `last` is done. The result has the records that this pass wrote, each component's plane below the one before.
     fn advance(&mut self, last: usize) -> Result<Raster, Failure> {
         // Every pass counts here, also one that no pixel needs: nothing is left out.
         let list = self.frame.passes().part(self.done, last + 1);

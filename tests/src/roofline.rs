@@ -15,7 +15,7 @@ use crate::case::Case;
 use crate::frames::render;
 use crate::table;
 
-/// What a machine can do at best.
+/// The limits of a machine: bytes and operations a second.
 #[derive(Debug, Clone, Copy)]
 pub struct Ceilings {
     /// Bytes a second, read and written, of a copy by all threads.
@@ -130,7 +130,7 @@ fn operations(kernel: &str) -> Result<u64, Failure> {
     Ok(count)
 }
 
-/// The fewest bytes that a pass moves: each record it writes, and what it reads once. Tables stay in a cache.
+/// The fewest bytes that a pass moves: each record that it writes, and each record that it reads, once. Tables stay in a cache.
 fn bytes(pass: &Pass, before: &[Pass], voxel_bytes: f64) -> f64 {
     let invocations = pass.invocations() as f64;
     let declaration = &pass.kernel.declaration;

@@ -19,7 +19,7 @@ pub fn methods() -> impl Iterator<Item = &'static str> {
     method::ALL.into_iter().map(|method| method.name().as_str())
 }
 
-/// What two rasters are.
+/// The description of two rasters that are compared.
 #[derive(Debug, Clone, Copy)]
 pub struct About<'a> {
     /// The tier, such as `T2`.
@@ -147,7 +147,7 @@ impl Run {
         !self.rows.is_empty() && self.evidence.is_empty()
     }
 
-    /// How many comparisons there were, and where the evidence of breaches is.
+    /// The number of comparisons, and the folders with the evidence of breaches.
     #[must_use]
     pub fn summary(&self) -> String {
         let equal = self.rows.iter().filter(|row| row.comparison.ulps.equal() == row.comparison.ulps.total()).count();

@@ -1,4 +1,4 @@
-//! What was measured, as a table for people and as JSON for machines.
+//! Measurements as a table for people, and as JSON for machines.
 
 use serde_json::{Value, json};
 use vitrum_compare::{Bound, Comparison, Verdict};
@@ -14,11 +14,11 @@ pub struct Row {
     pub method: String,
     /// The kernel or the output that was compared.
     pub item: String,
-    /// What was measured.
+    /// The measured differences.
     pub comparison: Comparison,
-    /// What it was held to.
+    /// The bound of the differences.
     pub bound: Bound,
-    /// What it was compared with, such as an adapter; empty if that goes without saying.
+    /// The counterpart of the comparison, such as an adapter; empty if it is the obvious one.
     pub against: String,
 }
 
@@ -54,7 +54,7 @@ impl Row {
         ]
     }
 
-    /// The numbers as JSON; what is infinite or was not measured is null.
+    /// The numbers as JSON; infinite and unmeasured values are null.
     #[must_use]
     pub fn json(&self) -> Value {
         let Comparison { max_abs, rmse, psnr, peak, mean_flip, ulps, .. } = &self.comparison;

@@ -38,7 +38,7 @@ type IsWhole = fn(Register) -> bool;
 /// The builds, and how their functions are named.
 const BUILDS: [(&str, IsWhole); 2] = [("avx512", Register::is_zmm), ("avx2", Register::is_ymm)];
 
-/// What a function is made of.
+/// The instructions of a function, counted by kind.
 #[derive(Debug, Default)]
 struct Contents {
     /// Arithmetic on whole vectors.
@@ -72,7 +72,7 @@ fn contents(file: &File, symbol: &Symbol, is_whole: IsWhole) -> Contents {
     contents
 }
 
-/// The name of what is called; empty if the program does not tell.
+/// The name of the called function; empty if the program has no symbol for it.
 fn callee(file: &File, call: &Instruction) -> String {
     let at = |address: u64| {
         let called = file.symbols().find(|symbol| symbol.address() == address && symbol.size() > 0);

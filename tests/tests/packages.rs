@@ -14,7 +14,7 @@ fn packages() -> Vec<PathBuf> {
     folders("").chain(folders("crates")).chain(folders("xtask")).collect()
 }
 
-/// All sources below a folder that belong to its package.
+/// The sources below a folder that belong to its package.
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("the folder can be read") {
         let path = entry.expect("it can be read").path();

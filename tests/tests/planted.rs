@@ -104,7 +104,7 @@ fn stranger(kernel: &'static Kernel) -> Result<AlteredCpu, Failure> {
     })
 }
 
-/// What a comparison of a tier finds, with its evidence out of the way.
+/// The result of a tier's comparison, with the evidence in a temporary folder.
 fn run(compare: impl FnOnce(&mut Run) -> Result<(), Failure>) -> Result<Run, Failure> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let mut run = Run::new(folder.path().to_owned());

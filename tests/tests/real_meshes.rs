@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use vitrum_conformance::data::shared;
 use vitrum_io::{Mesh, OpenOptions, open_mesh};
 
-/// What is known about a file.
+/// The facts that are known about a file.
 struct Stated {
     file: &'static str,
     format: &'static str,

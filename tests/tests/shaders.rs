@@ -39,7 +39,7 @@ struct Field {
     name: &'static str,
     offset: usize,
     size: usize,
-    /// Its own fields; none if it is a scalar.
+    /// Fields of the field; empty for a scalar.
     fields: Vec<Field>,
 }
 

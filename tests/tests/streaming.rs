@@ -18,7 +18,7 @@ const EDGE: u32 = 24;
 /// Voxels along the longest edge: four pages.
 const RESOLUTION: u32 = 52;
 
-/// The bits of what a frame made: its film and its light.
+/// The bits of a frame: its film and its light.
 type Bits = (Vec<u32>, Vec<u32>);
 
 /// Runs a frame; how many times pages came, too.
@@ -135,7 +135,7 @@ fn differing(a: &Bits, b: &Bits) -> usize {
     count(&a.0, &b.0) + count(&a.1, &b.1)
 }
 
-/// A frame within `limit` bytes for voxels, and what the device took for all.
+/// A frame with at most `limit` bytes of voxels on the device, and the bytes of all its buffers.
 fn within(case: &Case, limit: Option<u64>) -> Result<Vec<f32>, Error> {
     let mut cpu = CpuBackend::new(None)?;
     cpu.set_volume_limit(limit);

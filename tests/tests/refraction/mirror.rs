@@ -42,7 +42,7 @@ fn scene(settings: &[&str]) -> Result<Case, Failure> {
     case("mirror", mesh, EDGE, &[&usual, settings].concat())
 }
 
-/// How far a ray passes the ball's middle, and whether it comes nearer to it.
+/// The distance at which a ray passes the ball's middle, and whether the ray comes nearer to it.
 fn passes(from: DVec3, towards: DVec3) -> (f64, bool) {
     let along = (MIDDLE - from).dot(towards);
     ((MIDDLE - from - towards * along).length(), along > 0.0)
