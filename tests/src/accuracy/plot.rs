@@ -5,7 +5,7 @@ use std::ops::Range;
 use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 
-/// The meaning of a line.
+/// A line of a plot.
 #[derive(Debug, Clone)]
 pub struct Series {
     /// Name of the line in the legend.
