@@ -14,7 +14,7 @@ pub struct Cache {
 }
 
 impl Cache {
-    /// The value of type `T`, and no other one: data of a method that is not used any more makes room.
+    /// The value of type `T`. Data of another type, of a method that is no longer used, is dropped.
     pub fn of<T: Any + Default + Send>(&mut self) -> &mut T {
         self.entries.retain(|id, _| *id == TypeId::of::<T>());
         let entry = self.entries.entry(TypeId::of::<T>()).or_insert_with(|| Box::new(T::default()));

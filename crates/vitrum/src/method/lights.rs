@@ -1,4 +1,4 @@
-//! A frame with several lights: light adds up, so that it is the sum of frames with one light each.
+//! Frames with several lights: light adds up, so that such a frame is the sum of frames with one light each.
 
 use super::sources::sources;
 use super::view::light::travels;

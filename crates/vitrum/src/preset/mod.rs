@@ -1,4 +1,4 @@
-//! Presets: ready-made looks that fit themselves to any volume.
+//! Presets: ready-made looks that are fitted to any volume or mesh.
 //!
 //! A preset of a volume sets its look — `transfer`, `light`, `shading`, `environment`, `ground` and `wall` — and leaves the subject and the
 //! view of it alone: `volume`, `camera`, `clip`, `sweep` (but for the grid of the light) and `film`. It is fitted to the volume's own values

@@ -25,7 +25,7 @@ pub(super) struct SweepCache {
     pub(super) frame: FrameCache,
 }
 
-/// The part of it that belongs to the volumes.
+/// Data of a sweep that belongs to its volumes.
 #[derive(Default)]
 pub(super) struct FrameCache {
     uploaded: Memo<(), Arc<Uploaded>>,
@@ -59,7 +59,7 @@ impl SweepCache {
 }
 
 impl FrameCache {
-    /// A cache that holds volumes already.
+    /// A cache with volumes that are uploaded already.
     pub(super) fn holding(uploaded: Arc<Uploaded>) -> Self {
         let mut cache = Self::default();
         cache.uploaded.of((), || uploaded);

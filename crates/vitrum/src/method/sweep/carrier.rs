@@ -5,15 +5,15 @@ use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
 use crate::method::cache::{Label, Scratch};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
-/// Passes that carry light from the first plane to the last.
+/// Transport of light from the first plane to the last, as passes.
 pub(super) trait Carrier {
-    /// The light on the first plane.
+    /// The passes for the light on the first plane.
     fn start(&self, plan: &FramePlan) -> Vec<Pass>;
 
     /// Appends the passes that carry light from the plane before `plane` to `plane`.
     fn advance(&self, plan: &FramePlan, plane: u32, passes: &mut Vec<Pass>);
 
-    /// The buffer that holds the irradiance of the planes to which light was carried last, as [`FramePlan::ring`] has it: records as
+    /// The buffer with the irradiance of the latest planes, laid out as [`FramePlan::ring`]: records as
     /// [`irradiance`](vitrum_kernels::abi::record::irradiance) describes.
     fn irradiance(&self) -> &Buffer;
 }
@@ -68,7 +68,7 @@ impl FramePlan {
         ]
     }
 
-    /// The pass that makes the irradiance of plane `plane` of its light.
+    /// The pass that computes the irradiance of plane `plane` from its light.
     pub(super) fn concentrate(&self, window: Window, plane: u32, light: &Buffer, irradiance: &Buffer) -> Pass {
         let texels = self.light_grid.size;
         let pass = self.pass_over(window, &kernels::sweep_concentrate_light, texels, 0, plane, &[light, irradiance]);

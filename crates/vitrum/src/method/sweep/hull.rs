@@ -31,7 +31,7 @@ fn chain<'a>(points: impl Iterator<Item = &'a DVec2>) -> Vec<DVec2> {
     kept
 }
 
-/// The least and the greatest y on a convex polygon's edge between two x; nothing where it has none there.
+/// The least and the greatest y of a convex polygon between two x; `None` if the polygon has no point there.
 pub(super) fn extent(corners: &[DVec2], [near, far]: [f64; 2]) -> Option<[f64; 2]> {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let ends = edges.flat_map(|(&from, &to)| {

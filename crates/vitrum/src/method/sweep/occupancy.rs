@@ -31,7 +31,7 @@ pub(super) enum VolumeRole {
     Bending,
 }
 
-/// The least and the greatest value of something.
+/// The least and the greatest value of a set.
 type Range<T> = (T, T);
 
 /// The least and the greatest stored value of each brick, x fastest. They stay the same while transfer functions change.
@@ -78,7 +78,7 @@ where
     (f32::from(whole.0), f32::from(whole.1))
 }
 
-/// The range that holds both.
+/// The union of two ranges.
 fn wider<T: Copy + PartialOrd>((low, high): Range<T>, (lower, higher): Range<T>) -> Range<T> {
     (if lower < low { lower } else { low }, if higher > high { higher } else { high })
 }
@@ -94,8 +94,9 @@ pub(super) struct OccupancyQuery<'a> {
 }
 
 impl OccupancyQuery<'_> {
-    /// Writes to `words` 0 for each brick in which something may happen, else how many bricks away the next such one is, x fastest. A
-    /// brick counts with all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the stencil.
+    /// Writes to `words`, x fastest, the Chebyshev distance of each brick to the nearest brick that is not empty, 0 for such a brick
+    /// itself. A brick counts together with all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the
+    /// stencil.
     pub(super) fn write_distances(&self, words: &mut [u32]) {
         match self.ranges {
             Ranges::U8(ranges) => self.classify(ranges, words),
@@ -126,7 +127,7 @@ impl OccupancyQuery<'_> {
         points.concat().into_iter().map(|point| point_between_voxels(self.volume, point)).collect()
     }
 
-    /// Writes to `words` whether a brick is empty: 0 if not, else a large number.
+    /// Writes to `words` 0 for a brick that is not empty, and a large number for an empty one.
     fn classify<T: Copy + PartialOrd + Send + Sync>(&self, ranges: &[Range<T>], words: &mut [u32])
     where
         f32: From<T>,
@@ -141,7 +142,7 @@ impl OccupancyQuery<'_> {
         });
     }
 
-    /// Whether nothing happens where stored values are from `low` to `high`.
+    /// Whether stored values from `low` to `high` are empty: without opacity, filter and change of η.
     pub(super) fn is_empty(&self, low: f32, high: f32) -> bool {
         (self.role == VolumeRole::Bending || self.is_clear(low, high))
             && (self.role == VolumeRole::Shown || self.is_uniform(low, high))
@@ -160,7 +161,7 @@ impl OccupancyQuery<'_> {
         low == high || self.tables.is_uniform(lower, higher)
     }
 
-    /// The normalised scalars that kernels make of stored values from `low` to `high`, and a little more.
+    /// The range of the normalised scalars of stored values from `low` to `high`, with a margin for the kernels' rounding.
     fn normalised(&self, low: f32, high: f32) -> [f32; 2] {
         let volume = self.volume;
         let scale = volume.range[1] - volume.range[0];

@@ -20,7 +20,7 @@ use std::collections::BTreeSet;
 use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::kernel::kernels;
 
-/// Uploads what else a frame needs and lists its passes.
+/// Uploads the remaining data of a frame and lists its passes.
 pub(super) fn build(
     scene: &Scene,
     volumes: Volumes<'_>,

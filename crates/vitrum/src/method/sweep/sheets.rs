@@ -21,7 +21,7 @@ pub(super) struct Sheets {
 /// As many sheets as fit one buffer. Their contributions to a texel are summed up in integers, so that the division into batches
 /// changes no bit.
 struct Batch {
-    /// Sheets.
+    /// Number of sheets.
     count: u32,
     sources: Buffer,
     nodes: Buffer,
@@ -55,7 +55,7 @@ impl Sheets {
     }
 }
 
-/// Nodes across, and up over all sheets.
+/// Number of nodes across, and up over all sheets.
 fn nodes(texels: [u32; 2], count: u32) -> [u32; 2] {
     [texels[0] + 1, (texels[1] + 1) * count]
 }

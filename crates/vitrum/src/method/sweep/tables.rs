@@ -12,17 +12,17 @@ const FINE: usize = (layout::SEGMENT_SIZE as usize - 1) * 32;
 
 /// The tables of a scene.
 pub struct Tables {
-    /// The words kernels read; see [`layout`].
+    /// The words of the tables, as kernels read them; see [`layout`].
     pub words: Vec<u32>,
-    /// Whether η is not 1 somewhere.
+    /// Whether η differs from 1 anywhere.
     pub refracts: bool,
-    /// Whether the medium takes light away somewhere.
+    /// Whether the medium's transmittance is below 1 anywhere.
     pub colors: bool,
-    /// Running sums over the fine grid of what must be 0 in empty space.
+    /// Running sums over the fine grid of the quantities that are 0 in empty space.
     anything: Vec<f64>,
 }
 
-/// τ, κ (3) and q (3) at a scalar, for a layer of the reference length.
+/// Optical depth τ, medium's optical depths κ (3) and colours q (3) at a scalar, for a layer of the reference length.
 type Depths = [f64; 7];
 
 /// Piecewise linear interpolation of `points` (value, y), constant beyond the ends.
@@ -63,7 +63,7 @@ fn pack(low: f64, high: f64) -> u32 {
     half(low) | half(high) << 16
 }
 
-/// The η table from what η is at the ends of its cells: see [`layout`].
+/// The η table from the values of η at the ends of its cells: see [`layout`].
 fn pack_indices(indices: &[f64]) -> Vec<u32> {
     let (least, most) =
         indices.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &eta| (low.min(eta), high.max(eta)));
@@ -81,7 +81,7 @@ fn pack_indices(indices: &[f64]) -> Vec<u32> {
 }
 
 impl Tables {
-    /// The tables of `transfer` over the range of `shown`, η over that of `bending`.
+    /// The tables of `transfer`: over the range of `shown`, and for η over the range of `bending`.
     pub fn new(transfer: &TransferFunction, refraction: bool, shown: &Volume, bending: &Volume) -> Self {
         let fine = Self::sample(transfer, shown);
         let mut sums = vec![[0.0; 7]; FINE + 1];

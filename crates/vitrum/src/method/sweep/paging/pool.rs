@@ -1,5 +1,4 @@
-//! The buffers that pages come to: a table with an entry for each page, slots for those that are filled with one value, and slots for
-//! those that come and go.
+//! Buffers of pages: a table with an entry for each page, slots that one value fills, and slots of pages that come and go.
 
 use super::residency::Residency;
 use super::schedule::{Batch, peak_pages, schedule};
@@ -12,13 +11,13 @@ use std::sync::Arc;
 use vitrum_io::{Volume, Voxels};
 use vitrum_kernels::abi::format::{Format, page};
 
-/// Words that are written at once.
+/// Largest number of words of one write.
 const WORDS_PER_WRITE: usize = 1 << 22;
 
-/// Entries of the table that are written again rather than begin another write.
+/// Largest number of unchanged table entries between two changed ones that are written again, instead of beginning another write.
 const ENTRIES_BETWEEN: u32 = 256;
 
-/// A volume's buffer, and when pages come to it.
+/// The buffer of a volume's pages, with the schedule of the writes to it.
 pub(in crate::method::sweep) struct Pool {
     pub(in crate::method::sweep) buffer: Buffer,
     volume: Volume,
@@ -58,12 +57,12 @@ impl Layout {
         usize::try_from((bytes - self.bytes(0)) / (self.slot_words * 4)).unwrap_or(usize::MAX)
     }
 
-    /// The first word of a slot, counted from the first that is filled with one value.
+    /// Offset of a slot in words; slots are counted from the first one that one value fills.
     fn start(&self, slot: u32) -> u64 {
         self.table_words + u64::from(slot) * self.slot_words
     }
 
-    /// The entry of a page in `slot`. It is below 2³¹ by the limit of the buffer.
+    /// The table's entry of a page in `slot`. The limit on the buffer keeps it below 2³¹.
     fn entry(&self, slot: u32) -> u32 {
         (self.start(slot) * self.voxels_per_word) as u32
     }
@@ -169,12 +168,12 @@ impl Pool {
     }
 }
 
-/// Writes these words.
+/// A fill that copies words.
 fn copy(words: Vec<u32>) -> Arc<Fill> {
     Arc::new(move |to| to.copy_from_slice(&words))
 }
 
-/// Writes a stored value again and again.
+/// A fill that repeats a stored value.
 fn constant(stored: Format, value: f32) -> Arc<Fill> {
     let word = match stored.bytes() {
         1 => u32::from_le_bytes([value as u8; 4]),
@@ -192,7 +191,7 @@ struct Source {
 }
 
 impl Source {
-    /// Writes pages one after the other.
+    /// A fill that writes pages one after the other.
     fn fill(self: &Arc<Self>, numbers: Vec<u32>, slot_words: usize) -> Arc<Fill> {
         let source = Arc::clone(self);
         Arc::new(move |to| {
@@ -207,7 +206,7 @@ impl Source {
         })
     }
 
-    /// Copies a page's voxels; beyond the grid the nearest ones.
+    /// Copies a page's voxels, with the nearest voxel of the grid for places beyond it.
     fn page<T: Copy, U: From<T> + Pod>(&self, voxels: &[T], number: u32, to: &mut [u32]) {
         let to: &mut [U] = bytemuck::cast_slice_mut(to);
         let sizes = self.volume.dimensions.map(|n| n as usize);

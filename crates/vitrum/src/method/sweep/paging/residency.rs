@@ -63,7 +63,7 @@ enum Kind {
 }
 
 impl Residency {
-    /// The pages for which `query`'s volume is asked on the way to the planes from `first` on.
+    /// The residency of the pages of `query`'s volume, on the way to the planes from `first` on.
     pub(in crate::method::sweep) fn new(
         query: &OccupancyQuery,
         sampling: &Sampling,
@@ -100,7 +100,7 @@ impl Residency {
         residency
     }
 
-    /// The fill that `suits`, first of all the `recent` one, or a new one of `value` if there is room for one.
+    /// The index of a fill that `suits`, the `recent` one first, or of a new fill of `value` if the limit allows one.
     fn fill(&mut self, recent: &mut usize, suits: impl Fn(f32) -> bool, value: f32) -> Option<u16> {
         let same = self.fills.get(*recent).filter(|&&fill| suits(fill)).map(|_| *recent);
         let known = same.or_else(|| self.fills.iter().position(|&fill| suits(fill)));
@@ -148,7 +148,7 @@ fn kinds(query: &OccupancyQuery, sampling: &Sampling, pages: [u32; 3]) -> Vec<Ki
 }
 
 impl Sampling {
-    /// Look-ups in `volume`, of rays that go `steepest` aside for each unit of depth at most.
+    /// The look-ups in `volume` of rays with a slope of at most `steepest` (distance across over depth).
     pub(in crate::method::sweep) fn new(volume: &Volume, view: &View, planes: &Planes, steepest: f64) -> Self {
         let steps = voxel_steps(volume);
         let along = steps.inverse() * view.axes;

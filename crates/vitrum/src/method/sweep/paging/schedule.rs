@@ -1,19 +1,19 @@
-//! When pages come, and where they lie.
+//! The schedule of pages: the plane before which each is loaded, and its slot.
 
 use super::residency::ResidentPage;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Pages that come together.
+/// Pages that are loaded together.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Batch {
-    /// The plane before whose passes they have to be there.
+    /// The plane before whose passes the pages are loaded.
     pub(super) plane: u32,
-    /// Slots and the pages that come to them, in the order of the slots.
+    /// The slots with their new pages, in the order of the slots.
     pub(super) pages: Vec<(u32, u32)>,
 }
 
-/// The most pages that one plane needs.
+/// The largest number of pages that a plane needs.
 pub(super) fn peak_pages(needed: &[ResidentPage]) -> usize {
     let planes = needed.iter().map(|need| need.last as usize + 2).max().unwrap_or(0);
     let mut changes = vec![0_i64; planes];
