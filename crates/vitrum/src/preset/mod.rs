@@ -27,9 +27,6 @@ use vitrum_io::Volume;
 /// The preset of a volume for which no preset is named. Of all presets, `amber` shows most of the contents of an unknown volume at
 /// first sight: the outer shape by refraction and colour, dense parts inside by opacity, and their places by shadow. The other presets
 /// show one of these alone.
-///
-/// Of all presets, `amber` shows most of what is in an unknown volume at first sight: its outer shape by refraction and
-/// colour, what is dense inside by opacity, and where they lie by shadow. The others show one of these alone.
 pub const DEFAULT: &str = "amber";
 
 struct Preset {

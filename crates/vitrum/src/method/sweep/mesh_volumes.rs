@@ -21,11 +21,11 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use vitrum_io::{Mesh, Volume, Voxels};
 
-/// Voxels over which a body's share falls from 1 to 0.
+/// Width of a body's edge, in voxels, over which its coverage falls from 1 to 0.
 const EDGE: f64 = 3.0;
 /// Empty voxels around the mesh: the reach of the edge and of gradients.
 const PADDING: u32 = 4;
-/// The part of the mesh's longest edge that transfer functions are stated for.
+/// Reference length of the transfer functions, over the mesh's longest edge.
 const REFERENCE: f32 = 0.01;
 
 /// The key of the volumes: all values that their voxels depend on.
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-/// The volumes that a mesh is swept as.
+/// The volumes that the sweep renders in place of a mesh.
 pub(super) struct MeshVolumes {
     kind: Kind,
     shown: Volume,
@@ -84,7 +84,7 @@ impl MeshVolumes {
         Volumes { shown: &self.shown, ior: self.ior.as_ref() }
     }
 
-    /// Whether a scene of the same mesh shows the same volumes.
+    /// Whether a scene of the same mesh has the same volumes.
     pub(super) fn fits(&self, scene: &Scene, assets: &Assets) -> Result<bool, Error> {
         let mesh = mesh_of(assets)?;
         Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
@@ -122,7 +122,7 @@ fn mesh_of(assets: &Assets) -> Result<&Mesh, Error> {
     assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Sweep.as_str() }.into())
 }
 
-/// Bodies' places among the materials from the clearest, above 0, to the darkest, 1; 0 is air.
+/// The scalar of each material: its rank from the clearest, above 0, to the darkest, 1; 0 is air.
 fn numbers(materials: &[Clear]) -> Vec<f32> {
     let darkness = |material: &Clear| material.absorption.iter().sum::<f64>();
     let place = |material: &Clear| materials.iter().filter(|other| darkness(other) < darkness(material)).count();
@@ -160,7 +160,7 @@ fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
 struct Shares<'a> {
     fields: &'a [u16],
     grid: Grid,
-    /// The share for each number of a field, 0 to 1.
+    /// The coverage for each number of a field, 0 to 1.
     of_distance: Vec<f32>,
 }
 
@@ -180,7 +180,8 @@ impl<'a> Shares<'a> {
         Ok(self.placed(name, Voxels::from(voxels))?.with_value_mapping(1.0 / 65535.0, 0.0)?)
     }
 
-    /// The mean of `values` of the bodies, and of `air` where they leave room; the first body takes its share first.
+    /// The mean of the bodies' `values`, weighted by their coverages, and of `air` for the rest; an earlier body takes its coverage
+    /// before later ones.
     fn mixed(&self, name: &str, values: &[f32], air: f32) -> Result<Volume, Error> {
         let voxels = self.fields.len() / values.len();
         let mix = |voxel: usize| {

@@ -146,7 +146,7 @@ impl Tables {
             .collect()
     }
 
-    /// Whether particles and medium do nothing for all normalised scalars from `low` to `high`.
+    /// Whether opacity is 0 and the filter white for all normalised scalars from `low` to `high`.
     pub fn is_clear(&self, low: f32, high: f32) -> bool {
         // Kernels interpolate between the table's entries: whole intervals count.
         let intervals = layout::SEGMENT_SIZE as usize - 1;
@@ -156,7 +156,7 @@ impl Tables {
         self.anything[last * stride] == self.anything[first.saturating_sub(1) * stride]
     }
 
-    /// Whether particles and medium do nothing where the normalised scalar is exactly `scalar`, as kernels look it up.
+    /// Whether opacity is 0 and the filter white at the normalised scalar `scalar`, as kernels look it up.
     pub fn is_clear_at(&self, scalar: f32) -> bool {
         let Segment { particles, medium, emission } = segment(&self.words, scalar, scalar);
         particles == 0.0 && medium == Vec3::ZERO && emission == Vec3::ZERO
@@ -173,7 +173,7 @@ impl Tables {
     }
 }
 
-/// The physical scalar at a share of the volume's range.
+/// The physical scalar at `share` of the volume's range, 0 to 1.
 fn scalar(volume: &Volume, share: f64) -> f64 {
     let [low, high] = volume.range.map(f64::from);
     low + (high - low) * share
@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use vitrum_kernels::field::tables::ior_and_slope;
 
-    /// η and its slope, as kernels find them in the table of `indices`.
+    /// η and its slope at a normalised scalar, as kernels read them from the table of `indices`.
     fn looked_up(indices: &[f64], scalar: f64) -> (f64, f64) {
         let mut words = vec![0; layout::IOR_LEAST as usize];
         words.extend(pack_indices(indices));

@@ -1,4 +1,4 @@
-//! Light on texels: each follows its light back to the plane behind (sweep §4.2).
+//! Light on texels: each texel follows its light back to the plane behind (semi-Lagrangian advection; sweep §4.2).
 
 use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::uniforms::FramePlan;
@@ -20,7 +20,7 @@ pub(super) struct Texels {
 }
 
 impl Texels {
-    /// Light that is looked at where `visible` says, or everywhere.
+    /// The buffers of light on texels. Viewing rays read the light in the region `visible`, or anywhere if it is `None`.
     pub(super) fn new(
         buffers: &mut BufferAllocator<'_>,
         volumes: VolumeBuffers,

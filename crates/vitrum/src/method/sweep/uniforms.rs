@@ -1,4 +1,4 @@
-//! The uniform block, from the scene.
+//! The plan of a frame, and its uniform block, from the scene.
 
 use super::irradiance_ring::IrradianceRing;
 use super::light::{LightGrid, direction};
@@ -28,7 +28,8 @@ use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::{Size, Vec3};
 use vitrum_kernels::kernel::Window;
 
-/// The smallest v_z / |v| of a ray that goes on: 89°. Beyond, one plane's step would cross dozens of voxels.
+/// The smallest v_z / |v| of a ray that is followed, at 89° to the planes' normal. One step of an even more oblique ray would cross
+/// dozens of voxels.
 const SMALLEST_COSINE: f32 = 0.017_452;
 
 /// The plan of a frame: everything that is the same for all its planes.
@@ -38,7 +39,7 @@ pub(super) struct FramePlan {
     pub(super) rays: [u32; 2],
     pub(super) tables: Arc<Tables>,
     pub(super) format: Format,
-    /// The farthest step, in voxels, over which a brick's range holds.
+    /// The longest step, in voxels, over which a brick's range holds, in each volume.
     pub(super) reach: [u32; 2],
     /// [`mode`] of viewing rays.
     pub(super) mode: u32,
@@ -49,7 +50,7 @@ pub(super) struct FramePlan {
     /// The directions of the sheets that carry the light, if sheets do.
     pub(super) sheets: Option<Vec<[f32; 3]>>,
     pub(super) view: View,
-    /// Whether light is looked at outside the volumes, too.
+    /// Whether light outside the volumes is read, too, by receivers.
     pub(super) lights_surroundings: bool,
     block: SweepUniforms,
     ring: IrradianceRing,
@@ -60,7 +61,8 @@ fn receiver(plane: DVec4, color: Option<Rgb>) -> Receiver {
     Receiver { plane: plane.as_vec4().into(), color: color.map_or(Vec3::ZERO, Vec3::from) }
 }
 
-/// Steps up to one and a half times the plane distance (48° to the planes' normal) stay within a brick's range.
+/// The longest step, in voxels, over which a brick's range holds: one and a half times the plane distance, at 48° to the planes'
+/// normal.
 fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
     let finest = volume.spacing.iter().copied().fold(f32::INFINITY, f32::min);
     (1.5 * distance / f64::from(finest)).ceil().clamp(1.0, 64.0) as u32
@@ -264,7 +266,7 @@ impl FramePlan {
         self.ring
     }
 
-    /// Whether light is filtered.
+    /// Whether the light has an angular radius, so that its shadows are filtered.
     pub(super) fn is_soft(&self) -> bool {
         self.softness > 0.0
     }
@@ -289,8 +291,8 @@ fn flags(scene: &Scene) -> u32 {
     flags
 }
 
-/// The steepest way that viewing rays and light, which starts in these directions, go from plane to plane: how far aside for each
-/// unit of depth.
+/// The steepest slope of viewing rays and light from plane to plane, distance across over depth; `directions` has the directions in
+/// which the light starts.
 fn steepest(view: &View, tables: &Tables, directions: impl Iterator<Item = [f32; 3]>) -> f64 {
     let bent = if tables.refracts { f64::from(SMALLEST_COSINE).powi(-2).sqrt() } else { 0.0 };
     let seen = if view.orthographic { 0.0 } else { view.half_size[0].hypot(view.half_size[1]) };

@@ -1,4 +1,4 @@
-//! Light that nothing stands in the way of: the same on every plane.
+//! Unoccluded light: the same on every plane, without passes.
 
 use super::carrier::{BufferAllocator, Carrier};
 use super::uniforms::FramePlan;

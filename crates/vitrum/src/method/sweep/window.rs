@@ -11,15 +11,15 @@ use super::planes::Planes;
 use glam::{DVec2, DVec3};
 use vitrum_kernels::kernel::Window;
 
-/// Texels around a slice, besides those that the softness filter looks at: interpolation, differences of neighbours, and light that is on
-/// its way out and comes from beside the slice.
+/// Texels around a slice, besides the ones that the soft-shadow filter reads: for interpolation, differences of neighbours, and light
+/// that leaves the slice or comes from beside it.
 const MARGIN: f64 = 4.0;
 
 /// The region of the light that viewing rays can read: the outlines of a convex body, texels against depth.
 pub(super) struct VisibleLight {
-    /// (depth, column).
+    /// The outline over columns: points (depth, column).
     across: Vec<DVec2>,
-    /// (depth, row).
+    /// The outline over rows: points (depth, row).
     up: Vec<DVec2>,
 }
 

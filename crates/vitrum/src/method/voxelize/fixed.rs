@@ -1,4 +1,4 @@
-//! Positions as the kernels of the surface take them.
+//! Fixed-point positions, as the kernels of the surface read them.
 
 use super::grid::Grid;
 

@@ -1,4 +1,4 @@
-//! Shares the work: a large triangle among many invocations, and all triangles among several batches.
+//! Division of the work: a large triangle among many invocations, and all triangles among several batches.
 
 use crate::backend::{Buffer, Pass, PassList};
 use bytemuck::bytes_of;
@@ -23,7 +23,7 @@ const MOST_ROWS: u32 = 65535 * 8;
 pub(in crate::method) struct Slices {
     pub first: u32,
     pub count: u32,
-    /// Rows that a slice has.
+    /// Number of rows of a slice.
     pub rows: u32,
 }
 
@@ -33,11 +33,11 @@ impl Slices {
     }
 }
 
-/// Triangles `first`…`end` with the items that they have.
+/// A batch: the triangles `first`…`end` with their items.
 pub(in crate::method) struct Batch {
     pub first: usize,
     pub end: usize,
-    /// Words as [`item`] has them, triangles counted from `first`.
+    /// The items as words in the layout of [`item`]; triangles are counted from `first`.
     pub items: Vec<u32>,
 }
 

@@ -69,7 +69,7 @@ pub struct Voxelization {
     pub statistics: Statistics,
 }
 
-/// Makes voxels of a mesh. The result does not depend on the backend, nor on the order of the triangles.
+/// Turns a mesh into voxels. The result does not depend on the backend, nor on the order of the triangles.
 ///
 /// `tools.progress` is told from time to time how much of the work is done, and cancels it by returning `false`.
 ///
@@ -85,7 +85,7 @@ pub fn voxelize(mesh: &Mesh, settings: &Settings, tools: &mut Tools<'_>) -> Resu
     })
 }
 
-/// As [`voxelize`], in a grid that is given; the mesh must lie within it.
+/// Turns a mesh into voxels of a given grid, as [`voxelize`]; the mesh must lie within the grid.
 pub(crate) fn voxelize_in(
     grid: Grid,
     mesh: &Mesh,
@@ -127,7 +127,7 @@ pub(crate) fn voxelize_in(
     Ok(Voxelization { grid, surface, attributes, solid, statistics })
 }
 
-/// Bytes that an allocator keeps for the next time; larger pieces it gets from the system.
+/// Bytes up to which an allocator keeps a freed piece for the next request; it returns larger pieces to the system.
 const KEPT: usize = 1 << 25;
 
 fn fill(

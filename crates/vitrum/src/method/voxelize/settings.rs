@@ -31,7 +31,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The surface alone.
+    /// Settings for the surface alone.
     #[must_use]
     pub fn new(resolution: u32) -> Self {
         Self { resolution, padding: 1, overlap: 0.0, surface: true, attributes: false, solid: None }

@@ -25,7 +25,7 @@ const CACHED_WORDS: u64 = 1 << 21;
 /// The most words of a slab's changes, less than any device's buffer.
 const MOST_WORDS: u64 = 1 << 24;
 
-/// Words of a slab for each triangle: every slab looks at all of them, which should take less time than its voxels.
+/// Least number of words of a slab for each triangle: every slab tests all triangles, which should take less time than its voxels.
 const WORDS_PER_TRIANGLE: u64 = 64;
 
 /// The coverage of voxels by the inside of a surface.
@@ -33,8 +33,8 @@ const WORDS_PER_TRIANGLE: u64 = 64;
 pub struct Solid {
     /// The coverage of each voxel, x fastest, in 255ths: 0 is a voxel outside, 255 one inside.
     pub coverage: Vec<u8>,
-    /// Rows of voxels along x whose columns end in another winding than they began in, as they go through a hole of the surface.
-    /// They are left empty.
+    /// Rows of voxels along x that go through a hole of the surface, so that the winding at their end differs from 0. They are left
+    /// empty.
     pub open_rows: u64,
 }
 
@@ -53,7 +53,7 @@ pub(super) struct Slab {
     coverage: Buffer,
 }
 
-/// Triangles for the solid, and the work.
+/// The triangles of a solid, and the work on them.
 pub(super) struct Body {
     grid: Grid,
     corners: Vec<[[f32; 3]; 3]>,
@@ -85,7 +85,7 @@ impl Body {
         (words / layer).clamp(1, u64::from(z)) as u32
     }
 
-    /// The first layer of each slab and how many it has.
+    /// The first layer of each slab, and its number of layers.
     pub(super) fn slabs(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
         let (layers, end) = (self.layers(), self.grid.dimensions[2]);
         (0..end).step_by(layers as usize).map(move |first| [first, layers.min(end - first)])

@@ -1,4 +1,4 @@
-//! The voxels that triangles meet, and what these bring there.
+//! Surface voxelization: the voxels that triangles meet, and the attributes that triangles bring to them.
 
 use super::fixed::Fixed;
 use super::grid::Grid;
@@ -19,11 +19,11 @@ use vitrum_kernels::glam::IVec3;
 use vitrum_kernels::kernel::{Kernel, kernels};
 use vitrum_kernels::voxelize::place::{Place, is_tiny};
 
-/// A bit for each voxel.
+/// The mask of a grid: a bit for each voxel.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mask {
     dimensions: [u32; 3],
-    /// Words that a row along x takes.
+    /// Number of words of a row along x.
     row: usize,
     words: Vec<u32>,
 }
@@ -90,7 +90,7 @@ pub struct Attributes {
     pub normals: Vec<[f32; 3]>,
     /// Sums of linear colours, one a triangle, in units of 2⁻¹⁶.
     pub colors: Vec<[f32; 3]>,
-    /// The largest number of a material among the triangles'; `None` where none has one.
+    /// The largest number of a material among the triangles'; `None` if no triangle has a material.
     pub materials: Vec<Option<u32>>,
 }
 
@@ -100,7 +100,7 @@ const BATCH: usize = 1 << 16;
 /// Triangles that a thread prepares at a time.
 const PART: usize = 1 << 11;
 
-/// Writes what else there is of a batch of triangles.
+/// Writes the further data of a batch of triangles.
 type Prepare<'a> = dyn Fn(Range<usize>, &mut dyn Backend) -> Result<(), Error> + 'a;
 
 /// The triangles of a surface.
@@ -153,8 +153,8 @@ impl<'a> Surface<'a> {
         parts.enumerate().flat_map_iter(write).collect()
     }
 
-    /// Prepares triangles, batch by batch, and runs a kernel with their corners, their items and the buffers `others`; `prepare`
-    /// writes what else there is of a batch.
+    /// Prepares triangles, batch by batch, and runs a kernel with their corners, their items and the buffers `others`; `prepare` writes
+    /// the further data of a batch.
     fn run(
         &self,
         kernel: &'static Kernel,
@@ -211,7 +211,7 @@ impl<'a> Surface<'a> {
         Ok(Mask { dimensions: self.grid.dimensions, row: row as usize, words })
     }
 
-    /// Sums up what triangles bring to the voxels of `mask`.
+    /// Sums up the attributes that triangles bring to the voxels of `mask`.
     pub(super) fn attributes(
         &self,
         mask: &Mask,

@@ -1,4 +1,4 @@
-//! Triangles as the kernels take them.
+//! Triangles as the kernels of voxelization read them.
 
 use super::grid::Grid;
 use vitrum_io::Mesh;
@@ -12,12 +12,12 @@ pub(super) fn corners(mesh: &Mesh, grid: Grid, index: usize) -> [[f64; 3]; 3] {
     mesh.triangles[index].map(|vertex| grid.to_voxels(mesh.positions[vertex as usize]))
 }
 
-/// The least whole number above log₂ of `extent`, at least 1: its exponent and 1.
+/// The least integer above log₂ of `extent`, at least 1.
 fn magnitude(extent: f64) -> i32 {
     ((extent.to_bits() >> 52) as i32 - 1022).max(1)
 }
 
-/// The unit of numbers below `extent` that have [`BITS`] bits.
+/// The unit in which numbers below `extent` have [`BITS`] bits.
 fn unit(extent: f64) -> f64 {
     f64::from_bits(((1023 + magnitude(extent) - BITS) as u64) << 52)
 }
