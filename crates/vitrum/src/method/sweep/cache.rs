@@ -3,7 +3,7 @@
 use super::mesh_volumes::MeshVolumes;
 use super::occupancy::Occupancy;
 use super::tables::Tables;
-use super::uploaded::Uploaded;
+use super::uploaded::UploadedVolumes;
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::error::Error;
@@ -28,7 +28,7 @@ pub(super) struct SweepCache {
 /// Data of a sweep that belongs to its volumes.
 #[derive(Default)]
 pub(super) struct FrameCache {
-    uploaded: Memo<(), Arc<Uploaded>>,
+    uploaded: Memo<(), Arc<UploadedVolumes>>,
     tables: Memo<TablesKey, Arc<Tables>>,
     tables_buffer: Memo<TablesKey, Buffer>,
     pub(super) occupancy: Memo<(TablesKey, [u32; 2]), Occupancy>,
@@ -60,7 +60,7 @@ impl SweepCache {
 
 impl FrameCache {
     /// A cache with volumes that are uploaded already.
-    pub(super) fn holding(uploaded: Arc<Uploaded>) -> Self {
+    pub(super) fn holding(uploaded: Arc<UploadedVolumes>) -> Self {
         let mut cache = Self::default();
         cache.uploaded.of((), || uploaded);
         cache
@@ -69,9 +69,13 @@ impl FrameCache {
     /// The volumes on the backend.
     ///
     /// # Errors
-    /// As [`Uploaded::new`].
-    pub(super) fn uploaded(&mut self, volumes: Volumes<'_>, backend: &mut dyn Backend) -> Result<Arc<Uploaded>, Error> {
-        self.uploaded.get((), || Uploaded::new(volumes, backend).map(Arc::new)).cloned()
+    /// As [`UploadedVolumes::new`].
+    pub(super) fn uploaded(
+        &mut self,
+        volumes: Volumes<'_>,
+        backend: &mut dyn Backend,
+    ) -> Result<Arc<UploadedVolumes>, Error> {
+        self.uploaded.get((), || UploadedVolumes::new(volumes, backend).map(Arc::new)).cloned()
     }
 
     /// The tables of a scene's transfer functions.

@@ -42,7 +42,7 @@ use film::Voxelized;
 use irradiance_ring::IrradianceRing;
 use std::sync::Arc;
 use uniforms::FramePlan;
-use uploaded::Uploaded;
+use uploaded::UploadedVolumes;
 
 /// The plane sweep.
 #[derive(Debug, Clone, Copy)]
@@ -151,7 +151,7 @@ impl Sweep {
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         let volumes = volumes(assets)?;
-        let mut cache = FrameCache::holding(Arc::new(Uploaded::streamed(volumes)));
+        let mut cache = FrameCache::holding(Arc::new(UploadedVolumes::streamed(volumes)));
         Self::of(scene, volumes, assets.environment.as_deref(), request, &mut cache, backend)
     }
 

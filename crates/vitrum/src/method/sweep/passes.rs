@@ -9,7 +9,7 @@ use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
-use super::uploaded::Uploaded;
+use super::uploaded::UploadedVolumes;
 use super::voxels::bricks;
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
@@ -25,13 +25,13 @@ pub(super) fn build(
     scene: &Scene,
     volumes: Volumes<'_>,
     plan: &FramePlan,
-    (uploaded, map): (&Uploaded, &Buffer),
+    (uploaded, map): (&UploadedVolumes, &Buffer),
     request: OutputRequest,
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<(PassList, Buffers), Error> {
     let shown = volumes.shown;
-    let Uploaded { ranges, ior_ranges, .. } = uploaded;
+    let UploadedVolumes { ranges, ior_ranges, .. } = uploaded;
     let tables = &*plan.tables;
     let second = volumes.ior.zip(ior_ranges.as_ref());
     let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };

@@ -9,7 +9,7 @@ use vitrum_kernels::abi::format::Format;
 
 /// A frame's volumes on a backend, which stay the same while scene and camera change.
 #[derive(Debug)]
-pub struct Uploaded {
+pub struct UploadedVolumes {
     /// The voxels of the volume and of the second one, or the same buffer twice; `None` if they are streamed.
     pub(super) voxels: Option<[Buffer; 2]>,
     pub(super) format: Format,
@@ -20,7 +20,7 @@ pub struct Uploaded {
     pub(super) ior_ranges: Option<Ranges>,
 }
 
-impl Uploaded {
+impl UploadedVolumes {
     /// Uploads the volumes, or prepares to stream them if they exceed the backend's limits.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use super::residency::Residency;
 use super::schedule::{Batch, peak_pages, schedule};
 use crate::backend::{Backend, BackendError, Buffer, Contents, Fill, Write};
-use crate::method::sweep::uploaded::Uploaded;
+use crate::method::sweep::uploaded::UploadedVolumes;
 use crate::method::sweep::voxels::bytes;
 use bytemuck::Pod;
 use rayon::prelude::*;
@@ -85,7 +85,7 @@ fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
 pub(in crate::method::sweep) fn pools(
     volumes: &[&Volume],
     residencies: Vec<Residency>,
-    uploaded: &Uploaded,
+    uploaded: &UploadedVolumes,
     backend: &mut dyn Backend,
 ) -> Result<Vec<Pool>, BackendError> {
     let layouts: Vec<Layout> = residencies.iter().map(|residency| Layout::new(uploaded.format, residency)).collect();
