@@ -54,7 +54,7 @@ pub(super) struct FramePlan {
     pub(super) lights_surroundings: bool,
     block: SweepUniforms,
     ring: IrradianceRing,
-    softness: f32,
+    angular_radius: f32,
 }
 
 fn receiver(plane: DVec4, color: Option<Rgb>) -> Receiver {
@@ -206,7 +206,7 @@ impl FramePlan {
             view,
             lights_surroundings: scene.ground.is_some() || scene.wall.is_some(),
             block,
-            softness: scene.first_light().angular_radius,
+            angular_radius: scene.first_light().angular_radius,
         })
     }
 
@@ -218,7 +218,7 @@ impl FramePlan {
     /// The texels that are carried on to plane `plane`, if viewing rays read light in the region `visible` alone.
     pub(super) fn window(&self, visible: &VisibleLight, plane: u32) -> Window {
         let filter =
-            if self.is_soft() { self.light_grid.filter_radius(self.softness, &self.planes, plane) } else { 0.0 };
+            if self.is_soft() { self.light_grid.filter_radius(self.angular_radius, &self.planes, plane) } else { 0.0 };
         self.light_grid.window(visible, &self.planes, plane, filter)
     }
 
@@ -243,7 +243,8 @@ impl FramePlan {
         if index + self.planes.alike(index) + 1 == self.planes.count {
             block.flags |= flag::LAST_STRETCH;
         }
-        let [first, second, third] = self.light_grid.taps(self.softness, &self.planes, index).map(|tap| tap.as_vec2());
+        let [first, second, third] =
+            self.light_grid.taps(self.angular_radius, &self.planes, index).map(|tap| tap.as_vec2());
         block.taps = abi::Taps {
             first_x: first.x,
             first_y: first.y,
@@ -268,7 +269,7 @@ impl FramePlan {
 
     /// Whether the light has an angular radius, so that its shadows are filtered.
     pub(super) fn is_soft(&self) -> bool {
-        self.softness > 0.0
+        self.angular_radius > 0.0
     }
 }
 

@@ -2,7 +2,7 @@
 //! voxels of the solid (Chang et al. 2010, §2; solids are not in the paper).
 
 pub(in crate::method) mod columns;
-mod fixed;
+mod fixed_point;
 mod grid;
 pub(in crate::method) mod items;
 mod settings;

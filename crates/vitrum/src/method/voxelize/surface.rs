@@ -1,6 +1,6 @@
 //! Surface voxelization: the voxels that triangles meet, and the attributes that triangles bring to them.
 
-use super::fixed::Fixed;
+use super::fixed_point::FixedPoint;
 use super::grid::Grid;
 use super::items::{Plan, Slices, pass};
 use super::triangles;
@@ -107,13 +107,13 @@ type Prepare<'a> = dyn Fn(Range<usize>, &mut dyn Backend) -> Result<(), Error> +
 pub(super) struct Surface<'a> {
     mesh: &'a Mesh,
     grid: Grid,
-    fixed: Fixed,
+    fixed: FixedPoint,
     uniforms: VoxelizeUniforms,
 }
 
 impl<'a> Surface<'a> {
     pub(super) fn new(mesh: &'a Mesh, grid: Grid, overlap: f32) -> Self {
-        let fixed = Fixed::new(grid);
+        let fixed = FixedPoint::new(grid);
         let [x, y, z] = grid.dimensions;
         let overlap = (f64::from(overlap) * f64::from(1u32 << fixed.units)).ceil() as u32;
         let uniforms = VoxelizeUniforms {
