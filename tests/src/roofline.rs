@@ -141,7 +141,7 @@ fn bytes(pass: &Pass, before: &[Pass], voxel_bytes: f64) -> f64 {
         (Access::Update, _) => 2.0 * own,
         // A voxel an invocation.
         (_, "voxels" | "ior_voxels") => voxel_bytes * invocations,
-        // What another kernel has written there.
+        // Records that another kernel has written there.
         _ => before.iter().rfind(|other| other.output() == Some(buffer)).map_or(0.0, |other| {
             let alike = (other.width, other.height) == (pass.width, pass.height);
             let records = if alike { invocations } else { other.invocations() as f64 };

@@ -121,7 +121,7 @@ fn check(path: &str, contents: &Contents, least: f64) {
     let ratio = f64::from(*wide) / f64::from(*scalar);
     println!("{path}: {ratio:.2}");
     assert!(ratio >= least, "{path}: {wide} wide and {scalar} scalar operations: {ratio:.2} below {least}");
-    // What copies the rest of a row and what looks at marks are not inlined, all else is. Before the loops a chunk without room
+    // The copies of the rest of a row and the look-ups of marks are not inlined, all else is. Before the loops a chunk without room
     // for its records and a mode that is not in the list panic, each once.
     let ours = ["lanes::copy_some", "skip::Marks::around"];
     let expected = |name: &str| ours.iter().any(|end| name.ends_with(end)) || ["memcpy", "memset"].contains(&name);

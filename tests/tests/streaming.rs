@@ -159,7 +159,7 @@ fn a_limit_streams_what_is_larger_and_says_when_it_is_too_small() -> Result<(), 
     };
     assert_eq!((*told, *limit), (whole, 1 << 16));
     assert!(failure.to_string().contains(&needed.to_string()), "{failure}");
-    // What it says is enough, is, and one byte less is not.
+    // The limit that the error names is enough, and one byte less is not.
     assert_eq!(expected, within(&case, Some(*needed))?);
     assert!(within(&case, Some(needed - 1)).is_err());
     Ok(())

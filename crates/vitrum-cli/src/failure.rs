@@ -108,7 +108,7 @@ impl From<vitrum::Error> for Failure {
             vitrum::Error::Io(error) => error.into(),
             vitrum::Error::SceneFile(error) => error.into(),
             vitrum::Error::Backend(error) => error.into(),
-            // What no single value shows, but the scene and its files do together.
+            // A contradiction between the scene and its files, in which no single value is wrong.
             vitrum::Error::Unrenderable(problem) => {
                 let help = match &*problem {
                     // The program has a command that lists them with their variants.

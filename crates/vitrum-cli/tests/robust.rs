@@ -49,7 +49,7 @@ fn a_timeout_exits_124_and_leaves_no_output() {
     folder.write("out.png", "old");
     folder.refuse(&[&arguments("render", &["-o", "out.png"])[..], &ENDLESS, &limit].concat(), 124, &["--timeout"]);
     assert_eq!(fs::read(folder.file("out.png")).expect("it is still there"), b"old");
-    // What takes less is not touched by it.
+    // Work that takes less time is not touched by the limit.
     folder.succeed(&arguments("render", &["-o", "out.png", "--timeout", "600"]));
     for wrong in ["0", "-1", "nan", "soon"] {
         let outcome = folder.vitrum(&arguments("render", &["-o", "other.png", "--timeout", wrong]));

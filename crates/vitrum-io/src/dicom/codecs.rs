@@ -72,7 +72,7 @@ pub(super) fn jpeg_ls(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>
 /// The pixels of a JPEG 2000 picture, which may have signs, each in `bytes` bytes, little-endian; else the problem.
 pub(super) fn jpeg_2000(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
     let Codestream { precision, signed } = Codestream::check(packed, size)?;
-    // What is damaged is an error, and not made up for.
+    // A damaged codestream is an error; its pixels are not guessed.
     let settings = DecodeSettings { resolve_palette_indices: false, strict: true, target_resolution: None };
     let decode = || {
         let image = Image::new(packed, &settings).map_err(|error| error.to_string())?;

@@ -129,7 +129,7 @@ impl Walk<'_> {
             }
             let (vr, length) = self.head(coding, tag)?;
             let pixels = tag == [PIXEL_DATA.0, PIXEL_DATA.1];
-            // What is of no known kind is written in the simplest way inside.
+            // Items of an unknown value representation are written in implicit VR inside.
             let inside = if vr == *b"UN" { Coding { explicit: false, big: false } } else { coding };
             if length == UNDEFINED {
                 self.items(end, inside, depth, pixels, true)?;

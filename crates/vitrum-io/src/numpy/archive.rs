@@ -114,7 +114,7 @@ fn choose<'a>(
             Err(error) => first = first.or(Some(error)),
         }
     }
-    // There is at least one.
+    // The archive has at least one array.
     Err(first.unwrap_or_else(|| arrays::unknown(report, "", known)))
 }
 

@@ -61,7 +61,7 @@ fn parse(name: &str) -> (String, Vec<u64>) {
         let end = digits.find(|character: char| !character.is_ascii_digit()).unwrap_or(digits.len());
         pattern.push_str(&rest[..start]);
         rest = &digits[end..];
-        // What is longer than a number is a part of the name.
+        // A longer run of digits than a number has is a part of the name.
         match digits[..end].parse() {
             Ok(number) => {
                 pattern.push('#');

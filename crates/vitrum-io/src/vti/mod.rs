@@ -108,7 +108,7 @@ fn read_data(description: &Description, input: &Input, options: &OpenOptions) ->
 /// Fails where the characters that are there cannot hold the data, however they are written.
 fn check_possible(description: &Description, report: Report) -> Result<(), Error> {
     let Description { start, length, word, data_bytes, .. } = *description;
-    // What a block header takes is checked once that is read.
+    // The size of a block header is checked once the header is read.
     let plain = if description.zlib { 0 } else { data_bytes } + word.size() as u64;
     match description.coding {
         Coding::Text => text::check_text_length(report, description.voxel_count(), start, length),

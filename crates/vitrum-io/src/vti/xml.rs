@@ -214,7 +214,7 @@ impl<R: BufRead> BufRead for Metered<R> {
     }
 
     fn consume(&mut self, count: usize) {
-        // What is consumed was filled before, so that nothing is read here.
+        // The consumed bytes were buffered before, so that nothing is read here.
         if let Ok(bytes) = self.inner.fill_buf() {
             self.line += bytes.iter().take(count).filter(|&&byte| byte == b'\n').count();
         }

@@ -87,7 +87,7 @@ fn juice() -> Scene {
 fn sheets() -> Scene {
     let mut scene = beer();
     scene.light.iter_mut().for_each(|light| light.angular_radius = 0.0);
-    // What walls and liquid scatter goes far.
+    // Light that walls and liquid scatter goes far.
     scene.sweep.light_margin = 0.4;
     scene.sweep.light = Transport::Sheets;
     scene

@@ -90,7 +90,7 @@ impl From<Rule> for FillRule {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
     arguments.device.limit_threads()?;
-    // What can be refused at once is refused before any work.
+    // Refusals that need no work come before any work.
     write::check_outputs(arguments)?;
     if !(0.0..=1.0).contains(&arguments.overlap) {
         let message = format!("--overlap is {}, expected 0 to 1", arguments.overlap);

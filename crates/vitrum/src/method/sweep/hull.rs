@@ -67,7 +67,7 @@ mod tests {
         for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
             assert!(points.iter().all(|&point| (to - from).perp_dot(point - from) >= 0.0));
         }
-        // What a polygon has between two x, looked for between all pairs of points.
+        // The extent of a polygon between two x, by all pairs of its points.
         for [near, far] in [[0.0, 1.0], [2.3, 2.4], [5.0, 5.0], [8.9, 20.0], [-3.0, -1.0]] {
             let mut found: Option<[f64; 2]> = None;
             for (&a, &b) in points.iter().flat_map(|a| points.iter().map(move |b| (a, b))) {

@@ -63,7 +63,7 @@ impl Carrier for Texels {
             passes.push(plan.pass_over(window, kernel, texels, mode, plane, buffers));
         };
         let colors = if mode::is_clear(plan.mode) { mode::CLEAR_STRAIGHT } else { mode::STRAIGHT };
-        // What light is followed into: the plane behind, filtered where the light is soft.
+        // The light that is advected: of the plane behind, filtered where the light is soft.
         let source = if plan.is_soft() { &self.filtered } else { behind };
         if plan.is_soft() {
             push(&kernels::sweep_filter_light, colors, &[behind, &self.filtered]);

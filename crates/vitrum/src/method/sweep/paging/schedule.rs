@@ -35,7 +35,7 @@ pub(super) fn schedule(needed: &[ResidentPage], slots: usize) -> Vec<Batch> {
     coming.sort_by_key(|need| (need.first, need.page));
     let mut coming = coming.as_slice();
     let mut free: BinaryHeap<Reverse<u32>> = (0..slots as u32).map(Reverse).collect();
-    // What is there, the first to leave on top.
+    // The pages in slots, the first to leave on top.
     let mut there: BinaryHeap<Reverse<(u32, u32)>> = BinaryHeap::new();
     let mut batches = Vec::new();
     while let Some(next) = coming.first() {
