@@ -19,7 +19,7 @@ pub enum EnvironmentKind {
     Map,
 }
 
-/// What a ray sees behind everything, by its final direction.
+/// The environment: radiance behind everything, by a ray's final direction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Environment {

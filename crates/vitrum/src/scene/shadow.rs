@@ -3,18 +3,18 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a voxel of the shadow map absorbs.
+/// Absorption of a voxel of the shadow map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Coefficient {
-    /// Each triangle in it adds its optical depth (Chang et al. 2010).
+    /// The sum of the optical depths of the triangles in the voxel (Chang et al. 2010).
     #[default]
     PerTriangle,
-    /// The same wherever there is anything (Eisemann & Décoret 2006), for comparison.
+    /// The same for each occupied voxel (Eisemann & Décoret 2006), for comparison.
     Uniform,
 }
 
-/// How light is attenuated on its way through a mesh.
+/// Attenuation of light on its way through a mesh.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Shadow {

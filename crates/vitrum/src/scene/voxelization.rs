@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a mesh is made into voxels, for rays through voxels and for a plane sweep alike.
+/// Voxelization of a mesh, for rays through voxels and for a plane sweep alike.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Voxelization {
