@@ -25,7 +25,7 @@ pub trait VolumeReader: Sync {
         false
     }
 
-    /// Reads it.
+    /// Reads the volume.
     ///
     /// # Errors
     ///

@@ -80,7 +80,7 @@ pub(super) fn check(file: ByteReader, length: u64) -> Result<(), (u64, String)> 
 enum Within {
     /// The first element of another group.
     Meta,
-    /// Their length.
+    /// The length of the items.
     Length,
     /// A delimiter.
     Item,

@@ -22,7 +22,7 @@ pub enum CompositionError {
     Text {
         /// The file.
         file: PathBuf,
-        /// Why.
+        /// The reason.
         reason: String,
         /// Advice: a sentence that says how to mend it.
         advice: &'static str,
