@@ -1,5 +1,5 @@
-//! What the compiler made of the sweep's kernels on x86-64: vector code for sixteen lanes with AVX-512, for eight with AVX2, and no loop
-//! that may panic. Otherwise pictures stay right and take several times as long, which no other test would see.
+//! The machine code of the sweep's kernels on x86-64: vector code for sixteen lanes with AVX-512, for eight with AVX2, and no loop that
+//! may panic. Without it pictures stay right and take several times as long, which no other test would see.
 //!
 //! The test reads its own machine code; it needs an optimised build, as `cargo xtask test` makes.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]

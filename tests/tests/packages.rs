@@ -1,4 +1,4 @@
-//! What a package includes lies in the package: else it would compile here and not from a registry.
+//! The files that a package includes lie in the package: with others it would compile here, and not from a registry.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};

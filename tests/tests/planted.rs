@@ -61,7 +61,7 @@ fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
     true
 }
 
-/// The building blocks, [`vitrum_kernels::probe::apply_function`], of which the stranger wrote the dot product.
+/// The building blocks, [`vitrum_kernels::probe::apply_function`], with a dot product written anew.
 fn apply_function<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
     let u: &ProbeUniforms = from_bytes(chunk.uniforms);
     let arguments: &[f32] = cast_slice(chunk.reads[0]);

@@ -1,4 +1,4 @@
-//! What `cargo xtask diff` compares is what its options select.
+//! `cargo xtask diff` compares the cases that its options select.
 
 use std::collections::BTreeSet;
 use std::fs;

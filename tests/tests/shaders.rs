@@ -43,7 +43,7 @@ struct Field {
     fields: Vec<Field>,
 }
 
-/// All fields of a struct, with those of the structs in it; one that is left out does not compile.
+/// The fields of a struct, with the fields of the structs in it; a list without one of them does not compile.
 macro_rules! fields {
     ($struct:ident { $($field:ident $(: $fields:expr)?),* $(,)? }) => {{
         let $struct { $($field),* } = $struct::default();

@@ -73,7 +73,7 @@ fn cases() -> Result<Vec<Case>, Failure> {
     ])
 }
 
-/// With noise where there is air, as scans have it: no page is the same everywhere, and some do nothing all the same.
+/// A case with noise in the air, as scans have it: no page has one value, and some are empty all the same.
 fn noisy(mut case: Case) -> Result<Case, Failure> {
     let mut volume = case.volume().clone();
     let Voxels::U8(voxels) = &mut volume.voxels else { return Ok(case) };
@@ -201,7 +201,7 @@ fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Pages of a small volume take more than all of it in one piece: what is said to be enough is what is enough.
+/// Pages of a small volume take more memory than the whole volume: the limit that the error names is enough.
 #[test]
 fn what_a_small_volume_needs_is_all_of_it_at_most() -> Result<(), Failure> {
     for case in [two_of_integers([24, 24], &[OBLIQUE])?, case("luneburg", &[OBLIQUE])?] {

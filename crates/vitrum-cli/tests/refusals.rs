@@ -1,4 +1,4 @@
-//! What the program refuses: exit codes and messages, and that nothing is left behind.
+//! Refusals of the program: exit codes and messages, and no file left behind.
 
 mod common;
 

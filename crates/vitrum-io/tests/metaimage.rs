@@ -1,4 +1,4 @@
-//! MetaImage: every type, byte order and way to hold the data comes back, and every field means what it should.
+//! MetaImage: data of every type, byte order and layout is read, and every field has its meaning.
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Scene files and settings: what is read, what is refused, and with which words.
+//! Scene files and settings: accepted ones, and refused ones with their messages.
 
 use vitrum::scene::{Clip, EnvironmentKind, Ground, Removes, Scene, VolumeSource};
 
@@ -14,7 +14,7 @@ fn refusal(text: &str) -> String {
     format!("{error}\n{}", error.help())
 }
 
-/// The same of a setting.
+/// The message that refuses a setting.
 fn set_refusal(assignment: &str) -> String {
     let mut scene = ball();
     let error = scene.set(assignment).expect_err("the setting is invalid");

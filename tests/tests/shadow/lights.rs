@@ -35,7 +35,7 @@ fn two_lights_cast_two_shadows() -> Result<(), Failure> {
     })
 }
 
-/// What is seen, and how much of it, does not depend on the lights.
+/// Visible surfaces and their coverage do not depend on the lights.
 #[test]
 fn further_lights_add_radiance_and_nothing_else() -> Result<(), Failure> {
     let lights = [

@@ -14,8 +14,8 @@ use vitrum_conformance::{Failure, adapter};
 use vitrum_io::Mesh;
 use vitrum_kernels::glam::DVec3;
 
-/// Calls `check` with each backend. What the kernels write is the same to the last bit; that what a test makes of it is right is
-/// checked on both all the same.
+/// Calls `check` with each backend. Kernels write the same bits on both; the test's conclusions from them are checked on both all the
+/// same.
 fn on_both(check: impl Fn(&mut dyn Backend) -> Result<(), Failure>) -> Result<(), Failure> {
     check(&mut CpuBackend::new(None)?)?;
     adapter::for_test().map_or(Ok(()), |mut gpu| check(&mut gpu))

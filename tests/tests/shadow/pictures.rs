@@ -70,7 +70,7 @@ fn through(backend: &mut dyn Backend, with: &Case, without: &Case, bound: f32) -
     Ok(difference(&with, &without, bound))
 }
 
-/// Clear bodies of index 1 that absorb nothing change nothing: what is behind them, before them and in them is as if they were not there.
+/// Clear bodies of index 1 that absorb nothing are invisible: surfaces behind, before and in them look as without them.
 #[test]
 fn bodies_and_ground_are_seen_through_clear_ones() -> Result<(), Failure> {
     let opaque = together(&[
@@ -213,7 +213,7 @@ fn shadows_can_be_turned_off() -> Result<(), Failure> {
     })
 }
 
-/// A session makes the shadow anew when the light or the material has changed, and what it held does not show.
+/// A renderer makes the shadow map anew when the light or the material has changed, and the old map does not show.
 #[test]
 fn sessions_follow_the_light() -> Result<(), Failure> {
     let mesh = together(&[ball(16), moved(&sheets([0.0]), [0.0, 0.0, 1.5])]);

@@ -1,4 +1,4 @@
-//! A stranger's kernel with a mistake is caught: by the comparison with another backend, and by what is known to be true.
+//! Planted faults: a kernel with a mistake is caught by the comparison with another backend, and by known results.
 //!
 //! The stranger writes the kernels of voxelization anew, a voxel and a column at a time. Without a mistake they give the same bits.
 

@@ -21,7 +21,7 @@ pub trait Watch: Send {
         Ok(())
     }
 
-    /// So many words of a buffer are written.
+    /// Called for a write of `_words` words to a buffer.
     fn writes(&mut self, _words: usize) -> Result<(), BackendError> {
         Ok(())
     }
