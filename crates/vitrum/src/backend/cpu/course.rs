@@ -6,7 +6,7 @@ use crate::backend::{BackendError, Pass, PassList, Write};
 use std::collections::{HashMap, HashSet};
 use vitrum_kernels::kernel::InstructionSet;
 
-/// Passes that run together, and what is written before them.
+/// Passes that run together, and the writes before them.
 pub(super) type Part<'a> = (&'a [Write], &'a [Pass]);
 
 /// The parts of a list, in order.
@@ -58,7 +58,8 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// Writes what no pass has read, for those of another list; not where nothing goes on.
+    /// Performs the writes whose buffers no pass has read, for the passes of another list; none of them if the rest of the list was
+    /// left out.
     pub(super) fn end(self, memory: &mut Memory) -> Result<(), BackendError> {
         if self.passes.while_busy.iter().any(|while_busy| self.idle.contains(while_busy.kernel)) {
             return Ok(());
