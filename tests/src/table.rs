@@ -14,7 +14,7 @@ pub struct Row {
     pub method: String,
     /// The kernel or the output that was compared.
     pub item: String,
-    /// The measured differences.
+    /// What was measured.
     pub comparison: Comparison,
     /// The bound of the differences.
     pub bound: Bound,

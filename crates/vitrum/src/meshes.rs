@@ -81,7 +81,7 @@ fn placed(mut mesh: Mesh, source: &MeshSource) -> Result<Mesh, Error> {
     Ok(mesh)
 }
 
-/// The union of the meshes as one mesh; its materials are those of the first mesh, then those of the second, and so on.
+/// The meshes as one, whose materials are those of the first, then those of the second, and so on.
 fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     let mut meshes = meshes;
     if meshes.len() < 2 {

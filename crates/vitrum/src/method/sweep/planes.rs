@@ -15,7 +15,7 @@ const MOST_PLANES: f64 = 65_536.0;
 /// step is exact; and each step blurs the light a little by interpolation.
 const STRIDE_BEHIND: f64 = 4.0;
 
-/// The planes: at equal distances from in front of the volume to behind it, and farther apart from there to behind its shadow on the
+/// Planes at equal distances from in front of the volume to behind it, and farther apart from there to behind its shadow on the
 /// receivers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planes {
