@@ -47,14 +47,24 @@ impl Distribution {
     }
 
     /// The command that installs Mesa's software driver and the Vulkan loader.
-    pub fn advice(self) -> &'static str {
+    pub fn installation(self) -> Option<&'static [&'static str]> {
         match self {
-            Self::Debian => "run as root: apt-get install mesa-vulkan-drivers libvulkan1",
-            Self::Fedora => "run as root: dnf install mesa-vulkan-drivers vulkan-loader",
-            Self::Arch => "run as root: pacman -S vulkan-swrast vulkan-icd-loader",
-            Self::Suse => "run as root: zypper install libvulkan_lvp libvulkan1",
-            Self::Alpine => "run as root: apk add mesa-vulkan-swrast vulkan-loader",
-            Self::Other => "install Mesa's lavapipe driver and the Vulkan loader (libvulkan.so.1)",
+            Self::Debian => {
+                Some(&["apt-get", "install", "--yes", "--no-install-recommends", "mesa-vulkan-drivers", "libvulkan1"])
+            }
+            Self::Fedora => Some(&["dnf", "install", "mesa-vulkan-drivers", "vulkan-loader"]),
+            Self::Arch => Some(&["pacman", "-S", "vulkan-swrast", "vulkan-icd-loader"]),
+            Self::Suse => Some(&["zypper", "install", "libvulkan_lvp", "libvulkan1"]),
+            Self::Alpine => Some(&["apk", "add", "mesa-vulkan-swrast", "vulkan-loader"]),
+            Self::Other => None,
+        }
+    }
+
+    /// Advice for a machine that has no Vulkan driver.
+    pub fn advice(self) -> String {
+        match self.installation() {
+            Some(command) => format!("run as root: {}", command.join(" ")),
+            None => "install Mesa's lavapipe driver and the Vulkan loader (libvulkan.so.1)".to_owned(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::diff;
 use crate::failure::Failure;
 
-/// Write what is made from the code in `docs/`: the scene's schema, and the tables of keys in `scene.md`.
+/// Write what is made from the code in `docs/`: the scene's schema, and tables of keys, of names and of bounds.
 #[derive(clap::Args)]
 #[command(disable_help_flag = true)]
 pub struct Arguments {

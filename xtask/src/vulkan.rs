@@ -1,7 +1,7 @@
 //! The Vulkan driver that the GPU backend's tests need.
 //!
 //! Mesa's lavapipe runs Vulkan on the processor, so a machine without a GPU tests both backends too. On Debian and
-//! Ubuntu, and if the user is root, a missing driver is installed.
+//! Ubuntu, and if the user is root, a missing driver is installed, unless the user forbids it.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -11,20 +11,76 @@ use crate::command::{program, run};
 use crate::distribution::Distribution;
 use crate::failure::Failure;
 
-/// Makes sure that there is a Vulkan loader and a driver, and says which.
-pub fn require_driver() -> Result<String, Failure> {
-    if !cfg!(target_os = "linux") {
-        return Ok("the operating system's own".to_owned());
-    }
-    find_driver().or_else(|missing| {
-        let distribution = Distribution::of_this_machine();
-        if distribution == Distribution::Debian && is_root() {
-            eprintln!("xtask: {}; installing Mesa's software driver", missing.message);
-            install_on_debian()?;
-            return find_driver();
+/// Whether a missing driver may be installed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Installation {
+    /// It may, where xtask knows how and the user is root.
+    Allowed,
+    /// Nothing is installed, and a machine without a driver does without.
+    Forbidden,
+}
+
+/// The driver that tests of the GPU backend run on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Driver {
+    /// Its manifest, or another name.
+    Found(String),
+    /// There is none: the missing part, and the command that installs it.
+    Missing(String),
+}
+
+/// The course that xtask takes on a machine without a driver.
+#[derive(Debug, PartialEq, Eq)]
+enum Course {
+    Install(&'static [&'static str]),
+    GoWithout,
+    Fail,
+}
+
+impl Course {
+    fn of(installation: Installation, distribution: Distribution, is_root: bool) -> Self {
+        match (installation, distribution.installation()) {
+            (Installation::Forbidden, _) => Self::GoWithout,
+            (Installation::Allowed, Some(command)) if distribution == Distribution::Debian && is_root => {
+                Self::Install(command)
+            }
+            (Installation::Allowed, _) => Self::Fail,
         }
-        Err(Failure::setup(format!("{}: {}", missing.message, distribution.advice())))
-    })
+    }
+}
+
+/// Makes sure that there is a Vulkan loader and a driver.
+pub fn require_driver() -> Result<(), Failure> {
+    driver(Installation::Allowed).map(drop)
+}
+
+/// The machine's driver. One that is missing is installed where that is allowed and possible; the commands are shown first.
+///
+/// Fails where it is missing and allowed, but not possible.
+pub fn driver(installation: Installation) -> Result<Driver, Failure> {
+    if !cfg!(target_os = "linux") {
+        return Ok(Driver::Found("the operating system's own".to_owned()));
+    }
+    let missing = match find_driver() {
+        Ok(driver) => return Ok(Driver::Found(driver)),
+        Err(failure) => failure.message,
+    };
+    let distribution = Distribution::of_this_machine();
+    match Course::of(installation, distribution, is_root()) {
+        Course::Install(command) => {
+            eprintln!(
+                "xtask: {missing}; Mesa's software driver will be installed (--no-install of `test` goes without):"
+            );
+            eprintln!("  {}\n  {}", UPDATE.join(" "), command.join(" "));
+            [UPDATE, command].into_iter().try_for_each(run_apt)?;
+            find_driver().map(Driver::Found)
+        }
+        Course::GoWithout => Ok(Driver::Missing(format!("{missing}; {}", distribution.advice()))),
+        Course::Fail => Err(Failure::setup(format!(
+            "{missing}: {}; `cargo xtask test --no-install` runs the tests that need none",
+            distribution.advice()
+        ))),
+    }
 }
 
 /// The driver that the Vulkan loader finds, or an error that names the missing part.
@@ -44,12 +100,11 @@ fn find_driver() -> Result<String, Failure> {
     })
 }
 
-fn install_on_debian() -> Result<(), Failure> {
-    let packages = ["mesa-vulkan-drivers", "libvulkan1"];
-    run(program("apt-get").arg("update"))?;
-    let mut install = program("apt-get");
-    install.args(["install", "--yes", "--no-install-recommends"]).args(packages);
-    run(install.env("DEBIAN_FRONTEND", "noninteractive"))
+/// The command that fetches Debian's lists of packages, without which it may find none.
+const UPDATE: &[&str] = &["apt-get", "update"];
+
+fn run_apt(command: &[&str]) -> Result<(), Failure> {
+    run(program(command[0]).args(&command[1..]).env("DEBIAN_FRONTEND", "noninteractive"))
 }
 
 fn is_root() -> bool {
@@ -112,6 +167,20 @@ mod tests {
         };
         assert_eq!(names(&[folder.path().to_owned()]), ["a_icd.json", "lvp_icd.x86_64.json"]);
         assert_eq!(names(&[folder.path().join("lvp_icd.x86_64.json")]), ["lvp_icd.x86_64.json"]);
+    }
+
+    #[test]
+    fn only_root_on_debian_installs_and_only_where_that_is_allowed() {
+        let installs = |installation, distribution, is_root| matches!(Course::of(installation, distribution, is_root), Course::Install(command) if command.contains(&"libvulkan1"));
+        assert!(installs(Installation::Allowed, Distribution::Debian, true));
+        for (distribution, is_root) in
+            [(Distribution::Debian, false), (Distribution::Fedora, true), (Distribution::Other, true)]
+        {
+            assert_eq!(Course::of(Installation::Allowed, distribution, is_root), Course::Fail);
+        }
+        for distribution in [Distribution::Debian, Distribution::Other] {
+            assert_eq!(Course::of(Installation::Forbidden, distribution, true), Course::GoWithout);
+        }
     }
 
     #[test]

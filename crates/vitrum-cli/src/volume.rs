@@ -82,9 +82,9 @@ impl FromStr for ByteCount {
         let unit: f64 = match unit.trim().to_ascii_lowercase().as_str() {
             "" | "b" => 1.0,
             "kib" | "k" => 1024.0,
-            "mib" | "m" => 1024_f64.powi(2),
-            "gib" | "g" => 1024_f64.powi(3),
-            "tib" | "t" => 1024_f64.powi(4),
+            "mib" | "m" => (1u64 << 20) as f64,
+            "gib" | "g" => (1u64 << 30) as f64,
+            "tib" | "t" => (1u64 << 40) as f64,
             "kb" => 1e3,
             "mb" => 1e6,
             "gb" => 1e9,

@@ -12,10 +12,28 @@ fn listed<'a>(help: &'a str, heading: &str) -> Vec<&'a str> {
     lines.filter_map(|line| line.strip_prefix("  ")?.split(' ').next()).filter(|word| !word.is_empty()).collect()
 }
 
+fn page() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/program.md");
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+#[test]
+fn every_exit_code_is_documented() {
+    let help = Folder::new().succeed(&["--help"]);
+    let (_, told) = help.split_once("Exit codes: ").expect("the help tells exit codes");
+    let (told, _) = told.split_once("\n\n").expect("another paragraph follows");
+    let words = told.split([',', ' ', '\n']).filter_map(|word| word.trim_end_matches('.').parse::<u8>().ok());
+    let page = page();
+    let (_, table) = page.split_once("| exit code | meaning |\n|---|---|\n").expect("the page has the table");
+    let rows = table.lines().take_while(|line| line.starts_with('|'));
+    let documented: Vec<u8> = rows.filter_map(|row| row.split('|').nth(1)?.trim().parse().ok()).collect();
+    assert_eq!(words.collect::<Vec<u8>>(), documented);
+    assert!(documented.len() > 5, "{documented:?}");
+}
+
 #[test]
 fn every_command_and_flag_is_documented() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/program.md");
-    let page = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let page = page();
     let folder = Folder::new();
     let help = folder.succeed(&["-h"]);
     let commands = listed(&help, "Commands:");

@@ -36,7 +36,7 @@ impl Placement {
         origin: Option<[f64; 3]>,
         orientation: Orientation,
     ) -> Result<Self, String> {
-        let lengths = columns.map(|[x, y, z]| x.hypot(y).hypot(z));
+        let lengths = columns.map(|[x, y, z]| libm::hypot(libm::hypot(x, y), z));
         let unit: [[f64; 3]; 3] = std::array::from_fn(|axis| columns[axis].map(|component| component / lengths[axis]));
         // Of unit columns: 1 at right angles, 0 where two or three fall together.
         let [a, b, c] = unit.map(DVec3::from);
@@ -58,7 +58,7 @@ impl Placement {
         let [a, b, c] = self.axes.map(|axis| DVec3::from(axis.map(f64::from)));
         let skew = [a.dot(b), b.dot(c), c.dot(a)].into_iter().fold(0.0, |most, cosine| f64::max(most, cosine.abs()));
         (skew > 1e-3).then(|| {
-            let degrees = 90.0 - skew.min(1.0).acos().to_degrees();
+            let degrees = 90.0 - libm::acos(skew.min(1.0)).to_degrees();
             format!("the axes are up to {degrees:.1}° off right angles, as the file says")
         })
     }

@@ -28,7 +28,7 @@ fn every_type_and_endian_comes_back() {
 fn halves_of_floats_are_widened() {
     // 1, -2, the largest, the smallest above 0, and the nearest to a third, by their bits.
     let words: [u16; 12] = [0x3c00, 0xc000, 0x7bff, 0x0001, 0x3555, 0, 0, 0, 0, 0, 0, 0x8000];
-    let expected = [1.0, -2.0, 65504.0, 2.0_f32.powi(-24), 1365.0 / 4096.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let expected = [1.0, -2.0, 65504.0, 1.0 / 16_777_216.0, 1365.0 / 4096.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     for (descr, bytes) in [("<f2", words.map(u16::to_le_bytes)), (">f2", words.map(u16::to_be_bytes))] {
         let volume = open(npy(descr, bytes.as_flattened()));
         assert_eq!(values(&volume), expected);

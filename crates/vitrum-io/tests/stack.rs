@@ -172,7 +172,7 @@ fn channels_at_points_in_time_have_those_for_slices() {
 #[test]
 fn halves_of_floats_are_widened() {
     let words: [u16; 6] = [0x3c00, 0xc000, 0x7bff, 0x0001, 0x3555, 0];
-    let expected = [1.0, -2.0, 65504.0, 2.0_f32.powi(-24), 1365.0 / 4096.0, 0.0];
+    let expected = [1.0, -2.0, 65504.0, 1.0 / 16_777_216.0, 1365.0 / 4096.0, 0.0];
     for (big, bytes) in [(false, words.map(u16::to_le_bytes)), (true, words.map(u16::to_be_bytes))] {
         let volume = open(tiff(big, &[Page::new(16, 3, bytes.as_flattened())]));
         assert_eq!(values(&volume), expected);

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::method::voxels::GREY;
 use crate::scene::{MeshSource, Rgb};
 use crate::unrenderable::Unrenderable;
-use glam::{DMat3, DVec3, EulerRot};
+use glam::{DMat3, DVec3};
 use std::collections::HashMap;
 use std::path::Path;
 use vitrum_io::{Material, Mesh, OpenOptions, Up};
@@ -64,8 +64,7 @@ fn placed(mut mesh: Mesh, source: &MeshSource) -> Result<Mesh, Error> {
     if (*scale, *rotation, *position) == (1.0, [0.0; 3], [0.0; 3]) {
         return Ok(mesh);
     }
-    let [x, y, z] = rotation.map(|degrees| f64::from(degrees).to_radians());
-    let rotation = DMat3::from_euler(EulerRot::ZYX, z, y, x);
+    let rotation = rotation_of(*rotation);
     let wide = |vector: [f32; 3]| DVec3::from_array(vector.map(f64::from));
     let place = |p: &[f32; 3]| (wide(*position) + rotation * (f64::from(*scale) * wide(*p))).as_vec3().to_array();
     let positions = mesh.positions.iter().map(place).collect();
@@ -79,6 +78,16 @@ fn placed(mut mesh: Mesh, source: &MeshSource) -> Result<Mesh, Error> {
         *distance *= scale;
     }
     Ok(mesh)
+}
+
+/// The rotation about the x axis, then y, then z, by angles in degrees.
+fn rotation_of(degrees: [f32; 3]) -> DMat3 {
+    let [(sx, cx), (sy, cy), (sz, cz)] = degrees.map(|angle| libm::sincos(f64::from(angle).to_radians()));
+    DMat3::from_cols_array_2d(&[
+        [cz * cy, sz * cy, -sy],
+        [cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx],
+        [cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx],
+    ])
 }
 
 /// The meshes as one, whose materials are those of the first, then those of the second, and so on.
@@ -188,8 +197,12 @@ mod tests {
         };
         assert_eq!(corner([0.0, 0.0, 90.0])[..2], [[0.0, 2.0, 0.0], [-2.0, 0.0, 0.0]]);
         assert_eq!(corner([90.0, 0.0, 0.0])[..2], [[2.0, 0.0, 0.0], [0.0, 0.0, 2.0]]);
+        assert_eq!(corner([0.0, 90.0, 0.0])[..2], [[0.0, 0.0, -2.0], [0.0, 2.0, 0.0]]);
         // About x: x stays, y goes to z; then about z: x goes to y, z stays.
         assert_eq!(corner([90.0, 0.0, 90.0])[..2], [[0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]);
+        // About x: y goes to z; then about y: z goes to x, x to -z.
+        assert_eq!(corner([90.0, 90.0, 0.0])[..2], [[0.0, 0.0, -2.0], [2.0, 0.0, 0.0]]);
+        assert_eq!(corner([0.0, 90.0, 90.0])[..2], [[0.0, 0.0, -2.0], [-2.0, 0.0, 0.0]]);
     }
 
     trait Offsets {

@@ -22,7 +22,7 @@ fn volumes() -> Vec<Volume> {
         volume("signed CT", Voxels::U16((0..512).map(|index| index * 8).collect()))
             .with_value_mapping(1.0, -1024.0)
             .expect("the mapping is finite"),
-        volume("decay", floats(|share| (-20.0 * share).exp())),
+        volume("decay", floats(|share| libm::expf(-20.0 * share))),
         volume("outlier", floats(|share| if share == 1.0 { 1e20 } else { share })),
         volume("large", floats(|share| 3e37 * (share - 0.5))),
         volume("tiny", floats(|share| 1e-30 * share)),

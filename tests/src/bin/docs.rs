@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use vitrum_conformance::{Failure, docs};
 
-/// Write what is made from the code in `docs/`: the scene's schema, and the tables of keys in `scene.md`.
+/// Write what is made from the code in `docs/`: the scene's schema, and tables of keys, of names and of bounds.
 #[derive(Parser)]
 #[command(name = "docs", bin_name = "cargo xtask docs")]
 struct Arguments {

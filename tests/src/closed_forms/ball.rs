@@ -2,6 +2,7 @@
 
 use vitrum::backend::Backend;
 
+use super::table::larger;
 use super::{cube, end, orthographic_frame, refracting, render, start};
 
 /// The edge of the volume's cube; the ball has radius 1.
@@ -43,7 +44,7 @@ pub fn worst_crossing(n: u32, layer: f64, backend: &mut dyn Backend) -> f64 {
             let at = radial([end.position[0], end.position[1]]);
             let slope = radial([end.direction[0], end.direction[1]]) / -end.direction[2];
             let z = (centre - end.position[2]) - at / slope;
-            worst = worst.max((z / crossing(h) - 1.0).abs());
+            worst = larger(worst, (z / crossing(h) - 1.0).abs());
         }
     }
     worst

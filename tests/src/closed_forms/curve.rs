@@ -5,6 +5,7 @@
 use vitrum::backend::Backend;
 use vitrum::scene::Gradient;
 
+use super::table::larger;
 use super::{cube, end, orthographic_frame, refracting, render, start};
 
 /// The cube's edge.
@@ -59,8 +60,8 @@ pub fn worst(curve: &Curve, n: u32, gradient: Gradient, backend: &mut dyn Backen
             let ray = end(&frame, x, 16);
             let (position, slope) = (curve.truth)(start_x);
             let [found, up] = ray.at_depth(centre - EDGE / 2.0);
-            errors.0 = errors.0.max((found - position).abs()).max((up - start_y).abs());
-            errors.1 = errors.1.max((ray.direction[0] / -ray.direction[2] - slope).abs());
+            errors.0 = larger(errors.0, larger((found - position).abs(), (up - start_y).abs()));
+            errors.1 = larger(errors.1, (ray.direction[0] / -ray.direction[2] - slope).abs());
         }
     }
     errors

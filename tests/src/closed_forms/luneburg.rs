@@ -3,6 +3,7 @@
 use vitrum::backend::Backend;
 use vitrum::scene::{Gradient, Integrator};
 
+use super::table::larger;
 use super::{cube, end, orthographic_frame, refracting, render, start};
 
 /// The edge of the volume's cube; the lens has radius 1.
@@ -25,7 +26,7 @@ pub fn worst_miss(n: u32, integrator: Integrator, gradient: Gradient, backend: &
             // Rays at the rim graze the lens over a long way.
             if sx.hypot(sy) < 0.8 {
                 let [ax, ay] = end(&frame, x, y).at_depth(centre - 1.0);
-                worst = worst.max(ax.hypot(ay));
+                worst = larger(worst, ax.hypot(ay));
             }
         }
     }

@@ -9,6 +9,7 @@ pub mod luneburg;
 pub mod saddle;
 pub mod slab;
 pub mod step;
+pub mod table;
 
 use vitrum::Frame;
 use vitrum::backend::Backend;

@@ -28,5 +28,8 @@ fn antipode(h: f32, steps: u32, euler: bool) -> f32 {
 /// The largest miss at the antipode of rays at heights 0.1, 0.3 and 0.5.
 #[must_use]
 pub fn worst_miss(steps: u32, euler: bool) -> f32 {
-    [0.1f32, 0.3, 0.5].into_iter().map(|h| antipode(h, steps, euler).abs()).fold(0.0, f32::max)
+    [0.1f32, 0.3, 0.5]
+        .into_iter()
+        .map(|h| antipode(h, steps, euler).abs())
+        .fold(0.0, |worst, miss| if miss > worst || miss.is_nan() { miss } else { worst })
 }

@@ -5,26 +5,13 @@
 
 use serde_json::Value;
 
-const BEGIN: &str = "<!-- keys of ";
-const END: &str = "<!-- end -->";
+use super::sections;
+
 const HEAD: &str = "| key | unit | range | default | meaning |\n|---|---|---|---|---|\n";
 
-/// The page with its tables made anew.
+/// The page with its tables of keys made anew.
 pub(super) fn filled(page: &str, schema: &Value) -> Result<String, String> {
-    let mut text = String::new();
-    let mut lines = page.lines();
-    while let Some(line) = lines.next() {
-        text += line;
-        text.push('\n');
-        let Some(path) = line.strip_prefix(BEGIN).and_then(|rest| rest.strip_suffix(" -->")) else { continue };
-        text += &table(schema, if path == "the scene" { "" } else { path })?;
-        if !lines.any(|line| line == END) {
-            return Err(format!("no line `{END}` follows the line `{line}`"));
-        }
-        text += END;
-        text.push('\n');
-    }
-    Ok(text)
+    sections::filled(page, "keys", |path| table(schema, if path == "the scene" { "" } else { path }))
 }
 
 /// The table of the keys at a dotted path.

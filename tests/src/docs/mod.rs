@@ -1,6 +1,8 @@
-//! Files in `docs/` that are made from the code: the scene's schema, and the tables of keys in `scene.md`.
+//! What is made from the code in `docs/`: the scene's schema, tables of keys, of names and of bounds.
 
 mod keys;
+mod sections;
+mod tables;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +12,10 @@ use vitrum::scene::Scene;
 
 use crate::Failure;
 
-/// A file that is made from the code.
+/// The pages of `docs/` with sections that are made from the code.
+const PAGES: [&str; 4] = ["scene.md", "program.md", "accuracy.md", "conformance.md"];
+
+/// A file that is made from the code, all of it or in part.
 pub struct Made {
     /// Path of the committed file.
     pub path: PathBuf,
@@ -46,13 +51,17 @@ pub fn all() -> Result<Vec<Made>, Failure> {
     let schema = Scene::json_schema();
     let tree: Value = serde_json::from_str(&schema)
         .map_err(|error| Failure::Setup(format!("the scene's schema cannot be read: {error}")))?;
-    let page = folder.join("scene.md");
-    let text = keys::filled(&read(&page)?, &tree)
-        .map_err(|problem| Failure::Setup(format!("{}: {problem}", page.display())))?;
-    Ok(vec![
-        Made { path: folder.join("vitrum-scene.schema.json"), text: format!("{schema}\n") },
-        Made { path: page, text },
-    ])
+    let page = |name: &str| -> Result<Made, Failure> {
+        let path = folder.join(name);
+        let wrong = |problem: String| Failure::Setup(format!("{}: {problem}", path.display()));
+        let text = keys::filled(&read(&path)?, &tree).map_err(wrong)?;
+        Ok(Made { text: tables::filled(&text).map_err(wrong)?, path })
+    };
+    let mut made = vec![Made { path: folder.join("vitrum-scene.schema.json"), text: format!("{schema}\n") }];
+    for name in PAGES {
+        made.push(page(name)?);
+    }
+    Ok(made)
 }
 
 fn read(path: &Path) -> Result<String, Failure> {

@@ -3,6 +3,7 @@
 use crate::setup::{backends, cube, render};
 use vitrum::io::{Volume, Voxels};
 use vitrum::scene::{ColorPoint, OpacityPoint, Projection, Scene};
+use vitrum_conformance::closed_forms::table::{self, larger};
 
 /// A cube of edge 2 with one scalar inside. A second scalar, in a corner, makes a range.
 fn homogeneous() -> Volume {
@@ -16,7 +17,6 @@ fn homogeneous() -> Volume {
 
 fn scene(azimuth: f32, sample_distance: f32) -> Scene {
     let mut scene = Scene::default();
-    scene.volume.builtin = Some("ball".to_owned());
     scene.transfer.reference_length = Some(0.5);
     scene.transfer.opacity = vec![OpacityPoint { value: 0.0, opacity: 0.3 }];
     scene.transfer.filter = vec![ColorPoint { value: 0.0, color: [0.9, 0.5, 0.2] }];
@@ -33,6 +33,7 @@ fn scene(azimuth: f32, sample_distance: f32) -> Scene {
 fn medium_and_particles_follow_beer_and_lambert() {
     let volume = homogeneous();
     for mut backend in backends() {
+        let (mut worst_opacity, mut worst_transmittance) = (0.0f64, 0.0f64);
         for azimuth in [0.0f32, 30.0, 45.0] {
             for sample_distance in [0.37, 1.0, 2.5] {
                 let frame = render(&scene(azimuth, sample_distance), &volume, backend.as_mut());
@@ -40,18 +41,16 @@ fn medium_and_particles_follow_beer_and_lambert() {
                 let middle = 4 * 9 + 4;
                 let opacity = f64::from(frame.channel("opacity", "Y").expect("opacity")[middle]);
                 let expected = 1.0 - 0.7f64.powf(length / 0.5);
-                // Half floats in the table: optical depth to 2⁻¹¹, here times up to 2.
-                assert!((opacity - expected).abs() < 1e-3, "{azimuth}°: opacity {opacity} instead of {expected}");
+                worst_opacity = larger(worst_opacity, (opacity - expected).abs());
                 for (channel, transmittance) in [("R", 0.9f64), ("G", 0.5), ("B", 0.2)] {
                     let medium = f64::from(frame.channel("transmittance", channel).expect("transmittance")[middle]);
                     let expected = transmittance.powf(length / 0.5);
-                    assert!(
-                        (medium - expected).abs() < 1e-3 * expected.max(0.1),
-                        "{} {azimuth}° {sample_distance}: {channel} {medium} instead of {expected}",
-                        backend.name()
-                    );
+                    worst_transmittance = larger(worst_transmittance, (medium - expected).abs() / expected.max(0.1));
                 }
             }
         }
+        // Half floats in the table: optical depth to 2⁻¹¹, here times up to 2.
+        table::BEER_OPACITY.hold(worst_opacity, backend.as_ref());
+        table::BEER_TRANSMITTANCE.hold(worst_transmittance, backend.as_ref());
     }
 }

@@ -4,6 +4,7 @@ use crate::setup::{backends, cube, light_on_planes, refracting};
 use vitrum::method::sweep::Sweep;
 use vitrum::scene::{Transport, Wall};
 use vitrum::{Assets, OutputRequest};
+use vitrum_conformance::closed_forms::table::{self, larger};
 
 #[test]
 fn every_plane_gets_the_same_flux() {
@@ -11,12 +12,13 @@ fn every_plane_gets_the_same_flux() {
         let lens = (x * x + y * y + z * z) / (0.6 * 0.6);
         1.0 + 0.08 * (1.0 - lens).max(0.0)
     });
-    for azimuth in [0.0f32, 30.0] {
-        let mut scene = refracting(&volume, 128);
-        scene.light[0].azimuth = azimuth;
-        scene.sweep.light_margin = 0.3;
-        let assets = Assets::from(volume.clone());
-        for mut backend in backends() {
+    let assets = Assets::from(volume.clone());
+    for mut backend in backends() {
+        let mut worst = 0.0f64;
+        for azimuth in [0.0f32, 30.0] {
+            let mut scene = refracting(&volume, 128);
+            scene.light[0].azimuth = azimuth;
+            scene.sweep.light_margin = 0.3;
             let mut sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend.as_mut())
                 .expect("the scene is sound");
             let (mut flux, mut at_plane) = (Vec::new(), Vec::new());
@@ -34,10 +36,10 @@ fn every_plane_gets_the_same_flux() {
             println!("{} at {azimuth}°: mean plane irradiance over {expected:.4}: {flux:.4?}", backend.name());
             // The last plane, and each sixteenth of some hundred.
             assert!(flux.len() > 4, "{} planes were looked at", flux.len());
-            for (mean, plane) in flux.iter().zip(at_plane) {
-                assert!((mean / expected - 1.0).abs() < 5e-3, "plane {plane}: {mean} instead of {expected}");
-            }
+            assert_eq!(at_plane.last(), Some(&last));
+            worst = flux.iter().fold(worst, |worst, mean| larger(worst, (mean / expected - 1.0).abs()));
         }
+        table::FLUX_TEXELS.hold(worst, backend.as_ref());
     }
 }
 
@@ -45,15 +47,15 @@ fn every_plane_gets_the_same_flux() {
 /// not be more light than there was.
 #[test]
 fn behind_a_focus_there_is_no_more_light_than_before() {
+    let mut backend = vitrum::backend::CpuBackend::new(None).expect("the CPU backend opens");
+    let mut most = 0.0f64;
     for name in ["glass", "ball"] {
         let mut scene = vitrum::builtin::scene(name).expect("the scene exists");
         (scene.film.width, scene.film.height) = (300, 300);
         let assets = Assets::load(&scene, std::path::Path::new("")).expect("the scene loads");
-        let mut backend = vitrum::backend::CpuBackend::new(None).expect("the CPU backend opens");
         let mut sweep =
             Sweep::prepare(&scene, &assets, OutputRequest::default(), &mut backend).expect("the scene is sound");
         let mut first = None;
-        let mut most = 0.0f64;
         light_on_planes(
             &mut sweep,
             &mut backend,
@@ -64,43 +66,42 @@ fn behind_a_focus_there_is_no_more_light_than_before() {
                 most = most.max(flux / *first.get_or_insert(flux));
             },
         );
-        println!("{name}: at most {most:.4} of the light");
-        // A focus is a few texels wide; differences between texels cannot tell its area to better than some percent.
-        assert!(most < 1.02, "{most} of the light at some plane");
     }
+    // A focus is a few texels wide; differences between texels cannot tell its area to better than some percent.
+    table::FLUX_FOCUS.hold(most - 1.0, &backend);
 }
 
 /// Sheets keep it through a focus and behind it.
 #[test]
 fn sheets_carry_all_light_through_a_focus() {
     let volume = cube(48, 2.0, |[x, y, z]| 1.0 + 0.3 * (1.0 - (x * x + y * y + z * z) / 0.5).max(0.0));
-    for azimuth in [0.0f32, 30.0] {
-        let mut scene = refracting(&volume, 96);
-        scene.sweep.light = Transport::Sheets;
-        scene.light[0].azimuth = azimuth;
-        // None of it leaves the grid, nor reaches it from outside.
-        scene.sweep.light_margin = 1.0;
-        scene.wall = Some(Wall { distance: Some(2.5), ..Wall::default() });
-        let assets = Assets::from(volume.clone());
-        for mut backend in backends() {
+    let assets = Assets::from(volume.clone());
+    for mut backend in backends() {
+        let mut worst = 0.0f64;
+        for azimuth in [0.0f32, 30.0] {
+            let mut scene = refracting(&volume, 96);
+            scene.sweep.light = Transport::Sheets;
+            scene.light[0].azimuth = azimuth;
+            // None of it leaves the grid, nor reaches it from outside.
+            scene.sweep.light_margin = 1.0;
+            scene.wall = Some(Wall { distance: Some(2.5), ..Wall::default() });
             let mut sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend.as_mut())
                 .expect("the scene is sound");
-            let (mut brightest, mut first, mut worst) = (0.0f32, None, 0.0f64);
+            let (mut brightest, mut first) = (0.0f32, None);
             light_on_planes(
                 &mut sweep,
                 backend.as_mut(),
                 |_| true,
-                |plane, light| {
+                |_, light| {
                     let flux = light.iter().map(|&e| f64::from(e)).sum::<f64>();
                     brightest = light.iter().copied().fold(brightest, f32::max);
-                    let off = (flux / *first.get_or_insert(flux) - 1.0).abs();
-                    worst = worst.max(off);
-                    // Each part of each cell is rounded to 2⁻²⁴ of a texel's light.
-                    assert!(off < 1e-5, "{off} is missing or too much at plane {plane}");
+                    worst = larger(worst, (flux / *first.get_or_insert(flux) - 1.0).abs());
                 },
             );
-            println!("{} at {azimuth}°: flux within {worst:.1e}, brightest {brightest:.1}", backend.name());
+            println!("{} at {azimuth}°: brightest {brightest:.1}", backend.name());
             assert!(brightest > 20.0, "{brightest}: there should be a focus");
         }
+        // Each part of each cell is rounded to 2⁻²⁴ of a texel's light.
+        table::FLUX_SHEETS.hold(worst, backend.as_ref());
     }
 }

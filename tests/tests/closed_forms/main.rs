@@ -1,7 +1,7 @@
 //! Closed forms: what physics says, on both backends, through the public scene API.
 //!
-//! Numbers at the top of the files count the closed forms; `docs/accuracy.md` has what was measured. A voxelized field is not the analytic one: each test
-//! states its grid, and the bound belongs to that grid.
+//! Numbers at the top of the files count the closed forms. A voxelized field is not the analytic one: each test states its grid, and the
+//! bound belongs to that grid. Measured errors and their bounds stand in one table, `closed_forms::table`, which `docs/accuracy.md` shows.
 
 mod attenuation;
 mod ball;

@@ -2,6 +2,7 @@
 
 use crate::setup::{backends, cube, render, straight_on};
 use vitrum::scene::{ColorPoint, OpacityPoint};
+use vitrum_conformance::closed_forms::table::{self, larger};
 
 #[test]
 fn the_defaults_are_plain_compositing() {
@@ -43,7 +44,8 @@ fn the_defaults_are_plain_compositing() {
         let frame = render(&scene, &volume, backend.as_mut());
         let middle = 4 * 9 + 4;
         let opacity = f64::from(frame.channel("opacity", "Y").expect("opacity")[middle]);
-        assert!((opacity - (1.0 - clear)).abs() < 2e-3, "opacity {opacity} instead of {}", 1.0 - clear);
+        table::COMPOSITING_OPACITY.hold((opacity - (1.0 - clear)).abs(), backend.as_ref());
+        let mut worst = 0.0f64;
         for (name, expected) in ["R", "G", "B"].into_iter().zip(color) {
             let found = f64::from(frame.channel("color", name).expect("color")[middle]);
             let far = f64::from(coarse.channel("color", name).expect("color")[middle]);
@@ -51,11 +53,12 @@ fn the_defaults_are_plain_compositing() {
                 "{} {name}: {far:.5}, {found:.5} at an eighth of the distance, reference {expected:.5}",
                 backend.name()
             );
-            // The light of the plane behind lights a segment (Algorithm 1): first order in the sample distance, 7 % at one
-            // voxel in this rather opaque volume.
-            assert!((found / expected - 1.0).abs() < 0.012, "{name}: {found} instead of {expected}");
+            worst = larger(worst, (found / expected - 1.0).abs());
             assert!((found - expected).abs() < 0.2 * (far - expected).abs(), "{name}: {far}, {found}, {expected}");
         }
+        // The light of the plane behind lights a segment (Algorithm 1): first order in the sample distance, 7 % at one
+        // voxel in this rather opaque volume.
+        table::COMPOSITING_COLOR.hold(worst, backend.as_ref());
         let medium = frame.channel("transmittance", "R").expect("transmittance");
         assert!(medium.iter().all(|&m| m == 1.0), "a white medium stays exactly white");
         let straight = frame.channel("direction", "Z").expect("direction");

@@ -3,6 +3,7 @@
 use crate::setup::{backends, cube, end, render, straight_on};
 use vitrum::backend::Backend;
 use vitrum::scene::{IorPoint, OpacityPoint, Scene};
+use vitrum_conformance::closed_forms::table::{self, larger};
 
 /// Crown glass, N-BK7: η for yellow light, Abbe number.
 const CROWN: (f32, f32) = (1.5168, 64.17);
@@ -61,6 +62,7 @@ fn a_prism_deviates_each_colour_by_its_own_angle() {
     let index = |wavelength: f64| scene.transfer.ior[1].ior_at(wavelength);
     for mut backend in backends() {
         let mut smallest = [0.0; 2];
+        let (mut worst, mut worst_turned) = (0.0f64, 0.0f64);
         for (smallest, wavelength) in smallest.iter_mut().zip(LINES) {
             let n = index(wavelength);
             let best = 0.5 * (smallest_deviation(n) + APEX);
@@ -73,13 +75,16 @@ fn a_prism_deviates_each_colour_by_its_own_angle() {
                     "{}: {wavelength} µm, n = {n:.4}, {turned:+}°: {found:.3}°, truth {truth:.3}°",
                     backend.name()
                 );
-                // The lines are 0.58° apart.
-                assert!((found - truth).abs() < 0.05, "{found}° instead of {truth}°");
+                let error = if turned == 0.0 { &mut worst } else { &mut worst_turned };
+                *error = larger(*error, (found - truth).abs());
                 if turned == 0.0 {
                     *smallest = found;
                 }
             }
         }
+        // The lines are 0.58° apart.
+        table::PRISM_LEAST.hold(worst, backend.as_ref());
+        table::PRISM_TURNED.hold(worst_turned, backend.as_ref());
         assert!(smallest[0] - smallest[1] > 0.5, "blue bends more than red: {smallest:?}");
     }
 }

@@ -1,6 +1,7 @@
 //! The ray step alone, with exact gradients: kick–drift–kick is second order, the paper's Euler step does not converge.
 
 use vitrum_conformance::closed_forms::step::worst_miss as error;
+use vitrum_conformance::closed_forms::table;
 use vitrum_kernels::glam::Vec3;
 use vitrum_kernels::optics::step::{flight, kick};
 
@@ -13,7 +14,7 @@ fn orders_of_convergence() {
     println!("orders: Euler {:.2}, kick–drift–kick {:.2}", order(true), order(false));
     // Rounding hides less than a tenth of an order: at 256 planes the miss is 1.6e-6, and 256 roundings of 6e-8 add up to some 1e-6 at most.
     assert!((1.9..2.2).contains(&order(false)), "{}", order(false));
-    assert!(error(512, false) < 1e-6, "{}", error(512, false));
+    table::STEP.hold_native(f64::from(error(512, false)));
     // With Δs the distance of planes oblique rays are bent too little, however fine the planes are.
     assert!(order(true).abs() < 0.3 && error(512, true) > 5e-3, "{}, {}", order(true), error(512, true));
 }
@@ -39,10 +40,11 @@ fn fisheye(degrees: f32, steps: u32) -> f32 {
 
 #[test]
 fn a_fisheye_images_a_point() {
-    for degrees in [10.0, 30.0, 50.0] {
+    for (degrees, of_image) in [(10.0, table::FISHEYE_10), (30.0, table::FISHEYE_30), (50.0, table::FISHEYE_50)] {
         let (coarse, fine) = (fisheye(degrees, 64), fisheye(degrees, 256));
         println!("fisheye, {degrees}°: miss {coarse:.2e} with 64 planes, {fine:.2e} with 256");
         // Second order would be 16 times better; 8 leaves room for rounding.
-        assert!(fine < 2e-3 && fine < coarse / 8.0, "{coarse}, {fine}");
+        assert!(fine < coarse / 8.0, "{coarse}, {fine}");
+        of_image.hold_native(f64::from(fine));
     }
 }

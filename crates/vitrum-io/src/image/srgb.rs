@@ -5,13 +5,13 @@
 /// Not clamped: beyond 1 the power law goes on, below 0 its linear start does. NaN stays NaN.
 #[must_use]
 pub fn linear_to_srgb(linear: f32) -> f32 {
-    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::powf(linear, 1.0 / 2.4) - 0.055 }
 }
 
 /// The inverse of [`linear_to_srgb`].
 #[must_use]
 pub fn srgb_to_linear(code: f32) -> f32 {
-    if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+    if code <= 0.040_45 { code / 12.92 } else { libm::powf((code + 0.055) / 1.055, 2.4) }
 }
 
 /// The nearest 8-bit code; values out of range take the nearest end, and NaN takes 0.

@@ -33,7 +33,7 @@ pub fn globe(radius: f64, segments: u32, rings: u32) -> Shape {
         let (z, r) = circle(radius, rings, ring);
         positions.extend((0..segments).map(|segment| {
             let angle = std::f64::consts::TAU * f64::from(segment) / f64::from(segments);
-            [(r * angle.cos()) as f32, (r * angle.sin()) as f32, z as f32]
+            [(r * libm::cos(angle)) as f32, (r * libm::sin(angle)) as f32, z as f32]
         }));
     }
     positions.push(bottom);
@@ -55,7 +55,7 @@ pub fn globe(radius: f64, segments: u32, rings: u32) -> Shape {
 /// Height and radius of a globe's ring.
 fn circle(radius: f64, rings: u32, ring: u32) -> (f64, f64) {
     let angle = std::f64::consts::PI * f64::from(ring) / f64::from(rings);
-    (radius * angle.cos(), radius * angle.sin())
+    (radius * libm::cos(angle), radius * libm::sin(angle))
 }
 
 /// Area and volume of the globe, which is a stack of frusta of pyramids.
@@ -65,9 +65,9 @@ pub fn globe_measures(radius: f64, segments: u32, rings: u32) -> (f64, f64) {
     let (mut area, mut volume) = (0.0, 0.0);
     for ring in 0..rings {
         let ((z, r), (lower, other)) = (circle(radius, rings, ring), circle(radius, rings, ring + 1));
-        let slant = (z - lower).hypot((r - other) * half.cos());
-        area += count * (r + other) * half.sin() * slant;
-        volume += (z - lower) / 3.0 * count / 2.0 * (2.0 * half).sin() * (r * r + other * other + r * other);
+        let slant = libm::hypot(z - lower, (r - other) * libm::cos(half));
+        area += count * (r + other) * libm::sin(half) * slant;
+        volume += (z - lower) / 3.0 * count / 2.0 * libm::sin(2.0 * half) * (r * r + other * other + r * other);
     }
     (area, volume)
 }

@@ -60,7 +60,7 @@ mod tests {
         let volume = volume("ball", 64).unwrap();
         let sum: f64 =
             (0..64 * 64 * 64u32).map(|index| f64::from(volume.value(index % 64, index / 64 % 64, index / 4096))).sum();
-        let cube = f64::from(volume.spacing[0]).powi(3);
-        assert!((sum * cube / (4.0 / 3.0 * PI) - 1.0).abs() < 1e-3);
+        let edge = f64::from(volume.spacing[0]);
+        assert!((sum * edge * edge * edge / (4.0 / 3.0 * PI) - 1.0).abs() < 1e-3);
     }
 }

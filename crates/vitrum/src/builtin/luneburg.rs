@@ -63,7 +63,7 @@ mod tests {
         let volume = volume("luneburg", 40).unwrap();
         let position = |index: u32| f64::from(index) / 16.0 - 39.0 / 32.0;
         for (x, y, z) in [(0, 0, 0), (20, 20, 20), (3, 20, 20), (10, 14, 30), (4, 19, 20), (25, 8, 17)] {
-            let radius2: f64 = [x, y, z].map(|index| position(index).powi(2)).iter().sum();
+            let radius2: f64 = [x, y, z].map(|index| position(index) * position(index)).iter().sum();
             let truth = if radius2 < 1.0 { (2.0 - radius2).sqrt() } else { 1.0 };
             let value = volume.value(x, y, z);
             assert!((f64::from(value) - truth).abs() < 1e-6, "{value}, not {truth}");

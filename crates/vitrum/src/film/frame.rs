@@ -63,7 +63,7 @@ impl Frame {
     pub(crate) fn expose(mut self, stops: f32) -> Self {
         let color = self.layers.iter_mut().filter(|layer| layer.name == "color");
         for channel in color.flat_map(|layer| layer.channels.iter_mut().filter(|channel| channel.name != "A")) {
-            channel.data.iter_mut().for_each(|value| *value *= stops.exp2());
+            channel.data.iter_mut().for_each(|value| *value *= libm::exp2f(stops));
         }
         self
     }

@@ -15,7 +15,10 @@ pub(crate) fn twisted(mesh: &Mesh, degrees: f32) -> Mesh {
     }
     // Radians per unit of height.
     let rate = f64::from(degrees).to_radians() / height;
-    let turned = |at: DVec3, vector: DVec3| DVec2::from_angle(rate * at.z).rotate(vector.truncate()).extend(vector.z);
+    let turned = |at: DVec3, vector: DVec3| {
+        let (sin, cos) = libm::sincos(rate * at.z);
+        DVec2::new(cos, sin).rotate(vector.truncate()).extend(vector.z)
+    };
     let from_middle = |position: &[f32; 3]| glam::Vec3::from_array(*position).as_dvec3() - middle;
     if let Some(normals) = &mut twisted.normals {
         normals.par_iter_mut().zip(&mesh.positions).for_each(|(normal, position)| {
@@ -48,7 +51,8 @@ mod tests {
         for (before, after) in mesh.positions.iter().zip(&turned.positions) {
             let [before, after] = [before, after].map(|p| glam::Vec3::from_array(*p));
             let angle = (90.0 * ((before.z - low[2]) / (high[2] - low[2]) - 0.5)).to_radians();
-            let expected = glam::Vec2::from_angle(angle).rotate(before.truncate()).extend(before.z);
+            let expected =
+                glam::Vec2::new(libm::cosf(angle), libm::sinf(angle)).rotate(before.truncate()).extend(before.z);
             assert!((after - expected).length() < 1e-5, "{before} went to {after}");
         }
         assert_eq!(twisted(&mesh, 0.0), mesh);

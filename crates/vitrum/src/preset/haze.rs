@@ -46,7 +46,7 @@ fn fog(subject: &Subject) -> Vec<OpacityPoint> {
     pieces
         .map(|piece| {
             let density = f32::from(piece) / f32::from(PIECES);
-            opacity(subject.between(subject.air, subject.bright, density), 1.0 - (-density * absorption).exp())
+            opacity(subject.between(subject.air, subject.bright, density), 1.0 - libm::expf(-density * absorption))
         })
         .collect()
 }

@@ -76,7 +76,8 @@ impl Histogram {
             if below == 0.0 || above == 0.0 {
                 continue;
             }
-            let variance = below * above * (sum_below / below - (sum - sum_below) / above).powi(2);
+            let difference = sum_below / below - (sum - sum_below) / above;
+            let variance = below * above * (difference * difference);
             if best.is_none_or(|(greatest, ..)| variance > greatest) {
                 best = Some((variance, bin + 1, bin + 1));
             }

@@ -100,12 +100,12 @@ fn landmarks(histogram: &Histogram, range: [f32; 2]) -> [f32; 5] {
 /// Decimals after which a thousandth of `range` is spent: finer differences cannot be seen.
 fn digits(range: f32) -> i32 {
     const FINEST: i32 = 30;
-    (-(range / 1000.0).log10().floor()).clamp(-FINEST as f32, FINEST as f32) as i32
+    (-libm::log10f(range / 1000.0).floor()).clamp(-FINEST as f32, FINEST as f32) as i32
 }
 
 /// People read and edit these values in scene files: 80 is better than 79.99765.
 fn round(value: f32, digits: i32) -> f32 {
-    let scale = 10.0_f64.powi(digits);
+    let scale = libm::pow(10.0, f64::from(digits));
     ((f64::from(value) * scale).round() / scale) as f32
 }
 
@@ -136,7 +136,7 @@ pub(super) fn color(value: f32, color: Rgb) -> ColorPoint {
 
 /// The medium colour of one layer, where `through` is left of white light behind `layers` of them.
 pub(super) fn tint(through: Rgb, layers: f32) -> Rgb {
-    through.map(|share| share.powf(1.0 / layers))
+    through.map(|share| libm::powf(share, 1.0 / layers))
 }
 
 #[cfg(test)]

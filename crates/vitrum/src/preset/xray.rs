@@ -38,7 +38,7 @@ fn filter(subject: &Subject) -> Vec<ColorPoint> {
         .map(|piece| {
             let density = f32::from(piece) / f32::from(PIECES);
             let value = subject.between(subject.air, subject.bright, density);
-            color(value, DEPTH.map(|depth| (-density * subject.absorption(depth)).exp()))
+            color(value, DEPTH.map(|depth| libm::expf(-density * subject.absorption(depth))))
         })
         .collect()
 }

@@ -126,11 +126,11 @@ fn bytes(count: usize) -> String {
 fn bars(counts: &[u64]) -> String {
     const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
     let most = counts.iter().copied().max().unwrap_or(0);
-    let scale = ((most as f64) + 1.0).ln();
+    let scale = libm::log(most as f64 + 1.0);
     let bar = |&count: &u64| match count {
         0 => ' ',
         // The cast saturates, and the largest count is the last height.
-        count => HEIGHTS[(((count as f64 + 1.0).ln() / scale * 8.0) as usize).min(7)],
+        count => HEIGHTS[((libm::log(count as f64 + 1.0) / scale * 8.0) as usize).min(7)],
     };
     counts.iter().map(bar).collect()
 }

@@ -42,7 +42,7 @@ pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
 /// Unit direction of light `index` in the view frame; an error if its angle to the viewing direction is above [`STEEPEST`].
 pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec3, Error> {
     let unit = travels(light, view)?;
-    let angle = unit.z.clamp(-1.0, 1.0).acos().to_degrees();
+    let angle = libm::acos(unit.z.clamp(-1.0, 1.0)).to_degrees();
     if angle > STEEPEST {
         return Err(Unrenderable::ObliqueLight { index, angle, limit: STEEPEST }.into());
     }
@@ -100,7 +100,7 @@ impl LightGrid {
     /// The radius of the filter's taps across the light, in texels.
     fn tap_radius(&self, angular_radius: f32, planes: &Planes, index: u32) -> f64 {
         let depth = planes.volume_depths[1] - planes.volume_depths[0];
-        let tangent = f64::from(angular_radius).to_radians().tan();
+        let tangent = libm::tan(f64::from(angular_radius).to_radians());
         tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel
     }
 
@@ -124,8 +124,8 @@ impl LightGrid {
         let across = along.perp();
         let start = hash(index) * std::f64::consts::TAU;
         std::array::from_fn(|tap| {
-            let angle = start + tap as f64 * std::f64::consts::TAU / 3.0;
-            (along * (angle.cos() / self.direction.z) + across * angle.sin()) * radius
+            let (sin, cos) = libm::sincos(start + tap as f64 * std::f64::consts::TAU / 3.0);
+            (along * (cos / self.direction.z) + across * sin) * radius
         })
     }
 }

@@ -67,7 +67,8 @@ fn color_matching(wavelength: f64) -> [f64; 3] {
     let nanometres = wavelength * 1e3;
     let lobe = |centre: f64, below: f64, above: f64| {
         let width = if nanometres < centre { below } else { above };
-        (-0.5 * ((nanometres - centre) / width).powi(2)).exp()
+        let deviations = (nanometres - centre) / width;
+        libm::exp(-0.5 * (deviations * deviations))
     };
     let x = 1.056 * lobe(599.8, 37.9, 31.0) + 0.362 * lobe(442.0, 16.0, 26.7) - 0.065 * lobe(501.1, 20.4, 26.2);
     let y = 0.821 * lobe(568.8, 46.9, 40.5) + 0.286 * lobe(530.9, 16.3, 31.1);

@@ -50,7 +50,7 @@ fn colors(points: &[ColorPoint]) -> Vec<(f32, [f32; 3])> {
 
 /// Optical depth −ln T of a transmittance T, limited to the range of the table.
 fn optical_depth(transmittance: f64) -> f64 {
-    let depth = -transmittance.max(0.0).ln();
+    let depth = -libm::log(transmittance.max(0.0));
     depth.clamp(0.0, f64::from(layout::MAX_OPTICAL_DEPTH))
 }
 

@@ -295,9 +295,10 @@ fn flags(scene: &Scene) -> u32 {
 /// The steepest slope of viewing rays and light from plane to plane, distance across over depth; `directions` has the directions in
 /// which the light starts.
 fn steepest(view: &View, tables: &Tables, directions: impl Iterator<Item = [f32; 3]>) -> f64 {
-    let bent = if tables.refracts { f64::from(SMALLEST_COSINE).powi(-2).sqrt() } else { 0.0 };
-    let seen = if view.orthographic { 0.0 } else { view.half_size[0].hypot(view.half_size[1]) };
-    let slopes = directions.map(|[x, y, z]| f64::from(x).hypot(f64::from(y)) / f64::from(z.max(SMALLEST_COSINE)));
+    let bent = if tables.refracts { 1.0 / f64::from(SMALLEST_COSINE) } else { 0.0 };
+    let seen = if view.orthographic { 0.0 } else { libm::hypot(view.half_size[0], view.half_size[1]) };
+    let slopes =
+        directions.map(|[x, y, z]| libm::hypot(f64::from(x), f64::from(y)) / f64::from(z.max(SMALLEST_COSINE)));
     slopes.fold(bent.max(seen), f64::max)
 }
 

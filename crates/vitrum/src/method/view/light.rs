@@ -15,8 +15,10 @@ pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Er
         }
         (Attachment::World, Some(v)) => view.direction(vector(v)),
         (Attachment::Camera, None) => {
-            let (azimuth, elevation) = (f64::from(light.azimuth).to_radians(), f64::from(light.elevation).to_radians());
-            DVec3::new(-azimuth.sin() * elevation.cos(), -elevation.sin(), azimuth.cos() * elevation.cos())
+            let radians = |degrees: f32| f64::from(degrees).to_radians();
+            let [(sin, cos), (height, level)] =
+                [light.azimuth, light.elevation].map(|angle| libm::sincos(radians(angle)));
+            DVec3::new(-sin * level, -height, cos * level)
         }
         (Attachment::World, None) => view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation)),
     };

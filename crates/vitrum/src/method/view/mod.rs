@@ -63,8 +63,9 @@ fn up_and_front(camera: &Camera) -> (DVec3, DVec3) {
 /// viewer who stands there.
 pub(in crate::method) fn from_angles(up: DVec3, front: DVec3, azimuth: f32, elevation: f32) -> DVec3 {
     let right = (-front).cross(up);
-    let (azimuth, elevation) = (f64::from(azimuth).to_radians(), f64::from(elevation).to_radians());
-    (front * azimuth.cos() + right * azimuth.sin()) * elevation.cos() + up * elevation.sin()
+    let [(sin, cos), (height, level)] =
+        [azimuth, elevation].map(|degrees| libm::sincos(f64::from(degrees).to_radians()));
+    (front * cos + right * sin) * level + up * height
 }
 
 impl View {
@@ -76,7 +77,7 @@ impl View {
         let (up, front) = up_and_front(camera);
         let orthographic = camera.projection == Projection::Orthographic;
         let aspect = f64::from(scene.film.width) / f64::from(scene.film.height);
-        let tangent = (f64::from(camera.field_of_view) * 0.5).to_radians().tan();
+        let tangent = libm::tan((f64::from(camera.field_of_view) * 0.5).to_radians());
         let zoom = f64::from(camera.zoom);
         // The narrower side of the picture decides what fits.
         let narrow = tangent * aspect.min(1.0);
@@ -86,7 +87,7 @@ impl View {
         let eye = camera.position.map_or(target + towards_eye * distance, vector);
         let away = (target - eye).try_normalize().unwrap_or(-towards_eye);
         let right = away.cross(up).try_normalize().unwrap_or_else(|| away.any_orthonormal_vector());
-        let (sin, cos) = f64::from(camera.roll).to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(f64::from(camera.roll).to_radians());
         let above = right.cross(away);
         let axes = DMat3::from_cols(right * cos + above * sin, above * cos - right * sin, away);
         let half_height = if orthographic { fit / aspect.min(1.0) } else { tangent };

@@ -119,7 +119,7 @@ pub(crate) fn voxelize_in(
         dimensions: grid.dimensions,
         voxel_size: grid.voxel_size,
         surface_voxels: surface.as_ref().map(Mask::count),
-        volume: solid.as_ref().map(|solid| solid.volume() * grid.voxel_size.powi(3)),
+        volume: solid.as_ref().map(|solid| solid.volume() * (grid.voxel_size * grid.voxel_size * grid.voxel_size)),
         open_rows: solid.as_ref().map(|solid| solid.open_rows),
         items: work.items,
         voxelize_ms: vec![started.elapsed().as_secs_f64() * 1e3],

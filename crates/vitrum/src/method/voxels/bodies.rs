@@ -114,7 +114,7 @@ pub(in crate::method) fn clear(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> V
     let of_body = |body: &Body| {
         let found = chosen(&scene.material, of_mesh(mesh, body.material));
         let distance = found.attenuation_distance.map_or(longest, f64::from);
-        Clear { ior: found.ior, absorption: found.attenuation_color.map(|left| -f64::from(left).ln() / distance) }
+        Clear { ior: found.ior, absorption: found.attenuation_color.map(|left| -libm::log(f64::from(left)) / distance) }
     };
     bodies.iter().map(of_body).collect()
 }

@@ -73,13 +73,14 @@ fn approach(nearest: &mut [Nearest], [a, b, c]: [DVec3; 3], [nx, ny, layers]: [u
     let [y0, y1] = reach(low.y, high.y, BAND, ny);
     // How far a coordinate is from the triangle's box.
     let outside = |at: f64, low: f64, high: f64| (low - at).max(at - high).max(0.0);
+    let squared = |length: f64| length * length;
     for z in 0..layers {
         let from_box_z = outside((first + z) as f64 + 0.5, low.z, high.z);
         if from_box_z > BAND {
             continue;
         }
         for y in y0..=y1 {
-            let from_box = outside(y as f64 + 0.5, low.y, high.y).powi(2) + from_box_z.powi(2);
+            let from_box = squared(outside(y as f64 + 0.5, low.y, high.y)) + squared(from_box_z);
             let left = BAND * BAND - from_box;
             if left < 0.0 {
                 continue;
@@ -89,7 +90,7 @@ fn approach(nearest: &mut [Nearest], [a, b, c]: [DVec3; 3], [nx, ny, layers]: [u
                 let centre = DVec3::new(x as f64 + 0.5, y as f64 + 0.5, (first + z) as f64 + 0.5);
                 // The box or the plane alone is mostly too far: of many triangles that are near, few come nearer than those before.
                 let least = nearest[(z * ny + y) * nx + x].distance + SAME;
-                if outside(centre.x, low.x, high.x).powi(2) + from_box > least * least
+                if squared(outside(centre.x, low.x, high.x)) + from_box > least * least
                     || (centre - a).dot(normal).abs() > least
                 {
                     continue;

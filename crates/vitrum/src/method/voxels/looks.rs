@@ -22,7 +22,7 @@ fn of_body<'a>(body: &'a Body, mesh: &Mesh, scene: &Scene) -> (Option<&'a [[f32;
     // A colour in the scene is for the whole body.
     let colors = body.mesh.colors.as_deref().filter(|_| body.opaque && material.color.is_none());
     let color = material.color.or_else(|| own?.base_color).unwrap_or(GREY);
-    let left = (-f64::from(material.density) * f64::from(scene.shadow.optical_depth)).exp() as f32;
+    let left = libm::exp(-f64::from(material.density) * f64::from(scene.shadow.optical_depth)) as f32;
     (colors, color, left)
 }
 

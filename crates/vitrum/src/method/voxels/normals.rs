@@ -19,7 +19,9 @@ pub(super) fn of_corners(mesh: &Mesh, smooth: bool) -> Vec<[[f32; 3]; 3]> {
     let around = if smooth && mesh.normals.is_none() { around(mesh) } else { Around::default() };
     let angle = |triangle: &[u32; 3], corner: usize| {
         let [a, b, c] = [0, 1, 2].map(|k| position(triangle[(corner + k) % 3]));
-        (b - a).angle_between(c - a)
+        let (along, other) = (b - a, c - a);
+        let cosine = along.dot(other) / (along.length_squared() * other.length_squared()).sqrt();
+        libm::acos(cosine.clamp(-1.0, 1.0))
     };
     let of_triangle = |(index, triangle): (usize, &[u32; 3])| {
         std::array::from_fn(|corner| {

@@ -80,7 +80,7 @@ pub(super) fn block(scene: &Scene, uploaded: &Uploaded, view: &View, seen: &Seen
         away: vector(view.axes.z_axis),
         eye: vector(eye),
         voxel: grid.voxel_size as f32,
-        same_cosine: f64::from(voxels.threshold).to_radians().cos() as f32,
+        same_cosine: libm::cos(f64::from(voxels.threshold).to_radians()) as f32,
         same_distance: AGAIN,
         low: vector(bounds[0] - AROUND),
         high: vector(bounds[1] + AROUND),

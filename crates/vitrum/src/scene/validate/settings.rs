@@ -93,7 +93,7 @@ fn check_camera(camera: &Camera) -> Result<(), Fault> {
 
 /// A direction may have any length that survives being squared in f32.
 fn check_direction(key: &str, direction: Vector) -> Result<(), Fault> {
-    let length = direction.iter().fold(0.0, |length: f64, &component| length.hypot(f64::from(component)));
+    let length = direction.iter().fold(0.0, |length, &component| libm::hypot(length, f64::from(component)));
     if (1e-15..=1e15).contains(&length) {
         return Ok(());
     }
