@@ -7,7 +7,7 @@
 /// [`LANES`](super::LANES) columns, the mode is a variable.
 macro_rules! host {
     ($name:ident $format:tt $folder:ident $uniforms:ident $module:ident $access:ident $record:ident
-     [$($level:ident)*] $few:tt $modes:tt $skip:tt [$($number:literal $read:ident: $element:ident,)*] $out:literal) => {
+     [$($level:ident)*] $few:tt $modes:tt $skip:tt [$($number:literal $read:ident: $element:ident,)*] $out:literal [$($workgroups:literal)?]) => {
         #[doc = concat!("See [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ").")]
         #[allow(non_upper_case_globals)]
         pub static $name: Kernel = Kernel {
@@ -28,6 +28,12 @@ macro_rules! host {
                         access: Access::Read,
                     },)*
                     Binding { binding: $out, name: "record", element: Element::F32, access: host!(@access $access) },
+                    $(Binding {
+                        binding: $workgroups,
+                        name: "workgroups",
+                        element: Element::U32,
+                        access: Access::Workgroups,
+                    },)?
                 ],
             },
             run: $name::run,
