@@ -122,51 +122,51 @@ var<storage, read_write> global_6: type_24;
 fn function_() {
 var local: i32;
 var local_1: vec3<f32>;
-var phi_658_: u32;
-var phi_894_: i32;
-var phi_897_: i32;
-var phi_1333_: f32;
-var phi_895_: i32;
-var phi_898_: i32;
+var phi_653_: u32;
+var phi_738_: i32;
+var phi_741_: i32;
+var phi_1177_: f32;
+var phi_739_: i32;
+var phi_742_: i32;
 var local_2: i32;
-var phi_1341_: type_19;
-var phi_1343_: type_19;
-var phi_1346_: i32;
-var phi_1682_: f32;
-var phi_1720_: i32;
-var phi_1723_: i32;
-var phi_2159_: f32;
-var phi_1721_: i32;
-var phi_1724_: i32;
+var phi_1185_: type_19;
+var phi_1187_: type_19;
+var phi_1190_: i32;
+var phi_1526_: f32;
+var phi_1564_: i32;
+var phi_1567_: i32;
+var phi_2003_: f32;
+var phi_1565_: i32;
+var phi_1568_: i32;
 var local_3: i32;
-var phi_2171_: i32;
-var phi_2174_: f32;
-var phi_2176_: f32;
-var phi_2205_: i32;
-var phi_2208_: i32;
-var phi_2644_: f32;
-var phi_2206_: i32;
-var phi_2209_: i32;
+var phi_2015_: i32;
+var phi_2018_: f32;
+var phi_2020_: f32;
+var phi_2049_: i32;
+var phi_2052_: i32;
+var phi_2488_: f32;
+var phi_2050_: i32;
+var phi_2053_: i32;
 var local_4: i32;
-var phi_2172_: i32;
-var phi_2175_: f32;
-var phi_2177_: f32;
+var phi_2016_: i32;
+var phi_2019_: f32;
+var phi_2021_: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var phi_2679_: i32;
-var phi_2682_: i32;
-var phi_3118_: f32;
-var phi_2680_: i32;
-var phi_2683_: i32;
+var phi_2523_: i32;
+var phi_2526_: i32;
+var phi_2962_: f32;
+var phi_2524_: i32;
+var phi_2527_: i32;
 var local_8: i32;
 var local_9: i32;
-var phi_3578_: f32;
-var phi_4017_: f32;
-var phi_4457_: f32;
-var phi_4896_: f32;
-var phi_5336_: f32;
-var phi_5775_: f32;
+var phi_3422_: f32;
+var phi_3861_: f32;
+var phi_4301_: f32;
+var phi_4740_: f32;
+var phi_5180_: f32;
+var phi_5619_: f32;
 var local_10: f32;
 var local_11: i32;
 var local_12: f32;
@@ -174,30 +174,30 @@ var local_13: f32;
 var local_14: f32;
 var local_15: f32;
 var local_16: f32;
-var phi_6105_: type_19;
+var phi_5949_: type_19;
 var local_17: i32;
 var local_18: i32;
-var phi_6316_: type_19;
-var phi_6369_: type_19;
-var phi_6383_: type_19;
+var phi_6160_: type_19;
+var phi_6213_: type_19;
+var phi_6227_: type_19;
 var local_19: i32;
-var phi_6827_: type_19;
-var phi_6828_: type_19;
-var phi_6808_: type_19;
-var phi_6829_: type_19;
+var phi_6671_: type_19;
+var phi_6672_: type_19;
+var phi_6652_: type_19;
+var phi_6673_: type_19;
 var local_20: i32;
-var phi_6838_: type_19;
-var phi_6839_: type_19;
-var phi_6840_: bool;
-var phi_7419_: type_19;
+var phi_6682_: type_19;
+var phi_6683_: type_19;
+var phi_6684_: bool;
+var phi_7263_: type_19;
 var local_21: i32;
-var phi_7721_: type_19;
-var phi_7722_: type_19;
-var phi_7723_: type_19;
-var phi_7130_: type_19;
-var phi_7724_: type_19;
-var phi_1344_: type_19;
-var phi_1347_: i32;
+var phi_7565_: type_19;
+var phi_7566_: type_19;
+var phi_7567_: type_19;
+var phi_6974_: type_19;
+var phi_7568_: type_19;
+var phi_1188_: type_19;
+var phi_1191_: i32;
 var local_22: type_19;
 var local_23: type_19;
 var local_24: type_19;
@@ -333,11 +333,11 @@ let _e378 = select(_e113, _e376, (_e376 < _e113));
 let _e384 = global_3.member[bitcast<u32>(select(0i, _e378, (_e378 > 0i)))];
 let _e385 = (_e296 == 0f);
 if _e385 {
-phi_658_ = 3u;
+phi_653_ = 3u;
 } else {
-phi_658_ = select(0u, 1u, (_e296 == 4f));
+phi_653_ = select(0u, 1u, (_e296 == 4f));
 }
-let _e389 = phi_658_;
+let _e389 = phi_653_;
 if (_e389 > 0u) {
 if (arrayLength((&global_6.member)) >= 3u) {
 let _e398 = atomicLoad((&global_6.member[0u]));
@@ -360,11 +360,11 @@ let _e435 = global_1.member.member_14;
 let _e441 = global_1.member.member_15;
 if (_e385 && (_e318 == 0f)) {
 let _e449 = global_1.member.member_3;
-phi_894_ = (bitcast<i32>(_e449) - 1i);
-phi_897_ = 16i;
+phi_738_ = (bitcast<i32>(_e449) - 1i);
+phi_741_ = 16i;
 loop {
-let _e453 = phi_894_;
-let _e455 = phi_897_;
+let _e453 = phi_738_;
+let _e455 = phi_741_;
 local_2 = _e455;
 let _e456 = (_e453 >= 0i);
 if _e456 {
@@ -456,37 +456,37 @@ let _e766 = global_5.member[bitcast<u32>(select(0i, _e760, (_e760 > 0i)))];
 let _e773 = ((_e754 >> bitcast<u32>((_e746 & 31u))) | ((_e766 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e746) & 31u))));
 let _e776 = f32(bitcast<i32>((_e773 & 65535u)));
 let _e786 = (_e651 + (((_e688 + ((f32(bitcast<i32>((_e685 >> bitcast<u32>(16i)))) - _e688) * _e604)) - _e651) * _e606));
-phi_1333_ = (_e786 + (((_e739 + (((_e776 + ((f32(bitcast<i32>((_e773 >> bitcast<u32>(16i)))) - _e776) * _e604)) - _e739) * _e606)) - _e786) * (_e474 - f32(_e525))));
+phi_1177_ = (_e786 + (((_e739 + (((_e776 + ((f32(bitcast<i32>((_e773 >> bitcast<u32>(16i)))) - _e776) * _e604)) - _e739) * _e606)) - _e786) * (_e474 - f32(_e525))));
 } else {
-phi_1333_ = 0f;
+phi_1177_ = 0f;
 }
-let _e794 = phi_1333_;
-phi_895_ = (_e453 - 1i);
-phi_898_ = select(_e455, _e453, (_e794 > 32767.5f));
+let _e794 = phi_1177_;
+phi_739_ = (_e453 - 1i);
+phi_742_ = select(_e455, _e453, (_e794 > 32767.5f));
 } else {
-phi_895_ = i32();
-phi_898_ = i32();
+phi_739_ = i32();
+phi_742_ = i32();
 }
-let _e799 = phi_895_;
-let _e801 = phi_898_;
+let _e799 = phi_739_;
+let _e801 = phi_742_;
 continue;
 continuing {
-phi_894_ = _e799;
-phi_897_ = _e801;
+phi_738_ = _e799;
+phi_741_ = _e801;
 break if !(_e456);
 }
 }
 let _e804 = local_2;
-phi_1341_ = type_19(_e406, _e407, _e408, _e409, _e410, _e285, _e296, _e804, _e318, _e329, _e340, _e351, _e424, _e431, _e384);
+phi_1185_ = type_19(_e406, _e407, _e408, _e409, _e410, _e285, _e296, _e804, _e318, _e329, _e340, _e351, _e424, _e431, _e384);
 } else {
-phi_1341_ = type_19(_e406, _e407, _e408, _e409, _e410, _e285, _e296, select(0i, select(select(i32(_e307), i32(-2147483648), (_e307 < -2147483600f)), 2147483647i, (_e307 > 2147483500f)), (_e307 == _e307)), _e318, _e329, _e340, _e351, _e424, _e431, _e384);
+phi_1185_ = type_19(_e406, _e407, _e408, _e409, _e410, _e285, _e296, select(0i, select(select(i32(_e307), i32(-2147483648), (_e307 < -2147483600f)), 2147483647i, (_e307 > 2147483500f)), (_e307 == _e307)), _e318, _e329, _e340, _e351, _e424, _e431, _e384);
 }
-let _e807 = phi_1341_;
-phi_1343_ = _e807;
-phi_1346_ = 0i;
+let _e807 = phi_1185_;
+phi_1187_ = _e807;
+phi_1190_ = 0i;
 loop {
-let _e809 = phi_1343_;
-let _e811 = phi_1346_;
+let _e809 = phi_1187_;
+let _e811 = phi_1190_;
 local_22 = _e809;
 local_23 = _e809;
 local_24 = _e809;
@@ -568,22 +568,22 @@ let _e1001 = select(_e993, _e991, (_e991 > _e993));
 let _e1003 = select(_e1001, _e999, (_e999 < _e1001));
 let _e1005 = select(_e997, _e995, (_e995 > _e997));
 let _e1007 = select(_e1005, _e1003, (_e1003 < _e1005));
-phi_1682_ = (select(0f, _e1007, (_e1007 > 0f)) + 1e-3f);
+phi_1526_ = (select(0f, _e1007, (_e1007 > 0f)) + 1e-3f);
 } else {
-phi_1682_ = 0.5f;
+phi_1526_ = 0.5f;
 }
-let _e1012 = phi_1682_;
+let _e1012 = phi_1526_;
 let _e1015 = (select(0f, _e870, (_e870 > 0f)) + 1e-3f);
 let _e1017 = select(_e1015, _e1012, (_e1012 < _e1015));
 let _e1019 = (_e809.member_14 <= _e1017);
 let _e1020 = select(_e1017, _e809.member_14, _e1019);
 let _e1030 = global_1.member.member_3;
 let _e1032 = (bitcast<i32>(_e1030) - 1i);
-phi_1720_ = _e1032;
-phi_1723_ = 16i;
+phi_1564_ = _e1032;
+phi_1567_ = 16i;
 loop {
-let _e1034 = phi_1720_;
-let _e1036 = phi_1723_;
+let _e1034 = phi_1564_;
+let _e1036 = phi_1567_;
 local_3 = _e1036;
 local_21 = _e1036;
 let _e1037 = (_e1034 >= 0i);
@@ -676,39 +676,39 @@ let _e1347 = global_5.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
 let _e1354 = ((_e1335 >> bitcast<u32>((_e1327 & 31u))) | ((_e1347 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1327) & 31u))));
 let _e1357 = f32(bitcast<i32>((_e1354 & 65535u)));
 let _e1367 = (_e1232 + (((_e1269 + ((f32(bitcast<i32>((_e1266 >> bitcast<u32>(16i)))) - _e1269) * _e1185)) - _e1232) * _e1187));
-phi_2159_ = (_e1367 + (((_e1320 + (((_e1357 + ((f32(bitcast<i32>((_e1354 >> bitcast<u32>(16i)))) - _e1357) * _e1185)) - _e1320) * _e1187)) - _e1367) * (_e1055 - f32(_e1106))));
+phi_2003_ = (_e1367 + (((_e1320 + (((_e1357 + ((f32(bitcast<i32>((_e1354 >> bitcast<u32>(16i)))) - _e1357) * _e1185)) - _e1320) * _e1187)) - _e1367) * (_e1055 - f32(_e1106))));
 } else {
-phi_2159_ = 0f;
+phi_2003_ = 0f;
 }
-let _e1375 = phi_2159_;
-phi_1721_ = (_e1034 - 1i);
-phi_1724_ = select(_e1036, _e1034, (_e1375 > 32767.5f));
+let _e1375 = phi_2003_;
+phi_1565_ = (_e1034 - 1i);
+phi_1568_ = select(_e1036, _e1034, (_e1375 > 32767.5f));
 } else {
-phi_1721_ = i32();
-phi_1724_ = i32();
+phi_1565_ = i32();
+phi_1568_ = i32();
 }
-let _e1380 = phi_1721_;
-let _e1382 = phi_1724_;
+let _e1380 = phi_1565_;
+let _e1382 = phi_1568_;
 continue;
 continuing {
-phi_1720_ = _e1380;
-phi_1723_ = _e1382;
+phi_1564_ = _e1380;
+phi_1567_ = _e1382;
 break if !(_e1037);
 }
 }
 let _e1385 = local_3;
 let _e1386 = (_e1385 == _e809.member_7);
 if _e1386 {
-phi_6839_ = _e809;
-phi_6840_ = _e1386;
+phi_6683_ = _e809;
+phi_6684_ = _e1386;
 } else {
-phi_2171_ = 0i;
-phi_2174_ = 0f;
-phi_2176_ = _e1020;
+phi_2015_ = 0i;
+phi_2018_ = 0f;
+phi_2020_ = _e1020;
 loop {
-let _e1388 = phi_2171_;
-let _e1390 = phi_2174_;
-let _e1392 = phi_2176_;
+let _e1388 = phi_2015_;
+let _e1390 = phi_2018_;
+let _e1392 = phi_2020_;
 local_5 = _e1392;
 local_6 = _e1392;
 local_7 = _e1392;
@@ -721,11 +721,11 @@ local_16 = _e1392;
 let _e1393 = (_e1388 < 12i);
 if _e1393 {
 let _e1395 = (0.5f * (_e1390 + _e1392));
-phi_2205_ = _e1032;
-phi_2208_ = 16i;
+phi_2049_ = _e1032;
+phi_2052_ = 16i;
 loop {
-let _e1403 = phi_2205_;
-let _e1405 = phi_2208_;
+let _e1403 = phi_2049_;
+let _e1405 = phi_2052_;
 local_4 = _e1405;
 let _e1406 = (_e1403 >= 0i);
 if _e1406 {
@@ -817,44 +817,44 @@ let _e1716 = global_5.member[bitcast<u32>(select(0i, _e1710, (_e1710 > 0i)))];
 let _e1723 = ((_e1704 >> bitcast<u32>((_e1696 & 31u))) | ((_e1716 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1696) & 31u))));
 let _e1726 = f32(bitcast<i32>((_e1723 & 65535u)));
 let _e1736 = (_e1601 + (((_e1638 + ((f32(bitcast<i32>((_e1635 >> bitcast<u32>(16i)))) - _e1638) * _e1554)) - _e1601) * _e1556));
-phi_2644_ = (_e1736 + (((_e1689 + (((_e1726 + ((f32(bitcast<i32>((_e1723 >> bitcast<u32>(16i)))) - _e1726) * _e1554)) - _e1689) * _e1556)) - _e1736) * (_e1424 - f32(_e1475))));
+phi_2488_ = (_e1736 + (((_e1689 + (((_e1726 + ((f32(bitcast<i32>((_e1723 >> bitcast<u32>(16i)))) - _e1726) * _e1554)) - _e1689) * _e1556)) - _e1736) * (_e1424 - f32(_e1475))));
 } else {
-phi_2644_ = 0f;
+phi_2488_ = 0f;
 }
-let _e1744 = phi_2644_;
-phi_2206_ = (_e1403 - 1i);
-phi_2209_ = select(_e1405, _e1403, (_e1744 > 32767.5f));
+let _e1744 = phi_2488_;
+phi_2050_ = (_e1403 - 1i);
+phi_2053_ = select(_e1405, _e1403, (_e1744 > 32767.5f));
 } else {
-phi_2206_ = i32();
-phi_2209_ = i32();
+phi_2050_ = i32();
+phi_2053_ = i32();
 }
-let _e1749 = phi_2206_;
-let _e1751 = phi_2209_;
+let _e1749 = phi_2050_;
+let _e1751 = phi_2053_;
 continue;
 continuing {
-phi_2205_ = _e1749;
-phi_2208_ = _e1751;
+phi_2049_ = _e1749;
+phi_2052_ = _e1751;
 break if !(_e1406);
 }
 }
 let _e1754 = local_4;
 let _e1755 = (_e1754 == _e809.member_7);
-phi_2172_ = (_e1388 + 1i);
-phi_2175_ = select(_e1390, _e1395, _e1755);
-phi_2177_ = select(_e1395, _e1392, _e1755);
+phi_2016_ = (_e1388 + 1i);
+phi_2019_ = select(_e1390, _e1395, _e1755);
+phi_2021_ = select(_e1395, _e1392, _e1755);
 } else {
-phi_2172_ = i32();
-phi_2175_ = f32();
-phi_2177_ = f32();
+phi_2016_ = i32();
+phi_2019_ = f32();
+phi_2021_ = f32();
 }
-let _e1760 = phi_2172_;
-let _e1762 = phi_2175_;
-let _e1764 = phi_2177_;
+let _e1760 = phi_2016_;
+let _e1762 = phi_2019_;
+let _e1764 = phi_2021_;
 continue;
 continuing {
-phi_2171_ = _e1760;
-phi_2174_ = _e1762;
-phi_2176_ = _e1764;
+phi_2015_ = _e1760;
+phi_2018_ = _e1762;
+phi_2020_ = _e1764;
 break if !(_e1393);
 }
 }
@@ -864,11 +864,11 @@ let _e1770 = local_6;
 let _e1771 = (_e809.member_1.y * _e1770);
 let _e1773 = local_7;
 let _e1774 = (_e809.member_1.z * _e1773);
-phi_2679_ = _e1032;
-phi_2682_ = 16i;
+phi_2523_ = _e1032;
+phi_2526_ = 16i;
 loop {
-let _e1781 = phi_2679_;
-let _e1783 = phi_2682_;
+let _e1781 = phi_2523_;
+let _e1783 = phi_2526_;
 local_8 = _e1783;
 local_9 = _e1783;
 local_11 = _e1783;
@@ -966,23 +966,23 @@ let _e2094 = global_5.member[bitcast<u32>(select(0i, _e2088, (_e2088 > 0i)))];
 let _e2101 = ((_e2082 >> bitcast<u32>((_e2074 & 31u))) | ((_e2094 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2074) & 31u))));
 let _e2104 = f32(bitcast<i32>((_e2101 & 65535u)));
 let _e2114 = (_e1979 + (((_e2016 + ((f32(bitcast<i32>((_e2013 >> bitcast<u32>(16i)))) - _e2016) * _e1932)) - _e1979) * _e1934));
-phi_3118_ = (_e2114 + (((_e2067 + (((_e2104 + ((f32(bitcast<i32>((_e2101 >> bitcast<u32>(16i)))) - _e2104) * _e1932)) - _e2067) * _e1934)) - _e2114) * (_e1802 - f32(_e1853))));
+phi_2962_ = (_e2114 + (((_e2067 + (((_e2104 + ((f32(bitcast<i32>((_e2101 >> bitcast<u32>(16i)))) - _e2104) * _e1932)) - _e2067) * _e1934)) - _e2114) * (_e1802 - f32(_e1853))));
 } else {
-phi_3118_ = 0f;
+phi_2962_ = 0f;
 }
-let _e2122 = phi_3118_;
-phi_2680_ = (_e1781 - 1i);
-phi_2683_ = select(_e1783, _e1781, (_e2122 > 32767.5f));
+let _e2122 = phi_2962_;
+phi_2524_ = (_e1781 - 1i);
+phi_2527_ = select(_e1783, _e1781, (_e2122 > 32767.5f));
 } else {
-phi_2680_ = i32();
-phi_2683_ = i32();
+phi_2524_ = i32();
+phi_2527_ = i32();
 }
-let _e2127 = phi_2680_;
-let _e2129 = phi_2683_;
+let _e2127 = phi_2524_;
+let _e2129 = phi_2527_;
 continue;
 continuing {
-phi_2679_ = _e2127;
-phi_2682_ = _e2129;
+phi_2523_ = _e2127;
+phi_2526_ = _e2129;
 break if !(_e1784);
 }
 }
@@ -1082,11 +1082,11 @@ let _e2441 = global_5.member[bitcast<u32>(select(0i, _e2436, (_e2436 > 0i)))];
 let _e2448 = ((_e2430 >> bitcast<u32>((_e2423 & 31u))) | ((_e2441 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2423) & 31u))));
 let _e2451 = f32(bitcast<i32>((_e2448 & 65535u)));
 let _e2461 = (_e2332 + (((_e2367 + ((f32(bitcast<i32>((_e2364 >> bitcast<u32>(16i)))) - _e2367) * _e2287)) - _e2332) * _e2289));
-phi_3578_ = (_e2461 + (((_e2416 + (((_e2451 + ((f32(bitcast<i32>((_e2448 >> bitcast<u32>(16i)))) - _e2451) * _e2287)) - _e2416) * _e2289)) - _e2461) * (_e2161 - f32(_e2212))));
+phi_3422_ = (_e2461 + (((_e2416 + (((_e2451 + ((f32(bitcast<i32>((_e2448 >> bitcast<u32>(16i)))) - _e2451) * _e2287)) - _e2416) * _e2289)) - _e2461) * (_e2161 - f32(_e2212))));
 } else {
-phi_3578_ = 0f;
+phi_3422_ = 0f;
 }
-let _e2469 = phi_3578_;
+let _e2469 = phi_3422_;
 let _e2470 = local;
 let _e2471 = local_1[0u];
 let _e2473 = local_1[1u];
@@ -1172,11 +1172,11 @@ let _e2751 = global_5.member[bitcast<u32>(select(0i, _e2746, (_e2746 > 0i)))];
 let _e2758 = ((_e2740 >> bitcast<u32>((_e2733 & 31u))) | ((_e2751 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2733) & 31u))));
 let _e2761 = f32(bitcast<i32>((_e2758 & 65535u)));
 let _e2771 = (_e2642 + (((_e2677 + ((f32(bitcast<i32>((_e2674 >> bitcast<u32>(16i)))) - _e2677) * _e2597)) - _e2642) * _e2599));
-phi_4017_ = (_e2771 + (((_e2726 + (((_e2761 + ((f32(bitcast<i32>((_e2758 >> bitcast<u32>(16i)))) - _e2761) * _e2597)) - _e2726) * _e2599)) - _e2771) * (_e2479 - f32(_e2524))));
+phi_3861_ = (_e2771 + (((_e2726 + (((_e2761 + ((f32(bitcast<i32>((_e2758 >> bitcast<u32>(16i)))) - _e2761) * _e2597)) - _e2726) * _e2599)) - _e2771) * (_e2479 - f32(_e2524))));
 } else {
-phi_4017_ = 0f;
+phi_3861_ = 0f;
 }
-let _e2779 = phi_4017_;
+let _e2779 = phi_3861_;
 let _e2780 = (_e2469 - _e2779);
 let _e2781 = local;
 let _e2782 = local_1[0u];
@@ -1263,11 +1263,11 @@ let _e3062 = global_5.member[bitcast<u32>(select(0i, _e3057, (_e3057 > 0i)))];
 let _e3069 = ((_e3051 >> bitcast<u32>((_e3044 & 31u))) | ((_e3062 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3044) & 31u))));
 let _e3072 = f32(bitcast<i32>((_e3069 & 65535u)));
 let _e3082 = (_e2953 + (((_e2988 + ((f32(bitcast<i32>((_e2985 >> bitcast<u32>(16i)))) - _e2988) * _e2908)) - _e2953) * _e2910));
-phi_4457_ = (_e3082 + (((_e3037 + (((_e3072 + ((f32(bitcast<i32>((_e3069 >> bitcast<u32>(16i)))) - _e3072) * _e2908)) - _e3037) * _e2910)) - _e3082) * (_e2790 - f32(_e2835))));
+phi_4301_ = (_e3082 + (((_e3037 + (((_e3072 + ((f32(bitcast<i32>((_e3069 >> bitcast<u32>(16i)))) - _e3072) * _e2908)) - _e3037) * _e2910)) - _e3082) * (_e2790 - f32(_e2835))));
 } else {
-phi_4457_ = 0f;
+phi_4301_ = 0f;
 }
-let _e3090 = phi_4457_;
+let _e3090 = phi_4301_;
 let _e3091 = local;
 let _e3092 = local_1[0u];
 let _e3094 = local_1[1u];
@@ -1353,11 +1353,11 @@ let _e3372 = global_5.member[bitcast<u32>(select(0i, _e3367, (_e3367 > 0i)))];
 let _e3379 = ((_e3361 >> bitcast<u32>((_e3354 & 31u))) | ((_e3372 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3354) & 31u))));
 let _e3382 = f32(bitcast<i32>((_e3379 & 65535u)));
 let _e3392 = (_e3263 + (((_e3298 + ((f32(bitcast<i32>((_e3295 >> bitcast<u32>(16i)))) - _e3298) * _e3218)) - _e3263) * _e3220));
-phi_4896_ = (_e3392 + (((_e3347 + (((_e3382 + ((f32(bitcast<i32>((_e3379 >> bitcast<u32>(16i)))) - _e3382) * _e3218)) - _e3347) * _e3220)) - _e3392) * (_e3100 - f32(_e3145))));
+phi_4740_ = (_e3392 + (((_e3347 + (((_e3382 + ((f32(bitcast<i32>((_e3379 >> bitcast<u32>(16i)))) - _e3382) * _e3218)) - _e3347) * _e3220)) - _e3392) * (_e3100 - f32(_e3145))));
 } else {
-phi_4896_ = 0f;
+phi_4740_ = 0f;
 }
-let _e3400 = phi_4896_;
+let _e3400 = phi_4740_;
 let _e3401 = (_e3090 - _e3400);
 let _e3402 = local;
 let _e3403 = local_1[0u];
@@ -1444,11 +1444,11 @@ let _e3683 = global_5.member[bitcast<u32>(select(0i, _e3678, (_e3678 > 0i)))];
 let _e3690 = ((_e3672 >> bitcast<u32>((_e3665 & 31u))) | ((_e3683 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3665) & 31u))));
 let _e3693 = f32(bitcast<i32>((_e3690 & 65535u)));
 let _e3703 = (_e3574 + (((_e3609 + ((f32(bitcast<i32>((_e3606 >> bitcast<u32>(16i)))) - _e3609) * _e3529)) - _e3574) * _e3531));
-phi_5336_ = (_e3703 + (((_e3658 + (((_e3693 + ((f32(bitcast<i32>((_e3690 >> bitcast<u32>(16i)))) - _e3693) * _e3529)) - _e3658) * _e3531)) - _e3703) * (_e3411 - f32(_e3456))));
+phi_5180_ = (_e3703 + (((_e3658 + (((_e3693 + ((f32(bitcast<i32>((_e3690 >> bitcast<u32>(16i)))) - _e3693) * _e3529)) - _e3658) * _e3531)) - _e3703) * (_e3411 - f32(_e3456))));
 } else {
-phi_5336_ = 0f;
+phi_5180_ = 0f;
 }
-let _e3711 = phi_5336_;
+let _e3711 = phi_5180_;
 let _e3712 = local;
 let _e3713 = local_1[0u];
 let _e3715 = local_1[1u];
@@ -1534,11 +1534,11 @@ let _e3993 = global_5.member[bitcast<u32>(select(0i, _e3988, (_e3988 > 0i)))];
 let _e4000 = ((_e3982 >> bitcast<u32>((_e3975 & 31u))) | ((_e3993 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3975) & 31u))));
 let _e4003 = f32(bitcast<i32>((_e4000 & 65535u)));
 let _e4013 = (_e3884 + (((_e3919 + ((f32(bitcast<i32>((_e3916 >> bitcast<u32>(16i)))) - _e3919) * _e3839)) - _e3884) * _e3841));
-phi_5775_ = (_e4013 + (((_e3968 + (((_e4003 + ((f32(bitcast<i32>((_e4000 >> bitcast<u32>(16i)))) - _e4003) * _e3839)) - _e3968) * _e3841)) - _e4013) * (_e3721 - f32(_e3766))));
+phi_5619_ = (_e4013 + (((_e3968 + (((_e4003 + ((f32(bitcast<i32>((_e4000 >> bitcast<u32>(16i)))) - _e4003) * _e3839)) - _e3968) * _e3841)) - _e4013) * (_e3721 - f32(_e3766))));
 } else {
-phi_5775_ = 0f;
+phi_5619_ = 0f;
 }
-let _e4021 = phi_5775_;
+let _e4021 = phi_5619_;
 let _e4022 = (_e3711 - _e4021);
 let _e4027 = (((_e2780 * _e2780) + (_e3401 * _e3401)) + (_e4022 * _e4022));
 let _e4030 = sqrt(select(0f, _e4027, (_e4027 > 0f)));
@@ -1553,7 +1553,7 @@ let _e4057 = global_1.member.member_12;
 let _e4061 = local_11;
 let _e4063 = ((((_e809.member_5 + _e4040) < _e4044) && ((((_e4034 * _e809.member_4.x) + (_e4035 * _e809.member_4.y)) + (_e4036 * _e809.member_4.z)) > _e4057)) || (_e4061 == _e809.member_7));
 if _e4063 {
-phi_6838_ = _e809;
+phi_6682_ = _e809;
 } else {
 let _e4088 = type_19(vec3<f32>((_e809.member.x + _e1768), (_e809.member.y + _e1771), (_e809.member.z + _e1774)), _e809.member_1, _e809.member_2, _e809.member_3, _e809.member_4, _e809.member_5, _e809.member_6, _e809.member_7, _e809.member_8, _e809.member_9, _e809.member_10, _e809.member_11, _e809.member_12, _e809.member_13, _e809.member_14);
 let _e4092 = local_12;
@@ -1605,11 +1605,11 @@ let _e4287 = select(0i, select(select(i32(_e4280), i32(-2147483648), (_e4280 < -
 let _e4291 = (_e4287 - select(0i, 1i, (_e4280 < f32(_e4287))));
 let _e4292 = f32(_e4291);
 let _e4296 = ((_e4274 - (_e4292 * 0.6933594f)) - (_e4292 * -2.1219444e-4f));
-phi_6105_ = type_19(_e4130.member, _e4130.member_1, vec3<f32>((_e809.member_2.x * ((1f + (_e4172 * (1f + (_e4172 * (0.5f + (_e4172 * (0.16666667f + (_e4172 * (0.041666668f + (_e4172 * (0.008333334f + (_e4172 * (0.001388889f + (_e4172 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4167 + 127i)) << bitcast<u32>(23i))))), (_e809.member_2.y * ((1f + (_e4234 * (1f + (_e4234 * (0.5f + (_e4234 * (0.16666667f + (_e4234 * (0.041666668f + (_e4234 * (0.008333334f + (_e4234 * (0.001388889f + (_e4234 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4229 + 127i)) << bitcast<u32>(23i))))), (_e809.member_2.z * ((1f + (_e4296 * (1f + (_e4296 * (0.5f + (_e4296 * (0.16666667f + (_e4296 * (0.041666668f + (_e4296 * (0.008333334f + (_e4296 * (0.001388889f + (_e4296 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4291 + 127i)) << bitcast<u32>(23i)))))), _e4130.member_3, _e4130.member_4, _e4130.member_5, _e4130.member_6, _e4130.member_7, _e4130.member_8, _e4130.member_9, _e4130.member_10, _e4130.member_11, _e4130.member_12, _e4130.member_13, _e4130.member_14);
+phi_5949_ = type_19(_e4130.member, _e4130.member_1, vec3<f32>((_e809.member_2.x * ((1f + (_e4172 * (1f + (_e4172 * (0.5f + (_e4172 * (0.16666667f + (_e4172 * (0.041666668f + (_e4172 * (0.008333334f + (_e4172 * (0.001388889f + (_e4172 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4167 + 127i)) << bitcast<u32>(23i))))), (_e809.member_2.y * ((1f + (_e4234 * (1f + (_e4234 * (0.5f + (_e4234 * (0.16666667f + (_e4234 * (0.041666668f + (_e4234 * (0.008333334f + (_e4234 * (0.001388889f + (_e4234 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4229 + 127i)) << bitcast<u32>(23i))))), (_e809.member_2.z * ((1f + (_e4296 * (1f + (_e4296 * (0.5f + (_e4296 * (0.16666667f + (_e4296 * (0.041666668f + (_e4296 * (0.008333334f + (_e4296 * (0.001388889f + (_e4296 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4291 + 127i)) << bitcast<u32>(23i)))))), _e4130.member_3, _e4130.member_4, _e4130.member_5, _e4130.member_6, _e4130.member_7, _e4130.member_8, _e4130.member_9, _e4130.member_10, _e4130.member_11, _e4130.member_12, _e4130.member_13, _e4130.member_14);
 } else {
-phi_6105_ = _e4110;
+phi_5949_ = _e4110;
 }
-let _e4337 = phi_6105_;
+let _e4337 = phi_5949_;
 let _e4339 = (_e809.member_7 * 4i);
 let _e4341 = (bitcast<i32>(_e94) - 1i);
 let _e4343 = select(_e4341, _e4339, (_e4339 < _e4341));
@@ -1651,11 +1651,11 @@ let _e4466 = global_1.member.member_1;
 let _e4469 = select(0f, select(select((((0.5f * _e4445) * _e4445) * (1f + (_e4452 * _e4452))), 1f, (_e4437 <= 0f)), 0f, (_e4351 == _e4366)), ((_e4466 & 1u) != 0u));
 if (_e4337.member_8 == 0f) {
 let _e4484 = type_19(_e4337.member, _e4337.member_1, _e4337.member_2, _e4037, _e4337.member_4, _e4337.member_5, _e4337.member_6, _e4337.member_7, _e4337.member_8, _e4337.member_9, _e4337.member_10, _e4337.member_11, _e4337.member_12, _e4337.member_13, _e4337.member_14);
-phi_6316_ = type_19(_e4484.member, _e4484.member_1, _e4484.member_2, _e4484.member_3, _e4484.member_4, _e4484.member_5, _e4484.member_6, _e4484.member_7, _e4484.member_8, _e4484.member_9, _e4484.member_10, _e4469, _e4484.member_12, _e4484.member_13, _e4484.member_14);
+phi_6160_ = type_19(_e4484.member, _e4484.member_1, _e4484.member_2, _e4484.member_3, _e4484.member_4, _e4484.member_5, _e4484.member_6, _e4484.member_7, _e4484.member_8, _e4484.member_9, _e4484.member_10, _e4469, _e4484.member_12, _e4484.member_13, _e4484.member_14);
 } else {
-phi_6316_ = _e4337;
+phi_6160_ = _e4337;
 }
-let _e4501 = phi_6316_;
+let _e4501 = phi_6160_;
 let _e4503 = (_e4501.member_8 + 1f);
 let _e4518 = type_19(_e4501.member, _e4501.member_1, _e4501.member_2, _e4501.member_3, _e4501.member_4, _e4501.member_5, _e4501.member_6, _e4501.member_7, _e4503, _e4501.member_9, _e4501.member_10, _e4501.member_11, _e4501.member_12, _e4501.member_13, _e4501.member_14);
 let _e4521 = ((_e101.member_2 == 0u) && (_e4503 >= 2f));
@@ -1667,18 +1667,18 @@ let _e4552 = (_e4501.member_1.z - (_e4036 * _e4546));
 let _e4557 = (((_e4550 * _e4550) + (_e4551 * _e4551)) + (_e4552 * _e4552));
 let _e4560 = sqrt(select(0f, _e4557, (_e4557 > 0f)));
 let _e4563 = (1f / select(1e-20f, _e4560, (_e4560 > 1e-20f)));
-phi_6369_ = type_19(_e4518.member, vec3<f32>((_e4550 * _e4563), (_e4551 * _e4563), (_e4552 * _e4563)), _e4518.member_2, _e4518.member_3, _e4518.member_4, _e4518.member_5, _e4518.member_6, _e4518.member_7, _e4518.member_8, _e4518.member_9, _e4518.member_10, _e4518.member_11, _e4518.member_12, _e4518.member_13, _e4518.member_14);
+phi_6213_ = type_19(_e4518.member, vec3<f32>((_e4550 * _e4563), (_e4551 * _e4563), (_e4552 * _e4563)), _e4518.member_2, _e4518.member_3, _e4518.member_4, _e4518.member_5, _e4518.member_6, _e4518.member_7, _e4518.member_8, _e4518.member_9, _e4518.member_10, _e4518.member_11, _e4518.member_12, _e4518.member_13, _e4518.member_14);
 } else {
-phi_6369_ = type_19(_e4518.member, vec3<f32>((_e4416 * _e4429), (_e4417 * _e4429), (_e4418 * _e4429)), _e4518.member_2, _e4518.member_3, _e4518.member_4, _e4518.member_5, _e4518.member_6, _e4518.member_7, _e4518.member_8, _e4518.member_9, _e4518.member_10, _e4518.member_11, _e4518.member_12, _e4518.member_13, _e4518.member_14);
+phi_6213_ = type_19(_e4518.member, vec3<f32>((_e4416 * _e4429), (_e4417 * _e4429), (_e4418 * _e4429)), _e4518.member_2, _e4518.member_3, _e4518.member_4, _e4518.member_5, _e4518.member_6, _e4518.member_7, _e4518.member_8, _e4518.member_9, _e4518.member_10, _e4518.member_11, _e4518.member_12, _e4518.member_13, _e4518.member_14);
 }
-let _e4584 = phi_6369_;
+let _e4584 = phi_6213_;
 if _e4394 {
-phi_6383_ = _e4584;
+phi_6227_ = _e4584;
 } else {
 let _e4585 = (1f - _e4469);
-phi_6383_ = type_19(_e4584.member, _e4584.member_1, vec3<f32>((_e4584.member_2.x * _e4585), (_e4584.member_2.y * _e4585), (_e4584.member_2.z * _e4585)), _e4584.member_3, _e4584.member_4, _e4584.member_5, _e4584.member_6, _e4584.member_7, _e4584.member_8, _e4584.member_9, _e4584.member_10, _e4584.member_11, _e4584.member_12, _e4584.member_13, _e4584.member_14);
+phi_6227_ = type_19(_e4584.member, _e4584.member_1, vec3<f32>((_e4584.member_2.x * _e4585), (_e4584.member_2.y * _e4585), (_e4584.member_2.z * _e4585)), _e4584.member_3, _e4584.member_4, _e4584.member_5, _e4584.member_6, _e4584.member_7, _e4584.member_8, _e4584.member_9, _e4584.member_10, _e4584.member_11, _e4584.member_12, _e4584.member_13, _e4584.member_14);
 }
-let _e4612 = phi_6383_;
+let _e4612 = phi_6227_;
 let _e4619 = global_1.member.member_17.member.member;
 let _e4633 = ((((_e4619.member.member * _e4612.member.x) + (_e4619.member.member_1 * _e4612.member.y)) + (_e4619.member.member_2 * _e4612.member.z)) + _e4619.member_1);
 let _e4642 = -((((_e4619.member.member * _e4612.member_1.x) + (_e4619.member.member_1 * _e4612.member_1.y)) + (_e4619.member.member_2 * _e4612.member_1.z)));
@@ -1701,43 +1701,43 @@ let _e4736 = local_19;
 let _e4739 = ((_e4466 & 2u) != 0u);
 if (_e4521 && !(_e4739)) {
 if (_e4688 == -1i) {
-phi_6808_ = type_19(_e4734.member, _e4734.member_1, _e4734.member_2, _e4734.member_3, _e4734.member_4, _e4734.member_5, 1f, _e4734.member_7, _e4734.member_8, _e4734.member_9, _e4734.member_10, _e4734.member_11, _e4734.member_12, _e4734.member_13, _e4734.member_14);
+phi_6652_ = type_19(_e4734.member, _e4734.member_1, _e4734.member_2, _e4734.member_3, _e4734.member_4, _e4734.member_5, 1f, _e4734.member_7, _e4734.member_8, _e4734.member_9, _e4734.member_10, _e4734.member_11, _e4734.member_12, _e4734.member_13, _e4734.member_14);
 } else {
 let _e4815 = type_19(vec3<f32>((_e4612.member.x + (_e4612.member_1.x * _e4689)), (_e4612.member.y + (_e4612.member_1.y * _e4689)), (_e4612.member.z + (_e4612.member_1.z * _e4689))), _e4734.member_1, _e4734.member_2, _e4734.member_3, _e4734.member_4, _e4734.member_5, _e4734.member_6, _e4734.member_7, _e4734.member_8, _e4734.member_9, _e4734.member_10, _e4734.member_11, _e4734.member_12, _e4734.member_13, _e4734.member_14);
 let _e4831 = type_19(_e4815.member, _e4815.member_1, _e4815.member_2, _e4815.member_3, _e4815.member_4, _e4815.member_5, _e4815.member_6, _e4815.member_7, _e4815.member_8, _e4815.member_9, _e4815.member_10, _e4815.member_11, _e4815.member_12, _e4815.member_13, (_e4689 - _e4689));
 let _e4851 = type_19(_e4831.member, _e4831.member_1, _e4831.member_2, _e4831.member_3, _e4831.member_4, _e4831.member_5, _e4831.member_6, _e4831.member_7, _e4831.member_8, _e4831.member_9, (_e4612.member_10 + select(0f, _e4689, (_e4612.member_8 == 0f))), _e4831.member_11, _e4831.member_12, _e4831.member_13, _e4831.member_14);
-phi_6808_ = type_19(_e4851.member, _e4851.member_1, _e4851.member_2, _e4851.member_3, _e4851.member_4, _e4851.member_5, 3f, _e4851.member_7, _e4851.member_8, _e4851.member_9, _e4851.member_10, _e4851.member_11, _e4851.member_12, _e4851.member_13, _e4851.member_14);
+phi_6652_ = type_19(_e4851.member, _e4851.member_1, _e4851.member_2, _e4851.member_3, _e4851.member_4, _e4851.member_5, 3f, _e4851.member_7, _e4851.member_8, _e4851.member_9, _e4851.member_10, _e4851.member_11, _e4851.member_12, _e4851.member_13, _e4851.member_14);
 }
-let _e4883 = phi_6808_;
-phi_6829_ = _e4883;
+let _e4883 = phi_6652_;
+phi_6673_ = _e4883;
 } else {
 let _e4746 = global_1.member.member_5;
 if ((!(_e4521) && (_e4612.member_8 >= f32(bitcast<i32>(_e4746)))) && (select(_e4736, _e809.member_7, _e4394) != 16i)) {
-phi_6828_ = type_19(_e4734.member, _e4734.member_1, _e4734.member_2, _e4734.member_3, _e4734.member_4, _e4734.member_5, 2f, _e4734.member_7, _e4734.member_8, _e4734.member_9, _e4734.member_10, _e4734.member_11, _e4734.member_12, _e4734.member_13, _e4734.member_14);
+phi_6672_ = type_19(_e4734.member, _e4734.member_1, _e4734.member_2, _e4734.member_3, _e4734.member_4, _e4734.member_5, 2f, _e4734.member_7, _e4734.member_8, _e4734.member_9, _e4734.member_10, _e4734.member_11, _e4734.member_12, _e4734.member_13, _e4734.member_14);
 } else {
 if _e4739 {
-phi_6827_ = type_19(_e4734.member, _e4734.member_1, _e4734.member_2, _e4734.member_3, _e4734.member_4, _e4734.member_5, 4f, _e4734.member_7, _e4734.member_8, _e4734.member_9, _e4734.member_10, _e4734.member_11, _e4734.member_12, _e4734.member_13, _e4734.member_14);
+phi_6671_ = type_19(_e4734.member, _e4734.member_1, _e4734.member_2, _e4734.member_3, _e4734.member_4, _e4734.member_5, 4f, _e4734.member_7, _e4734.member_8, _e4734.member_9, _e4734.member_10, _e4734.member_11, _e4734.member_12, _e4734.member_13, _e4734.member_14);
 } else {
-phi_6827_ = _e4734;
+phi_6671_ = _e4734;
 }
-let _e4769 = phi_6827_;
-phi_6828_ = _e4769;
+let _e4769 = phi_6671_;
+phi_6672_ = _e4769;
 }
-let _e4786 = phi_6828_;
-phi_6829_ = _e4786;
+let _e4786 = phi_6672_;
+phi_6673_ = _e4786;
 }
-let _e4885 = phi_6829_;
+let _e4885 = phi_6673_;
 let _e4888 = local_20;
 let _e4904 = type_19(_e4885.member, _e4885.member_1, _e4885.member_2, _e4885.member_3, _e4885.member_4, _e4885.member_5, _e4885.member_6, select(_e809.member_7, _e4888, !(_e4394)), _e4885.member_8, _e4885.member_9, _e4885.member_10, _e4885.member_11, _e4885.member_12, _e4885.member_13, _e4885.member_14);
 let _e4919 = type_19(_e4904.member, _e4904.member_1, _e4904.member_2, _e4904.member_3, _e4037, _e4904.member_5, _e4904.member_6, _e4904.member_7, _e4904.member_8, _e4904.member_9, _e4904.member_10, _e4904.member_11, _e4904.member_12, _e4904.member_13, _e4904.member_14);
-phi_6838_ = type_19(_e4919.member, _e4919.member_1, _e4919.member_2, _e4919.member_3, _e4919.member_4, 0f, _e4919.member_6, _e4919.member_7, _e4919.member_8, _e4919.member_9, _e4919.member_10, _e4919.member_11, _e4919.member_12, _e4919.member_13, _e4919.member_14);
+phi_6682_ = type_19(_e4919.member, _e4919.member_1, _e4919.member_2, _e4919.member_3, _e4919.member_4, 0f, _e4919.member_6, _e4919.member_7, _e4919.member_8, _e4919.member_9, _e4919.member_10, _e4919.member_11, _e4919.member_12, _e4919.member_13, _e4919.member_14);
 }
-let _e4936 = phi_6838_;
-phi_6839_ = _e4936;
-phi_6840_ = _e4063;
+let _e4936 = phi_6682_;
+phi_6683_ = _e4936;
+phi_6684_ = _e4063;
 }
-let _e4938 = phi_6839_;
-let _e4940 = phi_6840_;
+let _e4938 = phi_6683_;
+let _e4940 = phi_6684_;
 if (_e4940 && _e1019) {
 let _e5410 = type_19(vec3<f32>((_e4938.member.x + (_e4938.member_1.x * _e4938.member_14)), (_e4938.member.y + (_e4938.member_1.y * _e4938.member_14)), (_e4938.member.z + (_e4938.member_1.z * _e4938.member_14))), _e4938.member_1, _e4938.member_2, _e4938.member_3, _e4938.member_4, _e4938.member_5, _e4938.member_6, _e4938.member_7, _e4938.member_8, _e4938.member_9, _e4938.member_10, _e4938.member_11, _e4938.member_12, _e4938.member_13, _e4938.member_14);
 let _e5427 = type_19(_e5410.member, _e5410.member_1, _e5410.member_2, _e5410.member_3, _e5410.member_4, (_e4938.member_5 + _e4938.member_14), _e5410.member_6, _e5410.member_7, _e5410.member_8, _e5410.member_9, _e5410.member_10, _e5410.member_11, _e5410.member_12, _e5410.member_13, _e5410.member_14);
@@ -1786,12 +1786,12 @@ let _e5632 = select(0i, select(select(i32(_e5625), i32(-2147483648), (_e5625 < -
 let _e5636 = (_e5632 - select(0i, 1i, (_e5625 < f32(_e5632))));
 let _e5637 = f32(_e5636);
 let _e5641 = ((_e5619 - (_e5637 * 0.6933594f)) - (_e5637 * -2.1219444e-4f));
-phi_7130_ = type_19(_e5481.member, _e5481.member_1, vec3<f32>((_e4938.member_2.x * ((1f + (_e5521 * (1f + (_e5521 * (0.5f + (_e5521 * (0.16666667f + (_e5521 * (0.041666668f + (_e5521 * (0.008333334f + (_e5521 * (0.001388889f + (_e5521 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5516 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.y * ((1f + (_e5581 * (1f + (_e5581 * (0.5f + (_e5581 * (0.16666667f + (_e5581 * (0.041666668f + (_e5581 * (0.008333334f + (_e5581 * (0.001388889f + (_e5581 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5576 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.z * ((1f + (_e5641 * (1f + (_e5641 * (0.5f + (_e5641 * (0.16666667f + (_e5641 * (0.041666668f + (_e5641 * (0.008333334f + (_e5641 * (0.001388889f + (_e5641 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5636 + 127i)) << bitcast<u32>(23i)))))), _e5481.member_3, _e5481.member_4, _e5481.member_5, _e5481.member_6, _e5481.member_7, _e5481.member_8, _e5481.member_9, _e5481.member_10, _e5481.member_11, _e5481.member_12, _e5481.member_13, _e5481.member_14);
+phi_6974_ = type_19(_e5481.member, _e5481.member_1, vec3<f32>((_e4938.member_2.x * ((1f + (_e5521 * (1f + (_e5521 * (0.5f + (_e5521 * (0.16666667f + (_e5521 * (0.041666668f + (_e5521 * (0.008333334f + (_e5521 * (0.001388889f + (_e5521 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5516 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.y * ((1f + (_e5581 * (1f + (_e5581 * (0.5f + (_e5581 * (0.16666667f + (_e5581 * (0.041666668f + (_e5581 * (0.008333334f + (_e5581 * (0.001388889f + (_e5581 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5576 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.z * ((1f + (_e5641 * (1f + (_e5641 * (0.5f + (_e5641 * (0.16666667f + (_e5641 * (0.041666668f + (_e5641 * (0.008333334f + (_e5641 * (0.001388889f + (_e5641 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5636 + 127i)) << bitcast<u32>(23i)))))), _e5481.member_3, _e5481.member_4, _e5481.member_5, _e5481.member_6, _e5481.member_7, _e5481.member_8, _e5481.member_9, _e5481.member_10, _e5481.member_11, _e5481.member_12, _e5481.member_13, _e5481.member_14);
 } else {
-phi_7130_ = _e5463;
+phi_6974_ = _e5463;
 }
-let _e5682 = phi_7130_;
-phi_7724_ = type_19(_e5682.member, _e5682.member_1, _e5682.member_2, _e5682.member_3, _e5682.member_4, _e5682.member_5, 3f, _e5682.member_7, _e5682.member_8, _e5682.member_9, _e5682.member_10, _e5682.member_11, _e5682.member_12, _e5682.member_13, _e5682.member_14);
+let _e5682 = phi_6974_;
+phi_7568_ = type_19(_e5682.member, _e5682.member_1, _e5682.member_2, _e5682.member_3, _e5682.member_4, _e5682.member_5, 3f, _e5682.member_7, _e5682.member_8, _e5682.member_9, _e5682.member_10, _e5682.member_11, _e5682.member_12, _e5682.member_13, _e5682.member_14);
 } else {
 if _e4940 {
 let _e4973 = type_19(vec3<f32>((_e4938.member.x + (_e4938.member_1.x * _e1020)), (_e4938.member.y + (_e4938.member_1.y * _e1020)), (_e4938.member.z + (_e4938.member_1.z * _e1020))), _e4938.member_1, _e4938.member_2, _e4938.member_3, _e4938.member_4, _e4938.member_5, _e4938.member_6, _e4938.member_7, _e4938.member_8, _e4938.member_9, _e4938.member_10, _e4938.member_11, _e4938.member_12, _e4938.member_13, _e4938.member_14);
@@ -1841,48 +1841,48 @@ let _e5196 = select(0i, select(select(i32(_e5189), i32(-2147483648), (_e5189 < -
 let _e5200 = (_e5196 - select(0i, 1i, (_e5189 < f32(_e5196))));
 let _e5201 = f32(_e5200);
 let _e5205 = ((_e5183 - (_e5201 * 0.6933594f)) - (_e5201 * -2.1219444e-4f));
-phi_7419_ = type_19(_e5045.member, _e5045.member_1, vec3<f32>((_e4938.member_2.x * ((1f + (_e5085 * (1f + (_e5085 * (0.5f + (_e5085 * (0.16666667f + (_e5085 * (0.041666668f + (_e5085 * (0.008333334f + (_e5085 * (0.001388889f + (_e5085 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5080 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.y * ((1f + (_e5145 * (1f + (_e5145 * (0.5f + (_e5145 * (0.16666667f + (_e5145 * (0.041666668f + (_e5145 * (0.008333334f + (_e5145 * (0.001388889f + (_e5145 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5140 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.z * ((1f + (_e5205 * (1f + (_e5205 * (0.5f + (_e5205 * (0.16666667f + (_e5205 * (0.041666668f + (_e5205 * (0.008333334f + (_e5205 * (0.001388889f + (_e5205 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5200 + 127i)) << bitcast<u32>(23i)))))), _e5045.member_3, _e5045.member_4, _e5045.member_5, _e5045.member_6, _e5045.member_7, _e5045.member_8, _e5045.member_9, _e5045.member_10, _e5045.member_11, _e5045.member_12, _e5045.member_13, _e5045.member_14);
+phi_7263_ = type_19(_e5045.member, _e5045.member_1, vec3<f32>((_e4938.member_2.x * ((1f + (_e5085 * (1f + (_e5085 * (0.5f + (_e5085 * (0.16666667f + (_e5085 * (0.041666668f + (_e5085 * (0.008333334f + (_e5085 * (0.001388889f + (_e5085 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5080 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.y * ((1f + (_e5145 * (1f + (_e5145 * (0.5f + (_e5145 * (0.16666667f + (_e5145 * (0.041666668f + (_e5145 * (0.008333334f + (_e5145 * (0.001388889f + (_e5145 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5140 + 127i)) << bitcast<u32>(23i))))), (_e4938.member_2.z * ((1f + (_e5205 * (1f + (_e5205 * (0.5f + (_e5205 * (0.16666667f + (_e5205 * (0.041666668f + (_e5205 * (0.008333334f + (_e5205 * (0.001388889f + (_e5205 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5200 + 127i)) << bitcast<u32>(23i)))))), _e5045.member_3, _e5045.member_4, _e5045.member_5, _e5045.member_6, _e5045.member_7, _e5045.member_8, _e5045.member_9, _e5045.member_10, _e5045.member_11, _e5045.member_12, _e5045.member_13, _e5045.member_14);
 } else {
-phi_7419_ = _e5027;
+phi_7263_ = _e5027;
 }
-let _e5246 = phi_7419_;
+let _e5246 = phi_7263_;
 let _e5249 = local_21;
 if (((_e870 <= 0f) && (_e5249 == 16i)) && (_e809.member_7 == 16i)) {
 if (_e5246.member_13 == -1i) {
-phi_7721_ = type_19(_e5246.member, _e5246.member_1, _e5246.member_2, _e5246.member_3, _e5246.member_4, _e5246.member_5, 1f, _e5246.member_7, _e5246.member_8, _e5246.member_9, _e5246.member_10, _e5246.member_11, _e5246.member_12, _e5246.member_13, _e5246.member_14);
+phi_7565_ = type_19(_e5246.member, _e5246.member_1, _e5246.member_2, _e5246.member_3, _e5246.member_4, _e5246.member_5, 1f, _e5246.member_7, _e5246.member_8, _e5246.member_9, _e5246.member_10, _e5246.member_11, _e5246.member_12, _e5246.member_13, _e5246.member_14);
 } else {
 let _e5288 = type_19(vec3<f32>((_e5246.member.x + (_e5246.member_1.x * _e5246.member_14)), (_e5246.member.y + (_e5246.member_1.y * _e5246.member_14)), (_e5246.member.z + (_e5246.member_1.z * _e5246.member_14))), _e5246.member_1, _e5246.member_2, _e5246.member_3, _e5246.member_4, _e5246.member_5, _e5246.member_6, _e5246.member_7, _e5246.member_8, _e5246.member_9, _e5246.member_10, _e5246.member_11, _e5246.member_12, _e5246.member_13, _e5246.member_14);
 let _e5305 = type_19(_e5288.member, _e5288.member_1, _e5288.member_2, _e5288.member_3, _e5288.member_4, (_e5246.member_5 + _e5246.member_14), _e5288.member_6, _e5288.member_7, _e5288.member_8, _e5288.member_9, _e5288.member_10, _e5288.member_11, _e5288.member_12, _e5288.member_13, _e5288.member_14);
 let _e5321 = type_19(_e5305.member, _e5305.member_1, _e5305.member_2, _e5305.member_3, _e5305.member_4, _e5305.member_5, _e5305.member_6, _e5305.member_7, _e5305.member_8, _e5305.member_9, _e5305.member_10, _e5305.member_11, _e5305.member_12, _e5305.member_13, (_e5246.member_14 - _e5246.member_14));
 let _e5341 = type_19(_e5321.member, _e5321.member_1, _e5321.member_2, _e5321.member_3, _e5321.member_4, _e5321.member_5, _e5321.member_6, _e5321.member_7, _e5321.member_8, _e5321.member_9, (_e5246.member_10 + select(0f, _e5246.member_14, (_e5246.member_8 == 0f))), _e5321.member_11, _e5321.member_12, _e5321.member_13, _e5321.member_14);
-phi_7721_ = type_19(_e5341.member, _e5341.member_1, _e5341.member_2, _e5341.member_3, _e5341.member_4, _e5341.member_5, 3f, _e5341.member_7, _e5341.member_8, _e5341.member_9, _e5341.member_10, _e5341.member_11, _e5341.member_12, _e5341.member_13, _e5341.member_14);
+phi_7565_ = type_19(_e5341.member, _e5341.member_1, _e5341.member_2, _e5341.member_3, _e5341.member_4, _e5341.member_5, 3f, _e5341.member_7, _e5341.member_8, _e5341.member_9, _e5341.member_10, _e5341.member_11, _e5341.member_12, _e5341.member_13, _e5341.member_14);
 }
-let _e5373 = phi_7721_;
-phi_7722_ = _e5373;
+let _e5373 = phi_7565_;
+phi_7566_ = _e5373;
 } else {
-phi_7722_ = _e5246;
+phi_7566_ = _e5246;
 }
-let _e5375 = phi_7722_;
-phi_7723_ = _e5375;
+let _e5375 = phi_7566_;
+phi_7567_ = _e5375;
 } else {
-phi_7723_ = _e4938;
+phi_7567_ = _e4938;
 }
-let _e5377 = phi_7723_;
-phi_7724_ = _e5377;
+let _e5377 = phi_7567_;
+phi_7568_ = _e5377;
 }
-let _e5699 = phi_7724_;
-phi_1344_ = _e5699;
-phi_1347_ = (_e811 + 1i);
+let _e5699 = phi_7568_;
+phi_1188_ = _e5699;
+phi_1191_ = (_e811 + 1i);
 } else {
-phi_1344_ = type_19();
-phi_1347_ = i32();
+phi_1188_ = type_19();
+phi_1191_ = i32();
 }
-let _e5701 = phi_1344_;
-let _e5703 = phi_1347_;
+let _e5701 = phi_1188_;
+let _e5703 = phi_1191_;
 continue;
 continuing {
-phi_1343_ = _e5701;
-phi_1346_ = _e5703;
+phi_1187_ = _e5701;
+phi_1190_ = _e5703;
 break if !(_e815);
 }
 }

@@ -122,26 +122,26 @@ var<storage> global_6: type_20;
 @group(0) @binding(3)
 var<storage> global_7: type_15;
 fn function_() {
-var phi_645_: u32;
-var phi_875_: type_18;
-var phi_878_: i32;
-var phi_1497_: type_18;
-var phi_1210_: type_18;
-var phi_1498_: type_18;
-var phi_2302_: type_18;
-var phi_2355_: type_18;
-var phi_2369_: type_18;
-var phi_2813_: type_18;
-var phi_2814_: type_18;
-var phi_2794_: type_18;
-var phi_2815_: type_18;
-var phi_2824_: type_18;
-var phi_2825_: type_18;
-var phi_2826_: type_18;
-var phi_1830_: type_18;
-var phi_2827_: type_18;
-var phi_876_: type_18;
-var phi_879_: i32;
+var phi_639_: u32;
+var phi_718_: type_18;
+var phi_721_: i32;
+var phi_1340_: type_18;
+var phi_1053_: type_18;
+var phi_1341_: type_18;
+var phi_2145_: type_18;
+var phi_2198_: type_18;
+var phi_2212_: type_18;
+var phi_2656_: type_18;
+var phi_2657_: type_18;
+var phi_2637_: type_18;
+var phi_2658_: type_18;
+var phi_2667_: type_18;
+var phi_2668_: type_18;
+var phi_2669_: type_18;
+var phi_1673_: type_18;
+var phi_2670_: type_18;
+var phi_719_: type_18;
+var phi_722_: i32;
 var local: type_18;
 var local_1: type_18;
 var local_2: type_18;
@@ -275,11 +275,11 @@ let _e370 = bitcast<i32>(_e369);
 let _e372 = select(_e107, _e370, (_e370 < _e107));
 let _e378 = global_3.member[bitcast<u32>(select(0i, _e372, (_e372 > 0i)))];
 if (_e290 == 0f) {
-phi_645_ = 3u;
+phi_639_ = 3u;
 } else {
-phi_645_ = select(0u, 1u, (_e290 == 4f));
+phi_639_ = select(0u, 1u, (_e290 == 4f));
 }
-let _e383 = phi_645_;
+let _e383 = phi_639_;
 if (_e383 > 0u) {
 if (arrayLength((&global_4.member)) >= 3u) {
 let _e392 = atomicLoad((&global_4.member[0u]));
@@ -297,11 +297,11 @@ let _e435 = global_1.member.member_2.member_1;
 let _e436 = bitcast<i32>(_e435);
 let _e440 = global_1.member.member_2.member_2;
 let _e441 = bitcast<i32>(_e440);
-phi_875_ = type_18(vec3<f32>(_e115, _e125, _e136), vec3<f32>(_e147, _e158, _e169), vec3<f32>(_e180, _e191, _e202), vec3<f32>(_e213, _e224, _e235), vec3<f32>(_e246, _e257, _e268), _e279, _e290, select(0i, select(select(i32(_e301), i32(-2147483648), (_e301 < -2147483600f)), 2147483647i, (_e301 > 2147483500f)), (_e301 == _e301)), _e312, _e323, _e334, _e345, select(0i, select(select(i32(_e356), i32(-2147483648), (_e356 < -2147483600f)), 2147483647i, (_e356 > 2147483500f)), (_e356 == _e356)), select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < -2147483600f)), 2147483647i, (_e367 > 2147483500f)), (_e367 == _e367)), _e378);
-phi_878_ = 0i;
+phi_718_ = type_18(vec3<f32>(_e115, _e125, _e136), vec3<f32>(_e147, _e158, _e169), vec3<f32>(_e180, _e191, _e202), vec3<f32>(_e213, _e224, _e235), vec3<f32>(_e246, _e257, _e268), _e279, _e290, select(0i, select(select(i32(_e301), i32(-2147483648), (_e301 < -2147483600f)), 2147483647i, (_e301 > 2147483500f)), (_e301 == _e301)), _e312, _e323, _e334, _e345, select(0i, select(select(i32(_e356), i32(-2147483648), (_e356 < -2147483600f)), 2147483647i, (_e356 > 2147483500f)), (_e356 == _e356)), select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < -2147483600f)), 2147483647i, (_e367 > 2147483500f)), (_e367 == _e367)), _e378);
+phi_721_ = 0i;
 loop {
-let _e446 = phi_875_;
-let _e448 = phi_878_;
+let _e446 = phi_718_;
+let _e448 = phi_721_;
 local = _e446;
 local_1 = _e446;
 local_2 = _e446;
@@ -384,12 +384,12 @@ let _e1027 = select(0i, select(select(i32(_e1020), i32(-2147483648), (_e1020 < -
 let _e1031 = (_e1027 - select(0i, 1i, (_e1020 < f32(_e1027))));
 let _e1032 = f32(_e1031);
 let _e1036 = ((_e1014 - (_e1032 * 0.6933594f)) - (_e1032 * -2.1219444e-4f));
-phi_1210_ = type_18(_e876.member, _e876.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e916 * (1f + (_e916 * (0.5f + (_e916 * (0.16666667f + (_e916 * (0.041666668f + (_e916 * (0.008333334f + (_e916 * (0.001388889f + (_e916 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e911 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e976 * (1f + (_e976 * (0.5f + (_e976 * (0.16666667f + (_e976 * (0.041666668f + (_e976 * (0.008333334f + (_e976 * (0.001388889f + (_e976 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e971 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e1036 * (1f + (_e1036 * (0.5f + (_e1036 * (0.16666667f + (_e1036 * (0.041666668f + (_e1036 * (0.008333334f + (_e1036 * (0.001388889f + (_e1036 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1031 + 127i)) << bitcast<u32>(23i)))))), _e876.member_3, _e876.member_4, _e876.member_5, _e876.member_6, _e876.member_7, _e876.member_8, _e876.member_9, _e876.member_10, _e876.member_11, _e876.member_12, _e876.member_13, _e876.member_14);
+phi_1053_ = type_18(_e876.member, _e876.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e916 * (1f + (_e916 * (0.5f + (_e916 * (0.16666667f + (_e916 * (0.041666668f + (_e916 * (0.008333334f + (_e916 * (0.001388889f + (_e916 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e911 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e976 * (1f + (_e976 * (0.5f + (_e976 * (0.16666667f + (_e976 * (0.041666668f + (_e976 * (0.008333334f + (_e976 * (0.001388889f + (_e976 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e971 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e1036 * (1f + (_e1036 * (0.5f + (_e1036 * (0.16666667f + (_e1036 * (0.041666668f + (_e1036 * (0.008333334f + (_e1036 * (0.001388889f + (_e1036 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1031 + 127i)) << bitcast<u32>(23i)))))), _e876.member_3, _e876.member_4, _e876.member_5, _e876.member_6, _e876.member_7, _e876.member_8, _e876.member_9, _e876.member_10, _e876.member_11, _e876.member_12, _e876.member_13, _e876.member_14);
 } else {
-phi_1210_ = _e858;
+phi_1053_ = _e858;
 }
-let _e1077 = phi_1210_;
-phi_1498_ = type_18(_e1077.member, _e1077.member_1, _e1077.member_2, _e1077.member_3, _e1077.member_4, _e1077.member_5, 3f, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
+let _e1077 = phi_1053_;
+phi_1341_ = type_18(_e1077.member, _e1077.member_1, _e1077.member_2, _e1077.member_3, _e1077.member_4, _e1077.member_5, 3f, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
 } else {
 let _e504 = type_18(vec3<f32>((_e446.member.x + (_e446.member_1.x * _e473)), (_e446.member.y + (_e446.member_1.y * _e473)), (_e446.member.z + (_e446.member_1.z * _e473))), _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, _e446.member_6, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e446.member_14);
 let _e521 = type_18(_e504.member, _e504.member_1, _e504.member_2, _e504.member_3, _e504.member_4, (_e446.member_5 + _e473), _e504.member_6, _e504.member_7, _e504.member_8, _e504.member_9, _e504.member_10, _e504.member_11, _e504.member_12, _e504.member_13, _e504.member_14);
@@ -438,29 +438,29 @@ let _e726 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < -214
 let _e730 = (_e726 - select(0i, 1i, (_e719 < f32(_e726))));
 let _e731 = f32(_e730);
 let _e735 = ((_e713 - (_e731 * 0.6933594f)) - (_e731 * -2.1219444e-4f));
-phi_1497_ = type_18(_e575.member, _e575.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e615 * (1f + (_e615 * (0.5f + (_e615 * (0.16666667f + (_e615 * (0.041666668f + (_e615 * (0.008333334f + (_e615 * (0.001388889f + (_e615 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e610 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e675 * (1f + (_e675 * (0.5f + (_e675 * (0.16666667f + (_e675 * (0.041666668f + (_e675 * (0.008333334f + (_e675 * (0.001388889f + (_e675 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e670 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e735 * (1f + (_e735 * (0.5f + (_e735 * (0.16666667f + (_e735 * (0.041666668f + (_e735 * (0.008333334f + (_e735 * (0.001388889f + (_e735 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e730 + 127i)) << bitcast<u32>(23i)))))), _e575.member_3, _e575.member_4, _e575.member_5, _e575.member_6, _e575.member_7, _e575.member_8, _e575.member_9, _e575.member_10, _e575.member_11, _e575.member_12, _e575.member_13, _e575.member_14);
+phi_1340_ = type_18(_e575.member, _e575.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e615 * (1f + (_e615 * (0.5f + (_e615 * (0.16666667f + (_e615 * (0.041666668f + (_e615 * (0.008333334f + (_e615 * (0.001388889f + (_e615 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e610 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e675 * (1f + (_e675 * (0.5f + (_e675 * (0.16666667f + (_e675 * (0.041666668f + (_e675 * (0.008333334f + (_e675 * (0.001388889f + (_e675 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e670 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e735 * (1f + (_e735 * (0.5f + (_e735 * (0.16666667f + (_e735 * (0.041666668f + (_e735 * (0.008333334f + (_e735 * (0.001388889f + (_e735 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e730 + 127i)) << bitcast<u32>(23i)))))), _e575.member_3, _e575.member_4, _e575.member_5, _e575.member_6, _e575.member_7, _e575.member_8, _e575.member_9, _e575.member_10, _e575.member_11, _e575.member_12, _e575.member_13, _e575.member_14);
 } else {
-phi_1497_ = _e557;
+phi_1340_ = _e557;
 }
-let _e776 = phi_1497_;
-phi_1498_ = _e776;
+let _e776 = phi_1340_;
+phi_1341_ = _e776;
 }
-let _e1094 = phi_1498_;
+let _e1094 = phi_1341_;
 if (!(_e475) && ((((((_e1094.member.x < 0f) || (_e1094.member.y < 0f)) || (_e1094.member.z < 0f)) || (_e1094.member.x >= f32(_e431))) || (_e1094.member.y >= f32(_e436))) || (_e1094.member.z >= f32(_e441)))) {
 if (_e1094.member_13 == -1i) {
-phi_1830_ = type_18(_e1094.member, _e1094.member_1, _e1094.member_2, _e1094.member_3, _e1094.member_4, _e1094.member_5, 1f, _e1094.member_7, _e1094.member_8, _e1094.member_9, _e1094.member_10, _e1094.member_11, _e1094.member_12, _e1094.member_13, _e1094.member_14);
+phi_1673_ = type_18(_e1094.member, _e1094.member_1, _e1094.member_2, _e1094.member_3, _e1094.member_4, _e1094.member_5, 1f, _e1094.member_7, _e1094.member_8, _e1094.member_9, _e1094.member_10, _e1094.member_11, _e1094.member_12, _e1094.member_13, _e1094.member_14);
 } else {
 let _e1917 = type_18(vec3<f32>((_e1094.member.x + (_e1094.member_1.x * _e1094.member_14)), (_e1094.member.y + (_e1094.member_1.y * _e1094.member_14)), (_e1094.member.z + (_e1094.member_1.z * _e1094.member_14))), _e1094.member_1, _e1094.member_2, _e1094.member_3, _e1094.member_4, _e1094.member_5, _e1094.member_6, _e1094.member_7, _e1094.member_8, _e1094.member_9, _e1094.member_10, _e1094.member_11, _e1094.member_12, _e1094.member_13, _e1094.member_14);
 let _e1934 = type_18(_e1917.member, _e1917.member_1, _e1917.member_2, _e1917.member_3, _e1917.member_4, (_e1094.member_5 + _e1094.member_14), _e1917.member_6, _e1917.member_7, _e1917.member_8, _e1917.member_9, _e1917.member_10, _e1917.member_11, _e1917.member_12, _e1917.member_13, _e1917.member_14);
 let _e1950 = type_18(_e1934.member, _e1934.member_1, _e1934.member_2, _e1934.member_3, _e1934.member_4, _e1934.member_5, _e1934.member_6, _e1934.member_7, _e1934.member_8, _e1934.member_9, _e1934.member_10, _e1934.member_11, _e1934.member_12, _e1934.member_13, (_e1094.member_14 - _e1094.member_14));
 let _e1970 = type_18(_e1950.member, _e1950.member_1, _e1950.member_2, _e1950.member_3, _e1950.member_4, _e1950.member_5, _e1950.member_6, _e1950.member_7, _e1950.member_8, _e1950.member_9, (_e1094.member_10 + select(0f, _e1094.member_14, (_e1094.member_8 == 0f))), _e1950.member_11, _e1950.member_12, _e1950.member_13, _e1950.member_14);
-phi_1830_ = type_18(_e1970.member, _e1970.member_1, _e1970.member_2, _e1970.member_3, _e1970.member_4, _e1970.member_5, 3f, _e1970.member_7, _e1970.member_8, _e1970.member_9, _e1970.member_10, _e1970.member_11, _e1970.member_12, _e1970.member_13, _e1970.member_14);
+phi_1673_ = type_18(_e1970.member, _e1970.member_1, _e1970.member_2, _e1970.member_3, _e1970.member_4, _e1970.member_5, 3f, _e1970.member_7, _e1970.member_8, _e1970.member_9, _e1970.member_10, _e1970.member_11, _e1970.member_12, _e1970.member_13, _e1970.member_14);
 }
-let _e2002 = phi_1830_;
-phi_2827_ = _e2002;
+let _e2002 = phi_1673_;
+phi_2670_ = _e2002;
 } else {
 if _e475 {
-phi_2826_ = _e1094;
+phi_2669_ = _e1094;
 } else {
 let _e1116 = f32((_e431 - 1i));
 let _e1118 = select(0f, _e1094.member.x, (_e1094.member.x > 0f));
@@ -544,11 +544,11 @@ let _e1412 = global_1.member.member_1;
 let _e1415 = select(0f, select(select((((0.5f * _e1392) * _e1392) * (1f + (_e1399 * _e1399))), 1f, (_e1384 <= 0f)), 0f, (_e1302 == _e1313)), ((_e1412 & 1u) != 0u));
 if (_e1094.member_8 == 0f) {
 let _e1430 = type_18(_e1094.member, _e1094.member_1, _e1094.member_2, _e1235, _e1094.member_4, _e1094.member_5, _e1094.member_6, _e1094.member_7, _e1094.member_8, _e1094.member_9, _e1094.member_10, _e1094.member_11, _e1094.member_12, _e1094.member_13, _e1094.member_14);
-phi_2302_ = type_18(_e1430.member, _e1430.member_1, _e1430.member_2, _e1430.member_3, _e1430.member_4, _e1430.member_5, _e1430.member_6, _e1430.member_7, _e1430.member_8, _e1430.member_9, _e1430.member_10, _e1415, _e1430.member_12, _e1430.member_13, _e1430.member_14);
+phi_2145_ = type_18(_e1430.member, _e1430.member_1, _e1430.member_2, _e1430.member_3, _e1430.member_4, _e1430.member_5, _e1430.member_6, _e1430.member_7, _e1430.member_8, _e1430.member_9, _e1430.member_10, _e1415, _e1430.member_12, _e1430.member_13, _e1430.member_14);
 } else {
-phi_2302_ = _e1094;
+phi_2145_ = _e1094;
 }
-let _e1447 = phi_2302_;
+let _e1447 = phi_2145_;
 let _e1449 = (_e1447.member_8 + 1f);
 let _e1464 = type_18(_e1447.member, _e1447.member_1, _e1447.member_2, _e1447.member_3, _e1447.member_4, _e1447.member_5, _e1447.member_6, _e1447.member_7, _e1449, _e1447.member_9, _e1447.member_10, _e1447.member_11, _e1447.member_12, _e1447.member_13, _e1447.member_14);
 let _e1467 = ((_e95.member_2 == 0u) && (_e1449 >= 2f));
@@ -560,18 +560,18 @@ let _e1498 = (_e1447.member_1.z - (_e1234 * _e1492));
 let _e1503 = (((_e1496 * _e1496) + (_e1497 * _e1497)) + (_e1498 * _e1498));
 let _e1506 = sqrt(select(0f, _e1503, (_e1503 > 0f)));
 let _e1509 = (1f / select(1e-20f, _e1506, (_e1506 > 1e-20f)));
-phi_2355_ = type_18(_e1464.member, vec3<f32>((_e1496 * _e1509), (_e1497 * _e1509), (_e1498 * _e1509)), _e1464.member_2, _e1464.member_3, _e1464.member_4, _e1464.member_5, _e1464.member_6, _e1464.member_7, _e1464.member_8, _e1464.member_9, _e1464.member_10, _e1464.member_11, _e1464.member_12, _e1464.member_13, _e1464.member_14);
+phi_2198_ = type_18(_e1464.member, vec3<f32>((_e1496 * _e1509), (_e1497 * _e1509), (_e1498 * _e1509)), _e1464.member_2, _e1464.member_3, _e1464.member_4, _e1464.member_5, _e1464.member_6, _e1464.member_7, _e1464.member_8, _e1464.member_9, _e1464.member_10, _e1464.member_11, _e1464.member_12, _e1464.member_13, _e1464.member_14);
 } else {
-phi_2355_ = type_18(_e1464.member, vec3<f32>((_e1363 * _e1376), (_e1364 * _e1376), (_e1365 * _e1376)), _e1464.member_2, _e1464.member_3, _e1464.member_4, _e1464.member_5, _e1464.member_6, _e1464.member_7, _e1464.member_8, _e1464.member_9, _e1464.member_10, _e1464.member_11, _e1464.member_12, _e1464.member_13, _e1464.member_14);
+phi_2198_ = type_18(_e1464.member, vec3<f32>((_e1363 * _e1376), (_e1364 * _e1376), (_e1365 * _e1376)), _e1464.member_2, _e1464.member_3, _e1464.member_4, _e1464.member_5, _e1464.member_6, _e1464.member_7, _e1464.member_8, _e1464.member_9, _e1464.member_10, _e1464.member_11, _e1464.member_12, _e1464.member_13, _e1464.member_14);
 }
-let _e1530 = phi_2355_;
+let _e1530 = phi_2198_;
 if _e1341 {
-phi_2369_ = _e1530;
+phi_2212_ = _e1530;
 } else {
 let _e1531 = (1f - _e1415);
-phi_2369_ = type_18(_e1530.member, _e1530.member_1, vec3<f32>((_e1530.member_2.x * _e1531), (_e1530.member_2.y * _e1531), (_e1530.member_2.z * _e1531)), _e1530.member_3, _e1530.member_4, _e1530.member_5, _e1530.member_6, _e1530.member_7, _e1530.member_8, _e1530.member_9, _e1530.member_10, _e1530.member_11, _e1530.member_12, _e1530.member_13, _e1530.member_14);
+phi_2212_ = type_18(_e1530.member, _e1530.member_1, vec3<f32>((_e1530.member_2.x * _e1531), (_e1530.member_2.y * _e1531), (_e1530.member_2.z * _e1531)), _e1530.member_3, _e1530.member_4, _e1530.member_5, _e1530.member_6, _e1530.member_7, _e1530.member_8, _e1530.member_9, _e1530.member_10, _e1530.member_11, _e1530.member_12, _e1530.member_13, _e1530.member_14);
 }
-let _e1558 = phi_2369_;
+let _e1558 = phi_2212_;
 let _e1565 = global_1.member.member_17.member.member;
 let _e1579 = ((((_e1565.member.member * _e1558.member.x) + (_e1565.member.member_1 * _e1558.member.y)) + (_e1565.member.member_2 * _e1558.member.z)) + _e1565.member_1);
 let _e1588 = -((((_e1565.member.member * _e1558.member_1.x) + (_e1565.member.member_1 * _e1558.member_1.y)) + (_e1565.member.member_2 * _e1558.member_1.z)));
@@ -593,62 +593,62 @@ let _e1680 = type_18(_e1665.member, _e1665.member_1, _e1665.member_2, _e1665.mem
 let _e1683 = ((_e1412 & 2u) != 0u);
 if (_e1467 && !(_e1683)) {
 if (_e1634 == -1i) {
-phi_2794_ = type_18(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 1f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
+phi_2637_ = type_18(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 1f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
 } else {
 let _e1759 = type_18(vec3<f32>((_e1558.member.x + (_e1558.member_1.x * _e1635)), (_e1558.member.y + (_e1558.member_1.y * _e1635)), (_e1558.member.z + (_e1558.member_1.z * _e1635))), _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, _e1680.member_6, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
 let _e1775 = type_18(_e1759.member, _e1759.member_1, _e1759.member_2, _e1759.member_3, _e1759.member_4, _e1759.member_5, _e1759.member_6, _e1759.member_7, _e1759.member_8, _e1759.member_9, _e1759.member_10, _e1759.member_11, _e1759.member_12, _e1759.member_13, (_e1635 - _e1635));
 let _e1795 = type_18(_e1775.member, _e1775.member_1, _e1775.member_2, _e1775.member_3, _e1775.member_4, _e1775.member_5, _e1775.member_6, _e1775.member_7, _e1775.member_8, _e1775.member_9, (_e1558.member_10 + select(0f, _e1635, (_e1558.member_8 == 0f))), _e1775.member_11, _e1775.member_12, _e1775.member_13, _e1775.member_14);
-phi_2794_ = type_18(_e1795.member, _e1795.member_1, _e1795.member_2, _e1795.member_3, _e1795.member_4, _e1795.member_5, 3f, _e1795.member_7, _e1795.member_8, _e1795.member_9, _e1795.member_10, _e1795.member_11, _e1795.member_12, _e1795.member_13, _e1795.member_14);
+phi_2637_ = type_18(_e1795.member, _e1795.member_1, _e1795.member_2, _e1795.member_3, _e1795.member_4, _e1795.member_5, 3f, _e1795.member_7, _e1795.member_8, _e1795.member_9, _e1795.member_10, _e1795.member_11, _e1795.member_12, _e1795.member_13, _e1795.member_14);
 }
-let _e1827 = phi_2794_;
-phi_2815_ = _e1827;
+let _e1827 = phi_2637_;
+phi_2658_ = _e1827;
 } else {
 let _e1690 = global_1.member.member_5;
 if ((!(_e1467) && (_e1558.member_8 >= f32(bitcast<i32>(_e1690)))) && (select(_e1266, _e1094.member_7, _e1341) != 16i)) {
-phi_2814_ = type_18(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 2f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
+phi_2657_ = type_18(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 2f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
 } else {
 if _e1683 {
-phi_2813_ = type_18(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 4f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
+phi_2656_ = type_18(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 4f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
 } else {
-phi_2813_ = _e1680;
+phi_2656_ = _e1680;
 }
-let _e1713 = phi_2813_;
-phi_2814_ = _e1713;
+let _e1713 = phi_2656_;
+phi_2657_ = _e1713;
 }
-let _e1730 = phi_2814_;
-phi_2815_ = _e1730;
+let _e1730 = phi_2657_;
+phi_2658_ = _e1730;
 }
-let _e1829 = phi_2815_;
+let _e1829 = phi_2658_;
 let _e1846 = type_18(_e1829.member, _e1829.member_1, _e1829.member_2, _e1829.member_3, _e1829.member_4, _e1829.member_5, _e1829.member_6, select(_e1094.member_7, _e1266, !(_e1341)), _e1829.member_8, _e1829.member_9, _e1829.member_10, _e1829.member_11, _e1829.member_12, _e1829.member_13, _e1829.member_14);
 let _e1861 = type_18(_e1846.member, _e1846.member_1, _e1846.member_2, _e1846.member_3, _e1235, _e1846.member_5, _e1846.member_6, _e1846.member_7, _e1846.member_8, _e1846.member_9, _e1846.member_10, _e1846.member_11, _e1846.member_12, _e1846.member_13, _e1846.member_14);
-phi_2824_ = type_18(_e1861.member, _e1861.member_1, _e1861.member_2, _e1861.member_3, _e1861.member_4, 0f, _e1861.member_6, _e1861.member_7, _e1861.member_8, _e1861.member_9, _e1861.member_10, _e1861.member_11, _e1861.member_12, _e1861.member_13, _e1861.member_14);
+phi_2667_ = type_18(_e1861.member, _e1861.member_1, _e1861.member_2, _e1861.member_3, _e1861.member_4, 0f, _e1861.member_6, _e1861.member_7, _e1861.member_8, _e1861.member_9, _e1861.member_10, _e1861.member_11, _e1861.member_12, _e1861.member_13, _e1861.member_14);
 } else {
-phi_2824_ = _e1094;
+phi_2667_ = _e1094;
 }
-let _e1878 = phi_2824_;
-phi_2825_ = _e1878;
+let _e1878 = phi_2667_;
+phi_2668_ = _e1878;
 } else {
-phi_2825_ = _e1094;
+phi_2668_ = _e1094;
 }
-let _e1880 = phi_2825_;
-phi_2826_ = _e1880;
+let _e1880 = phi_2668_;
+phi_2669_ = _e1880;
 }
-let _e1882 = phi_2826_;
-phi_2827_ = _e1882;
+let _e1882 = phi_2669_;
+phi_2670_ = _e1882;
 }
-let _e2004 = phi_2827_;
-phi_876_ = _e2004;
-phi_879_ = (_e448 + 1i);
+let _e2004 = phi_2670_;
+phi_719_ = _e2004;
+phi_722_ = (_e448 + 1i);
 } else {
-phi_876_ = type_18();
-phi_879_ = i32();
+phi_719_ = type_18();
+phi_722_ = i32();
 }
-let _e2006 = phi_876_;
-let _e2008 = phi_879_;
+let _e2006 = phi_719_;
+let _e2008 = phi_722_;
 continue;
 continuing {
-phi_875_ = _e2006;
-phi_878_ = _e2008;
+phi_718_ = _e2006;
+phi_721_ = _e2008;
 break if !(_e452);
 }
 }

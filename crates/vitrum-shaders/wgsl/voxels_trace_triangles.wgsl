@@ -117,70 +117,70 @@ var<storage, read_write> global_5: type_15;
 @group(0) @binding(5)
 var<storage, read_write> global_6: type_22;
 fn function_() {
-var phi_648_: u32;
-var phi_881_: i32;
-var phi_883_: type_19;
-var phi_886_: i32;
-var phi_888_: i32;
-var phi_2162_: i32;
-var phi_2165_: i32;
-var phi_2163_: i32;
-var phi_2166_: i32;
-var phi_3277_: i32;
-var phi_3279_: i32;
-var phi_3282_: i32;
-var phi_3280_: i32;
-var phi_3283_: i32;
+var phi_642_: u32;
+var phi_724_: i32;
+var phi_726_: type_19;
+var phi_729_: i32;
+var phi_731_: i32;
+var phi_2005_: i32;
+var phi_2008_: i32;
+var phi_2006_: i32;
+var phi_2009_: i32;
+var phi_3120_: i32;
+var phi_3122_: i32;
+var phi_3125_: i32;
+var phi_3123_: i32;
+var phi_3126_: i32;
 var local: i32;
 var local_1: i32;
-var phi_3584_: type_19;
+var phi_3427_: type_19;
 var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_3919_: type_19;
-var phi_3972_: type_19;
-var phi_3986_: type_19;
+var phi_3762_: type_19;
+var phi_3815_: type_19;
+var phi_3829_: type_19;
 var local_8: i32;
 var local_9: i32;
-var phi_4430_: type_19;
-var phi_4431_: type_19;
-var phi_4411_: type_19;
-var phi_4432_: type_19;
-var phi_4437_: type_19;
-var phi_4438_: type_19;
-var phi_4439_: bool;
-var phi_4443_: type_19;
+var phi_4273_: type_19;
+var phi_4274_: type_19;
+var phi_4254_: type_19;
+var phi_4275_: type_19;
+var phi_4280_: type_19;
+var phi_4281_: type_19;
+var phi_4282_: bool;
+var phi_4286_: type_19;
 var local_10: i32;
 var local_11: i32;
-var phi_3257_: type_19;
-var phi_4445_: type_19;
-var phi_4446_: i32;
-var phi_1552_: i32;
-var phi_1555_: i32;
-var phi_1553_: i32;
-var phi_1556_: i32;
+var phi_3100_: type_19;
+var phi_4288_: type_19;
+var phi_4289_: i32;
+var phi_1395_: i32;
+var phi_1398_: i32;
+var phi_1396_: i32;
+var phi_1399_: i32;
 var local_12: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_2158_: type_19;
-var phi_1872_: type_19;
-var phi_2160_: type_19;
-var phi_4447_: type_19;
-var phi_4448_: i32;
-var phi_1511_: type_19;
-var phi_1512_: type_19;
-var phi_1544_: i32;
-var phi_4449_: type_19;
-var phi_4450_: i32;
-var phi_884_: type_19;
-var phi_887_: i32;
-var phi_889_: i32;
+var phi_2001_: type_19;
+var phi_1715_: type_19;
+var phi_2003_: type_19;
+var phi_4290_: type_19;
+var phi_4291_: i32;
+var phi_1354_: type_19;
+var phi_1355_: type_19;
+var phi_1387_: i32;
+var phi_4292_: type_19;
+var phi_4293_: i32;
+var phi_727_: type_19;
+var phi_730_: i32;
+var phi_732_: i32;
 var local_15: i32;
 var local_16: i32;
-var phi_4456_: i32;
+var phi_4299_: i32;
 var local_17: type_19;
 var local_18: type_19;
 var local_19: type_19;
@@ -314,11 +314,11 @@ let _e382 = bitcast<i32>(_e381);
 let _e384 = select(_e119, _e382, (_e382 < _e119));
 let _e390 = global_5.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
 if (_e302 == 0f) {
-phi_648_ = 3u;
+phi_642_ = 3u;
 } else {
-phi_648_ = select(0u, 1u, (_e302 == 4f));
+phi_642_ = select(0u, 1u, (_e302 == 4f));
 }
-let _e395 = phi_648_;
+let _e395 = phi_642_;
 if (_e395 > 0u) {
 if (arrayLength((&global_6.member)) >= 3u) {
 let _e404 = atomicLoad((&global_6.member[0u]));
@@ -333,18 +333,18 @@ if (_e395 > 1u) {
 let _e423 = select(0i, select(select(i32(_e313), i32(-2147483648), (_e313 < -2147483600f)), 2147483647i, (_e313 > 2147483500f)), (_e313 == _e313));
 let _e439 = bitcast<i32>(arrayLength((&global_2.member)));
 if (_e423 == 16i) {
-phi_881_ = 0i;
+phi_724_ = 0i;
 } else {
-phi_881_ = -(_e423);
+phi_724_ = -(_e423);
 }
-let _e444 = phi_881_;
-phi_883_ = type_19(vec3<f32>(_e127, _e137, _e148), vec3<f32>(_e159, _e170, _e181), vec3<f32>(_e192, _e203, _e214), vec3<f32>(_e225, _e236, _e247), vec3<f32>(_e258, _e269, _e280), _e291, _e302, _e423, _e324, _e335, _e346, _e357, select(0i, select(select(i32(_e368), i32(-2147483648), (_e368 < -2147483600f)), 2147483647i, (_e368 > 2147483500f)), (_e368 == _e368)), select(0i, select(select(i32(_e379), i32(-2147483648), (_e379 < -2147483600f)), 2147483647i, (_e379 > 2147483500f)), (_e379 == _e379)), _e390);
-phi_886_ = 0i;
-phi_888_ = _e444;
+let _e444 = phi_724_;
+phi_726_ = type_19(vec3<f32>(_e127, _e137, _e148), vec3<f32>(_e159, _e170, _e181), vec3<f32>(_e192, _e203, _e214), vec3<f32>(_e225, _e236, _e247), vec3<f32>(_e258, _e269, _e280), _e291, _e302, _e423, _e324, _e335, _e346, _e357, select(0i, select(select(i32(_e368), i32(-2147483648), (_e368 < -2147483600f)), 2147483647i, (_e368 > 2147483500f)), (_e368 == _e368)), select(0i, select(select(i32(_e379), i32(-2147483648), (_e379 < -2147483600f)), 2147483647i, (_e379 > 2147483500f)), (_e379 == _e379)), _e390);
+phi_729_ = 0i;
+phi_731_ = _e444;
 loop {
-let _e446 = phi_883_;
-let _e448 = phi_886_;
-let _e450 = phi_888_;
+let _e446 = phi_726_;
+let _e448 = phi_729_;
+let _e450 = phi_731_;
 local_15 = _e450;
 local_16 = _e450;
 local_17 = _e446;
@@ -480,51 +480,51 @@ let _e2963 = ((((_e2934 * (_e2844 * _e2804)) + (_e2937 * (_e2885 * _e2804))) + (
 let _e2966 = select(1e30f, _e2963, (_e2956 && (_e2963 > 1e-3f)));
 if (_e2966 < _e446.member_14) {
 let _e2982 = type_19(_e446.member, _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, _e446.member_6, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e2966);
-phi_1511_ = type_19(_e2982.member, _e2982.member_1, _e2982.member_2, _e2982.member_3, _e2982.member_4, _e2982.member_5, _e2982.member_6, _e2982.member_7, _e2982.member_8, _e2982.member_9, _e2982.member_10, _e2982.member_11, _e2982.member_12, _e2789, _e2982.member_14);
+phi_1354_ = type_19(_e2982.member, _e2982.member_1, _e2982.member_2, _e2982.member_3, _e2982.member_4, _e2982.member_5, _e2982.member_6, _e2982.member_7, _e2982.member_8, _e2982.member_9, _e2982.member_10, _e2982.member_11, _e2982.member_12, _e2789, _e2982.member_14);
 } else {
-phi_1511_ = _e446;
+phi_1354_ = _e446;
 }
-let _e2999 = phi_1511_;
-phi_1512_ = _e2999;
+let _e2999 = phi_1354_;
+phi_1355_ = _e2999;
 } else {
-phi_1512_ = _e446;
+phi_1355_ = _e446;
 }
-let _e3001 = phi_1512_;
+let _e3001 = phi_1355_;
 if _e2773 {
-phi_1544_ = (_e3001.member_12 + 1i);
+phi_1387_ = (_e3001.member_12 + 1i);
 } else {
 let _e3002 = (_e2650 + 7i);
 let _e3004 = select(_e2679, _e3002, (_e3002 < _e2679));
 let _e3010 = global_2.member[bitcast<u32>(select(0i, _e3004, (_e3004 > 0i)))];
-phi_1544_ = select(0i, select(select(i32(_e3010), i32(-2147483648), (_e3010 < -2147483600f)), 2147483647i, (_e3010 > 2147483500f)), (_e3010 == _e3010));
+phi_1387_ = select(0i, select(select(i32(_e3010), i32(-2147483648), (_e3010 < -2147483600f)), 2147483647i, (_e3010 > 2147483500f)), (_e3010 == _e3010));
 }
-let _e3021 = phi_1544_;
-phi_4449_ = type_19(_e3001.member, _e3001.member_1, _e3001.member_2, _e3001.member_3, _e3001.member_4, _e3001.member_5, _e3001.member_6, _e3001.member_7, _e3001.member_8, _e3001.member_9, _e3001.member_10, _e3001.member_11, _e3021, _e3001.member_13, _e3001.member_14);
-phi_4450_ = _e450;
+let _e3021 = phi_1387_;
+phi_4292_ = type_19(_e3001.member, _e3001.member_1, _e3001.member_2, _e3001.member_3, _e3001.member_4, _e3001.member_5, _e3001.member_6, _e3001.member_7, _e3001.member_8, _e3001.member_9, _e3001.member_10, _e3001.member_11, _e3021, _e3001.member_13, _e3001.member_14);
+phi_4293_ = _e450;
 } else {
 if (_e446.member_13 < 0i) {
-phi_1552_ = 15i;
-phi_1555_ = 16i;
+phi_1395_ = 15i;
+phi_1398_ = 16i;
 loop {
-let _e2180 = phi_1552_;
-let _e2182 = phi_1555_;
+let _e2180 = phi_1395_;
+let _e2182 = phi_1398_;
 local_12 = _e2182;
 local_13 = _e2182;
 local_14 = _e2182;
 let _e2183 = (_e2180 >= 0i);
 if _e2183 {
-phi_1553_ = (_e2180 - 1i);
-phi_1556_ = select(_e2182, _e2180, (((_e450 >> bitcast<u32>((_e2180 & 31i))) & 1i) == 1i));
+phi_1396_ = (_e2180 - 1i);
+phi_1399_ = select(_e2182, _e2180, (((_e450 >> bitcast<u32>((_e2180 & 31i))) & 1i) == 1i));
 } else {
-phi_1553_ = i32();
-phi_1556_ = i32();
+phi_1396_ = i32();
+phi_1399_ = i32();
 }
-let _e2192 = phi_1553_;
-let _e2194 = phi_1556_;
+let _e2192 = phi_1396_;
+let _e2194 = phi_1399_;
 continue;
 continuing {
-phi_1552_ = _e2192;
-phi_1555_ = _e2194;
+phi_1395_ = _e2192;
+phi_1398_ = _e2194;
 break if !(_e2183);
 }
 }
@@ -532,16 +532,16 @@ let _e2196 = (_e446.member_13 == -1i);
 let _e2198 = local_12;
 if (_e2196 || (_e2198 == 16i)) {
 if _e2196 {
-phi_1872_ = type_19(_e446.member, _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, 1f, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e446.member_14);
+phi_1715_ = type_19(_e446.member, _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, 1f, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e446.member_14);
 } else {
 let _e2557 = type_19(vec3<f32>((_e446.member.x + (_e446.member_1.x * _e446.member_14)), (_e446.member.y + (_e446.member_1.y * _e446.member_14)), (_e446.member.z + (_e446.member_1.z * _e446.member_14))), _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, _e446.member_6, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e446.member_14);
 let _e2574 = type_19(_e2557.member, _e2557.member_1, _e2557.member_2, _e2557.member_3, _e2557.member_4, (_e446.member_5 + _e446.member_14), _e2557.member_6, _e2557.member_7, _e2557.member_8, _e2557.member_9, _e2557.member_10, _e2557.member_11, _e2557.member_12, _e2557.member_13, _e2557.member_14);
 let _e2590 = type_19(_e2574.member, _e2574.member_1, _e2574.member_2, _e2574.member_3, _e2574.member_4, _e2574.member_5, _e2574.member_6, _e2574.member_7, _e2574.member_8, _e2574.member_9, _e2574.member_10, _e2574.member_11, _e2574.member_12, _e2574.member_13, (_e446.member_14 - _e446.member_14));
 let _e2610 = type_19(_e2590.member, _e2590.member_1, _e2590.member_2, _e2590.member_3, _e2590.member_4, _e2590.member_5, _e2590.member_6, _e2590.member_7, _e2590.member_8, _e2590.member_9, (_e446.member_10 + select(0f, _e446.member_14, (_e446.member_8 == 0f))), _e2590.member_11, _e2590.member_12, _e2590.member_13, _e2590.member_14);
-phi_1872_ = type_19(_e2610.member, _e2610.member_1, _e2610.member_2, _e2610.member_3, _e2610.member_4, _e2610.member_5, 3f, _e2610.member_7, _e2610.member_8, _e2610.member_9, _e2610.member_10, _e2610.member_11, _e2610.member_12, _e2610.member_13, _e2610.member_14);
+phi_1715_ = type_19(_e2610.member, _e2610.member_1, _e2610.member_2, _e2610.member_3, _e2610.member_4, _e2610.member_5, 3f, _e2610.member_7, _e2610.member_8, _e2610.member_9, _e2610.member_10, _e2610.member_11, _e2610.member_12, _e2610.member_13, _e2610.member_14);
 }
-let _e2642 = phi_1872_;
-phi_2160_ = _e2642;
+let _e2642 = phi_1715_;
+phi_2003_ = _e2642;
 } else {
 let _e2233 = type_19(vec3<f32>((_e446.member.x + (_e446.member_1.x * _e446.member_14)), (_e446.member.y + (_e446.member_1.y * _e446.member_14)), (_e446.member.z + (_e446.member_1.z * _e446.member_14))), _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, _e446.member_6, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e446.member_14);
 let _e2250 = type_19(_e2233.member, _e2233.member_1, _e2233.member_2, _e2233.member_3, _e2233.member_4, (_e446.member_5 + _e446.member_14), _e2233.member_6, _e2233.member_7, _e2233.member_8, _e2233.member_9, _e2233.member_10, _e2233.member_11, _e2233.member_12, _e2233.member_13, _e2233.member_14);
@@ -592,22 +592,22 @@ let _e2459 = select(0i, select(select(i32(_e2452), i32(-2147483648), (_e2452 < -
 let _e2463 = (_e2459 - select(0i, 1i, (_e2452 < f32(_e2459))));
 let _e2464 = f32(_e2463);
 let _e2468 = ((_e2446 - (_e2464 * 0.6933594f)) - (_e2464 * -2.1219444e-4f));
-phi_2158_ = type_19(_e2306.member, _e2306.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e2348 * (1f + (_e2348 * (0.5f + (_e2348 * (0.16666667f + (_e2348 * (0.041666668f + (_e2348 * (0.008333334f + (_e2348 * (0.001388889f + (_e2348 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2343 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e2408 * (1f + (_e2408 * (0.5f + (_e2408 * (0.16666667f + (_e2408 * (0.041666668f + (_e2408 * (0.008333334f + (_e2408 * (0.001388889f + (_e2408 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2403 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e2468 * (1f + (_e2468 * (0.5f + (_e2468 * (0.16666667f + (_e2468 * (0.041666668f + (_e2468 * (0.008333334f + (_e2468 * (0.001388889f + (_e2468 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2463 + 127i)) << bitcast<u32>(23i)))))), _e2306.member_3, _e2306.member_4, _e2306.member_5, _e2306.member_6, _e2306.member_7, _e2306.member_8, _e2306.member_9, _e2306.member_10, _e2306.member_11, _e2306.member_12, _e2306.member_13, _e2306.member_14);
+phi_2001_ = type_19(_e2306.member, _e2306.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e2348 * (1f + (_e2348 * (0.5f + (_e2348 * (0.16666667f + (_e2348 * (0.041666668f + (_e2348 * (0.008333334f + (_e2348 * (0.001388889f + (_e2348 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2343 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e2408 * (1f + (_e2408 * (0.5f + (_e2408 * (0.16666667f + (_e2408 * (0.041666668f + (_e2408 * (0.008333334f + (_e2408 * (0.001388889f + (_e2408 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2403 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e2468 * (1f + (_e2468 * (0.5f + (_e2468 * (0.16666667f + (_e2468 * (0.041666668f + (_e2468 * (0.008333334f + (_e2468 * (0.001388889f + (_e2468 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2463 + 127i)) << bitcast<u32>(23i)))))), _e2306.member_3, _e2306.member_4, _e2306.member_5, _e2306.member_6, _e2306.member_7, _e2306.member_8, _e2306.member_9, _e2306.member_10, _e2306.member_11, _e2306.member_12, _e2306.member_13, _e2306.member_14);
 } else {
-phi_2158_ = _e2286;
+phi_2001_ = _e2286;
 }
-let _e2509 = phi_2158_;
-phi_2160_ = type_19(_e2509.member, _e2509.member_1, _e2509.member_2, _e2509.member_3, _e2509.member_4, _e2509.member_5, 3f, _e2509.member_7, _e2509.member_8, _e2509.member_9, _e2509.member_10, _e2509.member_11, _e2509.member_12, _e2509.member_13, _e2509.member_14);
+let _e2509 = phi_2001_;
+phi_2003_ = type_19(_e2509.member, _e2509.member_1, _e2509.member_2, _e2509.member_3, _e2509.member_4, _e2509.member_5, 3f, _e2509.member_7, _e2509.member_8, _e2509.member_9, _e2509.member_10, _e2509.member_11, _e2509.member_12, _e2509.member_13, _e2509.member_14);
 }
-let _e2644 = phi_2160_;
-phi_4447_ = _e2644;
-phi_4448_ = _e450;
+let _e2644 = phi_2003_;
+phi_4290_ = _e2644;
+phi_4291_ = _e450;
 } else {
-phi_2162_ = 15i;
-phi_2165_ = 16i;
+phi_2005_ = 15i;
+phi_2008_ = 16i;
 loop {
-let _e461 = phi_2162_;
-let _e463 = phi_2165_;
+let _e461 = phi_2005_;
+let _e463 = phi_2008_;
 local = _e463;
 local_1 = _e463;
 local_2 = _e463;
@@ -618,18 +618,18 @@ local_10 = _e463;
 local_11 = _e463;
 let _e464 = (_e461 >= 0i);
 if _e464 {
-phi_2163_ = (_e461 - 1i);
-phi_2166_ = select(_e463, _e461, (((_e450 >> bitcast<u32>((_e461 & 31i))) & 1i) == 1i));
+phi_2006_ = (_e461 - 1i);
+phi_2009_ = select(_e463, _e461, (((_e450 >> bitcast<u32>((_e461 & 31i))) & 1i) == 1i));
 } else {
-phi_2163_ = i32();
-phi_2166_ = i32();
+phi_2006_ = i32();
+phi_2009_ = i32();
 }
-let _e473 = phi_2163_;
-let _e475 = phi_2166_;
+let _e473 = phi_2006_;
+let _e475 = phi_2009_;
 continue;
 continuing {
-phi_2162_ = _e473;
-phi_2165_ = _e475;
+phi_2005_ = _e473;
+phi_2008_ = _e475;
 break if !(_e464);
 }
 }
@@ -807,44 +807,44 @@ let _e2109 = select(0i, select(select(i32(_e2102), i32(-2147483648), (_e2102 < -
 let _e2113 = (_e2109 - select(0i, 1i, (_e2102 < f32(_e2109))));
 let _e2114 = f32(_e2113);
 let _e2118 = ((_e2096 - (_e2114 * 0.6933594f)) - (_e2114 * -2.1219444e-4f));
-phi_3257_ = type_19(_e1958.member, _e1958.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e1998 * (1f + (_e1998 * (0.5f + (_e1998 * (0.16666667f + (_e1998 * (0.041666668f + (_e1998 * (0.008333334f + (_e1998 * (0.001388889f + (_e1998 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1993 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e2058 * (1f + (_e2058 * (0.5f + (_e2058 * (0.16666667f + (_e2058 * (0.041666668f + (_e2058 * (0.008333334f + (_e2058 * (0.001388889f + (_e2058 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2053 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e2118 * (1f + (_e2118 * (0.5f + (_e2118 * (0.16666667f + (_e2118 * (0.041666668f + (_e2118 * (0.008333334f + (_e2118 * (0.001388889f + (_e2118 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2113 + 127i)) << bitcast<u32>(23i)))))), _e1958.member_3, _e1958.member_4, _e1958.member_5, _e1958.member_6, _e1958.member_7, _e1958.member_8, _e1958.member_9, _e1958.member_10, _e1958.member_11, _e1958.member_12, _e1958.member_13, _e1958.member_14);
+phi_3100_ = type_19(_e1958.member, _e1958.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e1998 * (1f + (_e1998 * (0.5f + (_e1998 * (0.16666667f + (_e1998 * (0.041666668f + (_e1998 * (0.008333334f + (_e1998 * (0.001388889f + (_e1998 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1993 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e2058 * (1f + (_e2058 * (0.5f + (_e2058 * (0.16666667f + (_e2058 * (0.041666668f + (_e2058 * (0.008333334f + (_e2058 * (0.001388889f + (_e2058 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2053 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e2118 * (1f + (_e2118 * (0.5f + (_e2118 * (0.16666667f + (_e2118 * (0.041666668f + (_e2118 * (0.008333334f + (_e2118 * (0.001388889f + (_e2118 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2113 + 127i)) << bitcast<u32>(23i)))))), _e1958.member_3, _e1958.member_4, _e1958.member_5, _e1958.member_6, _e1958.member_7, _e1958.member_8, _e1958.member_9, _e1958.member_10, _e1958.member_11, _e1958.member_12, _e1958.member_13, _e1958.member_14);
 } else {
-phi_3257_ = _e1938;
+phi_3100_ = _e1938;
 }
-let _e2159 = phi_3257_;
-phi_4445_ = type_19(_e2159.member, _e2159.member_1, _e2159.member_2, _e2159.member_3, _e2159.member_4, _e2159.member_5, 3f, _e2159.member_7, _e2159.member_8, _e2159.member_9, _e2159.member_10, _e2159.member_11, _e2159.member_12, _e2159.member_13, _e2159.member_14);
-phi_4446_ = _e450;
+let _e2159 = phi_3100_;
+phi_4288_ = type_19(_e2159.member, _e2159.member_1, _e2159.member_2, _e2159.member_3, _e2159.member_4, _e2159.member_5, 3f, _e2159.member_7, _e2159.member_8, _e2159.member_9, _e2159.member_10, _e2159.member_11, _e2159.member_12, _e2159.member_13, _e2159.member_14);
+phi_4289_ = _e450;
 } else {
 let _e835 = (1i << bitcast<u32>((_e818 & 31i)));
 if ((((_e446.member_1.x * _e586) + (_e446.member_1.y * _e587)) + (_e446.member_1.z * _e588)) < 0f) {
-phi_3277_ = (_e450 | _e835);
+phi_3120_ = (_e450 | _e835);
 } else {
-phi_3277_ = (_e450 & ~(_e835));
+phi_3120_ = (_e450 & ~(_e835));
 }
-let _e846 = phi_3277_;
-phi_3279_ = 15i;
-phi_3282_ = 16i;
+let _e846 = phi_3120_;
+phi_3122_ = 15i;
+phi_3125_ = 16i;
 loop {
-let _e848 = phi_3279_;
-let _e850 = phi_3282_;
+let _e848 = phi_3122_;
+let _e850 = phi_3125_;
 local_3 = _e850;
 local_6 = _e850;
 local_7 = _e850;
 local_9 = _e850;
 let _e851 = (_e848 >= 0i);
 if _e851 {
-phi_3280_ = (_e848 - 1i);
-phi_3283_ = select(_e850, _e848, (((_e846 >> bitcast<u32>((_e848 & 31i))) & 1i) == 1i));
+phi_3123_ = (_e848 - 1i);
+phi_3126_ = select(_e850, _e848, (((_e846 >> bitcast<u32>((_e848 & 31i))) & 1i) == 1i));
 } else {
-phi_3280_ = i32();
-phi_3283_ = i32();
+phi_3123_ = i32();
+phi_3126_ = i32();
 }
-let _e860 = phi_3280_;
-let _e862 = phi_3283_;
+let _e860 = phi_3123_;
+let _e862 = phi_3126_;
 continue;
 continuing {
-phi_3279_ = _e860;
-phi_3282_ = _e862;
+phi_3122_ = _e860;
+phi_3125_ = _e862;
 break if !(_e851);
 }
 }
@@ -895,11 +895,11 @@ let _e1100 = select(0i, select(select(i32(_e1093), i32(-2147483648), (_e1093 < -
 let _e1104 = (_e1100 - select(0i, 1i, (_e1093 < f32(_e1100))));
 let _e1105 = f32(_e1104);
 let _e1109 = ((_e1087 - (_e1105 * 0.6933594f)) - (_e1105 * -2.1219444e-4f));
-phi_3584_ = type_19(_e949.member, _e949.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e989 * (1f + (_e989 * (0.5f + (_e989 * (0.16666667f + (_e989 * (0.041666668f + (_e989 * (0.008333334f + (_e989 * (0.001388889f + (_e989 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e984 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e1049 * (1f + (_e1049 * (0.5f + (_e1049 * (0.16666667f + (_e1049 * (0.041666668f + (_e1049 * (0.008333334f + (_e1049 * (0.001388889f + (_e1049 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1044 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e1109 * (1f + (_e1109 * (0.5f + (_e1109 * (0.16666667f + (_e1109 * (0.041666668f + (_e1109 * (0.008333334f + (_e1109 * (0.001388889f + (_e1109 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1104 + 127i)) << bitcast<u32>(23i)))))), _e949.member_3, _e949.member_4, _e949.member_5, _e949.member_6, _e949.member_7, _e949.member_8, _e949.member_9, _e949.member_10, _e949.member_11, _e949.member_12, _e949.member_13, _e949.member_14);
+phi_3427_ = type_19(_e949.member, _e949.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e989 * (1f + (_e989 * (0.5f + (_e989 * (0.16666667f + (_e989 * (0.041666668f + (_e989 * (0.008333334f + (_e989 * (0.001388889f + (_e989 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e984 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e1049 * (1f + (_e1049 * (0.5f + (_e1049 * (0.16666667f + (_e1049 * (0.041666668f + (_e1049 * (0.008333334f + (_e1049 * (0.001388889f + (_e1049 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1044 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e1109 * (1f + (_e1109 * (0.5f + (_e1109 * (0.16666667f + (_e1109 * (0.041666668f + (_e1109 * (0.008333334f + (_e1109 * (0.001388889f + (_e1109 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1104 + 127i)) << bitcast<u32>(23i)))))), _e949.member_3, _e949.member_4, _e949.member_5, _e949.member_6, _e949.member_7, _e949.member_8, _e949.member_9, _e949.member_10, _e949.member_11, _e949.member_12, _e949.member_13, _e949.member_14);
 } else {
-phi_3584_ = _e929;
+phi_3427_ = _e929;
 }
-let _e1150 = phi_3584_;
+let _e1150 = phi_3427_;
 let _e1152 = local_2;
 let _e1154 = local_3;
 if (_e1152 == _e1154) {
@@ -918,9 +918,9 @@ let _e1795 = select(1e30f, select(0f, _e1792, (_e1792 > 0f)), ((_e1780 > 0f) && 
 let _e1799 = (_e1795 < _e1764);
 let _e1817 = type_19(_e1150.member, _e1150.member_1, _e1150.member_2, _e1150.member_3, _e1150.member_4, _e1150.member_5, _e1150.member_6, _e1150.member_7, _e1150.member_8, _e1150.member_9, _e1150.member_10, _e1150.member_11, 0i, _e1150.member_13, _e1150.member_14);
 let _e1832 = type_19(_e1817.member, _e1817.member_1, _e1817.member_2, _e1817.member_3, _e1817.member_4, _e1817.member_5, _e1817.member_6, _e1817.member_7, _e1817.member_8, _e1817.member_9, _e1817.member_10, _e1817.member_11, _e1817.member_12, select(select(-2i, -3i, _e1799), -1i, ((_e1764 >= 1e30f) && (_e1795 >= 1e30f))), _e1817.member_14);
-phi_4437_ = type_19(_e1832.member, _e1832.member_1, _e1832.member_2, _e1832.member_3, _e1832.member_4, _e1832.member_5, _e1832.member_6, _e1832.member_7, _e1832.member_8, _e1832.member_9, _e1832.member_10, _e1832.member_11, _e1832.member_12, _e1832.member_13, select(_e1764, _e1795, _e1799));
-phi_4438_ = type_19();
-phi_4439_ = true;
+phi_4280_ = type_19(_e1832.member, _e1832.member_1, _e1832.member_2, _e1832.member_3, _e1832.member_4, _e1832.member_5, _e1832.member_6, _e1832.member_7, _e1832.member_8, _e1832.member_9, _e1832.member_10, _e1832.member_11, _e1832.member_12, _e1832.member_13, select(_e1764, _e1795, _e1799));
+phi_4281_ = type_19();
+phi_4282_ = true;
 } else {
 let _e1158 = local_4;
 let _e1159 = (_e1158 * 4i);
@@ -964,11 +964,11 @@ let _e1286 = global_1.member.member_1;
 let _e1289 = select(0f, select(select((((0.5f * _e1265) * _e1265) * (1f + (_e1272 * _e1272))), 1f, (_e1257 <= 0f)), 0f, (_e1171 == _e1186)), ((_e1286 & 1u) != 0u));
 if (_e1150.member_8 == 0f) {
 let _e1304 = type_19(_e1150.member, _e1150.member_1, _e1150.member_2, vec3<f32>(_e799, _e800, _e801), _e1150.member_4, _e1150.member_5, _e1150.member_6, _e1150.member_7, _e1150.member_8, _e1150.member_9, _e1150.member_10, _e1150.member_11, _e1150.member_12, _e1150.member_13, _e1150.member_14);
-phi_3919_ = type_19(_e1304.member, _e1304.member_1, _e1304.member_2, _e1304.member_3, _e1304.member_4, _e1304.member_5, _e1304.member_6, _e1304.member_7, _e1304.member_8, _e1304.member_9, _e1304.member_10, _e1289, _e1304.member_12, _e1304.member_13, _e1304.member_14);
+phi_3762_ = type_19(_e1304.member, _e1304.member_1, _e1304.member_2, _e1304.member_3, _e1304.member_4, _e1304.member_5, _e1304.member_6, _e1304.member_7, _e1304.member_8, _e1304.member_9, _e1304.member_10, _e1289, _e1304.member_12, _e1304.member_13, _e1304.member_14);
 } else {
-phi_3919_ = _e1150;
+phi_3762_ = _e1150;
 }
-let _e1321 = phi_3919_;
+let _e1321 = phi_3762_;
 let _e1323 = (_e1321.member_8 + 1f);
 let _e1338 = type_19(_e1321.member, _e1321.member_1, _e1321.member_2, _e1321.member_3, _e1321.member_4, _e1321.member_5, _e1321.member_6, _e1321.member_7, _e1323, _e1321.member_9, _e1321.member_10, _e1321.member_11, _e1321.member_12, _e1321.member_13, _e1321.member_14);
 let _e1341 = ((_e107.member_2 == 0u) && (_e1323 >= 2f));
@@ -980,18 +980,18 @@ let _e1372 = (_e1321.member_1.z - (_e801 * _e1366));
 let _e1377 = (((_e1370 * _e1370) + (_e1371 * _e1371)) + (_e1372 * _e1372));
 let _e1380 = sqrt(select(0f, _e1377, (_e1377 > 0f)));
 let _e1383 = (1f / select(1e-20f, _e1380, (_e1380 > 1e-20f)));
-phi_3972_ = type_19(_e1338.member, vec3<f32>((_e1370 * _e1383), (_e1371 * _e1383), (_e1372 * _e1383)), _e1338.member_2, _e1338.member_3, _e1338.member_4, _e1338.member_5, _e1338.member_6, _e1338.member_7, _e1338.member_8, _e1338.member_9, _e1338.member_10, _e1338.member_11, _e1338.member_12, _e1338.member_13, _e1338.member_14);
+phi_3815_ = type_19(_e1338.member, vec3<f32>((_e1370 * _e1383), (_e1371 * _e1383), (_e1372 * _e1383)), _e1338.member_2, _e1338.member_3, _e1338.member_4, _e1338.member_5, _e1338.member_6, _e1338.member_7, _e1338.member_8, _e1338.member_9, _e1338.member_10, _e1338.member_11, _e1338.member_12, _e1338.member_13, _e1338.member_14);
 } else {
-phi_3972_ = type_19(_e1338.member, vec3<f32>((_e1236 * _e1249), (_e1237 * _e1249), (_e1238 * _e1249)), _e1338.member_2, _e1338.member_3, _e1338.member_4, _e1338.member_5, _e1338.member_6, _e1338.member_7, _e1338.member_8, _e1338.member_9, _e1338.member_10, _e1338.member_11, _e1338.member_12, _e1338.member_13, _e1338.member_14);
+phi_3815_ = type_19(_e1338.member, vec3<f32>((_e1236 * _e1249), (_e1237 * _e1249), (_e1238 * _e1249)), _e1338.member_2, _e1338.member_3, _e1338.member_4, _e1338.member_5, _e1338.member_6, _e1338.member_7, _e1338.member_8, _e1338.member_9, _e1338.member_10, _e1338.member_11, _e1338.member_12, _e1338.member_13, _e1338.member_14);
 }
-let _e1404 = phi_3972_;
+let _e1404 = phi_3815_;
 if _e1214 {
-phi_3986_ = _e1404;
+phi_3829_ = _e1404;
 } else {
 let _e1405 = (1f - _e1289);
-phi_3986_ = type_19(_e1404.member, _e1404.member_1, vec3<f32>((_e1404.member_2.x * _e1405), (_e1404.member_2.y * _e1405), (_e1404.member_2.z * _e1405)), _e1404.member_3, _e1404.member_4, _e1404.member_5, _e1404.member_6, _e1404.member_7, _e1404.member_8, _e1404.member_9, _e1404.member_10, _e1404.member_11, _e1404.member_12, _e1404.member_13, _e1404.member_14);
+phi_3829_ = type_19(_e1404.member, _e1404.member_1, vec3<f32>((_e1404.member_2.x * _e1405), (_e1404.member_2.y * _e1405), (_e1404.member_2.z * _e1405)), _e1404.member_3, _e1404.member_4, _e1404.member_5, _e1404.member_6, _e1404.member_7, _e1404.member_8, _e1404.member_9, _e1404.member_10, _e1404.member_11, _e1404.member_12, _e1404.member_13, _e1404.member_14);
 }
-let _e1432 = phi_3986_;
+let _e1432 = phi_3829_;
 let _e1439 = global_1.member.member_17.member.member;
 let _e1453 = ((((_e1439.member.member * _e1432.member.x) + (_e1439.member.member_1 * _e1432.member.y)) + (_e1439.member.member_2 * _e1432.member.z)) + _e1439.member_1);
 let _e1462 = -((((_e1439.member.member * _e1432.member_1.x) + (_e1439.member.member_1 * _e1432.member_1.y)) + (_e1439.member.member_2 * _e1432.member_1.z)));
@@ -1015,88 +1015,88 @@ let _e1558 = local_9;
 let _e1561 = ((_e1286 & 2u) != 0u);
 if (_e1341 && !(_e1561)) {
 if (_e1508 == -1i) {
-phi_4411_ = type_19(_e1554.member, _e1554.member_1, _e1554.member_2, _e1554.member_3, _e1554.member_4, _e1554.member_5, 1f, _e1554.member_7, _e1554.member_8, _e1554.member_9, _e1554.member_10, _e1554.member_11, _e1554.member_12, _e1554.member_13, _e1554.member_14);
+phi_4254_ = type_19(_e1554.member, _e1554.member_1, _e1554.member_2, _e1554.member_3, _e1554.member_4, _e1554.member_5, 1f, _e1554.member_7, _e1554.member_8, _e1554.member_9, _e1554.member_10, _e1554.member_11, _e1554.member_12, _e1554.member_13, _e1554.member_14);
 } else {
 let _e1637 = type_19(vec3<f32>((_e1432.member.x + (_e1432.member_1.x * _e1509)), (_e1432.member.y + (_e1432.member_1.y * _e1509)), (_e1432.member.z + (_e1432.member_1.z * _e1509))), _e1554.member_1, _e1554.member_2, _e1554.member_3, _e1554.member_4, _e1554.member_5, _e1554.member_6, _e1554.member_7, _e1554.member_8, _e1554.member_9, _e1554.member_10, _e1554.member_11, _e1554.member_12, _e1554.member_13, _e1554.member_14);
 let _e1654 = type_19(_e1637.member, _e1637.member_1, _e1637.member_2, _e1637.member_3, _e1637.member_4, (_e1432.member_5 + _e1509), _e1637.member_6, _e1637.member_7, _e1637.member_8, _e1637.member_9, _e1637.member_10, _e1637.member_11, _e1637.member_12, _e1637.member_13, _e1637.member_14);
 let _e1670 = type_19(_e1654.member, _e1654.member_1, _e1654.member_2, _e1654.member_3, _e1654.member_4, _e1654.member_5, _e1654.member_6, _e1654.member_7, _e1654.member_8, _e1654.member_9, _e1654.member_10, _e1654.member_11, _e1654.member_12, _e1654.member_13, (_e1509 - _e1509));
 let _e1690 = type_19(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, (_e1432.member_10 + select(0f, _e1509, (_e1432.member_8 == 0f))), _e1670.member_11, _e1670.member_12, _e1670.member_13, _e1670.member_14);
-phi_4411_ = type_19(_e1690.member, _e1690.member_1, _e1690.member_2, _e1690.member_3, _e1690.member_4, _e1690.member_5, 3f, _e1690.member_7, _e1690.member_8, _e1690.member_9, _e1690.member_10, _e1690.member_11, _e1690.member_12, _e1690.member_13, _e1690.member_14);
+phi_4254_ = type_19(_e1690.member, _e1690.member_1, _e1690.member_2, _e1690.member_3, _e1690.member_4, _e1690.member_5, 3f, _e1690.member_7, _e1690.member_8, _e1690.member_9, _e1690.member_10, _e1690.member_11, _e1690.member_12, _e1690.member_13, _e1690.member_14);
 }
-let _e1722 = phi_4411_;
-phi_4432_ = _e1722;
+let _e1722 = phi_4254_;
+phi_4275_ = _e1722;
 } else {
 let _e1568 = global_1.member.member_5;
 if ((!(_e1341) && (_e1432.member_8 >= f32(bitcast<i32>(_e1568)))) && (select(_e1558, _e1556, _e1214) != 16i)) {
-phi_4431_ = type_19(_e1554.member, _e1554.member_1, _e1554.member_2, _e1554.member_3, _e1554.member_4, _e1554.member_5, 2f, _e1554.member_7, _e1554.member_8, _e1554.member_9, _e1554.member_10, _e1554.member_11, _e1554.member_12, _e1554.member_13, _e1554.member_14);
+phi_4274_ = type_19(_e1554.member, _e1554.member_1, _e1554.member_2, _e1554.member_3, _e1554.member_4, _e1554.member_5, 2f, _e1554.member_7, _e1554.member_8, _e1554.member_9, _e1554.member_10, _e1554.member_11, _e1554.member_12, _e1554.member_13, _e1554.member_14);
 } else {
 if _e1561 {
-phi_4430_ = type_19(_e1554.member, _e1554.member_1, _e1554.member_2, _e1554.member_3, _e1554.member_4, _e1554.member_5, 4f, _e1554.member_7, _e1554.member_8, _e1554.member_9, _e1554.member_10, _e1554.member_11, _e1554.member_12, _e1554.member_13, _e1554.member_14);
+phi_4273_ = type_19(_e1554.member, _e1554.member_1, _e1554.member_2, _e1554.member_3, _e1554.member_4, _e1554.member_5, 4f, _e1554.member_7, _e1554.member_8, _e1554.member_9, _e1554.member_10, _e1554.member_11, _e1554.member_12, _e1554.member_13, _e1554.member_14);
 } else {
-phi_4430_ = _e1554;
+phi_4273_ = _e1554;
 }
-let _e1591 = phi_4430_;
-phi_4431_ = _e1591;
+let _e1591 = phi_4273_;
+phi_4274_ = _e1591;
 }
-let _e1608 = phi_4431_;
-phi_4432_ = _e1608;
+let _e1608 = phi_4274_;
+phi_4275_ = _e1608;
 }
-let _e1724 = phi_4432_;
-phi_4437_ = _e1724;
-phi_4438_ = _e1724;
-phi_4439_ = !(_e1214);
+let _e1724 = phi_4275_;
+phi_4280_ = _e1724;
+phi_4281_ = _e1724;
+phi_4282_ = !(_e1214);
 }
-let _e1849 = phi_4437_;
-let _e1851 = phi_4438_;
-let _e1853 = phi_4439_;
+let _e1849 = phi_4280_;
+let _e1851 = phi_4281_;
+let _e1853 = phi_4282_;
 if _e1853 {
-phi_4443_ = _e1849;
+phi_4286_ = _e1849;
 } else {
-phi_4443_ = _e1851;
+phi_4286_ = _e1851;
 }
-let _e1855 = phi_4443_;
-phi_4445_ = _e1855;
-phi_4446_ = select(_e450, _e846, _e1853);
+let _e1855 = phi_4286_;
+phi_4288_ = _e1855;
+phi_4289_ = select(_e450, _e846, _e1853);
 }
-let _e2176 = phi_4445_;
-let _e2178 = phi_4446_;
-phi_4447_ = _e2176;
-phi_4448_ = _e2178;
+let _e2176 = phi_4288_;
+let _e2178 = phi_4289_;
+phi_4290_ = _e2176;
+phi_4291_ = _e2178;
 }
-let _e2646 = phi_4447_;
-let _e2648 = phi_4448_;
-phi_4449_ = _e2646;
-phi_4450_ = _e2648;
+let _e2646 = phi_4290_;
+let _e2648 = phi_4291_;
+phi_4292_ = _e2646;
+phi_4293_ = _e2648;
 }
-let _e3038 = phi_4449_;
-let _e3040 = phi_4450_;
-phi_884_ = _e3038;
-phi_887_ = (_e448 + 1i);
-phi_889_ = _e3040;
+let _e3038 = phi_4292_;
+let _e3040 = phi_4293_;
+phi_727_ = _e3038;
+phi_730_ = (_e448 + 1i);
+phi_732_ = _e3040;
 } else {
-phi_884_ = type_19();
-phi_887_ = i32();
-phi_889_ = i32();
+phi_727_ = type_19();
+phi_730_ = i32();
+phi_732_ = i32();
 }
-let _e3042 = phi_884_;
-let _e3044 = phi_887_;
-let _e3046 = phi_889_;
+let _e3042 = phi_727_;
+let _e3044 = phi_730_;
+let _e3046 = phi_732_;
 continue;
 continuing {
-phi_883_ = _e3042;
-phi_886_ = _e3044;
-phi_888_ = _e3046;
+phi_726_ = _e3042;
+phi_729_ = _e3044;
+phi_731_ = _e3046;
 break if !(_e454);
 }
 }
 let _e3049 = local_15;
 if (_e3049 == 0i) {
-phi_4456_ = 16i;
+phi_4299_ = 16i;
 } else {
 let _e3052 = local_16;
-phi_4456_ = -(_e3052);
+phi_4299_ = -(_e3052);
 }
-let _e3055 = phi_4456_;
+let _e3055 = phi_4299_;
 let _e3057 = local_17;
 let _e3061 = local_18;
 let _e3065 = local_19;

@@ -65,6 +65,8 @@ pub struct Declaration {
     pub uniform_bytes: usize,
     /// Floats in a record of its output; words a place has, if it adds.
     pub components: usize,
+    /// The names of a record's components; none if it adds.
+    pub names: &'static [&'static str],
     /// Levels of work that have a body of their own on the CPU, each with all bits of those before; empty if there is but one body.
     pub levels: &'static [u32],
     /// Modes that it is run in.

@@ -16,6 +16,7 @@ macro_rules! host {
                 family: concat!(stringify!($folder), "_", stringify!($module)),
                 uniform_bytes: size_of::<crate::abi::$folder::$uniforms>(),
                 components: $name::SIZE,
+                names: host!(@names $access $record),
                 levels: &[$(crate::$folder::$module::level::$level),*],
                 modes: host!(@modes $folder $modes),
                 skip: host!(@skip $skip),
@@ -115,6 +116,8 @@ macro_rules! host {
         }
     };
 
+    (@names adds $record:ident) => { &[] };
+    (@names $access:ident $record:ident) => { &crate::abi::record::$record::NAMES };
     (@element u32) => { Element::U32 };
     (@element f32) => { Element::F32 };
     (@access writes) => { Access::Write };
