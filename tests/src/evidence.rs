@@ -56,6 +56,7 @@ mod tests {
             scene: "glass/wine".to_owned(),
             method: "sweep".to_owned(),
             item: "color".to_owned(),
+            component: None,
             comparison: compare(&reference, &other, 2, 2).unwrap(),
             bound: Bound::BitEqual,
             against: String::new(),

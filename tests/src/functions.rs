@@ -61,7 +61,7 @@ pub fn compare(rows: u32, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &
     let found = results(rows, &arguments, other)?;
     for ((name, expected), found) in NAMES.iter().zip(&expected).zip(&found) {
         let bound = bounds::of_function(other, name);
-        let about = About { tier: "T0", scene: "functions", item: name };
+        let about = About { tier: "T0", scene: "functions", item: name, components: &[] };
         if bounds::is_exact(other) {
             let raster = |numbers| Raster::stacked(WIDTH, [numbers]);
             run.hold(about, bound, &raster(expected), &raster(found))?;

@@ -178,7 +178,8 @@ pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run:
     }
     for stop in &stopped {
         let item = stop.item();
-        run.hold(About { tier: "T1", scene: &case.name, item: &item }, bound, &stop.expected, &stop.found)?;
+        let about = About { tier: "T1", scene: &case.name, item: &item, components: stop.at.components };
+        run.hold(about, bound, &stop.expected, &stop.found)?;
     }
     Ok(())
 }
@@ -223,12 +224,15 @@ struct Stop {
     /// The plane that it leads to, in a sweep.
     plane: Option<u32>,
     kernel: &'static str,
+    /// The names of the components of its record.
+    components: &'static [&'static str],
 }
 
 impl Stop {
     fn new(pass: usize, frame: &dyn PreparedFrame) -> Self {
-        let passes = &frame.passes().passes;
-        Self { pass, plane: frame.plane(&passes[pass]), kernel: passes[pass].kernel.declaration.name }
+        let chosen = &frame.passes().passes[pass];
+        let declaration = &chosen.kernel.declaration;
+        Self { pass, plane: frame.plane(chosen), kernel: declaration.name, components: declaration.names }
     }
 }
 

@@ -135,7 +135,7 @@ fn bytes(pass: &Pass, before: &[Pass], voxel_bytes: f64) -> f64 {
     let invocations = pass.invocations() as f64;
     let declaration = &pass.kernel.declaration;
     let own = declaration.components as f64 * 4.0 * invocations;
-    let bindings = declaration.bindings[1..].iter().zip(&pass.buffers);
+    let bindings = declaration.buffers().iter().zip(&pass.buffers);
     let read = bindings.map(|(binding, buffer)| match (binding.access, binding.name) {
         (Access::Write | Access::Add, _) => own,
         (Access::Update, _) => 2.0 * own,

@@ -14,6 +14,8 @@ pub struct Row {
     pub method: String,
     /// The kernel or the output that was compared.
     pub item: String,
+    /// The component of a record that has the first difference.
+    pub component: Option<&'static str>,
     /// What was measured.
     pub comparison: Comparison,
     /// The bound of the differences.
@@ -42,7 +44,7 @@ impl Row {
             self.tier.to_owned(),
             self.scene.clone(),
             self.method.clone(),
-            self.item.clone(),
+            self.component.map_or(self.item.clone(), |component| format!("{}: {component}", self.item)),
             number(*max_abs),
             number(*rmse),
             mean_flip.map_or("–".to_owned(), number),
@@ -67,6 +69,7 @@ impl Row {
             "scene": self.scene,
             "method": self.method,
             "item": self.item,
+            "component": self.component,
             "against": self.against,
             "max_abs": max_abs,
             "rmse": rmse,
@@ -126,6 +129,7 @@ mod tests {
             scene: "ball".to_owned(),
             method: "sweep".to_owned(),
             item: "depth".to_owned(),
+            component: None,
             comparison: compare_buffers(&[1.0, 2.0], &[1.0, other]).unwrap(),
             bound: Bound::BitEqual,
             against: String::new(),

@@ -138,15 +138,13 @@ if (_e26 < _e15.member_2) {
 if (_e28 < _e15.member_3) {
 let _e31 = (_e18.member * _e18.member_1);
 let _e33 = ((_e28 * _e18.member) + _e26);
-let _e38 = global_1.member.member_9.member.member;
-let _e43 = global_1.member.member_9.member.member_1;
-let _e48 = global_1.member.member_9.member.member_2;
+let _e37 = global_1.member.member_9.member;
 global_2.member[_e33] = 1f;
 global_2.member[(_e31 + _e33)] = 1f;
 global_2.member[((2u * _e31) + _e33)] = 1f;
-global_2.member[((3u * _e31) + _e33)] = _e38;
-global_2.member[((4u * _e31) + _e33)] = _e43;
-global_2.member[((5u * _e31) + _e33)] = _e48;
+global_2.member[((3u * _e31) + _e33)] = _e37.member;
+global_2.member[((4u * _e31) + _e33)] = _e37.member_1;
+global_2.member[((5u * _e31) + _e33)] = _e37.member_2;
 global_2.member[((6u * _e31) + _e33)] = 0f;
 global_2.member[((7u * _e31) + _e33)] = 0f;
 global_2.member[((8u * _e31) + _e33)] = 1f;

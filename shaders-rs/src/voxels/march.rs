@@ -31,7 +31,7 @@ pub fn level(
     _fields: &[u32],
     _materials: &[f32],
 ) -> u32 {
-    level_of(before[path::STATUS])
+    level_of(Ray::load(&before).status)
 }
 
 /// The next step's length.

@@ -24,7 +24,7 @@ pub fn level(
     _surfaces: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    level_of(before[path::STATUS])
+    level_of(Ray::load(&before).status)
 }
 
 /// Whether a position lies outside of the grid.

@@ -1,52 +1,14 @@
 //! The state of a ray, and how it moves.
 
 use crate::abi::receivers::ahead;
-use crate::abi::record::{fate, path};
+use crate::abi::record::fate;
 use crate::abi::voxels::{AIR, VoxelsUniforms, material};
 use crate::field::access::read;
 use crate::math::{absolute, exp, max, min, select};
 use crate::optics::receiver::{Ahead, FAR, first_ahead};
 use spirv_std::glam::Vec3;
 
-/// A ray; see [`path`].
-#[derive(Clone, Copy)]
-pub struct Ray {
-    /// In voxels.
-    pub position: Vec3,
-    /// Of length 1.
-    pub direction: Vec3,
-    /// Transmittance so far, linear RGB, 0 to 1.
-    pub transmittance: Vec3,
-    /// At the first surface.
-    pub normal: Vec3,
-    /// At the last surface.
-    pub last_normal: Vec3,
-    /// Distance since the last surface.
-    pub since: f32,
-    /// One of [`fate`].
-    pub status: f32,
-    /// The number of the material around it.
-    pub medium: i32,
-    /// Surfaces so far.
-    pub bounces: f32,
-    /// Distance within materials.
-    pub length: f32,
-    /// Distance to the first surface.
-    pub depth: f32,
-    /// Of the first surface.
-    pub reflectance: f32,
-    /// The node of the tree of triangles that is next.
-    pub node: i32,
-    /// The number of the triangle that ends its straight way, or one of [`ahead`].
-    pub triangle: i32,
-    /// How far that is.
-    pub distance: f32,
-}
-
-#[inline(always)]
-fn vector(record: &[f32; path::SIZE], at: [usize; 3]) -> Vec3 {
-    Vec3::new(record[at[0]], record[at[1]], record[at[2]])
-}
+pub use crate::abi::record::Path as Ray;
 
 impl Ray {
     /// One that has met nothing yet, from `position` along `direction`, and has nothing ahead.
@@ -69,62 +31,6 @@ impl Ray {
             triangle: ahead::NOTHING,
             distance: FAR,
         }
-    }
-
-    /// From its record.
-    #[inline(always)]
-    pub fn load(r: &[f32; path::SIZE]) -> Self {
-        Self {
-            position: vector(r, [0, 1, 2]),
-            direction: vector(r, [3, 4, 5]),
-            transmittance: vector(r, [6, 7, 8]),
-            normal: vector(r, [9, 10, 11]),
-            last_normal: vector(r, [12, 13, 14]),
-            since: r[path::SINCE],
-            status: r[path::STATUS],
-            medium: r[path::MEDIUM] as i32,
-            bounces: r[path::BOUNCES],
-            length: r[path::LENGTH],
-            depth: r[path::DEPTH],
-            reflectance: r[path::REFLECTANCE],
-            node: r[path::NODE] as i32,
-            triangle: r[path::TRIANGLE] as i32,
-            distance: r[path::DISTANCE],
-        }
-    }
-
-    /// To its record.
-    #[inline(always)]
-    pub fn store(&self) -> [f32; path::SIZE] {
-        let (p, d, t) = (self.position, self.direction, self.transmittance);
-        let (n, l) = (self.normal, self.last_normal);
-        [
-            p.x,
-            p.y,
-            p.z,
-            d.x,
-            d.y,
-            d.z,
-            t.x,
-            t.y,
-            t.z,
-            n.x,
-            n.y,
-            n.z,
-            l.x,
-            l.y,
-            l.z,
-            self.since,
-            self.status,
-            self.medium as f32,
-            self.bounces,
-            self.length,
-            self.depth,
-            self.reflectance,
-            self.node as f32,
-            self.triangle as f32,
-            self.distance,
-        ]
     }
 
     /// Moves on by `distance` voxels through material `medium`.

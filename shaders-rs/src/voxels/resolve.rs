@@ -3,7 +3,7 @@
 use super::mirror::{first_surface, mirrored, vector, viewing};
 use super::shade::{Point, facing, on_receiver, on_triangle, shade};
 use crate::abi::receivers::ahead;
-use crate::abi::record::{fate, mirror, path, view};
+use crate::abi::record::{MeshPixel, fate, mirror, path, view};
 use crate::abi::voxels::{VoxelsUniforms, seen};
 use crate::field::access::read;
 use crate::math::{dot, length, max, select, xyz};
@@ -129,29 +129,20 @@ pub fn invoke(
     let something = (bounces > 0.0) | met;
     let visible = select(something, 1.0, u.environment.visible);
     let color = (through + reflected) * visible;
-    let normal = in_view(u, first_normal);
-    let towards = in_view(u, direction);
     let voxel = u.voxel;
     let depth = component(path::DEPTH) * voxel * dot(xyz(u.away), viewing(u, x, y));
-    [
-        color.x,
-        color.y,
-        color.z,
-        visible,
-        normal.x,
-        normal.y,
-        normal.z,
+    let pixel = MeshPixel {
+        color,
+        coverage: visible,
+        normal: in_view(u, first_normal),
         bounces,
-        component(path::LENGTH) * voxel,
-        select(something, depth, 0.0),
-        towards.x,
-        towards.y,
-        towards.z,
-        transmittance.x,
-        transmittance.y,
-        transmittance.z,
+        length: component(path::LENGTH) * voxel,
+        depth: select(something, depth, 0.0),
+        direction: in_view(u, direction),
+        transmittance,
         reflectance,
         // One that is still under way did not get out.
-        select((status == fate::ACTIVE) | (status == fate::SEEKS), fate::TRAPPED, status),
-    ]
+        status: select((status == fate::ACTIVE) | (status == fate::SEEKS), fate::TRAPPED, status),
+    };
+    pixel.store()
 }

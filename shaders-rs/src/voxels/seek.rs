@@ -19,9 +19,10 @@ pub fn level(
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    if before[path::STATUS] == fate::SEEKS {
+    let status = Ray::load(&before).status;
+    if status == fate::SEEKS {
         level::WORK
-    } else if before[path::STATUS] == fate::ACTIVE {
+    } else if status == fate::ACTIVE {
         level::WAITING
     } else {
         level::ENDED

@@ -25,7 +25,7 @@ pub fn level(
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    level_of(before[path::STATUS])
+    level_of(Ray::load(&before).status)
 }
 
 /// Of the materials whose bits are set the one with the lowest number.

@@ -85,11 +85,6 @@ pub trait Backend: Send {
     /// [`BackendError::Cancelled`]; [`BackendError::Misuse`] where a pass does not fit its kernel's declaration; the device's failures.
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
 
-    /// Whether [`Self::run`] leaves passes out as [`PassList::while_busy`] allows.
-    fn leaves_out_idle_passes(&self) -> bool {
-        false
-    }
-
     /// Shows `see` the bytes `range` of a buffer, whole words that lie inside it: where a backend can, without a copy and without the rest.
     ///
     /// # Errors

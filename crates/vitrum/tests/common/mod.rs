@@ -87,10 +87,6 @@ impl<W: Watch> Backend for Watched<W> {
         Err(failure)
     }
 
-    fn leaves_out_idle_passes(&self) -> bool {
-        self.cpu.leaves_out_idle_passes()
-    }
-
     fn read(
         &mut self,
         buffer: &Buffer,

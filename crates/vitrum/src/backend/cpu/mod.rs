@@ -212,10 +212,6 @@ impl Backend for CpuBackend {
         Ok(())
     }
 
-    fn leaves_out_idle_passes(&self) -> bool {
-        true
-    }
-
     fn read(
         &mut self,
         buffer: &Buffer,
