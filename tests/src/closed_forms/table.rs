@@ -253,12 +253,15 @@ mod tests {
 
     #[test]
     fn an_error_beyond_its_bound_and_a_table_that_is_out_of_date_fail() {
-        let holds =
-            |error: f64, is_exact: bool| catch_unwind(|| PARABOLA_SLOPE.hold_on(error, "test", is_exact)).is_ok();
-        let ErrorBound { measured, bound, .. } = PARABOLA_SLOPE;
-        assert!(holds(measured, true) && holds(bound, false) && holds(0.0, false));
-        assert!(!holds(1.01 * bound, false) && !holds(f64::NAN, false));
-        assert!(!holds(1.1 * measured, true) && !holds(0.9 * measured, true));
+        let holds = |line: ErrorBound, error: f64, is_exact: bool| {
+            catch_unwind(|| line.hold_on(error, "test", is_exact)).is_ok()
+        };
+        let ErrorBound { measured, bound, .. } = LAYER_EXIT;
+        assert!(holds(LAYER_EXIT, measured, true) && holds(LAYER_EXIT, bound, false) && holds(LAYER_EXIT, 0.0, false));
+        assert!(!holds(LAYER_EXIT, 1.01 * bound, false) && !holds(LAYER_EXIT, f64::NAN, false));
+        assert!(!holds(LAYER_EXIT, 1.1 * measured, true) && !holds(LAYER_EXIT, 0.9 * measured, true));
+        assert!(holds(LIGHTS_AMBIENT, 0.0, true) && !holds(LIGHTS_AMBIENT, 1e-9, true));
+        assert!(holds(LIGHTS_AMBIENT, 1e-9, false) && !holds(LIGHTS_AMBIENT, 2e-6, false));
     }
 
     #[test]
