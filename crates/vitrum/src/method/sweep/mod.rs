@@ -40,6 +40,7 @@ use crate::unrenderable::Unrenderable;
 use cache::{FrameCache, SweepCache};
 use film::Voxelized;
 use kept::Kept;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use uniforms::Fixed;
 use uploaded::Uploaded;
@@ -167,11 +168,11 @@ impl Sweep {
     ) -> Result<Self, Error> {
         let uploaded = cache.uploaded(volumes, backend)?;
         let tables = cache.tables(scene, volumes);
-        let (map, map_buffer) = cache.environment.get(scene, picture, backend)?;
+        let pictures = cache.pictures.get(scene, picture, &BTreeMap::new(), backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
-        let fixed = Fixed::new(scene, volumes, tables, &map, limits)?;
+        let fixed = Fixed::new(scene, volumes, tables, &pictures.environment, limits)?;
         let (passes, buffers) =
-            passes::build(scene, volumes, &fixed, (&uploaded, &map_buffer), request, cache, backend)?;
+            passes::build(scene, volumes, &fixed, (&uploaded, &pictures.buffer), request, cache, backend)?;
         Ok(Self {
             passes,
             planes: fixed.planes,
