@@ -1,4 +1,4 @@
-//! The state of a ray, and how it moves.
+//! The state of a ray through a mesh, and its steps.
 
 use crate::abi::receivers::ahead;
 use crate::abi::record::{fate, path};
@@ -11,35 +11,35 @@ use spirv_std::glam::Vec3;
 /// A ray; see [`path`].
 #[derive(Clone, Copy)]
 pub struct Ray {
-    /// In voxels.
+    /// Position, in voxels.
     pub position: Vec3,
-    /// Of length 1.
+    /// Unit direction.
     pub direction: Vec3,
     /// Transmittance so far, linear RGB, 0 to 1.
     pub transmittance: Vec3,
-    /// At the first surface.
+    /// Unit normal at the first surface.
     pub normal: Vec3,
-    /// At the last surface.
+    /// Unit normal at the last surface.
     pub last_normal: Vec3,
-    /// Distance since the last surface.
+    /// Distance since the last surface, in voxels.
     pub since: f32,
-    /// One of [`fate`].
+    /// Status, one of [`fate`].
     pub status: f32,
-    /// The number of the material around it.
+    /// Number of the material around the ray.
     pub medium: i32,
-    /// Surfaces so far.
+    /// Number of surfaces so far.
     pub bounces: f32,
-    /// Distance within materials.
+    /// Length of the way within materials, in voxels.
     pub length: f32,
-    /// Distance to the first surface.
+    /// Distance to the first surface, in voxels.
     pub depth: f32,
-    /// Of the first surface.
+    /// Fresnel reflectance of the first surface, 0 to 1.
     pub reflectance: f32,
-    /// The node of the tree of triangles that is next.
+    /// The next node of the tree of triangles.
     pub node: i32,
-    /// The number of the triangle that ends its straight way, or one of [`ahead`].
+    /// Number of the triangle that ends the straight way, or one of [`ahead`].
     pub triangle: i32,
-    /// How far that is.
+    /// Distance to that triangle or receiver, in voxels.
     pub distance: f32,
 }
 
@@ -49,7 +49,7 @@ fn vector(record: &[f32; path::SIZE], at: [usize; 3]) -> Vec3 {
 }
 
 impl Ray {
-    /// One that has met nothing yet, from `position` along `direction`, and has nothing ahead.
+    /// A ray that has met nothing yet, from `position` along `direction`, with nothing ahead.
     #[inline(always)]
     pub fn straight(position: Vec3, direction: Vec3) -> Self {
         Self {
@@ -71,7 +71,7 @@ impl Ray {
         }
     }
 
-    /// From its record.
+    /// The ray of a record.
     #[inline(always)]
     pub fn load(r: &[f32; path::SIZE]) -> Self {
         Self {
@@ -93,7 +93,7 @@ impl Ray {
         }
     }
 
-    /// To its record.
+    /// The record of the ray.
     #[inline(always)]
     pub fn store(&self) -> [f32; path::SIZE] {
         let (p, d, t) = (self.position, self.direction, self.transmittance);
@@ -127,7 +127,8 @@ impl Ray {
         ]
     }
 
-    /// Moves on by `distance` voxels through material `medium`.
+    /// Moves the ray by `distance` voxels through material `medium`; the light is attenuated by e^(−σ d) (Chang et al. 2010, §4.2, with
+    /// the minus sign that it lacks there).
     #[inline(always)]
     pub fn advance(&mut self, distance: f32, medium: i32, materials: &[f32]) {
         self.position += self.direction * distance;
@@ -174,9 +175,9 @@ impl Ray {
 pub mod level {
     /// The ray has ended.
     pub const ENDED: u32 = 0;
-    /// It waits for another kernel.
+    /// The ray waits for another kernel.
     pub const WAITING: u32 = 1;
-    /// It is the kernel's to follow.
+    /// The kernel follows the ray.
     pub const WORK: u32 = 3;
 }
 
@@ -192,11 +193,11 @@ pub fn level_of(status: f32) -> u32 {
     }
 }
 
-/// Distance, in voxels, by which receivers are taken to be nearer: a body that stands on one is in contact with it, and no ray inside of the
-/// body gets between them.
+/// Distance by which receivers are taken to be nearer, in voxels: a body that stands on one is in contact with it, and no ray inside of
+/// the body gets between them.
 const CONTACT: f32 = 1.0 / 64.0;
 
-/// The first receiver from `position` along `direction`; its distance in voxels.
+/// The first receiver from `position` along `direction`, with its distance in voxels.
 #[inline(always)]
 pub fn first_receiver(u: &VoxelsUniforms, position: Vec3, direction: Vec3) -> Ahead {
     first_ahead(&u.receivers, position, direction, CONTACT)
@@ -209,7 +210,7 @@ pub fn reciprocal(x: f32) -> f32 {
     1.0 / select(small, select(x < 0.0, -1e-12, 1e-12), x)
 }
 
-/// Where a line enters and leaves a box, along the line.
+/// Distances along a line at which it enters and leaves a box (the slab method, Kay & Kajiya 1986).
 #[inline(always)]
 pub fn slab(from: Vec3, inverse: Vec3, low: Vec3, high: Vec3) -> (f32, f32) {
     let (ax, bx) = ((low.x - from.x) * inverse.x, (high.x - from.x) * inverse.x);
