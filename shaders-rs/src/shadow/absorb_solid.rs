@@ -1,4 +1,5 @@
-//! Adds what a clear body absorbs: its absorption coefficient times the length of the column in each voxel that is inside.
+//! Absorption of clear bodies in the shadow map: absorption coefficient times the length of the column in each voxel that is inside, as an
+//! optical depth (not in Chang et al. 2010, §3, which counts triangles alone).
 
 use crate::abi::record::absorption;
 use crate::abi::shadow::ShadowUniforms;

@@ -1,4 +1,5 @@
-//! Counts how often the middle of each column of light goes through a triangle, weighted by what the triangle absorbs.
+//! Optical depth of opaque triangles in the shadow map: the number of triangles that the middle of each column of light crosses,
+//! weighted by the triangles' optical depths (Chang et al. 2010, §3, step 2).
 //!
 //! That is the paper's “number of writing”: a rasteriser draws a triangle into a pixel if it covers its centre. A column that goes
 //! through an edge of two triangles crosses one of them.

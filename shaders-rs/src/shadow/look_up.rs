@@ -1,4 +1,4 @@
-//! Transmittance from the light to a point.
+//! Transmittance from the light to a point, from the transparent shadow map (Chang et al. 2010, §3, step 3).
 
 use super::spread::stretch;
 use crate::abi::shadow::row_words;

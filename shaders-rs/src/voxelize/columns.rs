@@ -1,4 +1,4 @@
-//! Where lines along x go through a triangle.
+//! Intersections of lines along x with a triangle.
 //!
 //! Whether one does is decided by the triangle's edges alone: an edge counts if one of its ends lies at or below the line's z and the
 //! other above, and then by where it passes the line, which is computed from its lower to its upper end. Two triangles with a

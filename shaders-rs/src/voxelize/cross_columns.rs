@@ -1,4 +1,4 @@
-//! Where columns of the grid go through the surface.
+//! Crossings of columns of the grid with the surface, for solid voxelization (not in Chang et al. 2010).
 //!
 //! A column is a line along x through a point between voxels' faces; through each voxel go as many as the host asks for.
 

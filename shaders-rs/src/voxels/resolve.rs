@@ -1,4 +1,5 @@
-//! Finished pixels: what rays see of opaque bodies, receivers and the environment, by refraction and by reflection at the first surface.
+//! Finished pixels: radiance of opaque bodies, receivers and the environment, by refraction (Chang et al. 2010, §4) and by reflection
+//! at the first surface (Fresnel's equations, Cook & Torrance 1982).
 
 use super::mirror::{first_surface, mirrored, vector, viewing};
 use super::shade::{Point, facing, on_receiver, on_triangle, shade};
@@ -17,9 +18,9 @@ struct Neighbour {
     alike: bool,
     /// The direction in which its ray left.
     leaves: Vec3,
-    /// Whether it mirrors something, too.
+    /// Whether the pixel's first surface mirrors its surroundings, too.
     mirrors: bool,
-    /// The direction from which that comes.
+    /// The direction from which the mirrored light comes.
     mirrored: Vec3,
 }
 

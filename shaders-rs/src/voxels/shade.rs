@@ -1,4 +1,4 @@
-//! Diffuse surfaces in the light: opaque triangles and receivers.
+//! Shading of diffuse surfaces: opaque triangles and receivers in the light (Lambert's law; the shadow: Chang et al. 2010, §3).
 
 use crate::abi::receivers::ahead;
 use crate::abi::voxels::{VoxelsUniforms, corner, flag, look};
@@ -12,21 +12,21 @@ use spirv_std::glam::Vec3;
 /// A point of a diffuse surface.
 #[derive(Clone, Copy)]
 pub struct Point {
-    /// In voxels.
+    /// Position, in voxels.
     pub position: Vec3,
     /// Unit normal of its plane.
     pub plane: Vec3,
-    /// Unit normal between its corners.
+    /// Unit normal, interpolated between the corners of the triangle.
     pub normal: Vec3,
     /// Reflectance.
     pub color: Vec3,
-    /// The share of light that goes through.
+    /// Transmittance of the triangle, 0 to 1.
     pub transmittance: f32,
-    /// Whether the shadow map has the surface in it.
+    /// Whether the shadow map contains the surface.
     pub casts: bool,
 }
 
-/// Three vectors next to each other, by weights.
+/// The weighted sum of three vectors that lie next to each other.
 #[inline(always)]
 fn mean(floats: &[f32], at: i32, weights: Vec3) -> Vec3 {
     read_vector(floats, at) * weights.x
