@@ -6,11 +6,13 @@
 //! is wrong, not one that read what it wrote.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use vitrum::Assets;
 use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::sweep::Sweep;
 use vitrum::method::{self, Cache, Job, PreparedFrame, Tools};
-use vitrum_io::Mesh;
+use vitrum_io::{Mesh, Picture};
 use vitrum_kernels::abi::record::sums;
 use vitrum_kernels::field::sums::to_number;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
@@ -137,8 +139,35 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
             &nested,
             &["material=[{opaque=true,density=0.5}]", "voxels.surfaces=two", "light.0.shadows=false"],
         )?,
+        case(
+            "mesh opaque point",
+            &nested,
+            &[OPAQUE, "light.0={kind='point',position=[2,-1,3],intensity=20}", "ground={}", "wall={}"],
+        )?,
+        Case {
+            assets: slide(&nested),
+            ..case(
+                "mesh opaque spot",
+                &nested,
+                &[
+                    OPAQUE,
+                    "light.0={kind='spot',position=[2,2,3],intensity=20,cone_angle=25,texture='slide.png'}",
+                    "ground={height=-1.6}",
+                    checkerboard,
+                ],
+            )?
+        },
         case("mesh nested exact", &nested, &["voxels.surfaces=exact", "voxels.reflection=false"])?,
     ])
+}
+
+/// A mesh, and the picture `slide.png` for a spot to project.
+fn slide(mesh: &Mesh) -> Assets {
+    let texels =
+        (0..12u8).map(|texel| [f32::from(texel) / 11.0, f32::from(texel % 4) / 3.0, f32::from(texel / 4) / 2.0]);
+    let mut assets = Assets::from(mesh.clone());
+    assets.textures.insert("slide.png".into(), Arc::new(Picture::rgb(4, 3, texels.collect())));
+    assets
 }
 
 /// Compares what kernels wrote, the CPU's first.

@@ -1,5 +1,7 @@
 //! Why a valid scene and its data make no frame.
 
+use std::path::PathBuf;
+
 /// Why a scene and its data, each valid by itself, make no frame together. The display states the fact and the limit;
 /// [`advice`](Self::advice) says what to change.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -188,6 +190,36 @@ pub enum Unrenderable {
     /// A volume that is behind the camera as a whole.
     #[error("the whole volume is behind the camera")]
     BehindCamera,
+    /// A point or spot that casts shadows stands in the box around the mesh.
+    #[error(
+        "the light at {position:?} stands inside the box around the mesh, from {low:?} to {high:?}, or less than {distance:.2e} away from it: its shadow map begins outside"
+    )]
+    LightInMesh {
+        /// The light's position, in the world.
+        position: [f32; 3],
+        /// The low corner of the box.
+        low: [f32; 3],
+        /// The high corner of the box.
+        high: [f32; 3],
+        /// The least distance from the box, in world units.
+        distance: f32,
+    },
+    /// The picture that a spot projects is not among the assets.
+    #[error("light.{index}.texture is {}, and the assets have no picture of that name", path.display())]
+    NoTexture {
+        /// The number of the light.
+        index: usize,
+        /// The path by which the scene names the picture.
+        path: PathBuf,
+    },
+    /// The environment's picture and those that spots project are larger together than kernels can address.
+    #[error("{}: with it the pictures of the environment and of spots have {texels} texels, kernels can address 715827882", path.display())]
+    PicturesTooLarge {
+        /// The picture that is too much.
+        path: PathBuf,
+        /// Texels of all.
+        texels: u64,
+    },
     /// The light of a sweep shines across the viewing direction or against it.
     #[error(
         "light.{index} travels at {angle:.1}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera"
@@ -233,6 +265,14 @@ impl Unrenderable {
             Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),
             Self::TooManyPlanes { .. } => "make it larger".to_owned(),
             Self::BehindCamera => "move camera.position or camera.target".to_owned(),
+            Self::LightInMesh { .. } => {
+                "move the light out of the box, or set its `shadows = false`: it then shines through the mesh"
+                    .to_owned()
+            }
+            Self::NoTexture { .. } => {
+                "add the picture to `Assets::textures`, or read the assets by `Assets::load`".to_owned()
+            }
+            Self::PicturesTooLarge { .. } => "make it smaller".to_owned(),
             Self::ObliqueLight { index, .. } => {
                 let key = format!("light.{index}");
                 format!("turn {key}.azimuth or {key}.elevation towards 0, or use {key}.attachment = \"camera\"")

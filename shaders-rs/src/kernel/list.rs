@@ -86,7 +86,7 @@ kernels! {
             levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE];
         reflect(rays: f32, nodes: f32, corners: f32, materials: f32) updates mirror,
             levels [WORK], reports work;
-        resolve(rays: f32, map: f32, corners: f32, looks: f32, shadow: u32, mirrors: f32) writes view,
+        resolve(rays: f32, pictures: f32, corners: f32, looks: f32, shadow: u32, mirrors: f32) writes view,
             modes seen [ENVIRONMENT, SURFACES];
     }
     shadow: ShadowUniforms {

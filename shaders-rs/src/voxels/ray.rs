@@ -1,4 +1,4 @@
-//! The state of a ray, and how it moves.
+//! The state of a ray through a mesh, and its steps.
 
 use crate::abi::receivers::ahead;
 use crate::abi::record::fate;
@@ -11,7 +11,7 @@ use spirv_std::glam::Vec3;
 pub use crate::abi::record::Path as Ray;
 
 impl Ray {
-    /// One that has met nothing yet, from `position` along `direction`, and has nothing ahead.
+    /// A ray that has met nothing yet, from `position` along `direction`, with nothing ahead.
     #[inline(always)]
     pub fn straight(position: Vec3, direction: Vec3) -> Self {
         Self {
@@ -33,7 +33,8 @@ impl Ray {
         }
     }
 
-    /// Moves on by `distance` voxels through material `medium`.
+    /// Moves the ray by `distance` voxels through material `medium`; the light is attenuated by e^(−σ d) (Chang et al. 2010, §4.2, with
+    /// the minus sign that it lacks there).
     #[inline(always)]
     pub fn advance(&mut self, distance: f32, medium: i32, materials: &[f32]) {
         self.position += self.direction * distance;
@@ -80,9 +81,9 @@ impl Ray {
 pub mod level {
     /// The ray has ended.
     pub const ENDED: u32 = 0;
-    /// It waits for another kernel.
+    /// The ray waits for another kernel.
     pub const WAITING: u32 = 1;
-    /// It is the kernel's to follow.
+    /// The kernel follows the ray.
     pub const WORK: u32 = 3;
 }
 
@@ -98,11 +99,11 @@ pub fn level_of(status: f32) -> u32 {
     }
 }
 
-/// Distance, in voxels, by which receivers are taken to be nearer: a body that stands on one is in contact with it, and no ray inside of the
-/// body gets between them.
+/// Distance by which receivers are taken to be nearer, in voxels: a body that stands on one is in contact with it, and no ray inside of
+/// the body gets between them.
 const CONTACT: f32 = 1.0 / 64.0;
 
-/// The first receiver from `position` along `direction`; its distance in voxels.
+/// The first receiver from `position` along `direction`, with its distance in voxels.
 #[inline(always)]
 pub fn first_receiver(u: &VoxelsUniforms, position: Vec3, direction: Vec3) -> Ahead {
     first_ahead(&u.receivers, position, direction, CONTACT)
@@ -115,7 +116,7 @@ pub fn reciprocal(x: f32) -> f32 {
     1.0 / select(small, select(x < 0.0, -1e-12, 1e-12), x)
 }
 
-/// Where a line enters and leaves a box, along the line.
+/// Distances along a line at which it enters and leaves a box (the slab method, Kay & Kajiya 1986).
 #[inline(always)]
 pub fn slab(from: Vec3, inverse: Vec3, low: Vec3, high: Vec3) -> (f32, f32) {
     let (ax, bx) = ((low.x - from.x) * inverse.x, (high.x - from.x) * inverse.x);

@@ -1,5 +1,5 @@
-//! Looks for the opaque triangle or receiver that the first surface mirrors. Clear bodies are looked through. No node is looked at
-//! twice, so that a search has an end that is known.
+//! Search for the opaque triangle or receiver that the first surface mirrors; clear bodies are ignored (not in Chang et al. 2010). The
+//! search visits no node twice, so that its end is known beforehand.
 
 use super::mirror::{first_surface, mirrored};
 use super::ray::{Ray, first_receiver};
@@ -36,7 +36,7 @@ pub fn level(
     if Mirror::load(&before).stage == stage::FOUND { level::ENDED } else { level::WORK }
 }
 
-/// The search some nodes on. Where nothing is mirrored it is done at once.
+/// The search after some nodes. A search without a mirror ends at once.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     x: u32,

@@ -1,7 +1,6 @@
 //! Opaque bodies and receivers in pictures, beside and behind clear ones.
 
-use super::{ABOVE, case, on_both, sheets};
-use vitrum::Frame;
+use super::{ABOVE, case, color, on_both, sheets};
 use vitrum::OutputRequest;
 use vitrum::backend::Backend;
 use vitrum::method::{Cache, Job};
@@ -11,10 +10,6 @@ use vitrum_conformance::{Failure, frames};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::fate;
 use vitrum_kernels::glam::{DQuat, DVec3};
-
-fn color(frame: &Frame) -> Vec<[f32; 3]> {
-    frame.aov("color").expect("every frame has a colour").color()
-}
 
 /// The largest difference of two pictures' pixels, and how many differ by more than `bound`.
 fn difference(a: &[[f32; 3]], b: &[[f32; 3]], bound: f32) -> (f32, usize) {

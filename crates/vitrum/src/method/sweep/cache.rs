@@ -9,7 +9,7 @@ use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::error::Error;
 use crate::method::Tools;
 use crate::method::cache::{Memo, Scratch};
-use crate::method::view::environment::UploadedEnvironment;
+use crate::method::view::pictures::UploadedPictures;
 use crate::scene::{Scene, TransferFunction};
 use crate::subject::Volumes;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ pub(super) struct FrameCache {
     tables: Memo<TablesKey, Arc<Tables>>,
     tables_buffer: Memo<TablesKey, Buffer>,
     pub(super) occupancy: Memo<(TablesKey, [u32; 2]), Occupancy>,
-    pub(super) environment: UploadedEnvironment,
+    pub(super) pictures: UploadedPictures,
     pub(super) scratch: Scratch,
 }
 

@@ -40,6 +40,7 @@ use crate::unrenderable::Unrenderable;
 use cache::{FrameCache, SweepCache};
 use film::Voxelized;
 use irradiance_ring::IrradianceRing;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use uniforms::FramePlan;
 use uploaded::UploadedVolumes;
@@ -167,11 +168,11 @@ impl Sweep {
     ) -> Result<Self, Error> {
         let uploaded = cache.uploaded(volumes, backend)?;
         let tables = cache.tables(scene, volumes);
-        let (map, map_buffer) = cache.environment.get(scene, picture, backend)?;
+        let pictures = cache.pictures.get(scene, picture, &BTreeMap::new(), backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
-        let plan = FramePlan::new(scene, volumes, tables, &map, limits)?;
+        let plan = FramePlan::new(scene, volumes, tables, &pictures.environment, limits)?;
         let (passes, buffers) =
-            passes::build(scene, volumes, &plan, (&uploaded, &map_buffer), request, cache, backend)?;
+            passes::build(scene, volumes, &plan, (&uploaded, &pictures.buffer), request, cache, backend)?;
         Ok(Self {
             passes,
             planes: plan.planes,

@@ -1,10 +1,11 @@
-//! The parts of a scene that every method has: the camera's view, the environment, receivers, lights' directions.
+//! The parts of a scene that every method has: the camera's view, the environment, receivers, lights' directions and places.
 //!
 //! The view frame, in which all of them are stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
 
 pub(in crate::method) mod bounds;
 pub(in crate::method) mod environment;
 pub(in crate::method) mod light;
+pub(in crate::method) mod pictures;
 pub(in crate::method) mod receivers;
 
 pub use bounds::Bounds;

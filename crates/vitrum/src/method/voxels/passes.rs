@@ -2,14 +2,15 @@
 
 use super::bodies::materials;
 use super::cache::FrameCache;
+use super::light::light_source;
 use super::shadow::Lookup;
+use super::shadow::source::Source;
 use super::uniforms::{self, Seen};
 use super::uploaded::{Uploaded, shown};
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, WhileBusy};
 use crate::error::Error;
 use crate::method::view::environment::Prepared;
-use crate::method::view::light::travels;
 use crate::method::view::receivers::Receivers;
 use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
@@ -108,11 +109,14 @@ pub(super) fn list(
     let seeks = surfaces && !exact;
     let mut flags = if seeks { flag::SEEKS } else { 0 };
     flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
-    let (environment, map) = cache.environment.get(scene, assets.environment.as_deref(), backend)?;
+    let pictures = cache.pictures.get(scene, assets.environment.as_deref(), &assets.textures, backend)?;
+    let light = scene.first_light();
+    let source = Source::of(light, &eye, bounds)?;
+    let texture = light.texture.as_deref().and_then(|path| pictures.texture(path));
     let seen = Seen {
-        environment: Prepared::new(&scene.environment, &environment, &eye),
-        light: eye.axes * travels(scene.first_light(), &eye)?,
-        shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
+        environment: Prepared::new(&scene.environment, &pictures.environment, &eye),
+        light: light_source(light, &source, &eye, uploaded.grid, texture),
+        shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::NONE), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
     };
     let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
@@ -161,7 +165,7 @@ pub(super) fn list(
         // Nothing of it is read.
         (seen::ENVIRONMENT, rays.clone())
     };
-    let resolved = vec![rays.clone(), map, corners, looks, shadow, mirrors, film.clone()];
+    let resolved = vec![rays.clone(), pictures.buffer, corners, looks, shadow, mirrors, film.clone()];
     passes.push(pass(&kernels::voxels_resolve, sees, resolved));
     let name = uploaded.kernel.declaration.name;
     let searches = kernels::voxels_reflect.declaration.name;

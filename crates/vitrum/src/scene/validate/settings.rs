@@ -126,12 +126,18 @@ fn check_light(key: &str, light: &Light) -> Result<(), Fault> {
 
 /// The lights that the scene's method has.
 fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
-    let method = scene.method.as_str();
+    if scene.method == MethodName::Voxels {
+        return Ok(());
+    }
+    let (method, other) = (scene.method.as_str(), MethodName::Voxels.as_str());
     if let Some((index, light)) = scene.light.iter().enumerate().find(|(_, light)| light.kind != LightKind::Distant) {
+        let kind = light.kind.name();
         return Err(Fault::contradiction(
             &format!("light.{index}.kind"),
-            format!("the method `{method}` renders distant lights alone, and this is a {} light", light.kind.name()),
-            format!("set `light.{index}.kind = \"distant\"`; no method renders other lights yet"),
+            format!("the method `{method}` renders distant lights alone, and this is a {kind} light"),
+            format!(
+                "set `light.{index}.kind = \"distant\"`, or show a mesh by the method `{other}`, which renders {kind} lights"
+            ),
         ));
     }
     Ok(())
