@@ -1,12 +1,13 @@
 //! Frames with several lights: light adds up, so that such a frame is the sum of frames with one light each.
 
 use super::sources::{ball, sources};
-use super::view::light::{axis, travels};
+use super::view::light::{axis, direction_of_light};
 use super::{Bounds, Exposure, Part, View};
 use crate::scene::{Attachment, Light, LightKind, Scene};
 use glam::DVec3;
 
-/// The exposures of a scene: the first has the first light and everything else that shines, each further one a further light alone.
+/// The exposures of a scene: the first has the first light and all radiance that is not of a light, each further one has a further
+/// light alone.
 pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
     let (first, others) = match scene.light.split_first() {
         Some((first, others)) => (vec![first.clone()], others),
@@ -37,9 +38,9 @@ pub(super) fn crisp(scene: &Scene, bounds: Bounds) -> Scene {
     Scene { light: scene.light.iter().flat_map(split).collect(), ..scene.clone() }
 }
 
-/// Distant lights over the disc of a soft one; `None` for a crisp one.
+/// Distant lights over the disc of a soft distant light; `None` for a crisp one.
 fn in_directions(light: &Light, count: u32, view: &View) -> Option<Vec<Light>> {
-    let direction = travels(light, view).ok().filter(|_| light.angular_radius > 0.0)?;
+    let direction = direction_of_light(light, view).ok().filter(|_| light.angular_radius > 0.0)?;
     let sample = |towards: [f32; 3]| {
         let world = view.axes * glam::Vec3::from_array(towards).as_dvec3();
         let direction = Some(world.as_vec3().to_array());
@@ -48,7 +49,7 @@ fn in_directions(light: &Light, count: u32, view: &View) -> Option<Vec<Light>> {
     Some(sources(direction, light.angular_radius, count).into_iter().map(sample).collect())
 }
 
-/// Points or spots over the ball of a soft one; `None` for a crisp one.
+/// Points or spots over the ball of a soft point or spot; `None` for a crisp one.
 fn at_positions(light: &Light, count: u32, view: &View, bounds: Bounds) -> Option<Vec<Light>> {
     let position = light.position.filter(|_| light.radius > 0.0)?;
     // All look where the one in the middle does, in the frame of its position.
@@ -71,7 +72,8 @@ fn at_positions(light: &Light, count: u32, view: &View, bounds: Bounds) -> Optio
     Some(ball(count).into_iter().map(sample).collect())
 }
 
-/// A scene in which nothing shines but one of its lights. It keeps the environment's kind, so that a map of it stays where it is.
+/// A scene with the radiance of one light alone. It keeps the environment's kind, so that the map of the environment stays on the
+/// backend.
 fn alone(scene: &Scene, light: &Light) -> Scene {
     let mut scene = Scene { light: vec![light.clone()], ..scene.clone() };
     scene.shading.ambient = [0.0; 3];

@@ -1,4 +1,4 @@
-//! Directions and places that stand for a light of finite size.
+//! Samples of a light of finite size: directions, or positions.
 
 use glam::DVec3;
 
@@ -19,8 +19,8 @@ pub(super) fn sources(direction: DVec3, angular_radius: f32, count: u32) -> Vec<
         .collect()
 }
 
-/// Points of the unit ball that stand for a ball that shines: seen from any side they are spread evenly over its disc, each for the same
-/// share of its light.
+/// Points of the unit ball as samples of a ball that shines: seen from any side, they are spread evenly over its disc, each for the
+/// same share of its light.
 ///
 /// A density of points 1 / √(1 − r²) is the one whose projection along any direction is the same all over the disc. It depends on the
 /// distance from the middle alone, so that light that falls with the square of the distance is, all points together, that of one
@@ -58,7 +58,7 @@ mod tests {
     use super::ball;
     use glam::DVec3;
 
-    /// The part of the unit disc up to `x`.
+    /// Area of the part of the unit disc up to `x`.
     fn segment(x: f64) -> f64 {
         0.5 + (x.asin() + x * (1.0 - x * x).sqrt()) / std::f64::consts::PI
     }

@@ -2,7 +2,7 @@
 
 use super::planes::Planes;
 use crate::error::Error;
-use crate::method::view::light::travels;
+use crate::method::view::light::direction_of_light;
 use crate::method::view::{Bounds, View};
 use crate::scene::{Light, Scene};
 use crate::subject::Volumes;
@@ -41,7 +41,7 @@ pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
 
 /// Unit direction of light `index` in the view frame; an error if its angle to the viewing direction is above [`STEEPEST`].
 pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec3, Error> {
-    let unit = travels(light, view)?;
+    let unit = direction_of_light(light, view)?;
     let angle = libm::acos(unit.z.clamp(-1.0, 1.0)).to_degrees();
     if angle > STEEPEST {
         return Err(Unrenderable::ObliqueLight { index, angle, limit: STEEPEST }.into());

@@ -10,7 +10,7 @@ use super::window::VisibleLight;
 use crate::error::Error;
 use crate::method::lights;
 use crate::method::sources::sources;
-use crate::method::view::environment::{EnvironmentMap, Prepared};
+use crate::method::view::environment::{EnvironmentMap, EnvironmentUniforms};
 use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Rgb, Scene, Transport};
@@ -114,7 +114,7 @@ impl FramePlan {
     ) -> Result<Self, Error> {
         let Volumes { shown, ior: bending } = volumes;
         let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, volumes)?;
-        let environment = Prepared::new(&scene.environment, map, &view);
+        let environment = EnvironmentUniforms::new(&scene.environment, map, &view);
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];

@@ -5,7 +5,7 @@ use crate::subject::Subject;
 use glam::DVec3;
 use vitrum_io::{Mesh, Volume};
 
-/// The part of a mesh's longest edge that a flat one has at least across it.
+/// Least thickness of the box of a flat mesh, over the mesh's longest edge.
 const THINNEST: f32 = 1e-6;
 
 /// The box around a subject: of a volume its whole voxels, along its own axes; of a mesh its bounds, along the world's axes.

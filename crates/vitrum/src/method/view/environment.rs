@@ -16,7 +16,7 @@ pub(in crate::method) struct EnvironmentMap {
 }
 
 impl EnvironmentMap {
-    /// The map of an environment whose picture is `picture`.
+    /// The map of an environment with the picture `picture`.
     pub(in crate::method) fn new(environment: &Environment, picture: Option<&Picture>) -> Self {
         let (texels, width, height, levels) = match (environment.kind, picture) {
             (EnvironmentKind::Map, Some(picture)) => chain(picture),
@@ -26,8 +26,8 @@ impl EnvironmentMap {
     }
 }
 
-/// An environment as kernels read it.
-pub(in crate::method) struct Prepared {
+/// The uniforms of an environment, and its axes.
+pub(in crate::method) struct EnvironmentUniforms {
     /// Uniforms of the environment, for rays in the view frame.
     pub(in crate::method) block: Block,
     /// The environment's axes in the world: its side, its middle, up.
@@ -38,7 +38,7 @@ fn scaled(color: Rgb, factor: f32) -> Vec3 {
     color.map(|channel| channel * factor).into()
 }
 
-impl Prepared {
+impl EnvironmentUniforms {
     pub(in crate::method) fn new(environment: &Environment, map: &EnvironmentMap, view: &View) -> Self {
         let pattern = match environment.kind {
             EnvironmentKind::Color => kind::COLOR,
@@ -72,7 +72,7 @@ impl Prepared {
     }
 }
 
-/// The picture and its levels, each the mean of the one before over 2 × 2 texels; (texels, width, height, levels).
+/// The mip chain of a picture, each level the mean of the one before over 2 × 2 texels: (texels, width, height, levels).
 fn chain(picture: &Picture) -> (Vec<f32>, u32, u32, u32) {
     let mut level: Vec<[f32; 3]> = picture.color();
     let (mut width, mut height) = (picture.width as usize, picture.height as usize);

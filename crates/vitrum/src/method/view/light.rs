@@ -1,4 +1,4 @@
-//! Directions and places of lights.
+//! Directions and positions of lights.
 
 use super::{Bounds, View, from_angles, vector};
 use crate::error::Error;
@@ -6,9 +6,9 @@ use crate::scene::{Attachment, Light};
 use crate::unrenderable::Unrenderable;
 use glam::DVec3;
 
-/// The unit direction in which light travels, in the view frame.
-pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Error> {
-    let travels = match (light.attachment(), light.direction) {
+/// The unit direction in which a light shines, in the view frame.
+pub(in crate::method) fn direction_of_light(light: &Light, view: &View) -> Result<DVec3, Error> {
+    let direction = match (light.attachment(), light.direction) {
         (Attachment::Camera, Some(v)) => {
             let v = vector(v);
             DVec3::new(v.x, v.y, -v.z)
@@ -23,7 +23,7 @@ pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Er
         (Attachment::World, None) => view.direction(-from_angles(view.up, view.front, light.azimuth, light.elevation)),
     };
     let no_length = || Unrenderable::NoDirection { key: "the `direction` of a light".to_owned() }.into();
-    travels.try_normalize().ok_or_else(no_length)
+    direction.try_normalize().ok_or_else(no_length)
 }
 
 /// The position of a point or spot, in the world; `None` for a distant light.
@@ -44,7 +44,7 @@ pub(in crate::method) fn position(light: &Light, view: &View) -> Option<DVec3> {
 /// [`Unrenderable::NoDirection`] where the spot stands in the middle of the subject and has no direction.
 pub(in crate::method) fn axis(light: &Light, view: &View, bounds: Bounds) -> Result<DVec3, Error> {
     if light.direction.is_some() {
-        return Ok(view.axes * travels(light, view)?);
+        return Ok(view.axes * direction_of_light(light, view)?);
     }
     let (centre, _) = bounds.sphere();
     let no_length =

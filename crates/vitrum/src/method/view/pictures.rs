@@ -1,4 +1,4 @@
-//! The pictures that kernels read: the environment's, and behind it those that spots project.
+//! Pictures for kernels: the environment's, and behind it the ones that spots project.
 
 use super::environment::EnvironmentMap;
 use crate::backend::{Backend, Buffer, Contents};
@@ -14,10 +14,10 @@ use vitrum_io::Picture;
 /// Pictures by the paths that the scene gives them.
 type Textures = BTreeMap<PathBuf, Arc<Picture>>;
 
-/// The place of a picture among the floats of all.
+/// The place of a picture among the floats of all pictures.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::method) struct Placed {
-    /// The number of its first float.
+    /// Index of the picture's first float.
     pub(in crate::method) first: u32,
     /// Texels across.
     pub(in crate::method) width: u32,
@@ -30,7 +30,7 @@ pub(in crate::method) struct Placed {
 pub(in crate::method) struct Pictures {
     pub(in crate::method) environment: Arc<EnvironmentMap>,
     textures: Arc<BTreeMap<PathBuf, Placed>>,
-    /// RGB floats of all.
+    /// RGB floats of all pictures.
     pub(in crate::method) buffer: Buffer,
 }
 

@@ -10,7 +10,7 @@ use bytemuck::cast_slice;
 use std::sync::Arc;
 use vitrum_io::Mesh;
 
-/// The scene's values that looks depend on: the materials, and the optical depth of an opaque triangle of density 1.
+/// The scene's values on which surface attributes depend: the materials, and the optical depth of an opaque triangle of density 1.
 type LooksKey = (Vec<Material>, f32);
 
 /// Data of rays through a mesh that the next frame of the same assets uses again.
@@ -20,7 +20,7 @@ pub(super) struct MeshCache {
     pub(super) frame: FrameCache,
 }
 
-/// The part of it beside the mesh.
+/// Data of a frame besides the mesh.
 #[derive(Default)]
 pub(super) struct FrameCache {
     looks: Memo<LooksKey, Arc<Looks>>,
@@ -35,13 +35,13 @@ fn looks_key(scene: &Scene) -> LooksKey {
 }
 
 impl FrameCache {
-    /// The looks of the bodies.
+    /// The surface attributes of the bodies.
     pub(super) fn looks(&mut self, scene: &Scene, mesh: &Mesh, uploaded: &Uploaded) -> Arc<Looks> {
         let make = || looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
         Arc::clone(self.looks.of(looks_key(scene), || Arc::new(make())))
     }
 
-    /// The looks on the backend.
+    /// The surface attributes on the backend.
     ///
     /// # Errors
     /// As [`Backend::create`].

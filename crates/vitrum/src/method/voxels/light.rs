@@ -14,7 +14,7 @@ use glam::DVec3;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::light::{Cone, LightSource, kind};
 
-/// The light of a source in a grid of voxels; `picture` is the one that a spot projects.
+/// The light of a source in a grid of voxels; `picture` is the place of the picture that a spot projects.
 pub(super) fn light_source(
     light: &Light,
     source: &Source,
@@ -59,7 +59,7 @@ pub(super) fn light_source(
     }
 }
 
-/// Checks that a scene's lights can be seen to shine on a mesh.
+/// Checks that each light of a scene can shine on its mesh.
 ///
 /// # Errors
 /// Where a light that casts shadows stands in the mesh's box, a light has no direction, or a spot's picture is not among the assets.

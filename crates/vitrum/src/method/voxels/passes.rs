@@ -5,12 +5,12 @@ use super::cache::FrameCache;
 use super::light::light_source;
 use super::shadow::Lookup;
 use super::shadow::source::Source;
-use super::uniforms::{self, Seen};
+use super::uniforms::{self, Surroundings};
 use super::uploaded::{Uploaded, shown};
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, WhileBusy};
 use crate::error::Error;
-use crate::method::view::environment::Prepared;
+use crate::method::view::environment::EnvironmentUniforms;
 use crate::method::view::receivers::Receivers;
 use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
@@ -19,7 +19,7 @@ use vitrum_kernels::abi::record::{mirror, path, view};
 use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, flag, seen};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
-/// A frame that is ready to run.
+/// A frame of rays through a mesh that is ready to run.
 pub struct Rays {
     /// The passes.
     pub passes: PassList,
@@ -27,14 +27,14 @@ pub struct Rays {
     pub rays: [u32; 2],
     records: Buffer,
     pub(super) film: Buffer,
-    /// Voxels along x, y and z that the mesh was turned into, if it was.
+    /// Voxels of the mesh along x, y and z; `None` if rays run through its triangles.
     pub(super) voxels: Option<[u32; 3]>,
-    /// Rows of them that go through holes of the surface and were left empty.
+    /// Rows of voxels that go through holes of the surface and were left empty.
     pub(super) open_rows: u64,
 }
 
 impl Rays {
-    /// Uploads what else a frame needs and lists its passes. What `uploaded` has stays when the frame is freed.
+    /// Uploads the remaining data of a frame and lists its passes. The data in `uploaded` stays when the frame is freed.
     ///
     /// # Errors
     /// If the backend fails.
@@ -47,7 +47,7 @@ impl Rays {
         list(scene, assets, uploaded, &mut FrameCache::default(), backend)
     }
 
-    /// Runs all passes; `progress` gets how many are done and returns whether to go on.
+    /// Runs all passes; `progress` receives the number of finished passes and returns whether to go on.
     ///
     /// # Errors
     /// As [`Backend::run`].
@@ -63,7 +63,7 @@ impl Rays {
         backend.read_all(&self.film)
     }
 
-    /// The rays as they are now: planar records as [`path`] describes.
+    /// The present state of the rays: planar records as [`path`] describes.
     ///
     /// # Errors
     /// As [`Backend::read`].
@@ -72,8 +72,8 @@ impl Rays {
     }
 }
 
-/// Rounds after which a ray that is still under way has met more than it may: dispatches, each with one that looks for what is ahead
-/// if rays seek.
+/// The largest number of rounds of a frame: dispatches, each together with one of [`seek`](vitrum_kernels::voxels::seek) if rays seek.
+/// A ray that is under way after them has met more surfaces than allowed.
 fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
     // Nodes of a tree, several times those of a ray.
     const NODES: u32 = 16 * STEPS as u32;
@@ -86,7 +86,7 @@ fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
     (crossings * steps).div_ceil(STEPS as u32)
 }
 
-/// Dispatches after which a search for what the first surface mirrors has looked at every node there is.
+/// The number of dispatches in which a search for the mirrored triangle visits every node of the tree.
 fn searches(uploaded: &Uploaded) -> u32 {
     uploaded.nodes().div_ceil(4 * STEPS as u32)
 }
@@ -113,8 +113,8 @@ pub(super) fn list(
     let light = scene.first_light();
     let source = Source::of(light, &eye, bounds)?;
     let texture = light.texture.as_deref().and_then(|path| pictures.texture(path));
-    let seen = Seen {
-        environment: Prepared::new(&scene.environment, &pictures.environment, &eye),
+    let seen = Surroundings {
+        environment: EnvironmentUniforms::new(&scene.environment, &pictures.environment, &eye),
         light: light_source(light, &source, &eye, uploaded.grid, texture),
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::NONE), |map| map.lookup(scene, uploaded.grid))?,
         receivers,

@@ -1,9 +1,9 @@
-//! The uniform block, from the scene.
+//! The uniform block of rays through a mesh, from the scene.
 
 use super::shadow::Lookup;
 use super::uploaded::Uploaded;
 use crate::method::view::View;
-use crate::method::view::environment::Prepared;
+use crate::method::view::environment::EnvironmentUniforms;
 use crate::method::view::receivers::Receivers;
 use crate::method::voxelize::Grid;
 use crate::scene::{Rgb, Scene, Surfaces};
@@ -16,24 +16,24 @@ use vitrum_kernels::abi::receivers::{self, Receiver};
 use vitrum_kernels::abi::vector::{Affine, Counts, Vec3};
 use vitrum_kernels::abi::voxels::{VoxelsUniforms, flag, mode};
 
-/// Voxels around the triangles in which a smoothed surface may still be.
+/// Distance from the triangles within which a smoothed surface may be, in voxels.
 const AROUND: f64 = 2.0;
-/// The distance in voxels within which a surface is taken for the last one.
+/// Distance below which a surface is taken for the last one, in voxels.
 const AGAIN: f32 = 2.0;
 
 fn vector(v: DVec3) -> Vec3 {
     v.as_vec3().into()
 }
 
-/// What is around the mesh.
-pub(super) struct Seen {
-    pub environment: Prepared,
+/// The surroundings of the mesh.
+pub(super) struct Surroundings {
+    pub environment: EnvironmentUniforms,
     pub receivers: Receivers,
     pub light: LightSource,
     pub shadow: Lookup,
 }
 
-/// A plane of the view frame in the grid's; distances are in voxels.
+/// A plane of the view frame in the frame of the grid, distances in voxels.
 fn plane(plane: DVec4, view: &View, grid: Grid) -> Affine {
     let normal = view.axes * plane.truncate();
     let origin = DVec3::from_array(grid.origin) - view.eye;
@@ -41,7 +41,13 @@ fn plane(plane: DVec4, view: &View, grid: Grid) -> Affine {
 }
 
 /// The block of a frame; dispatches differ in their mode alone.
-pub(super) fn block(scene: &Scene, uploaded: &Uploaded, view: &View, seen: &Seen, flags: u32) -> VoxelsUniforms {
+pub(super) fn block(
+    scene: &Scene,
+    uploaded: &Uploaded,
+    view: &View,
+    seen: &Surroundings,
+    flags: u32,
+) -> VoxelsUniforms {
     let grid = uploaded.grid;
     let environment = &seen.environment;
     let edge = scene.film.supersampling;

@@ -1,4 +1,4 @@
-//! What casts a shadow: bodies, turned so that light travels along x.
+//! Casters of shadows: bodies, turned so that light travels along x.
 
 use super::frame::Frame;
 use super::source::Source;
@@ -9,17 +9,17 @@ use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::Mesh;
 
-/// What a body does to light.
+/// The absorption of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Caster {
-    /// Each of its triangles has this optical depth.
+    /// Optical depth of each of the body's triangles.
     Surface(f32),
-    /// It absorbs so much over a world unit, red, green and blue.
+    /// Absorption coefficient inside the body, red, green and blue, per world unit.
     Solid([f64; 3]),
 }
 
 impl Caster {
-    /// What each of `bodies` does.
+    /// The absorption of each of `bodies`.
     pub(super) fn all(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> Vec<Self> {
         let of_body = |(body, solid): (&Body, _)| {
             let material = chosen(&scene.material, of_mesh(mesh, body.material));
@@ -29,7 +29,7 @@ impl Caster {
         bodies.iter().zip(solids).map(of_body).collect()
     }
 
-    /// Whether all light goes through it.
+    /// Whether the body absorbs no light.
     pub(super) fn is_nothing(&self) -> bool {
         match self {
             Self::Surface(depth) => *depth <= 0.0,
@@ -37,7 +37,7 @@ impl Caster {
         }
     }
 
-    /// Whether it does something else to red light than to blue.
+    /// Whether the body absorbs colours differently.
     pub(super) fn is_colored(&self) -> bool {
         matches!(self, Self::Solid([red, green, blue]) if red != green || green != blue)
     }
@@ -46,9 +46,9 @@ impl Caster {
 /// The triangles of bodies in the light's frame.
 pub(super) struct Turned {
     pub frame: Frame,
-    /// Low and high corner of all that light falls on.
+    /// Low and high corner of the part that light falls on.
     pub bounds: [[f64; 3]; 2],
-    /// The corners of each body's triangles. A vertex is at the same place in all of its triangles, to the bit.
+    /// The corners of each body's triangles. A vertex has the same bits in all of its triangles.
     pub bodies: Vec<Vec<[[f64; 3]; 3]>>,
 }
 

@@ -7,18 +7,18 @@ use super::source::Source;
 use crate::error::Error;
 use glam::{DMat3, DVec2, DVec3, Vec3Swizzles as _};
 
-/// Directions around a cone that stand for its edge.
+/// Number of directions around a cone that represent its edge.
 const EDGE: u32 = 64;
 
 /// The largest unit depth, over the depth of the mesh's middle.
 const FARTHEST: f64 = 1000.0;
 
-/// The frame of a light.
+/// The frame of a light: its axes and origin, and the unit of lengths across.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
-    /// Its axes in the world, as columns; x along the light.
+    /// Axes of the frame in the world, as columns; x along the light.
     pub axes: DMat3,
-    /// The point in the world that positions are relative to: the middle of the mesh, or the light's position.
+    /// Origin of the frame in the world: the middle of the mesh, or the light's position.
     pub origin: DVec3,
     /// The depth at which tangents are lengths: voxels are cubes there. `None` where light is parallel.
     pub unit_depth: Option<f64>,
@@ -70,7 +70,7 @@ impl Frame {
         [low, high].map(|corner| (corner * self.widths()).to_array())
     }
 
-    /// The part of a box, turned, that light of a source falls on.
+    /// The lit part of a box in the light's frame.
     fn lit(&self, source: &Source, [low, high]: [DVec3; 2]) -> [DVec3; 2] {
         let Source::Spot { axis, tangent, .. } = *source else { return [low, high] };
         let (right, up) = axis.any_orthonormal_pair();

@@ -26,30 +26,30 @@ use vitrum_kernels::shadow::look_up::MOST_COLUMNS;
 /// Voxels around the mesh: columns beside it are lit.
 const PADDING: u32 = 1;
 
-/// What a shadow map depends on.
+/// The key of a shadow map: all values on which it depends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cast {
     source: Source,
     resolution: u32,
     coefficient: Coefficient,
     absorption: f32,
-    /// What each body does to light.
+    /// The absorption of each body.
     casters: Vec<Caster>,
 }
 
-/// How much light gets to each voxel, on a backend.
+/// A transparent shadow map on a backend: the transmittance from the light to each voxel.
 pub(super) struct ShadowMap {
     cast: Cast,
-    /// The light's frame.
+    /// Frame of the light.
     frame: Frame,
-    /// The voxels in it.
+    /// Grid of the voxels, in the frame of the light.
     grid: Grid,
     channels: u32,
     pub(super) buffer: Buffer,
 }
 
 impl Cast {
-    /// Of a scene; `None` where there is no shadow to be seen.
+    /// The key of a scene's shadow map; `None` for a scene without visible shadows.
     ///
     /// # Errors
     /// If the light has no direction.
@@ -96,12 +96,12 @@ impl ShadowMap {
         Ok(Self { frame: turned.frame, grid, channels, buffer, cast })
     }
 
-    /// Whether it is the one of `cast`.
+    /// Whether the shadow map belongs to the key `cast`.
     pub(super) fn is_of(&self, cast: &Cast) -> bool {
         self.cast == *cast
     }
 
-    /// What kernels are told that look up positions in the voxels of `viewed`.
+    /// The uniforms for look-ups at positions in the voxels of `viewed`.
     ///
     /// # Errors
     /// If the softness takes more columns than a look-up may.
@@ -143,7 +143,7 @@ impl ShadowMap {
     }
 }
 
-/// How the columns of a grid in a light's frame run apart.
+/// The spread of the columns of a grid in a light's frame.
 fn spread(frame: &Frame, grid: Grid) -> Spread {
     let tangent = |length: f64| frame.unit_depth.map_or(0.0, |unit| (length / unit) as f32);
     Spread { low_y: tangent(grid.origin[1]), low_z: tangent(grid.origin[2]), step: tangent(grid.voxel_size) }

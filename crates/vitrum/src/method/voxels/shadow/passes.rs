@@ -30,13 +30,13 @@ type Corners = [[f32; 3]; 3];
 /// A clear body.
 struct Solid {
     corners: Vec<Corners>,
-    /// log₂ of the units of a winding that a voxel has.
+    /// log₂ of the units in which windings are counted, a voxel's.
     scale: u32,
-    /// A voxel's edge of it, red, green and blue.
+    /// Optical depth of a voxel's edge inside the body, red, green and blue.
     absorption: [f32; 3],
 }
 
-/// All that is cast, in voxels.
+/// The work on a shadow map: its casters, in voxels.
 struct Work<'a> {
     grid: Grid,
     channels: u32,
@@ -52,7 +52,7 @@ struct Work<'a> {
     total: u64,
 }
 
-/// An optical depth in units; beyond [`absorption::MOST`] it makes no difference.
+/// An optical depth in units, limited to [`absorption::MOST`], beyond which no light is left.
 fn limited(depth: f32) -> f32 {
     depth.min(absorption::MOST)
 }
@@ -136,7 +136,7 @@ impl<'a> Work<'a> {
         work
     }
 
-    /// The first layer of each slab and how many it has.
+    /// The first layer of each slab, and its number of layers.
     fn slabs(&self) -> std::vec::IntoIter<[u32; 2]> {
         let [x, y, z] = self.grid.dimensions;
         let layer = u64::from(x) * u64::from(y) * u64::from(self.channels) * absorption::SIZE as u64;
@@ -175,7 +175,7 @@ impl<'a> Work<'a> {
         Ok(backend.run(passes, &mut |_| progress(Progress { stage: Stage::Shadow, done: done.min(total), total }))?)
     }
 
-    /// One slab, into the map.
+    /// Computes one slab and writes it to the map.
     fn slab(&mut self, [first, layers]: [u32; 2], map: &Buffer, backend: &mut dyn Backend) -> Result<(), Error> {
         let [x, y, z] = self.grid.dimensions;
         let rows = y * layers;
@@ -212,7 +212,7 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    /// What clear body number `index` absorbs in a slab.
+    /// Adds the absorption of clear body number `index` to a slab.
     fn solid(
         &mut self,
         index: usize,

@@ -1,29 +1,29 @@
-//! Where light comes from.
+//! Sources of light, as shadow maps see them.
 
 use crate::error::Error;
-use crate::method::view::light::{axis, position, travels};
+use crate::method::view::light::{axis, direction_of_light, position};
 use crate::method::{Bounds, View};
 use crate::scene::{Light, LightKind};
 use crate::unrenderable::Unrenderable;
 use glam::DVec3;
 
-/// The part of the diagonal of the mesh's box that a light must be away from the box: from nearer, parts of the mesh would be seen in columns that
-/// are nearly parallel to its box's faces.
+/// Least distance of a light from the mesh's box, over the box's diagonal: from nearer, parts of the mesh would be seen in columns that
+/// are nearly parallel to the box's faces.
 const NEAREST: f64 = 1.0 / 64.0;
 
 /// The source of the light that a shadow map follows, in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::method::voxels) enum Source {
-    /// A distant one: the unit direction in which its light travels.
+    /// A distant source, with the unit direction of its light.
     Distant(DVec3),
-    /// A point.
+    /// A point source, with its position.
     Point(DVec3),
-    /// A point that shines into a cone.
+    /// A point source that shines into a cone.
     Spot {
         position: DVec3,
         /// The cone's unit axis.
         axis: DVec3,
-        /// Tangent of its half-angle.
+        /// Tangent of the cone's half-angle.
         tangent: f64,
     },
 }
@@ -34,7 +34,7 @@ impl Source {
     /// # Errors
     /// [`Unrenderable::NoDirection`] where a light has no direction.
     pub(in crate::method::voxels) fn of(light: &Light, view: &View, bounds: Bounds) -> Result<Self, Error> {
-        let distant = || Ok(Self::Distant(view.axes * travels(light, view)?));
+        let distant = || Ok(Self::Distant(view.axes * direction_of_light(light, view)?));
         position(light, view).map_or_else(distant, |position| {
             Ok(match light.kind {
                 LightKind::Spot => {
