@@ -1,7 +1,7 @@
 //! Rays through meshes, one by one: where they leave and which way they go.
 
 use vitrum::backend::Backend;
-use vitrum::method::voxels::{Rays, Uploaded};
+use vitrum::method::voxels::{Rays, UploadedMesh};
 use vitrum::method::{Tools, View};
 use vitrum::scene::{MethodName, Scene};
 use vitrum::{Assets, Error, OutputRequest};
@@ -54,7 +54,7 @@ pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case
 /// If the backend fails.
 pub fn trace(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Traced>, Failure> {
     let Case { scene, assets, .. } = case;
-    let uploaded = Uploaded::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
+    let uploaded = UploadedMesh::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
     let rays = Rays::prepare(scene, assets, &uploaded, backend)?;
     let run = rays.run(backend, &mut |_| true).and_then(|()| rays.records(backend));
     let size = rays.rays;

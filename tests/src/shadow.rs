@@ -2,7 +2,7 @@
 
 use vitrum::Error;
 use vitrum::backend::{Backend, ReadBack as _};
-use vitrum::method::voxels::{Rays, Uploaded};
+use vitrum::method::voxels::{Rays, UploadedMesh};
 use vitrum::method::{Tools, View};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::VoxelsUniforms;
@@ -31,7 +31,8 @@ impl Map {
     /// If the backend fails.
     pub fn of(case: &Case, backend: &mut dyn Backend) -> Result<Self, Failure> {
         let Case { scene, assets, .. } = case;
-        let uploaded = Uploaded::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
+        let uploaded =
+            UploadedMesh::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
         let rays = Rays::prepare(scene, assets, &uploaded, backend)?;
         let last = rays.passes.passes.last().expect("there are passes");
         let block = bytemuck::pod_read_unaligned(&last.uniforms);

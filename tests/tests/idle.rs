@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use vitrum::backend::{Backend, CpuBackend, Pass, PassList, ReadBack as _, WhileBusy};
 use vitrum::method::Tools;
-use vitrum::method::voxels::{Rays, Uploaded};
+use vitrum::method::voxels::{Rays, UploadedMesh};
 use vitrum_conformance::altered::Altered;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::{Failure, adapter, kernels};
@@ -19,7 +19,7 @@ const RESOLUTION: u32 = 32;
 
 fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<Rays, Failure> {
     let Case { scene, assets, .. } = case;
-    let uploaded = Uploaded::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
+    let uploaded = UploadedMesh::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
     Ok(Rays::prepare(scene, assets, &uploaded, backend)?)
 }
 

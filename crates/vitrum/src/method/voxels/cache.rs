@@ -1,7 +1,7 @@
 //! Data that rays through a mesh keep from frame to frame: voxels, trees, shadow maps, looks, the environment map.
 
 use super::looks::{Looks, looks};
-use super::uploaded::Uploaded;
+use super::uploaded::UploadedMesh;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::cache::{Memo, Scratch};
 use crate::method::view::pictures::UploadedPictures;
@@ -16,7 +16,7 @@ type LooksKey = (Vec<Material>, f32);
 /// Data of rays through a mesh that the next frame of the same assets uses again.
 #[derive(Default)]
 pub(super) struct MeshCache {
-    pub(super) uploaded: Option<Uploaded>,
+    pub(super) uploaded: Option<UploadedMesh>,
     pub(super) frame: FrameCache,
 }
 
@@ -36,7 +36,7 @@ fn looks_key(scene: &Scene) -> LooksKey {
 
 impl FrameCache {
     /// The surface attributes of the bodies.
-    pub(super) fn looks(&mut self, scene: &Scene, mesh: &Mesh, uploaded: &Uploaded) -> Arc<Looks> {
+    pub(super) fn looks(&mut self, scene: &Scene, mesh: &Mesh, uploaded: &UploadedMesh) -> Arc<Looks> {
         let make = || looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
         Arc::clone(self.looks.of(looks_key(scene), || Arc::new(make())))
     }

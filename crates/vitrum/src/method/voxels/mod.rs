@@ -1,7 +1,7 @@
 //! Rays through a mesh (Chang et al. 2010): through the voxels of clear materials (§4), or for comparison through their triangles, to
 //! opaque triangles and receivers in the light that the mesh lets through (§3).
 //!
-//! [`Uploaded::new`] turns a mesh into what rays run through and the shadow that it casts; [`Rays::prepare`] lists the passes of a
+//! [`UploadedMesh::new`] turns a mesh into what rays run through and the shadow that it casts; [`Rays::prepare`] lists the passes of a
 //! frame; [`Rays::run`] hands them to the backend; [`Rays::film`] reads what came out.
 
 pub(in crate::method) mod bodies;
@@ -24,7 +24,7 @@ mod uploaded;
 pub use bodies::{Body, bodies};
 pub(crate) use looks::GREY;
 pub use passes::Rays;
-pub use uploaded::Uploaded;
+pub use uploaded::UploadedMesh;
 
 use crate::assets::Assets;
 use crate::error::Error;
@@ -90,7 +90,7 @@ impl Method for MeshRays {
         let MeshCache { uploaded, frame } = cache;
         let uploaded = match uploaded {
             Some(uploaded) => uploaded,
-            None => uploaded.insert(Uploaded::new(scene, assets, tools)?),
+            None => uploaded.insert(UploadedMesh::new(scene, assets, tools)?),
         };
         uploaded.update(scene, assets, tools)?;
         Ok(Box::new(passes::list(scene, assets, uploaded, frame, tools.backend)?))

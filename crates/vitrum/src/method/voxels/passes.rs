@@ -6,7 +6,7 @@ use super::light::light_source;
 use super::shadow::Lookup;
 use super::shadow::source::Source;
 use super::uniforms::{self, Surroundings};
-use super::uploaded::{Uploaded, shown};
+use super::uploaded::{UploadedMesh, shown};
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, WhileBusy};
 use crate::error::Error;
@@ -41,7 +41,7 @@ impl Rays {
     pub fn prepare(
         scene: &Scene,
         assets: &Assets,
-        uploaded: &Uploaded,
+        uploaded: &UploadedMesh,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         list(scene, assets, uploaded, &mut FrameCache::default(), backend)
@@ -74,7 +74,7 @@ impl Rays {
 
 /// The largest number of rounds of a frame: dispatches, each together with one of [`seek`](vitrum_kernels::voxels::seek) if rays seek.
 /// A ray that is under way after them has met more surfaces than allowed.
-fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
+fn rounds(uploaded: &UploadedMesh, block: &VoxelsUniforms) -> u32 {
     // Nodes of a tree, several times those of a ray.
     const NODES: u32 = 16 * STEPS as u32;
     let crossings = block.most_bounces + 1;
@@ -87,7 +87,7 @@ fn rounds(uploaded: &Uploaded, block: &VoxelsUniforms) -> u32 {
 }
 
 /// The number of dispatches in which a search for the mirrored triangle visits every node of the tree.
-fn searches(uploaded: &Uploaded) -> u32 {
+fn searches(uploaded: &UploadedMesh) -> u32 {
     uploaded.nodes().div_ceil(4 * STEPS as u32)
 }
 
@@ -95,7 +95,7 @@ fn searches(uploaded: &Uploaded) -> u32 {
 pub(super) fn list(
     scene: &Scene,
     assets: &Assets,
-    uploaded: &Uploaded,
+    uploaded: &UploadedMesh,
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<Rays, Error> {

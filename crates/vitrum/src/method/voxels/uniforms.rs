@@ -1,7 +1,7 @@
 //! The uniform block of rays through a mesh, from the scene.
 
 use super::shadow::Lookup;
-use super::uploaded::Uploaded;
+use super::uploaded::UploadedMesh;
 use crate::method::view::View;
 use crate::method::view::environment::EnvironmentUniforms;
 use crate::method::view::receivers::Receivers;
@@ -43,13 +43,13 @@ fn plane(plane: DVec4, view: &View, grid: Grid) -> Affine {
 /// The block of a frame; dispatches differ in their mode alone.
 pub(super) fn block(
     scene: &Scene,
-    uploaded: &Uploaded,
+    uploaded: &UploadedMesh,
     view: &View,
-    seen: &Surroundings,
+    surroundings: &Surroundings,
     flags: u32,
 ) -> VoxelsUniforms {
     let grid = uploaded.grid;
-    let environment = &seen.environment;
+    let environment = &surroundings.environment;
     let edge = scene.film.supersampling;
     let eye = (view.eye - DVec3::from_array(grid.origin)) / grid.voxel_size;
     let bounds = uploaded.bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
@@ -91,11 +91,11 @@ pub(super) fn block(
         high: vector(bounds[1] + AROUND),
         environment: Environment { row_x, row_y, row_z, ..environment.block },
         receivers: receivers::Receivers {
-            ground: receiver(seen.receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
-            wall: receiver(seen.receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
+            ground: receiver(surroundings.receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
+            wall: receiver(surroundings.receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
         },
-        light: seen.light,
+        light: surroundings.light,
         ambient: scene.shading.ambient.into(),
-        shadow: seen.shadow,
+        shadow: surroundings.shadow,
     }
 }

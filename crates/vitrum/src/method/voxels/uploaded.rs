@@ -46,7 +46,7 @@ impl Kind {
 }
 
 /// A mesh on a backend, which stays the same while camera and materials change.
-pub struct Uploaded {
+pub struct UploadedMesh {
     kind: Kind,
     /// The grid of the voxels, in whose units the triangles are, too.
     pub grid: Grid,
@@ -67,7 +67,7 @@ pub struct Uploaded {
     pub(super) shadow: Option<ShadowMap>,
 }
 
-impl Uploaded {
+impl UploadedMesh {
     /// Turns a mesh into the representation that the scene's rays run through, and uploads it.
     ///
     /// # Errors

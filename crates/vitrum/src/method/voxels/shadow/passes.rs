@@ -30,7 +30,7 @@ type Corners = [[f32; 3]; 3];
 /// A clear body.
 struct Solid {
     corners: Vec<Corners>,
-    /// log₂ of the units in which windings are counted, a voxel's.
+    /// log₂ of the number of units of a winding in a voxel.
     scale: u32,
     /// Optical depth of a voxel's edge inside the body, red, green and blue.
     absorption: [f32; 3],
