@@ -16,7 +16,7 @@ pub struct Row {
     pub item: String,
     /// The component of a record that has the first difference.
     pub component: Option<&'static str>,
-    /// What was measured.
+    /// The measured differences.
     pub comparison: Comparison,
     /// The bound of the differences.
     pub bound: Bound,

@@ -11,7 +11,7 @@ use super::{cube, end, orthographic_frame, refracting, render, start};
 /// The cube's edge.
 pub const EDGE: f64 = 2.0;
 
-/// A medium whose index of refraction changes along x, and where its rays get to.
+/// A medium whose index of refraction changes along x, with the exact ends of its rays.
 pub struct Curve {
     /// The curve's name.
     pub name: &'static str,

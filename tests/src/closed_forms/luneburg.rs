@@ -9,7 +9,7 @@ use super::{cube, end, orthographic_frame, refracting, render, start};
 /// The edge of the volume's cube; the lens has radius 1.
 pub const EDGE: f64 = 2.2;
 
-/// By how much the rays of the beam's inner 80 % miss the antipode at most, in a volume of `n`³ voxels.
+/// Largest distance from the antipode of the rays of the beam's inner 80 %, in a volume of `n`³ voxels.
 pub fn worst_miss(n: u32, integrator: Integrator, gradient: Gradient, backend: &mut dyn Backend) -> f64 {
     let size = EDGE as f32;
     let volume = cube(n, size, |[x, y, z]| (2.0 - (x * x + y * y + z * z)).max(1.0).sqrt());

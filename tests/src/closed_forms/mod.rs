@@ -1,4 +1,4 @@
-//! Set-ups of which physics knows the outcome, and what a backend makes of them.
+//! Closed forms: set-ups whose outcome physics knows, and their rendering by a backend.
 //!
 //! The tests in `tests/closed_forms` hold the outcomes to bounds, and `cargo xtask accuracy` draws how they converge
 //! (`docs/accuracy.md`). A voxelized field is not the analytic one, so each set-up takes its grid.
@@ -115,7 +115,7 @@ impl End {
     }
 }
 
-/// Where a pixel's ray starts, in view space: the picture spans `half` on each side.
+/// The start of a pixel's ray, in view space: the picture spans `half` on each side.
 #[must_use]
 pub fn start(frame: &Frame, x: u32, y: u32, half: f64) -> [f64; 2] {
     let at = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
@@ -130,7 +130,7 @@ pub fn orthographic_frame(size: f64) -> (f64, f64) {
     (0.87 * radius, -4.0 * radius)
 }
 
-/// Runs a frame and looks at the light on the planes that `at` chooses: the red plane irradiance of their texels.
+/// The red plane irradiance of the texels on the planes that `at` chooses, in the course of a frame.
 ///
 /// # Panics
 /// If the backend fails.

@@ -54,7 +54,7 @@ pub fn irradiance(
     (at(0.0), at(0.5), mean)
 }
 
-/// Light texels a period at so many per pixel edge.
+/// The number of light texels in a period, at `resolution` texels per pixel edge.
 #[must_use]
 pub fn texels(resolution: f32) -> f64 {
     let radius = 0.5 * (3.0f64.powi(2) + DEPTH.powi(2) + (8.0 / 64.0f64).powi(2)).sqrt();

@@ -3,7 +3,7 @@
 use vitrum_kernels::glam::Vec3;
 use vitrum_kernels::optics::step::{flight, kick, kick_euler};
 
-/// Where a ray at height `h` through a Luneburg lens (R = 1) meets the plane of the antipode, with `steps` planes across.
+/// The point at which a ray at height `h` through a Luneburg lens (R = 1) meets the plane of the antipode, with `steps` planes across.
 fn antipode(h: f32, steps: u32, euler: bool) -> f32 {
     let distance = 2.0 / steps as f32;
     let mut x = Vec3::new(h, 0.0, -1.0);

@@ -11,7 +11,7 @@ use vitrum::backend::Backend;
 use crate::bounds;
 use crate::left_out;
 
-/// The environment variable that has errors listed and not held to the table.
+/// The environment variable by which errors are listed, and not held to the table.
 const MEASURE: &str = "VITRUM_MEASURE";
 
 /// How far a measured value may be from the table's on a backend that is held to the last bit: the table has two digits.
@@ -22,9 +22,9 @@ const ROUNDING: f64 = 0.05;
 pub struct ErrorBound {
     /// The closed form.
     pub form: &'static str,
-    /// The grid and the part of the picture that is looked at.
+    /// The grid, and the part of the picture that is measured.
     pub setup: &'static str,
-    /// The quantity that is off, with its unit.
+    /// The quantity with the error, and its unit.
     pub quantity: &'static str,
     /// The largest error measured, the same to the last bit on the CPU and on lavapipe; two digits.
     pub measured: f64,
@@ -105,7 +105,7 @@ fn digits(value: f64) -> String {
 /// The names of the table's columns.
 pub const HEADER: [&str; 5] = ["closed form", "set-up", "error of", "measured", "bound"];
 
-/// The cells of every line.
+/// The cells of each line.
 pub fn cells() -> impl Iterator<Item = [String; 5]> {
     let before = |index: usize| index.checked_sub(1).map(|before| &ALL[before]);
     ALL.iter().enumerate().map(move |(index, line)| line.cells(before(index)))

@@ -1,57 +1,57 @@
-//! Pass lists.
+//! Passes, and lists of them.
 
 use super::{BackendError, Buffer};
 use std::sync::Arc;
 use vitrum_kernels::kernel::{Access, Kernel, LANES, Window};
 
-/// What records may start at multiples of, in words: no device asks for more.
+/// Alignment of the offsets of records in a buffer, in words: no device asks for more.
 pub const START_ALIGNMENT: u64 = 64;
 
 /// One dispatch of a kernel over `width` × `height` invocations.
 #[derive(Clone)]
 pub struct Pass {
-    /// What runs.
+    /// The kernel.
     pub kernel: &'static Kernel,
     /// The uniform block's bytes.
     pub uniforms: Vec<u8>,
     /// A buffer for each of the kernel's [`Declaration::buffers`](vitrum_kernels::kernel::Declaration::buffers).
     pub buffers: Vec<Buffer>,
-    /// Where the records start in the buffer that is written, in words: a multiple of [`START_ALIGNMENT`].
+    /// Offset of the records in the written buffer, in words: a multiple of [`START_ALIGNMENT`].
     pub start: u64,
     /// Invocations across.
     pub width: u32,
     /// Invocations down.
     pub height: u32,
-    /// Those that run. The uniform block says the same.
+    /// The invocations that run, as the uniform block has them, too.
     pub window: Window,
 }
 
-/// Writes the words of a part of a buffer, all of them.
+/// Writes all words of a part of a buffer.
 pub type Fill = dyn Fn(&mut [u32]) + Send + Sync;
 
-/// What the host writes to a buffer between two passes.
+/// A write of the host to a buffer between two passes.
 #[derive(Clone)]
 pub struct Write {
-    /// The pass before which it has to be there.
+    /// Number of the pass before which the words are written.
     pub before: usize,
     /// The buffer.
     pub buffer: Buffer,
-    /// Where the part starts, in words.
+    /// Offset of the part, in words.
     pub start: u64,
-    /// Its words.
+    /// Number of words of the part.
     pub words: usize,
-    /// Its contents.
+    /// Contents of the part.
     pub fill: Arc<Fill>,
 }
 
-/// Passes that run in order.
+/// A list of passes that run in order.
 #[derive(Clone, Default)]
 pub struct PassList {
     /// The passes.
     pub passes: Vec<Pass>,
-    /// What is written between them, in the order of the passes.
+    /// The writes between passes, in the order of the passes.
     pub writes: Vec<Write>,
-    /// What a backend may leave out.
+    /// The passes that a backend may leave out.
     pub while_busy: Vec<WhileBusy>,
 }
 
@@ -67,7 +67,8 @@ pub struct WhileBusy {
 }
 
 impl PassList {
-    /// The passes from number `first` to before `last`, with what is written before each of them; none is left out.
+    /// The part of the list from pass `first` to before pass `last`, with the writes before each of them; no pass of it may be left
+    /// out.
     #[must_use]
     pub fn part(&self, first: usize, last: usize) -> Self {
         let writes = self.writes.iter().filter(|write| (first..last).contains(&write.before));
@@ -78,7 +79,7 @@ impl PassList {
         }
     }
 
-    /// Runs of passes between which nothing is written, each with what is written before it.
+    /// Runs of passes without a write between them, each with the writes before it.
     pub(super) fn runs(&self) -> impl Iterator<Item = (&[Write], &[Pass])> {
         let mut starts: Vec<usize> = self.writes.iter().map(|write| write.before).collect();
         starts.push(0);
@@ -110,7 +111,7 @@ impl Write {
 }
 
 impl Pass {
-    /// How many invocations run.
+    /// The number of invocations that run.
     #[must_use]
     pub fn invocations(&self) -> u64 {
         let Window { first, end } = self.window;

@@ -15,16 +15,16 @@ pub struct Frame {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
-    /// All outputs that have the picture's size, `color` (RGBA) first.
+    /// The outputs of the picture's size, `color` (RGBA) first.
     pub layers: Vec<Layer>,
-    /// The light on the last plane, in the light grid's texels, row 0 on top, if it was wanted.
+    /// The light on the last plane, in the light grid's texels, row 0 on top, if it was requested.
     pub light: Option<Picture>,
-    /// How it was made.
+    /// Statistics of the frame.
     pub statistics: Statistics,
 }
 
 impl Frame {
-    /// An output as a picture of its own; `None` if there is no output of that name, or it was not wanted.
+    /// An output as a picture of its own; `None` if the frame has no output of that name, or it was not requested.
     pub fn aov(&self, name: &str) -> Option<Picture> {
         if name == "light" {
             return self.light.clone();
@@ -33,7 +33,7 @@ impl Frame {
         Some(Picture { width: self.width, height: self.height, layers: vec![layer.clone()] })
     }
 
-    /// All outputs of the picture's size in one picture.
+    /// A picture of all outputs of the picture's size.
     pub fn picture(&self) -> Picture {
         Picture { width: self.width, height: self.height, layers: self.layers.clone() }
     }
@@ -59,7 +59,7 @@ impl Frame {
         (0..channels[0].len()).flat_map(pixel).collect()
     }
 
-    /// Multiplies the colour by 2^`stops`.
+    /// Exposure: multiplies the colour by 2^`stops`.
     pub(crate) fn expose(mut self, stops: f32) -> Self {
         let color = self.layers.iter_mut().filter(|layer| layer.name == "color");
         for channel in color.flat_map(|layer| layer.channels.iter_mut().filter(|channel| channel.name != "A")) {

@@ -1,51 +1,52 @@
-//! The named outputs of a method's frames, and how they come from its film records.
+//! The named outputs of a method's frames, and their channels in its film records.
 
 /// A named output of a frame.
 #[derive(Debug, Clone, Copy)]
 pub struct Output {
-    /// Its name.
+    /// Name of the output.
     pub name: &'static str,
-    /// The quantity that it holds, with its unit and range.
+    /// The quantity, with its unit and range.
     pub description: &'static str,
-    /// Whether it holds vectors, which may be negative.
+    /// Whether the output holds vectors, whose components may be negative.
     pub is_vector: bool,
     /// The names of its channels with their components in the method's film records; none for an output whose size is not the
     /// picture's.
     pub(crate) channels: &'static [(&'static str, usize)],
-    /// The value of a pixel that several rays go through.
+    /// The rule for a pixel that several rays go through.
     pub(crate) pixel: PixelFilter,
-    /// The value of a picture that is a sum of several exposures.
+    /// The rule for a sum of several exposures.
     pub(crate) blend: Blend,
 }
 
-/// The value of a pixel that several rays go through.
+/// The rule for the value of a pixel that several rays go through.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum PixelFilter {
     /// The mean.
     Mean,
-    /// The mean, weighted by another component; 0 where that is 0 everywhere.
+    /// The mean, weighted by another component; 0 where the weights are 0.
     WeightedBy(usize),
-    /// The mean of the rays for which it is not 0.
+    /// The mean of the rays whose value is not 0.
     Present,
-    /// The unit vector of the mean's direction; 0 where the mean is.
+    /// The unit vector of the mean's direction; 0 where the mean is 0.
     Direction,
-    /// The value of the ray next to the pixel's centre, for numbers that have no mean.
+    /// The value of the ray nearest to the pixel's centre, for categorical outputs, which have no mean.
     Nearest,
 }
 
-/// The value of a picture that is a sum of several exposures.
+/// The rule for the value of a picture that is a sum of several exposures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Blend {
     /// The sum, weighted by the exposures' weights of the channel: red, green and blue; the mean of the three for other channels.
     Sum,
-    /// For red, green and blue the same sum, for coverage that of the exposures of everything: further lights add to the radiance alone.
+    /// The sum for red, green and blue; for coverage, the sum of the exposures of the part `Whole` alone: further lights add to the
+    /// radiance alone.
     Radiance,
     /// The value of the exposure with the least distance.
     Nearest,
 }
 
 impl Output {
-    /// The picture's radiance and coverage.
+    /// The output of the picture's radiance and coverage.
     pub(crate) const fn color(channels: &'static [(&'static str, usize)]) -> Self {
         let description = "linear radiance and coverage (RGBA)";
         Self {
@@ -87,12 +88,12 @@ impl Output {
         Self { name, description, is_vector: false, channels, pixel: PixelFilter::Nearest, blend }
     }
 
-    /// The same output with another rule for a pixel that several rays go through, and of the nearest exposure.
+    /// The output with another rule for a pixel that several rays go through, and with the value of the nearest exposure.
     pub(crate) const fn filtered(self, pixel: PixelFilter) -> Self {
         Self { pixel, blend: Blend::Nearest, ..self }
     }
 
-    /// The same output as one of vectors.
+    /// The output as one of vectors.
     pub(crate) const fn vectors(self) -> Self {
         Self { is_vector: true, ..self }
     }

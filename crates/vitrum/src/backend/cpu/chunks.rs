@@ -19,42 +19,42 @@ const INVOCATIONS_TOGETHER: u64 = 1 << 27;
 /// Records that a pass writes: the number of their buffer, and where they start in it.
 pub(super) type Written = (usize, u64);
 
-/// What is known of the blocks of a buffer's records.
+/// The state of the blocks of a buffer's records, by which blocks are skipped.
 #[derive(Default)]
-pub(super) struct Known {
+pub(super) struct BlockState {
     /// Invocations across and down.
     size: (u32, u32),
-    /// The kernel that wrote them last.
+    /// The kernel that wrote the records last.
     kernel: Option<&'static str>,
-    /// How many of that kernel's passes they are left out of, see [`Chunk::rests`].
+    /// For each block, the number of that kernel's passes that skip it, see [`Chunk::rests`].
     rests: Vec<u32>,
-    /// Which hold nothing but the record that kernels keep as it is, see [`Marks`]; none if that is not known.
+    /// Marks of the blocks that hold only the record that kernels keep as it is, see [`Marks`]; empty if they are unknown.
     same: Vec<bool>,
-    /// The positions of passes up to which those have nothing in their way.
+    /// For each marked block, the position of a pass up to which its light meets only empty space.
     free_to: Vec<f32>,
 }
 
-impl Known {
-    /// Which blocks of the pass's invocations hold nothing but the record that kernels keep as it is; none if that is not known.
+impl BlockState {
+    /// Marks of the blocks of the pass's invocations that hold only the record that kernels keep as it is; empty if they are unknown.
     pub(super) fn same(&self, pass: &Pass) -> &[bool] {
         if self.size == (pass.width, pass.height) { &self.same } else { &[] }
     }
 }
 
-/// A pass, and what its chunks share.
-pub(super) struct Prepared<'a> {
+/// A pass, with the data that its chunks share.
+pub(super) struct PreparedPass<'a> {
     pass: &'a Pass,
     reads: Vec<&'a [u32]>,
-    /// The marks of those that hold floats.
+    /// The marks of the buffers of floats.
     marks: Vec<&'a [bool]>,
     uniforms: Vec<Aligned>,
     busy: AtomicBool,
-    /// What all threads took for it.
+    /// Time of the pass on all threads together, in nanoseconds.
     nanoseconds: AtomicU64,
 }
 
-impl<'a> Prepared<'a> {
-    /// A pass that writes the buffer `written`; `contents` gives those that it reads, `same` the marks of their blocks.
+impl<'a> PreparedPass<'a> {
+    /// The pass that writes the buffer `written`; `contents` gives the words of a buffer that it reads, `same` the marks of its blocks.
     pub(super) fn new(
         pass: &'a Pass,
         written: &Buffer,
@@ -75,7 +75,7 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// What all threads took for it.
+    /// Time of the pass on all threads together, in nanoseconds.
     pub(super) fn nanoseconds(&self) -> f64 {
         self.nanoseconds.load(Ordering::Relaxed) as f64
     }
@@ -100,14 +100,14 @@ pub(super) fn most_together(pass: &Pass) -> usize {
 }
 
 /// Rows in a chunk of passes that run together.
-fn chunk_rows(passes: &[Prepared]) -> u32 {
+fn chunk_rows(passes: &[PreparedPass]) -> u32 {
     let pass = passes[0].pass;
     let row = pass.width as usize * pass.kernel.declaration.components * 4;
     if passes.len() > 1 { (CACHED_BYTES / row.max(1)).clamp(1, CHUNK_ROWS as usize) as u32 } else { CHUNK_ROWS }
 }
 
 /// Runs passes over all their rows, chunk by chunk.
-pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32], known: &mut Known) {
+pub(super) fn rows(passes: &[PreparedPass], set: InstructionSet, output: &mut [u32], state: &mut BlockState) {
     let pass = passes[0].pass;
     let (width, height) = (pass.width, pass.height);
     let count = width as usize * height as usize;
@@ -133,26 +133,26 @@ pub(super) fn rows(passes: &[Prepared], set: InstructionSet, output: &mut [u32],
     }
     let blocks = width.div_ceil(LANES as u32) as usize;
     let all = blocks * height as usize;
-    if known.size != (width, height) {
-        *known = Known { size: (width, height), ..Known::default() };
+    if state.size != (width, height) {
+        *state = BlockState { size: (width, height), ..BlockState::default() };
     }
-    known.rests.resize(all, 0);
+    state.rests.resize(all, 0);
     // Whoever else writes the records does not keep the marks.
     let keeps = passes.iter().all(|pass| pass.pass.kernel.declaration.skip == Skip::Same);
     let marked = if keeps { all } else { 0 };
-    known.same.resize(marked, false);
-    known.free_to.resize(marked, f32::NEG_INFINITY);
-    let before = known.kernel;
-    known.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
+    state.same.resize(marked, false);
+    state.free_to.resize(marked, f32::NEG_INFINITY);
+    let before = state.kernel;
+    state.kernel = passes.last().map(|pass| pass.pass.kernel.declaration.name);
     let part = blocks * chunk_rows as usize;
-    let rests = parts(&mut known.rests, part, first_chunk, number);
-    let same = parts(&mut known.same, part, first_chunk, number);
-    let free_to = parts(&mut known.free_to, part, first_chunk, number);
+    let rests = parts(&mut state.rests, part, first_chunk, number);
+    let same = parts(&mut state.same, part, first_chunk, number);
+    let free_to = parts(&mut state.free_to, part, first_chunk, number);
     chunks.par_iter_mut().zip(rests).zip(same).zip(free_to).enumerate().for_each(|(index, chunk)| {
         let (((output, rests), same), free_to) = chunk;
         let first_row = (first_chunk + index) as u32 * chunk_rows;
         let mut before = before;
-        for Prepared { pass, reads, marks, uniforms, busy, nanoseconds } in passes {
+        for PreparedPass { pass, reads, marks, uniforms, busy, nanoseconds } in passes {
             let started = Instant::now();
             // How long records rest is only known while nothing else changes them.
             if before != Some(pass.kernel.declaration.name) {

@@ -1,7 +1,7 @@
 //! Execution of a pass list, part by part.
 
 use super::Memory;
-use super::chunks::{Known, Written, follows, most_together};
+use super::chunks::{BlockState, Written, follows, most_together};
 use crate::backend::{BackendError, Pass, PassList, Write};
 use std::collections::{HashMap, HashSet};
 use vitrum_kernels::kernel::InstructionSet;
@@ -23,7 +23,7 @@ pub(super) struct Executor<'a> {
     set: InstructionSet,
     /// Kernels that had a pass without any work.
     idle: HashSet<&'a str>,
-    known: HashMap<Written, Known>,
+    states: HashMap<Written, BlockState>,
     /// Writes that wait for the first pass that reads their buffer.
     waiting: Vec<&'a Write>,
 }
@@ -31,7 +31,7 @@ pub(super) struct Executor<'a> {
 impl<'a> Executor<'a> {
     /// The state before the first part.
     pub(super) fn new(passes: &'a PassList, set: InstructionSet) -> Self {
-        Self { passes, set, idle: HashSet::new(), known: HashMap::new(), waiting: Vec::new() }
+        Self { passes, set, idle: HashSet::new(), states: HashMap::new(), waiting: Vec::new() }
     }
 
     /// Runs a part, without the passes that may be left out.
@@ -49,10 +49,10 @@ impl<'a> Executor<'a> {
         let (now, later) = std::mem::take(&mut self.waiting).into_iter().partition(reads);
         self.waiting = later;
         for write in &now {
-            self.known.retain(|(buffer, _), _| *buffer != write.buffer.number());
+            self.states.retain(|(buffer, _), _| *buffer != write.buffer.number());
         }
         memory.write(now)?;
-        let busy = memory.run_together(&together, self.set, &mut self.known)?;
+        let busy = memory.run_together(&together, self.set, &mut self.states)?;
         let names = together.iter().map(|pass| pass.kernel.declaration.name);
         self.idle.extend(names.zip(busy).filter(|(_, busy)| !busy).map(|(name, _)| name));
         Ok(())

@@ -8,7 +8,7 @@ use super::buffer::Buffers;
 use super::pass::check_part;
 use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Threads, Write, buffer};
-use chunks::{Known, Prepared, Written, rows};
+use chunks::{BlockState, PreparedPass, Written, rows};
 use contents::Contents;
 use executor::{Executor, Part, parts};
 use rayon::prelude::*;
@@ -64,7 +64,7 @@ impl Memory {
         &mut self,
         passes: &[&Pass],
         set: InstructionSet,
-        known: &mut HashMap<Written, Known>,
+        states: &mut HashMap<Written, BlockState>,
     ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
             pass.check(|buffer| self.size(buffer))?;
@@ -74,27 +74,28 @@ impl Memory {
         };
         // Taken out for the time of the passes, so that the others can be borrowed beside it.
         let start = passes[0].start;
-        let mut written_known = known.remove(&(written.number(), start)).unwrap_or_default();
+        let mut written_state = states.remove(&(written.number(), start)).unwrap_or_default();
         let mut output = self.own(written)?;
-        let prepared: Vec<Prepared> = passes
+        let prepared: Vec<PreparedPass> = passes
             .iter()
             .map(|pass| {
-                let same = |buffer: &Buffer| known.get(&(buffer.number(), 0)).map_or(&[][..], |known| known.same(pass));
-                Prepared::new(pass, written, |buffer| self.buffers.find(buffer).map(|words| &**words), same)
+                let same =
+                    |buffer: &Buffer| states.get(&(buffer.number(), 0)).map_or(&[][..], |state| state.same(pass));
+                PreparedPass::new(pass, written, |buffer| self.buffers.find(buffer).map(|words| &**words), same)
             })
             .collect();
         let started = Instant::now();
-        rows(&prepared, set, &mut output, &mut written_known);
+        rows(&prepared, set, &mut output, &mut written_state);
         // Shared out by what the threads took for each.
         let elapsed = started.elapsed().as_secs_f64() * 1e3;
-        let shares: Vec<f64> = prepared.iter().map(Prepared::nanoseconds).collect();
+        let shares: Vec<f64> = prepared.iter().map(PreparedPass::nanoseconds).collect();
         let whole: f64 = shares.iter().sum();
-        let busy = prepared.into_iter().map(Prepared::was_busy).collect();
+        let busy = prepared.into_iter().map(PreparedPass::was_busy).collect();
         for (pass, share) in passes.iter().zip(shares) {
             times::add(&mut self.times, pass.kernel.declaration.name, 1, elapsed * share / whole.max(1.0));
         }
         *self.buffers.slot(written)? = Some(Contents::Own(output));
-        known.insert((written.number(), start), written_known);
+        states.insert((written.number(), start), written_state);
         Ok(busy)
     }
 

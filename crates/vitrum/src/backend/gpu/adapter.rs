@@ -1,10 +1,10 @@
-//! Finding an adapter and opening its device.
+//! Choice of an adapter, and opening of its device.
 
 use super::GpuOptions;
 use crate::backend::BackendError;
 use std::sync::{Arc, Mutex};
 
-/// What the driver reported while nobody was waiting for it.
+/// The first failure that the driver reported on its own.
 pub(super) type Failure = Arc<Mutex<Option<String>>>;
 
 /// All adapters of the platform's native interfaces, best first.
@@ -26,7 +26,7 @@ pub(crate) fn is_hardware(info: &wgpu::AdapterInfo) -> bool {
     info.device_type != wgpu::DeviceType::Cpu
 }
 
-/// Best first: discrete, integrated, virtual, other, software.
+/// Rank of an adapter, the best first: discrete, integrated, virtual, other, software.
 fn rank(info: &wgpu::AdapterInfo) -> u32 {
     match info.device_type {
         wgpu::DeviceType::DiscreteGpu => 0,
@@ -43,7 +43,7 @@ pub(crate) fn takes_spirv(adapter: &wgpu::Adapter) -> bool {
         && adapter.get_info().backend == wgpu::Backend::Vulkan
 }
 
-/// The adapter's own words: name, interface, driver.
+/// Description of an adapter: name, interface, driver.
 pub(crate) fn describe(info: &wgpu::AdapterInfo) -> String {
     let driver = [info.driver.as_str(), info.driver_info.as_str()]
         .into_iter()
@@ -79,7 +79,7 @@ pub(super) struct Opened {
     pub(super) description: String,
 }
 
-/// The features and limits that an adapter's device is asked for.
+/// The features and limits that are requested of an adapter's device.
 pub(super) fn required(adapter: &wgpu::Adapter, options: &GpuOptions) -> wgpu::DeviceDescriptor<'static> {
     let pass_through = takes_spirv(adapter) && !options.translate_shaders;
     let pass_through = if pass_through { wgpu::Features::PASSTHROUGH_SHADERS } else { wgpu::Features::empty() };
@@ -115,7 +115,7 @@ pub(super) fn open(adapter: &wgpu::Adapter, options: &GpuOptions) -> Result<Open
     Ok(Opened { failure, ..adopt(device, queue, &info) })
 }
 
-/// A device that somebody else opened, and whose failures are told to its owner.
+/// A device that the caller has opened, and whose failures go to the caller.
 pub(super) fn adopt(device: wgpu::Device, queue: wgpu::Queue, info: &wgpu::AdapterInfo) -> Opened {
     let passes_through =
         device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS) && info.backend == wgpu::Backend::Vulkan;
@@ -126,7 +126,7 @@ pub(super) fn adopt(device: wgpu::Device, queue: wgpu::Queue, info: &wgpu::Adapt
     Opened { device, queue, failure: Failure::default(), passes_through, description }
 }
 
-/// Keeps the first failure.
+/// Records a failure, if it is the first.
 fn note(failure: &Failure, message: String) {
     let mut slot = failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     slot.get_or_insert(message);

@@ -1,13 +1,13 @@
 //! The GPU backend: the kernels' SPIR-V through wgpu, on Vulkan, Metal or DX12, without a window.
 
 mod adapter;
+mod dispatches;
 #[cfg_attr(target_arch = "wasm32", path = "module_in_browser.rs")]
 mod module;
 mod pipeline;
 mod read;
 mod run;
 mod stopwatch;
-mod together;
 mod workgroups;
 
 pub(crate) use adapter::{adapters, describe, is_hardware, takes_spirv};
@@ -20,7 +20,7 @@ use read::Reading;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// Bytes on their way to the device at once, for which the driver keeps a copy in host memory.
+/// Largest number of bytes on their way to the device at once, of which the driver keeps a copy in host memory.
 const BYTES_PER_COPY: usize = 1 << 26;
 
 /// Runs kernels on a graphics adapter.
@@ -44,7 +44,7 @@ impl GpuBackend {
         Self::open(&GpuOptions::new(wanted))
     }
 
-    /// Opens the adapter that `options` say, in the way they say.
+    /// Opens the adapter of `options`, with the settings in them.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -68,7 +68,7 @@ impl GpuBackend {
         Self::of(adapter::adopt(device, queue, info))
     }
 
-    /// The features and limits for a device of an adapter that is handed to [`Self::with_device`]; a caller adds its own.
+    /// The features and limits of a device for [`Self::with_device`]; a caller adds its own.
     #[must_use]
     pub fn required(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         adapter::required(adapter, &GpuOptions::default())
@@ -109,7 +109,7 @@ impl GpuBackend {
         BackendError::DeviceLost { adapter: self.adapter.clone(), reason }
     }
 
-    /// Has the work of the host run on `threads` threads instead of the process's own.
+    /// The backend with `threads` threads of its own for the work of the host, instead of the process's.
     ///
     /// # Errors
     /// [`BackendError::Threads`] where the threads cannot be started.

@@ -1,4 +1,4 @@
-//! Kernels' modules on a device: SPIR-V as it is, or translated by naga.
+//! Modules of kernels on a device: SPIR-V passed through, or translated by naga.
 
 use std::borrow::Cow;
 use vitrum_kernels::kernel::WORKGROUP;
@@ -12,7 +12,7 @@ fn module(kernel: &str) -> &'static [u8] {
     spirv(kernel).unwrap_or_default()
 }
 
-/// A kernel's module, which the driver gets as it is. The device must allow that.
+/// The module of a kernel, passed through to the driver. The device must allow that.
 pub(super) fn passed_through(device: &Device, kernel: &str) -> ShaderModule {
     let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
         label: Some(kernel),
@@ -27,7 +27,7 @@ pub(super) fn passed_through(device: &Device, kernel: &str) -> ShaderModule {
     unsafe { device.create_shader_module_passthrough(descriptor) }
 }
 
-/// A kernel's module, which wgpu translates to the language of the device's interface; or the reason why that cannot be.
+/// The module of a kernel, which wgpu translates to the language of the device's interface; or the reason why it cannot.
 ///
 /// wgpu would read SPIR-V by itself, but refuses most of the kernels' modules: rust-gpu leaves types behind that hold pointers, which
 /// naga does not allow. Nothing uses these types, so that they go when the module is compacted (docs/adr/0017).

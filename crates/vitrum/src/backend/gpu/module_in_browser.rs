@@ -1,10 +1,10 @@
-//! Kernels' modules on a device in a browser, which takes WGSL alone.
+//! Modules of kernels on a device in a browser, which takes WGSL alone.
 
 use std::borrow::Cow;
 use vitrum_shaders::wgsl;
 use wgpu::{Device, ShaderModule};
 
-/// A kernel's module, which `vitrum_shaders::NAMES` must list.
+/// The module of a kernel that `vitrum_shaders::NAMES` lists.
 pub(super) fn passed_through(device: &Device, kernel: &str) -> ShaderModule {
     device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(kernel),
@@ -12,7 +12,7 @@ pub(super) fn passed_through(device: &Device, kernel: &str) -> ShaderModule {
     })
 }
 
-/// The same: WGSL is the translation.
+/// The module of a kernel: the committed WGSL is the translation.
 pub(super) fn translated(device: &Device, kernel: &str) -> Result<ShaderModule, String> {
     Ok(passed_through(device, kernel))
 }

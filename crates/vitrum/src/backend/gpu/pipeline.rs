@@ -6,7 +6,7 @@ use crate::backend::BackendError;
 use vitrum_kernels::kernel::{Access, Binding, Declaration};
 use vitrum_shaders::{ENTRY_POINT, NAMES};
 
-/// A kernel on the device.
+/// The pipeline of a kernel on the device.
 pub(super) struct Pipeline {
     pub(super) pipeline: wgpu::ComputePipeline,
     pub(super) layout: wgpu::BindGroupLayout,

@@ -1,4 +1,4 @@
-//! Reading a buffer back.
+//! Reading of buffers by the host.
 
 use super::adapter::Opened;
 use futures_channel::oneshot;
@@ -31,7 +31,7 @@ impl Reading {
         Self { staging, mapped, submission }
     }
 
-    /// The part's contents, once the device has been polled up to the submission, or the reason why there are none. A browser polls by
+    /// The contents of the part, once the device has been polled up to the submission; or the reason of a failure. A browser polls by
     /// itself.
     pub(super) async fn finish(self) -> Result<Vec<u8>, String> {
         let mapped = self.mapped.await.map_err(|error| error.to_string())?;

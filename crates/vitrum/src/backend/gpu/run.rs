@@ -1,9 +1,9 @@
-//! Running a pass list: uniform blocks, bind groups, submissions.
+//! Execution of a pass list: uniform blocks, bind groups, submissions.
 
 use super::GpuBackend;
+use super::dispatches::{block_bytes, dispatches};
 use super::pipeline::Pipeline;
 use super::stopwatch::{Stopwatch, Timed};
-use super::together::{block_bytes, dispatches};
 use super::workgroups::{self, Places, Workgroups};
 use crate::backend::{BackendError, Buffer, Pass, PassList, Write};
 use std::collections::HashMap;
@@ -13,10 +13,10 @@ use vitrum_kernels::kernel::Access;
 /// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
 const PASSES_PER_SUBMISSION: usize = 96;
 
-/// As many where passes go on with work that they report, since each of those may take long.
+/// Passes in one submission where they report work, since each of them may take long.
 const REPORTING_PASSES_PER_SUBMISSION: usize = 16;
 
-/// What a bind group is made of: the kernel, the numbers of its buffers, where its records start, how many passes' uniform blocks there are,
+/// The key of a bind group: the kernel, the numbers of its buffers, the offset of its records, the number of passes' uniform blocks,
 /// and the buffer in which it reports work.
 type Bound<'a> = (&'a str, Vec<usize>, u64, usize, Option<usize>);
 
@@ -124,7 +124,7 @@ pub(super) fn run(
     Ok(())
 }
 
-/// All dispatches' uniform blocks in one buffer; where those of each start.
+/// Uploads the uniform blocks of all dispatches into one buffer. The result has the offset of each dispatch's blocks.
 fn upload_uniforms<'a>(
     backend: &mut GpuBackend,
     dispatches: impl Iterator<Item = &'a [Pass]>,
@@ -145,7 +145,7 @@ fn upload_uniforms<'a>(
     Ok((buffer, starts))
 }
 
-/// Does the writes that come before a pass, behind all submissions.
+/// Performs the writes before a pass, behind all submissions.
 fn write_before(backend: &GpuBackend, writes: &[Write]) -> Result<(), BackendError> {
     let mut under_way = 0;
     for write in writes {

@@ -4,17 +4,17 @@ use super::super::times::{self, KernelTime};
 use super::adapter::Opened;
 use super::workgroups::{Place, Places};
 
-/// A dispatch whose time is taken.
+/// A timed dispatch.
 pub(super) struct Timed {
-    /// Its kernel.
+    /// Name of the kernel.
     pub(super) kernel: &'static str,
-    /// Its passes.
+    /// Number of passes.
     pub(super) passes: u32,
-    /// The place of its numbers of workgroups, if it may be left out.
+    /// The place of the dispatch's numbers of workgroups, if it may be left out.
     pub(super) workgroups: Option<Place>,
 }
 
-/// A time before the first dispatch of a submission and one behind each of its dispatches.
+/// Time stamps: before the first dispatch of a submission, and behind each of its dispatches.
 pub(super) struct Stopwatch {
     queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
@@ -23,7 +23,7 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// For `dispatches`, in order; none if the device has no clock that passes can read.
+    /// The stopwatch of `dispatches`, in order; `None` if the device has no clock that passes can read.
     pub(super) fn new(opened: &Opened, dispatches: Vec<Timed>) -> Option<Self> {
         let feature = wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
         let count = dispatches.len() as u32 + 1;
@@ -51,18 +51,18 @@ impl Stopwatch {
         })
     }
 
-    /// Notes the time when `dispatches` of them are done.
+    /// Records the time after `dispatches` dispatches.
     pub(super) fn note(&self, compute: &mut wgpu::ComputePass<'_>, dispatches: usize) {
         compute.write_timestamp(&self.queries, dispatches as u32);
     }
 
-    /// Copies the times to where they can be read.
+    /// Copies the times to a buffer that the host can read.
     pub(super) fn stop(&self, encoder: &mut wgpu::CommandEncoder) {
         encoder.resolve_query_set(&self.queries, 0..self.dispatches.len() as u32 + 1, &self.resolved, 0);
         encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, self.readable.size());
     }
 
-    /// Whether one of them may be left out.
+    /// Whether a timed dispatch may be left out.
     pub(super) fn depends(&self) -> bool {
         self.dispatches.iter().any(|dispatch| dispatch.workgroups.is_some())
     }

@@ -13,18 +13,18 @@ pub(super) const BYTES: u64 = 12;
 /// A place for the numbers of workgroups, in one of two buffers: a dispatch may not take its own numbers from the buffer that it writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
-    /// Which buffer.
+    /// Index of the buffer.
     pub(super) buffer: usize,
-    /// Its number there.
+    /// Index of the place in the buffer.
     pub(super) number: u32,
 }
 
 /// The numbers of workgroups of one dispatch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Workgroups {
-    /// The place that they are taken from; none if they are always those of the pass's window.
+    /// The place from which the numbers are taken; `None` if they are always the ones of the pass's window.
     pub(super) taken: Option<Place>,
-    /// The place that it raises if it has work and reports that.
+    /// The place that the dispatch raises if it has work and reports it.
     pub(super) raised: Place,
 }
 
@@ -78,7 +78,7 @@ pub(super) fn plan<'a>(list: &PassList, dispatches: impl Iterator<Item = &'a [Pa
 /// The two buffers, while a list runs.
 pub(super) struct Places {
     buffers: [wgpu::Buffer; 2],
-    /// Bytes from place to place.
+    /// Distance of two places in bytes.
     pitch: u32,
     is_clear: bool,
     /// The words of both buffers after the run; empty before.
@@ -100,7 +100,7 @@ impl Places {
         &self.buffers[place.buffer]
     }
 
-    /// Where a place is in its buffer, in bytes.
+    /// Offset of a place in its buffer, in bytes.
     pub(super) fn offset(&self, place: Place) -> u32 {
         place.number * self.pitch
     }
@@ -140,7 +140,7 @@ mod tests {
         Pass { kernel, uniforms: Vec::new(), buffers: Vec::new(), start: 0, width, height: 1, window }
     }
 
-    /// Where each of a list's passes takes its numbers of workgroups, as buffer and place.
+    /// The place of the numbers of workgroups of each pass of a list, as buffer and place.
     fn taken(
         kernels: &[(&'static Kernel, u32)],
         while_busy: &[(&'static str, &[&'static str])],

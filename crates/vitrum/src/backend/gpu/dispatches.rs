@@ -1,4 +1,4 @@
-//! Passes that one dispatch runs.
+//! Dispatches: passes that the device runs in one call.
 //!
 //! A dispatch has a cost of its own: the device waits until the one before it is done, then has to be filled with work again. Where passes
 //! change the same records, and each looks at nothing that the others write but its own one, an invocation can go through all of them.
