@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::bounds;
 use crate::left_out;
 
-/// What to do where there is no adapter.
+/// Advice for a machine without an adapter.
 const ADVICE: &str = "install a Vulkan driver (Mesa's runs on any processor; Debian: mesa-vulkan-drivers libvulkan1); \
                       `vitrum devices` lists what is found";
 

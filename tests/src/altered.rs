@@ -1,4 +1,4 @@
-//! A CPU that does something else than it should, to see whether a check says so.
+//! A backend that does something else than it should, to see whether a check says so, or that tells what it is asked to do.
 
 use std::ops::Range;
 
@@ -11,40 +11,50 @@ type ChangePasses = Box<dyn Fn(&mut PassList) + Send>;
 /// Changes the bytes of a buffer as they are read.
 type ChangeBytes = Box<dyn Fn(&mut [u8]) + Send>;
 
-/// The CPU, altered.
-pub struct AlteredCpu {
-    cpu: CpuBackend,
+/// A backend, altered.
+pub struct Altered<B> {
+    backend: B,
     passes: ChangePasses,
     bytes: ChangeBytes,
 }
 
+/// The CPU, altered.
+pub type AlteredCpu = Altered<CpuBackend>;
+
 impl AlteredCpu {
     /// Runs passes as `change` leaves them.
     pub fn of_passes(change: impl Fn(&mut PassList) + Send + 'static) -> Result<Self, Failure> {
-        Ok(Self { cpu: CpuBackend::new(None)?, passes: Box::new(change), bytes: Box::new(|_| {}) })
+        Ok(Self { backend: CpuBackend::new(None)?, passes: Box::new(change), bytes: Box::new(|_| {}) })
     }
 
-    /// Gives what is read as `change` leaves it.
+    /// A backend whose reads return the bytes that `change` makes of them.
     pub fn of_bytes(change: impl Fn(&mut [u8]) + Send + 'static) -> Result<Self, Failure> {
-        Ok(Self { cpu: CpuBackend::new(None)?, passes: Box::new(|_| {}), bytes: Box::new(change) })
+        Ok(Self::reading(CpuBackend::new(None)?, change))
     }
 }
 
-impl Backend for AlteredCpu {
+impl<B> Altered<B> {
+    /// Gives what is read from `backend` as `change` leaves it.
+    pub fn reading(backend: B, change: impl Fn(&mut [u8]) + Send + 'static) -> Self {
+        Self { backend, passes: Box::new(|_| {}), bytes: Box::new(change) }
+    }
+}
+
+impl<B: Backend> Backend for Altered<B> {
     fn name(&self) -> &'static str {
-        self.cpu.name()
+        self.backend.name()
     }
 
     fn adapter(&self) -> String {
-        self.cpu.adapter()
+        self.backend.adapter()
     }
 
     fn largest_buffer(&self) -> u64 {
-        self.cpu.largest_buffer()
+        self.backend.largest_buffer()
     }
 
     fn create(&mut self, label: &str, contents: Contents<'_>) -> Result<Buffer, BackendError> {
-        self.cpu.create(label, contents)
+        self.backend.create(label, contents)
     }
 
     fn write(
@@ -53,21 +63,17 @@ impl Backend for AlteredCpu {
         words: usize,
         fill: &mut (dyn FnMut(&mut [u32]) + Send),
     ) -> Result<(), BackendError> {
-        self.cpu.write(buffer, words, fill)
+        self.backend.write(buffer, words, fill)
     }
 
     fn clear(&mut self, buffer: &Buffer) -> Result<(), BackendError> {
-        self.cpu.clear(buffer)
+        self.backend.clear(buffer)
     }
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         let mut passes = passes.clone();
         (self.passes)(&mut passes);
-        self.cpu.run(&passes, progress)
-    }
-
-    fn leaves_out_idle_passes(&self) -> bool {
-        self.cpu.leaves_out_idle_passes()
+        self.backend.run(&passes, progress)
     }
 
     fn read(
@@ -78,7 +84,7 @@ impl Backend for AlteredCpu {
     ) -> Result<(), BackendError> {
         let change = &self.bytes;
         let mut words = Vec::<u32>::new();
-        self.cpu.read(buffer, range, &mut |bytes| words = bytemuck::pod_collect_to_vec(bytes))?;
+        self.backend.read(buffer, range, &mut |bytes| words = bytemuck::pod_collect_to_vec(bytes))?;
         let bytes = bytemuck::cast_slice_mut(&mut words);
         change(bytes);
         see(bytes);
@@ -86,10 +92,10 @@ impl Backend for AlteredCpu {
     }
 
     fn bytes(&self, buffer: &Buffer) -> Result<u64, BackendError> {
-        self.cpu.bytes(buffer)
+        self.backend.bytes(buffer)
     }
 
     fn device_bytes(&self) -> Option<u64> {
-        self.cpu.device_bytes()
+        self.backend.device_bytes()
     }
 }

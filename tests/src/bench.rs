@@ -22,7 +22,7 @@ pub struct Contender {
     pub backend: Box<dyn Backend>,
     /// The worker threads it was given, if it has any.
     pub threads: Option<usize>,
-    /// What it was compiled for, where that is compared.
+    /// The instruction set of the build, where builds are compared.
     pub build: Option<InstructionSet>,
 }
 
@@ -46,7 +46,7 @@ impl Contender {
     }
 }
 
-/// What was measured of one backend on one case.
+/// The measurements of one backend on one case.
 #[derive(Debug, Clone)]
 pub struct Timing {
     scene: String,
@@ -61,11 +61,11 @@ pub struct Timing {
     frame_ms: Vec<f64>,
     upload_ms: Vec<f64>,
     peak_bytes: Option<u64>,
-    /// The median frame time over that of the first backend.
+    /// The median frame time, over the median frame time of the first backend.
     relative: Option<f64>,
 }
 
-/// Times `frames` frames of a case on each backend. The first backend's picture is what the others' are held against.
+/// Times `frames` frames of a case on each backend. The pictures of all backends are compared with the first one's.
 ///
 /// # Errors
 /// If a backend fails.

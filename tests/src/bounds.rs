@@ -1,4 +1,4 @@
-//! Which bound holds on which adapter, and why.
+//! The bounds of conformance by adapter, with their reasons.
 //!
 //! Everything is in one table, [`FAMILIES`]; `docs/conformance.md` shows it, and a test holds the page to it.
 
@@ -21,7 +21,7 @@ const NEARLY: Bound = Bound::Tolerance(Tolerance {
 /// makes 256 ULP, in one of eight cases.
 const SEVERAL_STEPS: Bound = Bound::MostlyUlp(256, 0.125);
 
-/// What a building block is made of, which decides how far off it may be.
+/// The operations of a building block, which decide its bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Class {
     /// Comparisons, bits, and products with powers of two: nothing is rounded.
@@ -74,7 +74,7 @@ impl Class {
 /// Adapters that are held to the same bounds.
 #[derive(Debug, Clone, Copy)]
 pub struct Family {
-    /// Its name.
+    /// Name of the family.
     pub name: &'static str,
     /// Parts of an adapter's description, in lower case, that show that it is one of these. The first family of the table that has
     /// one is the adapter's.
@@ -91,7 +91,7 @@ const EXACT: [Bound; 6] = [Bound::BitEqual; 6];
 /// ÷ is within 2.5 ULP, and the CPU's within ½. √ is 1 / inversesqrt: 2 ULP of that are up to 4 of the result.
 const VULKAN: [Bound; 6] =
     [Bound::BitEqual, Bound::BitEqual, Bound::BitEqual, Bound::Ulp(3), Bound::Ulp(7), SEVERAL_STEPS];
-/// As on Vulkan; besides, sums of products may be contracted, and the argument of a root may be off by 1.
+/// The bounds on Vulkan, but for two things: sums of products may be contracted, and the argument of a root may be off by 1 ULP.
 const CONTRACTED: [Bound; 6] =
     [Bound::BitEqual, Bound::Ulp(1), SEVERAL_STEPS, Bound::Ulp(3), Bound::Ulp(8), SEVERAL_STEPS];
 
@@ -142,7 +142,7 @@ pub fn is_exact(backend: &dyn Backend) -> bool {
     backend.name() == "cpu" || Family::of(&backend.adapter()).frames == Bound::BitEqual
 }
 
-/// The bound on what a backend makes of a scene, against the CPU. All CPU builds give the same bits.
+/// The bound on a backend's rendering of a scene against the CPU's. All builds for CPUs give the same bits.
 pub fn of_backend(backend: &dyn Backend, shown: bool) -> Bound {
     if backend.name() == "cpu" { Bound::BitEqual } else { of_frame(&backend.adapter(), shown) }
 }

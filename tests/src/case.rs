@@ -72,19 +72,19 @@ impl Case {
         (self.scene.film.width, self.scene.film.height) = (edge, edge);
     }
 
-    /// The same case with the volume streamed.
+    /// The case with the volume streamed.
     #[must_use]
     pub fn streamed(self) -> Self {
         Self { streamed: true, ..self }
     }
 
-    /// The same case with the light carried as far as the picture needs it.
+    /// The case with the light carried only as far as the picture needs it.
     #[must_use]
     pub fn without_light(self) -> Self {
         Self { request: OutputRequest { light: false }, ..self }
     }
 
-    /// The same case with the voxels rounded to bytes, as many scans are stored.
+    /// The case with the voxels rounded to bytes, as many scans store them.
     ///
     /// # Errors
     /// None that built-in volumes cause.

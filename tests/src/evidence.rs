@@ -1,4 +1,4 @@
-//! What a breach leaves behind: both pictures, their difference, and the numbers.
+//! Evidence of a breach: both pictures, their difference, and the numbers.
 
 use std::fs;
 use std::io;
@@ -9,14 +9,14 @@ use vitrum_io::{Picture, write_picture};
 
 use crate::table::Row;
 
-/// Where evidence goes unless said otherwise: `target/conformance`, which version control ignores.
+/// The default folder of evidence: `target/conformance`, which version control ignores.
 #[must_use]
 pub fn folder() -> PathBuf {
     crate::root().join("target/conformance")
 }
 
-/// Writes `reference.exr`, `other.exr`, `difference.png` and `numbers.json` to a folder of the row's own, below that of what it was
-/// compared with, and gives that.
+/// Writes `reference.exr`, `other.exr`, `difference.png` and `numbers.json` to a folder of the row's own, below the folder of its
+/// counterpart. The result is that folder.
 ///
 /// # Errors
 /// If a file cannot be written.
@@ -56,6 +56,7 @@ mod tests {
             scene: "glass/wine".to_owned(),
             method: "sweep".to_owned(),
             item: "color".to_owned(),
+            component: None,
             comparison: compare(&reference, &other, 2, 2).unwrap(),
             bound: Bound::BitEqual,
             against: String::new(),

@@ -21,7 +21,7 @@ pub enum Failure {
     /// Two things do not even have the same size.
     #[error("{what}: {error}")]
     Compare {
-        /// What was compared.
+        /// The name of the comparison.
         what: String,
         /// Why that is impossible.
         error: CompareError,
@@ -31,7 +31,7 @@ pub enum Failure {
     Output {
         /// The file or folder.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the operating system.
         error: io::Error,
     },
 }

@@ -46,7 +46,7 @@ const EDGES: [f32; 24] = [
     f32::NAN,
 ];
 
-/// Stands for every NaN: whether a result is one must agree, its payload is nobody's business.
+/// The value that stands for every NaN: results must agree on being NaN, not on its payload.
 const NOT_A_NUMBER: f32 = -1.234_567_9e-30;
 
 /// Compares every building block over `rows` · 1024 inputs, the CPU's results first.
@@ -61,7 +61,7 @@ pub fn compare(rows: u32, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &
     let found = results(rows, &arguments, other)?;
     for ((name, expected), found) in NAMES.iter().zip(&expected).zip(&found) {
         let bound = bounds::of_function(other, name);
-        let about = About { tier: "T0", scene: "functions", item: name };
+        let about = About { tier: "T0", scene: "functions", item: name, components: &[] };
         if bounds::is_exact(other) {
             let raster = |numbers| Raster::stacked(WIDTH, [numbers]);
             run.hold(about, bound, &raster(expected), &raster(found))?;
@@ -74,10 +74,10 @@ pub fn compare(rows: u32, cpu: &mut dyn Backend, other: &mut dyn Backend, run: &
     Ok(())
 }
 
-/// Where arguments and results are ordinary: beyond that, devices may replace denormal numbers by 0 and do as they like with infinite
-/// ones and NaN. Products of two or three arguments, and their quotients, stay within the normal numbers.
+/// The range of ordinary arguments and results: beyond it, devices may replace denormal numbers by 0, and treat infinite ones and NaN
+/// in their own way. Products of two or three arguments, and their quotients, stay within the normal numbers.
 const ORDINARY: RangeInclusive<f32> = 1e-12..=1e12;
-/// The same for results. Below 2⁻¹⁸ the results of `half` come from denormal numbers.
+/// The range of ordinary results. Below 2⁻¹⁸, the results of `half` come from denormal numbers.
 const ORDINARY_RESULT: RangeInclusive<f32> = 3.814_697_3e-6..=1e30;
 
 /// The results that count on devices that are not exact, and their counterparts: those that are ordinary, as their arguments are, of the

@@ -25,7 +25,7 @@ const EDGE: u32 = 48;
 /// Voxels along a volume's longest edge.
 const RESOLUTION: u32 = 48;
 
-/// Where golden pictures are committed.
+/// The folder of the committed golden pictures.
 #[must_use]
 pub fn folder() -> PathBuf {
     crate::root().join("tests/golden")

@@ -1,4 +1,4 @@
-//! T1: what each kernel wrote, in the midst of a frame.
+//! T1: the records that each kernel writes, at stops within a frame.
 //!
 //! Both backends run the same pass list, and stop after chosen passes: the first and the last of each kernel, and those a
 //! quarter, half and three quarters in between. There the records that the last pass wrote are compared. Where a bound does not
@@ -6,11 +6,13 @@
 //! is wrong, not one that read what it wrote.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use vitrum::Assets;
 use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::sweep::Sweep;
 use vitrum::method::{self, Cache, Job, PreparedFrame, Tools};
-use vitrum_io::Mesh;
+use vitrum_io::{Mesh, Picture};
 use vitrum_kernels::abi::record::sums;
 use vitrum_kernels::field::sums::to_number;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
@@ -83,6 +85,14 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.0.angular_radius=0"])?,
     ]);
     cases.extend(meshes(edge, resolution)?);
+    // A method without a case of its own shows a built-in volume or mesh.
+    for method in method::ALL {
+        let name = method.name();
+        if cases.iter().all(|case| case.scene.method != name) {
+            let scene = if name.capabilities().volumes { "ball" } else { "vase" };
+            cases.push(case(name.as_str(), scene, &[&format!("method={}", name.as_str())])?);
+        }
+    }
     Ok(cases)
 }
 
@@ -129,8 +139,35 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
             &nested,
             &["material=[{opaque=true,density=0.5}]", "voxels.surfaces=two", "light.0.shadows=false"],
         )?,
+        case(
+            "mesh opaque point",
+            &nested,
+            &[OPAQUE, "light.0={kind='point',position=[2,-1,3],intensity=20}", "ground={}", "wall={}"],
+        )?,
+        Case {
+            assets: slide(&nested),
+            ..case(
+                "mesh opaque spot",
+                &nested,
+                &[
+                    OPAQUE,
+                    "light.0={kind='spot',position=[2,2,3],intensity=20,cone_angle=25,texture='slide.png'}",
+                    "ground={height=-1.6}",
+                    checkerboard,
+                ],
+            )?
+        },
         case("mesh nested exact", &nested, &["voxels.surfaces=exact", "voxels.reflection=false"])?,
     ])
+}
+
+/// A mesh, and the picture `slide.png` for a spot to project.
+fn slide(mesh: &Mesh) -> Assets {
+    let texels =
+        (0..12u8).map(|texel| [f32::from(texel) / 11.0, f32::from(texel % 4) / 3.0, f32::from(texel / 4) / 2.0]);
+    let mut assets = Assets::from(mesh.clone());
+    assets.textures.insert("slide.png".into(), Arc::new(Picture::rgb(4, 3, texels.collect())));
+    assets
 }
 
 /// Compares what kernels wrote, the CPU's first.
@@ -170,12 +207,13 @@ pub fn compare(case: &Case, cpu: &mut dyn Backend, other: &mut dyn Backend, run:
     }
     for stop in &stopped {
         let item = stop.item();
-        run.hold(About { tier: "T1", scene: &case.name, item: &item }, bound, &stop.expected, &stop.found)?;
+        let about = About { tier: "T1", scene: &case.name, item: &item, components: stop.at.components };
+        run.hold(about, bound, &stop.expected, &stop.found)?;
     }
     Ok(())
 }
 
-/// What both backends had written after a pass.
+/// The records of both backends after a pass.
 struct Stopped {
     at: Stop,
     expected: Raster,
@@ -215,12 +253,15 @@ struct Stop {
     /// The plane that it leads to, in a sweep.
     plane: Option<u32>,
     kernel: &'static str,
+    /// The names of the components of its record.
+    components: &'static [&'static str],
 }
 
 impl Stop {
     fn new(pass: usize, frame: &dyn PreparedFrame) -> Self {
-        let passes = &frame.passes().passes;
-        Self { pass, plane: frame.plane(&passes[pass]), kernel: passes[pass].kernel.declaration.name }
+        let chosen = &frame.passes().passes[pass];
+        let declaration = &chosen.kernel.declaration;
+        Self { pass, plane: frame.plane(chosen), kernel: declaration.name, components: declaration.names }
     }
 }
 
@@ -272,7 +313,7 @@ impl<'a> Stepper<'a> {
         Ok(Self { backend, frame, done: 0, exact })
     }
 
-    /// Runs on until pass `last` is done; what that wrote, each component's plane below the one before.
+    /// Runs on until pass `last` is done. The result has the records that this pass wrote, each component's plane below the one before.
     fn advance(&mut self, last: usize) -> Result<Raster, Failure> {
         // Every pass counts here, also one that no pixel needs: nothing is left out.
         let list = self.frame.passes().part(self.done, last + 1);

@@ -1,11 +1,11 @@
-//! Tests that leave themselves out where a machine lacks what they need.
+//! Tests that leave themselves out on a machine without the data or the device that they need.
 
 use std::env;
 use std::ffi::OsStr;
 use std::io::{Write, stdout};
 use std::thread;
 
-/// What a test writes when it leaves itself out; `cargo xtask test` counts these lines.
+/// The beginning of the line by which a test reports that it left itself out; `cargo xtask test` counts these lines.
 const MARK: &str = "[left out] ";
 
 /// Whether the environment says that this machine has what tests need, so that its lack is a failure.

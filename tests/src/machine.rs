@@ -1,4 +1,4 @@
-//! Where and when something was measured.
+//! The machine and the date of a measurement.
 
 use std::fs;
 use std::process::Command;
@@ -38,7 +38,7 @@ fn processor() -> Option<String> {
     Some(line.split_once(':')?.1.trim().to_owned())
 }
 
-/// What the distribution calls itself.
+/// The distribution's name for itself.
 fn release() -> Option<String> {
     let text = fs::read_to_string("/etc/os-release").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix("PRETTY_NAME="))?;

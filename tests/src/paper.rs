@@ -17,7 +17,7 @@ pub const EDGES: [u32; 3] = [512, 768, 1024];
 
 /// A row of the paper's table.
 pub struct DataSet {
-    /// Its name there.
+    /// Name of the data set in the paper.
     pub name: &'static str,
     dimensions: [u32; 3],
     /// The built-in scene in its place.
@@ -26,7 +26,7 @@ pub struct DataSet {
     paper_ms: [f64; 3],
 }
 
-/// All of its rows.
+/// The rows of the paper's table.
 #[rustfmt::skip]
 pub const DATA_SETS: [DataSet; 8] = [
     DataSet { name: "Visible Human", dimensions: [587, 341, 1878], scene: "head", paper_ms: [43.0, 83.0, 130.0] },
@@ -40,7 +40,7 @@ pub const DATA_SETS: [DataSet; 8] = [
 ];
 
 impl DataSet {
-    /// Its stand-in, as a picture of `edge` × `edge` pixels.
+    /// The stand-in of the data set, as a picture of `edge` × `edge` pixels.
     ///
     /// # Errors
     /// None that these scenes cause.
@@ -57,8 +57,8 @@ impl DataSet {
     }
 }
 
-/// The nearest voxels of `volume` at the middles of those of a volume of the same size along its longest edge, and other dimensions, which are
-/// cubes.
+/// `volume`, resampled at other dimensions: the nearest voxels at the middles of cubic voxels of a volume of the same size along its
+/// longest edge.
 fn stretched(volume: &Volume, dimensions: [u32; 3]) -> Result<Volume, Failure> {
     let [low, high] = volume.range;
     let to_byte = 255.0 / (high - low);
@@ -78,7 +78,7 @@ fn stretched(volume: &Volume, dimensions: [u32; 3]) -> Result<Volume, Failure> {
     Ok(Volume { origin, ..stretched.with_value_mapping((high - low) / 255.0, low)? })
 }
 
-/// What was measured of a data set at one size.
+/// The measurements of a data set at one size.
 pub struct Row {
     name: String,
     dimensions: [u32; 3],

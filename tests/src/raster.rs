@@ -1,4 +1,4 @@
-//! What is compared: a picture of colours, or numbers laid out as one.
+//! Rasters, which comparisons compare: a picture of colours, or numbers laid out as one.
 
 use std::borrow::Cow;
 
@@ -54,7 +54,7 @@ impl Raster {
         matches!(self.pixels, Pixels::Colors(_))
     }
 
-    /// As colours; numbers as grays.
+    /// The raster as colours, with numbers as grays.
     #[must_use]
     pub fn colors(&self) -> Cow<'_, [[f32; 3]]> {
         match &self.pixels {

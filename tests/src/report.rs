@@ -140,7 +140,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let mut run = Run::new(folder.path().to_owned());
         run.keep_pictures();
-        let about = About { tier: "T2", scene: "a<b", item: "color" };
+        let about = About { tier: "T2", scene: "a<b", item: "color", components: &[] };
         run.hold(about, Bound::BitEqual, &colors(0.5), &colors(0.5)).unwrap();
         run.hold(about, Bound::BitEqual, &colors(0.5), &colors(0.25)).unwrap();
         let page = page("CPU against \"x\"", &run);
@@ -155,7 +155,8 @@ mod tests {
         let mut run = Run::new(PathBuf::new());
         run.keep_pictures();
         let numbers = Raster::stacked(1, [[1.0].as_slice()]);
-        run.hold(About { tier: "T1", scene: "s", item: "i" }, Bound::BitEqual, &numbers, &numbers).unwrap();
+        run.hold(About { tier: "T1", scene: "s", item: "i", components: &[] }, Bound::BitEqual, &numbers, &numbers)
+            .unwrap();
         assert!(run.pictures().is_empty());
     }
 }

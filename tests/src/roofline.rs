@@ -15,7 +15,7 @@ use crate::case::Case;
 use crate::frames::render;
 use crate::table;
 
-/// What a machine can do at best.
+/// The limits of a machine: bytes and operations a second.
 #[derive(Debug, Clone, Copy)]
 pub struct Ceilings {
     /// Bytes a second, read and written, of a copy by all threads.
@@ -130,18 +130,18 @@ fn operations(kernel: &str) -> Result<u64, Failure> {
     Ok(count)
 }
 
-/// The fewest bytes that a pass moves: each record it writes, and what it reads once. Tables stay in a cache.
+/// The fewest bytes that a pass moves: each record that it writes, and each record that it reads, once. Tables stay in a cache.
 fn bytes(pass: &Pass, before: &[Pass], voxel_bytes: f64) -> f64 {
     let invocations = pass.invocations() as f64;
     let declaration = &pass.kernel.declaration;
     let own = declaration.components as f64 * 4.0 * invocations;
-    let bindings = declaration.bindings[1..].iter().zip(&pass.buffers);
+    let bindings = declaration.buffers().iter().zip(&pass.buffers);
     let read = bindings.map(|(binding, buffer)| match (binding.access, binding.name) {
         (Access::Write | Access::Add, _) => own,
         (Access::Update, _) => 2.0 * own,
         // A voxel an invocation.
         (_, "voxels" | "ior_voxels") => voxel_bytes * invocations,
-        // What another kernel has written there.
+        // Records that another kernel has written there.
         _ => before.iter().rfind(|other| other.output() == Some(buffer)).map_or(0.0, |other| {
             let alike = (other.width, other.height) == (pass.width, pass.height);
             let records = if alike { invocations } else { other.invocations() as f64 };

@@ -19,7 +19,7 @@ pub fn methods() -> impl Iterator<Item = &'static str> {
     method::ALL.into_iter().map(|method| method.name().as_str())
 }
 
-/// What two rasters are.
+/// The description of two rasters that are compared.
 #[derive(Debug, Clone, Copy)]
 pub struct About<'a> {
     /// The tier, such as `T2`.
@@ -28,6 +28,8 @@ pub struct About<'a> {
     pub scene: &'a str,
     /// The kernel or the output.
     pub item: &'a str,
+    /// The names of a record's components, of which the rasters have a plane each; none if they are no records.
+    pub components: &'a [&'static str],
 }
 
 /// Rows, and where breaches left their evidence.
@@ -79,11 +81,14 @@ impl Run {
     /// # Errors
     /// If the rasters differ in size, or evidence cannot be written.
     pub fn hold(&mut self, about: About, bound: Bound, reference: &Raster, other: &Raster) -> Result<(), Failure> {
-        let About { tier, scene, item } = about;
+        let About { tier, scene, item, components } = about;
         let what = || format!("{tier} {scene} {item}");
         let comparison = reference.compare(other).map_err(|error| Failure::Compare { what: what(), error })?;
         let (scene, method, item) = (scene.to_owned(), self.method.to_owned(), item.to_owned());
-        let row = Row { tier, scene, method, item, comparison, bound, against: self.against.clone() };
+        let values = comparison.width as usize * comparison.height as usize / components.len().max(1);
+        let first = comparison.ulps.first_difference.and_then(|first| components.get(first / values.max(1)).copied());
+        let against = self.against.clone();
+        let row = Row { tier, scene, method, item, component: first, comparison, bound, against };
         if !row.verdict().passed() {
             let written = evidence::write(&self.folder, &row, &reference.colors(), &other.colors());
             self.evidence.push(written.map_err(|error| Failure::Output { path: self.folder.clone(), error })?);
@@ -113,7 +118,7 @@ impl Run {
             return Err(Failure::Setup(format!("{tier} {scene}: one has the outputs {first}, the other {second}")));
         }
         for ((item, reference), (_, other)) in reference.iter().zip(other) {
-            self.hold(About { tier, scene, item }, bound(reference.is_shown()), reference, other)?;
+            self.hold(About { tier, scene, item, components: &[] }, bound(reference.is_shown()), reference, other)?;
         }
         Ok(())
     }
@@ -147,7 +152,7 @@ impl Run {
         !self.rows.is_empty() && self.evidence.is_empty()
     }
 
-    /// How many comparisons there were, and where the evidence of breaches is.
+    /// The number of comparisons, and the folders with the evidence of breaches.
     #[must_use]
     pub fn summary(&self) -> String {
         let equal = self.rows.iter().filter(|row| row.comparison.ulps.equal() == row.comparison.ulps.total()).count();
@@ -181,7 +186,7 @@ impl Run {
 mod tests {
     use super::*;
 
-    const ABOUT: About<'static> = About { tier: "T2", scene: "ball", item: "depth" };
+    const ABOUT: About<'static> = About { tier: "T2", scene: "ball", item: "depth", components: &[] };
 
     #[test]
     fn a_breach_is_kept_with_its_evidence() {

@@ -1,4 +1,4 @@
-//! How frame times grow with what a frame is made of.
+//! Frame times as functions of a scene's quantities, such as pixels, planes and light texels.
 
 use vitrum::Frame;
 use vitrum::backend::CpuBackend;
@@ -19,7 +19,7 @@ const RESOLUTION: u32 = 128;
 struct Setup {
     edge: u32,
     resolution: u32,
-    /// In voxels of [`RESOLUTION`].
+    /// Sample distance in voxels of [`RESOLUTION`].
     sample_distance: f32,
     light_resolution: f32,
     threads: usize,
@@ -40,7 +40,7 @@ impl Setup {
 struct Quantity {
     name: &'static str,
     setups: Vec<Setup>,
-    /// How much of it a frame has.
+    /// The amount of the quantity in a frame.
     amount: fn(&Setup, &Frame) -> f64,
 }
 

@@ -8,6 +8,7 @@ use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::VoxelsUniforms;
 use vitrum_kernels::glam::{DVec2, DVec3};
 use vitrum_kernels::kernel::kernels;
+use vitrum_kernels::math::affine;
 use vitrum_kernels::shadow::look_up::transmittance;
 
 use crate::Failure;
@@ -62,7 +63,14 @@ impl Map {
         f64::from(self.block.shadow.edge) * self.voxel
     }
 
-    /// Unit direction in which light travels.
+    /// Width of a column of the shadow map at a point in the world, in world units.
+    #[must_use]
+    pub fn width(&self, point: DVec3) -> f64 {
+        let position = ((point - self.origin) / self.voxel).as_vec3();
+        f64::from(affine(self.block.shadow.scale, position)) * self.edge()
+    }
+
+    /// Unit direction in which a distant light travels.
     #[must_use]
     pub fn light(&self) -> DVec3 {
         let light = self.block.light.direction;
@@ -74,6 +82,22 @@ impl Map {
 #[must_use]
 pub fn view(case: &Case) -> View {
     View::new(&case.scene, &case.assets.subject)
+}
+
+/// The point of a plane across the world's axis `axis`, at `at`, that each pixel of a case sees if nothing is in the way.
+#[must_use]
+pub fn seen_on_plane(case: &Case, axis: usize, at: f64) -> Vec<DVec3> {
+    let view = view(case);
+    let [width, height] = [case.scene.film.width, case.scene.film.height];
+    let share = |at: u32, edge: u32| (f64::from(at) + 0.5) / f64::from(edge) * 2.0 - 1.0;
+    let point = |row: u32, column: u32| {
+        let side = view.axes.x_axis * (share(column, width) * view.half_size[0])
+            - view.axes.y_axis * (share(row, height) * view.half_size[1]);
+        let [from, towards] =
+            if view.orthographic { [view.eye + side, view.axes.z_axis] } else { [view.eye, view.axes.z_axis + side] };
+        from + towards * ((at - from[axis]) / towards[axis])
+    };
+    (0..height).flat_map(|row| (0..width).map(move |column| point(row, column))).collect()
 }
 
 /// Triangles that light along one direction goes through, in cells across it: an independent and exact reference.

@@ -1,4 +1,4 @@
-//! What was measured, as a table for people and as JSON for machines.
+//! Measurements as a table for people, and as JSON for machines.
 
 use serde_json::{Value, json};
 use vitrum_compare::{Bound, Comparison, Verdict};
@@ -14,11 +14,13 @@ pub struct Row {
     pub method: String,
     /// The kernel or the output that was compared.
     pub item: String,
+    /// The component of a record that has the first difference.
+    pub component: Option<&'static str>,
     /// What was measured.
     pub comparison: Comparison,
-    /// What it was held to.
+    /// The bound of the differences.
     pub bound: Bound,
-    /// What it was compared with, such as an adapter; empty if that goes without saying.
+    /// The counterpart of the comparison, such as an adapter; empty if it is the obvious one.
     pub against: String,
 }
 
@@ -42,7 +44,7 @@ impl Row {
             self.tier.to_owned(),
             self.scene.clone(),
             self.method.clone(),
-            self.item.clone(),
+            self.component.map_or(self.item.clone(), |component| format!("{}: {component}", self.item)),
             number(*max_abs),
             number(*rmse),
             mean_flip.map_or("–".to_owned(), number),
@@ -54,7 +56,7 @@ impl Row {
         ]
     }
 
-    /// The numbers as JSON; what is infinite or was not measured is null.
+    /// The numbers as JSON; infinite and unmeasured values are null.
     #[must_use]
     pub fn json(&self) -> Value {
         let Comparison { max_abs, rmse, psnr, peak, mean_flip, ulps, .. } = &self.comparison;
@@ -67,6 +69,7 @@ impl Row {
             "scene": self.scene,
             "method": self.method,
             "item": self.item,
+            "component": self.component,
             "against": self.against,
             "max_abs": max_abs,
             "rmse": rmse,
@@ -126,6 +129,7 @@ mod tests {
             scene: "ball".to_owned(),
             method: "sweep".to_owned(),
             item: "depth".to_owned(),
+            component: None,
             comparison: compare_buffers(&[1.0, 2.0], &[1.0, other]).unwrap(),
             bound: Bound::BitEqual,
             against: String::new(),

@@ -1,4 +1,4 @@
-//! What is made from the code in `docs/` is current.
+//! The parts of `docs/` that are made from the code are current.
 
 use vitrum_conformance::docs;
 

@@ -1,4 +1,4 @@
-//! `docs/extending.md` shows the tree as it is.
+//! The examples in `docs/extending.md` are in the tree.
 
 use std::fs;
 

@@ -1,5 +1,5 @@
-//! What the compiler made of the sweep's kernels on x86-64: vector code for sixteen lanes with AVX-512, for eight with AVX2, and no loop
-//! that may panic. Otherwise pictures stay right and take several times as long, which no other test would see.
+//! The machine code of the sweep's kernels on x86-64: vector code for sixteen lanes with AVX-512, for eight with AVX2, and no loop that
+//! may panic. Without it pictures stay right and take several times as long, which no other test would see.
 //!
 //! The test reads its own machine code; it needs an optimised build, as `cargo xtask test` makes.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
@@ -38,7 +38,7 @@ type IsWhole = fn(Register) -> bool;
 /// The builds, and how their functions are named.
 const BUILDS: [(&str, IsWhole); 2] = [("avx512", Register::is_zmm), ("avx2", Register::is_ymm)];
 
-/// What a function is made of.
+/// The instructions of a function, counted by kind.
 #[derive(Debug, Default)]
 struct Contents {
     /// Arithmetic on whole vectors.
@@ -72,7 +72,7 @@ fn contents(file: &File, symbol: &Symbol, is_whole: IsWhole) -> Contents {
     contents
 }
 
-/// The name of what is called; empty if the program does not tell.
+/// The name of the called function; empty if the program has no symbol for it.
 fn callee(file: &File, call: &Instruction) -> String {
     let at = |address: u64| {
         let called = file.symbols().find(|symbol| symbol.address() == address && symbol.size() > 0);
@@ -121,7 +121,7 @@ fn check(path: &str, contents: &Contents, least: f64) {
     let ratio = f64::from(*wide) / f64::from(*scalar);
     println!("{path}: {ratio:.2}");
     assert!(ratio >= least, "{path}: {wide} wide and {scalar} scalar operations: {ratio:.2} below {least}");
-    // What copies the rest of a row and what looks at marks are not inlined, all else is. Before the loops a chunk without room
+    // The copies of the rest of a row and the look-ups of marks are not inlined, all else is. Before the loops a chunk without room
     // for its records and a mode that is not in the list panic, each once.
     let ours = ["lanes::copy_some", "skip::Marks::around"];
     let expected = |name: &str| ours.iter().any(|end| name.ends_with(end)) || ["memcpy", "memset"].contains(&name);

@@ -1,5 +1,5 @@
-//! A check that cannot fail is worth nothing: each tier is given a backend or a picture that is wrong in the last bit of
-//! one value, and the programs what they have to refuse.
+//! Checks that must fail: each tier gets a backend or a picture that is wrong in the last bit of one value, and each program gets
+//! inputs that it has to refuse.
 
 use std::process::Command;
 

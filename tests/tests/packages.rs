@@ -1,4 +1,4 @@
-//! What a package includes lies in the package: else it would compile here and not from a registry.
+//! The files that a package includes lie in the package: with others it would compile here, and not from a registry.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -14,7 +14,7 @@ fn packages() -> Vec<PathBuf> {
     folders("").chain(folders("crates")).chain(folders("xtask")).collect()
 }
 
-/// All sources below a folder that belong to its package.
+/// The sources below a folder that belong to its package.
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("the folder can be read") {
         let path = entry.expect("it can be read").path();

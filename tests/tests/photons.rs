@@ -82,7 +82,7 @@ fn more_photons_agree_better() -> Result<(), Failure> {
 /// Sheets put it there behind the focus, too, and lose none.
 #[test]
 fn sheets_put_light_where_photons_go() -> Result<(), Failure> {
-    // What is left are walls one voxel thick, whose light a texel's four nodes cannot tell, and the noise of 16 photons a texel.
+    // The remaining differences are walls one voxel thick, whose light a texel's four nodes cannot tell, and the noise of 16 photons a texel.
     for (scene, most) in [("luneburg", 0.03), ("ball", 0.04), ("glass", 0.08)] {
         let subject = Subject::new(scene, 64, 32)?;
         let compared = subject.sweep_against(Transport::Sheets, &subject.photons(4));

@@ -61,7 +61,7 @@ fn filter_light<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) ->
     true
 }
 
-/// The building blocks, [`vitrum_kernels::probe::apply_function`], of which the stranger wrote the dot product.
+/// The building blocks, [`vitrum_kernels::probe::apply_function`], with a dot product written anew.
 fn apply_function<const MISTAKE: u32>(_: InstructionSet, chunk: &mut Chunk<'_>) -> bool {
     let u: &ProbeUniforms = from_bytes(chunk.uniforms);
     let arguments: &[f32] = cast_slice(chunk.reads[0]);
@@ -104,7 +104,7 @@ fn stranger(kernel: &'static Kernel) -> Result<AlteredCpu, Failure> {
     })
 }
 
-/// What a comparison of a tier finds, with its evidence out of the way.
+/// The result of a tier's comparison, with the evidence in a temporary folder.
 fn run(compare: impl FnOnce(&mut Run) -> Result<(), Failure>) -> Result<Run, Failure> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let mut run = Run::new(folder.path().to_owned());

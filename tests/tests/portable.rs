@@ -6,7 +6,7 @@ use vitrum::backend::{BackendError, GpuOptions};
 use vitrum::{Assets, Error, OutputRequest, Progress, Stage, builtin};
 use vitrum_conformance::{Failure, adapter};
 
-/// Frames are cancelled at the first pass: all their buffers are made by then, and what is made of meshes before has run.
+/// Frames are cancelled at the first pass: all their buffers are made by then, and the preparation of meshes has run.
 #[test]
 fn every_built_in_scene_fits_into_portable_buffers() -> Result<(), Failure> {
     let options = GpuOptions { portable_limits: true, ..GpuOptions::default() };

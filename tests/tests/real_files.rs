@@ -66,7 +66,7 @@ fn the_same_head_comes_out_of_two_formats() {
     }
 }
 
-/// Where the centre of a voxel lies, seen from the middle of the grid.
+/// Position of a voxel's centre, from the middle of the grid.
 fn place(volume: &Volume, index: [u32; 3]) -> [f32; 3] {
     let steps =
         [0, 1, 2].map(|axis| (index[axis] as f32 - 0.5 * (volume.dimensions[axis] - 1) as f32) * volume.spacing[axis]);

@@ -5,16 +5,17 @@ use std::collections::HashMap;
 use vitrum_conformance::data::shared;
 use vitrum_io::{Mesh, OpenOptions, open_mesh};
 
-/// What is known about a file.
+/// The facts that are known about a file.
 struct Stated {
     file: &'static str,
     format: &'static str,
     triangles: usize,
-    /// Vertices of the file, none of them at several normals; `None` where nobody says.
+    /// Number of vertices in the file; `None` where its source does not state it. No vertex has several normals.
     vertices: Option<usize>,
-    /// Edges of one triangle and of more than two, each vertex a point of its own; `None` where nobody says.
+    /// Number of edges of one triangle and of more than two, where each vertex is a point of its own; `None` where the file's source
+    /// does not state it.
     by_index: Option<[usize; 2]>,
-    /// The same once vertices at equal positions are one point, behind the count of points.
+    /// Number of points, where vertices at equal positions are one point, and of edges of one triangle and of more than two.
     by_position: [usize; 3],
     closed: bool,
 }

@@ -1,4 +1,4 @@
-//! What `cargo xtask diff` compares is what its options select.
+//! `cargo xtask diff` compares the cases that its options select.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +11,7 @@ fn conformance(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_conformance")).args(arguments).output().expect("the program starts")
 }
 
-/// Runs the program with `--json` and gives what it wrote; and what is in the page that it wrote at the same time.
+/// Runs the program with `--json`. The result has the numbers, and the text of the page that the same run wrote.
 fn measured(arguments: &[&str]) -> (Value, String) {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let path = |name: &str| folder.path().join(name).display().to_string();

@@ -11,10 +11,10 @@ use vitrum_kernels::abi::clip::Clip;
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
 use vitrum_kernels::abi::environment::Environment;
 use vitrum_kernels::abi::grid::Grid;
-use vitrum_kernels::abi::light::{Light, LightGrid, Taps};
+use vitrum_kernels::abi::light::{Cone, Light, LightGrid, LightSource, Taps};
 use vitrum_kernels::abi::probe::ProbeUniforms;
 use vitrum_kernels::abi::receivers::{Receiver, Receivers};
-use vitrum_kernels::abi::shadow::ShadowUniforms;
+use vitrum_kernels::abi::shadow::{ShadowUniforms, Spread};
 use vitrum_kernels::abi::sweep::{Step, SweepUniforms};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size, Vec3};
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
@@ -39,11 +39,11 @@ struct Field {
     name: &'static str,
     offset: usize,
     size: usize,
-    /// Its own fields; none if it is a scalar.
+    /// Fields of the field; empty for a scalar.
     fields: Vec<Field>,
 }
 
-/// All fields of a struct, with those of the structs in it; one that is left out does not compile.
+/// The fields of a struct, with the fields of the structs in it; a list without one of them does not compile.
 macro_rules! fields {
     ($struct:ident { $($field:ident $(: $fields:expr)?),* $(,)? }) => {{
         let $struct { $($field),* } = $struct::default();
@@ -86,6 +86,16 @@ fn of_light() -> Vec<Field> {
     fields!(Light { direction: of_vec3(), color: of_vec3() })
 }
 
+#[rustfmt::skip]
+fn of_light_source() -> Vec<Field> {
+    let of_cone = fields!(Cone { right: of_vec3(), up: of_vec3(), tangent, slope, first, width, height });
+    fields!(LightSource { kind, direction: of_vec3(), color: of_vec3(), position: of_vec3(), cone: of_cone })
+}
+
+fn of_spread() -> Vec<Field> {
+    fields!(Spread { low_y, low_z, step })
+}
+
 fn of_camera() -> Vec<Field> {
     fields!(Camera { half_width, half_height, start, orthographic })
 }
@@ -124,7 +134,7 @@ fn sweep_uniforms() -> Vec<Field> {
 fn voxelize_uniforms() -> Vec<Field> {
     fields!(VoxelizeUniforms {
         dispatch: of_dispatch(), work, size: of_counts(), row_words, column_shift, first_layer, column_units, voxel_units,
-        corner_units, margin, first_triangle,
+        corner_units, margin, first_triangle, divergence,
     })
 }
 
@@ -132,19 +142,20 @@ fn voxelize_uniforms() -> Vec<Field> {
 fn shadow_uniforms() -> Vec<Field> {
     fields!(ShadowUniforms {
         dispatch: of_dispatch(), work, width, height, layers, first_layer, depth, channels, winding_units, uniform_depth,
-        absorption: of_vec3(),
+        absorption: of_vec3(), spread: of_spread(), divergence,
     })
 }
 
 #[rustfmt::skip]
 fn voxels_uniforms() -> Vec<Field> {
     let of_shadow = fields!(ShadowMap {
-        size: of_counts(), channels, row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), radius, edge,
+        size: of_counts(), channels, axis: of_vec3(), row_x: of_affine(), row_y: of_affine(), row_z: of_affine(),
+        scale: of_affine(), spread: of_spread(), radius, edge,
     });
     fields!(VoxelsUniforms {
         dispatch: of_dispatch(), flags, size: of_counts(), materials, bricks: of_counts(), most_bounces, camera: of_camera(),
         right: of_vec3(), up: of_vec3(), away: of_vec3(), eye: of_vec3(), voxel, same_cosine, same_distance, low: of_vec3(), high: of_vec3(),
-        environment: of_environment(), receivers: of_receivers(), light: of_light(), ambient: of_vec3(), shadow: of_shadow,
+        environment: of_environment(), receivers: of_receivers(), light: of_light_source(), ambient: of_vec3(), shadow: of_shadow,
     })
 }
 

@@ -18,7 +18,7 @@ const EDGE: u32 = 24;
 /// Voxels along the longest edge: four pages.
 const RESOLUTION: u32 = 52;
 
-/// The bits of what a frame made: its film and its light.
+/// The bits of a frame: its film and its light.
 type Bits = (Vec<u32>, Vec<u32>);
 
 /// Runs a frame; how many times pages came, too.
@@ -73,7 +73,7 @@ fn cases() -> Result<Vec<Case>, Failure> {
     ])
 }
 
-/// With noise where there is air, as scans have it: no page is the same everywhere, and some do nothing all the same.
+/// A case with noise in the air, as scans have it: no page has one value, and some are empty all the same.
 fn noisy(mut case: Case) -> Result<Case, Failure> {
     let mut volume = case.volume().clone();
     let Voxels::U8(voxels) = &mut volume.voxels else { return Ok(case) };
@@ -135,7 +135,7 @@ fn differing(a: &Bits, b: &Bits) -> usize {
     count(&a.0, &b.0) + count(&a.1, &b.1)
 }
 
-/// A frame within `limit` bytes for voxels, and what the device took for all.
+/// A frame with at most `limit` bytes of voxels on the device, and the bytes of all its buffers.
 fn within(case: &Case, limit: Option<u64>) -> Result<Vec<f32>, Error> {
     let mut cpu = CpuBackend::new(None)?;
     cpu.set_volume_limit(limit);
@@ -159,7 +159,7 @@ fn a_limit_streams_what_is_larger_and_says_when_it_is_too_small() -> Result<(), 
     };
     assert_eq!((*told, *limit), (whole, 1 << 16));
     assert!(failure.to_string().contains(&needed.to_string()), "{failure}");
-    // What it says is enough, is, and one byte less is not.
+    // The limit that the error names is enough, and one byte less is not.
     assert_eq!(expected, within(&case, Some(*needed))?);
     assert!(within(&case, Some(needed - 1)).is_err());
     Ok(())
@@ -201,7 +201,7 @@ fn a_limit_is_shared_by_two_volumes() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Pages of a small volume take more than all of it in one piece: what is said to be enough is what is enough.
+/// Pages of a small volume take more memory than the whole volume: the limit that the error names is enough.
 #[test]
 fn what_a_small_volume_needs_is_all_of_it_at_most() -> Result<(), Failure> {
     for case in [two_of_integers([24, 24], &[OBLIQUE])?, case("luneburg", &[OBLIQUE])?] {

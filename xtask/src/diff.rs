@@ -40,7 +40,7 @@ pub fn run_program(name: &str, arguments: &[String]) -> Result<(), Failure> {
     command::run(command::program(&program_path(name).to_string_lossy()).args(arguments))
 }
 
-/// Where cargo puts a program that it built for release.
+/// Path of a program that cargo builds for release.
 pub fn program_path(name: &str) -> PathBuf {
     command::target().join("release").join(format!("{name}{}", env::consts::EXE_SUFFIX))
 }

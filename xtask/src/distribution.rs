@@ -1,4 +1,4 @@
-//! Which packages bring a Vulkan driver, by Linux distribution.
+//! The packages with a Vulkan driver, by Linux distribution.
 
 use std::fs;
 

@@ -1,10 +1,9 @@
 /// Why a task did not succeed.
 #[derive(Debug)]
 pub struct Failure {
-    /// The exit code: 1 if a check said no, 2 if something is missing or wrongly used, else that of
-    /// the program that failed.
+    /// The exit code: 1 if a check failed, 2 if something is missing or wrongly used, else the exit code of the program that failed.
     pub code: u8,
-    /// What went wrong, and what to do about it where that is known.
+    /// The message: the failure, and advice if there is any.
     pub message: String,
 }
 
@@ -14,7 +13,7 @@ impl Failure {
         Self { code: 1, message: message.into() }
     }
 
-    /// Something that the task needs is missing.
+    /// The failure of a task for want of a tool or a file.
     pub fn setup(message: impl Into<String>) -> Self {
         Self { code: 2, message: message.into() }
     }

@@ -70,7 +70,7 @@ fn targets(folder: &Path) -> Result<Vec<String>, Failure> {
     Ok(names)
 }
 
-/// The nightly compiler's cargo. `CARGO` names that of this task, so that rustup's own has to be asked.
+/// The nightly compiler's cargo, by way of rustup: the variable `CARGO` names the cargo of this task.
 fn nightly() -> Command {
     let mut command = program("cargo");
     command.arg("+nightly").env_remove("RUSTUP_TOOLCHAIN");

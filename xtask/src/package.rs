@@ -7,7 +7,7 @@ use crate::failure::Failure;
 const UNPUBLISHED: [&str; 5] =
     ["vitrum-conformance", "vitrum-shader-compiler", "vitrum-shader-manifest", "vitrum-shader-translation", "xtask"];
 
-/// Packs what is published and builds each package from what was packed, with the others as they were packed.
+/// Packs the published crates, and builds each package from its archive, with the other crates from theirs.
 pub fn verify() -> Result<(), Failure> {
     let mut command = cargo(["package", "--workspace", "--allow-dirty"]);
     command.args(UNPUBLISHED.iter().flat_map(|package| ["--exclude", package]));

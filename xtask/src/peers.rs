@@ -8,10 +8,10 @@ use crate::command::{announce, cargo, not_started, program, require_success, roo
 use crate::failure::Failure;
 use crate::steps::Completion;
 
-/// What the environment has to hold.
+/// The requirements of the virtual environment.
 const REQUIREMENTS: &str = "tests/peers/requirements.txt";
 
-/// What pip says where the package index does not answer.
+/// Phrases by which pip reports that the package index does not answer.
 const UNREACHABLE: [&str; 3] = ["Retrying (", "Network is unreachable", "Temporary failure in name resolution"];
 
 /// Hold the readers against independent ones from PyPI; needs python3 with venv.
@@ -56,7 +56,7 @@ pub fn compare(arguments: &Arguments) -> Result<Completion, Failure> {
     outcome.map(|()| Completion::Whole)
 }
 
-/// Makes the virtual environment, unless it is there with what is required; why it cannot be made.
+/// Makes the virtual environment, unless it is complete already. The result is the reason if it cannot be made.
 fn prepare(folder: &Path) -> Result<Option<String>, Failure> {
     let unreadable = |error| Failure::setup(format!("{REQUIREMENTS}: {error}"));
     let required = fs::read_to_string(root().join(REQUIREMENTS)).map_err(unreadable)?;
@@ -90,7 +90,7 @@ fn prepare(folder: &Path) -> Result<Option<String>, Failure> {
     Ok(None)
 }
 
-/// Whether pip failed because of the network, and not because of what is required.
+/// Whether pip failed because of the network, and not because of the requirements.
 fn is_unreachable(said: &str) -> bool {
     UNREACHABLE.iter().any(|words| said.contains(words))
 }

@@ -41,7 +41,7 @@ pub fn check() -> Result<(), Failure> {
     Ok(())
 }
 
-/// What no longer matches the manifest of the committed modules.
+/// The differences between the tree and the manifest of the committed modules.
 fn stale() -> Result<Vec<String>, ManifestError> {
     let root = command::root();
     Manifest::read(&root)?.stale(&root)

@@ -4,12 +4,12 @@ use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
 
-/// How far a step came that found nothing wrong.
+/// The outcome of a step that found no fault.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Completion {
-    /// All of it was checked.
+    /// The whole step was done.
     Whole,
-    /// The machine lacks what the step needs: this. Nothing was checked.
+    /// The step was left out, since the machine lacks this tool or file.
     LeftOut(String),
 }
 

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::shaders::COMPILER;
 use crate::vulkan::{self, Driver, Installation};
 
-/// What a test writes when it leaves itself out for want of data; `vitrum_conformance::data` writes it.
+/// The beginning of the line by which a test reports that it left itself out for want of data; `vitrum_conformance::data` writes it.
 const LEFT_OUT: &str = "[left out] ";
 
 /// Run all tests with both backends; a missing Vulkan driver is installed where that is possible, else a failure.
@@ -75,7 +75,7 @@ fn requirement(driver: &Driver) -> &'static str {
     }
 }
 
-/// What the test programs said.
+/// The output of the test programs.
 #[derive(Default)]
 struct Summary {
     programs: usize,

@@ -1,4 +1,4 @@
-//! What rustup brings: the toolchain that compiles the kernels to SPIR-V, and targets of the usual one.
+//! Toolchains of rustup: the nightly that compiles the kernels to SPIR-V, and further targets of the stable one.
 
 use std::process::Stdio;
 
@@ -27,7 +27,7 @@ fn is_installed() -> bool {
     })
 }
 
-/// Whether the usual toolchain compiles for `target`; fetches what that needs through rustup if it does not.
+/// Whether the stable toolchain compiles for `target`; installs the target through rustup if it is missing.
 pub fn has_target(target: &str) -> bool {
     let is_installed = || {
         let mut command = program("rustup");

@@ -83,7 +83,7 @@ pub fn driver(installation: Installation) -> Result<Driver, Failure> {
     }
 }
 
-/// Says which driver there is, or what is missing.
+/// The driver that the Vulkan loader finds, or an error that names the missing part.
 fn find_driver() -> Result<String, Failure> {
     if !has_loader() {
         return Err(Failure::setup("there is no Vulkan loader (libvulkan.so.1)"));
@@ -122,7 +122,8 @@ fn has_loader() -> bool {
     cached || folders.into_iter().any(|folder| folder.join("libvulkan.so.1").exists())
 }
 
-/// Where the loader looks for drivers' manifests: the places that the user names, or else the usual folders.
+/// The folders in which the Vulkan loader looks for manifests of drivers: the ones in the environment's variables, or else the usual
+/// ones.
 fn manifest_places() -> Vec<PathBuf> {
     let named = ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"].into_iter().find_map(env::var_os);
     if let Some(named) = named {

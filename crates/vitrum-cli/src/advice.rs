@@ -1,4 +1,4 @@
-//! The program's own advice: the flags that do what the library's errors and assumptions ask for.
+//! Advice of the program: the flags that do what errors and assumptions of the library ask for.
 
 use vitrum::backend::BackendError;
 use vitrum::io::{Assumption, Error, Found, Setting};
@@ -22,7 +22,7 @@ pub fn on_backend(error: &BackendError) -> Option<&'static str> {
     }
 }
 
-/// What went wrong with a file, and what to do about it by this program.
+/// The message of a file's error, and this program's advice.
 pub fn on_error(error: &Error) -> (String, Option<String>) {
     match error {
         Error::UnknownFormat { file, found, expected } => {

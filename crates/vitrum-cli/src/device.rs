@@ -4,7 +4,7 @@ use crate::failure::{Failure, Status};
 use crate::volume::ByteCount;
 use clap::{Args, ValueEnum};
 use vitrum::backend::{self, Backend, BackendError, Choice, GpuOptions, Threads};
-use vitrum::scene::{MethodName, Scene};
+use vitrum::scene::Scene;
 use vitrum::{Assets, Renderer};
 
 /// Where the work is done.
@@ -38,7 +38,7 @@ pub struct MemoryArguments {
 impl MemoryArguments {
     /// Fails where a scene's voxels cannot be streamed.
     pub fn check(&self, scene: &Scene) -> Result<(), Failure> {
-        if self.memory_limit.is_none() || scene.method != MethodName::Voxels {
+        if self.memory_limit.is_none() || scene.method.capabilities().streaming {
             return Ok(());
         }
         let message = "--memory-limit is for volumes, and rays go through a mesh whose voxels are all there at once";

@@ -8,13 +8,13 @@ use vitrum::composition::CompositionError;
 use vitrum::preset::PresetError;
 use vitrum::scene::{Origin, SceneError};
 
-/// What kind of failure it is; the numbers are the exit codes.
+/// The kind of a failure; the numbers are the exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     WrongUse = 2,
     Input = 3,
     Device = 4,
-    /// As timeout(1) has it.
+    /// The exit code of timeout(1).
     TimedOut = 124,
     /// 128 + SIGINT, as shells have it.
     Interrupted = 130,
@@ -44,7 +44,7 @@ impl Failure {
         Self { status: Status::WrongUse, message, help }
     }
 
-    /// The same, with other advice.
+    /// The failure with other advice.
     pub fn with_help(self, help: &str) -> Self {
         Self { help: Some(help.to_owned()), ..self }
     }
@@ -108,7 +108,7 @@ impl From<vitrum::Error> for Failure {
             vitrum::Error::Io(error) => error.into(),
             vitrum::Error::SceneFile(error) => error.into(),
             vitrum::Error::Backend(error) => error.into(),
-            // What no single value shows, but the scene and its files do together.
+            // A contradiction between the scene and its files, in which no single value is wrong.
             vitrum::Error::Unrenderable(problem) => {
                 let help = match &*problem {
                     // The program has a command that lists them with their variants.

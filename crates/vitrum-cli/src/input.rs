@@ -62,7 +62,7 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
     Ok(load_volume(&scene.volume, &base, arguments.limit())?)
 }
 
-/// The mesh that is shown, as it stands in its file, without the rest of the scene's files. What is no mesh fails as one.
+/// The mesh of a file as it stands there, without the other files of the scene. An input without a mesh fails.
 pub fn open_mesh(input: &str, max_bytes: Option<u64>) -> Result<Mesh, Failure> {
     let Opened { scene, base, bare } = open(input)?;
     let as_it_stands = Up::Superior.to_string();

@@ -13,7 +13,8 @@ static TIMED_OUT: AtomicBool = AtomicBool::new(false);
 /// Whether the work has begun to ask for [`requested`], as it does from plane to plane; reading a file, it does not.
 static ASKED: AtomicBool = AtomicBool::new(false);
 
-/// How long after a signal or `--timeout` the program ends even where the work asks no more, such as in the middle of an output.
+/// Time after a signal or `--timeout` after which the program ends even where the work does not ask, such as in the middle of an
+/// output.
 const GRACE: Duration = Duration::from_secs(5);
 
 /// A time of more than 0 seconds.
@@ -32,8 +33,8 @@ impl FromStr for Timeout {
     }
 }
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP set [`requested`] where the work asks for it; where it does not, or not within
-/// [`GRACE`], and on a second signal, they end the program.
+/// Handles Ctrl-C, SIGTERM and SIGHUP from now on: they set [`requested`] where the work asks for it. Where the work does not ask
+/// within [`GRACE`], and on a second signal, they end the program.
 pub fn handle_signals() {
     let handler = || {
         if INTERRUPTED.swap(true, Ordering::Relaxed) || !ASKED.load(Ordering::Relaxed) {
@@ -45,7 +46,7 @@ pub fn handle_signals() {
     let _ = ctrlc::set_handler(handler);
 }
 
-/// From now on the end of `timeout` sets [`requested`], and ends the program as a signal does.
+/// Begins the time of `timeout`, whose end sets [`requested`], and ends the program as a signal does.
 pub fn listen(timeout: Option<Timeout>) {
     if let Some(Timeout(time)) = timeout {
         thread::spawn(move || {

@@ -26,8 +26,8 @@ fn main() -> ExitCode {
     commands::run(arguments.command).unwrap_or_else(|failure| failure.report())
 }
 
-/// Mesa's Vulkan layer that puts adapters in an order complains on standard error where there is no desktop session, on every
-/// run. It has nothing to do there, unless somebody tells it an order.
+/// Silences Mesa's Vulkan layer that orders adapters: without a desktop session it complains on standard error at every run. It stays
+/// on where the user names an order.
 fn silence_device_select() {
     const SESSION_OR_WISH: [&str; 4] = ["XDG_RUNTIME_DIR", "NODEVICE_SELECT", "MESA_VK_DEVICE_SELECT", "DRI_PRIME"];
     if cfg!(target_os = "linux") && SESSION_OR_WISH.iter().all(|name| std::env::var_os(name).is_none()) {

@@ -16,7 +16,7 @@ pub enum Bits {
 }
 
 impl Bits {
-    /// What pictures are written with.
+    /// The options with which pictures are written.
     pub fn options(self) -> WriteOptions {
         let png_bits = match self {
             Self::Eight => 8,
@@ -54,7 +54,7 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     print(&json(value))
 }
 
-/// A JSON value as it is printed and written.
+/// The text of a JSON value, indented, as it is printed and written.
 pub fn json(value: &serde_json::Value) -> String {
     format!("{value:#}\n")
 }

@@ -1,4 +1,4 @@
-//! What the program refuses: exit codes and messages, and that nothing is left behind.
+//! Refusals of the program: exit codes and messages, and no file left behind.
 
 mod common;
 
@@ -36,6 +36,28 @@ fn scene_files_with_mistakes_exit_3_and_name_the_line() {
 }
 
 #[test]
+fn lights_that_cannot_be_rendered_exit_3() {
+    let folder = Folder::new();
+    for (light, words) in [
+        ("kind = \"point\"", &["scene.toml, line 3", "a point light needs a `position`"][..]),
+        ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 0", &["line 6", "found 0", "0.1 to 89"]),
+        ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 180", &["line 6", "found 180", "0.1 to 89"]),
+        ("kind = \"point\"\nposition = [0, 0, 9]\nintensity = -1", &["line 6", "found -1"]),
+        (
+            "kind = \"point\"\nposition = [0.1, 0, 0.2]",
+            &["[0.1, 0.0, 0.2]", "inside the box around the mesh", "shadows = false"],
+        ),
+        ("kind = \"spot\"\nposition = [0, 0, 9]\ntexture = \"missing.png\"", &["missing.png", "cannot be read"]),
+    ] {
+        folder.write(
+            "scene.toml",
+            format!("method = \"voxels\"\nmesh = [{{ builtin = \"torus\" }}]\n[[light]]\n{light}\n"),
+        );
+        folder.refuse(&["render", "scene.toml", "-o", "out.png"], 3, words);
+    }
+}
+
+#[test]
 fn wrong_flags_exit_2() {
     let folder = Folder::new();
     for (flags, words) in [
@@ -54,7 +76,7 @@ fn wrong_flags_exit_2() {
         (&["--set", "light.0.kind=point"], &["`light.0`", "a point light needs a `position`"]),
         (
             &["--set", "light.0.kind=spot", "--set", "light.0.position=[0, 0, 9]"],
-            &["the method `sweep` renders distant lights alone", "no method renders other lights yet"],
+            &["the method `sweep` renders distant lights alone", "by the method `voxels`, which renders spot lights"],
         ),
         (&["--set", "medium.scattering=[1, 1, 1]"], &["no method renders a participating medium yet"]),
         (&["--set", "volume.file=x.nrrd"], &["both `file` and `builtin`"]),

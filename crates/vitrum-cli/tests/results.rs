@@ -1,4 +1,4 @@
-//! What the program makes: pictures, named outputs, statistics, descriptions.
+//! Results of the program: pictures, named outputs, statistics, descriptions.
 
 mod common;
 

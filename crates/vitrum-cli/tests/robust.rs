@@ -1,5 +1,5 @@
-//! What goes wrong around a render: time that runs out, full disks, folders that cannot be written, signals. Whatever it is, a
-//! name holds a whole output or what was there before.
+//! Failures around a render: time that runs out, full disks, folders that cannot be written, signals. After each of them, a path has a
+//! whole output or its previous content.
 
 #![cfg(unix)]
 
@@ -49,7 +49,7 @@ fn a_timeout_exits_124_and_leaves_no_output() {
     folder.write("out.png", "old");
     folder.refuse(&[&arguments("render", &["-o", "out.png"])[..], &ENDLESS, &limit].concat(), 124, &["--timeout"]);
     assert_eq!(fs::read(folder.file("out.png")).expect("it is still there"), b"old");
-    // What takes less is not touched by it.
+    // Work that takes less time is not touched by the limit.
     folder.succeed(&arguments("render", &["-o", "out.png", "--timeout", "600"]));
     for wrong in ["0", "-1", "nan", "soon"] {
         let outcome = folder.vitrum(&arguments("render", &["-o", "other.png", "--timeout", wrong]));
@@ -168,7 +168,7 @@ fn send(signal: &str, child: &Child) {
     assert!(sent.expect("kill is there").success());
 }
 
-/// What a program that was interrupted says; its code is 130 and its outputs are not there.
+/// The messages of an interrupted program, whose exit code is 130 and whose outputs do not exist.
 fn interrupted(child: Child) -> String {
     let output = child.wait_with_output().expect("the program ends");
     let message = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -1,4 +1,4 @@
-//! How volumes are read: each flag, the scene key of the same meaning, standard input, and what is written back.
+//! Reading of volumes: each flag, the scene key of the same meaning, standard input, and written volumes that are read again.
 
 mod common;
 

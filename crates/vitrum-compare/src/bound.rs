@@ -1,24 +1,24 @@
-//! How much two pictures or buffers may differ.
+//! Bounds of the difference between two pictures or buffers.
 
 use std::fmt;
 
 use crate::comparison::Comparison;
 
-/// How much two pictures or buffers may differ.
+/// A bound of the difference between two pictures or buffers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bound {
     /// Every value has the same bits as its counterpart, and none is NaN.
     BitEqual,
-    /// No value is more than so many representable numbers from its counterpart, and none is NaN.
+    /// The largest distance of a value from its counterpart, in representable numbers (ULP); no value may be NaN.
     Ulp(u32),
-    /// All but a share (0 to 1) of the values are at most so many representable numbers from their counterparts, and none is NaN.
-    /// The number is a power of two.
+    /// The largest distance of a value from its counterpart, in representable numbers (ULP, a power of two), for all but a share (0 to
+    /// 1) of the values; no value may be NaN.
     MostlyUlp(u32, f64),
     /// Stated quantities stay below stated limits.
     Tolerance(Tolerance),
 }
 
-/// Limits on measured quantities; what is `None` is not limited, except that a NaN is never let through.
+/// Limits on measured quantities. A quantity whose limit is `None` may have any value but NaN.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tolerance {
     /// Whether `max_abs`, `rmse` and the threshold of `share_above` are in units of the reference's peak.
@@ -33,7 +33,7 @@ pub struct Tolerance {
     pub mean_flip: Option<f64>,
 }
 
-/// What a bound can limit.
+/// The quantities that a bound can limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// The largest distance in representable numbers.
@@ -55,9 +55,9 @@ pub enum Quantity {
 /// One limit that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Breach {
-    /// What was limited.
+    /// The limited quantity.
     pub quantity: Quantity,
-    /// What was measured, or nothing if the comparison did not measure it.
+    /// The measured value, or `None` if the comparison did not measure the quantity.
     pub measured: Option<f64>,
     /// The limit, in the unit of the measurement.
     pub limit: f64,
@@ -69,7 +69,7 @@ pub struct Breach {
 pub enum Verdict {
     /// Every limit holds.
     Pass,
-    /// These limits do not hold.
+    /// A comparison that breaches these limits.
     Fail(Vec<Breach>),
 }
 
@@ -115,7 +115,7 @@ impl Bound {
     }
 }
 
-/// For example `RMSE ≤ 1e-4 of the peak, mean FLIP ≤ 1e-3`.
+/// Text such as `RMSE ≤ 1e-4 of the peak, mean FLIP ≤ 1e-3`.
 impl fmt::Display for Bound {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -154,7 +154,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// For example `RMSE 3.2e-4 exceeds 1e-4`.
+/// Text such as `RMSE 3.2e-4 exceeds 1e-4`.
 impl fmt::Display for Breach {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { quantity, measured, limit } = self;

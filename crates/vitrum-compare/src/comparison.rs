@@ -1,10 +1,10 @@
-//! What is measured about two pictures or buffers.
+//! Comparisons: the measured differences between two pictures or buffers.
 
 use crate::error::{CompareError, require_equal_lengths};
 use crate::flip;
 use crate::ulp::UlpHistogram;
 
-/// How two pictures, or two buffers, differ. The first of the two is the reference.
+/// The differences between two pictures, or two buffers. The first of the two is the reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
     /// Pixels in a row; the number of values for a buffer.
@@ -29,7 +29,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The share of pixels, 0 to 1, of which a channel differs by more than `threshold`.
+    /// The share of pixels, 0 to 1, that have a channel whose difference is above `threshold`.
     #[must_use]
     pub fn share_above(&self, threshold: f64) -> f64 {
         let above = self.per_pixel.iter().filter(|&&difference| difference > threshold).count();
@@ -55,7 +55,7 @@ pub fn compare(a: &[[f32; 3]], b: &[[f32; 3]], width: u32, height: u32) -> Resul
     Ok(comparison)
 }
 
-/// Compares two buffers of values; what is said of pixels holds for single values, and ꟻLIP is not measured.
+/// Compares two buffers of values. Every value counts as a pixel, and ꟻLIP is not measured.
 ///
 /// # Errors
 /// If the lengths differ, are 0, or do not fit a `u32`.

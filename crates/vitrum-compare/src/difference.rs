@@ -1,4 +1,4 @@
-//! Where two pictures differ, as a picture.
+//! Pictures of the difference between two pictures.
 
 use crate::comparison::difference;
 use crate::error::{CompareError, require_equal_lengths};
@@ -12,7 +12,7 @@ pub struct Difference {
     /// The magnitude of the difference in each channel, times `gain`; infinite differences are shown as 1, and pixels
     /// with a NaN in magenta.
     pub pixels: Vec<[f32; 3]>,
-    /// What the differences were multiplied by, so that the largest finite one is 1; or 1 if there is none.
+    /// The factor on the differences, so that the largest finite one is 1; 1 if no difference is finite.
     pub gain: f64,
 }
 

@@ -19,7 +19,7 @@ pub enum CompareError {
         /// The number of pixels given.
         pixels: usize,
     },
-    /// There is nothing to compare, which must not look like agreement.
+    /// Empty inputs, which must not pass for agreement.
     #[error("there is nothing to compare: both are empty")]
     Empty,
 }

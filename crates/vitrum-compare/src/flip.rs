@@ -11,7 +11,7 @@ use vitrum_io::linear_to_srgb;
 pub(crate) fn mean(a: &[[f32; 3]], b: &[[f32; 3]], width: u32, height: u32) -> f64 {
     let (shown_a, shown_b) = (encode(a), encode(b));
     let errors = if shown_a == shown_b {
-        // What is shown is equal, so there is nothing to see; the filters would take seconds to say so.
+        // The displayed pictures are equal: the filters would take seconds to find the error 0.
         vec![0.0; a.len()]
     } else {
         let [reference, test] = [shown_a, shown_b].map(|shown| FlipImageRgb8::with_data(width, height, &shown));

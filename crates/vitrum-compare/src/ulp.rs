@@ -26,7 +26,7 @@ fn rank(value: f32) -> i64 {
     if value.is_sign_negative() { -magnitude - 1 } else { magnitude }
 }
 
-/// How often each distance between the values of two slices occurs.
+/// A histogram of the distances between the values of two slices, in representable numbers (ULP).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UlpHistogram {
     counts: [usize; BUCKETS],
@@ -34,12 +34,12 @@ pub struct UlpHistogram {
     pub undefined: usize,
     /// The largest distance between two values that are not NaN.
     pub max: u32,
-    /// The index of the first pair whose bits differ, or of which one value is NaN.
+    /// The index of the first pair whose bits differ, or that has a NaN.
     pub first_difference: Option<usize>,
 }
 
 impl UlpHistogram {
-    /// Measures two slices of equal length.
+    /// The histogram of two slices of equal length.
     ///
     /// # Errors
     /// If the lengths differ, or there are no values.
@@ -104,7 +104,7 @@ fn range(bucket: usize) -> RangeInclusive<u64> {
     }
 }
 
-/// For example `0: 9210, 1: 3, 3–4: 1, NaN: 2`.
+/// Text such as `0: 9210, 1: 3, 3–4: 1, NaN: 2`.
 impl fmt::Display for UlpHistogram {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut separator = "";

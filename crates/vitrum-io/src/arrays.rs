@@ -8,7 +8,7 @@ use crate::suggest::nearest;
 /// At most so many names stand in a message.
 const MOST_NAMES: usize = 8;
 
-/// Names in quotes, for messages; none of them all where there are many.
+/// A list of names in quotes, for messages: the first [`MOST_NAMES`] and the number of the others.
 pub(crate) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<_> = names.collect();
     let shown: Vec<_> = names.iter().take(MOST_NAMES).map(|name| format!("`{}`", clip(name))).collect();
@@ -16,14 +16,14 @@ pub(crate) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
 }
 
-/// The assumption that an array is the one that is wanted, where there are `others`.
+/// The assumption that `taken` is the wanted array of a file that has `others`, too; `None` if it has no other.
 pub(crate) fn others_note<'a>(taken: &str, others: impl Iterator<Item = &'a str>) -> Option<Assumption> {
     let others = listed(others);
     let fact = format!("the array `{}` was taken", clip(taken));
     (!others.is_empty()).then(|| Assumption::replaceable(fact, Setting::Array, others))
 }
 
-/// The error of an array that is asked for by a name and is not there.
+/// The error of an unknown array name.
 pub(crate) fn unknown<'a>(report: Report, asked: &str, known: impl Iterator<Item = &'a str> + Clone) -> Error {
     let advice = match nearest(asked, known.clone()) {
         Some(near) => format!("did you mean `{}`?", clip(near)),

@@ -22,9 +22,9 @@ const MOST_FILES: u64 = 1_000_000;
 #[derive(Debug)]
 pub(crate) struct DataFile<'a> {
     storage: Storage<'a>,
-    /// Its name for messages.
+    /// Name of the file, for messages.
     pub name: String,
-    /// Its size in bytes.
+    /// Size of the file in bytes.
     pub length: u64,
     /// The byte from which lines and bytes are skipped.
     pub start: u64,
@@ -195,7 +195,7 @@ impl NumberedNames<'_> {
         steps.and_then(|steps| u64::try_from(steps).ok()).map_or(0, |steps| steps + 1)
     }
 
-    /// All of them; `example` is how the header should say it.
+    /// Names of all data files; `example` is the form that the header should have.
     pub fn names(&self, report: Report, field: &Field, example: &str) -> Result<Vec<String>, Error> {
         let numbers = (0..self.count()).map(|index| self.first + index as i64 * self.step);
         let names: Option<Vec<_>> = numbers.map(|number| numbered_name(self.name, number)).collect();

@@ -1,4 +1,4 @@
-//! Everything that can go wrong with a file, told so that the reader of the message can act on it.
+//! Errors of files: each names the file, the place in it, the problem, and the way to mend it.
 
 use std::fmt;
 use std::io;
@@ -52,7 +52,7 @@ pub enum Error {
         setting: Option<Setting>,
     },
 
-    /// Neither the content nor the name is of a volume format that is known here.
+    /// A file of an unknown format, by its content and by its name.
     #[error("{file}: {found}; expected one of: {expected}; or voxels without a header, with their layout given")]
     UnknownFormat {
         /// The file's path, as it was given.
@@ -114,7 +114,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The same error at a place that only the caller knows.
+    /// The error at another place, which only the caller knows.
     pub(crate) fn at(self, place: Place) -> Self {
         match self {
             Self::Invalid { file, problem, advice, .. } => Self::Invalid { file, place, problem, advice },
@@ -122,7 +122,7 @@ impl Error {
         }
     }
 
-    /// The same error, which a field of [`OpenOptions`](crate::OpenOptions) can mend.
+    /// The error with the field of [`OpenOptions`](crate::OpenOptions) that can mend it.
     pub(crate) fn with_setting(self, setting: Setting) -> Self {
         match self {
             Self::Unsupported { file, place, problem, advice, .. } => {
@@ -166,7 +166,7 @@ pub enum Found {
     Folder,
     /// A mesh.
     Mesh,
-    /// Nothing known.
+    /// Content of an unknown kind.
     Unknown,
 }
 

@@ -1,4 +1,4 @@
-//! Text headers of one field a line, before anybody asks what the fields mean.
+//! Text headers with one field a line: the names and texts of the fields, without their meaning.
 
 use std::any::type_name;
 use std::str::FromStr;
@@ -42,7 +42,7 @@ impl Field {
     }
 }
 
-/// All fields of a header. Names are looked up without regard to case.
+/// The fields of a header. Look-ups ignore the case of names.
 #[derive(Debug, Default)]
 pub(crate) struct Fields(Vec<Field>);
 
@@ -63,7 +63,7 @@ impl Fields {
         self.0.iter().find(|field| field.name.eq_ignore_ascii_case(name))
     }
 
-    /// The field, or an error that says what it should look like.
+    /// The field of a name; if it is missing, an error that shows the expected form by an example.
     pub fn require(&self, report: Report, name: &str, example: &str) -> Result<&Field, Error> {
         self.get(name).ok_or_else(|| {
             report.invalid(

@@ -3,15 +3,15 @@
 /// A file format.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Format {
-    /// Its name, such as `NRRD`.
+    /// Name of the format, such as `NRRD`.
     pub name: &'static str,
-    /// Its file extensions: lower case, with the dot.
+    /// File extensions of the format: lower case, with the dot.
     pub extensions: &'static [&'static str],
     /// The feature of this crate that its reader belongs to.
     pub feature: &'static str,
     /// Whether this build has the feature.
     pub included: bool,
-    /// The first bytes of its files, of which each file has one; empty where the first bytes do not tell.
+    /// Magic numbers: each file begins with one of them; empty for a format whose files have none.
     pub(crate) magic: &'static [&'static [u8]],
 }
 

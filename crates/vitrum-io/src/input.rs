@@ -23,13 +23,13 @@ const HEAD: usize = 1024;
 /// A file about to be read.
 #[derive(Debug)]
 pub struct Input<'a> {
-    /// Its path, or of bytes in memory its name.
+    /// Path of the file, or the name of bytes in memory.
     path: &'a Path,
-    /// Its name for messages: the path as it was given.
+    /// Name for messages: the path as it was given.
     pub name: String,
-    /// Its size in bytes as it is packed; 0 for a folder.
+    /// Size of the packed file in bytes; 0 for a folder.
     pub length: u64,
-    /// Its first bytes, at most 1024, unpacked.
+    /// First bytes of the file, unpacked, at most 1024.
     pub head: Vec<u8>,
     /// Compression around the whole file.
     pub packing: Packing,
@@ -41,7 +41,7 @@ pub struct Input<'a> {
 enum Content<'a> {
     /// The file at the path has them.
     File,
-    /// There are none: the path is a folder's.
+    /// No bytes: the path is a folder's.
     Folder,
     /// A temporary file has them, which is removed with this value.
     Spooled(Temporary),
@@ -88,7 +88,7 @@ impl<'a> Input<'a> {
             }
             input.length = metadata.len();
         }
-        input.look()?;
+        input.read_head()?;
         Ok(input)
     }
 
@@ -105,7 +105,7 @@ impl<'a> Input<'a> {
             content: Content::Given(bytes),
         };
         // A plain slice has no error, and that of a packed one is reported by its reader.
-        let _ = input.look();
+        let _ = input.read_head();
         input
     }
 
@@ -114,7 +114,7 @@ impl<'a> Input<'a> {
         file_name(self.path)
     }
 
-    /// Its path, or the name that its bytes were given under.
+    /// Path of the file, or the name under which its bytes were given.
     pub(crate) fn path(&self) -> &'a Path {
         self.path
     }
@@ -129,7 +129,7 @@ impl<'a> Input<'a> {
         self.folder().is_some()
     }
 
-    /// Whether the bytes are those of the file at its path.
+    /// Whether the bytes are the content of the file at the path.
     pub(crate) fn is_at_path(&self) -> bool {
         matches!(self.content, Content::File)
     }
@@ -162,8 +162,8 @@ impl<'a> Input<'a> {
         Ok(self.packing.unpack(self.open()?))
     }
 
-    /// Takes in how the file begins.
-    fn look(&mut self) -> Result<(), Error> {
+    /// Reads the first bytes of the file: its packing, and the head by which readers recognise a format.
+    fn read_head(&mut self) -> Result<(), Error> {
         let mut file = self.open()?;
         let packing = Packing::of(file.fill_buf().map_err(|error| Report::new(&self.name).unreadable(error))?);
         let mut head = vec![0; HEAD];

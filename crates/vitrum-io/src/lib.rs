@@ -25,7 +25,7 @@
 //! ```
 
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
-// What formats share is partly unused where some of them are left out.
+// Code that formats share is partly unused where some of them are left out.
 #![cfg_attr(not(feature = "default"), allow(dead_code, unused_imports, unused_macros))]
 
 mod arrays;

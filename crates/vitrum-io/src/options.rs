@@ -8,8 +8,8 @@ use crate::volume::Volume;
 /// Choices about reading.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct OpenOptions {
-    /// Most bytes that the decoded voxels may take, or the decompressed file and the mesh in it together, and likewise a file
-    /// that has to be unpacked or comes by standard input; the memory available where it is `None`.
+    /// Memory limit in bytes: for the decoded voxels; for the decompressed file and the mesh in it together; and for a file that must
+    /// be unpacked or comes by standard input. `None` stands for the memory that is available.
     pub max_bytes: Option<u64>,
     /// Reads the file as voxels without a header, laid out like this, whatever it looks like.
     pub raw: Option<RawLayout>,
@@ -24,7 +24,7 @@ pub struct OpenOptions {
 }
 
 impl OpenOptions {
-    /// Applies what is set here of a volume's place, its spacing and its up.
+    /// Applies the fields for a volume's place: its spacing and its up.
     ///
     /// # Errors
     ///

@@ -13,7 +13,7 @@ pub enum Orientation {
 }
 
 impl Orientation {
-    /// Its name: `patient`, `world` or `unknown`.
+    /// Name of the orientation: `patient`, `world` or `unknown`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

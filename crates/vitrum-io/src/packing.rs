@@ -11,16 +11,16 @@ use crate::stream::DEFLATE_RATIO;
 /// Compression around a whole file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Packing {
-    /// Not at all.
+    /// No packing.
     Plain,
-    /// By gzip.
+    /// Packing by gzip.
     Gzip,
-    /// By zstd.
+    /// Packing by zstd.
     Zstd,
 }
 
 impl Packing {
-    /// By a file's first bytes.
+    /// The packing of a file with these first bytes.
     pub(crate) fn of(head: &[u8]) -> Self {
         match head {
             [0x1f, 0x8b, ..] => Self::Gzip,
@@ -30,7 +30,7 @@ impl Packing {
         }
     }
 
-    /// For people: `raw`, `gzip` or `zstd`.
+    /// Name for people: `raw`, `gzip` or `zstd`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -26,7 +26,7 @@ pub(crate) fn sample_type(volume: &Volume) -> SampleType {
     }
 }
 
-/// All physical values as [`sample_type`] says, x fastest, little-endian.
+/// Writes the physical values of a volume in its [`sample_type`], x fastest, little-endian.
 pub(crate) fn write_values(sink: &mut dyn Write, volume: &Volume) -> io::Result<()> {
     let sample = sample_type(volume);
     let mut chunk = Vec::new();

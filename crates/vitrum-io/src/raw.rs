@@ -22,7 +22,7 @@ impl VolumeReader for Raw {
         &formats::RAW
     }
 
-    /// Nothing in the content tells.
+    /// Never recognises a file: the content of a raw file has no mark.
     fn recognises(&self, _input: &Input) -> bool {
         false
     }

@@ -20,12 +20,12 @@ pub trait VolumeReader: Sync {
         &[]
     }
 
-    /// Whether it unpacks whole files while it reads them; others get them unpacked.
+    /// Whether the reader unpacks files while it reads them; other readers get them unpacked.
     fn unpacks(&self) -> bool {
         false
     }
 
-    /// Reads it.
+    /// Reads the volume.
     ///
     /// # Errors
     ///

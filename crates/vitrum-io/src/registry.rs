@@ -11,7 +11,7 @@ use crate::reader::VolumeReader;
 use crate::setting::Setting;
 use crate::volume::Volume;
 
-/// All formats of volumes that this build reads, in the order in which they are asked.
+/// The formats of volumes that this build reads, in the order in which readers are asked.
 #[must_use]
 pub fn readers() -> &'static [&'static dyn VolumeReader] {
     &[

@@ -1,7 +1,7 @@
 //! The choices of whoever opens a file, by name.
 
-/// A field of [`OpenOptions`](crate::OpenOptions) that reads a file otherwise. Errors and assumptions name it, so that a program
-/// can tell its user by which of its own controls that is done.
+/// A field of [`OpenOptions`](crate::OpenOptions) by which a file is read otherwise. Errors and assumptions name it, so that a program
+/// can tell its user which of its own controls sets it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Setting {

@@ -16,7 +16,7 @@ struct Roomy<T> {
     count: usize,
 }
 
-/// Numbers that are copied only to change them while somebody else holds them. Cloning costs nothing.
+/// Numbers in shared memory, copied only when one of several owners changes them. A clone shares the memory.
 #[derive(Clone)]
 pub struct Shared<T>(Arc<Roomy<T>>);
 
@@ -28,7 +28,7 @@ impl<T: Pod> Shared<T> {
         bytes.div_ceil(size_of::<T>())
     }
 
-    /// The numbers, to be changed; copied if somebody else holds them.
+    /// Mutable access to the numbers, which are copied first if they have another owner.
     pub fn make_mut(&mut self) -> &mut [T] {
         let Roomy { values, count } = Arc::make_mut(&mut self.0);
         &mut values[..*count]

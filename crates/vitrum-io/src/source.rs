@@ -25,7 +25,7 @@ pub struct Assumption {
     pub fact: String,
     /// The field of [`OpenOptions`](crate::OpenOptions) that replaces the assumption, where one does.
     pub setting: Option<Setting>,
-    /// The other values that the field may have, such as the names of the other arrays or `0 to 2`; empty where any is possible.
+    /// Other values that the field may have, such as the names of the other arrays or `0 to 2`; empty where any value is possible.
     pub choices: String,
 }
 
@@ -54,7 +54,7 @@ impl fmt::Display for Assumption {
 pub struct Assumptions(Vec<Assumption>);
 
 impl Assumptions {
-    /// Appends one.
+    /// Appends an assumption.
     pub fn push(&mut self, assumption: impl Into<Assumption>) {
         self.0.push(assumption.into());
     }
@@ -65,7 +65,7 @@ impl Assumptions {
         self.0.iter().map(|assumption| assumption.fact.as_str()).collect()
     }
 
-    /// Removes all.
+    /// Removes all assumptions.
     pub(crate) fn clear(&mut self) {
         self.0.clear();
     }

@@ -1,4 +1,4 @@
-//! Checks between what a header promises and what the bytes behind it hold.
+//! Checks of the size that a header promises against the bytes that follow it.
 
 use std::io::{self, Read};
 

@@ -1,4 +1,4 @@
-//! Files that are not to stay: removed when nobody needs them any more, and when the program has to end in the middle.
+//! Temporary files: removed when their last owner drops them, and when the program has to end early.
 
 use std::fs::{self, File};
 use std::io;
@@ -24,7 +24,7 @@ fn there() -> MutexGuard<'static, Vec<PathBuf>> {
 pub fn remove_unfinished() {
     let there = there();
     for path in there.iter() {
-        // There is nobody left to tell; it may be gone already.
+        // No caller is left to report an error to; the file may be gone already.
         let _ = fs::remove_file(path);
     }
     std::mem::forget(there);
@@ -99,7 +99,7 @@ fn create_in(folder: &Path) -> io::Result<Named> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // What any new file gets, less the umask; the default is private to its owner.
+        // The permissions of any new file, less the umask; by default the file would be private to its owner.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)

@@ -18,7 +18,7 @@ pub(crate) struct Lines<'a, R> {
 }
 
 impl<'a, R: BufRead> Lines<'a, R> {
-    /// Lines of at most `most` bytes together; `advice` tells what to do where there are more.
+    /// A reader of lines that together have at most `most` bytes; `advice` is the advice for a longer file.
     pub fn new(reader: R, report: Report<'a>, most: u64, advice: &'static str) -> Self {
         Self { reader: reader.take(most), report, most, advice, number: 0, length: 0 }
     }
@@ -71,7 +71,7 @@ pub(crate) fn read_text(
     }
 }
 
-/// Something behind the last number that does not belong there.
+/// The error of a word behind the last expected number.
 pub(crate) fn surplus(report: Report, word: &str, count: usize) -> Error {
     report.invalid(
         Place::File,

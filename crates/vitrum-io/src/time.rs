@@ -9,7 +9,7 @@ use crate::source::{Assumption, Assumptions};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Times {
     pub count: u64,
-    /// Below `count`.
+    /// The chosen point in time, counted from 0 and below `count`.
     pub chosen: u64,
 }
 

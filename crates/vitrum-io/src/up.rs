@@ -1,4 +1,4 @@
-//! Which way is up, for files that do not say it, or say it otherwise than one wants to see it.
+//! Up: the direction of a volume that points to +z, for files that do not name it, or that are to be shown otherwise.
 
 use std::fmt;
 use std::str::FromStr;
@@ -24,7 +24,7 @@ pub enum Up {
 }
 
 impl Up {
-    /// Each by its names: that of the axis and the patient's.
+    /// Each direction by its two names: the axis and the patient's.
     pub const NAMES: [(&'static str, &'static str, Self); 6] = [
         ("x", "right", Self::Right),
         ("-x", "left", Self::Left),
@@ -34,15 +34,15 @@ impl Up {
         ("-z", "inferior", Self::Inferior),
     ];
 
-    /// A vector, turned so that this direction points to +z. What faces the front (+y) still does; where that is what goes up or
-    /// down, +z then faces the front.
+    /// The vector, turned so that this direction points to +z. The front (+y) stays the front; where it is the direction that goes up
+    /// or down, +z becomes the front.
     #[must_use]
     pub fn turn(self, vector: [f32; 3]) -> [f32; 3] {
         self.rotation().map(|row| row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2])
     }
 
-    /// Where a direction goes: up to +z, and what faces the front (+y) stays there; where that is what goes up or down,
-    /// +z faces the front. Rows of a rotation, never of a reflection.
+    /// The rows of the rotation, never of a reflection: this direction turns to +z, and the front (+y) stays the front, or +z becomes
+    /// it.
     fn rotation(self) -> [[f32; 3]; 3] {
         match self {
             Self::Superior => [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -77,7 +77,7 @@ impl FromStr for Up {
 }
 
 impl Volume {
-    /// The same volume, turned around the world's origin so that `up` points to +z. See [`Up`].
+    /// The volume, turned around the world's origin so that `up` points to +z. See [`Up`].
     #[must_use]
     pub fn turned(mut self, up: Up) -> Self {
         let rotation = up.rotation();

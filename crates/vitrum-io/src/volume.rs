@@ -9,7 +9,7 @@ use crate::voxels::Voxels;
 /// A scalar field on a regular grid, placed in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Volume {
-    /// For messages: the file's path as it was given, or `builtin:NAME`.
+    /// Name for messages: the file's path as it was given, or `builtin:NAME`.
     pub name: String,
     /// Voxels along x, y and z, each at least 1.
     pub dimensions: [u32; 3],
@@ -24,7 +24,7 @@ pub struct Volume {
     pub spacing: [f32; 3],
     /// World position of the centre of voxel (0, 0, 0).
     pub origin: [f32; 3],
-    /// Unit world direction of each index axis: `axes[0]` is that of +x.
+    /// Unit direction of each index axis in the world: `axes[0]` is the direction of +x.
     pub axes: [[f32; 3]; 3],
     /// Kind of the world in which `origin` and `axes` are given.
     pub orientation: Orientation,
@@ -87,7 +87,7 @@ impl Volume {
         if offset == 0.0 { Ok(volume) } else { volume.with_value_mapping(1.0, offset) }
     }
 
-    /// The same voxels under `physical = stored * scale + offset`.
+    /// The volume with other physical values, `physical = stored * scale + offset`.
     ///
     /// # Errors
     ///
@@ -109,7 +109,7 @@ impl Volume {
         Ok(self)
     }
 
-    /// The same voxels at other distances; the middle of the grid stays where it is.
+    /// The volume with other distances between voxels; the middle of the grid stays where it is.
     ///
     /// # Errors
     ///
@@ -142,8 +142,8 @@ impl Volume {
         self.voxels.bytes()
     }
 
-    /// World size of the grid along each index axis, `dimensions * spacing`: from the outer face
-    /// of the first voxel to that of the last.
+    /// Size of the grid in the world along each index axis, `dimensions * spacing`: from the outer face of the first voxel to the outer
+    /// face of the last.
     #[must_use]
     pub fn extent(&self) -> [f32; 3] {
         std::array::from_fn(|axis| self.dimensions[axis] as f32 * self.spacing[axis])
@@ -161,7 +161,7 @@ impl Volume {
         self.voxels.stored(index).map_or(f32::NAN, |stored| stored * self.value_scale + self.value_offset)
     }
 
-    /// How many voxels fall into each of `bins` equal parts of [`Self::range`].
+    /// A histogram: the number of voxels in each of `bins` equal parts of [`Self::range`].
     ///
     /// The largest value counts to the last part. Where all voxels are equal, all count to the
     /// first.

@@ -36,10 +36,10 @@ impl From<Vec<f32>> for Voxels {
 /// The voxels as kernels read them: little-endian words, so many that four bytes can be read from each voxel on. Clones share
 /// them, with the [`Voxels`] that they are of, too.
 #[derive(Debug, Clone)]
-pub struct Words(Held);
+pub struct Words(Backing);
 
 #[derive(Debug, Clone)]
-enum Held {
+enum Backing {
     U8(Shared<u8>),
     U16(Shared<u16>),
     F32(Shared<f32>),
@@ -51,10 +51,10 @@ impl Deref for Words {
 
     fn deref(&self) -> &[u32] {
         let words = match &self.0 {
-            Held::U8(voxels) => voxels.words(),
-            Held::U16(voxels) => voxels.words(),
-            Held::F32(voxels) => voxels.words(),
-            Held::Copied(words) => Some(words.as_slice()),
+            Backing::U8(voxels) => voxels.words(),
+            Backing::U16(voxels) => voxels.words(),
+            Backing::F32(voxels) => voxels.words(),
+            Backing::Copied(words) => Some(words.as_slice()),
         };
         // `Voxels::words` copied those that have none, and what is held stays where it is.
         words.unwrap_or_default()
@@ -72,7 +72,7 @@ impl Voxels {
         }
     }
 
-    /// Whether there are none.
+    /// Whether the volume has no voxels.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -88,19 +88,19 @@ impl Voxels {
         }
     }
 
-    /// The same memory as words; a copy only where the allocator put the voxels at an odd address.
+    /// The voxels' memory as words; a copy where the allocator put the voxels at an odd address.
     #[must_use]
     pub fn words(&self) -> Words {
-        fn copied<T: bytemuck::Pod>(voxels: &[T]) -> Held {
+        fn copied<T: bytemuck::Pod>(voxels: &[T]) -> Backing {
             let mut words = vec![0_u32; size_of_val(voxels).div_ceil(4) + 1];
             let bytes: &mut [u8] = bytemuck::cast_slice_mut(&mut words);
             bytes[..size_of_val(voxels)].copy_from_slice(bytemuck::cast_slice(voxels));
-            Held::Copied(Arc::new(words))
+            Backing::Copied(Arc::new(words))
         }
         Words(match self {
-            Self::U8(voxels) if voxels.words().is_some() => Held::U8(voxels.clone()),
-            Self::U16(voxels) if voxels.words().is_some() => Held::U16(voxels.clone()),
-            Self::F32(voxels) if voxels.words().is_some() => Held::F32(voxels.clone()),
+            Self::U8(voxels) if voxels.words().is_some() => Backing::U8(voxels.clone()),
+            Self::U16(voxels) if voxels.words().is_some() => Backing::U16(voxels.clone()),
+            Self::F32(voxels) if voxels.words().is_some() => Backing::F32(voxels.clone()),
             Self::U8(voxels) => copied(voxels),
             Self::U16(voxels) => copied(voxels),
             Self::F32(voxels) => copied(voxels),

@@ -121,7 +121,7 @@ fn lengths_that_lie_take_no_memory() {
     }
 }
 
-/// Elements of a kind that nobody knows have lengths of 32 bits, as those of unknown values have.
+/// Elements of an unknown value representation have lengths of 32 bits, as elements of unknown values have.
 #[test]
 fn an_unknown_kind_of_value_has_a_long_length() {
     let folder = Folder::new();

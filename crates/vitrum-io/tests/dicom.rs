@@ -264,7 +264,7 @@ fn the_one_series_of_an_export_is_found_below_the_folder() {
         );
         assert_eq!(told(&volume, "1 files of other series were left out, such as"), below, "{notes:?}");
     }
-    // What lies in a folder comes before what lies below it.
+    // Files in a folder come before files in the folders below it.
     export.write("PAT/IM9", of("1.9", 0.0).bytes());
     assert_eq!(opened(&export.path("PAT")).dimensions, [3, 2, 1]);
     // A screen alone is refused for what it is.

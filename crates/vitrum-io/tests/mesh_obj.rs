@@ -1,4 +1,4 @@
-//! OBJ and MTL: what they say beyond vertices and triangles.
+//! OBJ and MTL: statements beyond vertices and triangles.
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! MetaImage: every type, byte order and way to hold the data comes back, and every field means what it should.
+//! MetaImage: data of every type, byte order and layout is read, and every field has its meaning.
 
 mod common;
 
@@ -158,7 +158,7 @@ fn rows_of_the_matrix_are_axes_in_lps() {
 #[test]
 fn without_a_matrix_the_anatomical_orientation_counts() {
     let axes = |more: &str| open_u8(more).axes;
-    // What ITK writes beside the identity.
+    // Further directions that ITK writes, besides the identity.
     assert_eq!(axes("AnatomicalOrientation = RAI\n"), axes(""));
     assert_eq!(axes("AnatomicalOrientation = ???\n"), axes(""));
     // Sagittal slices from the left, whose rows run down and to the back.

@@ -1,5 +1,5 @@
-//! Some hundred changes to every whole file of every format, the same ones each time: whatever the bytes are, reading them
-//! ends, in something whole or an error. `cargo xtask fuzz` goes on from here with coverage as its guide.
+//! Some hundred changes to every whole file of every format, the same ones each time: whatever the bytes are, reading them ends in a
+//! whole value or an error. `cargo xtask fuzz` goes on from here with coverage as its guide.
 
 mod common;
 mod readers;

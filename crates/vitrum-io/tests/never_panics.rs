@@ -16,7 +16,7 @@ use ruzstd::encoding::{CompressionLevel, compress_to_vec};
 use vitrum_io::{OpenOptions, read_picture};
 use whole::Whole;
 
-/// Most bytes that a file may ask for.
+/// Largest memory that a file may ask for, in bytes.
 const MOST: u64 = 1 << 20;
 
 /// Bytes to overwrite, as positions and values, and how much to cut off the end.

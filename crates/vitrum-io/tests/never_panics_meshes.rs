@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use vitrum_io::{OpenOptions, open_mesh};
 use whole::Whole;
 
-/// Most bytes that a file may ask for.
+/// Largest memory that a file may ask for, in bytes.
 const MOST: u64 = 1 << 20;
 
 fn open(folder: &Folder, name: &str, content: &[u8]) {

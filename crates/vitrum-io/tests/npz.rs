@@ -8,8 +8,8 @@ use common::{Folder, npy, npy_with, npz, values};
 use vitrum_io::{Error, OpenOptions, Setting, Volume};
 use zip::CompressionMethod::{Deflated, Stored};
 
-/// What `numpy.savez_compressed` writes of the arrays `names`, two texts, `density`, uint8 from 0 to 11, and `heat`, big-endian
-/// float16 from -1 to 1.75 in quarters, both of the shape (2, 2, 3).
+/// The archive that `numpy.savez_compressed` writes of the arrays `names`, two texts, `density`, uint8 from 0 to 11, and `heat`,
+/// big-endian float16 from -1 to 1.75 in quarters, both of the shape (2, 2, 3).
 const OF_NUMPY: &str = concat!(
     "UEsDBC0AAAAIAAAAIQCnL+Ds//////////8JABQAbmFtZXMubnB5AQAQAIgAAAAAAAAASwAAAAAAAACb7BfqGxDJyFDGUK2eklqc",
     "XKRupaBuE2qorqOgnpZfVFKUmBefX5SSChJ3S8wpTgWKF2ckFqQC+RpGOpo6CrUKFACuRAYGhiQgBgBQSwMELQAAAAgAAAAhAMUi",

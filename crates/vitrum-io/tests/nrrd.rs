@@ -1,4 +1,4 @@
-//! NRRD: every type, byte order and encoding comes back, and every field means what it should.
+//! NRRD: data of every type, byte order and encoding is read, and every field has its meaning.
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! What is written as NRRD is read again.
+//! Written NRRD files are read again.
 
 use std::fs;
 use std::io::Read;

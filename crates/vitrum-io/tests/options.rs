@@ -1,4 +1,4 @@
-//! What a caller sets about reading: layout, spacing, time, up, the limit; and compression around whole files.
+//! Options of a caller for reading: layout, spacing, time, up, the memory limit; and compression around whole files.
 
 mod common;
 

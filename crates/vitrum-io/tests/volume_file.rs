@@ -1,4 +1,4 @@
-//! What is written can be read again: values, and in NRRD the place.
+//! Written volumes are read again: values, and in NRRD the place.
 
 mod common;
 

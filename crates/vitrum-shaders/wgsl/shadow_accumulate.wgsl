@@ -23,6 +23,8 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 member_10: type_4,
+member_11: type_4,
+member_12: f32,
 }
 struct type_9 {
 member: type_8,

@@ -26,6 +26,8 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 member_10: type_4,
+member_11: type_4,
+member_12: f32,
 }
 struct type_11 {
 member: type_10,
@@ -43,14 +45,14 @@ var<storage> global_3: type_9;
 @group(0) @binding(1)
 var<storage> global_4: type_6;
 fn function_() {
-var phi_147_: i32;
-var phi_366_: i32;
-var phi_620_: i32;
-var phi_695_: i32;
-var phi_720_: u32;
-var phi_696_: i32;
-var phi_621_: i32;
+var phi_148_: i32;
 var phi_367_: i32;
+var phi_621_: i32;
+var phi_702_: i32;
+var phi_727_: u32;
+var phi_703_: i32;
+var phi_622_: i32;
+var phi_368_: i32;
 let _e31 = global;
 let _e37 = arrayLength((&global_2.member));
 let _e40 = global_1.member.member;
@@ -69,11 +71,11 @@ if (_e52 < _e55) {
 let _e71 = (_e57 + 2i);
 let _e73 = select(_e60, _e71, (_e71 < _e60));
 let _e79 = global_3.member[bitcast<u32>(select(0i, _e73, (_e73 > 0i)))];
-phi_147_ = bitcast<i32>(_e79);
+phi_148_ = bitcast<i32>(_e79);
 } else {
-phi_147_ = 0i;
+phi_148_ = 0i;
 }
-let _e82 = phi_147_;
+let _e82 = phi_148_;
 let _e84 = select(_e60, _e57, (_e57 < _e60));
 let _e90 = global_3.member[bitcast<u32>(select(0i, _e84, (_e84 > 0i)))];
 let _e93 = (bitcast<i32>(_e90) * 10i);
@@ -119,9 +121,9 @@ let _e209 = global_1.member.member_3;
 let _e210 = bitcast<i32>(_e209);
 let _e214 = global_1.member.member_7;
 let _e215 = bitcast<i32>(_e214);
-phi_366_ = _e69;
+phi_367_ = _e69;
 loop {
-let _e217 = phi_366_;
+let _e217 = phi_367_;
 let _e218 = (_e217 < (_e69 + _e82));
 if _e218 {
 let _e220 = (f32(_e217) + 0.5f);
@@ -167,77 +169,79 @@ let _e324 = -(((select(_e291, _e287, (_e287 < _e291)) * 1f) - 0.5f));
 let _e326 = select(_e305, _e324, (_e324 > _e305));
 let _e328 = select(0f, _e326, (_e326 < 0f));
 let _e335 = select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328));
-phi_620_ = -((_e335 - select(0i, 1i, (_e328 < f32(_e335)))));
+phi_621_ = -((_e335 - select(0i, 1i, (_e328 < f32(_e335)))));
 loop {
-let _e342 = phi_620_;
+let _e342 = phi_621_;
 let _e343 = (_e342 < -((_e316 - select(0i, 1i, (_e309 < f32(_e316))))));
 if _e343 {
 let _e347 = (((f32(_e342) + 0.5f) - _e291) * (1f / select((_e287 - _e291), 1f, (_e287 == _e291))));
 let _e349 = select(0f, _e347, (_e347 > 0f));
 let _e354 = (_e289 + ((select(select(_e280, _e261, _e245), _e240, _e223) - _e289) * select(1f, _e349, (_e349 < 1f))));
-let _e356 = select(0f, _e354, (_e354 > 0f));
-let _e358 = select(_e206, _e356, (_e356 < _e206));
-let _e359 = (_e206 - 1f);
-let _e361 = select(0f, _e358, (_e358 > 0f));
-let _e363 = select(_e359, _e361, (_e361 < _e359));
-let _e370 = select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < -2147483600f)), 2147483647i, (_e363 > 2147483500f)), (_e363 == _e363));
-let _e377 = global_1.member.member_5;
-phi_695_ = 0i;
+let _e357 = global_1.member.member_12;
+let _e361 = (_e354 / (1f + (_e357 * (_e206 - _e354))));
+let _e363 = select(0f, _e361, (_e361 > 0f));
+let _e365 = select(_e206, _e363, (_e363 < _e206));
+let _e366 = (_e206 - 1f);
+let _e368 = select(0f, _e365, (_e365 > 0f));
+let _e370 = select(_e366, _e368, (_e368 < _e366));
+let _e377 = select(0i, select(select(i32(_e370), i32(-2147483648), (_e370 < -2147483600f)), 2147483647i, (_e370 > 2147483500f)), (_e370 == _e370));
+let _e384 = global_1.member.member_5;
+phi_702_ = 0i;
 loop {
-let _e385 = phi_695_;
-let _e386 = (_e385 < _e215);
-if _e386 {
+let _e392 = phi_702_;
+let _e393 = (_e392 < _e215);
+if _e393 {
 if (_e201 == 0i) {
 } else {
-let _e391 = bitcast<u32>(_e201);
-let _e392 = bitcast<u32>(((((((((_e217 - bitcast<i32>(_e377)) * _e210) + _e342) * _e205) + (_e370 - select(0i, 1i, (_e363 < f32(_e370))))) * _e215) + _e385) * 2i));
-if (_e392 < _e37) {
-let _e396 = atomicAdd((&global_2.member[_e392]), _e391);
-phi_720_ = _e396;
+let _e398 = bitcast<u32>(_e201);
+let _e399 = bitcast<u32>(((((((((_e217 - bitcast<i32>(_e384)) * _e210) + _e342) * _e205) + (_e377 - select(0i, 1i, (_e370 < f32(_e377))))) * _e215) + _e392) * 2i));
+if (_e399 < _e37) {
+let _e403 = atomicAdd((&global_2.member[_e399]), _e398);
+phi_727_ = _e403;
 } else {
-phi_720_ = 0u;
+phi_727_ = 0u;
 }
-let _e398 = phi_720_;
-let _e405 = (bitcast<u32>((_e201 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e398 + _e391) < _e391)));
-if (_e405 == 0u) {
+let _e405 = phi_727_;
+let _e412 = (bitcast<u32>((_e201 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e405 + _e398) < _e398)));
+if (_e412 == 0u) {
 } else {
-let _e407 = (_e392 + 1u);
-if (_e407 < _e37) {
-let _e411 = atomicAdd((&global_2.member[_e407]), _e405);
+let _e414 = (_e399 + 1u);
+if (_e414 < _e37) {
+let _e418 = atomicAdd((&global_2.member[_e414]), _e412);
 }
 }
 }
-phi_696_ = (_e385 + 1i);
+phi_703_ = (_e392 + 1i);
 } else {
-phi_696_ = i32();
+phi_703_ = i32();
 }
-let _e414 = phi_696_;
+let _e421 = phi_703_;
 continue;
 continuing {
-phi_695_ = _e414;
-break if !(_e386);
+phi_702_ = _e421;
+break if !(_e393);
 }
 }
-phi_621_ = (_e342 + 1i);
+phi_622_ = (_e342 + 1i);
 } else {
-phi_621_ = i32();
+phi_622_ = i32();
 }
-let _e418 = phi_621_;
+let _e425 = phi_622_;
 continue;
 continuing {
-phi_620_ = _e418;
+phi_621_ = _e425;
 break if !(_e343);
 }
 }
 }
-phi_367_ = (_e217 + 1i);
+phi_368_ = (_e217 + 1i);
 } else {
-phi_367_ = i32();
+phi_368_ = i32();
 }
-let _e422 = phi_367_;
+let _e429 = phi_368_;
 continue;
 continuing {
-phi_366_ = _e422;
+phi_367_ = _e429;
 break if !(_e218);
 }
 }

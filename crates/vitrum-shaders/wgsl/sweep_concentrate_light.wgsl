@@ -41,24 +41,20 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_15 {
+struct type_14 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_16 {
+struct type_15 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_16 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -66,7 +62,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_17 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -81,7 +77,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -92,6 +88,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_19 {
+member: type_5,
+member_1: type_5,
+}
 struct type_20 {
 member: type_7,
 member_1: u32,
@@ -99,16 +99,16 @@ member_1: u32,
 struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_15,
-member_3: type_16,
+member_2: type_14,
+member_3: type_15,
 member_4: u32,
-member_5: type_17,
-member_6: type_18,
-member_7: type_18,
-member_8: type_19,
-member_9: type_10,
+member_5: type_16,
+member_6: type_17,
+member_7: type_17,
+member_8: type_18,
+member_9: type_19,
 member_10: f32,
-member_11: type_17,
+member_11: type_16,
 member_12: type_4,
 member_13: type_9,
 member_14: type_20,
@@ -127,11 +127,11 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_2: type_12;
+var<storage> global_2: type_11;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_12;
+var<storage, read_write> global_3: type_11;
 fn function_() {
-var phi_890_: i32;
+var phi_891_: i32;
 let _e34 = global;
 let _e39 = global_1.member.member_2;
 let _e42 = global_1.member.member;
@@ -239,12 +239,12 @@ let _e365 = global_2.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
 let _e366 = (_e304 + _e58);
 let _e368 = select(_e76, _e366, (_e366 < _e76));
 let _e374 = global_2.member[bitcast<u32>(select(0i, _e368, (_e368 > 0i)))];
-let _e377 = ((_e69 + _e304) + _e58);
-let _e379 = select(_e76, _e377, (_e377 < _e76));
-let _e385 = global_2.member[bitcast<u32>(select(0i, _e379, (_e379 > 0i)))];
-let _e389 = (((2i * _e69) + _e304) + _e58);
-let _e391 = select(_e76, _e389, (_e389 < _e76));
-let _e397 = global_2.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
+let _e376 = ((_e69 + _e304) + _e58);
+let _e378 = select(_e76, _e376, (_e376 < _e76));
+let _e384 = global_2.member[bitcast<u32>(select(0i, _e378, (_e378 > 0i)))];
+let _e387 = (((2i * _e69) + _e304) + _e58);
+let _e389 = select(_e76, _e387, (_e387 < _e76));
+let _e395 = global_2.member[bitcast<u32>(select(0i, _e389, (_e389 > 0i)))];
 let _e403 = (((_e343 * _e343) + (_e354 * _e354)) + (_e365 * _e365));
 let _e406 = sqrt(select(0f, _e403, (_e403 > 0f)));
 let _e409 = (1f / select(1e-20f, _e406, (_e406 > 1e-20f)));
@@ -257,24 +257,24 @@ let _e426 = (2f * 16255f);
 let _e428 = select(0f, _e425, (_e425 > 0f));
 let _e430 = select(_e426, _e428, (_e428 < _e426));
 let _e437 = select(0i, select(select(i32(_e430), i32(-2147483648), (_e430 < -2147483600f)), 2147483647i, (_e430 > 2147483500f)), (_e430 == _e430));
-phi_890_ = (32768i - (_e437 - select(0i, 1i, (_e430 < f32(_e437)))));
+phi_891_ = (32768i - (_e437 - select(0i, 1i, (_e430 < f32(_e437)))));
 } else {
 let _e447 = ((bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) * 16255f) + 0.5f);
 let _e448 = (2f * 16255f);
 let _e450 = select(0f, _e447, (_e447 > 0f));
 let _e452 = select(_e448, _e450, (_e450 < _e448));
 let _e459 = select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -2147483600f)), 2147483647i, (_e452 > 2147483500f)), (_e452 == _e452));
-phi_890_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
+phi_891_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
 }
-let _e466 = phi_890_;
+let _e466 = phi_891_;
 let _e473 = ((bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) * 16255f) + 0.5f);
 let _e474 = (2f * 16255f);
 let _e476 = select(0f, _e473, (_e473 > 0f));
 let _e478 = select(_e474, _e476, (_e476 < _e474));
 let _e485 = select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < -2147483600f)), 2147483647i, (_e478 > 2147483500f)), (_e478 == _e478));
 global_3.member[_e57] = (_e374 * _e332);
-global_3.member[(_e55 + _e57)] = (_e385 * _e332);
-global_3.member[((2u * _e55) + _e57)] = (_e397 * _e332);
+global_3.member[(_e55 + _e57)] = (_e384 * _e332);
+global_3.member[((2u * _e55) + _e57)] = (_e395 * _e332);
 global_3.member[((3u * _e55) + _e57)] = bitcast<f32>(((select(0u, 2147483648u, (_e419 < 0f)) | (bitcast<u32>(((_e485 - select(0i, 1i, (_e478 < f32(_e485)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e466)));
 }
 }

@@ -41,24 +41,20 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_15 {
+struct type_14 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_16 {
+struct type_15 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_16 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -66,7 +62,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_17 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -81,7 +77,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -92,6 +88,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_19 {
+member: type_5,
+member_1: type_5,
+}
 struct type_20 {
 member: type_7,
 member_1: u32,
@@ -99,16 +99,16 @@ member_1: u32,
 struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_15,
-member_3: type_16,
+member_2: type_14,
+member_3: type_15,
 member_4: u32,
-member_5: type_17,
-member_6: type_18,
-member_7: type_18,
-member_8: type_19,
-member_9: type_10,
+member_5: type_16,
+member_6: type_17,
+member_7: type_17,
+member_8: type_18,
+member_9: type_19,
 member_10: f32,
-member_11: type_17,
+member_11: type_16,
 member_12: type_4,
 member_13: type_9,
 member_14: type_20,
@@ -133,33 +133,33 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_22;
 @group(0) @binding(3)
-var<storage, read_write> global_2: type_12;
+var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
-var<storage> global_3: type_12;
+var<storage> global_3: type_11;
 @group(0) @binding(2)
-var<storage> global_4: type_12;
+var<storage> global_4: type_11;
 fn function_() {
 var local: type_23;
-var phi_248_: i32;
-var phi_291_: i32;
-var phi_484_: i32;
-var phi_527_: i32;
-var phi_717_: i32;
-var phi_760_: i32;
-var phi_895_: f32;
-var phi_896_: f32;
-var phi_955_: i32;
-var phi_998_: i32;
-var phi_1191_: i32;
-var phi_1234_: i32;
-var phi_1427_: i32;
-var phi_1470_: i32;
-var phi_1660_: i32;
-var phi_1703_: i32;
-var phi_1893_: i32;
-var phi_1936_: i32;
-var phi_2126_: i32;
-var phi_2169_: i32;
+var phi_253_: i32;
+var phi_296_: i32;
+var phi_489_: i32;
+var phi_532_: i32;
+var phi_722_: i32;
+var phi_765_: i32;
+var phi_900_: f32;
+var phi_901_: f32;
+var phi_960_: i32;
+var phi_1003_: i32;
+var phi_1196_: i32;
+var phi_1239_: i32;
+var phi_1432_: i32;
+var phi_1475_: i32;
+var phi_1665_: i32;
+var phi_1708_: i32;
+var phi_1898_: i32;
+var phi_1941_: i32;
+var phi_2131_: i32;
+var phi_2174_: i32;
 let _e38 = global;
 let _e47 = global_1.member.member_2;
 let _e50 = global_1.member.member;
@@ -200,11 +200,11 @@ let _e133 = (_e129 - select(0i, 1i, (_e122 < f32(_e129))));
 let _e135 = (_e117 - f32(_e133));
 let _e136 = (_e133 < 0i);
 if _e136 {
-phi_248_ = (_e133 + 1i);
+phi_253_ = (_e133 + 1i);
 } else {
-phi_248_ = _e133;
+phi_253_ = _e133;
 }
-let _e139 = phi_248_;
+let _e139 = phi_253_;
 let _e140 = select(1i, -1i, _e136);
 let _e142 = select(_e135, (1f - _e135), _e136);
 let _e143 = local.member_3;
@@ -215,11 +215,11 @@ let _e158 = (_e154 - select(0i, 1i, (_e147 < f32(_e154))));
 let _e160 = (_e143 - f32(_e158));
 let _e161 = (_e158 < 0i);
 if _e161 {
-phi_291_ = (_e158 + 1i);
+phi_296_ = (_e158 + 1i);
 } else {
-phi_291_ = _e158;
+phi_296_ = _e158;
 }
-let _e164 = phi_291_;
+let _e164 = phi_296_;
 let _e170 = local.member;
 let _e173 = (((_e116 + (_e164 * _e111)) + bitcast<i32>(_e170)) + _e139);
 let _e175 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
@@ -247,8 +247,8 @@ let _e231 = global_1.member.member_8.member_1;
 let _e234 = (f32(bitcast<i32>(_e231)) - 1f);
 let _e245 = select(1f, (_e193 + (((_e207 + ((_e215 - _e207) * _e142)) - _e193) * select(_e160, (1f - _e160), _e161))), ((((_e223 >= 0f) && (_e223 <= _e230)) && (_e228 >= 0f)) && (_e228 <= _e234)));
 if (_e50.member_2 >= 3u) {
-phi_895_ = _e245;
-phi_896_ = _e245;
+phi_900_ = _e245;
+phi_901_ = _e245;
 } else {
 let _e247 = bitcast<i32>((_e110 * _e231));
 let _e248 = local.member_1;
@@ -261,11 +261,11 @@ let _e267 = (_e263 - select(0i, 1i, (_e256 < f32(_e263))));
 let _e269 = (_e252 - f32(_e267));
 let _e270 = (_e267 < 0i);
 if _e270 {
-phi_484_ = (_e267 + 1i);
+phi_489_ = (_e267 + 1i);
 } else {
-phi_484_ = _e267;
+phi_489_ = _e267;
 }
-let _e273 = phi_484_;
+let _e273 = phi_489_;
 let _e274 = select(1i, -1i, _e270);
 let _e276 = select(_e269, (1f - _e269), _e270);
 let _e277 = local.member_3;
@@ -276,11 +276,11 @@ let _e292 = (_e288 - select(0i, 1i, (_e281 < f32(_e288))));
 let _e294 = (_e277 - f32(_e292));
 let _e295 = (_e292 < 0i);
 if _e295 {
-phi_527_ = (_e292 + 1i);
+phi_532_ = (_e292 + 1i);
 } else {
-phi_527_ = _e292;
+phi_532_ = _e292;
 }
-let _e298 = phi_527_;
+let _e298 = phi_532_;
 let _e304 = local.member;
 let _e307 = (((_e251 + (_e298 * _e111)) + bitcast<i32>(_e304)) + _e273);
 let _e309 = select(_e175, _e307, (_e307 < _e175));
@@ -312,11 +312,11 @@ let _e392 = (_e388 - select(0i, 1i, (_e381 < f32(_e388))));
 let _e394 = (_e377 - f32(_e392));
 let _e395 = (_e392 < 0i);
 if _e395 {
-phi_717_ = (_e392 + 1i);
+phi_722_ = (_e392 + 1i);
 } else {
-phi_717_ = _e392;
+phi_722_ = _e392;
 }
-let _e398 = phi_717_;
+let _e398 = phi_722_;
 let _e399 = select(1i, -1i, _e395);
 let _e401 = select(_e394, (1f - _e394), _e395);
 let _e402 = local.member_3;
@@ -327,11 +327,11 @@ let _e417 = (_e413 - select(0i, 1i, (_e406 < f32(_e413))));
 let _e419 = (_e402 - f32(_e417));
 let _e420 = (_e417 < 0i);
 if _e420 {
-phi_760_ = (_e417 + 1i);
+phi_765_ = (_e417 + 1i);
 } else {
-phi_760_ = _e417;
+phi_765_ = _e417;
 }
-let _e423 = phi_760_;
+let _e423 = phi_765_;
 let _e429 = local.member;
 let _e432 = (((_e376 + (_e423 * _e111)) + bitcast<i32>(_e429)) + _e398);
 let _e434 = select(_e175, _e432, (_e432 < _e175));
@@ -353,11 +353,11 @@ let _e480 = (f32(bitcast<i32>(_e476)) + _e479);
 let _e481 = local.member_1;
 let _e484 = local.member_3;
 let _e485 = (f32(bitcast<i32>(_e481)) + _e484);
-phi_895_ = select(1f, (_e450 + (((_e464 + ((_e472 - _e464) * _e401)) - _e450) * select(_e419, (1f - _e419), _e420))), ((((_e480 >= 0f) && (_e480 <= _e230)) && (_e485 >= 0f)) && (_e485 <= _e234)));
-phi_896_ = select(1f, (_e325 + (((_e339 + ((_e347 - _e339) * _e276)) - _e325) * select(_e294, (1f - _e294), _e295))), ((((_e355 >= 0f) && (_e355 <= _e230)) && (_e360 >= 0f)) && (_e360 <= _e234)));
+phi_900_ = select(1f, (_e450 + (((_e464 + ((_e472 - _e464) * _e401)) - _e450) * select(_e419, (1f - _e419), _e420))), ((((_e480 >= 0f) && (_e480 <= _e230)) && (_e485 >= 0f)) && (_e485 <= _e234)));
+phi_901_ = select(1f, (_e325 + (((_e339 + ((_e347 - _e339) * _e276)) - _e325) * select(_e294, (1f - _e294), _e295))), ((((_e355 >= 0f) && (_e355 <= _e230)) && (_e360 >= 0f)) && (_e360 <= _e234)));
 }
-let _e498 = phi_895_;
-let _e500 = phi_896_;
+let _e498 = phi_900_;
+let _e500 = phi_901_;
 let _e505 = global_1.member.member_9.member.member;
 let _e507 = bitcast<i32>((_e110 * _e231));
 let _e509 = local.member_1;
@@ -370,11 +370,11 @@ let _e528 = (_e524 - select(0i, 1i, (_e517 < f32(_e524))));
 let _e530 = (_e513 - f32(_e528));
 let _e531 = (_e528 < 0i);
 if _e531 {
-phi_955_ = (_e528 + 1i);
+phi_960_ = (_e528 + 1i);
 } else {
-phi_955_ = _e528;
+phi_960_ = _e528;
 }
-let _e534 = phi_955_;
+let _e534 = phi_960_;
 let _e535 = select(1i, -1i, _e531);
 let _e537 = select(_e530, (1f - _e530), _e531);
 let _e538 = local.member_3;
@@ -385,11 +385,11 @@ let _e553 = (_e549 - select(0i, 1i, (_e542 < f32(_e549))));
 let _e555 = (_e538 - f32(_e553));
 let _e556 = (_e553 < 0i);
 if _e556 {
-phi_998_ = (_e553 + 1i);
+phi_1003_ = (_e553 + 1i);
 } else {
-phi_998_ = _e553;
+phi_1003_ = _e553;
 }
-let _e559 = phi_998_;
+let _e559 = phi_1003_;
 let _e565 = local.member;
 let _e568 = (((_e512 + (_e559 * _e111)) + bitcast<i32>(_e565)) + _e534);
 let _e570 = select(_e175, _e568, (_e568 < _e175));
@@ -422,11 +422,11 @@ let _e658 = (_e654 - select(0i, 1i, (_e647 < f32(_e654))));
 let _e660 = (_e643 - f32(_e658));
 let _e661 = (_e658 < 0i);
 if _e661 {
-phi_1191_ = (_e658 + 1i);
+phi_1196_ = (_e658 + 1i);
 } else {
-phi_1191_ = _e658;
+phi_1196_ = _e658;
 }
-let _e664 = phi_1191_;
+let _e664 = phi_1196_;
 let _e665 = select(1i, -1i, _e661);
 let _e667 = select(_e660, (1f - _e660), _e661);
 let _e668 = local.member_3;
@@ -437,11 +437,11 @@ let _e683 = (_e679 - select(0i, 1i, (_e672 < f32(_e679))));
 let _e685 = (_e668 - f32(_e683));
 let _e686 = (_e683 < 0i);
 if _e686 {
-phi_1234_ = (_e683 + 1i);
+phi_1239_ = (_e683 + 1i);
 } else {
-phi_1234_ = _e683;
+phi_1239_ = _e683;
 }
-let _e689 = phi_1234_;
+let _e689 = phi_1239_;
 let _e695 = local.member;
 let _e698 = (((_e642 + (_e689 * _e111)) + bitcast<i32>(_e695)) + _e664);
 let _e700 = select(_e175, _e698, (_e698 < _e175));
@@ -474,11 +474,11 @@ let _e788 = (_e784 - select(0i, 1i, (_e777 < f32(_e784))));
 let _e790 = (_e773 - f32(_e788));
 let _e791 = (_e788 < 0i);
 if _e791 {
-phi_1427_ = (_e788 + 1i);
+phi_1432_ = (_e788 + 1i);
 } else {
-phi_1427_ = _e788;
+phi_1432_ = _e788;
 }
-let _e794 = phi_1427_;
+let _e794 = phi_1432_;
 let _e795 = select(1i, -1i, _e791);
 let _e797 = select(_e790, (1f - _e790), _e791);
 let _e798 = local.member_3;
@@ -489,11 +489,11 @@ let _e813 = (_e809 - select(0i, 1i, (_e802 < f32(_e809))));
 let _e815 = (_e798 - f32(_e813));
 let _e816 = (_e813 < 0i);
 if _e816 {
-phi_1470_ = (_e813 + 1i);
+phi_1475_ = (_e813 + 1i);
 } else {
-phi_1470_ = _e813;
+phi_1475_ = _e813;
 }
-let _e819 = phi_1470_;
+let _e819 = phi_1475_;
 let _e825 = local.member;
 let _e828 = (((_e772 + (_e819 * _e111)) + bitcast<i32>(_e825)) + _e794);
 let _e830 = select(_e175, _e828, (_e828 < _e175));
@@ -525,11 +525,11 @@ let _e913 = (_e909 - select(0i, 1i, (_e902 < f32(_e909))));
 let _e915 = (_e898 - f32(_e913));
 let _e916 = (_e913 < 0i);
 if _e916 {
-phi_1660_ = (_e913 + 1i);
+phi_1665_ = (_e913 + 1i);
 } else {
-phi_1660_ = _e913;
+phi_1665_ = _e913;
 }
-let _e919 = phi_1660_;
+let _e919 = phi_1665_;
 let _e920 = select(1i, -1i, _e916);
 let _e922 = select(_e915, (1f - _e915), _e916);
 let _e923 = local.member_3;
@@ -540,11 +540,11 @@ let _e938 = (_e934 - select(0i, 1i, (_e927 < f32(_e934))));
 let _e940 = (_e923 - f32(_e938));
 let _e941 = (_e938 < 0i);
 if _e941 {
-phi_1703_ = (_e938 + 1i);
+phi_1708_ = (_e938 + 1i);
 } else {
-phi_1703_ = _e938;
+phi_1708_ = _e938;
 }
-let _e944 = phi_1703_;
+let _e944 = phi_1708_;
 let _e950 = local.member;
 let _e953 = (((_e897 + (_e944 * _e111)) + bitcast<i32>(_e950)) + _e919);
 let _e955 = select(_e175, _e953, (_e953 < _e175));
@@ -576,11 +576,11 @@ let _e1038 = (_e1034 - select(0i, 1i, (_e1027 < f32(_e1034))));
 let _e1040 = (_e1023 - f32(_e1038));
 let _e1041 = (_e1038 < 0i);
 if _e1041 {
-phi_1893_ = (_e1038 + 1i);
+phi_1898_ = (_e1038 + 1i);
 } else {
-phi_1893_ = _e1038;
+phi_1898_ = _e1038;
 }
-let _e1044 = phi_1893_;
+let _e1044 = phi_1898_;
 let _e1045 = select(1i, -1i, _e1041);
 let _e1047 = select(_e1040, (1f - _e1040), _e1041);
 let _e1048 = local.member_3;
@@ -591,11 +591,11 @@ let _e1063 = (_e1059 - select(0i, 1i, (_e1052 < f32(_e1059))));
 let _e1065 = (_e1048 - f32(_e1063));
 let _e1066 = (_e1063 < 0i);
 if _e1066 {
-phi_1936_ = (_e1063 + 1i);
+phi_1941_ = (_e1063 + 1i);
 } else {
-phi_1936_ = _e1063;
+phi_1941_ = _e1063;
 }
-let _e1069 = phi_1936_;
+let _e1069 = phi_1941_;
 let _e1075 = local.member;
 let _e1078 = (((_e1022 + (_e1069 * _e111)) + bitcast<i32>(_e1075)) + _e1044);
 let _e1080 = select(_e175, _e1078, (_e1078 < _e175));
@@ -627,11 +627,11 @@ let _e1163 = (_e1159 - select(0i, 1i, (_e1152 < f32(_e1159))));
 let _e1165 = (_e1148 - f32(_e1163));
 let _e1166 = (_e1163 < 0i);
 if _e1166 {
-phi_2126_ = (_e1163 + 1i);
+phi_2131_ = (_e1163 + 1i);
 } else {
-phi_2126_ = _e1163;
+phi_2131_ = _e1163;
 }
-let _e1169 = phi_2126_;
+let _e1169 = phi_2131_;
 let _e1170 = select(1i, -1i, _e1166);
 let _e1172 = select(_e1165, (1f - _e1165), _e1166);
 let _e1173 = local.member_3;
@@ -642,11 +642,11 @@ let _e1188 = (_e1184 - select(0i, 1i, (_e1177 < f32(_e1184))));
 let _e1190 = (_e1173 - f32(_e1188));
 let _e1191 = (_e1188 < 0i);
 if _e1191 {
-phi_2169_ = (_e1188 + 1i);
+phi_2174_ = (_e1188 + 1i);
 } else {
-phi_2169_ = _e1188;
+phi_2174_ = _e1188;
 }
-let _e1194 = phi_2169_;
+let _e1194 = phi_2174_;
 let _e1200 = local.member;
 let _e1203 = (((_e1147 + (_e1194 * _e111)) + bitcast<i32>(_e1200)) + _e1169);
 let _e1205 = select(_e175, _e1203, (_e1203 < _e175));

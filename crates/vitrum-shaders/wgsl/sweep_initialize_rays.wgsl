@@ -41,24 +41,20 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_14 {
+struct type_13 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_15 {
+struct type_14 {
 member: u32,
 member_1: u32,
 }
-struct type_16 {
+struct type_15 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -66,7 +62,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_17 {
+struct type_16 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -81,7 +77,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -92,6 +88,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_18 {
+member: type_5,
+member_1: type_5,
+}
 struct type_19 {
 member: type_7,
 member_1: u32,
@@ -99,16 +99,16 @@ member_1: u32,
 struct type_20 {
 member: type_2,
 member_1: u32,
-member_2: type_14,
-member_3: type_15,
+member_2: type_13,
+member_3: type_14,
 member_4: u32,
-member_5: type_16,
-member_6: type_17,
-member_7: type_17,
-member_8: type_18,
-member_9: type_10,
+member_5: type_15,
+member_6: type_16,
+member_7: type_16,
+member_8: type_17,
+member_9: type_18,
 member_10: f32,
-member_11: type_16,
+member_11: type_15,
 member_12: type_4,
 member_13: type_9,
 member_14: type_19,
@@ -127,9 +127,9 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_21;
 @group(0) @binding(1)
-var<storage, read_write> global_2: type_12;
+var<storage, read_write> global_2: type_11;
 fn function_() {
-var phi_146_: type_15;
+var phi_146_: type_14;
 let _e28 = global;
 let _e31 = global_1.member.member_2;
 let _e34 = global_1.member.member;
@@ -144,9 +144,9 @@ let _e57 = global_1.member.member_3.member_1;
 let _e58 = (_e42 % 16u);
 let _e59 = (_e44 % 4u);
 if ((_e42 < (_e53 - (_e53 % 16u))) && (_e44 < (_e57 - (_e57 % 4u)))) {
-phi_146_ = type_15((((_e42 - _e58) + (_e59 * 4u)) + (_e58 % 4u)), ((_e44 - _e59) + (_e58 / 4u)));
+phi_146_ = type_14((((_e42 - _e58) + (_e59 * 4u)) + (_e58 % 4u)), ((_e44 - _e59) + (_e58 / 4u)));
 } else {
-phi_146_ = type_15(_e42, _e44);
+phi_146_ = type_14(_e42, _e44);
 }
 let _e78 = phi_146_;
 let _e92 = global_1.member.member_12.member;
@@ -197,21 +197,21 @@ let _e298 = bitcast<f32>((bitcast<u32>(select(0f, _e293, (_e293 > 0f))) & 214748
 let _e308 = select(0f, 1f, _e242);
 global_2.member[_e49] = _e123;
 global_2.member[(_e47 + _e49)] = _e124;
-global_2.member[((2u * _e47) + _e49)] = (_e116 * _e136);
-global_2.member[((3u * _e47) + _e49)] = (_e117 * _e136);
-global_2.member[((4u * _e47) + _e49)] = (1f * _e136);
-global_2.member[((5u * _e47) + _e49)] = 0f;
-global_2.member[((6u * _e47) + _e49)] = _e308;
-global_2.member[((7u * _e47) + _e49)] = select(0f, (select(_e168, _e197, _e201) * _e115), _e242);
-global_2.member[((8u * _e47) + _e49)] = select(0f, (select(_e223.member, _e212.member, _e201) * (((_e247.member * _e275) * _e298) + _e281.member)), _e242);
-global_2.member[((9u * _e47) + _e49)] = select(0f, (select(_e223.member_1, _e212.member_1, _e201) * (((_e247.member_1 * _e275) * _e298) + _e281.member_1)), _e242);
-global_2.member[((10u * _e47) + _e49)] = select(0f, (select(_e223.member_2, _e212.member_2, _e201) * (((_e247.member_2 * _e275) * _e298) + _e281.member_2)), _e242);
-global_2.member[((11u * _e47) + _e49)] = _e308;
-global_2.member[((12u * _e47) + _e49)] = 1f;
+global_2.member[((2u * _e47) + _e49)] = _e125;
+global_2.member[((3u * _e47) + _e49)] = (_e116 * _e136);
+global_2.member[((4u * _e47) + _e49)] = (_e117 * _e136);
+global_2.member[((5u * _e47) + _e49)] = (1f * _e136);
+global_2.member[((6u * _e47) + _e49)] = 0f;
+global_2.member[((7u * _e47) + _e49)] = _e308;
+global_2.member[((8u * _e47) + _e49)] = select(0f, (select(_e168, _e197, _e201) * _e115), _e242);
+global_2.member[((9u * _e47) + _e49)] = select(0f, (select(_e223.member, _e212.member, _e201) * (((_e247.member * _e275) * _e298) + _e281.member)), _e242);
+global_2.member[((10u * _e47) + _e49)] = select(0f, (select(_e223.member_1, _e212.member_1, _e201) * (((_e247.member_1 * _e275) * _e298) + _e281.member_1)), _e242);
+global_2.member[((11u * _e47) + _e49)] = select(0f, (select(_e223.member_2, _e212.member_2, _e201) * (((_e247.member_2 * _e275) * _e298) + _e281.member_2)), _e242);
+global_2.member[((12u * _e47) + _e49)] = _e308;
 global_2.member[((13u * _e47) + _e49)] = 1f;
 global_2.member[((14u * _e47) + _e49)] = 1f;
 global_2.member[((15u * _e47) + _e49)] = 1f;
-global_2.member[((16u * _e47) + _e49)] = _e125;
+global_2.member[((16u * _e47) + _e49)] = 1f;
 global_2.member[((17u * _e47) + _e49)] = -1.2676506e30f;
 }
 }

@@ -41,24 +41,20 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_14 {
+struct type_13 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_15 {
+struct type_14 {
 member: u32,
 member_1: u32,
 }
-struct type_16 {
+struct type_15 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -66,7 +62,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_17 {
+struct type_16 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -81,7 +77,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -92,6 +88,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_18 {
+member: type_5,
+member_1: type_5,
+}
 struct type_19 {
 member: type_7,
 member_1: u32,
@@ -99,16 +99,16 @@ member_1: u32,
 struct type_20 {
 member: type_2,
 member_1: u32,
-member_2: type_14,
-member_3: type_15,
+member_2: type_13,
+member_3: type_14,
 member_4: u32,
-member_5: type_16,
-member_6: type_17,
-member_7: type_17,
-member_8: type_18,
-member_9: type_10,
+member_5: type_15,
+member_6: type_16,
+member_7: type_16,
+member_8: type_17,
+member_9: type_18,
 member_10: f32,
-member_11: type_16,
+member_11: type_15,
 member_12: type_4,
 member_13: type_9,
 member_14: type_19,
@@ -127,9 +127,9 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_21;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_12;
+var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
-var<storage> global_3: type_12;
+var<storage> global_3: type_11;
 fn function_() {
 switch bitcast<i32>(0u) {
 default: {
@@ -142,33 +142,33 @@ if (_e36 < _e25.member_2) {
 if (_e38 < _e25.member_3) {
 let _e41 = (_e28.member * _e28.member_1);
 let _e43 = ((_e38 * _e28.member) + _e36);
-let _e47 = global_1.member.member_8.member_1;
-let _e48 = (_e47 + 1u);
-let _e50 = select(1u, _e48, (_e48 > 0u));
-if (_e50 == 0u) {
+let _e46 = global_1.member.member_10;
+let _e50 = global_1.member.member_8.member_1;
+let _e51 = (_e50 + 1u);
+let _e53 = select(1u, _e51, (_e51 > 0u));
+if (_e53 == 0u) {
 break;
 }
-let _e54 = bitcast<i32>(((_e38 / _e50) * 3u));
-let _e56 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e58 = select(_e56, _e54, (_e54 < _e56));
-let _e64 = global_3.member[bitcast<u32>(select(0i, _e58, (_e58 > 0i)))];
-let _e65 = (_e54 + 1i);
-let _e67 = select(_e56, _e65, (_e65 < _e56));
-let _e73 = global_3.member[bitcast<u32>(select(0i, _e67, (_e67 > 0i)))];
-let _e74 = (_e54 + 2i);
-let _e76 = select(_e56, _e74, (_e74 < _e56));
-let _e82 = global_3.member[bitcast<u32>(select(0i, _e76, (_e76 > 0i)))];
-let _e85 = global_1.member.member_10;
+let _e57 = bitcast<i32>(((_e38 / _e53) * 3u));
+let _e59 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e61 = select(_e59, _e57, (_e57 < _e59));
+let _e67 = global_3.member[bitcast<u32>(select(0i, _e61, (_e61 > 0i)))];
+let _e68 = (_e57 + 1i);
+let _e70 = select(_e59, _e68, (_e68 < _e59));
+let _e76 = global_3.member[bitcast<u32>(select(0i, _e70, (_e70 > 0i)))];
+let _e77 = (_e57 + 2i);
+let _e79 = select(_e59, _e77, (_e77 < _e59));
+let _e85 = global_3.member[bitcast<u32>(select(0i, _e79, (_e79 > 0i)))];
 global_2.member[_e43] = 0f;
 global_2.member[(_e41 + _e43)] = 0f;
 global_2.member[((2u * _e41) + _e43)] = 0f;
 global_2.member[((3u * _e41) + _e43)] = 0f;
-global_2.member[((4u * _e41) + _e43)] = _e64;
-global_2.member[((5u * _e41) + _e43)] = _e73;
-global_2.member[((6u * _e41) + _e43)] = _e82;
-global_2.member[((7u * _e41) + _e43)] = _e85;
-global_2.member[((8u * _e41) + _e43)] = _e85;
-global_2.member[((9u * _e41) + _e43)] = _e85;
+global_2.member[((4u * _e41) + _e43)] = _e67;
+global_2.member[((5u * _e41) + _e43)] = _e76;
+global_2.member[((6u * _e41) + _e43)] = _e85;
+global_2.member[((7u * _e41) + _e43)] = _e46;
+global_2.member[((8u * _e41) + _e43)] = _e46;
+global_2.member[((9u * _e41) + _e43)] = _e46;
 global_2.member[((10u * _e41) + _e43)] = 0f;
 }
 }

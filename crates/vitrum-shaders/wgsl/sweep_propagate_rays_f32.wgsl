@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,67 +123,67 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var phi_579_: u32;
 var phi_582_: bool;
 var phi_584_: array<f32, 18>;
-var phi_3469_: type_28;
-var phi_4115_: type_29;
+var phi_3469_: type_29;
+var phi_4115_: type_30;
 var phi_4701_: f32;
 var phi_5090_: type_5;
-var phi_6648_: type_30;
+var phi_6648_: type_31;
 var phi_7401_: vec3<f32>;
-var phi_7631_: type_34;
+var phi_7631_: type_25;
 var phi_7949_: vec3<f32>;
 var phi_8258_: f32;
 var phi_8259_: f32;
@@ -463,7 +463,7 @@ let _e908 = (select(0i, _e874, (_e874 > 0i)) * _e846);
 let _e909 = (select(0i, _e836, (_e836 > 0i)) * _e846);
 let _e910 = (select(_e873, _e879, (_e879 < _e873)) * _e846);
 let _e911 = (select(_e873, _e882, (_e882 < _e873)) * _e846);
-local_6 = type_27(array<i32, 4>(select(0i, _e893, (_e893 > 0i)), select(0i, _e806, (_e806 > 0i)), select(_e892, _e898, (_e898 < _e892)), select(_e892, _e901, (_e901 < _e892))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(select(0i, _e893, (_e893 > 0i)), select(0i, _e806, (_e806 > 0i)), select(_e892, _e898, (_e898 < _e892)), select(_e892, _e901, (_e901 < _e892))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e523 - f32(_e806)), (_e534 - f32(_e821)), (_e545 - f32(_e836)));
 let _e922 = (_e909 + _e905);
 let _e925 = local_6.member[0u];
@@ -733,7 +733,7 @@ if _e788 {
 let _e1551 = ((0.5f * (_e1449 - _e1443)) * _e1544);
 let _e1552 = ((0.5f * (_e1461 - _e1455)) * _e1544);
 let _e1553 = ((0.5f * (_e1473 - _e1467)) * _e1544);
-phi_3469_ = type_28(_e1543, vec3<f32>(_e1551, _e1552, _e1553), vec3<f32>((_e1551 * _e1543), (_e1552 * _e1543), (_e1553 * _e1543)));
+phi_3469_ = type_29(_e1543, vec3<f32>(_e1551, _e1552, _e1553), vec3<f32>((_e1551 * _e1543), (_e1552 * _e1543), (_e1553 * _e1543)));
 } else {
 let _e1560 = (_e1443 * 1024f);
 let _e1562 = select(0f, _e1560, (_e1560 > 0f));
@@ -792,7 +792,7 @@ let _e1799 = ((_e1528 + (f32(bitcast<i32>((_e1784 >> bitcast<u32>(12u)))) * _e15
 let _e1800 = (_e1639 - _e1599);
 let _e1802 = (_e1719 - _e1679);
 let _e1804 = (_e1799 - _e1759);
-phi_3469_ = type_28(_e1543, vec3<f32>((0.5f * _e1800), (0.5f * _e1802), (0.5f * _e1804)), vec3<f32>((0.25f * (_e1800 * (_e1639 + _e1599))), (0.25f * (_e1802 * (_e1719 + _e1679))), (0.25f * (_e1804 * (_e1799 + _e1759)))));
+phi_3469_ = type_29(_e1543, vec3<f32>((0.5f * _e1800), (0.5f * _e1802), (0.5f * _e1804)), vec3<f32>((0.25f * (_e1800 * (_e1639 + _e1599))), (0.25f * (_e1802 * (_e1719 + _e1679))), (0.25f * (_e1804 * (_e1799 + _e1759)))));
 }
 let _e1819 = phi_3469_;
 let _e1834 = select(0f, 1f, ((((((_e495 >= -0.5f) && (_e495 <= _e519)) && (_e501 >= -0.5f)) && (_e501 <= _e530)) && (_e507 >= -0.5f)) && (_e507 <= _e541)));
@@ -808,7 +808,7 @@ let _e1882 = global_5.member[_e351].member_6.member_1.member.member_2;
 let _e1889 = global_5.member[_e351].member_6.member_2.member.member;
 let _e1896 = global_5.member[_e351].member_6.member_2.member.member_1;
 let _e1903 = global_5.member[_e351].member_6.member_2.member.member_2;
-phi_4115_ = type_29(_e1437, vec3<f32>(((((_e1847 * _e1836) + (_e1868 * _e1838)) + (_e1889 * _e1840)) * _e1834), ((((_e1854 * _e1836) + (_e1875 * _e1838)) + (_e1896 * _e1840)) * _e1834), ((((_e1861 * _e1836) + (_e1882 * _e1838)) + (_e1903 * _e1840)) * _e1834)), _e1819.member, vec3<f32>(((((_e1847 * _e1819.member_2.x) + (_e1868 * _e1819.member_2.y)) + (_e1889 * _e1819.member_2.z)) * _e1834), ((((_e1854 * _e1819.member_2.x) + (_e1875 * _e1819.member_2.y)) + (_e1896 * _e1819.member_2.z)) * _e1834), ((((_e1861 * _e1819.member_2.x) + (_e1882 * _e1819.member_2.y)) + (_e1903 * _e1819.member_2.z)) * _e1834)), vec3<f32>(((((_e1847 * _e1819.member_1.x) + (_e1868 * _e1819.member_1.y)) + (_e1889 * _e1819.member_1.z)) * _e1834), ((((_e1854 * _e1819.member_1.x) + (_e1875 * _e1819.member_1.y)) + (_e1896 * _e1819.member_1.z)) * _e1834), ((((_e1861 * _e1819.member_1.x) + (_e1882 * _e1819.member_1.y)) + (_e1903 * _e1819.member_1.z)) * _e1834)));
+phi_4115_ = type_30(_e1437, vec3<f32>(((((_e1847 * _e1836) + (_e1868 * _e1838)) + (_e1889 * _e1840)) * _e1834), ((((_e1854 * _e1836) + (_e1875 * _e1838)) + (_e1896 * _e1840)) * _e1834), ((((_e1861 * _e1836) + (_e1882 * _e1838)) + (_e1903 * _e1840)) * _e1834)), _e1819.member, vec3<f32>(((((_e1847 * _e1819.member_2.x) + (_e1868 * _e1819.member_2.y)) + (_e1889 * _e1819.member_2.z)) * _e1834), ((((_e1854 * _e1819.member_2.x) + (_e1875 * _e1819.member_2.y)) + (_e1896 * _e1819.member_2.z)) * _e1834), ((((_e1861 * _e1819.member_2.x) + (_e1882 * _e1819.member_2.y)) + (_e1903 * _e1819.member_2.z)) * _e1834)), vec3<f32>(((((_e1847 * _e1819.member_1.x) + (_e1868 * _e1819.member_1.y)) + (_e1889 * _e1819.member_1.z)) * _e1834), ((((_e1854 * _e1819.member_1.x) + (_e1875 * _e1819.member_1.y)) + (_e1896 * _e1819.member_1.z)) * _e1834), ((((_e1861 * _e1819.member_1.x) + (_e1882 * _e1819.member_1.y)) + (_e1903 * _e1819.member_1.z)) * _e1834)));
 } else {
 let _e1969 = select(-1f, _e523, (_e523 > -1f));
 let _e1971 = select(_e518, _e1969, (_e1969 < _e518));
@@ -836,7 +836,7 @@ let _e2068 = (select(0i, _e1997, (_e1997 > 0i)) * _e2017);
 let _e2069 = (select(_e2030, _e2033, (_e2033 < _e2030)) * _e2017);
 let _e2070 = (select(0i, _e2012, (_e2012 > 0i)) * _e2022);
 let _e2071 = (select(_e2043, _e2046, (_e2046 < _e2043)) * _e2022);
-local_4 = type_27(array<i32, 4>(select(0i, _e2057, (_e2057 > 0i)), select(0i, _e1982, (_e1982 > 0i)), select(_e2056, _e2062, (_e2062 < _e2056)), select(_e2056, _e2065, (_e2065 < _e2056))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_28(array<i32, 4>(select(0i, _e2057, (_e2057 > 0i)), select(0i, _e1982, (_e1982 > 0i)), select(_e2056, _e2062, (_e2062 < _e2056)), select(_e2056, _e2065, (_e2065 < _e2056))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e523 - f32(_e1982)), (_e534 - f32(_e1997)), (_e545 - f32(_e2012)));
 let _e2082 = (_e2070 + _e2068);
 let _e2085 = local_4.member[1u];
@@ -893,7 +893,7 @@ let _e2206 = global_5.member[_e351].member_6.member_5;
 let _e2212 = global_5.member[_e351].member_6.member_6;
 let _e2213 = (((_e2142 + (((_e2167 + (((_e2178 + ((bitcast<f32>(_e2187) - _e2178) * _e2189)) - _e2167) * _e2193)) - _e2142) * _e2198)) * _e2206) + _e2212);
 let _e2215 = select(0f, _e2213, (_e2213 > 0f));
-phi_4115_ = type_29(select(1f, _e2215, (_e2215 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_4115_ = type_30(select(1f, _e2215, (_e2215 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2220 = phi_4115_;
 let _e2224 = select(-0.5f, _e457, (_e457 > -0.5f));
@@ -928,7 +928,7 @@ let _e2335 = (select(0i, _e2264, (_e2264 > 0i)) * _e2284);
 let _e2336 = (select(_e2297, _e2300, (_e2300 < _e2297)) * _e2284);
 let _e2337 = (select(0i, _e2279, (_e2279 > 0i)) * _e2289);
 let _e2338 = (select(_e2310, _e2313, (_e2313 < _e2310)) * _e2289);
-local_2 = type_27(array<i32, 4>(select(0i, _e2324, (_e2324 > 0i)), select(0i, _e2249, (_e2249 > 0i)), select(_e2323, _e2329, (_e2329 < _e2323)), select(_e2323, _e2332, (_e2332 < _e2323))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_28(array<i32, 4>(select(0i, _e2324, (_e2324 > 0i)), select(0i, _e2249, (_e2249 > 0i)), select(_e2323, _e2329, (_e2329 < _e2323)), select(_e2323, _e2332, (_e2332 < _e2323))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e2226 - f32(_e2249)), (_e2230 - f32(_e2264)), (_e2234 - f32(_e2279)));
 let _e2349 = (_e2337 + _e2335);
 let _e2352 = local_2.member[1u];
@@ -1166,7 +1166,7 @@ let _e3157 = ((_e3135 - (_e3153 * 0.6933594f)) - (_e3153 * -2.1219444e-4f));
 let _e3177 = ((1f + (_e3157 * (1f + (_e3157 * (0.5f + (_e3157 * (0.16666667f + (_e3157 * (0.041666668f + (_e3157 * (0.008333334f + (_e3157 * (0.001388889f + (_e3157 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3152 + 127i)) << bitcast<u32>(23i))));
 let _e3178 = (1f - _e3177);
 let _e3181 = (_e3178 / select(1e-12f, _e3127, (_e3127 > 1e-12f)));
-phi_6648_ = type_30(_e3177, _e3178, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e2972 + (((_e2977 + (((bitcast<f32>(((_e2959 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2977) * _e2921)) - _e2972) * _e2919)) * _e3181), ((_e3009 + (((_e3014 + (((bitcast<f32>((((_e2959 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3014) * _e2921)) - _e3009) * _e2919)) * _e3181), ((_e3074 + (((_e3079 + (((bitcast<f32>(((_e3061 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3079) * _e2921)) - _e3074) * _e2919)) * _e3181)));
+phi_6648_ = type_31(_e3177, _e3178, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e2972 + (((_e2977 + (((bitcast<f32>(((_e2959 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2977) * _e2921)) - _e2972) * _e2919)) * _e3181), ((_e3009 + (((_e3014 + (((bitcast<f32>((((_e2959 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3014) * _e2921)) - _e3009) * _e2919)) * _e3181), ((_e3074 + (((_e3079 + (((bitcast<f32>(((_e3061 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3079) * _e2921)) - _e3074) * _e2919)) * _e3181)));
 } else {
 let _e3188 = (_e2485 * 255f);
 let _e3189 = (_e2220.member * 255f);
@@ -1296,7 +1296,7 @@ let _e3776 = ((_e3754 - (_e3772 * 0.6933594f)) - (_e3772 * -2.1219444e-4f));
 let _e3796 = ((1f + (_e3776 * (1f + (_e3776 * (0.5f + (_e3776 * (0.16666667f + (_e3776 * (0.041666668f + (_e3776 * (0.008333334f + (_e3776 * (0.001388889f + (_e3776 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3771 + 127i)) << bitcast<u32>(23i))));
 let _e3797 = (1f - _e3796);
 let _e3800 = (_e3797 / select(1e-12f, _e3293, (_e3293 > 1e-12f)));
-phi_6648_ = type_30(_e3796, _e3797, vec3<f32>(((1f + (_e3631 * (1f + (_e3631 * (0.5f + (_e3631 * (0.16666667f + (_e3631 * (0.041666668f + (_e3631 * (0.008333334f + (_e3631 * (0.001388889f + (_e3631 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3626 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3679 * (1f + (_e3679 * (0.5f + (_e3679 * (0.16666667f + (_e3679 * (0.041666668f + (_e3679 * (0.008333334f + (_e3679 * (0.001388889f + (_e3679 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3674 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3727 * (1f + (_e3727 * (0.5f + (_e3727 * (0.16666667f + (_e3727 * (0.041666668f + (_e3727 * (0.008333334f + (_e3727 * (0.001388889f + (_e3727 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3722 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e3481 + (((_e3486 + (((bitcast<f32>(((_e3468 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3486) * _e3227)) - _e3481) * _e3225)) * _e3800), ((_e3518 + (((_e3523 + (((bitcast<f32>((((_e3468 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3523) * _e3227)) - _e3518) * _e3225)) * _e3800), ((_e3583 + (((_e3588 + (((bitcast<f32>(((_e3570 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3588) * _e3227)) - _e3583) * _e3225)) * _e3800)));
+phi_6648_ = type_31(_e3796, _e3797, vec3<f32>(((1f + (_e3631 * (1f + (_e3631 * (0.5f + (_e3631 * (0.16666667f + (_e3631 * (0.041666668f + (_e3631 * (0.008333334f + (_e3631 * (0.001388889f + (_e3631 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3626 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3679 * (1f + (_e3679 * (0.5f + (_e3679 * (0.16666667f + (_e3679 * (0.041666668f + (_e3679 * (0.008333334f + (_e3679 * (0.001388889f + (_e3679 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3674 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3727 * (1f + (_e3727 * (0.5f + (_e3727 * (0.16666667f + (_e3727 * (0.041666668f + (_e3727 * (0.008333334f + (_e3727 * (0.001388889f + (_e3727 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3722 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e3481 + (((_e3486 + (((bitcast<f32>(((_e3468 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3486) * _e3227)) - _e3481) * _e3225)) * _e3800), ((_e3518 + (((_e3523 + (((bitcast<f32>((((_e3468 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3523) * _e3227)) - _e3518) * _e3225)) * _e3800), ((_e3583 + (((_e3588 + (((bitcast<f32>(((_e3570 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3588) * _e3227)) - _e3583) * _e3225)) * _e3800)));
 }
 let _e3807 = phi_6648_;
 let _e3808 = select(0f, _e2561, _e441);
@@ -1306,7 +1306,7 @@ let _e3814 = (_e370 + (_e2863 * _e3808));
 if (_e728.member_2 == 3u) {
 let _e3820 = global_5.member[_e351].member_9.member_1;
 let _e3829 = global_5.member[_e351].member_9.member;
-phi_7631_ = type_34(vec3<f32>(_e3820.member, _e3820.member_1, _e3820.member_2), vec3<f32>(_e3829.member, _e3829.member_1, _e3829.member_2));
+phi_7631_ = type_25(vec3<f32>(_e3820.member, _e3820.member_1, _e3820.member_2), vec3<f32>(_e3829.member, _e3829.member_1, _e3829.member_2));
 } else {
 let _e3839 = global_5.member[_e351].member_8.member_8;
 let _e3840 = (_e3814 - _e3839);
@@ -1473,7 +1473,7 @@ let _e4420 = (_e4071.member + (select(0f, (_e4391 + (((_e4352 + ((f32((bitcast<i
 let _e4422 = (_e4071.member_1 + (select(0f, (_e4400 + (((_e4363 + ((select(_e4383, -(_e4383), ((_e4373 >> bitcast<u32>(31i)) != 0u)) - _e4363) * _e4134)) - _e4400) * _e4136)), _e4143) * _e4074));
 let _e4426 = (1f - ((_e4420 * _e4420) + (_e4422 * _e4422)));
 let _e4428 = select(1e-4f, _e4426, (_e4426 > 1e-4f));
-phi_7631_ = type_34((_e4288 * vec3<f32>(_e4413.member, _e4413.member_1, _e4413.member_2)), vec3<f32>(_e4420, _e4422, sqrt(select(0f, _e4428, (_e4428 > 0f)))));
+phi_7631_ = type_25((_e4288 * vec3<f32>(_e4413.member, _e4413.member_1, _e4413.member_2)), vec3<f32>(_e4420, _e4422, sqrt(select(0f, _e4428, (_e4428 > 0f)))));
 }
 let _e4435 = phi_7631_;
 let _e4444 = (((_e4435.member_1.x * _e4435.member_1.x) + (_e4435.member_1.y * _e4435.member_1.y)) + (_e4435.member_1.z * _e4435.member_1.z));

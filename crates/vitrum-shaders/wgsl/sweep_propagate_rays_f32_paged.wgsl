@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,67 +123,67 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var phi_580_: u32;
 var phi_583_: bool;
 var phi_585_: array<f32, 18>;
-var phi_3409_: type_28;
-var phi_4018_: type_29;
+var phi_3409_: type_29;
+var phi_4018_: type_30;
 var phi_4567_: f32;
 var phi_4956_: type_5;
-var phi_6514_: type_30;
+var phi_6514_: type_31;
 var phi_7267_: vec3<f32>;
-var phi_7497_: type_34;
+var phi_7497_: type_25;
 var phi_7815_: vec3<f32>;
 var phi_8124_: f32;
 var phi_8125_: f32;
@@ -461,7 +461,7 @@ let _e899 = (_e889 + (3i * _e842));
 let _e900 = (_e891 + _e847);
 let _e902 = (_e891 + (2i * _e847));
 let _e904 = (_e891 + (3i * _e847));
-local_6 = type_27(array<i32, 4>(_e886, (_e886 + 1i), (_e886 + 2i), (_e886 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e886, (_e886 + 1i), (_e886 + 2i), (_e886 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e524 - f32(_e807)), (_e535 - f32(_e822)), (_e546 - f32(_e837)));
 let _e915 = (_e900 + _e895);
 let _e918 = local_6.member[0u];
@@ -730,7 +730,7 @@ if _e789 {
 let _e1542 = ((0.5f * (_e1440 - _e1434)) * _e1535);
 let _e1543 = ((0.5f * (_e1452 - _e1446)) * _e1535);
 let _e1544 = ((0.5f * (_e1464 - _e1458)) * _e1535);
-phi_3409_ = type_28(_e1534, vec3<f32>(_e1542, _e1543, _e1544), vec3<f32>((_e1542 * _e1534), (_e1543 * _e1534), (_e1544 * _e1534)));
+phi_3409_ = type_29(_e1534, vec3<f32>(_e1542, _e1543, _e1544), vec3<f32>((_e1542 * _e1534), (_e1543 * _e1534), (_e1544 * _e1534)));
 } else {
 let _e1551 = (_e1434 * 1024f);
 let _e1553 = select(0f, _e1551, (_e1551 > 0f));
@@ -789,7 +789,7 @@ let _e1790 = ((_e1519 + (f32(bitcast<i32>((_e1775 >> bitcast<u32>(12u)))) * _e15
 let _e1791 = (_e1630 - _e1590);
 let _e1793 = (_e1710 - _e1670);
 let _e1795 = (_e1790 - _e1750);
-phi_3409_ = type_28(_e1534, vec3<f32>((0.5f * _e1791), (0.5f * _e1793), (0.5f * _e1795)), vec3<f32>((0.25f * (_e1791 * (_e1630 + _e1590))), (0.25f * (_e1793 * (_e1710 + _e1670))), (0.25f * (_e1795 * (_e1790 + _e1750)))));
+phi_3409_ = type_29(_e1534, vec3<f32>((0.5f * _e1791), (0.5f * _e1793), (0.5f * _e1795)), vec3<f32>((0.25f * (_e1791 * (_e1630 + _e1590))), (0.25f * (_e1793 * (_e1710 + _e1670))), (0.25f * (_e1795 * (_e1790 + _e1750)))));
 }
 let _e1810 = phi_3409_;
 let _e1825 = select(0f, 1f, ((((((_e496 >= -0.5f) && (_e496 <= _e520)) && (_e502 >= -0.5f)) && (_e502 <= _e531)) && (_e508 >= -0.5f)) && (_e508 <= _e542)));
@@ -805,7 +805,7 @@ let _e1873 = global_5.member[_e352].member_6.member_1.member.member_2;
 let _e1880 = global_5.member[_e352].member_6.member_2.member.member;
 let _e1887 = global_5.member[_e352].member_6.member_2.member.member_1;
 let _e1894 = global_5.member[_e352].member_6.member_2.member.member_2;
-phi_4018_ = type_29(_e1428, vec3<f32>(((((_e1838 * _e1827) + (_e1859 * _e1829)) + (_e1880 * _e1831)) * _e1825), ((((_e1845 * _e1827) + (_e1866 * _e1829)) + (_e1887 * _e1831)) * _e1825), ((((_e1852 * _e1827) + (_e1873 * _e1829)) + (_e1894 * _e1831)) * _e1825)), _e1810.member, vec3<f32>(((((_e1838 * _e1810.member_2.x) + (_e1859 * _e1810.member_2.y)) + (_e1880 * _e1810.member_2.z)) * _e1825), ((((_e1845 * _e1810.member_2.x) + (_e1866 * _e1810.member_2.y)) + (_e1887 * _e1810.member_2.z)) * _e1825), ((((_e1852 * _e1810.member_2.x) + (_e1873 * _e1810.member_2.y)) + (_e1894 * _e1810.member_2.z)) * _e1825)), vec3<f32>(((((_e1838 * _e1810.member_1.x) + (_e1859 * _e1810.member_1.y)) + (_e1880 * _e1810.member_1.z)) * _e1825), ((((_e1845 * _e1810.member_1.x) + (_e1866 * _e1810.member_1.y)) + (_e1887 * _e1810.member_1.z)) * _e1825), ((((_e1852 * _e1810.member_1.x) + (_e1873 * _e1810.member_1.y)) + (_e1894 * _e1810.member_1.z)) * _e1825)));
+phi_4018_ = type_30(_e1428, vec3<f32>(((((_e1838 * _e1827) + (_e1859 * _e1829)) + (_e1880 * _e1831)) * _e1825), ((((_e1845 * _e1827) + (_e1866 * _e1829)) + (_e1887 * _e1831)) * _e1825), ((((_e1852 * _e1827) + (_e1873 * _e1829)) + (_e1894 * _e1831)) * _e1825)), _e1810.member, vec3<f32>(((((_e1838 * _e1810.member_2.x) + (_e1859 * _e1810.member_2.y)) + (_e1880 * _e1810.member_2.z)) * _e1825), ((((_e1845 * _e1810.member_2.x) + (_e1866 * _e1810.member_2.y)) + (_e1887 * _e1810.member_2.z)) * _e1825), ((((_e1852 * _e1810.member_2.x) + (_e1873 * _e1810.member_2.y)) + (_e1894 * _e1810.member_2.z)) * _e1825)), vec3<f32>(((((_e1838 * _e1810.member_1.x) + (_e1859 * _e1810.member_1.y)) + (_e1880 * _e1810.member_1.z)) * _e1825), ((((_e1845 * _e1810.member_1.x) + (_e1866 * _e1810.member_1.y)) + (_e1887 * _e1810.member_1.z)) * _e1825), ((((_e1852 * _e1810.member_1.x) + (_e1873 * _e1810.member_1.y)) + (_e1894 * _e1810.member_1.z)) * _e1825)));
 } else {
 let _e1960 = select(-1f, _e524, (_e524 > -1f));
 let _e1962 = select(_e519, _e1960, (_e1960 < _e519));
@@ -837,7 +837,7 @@ let _e2061 = (_e2055 + _e2008);
 let _e2063 = (_e2055 + (2i * _e2008));
 let _e2064 = (_e2057 + _e2013);
 let _e2066 = (_e2057 + (2i * _e2013));
-local_4 = type_27(array<i32, 4>(_e2052, (_e2052 + 1i), (_e2052 + 2i), (_e2052 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_28(array<i32, 4>(_e2052, (_e2052 + 1i), (_e2052 + 2i), (_e2052 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e524 - f32(_e1973)), (_e535 - f32(_e1988)), (_e546 - f32(_e2003)));
 let _e2077 = (_e2064 + _e2061);
 let _e2080 = local_4.member[1u];
@@ -893,7 +893,7 @@ let _e2199 = global_5.member[_e352].member_6.member_5;
 let _e2205 = global_5.member[_e352].member_6.member_6;
 let _e2206 = (((_e2135 + (((_e2160 + (((_e2171 + ((bitcast<f32>(_e2180) - _e2171) * _e2182)) - _e2160) * _e2186)) - _e2135) * _e2191)) * _e2199) + _e2205);
 let _e2208 = select(0f, _e2206, (_e2206 > 0f));
-phi_4018_ = type_29(select(1f, _e2208, (_e2208 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_4018_ = type_30(select(1f, _e2208, (_e2208 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2213 = phi_4018_;
 let _e2217 = select(-0.5f, _e458, (_e458 > -0.5f));
@@ -932,7 +932,7 @@ let _e2330 = (_e2324 + _e2277);
 let _e2332 = (_e2324 + (2i * _e2277));
 let _e2333 = (_e2326 + _e2282);
 let _e2335 = (_e2326 + (2i * _e2282));
-local_2 = type_27(array<i32, 4>(_e2321, (_e2321 + 1i), (_e2321 + 2i), (_e2321 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_28(array<i32, 4>(_e2321, (_e2321 + 1i), (_e2321 + 2i), (_e2321 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e2219 - f32(_e2242)), (_e2223 - f32(_e2257)), (_e2227 - f32(_e2272)));
 let _e2346 = (_e2333 + _e2330);
 let _e2349 = local_2.member[1u];
@@ -1169,7 +1169,7 @@ let _e3152 = ((_e3130 - (_e3148 * 0.6933594f)) - (_e3148 * -2.1219444e-4f));
 let _e3172 = ((1f + (_e3152 * (1f + (_e3152 * (0.5f + (_e3152 * (0.16666667f + (_e3152 * (0.041666668f + (_e3152 * (0.008333334f + (_e3152 * (0.001388889f + (_e3152 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3147 + 127i)) << bitcast<u32>(23i))));
 let _e3173 = (1f - _e3172);
 let _e3176 = (_e3173 / select(1e-12f, _e3122, (_e3122 > 1e-12f)));
-phi_6514_ = type_30(_e3172, _e3173, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e2967 + (((_e2972 + (((bitcast<f32>(((_e2954 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2972) * _e2916)) - _e2967) * _e2914)) * _e3176), ((_e3004 + (((_e3009 + (((bitcast<f32>((((_e2954 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3009) * _e2916)) - _e3004) * _e2914)) * _e3176), ((_e3069 + (((_e3074 + (((bitcast<f32>(((_e3056 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3074) * _e2916)) - _e3069) * _e2914)) * _e3176)));
+phi_6514_ = type_31(_e3172, _e3173, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e2967 + (((_e2972 + (((bitcast<f32>(((_e2954 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e2972) * _e2916)) - _e2967) * _e2914)) * _e3176), ((_e3004 + (((_e3009 + (((bitcast<f32>((((_e2954 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3009) * _e2916)) - _e3004) * _e2914)) * _e3176), ((_e3069 + (((_e3074 + (((bitcast<f32>(((_e3056 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3074) * _e2916)) - _e3069) * _e2914)) * _e3176)));
 } else {
 let _e3183 = (_e2480 * 255f);
 let _e3184 = (_e2213.member * 255f);
@@ -1299,7 +1299,7 @@ let _e3771 = ((_e3749 - (_e3767 * 0.6933594f)) - (_e3767 * -2.1219444e-4f));
 let _e3791 = ((1f + (_e3771 * (1f + (_e3771 * (0.5f + (_e3771 * (0.16666667f + (_e3771 * (0.041666668f + (_e3771 * (0.008333334f + (_e3771 * (0.001388889f + (_e3771 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3766 + 127i)) << bitcast<u32>(23i))));
 let _e3792 = (1f - _e3791);
 let _e3795 = (_e3792 / select(1e-12f, _e3288, (_e3288 > 1e-12f)));
-phi_6514_ = type_30(_e3791, _e3792, vec3<f32>(((1f + (_e3626 * (1f + (_e3626 * (0.5f + (_e3626 * (0.16666667f + (_e3626 * (0.041666668f + (_e3626 * (0.008333334f + (_e3626 * (0.001388889f + (_e3626 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3621 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3674 * (1f + (_e3674 * (0.5f + (_e3674 * (0.16666667f + (_e3674 * (0.041666668f + (_e3674 * (0.008333334f + (_e3674 * (0.001388889f + (_e3674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3669 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3722 * (1f + (_e3722 * (0.5f + (_e3722 * (0.16666667f + (_e3722 * (0.041666668f + (_e3722 * (0.008333334f + (_e3722 * (0.001388889f + (_e3722 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3717 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e3476 + (((_e3481 + (((bitcast<f32>(((_e3463 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3481) * _e3222)) - _e3476) * _e3220)) * _e3795), ((_e3513 + (((_e3518 + (((bitcast<f32>((((_e3463 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3518) * _e3222)) - _e3513) * _e3220)) * _e3795), ((_e3578 + (((_e3583 + (((bitcast<f32>(((_e3565 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3583) * _e3222)) - _e3578) * _e3220)) * _e3795)));
+phi_6514_ = type_31(_e3791, _e3792, vec3<f32>(((1f + (_e3626 * (1f + (_e3626 * (0.5f + (_e3626 * (0.16666667f + (_e3626 * (0.041666668f + (_e3626 * (0.008333334f + (_e3626 * (0.001388889f + (_e3626 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3621 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3674 * (1f + (_e3674 * (0.5f + (_e3674 * (0.16666667f + (_e3674 * (0.041666668f + (_e3674 * (0.008333334f + (_e3674 * (0.001388889f + (_e3674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3669 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e3722 * (1f + (_e3722 * (0.5f + (_e3722 * (0.16666667f + (_e3722 * (0.041666668f + (_e3722 * (0.008333334f + (_e3722 * (0.001388889f + (_e3722 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3717 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e3476 + (((_e3481 + (((bitcast<f32>(((_e3463 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3481) * _e3222)) - _e3476) * _e3220)) * _e3795), ((_e3513 + (((_e3518 + (((bitcast<f32>((((_e3463 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3518) * _e3222)) - _e3513) * _e3220)) * _e3795), ((_e3578 + (((_e3583 + (((bitcast<f32>(((_e3565 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3583) * _e3222)) - _e3578) * _e3220)) * _e3795)));
 }
 let _e3802 = phi_6514_;
 let _e3803 = select(0f, _e2556, _e442);
@@ -1309,7 +1309,7 @@ let _e3809 = (_e371 + (_e2858 * _e3803));
 if (_e729.member_2 == 3u) {
 let _e3815 = global_5.member[_e352].member_9.member_1;
 let _e3824 = global_5.member[_e352].member_9.member;
-phi_7497_ = type_34(vec3<f32>(_e3815.member, _e3815.member_1, _e3815.member_2), vec3<f32>(_e3824.member, _e3824.member_1, _e3824.member_2));
+phi_7497_ = type_25(vec3<f32>(_e3815.member, _e3815.member_1, _e3815.member_2), vec3<f32>(_e3824.member, _e3824.member_1, _e3824.member_2));
 } else {
 let _e3834 = global_5.member[_e352].member_8.member_8;
 let _e3835 = (_e3809 - _e3834);
@@ -1476,7 +1476,7 @@ let _e4415 = (_e4066.member + (select(0f, (_e4386 + (((_e4347 + ((f32((bitcast<i
 let _e4417 = (_e4066.member_1 + (select(0f, (_e4395 + (((_e4358 + ((select(_e4378, -(_e4378), ((_e4368 >> bitcast<u32>(31i)) != 0u)) - _e4358) * _e4129)) - _e4395) * _e4131)), _e4138) * _e4069));
 let _e4421 = (1f - ((_e4415 * _e4415) + (_e4417 * _e4417)));
 let _e4423 = select(1e-4f, _e4421, (_e4421 > 1e-4f));
-phi_7497_ = type_34((_e4283 * vec3<f32>(_e4408.member, _e4408.member_1, _e4408.member_2)), vec3<f32>(_e4415, _e4417, sqrt(select(0f, _e4423, (_e4423 > 0f)))));
+phi_7497_ = type_25((_e4283 * vec3<f32>(_e4408.member, _e4408.member_1, _e4408.member_2)), vec3<f32>(_e4415, _e4417, sqrt(select(0f, _e4423, (_e4423 > 0f)))));
 }
 let _e4430 = phi_7497_;
 let _e4439 = (((_e4430.member_1.x * _e4430.member_1.x) + (_e4430.member_1.y * _e4430.member_1.y)) + (_e4430.member_1.z * _e4430.member_1.z));

@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,73 +123,73 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 @group(0) @binding(2)
-var<storage> global_7: type_17;
+var<storage> global_7: type_16;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
-var local_8: type_27;
+var local_8: type_28;
 var local_9: vec3<f32>;
-var local_10: type_27;
+var local_10: type_28;
 var local_11: vec3<f32>;
 var phi_586_: u32;
 var phi_589_: bool;
 var phi_591_: array<f32, 18>;
-var phi_5023_: type_28;
-var phi_5669_: type_29;
+var phi_5023_: type_29;
+var phi_5669_: type_30;
 var phi_6748_: f32;
 var phi_7137_: type_5;
-var phi_8695_: type_30;
+var phi_8695_: type_31;
 var phi_9448_: vec3<f32>;
-var phi_9678_: type_34;
+var phi_9678_: type_25;
 var phi_9996_: vec3<f32>;
 var phi_10305_: f32;
 var phi_10306_: f32;
@@ -515,7 +515,7 @@ let _e1137 = (select(0i, _e1066, (_e1066 > 0i)) * _e1086);
 let _e1138 = (select(_e1099, _e1102, (_e1102 < _e1099)) * _e1086);
 let _e1139 = (select(0i, _e1081, (_e1081 > 0i)) * _e1091);
 let _e1140 = (select(_e1112, _e1115, (_e1115 < _e1112)) * _e1091);
-local_10 = type_27(array<i32, 4>(select(0i, _e1126, (_e1126 > 0i)), select(0i, _e1051, (_e1051 > 0i)), select(_e1125, _e1131, (_e1131 < _e1125)), select(_e1125, _e1134, (_e1134 < _e1125))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_10 = type_28(array<i32, 4>(select(0i, _e1126, (_e1126 > 0i)), select(0i, _e1051, (_e1051 > 0i)), select(_e1125, _e1131, (_e1131 < _e1125)), select(_e1125, _e1134, (_e1134 < _e1125))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_11 = vec3<f32>((_e531 - f32(_e1051)), (_e542 - f32(_e1066)), (_e553 - f32(_e1081)));
 let _e1151 = (_e1139 + _e1137);
 let _e1153 = (bitcast<i32>(_e123) - 1i);
@@ -606,7 +606,7 @@ let _e1403 = (select(0i, _e1369, (_e1369 > 0i)) * _e1341);
 let _e1404 = (select(0i, _e1331, (_e1331 > 0i)) * _e1341);
 let _e1405 = (select(_e1368, _e1374, (_e1374 < _e1368)) * _e1341);
 let _e1406 = (select(_e1368, _e1377, (_e1377 < _e1368)) * _e1341);
-local_8 = type_27(array<i32, 4>(select(0i, _e1388, (_e1388 > 0i)), select(0i, _e1301, (_e1301 > 0i)), select(_e1387, _e1393, (_e1393 < _e1387)), select(_e1387, _e1396, (_e1396 < _e1387))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_8 = type_28(array<i32, 4>(select(0i, _e1388, (_e1388 > 0i)), select(0i, _e1301, (_e1301 > 0i)), select(_e1387, _e1393, (_e1393 < _e1387)), select(_e1387, _e1396, (_e1396 < _e1387))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_9 = vec3<f32>((_e770 - f32(_e1301)), (_e781 - f32(_e1316)), (_e792 - f32(_e1331)));
 let _e1417 = (_e1404 + _e1400);
 let _e1420 = local_8.member[0u];
@@ -875,7 +875,7 @@ if _e1033 {
 let _e2046 = ((0.5f * (_e1944 - _e1938)) * _e2039);
 let _e2047 = ((0.5f * (_e1956 - _e1950)) * _e2039);
 let _e2048 = ((0.5f * (_e1968 - _e1962)) * _e2039);
-phi_5023_ = type_28(_e2038, vec3<f32>(_e2046, _e2047, _e2048), vec3<f32>((_e2046 * _e2038), (_e2047 * _e2038), (_e2048 * _e2038)));
+phi_5023_ = type_29(_e2038, vec3<f32>(_e2046, _e2047, _e2048), vec3<f32>((_e2046 * _e2038), (_e2047 * _e2038), (_e2048 * _e2038)));
 } else {
 let _e2055 = (_e1938 * 1024f);
 let _e2057 = select(0f, _e2055, (_e2055 > 0f));
@@ -934,7 +934,7 @@ let _e2294 = ((_e2023 + (f32(bitcast<i32>((_e2279 >> bitcast<u32>(12u)))) * _e20
 let _e2295 = (_e2134 - _e2094);
 let _e2297 = (_e2214 - _e2174);
 let _e2299 = (_e2294 - _e2254);
-phi_5023_ = type_28(_e2038, vec3<f32>((0.5f * _e2295), (0.5f * _e2297), (0.5f * _e2299)), vec3<f32>((0.25f * (_e2295 * (_e2134 + _e2094))), (0.25f * (_e2297 * (_e2214 + _e2174))), (0.25f * (_e2299 * (_e2294 + _e2254)))));
+phi_5023_ = type_29(_e2038, vec3<f32>((0.5f * _e2295), (0.5f * _e2297), (0.5f * _e2299)), vec3<f32>((0.25f * (_e2295 * (_e2134 + _e2094))), (0.25f * (_e2297 * (_e2214 + _e2174))), (0.25f * (_e2299 * (_e2294 + _e2254)))));
 }
 let _e2314 = phi_5023_;
 let _e2329 = select(0f, 1f, ((((((_e742 >= -0.5f) && (_e742 <= _e766)) && (_e748 >= -0.5f)) && (_e748 <= _e777)) && (_e754 >= -0.5f)) && (_e754 <= _e788)));
@@ -950,7 +950,7 @@ let _e2377 = global_5.member[_e359].member_7.member_1.member.member_2;
 let _e2384 = global_5.member[_e359].member_7.member_2.member.member;
 let _e2391 = global_5.member[_e359].member_7.member_2.member.member_1;
 let _e2398 = global_5.member[_e359].member_7.member_2.member.member_2;
-phi_5669_ = type_29(select(1f, _e1284, (_e1284 < 1f)), vec3<f32>(((((_e2342 * _e2331) + (_e2363 * _e2333)) + (_e2384 * _e2335)) * _e2329), ((((_e2349 * _e2331) + (_e2370 * _e2333)) + (_e2391 * _e2335)) * _e2329), ((((_e2356 * _e2331) + (_e2377 * _e2333)) + (_e2398 * _e2335)) * _e2329)), _e2314.member, vec3<f32>(((((_e2342 * _e2314.member_2.x) + (_e2363 * _e2314.member_2.y)) + (_e2384 * _e2314.member_2.z)) * _e2329), ((((_e2349 * _e2314.member_2.x) + (_e2370 * _e2314.member_2.y)) + (_e2391 * _e2314.member_2.z)) * _e2329), ((((_e2356 * _e2314.member_2.x) + (_e2377 * _e2314.member_2.y)) + (_e2398 * _e2314.member_2.z)) * _e2329)), vec3<f32>(((((_e2342 * _e2314.member_1.x) + (_e2363 * _e2314.member_1.y)) + (_e2384 * _e2314.member_1.z)) * _e2329), ((((_e2349 * _e2314.member_1.x) + (_e2370 * _e2314.member_1.y)) + (_e2391 * _e2314.member_1.z)) * _e2329), ((((_e2356 * _e2314.member_1.x) + (_e2377 * _e2314.member_1.y)) + (_e2398 * _e2314.member_1.z)) * _e2329)));
+phi_5669_ = type_30(select(1f, _e1284, (_e1284 < 1f)), vec3<f32>(((((_e2342 * _e2331) + (_e2363 * _e2333)) + (_e2384 * _e2335)) * _e2329), ((((_e2349 * _e2331) + (_e2370 * _e2333)) + (_e2391 * _e2335)) * _e2329), ((((_e2356 * _e2331) + (_e2377 * _e2333)) + (_e2398 * _e2335)) * _e2329)), _e2314.member, vec3<f32>(((((_e2342 * _e2314.member_2.x) + (_e2363 * _e2314.member_2.y)) + (_e2384 * _e2314.member_2.z)) * _e2329), ((((_e2349 * _e2314.member_2.x) + (_e2370 * _e2314.member_2.y)) + (_e2391 * _e2314.member_2.z)) * _e2329), ((((_e2356 * _e2314.member_2.x) + (_e2377 * _e2314.member_2.y)) + (_e2398 * _e2314.member_2.z)) * _e2329)), vec3<f32>(((((_e2342 * _e2314.member_1.x) + (_e2363 * _e2314.member_1.y)) + (_e2384 * _e2314.member_1.z)) * _e2329), ((((_e2349 * _e2314.member_1.x) + (_e2370 * _e2314.member_1.y)) + (_e2391 * _e2314.member_1.z)) * _e2329), ((((_e2356 * _e2314.member_1.x) + (_e2377 * _e2314.member_1.y)) + (_e2398 * _e2314.member_1.z)) * _e2329)));
 } else {
 let _e2464 = select(-1f, _e531, (_e531 > -1f));
 let _e2466 = select(_e526, _e2464, (_e2464 < _e526));
@@ -978,7 +978,7 @@ let _e2563 = (select(0i, _e2492, (_e2492 > 0i)) * _e2512);
 let _e2564 = (select(_e2525, _e2528, (_e2528 < _e2525)) * _e2512);
 let _e2565 = (select(0i, _e2507, (_e2507 > 0i)) * _e2517);
 let _e2566 = (select(_e2538, _e2541, (_e2541 < _e2538)) * _e2517);
-local_6 = type_27(array<i32, 4>(select(0i, _e2552, (_e2552 > 0i)), select(0i, _e2477, (_e2477 > 0i)), select(_e2551, _e2557, (_e2557 < _e2551)), select(_e2551, _e2560, (_e2560 < _e2551))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(select(0i, _e2552, (_e2552 > 0i)), select(0i, _e2477, (_e2477 > 0i)), select(_e2551, _e2557, (_e2557 < _e2551)), select(_e2551, _e2560, (_e2560 < _e2551))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e531 - f32(_e2477)), (_e542 - f32(_e2492)), (_e553 - f32(_e2507)));
 let _e2577 = (_e2565 + _e2563);
 let _e2580 = local_6.member[1u];
@@ -1035,7 +1035,7 @@ let _e2701 = global_5.member[_e359].member_6.member_5;
 let _e2707 = global_5.member[_e359].member_6.member_6;
 let _e2708 = (((_e2637 + (((_e2662 + (((_e2673 + ((bitcast<f32>(_e2682) - _e2673) * _e2684)) - _e2662) * _e2688)) - _e2637) * _e2693)) * _e2701) + _e2707);
 let _e2710 = select(0f, _e2708, (_e2708 > 0f));
-phi_5669_ = type_29(select(1f, _e2710, (_e2710 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_5669_ = type_30(select(1f, _e2710, (_e2710 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2715 = phi_5669_;
 let _e2719 = select(-0.5f, _e465, (_e465 > -0.5f));
@@ -1070,7 +1070,7 @@ let _e2830 = (select(0i, _e2759, (_e2759 > 0i)) * _e2779);
 let _e2831 = (select(_e2792, _e2795, (_e2795 < _e2792)) * _e2779);
 let _e2832 = (select(0i, _e2774, (_e2774 > 0i)) * _e2784);
 let _e2833 = (select(_e2805, _e2808, (_e2808 < _e2805)) * _e2784);
-local_4 = type_27(array<i32, 4>(select(0i, _e2819, (_e2819 > 0i)), select(0i, _e2744, (_e2744 > 0i)), select(_e2818, _e2824, (_e2824 < _e2818)), select(_e2818, _e2827, (_e2827 < _e2818))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_28(array<i32, 4>(select(0i, _e2819, (_e2819 > 0i)), select(0i, _e2744, (_e2744 > 0i)), select(_e2818, _e2824, (_e2824 < _e2818)), select(_e2818, _e2827, (_e2827 < _e2818))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e2721 - f32(_e2744)), (_e2725 - f32(_e2759)), (_e2729 - f32(_e2774)));
 let _e2844 = (_e2832 + _e2830);
 let _e2847 = local_4.member[1u];
@@ -1161,7 +1161,7 @@ let _e3093 = (select(0i, _e3022, (_e3022 > 0i)) * _e3042);
 let _e3094 = (select(_e3055, _e3058, (_e3058 < _e3055)) * _e3042);
 let _e3095 = (select(0i, _e3037, (_e3037 > 0i)) * _e3047);
 let _e3096 = (select(_e3068, _e3071, (_e3071 < _e3068)) * _e3047);
-local_2 = type_27(array<i32, 4>(select(0i, _e3082, (_e3082 > 0i)), select(0i, _e3007, (_e3007 > 0i)), select(_e3081, _e3087, (_e3087 < _e3081)), select(_e3081, _e3090, (_e3090 < _e3081))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_28(array<i32, 4>(select(0i, _e3082, (_e3082 > 0i)), select(0i, _e3007, (_e3007 > 0i)), select(_e3081, _e3087, (_e3087 < _e3081)), select(_e3081, _e3090, (_e3090 < _e3081))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e2984 - f32(_e3007)), (_e2988 - f32(_e3022)), (_e2992 - f32(_e3037)));
 let _e3107 = (_e3095 + _e3093);
 let _e3110 = local_2.member[1u];
@@ -1396,7 +1396,7 @@ let _e3914 = ((_e3892 - (_e3910 * 0.6933594f)) - (_e3910 * -2.1219444e-4f));
 let _e3934 = ((1f + (_e3914 * (1f + (_e3914 * (0.5f + (_e3914 * (0.16666667f + (_e3914 * (0.041666668f + (_e3914 * (0.008333334f + (_e3914 * (0.001388889f + (_e3914 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3909 + 127i)) << bitcast<u32>(23i))));
 let _e3935 = (1f - _e3934);
 let _e3938 = (_e3935 / select(1e-12f, _e3884, (_e3884 > 1e-12f)));
-phi_8695_ = type_30(_e3934, _e3935, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3729 + (((_e3734 + (((bitcast<f32>(((_e3716 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3734) * _e3678)) - _e3729) * _e3676)) * _e3938), ((_e3766 + (((_e3771 + (((bitcast<f32>((((_e3716 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3771) * _e3678)) - _e3766) * _e3676)) * _e3938), ((_e3831 + (((_e3836 + (((bitcast<f32>(((_e3818 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3836) * _e3678)) - _e3831) * _e3676)) * _e3938)));
+phi_8695_ = type_31(_e3934, _e3935, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3729 + (((_e3734 + (((bitcast<f32>(((_e3716 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3734) * _e3678)) - _e3729) * _e3676)) * _e3938), ((_e3766 + (((_e3771 + (((bitcast<f32>((((_e3716 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3771) * _e3678)) - _e3766) * _e3676)) * _e3938), ((_e3831 + (((_e3836 + (((bitcast<f32>(((_e3818 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3836) * _e3678)) - _e3831) * _e3676)) * _e3938)));
 } else {
 let _e3945 = (_e2980 * 255f);
 let _e3946 = (_e2715.member * 255f);
@@ -1526,7 +1526,7 @@ let _e4533 = ((_e4511 - (_e4529 * 0.6933594f)) - (_e4529 * -2.1219444e-4f));
 let _e4553 = ((1f + (_e4533 * (1f + (_e4533 * (0.5f + (_e4533 * (0.16666667f + (_e4533 * (0.041666668f + (_e4533 * (0.008333334f + (_e4533 * (0.001388889f + (_e4533 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4528 + 127i)) << bitcast<u32>(23i))));
 let _e4554 = (1f - _e4553);
 let _e4557 = (_e4554 / select(1e-12f, _e4050, (_e4050 > 1e-12f)));
-phi_8695_ = type_30(_e4553, _e4554, vec3<f32>(((1f + (_e4388 * (1f + (_e4388 * (0.5f + (_e4388 * (0.16666667f + (_e4388 * (0.041666668f + (_e4388 * (0.008333334f + (_e4388 * (0.001388889f + (_e4388 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4383 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4436 * (1f + (_e4436 * (0.5f + (_e4436 * (0.16666667f + (_e4436 * (0.041666668f + (_e4436 * (0.008333334f + (_e4436 * (0.001388889f + (_e4436 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4431 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4484 * (1f + (_e4484 * (0.5f + (_e4484 * (0.16666667f + (_e4484 * (0.041666668f + (_e4484 * (0.008333334f + (_e4484 * (0.001388889f + (_e4484 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4479 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4238 + (((_e4243 + (((bitcast<f32>(((_e4225 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4243) * _e3984)) - _e4238) * _e3982)) * _e4557), ((_e4275 + (((_e4280 + (((bitcast<f32>((((_e4225 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4280) * _e3984)) - _e4275) * _e3982)) * _e4557), ((_e4340 + (((_e4345 + (((bitcast<f32>(((_e4327 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4345) * _e3984)) - _e4340) * _e3982)) * _e4557)));
+phi_8695_ = type_31(_e4553, _e4554, vec3<f32>(((1f + (_e4388 * (1f + (_e4388 * (0.5f + (_e4388 * (0.16666667f + (_e4388 * (0.041666668f + (_e4388 * (0.008333334f + (_e4388 * (0.001388889f + (_e4388 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4383 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4436 * (1f + (_e4436 * (0.5f + (_e4436 * (0.16666667f + (_e4436 * (0.041666668f + (_e4436 * (0.008333334f + (_e4436 * (0.001388889f + (_e4436 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4431 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4484 * (1f + (_e4484 * (0.5f + (_e4484 * (0.16666667f + (_e4484 * (0.041666668f + (_e4484 * (0.008333334f + (_e4484 * (0.001388889f + (_e4484 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4479 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4238 + (((_e4243 + (((bitcast<f32>(((_e4225 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4243) * _e3984)) - _e4238) * _e3982)) * _e4557), ((_e4275 + (((_e4280 + (((bitcast<f32>((((_e4225 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4280) * _e3984)) - _e4275) * _e3982)) * _e4557), ((_e4340 + (((_e4345 + (((bitcast<f32>(((_e4327 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4345) * _e3984)) - _e4340) * _e3982)) * _e4557)));
 }
 let _e4564 = phi_8695_;
 let _e4565 = select(0f, _e3318, _e449);
@@ -1536,7 +1536,7 @@ let _e4571 = (_e378 + (_e3620 * _e4565));
 if (_e973.member_2 == 3u) {
 let _e4577 = global_5.member[_e359].member_9.member_1;
 let _e4586 = global_5.member[_e359].member_9.member;
-phi_9678_ = type_34(vec3<f32>(_e4577.member, _e4577.member_1, _e4577.member_2), vec3<f32>(_e4586.member, _e4586.member_1, _e4586.member_2));
+phi_9678_ = type_25(vec3<f32>(_e4577.member, _e4577.member_1, _e4577.member_2), vec3<f32>(_e4586.member, _e4586.member_1, _e4586.member_2));
 } else {
 let _e4596 = global_5.member[_e359].member_8.member_8;
 let _e4597 = (_e4571 - _e4596);
@@ -1703,7 +1703,7 @@ let _e5177 = (_e4828.member + (select(0f, (_e5148 + (((_e5109 + ((f32((bitcast<i
 let _e5179 = (_e4828.member_1 + (select(0f, (_e5157 + (((_e5120 + ((select(_e5140, -(_e5140), ((_e5130 >> bitcast<u32>(31i)) != 0u)) - _e5120) * _e4891)) - _e5157) * _e4893)), _e4900) * _e4831));
 let _e5183 = (1f - ((_e5177 * _e5177) + (_e5179 * _e5179)));
 let _e5185 = select(1e-4f, _e5183, (_e5183 > 1e-4f));
-phi_9678_ = type_34((_e5045 * vec3<f32>(_e5170.member, _e5170.member_1, _e5170.member_2)), vec3<f32>(_e5177, _e5179, sqrt(select(0f, _e5185, (_e5185 > 0f)))));
+phi_9678_ = type_25((_e5045 * vec3<f32>(_e5170.member, _e5170.member_1, _e5170.member_2)), vec3<f32>(_e5177, _e5179, sqrt(select(0f, _e5185, (_e5185 > 0f)))));
 }
 let _e5192 = phi_9678_;
 let _e5201 = (((_e5192.member_1.x * _e5192.member_1.x) + (_e5192.member_1.y * _e5192.member_1.y)) + (_e5192.member_1.z * _e5192.member_1.z));

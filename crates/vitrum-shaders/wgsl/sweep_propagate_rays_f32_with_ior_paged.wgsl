@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,73 +123,73 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 @group(0) @binding(2)
-var<storage> global_7: type_17;
+var<storage> global_7: type_16;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
-var local_8: type_27;
+var local_8: type_28;
 var local_9: vec3<f32>;
-var local_10: type_27;
+var local_10: type_28;
 var local_11: vec3<f32>;
 var phi_587_: u32;
 var phi_590_: bool;
 var phi_592_: array<f32, 18>;
-var phi_4902_: type_28;
-var phi_5511_: type_29;
+var phi_4902_: type_29;
+var phi_5511_: type_30;
 var phi_6516_: f32;
 var phi_6905_: type_5;
-var phi_8463_: type_30;
+var phi_8463_: type_31;
 var phi_9216_: vec3<f32>;
-var phi_9446_: type_34;
+var phi_9446_: type_25;
 var phi_9764_: vec3<f32>;
 var phi_10073_: f32;
 var phi_10074_: f32;
@@ -519,7 +519,7 @@ let _e1140 = (_e1134 + _e1087);
 let _e1142 = (_e1134 + (2i * _e1087));
 let _e1143 = (_e1136 + _e1092);
 let _e1145 = (_e1136 + (2i * _e1092));
-local_10 = type_27(array<i32, 4>(_e1131, (_e1131 + 1i), (_e1131 + 2i), (_e1131 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_28(array<i32, 4>(_e1131, (_e1131 + 1i), (_e1131 + 2i), (_e1131 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = vec3<f32>((_e532 - f32(_e1052)), (_e543 - f32(_e1067)), (_e554 - f32(_e1082)));
 let _e1156 = (_e1143 + _e1140);
 let _e1159 = local_10.member[1u];
@@ -607,7 +607,7 @@ let _e1396 = (_e1386 + (3i * _e1339));
 let _e1397 = (_e1388 + _e1344);
 let _e1399 = (_e1388 + (2i * _e1344));
 let _e1401 = (_e1388 + (3i * _e1344));
-local_8 = type_27(array<i32, 4>(_e1383, (_e1383 + 1i), (_e1383 + 2i), (_e1383 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_28(array<i32, 4>(_e1383, (_e1383 + 1i), (_e1383 + 2i), (_e1383 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = vec3<f32>((_e771 - f32(_e1304)), (_e782 - f32(_e1319)), (_e793 - f32(_e1334)));
 let _e1412 = (_e1397 + _e1392);
 let _e1415 = local_8.member[0u];
@@ -875,7 +875,7 @@ if _e1034 {
 let _e2039 = ((0.5f * (_e1937 - _e1931)) * _e2032);
 let _e2040 = ((0.5f * (_e1949 - _e1943)) * _e2032);
 let _e2041 = ((0.5f * (_e1961 - _e1955)) * _e2032);
-phi_4902_ = type_28(_e2031, vec3<f32>(_e2039, _e2040, _e2041), vec3<f32>((_e2039 * _e2031), (_e2040 * _e2031), (_e2041 * _e2031)));
+phi_4902_ = type_29(_e2031, vec3<f32>(_e2039, _e2040, _e2041), vec3<f32>((_e2039 * _e2031), (_e2040 * _e2031), (_e2041 * _e2031)));
 } else {
 let _e2048 = (_e1931 * 1024f);
 let _e2050 = select(0f, _e2048, (_e2048 > 0f));
@@ -934,7 +934,7 @@ let _e2287 = ((_e2016 + (f32(bitcast<i32>((_e2272 >> bitcast<u32>(12u)))) * _e20
 let _e2288 = (_e2127 - _e2087);
 let _e2290 = (_e2207 - _e2167);
 let _e2292 = (_e2287 - _e2247);
-phi_4902_ = type_28(_e2031, vec3<f32>((0.5f * _e2288), (0.5f * _e2290), (0.5f * _e2292)), vec3<f32>((0.25f * (_e2288 * (_e2127 + _e2087))), (0.25f * (_e2290 * (_e2207 + _e2167))), (0.25f * (_e2292 * (_e2287 + _e2247)))));
+phi_4902_ = type_29(_e2031, vec3<f32>((0.5f * _e2288), (0.5f * _e2290), (0.5f * _e2292)), vec3<f32>((0.25f * (_e2288 * (_e2127 + _e2087))), (0.25f * (_e2290 * (_e2207 + _e2167))), (0.25f * (_e2292 * (_e2287 + _e2247)))));
 }
 let _e2307 = phi_4902_;
 let _e2322 = select(0f, 1f, ((((((_e743 >= -0.5f) && (_e743 <= _e767)) && (_e749 >= -0.5f)) && (_e749 <= _e778)) && (_e755 >= -0.5f)) && (_e755 <= _e789)));
@@ -950,7 +950,7 @@ let _e2370 = global_5.member[_e360].member_7.member_1.member.member_2;
 let _e2377 = global_5.member[_e360].member_7.member_2.member.member;
 let _e2384 = global_5.member[_e360].member_7.member_2.member.member_1;
 let _e2391 = global_5.member[_e360].member_7.member_2.member.member_2;
-phi_5511_ = type_29(select(1f, _e1287, (_e1287 < 1f)), vec3<f32>(((((_e2335 * _e2324) + (_e2356 * _e2326)) + (_e2377 * _e2328)) * _e2322), ((((_e2342 * _e2324) + (_e2363 * _e2326)) + (_e2384 * _e2328)) * _e2322), ((((_e2349 * _e2324) + (_e2370 * _e2326)) + (_e2391 * _e2328)) * _e2322)), _e2307.member, vec3<f32>(((((_e2335 * _e2307.member_2.x) + (_e2356 * _e2307.member_2.y)) + (_e2377 * _e2307.member_2.z)) * _e2322), ((((_e2342 * _e2307.member_2.x) + (_e2363 * _e2307.member_2.y)) + (_e2384 * _e2307.member_2.z)) * _e2322), ((((_e2349 * _e2307.member_2.x) + (_e2370 * _e2307.member_2.y)) + (_e2391 * _e2307.member_2.z)) * _e2322)), vec3<f32>(((((_e2335 * _e2307.member_1.x) + (_e2356 * _e2307.member_1.y)) + (_e2377 * _e2307.member_1.z)) * _e2322), ((((_e2342 * _e2307.member_1.x) + (_e2363 * _e2307.member_1.y)) + (_e2384 * _e2307.member_1.z)) * _e2322), ((((_e2349 * _e2307.member_1.x) + (_e2370 * _e2307.member_1.y)) + (_e2391 * _e2307.member_1.z)) * _e2322)));
+phi_5511_ = type_30(select(1f, _e1287, (_e1287 < 1f)), vec3<f32>(((((_e2335 * _e2324) + (_e2356 * _e2326)) + (_e2377 * _e2328)) * _e2322), ((((_e2342 * _e2324) + (_e2363 * _e2326)) + (_e2384 * _e2328)) * _e2322), ((((_e2349 * _e2324) + (_e2370 * _e2326)) + (_e2391 * _e2328)) * _e2322)), _e2307.member, vec3<f32>(((((_e2335 * _e2307.member_2.x) + (_e2356 * _e2307.member_2.y)) + (_e2377 * _e2307.member_2.z)) * _e2322), ((((_e2342 * _e2307.member_2.x) + (_e2363 * _e2307.member_2.y)) + (_e2384 * _e2307.member_2.z)) * _e2322), ((((_e2349 * _e2307.member_2.x) + (_e2370 * _e2307.member_2.y)) + (_e2391 * _e2307.member_2.z)) * _e2322)), vec3<f32>(((((_e2335 * _e2307.member_1.x) + (_e2356 * _e2307.member_1.y)) + (_e2377 * _e2307.member_1.z)) * _e2322), ((((_e2342 * _e2307.member_1.x) + (_e2363 * _e2307.member_1.y)) + (_e2384 * _e2307.member_1.z)) * _e2322), ((((_e2349 * _e2307.member_1.x) + (_e2370 * _e2307.member_1.y)) + (_e2391 * _e2307.member_1.z)) * _e2322)));
 } else {
 let _e2457 = select(-1f, _e532, (_e532 > -1f));
 let _e2459 = select(_e527, _e2457, (_e2457 < _e527));
@@ -982,7 +982,7 @@ let _e2558 = (_e2552 + _e2505);
 let _e2560 = (_e2552 + (2i * _e2505));
 let _e2561 = (_e2554 + _e2510);
 let _e2563 = (_e2554 + (2i * _e2510));
-local_6 = type_27(array<i32, 4>(_e2549, (_e2549 + 1i), (_e2549 + 2i), (_e2549 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e2549, (_e2549 + 1i), (_e2549 + 2i), (_e2549 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e532 - f32(_e2470)), (_e543 - f32(_e2485)), (_e554 - f32(_e2500)));
 let _e2574 = (_e2561 + _e2558);
 let _e2577 = local_6.member[1u];
@@ -1038,7 +1038,7 @@ let _e2696 = global_5.member[_e360].member_6.member_5;
 let _e2702 = global_5.member[_e360].member_6.member_6;
 let _e2703 = (((_e2632 + (((_e2657 + (((_e2668 + ((bitcast<f32>(_e2677) - _e2668) * _e2679)) - _e2657) * _e2683)) - _e2632) * _e2688)) * _e2696) + _e2702);
 let _e2705 = select(0f, _e2703, (_e2703 > 0f));
-phi_5511_ = type_29(select(1f, _e2705, (_e2705 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_5511_ = type_30(select(1f, _e2705, (_e2705 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2710 = phi_5511_;
 let _e2714 = select(-0.5f, _e466, (_e466 > -0.5f));
@@ -1077,7 +1077,7 @@ let _e2827 = (_e2821 + _e2774);
 let _e2829 = (_e2821 + (2i * _e2774));
 let _e2830 = (_e2823 + _e2779);
 let _e2832 = (_e2823 + (2i * _e2779));
-local_4 = type_27(array<i32, 4>(_e2818, (_e2818 + 1i), (_e2818 + 2i), (_e2818 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_28(array<i32, 4>(_e2818, (_e2818 + 1i), (_e2818 + 2i), (_e2818 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e2716 - f32(_e2739)), (_e2720 - f32(_e2754)), (_e2724 - f32(_e2769)));
 let _e2843 = (_e2830 + _e2827);
 let _e2846 = local_4.member[1u];
@@ -1171,7 +1171,7 @@ let _e3092 = (_e3086 + _e3039);
 let _e3094 = (_e3086 + (2i * _e3039));
 let _e3095 = (_e3088 + _e3044);
 let _e3097 = (_e3088 + (2i * _e3044));
-local_2 = type_27(array<i32, 4>(_e3083, (_e3083 + 1i), (_e3083 + 2i), (_e3083 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_28(array<i32, 4>(_e3083, (_e3083 + 1i), (_e3083 + 2i), (_e3083 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e2981 - f32(_e3004)), (_e2985 - f32(_e3019)), (_e2989 - f32(_e3034)));
 let _e3108 = (_e3095 + _e3092);
 let _e3111 = local_2.member[1u];
@@ -1405,7 +1405,7 @@ let _e3913 = ((_e3891 - (_e3909 * 0.6933594f)) - (_e3909 * -2.1219444e-4f));
 let _e3933 = ((1f + (_e3913 * (1f + (_e3913 * (0.5f + (_e3913 * (0.16666667f + (_e3913 * (0.041666668f + (_e3913 * (0.008333334f + (_e3913 * (0.001388889f + (_e3913 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3908 + 127i)) << bitcast<u32>(23i))));
 let _e3934 = (1f - _e3933);
 let _e3937 = (_e3934 / select(1e-12f, _e3883, (_e3883 > 1e-12f)));
-phi_8463_ = type_30(_e3933, _e3934, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3728 + (((_e3733 + (((bitcast<f32>(((_e3715 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3733) * _e3677)) - _e3728) * _e3675)) * _e3937), ((_e3765 + (((_e3770 + (((bitcast<f32>((((_e3715 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3770) * _e3677)) - _e3765) * _e3675)) * _e3937), ((_e3830 + (((_e3835 + (((bitcast<f32>(((_e3817 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3835) * _e3677)) - _e3830) * _e3675)) * _e3937)));
+phi_8463_ = type_31(_e3933, _e3934, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3728 + (((_e3733 + (((bitcast<f32>(((_e3715 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3733) * _e3677)) - _e3728) * _e3675)) * _e3937), ((_e3765 + (((_e3770 + (((bitcast<f32>((((_e3715 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3770) * _e3677)) - _e3765) * _e3675)) * _e3937), ((_e3830 + (((_e3835 + (((bitcast<f32>(((_e3817 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3835) * _e3677)) - _e3830) * _e3675)) * _e3937)));
 } else {
 let _e3944 = (_e2977 * 255f);
 let _e3945 = (_e2710.member * 255f);
@@ -1535,7 +1535,7 @@ let _e4532 = ((_e4510 - (_e4528 * 0.6933594f)) - (_e4528 * -2.1219444e-4f));
 let _e4552 = ((1f + (_e4532 * (1f + (_e4532 * (0.5f + (_e4532 * (0.16666667f + (_e4532 * (0.041666668f + (_e4532 * (0.008333334f + (_e4532 * (0.001388889f + (_e4532 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4527 + 127i)) << bitcast<u32>(23i))));
 let _e4553 = (1f - _e4552);
 let _e4556 = (_e4553 / select(1e-12f, _e4049, (_e4049 > 1e-12f)));
-phi_8463_ = type_30(_e4552, _e4553, vec3<f32>(((1f + (_e4387 * (1f + (_e4387 * (0.5f + (_e4387 * (0.16666667f + (_e4387 * (0.041666668f + (_e4387 * (0.008333334f + (_e4387 * (0.001388889f + (_e4387 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4382 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4435 * (1f + (_e4435 * (0.5f + (_e4435 * (0.16666667f + (_e4435 * (0.041666668f + (_e4435 * (0.008333334f + (_e4435 * (0.001388889f + (_e4435 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4430 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4483 * (1f + (_e4483 * (0.5f + (_e4483 * (0.16666667f + (_e4483 * (0.041666668f + (_e4483 * (0.008333334f + (_e4483 * (0.001388889f + (_e4483 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4478 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4237 + (((_e4242 + (((bitcast<f32>(((_e4224 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4242) * _e3983)) - _e4237) * _e3981)) * _e4556), ((_e4274 + (((_e4279 + (((bitcast<f32>((((_e4224 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4279) * _e3983)) - _e4274) * _e3981)) * _e4556), ((_e4339 + (((_e4344 + (((bitcast<f32>(((_e4326 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4344) * _e3983)) - _e4339) * _e3981)) * _e4556)));
+phi_8463_ = type_31(_e4552, _e4553, vec3<f32>(((1f + (_e4387 * (1f + (_e4387 * (0.5f + (_e4387 * (0.16666667f + (_e4387 * (0.041666668f + (_e4387 * (0.008333334f + (_e4387 * (0.001388889f + (_e4387 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4382 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4435 * (1f + (_e4435 * (0.5f + (_e4435 * (0.16666667f + (_e4435 * (0.041666668f + (_e4435 * (0.008333334f + (_e4435 * (0.001388889f + (_e4435 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4430 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4483 * (1f + (_e4483 * (0.5f + (_e4483 * (0.16666667f + (_e4483 * (0.041666668f + (_e4483 * (0.008333334f + (_e4483 * (0.001388889f + (_e4483 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4478 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4237 + (((_e4242 + (((bitcast<f32>(((_e4224 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4242) * _e3983)) - _e4237) * _e3981)) * _e4556), ((_e4274 + (((_e4279 + (((bitcast<f32>((((_e4224 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4279) * _e3983)) - _e4274) * _e3981)) * _e4556), ((_e4339 + (((_e4344 + (((bitcast<f32>(((_e4326 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4344) * _e3983)) - _e4339) * _e3981)) * _e4556)));
 }
 let _e4563 = phi_8463_;
 let _e4564 = select(0f, _e3317, _e450);
@@ -1545,7 +1545,7 @@ let _e4570 = (_e379 + (_e3619 * _e4564));
 if (_e974.member_2 == 3u) {
 let _e4576 = global_5.member[_e360].member_9.member_1;
 let _e4585 = global_5.member[_e360].member_9.member;
-phi_9446_ = type_34(vec3<f32>(_e4576.member, _e4576.member_1, _e4576.member_2), vec3<f32>(_e4585.member, _e4585.member_1, _e4585.member_2));
+phi_9446_ = type_25(vec3<f32>(_e4576.member, _e4576.member_1, _e4576.member_2), vec3<f32>(_e4585.member, _e4585.member_1, _e4585.member_2));
 } else {
 let _e4595 = global_5.member[_e360].member_8.member_8;
 let _e4596 = (_e4570 - _e4595);
@@ -1712,7 +1712,7 @@ let _e5176 = (_e4827.member + (select(0f, (_e5147 + (((_e5108 + ((f32((bitcast<i
 let _e5178 = (_e4827.member_1 + (select(0f, (_e5156 + (((_e5119 + ((select(_e5139, -(_e5139), ((_e5129 >> bitcast<u32>(31i)) != 0u)) - _e5119) * _e4890)) - _e5156) * _e4892)), _e4899) * _e4830));
 let _e5182 = (1f - ((_e5176 * _e5176) + (_e5178 * _e5178)));
 let _e5184 = select(1e-4f, _e5182, (_e5182 > 1e-4f));
-phi_9446_ = type_34((_e5044 * vec3<f32>(_e5169.member, _e5169.member_1, _e5169.member_2)), vec3<f32>(_e5176, _e5178, sqrt(select(0f, _e5184, (_e5184 > 0f)))));
+phi_9446_ = type_25((_e5044 * vec3<f32>(_e5169.member, _e5169.member_1, _e5169.member_2)), vec3<f32>(_e5176, _e5178, sqrt(select(0f, _e5184, (_e5184 > 0f)))));
 }
 let _e5191 = phi_9446_;
 let _e5200 = (((_e5191.member_1.x * _e5191.member_1.x) + (_e5191.member_1.y * _e5191.member_1.y)) + (_e5191.member_1.z * _e5191.member_1.z));

@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,67 +123,67 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var phi_580_: u32;
 var phi_583_: bool;
 var phi_585_: array<f32, 18>;
-var phi_3878_: type_28;
-var phi_4656_: type_29;
+var phi_3878_: type_29;
+var phi_4656_: type_30;
 var phi_5374_: f32;
 var phi_5763_: type_5;
-var phi_7321_: type_30;
+var phi_7321_: type_31;
 var phi_8074_: vec3<f32>;
-var phi_8304_: type_34;
+var phi_8304_: type_25;
 var phi_8622_: vec3<f32>;
 var phi_8931_: f32;
 var phi_8932_: f32;
@@ -472,7 +472,7 @@ let _e934 = (select(0i, _e873, (_e873 > 0i)) * _e845);
 let _e935 = (select(0i, _e835, (_e835 > 0i)) * _e845);
 let _e936 = (select(_e872, _e878, (_e878 < _e872)) * _e845);
 let _e937 = (select(_e872, _e881, (_e881 < _e872)) * _e845);
-local_6 = type_27(array<i32, 4>(_e907, _e909, _e911, 0i), array<u32, 6>(bitcast<u32>(((_e894 - _e907) * 16i)), bitcast<u32>(((_e896 - _e907) * 16i)), bitcast<u32>(((_e896 - _e909) * 16i)), bitcast<u32>(((_e899 - _e909) * 16i)), bitcast<u32>(((_e899 - _e911) * 16i)), bitcast<u32>(((select(_e891, _e900, (_e900 < _e891)) - _e911) * 16i))));
+local_6 = type_28(array<i32, 4>(_e907, _e909, _e911, 0i), array<u32, 6>(bitcast<u32>(((_e894 - _e907) * 16i)), bitcast<u32>(((_e896 - _e907) * 16i)), bitcast<u32>(((_e896 - _e909) * 16i)), bitcast<u32>(((_e899 - _e909) * 16i)), bitcast<u32>(((_e899 - _e911) * 16i)), bitcast<u32>(((select(_e891, _e900, (_e900 < _e891)) - _e911) * 16i))));
 local_7 = vec3<f32>((_e522 - f32(_e805)), (_e533 - f32(_e820)), (_e544 - f32(_e835)));
 let _e949 = (_e935 + _e931);
 let _e952 = local_6.member[0u];
@@ -798,7 +798,7 @@ if _e787 {
 let _e2004 = ((0.5f * (_e1902 - _e1896)) * _e1997);
 let _e2005 = ((0.5f * (_e1914 - _e1908)) * _e1997);
 let _e2006 = ((0.5f * (_e1926 - _e1920)) * _e1997);
-phi_3878_ = type_28(_e1996, vec3<f32>(_e2004, _e2005, _e2006), vec3<f32>((_e2004 * _e1996), (_e2005 * _e1996), (_e2006 * _e1996)));
+phi_3878_ = type_29(_e1996, vec3<f32>(_e2004, _e2005, _e2006), vec3<f32>((_e2004 * _e1996), (_e2005 * _e1996), (_e2006 * _e1996)));
 } else {
 let _e2013 = (_e1896 * 1024f);
 let _e2015 = select(0f, _e2013, (_e2013 > 0f));
@@ -857,7 +857,7 @@ let _e2252 = ((_e1981 + (f32(bitcast<i32>((_e2237 >> bitcast<u32>(12u)))) * _e19
 let _e2253 = (_e2092 - _e2052);
 let _e2255 = (_e2172 - _e2132);
 let _e2257 = (_e2252 - _e2212);
-phi_3878_ = type_28(_e1996, vec3<f32>((0.5f * _e2253), (0.5f * _e2255), (0.5f * _e2257)), vec3<f32>((0.25f * (_e2253 * (_e2092 + _e2052))), (0.25f * (_e2255 * (_e2172 + _e2132))), (0.25f * (_e2257 * (_e2252 + _e2212)))));
+phi_3878_ = type_29(_e1996, vec3<f32>((0.5f * _e2253), (0.5f * _e2255), (0.5f * _e2257)), vec3<f32>((0.25f * (_e2253 * (_e2092 + _e2052))), (0.25f * (_e2255 * (_e2172 + _e2132))), (0.25f * (_e2257 * (_e2252 + _e2212)))));
 }
 let _e2272 = phi_3878_;
 let _e2287 = select(0f, 1f, ((((((_e494 >= -0.5f) && (_e494 <= _e518)) && (_e500 >= -0.5f)) && (_e500 <= _e529)) && (_e506 >= -0.5f)) && (_e506 <= _e540)));
@@ -873,7 +873,7 @@ let _e2335 = global_5.member[_e350].member_6.member_1.member.member_2;
 let _e2342 = global_5.member[_e350].member_6.member_2.member.member;
 let _e2349 = global_5.member[_e350].member_6.member_2.member.member_1;
 let _e2356 = global_5.member[_e350].member_6.member_2.member.member_2;
-phi_4656_ = type_29(_e1890, vec3<f32>(((((_e2300 * _e2289) + (_e2321 * _e2291)) + (_e2342 * _e2293)) * _e2287), ((((_e2307 * _e2289) + (_e2328 * _e2291)) + (_e2349 * _e2293)) * _e2287), ((((_e2314 * _e2289) + (_e2335 * _e2291)) + (_e2356 * _e2293)) * _e2287)), _e2272.member, vec3<f32>(((((_e2300 * _e2272.member_2.x) + (_e2321 * _e2272.member_2.y)) + (_e2342 * _e2272.member_2.z)) * _e2287), ((((_e2307 * _e2272.member_2.x) + (_e2328 * _e2272.member_2.y)) + (_e2349 * _e2272.member_2.z)) * _e2287), ((((_e2314 * _e2272.member_2.x) + (_e2335 * _e2272.member_2.y)) + (_e2356 * _e2272.member_2.z)) * _e2287)), vec3<f32>(((((_e2300 * _e2272.member_1.x) + (_e2321 * _e2272.member_1.y)) + (_e2342 * _e2272.member_1.z)) * _e2287), ((((_e2307 * _e2272.member_1.x) + (_e2328 * _e2272.member_1.y)) + (_e2349 * _e2272.member_1.z)) * _e2287), ((((_e2314 * _e2272.member_1.x) + (_e2335 * _e2272.member_1.y)) + (_e2356 * _e2272.member_1.z)) * _e2287)));
+phi_4656_ = type_30(_e1890, vec3<f32>(((((_e2300 * _e2289) + (_e2321 * _e2291)) + (_e2342 * _e2293)) * _e2287), ((((_e2307 * _e2289) + (_e2328 * _e2291)) + (_e2349 * _e2293)) * _e2287), ((((_e2314 * _e2289) + (_e2335 * _e2291)) + (_e2356 * _e2293)) * _e2287)), _e2272.member, vec3<f32>(((((_e2300 * _e2272.member_2.x) + (_e2321 * _e2272.member_2.y)) + (_e2342 * _e2272.member_2.z)) * _e2287), ((((_e2307 * _e2272.member_2.x) + (_e2328 * _e2272.member_2.y)) + (_e2349 * _e2272.member_2.z)) * _e2287), ((((_e2314 * _e2272.member_2.x) + (_e2335 * _e2272.member_2.y)) + (_e2356 * _e2272.member_2.z)) * _e2287)), vec3<f32>(((((_e2300 * _e2272.member_1.x) + (_e2321 * _e2272.member_1.y)) + (_e2342 * _e2272.member_1.z)) * _e2287), ((((_e2307 * _e2272.member_1.x) + (_e2328 * _e2272.member_1.y)) + (_e2349 * _e2272.member_1.z)) * _e2287), ((((_e2314 * _e2272.member_1.x) + (_e2335 * _e2272.member_1.y)) + (_e2356 * _e2272.member_1.z)) * _e2287)));
 } else {
 let _e2422 = select(-1f, _e522, (_e522 > -1f));
 let _e2424 = select(_e517, _e2422, (_e2422 < _e517));
@@ -910,7 +910,7 @@ let _e2548 = (select(0i, _e2450, (_e2450 > 0i)) * _e2470);
 let _e2549 = (select(_e2483, _e2486, (_e2486 < _e2483)) * _e2470);
 let _e2550 = (select(0i, _e2465, (_e2465 > 0i)) * _e2475);
 let _e2551 = (select(_e2496, _e2499, (_e2499 < _e2496)) * _e2475);
-local_4 = type_27(array<i32, 4>(_e2525, _e2527, _e2529, 0i), array<u32, 6>(bitcast<u32>(((_e2512 - _e2525) * 16i)), bitcast<u32>(((_e2514 - _e2525) * 16i)), bitcast<u32>(((_e2514 - _e2527) * 16i)), bitcast<u32>(((_e2517 - _e2527) * 16i)), bitcast<u32>(((_e2517 - _e2529) * 16i)), bitcast<u32>(((select(_e2509, _e2518, (_e2518 < _e2509)) - _e2529) * 16i))));
+local_4 = type_28(array<i32, 4>(_e2525, _e2527, _e2529, 0i), array<u32, 6>(bitcast<u32>(((_e2512 - _e2525) * 16i)), bitcast<u32>(((_e2514 - _e2525) * 16i)), bitcast<u32>(((_e2514 - _e2527) * 16i)), bitcast<u32>(((_e2517 - _e2527) * 16i)), bitcast<u32>(((_e2517 - _e2529) * 16i)), bitcast<u32>(((select(_e2509, _e2518, (_e2518 < _e2509)) - _e2529) * 16i))));
 local_5 = vec3<f32>((_e522 - f32(_e2435)), (_e533 - f32(_e2450)), (_e544 - f32(_e2465)));
 let _e2566 = local_4.member[1u];
 let _e2567 = ((_e2550 + _e2548) + _e2566);
@@ -979,7 +979,7 @@ let _e2793 = global_5.member[_e350].member_6.member_5;
 let _e2799 = global_5.member[_e350].member_6.member_6;
 let _e2800 = (((_e2677 + (((_e2728 + (((_e2768 + ((f32(bitcast<i32>(((_e2761 >> bitcast<u32>((_e2769 & 31u))) & 65535u))) - _e2768) * _e2776)) - _e2728) * _e2780)) - _e2677) * _e2785)) * _e2793) + _e2799);
 let _e2802 = select(0f, _e2800, (_e2800 > 0f));
-phi_4656_ = type_29(select(1f, _e2802, (_e2802 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_4656_ = type_30(select(1f, _e2802, (_e2802 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2807 = phi_4656_;
 let _e2811 = select(-0.5f, _e456, (_e456 > -0.5f));
@@ -1023,7 +1023,7 @@ let _e2949 = (select(0i, _e2851, (_e2851 > 0i)) * _e2871);
 let _e2950 = (select(_e2884, _e2887, (_e2887 < _e2884)) * _e2871);
 let _e2951 = (select(0i, _e2866, (_e2866 > 0i)) * _e2876);
 let _e2952 = (select(_e2897, _e2900, (_e2900 < _e2897)) * _e2876);
-local_2 = type_27(array<i32, 4>(_e2926, _e2928, _e2930, 0i), array<u32, 6>(bitcast<u32>(((_e2913 - _e2926) * 16i)), bitcast<u32>(((_e2915 - _e2926) * 16i)), bitcast<u32>(((_e2915 - _e2928) * 16i)), bitcast<u32>(((_e2918 - _e2928) * 16i)), bitcast<u32>(((_e2918 - _e2930) * 16i)), bitcast<u32>(((select(_e2910, _e2919, (_e2919 < _e2910)) - _e2930) * 16i))));
+local_2 = type_28(array<i32, 4>(_e2926, _e2928, _e2930, 0i), array<u32, 6>(bitcast<u32>(((_e2913 - _e2926) * 16i)), bitcast<u32>(((_e2915 - _e2926) * 16i)), bitcast<u32>(((_e2915 - _e2928) * 16i)), bitcast<u32>(((_e2918 - _e2928) * 16i)), bitcast<u32>(((_e2918 - _e2930) * 16i)), bitcast<u32>(((select(_e2910, _e2919, (_e2919 < _e2910)) - _e2930) * 16i))));
 local_3 = vec3<f32>((_e2813 - f32(_e2836)), (_e2817 - f32(_e2851)), (_e2821 - f32(_e2866)));
 let _e2967 = local_2.member[1u];
 let _e2968 = ((_e2951 + _e2949) + _e2967);
@@ -1273,7 +1273,7 @@ let _e3878 = ((_e3856 - (_e3874 * 0.6933594f)) - (_e3874 * -2.1219444e-4f));
 let _e3898 = ((1f + (_e3878 * (1f + (_e3878 * (0.5f + (_e3878 * (0.16666667f + (_e3878 * (0.041666668f + (_e3878 * (0.008333334f + (_e3878 * (0.001388889f + (_e3878 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3873 + 127i)) << bitcast<u32>(23i))));
 let _e3899 = (1f - _e3898);
 let _e3902 = (_e3899 / select(1e-12f, _e3848, (_e3848 > 1e-12f)));
-phi_7321_ = type_30(_e3898, _e3899, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3693 + (((_e3698 + (((bitcast<f32>(((_e3680 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3698) * _e3642)) - _e3693) * _e3640)) * _e3902), ((_e3730 + (((_e3735 + (((bitcast<f32>((((_e3680 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3735) * _e3642)) - _e3730) * _e3640)) * _e3902), ((_e3795 + (((_e3800 + (((bitcast<f32>(((_e3782 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3800) * _e3642)) - _e3795) * _e3640)) * _e3902)));
+phi_7321_ = type_31(_e3898, _e3899, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3693 + (((_e3698 + (((bitcast<f32>(((_e3680 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3698) * _e3642)) - _e3693) * _e3640)) * _e3902), ((_e3730 + (((_e3735 + (((bitcast<f32>((((_e3680 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3735) * _e3642)) - _e3730) * _e3640)) * _e3902), ((_e3795 + (((_e3800 + (((bitcast<f32>(((_e3782 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3800) * _e3642)) - _e3795) * _e3640)) * _e3902)));
 } else {
 let _e3909 = (_e3206 * 255f);
 let _e3910 = (_e2807.member * 255f);
@@ -1403,7 +1403,7 @@ let _e4497 = ((_e4475 - (_e4493 * 0.6933594f)) - (_e4493 * -2.1219444e-4f));
 let _e4517 = ((1f + (_e4497 * (1f + (_e4497 * (0.5f + (_e4497 * (0.16666667f + (_e4497 * (0.041666668f + (_e4497 * (0.008333334f + (_e4497 * (0.001388889f + (_e4497 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4492 + 127i)) << bitcast<u32>(23i))));
 let _e4518 = (1f - _e4517);
 let _e4521 = (_e4518 / select(1e-12f, _e4014, (_e4014 > 1e-12f)));
-phi_7321_ = type_30(_e4517, _e4518, vec3<f32>(((1f + (_e4352 * (1f + (_e4352 * (0.5f + (_e4352 * (0.16666667f + (_e4352 * (0.041666668f + (_e4352 * (0.008333334f + (_e4352 * (0.001388889f + (_e4352 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4347 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4400 * (1f + (_e4400 * (0.5f + (_e4400 * (0.16666667f + (_e4400 * (0.041666668f + (_e4400 * (0.008333334f + (_e4400 * (0.001388889f + (_e4400 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4395 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4448 * (1f + (_e4448 * (0.5f + (_e4448 * (0.16666667f + (_e4448 * (0.041666668f + (_e4448 * (0.008333334f + (_e4448 * (0.001388889f + (_e4448 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4443 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4202 + (((_e4207 + (((bitcast<f32>(((_e4189 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4207) * _e3948)) - _e4202) * _e3946)) * _e4521), ((_e4239 + (((_e4244 + (((bitcast<f32>((((_e4189 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4244) * _e3948)) - _e4239) * _e3946)) * _e4521), ((_e4304 + (((_e4309 + (((bitcast<f32>(((_e4291 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4309) * _e3948)) - _e4304) * _e3946)) * _e4521)));
+phi_7321_ = type_31(_e4517, _e4518, vec3<f32>(((1f + (_e4352 * (1f + (_e4352 * (0.5f + (_e4352 * (0.16666667f + (_e4352 * (0.041666668f + (_e4352 * (0.008333334f + (_e4352 * (0.001388889f + (_e4352 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4347 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4400 * (1f + (_e4400 * (0.5f + (_e4400 * (0.16666667f + (_e4400 * (0.041666668f + (_e4400 * (0.008333334f + (_e4400 * (0.001388889f + (_e4400 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4395 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4448 * (1f + (_e4448 * (0.5f + (_e4448 * (0.16666667f + (_e4448 * (0.041666668f + (_e4448 * (0.008333334f + (_e4448 * (0.001388889f + (_e4448 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4443 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4202 + (((_e4207 + (((bitcast<f32>(((_e4189 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4207) * _e3948)) - _e4202) * _e3946)) * _e4521), ((_e4239 + (((_e4244 + (((bitcast<f32>((((_e4189 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4244) * _e3948)) - _e4239) * _e3946)) * _e4521), ((_e4304 + (((_e4309 + (((bitcast<f32>(((_e4291 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4309) * _e3948)) - _e4304) * _e3946)) * _e4521)));
 }
 let _e4528 = phi_7321_;
 let _e4529 = select(0f, _e3282, _e440);
@@ -1413,7 +1413,7 @@ let _e4535 = (_e369 + (_e3584 * _e4529));
 if (_e727.member_2 == 3u) {
 let _e4541 = global_5.member[_e350].member_9.member_1;
 let _e4550 = global_5.member[_e350].member_9.member;
-phi_8304_ = type_34(vec3<f32>(_e4541.member, _e4541.member_1, _e4541.member_2), vec3<f32>(_e4550.member, _e4550.member_1, _e4550.member_2));
+phi_8304_ = type_25(vec3<f32>(_e4541.member, _e4541.member_1, _e4541.member_2), vec3<f32>(_e4550.member, _e4550.member_1, _e4550.member_2));
 } else {
 let _e4560 = global_5.member[_e350].member_8.member_8;
 let _e4561 = (_e4535 - _e4560);
@@ -1580,7 +1580,7 @@ let _e5141 = (_e4792.member + (select(0f, (_e5112 + (((_e5073 + ((f32((bitcast<i
 let _e5143 = (_e4792.member_1 + (select(0f, (_e5121 + (((_e5084 + ((select(_e5104, -(_e5104), ((_e5094 >> bitcast<u32>(31i)) != 0u)) - _e5084) * _e4855)) - _e5121) * _e4857)), _e4864) * _e4795));
 let _e5147 = (1f - ((_e5141 * _e5141) + (_e5143 * _e5143)));
 let _e5149 = select(1e-4f, _e5147, (_e5147 > 1e-4f));
-phi_8304_ = type_34((_e5009 * vec3<f32>(_e5134.member, _e5134.member_1, _e5134.member_2)), vec3<f32>(_e5141, _e5143, sqrt(select(0f, _e5149, (_e5149 > 0f)))));
+phi_8304_ = type_25((_e5009 * vec3<f32>(_e5134.member, _e5134.member_1, _e5134.member_2)), vec3<f32>(_e5141, _e5143, sqrt(select(0f, _e5149, (_e5149 > 0f)))));
 }
 let _e5156 = phi_8304_;
 let _e5165 = (((_e5156.member_1.x * _e5156.member_1.x) + (_e5156.member_1.y * _e5156.member_1.y)) + (_e5156.member_1.z * _e5156.member_1.z));

@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,67 +123,67 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var phi_582_: u32;
 var phi_585_: bool;
 var phi_587_: array<f32, 18>;
-var phi_3779_: type_28;
-var phi_4480_: type_29;
+var phi_3779_: type_29;
+var phi_4480_: type_30;
 var phi_5121_: f32;
 var phi_5510_: type_5;
-var phi_7068_: type_30;
+var phi_7068_: type_31;
 var phi_7821_: vec3<f32>;
-var phi_8051_: type_34;
+var phi_8051_: type_25;
 var phi_8369_: vec3<f32>;
 var phi_8678_: f32;
 var phi_8679_: f32;
@@ -461,7 +461,7 @@ let _e899 = (_e889 + (3i * _e842));
 let _e900 = (_e891 + _e847);
 let _e902 = (_e891 + (2i * _e847));
 let _e904 = (_e891 + (3i * _e847));
-local_6 = type_27(array<i32, 4>(_e886, (_e886 + 1i), (_e886 + 2i), (_e886 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e886, (_e886 + 1i), (_e886 + 2i), (_e886 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e524 - f32(_e807)), (_e535 - f32(_e822)), (_e546 - f32(_e837)));
 let _e915 = (_e900 + _e895);
 let _e918 = local_6.member[0u];
@@ -786,7 +786,7 @@ if _e789 {
 let _e1968 = ((0.5f * (_e1866 - _e1860)) * _e1961);
 let _e1969 = ((0.5f * (_e1878 - _e1872)) * _e1961);
 let _e1970 = ((0.5f * (_e1890 - _e1884)) * _e1961);
-phi_3779_ = type_28(_e1960, vec3<f32>(_e1968, _e1969, _e1970), vec3<f32>((_e1968 * _e1960), (_e1969 * _e1960), (_e1970 * _e1960)));
+phi_3779_ = type_29(_e1960, vec3<f32>(_e1968, _e1969, _e1970), vec3<f32>((_e1968 * _e1960), (_e1969 * _e1960), (_e1970 * _e1960)));
 } else {
 let _e1977 = (_e1860 * 1024f);
 let _e1979 = select(0f, _e1977, (_e1977 > 0f));
@@ -845,7 +845,7 @@ let _e2216 = ((_e1945 + (f32(bitcast<i32>((_e2201 >> bitcast<u32>(12u)))) * _e19
 let _e2217 = (_e2056 - _e2016);
 let _e2219 = (_e2136 - _e2096);
 let _e2221 = (_e2216 - _e2176);
-phi_3779_ = type_28(_e1960, vec3<f32>((0.5f * _e2217), (0.5f * _e2219), (0.5f * _e2221)), vec3<f32>((0.25f * (_e2217 * (_e2056 + _e2016))), (0.25f * (_e2219 * (_e2136 + _e2096))), (0.25f * (_e2221 * (_e2216 + _e2176)))));
+phi_3779_ = type_29(_e1960, vec3<f32>((0.5f * _e2217), (0.5f * _e2219), (0.5f * _e2221)), vec3<f32>((0.25f * (_e2217 * (_e2056 + _e2016))), (0.25f * (_e2219 * (_e2136 + _e2096))), (0.25f * (_e2221 * (_e2216 + _e2176)))));
 }
 let _e2236 = phi_3779_;
 let _e2251 = select(0f, 1f, ((((((_e496 >= -0.5f) && (_e496 <= _e520)) && (_e502 >= -0.5f)) && (_e502 <= _e531)) && (_e508 >= -0.5f)) && (_e508 <= _e542)));
@@ -861,7 +861,7 @@ let _e2299 = global_5.member[_e352].member_6.member_1.member.member_2;
 let _e2306 = global_5.member[_e352].member_6.member_2.member.member;
 let _e2313 = global_5.member[_e352].member_6.member_2.member.member_1;
 let _e2320 = global_5.member[_e352].member_6.member_2.member.member_2;
-phi_4480_ = type_29(_e1854, vec3<f32>(((((_e2264 * _e2253) + (_e2285 * _e2255)) + (_e2306 * _e2257)) * _e2251), ((((_e2271 * _e2253) + (_e2292 * _e2255)) + (_e2313 * _e2257)) * _e2251), ((((_e2278 * _e2253) + (_e2299 * _e2255)) + (_e2320 * _e2257)) * _e2251)), _e2236.member, vec3<f32>(((((_e2264 * _e2236.member_2.x) + (_e2285 * _e2236.member_2.y)) + (_e2306 * _e2236.member_2.z)) * _e2251), ((((_e2271 * _e2236.member_2.x) + (_e2292 * _e2236.member_2.y)) + (_e2313 * _e2236.member_2.z)) * _e2251), ((((_e2278 * _e2236.member_2.x) + (_e2299 * _e2236.member_2.y)) + (_e2320 * _e2236.member_2.z)) * _e2251)), vec3<f32>(((((_e2264 * _e2236.member_1.x) + (_e2285 * _e2236.member_1.y)) + (_e2306 * _e2236.member_1.z)) * _e2251), ((((_e2271 * _e2236.member_1.x) + (_e2292 * _e2236.member_1.y)) + (_e2313 * _e2236.member_1.z)) * _e2251), ((((_e2278 * _e2236.member_1.x) + (_e2299 * _e2236.member_1.y)) + (_e2320 * _e2236.member_1.z)) * _e2251)));
+phi_4480_ = type_30(_e1854, vec3<f32>(((((_e2264 * _e2253) + (_e2285 * _e2255)) + (_e2306 * _e2257)) * _e2251), ((((_e2271 * _e2253) + (_e2292 * _e2255)) + (_e2313 * _e2257)) * _e2251), ((((_e2278 * _e2253) + (_e2299 * _e2255)) + (_e2320 * _e2257)) * _e2251)), _e2236.member, vec3<f32>(((((_e2264 * _e2236.member_2.x) + (_e2285 * _e2236.member_2.y)) + (_e2306 * _e2236.member_2.z)) * _e2251), ((((_e2271 * _e2236.member_2.x) + (_e2292 * _e2236.member_2.y)) + (_e2313 * _e2236.member_2.z)) * _e2251), ((((_e2278 * _e2236.member_2.x) + (_e2299 * _e2236.member_2.y)) + (_e2320 * _e2236.member_2.z)) * _e2251)), vec3<f32>(((((_e2264 * _e2236.member_1.x) + (_e2285 * _e2236.member_1.y)) + (_e2306 * _e2236.member_1.z)) * _e2251), ((((_e2271 * _e2236.member_1.x) + (_e2292 * _e2236.member_1.y)) + (_e2313 * _e2236.member_1.z)) * _e2251), ((((_e2278 * _e2236.member_1.x) + (_e2299 * _e2236.member_1.y)) + (_e2320 * _e2236.member_1.z)) * _e2251)));
 } else {
 let _e2386 = select(-1f, _e524, (_e524 > -1f));
 let _e2388 = select(_e519, _e2386, (_e2386 < _e519));
@@ -893,7 +893,7 @@ let _e2487 = (_e2481 + _e2434);
 let _e2489 = (_e2481 + (2i * _e2434));
 let _e2490 = (_e2483 + _e2439);
 let _e2492 = (_e2483 + (2i * _e2439));
-local_4 = type_27(array<i32, 4>(_e2478, (_e2478 + 1i), (_e2478 + 2i), (_e2478 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_28(array<i32, 4>(_e2478, (_e2478 + 1i), (_e2478 + 2i), (_e2478 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e524 - f32(_e2399)), (_e535 - f32(_e2414)), (_e546 - f32(_e2429)));
 let _e2506 = local_4.member[1u];
 let _e2507 = ((_e2490 + _e2487) + _e2506);
@@ -961,7 +961,7 @@ let _e2731 = global_5.member[_e352].member_6.member_5;
 let _e2737 = global_5.member[_e352].member_6.member_6;
 let _e2738 = (((_e2615 + (((_e2666 + (((_e2706 + ((f32(bitcast<i32>(((_e2699 >> bitcast<u32>((_e2707 & 31u))) & 65535u))) - _e2706) * _e2714)) - _e2666) * _e2718)) - _e2615) * _e2723)) * _e2731) + _e2737);
 let _e2740 = select(0f, _e2738, (_e2738 > 0f));
-phi_4480_ = type_29(select(1f, _e2740, (_e2740 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_4480_ = type_30(select(1f, _e2740, (_e2740 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2745 = phi_4480_;
 let _e2749 = select(-0.5f, _e458, (_e458 > -0.5f));
@@ -1000,7 +1000,7 @@ let _e2862 = (_e2856 + _e2809);
 let _e2864 = (_e2856 + (2i * _e2809));
 let _e2865 = (_e2858 + _e2814);
 let _e2867 = (_e2858 + (2i * _e2814));
-local_2 = type_27(array<i32, 4>(_e2853, (_e2853 + 1i), (_e2853 + 2i), (_e2853 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_28(array<i32, 4>(_e2853, (_e2853 + 1i), (_e2853 + 2i), (_e2853 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e2751 - f32(_e2774)), (_e2755 - f32(_e2789)), (_e2759 - f32(_e2804)));
 let _e2881 = local_2.member[1u];
 let _e2882 = ((_e2865 + _e2862) + _e2881);
@@ -1249,7 +1249,7 @@ let _e3790 = ((_e3768 - (_e3786 * 0.6933594f)) - (_e3786 * -2.1219444e-4f));
 let _e3810 = ((1f + (_e3790 * (1f + (_e3790 * (0.5f + (_e3790 * (0.16666667f + (_e3790 * (0.041666668f + (_e3790 * (0.008333334f + (_e3790 * (0.001388889f + (_e3790 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3785 + 127i)) << bitcast<u32>(23i))));
 let _e3811 = (1f - _e3810);
 let _e3814 = (_e3811 / select(1e-12f, _e3760, (_e3760 > 1e-12f)));
-phi_7068_ = type_30(_e3810, _e3811, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3605 + (((_e3610 + (((bitcast<f32>(((_e3592 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3610) * _e3554)) - _e3605) * _e3552)) * _e3814), ((_e3642 + (((_e3647 + (((bitcast<f32>((((_e3592 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3647) * _e3554)) - _e3642) * _e3552)) * _e3814), ((_e3707 + (((_e3712 + (((bitcast<f32>(((_e3694 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3712) * _e3554)) - _e3707) * _e3552)) * _e3814)));
+phi_7068_ = type_31(_e3810, _e3811, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3605 + (((_e3610 + (((bitcast<f32>(((_e3592 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3610) * _e3554)) - _e3605) * _e3552)) * _e3814), ((_e3642 + (((_e3647 + (((bitcast<f32>((((_e3592 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3647) * _e3554)) - _e3642) * _e3552)) * _e3814), ((_e3707 + (((_e3712 + (((bitcast<f32>(((_e3694 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3712) * _e3554)) - _e3707) * _e3552)) * _e3814)));
 } else {
 let _e3821 = (_e3118 * 255f);
 let _e3822 = (_e2745.member * 255f);
@@ -1379,7 +1379,7 @@ let _e4409 = ((_e4387 - (_e4405 * 0.6933594f)) - (_e4405 * -2.1219444e-4f));
 let _e4429 = ((1f + (_e4409 * (1f + (_e4409 * (0.5f + (_e4409 * (0.16666667f + (_e4409 * (0.041666668f + (_e4409 * (0.008333334f + (_e4409 * (0.001388889f + (_e4409 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4404 + 127i)) << bitcast<u32>(23i))));
 let _e4430 = (1f - _e4429);
 let _e4433 = (_e4430 / select(1e-12f, _e3926, (_e3926 > 1e-12f)));
-phi_7068_ = type_30(_e4429, _e4430, vec3<f32>(((1f + (_e4264 * (1f + (_e4264 * (0.5f + (_e4264 * (0.16666667f + (_e4264 * (0.041666668f + (_e4264 * (0.008333334f + (_e4264 * (0.001388889f + (_e4264 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4259 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4312 * (1f + (_e4312 * (0.5f + (_e4312 * (0.16666667f + (_e4312 * (0.041666668f + (_e4312 * (0.008333334f + (_e4312 * (0.001388889f + (_e4312 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4307 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4360 * (1f + (_e4360 * (0.5f + (_e4360 * (0.16666667f + (_e4360 * (0.041666668f + (_e4360 * (0.008333334f + (_e4360 * (0.001388889f + (_e4360 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4355 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4114 + (((_e4119 + (((bitcast<f32>(((_e4101 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4119) * _e3860)) - _e4114) * _e3858)) * _e4433), ((_e4151 + (((_e4156 + (((bitcast<f32>((((_e4101 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4156) * _e3860)) - _e4151) * _e3858)) * _e4433), ((_e4216 + (((_e4221 + (((bitcast<f32>(((_e4203 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4221) * _e3860)) - _e4216) * _e3858)) * _e4433)));
+phi_7068_ = type_31(_e4429, _e4430, vec3<f32>(((1f + (_e4264 * (1f + (_e4264 * (0.5f + (_e4264 * (0.16666667f + (_e4264 * (0.041666668f + (_e4264 * (0.008333334f + (_e4264 * (0.001388889f + (_e4264 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4259 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4312 * (1f + (_e4312 * (0.5f + (_e4312 * (0.16666667f + (_e4312 * (0.041666668f + (_e4312 * (0.008333334f + (_e4312 * (0.001388889f + (_e4312 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4307 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4360 * (1f + (_e4360 * (0.5f + (_e4360 * (0.16666667f + (_e4360 * (0.041666668f + (_e4360 * (0.008333334f + (_e4360 * (0.001388889f + (_e4360 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4355 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4114 + (((_e4119 + (((bitcast<f32>(((_e4101 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4119) * _e3860)) - _e4114) * _e3858)) * _e4433), ((_e4151 + (((_e4156 + (((bitcast<f32>((((_e4101 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4156) * _e3860)) - _e4151) * _e3858)) * _e4433), ((_e4216 + (((_e4221 + (((bitcast<f32>(((_e4203 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4221) * _e3860)) - _e4216) * _e3858)) * _e4433)));
 }
 let _e4440 = phi_7068_;
 let _e4441 = select(0f, _e3194, _e442);
@@ -1389,7 +1389,7 @@ let _e4447 = (_e371 + (_e3496 * _e4441));
 if (_e729.member_2 == 3u) {
 let _e4453 = global_5.member[_e352].member_9.member_1;
 let _e4462 = global_5.member[_e352].member_9.member;
-phi_8051_ = type_34(vec3<f32>(_e4453.member, _e4453.member_1, _e4453.member_2), vec3<f32>(_e4462.member, _e4462.member_1, _e4462.member_2));
+phi_8051_ = type_25(vec3<f32>(_e4453.member, _e4453.member_1, _e4453.member_2), vec3<f32>(_e4462.member, _e4462.member_1, _e4462.member_2));
 } else {
 let _e4472 = global_5.member[_e352].member_8.member_8;
 let _e4473 = (_e4447 - _e4472);
@@ -1556,7 +1556,7 @@ let _e5053 = (_e4704.member + (select(0f, (_e5024 + (((_e4985 + ((f32((bitcast<i
 let _e5055 = (_e4704.member_1 + (select(0f, (_e5033 + (((_e4996 + ((select(_e5016, -(_e5016), ((_e5006 >> bitcast<u32>(31i)) != 0u)) - _e4996) * _e4767)) - _e5033) * _e4769)), _e4776) * _e4707));
 let _e5059 = (1f - ((_e5053 * _e5053) + (_e5055 * _e5055)));
 let _e5061 = select(1e-4f, _e5059, (_e5059 > 1e-4f));
-phi_8051_ = type_34((_e4921 * vec3<f32>(_e5046.member, _e5046.member_1, _e5046.member_2)), vec3<f32>(_e5053, _e5055, sqrt(select(0f, _e5061, (_e5061 > 0f)))));
+phi_8051_ = type_25((_e4921 * vec3<f32>(_e5046.member, _e5046.member_1, _e5046.member_2)), vec3<f32>(_e5053, _e5055, sqrt(select(0f, _e5061, (_e5061 > 0f)))));
 }
 let _e5068 = phi_8051_;
 let _e5077 = (((_e5068.member_1.x * _e5068.member_1.x) + (_e5068.member_1.y * _e5068.member_1.y)) + (_e5068.member_1.z * _e5068.member_1.z));

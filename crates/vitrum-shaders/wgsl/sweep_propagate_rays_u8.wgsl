@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,67 +123,67 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var phi_582_: u32;
 var phi_585_: bool;
 var phi_587_: array<f32, 18>;
-var phi_3684_: type_28;
-var phi_4446_: type_29;
+var phi_3684_: type_29;
+var phi_4446_: type_30;
 var phi_5148_: f32;
 var phi_5537_: type_5;
-var phi_7095_: type_30;
+var phi_7095_: type_31;
 var phi_7848_: vec3<f32>;
-var phi_8078_: type_34;
+var phi_8078_: type_25;
 var phi_8396_: vec3<f32>;
 var phi_8705_: f32;
 var phi_8706_: f32;
@@ -468,7 +468,7 @@ let _e926 = (select(0i, _e875, (_e875 > 0i)) * _e847);
 let _e927 = (select(0i, _e837, (_e837 > 0i)) * _e847);
 let _e928 = (select(_e874, _e880, (_e880 < _e874)) * _e847);
 let _e929 = (select(_e874, _e883, (_e883 < _e874)) * _e847);
-local_6 = type_27(array<i32, 4>(_e909, _e909, _e909, _e909), array<u32, 6>(bitcast<u32>(((_e896 - _e909) * 8i)), bitcast<u32>(((select(0i, _e807, (_e807 > 0i)) - _e909) * 8i)), bitcast<u32>(((select(_e893, _e899, (_e899 < _e893)) - _e909) * 8i)), bitcast<u32>(((select(_e893, _e902, (_e902 < _e893)) - _e909) * 8i)), 0u, 0u));
+local_6 = type_28(array<i32, 4>(_e909, _e909, _e909, _e909), array<u32, 6>(bitcast<u32>(((_e896 - _e909) * 8i)), bitcast<u32>(((select(0i, _e807, (_e807 > 0i)) - _e909) * 8i)), bitcast<u32>(((select(_e893, _e899, (_e899 < _e893)) - _e909) * 8i)), bitcast<u32>(((select(_e893, _e902, (_e902 < _e893)) - _e909) * 8i)), 0u, 0u));
 local_7 = vec3<f32>((_e524 - f32(_e807)), (_e535 - f32(_e822)), (_e546 - f32(_e837)));
 let _e944 = local_6.member[0u];
 let _e945 = ((_e927 + _e923) + _e944);
@@ -750,7 +750,7 @@ if _e789 {
 let _e1860 = ((0.5f * (_e1758 - _e1752)) * _e1853);
 let _e1861 = ((0.5f * (_e1770 - _e1764)) * _e1853);
 let _e1862 = ((0.5f * (_e1782 - _e1776)) * _e1853);
-phi_3684_ = type_28(_e1852, vec3<f32>(_e1860, _e1861, _e1862), vec3<f32>((_e1860 * _e1852), (_e1861 * _e1852), (_e1862 * _e1852)));
+phi_3684_ = type_29(_e1852, vec3<f32>(_e1860, _e1861, _e1862), vec3<f32>((_e1860 * _e1852), (_e1861 * _e1852), (_e1862 * _e1852)));
 } else {
 let _e1869 = (_e1752 * 1024f);
 let _e1871 = select(0f, _e1869, (_e1869 > 0f));
@@ -809,7 +809,7 @@ let _e2108 = ((_e1837 + (f32(bitcast<i32>((_e2093 >> bitcast<u32>(12u)))) * _e18
 let _e2109 = (_e1948 - _e1908);
 let _e2111 = (_e2028 - _e1988);
 let _e2113 = (_e2108 - _e2068);
-phi_3684_ = type_28(_e1852, vec3<f32>((0.5f * _e2109), (0.5f * _e2111), (0.5f * _e2113)), vec3<f32>((0.25f * (_e2109 * (_e1948 + _e1908))), (0.25f * (_e2111 * (_e2028 + _e1988))), (0.25f * (_e2113 * (_e2108 + _e2068)))));
+phi_3684_ = type_29(_e1852, vec3<f32>((0.5f * _e2109), (0.5f * _e2111), (0.5f * _e2113)), vec3<f32>((0.25f * (_e2109 * (_e1948 + _e1908))), (0.25f * (_e2111 * (_e2028 + _e1988))), (0.25f * (_e2113 * (_e2108 + _e2068)))));
 }
 let _e2128 = phi_3684_;
 let _e2143 = select(0f, 1f, ((((((_e496 >= -0.5f) && (_e496 <= _e520)) && (_e502 >= -0.5f)) && (_e502 <= _e531)) && (_e508 >= -0.5f)) && (_e508 <= _e542)));
@@ -825,7 +825,7 @@ let _e2191 = global_5.member[_e352].member_6.member_1.member.member_2;
 let _e2198 = global_5.member[_e352].member_6.member_2.member.member;
 let _e2205 = global_5.member[_e352].member_6.member_2.member.member_1;
 let _e2212 = global_5.member[_e352].member_6.member_2.member.member_2;
-phi_4446_ = type_29(_e1746, vec3<f32>(((((_e2156 * _e2145) + (_e2177 * _e2147)) + (_e2198 * _e2149)) * _e2143), ((((_e2163 * _e2145) + (_e2184 * _e2147)) + (_e2205 * _e2149)) * _e2143), ((((_e2170 * _e2145) + (_e2191 * _e2147)) + (_e2212 * _e2149)) * _e2143)), _e2128.member, vec3<f32>(((((_e2156 * _e2128.member_2.x) + (_e2177 * _e2128.member_2.y)) + (_e2198 * _e2128.member_2.z)) * _e2143), ((((_e2163 * _e2128.member_2.x) + (_e2184 * _e2128.member_2.y)) + (_e2205 * _e2128.member_2.z)) * _e2143), ((((_e2170 * _e2128.member_2.x) + (_e2191 * _e2128.member_2.y)) + (_e2212 * _e2128.member_2.z)) * _e2143)), vec3<f32>(((((_e2156 * _e2128.member_1.x) + (_e2177 * _e2128.member_1.y)) + (_e2198 * _e2128.member_1.z)) * _e2143), ((((_e2163 * _e2128.member_1.x) + (_e2184 * _e2128.member_1.y)) + (_e2205 * _e2128.member_1.z)) * _e2143), ((((_e2170 * _e2128.member_1.x) + (_e2191 * _e2128.member_1.y)) + (_e2212 * _e2128.member_1.z)) * _e2143)));
+phi_4446_ = type_30(_e1746, vec3<f32>(((((_e2156 * _e2145) + (_e2177 * _e2147)) + (_e2198 * _e2149)) * _e2143), ((((_e2163 * _e2145) + (_e2184 * _e2147)) + (_e2205 * _e2149)) * _e2143), ((((_e2170 * _e2145) + (_e2191 * _e2147)) + (_e2212 * _e2149)) * _e2143)), _e2128.member, vec3<f32>(((((_e2156 * _e2128.member_2.x) + (_e2177 * _e2128.member_2.y)) + (_e2198 * _e2128.member_2.z)) * _e2143), ((((_e2163 * _e2128.member_2.x) + (_e2184 * _e2128.member_2.y)) + (_e2205 * _e2128.member_2.z)) * _e2143), ((((_e2170 * _e2128.member_2.x) + (_e2191 * _e2128.member_2.y)) + (_e2212 * _e2128.member_2.z)) * _e2143)), vec3<f32>(((((_e2156 * _e2128.member_1.x) + (_e2177 * _e2128.member_1.y)) + (_e2198 * _e2128.member_1.z)) * _e2143), ((((_e2163 * _e2128.member_1.x) + (_e2184 * _e2128.member_1.y)) + (_e2205 * _e2128.member_1.z)) * _e2143), ((((_e2170 * _e2128.member_1.x) + (_e2191 * _e2128.member_1.y)) + (_e2212 * _e2128.member_1.z)) * _e2143)));
 } else {
 let _e2278 = select(-1f, _e524, (_e524 > -1f));
 let _e2280 = select(_e519, _e2278, (_e2278 < _e519));
@@ -858,7 +858,7 @@ let _e2394 = (select(0i, _e2306, (_e2306 > 0i)) * _e2326);
 let _e2395 = (select(_e2339, _e2342, (_e2342 < _e2339)) * _e2326);
 let _e2396 = (select(0i, _e2321, (_e2321 > 0i)) * _e2331);
 let _e2397 = (select(_e2352, _e2355, (_e2355 < _e2352)) * _e2331);
-local_4 = type_27(array<i32, 4>(_e2381, _e2381, _e2381, _e2381), array<u32, 6>(bitcast<u32>(((_e2368 - _e2381) * 8i)), bitcast<u32>(((select(0i, _e2291, (_e2291 > 0i)) - _e2381) * 8i)), bitcast<u32>(((select(_e2365, _e2371, (_e2371 < _e2365)) - _e2381) * 8i)), bitcast<u32>(((select(_e2365, _e2374, (_e2374 < _e2365)) - _e2381) * 8i)), 0u, 0u));
+local_4 = type_28(array<i32, 4>(_e2381, _e2381, _e2381, _e2381), array<u32, 6>(bitcast<u32>(((_e2368 - _e2381) * 8i)), bitcast<u32>(((select(0i, _e2291, (_e2291 > 0i)) - _e2381) * 8i)), bitcast<u32>(((select(_e2365, _e2371, (_e2371 < _e2365)) - _e2381) * 8i)), bitcast<u32>(((select(_e2365, _e2374, (_e2374 < _e2365)) - _e2381) * 8i)), 0u, 0u));
 local_5 = vec3<f32>((_e524 - f32(_e2291)), (_e535 - f32(_e2306)), (_e546 - f32(_e2321)));
 let _e2412 = local_4.member[0u];
 let _e2413 = ((_e2396 + _e2394) + _e2412);
@@ -927,7 +927,7 @@ let _e2639 = global_5.member[_e352].member_6.member_5;
 let _e2645 = global_5.member[_e352].member_6.member_6;
 let _e2646 = (((_e2523 + (((_e2574 + (((_e2614 + ((f32(bitcast<i32>(((_e2607 >> bitcast<u32>((_e2615 & 31u))) & 255u))) - _e2614) * _e2622)) - _e2574) * _e2626)) - _e2523) * _e2631)) * _e2639) + _e2645);
 let _e2648 = select(0f, _e2646, (_e2646 > 0f));
-phi_4446_ = type_29(select(1f, _e2648, (_e2648 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_4446_ = type_30(select(1f, _e2648, (_e2648 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2653 = phi_4446_;
 let _e2657 = select(-0.5f, _e458, (_e458 > -0.5f));
@@ -967,7 +967,7 @@ let _e2785 = (select(0i, _e2697, (_e2697 > 0i)) * _e2717);
 let _e2786 = (select(_e2730, _e2733, (_e2733 < _e2730)) * _e2717);
 let _e2787 = (select(0i, _e2712, (_e2712 > 0i)) * _e2722);
 let _e2788 = (select(_e2743, _e2746, (_e2746 < _e2743)) * _e2722);
-local_2 = type_27(array<i32, 4>(_e2772, _e2772, _e2772, _e2772), array<u32, 6>(bitcast<u32>(((_e2759 - _e2772) * 8i)), bitcast<u32>(((select(0i, _e2682, (_e2682 > 0i)) - _e2772) * 8i)), bitcast<u32>(((select(_e2756, _e2762, (_e2762 < _e2756)) - _e2772) * 8i)), bitcast<u32>(((select(_e2756, _e2765, (_e2765 < _e2756)) - _e2772) * 8i)), 0u, 0u));
+local_2 = type_28(array<i32, 4>(_e2772, _e2772, _e2772, _e2772), array<u32, 6>(bitcast<u32>(((_e2759 - _e2772) * 8i)), bitcast<u32>(((select(0i, _e2682, (_e2682 > 0i)) - _e2772) * 8i)), bitcast<u32>(((select(_e2756, _e2762, (_e2762 < _e2756)) - _e2772) * 8i)), bitcast<u32>(((select(_e2756, _e2765, (_e2765 < _e2756)) - _e2772) * 8i)), 0u, 0u));
 local_3 = vec3<f32>((_e2659 - f32(_e2682)), (_e2663 - f32(_e2697)), (_e2667 - f32(_e2712)));
 let _e2803 = local_2.member[0u];
 let _e2804 = ((_e2787 + _e2785) + _e2803);
@@ -1217,7 +1217,7 @@ let _e3714 = ((_e3692 - (_e3710 * 0.6933594f)) - (_e3710 * -2.1219444e-4f));
 let _e3734 = ((1f + (_e3714 * (1f + (_e3714 * (0.5f + (_e3714 * (0.16666667f + (_e3714 * (0.041666668f + (_e3714 * (0.008333334f + (_e3714 * (0.001388889f + (_e3714 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3709 + 127i)) << bitcast<u32>(23i))));
 let _e3735 = (1f - _e3734);
 let _e3738 = (_e3735 / select(1e-12f, _e3684, (_e3684 > 1e-12f)));
-phi_7095_ = type_30(_e3734, _e3735, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3529 + (((_e3534 + (((bitcast<f32>(((_e3516 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3534) * _e3478)) - _e3529) * _e3476)) * _e3738), ((_e3566 + (((_e3571 + (((bitcast<f32>((((_e3516 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3571) * _e3478)) - _e3566) * _e3476)) * _e3738), ((_e3631 + (((_e3636 + (((bitcast<f32>(((_e3618 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3636) * _e3478)) - _e3631) * _e3476)) * _e3738)));
+phi_7095_ = type_31(_e3734, _e3735, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3529 + (((_e3534 + (((bitcast<f32>(((_e3516 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3534) * _e3478)) - _e3529) * _e3476)) * _e3738), ((_e3566 + (((_e3571 + (((bitcast<f32>((((_e3516 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3571) * _e3478)) - _e3566) * _e3476)) * _e3738), ((_e3631 + (((_e3636 + (((bitcast<f32>(((_e3618 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3636) * _e3478)) - _e3631) * _e3476)) * _e3738)));
 } else {
 let _e3745 = (_e3042 * 255f);
 let _e3746 = (_e2653.member * 255f);
@@ -1347,7 +1347,7 @@ let _e4333 = ((_e4311 - (_e4329 * 0.6933594f)) - (_e4329 * -2.1219444e-4f));
 let _e4353 = ((1f + (_e4333 * (1f + (_e4333 * (0.5f + (_e4333 * (0.16666667f + (_e4333 * (0.041666668f + (_e4333 * (0.008333334f + (_e4333 * (0.001388889f + (_e4333 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4328 + 127i)) << bitcast<u32>(23i))));
 let _e4354 = (1f - _e4353);
 let _e4357 = (_e4354 / select(1e-12f, _e3850, (_e3850 > 1e-12f)));
-phi_7095_ = type_30(_e4353, _e4354, vec3<f32>(((1f + (_e4188 * (1f + (_e4188 * (0.5f + (_e4188 * (0.16666667f + (_e4188 * (0.041666668f + (_e4188 * (0.008333334f + (_e4188 * (0.001388889f + (_e4188 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4183 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4236 * (1f + (_e4236 * (0.5f + (_e4236 * (0.16666667f + (_e4236 * (0.041666668f + (_e4236 * (0.008333334f + (_e4236 * (0.001388889f + (_e4236 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4231 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4284 * (1f + (_e4284 * (0.5f + (_e4284 * (0.16666667f + (_e4284 * (0.041666668f + (_e4284 * (0.008333334f + (_e4284 * (0.001388889f + (_e4284 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4279 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4038 + (((_e4043 + (((bitcast<f32>(((_e4025 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4043) * _e3784)) - _e4038) * _e3782)) * _e4357), ((_e4075 + (((_e4080 + (((bitcast<f32>((((_e4025 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4080) * _e3784)) - _e4075) * _e3782)) * _e4357), ((_e4140 + (((_e4145 + (((bitcast<f32>(((_e4127 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4145) * _e3784)) - _e4140) * _e3782)) * _e4357)));
+phi_7095_ = type_31(_e4353, _e4354, vec3<f32>(((1f + (_e4188 * (1f + (_e4188 * (0.5f + (_e4188 * (0.16666667f + (_e4188 * (0.041666668f + (_e4188 * (0.008333334f + (_e4188 * (0.001388889f + (_e4188 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4183 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4236 * (1f + (_e4236 * (0.5f + (_e4236 * (0.16666667f + (_e4236 * (0.041666668f + (_e4236 * (0.008333334f + (_e4236 * (0.001388889f + (_e4236 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4231 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4284 * (1f + (_e4284 * (0.5f + (_e4284 * (0.16666667f + (_e4284 * (0.041666668f + (_e4284 * (0.008333334f + (_e4284 * (0.001388889f + (_e4284 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4279 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e4038 + (((_e4043 + (((bitcast<f32>(((_e4025 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4043) * _e3784)) - _e4038) * _e3782)) * _e4357), ((_e4075 + (((_e4080 + (((bitcast<f32>((((_e4025 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4080) * _e3784)) - _e4075) * _e3782)) * _e4357), ((_e4140 + (((_e4145 + (((bitcast<f32>(((_e4127 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4145) * _e3784)) - _e4140) * _e3782)) * _e4357)));
 }
 let _e4364 = phi_7095_;
 let _e4365 = select(0f, _e3118, _e442);
@@ -1357,7 +1357,7 @@ let _e4371 = (_e371 + (_e3420 * _e4365));
 if (_e729.member_2 == 3u) {
 let _e4377 = global_5.member[_e352].member_9.member_1;
 let _e4386 = global_5.member[_e352].member_9.member;
-phi_8078_ = type_34(vec3<f32>(_e4377.member, _e4377.member_1, _e4377.member_2), vec3<f32>(_e4386.member, _e4386.member_1, _e4386.member_2));
+phi_8078_ = type_25(vec3<f32>(_e4377.member, _e4377.member_1, _e4377.member_2), vec3<f32>(_e4386.member, _e4386.member_1, _e4386.member_2));
 } else {
 let _e4396 = global_5.member[_e352].member_8.member_8;
 let _e4397 = (_e4371 - _e4396);
@@ -1524,7 +1524,7 @@ let _e4977 = (_e4628.member + (select(0f, (_e4948 + (((_e4909 + ((f32((bitcast<i
 let _e4979 = (_e4628.member_1 + (select(0f, (_e4957 + (((_e4920 + ((select(_e4940, -(_e4940), ((_e4930 >> bitcast<u32>(31i)) != 0u)) - _e4920) * _e4691)) - _e4957) * _e4693)), _e4700) * _e4631));
 let _e4983 = (1f - ((_e4977 * _e4977) + (_e4979 * _e4979)));
 let _e4985 = select(1e-4f, _e4983, (_e4983 > 1e-4f));
-phi_8078_ = type_34((_e4845 * vec3<f32>(_e4970.member, _e4970.member_1, _e4970.member_2)), vec3<f32>(_e4977, _e4979, sqrt(select(0f, _e4985, (_e4985 > 0f)))));
+phi_8078_ = type_25((_e4845 * vec3<f32>(_e4970.member, _e4970.member_1, _e4970.member_2)), vec3<f32>(_e4977, _e4979, sqrt(select(0f, _e4985, (_e4985 > 0f)))));
 }
 let _e4992 = phi_8078_;
 let _e5001 = (((_e4992.member_1.x * _e4992.member_1.x) + (_e4992.member_1.y * _e4992.member_1.y)) + (_e4992.member_1.z * _e4992.member_1.z));

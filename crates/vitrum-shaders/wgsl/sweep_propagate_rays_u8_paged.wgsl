@@ -41,27 +41,23 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_16 {
 member: array<u32>,
 }
-struct type_18 {
+struct type_17 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 }
-struct type_20 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +65,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_21 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -84,7 +80,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_22 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -95,6 +91,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_22 {
+member: type_5,
+member_1: type_5,
+}
 struct type_23 {
 member: type_7,
 member_1: u32,
@@ -102,16 +102,16 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_19,
+member_2: type_17,
+member_3: type_18,
 member_4: u32,
-member_5: type_20,
-member_6: type_21,
-member_7: type_21,
-member_8: type_22,
-member_9: type_10,
+member_5: type_19,
+member_6: type_20,
+member_7: type_20,
+member_8: type_21,
+member_9: type_22,
 member_10: f32,
-member_11: type_20,
+member_11: type_19,
 member_12: type_4,
 member_13: type_9,
 member_14: type_23,
@@ -123,67 +123,67 @@ member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
+struct type_25 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_29 {
+struct type_30 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: array<type_24>,
-}
-struct type_34 {
-member: vec3<f32>,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_17;
+var<storage> global_1: type_16;
 @group(0) @binding(3)
-var<storage> global_2: type_17;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_3: type_16;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 @group(0) @binding(0)
-var<storage> global_5: type_32;
+var<storage> global_5: type_33;
 @group(0) @binding(5)
-var<storage> global_6: type_12;
+var<storage> global_6: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var local_2: type_27;
+var local_2: type_28;
 var local_3: vec3<f32>;
-var local_4: type_27;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_27;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var phi_584_: u32;
 var phi_587_: bool;
 var phi_589_: array<f32, 18>;
-var phi_3602_: type_28;
-var phi_4304_: type_29;
+var phi_3602_: type_29;
+var phi_4304_: type_30;
 var phi_4946_: f32;
 var phi_5335_: type_5;
-var phi_6893_: type_30;
+var phi_6893_: type_31;
 var phi_7646_: vec3<f32>;
-var phi_7876_: type_34;
+var phi_7876_: type_25;
 var phi_8194_: vec3<f32>;
 var phi_8503_: f32;
 var phi_8504_: f32;
@@ -461,7 +461,7 @@ let _e898 = (_e891 + (3i * _e844));
 let _e899 = (_e893 + _e849);
 let _e901 = (_e893 + (2i * _e849));
 let _e903 = (_e893 + (3i * _e849));
-local_6 = type_27(array<i32, 4>(_e888, _e888, _e888, _e888), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(_e888, _e888, _e888, _e888), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_7 = vec3<f32>((_e526 - f32(_e809)), (_e537 - f32(_e824)), (_e548 - f32(_e839)));
 let _e917 = local_6.member[0u];
 let _e918 = ((_e899 + _e894) + _e917);
@@ -742,7 +742,7 @@ if _e791 {
 let _e1831 = ((0.5f * (_e1729 - _e1723)) * _e1824);
 let _e1832 = ((0.5f * (_e1741 - _e1735)) * _e1824);
 let _e1833 = ((0.5f * (_e1753 - _e1747)) * _e1824);
-phi_3602_ = type_28(_e1823, vec3<f32>(_e1831, _e1832, _e1833), vec3<f32>((_e1831 * _e1823), (_e1832 * _e1823), (_e1833 * _e1823)));
+phi_3602_ = type_29(_e1823, vec3<f32>(_e1831, _e1832, _e1833), vec3<f32>((_e1831 * _e1823), (_e1832 * _e1823), (_e1833 * _e1823)));
 } else {
 let _e1840 = (_e1723 * 1024f);
 let _e1842 = select(0f, _e1840, (_e1840 > 0f));
@@ -801,7 +801,7 @@ let _e2079 = ((_e1808 + (f32(bitcast<i32>((_e2064 >> bitcast<u32>(12u)))) * _e18
 let _e2080 = (_e1919 - _e1879);
 let _e2082 = (_e1999 - _e1959);
 let _e2084 = (_e2079 - _e2039);
-phi_3602_ = type_28(_e1823, vec3<f32>((0.5f * _e2080), (0.5f * _e2082), (0.5f * _e2084)), vec3<f32>((0.25f * (_e2080 * (_e1919 + _e1879))), (0.25f * (_e2082 * (_e1999 + _e1959))), (0.25f * (_e2084 * (_e2079 + _e2039)))));
+phi_3602_ = type_29(_e1823, vec3<f32>((0.5f * _e2080), (0.5f * _e2082), (0.5f * _e2084)), vec3<f32>((0.25f * (_e2080 * (_e1919 + _e1879))), (0.25f * (_e2082 * (_e1999 + _e1959))), (0.25f * (_e2084 * (_e2079 + _e2039)))));
 }
 let _e2099 = phi_3602_;
 let _e2114 = select(0f, 1f, ((((((_e498 >= -0.5f) && (_e498 <= _e522)) && (_e504 >= -0.5f)) && (_e504 <= _e533)) && (_e510 >= -0.5f)) && (_e510 <= _e544)));
@@ -817,7 +817,7 @@ let _e2162 = global_5.member[_e354].member_6.member_1.member.member_2;
 let _e2169 = global_5.member[_e354].member_6.member_2.member.member;
 let _e2176 = global_5.member[_e354].member_6.member_2.member.member_1;
 let _e2183 = global_5.member[_e354].member_6.member_2.member.member_2;
-phi_4304_ = type_29(_e1717, vec3<f32>(((((_e2127 * _e2116) + (_e2148 * _e2118)) + (_e2169 * _e2120)) * _e2114), ((((_e2134 * _e2116) + (_e2155 * _e2118)) + (_e2176 * _e2120)) * _e2114), ((((_e2141 * _e2116) + (_e2162 * _e2118)) + (_e2183 * _e2120)) * _e2114)), _e2099.member, vec3<f32>(((((_e2127 * _e2099.member_2.x) + (_e2148 * _e2099.member_2.y)) + (_e2169 * _e2099.member_2.z)) * _e2114), ((((_e2134 * _e2099.member_2.x) + (_e2155 * _e2099.member_2.y)) + (_e2176 * _e2099.member_2.z)) * _e2114), ((((_e2141 * _e2099.member_2.x) + (_e2162 * _e2099.member_2.y)) + (_e2183 * _e2099.member_2.z)) * _e2114)), vec3<f32>(((((_e2127 * _e2099.member_1.x) + (_e2148 * _e2099.member_1.y)) + (_e2169 * _e2099.member_1.z)) * _e2114), ((((_e2134 * _e2099.member_1.x) + (_e2155 * _e2099.member_1.y)) + (_e2176 * _e2099.member_1.z)) * _e2114), ((((_e2141 * _e2099.member_1.x) + (_e2162 * _e2099.member_1.y)) + (_e2183 * _e2099.member_1.z)) * _e2114)));
+phi_4304_ = type_30(_e1717, vec3<f32>(((((_e2127 * _e2116) + (_e2148 * _e2118)) + (_e2169 * _e2120)) * _e2114), ((((_e2134 * _e2116) + (_e2155 * _e2118)) + (_e2176 * _e2120)) * _e2114), ((((_e2141 * _e2116) + (_e2162 * _e2118)) + (_e2183 * _e2120)) * _e2114)), _e2099.member, vec3<f32>(((((_e2127 * _e2099.member_2.x) + (_e2148 * _e2099.member_2.y)) + (_e2169 * _e2099.member_2.z)) * _e2114), ((((_e2134 * _e2099.member_2.x) + (_e2155 * _e2099.member_2.y)) + (_e2176 * _e2099.member_2.z)) * _e2114), ((((_e2141 * _e2099.member_2.x) + (_e2162 * _e2099.member_2.y)) + (_e2183 * _e2099.member_2.z)) * _e2114)), vec3<f32>(((((_e2127 * _e2099.member_1.x) + (_e2148 * _e2099.member_1.y)) + (_e2169 * _e2099.member_1.z)) * _e2114), ((((_e2134 * _e2099.member_1.x) + (_e2155 * _e2099.member_1.y)) + (_e2176 * _e2099.member_1.z)) * _e2114), ((((_e2141 * _e2099.member_1.x) + (_e2162 * _e2099.member_1.y)) + (_e2183 * _e2099.member_1.z)) * _e2114)));
 } else {
 let _e2249 = select(-1f, _e526, (_e526 > -1f));
 let _e2251 = select(_e521, _e2249, (_e2249 < _e521));
@@ -849,7 +849,7 @@ let _e2347 = (_e2344 + _e2297);
 let _e2349 = (_e2344 + (2i * _e2297));
 let _e2350 = (_e2346 + _e2302);
 let _e2352 = (_e2346 + (2i * _e2302));
-local_4 = type_27(array<i32, 4>(_e2341, _e2341, _e2341, _e2341), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_4 = type_28(array<i32, 4>(_e2341, _e2341, _e2341, _e2341), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_5 = vec3<f32>((_e526 - f32(_e2262)), (_e537 - f32(_e2277)), (_e548 - f32(_e2292)));
 let _e2366 = local_4.member[0u];
 let _e2367 = ((_e2350 + _e2347) + _e2366);
@@ -917,7 +917,7 @@ let _e2591 = global_5.member[_e354].member_6.member_5;
 let _e2597 = global_5.member[_e354].member_6.member_6;
 let _e2598 = (((_e2475 + (((_e2526 + (((_e2566 + ((f32(bitcast<i32>(((_e2559 >> bitcast<u32>((_e2567 & 31u))) & 255u))) - _e2566) * _e2574)) - _e2526) * _e2578)) - _e2475) * _e2583)) * _e2591) + _e2597);
 let _e2600 = select(0f, _e2598, (_e2598 > 0f));
-phi_4304_ = type_29(select(1f, _e2600, (_e2600 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_4304_ = type_30(select(1f, _e2600, (_e2600 < 1f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2605 = phi_4304_;
 let _e2609 = select(-0.5f, _e460, (_e460 > -0.5f));
@@ -956,7 +956,7 @@ let _e2719 = (_e2716 + _e2669);
 let _e2721 = (_e2716 + (2i * _e2669));
 let _e2722 = (_e2718 + _e2674);
 let _e2724 = (_e2718 + (2i * _e2674));
-local_2 = type_27(array<i32, 4>(_e2713, _e2713, _e2713, _e2713), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_2 = type_28(array<i32, 4>(_e2713, _e2713, _e2713, _e2713), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_3 = vec3<f32>((_e2611 - f32(_e2634)), (_e2615 - f32(_e2649)), (_e2619 - f32(_e2664)));
 let _e2738 = local_2.member[0u];
 let _e2739 = ((_e2722 + _e2719) + _e2738);
@@ -1205,7 +1205,7 @@ let _e3647 = ((_e3625 - (_e3643 * 0.6933594f)) - (_e3643 * -2.1219444e-4f));
 let _e3667 = ((1f + (_e3647 * (1f + (_e3647 * (0.5f + (_e3647 * (0.16666667f + (_e3647 * (0.041666668f + (_e3647 * (0.008333334f + (_e3647 * (0.001388889f + (_e3647 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3642 + 127i)) << bitcast<u32>(23i))));
 let _e3668 = (1f - _e3667);
 let _e3671 = (_e3668 / select(1e-12f, _e3617, (_e3617 > 1e-12f)));
-phi_6893_ = type_30(_e3667, _e3668, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3462 + (((_e3467 + (((bitcast<f32>(((_e3449 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3467) * _e3411)) - _e3462) * _e3409)) * _e3671), ((_e3499 + (((_e3504 + (((bitcast<f32>((((_e3449 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3504) * _e3411)) - _e3499) * _e3409)) * _e3671), ((_e3564 + (((_e3569 + (((bitcast<f32>(((_e3551 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3569) * _e3411)) - _e3564) * _e3409)) * _e3671)));
+phi_6893_ = type_31(_e3667, _e3668, vec3<f32>(1f, 1f, 1f), vec3<f32>(((_e3462 + (((_e3467 + (((bitcast<f32>(((_e3449 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3467) * _e3411)) - _e3462) * _e3409)) * _e3671), ((_e3499 + (((_e3504 + (((bitcast<f32>((((_e3449 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3504) * _e3411)) - _e3499) * _e3409)) * _e3671), ((_e3564 + (((_e3569 + (((bitcast<f32>(((_e3551 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3569) * _e3411)) - _e3564) * _e3409)) * _e3671)));
 } else {
 let _e3678 = (_e2975 * 255f);
 let _e3679 = (_e2605.member * 255f);
@@ -1335,7 +1335,7 @@ let _e4266 = ((_e4244 - (_e4262 * 0.6933594f)) - (_e4262 * -2.1219444e-4f));
 let _e4286 = ((1f + (_e4266 * (1f + (_e4266 * (0.5f + (_e4266 * (0.16666667f + (_e4266 * (0.041666668f + (_e4266 * (0.008333334f + (_e4266 * (0.001388889f + (_e4266 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4261 + 127i)) << bitcast<u32>(23i))));
 let _e4287 = (1f - _e4286);
 let _e4290 = (_e4287 / select(1e-12f, _e3783, (_e3783 > 1e-12f)));
-phi_6893_ = type_30(_e4286, _e4287, vec3<f32>(((1f + (_e4121 * (1f + (_e4121 * (0.5f + (_e4121 * (0.16666667f + (_e4121 * (0.041666668f + (_e4121 * (0.008333334f + (_e4121 * (0.001388889f + (_e4121 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4116 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4169 * (1f + (_e4169 * (0.5f + (_e4169 * (0.16666667f + (_e4169 * (0.041666668f + (_e4169 * (0.008333334f + (_e4169 * (0.001388889f + (_e4169 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4164 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4217 * (1f + (_e4217 * (0.5f + (_e4217 * (0.16666667f + (_e4217 * (0.041666668f + (_e4217 * (0.008333334f + (_e4217 * (0.001388889f + (_e4217 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4212 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e3971 + (((_e3976 + (((bitcast<f32>(((_e3958 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3976) * _e3717)) - _e3971) * _e3715)) * _e4290), ((_e4008 + (((_e4013 + (((bitcast<f32>((((_e3958 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4013) * _e3717)) - _e4008) * _e3715)) * _e4290), ((_e4073 + (((_e4078 + (((bitcast<f32>(((_e4060 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4078) * _e3717)) - _e4073) * _e3715)) * _e4290)));
+phi_6893_ = type_31(_e4286, _e4287, vec3<f32>(((1f + (_e4121 * (1f + (_e4121 * (0.5f + (_e4121 * (0.16666667f + (_e4121 * (0.041666668f + (_e4121 * (0.008333334f + (_e4121 * (0.001388889f + (_e4121 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4116 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4169 * (1f + (_e4169 * (0.5f + (_e4169 * (0.16666667f + (_e4169 * (0.041666668f + (_e4169 * (0.008333334f + (_e4169 * (0.001388889f + (_e4169 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4164 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4217 * (1f + (_e4217 * (0.5f + (_e4217 * (0.16666667f + (_e4217 * (0.041666668f + (_e4217 * (0.008333334f + (_e4217 * (0.001388889f + (_e4217 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4212 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((_e3971 + (((_e3976 + (((bitcast<f32>(((_e3958 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e3976) * _e3717)) - _e3971) * _e3715)) * _e4290), ((_e4008 + (((_e4013 + (((bitcast<f32>((((_e3958 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4013) * _e3717)) - _e4008) * _e3715)) * _e4290), ((_e4073 + (((_e4078 + (((bitcast<f32>(((_e4060 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4078) * _e3717)) - _e4073) * _e3715)) * _e4290)));
 }
 let _e4297 = phi_6893_;
 let _e4298 = select(0f, _e3051, _e444);
@@ -1345,7 +1345,7 @@ let _e4304 = (_e373 + (_e3353 * _e4298));
 if (_e731.member_2 == 3u) {
 let _e4310 = global_5.member[_e354].member_9.member_1;
 let _e4319 = global_5.member[_e354].member_9.member;
-phi_7876_ = type_34(vec3<f32>(_e4310.member, _e4310.member_1, _e4310.member_2), vec3<f32>(_e4319.member, _e4319.member_1, _e4319.member_2));
+phi_7876_ = type_25(vec3<f32>(_e4310.member, _e4310.member_1, _e4310.member_2), vec3<f32>(_e4319.member, _e4319.member_1, _e4319.member_2));
 } else {
 let _e4329 = global_5.member[_e354].member_8.member_8;
 let _e4330 = (_e4304 - _e4329);
@@ -1512,7 +1512,7 @@ let _e4910 = (_e4561.member + (select(0f, (_e4881 + (((_e4842 + ((f32((bitcast<i
 let _e4912 = (_e4561.member_1 + (select(0f, (_e4890 + (((_e4853 + ((select(_e4873, -(_e4873), ((_e4863 >> bitcast<u32>(31i)) != 0u)) - _e4853) * _e4624)) - _e4890) * _e4626)), _e4633) * _e4564));
 let _e4916 = (1f - ((_e4910 * _e4910) + (_e4912 * _e4912)));
 let _e4918 = select(1e-4f, _e4916, (_e4916 > 1e-4f));
-phi_7876_ = type_34((_e4778 * vec3<f32>(_e4903.member, _e4903.member_1, _e4903.member_2)), vec3<f32>(_e4910, _e4912, sqrt(select(0f, _e4918, (_e4918 > 0f)))));
+phi_7876_ = type_25((_e4778 * vec3<f32>(_e4903.member, _e4903.member_1, _e4903.member_2)), vec3<f32>(_e4910, _e4912, sqrt(select(0f, _e4918, (_e4918 > 0f)))));
 }
 let _e4925 = phi_7876_;
 let _e4934 = (((_e4925.member_1.x * _e4925.member_1.x) + (_e4925.member_1.y * _e4925.member_1.y)) + (_e4925.member_1.z * _e4925.member_1.z));

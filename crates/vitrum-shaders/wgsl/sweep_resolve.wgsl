@@ -41,24 +41,20 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_15 {
+struct type_14 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_16 {
+struct type_15 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_16 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -66,7 +62,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_17 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -81,7 +77,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_19 {
+struct type_18 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -92,6 +88,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_19 {
+member: type_5,
+member_1: type_5,
+}
 struct type_20 {
 member: type_7,
 member_1: u32,
@@ -99,16 +99,16 @@ member_1: u32,
 struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_15,
-member_3: type_16,
+member_2: type_14,
+member_3: type_15,
 member_4: u32,
-member_5: type_17,
-member_6: type_18,
-member_7: type_18,
-member_8: type_19,
-member_9: type_10,
+member_5: type_16,
+member_6: type_17,
+member_7: type_17,
+member_8: type_18,
+member_9: type_19,
 member_10: f32,
-member_11: type_17,
+member_11: type_16,
 member_12: type_4,
 member_13: type_9,
 member_14: type_20,
@@ -127,11 +127,11 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_2: type_12;
+var<storage> global_2: type_11;
 @group(0) @binding(2)
-var<storage> global_3: type_12;
+var<storage> global_3: type_11;
 @group(0) @binding(3)
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -146,82 +146,82 @@ var local_9: i32;
 var local_10: i32;
 var local_11: i32;
 var phi_224_: u32;
-var phi_1020_: i32;
-var phi_1028_: i32;
-var phi_1034_: i32;
-var phi_1042_: i32;
-var phi_1083_: u32;
-var phi_1251_: u32;
-var phi_1433_: u32;
-var phi_1601_: u32;
-var phi_1808_: vec3<f32>;
-var phi_2410_: i32;
-var phi_2413_: i32;
-var phi_2415_: i32;
-var phi_2417_: i32;
-var phi_2432_: i32;
-var phi_2438_: i32;
-var phi_2411_: i32;
-var phi_2414_: i32;
-var phi_2416_: i32;
-var phi_2418_: i32;
+var phi_1024_: i32;
+var phi_1032_: i32;
+var phi_1038_: i32;
+var phi_1046_: i32;
+var phi_1087_: u32;
+var phi_1257_: u32;
+var phi_1441_: u32;
+var phi_1611_: u32;
+var phi_1820_: vec3<f32>;
+var phi_2422_: i32;
+var phi_2425_: i32;
+var phi_2427_: i32;
+var phi_2429_: i32;
+var phi_2444_: i32;
+var phi_2450_: i32;
+var phi_2423_: i32;
+var phi_2426_: i32;
+var phi_2428_: i32;
+var phi_2430_: i32;
 var local_12: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_2513_: i32;
+var phi_2525_: i32;
 var local_15: i32;
 var local_16: i32;
-var phi_2519_: i32;
+var phi_2531_: i32;
 var local_17: i32;
-var phi_2526_: i32;
+var phi_2538_: i32;
 var local_18: i32;
 var local_19: i32;
-var phi_2532_: i32;
+var phi_2544_: i32;
 var local_20: i32;
 var local_21: i32;
-var phi_2543_: i32;
+var phi_2555_: i32;
 var local_22: i32;
 var local_23: i32;
-var phi_2555_: i32;
+var phi_2567_: i32;
 var local_24: i32;
 var local_25: i32;
 var local_26: i32;
 var local_27: i32;
-var phi_2791_: i32;
-var phi_2794_: i32;
-var phi_2796_: i32;
-var phi_2798_: i32;
-var phi_2813_: i32;
-var phi_2819_: i32;
-var phi_2792_: i32;
-var phi_2795_: i32;
-var phi_2797_: i32;
-var phi_2799_: i32;
+var phi_2803_: i32;
+var phi_2806_: i32;
+var phi_2808_: i32;
+var phi_2810_: i32;
+var phi_2825_: i32;
+var phi_2831_: i32;
+var phi_2804_: i32;
+var phi_2807_: i32;
+var phi_2809_: i32;
+var phi_2811_: i32;
 var local_28: i32;
 var local_29: i32;
 var local_30: i32;
-var phi_2894_: i32;
+var phi_2906_: i32;
 var local_31: i32;
 var local_32: i32;
-var phi_2900_: i32;
+var phi_2912_: i32;
 var local_33: i32;
-var phi_2907_: i32;
+var phi_2919_: i32;
 var local_34: i32;
 var local_35: i32;
-var phi_2913_: i32;
+var phi_2925_: i32;
 var local_36: i32;
 var local_37: i32;
-var phi_2924_: i32;
+var phi_2936_: i32;
 var local_38: i32;
 var local_39: i32;
-var phi_2936_: i32;
+var phi_2948_: i32;
 var local_40: i32;
 var local_41: i32;
 var local_42: i32;
 var local_43: i32;
-var phi_3191_: vec3<f32>;
-var phi_3192_: vec3<f32>;
-var phi_3193_: vec3<f32>;
+var phi_3203_: vec3<f32>;
+var phi_3204_: vec3<f32>;
+var phi_3205_: vec3<f32>;
 let _e96 = global;
 let _e105 = global_1.member.member_2;
 let _e108 = global_1.member.member;
@@ -246,63 +246,63 @@ let _e157 = bitcast<i32>((_e127 * _e131));
 local_11 = _e157;
 let _e158 = local_11;
 let _e160 = local_10;
-let _e161 = ((6i * _e158) + _e160);
+let _e161 = ((7i * _e158) + _e160);
 let _e163 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
 let _e165 = select(_e163, _e161, (_e161 < _e163));
 let _e170 = global_2.member[bitcast<u32>(select(0i, _e165, (_e165 > 0i)))];
 let _e171 = local_11;
 let _e173 = local_10;
-let _e174 = ((8i * _e171) + _e173);
+let _e174 = ((9i * _e171) + _e173);
 let _e176 = select(_e163, _e174, (_e174 < _e163));
 let _e181 = global_2.member[bitcast<u32>(select(0i, _e176, (_e176 > 0i)))];
 let _e182 = local_11;
 let _e184 = local_10;
-let _e185 = ((9i * _e182) + _e184);
+let _e185 = ((10i * _e182) + _e184);
 let _e187 = select(_e163, _e185, (_e185 < _e163));
 let _e192 = global_2.member[bitcast<u32>(select(0i, _e187, (_e187 > 0i)))];
 let _e193 = local_11;
 let _e195 = local_10;
-let _e196 = ((10i * _e193) + _e195);
+let _e196 = ((11i * _e193) + _e195);
 let _e198 = select(_e163, _e196, (_e196 < _e163));
 let _e203 = global_2.member[bitcast<u32>(select(0i, _e198, (_e198 > 0i)))];
 let _e204 = local_11;
 let _e206 = local_10;
-let _e207 = ((11i * _e204) + _e206);
+let _e207 = ((12i * _e204) + _e206);
 let _e209 = select(_e163, _e207, (_e207 < _e163));
 let _e214 = global_2.member[bitcast<u32>(select(0i, _e209, (_e209 > 0i)))];
 let _e215 = local_11;
 let _e217 = local_10;
-let _e218 = ((7i * _e215) + _e217);
+let _e218 = ((8i * _e215) + _e217);
 let _e220 = select(_e163, _e218, (_e218 < _e163));
 let _e225 = global_2.member[bitcast<u32>(select(0i, _e220, (_e220 > 0i)))];
 let _e226 = local_11;
 let _e228 = local_10;
-let _e229 = ((12i * _e226) + _e228);
+let _e229 = ((13i * _e226) + _e228);
 let _e231 = select(_e163, _e229, (_e229 < _e163));
 let _e236 = global_2.member[bitcast<u32>(select(0i, _e231, (_e231 > 0i)))];
 let _e237 = local_11;
 let _e239 = local_10;
-let _e240 = ((13i * _e237) + _e239);
+let _e240 = ((14i * _e237) + _e239);
 let _e242 = select(_e163, _e240, (_e240 < _e163));
 let _e247 = global_2.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
 let _e248 = local_11;
 let _e250 = local_10;
-let _e251 = ((14i * _e248) + _e250);
+let _e251 = ((15i * _e248) + _e250);
 let _e253 = select(_e163, _e251, (_e251 < _e163));
 let _e258 = global_2.member[bitcast<u32>(select(0i, _e253, (_e253 > 0i)))];
 let _e259 = local_11;
 let _e261 = local_10;
-let _e262 = ((2i * _e259) + _e261);
+let _e262 = ((3i * _e259) + _e261);
 let _e264 = select(_e163, _e262, (_e262 < _e163));
 let _e269 = global_2.member[bitcast<u32>(select(0i, _e264, (_e264 > 0i)))];
 let _e270 = local_11;
 let _e272 = local_10;
-let _e273 = ((3i * _e270) + _e272);
+let _e273 = ((4i * _e270) + _e272);
 let _e275 = select(_e163, _e273, (_e273 < _e163));
 let _e280 = global_2.member[bitcast<u32>(select(0i, _e275, (_e275 > 0i)))];
 let _e281 = local_11;
 let _e283 = local_10;
-let _e284 = ((4i * _e281) + _e283);
+let _e284 = ((5i * _e281) + _e283);
 let _e286 = select(_e163, _e284, (_e284 < _e163));
 let _e291 = global_2.member[bitcast<u32>(select(0i, _e286, (_e286 > 0i)))];
 let _e296 = (((_e269 * _e269) + (_e280 * _e280)) + (_e291 * _e291));
@@ -322,7 +322,7 @@ let _e319 = select(_e163, _e317, (_e317 < _e163));
 let _e324 = global_2.member[bitcast<u32>(select(0i, _e319, (_e319 > 0i)))];
 let _e325 = local_11;
 let _e327 = local_10;
-let _e328 = ((16i * _e325) + _e327);
+let _e328 = ((2i * _e325) + _e327);
 let _e330 = select(_e163, _e328, (_e328 < _e163));
 let _e335 = global_2.member[bitcast<u32>(select(0i, _e330, (_e330 > 0i)))];
 let _e339 = global_1.member.member_5.member_1;
@@ -367,17 +367,17 @@ local_8 = _e542;
 local_9 = _e157;
 let _e543 = local_9;
 let _e545 = local_8;
-let _e546 = ((2i * _e543) + _e545);
+let _e546 = ((3i * _e543) + _e545);
 let _e548 = select(_e163, _e546, (_e546 < _e163));
 let _e553 = global_2.member[bitcast<u32>(select(0i, _e548, (_e548 > 0i)))];
 let _e554 = local_9;
 let _e556 = local_8;
-let _e557 = ((3i * _e554) + _e556);
+let _e557 = ((4i * _e554) + _e556);
 let _e559 = select(_e163, _e557, (_e557 < _e163));
 let _e564 = global_2.member[bitcast<u32>(select(0i, _e559, (_e559 > 0i)))];
 let _e565 = local_9;
 let _e567 = local_8;
-let _e568 = ((4i * _e565) + _e567);
+let _e568 = ((5i * _e565) + _e567);
 let _e570 = select(_e163, _e568, (_e568 < _e163));
 let _e575 = global_2.member[bitcast<u32>(select(0i, _e570, (_e570 > 0i)))];
 let _e580 = (((_e553 * _e553) + (_e564 * _e564)) + (_e575 * _e575));
@@ -395,31 +395,31 @@ let _e625 = (((_e617.member * _e587) + (_e617.member_1 * _e588)) + (_e617.member
 let _e626 = bitcast<i32>(_e116);
 let _e627 = bitcast<i32>(_e118);
 if (_e626 > 0i) {
-phi_1020_ = (_e626 - 1i);
+phi_1024_ = (_e626 - 1i);
 } else {
-phi_1020_ = 0i;
+phi_1024_ = 0i;
 }
-let _e633 = phi_1020_;
+let _e633 = phi_1024_;
 let _e634 = (bitcast<i32>(_e127) - 1i);
 if (_e626 < _e634) {
-phi_1028_ = (_e626 + 1i);
+phi_1032_ = (_e626 + 1i);
 } else {
-phi_1028_ = _e634;
+phi_1032_ = _e634;
 }
-let _e638 = phi_1028_;
+let _e638 = phi_1032_;
 if (_e627 > 0i) {
-phi_1034_ = (_e627 - 1i);
+phi_1038_ = (_e627 - 1i);
 } else {
-phi_1034_ = 0i;
+phi_1038_ = 0i;
 }
-let _e642 = phi_1034_;
+let _e642 = phi_1038_;
 let _e643 = (bitcast<i32>(_e131) - 1i);
 if (_e627 < _e643) {
-phi_1042_ = (_e627 + 1i);
+phi_1046_ = (_e627 + 1i);
 } else {
-phi_1042_ = _e643;
+phi_1046_ = _e643;
 }
-let _e647 = phi_1042_;
+let _e647 = phi_1046_;
 let _e650 = global_1.member.member_3.member;
 let _e653 = global_1.member.member_3.member_1;
 let _e654 = bitcast<u32>(_e638);
@@ -430,27 +430,27 @@ let _e659 = (_e650 - (_e650 % 16u));
 let _e662 = (_e653 - (_e653 % 4u));
 let _e663 = (_e655 < _e662);
 if ((_e654 < _e659) && _e663) {
-phi_1083_ = ((((_e655 - _e657) + (_e656 / 4u)) * _e650) + (((_e654 - _e656) + (_e657 * 4u)) + (_e656 % 4u)));
+phi_1087_ = ((((_e655 - _e657) + (_e656 / 4u)) * _e650) + (((_e654 - _e656) + (_e657 * 4u)) + (_e656 % 4u)));
 } else {
-phi_1083_ = ((_e655 * _e650) + _e654);
+phi_1087_ = ((_e655 * _e650) + _e654);
 }
-let _e678 = phi_1083_;
+let _e678 = phi_1087_;
 local_6 = bitcast<i32>(_e678);
 let _e681 = bitcast<i32>((_e650 * _e653));
 local_7 = _e681;
 let _e682 = local_7;
 let _e684 = local_6;
-let _e685 = ((2i * _e682) + _e684);
+let _e685 = ((3i * _e682) + _e684);
 let _e687 = select(_e163, _e685, (_e685 < _e163));
 let _e692 = global_2.member[bitcast<u32>(select(0i, _e687, (_e687 > 0i)))];
 let _e693 = local_7;
 let _e695 = local_6;
-let _e696 = ((3i * _e693) + _e695);
+let _e696 = ((4i * _e693) + _e695);
 let _e698 = select(_e163, _e696, (_e696 < _e163));
 let _e703 = global_2.member[bitcast<u32>(select(0i, _e698, (_e698 > 0i)))];
 let _e704 = local_7;
 let _e706 = local_6;
-let _e707 = ((4i * _e704) + _e706);
+let _e707 = ((5i * _e704) + _e706);
 let _e709 = select(_e163, _e707, (_e707 < _e163));
 let _e714 = global_2.member[bitcast<u32>(select(0i, _e709, (_e709 > 0i)))];
 let _e719 = (((_e692 * _e692) + (_e703 * _e703)) + (_e714 * _e714));
@@ -465,26 +465,26 @@ let _e753 = global_1.member.member_21.member_6;
 let _e762 = bitcast<u32>(_e633);
 let _e763 = (_e762 % 16u);
 if ((_e762 < _e659) && _e663) {
-phi_1251_ = ((((_e655 - _e657) + (_e763 / 4u)) * _e650) + (((_e762 - _e763) + (_e657 * 4u)) + (_e763 % 4u)));
+phi_1257_ = ((((_e655 - _e657) + (_e763 / 4u)) * _e650) + (((_e762 - _e763) + (_e657 * 4u)) + (_e763 % 4u)));
 } else {
-phi_1251_ = ((_e655 * _e650) + _e762);
+phi_1257_ = ((_e655 * _e650) + _e762);
 }
-let _e779 = phi_1251_;
+let _e779 = phi_1257_;
 local_4 = bitcast<i32>(_e779);
 local_5 = _e681;
 let _e781 = local_5;
 let _e783 = local_4;
-let _e784 = ((2i * _e781) + _e783);
+let _e784 = ((3i * _e781) + _e783);
 let _e786 = select(_e163, _e784, (_e784 < _e163));
 let _e791 = global_2.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
 let _e792 = local_5;
 let _e794 = local_4;
-let _e795 = ((3i * _e792) + _e794);
+let _e795 = ((4i * _e792) + _e794);
 let _e797 = select(_e163, _e795, (_e795 < _e163));
 let _e802 = global_2.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
 let _e803 = local_5;
 let _e805 = local_4;
-let _e806 = ((4i * _e803) + _e805);
+let _e806 = ((5i * _e803) + _e805);
 let _e808 = select(_e163, _e806, (_e806 < _e163));
 let _e813 = global_2.member[bitcast<u32>(select(0i, _e808, (_e808 > 0i)))];
 let _e818 = (((_e791 * _e791) + (_e802 * _e802)) + (_e813 * _e813));
@@ -503,26 +503,26 @@ let _e856 = (_e854 % 16u);
 let _e857 = (_e855 % 4u);
 let _e858 = (_e854 < _e659);
 if (_e858 && (_e855 < _e662)) {
-phi_1433_ = ((((_e855 - _e857) + (_e856 / 4u)) * _e650) + (((_e854 - _e856) + (_e857 * 4u)) + (_e856 % 4u)));
+phi_1441_ = ((((_e855 - _e857) + (_e856 / 4u)) * _e650) + (((_e854 - _e856) + (_e857 * 4u)) + (_e856 % 4u)));
 } else {
-phi_1433_ = ((_e855 * _e650) + _e854);
+phi_1441_ = ((_e855 * _e650) + _e854);
 }
-let _e874 = phi_1433_;
+let _e874 = phi_1441_;
 local_2 = bitcast<i32>(_e874);
 local_3 = _e681;
 let _e876 = local_3;
 let _e878 = local_2;
-let _e879 = ((2i * _e876) + _e878);
+let _e879 = ((3i * _e876) + _e878);
 let _e881 = select(_e163, _e879, (_e879 < _e163));
 let _e886 = global_2.member[bitcast<u32>(select(0i, _e881, (_e881 > 0i)))];
 let _e887 = local_3;
 let _e889 = local_2;
-let _e890 = ((3i * _e887) + _e889);
+let _e890 = ((4i * _e887) + _e889);
 let _e892 = select(_e163, _e890, (_e890 < _e163));
 let _e897 = global_2.member[bitcast<u32>(select(0i, _e892, (_e892 > 0i)))];
 let _e898 = local_3;
 let _e900 = local_2;
-let _e901 = ((4i * _e898) + _e900);
+let _e901 = ((5i * _e898) + _e900);
 let _e903 = select(_e163, _e901, (_e901 < _e163));
 let _e908 = global_2.member[bitcast<u32>(select(0i, _e903, (_e903 > 0i)))];
 let _e913 = (((_e886 * _e886) + (_e897 * _e897)) + (_e908 * _e908));
@@ -534,26 +534,26 @@ let _e922 = (_e908 * _e919);
 let _e938 = bitcast<u32>(_e642);
 let _e939 = (_e938 % 4u);
 if (_e858 && (_e938 < _e662)) {
-phi_1601_ = ((((_e938 - _e939) + (_e856 / 4u)) * _e650) + (((_e854 - _e856) + (_e939 * 4u)) + (_e856 % 4u)));
+phi_1611_ = ((((_e938 - _e939) + (_e856 / 4u)) * _e650) + (((_e854 - _e856) + (_e939 * 4u)) + (_e856 % 4u)));
 } else {
-phi_1601_ = ((_e938 * _e650) + _e854);
+phi_1611_ = ((_e938 * _e650) + _e854);
 }
-let _e955 = phi_1601_;
+let _e955 = phi_1611_;
 local = bitcast<i32>(_e955);
 local_1 = _e681;
 let _e957 = local_1;
 let _e959 = local;
-let _e960 = ((2i * _e957) + _e959);
+let _e960 = ((3i * _e957) + _e959);
 let _e962 = select(_e163, _e960, (_e960 < _e163));
 let _e967 = global_2.member[bitcast<u32>(select(0i, _e962, (_e962 > 0i)))];
 let _e968 = local_1;
 let _e970 = local;
-let _e971 = ((3i * _e968) + _e970);
+let _e971 = ((4i * _e968) + _e970);
 let _e973 = select(_e163, _e971, (_e971 < _e163));
 let _e978 = global_2.member[bitcast<u32>(select(0i, _e973, (_e973 > 0i)))];
 let _e979 = local_1;
 let _e981 = local;
-let _e982 = ((4i * _e979) + _e981);
+let _e982 = ((5i * _e979) + _e981);
 let _e984 = select(_e163, _e982, (_e982 < _e163));
 let _e989 = global_2.member[bitcast<u32>(select(0i, _e984, (_e984 > 0i)))];
 let _e994 = (((_e967 * _e967) + (_e978 * _e978)) + (_e989 * _e989));
@@ -576,21 +576,21 @@ let _e1049 = global_1.member.member_21.member_7;
 let _e1053 = vec3<f32>(_e1049.member, _e1049.member_1, _e1049.member_2);
 let _e1057 = global_1.member.member_21.member_8;
 if (_e1045 == 0u) {
-phi_3193_ = _e1053;
+phi_3205_ = _e1053;
 } else {
 if (_e1045 == 1u) {
 let _e1064 = select(-1f, _e625, (_e625 > -1f));
 let _e1066 = select(1f, _e1064, (_e1064 < 1f));
 if (_e1066 > 0f) {
-phi_1808_ = _e1053;
+phi_1820_ = _e1053;
 } else {
 let _e1071 = global_1.member.member_21.member_9;
-phi_1808_ = vec3<f32>(_e1071.member, _e1071.member_1, _e1071.member_2);
+phi_1820_ = vec3<f32>(_e1071.member, _e1071.member_1, _e1071.member_2);
 }
-let _e1077 = phi_1808_;
+let _e1077 = phi_1820_;
 let _e1086 = bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u));
 let _e1089 = sqrt(select(0f, _e1086, (_e1086 > 0f)));
-phi_3192_ = vec3<f32>((_e1057.member + ((_e1077.x - _e1057.member) * _e1089)), (_e1057.member_1 + ((_e1077.y - _e1057.member_1) * _e1089)), (_e1057.member_2 + ((_e1077.z - _e1057.member_2) * _e1089)));
+phi_3204_ = vec3<f32>((_e1057.member + ((_e1077.x - _e1057.member) * _e1089)), (_e1057.member_1 + ((_e1077.y - _e1057.member_1) * _e1089)), (_e1057.member_2 + ((_e1077.z - _e1057.member_2) * _e1089)));
 } else {
 if (_e1045 == 2u) {
 let _e1101 = global_1.member.member_21.member_10;
@@ -642,7 +642,7 @@ let _e1276 = select(-1f, _e1274, (_e1274 > -1f));
 let _e1279 = (2f - _e1104);
 let _e1281 = select(0f, _e1279, (_e1279 > 0f));
 let _e1287 = (0.5f + ((0.5f * (select(1f, _e1185, (_e1185 < 1f)) * select(1f, _e1190, (_e1190 < 1f)))) * (select(1f, _e1276, (_e1276 < 1f)) * select(1f, _e1281, (_e1281 < 1f)))));
-phi_3191_ = vec3<f32>((_e1049.member + ((_e1057.member - _e1049.member) * _e1287)), (_e1049.member_1 + ((_e1057.member_1 - _e1049.member_1) * _e1287)), (_e1049.member_2 + ((_e1057.member_2 - _e1049.member_2) * _e1287)));
+phi_3203_ = vec3<f32>((_e1049.member + ((_e1057.member - _e1049.member) * _e1287)), (_e1049.member_1 + ((_e1057.member_1 - _e1049.member_1) * _e1287)), (_e1049.member_2 + ((_e1057.member_2 - _e1049.member_2) * _e1287)));
 } else {
 let _e1301 = global_1.member.member_21.member_1;
 let _e1302 = bitcast<i32>(_e1301);
@@ -695,15 +695,15 @@ let _e1468 = select(_e1465, (3.1415927f - _e1465), (_e1428 < 0f));
 let _e1473 = (0.5f - (select(_e1468, -(_e1468), (_e1422 < 0f)) / 3.1415927f));
 let _e1477 = global_1.member.member_21.member_2;
 let _e1478 = bitcast<i32>(_e1477);
-phi_2410_ = 0i;
-phi_2413_ = 0i;
-phi_2415_ = _e1478;
-phi_2417_ = _e1302;
+phi_2422_ = 0i;
+phi_2425_ = 0i;
+phi_2427_ = _e1478;
+phi_2429_ = _e1302;
 loop {
-let _e1480 = phi_2410_;
-let _e1482 = phi_2413_;
-let _e1484 = phi_2415_;
-let _e1486 = phi_2417_;
+let _e1480 = phi_2422_;
+let _e1482 = phi_2425_;
+let _e1484 = phi_2427_;
+let _e1486 = phi_2429_;
 local_12 = _e1486;
 local_13 = _e1484;
 local_14 = _e1486;
@@ -723,37 +723,37 @@ local_27 = _e1482;
 let _e1487 = (_e1480 < _e1373);
 if _e1487 {
 if (_e1486 > 1i) {
-phi_2432_ = (_e1486 >> bitcast<u32>(1i));
+phi_2444_ = (_e1486 >> bitcast<u32>(1i));
 } else {
-phi_2432_ = 1i;
+phi_2444_ = 1i;
 }
-let _e1494 = phi_2432_;
+let _e1494 = phi_2444_;
 if (_e1484 > 1i) {
-phi_2438_ = (_e1484 >> bitcast<u32>(1i));
+phi_2450_ = (_e1484 >> bitcast<u32>(1i));
 } else {
-phi_2438_ = 1i;
+phi_2450_ = 1i;
 }
-let _e1499 = phi_2438_;
-phi_2411_ = (_e1480 + 1i);
-phi_2414_ = (_e1482 + (_e1486 * _e1484));
-phi_2416_ = _e1499;
-phi_2418_ = _e1494;
+let _e1499 = phi_2450_;
+phi_2423_ = (_e1480 + 1i);
+phi_2426_ = (_e1482 + (_e1486 * _e1484));
+phi_2428_ = _e1499;
+phi_2430_ = _e1494;
 } else {
-phi_2411_ = i32();
-phi_2414_ = i32();
-phi_2416_ = i32();
-phi_2418_ = i32();
+phi_2423_ = i32();
+phi_2426_ = i32();
+phi_2428_ = i32();
+phi_2430_ = i32();
 }
-let _e1502 = phi_2411_;
-let _e1504 = phi_2414_;
-let _e1506 = phi_2416_;
-let _e1508 = phi_2418_;
+let _e1502 = phi_2423_;
+let _e1504 = phi_2426_;
+let _e1506 = phi_2428_;
+let _e1508 = phi_2430_;
 continue;
 continuing {
-phi_2410_ = _e1502;
-phi_2413_ = _e1504;
-phi_2415_ = _e1506;
-phi_2417_ = _e1508;
+phi_2422_ = _e1502;
+phi_2425_ = _e1504;
+phi_2427_ = _e1506;
+phi_2429_ = _e1508;
 break if !(_e1487);
 }
 }
@@ -777,54 +777,54 @@ let _e1555 = select(0f, _e1553, (_e1553 > 0f));
 let _e1557 = select(1f, _e1555, (_e1555 < 1f));
 if (_e1534 < 0i) {
 let _e1560 = local_14;
-phi_2513_ = (_e1534 + _e1560);
+phi_2525_ = (_e1534 + _e1560);
 } else {
-phi_2513_ = _e1534;
+phi_2525_ = _e1534;
 }
-let _e1563 = phi_2513_;
+let _e1563 = phi_2525_;
 let _e1565 = local_15;
 if (_e1563 >= _e1565) {
 let _e1568 = local_16;
-phi_2519_ = (_e1563 - _e1568);
+phi_2531_ = (_e1563 - _e1568);
 } else {
-phi_2519_ = _e1563;
+phi_2531_ = _e1563;
 }
-let _e1571 = phi_2519_;
+let _e1571 = phi_2531_;
 let _e1572 = (_e1534 + 1i);
 if (_e1572 < 0i) {
 let _e1575 = local_17;
-phi_2526_ = (_e1572 + _e1575);
+phi_2538_ = (_e1572 + _e1575);
 } else {
-phi_2526_ = _e1572;
+phi_2538_ = _e1572;
 }
-let _e1578 = phi_2526_;
+let _e1578 = phi_2538_;
 let _e1580 = local_18;
 if (_e1578 >= _e1580) {
 let _e1583 = local_19;
-phi_2532_ = (_e1578 - _e1583);
+phi_2544_ = (_e1578 - _e1583);
 } else {
-phi_2532_ = _e1578;
+phi_2544_ = _e1578;
 }
-let _e1586 = phi_2532_;
+let _e1586 = phi_2544_;
 let _e1588 = select(_e1549, 0i, (_e1549 < 0i));
 let _e1590 = local_20;
 if (_e1588 >= _e1590) {
 let _e1593 = local_21;
-phi_2543_ = (_e1593 - 1i);
+phi_2555_ = (_e1593 - 1i);
 } else {
-phi_2543_ = _e1588;
+phi_2555_ = _e1588;
 }
-let _e1596 = phi_2543_;
+let _e1596 = phi_2555_;
 let _e1597 = (_e1549 + 1i);
 let _e1599 = select(_e1597, 0i, (_e1597 < 0i));
 let _e1601 = local_22;
 if (_e1599 >= _e1601) {
 let _e1604 = local_23;
-phi_2555_ = (_e1604 - 1i);
+phi_2567_ = (_e1604 - 1i);
 } else {
-phi_2555_ = _e1599;
+phi_2567_ = _e1599;
 }
-let _e1607 = phi_2555_;
+let _e1607 = phi_2567_;
 let _e1609 = local_24;
 let _e1612 = local_25;
 let _e1613 = (_e1612 + (_e1596 * _e1609));
@@ -874,15 +874,15 @@ let _e1742 = (_e1649 + ((_e1677 - _e1649) * _e1551));
 let _e1758 = (_e1740 + (((_e1687 + ((_e1715 - _e1687) * _e1551)) - _e1740) * _e1557));
 let _e1759 = (_e1741 + (((_e1696 + ((_e1724 - _e1696) * _e1551)) - _e1741) * _e1557));
 let _e1760 = (_e1742 + (((_e1705 + ((_e1733 - _e1705) * _e1551)) - _e1742) * _e1557));
-phi_2791_ = 0i;
-phi_2794_ = 0i;
-phi_2796_ = _e1478;
-phi_2798_ = _e1302;
+phi_2803_ = 0i;
+phi_2806_ = 0i;
+phi_2808_ = _e1478;
+phi_2810_ = _e1302;
 loop {
-let _e1763 = phi_2791_;
-let _e1765 = phi_2794_;
-let _e1767 = phi_2796_;
-let _e1769 = phi_2798_;
+let _e1763 = phi_2803_;
+let _e1765 = phi_2806_;
+let _e1767 = phi_2808_;
+let _e1769 = phi_2810_;
 local_28 = _e1769;
 local_29 = _e1767;
 local_30 = _e1769;
@@ -902,37 +902,37 @@ local_43 = _e1765;
 let _e1770 = (_e1763 < (_e1373 + 1i));
 if _e1770 {
 if (_e1769 > 1i) {
-phi_2813_ = (_e1769 >> bitcast<u32>(1i));
+phi_2825_ = (_e1769 >> bitcast<u32>(1i));
 } else {
-phi_2813_ = 1i;
+phi_2825_ = 1i;
 }
-let _e1777 = phi_2813_;
+let _e1777 = phi_2825_;
 if (_e1767 > 1i) {
-phi_2819_ = (_e1767 >> bitcast<u32>(1i));
+phi_2831_ = (_e1767 >> bitcast<u32>(1i));
 } else {
-phi_2819_ = 1i;
+phi_2831_ = 1i;
 }
-let _e1782 = phi_2819_;
-phi_2792_ = (_e1763 + 1i);
-phi_2795_ = (_e1765 + (_e1769 * _e1767));
-phi_2797_ = _e1782;
-phi_2799_ = _e1777;
+let _e1782 = phi_2831_;
+phi_2804_ = (_e1763 + 1i);
+phi_2807_ = (_e1765 + (_e1769 * _e1767));
+phi_2809_ = _e1782;
+phi_2811_ = _e1777;
 } else {
-phi_2792_ = i32();
-phi_2795_ = i32();
-phi_2797_ = i32();
-phi_2799_ = i32();
+phi_2804_ = i32();
+phi_2807_ = i32();
+phi_2809_ = i32();
+phi_2811_ = i32();
 }
-let _e1785 = phi_2792_;
-let _e1787 = phi_2795_;
-let _e1789 = phi_2797_;
-let _e1791 = phi_2799_;
+let _e1785 = phi_2804_;
+let _e1787 = phi_2807_;
+let _e1789 = phi_2809_;
+let _e1791 = phi_2811_;
 continue;
 continuing {
-phi_2791_ = _e1785;
-phi_2794_ = _e1787;
-phi_2796_ = _e1789;
-phi_2798_ = _e1791;
+phi_2803_ = _e1785;
+phi_2806_ = _e1787;
+phi_2808_ = _e1789;
+phi_2810_ = _e1791;
 break if !(_e1770);
 }
 }
@@ -956,54 +956,54 @@ let _e1838 = select(0f, _e1836, (_e1836 > 0f));
 let _e1840 = select(1f, _e1838, (_e1838 < 1f));
 if (_e1817 < 0i) {
 let _e1843 = local_30;
-phi_2894_ = (_e1817 + _e1843);
+phi_2906_ = (_e1817 + _e1843);
 } else {
-phi_2894_ = _e1817;
+phi_2906_ = _e1817;
 }
-let _e1846 = phi_2894_;
+let _e1846 = phi_2906_;
 let _e1848 = local_31;
 if (_e1846 >= _e1848) {
 let _e1851 = local_32;
-phi_2900_ = (_e1846 - _e1851);
+phi_2912_ = (_e1846 - _e1851);
 } else {
-phi_2900_ = _e1846;
+phi_2912_ = _e1846;
 }
-let _e1854 = phi_2900_;
+let _e1854 = phi_2912_;
 let _e1855 = (_e1817 + 1i);
 if (_e1855 < 0i) {
 let _e1858 = local_33;
-phi_2907_ = (_e1855 + _e1858);
+phi_2919_ = (_e1855 + _e1858);
 } else {
-phi_2907_ = _e1855;
+phi_2919_ = _e1855;
 }
-let _e1861 = phi_2907_;
+let _e1861 = phi_2919_;
 let _e1863 = local_34;
 if (_e1861 >= _e1863) {
 let _e1866 = local_35;
-phi_2913_ = (_e1861 - _e1866);
+phi_2925_ = (_e1861 - _e1866);
 } else {
-phi_2913_ = _e1861;
+phi_2925_ = _e1861;
 }
-let _e1869 = phi_2913_;
+let _e1869 = phi_2925_;
 let _e1871 = select(_e1832, 0i, (_e1832 < 0i));
 let _e1873 = local_36;
 if (_e1871 >= _e1873) {
 let _e1876 = local_37;
-phi_2924_ = (_e1876 - 1i);
+phi_2936_ = (_e1876 - 1i);
 } else {
-phi_2924_ = _e1871;
+phi_2936_ = _e1871;
 }
-let _e1879 = phi_2924_;
+let _e1879 = phi_2936_;
 let _e1880 = (_e1832 + 1i);
 let _e1882 = select(_e1880, 0i, (_e1880 < 0i));
 let _e1884 = local_38;
 if (_e1882 >= _e1884) {
 let _e1887 = local_39;
-phi_2936_ = (_e1887 - 1i);
+phi_2948_ = (_e1887 - 1i);
 } else {
-phi_2936_ = _e1882;
+phi_2948_ = _e1882;
 }
-let _e1890 = phi_2936_;
+let _e1890 = phi_2948_;
 let _e1892 = local_40;
 let _e1895 = local_41;
 let _e1896 = (_e1895 + (_e1879 * _e1892));
@@ -1053,15 +1053,15 @@ let _e2046 = (_e1355 - f32(_e1373));
 let _e2048 = select(0f, _e2046, (_e2046 > 0f));
 let _e2050 = select(1f, _e2048, (_e2048 < 1f));
 let _e2060 = global_1.member.member_21.member_11;
-phi_3191_ = vec3<f32>(((_e1758 + (((_e2021 + (((_e1968 + ((_e1996 - _e1968) * _e1834)) - _e2021) * _e1840)) - _e1758) * _e2050)) * _e2060), ((_e1759 + (((_e2022 + (((_e1977 + ((_e2005 - _e1977) * _e1834)) - _e2022) * _e1840)) - _e1759) * _e2050)) * _e2060), ((_e1760 + (((_e2023 + (((_e1986 + ((_e2014 - _e1986) * _e1834)) - _e2023) * _e1840)) - _e1760) * _e2050)) * _e2060));
+phi_3203_ = vec3<f32>(((_e1758 + (((_e2021 + (((_e1968 + ((_e1996 - _e1968) * _e1834)) - _e2021) * _e1840)) - _e1758) * _e2050)) * _e2060), ((_e1759 + (((_e2022 + (((_e1977 + ((_e2005 - _e1977) * _e1834)) - _e2022) * _e1840)) - _e1759) * _e2050)) * _e2060), ((_e1760 + (((_e2023 + (((_e1986 + ((_e2014 - _e1986) * _e1834)) - _e2023) * _e1840)) - _e1760) * _e2050)) * _e2060));
 }
-let _e2066 = phi_3191_;
-phi_3192_ = _e2066;
+let _e2066 = phi_3203_;
+phi_3204_ = _e2066;
 }
-let _e2068 = phi_3192_;
-phi_3193_ = _e2068;
+let _e2068 = phi_3204_;
+phi_3205_ = _e2068;
 }
-let _e2070 = phi_3193_;
+let _e2070 = phi_3205_;
 let _e2074 = global_1.member.member_21.member_12;
 let _e2081 = (_e541 * _e2074);
 let _e2093 = (1f - ((_e541 * ((_e236 + _e247) + _e258)) * (1f / 3f)));

@@ -41,24 +41,20 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_10 {
-member: type_5,
-member_1: type_5,
-}
-struct type_12 {
+struct type_11 {
 member: array<f32>,
 }
-struct type_16 {
+struct type_15 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_17 {
+struct type_16 {
 member: u32,
 member_1: u32,
 }
-struct type_18 {
+struct type_17 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -66,7 +62,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_19 {
+struct type_18 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -81,7 +77,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_20 {
+struct type_19 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -92,6 +88,10 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
+struct type_20 {
+member: type_5,
+member_1: type_5,
+}
 struct type_21 {
 member: type_7,
 member_1: u32,
@@ -99,16 +99,16 @@ member_1: u32,
 struct type_22 {
 member: type_2,
 member_1: u32,
-member_2: type_16,
-member_3: type_17,
+member_2: type_15,
+member_3: type_16,
 member_4: u32,
-member_5: type_18,
-member_6: type_19,
-member_7: type_19,
-member_8: type_20,
-member_9: type_10,
+member_5: type_17,
+member_6: type_18,
+member_7: type_18,
+member_8: type_19,
+member_9: type_20,
 member_10: f32,
-member_11: type_18,
+member_11: type_17,
 member_12: type_4,
 member_13: type_9,
 member_14: type_21,
@@ -137,9 +137,9 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_23;
 @group(0) @binding(1)
-var<storage> global_2: type_12;
+var<storage> global_2: type_11;
 @group(0) @binding(2)
-var<storage> global_3: type_12;
+var<storage> global_3: type_11;
 @group(0) @binding(3)
 var<storage, read_write> global_4: type_28;
 fn function_() {

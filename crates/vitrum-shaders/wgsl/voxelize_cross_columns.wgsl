@@ -21,6 +21,7 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 member_10: u32,
+member_11: f32,
 }
 struct type_10 {
 member: type_9,
@@ -38,13 +39,13 @@ var<storage> global_3: type_8;
 @group(0) @binding(1)
 var<storage> global_4: type_5;
 fn function_() {
-var phi_143_: i32;
-var phi_323_: i32;
-var phi_590_: i32;
-var phi_721_: i32;
-var phi_722_: i32;
-var phi_591_: i32;
+var phi_144_: i32;
 var phi_324_: i32;
+var phi_591_: i32;
+var phi_728_: i32;
+var phi_729_: i32;
+var phi_592_: i32;
+var phi_325_: i32;
 let _e27 = global;
 let _e33 = arrayLength((&global_2.member));
 let _e36 = global_1.member.member;
@@ -63,11 +64,11 @@ if (_e48 < _e51) {
 let _e67 = (_e53 + 2i);
 let _e69 = select(_e56, _e67, (_e67 < _e56));
 let _e75 = global_3.member[bitcast<u32>(select(0i, _e69, (_e69 > 0i)))];
-phi_143_ = bitcast<i32>(_e75);
+phi_144_ = bitcast<i32>(_e75);
 } else {
-phi_143_ = 0i;
+phi_144_ = 0i;
 }
-let _e78 = phi_143_;
+let _e78 = phi_144_;
 let _e80 = select(_e56, _e53, (_e53 < _e56));
 let _e86 = global_3.member[bitcast<u32>(select(0i, _e80, (_e80 > 0i)))];
 let _e89 = (bitcast<i32>(_e86) * 9i);
@@ -106,9 +107,9 @@ let _e182 = global_1.member.member_6;
 let _e186 = f32((1u << bitcast<u32>((_e182 & 31u))));
 let _e190 = global_1.member.member_2.member;
 let _e191 = f32(_e190);
-phi_323_ = _e65;
+phi_324_ = _e65;
 loop {
-let _e193 = phi_323_;
+let _e193 = phi_324_;
 let _e194 = (_e193 < (_e65 + _e78));
 if _e194 {
 let _e197 = ((f32(_e193) + 0.5f) * _e179);
@@ -157,74 +158,76 @@ let _e309 = select(_e288, _e307, (_e307 > _e288));
 let _e311 = select(0f, _e309, (_e309 < 0f));
 let _e318 = select(0i, select(select(i32(_e311), i32(-2147483648), (_e311 < -2147483600f)), 2147483647i, (_e311 > 2147483500f)), (_e311 == _e311));
 let _e328 = global_1.member.member_5;
-phi_590_ = -((_e318 - select(0i, 1i, (_e311 < f32(_e318)))));
+phi_591_ = -((_e318 - select(0i, 1i, (_e311 < f32(_e318)))));
 loop {
-let _e332 = phi_590_;
+let _e332 = phi_591_;
 let _e333 = (_e332 < -((_e299 - select(0i, 1i, (_e292 < f32(_e299))))));
 if _e333 {
 let _e338 = ((((f32(_e332) + 0.5f) * _e179) - _e268) * (1f / select((_e264 - _e268), 1f, (_e264 == _e268))));
 let _e340 = select(0f, _e338, (_e338 > 0f));
 let _e345 = (_e266 + ((select(select(_e257, _e238, _e222), _e217, _e200) - _e266) * select(1f, _e340, (_e340 < 1f))));
-let _e347 = select(0f, _e345, (_e345 > 0f));
-let _e349 = select(_e191, _e347, (_e347 < _e191));
-let _e350 = (_e191 - 1f);
-let _e352 = select(0f, _e349, (_e349 > 0f));
-let _e354 = select(_e350, _e352, (_e352 < _e350));
-let _e361 = select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < -2147483600f)), 2147483647i, (_e354 > 2147483500f)), (_e354 == _e354));
-let _e365 = (_e361 - select(0i, 1i, (_e354 < f32(_e361))));
-let _e367 = select(0f, _e186, (_e186 > 0f));
-let _e369 = select(65536f, _e367, (_e367 < 65536f));
-let _e376 = select(0i, select(select(i32(_e369), i32(-2147483648), (_e369 < -2147483600f)), 2147483647i, (_e369 > 2147483500f)), (_e369 == _e369));
-let _e384 = (((_e349 - f32(_e365)) * _e186) + 0.5f);
-let _e386 = select(0f, _e384, (_e384 > 0f));
-let _e388 = select(_e186, _e386, (_e386 < _e186));
-let _e395 = select(0i, select(select(i32(_e388), i32(-2147483648), (_e388 < -2147483600f)), 2147483647i, (_e388 > 2147483500f)), (_e388 == _e388));
-let _e399 = (_e395 - select(0i, 1i, (_e388 < f32(_e395))));
-let _e400 = ((_e376 - select(0i, 1i, (_e369 < f32(_e376)))) - _e399);
-let _e408 = global_1.member.member_3;
-let _e412 = bitcast<u32>(((((((_e193 >> bitcast<u32>(_e175)) - bitcast<i32>(_e328)) * bitcast<i32>(_e282)) + (_e332 >> bitcast<u32>(_e175))) * bitcast<i32>(_e408)) + _e365));
+let _e348 = global_1.member.member_11;
+let _e352 = (_e345 / (1f + (_e348 * (_e191 - _e345))));
+let _e354 = select(0f, _e352, (_e352 > 0f));
+let _e356 = select(_e191, _e354, (_e354 < _e191));
+let _e357 = (_e191 - 1f);
+let _e359 = select(0f, _e356, (_e356 > 0f));
+let _e361 = select(_e357, _e359, (_e359 < _e357));
+let _e368 = select(0i, select(select(i32(_e361), i32(-2147483648), (_e361 < -2147483600f)), 2147483647i, (_e361 > 2147483500f)), (_e361 == _e361));
+let _e372 = (_e368 - select(0i, 1i, (_e361 < f32(_e368))));
+let _e374 = select(0f, _e186, (_e186 > 0f));
+let _e376 = select(65536f, _e374, (_e374 < 65536f));
+let _e383 = select(0i, select(select(i32(_e376), i32(-2147483648), (_e376 < -2147483600f)), 2147483647i, (_e376 > 2147483500f)), (_e376 == _e376));
+let _e391 = (((_e356 - f32(_e372)) * _e186) + 0.5f);
+let _e393 = select(0f, _e391, (_e391 > 0f));
+let _e395 = select(_e186, _e393, (_e393 < _e186));
+let _e402 = select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < -2147483600f)), 2147483647i, (_e395 > 2147483500f)), (_e395 == _e395));
+let _e406 = (_e402 - select(0i, 1i, (_e395 < f32(_e402))));
+let _e407 = ((_e383 - select(0i, 1i, (_e376 < f32(_e383)))) - _e406);
+let _e415 = global_1.member.member_3;
+let _e419 = bitcast<u32>(((((((_e193 >> bitcast<u32>(_e175)) - bitcast<i32>(_e328)) * bitcast<i32>(_e282)) + (_e332 >> bitcast<u32>(_e175))) * bitcast<i32>(_e415)) + _e372));
 if _e271 {
-phi_721_ = -(_e399);
-phi_722_ = -(_e400);
+phi_728_ = -(_e406);
+phi_729_ = -(_e407);
 } else {
-phi_721_ = _e399;
-phi_722_ = _e400;
+phi_728_ = _e406;
+phi_729_ = _e407;
 }
-let _e416 = phi_721_;
-let _e418 = phi_722_;
-if (_e418 == 0i) {
+let _e423 = phi_728_;
+let _e425 = phi_729_;
+if (_e425 == 0i) {
 } else {
-if (_e412 < _e33) {
-let _e424 = atomicAdd((&global_2.member[_e412]), bitcast<u32>(_e418));
+if (_e419 < _e33) {
+let _e431 = atomicAdd((&global_2.member[_e419]), bitcast<u32>(_e425));
 }
 }
-if (_e416 == 0i) {
+if (_e423 == 0i) {
 } else {
-let _e426 = (_e412 + 1u);
-if (_e426 < _e33) {
-let _e431 = atomicAdd((&global_2.member[_e426]), bitcast<u32>(_e416));
+let _e433 = (_e419 + 1u);
+if (_e433 < _e33) {
+let _e438 = atomicAdd((&global_2.member[_e433]), bitcast<u32>(_e423));
 }
 }
-phi_591_ = (_e332 + 1i);
+phi_592_ = (_e332 + 1i);
 } else {
-phi_591_ = i32();
+phi_592_ = i32();
 }
-let _e434 = phi_591_;
+let _e441 = phi_592_;
 continue;
 continuing {
-phi_590_ = _e434;
+phi_591_ = _e441;
 break if !(_e333);
 }
 }
 }
-phi_324_ = (_e193 + 1i);
+phi_325_ = (_e193 + 1i);
 } else {
-phi_324_ = i32();
+phi_325_ = i32();
 }
-let _e438 = phi_324_;
+let _e445 = phi_325_;
 continue;
 continuing {
-phi_323_ = _e438;
+phi_324_ = _e445;
 break if !(_e194);
 }
 }

@@ -21,6 +21,7 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 member_10: u32,
+member_11: f32,
 }
 struct type_11 {
 member: type_10,

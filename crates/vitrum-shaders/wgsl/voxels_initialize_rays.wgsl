@@ -44,17 +44,32 @@ member_1: type_8,
 struct type_10 {
 member: type_5,
 member_1: type_5,
+member_2: f32,
+member_3: f32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
 }
 struct type_11 {
-member: type_2,
-member_1: u32,
-member_2: type_7,
-member_3: type_7,
-member_4: type_7,
-member_5: f32,
-member_6: f32,
+member: u32,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_10,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_5,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_5,
+member_8: f32,
+member_9: f32,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -73,24 +88,24 @@ member_14: type_5,
 member_15: type_5,
 member_16: type_6,
 member_17: type_9,
-member_18: type_10,
+member_18: type_11,
 member_19: type_5,
-member_20: type_11,
+member_20: type_12,
 }
-struct type_13 {
-member: type_12,
+struct type_14 {
+member: type_13,
 }
-struct type_15 {
+struct type_16 {
 member: array<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_14;
 @group(0) @binding(1)
-var<storage, read_write> global_2: type_15;
+var<storage, read_write> global_2: type_16;
 fn function_() {
-var phi_202_: vec3<f32>;
-var phi_210_: vec3<f32>;
+var phi_203_: vec3<f32>;
+var phi_211_: vec3<f32>;
 let _e45 = global;
 let _e48 = global_1.member.member;
 if (_e45.x < _e48.member) {
@@ -113,18 +128,18 @@ let _e123 = global_1.member.member_6.member_3;
 let _e124 = (_e123 != 0u);
 if _e124 {
 let _e127 = global_1.member.member_9;
-phi_202_ = vec3<f32>(_e127.member, _e127.member_1, _e127.member_2);
+phi_203_ = vec3<f32>(_e127.member, _e127.member_1, _e127.member_2);
 } else {
 let _e134 = global_1.member.member_9;
-phi_202_ = vec3<f32>((_e134.member + _e117), (_e134.member_1 + _e118), (_e134.member_2 + _e119));
+phi_203_ = vec3<f32>((_e134.member + _e117), (_e134.member_1 + _e118), (_e134.member_2 + _e119));
 }
-let _e143 = phi_202_;
+let _e143 = phi_203_;
 if _e124 {
-phi_210_ = vec3<f32>((_e94.member + _e117), (_e94.member_1 + _e118), (_e94.member_2 + _e119));
+phi_211_ = vec3<f32>((_e94.member + _e117), (_e94.member_1 + _e118), (_e94.member_2 + _e119));
 } else {
-phi_210_ = vec3<f32>(_e94.member, _e94.member_1, _e94.member_2);
+phi_211_ = vec3<f32>(_e94.member, _e94.member_1, _e94.member_2);
 }
-let _e149 = phi_210_;
+let _e149 = phi_211_;
 let _e157 = (((_e143.x * _e143.x) + (_e143.y * _e143.y)) + (_e143.z * _e143.z));
 let _e160 = sqrt(select(0f, _e157, (_e157 > 0f)));
 let _e163 = (1f / select(1e-20f, _e160, (_e160 > 1e-20f)));

@@ -44,17 +44,32 @@ member_1: type_8,
 struct type_10 {
 member: type_5,
 member_1: type_5,
+member_2: f32,
+member_3: f32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
 }
 struct type_11 {
-member: type_2,
-member_1: u32,
-member_2: type_7,
-member_3: type_7,
-member_4: type_7,
-member_5: f32,
-member_6: f32,
+member: u32,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_10,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_5,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_5,
+member_8: f32,
+member_9: f32,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -73,17 +88,17 @@ member_14: type_5,
 member_15: type_5,
 member_16: type_6,
 member_17: type_9,
-member_18: type_10,
+member_18: type_11,
 member_19: type_5,
-member_20: type_11,
+member_20: type_12,
 }
-struct type_13 {
-member: type_12,
+struct type_14 {
+member: type_13,
 }
-struct type_15 {
+struct type_16 {
 member: array<f32>,
 }
-struct type_19 {
+struct type_20 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -100,68 +115,68 @@ member_12: i32,
 member_13: i32,
 member_14: f32,
 }
-struct type_21 {
+struct type_22 {
 member: array<u32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_14;
 @group(0) @binding(3)
-var<storage> global_2: type_15;
+var<storage> global_2: type_16;
 @group(0) @binding(4)
-var<storage, read_write> global_3: type_15;
+var<storage, read_write> global_3: type_16;
 @group(0) @binding(1)
-var<storage> global_4: type_21;
+var<storage> global_4: type_22;
 @group(0) @binding(2)
-var<storage> global_5: type_21;
+var<storage> global_5: type_22;
 fn function_() {
 var local: i32;
 var local_1: vec3<f32>;
-var phi_653_: u32;
-var phi_866_: i32;
-var phi_869_: i32;
-var phi_1305_: f32;
+var phi_654_: u32;
 var phi_867_: i32;
 var phi_870_: i32;
+var phi_1306_: f32;
+var phi_868_: i32;
+var phi_871_: i32;
 var local_2: i32;
-var phi_1313_: type_19;
-var phi_1315_: type_19;
-var phi_1318_: i32;
-var phi_1654_: f32;
-var phi_1692_: i32;
-var phi_1695_: i32;
-var phi_2131_: f32;
+var phi_1314_: type_20;
+var phi_1316_: type_20;
+var phi_1319_: i32;
+var phi_1655_: f32;
 var phi_1693_: i32;
 var phi_1696_: i32;
+var phi_2132_: f32;
+var phi_1694_: i32;
+var phi_1697_: i32;
 var local_3: i32;
-var phi_2143_: i32;
-var phi_2146_: f32;
-var phi_2148_: f32;
-var phi_2177_: i32;
-var phi_2180_: i32;
-var phi_2616_: f32;
-var phi_2178_: i32;
-var phi_2181_: i32;
-var local_4: i32;
 var phi_2144_: i32;
 var phi_2147_: f32;
 var phi_2149_: f32;
+var phi_2178_: i32;
+var phi_2181_: i32;
+var phi_2617_: f32;
+var phi_2179_: i32;
+var phi_2182_: i32;
+var local_4: i32;
+var phi_2145_: i32;
+var phi_2148_: f32;
+var phi_2150_: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var phi_2651_: i32;
-var phi_2654_: i32;
-var phi_3090_: f32;
 var phi_2652_: i32;
 var phi_2655_: i32;
+var phi_3091_: f32;
+var phi_2653_: i32;
+var phi_2656_: i32;
 var local_8: i32;
 var local_9: i32;
-var phi_3550_: f32;
-var phi_3989_: f32;
-var phi_4429_: f32;
-var phi_4868_: f32;
-var phi_5308_: f32;
-var phi_5747_: f32;
+var phi_3551_: f32;
+var phi_3990_: f32;
+var phi_4430_: f32;
+var phi_4869_: f32;
+var phi_5309_: f32;
+var phi_5748_: f32;
 var local_10: f32;
 var local_11: i32;
 var local_12: f32;
@@ -169,54 +184,54 @@ var local_13: f32;
 var local_14: f32;
 var local_15: f32;
 var local_16: f32;
-var phi_6077_: type_19;
+var phi_6078_: type_20;
 var local_17: i32;
 var local_18: i32;
-var phi_6288_: type_19;
-var phi_6341_: type_19;
-var phi_6355_: type_19;
+var phi_6289_: type_20;
+var phi_6342_: type_20;
+var phi_6356_: type_20;
 var local_19: i32;
-var phi_6799_: type_19;
-var phi_6800_: type_19;
-var phi_6780_: type_19;
-var phi_6801_: type_19;
+var phi_6800_: type_20;
+var phi_6801_: type_20;
+var phi_6781_: type_20;
+var phi_6802_: type_20;
 var local_20: i32;
-var phi_6810_: type_19;
-var phi_6811_: type_19;
-var phi_6812_: bool;
-var phi_7391_: type_19;
+var phi_6811_: type_20;
+var phi_6812_: type_20;
+var phi_6813_: bool;
+var phi_7392_: type_20;
 var local_21: i32;
-var phi_7693_: type_19;
-var phi_7694_: type_19;
-var phi_7695_: type_19;
-var phi_7102_: type_19;
-var phi_7696_: type_19;
-var phi_1316_: type_19;
-var phi_1319_: i32;
-var local_22: type_19;
-var local_23: type_19;
-var local_24: type_19;
-var local_25: type_19;
-var local_26: type_19;
-var local_27: type_19;
-var local_28: type_19;
-var local_29: type_19;
-var local_30: type_19;
-var local_31: type_19;
-var local_32: type_19;
-var local_33: type_19;
-var local_34: type_19;
-var local_35: type_19;
-var local_36: type_19;
-var local_37: type_19;
-var local_38: type_19;
-var local_39: type_19;
-var local_40: type_19;
-var local_41: type_19;
-var local_42: type_19;
-var local_43: type_19;
-var local_44: type_19;
-var local_45: type_19;
+var phi_7694_: type_20;
+var phi_7695_: type_20;
+var phi_7696_: type_20;
+var phi_7103_: type_20;
+var phi_7697_: type_20;
+var phi_1317_: type_20;
+var phi_1320_: i32;
+var local_22: type_20;
+var local_23: type_20;
+var local_24: type_20;
+var local_25: type_20;
+var local_26: type_20;
+var local_27: type_20;
+var local_28: type_20;
+var local_29: type_20;
+var local_30: type_20;
+var local_31: type_20;
+var local_32: type_20;
+var local_33: type_20;
+var local_34: type_20;
+var local_35: type_20;
+var local_36: type_20;
+var local_37: type_20;
+var local_38: type_20;
+var local_39: type_20;
+var local_40: type_20;
+var local_41: type_20;
+var local_42: type_20;
+var local_43: type_20;
+var local_44: type_20;
+var local_45: type_20;
 var local_46: f32;
 let _e85 = global;
 let _e91 = arrayLength((&global_5.member));
@@ -328,11 +343,11 @@ let _e375 = select(_e110, _e373, (_e373 < _e110));
 let _e381 = global_3.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
 let _e382 = (_e293 == 0f);
 if _e382 {
-phi_653_ = 3u;
+phi_654_ = 3u;
 } else {
-phi_653_ = select(0u, 1u, (_e293 == 4f));
+phi_654_ = select(0u, 1u, (_e293 == 4f));
 }
-let _e386 = phi_653_;
+let _e386 = phi_654_;
 if (_e386 > 1u) {
 let _e389 = vec3<f32>(_e118, _e128, _e139);
 let _e390 = vec3<f32>(_e150, _e161, _e172);
@@ -345,11 +360,11 @@ let _e418 = global_1.member.member_14;
 let _e424 = global_1.member.member_15;
 if (_e382 && (_e315 == 0f)) {
 let _e432 = global_1.member.member_3;
-phi_866_ = (bitcast<i32>(_e432) - 1i);
-phi_869_ = 16i;
+phi_867_ = (bitcast<i32>(_e432) - 1i);
+phi_870_ = 16i;
 loop {
-let _e436 = phi_866_;
-let _e438 = phi_869_;
+let _e436 = phi_867_;
+let _e438 = phi_870_;
 local_2 = _e438;
 let _e439 = (_e436 >= 0i);
 if _e439 {
@@ -441,37 +456,37 @@ let _e749 = global_5.member[bitcast<u32>(select(0i, _e743, (_e743 > 0i)))];
 let _e756 = ((_e737 >> bitcast<u32>((_e729 & 31u))) | ((_e749 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e729) & 31u))));
 let _e759 = f32(bitcast<i32>((_e756 & 65535u)));
 let _e769 = (_e634 + (((_e671 + ((f32(bitcast<i32>((_e668 >> bitcast<u32>(16i)))) - _e671) * _e587)) - _e634) * _e589));
-phi_1305_ = (_e769 + (((_e722 + (((_e759 + ((f32(bitcast<i32>((_e756 >> bitcast<u32>(16i)))) - _e759) * _e587)) - _e722) * _e589)) - _e769) * (_e457 - f32(_e508))));
+phi_1306_ = (_e769 + (((_e722 + (((_e759 + ((f32(bitcast<i32>((_e756 >> bitcast<u32>(16i)))) - _e759) * _e587)) - _e722) * _e589)) - _e769) * (_e457 - f32(_e508))));
 } else {
-phi_1305_ = 0f;
+phi_1306_ = 0f;
 }
-let _e777 = phi_1305_;
-phi_867_ = (_e436 - 1i);
-phi_870_ = select(_e438, _e436, (_e777 > 32767.5f));
+let _e777 = phi_1306_;
+phi_868_ = (_e436 - 1i);
+phi_871_ = select(_e438, _e436, (_e777 > 32767.5f));
 } else {
-phi_867_ = i32();
-phi_870_ = i32();
+phi_868_ = i32();
+phi_871_ = i32();
 }
-let _e782 = phi_867_;
-let _e784 = phi_870_;
+let _e782 = phi_868_;
+let _e784 = phi_871_;
 continue;
 continuing {
-phi_866_ = _e782;
-phi_869_ = _e784;
+phi_867_ = _e782;
+phi_870_ = _e784;
 break if !(_e439);
 }
 }
 let _e787 = local_2;
-phi_1313_ = type_19(_e389, _e390, _e391, _e392, _e393, _e282, _e293, _e787, _e315, _e326, _e337, _e348, _e407, _e414, _e381);
+phi_1314_ = type_20(_e389, _e390, _e391, _e392, _e393, _e282, _e293, _e787, _e315, _e326, _e337, _e348, _e407, _e414, _e381);
 } else {
-phi_1313_ = type_19(_e389, _e390, _e391, _e392, _e393, _e282, _e293, select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < -2147483600f)), 2147483647i, (_e304 > 2147483500f)), (_e304 == _e304)), _e315, _e326, _e337, _e348, _e407, _e414, _e381);
+phi_1314_ = type_20(_e389, _e390, _e391, _e392, _e393, _e282, _e293, select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < -2147483600f)), 2147483647i, (_e304 > 2147483500f)), (_e304 == _e304)), _e315, _e326, _e337, _e348, _e407, _e414, _e381);
 }
-let _e790 = phi_1313_;
-phi_1315_ = _e790;
-phi_1318_ = 0i;
+let _e790 = phi_1314_;
+phi_1316_ = _e790;
+phi_1319_ = 0i;
 loop {
-let _e792 = phi_1315_;
-let _e794 = phi_1318_;
+let _e792 = phi_1316_;
+let _e794 = phi_1319_;
 local_22 = _e792;
 local_23 = _e792;
 local_24 = _e792;
@@ -553,22 +568,22 @@ let _e984 = select(_e976, _e974, (_e974 > _e976));
 let _e986 = select(_e984, _e982, (_e982 < _e984));
 let _e988 = select(_e980, _e978, (_e978 > _e980));
 let _e990 = select(_e988, _e986, (_e986 < _e988));
-phi_1654_ = (select(0f, _e990, (_e990 > 0f)) + 1e-3f);
+phi_1655_ = (select(0f, _e990, (_e990 > 0f)) + 1e-3f);
 } else {
-phi_1654_ = 0.5f;
+phi_1655_ = 0.5f;
 }
-let _e995 = phi_1654_;
+let _e995 = phi_1655_;
 let _e998 = (select(0f, _e853, (_e853 > 0f)) + 1e-3f);
 let _e1000 = select(_e998, _e995, (_e995 < _e998));
 let _e1002 = (_e792.member_14 <= _e1000);
 let _e1003 = select(_e1000, _e792.member_14, _e1002);
 let _e1013 = global_1.member.member_3;
 let _e1015 = (bitcast<i32>(_e1013) - 1i);
-phi_1692_ = _e1015;
-phi_1695_ = 16i;
+phi_1693_ = _e1015;
+phi_1696_ = 16i;
 loop {
-let _e1017 = phi_1692_;
-let _e1019 = phi_1695_;
+let _e1017 = phi_1693_;
+let _e1019 = phi_1696_;
 local_3 = _e1019;
 local_21 = _e1019;
 let _e1020 = (_e1017 >= 0i);
@@ -661,39 +676,39 @@ let _e1330 = global_5.member[bitcast<u32>(select(0i, _e1324, (_e1324 > 0i)))];
 let _e1337 = ((_e1318 >> bitcast<u32>((_e1310 & 31u))) | ((_e1330 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1310) & 31u))));
 let _e1340 = f32(bitcast<i32>((_e1337 & 65535u)));
 let _e1350 = (_e1215 + (((_e1252 + ((f32(bitcast<i32>((_e1249 >> bitcast<u32>(16i)))) - _e1252) * _e1168)) - _e1215) * _e1170));
-phi_2131_ = (_e1350 + (((_e1303 + (((_e1340 + ((f32(bitcast<i32>((_e1337 >> bitcast<u32>(16i)))) - _e1340) * _e1168)) - _e1303) * _e1170)) - _e1350) * (_e1038 - f32(_e1089))));
+phi_2132_ = (_e1350 + (((_e1303 + (((_e1340 + ((f32(bitcast<i32>((_e1337 >> bitcast<u32>(16i)))) - _e1340) * _e1168)) - _e1303) * _e1170)) - _e1350) * (_e1038 - f32(_e1089))));
 } else {
-phi_2131_ = 0f;
+phi_2132_ = 0f;
 }
-let _e1358 = phi_2131_;
-phi_1693_ = (_e1017 - 1i);
-phi_1696_ = select(_e1019, _e1017, (_e1358 > 32767.5f));
+let _e1358 = phi_2132_;
+phi_1694_ = (_e1017 - 1i);
+phi_1697_ = select(_e1019, _e1017, (_e1358 > 32767.5f));
 } else {
-phi_1693_ = i32();
-phi_1696_ = i32();
+phi_1694_ = i32();
+phi_1697_ = i32();
 }
-let _e1363 = phi_1693_;
-let _e1365 = phi_1696_;
+let _e1363 = phi_1694_;
+let _e1365 = phi_1697_;
 continue;
 continuing {
-phi_1692_ = _e1363;
-phi_1695_ = _e1365;
+phi_1693_ = _e1363;
+phi_1696_ = _e1365;
 break if !(_e1020);
 }
 }
 let _e1368 = local_3;
 let _e1369 = (_e1368 == _e792.member_7);
 if _e1369 {
-phi_6811_ = _e792;
-phi_6812_ = _e1369;
+phi_6812_ = _e792;
+phi_6813_ = _e1369;
 } else {
-phi_2143_ = 0i;
-phi_2146_ = 0f;
-phi_2148_ = _e1003;
+phi_2144_ = 0i;
+phi_2147_ = 0f;
+phi_2149_ = _e1003;
 loop {
-let _e1371 = phi_2143_;
-let _e1373 = phi_2146_;
-let _e1375 = phi_2148_;
+let _e1371 = phi_2144_;
+let _e1373 = phi_2147_;
+let _e1375 = phi_2149_;
 local_5 = _e1375;
 local_6 = _e1375;
 local_7 = _e1375;
@@ -706,11 +721,11 @@ local_16 = _e1375;
 let _e1376 = (_e1371 < 12i);
 if _e1376 {
 let _e1378 = (0.5f * (_e1373 + _e1375));
-phi_2177_ = _e1015;
-phi_2180_ = 16i;
+phi_2178_ = _e1015;
+phi_2181_ = 16i;
 loop {
-let _e1386 = phi_2177_;
-let _e1388 = phi_2180_;
+let _e1386 = phi_2178_;
+let _e1388 = phi_2181_;
 local_4 = _e1388;
 let _e1389 = (_e1386 >= 0i);
 if _e1389 {
@@ -802,44 +817,44 @@ let _e1699 = global_5.member[bitcast<u32>(select(0i, _e1693, (_e1693 > 0i)))];
 let _e1706 = ((_e1687 >> bitcast<u32>((_e1679 & 31u))) | ((_e1699 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1679) & 31u))));
 let _e1709 = f32(bitcast<i32>((_e1706 & 65535u)));
 let _e1719 = (_e1584 + (((_e1621 + ((f32(bitcast<i32>((_e1618 >> bitcast<u32>(16i)))) - _e1621) * _e1537)) - _e1584) * _e1539));
-phi_2616_ = (_e1719 + (((_e1672 + (((_e1709 + ((f32(bitcast<i32>((_e1706 >> bitcast<u32>(16i)))) - _e1709) * _e1537)) - _e1672) * _e1539)) - _e1719) * (_e1407 - f32(_e1458))));
+phi_2617_ = (_e1719 + (((_e1672 + (((_e1709 + ((f32(bitcast<i32>((_e1706 >> bitcast<u32>(16i)))) - _e1709) * _e1537)) - _e1672) * _e1539)) - _e1719) * (_e1407 - f32(_e1458))));
 } else {
-phi_2616_ = 0f;
+phi_2617_ = 0f;
 }
-let _e1727 = phi_2616_;
-phi_2178_ = (_e1386 - 1i);
-phi_2181_ = select(_e1388, _e1386, (_e1727 > 32767.5f));
+let _e1727 = phi_2617_;
+phi_2179_ = (_e1386 - 1i);
+phi_2182_ = select(_e1388, _e1386, (_e1727 > 32767.5f));
 } else {
-phi_2178_ = i32();
-phi_2181_ = i32();
+phi_2179_ = i32();
+phi_2182_ = i32();
 }
-let _e1732 = phi_2178_;
-let _e1734 = phi_2181_;
+let _e1732 = phi_2179_;
+let _e1734 = phi_2182_;
 continue;
 continuing {
-phi_2177_ = _e1732;
-phi_2180_ = _e1734;
+phi_2178_ = _e1732;
+phi_2181_ = _e1734;
 break if !(_e1389);
 }
 }
 let _e1737 = local_4;
 let _e1738 = (_e1737 == _e792.member_7);
-phi_2144_ = (_e1371 + 1i);
-phi_2147_ = select(_e1373, _e1378, _e1738);
-phi_2149_ = select(_e1378, _e1375, _e1738);
+phi_2145_ = (_e1371 + 1i);
+phi_2148_ = select(_e1373, _e1378, _e1738);
+phi_2150_ = select(_e1378, _e1375, _e1738);
 } else {
-phi_2144_ = i32();
-phi_2147_ = f32();
-phi_2149_ = f32();
+phi_2145_ = i32();
+phi_2148_ = f32();
+phi_2150_ = f32();
 }
-let _e1743 = phi_2144_;
-let _e1745 = phi_2147_;
-let _e1747 = phi_2149_;
+let _e1743 = phi_2145_;
+let _e1745 = phi_2148_;
+let _e1747 = phi_2150_;
 continue;
 continuing {
-phi_2143_ = _e1743;
-phi_2146_ = _e1745;
-phi_2148_ = _e1747;
+phi_2144_ = _e1743;
+phi_2147_ = _e1745;
+phi_2149_ = _e1747;
 break if !(_e1376);
 }
 }
@@ -849,11 +864,11 @@ let _e1753 = local_6;
 let _e1754 = (_e792.member_1.y * _e1753);
 let _e1756 = local_7;
 let _e1757 = (_e792.member_1.z * _e1756);
-phi_2651_ = _e1015;
-phi_2654_ = 16i;
+phi_2652_ = _e1015;
+phi_2655_ = 16i;
 loop {
-let _e1764 = phi_2651_;
-let _e1766 = phi_2654_;
+let _e1764 = phi_2652_;
+let _e1766 = phi_2655_;
 local_8 = _e1766;
 local_9 = _e1766;
 local_11 = _e1766;
@@ -951,23 +966,23 @@ let _e2077 = global_5.member[bitcast<u32>(select(0i, _e2071, (_e2071 > 0i)))];
 let _e2084 = ((_e2065 >> bitcast<u32>((_e2057 & 31u))) | ((_e2077 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2057) & 31u))));
 let _e2087 = f32(bitcast<i32>((_e2084 & 65535u)));
 let _e2097 = (_e1962 + (((_e1999 + ((f32(bitcast<i32>((_e1996 >> bitcast<u32>(16i)))) - _e1999) * _e1915)) - _e1962) * _e1917));
-phi_3090_ = (_e2097 + (((_e2050 + (((_e2087 + ((f32(bitcast<i32>((_e2084 >> bitcast<u32>(16i)))) - _e2087) * _e1915)) - _e2050) * _e1917)) - _e2097) * (_e1785 - f32(_e1836))));
+phi_3091_ = (_e2097 + (((_e2050 + (((_e2087 + ((f32(bitcast<i32>((_e2084 >> bitcast<u32>(16i)))) - _e2087) * _e1915)) - _e2050) * _e1917)) - _e2097) * (_e1785 - f32(_e1836))));
 } else {
-phi_3090_ = 0f;
+phi_3091_ = 0f;
 }
-let _e2105 = phi_3090_;
-phi_2652_ = (_e1764 - 1i);
-phi_2655_ = select(_e1766, _e1764, (_e2105 > 32767.5f));
+let _e2105 = phi_3091_;
+phi_2653_ = (_e1764 - 1i);
+phi_2656_ = select(_e1766, _e1764, (_e2105 > 32767.5f));
 } else {
-phi_2652_ = i32();
-phi_2655_ = i32();
+phi_2653_ = i32();
+phi_2656_ = i32();
 }
-let _e2110 = phi_2652_;
-let _e2112 = phi_2655_;
+let _e2110 = phi_2653_;
+let _e2112 = phi_2656_;
 continue;
 continuing {
-phi_2651_ = _e2110;
-phi_2654_ = _e2112;
+phi_2652_ = _e2110;
+phi_2655_ = _e2112;
 break if !(_e1767);
 }
 }
@@ -1067,11 +1082,11 @@ let _e2424 = global_5.member[bitcast<u32>(select(0i, _e2419, (_e2419 > 0i)))];
 let _e2431 = ((_e2413 >> bitcast<u32>((_e2406 & 31u))) | ((_e2424 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2406) & 31u))));
 let _e2434 = f32(bitcast<i32>((_e2431 & 65535u)));
 let _e2444 = (_e2315 + (((_e2350 + ((f32(bitcast<i32>((_e2347 >> bitcast<u32>(16i)))) - _e2350) * _e2270)) - _e2315) * _e2272));
-phi_3550_ = (_e2444 + (((_e2399 + (((_e2434 + ((f32(bitcast<i32>((_e2431 >> bitcast<u32>(16i)))) - _e2434) * _e2270)) - _e2399) * _e2272)) - _e2444) * (_e2144 - f32(_e2195))));
+phi_3551_ = (_e2444 + (((_e2399 + (((_e2434 + ((f32(bitcast<i32>((_e2431 >> bitcast<u32>(16i)))) - _e2434) * _e2270)) - _e2399) * _e2272)) - _e2444) * (_e2144 - f32(_e2195))));
 } else {
-phi_3550_ = 0f;
+phi_3551_ = 0f;
 }
-let _e2452 = phi_3550_;
+let _e2452 = phi_3551_;
 let _e2453 = local;
 let _e2454 = local_1[0u];
 let _e2456 = local_1[1u];
@@ -1157,11 +1172,11 @@ let _e2734 = global_5.member[bitcast<u32>(select(0i, _e2729, (_e2729 > 0i)))];
 let _e2741 = ((_e2723 >> bitcast<u32>((_e2716 & 31u))) | ((_e2734 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2716) & 31u))));
 let _e2744 = f32(bitcast<i32>((_e2741 & 65535u)));
 let _e2754 = (_e2625 + (((_e2660 + ((f32(bitcast<i32>((_e2657 >> bitcast<u32>(16i)))) - _e2660) * _e2580)) - _e2625) * _e2582));
-phi_3989_ = (_e2754 + (((_e2709 + (((_e2744 + ((f32(bitcast<i32>((_e2741 >> bitcast<u32>(16i)))) - _e2744) * _e2580)) - _e2709) * _e2582)) - _e2754) * (_e2462 - f32(_e2507))));
+phi_3990_ = (_e2754 + (((_e2709 + (((_e2744 + ((f32(bitcast<i32>((_e2741 >> bitcast<u32>(16i)))) - _e2744) * _e2580)) - _e2709) * _e2582)) - _e2754) * (_e2462 - f32(_e2507))));
 } else {
-phi_3989_ = 0f;
+phi_3990_ = 0f;
 }
-let _e2762 = phi_3989_;
+let _e2762 = phi_3990_;
 let _e2763 = (_e2452 - _e2762);
 let _e2764 = local;
 let _e2765 = local_1[0u];
@@ -1248,11 +1263,11 @@ let _e3045 = global_5.member[bitcast<u32>(select(0i, _e3040, (_e3040 > 0i)))];
 let _e3052 = ((_e3034 >> bitcast<u32>((_e3027 & 31u))) | ((_e3045 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3027) & 31u))));
 let _e3055 = f32(bitcast<i32>((_e3052 & 65535u)));
 let _e3065 = (_e2936 + (((_e2971 + ((f32(bitcast<i32>((_e2968 >> bitcast<u32>(16i)))) - _e2971) * _e2891)) - _e2936) * _e2893));
-phi_4429_ = (_e3065 + (((_e3020 + (((_e3055 + ((f32(bitcast<i32>((_e3052 >> bitcast<u32>(16i)))) - _e3055) * _e2891)) - _e3020) * _e2893)) - _e3065) * (_e2773 - f32(_e2818))));
+phi_4430_ = (_e3065 + (((_e3020 + (((_e3055 + ((f32(bitcast<i32>((_e3052 >> bitcast<u32>(16i)))) - _e3055) * _e2891)) - _e3020) * _e2893)) - _e3065) * (_e2773 - f32(_e2818))));
 } else {
-phi_4429_ = 0f;
+phi_4430_ = 0f;
 }
-let _e3073 = phi_4429_;
+let _e3073 = phi_4430_;
 let _e3074 = local;
 let _e3075 = local_1[0u];
 let _e3077 = local_1[1u];
@@ -1338,11 +1353,11 @@ let _e3355 = global_5.member[bitcast<u32>(select(0i, _e3350, (_e3350 > 0i)))];
 let _e3362 = ((_e3344 >> bitcast<u32>((_e3337 & 31u))) | ((_e3355 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3337) & 31u))));
 let _e3365 = f32(bitcast<i32>((_e3362 & 65535u)));
 let _e3375 = (_e3246 + (((_e3281 + ((f32(bitcast<i32>((_e3278 >> bitcast<u32>(16i)))) - _e3281) * _e3201)) - _e3246) * _e3203));
-phi_4868_ = (_e3375 + (((_e3330 + (((_e3365 + ((f32(bitcast<i32>((_e3362 >> bitcast<u32>(16i)))) - _e3365) * _e3201)) - _e3330) * _e3203)) - _e3375) * (_e3083 - f32(_e3128))));
+phi_4869_ = (_e3375 + (((_e3330 + (((_e3365 + ((f32(bitcast<i32>((_e3362 >> bitcast<u32>(16i)))) - _e3365) * _e3201)) - _e3330) * _e3203)) - _e3375) * (_e3083 - f32(_e3128))));
 } else {
-phi_4868_ = 0f;
+phi_4869_ = 0f;
 }
-let _e3383 = phi_4868_;
+let _e3383 = phi_4869_;
 let _e3384 = (_e3073 - _e3383);
 let _e3385 = local;
 let _e3386 = local_1[0u];
@@ -1429,11 +1444,11 @@ let _e3666 = global_5.member[bitcast<u32>(select(0i, _e3661, (_e3661 > 0i)))];
 let _e3673 = ((_e3655 >> bitcast<u32>((_e3648 & 31u))) | ((_e3666 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3648) & 31u))));
 let _e3676 = f32(bitcast<i32>((_e3673 & 65535u)));
 let _e3686 = (_e3557 + (((_e3592 + ((f32(bitcast<i32>((_e3589 >> bitcast<u32>(16i)))) - _e3592) * _e3512)) - _e3557) * _e3514));
-phi_5308_ = (_e3686 + (((_e3641 + (((_e3676 + ((f32(bitcast<i32>((_e3673 >> bitcast<u32>(16i)))) - _e3676) * _e3512)) - _e3641) * _e3514)) - _e3686) * (_e3394 - f32(_e3439))));
+phi_5309_ = (_e3686 + (((_e3641 + (((_e3676 + ((f32(bitcast<i32>((_e3673 >> bitcast<u32>(16i)))) - _e3676) * _e3512)) - _e3641) * _e3514)) - _e3686) * (_e3394 - f32(_e3439))));
 } else {
-phi_5308_ = 0f;
+phi_5309_ = 0f;
 }
-let _e3694 = phi_5308_;
+let _e3694 = phi_5309_;
 let _e3695 = local;
 let _e3696 = local_1[0u];
 let _e3698 = local_1[1u];
@@ -1519,11 +1534,11 @@ let _e3976 = global_5.member[bitcast<u32>(select(0i, _e3971, (_e3971 > 0i)))];
 let _e3983 = ((_e3965 >> bitcast<u32>((_e3958 & 31u))) | ((_e3976 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3958) & 31u))));
 let _e3986 = f32(bitcast<i32>((_e3983 & 65535u)));
 let _e3996 = (_e3867 + (((_e3902 + ((f32(bitcast<i32>((_e3899 >> bitcast<u32>(16i)))) - _e3902) * _e3822)) - _e3867) * _e3824));
-phi_5747_ = (_e3996 + (((_e3951 + (((_e3986 + ((f32(bitcast<i32>((_e3983 >> bitcast<u32>(16i)))) - _e3986) * _e3822)) - _e3951) * _e3824)) - _e3996) * (_e3704 - f32(_e3749))));
+phi_5748_ = (_e3996 + (((_e3951 + (((_e3986 + ((f32(bitcast<i32>((_e3983 >> bitcast<u32>(16i)))) - _e3986) * _e3822)) - _e3951) * _e3824)) - _e3996) * (_e3704 - f32(_e3749))));
 } else {
-phi_5747_ = 0f;
+phi_5748_ = 0f;
 }
-let _e4004 = phi_5747_;
+let _e4004 = phi_5748_;
 let _e4005 = (_e3694 - _e4004);
 let _e4010 = (((_e2763 * _e2763) + (_e3384 * _e3384)) + (_e4005 * _e4005));
 let _e4013 = sqrt(select(0f, _e4010, (_e4010 > 0f)));
@@ -1538,14 +1553,14 @@ let _e4040 = global_1.member.member_12;
 let _e4044 = local_11;
 let _e4046 = ((((_e792.member_5 + _e4023) < _e4027) && ((((_e4017 * _e792.member_4.x) + (_e4018 * _e792.member_4.y)) + (_e4019 * _e792.member_4.z)) > _e4040)) || (_e4044 == _e792.member_7));
 if _e4046 {
-phi_6810_ = _e792;
+phi_6811_ = _e792;
 } else {
-let _e4071 = type_19(vec3<f32>((_e792.member.x + _e1751), (_e792.member.y + _e1754), (_e792.member.z + _e1757)), _e792.member_1, _e792.member_2, _e792.member_3, _e792.member_4, _e792.member_5, _e792.member_6, _e792.member_7, _e792.member_8, _e792.member_9, _e792.member_10, _e792.member_11, _e792.member_12, _e792.member_13, _e792.member_14);
+let _e4071 = type_20(vec3<f32>((_e792.member.x + _e1751), (_e792.member.y + _e1754), (_e792.member.z + _e1757)), _e792.member_1, _e792.member_2, _e792.member_3, _e792.member_4, _e792.member_5, _e792.member_6, _e792.member_7, _e792.member_8, _e792.member_9, _e792.member_10, _e792.member_11, _e792.member_12, _e792.member_13, _e792.member_14);
 let _e4075 = local_12;
-let _e4093 = type_19(_e4071.member, _e4071.member_1, _e4071.member_2, _e4071.member_3, _e4071.member_4, _e4071.member_5, _e4071.member_6, _e4071.member_7, _e4071.member_8, _e4071.member_9, (_e792.member_10 + select(0f, _e4075, (_e792.member_8 == 0f))), _e4071.member_11, _e4071.member_12, _e4071.member_13, _e4071.member_14);
+let _e4093 = type_20(_e4071.member, _e4071.member_1, _e4071.member_2, _e4071.member_3, _e4071.member_4, _e4071.member_5, _e4071.member_6, _e4071.member_7, _e4071.member_8, _e4071.member_9, (_e792.member_10 + select(0f, _e4075, (_e792.member_8 == 0f))), _e4071.member_11, _e4071.member_12, _e4071.member_13, _e4071.member_14);
 if (_e792.member_7 != 16i) {
 let _e4097 = local_13;
-let _e4113 = type_19(_e4093.member, _e4093.member_1, _e4093.member_2, _e4093.member_3, _e4093.member_4, _e4093.member_5, _e4093.member_6, _e4093.member_7, _e4093.member_8, (_e792.member_9 + _e4097), _e4093.member_10, _e4093.member_11, _e4093.member_12, _e4093.member_13, _e4093.member_14);
+let _e4113 = type_20(_e4093.member, _e4093.member_1, _e4093.member_2, _e4093.member_3, _e4093.member_4, _e4093.member_5, _e4093.member_6, _e4093.member_7, _e4093.member_8, (_e792.member_9 + _e4097), _e4093.member_10, _e4093.member_11, _e4093.member_12, _e4093.member_13, _e4093.member_14);
 let _e4114 = (_e792.member_7 * 4i);
 let _e4115 = (_e4114 + 1i);
 let _e4117 = (bitcast<i32>(_e93) - 1i);
@@ -1590,11 +1605,11 @@ let _e4270 = select(0i, select(select(i32(_e4263), i32(-2147483648), (_e4263 < -
 let _e4274 = (_e4270 - select(0i, 1i, (_e4263 < f32(_e4270))));
 let _e4275 = f32(_e4274);
 let _e4279 = ((_e4257 - (_e4275 * 0.6933594f)) - (_e4275 * -2.1219444e-4f));
-phi_6077_ = type_19(_e4113.member, _e4113.member_1, vec3<f32>((_e792.member_2.x * ((1f + (_e4155 * (1f + (_e4155 * (0.5f + (_e4155 * (0.16666667f + (_e4155 * (0.041666668f + (_e4155 * (0.008333334f + (_e4155 * (0.001388889f + (_e4155 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4150 + 127i)) << bitcast<u32>(23i))))), (_e792.member_2.y * ((1f + (_e4217 * (1f + (_e4217 * (0.5f + (_e4217 * (0.16666667f + (_e4217 * (0.041666668f + (_e4217 * (0.008333334f + (_e4217 * (0.001388889f + (_e4217 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4212 + 127i)) << bitcast<u32>(23i))))), (_e792.member_2.z * ((1f + (_e4279 * (1f + (_e4279 * (0.5f + (_e4279 * (0.16666667f + (_e4279 * (0.041666668f + (_e4279 * (0.008333334f + (_e4279 * (0.001388889f + (_e4279 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4274 + 127i)) << bitcast<u32>(23i)))))), _e4113.member_3, _e4113.member_4, _e4113.member_5, _e4113.member_6, _e4113.member_7, _e4113.member_8, _e4113.member_9, _e4113.member_10, _e4113.member_11, _e4113.member_12, _e4113.member_13, _e4113.member_14);
+phi_6078_ = type_20(_e4113.member, _e4113.member_1, vec3<f32>((_e792.member_2.x * ((1f + (_e4155 * (1f + (_e4155 * (0.5f + (_e4155 * (0.16666667f + (_e4155 * (0.041666668f + (_e4155 * (0.008333334f + (_e4155 * (0.001388889f + (_e4155 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4150 + 127i)) << bitcast<u32>(23i))))), (_e792.member_2.y * ((1f + (_e4217 * (1f + (_e4217 * (0.5f + (_e4217 * (0.16666667f + (_e4217 * (0.041666668f + (_e4217 * (0.008333334f + (_e4217 * (0.001388889f + (_e4217 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4212 + 127i)) << bitcast<u32>(23i))))), (_e792.member_2.z * ((1f + (_e4279 * (1f + (_e4279 * (0.5f + (_e4279 * (0.16666667f + (_e4279 * (0.041666668f + (_e4279 * (0.008333334f + (_e4279 * (0.001388889f + (_e4279 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4274 + 127i)) << bitcast<u32>(23i)))))), _e4113.member_3, _e4113.member_4, _e4113.member_5, _e4113.member_6, _e4113.member_7, _e4113.member_8, _e4113.member_9, _e4113.member_10, _e4113.member_11, _e4113.member_12, _e4113.member_13, _e4113.member_14);
 } else {
-phi_6077_ = _e4093;
+phi_6078_ = _e4093;
 }
-let _e4320 = phi_6077_;
+let _e4320 = phi_6078_;
 let _e4322 = (_e792.member_7 * 4i);
 let _e4324 = (bitcast<i32>(_e93) - 1i);
 let _e4326 = select(_e4324, _e4322, (_e4322 < _e4324));
@@ -1635,14 +1650,14 @@ let _e4435 = (((_e4370 * _e4425) - 1f) / select(1e-6f, _e4432, (_e4432 > 1e-6f))
 let _e4449 = global_1.member.member_1;
 let _e4452 = select(0f, select(select((((0.5f * _e4428) * _e4428) * (1f + (_e4435 * _e4435))), 1f, (_e4420 <= 0f)), 0f, (_e4334 == _e4349)), ((_e4449 & 1u) != 0u));
 if (_e4320.member_8 == 0f) {
-let _e4467 = type_19(_e4320.member, _e4320.member_1, _e4320.member_2, _e4020, _e4320.member_4, _e4320.member_5, _e4320.member_6, _e4320.member_7, _e4320.member_8, _e4320.member_9, _e4320.member_10, _e4320.member_11, _e4320.member_12, _e4320.member_13, _e4320.member_14);
-phi_6288_ = type_19(_e4467.member, _e4467.member_1, _e4467.member_2, _e4467.member_3, _e4467.member_4, _e4467.member_5, _e4467.member_6, _e4467.member_7, _e4467.member_8, _e4467.member_9, _e4467.member_10, _e4452, _e4467.member_12, _e4467.member_13, _e4467.member_14);
+let _e4467 = type_20(_e4320.member, _e4320.member_1, _e4320.member_2, _e4020, _e4320.member_4, _e4320.member_5, _e4320.member_6, _e4320.member_7, _e4320.member_8, _e4320.member_9, _e4320.member_10, _e4320.member_11, _e4320.member_12, _e4320.member_13, _e4320.member_14);
+phi_6289_ = type_20(_e4467.member, _e4467.member_1, _e4467.member_2, _e4467.member_3, _e4467.member_4, _e4467.member_5, _e4467.member_6, _e4467.member_7, _e4467.member_8, _e4467.member_9, _e4467.member_10, _e4452, _e4467.member_12, _e4467.member_13, _e4467.member_14);
 } else {
-phi_6288_ = _e4320;
+phi_6289_ = _e4320;
 }
-let _e4484 = phi_6288_;
+let _e4484 = phi_6289_;
 let _e4486 = (_e4484.member_8 + 1f);
-let _e4501 = type_19(_e4484.member, _e4484.member_1, _e4484.member_2, _e4484.member_3, _e4484.member_4, _e4484.member_5, _e4484.member_6, _e4484.member_7, _e4486, _e4484.member_9, _e4484.member_10, _e4484.member_11, _e4484.member_12, _e4484.member_13, _e4484.member_14);
+let _e4501 = type_20(_e4484.member, _e4484.member_1, _e4484.member_2, _e4484.member_3, _e4484.member_4, _e4484.member_5, _e4484.member_6, _e4484.member_7, _e4486, _e4484.member_9, _e4484.member_10, _e4484.member_11, _e4484.member_12, _e4484.member_13, _e4484.member_14);
 let _e4504 = ((_e98.member_2 == 0u) && (_e4486 >= 2f));
 if (_e4377 && _e4504) {
 let _e4529 = (((_e4484.member_1.x * _e4017) + (_e4484.member_1.y * _e4018)) + (_e4484.member_1.z * _e4019));
@@ -1652,18 +1667,18 @@ let _e4535 = (_e4484.member_1.z - (_e4019 * _e4529));
 let _e4540 = (((_e4533 * _e4533) + (_e4534 * _e4534)) + (_e4535 * _e4535));
 let _e4543 = sqrt(select(0f, _e4540, (_e4540 > 0f)));
 let _e4546 = (1f / select(1e-20f, _e4543, (_e4543 > 1e-20f)));
-phi_6341_ = type_19(_e4501.member, vec3<f32>((_e4533 * _e4546), (_e4534 * _e4546), (_e4535 * _e4546)), _e4501.member_2, _e4501.member_3, _e4501.member_4, _e4501.member_5, _e4501.member_6, _e4501.member_7, _e4501.member_8, _e4501.member_9, _e4501.member_10, _e4501.member_11, _e4501.member_12, _e4501.member_13, _e4501.member_14);
+phi_6342_ = type_20(_e4501.member, vec3<f32>((_e4533 * _e4546), (_e4534 * _e4546), (_e4535 * _e4546)), _e4501.member_2, _e4501.member_3, _e4501.member_4, _e4501.member_5, _e4501.member_6, _e4501.member_7, _e4501.member_8, _e4501.member_9, _e4501.member_10, _e4501.member_11, _e4501.member_12, _e4501.member_13, _e4501.member_14);
 } else {
-phi_6341_ = type_19(_e4501.member, vec3<f32>((_e4399 * _e4412), (_e4400 * _e4412), (_e4401 * _e4412)), _e4501.member_2, _e4501.member_3, _e4501.member_4, _e4501.member_5, _e4501.member_6, _e4501.member_7, _e4501.member_8, _e4501.member_9, _e4501.member_10, _e4501.member_11, _e4501.member_12, _e4501.member_13, _e4501.member_14);
+phi_6342_ = type_20(_e4501.member, vec3<f32>((_e4399 * _e4412), (_e4400 * _e4412), (_e4401 * _e4412)), _e4501.member_2, _e4501.member_3, _e4501.member_4, _e4501.member_5, _e4501.member_6, _e4501.member_7, _e4501.member_8, _e4501.member_9, _e4501.member_10, _e4501.member_11, _e4501.member_12, _e4501.member_13, _e4501.member_14);
 }
-let _e4567 = phi_6341_;
+let _e4567 = phi_6342_;
 if _e4377 {
-phi_6355_ = _e4567;
+phi_6356_ = _e4567;
 } else {
 let _e4568 = (1f - _e4452);
-phi_6355_ = type_19(_e4567.member, _e4567.member_1, vec3<f32>((_e4567.member_2.x * _e4568), (_e4567.member_2.y * _e4568), (_e4567.member_2.z * _e4568)), _e4567.member_3, _e4567.member_4, _e4567.member_5, _e4567.member_6, _e4567.member_7, _e4567.member_8, _e4567.member_9, _e4567.member_10, _e4567.member_11, _e4567.member_12, _e4567.member_13, _e4567.member_14);
+phi_6356_ = type_20(_e4567.member, _e4567.member_1, vec3<f32>((_e4567.member_2.x * _e4568), (_e4567.member_2.y * _e4568), (_e4567.member_2.z * _e4568)), _e4567.member_3, _e4567.member_4, _e4567.member_5, _e4567.member_6, _e4567.member_7, _e4567.member_8, _e4567.member_9, _e4567.member_10, _e4567.member_11, _e4567.member_12, _e4567.member_13, _e4567.member_14);
 }
-let _e4595 = phi_6355_;
+let _e4595 = phi_6356_;
 let _e4602 = global_1.member.member_17.member.member;
 let _e4616 = ((((_e4602.member.member * _e4595.member.x) + (_e4602.member.member_1 * _e4595.member.y)) + (_e4602.member.member_2 * _e4595.member.z)) + _e4602.member_1);
 let _e4625 = -((((_e4602.member.member * _e4595.member_1.x) + (_e4602.member.member_1 * _e4595.member_1.y)) + (_e4602.member.member_2 * _e4595.member_1.z)));
@@ -1679,57 +1694,57 @@ let _e4665 = select(1e30f, select(0f, _e4662, (_e4662 > 0f)), ((_e4650 > 0f) && 
 let _e4669 = (_e4665 < _e4634);
 let _e4671 = select(select(-2i, -3i, _e4669), -1i, ((_e4634 >= 1e30f) && (_e4665 >= 1e30f)));
 let _e4672 = select(_e4634, _e4665, _e4669);
-let _e4687 = type_19(_e4595.member, _e4595.member_1, _e4595.member_2, _e4595.member_3, _e4595.member_4, _e4595.member_5, _e4595.member_6, _e4595.member_7, _e4595.member_8, _e4595.member_9, _e4595.member_10, _e4595.member_11, 0i, _e4595.member_13, _e4595.member_14);
-let _e4702 = type_19(_e4687.member, _e4687.member_1, _e4687.member_2, _e4687.member_3, _e4687.member_4, _e4687.member_5, _e4687.member_6, _e4687.member_7, _e4687.member_8, _e4687.member_9, _e4687.member_10, _e4687.member_11, _e4687.member_12, _e4671, _e4687.member_14);
-let _e4717 = type_19(_e4702.member, _e4702.member_1, _e4702.member_2, _e4702.member_3, _e4702.member_4, _e4702.member_5, _e4702.member_6, _e4702.member_7, _e4702.member_8, _e4702.member_9, _e4702.member_10, _e4702.member_11, _e4702.member_12, _e4702.member_13, _e4672);
+let _e4687 = type_20(_e4595.member, _e4595.member_1, _e4595.member_2, _e4595.member_3, _e4595.member_4, _e4595.member_5, _e4595.member_6, _e4595.member_7, _e4595.member_8, _e4595.member_9, _e4595.member_10, _e4595.member_11, 0i, _e4595.member_13, _e4595.member_14);
+let _e4702 = type_20(_e4687.member, _e4687.member_1, _e4687.member_2, _e4687.member_3, _e4687.member_4, _e4687.member_5, _e4687.member_6, _e4687.member_7, _e4687.member_8, _e4687.member_9, _e4687.member_10, _e4687.member_11, _e4687.member_12, _e4671, _e4687.member_14);
+let _e4717 = type_20(_e4702.member, _e4702.member_1, _e4702.member_2, _e4702.member_3, _e4702.member_4, _e4702.member_5, _e4702.member_6, _e4702.member_7, _e4702.member_8, _e4702.member_9, _e4702.member_10, _e4702.member_11, _e4702.member_12, _e4702.member_13, _e4672);
 let _e4719 = local_19;
 let _e4722 = ((_e4449 & 2u) != 0u);
 if (_e4504 && !(_e4722)) {
 if (_e4671 == -1i) {
-phi_6780_ = type_19(_e4717.member, _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, 1f, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
+phi_6781_ = type_20(_e4717.member, _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, 1f, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
 } else {
-let _e4798 = type_19(vec3<f32>((_e4595.member.x + (_e4595.member_1.x * _e4672)), (_e4595.member.y + (_e4595.member_1.y * _e4672)), (_e4595.member.z + (_e4595.member_1.z * _e4672))), _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, _e4717.member_6, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
-let _e4814 = type_19(_e4798.member, _e4798.member_1, _e4798.member_2, _e4798.member_3, _e4798.member_4, _e4798.member_5, _e4798.member_6, _e4798.member_7, _e4798.member_8, _e4798.member_9, _e4798.member_10, _e4798.member_11, _e4798.member_12, _e4798.member_13, (_e4672 - _e4672));
-let _e4834 = type_19(_e4814.member, _e4814.member_1, _e4814.member_2, _e4814.member_3, _e4814.member_4, _e4814.member_5, _e4814.member_6, _e4814.member_7, _e4814.member_8, _e4814.member_9, (_e4595.member_10 + select(0f, _e4672, (_e4595.member_8 == 0f))), _e4814.member_11, _e4814.member_12, _e4814.member_13, _e4814.member_14);
-phi_6780_ = type_19(_e4834.member, _e4834.member_1, _e4834.member_2, _e4834.member_3, _e4834.member_4, _e4834.member_5, 3f, _e4834.member_7, _e4834.member_8, _e4834.member_9, _e4834.member_10, _e4834.member_11, _e4834.member_12, _e4834.member_13, _e4834.member_14);
+let _e4798 = type_20(vec3<f32>((_e4595.member.x + (_e4595.member_1.x * _e4672)), (_e4595.member.y + (_e4595.member_1.y * _e4672)), (_e4595.member.z + (_e4595.member_1.z * _e4672))), _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, _e4717.member_6, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
+let _e4814 = type_20(_e4798.member, _e4798.member_1, _e4798.member_2, _e4798.member_3, _e4798.member_4, _e4798.member_5, _e4798.member_6, _e4798.member_7, _e4798.member_8, _e4798.member_9, _e4798.member_10, _e4798.member_11, _e4798.member_12, _e4798.member_13, (_e4672 - _e4672));
+let _e4834 = type_20(_e4814.member, _e4814.member_1, _e4814.member_2, _e4814.member_3, _e4814.member_4, _e4814.member_5, _e4814.member_6, _e4814.member_7, _e4814.member_8, _e4814.member_9, (_e4595.member_10 + select(0f, _e4672, (_e4595.member_8 == 0f))), _e4814.member_11, _e4814.member_12, _e4814.member_13, _e4814.member_14);
+phi_6781_ = type_20(_e4834.member, _e4834.member_1, _e4834.member_2, _e4834.member_3, _e4834.member_4, _e4834.member_5, 3f, _e4834.member_7, _e4834.member_8, _e4834.member_9, _e4834.member_10, _e4834.member_11, _e4834.member_12, _e4834.member_13, _e4834.member_14);
 }
-let _e4866 = phi_6780_;
-phi_6801_ = _e4866;
+let _e4866 = phi_6781_;
+phi_6802_ = _e4866;
 } else {
 let _e4729 = global_1.member.member_5;
 if ((!(_e4504) && (_e4595.member_8 >= f32(bitcast<i32>(_e4729)))) && (select(_e4719, _e792.member_7, _e4377) != 16i)) {
-phi_6800_ = type_19(_e4717.member, _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, 2f, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
+phi_6801_ = type_20(_e4717.member, _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, 2f, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
 } else {
 if _e4722 {
-phi_6799_ = type_19(_e4717.member, _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, 4f, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
+phi_6800_ = type_20(_e4717.member, _e4717.member_1, _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, 4f, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12, _e4717.member_13, _e4717.member_14);
 } else {
-phi_6799_ = _e4717;
+phi_6800_ = _e4717;
 }
-let _e4752 = phi_6799_;
-phi_6800_ = _e4752;
+let _e4752 = phi_6800_;
+phi_6801_ = _e4752;
 }
-let _e4769 = phi_6800_;
-phi_6801_ = _e4769;
+let _e4769 = phi_6801_;
+phi_6802_ = _e4769;
 }
-let _e4868 = phi_6801_;
+let _e4868 = phi_6802_;
 let _e4871 = local_20;
-let _e4887 = type_19(_e4868.member, _e4868.member_1, _e4868.member_2, _e4868.member_3, _e4868.member_4, _e4868.member_5, _e4868.member_6, select(_e792.member_7, _e4871, !(_e4377)), _e4868.member_8, _e4868.member_9, _e4868.member_10, _e4868.member_11, _e4868.member_12, _e4868.member_13, _e4868.member_14);
-let _e4902 = type_19(_e4887.member, _e4887.member_1, _e4887.member_2, _e4887.member_3, _e4020, _e4887.member_5, _e4887.member_6, _e4887.member_7, _e4887.member_8, _e4887.member_9, _e4887.member_10, _e4887.member_11, _e4887.member_12, _e4887.member_13, _e4887.member_14);
-phi_6810_ = type_19(_e4902.member, _e4902.member_1, _e4902.member_2, _e4902.member_3, _e4902.member_4, 0f, _e4902.member_6, _e4902.member_7, _e4902.member_8, _e4902.member_9, _e4902.member_10, _e4902.member_11, _e4902.member_12, _e4902.member_13, _e4902.member_14);
+let _e4887 = type_20(_e4868.member, _e4868.member_1, _e4868.member_2, _e4868.member_3, _e4868.member_4, _e4868.member_5, _e4868.member_6, select(_e792.member_7, _e4871, !(_e4377)), _e4868.member_8, _e4868.member_9, _e4868.member_10, _e4868.member_11, _e4868.member_12, _e4868.member_13, _e4868.member_14);
+let _e4902 = type_20(_e4887.member, _e4887.member_1, _e4887.member_2, _e4887.member_3, _e4020, _e4887.member_5, _e4887.member_6, _e4887.member_7, _e4887.member_8, _e4887.member_9, _e4887.member_10, _e4887.member_11, _e4887.member_12, _e4887.member_13, _e4887.member_14);
+phi_6811_ = type_20(_e4902.member, _e4902.member_1, _e4902.member_2, _e4902.member_3, _e4902.member_4, 0f, _e4902.member_6, _e4902.member_7, _e4902.member_8, _e4902.member_9, _e4902.member_10, _e4902.member_11, _e4902.member_12, _e4902.member_13, _e4902.member_14);
 }
-let _e4919 = phi_6810_;
-phi_6811_ = _e4919;
-phi_6812_ = _e4046;
+let _e4919 = phi_6811_;
+phi_6812_ = _e4919;
+phi_6813_ = _e4046;
 }
-let _e4921 = phi_6811_;
-let _e4923 = phi_6812_;
+let _e4921 = phi_6812_;
+let _e4923 = phi_6813_;
 if (_e4923 && _e1002) {
-let _e5393 = type_19(vec3<f32>((_e4921.member.x + (_e4921.member_1.x * _e4921.member_14)), (_e4921.member.y + (_e4921.member_1.y * _e4921.member_14)), (_e4921.member.z + (_e4921.member_1.z * _e4921.member_14))), _e4921.member_1, _e4921.member_2, _e4921.member_3, _e4921.member_4, _e4921.member_5, _e4921.member_6, _e4921.member_7, _e4921.member_8, _e4921.member_9, _e4921.member_10, _e4921.member_11, _e4921.member_12, _e4921.member_13, _e4921.member_14);
-let _e5410 = type_19(_e5393.member, _e5393.member_1, _e5393.member_2, _e5393.member_3, _e5393.member_4, (_e4921.member_5 + _e4921.member_14), _e5393.member_6, _e5393.member_7, _e5393.member_8, _e5393.member_9, _e5393.member_10, _e5393.member_11, _e5393.member_12, _e5393.member_13, _e5393.member_14);
-let _e5426 = type_19(_e5410.member, _e5410.member_1, _e5410.member_2, _e5410.member_3, _e5410.member_4, _e5410.member_5, _e5410.member_6, _e5410.member_7, _e5410.member_8, _e5410.member_9, _e5410.member_10, _e5410.member_11, _e5410.member_12, _e5410.member_13, (_e4921.member_14 - _e4921.member_14));
-let _e5446 = type_19(_e5426.member, _e5426.member_1, _e5426.member_2, _e5426.member_3, _e5426.member_4, _e5426.member_5, _e5426.member_6, _e5426.member_7, _e5426.member_8, _e5426.member_9, (_e4921.member_10 + select(0f, _e4921.member_14, (_e4921.member_8 == 0f))), _e5426.member_11, _e5426.member_12, _e5426.member_13, _e5426.member_14);
+let _e5393 = type_20(vec3<f32>((_e4921.member.x + (_e4921.member_1.x * _e4921.member_14)), (_e4921.member.y + (_e4921.member_1.y * _e4921.member_14)), (_e4921.member.z + (_e4921.member_1.z * _e4921.member_14))), _e4921.member_1, _e4921.member_2, _e4921.member_3, _e4921.member_4, _e4921.member_5, _e4921.member_6, _e4921.member_7, _e4921.member_8, _e4921.member_9, _e4921.member_10, _e4921.member_11, _e4921.member_12, _e4921.member_13, _e4921.member_14);
+let _e5410 = type_20(_e5393.member, _e5393.member_1, _e5393.member_2, _e5393.member_3, _e5393.member_4, (_e4921.member_5 + _e4921.member_14), _e5393.member_6, _e5393.member_7, _e5393.member_8, _e5393.member_9, _e5393.member_10, _e5393.member_11, _e5393.member_12, _e5393.member_13, _e5393.member_14);
+let _e5426 = type_20(_e5410.member, _e5410.member_1, _e5410.member_2, _e5410.member_3, _e5410.member_4, _e5410.member_5, _e5410.member_6, _e5410.member_7, _e5410.member_8, _e5410.member_9, _e5410.member_10, _e5410.member_11, _e5410.member_12, _e5410.member_13, (_e4921.member_14 - _e4921.member_14));
+let _e5446 = type_20(_e5426.member, _e5426.member_1, _e5426.member_2, _e5426.member_3, _e5426.member_4, _e5426.member_5, _e5426.member_6, _e5426.member_7, _e5426.member_8, _e5426.member_9, (_e4921.member_10 + select(0f, _e4921.member_14, (_e4921.member_8 == 0f))), _e5426.member_11, _e5426.member_12, _e5426.member_13, _e5426.member_14);
 if (_e792.member_7 != 16i) {
-let _e5464 = type_19(_e5446.member, _e5446.member_1, _e5446.member_2, _e5446.member_3, _e5446.member_4, _e5446.member_5, _e5446.member_6, _e5446.member_7, _e5446.member_8, (_e4921.member_9 + _e4921.member_14), _e5446.member_10, _e5446.member_11, _e5446.member_12, _e5446.member_13, _e5446.member_14);
+let _e5464 = type_20(_e5446.member, _e5446.member_1, _e5446.member_2, _e5446.member_3, _e5446.member_4, _e5446.member_5, _e5446.member_6, _e5446.member_7, _e5446.member_8, (_e4921.member_9 + _e4921.member_14), _e5446.member_10, _e5446.member_11, _e5446.member_12, _e5446.member_13, _e5446.member_14);
 let _e5465 = (_e792.member_7 * 4i);
 let _e5466 = (_e5465 + 1i);
 let _e5468 = (bitcast<i32>(_e93) - 1i);
@@ -1771,20 +1786,20 @@ let _e5615 = select(0i, select(select(i32(_e5608), i32(-2147483648), (_e5608 < -
 let _e5619 = (_e5615 - select(0i, 1i, (_e5608 < f32(_e5615))));
 let _e5620 = f32(_e5619);
 let _e5624 = ((_e5602 - (_e5620 * 0.6933594f)) - (_e5620 * -2.1219444e-4f));
-phi_7102_ = type_19(_e5464.member, _e5464.member_1, vec3<f32>((_e4921.member_2.x * ((1f + (_e5504 * (1f + (_e5504 * (0.5f + (_e5504 * (0.16666667f + (_e5504 * (0.041666668f + (_e5504 * (0.008333334f + (_e5504 * (0.001388889f + (_e5504 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5499 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.y * ((1f + (_e5564 * (1f + (_e5564 * (0.5f + (_e5564 * (0.16666667f + (_e5564 * (0.041666668f + (_e5564 * (0.008333334f + (_e5564 * (0.001388889f + (_e5564 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5559 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.z * ((1f + (_e5624 * (1f + (_e5624 * (0.5f + (_e5624 * (0.16666667f + (_e5624 * (0.041666668f + (_e5624 * (0.008333334f + (_e5624 * (0.001388889f + (_e5624 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5619 + 127i)) << bitcast<u32>(23i)))))), _e5464.member_3, _e5464.member_4, _e5464.member_5, _e5464.member_6, _e5464.member_7, _e5464.member_8, _e5464.member_9, _e5464.member_10, _e5464.member_11, _e5464.member_12, _e5464.member_13, _e5464.member_14);
+phi_7103_ = type_20(_e5464.member, _e5464.member_1, vec3<f32>((_e4921.member_2.x * ((1f + (_e5504 * (1f + (_e5504 * (0.5f + (_e5504 * (0.16666667f + (_e5504 * (0.041666668f + (_e5504 * (0.008333334f + (_e5504 * (0.001388889f + (_e5504 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5499 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.y * ((1f + (_e5564 * (1f + (_e5564 * (0.5f + (_e5564 * (0.16666667f + (_e5564 * (0.041666668f + (_e5564 * (0.008333334f + (_e5564 * (0.001388889f + (_e5564 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5559 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.z * ((1f + (_e5624 * (1f + (_e5624 * (0.5f + (_e5624 * (0.16666667f + (_e5624 * (0.041666668f + (_e5624 * (0.008333334f + (_e5624 * (0.001388889f + (_e5624 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5619 + 127i)) << bitcast<u32>(23i)))))), _e5464.member_3, _e5464.member_4, _e5464.member_5, _e5464.member_6, _e5464.member_7, _e5464.member_8, _e5464.member_9, _e5464.member_10, _e5464.member_11, _e5464.member_12, _e5464.member_13, _e5464.member_14);
 } else {
-phi_7102_ = _e5446;
+phi_7103_ = _e5446;
 }
-let _e5665 = phi_7102_;
-phi_7696_ = type_19(_e5665.member, _e5665.member_1, _e5665.member_2, _e5665.member_3, _e5665.member_4, _e5665.member_5, 3f, _e5665.member_7, _e5665.member_8, _e5665.member_9, _e5665.member_10, _e5665.member_11, _e5665.member_12, _e5665.member_13, _e5665.member_14);
+let _e5665 = phi_7103_;
+phi_7697_ = type_20(_e5665.member, _e5665.member_1, _e5665.member_2, _e5665.member_3, _e5665.member_4, _e5665.member_5, 3f, _e5665.member_7, _e5665.member_8, _e5665.member_9, _e5665.member_10, _e5665.member_11, _e5665.member_12, _e5665.member_13, _e5665.member_14);
 } else {
 if _e4923 {
-let _e4956 = type_19(vec3<f32>((_e4921.member.x + (_e4921.member_1.x * _e1003)), (_e4921.member.y + (_e4921.member_1.y * _e1003)), (_e4921.member.z + (_e4921.member_1.z * _e1003))), _e4921.member_1, _e4921.member_2, _e4921.member_3, _e4921.member_4, _e4921.member_5, _e4921.member_6, _e4921.member_7, _e4921.member_8, _e4921.member_9, _e4921.member_10, _e4921.member_11, _e4921.member_12, _e4921.member_13, _e4921.member_14);
-let _e4973 = type_19(_e4956.member, _e4956.member_1, _e4956.member_2, _e4956.member_3, _e4956.member_4, (_e4921.member_5 + _e1003), _e4956.member_6, _e4956.member_7, _e4956.member_8, _e4956.member_9, _e4956.member_10, _e4956.member_11, _e4956.member_12, _e4956.member_13, _e4956.member_14);
-let _e4990 = type_19(_e4973.member, _e4973.member_1, _e4973.member_2, _e4973.member_3, _e4973.member_4, _e4973.member_5, _e4973.member_6, _e4973.member_7, _e4973.member_8, _e4973.member_9, _e4973.member_10, _e4973.member_11, _e4973.member_12, _e4973.member_13, (_e4921.member_14 - _e1003));
-let _e5010 = type_19(_e4990.member, _e4990.member_1, _e4990.member_2, _e4990.member_3, _e4990.member_4, _e4990.member_5, _e4990.member_6, _e4990.member_7, _e4990.member_8, _e4990.member_9, (_e4921.member_10 + select(0f, _e1003, (_e4921.member_8 == 0f))), _e4990.member_11, _e4990.member_12, _e4990.member_13, _e4990.member_14);
+let _e4956 = type_20(vec3<f32>((_e4921.member.x + (_e4921.member_1.x * _e1003)), (_e4921.member.y + (_e4921.member_1.y * _e1003)), (_e4921.member.z + (_e4921.member_1.z * _e1003))), _e4921.member_1, _e4921.member_2, _e4921.member_3, _e4921.member_4, _e4921.member_5, _e4921.member_6, _e4921.member_7, _e4921.member_8, _e4921.member_9, _e4921.member_10, _e4921.member_11, _e4921.member_12, _e4921.member_13, _e4921.member_14);
+let _e4973 = type_20(_e4956.member, _e4956.member_1, _e4956.member_2, _e4956.member_3, _e4956.member_4, (_e4921.member_5 + _e1003), _e4956.member_6, _e4956.member_7, _e4956.member_8, _e4956.member_9, _e4956.member_10, _e4956.member_11, _e4956.member_12, _e4956.member_13, _e4956.member_14);
+let _e4990 = type_20(_e4973.member, _e4973.member_1, _e4973.member_2, _e4973.member_3, _e4973.member_4, _e4973.member_5, _e4973.member_6, _e4973.member_7, _e4973.member_8, _e4973.member_9, _e4973.member_10, _e4973.member_11, _e4973.member_12, _e4973.member_13, (_e4921.member_14 - _e1003));
+let _e5010 = type_20(_e4990.member, _e4990.member_1, _e4990.member_2, _e4990.member_3, _e4990.member_4, _e4990.member_5, _e4990.member_6, _e4990.member_7, _e4990.member_8, _e4990.member_9, (_e4921.member_10 + select(0f, _e1003, (_e4921.member_8 == 0f))), _e4990.member_11, _e4990.member_12, _e4990.member_13, _e4990.member_14);
 if (_e792.member_7 != 16i) {
-let _e5028 = type_19(_e5010.member, _e5010.member_1, _e5010.member_2, _e5010.member_3, _e5010.member_4, _e5010.member_5, _e5010.member_6, _e5010.member_7, _e5010.member_8, (_e4921.member_9 + _e1003), _e5010.member_10, _e5010.member_11, _e5010.member_12, _e5010.member_13, _e5010.member_14);
+let _e5028 = type_20(_e5010.member, _e5010.member_1, _e5010.member_2, _e5010.member_3, _e5010.member_4, _e5010.member_5, _e5010.member_6, _e5010.member_7, _e5010.member_8, (_e4921.member_9 + _e1003), _e5010.member_10, _e5010.member_11, _e5010.member_12, _e5010.member_13, _e5010.member_14);
 let _e5029 = (_e792.member_7 * 4i);
 let _e5030 = (_e5029 + 1i);
 let _e5032 = (bitcast<i32>(_e93) - 1i);
@@ -1826,48 +1841,48 @@ let _e5179 = select(0i, select(select(i32(_e5172), i32(-2147483648), (_e5172 < -
 let _e5183 = (_e5179 - select(0i, 1i, (_e5172 < f32(_e5179))));
 let _e5184 = f32(_e5183);
 let _e5188 = ((_e5166 - (_e5184 * 0.6933594f)) - (_e5184 * -2.1219444e-4f));
-phi_7391_ = type_19(_e5028.member, _e5028.member_1, vec3<f32>((_e4921.member_2.x * ((1f + (_e5068 * (1f + (_e5068 * (0.5f + (_e5068 * (0.16666667f + (_e5068 * (0.041666668f + (_e5068 * (0.008333334f + (_e5068 * (0.001388889f + (_e5068 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5063 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.y * ((1f + (_e5128 * (1f + (_e5128 * (0.5f + (_e5128 * (0.16666667f + (_e5128 * (0.041666668f + (_e5128 * (0.008333334f + (_e5128 * (0.001388889f + (_e5128 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5123 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.z * ((1f + (_e5188 * (1f + (_e5188 * (0.5f + (_e5188 * (0.16666667f + (_e5188 * (0.041666668f + (_e5188 * (0.008333334f + (_e5188 * (0.001388889f + (_e5188 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5183 + 127i)) << bitcast<u32>(23i)))))), _e5028.member_3, _e5028.member_4, _e5028.member_5, _e5028.member_6, _e5028.member_7, _e5028.member_8, _e5028.member_9, _e5028.member_10, _e5028.member_11, _e5028.member_12, _e5028.member_13, _e5028.member_14);
+phi_7392_ = type_20(_e5028.member, _e5028.member_1, vec3<f32>((_e4921.member_2.x * ((1f + (_e5068 * (1f + (_e5068 * (0.5f + (_e5068 * (0.16666667f + (_e5068 * (0.041666668f + (_e5068 * (0.008333334f + (_e5068 * (0.001388889f + (_e5068 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5063 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.y * ((1f + (_e5128 * (1f + (_e5128 * (0.5f + (_e5128 * (0.16666667f + (_e5128 * (0.041666668f + (_e5128 * (0.008333334f + (_e5128 * (0.001388889f + (_e5128 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5123 + 127i)) << bitcast<u32>(23i))))), (_e4921.member_2.z * ((1f + (_e5188 * (1f + (_e5188 * (0.5f + (_e5188 * (0.16666667f + (_e5188 * (0.041666668f + (_e5188 * (0.008333334f + (_e5188 * (0.001388889f + (_e5188 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5183 + 127i)) << bitcast<u32>(23i)))))), _e5028.member_3, _e5028.member_4, _e5028.member_5, _e5028.member_6, _e5028.member_7, _e5028.member_8, _e5028.member_9, _e5028.member_10, _e5028.member_11, _e5028.member_12, _e5028.member_13, _e5028.member_14);
 } else {
-phi_7391_ = _e5010;
+phi_7392_ = _e5010;
 }
-let _e5229 = phi_7391_;
+let _e5229 = phi_7392_;
 let _e5232 = local_21;
 if (((_e853 <= 0f) && (_e5232 == 16i)) && (_e792.member_7 == 16i)) {
 if (_e5229.member_13 == -1i) {
-phi_7693_ = type_19(_e5229.member, _e5229.member_1, _e5229.member_2, _e5229.member_3, _e5229.member_4, _e5229.member_5, 1f, _e5229.member_7, _e5229.member_8, _e5229.member_9, _e5229.member_10, _e5229.member_11, _e5229.member_12, _e5229.member_13, _e5229.member_14);
+phi_7694_ = type_20(_e5229.member, _e5229.member_1, _e5229.member_2, _e5229.member_3, _e5229.member_4, _e5229.member_5, 1f, _e5229.member_7, _e5229.member_8, _e5229.member_9, _e5229.member_10, _e5229.member_11, _e5229.member_12, _e5229.member_13, _e5229.member_14);
 } else {
-let _e5271 = type_19(vec3<f32>((_e5229.member.x + (_e5229.member_1.x * _e5229.member_14)), (_e5229.member.y + (_e5229.member_1.y * _e5229.member_14)), (_e5229.member.z + (_e5229.member_1.z * _e5229.member_14))), _e5229.member_1, _e5229.member_2, _e5229.member_3, _e5229.member_4, _e5229.member_5, _e5229.member_6, _e5229.member_7, _e5229.member_8, _e5229.member_9, _e5229.member_10, _e5229.member_11, _e5229.member_12, _e5229.member_13, _e5229.member_14);
-let _e5288 = type_19(_e5271.member, _e5271.member_1, _e5271.member_2, _e5271.member_3, _e5271.member_4, (_e5229.member_5 + _e5229.member_14), _e5271.member_6, _e5271.member_7, _e5271.member_8, _e5271.member_9, _e5271.member_10, _e5271.member_11, _e5271.member_12, _e5271.member_13, _e5271.member_14);
-let _e5304 = type_19(_e5288.member, _e5288.member_1, _e5288.member_2, _e5288.member_3, _e5288.member_4, _e5288.member_5, _e5288.member_6, _e5288.member_7, _e5288.member_8, _e5288.member_9, _e5288.member_10, _e5288.member_11, _e5288.member_12, _e5288.member_13, (_e5229.member_14 - _e5229.member_14));
-let _e5324 = type_19(_e5304.member, _e5304.member_1, _e5304.member_2, _e5304.member_3, _e5304.member_4, _e5304.member_5, _e5304.member_6, _e5304.member_7, _e5304.member_8, _e5304.member_9, (_e5229.member_10 + select(0f, _e5229.member_14, (_e5229.member_8 == 0f))), _e5304.member_11, _e5304.member_12, _e5304.member_13, _e5304.member_14);
-phi_7693_ = type_19(_e5324.member, _e5324.member_1, _e5324.member_2, _e5324.member_3, _e5324.member_4, _e5324.member_5, 3f, _e5324.member_7, _e5324.member_8, _e5324.member_9, _e5324.member_10, _e5324.member_11, _e5324.member_12, _e5324.member_13, _e5324.member_14);
+let _e5271 = type_20(vec3<f32>((_e5229.member.x + (_e5229.member_1.x * _e5229.member_14)), (_e5229.member.y + (_e5229.member_1.y * _e5229.member_14)), (_e5229.member.z + (_e5229.member_1.z * _e5229.member_14))), _e5229.member_1, _e5229.member_2, _e5229.member_3, _e5229.member_4, _e5229.member_5, _e5229.member_6, _e5229.member_7, _e5229.member_8, _e5229.member_9, _e5229.member_10, _e5229.member_11, _e5229.member_12, _e5229.member_13, _e5229.member_14);
+let _e5288 = type_20(_e5271.member, _e5271.member_1, _e5271.member_2, _e5271.member_3, _e5271.member_4, (_e5229.member_5 + _e5229.member_14), _e5271.member_6, _e5271.member_7, _e5271.member_8, _e5271.member_9, _e5271.member_10, _e5271.member_11, _e5271.member_12, _e5271.member_13, _e5271.member_14);
+let _e5304 = type_20(_e5288.member, _e5288.member_1, _e5288.member_2, _e5288.member_3, _e5288.member_4, _e5288.member_5, _e5288.member_6, _e5288.member_7, _e5288.member_8, _e5288.member_9, _e5288.member_10, _e5288.member_11, _e5288.member_12, _e5288.member_13, (_e5229.member_14 - _e5229.member_14));
+let _e5324 = type_20(_e5304.member, _e5304.member_1, _e5304.member_2, _e5304.member_3, _e5304.member_4, _e5304.member_5, _e5304.member_6, _e5304.member_7, _e5304.member_8, _e5304.member_9, (_e5229.member_10 + select(0f, _e5229.member_14, (_e5229.member_8 == 0f))), _e5304.member_11, _e5304.member_12, _e5304.member_13, _e5304.member_14);
+phi_7694_ = type_20(_e5324.member, _e5324.member_1, _e5324.member_2, _e5324.member_3, _e5324.member_4, _e5324.member_5, 3f, _e5324.member_7, _e5324.member_8, _e5324.member_9, _e5324.member_10, _e5324.member_11, _e5324.member_12, _e5324.member_13, _e5324.member_14);
 }
-let _e5356 = phi_7693_;
-phi_7694_ = _e5356;
+let _e5356 = phi_7694_;
+phi_7695_ = _e5356;
 } else {
-phi_7694_ = _e5229;
+phi_7695_ = _e5229;
 }
-let _e5358 = phi_7694_;
-phi_7695_ = _e5358;
+let _e5358 = phi_7695_;
+phi_7696_ = _e5358;
 } else {
-phi_7695_ = _e4921;
+phi_7696_ = _e4921;
 }
-let _e5360 = phi_7695_;
-phi_7696_ = _e5360;
+let _e5360 = phi_7696_;
+phi_7697_ = _e5360;
 }
-let _e5682 = phi_7696_;
-phi_1316_ = _e5682;
-phi_1319_ = (_e794 + 1i);
+let _e5682 = phi_7697_;
+phi_1317_ = _e5682;
+phi_1320_ = (_e794 + 1i);
 } else {
-phi_1316_ = type_19();
-phi_1319_ = i32();
+phi_1317_ = type_20();
+phi_1320_ = i32();
 }
-let _e5684 = phi_1316_;
-let _e5686 = phi_1319_;
+let _e5684 = phi_1317_;
+let _e5686 = phi_1320_;
 continue;
 continuing {
-phi_1315_ = _e5684;
-phi_1318_ = _e5686;
+phi_1316_ = _e5684;
+phi_1319_ = _e5686;
 break if !(_e798);
 }
 }

@@ -44,17 +44,32 @@ member_1: type_8,
 struct type_10 {
 member: type_5,
 member_1: type_5,
+member_2: f32,
+member_3: f32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
 }
 struct type_11 {
-member: type_2,
-member_1: u32,
-member_2: type_7,
-member_3: type_7,
-member_4: type_7,
-member_5: f32,
-member_6: f32,
+member: u32,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_10,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_5,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_5,
+member_8: f32,
+member_9: f32,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -73,17 +88,17 @@ member_14: type_5,
 member_15: type_5,
 member_16: type_6,
 member_17: type_9,
-member_18: type_10,
+member_18: type_11,
 member_19: type_5,
-member_20: type_11,
+member_20: type_12,
 }
-struct type_13 {
-member: type_12,
+struct type_14 {
+member: type_13,
 }
-struct type_15 {
+struct type_16 {
 member: array<f32>,
 }
-struct type_18 {
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -100,67 +115,67 @@ member_12: i32,
 member_13: i32,
 member_14: f32,
 }
-struct type_20 {
+struct type_21 {
 member: array<u32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_14;
 @group(0) @binding(4)
-var<storage> global_2: type_15;
+var<storage> global_2: type_16;
 @group(0) @binding(5)
-var<storage, read_write> global_3: type_15;
+var<storage, read_write> global_3: type_16;
 @group(0) @binding(1)
-var<storage> global_4: type_20;
+var<storage> global_4: type_21;
 @group(0) @binding(2)
-var<storage> global_5: type_20;
+var<storage> global_5: type_21;
 @group(0) @binding(3)
-var<storage> global_6: type_15;
+var<storage> global_6: type_16;
 fn function_() {
-var phi_640_: u32;
-var phi_847_: type_18;
-var phi_850_: i32;
-var phi_1469_: type_18;
-var phi_1182_: type_18;
-var phi_1470_: type_18;
-var phi_2274_: type_18;
-var phi_2327_: type_18;
-var phi_2341_: type_18;
-var phi_2785_: type_18;
-var phi_2786_: type_18;
-var phi_2766_: type_18;
-var phi_2787_: type_18;
-var phi_2796_: type_18;
-var phi_2797_: type_18;
-var phi_2798_: type_18;
-var phi_1802_: type_18;
-var phi_2799_: type_18;
-var phi_848_: type_18;
+var phi_641_: u32;
+var phi_848_: type_19;
 var phi_851_: i32;
-var local: type_18;
-var local_1: type_18;
-var local_2: type_18;
-var local_3: type_18;
-var local_4: type_18;
-var local_5: type_18;
-var local_6: type_18;
-var local_7: type_18;
-var local_8: type_18;
-var local_9: type_18;
-var local_10: type_18;
-var local_11: type_18;
-var local_12: type_18;
-var local_13: type_18;
-var local_14: type_18;
-var local_15: type_18;
-var local_16: type_18;
-var local_17: type_18;
-var local_18: type_18;
-var local_19: type_18;
-var local_20: type_18;
-var local_21: type_18;
-var local_22: type_18;
-var local_23: type_18;
+var phi_1470_: type_19;
+var phi_1183_: type_19;
+var phi_1471_: type_19;
+var phi_2275_: type_19;
+var phi_2328_: type_19;
+var phi_2342_: type_19;
+var phi_2786_: type_19;
+var phi_2787_: type_19;
+var phi_2767_: type_19;
+var phi_2788_: type_19;
+var phi_2797_: type_19;
+var phi_2798_: type_19;
+var phi_2799_: type_19;
+var phi_1803_: type_19;
+var phi_2800_: type_19;
+var phi_849_: type_19;
+var phi_852_: i32;
+var local: type_19;
+var local_1: type_19;
+var local_2: type_19;
+var local_3: type_19;
+var local_4: type_19;
+var local_5: type_19;
+var local_6: type_19;
+var local_7: type_19;
+var local_8: type_19;
+var local_9: type_19;
+var local_10: type_19;
+var local_11: type_19;
+var local_12: type_19;
+var local_13: type_19;
+var local_14: type_19;
+var local_15: type_19;
+var local_16: type_19;
+var local_17: type_19;
+var local_18: type_19;
+var local_19: type_19;
+var local_20: type_19;
+var local_21: type_19;
+var local_22: type_19;
+var local_23: type_19;
 var local_24: f32;
 let _e79 = global;
 let _e87 = arrayLength((&global_2.member));
@@ -270,11 +285,11 @@ let _e367 = bitcast<i32>(_e366);
 let _e369 = select(_e104, _e367, (_e367 < _e104));
 let _e375 = global_3.member[bitcast<u32>(select(0i, _e369, (_e369 > 0i)))];
 if (_e287 == 0f) {
-phi_640_ = 3u;
+phi_641_ = 3u;
 } else {
-phi_640_ = select(0u, 1u, (_e287 == 4f));
+phi_641_ = select(0u, 1u, (_e287 == 4f));
 }
-let _e380 = phi_640_;
+let _e380 = phi_641_;
 if (_e380 > 1u) {
 let _e413 = global_1.member.member_2.member;
 let _e414 = bitcast<i32>(_e413);
@@ -282,11 +297,11 @@ let _e418 = global_1.member.member_2.member_1;
 let _e419 = bitcast<i32>(_e418);
 let _e423 = global_1.member.member_2.member_2;
 let _e424 = bitcast<i32>(_e423);
-phi_847_ = type_18(vec3<f32>(_e112, _e122, _e133), vec3<f32>(_e144, _e155, _e166), vec3<f32>(_e177, _e188, _e199), vec3<f32>(_e210, _e221, _e232), vec3<f32>(_e243, _e254, _e265), _e276, _e287, select(0i, select(select(i32(_e298), i32(-2147483648), (_e298 < -2147483600f)), 2147483647i, (_e298 > 2147483500f)), (_e298 == _e298)), _e309, _e320, _e331, _e342, select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < -2147483600f)), 2147483647i, (_e353 > 2147483500f)), (_e353 == _e353)), select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < -2147483600f)), 2147483647i, (_e364 > 2147483500f)), (_e364 == _e364)), _e375);
-phi_850_ = 0i;
+phi_848_ = type_19(vec3<f32>(_e112, _e122, _e133), vec3<f32>(_e144, _e155, _e166), vec3<f32>(_e177, _e188, _e199), vec3<f32>(_e210, _e221, _e232), vec3<f32>(_e243, _e254, _e265), _e276, _e287, select(0i, select(select(i32(_e298), i32(-2147483648), (_e298 < -2147483600f)), 2147483647i, (_e298 > 2147483500f)), (_e298 == _e298)), _e309, _e320, _e331, _e342, select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < -2147483600f)), 2147483647i, (_e353 > 2147483500f)), (_e353 == _e353)), select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < -2147483600f)), 2147483647i, (_e364 > 2147483500f)), (_e364 == _e364)), _e375);
+phi_851_ = 0i;
 loop {
-let _e429 = phi_847_;
-let _e431 = phi_850_;
+let _e429 = phi_848_;
+let _e431 = phi_851_;
 local = _e429;
 local_1 = _e429;
 local_2 = _e429;
@@ -322,12 +337,12 @@ let _e453 = select(_e451, _e447, (_e447 > _e451));
 let _e456 = (1f / select(0.5f, _e453, (_e453 > 0.5f)));
 let _e458 = (_e429.member_14 <= _e456);
 if _e458 {
-let _e788 = type_18(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
-let _e805 = type_18(_e788.member, _e788.member_1, _e788.member_2, _e788.member_3, _e788.member_4, (_e429.member_5 + _e429.member_14), _e788.member_6, _e788.member_7, _e788.member_8, _e788.member_9, _e788.member_10, _e788.member_11, _e788.member_12, _e788.member_13, _e788.member_14);
-let _e821 = type_18(_e805.member, _e805.member_1, _e805.member_2, _e805.member_3, _e805.member_4, _e805.member_5, _e805.member_6, _e805.member_7, _e805.member_8, _e805.member_9, _e805.member_10, _e805.member_11, _e805.member_12, _e805.member_13, (_e429.member_14 - _e429.member_14));
-let _e841 = type_18(_e821.member, _e821.member_1, _e821.member_2, _e821.member_3, _e821.member_4, _e821.member_5, _e821.member_6, _e821.member_7, _e821.member_8, _e821.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e821.member_11, _e821.member_12, _e821.member_13, _e821.member_14);
+let _e788 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e805 = type_19(_e788.member, _e788.member_1, _e788.member_2, _e788.member_3, _e788.member_4, (_e429.member_5 + _e429.member_14), _e788.member_6, _e788.member_7, _e788.member_8, _e788.member_9, _e788.member_10, _e788.member_11, _e788.member_12, _e788.member_13, _e788.member_14);
+let _e821 = type_19(_e805.member, _e805.member_1, _e805.member_2, _e805.member_3, _e805.member_4, _e805.member_5, _e805.member_6, _e805.member_7, _e805.member_8, _e805.member_9, _e805.member_10, _e805.member_11, _e805.member_12, _e805.member_13, (_e429.member_14 - _e429.member_14));
+let _e841 = type_19(_e821.member, _e821.member_1, _e821.member_2, _e821.member_3, _e821.member_4, _e821.member_5, _e821.member_6, _e821.member_7, _e821.member_8, _e821.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e821.member_11, _e821.member_12, _e821.member_13, _e821.member_14);
 if (_e429.member_7 != 16i) {
-let _e859 = type_18(_e841.member, _e841.member_1, _e841.member_2, _e841.member_3, _e841.member_4, _e841.member_5, _e841.member_6, _e841.member_7, _e841.member_8, (_e429.member_9 + _e429.member_14), _e841.member_10, _e841.member_11, _e841.member_12, _e841.member_13, _e841.member_14);
+let _e859 = type_19(_e841.member, _e841.member_1, _e841.member_2, _e841.member_3, _e841.member_4, _e841.member_5, _e841.member_6, _e841.member_7, _e841.member_8, (_e429.member_9 + _e429.member_14), _e841.member_10, _e841.member_11, _e841.member_12, _e841.member_13, _e841.member_14);
 let _e860 = (_e429.member_7 * 4i);
 let _e861 = (_e860 + 1i);
 let _e863 = (bitcast<i32>(_e87) - 1i);
@@ -369,19 +384,19 @@ let _e1010 = select(0i, select(select(i32(_e1003), i32(-2147483648), (_e1003 < -
 let _e1014 = (_e1010 - select(0i, 1i, (_e1003 < f32(_e1010))));
 let _e1015 = f32(_e1014);
 let _e1019 = ((_e997 - (_e1015 * 0.6933594f)) - (_e1015 * -2.1219444e-4f));
-phi_1182_ = type_18(_e859.member, _e859.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e899 * (1f + (_e899 * (0.5f + (_e899 * (0.16666667f + (_e899 * (0.041666668f + (_e899 * (0.008333334f + (_e899 * (0.001388889f + (_e899 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e894 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e959 * (1f + (_e959 * (0.5f + (_e959 * (0.16666667f + (_e959 * (0.041666668f + (_e959 * (0.008333334f + (_e959 * (0.001388889f + (_e959 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e954 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e1019 * (1f + (_e1019 * (0.5f + (_e1019 * (0.16666667f + (_e1019 * (0.041666668f + (_e1019 * (0.008333334f + (_e1019 * (0.001388889f + (_e1019 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1014 + 127i)) << bitcast<u32>(23i)))))), _e859.member_3, _e859.member_4, _e859.member_5, _e859.member_6, _e859.member_7, _e859.member_8, _e859.member_9, _e859.member_10, _e859.member_11, _e859.member_12, _e859.member_13, _e859.member_14);
+phi_1183_ = type_19(_e859.member, _e859.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e899 * (1f + (_e899 * (0.5f + (_e899 * (0.16666667f + (_e899 * (0.041666668f + (_e899 * (0.008333334f + (_e899 * (0.001388889f + (_e899 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e894 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e959 * (1f + (_e959 * (0.5f + (_e959 * (0.16666667f + (_e959 * (0.041666668f + (_e959 * (0.008333334f + (_e959 * (0.001388889f + (_e959 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e954 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e1019 * (1f + (_e1019 * (0.5f + (_e1019 * (0.16666667f + (_e1019 * (0.041666668f + (_e1019 * (0.008333334f + (_e1019 * (0.001388889f + (_e1019 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1014 + 127i)) << bitcast<u32>(23i)))))), _e859.member_3, _e859.member_4, _e859.member_5, _e859.member_6, _e859.member_7, _e859.member_8, _e859.member_9, _e859.member_10, _e859.member_11, _e859.member_12, _e859.member_13, _e859.member_14);
 } else {
-phi_1182_ = _e841;
+phi_1183_ = _e841;
 }
-let _e1060 = phi_1182_;
-phi_1470_ = type_18(_e1060.member, _e1060.member_1, _e1060.member_2, _e1060.member_3, _e1060.member_4, _e1060.member_5, 3f, _e1060.member_7, _e1060.member_8, _e1060.member_9, _e1060.member_10, _e1060.member_11, _e1060.member_12, _e1060.member_13, _e1060.member_14);
+let _e1060 = phi_1183_;
+phi_1471_ = type_19(_e1060.member, _e1060.member_1, _e1060.member_2, _e1060.member_3, _e1060.member_4, _e1060.member_5, 3f, _e1060.member_7, _e1060.member_8, _e1060.member_9, _e1060.member_10, _e1060.member_11, _e1060.member_12, _e1060.member_13, _e1060.member_14);
 } else {
-let _e487 = type_18(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e456)), (_e429.member.y + (_e429.member_1.y * _e456)), (_e429.member.z + (_e429.member_1.z * _e456))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
-let _e504 = type_18(_e487.member, _e487.member_1, _e487.member_2, _e487.member_3, _e487.member_4, (_e429.member_5 + _e456), _e487.member_6, _e487.member_7, _e487.member_8, _e487.member_9, _e487.member_10, _e487.member_11, _e487.member_12, _e487.member_13, _e487.member_14);
-let _e520 = type_18(_e504.member, _e504.member_1, _e504.member_2, _e504.member_3, _e504.member_4, _e504.member_5, _e504.member_6, _e504.member_7, _e504.member_8, _e504.member_9, _e504.member_10, _e504.member_11, _e504.member_12, _e504.member_13, (_e429.member_14 - _e456));
-let _e540 = type_18(_e520.member, _e520.member_1, _e520.member_2, _e520.member_3, _e520.member_4, _e520.member_5, _e520.member_6, _e520.member_7, _e520.member_8, _e520.member_9, (_e429.member_10 + select(0f, _e456, (_e429.member_8 == 0f))), _e520.member_11, _e520.member_12, _e520.member_13, _e520.member_14);
+let _e487 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e456)), (_e429.member.y + (_e429.member_1.y * _e456)), (_e429.member.z + (_e429.member_1.z * _e456))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e504 = type_19(_e487.member, _e487.member_1, _e487.member_2, _e487.member_3, _e487.member_4, (_e429.member_5 + _e456), _e487.member_6, _e487.member_7, _e487.member_8, _e487.member_9, _e487.member_10, _e487.member_11, _e487.member_12, _e487.member_13, _e487.member_14);
+let _e520 = type_19(_e504.member, _e504.member_1, _e504.member_2, _e504.member_3, _e504.member_4, _e504.member_5, _e504.member_6, _e504.member_7, _e504.member_8, _e504.member_9, _e504.member_10, _e504.member_11, _e504.member_12, _e504.member_13, (_e429.member_14 - _e456));
+let _e540 = type_19(_e520.member, _e520.member_1, _e520.member_2, _e520.member_3, _e520.member_4, _e520.member_5, _e520.member_6, _e520.member_7, _e520.member_8, _e520.member_9, (_e429.member_10 + select(0f, _e456, (_e429.member_8 == 0f))), _e520.member_11, _e520.member_12, _e520.member_13, _e520.member_14);
 if (_e429.member_7 != 16i) {
-let _e558 = type_18(_e540.member, _e540.member_1, _e540.member_2, _e540.member_3, _e540.member_4, _e540.member_5, _e540.member_6, _e540.member_7, _e540.member_8, (_e429.member_9 + _e456), _e540.member_10, _e540.member_11, _e540.member_12, _e540.member_13, _e540.member_14);
+let _e558 = type_19(_e540.member, _e540.member_1, _e540.member_2, _e540.member_3, _e540.member_4, _e540.member_5, _e540.member_6, _e540.member_7, _e540.member_8, (_e429.member_9 + _e456), _e540.member_10, _e540.member_11, _e540.member_12, _e540.member_13, _e540.member_14);
 let _e559 = (_e429.member_7 * 4i);
 let _e560 = (_e559 + 1i);
 let _e562 = (bitcast<i32>(_e87) - 1i);
@@ -423,29 +438,29 @@ let _e709 = select(0i, select(select(i32(_e702), i32(-2147483648), (_e702 < -214
 let _e713 = (_e709 - select(0i, 1i, (_e702 < f32(_e709))));
 let _e714 = f32(_e713);
 let _e718 = ((_e696 - (_e714 * 0.6933594f)) - (_e714 * -2.1219444e-4f));
-phi_1469_ = type_18(_e558.member, _e558.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e598 * (1f + (_e598 * (0.5f + (_e598 * (0.16666667f + (_e598 * (0.041666668f + (_e598 * (0.008333334f + (_e598 * (0.001388889f + (_e598 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e593 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e658 * (1f + (_e658 * (0.5f + (_e658 * (0.16666667f + (_e658 * (0.041666668f + (_e658 * (0.008333334f + (_e658 * (0.001388889f + (_e658 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e653 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e718 * (1f + (_e718 * (0.5f + (_e718 * (0.16666667f + (_e718 * (0.041666668f + (_e718 * (0.008333334f + (_e718 * (0.001388889f + (_e718 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e713 + 127i)) << bitcast<u32>(23i)))))), _e558.member_3, _e558.member_4, _e558.member_5, _e558.member_6, _e558.member_7, _e558.member_8, _e558.member_9, _e558.member_10, _e558.member_11, _e558.member_12, _e558.member_13, _e558.member_14);
+phi_1470_ = type_19(_e558.member, _e558.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e598 * (1f + (_e598 * (0.5f + (_e598 * (0.16666667f + (_e598 * (0.041666668f + (_e598 * (0.008333334f + (_e598 * (0.001388889f + (_e598 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e593 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e658 * (1f + (_e658 * (0.5f + (_e658 * (0.16666667f + (_e658 * (0.041666668f + (_e658 * (0.008333334f + (_e658 * (0.001388889f + (_e658 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e653 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e718 * (1f + (_e718 * (0.5f + (_e718 * (0.16666667f + (_e718 * (0.041666668f + (_e718 * (0.008333334f + (_e718 * (0.001388889f + (_e718 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e713 + 127i)) << bitcast<u32>(23i)))))), _e558.member_3, _e558.member_4, _e558.member_5, _e558.member_6, _e558.member_7, _e558.member_8, _e558.member_9, _e558.member_10, _e558.member_11, _e558.member_12, _e558.member_13, _e558.member_14);
 } else {
-phi_1469_ = _e540;
+phi_1470_ = _e540;
 }
-let _e759 = phi_1469_;
-phi_1470_ = _e759;
+let _e759 = phi_1470_;
+phi_1471_ = _e759;
 }
-let _e1077 = phi_1470_;
+let _e1077 = phi_1471_;
 if (!(_e458) && ((((((_e1077.member.x < 0f) || (_e1077.member.y < 0f)) || (_e1077.member.z < 0f)) || (_e1077.member.x >= f32(_e414))) || (_e1077.member.y >= f32(_e419))) || (_e1077.member.z >= f32(_e424)))) {
 if (_e1077.member_13 == -1i) {
-phi_1802_ = type_18(_e1077.member, _e1077.member_1, _e1077.member_2, _e1077.member_3, _e1077.member_4, _e1077.member_5, 1f, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
+phi_1803_ = type_19(_e1077.member, _e1077.member_1, _e1077.member_2, _e1077.member_3, _e1077.member_4, _e1077.member_5, 1f, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
 } else {
-let _e1900 = type_18(vec3<f32>((_e1077.member.x + (_e1077.member_1.x * _e1077.member_14)), (_e1077.member.y + (_e1077.member_1.y * _e1077.member_14)), (_e1077.member.z + (_e1077.member_1.z * _e1077.member_14))), _e1077.member_1, _e1077.member_2, _e1077.member_3, _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
-let _e1917 = type_18(_e1900.member, _e1900.member_1, _e1900.member_2, _e1900.member_3, _e1900.member_4, (_e1077.member_5 + _e1077.member_14), _e1900.member_6, _e1900.member_7, _e1900.member_8, _e1900.member_9, _e1900.member_10, _e1900.member_11, _e1900.member_12, _e1900.member_13, _e1900.member_14);
-let _e1933 = type_18(_e1917.member, _e1917.member_1, _e1917.member_2, _e1917.member_3, _e1917.member_4, _e1917.member_5, _e1917.member_6, _e1917.member_7, _e1917.member_8, _e1917.member_9, _e1917.member_10, _e1917.member_11, _e1917.member_12, _e1917.member_13, (_e1077.member_14 - _e1077.member_14));
-let _e1953 = type_18(_e1933.member, _e1933.member_1, _e1933.member_2, _e1933.member_3, _e1933.member_4, _e1933.member_5, _e1933.member_6, _e1933.member_7, _e1933.member_8, _e1933.member_9, (_e1077.member_10 + select(0f, _e1077.member_14, (_e1077.member_8 == 0f))), _e1933.member_11, _e1933.member_12, _e1933.member_13, _e1933.member_14);
-phi_1802_ = type_18(_e1953.member, _e1953.member_1, _e1953.member_2, _e1953.member_3, _e1953.member_4, _e1953.member_5, 3f, _e1953.member_7, _e1953.member_8, _e1953.member_9, _e1953.member_10, _e1953.member_11, _e1953.member_12, _e1953.member_13, _e1953.member_14);
+let _e1900 = type_19(vec3<f32>((_e1077.member.x + (_e1077.member_1.x * _e1077.member_14)), (_e1077.member.y + (_e1077.member_1.y * _e1077.member_14)), (_e1077.member.z + (_e1077.member_1.z * _e1077.member_14))), _e1077.member_1, _e1077.member_2, _e1077.member_3, _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
+let _e1917 = type_19(_e1900.member, _e1900.member_1, _e1900.member_2, _e1900.member_3, _e1900.member_4, (_e1077.member_5 + _e1077.member_14), _e1900.member_6, _e1900.member_7, _e1900.member_8, _e1900.member_9, _e1900.member_10, _e1900.member_11, _e1900.member_12, _e1900.member_13, _e1900.member_14);
+let _e1933 = type_19(_e1917.member, _e1917.member_1, _e1917.member_2, _e1917.member_3, _e1917.member_4, _e1917.member_5, _e1917.member_6, _e1917.member_7, _e1917.member_8, _e1917.member_9, _e1917.member_10, _e1917.member_11, _e1917.member_12, _e1917.member_13, (_e1077.member_14 - _e1077.member_14));
+let _e1953 = type_19(_e1933.member, _e1933.member_1, _e1933.member_2, _e1933.member_3, _e1933.member_4, _e1933.member_5, _e1933.member_6, _e1933.member_7, _e1933.member_8, _e1933.member_9, (_e1077.member_10 + select(0f, _e1077.member_14, (_e1077.member_8 == 0f))), _e1933.member_11, _e1933.member_12, _e1933.member_13, _e1933.member_14);
+phi_1803_ = type_19(_e1953.member, _e1953.member_1, _e1953.member_2, _e1953.member_3, _e1953.member_4, _e1953.member_5, 3f, _e1953.member_7, _e1953.member_8, _e1953.member_9, _e1953.member_10, _e1953.member_11, _e1953.member_12, _e1953.member_13, _e1953.member_14);
 }
-let _e1985 = phi_1802_;
-phi_2799_ = _e1985;
+let _e1985 = phi_1803_;
+phi_2800_ = _e1985;
 } else {
 if _e458 {
-phi_2798_ = _e1077;
+phi_2799_ = _e1077;
 } else {
 let _e1099 = f32((_e414 - 1i));
 let _e1101 = select(0f, _e1077.member.x, (_e1077.member.x > 0f));
@@ -528,14 +543,14 @@ let _e1382 = (((_e1317 * _e1372) - 1f) / select(1e-6f, _e1379, (_e1379 > 1e-6f))
 let _e1395 = global_1.member.member_1;
 let _e1398 = select(0f, select(select((((0.5f * _e1375) * _e1375) * (1f + (_e1382 * _e1382))), 1f, (_e1367 <= 0f)), 0f, (_e1285 == _e1296)), ((_e1395 & 1u) != 0u));
 if (_e1077.member_8 == 0f) {
-let _e1413 = type_18(_e1077.member, _e1077.member_1, _e1077.member_2, _e1218, _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
-phi_2274_ = type_18(_e1413.member, _e1413.member_1, _e1413.member_2, _e1413.member_3, _e1413.member_4, _e1413.member_5, _e1413.member_6, _e1413.member_7, _e1413.member_8, _e1413.member_9, _e1413.member_10, _e1398, _e1413.member_12, _e1413.member_13, _e1413.member_14);
+let _e1413 = type_19(_e1077.member, _e1077.member_1, _e1077.member_2, _e1218, _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
+phi_2275_ = type_19(_e1413.member, _e1413.member_1, _e1413.member_2, _e1413.member_3, _e1413.member_4, _e1413.member_5, _e1413.member_6, _e1413.member_7, _e1413.member_8, _e1413.member_9, _e1413.member_10, _e1398, _e1413.member_12, _e1413.member_13, _e1413.member_14);
 } else {
-phi_2274_ = _e1077;
+phi_2275_ = _e1077;
 }
-let _e1430 = phi_2274_;
+let _e1430 = phi_2275_;
 let _e1432 = (_e1430.member_8 + 1f);
-let _e1447 = type_18(_e1430.member, _e1430.member_1, _e1430.member_2, _e1430.member_3, _e1430.member_4, _e1430.member_5, _e1430.member_6, _e1430.member_7, _e1432, _e1430.member_9, _e1430.member_10, _e1430.member_11, _e1430.member_12, _e1430.member_13, _e1430.member_14);
+let _e1447 = type_19(_e1430.member, _e1430.member_1, _e1430.member_2, _e1430.member_3, _e1430.member_4, _e1430.member_5, _e1430.member_6, _e1430.member_7, _e1432, _e1430.member_9, _e1430.member_10, _e1430.member_11, _e1430.member_12, _e1430.member_13, _e1430.member_14);
 let _e1450 = ((_e92.member_2 == 0u) && (_e1432 >= 2f));
 if (_e1324 && _e1450) {
 let _e1475 = (((_e1430.member_1.x * _e1199) + (_e1430.member_1.y * _e1208)) + (_e1430.member_1.z * _e1217));
@@ -545,18 +560,18 @@ let _e1481 = (_e1430.member_1.z - (_e1217 * _e1475));
 let _e1486 = (((_e1479 * _e1479) + (_e1480 * _e1480)) + (_e1481 * _e1481));
 let _e1489 = sqrt(select(0f, _e1486, (_e1486 > 0f)));
 let _e1492 = (1f / select(1e-20f, _e1489, (_e1489 > 1e-20f)));
-phi_2327_ = type_18(_e1447.member, vec3<f32>((_e1479 * _e1492), (_e1480 * _e1492), (_e1481 * _e1492)), _e1447.member_2, _e1447.member_3, _e1447.member_4, _e1447.member_5, _e1447.member_6, _e1447.member_7, _e1447.member_8, _e1447.member_9, _e1447.member_10, _e1447.member_11, _e1447.member_12, _e1447.member_13, _e1447.member_14);
+phi_2328_ = type_19(_e1447.member, vec3<f32>((_e1479 * _e1492), (_e1480 * _e1492), (_e1481 * _e1492)), _e1447.member_2, _e1447.member_3, _e1447.member_4, _e1447.member_5, _e1447.member_6, _e1447.member_7, _e1447.member_8, _e1447.member_9, _e1447.member_10, _e1447.member_11, _e1447.member_12, _e1447.member_13, _e1447.member_14);
 } else {
-phi_2327_ = type_18(_e1447.member, vec3<f32>((_e1346 * _e1359), (_e1347 * _e1359), (_e1348 * _e1359)), _e1447.member_2, _e1447.member_3, _e1447.member_4, _e1447.member_5, _e1447.member_6, _e1447.member_7, _e1447.member_8, _e1447.member_9, _e1447.member_10, _e1447.member_11, _e1447.member_12, _e1447.member_13, _e1447.member_14);
+phi_2328_ = type_19(_e1447.member, vec3<f32>((_e1346 * _e1359), (_e1347 * _e1359), (_e1348 * _e1359)), _e1447.member_2, _e1447.member_3, _e1447.member_4, _e1447.member_5, _e1447.member_6, _e1447.member_7, _e1447.member_8, _e1447.member_9, _e1447.member_10, _e1447.member_11, _e1447.member_12, _e1447.member_13, _e1447.member_14);
 }
-let _e1513 = phi_2327_;
+let _e1513 = phi_2328_;
 if _e1324 {
-phi_2341_ = _e1513;
+phi_2342_ = _e1513;
 } else {
 let _e1514 = (1f - _e1398);
-phi_2341_ = type_18(_e1513.member, _e1513.member_1, vec3<f32>((_e1513.member_2.x * _e1514), (_e1513.member_2.y * _e1514), (_e1513.member_2.z * _e1514)), _e1513.member_3, _e1513.member_4, _e1513.member_5, _e1513.member_6, _e1513.member_7, _e1513.member_8, _e1513.member_9, _e1513.member_10, _e1513.member_11, _e1513.member_12, _e1513.member_13, _e1513.member_14);
+phi_2342_ = type_19(_e1513.member, _e1513.member_1, vec3<f32>((_e1513.member_2.x * _e1514), (_e1513.member_2.y * _e1514), (_e1513.member_2.z * _e1514)), _e1513.member_3, _e1513.member_4, _e1513.member_5, _e1513.member_6, _e1513.member_7, _e1513.member_8, _e1513.member_9, _e1513.member_10, _e1513.member_11, _e1513.member_12, _e1513.member_13, _e1513.member_14);
 }
-let _e1541 = phi_2341_;
+let _e1541 = phi_2342_;
 let _e1548 = global_1.member.member_17.member.member;
 let _e1562 = ((((_e1548.member.member * _e1541.member.x) + (_e1548.member.member_1 * _e1541.member.y)) + (_e1548.member.member_2 * _e1541.member.z)) + _e1548.member_1);
 let _e1571 = -((((_e1548.member.member * _e1541.member_1.x) + (_e1548.member.member_1 * _e1541.member_1.y)) + (_e1548.member.member_2 * _e1541.member_1.z)));
@@ -572,68 +587,68 @@ let _e1611 = select(1e30f, select(0f, _e1608, (_e1608 > 0f)), ((_e1596 > 0f) && 
 let _e1615 = (_e1611 < _e1580);
 let _e1617 = select(select(-2i, -3i, _e1615), -1i, ((_e1580 >= 1e30f) && (_e1611 >= 1e30f)));
 let _e1618 = select(_e1580, _e1611, _e1615);
-let _e1633 = type_18(_e1541.member, _e1541.member_1, _e1541.member_2, _e1541.member_3, _e1541.member_4, _e1541.member_5, _e1541.member_6, _e1541.member_7, _e1541.member_8, _e1541.member_9, _e1541.member_10, _e1541.member_11, 0i, _e1541.member_13, _e1541.member_14);
-let _e1648 = type_18(_e1633.member, _e1633.member_1, _e1633.member_2, _e1633.member_3, _e1633.member_4, _e1633.member_5, _e1633.member_6, _e1633.member_7, _e1633.member_8, _e1633.member_9, _e1633.member_10, _e1633.member_11, _e1633.member_12, _e1617, _e1633.member_14);
-let _e1663 = type_18(_e1648.member, _e1648.member_1, _e1648.member_2, _e1648.member_3, _e1648.member_4, _e1648.member_5, _e1648.member_6, _e1648.member_7, _e1648.member_8, _e1648.member_9, _e1648.member_10, _e1648.member_11, _e1648.member_12, _e1648.member_13, _e1618);
+let _e1633 = type_19(_e1541.member, _e1541.member_1, _e1541.member_2, _e1541.member_3, _e1541.member_4, _e1541.member_5, _e1541.member_6, _e1541.member_7, _e1541.member_8, _e1541.member_9, _e1541.member_10, _e1541.member_11, 0i, _e1541.member_13, _e1541.member_14);
+let _e1648 = type_19(_e1633.member, _e1633.member_1, _e1633.member_2, _e1633.member_3, _e1633.member_4, _e1633.member_5, _e1633.member_6, _e1633.member_7, _e1633.member_8, _e1633.member_9, _e1633.member_10, _e1633.member_11, _e1633.member_12, _e1617, _e1633.member_14);
+let _e1663 = type_19(_e1648.member, _e1648.member_1, _e1648.member_2, _e1648.member_3, _e1648.member_4, _e1648.member_5, _e1648.member_6, _e1648.member_7, _e1648.member_8, _e1648.member_9, _e1648.member_10, _e1648.member_11, _e1648.member_12, _e1648.member_13, _e1618);
 let _e1666 = ((_e1395 & 2u) != 0u);
 if (_e1450 && !(_e1666)) {
 if (_e1617 == -1i) {
-phi_2766_ = type_18(_e1663.member, _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, 1f, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
+phi_2767_ = type_19(_e1663.member, _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, 1f, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
 } else {
-let _e1742 = type_18(vec3<f32>((_e1541.member.x + (_e1541.member_1.x * _e1618)), (_e1541.member.y + (_e1541.member_1.y * _e1618)), (_e1541.member.z + (_e1541.member_1.z * _e1618))), _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, _e1663.member_6, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
-let _e1758 = type_18(_e1742.member, _e1742.member_1, _e1742.member_2, _e1742.member_3, _e1742.member_4, _e1742.member_5, _e1742.member_6, _e1742.member_7, _e1742.member_8, _e1742.member_9, _e1742.member_10, _e1742.member_11, _e1742.member_12, _e1742.member_13, (_e1618 - _e1618));
-let _e1778 = type_18(_e1758.member, _e1758.member_1, _e1758.member_2, _e1758.member_3, _e1758.member_4, _e1758.member_5, _e1758.member_6, _e1758.member_7, _e1758.member_8, _e1758.member_9, (_e1541.member_10 + select(0f, _e1618, (_e1541.member_8 == 0f))), _e1758.member_11, _e1758.member_12, _e1758.member_13, _e1758.member_14);
-phi_2766_ = type_18(_e1778.member, _e1778.member_1, _e1778.member_2, _e1778.member_3, _e1778.member_4, _e1778.member_5, 3f, _e1778.member_7, _e1778.member_8, _e1778.member_9, _e1778.member_10, _e1778.member_11, _e1778.member_12, _e1778.member_13, _e1778.member_14);
+let _e1742 = type_19(vec3<f32>((_e1541.member.x + (_e1541.member_1.x * _e1618)), (_e1541.member.y + (_e1541.member_1.y * _e1618)), (_e1541.member.z + (_e1541.member_1.z * _e1618))), _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, _e1663.member_6, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
+let _e1758 = type_19(_e1742.member, _e1742.member_1, _e1742.member_2, _e1742.member_3, _e1742.member_4, _e1742.member_5, _e1742.member_6, _e1742.member_7, _e1742.member_8, _e1742.member_9, _e1742.member_10, _e1742.member_11, _e1742.member_12, _e1742.member_13, (_e1618 - _e1618));
+let _e1778 = type_19(_e1758.member, _e1758.member_1, _e1758.member_2, _e1758.member_3, _e1758.member_4, _e1758.member_5, _e1758.member_6, _e1758.member_7, _e1758.member_8, _e1758.member_9, (_e1541.member_10 + select(0f, _e1618, (_e1541.member_8 == 0f))), _e1758.member_11, _e1758.member_12, _e1758.member_13, _e1758.member_14);
+phi_2767_ = type_19(_e1778.member, _e1778.member_1, _e1778.member_2, _e1778.member_3, _e1778.member_4, _e1778.member_5, 3f, _e1778.member_7, _e1778.member_8, _e1778.member_9, _e1778.member_10, _e1778.member_11, _e1778.member_12, _e1778.member_13, _e1778.member_14);
 }
-let _e1810 = phi_2766_;
-phi_2787_ = _e1810;
+let _e1810 = phi_2767_;
+phi_2788_ = _e1810;
 } else {
 let _e1673 = global_1.member.member_5;
 if ((!(_e1450) && (_e1541.member_8 >= f32(bitcast<i32>(_e1673)))) && (select(_e1249, _e1077.member_7, _e1324) != 16i)) {
-phi_2786_ = type_18(_e1663.member, _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, 2f, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
+phi_2787_ = type_19(_e1663.member, _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, 2f, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
 } else {
 if _e1666 {
-phi_2785_ = type_18(_e1663.member, _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, 4f, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
+phi_2786_ = type_19(_e1663.member, _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, 4f, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, _e1663.member_12, _e1663.member_13, _e1663.member_14);
 } else {
-phi_2785_ = _e1663;
+phi_2786_ = _e1663;
 }
-let _e1696 = phi_2785_;
-phi_2786_ = _e1696;
+let _e1696 = phi_2786_;
+phi_2787_ = _e1696;
 }
-let _e1713 = phi_2786_;
-phi_2787_ = _e1713;
+let _e1713 = phi_2787_;
+phi_2788_ = _e1713;
 }
-let _e1812 = phi_2787_;
-let _e1829 = type_18(_e1812.member, _e1812.member_1, _e1812.member_2, _e1812.member_3, _e1812.member_4, _e1812.member_5, _e1812.member_6, select(_e1077.member_7, _e1249, !(_e1324)), _e1812.member_8, _e1812.member_9, _e1812.member_10, _e1812.member_11, _e1812.member_12, _e1812.member_13, _e1812.member_14);
-let _e1844 = type_18(_e1829.member, _e1829.member_1, _e1829.member_2, _e1829.member_3, _e1218, _e1829.member_5, _e1829.member_6, _e1829.member_7, _e1829.member_8, _e1829.member_9, _e1829.member_10, _e1829.member_11, _e1829.member_12, _e1829.member_13, _e1829.member_14);
-phi_2796_ = type_18(_e1844.member, _e1844.member_1, _e1844.member_2, _e1844.member_3, _e1844.member_4, 0f, _e1844.member_6, _e1844.member_7, _e1844.member_8, _e1844.member_9, _e1844.member_10, _e1844.member_11, _e1844.member_12, _e1844.member_13, _e1844.member_14);
-} else {
-phi_2796_ = _e1077;
-}
-let _e1861 = phi_2796_;
-phi_2797_ = _e1861;
+let _e1812 = phi_2788_;
+let _e1829 = type_19(_e1812.member, _e1812.member_1, _e1812.member_2, _e1812.member_3, _e1812.member_4, _e1812.member_5, _e1812.member_6, select(_e1077.member_7, _e1249, !(_e1324)), _e1812.member_8, _e1812.member_9, _e1812.member_10, _e1812.member_11, _e1812.member_12, _e1812.member_13, _e1812.member_14);
+let _e1844 = type_19(_e1829.member, _e1829.member_1, _e1829.member_2, _e1829.member_3, _e1218, _e1829.member_5, _e1829.member_6, _e1829.member_7, _e1829.member_8, _e1829.member_9, _e1829.member_10, _e1829.member_11, _e1829.member_12, _e1829.member_13, _e1829.member_14);
+phi_2797_ = type_19(_e1844.member, _e1844.member_1, _e1844.member_2, _e1844.member_3, _e1844.member_4, 0f, _e1844.member_6, _e1844.member_7, _e1844.member_8, _e1844.member_9, _e1844.member_10, _e1844.member_11, _e1844.member_12, _e1844.member_13, _e1844.member_14);
 } else {
 phi_2797_ = _e1077;
 }
-let _e1863 = phi_2797_;
-phi_2798_ = _e1863;
-}
-let _e1865 = phi_2798_;
-phi_2799_ = _e1865;
-}
-let _e1987 = phi_2799_;
-phi_848_ = _e1987;
-phi_851_ = (_e431 + 1i);
+let _e1861 = phi_2797_;
+phi_2798_ = _e1861;
 } else {
-phi_848_ = type_18();
-phi_851_ = i32();
+phi_2798_ = _e1077;
 }
-let _e1989 = phi_848_;
-let _e1991 = phi_851_;
+let _e1863 = phi_2798_;
+phi_2799_ = _e1863;
+}
+let _e1865 = phi_2799_;
+phi_2800_ = _e1865;
+}
+let _e1987 = phi_2800_;
+phi_849_ = _e1987;
+phi_852_ = (_e431 + 1i);
+} else {
+phi_849_ = type_19();
+phi_852_ = i32();
+}
+let _e1989 = phi_849_;
+let _e1991 = phi_852_;
 continue;
 continuing {
-phi_847_ = _e1989;
-phi_850_ = _e1991;
+phi_848_ = _e1989;
+phi_851_ = _e1991;
 break if !(_e435);
 }
 }

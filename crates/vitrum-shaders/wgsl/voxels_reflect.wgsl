@@ -44,17 +44,32 @@ member_1: type_8,
 struct type_10 {
 member: type_5,
 member_1: type_5,
+member_2: f32,
+member_3: f32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
 }
 struct type_11 {
-member: type_2,
-member_1: u32,
-member_2: type_7,
-member_3: type_7,
-member_4: type_7,
-member_5: f32,
-member_6: f32,
+member: u32,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_10,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_5,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_5,
+member_8: f32,
+member_9: f32,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -73,17 +88,17 @@ member_14: type_5,
 member_15: type_5,
 member_16: type_6,
 member_17: type_9,
-member_18: type_10,
+member_18: type_11,
 member_19: type_5,
-member_20: type_11,
+member_20: type_12,
 }
-struct type_13 {
-member: type_12,
+struct type_14 {
+member: type_13,
 }
-struct type_15 {
+struct type_16 {
 member: array<f32>,
 }
-struct type_19 {
+struct type_20 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -102,35 +117,35 @@ member_14: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_14;
 @group(0) @binding(1)
-var<storage> global_2: type_15;
+var<storage> global_2: type_16;
 @group(0) @binding(2)
-var<storage> global_3: type_15;
+var<storage> global_3: type_16;
 @group(0) @binding(3)
-var<storage> global_4: type_15;
+var<storage> global_4: type_16;
 @group(0) @binding(4)
-var<storage> global_5: type_15;
+var<storage> global_5: type_16;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_15;
+var<storage, read_write> global_6: type_16;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var phi_775_: type_19;
-var phi_790_: type_19;
-var phi_793_: i32;
-var phi_1413_: type_19;
-var phi_1414_: type_19;
-var phi_1446_: i32;
-var phi_1514_: type_19;
-var phi_791_: type_19;
+var phi_776_: type_20;
+var phi_791_: type_20;
 var phi_794_: i32;
+var phi_1414_: type_20;
+var phi_1415_: type_20;
+var phi_1447_: i32;
+var phi_1515_: type_20;
+var phi_792_: type_20;
+var phi_795_: i32;
 var local_2: bool;
 var local_3: i32;
-var local_4: type_19;
-var local_5: type_19;
-var phi_1527_: array<f32, 4>;
+var local_4: type_20;
+var local_5: type_20;
 var phi_1528_: array<f32, 4>;
+var phi_1529_: array<f32, 4>;
 let _e56 = global;
 let _e63 = arrayLength((&global_4.member));
 let _e70 = global_1.member.member;
@@ -157,7 +172,7 @@ let _e122 = global_6.member[bitcast<u32>(select(0i, _e116, (_e116 > 0i)))];
 let _e124 = (_e90 == 2f);
 if (select(3u, 0u, _e124) > 1u) {
 if _e124 {
-phi_1528_ = array<f32, 4>(_e90, _e100, _e111, _e122);
+phi_1529_ = array<f32, 4>(_e90, _e100, _e111, _e122);
 } else {
 let _e130 = global_1.member.member.member;
 let _e134 = global_1.member.member.member_1;
@@ -168,7 +183,7 @@ let _e143 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
 let _e145 = select(_e143, _e141, (_e141 < _e143));
 let _e151 = global_2.member[bitcast<u32>(select(0i, _e145, (_e145 > 0i)))];
 if (_e151 <= 0f) {
-phi_1527_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
+phi_1528_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
 } else {
 let _e154 = ((20i * _e136) + _e140);
 let _e156 = select(_e143, _e154, (_e154 < _e143));
@@ -239,17 +254,17 @@ let _e380 = (_e378 > 1e-9f);
 let _e384 = ((_e372 / select(1e-9f, _e378, _e380)) - 0.015625f);
 let _e387 = select(1e30f, select(0f, _e384, (_e384 > 0f)), ((_e372 > 0f) && _e380));
 let _e391 = (_e387 < _e356);
-phi_775_ = type_19(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e391), -1i, ((_e356 >= 1e30f) && (_e387 >= 1e30f))), select(_e356, _e387, _e391));
+phi_776_ = type_20(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e391), -1i, ((_e356 >= 1e30f) && (_e387 >= 1e30f))), select(_e356, _e387, _e391));
 } else {
-phi_775_ = type_19(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < -2147483600f)), 2147483647i, (_e100 > 2147483500f)), (_e100 == _e100)), select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < -2147483600f)), 2147483647i, (_e111 > 2147483500f)), (_e111 == _e111)), _e122);
+phi_776_ = type_20(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < -2147483600f)), 2147483647i, (_e100 > 2147483500f)), (_e100 == _e100)), select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < -2147483600f)), 2147483647i, (_e111 > 2147483500f)), (_e111 == _e111)), _e122);
 }
-let _e397 = phi_775_;
+let _e397 = phi_776_;
 let _e398 = bitcast<i32>(arrayLength((&global_3.member)));
-phi_790_ = _e397;
-phi_793_ = 0i;
+phi_791_ = _e397;
+phi_794_ = 0i;
 loop {
-let _e401 = phi_790_;
-let _e403 = phi_793_;
+let _e401 = phi_791_;
+let _e403 = phi_794_;
 local_4 = _e401;
 local_5 = _e401;
 let _e406 = (_e401.member_12 < (_e398 / 8i));
@@ -362,27 +377,27 @@ let _e717 = (!(((((_e695 < 0f) || (_e698 < 0f)) || (_e701 < 0f)) && (((_e695 > 0
 let _e724 = ((((_e695 * (_e605 * _e565)) + (_e698 * (_e646 * _e565))) + (_e701 * (_e687 * _e565))) / select(1f, _e703, _e717));
 let _e727 = select(1e30f, _e724, (_e717 && (_e724 > 1e-3f)));
 if (_e727 < _e401.member_14) {
-let _e743 = type_19(_e401.member, _e401.member_1, _e401.member_2, _e401.member_3, _e401.member_4, _e401.member_5, _e401.member_6, _e401.member_7, _e401.member_8, _e401.member_9, _e401.member_10, _e401.member_11, _e401.member_12, _e401.member_13, _e727);
-phi_1413_ = type_19(_e743.member, _e743.member_1, _e743.member_2, _e743.member_3, _e743.member_4, _e743.member_5, _e743.member_6, _e743.member_7, _e743.member_8, _e743.member_9, _e743.member_10, _e743.member_11, _e743.member_12, _e550, _e743.member_14);
-} else {
-phi_1413_ = _e401;
-}
-let _e760 = phi_1413_;
-phi_1414_ = _e760;
+let _e743 = type_20(_e401.member, _e401.member_1, _e401.member_2, _e401.member_3, _e401.member_4, _e401.member_5, _e401.member_6, _e401.member_7, _e401.member_8, _e401.member_9, _e401.member_10, _e401.member_11, _e401.member_12, _e401.member_13, _e727);
+phi_1414_ = type_20(_e743.member, _e743.member_1, _e743.member_2, _e743.member_3, _e743.member_4, _e743.member_5, _e743.member_6, _e743.member_7, _e743.member_8, _e743.member_9, _e743.member_10, _e743.member_11, _e743.member_12, _e550, _e743.member_14);
 } else {
 phi_1414_ = _e401;
 }
-let _e762 = phi_1414_;
+let _e760 = phi_1414_;
+phi_1415_ = _e760;
+} else {
+phi_1415_ = _e401;
+}
+let _e762 = phi_1415_;
 if _e534 {
-phi_1446_ = (_e762.member_12 + 1i);
+phi_1447_ = (_e762.member_12 + 1i);
 } else {
 let _e763 = (_e412 + 7i);
 let _e765 = select(_e441, _e763, (_e763 < _e441));
 let _e771 = global_3.member[bitcast<u32>(select(0i, _e765, (_e765 > 0i)))];
-phi_1446_ = select(0i, select(select(i32(_e771), i32(-2147483648), (_e771 < -2147483600f)), 2147483647i, (_e771 > 2147483500f)), (_e771 == _e771));
+phi_1447_ = select(0i, select(select(i32(_e771), i32(-2147483648), (_e771 < -2147483600f)), 2147483647i, (_e771 > 2147483500f)), (_e771 == _e771));
 }
-let _e782 = phi_1446_;
-let _e797 = type_19(_e762.member, _e762.member_1, _e762.member_2, _e762.member_3, _e762.member_4, _e762.member_5, _e762.member_6, _e762.member_7, _e762.member_8, _e762.member_9, _e762.member_10, _e762.member_11, _e782, _e762.member_13, _e762.member_14);
+let _e782 = phi_1447_;
+let _e797 = type_20(_e762.member, _e762.member_1, _e762.member_2, _e762.member_3, _e762.member_4, _e762.member_5, _e762.member_6, _e762.member_7, _e762.member_8, _e762.member_9, _e762.member_10, _e762.member_11, _e782, _e762.member_13, _e762.member_14);
 let _e799 = (_e762.member_13 != _e401.member_13);
 let _e802 = ((select(0i, _e762.member_13, _e799) * 19i) + 18i);
 let _e804 = (bitcast<i32>(_e63) - 1i);
@@ -394,24 +409,24 @@ let _e822 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e824 = select(_e822, _e820, (_e820 < _e822));
 let _e830 = global_5.member[bitcast<u32>(select(0i, _e824, (_e824 > 0i)))];
 if (_e799 && (select(_e830, 1f, (_e819 == 16i)) != 0f)) {
-let _e849 = type_19(_e797.member, _e797.member_1, _e797.member_2, _e797.member_3, _e797.member_4, _e797.member_5, _e797.member_6, _e797.member_7, _e797.member_8, _e797.member_9, _e797.member_10, _e797.member_11, _e797.member_12, _e401.member_13, _e797.member_14);
-phi_1514_ = type_19(_e849.member, _e849.member_1, _e849.member_2, _e849.member_3, _e849.member_4, _e849.member_5, _e849.member_6, _e849.member_7, _e849.member_8, _e849.member_9, _e849.member_10, _e849.member_11, _e849.member_12, _e849.member_13, _e401.member_14);
+let _e849 = type_20(_e797.member, _e797.member_1, _e797.member_2, _e797.member_3, _e797.member_4, _e797.member_5, _e797.member_6, _e797.member_7, _e797.member_8, _e797.member_9, _e797.member_10, _e797.member_11, _e797.member_12, _e401.member_13, _e797.member_14);
+phi_1515_ = type_20(_e849.member, _e849.member_1, _e849.member_2, _e849.member_3, _e849.member_4, _e849.member_5, _e849.member_6, _e849.member_7, _e849.member_8, _e849.member_9, _e849.member_10, _e849.member_11, _e849.member_12, _e849.member_13, _e401.member_14);
 } else {
-phi_1514_ = _e797;
+phi_1515_ = _e797;
 }
-let _e866 = phi_1514_;
-phi_791_ = _e866;
-phi_794_ = (_e403 + 1i);
+let _e866 = phi_1515_;
+phi_792_ = _e866;
+phi_795_ = (_e403 + 1i);
 } else {
-phi_791_ = type_19();
-phi_794_ = i32();
+phi_792_ = type_20();
+phi_795_ = i32();
 }
-let _e868 = phi_791_;
-let _e870 = phi_794_;
+let _e868 = phi_792_;
+let _e870 = phi_795_;
 continue;
 continuing {
-phi_790_ = _e868;
-phi_793_ = _e870;
+phi_791_ = _e868;
+phi_794_ = _e870;
 break if !(_e407);
 }
 }
@@ -419,12 +434,12 @@ let _e873 = local_2;
 let _e876 = local_3;
 let _e879 = local_4;
 let _e883 = local_5;
-phi_1527_ = array<f32, 4>(select(2f, 1f, _e873), f32(_e876), f32(_e879.member_13), _e883.member_14);
+phi_1528_ = array<f32, 4>(select(2f, 1f, _e873), f32(_e876), f32(_e879.member_13), _e883.member_14);
 }
-let _e887 = phi_1527_;
-phi_1528_ = _e887;
+let _e887 = phi_1528_;
+phi_1529_ = _e887;
 }
-let _e889 = phi_1528_;
+let _e889 = phi_1529_;
 global_6.member[_e79] = _e889[0];
 global_6.member[_e91] = _e889[1];
 global_6.member[_e102] = _e889[2];

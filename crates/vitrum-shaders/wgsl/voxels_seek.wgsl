@@ -44,17 +44,32 @@ member_1: type_8,
 struct type_10 {
 member: type_5,
 member_1: type_5,
+member_2: f32,
+member_3: f32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
 }
 struct type_11 {
-member: type_2,
-member_1: u32,
-member_2: type_7,
-member_3: type_7,
-member_4: type_7,
-member_5: f32,
-member_6: f32,
+member: u32,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_10,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_5,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_5,
+member_8: f32,
+member_9: f32,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -73,17 +88,17 @@ member_14: type_5,
 member_15: type_5,
 member_16: type_6,
 member_17: type_9,
-member_18: type_10,
+member_18: type_11,
 member_19: type_5,
-member_20: type_11,
+member_20: type_12,
 }
-struct type_13 {
-member: type_12,
+struct type_14 {
+member: type_13,
 }
-struct type_15 {
+struct type_16 {
 member: array<f32>,
 }
-struct type_18 {
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -102,49 +117,49 @@ member_14: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_14;
 @group(0) @binding(1)
-var<storage> global_2: type_15;
+var<storage> global_2: type_16;
 @group(0) @binding(2)
-var<storage> global_3: type_15;
+var<storage> global_3: type_16;
 @group(0) @binding(4)
-var<storage, read_write> global_4: type_15;
+var<storage, read_write> global_4: type_16;
 fn function_() {
-var phi_619_: u32;
-var phi_825_: type_18;
-var phi_828_: i32;
-var phi_1786_: type_18;
-var phi_1788_: type_18;
-var phi_1451_: type_18;
-var phi_1452_: type_18;
-var phi_1484_: i32;
-var phi_1789_: type_18;
-var phi_826_: type_18;
+var phi_620_: u32;
+var phi_826_: type_19;
 var phi_829_: i32;
-var local: type_18;
-var local_1: type_18;
-var local_2: type_18;
-var local_3: type_18;
-var local_4: type_18;
-var local_5: type_18;
-var local_6: type_18;
-var local_7: type_18;
-var local_8: type_18;
-var local_9: type_18;
-var local_10: type_18;
-var local_11: type_18;
-var local_12: type_18;
-var local_13: type_18;
-var local_14: type_18;
-var local_15: type_18;
-var local_16: type_18;
-var local_17: type_18;
-var local_18: type_18;
-var local_19: type_18;
-var local_20: type_18;
-var local_21: type_18;
-var local_22: type_18;
-var local_23: type_18;
+var phi_1787_: type_19;
+var phi_1789_: type_19;
+var phi_1452_: type_19;
+var phi_1453_: type_19;
+var phi_1485_: i32;
+var phi_1790_: type_19;
+var phi_827_: type_19;
+var phi_830_: i32;
+var local: type_19;
+var local_1: type_19;
+var local_2: type_19;
+var local_3: type_19;
+var local_4: type_19;
+var local_5: type_19;
+var local_6: type_19;
+var local_7: type_19;
+var local_8: type_19;
+var local_9: type_19;
+var local_10: type_19;
+var local_11: type_19;
+var local_12: type_19;
+var local_13: type_19;
+var local_14: type_19;
+var local_15: type_19;
+var local_16: type_19;
+var local_17: type_19;
+var local_18: type_19;
+var local_19: type_19;
+var local_20: type_19;
+var local_21: type_19;
+var local_22: type_19;
+var local_23: type_19;
 var local_24: f32;
 let _e58 = global;
 let _e67 = global_1.member.member;
@@ -253,18 +268,18 @@ let _e342 = bitcast<i32>(_e341);
 let _e344 = select(_e79, _e342, (_e342 < _e79));
 let _e350 = global_4.member[bitcast<u32>(select(0i, _e344, (_e344 > 0i)))];
 if (_e262 == 4f) {
-phi_619_ = 3u;
+phi_620_ = 3u;
 } else {
-phi_619_ = select(0u, 1u, (_e262 == 0f));
+phi_620_ = select(0u, 1u, (_e262 == 0f));
 }
-let _e355 = phi_619_;
+let _e355 = phi_620_;
 if (_e355 > 1u) {
 let _e385 = bitcast<i32>(arrayLength((&global_2.member)));
-phi_825_ = type_18(vec3<f32>(_e87, _e97, _e108), vec3<f32>(_e119, _e130, _e141), vec3<f32>(_e152, _e163, _e174), vec3<f32>(_e185, _e196, _e207), vec3<f32>(_e218, _e229, _e240), _e251, _e262, select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -2147483600f)), 2147483647i, (_e273 > 2147483500f)), (_e273 == _e273)), _e284, _e295, _e306, _e317, select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328)), select(0i, select(select(i32(_e339), i32(-2147483648), (_e339 < -2147483600f)), 2147483647i, (_e339 > 2147483500f)), (_e339 == _e339)), _e350);
-phi_828_ = 0i;
+phi_826_ = type_19(vec3<f32>(_e87, _e97, _e108), vec3<f32>(_e119, _e130, _e141), vec3<f32>(_e152, _e163, _e174), vec3<f32>(_e185, _e196, _e207), vec3<f32>(_e218, _e229, _e240), _e251, _e262, select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -2147483600f)), 2147483647i, (_e273 > 2147483500f)), (_e273 == _e273)), _e284, _e295, _e306, _e317, select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328)), select(0i, select(select(i32(_e339), i32(-2147483648), (_e339 < -2147483600f)), 2147483647i, (_e339 > 2147483500f)), (_e339 == _e339)), _e350);
+phi_829_ = 0i;
 loop {
-let _e388 = phi_825_;
-let _e390 = phi_828_;
+let _e388 = phi_826_;
+let _e390 = phi_829_;
 local = _e388;
 local_1 = _e388;
 local_2 = _e388;
@@ -398,59 +413,59 @@ let _e845 = (!(((((_e823 < 0f) || (_e826 < 0f)) || (_e829 < 0f)) && (((_e823 > 0
 let _e852 = ((((_e823 * (_e733 * _e693)) + (_e826 * (_e774 * _e693))) + (_e829 * (_e815 * _e693))) / select(1f, _e831, _e845));
 let _e855 = select(1e30f, _e852, (_e845 && (_e852 > 1e-3f)));
 if (_e855 < _e388.member_14) {
-let _e871 = type_18(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e855);
-phi_1451_ = type_18(_e871.member, _e871.member_1, _e871.member_2, _e871.member_3, _e871.member_4, _e871.member_5, _e871.member_6, _e871.member_7, _e871.member_8, _e871.member_9, _e871.member_10, _e871.member_11, _e871.member_12, _e678, _e871.member_14);
-} else {
-phi_1451_ = _e388;
-}
-let _e888 = phi_1451_;
-phi_1452_ = _e888;
+let _e871 = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e855);
+phi_1452_ = type_19(_e871.member, _e871.member_1, _e871.member_2, _e871.member_3, _e871.member_4, _e871.member_5, _e871.member_6, _e871.member_7, _e871.member_8, _e871.member_9, _e871.member_10, _e871.member_11, _e871.member_12, _e678, _e871.member_14);
 } else {
 phi_1452_ = _e388;
 }
-let _e890 = phi_1452_;
+let _e888 = phi_1452_;
+phi_1453_ = _e888;
+} else {
+phi_1453_ = _e388;
+}
+let _e890 = phi_1453_;
 if _e662 {
-phi_1484_ = (_e890.member_12 + 1i);
+phi_1485_ = (_e890.member_12 + 1i);
 } else {
 let _e891 = (_e539 + 7i);
 let _e893 = select(_e568, _e891, (_e891 < _e568));
 let _e899 = global_2.member[bitcast<u32>(select(0i, _e893, (_e893 > 0i)))];
-phi_1484_ = select(0i, select(select(i32(_e899), i32(-2147483648), (_e899 < -2147483600f)), 2147483647i, (_e899 > 2147483500f)), (_e899 == _e899));
+phi_1485_ = select(0i, select(select(i32(_e899), i32(-2147483648), (_e899 < -2147483600f)), 2147483647i, (_e899 > 2147483500f)), (_e899 == _e899));
 }
-let _e910 = phi_1484_;
-phi_1789_ = type_18(_e890.member, _e890.member_1, _e890.member_2, _e890.member_3, _e890.member_4, _e890.member_5, _e890.member_6, _e890.member_7, _e890.member_8, _e890.member_9, _e890.member_10, _e890.member_11, _e910, _e890.member_13, _e890.member_14);
+let _e910 = phi_1485_;
+phi_1790_ = type_19(_e890.member, _e890.member_1, _e890.member_2, _e890.member_3, _e890.member_4, _e890.member_5, _e890.member_6, _e890.member_7, _e890.member_8, _e890.member_9, _e890.member_10, _e890.member_11, _e910, _e890.member_13, _e890.member_14);
 } else {
 if ((_e67.member_2 == 0u) && (_e388.member_8 >= 2f)) {
 if (_e388.member_13 == -1i) {
-phi_1786_ = type_18(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 1f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
+phi_1787_ = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 1f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
 } else {
-let _e451 = type_18(vec3<f32>((_e388.member.x + (_e388.member_1.x * _e388.member_14)), (_e388.member.y + (_e388.member_1.y * _e388.member_14)), (_e388.member.z + (_e388.member_1.z * _e388.member_14))), _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
-let _e468 = type_18(_e451.member, _e451.member_1, _e451.member_2, _e451.member_3, _e451.member_4, (_e388.member_5 + _e388.member_14), _e451.member_6, _e451.member_7, _e451.member_8, _e451.member_9, _e451.member_10, _e451.member_11, _e451.member_12, _e451.member_13, _e451.member_14);
-let _e484 = type_18(_e468.member, _e468.member_1, _e468.member_2, _e468.member_3, _e468.member_4, _e468.member_5, _e468.member_6, _e468.member_7, _e468.member_8, _e468.member_9, _e468.member_10, _e468.member_11, _e468.member_12, _e468.member_13, (_e388.member_14 - _e388.member_14));
-let _e503 = type_18(_e484.member, _e484.member_1, _e484.member_2, _e484.member_3, _e484.member_4, _e484.member_5, _e484.member_6, _e484.member_7, _e484.member_8, _e484.member_9, (_e388.member_10 + select(0f, _e388.member_14, (_e388.member_8 == 0f))), _e484.member_11, _e484.member_12, _e484.member_13, _e484.member_14);
-phi_1786_ = type_18(_e503.member, _e503.member_1, _e503.member_2, _e503.member_3, _e503.member_4, _e503.member_5, 3f, _e503.member_7, _e503.member_8, _e503.member_9, _e503.member_10, _e503.member_11, _e503.member_12, _e503.member_13, _e503.member_14);
+let _e451 = type_19(vec3<f32>((_e388.member.x + (_e388.member_1.x * _e388.member_14)), (_e388.member.y + (_e388.member_1.y * _e388.member_14)), (_e388.member.z + (_e388.member_1.z * _e388.member_14))), _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
+let _e468 = type_19(_e451.member, _e451.member_1, _e451.member_2, _e451.member_3, _e451.member_4, (_e388.member_5 + _e388.member_14), _e451.member_6, _e451.member_7, _e451.member_8, _e451.member_9, _e451.member_10, _e451.member_11, _e451.member_12, _e451.member_13, _e451.member_14);
+let _e484 = type_19(_e468.member, _e468.member_1, _e468.member_2, _e468.member_3, _e468.member_4, _e468.member_5, _e468.member_6, _e468.member_7, _e468.member_8, _e468.member_9, _e468.member_10, _e468.member_11, _e468.member_12, _e468.member_13, (_e388.member_14 - _e388.member_14));
+let _e503 = type_19(_e484.member, _e484.member_1, _e484.member_2, _e484.member_3, _e484.member_4, _e484.member_5, _e484.member_6, _e484.member_7, _e484.member_8, _e484.member_9, (_e388.member_10 + select(0f, _e388.member_14, (_e388.member_8 == 0f))), _e484.member_11, _e484.member_12, _e484.member_13, _e484.member_14);
+phi_1787_ = type_19(_e503.member, _e503.member_1, _e503.member_2, _e503.member_3, _e503.member_4, _e503.member_5, 3f, _e503.member_7, _e503.member_8, _e503.member_9, _e503.member_10, _e503.member_11, _e503.member_12, _e503.member_13, _e503.member_14);
 }
-let _e535 = phi_1786_;
-phi_1788_ = _e535;
+let _e535 = phi_1787_;
+phi_1789_ = _e535;
 } else {
-phi_1788_ = type_18(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 0f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
+phi_1789_ = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 0f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
 }
-let _e537 = phi_1788_;
-phi_1789_ = _e537;
+let _e537 = phi_1789_;
+phi_1790_ = _e537;
 }
-let _e927 = phi_1789_;
-phi_826_ = _e927;
-phi_829_ = (_e390 + 1i);
+let _e927 = phi_1790_;
+phi_827_ = _e927;
+phi_830_ = (_e390 + 1i);
 } else {
-phi_826_ = type_18();
-phi_829_ = i32();
+phi_827_ = type_19();
+phi_830_ = i32();
 }
-let _e929 = phi_826_;
-let _e931 = phi_829_;
+let _e929 = phi_827_;
+let _e931 = phi_830_;
 continue;
 continuing {
-phi_825_ = _e929;
-phi_828_ = _e931;
+phi_826_ = _e929;
+phi_829_ = _e931;
 break if !(_e394);
 }
 }

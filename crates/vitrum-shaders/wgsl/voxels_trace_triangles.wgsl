@@ -44,17 +44,32 @@ member_1: type_8,
 struct type_10 {
 member: type_5,
 member_1: type_5,
+member_2: f32,
+member_3: f32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
 }
 struct type_11 {
-member: type_2,
-member_1: u32,
-member_2: type_7,
-member_3: type_7,
-member_4: type_7,
-member_5: f32,
-member_6: f32,
+member: u32,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_10,
 }
 struct type_12 {
+member: type_2,
+member_1: u32,
+member_2: type_5,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_5,
+member_8: f32,
+member_9: f32,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -73,17 +88,17 @@ member_14: type_5,
 member_15: type_5,
 member_16: type_6,
 member_17: type_9,
-member_18: type_10,
+member_18: type_11,
 member_19: type_5,
-member_20: type_11,
+member_20: type_12,
 }
-struct type_13 {
-member: type_12,
+struct type_14 {
+member: type_13,
 }
-struct type_15 {
+struct type_16 {
 member: array<f32>,
 }
-struct type_19 {
+struct type_20 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -102,103 +117,103 @@ member_14: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_13;
+var<storage> global_1: type_14;
 @group(0) @binding(1)
-var<storage> global_2: type_15;
+var<storage> global_2: type_16;
 @group(0) @binding(2)
-var<storage> global_3: type_15;
+var<storage> global_3: type_16;
 @group(0) @binding(3)
-var<storage> global_4: type_15;
+var<storage> global_4: type_16;
 @group(0) @binding(4)
-var<storage, read_write> global_5: type_15;
+var<storage, read_write> global_5: type_16;
 fn function_() {
-var phi_639_: u32;
-var phi_849_: i32;
-var phi_851_: type_19;
-var phi_854_: i32;
-var phi_856_: i32;
-var phi_2130_: i32;
-var phi_2133_: i32;
+var phi_640_: u32;
+var phi_850_: i32;
+var phi_852_: type_20;
+var phi_855_: i32;
+var phi_857_: i32;
 var phi_2131_: i32;
 var phi_2134_: i32;
-var phi_3245_: i32;
-var phi_3247_: i32;
-var phi_3250_: i32;
+var phi_2132_: i32;
+var phi_2135_: i32;
+var phi_3246_: i32;
 var phi_3248_: i32;
 var phi_3251_: i32;
+var phi_3249_: i32;
+var phi_3252_: i32;
 var local: i32;
 var local_1: i32;
-var phi_3552_: type_19;
+var phi_3553_: type_20;
 var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_3887_: type_19;
-var phi_3940_: type_19;
-var phi_3954_: type_19;
+var phi_3888_: type_20;
+var phi_3941_: type_20;
+var phi_3955_: type_20;
 var local_8: i32;
 var local_9: i32;
-var phi_4398_: type_19;
-var phi_4399_: type_19;
-var phi_4379_: type_19;
-var phi_4400_: type_19;
-var phi_4405_: type_19;
-var phi_4406_: type_19;
-var phi_4407_: bool;
-var phi_4411_: type_19;
+var phi_4399_: type_20;
+var phi_4400_: type_20;
+var phi_4380_: type_20;
+var phi_4401_: type_20;
+var phi_4406_: type_20;
+var phi_4407_: type_20;
+var phi_4408_: bool;
+var phi_4412_: type_20;
 var local_10: i32;
 var local_11: i32;
-var phi_3225_: type_19;
-var phi_4413_: type_19;
-var phi_4414_: i32;
-var phi_1520_: i32;
-var phi_1523_: i32;
+var phi_3226_: type_20;
+var phi_4414_: type_20;
+var phi_4415_: i32;
 var phi_1521_: i32;
 var phi_1524_: i32;
+var phi_1522_: i32;
+var phi_1525_: i32;
 var local_12: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_2126_: type_19;
-var phi_1840_: type_19;
-var phi_2128_: type_19;
-var phi_4415_: type_19;
-var phi_4416_: i32;
-var phi_1479_: type_19;
-var phi_1480_: type_19;
-var phi_1512_: i32;
-var phi_4417_: type_19;
-var phi_4418_: i32;
-var phi_852_: type_19;
-var phi_855_: i32;
-var phi_857_: i32;
+var phi_2127_: type_20;
+var phi_1841_: type_20;
+var phi_2129_: type_20;
+var phi_4416_: type_20;
+var phi_4417_: i32;
+var phi_1480_: type_20;
+var phi_1481_: type_20;
+var phi_1513_: i32;
+var phi_4418_: type_20;
+var phi_4419_: i32;
+var phi_853_: type_20;
+var phi_856_: i32;
+var phi_858_: i32;
 var local_15: i32;
 var local_16: i32;
-var phi_4424_: i32;
-var local_17: type_19;
-var local_18: type_19;
-var local_19: type_19;
-var local_20: type_19;
-var local_21: type_19;
-var local_22: type_19;
-var local_23: type_19;
-var local_24: type_19;
-var local_25: type_19;
-var local_26: type_19;
-var local_27: type_19;
-var local_28: type_19;
-var local_29: type_19;
-var local_30: type_19;
-var local_31: type_19;
-var local_32: type_19;
-var local_33: type_19;
-var local_34: type_19;
-var local_35: type_19;
-var local_36: type_19;
-var local_37: type_19;
-var local_38: type_19;
-var local_39: type_19;
+var phi_4425_: i32;
+var local_17: type_20;
+var local_18: type_20;
+var local_19: type_20;
+var local_20: type_20;
+var local_21: type_20;
+var local_22: type_20;
+var local_23: type_20;
+var local_24: type_20;
+var local_25: type_20;
+var local_26: type_20;
+var local_27: type_20;
+var local_28: type_20;
+var local_29: type_20;
+var local_30: type_20;
+var local_31: type_20;
+var local_32: type_20;
+var local_33: type_20;
+var local_34: type_20;
+var local_35: type_20;
+var local_36: type_20;
+var local_37: type_20;
+var local_38: type_20;
+var local_39: type_20;
 var local_40: f32;
 let _e93 = global;
 let _e97 = arrayLength((&global_3.member));
@@ -309,27 +324,27 @@ let _e379 = bitcast<i32>(_e378);
 let _e381 = select(_e116, _e379, (_e379 < _e116));
 let _e387 = global_5.member[bitcast<u32>(select(0i, _e381, (_e381 > 0i)))];
 if (_e299 == 0f) {
-phi_639_ = 3u;
+phi_640_ = 3u;
 } else {
-phi_639_ = select(0u, 1u, (_e299 == 4f));
+phi_640_ = select(0u, 1u, (_e299 == 4f));
 }
-let _e392 = phi_639_;
+let _e392 = phi_640_;
 if (_e392 > 1u) {
 let _e406 = select(0i, select(select(i32(_e310), i32(-2147483648), (_e310 < -2147483600f)), 2147483647i, (_e310 > 2147483500f)), (_e310 == _e310));
 let _e422 = bitcast<i32>(arrayLength((&global_2.member)));
 if (_e406 == 16i) {
-phi_849_ = 0i;
+phi_850_ = 0i;
 } else {
-phi_849_ = -(_e406);
+phi_850_ = -(_e406);
 }
-let _e427 = phi_849_;
-phi_851_ = type_19(vec3<f32>(_e124, _e134, _e145), vec3<f32>(_e156, _e167, _e178), vec3<f32>(_e189, _e200, _e211), vec3<f32>(_e222, _e233, _e244), vec3<f32>(_e255, _e266, _e277), _e288, _e299, _e406, _e321, _e332, _e343, _e354, select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < -2147483600f)), 2147483647i, (_e365 > 2147483500f)), (_e365 == _e365)), select(0i, select(select(i32(_e376), i32(-2147483648), (_e376 < -2147483600f)), 2147483647i, (_e376 > 2147483500f)), (_e376 == _e376)), _e387);
-phi_854_ = 0i;
-phi_856_ = _e427;
+let _e427 = phi_850_;
+phi_852_ = type_20(vec3<f32>(_e124, _e134, _e145), vec3<f32>(_e156, _e167, _e178), vec3<f32>(_e189, _e200, _e211), vec3<f32>(_e222, _e233, _e244), vec3<f32>(_e255, _e266, _e277), _e288, _e299, _e406, _e321, _e332, _e343, _e354, select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < -2147483600f)), 2147483647i, (_e365 > 2147483500f)), (_e365 == _e365)), select(0i, select(select(i32(_e376), i32(-2147483648), (_e376 < -2147483600f)), 2147483647i, (_e376 > 2147483500f)), (_e376 == _e376)), _e387);
+phi_855_ = 0i;
+phi_857_ = _e427;
 loop {
-let _e429 = phi_851_;
-let _e431 = phi_854_;
-let _e433 = phi_856_;
+let _e429 = phi_852_;
+let _e431 = phi_855_;
+let _e433 = phi_857_;
 local_15 = _e433;
 local_16 = _e433;
 local_17 = _e429;
@@ -464,52 +479,52 @@ let _e2939 = (!(((((_e2917 < 0f) || (_e2920 < 0f)) || (_e2923 < 0f)) && (((_e291
 let _e2946 = ((((_e2917 * (_e2827 * _e2787)) + (_e2920 * (_e2868 * _e2787))) + (_e2923 * (_e2909 * _e2787))) / select(1f, _e2925, _e2939));
 let _e2949 = select(1e30f, _e2946, (_e2939 && (_e2946 > 1e-3f)));
 if (_e2949 < _e429.member_14) {
-let _e2965 = type_19(_e429.member, _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e2949);
-phi_1479_ = type_19(_e2965.member, _e2965.member_1, _e2965.member_2, _e2965.member_3, _e2965.member_4, _e2965.member_5, _e2965.member_6, _e2965.member_7, _e2965.member_8, _e2965.member_9, _e2965.member_10, _e2965.member_11, _e2965.member_12, _e2772, _e2965.member_14);
-} else {
-phi_1479_ = _e429;
-}
-let _e2982 = phi_1479_;
-phi_1480_ = _e2982;
+let _e2965 = type_20(_e429.member, _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e2949);
+phi_1480_ = type_20(_e2965.member, _e2965.member_1, _e2965.member_2, _e2965.member_3, _e2965.member_4, _e2965.member_5, _e2965.member_6, _e2965.member_7, _e2965.member_8, _e2965.member_9, _e2965.member_10, _e2965.member_11, _e2965.member_12, _e2772, _e2965.member_14);
 } else {
 phi_1480_ = _e429;
 }
-let _e2984 = phi_1480_;
+let _e2982 = phi_1480_;
+phi_1481_ = _e2982;
+} else {
+phi_1481_ = _e429;
+}
+let _e2984 = phi_1481_;
 if _e2756 {
-phi_1512_ = (_e2984.member_12 + 1i);
+phi_1513_ = (_e2984.member_12 + 1i);
 } else {
 let _e2985 = (_e2633 + 7i);
 let _e2987 = select(_e2662, _e2985, (_e2985 < _e2662));
 let _e2993 = global_2.member[bitcast<u32>(select(0i, _e2987, (_e2987 > 0i)))];
-phi_1512_ = select(0i, select(select(i32(_e2993), i32(-2147483648), (_e2993 < -2147483600f)), 2147483647i, (_e2993 > 2147483500f)), (_e2993 == _e2993));
+phi_1513_ = select(0i, select(select(i32(_e2993), i32(-2147483648), (_e2993 < -2147483600f)), 2147483647i, (_e2993 > 2147483500f)), (_e2993 == _e2993));
 }
-let _e3004 = phi_1512_;
-phi_4417_ = type_19(_e2984.member, _e2984.member_1, _e2984.member_2, _e2984.member_3, _e2984.member_4, _e2984.member_5, _e2984.member_6, _e2984.member_7, _e2984.member_8, _e2984.member_9, _e2984.member_10, _e2984.member_11, _e3004, _e2984.member_13, _e2984.member_14);
-phi_4418_ = _e433;
+let _e3004 = phi_1513_;
+phi_4418_ = type_20(_e2984.member, _e2984.member_1, _e2984.member_2, _e2984.member_3, _e2984.member_4, _e2984.member_5, _e2984.member_6, _e2984.member_7, _e2984.member_8, _e2984.member_9, _e2984.member_10, _e2984.member_11, _e3004, _e2984.member_13, _e2984.member_14);
+phi_4419_ = _e433;
 } else {
 if (_e429.member_13 < 0i) {
-phi_1520_ = 15i;
-phi_1523_ = 16i;
+phi_1521_ = 15i;
+phi_1524_ = 16i;
 loop {
-let _e2163 = phi_1520_;
-let _e2165 = phi_1523_;
+let _e2163 = phi_1521_;
+let _e2165 = phi_1524_;
 local_12 = _e2165;
 local_13 = _e2165;
 local_14 = _e2165;
 let _e2166 = (_e2163 >= 0i);
 if _e2166 {
-phi_1521_ = (_e2163 - 1i);
-phi_1524_ = select(_e2165, _e2163, (((_e433 >> bitcast<u32>((_e2163 & 31i))) & 1i) == 1i));
+phi_1522_ = (_e2163 - 1i);
+phi_1525_ = select(_e2165, _e2163, (((_e433 >> bitcast<u32>((_e2163 & 31i))) & 1i) == 1i));
 } else {
-phi_1521_ = i32();
-phi_1524_ = i32();
+phi_1522_ = i32();
+phi_1525_ = i32();
 }
-let _e2175 = phi_1521_;
-let _e2177 = phi_1524_;
+let _e2175 = phi_1522_;
+let _e2177 = phi_1525_;
 continue;
 continuing {
-phi_1520_ = _e2175;
-phi_1523_ = _e2177;
+phi_1521_ = _e2175;
+phi_1524_ = _e2177;
 break if !(_e2166);
 }
 }
@@ -517,24 +532,24 @@ let _e2179 = (_e429.member_13 == -1i);
 let _e2181 = local_12;
 if (_e2179 || (_e2181 == 16i)) {
 if _e2179 {
-phi_1840_ = type_19(_e429.member, _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, 1f, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+phi_1841_ = type_20(_e429.member, _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, 1f, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
 } else {
-let _e2540 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
-let _e2557 = type_19(_e2540.member, _e2540.member_1, _e2540.member_2, _e2540.member_3, _e2540.member_4, (_e429.member_5 + _e429.member_14), _e2540.member_6, _e2540.member_7, _e2540.member_8, _e2540.member_9, _e2540.member_10, _e2540.member_11, _e2540.member_12, _e2540.member_13, _e2540.member_14);
-let _e2573 = type_19(_e2557.member, _e2557.member_1, _e2557.member_2, _e2557.member_3, _e2557.member_4, _e2557.member_5, _e2557.member_6, _e2557.member_7, _e2557.member_8, _e2557.member_9, _e2557.member_10, _e2557.member_11, _e2557.member_12, _e2557.member_13, (_e429.member_14 - _e429.member_14));
-let _e2593 = type_19(_e2573.member, _e2573.member_1, _e2573.member_2, _e2573.member_3, _e2573.member_4, _e2573.member_5, _e2573.member_6, _e2573.member_7, _e2573.member_8, _e2573.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e2573.member_11, _e2573.member_12, _e2573.member_13, _e2573.member_14);
-phi_1840_ = type_19(_e2593.member, _e2593.member_1, _e2593.member_2, _e2593.member_3, _e2593.member_4, _e2593.member_5, 3f, _e2593.member_7, _e2593.member_8, _e2593.member_9, _e2593.member_10, _e2593.member_11, _e2593.member_12, _e2593.member_13, _e2593.member_14);
+let _e2540 = type_20(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e2557 = type_20(_e2540.member, _e2540.member_1, _e2540.member_2, _e2540.member_3, _e2540.member_4, (_e429.member_5 + _e429.member_14), _e2540.member_6, _e2540.member_7, _e2540.member_8, _e2540.member_9, _e2540.member_10, _e2540.member_11, _e2540.member_12, _e2540.member_13, _e2540.member_14);
+let _e2573 = type_20(_e2557.member, _e2557.member_1, _e2557.member_2, _e2557.member_3, _e2557.member_4, _e2557.member_5, _e2557.member_6, _e2557.member_7, _e2557.member_8, _e2557.member_9, _e2557.member_10, _e2557.member_11, _e2557.member_12, _e2557.member_13, (_e429.member_14 - _e429.member_14));
+let _e2593 = type_20(_e2573.member, _e2573.member_1, _e2573.member_2, _e2573.member_3, _e2573.member_4, _e2573.member_5, _e2573.member_6, _e2573.member_7, _e2573.member_8, _e2573.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e2573.member_11, _e2573.member_12, _e2573.member_13, _e2573.member_14);
+phi_1841_ = type_20(_e2593.member, _e2593.member_1, _e2593.member_2, _e2593.member_3, _e2593.member_4, _e2593.member_5, 3f, _e2593.member_7, _e2593.member_8, _e2593.member_9, _e2593.member_10, _e2593.member_11, _e2593.member_12, _e2593.member_13, _e2593.member_14);
 }
-let _e2625 = phi_1840_;
-phi_2128_ = _e2625;
+let _e2625 = phi_1841_;
+phi_2129_ = _e2625;
 } else {
-let _e2216 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
-let _e2233 = type_19(_e2216.member, _e2216.member_1, _e2216.member_2, _e2216.member_3, _e2216.member_4, (_e429.member_5 + _e429.member_14), _e2216.member_6, _e2216.member_7, _e2216.member_8, _e2216.member_9, _e2216.member_10, _e2216.member_11, _e2216.member_12, _e2216.member_13, _e2216.member_14);
-let _e2249 = type_19(_e2233.member, _e2233.member_1, _e2233.member_2, _e2233.member_3, _e2233.member_4, _e2233.member_5, _e2233.member_6, _e2233.member_7, _e2233.member_8, _e2233.member_9, _e2233.member_10, _e2233.member_11, _e2233.member_12, _e2233.member_13, (_e429.member_14 - _e429.member_14));
-let _e2269 = type_19(_e2249.member, _e2249.member_1, _e2249.member_2, _e2249.member_3, _e2249.member_4, _e2249.member_5, _e2249.member_6, _e2249.member_7, _e2249.member_8, _e2249.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e2249.member_11, _e2249.member_12, _e2249.member_13, _e2249.member_14);
+let _e2216 = type_20(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e2233 = type_20(_e2216.member, _e2216.member_1, _e2216.member_2, _e2216.member_3, _e2216.member_4, (_e429.member_5 + _e429.member_14), _e2216.member_6, _e2216.member_7, _e2216.member_8, _e2216.member_9, _e2216.member_10, _e2216.member_11, _e2216.member_12, _e2216.member_13, _e2216.member_14);
+let _e2249 = type_20(_e2233.member, _e2233.member_1, _e2233.member_2, _e2233.member_3, _e2233.member_4, _e2233.member_5, _e2233.member_6, _e2233.member_7, _e2233.member_8, _e2233.member_9, _e2233.member_10, _e2233.member_11, _e2233.member_12, _e2233.member_13, (_e429.member_14 - _e429.member_14));
+let _e2269 = type_20(_e2249.member, _e2249.member_1, _e2249.member_2, _e2249.member_3, _e2249.member_4, _e2249.member_5, _e2249.member_6, _e2249.member_7, _e2249.member_8, _e2249.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e2249.member_11, _e2249.member_12, _e2249.member_13, _e2249.member_14);
 let _e2271 = local_13;
 if (_e2271 != 16i) {
-let _e2289 = type_19(_e2269.member, _e2269.member_1, _e2269.member_2, _e2269.member_3, _e2269.member_4, _e2269.member_5, _e2269.member_6, _e2269.member_7, _e2269.member_8, (_e429.member_9 + _e429.member_14), _e2269.member_10, _e2269.member_11, _e2269.member_12, _e2269.member_13, _e2269.member_14);
+let _e2289 = type_20(_e2269.member, _e2269.member_1, _e2269.member_2, _e2269.member_3, _e2269.member_4, _e2269.member_5, _e2269.member_6, _e2269.member_7, _e2269.member_8, (_e429.member_9 + _e429.member_14), _e2269.member_10, _e2269.member_11, _e2269.member_12, _e2269.member_13, _e2269.member_14);
 let _e2291 = local_14;
 let _e2292 = (_e2291 * 4i);
 let _e2293 = (_e2292 + 1i);
@@ -577,22 +592,22 @@ let _e2442 = select(0i, select(select(i32(_e2435), i32(-2147483648), (_e2435 < -
 let _e2446 = (_e2442 - select(0i, 1i, (_e2435 < f32(_e2442))));
 let _e2447 = f32(_e2446);
 let _e2451 = ((_e2429 - (_e2447 * 0.6933594f)) - (_e2447 * -2.1219444e-4f));
-phi_2126_ = type_19(_e2289.member, _e2289.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e2331 * (1f + (_e2331 * (0.5f + (_e2331 * (0.16666667f + (_e2331 * (0.041666668f + (_e2331 * (0.008333334f + (_e2331 * (0.001388889f + (_e2331 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2326 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e2391 * (1f + (_e2391 * (0.5f + (_e2391 * (0.16666667f + (_e2391 * (0.041666668f + (_e2391 * (0.008333334f + (_e2391 * (0.001388889f + (_e2391 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2386 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e2451 * (1f + (_e2451 * (0.5f + (_e2451 * (0.16666667f + (_e2451 * (0.041666668f + (_e2451 * (0.008333334f + (_e2451 * (0.001388889f + (_e2451 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2446 + 127i)) << bitcast<u32>(23i)))))), _e2289.member_3, _e2289.member_4, _e2289.member_5, _e2289.member_6, _e2289.member_7, _e2289.member_8, _e2289.member_9, _e2289.member_10, _e2289.member_11, _e2289.member_12, _e2289.member_13, _e2289.member_14);
+phi_2127_ = type_20(_e2289.member, _e2289.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e2331 * (1f + (_e2331 * (0.5f + (_e2331 * (0.16666667f + (_e2331 * (0.041666668f + (_e2331 * (0.008333334f + (_e2331 * (0.001388889f + (_e2331 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2326 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e2391 * (1f + (_e2391 * (0.5f + (_e2391 * (0.16666667f + (_e2391 * (0.041666668f + (_e2391 * (0.008333334f + (_e2391 * (0.001388889f + (_e2391 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2386 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e2451 * (1f + (_e2451 * (0.5f + (_e2451 * (0.16666667f + (_e2451 * (0.041666668f + (_e2451 * (0.008333334f + (_e2451 * (0.001388889f + (_e2451 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2446 + 127i)) << bitcast<u32>(23i)))))), _e2289.member_3, _e2289.member_4, _e2289.member_5, _e2289.member_6, _e2289.member_7, _e2289.member_8, _e2289.member_9, _e2289.member_10, _e2289.member_11, _e2289.member_12, _e2289.member_13, _e2289.member_14);
 } else {
-phi_2126_ = _e2269;
+phi_2127_ = _e2269;
 }
-let _e2492 = phi_2126_;
-phi_2128_ = type_19(_e2492.member, _e2492.member_1, _e2492.member_2, _e2492.member_3, _e2492.member_4, _e2492.member_5, 3f, _e2492.member_7, _e2492.member_8, _e2492.member_9, _e2492.member_10, _e2492.member_11, _e2492.member_12, _e2492.member_13, _e2492.member_14);
+let _e2492 = phi_2127_;
+phi_2129_ = type_20(_e2492.member, _e2492.member_1, _e2492.member_2, _e2492.member_3, _e2492.member_4, _e2492.member_5, 3f, _e2492.member_7, _e2492.member_8, _e2492.member_9, _e2492.member_10, _e2492.member_11, _e2492.member_12, _e2492.member_13, _e2492.member_14);
 }
-let _e2627 = phi_2128_;
-phi_4415_ = _e2627;
-phi_4416_ = _e433;
+let _e2627 = phi_2129_;
+phi_4416_ = _e2627;
+phi_4417_ = _e433;
 } else {
-phi_2130_ = 15i;
-phi_2133_ = 16i;
+phi_2131_ = 15i;
+phi_2134_ = 16i;
 loop {
-let _e444 = phi_2130_;
-let _e446 = phi_2133_;
+let _e444 = phi_2131_;
+let _e446 = phi_2134_;
 local = _e446;
 local_1 = _e446;
 local_2 = _e446;
@@ -603,18 +618,18 @@ local_10 = _e446;
 local_11 = _e446;
 let _e447 = (_e444 >= 0i);
 if _e447 {
-phi_2131_ = (_e444 - 1i);
-phi_2134_ = select(_e446, _e444, (((_e433 >> bitcast<u32>((_e444 & 31i))) & 1i) == 1i));
+phi_2132_ = (_e444 - 1i);
+phi_2135_ = select(_e446, _e444, (((_e433 >> bitcast<u32>((_e444 & 31i))) & 1i) == 1i));
 } else {
-phi_2131_ = i32();
-phi_2134_ = i32();
+phi_2132_ = i32();
+phi_2135_ = i32();
 }
-let _e456 = phi_2131_;
-let _e458 = phi_2134_;
+let _e456 = phi_2132_;
+let _e458 = phi_2135_;
 continue;
 continuing {
-phi_2130_ = _e456;
-phi_2133_ = _e458;
+phi_2131_ = _e456;
+phi_2134_ = _e458;
 break if !(_e447);
 }
 }
@@ -744,13 +759,13 @@ let _e804 = (bitcast<i32>(_e99) - 1i);
 let _e806 = select(_e804, _e802, (_e802 < _e804));
 let _e812 = global_4.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
 if (select(_e812, 1f, (_e801 == 16i)) == 0f) {
-let _e1868 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
-let _e1885 = type_19(_e1868.member, _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, (_e429.member_5 + _e429.member_14), _e1868.member_6, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14);
-let _e1901 = type_19(_e1885.member, _e1885.member_1, _e1885.member_2, _e1885.member_3, _e1885.member_4, _e1885.member_5, _e1885.member_6, _e1885.member_7, _e1885.member_8, _e1885.member_9, _e1885.member_10, _e1885.member_11, _e1885.member_12, _e1885.member_13, (_e429.member_14 - _e429.member_14));
-let _e1921 = type_19(_e1901.member, _e1901.member_1, _e1901.member_2, _e1901.member_3, _e1901.member_4, _e1901.member_5, _e1901.member_6, _e1901.member_7, _e1901.member_8, _e1901.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e1901.member_11, _e1901.member_12, _e1901.member_13, _e1901.member_14);
+let _e1868 = type_20(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e1885 = type_20(_e1868.member, _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, (_e429.member_5 + _e429.member_14), _e1868.member_6, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14);
+let _e1901 = type_20(_e1885.member, _e1885.member_1, _e1885.member_2, _e1885.member_3, _e1885.member_4, _e1885.member_5, _e1885.member_6, _e1885.member_7, _e1885.member_8, _e1885.member_9, _e1885.member_10, _e1885.member_11, _e1885.member_12, _e1885.member_13, (_e429.member_14 - _e429.member_14));
+let _e1921 = type_20(_e1901.member, _e1901.member_1, _e1901.member_2, _e1901.member_3, _e1901.member_4, _e1901.member_5, _e1901.member_6, _e1901.member_7, _e1901.member_8, _e1901.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e1901.member_11, _e1901.member_12, _e1901.member_13, _e1901.member_14);
 let _e1923 = local_10;
 if (_e1923 != 16i) {
-let _e1941 = type_19(_e1921.member, _e1921.member_1, _e1921.member_2, _e1921.member_3, _e1921.member_4, _e1921.member_5, _e1921.member_6, _e1921.member_7, _e1921.member_8, (_e429.member_9 + _e429.member_14), _e1921.member_10, _e1921.member_11, _e1921.member_12, _e1921.member_13, _e1921.member_14);
+let _e1941 = type_20(_e1921.member, _e1921.member_1, _e1921.member_2, _e1921.member_3, _e1921.member_4, _e1921.member_5, _e1921.member_6, _e1921.member_7, _e1921.member_8, (_e429.member_9 + _e429.member_14), _e1921.member_10, _e1921.member_11, _e1921.member_12, _e1921.member_13, _e1921.member_14);
 let _e1943 = local_11;
 let _e1944 = (_e1943 * 4i);
 let _e1945 = (_e1944 + 1i);
@@ -792,53 +807,53 @@ let _e2092 = select(0i, select(select(i32(_e2085), i32(-2147483648), (_e2085 < -
 let _e2096 = (_e2092 - select(0i, 1i, (_e2085 < f32(_e2092))));
 let _e2097 = f32(_e2096);
 let _e2101 = ((_e2079 - (_e2097 * 0.6933594f)) - (_e2097 * -2.1219444e-4f));
-phi_3225_ = type_19(_e1941.member, _e1941.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e1981 * (1f + (_e1981 * (0.5f + (_e1981 * (0.16666667f + (_e1981 * (0.041666668f + (_e1981 * (0.008333334f + (_e1981 * (0.001388889f + (_e1981 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1976 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e2041 * (1f + (_e2041 * (0.5f + (_e2041 * (0.16666667f + (_e2041 * (0.041666668f + (_e2041 * (0.008333334f + (_e2041 * (0.001388889f + (_e2041 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2036 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e2101 * (1f + (_e2101 * (0.5f + (_e2101 * (0.16666667f + (_e2101 * (0.041666668f + (_e2101 * (0.008333334f + (_e2101 * (0.001388889f + (_e2101 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2096 + 127i)) << bitcast<u32>(23i)))))), _e1941.member_3, _e1941.member_4, _e1941.member_5, _e1941.member_6, _e1941.member_7, _e1941.member_8, _e1941.member_9, _e1941.member_10, _e1941.member_11, _e1941.member_12, _e1941.member_13, _e1941.member_14);
+phi_3226_ = type_20(_e1941.member, _e1941.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e1981 * (1f + (_e1981 * (0.5f + (_e1981 * (0.16666667f + (_e1981 * (0.041666668f + (_e1981 * (0.008333334f + (_e1981 * (0.001388889f + (_e1981 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1976 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e2041 * (1f + (_e2041 * (0.5f + (_e2041 * (0.16666667f + (_e2041 * (0.041666668f + (_e2041 * (0.008333334f + (_e2041 * (0.001388889f + (_e2041 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2036 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e2101 * (1f + (_e2101 * (0.5f + (_e2101 * (0.16666667f + (_e2101 * (0.041666668f + (_e2101 * (0.008333334f + (_e2101 * (0.001388889f + (_e2101 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2096 + 127i)) << bitcast<u32>(23i)))))), _e1941.member_3, _e1941.member_4, _e1941.member_5, _e1941.member_6, _e1941.member_7, _e1941.member_8, _e1941.member_9, _e1941.member_10, _e1941.member_11, _e1941.member_12, _e1941.member_13, _e1941.member_14);
 } else {
-phi_3225_ = _e1921;
+phi_3226_ = _e1921;
 }
-let _e2142 = phi_3225_;
-phi_4413_ = type_19(_e2142.member, _e2142.member_1, _e2142.member_2, _e2142.member_3, _e2142.member_4, _e2142.member_5, 3f, _e2142.member_7, _e2142.member_8, _e2142.member_9, _e2142.member_10, _e2142.member_11, _e2142.member_12, _e2142.member_13, _e2142.member_14);
-phi_4414_ = _e433;
+let _e2142 = phi_3226_;
+phi_4414_ = type_20(_e2142.member, _e2142.member_1, _e2142.member_2, _e2142.member_3, _e2142.member_4, _e2142.member_5, 3f, _e2142.member_7, _e2142.member_8, _e2142.member_9, _e2142.member_10, _e2142.member_11, _e2142.member_12, _e2142.member_13, _e2142.member_14);
+phi_4415_ = _e433;
 } else {
 let _e818 = (1i << bitcast<u32>((_e801 & 31i)));
 if ((((_e429.member_1.x * _e569) + (_e429.member_1.y * _e570)) + (_e429.member_1.z * _e571)) < 0f) {
-phi_3245_ = (_e433 | _e818);
+phi_3246_ = (_e433 | _e818);
 } else {
-phi_3245_ = (_e433 & ~(_e818));
+phi_3246_ = (_e433 & ~(_e818));
 }
-let _e829 = phi_3245_;
-phi_3247_ = 15i;
-phi_3250_ = 16i;
+let _e829 = phi_3246_;
+phi_3248_ = 15i;
+phi_3251_ = 16i;
 loop {
-let _e831 = phi_3247_;
-let _e833 = phi_3250_;
+let _e831 = phi_3248_;
+let _e833 = phi_3251_;
 local_3 = _e833;
 local_6 = _e833;
 local_7 = _e833;
 local_9 = _e833;
 let _e834 = (_e831 >= 0i);
 if _e834 {
-phi_3248_ = (_e831 - 1i);
-phi_3251_ = select(_e833, _e831, (((_e829 >> bitcast<u32>((_e831 & 31i))) & 1i) == 1i));
+phi_3249_ = (_e831 - 1i);
+phi_3252_ = select(_e833, _e831, (((_e829 >> bitcast<u32>((_e831 & 31i))) & 1i) == 1i));
 } else {
-phi_3248_ = i32();
-phi_3251_ = i32();
+phi_3249_ = i32();
+phi_3252_ = i32();
 }
-let _e843 = phi_3248_;
-let _e845 = phi_3251_;
+let _e843 = phi_3249_;
+let _e845 = phi_3252_;
 continue;
 continuing {
-phi_3247_ = _e843;
-phi_3250_ = _e845;
+phi_3248_ = _e843;
+phi_3251_ = _e845;
 break if !(_e834);
 }
 }
-let _e875 = type_19(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
-let _e892 = type_19(_e875.member, _e875.member_1, _e875.member_2, _e875.member_3, _e875.member_4, (_e429.member_5 + _e429.member_14), _e875.member_6, _e875.member_7, _e875.member_8, _e875.member_9, _e875.member_10, _e875.member_11, _e875.member_12, _e875.member_13, _e875.member_14);
-let _e912 = type_19(_e892.member, _e892.member_1, _e892.member_2, _e892.member_3, _e892.member_4, _e892.member_5, _e892.member_6, _e892.member_7, _e892.member_8, _e892.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e892.member_11, _e892.member_12, _e892.member_13, _e892.member_14);
+let _e875 = type_20(vec3<f32>((_e429.member.x + (_e429.member_1.x * _e429.member_14)), (_e429.member.y + (_e429.member_1.y * _e429.member_14)), (_e429.member.z + (_e429.member_1.z * _e429.member_14))), _e429.member_1, _e429.member_2, _e429.member_3, _e429.member_4, _e429.member_5, _e429.member_6, _e429.member_7, _e429.member_8, _e429.member_9, _e429.member_10, _e429.member_11, _e429.member_12, _e429.member_13, _e429.member_14);
+let _e892 = type_20(_e875.member, _e875.member_1, _e875.member_2, _e875.member_3, _e875.member_4, (_e429.member_5 + _e429.member_14), _e875.member_6, _e875.member_7, _e875.member_8, _e875.member_9, _e875.member_10, _e875.member_11, _e875.member_12, _e875.member_13, _e875.member_14);
+let _e912 = type_20(_e892.member, _e892.member_1, _e892.member_2, _e892.member_3, _e892.member_4, _e892.member_5, _e892.member_6, _e892.member_7, _e892.member_8, _e892.member_9, (_e429.member_10 + select(0f, _e429.member_14, (_e429.member_8 == 0f))), _e892.member_11, _e892.member_12, _e892.member_13, _e892.member_14);
 let _e914 = local;
 if (_e914 != 16i) {
-let _e932 = type_19(_e912.member, _e912.member_1, _e912.member_2, _e912.member_3, _e912.member_4, _e912.member_5, _e912.member_6, _e912.member_7, _e912.member_8, (_e429.member_9 + _e429.member_14), _e912.member_10, _e912.member_11, _e912.member_12, _e912.member_13, _e912.member_14);
+let _e932 = type_20(_e912.member, _e912.member_1, _e912.member_2, _e912.member_3, _e912.member_4, _e912.member_5, _e912.member_6, _e912.member_7, _e912.member_8, (_e429.member_9 + _e429.member_14), _e912.member_10, _e912.member_11, _e912.member_12, _e912.member_13, _e912.member_14);
 let _e934 = local_1;
 let _e935 = (_e934 * 4i);
 let _e936 = (_e935 + 1i);
@@ -880,11 +895,11 @@ let _e1083 = select(0i, select(select(i32(_e1076), i32(-2147483648), (_e1076 < -
 let _e1087 = (_e1083 - select(0i, 1i, (_e1076 < f32(_e1083))));
 let _e1088 = f32(_e1087);
 let _e1092 = ((_e1070 - (_e1088 * 0.6933594f)) - (_e1088 * -2.1219444e-4f));
-phi_3552_ = type_19(_e932.member, _e932.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e972 * (1f + (_e972 * (0.5f + (_e972 * (0.16666667f + (_e972 * (0.041666668f + (_e972 * (0.008333334f + (_e972 * (0.001388889f + (_e972 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e967 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e1032 * (1f + (_e1032 * (0.5f + (_e1032 * (0.16666667f + (_e1032 * (0.041666668f + (_e1032 * (0.008333334f + (_e1032 * (0.001388889f + (_e1032 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1027 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e1092 * (1f + (_e1092 * (0.5f + (_e1092 * (0.16666667f + (_e1092 * (0.041666668f + (_e1092 * (0.008333334f + (_e1092 * (0.001388889f + (_e1092 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1087 + 127i)) << bitcast<u32>(23i)))))), _e932.member_3, _e932.member_4, _e932.member_5, _e932.member_6, _e932.member_7, _e932.member_8, _e932.member_9, _e932.member_10, _e932.member_11, _e932.member_12, _e932.member_13, _e932.member_14);
+phi_3553_ = type_20(_e932.member, _e932.member_1, vec3<f32>((_e429.member_2.x * ((1f + (_e972 * (1f + (_e972 * (0.5f + (_e972 * (0.16666667f + (_e972 * (0.041666668f + (_e972 * (0.008333334f + (_e972 * (0.001388889f + (_e972 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e967 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.y * ((1f + (_e1032 * (1f + (_e1032 * (0.5f + (_e1032 * (0.16666667f + (_e1032 * (0.041666668f + (_e1032 * (0.008333334f + (_e1032 * (0.001388889f + (_e1032 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1027 + 127i)) << bitcast<u32>(23i))))), (_e429.member_2.z * ((1f + (_e1092 * (1f + (_e1092 * (0.5f + (_e1092 * (0.16666667f + (_e1092 * (0.041666668f + (_e1092 * (0.008333334f + (_e1092 * (0.001388889f + (_e1092 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1087 + 127i)) << bitcast<u32>(23i)))))), _e932.member_3, _e932.member_4, _e932.member_5, _e932.member_6, _e932.member_7, _e932.member_8, _e932.member_9, _e932.member_10, _e932.member_11, _e932.member_12, _e932.member_13, _e932.member_14);
 } else {
-phi_3552_ = _e912;
+phi_3553_ = _e912;
 }
-let _e1133 = phi_3552_;
+let _e1133 = phi_3553_;
 let _e1135 = local_2;
 let _e1137 = local_3;
 if (_e1135 == _e1137) {
@@ -901,11 +916,11 @@ let _e1771 = (_e1769 > 1e-9f);
 let _e1775 = ((_e1763 / select(1e-9f, _e1769, _e1771)) - 0.015625f);
 let _e1778 = select(1e30f, select(0f, _e1775, (_e1775 > 0f)), ((_e1763 > 0f) && _e1771));
 let _e1782 = (_e1778 < _e1747);
-let _e1800 = type_19(_e1133.member, _e1133.member_1, _e1133.member_2, _e1133.member_3, _e1133.member_4, _e1133.member_5, _e1133.member_6, _e1133.member_7, _e1133.member_8, _e1133.member_9, _e1133.member_10, _e1133.member_11, 0i, _e1133.member_13, _e1133.member_14);
-let _e1815 = type_19(_e1800.member, _e1800.member_1, _e1800.member_2, _e1800.member_3, _e1800.member_4, _e1800.member_5, _e1800.member_6, _e1800.member_7, _e1800.member_8, _e1800.member_9, _e1800.member_10, _e1800.member_11, _e1800.member_12, select(select(-2i, -3i, _e1782), -1i, ((_e1747 >= 1e30f) && (_e1778 >= 1e30f))), _e1800.member_14);
-phi_4405_ = type_19(_e1815.member, _e1815.member_1, _e1815.member_2, _e1815.member_3, _e1815.member_4, _e1815.member_5, _e1815.member_6, _e1815.member_7, _e1815.member_8, _e1815.member_9, _e1815.member_10, _e1815.member_11, _e1815.member_12, _e1815.member_13, select(_e1747, _e1778, _e1782));
-phi_4406_ = type_19();
-phi_4407_ = true;
+let _e1800 = type_20(_e1133.member, _e1133.member_1, _e1133.member_2, _e1133.member_3, _e1133.member_4, _e1133.member_5, _e1133.member_6, _e1133.member_7, _e1133.member_8, _e1133.member_9, _e1133.member_10, _e1133.member_11, 0i, _e1133.member_13, _e1133.member_14);
+let _e1815 = type_20(_e1800.member, _e1800.member_1, _e1800.member_2, _e1800.member_3, _e1800.member_4, _e1800.member_5, _e1800.member_6, _e1800.member_7, _e1800.member_8, _e1800.member_9, _e1800.member_10, _e1800.member_11, _e1800.member_12, select(select(-2i, -3i, _e1782), -1i, ((_e1747 >= 1e30f) && (_e1778 >= 1e30f))), _e1800.member_14);
+phi_4406_ = type_20(_e1815.member, _e1815.member_1, _e1815.member_2, _e1815.member_3, _e1815.member_4, _e1815.member_5, _e1815.member_6, _e1815.member_7, _e1815.member_8, _e1815.member_9, _e1815.member_10, _e1815.member_11, _e1815.member_12, _e1815.member_13, select(_e1747, _e1778, _e1782));
+phi_4407_ = type_20();
+phi_4408_ = true;
 } else {
 let _e1141 = local_4;
 let _e1142 = (_e1141 * 4i);
@@ -948,14 +963,14 @@ let _e1255 = (((_e1190 * _e1245) - 1f) / select(1e-6f, _e1252, (_e1252 > 1e-6f))
 let _e1269 = global_1.member.member_1;
 let _e1272 = select(0f, select(select((((0.5f * _e1248) * _e1248) * (1f + (_e1255 * _e1255))), 1f, (_e1240 <= 0f)), 0f, (_e1154 == _e1169)), ((_e1269 & 1u) != 0u));
 if (_e1133.member_8 == 0f) {
-let _e1287 = type_19(_e1133.member, _e1133.member_1, _e1133.member_2, vec3<f32>(_e782, _e783, _e784), _e1133.member_4, _e1133.member_5, _e1133.member_6, _e1133.member_7, _e1133.member_8, _e1133.member_9, _e1133.member_10, _e1133.member_11, _e1133.member_12, _e1133.member_13, _e1133.member_14);
-phi_3887_ = type_19(_e1287.member, _e1287.member_1, _e1287.member_2, _e1287.member_3, _e1287.member_4, _e1287.member_5, _e1287.member_6, _e1287.member_7, _e1287.member_8, _e1287.member_9, _e1287.member_10, _e1272, _e1287.member_12, _e1287.member_13, _e1287.member_14);
+let _e1287 = type_20(_e1133.member, _e1133.member_1, _e1133.member_2, vec3<f32>(_e782, _e783, _e784), _e1133.member_4, _e1133.member_5, _e1133.member_6, _e1133.member_7, _e1133.member_8, _e1133.member_9, _e1133.member_10, _e1133.member_11, _e1133.member_12, _e1133.member_13, _e1133.member_14);
+phi_3888_ = type_20(_e1287.member, _e1287.member_1, _e1287.member_2, _e1287.member_3, _e1287.member_4, _e1287.member_5, _e1287.member_6, _e1287.member_7, _e1287.member_8, _e1287.member_9, _e1287.member_10, _e1272, _e1287.member_12, _e1287.member_13, _e1287.member_14);
 } else {
-phi_3887_ = _e1133;
+phi_3888_ = _e1133;
 }
-let _e1304 = phi_3887_;
+let _e1304 = phi_3888_;
 let _e1306 = (_e1304.member_8 + 1f);
-let _e1321 = type_19(_e1304.member, _e1304.member_1, _e1304.member_2, _e1304.member_3, _e1304.member_4, _e1304.member_5, _e1304.member_6, _e1304.member_7, _e1306, _e1304.member_9, _e1304.member_10, _e1304.member_11, _e1304.member_12, _e1304.member_13, _e1304.member_14);
+let _e1321 = type_20(_e1304.member, _e1304.member_1, _e1304.member_2, _e1304.member_3, _e1304.member_4, _e1304.member_5, _e1304.member_6, _e1304.member_7, _e1306, _e1304.member_9, _e1304.member_10, _e1304.member_11, _e1304.member_12, _e1304.member_13, _e1304.member_14);
 let _e1324 = ((_e104.member_2 == 0u) && (_e1306 >= 2f));
 if (_e1197 && _e1324) {
 let _e1349 = (((_e1304.member_1.x * _e782) + (_e1304.member_1.y * _e783)) + (_e1304.member_1.z * _e784));
@@ -965,18 +980,18 @@ let _e1355 = (_e1304.member_1.z - (_e784 * _e1349));
 let _e1360 = (((_e1353 * _e1353) + (_e1354 * _e1354)) + (_e1355 * _e1355));
 let _e1363 = sqrt(select(0f, _e1360, (_e1360 > 0f)));
 let _e1366 = (1f / select(1e-20f, _e1363, (_e1363 > 1e-20f)));
-phi_3940_ = type_19(_e1321.member, vec3<f32>((_e1353 * _e1366), (_e1354 * _e1366), (_e1355 * _e1366)), _e1321.member_2, _e1321.member_3, _e1321.member_4, _e1321.member_5, _e1321.member_6, _e1321.member_7, _e1321.member_8, _e1321.member_9, _e1321.member_10, _e1321.member_11, _e1321.member_12, _e1321.member_13, _e1321.member_14);
+phi_3941_ = type_20(_e1321.member, vec3<f32>((_e1353 * _e1366), (_e1354 * _e1366), (_e1355 * _e1366)), _e1321.member_2, _e1321.member_3, _e1321.member_4, _e1321.member_5, _e1321.member_6, _e1321.member_7, _e1321.member_8, _e1321.member_9, _e1321.member_10, _e1321.member_11, _e1321.member_12, _e1321.member_13, _e1321.member_14);
 } else {
-phi_3940_ = type_19(_e1321.member, vec3<f32>((_e1219 * _e1232), (_e1220 * _e1232), (_e1221 * _e1232)), _e1321.member_2, _e1321.member_3, _e1321.member_4, _e1321.member_5, _e1321.member_6, _e1321.member_7, _e1321.member_8, _e1321.member_9, _e1321.member_10, _e1321.member_11, _e1321.member_12, _e1321.member_13, _e1321.member_14);
+phi_3941_ = type_20(_e1321.member, vec3<f32>((_e1219 * _e1232), (_e1220 * _e1232), (_e1221 * _e1232)), _e1321.member_2, _e1321.member_3, _e1321.member_4, _e1321.member_5, _e1321.member_6, _e1321.member_7, _e1321.member_8, _e1321.member_9, _e1321.member_10, _e1321.member_11, _e1321.member_12, _e1321.member_13, _e1321.member_14);
 }
-let _e1387 = phi_3940_;
+let _e1387 = phi_3941_;
 if _e1197 {
-phi_3954_ = _e1387;
+phi_3955_ = _e1387;
 } else {
 let _e1388 = (1f - _e1272);
-phi_3954_ = type_19(_e1387.member, _e1387.member_1, vec3<f32>((_e1387.member_2.x * _e1388), (_e1387.member_2.y * _e1388), (_e1387.member_2.z * _e1388)), _e1387.member_3, _e1387.member_4, _e1387.member_5, _e1387.member_6, _e1387.member_7, _e1387.member_8, _e1387.member_9, _e1387.member_10, _e1387.member_11, _e1387.member_12, _e1387.member_13, _e1387.member_14);
+phi_3955_ = type_20(_e1387.member, _e1387.member_1, vec3<f32>((_e1387.member_2.x * _e1388), (_e1387.member_2.y * _e1388), (_e1387.member_2.z * _e1388)), _e1387.member_3, _e1387.member_4, _e1387.member_5, _e1387.member_6, _e1387.member_7, _e1387.member_8, _e1387.member_9, _e1387.member_10, _e1387.member_11, _e1387.member_12, _e1387.member_13, _e1387.member_14);
 }
-let _e1415 = phi_3954_;
+let _e1415 = phi_3955_;
 let _e1422 = global_1.member.member_17.member.member;
 let _e1436 = ((((_e1422.member.member * _e1415.member.x) + (_e1422.member.member_1 * _e1415.member.y)) + (_e1422.member.member_2 * _e1415.member.z)) + _e1422.member_1);
 let _e1445 = -((((_e1422.member.member * _e1415.member_1.x) + (_e1422.member.member_1 * _e1415.member_1.y)) + (_e1422.member.member_2 * _e1415.member_1.z)));
@@ -992,96 +1007,96 @@ let _e1485 = select(1e30f, select(0f, _e1482, (_e1482 > 0f)), ((_e1470 > 0f) && 
 let _e1489 = (_e1485 < _e1454);
 let _e1491 = select(select(-2i, -3i, _e1489), -1i, ((_e1454 >= 1e30f) && (_e1485 >= 1e30f)));
 let _e1492 = select(_e1454, _e1485, _e1489);
-let _e1507 = type_19(_e1415.member, _e1415.member_1, _e1415.member_2, _e1415.member_3, _e1415.member_4, _e1415.member_5, _e1415.member_6, _e1415.member_7, _e1415.member_8, _e1415.member_9, _e1415.member_10, _e1415.member_11, 0i, _e1415.member_13, _e1415.member_14);
-let _e1522 = type_19(_e1507.member, _e1507.member_1, _e1507.member_2, _e1507.member_3, _e1507.member_4, _e1507.member_5, _e1507.member_6, _e1507.member_7, _e1507.member_8, _e1507.member_9, _e1507.member_10, _e1507.member_11, _e1507.member_12, _e1491, _e1507.member_14);
-let _e1537 = type_19(_e1522.member, _e1522.member_1, _e1522.member_2, _e1522.member_3, _e1522.member_4, _e1522.member_5, _e1522.member_6, _e1522.member_7, _e1522.member_8, _e1522.member_9, _e1522.member_10, _e1522.member_11, _e1522.member_12, _e1522.member_13, _e1492);
+let _e1507 = type_20(_e1415.member, _e1415.member_1, _e1415.member_2, _e1415.member_3, _e1415.member_4, _e1415.member_5, _e1415.member_6, _e1415.member_7, _e1415.member_8, _e1415.member_9, _e1415.member_10, _e1415.member_11, 0i, _e1415.member_13, _e1415.member_14);
+let _e1522 = type_20(_e1507.member, _e1507.member_1, _e1507.member_2, _e1507.member_3, _e1507.member_4, _e1507.member_5, _e1507.member_6, _e1507.member_7, _e1507.member_8, _e1507.member_9, _e1507.member_10, _e1507.member_11, _e1507.member_12, _e1491, _e1507.member_14);
+let _e1537 = type_20(_e1522.member, _e1522.member_1, _e1522.member_2, _e1522.member_3, _e1522.member_4, _e1522.member_5, _e1522.member_6, _e1522.member_7, _e1522.member_8, _e1522.member_9, _e1522.member_10, _e1522.member_11, _e1522.member_12, _e1522.member_13, _e1492);
 let _e1539 = local_8;
 let _e1541 = local_9;
 let _e1544 = ((_e1269 & 2u) != 0u);
 if (_e1324 && !(_e1544)) {
 if (_e1491 == -1i) {
-phi_4379_ = type_19(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 1f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
+phi_4380_ = type_20(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 1f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
 } else {
-let _e1620 = type_19(vec3<f32>((_e1415.member.x + (_e1415.member_1.x * _e1492)), (_e1415.member.y + (_e1415.member_1.y * _e1492)), (_e1415.member.z + (_e1415.member_1.z * _e1492))), _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, _e1537.member_6, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
-let _e1637 = type_19(_e1620.member, _e1620.member_1, _e1620.member_2, _e1620.member_3, _e1620.member_4, (_e1415.member_5 + _e1492), _e1620.member_6, _e1620.member_7, _e1620.member_8, _e1620.member_9, _e1620.member_10, _e1620.member_11, _e1620.member_12, _e1620.member_13, _e1620.member_14);
-let _e1653 = type_19(_e1637.member, _e1637.member_1, _e1637.member_2, _e1637.member_3, _e1637.member_4, _e1637.member_5, _e1637.member_6, _e1637.member_7, _e1637.member_8, _e1637.member_9, _e1637.member_10, _e1637.member_11, _e1637.member_12, _e1637.member_13, (_e1492 - _e1492));
-let _e1673 = type_19(_e1653.member, _e1653.member_1, _e1653.member_2, _e1653.member_3, _e1653.member_4, _e1653.member_5, _e1653.member_6, _e1653.member_7, _e1653.member_8, _e1653.member_9, (_e1415.member_10 + select(0f, _e1492, (_e1415.member_8 == 0f))), _e1653.member_11, _e1653.member_12, _e1653.member_13, _e1653.member_14);
-phi_4379_ = type_19(_e1673.member, _e1673.member_1, _e1673.member_2, _e1673.member_3, _e1673.member_4, _e1673.member_5, 3f, _e1673.member_7, _e1673.member_8, _e1673.member_9, _e1673.member_10, _e1673.member_11, _e1673.member_12, _e1673.member_13, _e1673.member_14);
+let _e1620 = type_20(vec3<f32>((_e1415.member.x + (_e1415.member_1.x * _e1492)), (_e1415.member.y + (_e1415.member_1.y * _e1492)), (_e1415.member.z + (_e1415.member_1.z * _e1492))), _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, _e1537.member_6, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
+let _e1637 = type_20(_e1620.member, _e1620.member_1, _e1620.member_2, _e1620.member_3, _e1620.member_4, (_e1415.member_5 + _e1492), _e1620.member_6, _e1620.member_7, _e1620.member_8, _e1620.member_9, _e1620.member_10, _e1620.member_11, _e1620.member_12, _e1620.member_13, _e1620.member_14);
+let _e1653 = type_20(_e1637.member, _e1637.member_1, _e1637.member_2, _e1637.member_3, _e1637.member_4, _e1637.member_5, _e1637.member_6, _e1637.member_7, _e1637.member_8, _e1637.member_9, _e1637.member_10, _e1637.member_11, _e1637.member_12, _e1637.member_13, (_e1492 - _e1492));
+let _e1673 = type_20(_e1653.member, _e1653.member_1, _e1653.member_2, _e1653.member_3, _e1653.member_4, _e1653.member_5, _e1653.member_6, _e1653.member_7, _e1653.member_8, _e1653.member_9, (_e1415.member_10 + select(0f, _e1492, (_e1415.member_8 == 0f))), _e1653.member_11, _e1653.member_12, _e1653.member_13, _e1653.member_14);
+phi_4380_ = type_20(_e1673.member, _e1673.member_1, _e1673.member_2, _e1673.member_3, _e1673.member_4, _e1673.member_5, 3f, _e1673.member_7, _e1673.member_8, _e1673.member_9, _e1673.member_10, _e1673.member_11, _e1673.member_12, _e1673.member_13, _e1673.member_14);
 }
-let _e1705 = phi_4379_;
-phi_4400_ = _e1705;
+let _e1705 = phi_4380_;
+phi_4401_ = _e1705;
 } else {
 let _e1551 = global_1.member.member_5;
 if ((!(_e1324) && (_e1415.member_8 >= f32(bitcast<i32>(_e1551)))) && (select(_e1541, _e1539, _e1197) != 16i)) {
-phi_4399_ = type_19(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 2f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
+phi_4400_ = type_20(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 2f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
 } else {
 if _e1544 {
-phi_4398_ = type_19(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 4f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
+phi_4399_ = type_20(_e1537.member, _e1537.member_1, _e1537.member_2, _e1537.member_3, _e1537.member_4, _e1537.member_5, 4f, _e1537.member_7, _e1537.member_8, _e1537.member_9, _e1537.member_10, _e1537.member_11, _e1537.member_12, _e1537.member_13, _e1537.member_14);
 } else {
-phi_4398_ = _e1537;
+phi_4399_ = _e1537;
 }
-let _e1574 = phi_4398_;
-phi_4399_ = _e1574;
+let _e1574 = phi_4399_;
+phi_4400_ = _e1574;
 }
-let _e1591 = phi_4399_;
-phi_4400_ = _e1591;
+let _e1591 = phi_4400_;
+phi_4401_ = _e1591;
 }
-let _e1707 = phi_4400_;
-phi_4405_ = _e1707;
+let _e1707 = phi_4401_;
 phi_4406_ = _e1707;
-phi_4407_ = !(_e1197);
+phi_4407_ = _e1707;
+phi_4408_ = !(_e1197);
 }
-let _e1832 = phi_4405_;
-let _e1834 = phi_4406_;
-let _e1836 = phi_4407_;
+let _e1832 = phi_4406_;
+let _e1834 = phi_4407_;
+let _e1836 = phi_4408_;
 if _e1836 {
-phi_4411_ = _e1832;
+phi_4412_ = _e1832;
 } else {
-phi_4411_ = _e1834;
+phi_4412_ = _e1834;
 }
-let _e1838 = phi_4411_;
-phi_4413_ = _e1838;
-phi_4414_ = select(_e433, _e829, _e1836);
+let _e1838 = phi_4412_;
+phi_4414_ = _e1838;
+phi_4415_ = select(_e433, _e829, _e1836);
 }
-let _e2159 = phi_4413_;
-let _e2161 = phi_4414_;
-phi_4415_ = _e2159;
-phi_4416_ = _e2161;
+let _e2159 = phi_4414_;
+let _e2161 = phi_4415_;
+phi_4416_ = _e2159;
+phi_4417_ = _e2161;
 }
-let _e2629 = phi_4415_;
-let _e2631 = phi_4416_;
-phi_4417_ = _e2629;
-phi_4418_ = _e2631;
+let _e2629 = phi_4416_;
+let _e2631 = phi_4417_;
+phi_4418_ = _e2629;
+phi_4419_ = _e2631;
 }
-let _e3021 = phi_4417_;
-let _e3023 = phi_4418_;
-phi_852_ = _e3021;
-phi_855_ = (_e431 + 1i);
-phi_857_ = _e3023;
+let _e3021 = phi_4418_;
+let _e3023 = phi_4419_;
+phi_853_ = _e3021;
+phi_856_ = (_e431 + 1i);
+phi_858_ = _e3023;
 } else {
-phi_852_ = type_19();
-phi_855_ = i32();
-phi_857_ = i32();
+phi_853_ = type_20();
+phi_856_ = i32();
+phi_858_ = i32();
 }
-let _e3025 = phi_852_;
-let _e3027 = phi_855_;
-let _e3029 = phi_857_;
+let _e3025 = phi_853_;
+let _e3027 = phi_856_;
+let _e3029 = phi_858_;
 continue;
 continuing {
-phi_851_ = _e3025;
-phi_854_ = _e3027;
-phi_856_ = _e3029;
+phi_852_ = _e3025;
+phi_855_ = _e3027;
+phi_857_ = _e3029;
 break if !(_e437);
 }
 }
 let _e3032 = local_15;
 if (_e3032 == 0i) {
-phi_4424_ = 16i;
+phi_4425_ = 16i;
 } else {
 let _e3035 = local_16;
-phi_4424_ = -(_e3035);
+phi_4425_ = -(_e3035);
 }
-let _e3038 = phi_4424_;
+let _e3038 = phi_4425_;
 let _e3040 = local_17;
 let _e3044 = local_18;
 let _e3048 = local_19;

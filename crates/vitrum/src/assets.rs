@@ -5,7 +5,8 @@ use crate::meshes::load_meshes;
 use crate::scene::{EnvironmentKind, Scene, VolumeSource};
 use crate::subject::Subject;
 use crate::unrenderable::Unrenderable;
-use std::path::Path;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use vitrum_io::{OpenOptions, Picture, STANDARD_INPUT, Volume};
 
@@ -16,11 +17,13 @@ pub struct Assets {
     pub subject: Subject,
     /// The equirectangular picture of the environment, if the scene's environment is a map.
     pub environment: Option<Arc<Picture>>,
+    /// The pictures that spots project, by the paths that the scene gives them (`light.N.texture`).
+    pub textures: BTreeMap<PathBuf, Arc<Picture>>,
 }
 
 impl<S: Into<Subject>> From<S> for Assets {
     fn from(subject: S) -> Self {
-        Self { subject: subject.into(), environment: None }
+        Self { subject: subject.into(), environment: None, textures: BTreeMap::new() }
     }
 }
 
@@ -45,8 +48,11 @@ impl Assets {
             }
             _ => None,
         };
+        let read = |path: &PathBuf| Ok((path.clone(), Arc::new(vitrum_io::read_picture(&base.join(path))?)));
+        let named = scene.light.iter().filter_map(|light| light.texture.as_ref()).collect::<BTreeSet<_>>();
+        let textures = named.into_iter().map(read).collect::<Result<_, Error>>()?;
         if !scene.mesh.is_empty() {
-            return Ok(Self { subject: load_meshes(&scene.mesh, base, max_bytes)?.into(), environment });
+            return Ok(Self { subject: load_meshes(&scene.mesh, base, max_bytes)?.into(), environment, textures });
         }
         let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
         let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
@@ -54,7 +60,7 @@ impl Assets {
             None => Subject::Volume(shown),
             Some(ior) => Subject::Volumes { shown, ior: Arc::new(ior) },
         };
-        Ok(Self { subject, environment })
+        Ok(Self { subject, environment, textures })
     }
 }
 
@@ -121,7 +127,7 @@ pub(crate) fn syntax(problem: String) -> Error {
     Unrenderable::Syntax { problem }.into()
 }
 
-/// Reads the one volume that `source` names; a relative path starts at `base`.
+/// Reads the volume that `source` names; a relative path starts at `base`.
 ///
 /// # Errors
 ///

@@ -138,8 +138,8 @@ fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     })
 }
 
-/// The mesh with a colour for each vertex, where it has none that of the material. A vertex of triangles of several materials becomes
-/// several vertices.
+/// The mesh with a colour for each vertex; a vertex without a colour gets its material's. A vertex of triangles of several materials
+/// becomes several vertices.
 fn with_colors(mesh: Mesh) -> Mesh {
     if mesh.colors.is_some() {
         return mesh;

@@ -1,4 +1,4 @@
-//! From a scene to a frame.
+//! The renderer: from a scene to a frame.
 
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, ReadBack as _};
@@ -120,7 +120,7 @@ pub fn render_requested(
     frame(&Job { scene, assets, request }, &mut Cache::default(), backend, progress)
 }
 
-/// Renders one frame with what a cache has of the frames before; the cache must belong to the same assets and the same backend.
+/// Renders one frame with the data that a cache has of earlier frames; the cache must belong to the same assets and the same backend.
 ///
 /// This is the one course from a scene to a frame, for every method: each exposure is prepared, run and read, then summed up; the sum
 /// becomes the frame's layers.

@@ -37,13 +37,13 @@ impl Stage {
     }
 }
 
-/// How far a piece of work is.
+/// Progress of a piece of work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// The kind of work.
     pub stage: Stage,
     /// Units of it that are done, in a unit of the stage's own.
     pub done: u64,
-    /// All units of it, as far as known.
+    /// All units of the work, as far as their number is known.
     pub total: u64,
 }

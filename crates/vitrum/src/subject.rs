@@ -35,7 +35,7 @@ impl<'a> Volumes<'a> {
         self.ior.unwrap_or(self.shown)
     }
 
-    /// The shown volume, then the other one if there are two.
+    /// The volumes: the shown one, then the other one if there are two.
     pub fn iter(self) -> impl Iterator<Item = &'a Volume> + Clone {
         std::iter::once(self.shown).chain(self.ior)
     }

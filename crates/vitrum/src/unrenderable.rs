@@ -1,5 +1,7 @@
 //! Why a valid scene and its data make no frame.
 
+use std::path::PathBuf;
+
 /// Why a scene and its data, each valid by itself, make no frame together. The display states the fact and the limit;
 /// [`advice`](Self::advice) says what to change.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -20,14 +22,14 @@ pub enum Unrenderable {
         /// `volume` or `mesh`.
         kind: &'static str,
     },
-    /// There is no such built-in data.
+    /// Built-in data of an unknown name.
     #[error("there is no built-in {kind} `{name}`")]
     UnknownBuiltin {
         /// `volume` or `mesh`.
         kind: &'static str,
         /// The name that was asked for.
         name: String,
-        /// The names that there are.
+        /// The names of the built-in data of that kind.
         known: Vec<&'static str>,
     },
     /// Built-in data is not part of this build.
@@ -53,15 +55,15 @@ pub enum Unrenderable {
     /// The data for a sweep is no volume.
     #[error("a sweep goes through volumes, and a mesh was given")]
     NeedsVolume,
-    /// No triangle of the mesh has an area.
+    /// A mesh of triangles without area.
     #[error("{name}: none of its {count} triangles has an area")]
     NoSurface {
         /// The mesh.
         name: String,
-        /// Its triangles.
+        /// The number of its triangles.
         count: usize,
     },
-    /// All vertices of the mesh are at one point.
+    /// A mesh whose vertices are all at one point.
     #[error("{name}: all vertices are at one point or too close to each other")]
     NoExtent {
         /// The mesh.
@@ -72,7 +74,7 @@ pub enum Unrenderable {
     TooManyToFill {
         /// The mesh.
         name: String,
-        /// Its triangles.
+        /// The number of its triangles.
         count: usize,
     },
     /// Meshes that are shown together have more vertices than indices of 32 bits tell apart.
@@ -98,7 +100,7 @@ pub enum Unrenderable {
     TooManyMaterials {
         /// The mesh.
         name: String,
-        /// Its clear materials.
+        /// The number of its clear materials.
         count: usize,
         /// The most that are possible.
         limit: usize,
@@ -121,7 +123,7 @@ pub enum Unrenderable {
         /// The overlap, as a part of a voxel's edge.
         overlap: f32,
     },
-    /// There is no memory for the voxels.
+    /// Voxels for which the host lacks the memory.
     #[error("there is no memory for {} x {} x {} voxels", dimensions[0], dimensions[1], dimensions[2])]
     NoMemory {
         /// Voxels along x, y and z.
@@ -156,12 +158,12 @@ pub enum Unrenderable {
     ShadowTooSoft {
         /// The radius of the filter, in world units.
         radius: f64,
-        /// The same in voxels.
+        /// The width in voxels.
         voxels: f64,
         /// The most voxels.
         limit: i32,
     },
-    /// There are more clipping planes than a sweep can have.
+    /// More clipping planes than a sweep can have.
     #[error("{count} clipping planes are given, at most {limit} are possible")]
     TooManyClips {
         /// The planes.
@@ -185,9 +187,39 @@ pub enum Unrenderable {
         /// The most that are possible.
         limit: f64,
     },
-    /// Nothing of the volume is in front of the camera.
+    /// A volume that is behind the camera as a whole.
     #[error("the whole volume is behind the camera")]
     BehindCamera,
+    /// A point or spot that casts shadows stands in the box around the mesh.
+    #[error(
+        "the light at {position:?} stands inside the box around the mesh, from {low:?} to {high:?}, or less than {distance:.2e} away from it: its shadow map begins outside"
+    )]
+    LightInMesh {
+        /// The light's position, in the world.
+        position: [f32; 3],
+        /// The low corner of the box.
+        low: [f32; 3],
+        /// The high corner of the box.
+        high: [f32; 3],
+        /// The least distance from the box, in world units.
+        distance: f32,
+    },
+    /// The picture that a spot projects is not among the assets.
+    #[error("light.{index}.texture is {}, and the assets have no picture of that name", path.display())]
+    NoTexture {
+        /// The number of the light.
+        index: usize,
+        /// The path by which the scene names the picture.
+        path: PathBuf,
+    },
+    /// The environment's picture and those that spots project are larger together than kernels can address.
+    #[error("{}: with it the pictures of the environment and of spots have {texels} texels, kernels can address 715827882", path.display())]
+    PicturesTooLarge {
+        /// The picture that is too much.
+        path: PathBuf,
+        /// Texels of all.
+        texels: u64,
+    },
     /// The light of a sweep shines across the viewing direction or against it.
     #[error(
         "light.{index} travels at {angle:.1}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera"
@@ -203,7 +235,7 @@ pub enum Unrenderable {
 }
 
 impl Unrenderable {
-    /// What to change, in terms of scene keys and data.
+    /// Advice in terms of scene keys and data, in one sentence.
     #[must_use]
     pub fn advice(&self) -> String {
         match self {
@@ -233,6 +265,14 @@ impl Unrenderable {
             Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),
             Self::TooManyPlanes { .. } => "make it larger".to_owned(),
             Self::BehindCamera => "move camera.position or camera.target".to_owned(),
+            Self::LightInMesh { .. } => {
+                "move the light out of the box, or set its `shadows = false`: it then shines through the mesh"
+                    .to_owned()
+            }
+            Self::NoTexture { .. } => {
+                "add the picture to `Assets::textures`, or read the assets by `Assets::load`".to_owned()
+            }
+            Self::PicturesTooLarge { .. } => "make it smaller".to_owned(),
             Self::ObliqueLight { index, .. } => {
                 let key = format!("light.{index}");
                 format!("turn {key}.azimuth or {key}.elevation towards 0, or use {key}.attachment = \"camera\"")

@@ -28,7 +28,7 @@ fn a_render_takes_the_volume_a_fifth_of_it_and_the_film() {
         render(&scene, &volume.into(), &mut backend, &mut |_| true).expect("a picture");
         u64::from(count)
     };
-    // What the program, its threads, the tables and the picture take: this volume is 32 KiB.
+    // Memory of the program, its threads, the tables and the picture: this volume has 32 KiB.
     take(32);
     let before = peak();
     // Each brick of this one is a word among 64 bytes of voxels: the most that the occupancy can take.

@@ -1,4 +1,4 @@
-//! Every preset gives a valid scene for every kind of volume, and leaves alone what it does not own.
+//! Every preset gives a valid scene for every kind of volume, and leaves other parts of the scene alone.
 
 use vitrum::io::{Volume, Voxels};
 use vitrum::preset;

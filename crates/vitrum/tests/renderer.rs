@@ -1,4 +1,4 @@
-//! A renderer keeps on the backend what a change leaves alone, and a failed frame leaves nothing there.
+//! A renderer keeps unchanged data on the backend, and a failed frame leaves no buffer there.
 
 mod common;
 
@@ -81,7 +81,7 @@ struct FailsAt {
 }
 
 impl FailsAt {
-    /// How many of `count` calls are carried out before the one that fails, if it is among them.
+    /// The number of calls, of `count`, before the one that fails, if the failing one is among them.
     fn count(&mut self, count: u64) -> Option<u64> {
         let before = self.at.checked_sub(self.calls).filter(|&before| before < count);
         self.calls += count;

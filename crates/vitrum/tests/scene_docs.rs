@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use vitrum::scene::Scene;
 
-/// What the page, or the schema, says of a key.
+/// The entry of a key on the page, or in the schema.
 #[derive(Debug, PartialEq)]
 struct Entry {
     range: String,
@@ -35,7 +35,7 @@ fn documented() -> BTreeMap<String, Entry> {
     entries
 }
 
-/// The same from the schema: the words that the page has to use.
+/// The entries of the schema, whose words the page has to use.
 fn declared() -> BTreeMap<String, Entry> {
     let schema: Value = serde_json::from_str(&Scene::json_schema()).expect("the schema is JSON");
     let mut entries = BTreeMap::new();

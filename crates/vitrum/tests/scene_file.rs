@@ -1,4 +1,4 @@
-//! Scene files and settings: what is read, what is refused, and with which words.
+//! Scene files and settings: accepted ones, and refused ones with their messages.
 
 use vitrum::scene::{Clip, EnvironmentKind, Ground, Removes, Scene, VolumeSource};
 
@@ -14,7 +14,7 @@ fn refusal(text: &str) -> String {
     format!("{error}\n{}", error.help())
 }
 
-/// The same of a setting.
+/// The message that refuses a setting.
 fn set_refusal(assignment: &str) -> String {
     let mut scene = ball();
     let error = scene.set(assignment).expect_err("the setting is invalid");
@@ -238,16 +238,42 @@ fn keys_of_another_kind_of_light_are_refused_and_a_change_of_the_kind_takes_them
 }
 
 #[test]
-fn lights_that_no_method_has_are_refused_by_name() {
-    let mesh = "method = \"voxels\"\nmesh = [{ builtin = \"vase\" }]\n";
-    for (method, shown) in [("sweep", BALL), ("voxels", mesh)] {
+fn lights_that_a_method_does_not_have_are_refused_by_name() {
+    let mesh = "mesh = [{ builtin = \"vase\" }]\n";
+    for shown in [BALL, mesh] {
         for kind in ["point", "spot"] {
-            let text = format!("{shown}[[light]]\n[[light]]\nkind = \"{kind}\"\nposition = [0, 0, 3]\n");
-            let error = Scene::from_toml(&text, "scene.toml").expect_err(&text);
-            let words = format!("the method `{method}` renders distant lights alone, and this is a {kind} light");
+            let text = |method: &str| {
+                format!("method = \"{method}\"\n{shown}[[light]]\n[[light]]\nkind = \"{kind}\"\nposition = [0, 0, 3]\n")
+            };
+            let error = Scene::from_toml(&text("sweep"), "scene.toml").expect_err(shown);
+            let words = format!("the method `sweep` renders distant lights alone, and this is a {kind} light");
             assert!(error.key == "light.1.kind" && error.to_string().contains(&words), "{error}");
-            assert!(error.help().contains("no method renders other lights yet"), "{}", error.help());
+            assert!(
+                error.help().contains(&format!("by the method `voxels`, which renders {kind} lights")),
+                "{}",
+                error.help()
+            );
+            if shown == mesh {
+                Scene::from_toml(&text("voxels"), "scene.toml").expect("rays through meshes have all kinds of lights");
+            }
         }
+    }
+}
+
+#[test]
+fn values_that_no_light_has_are_refused() {
+    let spot = "kind = \"spot\"\nposition = [0, 0, 3]\n";
+    for (text, words) in [
+        ("cone_angle = 0", "found 0, expected a number from 0.1 to 89"),
+        ("cone_angle = 180", "found 180, expected a number from 0.1 to 89"),
+        ("penumbra = 1.5", "expected a number from 0 to 1"),
+        ("intensity = -1", "found -1, expected a number from 0 to 1e9"),
+        ("radius = -1", "expected a number from 0 to 1e6"),
+        ("color = [1, -1, 0]", "expected a number from 0 to 1e6"),
+        ("direction = [0, 0, 0]", "gives no direction"),
+    ] {
+        let found = refusal(&format!("[[light]]\n{spot}{text}\n"));
+        assert!(found.contains(words), "{found}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! The published schema is that of the code.
+//! The published schema is the code's.
 
 use std::path::Path;
 use vitrum::scene::Scene;

@@ -33,6 +33,24 @@ pub struct ShadowUniforms {
     pub uniform_depth: u32,
     /// Absorption coefficient of a clear body, linear RGB, per edge of a voxel.
     pub absorption: Vec3,
+    /// How much longer columns are than the grid is deep.
+    pub spread: Spread,
+    /// Divergence of the columns (see [`crate::voxelize::columns::depth`]); 0 for parallel ones.
+    pub divergence: f32,
+}
+
+/// How columns of light run apart from a point: the tangents of their angles to the grid's x axis, which grow evenly from column to column. All
+/// are 0 where columns are parallel.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct Spread {
+    /// The tangent along y at the grid's low corner.
+    pub low_y: f32,
+    /// The tangent along z there.
+    pub low_z: f32,
+    /// By how much a tangent grows from one column to the next.
+    pub step: f32,
 }
 
 impl Dispatched for ShadowUniforms {

@@ -51,6 +51,13 @@ pub struct Affine {
     pub constant: f32,
 }
 
+impl Affine {
+    /// The function that has the same value everywhere.
+    pub const fn constant(value: f32) -> Self {
+        Self { factors: Vec3::ZERO, constant: value }
+    }
+}
+
 #[cfg(not(target_arch = "spirv"))]
 impl From<glam::Vec4> for Affine {
     fn from(v: glam::Vec4) -> Self {

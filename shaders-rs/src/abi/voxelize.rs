@@ -31,6 +31,8 @@ pub struct VoxelizeUniforms {
     pub margin: u32,
     /// The triangle from which items count.
     pub first_triangle: u32,
+    /// Divergence of the columns (see [`crate::voxelize::columns::depth`]); 0 for parallel ones.
+    pub divergence: f32,
 }
 
 impl Dispatched for VoxelizeUniforms {

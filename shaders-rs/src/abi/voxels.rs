@@ -4,8 +4,9 @@ use super::Dispatched;
 use super::camera::Camera;
 use super::dispatch::Dispatch;
 use super::environment::Environment;
-use super::light::Light;
+use super::light::LightSource;
 use super::receivers::Receivers;
+use super::shadow::Spread;
 use super::vector::{Affine, Counts, Vec3};
 
 /// Uniforms of the kernels in [`crate::voxels`].
@@ -52,8 +53,8 @@ pub struct VoxelsUniforms {
     pub environment: Environment,
     /// Ground and wall; distances in voxels.
     pub receivers: Receivers,
-    /// The light, along the grid's axes.
-    pub light: Light,
+    /// The light.
+    pub light: LightSource,
     /// Radiance from all sides, linear RGB.
     pub ambient: Vec3,
     /// The shadow map.
@@ -61,24 +62,49 @@ pub struct VoxelsUniforms {
 }
 
 /// The grid of the transparent shadow map (Chang et al. 2010, §3).
+///
+/// The columns of a distant light are parallel. Those of a point run apart from it: the rows for the coordinates across then give numerators, and
+/// `scale` is what they are divided by.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
 pub struct ShadowMap {
-    /// Its voxels: along the light (x), and across (y, z).
+    /// Its voxels: along its axis (x), and across (y, z).
     pub size: Counts,
     /// Its channels, 1 or 3; 0 if nothing casts a shadow.
     pub channels: u32,
-    /// Its coordinate along the light, in its voxels, of a position in the grid's frame.
+    /// Its axis: the unit direction in which a distant light travels, or that from a point into the middle of its light.
+    pub axis: Vec3,
+    /// Its coordinate along the axis, in its voxels, of a position in the grid's frame.
     pub row_x: Affine,
     /// Its first coordinate across.
     pub row_y: Affine,
     /// Its second coordinate across.
     pub row_z: Affine,
+    /// The width of a column over that of a column where voxels are cubes; 1 everywhere for a distant light.
+    pub scale: Affine,
+    /// How columns run apart.
+    pub spread: Spread,
     /// Half the width of the filter, in its voxels, at least 1.
     pub radius: f32,
-    /// Edge of one of its voxels, in voxels of the grid.
+    /// Edge of one of its voxels, where they are cubes, in voxels of the grid.
     pub edge: f32,
+}
+
+impl ShadowMap {
+    /// The place of a shadow map where nothing casts a shadow.
+    pub const NONE: Self = Self {
+        size: Counts::new(0, 0, 0),
+        channels: 0,
+        axis: Vec3::ZERO,
+        row_x: Affine::constant(0.0),
+        row_y: Affine::constant(0.0),
+        row_z: Affine::constant(0.0),
+        scale: Affine::constant(1.0),
+        spread: Spread { low_y: 0.0, low_z: 0.0, step: 0.0 },
+        radius: 0.0,
+        edge: 0.0,
+    };
 }
 
 impl Dispatched for VoxelsUniforms {

@@ -26,6 +26,8 @@ pub enum Access {
     Update,
     /// Words that any invocation adds to (see [`crate::field::sums`]).
     Add,
+    /// The numbers of workgroups of a later dispatch, which an invocation with work raises from 0. A GPU backend has them; no pass does.
+    Workgroups,
 }
 
 /// One binding of bind group 0.
@@ -63,6 +65,8 @@ pub struct Declaration {
     pub uniform_bytes: usize,
     /// Floats in a record of its output; words a place has, if it adds.
     pub components: usize,
+    /// The names of a record's components; none if it adds.
+    pub names: &'static [&'static str],
     /// Levels of work that have a body of their own on the CPU, each with all bits of those before; empty if there is but one body.
     pub levels: &'static [u32],
     /// Modes that it is run in.
@@ -71,6 +75,21 @@ pub struct Declaration {
     pub skip: Skip,
     /// Bindings of group 0, in order.
     pub bindings: &'static [Binding],
+}
+
+impl Declaration {
+    /// The bindings for which a pass has a buffer each: all but the uniform block and [`Access::Workgroups`].
+    #[must_use]
+    pub fn buffers(&self) -> &'static [Binding] {
+        let end = self.bindings.len() - usize::from(self.reports_work());
+        &self.bindings[1..end]
+    }
+
+    /// Whether it tells a GPU if any invocation had work, see [`Access::Workgroups`]. On the CPU every kernel tells, see [`Kernel::run`].
+    #[must_use]
+    pub fn reports_work(&self) -> bool {
+        self.bindings.last().is_some_and(|last| last.access == Access::Workgroups)
+    }
 }
 
 /// A kernel as the CPU runs it.

@@ -8,10 +8,11 @@ macro_rules! kernels {
         $($module:ident $(<$family:ident>)? ($($read:ident $(: $element:ident)?),*) $access:ident $record:ident
           $(, levels [$($level:ident)*] $(few [$($few:ident)*])?)?
           $(, modes $group:ident [$($mode:ident $(= $general:ident)?),*])?
-          $(, skip [$($skip:ident)*])?;)*
+          $(, skip [$($skip:ident)*])?
+          $(, reports $report:ident)?;)*
     })*) => {
         $($(family! {
-            [$($family)?] $folder $uniforms $module ($($read $(: $element)?),*) $access $record
+            [$($family)?] [$($report)?] $folder $uniforms $module ($($read $(: $element)?),*) $access $record
             [$($($level)*)?] [$($($($few)*)?)?] [$($group [$($mode $(= $general)?),*])?] [$($($skip)*)?]
         })*)*
 
@@ -23,19 +24,19 @@ macro_rules! kernels {
 
 /// Names a declaration's kernel, or its kernels for each format of voxels.
 macro_rules! family {
-    ([] $folder:ident $uniforms:ident $module:ident $($rest:tt)*) => {
-        pastey::paste! { number! { [<$folder _ $module>] [] $folder $uniforms $module $($rest)* } }
+    ([] $report:tt $folder:ident $uniforms:ident $module:ident $($rest:tt)*) => {
+        pastey::paste! { number! { $report [<$folder _ $module>] [] $folder $uniforms $module $($rest)* } }
     };
-    ([$family:ident] $folder:ident $uniforms:ident $module:ident $($rest:tt)*) => {
+    ([$family:ident] $report:tt $folder:ident $uniforms:ident $module:ident $($rest:tt)*) => {
         pastey::paste! {
-            number! { [<$folder _ $module _u8>] [U8] $folder $uniforms $module $($rest)* }
-            number! { [<$folder _ $module _u16>] [U16] $folder $uniforms $module $($rest)* }
-            number! { [<$folder _ $module _f32>] [F32] $folder $uniforms $module $($rest)* }
-            number! { [<$folder _ $module _f32_with_ior>] [F32WithIor] $folder $uniforms $module $($rest)* }
-            number! { [<$folder _ $module _u8_paged>] [U8Paged] $folder $uniforms $module $($rest)* }
-            number! { [<$folder _ $module _u16_paged>] [U16Paged] $folder $uniforms $module $($rest)* }
-            number! { [<$folder _ $module _f32_paged>] [F32Paged] $folder $uniforms $module $($rest)* }
-            number! { [<$folder _ $module _f32_with_ior_paged>] [F32WithIorPaged] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _u8>] [U8] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _u16>] [U16] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _f32>] [F32] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _f32_with_ior>] [F32WithIor] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _u8_paged>] [U8Paged] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _u16_paged>] [U16Paged] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _f32_paged>] [F32Paged] $folder $uniforms $module $($rest)* }
+            number! { $report [<$folder _ $module _f32_with_ior_paged>] [F32WithIorPaged] $folder $uniforms $module $($rest)* }
 
             #[doc = concat!("See [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ").")]
             #[cfg(not(target_arch = "spirv"))]
@@ -67,24 +68,31 @@ macro_rules! declared {
     };
 }
 
-/// Numbers the buffers that a kernel reads and the one that it writes; `volume` stands for the four buffers of voxels.
+/// Numbers the buffers that a kernel reads, the one that it writes and the one in which it reports work, if it does; `volume` stands for the
+/// four buffers of voxels.
 macro_rules! number {
-    ($name:ident $format:tt $folder:ident $uniforms:ident $module:ident ($($reads:tt)*) $($rest:tt)*) => {
-        number! { @reads [$name $format $folder $uniforms $module $($rest)*] [] [1 2 3 4 5 6 7] $($reads)* }
+    ($report:tt $name:ident $format:tt $folder:ident $uniforms:ident $module:ident ($($reads:tt)*) $($rest:tt)*) => {
+        number! { @reads $report [$name $format $folder $uniforms $module $($rest)*] [] [1 2 3 4 5 6 7] $($reads)* }
     };
-    (@reads $head:tt [$($done:tt)*] [$a:literal $b:literal $c:literal $d:literal $($free:literal)*] volume $(, $($reads:tt)*)?) => {
+    (@reads $report:tt $head:tt [$($done:tt)*] [$a:literal $b:literal $c:literal $d:literal $($free:literal)*] volume $(, $($reads:tt)*)?) => {
         number! {
-            @reads $head [$($done)* $a voxels: u32, $b ior_voxels: u32, $c occupancy: u32, $d tables: u32,] [$($free)*] $($($reads)*)?
+            @reads $report $head [$($done)* $a voxels: u32, $b ior_voxels: u32, $c occupancy: u32, $d tables: u32,] [$($free)*] $($($reads)*)?
         }
     };
-    (@reads $head:tt [$($done:tt)*] [$next:literal $($free:literal)*] $read:ident: $element:ident $(, $($reads:tt)*)?) => {
-        number! { @reads $head [$($done)* $next $read: $element,] [$($free)*] $($($reads)*)? }
+    (@reads $report:tt $head:tt [$($done:tt)*] [$next:literal $($free:literal)*] $read:ident: $element:ident $(, $($reads:tt)*)?) => {
+        number! { @reads $report $head [$($done)* $next $read: $element,] [$($free)*] $($($reads)*)? }
     };
-    (@reads [$($head:tt)*] $reads:tt [$out:literal $($free:literal)*]) => {
+    (@reads [] $head:tt $reads:tt [$out:literal $($free:literal)*]) => {
+        number! { @done $head $reads $out [] }
+    };
+    (@reads [work] $head:tt $reads:tt [$out:literal $workgroups:literal $($free:literal)*]) => {
+        number! { @done $head $reads $out [$workgroups] }
+    };
+    (@done [$($head:tt)*] $reads:tt $out:literal $workgroups:tt) => {
         #[cfg(target_arch = "spirv")]
-        entry_point! { $($head)* $reads $out }
+        entry_point! { $($head)* $reads $out $workgroups }
         #[cfg(not(target_arch = "spirv"))]
-        host! { $($head)* $reads $out }
+        host! { $($head)* $reads $out $workgroups }
     };
 }
 

@@ -3,7 +3,7 @@
 /// The SPIR-V entry point: it reads its record, calls the kernel at the highest level, stores its record.
 macro_rules! entry_point {
     ($name:ident $format:tt $folder:ident $uniforms:ident $module:ident $access:ident $record:ident
-     $levels:tt $few:tt $modes:tt $skip:tt [$($number:literal $read:ident: $element:ident,)*] $out:literal) => {
+     $levels:tt $few:tt $modes:tt $skip:tt [$($number:literal $read:ident: $element:ident,)*] $out:literal [$($next:literal)?]) => {
         #[doc = concat!("Runs [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ") for one index.")]
         #[spirv(compute(threads(8, 8)))]
         pub fn $name(
@@ -11,6 +11,7 @@ macro_rules! entry_point {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] u: &entry_point!(@blocks $folder $uniforms $skip),
             $(#[spirv(storage_buffer, descriptor_set = 0, binding = $number)] $read: &[$element],)*
             #[spirv(storage_buffer, descriptor_set = 0, binding = $out)] out: &mut [entry_point!(@element $access)],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $next)] workgroups: &mut [u32],)?
         ) {
             let first = entry_point!(@first u $skip);
             let (region, Dispatch { width, height, .. }) = (first.region(), first.dispatch());
@@ -18,7 +19,8 @@ macro_rules! entry_point {
             if id.x < region.end_column && id.y < region.end_row {
                 let count = width * height;
                 let index = id.y * width + id.x;
-                entry_point!(@body $access $levels $skip, $folder $module $format $record, id, u, count, index, out, [$($read),*]);
+                entry_point!(@body $access $levels $skip, $folder $module $format $record, id, u, count, index, out, [$($read),*]
+                    $(, $next workgroups region)?);
             }
         }
     };
@@ -67,11 +69,14 @@ macro_rules! entry_point {
         }
     };
     (@body updates [$($level:ident)+] $skip:tt, $folder:ident $module:ident [$($format:ident)?] $record:ident,
-     $id:ident, $u:ident, $count:ident, $index:ident, $out:ident, $reads:tt) => {
+     $id:ident, $u:ident, $count:ident, $index:ident, $out:ident, $reads:tt $(, $next:literal $workgroups:ident $region:ident)?) => {
         const ALL: u32 = last(&[$(crate::$folder::$module::level::$level),+]);
         let before = record::load::<{ crate::abi::record::$record::SIZE }>($out, $index, $count);
         let level = call!(updates, crate::$folder::$module::level::<$(crate::abi::format::$format)?>,
             ($id.x, $id.y, $u, $u.dispatch().mode), before, $reads);
+        $(if level > 0 {
+            workgroups::raise($workgroups, $region);
+        })?
         if level > 1 {
             let record = call!(updates, crate::$folder::$module::invoke::<$(crate::abi::format::$format,)? ALL>,
                 ($id.x, $id.y, $u, $u.dispatch().mode), before, $reads);

@@ -7,7 +7,7 @@
 /// [`LANES`](super::LANES) columns, the mode is a variable.
 macro_rules! host {
     ($name:ident $format:tt $folder:ident $uniforms:ident $module:ident $access:ident $record:ident
-     [$($level:ident)*] $few:tt $modes:tt $skip:tt [$($number:literal $read:ident: $element:ident,)*] $out:literal) => {
+     [$($level:ident)*] $few:tt $modes:tt $skip:tt [$($number:literal $read:ident: $element:ident,)*] $out:literal [$($workgroups:literal)?]) => {
         #[doc = concat!("See [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ").")]
         #[allow(non_upper_case_globals)]
         pub static $name: Kernel = Kernel {
@@ -16,6 +16,7 @@ macro_rules! host {
                 family: concat!(stringify!($folder), "_", stringify!($module)),
                 uniform_bytes: size_of::<crate::abi::$folder::$uniforms>(),
                 components: $name::SIZE,
+                names: host!(@names $access $record),
                 levels: &[$(crate::$folder::$module::level::$level),*],
                 modes: host!(@modes $folder $modes),
                 skip: host!(@skip $skip),
@@ -28,6 +29,12 @@ macro_rules! host {
                         access: Access::Read,
                     },)*
                     Binding { binding: $out, name: "record", element: Element::F32, access: host!(@access $access) },
+                    $(Binding {
+                        binding: $workgroups,
+                        name: "workgroups",
+                        element: Element::U32,
+                        access: Access::Workgroups,
+                    },)?
                 ],
             },
             run: $name::run,
@@ -109,6 +116,8 @@ macro_rules! host {
         }
     };
 
+    (@names adds $record:ident) => { &[] };
+    (@names $access:ident $record:ident) => { &crate::abi::record::$record::NAMES };
     (@element u32) => { Element::U32 };
     (@element f32) => { Element::F32 };
     (@access writes) => { Access::Write };

@@ -2,7 +2,7 @@
 //!
 //! A declaration stands under its folder and the folder's uniform block (always binding 0, from the folder's namesake in [`crate::abi`]). It reads:
 //!
-//! `module(buffer: element, …) writes|updates|adds record, levels […], modes group […], skip […];`
+//! `module(buffer: element, …) writes|updates|adds record, levels […], modes group […], skip […], reports work;`
 //!
 //! - The **module** in the folder has the kernel's function `invoke`. A kernel that reads voxels is a *family*, `module<V>`: it is declared
 //!   once and has a member for each format of voxels ([`crate::abi::format`]).
@@ -18,6 +18,8 @@
 //! - The **modes** that it is run in, by their names in a group of constants beside the uniform block. A mode is the same for a
 //!   whole pass, and gets bodies of its own on the CPU; after `=` stands the mode that computes the same bits where there are fewer bodies.
 //! - What the CPU may **skip** ([`super::skip`]): blocks that have nothing to do `until` a later pass, or around which all is the `same`.
+//! - Whether it **reports** work on a GPU: a kernel that updates and whose level is above 0 for any invocation then raises the numbers of
+//!   workgroups of a later dispatch ([`super::workgroups`]), which the backend makes and binds behind the record.
 
 #[cfg(not(target_arch = "spirv"))]
 use super::{
@@ -28,7 +30,7 @@ use super::{
     skip,
 };
 #[cfg(target_arch = "spirv")]
-use super::{last, record};
+use super::{last, record, workgroups};
 use crate::abi::Dispatched as _;
 #[cfg(target_arch = "spirv")]
 use crate::abi::dispatch::Dispatch;
@@ -75,16 +77,16 @@ kernels! {
     voxels: VoxelsUniforms {
         initialize_rays() writes path;
         march(bricks: u32, fields: u32, materials: f32) updates path,
-            levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE];
+            levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE], reports work;
         march_paper(mask: u32, ranks: u32, surfaces: f32, materials: f32) updates path,
-            levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE];
+            levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE], reports work;
         trace_triangles(nodes: f32, corners: f32, materials: f32) updates path,
-            levels [WORK], modes mode [MULTI_SURFACE];
+            levels [WORK], modes mode [MULTI_SURFACE], reports work;
         seek(nodes: f32, corners: f32, materials: f32) updates path,
             levels [WORK], modes mode [TWO_SURFACES, MULTI_SURFACE];
         reflect(rays: f32, nodes: f32, corners: f32, materials: f32) updates mirror,
-            levels [WORK];
-        resolve(rays: f32, map: f32, corners: f32, looks: f32, shadow: u32, mirrors: f32) writes view,
+            levels [WORK], reports work;
+        resolve(rays: f32, pictures: f32, corners: f32, looks: f32, shadow: u32, mirrors: f32) writes view,
             modes seen [ENVIRONMENT, SURFACES];
     }
     shadow: ShadowUniforms {

@@ -18,6 +18,8 @@ mod host;
 pub mod list;
 pub mod record;
 pub mod skip;
+#[cfg(target_arch = "spirv")]
+pub mod workgroups;
 
 #[cfg(not(target_arch = "spirv"))]
 mod chunk;

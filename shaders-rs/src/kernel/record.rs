@@ -3,7 +3,7 @@
 //! Unrolled by hand: an array indexed by a variable would live in memory on the GPU.
 
 /// Components that [`load`] and [`store`] are unrolled for.
-const MOST: usize = 25;
+pub const MOST: usize = 25;
 
 /// Reads the record at `index`. One of more components than that does not compile.
 #[inline(always)]

@@ -1,8 +1,9 @@
-//! Optics: ray steps, media, clipping, reflection, receivers.
+//! Optics: ray steps, media, clipping, reflection, receivers, light sources.
 
 pub mod clip;
 pub mod composite;
 pub mod environment;
+pub mod light_source;
 pub mod medium;
 pub mod receiver;
 pub mod specular;

@@ -1,4 +1,5 @@
-//! Sums up what voxels absorb along the light: what is left of it in front of and behind each voxel, e^−Σ.
+//! Transmittance e^−Σ along the light, in front of and behind each voxel (Chang et al. 2010, §3, step 4; one coefficient for all:
+//! Eisemann & Décoret 2006).
 //!
 //! The paper has the sum alone (§3, step 4); as an optical depth, with the minus sign, it is a transmittance.
 

@@ -2,7 +2,7 @@
 //! forward, each node from where it is (sweep §4.2, Eqs. 9 and 10).
 
 use crate::abi::format::VoxelFormat;
-use crate::abi::record::sheet;
+use crate::abi::record::{SheetNode, sheet};
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::attenuation;
@@ -41,12 +41,12 @@ struct Drift {
 }
 
 #[inline(always)]
-fn drift(x: u32, y: u32, u: &SweepUniforms, node: &[f32; sheet::SIZE], sources: &[f32]) -> Drift {
-    let v = Vec3::new(node[sheet::DIRECTION_X], node[sheet::DIRECTION_X + 1], node[sheet::DIRECTION_X + 2]);
+fn drift(x: u32, y: u32, u: &SweepUniforms, node: &SheetNode, sources: &[f32]) -> Drift {
+    let v = node.direction;
     let way = shift(u, v, u.step.distance);
     // Texels' centres are whole numbers, and corners half of one before.
-    let across = x as i32 as f32 - 0.5 + node[sheet::DISPLACEMENT_X];
-    let up = (y % rows(u)) as i32 as f32 - 0.5 + node[sheet::DISPLACEMENT_X + 1];
+    let across = x as i32 as f32 - 0.5 + node.displacement_x;
+    let up = (y % rows(u)) as i32 as f32 - 0.5 + node.displacement_y;
     Drift {
         from: texel_position(u, across, up, u.step.behind),
         to: texel_position(u, across + way.0, up + way.1, u.step.ahead),
@@ -63,18 +63,19 @@ pub fn level<V: VoxelFormat>(
     y: u32,
     u: &SweepUniforms,
     _mode: u32,
-    node: [f32; sheet::SIZE],
+    record: [f32; sheet::SIZE],
     _voxels: &[u32],
     _ior_voxels: &[u32],
     occupancy: &[u32],
     _tables: &[u32],
     sources: &[f32],
 ) -> u32 {
+    let node = SheetNode::load(&record);
     let step = drift(x, y, u, &node, sources);
     let still = (step.way.0 == 0.0) & (step.way.1 == 0.0) & (step.unrefracted.0 == 0.0) & (step.unrefracted.1 == 0.0);
     let moving = if still { level::STILL } else { level::DRIFT };
     let needed = if step_is_empty::<V>(u, occupancy, step.from, step.to) { moving } else { level::FULL };
-    if node[sheet::TURNED] == 0.0 { needed } else { level::ENDED }
+    if node.turned == 0.0 { needed } else { level::ENDED }
 }
 
 /// Node (x, y) one plane further.
@@ -84,16 +85,17 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     y: u32,
     u: &SweepUniforms,
     chosen: u32,
-    node: [f32; sheet::SIZE],
+    record: [f32; sheet::SIZE],
     voxels: &[u32],
     ior_voxels: &[u32],
     occupancy: &[u32],
     tables: &[u32],
     sources: &[f32],
 ) -> [f32; sheet::SIZE] {
+    let node = SheetNode::load(&record);
     let Drift { from, to, v, way, unrefracted } = drift(x, y, u, &node, sources);
     let mut out = v;
-    let mut left = Vec3::new(node[sheet::FLUX], node[sheet::FLUX + 1], node[sheet::FLUX + 2]);
+    let mut left = node.flux;
     let mut turned = false;
     if LEVEL == level::FULL {
         // A lane that drifts is carried along with its block.
@@ -114,17 +116,14 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             out = select_vector(skipped, v, kicked.direction);
         }
     }
-    [
-        node[sheet::DISPLACEMENT_X] + way.0,
-        node[sheet::DISPLACEMENT_X + 1] + way.1,
-        node[sheet::UNREFRACTED_X] + unrefracted.0,
-        node[sheet::UNREFRACTED_X + 1] + unrefracted.1,
-        out.x,
-        out.y,
-        out.z,
-        left.x,
-        left.y,
-        left.z,
-        select(turned, 1.0, node[sheet::TURNED]),
-    ]
+    let after = SheetNode {
+        displacement_x: node.displacement_x + way.0,
+        displacement_y: node.displacement_y + way.1,
+        unrefracted_x: node.unrefracted_x + unrefracted.0,
+        unrefracted_y: node.unrefracted_y + unrefracted.1,
+        direction: out,
+        flux: left,
+        turned: select(turned, 1.0, node.turned),
+    };
+    after.store()
 }

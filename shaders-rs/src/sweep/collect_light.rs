@@ -1,9 +1,10 @@
 //! The light of a texel from what the sheets brought and took.
 
-use crate::abi::record::{light, sums};
+use crate::abi::record::{Light, light, sums};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::sums::sum;
 use crate::math::{max, select};
+use spirv_std::glam::Vec3;
 
 /// The light of texel (x, y).
 ///
@@ -22,5 +23,12 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, changes: &[u32]) ->
     let v = u.light.direction;
     let slope_x = change(sums::SLOPE_X, sums::SLOPE_SCALE) * inverse;
     let slope_y = change(sums::SLOPE_X + 1, sums::SLOPE_SCALE) * inverse;
-    [red, green, blue, v.x + slope_x * v.z, v.y + slope_y * v.z, v.z, 0.0, 0.0, 1.0]
+    let light = Light {
+        flux: Vec3::new(red, green, blue),
+        direction: Vec3::new(v.x + slope_x * v.z, v.y + slope_y * v.z, v.z),
+        displacement_x: 0.0,
+        displacement_y: 0.0,
+        concentration: 1.0,
+    };
+    light.store()
 }

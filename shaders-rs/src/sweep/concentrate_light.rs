@@ -1,6 +1,6 @@
 //! How bright light is where refraction has gathered or scattered it: the intensity correction (sweep §4.2, Eqs. 11 and 12).
 
-use crate::abi::record::{irradiance, light as record};
+use crate::abi::record::{Irradiance, irradiance, light as record};
 use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::{read, read_inside};
 use crate::kernel::skip::{Reach, Same};
@@ -43,7 +43,8 @@ fn component<const LEVEL: u32>(u: &SweepUniforms, light: &[f32], component: usiz
 /// Unoccluded light has the irradiance it started with.
 #[inline(always)]
 pub fn same(_u: &SweepUniforms) -> Option<Same<{ irradiance::SIZE }>> {
-    Some(Same { record: [1.0, 1.0, 1.0, UNBENT], reach: Reach::NEIGHBOURS })
+    let unoccluded = Irradiance { share: Vec3::new(1.0, 1.0, 1.0), direction: UNBENT };
+    Some(Same { record: unoccluded.store(), reach: Reach::NEIGHBOURS })
 }
 
 /// The irradiance of texel (x, y), over that of unoccluded light, and its direction.
@@ -78,14 +79,14 @@ pub fn invoke<const LEVEL: u32>(
     let as_it_is = u.flags & (flag::PAPER_INTENSITY | flag::NO_INTENSITY) != 0;
     let factor = select(as_it_is, 1.0, bounded);
     let v = Vec3::new(
-        component::<LEVEL>(u, light, record::DIRECTION_X, x, y),
-        component::<LEVEL>(u, light, record::DIRECTION_X + 1, x, y),
-        component::<LEVEL>(u, light, record::DIRECTION_X + 2, x, y),
+        component::<LEVEL>(u, light, record::DIRECTION, x, y),
+        component::<LEVEL>(u, light, record::DIRECTION + 1, x, y),
+        component::<LEVEL>(u, light, record::DIRECTION + 2, x, y),
     );
-    [
-        component::<LEVEL>(u, light, record::FLUX, x, y) * factor,
-        component::<LEVEL>(u, light, record::FLUX + 1, x, y) * factor,
-        component::<LEVEL>(u, light, record::FLUX + 2, x, y) * factor,
-        pack(u, v),
-    ]
+    let flux = Vec3::new(
+        component::<LEVEL>(u, light, record::FLUX, x, y),
+        component::<LEVEL>(u, light, record::FLUX + 1, x, y),
+        component::<LEVEL>(u, light, record::FLUX + 2, x, y),
+    );
+    Irradiance { share: flux * factor, direction: pack(u, v) }.store()
 }

@@ -3,13 +3,14 @@
 //! The taps' offsets are the same for all texels of a plane, so filtering the plane once and then following the refracted light
 //! into the filtered plane is the same convolution as filtering at every back-traced point, for a third of the scattered reads.
 
-use crate::abi::record::light as record;
+use crate::abi::record::{Light, light as record};
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::{read, read_inside};
 use crate::kernel::skip::{Reach, Same};
 use crate::math::{floor_to_int, lerp, select};
 use crate::sweep::light::look_up::holds;
 use crate::sweep::light::unoccluded;
+use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
 pub mod level {
@@ -131,15 +132,16 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, chosen: u32, 
     if !mode::is_clear(chosen) {
         (green, blue) = (mean(record::FLUX + 1, 1.0), mean(record::FLUX + 2, 1.0));
     }
-    [
-        red,
-        green,
-        blue,
-        mean(record::DIRECTION_X, u.light.direction.x),
-        mean(record::DIRECTION_X + 1, u.light.direction.y),
-        mean(record::DIRECTION_X + 2, u.light.direction.z),
-        mean(record::DISPLACEMENT_X, 0.0),
-        mean(record::DISPLACEMENT_X + 1, 0.0),
-        mean(record::CONCENTRATION, 1.0),
-    ]
+    let light = Light {
+        flux: Vec3::new(red, green, blue),
+        direction: Vec3::new(
+            mean(record::DIRECTION, u.light.direction.x),
+            mean(record::DIRECTION + 1, u.light.direction.y),
+            mean(record::DIRECTION + 2, u.light.direction.z),
+        ),
+        displacement_x: mean(record::DISPLACEMENT_X, 0.0),
+        displacement_y: mean(record::DISPLACEMENT_Y, 0.0),
+        concentration: mean(record::CONCENTRATION, 1.0),
+    };
+    light.store()
 }

@@ -1,6 +1,6 @@
 //! Light gathered from the plane behind: a bilinear look-up where it comes from (sweep §4.2, Algorithm 1, lines 9 to 13).
 
-use crate::abi::record::{light as record, trace as traced};
+use crate::abi::record::{Light, light as record, trace as traced};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::access::{read, read_inside};
 use crate::kernel::skip::{Reach, Same};
@@ -72,7 +72,7 @@ pub fn invoke<const LEVEL: u32>(
     let (across, up) = if LEVEL == level::FAR { back::<false>(u, trace, x, y) } else { back::<true>(u, trace, x, y) };
     let way = Way { x, y, across, up };
     // SAFETY: only if `level` found this texel's look-up near, and the grid inside the buffer, is the near one asked for.
-    let mut light = unsafe {
+    let record = unsafe {
         if LEVEL == level::STILL {
             record_of_texel(u, behind, x, y)
         } else if LEVEL == level::NEAR {
@@ -82,24 +82,22 @@ pub fn invoke<const LEVEL: u32>(
         }
     };
     let unrefracted = shift(u, xyz(u.light.direction), u.step.distance);
-    light[record::DISPLACEMENT_X] += across + unrefracted.0;
-    light[record::DISPLACEMENT_X + 1] += up + unrefracted.1;
+    let mut light = Light::load(&record);
+    light.displacement_x += across + unrefracted.0;
+    light.displacement_y += up + unrefracted.1;
     // SAFETY: only inner rows of a grid that lies in the buffer have a level other than `FAR`.
     let slopes = unsafe {
         if LEVEL == level::FAR {
-            slopes::<false>(u, trace, 0, -1.0, x, y)
+            slopes::<false>(u, trace, traced::ACROSS, -1.0, x, y)
         } else {
-            slopes::<true>(u, trace, 0, -1.0, x, y)
+            slopes::<true>(u, trace, traced::ACROSS, -1.0, x, y)
         }
     };
     let paper = u.flags & flag::PAPER_INTENSITY != 0;
     let corrected = select(paper, product_of_lengths(&slopes), jacobian(&slopes));
     let denser = select(u.flags & flag::NO_INTENSITY != 0, 1.0, corrected);
-    let concentration = light[record::CONCENTRATION];
-    let denser = min(denser, DENSEST / max(concentration, 1.0));
-    light[record::FLUX] *= denser;
-    light[record::FLUX + 1] *= denser;
-    light[record::FLUX + 2] *= denser;
-    light[record::CONCENTRATION] = concentration * denser;
-    light
+    let denser = min(denser, DENSEST / max(light.concentration, 1.0));
+    light.flux *= denser;
+    light.concentration *= denser;
+    light.store()
 }

@@ -1,9 +1,9 @@
 //! Viewing rays on the first plane (Algorithm 1, line 1).
 
 use super::tiles::pixel;
-use crate::abi::record::{ray, status};
+use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::SweepUniforms;
-use crate::math::{normalize, select};
+use crate::math::{normalize, select, select_vector};
 use crate::optics::receiver::first_between;
 use crate::sweep::light::look_up::{shade, unoccluded};
 use spirv_std::glam::Vec3;
@@ -24,24 +24,17 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE]
 
     let hit = first_between(&u.receivers, origin, start);
     let seen = shade(u, hit.normal, hit.color, &unoccluded(u));
-    [
-        start.x,
-        start.y,
-        v.x,
-        v.y,
-        v.z,
-        0.0,
-        select(hit.hit, status::ENDED, status::ACTIVE),
-        select(hit.hit, hit.at * depth, 0.0),
-        select(hit.hit, seen.x, 0.0),
-        select(hit.hit, seen.y, 0.0),
-        select(hit.hit, seen.z, 0.0),
-        select(hit.hit, 1.0, 0.0),
-        1.0,
-        1.0,
-        1.0,
-        1.0,
-        start.z,
-        ray::NOWHERE,
-    ]
+    let ray = Ray {
+        position: start,
+        direction: v,
+        scalar: 0.0,
+        status: select(hit.hit, status::ENDED, status::ACTIVE),
+        depth: select(hit.hit, hit.at * depth, 0.0),
+        color: select_vector(hit.hit, seen, Vec3::new(0.0, 0.0, 0.0)),
+        opacity: select(hit.hit, 1.0, 0.0),
+        transmittance: Vec3::new(1.0, 1.0, 1.0),
+        ior: 1.0,
+        sampled: ray::NOWHERE,
+    };
+    ray.store()
 }

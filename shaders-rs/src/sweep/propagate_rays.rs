@@ -1,7 +1,7 @@
 //! Viewing rays from the plane behind to this one (sweep §4.3, Eq. 14, Algorithm 1, lines 21 to 36).
 
 use crate::abi::format::VoxelFormat;
-use crate::abi::record::{ray, status};
+use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
@@ -45,45 +45,46 @@ struct Flight {
 }
 
 #[inline(always)]
-fn fly(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> Flight {
-    let v = Vec3::new(r[ray::DIRECTION_X], r[ray::DIRECTION_X + 1], r[ray::DIRECTION_X + 2]);
+fn fly(u: &SweepUniforms, ray: &Ray) -> Flight {
+    let (v, last) = (ray.direction, ray.position);
     let sigma = flight(v, u.step.distance);
-    let straight = flight(v, u.step.behind - r[ray::Z]);
-    let from = Vec3::new(r[ray::X] + v.x * straight, r[ray::Y] + v.y * straight, u.step.behind);
+    let straight = flight(v, u.step.behind - last.z);
+    let from = Vec3::new(last.x + v.x * straight, last.y + v.y * straight, u.step.behind);
     let to = Vec3::new(from.x + v.x * sigma, from.y + v.y * sigma, u.step.ahead);
     Flight { from, to, v, sigma }
 }
 
 /// Whether the scalar on the plane behind was not sampled.
 #[inline(always)]
-fn is_unknown(u: &SweepUniforms, r: &[f32; ray::SIZE]) -> bool {
-    r[ray::SAMPLED] != u.step.behind
+fn is_unknown(u: &SweepUniforms, ray: &Ray) -> bool {
+    ray.sampled != u.step.behind
 }
 
-/// The level that the ray `r` needs.
+/// The level that a ray needs.
 #[inline(always)]
 pub fn level<V: VoxelFormat>(
     _x: u32,
     _y: u32,
     u: &SweepUniforms,
     _mode: u32,
-    r: [f32; ray::SIZE],
+    record: [f32; ray::SIZE],
     _voxels: &[u32],
     _ior_voxels: &[u32],
     occupancy: &[u32],
     _tables: &[u32],
     _irradiance: &[f32],
 ) -> u32 {
-    let flight = fly(u, &r);
+    let ray = Ray::load(&record);
+    let flight = fly(u, &ray);
     let hit = first_between(&u.receivers, flight.from, flight.to);
     let empty = step_is_empty::<V>(u, occupancy, flight.from, flight.to);
     let within =
         is_well_inside(&u.grid, voxel_coordinates(&u.grid, flight.from), voxel_coordinates(&u.grid, flight.to));
     let known = if within { level::FULL } else { level::BORDER };
-    let sampled = if is_unknown(u, &r) { level::ENTERING } else { known };
+    let sampled = if is_unknown(u, &ray) { level::ENTERING } else { known };
     let crossing = if empty { level::EMPTY } else { sampled };
     let needed = if hit.hit { level::MEETING } else { crossing };
-    if r[ray::STATUS] == status::ACTIVE { needed } else { level::ENDED }
+    if ray.status == status::ACTIVE { needed } else { level::ENDED }
 }
 
 /// How many planes behind the next one a ray at level `EMPTY` will be at that level for certain, if they are as far apart and it is so on the
@@ -94,7 +95,7 @@ pub fn until<V: VoxelFormat>(
     _y: u32,
     u: &SweepUniforms,
     _mode: u32,
-    r: [f32; ray::SIZE],
+    record: [f32; ray::SIZE],
     _voxels: &[u32],
     _ior_voxels: &[u32],
     occupancy: &[u32],
@@ -102,38 +103,40 @@ pub fn until<V: VoxelFormat>(
     _irradiance: &[f32],
     known: f32,
 ) -> f32 {
-    let Flight { from, to, .. } = fly(u, &r);
+    let ray = Ray::load(&record);
+    let Flight { from, to, .. } = fly(u, &ray);
     let step = to - from;
     let empty = known + steps_are_empty::<V>(u, occupancy, from + step * known, to + step * known);
     let free = min(min(empty, free_steps(&u.receivers, from, to)), u.step.alike);
     let to_the_end = (u.flags & flag::LAST_STRETCH != 0) & (free >= u.step.alike);
-    select((r[ray::STATUS] == status::ACTIVE) & !to_the_end, free, f32::MAX)
+    select((ray.status == status::ACTIVE) & !to_the_end, free, f32::MAX)
 }
 
-/// The ray `r` one plane further.
+/// The ray one plane further.
 #[inline(always)]
 pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     _x: u32,
     _y: u32,
     u: &SweepUniforms,
     chosen: u32,
-    r: [f32; ray::SIZE],
+    record: [f32; ray::SIZE],
     voxels: &[u32],
     ior_voxels: &[u32],
     _occupancy: &[u32],
     tables: &[u32],
     irradiance_behind: &[f32],
 ) -> [f32; ray::SIZE] {
-    let Flight { from, to, v, sigma } = fly(u, &r);
+    let ray = Ray::load(&record);
+    let Flight { from, to, v, sigma } = fly(u, &ray);
     let none = Hit { hit: false, at: 1.0, normal: v, color: v };
     let hit = if LEVEL == level::MEETING { first_between(&u.receivers, from, to) } else { none };
     let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     let ior_to = voxel_coordinates(&u.ior_grid, to);
     let here = medium::<V>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
-    let mut front = r[ray::FRONT];
-    let mut ior_front = r[ray::IOR];
+    let mut front = ray.scalar;
+    let mut ior_front = ray.ior;
     if LEVEL >= level::ENTERING {
-        let unknown = is_unknown(u, &r);
+        let unknown = is_unknown(u, &ray);
         let sampled = scalar::<V>(voxels, &u.grid, voxel_from);
         front = select(unknown, sampled, front);
         if mode::bends(chosen) {
@@ -175,13 +178,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         let reflected = cook_torrance(here.scalar_gradient, light.direction, v, u.roughness, ior_front, here.ior);
         specular = radiance * (reflected * u.specular * select(hit.hit, 0.0, kept.refraction));
     }
-    let before = Gathered {
-        color: Vec3::new(r[ray::COLOR], r[ray::COLOR + 1], r[ray::COLOR + 2]),
-        opacity: r[ray::OPACITY],
-        medium: Vec3::new(r[ray::MEDIUM], r[ray::MEDIUM + 1], r[ray::MEDIUM + 2]),
-    };
+    let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance };
     let after = over(before, &layer, radiance + xyz(u.ambient), specular);
-    let depth = r[ray::DEPTH] + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
+    let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
     let (after, depth) = if LEVEL == level::MEETING {
         end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &light), lit.z)
     } else {
@@ -200,26 +199,25 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let ended = hit.hit | ((1.0 - after.opacity) * clearest < OPAQUE);
     let fate = select(ended, status::ENDED, select(turned, status::TURNED, status::ACTIVE));
 
-    [
-        select(moved, stay(&hit, lit.x, to.x), r[ray::X]),
-        select(moved, stay(&hit, lit.y, to.y), r[ray::Y]),
-        out.x,
-        out.y,
-        out.z,
-        here.scalar,
-        fate,
+    let last = ray.position;
+    let moved_to = Vec3::new(
+        select(moved, stay(&hit, lit.x, to.x), last.x),
+        select(moved, stay(&hit, lit.y, to.y), last.y),
+        select(moved, stay(&hit, lit.z, to.z), last.z),
+    );
+    let after = Ray {
+        position: moved_to,
+        direction: out,
+        scalar: here.scalar,
+        status: fate,
         depth,
-        after.color.x,
-        after.color.y,
-        after.color.z,
-        after.opacity,
-        after.medium.x,
-        after.medium.y,
-        after.medium.z,
-        here.ior,
-        select(moved, stay(&hit, lit.z, to.z), r[ray::Z]),
-        to.z,
-    ]
+        color: after.color,
+        opacity: after.opacity,
+        transmittance: after.medium,
+        ior: here.ior,
+        sampled: to.z,
+    };
+    after.store()
 }
 
 /// A ray that ended on a receiver stays there.

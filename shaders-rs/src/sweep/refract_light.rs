@@ -2,7 +2,7 @@
 //! and 10, Algorithm 1, lines 14 to 18).
 
 use crate::abi::format::VoxelFormat;
-use crate::abi::record::{light as record, trace as traced};
+use crate::abi::record::{Light, light as record, trace as traced};
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::{read, read_inside};
 use crate::field::stencil::{scalar, voxel_coordinates};
@@ -102,8 +102,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     tables: &[u32],
     trace: &[f32],
 ) -> [f32; record::SIZE] {
-    let flux = Vec3::new(arrived[record::FLUX], arrived[record::FLUX + 1], arrived[record::FLUX + 2]);
-    let v = Vec3::new(arrived[record::DIRECTION_X], arrived[record::DIRECTION_X + 1], arrived[record::DIRECTION_X + 2]);
+    let arrived = Light::load(&arrived);
+    let v = arrived.direction;
     let at = (y * u.light_grid.width + x) as i32;
     let texels = (u.light_grid.width * u.light_grid.height) as i32;
     let (from, to) = ends(u, x, y, (read(trace, at), read(trace, texels + at)));
@@ -136,16 +136,6 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         lost = select(turn.turned, 0.0, 1.0);
         out = select_vector(turn.turned, v, turn.direction);
     }
-    let left = flux * (layer.medium * (layer.clear * lost));
-    [
-        left.x,
-        left.y,
-        left.z,
-        out.x,
-        out.y,
-        out.z,
-        arrived[record::DISPLACEMENT_X],
-        arrived[record::DISPLACEMENT_X + 1],
-        arrived[record::CONCENTRATION],
-    ]
+    let flux = arrived.flux * (layer.medium * (layer.clear * lost));
+    Light { flux, direction: out, ..arrived }.store()
 }

@@ -2,7 +2,7 @@
 
 use super::tiles;
 use crate::abi::receivers::ahead;
-use crate::abi::record::{film, ray, status};
+use crate::abi::record::{Pixel, film, ray, status};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
 use crate::math::{length, lerp, max, min, normalize, select};
@@ -17,8 +17,8 @@ use spirv_std::glam::Vec3;
 fn final_direction(u: &SweepUniforms, rays: &[f32], at: i32) -> Vec3 {
     let count = (u.picture.width * u.picture.height) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
-    let v = Vec3::new(component(ray::DIRECTION_X), component(ray::DIRECTION_X + 1), component(ray::DIRECTION_X + 2));
-    let unit = normalize(v);
+    let vector = |c: usize| Vec3::new(component(c), component(c + 1), component(c + 2));
+    let unit = normalize(vector(ray::DIRECTION));
     in_environment(&u.environment, unit)
 }
 
@@ -49,11 +49,11 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     let mut color = vector(ray::COLOR);
     let mut opacity = component(ray::OPACITY);
     let mut depth_sum = component(ray::DEPTH);
-    let medium = vector(ray::MEDIUM);
-    let v = vector(ray::DIRECTION_X);
+    let medium = vector(ray::TRANSMITTANCE);
+    let v = vector(ray::DIRECTION);
     let unit = normalize(v);
     let under_way = fate == status::ACTIVE;
-    let last = Vec3::new(component(ray::X), component(ray::Y), component(ray::Z));
+    let last = vector(ray::POSITION);
     let position = last + v * select(under_way, flight(v, u.step.ahead - last.z), 0.0);
 
     // Beyond the last plane rays are straight and light is unoccluded.
@@ -73,22 +73,15 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     // Without an environment the picture is transparent where light would come through.
     let passes = left * ((medium.x + medium.y) + medium.z) * (1.0 / 3.0);
     let coverage = lerp(1.0 - passes, 1.0, visible);
-    [
-        color.x,
-        color.y,
-        color.z,
+    let pixel = Pixel {
+        color,
         coverage,
         opacity,
-        medium.x,
-        medium.y,
-        medium.z,
-        depth_sum / max(opacity, 1e-12),
-        unit.x,
-        unit.y,
-        -unit.z,
-        position.x,
-        position.y,
-        -position.z,
-        min(fate, status::TURNED),
-    ]
+        transmittance: medium,
+        depth: depth_sum / max(opacity, 1e-12),
+        direction: Vec3::new(unit.x, unit.y, -unit.z),
+        position: Vec3::new(position.x, position.y, -position.z),
+        status: min(fate, status::TURNED),
+    };
+    pixel.store()
 }

@@ -47,11 +47,12 @@ fn node(u: &SweepUniforms, sheets: &[f32], x: u32, y: u32, row: u32) -> Node {
     let count = (u.light_grid.width + 1) * rows(u) * sheet_count(u);
     let index = row * (u.light_grid.width + 1) + x;
     let component = |c: usize| read(sheets, (c as u32 * count + index) as i32);
+    let pair = |x: usize, y: usize| Vec2::new(component(x), component(y));
     let corner = Vec2::new(x as i32 as f32 - 0.5, y as i32 as f32 - 0.5);
-    let v = |axis: usize| component(sheet::DIRECTION_X + axis);
+    let v = |axis: usize| component(sheet::DIRECTION + axis);
     Node {
-        at: corner + Vec2::new(component(sheet::DISPLACEMENT_X), component(sheet::DISPLACEMENT_X + 1)),
-        unrefracted: corner + Vec2::new(component(sheet::UNREFRACTED_X), component(sheet::UNREFRACTED_X + 1)),
+        at: corner + pair(sheet::DISPLACEMENT_X, sheet::DISPLACEMENT_Y),
+        unrefracted: corner + pair(sheet::UNREFRACTED_X, sheet::UNREFRACTED_Y),
         slope: slope(v(0), v(1), v(2)),
         flux: Vec3::new(component(sheet::FLUX), component(sheet::FLUX + 1), component(sheet::FLUX + 2)),
         turned: component(sheet::TURNED) != 0.0,

@@ -1,6 +1,6 @@
 //! Where the light of a texel comes from: the back trace to the plane behind (sweep §4.2, Algorithm 1, lines 7 and 8).
 
-use crate::abi::record::{light as record, trace};
+use crate::abi::record::{Trace, light as record, trace};
 use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::{read, read_inside};
 use crate::kernel::skip::{Reach, Same};
@@ -20,6 +20,9 @@ pub mod level {
     pub const FAR: u32 = 7;
 }
 
+/// The way of light that stays on its texel.
+const STILL: Trace = Trace { across: 0.0, up: 0.0 };
+
 /// The direction at texel (x, y).
 #[inline(always)]
 fn here<const INSIDE: bool>(u: &SweepUniforms, light: &[f32], x: u32, y: u32) -> Vec3 {
@@ -33,7 +36,7 @@ fn here<const INSIDE: bool>(u: &SweepUniforms, light: &[f32], x: u32, y: u32) ->
             read(light, c as i32 * texels + base + x as i32)
         }
     };
-    Vec3::new(component(record::DIRECTION_X), component(record::DIRECTION_X + 1), component(record::DIRECTION_X + 2))
+    Vec3::new(component(record::DIRECTION), component(record::DIRECTION + 1), component(record::DIRECTION + 2))
 }
 
 /// The level that texel (x, y) needs.
@@ -52,7 +55,7 @@ pub fn level(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> u3
 /// Unoccluded light comes from its own texel, if texels move as it does.
 #[inline(always)]
 pub fn same(u: &SweepUniforms) -> Option<Same<{ trace::SIZE }>> {
-    stays_on_texel(u).then_some(Same { record: [0.0, 0.0], reach: Reach::OWN })
+    stays_on_texel(u).then_some(Same { record: STILL.store(), reach: Reach::OWN })
 }
 
 /// The way, in texels, to texel (x, y) from the point of the plane behind from which its light comes.
@@ -62,7 +65,7 @@ pub fn same(u: &SweepUniforms) -> Option<Same<{ trace::SIZE }>> {
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[f32]) -> [f32; trace::SIZE] {
     if LEVEL == level::STILL {
-        return [0.0, 0.0];
+        return STILL.store();
     }
     let v = if LEVEL == level::NEAR { here::<true>(u, light, x, y) } else { here::<false>(u, light, x, y) };
     let (first_x, first_y) = shift(u, v, u.step.distance);
@@ -77,5 +80,5 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, l
     };
     let (second_x, second_y) = shift(u, v, u.step.distance);
     let euler = u.flags & flag::EULER != 0;
-    [select(euler, first_x, second_x), select(euler, first_y, second_y)]
+    Trace { across: select(euler, first_x, second_x), up: select(euler, first_y, second_y) }.store()
 }

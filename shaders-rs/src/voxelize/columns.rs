@@ -1,4 +1,4 @@
-//! Where lines along x go through a triangle.
+//! Intersections of lines along x with a triangle.
 //!
 //! Whether one does is decided by the triangle's edges alone: an edge counts if one of its ends lies at or below the line's z and the
 //! other above, and then by where it passes the line, which is computed from its lower to its upper end. Two triangles with a
@@ -82,4 +82,15 @@ pub fn cross(a: Vec3, b: Vec3, c: Vec3, z: f32) -> Line {
 #[inline(always)]
 pub fn columns_before(y: f32, a_voxel: f32, most: f32) -> i32 {
     -floor_to_int(-(y * a_voxel - 0.5), -most, 0.0)
+}
+
+/// The depth, in voxels, of a `place` along a column of `length` voxels; both count from the grid's front.
+///
+/// Columns of light that run apart from a point are made parallel to x by a projective map, which keeps triangles what they are: a vertex at
+/// depth d from the point goes to y / d and z / d, and to a place along x that is linear in 1 / d. Voxels, however, are as deep everywhere.
+/// `divergence` is a voxel's edge over the distance from the point to the grid's front; where it is 0, columns have been parallel, and
+/// place and depth are the same to the last bit.
+#[inline(always)]
+pub fn depth(place: f32, length: f32, divergence: f32) -> f32 {
+    place / (1.0 + divergence * (length - place))
 }

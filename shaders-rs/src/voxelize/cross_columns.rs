@@ -1,8 +1,8 @@
-//! Where columns of the grid go through the surface.
+//! Crossings of columns of the grid with the surface, for solid voxelization (not in Chang et al. 2010).
 //!
 //! A column is a line along x through a point between voxels' faces; through each voxel go as many as the host asks for.
 
-use super::columns::{columns_before, cross};
+use super::columns::{columns_before, cross, depth};
 use super::item_of;
 use crate::abi::voxelize::VoxelizeUniforms;
 use crate::field::access::read;
@@ -45,7 +45,8 @@ pub fn invoke<S: Sums + ?Sized>(
             let mut column = columns_before(across.low_y, a_voxel, most);
             let layer = (line >> shift) - u.first_layer as i32;
             while column < end {
-                let x = clamp(across.at((column as f32 + 0.5) * spacing), 0.0, length);
+                let place = across.at((column as f32 + 0.5) * spacing);
+                let x = clamp(depth(place, length, u.divergence), 0.0, length);
                 let voxel = floor_to_int(x, 0.0, length - 1.0);
                 let whole = floor_to_int(units, 0.0, 65536.0);
                 // Of the voxel itself what lies behind the surface changes, of those behind it everything.

@@ -1,11 +1,10 @@
-//! Follows rows of voxels from end to end and finds how much of each voxel is inside.
+//! Solid voxelization: follows rows of voxels from end to end and finds the coverage of each voxel (not in Chang et al. 2010).
 
 use crate::abi::voxelize::{VoxelizeUniforms, mode};
 use crate::field::access::read_inside;
 use crate::field::sums::Sums;
 
-/// How much of a voxel is inside, in 255ths, where the winding's mean over it is `winding`, in units of which a voxel has
-/// 2^`scale`.
+/// Coverage of a voxel in 255ths, by the mean `winding` over it, in units of which a voxel has 2^`scale`, and the fill rule.
 #[inline(always)]
 fn inside(winding: i32, scale: u32, rule: u32) -> u32 {
     let whole = 1 << scale;

@@ -1,4 +1,5 @@
-//! Sets the bits of the voxels that triangles meet.
+//! Surface voxelization: sets the bits of the voxels that triangles meet (Chang et al. 2010, §2 and Fig. 1; the test of overlap:
+//! Schwarz & Seidel 2010).
 
 use super::overlap::{Overlap, shape, shape_of};
 use super::place::Place;

@@ -1,4 +1,5 @@
-//! Whether a triangle meets a box: the separating axes of Akenine-Möller 2001 in the form of Schwarz & Seidel 2010.
+//! Overlap of a triangle and a box: the separating axes of Akenine-Möller 2001 in the form of Schwarz & Seidel 2010, in the place of
+//! Intersect() in Fig. 1 of Chang et al. 2010.
 //!
 //! A box and a triangle are apart if one of the triangle's plane, the edges of its projections along x, y and z, and the box's faces
 //! lies between them. Each is a linear condition on the box's place, and boxes are all of one size: for a row of voxels along x the
@@ -18,7 +19,7 @@ use spirv_std::glam::{IVec3, Vec3, Vec4};
 /// Relative error of a difference of two products of exact numbers, with room to spare: 2⁻²².
 const ERROR: f32 = 1.0 / 4_194_304.0;
 
-/// Where a span begins and ends.
+/// The first and the last voxel of a span.
 #[derive(Clone, Copy)]
 pub struct Span {
     /// The first voxel.
@@ -27,7 +28,7 @@ pub struct Span {
     pub last: i32,
 }
 
-/// How thick a triangle's box is: which conditions there are.
+/// The shape of a triangle's box, which decides the conditions that have to be tested.
 pub mod shape {
     /// A voxel along two axes at least: none.
     pub const ROW: u32 = 0;
@@ -70,7 +71,7 @@ fn larger(a: Vec4, b: Vec4) -> Vec4 {
     Vec4::select(a.cmpgt(b), a, b)
 }
 
-/// 1 / x; 1 where that is 0.
+/// 1 / x; 1 where x is 0.
 #[inline(always)]
 fn reciprocal(x: f32) -> f32 {
     1.0 / select(x == 0.0, 1.0, x)

@@ -1,4 +1,4 @@
-//! Where a triangle of the surface lies, in integers: the host cuts large triangles by the same numbers as kernels do.
+//! The place of a triangle among the voxels, in integers, by which the host divides large triangles, too.
 
 use crate::abi::voxelize::{VoxelizeUniforms, triangle};
 use crate::field::access::read_inside;
@@ -15,9 +15,9 @@ pub struct Place {
     c: IVec3,
     /// The first voxel along x, y, z.
     pub first: IVec3,
-    /// How many voxels on the last one is.
+    /// Index of the last voxel along x, y, z, counted from the first.
     pub last: IVec3,
-    /// By how much voxels are enlarged, in units.
+    /// Margin by which voxels are enlarged, in units.
     margin: i32,
     /// log₂ of the units of a voxel.
     units: u32,
@@ -39,7 +39,7 @@ fn power(exponent: i32) -> f32 {
     f32::from_bits(((127 + exponent) as u32) << 23)
 }
 
-/// The voxel out of `most` in which `at`, in units, lies.
+/// The index of the voxel, out of `most`, in which `at` (in units) lies.
 #[inline(always)]
 fn voxel(at: i32, units: u32, most: i32) -> i32 {
     let voxel = at >> units;
@@ -47,7 +47,7 @@ fn voxel(at: i32, units: u32, most: i32) -> i32 {
     if voxel < most { voxel } else { most - 1 }
 }
 
-/// How far a triangle goes along the axis along which it goes farthest.
+/// Extent of a triangle along its longest axis, in units.
 #[inline(always)]
 fn longest(a: IVec3, b: IVec3, c: IVec3) -> i32 {
     let size = a.max(b).max(c) - a.min(b).min(c);
@@ -63,7 +63,7 @@ pub fn is_tiny(u: &VoxelizeUniforms, a: IVec3, b: IVec3, c: IVec3) -> bool {
 }
 
 impl Place {
-    /// Of triangle `a`, `b`, `c`, in units.
+    /// The place of triangle `a`, `b`, `c`, in units.
     #[inline(always)]
     pub fn new(u: &VoxelizeUniforms, a: IVec3, b: IVec3, c: IVec3) -> Self {
         let (units, overlap) = (u.corner_units, u.margin as i32);
@@ -88,7 +88,7 @@ impl Place {
         Self { a, b, c, first, last: last - first, margin, units, coarser }
     }
 
-    /// Of triangle number `index`, limited to those that there are.
+    /// The place of triangle number `index`, limited to the existing ones.
     #[inline(always)]
     pub fn of(u: &VoxelizeUniforms, corners: &[u32], index: i32) -> Self {
         let at = index * triangle::SIZE as i32;
@@ -109,13 +109,13 @@ impl Place {
         self.last.z >= self.last.y
     }
 
-    /// How many slices the box has.
+    /// The number of slices of the box.
     #[inline(always)]
     pub fn slices(&self) -> i32 {
         1 + if self.slices_are_layers() { self.last.z } else { self.last.y }
     }
 
-    /// How many rows a slice has.
+    /// The number of rows of a slice.
     #[inline(always)]
     pub fn rows(&self) -> i32 {
         1 + if self.slices_are_layers() { self.last.y } else { self.last.z }
@@ -128,7 +128,7 @@ impl Place {
         self.slices() == 1 || self.slices() * self.rows() <= triangle::SMALL
     }
 
-    /// By how much a voxel is enlarged on each side.
+    /// Margin by which a voxel is enlarged on each side, in voxels.
     #[inline(always)]
     pub fn margin(&self) -> f32 {
         self.margin as f32 * power(-(self.units as i32))

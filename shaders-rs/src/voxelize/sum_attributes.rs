@@ -1,4 +1,5 @@
-//! Sums up what triangles bring to the voxels that they meet: how many they are, normals, colours, materials.
+//! Attributes of the surface's voxels: the number of triangles that meet a voxel, and the sums of their normals, colours and materials
+//! (Chang et al. 2010, §2).
 //!
 //! As in the paper each triangle counts once in a voxel, whatever the size of its part there. Normal and colour are those of the
 //! triangle's point whose barycentric coordinates are the voxel centre's, negative ones raised to 0.

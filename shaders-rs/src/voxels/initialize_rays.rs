@@ -1,4 +1,5 @@
-//! Rays from the eye to where they enter the box of all surfaces, or meet a receiver before it.
+//! Viewing rays from the eye to the box of all surfaces, or to a receiver in front of it (Chang et al. 2010, §4.1.1: a ray through the
+//! centre of each pixel).
 
 use super::ray::{Ray, bounds, first_receiver, reciprocal, slab};
 use crate::abi::receivers::ahead;
@@ -7,7 +8,7 @@ use crate::abi::voxels::{VoxelsUniforms, flag};
 use crate::math::{max, normalize, select, xyz};
 use spirv_std::glam::Vec3;
 
-/// The ray through the middle of pixel (x, y), row 0 on top.
+/// The viewing ray through the centre of pixel (x, y), row 0 on top.
 #[inline(always)]
 pub fn invoke(x: u32, y: u32, u: &VoxelsUniforms, _mode: u32) -> [f32; path::SIZE] {
     let (width, height) = (u.dispatch.width as i32 as f32, u.dispatch.height as i32 as f32);

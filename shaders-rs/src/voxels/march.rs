@@ -1,5 +1,6 @@
-//! Follows a ray through voxels: from brick to brick where there is no surface near, in half voxels where there is one. The surface
-//! is where the smoothed share that is inside reaches ½.
+//! Ray marching through voxels with a smoothed surface: from brick to brick where no surface is near, in half voxels elsewhere; at a
+//! surface, Snell's law (Chang et al. 2010, §4.1.1, Eq. 1; two surfaces: §4.1, after Wyman 2005). The surface is the level ½ of the
+//! smoothed coverage, which is not in the paper: the paper takes each voxel that a triangle meets as the surface.
 
 use super::ray::{Ray, bounds, level_of, reciprocal, slab};
 use super::solid::{medium, normal};
@@ -12,11 +13,11 @@ use spirv_std::glam::Vec3;
 
 pub use super::ray::level;
 
-/// Steps near a surface, in voxels.
+/// Length of a step near a surface, in voxels.
 const STEP: f32 = 0.5;
-/// By how much a step leads beyond a brick's face, so that the ray is in the next one.
+/// Length by which a step passes a brick's face, in voxels, so that the ray is in the next brick.
 const BEYOND: f32 = 1e-3;
-/// Halvings of a step that holds a surface.
+/// Halvings of a step that crosses a surface (bisection): the error is 2⁻¹³ voxels.
 const HALVINGS: i32 = 12;
 
 /// Whether the ray is under way, and marches.
@@ -31,10 +32,10 @@ pub fn level(
     _fields: &[u32],
     _materials: &[f32],
 ) -> u32 {
-    level_of(before[path::STATUS])
+    level_of(Ray::load(&before).status)
 }
 
-/// The next step's length.
+/// Length of the next step, in voxels: half a voxel near a surface, else the distance to the end of the empty bricks.
 #[inline(always)]
 fn stride(u: &VoxelsUniforms, bricks: &[u32], position: Vec3, inverse: Vec3) -> f32 {
     let (nx, ny, nz) = (u.bricks.x as i32, u.bricks.y as i32, u.bricks.z as i32);
@@ -55,7 +56,8 @@ fn stride(u: &VoxelsUniforms, bricks: &[u32], position: Vec3, inverse: Vec3) -> 
     }
 }
 
-/// The point of a step at which another medium begins, from its start; `here` is at its start, and another at its end.
+/// Distance along a step at which the medium changes, in voxels, by bisection; `here` is the medium at the start, and the medium at the
+/// end is another.
 #[inline(always)]
 fn boundary(u: &VoxelsUniforms, fields: &[u32], ray: &Ray, distance: f32) -> f32 {
     let (mut near, mut far) = (0.0, distance);
@@ -72,7 +74,7 @@ fn boundary(u: &VoxelsUniforms, fields: &[u32], ray: &Ray, distance: f32) -> f32
     far
 }
 
-/// The ray some steps on.
+/// The ray after some steps.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     _x: u32,

@@ -1,5 +1,5 @@
-//! Follows a ray through voxels as the paper does (§4.1.1): from slice to slice across the ray's longest axis, refracted wherever a
-//! triangle meets the voxel, by what the triangles bring to that voxel alone.
+//! Ray marching through voxels as in the paper (Chang et al. 2010, §4.1.1, Eq. 1): from slice to slice across the ray's longest axis,
+//! P_i = P_{i−1} + T / cos θ, refracted at every voxel that a triangle meets, by the normal and the material that the voxel stores.
 
 use super::ray::{Ray, level_of};
 use super::surface::meet;
@@ -24,7 +24,7 @@ pub fn level(
     _surfaces: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    level_of(before[path::STATUS])
+    level_of(Ray::load(&before).status)
 }
 
 /// Whether a position lies outside of the grid.
@@ -34,7 +34,7 @@ fn is_outside(u: &VoxelsUniforms, p: Vec3) -> bool {
     (p.x < 0.0) | (p.y < 0.0) | (p.z < 0.0) | (p.x >= x) | (p.y >= y) | (p.z >= z)
 }
 
-/// The ray some slices on.
+/// The ray after some slices.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     _x: u32,

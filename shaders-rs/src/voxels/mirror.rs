@@ -1,4 +1,4 @@
-//! How a pixel looks at the first surface, and where that mirrors it.
+//! Directions of pixels: from the eye to the first surface, and mirrored there (the law of reflection).
 
 use crate::abi::record::path;
 use crate::abi::voxels::VoxelsUniforms;
@@ -14,7 +14,8 @@ pub fn vector(u: &VoxelsUniforms, rays: &[f32], at: i32, component: usize) -> Ve
     Vec3::new(c(component), c(component + 1), c(component + 2))
 }
 
-/// Where pixel (x, y) looks, along the grid's axes, at depth 1 from the eye; and across from the middle.
+/// Direction in which pixel (x, y) looks, along the grid's axes, at depth 1 from the eye; and the offset of the origin of its ray from
+/// the eye, 0 in perspective.
 #[inline(always)]
 fn aim(u: &VoxelsUniforms, x: i32, y: i32) -> (Vec3, Vec3) {
     let (width, height) = (u.dispatch.width as i32 as f32, u.dispatch.height as i32 as f32);
@@ -39,7 +40,7 @@ pub fn first_surface(u: &VoxelsUniforms, x: i32, y: i32, depth: f32) -> Vec3 {
     xyz(u.eye) + side + viewing(u, x, y) * depth
 }
 
-/// Where the first surface mirrors pixel (x, y); its own direction where there is none.
+/// Direction in which the first surface mirrors pixel (x, y); the pixel's own direction where it has no surface.
 #[inline(always)]
 pub fn mirrored(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32) -> Vec3 {
     let direction = viewing(u, x, y);

@@ -1,55 +1,17 @@
-//! The state of a ray, and how it moves.
+//! The state of a ray through a mesh, and its steps.
 
 use crate::abi::receivers::ahead;
-use crate::abi::record::{fate, path};
+use crate::abi::record::fate;
 use crate::abi::voxels::{AIR, VoxelsUniforms, material};
 use crate::field::access::read;
 use crate::math::{absolute, exp, max, min, select};
 use crate::optics::receiver::{Ahead, FAR, first_ahead};
 use spirv_std::glam::Vec3;
 
-/// A ray; see [`path`].
-#[derive(Clone, Copy)]
-pub struct Ray {
-    /// In voxels.
-    pub position: Vec3,
-    /// Of length 1.
-    pub direction: Vec3,
-    /// Transmittance so far, linear RGB, 0 to 1.
-    pub transmittance: Vec3,
-    /// At the first surface.
-    pub normal: Vec3,
-    /// At the last surface.
-    pub last_normal: Vec3,
-    /// Distance since the last surface.
-    pub since: f32,
-    /// One of [`fate`].
-    pub status: f32,
-    /// The number of the material around it.
-    pub medium: i32,
-    /// Surfaces so far.
-    pub bounces: f32,
-    /// Distance within materials.
-    pub length: f32,
-    /// Distance to the first surface.
-    pub depth: f32,
-    /// Of the first surface.
-    pub reflectance: f32,
-    /// The node of the tree of triangles that is next.
-    pub node: i32,
-    /// The number of the triangle that ends its straight way, or one of [`ahead`].
-    pub triangle: i32,
-    /// How far that is.
-    pub distance: f32,
-}
-
-#[inline(always)]
-fn vector(record: &[f32; path::SIZE], at: [usize; 3]) -> Vec3 {
-    Vec3::new(record[at[0]], record[at[1]], record[at[2]])
-}
+pub use crate::abi::record::Path as Ray;
 
 impl Ray {
-    /// One that has met nothing yet, from `position` along `direction`, and has nothing ahead.
+    /// A ray that has met nothing yet, from `position` along `direction`, with nothing ahead.
     #[inline(always)]
     pub fn straight(position: Vec3, direction: Vec3) -> Self {
         Self {
@@ -71,63 +33,8 @@ impl Ray {
         }
     }
 
-    /// From its record.
-    #[inline(always)]
-    pub fn load(r: &[f32; path::SIZE]) -> Self {
-        Self {
-            position: vector(r, [0, 1, 2]),
-            direction: vector(r, [3, 4, 5]),
-            transmittance: vector(r, [6, 7, 8]),
-            normal: vector(r, [9, 10, 11]),
-            last_normal: vector(r, [12, 13, 14]),
-            since: r[path::SINCE],
-            status: r[path::STATUS],
-            medium: r[path::MEDIUM] as i32,
-            bounces: r[path::BOUNCES],
-            length: r[path::LENGTH],
-            depth: r[path::DEPTH],
-            reflectance: r[path::REFLECTANCE],
-            node: r[path::NODE] as i32,
-            triangle: r[path::TRIANGLE] as i32,
-            distance: r[path::DISTANCE],
-        }
-    }
-
-    /// To its record.
-    #[inline(always)]
-    pub fn store(&self) -> [f32; path::SIZE] {
-        let (p, d, t) = (self.position, self.direction, self.transmittance);
-        let (n, l) = (self.normal, self.last_normal);
-        [
-            p.x,
-            p.y,
-            p.z,
-            d.x,
-            d.y,
-            d.z,
-            t.x,
-            t.y,
-            t.z,
-            n.x,
-            n.y,
-            n.z,
-            l.x,
-            l.y,
-            l.z,
-            self.since,
-            self.status,
-            self.medium as f32,
-            self.bounces,
-            self.length,
-            self.depth,
-            self.reflectance,
-            self.node as f32,
-            self.triangle as f32,
-            self.distance,
-        ]
-    }
-
-    /// Moves on by `distance` voxels through material `medium`.
+    /// Moves the ray by `distance` voxels through material `medium`; the light is attenuated by e^(−σ d) (Chang et al. 2010, §4.2, with
+    /// the minus sign that it lacks there).
     #[inline(always)]
     pub fn advance(&mut self, distance: f32, medium: i32, materials: &[f32]) {
         self.position += self.direction * distance;
@@ -174,9 +81,9 @@ impl Ray {
 pub mod level {
     /// The ray has ended.
     pub const ENDED: u32 = 0;
-    /// It waits for another kernel.
+    /// The ray waits for another kernel.
     pub const WAITING: u32 = 1;
-    /// It is the kernel's to follow.
+    /// The kernel follows the ray.
     pub const WORK: u32 = 3;
 }
 
@@ -192,11 +99,11 @@ pub fn level_of(status: f32) -> u32 {
     }
 }
 
-/// Distance, in voxels, by which receivers are taken to be nearer: a body that stands on one is in contact with it, and no ray inside of the
-/// body gets between them.
+/// Distance by which receivers are taken to be nearer, in voxels: a body that stands on one is in contact with it, and no ray inside of
+/// the body gets between them.
 const CONTACT: f32 = 1.0 / 64.0;
 
-/// The first receiver from `position` along `direction`; its distance in voxels.
+/// The first receiver from `position` along `direction`, with its distance in voxels.
 #[inline(always)]
 pub fn first_receiver(u: &VoxelsUniforms, position: Vec3, direction: Vec3) -> Ahead {
     first_ahead(&u.receivers, position, direction, CONTACT)
@@ -209,7 +116,7 @@ pub fn reciprocal(x: f32) -> f32 {
     1.0 / select(small, select(x < 0.0, -1e-12, 1e-12), x)
 }
 
-/// Where a line enters and leaves a box, along the line.
+/// Distances along a line at which it enters and leaves a box (the slab method, Kay & Kajiya 1986).
 #[inline(always)]
 pub fn slab(from: Vec3, inverse: Vec3, low: Vec3, high: Vec3) -> (f32, f32) {
     let (ax, bx) = ((low.x - from.x) * inverse.x, (high.x - from.x) * inverse.x);

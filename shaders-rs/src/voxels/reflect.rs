@@ -1,5 +1,5 @@
-//! Looks for the opaque triangle or receiver that the first surface mirrors. Clear bodies are looked through. No node is looked at
-//! twice, so that a search has an end that is known.
+//! Search for the opaque triangle or receiver that the first surface mirrors; clear bodies are ignored (not in Chang et al. 2010). The
+//! search visits no node twice, so that its end is known beforehand.
 
 use super::mirror::{first_surface, mirrored};
 use super::ray::{Ray, first_receiver};
@@ -7,7 +7,7 @@ use super::surface::ior;
 use super::tree;
 use crate::abi::receivers::ahead;
 use crate::abi::record::mirror::stage;
-use crate::abi::record::{mirror, path};
+use crate::abi::record::{Mirror, mirror, path};
 use crate::abi::voxels::{STEPS, VoxelsUniforms, corner};
 use crate::field::access::read;
 use crate::optics::receiver::FAR;
@@ -33,10 +33,10 @@ pub fn level(
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    if before[mirror::STAGE] == stage::FOUND { level::ENDED } else { level::WORK }
+    if Mirror::load(&before).stage == stage::FOUND { level::ENDED } else { level::WORK }
 }
 
-/// The search some nodes on. Where nothing is mirrored it is done at once.
+/// The search after some nodes. A search without a mirror ends at once.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     x: u32,
@@ -49,23 +49,24 @@ pub fn invoke<const LEVEL: u32>(
     corners: &[f32],
     materials: &[f32],
 ) -> [f32; mirror::SIZE] {
-    if before[mirror::STAGE] == stage::FOUND {
+    let search = Mirror::load(&before);
+    if search.stage == stage::FOUND {
         return before;
     }
     if component(x, y, u, rays, path::REFLECTANCE) <= 0.0 {
-        return [stage::FOUND, 0.0, ahead::NOTHING as f32, FAR];
+        return Mirror { stage: stage::FOUND, node: 0, triangle: ahead::NOTHING, distance: FAR }.store();
     }
     let depth = component(x, y, u, rays, path::DEPTH);
     let (column, row) = (x as i32, y as i32);
     let mut ray = Ray::straight(first_surface(u, column, row, depth), mirrored(u, rays, column, row));
-    if before[mirror::STAGE] == stage::NEW {
+    if search.stage == stage::NEW {
         let receiver = first_receiver(u, ray.position, ray.direction);
         ray.triangle = receiver.which;
         ray.distance = receiver.distance;
     } else {
-        ray.node = before[mirror::NODE] as i32;
-        ray.triangle = before[mirror::TRIANGLE] as i32;
-        ray.distance = before[mirror::DISTANCE];
+        ray.node = search.node;
+        ray.triangle = search.triangle;
+        ray.distance = search.distance;
     }
     let count = tree::count(nodes);
     let mut step = 0;
@@ -82,5 +83,5 @@ pub fn invoke<const LEVEL: u32>(
         }
     }
     let stage = if ray.node < count { stage::SEEKS } else { stage::FOUND };
-    [stage, ray.node as f32, ray.triangle as f32, ray.distance]
+    Mirror { stage, node: ray.node, triangle: ray.triangle, distance: ray.distance }.store()
 }

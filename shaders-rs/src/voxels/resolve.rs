@@ -1,9 +1,10 @@
-//! Finished pixels: what rays see of opaque bodies, receivers and the environment, by refraction and by reflection at the first surface.
+//! Finished pixels: radiance of opaque bodies, receivers and the environment, by refraction (Chang et al. 2010, §4) and by reflection
+//! at the first surface (Fresnel's equations, Cook & Torrance 1982).
 
 use super::mirror::{first_surface, mirrored, vector, viewing};
 use super::shade::{Point, facing, on_receiver, on_triangle, shade};
 use crate::abi::receivers::ahead;
-use crate::abi::record::{fate, mirror, path, view};
+use crate::abi::record::{MeshPixel, fate, mirror, path, view};
 use crate::abi::voxels::{VoxelsUniforms, seen};
 use crate::field::access::read;
 use crate::math::{dot, length, max, select, xyz};
@@ -17,9 +18,9 @@ struct Neighbour {
     alike: bool,
     /// The direction in which its ray left.
     leaves: Vec3,
-    /// Whether it mirrors something, too.
+    /// Whether the pixel's first surface mirrors its surroundings, too.
     mirrors: bool,
-    /// The direction from which that comes.
+    /// The direction from which the mirrored light comes.
     mirrored: Vec3,
 }
 
@@ -49,8 +50,8 @@ fn apart(own: Vec3, (first, first_counts): (Vec3, bool), (last, last_counts): (V
 
 /// The environment in direction `d`, over an angle.
 #[inline(always)]
-fn surroundings(u: &VoxelsUniforms, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
-    environment(&u.environment, map, in_environment(&u.environment, d), angle)
+fn surroundings(u: &VoxelsUniforms, pictures: &[f32], d: Vec3, angle: f32) -> Vec3 {
+    environment(&u.environment, pictures, in_environment(&u.environment, d), angle)
 }
 
 /// A direction in view space (looking along −z).
@@ -73,7 +74,7 @@ pub fn invoke(
     u: &VoxelsUniforms,
     mode: u32,
     rays: &[f32],
-    map: &[f32],
+    pictures: &[f32],
     corners: &[f32],
     looks: &[f32],
     shadow: &[u32],
@@ -99,11 +100,11 @@ pub fn invoke(
     let down = apart(direction, (above.leaves, above.alike), (below.leaves, below.alike), usual);
     // What is behind nothing does not depend on what is beside it.
     let angle = select(bounces > 0.0, max(across, down), usual);
-    let mut through = surroundings(u, map, direction, angle);
+    let mut through = surroundings(u, pictures, direction, angle);
     if met {
         let triangle = component(path::TRIANGLE) as i32;
         let point = point(u, corners, looks, triangle, vector(u, rays, at, path::POSITION));
-        through = shade(u, shadow, &point, direction);
+        through = shade(u, pictures, shadow, &point, direction);
         if bounces == 0.0 {
             first_normal = facing(&point, direction);
         }
@@ -113,7 +114,7 @@ pub fn invoke(
     let towards_mirrored = mirrored(u, rays, x, y);
     let across = apart(towards_mirrored, (left.mirrored, left.mirrors), (right.mirrored, right.mirrors), usual);
     let down = apart(towards_mirrored, (above.mirrored, above.mirrors), (below.mirrored, below.mirrors), usual);
-    let mut reflected = surroundings(u, map, towards_mirrored, max(across, down));
+    let mut reflected = surroundings(u, pictures, towards_mirrored, max(across, down));
     if surfaces & (reflectance > 0.0) {
         let record = |component: usize| read(mirrors, component as i32 * count + at);
         let triangle = record(mirror::TRIANGLE) as i32;
@@ -121,7 +122,7 @@ pub fn invoke(
             let from = first_surface(u, x, y, component(path::DEPTH));
             let position = from + towards_mirrored * record(mirror::DISTANCE);
             let point = point(u, corners, looks, triangle, position);
-            reflected = shade(u, shadow, &point, towards_mirrored);
+            reflected = shade(u, pictures, shadow, &point, towards_mirrored);
         }
     }
     let reflected = reflected * reflectance;
@@ -129,29 +130,20 @@ pub fn invoke(
     let something = (bounces > 0.0) | met;
     let visible = select(something, 1.0, u.environment.visible);
     let color = (through + reflected) * visible;
-    let normal = in_view(u, first_normal);
-    let towards = in_view(u, direction);
     let voxel = u.voxel;
     let depth = component(path::DEPTH) * voxel * dot(xyz(u.away), viewing(u, x, y));
-    [
-        color.x,
-        color.y,
-        color.z,
-        visible,
-        normal.x,
-        normal.y,
-        normal.z,
+    let pixel = MeshPixel {
+        color,
+        coverage: visible,
+        normal: in_view(u, first_normal),
         bounces,
-        component(path::LENGTH) * voxel,
-        select(something, depth, 0.0),
-        towards.x,
-        towards.y,
-        towards.z,
-        transmittance.x,
-        transmittance.y,
-        transmittance.z,
+        length: component(path::LENGTH) * voxel,
+        depth: select(something, depth, 0.0),
+        direction: in_view(u, direction),
+        transmittance,
         reflectance,
         // One that is still under way did not get out.
-        select((status == fate::ACTIVE) | (status == fate::SEEKS), fate::TRAPPED, status),
-    ]
+        status: select((status == fate::ACTIVE) | (status == fate::SEEKS), fate::TRAPPED, status),
+    };
+    pixel.store()
 }

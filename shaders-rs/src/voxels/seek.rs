@@ -1,4 +1,4 @@
-//! Looks for the opaque triangle ahead of a ray that marches through voxels.
+//! Search for the opaque triangle ahead of a ray that marches through voxels (not in Chang et al. 2010).
 
 use super::ray::Ray;
 use super::tree;
@@ -7,7 +7,7 @@ use crate::abi::voxels::{STEPS, VoxelsUniforms, mode};
 
 pub use super::ray::level;
 
-/// Whether the ray looks for it.
+/// The level of work: whether the ray seeks.
 #[inline(always)]
 pub fn level(
     _x: u32,
@@ -19,16 +19,17 @@ pub fn level(
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    if before[path::STATUS] == fate::SEEKS {
+    let status = Ray::load(&before).status;
+    if status == fate::SEEKS {
         level::WORK
-    } else if before[path::STATUS] == fate::ACTIVE {
+    } else if status == fate::ACTIVE {
         level::WAITING
     } else {
         level::ENDED
     }
 }
 
-/// The ray some nodes on.
+/// The ray after some nodes.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     _x: u32,

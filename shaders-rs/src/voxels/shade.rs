@@ -1,9 +1,10 @@
-//! Diffuse surfaces in the light: opaque triangles and receivers.
+//! Shading of diffuse surfaces: opaque triangles and receivers in the light (Lambert's law; the shadow: Chang et al. 2010, §3).
 
 use crate::abi::receivers::ahead;
 use crate::abi::voxels::{VoxelsUniforms, corner, flag, look};
 use crate::field::access::{read, read_vector};
 use crate::math::{cross, dot, max, min, normalize, select, select_vector, xyz};
+use crate::optics::light_source::{Arriving, arriving};
 use crate::optics::receiver::surface;
 use crate::shadow::look_up::{bias, transmittance};
 use spirv_std::glam::Vec3;
@@ -11,21 +12,21 @@ use spirv_std::glam::Vec3;
 /// A point of a diffuse surface.
 #[derive(Clone, Copy)]
 pub struct Point {
-    /// In voxels.
+    /// Position, in voxels.
     pub position: Vec3,
     /// Unit normal of its plane.
     pub plane: Vec3,
-    /// Unit normal between its corners.
+    /// Unit normal, interpolated between the corners of the triangle.
     pub normal: Vec3,
     /// Reflectance.
     pub color: Vec3,
-    /// The share of light that goes through.
+    /// Transmittance of the triangle, 0 to 1.
     pub transmittance: f32,
-    /// Whether the shadow map has the surface in it.
+    /// Whether the shadow map contains the surface.
     pub casts: bool,
 }
 
-/// Three vectors next to each other, by weights.
+/// The weighted sum of three vectors that lie next to each other.
 #[inline(always)]
 fn mean(floats: &[f32], at: i32, weights: Vec3) -> Vec3 {
     read_vector(floats, at) * weights.x
@@ -81,9 +82,9 @@ pub fn facing(point: &Point, direction: Vec3) -> Vec3 {
 /// Radiance along a ray that meets a point from direction `direction`: reflectance · (L cos θ + ambient), where a surface that is lit
 /// from its other side has the light that it lets through.
 #[inline(always)]
-pub fn shade(u: &VoxelsUniforms, shadow: &[u32], point: &Point, direction: Vec3) -> Vec3 {
+pub fn shade(u: &VoxelsUniforms, pictures: &[f32], shadow: &[u32], point: &Point, direction: Vec3) -> Vec3 {
     let normal = facing(point, direction);
-    let light = xyz(u.light.direction);
+    let Arriving { direction: light, radiance } = arriving(&u.light, pictures, point.position);
     let cosine = -dot(normal, light);
     // By its plane a triangle is lit from the side that it is seen from, or from the other one.
     let plane = -dot(point.plane, light);
@@ -91,8 +92,9 @@ pub fn shade(u: &VoxelsUniforms, shadow: &[u32], point: &Point, direction: Vec3)
     let same = plane * seen > 0.0;
     let strength = select(same, max(cosine, 0.0), max(-cosine, 0.0) * point.transmittance);
     let slope = min(max(plane, -plane), 1.0);
-    let above = point.plane * (select(plane < 0.0, -1.0, 1.0) * bias(u, slope));
+    let bias = bias(&u.shadow, point.position, point.plane, slope);
+    let above = point.plane * (select(plane < 0.0, -1.0, 1.0) * bias);
     let lifted = select(point.casts, 1.0, 0.0);
     let lit = transmittance(u, shadow, point.position + above * lifted) * strength;
-    point.color * (xyz(u.light.color) * lit + xyz(u.ambient))
+    point.color * (radiance * lit + xyz(u.ambient))
 }

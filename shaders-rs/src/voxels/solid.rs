@@ -1,11 +1,12 @@
-//! Materials' fields: how much of the neighbourhood is inside, whose level ½ is the surface. Each is stored in the box where it is not 0.
+//! Fields of materials: the smoothed coverage of each voxel's neighbourhood by a body, whose level ½ is the surface. Each field is
+//! stored in the box where it is not 0. The paper's “low pass filter” (Chang et al. 2010, §4.1.1), which it suggests and leaves open.
 
 use crate::abi::voxels::{AIR, VoxelsUniforms, field};
 use crate::field::access::{read, read_bytes};
 use crate::math::{floor_to_int, length, max};
 use spirv_std::glam::Vec3;
 
-/// The value that is the surface, as 16-bit integers have it.
+/// The level of the surface, ½, as 16-bit integers have it.
 const LEVEL: f32 = 32767.5;
 
 /// Two neighbours along x of a field, `t` of the way from the first to the second.

@@ -1,4 +1,5 @@
-//! What a surface does to a ray: Snell's law, total reflection, Fresnel's share.
+//! Refraction at a surface: Snell's law, total reflection, and Fresnel reflectance (Chang et al. 2010, §4.1.1, ref() in Eq. 1;
+//! Fresnel's equations, Cook & Torrance 1982).
 
 use super::ray::Ray;
 use crate::abi::record::fate;
@@ -11,11 +12,11 @@ use spirv_std::glam::Vec3;
 /// A ray behind a surface.
 #[derive(Clone, Copy)]
 pub struct Bent {
-    /// Its direction, of length 1.
+    /// Unit direction behind the surface.
     pub direction: Vec3,
-    /// Whether all of it was reflected.
+    /// Whether the reflection is total.
     pub reflected: bool,
-    /// Share of the light that is reflected.
+    /// Fresnel reflectance, 0 to 1.
     pub reflectance: f32,
 }
 
@@ -42,8 +43,8 @@ pub fn ior(medium: i32, materials: &[f32]) -> f32 {
     select(medium == AIR, 1.0, index)
 }
 
-/// Lets the ray meet a surface with outward unit normal `normal`, from medium `from` to `to`; it then has a new straight way. Returns
-/// whether it got through.
+/// Refracts or reflects the ray at a surface with outward unit normal `normal`, from medium `from` to `to`; the ray then has a new
+/// straight way. The result is whether the ray went through.
 #[inline(always)]
 pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i32, to: i32, materials: &[f32]) -> bool {
     let bent = bend(ray.direction, normal, ior(from, materials), ior(to, materials));

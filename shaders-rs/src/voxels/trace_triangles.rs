@@ -1,4 +1,4 @@
-//! Follows a ray through the triangles themselves.
+//! Rays through the triangles of a mesh, for comparison with voxels (watertight intersection: Woop, Benthin & Wald 2013).
 
 use super::ray::{Ray, level_of};
 use super::surface::{ior, meet};
@@ -13,7 +13,7 @@ use spirv_std::glam::Vec3;
 
 pub use super::ray::level;
 
-/// Whether the ray is under way.
+/// The level of work: whether the ray is active.
 #[inline(always)]
 pub fn level(
     _x: u32,
@@ -25,10 +25,10 @@ pub fn level(
     _corners: &[f32],
     _materials: &[f32],
 ) -> u32 {
-    level_of(before[path::STATUS])
+    level_of(Ray::load(&before).status)
 }
 
-/// Of the materials whose bits are set the one with the lowest number.
+/// The lowest number of a material whose bit is set in `bits`.
 #[inline(always)]
 fn lowest(bits: i32) -> i32 {
     let mut found = AIR;
@@ -42,14 +42,14 @@ fn lowest(bits: i32) -> i32 {
     found
 }
 
-/// The surface that was met.
+/// The surface at a hit.
 #[derive(Clone, Copy)]
 struct Surface {
     /// Unit normal of the triangle.
     plane: Vec3,
     /// Unit normal between its corners.
     normal: Vec3,
-    /// The material's number.
+    /// Number of the material.
     material: i32,
 }
 
@@ -73,7 +73,7 @@ fn surface(ray: &Ray, corners: &[f32], index: i32) -> Surface {
     Surface { plane, normal, material: read(corners, at + corner::MATERIAL as i32) as i32 }
 }
 
-/// The ray some nodes on.
+/// The ray after some nodes.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     _x: u32,

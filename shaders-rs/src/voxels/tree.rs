@@ -1,4 +1,5 @@
-//! The nearest triangle on a ray's way, in a tree of boxes whose nodes say which one is behind all below: no stack.
+//! The nearest triangle along a ray: a walk through a bounding volume hierarchy without a stack, whose nodes name the node behind all
+//! that are below them.
 
 use super::ray::{Ray, reciprocal, slab};
 use super::triangle::{meet, shear};
@@ -7,13 +8,13 @@ use crate::field::access::{read, read_vector};
 use crate::math::min;
 use spirv_std::glam::Vec3;
 
-/// How many nodes a tree has.
+/// The number of nodes of a tree.
 #[inline(always)]
 pub fn count(nodes: &[f32]) -> i32 {
     nodes.len() as i32 / node::SIZE as i32
 }
 
-/// Looks at the ray's next node, and goes on to the one behind.
+/// Visits the ray's next node, and moves on to the node behind.
 #[inline(always)]
 pub fn visit(ray: &mut Ray, nodes: &[f32], corners: &[f32]) {
     let d = ray.direction;

@@ -1,4 +1,4 @@
-//! Where a ray meets a triangle, so that no ray slips through between two (Woop, Benthin & Wald 2013).
+//! Watertight ray–triangle intersection: no ray slips through between two triangles (Woop, Benthin & Wald 2013).
 
 use crate::abi::voxels::corner;
 use crate::field::access::read_vector;
@@ -6,19 +6,19 @@ use crate::math::{absolute, select};
 use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
 
-/// The nearest distance that counts, in voxels: a ray leaves the surface that it starts from.
+/// Least distance of a hit, in voxels: a ray leaves the surface that it starts from.
 const NEAR: f32 = 1e-3;
 
 /// A point on a triangle.
 #[derive(Clone, Copy)]
 pub struct Hit {
-    /// Distance along the ray; [`FAR`] if there is none.
+    /// Distance along the ray; [`FAR`] if it misses.
     pub distance: f32,
     /// Weights of the corners, not normalised; their sum is not 0 if there is a hit.
     pub weights: Vec3,
 }
 
-/// A ray's frame in which its longest axis is z and it runs along it.
+/// The sheared frame of a ray, whose z axis is the ray's longest axis and along which the ray runs (§3.1 there).
 #[derive(Clone, Copy)]
 pub struct Sheared {
     origin: Vec3,
@@ -54,7 +54,7 @@ fn in_frame(ray: &Sheared, point: Vec3) -> Vec3 {
     Vec3::new(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, p.z * ray.shear.z)
 }
 
-/// Whether two numbers and a third have no two different signs.
+/// Whether no two of three numbers have different signs.
 #[inline(always)]
 fn agree(a: f32, b: f32, c: f32) -> bool {
     let negative = (a < 0.0) | (b < 0.0) | (c < 0.0);
@@ -62,7 +62,7 @@ fn agree(a: f32, b: f32, c: f32) -> bool {
     !(negative & positive)
 }
 
-/// Meets triangle number `index`. Two triangles compute what they have of a common edge with the same bits.
+/// Intersection with triangle number `index`. Two triangles compute the edge function of a common edge with the same bits.
 #[inline(always)]
 pub fn meet(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
     let at = index * corner::SIZE as i32;

@@ -1,4 +1,4 @@
-//! How far the methods are from physics, as tables and plots for `docs/accuracy.md`.
+//! Differences of the methods from physics, as tables and plots for `docs/accuracy.md`.
 //!
 //! `cargo xtask accuracy` measures anew and writes both; nothing in them is typed by hand.
 
@@ -16,19 +16,19 @@ use vitrum::backend::Backend;
 
 use crate::Failure;
 
-/// What was measured of one thing.
+/// A section of the page: the measurements of one quantity.
 #[derive(Debug, Clone)]
 pub struct Section {
     /// Markdown tables.
     pub text: String,
-    /// What they look like.
+    /// The plot of the measurements.
     pub plot: Plot,
 }
 
 /// Measures a thing.
 pub type Measure = fn(&mut dyn Backend) -> Result<Section, Failure>;
 
-/// Everything that is measured, by name.
+/// The measurements, by name.
 pub const ALL: [(&str, Measure); 8] = [
     ("step", convergence::step),
     ("luneburg", convergence::luneburg),

@@ -14,13 +14,13 @@ const SCENES: [&str; 3] = ["luneburg", "ball", "glass"];
 const EDGE: u32 = 96;
 /// Voxels along a volume's longest edge.
 const RESOLUTION: u32 = 64;
-/// Photons along each side of a texel, of what is held against the reference; that has at least `REFERENCE`.
+/// Photons along each side of a texel, of the counts that are compared with the reference, which has at least `REFERENCE`.
 const FEWER: [u32; 5] = [1, 2, 3, 4, 5];
 const REFERENCE: u32 = 8;
 /// The fewest photons of a reference.
 const FEWEST: u32 = 2_000_000;
 
-/// Both comparisons, for each scene.
+/// Both comparisons with photons, for each scene.
 pub fn photons(_: &mut dyn Backend) -> Result<Section, Failure> {
     let mut rows = Vec::new();
     let mut series = Vec::new();

@@ -5,41 +5,41 @@ use std::ops::Range;
 use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 
-/// What a line shows.
+/// A line of a plot.
 #[derive(Debug, Clone)]
 pub struct Series {
-    /// Its name in the legend.
+    /// Name of the line in the legend.
     pub name: String,
     /// x and y of its points, left to right.
     pub points: Vec<(f64, f64)>,
 }
 
-/// How an axis is divided.
+/// The division of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// By powers of ten.
+    /// Division by powers of ten.
     Logarithmic,
 }
 
 /// An axis.
 #[derive(Debug, Clone)]
 pub struct Axis {
-    /// What it shows, with its unit.
+    /// Quantity on the axis, with its unit.
     pub label: &'static str,
-    /// How it is divided.
+    /// Division of the axis.
     pub scale: Scale,
 }
 
 /// A plot of lines.
 #[derive(Debug, Clone)]
 pub struct Plot {
-    /// What it shows.
+    /// Title of the plot.
     pub title: &'static str,
-    /// From left to right.
+    /// Axis from left to right.
     pub x: Axis,
-    /// From bottom to top.
+    /// Axis from bottom to top.
     pub y: Axis,
     /// The lines.
     pub series: Vec<Series>,
@@ -106,7 +106,7 @@ impl Plot {
         }
     }
 
-    /// What an axis has to show, and a little more.
+    /// The range of an axis: the values on it, with a margin.
     fn range(&self, axis: &Axis, component: usize) -> Range<f64> {
         let points = self.series.iter().flat_map(|series| &series.points);
         let values = points.map(|&(x, y)| [x, y][component]);
@@ -183,7 +183,7 @@ impl Plot {
     }
 }
 
-/// Where a logarithmic axis has numbers: at powers of ten, and where those are few at twice and five times them.
+/// The numbers at a logarithmic axis: powers of ten, and where those are few also twice and five times them.
 fn ticks(range: &Range<f64>) -> Vec<f64> {
     let decades = (range.start.log10().floor() as i32)..=(range.end.log10().ceil() as i32);
     let steps: &[f64] = if (range.end / range.start).log10() > 2.5 { &[1.0] } else { &[1.0, 2.0, 5.0] };

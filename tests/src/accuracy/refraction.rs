@@ -30,8 +30,8 @@ fn directions(rays: &[Traced]) -> Vec<Option<DVec3>> {
     rays.iter().map(|ray| met_and_left(ray).then_some(ray.direction)).collect()
 }
 
-/// The angles between the rays' last directions and those of the exact rays, in degrees, in order. Rays that miss the mesh or do not
-/// leave it in either are left out.
+/// The angles between the last directions of the rays and of the exact rays, in degrees, in order. A ray that misses the mesh, or does
+/// not leave it, in either is left out.
 fn angles(exact: &[Option<DVec3>], found: &[Option<DVec3>]) -> Vec<f64> {
     let both = exact.iter().zip(found).filter_map(|(exact, found)| exact.zip(*found));
     let mut angles: Vec<f64> = both.map(|(exact, found)| exact.angle_between(found).to_degrees()).collect();
@@ -57,7 +57,7 @@ fn meshes() -> Result<Vec<(&'static str, Mesh)>, Failure> {
     Ok(meshes)
 }
 
-/// All kinds of rays for each mesh.
+/// The errors of all kinds of rays, for each mesh.
 pub fn refraction(backend: &mut dyn Backend) -> Result<Section, Failure> {
     let mut rows = Vec::new();
     let mut series = Vec::new();

@@ -178,7 +178,7 @@ fn contenders(arguments: &Arguments) -> Result<Vec<Contender>, Failure> {
     Ok(contenders)
 }
 
-/// What is timed; volumes are read one after the other, so that no two are in memory.
+/// The subject of a measurement. Volumes are read one after the other, so that memory holds one at a time.
 enum Subject {
     Scene(&'static str),
     File(PathBuf),

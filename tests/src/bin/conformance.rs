@@ -82,7 +82,7 @@ enum Shaders {
 const FUNCTIONS: u32 = 1024;
 /// Pixels along each side of T1's frames, and voxels along its volumes' longest edge.
 const KERNELS: (u32, u32) = (48, 32);
-/// The same of T2.
+/// Edge and resolution of the frames of T2.
 const FRAMES: (u32, u32) = (96, 64);
 
 fn main() -> ExitCode {
@@ -90,7 +90,7 @@ fn main() -> ExitCode {
     failure::exit(if arguments.bless { bless(&arguments) } else { compare(&arguments) })
 }
 
-/// What is compared, by tier.
+/// The selected cases, by tier.
 struct Selection {
     functions: bool,
     kernels: Vec<Case>,

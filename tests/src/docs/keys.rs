@@ -42,7 +42,7 @@ fn table(schema: &Value, path: &str) -> Result<String, String> {
     Ok(HEAD.chars().chain(rows.collect::<String>().chars()).collect())
 }
 
-/// The schema of a key's values: references are followed, and of an optional key what it is if it is there.
+/// The schema of a key's values, with references resolved; for an optional key, the schema of a value that is present.
 fn resolved<'a>(schema: &'a Value, value: &'a Value) -> &'a Value {
     let some = value["anyOf"].as_array().and_then(|all| all.iter().find(|one| one["type"] != "null"));
     let value = some.unwrap_or(value);
@@ -109,7 +109,7 @@ fn words(value: &Value) -> String {
     }
 }
 
-/// The key's description, and those of its choices.
+/// The description of the key, followed by the descriptions of its choices.
 fn meaning(outer: &Value, inner: &Value) -> String {
     let text = |value: &Value| value["description"].as_str().unwrap_or_default().replace('\n', " ");
     let mut meaning = text(outer);

@@ -17,9 +17,9 @@ const PAGES: [&str; 4] = ["scene.md", "program.md", "accuracy.md", "conformance.
 
 /// A file that is made from the code, all of it or in part.
 pub struct Made {
-    /// Where it is committed.
+    /// Path of the committed file.
     pub path: PathBuf,
-    /// Its text, as the code says that it should be.
+    /// Text of the file, made from the code.
     pub text: String,
 }
 
@@ -42,7 +42,7 @@ impl Made {
     }
 }
 
-/// All files that are made from the code.
+/// The files that are made from the code.
 ///
 /// # Errors
 /// If a page cannot be read, or marks the place of a table that there is not.

@@ -5,14 +5,14 @@ use vitrum::method::View;
 use vitrum::scene::TransferFunction;
 use vitrum_kernels::glam::{DMat3, DVec3};
 
-/// Half the distance, in voxels, over which the gradient is taken: small, since the medium between voxels is what it is.
+/// Half the distance, in voxels, over which the gradient is taken: small, since η between voxels is defined by interpolation.
 const HALF_STEP: f64 = 0.05;
 
 /// A refracting, absorbing medium in the view frame.
 pub struct Field<'a> {
     volume: &'a Volume,
     transfer: &'a TransferFunction,
-    /// Its values, x fastest: asking the volume for each is half of a photon's time.
+    /// The volume's values, x fastest, as a copy: a look-up in the volume itself is half of a photon's time.
     values: Vec<f32>,
     /// Voxel coordinates of a point of the view frame: `to_voxels · point + offset`.
     to_voxels: DMat3,

@@ -55,7 +55,7 @@ pub fn irradiance(field: &Field, grid: &LightGrid, planes: &Planes, at: &[u32], 
     (0..at.len()).map(add).collect()
 }
 
-/// The mean over blocks of `edge` × `edge` texels, row by row; what is left at the ends is left out.
+/// The mean over blocks of `edge` × `edge` texels, row by row; incomplete blocks at the ends are left out.
 #[must_use]
 pub fn blocks(light: &[f64], size: [u32; 2], edge: usize) -> Vec<f64> {
     let [width, height] = size.map(|n| n as usize);

@@ -24,12 +24,12 @@ pub struct Subject {
     sheets: Vec<Vec<f64>>,
 }
 
-/// What a plane's light is against the photons'.
+/// The difference of a plane's light from the photons'.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Compared {
     /// The share of the photons' light that is somewhere else.
     pub misplaced: f64,
-    /// The flux over that of the photons.
+    /// The plane's flux, over the flux of the photons.
     pub flux: f64,
 }
 

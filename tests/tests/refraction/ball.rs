@@ -29,7 +29,7 @@ fn errors(rays: &[Traced], h: f64) -> Vec<f64> {
     errors
 }
 
-/// Where rays cross the axis behind a ball lens of radius 1 and index 1.5, by the height at which they meet it.
+/// The point at which rays cross the axis behind a ball lens of radius 1 and index 1.5, by the height at which they meet it.
 #[test]
 fn a_ball_lens_focuses() -> Result<(), Failure> {
     let truth = [(0.1, 1.4958), (0.25, 1.4737), (0.5, 1.3916), (0.75, 1.2410), (0.9, 1.1044)];
@@ -86,7 +86,7 @@ fn directions_converge_with_the_resolution() -> Result<(), Failure> {
     Ok(())
 }
 
-/// What two surfaces of a ball of index 1.5 let through of a ray at height `h`: (1 − F)², since it meets both at the same angles.
+/// Transmittance of the two surfaces of a ball of index 1.5 for a ray at height `h`: (1 − F)², since it meets both at the same angles.
 fn let_through(h: f64) -> f64 {
     let (outside, inside) = ((1.0 - h * h).sqrt(), (1.0 - (h / 1.5).powi(2)).sqrt());
     let across = (outside - 1.5 * inside) / (outside + 1.5 * inside);

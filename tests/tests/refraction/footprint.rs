@@ -1,4 +1,4 @@
-//! How much of the environment a pixel sees: what neighbours see on other ways does not count.
+//! The footprint of a pixel in the environment: neighbours whose rays took other ways do not count.
 
 use super::on_both;
 use vitrum::io::{Channel, Layer, Picture};

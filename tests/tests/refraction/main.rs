@@ -9,8 +9,8 @@ mod sweep;
 use vitrum::backend::{Backend, CpuBackend};
 use vitrum_conformance::{Failure, adapter};
 
-/// Calls `check` with each backend. What the kernels write is the same to the last bit; that what a test makes of it is right is
-/// checked on both all the same.
+/// Calls `check` with each backend. Kernels write the same bits on both; the test's conclusions from them are checked on both all the
+/// same.
 fn on_both(check: impl Fn(&mut dyn Backend) -> Result<(), Failure>) -> Result<(), Failure> {
     check(&mut CpuBackend::new(None)?)?;
     adapter::for_test().map_or(Ok(()), |mut gpu| check(&mut gpu))

@@ -1,4 +1,4 @@
-//! What the first surface mirrors: opaque bodies and receivers where mirror images are, with the light and the shadow that they have.
+//! Mirror images at the first surface: opaque bodies and receivers, at their places, with their light and shadow.
 
 use super::on_both;
 use vitrum::backend::Backend;
@@ -43,7 +43,7 @@ fn scene(settings: &[&str]) -> Result<Case, Failure> {
     case("mirror", mesh, EDGE, &[&usual, settings].concat())
 }
 
-/// How far a ray passes the ball's middle, and whether it comes nearer to it.
+/// The distance at which a ray passes the ball's middle, and whether the ray comes nearer to it.
 fn passes(from: DVec3, towards: DVec3) -> (f64, bool) {
     let along = (MIDDLE - from).dot(towards);
     ((MIDDLE - from - towards * along).length(), along > 0.0)
@@ -106,7 +106,7 @@ fn a_ball_is_mirrored_where_its_image_is() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Light from one side: what is mirrored is lit as what is seen, by Lambert's law on the side of the ball that shows.
+/// Light from one side: mirror images follow Lambert's law as bodies do, on the side of the ball that shows.
 #[test]
 fn what_is_mirrored_has_its_light() -> Result<(), Failure> {
     let settings =

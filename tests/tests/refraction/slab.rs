@@ -79,7 +79,7 @@ fn a_box_absorbs_by_beer_lambert() -> Result<(), Failure> {
     Ok(())
 }
 
-/// What is left behind two faces at normal incidence is (1 − F)², F = ((n − 1) / (n + 1))².
+/// The transmittance of two faces at normal incidence is (1 − F)², F = ((n − 1) / (n + 1))².
 #[test]
 fn faces_reflect_by_fresnel() -> Result<(), Failure> {
     on_both(|backend| {
@@ -118,7 +118,7 @@ fn faces_reflect_totally() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where bodies overlap, it is the smaller one that is there: each absorbs along its own way.
+/// Where bodies overlap, the smaller one fills the space: each absorbs along its own part of the way.
 #[test]
 fn a_box_within_a_box_has_a_material_of_its_own() -> Result<(), Failure> {
     let outer = cuboid(DVec3::new(1.0, 0.5, 1.0), DQuat::IDENTITY);

@@ -37,7 +37,7 @@ fn a_ball_bends_rays_by_snells_law() -> Result<(), Failure> {
     })
 }
 
-/// What light is left of, through the middle of the picture.
+/// The transmittance through the middle of the picture, red, green and blue.
 fn transmittance(parts: &[Mesh], materials: &str, backend: &mut dyn Backend) -> Result<[f64; 3], Failure> {
     let settings = [&STRAIGHT_ON[..], &["voxelization.resolution=64", materials]].concat();
     let case = case("plates", together(parts), 16, &settings)?;

@@ -13,11 +13,16 @@ fn mesh() -> Mesh {
     together(&[ball(40), cuboid(DVec3::new(1.2, 0.2, 1.4), turned), cuboid(DVec3::new(0.1, 1.6, 0.1), turned)])
 }
 
-const KINDS: [&[&str]; 4] = [
+const KINDS: [&[&str]; 6] = [
     &["material=[{opaque=true,density=0.4}]"],
     &["material=[{name=\"m1\",attenuation_color=[0.2,0.5,0.9]},{opaque=true,density=0.03}]"],
     &["material=[{name=\"m0\",attenuation_color=[0.5,0.5,0.5]},{opaque=true,density=3}]"],
     &["shadow.coefficient=uniform", "material=[{opaque=true}]"],
+    &[
+        "material=[{name=\"m1\",attenuation_color=[0.2,0.5,0.9]},{opaque=true,density=0.03}]",
+        "light.0={kind='point',position=[0.4,-0.7,2.2]}",
+    ],
+    &["material=[{opaque=true}]", "light.0={kind='spot',position=[3,1,0.5],cone_angle=12}"],
 ];
 
 #[test]

@@ -1,12 +1,7 @@
 //! Several lights: each casts its own shadow, and their light adds up.
 
-use super::{case, on_both, sheets};
-use vitrum::Frame;
+use super::{case, color, on_both, sheets};
 use vitrum_conformance::{Failure, frames};
-
-fn color(frame: &Frame) -> Vec<[f32; 3]> {
-    frame.aov("color").expect("every frame has a colour").color()
-}
 
 /// Ground below a sheet that hovers, in red light from one side and green light from the other: beside the sheet both, in each shadow the other
 /// one, and nowhere anything else but the shadows' edges.
@@ -35,12 +30,14 @@ fn two_lights_cast_two_shadows() -> Result<(), Failure> {
     })
 }
 
-/// What is seen, and how much of it, does not depend on the lights.
+/// Visible surfaces and their coverage do not depend on the lights.
 #[test]
 fn further_lights_add_radiance_and_nothing_else() -> Result<(), Failure> {
     let lights = [
         "{attachment='world',elevation=40,azimuth=60,color=[1,0.5,0.2]}",
         "{attachment='world',elevation=70,azimuth=-120,color=[0.3,0.5,1]}",
+        "{kind='point',position=[1.5,-2,2.5],color=[9,3,5]}",
+        "{kind='spot',position=[-2,1,3],color=[2,8,5],cone_angle=25}",
     ];
     let case = |lights: &str, surroundings: &[&str]| {
         let lights = format!("light=[{lights}]");
@@ -50,24 +47,27 @@ fn further_lights_add_radiance_and_nothing_else() -> Result<(), Failure> {
             &[&[lights.as_str(), "ground={height=-1}", "shadow.resolution=32"], surroundings].concat(),
         )
     };
-    let [first, second] = lights;
     let dark = ["shading.ambient=[0,0,0]", "environment.intensity=0"];
-    let cases = [case(&lights.join(","), &[])?, case(first, &[])?, case(second, &dark)?];
-    on_both(|backend| {
-        let frames = cases.iter().map(|case| frames::render(case, backend)).collect::<Result<Vec<_>, _>>()?;
-        let [both, first, second] = &frames[..] else { unreachable!("there are three cases") };
-        for ((both, first), second) in color(both).iter().zip(color(first)).zip(color(second)) {
-            assert_eq!(*both, std::array::from_fn(|channel| first[channel] + second[channel]));
-        }
-        for (layer, alone) in both.layers.iter().zip(&first.layers).filter(|(layer, _)| layer.name != "color") {
-            assert_eq!(layer, alone, "{}", layer.name);
-        }
-        Ok(())
-    })
+    for [first, second] in [[0, 1], [2, 1], [0, 2], [3, 2]].map(|pair| pair.map(|index: usize| lights[index])) {
+        let cases = [case(&[first, second].join(","), &[])?, case(first, &[])?, case(second, &dark)?];
+        on_both(|backend| {
+            let frames = cases.iter().map(|case| frames::render(case, backend)).collect::<Result<Vec<_>, _>>()?;
+            let [both, first, second] = &frames[..] else { unreachable!("there are three cases") };
+            assert_ne!(color(second).iter().flatten().sum::<f32>(), 0.0, "the second light is to be seen");
+            for ((both, first), second) in color(both).iter().zip(color(first)).zip(color(second)) {
+                assert_eq!(*both, std::array::from_fn(|channel| first[channel] + second[channel]));
+            }
+            for (layer, alone) in both.layers.iter().zip(&first.layers).filter(|(layer, _)| layer.name != "color") {
+                assert_eq!(layer, alone, "{}", layer.name);
+            }
+            Ok(())
+        })?;
+    }
+    Ok(())
 }
 
 /// The visible part of a disc behind a straight edge, whose distance from the disc's middle is `x` radii.
-fn segment(x: f64) -> f64 {
+pub(super) fn segment(x: f64) -> f64 {
     let x = x.clamp(-1.0, 1.0);
     0.5 + (x.asin() + x * (1.0 - x * x).sqrt()) / std::f64::consts::PI
 }

@@ -4,9 +4,12 @@ mod backends;
 mod coverage;
 mod lights;
 mod pictures;
+mod points;
 mod sheets;
+mod spots;
 mod surfaces;
 
+use vitrum::Frame;
 use vitrum::backend::{Backend, CpuBackend};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::refraction;
@@ -14,11 +17,15 @@ use vitrum_conformance::{Failure, adapter};
 use vitrum_io::Mesh;
 use vitrum_kernels::glam::DVec3;
 
-/// Calls `check` with each backend. What the kernels write is the same to the last bit; that what a test makes of it is right is
-/// checked on both all the same.
+/// Calls `check` with each backend. Kernels write the same bits on both; the test's conclusions from them are checked on both all the
+/// same.
 fn on_both(check: impl Fn(&mut dyn Backend) -> Result<(), Failure>) -> Result<(), Failure> {
     check(&mut CpuBackend::new(None)?)?;
     adapter::for_test().map_or(Ok(()), |mut gpu| check(&mut gpu))
+}
+
+fn color(frame: &Frame) -> Vec<[f32; 3]> {
+    frame.aov("color").expect("every frame has a colour").color()
 }
 
 /// A case whose bodies are opaque, in the light of the world.
@@ -45,6 +52,11 @@ fn quads(quads: impl IntoIterator<Item = [DVec3; 3]>) -> Mesh {
 /// Horizontal quads with half edges of 1, at these heights.
 fn sheets(heights: impl IntoIterator<Item = f64>) -> Mesh {
     quads(heights.into_iter().map(|height| [DVec3::Z * height, DVec3::X, DVec3::Y]))
+}
+
+/// A sheet that is hardly to be seen: a picture of receivers needs a mesh.
+fn speck() -> Mesh {
+    quads([[DVec3::ZERO, DVec3::X * 0.02, DVec3::Y * 0.02]])
 }
 
 /// Numbers from 0 to 1, the same every time.

@@ -1,7 +1,6 @@
 //! Opaque bodies and receivers in pictures, beside and behind clear ones.
 
-use super::{ABOVE, case, on_both, sheets};
-use vitrum::Frame;
+use super::{ABOVE, case, color, on_both, sheets};
 use vitrum::OutputRequest;
 use vitrum::backend::Backend;
 use vitrum::method::{Cache, Job};
@@ -11,10 +10,6 @@ use vitrum_conformance::{Failure, frames};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::fate;
 use vitrum_kernels::glam::{DQuat, DVec3};
-
-fn color(frame: &Frame) -> Vec<[f32; 3]> {
-    frame.aov("color").expect("every frame has a colour").color()
-}
 
 /// The largest difference of two pictures' pixels, and how many differ by more than `bound`.
 fn difference(a: &[[f32; 3]], b: &[[f32; 3]], bound: f32) -> (f32, usize) {
@@ -70,7 +65,7 @@ fn through(backend: &mut dyn Backend, with: &Case, without: &Case, bound: f32) -
     Ok(difference(&with, &without, bound))
 }
 
-/// Clear bodies of index 1 that absorb nothing change nothing: what is behind them, before them and in them is as if they were not there.
+/// Clear bodies of index 1 that absorb nothing are invisible: surfaces behind, before and in them look as without them.
 #[test]
 fn bodies_and_ground_are_seen_through_clear_ones() -> Result<(), Failure> {
     let opaque = together(&[
@@ -213,7 +208,7 @@ fn shadows_can_be_turned_off() -> Result<(), Failure> {
     })
 }
 
-/// A session makes the shadow anew when the light or the material has changed, and what it held does not show.
+/// A renderer makes the shadow map anew when the light or the material has changed, and the old map does not show.
 #[test]
 fn sessions_follow_the_light() -> Result<(), Failure> {
     let mesh = together(&[ball(16), moved(&sheets([0.0]), [0.0, 0.0, 1.5])]);

@@ -1,11 +1,11 @@
-//! Horizontal sheets: e to the power of minus what they absorb, everywhere below.
+//! Horizontal sheets: the transmittance everywhere below them is e^(−optical depth).
 
 use super::{ABOVE, case, on_both, sheets};
 use vitrum_conformance::Failure;
 use vitrum_conformance::shadow::Map;
 use vitrum_kernels::glam::DVec3;
 
-/// What 16 bits leave of a transmittance, and a sum of four of them in floats.
+/// Rounding of a transmittance to 16 bits, and of a sum of four of them in floats.
 const ROUNDING: f64 = 1.2e-5;
 
 /// Points across a square with the half edge `half`, diagonals and voxels' faces among them.

@@ -1,4 +1,4 @@
-//! What bodies of several materials do to light.
+//! Shadows of bodies of several materials.
 
 use super::{ABOVE, case, on_both, sheets};
 use vitrum_conformance::Failure;
@@ -27,7 +27,7 @@ fn trunks_are_dark_and_leaves_let_light_through() -> Result<(), Failure> {
     })
 }
 
-/// Beer and Lambert: behind a clear body what its material leaves over the way through it, in its colour.
+/// Beer and Lambert: light behind a clear body has the transmittance of its material over the way through it, in its colour.
 #[test]
 fn clear_bodies_cast_coloured_shadows() -> Result<(), Failure> {
     let mesh = cuboid(DVec3::new(1.0, 0.8, 0.3), DQuat::IDENTITY);
@@ -73,7 +73,7 @@ fn grey_glass_is_grey() -> Result<(), Failure> {
     })
 }
 
-/// What is convex does not shade itself where it faces the light: no acne, at any resolution and any slope.
+/// A convex body does not shade itself where it faces the light: no acne, at any resolution and any slope.
 #[test]
 fn a_ball_does_not_shade_itself() -> Result<(), Failure> {
     let turned = cuboid(DVec3::new(0.7, 0.5, 0.9), DQuat::from_rotation_x(0.4) * DQuat::from_rotation_y(0.9));

@@ -1,4 +1,4 @@
-//! A stranger's kernel with a mistake is caught: by the comparison with another backend, and by what is known to be true.
+//! Planted faults: a kernel with a mistake is caught by the comparison with another backend, and by known results.
 //!
 //! The stranger writes the kernels of voxelization anew, a voxel and a column at a time. Without a mistake they give the same bits.
 
@@ -174,7 +174,7 @@ strangers! {
     CROSS_PART = voxelize_cross_columns, cross_columns, PART;
 }
 
-/// What comes out where a stranger's kernel runs in the place of the tree's.
+/// The voxelization where `kernel` runs in the place of the tree's.
 fn by_stranger(kernel: &'static Kernel, mesh: &Mesh, settings: &Settings) -> Voxelization {
     let altered = AlteredCpu::of_passes(move |list| {
         let replaced = |pass: &&mut Pass| pass.kernel.declaration.name == kernel.declaration.name;
@@ -195,7 +195,7 @@ fn scenes() -> [(Mesh, Settings); 3] {
     ]
 }
 
-/// Whether surface, attributes and solid are those of the tree's own kernels.
+/// Whether surface, attributes and solid equal the results of the tree's own kernels.
 fn agrees(kernel: &'static Kernel) -> [bool; 3] {
     let mut same = [true; 3];
     for (mesh, settings) in scenes() {

@@ -34,7 +34,7 @@ pub fn together(parts: &[Mesh]) -> Mesh {
     mesh(positions, triangles)
 }
 
-/// The same surface, facing the other way.
+/// The surface, facing the other way.
 pub fn reversed(mesh: &Mesh) -> Mesh {
     let mut mesh = mesh.clone();
     mesh.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));

@@ -30,7 +30,7 @@ fn a_box_has_its_volume_to_the_last_voxel() {
         // The clearance at the border is 2⁻¹⁶ of the edge, less than half of a 255th of a voxel.
         assert_eq!(solid.coverage.iter().filter(|&&coverage| coverage != 0).count(), full);
         let volume = voxels.statistics.volume.expect("a volume");
-        // What is counted are whole voxels, each larger than an edge's part by the clearance.
+        // The count has whole voxels, each larger than an edge's part by the clearance.
         let expected = 512.0 / (1.0 - 2.0 / 65536.0f64).powi(3);
         assert!((volume / expected - 1.0).abs() < 1e-12, "{volume} {expected}");
     }

@@ -1,4 +1,4 @@
-//! The surface: no voxel is missed, none is set far away, and what triangles bring is what they bring.
+//! Surface voxelization: no voxel is missed, none is set far away, and attributes are the triangles'.
 
 use crate::exact::{in_voxels, meets, near};
 use crate::shapes::{ball, cuboid, mesh, random};
@@ -8,8 +8,8 @@ use vitrum_conformance::data::shared;
 use vitrum_io::{Mesh, OpenOptions, open_mesh};
 use vitrum_kernels::glam::DVec3;
 
-/// How far from a triangle a voxel that is set may be: four times the margin of a triangle as long as the grid. The margin is
-/// 2⁻¹⁹ of the extent, and half a unit of its corners, 2⁻²² of the next power of two.
+/// Largest distance of a marked voxel from a triangle: four times the margin of a triangle as long as the grid. The margin is 2⁻¹⁹ of
+/// the extent, and half a unit of its corners, 2⁻²² of the next power of two.
 fn tolerance(dimensions: [u32; 3]) -> f64 {
     4.0 * f64::from(dimensions.into_iter().max().unwrap_or(0) + 4) * (1.0 / 524_288.0 + 1.0 / 2_097_152.0)
 }

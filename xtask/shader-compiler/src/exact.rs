@@ -78,10 +78,11 @@ fn widen_scopes(module: &mut Module) {
     for instruction in
         module.functions.iter_mut().flat_map(|function| &mut function.blocks).flat_map(|block| &mut block.instructions)
     {
-        if matches!(instruction.class.opcode, Op::AtomicIAdd | Op::AtomicOr | Op::AtomicUMax) {
-            // Operands: pointer, scope, semantics, value; the result has the type of a scope, a 32-bit unsigned integer.
+        use Op::{AtomicIAdd, AtomicLoad, AtomicOr, AtomicStore, AtomicUMax};
+        if matches!(instruction.class.opcode, AtomicIAdd | AtomicLoad | AtomicOr | AtomicStore | AtomicUMax) {
+            // Operands: pointer, scope, and others; a result has the type of a scope, a 32-bit unsigned integer.
             instruction.operands[1] = Operand::IdScope(device);
-            integer = instruction.result_type;
+            integer = integer.or(instruction.result_type);
         }
     }
     if integer.is_some() {

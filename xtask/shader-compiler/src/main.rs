@@ -83,11 +83,13 @@ fn describe(declaration: &Declaration) -> Vec<String> {
                 Access::Write => "write",
                 Access::Add => "add",
                 Access::Update => "update",
+                Access::Workgroups => "raise",
             };
             let element = match (binding.access, binding.element) {
                 (Access::Uniform, _) => format!("{} bytes", declaration.uniform_bytes),
                 (Access::Write | Access::Update, _) => format!("{} planes of f32", declaration.components),
                 (Access::Add, _) => format!("{} words a texel", declaration.components),
+                (Access::Workgroups, _) => "3 words".to_owned(),
                 (Access::Read, Element::U32) => "u32".to_owned(),
                 (Access::Read, Element::F32) => "f32".to_owned(),
             };

@@ -8,7 +8,7 @@ use vitrum_shader_manifest::{Manifest, folder};
 /// The folders that hold nothing but modules.
 const FOLDERS: [&str; 2] = ["spirv", "wgsl"];
 
-/// All files that are written, by their paths from the crate's folder.
+/// The files to write, by their paths from the crate's folder.
 pub struct Output {
     folder: PathBuf,
     files: BTreeMap<String, Vec<u8>>,
@@ -38,7 +38,7 @@ impl Output {
         Ok(())
     }
 
-    /// Fails if any file is not the same as what is committed.
+    /// Fails if a file differs from the committed one.
     pub fn compare(&self) -> Result<()> {
         let mut differing = Vec::new();
         for (path, contents) in &self.files {

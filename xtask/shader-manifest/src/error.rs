@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// Why the manifest, or what it describes, could not be read.
+/// The error of a manifest, or a file that it describes, that cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ManifestError {
     /// A file could not be read.
@@ -10,15 +10,15 @@ pub enum ManifestError {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the operating system.
         error: std::io::Error,
     },
-    /// A file is not what it should be.
+    /// A file with unexpected contents.
     #[error("{}: {reason}; `cargo xtask shaders` writes it anew", path.display())]
     Malformed {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// The reason.
         reason: String,
     },
 }

@@ -1,4 +1,4 @@
-//! Hashes of what the modules are made from.
+//! Hashes of the sources of the modules.
 
 use crate::ManifestError;
 use sha2::{Digest, Sha256};

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 pub const TOOLCHAIN: &str = "nightly-2026-08-15";
 /// The target kernels are compiled for.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
-/// Everything that shapes the modules beside the sources: change it when the compiler's steps change.
+/// The compiler's steps and flags, which shape the modules as the sources do; to be changed when they change.
 pub const FLAGS: &[&str] = &[
     "rust-gpu 0.11.0",
     "--no-spirv-opt",
@@ -33,11 +33,11 @@ pub const FLAGS: &[&str] = &[
 /// A file of a module.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct File {
-    /// Its path from the manifest's folder, with forward slashes.
+    /// Path of the file from the manifest's folder, with forward slashes.
     pub path: String,
     /// SHA-256 of its contents.
     pub sha256: String,
-    /// Its size in bytes.
+    /// Size of the file in bytes.
     pub bytes: usize,
 }
 
@@ -55,11 +55,11 @@ pub struct Module {
     pub spirv: File,
     /// The module in WGSL, translated from SPIR-V.
     pub wgsl: File,
-    /// Each binding of group 0, in order, e.g. `1 read voxels: u32`.
+    /// The bindings of group 0 in order, such as `1 read voxels: u32`.
     pub bindings: Vec<String>,
 }
 
-/// The committed modules: what they were made from, and each module's hashes.
+/// The manifest of the committed modules: hashes of the sources and of each module.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
     /// The toolchain.
@@ -82,7 +82,7 @@ pub fn folder(root: &Path) -> PathBuf {
 }
 
 impl Manifest {
-    /// A manifest of what is in the tree now, without modules.
+    /// The manifest of the present tree, without modules.
     pub fn of_tree(root: &Path) -> Result<Self, ManifestError> {
         Ok(Self {
             toolchain: TOOLCHAIN.to_owned(),
@@ -102,14 +102,14 @@ impl Manifest {
         serde_json::from_str(&text).map_err(|error| ManifestError::Malformed { path, reason: error.to_string() })
     }
 
-    /// As it is written: pretty JSON with a final newline.
+    /// The text of the file: pretty JSON with a final newline.
     pub fn to_json(&self) -> Result<String, ManifestError> {
         serde_json::to_string_pretty(self)
             .map(|text| text + "\n")
             .map_err(|error| ManifestError::Malformed { path: "manifest.json".into(), reason: error.to_string() })
     }
 
-    /// What no longer matches the tree, one sentence each; empty if the committed modules are current.
+    /// The differences between manifest and tree, one sentence each; empty if the committed modules are current.
     pub fn stale(&self, root: &Path) -> Result<Vec<String>, ManifestError> {
         let now = Self::of_tree(root)?;
         let mut reasons = Vec::new();

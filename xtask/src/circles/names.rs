@@ -1,4 +1,4 @@
-//! What the paths of modules name: the file that defines an item, through all re-exports.
+//! Resolution of paths between modules: the file that defines an item, through all re-exports.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ pub struct Use {
     pub name: String,
 }
 
-/// What a path leads to.
+/// The target of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Found {
     /// The module of this number.
@@ -60,7 +60,7 @@ struct Resolver<'a> {
 }
 
 impl Resolver<'_> {
-    /// What a path in module `number` leads to; nothing where that is in another crate.
+    /// The targets of a path in module `number`; empty for a path into another crate.
     fn path(&mut self, number: usize, path: &[String]) -> BTreeSet<Found> {
         let mut here = BTreeSet::from([Found::Module(number)]);
         for (index, name) in path.iter().enumerate() {

@@ -13,14 +13,14 @@ use crate::failure::Failure;
 /// A path of names, such as `crate::error::Error`.
 pub type Names = Vec<String>;
 
-/// What a name of a module stands for.
+/// The meaning of a name in a module.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Meaning {
     /// The module of this number.
     Module(usize),
     /// An item that the module defines.
     Item,
-    /// What a `use` names.
+    /// The path that a `use` line names.
     Alias(Names),
 }
 
@@ -28,7 +28,7 @@ pub enum Meaning {
 #[derive(Debug, Clone)]
 pub struct Glob {
     pub path: Names,
-    /// Whether it is no re-export.
+    /// Whether the `use` line is private: no re-export.
     pub private: bool,
 }
 
@@ -44,13 +44,13 @@ pub struct Module {
     /// The paths of `use` lines that are no re-exports, and those that begin with `crate`, `self` or `super`. A re-export is no
     /// use by itself: whoever names the item uses it.
     pub paths: BTreeSet<Names>,
-    /// All other paths, single names among them.
+    /// The other paths, single names among them.
     pub relative_paths: BTreeSet<Names>,
     /// The folder of the files of its submodules.
     folder: PathBuf,
 }
 
-/// All modules of a crate, the root first, without those for tests.
+/// The modules of a crate, the root first, without modules of tests.
 #[derive(Debug, Default)]
 pub struct Modules {
     pub files: Vec<PathBuf>,
@@ -130,7 +130,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Takes in a `use` line, of which `before` was walked already.
+    /// Records a `use` line behind the path `before`.
     fn use_tree(&mut self, before: &Names, tree: &UseTree, private: bool) {
         let then = |name: &syn::Ident| {
             let name = name.to_string();

@@ -1,4 +1,4 @@
-//! One file a command: its arguments, and what it does.
+//! The commands, a file each: the arguments, and the work.
 
 pub mod completions;
 pub mod convert;

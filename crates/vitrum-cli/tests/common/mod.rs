@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
 
-/// What a run left.
+/// The outcome of a run of the program.
 #[derive(Debug)]
 pub struct Outcome {
     pub code: Option<i32>,
@@ -34,7 +34,7 @@ impl Folder {
         fs::write(self.file(name), contents).expect("the folder is writable");
     }
 
-    /// Everything in it, hidden files and all, sorted.
+    /// The names of the folder's entries, hidden ones included, sorted.
     pub fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(self.path()).expect("the folder is readable");
         let mut names: Vec<_> =

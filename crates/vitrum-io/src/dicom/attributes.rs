@@ -44,7 +44,7 @@ pub(super) fn whole(object: &InMemDicomObject, tag: Tag) -> Option<u32> {
     object.get(tag)?.to_int::<u32>().ok()
 }
 
-/// All finite numbers of an attribute, where all are.
+/// The numbers of an attribute, if all of them are finite.
 pub(super) fn numbers(object: &InMemDicomObject, tag: Tag) -> Option<Vec<f64>> {
     let numbers = object.get(tag)?.to_multi_float64().ok()?;
     (!numbers.is_empty() && numbers.iter().all(|number| number.is_finite())).then_some(numbers)

@@ -72,7 +72,7 @@ pub(super) fn jpeg_ls(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>
 /// The pixels of a JPEG 2000 picture, which may have signs, each in `bytes` bytes, little-endian; else the problem.
 pub(super) fn jpeg_2000(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
     let Codestream { precision, signed } = Codestream::check(packed, size)?;
-    // What is damaged is an error, and not made up for.
+    // A damaged codestream is an error; its pixels are not guessed.
     let settings = DecodeSettings { resolve_palette_indices: false, strict: true, target_resolution: None };
     let decode = || {
         let image = Image::new(packed, &settings).map_err(|error| error.to_string())?;
@@ -96,7 +96,7 @@ struct Codestream {
 }
 
 impl Codestream {
-    /// Reads it, and fails where it is not what the file's header says.
+    /// Reads a codestream's header, and fails where it contradicts the header of the file.
     fn check(packed: &[u8], [rows, columns]: Size) -> Result<Self, String> {
         const START: &[u8] = &[0xff, 0x4f, 0xff, 0x51];
         // Some writers put a file of the format there, with boxes before the codestream.

@@ -1,4 +1,4 @@
-//! Which files make up a volume: those of one series.
+//! The files of a volume: the files of one DICOM series.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -142,7 +142,7 @@ impl Series {
         Ok(first)
     }
 
-    /// All frames of all files.
+    /// The frames of all files.
     pub fn slices(&self) -> Vec<Slice<'_>> {
         let frames = self.files.iter().enumerate().flat_map(|(number, file)| {
             file.frames.iter().enumerate().map(move |(index, frame)| (file, [number, index], frame))
@@ -155,7 +155,7 @@ impl Series {
     }
 }
 
-/// Files of one series each; where they do not say one, those of a folder are.
+/// The files, grouped by series; files without a series are grouped by folder.
 fn grouped(files: Vec<File>) -> Vec<Vec<File>> {
     let mut numbers: HashMap<(String, Option<PathBuf>), usize> = HashMap::new();
     let mut groups: Vec<Vec<File>> = Vec::new();

@@ -18,7 +18,7 @@ pub(super) struct Grid {
     pub placement: Placement,
     /// The indices of the slices, from the lowest.
     order: Vec<usize>,
-    /// For each slice of an even grid where it lies among those of the file; empty where they are even.
+    /// For each slice of the even grid, its position among the slices of the files; empty where those are evenly spaced already.
     uneven: Vec<f64>,
 }
 

@@ -19,7 +19,7 @@ pub(super) enum Header {
         series: String,
         error: Error,
     },
-    /// No image.
+    /// A file without an image.
     Other,
 }
 
@@ -45,7 +45,7 @@ impl File {
         }
     }
 
-    /// `None` of what is no image.
+    /// The header of an image; `None` for an object without an image.
     fn of(
         object: &InMemDicomObject,
         path: &Path,

@@ -17,9 +17,9 @@ pub(super) struct Padding {
 /// Layout of a pixel's bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Pixels {
-    /// By the bits that are allocated and the sign.
+    /// Type of a sample, by the allocated bits and the sign.
     pub sample: SampleType,
-    /// Bits that hold the number, at most those of the sample.
+    /// Stored bits of a number, at most the bits of a sample.
     pub stored: u32,
     /// The lowest of them.
     pub low_bit: u32,
@@ -28,7 +28,7 @@ pub(super) struct Pixels {
 /// A frame's place and value mapping.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Frame {
-    /// Of the centre of the first pixel, in mm, towards the patient's left, posterior, superior.
+    /// Centre of the first pixel in mm: towards the patient's left, posterior, superior.
     pub position: Option<[f64; 3]>,
     /// The directions of a row and of a column.
     pub orientation: Option<[f64; 6]>,
@@ -39,13 +39,13 @@ pub(super) struct Frame {
 /// A file of one or more frames, all of one size and type.
 #[derive(Debug)]
 pub(super) struct File {
-    /// Its path, or the name that its bytes were given under.
+    /// Path of the file, or the name under which its bytes were given.
     pub path: PathBuf,
     pub name: String,
-    /// Its size in bytes.
+    /// Size of the file in bytes.
     pub length: u64,
     pub series: String,
-    /// For people, such as `MR, T1 sagittal`.
+    /// Description for people, such as `MR, T1 sagittal`.
     pub description: String,
     pub syntax: String,
     pub columns: u32,
@@ -53,9 +53,9 @@ pub(super) struct File {
     pub pixels: Pixels,
     pub padding: Option<Padding>,
     pub inverted: bool,
-    /// Between rows and between columns, in mm.
+    /// Distance between rows and between columns, in mm.
     pub spacing: Option<[f64; 2]>,
-    /// Between slices, in mm, where positions do not tell.
+    /// Distance between slices in mm, for files without positions.
     pub step: Option<f64>,
     pub frames: Vec<Frame>,
 }
@@ -64,7 +64,7 @@ pub(super) struct File {
 #[derive(Debug, Clone)]
 pub(super) struct Slice<'a> {
     pub file: &'a File,
-    /// Which file of the series, and which frame of it.
+    /// Index of the file in the series, and of the frame in the file.
     pub index: [usize; 2],
     pub position: Option<[f64; 3]>,
     pub orientation: Option<[f64; 6]>,
@@ -72,18 +72,18 @@ pub(super) struct Slice<'a> {
 }
 
 impl File {
-    /// Its name without the folder, for messages about another of the same series.
+    /// Name without the folder, for messages about another file of the same series.
     pub fn short_name(&self) -> String {
         file_name(&self.path)
     }
 
-    /// Such as `256 x 256 int16`.
+    /// Size and type of a frame, such as `256 x 256 int16`.
     pub fn describe(&self) -> String {
         format!("{} x {} {}", self.columns, self.rows, self.pixels.sample.name())
     }
 }
 
-/// The direction from slice to slice, by those of a row and a column.
+/// Unit normal of a slice: the cross product of the directions of a row and of a column.
 pub(super) fn normal([a, b, c, d, e, f]: [f64; 6]) -> [f64; 3] {
     DVec3::new(a, b, c).cross(DVec3::new(d, e, f)).to_array()
 }

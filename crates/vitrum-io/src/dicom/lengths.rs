@@ -31,7 +31,7 @@ const SHORT: [&[u8; 2]; 21] = [
 const LONG: [&[u8; 2]; 13] =
     [b"OB", b"OD", b"OF", b"OL", b"OV", b"OW", b"SQ", b"SV", b"UC", b"UN", b"UR", b"UT", b"UV"];
 
-/// Bytes of a number of a kind; 1 of text and what is made of bytes.
+/// Bytes of a number of a value representation; 1 for text and for representations of single bytes.
 fn unit(vr: [u8; 2]) -> u32 {
     match &vr {
         b"OW" | b"SS" | b"US" => 2,
@@ -80,7 +80,7 @@ pub(super) fn check(file: ByteReader, length: u64) -> Result<(), (u64, String)> 
 enum Within {
     /// The first element of another group.
     Meta,
-    /// Their length.
+    /// The length of the items.
     Length,
     /// A delimiter.
     Item,
@@ -129,7 +129,7 @@ impl Walk<'_> {
             }
             let (vr, length) = self.head(coding, tag)?;
             let pixels = tag == [PIXEL_DATA.0, PIXEL_DATA.1];
-            // What is of no known kind is written in the simplest way inside.
+            // Items of an unknown value representation are written in implicit VR inside.
             let inside = if vr == *b"UN" { Coding { explicit: false, big: false } } else { coding };
             if length == UNDEFINED {
                 self.items(end, inside, depth, pixels, true)?;
@@ -204,7 +204,7 @@ impl Walk<'_> {
         Ok((if LONG.contains(&&vr) { vr } else { *b"UN" }, self.word(coding.big)?))
     }
 
-    /// Where something of a length ends, if it does so by `end`.
+    /// The end of a value of `length` bytes, if it is not behind `end`.
     fn fits(&self, length: u64, end: u64) -> Result<u64, Problem> {
         let there = end.saturating_sub(self.position);
         if length > there {

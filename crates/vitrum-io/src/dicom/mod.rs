@@ -42,7 +42,7 @@ impl VolumeReader for Dicom {
     }
 
     fn recognises(&self, input: &Input) -> bool {
-        // What lies in a folder comes before what lies below it.
+        // Files in a folder come before files in the folders below it.
         let holds = |path: &Path| search::has_dicom(path) || !has_tiff(path) && search::has_dicom_below(path);
         search::is_dicom(&input.head) || input.folder().is_some_and(holds)
     }
@@ -65,7 +65,7 @@ impl VolumeReader for Dicom {
         let count = bytes / sample.size() as u64;
         let largest = series.files.iter().map(|file| file.length).max().unwrap_or(0);
         let doubled = if grid.uneven() { 2 } else { 1 };
-        // What decoders of compressed pictures take for a pixel of one slice, with some room.
+        // Memory of the decoders for a pixel of a compressed slice, with some room.
         let decoding = if series.files.iter().all(|file| syntax::is_raw(&file.syntax)) { 0 } else { 24 };
         let decoding = u64::from(first.columns) * u64::from(first.rows) * decoding;
         let needed = count.saturating_mul(doubled * sample.stored_size() as u64);

@@ -21,7 +21,7 @@ pub(super) fn of(object: &InMemDicomObject, pixels: Pixels) -> Option<Padding> {
     Some(Padding { low: value.min(limit), high: value.max(limit) })
 }
 
-/// As the pixels have it: some files write -2000 as 63536 though the pixels are signed, and the other way round.
+/// A padding value in the sign of the pixels: some files write -2000 as 63536 though the pixels are signed, and the other way round.
 fn wrapped(number: i64, sample: SampleType) -> i64 {
     match sample {
         SampleType::U8 => i64::from(number as u8),
@@ -83,7 +83,7 @@ struct Replaced {
     values: Option<[f32; 2]>,
 }
 
-/// `None` where nothing was replaced; what is at most `step` beyond the measured values stays.
+/// Replaces padding among the voxels; a value at most `step` beyond the measured ones stays. `None` if nothing was replaced.
 fn fill<T: Pod + Into<f32>>(voxels: &mut [T], bounds: &[Option<[f32; 2]>], slope: f64, step: f32) -> Option<Replaced> {
     let size = (voxels.len() / bounds.len()).max(1);
     let within = |voxel: T, [low, high]: [f32; 2]| (low..=high).contains(&voxel.into());

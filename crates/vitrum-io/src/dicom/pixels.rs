@@ -49,7 +49,7 @@ pub(super) fn read(
 struct Opened {
     object: DefaultDicomObject,
     compression: Compression,
-    /// All frames, where they are not compressed; little-endian.
+    /// The samples of all frames, little-endian, if they are not compressed.
     plain: Option<Vec<u8>>,
 }
 
@@ -103,8 +103,8 @@ impl Opened {
 }
 
 impl Opened {
-    /// The compressed bytes of a frame: all fragments where there is one frame, a fragment each where there are as many, else those
-    /// that the table of offsets gives it.
+    /// The compressed bytes of a frame: all fragments of a file with one frame; one fragment where there are as many as frames; else
+    /// the fragments between the frame's entries in the offset table.
     fn fragments(&self, file: &File, frame: usize) -> Vec<u8> {
         let data = self.object.get(attributes::PIXEL_DATA);
         let fragments = data.and_then(|data| data.fragments()).unwrap_or_default();

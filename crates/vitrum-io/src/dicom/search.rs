@@ -82,7 +82,7 @@ impl Iterator for Below {
 
 /// The images of a folder.
 pub(super) struct Images {
-    /// By their names.
+    /// The image files, sorted by name.
     pub files: Vec<File>,
     /// Images of kinds that are not read, with their series.
     pub refused: Vec<(String, Error)>,
@@ -90,7 +90,7 @@ pub(super) struct Images {
     pub below: bool,
 }
 
-/// The images in a folder, and where there are none those below it.
+/// The images in a folder, or in the folders below it if it has none itself.
 pub(super) fn images(report: Report, folder: &Path, assumptions: &mut Assumptions) -> Result<Images, Error> {
     let direct = scan(report, &[folder.to_owned()], assumptions)?;
     if !direct.files.is_empty() || !direct.refused.is_empty() {

@@ -5,7 +5,7 @@ use crate::error::{Error, Place, Report, clip};
 /// Compression of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Compression {
-    /// Not at all.
+    /// Samples without compression.
     None,
     RunLengths,
     Jpeg,
@@ -29,7 +29,7 @@ const READ: [(&str, &str, Compression); 12] = [
     ("1.2.840.10008.1.2.5", "RLE", Compression::RunLengths),
 ];
 
-/// For people.
+/// Name of a transfer syntax, for people.
 pub(super) fn name(identifier: &str) -> String {
     found(identifier).map_or(identifier, |(name, _)| name).to_owned()
 }

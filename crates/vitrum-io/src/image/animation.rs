@@ -16,13 +16,13 @@ use crate::error::{Error, Place, Report};
 use crate::input::display_name;
 use crate::temporary::Temporary;
 
-/// How well GIF's 256 colours are chosen: 1 best, 30 fastest.
+/// Speed of the choice of GIF's 256 colours: 1 is the best choice, 30 the fastest.
 const GIF_SPEED: i32 = 10;
 
 /// GIF counts in hundredths of a second, and programs that show animations slow down what has fewer than two.
 const MOST_GIF_RATE: u16 = 50;
 
-/// An animation that repeats for ever, as it is written.
+/// A writer of an animation that repeats for ever.
 pub struct Animation {
     path: PathBuf,
     beside: Temporary,

@@ -21,10 +21,10 @@ pub enum PictureFormat {
 }
 
 impl PictureFormat {
-    /// Each of them.
+    /// All formats.
     pub const ALL: [Self; 5] = [Self::Png, Self::Exr, Self::Hdr, Self::Jpeg, Self::Tiff];
 
-    /// Its name, extensions and feature.
+    /// Name, extensions and feature of the format.
     #[must_use]
     pub fn format(self) -> &'static Format {
         match self {
@@ -61,7 +61,7 @@ impl PictureFormat {
         Err(report.unsupported(Place::File, found, format!("use one of {}", extensions.join(", "))))
     }
 
-    /// Whether it holds negative values.
+    /// Whether the format stores negative values.
     pub(super) fn is_signed(self) -> bool {
         matches!(self, Self::Exr | Self::Tiff)
     }

@@ -14,16 +14,17 @@ pub struct Picture {
 /// Channels that belong together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
-    /// Its name, unique in the picture.
+    /// Name of the layer, unique in the picture.
     pub name: String,
-    /// `R`, `G`, `B` and perhaps a straight `A`; `Y` where it is gray; `X`, `Y`, `Z` of a vector; else what it says.
+    /// Channels: `R`, `G`, `B` and perhaps a straight `A` of a colour; `Y` of a gray value; `X`, `Y`, `Z` of a vector; else the names
+    /// in the file.
     pub channels: Vec<Channel>,
 }
 
 /// One number a pixel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
-    /// Its name, unique in the layer.
+    /// Name of the channel, unique in the layer.
     pub name: String,
     /// `width * height` values, row by row from the top.
     pub data: Vec<f32>,
@@ -104,7 +105,7 @@ impl Layer {
         Some(&channel.data)
     }
 
-    /// Whether it holds vectors, which may be negative: channels X, Y and Z.
+    /// Whether the layer holds vectors, whose components may be negative: channels X, Y and Z.
     #[must_use]
     pub fn is_vector(&self) -> bool {
         self.triple(COLORS).is_none() && self.triple(COMPONENTS).is_some()

@@ -41,7 +41,7 @@ fn decode_error(report: Report, error: ImageError) -> Error {
             problem,
             "convert it to PNG, JPEG, Radiance HDR, OpenEXR or float32 RGB TIFF",
         ),
-        // What a decoder needs besides the pixels.
+        // Memory of a decoder besides the pixels.
         ImageError::Limits(_) => {
             report.unsupported(Place::File, problem, "free some memory, raise the limit, or scale the picture down")
         }

@@ -53,7 +53,7 @@ pub fn read_picture_bytes(name: &str, bytes: &[u8], options: &OpenOptions) -> Re
 }
 
 fn decode(storage: &Storage, report: Report, options: &OpenOptions) -> Result<Picture, Error> {
-    /// As many as tell every format.
+    /// Bytes of a file's beginning by which every format is recognised.
     const HEAD: u64 = 16;
     let unreadable = |error| report.unreadable(error);
     let mut head = Vec::new();

@@ -4,7 +4,7 @@ use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::options::OpenOptions;
 
-/// Most pixels of a picture: 16384 squared, as much as a graphics card takes in one texture.
+/// Largest number of pixels of a picture: 16384 squared, the largest texture of a graphics card.
 const MOST_PIXELS: u64 = 1 << 28;
 
 /// The error of a picture that is whole, and shows nothing.

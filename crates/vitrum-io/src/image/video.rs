@@ -11,7 +11,7 @@ use crate::error::{Error, Report};
 pub(super) struct Video {
     child: Child,
     frames: Option<ChildStdin>,
-    /// Messages of ffmpeg; a file, since a pipe that nobody reads would stop it.
+    /// Messages of ffmpeg, in a file: a full pipe without a reader would stop it.
     log: File,
 }
 
@@ -29,7 +29,7 @@ impl Video {
         let mut command = Command::new("ffmpeg");
         command.args(["-nostdin", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgba"]);
         command.args(["-video_size", &format!("{width}x{height}"), "-framerate", &rate.to_string(), "-i", "pipe:0"]);
-        // What every player shows: 4:2:0, thus even sizes, and the colours that sRGB shares with television.
+        // The format that every player shows: 4:2:0, thus even sizes, and the colours that sRGB shares with television.
         let filter = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,\
                       setparams=color_primaries=bt709:color_trc=iec61966-2-1";
         command.args(["-an", "-vf", filter, "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p"]);

@@ -145,7 +145,7 @@ fn encode(
     }
 }
 
-/// Half of a vector's values would be lost without a word where there are no negative ones.
+/// Fails for a vector in a format without negative values, which would lose half of its values silently.
 fn check_signs(report: Report, name: &str, format: PictureFormat) -> Result<(), Error> {
     if format.is_signed() {
         return Ok(());

@@ -1,4 +1,4 @@
-//! A file's bytes, and what is left of the memory that they and the mesh may take.
+//! The content of a mesh file, and the memory that its bytes and the mesh may still take.
 
 use std::io::{self, Read};
 
@@ -8,7 +8,7 @@ use crate::memory;
 use crate::options::OpenOptions;
 use crate::packing::Packing;
 
-/// Counts what is allocated for a file against its limit.
+/// A budget of memory: counts the bytes allocated for a file against its limit.
 #[derive(Debug, Clone)]
 pub(super) struct Budget<'a> {
     report: Report<'a>,

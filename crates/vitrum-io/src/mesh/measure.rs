@@ -51,7 +51,7 @@ impl Mesh {
         self.triangles.iter().map(volume).sum()
     }
 
-    /// How many triangles have an area of 0. They stay in the mesh: to take one out may open it.
+    /// The number of triangles whose area is 0. They stay in the mesh: without one of them, the mesh might be open.
     #[must_use]
     pub fn degenerate_triangle_count(&self) -> usize {
         self.triangles.iter().filter(|triangle| area(self.corners(triangle)) == 0.0).count()

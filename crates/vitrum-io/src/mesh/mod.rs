@@ -40,7 +40,7 @@ use crate::source::Source;
 /// that are equal to the bit. [`Self::topology`] takes those for one point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// For messages: the file's name.
+    /// Name for messages: the file's.
     pub name: String,
     /// The vertices, in the file's units, each coordinate finite.
     pub positions: Vec<[f32; 3]>,
@@ -53,7 +53,7 @@ pub struct Mesh {
     pub colors: Option<Vec<[f32; 4]>>,
     /// Materials of the triangles; empty where the format knows none or the file names none.
     pub materials: Vec<Material>,
-    /// For each triangle an index into [`Self::materials`]; empty where those are.
+    /// For each triangle, an index into [`Self::materials`]; empty for a mesh without materials.
     pub triangle_materials: Vec<u32>,
     /// Origin of the mesh; the sample type is the coordinates' type.
     pub source: Source,

@@ -15,7 +15,7 @@ pub trait MeshReader: Sync {
     /// Whether a file is of this format by its first bytes, seen through its packing, and its size.
     fn recognises(&self, input: &Input) -> bool;
 
-    /// Reads it.
+    /// Reads the mesh.
     ///
     /// # Errors
     ///

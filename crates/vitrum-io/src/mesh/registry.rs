@@ -9,7 +9,7 @@ use crate::formats::{self, MESH_FORMATS};
 use crate::input::Input;
 use crate::options::OpenOptions;
 
-/// All formats of meshes that this build reads, in the order in which they are asked.
+/// The formats of meshes that this build reads, in the order in which readers are asked.
 #[must_use]
 pub fn mesh_readers() -> &'static [&'static dyn MeshReader] {
     &[

@@ -1,4 +1,4 @@
-//! Each triangle into four.
+//! Subdivision of a mesh: each triangle becomes four.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use crate::error::{Error, Report};
 use crate::memory;
 
 impl Mesh {
-    /// The same surface in four times as many triangles: each edge is cut at its middle.
+    /// The same surface of four times as many triangles: each edge is cut at its middle.
     ///
     /// Normals and colours in the middle are the mean of those of the edge's ends, and normals of length 1 again.
     ///

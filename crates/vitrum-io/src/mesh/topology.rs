@@ -3,8 +3,8 @@
 use super::Mesh;
 use super::weld::Weld;
 
-/// Counts of what a mesh is made of. Vertices at equal positions are one point, and a triangle that has a point twice
-/// joins nothing and counts for nothing here.
+/// Counts of a mesh's points, edges and parts. Vertices at equal positions are one point; a triangle that has a point twice joins no
+/// points and is not counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Topology {
     /// Distinct positions, those that no triangle uses among them.
@@ -15,8 +15,8 @@ pub struct Topology {
     pub boundary_edges: usize,
     /// Edges of three triangles and more.
     pub non_manifold_edges: usize,
-    /// Edges that the triangles do not follow in one direction as often as in the other: those of the boundary, and
-    /// those between neighbours that face opposite ways. Where there is none, the mesh encloses a volume.
+    /// Edges that triangles follow more often in one direction than in the other: edges of the boundary, and edges between neighbours
+    /// that face opposite ways. A mesh without such edges encloses a volume.
     pub unpaired_edges: usize,
     /// Sets of triangles that are joined by common points.
     pub parts: usize,

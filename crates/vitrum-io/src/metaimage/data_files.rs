@@ -98,7 +98,7 @@ fn pattern<'a>(text: &'a str, description: &Description) -> Option<NumberedNames
     name.contains('%').then_some(NumberedNames { name, first, last, step })
 }
 
-/// Each file holds a part of `dimension` dimensions: a row, a slice or the volume.
+/// Checks the number of files; each holds a part of `dimension` dimensions: a row, a slice or the volume.
 fn check_count(
     report: Report,
     field: &Field,

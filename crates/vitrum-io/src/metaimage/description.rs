@@ -32,9 +32,9 @@ impl Encoding {
 pub(super) enum HeaderSize {
     /// Behind the header, or at the start of a file of its own.
     None,
-    /// So many bytes behind the start of the file.
+    /// Offset of the data from the start of the file, in bytes.
     Bytes(u64),
-    /// So that the data ends with the file.
+    /// Data that ends with the file.
     FromEnd,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Description {
     pub sample: SampleType,
     pub endian: Endian,
     pub encoding: Encoding,
-    /// Axes that the file counts, those of size 1 behind the third included.
+    /// Number of axes in the file, axes of size 1 behind the third included.
     pub rank: usize,
     pub dimensions: [u32; 3],
     /// Bytes of data, decoded to the file's sample type.
@@ -168,7 +168,7 @@ fn endian(
     }
 }
 
-/// The number of axes, and the sizes of the first three: those of any others are 1.
+/// The number of axes, and the sizes of the first three; all others have size 1.
 fn dimensions(fields: &Fields, report: Report) -> Result<(usize, [u32; 3]), Error> {
     const MOST_AXES: usize = 10;
     let field = fields.require(report, "NDims", "NDims = 3")?;

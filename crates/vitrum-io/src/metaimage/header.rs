@@ -1,4 +1,4 @@
-//! The lines of a MetaImage header, before anybody asks what they mean.
+//! The lines of a MetaImage header, without their meaning.
 
 use std::io::BufRead;
 
@@ -7,7 +7,7 @@ use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
 use crate::text::Lines;
 
-/// All fields, up to `ElementDataFile`, which is the last.
+/// The fields of a header, up to `ElementDataFile`, which is the last.
 #[derive(Debug)]
 pub(super) struct Header {
     pub fields: Fields,

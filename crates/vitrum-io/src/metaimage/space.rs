@@ -11,7 +11,7 @@ use crate::volume::{IDENTITY, check_spacing};
 /// The format's world is LPS+: x to the patient's left, y to posterior, z to superior. Ours is RAS+.
 const SIGNS: [f64; 3] = [-1.0, -1.0, 1.0];
 
-/// `rank` is the number of axes in the file, of which those behind the third have no extent.
+/// The placement of the grid. `rank` is the number of axes in the file; axes behind the third have no extent.
 pub(super) fn placement(
     fields: &Fields,
     report: Report,

@@ -29,7 +29,7 @@ pub(super) struct Header {
     pub srow: [[f64; 4]; 3],
 }
 
-/// Which NIfTI a file starts as.
+/// The kind of a NIfTI file, by its first bytes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Kind {
     pub layout: &'static Layout,
@@ -55,7 +55,7 @@ pub(super) fn kind(head: &[u8]) -> Option<Kind> {
 }
 
 impl Header {
-    /// From as many bytes as the kind's layout says.
+    /// The header in `bytes`, which are as many as the layout of `kind` has.
     pub fn parse(bytes: &[u8], kind: Kind, report: Report) -> Result<Self, Error> {
         let Kind { layout, endian, pair } = kind;
         let fields = Fields { bytes, endian, layout };

@@ -67,21 +67,20 @@ pub(super) const SECOND: Layout = Layout {
 };
 
 impl Layout {
-    /// Where the samples start in a `.nii` file at the earliest: behind the header and the 4 bytes
-    /// that say whether extensions follow.
+    /// Least offset of the samples in a `.nii` file: the header, and the 4 bytes that say whether extensions follow.
     pub fn first_data_byte(&self) -> u64 {
         self.length as u64 + 4
     }
 
-    /// Where `dim[index]` is.
+    /// Offset of `dim[index]`.
     pub fn dim(&self, index: usize) -> usize {
         self.dim + index * if self.wide { 8 } else { 2 }
     }
 }
 
-/// A header's bytes with what it takes to read them.
+/// The bytes of a header, with the layout and byte order in which fields are read.
 pub(super) struct Fields<'a> {
-    /// As many as the layout says.
+    /// Bytes of the header, as many as the layout has.
     pub bytes: &'a [u8],
     pub endian: Endian,
     pub layout: &'static Layout,
@@ -127,7 +126,7 @@ impl Fields<'_> {
         }
     }
 
-    /// Where the samples start. NIfTI-1 has a float for it.
+    /// Offset of the samples, which NIfTI-1 stores as a float.
     pub fn vox_offset(&self) -> f64 {
         let at = self.layout.vox_offset;
         if self.layout.wide { i64::from_le_bytes(self.word(at)) as f64 } else { self.float(at, 0) }

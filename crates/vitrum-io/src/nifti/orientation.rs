@@ -7,8 +7,7 @@ use crate::placement::{Placement, unoriented};
 use crate::source::Assumptions;
 use crate::volume::{IDENTITY, check_spacing};
 
-/// Three ways to place a grid, of which the header's codes pick one: the sform, an affine matrix;
-/// the qform, a rotation; or the spacings alone.
+/// The placement of the grid by the header's codes: the sform, an affine matrix; the qform, a rotation; or the spacings alone.
 pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Assumptions) -> Result<Placement, Error> {
     let scale = unit_scale(header, report, assumptions)?;
     let pixdim = [header.pixdim[1], header.pixdim[2], header.pixdim[3]];

@@ -10,12 +10,12 @@ use crate::input::Input;
 const HEADERS: [&str; 2] = [".hdr", ".hdr.gz"];
 const IMAGES: [&str; 2] = [".img", ".img.gz"];
 
-/// Whether a name is that of a pair's header.
+/// Whether a name is the name of a pair's header.
 pub(super) fn is_header(name: &str) -> bool {
     HEADERS.iter().any(|extension| stem(name, extension).is_some())
 }
 
-/// Whether a name is that of a pair's data.
+/// Whether a name is the name of a pair's data.
 pub(super) fn is_image(name: &str) -> bool {
     IMAGES.iter().any(|extension| stem(name, extension).is_some())
 }

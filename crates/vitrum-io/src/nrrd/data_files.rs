@@ -7,8 +7,8 @@ use crate::error::{Error, Place, Report};
 use crate::fields::Field;
 use crate::input::Input;
 
-/// The files in the order of their slices, each with the same share of the voxels; of several points in time in a file
-/// each, that of the chosen one.
+/// The data files in the order of their slices, each with the same share of the voxels; of files with one point in time each, the file
+/// of the chosen one.
 pub(super) fn locate<'a>(
     header: &Header,
     description: &Description,
@@ -59,7 +59,7 @@ fn pattern(text: &str) -> Option<(NumberedNames<'_>, Option<&str>)> {
     name.contains('%').then_some((NumberedNames { name, first, last, step }, subdim))
 }
 
-/// Each file holds a slice, or the data of `subdim` dimensions: rows (1), slices (2) or slabs of slices (3).
+/// Checks the number of files; each holds a slice, or the data of `subdim` dimensions: rows (1), slices (2) or slabs of slices (3).
 fn check_count(
     report: Report,
     field: &Field,

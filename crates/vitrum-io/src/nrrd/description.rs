@@ -34,9 +34,9 @@ impl Encoding {
 /// Start of the data, behind the skipped lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ByteSkip {
-    /// So many bytes on; with gzip, so many decompressed ones.
+    /// Offset of the data in bytes; in decompressed bytes for gzip.
     Forward(u64),
-    /// So that the data ends with the file.
+    /// Data that ends with the file.
     FromEnd,
 }
 
@@ -198,7 +198,7 @@ fn endian(header: &Header, report: Report, sample: SampleType, encoding: Encodin
     }
 }
 
-/// The sizes along x, y and z, the number of axes, and that of points in time.
+/// The sizes along x, y and z, the number of axes, and the number of points in time.
 fn dimensions(header: &Header, report: Report) -> Result<([u32; 3], usize, u64), Error> {
     let field = header.require(report, "dimension", "dimension: 3")?;
     let dimension: usize = field.numbers(report, 1)?[0];

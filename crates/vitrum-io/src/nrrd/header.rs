@@ -1,4 +1,4 @@
-//! The lines of a NRRD header, before anybody asks what they mean.
+//! The lines of a NRRD header, without their meaning.
 
 use std::io::BufRead;
 
@@ -7,7 +7,7 @@ use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
 use crate::text::Lines;
 
-/// All fields, with the list of data files that may follow the last.
+/// The fields of a header, with the list of data files that may follow the last.
 #[derive(Debug)]
 pub(super) struct Header {
     /// Their names are in lower case and without spaces: the format writes `data file` and `datafile` alike.
@@ -69,7 +69,7 @@ impl Header {
         self.fields.get(name)
     }
 
-    /// The field, or an error that says what it should look like.
+    /// The field of a name; if it is missing, an error that shows the expected form by an example.
     pub fn require(&self, report: Report, name: &str, example: &str) -> Result<&Field, Error> {
         self.fields.require(report, name, example)
     }

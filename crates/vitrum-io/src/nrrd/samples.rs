@@ -6,14 +6,14 @@ use crate::physical_values::{sample_type, write_values};
 use crate::samples::SampleType;
 use crate::volume::Volume;
 
-/// Samples of a grid, x fastest; those of a vector lie next to each other.
+/// Samples of a grid, x fastest; the components of a vector lie next to each other.
 #[derive(Debug, Clone, Copy)]
 pub enum Samples<'a> {
     /// One byte a voxel.
     U8(&'a [u8]),
     /// One float a voxel.
     F32(&'a [f32]),
-    /// A vector a voxel, which stays as it is when the grid is turned.
+    /// Vectors, one a voxel, which keep their components when the grid is turned.
     Colors(&'a [[f32; 3]]),
     /// A vector a voxel, which turns with the grid.
     Vectors(&'a [[f32; 3]]),
@@ -31,7 +31,7 @@ impl Samples<'_> {
         }
     }
 
-    /// NRRD's names: the type, and the kind of the components if there are several.
+    /// Names in NRRD: the type, and the kind of the components if a sample has several.
     pub(super) fn names(self) -> (&'static str, Option<&'static str>) {
         match self {
             Self::U8(_) => ("uint8", None),

@@ -114,11 +114,11 @@ fn choose<'a>(
             Err(error) => first = first.or(Some(error)),
         }
     }
-    // There is at least one.
+    // The archive has at least one array.
     Err(first.unwrap_or_else(|| arrays::unknown(report, "", known)))
 }
 
-/// Compression of an array; an error where it is unknown, or where it cannot hold what it promises.
+/// Compression of an array; an error where it is unknown, or where the compressed bytes are too few for the promised size.
 fn packing(archive: &mut Archive, index: usize, most: u64, report: Report) -> Result<&'static str, Error> {
     let entry = archive.by_index_raw(index).map_err(|error| damaged(report, error))?;
     let (name, ratio) = match entry.compression() {
@@ -134,7 +134,7 @@ fn packing(archive: &mut Archive, index: usize, most: u64, report: Report) -> Re
     Ok(name)
 }
 
-/// The library's error in our words: what is not supported, what is damaged, what is the system's.
+/// The library's error, sorted into unsupported archives, damaged ones and failures of the operating system.
 fn damaged(report: Report, error: ZipError) -> Error {
     match error {
         ZipError::Io(error) => stream::broken(report, 0, error),

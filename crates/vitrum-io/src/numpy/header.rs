@@ -10,7 +10,7 @@ use crate::stream;
 /// First bytes of every file, before two bytes of version.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// Longest dictionary that is read; those of plain arrays are about 100 bytes.
+/// Largest dictionary in bytes; the dictionary of a plain array has about 100.
 const MAX_BYTES: u64 = 1 << 20;
 
 /// A header understood.

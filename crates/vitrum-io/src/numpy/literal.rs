@@ -1,6 +1,6 @@
 //! The little Python that `.npy` headers are written in.
 
-/// Most entries of a dictionary or a tuple: real ones have 3.
+/// Largest number of entries of a dictionary or a tuple; real ones have 3.
 const MOST_ENTRIES: usize = 64;
 
 /// A value in the dictionary.
@@ -30,7 +30,7 @@ pub(super) fn dictionary(text: &str) -> Option<Vec<(String, Literal)>> {
     Some(entries)
 }
 
-/// What comes behind a comma, or nothing at the end.
+/// The text behind a comma, or an empty one at the end; `None` if another character follows.
 fn separated(rest: &str) -> Option<&str> {
     let rest = rest.trim_start();
     if rest.is_empty() { Some(rest) } else { Some(rest.strip_prefix(',')?.trim_start()) }

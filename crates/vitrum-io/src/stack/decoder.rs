@@ -65,7 +65,7 @@ impl Compression {
     }
 }
 
-/// The decoder's error in our words: what is not supported, what is damaged, what is the system's.
+/// The decoder's error, sorted into unsupported files, damaged ones and failures of the operating system.
 pub(super) fn damaged(report: Report, number: u64, error: TiffError) -> Error {
     match error {
         TiffError::UnsupportedError(error) => report.unsupported(

@@ -1,4 +1,4 @@
-//! A folder of TIFF files, each a slice: which of them are one volume, and in which order.
+//! A folder of TIFF files, one slice each: the files of one volume, and their order.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -61,7 +61,7 @@ fn parse(name: &str) -> (String, Vec<u64>) {
         let end = digits.find(|character: char| !character.is_ascii_digit()).unwrap_or(digits.len());
         pattern.push_str(&rest[..start]);
         rest = &digits[end..];
-        // What is longer than a number is a part of the name.
+        // A longer run of digits than a number has is a part of the name.
         match digits[..end].parse() {
             Ok(number) => {
                 pattern.push('#');
@@ -74,7 +74,7 @@ fn parse(name: &str) -> (String, Vec<u64>) {
     (pattern, numbers)
 }
 
-/// By the one number in which the names differ, whose steps are even.
+/// The order of the files: by the one number in which their names differ, whose steps must be even.
 fn order(report: Report, mut files: Vec<Numbered>) -> Result<Vec<PathBuf>, Error> {
     let differing: Vec<usize> =
         (0..files[0].0.len()).filter(|&place| files.iter().any(|file| file.0[place] != files[0].0[place])).collect();

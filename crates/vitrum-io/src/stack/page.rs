@@ -26,7 +26,7 @@ pub(super) struct Page {
 }
 
 impl Page {
-    /// Such as `384 x 384 uint16`.
+    /// Size and type of the page, such as `384 x 384 uint16`.
     pub fn describe(&self) -> String {
         let white = if self.inverted { " with white as 0" } else { "" };
         format!("{} x {} {}{white}", self.width, self.height, self.sample.name())
@@ -41,7 +41,7 @@ impl Page {
 #[derive(Debug)]
 pub(super) struct Pages<'a> {
     storage: Storage<'a>,
-    /// Its path, or the name that its bytes were given under.
+    /// Path of the file, or the name under which its bytes were given.
     pub path: PathBuf,
     pub name: String,
     pub first: Page,

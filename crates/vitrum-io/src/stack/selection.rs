@@ -1,4 +1,4 @@
-//! Which pages are the slices of one volume, where ImageJ says that they are more.
+//! The pages of one volume, among those of several channels and points in time by ImageJ.
 
 use super::spacing::Notes;
 use crate::error::{Error, Place, Report, clip};
@@ -16,7 +16,8 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// All `pages` of a file, or those of one channel at one point in time: ImageJ writes channels first, then slices, then times.
+    /// The pages of one channel at one point in time among the `pages` of a file, all of them if there is one of each: ImageJ writes
+    /// channels first, then slices, then times.
     pub fn of(
         report: Report,
         notes: &Notes,

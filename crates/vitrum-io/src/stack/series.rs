@@ -20,7 +20,7 @@ impl<'a> Numbered<'a> {
         (1..=18).contains(&digits.len()).then_some(Self { before, digits, after })
     }
 
-    /// The file of another number, where there is one.
+    /// The file of another number, if it exists.
     fn sibling(&self, folder: &Path, number: u64) -> Option<PathBuf> {
         let Self { before, digits, after } = *self;
         let width = digits.len();

@@ -47,7 +47,7 @@ pub(super) struct Description {
     pub word: Word,
     pub zlib: bool,
     pub coding: Coding,
-    /// Where in the file the array's characters or bytes start, and how many there can be.
+    /// Offset of the array's characters or bytes in the file, and their largest number.
     pub start: u64,
     pub length: u64,
     pub dimensions: [u32; 3],
@@ -88,7 +88,7 @@ impl Description {
         self.data_bytes / self.sample.size() as u64
     }
 
-    /// Such as `appended raw, zlib, little-endian`.
+    /// Encoding of the array, such as `appended raw, zlib, little-endian`.
     pub fn encoding(&self) -> String {
         let coding = match self.coding {
             Coding::Text => return "ascii".to_owned(),
@@ -286,7 +286,7 @@ fn grid(
     Ok((dimensions, placement))
 }
 
-/// Whether a matrix turns nothing: VTK writes that, too, where nobody has said how the image lies.
+/// Whether a direction matrix is the identity, which VTK also writes for an image of unknown orientation.
 fn numbers_are_identity(text: &str) -> bool {
     text.split_whitespace().map(str::parse::<f64>).eq([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0].map(Ok))
 }

@@ -34,7 +34,7 @@ pub(super) struct Appended {
     pub start: u64,
 }
 
-/// All that is read of the document.
+/// The parts of the document that are read.
 #[derive(Debug)]
 pub(super) struct Layout {
     pub file: Tag,

@@ -108,7 +108,7 @@ fn read_data(description: &Description, input: &Input, options: &OpenOptions) ->
 /// Fails where the characters that are there cannot hold the data, however they are written.
 fn check_possible(description: &Description, report: Report) -> Result<(), Error> {
     let Description { start, length, word, data_bytes, .. } = *description;
-    // What a block header takes is checked once that is read.
+    // The size of a block header is checked once the header is read.
     let plain = if description.zlib { 0 } else { data_bytes } + word.size() as u64;
     match description.coding {
         Coding::Text => text::check_text_length(report, description.voxel_count(), start, length),
@@ -117,8 +117,8 @@ fn check_possible(description: &Description, report: Report) -> Result<(), Error
     }
 }
 
-/// The header in front of compressed data: the number of blocks, the size that each inflates to,
-/// that of the last where it is smaller, and then the compressed size of each.
+/// The header of compressed data: the number of blocks, the size to which each inflates, the size of the last if it is smaller, and the
+/// compressed size of each.
 fn read_blocks(description: &Description, report: Report, reader: &mut dyn BufRead) -> Result<Vec<Block>, Error> {
     let Description { start, length, data_bytes, .. } = *description;
     let [count, full, last] = words::<3>(description, report, reader)?;

@@ -9,7 +9,7 @@ use quick_xml::events::{BytesStart, Event};
 use crate::error::clip;
 use crate::error::{Error, Place, Report};
 
-/// Most bytes of markup, data left out; real files have a few thousand.
+/// Largest size of the markup in bytes, without the data; real files have a few thousand.
 const MAX_BYTES: u64 = 4 << 20;
 
 /// Real files nest 7 elements.
@@ -38,7 +38,7 @@ impl Tag {
 pub(super) struct Text {
     pub start: u64,
     pub length: u64,
-    /// Whether it is nothing but white space.
+    /// Whether the text is white space alone.
     pub blank: bool,
 }
 
@@ -214,7 +214,7 @@ impl<R: BufRead> BufRead for Metered<R> {
     }
 
     fn consume(&mut self, count: usize) {
-        // What is consumed was filled before, so that nothing is read here.
+        // The consumed bytes were buffered before, so that nothing is read here.
         if let Ok(bytes) = self.inner.fill_buf() {
             self.line += bytes.iter().take(count).filter(|&&byte| byte == b'\n').count();
         }

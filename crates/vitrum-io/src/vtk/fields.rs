@@ -1,4 +1,4 @@
-//! The keywords of a legacy VTK file: what the grid is, and which data stands where.
+//! The keywords of a legacy VTK file: the description of the grid, and the places of the data.
 
 use std::io::BufRead;
 use std::str::FromStr;

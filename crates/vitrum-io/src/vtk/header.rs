@@ -1,4 +1,4 @@
-//! All arrays of a legacy VTK file, of which one is read.
+//! The header of a legacy VTK file: the description of all its arrays.
 
 use std::io::{BufRead, Seek, SeekFrom};
 
@@ -17,7 +17,7 @@ const MAX_BYTES: u64 = 1 << 20;
 
 const ADVICE: &str = "put the arrays before that";
 
-/// Most arrays of a file; real ones have a few.
+/// Largest number of arrays of a file; real files have a few.
 const MOST_BLOCKS: usize = 10_000;
 
 /// A header understood: all that reading the data takes.
@@ -127,7 +127,7 @@ struct Arrays {
 }
 
 impl Arrays {
-    /// Whether what is wrong behind does no harm.
+    /// Whether the wanted array has been found, so that a fault behind it does no harm.
     fn settled(&self, asked: Option<&str>) -> bool {
         self.chosen.as_ref().is_some_and(|(block, ..)| asked.is_none_or(|asked| asked == block.name))
     }

@@ -75,7 +75,7 @@ fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Vo
     } else {
         text::read_numbers(report, &mut voxels, &mut reader, count, header.sample.name())?;
     }
-    // What else is in the file starts by a keyword, and was looked at before.
+    // Other parts of the file begin with a keyword, and were read before.
     if !header.binary
         && let Some(word) = text::next_word(&mut reader).map_err(unreadable)?
         && !word.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_')

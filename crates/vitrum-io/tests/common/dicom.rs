@@ -32,7 +32,7 @@ impl Dicom {
         file
     }
 
-    /// The same of 16 bits.
+    /// A slice of 16-bit pixels.
     pub fn words(z: f64, pixels: &[u16], signed: bool) -> Self {
         let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| pixel.to_le_bytes()).collect();
         let mut file = Self::slice(z, &bytes);
@@ -168,7 +168,7 @@ pub const JPEG: [u8; 62] = [
 
 pub const JPEG_LS: &str = "1.2.840.10008.1.2.4.80";
 
-/// The same words as lossless JPEG-LS, written by CharLS.
+/// The words as lossless JPEG-LS, written by CharLS.
 pub const JPEG_LS_WORDS: [u8; 108] = [
     255, 216, 255, 232, 0, 32, 83, 80, 73, 70, 70, 0, 2, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 10, 16, 6, 1, 0, 0, 1, 44, 0,
     0, 1, 44, 255, 232, 0, 8, 0, 0, 0, 1, 255, 216, 255, 247, 0, 11, 16, 0, 2, 0, 3, 1, 1, 17, 0, 255, 248, 0, 13, 1,
@@ -178,7 +178,7 @@ pub const JPEG_LS_WORDS: [u8; 108] = [
 
 pub const JPEG_2000: &str = "1.2.840.10008.1.2.4.90";
 
-/// The same words as lossless JPEG 2000, written by OpenJPEG.
+/// The words as lossless JPEG 2000, written by OpenJPEG.
 pub const JPEG_2000_WORDS: [u8; 138] = [
     255, 79, 255, 81, 0, 41, 0, 0, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 0,
     0, 0, 0, 0, 0, 1, 15, 1, 1, 255, 82, 0, 12, 0, 0, 0, 1, 0, 0, 4, 4, 0, 1, 255, 92, 0, 4, 64, 128, 255, 100, 0, 37,

@@ -154,7 +154,7 @@ fn corners(shape: &Shape) -> impl Iterator<Item = [[f32; 3]; 3]> {
     shape.triangles.iter().map(|triangle| triangle.map(|vertex| shape.positions[vertex as usize]))
 }
 
-/// JSON, with `URI` where that of its buffer stands, and the buffer: positions, then 32-bit indices.
+/// JSON with `URI` in the place of the buffer's address, and the buffer: positions, then 32-bit indices.
 pub fn gltf(shape: &Shape) -> (String, Vec<u8>) {
     let mut data: Vec<u8> = shape.positions.iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
     let positions = data.len();

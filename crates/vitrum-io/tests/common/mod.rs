@@ -275,14 +275,14 @@ pub fn nifti_u8(change: impl FnOnce(&mut NiftiHeader) -> &mut NiftiHeader) -> Ve
     header.with(&[7; 12])
 }
 
-/// The same in NIfTI-2.
+/// The NIfTI-2 file of the same volume.
 pub fn nifti2_u8(change: impl FnOnce(&mut NiftiHeader) -> &mut NiftiHeader) -> Vec<u8> {
     let mut header = NiftiHeader::second(2, 1, false);
     change(&mut header);
     header.with(&[7; 12])
 }
 
-/// All physical values, x fastest.
+/// The physical values of a volume, x fastest.
 pub fn values(volume: &Volume) -> Vec<f32> {
     let [width, height, depth] = volume.dimensions;
     let mut values = Vec::new();
@@ -306,7 +306,7 @@ pub fn check(volume: &Volume, sample: &Sample) {
     assert_eq!(volume.histogram(5).iter().sum::<u64>(), 12);
 }
 
-/// Opens broken files of a name, and checks what the messages say.
+/// Opens broken files of a name, and checks the messages.
 pub fn check_refused(name: &str, cases: Vec<(Vec<u8>, &str)>) {
     let folder = Folder::new();
     let mut others = String::new();

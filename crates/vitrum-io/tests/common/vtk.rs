@@ -21,7 +21,7 @@ pub fn vti(file: &str, array: &str, content: &str, tail: &[u8]) -> Vec<u8> {
     [head.as_bytes(), tail, b"\n</VTKFile>\n"].concat()
 }
 
-/// The one of `vti` with 12 bytes of uint8, written as text.
+/// The VTI file of `vti` with 12 bytes of uint8, written as text.
 pub fn vti_text() -> String {
     let bytes = vti(LITTLE, "type=\"UInt8\" format=\"ascii\"", "1 2 3 4 5 6\n7 8 9 10 11 12", b"");
     String::from_utf8(bytes).expect("text")

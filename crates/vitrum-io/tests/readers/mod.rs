@@ -10,13 +10,13 @@ use whole::Whole;
 
 use vitrum_io::{Input, OpenOptions, mesh_readers, open_mesh, read_picture_with, readers};
 
-/// Most bytes that a file may ask for: enough for every path through a reader, and soon filled.
+/// Largest memory that a file may ask for, in bytes: enough for every path through a reader, and soon filled.
 const MOST: u64 = 1 << 20;
 
 const OPTIONS: OpenOptions =
     OpenOptions { max_bytes: Some(MOST), raw: None, spacing: None, array: None, time: None, up: None };
 
-/// What a target's bytes are.
+/// The format of a target's bytes.
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     /// A volume of the reader's name, under each of these file names in turn.
@@ -31,7 +31,7 @@ enum Kind {
     Picture(&'static [u8]),
 }
 
-/// All targets, one a format.
+/// The targets, one a format.
 #[rustfmt::skip]
 const TARGETS: &[(&str, Kind)] = &[
     ("nrrd", Kind::Volume("NRRD", &["a.nrrd"])),
@@ -83,7 +83,7 @@ impl Readers {
         Self { folder }
     }
 
-    /// Opens `bytes` as the format of the target `name`. What comes back is whole, within its limit, or an error.
+    /// Opens `bytes` as the format of the target `name`. The outcome is a whole value within its memory limit, or an error.
     ///
     /// # Panics
     ///

@@ -1,10 +1,10 @@
-//! What holds of everything that a reader lets through.
+//! Conditions on every value that a reader returns.
 
 use vitrum_io::{Mesh, Volume};
 
-/// Something that was read from a file that may be broken.
+/// A value that was read from a file that may be broken.
 pub trait Whole {
-    /// It takes at most `most` bytes, is finite, and as large as it says.
+    /// Checks that the value takes at most `most` bytes, is finite, and has the sizes that it states.
     ///
     /// # Panics
     ///

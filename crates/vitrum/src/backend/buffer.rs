@@ -49,9 +49,9 @@ pub enum Contents<'a> {
     Bytes(&'a [u8]),
     /// Words that nothing may write while the buffer lives: where a backend can, the same memory.
     Shared(&'a Words),
-    /// So many bytes that are 0.
+    /// Zeros, in this number of bytes.
     Zeros(u64),
-    /// So many bytes that a function writes, which gets zeros: where a backend can, without a copy.
+    /// Words that a function writes into zeros, in this number of bytes: where a backend can, without a copy.
     Written(u64, &'a mut (dyn FnMut(&mut [u32]) + Send)),
 }
 
@@ -99,7 +99,7 @@ impl<T> Buffers<T> {
         Buffer(Arc::new(Handle { number, dropped: Arc::clone(&self.dropped) }))
     }
 
-    /// What a buffer holds.
+    /// The contents of a buffer.
     ///
     /// # Errors
     /// [`BackendError::Misuse`] for a buffer of another backend.
@@ -107,7 +107,7 @@ impl<T> Buffers<T> {
         self.find(buffer).ok_or_else(stranger)
     }
 
-    /// What a buffer holds, if it is one of this backend's.
+    /// The contents of a buffer; `None` if it belongs to another backend.
     pub(super) fn find(&self, buffer: &Buffer) -> Option<&T> {
         self.slots.get(self.number(buffer)?)?.as_ref()
     }
@@ -121,7 +121,7 @@ impl<T> Buffers<T> {
         Ok(&mut self.slots[number])
     }
 
-    /// What the buffers hold whose handles are not all dropped.
+    /// The contents of the buffers that still have a handle.
     pub(super) fn living(&self) -> impl Iterator<Item = &T> {
         let dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let slots = self.slots.iter().enumerate().filter(move |(number, _)| !dropped.contains(number));

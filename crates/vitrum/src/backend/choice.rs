@@ -4,10 +4,10 @@ use super::{Backend, BackendError, CpuBackend, GpuOptions};
 use serde::Serialize;
 use vitrum_kernels::kernel::InstructionSet;
 
-/// Which backend is wanted.
+/// The choice of a backend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Choice {
-    /// A hardware GPU if there is one, else the CPU. A software Vulkan driver does not count as a GPU.
+    /// A hardware GPU if the machine has one, else the CPU. A software Vulkan driver does not count as a GPU.
     #[default]
     Auto,
     /// The CPU.
@@ -16,10 +16,10 @@ pub enum Choice {
     Gpu,
 }
 
-/// Something kernels can run on.
+/// A device on which kernels can run.
 #[derive(Debug, Clone, Serialize)]
 pub struct DeviceInfo {
-    /// Its name.
+    /// Name of the device.
     pub name: String,
     /// `cpu` or `gpu`: what `--backend` takes.
     pub backend: &'static str,
@@ -35,7 +35,7 @@ pub struct DeviceInfo {
     pub chosen_by_auto: bool,
 }
 
-/// Everything kernels can run on, the best graphics adapter first, the CPU last.
+/// All devices on which kernels can run, the best graphics adapter first, the CPU last.
 pub fn devices() -> Vec<DeviceInfo> {
     let mut found = graphics::devices();
     // `auto` takes the first hardware adapter only.
@@ -94,7 +94,7 @@ mod graphics {
         adapters().iter().map(device).collect()
     }
 
-    /// Opens the adapter that is `wanted`, or a hardware one if there is one.
+    /// Opens the adapter `wanted`, or the best hardware adapter.
     pub(super) fn open(
         options: &GpuOptions,
         wanted: bool,

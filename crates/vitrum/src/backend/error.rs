@@ -1,12 +1,12 @@
-//! What can go wrong on a backend.
+//! Errors of backends.
 
 /// Why a backend could not do its work.
 #[derive(Debug, thiserror::Error)]
 pub enum BackendError {
-    /// No adapter can be used.
+    /// A machine without a usable adapter.
     #[error("no usable graphics adapter: {reason}")]
     NoAdapter {
-        /// What was found instead.
+        /// The reason: the adapters that were found, or the lack of a driver.
         reason: String,
     },
     /// The adapter lacks something.
@@ -14,13 +14,13 @@ pub enum BackendError {
     Unsupported {
         /// The adapter.
         adapter: String,
-        /// What it lacks.
+        /// The missing capability.
         what: String,
     },
     /// A buffer is larger than the device allows.
     #[error("{label} needs {needed} bytes; {adapter} allows {limit} in one buffer")]
     TooLarge {
-        /// What the buffer is for.
+        /// The label of the buffer.
         label: String,
         /// Bytes needed.
         needed: u64,
@@ -50,7 +50,7 @@ pub enum BackendError {
     OutOfMemory {
         /// The adapter.
         adapter: String,
-        /// What was being made.
+        /// The object that was being made.
         what: String,
     },
     /// The device stopped working.
@@ -58,7 +58,7 @@ pub enum BackendError {
     DeviceLost {
         /// The adapter.
         adapter: String,
-        /// What the driver said.
+        /// The message of the driver.
         reason: String,
     },
     /// A pass does not fit its kernel's declaration: a mistake in a method.
@@ -66,7 +66,7 @@ pub enum BackendError {
     Misuse {
         /// The kernel.
         kernel: &'static str,
-        /// What does not fit.
+        /// The argument that does not fit the declaration.
         what: String,
     },
     /// Worker threads could not be started.
@@ -74,7 +74,7 @@ pub enum BackendError {
     Threads {
         /// Threads asked for.
         threads: usize,
-        /// What the system said.
+        /// The message of the operating system.
         reason: String,
     },
     /// The caller cancelled the run.
@@ -96,7 +96,7 @@ impl BackendError {
         )
     }
 
-    /// Whether it is a matter of use and not of the device: a memory limit that was asked for is too low.
+    /// Whether the error is one of usage and not of the device: a requested memory limit is too low.
     pub fn is_usage_error(&self) -> bool {
         matches!(self, Self::VolumeLimit { asked_for: true, .. })
     }

@@ -47,7 +47,7 @@ pub trait Backend: Send {
         u64::MAX
     }
 
-    /// Sets [`Self::volume_limit`]; with `None` there is none but [`Self::largest_buffer`] for each volume.
+    /// Sets [`Self::volume_limit`]; `None` leaves [`Self::largest_buffer`] for each volume as the only limit.
     fn set_volume_limit(&mut self, _bytes: Option<u64>) {}
 
     /// The threads on which the work of the host runs, such as the preparation of a frame.
@@ -85,11 +85,6 @@ pub trait Backend: Send {
     /// [`BackendError::Cancelled`]; [`BackendError::Misuse`] where a pass does not fit its kernel's declaration; the device's failures.
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
 
-    /// Whether [`Self::run`] leaves passes out as [`PassList::while_busy`] allows.
-    fn leaves_out_idle_passes(&self) -> bool {
-        false
-    }
-
     /// Shows `see` the bytes `range` of a buffer, whole words that lie inside it: where a backend can, without a copy and without the rest.
     ///
     /// # Errors
@@ -115,8 +110,8 @@ pub trait Backend: Send {
         self.read_all(&buffer)
     }
 
-    /// What each kernel took in the runs since the last call, in order of their first passes; empty where that is not known. Passes
-    /// that wait for nothing but each other may run at once: then their time is shared out by the work they did.
+    /// The time of each kernel in the runs since the last call, in order of the kernels' first passes; empty if the device has no
+    /// clock. Passes that wait for nothing but each other may run at once: their time is then divided by the work that they did.
     fn take_kernel_times(&mut self) -> Vec<KernelTime> {
         Vec::new()
     }

@@ -14,7 +14,7 @@ pub struct Pass {
     pub kernel: &'static Kernel,
     /// The uniform block's bytes.
     pub uniforms: Vec<u8>,
-    /// A buffer for each binding from 1 on.
+    /// A buffer for each of the kernel's [`Declaration::buffers`](vitrum_kernels::kernel::Declaration::buffers).
     pub buffers: Vec<Buffer>,
     /// Where the records start in the buffer that is written, in words: a multiple of [`START_ALIGNMENT`].
     pub start: u64,
@@ -56,7 +56,8 @@ pub struct PassList {
 }
 
 /// Passes that only matter while some invocation of a kernel has work to do: once a pass of it was idle, a backend may leave the rest of
-/// them out. The results are the same.
+/// them out. The results are the same. No host is asked: the CPU knows the answer from the kernel's return value, and on a GPU a pass with work
+/// raises the numbers of workgroups of the next ones, where the kernel reports work and all the passes have the same size.
 #[derive(Clone)]
 pub struct WhileBusy {
     /// The kernel whose idleness counts.
@@ -119,7 +120,7 @@ impl Pass {
     /// The buffer that the pass writes.
     pub fn output(&self) -> Option<&Buffer> {
         let writes = |access: Access| matches!(access, Access::Write | Access::Update | Access::Add);
-        let written = self.kernel.declaration.bindings[1..].iter().position(|binding| writes(binding.access))?;
+        let written = self.kernel.declaration.buffers().iter().position(|binding| writes(binding.access))?;
         self.buffers.get(written)
     }
 
@@ -135,12 +136,8 @@ impl Pass {
                 declaration.uniform_bytes
             ));
         }
-        if self.buffers.len() + 1 != declaration.bindings.len() {
-            return wrong(format!(
-                "{} buffers where {} are declared",
-                self.buffers.len(),
-                declaration.bindings.len() - 1
-            ));
+        if self.buffers.len() != declaration.buffers().len() {
+            return wrong(format!("{} buffers where {} are declared", self.buffers.len(), declaration.buffers().len()));
         }
         let Window { first, end } = self.window;
         let whole_blocks =
@@ -151,7 +148,7 @@ impl Pass {
         if !self.start.is_multiple_of(START_ALIGNMENT) {
             return wrong(format!("records start at word {}, not at a multiple of {START_ALIGNMENT}", self.start));
         }
-        for (buffer, binding) in self.buffers.iter().zip(&declaration.bindings[1..]) {
+        for (buffer, binding) in self.buffers.iter().zip(declaration.buffers()) {
             let Some(size) = bytes(buffer) else {
                 return wrong(format!("binding {} ({}) is a buffer of another backend", binding.binding, binding.name));
             };

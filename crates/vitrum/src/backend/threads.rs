@@ -58,7 +58,7 @@ impl Threads {
         work()
     }
 
-    /// How many threads there are.
+    /// The number of threads.
     #[must_use]
     pub fn count(&self) -> usize {
         self.run(rayon::current_num_threads)

@@ -1,15 +1,15 @@
-//! How long kernels took.
+//! Times of kernels.
 
 use serde::Serialize;
 
-/// What the passes of a kernel took together.
+/// The time of all passes of a kernel together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct KernelTime {
     /// The kernel's name.
     pub kernel: &'static str,
     /// Passes that ran.
     pub passes: u32,
-    /// Milliseconds.
+    /// Time in milliseconds.
     pub ms: f64,
 }
 

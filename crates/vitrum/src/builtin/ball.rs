@@ -15,7 +15,7 @@ pub(super) const SCENES: &[SceneEntry] = &[
 
 fn sheets() -> Scene {
     let mut scene = scene();
-    // What the rim deflects goes far.
+    // Light that the rim deflects goes far.
     scene.sweep.light_margin = 0.5;
     scene.sweep.light = Transport::Sheets;
     scene

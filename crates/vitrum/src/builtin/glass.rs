@@ -87,7 +87,7 @@ fn juice() -> Scene {
 fn sheets() -> Scene {
     let mut scene = beer();
     scene.light.iter_mut().for_each(|light| light.angular_radius = 0.0);
-    // What walls and liquid scatter goes far.
+    // Light that walls and liquid scatter goes far.
     scene.sweep.light_margin = 0.4;
     scene.sweep.light = Transport::Sheets;
     scene
@@ -140,7 +140,7 @@ fn material(body: &Outline, cavity: &Outline, point: Vec2, edge: f32) -> f32 {
 
 /// Height of the liquid on the axis.
 pub(super) const LEVEL: f32 = 0.46;
-/// How far the liquid climbs at the wall.
+/// Height of the meniscus: the liquid's rise at the wall.
 pub(super) const MENISCUS: f32 = 0.03;
 /// Thickness of the bowl's wall.
 pub(super) const WALL: f32 = 0.045;

@@ -39,7 +39,7 @@ impl Grid {
         Ok(Self { dimensions: dimensions.to_array().map(|size| size as u32), spacing })
     }
 
-    /// The same number of voxels, each with edges of `spacing` world units.
+    /// The grid with the same number of voxels, whose edges are `spacing` world units long.
     pub fn with_spacing(self, spacing: f32) -> Self {
         Self { spacing, ..self }
     }

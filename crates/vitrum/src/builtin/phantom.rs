@@ -106,7 +106,7 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
 mod tests {
     use super::*;
 
-    /// What `docs/benchmarks.md`'s definition gives in NumPy at 64³: the sum of all voxels, and how many have a value.
+    /// The sum of all voxels at 64³, and the number of voxels above 0, that the definition in `docs/benchmarks.md` gives in NumPy.
     const NUMPY_SUM: u64 = 8_408_332;
     const NUMPY_COUNTS: [(u8, usize); 4] = [(0, 168_888), (70, 63_224), (190, 11_672), (170, 1964)];
 

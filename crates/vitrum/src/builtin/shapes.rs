@@ -43,7 +43,7 @@ pub(super) fn tube(position: Vec3, start: (Vec3, f32), end: (Vec3, f32)) -> f32 
 #[derive(Debug, Clone)]
 pub(super) struct Outline {
     points: Vec<Vec2>,
-    /// How many of `points` are the curve; the others close it.
+    /// The number of `points` that form the curve; the other points close it.
     curve: usize,
 }
 
@@ -56,7 +56,7 @@ impl Outline {
         Self { curve: curve.len(), points: curve.into_iter().map(Vec3::truncate).chain(corners).collect() }
     }
 
-    /// Signed distance to the curve; the closing lines only help to decide what is inside.
+    /// Signed distance to the curve; the closing lines only decide on which side a point is.
     pub fn distance(&self, position: Vec2) -> f32 {
         let mut nearest = f32::INFINITY;
         let mut inside = false;

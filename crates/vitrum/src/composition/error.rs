@@ -22,12 +22,12 @@ pub enum CompositionError {
     Text {
         /// The file.
         file: PathBuf,
-        /// Why.
+        /// The reason.
         reason: String,
-        /// What to do about it.
+        /// Advice: a sentence that says how to mend it.
         advice: &'static str,
     },
-    /// There is no such preset of the input's kind.
+    /// An unknown preset, for the input's kind.
     #[error(transparent)]
     Preset(#[from] PresetError),
     /// The scene is not valid, or its data could not be read.
@@ -42,7 +42,7 @@ impl From<SceneError> for CompositionError {
 }
 
 impl CompositionError {
-    /// What to do about an unknown name or a text that cannot be read, in one sentence; errors of other kinds have their own advice.
+    /// Advice for an unknown name or an unreadable text, in one sentence; errors of other kinds have their own advice.
     #[must_use]
     pub fn advice(&self) -> Option<String> {
         match self {

@@ -17,12 +17,13 @@ pub struct Composition {
     /// A scene file (`.toml`), the file of a volume or of a mesh, a folder of DICOM files, `-` for a volume from standard input, or
     /// `builtin:NAME`.
     pub input: String,
-    /// The name of a preset. A volume's file takes [`preset::DEFAULT`] if absent, a mesh's file what it says of itself, or glass.
+    /// The name of a preset. If absent, a volume's file is shown by [`preset::DEFAULT`], a mesh's file by its own materials, or as
+    /// glass.
     pub preset: Option<String>,
     /// Width and height of the film, in pixels.
     pub size: Option<[u32; 2]>,
-    /// How the volume's file is read: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up` of meshes
-    /// as well. The other fields are not used.
+    /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up`
+    /// of meshes as well. The other fields are not used.
     pub source: VolumeSource,
     /// Keys with values, such as `camera.azimuth=60`, as [`Scene::set`] takes them.
     pub settings: Vec<String>,

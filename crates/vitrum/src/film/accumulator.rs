@@ -9,7 +9,7 @@ use vitrum_io::Picture;
 /// The sum of the exposures so far.
 pub(crate) struct Accumulator {
     outputs: &'static [Output],
-    /// How many exposures there will be: a single one is the sum as it is.
+    /// Number of exposures; a single one is the sum itself.
     count: usize,
     /// Planar film records.
     pub film: Vec<f32>,

@@ -107,8 +107,8 @@ macro_rules! rgb {
 
 /// The channels of a colour and its coverage.
 macro_rules! rgba {
-    ($from:expr) => {
-        &[("R", $from), ("G", $from + 1), ("B", $from + 2), ("A", $from + 3)]
+    ($from:expr, $coverage:expr) => {
+        &[("R", $from), ("G", $from + 1), ("B", $from + 2), ("A", $coverage)]
     };
 }
 

@@ -1,4 +1,4 @@
-//! From the records of several rays a pixel to one value a pixel.
+//! Resolution of the film: from the records of several rays a pixel to one value a pixel.
 
 use super::output::{Output, PixelFilter};
 use vitrum_io::{Channel, Layer};

@@ -1,10 +1,10 @@
-//! How a frame was made: sizes, counts, times, memory.
+//! Statistics of a frame: sizes, counts, times, memory.
 
 use crate::backend::{Backend, KernelTime};
 use crate::scene::Scene;
 use serde::Serialize;
 
-/// How a frame was made. What is not known is `None`.
+/// Statistics of a frame. An unknown value is `None`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Statistics {
     /// The method, as scenes name it.
@@ -35,7 +35,7 @@ pub struct Statistics {
     pub frame_ms: Vec<f64>,
     /// Time to build tables and fill buffers, in milliseconds.
     pub upload_ms: Option<f64>,
-    /// What each kernel took in the last frame; empty where the device has no clock.
+    /// The time of each kernel in the last frame; empty if the device has no clock.
     pub kernels: Vec<KernelTime>,
     /// The most memory the process had, in bytes.
     pub peak_rss_bytes: Option<u64>,
@@ -46,7 +46,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Those of a frame that a backend has just finished, while its buffers are still there.
+    /// The statistics of a frame that a backend has just finished, while its buffers still exist.
     pub(crate) fn of(scene: &Scene, backend: &mut dyn Backend) -> Self {
         Self {
             method: scene.method.as_str().to_owned(),

@@ -1,7 +1,7 @@
-//! How far bricks are from the next one that counts.
+//! Chebyshev distances of bricks to the nearest brick that is not empty.
 
-/// Turns 0 for each brick that counts and a number that is large enough for the others into how many bricks away the next one is that
-/// counts, by the largest of the differences along the axes: two passes that look at half of the neighbours each.
+/// Turns a word of 0 for each brick that is not empty, and of a large number for the others, into the Chebyshev distance to the nearest
+/// brick that is not empty, in bricks.
 pub(super) fn spread(words: &mut [u32], bricks: [usize; 3]) {
     let [width, height, depth] = bricks;
     let row = |y: usize, z: usize| (z * height + y) * width;

@@ -14,7 +14,7 @@ pub struct Cache {
 }
 
 impl Cache {
-    /// The value of type `T`, and no other one: data of a method that is not used any more makes room.
+    /// The value of type `T`. Data of another type, of a method that is no longer used, is dropped.
     pub fn of<T: Any + Default + Send>(&mut self) -> &mut T {
         self.entries.retain(|id, _| *id == TypeId::of::<T>());
         let entry = self.entries.entry(TypeId::of::<T>()).or_insert_with(|| Box::new(T::default()));
@@ -34,7 +34,7 @@ impl<K, V> Default for Memo<K, V> {
 }
 
 impl<K: PartialEq, V> Memo<K, V> {
-    /// The result for `key`, computed by `make` unless the last one was for the same key.
+    /// The value for `key`: the stored one if it belongs to the same key, else a new one that `make` computes and the memo stores.
     ///
     /// # Errors
     /// Those of `make`.

@@ -1,9 +1,10 @@
-//! A frame with several lights: light adds up, so that it is the sum of frames with one light each.
+//! Frames with several lights: light adds up, so that such a frame is the sum of frames with one light each.
 
-use super::sources::sources;
-use super::view::light::travels;
-use super::{Exposure, Part, View};
-use crate::scene::{Attachment, Light, Scene};
+use super::sources::{ball, sources};
+use super::view::light::{axis, travels};
+use super::{Bounds, Exposure, Part, View};
+use crate::scene::{Attachment, Light, LightKind, Scene};
+use glam::DVec3;
 
 /// The exposures of a scene: the first has the first light and everything else that shines, each further one a further light alone.
 pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
@@ -17,26 +18,57 @@ pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
     std::iter::once(whole).chain(shining.map(alone)).collect()
 }
 
-/// The scene with crisp lights instead of soft ones: each distant light that casts soft shadows becomes `shadow.samples` lights,
-/// spread over its disc, that have its strength together.
-pub(super) fn crisp(scene: &Scene, view: &View) -> Scene {
+/// The scene with crisp lights instead of soft ones: each light that casts soft shadows becomes `shadow.samples` lights that have its strength
+/// together, spread over its disc if it is distant, else over its ball. `bounds` are the subject's.
+pub(super) fn crisp(scene: &Scene, bounds: Bounds) -> Scene {
+    let view = View::new(scene, bounds);
     let count = scene.shadow.samples;
-    let split = |light: &Light| match travels(light, view) {
-        Ok(direction) if count > 1 && light.shadows && light.angular_radius > 0.0 && !is_black(light) => {
-            let sample = |towards: [f32; 3]| {
-                let world = view.axes * glam::Vec3::from_array(towards).as_dvec3();
-                Light {
-                    attachment: Some(Attachment::World),
-                    direction: Some(world.as_vec3().to_array()),
-                    intensity: light.intensity / count as f32,
-                    ..light.clone()
-                }
-            };
-            sources(direction, light.angular_radius, count).into_iter().map(sample).collect()
+    let split = |light: &Light| {
+        if count < 2 || !light.shadows || is_black(light) {
+            return vec![light.clone()];
         }
-        _ => vec![light.clone()],
+        let sample = Light { intensity: light.intensity / count as f32, ..light.clone() };
+        match light.kind {
+            LightKind::Distant => in_directions(&sample, count, &view),
+            LightKind::Point | LightKind::Spot => at_positions(&sample, count, &view, bounds),
+        }
+        .unwrap_or_else(|| vec![light.clone()])
     };
     Scene { light: scene.light.iter().flat_map(split).collect(), ..scene.clone() }
+}
+
+/// Distant lights over the disc of a soft one; `None` for a crisp one.
+fn in_directions(light: &Light, count: u32, view: &View) -> Option<Vec<Light>> {
+    let direction = travels(light, view).ok().filter(|_| light.angular_radius > 0.0)?;
+    let sample = |towards: [f32; 3]| {
+        let world = view.axes * glam::Vec3::from_array(towards).as_dvec3();
+        let direction = Some(world.as_vec3().to_array());
+        Light { attachment: Some(Attachment::World), direction, ..light.clone() }
+    };
+    Some(sources(direction, light.angular_radius, count).into_iter().map(sample).collect())
+}
+
+/// Points or spots over the ball of a soft one; `None` for a crisp one.
+fn at_positions(light: &Light, count: u32, view: &View, bounds: Bounds) -> Option<Vec<Light>> {
+    let position = light.position.filter(|_| light.radius > 0.0)?;
+    // All look where the one in the middle does, in the frame of its position.
+    let direction = match (light.kind, light.attachment()) {
+        (LightKind::Spot, Attachment::World) => Some(axis(light, view, bounds).ok()?),
+        (LightKind::Spot, Attachment::Camera) => {
+            let seen = view.direction(axis(light, view, bounds).ok()?);
+            Some(DVec3::new(seen.x, seen.y, -seen.z))
+        }
+        _ => None,
+    };
+    let sample = |offset: DVec3| {
+        let at = glam::Vec3::from_array(position).as_dvec3() + offset * f64::from(light.radius);
+        Light {
+            position: Some(at.as_vec3().to_array()),
+            direction: direction.map(|axis| axis.as_vec3().to_array()),
+            ..light.clone()
+        }
+    };
+    Some(ball(count).into_iter().map(sample).collect())
 }
 
 /// A scene in which nothing shines but one of its lights. It keeps the environment's kind, so that a map of it stays where it is.

@@ -29,24 +29,24 @@ pub static ALL: [&dyn Method; 2] = [&sweep::PlaneSweep, &voxels::MeshRays];
 
 /// A way in which a scene becomes a picture.
 pub trait Method: Sync {
-    /// The value of the scene's key `method` that takes it.
+    /// The name of the method in scenes: a value of the key `method`.
     fn name(&self) -> MethodName;
 
-    /// The outputs that its frames have, `color` first, with their places in its film records.
+    /// The outputs of the method's frames, `color` first, with their components in film records.
     fn outputs(&self) -> &'static [Output];
 
-    /// Whether a frame of a scene can be made of these assets, as far as that can be told without a backend and without work.
+    /// Checks that a frame of a scene can be made of these assets, as far as that is decided without a backend and without work.
     ///
     /// # Errors
     /// [`Error::Unrenderable`] where the method cannot show the assets, or the scene's values together make no frame.
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error>;
 
-    /// The exposures whose weighted sum a frame is: at least one, those of the part [`Part::Whole`] first.
+    /// The exposures whose weighted sum is the frame: at least one; those of the part [`Part::Whole`] come first.
     fn exposures(&self, scene: &Scene, _assets: &Assets) -> Vec<Exposure> {
         lights::exposures(scene)
     }
 
-    /// Makes the buffers of an exposure and lists its passes. Data that the next frame needs, too, stays in `cache`.
+    /// Allocates the buffers of an exposure and lists its passes. Data that the next frame reads again stays in `cache`.
     ///
     /// # Errors
     /// Those of [`Self::check`]; [`Error::Backend`] where the backend lacks the memory or fails, or `progress` cancels.
@@ -73,25 +73,26 @@ pub fn outputs() -> impl Iterator<Item = (&'static dyn Method, &'static Output)>
 pub struct Exposure {
     /// The scene of this exposure.
     pub scene: Scene,
-    /// Its weights in linear red, green and blue.
+    /// Weights of the exposure in the sum: linear red, green and blue.
     pub weights: [f32; 3],
-    /// How far its rays are from those that outputs without a mean show, such as depth: the least distance wins.
+    /// Distance of the exposure's rays from the reference rays, whose values outputs without a mean, such as depth, show: the exposure
+    /// of the least distance supplies them.
     pub distance: f64,
-    /// The outputs that it adds to.
+    /// The outputs to which the exposure adds.
     pub part: Part,
 }
 
 /// The outputs that an exposure adds to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// All of them.
+    /// All outputs.
     Whole,
     /// Radiance alone: the exposure has the light of a further source, and everything else is in another exposure.
     Light,
 }
 
 impl Exposure {
-    /// A scene that is the whole frame.
+    /// The exposure of a scene that is the whole frame.
     #[must_use]
     pub fn whole(scene: Scene) -> Self {
         Self { scene, weights: [1.0; 3], distance: 0.0, part: Part::Whole }
@@ -105,7 +106,7 @@ pub struct Job<'a> {
     pub scene: &'a Scene,
     /// The data that the scene shows.
     pub assets: &'a Assets,
-    /// The outputs that are asked for.
+    /// The requested outputs.
     pub request: OutputRequest,
 }
 
@@ -113,7 +114,7 @@ pub struct Job<'a> {
 pub struct Tools<'a> {
     /// The backend.
     pub backend: &'a mut dyn Backend,
-    /// Is told how far the preparation is, and cancels it by returning `false`.
+    /// Receives the progress of the preparation, and cancels it by returning `false`.
     pub progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
 }
 
@@ -125,10 +126,10 @@ pub trait PreparedFrame {
     /// Viewing rays across and down.
     fn rays(&self) -> [u32; 2];
 
-    /// The planar records that the passes leave, one for each viewing ray: the components are those that the method's outputs name.
+    /// The film: planar records, one for each viewing ray, with the components that the method's outputs name.
     fn film(&self) -> &Buffer;
 
-    /// Runs the passes; `progress` is told how many are done and how many there are, and cancels by returning `false`.
+    /// Runs the passes. `progress` receives the number of finished passes and the number of all, and cancels by returning `false`.
     ///
     /// # Errors
     /// As [`Backend::run`].
@@ -137,7 +138,7 @@ pub trait PreparedFrame {
         backend.run(self.passes(), &mut |done| progress(done as u64, total))
     }
 
-    /// The light on the last plane, in texels of its own, row 0 on top; `None` where the method carries no light from plane to plane.
+    /// The light on the last plane, in texels of its own, row 0 on top; `None` for a method that carries no light from plane to plane.
     ///
     /// # Errors
     /// As [`Backend::read`].

@@ -22,7 +22,7 @@ pub(crate) fn twisted(mesh: &Mesh, degrees: f32) -> Mesh {
     let from_middle = |position: &[f32; 3]| glam::Vec3::from_array(*position).as_dvec3() - middle;
     if let Some(normals) = &mut twisted.normals {
         normals.par_iter_mut().zip(&mesh.positions).for_each(|(normal, position)| {
-            // What the twist does to small steps is R (1 + w zᵀ), so that normals take R (1 - z wᵀ).
+            // The Jacobian of the twist is R (1 + w zᵀ), so that normals take R (1 - z wᵀ).
             let at = from_middle(position);
             let n = glam::Vec3::from_array(*normal).as_dvec3();
             let way = DVec3::new(-at.y, at.x, 0.0) * rate;

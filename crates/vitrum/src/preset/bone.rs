@@ -1,4 +1,4 @@
-//! `bone`: what is dense, opaque, in a faint veil of what is around it.
+//! `bone`: opaque dense tissue in a faint veil of the tissue around it.
 
 use super::Preset;
 use super::subject::{Subject, color, opacity};

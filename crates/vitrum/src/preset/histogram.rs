@@ -3,7 +3,7 @@
 use std::ops::Range;
 use vitrum_io::Volume;
 
-/// How often each of many equal steps of a volume's range occurs.
+/// A histogram of a volume's values: the number of voxels in each of many equal steps of its range.
 pub(super) struct Histogram {
     counts: Vec<u64>,
     low: f32,
@@ -23,7 +23,7 @@ impl Histogram {
         (step.is_normal() && step > 0.0).then_some(Self { counts, low, step })
     }
 
-    /// All bins.
+    /// The range of all bins.
     pub fn all(&self) -> Range<usize> {
         0..self.counts.len()
     }

@@ -1,9 +1,9 @@
-//! Looks of a mesh: what it is made of, and what is around it.
+//! Presets of meshes: the materials of the bodies, and the surroundings.
 
 use super::{MESHES, PresetError, VOLUMES, not_found};
 use crate::scene::{Environment, EnvironmentKind, Material, Rgb, Scene};
 
-/// A clear material by what is left of white light behind the mesh's longest edge of it, or an opaque one by its reflectance.
+/// A material: a clear one by its transmittance over the mesh's longest edge, or an opaque one by its reflectance.
 struct Look {
     name: &'static str,
     description: &'static str,
@@ -56,7 +56,8 @@ pub fn mesh_names() -> &'static [(&'static str, &'static str)] {
     NAMES
 }
 
-/// What is around a mesh when nobody says it: a clear body shows by what it bends into view, a bright band between two dark ones.
+/// Gives a scene the default surroundings of a mesh. A clear body is visible by the surroundings that it refracts: a bright band
+/// between two dark ones.
 pub fn surround_mesh(scene: &mut Scene) {
     scene.environment = Environment {
         kind: EnvironmentKind::Gradient,

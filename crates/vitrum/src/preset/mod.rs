@@ -1,11 +1,10 @@
-//! Presets: ready-made looks that fit themselves to any volume.
+//! Presets: ready-made looks that are fitted to any volume or mesh.
 //!
-//! Those of meshes say what the bodies are made of and what is around them (`mesh`).
-//!
-//! A preset sets what a volume looks like — `transfer`, `light`, `shading`, `environment`, `ground` and `wall` — and
-//! leaves alone what is shown and from where: `volume`, `camera`, `clip`, `sweep` (but for the grid of the light) and `film`. It reads the volume's own
-//! values (`subject`), so that an 8-bit CT, a signed CT and a simulation between 0 and 1 each get thresholds of
-//! theirs, and it states absorption for a share of the volume's size, so that 64³ and 512³ voxels look alike.
+//! A preset of a volume sets its look — `transfer`, `light`, `shading`, `environment`, `ground` and `wall` — and leaves the subject and the
+//! view of it alone: `volume`, `camera`, `clip`, `sweep` (but for the grid of the light) and `film`. It is fitted to the volume's own values
+//! (`subject`), so that an 8-bit CT, a signed CT and a simulation between 0 and 1 each get thresholds of their own, and it states absorption
+//! for a share of the volume's size, so that 64³ and 512³ voxels look alike. A preset of a mesh (`mesh`) sets the materials of the bodies
+//! and their surroundings.
 
 mod amber;
 mod bone;
@@ -25,10 +24,9 @@ use crate::suggest::nearest;
 use subject::Subject;
 use vitrum_io::Volume;
 
-/// What a volume is shown with when nobody says how.
-///
-/// Of all presets, `amber` shows most of what is in an unknown volume at first sight: its outer shape by refraction and
-/// colour, what is dense inside by opacity, and where they lie by shadow. The others show one of these alone.
+/// The preset of a volume for which no preset is named. Of all presets, `amber` shows most of the contents of an unknown volume at
+/// first sight: the outer shape by refraction and colour, dense parts inside by opacity, and their places by shadow. The other presets
+/// show one of these alone.
 pub const DEFAULT: &str = "amber";
 
 struct Preset {
@@ -53,32 +51,32 @@ const NAMES: [(&str, &str); PRESETS.len()] = {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PresetError {
-    /// There is no preset of this name.
+    /// An unknown name.
     #[error("there is no preset `{name}`")]
     Unknown {
         /// The name that was asked for.
         name: String,
         /// The name that was most likely meant.
         nearest: Option<&'static str>,
-        /// All that there are.
+        /// The names of all presets.
         known: Vec<&'static str>,
     },
-    /// There is one, of what is not shown.
+    /// The preset of a volume for a mesh, or the preset of a mesh for a volume.
     #[error("`{name}` is a preset of {kind}, and none of {shown}")]
     OtherKind {
         /// The name that was asked for.
         name: String,
-        /// What it is for: `meshes` or `volumes`.
+        /// The kind of data that the preset is for: `meshes` or `volumes`.
         kind: &'static str,
-        /// What is shown.
+        /// The kind of data that the scene shows.
         shown: &'static str,
-        /// All presets of that.
+        /// The names of all presets for that kind.
         known: Vec<&'static str>,
     },
 }
 
 impl PresetError {
-    /// What to do about it, in one sentence.
+    /// Advice: a sentence that says how to mend it.
     #[must_use]
     pub fn help(&self) -> String {
         match self {
@@ -104,7 +102,7 @@ pub fn check(name: &str) -> Result<(), PresetError> {
     find(name).map(drop)
 }
 
-/// Gives `scene` the look of the preset `name`, fitted to the values in `volume`.
+/// Gives `scene` the look of the preset `name`, fitted to the values of `volume`.
 ///
 /// # Errors
 ///
@@ -121,13 +119,13 @@ fn find(name: &str) -> Result<&'static Preset, PresetError> {
     PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| not_found(name, VOLUMES, MESHES))
 }
 
-/// What a preset is for: the word, and names.
+/// A kind of data, and the presets for it by name and description.
 type Kind = (&'static str, &'static [(&'static str, &'static str)]);
 
 const VOLUMES: Kind = ("volumes", &NAMES);
 const MESHES: Kind = ("meshes", mesh::NAMES);
 
-/// Why there is no preset `name` of what is `shown`.
+/// The error that names why the data that is `shown` has no preset `name`.
 fn not_found(name: &str, (shown, names): Kind, (kind, others): Kind) -> PresetError {
     let (name, known) = (name.to_owned(), names.iter().map(|&(name, _)| name).collect());
     if others.iter().any(|(other, _)| *other == name) {

@@ -1,9 +1,9 @@
-//! How thick a volume is for rays, and how rugged.
+//! Measures of a volume's shape: its thickness along rays, and its ruggedness.
 
 use super::subject::Subject;
 use vitrum_io::Volume;
 
-/// Most voxels looked at along an edge: enough for statistics, quick for any volume.
+/// The most samples along an edge: enough for statistics, quick for any volume.
 const SAMPLES: u32 = 64;
 
 /// Voxels between samples, and samples, along each axis.
@@ -36,8 +36,8 @@ pub(super) fn thickness(volume: &Volume, subject: &Subject) -> f32 {
     sums.iter_mut().enumerate().map(|(axis, sums)| thick(axis, sums)).sum::<f32>() / 3.0
 }
 
-/// How much index contrast the shape bears, 0 to 1: rays stay together in a compact body, but thin branches, pores and
-/// noise each bend them anew until nothing can be recognised.
+/// The index contrast that the shape bears, 0 to 1: rays stay together in a compact body, but thin branches, pores and noise each
+/// refract them anew until nothing can be recognised.
 ///
 /// The measure is the surface's area over the volume it encloses, times the longest edge: 6 for a ball that fills the
 /// grid, some dozens for organs and machines, hundreds for vessels and noise.

@@ -1,4 +1,4 @@
-//! What a preset needs to know about a volume: where its values part, and how thick it is.
+//! The measurements of a volume that presets are fitted to: thresholds between its values, and its thickness.
 
 use super::histogram::Histogram;
 use super::shape::{clarity, thickness};
@@ -10,7 +10,7 @@ use vitrum_io::Volume;
 /// In a CT of a head they are: noise ends, skin begins, soft tissue, bone begins, hard bone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Subject {
-    /// Noise and empty space end here: what is below must stay invisible and bend no light.
+    /// The upper end of noise and empty space: values below it must stay invisible and refract no light.
     pub air: f32,
     /// Halfway from the surroundings into the matter.
     pub surface: f32,
@@ -26,7 +26,7 @@ pub(super) struct Subject {
     pub reference_length: f32,
     /// The mean of `density` summed along the thick rays, in reference lengths; see [`Subject::absorption`].
     pub thickness: f32,
-    /// How much index contrast the shape bears before rays scatter, 0 to 1; see `shape::clarity`.
+    /// The index contrast that the shape bears before it scatters rays, 0 to 1; see `shape::clarity`.
     pub clarity: f32,
 }
 

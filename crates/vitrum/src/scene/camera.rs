@@ -4,7 +4,7 @@ use super::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a pixel becomes a viewing ray.
+/// Projection: the viewing ray of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Projection {
@@ -15,7 +15,7 @@ pub enum Projection {
     Orthographic,
 }
 
-/// Where the picture is taken from: an orbit around `target`, or an explicit `position`.
+/// The camera: on an orbit around `target`, or at an explicit `position`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Camera {

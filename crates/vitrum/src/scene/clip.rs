@@ -4,7 +4,7 @@ use super::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a clipping plane takes away.
+/// The effect of a clipping plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Removes {

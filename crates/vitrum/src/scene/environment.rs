@@ -1,4 +1,4 @@
-//! What a ray sees behind everything (sweep §4.4).
+//! The environment: the radiance behind everything, by direction (sweep §4.4).
 
 use super::Rgb;
 use schemars::JsonSchema;
@@ -19,7 +19,7 @@ pub enum EnvironmentKind {
     Map,
 }
 
-/// What a ray sees behind everything, by its final direction.
+/// The environment: radiance behind everything, by a ray's final direction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Environment {

@@ -1,4 +1,4 @@
-//! What can be wrong with a scene, told so that the reader of the message can act on it.
+//! Errors of scenes: each names the key, the problem, and the way to mend it.
 
 use std::fmt;
 
@@ -7,31 +7,31 @@ use std::fmt;
 /// The display names the file, the line, the key and what was expected; [`SceneError::help`] says what to do.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneError {
-    /// Where the scene comes from.
+    /// The origin of the scene.
     pub origin: Origin,
     /// The dotted path of the key, such as `camera.azimuth` or `clip.0.offset`; empty for the scene as a whole.
     pub key: String,
-    /// What is wrong there.
+    /// The problem at the key.
     pub problem: Box<Problem>,
 }
 
-/// Where a refused value was written.
+/// The origin of a refused value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Origin {
-    /// In a scene file.
+    /// A scene file.
     File {
         /// The file's name.
         name: String,
         /// The line, counted from 1, where it is known.
         line: Option<usize>,
     },
-    /// In a setting, `KEY=VALUE`, which is given here.
+    /// A setting, with its text `KEY=VALUE`.
     Setting(String),
-    /// In a scene that a program made.
+    /// A scene that a program made.
     Memory,
 }
 
-/// What is wrong with a scene.
+/// The problem of a scene.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
@@ -39,7 +39,7 @@ pub enum Problem {
     #[error("{0}")]
     Syntax(String),
 
-    /// No such key.
+    /// An unknown key.
     #[error("unknown key")]
     UnknownKey {
         /// The key that was most likely meant, as a full path.
@@ -51,14 +51,14 @@ pub enum Problem {
     /// A key's old name.
     #[error("this key is now `{new}`")]
     RenamedKey {
-        /// Its name, as a full path.
+        /// The full path of the new key.
         new: String,
     },
 
     /// A key that has no default is not there.
     #[error("this key is missing")]
     MissingKey {
-        /// What its value should be.
+        /// The expected type.
         expected: String,
     },
 
@@ -67,7 +67,7 @@ pub enum Problem {
     WrongValue {
         /// The value, as it was written.
         found: String,
-        /// What is valid.
+        /// The valid range.
         expected: String,
         /// The choice that was most likely meant.
         nearest: Option<String>,
@@ -75,18 +75,18 @@ pub enum Problem {
         default: Option<String>,
     },
 
-    /// Each value is valid, but they contradict each other.
+    /// Valid values that contradict each other.
     #[error("{problem}")]
     Contradiction {
-        /// What contradicts what.
+        /// The contradiction.
         problem: String,
-        /// What to do.
+        /// Advice: a sentence that says how to mend it.
         advice: String,
     },
 }
 
 impl SceneError {
-    /// What to do about it, in one sentence.
+    /// Advice in one sentence.
     #[must_use]
     pub fn help(&self) -> String {
         match &*self.problem {

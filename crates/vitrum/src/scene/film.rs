@@ -23,8 +23,8 @@ pub struct Film {
 }
 
 impl Film {
-    /// Most viewing rays that a picture may take, `width` · `height` · `supersampling`²: as many as kernels can find the records of, which
-    /// they index by a signed number of 32 bits.
+    /// Largest number of viewing rays of a picture, `width` · `height` · `supersampling`²: kernels index the records of rays by a
+    /// signed number of 32 bits.
     pub const MOST_RAYS: u64 = i32::MAX as u64 / if ray::SIZE > path::SIZE { ray::SIZE } else { path::SIZE } as u64;
 }
 

@@ -45,8 +45,9 @@ pub enum Attachment {
 pub struct Light {
     /// Form of the source.
     pub kind: LightKind,
-    /// Strength, linear RGB, times `intensity`. Of a distant light: the radiance of a white diffuse surface that faces it. Of the others:
-    /// the same at a distance of one world unit; it falls with the square of the distance.
+    /// Strength, linear RGB, times `intensity`. Of a distant light: the radiance of a white diffuse surface that faces it, which is its
+    /// irradiance over π. Of the others: the same at a distance of one world unit, which is their radiant intensity over π; it falls with the
+    /// square of the distance.
     #[schemars(inner(range(min = 0, max = 1e6)), extend("x-unit" = "radiance"))]
     pub color: Rgb,
     /// Factor on `color`.
@@ -74,27 +75,36 @@ pub struct Light {
     /// meshes it counts where `shadow.samples` is above 1.
     #[schemars(range(min = 0, max = 45), extend("x-unit" = "degrees"))]
     pub angular_radius: f32,
-    /// Place of a point or spot, which need one: in the world, or by `attachment` from the camera's target in the camera's axes.
+    /// Place of a point or spot, which need one: in the world, or by `attachment` from the camera's target in the camera's axes. Where it casts
+    /// shadows it stands outside of the box around the mesh, at least 1/64 of the box's diagonal away.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-unit" = "world units"))]
     pub position: Option<Vector>,
-    /// Radius of the ball that a point or spot shines from; 0 casts crisp shadows.
+    /// Radius of the ball that a point or spot shines from; 0 casts crisp shadows. It counts where `shadow.samples` is above 1.
     #[schemars(range(min = 0, max = 1e6), extend("x-unit" = "world units"))]
     pub radius: f32,
     /// Half-angle of a spot's cone, from its axis to its edge.
     #[schemars(range(min = 0.1, max = 89), extend("x-unit" = "degrees"))]
     pub cone_angle: f32,
-    /// Share of a spot's half-angle, at the edge, over which its light fades smoothly; 0 gives a crisp edge.
+    /// Share of a spot's half-angle, at the edge, over which its light fades smoothly to nothing; 0 gives a crisp edge.
     #[schemars(range(min = 0, max = 1))]
     pub penumbra: f32,
-    /// Picture (HDR, EXR, PNG, JPEG) that a spot projects: the square around its cone, upright; a factor on `color`. A
-    /// relative path starts at the scene file's folder.
+    /// Picture (HDR, EXR, PNG, JPEG, TIFF) that a spot projects: the square around its cone, upright for one who looks along its axis; a
+    /// factor on `color`. A relative path starts at the scene file's folder.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-range" = "a path"))]
     pub texture: Option<std::path::PathBuf>,
 }
 
 impl Light {
+    /// A light of a kind, with the defaults of all keys. A point or spot needs a position besides.
+    #[must_use]
+    pub fn of_kind(kind: LightKind) -> Self {
+        let mut light = Self { kind, ..Self::default() };
+        light.forget_foreign_keys();
+        light
+    }
+
     /// The frame of its angles, direction and position, said or not.
     #[must_use]
     pub fn attachment(&self) -> Attachment {

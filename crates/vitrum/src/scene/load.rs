@@ -36,7 +36,7 @@ impl Scene {
     /// The scene in a tree of values, each checked for itself.
     pub(super) fn from_table(table: Table) -> Result<Self, Fault> {
         check_table(Shape::scene(), &table, &mut Vec::new())?;
-        // What the schema lets pass, the types take: this error is unreachable, and kept for its message.
+        // The types take every value that the schema lets pass: this error is unreachable, and kept for its message.
         table.try_into().map_err(|error: toml::de::Error| Fault::at(&[], Problem::Syntax(error.message().to_owned())))
     }
 

@@ -1,4 +1,4 @@
-//! What bodies of a mesh are made of.
+//! The materials of a mesh's bodies.
 
 use super::Rgb;
 use schemars::JsonSchema;

@@ -1,4 +1,4 @@
-//! The name of the method that makes a picture.
+//! The name of the method that makes a picture, and the parts of a scene that the method renders.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,4 +26,32 @@ impl MethodName {
             Self::Voxels => "voxels",
         }
     }
+
+    /// The parts of a scene that the method renders.
+    #[must_use]
+    pub const fn capabilities(self) -> Capabilities {
+        match self {
+            Self::Sweep => {
+                Capabilities { volumes: true, streaming: true, meshes: true, opaque_bodies: false, clipping: true }
+            }
+            Self::Voxels => {
+                Capabilities { volumes: false, streaming: false, meshes: true, opaque_bodies: true, clipping: false }
+            }
+        }
+    }
+}
+
+/// The parts of a scene that a method renders; a scene with another part is refused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Capabilities {
+    /// Volumes.
+    pub volumes: bool,
+    /// Volumes of more bytes than the device's memory, streamed in parts.
+    pub streaming: bool,
+    /// Meshes.
+    pub meshes: bool,
+    /// Opaque bodies of a mesh.
+    pub opaque_bodies: bool,
+    /// Clipping planes.
+    pub clipping: bool,
 }

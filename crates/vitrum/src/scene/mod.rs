@@ -44,7 +44,7 @@ pub use light::{Attachment, Light, LightKind};
 pub use material::Material;
 pub use medium::Medium;
 pub use mesh::MeshSource;
-pub use method::MethodName;
+pub use method::{Capabilities, MethodName};
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use shadow::{Coefficient, Shadow};
@@ -63,7 +63,7 @@ pub type Rgb = [f32; 3];
 /// A vector in world units.
 pub type Vector = [f32; 3];
 
-/// Everything a picture depends on.
+/// The description of a picture: all values that the picture depends on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
@@ -78,28 +78,28 @@ pub struct Scene {
     /// A second volume whose scalar gives the index of refraction instead (sweep, Figs. 11e and 12e).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior_volume: Option<VolumeSource>,
-    /// Where the picture is taken from.
+    /// Position, direction and projection of the camera.
     pub camera: Camera,
     /// The light sources; one distant light if the key is absent, none if the list is empty.
     #[schemars(length(max = 16))]
     pub light: Vec<Light>,
     /// Colour, opacity, index of refraction and filter over the scalar.
     pub transfer: TransferFunction,
-    /// What the mesh's bodies are made of; what is not said here is the mesh's own, or glass.
+    /// Materials of the mesh's bodies; a body without an entry keeps the mesh's own material, or is glass.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 64))]
     pub material: Vec<Material>,
-    /// How a mesh is made into voxels.
+    /// Voxelization of a mesh.
     pub voxelization: Voxelization,
-    /// How rays go through a mesh.
+    /// Rays through a mesh.
     pub voxels: Voxels,
     /// The shadow that a mesh casts.
     pub shadow: Shadow,
-    /// How light and viewing rays travel from plane to plane.
+    /// Transport of light and viewing rays from plane to plane.
     pub sweep: Sweep,
     /// Specular reflection and ambient light.
     pub shading: Shading,
-    /// What a ray sees behind everything.
+    /// Radiance behind everything, by direction.
     pub environment: Environment,
     /// A participating medium.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -41,7 +41,7 @@ fn shorten_defaults(value: &mut Value, inside_default: bool) {
     }
 }
 
-/// What a value may be.
+/// The type of a value.
 pub(super) enum Kind<'a> {
     Table,
     List { least: usize, most: usize },
@@ -120,7 +120,7 @@ impl<'a> Shape<'a> {
         self.inner["required"].as_array().into_iter().flatten().filter_map(Value::as_str)
     }
 
-    /// What a key of a table, or an index into a list, leads to.
+    /// The schema of a table's key, or of a list's item by its index.
     pub fn child(self, segment: &str) -> Option<Self> {
         match self.kind() {
             Kind::Table => self.inner["properties"].get(segment).map(Self::new),
@@ -151,7 +151,7 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// What is valid, in words.
+    /// The valid values, in words.
     pub fn expected(self) -> String {
         let numbers = |noun: &str| match self.range() {
             (f32::NEG_INFINITY, f32::INFINITY, _) => format!("a finite {noun}"),

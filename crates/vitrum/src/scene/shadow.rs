@@ -3,18 +3,18 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a voxel of the shadow map absorbs.
+/// Absorption of a voxel of the shadow map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Coefficient {
-    /// Each triangle in it adds its optical depth (Chang et al. 2010).
+    /// The sum of the optical depths of the triangles in the voxel (Chang et al. 2010).
     #[default]
     PerTriangle,
-    /// The same wherever there is anything (Eisemann & Décoret 2006), for comparison.
+    /// The same for each occupied voxel (Eisemann & Décoret 2006), for comparison.
     Uniform,
 }
 
-/// How light is attenuated on its way through a mesh.
+/// Attenuation of light on its way through a mesh.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Shadow {
@@ -28,11 +28,13 @@ pub struct Shadow {
     #[schemars(range(min = 0, max = 100), extend("x-unit" = "optical depth"))]
     pub optical_depth: f32,
     /// Radius, across the light, within which the columns of the shadow map are averaged, besides the nearest; at most 15
-    /// voxels of the map. It softens all shadows alike, however far away the body is that casts them.
+    /// voxels of the map. It softens all shadows alike, however far away the body is that casts them. Of a point or spot it is the radius in the middle of
+    /// the mesh, and grows with the distance from the light.
     #[schemars(range(min = 0, max = 1e6), extend("x-unit" = "world units"))]
     pub filter_radius: f32,
-    /// Number of crisp lights that a distant light with an `angular_radius` is made of, spread over its disc, each with a shadow
-    /// map of its own; each takes the time of a frame. With 1 shadows are crisp, but for `filter_radius`.
+    /// Number of crisp lights that a distant light with an `angular_radius` is made of, spread over its disc, or a point or spot with a
+    /// `radius`, spread over its ball. Each has a shadow map of its own and takes the time of a frame. With 1 shadows are crisp, but for
+    /// `filter_radius`.
     #[schemars(range(min = 1, max = 64), extend("x-unit" = "lights"))]
     pub samples: u32,
 }

@@ -1,4 +1,4 @@
-//! How light and viewing rays travel from plane to plane (sweep §4).
+//! Settings of the plane sweep: the transport of light and viewing rays from plane to plane (sweep §4).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -28,7 +28,7 @@ pub enum Intensity {
     None,
 }
 
-/// How ∇η is taken.
+/// The computation of ∇η.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Gradient {
@@ -39,7 +39,7 @@ pub enum Gradient {
     Chain,
 }
 
-/// What carries light from plane to plane.
+/// The carrier of light from plane to plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Transport {
@@ -50,7 +50,7 @@ pub enum Transport {
     Sheets,
 }
 
-/// How light and viewing rays travel from plane to plane.
+/// Transport of light and viewing rays from plane to plane.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Sweep {

@@ -1,4 +1,4 @@
-//! Where voxels come from.
+//! The source of a volume's voxels.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

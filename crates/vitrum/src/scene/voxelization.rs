@@ -1,9 +1,9 @@
-//! How a mesh is made into voxels, which both methods go through.
+//! Settings of the voxelization of a mesh, which both methods use.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a mesh is made into voxels, for rays through voxels and for a plane sweep alike.
+/// Voxelization of a mesh, for rays through voxels and for a plane sweep alike.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Voxelization {

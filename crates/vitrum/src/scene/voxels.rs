@@ -1,4 +1,4 @@
-//! How rays go through a mesh of clear materials (voxels §4).
+//! Settings of rays through a mesh of clear materials (voxels §4).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -7,16 +7,16 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Surfaces {
-    /// The one where it enters and the one where it leaves (Wyman 2005).
+    /// The surface where it enters, and the surface where it leaves (Wyman 2005).
     Two,
-    /// All that it meets, up to `bounces`.
+    /// All surfaces that it meets, up to `bounces`.
     #[default]
     Multi,
-    /// All, of the triangles themselves, without voxels.
+    /// All surfaces, of the triangles themselves, without voxels.
     Exact,
 }
 
-/// Where the normals of voxels come from.
+/// Source of the normals of voxels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Normals {
@@ -27,7 +27,7 @@ pub enum Normals {
     Paper,
 }
 
-/// How rays go through a mesh.
+/// Rays through a mesh.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Voxels {

@@ -21,7 +21,7 @@ pub trait Watch: Send {
         Ok(())
     }
 
-    /// So many words of a buffer are written.
+    /// Called for a write of `_words` words to a buffer.
     fn writes(&mut self, _words: usize) -> Result<(), BackendError> {
         Ok(())
     }
@@ -85,10 +85,6 @@ impl<W: Watch> Backend for Watched<W> {
         let Err((count, failure)) = self.watch.runs(passes) else { return self.cpu.run(passes, progress) };
         self.cpu.run(&passes.part(0, count), progress)?;
         Err(failure)
-    }
-
-    fn leaves_out_idle_passes(&self) -> bool {
-        self.cpu.leaves_out_idle_passes()
     }
 
     fn read(

@@ -4,7 +4,7 @@
 //! invocations read as contiguous loads instead of scattered ones. Nothing here chooses between loaded values: LLVM would make that a
 //! load from a chosen address.
 
-use crate::abi::record::light as record;
+use crate::abi::record::{Light, light as record};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::{read, read_inside};
 use crate::math::{floor_to_int, select};
@@ -125,9 +125,9 @@ pub unsafe fn direction_around<const NEAR: bool>(u: &SweepUniforms, light: &[f32
     // SAFETY: the caller's promise.
     let component = |c: usize, outside: f32| unsafe { interpolate::<NEAR>(u, light, way, c, outside) };
     Vec3::new(
-        component(record::DIRECTION_X, u.light.direction.x),
-        component(record::DIRECTION_X + 1, u.light.direction.y),
-        component(record::DIRECTION_X + 2, u.light.direction.z),
+        component(record::DIRECTION, u.light.direction.x),
+        component(record::DIRECTION + 1, u.light.direction.y),
+        component(record::DIRECTION + 2, u.light.direction.z),
     )
 }
 
@@ -149,17 +149,18 @@ pub unsafe fn record_around<const NEAR: bool>(
     if !clear {
         (green, blue) = (component(record::FLUX + 1, 1.0), component(record::FLUX + 2, 1.0));
     }
-    [
-        red,
-        green,
-        blue,
-        component(record::DIRECTION_X, u.light.direction.x),
-        component(record::DIRECTION_X + 1, u.light.direction.y),
-        component(record::DIRECTION_X + 2, u.light.direction.z),
-        component(record::DISPLACEMENT_X, 0.0),
-        component(record::DISPLACEMENT_X + 1, 0.0),
-        component(record::CONCENTRATION, 1.0),
-    ]
+    let light = Light {
+        flux: Vec3::new(red, green, blue),
+        direction: Vec3::new(
+            component(record::DIRECTION, u.light.direction.x),
+            component(record::DIRECTION + 1, u.light.direction.y),
+            component(record::DIRECTION + 2, u.light.direction.z),
+        ),
+        displacement_x: component(record::DISPLACEMENT_X, 0.0),
+        displacement_y: component(record::DISPLACEMENT_Y, 0.0),
+        concentration: component(record::CONCENTRATION, 1.0),
+    };
+    light.store()
 }
 
 /// The record of texel (x, y) itself.
@@ -172,15 +173,13 @@ pub unsafe fn record_of_texel(u: &SweepUniforms, light: &[f32], x: u32, y: u32) 
     let base = y as i32 * u.light_grid.width as i32;
     // SAFETY: the caller's promise.
     let component = |c: usize| unsafe { read_inside(light, c as i32 * texels + base, x) };
-    [
-        component(0),
-        component(1),
-        component(2),
-        component(3),
-        component(4),
-        component(5),
-        component(6),
-        component(7),
-        component(8),
-    ]
+    let vector = |c: usize| Vec3::new(component(c), component(c + 1), component(c + 2));
+    let light = Light {
+        flux: vector(record::FLUX),
+        direction: vector(record::DIRECTION),
+        displacement_x: component(record::DISPLACEMENT_X),
+        displacement_y: component(record::DISPLACEMENT_Y),
+        concentration: component(record::CONCENTRATION),
+    };
+    light.store()
 }

@@ -1,14 +1,22 @@
 //! Light that nothing has stood in the way of, bent or filtered: the same on all texels.
 
 use super::look_up::shift;
-use crate::abi::record::light as record;
+use crate::abi::record::{Light, light as record};
 use crate::abi::sweep::SweepUniforms;
 use crate::math::xyz;
+use spirv_std::glam::Vec3;
 
 /// The record of unoccluded light.
 #[inline(always)]
 pub fn light(u: &SweepUniforms) -> [f32; record::SIZE] {
-    [1.0, 1.0, 1.0, u.light.direction.x, u.light.direction.y, u.light.direction.z, 0.0, 0.0, 1.0]
+    let light = Light {
+        flux: Vec3::new(1.0, 1.0, 1.0),
+        direction: xyz(u.light.direction),
+        displacement_x: 0.0,
+        displacement_y: 0.0,
+        concentration: 1.0,
+    };
+    light.store()
 }
 
 /// Whether unoccluded light stays on its texel from plane to plane, exactly.

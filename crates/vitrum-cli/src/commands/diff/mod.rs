@@ -82,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 }
 
 impl Arguments {
-    /// What does not hold; `None` where no limit was given: then there is nothing to check.
+    /// The limits that the measurements exceed; `None` if no limit was given.
     fn breaches(&self, measured: &Measured) -> Option<Vec<String>> {
         let limits = Tolerance { max_abs: self.max_abs, rmse: self.max_rmse, ..Tolerance::default() };
         let tolerance = Tolerance { mean_flip: self.max_flip, ..limits };
@@ -116,7 +116,7 @@ fn limit(text: &str) -> Result<f64, String> {
 struct Measured {
     /// The channels of A's colours.
     colors: String,
-    /// That of the colours.
+    /// The comparison of the colours.
     comparison: Comparison,
     parts: Parts,
 }
@@ -156,7 +156,7 @@ impl Measured {
         text
     }
 
-    /// What is infinite or not a number is null: JSON has no word for it.
+    /// The measurements as JSON; infinite values and NaN, for which JSON has no word, are null.
     fn json(&self, breaches: Option<&[String]>) -> serde_json::Value {
         let Self { colors, comparison, parts: Parts { both, only_a, only_b } } = self;
         let parts = both.iter().map(|part| {

@@ -1,4 +1,4 @@
-//! What two pictures have besides their colours: alpha, and in OpenEXR further layers.
+//! The parts of two pictures besides their colours: alpha, and in OpenEXR further layers.
 
 use vitrum::io::{Layer, Picture};
 use vitrum_compare::{CompareError, Comparison, compare_buffers};
@@ -30,7 +30,7 @@ pub struct Parts {
 const ALPHA: &str = "alpha";
 
 impl Parts {
-    /// All but the colours of two pictures of one size. Where one alone has alpha, the other is opaque.
+    /// The parts besides the colours of two pictures of one size. Where only one of them has alpha, the other is opaque.
     pub fn of(a: &Picture, b: &Picture) -> Result<Self, CompareError> {
         let width = a.width;
         let opaque = vec![1.0; a.width as usize * a.height as usize];

@@ -1,4 +1,4 @@
-//! What a mesh is, for people and for machines.
+//! The description of a mesh, for people and for machines.
 
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -86,7 +86,7 @@ fn volume(mesh: &Mesh, topology: &Topology) -> Option<f64> {
     (topology.unpaired_edges == 0 && topology.edges > 0).then(|| mesh.signed_volume())
 }
 
-/// What a vertex has besides its position.
+/// The attributes of a vertex besides its position.
 fn per_vertex(mesh: &Mesh) -> &'static str {
     match (&mesh.normals, &mesh.colors) {
         (Some(_), Some(_)) => "position, normal, colour",

@@ -1,4 +1,4 @@
-//! `vitrum info`: what a volume or a mesh is, and what the reader assumed about it.
+//! `vitrum info`: the description of a volume or a mesh, and the assumptions that the reader made.
 
 mod mesh;
 

@@ -13,7 +13,7 @@ use vitrum::{Frame, OutputRequest, Renderer, Statistics};
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
     arguments.device.limit_threads()?;
-    // What can be refused at once is refused before any work.
+    // Refusals that need no work come before any work.
     check_outputs(arguments)?;
     let composed = arguments.scene.compose()?;
     check_names(arguments, &composed.scene)?;

@@ -63,7 +63,7 @@ pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Res
     }
 }
 
-/// What it takes to render the picture again.
+/// The metadata from which the picture can be rendered again.
 fn metadata(scene: &Scene, statistics: &Statistics) -> Result<Vec<(String, String)>, Failure> {
     let entries = [
         ("Software", format!("vitrum {}", env!("CARGO_PKG_VERSION"))),

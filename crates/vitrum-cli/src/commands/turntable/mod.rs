@@ -1,7 +1,7 @@
 //! `vitrum turntable`: an animation of the camera going round, or along key frames.
 
-mod course;
 mod target;
+mod timeline;
 
 use crate::device::{DeviceArguments, MemoryArguments};
 use crate::failure::Failure;
@@ -10,11 +10,11 @@ use crate::interrupt::{self, Timeout};
 use crate::output::{self, Bits};
 use crate::progress::Bar;
 use clap::Args;
-use course::Course;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use target::Target;
+use timeline::Timeline;
 use vitrum::OutputRequest;
 use vitrum::composition::Composed;
 
@@ -81,20 +81,20 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
     arguments.device.limit_threads()?;
     // Before the volume: a slip in it should not cost the time to read one.
-    let keys = arguments.keys.as_deref().map(|path| course::read_keys(path, arguments.rate)).transpose()?;
+    let keys = arguments.keys.as_deref().map(|path| timeline::read_keys(path, arguments.rate)).transpose()?;
     let Composed { scene, assets, .. } = arguments.scene.compose()?;
-    let course = Course::new(arguments, scene, &assets, keys)?;
-    arguments.memory.check(course.start())?;
+    let timeline = Timeline::new(arguments, scene, &assets, keys)?;
+    arguments.memory.check(timeline.start())?;
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;
-    let mut target = Target::open(arguments, course.start(), course.frames())?;
+    let mut target = Target::open(arguments, timeline.start(), timeline.frames())?;
     let mut renderer = arguments.device.renderer(&assets, &arguments.memory, arguments.quiet)?;
-    let bar = Bar::new(course.frames(), arguments.quiet);
+    let bar = Bar::new(timeline.frames(), arguments.quiet);
     let mut statistics = Vec::new();
-    for index in 0..course.frames() {
+    for index in 0..timeline.frames() {
         if arguments.resume && target.file(index).is_some_and(|file| file.exists()) {
             continue;
         }
-        let frame = renderer.render(&course.scene(index)?, OutputRequest { light: false }, &mut |progress| {
+        let frame = renderer.render(&timeline.scene(index)?, OutputRequest { light: false }, &mut |progress| {
             bar.update(index, &progress);
             !interrupt::requested()
         })?;

@@ -1,4 +1,4 @@
-//! Where pictures go: a folder, or an animation.
+//! The target of the pictures: a folder, or an animation.
 
 use super::Arguments;
 use crate::failure::{Failure, Status};

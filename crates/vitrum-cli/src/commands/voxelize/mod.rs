@@ -90,7 +90,7 @@ impl From<Rule> for FillRule {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
     arguments.device.limit_threads()?;
-    // What can be refused at once is refused before any work.
+    // Refusals that need no work come before any work.
     write::check_outputs(arguments)?;
     if !(0.0..=1.0).contains(&arguments.overlap) {
         let message = format!("--overlap is {}, expected 0 to 1", arguments.overlap);
@@ -150,7 +150,8 @@ fn run_all(
     }
 }
 
-/// There are as many voxels as their resolution makes, and there is no picture that could be smaller.
+/// The failure of a voxelization, with advice of its own: the resolution alone determines the memory, and no picture can be made
+/// smaller.
 fn failure(error: vitrum::Error) -> Failure {
     use vitrum::backend::BackendError::{OutOfMemory, TooLarge};
     let too_many = matches!(error, vitrum::Error::Backend(OutOfMemory { .. } | TooLarge { .. }));

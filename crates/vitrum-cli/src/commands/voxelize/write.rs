@@ -8,7 +8,7 @@ use std::str::FromStr;
 use vitrum::io::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 use vitrum::method::voxelize::{Attributes, Mask, Voxelization};
 
-/// Names and what the files hold.
+/// The attributes by name, with the contents of their files.
 const FIELDS: [(&str, &str); 4] = [
     ("count", "how many triangles meet the voxel"),
     ("normal", "sum of the triangles' unit normals, a vector"),

@@ -71,9 +71,9 @@ pub(super) struct Values<'a> {
     pub width: usize,
     component: Component,
     normalized: bool,
-    /// Elements and the distance between them; zeros where there are none.
+    /// The dense elements and the distance between two of them; an accessor without them has zeros.
     dense: Option<(&'a [u8], usize)>,
-    /// Elements that stand for those of `dense`.
+    /// The sparse elements, by index, which replace dense ones.
     sparse: HashMap<u32, &'a [u8]>,
 }
 

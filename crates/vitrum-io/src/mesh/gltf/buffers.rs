@@ -14,7 +14,7 @@ use crate::error::{Error, Place, clip};
 use crate::input::Input;
 use crate::mesh::build::Builder;
 
-/// All buffers, decoded, in the order of the document.
+/// The decoded buffers, in the order of the document.
 #[derive(Debug)]
 pub(super) struct Buffers<'a>(Vec<Cow<'a, [u8]>>);
 

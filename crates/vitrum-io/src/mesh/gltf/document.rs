@@ -102,7 +102,7 @@ pub(super) struct SparsePart {
     pub buffer_view: usize,
     #[serde(default)]
     pub byte_offset: u64,
-    /// Of indices; values have that of their accessor.
+    /// Component type of indices; values have the component type of their accessor.
     pub component_type: Option<u32>,
 }
 

@@ -31,7 +31,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// With the defaults of the format where it has some.
+/// The material of an entry, with the format's defaults for absent fields.
 fn convert(entry: &MaterialEntry) -> Material {
     let [red, green, blue, alpha] = entry.pbr_metallic_roughness.base_color_factor.unwrap_or([1.0; 4]);
     let extensions = &entry.extensions;

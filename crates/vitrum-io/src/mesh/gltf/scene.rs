@@ -14,7 +14,7 @@ use crate::mesh::build::Builder;
 pub(super) struct Assembly<'a, 'b> {
     pub files: Files<'a>,
     pub builder: &'a mut Builder<'b>,
-    /// For each material of the document its index in the mesh, and in the end that of triangles without one.
+    /// For each material of the document, its index in the mesh; the last entry is the index of the material for triangles without one.
     pub materials: Vec<Option<u32>>,
     /// Primitives of points and lines, or without positions.
     pub left_out: u64,

@@ -4,7 +4,7 @@ use glam::{DAffine3, DMat4, DQuat, DVec3};
 
 use super::document::Node;
 
-/// The map from a node's space to that of its parent.
+/// The affine map from a node's space to the space of its parent.
 pub(super) fn of_node(node: &Node) -> DAffine3 {
     if let Some(matrix) = node.matrix {
         return DAffine3::from_mat4(DMat4::from_cols_array(&matrix));

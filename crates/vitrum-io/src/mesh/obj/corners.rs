@@ -15,7 +15,7 @@ pub(super) struct Before {
     pub normals: usize,
 }
 
-/// Which vertices have which normals. A vertex that corners give several has to be there several times.
+/// The normals of vertices, corner by corner. A vertex whose corners have several normals becomes several vertices.
 pub(super) struct Corners<'a> {
     vertices: &'a Vertices,
     /// Counts in the whole file.
@@ -28,7 +28,7 @@ pub(super) struct Corners<'a> {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Normal {
-    /// No corner was here yet.
+    /// A vertex without any corner so far.
     Unseen,
     None,
     Index(u32),

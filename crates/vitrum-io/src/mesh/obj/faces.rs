@@ -12,7 +12,7 @@ use crate::mesh::Material;
 use crate::mesh::build::Builder;
 use crate::mesh::words::{name, show};
 
-/// Reading faces, and what it has come to.
+/// The reader of faces, with the triangles that it has read so far.
 pub(super) struct Faces<'a, 'b> {
     builder: &'a mut Builder<'b>,
     corners: Corners<'a>,

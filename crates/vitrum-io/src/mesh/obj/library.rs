@@ -73,7 +73,7 @@ impl<'a> Library<'a> {
             let problem = format!("{length} bytes of materials, and {MOST_BYTES} are the most");
             return Err(report.unsupported(Place::File, problem, "take out the materials that are not used"));
         }
-        // What is made of it is not much larger.
+        // The materials are not much larger than the text.
         builder.budget.take(2 * length)?;
         let bytes = fs::read(path).map_err(|error| report.unreadable(error))?;
         for material in mtl::read(&bytes, report, &mut builder.assumptions)? {

@@ -28,7 +28,8 @@ impl MeshReader for Obj {
         &formats::OBJ
     }
 
-    /// By its first statements, as there is no mark: a vertex among them, and nothing that OBJ does not have.
+    /// Recognises a file by its first statements, since OBJ has no magic number: a vertex is among them, and no statement that OBJ does
+    /// not have.
     fn recognises(&self, input: &Input) -> bool {
         // The last line may be cut off.
         let Some(end) = input.head.iter().rposition(|&byte| byte == b'\n') else { return false };

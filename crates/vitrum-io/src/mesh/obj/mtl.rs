@@ -86,7 +86,7 @@ fn color(report: Report, statement: &Statement, assumptions: &mut Assumptions) -
     Ok(is_fit.then_some(color))
 }
 
-/// The file's name without its folder, which is that of the mesh or below.
+/// Name of the file without its folder, which is the mesh's folder or one below.
 fn short_name(report: Report) -> String {
     file_name(Path::new(report.file))
 }

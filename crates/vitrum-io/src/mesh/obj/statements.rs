@@ -15,7 +15,7 @@ pub(super) struct Statements<'a> {
 /// One line, or several that end in a backslash but for the last.
 pub(super) struct Statement<'a> {
     pub keyword: &'a [u8],
-    /// Without white space at its ends.
+    /// Arguments of the statement, without white space at the ends.
     pub rest: &'a [u8],
     /// The number of its first line, counted from 1.
     pub line: usize,
@@ -87,7 +87,7 @@ impl<'a> Statement<'a> {
         words.take_while(|word| word[0] != b'#')
     }
 
-    /// From `least` to `most` numbers, at most 8; the second is how many there are.
+    /// The numbers of a statement, from `least` to `most` of them and at most 8; the second result is their count.
     pub fn numbers(&self, report: Report, least: usize, most: usize) -> Result<([f32; 8], usize), Error> {
         let mut numbers = [0.0; 8];
         let mut count = 0;

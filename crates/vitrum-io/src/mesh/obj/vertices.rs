@@ -42,7 +42,7 @@ impl Vertices {
     }
 }
 
-/// Whether it has a weight other than 1.
+/// Adds a vertex. The result says whether it has a weight other than 1.
 fn add_position(builder: &mut Builder, statement: &Statement) -> Result<bool, Error> {
     let (numbers, count) = statement.numbers(builder.report, 3, 7)?;
     let [x, y, z, a, b, c, d, _] = numbers;

@@ -65,7 +65,7 @@ impl Scalar {
         }
     }
 
-    /// In bytes.
+    /// Size of a number of the type in bytes.
     pub fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -106,7 +106,7 @@ pub(super) struct Element {
 pub(super) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// In bytes.
+    /// Length of the header in bytes.
     pub length: usize,
     pub lines: usize,
 }

@@ -21,9 +21,9 @@ const NAMES: [&[&str]; 10] = [
     &["alpha", "a", "diffuse_alpha"],
 ];
 
-/// Which property gives which number.
+/// Layout of a vertex: the property of each number.
 struct Layout {
-    /// For each property the index into [`NAMES`].
+    /// For each property, its index into [`NAMES`].
     slots: Vec<Option<usize>>,
     /// The type of each number that is there.
     types: [Option<Scalar>; NAMES.len()],

@@ -62,7 +62,7 @@ impl<'a> Prepared<'a> {
         same: impl Fn(&Buffer) -> &'a [bool],
     ) -> Self {
         let read = pass.buffers.iter().filter(|buffer| *buffer != written);
-        let bound = pass.buffers.iter().zip(&pass.kernel.declaration.bindings[1..]);
+        let bound = pass.buffers.iter().zip(pass.kernel.declaration.buffers());
         let floats = bound.filter(|(_, binding)| (binding.access, binding.element) == (Access::Read, Element::F32));
         Self {
             pass,

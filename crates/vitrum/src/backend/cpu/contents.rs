@@ -1,12 +1,12 @@
-//! What buffers of the CPU backend hold.
+//! Contents of the CPU backend's buffers.
 
 use std::ops::Deref;
 use vitrum_io::Words;
 
-/// What a buffer holds.
+/// The contents of a buffer.
 pub(super) enum Contents {
     Own(Vec<u32>),
-    /// Memory of somebody else, too.
+    /// Memory that has another owner, too.
     Shared(Words),
 }
 

@@ -2,7 +2,7 @@
 
 mod chunks;
 mod contents;
-mod course;
+mod executor;
 
 use super::buffer::Buffers;
 use super::pass::check_part;
@@ -10,7 +10,7 @@ use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Threads, Write, buffer};
 use chunks::{Known, Prepared, Written, rows};
 use contents::Contents;
-use course::{Course, Part, parts};
+use executor::{Executor, Part, parts};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -190,7 +190,7 @@ impl Backend for CpuBackend {
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         self.memory.buffers.collect();
-        let mut course = Course::new(passes, self.set);
+        let mut executor = Executor::new(passes, self.set);
         let parts: Vec<Part> = parts(passes).collect();
         let (threads, memory) = (&self.threads, &mut self.memory);
         let (mut done, mut next) = (0, 0);
@@ -205,15 +205,11 @@ impl Backend for CpuBackend {
                 next += 1;
             }
             // Handing work to other threads takes as long as a small pass, so that it gets many at once.
-            threads.run(|| parts[first..next].iter().try_for_each(|part| course.run(part, memory)))?;
+            threads.run(|| parts[first..next].iter().try_for_each(|part| executor.run(part, memory)))?;
         }
-        threads.run(|| course.end(memory))?;
+        threads.run(|| executor.end(memory))?;
         progress(done);
         Ok(())
-    }
-
-    fn leaves_out_idle_passes(&self) -> bool {
-        true
     }
 
     fn read(

@@ -5,25 +5,20 @@ mod adapter;
 mod module;
 mod pipeline;
 mod read;
+mod run;
 mod stopwatch;
 mod together;
+mod workgroups;
 
 pub(crate) use adapter::{adapters, describe, is_hardware, takes_spirv};
 
 use super::buffer::Buffers;
-use super::{Backend, BackendError, Buffer, Contents, GpuOptions, KernelTime, Pass, PassList, Threads, Write, pass};
+use super::{Backend, BackendError, Buffer, Contents, GpuOptions, KernelTime, PassList, Threads, pass};
 use adapter::Opened;
 use pipeline::Pipeline;
 use read::Reading;
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 use std::ops::Range;
-use stopwatch::Stopwatch;
-use together::{block_bytes, dispatches};
-use vitrum_kernels::kernel::{Access, WORKGROUP, Window};
-
-/// Passes in one submission: few enough for progress and cancelling, many enough that submitting costs nothing.
-const PASSES_PER_SUBMISSION: usize = 96;
 
 /// Bytes on their way to the device at once, for which the driver keeps a copy in host memory.
 const BYTES_PER_COPY: usize = 1 << 26;
@@ -165,27 +160,6 @@ impl GpuBackend {
         }
     }
 
-    /// All dispatches' uniform blocks in one buffer; where those of each start.
-    fn upload_uniforms<'a>(
-        &mut self,
-        dispatches: impl Iterator<Item = &'a [Pass]>,
-    ) -> Result<(wgpu::Buffer, Vec<u32>), BackendError> {
-        let alignment = self.limits.min_storage_buffer_offset_alignment.max(16) as usize;
-        let mut bytes = Vec::new();
-        let starts = dispatches
-            .map(|dispatch| {
-                bytes.resize(bytes.len().next_multiple_of(alignment), 0);
-                let start = bytes.len() as u32;
-                dispatch.iter().for_each(|pass| bytes.extend_from_slice(&pass.uniforms));
-                start
-            })
-            .collect();
-        bytes.resize(bytes.len().next_multiple_of(alignment).max(alignment), 0);
-        let buffer = self.allocate("uniforms", bytes.len() as u64, wgpu::BufferUsages::STORAGE)?;
-        self.opened.queue.write_buffer(&buffer, 0, &bytes);
-        Ok((buffer, starts))
-    }
-
     /// Copies bytes to a new buffer.
     fn copy(&self, contents: &[u8], buffer: &wgpu::Buffer) -> Result<(), BackendError> {
         let mut offset = 0;
@@ -198,70 +172,6 @@ impl GpuBackend {
         }
         Ok(())
     }
-
-    /// Does the writes that come before a pass, behind all submissions.
-    fn write_before(&self, writes: &[Write]) -> Result<(), BackendError> {
-        let mut under_way = 0;
-        for write in writes {
-            write.check(|buffer| self.buffers.find(buffer).map(wgpu::Buffer::size))?;
-            let mut words = vec![0; write.words];
-            (write.fill)(&mut words);
-            self.opened.queue.write_buffer(
-                self.buffers.get(&write.buffer)?,
-                write.start * 4,
-                bytemuck::cast_slice(&words),
-            );
-            under_way += write.words * 4;
-            if under_way >= BYTES_PER_COPY {
-                under_way = 0;
-                let submission = self.opened.queue.submit([]);
-                self.wait(submission)?;
-            }
-        }
-        Ok(())
-    }
-
-    fn prepare_pipelines(&mut self, passes: &[Pass]) -> Result<(), BackendError> {
-        for pass in passes {
-            pass.check(|buffer| self.buffers.find(buffer).map(wgpu::Buffer::size))?;
-            let declaration = &pass.kernel.declaration;
-            if let Entry::Vacant(slot) = self.pipelines.entry(declaration.name) {
-                slot.insert(Pipeline::new(&self.opened, &self.adapter, declaration)?);
-            }
-        }
-        Ok(())
-    }
-
-    fn bind_group(&self, dispatch: &[Pass], uniforms: &wgpu::Buffer) -> Result<wgpu::BindGroup, BackendError> {
-        let pass = &dispatch[0];
-        let declaration = &pass.kernel.declaration;
-        let blocks = wgpu::BufferBinding { buffer: uniforms, offset: 0, size: block_bytes(dispatch) };
-        let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(blocks) }];
-        for (buffer, binding) in pass.buffers.iter().zip(&declaration.bindings[1..]) {
-            let mut resource = self.buffers.get(buffer)?.as_entire_buffer_binding();
-            if binding.access != Access::Read {
-                resource.offset = pass.start * 4;
-            }
-            entries.push(wgpu::BindGroupEntry {
-                binding: binding.binding,
-                resource: wgpu::BindingResource::Buffer(resource),
-            });
-        }
-        Ok(self.opened.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(declaration.name),
-            layout: &self.pipelines[declaration.name].layout,
-            entries: &entries,
-        }))
-    }
-}
-
-/// What a bind group is made of: the kernel, the numbers of its buffers, where its records start, and how many passes' uniform blocks there
-/// are.
-type Bound<'a> = (&'a str, Vec<usize>, u64, usize);
-
-fn bound(dispatch: &[Pass]) -> Bound<'_> {
-    let pass = &dispatch[0];
-    (pass.kernel.declaration.name, pass.buffers.iter().map(Buffer::number).collect(), pass.start, dispatch.len())
 }
 
 impl Backend for GpuBackend {
@@ -331,70 +241,7 @@ impl Backend for GpuBackend {
     }
 
     fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        self.buffers.collect();
-        let passes = &list.passes;
-        self.prepare_pipelines(passes)?;
-        let batches = || {
-            list.runs().flat_map(|(writes, run)| {
-                let chunks = run.chunks(PASSES_PER_SUBMISSION).enumerate();
-                chunks.map(move |(index, chunk)| (if index == 0 { writes } else { &[] }, chunk))
-            })
-        };
-        let (uniforms, starts) = self.upload_uniforms(batches().flat_map(|(_, chunk)| dispatches(chunk)))?;
-        let mut starts = starts.into_iter();
-        let mut groups: HashMap<Bound, wgpu::BindGroup> = HashMap::new();
-        let mut under_way = None;
-        let mut watches = Vec::new();
-        let mut done = 0;
-        for (writes, chunk) in batches() {
-            if !progress(done) {
-                return Err(BackendError::Cancelled);
-            }
-            self.write_before(writes)?;
-            for dispatch in dispatches(chunk) {
-                if let Entry::Vacant(slot) = groups.entry(bound(dispatch)) {
-                    slot.insert(self.bind_group(dispatch, &uniforms)?);
-                }
-            }
-            let mut encoder = self.opened.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            let kernels =
-                dispatches(chunk).map(|dispatch| (dispatch[0].kernel.declaration.name, dispatch.len() as u32));
-            let watch = Stopwatch::new(&self.opened, kernels.collect());
-            {
-                let mut compute = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-                if let Some(watch) = &watch {
-                    watch.note(&mut compute, 0);
-                }
-                for ((index, dispatch), start) in dispatches(chunk).enumerate().zip(starts.by_ref()) {
-                    let Pass { kernel, window: Window { first: low, end: high }, .. } = &dispatch[0];
-                    compute.set_pipeline(&self.pipelines[kernel.declaration.name].pipeline);
-                    compute.set_bind_group(0, &groups[&bound(dispatch)], &[start]);
-                    let [across, down] = [0, 1].map(|axis| (high[axis] - low[axis]).div_ceil(WORKGROUP));
-                    compute.dispatch_workgroups(across, down, 1);
-                    if let Some(watch) = &watch {
-                        watch.note(&mut compute, index + 1);
-                    }
-                }
-            }
-            if let Some(watch) = watch {
-                watch.stop(&mut encoder);
-                watches.push(watch);
-            }
-            let submission = self.opened.queue.submit([encoder.finish()]);
-            done += chunk.len();
-            // One submission runs while the next is recorded.
-            if let Some(previous) = under_way.replace(submission) {
-                self.wait(previous)?;
-            }
-        }
-        if let Some(last) = under_way {
-            self.wait(last)?;
-        }
-        for watch in watches {
-            watch.read(&self.opened, &mut self.times);
-        }
-        progress(passes.len());
-        Ok(())
+        run::run(self, list, progress)
     }
 
     fn read(

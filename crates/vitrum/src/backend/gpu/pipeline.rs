@@ -1,7 +1,7 @@
 //! Pipelines, made from the kernels' declarations.
 
 use super::adapter::Opened;
-use super::module;
+use super::{module, workgroups};
 use crate::backend::BackendError;
 use vitrum_kernels::kernel::{Access, Binding, Declaration};
 use vitrum_shaders::{ENTRY_POINT, NAMES};
@@ -13,20 +13,23 @@ pub(super) struct Pipeline {
 }
 
 fn layout_entry(binding: &Binding, uniform_bytes: usize) -> wgpu::BindGroupLayoutEntry {
-    let uniform = binding.access == Access::Uniform;
+    // The least size; of which dispatches have a part each, the start is given with the dispatch.
+    let (bytes, has_dynamic_offset) = match binding.access {
+        Access::Uniform => (uniform_bytes as u64, true),
+        Access::Workgroups => (workgroups::BYTES, true),
+        _ => (4, false),
+    };
     let ty = match binding.access {
         // Not a uniform buffer: lavapipe compiles a kernel anew for every value of a uniform that decides a branch.
         Access::Uniform | Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
-        Access::Write | Access::Update | Access::Add => wgpu::BufferBindingType::Storage { read_only: false },
+        Access::Write | Access::Update | Access::Add | Access::Workgroups => {
+            wgpu::BufferBindingType::Storage { read_only: false }
+        }
     };
     wgpu::BindGroupLayoutEntry {
         binding: binding.binding,
         visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer {
-            ty,
-            has_dynamic_offset: uniform,
-            min_binding_size: std::num::NonZeroU64::new(if uniform { uniform_bytes as u64 } else { 4 }),
-        },
+        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset, min_binding_size: wgpu::BufferSize::new(bytes) },
         count: None,
     }
 }

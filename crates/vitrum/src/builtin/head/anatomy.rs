@@ -1,4 +1,4 @@
-//! Where in the head a point lies: signed distances to the tissues' surfaces, negative inside.
+//! Anatomy of the head: signed distances from a point to the surfaces of tissues, negative inside.
 
 use super::super::noise::{gradient, vector};
 use super::super::shapes::{ellipsoid, smooth_difference, smooth_union, smoothstep, tube};
@@ -7,7 +7,7 @@ use glam::Vec3;
 /// The tissues around one point of the left half (x ≥ 0); the head faces +y.
 pub(super) struct Anatomy {
     position: Vec3,
-    /// To the inner face of the skull's vault.
+    /// Signed distance to the inner face of the skull's vault.
     cavity: f32,
 }
 
@@ -23,7 +23,7 @@ impl Anatomy {
         Self { position, cavity: ellipsoid(position, VAULT, v(0.375, 0.495, 0.435)) }
     }
 
-    /// To the skin.
+    /// Signed distance to the skin.
     pub fn skin(&self) -> f32 {
         let p = self.position;
         let blob = |centre, radii| ellipsoid(p, centre, radii);
@@ -53,7 +53,7 @@ impl Anatomy {
         smooth_union(skin, smooth_difference(ear, concha, 0.03), 0.05)
     }
 
-    /// To the brain: a folded cerebrum, the cerebellum and the brain stem with the spinal cord.
+    /// Signed distance to the brain: a folded cerebrum, the cerebellum and the brain stem with the spinal cord.
     pub fn brain(&self) -> f32 {
         let p = self.position;
         let stem = tube(p, (v(0.0, -0.12, 0.18), 0.085), (v(0.0, -0.33, -0.30), 0.045));
@@ -76,7 +76,7 @@ impl Anatomy {
         stem.min(cerebrum).min(cerebellum.max(self.cavity + 0.02))
     }
 
-    /// To bone: the skull with its openings, jaw and teeth, and the spine.
+    /// Signed distance to bone: the skull with its openings, jaw and teeth, and the spine.
     pub fn bone(&self) -> f32 {
         let p = self.position;
         let outer = ellipsoid(p, VAULT, v(0.415, 0.537, 0.480));
@@ -138,7 +138,7 @@ impl Anatomy {
         smooth_difference(vertebra, canal, 0.02)
     }
 
-    /// To the air within: sinuses, nose, mouth and throat, ear canals.
+    /// Signed distance to the air inside: sinuses, nose, mouth and throat, ear canals.
     pub fn airways(&self) -> f32 {
         let p = self.position;
         if p.y < -0.2 {
@@ -154,7 +154,7 @@ impl Anatomy {
         nose.min(nostril).min(throat).min(ear).min(self.sinuses(0.0))
     }
 
-    /// To the sinuses, widened by a lining.
+    /// Signed distance to the sinuses, widened by a lining.
     fn sinuses(&self, lining: f32) -> f32 {
         let blob = |centre, radii| ellipsoid(self.position, centre, radii);
         let maxillary = blob(v(0.145, 0.31, -0.075), v(0.062, 0.085, 0.075));
@@ -164,7 +164,7 @@ impl Anatomy {
     }
 }
 
-/// How far nose, ears and the like stand out of, or reach into, the head's large forms.
+/// Largest height or depth of a feature, such as the nose or an ear, over the head's large forms.
 const FEATURES: f32 = 0.2;
 
 /// Height of a vertebra and the disc below it.

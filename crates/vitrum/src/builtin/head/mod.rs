@@ -87,7 +87,7 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
 /// The value that is stored as 0, as CT scanners do.
 const STORED_ZERO: f32 = -1024.0;
 
-/// The scalar of a voxel of which the given share is a vessel.
+/// The scalar of a voxel with the given coverage by a vessel, 0 to 1.
 fn tissue(grid: &Grid, index: [u32; 3], vessel: f32) -> f32 {
     let anatomy = Anatomy::new(grid.position(index));
     let edge = 3.0 * grid.spacing();

@@ -2,7 +2,7 @@
 
 use super::super::SceneEntry;
 use super::super::shapes::{ellipsoid, smooth_union, tube};
-use super::parts::{clear, together};
+use super::parts::{assemble, clear};
 use super::rays_through;
 use super::revolve::ball;
 use super::surface::surface;
@@ -21,7 +21,7 @@ fn scene() -> Scene {
 
 pub(in super::super) fn mesh(name: &str) -> Mesh {
     let angel = surface(Vec3::new(-0.72, -0.4, -0.78), Vec3::new(0.72, 0.4, 0.72), 0.013, angel);
-    together(
+    assemble(
         name,
         vec![
             (ball(1.0, 6), clear("ball", 1.33, [0.93, 0.97, 0.98], 1.0)),

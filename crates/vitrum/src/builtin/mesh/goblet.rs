@@ -1,8 +1,8 @@
-//! The wine glass of the volume `glass` (sweep, Fig. 8) as a mesh: glass, and what it holds.
+//! The wine glass of the volume `glass` (sweep, Fig. 8) as a mesh: the glass and the wine.
 
 use super::super::SceneEntry;
 use super::super::glass::{BODY, CAVITY, LEVEL, MENISCUS, WALL};
-use super::parts::{Part, clear, together};
+use super::parts::{Part, assemble, clear};
 use super::rays_through;
 use super::revolve::{revolve, smooth_outline};
 use crate::scene::{Camera, Ground, Light, MethodName, Scene, Surfaces, Wall};
@@ -46,7 +46,7 @@ pub(super) fn swept_before_a_wall(name: &str) -> Scene {
 }
 
 pub(in super::super) fn mesh(name: &str) -> Mesh {
-    together(name, parts())
+    assemble(name, parts())
 }
 
 /// The glass and the wine.
@@ -57,8 +57,8 @@ pub(super) fn parts() -> Vec<(Part, Material)> {
     ]
 }
 
-/// From the bottom over the wall, half of whose thickness the wine reaches into, to its level: of two bodies that overlap the smaller
-/// one is there, which is the glass.
+/// The outline of the wine, from the bottom along the wall to its level. It reaches into half of the wall's thickness: where two bodies
+/// overlap, the smaller one fills the space, and that is the glass.
 fn wine() -> Vec<Vec2> {
     let mut inside = smooth_outline(&BODY[CAVITY..]);
     inside.reverse();

@@ -6,7 +6,7 @@ use glam::Vec3;
 
 /// Straight pieces of a branch.
 const PIECES: usize = 6;
-/// What is left of a branch's radius before its tip.
+/// Radius of a branch at its tip, over its radius at the base.
 const TAPER: f32 = 0.35;
 
 /// Numbers in 0…1, the same on every machine (a linear congruence with Knuth's constants, its upper bits scattered).
@@ -34,12 +34,12 @@ impl Random {
 /// A branch.
 pub(super) struct Branch {
     pub(super) base: Vec3,
-    /// Of length 1, at its base.
+    /// Unit direction of the branch at its base.
     pub(super) direction: Vec3,
     pub(super) length: f32,
     /// At its base.
     pub(super) radius: f32,
-    /// How far its direction wanders.
+    /// Amplitude by which the branch's direction wanders.
     pub(super) bend: f32,
 }
 
@@ -52,7 +52,7 @@ impl Branch {
         (way[joint] + piece * (along - joint as f32), piece.normalize())
     }
 
-    /// Its radius at a part of its length.
+    /// Radius of the branch at a part of its length, 0 to 1.
     pub(super) fn radius_at(&self, part: f32) -> f32 {
         self.radius * (1.0 - (1.0 - TAPER) * part)
     }

@@ -1,4 +1,4 @@
-//! Meshes put together from parts.
+//! Meshes that are assembled from parts.
 
 use glam::Vec3;
 use vitrum_io::{Material, Mesh};
@@ -24,7 +24,7 @@ impl Part {
     }
 }
 
-/// A clear material; `color` is what is left of white light after `distance` world units of it.
+/// A clear material; `color` is its transmittance over a distance of `distance` world units.
 pub(super) fn clear(name: &str, ior: f32, color: [f32; 3], distance: f32) -> Material {
     Material {
         name: name.to_owned(),
@@ -37,7 +37,7 @@ pub(super) fn clear(name: &str, ior: f32, color: [f32; 3], distance: f32) -> Mat
 }
 
 /// One mesh of several parts, each of its material.
-pub(super) fn together(name: &str, parts: Vec<(Part, Material)>) -> Mesh {
+pub(super) fn assemble(name: &str, parts: Vec<(Part, Material)>) -> Mesh {
     let mut whole = Part::default();
     let (mut materials, mut triangle_materials) = (Vec::new(), Vec::new());
     for (number, (part, material)) in (0..).zip(parts) {

@@ -25,8 +25,8 @@ pub(super) fn smooth_outline(points: &[[f32; 2]]) -> Vec<Vec2> {
     smooth_curve_of(&through, PIECES).into_iter().map(Vec3::truncate).collect()
 }
 
-/// What an outline of points (distance from the z axis, height) sweeps out. The outline runs counterclockwise around what is inside,
-/// the axis at its left; it begins and ends on the axis, or goes on from its last point to its first.
+/// The solid of revolution of an outline of points (distance from the z axis, height). The outline runs counterclockwise around the
+/// inside, with the axis at its left; it begins and ends on the axis, or goes on from its last point to its first.
 pub(super) fn revolve(outline: &[Vec2], halvings: u32) -> Part {
     let circle = circle(halvings);
     let mut positions = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::super::SceneEntry;
 use super::goblet::{parts, swept_before_a_wall};
-use super::parts::{clear, together};
+use super::parts::{assemble, clear};
 use super::rays_through;
 use super::revolve::ball;
 use crate::scene::Scene;
@@ -46,5 +46,5 @@ pub(in super::super) fn mesh(name: &str) -> Mesh {
         let centre = Vec3::new(x, y, TABLE + radius);
         all.push((ball(radius, 5).moved(|position| position + centre), material));
     }
-    together(name, all)
+    assemble(name, all)
 }

@@ -1,8 +1,8 @@
 //! A torus that stands on its edge, to be twisted.
 
 use super::super::SceneEntry;
+use super::parts::assemble;
 use super::parts::clear;
-use super::parts::together;
 use super::rays_through;
 use super::revolve::{circle, revolve};
 use crate::scene::Scene;
@@ -14,7 +14,7 @@ pub(in super::super) const SCENES: &[SceneEntry] = &[
     ("torus/twisted", "the torus with its top turned by half a turn", twisted),
 ];
 
-/// From the middle to the tube's.
+/// Major radius: from the middle of the torus to the middle of the tube.
 const RADIUS: f32 = 0.7;
 const TUBE: f32 = 0.28;
 
@@ -34,5 +34,5 @@ pub(in super::super) fn mesh(name: &str) -> Mesh {
     let outline: Vec<Vec2> = circle(4).iter().map(|turn| Vec2::new(RADIUS, 0.0) + TUBE * *turn).collect();
     let upright = |position: Vec3| Vec3::new(position.x, -position.z, position.y);
     let ring = revolve(&outline, 6).moved(upright);
-    together(name, vec![(ring, clear("glass", 1.5, [0.80, 0.93, 0.95], 1.0))])
+    assemble(name, vec![(ring, clear("glass", 1.5, [0.80, 0.93, 0.95], 1.0))])
 }

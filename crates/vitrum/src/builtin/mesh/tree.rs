@@ -4,13 +4,15 @@ use super::super::SceneEntry;
 use super::growth::{Branch, Random, Wood};
 use super::rays_through;
 use crate::scene::{
-    Camera, Coefficient, Environment, EnvironmentKind, Ground, Light, Material as SceneMaterial, Scene, Shading, Shadow,
+    Camera, Coefficient, Environment, EnvironmentKind, Ground, Light, LightKind, Material as SceneMaterial, Scene,
+    Shading, Shadow,
 };
 use glam::Vec3;
 use vitrum_io::{Material, Mesh};
 
 pub(in super::super) const SCENES: &[SceneEntry] = &[
     ("tree", "the transparent shadow of a tree: dark under the trunk, airy under the leaves", scene),
+    ("tree/lamp", "the tree at night, in the light of a lamp beside it and of a spot", lamp),
     ("tree/uniform", "the tree's shadow with one absorption coefficient for all voxels, for comparison", uniform),
 ];
 
@@ -49,6 +51,32 @@ fn uniform() -> Scene {
     let mut scene = scene();
     scene.shadow.coefficient = Coefficient::Uniform;
     scene.shadow.optical_depth = 0.15;
+    scene
+}
+
+fn lamp() -> Scene {
+    let mut scene = scene();
+    scene.light = vec![
+        Light {
+            position: Some([1.25, 0.5, 0.35]),
+            color: [1.0, 0.72, 0.42],
+            intensity: 1.5,
+            ..Light::of_kind(LightKind::Point)
+        },
+        Light {
+            position: Some([-1.7, -1.3, 2.6]),
+            direction: Some([1.6, 1.5, -3.2]),
+            color: [0.55, 0.7, 1.0],
+            intensity: 9.0,
+            cone_angle: 16.0,
+            penumbra: 0.4,
+            ..Light::of_kind(LightKind::Spot)
+        },
+    ];
+    scene.shading.ambient = [0.008, 0.012, 0.022];
+    scene.environment.color = [0.002, 0.004, 0.012];
+    scene.environment.horizon = [0.006, 0.008, 0.014];
+    scene.environment.nadir = [0.01, 0.01, 0.012];
     scene
 }
 

@@ -1,7 +1,7 @@
 //! A glass vase (Chang et al. 2010, Fig. 4).
 
 use super::super::SceneEntry;
-use super::parts::{clear, together};
+use super::parts::{assemble, clear};
 use super::rays_through;
 use super::revolve::{revolve, smooth_outline};
 use crate::scene::{Scene, Surfaces};
@@ -33,7 +33,7 @@ fn exact() -> Scene {
 
 pub(in super::super) fn mesh(name: &str) -> Mesh {
     let glass = clear("glass", 1.5, [0.62, 0.88, 0.92], 0.5);
-    together(name, vec![(revolve(&smooth_outline(&OUTLINE), 6), glass)])
+    assemble(name, vec![(revolve(&smooth_outline(&OUTLINE), 6), glass)])
 }
 
 /// Distance from the axis and height, from the middle of the foot over the outside and the lip to the bottom inside.

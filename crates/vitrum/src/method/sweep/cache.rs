@@ -3,13 +3,13 @@
 use super::mesh_volumes::MeshVolumes;
 use super::occupancy::Occupancy;
 use super::tables::Tables;
-use super::uploaded::Uploaded;
+use super::uploaded::UploadedVolumes;
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::error::Error;
 use crate::method::Tools;
 use crate::method::cache::{Memo, Scratch};
-use crate::method::view::environment::UploadedEnvironment;
+use crate::method::view::pictures::UploadedPictures;
 use crate::scene::{Scene, TransferFunction};
 use crate::subject::Volumes;
 use std::sync::Arc;
@@ -25,14 +25,14 @@ pub(super) struct SweepCache {
     pub(super) frame: FrameCache,
 }
 
-/// The part of it that belongs to the volumes.
+/// Data of a sweep that belongs to its volumes.
 #[derive(Default)]
 pub(super) struct FrameCache {
-    uploaded: Memo<(), Arc<Uploaded>>,
+    uploaded: Memo<(), Arc<UploadedVolumes>>,
     tables: Memo<TablesKey, Arc<Tables>>,
     tables_buffer: Memo<TablesKey, Buffer>,
     pub(super) occupancy: Memo<(TablesKey, [u32; 2]), Occupancy>,
-    pub(super) environment: UploadedEnvironment,
+    pub(super) pictures: UploadedPictures,
     pub(super) scratch: Scratch,
 }
 
@@ -42,7 +42,7 @@ pub(super) fn tables_key(scene: &Scene) -> TablesKey {
 }
 
 impl SweepCache {
-    /// The volumes that a scene's mesh is swept as; those of the last frame where they are the same.
+    /// The volumes that the plane sweep renders in place of the scene's mesh; the volumes of the last frame where nothing changed them.
     ///
     /// # Errors
     /// As [`MeshVolumes::new`].
@@ -59,8 +59,8 @@ impl SweepCache {
 }
 
 impl FrameCache {
-    /// A cache that holds volumes already.
-    pub(super) fn holding(uploaded: Arc<Uploaded>) -> Self {
+    /// A cache with volumes that are uploaded already.
+    pub(super) fn holding(uploaded: Arc<UploadedVolumes>) -> Self {
         let mut cache = Self::default();
         cache.uploaded.of((), || uploaded);
         cache
@@ -69,9 +69,13 @@ impl FrameCache {
     /// The volumes on the backend.
     ///
     /// # Errors
-    /// As [`Uploaded::new`].
-    pub(super) fn uploaded(&mut self, volumes: Volumes<'_>, backend: &mut dyn Backend) -> Result<Arc<Uploaded>, Error> {
-        self.uploaded.get((), || Uploaded::new(volumes, backend).map(Arc::new)).cloned()
+    /// As [`UploadedVolumes::new`].
+    pub(super) fn uploaded(
+        &mut self,
+        volumes: Volumes<'_>,
+        backend: &mut dyn Backend,
+    ) -> Result<Arc<UploadedVolumes>, Error> {
+        self.uploaded.get((), || UploadedVolumes::new(volumes, backend).map(Arc::new)).cloned()
     }
 
     /// The tables of a scene's transfer functions.

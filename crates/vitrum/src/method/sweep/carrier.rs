@@ -1,19 +1,19 @@
-//! How light is carried from plane to plane: on texels, as the paper has it, as sheets, or not at all.
+//! Transport of light from plane to plane: on texels (sweep §4.2), as sheets of rays, or none for unoccluded light.
 
-use super::uniforms::Fixed;
+use super::uniforms::FramePlan;
 use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
 use crate::method::cache::{Label, Scratch};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
-/// Passes that carry light from the first plane to the last.
+/// Transport of light from the first plane to the last, as passes.
 pub(super) trait Carrier {
-    /// The light on the first plane.
-    fn start(&self, fixed: &Fixed) -> Vec<Pass>;
+    /// The passes for the light on the first plane.
+    fn start(&self, plan: &FramePlan) -> Vec<Pass>;
 
-    /// From the plane before to `plane`.
-    fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>);
+    /// Appends the passes that carry light from the plane before `plane` to `plane`.
+    fn advance(&self, plan: &FramePlan, plane: u32, passes: &mut Vec<Pass>);
 
-    /// The buffer that holds the irradiance of the planes to which light was carried last, as [`Fixed::kept`] has it: records as
+    /// The buffer with the irradiance of the latest planes, laid out as [`FramePlan::ring`]: records as
     /// [`irradiance`](vitrum_kernels::abi::record::irradiance) describes.
     fn irradiance(&self) -> &Buffer;
 }
@@ -27,14 +27,14 @@ pub(super) struct VolumeBuffers {
     pub(super) tables: Buffer,
 }
 
-/// Makes the buffers of a frame.
-pub(super) struct Maker<'a> {
-    pub(super) fixed: &'a Fixed,
+/// The allocator of the buffers of a frame: on the backend, or left by the frame before.
+pub(super) struct BufferAllocator<'a> {
+    pub(super) plan: &'a FramePlan,
     pub(super) scratch: &'a mut Scratch,
     pub(super) backend: &'a mut dyn Backend,
 }
 
-impl Maker<'_> {
+impl BufferAllocator<'_> {
     /// A planar buffer of records, or one of sums.
     pub(super) fn planar(
         &mut self,
@@ -46,9 +46,9 @@ impl Maker<'_> {
         self.scratch.zeros(label, bytes, self.backend)
     }
 
-    /// A buffer for the irradiance of as many planes as are kept.
+    /// A buffer for the irradiance of as many planes as the ring holds.
     pub(super) fn irradiance(&mut self) -> Result<Buffer, BackendError> {
-        let words = self.fixed.kept().words() * u64::from(self.fixed.kept().planes);
+        let words = self.plan.ring().words() * u64::from(self.plan.ring().planes);
         self.scratch.zeros("irradiance", words * 4, self.backend)
     }
 
@@ -58,8 +58,8 @@ impl Maker<'_> {
     }
 }
 
-impl Fixed {
-    /// Passes that fill `light` and `irradiance` with unoccluded light: that of the first plane.
+impl FramePlan {
+    /// Passes that fill `light` and `irradiance` with the unoccluded light of the first plane.
     pub(super) fn unoccluded(&self, light: &Buffer, irradiance: &Buffer) -> [Pass; 2] {
         let texels = self.light_grid.size;
         [
@@ -68,11 +68,11 @@ impl Fixed {
         ]
     }
 
-    /// The pass that makes the irradiance of plane `plane` of its light.
+    /// The pass that computes the irradiance of plane `plane` from its light.
     pub(super) fn concentrate(&self, window: Window, plane: u32, light: &Buffer, irradiance: &Buffer) -> Pass {
         let texels = self.light_grid.size;
         let pass = self.pass_over(window, &kernels::sweep_concentrate_light, texels, 0, plane, &[light, irradiance]);
-        Pass { start: self.kept().start(plane), ..pass }
+        Pass { start: self.ring().start(plane), ..pass }
     }
 
     /// A pass over `size` invocations that leads to plane `plane`.

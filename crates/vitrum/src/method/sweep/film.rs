@@ -10,9 +10,13 @@ use vitrum_kernels::abi::sweep::SweepUniforms;
 
 /// The outputs, by the components of [`film`].
 pub(super) const OUTPUTS: &[Output] = &[
-    Output::color(rgba!(film::COLOR)),
+    Output::color(rgba!(film::COLOR, film::COVERAGE)),
     Output::mean("opacity", &[("Y", film::OPACITY)], "opacity A of particles and receivers, 0 to 1"),
-    Output::mean("transmittance", rgb!(film::MEDIUM), "share of light that the filter leaves on the way, RGB, 0 to 1"),
+    Output::mean(
+        "transmittance",
+        rgb!(film::TRANSMITTANCE),
+        "share of light that the filter leaves on the way, RGB, 0 to 1",
+    ),
     Output::mean(
         "depth",
         &[("Z", film::DEPTH)],

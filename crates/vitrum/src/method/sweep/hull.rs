@@ -17,7 +17,7 @@ pub(super) fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     corners
 }
 
-/// The points of which none turns clockwise.
+/// One chain of the convex hull (Andrew's monotone chain): the points at which the outline never turns clockwise.
 fn chain<'a>(points: impl Iterator<Item = &'a DVec2>) -> Vec<DVec2> {
     let mut kept: Vec<DVec2> = Vec::new();
     for &point in points {
@@ -31,7 +31,7 @@ fn chain<'a>(points: impl Iterator<Item = &'a DVec2>) -> Vec<DVec2> {
     kept
 }
 
-/// The least and the greatest y on a convex polygon's edge between two x; nothing where it has none there.
+/// The least and the greatest y of a convex polygon between two x; `None` if the polygon has no point there.
 pub(super) fn extent(corners: &[DVec2], [near, far]: [f64; 2]) -> Option<[f64; 2]> {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let ends = edges.flat_map(|(&from, &to)| {
@@ -67,7 +67,7 @@ mod tests {
         for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
             assert!(points.iter().all(|&point| (to - from).perp_dot(point - from) >= 0.0));
         }
-        // What a polygon has between two x, looked for between all pairs of points.
+        // The extent of a polygon between two x, by all pairs of its points.
         for [near, far] in [[0.0, 1.0], [2.3, 2.4], [5.0, 5.0], [8.9, 20.0], [-3.0, -1.0]] {
             let mut found: Option<[f64; 2]> = None;
             for (&a, &b) in points.iter().flat_map(|a| points.iter().map(move |b| (a, b))) {

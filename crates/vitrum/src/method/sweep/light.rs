@@ -11,7 +11,7 @@ use glam::{DVec2, DVec3};
 
 /// The steepest angle between light and viewing direction, in degrees (sweep §7).
 const STEEPEST: f64 = 85.0;
-/// The grid follows the light up to this slope; beyond, texels would have to cover too wide a strip.
+/// The steepest slope of light that the grid follows; the strip of texels would be too wide beyond it.
 const STEEPEST_SHEAR: f64 = 2.0;
 /// The most texels along an edge.
 const MOST_TEXELS: f64 = 8192.0;
@@ -31,7 +31,7 @@ pub struct LightGrid {
     pub direction: DVec3,
 }
 
-/// Whether the sweep can carry all lights of a scene.
+/// Checks that the sweep can carry each light of a scene.
 ///
 /// # Errors
 /// [`Error::Unrenderable`] where a light is too far from the viewing direction.
@@ -39,7 +39,7 @@ pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
     scene.light.iter().enumerate().try_for_each(|(index, light)| direction(light, index, view).map(drop))
 }
 
-/// As [`travels`], of the light `index`; an error if it is too far from the viewing direction.
+/// Unit direction of light `index` in the view frame; an error if its angle to the viewing direction is above [`STEEPEST`].
 pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec3, Error> {
     let unit = travels(light, view)?;
     let angle = libm::acos(unit.z.clamp(-1.0, 1.0)).to_degrees();
@@ -104,12 +104,12 @@ impl LightGrid {
         tangent * (planes.step(index) * depth * 0.5).sqrt() / self.texel
     }
 
-    /// How far away a tap of the softness filter is at most, in texels.
+    /// Largest distance of a tap of the soft-shadow filter from its texel, in texels.
     pub(super) fn filter_radius(&self, angular_radius: f32, planes: &Planes, index: u32) -> f64 {
         self.tap_radius(angular_radius, planes, index) / self.direction.z
     }
 
-    /// The three taps of the softness filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
+    /// The three taps of the soft-shadow filter at plane `index`, in texels (sweep §4.2, after Patel et al. 2013).
     ///
     /// The taps lie on an ellipse, stretched along the light's tilt and turned by a hash of the plane's index. Blurring n times
     /// adds variances, so a radius of Δz·tan(angular radius) would blur by √n instead of n and depend on the sample distance. The

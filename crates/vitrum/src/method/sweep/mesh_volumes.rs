@@ -1,4 +1,4 @@
-//! A mesh as volumes for the plane sweep: how much of each voxel is of which material, without the staircase of voxels.
+//! A mesh as volumes for the plane sweep: each voxel's coverage by each material, smooth across surfaces.
 //!
 //! A body's share of a voxel falls from 1 to 0 over [`EDGE`] voxels across its surface, by the smoothed distance, so that the index of
 //! refraction has a slope that rays can follow. One body is one volume: its share is the scalar, and transfer functions say what it
@@ -21,19 +21,19 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use vitrum_io::{Mesh, Volume, Voxels};
 
-/// Voxels over which a body's share falls from 1 to 0.
+/// Width of a body's edge, in voxels, over which its coverage falls from 1 to 0.
 const EDGE: f64 = 3.0;
 /// Empty voxels around the mesh: the reach of the edge and of gradients.
 const PADDING: u32 = 4;
-/// The part of the mesh's longest edge that transfer functions are stated for.
+/// Reference length of the transfer functions, over the mesh's longest edge.
 const REFERENCE: f32 = 0.01;
 
-/// What the volumes depend on.
+/// The key of the volumes: all values that their voxels depend on.
 #[derive(Debug, Clone, PartialEq)]
 struct Kind {
     resolution: u32,
     twist: f32,
-    /// Of several bodies what they do to light; the volume of one does not depend on it.
+    /// The optical constants of the bodies if there are several; empty for one body, whose volume does not depend on them.
     materials: Vec<Clear>,
 }
 
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-/// The volumes that a mesh is swept as.
+/// The volumes that the sweep renders in place of a mesh.
 pub(super) struct MeshVolumes {
     kind: Kind,
     shown: Volume,
@@ -55,7 +55,7 @@ pub(super) struct MeshVolumes {
 }
 
 impl MeshVolumes {
-    /// Makes volumes of a mesh, with `scene.voxelization.resolution` voxels along its longest edge.
+    /// Turns a mesh into volumes with `scene.voxelization.resolution` voxels along its longest edge.
     ///
     /// # Errors
     /// If there are too many materials, or the backend fails or lacks the memory.
@@ -84,13 +84,14 @@ impl MeshVolumes {
         Volumes { shown: &self.shown, ior: self.ior.as_ref() }
     }
 
-    /// Whether a scene of the same mesh shows the same volumes.
+    /// Whether a scene of the same mesh has the same volumes.
     pub(super) fn fits(&self, scene: &Scene, assets: &Assets) -> Result<bool, Error> {
         let mesh = mesh_of(assets)?;
         Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
     }
 
-    /// The scene of these volumes: materials as transfer functions, and everything where it is for the mesh alone.
+    /// The scene that renders these volumes: materials become transfer functions, and camera, ground and wall stay where the mesh alone
+    /// would put them.
     ///
     /// # Errors
     /// If there are too many materials.
@@ -121,14 +122,15 @@ fn mesh_of(assets: &Assets) -> Result<&Mesh, Error> {
     assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Sweep.as_str() }.into())
 }
 
-/// Bodies' places among the materials from the clearest, above 0, to the darkest, 1; 0 is air.
+/// The scalar of each material: its rank from the clearest, above 0, to the darkest, 1; 0 is air.
 fn numbers(materials: &[Clear]) -> Vec<f32> {
     let darkness = |material: &Clear| material.absorption.iter().sum::<f64>();
     let place = |material: &Clear| materials.iter().filter(|other| darkness(other) < darkness(material)).count();
     materials.iter().map(|material| (place(material) + 1) as f32 / materials.len() as f32).collect()
 }
 
-/// What one body's share, or several bodies' number and index of refraction, mean.
+/// The transfer functions over the scalar of [`MeshVolumes`]: the coverage by one body, or the number of a material and the index of
+/// refraction.
 fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
     let color =
         |material: &Clear| material.absorption.map(|coefficient| libm::exp(-coefficient * f64::from(reference)) as f32);
@@ -154,11 +156,11 @@ fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
     }
 }
 
-/// How much of each voxel is of which body.
+/// Coverage of each voxel by each body, 0 to 1.
 struct Shares<'a> {
     fields: &'a [u16],
     grid: Grid,
-    /// The share for each number of a field, 0 to 1.
+    /// The coverage for each number of a field, 0 to 1.
     of_distance: Vec<f32>,
 }
 
@@ -178,7 +180,8 @@ impl<'a> Shares<'a> {
         Ok(self.placed(name, Voxels::from(voxels))?.with_value_mapping(1.0 / 65535.0, 0.0)?)
     }
 
-    /// The mean of `values` of the bodies, and of `air` where they leave room; the first body takes its share first.
+    /// The mean of the bodies' `values`, weighted by their coverages, and of `air` for the rest; an earlier body takes its coverage
+    /// before later ones.
     fn mixed(&self, name: &str, values: &[f32], air: f32) -> Result<Volume, Error> {
         let voxels = self.fields.len() / values.len();
         let mix = |voxel: usize| {

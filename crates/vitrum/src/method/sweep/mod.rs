@@ -7,7 +7,7 @@ mod cache;
 mod carrier;
 mod film;
 mod hull;
-mod kept;
+mod irradiance_ring;
 mod light;
 mod mesh_volumes;
 mod occupancy;
@@ -39,10 +39,11 @@ use crate::subject::{Subject, Volumes};
 use crate::unrenderable::Unrenderable;
 use cache::{FrameCache, SweepCache};
 use film::Voxelized;
-use kept::Kept;
+use irradiance_ring::IrradianceRing;
+use std::collections::BTreeMap;
 use std::sync::Arc;
-use uniforms::Fixed;
-use uploaded::Uploaded;
+use uniforms::FramePlan;
+use uploaded::UploadedVolumes;
 
 /// The plane sweep.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +61,7 @@ impl Method for PlaneSweep {
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
         match &assets.subject {
             Subject::Mesh(mesh) => {
-                scene.check_for_swept_mesh()?;
+                scene.check_for_mesh()?;
                 crate::method::voxels::check_mesh(mesh)?;
                 light::check(scene, &View::new(scene, &**mesh))
             }
@@ -109,7 +110,7 @@ pub struct Sweep {
     /// Rays across and down.
     pub rays: [u32; 2],
     buffers: Buffers,
-    kept: Kept,
+    ring: IrradianceRing,
     /// The irradiance of unoccluded light.
     unoccluded: [f32; 3],
     request: OutputRequest,
@@ -151,12 +152,12 @@ impl Sweep {
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         let volumes = volumes(assets)?;
-        let mut cache = FrameCache::holding(Arc::new(Uploaded::streamed(volumes)));
+        let mut cache = FrameCache::holding(Arc::new(UploadedVolumes::streamed(volumes)));
         Self::of(scene, volumes, assets.environment.as_deref(), request, &mut cache, backend)
     }
 
-    /// Builds tables and lists the passes. Where the light is not requested, it is only carried as far as a viewing ray can see it, and
-    /// [`Self::irradiance`] gives what is left of it.
+    /// Builds tables and lists the passes. Where the light is not requested, it is carried only as far as a viewing ray can read it,
+    /// and [`Self::irradiance`] gives the irradiance of that region.
     fn of(
         scene: &Scene,
         volumes: Volumes<'_>,
@@ -167,19 +168,19 @@ impl Sweep {
     ) -> Result<Self, Error> {
         let uploaded = cache.uploaded(volumes, backend)?;
         let tables = cache.tables(scene, volumes);
-        let (map, map_buffer) = cache.environment.get(scene, picture, backend)?;
+        let pictures = cache.pictures.get(scene, picture, &BTreeMap::new(), backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
-        let fixed = Fixed::new(scene, volumes, tables, &map, limits)?;
+        let plan = FramePlan::new(scene, volumes, tables, &pictures.environment, limits)?;
         let (passes, buffers) =
-            passes::build(scene, volumes, &fixed, (&uploaded, &map_buffer), request, cache, backend)?;
+            passes::build(scene, volumes, &plan, (&uploaded, &pictures.buffer), request, cache, backend)?;
         Ok(Self {
             passes,
-            planes: fixed.planes,
-            light_grid: fixed.light_grid,
-            rays: fixed.rays,
+            planes: plan.planes,
+            light_grid: plan.light_grid,
+            rays: plan.rays,
             buffers,
-            kept: fixed.kept(),
-            unoccluded: fixed.unoccluded_irradiance(),
+            ring: plan.ring(),
+            unoccluded: plan.unoccluded_irradiance(),
             request,
             voxelized: None,
         })
@@ -219,7 +220,7 @@ impl Sweep {
     pub fn irradiance_on(&self, plane: u32, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         let texels = self.light_grid.size[0] as usize * self.light_grid.size[1] as usize;
         let bytes = (self.unoccluded.len() * texels * 4) as u64;
-        let start = self.kept.start(plane) * 4;
+        let start = self.ring.start(plane) * 4;
         let mut shares: Vec<f32> = backend.read_part(&self.buffers.irradiance, start..start + bytes)?;
         for (channel, unoccluded) in shares.chunks_exact_mut(texels).zip(self.unoccluded) {
             channel.iter_mut().for_each(|share| *share *= unoccluded);

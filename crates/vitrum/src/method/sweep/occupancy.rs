@@ -1,4 +1,4 @@
-//! Which bricks are empty: neither opacity, nor medium, nor a change of η.
+//! Occupancy of bricks, for empty-space skipping: a brick without opacity, filter and gradient of η is empty.
 
 use super::hull::hull;
 use super::tables::Tables;
@@ -14,27 +14,27 @@ use vitrum_io::{Volume, Voxels};
 /// The bricks of all volumes on a backend.
 #[derive(Debug, Clone)]
 pub(super) struct Occupancy {
-    /// A word for each brick, see [`Question::answer`], one volume after the other.
+    /// A word for each brick, see [`OccupancyQuery::write_distances`], one volume after the other.
     pub(super) buffer: Buffer,
-    /// Points in the world whose convex hull is that of the bricks that are not empty.
+    /// Points in the world whose convex hull encloses all bricks that are not empty.
     pub(super) occupied: Arc<[DVec3]>,
 }
 
-/// What a volume is asked for.
+/// The part of a volume in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
-    /// It is shown, and bends.
+pub(super) enum VolumeRole {
+    /// The volume's scalar gives colour, opacity, filter and index of refraction.
     Both,
-    /// It is shown; another one bends.
+    /// The volume's scalar gives colour, opacity and filter; the second volume's scalar gives the index of refraction.
     Shown,
-    /// It bends.
+    /// The volume's scalar gives the index of refraction.
     Bending,
 }
 
-/// The least and the greatest value of something.
+/// The least and the greatest value of a set.
 type Range<T> = (T, T);
 
-/// The range of each brick's stored voxels, x fastest: what a volume is asked for again and again while tables change.
+/// The least and the greatest stored value of each brick, x fastest. They stay the same while transfer functions change.
 #[derive(Debug)]
 pub(super) enum Ranges {
     U8(Vec<Range<u8>>),
@@ -78,25 +78,26 @@ where
     (f32::from(whole.0), f32::from(whole.1))
 }
 
-/// The range that holds both.
+/// The union of two ranges.
 fn wider<T: Copy + PartialOrd>((low, high): Range<T>, (lower, higher): Range<T>) -> Range<T> {
     (if lower < low { lower } else { low }, if higher > high { higher } else { high })
 }
 
-/// What is asked of a volume's bricks.
-pub(super) struct Question<'a> {
+/// A query for the bricks of a volume in which nothing can happen to a ray: the volume, its ranges and the functions over them.
+pub(super) struct OccupancyQuery<'a> {
     pub(super) volume: &'a Volume,
     pub(super) ranges: &'a Ranges,
     pub(super) tables: &'a Tables,
     /// The longest step in voxels.
     pub(super) reach: u32,
-    pub(super) role: Role,
+    pub(super) role: VolumeRole,
 }
 
-impl Question<'_> {
-    /// Writes to `words` 0 for each brick in which something may happen, else how many bricks away the next such one is, x fastest. A
-    /// brick counts with all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the stencil.
-    pub(super) fn answer(&self, words: &mut [u32]) {
+impl OccupancyQuery<'_> {
+    /// Writes to `words`, x fastest, the Chebyshev distance of each brick to the nearest brick that is not empty, 0 for such a brick
+    /// itself. A brick counts together with all bricks that have voxels up to `reach` + 2 beyond it: a step of `reach`, and the
+    /// stencil.
+    pub(super) fn write_distances(&self, words: &mut [u32]) {
         match self.ranges {
             Ranges::U8(ranges) => self.classify(ranges, words),
             Ranges::U16(ranges) => self.classify(ranges, words),
@@ -105,7 +106,7 @@ impl Question<'_> {
         spread(words, bricks(self.volume).map(|n| n as usize));
     }
 
-    /// Points in the world whose convex hull is that of the bricks that are not empty.
+    /// Points in the world whose convex hull encloses all bricks that are not empty.
     pub(super) fn occupied(&self, words: &[u32]) -> Vec<DVec3> {
         let [width, height, _] = bricks(self.volume).map(|n| n as usize);
         let edge = 1 << brick_shift(self.volume);
@@ -126,7 +127,7 @@ impl Question<'_> {
         points.concat().into_iter().map(|point| point_between_voxels(self.volume, point)).collect()
     }
 
-    /// Writes to `words` whether a brick is empty: 0 if not, else a large number.
+    /// Writes to `words` 0 for a brick that is not empty, and a large number for an empty one.
     fn classify<T: Copy + PartialOrd + Send + Sync>(&self, ranges: &[Range<T>], words: &mut [u32])
     where
         f32: From<T>,
@@ -141,10 +142,10 @@ impl Question<'_> {
         });
     }
 
-    /// Whether nothing happens where stored values are from `low` to `high`.
+    /// Whether stored values from `low` to `high` are empty: without opacity, filter and change of η.
     pub(super) fn is_empty(&self, low: f32, high: f32) -> bool {
-        (self.role == Role::Bending || self.is_clear(low, high))
-            && (self.role == Role::Shown || self.is_uniform(low, high))
+        (self.role == VolumeRole::Bending || self.is_clear(low, high))
+            && (self.role == VolumeRole::Shown || self.is_uniform(low, high))
     }
 
     fn is_clear(&self, low: f32, high: f32) -> bool {
@@ -160,7 +161,7 @@ impl Question<'_> {
         low == high || self.tables.is_uniform(lower, higher)
     }
 
-    /// The normalised scalars that kernels make of stored values from `low` to `high`, and a little more.
+    /// The range of the normalised scalars of stored values from `low` to `high`, with a margin for the kernels' rounding.
     fn normalised(&self, low: f32, high: f32) -> [f32; 2] {
         let volume = self.volume;
         let scale = volume.range[1] - volume.range[0];
@@ -204,7 +205,7 @@ fn ranges<T: Copy + PartialOrd + Send + Sync>(
     ranges
 }
 
-/// Each brick's range together with those of up to `by` bricks before and after it along `axis`.
+/// The union of each brick's range with the ranges of up to `by` bricks before and after it along `axis`.
 pub(super) fn widen<T: Copy + PartialOrd + Send + Sync>(
     ranges: &[Range<T>],
     bricks: [usize; 3],

@@ -2,14 +2,14 @@
 
 use super::Buffers;
 use super::cache::{FrameCache, tables_key};
-use super::carrier::{Carrier, Maker, VolumeBuffers};
-use super::occupancy::{Occupancy, Question, Role};
-use super::paging::{Needs, pools};
+use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
+use super::occupancy::{Occupancy, OccupancyQuery, VolumeRole};
+use super::paging::{Residency, pools};
 use super::sheets::Sheets;
 use super::texels::Texels;
-use super::uniforms::Fixed;
+use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
-use super::uploaded::Uploaded;
+use super::uploaded::UploadedVolumes;
 use super::voxels::bricks;
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
@@ -20,83 +20,82 @@ use std::collections::BTreeSet;
 use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::kernel::kernels;
 
-/// Uploads what else a frame needs and lists its passes.
+/// Uploads the remaining data of a frame and lists its passes.
 pub(super) fn build(
     scene: &Scene,
     volumes: Volumes<'_>,
-    fixed: &Fixed,
-    (uploaded, map): (&Uploaded, &Buffer),
+    plan: &FramePlan,
+    (uploaded, map): (&UploadedVolumes, &Buffer),
     request: OutputRequest,
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<(PassList, Buffers), Error> {
     let shown = volumes.shown;
-    let Uploaded { ranges, ior_ranges, .. } = uploaded;
-    let tables = &*fixed.tables;
+    let UploadedVolumes { ranges, ior_ranges, .. } = uploaded;
+    let tables = &*plan.tables;
     let second = volumes.ior.zip(ior_ranges.as_ref());
-    let role = if second.is_none() { Role::Both } else { Role::Shown };
-    let mut questions = vec![Question { volume: shown, ranges, tables, reach: fixed.reach[0], role }];
-    questions.extend(second.map(|(volume, ranges)| Question {
+    let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
+    let mut queries = vec![OccupancyQuery { volume: shown, ranges, tables, reach: plan.reach[0], role }];
+    queries.extend(second.map(|(volume, ranges)| OccupancyQuery {
         volume,
         ranges,
         tables,
-        reach: fixed.reach[1],
-        role: Role::Bending,
+        reach: plan.reach[1],
+        role: VolumeRole::Bending,
     }));
-    let key = (tables_key(scene), fixed.reach);
-    let Occupancy { buffer: occupancy, occupied } =
-        cache.occupancy.get(key, || occupancy(&questions, backend))?.clone();
+    let key = (tables_key(scene), plan.reach);
+    let Occupancy { buffer: occupancy, occupied } = cache.occupancy.get(key, || occupancy(&queries, backend))?.clone();
     let tables = cache.tables_buffer(scene, tables, backend)?;
 
-    let first = fixed.planes.first_visible;
+    let first = plan.planes.first_visible;
     let (voxels, pools) = match &uploaded.voxels {
         Some(voxels) => (voxels.clone(), Vec::new()),
         None => {
-            let earliest = if fixed.shadows { 1 } else { first + 1 };
-            let asked = questions.iter().zip(&fixed.sampling);
-            let needs = asked.map(|(question, sampling)| Needs::new(question, sampling, &fixed.planes, earliest));
-            let pools = pools(&volumes.iter().collect::<Vec<_>>(), needs.collect(), uploaded, backend)?;
+            let earliest = if plan.shadows { 1 } else { first + 1 };
+            let asked = queries.iter().zip(&plan.sampling);
+            let residencies = asked.map(|(query, sampling)| Residency::new(query, sampling, &plan.planes, earliest));
+            let pools = pools(&volumes.iter().collect::<Vec<_>>(), residencies.collect(), uploaded, backend)?;
             ([pools[0].buffer.clone(), pools[pools.len() - 1].buffer.clone()], pools)
         }
     };
     let [voxels, ior_voxels] = voxels;
     let volumes = VolumeBuffers { voxels, ior_voxels, occupancy, tables };
-    let mut maker = Maker { fixed, scratch: &mut cache.scratch, backend };
-    let light: Box<dyn Carrier> = match &fixed.sheets {
-        _ if !fixed.shadows => Box::new(Unoccluded::new(&mut maker)?),
+    let mut buffers = BufferAllocator { plan, scratch: &mut cache.scratch, backend };
+    let light: Box<dyn Carrier> = match &plan.sheets {
+        _ if !plan.shadows => Box::new(Unoccluded::new(&mut buffers)?),
         None => {
-            let inside = || fixed.seen(occupied.iter().map(|point| fixed.view.point(*point)));
-            let everywhere = request.light || fixed.lights_surroundings || !fixed.light_grid.follows_light();
-            Box::new(Texels::new(&mut maker, volumes.clone(), (!everywhere).then(inside))?)
+            let inside = || plan.visible_light(occupied.iter().map(|point| plan.view.point(*point)));
+            let everywhere = request.light || plan.lights_surroundings || !plan.light_grid.follows_light();
+            Box::new(Texels::new(&mut buffers, volumes.clone(), (!everywhere).then(inside))?)
         }
-        Some(sources) => Box::new(Sheets::new(&mut maker, volumes.clone(), sources)?),
+        Some(sources) => Box::new(Sheets::new(&mut buffers, volumes.clone(), sources)?),
     };
-    let pixels = fixed.rays;
-    let rays = maker.planar("rays", pixels, ray::SIZE)?;
-    let finished = maker.planar("film", pixels, film::SIZE)?;
+    let pixels = plan.rays;
+    let rays = buffers.planar("rays", pixels, ray::SIZE)?;
+    let finished = buffers.planar("film", pixels, film::SIZE)?;
 
-    let ray_kernel = kernels::sweep_propagate_rays.get(fixed.format);
-    let mut passes = light.start(fixed);
-    passes.push(fixed.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&rays]));
+    let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
+    let mut passes = light.start(plan);
+    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&rays]));
     // The first pass of each plane.
     let mut starts = vec![0];
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
     let bound = [voxels, ior_voxels, occupancy, tables, light.irradiance(), &rays];
-    // Rays on their way over planes whose irradiance is kept.
+    // Rays on their way over planes whose irradiance is in the ring.
     let mut waiting = Vec::new();
-    for plane in 1..fixed.planes.count {
+    for plane in 1..plan.planes.count {
         starts.push(passes.len());
         if plane > first {
-            waiting.push(fixed.pass(ray_kernel, pixels, fixed.mode, plane, &bound));
+            waiting.push(plan.pass(ray_kernel, pixels, plan.mode, plane, &bound));
         }
-        if waiting.len() == fixed.kept().planes as usize {
+        if waiting.len() == plan.ring().planes as usize {
             passes.append(&mut waiting);
         }
-        light.advance(fixed, plane, &mut passes);
+        light.advance(plan, plane, &mut passes);
     }
     passes.append(&mut waiting);
-    let last = fixed.planes.count - 1;
-    passes.push(fixed.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &finished]));
+    let last = plan.planes.count - 1;
+    passes.push(plan.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &finished]));
     let (name, resolve) = (ray_kernel.declaration.name, kernels::sweep_resolve.declaration.name);
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
     writes.sort_by_key(|write| write.before);
@@ -109,19 +108,20 @@ pub(super) fn build(
     Ok((list, buffers))
 }
 
-/// The bricks of all volumes, one volume after the other, and points in the world whose convex hull is that of those that are not empty.
-fn occupancy(questions: &[Question], backend: &mut dyn Backend) -> Result<Occupancy, BackendError> {
+/// Occupancy of the bricks of all volumes, one volume after the other, and points in the world whose convex hull encloses the bricks
+/// that are not empty.
+fn occupancy(queries: &[OccupancyQuery], backend: &mut dyn Backend) -> Result<Occupancy, BackendError> {
     let counts: Vec<usize> =
-        questions.iter().map(|question| bricks(question.volume).iter().map(|&n| n as usize).product()).collect();
+        queries.iter().map(|query| bricks(query.volume).iter().map(|&n| n as usize).product()).collect();
     let bytes = counts.iter().sum::<usize>() as u64 * 4;
     let mut occupied = Vec::new();
     let buffer = backend.create(
         "occupancy",
         Contents::Written(bytes, &mut |mut words| {
-            for (question, &count) in questions.iter().zip(&counts) {
+            for (query, &count) in queries.iter().zip(&counts) {
                 let (these, rest) = words.split_at_mut(count);
-                question.answer(these);
-                occupied.extend(question.occupied(these));
+                query.write_distances(these);
+                occupied.extend(query.occupied(these));
                 words = rest;
             }
         }),

@@ -11,8 +11,8 @@ use glam::DVec3;
 /// The most planes of one frame.
 const MOST_PLANES: f64 = 65_536.0;
 
-/// How much farther apart planes behind the volume are than those within: nothing bends there, so a step is exact however
-/// long, and each one blurs the light a little by interpolating it.
+/// The distance of planes behind the volume, over the distance of planes within it. Light is straight behind the volume, so that a long
+/// step is exact; and each step blurs the light a little by interpolation.
 const STRIDE_BEHIND: f64 = 4.0;
 
 /// Planes at equal distances from in front of the volume to behind it, and farther apart from there to behind its shadow on the
@@ -91,7 +91,7 @@ impl Planes {
         if self.is_behind(index) { self.distance * STRIDE_BEHIND } else { self.distance }
     }
 
-    /// How many planes behind plane `index` are as far from the one before as it is, without one between that is not.
+    /// The length of the run of equally spaced planes after plane `index`.
     pub fn alike(&self, index: u32) -> u32 {
         let last = if self.is_behind(index) { self.count - 1 } else { self.behind };
         last.saturating_sub(index)

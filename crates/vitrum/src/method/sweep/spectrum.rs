@@ -1,14 +1,14 @@
-//! Wavelengths that stand for the spectrum, and what each adds to red, green and blue.
+//! Spectral rendering: wavelengths that represent bands of the spectrum, with their weights in red, green and blue.
 
 use crate::method::Exposure;
 use crate::scene::YELLOW;
 
-/// A part of the spectrum.
+/// A band of the spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Band {
-    /// The wavelength that stands for it, in micrometres.
+    /// The wavelength that represents the band, in micrometres.
     pub wavelength: f64,
-    /// Its weights in linear red, green and blue; over all bands the sum of each is 1.
+    /// Weights of the band in linear red, green and blue; over all bands, the weights of each sum to 1.
     pub weights: [f64; 3],
 }
 
@@ -18,8 +18,8 @@ const VISIBLE: [f64; 2] = [0.40, 0.70];
 /// The dominant wavelengths of the primaries of sRGB.
 const PRIMARIES: [f64; 3] = [0.6114, 0.5491, 0.4642];
 
-/// `count` bands: for 3, one for each primary of sRGB; for more, equal parts of the visible spectrum, weighted by the CIE's 1931
-/// colour-matching functions. Weights may be negative there, as pure spectral colours are outside of sRGB.
+/// Bands of the spectrum, `count` of them: for 3, one for each primary of sRGB; for more, equal parts of the visible spectrum, weighted
+/// by the CIE's 1931 colour-matching functions. Weights may be negative there, as pure spectral colours are outside of sRGB.
 #[must_use]
 pub fn bands(count: u32) -> Vec<Band> {
     if count <= 3 {
@@ -46,7 +46,7 @@ pub fn bands(count: u32) -> Vec<Band> {
     bands
 }
 
-/// The exposure of a whole spectrum as exposures of bands, or as it is if all colours bend alike.
+/// One exposure for each band of the spectrum, or the exposure itself if the index of refraction is the same for all wavelengths.
 pub(super) fn split(exposure: Exposure) -> Vec<Exposure> {
     let Exposure { scene, part, .. } = &exposure;
     if !(scene.sweep.refraction && scene.transfer.disperses()) {

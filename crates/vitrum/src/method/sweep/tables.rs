@@ -12,17 +12,17 @@ const FINE: usize = (layout::SEGMENT_SIZE as usize - 1) * 32;
 
 /// The tables of a scene.
 pub struct Tables {
-    /// The words kernels read; see [`layout`].
+    /// The words of the tables, as kernels read them; see [`layout`].
     pub words: Vec<u32>,
-    /// Whether η is not 1 somewhere.
+    /// Whether η differs from 1 anywhere.
     pub refracts: bool,
-    /// Whether the medium takes light away somewhere.
+    /// Whether the medium's transmittance is below 1 anywhere.
     pub colors: bool,
-    /// Running sums over the fine grid of what must be 0 in empty space.
+    /// Running sums over the fine grid of the quantities that are 0 in empty space.
     anything: Vec<f64>,
 }
 
-/// τ, κ (3) and q (3) at a scalar, for a layer of the reference length.
+/// Optical depth τ, medium's optical depths κ (3) and colours q (3) at a scalar, for a layer of the reference length.
 type Depths = [f64; 7];
 
 /// Piecewise linear interpolation of `points` (value, y), constant beyond the ends.
@@ -48,7 +48,7 @@ fn colors(points: &[ColorPoint]) -> Vec<(f32, [f32; 3])> {
     points.iter().map(|point| (point.value, point.color)).collect()
 }
 
-/// −ln x, limited to what the table stores.
+/// Optical depth −ln T of a transmittance T, limited to the range of the table.
 fn optical_depth(transmittance: f64) -> f64 {
     let depth = -libm::log(transmittance.max(0.0));
     depth.clamp(0.0, f64::from(layout::MAX_OPTICAL_DEPTH))
@@ -63,7 +63,7 @@ fn pack(low: f64, high: f64) -> u32 {
     half(low) | half(high) << 16
 }
 
-/// The η table from what η is at the ends of its cells: see [`layout`].
+/// The η table from the values of η at the ends of its cells: see [`layout`].
 fn pack_indices(indices: &[f64]) -> Vec<u32> {
     let (least, most) =
         indices.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &eta| (low.min(eta), high.max(eta)));
@@ -81,7 +81,7 @@ fn pack_indices(indices: &[f64]) -> Vec<u32> {
 }
 
 impl Tables {
-    /// The tables of `transfer` over the range of `shown`, η over that of `bending`.
+    /// The tables of `transfer`: over the range of `shown`, and for η over the range of `bending`.
     pub fn new(transfer: &TransferFunction, refraction: bool, shown: &Volume, bending: &Volume) -> Self {
         let fine = Self::sample(transfer, shown);
         let mut sums = vec![[0.0; 7]; FINE + 1];
@@ -146,7 +146,7 @@ impl Tables {
             .collect()
     }
 
-    /// Whether particles and medium do nothing for all normalised scalars from `low` to `high`.
+    /// Whether opacity is 0 and the filter white for all normalised scalars from `low` to `high`.
     pub fn is_clear(&self, low: f32, high: f32) -> bool {
         // Kernels interpolate between the table's entries: whole intervals count.
         let intervals = layout::SEGMENT_SIZE as usize - 1;
@@ -156,7 +156,7 @@ impl Tables {
         self.anything[last * stride] == self.anything[first.saturating_sub(1) * stride]
     }
 
-    /// Whether particles and medium do nothing where the normalised scalar is exactly `scalar`, as kernels look it up.
+    /// Whether opacity is 0 and the filter white at the normalised scalar `scalar`, as kernels look it up.
     pub fn is_clear_at(&self, scalar: f32) -> bool {
         let Segment { particles, medium, emission } = segment(&self.words, scalar, scalar);
         particles == 0.0 && medium == Vec3::ZERO && emission == Vec3::ZERO
@@ -173,7 +173,7 @@ impl Tables {
     }
 }
 
-/// The physical scalar at a share of the volume's range.
+/// The physical scalar at `share` of the volume's range, 0 to 1.
 fn scalar(volume: &Volume, share: f64) -> f64 {
     let [low, high] = volume.range.map(f64::from);
     low + (high - low) * share
@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use vitrum_kernels::field::tables::ior_and_slope;
 
-    /// η and its slope, as kernels find them in the table of `indices`.
+    /// η and its slope at a normalised scalar, as kernels read them from the table of `indices`.
     fn looked_up(indices: &[f64], scalar: f64) -> (f64, f64) {
         let mut words = vec![0; layout::IOR_LEAST as usize];
         words.extend(pack_indices(indices));

@@ -1,8 +1,8 @@
-//! Light on texels: each follows its light back to the plane behind (sweep §4.2).
+//! Light on texels: each texel follows its light back to the plane behind (semi-Lagrangian advection; sweep §4.2).
 
-use super::carrier::{Carrier, Maker, VolumeBuffers};
-use super::uniforms::Fixed;
-use super::window::Seen;
+use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
+use super::uniforms::FramePlan;
+use super::window::VisibleLight;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::record::{light, trace};
 use vitrum_kernels::abi::sweep::mode;
@@ -11,8 +11,8 @@ use vitrum_kernels::kernel::{Window, kernels};
 /// The buffers of light on texels.
 pub(super) struct Texels {
     volumes: VolumeBuffers,
-    seen: Option<Seen>,
-    /// They swap roles from plane to plane.
+    visible: Option<VisibleLight>,
+    /// Light of the plane before and of the plane: the buffers swap these roles from plane to plane.
     light: [Buffer; 2],
     filtered: Buffer,
     irradiance: Buffer,
@@ -20,23 +20,27 @@ pub(super) struct Texels {
 }
 
 impl Texels {
-    /// Light that is looked at where `seen` says, or everywhere.
-    pub(super) fn new(maker: &mut Maker<'_>, volumes: VolumeBuffers, seen: Option<Seen>) -> Result<Self, BackendError> {
-        let texels = maker.fixed.light_grid.size;
+    /// The buffers of light on texels. Viewing rays read the light in the region `visible`, or anywhere if it is `None`.
+    pub(super) fn new(
+        buffers: &mut BufferAllocator<'_>,
+        volumes: VolumeBuffers,
+        visible: Option<VisibleLight>,
+    ) -> Result<Self, BackendError> {
+        let texels = buffers.plan.light_grid.size;
         Ok(Self {
             volumes,
-            seen,
+            visible,
             light: [
-                maker.planar("light of even planes", texels, light::SIZE)?,
-                maker.planar("light of odd planes", texels, light::SIZE)?,
+                buffers.planar("light of even planes", texels, light::SIZE)?,
+                buffers.planar("light of odd planes", texels, light::SIZE)?,
             ],
-            filtered: maker.planar(
+            filtered: buffers.planar(
                 "filtered light",
-                if maker.fixed.is_soft() { texels } else { [1, 1] },
+                if buffers.plan.is_soft() { texels } else { [1, 1] },
                 light::SIZE,
             )?,
-            irradiance: maker.irradiance()?,
-            traced: maker.planar("back-traced points", texels, trace::SIZE)?,
+            irradiance: buffers.irradiance()?,
+            traced: buffers.planar("back-traced points", texels, trace::SIZE)?,
         })
     }
 
@@ -46,32 +50,32 @@ impl Texels {
 }
 
 impl Carrier for Texels {
-    fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        fixed.unoccluded(self.light(0), &self.irradiance).into()
+    fn start(&self, plan: &FramePlan) -> Vec<Pass> {
+        plan.unoccluded(self.light(0), &self.irradiance).into()
     }
 
-    fn advance(&self, fixed: &Fixed, plane: u32, passes: &mut Vec<Pass>) {
-        let texels = fixed.light_grid.size;
+    fn advance(&self, plan: &FramePlan, plane: u32, passes: &mut Vec<Pass>) {
+        let texels = plan.light_grid.size;
         let (behind, ahead) = (self.light(plane - 1), self.light(plane));
         let whole = Window::whole(texels[0], texels[1]);
-        let window = self.seen.as_ref().map_or(whole, |seen| fixed.window(seen, plane));
+        let window = self.visible.as_ref().map_or(whole, |visible| plan.window(visible, plane));
         let mut push = |kernel, mode, buffers: &[&Buffer]| {
-            passes.push(fixed.pass_over(window, kernel, texels, mode, plane, buffers));
+            passes.push(plan.pass_over(window, kernel, texels, mode, plane, buffers));
         };
-        let colors = if mode::is_clear(fixed.mode) { mode::CLEAR_STRAIGHT } else { mode::STRAIGHT };
-        // What light is followed into: the plane behind, filtered where the light is soft.
-        let source = if fixed.is_soft() { &self.filtered } else { behind };
-        if fixed.is_soft() {
+        let colors = if mode::is_clear(plan.mode) { mode::CLEAR_STRAIGHT } else { mode::STRAIGHT };
+        // The light that is advected: of the plane behind, filtered where the light is soft.
+        let source = if plan.is_soft() { &self.filtered } else { behind };
+        if plan.is_soft() {
             push(&kernels::sweep_filter_light, colors, &[behind, &self.filtered]);
         }
         push(&kernels::sweep_trace_light, 0, &[source, &self.traced]);
         push(&kernels::sweep_gather_light, colors, &[source, &self.traced, ahead]);
-        if !fixed.planes.is_behind(plane) {
+        if !plan.planes.is_behind(plane) {
             let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &self.volumes;
             let bound = [voxels, ior_voxels, occupancy, tables, &self.traced, ahead];
-            push(kernels::sweep_refract_light.get(fixed.format), fixed.mode, &bound);
+            push(kernels::sweep_refract_light.get(plan.format), plan.mode, &bound);
         }
-        passes.push(fixed.concentrate(window, plane, ahead, &self.irradiance));
+        passes.push(plan.concentrate(window, plane, ahead, &self.irradiance));
     }
 
     fn irradiance(&self) -> &Buffer {

@@ -1,12 +1,12 @@
-//! The uniform block, from the scene.
+//! The plan of a frame, and its uniform block, from the scene.
 
-use super::kept::Kept;
+use super::irradiance_ring::IrradianceRing;
 use super::light::{LightGrid, direction};
 use super::paging::Sampling;
 use super::planes::Planes;
 use super::tables::Tables;
 use super::voxels::grid;
-use super::window::Seen;
+use super::window::VisibleLight;
 use crate::error::Error;
 use crate::method::lights;
 use crate::method::sources::sources;
@@ -28,45 +28,47 @@ use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::{Size, Vec3};
 use vitrum_kernels::kernel::Window;
 
-/// The smallest v_z / |v| of a ray that goes on: 89°. Beyond, one plane's step would cross dozens of voxels.
+/// The smallest v_z / |v| of a ray that is followed, at 89° to the planes' normal. One step of an even more oblique ray would cross
+/// dozens of voxels.
 const SMALLEST_COSINE: f32 = 0.017_452;
 
-/// What does not change from plane to plane.
-pub(super) struct Fixed {
+/// The plan of a frame: everything that is the same for all its planes.
+pub(super) struct FramePlan {
     pub(super) planes: Planes,
     pub(super) light_grid: LightGrid,
     pub(super) rays: [u32; 2],
     pub(super) tables: Arc<Tables>,
     pub(super) format: Format,
-    /// The farthest step, in voxels, over which a brick's range holds.
+    /// The longest step, in voxels, over which a brick's range holds, in each volume.
     pub(super) reach: [u32; 2],
     /// [`mode`] of viewing rays.
     pub(super) mode: u32,
     /// Whether light is carried through the volume; else it is unoccluded everywhere.
     pub(super) shadows: bool,
-    /// Where look-ups of a plane lie in the volume, and in the second one.
+    /// Positions of the look-ups between two planes among the voxels of the volume, and of the second one.
     pub(super) sampling: Vec<Sampling>,
     /// The directions of the sheets that carry the light, if sheets do.
     pub(super) sheets: Option<Vec<[f32; 3]>>,
     pub(super) view: View,
-    /// Whether light is looked at outside the volumes, too.
+    /// Whether light outside the volumes is read, too, by receivers.
     pub(super) lights_surroundings: bool,
     block: SweepUniforms,
-    kept: Kept,
-    softness: f32,
+    ring: IrradianceRing,
+    angular_radius: f32,
 }
 
 fn receiver(plane: DVec4, color: Option<Rgb>) -> Receiver {
     Receiver { plane: plane.as_vec4().into(), color: color.map_or(Vec3::ZERO, Vec3::from) }
 }
 
-/// Steps up to one and a half times the plane distance (48° to the planes' normal) stay within a brick's range.
+/// The longest step, in voxels, over which a brick's range holds: one and a half times the plane distance, at 48° to the planes'
+/// normal.
 fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
     let finest = volume.spacing.iter().copied().fold(f32::INFINITY, f32::min);
     (1.5 * distance / f64::from(finest)).ceil().clamp(1.0, 64.0) as u32
 }
 
-/// Where everything is.
+/// The geometry of a frame: view, light, planes and receivers.
 struct Geometry {
     view: View,
     /// The unit direction in which light travels.
@@ -88,7 +90,7 @@ impl Geometry {
     }
 }
 
-/// Whether there are planes and a light grid for a scene of these volumes, and its clips are planes.
+/// Checks that planes and a light grid exist for a scene of these volumes, and that each of its clips is a plane.
 ///
 /// # Errors
 /// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
@@ -101,8 +103,8 @@ pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
     set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)
 }
 
-impl Fixed {
-    /// What `scene` comes to for volumes that are stored as `format` says, on a backend whose buffers have at most `largest_buffer` bytes.
+impl FramePlan {
+    /// The plan of a frame of `scene`, for volumes stored in `format`, on a backend whose buffers have at most `largest_buffer` bytes.
     pub(super) fn new(
         scene: &Scene,
         volumes: Volumes<'_>,
@@ -184,9 +186,13 @@ impl Fixed {
         set_clips(&mut block, scene, &view, shown)?;
         // Streamed voxels go as soon as they can, and irradiance that never changes needs to be there but once.
         let several = scene.first_light().shadows && !format.is_paged();
-        let kept = if several { Kept::new(light_grid.size, largest_buffer) } else { Kept::one(light_grid.size) };
+        let ring = if several {
+            IrradianceRing::new(light_grid.size, largest_buffer)
+        } else {
+            IrradianceRing::one(light_grid.size)
+        };
         Ok(Self {
-            kept,
+            ring,
             planes,
             light_grid,
             rays,
@@ -200,20 +206,20 @@ impl Fixed {
             view,
             lights_surroundings: scene.ground.is_some() || scene.wall.is_some(),
             block,
-            softness: scene.first_light().angular_radius,
+            angular_radius: scene.first_light().angular_radius,
         })
     }
 
-    /// Where light is looked at, if that is in the convex hull of `points` (in the view frame).
-    pub(super) fn seen(&self, points: impl Iterator<Item = DVec3>) -> Seen {
-        self.light_grid.seen(points, &self.planes)
+    /// The region of the light that viewing rays can read when they read it inside the convex hull of `points` alone (view frame).
+    pub(super) fn visible_light(&self, points: impl Iterator<Item = DVec3>) -> VisibleLight {
+        self.light_grid.visible_light(points, &self.planes)
     }
 
-    /// The texels that are carried on to plane `plane`, if light is only looked at where `seen` says.
-    pub(super) fn window(&self, seen: &Seen, plane: u32) -> Window {
+    /// The texels that are carried on to plane `plane`, if viewing rays read light in the region `visible` alone.
+    pub(super) fn window(&self, visible: &VisibleLight, plane: u32) -> Window {
         let filter =
-            if self.is_soft() { self.light_grid.filter_radius(self.softness, &self.planes, plane) } else { 0.0 };
-        self.light_grid.window(seen, &self.planes, plane, filter)
+            if self.is_soft() { self.light_grid.filter_radius(self.angular_radius, &self.planes, plane) } else { 0.0 };
+        self.light_grid.window(visible, &self.planes, plane, filter)
     }
 
     /// The block of a pass over a part of `size` invocations that leads to plane `index`.
@@ -226,7 +232,7 @@ impl Fixed {
             end_column: window.end[0],
             end_row: window.end[1],
         };
-        block.irradiance_start = self.kept.start(index.saturating_sub(1)) as u32;
+        block.irradiance_start = self.ring.start(index.saturating_sub(1)) as u32;
         block.step.behind = self.planes.depth(index.saturating_sub(1)) as f32;
         block.step.ahead = self.planes.depth(index) as f32;
         block.step.distance = self.planes.step(index) as f32;
@@ -237,7 +243,8 @@ impl Fixed {
         if index + self.planes.alike(index) + 1 == self.planes.count {
             block.flags |= flag::LAST_STRETCH;
         }
-        let [first, second, third] = self.light_grid.taps(self.softness, &self.planes, index).map(|tap| tap.as_vec2());
+        let [first, second, third] =
+            self.light_grid.taps(self.angular_radius, &self.planes, index).map(|tap| tap.as_vec2());
         block.taps = abi::Taps {
             first_x: first.x,
             first_y: first.y,
@@ -255,14 +262,14 @@ impl Fixed {
         [x, y, z]
     }
 
-    /// Which planes' irradiance is kept.
-    pub(super) fn kept(&self) -> Kept {
-        self.kept
+    /// The buffer of the latest planes' irradiance.
+    pub(super) fn ring(&self) -> IrradianceRing {
+        self.ring
     }
 
-    /// Whether light is filtered.
+    /// Whether the light has an angular radius, so that its shadows are filtered.
     pub(super) fn is_soft(&self) -> bool {
-        self.softness > 0.0
+        self.angular_radius > 0.0
     }
 }
 
@@ -285,8 +292,8 @@ fn flags(scene: &Scene) -> u32 {
     flags
 }
 
-/// The steepest way that viewing rays and light, which starts in these directions, go from plane to plane: how far aside for each
-/// unit of depth.
+/// The steepest slope of viewing rays and light from plane to plane, distance across over depth; `directions` has the directions in
+/// which the light starts.
 fn steepest(view: &View, tables: &Tables, directions: impl Iterator<Item = [f32; 3]>) -> f64 {
     let bent = if tables.refracts { 1.0 / f64::from(SMALLEST_COSINE) } else { 0.0 };
     let seen = if view.orthographic { 0.0 } else { libm::hypot(view.half_size[0], view.half_size[1]) };
@@ -302,7 +309,7 @@ fn exact_shear(light: &abi::Light) -> [f32; 2] {
     [v.x * inverse, v.y * inverse]
 }
 
-/// Unoccluded light as it is stored.
+/// Irradiance of unoccluded light on a plane, or its radiance where the kernels store radiance.
 fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec3 {
     let stored = if block.flags & flag::STORE_RADIANCE != 0 { 1.0 } else { block.light.direction.z };
     let light = scene.first_light();

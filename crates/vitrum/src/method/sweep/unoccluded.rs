@@ -1,7 +1,7 @@
-//! Light that nothing stands in the way of: the same on every plane.
+//! Unoccluded light: the same on every plane, without passes.
 
-use super::carrier::{Carrier, Maker};
-use super::uniforms::Fixed;
+use super::carrier::{BufferAllocator, Carrier};
+use super::uniforms::FramePlan;
 use crate::backend::{BackendError, Buffer, Pass};
 use vitrum_kernels::abi::record::light;
 
@@ -12,18 +12,18 @@ pub(super) struct Unoccluded {
 }
 
 impl Unoccluded {
-    pub(super) fn new(maker: &mut Maker<'_>) -> Result<Self, BackendError> {
-        let texels = maker.fixed.light_grid.size;
-        Ok(Self { light: maker.planar("light", texels, light::SIZE)?, irradiance: maker.irradiance()? })
+    pub(super) fn new(buffers: &mut BufferAllocator<'_>) -> Result<Self, BackendError> {
+        let texels = buffers.plan.light_grid.size;
+        Ok(Self { light: buffers.planar("light", texels, light::SIZE)?, irradiance: buffers.irradiance()? })
     }
 }
 
 impl Carrier for Unoccluded {
-    fn start(&self, fixed: &Fixed) -> Vec<Pass> {
-        fixed.unoccluded(&self.light, &self.irradiance).into()
+    fn start(&self, plan: &FramePlan) -> Vec<Pass> {
+        plan.unoccluded(&self.light, &self.irradiance).into()
     }
 
-    fn advance(&self, _fixed: &Fixed, _plane: u32, _passes: &mut Vec<Pass>) {}
+    fn advance(&self, _plan: &FramePlan, _plane: u32, _passes: &mut Vec<Pass>) {}
 
     fn irradiance(&self) -> &Buffer {
         &self.irradiance

@@ -7,21 +7,21 @@ use crate::error::Error;
 use crate::subject::Volumes;
 use vitrum_kernels::abi::format::Format;
 
-/// A frame's voxels on a backend: what stays the same while scene and camera change.
+/// A frame's volumes on a backend, which stay the same while scene and camera change.
 #[derive(Debug)]
-pub struct Uploaded {
-    /// The volume's voxels and the second one's, or the same again; none if they come and go in the course of a frame.
+pub struct UploadedVolumes {
+    /// The voxels of the volume and of the second one, or the same buffer twice; `None` if they are streamed.
     pub(super) voxels: Option<[Buffer; 2]>,
     pub(super) format: Format,
-    /// Whether streamed voxels take as little memory as they can, not as much as they may.
+    /// Whether streamed voxels take the least memory, not as much as the limit allows.
     pub(super) tight: bool,
     pub(super) ranges: Ranges,
-    /// The second volume's.
+    /// The ranges of the second volume's bricks.
     pub(super) ior_ranges: Option<Ranges>,
 }
 
-impl Uploaded {
-    /// Hands the volumes to the backend, unless that is more than it may have at once.
+impl UploadedVolumes {
+    /// Uploads the volumes, or prepares to stream them if they exceed the backend's limits.
     ///
     /// # Errors
     /// If the backend fails.
@@ -41,7 +41,7 @@ impl Uploaded {
         Ok(Self { voxels: Some([voxels, ior_voxels]), format, tight: false, ranges, ior_ranges })
     }
 
-    /// Streams the volumes in as little memory as that takes, however small they are.
+    /// Prepares to stream the volumes in the least memory, however small they are.
     #[must_use]
     pub fn streamed(volumes: Volumes<'_>) -> Self {
         let Volumes { shown, ior: bending } = volumes;

@@ -1,4 +1,4 @@
-//! Volumes as kernels read them: the voxels as they came, x fastest, as words.
+//! Volumes as kernels read them: the voxels as they were read from the file, x fastest, in words.
 
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::view::{View, vector, voxel_steps};
@@ -11,14 +11,14 @@ use vitrum_kernels::abi::format::{Format, page};
 use vitrum_kernels::abi::grid::Grid;
 use vitrum_kernels::abi::vector::{Affine, Counts, Vec3};
 
-/// log₂ of the edge of a brick of the occupancy buffer, in voxels, unless that makes more than [`MOST_BRICKS`].
+/// log₂ of the edge of a brick of the occupancy buffer, in voxels, for volumes of at most [`MOST_BRICKS`] such bricks.
 const FINEST_BRICK: u32 = 2;
 
-/// Bricks that a volume has at most: a word each. Larger volumes have larger bricks, so that this takes less than a tenth of the
-/// voxels' memory.
+/// Largest number of bricks of a volume, a word each. Larger volumes have larger bricks, so that the words take less than a tenth of
+/// the voxels' memory.
 const MOST_BRICKS: u64 = 1 << 23;
 
-/// How a volume is stored, and whether a second one gives η.
+/// The format in which a volume is stored on the device, and with which kernels read it; `ior` is the second volume, if there is one.
 pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
     match (&shown.voxels, ior) {
         (_, Some(_)) => Format::F32WithIor,
@@ -28,12 +28,12 @@ pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
     }
 }
 
-/// Bytes of a volume that is stored as `stored` says.
+/// Bytes of a volume in the format `stored`.
 pub(super) fn bytes(volume: &Volume, stored: Format) -> u64 {
     volume.voxels.len() as u64 * stored.bytes()
 }
 
-/// Whether the backend can have all of `volumes` in one piece each.
+/// Whether each of `volumes` fits the backend in one piece.
 pub(super) fn fit(volumes: Volumes<'_>, stored: Format, backend: &dyn Backend) -> bool {
     // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
     let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * stored.bytes());
@@ -41,7 +41,7 @@ pub(super) fn fit(volumes: Volumes<'_>, stored: Format, backend: &dyn Backend) -
     sizes.clone().all(|size| size <= most) && sizes.sum::<u64>() <= backend.volume_limit()
 }
 
-/// Hands a volume to the backend in one piece. The CPU backend reads the volume's own memory, unless it has to be turned into floats.
+/// Uploads a volume in one piece. The CPU backend reads the volume's own memory, unless its voxels have to be converted to floats.
 pub(super) fn upload(volume: &Volume, stored: Format, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
     Ok(match (&volume.voxels, stored) {
         (Voxels::U8(voxels), Format::F32WithIor) => floats(voxels, backend)?,
@@ -78,7 +78,7 @@ pub(super) fn pages(dimensions: [u32; 3]) -> [u32; 3] {
     dimensions.map(|n| (n >> page::SHIFT) + 1)
 }
 
-/// What a stored value is multiplied by, and what is added then, for the normalised scalar.
+/// Factor and summand that turn a stored value into the normalised scalar, 0 to 1.
 pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
     let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
     let inverse_scale = if scale > 0.0 { 1.0 / scale } else { 0.0 };
@@ -88,8 +88,8 @@ pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
     ]
 }
 
-/// Where a volume, stored as `format` says, lies in the view frame. `reach` is the step in voxels that a brick's range covers, `first_brick` where its
-/// bricks start in the occupancy buffer.
+/// The grid of a volume in the view frame, as kernels read it. `reach` is the step in voxels that a brick's range covers, `first_brick`
+/// the index of the first brick in the occupancy buffer.
 pub(super) fn grid(volume: &Volume, stored: Format, view: &View, reach: u32, first_brick: u32) -> Grid {
     let inverse = voxel_steps(volume).inverse();
     let along = inverse * view.axes;

@@ -1,9 +1,9 @@
-//! Which texels of a plane's light can reach a viewing ray.
+//! Windows of light texels: the texels of a plane whose light can still reach a viewing ray.
 //!
-//! Rays look at light inside the volumes alone, if there are no receivers. The hull around what is not empty there is convex: light that
-//! has left it does not come back, and until light enters it, it is unoccluded. So on each plane only texels on the hull's slice have
-//! to be carried on. Outside, light keeps what it was when its texel left the slice: unoccluded where it never was on one. That takes
-//! texels that move as unrefracted light does ([`LightGrid::follows_light`]): over others, which a slice has left behind, light comes in.
+//! Where there are no receivers, rays read light inside the volumes alone. The hull of the bricks that are not empty is convex: light that
+//! has left it does not come back, and light that has not entered it yet is unoccluded. So only the texels on the hull's slice are carried on
+//! to each plane. A texel outside keeps the light of the plane on which it left the slice, or unoccluded light if it never was on one. That
+//! takes texels that move as unrefracted light does ([`LightGrid::follows_light`]); light would enter others behind the slice.
 
 use super::hull::{extent, hull};
 use super::light::LightGrid;
@@ -11,21 +11,21 @@ use super::planes::Planes;
 use glam::{DVec2, DVec3};
 use vitrum_kernels::kernel::Window;
 
-/// Texels around a slice, besides those that the softness filter looks at: interpolation, differences of neighbours, and light that is on
-/// its way out and comes from beside the slice.
+/// Texels around a slice, besides the ones that the soft-shadow filter reads: for interpolation, differences of neighbours, and light
+/// that leaves the slice or comes from beside it.
 const MARGIN: f64 = 4.0;
 
-/// Where light is looked at: a convex body's outlines, texels against depth.
-pub(super) struct Seen {
-    /// (depth, column).
+/// The region of the light that viewing rays can read: the outlines of a convex body, texels against depth.
+pub(super) struct VisibleLight {
+    /// The outline over columns: points (depth, column).
     across: Vec<DVec2>,
-    /// (depth, row).
+    /// The outline over rows: points (depth, row).
     up: Vec<DVec2>,
 }
 
 impl LightGrid {
-    /// Where light is looked at, if that is in the convex hull of `points` (in the view frame).
-    pub(super) fn seen(&self, points: impl Iterator<Item = DVec3>, planes: &Planes) -> Seen {
+    /// The region of the light that viewing rays can read when they read it inside the convex hull of `points` alone (view frame).
+    pub(super) fn visible_light(&self, points: impl Iterator<Item = DVec3>, planes: &Planes) -> VisibleLight {
         let texel = |point: DVec3| {
             (point.truncate() - self.shear * (point.z - planes.depth(0)) - self.corner) / self.texel - DVec2::splat(0.5)
         };
@@ -36,19 +36,19 @@ impl LightGrid {
             })
             .unzip();
         // Texels depend on points linearly: the outline of the hull is the hull of the outline.
-        Seen { across: hull(across), up: hull(up) }
+        VisibleLight { across: hull(across), up: hull(up) }
     }
 
-    /// The texels that are carried on to plane `plane`, if light is only looked at where `seen` says and the softness filter looks
+    /// The texels that are carried on to plane `plane`, if viewing rays read light in the region `visible` alone and the softness filter looks
     /// `filter` texels far.
-    pub(super) fn window(&self, seen: &Seen, planes: &Planes, plane: u32, filter: f64) -> Window {
+    pub(super) fn window(&self, visible: &VisibleLight, planes: &Planes, plane: u32, filter: f64) -> Window {
         let [width, height] = self.size;
         // The first one fills the buffers.
         if plane <= 1 {
             return Window::whole(width, height);
         }
         let depths = [planes.depth(plane - 1), planes.depth(plane)];
-        let Some((columns, rows)) = extent(&seen.across, depths).zip(extent(&seen.up, depths)) else {
+        let Some((columns, rows)) = extent(&visible.across, depths).zip(extent(&visible.up, depths)) else {
             return Window::empty();
         };
         let margin = filter.ceil() + MARGIN;

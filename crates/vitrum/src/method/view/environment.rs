@@ -1,11 +1,8 @@
 //! The environment's uniforms and its mip chain (sweep §4.4).
 
 use super::{View, from_angles};
-use crate::backend::{Backend, BackendError, Buffer, Contents};
-use crate::method::cache::Memo;
-use crate::scene::{Environment, EnvironmentKind, Rgb, Scene};
+use crate::scene::{Environment, EnvironmentKind, Rgb};
 use glam::DVec3;
-use std::sync::Arc;
 use vitrum_io::Picture;
 use vitrum_kernels::abi::environment::{Environment as Block, MAX_LEVELS, kind};
 use vitrum_kernels::abi::vector::Vec3;
@@ -29,34 +26,9 @@ impl EnvironmentMap {
     }
 }
 
-/// The environment map of the last frame, on the host and on the backend.
-#[derive(Default)]
-pub(in crate::method) struct UploadedEnvironment(Memo<bool, (Arc<EnvironmentMap>, Buffer)>);
-
-impl UploadedEnvironment {
-    /// The map of a scene's environment whose picture is `picture`.
-    ///
-    /// # Errors
-    /// As [`Backend::create`].
-    pub(in crate::method) fn get(
-        &mut self,
-        scene: &Scene,
-        picture: Option<&Picture>,
-        backend: &mut dyn Backend,
-    ) -> Result<(Arc<EnvironmentMap>, Buffer), BackendError> {
-        let is_map = scene.environment.kind == EnvironmentKind::Map;
-        let made = self.0.get(is_map, || {
-            let map = EnvironmentMap::new(&scene.environment, picture);
-            let buffer = backend.create("environment", Contents::Bytes(bytemuck::cast_slice(&map.texels)))?;
-            Ok::<_, BackendError>((Arc::new(map), buffer))
-        })?;
-        Ok(made.clone())
-    }
-}
-
 /// An environment as kernels read it.
 pub(in crate::method) struct Prepared {
-    /// Its uniforms, for rays in the view frame.
+    /// Uniforms of the environment, for rays in the view frame.
     pub(in crate::method) block: Block,
     /// The environment's axes in the world: its side, its middle, up.
     pub(in crate::method) axes: [DVec3; 3],

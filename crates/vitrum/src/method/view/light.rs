@@ -1,6 +1,6 @@
-//! The direction of the light, as the camera has it.
+//! Directions and places of lights.
 
-use super::{View, from_angles, vector};
+use super::{Bounds, View, from_angles, vector};
 use crate::error::Error;
 use crate::scene::{Attachment, Light};
 use crate::unrenderable::Unrenderable;
@@ -24,4 +24,47 @@ pub(in crate::method) fn travels(light: &Light, view: &View) -> Result<DVec3, Er
     };
     let no_length = || Unrenderable::NoDirection { key: "the `direction` of a light".to_owned() }.into();
     travels.try_normalize().ok_or_else(no_length)
+}
+
+/// The position of a point or spot, in the world; `None` for a distant light.
+pub(in crate::method) fn position(light: &Light, view: &View) -> Option<DVec3> {
+    let given = vector(light.position?);
+    Some(match light.attachment() {
+        Attachment::World => given,
+        Attachment::Camera => {
+            let target = view.eye + view.axes.z_axis * view.target_depth;
+            target + view.axes * DVec3::new(given.x, given.y, -given.z)
+        }
+    })
+}
+
+/// The unit axis of a spot's cone, in the world: where no direction is given, towards the middle of the subject.
+///
+/// # Errors
+/// [`Unrenderable::NoDirection`] where the spot stands in the middle of the subject and has no direction.
+pub(in crate::method) fn axis(light: &Light, view: &View, bounds: Bounds) -> Result<DVec3, Error> {
+    if light.direction.is_some() {
+        return Ok(view.axes * travels(light, view)?);
+    }
+    let (centre, _) = bounds.sphere();
+    let no_length =
+        || Unrenderable::NoDirection { key: "the `direction` of a spot in the middle of the subject".to_owned() };
+    Ok(position(light, view).and_then(|from| (centre - from).try_normalize()).ok_or_else(no_length)?)
+}
+
+/// The unit vectors across a spot's axis that are the right and the top of the picture that it projects: for one who looks along the axis,
+/// upright. Where the axis is upright the picture's top is away from the viewer.
+pub(in crate::method) fn upright(light: &Light, view: &View, axis: DVec3) -> [DVec3; 2] {
+    let up = match light.attachment() {
+        Attachment::World => view.up,
+        Attachment::Camera => view.axes.y_axis,
+    };
+    let away = match light.attachment() {
+        Attachment::World => -view.front,
+        Attachment::Camera => view.axes.z_axis,
+    };
+    let along = axis.dot(up);
+    let top = if along.abs() < 0.999_999 { up - axis * along } else { away * -along.signum() };
+    let top = (top - axis * axis.dot(top)).normalize();
+    [axis.cross(top), top]
 }

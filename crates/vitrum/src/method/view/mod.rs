@@ -1,10 +1,11 @@
-//! The parts of a scene that every method has: the camera's view, the environment, receivers, lights' directions.
+//! The parts of a scene that every method has: the camera's view, the environment, receivers, lights' directions and places.
 //!
 //! The view frame, in which all of them are stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
 
 pub(in crate::method) mod bounds;
 pub(in crate::method) mod environment;
 pub(in crate::method) mod light;
+pub(in crate::method) mod pictures;
 pub(in crate::method) mod receivers;
 
 pub use bounds::Bounds;
@@ -17,7 +18,7 @@ use vitrum_io::Volume;
 /// only a box seen exactly corner on touches the edge.
 const FIT: f64 = 0.87;
 
-/// Where the picture is taken from.
+/// The view: position, axes and projection of the camera.
 #[derive(Debug, Clone, Copy)]
 pub struct View {
     /// The eye, in the world.

@@ -31,7 +31,7 @@ impl Receivers {
         Self { ground, wall }
     }
 
-    /// How far `direction` leads from `point` to the first receiver, in units of `direction`.
+    /// Distance from `point` along `direction` to the first receiver, in lengths of `direction`; `None` if the ray meets none.
     pub(in crate::method) fn first(&self, point: DVec3, direction: DVec3) -> Option<f64> {
         [self.ground, self.wall]
             .iter()

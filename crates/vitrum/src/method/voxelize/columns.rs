@@ -9,8 +9,8 @@ pub(in crate::method) fn scale(triangles: usize) -> u32 {
     30 - (usize::BITS - triangles.leading_zeros()).clamp(14, 30)
 }
 
-/// For each triangle the rows of columns of a slab, by its first layer and how many it has, that may go through it; 2^`columns` of
-/// them go through a voxel.
+/// For each triangle, the rows of columns of a slab that may cross it: `first` is the slab's first layer, `layers` its number of
+/// layers; 2^`columns` columns cross a voxel.
 pub(in crate::method) fn slices(corners: &[[[f32; 3]; 3]], columns: u32, [first, layers]: [u32; 2]) -> Vec<Slices> {
     let a_voxel = f32::from(1u16 << columns);
     let [begin, end] = [first << columns, (first + layers) << columns];

@@ -8,14 +8,14 @@ use vitrum_io::Mesh;
 /// The most voxels along a mesh's longest edge.
 pub const MOST_VOXELS: u32 = 8192;
 
-/// The most voxels around it.
+/// The most empty voxels around a mesh.
 pub const MOST_PADDING: u32 = 1024;
 
-/// The mesh keeps this part of the longest edge away from the grid's border or the padding. Without it, and with a voxel's closed
-/// faces, every mesh would meet the voxels beyond.
+/// Clearance between the mesh and the grid's border or the padding, over the longest edge. Voxels are closed: without it, every mesh
+/// would meet the voxels beyond.
 const CLEARANCE: f64 = 1.0 / 65536.0;
 
-/// Where the voxels lie.
+/// A grid of cubic voxels, axis-aligned in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
     /// Voxels along x, y and z.
@@ -27,8 +27,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// `resolution` voxels along the longest edge of the mesh's bounds, as many as it takes along the others, the mesh in the
-    /// middle, and `padding` voxels around.
+    /// The grid around a mesh: `resolution` voxels along the longest edge of its bounds, as many as needed along the others, the mesh
+    /// in the middle, and `padding` voxels around.
     ///
     /// # Errors
     /// Where the resolution is 0 or above [`MOST_VOXELS`], the padding above [`MOST_PADDING`], and where the mesh is a point.
@@ -36,7 +36,7 @@ impl Grid {
         Self::around_box(&mesh.name, mesh.bounds().map(|corner| corner.map(f64::from)), settings)
     }
 
-    /// As [`Self::around`], of what lies in a box from its `low` to its `high` corner and is called `name`.
+    /// The grid around a box from `low` to `high`, as [`Self::around`]; `name` is the name for messages.
     pub(in crate::method) fn around_box(
         name: &str,
         [low, high]: [[f64; 3]; 2],
@@ -66,7 +66,7 @@ impl Grid {
         std::array::from_fn(|axis| (f64::from(position[axis]) - self.origin[axis]) / self.voxel_size)
     }
 
-    /// How many voxels there are.
+    /// The number of voxels.
     #[must_use]
     pub fn voxels(&self) -> u64 {
         self.dimensions.iter().map(|&count| u64::from(count)).product()

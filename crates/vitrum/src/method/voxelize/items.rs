@@ -1,4 +1,4 @@
-//! Shares the work: a large triangle among many invocations, and all triangles among several batches.
+//! Division of the work: a large triangle among many invocations, and all triangles among several batches.
 
 use crate::backend::{Buffer, Pass, PassList};
 use bytemuck::bytes_of;
@@ -13,7 +13,7 @@ const SMALL: u32 = triangle::SMALL as u32;
 /// Items in a batch, unless a single triangle has more.
 const BATCH: u64 = 1 << 20;
 
-/// Invocations in a row of a dispatch: eight such rows are what a processor takes at a time.
+/// Invocations in a row of a dispatch; eight such rows are the chunk that a processor's core takes at a time.
 const WIDTH: u32 = 64;
 /// The most rows of a dispatch.
 const MOST_ROWS: u32 = 65535 * 8;
@@ -23,7 +23,7 @@ const MOST_ROWS: u32 = 65535 * 8;
 pub(in crate::method) struct Slices {
     pub first: u32,
     pub count: u32,
-    /// Rows that a slice has.
+    /// Number of rows of a slice.
     pub rows: u32,
 }
 
@@ -33,11 +33,11 @@ impl Slices {
     }
 }
 
-/// Triangles `first`…`end` with the items that they have.
+/// A batch: the triangles `first`…`end` with their items.
 pub(in crate::method) struct Batch {
     pub first: usize,
     pub end: usize,
-    /// Words as [`item`] has them, triangles counted from `first`.
+    /// The items as words in the layout of [`item`]; triangles are counted from `first`.
     pub items: Vec<u32>,
 }
 
@@ -47,7 +47,7 @@ impl Batch {
     }
 }
 
-/// Where each triangle's items begin in the list of all, and how many there are.
+/// The plan of the items: the index of each triangle's first item in the list of all items, and their number.
 pub(in crate::method) struct Plan<'a> {
     slices: &'a [Slices],
     begins: Vec<u64>,
@@ -65,7 +65,7 @@ impl<'a> Plan<'a> {
         Self { slices, begins }
     }
 
-    /// All items.
+    /// The number of items of all triangles.
     pub(in crate::method) fn total(&self) -> u64 {
         self.begins[self.slices.len()]
     }

@@ -1,8 +1,8 @@
-//! Voxelization: which voxels of a grid a mesh's triangles meet, what they bring there, and how much of each voxel is inside
-//! (Chang et al. 2010, §2; solids are not in the paper).
+//! Voxelization of triangle meshes: the voxels of the surface, the attributes that triangles bring to them, and the coverage of the
+//! voxels of the solid (Chang et al. 2010, §2; solids are not in the paper).
 
 pub(in crate::method) mod columns;
-mod fixed;
+mod fixed_point;
 mod grid;
 pub(in crate::method) mod items;
 mod settings;
@@ -28,7 +28,7 @@ use vitrum_io::Mesh;
 use web_time::Instant;
 use work::Work;
 
-/// What there is to tell about a run.
+/// Statistics of a voxelization.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Statistics {
     /// `cpu` or `gpu`.
@@ -56,20 +56,20 @@ pub struct Statistics {
 /// A mesh as voxels.
 #[derive(Debug, Clone)]
 pub struct Voxelization {
-    /// Where they lie.
+    /// The grid of the voxels.
     pub grid: Grid,
-    /// Those that triangles meet, their faces included: none is missed, and none is set that is farther than 2⁻¹⁶ of the
-    /// triangle's extent and two voxels (and the overlap that was asked for) from it.
+    /// The mask of the surface: all voxels that triangles meet, their faces included. No such voxel is missing, and no voxel in the
+    /// mask is farther from a triangle than 2⁻¹⁶ of the triangle's extent, two voxels and the requested overlap.
     pub surface: Option<Mask>,
-    /// What triangles bring to those.
+    /// The attributes of the surface's voxels.
     pub attributes: Option<Attributes>,
-    /// What is inside.
+    /// The coverage of the voxels by the solid.
     pub solid: Option<Solid>,
     /// Times and counts.
     pub statistics: Statistics,
 }
 
-/// Makes voxels of a mesh. The result does not depend on the backend, nor on the order of the triangles.
+/// Turns a mesh into voxels. The result does not depend on the backend, nor on the order of the triangles.
 ///
 /// `tools.progress` is told from time to time how much of the work is done, and cancels it by returning `false`.
 ///
@@ -85,7 +85,7 @@ pub fn voxelize(mesh: &Mesh, settings: &Settings, tools: &mut Tools<'_>) -> Resu
     })
 }
 
-/// As [`voxelize`], in a grid that is given; the mesh must lie within it.
+/// Turns a mesh into voxels of a given grid, as [`voxelize`]; the mesh must lie within the grid.
 pub(crate) fn voxelize_in(
     grid: Grid,
     mesh: &Mesh,
@@ -127,7 +127,7 @@ pub(crate) fn voxelize_in(
     Ok(Voxelization { grid, surface, attributes, solid, statistics })
 }
 
-/// Bytes that an allocator keeps for the next time; larger pieces it gets from the system.
+/// Bytes up to which an allocator keeps a freed piece for the next request; it returns larger pieces to the system.
 const KEPT: usize = 1 << 25;
 
 fn fill(

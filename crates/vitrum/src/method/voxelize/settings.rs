@@ -1,25 +1,26 @@
-//! How a mesh becomes voxels.
+//! Settings of the voxelization of a mesh.
 
-/// What is inside a surface that crosses itself.
+/// The fill rule: the inside of a surface that crosses itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FillRule {
-    /// Where the surface winds about a point at all: where bodies overlap is inside, and a cavity is where a part within faces the
-    /// other way. Which way the surface as a whole faces does not matter.
+    /// Nonzero: a point is inside where the surface's winding number is not 0. The overlap of bodies is inside, and a part within that
+    /// faces the other way makes a cavity. The surface as a whole may face either way.
     #[default]
     Nonzero,
-    /// Where it takes an odd number of crossings to get out: where two bodies overlap is outside, whichever way they face.
+    /// Even-odd: a point is inside where a ray from it crosses the surface an odd number of times. The overlap of two bodies is
+    /// outside, whichever way they face.
     EvenOdd,
 }
 
-/// How a mesh becomes voxels.
+/// Settings of the voxelization of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// Voxels along the mesh's longest edge, from 1.
     pub resolution: u32,
     /// Empty voxels around the mesh.
     pub padding: u32,
-    /// By how much a voxel reaches over its neighbours for the surface, as a part of its edge, 0 to 1 (§4.1.1 of the paper, which
-    /// enlarges slices along their axis alone).
+    /// Overlap of a voxel with its neighbours where triangles meet it, in edges of a voxel, 0 to 1 (§4.1.1 of the paper, which enlarges
+    /// slices along their axis alone).
     pub overlap: f32,
     /// Whether the voxels that triangles meet are marked.
     pub surface: bool,
@@ -30,7 +31,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The surface alone.
+    /// Settings for the surface alone.
     #[must_use]
     pub fn new(resolution: u32) -> Self {
         Self { resolution, padding: 1, overlap: 0.0, surface: true, attributes: false, solid: None }

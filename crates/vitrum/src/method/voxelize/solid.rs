@@ -1,4 +1,4 @@
-//! How much of each voxel is inside the surface.
+//! Solid voxelization: the coverage of each voxel by the inside of the surface.
 
 use super::grid::Grid;
 use super::items::{Batch, Plan, Slices, pass};
@@ -19,27 +19,27 @@ use vitrum_kernels::kernel::kernels;
 /// columns, not 4 × 4, a plate in a grid of 128 had lost half a percent.
 const COLUMNS: u32 = 2;
 
-/// Words of a slab's changes that a processor's cache holds: what is cut into slabs is cut into such.
+/// Words of changes that a slab has at most, so that a processor's cache holds them.
 const CACHED_WORDS: u64 = 1 << 21;
 
 /// The most words of a slab's changes, less than any device's buffer.
 const MOST_WORDS: u64 = 1 << 24;
 
-/// Words of a slab for each triangle: every slab looks at all of them, which should take less time than its voxels.
+/// Least number of words of a slab for each triangle: every slab tests all triangles, which should take less time than its voxels.
 const WORDS_PER_TRIANGLE: u64 = 64;
 
-/// How much of each voxel is inside.
+/// The coverage of voxels by the inside of a surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Solid {
-    /// For each voxel, x fastest: from 0, none of it, to 255, all of it.
+    /// The coverage of each voxel, x fastest, in 255ths: 0 is a voxel outside, 255 one inside.
     pub coverage: Vec<u8>,
-    /// Rows of voxels along x whose columns end in another winding than they began in, as they go through a hole of the surface.
-    /// They are left empty.
+    /// Rows of voxels along x that go through a hole of the surface, so that the winding at their end differs from 0. They are left
+    /// empty.
     pub open_rows: u64,
 }
 
 impl Solid {
-    /// What is inside, in voxels.
+    /// The volume of the inside, in voxels.
     #[must_use]
     pub fn volume(&self) -> f64 {
         let sum: u64 = self.coverage.par_iter().map(|&coverage| u64::from(coverage)).sum();
@@ -53,7 +53,7 @@ pub(super) struct Slab {
     coverage: Buffer,
 }
 
-/// Triangles for the solid, and the work.
+/// The triangles of a solid, and the work on them.
 pub(super) struct Body {
     grid: Grid,
     corners: Vec<[[f32; 3]; 3]>,
@@ -85,13 +85,13 @@ impl Body {
         (words / layer).clamp(1, u64::from(z)) as u32
     }
 
-    /// The first layer of each slab and how many it has.
+    /// The first layer of each slab, and its number of layers.
     pub(super) fn slabs(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
         let (layers, end) = (self.layers(), self.grid.dimensions[2]);
         (0..end).step_by(layers as usize).map(move |first| [first, layers.min(end - first)])
     }
 
-    /// For each triangle the rows of columns of a slab that may go through it.
+    /// For each triangle, the rows of columns of a slab that may cross it.
     pub(super) fn slices(&self, slab: [u32; 2]) -> Vec<Slices> {
         columns::slices(&self.corners, COLUMNS, slab)
     }
@@ -109,7 +109,7 @@ impl Body {
         }
     }
 
-    /// What a slab is filled with, for all slabs.
+    /// The buffers for the changes of a slab, which all slabs share.
     pub(super) fn buffers(&self, backend: &mut dyn Backend) -> Result<Slab, Error> {
         let [x, y, _] = self.grid.dimensions;
         let rows = u64::from(y) * u64::from(self.layers());

@@ -1,6 +1,6 @@
-//! The voxels that triangles meet, and what these bring there.
+//! Surface voxelization: the voxels that triangles meet, and the attributes that triangles bring to them.
 
-use super::fixed::Fixed;
+use super::fixed_point::FixedPoint;
 use super::grid::Grid;
 use super::items::{Plan, Slices, pass};
 use super::triangles;
@@ -19,11 +19,11 @@ use vitrum_kernels::glam::IVec3;
 use vitrum_kernels::kernel::{Kernel, kernels};
 use vitrum_kernels::voxelize::place::{Place, is_tiny};
 
-/// A bit for each voxel.
+/// The mask of a grid: a bit for each voxel.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mask {
     dimensions: [u32; 3],
-    /// Words that a row along x takes.
+    /// Number of words of a row along x.
     row: usize,
     words: Vec<u32>,
 }
@@ -41,7 +41,7 @@ impl Mask {
         &self.words
     }
 
-    /// How many voxels are set.
+    /// The number of voxels in the mask.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.words.par_iter().map(|word| u64::from(word.count_ones())).sum()
@@ -57,7 +57,7 @@ impl Mask {
         .collect()
     }
 
-    /// How many voxels are set before each word; how many in all.
+    /// Ranks: the number of voxels in the mask before each of its words, and the number of all.
     pub(crate) fn ranks(&self) -> (Vec<u32>, u64) {
         let mut sum = 0;
         let ranks = self.words.iter().map(|word| {
@@ -81,16 +81,16 @@ impl Mask {
     }
 }
 
-/// What triangles bring to each voxel that is set, in the order of the voxels, x fastest.
+/// The attributes that triangles bring to each voxel of the mask, in the order of the voxels, x fastest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attributes {
-    /// How many triangles meet the voxel, at least 1: the paper's measure of density.
+    /// The number of triangles that meet the voxel, at least 1: the paper's measure of density.
     pub counts: Vec<u32>,
     /// Sums of unit normals, one a triangle, in units of 2⁻¹⁶; 0 of triangles without area.
     pub normals: Vec<[f32; 3]>,
     /// Sums of linear colours, one a triangle, in units of 2⁻¹⁶.
     pub colors: Vec<[f32; 3]>,
-    /// The largest number of a material among the triangles'; `None` where none has one.
+    /// The largest number of a material among the triangles'; `None` if no triangle has a material.
     pub materials: Vec<Option<u32>>,
 }
 
@@ -100,20 +100,20 @@ const BATCH: usize = 1 << 16;
 /// Triangles that a thread prepares at a time.
 const PART: usize = 1 << 11;
 
-/// Writes what else there is of a batch of triangles.
+/// Writes the further data of a batch of triangles.
 type Prepare<'a> = dyn Fn(Range<usize>, &mut dyn Backend) -> Result<(), Error> + 'a;
 
 /// The triangles of a surface.
 pub(super) struct Surface<'a> {
     mesh: &'a Mesh,
     grid: Grid,
-    fixed: Fixed,
+    fixed: FixedPoint,
     uniforms: VoxelizeUniforms,
 }
 
 impl<'a> Surface<'a> {
     pub(super) fn new(mesh: &'a Mesh, grid: Grid, overlap: f32) -> Self {
-        let fixed = Fixed::new(grid);
+        let fixed = FixedPoint::new(grid);
         let [x, y, z] = grid.dimensions;
         let overlap = (f64::from(overlap) * f64::from(1u32 << fixed.units)).ceil() as u32;
         let uniforms = VoxelizeUniforms {
@@ -126,7 +126,8 @@ impl<'a> Surface<'a> {
         Self { mesh, grid, fixed, uniforms }
     }
 
-    /// Writes the corners of `triangles` as kernels read them; what is not done with the small ones, counted from the first.
+    /// Writes the corners of `triangles` as kernels read them. The result has the triangles that are too large for the batch of small
+    /// ones, by their index from the first.
     fn write_corners(&self, triangles: Range<usize>, words: &mut [u32]) -> Vec<(usize, Slices)> {
         let parts = self.mesh.triangles[triangles].par_chunks(PART).zip(words.par_chunks_mut(PART * triangle::SIZE));
         let write = |(part, (triangles, words)): (usize, (&[[u32; 3]], &mut [u32]))| {
@@ -152,8 +153,8 @@ impl<'a> Surface<'a> {
         parts.enumerate().flat_map_iter(write).collect()
     }
 
-    /// Prepares triangles, batch by batch, and runs a kernel with their corners, their items and the buffers `others`; `prepare`
-    /// writes what else there is of a batch.
+    /// Prepares triangles, batch by batch, and runs a kernel with their corners, their items and the buffers `others`; `prepare` writes
+    /// the further data of a batch.
     fn run(
         &self,
         kernel: &'static Kernel,
@@ -210,7 +211,7 @@ impl<'a> Surface<'a> {
         Ok(Mask { dimensions: self.grid.dimensions, row: row as usize, words })
     }
 
-    /// Sums up what triangles bring to the voxels of `mask`.
+    /// Sums up the attributes that triangles bring to the voxels of `mask`.
     pub(super) fn attributes(
         &self,
         mask: &Mask,

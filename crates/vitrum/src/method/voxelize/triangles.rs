@@ -1,4 +1,4 @@
-//! Triangles as the kernels take them.
+//! Triangles as the kernels of voxelization read them.
 
 use super::grid::Grid;
 use vitrum_io::Mesh;
@@ -12,17 +12,17 @@ pub(super) fn corners(mesh: &Mesh, grid: Grid, index: usize) -> [[f64; 3]; 3] {
     mesh.triangles[index].map(|vertex| grid.to_voxels(mesh.positions[vertex as usize]))
 }
 
-/// The least whole number above log₂ of `extent`, at least 1: its exponent and 1.
+/// The least integer above log₂ of `extent`, at least 1.
 fn magnitude(extent: f64) -> i32 {
     ((extent.to_bits() >> 52) as i32 - 1022).max(1)
 }
 
-/// The unit of numbers below `extent` that have [`BITS`] bits.
+/// The unit in which numbers below `extent` have [`BITS`] bits.
 fn unit(extent: f64) -> f64 {
     f64::from_bits(((1023 + magnitude(extent) - BITS) as u64) << 52)
 }
 
-/// `x` rounded to a multiple of a unit, of which it is far less than 2⁵¹: the sum's last bit is a unit.
+/// `x` rounded to a multiple of `unit`; |x| must be far below 2⁵¹ units, so that the sum's last bit is a unit.
 fn round(x: f64, unit: f64) -> f64 {
     let large = 6_755_399_441_055_744.0 * unit;
     (x + large) - large
@@ -35,7 +35,7 @@ pub(in crate::method) fn solid(corners: [[f64; 3]; 3], grid: Grid) -> [[f32; 3];
     corners.map(|corner| corner.map(|voxels| round(voxels, unit) as f32))
 }
 
-/// What triangle `index` brings: the vertices' normals and colours where the mesh has them, else the triangle's normal and the
+/// The attributes of triangle `index`: the vertices' normals and colours where the mesh has them, else the triangle's normal and the
 /// material's colour, or white.
 pub(super) fn attributes(mesh: &Mesh, index: usize) -> [f32; brought::SIZE] {
     let vertices = mesh.triangles[index].map(|vertex| vertex as usize);
@@ -57,7 +57,7 @@ pub(super) fn attributes(mesh: &Mesh, index: usize) -> [f32; brought::SIZE] {
     record
 }
 
-/// Of length 1, or 0 for a triangle without area.
+/// Unit normal of a triangle; 0 for a triangle without area.
 fn face_normal([a, b, c]: [[f64; 3]; 3]) -> [f32; 3] {
     let [a, b, c] = [a, b, c].map(glam::DVec3::from_array);
     // Scaled first: squares of small lengths would vanish.

@@ -4,7 +4,7 @@ use crate::backend::{Backend, PassList};
 use crate::error::Error;
 use crate::request::{Progress, Stage};
 
-/// The work of a voxelization: how much is done, how much there is, and who is told.
+/// The progress of a voxelization: the work that is done, the work in all, and the caller's progress function.
 pub(super) struct Work<'a> {
     pub(super) done: u64,
     pub(super) total: u64,
@@ -13,7 +13,7 @@ pub(super) struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Runs passes of `items` items that are so much of the `work`.
+    /// Runs passes of `items` items that make up this part of the `work`.
     pub(super) fn run(
         &mut self,
         backend: &mut dyn Backend,

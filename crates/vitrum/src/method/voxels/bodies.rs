@@ -1,4 +1,4 @@
-//! The mesh, apart by material.
+//! Bodies: the triangles of a mesh, divided by material.
 
 use crate::error::Error;
 use crate::scene::{Material, Scene};
@@ -9,15 +9,15 @@ use vitrum_kernels::abi::voxels::{AIR, material};
 /// The triangles of one material, or of several that are alike.
 #[derive(Debug, Clone)]
 pub struct Body {
-    /// Its number in the mesh, the first of several; `None` if the mesh has no materials.
+    /// Number of the material in the mesh, the lowest of several; `None` if the mesh has no materials.
     pub material: Option<u32>,
-    /// Whether light ends at its surface.
+    /// Whether the body is opaque: light ends at its surface.
     pub opaque: bool,
-    /// They alone, those of a clear body facing outwards as a whole.
+    /// The body's triangles; the surface of a clear body faces outwards as a whole.
     pub mesh: Mesh,
 }
 
-/// The numbers of a mesh's materials, those alone that triangles have; `None` if it has no materials.
+/// The numbers of the materials that triangles of the mesh have; `None` if it has no materials.
 fn numbers(mesh: &Mesh) -> Vec<Option<u32>> {
     let mut numbers: Vec<Option<u32>> = mesh.triangle_materials.iter().copied().map(Some).collect();
     numbers.sort_unstable();
@@ -32,11 +32,12 @@ fn numbers(mesh: &Mesh) -> Vec<Option<u32>> {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Group {
     pub(super) opaque: bool,
-    /// Their numbers; `None` if the mesh has no materials.
+    /// Numbers of the materials; `None` if the mesh has no materials.
     numbers: Vec<Option<u32>>,
 }
 
-/// The clear materials that are alike together, each opaque one by itself. `listed` are the scene's materials.
+/// The groups of a mesh's materials: clear materials with the same constants together, each opaque one by itself. `listed` are the
+/// scene's materials.
 pub(super) fn groups(mesh: &Mesh, listed: &[Material]) -> Vec<Group> {
     let mut groups: Vec<(Material, Group)> = Vec::new();
     for number in numbers(mesh) {
@@ -49,8 +50,9 @@ pub(super) fn groups(mesh: &Mesh, listed: &[Material]) -> Vec<Group> {
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// The bodies of a mesh, one for all clear materials that are alike and one for each opaque one; clear ones first, and of these those of the least volume: where two overlap, it is the smaller one that is
-/// there. `listed` are the scene's materials.
+/// The bodies of a mesh: one for all clear materials with the same constants, and one for each opaque material. Clear bodies come
+/// first, those of the least volume before others: where two overlap, the smaller body fills the space. `listed` are the scene's
+/// materials.
 ///
 /// # Errors
 /// Where there are more clear materials than rays can tell apart.
@@ -97,7 +99,7 @@ fn body(mesh: &Mesh, numbers: &[Option<u32>], opaque: bool) -> Body {
     Body { material: numbers.first().copied().flatten(), opaque, mesh: part }
 }
 
-/// What a clear body does to light.
+/// Optical constants of a clear body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::method) struct Clear {
     /// Index of refraction.
@@ -106,7 +108,7 @@ pub(in crate::method) struct Clear {
     pub(in crate::method) absorption: [f64; 3],
 }
 
-/// What the bodies of a mesh do to light, as if all were clear.
+/// Optical constants of the bodies of a mesh, as if all were clear.
 pub(in crate::method) fn clear(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> Vec<Clear> {
     let longest = f64::from(longest_edge(mesh));
     let of_body = |body: &Body| {
@@ -133,13 +135,13 @@ pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size:
     floats
 }
 
-/// What the mesh's file says of a material.
+/// The material of that number in the mesh's file.
 pub(super) fn of_mesh(mesh: &Mesh, number: Option<u32>) -> Option<&vitrum_io::Material> {
     number.and_then(|number| mesh.materials.get(number as usize))
 }
 
-/// What the scene says of the material by its name, else of all, else what the mesh says, else glass. A mesh's material that has opacity 1 and
-/// neither transmits nor attenuates is opaque.
+/// The material that applies: the scene's entry for its name, else the scene's entry for all, else the mesh's own, else glass. A mesh's
+/// material that has opacity 1 and neither transmits nor attenuates is opaque.
 pub(super) fn chosen(listed: &[Material], of_mesh: Option<&vitrum_io::Material>) -> Material {
     let named =
         listed.iter().find(|listed| listed.name.is_some() && listed.name.as_ref() == of_mesh.map(|own| &own.name));

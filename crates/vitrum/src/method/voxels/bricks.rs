@@ -1,10 +1,10 @@
-//! Which bricks of voxels are far from every surface.
+//! Bricks of voxels, with the distances to the nearest brick that a surface may cross.
 
 use crate::method::brick_distances::spread;
 use rayon::prelude::*;
 use vitrum_kernels::abi::voxels::BRICK_SHIFT;
 
-/// The value that is the surface.
+/// The value of a field at the surface.
 const LEVEL: u16 = 32767;
 
 /// Bricks along each axis.
@@ -12,8 +12,8 @@ pub(super) fn count(dimensions: [u32; 3]) -> [u32; 3] {
     dimensions.map(|voxels| voxels.div_ceil(1 << BRICK_SHIFT))
 }
 
-/// For each brick how many bricks away the next one is that a surface may go through, along the axis where it is farthest; 0 for
-/// such a brick itself. A brick reaches to the first samples of the next ones.
+/// The Chebyshev distance of each brick to the nearest brick that a surface may cross, in bricks; 0 for such a brick itself. A brick
+/// reaches to the first samples of the next ones.
 pub(super) fn distances(fields: &[u16], dimensions: [u32; 3]) -> Vec<u32> {
     let [bx, by, bz] = count(dimensions).map(|bricks| bricks as usize);
     let [nx, ny, nz] = dimensions.map(|voxels| voxels as usize);

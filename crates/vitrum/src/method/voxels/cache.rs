@@ -4,7 +4,7 @@ use super::looks::{Looks, looks};
 use super::uploaded::Uploaded;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::cache::{Memo, Scratch};
-use crate::method::view::environment::UploadedEnvironment;
+use crate::method::view::pictures::UploadedPictures;
 use crate::scene::{Material, Scene};
 use bytemuck::cast_slice;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ pub(super) struct FrameCache {
     looks: Memo<LooksKey, Arc<Looks>>,
     looks_buffer: Memo<LooksKey, Buffer>,
     materials: Memo<Vec<f32>, Buffer>,
-    pub(super) environment: UploadedEnvironment,
+    pub(super) pictures: UploadedPictures,
     pub(super) scratch: Scratch,
 }
 

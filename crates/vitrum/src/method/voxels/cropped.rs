@@ -1,11 +1,11 @@
-//! Fields of materials without the space around each where it is 0, so that several fit into one buffer.
+//! Fields of materials, cropped to the box in which they are not 0, so that several fit into one buffer.
 
 use rayon::prelude::*;
 use std::ops::Range;
 use vitrum_kernels::abi::voxels::field;
 
-/// Fields, one after the other on a grid, in the layout that [`field`] describes. A linear interpolation is the same as in the whole
-/// field: where it is not 0, both samples of each pair are in the box.
+/// Cropped fields, one after the other on a grid, in the layout that [`field`] describes. Linear interpolation gives the same values as
+/// in the whole field: where they are not 0, both samples of each pair are in the box.
 pub(super) fn cropped(fields: &[u16], dimensions: [u32; 3]) -> Vec<u32> {
     let [nx, ny, nz] = dimensions.map(|voxels| voxels as usize);
     let count = fields.len() / (nx * ny * nz);

@@ -1,23 +1,23 @@
-//! How far voxels' centres are from the surface, near it.
+//! Signed distances of voxels' centres to the surface, near it.
 
 use super::bodies::Body;
 use crate::method::voxelize::Grid;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// The distance, in voxels, beyond which voxels are simply inside or outside: what smoothing and central differences at the surface
-/// reach.
+/// The largest stored distance, in voxels: the reach of smoothing and of central differences at the surface.
 pub(in crate::method) const BAND: f64 = 3.0;
-/// Layers that are done together.
+/// Layers of the grid that are computed together.
 const LAYERS: usize = 4;
-/// Points of two triangles are at one distance if they differ by less, in voxels.
+/// Least difference, in voxels, between the distances to points of two triangles that count as different.
 const SAME: f64 = 1e-6;
 
-/// The nearest triangle's point.
+/// The nearest point of a triangle.
 #[derive(Clone, Copy)]
 struct Nearest {
     distance: f64,
-    /// The cosine between the way to it and the triangle's normal: at an edge the triangle that it is largest for tells the side.
+    /// Cosine of the angle between the way to the point and the triangle's normal: at an edge, the triangle with the largest one
+    /// determines the side.
     facing: f64,
 }
 
@@ -66,7 +66,7 @@ fn reach(low: f64, high: f64, distance: f64, count: usize) -> [usize; 2] {
     [limit((low - distance - 0.5).ceil()), limit((high + distance - 0.5).floor())]
 }
 
-/// Holds a triangle against all voxels near it in layers `first`… of the grid.
+/// Updates the nearest points of all voxels near a triangle in layers `first`… of the grid.
 fn approach(nearest: &mut [Nearest], [a, b, c]: [DVec3; 3], [nx, ny, layers]: [usize; 3], first: usize) {
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));
     let normal = (b - a).cross(c - a).normalize_or_zero();

@@ -1,17 +1,17 @@
-//! Smooths a field, so that its gradient is that of the surface and not of the triangles.
+//! Smoothing of a distance field, so that its gradient follows the surface and not the single triangles.
 
 use rayon::prelude::*;
 
 /// Weights of a voxel and its neighbours, in 1 / 4096: a bell whose variance is one voxel's edge squared. It leaves planes as they are.
 const WEIGHTS: [u64; 5] = [256, 1024, 1536, 1024, 256];
 
-/// The weighted sum along one axis, at index `at` of `count`, voxels beyond the ends like those at the ends.
+/// The weighted sum along one axis, at index `at` of `count`; a voxel beyond the ends has the value of the one at the end.
 fn sum(row: impl Fn(usize) -> u64, at: usize, count: usize) -> u64 {
     let sample = |k: usize| row((at + k).saturating_sub(2).min(count - 1));
     WEIGHTS.iter().enumerate().map(|(k, weight)| weight * sample(k)).sum()
 }
 
-/// The field, filtered along each axis. In integers, so that it is the same on every machine.
+/// The field, filtered along each axis, in integers: the result is the same on every machine.
 pub(super) fn smooth(field: &[u16], [nx, ny, nz]: [usize; 3]) -> Vec<u16> {
     let layer = nx * ny;
     let rounded = |sum: u64| ((sum + 2048) >> 12) as u16;

@@ -8,7 +8,7 @@ use vitrum_kernels::abi::record::{fate, view};
 
 /// The outputs, by the components of [`view`].
 pub(super) const OUTPUTS: &[Output] = &[
-    Output::color(rgba!(view::COLOR)),
+    Output::color(rgba!(view::COLOR, view::COVERAGE)),
     Output::mean(
         "depth",
         &[("Z", view::DEPTH)],

@@ -1,21 +1,21 @@
-//! How opaque bodies look.
+//! Surface attributes of opaque bodies: reflectance and transmittance.
 
 use super::bodies::{Body, chosen, of_mesh};
 use crate::scene::{Rgb, Scene};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::look;
 
-/// The reflectance of a body of which nobody says it.
+/// The reflectance of a body without a colour.
 pub const GREY: Rgb = [0.7; 3];
 
-/// Looks as kernels read them.
+/// Surface attributes as kernels read them.
 pub(super) struct Looks {
     pub floats: Vec<f32>,
-    /// Whether there is one for each triangle, in the order of the tree's; else one for each body.
+    /// Whether each triangle has its own attributes, in the order of the tree's triangles; else each body has them.
     pub of_triangles: bool,
 }
 
-/// The colours of a body's vertices if these are what it looks like, its colour else, and what a triangle lets through.
+/// The colours of a body's vertices if the body shows them, else its colour; and the transmittance of a triangle.
 fn of_body<'a>(body: &'a Body, mesh: &Mesh, scene: &Scene) -> (Option<&'a [[f32; 4]]>, Rgb, f32) {
     let own = of_mesh(mesh, body.material);
     let material = chosen(&scene.material, own);
@@ -26,7 +26,7 @@ fn of_body<'a>(body: &'a Body, mesh: &Mesh, scene: &Scene) -> (Option<&'a [[f32;
     (colors, color, left)
 }
 
-/// The looks of `bodies`, of whose triangles those from body number `first` on are in the tree.
+/// The surface attributes of `bodies`; the tree has the triangles of the bodies from number `first` on.
 pub(super) fn looks(bodies: &[Body], first: usize, mesh: &Mesh, scene: &Scene) -> Looks {
     let look = |colors: [Rgb; 3], left: f32| {
         let mut floats = [0.0; look::SIZE];

@@ -11,6 +11,7 @@ mod cropped;
 mod distances;
 mod fields;
 mod film;
+mod light;
 mod looks;
 mod normals;
 mod passes;
@@ -28,7 +29,7 @@ pub use uploaded::Uploaded;
 use crate::assets::Assets;
 use crate::error::Error;
 use crate::film::Output;
-use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
+use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, lights};
 use crate::scene::{MethodName, Scene};
 use crate::unrenderable::Unrenderable;
 use cache::MeshCache;
@@ -62,7 +63,8 @@ impl Method for MeshRays {
         match assets.subject.mesh() {
             Some(mesh) => {
                 scene.check_for_mesh()?;
-                check_mesh(mesh)
+                check_mesh(mesh)?;
+                light::check(scene, assets, mesh)
             }
             None => Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into()),
         }
@@ -70,7 +72,7 @@ impl Method for MeshRays {
 
     /// One exposure for each light, or for each of the crisp ones that a soft light is made of.
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
-        lights::exposures(&lights::crisp(scene, &View::new(scene, &assets.subject)))
+        lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)))
     }
 
     fn prepare(

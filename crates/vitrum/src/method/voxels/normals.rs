@@ -1,10 +1,10 @@
-//! Normals for the corners of triangles, where the mesh has none.
+//! Normals at the corners of triangles, for meshes without normals.
 
 use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::Mesh;
 
-/// The cosine of the angle from which on two triangles meet at an edge that is to be seen: 45°.
+/// Cosine of 45°: two triangles that meet at a larger angle have a visible edge between them.
 const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// The unit normals of a triangle's corners: the mesh's own; else, where they are to be `smooth`, the mean of the triangles around the
@@ -44,7 +44,7 @@ pub(super) fn of_corners(mesh: &Mesh, smooth: bool) -> Vec<[[f32; 3]; 3]> {
     mesh.triangles.par_iter().enumerate().map(of_triangle).collect()
 }
 
-/// For each vertex the triangles around it, and which of their corners it is.
+/// The triangles around each vertex, each with the number of its corner there.
 #[derive(Default)]
 struct Around {
     begins: Vec<usize>,

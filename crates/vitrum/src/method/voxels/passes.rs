@@ -2,19 +2,20 @@
 
 use super::bodies::materials;
 use super::cache::FrameCache;
+use super::light::light_source;
 use super::shadow::Lookup;
+use super::shadow::source::Source;
 use super::uniforms::{self, Seen};
 use super::uploaded::{Uploaded, shown};
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, WhileBusy};
 use crate::error::Error;
 use crate::method::view::environment::Prepared;
-use crate::method::view::light::travels;
 use crate::method::view::receivers::Receivers;
 use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
-use bytemuck::{bytes_of, cast_slice};
-use vitrum_kernels::abi::record::{fate, mirror, path, view};
+use bytemuck::bytes_of;
+use vitrum_kernels::abi::record::{mirror, path, view};
 use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, flag, seen};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
@@ -24,25 +25,12 @@ pub struct Rays {
     pub passes: PassList,
     /// Rays across and down.
     pub rays: [u32; 2],
-    /// Parts of the passes that may end early.
-    stretches: Vec<Stretch>,
     records: Buffer,
     pub(super) film: Buffer,
     /// Voxels along x, y and z that the mesh was turned into, if it was.
     pub(super) voxels: Option<[u32; 3]>,
     /// Rows of them that go through holes of the surface and were left empty.
     pub(super) open_rows: u64,
-}
-
-/// Passes up to number `end` that matter while there is work.
-struct Stretch {
-    end: usize,
-    /// The records that tell.
-    records: Buffer,
-    /// Their component that does.
-    component: usize,
-    /// Whether a record with this one has work left.
-    is_busy: fn(f32) -> bool,
 }
 
 impl Rays {
@@ -64,38 +52,7 @@ impl Rays {
     /// # Errors
     /// As [`Backend::run`].
     pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
-        // Most rays have left after a few dispatches. A backend that cannot see that by itself is asked for records from time to time.
-        const TOGETHER: usize = 8;
-        let total = self.passes.passes.len();
-        if total <= 2 * TOGETHER || backend.leaves_out_idle_passes() {
-            return backend.run(&self.passes, progress);
-        }
-        let part = |from: usize, to: usize| {
-            let copy = |pass: &Pass| Pass { uniforms: pass.uniforms.clone(), buffers: pass.buffers.clone(), ..*pass };
-            PassList { passes: self.passes.passes[from..to].iter().map(copy).collect(), ..PassList::default() }
-        };
-        let mut done = 0;
-        for stretch in &self.stretches {
-            let start = done;
-            while done < stretch.end && (done == start || self.is_busy(stretch, backend)?) {
-                let end = (done + TOGETHER).min(stretch.end);
-                backend.run(&part(done, end), &mut |more| progress(done + more))?;
-                done = end;
-            }
-            done = stretch.end;
-        }
-        backend.run(&part(done, total), &mut |more| progress(done + more))
-    }
-
-    /// Whether any invocation has work left.
-    fn is_busy(&self, stretch: &Stretch, backend: &mut dyn Backend) -> Result<bool, BackendError> {
-        let component = u64::from(self.rays[0]) * u64::from(self.rays[1]) * 4;
-        let start = stretch.component as u64 * component;
-        let mut busy = false;
-        backend.read(&stretch.records, start..start + component, &mut |bytes| {
-            busy = cast_slice::<u8, f32>(bytes).iter().any(|&stage| (stretch.is_busy)(stage));
-        })?;
-        Ok(busy)
+        backend.run(&self.passes, progress)
     }
 
     /// The finished pixels: planar records as [`view`] describes.
@@ -152,11 +109,14 @@ pub(super) fn list(
     let seeks = surfaces && !exact;
     let mut flags = if seeks { flag::SEEKS } else { 0 };
     flags |= if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
-    let (environment, map) = cache.environment.get(scene, assets.environment.as_deref(), backend)?;
+    let pictures = cache.pictures.get(scene, assets.environment.as_deref(), &assets.textures, backend)?;
+    let light = scene.first_light();
+    let source = Source::of(light, &eye, bounds)?;
+    let texture = light.texture.as_deref().and_then(|path| pictures.texture(path));
     let seen = Seen {
-        environment: Prepared::new(&scene.environment, &environment, &eye),
-        light: eye.axes * travels(scene.first_light(), &eye)?,
-        shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::default()), |map| map.lookup(scene, uploaded.grid))?,
+        environment: Prepared::new(&scene.environment, &pictures.environment, &eye),
+        light: light_source(light, &source, &eye, uploaded.grid, texture),
+        shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::NONE), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
     };
     let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
@@ -196,20 +156,16 @@ pub(super) fn list(
         }
         passes.push(pass(uploaded.kernel, mode, through.clone()));
     }
-    let is_busy = |status: f32| status == fate::ACTIVE || status == fate::SEEKS;
-    let mut stretches = vec![Stretch { end: passes.len(), records: rays.clone(), component: path::STATUS, is_busy }];
     let (sees, mirrors) = if surfaces {
         let mirrors = cache.scratch.zeros("mirrors", planes(mirror::SIZE), backend)?;
         let reflected = vec![rays.clone(), nodes, corners.clone(), materials, mirrors.clone()];
         passes.extend((0..searches(uploaded)).map(|_| pass(&kernels::voxels_reflect, 0, reflected.clone())));
-        let is_busy = |stage: f32| stage != mirror::stage::FOUND;
-        stretches.push(Stretch { end: passes.len(), records: mirrors.clone(), component: mirror::STAGE, is_busy });
         (seen::SURFACES, mirrors)
     } else {
         // Nothing of it is read.
         (seen::ENVIRONMENT, rays.clone())
     };
-    let resolved = vec![rays.clone(), map, corners, looks, shadow, mirrors, film.clone()];
+    let resolved = vec![rays.clone(), pictures.buffer, corners, looks, shadow, mirrors, film.clone()];
     passes.push(pass(&kernels::voxels_resolve, sees, resolved));
     let name = uploaded.kernel.declaration.name;
     let searches = kernels::voxels_reflect.declaration.name;
@@ -218,13 +174,5 @@ pub(super) fn list(
         WhileBusy { kernel: searches, passes: vec![searches] },
     ];
     let passes = PassList { passes, while_busy, ..PassList::default() };
-    Ok(Rays {
-        passes,
-        rays: size,
-        stretches,
-        records: rays,
-        film,
-        voxels: uploaded.voxels(),
-        open_rows: uploaded.open_rows,
-    })
+    Ok(Rays { passes, rays: size, records: rays, film, voxels: uploaded.voxels(), open_rows: uploaded.open_rows })
 }

@@ -1,4 +1,4 @@
-//! Bodies as smooth fields on a grid.
+//! Bodies as smoothed distance fields on a grid.
 
 use super::bodies::Body;
 use super::{distances, fields};
@@ -8,9 +8,9 @@ use crate::method::voxelize::{FillRule, Grid, Settings, voxelize_in};
 
 pub(in crate::method) use super::distances::BAND;
 
-/// What voxels know of the bodies of a mesh.
+/// The smoothed distance fields of a mesh's bodies.
 pub(in crate::method) struct Solids {
-    /// For one body after the other a number for each voxel: the distance to its surface, smoothed, from 0, [`BAND`] voxels or more
+    /// The fields, one body after the other: for each voxel the smoothed distance to the surface, from 0, [`BAND`] voxels or more
     /// outside, to 65535, as many inside.
     pub(in crate::method) fields: Vec<u16>,
     /// Rows of voxels that go through holes of the surface, over all bodies; they are left empty.
@@ -18,7 +18,7 @@ pub(in crate::method) struct Solids {
 }
 
 impl Solids {
-    /// Fills the bodies and measures how far voxels are from their surfaces.
+    /// Fills the bodies and computes the distances of voxels to their surfaces.
     ///
     /// # Errors
     /// If the backend fails or lacks the memory.

@@ -1,4 +1,4 @@
-//! A tree of boxes around triangles, in the order in which a ray goes through it without a stack.
+//! A bounding volume hierarchy of triangles, in depth-first order, so that a ray walks it without a stack.
 
 use super::bodies::Body;
 use super::normals::of_corners;
@@ -12,10 +12,10 @@ use bvh::flat_bvh::FlatNode;
 use nalgebra::Point3;
 use vitrum_kernels::abi::voxels::{corner, node};
 
-/// By how much boxes are larger than their triangles, in voxels: more than what the arithmetic of rays is off by.
+/// Margin of a box around its triangles, in voxels: above the rounding errors of rays.
 const MARGIN: f32 = 2e-3;
 
-/// The one node of a tree without triangles: a box that no ray enters.
+/// The only node of a tree without triangles: a box that no ray enters.
 const NOTHING: [f32; node::SIZE] = [1e30, 1e30, 1e30, -1e30, -1e30, -1e30, -1.0, 1.0];
 
 /// A tree, as kernels read it.
@@ -45,17 +45,18 @@ impl BHShape<f32, 3> for Shape {
     }
 }
 
-/// Triangles of a tree at most: kernels keep the numbers of its nodes, two a triangle, as floats, which hold whole numbers to 2²⁴.
+/// Largest number of triangles of a tree: kernels keep the numbers of its nodes, two a triangle, as floats, which hold whole numbers to
+/// 2²⁴.
 const MOST_TRIANGLES: usize = 1 << 23;
 
 impl Tree {
-    /// How many nodes it has.
+    /// The number of nodes.
     pub fn count(&self) -> u32 {
         (self.nodes.len() / node::SIZE) as u32
     }
 }
 
-/// That a tree may have so many triangles.
+/// Checks the number of triangles against [`MOST_TRIANGLES`].
 fn check(triangles: usize) -> Result<(), Error> {
     if triangles < MOST_TRIANGLES {
         return Ok(());

@@ -11,7 +11,7 @@ use glam::{DVec3, DVec4};
 use vitrum_kernels::abi::camera::Camera;
 use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::environment::Environment;
-use vitrum_kernels::abi::light::Light;
+use vitrum_kernels::abi::light::LightSource;
 use vitrum_kernels::abi::receivers::{self, Receiver};
 use vitrum_kernels::abi::vector::{Affine, Counts, Vec3};
 use vitrum_kernels::abi::voxels::{VoxelsUniforms, flag, mode};
@@ -29,8 +29,7 @@ fn vector(v: DVec3) -> Vec3 {
 pub(super) struct Seen {
     pub environment: Prepared,
     pub receivers: Receivers,
-    /// Unit direction in which light travels, in the world.
-    pub light: DVec3,
+    pub light: LightSource,
     pub shadow: Lookup,
 }
 
@@ -89,10 +88,7 @@ pub(super) fn block(scene: &Scene, uploaded: &Uploaded, view: &View, seen: &Seen
             ground: receiver(seen.receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
             wall: receiver(seen.receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
         },
-        light: Light {
-            direction: vector(seen.light),
-            color: scene.first_light().color.map(|channel| channel * scene.first_light().intensity).into(),
-        },
+        light: seen.light,
         ambient: scene.shading.ambient.into(),
         shadow: seen.shadow,
     }

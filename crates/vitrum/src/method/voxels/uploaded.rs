@@ -1,4 +1,4 @@
-//! What rays run through, on a backend.
+//! A mesh on a backend, as rays run through it: voxels, or a tree of triangles, and the shadow map.
 
 use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
@@ -17,19 +17,19 @@ use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::surface;
 use vitrum_kernels::kernel::{Kernel, kernels};
 
-/// Empty voxels around the mesh: the filter's reach, and what a ray's normal looks at beyond.
+/// Empty voxels around the mesh: the reach of the filter and of the gradient at a ray.
 const PADDING: u32 = 5;
 
-/// What a mesh is turned into, and how finely.
+/// The key of an uploaded mesh: the representation, and its resolution.
 #[derive(Debug, Clone, PartialEq)]
 struct Kind {
     resolution: u32,
     twist: f32,
     exact: bool,
     paper: bool,
-    /// Of the paper's voxels; else 0.
+    /// Overlap of the paper's voxels; 0 for other representations.
     overlap: f32,
-    /// What makes a body each.
+    /// The materials of each body.
     groups: Vec<Group>,
 }
 
@@ -45,21 +45,21 @@ impl Kind {
     }
 }
 
-/// A mesh on a backend: what stays the same while camera and materials change.
+/// A mesh on a backend, which stays the same while camera and materials change.
 pub struct Uploaded {
     kind: Kind,
-    /// Where the voxels lie; triangles are in its units, too.
+    /// The grid of the voxels, in whose units the triangles are, too.
     pub grid: Grid,
     /// Low and high corner of the mesh.
     pub(super) bounds: [[f32; 3]; 2],
-    /// Clear ones first.
+    /// The bodies, clear ones first.
     pub(super) bodies: Vec<Body>,
-    /// How many are clear.
+    /// Number of clear bodies.
     pub(super) clear: usize,
     /// Rows of voxels that go through holes of the surface, over all clear bodies; they are left empty.
     pub open_rows: u64,
     pub(super) kernel: &'static Kernel,
-    /// In the order of the kernel's bindings.
+    /// Buffers of voxels, in the order of the kernel's bindings.
     pub(super) buffers: Vec<Buffer>,
     /// Nodes and corners of the tree of triangles: all, or where rays march through voxels, those of opaque bodies.
     pub(super) tree: Vec<Buffer>,
@@ -68,7 +68,7 @@ pub struct Uploaded {
 }
 
 impl Uploaded {
-    /// Turns a mesh into what the scene's rays run through.
+    /// Turns a mesh into the representation that the scene's rays run through, and uploads it.
     ///
     /// # Errors
     /// If the subject is no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
@@ -98,7 +98,7 @@ impl Uploaded {
         Ok(uploaded)
     }
 
-    /// Whether a scene's rays run through the same.
+    /// Whether a scene's rays run through the same representation.
     #[must_use]
     pub fn fits(&self, scene: &Scene, mesh: &Mesh) -> bool {
         self.kind == Kind::of(scene, mesh)
@@ -110,7 +110,7 @@ impl Uploaded {
         (!self.kind.exact).then_some(self.grid.dimensions)
     }
 
-    /// Makes the shadow that a scene's light casts, if it is another one than before.
+    /// Makes the shadow map of a scene's light, if the light or the materials have changed.
     ///
     /// # Errors
     /// If the shadow map is too large for the backend, or the backend fails.
@@ -130,12 +130,12 @@ impl Uploaded {
         if self.kind.exact { 0 } else { self.clear }
     }
 
-    /// Whether there is anything opaque to be met.
+    /// Whether the mesh has opaque bodies.
     pub(super) fn has_opaque(&self) -> bool {
         self.clear < self.bodies.len()
     }
 
-    /// How many nodes the tree has.
+    /// The number of nodes of the tree.
     pub(super) fn nodes(&self) -> u32 {
         self.nodes
     }
@@ -204,7 +204,7 @@ pub(super) fn shown(assets: &Assets) -> Result<&Mesh, Error> {
     assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Voxels.as_str() }.into())
 }
 
-/// Several bodies in one mesh, each with its number as its material.
+/// One mesh of several bodies, each with its number as its material.
 fn together(bodies: &[Body]) -> Mesh {
     let mut whole = bodies[0].mesh.clone();
     for (number, body) in bodies.iter().enumerate() {

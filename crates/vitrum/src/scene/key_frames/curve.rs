@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     places: Vec<f64>,
-    /// For each component its values at the knots, and its slopes there.
+    /// For each component, its values at the knots and its slopes there.
     components: Vec<Component>,
 }
 
@@ -26,7 +26,7 @@ impl Curve {
         Self { components: components.collect(), places }
     }
 
-    /// The numbers at a place; those of the nearest knot before the first and after the last.
+    /// The numbers at a place; before the first knot and after the last one, the numbers of that knot.
     pub fn at(&self, place: f64) -> Vec<f64> {
         let next = self.places.partition_point(|&knot| knot <= place);
         let [first, last] = [0, self.places.len() - 1];

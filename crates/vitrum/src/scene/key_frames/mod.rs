@@ -10,7 +10,7 @@ use super::set::entry;
 use curve::Curve;
 use toml::Value;
 
-/// How a scene changes over the frames of an animation.
+/// Key frames: the values of a scene's keys over the frames of an animation.
 ///
 /// Each key has a curve of its own through the key frames that name it, and rests before the first and after the last. Numbers,
 /// vectors, colours and lists of points are interpolated number by number, along curves that never go beyond the values on both
@@ -26,11 +26,11 @@ pub struct KeyFrames {
 #[derive(Debug, Clone, PartialEq)]
 struct Track {
     path: Vec<String>,
-    course: Course,
+    interpolation: Interpolation,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Course {
+enum Interpolation {
     /// A curve through the numbers of a value that looks like `form`.
     Smooth { form: Value, curve: Curve, whole: bool },
     /// Values from their frame on.
@@ -62,7 +62,7 @@ impl KeyFrames {
         let make = || {
             let mut table = scene.to_table()?;
             for track in &self.tracks {
-                *entry(&mut table, &track.path)? = track.course.at(f64::from(frame));
+                *entry(&mut table, &track.path)? = track.interpolation.at(f64::from(frame));
             }
             let scene = Scene::from_table(table)?;
             scene.check_consistency()?;
@@ -73,7 +73,7 @@ impl KeyFrames {
     }
 }
 
-impl Course {
+impl Interpolation {
     fn at(&self, frame: f64) -> Value {
         match self {
             Self::Smooth { form, curve, whole } => value::filled(form, &mut curve.at(frame).into_iter(), *whole),

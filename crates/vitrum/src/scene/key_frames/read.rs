@@ -7,10 +7,10 @@ use super::super::renamed;
 use super::super::schema::{Kind, Shape};
 use super::curve::Curve;
 use super::value;
-use super::{Course, KeyFrames, Track};
+use super::{Interpolation, KeyFrames, Track};
 use toml::{Table, Value};
 
-/// What the whole animation shares, since it is read once or gives the pictures their size.
+/// The keys that are the same for the whole animation, since they name data that is read once, or give the pictures their size.
 ///
 /// `*` stands for any index of a list.
 const FIXED: [&str; 19] = [
@@ -35,7 +35,7 @@ const FIXED: [&str; 19] = [
     "film.height",
 ];
 
-/// Most frames of an animation.
+/// Largest number of frames of an animation.
 const MOST_FRAMES: f64 = 100_000.0;
 
 /// A value of a key, where it was written.
@@ -46,7 +46,7 @@ struct Setting {
     written: Vec<String>,
 }
 
-/// All values of one key.
+/// The values of one key at all key frames.
 struct Settings {
     path: Vec<String>,
     whole: bool,
@@ -213,7 +213,7 @@ impl Settings {
         let numbers: Option<Vec<_>> = self.list.iter().map(|setting| value::numbers(&setting.value)).collect();
         let Some(numbers) = numbers else {
             let steps = self.list.into_iter().map(|setting| (setting.frame, setting.value)).collect();
-            return Ok(Track { path: self.path, course: Course::Steps(steps) });
+            return Ok(Track { path: self.path, interpolation: Interpolation::Steps(steps) });
         };
         let (_, form) = &numbers[0];
         if let Some((setting, _)) = self.list.iter().zip(&numbers).find(|(_, (_, other))| other != form) {
@@ -224,6 +224,9 @@ impl Settings {
         let knots: Vec<_> =
             self.list.iter().zip(numbers).map(|(setting, (numbers, _))| (setting.frame, numbers)).collect();
         let form = self.list[0].value.clone();
-        Ok(Track { path: self.path, course: Course::Smooth { form, curve: Curve::new(&knots), whole: self.whole } })
+        Ok(Track {
+            path: self.path,
+            interpolation: Interpolation::Smooth { form, curve: Curve::new(&knots), whole: self.whole },
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use toml::Value;
 
-/// The numbers in a value, and its form: what is left of it without them. `None` where there is anything but numbers.
+/// The numbers in a value, and its form: the value's text without them. `None` for a value that contains anything but numbers.
 pub fn numbers(value: &Value) -> Option<(Vec<f64>, String)> {
     let (mut numbers, mut form) = (Vec::new(), String::new());
     collect(value, &mut numbers, &mut form).then_some((numbers, form))

@@ -21,8 +21,8 @@ impl Scene {
         self.check_sources()
     }
 
-    /// Checks every value's range, and that the values that a picture depends on do not contradict each other. Files and built-in data need
-    /// not be named: data in memory can be rendered by a scene that passes.
+    /// Checks the range of every value, and that the values on which a picture depends do not contradict each other. Files and built-in
+    /// data need not be named: a scene that passes can render data in memory.
     ///
     /// # Errors
     ///
@@ -36,7 +36,7 @@ impl Scene {
         check().map_err(|fault: Fault| fault.from(Origin::Memory))
     }
 
-    /// Checks that the scene names the files or built-in data that it shows.
+    /// Checks that the scene names the files or built-in data of its picture.
     ///
     /// # Errors
     ///
@@ -46,20 +46,12 @@ impl Scene {
         sources::check(self).map_err(|fault| fault.from(Origin::Memory))
     }
 
-    /// Checks that what the scene says of materials and transfer functions fits a plane sweep through a mesh.
+    /// Checks that materials, transfer functions and clipping planes are ones that the scene's method renders in a picture of a mesh.
     ///
     /// # Errors
     ///
-    /// Where a material is opaque, or there is a transfer function.
-    pub(crate) fn check_for_swept_mesh(&self) -> Result<(), SceneError> {
-        settings::check_swept_mesh(self).map_err(|fault| fault.from(Origin::Memory))
-    }
-
-    /// Checks that what the scene says of materials and clipping fits rays through a mesh.
-    ///
-    /// # Errors
-    ///
-    /// Where there are clipping planes, or a clear material has a colour.
+    /// Where a material is opaque, a clear one has a colour, or there are transfer functions or clipping planes, and the method cannot
+    /// render it ([`MethodName::capabilities`](super::MethodName::capabilities)).
     pub(crate) fn check_for_mesh(&self) -> Result<(), SceneError> {
         settings::check_mesh(self).map_err(|fault| fault.from(Origin::Memory))
     }

@@ -2,7 +2,8 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Camera, Film, Intensity, Light, LightKind, MethodName, Scene, Sweep, TransferFunction, Transport, Vector,
+    Camera, Capabilities, Film, Intensity, Light, LightKind, MethodName, Scene, Sweep, TransferFunction, Transport,
+    Vector,
 };
 use super::refuse;
 
@@ -21,7 +22,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_film(&scene.film)
 }
 
-/// What a method cannot do is refused.
+/// Refuses a scene that its method cannot render.
 fn check_method(scene: &Scene) -> Result<(), Fault> {
     if scene.medium.is_some() {
         return Err(Fault::contradiction(
@@ -30,39 +31,40 @@ fn check_method(scene: &Scene) -> Result<(), Fault> {
             "leave `medium` out; a clear colour is `transfer.filter` of a volume, `attenuation_color` of a mesh's material",
         ));
     }
-    match scene.method {
-        MethodName::Sweep if scene.mesh.is_empty() => Ok(()),
-        MethodName::Sweep => check_swept_mesh(scene),
-        MethodName::Voxels => {
-            let given = [("clip", !scene.clip.is_empty())];
-            refuse(
-                &given,
-                "rays through a mesh know nothing of it, and `mesh` is given",
-                "or take the method `sweep`",
-            )?;
-            check_materials(scene)
-        }
-    }
+    // A method that shows volumes shows one where no mesh is named.
+    if scene.mesh.is_empty() && scene.method.capabilities().volumes { Ok(()) } else { check_mesh(scene) }
 }
 
-/// Rays through a mesh are not clipped.
+/// Keys that the scene's method ignores, or cannot render, in a picture of a mesh are refused.
 pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
-    let given = [("clip", !scene.clip.is_empty())];
-    refuse(&given, "rays through a mesh know nothing of it, and `mesh` is given", "or take the method `sweep`")?;
-    check_materials(scene)
+    let Capabilities { volumes, opaque_bodies, clipping, .. } = scene.method.capabilities();
+    if !clipping {
+        let problem = format!("the method `{}` does not clip a mesh, and `mesh` is given", scene.method.as_str());
+        let advice = format!("or take the method `{}`", MethodName::Sweep.as_str());
+        refuse(&[("clip", !scene.clip.is_empty())], &problem, &advice)?;
+    }
+    if opaque_bodies {
+        check_materials(scene)?;
+    } else {
+        check_clear(scene)?;
+    }
+    if volumes {
+        let given = [("transfer", scene.transfer != TransferFunction::default())];
+        refuse(&given, "a mesh has no scalar, and `mesh` is given", "and say in `material` what bodies are made of")?;
+    }
+    Ok(())
 }
 
-/// The materials say what a mesh's volume looks like.
-pub(super) fn check_swept_mesh(scene: &Scene) -> Result<(), Fault> {
-    if let Some(index) = scene.material.iter().position(|material| material.opaque) {
-        return Err(Fault::contradiction(
+/// Refuses opaque bodies.
+fn check_clear(scene: &Scene) -> Result<(), Fault> {
+    match scene.material.iter().position(|material| material.opaque) {
+        None => Ok(()),
+        Some(index) => Err(Fault::contradiction(
             &format!("material.{index}.opaque"),
-            "a plane sweep shows clear bodies of a mesh, and this one is opaque",
-            "set `method = \"voxels\"`, or make the material clear",
-        ));
+            format!("the method `{}` shows clear bodies of a mesh, and this one is opaque", scene.method.as_str()),
+            format!("set `method = \"{}\"`, or make the material clear", MethodName::Voxels.as_str()),
+        )),
     }
-    let given = [("transfer", scene.transfer != TransferFunction::default())];
-    refuse(&given, "a mesh has no scalar, and `mesh` is given", "and say in `material` what bodies are made of")
 }
 
 /// Only an opaque body has a colour.
@@ -124,12 +126,18 @@ fn check_light(key: &str, light: &Light) -> Result<(), Fault> {
 
 /// The lights that the scene's method has.
 fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
-    let method = scene.method.as_str();
+    if scene.method == MethodName::Voxels {
+        return Ok(());
+    }
+    let (method, other) = (scene.method.as_str(), MethodName::Voxels.as_str());
     if let Some((index, light)) = scene.light.iter().enumerate().find(|(_, light)| light.kind != LightKind::Distant) {
+        let kind = light.kind.name();
         return Err(Fault::contradiction(
             &format!("light.{index}.kind"),
-            format!("the method `{method}` renders distant lights alone, and this is a {} light", light.kind.name()),
-            format!("set `light.{index}.kind = \"distant\"`; no method renders other lights yet"),
+            format!("the method `{method}` renders distant lights alone, and this is a {kind} light"),
+            format!(
+                "set `light.{index}.kind = \"distant\"`, or show a mesh by the method `{other}`, which renders {kind} lights"
+            ),
         ));
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Checks of the keys that name files and built-in data.
 
 use super::super::error::Fault;
-use super::super::{Environment, EnvironmentKind, MeshSource, MethodName, Scene, VolumeSource};
+use super::super::{Environment, EnvironmentKind, MeshSource, Scene, VolumeSource};
 use super::refuse;
 use vitrum_io::{RawLayout, Up};
 
@@ -13,17 +13,25 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_environment(&scene.environment)
 }
 
-/// A sweep shows a volume or meshes, voxels show meshes.
+/// The scene names a volume or meshes, whichever the method shows.
 fn check_shown(scene: &Scene) -> Result<(), Fault> {
+    let (name, shows) = (scene.method.as_str(), scene.method.capabilities());
+    if scene.mesh.is_empty() && shows.volumes {
+        return check_source("volume", &scene.volume);
+    }
     if scene.mesh.is_empty() {
-        return match scene.method {
-            MethodName::Sweep => check_source("volume", &scene.volume),
-            MethodName::Voxels => Err(Fault::contradiction(
-                "method",
-                "`voxels` shows a mesh, and none is given",
-                "name one in `mesh.0.file` or `mesh.0.builtin`, or take the method `sweep`",
-            )),
-        };
+        return Err(Fault::contradiction(
+            "method",
+            format!("`{name}` shows a mesh, and none is given"),
+            "name one in `mesh.0.file` or `mesh.0.builtin`, or take the method `sweep`",
+        ));
+    }
+    if !shows.meshes {
+        return Err(Fault::contradiction(
+            "method",
+            format!("`{name}` shows a volume, and `mesh` is given"),
+            "leave `mesh` out, or take the method `voxels`",
+        ));
     }
     for (index, mesh) in scene.mesh.iter().enumerate() {
         check_mesh(scene, &format!("mesh.{index}"), mesh)?;

@@ -1,10 +1,9 @@
-//! The buffers that pages come to: a table with an entry for each page, slots for those that are filled with one value, and slots for
-//! those that come and go.
+//! Buffers of pages: a table with an entry for each page, slots that one value fills, and slots of pages that come and go.
 
-use super::needs::Needs;
-use super::schedule::{Batch, busiest, schedule};
+use super::residency::Residency;
+use super::schedule::{Batch, peak_pages, schedule};
 use crate::backend::{Backend, BackendError, Buffer, Contents, Fill, Write};
-use crate::method::sweep::uploaded::Uploaded;
+use crate::method::sweep::uploaded::UploadedVolumes;
 use crate::method::sweep::voxels::bytes;
 use bytemuck::Pod;
 use rayon::prelude::*;
@@ -12,22 +11,22 @@ use std::sync::Arc;
 use vitrum_io::{Volume, Voxels};
 use vitrum_kernels::abi::format::{Format, page};
 
-/// Words that are written at once.
+/// Largest number of words of one write.
 const WORDS_PER_WRITE: usize = 1 << 22;
 
-/// Entries of the table that are written again rather than begin another write.
+/// Largest number of unchanged table entries between two changed ones that are written again, instead of beginning another write.
 const ENTRIES_BETWEEN: u32 = 256;
 
-/// A volume's buffer, and when pages come to it.
+/// The buffer of a volume's pages, with the schedule of the writes to it.
 pub(in crate::method::sweep) struct Pool {
     pub(in crate::method::sweep) buffer: Buffer,
     volume: Volume,
-    needs: Needs,
+    residency: Residency,
     layout: Layout,
     batches: Vec<Batch>,
 }
 
-/// Where things lie in the buffer.
+/// The layout of a pool's buffer: the page table, then slots that one value fills, then slots of pages that come and go.
 #[derive(Clone, Copy)]
 struct Layout {
     stored: Format,
@@ -38,14 +37,14 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(stored: Format, needs: &Needs) -> Self {
+    fn new(stored: Format, residency: &Residency) -> Self {
         let voxels_per_word = 4 / stored.bytes();
         Self {
             stored,
-            table_words: needs.filled.len() as u64,
+            table_words: residency.filled.len() as u64,
             slot_words: page::STRIDE as u64 / voxels_per_word,
             voxels_per_word,
-            fills: needs.fills.len() as u32,
+            fills: residency.fills.len() as u32,
         }
     }
 
@@ -53,24 +52,24 @@ impl Layout {
         (self.table_words + (u64::from(self.fills) + slots as u64) * self.slot_words) * 4
     }
 
-    /// As many slots as there is room for in so many bytes.
+    /// The number of slots that fit a buffer of `bytes` bytes.
     fn slots(&self, bytes: u64) -> usize {
         usize::try_from((bytes - self.bytes(0)) / (self.slot_words * 4)).unwrap_or(usize::MAX)
     }
 
-    /// The first word of a slot, counted from the first that is filled with one value.
+    /// Offset of a slot in words; slots are counted from the first one that one value fills.
     fn start(&self, slot: u32) -> u64 {
         self.table_words + u64::from(slot) * self.slot_words
     }
 
-    /// The entry of a page in `slot`. It is below 2³¹ by the limit of the buffer.
+    /// The table's entry of a page in `slot`. The limit on the buffer keeps it below 2³¹.
     fn entry(&self, slot: u32) -> u32 {
         (self.start(slot) * self.voxels_per_word) as u32
     }
 }
 
-/// How `limit` bytes are divided between volumes that need the first number at least and can use the second: what is beyond the least goes
-/// to them in proportion to what they can use of it. `None` if it is not enough.
+/// The shares of `limit` bytes for several volumes, each given by its least and its largest useful number of bytes. The bytes beyond
+/// the sum of the least are divided in proportion to the useful ones; `None` if the limit is below that sum.
 fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
     let least: u64 = wanted.iter().map(|[least, _]| least).sum();
     let rest = limit.checked_sub(least)?;
@@ -79,19 +78,20 @@ fn shares(limit: u64, wanted: &[[u64; 2]]) -> Option<Vec<u64>> {
     Some(wanted.iter().map(|[least, all]| least + part(all - least) as u64).collect())
 }
 
-/// For each of `volumes` a buffer: within the backend's limits together, or with as few slots as will do.
+/// The pools of `volumes`, one each: within the backend's limits together, or with the fewest slots that suffice.
 ///
 /// # Errors
 /// Where the pages that one plane needs are too many.
 pub(in crate::method::sweep) fn pools(
     volumes: &[&Volume],
-    needs: Vec<Needs>,
-    uploaded: &Uploaded,
+    residencies: Vec<Residency>,
+    uploaded: &UploadedVolumes,
     backend: &mut dyn Backend,
 ) -> Result<Vec<Pool>, BackendError> {
-    let layouts: Vec<Layout> = needs.iter().map(|needs| Layout::new(uploaded.format, needs)).collect();
-    let of_each = layouts.iter().zip(&needs);
-    let wanted = of_each.map(|(layout, needs)| [busiest(&needs.needed), needs.needed.len()].map(|n| layout.bytes(n)));
+    let layouts: Vec<Layout> = residencies.iter().map(|residency| Layout::new(uploaded.format, residency)).collect();
+    let of_each = layouts.iter().zip(&residencies);
+    let wanted = of_each
+        .map(|(layout, residency)| [peak_pages(&residency.needed), residency.needed.len()].map(|n| layout.bytes(n)));
     let wanted: Vec<[u64; 2]> = wanted.collect();
     // Kernels count stored voxels by a signed 32-bit number.
     let largest = backend.largest_buffer().min(i32::MAX as u64 * uploaded.format.bytes());
@@ -114,32 +114,32 @@ pub(in crate::method::sweep) fn pools(
         too_small(streamed.min(whole.unwrap_or(u64::MAX)), limit, volumes, true)
     })?;
     let mut pools = Vec::new();
-    for ((((volume, needs), layout), share), [least, _]) in
-        volumes.iter().zip(needs).zip(layouts).zip(shares).zip(wanted)
+    for ((((volume, residency), layout), share), [least, _]) in
+        volumes.iter().zip(residencies).zip(layouts).zip(shares).zip(wanted)
     {
         let room = layout.slots(if uploaded.tight { least } else { share.min(largest) });
-        let slots = needs.needed.len().min(room);
+        let slots = residency.needed.len().min(room);
         let buffer = backend.create("voxels", Contents::Zeros(layout.bytes(slots)))?;
-        let batches = schedule(&needs.needed, slots);
-        pools.push(Pool { buffer, volume: (*volume).clone(), needs, layout, batches });
+        let batches = schedule(&residency.needed, slots);
+        pools.push(Pool { buffer, volume: (*volume).clone(), residency, layout, batches });
     }
     Ok(pools)
 }
 
 impl Pool {
-    /// What is written to it in the course of a frame; `passes` says which is the first of each plane.
+    /// The writes to the buffer in the course of a frame; `passes` has the number of the first pass of each plane.
     pub(in crate::method::sweep) fn writes(self, passes: &[usize]) -> Vec<Write> {
-        let Self { buffer, volume, needs, layout, batches } = self;
+        let Self { buffer, volume, residency, layout, batches } = self;
         let mut writes = Vec::new();
         let mut add = |before: usize, start: u64, words: usize, fill: Arc<Fill>| {
             writes.push(Write { before, buffer: buffer.clone(), start, words, fill });
         };
-        let mut table: Vec<u32> = needs.filled.iter().map(|&fill| layout.entry(u32::from(fill))).collect();
+        let mut table: Vec<u32> = residency.filled.iter().map(|&fill| layout.entry(u32::from(fill))).collect();
         add(0, 0, table.len(), copy(table.clone()));
-        for (slot, &value) in (0..).zip(&needs.fills) {
+        for (slot, &value) in (0..).zip(&residency.fills) {
             add(0, layout.start(slot), layout.slot_words as usize, constant(layout.stored, value));
         }
-        let source = Arc::new(Source { volume, pages: needs.pages, stored: layout.stored });
+        let source = Arc::new(Source { volume, pages: residency.pages, stored: layout.stored });
         for Batch { plane, pages } in batches {
             let before = passes[plane as usize];
             let follows = |a: &(u32, u32), b: &(u32, u32)| a.0 + 1 == b.0;
@@ -168,12 +168,12 @@ impl Pool {
     }
 }
 
-/// Writes these words.
+/// A fill that copies words.
 fn copy(words: Vec<u32>) -> Arc<Fill> {
     Arc::new(move |to| to.copy_from_slice(&words))
 }
 
-/// Writes a stored value again and again.
+/// A fill that repeats a stored value.
 fn constant(stored: Format, value: f32) -> Arc<Fill> {
     let word = match stored.bytes() {
         1 => u32::from_le_bytes([value as u8; 4]),
@@ -183,7 +183,7 @@ fn constant(stored: Format, value: f32) -> Arc<Fill> {
     Arc::new(move |to| to.fill(word))
 }
 
-/// What pages are made of.
+/// The source of pages: a volume's voxels, and the format in which a slot stores them.
 struct Source {
     volume: Volume,
     pages: [u32; 3],
@@ -191,7 +191,7 @@ struct Source {
 }
 
 impl Source {
-    /// Writes pages one after the other.
+    /// A fill that writes pages one after the other.
     fn fill(self: &Arc<Self>, numbers: Vec<u32>, slot_words: usize) -> Arc<Fill> {
         let source = Arc::clone(self);
         Arc::new(move |to| {
@@ -206,7 +206,7 @@ impl Source {
         })
     }
 
-    /// Copies a page's voxels; beyond the grid the nearest ones.
+    /// Copies a page's voxels, with the nearest voxel of the grid for places beyond it.
     fn page<T: Copy, U: From<T> + Pod>(&self, voxels: &[T], number: u32, to: &mut [u32]) {
         let to: &mut [U] = bytemuck::cast_slice_mut(to);
         let sizes = self.volume.dimensions.map(|n| n as usize);

@@ -1,20 +1,20 @@
-//! When pages come, and where they lie.
+//! The schedule of pages: the plane before which each is loaded, and its slot.
 
-use super::needs::Need;
+use super::residency::ResidentPage;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Pages that come together.
+/// Pages that are loaded together.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Batch {
-    /// The plane before whose passes they have to be there.
+    /// The plane before whose passes the pages are loaded.
     pub(super) plane: u32,
-    /// Slots and the pages that come to them, in the order of the slots.
+    /// The slots with their new pages, in the order of the slots.
     pub(super) pages: Vec<(u32, u32)>,
 }
 
-/// The most pages that one plane needs.
-pub(super) fn busiest(needed: &[Need]) -> usize {
+/// The largest number of pages that a plane needs.
+pub(super) fn peak_pages(needed: &[ResidentPage]) -> usize {
     let planes = needed.iter().map(|need| need.last as usize + 2).max().unwrap_or(0);
     let mut changes = vec![0_i64; planes];
     for need in needed {
@@ -28,14 +28,14 @@ pub(super) fn busiest(needed: &[Need]) -> usize {
     counts.max().unwrap_or(0) as usize
 }
 
-/// Batches that bring every page before the first plane that needs it and leave it there until the last one. `slots` must be at least
-/// [`busiest`]. A batch brings what the planes from its own on need, for as many planes as there are slots for.
-pub(super) fn schedule(needed: &[Need], slots: usize) -> Vec<Batch> {
-    let mut coming: Vec<&Need> = needed.iter().collect();
+/// Batches that load every page before the first plane that reads it and leave it in its slot until the last such plane. `slots` must
+/// be at least [`peak_pages`]. A batch loads the pages of as many planes, from its own on, as the slots hold.
+pub(super) fn schedule(needed: &[ResidentPage], slots: usize) -> Vec<Batch> {
+    let mut coming: Vec<&ResidentPage> = needed.iter().collect();
     coming.sort_by_key(|need| (need.first, need.page));
     let mut coming = coming.as_slice();
     let mut free: BinaryHeap<Reverse<u32>> = (0..slots as u32).map(Reverse).collect();
-    // What is there, the first to leave on top.
+    // The pages in slots, the first to leave on top.
     let mut there: BinaryHeap<Reverse<(u32, u32)>> = BinaryHeap::new();
     let mut batches = Vec::new();
     while let Some(next) = coming.first() {
@@ -54,7 +54,7 @@ pub(super) fn schedule(needed: &[Need], slots: usize) -> Vec<Batch> {
             }
             count += together.len();
         }
-        debug_assert!(count > 0, "slots for the busiest plane");
+        debug_assert!(count > 0, "slots for the pages of every plane");
         let (now, later) = coming.split_at(count.max(1).min(coming.len()));
         coming = later;
         let slots: Vec<u32> = now.iter().filter_map(|_| free.pop()).map(|Reverse(slot)| slot).collect();
@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     /// Plays the batches and looks whether every page is there when it is needed.
-    fn check(needed: &[Need], slots: usize) -> usize {
+    fn check(needed: &[ResidentPage], slots: usize) -> usize {
         let batches = schedule(needed, slots);
         let planes = needed.iter().map(|need| need.last).max().unwrap_or(0);
         let mut there = vec![None; slots];
@@ -91,11 +91,11 @@ mod tests {
     }
 
     /// Pages that overlap irregularly.
-    fn needed() -> Vec<Need> {
+    fn needed() -> Vec<ResidentPage> {
         (0..200)
             .map(|page| {
                 let first = 1 + page * 7919 % 90;
-                Need { page, first, last: first + page * 31 % 17 }
+                ResidentPage { page, first, last: first + page * 31 % 17 }
             })
             .collect()
     }
@@ -103,18 +103,18 @@ mod tests {
     #[test]
     fn pages_are_there_when_they_are_needed() {
         let needed = needed();
-        let least = busiest(&needed);
+        let least = peak_pages(&needed);
         let found = [least, least + 1, 2 * least, needed.len()].map(|slots| check(&needed, slots));
         assert!(found.is_sorted_by(|a, b| a >= b) && found[0] > 10 && found[3] == 1, "{found:?} batches");
     }
 
     #[test]
-    fn the_busiest_plane_is_found() {
-        let need = |first, last| Need { page: 0, first, last };
-        assert_eq!(busiest(&[]), 0);
-        assert_eq!(busiest(&[need(1, 1), need(2, 5), need(5, 7), need(4, 4)]), 2);
+    fn the_most_pages_of_a_plane_are_found() {
+        let need = |first, last| ResidentPage { page: 0, first, last };
+        assert_eq!(peak_pages(&[]), 0);
+        assert_eq!(peak_pages(&[need(1, 1), need(2, 5), need(5, 7), need(4, 4)]), 2);
         let needed = needed();
         let at = |plane: u32| needed.iter().filter(|need| (need.first..=need.last).contains(&plane)).count();
-        assert_eq!(Some(busiest(&needed)), (0..120).map(at).max());
+        assert_eq!(Some(peak_pages(&needed)), (0..120).map(at).max());
     }
 }

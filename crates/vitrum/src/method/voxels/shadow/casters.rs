@@ -1,8 +1,11 @@
 //! What casts a shadow: bodies, turned so that light travels along x.
 
+use super::frame::Frame;
+use super::source::Source;
+use crate::error::Error;
 use crate::method::voxels::bodies::{Body, chosen, clear, of_mesh};
 use crate::scene::Scene;
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::Mesh;
 
@@ -42,16 +45,19 @@ impl Caster {
 
 /// The triangles of bodies in the light's frame.
 pub(super) struct Turned {
-    /// What positions are relative to, in the world.
-    pub centre: DVec3,
-    /// Low and high corner of all.
+    pub frame: Frame,
+    /// Low and high corner of all that light falls on.
     pub bounds: [[f64; 3]; 2],
     /// The corners of each body's triangles. A vertex is at the same place in all of its triangles, to the bit.
     pub bodies: Vec<Vec<[[f64; 3]; 3]>>,
 }
 
 impl Turned {
-    pub(super) fn new(bodies: &[Body], axes: DMat3) -> Self {
+    /// The triangles of `bodies` in the frame of light from `source`.
+    ///
+    /// # Errors
+    /// [`Unrenderable::LightInMesh`](crate::unrenderable::Unrenderable::LightInMesh).
+    pub(super) fn new(bodies: &[Body], source: &Source) -> Result<Self, Error> {
         let position = |position: &[f32; 3]| glam::Vec3::from_array(*position).as_dvec3();
         let limits = |points: &[DVec3]| {
             let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
@@ -62,18 +68,17 @@ impl Turned {
             .iter()
             .map(|body| limits(&body.mesh.positions.par_iter().map(position).collect::<Vec<_>>()))
             .collect();
-        let [low, high] = limits(&all(&boxes));
-        let centre = 0.5 * (low + high);
-        let inverse = axes.transpose();
+        let mut frame = Frame::new(source, limits(&all(&boxes)))?;
         let turned: Vec<Vec<DVec3>> = bodies
             .iter()
-            .map(|body| body.mesh.positions.par_iter().map(|at| inverse * (position(at) - centre)).collect())
+            .map(|body| body.mesh.positions.par_iter().map(|at| frame.turned(position(at))).collect())
             .collect();
         let boxes: Vec<[DVec3; 2]> = turned.iter().map(|points| limits(points)).collect();
-        let bounds = limits(&all(&boxes)).map(|corner| corner.to_array());
+        let bounds = frame.scale(source, limits(&all(&boxes)));
+        let scaled = |at: DVec3| (at * frame.widths()).to_array();
         let corners = |(body, points): (&Body, &Vec<DVec3>)| {
-            body.mesh.triangles.par_iter().map(|triangle| triangle.map(|at| points[at as usize].to_array())).collect()
+            body.mesh.triangles.par_iter().map(|triangle| triangle.map(|at| scaled(points[at as usize]))).collect()
         };
-        Self { centre, bounds, bodies: bodies.iter().zip(&turned).map(corners).collect() }
+        Ok(Self { bounds, bodies: bodies.iter().zip(&turned).map(corners).collect(), frame })
     }
 }

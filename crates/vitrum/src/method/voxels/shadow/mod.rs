@@ -1,20 +1,24 @@
 //! The transparent shadow map of a mesh (Chang et al. 2010, §3).
 
 mod casters;
+mod frame;
 mod passes;
+pub(super) mod source;
 
 use super::bodies::Body;
 use crate::assets::Assets;
 use crate::backend::Buffer;
 use crate::error::Error;
 use crate::method::Tools;
-use crate::method::view::View;
-use crate::method::view::light::travels;
 use crate::method::voxelize::{Grid, Settings};
+use crate::method::{Bounds, View};
 use crate::scene::{Coefficient, Scene};
 use crate::unrenderable::Unrenderable;
 use casters::Caster;
-use glam::{DMat3, DVec3};
+use frame::Frame;
+use glam::{DVec3, DVec4};
+use source::Source;
+use vitrum_kernels::abi::shadow::Spread;
 use vitrum_kernels::abi::vector::{Affine, Counts};
 pub(super) use vitrum_kernels::abi::voxels::ShadowMap as Lookup;
 use vitrum_kernels::shadow::look_up::MOST_COLUMNS;
@@ -25,8 +29,7 @@ const PADDING: u32 = 1;
 /// What a shadow map depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cast {
-    /// Unit direction in which light travels, in the world.
-    direction: DVec3,
+    source: Source,
     resolution: u32,
     coefficient: Coefficient,
     absorption: f32,
@@ -37,10 +40,8 @@ pub(super) struct Cast {
 /// How much light gets to each voxel, on a backend.
 pub(super) struct ShadowMap {
     cast: Cast,
-    /// The light's frame: as columns where its axes lie in the world, x along the light.
-    axes: DMat3,
-    /// What positions in it are relative to, in the world.
-    centre: DVec3,
+    /// The light's frame.
+    frame: Frame,
     /// The voxels in it.
     grid: Grid,
     channels: u32,
@@ -63,7 +64,7 @@ impl Cast {
             return Ok(None);
         }
         Ok(Some(Self {
-            direction: view.axes * travels(scene.first_light(), &view)?,
+            source: Source::of(scene.first_light(), &view, Bounds::from(mesh))?,
             resolution: scene.shadow.resolution,
             coefficient: scene.shadow.coefficient,
             absorption: scene.shadow.optical_depth,
@@ -76,20 +77,23 @@ impl ShadowMap {
     /// Makes a shadow map.
     ///
     /// # Errors
-    /// If it is too large for the backend, or the backend fails.
+    /// If the light stands in the mesh's box, the map is too large for the backend, or the backend fails.
     pub(super) fn new(cast: Cast, bodies: &[Body], tools: &mut Tools<'_>) -> Result<Self, Error> {
-        let across = cast.direction.any_orthonormal_vector();
-        let axes = DMat3::from_cols(cast.direction, across, cast.direction.cross(across));
-        let turned = casters::Turned::new(bodies, axes);
+        let turned = casters::Turned::new(bodies, &cast.source)?;
         let settings = Settings { padding: PADDING, ..Settings::new(cast.resolution) };
-        let grid = Grid::around_box("the mesh", turned.bounds, &settings)?;
+        let mut grid = Grid::around_box("the mesh", turned.bounds, &settings)?;
+        if turned.frame.unit_depth.is_some() {
+            // The padding in front must not reach the light.
+            let front = 0.5 * turned.bounds[0][0];
+            grid.origin[0] = grid.origin[0].max(front);
+        }
         let channels = if cast.coefficient == Coefficient::PerTriangle && cast.casters.iter().any(Caster::is_colored) {
             3
         } else {
             1
         };
         let buffer = passes::run(&cast, &turned, grid, channels, tools)?;
-        Ok(Self { axes, centre: turned.centre, grid, channels, buffer, cast })
+        Ok(Self { frame: turned.frame, grid, channels, buffer, cast })
     }
 
     /// Whether it is the one of `cast`.
@@ -104,25 +108,48 @@ impl ShadowMap {
     pub(super) fn lookup(&self, scene: &Scene, viewed: Grid) -> Result<Lookup, Error> {
         let radius = f64::from(scene.shadow.filter_radius);
         let edge = self.grid.voxel_size;
-        let width = 1.0 + radius / edge;
+        // Of a point or spot the radius is the one in the middle of the mesh.
+        let middle = self.grid.origin[0] + 0.5 * f64::from(self.grid.dimensions[0]) * edge;
+        let width = 1.0 + radius / (edge * self.frame.unit_depth.map_or(1.0, |unit| middle / unit));
         if width > f64::from(MOST_COLUMNS) {
             let (voxels, limit) = (width - 1.0, MOST_COLUMNS - 1);
             return Err(Unrenderable::ShadowTooSoft { radius, voxels, limit }.into());
         }
-        let row = |axis: usize| {
-            let along = self.axes.col(axis);
-            let origin = (DVec3::from_array(viewed.origin) - self.centre).dot(along) - self.grid.origin[axis];
-            Affine::from((along * viewed.voxel_size / edge).extend(origin / edge).as_vec4())
+        let Frame { axes, unit_depth, .. } = self.frame;
+        let from = DVec3::from_array(viewed.origin) - self.frame.origin;
+        // The depth over the unit depth.
+        let scale = unit_depth
+            .map_or(DVec4::W, |unit| (axes.x_axis * viewed.voxel_size / unit).extend(from.dot(axes.x_axis) / unit));
+        let row = |axis: usize, divisor: DVec4| {
+            let along = axes.col(axis);
+            let low = self.grid.origin[axis];
+            let origin = from.dot(along) - low * divisor.w;
+            let factors = along * viewed.voxel_size / edge - divisor.truncate() * (low / edge);
+            Affine::from(factors.extend(origin / edge).as_vec4())
         };
         let [x, y, z] = self.grid.dimensions;
         Ok(Lookup {
             size: Counts::new(x, y, z),
             channels: self.channels,
-            row_x: row(0),
-            row_y: row(1),
-            row_z: row(2),
+            axis: axes.x_axis.as_vec3().into(),
+            row_x: row(0, DVec4::W),
+            row_y: row(1, scale),
+            row_z: row(2, scale),
+            scale: Affine::from(scale.as_vec4()),
+            spread: spread(&self.frame, self.grid),
             radius: width as f32,
             edge: (edge / viewed.voxel_size) as f32,
         })
     }
+}
+
+/// How the columns of a grid in a light's frame run apart.
+fn spread(frame: &Frame, grid: Grid) -> Spread {
+    let tangent = |length: f64| frame.unit_depth.map_or(0.0, |unit| (length / unit) as f32);
+    Spread { low_y: tangent(grid.origin[1]), low_z: tangent(grid.origin[2]), step: tangent(grid.voxel_size) }
+}
+
+/// The divergence of the columns of a grid in a light's frame: a voxel's edge over the distance from the light to the grid's front.
+fn divergence(frame: &Frame, grid: Grid) -> f64 {
+    frame.unit_depth.map_or(0.0, |_| grid.voxel_size / grid.origin[0])
 }

@@ -16,7 +16,7 @@ use bytemuck::{bytes_of, cast_slice};
 use rayon::prelude::*;
 use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::record::absorption;
-use vitrum_kernels::abi::shadow::{ShadowUniforms, caster, mode, row_words};
+use vitrum_kernels::abi::shadow::{ShadowUniforms, Spread, caster, mode, row_words};
 use vitrum_kernels::abi::vector::Counts;
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
@@ -45,6 +45,8 @@ struct Work<'a> {
     words: Vec<[f32; caster::SIZE]>,
     solids: Vec<Solid>,
     uniform: Option<u32>,
+    spread: Spread,
+    divergence: f32,
     progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
     done: u64,
     total: u64,
@@ -85,8 +87,14 @@ impl<'a> Work<'a> {
         channels: u32,
         progress: &'a mut (dyn FnMut(Progress) -> bool + Send),
     ) -> Self {
+        let divergence = super::divergence(&turned.frame, grid);
+        let length = f64::from(grid.dimensions[0]);
         let in_voxels = |corners: &Vec<[[f64; 3]; 3]>| -> Vec<Corners> {
-            let voxels = |at: [f64; 3]| std::array::from_fn(|axis| (at[axis] - grid.origin[axis]) / grid.voxel_size);
+            let voxels = |at: [f64; 3]| {
+                let [depth, y, z] = std::array::from_fn(|axis| (at[axis] - grid.origin[axis]) / grid.voxel_size);
+                // The place whose depth it is (see `vitrum_kernels::voxelize::columns::depth`).
+                [depth * (1.0 + divergence * length) / (1.0 + divergence * depth), y, z]
+            };
             corners.par_iter().map(|corners| triangles::solid(corners.map(voxels), grid)).collect()
         };
         let (mut surface, mut words, mut solids) = (Vec::new(), Vec::new(), Vec::new());
@@ -111,7 +119,19 @@ impl<'a> Work<'a> {
         }
         let units = |depth: f32| (f64::from(limited(depth)) * f64::from(absorption::SCALE)).round() as u32;
         let uniform = (cast.coefficient == Coefficient::Uniform).then(|| units(cast.absorption));
-        let mut work = Self { grid, channels, surface, words, solids, uniform, progress, done: 0, total: 0 };
+        let mut work = Self {
+            grid,
+            channels,
+            surface,
+            words,
+            solids,
+            uniform,
+            spread: super::spread(&turned.frame, grid),
+            divergence: divergence as f32,
+            progress,
+            done: 0,
+            total: 0,
+        };
         work.total = work.slabs().len() as u64 * (2 + 2 * work.solids.len() as u64);
         work
     }
@@ -169,6 +189,8 @@ impl<'a> Work<'a> {
             depth: z,
             channels: self.channels,
             uniform_depth: self.uniform.unwrap_or(0),
+            spread: self.spread,
+            divergence: self.divergence,
             ..ShadowUniforms::default()
         };
         let slices = slices(&self.surface, 0, [first, layers]);
@@ -209,6 +231,7 @@ impl<'a> Work<'a> {
             first_layer: first,
             column_units: scale,
             voxel_units: scale,
+            divergence: self.divergence,
             ..VoxelizeUniforms::default()
         };
         for batch in Plan::new(&slices).batches() {

@@ -1,6 +1,6 @@
-//! Which pages a frame looks at, and on the way to which planes.
+//! The residency of pages: the planes between which a frame reads each page of a volume.
 
-use crate::method::sweep::occupancy::{Question, widen};
+use crate::method::sweep::occupancy::{OccupancyQuery, widen};
 use crate::method::sweep::planes::Planes;
 use crate::method::sweep::voxels::pages;
 use crate::method::view::{View, vector, voxel_steps};
@@ -9,18 +9,18 @@ use rayon::prelude::*;
 use vitrum_io::Volume;
 use vitrum_kernels::abi::format::page;
 
-/// The most different values that pages of nothing else have slots for.
+/// The most values for which there is a slot that the value fills.
 const MOST_FILLS: usize = 256;
 
-/// Voxels by which a look-up may be off, besides the rounding of large coordinates.
+/// The error of the position of a look-up, in voxels, besides the rounding of large coordinates.
 const ROUNDING: f64 = 0.25;
 
-/// Where look-ups of a plane lie among the voxels.
+/// The positions among the voxels of the look-ups between two planes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::method::sweep) struct Sampling {
     /// The depth of voxel (0, 0, 0).
     depth: f64,
-    /// How the depth grows from voxel to voxel along each axis of the volume.
+    /// Change of the depth from voxel to voxel along each axis of the volume.
     growth: DVec3,
     /// The longest step from plane to plane along each axis, in voxels.
     step: DVec3,
@@ -28,73 +28,79 @@ pub(in crate::method::sweep) struct Sampling {
     largest: f64,
 }
 
-/// A page that some plane needs.
+/// A page that must be on the device, and the planes between which it is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Need {
-    /// Its number, x fastest.
+pub(super) struct ResidentPage {
+    /// The number of the page, x fastest.
     pub(super) page: u32,
-    /// The first plane on the way to which it is looked at.
+    /// The first plane on the way to which the page is read.
     pub(super) first: u32,
-    /// The last one.
+    /// The last such plane.
     pub(super) last: u32,
 }
 
-/// What a frame looks at.
+/// The pages of a volume that a frame reads.
 #[derive(Debug)]
-pub(in crate::method::sweep) struct Needs {
+pub(in crate::method::sweep) struct Residency {
     /// Pages along each axis.
     pub(super) pages: [u32; 3],
-    /// The pages that have to be there, in the order of their numbers.
-    pub(super) needed: Vec<Need>,
-    /// Stored values of pages that are filled with one.
+    /// The pages that must be on the device, in the order of their numbers.
+    pub(super) needed: Vec<ResidentPage>,
+    /// The stored values of the pages that one value fills.
     pub(super) fills: Vec<f32>,
-    /// For each page which of `fills` it has; for those that are in `needed`, and those that nobody looks at, the first.
+    /// The index into `fills` of each page; 0 for the pages in `needed` and those that no ray reads.
     pub(super) filled: Vec<u16>,
 }
 
-/// What becomes of a page.
+/// The contents of a page, as far as storage is concerned.
 enum Kind {
-    /// Nothing happens in it nor a step around it: each value between these is as good as its own.
+    /// An empty page, in which and a step around which nothing happens to a ray: any value between these two gives the same picture.
     Empty(f32, f32),
-    /// All its voxels have this value.
+    /// Voxels that all have this value.
     Constant(f32),
+    /// Voxels of different values.
     Various,
 }
 
-impl Needs {
-    /// The pages for which `question`'s volume is asked on the way to the planes from `first` on.
-    pub(in crate::method::sweep) fn new(question: &Question, sampling: &Sampling, planes: &Planes, first: u32) -> Self {
-        let dimensions = question.volume.dimensions;
+impl Residency {
+    /// The residency of the pages of `query`'s volume, on the way to the planes from `first` on.
+    pub(in crate::method::sweep) fn new(
+        query: &OccupancyQuery,
+        sampling: &Sampling,
+        planes: &Planes,
+        first: u32,
+    ) -> Self {
+        let dimensions = query.volume.dimensions;
         let pages = pages(dimensions);
-        let kinds = kinds(question, sampling, pages);
-        let mut needs = Self { pages, needed: Vec::new(), fills: Vec::new(), filled: vec![0; kinds.len()] };
+        let kinds = kinds(query, sampling, pages);
+        let mut residency = Self { pages, needed: Vec::new(), fills: Vec::new(), filled: vec![0; kinds.len()] };
         let mut recent = [0; 2];
         for (number, kind) in kinds.into_iter().enumerate() {
             let fill = match kind {
-                Kind::Constant(value) => needs.fill(&mut recent[0], |known| known == value, value),
+                Kind::Constant(value) => residency.fill(&mut recent[0], |known| known == value, value),
                 Kind::Empty(low, high) => {
-                    let suits = |known: f32| question.is_empty(known.min(low), known.max(high));
-                    needs.fill(&mut recent[1], suits, low)
+                    let suits = |known: f32| query.is_empty(known.min(low), known.max(high));
+                    residency.fill(&mut recent[1], suits, low)
                 }
                 Kind::Various => None,
             };
             let at = [0, 1, 2].map(|axis| number as u32 / pages[..axis].iter().product::<u32>() % pages[axis]);
             match (fill, sampling.planes(at, pages, dimensions, planes)) {
-                (Some(fill), _) => needs.filled[number] = fill,
+                (Some(fill), _) => residency.filled[number] = fill,
                 (None, (from, to)) if from.max(first) <= to => {
-                    needs.needed.push(Need { page: number as u32, first: from.max(first), last: to });
+                    residency.needed.push(ResidentPage { page: number as u32, first: from.max(first), last: to });
                 }
                 (None, _) => {}
             }
         }
         // The first one is for those that nobody looks at.
-        if needs.fills.is_empty() {
-            needs.fills.push(0.0);
+        if residency.fills.is_empty() {
+            residency.fills.push(0.0);
         }
-        needs
+        residency
     }
 
-    /// The fill that `suits`, first of all the `recent` one, or a new one of `value` if there is room for one.
+    /// The index of a fill that `suits`, the `recent` one first, or of a new fill of `value` if the limit allows one.
     fn fill(&mut self, recent: &mut usize, suits: impl Fn(f32) -> bool, value: f32) -> Option<u16> {
         let same = self.fills.get(*recent).filter(|&&fill| suits(fill)).map(|_| *recent);
         let known = same.or_else(|| self.fills.iter().position(|&fill| suits(fill)));
@@ -109,9 +115,9 @@ impl Needs {
     }
 }
 
-/// What becomes of each page.
-fn kinds(question: &Question, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind> {
-    let dimensions = question.volume.dimensions;
+/// The kind of each page.
+fn kinds(query: &OccupancyQuery, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind> {
+    let dimensions = query.volume.dimensions;
     let all: u32 = pages.iter().product();
     let ranges: Vec<(f32, f32)> = (0..all)
         .into_par_iter()
@@ -121,7 +127,7 @@ fn kinds(question: &Question, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind>
             let low: [u32; 3] = [0, 1, 2].map(|axis| first(axis).min(dimensions[axis] - 1));
             let high =
                 [0, 1, 2].map(|axis| (at(axis) * page::EDGE as u32 + page::EDGE as u32).min(dimensions[axis] - 1));
-            question.ranges.within(question.volume, low, high)
+            query.ranges.within(query.volume, low, high)
         })
         .collect();
     // A ray may come from a page into one a step away, and go on from there.
@@ -135,14 +141,14 @@ fn kinds(question: &Question, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind>
         .zip(widened)
         .map(|((low, high), (lowest, highest))| match () {
             () if low == high => Kind::Constant(low),
-            () if question.is_empty(lowest, highest) => Kind::Empty(lowest, highest),
+            () if query.is_empty(lowest, highest) => Kind::Empty(lowest, highest),
             () => Kind::Various,
         })
         .collect()
 }
 
 impl Sampling {
-    /// Look-ups in `volume`, of rays that go `steepest` aside for each unit of depth at most.
+    /// The look-ups in `volume` of rays with a slope of at most `steepest` (distance across over depth).
     pub(in crate::method::sweep) fn new(volume: &Volume, view: &View, planes: &Planes, steepest: f64) -> Self {
         let steps = voxel_steps(volume);
         let along = steps.inverse() * view.axes;

@@ -1,12 +1,13 @@
-//! Positions as the kernels of the surface take them.
+//! FixedPoint-point positions, as the kernels of the surface read them.
 
 use super::grid::Grid;
 
-/// The most units of a voxel, log₂ (see [`Fixed`]).
+/// The most units of a voxel, log₂ (see [`FixedPoint`]).
 const MOST_UNITS: u32 = 20;
 
-/// Positions as whole numbers of units, a power of two of which are a voxel: as many as leave room for the grid's longest edge.
-pub(super) struct Fixed {
+/// FixedPoint-point positions: integers whose unit is the edge of a voxel over a power of two, the largest that leaves room for the grid's
+/// longest edge.
+pub(super) struct FixedPoint {
     /// log₂ of the units of a voxel.
     pub units: u32,
     origin: [f64; 3],
@@ -14,7 +15,7 @@ pub(super) struct Fixed {
     scale: f64,
 }
 
-impl Fixed {
+impl FixedPoint {
     pub fn new(grid: Grid) -> Self {
         // With what the kernels add to a triangle's extent.
         let longest = grid.dimensions.into_iter().max().unwrap_or(1) + 6;
@@ -33,13 +34,13 @@ impl Fixed {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fixed, Grid, MOST_UNITS};
+    use super::{FixedPoint, Grid, MOST_UNITS};
 
     #[test]
     fn positions_are_rounded_to_units_and_fit() {
         for (edge, units) in [(3, MOST_UNITS), (258, MOST_UNITS), (2041, MOST_UNITS), (2042, 19), (10_240, 17)] {
             let grid = Grid { dimensions: [1, edge, 2], origin: [-1.0; 3], voxel_size: 0.5 };
-            let fixed = Fixed::new(grid);
+            let fixed = FixedPoint::new(grid);
             assert_eq!(fixed.units, units, "{edge}");
             let voxel = 1 << units;
             // The far end, and a position between two units.

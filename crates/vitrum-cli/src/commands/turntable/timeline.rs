@@ -10,8 +10,8 @@ use vitrum::scene::{KeyFrames, Scene};
 /// Pictures of a whole turn.
 const TURN: u32 = 72;
 
-/// What the scene does over the animation.
-pub struct Course {
+/// The scene at each frame of an animation.
+pub struct Timeline {
     start: Scene,
     frames: u32,
     motion: Motion,
@@ -29,7 +29,7 @@ pub fn read_keys(path: &Path, rate: u16) -> Result<KeyFrames, Failure> {
     Ok(KeyFrames::from_toml(&text, &path.display().to_string(), f64::from(rate))?)
 }
 
-impl Course {
+impl Timeline {
     /// Fails where a frame has no valid scene of these assets, so that no animation breaks off at it.
     pub fn new(arguments: &Arguments, start: Scene, assets: &Assets, keys: Option<KeyFrames>) -> Result<Self, Failure> {
         let (motion, frames) = match keys {
@@ -44,12 +44,12 @@ impl Course {
             }
             None => (Motion::Turn(arguments.turn), arguments.frames.unwrap_or(TURN)),
         };
-        let course = Self { start, frames, motion };
+        let timeline = Self { start, frames, motion };
         for index in 0..frames {
-            vitrum::check(&course.scene(index)?, assets)
+            vitrum::check(&timeline.scene(index)?, assets)
                 .map_err(|error| Failure::from(error).at(&format!("frame {index} of {frames}")))?;
         }
-        Ok(course)
+        Ok(timeline)
     }
 
     /// The scene that the animation is made of, whose size all frames have.

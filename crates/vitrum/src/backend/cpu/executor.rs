@@ -1,4 +1,4 @@
-//! A pass list on its way.
+//! Execution of a pass list, part by part.
 
 use super::Memory;
 use super::chunks::{Known, Written, follows, most_together};
@@ -6,7 +6,7 @@ use crate::backend::{BackendError, Pass, PassList, Write};
 use std::collections::{HashMap, HashSet};
 use vitrum_kernels::kernel::InstructionSet;
 
-/// Passes that run together, and what is written before them.
+/// Passes that run together, and the writes before them.
 pub(super) type Part<'a> = (&'a [Write], &'a [Pass]);
 
 /// The parts of a list, in order.
@@ -17,24 +17,24 @@ pub(super) fn parts(passes: &PassList) -> impl Iterator<Item = Part<'_>> {
     })
 }
 
-/// What is known between two parts of a list.
-pub(super) struct Course<'a> {
+/// The state of a list between two of its parts.
+pub(super) struct Executor<'a> {
     passes: &'a PassList,
     set: InstructionSet,
     /// Kernels that had a pass without any work.
     idle: HashSet<&'a str>,
     known: HashMap<Written, Known>,
-    /// Written as soon as a pass that runs reads it.
+    /// Writes that wait for the first pass that reads their buffer.
     waiting: Vec<&'a Write>,
 }
 
-impl<'a> Course<'a> {
-    /// Before the first part.
+impl<'a> Executor<'a> {
+    /// The state before the first part.
     pub(super) fn new(passes: &'a PassList, set: InstructionSet) -> Self {
         Self { passes, set, idle: HashSet::new(), known: HashMap::new(), waiting: Vec::new() }
     }
 
-    /// Runs a part, but for what may be left out.
+    /// Runs a part, without the passes that may be left out.
     pub(super) fn run(&mut self, (writes, together): &Part<'a>, memory: &mut Memory) -> Result<(), BackendError> {
         self.waiting.extend(*writes);
         let needed = |pass: &&Pass| {
@@ -58,7 +58,8 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// Writes what no pass has read, for those of another list; not where nothing goes on.
+    /// Performs the writes whose buffers no pass has read, for the passes of another list; none of them if the rest of the list was
+    /// left out.
     pub(super) fn end(self, memory: &mut Memory) -> Result<(), BackendError> {
         if self.passes.while_busy.iter().any(|while_busy| self.idle.contains(while_busy.kernel)) {
             return Ok(());

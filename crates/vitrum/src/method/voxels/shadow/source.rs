@@ -1,0 +1,70 @@
+//! Where light comes from.
+
+use crate::error::Error;
+use crate::method::view::light::{axis, position, travels};
+use crate::method::{Bounds, View};
+use crate::scene::{Light, LightKind};
+use crate::unrenderable::Unrenderable;
+use glam::DVec3;
+
+/// The part of the diagonal of the mesh's box that a light must be away from the box: from nearer, parts of the mesh would be seen in columns that
+/// are nearly parallel to its box's faces.
+const NEAREST: f64 = 1.0 / 64.0;
+
+/// The source of the light that a shadow map follows, in the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::method::voxels) enum Source {
+    /// A distant one: the unit direction in which its light travels.
+    Distant(DVec3),
+    /// A point.
+    Point(DVec3),
+    /// A point that shines into a cone.
+    Spot {
+        position: DVec3,
+        /// The cone's unit axis.
+        axis: DVec3,
+        /// Tangent of its half-angle.
+        tangent: f64,
+    },
+}
+
+impl Source {
+    /// The source of a light of a scene.
+    ///
+    /// # Errors
+    /// [`Unrenderable::NoDirection`] where a light has no direction.
+    pub(in crate::method::voxels) fn of(light: &Light, view: &View, bounds: Bounds) -> Result<Self, Error> {
+        let distant = || Ok(Self::Distant(view.axes * travels(light, view)?));
+        position(light, view).map_or_else(distant, |position| {
+            Ok(match light.kind {
+                LightKind::Spot => {
+                    let tangent = f64::from(light.cone_angle).to_radians().tan();
+                    Self::Spot { position, axis: axis(light, view, bounds)?, tangent }
+                }
+                LightKind::Point | LightKind::Distant => Self::Point(position),
+            })
+        })
+    }
+
+    /// The position of a point or spot.
+    pub(super) fn position(&self) -> Option<DVec3> {
+        match *self {
+            Self::Distant(_) => None,
+            Self::Point(position) | Self::Spot { position, .. } => Some(position),
+        }
+    }
+
+    /// Checks that all of a box can be seen from the source through a plane.
+    ///
+    /// # Errors
+    /// [`Unrenderable::LightInMesh`] where the source stands inside the box, or next to it.
+    pub(in crate::method::voxels) fn check(&self, [low, high]: [DVec3; 2]) -> Result<(), Error> {
+        let Some(position) = self.position() else { return Ok(()) };
+        let least = NEAREST * (high - low).length();
+        if (position.clamp(low, high) - position).length() >= least {
+            return Ok(());
+        }
+        let [position, low, high] = [position, low, high].map(|point| point.as_vec3().to_array());
+        Err(Unrenderable::LightInMesh { position, low, high, distance: least as f32 }.into())
+    }
+}

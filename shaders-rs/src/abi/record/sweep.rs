@@ -1,0 +1,120 @@
+//! Records of the plane sweep.
+
+record! {
+    /// The light of a texel.
+    light: Light {
+        /// Flux over that of unoccluded light, by absorption and by the product over the planes of how much denser refraction has
+        /// made it.
+        flux: Color,
+        /// Optical direction v; z is depth.
+        direction: Vec3,
+        /// Distance across from the texel that the light would be on if nothing had refracted it, in texels.
+        displacement_x: f32,
+        /// Distance up from that texel, in texels.
+        displacement_y: f32,
+        /// The product over the planes of how much denser refraction has made the light.
+        concentration: f32,
+    }
+}
+
+record! {
+    /// Light falling on a texel of a plane: plane irradiance (or radiance, see [`crate::abi::sweep::flag::STORE_RADIANCE`]) over that of
+    /// unoccluded light, and its direction.
+    irradiance: Irradiance {
+        /// The share of unoccluded light.
+        share: Color,
+        /// The direction, as [`crate::sweep::light::offset`] packs it.
+        direction: f32,
+    }
+}
+
+record! {
+    /// Where light comes from: the way to its texel from the plane behind.
+    trace: Trace {
+        /// Across, in texels.
+        across: f32,
+        /// Up, in texels.
+        up: f32,
+    }
+}
+
+record! {
+    /// A node of a sheet of light: where light that crossed a corner between texels on the first plane is now.
+    sheet: SheetNode {
+        /// Distance across from the node's corner, in texels.
+        displacement_x: f32,
+        /// Distance up from the node's corner, in texels.
+        displacement_y: f32,
+        /// Distance across from the corner if nothing had bent the light, in texels.
+        unrefracted_x: f32,
+        /// Distance up from the corner if nothing had bent the light, in texels.
+        unrefracted_y: f32,
+        /// Optical direction v; z is depth.
+        direction: Vec3,
+        /// Flux of a texel of light here, over that of all unoccluded light.
+        flux: Color,
+        /// 1 if the light turned back: the plane sweep cannot follow.
+        turned: f32,
+    }
+}
+
+record! {
+    /// A viewing ray.
+    ray: Ray {
+        /// Position in the view frame where the ray last bent, or ended; from there it flies straight.
+        position: Vec3,
+        /// Optical direction v; z is depth.
+        direction: Vec3,
+        /// Normalised scalar on the plane at depth `sampled`.
+        scalar: f32,
+        /// One of [`status`](crate::abi::record::status).
+        status: f32,
+        /// Opacity-weighted sum of depths.
+        depth: f32,
+        /// Particle colour C.
+        color: Color,
+        /// Opacity A.
+        opacity: f32,
+        /// Transmittance of the filter, the paper's medium colour M.
+        transmittance: Color,
+        /// η on the plane at depth `sampled`.
+        ior: f32,
+        /// Depth of the plane on which scalar and η were last sampled; [`NOWHERE`] if on none.
+        sampled: f32,
+    }
+
+    /// The depth of no plane: −2¹⁰⁰. Not `f32::MIN`, which some browsers refuse as translators write it.
+    pub const NOWHERE: f32 = -1.267_650_6e30;
+}
+
+/// States of a viewing ray.
+pub mod status {
+    /// Under way.
+    pub const ACTIVE: f32 = 0.0;
+    /// Opaque, or ended on a receiver.
+    pub const ENDED: f32 = 1.0;
+    /// Its depth component reached ε: turned back or grazing; the plane sweep cannot follow.
+    pub const TURNED: f32 = 2.0;
+}
+
+record! {
+    /// A finished pixel.
+    film: Pixel {
+        /// Linear radiance.
+        color: Color,
+        /// Coverage, 0 to 1.
+        coverage: f32,
+        /// Opacity A.
+        opacity: f32,
+        /// Transmittance of the filter, the paper's medium colour M.
+        transmittance: Color,
+        /// Opacity-weighted mean depth from the eye, world units; 0 where nothing is opaque.
+        depth: f32,
+        /// Final unit direction in view space (looking along −z).
+        direction: Vec3,
+        /// Final position in view space, world units.
+        position: Vec3,
+        /// One of [`status`](crate::abi::record::status).
+        status: f32,
+    }
+}

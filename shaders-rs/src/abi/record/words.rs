@@ -1,0 +1,63 @@
+//! Records of words and sums, whose components are no fields of a struct: bits, counts, and the halves of integers.
+
+/// Fixed-point sums of the changes that sheets make on a texel: for each channel a low and a high word, next to each other (not planar).
+pub mod sums {
+    /// Words.
+    pub const SIZE: usize = 2 * CHANNELS;
+    /// Channels.
+    pub const CHANNELS: usize = 5;
+    /// Flux over that of unoccluded light, red; green and blue follow.
+    pub const FLUX: usize = 0;
+    /// Flux (the mean of its colours) times the change of its slope v_x / v_z; v_y / v_z follows.
+    pub const SLOPE_X: usize = 3;
+    /// The words' names.
+    #[cfg(not(target_arch = "spirv"))]
+    pub const NAMES: [&str; SIZE] = [
+        "red, low",
+        "red, high",
+        "green, low",
+        "green, high",
+        "blue, low",
+        "blue, high",
+        "slope x, low",
+        "slope x, high",
+        "slope y, low",
+        "slope y, high",
+    ];
+    /// Units in 1, of flux.
+    pub const FLUX_SCALE: f32 = 16_777_216.0;
+    /// Units in 1, of flux times slope: a slope changes by less than 2⁷, so that one contribution has less than 2³¹ units.
+    pub const SLOPE_SCALE: f32 = 8_388_608.0;
+}
+
+/// A single word a place: bits of a mask, or a count.
+pub mod word {
+    /// Words.
+    pub const SIZE: usize = 1;
+}
+
+/// Sums of the attributes of the triangles that meet a voxel: words next to each other (not planar), sums as in [`crate::field::sums`].
+pub mod attributes {
+    /// Words.
+    pub const SIZE: usize = 14;
+    /// Triangles.
+    pub const COUNT: usize = 0;
+    /// The largest number of a material, counted from 1; 0 for none.
+    pub const MATERIAL: usize = 1;
+    /// Sum of unit normals, x, a low and a high word; y and z follow.
+    pub const NORMAL: usize = 2;
+    /// Sum of linear colours, red, a low and a high word; green and blue follow.
+    pub const COLOR: usize = 8;
+    /// Units in 1, of either.
+    pub const SCALE: f32 = 65536.0;
+}
+
+/// Optical depth of a voxel of the shadow map: for each channel a low and a high word, next to each other, channel by channel.
+pub mod absorption {
+    /// Words.
+    pub const SIZE: usize = 2;
+    /// Units in 1.
+    pub const SCALE: f32 = 16_777_216.0;
+    /// The largest optical depth of one contribution: e^−64 is nothing, and has less than 2³¹ units.
+    pub const MOST: f32 = 64.0;
+}
