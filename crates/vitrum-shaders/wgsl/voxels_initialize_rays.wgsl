@@ -104,8 +104,8 @@ var<storage> global_1: type_14;
 @group(0) @binding(1)
 var<storage, read_write> global_2: type_16;
 fn function_() {
-var phi_203_: vec3<f32>;
-var phi_211_: vec3<f32>;
+var phi_204_: vec3<f32>;
+var phi_212_: vec3<f32>;
 let _e45 = global;
 let _e48 = global_1.member.member;
 if (_e45.x < _e48.member) {
@@ -128,18 +128,18 @@ let _e123 = global_1.member.member_6.member_3;
 let _e124 = (_e123 != 0u);
 if _e124 {
 let _e127 = global_1.member.member_9;
-phi_203_ = vec3<f32>(_e127.member, _e127.member_1, _e127.member_2);
+phi_204_ = vec3<f32>(_e127.member, _e127.member_1, _e127.member_2);
 } else {
 let _e134 = global_1.member.member_9;
-phi_203_ = vec3<f32>((_e134.member + _e117), (_e134.member_1 + _e118), (_e134.member_2 + _e119));
+phi_204_ = vec3<f32>((_e134.member + _e117), (_e134.member_1 + _e118), (_e134.member_2 + _e119));
 }
-let _e143 = phi_203_;
+let _e143 = phi_204_;
 if _e124 {
-phi_211_ = vec3<f32>((_e94.member + _e117), (_e94.member_1 + _e118), (_e94.member_2 + _e119));
+phi_212_ = vec3<f32>((_e94.member + _e117), (_e94.member_1 + _e118), (_e94.member_2 + _e119));
 } else {
-phi_211_ = vec3<f32>(_e94.member, _e94.member_1, _e94.member_2);
+phi_212_ = vec3<f32>(_e94.member, _e94.member_1, _e94.member_2);
 }
-let _e149 = phi_211_;
+let _e149 = phi_212_;
 let _e157 = (((_e143.x * _e143.x) + (_e143.y * _e143.y)) + (_e143.z * _e143.z));
 let _e160 = sqrt(select(0f, _e157, (_e157 > 0f)));
 let _e163 = (1f / select(1e-20f, _e160, (_e160 > 1e-20f)));

@@ -115,6 +115,9 @@ member_12: i32,
 member_13: i32,
 member_14: f32,
 }
+struct type_24 {
+member: array<atomic<u32>>,
+}
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_14;
@@ -128,322 +131,355 @@ var<storage> global_4: type_16;
 var<storage> global_5: type_16;
 @group(0) @binding(5)
 var<storage, read_write> global_6: type_16;
+@group(0) @binding(6)
+var<storage, read_write> global_7: type_24;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var phi_776_: type_20;
-var phi_791_: type_20;
-var phi_794_: i32;
-var phi_1414_: type_20;
-var phi_1415_: type_20;
-var phi_1447_: i32;
-var phi_1515_: type_20;
-var phi_792_: type_20;
-var phi_795_: i32;
+var phi_813_: type_20;
+var phi_828_: type_20;
+var phi_831_: i32;
+var phi_1451_: type_20;
+var phi_1452_: type_20;
+var phi_1484_: i32;
+var phi_1552_: type_20;
+var phi_829_: type_20;
+var phi_832_: i32;
 var local_2: bool;
-var local_3: i32;
+var local_3: type_20;
 var local_4: type_20;
-var local_5: type_20;
-var phi_1528_: array<f32, 4>;
-var phi_1529_: array<f32, 4>;
-let _e56 = global;
-let _e63 = arrayLength((&global_4.member));
-let _e70 = global_1.member.member;
-if (_e56.x < _e70.member) {
-if (_e56.y < _e70.member_1) {
-let _e77 = (_e70.member * _e70.member_1);
-let _e79 = ((_e56.y * _e70.member) + _e56.x);
-let _e80 = bitcast<i32>(_e79);
-let _e82 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e84 = select(_e82, _e80, (_e80 < _e82));
-let _e90 = global_6.member[bitcast<u32>(select(0i, _e84, (_e84 > 0i)))];
-let _e91 = (_e77 + _e79);
-let _e92 = bitcast<i32>(_e91);
-let _e94 = select(_e82, _e92, (_e92 < _e82));
-let _e100 = global_6.member[bitcast<u32>(select(0i, _e94, (_e94 > 0i)))];
-let _e102 = ((2u * _e77) + _e79);
-let _e103 = bitcast<i32>(_e102);
-let _e105 = select(_e82, _e103, (_e103 < _e82));
-let _e111 = global_6.member[bitcast<u32>(select(0i, _e105, (_e105 > 0i)))];
-let _e113 = ((3u * _e77) + _e79);
-let _e114 = bitcast<i32>(_e113);
-let _e116 = select(_e82, _e114, (_e114 < _e82));
-let _e122 = global_6.member[bitcast<u32>(select(0i, _e116, (_e116 > 0i)))];
-let _e124 = (_e90 == 2f);
-if (select(3u, 0u, _e124) > 1u) {
-if _e124 {
-phi_1529_ = array<f32, 4>(_e90, _e100, _e111, _e122);
-} else {
-let _e130 = global_1.member.member.member;
-let _e134 = global_1.member.member.member_1;
-let _e136 = bitcast<i32>((_e130 * _e134));
-let _e140 = bitcast<i32>(((_e56.y * _e130) + _e56.x));
-let _e141 = ((21i * _e136) + _e140);
-let _e143 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
-let _e145 = select(_e143, _e141, (_e141 < _e143));
-let _e151 = global_2.member[bitcast<u32>(select(0i, _e145, (_e145 > 0i)))];
-if (_e151 <= 0f) {
-phi_1528_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
-} else {
-let _e154 = ((20i * _e136) + _e140);
-let _e156 = select(_e143, _e154, (_e154 < _e143));
-let _e162 = global_2.member[bitcast<u32>(select(0i, _e156, (_e156 > 0i)))];
-let _e163 = bitcast<i32>(_e56.x);
-let _e164 = bitcast<i32>(_e56.y);
-let _e165 = bitcast<i32>(_e130);
-let _e177 = global_1.member.member_6.member;
-let _e178 = (((((f32(_e163) + 0.5f) / f32(_e165)) * 2f) - 1f) * _e177);
-let _e187 = global_1.member.member_6.member_1;
-let _e188 = ((1f - (((f32(_e164) + 0.5f) / f32(bitcast<i32>(_e134))) * 2f)) * _e187);
-let _e191 = global_1.member.member_7;
-let _e200 = global_1.member.member_8;
-let _e207 = ((_e191.member * _e178) + (_e200.member * _e188));
-let _e208 = ((_e191.member_1 * _e178) + (_e200.member_1 * _e188));
-let _e209 = ((_e191.member_2 * _e178) + (_e200.member_2 * _e188));
-let _e213 = global_1.member.member_6.member_3;
-let _e215 = select(1f, 0f, (_e213 != 0u));
-let _e216 = (1f - _e215);
-let _e222 = global_1.member.member_10;
-let _e231 = global_1.member.member_9;
-let _e238 = (_e231.member + (_e207 * _e215));
-let _e239 = (_e231.member_1 + (_e208 * _e215));
-let _e240 = (_e231.member_2 + (_e209 * _e215));
-let _e245 = (((_e238 * _e238) + (_e239 * _e239)) + (_e240 * _e240));
-let _e248 = sqrt(select(0f, _e245, (_e245 > 0f)));
-let _e251 = (1f / select(1e-20f, _e248, (_e248 > 1e-20f)));
-let _e252 = (_e238 * _e251);
-let _e253 = (_e239 * _e251);
-let _e254 = (_e240 * _e251);
-let _e258 = ((_e222.member + (_e207 * _e216)) + (_e252 * _e162));
-let _e259 = ((_e222.member_1 + (_e208 * _e216)) + (_e253 * _e162));
-let _e260 = ((_e222.member_2 + (_e209 * _e216)) + (_e254 * _e162));
-let _e261 = vec3<f32>(_e258, _e259, _e260);
-local = ((_e164 * _e165) + _e163);
-local_1 = _e136;
-let _e264 = local_1;
-let _e266 = local;
-let _e267 = ((9i * _e264) + _e266);
-let _e269 = select(_e143, _e267, (_e267 < _e143));
-let _e274 = global_2.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
-let _e275 = local_1;
-let _e277 = local;
-let _e278 = ((10i * _e275) + _e277);
-let _e280 = select(_e143, _e278, (_e278 < _e143));
-let _e285 = global_2.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
-let _e286 = local_1;
-let _e288 = local;
-let _e289 = ((11i * _e286) + _e288);
-let _e291 = select(_e143, _e289, (_e289 < _e143));
-let _e296 = global_2.member[bitcast<u32>(select(0i, _e291, (_e291 > 0i)))];
-let _e302 = (2f * (((_e252 * _e274) + (_e253 * _e285)) + (_e254 * _e296)));
-let _e306 = (_e252 - (_e274 * _e302));
-let _e307 = (_e253 - (_e285 * _e302));
-let _e308 = (_e254 - (_e296 * _e302));
-let _e309 = vec3<f32>(_e306, _e307, _e308);
-if (_e90 == 0f) {
-let _e330 = global_1.member.member_17.member.member;
-let _e341 = ((((_e330.member.member * _e258) + (_e330.member.member_1 * _e259)) + (_e330.member.member_2 * _e260)) + _e330.member_1);
-let _e347 = -((((_e330.member.member * _e306) + (_e330.member.member_1 * _e307)) + (_e330.member.member_2 * _e308)));
-let _e349 = (_e347 > 1e-9f);
-let _e353 = ((_e341 / select(1e-9f, _e347, _e349)) - 0.015625f);
-let _e356 = select(1e30f, select(0f, _e353, (_e353 > 0f)), ((_e341 > 0f) && _e349));
-let _e361 = global_1.member.member_17.member_1.member;
-let _e372 = ((((_e361.member.member * _e258) + (_e361.member.member_1 * _e259)) + (_e361.member.member_2 * _e260)) + _e361.member_1);
-let _e378 = -((((_e361.member.member * _e306) + (_e361.member.member_1 * _e307)) + (_e361.member.member_2 * _e308)));
-let _e380 = (_e378 > 1e-9f);
-let _e384 = ((_e372 / select(1e-9f, _e378, _e380)) - 0.015625f);
-let _e387 = select(1e30f, select(0f, _e384, (_e384 > 0f)), ((_e372 > 0f) && _e380));
-let _e391 = (_e387 < _e356);
-phi_776_ = type_20(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e391), -1i, ((_e356 >= 1e30f) && (_e387 >= 1e30f))), select(_e356, _e387, _e391));
-} else {
-phi_776_ = type_20(_e261, _e309, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < -2147483600f)), 2147483647i, (_e100 > 2147483500f)), (_e100 == _e100)), select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < -2147483600f)), 2147483647i, (_e111 > 2147483500f)), (_e111 == _e111)), _e122);
+var local_5: i32;
+var phi_1565_: array<f32, 4>;
+var phi_1566_: array<f32, 4>;
+var phi_1567_: array<f32, 4>;
+var phi_1568_: array<f32, 4>;
+var phi_1569_: bool;
+var phi_1573_: array<f32, 4>;
+let _e61 = global;
+let _e68 = arrayLength((&global_4.member));
+let _e77 = global_1.member.member;
+if (_e61.x < _e77.member) {
+if (_e61.y < _e77.member_1) {
+let _e84 = (_e77.member * _e77.member_1);
+let _e86 = ((_e61.y * _e77.member) + _e61.x);
+let _e87 = bitcast<i32>(_e86);
+let _e89 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e91 = select(_e89, _e87, (_e87 < _e89));
+let _e97 = global_6.member[bitcast<u32>(select(0i, _e91, (_e91 > 0i)))];
+let _e98 = (_e84 + _e86);
+let _e99 = bitcast<i32>(_e98);
+let _e101 = select(_e89, _e99, (_e99 < _e89));
+let _e107 = global_6.member[bitcast<u32>(select(0i, _e101, (_e101 > 0i)))];
+let _e109 = ((2u * _e84) + _e86);
+let _e110 = bitcast<i32>(_e109);
+let _e112 = select(_e89, _e110, (_e110 < _e89));
+let _e118 = global_6.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
+let _e120 = ((3u * _e84) + _e86);
+let _e121 = bitcast<i32>(_e120);
+let _e123 = select(_e89, _e121, (_e121 < _e89));
+let _e129 = global_6.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
+let _e131 = (_e97 == 2f);
+let _e132 = select(3u, 0u, _e131);
+if (_e132 > 0u) {
+if (arrayLength((&global_7.member)) >= 3u) {
+let _e141 = atomicLoad((&global_7.member[0u]));
+if (_e141 == 0u) {
+atomicStore((&global_7.member[0u]), ((_e77.member + 7u) / 8u));
+atomicStore((&global_7.member[1u]), ((_e77.member_1 + 7u) / 8u));
+atomicStore((&global_7.member[2u]), 1u);
 }
-let _e397 = phi_776_;
-let _e398 = bitcast<i32>(arrayLength((&global_3.member)));
-phi_791_ = _e397;
-phi_794_ = 0i;
+}
+}
+if (_e132 > 1u) {
+if _e131 {
+phi_1567_ = array<f32, 4>(_e97, _e107, _e118, _e129);
+phi_1568_ = array<f32, 4>();
+phi_1569_ = true;
+} else {
+let _e165 = global_1.member.member.member;
+let _e169 = global_1.member.member.member_1;
+let _e171 = bitcast<i32>((_e165 * _e169));
+let _e175 = bitcast<i32>(((_e61.y * _e165) + _e61.x));
+let _e176 = ((21i * _e171) + _e175);
+let _e178 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e180 = select(_e178, _e176, (_e176 < _e178));
+let _e186 = global_2.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
+let _e187 = (_e186 <= 0f);
+if _e187 {
+phi_1565_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
+phi_1566_ = array<f32, 4>();
+} else {
+let _e189 = ((20i * _e171) + _e175);
+let _e191 = select(_e178, _e189, (_e189 < _e178));
+let _e197 = global_2.member[bitcast<u32>(select(0i, _e191, (_e191 > 0i)))];
+let _e198 = bitcast<i32>(_e61.x);
+let _e199 = bitcast<i32>(_e61.y);
+let _e200 = bitcast<i32>(_e165);
+let _e212 = global_1.member.member_6.member;
+let _e213 = (((((f32(_e198) + 0.5f) / f32(_e200)) * 2f) - 1f) * _e212);
+let _e222 = global_1.member.member_6.member_1;
+let _e223 = ((1f - (((f32(_e199) + 0.5f) / f32(bitcast<i32>(_e169))) * 2f)) * _e222);
+let _e226 = global_1.member.member_7;
+let _e235 = global_1.member.member_8;
+let _e242 = ((_e226.member * _e213) + (_e235.member * _e223));
+let _e243 = ((_e226.member_1 * _e213) + (_e235.member_1 * _e223));
+let _e244 = ((_e226.member_2 * _e213) + (_e235.member_2 * _e223));
+let _e248 = global_1.member.member_6.member_3;
+let _e250 = select(1f, 0f, (_e248 != 0u));
+let _e251 = (1f - _e250);
+let _e257 = global_1.member.member_10;
+let _e266 = global_1.member.member_9;
+let _e273 = (_e266.member + (_e242 * _e250));
+let _e274 = (_e266.member_1 + (_e243 * _e250));
+let _e275 = (_e266.member_2 + (_e244 * _e250));
+let _e280 = (((_e273 * _e273) + (_e274 * _e274)) + (_e275 * _e275));
+let _e283 = sqrt(select(0f, _e280, (_e280 > 0f)));
+let _e286 = (1f / select(1e-20f, _e283, (_e283 > 1e-20f)));
+let _e287 = (_e273 * _e286);
+let _e288 = (_e274 * _e286);
+let _e289 = (_e275 * _e286);
+let _e293 = ((_e257.member + (_e242 * _e251)) + (_e287 * _e197));
+let _e294 = ((_e257.member_1 + (_e243 * _e251)) + (_e288 * _e197));
+let _e295 = ((_e257.member_2 + (_e244 * _e251)) + (_e289 * _e197));
+let _e296 = vec3<f32>(_e293, _e294, _e295);
+local = ((_e199 * _e200) + _e198);
+local_1 = _e171;
+let _e299 = local_1;
+let _e301 = local;
+let _e302 = ((9i * _e299) + _e301);
+let _e304 = select(_e178, _e302, (_e302 < _e178));
+let _e309 = global_2.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
+let _e310 = local_1;
+let _e312 = local;
+let _e313 = ((10i * _e310) + _e312);
+let _e315 = select(_e178, _e313, (_e313 < _e178));
+let _e320 = global_2.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
+let _e321 = local_1;
+let _e323 = local;
+let _e324 = ((11i * _e321) + _e323);
+let _e326 = select(_e178, _e324, (_e324 < _e178));
+let _e331 = global_2.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
+let _e337 = (2f * (((_e287 * _e309) + (_e288 * _e320)) + (_e289 * _e331)));
+let _e341 = (_e287 - (_e309 * _e337));
+let _e342 = (_e288 - (_e320 * _e337));
+let _e343 = (_e289 - (_e331 * _e337));
+let _e344 = vec3<f32>(_e341, _e342, _e343);
+if (_e97 == 0f) {
+let _e351 = global_1.member.member_17.member.member;
+let _e362 = ((((_e351.member.member * _e293) + (_e351.member.member_1 * _e294)) + (_e351.member.member_2 * _e295)) + _e351.member_1);
+let _e368 = -((((_e351.member.member * _e341) + (_e351.member.member_1 * _e342)) + (_e351.member.member_2 * _e343)));
+let _e370 = (_e368 > 1e-9f);
+let _e374 = ((_e362 / select(1e-9f, _e368, _e370)) - 0.015625f);
+let _e377 = select(1e30f, select(0f, _e374, (_e374 > 0f)), ((_e362 > 0f) && _e370));
+let _e382 = global_1.member.member_17.member_1.member;
+let _e393 = ((((_e382.member.member * _e293) + (_e382.member.member_1 * _e294)) + (_e382.member.member_2 * _e295)) + _e382.member_1);
+let _e399 = -((((_e382.member.member * _e341) + (_e382.member.member_1 * _e342)) + (_e382.member.member_2 * _e343)));
+let _e401 = (_e399 > 1e-9f);
+let _e405 = ((_e393 / select(1e-9f, _e399, _e401)) - 0.015625f);
+let _e408 = select(1e30f, select(0f, _e405, (_e405 > 0f)), ((_e393 > 0f) && _e401));
+let _e412 = (_e408 < _e377);
+phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
+} else {
+phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
+}
+let _e418 = phi_813_;
+let _e419 = bitcast<i32>(arrayLength((&global_3.member)));
+phi_828_ = _e418;
+phi_831_ = 0i;
 loop {
-let _e401 = phi_791_;
-let _e403 = phi_794_;
-local_4 = _e401;
-local_5 = _e401;
-let _e406 = (_e401.member_12 < (_e398 / 8i));
-let _e407 = ((_e403 < 1024i) && _e406);
-local_2 = _e406;
-local_3 = _e401.member_12;
-if _e407 {
-let _e412 = (_e401.member_12 * 8i);
-let _e416 = bitcast<f32>((bitcast<u32>(_e401.member_1.x) & 2147483647u));
-let _e421 = (1f / select(_e401.member_1.x, select(1e-12f, -1e-12f, (_e401.member_1.x < 0f)), (_e416 < 1e-12f)));
-let _e425 = bitcast<f32>((bitcast<u32>(_e401.member_1.y) & 2147483647u));
-let _e430 = (1f / select(_e401.member_1.y, select(1e-12f, -1e-12f, (_e401.member_1.y < 0f)), (_e425 < 1e-12f)));
-let _e434 = bitcast<f32>((bitcast<u32>(_e401.member_1.z) & 2147483647u));
-let _e439 = (1f / select(_e401.member_1.z, select(1e-12f, -1e-12f, (_e401.member_1.z < 0f)), (_e434 < 1e-12f)));
-let _e441 = (_e398 - 1i);
-let _e443 = select(_e441, _e412, (_e412 < _e441));
-let _e449 = global_3.member[bitcast<u32>(select(0i, _e443, (_e443 > 0i)))];
-let _e450 = (_e412 + 1i);
-let _e452 = select(_e441, _e450, (_e450 < _e441));
-let _e458 = global_3.member[bitcast<u32>(select(0i, _e452, (_e452 > 0i)))];
-let _e459 = (_e412 + 2i);
-let _e461 = select(_e441, _e459, (_e459 < _e441));
-let _e467 = global_3.member[bitcast<u32>(select(0i, _e461, (_e461 > 0i)))];
-let _e468 = (_e412 + 3i);
-let _e470 = select(_e441, _e468, (_e468 < _e441));
-let _e476 = global_3.member[bitcast<u32>(select(0i, _e470, (_e470 > 0i)))];
-let _e477 = (_e412 + 4i);
-let _e479 = select(_e441, _e477, (_e477 < _e441));
-let _e485 = global_3.member[bitcast<u32>(select(0i, _e479, (_e479 > 0i)))];
-let _e486 = (_e412 + 5i);
-let _e488 = select(_e441, _e486, (_e486 < _e441));
-let _e494 = global_3.member[bitcast<u32>(select(0i, _e488, (_e488 > 0i)))];
-let _e497 = ((_e449 - _e401.member.x) * _e421);
-let _e499 = ((_e476 - _e401.member.x) * _e421);
-let _e502 = ((_e458 - _e401.member.y) * _e430);
-let _e504 = ((_e485 - _e401.member.y) * _e430);
-let _e507 = ((_e467 - _e401.member.z) * _e439);
-let _e509 = ((_e494 - _e401.member.z) * _e439);
-let _e511 = select(_e499, _e497, (_e497 < _e499));
-let _e513 = select(_e504, _e502, (_e502 < _e504));
-let _e515 = select(_e513, _e511, (_e511 > _e513));
-let _e517 = select(_e509, _e507, (_e507 < _e509));
-let _e521 = select(_e499, _e497, (_e497 > _e499));
-let _e523 = select(_e504, _e502, (_e502 > _e504));
-let _e525 = select(_e523, _e521, (_e521 < _e523));
-let _e527 = select(_e509, _e507, (_e507 > _e509));
-let _e529 = select(_e527, _e525, (_e525 < _e527));
-let _e534 = ((select(_e517, _e515, (_e515 > _e517)) <= select(_e401.member_14, _e529, (_e529 < _e401.member_14))) && (_e529 >= 0f));
-let _e535 = (_e412 + 6i);
-let _e537 = select(_e441, _e535, (_e535 < _e441));
-let _e543 = global_3.member[bitcast<u32>(select(0i, _e537, (_e537 > 0i)))];
-let _e550 = select(0i, select(select(i32(_e543), i32(-2147483648), (_e543 < -2147483600f)), 2147483647i, (_e543 > 2147483500f)), (_e543 == _e543));
-if (_e534 && (_e550 >= 0i)) {
-let _e555 = ((_e416 >= _e425) && (_e416 >= _e434));
-let _e558 = (!(_e555) && (_e425 >= _e434));
-let _e565 = (1f / select(select(_e401.member_1.z, _e401.member_1.y, _e558), _e401.member_1.x, _e555));
-let _e566 = (select(select(_e401.member_1.x, _e401.member_1.z, _e558), _e401.member_1.y, _e555) * _e565);
-let _e567 = (select(select(_e401.member_1.y, _e401.member_1.x, _e558), _e401.member_1.z, _e555) * _e565);
-let _e568 = (_e550 * 19i);
-let _e570 = (bitcast<i32>(_e63) - 1i);
-let _e572 = select(_e570, _e568, (_e568 < _e570));
-let _e578 = global_4.member[bitcast<u32>(select(0i, _e572, (_e572 > 0i)))];
-let _e579 = (_e568 + 1i);
-let _e581 = select(_e570, _e579, (_e579 < _e570));
-let _e587 = global_4.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
-let _e588 = (_e568 + 2i);
-let _e590 = select(_e570, _e588, (_e588 < _e570));
-let _e596 = global_4.member[bitcast<u32>(select(0i, _e590, (_e590 > 0i)))];
-let _e597 = (_e578 - _e401.member.x);
-let _e598 = (_e587 - _e401.member.y);
-let _e599 = (_e596 - _e401.member.z);
-let _e605 = select(select(_e599, _e598, _e558), _e597, _e555);
-let _e607 = (select(select(_e597, _e599, _e558), _e598, _e555) - (_e566 * _e605));
-let _e609 = (select(select(_e598, _e597, _e558), _e599, _e555) - (_e567 * _e605));
-let _e611 = (_e568 + 3i);
-let _e613 = select(_e570, _e611, (_e611 < _e570));
-let _e619 = global_4.member[bitcast<u32>(select(0i, _e613, (_e613 > 0i)))];
-let _e620 = (_e568 + 4i);
-let _e622 = select(_e570, _e620, (_e620 < _e570));
-let _e628 = global_4.member[bitcast<u32>(select(0i, _e622, (_e622 > 0i)))];
-let _e629 = (_e568 + 5i);
-let _e631 = select(_e570, _e629, (_e629 < _e570));
-let _e637 = global_4.member[bitcast<u32>(select(0i, _e631, (_e631 > 0i)))];
-let _e638 = (_e619 - _e401.member.x);
-let _e639 = (_e628 - _e401.member.y);
-let _e640 = (_e637 - _e401.member.z);
-let _e646 = select(select(_e640, _e639, _e558), _e638, _e555);
-let _e648 = (select(select(_e638, _e640, _e558), _e639, _e555) - (_e566 * _e646));
-let _e650 = (select(select(_e639, _e638, _e558), _e640, _e555) - (_e567 * _e646));
-let _e652 = (_e568 + 6i);
-let _e654 = select(_e570, _e652, (_e652 < _e570));
-let _e660 = global_4.member[bitcast<u32>(select(0i, _e654, (_e654 > 0i)))];
-let _e661 = (_e568 + 7i);
-let _e663 = select(_e570, _e661, (_e661 < _e570));
-let _e669 = global_4.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
-let _e670 = (_e568 + 8i);
-let _e672 = select(_e570, _e670, (_e670 < _e570));
-let _e678 = global_4.member[bitcast<u32>(select(0i, _e672, (_e672 > 0i)))];
-let _e679 = (_e660 - _e401.member.x);
-let _e680 = (_e669 - _e401.member.y);
-let _e681 = (_e678 - _e401.member.z);
-let _e687 = select(select(_e681, _e680, _e558), _e679, _e555);
-let _e689 = (select(select(_e679, _e681, _e558), _e680, _e555) - (_e566 * _e687));
-let _e691 = (select(select(_e680, _e679, _e558), _e681, _e555) - (_e567 * _e687));
-let _e695 = ((_e689 * _e650) - (_e691 * _e648));
-let _e698 = ((_e607 * _e691) - (_e609 * _e689));
-let _e701 = ((_e648 * _e609) - (_e650 * _e607));
-let _e703 = ((_e695 + _e698) + _e701);
-let _e717 = (!(((((_e695 < 0f) || (_e698 < 0f)) || (_e701 < 0f)) && (((_e695 > 0f) || (_e698 > 0f)) || (_e701 > 0f)))) && (_e703 != 0f));
-let _e724 = ((((_e695 * (_e605 * _e565)) + (_e698 * (_e646 * _e565))) + (_e701 * (_e687 * _e565))) / select(1f, _e703, _e717));
-let _e727 = select(1e30f, _e724, (_e717 && (_e724 > 1e-3f)));
-if (_e727 < _e401.member_14) {
-let _e743 = type_20(_e401.member, _e401.member_1, _e401.member_2, _e401.member_3, _e401.member_4, _e401.member_5, _e401.member_6, _e401.member_7, _e401.member_8, _e401.member_9, _e401.member_10, _e401.member_11, _e401.member_12, _e401.member_13, _e727);
-phi_1414_ = type_20(_e743.member, _e743.member_1, _e743.member_2, _e743.member_3, _e743.member_4, _e743.member_5, _e743.member_6, _e743.member_7, _e743.member_8, _e743.member_9, _e743.member_10, _e743.member_11, _e743.member_12, _e550, _e743.member_14);
+let _e422 = phi_828_;
+let _e424 = phi_831_;
+local_3 = _e422;
+local_4 = _e422;
+let _e427 = (_e422.member_12 < (_e419 / 8i));
+let _e428 = ((_e424 < 1024i) && _e427);
+local_2 = _e427;
+local_5 = _e422.member_12;
+if _e428 {
+let _e433 = (_e422.member_12 * 8i);
+let _e437 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
+let _e442 = (1f / select(_e422.member_1.x, select(1e-12f, -1e-12f, (_e422.member_1.x < 0f)), (_e437 < 1e-12f)));
+let _e446 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
+let _e451 = (1f / select(_e422.member_1.y, select(1e-12f, -1e-12f, (_e422.member_1.y < 0f)), (_e446 < 1e-12f)));
+let _e455 = bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u));
+let _e460 = (1f / select(_e422.member_1.z, select(1e-12f, -1e-12f, (_e422.member_1.z < 0f)), (_e455 < 1e-12f)));
+let _e462 = (_e419 - 1i);
+let _e464 = select(_e462, _e433, (_e433 < _e462));
+let _e470 = global_3.member[bitcast<u32>(select(0i, _e464, (_e464 > 0i)))];
+let _e471 = (_e433 + 1i);
+let _e473 = select(_e462, _e471, (_e471 < _e462));
+let _e479 = global_3.member[bitcast<u32>(select(0i, _e473, (_e473 > 0i)))];
+let _e480 = (_e433 + 2i);
+let _e482 = select(_e462, _e480, (_e480 < _e462));
+let _e488 = global_3.member[bitcast<u32>(select(0i, _e482, (_e482 > 0i)))];
+let _e489 = (_e433 + 3i);
+let _e491 = select(_e462, _e489, (_e489 < _e462));
+let _e497 = global_3.member[bitcast<u32>(select(0i, _e491, (_e491 > 0i)))];
+let _e498 = (_e433 + 4i);
+let _e500 = select(_e462, _e498, (_e498 < _e462));
+let _e506 = global_3.member[bitcast<u32>(select(0i, _e500, (_e500 > 0i)))];
+let _e507 = (_e433 + 5i);
+let _e509 = select(_e462, _e507, (_e507 < _e462));
+let _e515 = global_3.member[bitcast<u32>(select(0i, _e509, (_e509 > 0i)))];
+let _e518 = ((_e470 - _e422.member.x) * _e442);
+let _e520 = ((_e497 - _e422.member.x) * _e442);
+let _e523 = ((_e479 - _e422.member.y) * _e451);
+let _e525 = ((_e506 - _e422.member.y) * _e451);
+let _e528 = ((_e488 - _e422.member.z) * _e460);
+let _e530 = ((_e515 - _e422.member.z) * _e460);
+let _e532 = select(_e520, _e518, (_e518 < _e520));
+let _e534 = select(_e525, _e523, (_e523 < _e525));
+let _e536 = select(_e534, _e532, (_e532 > _e534));
+let _e538 = select(_e530, _e528, (_e528 < _e530));
+let _e542 = select(_e520, _e518, (_e518 > _e520));
+let _e544 = select(_e525, _e523, (_e523 > _e525));
+let _e546 = select(_e544, _e542, (_e542 < _e544));
+let _e548 = select(_e530, _e528, (_e528 > _e530));
+let _e550 = select(_e548, _e546, (_e546 < _e548));
+let _e555 = ((select(_e538, _e536, (_e536 > _e538)) <= select(_e422.member_14, _e550, (_e550 < _e422.member_14))) && (_e550 >= 0f));
+let _e556 = (_e433 + 6i);
+let _e558 = select(_e462, _e556, (_e556 < _e462));
+let _e564 = global_3.member[bitcast<u32>(select(0i, _e558, (_e558 > 0i)))];
+let _e571 = select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564));
+if (_e555 && (_e571 >= 0i)) {
+let _e576 = ((_e437 >= _e446) && (_e437 >= _e455));
+let _e579 = (!(_e576) && (_e446 >= _e455));
+let _e586 = (1f / select(select(_e422.member_1.z, _e422.member_1.y, _e579), _e422.member_1.x, _e576));
+let _e587 = (select(select(_e422.member_1.x, _e422.member_1.z, _e579), _e422.member_1.y, _e576) * _e586);
+let _e588 = (select(select(_e422.member_1.y, _e422.member_1.x, _e579), _e422.member_1.z, _e576) * _e586);
+let _e589 = (_e571 * 19i);
+let _e591 = (bitcast<i32>(_e68) - 1i);
+let _e593 = select(_e591, _e589, (_e589 < _e591));
+let _e599 = global_4.member[bitcast<u32>(select(0i, _e593, (_e593 > 0i)))];
+let _e600 = (_e589 + 1i);
+let _e602 = select(_e591, _e600, (_e600 < _e591));
+let _e608 = global_4.member[bitcast<u32>(select(0i, _e602, (_e602 > 0i)))];
+let _e609 = (_e589 + 2i);
+let _e611 = select(_e591, _e609, (_e609 < _e591));
+let _e617 = global_4.member[bitcast<u32>(select(0i, _e611, (_e611 > 0i)))];
+let _e618 = (_e599 - _e422.member.x);
+let _e619 = (_e608 - _e422.member.y);
+let _e620 = (_e617 - _e422.member.z);
+let _e626 = select(select(_e620, _e619, _e579), _e618, _e576);
+let _e628 = (select(select(_e618, _e620, _e579), _e619, _e576) - (_e587 * _e626));
+let _e630 = (select(select(_e619, _e618, _e579), _e620, _e576) - (_e588 * _e626));
+let _e632 = (_e589 + 3i);
+let _e634 = select(_e591, _e632, (_e632 < _e591));
+let _e640 = global_4.member[bitcast<u32>(select(0i, _e634, (_e634 > 0i)))];
+let _e641 = (_e589 + 4i);
+let _e643 = select(_e591, _e641, (_e641 < _e591));
+let _e649 = global_4.member[bitcast<u32>(select(0i, _e643, (_e643 > 0i)))];
+let _e650 = (_e589 + 5i);
+let _e652 = select(_e591, _e650, (_e650 < _e591));
+let _e658 = global_4.member[bitcast<u32>(select(0i, _e652, (_e652 > 0i)))];
+let _e659 = (_e640 - _e422.member.x);
+let _e660 = (_e649 - _e422.member.y);
+let _e661 = (_e658 - _e422.member.z);
+let _e667 = select(select(_e661, _e660, _e579), _e659, _e576);
+let _e669 = (select(select(_e659, _e661, _e579), _e660, _e576) - (_e587 * _e667));
+let _e671 = (select(select(_e660, _e659, _e579), _e661, _e576) - (_e588 * _e667));
+let _e673 = (_e589 + 6i);
+let _e675 = select(_e591, _e673, (_e673 < _e591));
+let _e681 = global_4.member[bitcast<u32>(select(0i, _e675, (_e675 > 0i)))];
+let _e682 = (_e589 + 7i);
+let _e684 = select(_e591, _e682, (_e682 < _e591));
+let _e690 = global_4.member[bitcast<u32>(select(0i, _e684, (_e684 > 0i)))];
+let _e691 = (_e589 + 8i);
+let _e693 = select(_e591, _e691, (_e691 < _e591));
+let _e699 = global_4.member[bitcast<u32>(select(0i, _e693, (_e693 > 0i)))];
+let _e700 = (_e681 - _e422.member.x);
+let _e701 = (_e690 - _e422.member.y);
+let _e702 = (_e699 - _e422.member.z);
+let _e708 = select(select(_e702, _e701, _e579), _e700, _e576);
+let _e710 = (select(select(_e700, _e702, _e579), _e701, _e576) - (_e587 * _e708));
+let _e712 = (select(select(_e701, _e700, _e579), _e702, _e576) - (_e588 * _e708));
+let _e716 = ((_e710 * _e671) - (_e712 * _e669));
+let _e719 = ((_e628 * _e712) - (_e630 * _e710));
+let _e722 = ((_e669 * _e630) - (_e671 * _e628));
+let _e724 = ((_e716 + _e719) + _e722);
+let _e738 = (!(((((_e716 < 0f) || (_e719 < 0f)) || (_e722 < 0f)) && (((_e716 > 0f) || (_e719 > 0f)) || (_e722 > 0f)))) && (_e724 != 0f));
+let _e745 = ((((_e716 * (_e626 * _e586)) + (_e719 * (_e667 * _e586))) + (_e722 * (_e708 * _e586))) / select(1f, _e724, _e738));
+let _e748 = select(1e30f, _e745, (_e738 && (_e745 > 1e-3f)));
+if (_e748 < _e422.member_14) {
+let _e764 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e748);
+phi_1451_ = type_20(_e764.member, _e764.member_1, _e764.member_2, _e764.member_3, _e764.member_4, _e764.member_5, _e764.member_6, _e764.member_7, _e764.member_8, _e764.member_9, _e764.member_10, _e764.member_11, _e764.member_12, _e571, _e764.member_14);
 } else {
-phi_1414_ = _e401;
+phi_1451_ = _e422;
 }
-let _e760 = phi_1414_;
-phi_1415_ = _e760;
+let _e781 = phi_1451_;
+phi_1452_ = _e781;
 } else {
-phi_1415_ = _e401;
+phi_1452_ = _e422;
 }
-let _e762 = phi_1415_;
-if _e534 {
-phi_1447_ = (_e762.member_12 + 1i);
+let _e783 = phi_1452_;
+if _e555 {
+phi_1484_ = (_e783.member_12 + 1i);
 } else {
-let _e763 = (_e412 + 7i);
-let _e765 = select(_e441, _e763, (_e763 < _e441));
-let _e771 = global_3.member[bitcast<u32>(select(0i, _e765, (_e765 > 0i)))];
-phi_1447_ = select(0i, select(select(i32(_e771), i32(-2147483648), (_e771 < -2147483600f)), 2147483647i, (_e771 > 2147483500f)), (_e771 == _e771));
+let _e784 = (_e433 + 7i);
+let _e786 = select(_e462, _e784, (_e784 < _e462));
+let _e792 = global_3.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
+phi_1484_ = select(0i, select(select(i32(_e792), i32(-2147483648), (_e792 < -2147483600f)), 2147483647i, (_e792 > 2147483500f)), (_e792 == _e792));
 }
-let _e782 = phi_1447_;
-let _e797 = type_20(_e762.member, _e762.member_1, _e762.member_2, _e762.member_3, _e762.member_4, _e762.member_5, _e762.member_6, _e762.member_7, _e762.member_8, _e762.member_9, _e762.member_10, _e762.member_11, _e782, _e762.member_13, _e762.member_14);
-let _e799 = (_e762.member_13 != _e401.member_13);
-let _e802 = ((select(0i, _e762.member_13, _e799) * 19i) + 18i);
-let _e804 = (bitcast<i32>(_e63) - 1i);
-let _e806 = select(_e804, _e802, (_e802 < _e804));
-let _e812 = global_4.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
-let _e819 = select(0i, select(select(i32(_e812), i32(-2147483648), (_e812 < -2147483600f)), 2147483647i, (_e812 > 2147483500f)), (_e812 == _e812));
-let _e820 = (_e819 * 4i);
-let _e822 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e824 = select(_e822, _e820, (_e820 < _e822));
-let _e830 = global_5.member[bitcast<u32>(select(0i, _e824, (_e824 > 0i)))];
-if (_e799 && (select(_e830, 1f, (_e819 == 16i)) != 0f)) {
-let _e849 = type_20(_e797.member, _e797.member_1, _e797.member_2, _e797.member_3, _e797.member_4, _e797.member_5, _e797.member_6, _e797.member_7, _e797.member_8, _e797.member_9, _e797.member_10, _e797.member_11, _e797.member_12, _e401.member_13, _e797.member_14);
-phi_1515_ = type_20(_e849.member, _e849.member_1, _e849.member_2, _e849.member_3, _e849.member_4, _e849.member_5, _e849.member_6, _e849.member_7, _e849.member_8, _e849.member_9, _e849.member_10, _e849.member_11, _e849.member_12, _e849.member_13, _e401.member_14);
+let _e803 = phi_1484_;
+let _e818 = type_20(_e783.member, _e783.member_1, _e783.member_2, _e783.member_3, _e783.member_4, _e783.member_5, _e783.member_6, _e783.member_7, _e783.member_8, _e783.member_9, _e783.member_10, _e783.member_11, _e803, _e783.member_13, _e783.member_14);
+let _e820 = (_e783.member_13 != _e422.member_13);
+let _e823 = ((select(0i, _e783.member_13, _e820) * 19i) + 18i);
+let _e825 = (bitcast<i32>(_e68) - 1i);
+let _e827 = select(_e825, _e823, (_e823 < _e825));
+let _e833 = global_4.member[bitcast<u32>(select(0i, _e827, (_e827 > 0i)))];
+let _e840 = select(0i, select(select(i32(_e833), i32(-2147483648), (_e833 < -2147483600f)), 2147483647i, (_e833 > 2147483500f)), (_e833 == _e833));
+let _e841 = (_e840 * 4i);
+let _e843 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e845 = select(_e843, _e841, (_e841 < _e843));
+let _e851 = global_5.member[bitcast<u32>(select(0i, _e845, (_e845 > 0i)))];
+if (_e820 && (select(_e851, 1f, (_e840 == 16i)) != 0f)) {
+let _e870 = type_20(_e818.member, _e818.member_1, _e818.member_2, _e818.member_3, _e818.member_4, _e818.member_5, _e818.member_6, _e818.member_7, _e818.member_8, _e818.member_9, _e818.member_10, _e818.member_11, _e818.member_12, _e422.member_13, _e818.member_14);
+phi_1552_ = type_20(_e870.member, _e870.member_1, _e870.member_2, _e870.member_3, _e870.member_4, _e870.member_5, _e870.member_6, _e870.member_7, _e870.member_8, _e870.member_9, _e870.member_10, _e870.member_11, _e870.member_12, _e870.member_13, _e422.member_14);
 } else {
-phi_1515_ = _e797;
+phi_1552_ = _e818;
 }
-let _e866 = phi_1515_;
-phi_792_ = _e866;
-phi_795_ = (_e403 + 1i);
+let _e887 = phi_1552_;
+phi_829_ = _e887;
+phi_832_ = (_e424 + 1i);
 } else {
-phi_792_ = type_20();
-phi_795_ = i32();
+phi_829_ = type_20();
+phi_832_ = i32();
 }
-let _e868 = phi_792_;
-let _e870 = phi_795_;
+let _e889 = phi_829_;
+let _e891 = phi_832_;
 continue;
 continuing {
-phi_791_ = _e868;
-phi_794_ = _e870;
-break if !(_e407);
+phi_828_ = _e889;
+phi_831_ = _e891;
+break if !(_e428);
 }
 }
-let _e873 = local_2;
-let _e876 = local_3;
-let _e879 = local_4;
-let _e883 = local_5;
-phi_1528_ = array<f32, 4>(select(2f, 1f, _e873), f32(_e876), f32(_e879.member_13), _e883.member_14);
+let _e894 = local_2;
+let _e897 = local_3;
+let _e900 = local_4;
+let _e903 = local_5;
+phi_1565_ = array<f32, 4>();
+phi_1566_ = array<f32, 4>(select(2f, 1f, _e894), f32(_e903), f32(_e897.member_13), _e900.member_14);
 }
-let _e887 = phi_1528_;
-phi_1529_ = _e887;
+let _e908 = phi_1565_;
+let _e910 = phi_1566_;
+phi_1567_ = _e908;
+phi_1568_ = _e910;
+phi_1569_ = _e187;
 }
-let _e889 = phi_1529_;
-global_6.member[_e79] = _e889[0];
-global_6.member[_e91] = _e889[1];
-global_6.member[_e102] = _e889[2];
-global_6.member[_e113] = _e889[3];
+let _e912 = phi_1567_;
+let _e914 = phi_1568_;
+let _e916 = phi_1569_;
+if _e916 {
+phi_1573_ = _e912;
+} else {
+phi_1573_ = _e914;
+}
+let _e918 = phi_1573_;
+global_6.member[_e86] = _e918[0];
+global_6.member[_e98] = _e918[1];
+global_6.member[_e109] = _e918[2];
+global_6.member[_e120] = _e918[3];
 }
 }
 }

@@ -125,17 +125,17 @@ var<storage> global_3: type_16;
 @group(0) @binding(4)
 var<storage, read_write> global_4: type_16;
 fn function_() {
-var phi_620_: u32;
-var phi_826_: type_19;
-var phi_829_: i32;
-var phi_1787_: type_19;
-var phi_1789_: type_19;
-var phi_1452_: type_19;
-var phi_1453_: type_19;
-var phi_1485_: i32;
-var phi_1790_: type_19;
-var phi_827_: type_19;
-var phi_830_: i32;
+var phi_614_: u32;
+var phi_669_: type_19;
+var phi_672_: i32;
+var phi_1630_: type_19;
+var phi_1632_: type_19;
+var phi_1295_: type_19;
+var phi_1296_: type_19;
+var phi_1328_: i32;
+var phi_1633_: type_19;
+var phi_670_: type_19;
+var phi_673_: i32;
 var local: type_19;
 var local_1: type_19;
 var local_2: type_19;
@@ -268,18 +268,18 @@ let _e342 = bitcast<i32>(_e341);
 let _e344 = select(_e79, _e342, (_e342 < _e79));
 let _e350 = global_4.member[bitcast<u32>(select(0i, _e344, (_e344 > 0i)))];
 if (_e262 == 4f) {
-phi_620_ = 3u;
+phi_614_ = 3u;
 } else {
-phi_620_ = select(0u, 1u, (_e262 == 0f));
+phi_614_ = select(0u, 1u, (_e262 == 0f));
 }
-let _e355 = phi_620_;
+let _e355 = phi_614_;
 if (_e355 > 1u) {
 let _e385 = bitcast<i32>(arrayLength((&global_2.member)));
-phi_826_ = type_19(vec3<f32>(_e87, _e97, _e108), vec3<f32>(_e119, _e130, _e141), vec3<f32>(_e152, _e163, _e174), vec3<f32>(_e185, _e196, _e207), vec3<f32>(_e218, _e229, _e240), _e251, _e262, select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -2147483600f)), 2147483647i, (_e273 > 2147483500f)), (_e273 == _e273)), _e284, _e295, _e306, _e317, select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328)), select(0i, select(select(i32(_e339), i32(-2147483648), (_e339 < -2147483600f)), 2147483647i, (_e339 > 2147483500f)), (_e339 == _e339)), _e350);
-phi_829_ = 0i;
+phi_669_ = type_19(vec3<f32>(_e87, _e97, _e108), vec3<f32>(_e119, _e130, _e141), vec3<f32>(_e152, _e163, _e174), vec3<f32>(_e185, _e196, _e207), vec3<f32>(_e218, _e229, _e240), _e251, _e262, select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -2147483600f)), 2147483647i, (_e273 > 2147483500f)), (_e273 == _e273)), _e284, _e295, _e306, _e317, select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328)), select(0i, select(select(i32(_e339), i32(-2147483648), (_e339 < -2147483600f)), 2147483647i, (_e339 > 2147483500f)), (_e339 == _e339)), _e350);
+phi_672_ = 0i;
 loop {
-let _e388 = phi_826_;
-let _e390 = phi_829_;
+let _e388 = phi_669_;
+let _e390 = phi_672_;
 local = _e388;
 local_1 = _e388;
 local_2 = _e388;
@@ -414,58 +414,58 @@ let _e852 = ((((_e823 * (_e733 * _e693)) + (_e826 * (_e774 * _e693))) + (_e829 *
 let _e855 = select(1e30f, _e852, (_e845 && (_e852 > 1e-3f)));
 if (_e855 < _e388.member_14) {
 let _e871 = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e855);
-phi_1452_ = type_19(_e871.member, _e871.member_1, _e871.member_2, _e871.member_3, _e871.member_4, _e871.member_5, _e871.member_6, _e871.member_7, _e871.member_8, _e871.member_9, _e871.member_10, _e871.member_11, _e871.member_12, _e678, _e871.member_14);
+phi_1295_ = type_19(_e871.member, _e871.member_1, _e871.member_2, _e871.member_3, _e871.member_4, _e871.member_5, _e871.member_6, _e871.member_7, _e871.member_8, _e871.member_9, _e871.member_10, _e871.member_11, _e871.member_12, _e678, _e871.member_14);
 } else {
-phi_1452_ = _e388;
+phi_1295_ = _e388;
 }
-let _e888 = phi_1452_;
-phi_1453_ = _e888;
+let _e888 = phi_1295_;
+phi_1296_ = _e888;
 } else {
-phi_1453_ = _e388;
+phi_1296_ = _e388;
 }
-let _e890 = phi_1453_;
+let _e890 = phi_1296_;
 if _e662 {
-phi_1485_ = (_e890.member_12 + 1i);
+phi_1328_ = (_e890.member_12 + 1i);
 } else {
 let _e891 = (_e539 + 7i);
 let _e893 = select(_e568, _e891, (_e891 < _e568));
 let _e899 = global_2.member[bitcast<u32>(select(0i, _e893, (_e893 > 0i)))];
-phi_1485_ = select(0i, select(select(i32(_e899), i32(-2147483648), (_e899 < -2147483600f)), 2147483647i, (_e899 > 2147483500f)), (_e899 == _e899));
+phi_1328_ = select(0i, select(select(i32(_e899), i32(-2147483648), (_e899 < -2147483600f)), 2147483647i, (_e899 > 2147483500f)), (_e899 == _e899));
 }
-let _e910 = phi_1485_;
-phi_1790_ = type_19(_e890.member, _e890.member_1, _e890.member_2, _e890.member_3, _e890.member_4, _e890.member_5, _e890.member_6, _e890.member_7, _e890.member_8, _e890.member_9, _e890.member_10, _e890.member_11, _e910, _e890.member_13, _e890.member_14);
+let _e910 = phi_1328_;
+phi_1633_ = type_19(_e890.member, _e890.member_1, _e890.member_2, _e890.member_3, _e890.member_4, _e890.member_5, _e890.member_6, _e890.member_7, _e890.member_8, _e890.member_9, _e890.member_10, _e890.member_11, _e910, _e890.member_13, _e890.member_14);
 } else {
 if ((_e67.member_2 == 0u) && (_e388.member_8 >= 2f)) {
 if (_e388.member_13 == -1i) {
-phi_1787_ = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 1f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
+phi_1630_ = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 1f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
 } else {
 let _e451 = type_19(vec3<f32>((_e388.member.x + (_e388.member_1.x * _e388.member_14)), (_e388.member.y + (_e388.member_1.y * _e388.member_14)), (_e388.member.z + (_e388.member_1.z * _e388.member_14))), _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, _e388.member_6, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
 let _e468 = type_19(_e451.member, _e451.member_1, _e451.member_2, _e451.member_3, _e451.member_4, (_e388.member_5 + _e388.member_14), _e451.member_6, _e451.member_7, _e451.member_8, _e451.member_9, _e451.member_10, _e451.member_11, _e451.member_12, _e451.member_13, _e451.member_14);
 let _e484 = type_19(_e468.member, _e468.member_1, _e468.member_2, _e468.member_3, _e468.member_4, _e468.member_5, _e468.member_6, _e468.member_7, _e468.member_8, _e468.member_9, _e468.member_10, _e468.member_11, _e468.member_12, _e468.member_13, (_e388.member_14 - _e388.member_14));
 let _e503 = type_19(_e484.member, _e484.member_1, _e484.member_2, _e484.member_3, _e484.member_4, _e484.member_5, _e484.member_6, _e484.member_7, _e484.member_8, _e484.member_9, (_e388.member_10 + select(0f, _e388.member_14, (_e388.member_8 == 0f))), _e484.member_11, _e484.member_12, _e484.member_13, _e484.member_14);
-phi_1787_ = type_19(_e503.member, _e503.member_1, _e503.member_2, _e503.member_3, _e503.member_4, _e503.member_5, 3f, _e503.member_7, _e503.member_8, _e503.member_9, _e503.member_10, _e503.member_11, _e503.member_12, _e503.member_13, _e503.member_14);
+phi_1630_ = type_19(_e503.member, _e503.member_1, _e503.member_2, _e503.member_3, _e503.member_4, _e503.member_5, 3f, _e503.member_7, _e503.member_8, _e503.member_9, _e503.member_10, _e503.member_11, _e503.member_12, _e503.member_13, _e503.member_14);
 }
-let _e535 = phi_1787_;
-phi_1789_ = _e535;
+let _e535 = phi_1630_;
+phi_1632_ = _e535;
 } else {
-phi_1789_ = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 0f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
+phi_1632_ = type_19(_e388.member, _e388.member_1, _e388.member_2, _e388.member_3, _e388.member_4, _e388.member_5, 0f, _e388.member_7, _e388.member_8, _e388.member_9, _e388.member_10, _e388.member_11, _e388.member_12, _e388.member_13, _e388.member_14);
 }
-let _e537 = phi_1789_;
-phi_1790_ = _e537;
+let _e537 = phi_1632_;
+phi_1633_ = _e537;
 }
-let _e927 = phi_1790_;
-phi_827_ = _e927;
-phi_830_ = (_e390 + 1i);
+let _e927 = phi_1633_;
+phi_670_ = _e927;
+phi_673_ = (_e390 + 1i);
 } else {
-phi_827_ = type_19();
-phi_830_ = i32();
+phi_670_ = type_19();
+phi_673_ = i32();
 }
-let _e929 = phi_827_;
-let _e931 = phi_830_;
+let _e929 = phi_670_;
+let _e931 = phi_673_;
 continue;
 continuing {
-phi_826_ = _e929;
-phi_829_ = _e931;
+phi_669_ = _e929;
+phi_672_ = _e931;
 break if !(_e394);
 }
 }

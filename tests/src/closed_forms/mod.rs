@@ -5,6 +5,7 @@
 
 pub mod ball;
 pub mod curve;
+mod lines;
 pub mod luneburg;
 pub mod saddle;
 pub mod slab;

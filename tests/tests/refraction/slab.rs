@@ -3,6 +3,7 @@
 use super::on_both;
 use vitrum::backend::Backend;
 use vitrum_conformance::Failure;
+use vitrum_conformance::closed_forms::table::{self, larger};
 use vitrum_conformance::refraction::{Traced, case, cuboid, together, trace};
 use vitrum_kernels::glam::{DQuat, DVec3};
 
@@ -26,8 +27,12 @@ fn plate(degrees: f64, settings: &[&str], backend: &mut dyn Backend) -> Result<V
 #[test]
 fn a_plate_moves_rays_to_the_side() -> Result<(), Failure> {
     // A voxel is 2.2 / 192. Between voxels' centres the field is not quite that of a plane: a thousandth of a radian.
-    for (settings, bound) in [(["voxels.surfaces=exact"], 2e-5), (["voxelization.resolution=192"], 2e-3)] {
+    for (settings, of_side, of_turn) in [
+        (["voxels.surfaces=exact"], table::PLATE_SIDE_EXACT, table::PLATE_TURN_EXACT),
+        (["voxelization.resolution=192"], table::PLATE_SIDE_VOXELS, table::PLATE_TURN_VOXELS),
+    ] {
         on_both(|backend| {
+            let (mut side, mut turn) = (0.0, 0.0);
             for degrees in [20.0f64, 40.0, 60.0] {
                 let (sin, cos) = degrees.to_radians().sin_cos();
                 let expected = 0.4 * sin * (1.0 - cos / (1.5f64.powi(2) - sin * sin).sqrt());
@@ -37,29 +42,37 @@ fn a_plate_moves_rays_to_the_side() -> Result<(), Failure> {
                     assert_eq!(ray.bounces, 2, "{degrees}°");
                     let aside = ray.left - ray.from;
                     let found = (aside - ray.towards * aside.dot(ray.towards)).length();
-                    assert!((found - expected).abs() < bound, "{degrees}°: {found}, expected {expected}");
-                    let turned = ray.direction.angle_between(ray.towards);
-                    assert!(turned < bound, "{degrees}°: turned by {turned}");
+                    side = larger(side, (found - expected).abs());
+                    turn = larger(turn, ray.direction.angle_between(ray.towards));
                 }
             }
+            of_side.hold(side, backend);
+            of_turn.hold(turn, backend);
             Ok(())
         })?;
     }
     Ok(())
 }
 
-/// e^(−σ d) along straight rays, within 1 %.
+/// e^(−σ d) along straight rays.
 #[test]
 fn a_box_absorbs_by_beer_lambert() -> Result<(), Failure> {
     let material = "material=[{ior=1.5,attenuation_color=[1,0.3,1],attenuation_distance=1}]";
-    for surfaces in ["voxels.surfaces=multi", "voxels.surfaces=exact", "voxels.surfaces=two"] {
+    for (kinds, of_transmittance, of_length) in [
+        (&["voxels.surfaces=multi", "voxels.surfaces=two"][..], table::BOX_VOXELS, table::BOX_LENGTH_VOXELS),
+        (&["voxels.surfaces=exact"], table::BOX_EXACT, table::BOX_LENGTH_EXACT),
+    ] {
         on_both(|backend| {
-            let settings = [material, surfaces, "voxelization.resolution=128", "voxels.reflection=false"];
-            for ray in plate(0.0, &settings, backend)? {
-                let expected = 0.3f64.powf(0.4);
-                assert!((ray.transmittance / expected - 1.0).abs() < 0.01, "{}: {expected}", ray.transmittance);
-                assert!((ray.length - 0.4).abs() < 4e-3, "{}", ray.length);
+            let (mut transmittance, mut length) = (0.0, 0.0);
+            for surfaces in kinds {
+                let settings = [material, surfaces, "voxelization.resolution=128", "voxels.reflection=false"];
+                for ray in plate(0.0, &settings, backend)? {
+                    transmittance = larger(transmittance, (ray.transmittance / 0.3f64.powf(0.4) - 1.0).abs());
+                    length = larger(length, (ray.length - 0.4).abs());
+                }
             }
+            of_transmittance.hold(transmittance, backend);
+            of_length.hold(length, backend);
             Ok(())
         })?;
     }
@@ -70,9 +83,8 @@ fn a_box_absorbs_by_beer_lambert() -> Result<(), Failure> {
 #[test]
 fn faces_reflect_by_fresnel() -> Result<(), Failure> {
     on_both(|backend| {
-        for ray in plate(0.0, &["voxelization.resolution=64"], backend)? {
-            assert!((ray.transmittance - 0.9216).abs() < 1e-4, "{}", ray.transmittance);
-        }
+        let rays = plate(0.0, &["voxelization.resolution=64"], backend)?;
+        table::FRESNEL.hold(rays.iter().map(|ray| (ray.transmittance - 0.9216).abs()).fold(0.0, larger), backend);
         Ok(())
     })
 }
@@ -83,7 +95,9 @@ fn faces_reflect_by_fresnel() -> Result<(), Failure> {
 #[test]
 fn faces_reflect_totally() -> Result<(), Failure> {
     let mesh = cuboid(DVec3::new(1.0, 1.0, 1.0), DQuat::from_rotation_z(45f64.to_radians()));
-    for (settings, bound) in [("voxels.surfaces=exact", 1e-4), ("voxelization.resolution=128", 0.02)] {
+    for (settings, of_turn) in
+        [("voxels.surfaces=exact", table::BAR_EXACT), ("voxelization.resolution=128", table::BAR_VOXELS)]
+    {
         on_both(|backend| {
             let case = case("bar", mesh.clone(), 48, &[&ALONG_Y[..], &[settings]].concat())?;
             let traced = trace(&case, backend)?;
@@ -91,11 +105,13 @@ fn faces_reflect_totally() -> Result<(), Failure> {
             let near = |ray: &&Traced| (0.8..1.2).contains(&ray.from.x.abs()) && ray.from.z.abs() < 0.5;
             let reflected: Vec<&Traced> = traced.iter().filter(near).collect();
             assert!(reflected.len() > 50, "{} rays", reflected.len());
+            let mut turn = 0.0;
             for ray in reflected {
                 let across = DVec3::new(-ray.from.x.signum(), 0.0, 0.0);
                 assert_eq!(ray.bounces, 3, "{settings} at {}", ray.from);
-                assert!(ray.direction.angle_between(across) < bound, "{settings} at {}: {}", ray.from, ray.direction);
+                turn = larger(turn, ray.direction.angle_between(across));
             }
+            of_turn.hold(turn, backend);
             Ok(())
         })?;
     }
@@ -109,16 +125,20 @@ fn a_box_within_a_box_has_a_material_of_its_own() -> Result<(), Failure> {
     let inner = cuboid(DVec3::new(0.7, 0.25, 0.7), DQuat::IDENTITY);
     let material = "material=[{name=\"m0\",ior=1.5,attenuation_color=[1,0.5,1],attenuation_distance=1},\
                     {name=\"m1\",ior=1.2,attenuation_color=[1,0.1,1],attenuation_distance=1}]";
-    for surfaces in ["voxels.surfaces=multi", "voxels.surfaces=exact"] {
+    for (surfaces, of_transmittance) in
+        [("voxels.surfaces=multi", table::NESTED_VOXELS), ("voxels.surfaces=exact", table::NESTED_EXACT)]
+    {
         on_both(|backend| {
             let settings = [material, surfaces, "voxelization.resolution=128", "voxels.reflection=false"];
             let parts = together(&[outer.clone(), inner.clone()]);
             let case = case("nested", parts, 48, &[&ALONG_Y[..], &settings].concat())?;
+            let mut transmittance = 0.0;
             for ray in middle(&trace(&case, backend)?, 48) {
                 let expected = 0.5f64.sqrt() * 0.1f64.sqrt();
                 assert_eq!(ray.bounces, 4);
-                assert!((ray.transmittance / expected - 1.0).abs() < 0.01, "{}: {expected}", ray.transmittance);
+                transmittance = larger(transmittance, (ray.transmittance / expected - 1.0).abs());
             }
+            of_transmittance.hold(transmittance, backend);
             Ok(())
         })?;
     }

@@ -4,14 +4,15 @@ use super::on_both;
 use vitrum::backend::Backend;
 use vitrum::scene::{MethodName, Scene};
 use vitrum_conformance::Failure;
+use vitrum_conformance::closed_forms::table::{self, larger};
 use vitrum_conformance::refraction::{ball, case, cuboid, sweep, through_ball, together, trace};
 use vitrum_io::Mesh;
 use vitrum_kernels::glam::{DQuat, DVec3};
 
 const STRAIGHT_ON: [&str; 3] = ["camera.projection=orthographic", "camera.azimuth=0", "camera.elevation=0"];
 
-/// Half the rays through a ball are off by less than what a surface of three voxels is known to turn them by (docs/accuracy.md: 0.44°
-/// at 128 voxels), nearly all by less than 5°.
+/// The error of half the rays through a ball inside 0.75 radii, and of nearly all; towards the rim a surface of three voxels turns rays by
+/// more (docs/accuracy.md: 0.44° in the median of all at 128 voxels).
 #[test]
 fn a_ball_bends_rays_by_snells_law() -> Result<(), Failure> {
     on_both(|backend| {
@@ -29,7 +30,9 @@ fn a_ball_bends_rays_by_snells_law() -> Result<(), Failure> {
             .collect();
         angles.sort_by(f64::total_cmp);
         let [median, most] = [angles[angles.len() / 2], angles[angles.len() * 98 / 100]];
-        assert!(angles.len() > 300 && median < 0.6 && most < 5.0, "median {median}, 98 % {most} of {}", angles.len());
+        assert!(angles.len() > 300, "{} rays", angles.len());
+        table::SWEEP_BALL.hold(median, backend);
+        table::SWEEP_BALL_MOST.hold(most, backend);
         Ok(())
     })
 }
@@ -53,7 +56,7 @@ fn plates_absorb_by_beer_and_lambert() -> Result<(), Failure> {
         plate
     };
     let parts = [plate(0.5), plate(-0.5)];
-    for (materials, expected) in [
+    let cases = [
         // One is far darker than the other; both bend light alike, and not at all straight on.
         (
             "material=[{name=\"m0\",attenuation_color=[0.9,0.5,0.2],attenuation_distance=1},\
@@ -65,16 +68,19 @@ fn plates_absorb_by_beer_and_lambert() -> Result<(), Failure> {
              {name=\"m1\",ior=1.7,attenuation_color=[0.9,0.5,0.2],attenuation_distance=2}]",
             [0.9, 0.5, 0.2],
         ),
-    ] {
-        on_both(|backend| {
+    ];
+    on_both(|backend| {
+        let mut worst = 0.0;
+        for (materials, expected) in cases {
             let found = transmittance(&parts, materials, backend)?;
             for (found, expected) in found.iter().zip(expected) {
                 // A voxel of 32 in each plate is a mixture that may be off by half of it: 1.6 % of the optical depth.
                 let bound = 0.016 * -f64::ln(expected) * expected + 1e-3;
                 assert!((found - expected).abs() < bound, "{materials}: {found}, expected {expected} within {bound}");
+                worst = larger(worst, (found - expected).abs());
             }
-            Ok(())
-        })?;
-    }
-    Ok(())
+        }
+        table::SWEEP_PLATES.hold(worst, backend);
+        Ok(())
+    })
 }

@@ -1,0 +1,153 @@
+//! The lines of the table of errors against closed forms, by the part of the program that they are errors of.
+
+use super::table::ErrorBound;
+
+/// Declares the lines of the table, and the list of them.
+macro_rules! lines {
+    ($($name:ident: $form:expr, $setup:expr, $quantity:expr, $measured:expr, $bound:expr $(, elsewhere $elsewhere:expr)?;)*) => {
+        $(
+            /// A line of the table, by its name.
+            pub const $name: ErrorBound = ErrorBound {
+                form: $form,
+                setup: $setup,
+                quantity: $quantity,
+                measured: $measured,
+                bound: $bound,
+                elsewhere: lines!(@option $($elsewhere)?),
+            };
+        )*
+
+        /// Every line, in the order of the page.
+        pub const ALL: &[ErrorBound] = &[$($name),*];
+    };
+    (@option) => { None };
+    (@option $value:expr) => { Some($value) };
+}
+
+const CURVES: &str = "64³ voxels across a cube of edge 2";
+const PARABOLA: &str = "rays in a linear η² are parabolas";
+const CATENARY: &str = "rays in a linear η are catenaries";
+const SINE: &str = "rays in a parabolic η² are sines";
+const POSITION: &str = "the position, world units";
+const SLOPE: &str = "the slope";
+
+const LUNEBURG: &str = "Luneburg lens η² = 2 − r²: a parallel beam meets at the antipode";
+const MISS: &str = "the place where rays inside 0.8 radii meet, radii";
+const LAYER: &str = "Snell behind a layer of 14 voxels";
+const BALL: &str = "ball lens n = 1.5: rays with 0.1 ≤ h ≤ 0.75 cross the axis by Snell's law at both surfaces";
+const CROSSING: &str = "the distance of the crossing, relative";
+
+const SLAB: &str = "thin lens slab η = 1 + ε cos kx: irradiance 1/(1 ∓ Z/Z_f)";
+const SLAB_SETUP: &str = "64 voxels and 49 light texels a period, planes every voxel";
+const FINE_SLAB_SETUP: &str = "64 voxels and 98 light texels a period, planes every voxel";
+const SHEAR: &str = "slab η = 1 + a·x·y shears light: irradiance 1/(1 − (Z/f)²)";
+const FLUX: &str = "without absorption the flux is the same through all planes";
+const SPOT: &str = "share of a ball lens's light inside a radius, light as sheets";
+const PRISM: &str = "60° prism of crown glass (n = 1.5168, V = 64.17) at 486.1 and 656.3 nm";
+const PRISM_SETUP: &str = "96³ voxels, faces twelve voxels thick";
+const BEER: &str = "Beer–Lambert through a box at 0°, 30°, 45°";
+const BEER_SETUP: &str = "32³ voxels, planes every 0.37, 1, 2.5 voxels";
+const COMPOSITING: &str = "plain Porter–Duff against a fine integral in double precision";
+const LIGHTS: &str = "light of several sources adds up";
+const LENS: &str = "the ray step alone, exact gradients: Luneburg lens";
+const FISHEYE: &str = "the ray step alone: Maxwell's fisheye η = 2/(1 + r²) images a point";
+const FISHEYE_SETUP: &str = "256 planes across";
+
+const PLATE: &str =
+    "rays through a plate: to the side by t sin θ (1 − cos θ / √(n² − sin² θ)), t = 0.4, n = 1.5, θ = 20°, 40°, 60°";
+const PLATE_SIDE: &str = "the distance to the side, world units";
+const PLATE_TURN: &str = "the direction, radians";
+const BOX: &str = "rays through a box: Beer–Lambert over 0.4";
+const TRANSMITTANCE: &str = "the transmittance, relative";
+const LENGTH: &str = "the length of the way, world units";
+const BAR: &str = "rays in a square bar are reflected totally and leave at 90°";
+const LENS_OF_TRIANGLES: &str =
+    "rays through a ball of triangles, n = 1.5, cross the axis by Snell's law at both surfaces";
+const MIRROR: &str = "a ball and a wall mirrored in a plate, by Fresnel";
+const EXACT: &str = "triangles themselves";
+
+#[rustfmt::skip]
+lines! {
+    PARABOLA_POSITION: PARABOLA, CURVES, POSITION, 2.2e-6, 4.4e-6, elsewhere 2e-3;
+    PARABOLA_SLOPE: PARABOLA, CURVES, SLOPE, 2.0e-6, 4.0e-6, elsewhere 2e-3;
+    CATENARY_POSITION: CATENARY, CURVES, POSITION, 1.0e-5, 2.0e-5, elsewhere 2e-3;
+    CATENARY_SLOPE: CATENARY, CURVES, SLOPE, 6.2e-4, 1.2e-3;
+    SINE_POSITION: SINE, CURVES, POSITION, 3.9e-5, 7.8e-5;
+    SINE_SLOPE: SINE, CURVES, SLOPE, 3.9e-5, 7.8e-5;
+
+    LUNEBURG_CENTRAL: LUNEBURG, "128³ voxels, central ∇η", MISS, 8.9e-4, 1.7e-3;
+    LUNEBURG_CHAIN: LUNEBURG, "128³ voxels, ∇η by the chain rule", MISS, 8.2e-4, 1.6e-3;
+
+    LAYER_EXIT: LAYER, "96³ voxels, 1 → 1.5 met at 10°, 30°, 60°; 1 → 1/1.5 at 20°, 35°", "the exit angle, degrees", 0.012, 0.024;
+    LAYER_REFLECTION: LAYER, "96³ voxels, 1 → 1/1.5 met at 50°, beyond the critical angle", "the angle of reflection, degrees", 0.53, 1.0;
+
+    BALL_THIN: BALL, "64³ voxels, surface four voxels thick", CROSSING, 0.041, 0.05;
+    BALL_THIN_FINE: BALL, "128³ voxels, surface four voxels thick", CROSSING, 0.025, 0.05;
+    BALL_THICK: BALL, "64³ voxels, surface eight voxels thick", CROSSING, 0.032, 0.064;
+    BALL_THICK_FINE: BALL, "128³ voxels, surface eight voxels thick", CROSSING, 0.019, 0.025;
+
+    SLAB_QUARTER: SLAB, SLAB_SETUP, "the irradiance on axis at ¼ of the focal distance, relative", 0.0074, 0.01;
+    SLAB_HALF: SLAB, SLAB_SETUP, "the irradiance on axis at ½, relative", 0.02, 0.03;
+    SLAB_THREE_QUARTERS: SLAB, SLAB_SETUP, "the irradiance on axis at ¾, relative", 0.18, 0.2;
+    SLAB_BESIDE: SLAB, SLAB_SETUP, "the irradiance half a period beside, relative", 0.011, 0.02;
+    SLAB_MEAN: SLAB, SLAB_SETUP, "the mean over a period, relative", 0.0084, 0.016;
+    SLAB_COARSE: SLAB, "the same, planes every four voxels", "the irradiance on axis at ¾, relative", 0.14, 0.2;
+    SLAB_UNCORRECTED: SLAB, "49 light texels a period, without intensity correction", "an irradiance of 1 everywhere", 0.0, 0.0, elsewhere 1e-3;
+    SLAB_FINE_HALF: SLAB, FINE_SLAB_SETUP, "the irradiance on axis at ½, relative", 0.0028, 0.0056;
+    SLAB_FINE_THREE_QUARTERS: SLAB, FINE_SLAB_SETUP, "the irradiance on axis at ¾, relative", 0.046, 0.06;
+
+    SHEAR_WEAK: SHEAR, "64 voxels a unit, shear 0.031 from plane to plane", "the flux, relative", 2.6e-4, 5.2e-4;
+    SHEAR_MIDDLE: SHEAR, "64 voxels a unit, shear 0.063", "the flux, relative", 1.2e-3, 1.4e-3;
+    SHEAR_STRONG: SHEAR, "64 voxels a unit, shear 0.125", "the flux, relative", 7.1e-3, 8.3e-3;
+
+    FLUX_TEXELS: FLUX, "64³ voxels, a weak lens, light at 0° and 30°", "the flux, relative", 5.4e-4, 1.0e-3;
+    FLUX_FOCUS: FLUX, "`glass` and `ball`, 300² pixels, all planes, far behind their foci", "the flux where it is more than there was, relative", 0.0, 0.0;
+    FLUX_SHEETS: FLUX, "48³ voxels, light as sheets at 0° and 30°, through a focus", "the flux, relative", 1.6e-8, 3.2e-8, elsewhere 1e-5;
+
+    SPOT_FOCUS: SPOT, "192³ voxels, surface five voxels thick; z = 1.5, a = 0.05 to 0.5: its focus", "the share, relative", 0.036, 0.04;
+    SPOT_BEHIND: SPOT, "the same; z = 2, a = 0.1 to 0.5", "the share, relative", 0.023, 0.03;
+    SPOT_FAR: SPOT, "the same; z = 3, a = 0.25, 0.5", "the share, relative", 0.013, 0.026;
+
+    PRISM_LEAST: PRISM, PRISM_SETUP, "the smallest deviation, degrees", 0.0088, 0.017;
+    PRISM_TURNED: PRISM, PRISM_SETUP, "the deviation of light met 5° off, degrees", 0.036, 0.05;
+
+    BEER_OPACITY: BEER, BEER_SETUP, "the opacity", 1.4e-5, 2.8e-5;
+    BEER_TRANSMITTANCE: BEER, BEER_SETUP, "the transmittance, relative to 0.1 or more", 5.3e-4, 1.0e-3;
+
+    COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
+    COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 0.010, 0.012;
+
+    LIGHTS_WALL: LIGHTS, "a wall lit from 30° and −40°", "the radiance E = Σ cᵢ cos θᵢ, relative", 1.0e-7, 2e-7, elsewhere 2e-6;
+    LIGHTS_HALVES: LIGHTS, "two lights of half the intensity against one", "the radiance", 6.0e-8, 1.2e-7, elsewhere 2e-7;
+    LIGHTS_SHADOWS: LIGHTS, "two shadows of an opaque ball, each lit by the other light", "the radiance", 8.2e-8, 1.6e-7, elsewhere 1e-3;
+    LIGHTS_AMBIENT: LIGHTS, "ambient light alone", "the radiance", 0.0, 0.0, elsewhere 1e-6;
+
+    STEP: LENS, "512 planes across", "the place where rays at heights 0.1, 0.3, 0.5 meet, radii", 2.3e-7, 4.6e-7;
+    FISHEYE_10: FISHEYE, FISHEYE_SETUP, "the image of rays that start at 10°, radii", 2.3e-6, 4.6e-6;
+    FISHEYE_30: FISHEYE, FISHEYE_SETUP, "the image of rays that start at 30°, radii", 4.1e-6, 8.2e-6;
+    FISHEYE_50: FISHEYE, FISHEYE_SETUP, "the image of rays that start at 50°, radii", 2.2e-5, 4.4e-5;
+
+    PLATE_SIDE_EXACT: PLATE, EXACT, PLATE_SIDE, 1.7e-7, 3.4e-7, elsewhere 2e-5;
+    PLATE_TURN_EXACT: PLATE, EXACT, PLATE_TURN, 3.0e-7, 6.0e-7, elsewhere 2e-5;
+    PLATE_SIDE_VOXELS: PLATE, "192 voxels", PLATE_SIDE, 1.4e-3, 2e-3;
+    PLATE_TURN_VOXELS: PLATE, "192 voxels", PLATE_TURN, 9.2e-4, 1.8e-3;
+    BOX_EXACT: BOX, EXACT, TRANSMITTANCE, 3.0e-8, 6.0e-8, elsewhere 0.01;
+    BOX_LENGTH_EXACT: BOX, EXACT, LENGTH, 5.4e-8, 1.0e-7, elsewhere 4e-3;
+    BOX_VOXELS: BOX, "128 voxels, two or many surfaces", TRANSMITTANCE, 4.2e-7, 8.4e-7, elsewhere 0.01;
+    BOX_LENGTH_VOXELS: BOX, "128 voxels, two or many surfaces", LENGTH, 4.4e-7, 8.8e-7, elsewhere 4e-3;
+    NESTED_EXACT: "rays through a box within a box: Beer–Lambert, each by its material", EXACT, TRANSMITTANCE, 2.1e-7, 4.2e-7, elsewhere 0.01;
+    NESTED_VOXELS: "rays through a box within a box: Beer–Lambert, each by its material", "128 voxels", TRANSMITTANCE, 1.2e-8, 2.4e-8, elsewhere 0.01;
+    FRESNEL: "rays through two faces at right angles: (1 − F)² is left", "64 voxels", "the transmittance", 4.4e-8, 8.8e-8, elsewhere 1e-4;
+    BAR_EXACT: BAR, EXACT, PLATE_TURN, 4.8e-7, 9.6e-7, elsewhere 1e-4;
+    BAR_VOXELS: BAR, "128 voxels", PLATE_TURN, 4.5e-7, 9.0e-7, elsewhere 0.02;
+    LENS_EXACT: LENS_OF_TRIANGLES, "triangles themselves, means over heights ± 0.02", CROSSING, 1.9e-3, 3.8e-3;
+    LENS_VOXELS: LENS_OF_TRIANGLES, "256 voxels, means over heights ± 0.02", CROSSING, 6.8e-3, 0.013;
+    LENS_DIRECTIONS: LENS_OF_TRIANGLES, "triangles themselves, rays inside 0.95 radii", "the direction of 99 % of rays, degrees", 5.6e-3, 0.011;
+    MIRROR_EXACT: MIRROR, EXACT, "the radiance", 4.0e-8, 8.0e-8, elsewhere 1e-5;
+    MIRROR_VOXELS: MIRROR, "128 voxels, two or many surfaces", "the radiance", 5.3e-8, 1.0e-7, elsewhere 2e-3;
+    MIRROR_LIGHT: MIRROR, "triangles themselves, light from one side", "the radiance, relative", 8.3e-4, 1.6e-3;
+    MIRROR_SHADOW: MIRROR, "triangles themselves, light from one side", "the radiance beside and in a shadow", 4.0e-8, 8.0e-8, elsewhere 1e-4;
+    SWEEP_BALL: "a ball swept as a volume bends rays by Snell's law", "96 voxels, rays inside 0.75 radii", "the direction of half the rays, degrees", 0.081, 0.16;
+    SWEEP_BALL_MOST: "a ball swept as a volume bends rays by Snell's law", "96 voxels, rays inside 0.75 radii", "the direction of 98 % of rays, degrees", 0.73, 1.4;
+    SWEEP_PLATES: "two plates swept as volumes: Beer–Lambert", "64 voxels", "the transmittance", 4.2e-3, 8.3e-3;
+}
