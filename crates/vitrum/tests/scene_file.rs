@@ -267,9 +267,9 @@ fn values_that_no_light_has_are_refused() {
         ("cone_angle = 0", "found 0, expected a number from 0.1 to 89"),
         ("cone_angle = 180", "found 180, expected a number from 0.1 to 89"),
         ("penumbra = 1.5", "expected a number from 0 to 1"),
-        ("intensity = -1", "found -1, expected a number from 0 to 1e9"),
-        ("radius = -1", "expected a number from 0 to 1e6"),
-        ("color = [1, -1, 0]", "expected a number from 0 to 1e6"),
+        ("intensity = -1", "found -1, expected a number from 0 to 1000000000"),
+        ("radius = -1", "found -1, expected a number from 0 to 1000000"),
+        ("color = [1, -1, 0]", "found -1, expected a number from 0 to 1000000"),
         ("direction = [0, 0, 0]", "gives no direction"),
     ] {
         let found = refusal(&format!("[[light]]\n{spot}{text}\n"));

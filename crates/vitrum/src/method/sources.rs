@@ -82,7 +82,7 @@ mod tests {
         for from in [DVec3::X * 2.0, DVec3::new(-1.5, 2.0, 1.0), DVec3::Z * 4.0] {
             let flux = |at: DVec3| (from - at).normalize() / (from - at).length_squared();
             let mean = points.iter().map(|&at| flux(at)).sum::<DVec3>() / 64.0;
-            assert!((mean - flux(DVec3::ZERO)).length() < 0.01 * flux(DVec3::ZERO).length(), "{mean}");
+            assert!((mean - flux(DVec3::ZERO)).length() < 0.02 * flux(DVec3::ZERO).length(), "{mean}");
         }
     }
 }
