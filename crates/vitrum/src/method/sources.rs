@@ -35,9 +35,10 @@ pub(super) fn ball(count: u32) -> Vec<DVec3> {
     let mut points = vec![DVec3::ZERO; count as usize];
     for (rank, index) in (0..).zip(order) {
         let radius = radius_within((f64::from(rank) + 0.5) / f64::from(count));
-        let (z, angle) = (1.0 - (2.0 * f64::from(index) + 1.0) / f64::from(count), golden * f64::from(index));
+        let z = 1.0 - (2.0 * f64::from(index) + 1.0) / f64::from(count);
+        let (sin, cos) = libm::sincos(golden * f64::from(index));
         let across = (1.0 - z * z).sqrt();
-        points[index as usize] = DVec3::new(across * angle.cos(), across * angle.sin(), z) * radius;
+        points[index as usize] = DVec3::new(across * cos, across * sin, z) * radius;
     }
     points
 }
@@ -47,10 +48,11 @@ fn radius_within(share: f64) -> f64 {
     let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
     for _ in 0..60 {
         let middle: f64 = 0.5 * (low + high);
-        let found = (middle - middle.sin() * middle.cos()) * std::f64::consts::FRAC_2_PI;
+        let (sin, cos) = libm::sincos(middle);
+        let found = (middle - sin * cos) * std::f64::consts::FRAC_2_PI;
         if found < share { low = middle } else { high = middle }
     }
-    low.sin()
+    libm::sin(low)
 }
 
 #[cfg(test)]
@@ -60,7 +62,7 @@ mod tests {
 
     /// The part of the unit disc up to `x`.
     fn segment(x: f64) -> f64 {
-        0.5 + (x.asin() + x * (1.0 - x * x).sqrt()) / std::f64::consts::PI
+        0.5 + (libm::asin(x) + x * (1.0 - x * x).sqrt()) / std::f64::consts::PI
     }
 
     #[test]
@@ -78,7 +80,7 @@ mod tests {
     fn light_of_a_ball_is_that_of_its_middle() {
         let points = ball(64);
         for from in [DVec3::X * 2.0, DVec3::new(-1.5, 2.0, 1.0), DVec3::Z * 4.0] {
-            let flux = |at: DVec3| (from - at) / (from - at).length().powi(3);
+            let flux = |at: DVec3| (from - at) / ((from - at).length() * (from - at).length_squared());
             let mean = points.iter().map(|&at| flux(at)).sum::<DVec3>() / 64.0;
             assert!((mean - flux(DVec3::ZERO)).length() < 0.01 * flux(DVec3::ZERO).length(), "{mean}");
         }

@@ -41,7 +41,7 @@ pub(super) fn light_source(
         }
         Source::Spot { position, axis, tangent } => {
             let [right, up] = upright(light, view, axis);
-            let inner = (f64::from(light.cone_angle) * (1.0 - f64::from(light.penumbra))).to_radians().tan();
+            let inner = libm::tan((f64::from(light.cone_angle) * (1.0 - f64::from(light.penumbra))).to_radians());
             // An edge that is crisp is a millionth of the cone wide.
             let slope = 1.0 / (tangent - inner).max(1e-6 * tangent);
             let Placed { first, width, height } = picture.unwrap_or_default();

@@ -75,9 +75,9 @@ impl Frame {
         let Source::Spot { axis, tangent, .. } = *source else { return [low, high] };
         let (right, up) = axis.any_orthonormal_pair();
         // A polygon around the cone.
-        let tangent = tangent / (std::f64::consts::PI / f64::from(EDGE)).cos();
+        let tangent = tangent / libm::cos(std::f64::consts::PI / f64::from(EDGE));
         let edge = |step: u32| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(EDGE)).sin_cos();
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(step) / f64::from(EDGE));
             let along = self.axes.transpose() * (axis + (right * cos + up * sin) * tangent);
             (along.x > 1e-3 * along.length()).then(|| DVec2::new(along.y, along.z) / along.x)
         };

@@ -38,7 +38,7 @@ impl Source {
         position(light, view).map_or_else(distant, |position| {
             Ok(match light.kind {
                 LightKind::Spot => {
-                    let tangent = f64::from(light.cone_angle).to_radians().tan();
+                    let tangent = libm::tan(f64::from(light.cone_angle).to_radians());
                     Self::Spot { position, axis: axis(light, view, bounds)?, tangent }
                 }
                 LightKind::Point | LightKind::Distant => Self::Point(position),
