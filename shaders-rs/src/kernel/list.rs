@@ -19,7 +19,7 @@
 //!   whole pass, and gets bodies of its own on the CPU; after `=` stands the mode that computes the same bits where there are fewer bodies.
 //! - What the CPU may **skip** ([`super::skip`]): blocks that have nothing to do `until` a later pass, or around which all is the `same`.
 //! - Whether it **reports** work on a GPU: a kernel that updates and whose level is above 0 for any invocation then raises the numbers of
-//!   workgroups of a later dispatch ([`super::workgroups`]), which the backend makes and binds behind the record.
+//!   workgroups of a later dispatch (`kernel/workgroups.rs`), which the backend makes and binds behind the record.
 
 #[cfg(not(target_arch = "spirv"))]
 use super::{
