@@ -222,7 +222,8 @@ pub enum Unrenderable {
     },
     /// The light of a sweep shines across the viewing direction or against it.
     #[error(
-        "light.{index} travels at {angle:.1}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera"
+        "light.{index} travels at {}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera",
+        beyond(.angle, .limit)
     )]
     ObliqueLight {
         /// The number of the light.
@@ -278,5 +279,24 @@ impl Unrenderable {
                 format!("turn {key}.azimuth or {key}.elevation towards 0, or use {key}.attachment = \"camera\"")
             }
         }
+    }
+}
+
+/// The angle, in degrees, with as many decimals as show that it is not `limit`, and at least one.
+fn beyond(angle: &f64, limit: &f64) -> String {
+    let written = |decimals: usize| format!("{angle:.decimals$}");
+    (1..15).map(written).find(|text| text.parse() != Ok(*limit)).unwrap_or_else(|| written(15))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_is_never_written_as_its_limit() {
+        let message = |angle| Unrenderable::ObliqueLight { index: 0, angle, limit: 85.0 }.to_string();
+        assert!(message(92.25).contains("at 92.2° to"));
+        assert!(message(85.001).contains("at 85.001° to") && message(85.001).contains("at most 85° are"));
+        assert!(message(85.04).contains("at 85.04° to"));
     }
 }

@@ -113,6 +113,7 @@ lines! {
 
     BEER_OPACITY: BEER, BEER_SETUP, "the opacity", 1.4e-5, 2.8e-5;
     BEER_TRANSMITTANCE: BEER, BEER_SETUP, "the transmittance, relative to 0.1 or more", 5.3e-4, 1.0e-3;
+    BEER_AROUND_THE_EYE: "Beer–Lambert from an eye within a box", "32³ voxels, planes every 0.37, 1, 2.5 voxels", "the opacity", 1.02e-5, 2.0e-5;
 
     COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
     COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 0.010, 0.012;

@@ -15,6 +15,9 @@ const MOST_PLANES: f64 = 65_536.0;
 /// step is exact; and each step blurs the light a little by interpolation.
 const STRIDE_BEHIND: f64 = 4.0;
 
+/// The depth at which rays start where the volume surrounds the eye, as a share of the volume's depth.
+const EYE: f64 = 1e-5;
+
 /// Planes at equal distances from in front of the volume to behind it, and farther apart from there to behind its shadow on the
 /// receivers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,7 +57,11 @@ impl Planes {
             .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))
             .fold(far, f64::max)
             .min(limit);
-        let first_depth = near - 0.5 * distance;
+        // Just in front of the eye: rays start there.
+        let start = if view.orthographic { f64::NEG_INFINITY } else { EYE * (far - near) };
+        let front = near - 0.5 * distance;
+        // With the eye in the volume, rays start on a plane, so that they miss nothing of what is in front of them.
+        let first_depth = if front < start { start - ((start - front) / distance).ceil() * distance } else { front };
         let behind = ((far - first_depth) / distance).floor() + 1.0;
         let rest = reach - (first_depth + behind * distance);
         let steps = behind + (rest / (distance * STRIDE_BEHIND)).ceil().max(0.0);
@@ -63,9 +70,7 @@ impl Planes {
             return Err(Unrenderable::TooManyPlanes { sample_distance, planes: steps, limit: MOST_PLANES }.into());
         }
         let count = steps as u32 + 1;
-        // Just in front of the eye: rays start there.
-        let start = if view.orthographic { f64::NEG_INFINITY } else { 1e-3 * (far - near) };
-        let first_visible = ((start - first_depth) / distance).ceil().max(0.0);
+        let first_visible = ((start - first_depth) / distance).round().max(0.0);
         if first_visible > behind {
             return Err(Unrenderable::BehindCamera.into());
         }
