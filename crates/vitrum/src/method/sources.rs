@@ -7,11 +7,10 @@ use glam::DVec3;
 pub(super) fn sources(direction: DVec3, angular_radius: f32, count: u32) -> Vec<[f32; 3]> {
     let tangent = libm::tan(f64::from(angular_radius).to_radians());
     let (across, up) = direction.any_orthonormal_pair();
-    let golden = std::f64::consts::PI * (3.0 - 5.0f64.sqrt());
     (0..count)
         .map(|seed| {
             let radius = if count == 1 { 0.0 } else { ((f64::from(seed) + 0.5) / f64::from(count)).sqrt() * tangent };
-            let (sin, cos) = libm::sincos(golden * f64::from(seed));
+            let (sin, cos) = libm::sincos(golden_angle() * f64::from(seed));
             let towards = direction + (across * cos + up * sin) * radius;
             // Adding 0 leaves no negative zero, by which unrefracted light would seem to move.
             (towards.normalize().as_vec3() + glam::Vec3::ZERO).to_array()
@@ -28,14 +27,13 @@ pub(super) fn sources(direction: DVec3, angular_radius: f32, count: u32) -> Vec<
 pub(super) fn ball(count: u32) -> Vec<DVec3> {
     /// 1 over the root of x⁴ = x + 1: the first number of the sequence for three dimensions.
     const STEP: f64 = 0.819_172_513_396_164_4;
-    let golden = std::f64::consts::PI * (3.0 - 5.0f64.sqrt());
     let place = |index: u32| ((f64::from(index) + 0.5) * STEP).fract();
     let mut order: Vec<u32> = (0..count).collect();
     order.sort_by(|a, b| place(*a).total_cmp(&place(*b)));
     let mut points = vec![DVec3::ZERO; count as usize];
     for (rank, index) in (0..).zip(order) {
         let radius = radius_within((f64::from(rank) + 0.5) / f64::from(count));
-        let (z, angle) = (1.0 - (2.0 * f64::from(index) + 1.0) / f64::from(count), golden * f64::from(index));
+        let (z, angle) = (1.0 - (2.0 * f64::from(index) + 1.0) / f64::from(count), golden_angle() * f64::from(index));
         let across = (1.0 - z * z).sqrt();
         let (sin, cos) = libm::sincos(angle);
         points[index as usize] = DVec3::new(across * cos, across * sin, z) * radius;
@@ -53,6 +51,11 @@ fn radius_within(share: f64) -> f64 {
         if found < share { low = middle } else { high = middle }
     }
     libm::sin(low)
+}
+
+/// The golden angle, in radians: the angle from one point of a sunflower to the next (Vogel 1979).
+fn golden_angle() -> f64 {
+    std::f64::consts::PI * (3.0 - 5.0f64.sqrt())
 }
 
 #[cfg(test)]

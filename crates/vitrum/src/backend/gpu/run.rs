@@ -197,10 +197,10 @@ fn bind_group(
         entries
             .push(wgpu::BindGroupEntry { binding: binding.binding, resource: wgpu::BindingResource::Buffer(resource) });
     }
-    if declaration.reports_work() {
+    for binding in declaration.bindings.iter().filter(|binding| binding.access == Access::Workgroups) {
         let size = wgpu::BufferSize::new(workgroups::BYTES);
         let resource = wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer: raised, offset: 0, size });
-        entries.push(wgpu::BindGroupEntry { binding: entries.len() as u32, resource });
+        entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource });
     }
     Ok(backend.opened.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some(declaration.name),

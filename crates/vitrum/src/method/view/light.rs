@@ -55,13 +55,9 @@ pub(in crate::method) fn axis(light: &Light, view: &View, bounds: Bounds) -> Res
 /// The unit vectors across a spot's axis that are the right and the top of the picture that it projects: for one who looks along the axis,
 /// upright. Where the axis is upright the picture's top is away from the viewer.
 pub(in crate::method) fn upright(light: &Light, view: &View, axis: DVec3) -> [DVec3; 2] {
-    let up = match light.attachment() {
-        Attachment::World => view.up,
-        Attachment::Camera => view.axes.y_axis,
-    };
-    let away = match light.attachment() {
-        Attachment::World => -view.front,
-        Attachment::Camera => view.axes.z_axis,
+    let (up, away) = match light.attachment() {
+        Attachment::World => (view.up, -view.front),
+        Attachment::Camera => (view.axes.y_axis, view.axes.z_axis),
     };
     let along = axis.dot(up);
     let top = if along.abs() < 0.999_999 { up - axis * along } else { away * -along.signum() };
