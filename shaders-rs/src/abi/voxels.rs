@@ -43,7 +43,7 @@ pub struct VoxelsUniforms {
     pub voxel: f32,
     /// Cosine of the angle up to which two normals are one surface's.
     pub same_cosine: f32,
-    /// Distance up to which they are, in voxels.
+    /// Distance up to which they are, in voxels; for triangles, up to which two surfaces are in contact.
     pub same_distance: f32,
     /// Low corner of the box that holds all surfaces, in voxels.
     pub low: Vec3,

@@ -7,6 +7,7 @@
 //! Opaque bodies are triangles to all of them: before a ray marches through voxels, [`seek`] finds the one ahead. Where rays end is
 //! shaded by [`resolve`] ([`shade`]).
 
+pub mod contact;
 pub mod initialize_rays;
 pub mod march;
 pub mod march_paper;

@@ -33,14 +33,20 @@ impl Ray {
         }
     }
 
-    /// Moves the ray by `distance` voxels through material `medium`; the light is attenuated by e^(−σ d) (Chang et al. 2010, §4.2, with
-    /// the minus sign that it lacks there).
+    /// Moves the ray by `distance` voxels through material `medium`.
     #[inline(always)]
     pub fn advance(&mut self, distance: f32, medium: i32, materials: &[f32]) {
         self.position += self.direction * distance;
         self.since += distance;
         self.distance -= distance;
         self.depth += select(self.bounces == 0.0, distance, 0.0);
+        self.attenuate(distance, medium, materials);
+    }
+
+    /// Attenuates the light by e^(−σ d) over `distance` voxels of material `medium` (Chang et al. 2010, §4.2, with the minus sign that it lacks
+    /// there).
+    #[inline(always)]
+    pub fn attenuate(&mut self, distance: f32, medium: i32, materials: &[f32]) {
         if medium != AIR {
             self.length += distance;
             let at = medium * material::SIZE as i32 + material::ABSORPTION as i32;

@@ -1,14 +1,15 @@
 //! Rays through the triangles of a mesh, for comparison with voxels (watertight intersection: Woop, Benthin & Wald 2013).
 
+use super::contact::{Contact, is_opaque, material_of, plane};
 use super::ray::{Ray, level_of};
-use super::surface::{ior, meet};
+use super::surface::{bend, ior, meet};
 use super::tree;
-use super::triangle::shear;
+use super::triangle::{intersect, shear};
 use crate::abi::receivers::ahead;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, STEPS, VoxelsUniforms, corner};
-use crate::field::access::{read, read_vector};
-use crate::math::{cross, dot, normalize, select, select_vector};
+use crate::field::access::read_vector;
+use crate::math::{dot, max, normalize, select, select_vector};
 use spirv_std::glam::Vec3;
 
 pub use super::ray::level;
@@ -42,35 +43,30 @@ fn lowest(bits: i32) -> i32 {
     found
 }
 
-/// The surface at a hit.
-#[derive(Clone, Copy)]
-struct Surface {
-    /// Unit normal of the triangle.
-    plane: Vec3,
-    /// Unit normal between its corners.
-    normal: Vec3,
-    /// Number of the material.
-    material: i32,
-}
-
+/// The unit normal between the corners of the triangle that a ray meets.
 #[inline(always)]
-fn surface(ray: &Ray, corners: &[f32], index: i32) -> Surface {
-    let at = index * corner::SIZE as i32;
-    let (a, b, c) = (read_vector(corners, at), read_vector(corners, at + 3), read_vector(corners, at + 6));
-    let (e, f) = (b - a, c - a);
-    let plane = normalize(cross(e, f));
-    let weights = super::triangle::meet(&shear(ray.position, ray.direction), corners, index).weights;
+fn between_corners(ray: &Ray, corners: &[f32]) -> Vec3 {
+    let weights = intersect(&shear(ray.position, ray.direction), corners, ray.triangle).weights;
     let sum = (weights.x + weights.y) + weights.z;
     let share = weights * (1.0 / select(sum == 0.0, 1.0, sum));
-    let normals = at + corner::NORMALS as i32;
+    let normals = ray.triangle * corner::SIZE as i32 + corner::NORMALS as i32;
     let mean = read_vector(corners, normals) * share.x
         + read_vector(corners, normals + 3) * share.y
         + read_vector(corners, normals + 6) * share.z;
-    let mean = normalize(mean);
-    // Where the ray is on the other side of the one than of the other, only the triangle's can be right.
-    let same = dot(mean, ray.direction) * dot(plane, ray.direction) > 0.0;
-    let normal = select_vector(same, mean, plane);
-    Surface { plane, normal, material: read(corners, at + corner::MATERIAL as i32) as i32 }
+    normalize(mean)
+}
+
+/// The unit normal that the ray is bent by at the triangle that it meets, on its way from medium `from` to `to`: that between the corners, or
+/// where it would put the ray on the wrong side of the triangle, the triangle's own.
+#[inline(always)]
+fn normal(ray: &Ray, corners: &[f32], from: i32, to: i32, materials: &[f32]) -> Vec3 {
+    let plane = plane(ray.triangle, corners);
+    let mean = between_corners(ray, corners);
+    let d = ray.direction;
+    let bent = bend(d, mean, ior(from, materials), ior(to, materials));
+    let comes = dot(d, plane);
+    let goes = dot(bent.direction, plane) * select(bent.reflected, -1.0, 1.0);
+    select_vector((dot(mean, d) * comes > 0.0) & (goes * comes > 0.0), mean, plane)
 }
 
 /// The ray after some nodes.
@@ -86,6 +82,7 @@ pub fn invoke<const LEVEL: u32>(
     materials: &[f32],
 ) -> [f32; path::SIZE] {
     let mut ray = Ray::load(&before);
+    let mut contact = Contact::load(&ray, corners);
     let count = tree::count(nodes);
     // Below 0, to tell them from a material's number.
     let mut bits = if ray.medium == AIR { 0 } else { -ray.medium };
@@ -93,36 +90,41 @@ pub fn invoke<const LEVEL: u32>(
     while (step < 4 * STEPS) & (ray.status == fate::ACTIVE) {
         step += 1;
         if ray.node < count {
-            tree::visit(&mut ray, nodes, corners);
-        } else if ray.triangle < 0 {
-            let from = lowest(bits);
-            // Nothing, or a receiver.
-            if (ray.triangle == ahead::NOTHING) | (from == AIR) {
-                ray.end(materials);
-            } else {
-                ray.meet(from, materials);
-            }
+            contact.visit(&mut ray, bits, u, nodes, corners, materials);
         } else {
             let from = lowest(bits);
-            let surface = surface(&ray, corners, ray.triangle);
-            if ior(surface.material, materials) == 0.0 {
-                ray.meet(from, materials);
+            let met = ray.triangle >= 0;
+            let beyond = contact.beyond(bits);
+            let to = lowest(beyond);
+            let ends = if met {
+                is_opaque(material_of(ray.triangle, corners), materials)
             } else {
-                let bit = 1 << surface.material;
-                let beyond = if dot(ray.direction, surface.plane) < 0.0 { bits | bit } else { bits & !bit };
-                let to = lowest(beyond);
-                ray.advance(ray.distance, from, materials);
-                // Surfaces within a material that lies above theirs are not seen.
-                let through = if from == to {
-                    ray.turn(u);
-                    true
-                } else {
-                    meet(&mut ray, u, mode, surface.normal, from, to, materials)
-                };
-                bits = if through { beyond } else { bits };
+                // Nothing, or a receiver.
+                true
+            };
+            if !met & ((ray.triangle == ahead::NOTHING) | (from == AIR)) {
+                ray.end(materials);
+            } else if ends {
+                ray.attenuate(max(ray.distance - contact.start, 0.0), from, materials);
+                ray.meet(AIR, materials);
+            } else if from == to {
+                // Surfaces within a material that lies above theirs are not seen, and the way goes straight on.
+                ray.attenuate(max(contact.end - contact.start, 0.0), from, materials);
+                bits = beyond;
+                contact.seek(max(contact.end, f32::MIN_POSITIVE));
+                ray.turn(u);
+            } else {
+                let normal = normal(&ray, corners, from, to, materials);
+                ray.attenuate(max(ray.distance - contact.start, 0.0), from, materials);
+                ray.advance(ray.distance, AIR, materials);
+                contact.seek(0.0);
+                if meet(&mut ray, u, mode, normal, from, to, materials) {
+                    bits = beyond;
+                }
             }
         }
     }
     ray.medium = if bits == 0 { AIR } else { -bits };
+    contact.store(&mut ray);
     ray.store()
 }

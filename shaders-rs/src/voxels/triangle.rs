@@ -6,7 +6,7 @@ use crate::math::{absolute, select};
 use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
 
-/// Least distance of a hit, in voxels: a ray leaves the surface that it starts from.
+/// Least distance of a hit of [`meet`], in voxels: a ray leaves the surface that it starts from.
 const NEAR: f32 = 1e-3;
 
 /// A point on a triangle.
@@ -62,9 +62,11 @@ fn agree(a: f32, b: f32, c: f32) -> bool {
     !(negative & positive)
 }
 
-/// Intersection with triangle number `index`. Two triangles compute the edge function of a common edge with the same bits.
+/// Intersection of a ray's line with triangle number `index`, ahead or behind; the distance of a miss is [`FAR`]. Two triangles compute the
+/// edge function of a common edge with the same bits, and rounding gives neither the wrong sign: a ray through an edge or a corner
+/// meets at least one of those that share it.
 #[inline(always)]
-pub fn meet(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
+pub fn intersect(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
     let at = index * corner::SIZE as i32;
     let a = in_frame(ray, read_vector(corners, at));
     let b = in_frame(ray, read_vector(corners, at + 3));
@@ -73,5 +75,12 @@ pub fn meet(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
     let sum = u + v + w;
     let inside = agree(u, v, w) & (sum != 0.0);
     let distance = (u * a.z + v * b.z + w * c.z) / select(inside, sum, 1.0);
-    Hit { distance: select(inside & (distance > NEAR), distance, FAR), weights: Vec3::new(u, v, w) }
+    Hit { distance: select(inside, distance, FAR), weights: Vec3::new(u, v, w) }
+}
+
+/// Intersection with triangle number `index`, at least [`NEAR`] ahead of the ray's start.
+#[inline(always)]
+pub fn meet(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
+    let hit = intersect(ray, corners, index);
+    Hit { distance: select(hit.distance > NEAR, hit.distance, FAR), ..hit }
 }

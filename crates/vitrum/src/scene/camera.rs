@@ -30,17 +30,23 @@ pub struct Camera {
     /// Angle by which the camera turns around its viewing direction, positive counter-clockwise.
     #[schemars(extend("x-unit" = "degrees"))]
     pub roll: f32,
-    /// Magnification; 1 shows the whole volume or mesh.
+    /// Magnification: the width and height of the picture over those of the same part of the scene with 1, which shows the whole volume or
+    /// mesh. In perspective the tangent of half the field of view is divided by it, and the eye stays where it is.
     #[schemars(range(min = 0.01, max = 100))]
     pub zoom: f32,
-    /// Vertical field of view; perspective only.
+    /// Vertical field of view where `zoom` is 1; perspective only.
     #[schemars(range(min = 1, max = 120), extend("x-unit" = "degrees"))]
     pub field_of_view: f32,
+    /// Distance of the eye from `target`; perspective only. If absent, that at which the narrower side of `field_of_view` shows the whole volume or
+    /// mesh.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1e-6, max = 1e6), extend("x-unit" = "world units"))]
+    pub distance: Option<f64>,
     /// Point in the middle of the picture; the centre of the volume or mesh if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-unit" = "world units"))]
     pub target: Option<Vector>,
-    /// Position of the eye. It replaces `azimuth`, `elevation` and `zoom`.
+    /// Position of the eye. It replaces `azimuth`, `elevation` and `distance`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-unit" = "world units"))]
     pub position: Option<Vector>,
@@ -58,6 +64,7 @@ impl Default for Camera {
             roll: 0.0,
             zoom: 1.0,
             field_of_view: 30.0,
+            distance: None,
             target: None,
             position: None,
             up: [0.0, 0.0, 1.0],

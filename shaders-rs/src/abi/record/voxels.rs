@@ -11,9 +11,11 @@ record! {
         transmittance: Color,
         /// Unit normal at the first surface, outwards. 0 if there was none.
         normal: Vec3,
-        /// Unit normal at the last surface, outwards. 0 if there was none.
+        /// Unit normal at the last surface, outwards. 0 if there was none. For triangles the numbers `enters`, `leaves` and `start` of a
+        /// [`Contact`](crate::voxels::contact::Contact).
         last_normal: Vec3,
-        /// Distance since the last surface, in voxels.
+        /// Distance since the last surface, in voxels. For triangles the number `end` of a
+        /// [`Contact`](crate::voxels::contact::Contact).
         since: f32,
         /// One of [`fate`](crate::abi::record::fate).
         status: f32,

@@ -10,11 +10,11 @@ use crate::assets::Assets;
 use crate::error::Error;
 use crate::method::Tools;
 use crate::method::twist::twisted;
-use crate::method::view::Bounds;
+use crate::method::view::{Bounds, fitting_distance};
 use crate::method::voxelize::{Grid, Settings};
 use crate::method::voxels::bodies::{Clear, bodies, clear, longest_edge};
 use crate::method::voxels::solids::{BAND, Solids};
-use crate::scene::{ColorPoint, IorPoint, MethodName, OpacityPoint, Scene, TransferFunction};
+use crate::scene::{ColorPoint, IorPoint, MethodName, OpacityPoint, Projection, Scene, TransferFunction};
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use glam::{DVec3, Vec3};
@@ -106,7 +106,14 @@ impl MeshVolumes {
         let (_, padded) = Bounds::from(&self.shown).sphere();
         let at = centre.as_vec3().to_array();
         seen.camera.target.get_or_insert(at);
-        seen.camera.zoom *= (padded / radius) as f32;
+        let larger = (padded / radius) as f32;
+        match scene.camera.projection {
+            Projection::Orthographic => seen.camera.zoom *= larger,
+            Projection::Perspective => {
+                let distance = fitting_distance(scene, padded, f64::from(larger));
+                seen.camera.distance.get_or_insert(distance);
+            }
+        }
         let up = Vec3::from_array(scene.camera.up).as_dvec3().try_normalize().unwrap_or(DVec3::Z);
         if let Some(ground) = &mut seen.ground {
             ground.height.get_or_insert(bounds.lowest(up) as f32);

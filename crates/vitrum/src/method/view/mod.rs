@@ -69,6 +69,27 @@ pub(in crate::method) fn from_angles(up: DVec3, front: DVec3, azimuth: f32, elev
     (front * cos + right * sin) * level + up * height
 }
 
+/// The tangent of half the narrower side of the camera's field of view with zoom 1.
+fn narrow_tangent(scene: &Scene) -> f64 {
+    tangent(&scene.camera) * aspect(scene).min(1.0)
+}
+
+/// The tangent of half the camera's vertical field of view with zoom 1.
+fn tangent(camera: &Camera) -> f64 {
+    libm::tan((f64::from(camera.field_of_view) * 0.5).to_radians())
+}
+
+/// The picture's width over its height.
+fn aspect(scene: &Scene) -> f64 {
+    f64::from(scene.film.width) / f64::from(scene.film.height)
+}
+
+/// The distance from the eye, in perspective, at which a sphere of radius `radius` / `share` fits into a picture with zoom 1.
+pub(in crate::method) fn fitting_distance(scene: &Scene, radius: f64, share: f64) -> f64 {
+    let narrow = narrow_tangent(scene);
+    FIT * radius / share * (1.0 + narrow * narrow).sqrt() / narrow
+}
+
 impl View {
     /// The view of a scene's camera on a subject with these bounds.
     pub fn new(scene: &Scene, bounds: impl Into<Bounds>) -> Self {
@@ -77,13 +98,13 @@ impl View {
         let target = camera.target.map_or(centre, vector);
         let (up, front) = up_and_front(camera);
         let orthographic = camera.projection == Projection::Orthographic;
-        let aspect = f64::from(scene.film.width) / f64::from(scene.film.height);
-        let tangent = libm::tan((f64::from(camera.field_of_view) * 0.5).to_radians());
+        let aspect = aspect(scene);
         let zoom = f64::from(camera.zoom);
-        // The narrower side of the picture decides what fits.
-        let narrow = tangent * aspect.min(1.0);
-        let fit = FIT * radius / zoom;
-        let distance = if orthographic { 4.0 * radius } else { fit * (1.0 + narrow * narrow).sqrt() / narrow };
+        let distance = if orthographic {
+            4.0 * radius
+        } else {
+            camera.distance.unwrap_or_else(|| fitting_distance(scene, radius, 1.0))
+        };
         let towards_eye = from_angles(up, front, camera.azimuth, camera.elevation);
         let eye = camera.position.map_or(target + towards_eye * distance, vector);
         let away = (target - eye).try_normalize().unwrap_or(-towards_eye);
@@ -91,7 +112,9 @@ impl View {
         let (sin, cos) = libm::sincos(f64::from(camera.roll).to_radians());
         let above = right.cross(away);
         let axes = DMat3::from_cols(right * cos + above * sin, above * cos - right * sin, away);
-        let half_height = if orthographic { fit / aspect.min(1.0) } else { tangent };
+        // The narrower side of the picture decides what fits.
+        let half_height =
+            if orthographic { FIT * radius / zoom / aspect.min(1.0) } else { tangent(camera) / zoom };
         Self {
             eye,
             axes,

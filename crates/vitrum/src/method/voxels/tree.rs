@@ -12,7 +12,7 @@ use bvh::flat_bvh::FlatNode;
 use nalgebra::Point3;
 use vitrum_kernels::abi::voxels::{corner, node};
 
-/// Margin of a box around its triangles, in voxels: above the rounding errors of rays.
+/// Least margin of a box around its triangles, in voxels: above the rounding errors of rays.
 const MARGIN: f32 = 2e-3;
 
 /// The only node of a tree without triangles: a box that no ray enters.
@@ -64,11 +64,12 @@ fn check(triangles: usize) -> Result<(), Error> {
     Err(Unrenderable::TooManyTriangles { count: triangles, limit: MOST_TRIANGLES }.into())
 }
 
-/// Builds the tree of the triangles of `bodies` from number `first` on; `smooth` makes normals for a mesh that has none.
+/// Builds the tree of the triangles of `bodies` from number `first` on; `smooth` makes normals for a mesh that has none. Rays look for triangles
+/// up to `reach` voxels beside their boxes.
 ///
 /// # Errors
 /// If there are too many.
-pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool) -> Result<Tree, Error> {
+pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool, reach: f32) -> Result<Tree, Error> {
     check(bodies.iter().skip(first).map(|body| body.mesh.triangles.len()).sum())?;
     let mut corners = Vec::new();
     for (number, body) in bodies.iter().enumerate().skip(first) {
@@ -79,8 +80,9 @@ pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool) -> 
     if corners.is_empty() {
         return Ok(Tree { nodes: NOTHING.to_vec(), corners: vec![0.0; corner::SIZE] });
     }
+    let margin = reach.max(MARGIN);
     let mut shapes: Vec<Shape> =
-        corners.chunks_exact(corner::SIZE).map(|triangle| Shape { bounds: bounds(triangle), node: 0 }).collect();
+        corners.chunks_exact(corner::SIZE).map(|triangle| Shape { bounds: bounds(triangle, margin), node: 0 }).collect();
     let flat = Bvh::build(&mut shapes).flatten();
     Ok(Tree { nodes: threaded(&flat, &shapes), corners })
 }
@@ -100,11 +102,11 @@ fn of_triangle(
     floats
 }
 
-fn bounds(triangle: &[f32]) -> Aabb<f32, 3> {
+fn bounds(triangle: &[f32], margin: f32) -> Aabb<f32, 3> {
     let mut bounds = Aabb::empty();
     for corner in triangle[..9].chunks_exact(3) {
-        bounds.grow_mut(&Point3::new(corner[0] - MARGIN, corner[1] - MARGIN, corner[2] - MARGIN));
-        bounds.grow_mut(&Point3::new(corner[0] + MARGIN, corner[1] + MARGIN, corner[2] + MARGIN));
+        bounds.grow_mut(&Point3::new(corner[0] - margin, corner[1] - margin, corner[2] - margin));
+        bounds.grow_mut(&Point3::new(corner[0] + margin, corner[1] + margin, corner[2] + margin));
     }
     bounds
 }

@@ -18,8 +18,18 @@ use vitrum_kernels::abi::voxels::{VoxelsUniforms, flag, mode};
 
 /// Distance from the triangles within which a smoothed surface may be, in voxels.
 const AROUND: f64 = 2.0;
-/// Distance below which a surface is taken for the last one, in voxels.
+/// Distance below which a surface of voxels is taken for the last one, in voxels.
 const AGAIN: f32 = 2.0;
+/// Distance up to which surfaces of triangles are in contact, over the longest edge of the mesh: above what rounding and two meshes that were
+/// written with seven digits are off by, below what is a gap or a body of its own (a hundred-thousandth).
+const CONTACT: f64 = 3e-6;
+
+/// The distance up to which surfaces of triangles are in contact, in voxels, where a mesh with these corners is in a grid.
+pub(super) fn contact(bounds: [[f32; 3]; 2], grid: Grid) -> f64 {
+    let [low, high] = bounds;
+    let longest = (0..3).map(|axis| f64::from(high[axis]) - f64::from(low[axis])).fold(0.0, f64::max);
+    CONTACT * longest / grid.voxel_size
+}
 
 fn vector(v: DVec3) -> Vec3 {
     v.as_vec3().into()
@@ -86,7 +96,7 @@ pub(super) fn block(
         eye: vector(eye),
         voxel: grid.voxel_size as f32,
         same_cosine: libm::cos(f64::from(voxels.threshold).to_radians()) as f32,
-        same_distance: AGAIN,
+        same_distance: if uploaded.voxels().is_some() { AGAIN } else { contact(uploaded.bounds, grid) as f32 },
         low: vector(bounds[0] - AROUND),
         high: vector(bounds[1] + AROUND),
         environment: Environment { row_x, row_y, row_z, ..environment.block },

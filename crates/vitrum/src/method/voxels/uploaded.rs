@@ -3,7 +3,7 @@
 use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
-use super::{bricks, cropped, tree};
+use super::{bricks, cropped, tree, uniforms};
 use crate::assets::Assets;
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
@@ -141,7 +141,8 @@ impl UploadedMesh {
     }
 
     fn fill(&mut self, settings: &Settings, tools: &mut Tools<'_>) -> Result<(), Error> {
-        let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper)?;
+        let reach = if self.kind.exact { uniforms::contact(self.bounds, self.grid) as f32 } else { 0.0 };
+        let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper, reach)?;
         self.nodes = tree.count();
         for (label, floats) in [("nodes of the tree", &tree.nodes), ("corners of triangles", &tree.corners)] {
             self.tree.push(tools.backend.create(label, Contents::Bytes(cast_slice(floats)))?);
