@@ -49,6 +49,13 @@ fn keys_that_a_frame_does_not_name_go_on() {
 }
 
 #[test]
+fn the_eye_comes_nearer_along_key_frames() {
+    let keys = keys("[[key]]\nframe = 0\ncamera.distance = 8\n[[key]]\nframe = 4\ncamera.distance = 4\n");
+    let at = |frame| keys.at(&scene(), frame).expect("a scene").camera.distance;
+    assert_eq!([0, 2, 4].map(at), [8.0, 6.0, 4.0].map(Some));
+}
+
+#[test]
 fn lists_move_as_a_whole_or_by_their_indices() {
     let whole = keys(
         "[[key]]\nframe = 0\ntransfer.ior = [{ value = 0, ior = 1 }, { value = 1, ior = 1 }]\n\

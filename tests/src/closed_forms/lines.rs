@@ -63,6 +63,14 @@ const LENGTH: &str = "the length of the way, world units";
 const BAR: &str = "rays in a square bar are reflected totally and leave at 90°";
 const LENS_OF_TRIANGLES: &str =
     "rays through a ball of triangles, n = 1.5, cross the axis by Snell's law at both surfaces";
+const CONTACT: &str = "rays through two slabs with a common face, n = 1.5 and 1.33, by Snell's law at three surfaces";
+const CONTACT_SETUP: &str = "triangles themselves, gaps of −10⁻⁶ to 10⁻⁶ of the size, 0° to 60°";
+const FLUSH: &str = "rays through a box flush with the face of another, n = 1.2 and 1.5";
+const FLUSH_SETUP: &str = "triangles themselves, gaps of −10⁻⁶ to 10⁻⁶ of the size, 30°";
+const SHELL: &str = "rays through a shell and its filling, n = 1.5 and 1.2, by Snell's law at four surfaces";
+const SHELL_SETUP: &str = "triangles themselves, gaps of −10⁻⁶ to 10⁻⁶ of the size, 40°";
+const THIN: &str = "rays through a gap and through a plate of 10⁻⁵ of the size";
+const THIN_SETUP: &str = "triangles themselves, 0° to 45°";
 const MIRROR: &str = "a ball and a wall mirrored in a plate, by Fresnel";
 const EXACT: &str = "triangles themselves";
 
@@ -141,6 +149,16 @@ lines! {
     FRESNEL: "rays through two faces at right angles: (1 − F)² is left", "64 voxels", "the transmittance", 4.4e-8, 8.8e-8, elsewhere 1e-4;
     BAR_EXACT: BAR, EXACT, PLATE_TURN, 4.8e-7, 9.6e-7, elsewhere 1e-4;
     BAR_VOXELS: BAR, "128 voxels", PLATE_TURN, 4.5e-7, 9.0e-7, elsewhere 0.02;
+    CONTACT_SIDE: CONTACT, CONTACT_SETUP, PLATE_SIDE, 1e-6, 2e-6, elsewhere 2e-5;
+    CONTACT_TURN: CONTACT, CONTACT_SETUP, PLATE_TURN, 1e-6, 2e-6, elsewhere 2e-5;
+    CONTACT_LENGTH: CONTACT, CONTACT_SETUP, LENGTH, 1e-6, 2e-6, elsewhere 2e-5;
+    CONTACT_FRESNEL: "rays through three faces at right angles, one of them common to two slabs", EXACT, "the transmittance", 1e-7, 2e-7, elsewhere 1e-5;
+    FLUSH_SIDE: FLUSH, FLUSH_SETUP, PLATE_SIDE, 1e-6, 2e-6, elsewhere 2e-5;
+    FLUSH_TRANSMITTANCE: FLUSH, FLUSH_SETUP, TRANSMITTANCE, 1e-6, 2e-6, elsewhere 0.01;
+    SHELL_SIDE: SHELL, SHELL_SETUP, PLATE_SIDE, 1e-6, 2e-6, elsewhere 2e-5;
+    SHELL_TRANSMITTANCE: SHELL, SHELL_SETUP, TRANSMITTANCE, 1e-6, 2e-6, elsewhere 0.01;
+    THIN_SIDE: THIN, THIN_SETUP, PLATE_SIDE, 1e-6, 2e-6, elsewhere 2e-5;
+    THIN_LENGTH: THIN, THIN_SETUP, LENGTH, 1e-6, 2e-6, elsewhere 2e-5;
     LENS_EXACT: LENS_OF_TRIANGLES, "triangles themselves, means over heights ± 0.02", CROSSING, 1.9e-3, 3.8e-3;
     LENS_VOXELS: LENS_OF_TRIANGLES, "256 voxels, means over heights ± 0.02", CROSSING, 6.8e-3, 0.013;
     LENS_DIRECTIONS: LENS_OF_TRIANGLES, "triangles themselves, rays inside 0.95 radii", "the direction of 99 % of rays, degrees", 5.6e-3, 0.011;

@@ -1,10 +1,13 @@
 //! Rays through meshes against closed forms, on both backends.
 
 mod ball;
+mod contact;
 mod footprint;
 mod mirror;
 mod slab;
 mod sweep;
+mod watertight;
+mod zoom;
 
 use vitrum::backend::{Backend, CpuBackend};
 use vitrum_conformance::{Failure, adapter};

@@ -25,7 +25,7 @@ const HEAT: [(f32, Rgb); 4] =
 fn base() -> Scene {
     Scene {
         volume: procedural("combustion"),
-        camera: Camera { azimuth: 0.0, elevation: 0.0, zoom: 1.1, ..Camera::default() },
+        camera: Camera { azimuth: 0.0, elevation: 0.0, distance: Some(3.708), ..Camera::default() },
         light: vec![Light { azimuth: -30.0, elevation: 40.0, ..Light::default() }],
         transfer: TransferFunction {
             reference_length: Some(0.02),

@@ -32,7 +32,7 @@ pub(super) const SCENES: &[SceneEntry] = &[
 fn base() -> Scene {
     Scene {
         volume: procedural("glass"),
-        camera: Camera { azimuth: 0.0, elevation: 14.0, zoom: 1.0, ..Camera::default() },
+        camera: Camera { azimuth: 0.0, elevation: 14.0, ..Camera::default() },
         light: vec![Light { azimuth: 32.0, elevation: 10.0, ..Light::default() }],
         transfer: TransferFunction { reference_length: Some(0.1), ..TransferFunction::default() },
         shading: Shading { roughness: 0.12, ambient: [0.12; 3], ..Shading::default() },

@@ -46,7 +46,7 @@ fn translucent() -> Scene {
 fn scene(opacity: Vec<OpacityPoint>) -> Scene {
     Scene {
         volume: procedural("phantom"),
-        camera: Camera { azimuth: 0.0, elevation: 0.0, zoom: 1.12, ..Camera::default() },
+        camera: Camera { azimuth: 0.0, elevation: 0.0, distance: Some(5.198), ..Camera::default() },
         light: vec![Light { azimuth: 26.6, elevation: 33.9, ..Light::default() }],
         transfer: TransferFunction {
             // A voxel of the default resolution.

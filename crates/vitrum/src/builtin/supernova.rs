@@ -24,7 +24,7 @@ pub(super) const SCENES: &[SceneEntry] = &[
 fn layer(ior: f32) -> Scene {
     Scene {
         volume: procedural("supernova"),
-        camera: Camera { azimuth: 0.0, elevation: 22.0, zoom: 1.3, ..Camera::default() },
+        camera: Camera { azimuth: 0.0, elevation: 22.0, distance: Some(4.4786), ..Camera::default() },
         light: vec![Light { azimuth: 0.0, elevation: 55.0, angular_radius: 0.5, intensity: 1.0, ..Light::default() }],
         transfer: TransferFunction {
             reference_length: Some(0.1),

@@ -30,15 +30,15 @@ pub struct Camera {
     /// Angle by which the camera turns around its viewing direction, positive counter-clockwise.
     #[schemars(extend("x-unit" = "degrees"))]
     pub roll: f32,
-    /// Magnification: the width and height of the picture over those of the same part of the scene with 1, which shows the whole volume or
-    /// mesh. In perspective the tangent of half the field of view is divided by it, and the eye stays where it is.
+    /// Magnification; 1 shows the whole volume or mesh where neither `distance` nor `position` is given. In perspective it divides the tangent of
+    /// half the field of view, and the eye stays where it is.
     #[schemars(range(min = 0.01, max = 100))]
     pub zoom: f32,
     /// Vertical field of view where `zoom` is 1; perspective only.
     #[schemars(range(min = 1, max = 120), extend("x-unit" = "degrees"))]
     pub field_of_view: f32,
-    /// Distance of the eye from `target`; perspective only. If absent, that at which the narrower side of `field_of_view` shows the whole volume or
-    /// mesh.
+    /// Distance of the eye from `target`; perspective only. If absent, the distance at which `field_of_view`, or its part in the width of a picture
+    /// that is higher than wide, shows the whole volume or mesh.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1e-6, max = 1e6), extend("x-unit" = "world units"))]
     pub distance: Option<f64>,

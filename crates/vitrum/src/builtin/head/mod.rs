@@ -32,7 +32,7 @@ fn unclipped() -> Scene {
         camera: Camera {
             azimuth: 38.0,
             elevation: 8.0,
-            zoom: 1.45,
+            distance: Some(3.135),
             target: Some([0.0, 0.0, 0.08]),
             ..Camera::default()
         },

@@ -14,7 +14,7 @@ use crate::scene::{Camera, Projection, Scene, Vector};
 use glam::{DMat3, DVec3};
 use vitrum_io::Volume;
 
-/// The share of the bounding sphere's radius that `zoom = 1` fits into the picture: a box seen face on fills it well, and
+/// The share of the bounding sphere's radius that fits into the picture where `zoom` is 1 and no distance is given: a box seen face on fills it well, and
 /// only a box seen exactly corner on touches the edge.
 const FIT: f64 = 0.87;
 
@@ -140,5 +140,81 @@ impl View {
     pub fn pixel_size(&self, height: u32, depth: f64) -> f64 {
         let at = if self.orthographic { 1.0 } else { depth };
         2.0 * self.half_size[1] * at / f64::from(height)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cube of edge 2 around the origin.
+    fn view(change: impl FnOnce(&mut Scene)) -> View {
+        let mut scene = Scene::default();
+        change(&mut scene);
+        View::new(&scene, Bounds::new([[-1.0, 1.0]; 3], |at| at))
+    }
+
+    /// Where a point of the world is in the picture, from its centre, in halves of its height.
+    fn projected(view: &View, world: DVec3) -> [f64; 2] {
+        let at = view.point(world);
+        let depth = if view.orthographic { 1.0 } else { at.z };
+        [at.x, at.y].map(|across| across / (depth * view.half_size[1]))
+    }
+
+    #[test]
+    fn zoom_magnifies_the_picture() {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let zoomed = |zoom: f32| {
+                view(|scene| {
+                    scene.camera.projection = projection;
+                    scene.camera.zoom = zoom;
+                })
+            };
+            for point in [DVec3::new(0.3, -0.2, 0.5), DVec3::new(-0.9, 0.4, 0.1)] {
+                let [[x, y], [wide, high]] = [1.0, 2.0].map(|zoom| projected(&zoomed(zoom), point));
+                assert!((wide - 2.0 * x).abs() < 1e-12 && (high - 2.0 * y).abs() < 1e-12, "{projection:?}");
+            }
+            let whole = zoomed(1.0).eye;
+            for zoom in [0.01, 6.0, 100.0] {
+                assert_eq!(zoomed(zoom).eye, whole, "{projection:?}, {zoom}");
+            }
+            assert!(whole.length() > 3f64.sqrt());
+        }
+    }
+
+    #[test]
+    fn distance_moves_the_eye() {
+        for distance in [0.5, 3.0, 40.0] {
+            let moved = view(|scene| {
+                scene.camera.distance = Some(distance);
+                scene.camera.target = Some([0.5, 0.25, -0.5]);
+                scene.camera.zoom = 3.0;
+            });
+            assert!(((moved.eye - DVec3::new(0.5, 0.25, -0.5)).length() - distance).abs() < 1e-12);
+            assert!((moved.target_depth - distance).abs() < 1e-12);
+        }
+        let placed = view(|scene| {
+            scene.camera.distance = Some(3.0);
+            scene.camera.position = Some([0.0, 5.0, 0.0]);
+        });
+        assert_eq!(placed.eye, DVec3::new(0.0, 5.0, 0.0));
+        let parallel = |distance| {
+            view(|scene| {
+                scene.camera.projection = Projection::Orthographic;
+                scene.camera.distance = distance;
+            })
+        };
+        assert_eq!(parallel(Some(1.5)).eye, parallel(None).eye);
+    }
+
+    /// A ball of the bounding sphere's radius times [`FIT`] touches the sides of the picture.
+    #[test]
+    fn the_distance_that_fits_a_ball_shows_its_outline() {
+        for (width, height) in [(512, 512), (300, 500), (500, 300)] {
+            let fitted = view(|scene| (scene.film.width, scene.film.height) = (width, height));
+            let sine = FIT * 3f64.sqrt() / fitted.target_depth;
+            let narrow = fitted.half_size[0].min(fitted.half_size[1]);
+            assert!((sine / (1.0 - sine * sine).sqrt() - narrow).abs() < 1e-12, "{width} x {height}");
+        }
     }
 }
