@@ -117,7 +117,7 @@ impl Contact {
         let same = u.same_distance;
         let found = ray.triangle >= 0;
         let reach = ray.distance + select(found, same / self.cosine, 0.0);
-        let triangle = tree::step(ray, reach, nodes);
+        let triangle = tree::step(ray, self.start, reach, nodes);
         if triangle < 0 {
             return;
         }

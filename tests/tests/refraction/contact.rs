@@ -12,7 +12,7 @@ use vitrum_kernels::abi::record::fate;
 use vitrum_kernels::glam::{DQuat, DVec3};
 
 /// Pixels along each side.
-const EDGE: usize = 32;
+const EDGE: usize = 48;
 /// Shares of the longest edge that are contact: gaps, and an overlap.
 const IN_CONTACT: [f64; 4] = [0.0, 1e-7, 1e-6, -1e-6];
 /// A share that is a gap, or a body.

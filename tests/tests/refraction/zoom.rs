@@ -15,7 +15,7 @@ fn twice_the_zoom_shows_the_middle_twice_as_large() -> Result<(), Failure> {
                     let settings = [projection, surfaces, zoom, "voxelization.resolution=32", "environment.kind=color"];
                     let case = case("zoom", ball(12), edge as u32, &settings)?;
                     let frame = frames::render(&case, backend)?;
-                    Ok::<_, Failure>(frame.channel("depth", "Y").expect("a depth").to_vec())
+                    Ok::<_, Failure>(frame.channel("depth", "Z").expect("a depth").to_vec())
                 };
                 let whole = picture(2 * EDGE, "camera.zoom=1")?;
                 let middle = picture(EDGE, "camera.zoom=2")?;
@@ -41,7 +41,7 @@ fn the_eye_is_at_its_distance() -> Result<(), Failure> {
             let eye = format!("camera.distance={distance}");
             let case = case("distance", ball(64), 65, &[&eye, "voxels.surfaces=exact", "camera.zoom=6"])?;
             let frame = frames::render(&case, backend)?;
-            let depth = frame.channel("depth", "Y").expect("a depth")[65 * 32 + 32];
+            let depth = frame.channel("depth", "Z").expect("a depth")[65 * 32 + 32];
             assert!((f64::from(depth) - (distance - 1.0)).abs() < 2e-3, "{depth} from {distance}");
         }
         Ok(())

@@ -20,7 +20,7 @@ const TABLE: f32 = -0.965;
 fn swept() -> Scene {
     let mut scene = swept_before_a_wall("still-life");
     scene.camera.elevation = 22.0;
-    scene.camera.distance = Some(5.573);
+    scene.camera.distance = Some(5.577);
     if let Some(wall) = &mut scene.wall {
         wall.distance = Some(1.3);
     }
