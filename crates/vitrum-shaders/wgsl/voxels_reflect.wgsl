@@ -87,10 +87,11 @@ member_13: f32,
 member_14: type_5,
 member_15: type_5,
 member_16: type_6,
-member_17: type_9,
-member_18: type_11,
-member_19: type_5,
-member_20: type_12,
+member_17: type_5,
+member_18: type_9,
+member_19: type_11,
+member_20: type_5,
+member_21: type_12,
 }
 struct type_14 {
 member: type_13,
@@ -111,9 +112,10 @@ member_8: f32,
 member_9: f32,
 member_10: f32,
 member_11: f32,
-member_12: i32,
+member_12: vec3<f32>,
 member_13: i32,
-member_14: f32,
+member_14: i32,
+member_15: f32,
 }
 struct type_24 {
 member: array<atomic<u32>>,
@@ -265,22 +267,22 @@ let _e342 = (_e288 - (_e320 * _e337));
 let _e343 = (_e289 - (_e331 * _e337));
 let _e344 = vec3<f32>(_e341, _e342, _e343);
 if (_e97 == 0f) {
-let _e351 = global_1.member.member_17.member.member;
+let _e351 = global_1.member.member_18.member.member;
 let _e362 = ((((_e351.member.member * _e293) + (_e351.member.member_1 * _e294)) + (_e351.member.member_2 * _e295)) + _e351.member_1);
 let _e368 = -((((_e351.member.member * _e341) + (_e351.member.member_1 * _e342)) + (_e351.member.member_2 * _e343)));
 let _e370 = (_e368 > 1e-9f);
 let _e374 = ((_e362 / select(1e-9f, _e368, _e370)) - 0.015625f);
 let _e377 = select(1e30f, select(0f, _e374, (_e374 > 0f)), ((_e362 > 0f) && _e370));
-let _e382 = global_1.member.member_17.member_1.member;
+let _e382 = global_1.member.member_18.member_1.member;
 let _e393 = ((((_e382.member.member * _e293) + (_e382.member.member_1 * _e294)) + (_e382.member.member_2 * _e295)) + _e382.member_1);
 let _e399 = -((((_e382.member.member * _e341) + (_e382.member.member_1 * _e342)) + (_e382.member.member_2 * _e343)));
 let _e401 = (_e399 > 1e-9f);
 let _e405 = ((_e393 / select(1e-9f, _e399, _e401)) - 0.015625f);
 let _e408 = select(1e30f, select(0f, _e405, (_e405 > 0f)), ((_e393 > 0f) && _e401));
 let _e412 = (_e408 < _e377);
-phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
+phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
 } else {
-phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
+phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
 }
 let _e418 = phi_813_;
 let _e419 = bitcast<i32>(arrayLength((&global_3.member)));
@@ -291,12 +293,12 @@ let _e422 = phi_828_;
 let _e424 = phi_831_;
 local_3 = _e422;
 local_4 = _e422;
-let _e427 = (_e422.member_12 < (_e419 / 8i));
+let _e427 = (_e422.member_13 < (_e419 / 8i));
 let _e428 = ((_e424 < 1024i) && _e427);
 local_2 = _e427;
-local_5 = _e422.member_12;
+local_5 = _e422.member_13;
 if _e428 {
-let _e433 = (_e422.member_12 * 8i);
+let _e433 = (_e422.member_13 * 8i);
 let _e437 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
 let _e442 = (1f / select(_e422.member_1.x, select(1e-12f, -1e-12f, (_e422.member_1.x < 0f)), (_e437 < 1e-12f)));
 let _e446 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
@@ -336,7 +338,7 @@ let _e544 = select(_e525, _e523, (_e523 > _e525));
 let _e546 = select(_e544, _e542, (_e542 < _e544));
 let _e548 = select(_e530, _e528, (_e528 > _e530));
 let _e550 = select(_e548, _e546, (_e546 < _e548));
-let _e555 = ((select(_e538, _e536, (_e536 > _e538)) <= select(_e422.member_14, _e550, (_e550 < _e422.member_14))) && (_e550 >= 0f));
+let _e555 = ((select(_e538, _e536, (_e536 > _e538)) <= select(_e422.member_15, _e550, (_e550 < _e422.member_15))) && (_e550 >= 0f));
 let _e556 = (_e433 + 6i);
 let _e558 = select(_e462, _e556, (_e556 < _e462));
 let _e564 = global_3.member[bitcast<u32>(select(0i, _e558, (_e558 > 0i)))];
@@ -400,86 +402,86 @@ let _e724 = ((_e716 + _e719) + _e722);
 let _e738 = (!(((((_e716 < 0f) || (_e719 < 0f)) || (_e722 < 0f)) && (((_e716 > 0f) || (_e719 > 0f)) || (_e722 > 0f)))) && (_e724 != 0f));
 let _e745 = ((((_e716 * (_e626 * _e586)) + (_e719 * (_e667 * _e586))) + (_e722 * (_e708 * _e586))) / select(1f, _e724, _e738));
 let _e748 = select(1e30f, _e745, (_e738 && (_e745 > 1e-3f)));
-if (_e748 < _e422.member_14) {
-let _e764 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e748);
-phi_1451_ = type_20(_e764.member, _e764.member_1, _e764.member_2, _e764.member_3, _e764.member_4, _e764.member_5, _e764.member_6, _e764.member_7, _e764.member_8, _e764.member_9, _e764.member_10, _e764.member_11, _e764.member_12, _e571, _e764.member_14);
+if (_e748 < _e422.member_15) {
+let _e765 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e422.member_14, _e748);
+phi_1451_ = type_20(_e765.member, _e765.member_1, _e765.member_2, _e765.member_3, _e765.member_4, _e765.member_5, _e765.member_6, _e765.member_7, _e765.member_8, _e765.member_9, _e765.member_10, _e765.member_11, _e765.member_12, _e765.member_13, _e571, _e765.member_15);
 } else {
 phi_1451_ = _e422;
 }
-let _e781 = phi_1451_;
-phi_1452_ = _e781;
+let _e783 = phi_1451_;
+phi_1452_ = _e783;
 } else {
 phi_1452_ = _e422;
 }
-let _e783 = phi_1452_;
+let _e785 = phi_1452_;
 if _e555 {
-phi_1484_ = (_e783.member_12 + 1i);
+phi_1484_ = (_e785.member_13 + 1i);
 } else {
-let _e784 = (_e433 + 7i);
-let _e786 = select(_e462, _e784, (_e784 < _e462));
-let _e792 = global_3.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
-phi_1484_ = select(0i, select(select(i32(_e792), i32(-2147483648), (_e792 < -2147483600f)), 2147483647i, (_e792 > 2147483500f)), (_e792 == _e792));
+let _e786 = (_e433 + 7i);
+let _e788 = select(_e462, _e786, (_e786 < _e462));
+let _e794 = global_3.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
+phi_1484_ = select(0i, select(select(i32(_e794), i32(-2147483648), (_e794 < -2147483600f)), 2147483647i, (_e794 > 2147483500f)), (_e794 == _e794));
 }
-let _e803 = phi_1484_;
-let _e818 = type_20(_e783.member, _e783.member_1, _e783.member_2, _e783.member_3, _e783.member_4, _e783.member_5, _e783.member_6, _e783.member_7, _e783.member_8, _e783.member_9, _e783.member_10, _e783.member_11, _e803, _e783.member_13, _e783.member_14);
-let _e820 = (_e783.member_13 != _e422.member_13);
-let _e823 = ((select(0i, _e783.member_13, _e820) * 19i) + 18i);
-let _e825 = (bitcast<i32>(_e68) - 1i);
-let _e827 = select(_e825, _e823, (_e823 < _e825));
-let _e833 = global_4.member[bitcast<u32>(select(0i, _e827, (_e827 > 0i)))];
-let _e840 = select(0i, select(select(i32(_e833), i32(-2147483648), (_e833 < -2147483600f)), 2147483647i, (_e833 > 2147483500f)), (_e833 == _e833));
-let _e841 = (_e840 * 4i);
-let _e843 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e845 = select(_e843, _e841, (_e841 < _e843));
-let _e851 = global_5.member[bitcast<u32>(select(0i, _e845, (_e845 > 0i)))];
-if (_e820 && (select(_e851, 1f, (_e840 == 16i)) != 0f)) {
-let _e870 = type_20(_e818.member, _e818.member_1, _e818.member_2, _e818.member_3, _e818.member_4, _e818.member_5, _e818.member_6, _e818.member_7, _e818.member_8, _e818.member_9, _e818.member_10, _e818.member_11, _e818.member_12, _e422.member_13, _e818.member_14);
-phi_1552_ = type_20(_e870.member, _e870.member_1, _e870.member_2, _e870.member_3, _e870.member_4, _e870.member_5, _e870.member_6, _e870.member_7, _e870.member_8, _e870.member_9, _e870.member_10, _e870.member_11, _e870.member_12, _e870.member_13, _e422.member_14);
+let _e805 = phi_1484_;
+let _e821 = type_20(_e785.member, _e785.member_1, _e785.member_2, _e785.member_3, _e785.member_4, _e785.member_5, _e785.member_6, _e785.member_7, _e785.member_8, _e785.member_9, _e785.member_10, _e785.member_11, _e785.member_12, _e805, _e785.member_14, _e785.member_15);
+let _e823 = (_e785.member_14 != _e422.member_14);
+let _e826 = ((select(0i, _e785.member_14, _e823) * 19i) + 18i);
+let _e828 = (bitcast<i32>(_e68) - 1i);
+let _e830 = select(_e828, _e826, (_e826 < _e828));
+let _e836 = global_4.member[bitcast<u32>(select(0i, _e830, (_e830 > 0i)))];
+let _e843 = select(0i, select(select(i32(_e836), i32(-2147483648), (_e836 < -2147483600f)), 2147483647i, (_e836 > 2147483500f)), (_e836 == _e836));
+let _e844 = (_e843 * 4i);
+let _e846 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e848 = select(_e846, _e844, (_e844 < _e846));
+let _e854 = global_5.member[bitcast<u32>(select(0i, _e848, (_e848 > 0i)))];
+if (_e823 && (select(_e854, 1f, (_e843 == 16i)) != 0f)) {
+let _e874 = type_20(_e821.member, _e821.member_1, _e821.member_2, _e821.member_3, _e821.member_4, _e821.member_5, _e821.member_6, _e821.member_7, _e821.member_8, _e821.member_9, _e821.member_10, _e821.member_11, _e821.member_12, _e821.member_13, _e422.member_14, _e821.member_15);
+phi_1552_ = type_20(_e874.member, _e874.member_1, _e874.member_2, _e874.member_3, _e874.member_4, _e874.member_5, _e874.member_6, _e874.member_7, _e874.member_8, _e874.member_9, _e874.member_10, _e874.member_11, _e874.member_12, _e874.member_13, _e874.member_14, _e422.member_15);
 } else {
-phi_1552_ = _e818;
+phi_1552_ = _e821;
 }
-let _e887 = phi_1552_;
-phi_829_ = _e887;
+let _e892 = phi_1552_;
+phi_829_ = _e892;
 phi_832_ = (_e424 + 1i);
 } else {
 phi_829_ = type_20();
 phi_832_ = i32();
 }
-let _e889 = phi_829_;
-let _e891 = phi_832_;
+let _e894 = phi_829_;
+let _e896 = phi_832_;
 continue;
 continuing {
-phi_828_ = _e889;
-phi_831_ = _e891;
+phi_828_ = _e894;
+phi_831_ = _e896;
 break if !(_e428);
 }
 }
-let _e894 = local_2;
-let _e897 = local_3;
-let _e900 = local_4;
-let _e903 = local_5;
+let _e899 = local_2;
+let _e902 = local_3;
+let _e905 = local_4;
+let _e908 = local_5;
 phi_1565_ = array<f32, 4>();
-phi_1566_ = array<f32, 4>(select(2f, 1f, _e894), f32(_e903), f32(_e897.member_13), _e900.member_14);
+phi_1566_ = array<f32, 4>(select(2f, 1f, _e899), f32(_e908), f32(_e902.member_14), _e905.member_15);
 }
-let _e908 = phi_1565_;
-let _e910 = phi_1566_;
-phi_1567_ = _e908;
-phi_1568_ = _e910;
+let _e913 = phi_1565_;
+let _e915 = phi_1566_;
+phi_1567_ = _e913;
+phi_1568_ = _e915;
 phi_1569_ = _e187;
 }
-let _e912 = phi_1567_;
-let _e914 = phi_1568_;
-let _e916 = phi_1569_;
-if _e916 {
-phi_1573_ = _e912;
+let _e917 = phi_1567_;
+let _e919 = phi_1568_;
+let _e921 = phi_1569_;
+if _e921 {
+phi_1573_ = _e917;
 } else {
-phi_1573_ = _e914;
+phi_1573_ = _e919;
 }
-let _e918 = phi_1573_;
-global_6.member[_e86] = _e918[0];
-global_6.member[_e98] = _e918[1];
-global_6.member[_e109] = _e918[2];
-global_6.member[_e120] = _e918[3];
+let _e923 = phi_1573_;
+global_6.member[_e86] = _e923[0];
+global_6.member[_e98] = _e923[1];
+global_6.member[_e109] = _e923[2];
+global_6.member[_e120] = _e923[3];
 }
 }
 }

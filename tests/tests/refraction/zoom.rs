@@ -4,10 +4,11 @@ use super::on_both;
 use vitrum_conformance::refraction::{ball, case};
 use vitrum_conformance::{Failure, frames};
 
-/// A picture with twice the zoom is the middle of one with twice as many pixels along each side: its rays are the same, to the last bit.
+/// A picture with twice the zoom is the middle of one with twice as many pixels along each side. Where their number is a power of 2, the
+/// pixels' centres are exact, and the rays are the same to the last bit.
 #[test]
 fn twice_the_zoom_shows_the_middle_twice_as_large() -> Result<(), Failure> {
-    const EDGE: usize = 24;
+    const EDGE: usize = 32;
     for projection in ["camera.projection=perspective", "camera.projection=orthographic"] {
         for surfaces in ["voxels.surfaces=exact", "voxels.surfaces=multi"] {
             on_both(|backend| {
