@@ -61,14 +61,13 @@ impl Contact {
     /// From the ray's record.
     #[inline(always)]
     pub fn load(ray: &Ray, corners: &[f32]) -> Self {
-        let cosine =
-            if ray.triangle >= 0 { max(absolute(dot(ray.direction, plane(ray.triangle, corners))), GRAZING) } else { 1.0 };
+        let along = if ray.triangle >= 0 { dot(ray.direction, plane(ray.triangle, corners)) } else { 1.0 };
         Self {
             enters: ray.last_normal.x as i32,
             leaves: ray.last_normal.y as i32,
             start: ray.last_normal.z,
             end: ray.since,
-            cosine,
+            cosine: max(absolute(along), GRAZING),
         }
     }
 

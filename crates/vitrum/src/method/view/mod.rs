@@ -113,8 +113,7 @@ impl View {
         let above = right.cross(away);
         let axes = DMat3::from_cols(right * cos + above * sin, above * cos - right * sin, away);
         // The narrower side of the picture decides what fits.
-        let half_height =
-            if orthographic { FIT * radius / zoom / aspect.min(1.0) } else { tangent(camera) / zoom };
+        let half_height = if orthographic { FIT * radius / zoom / aspect.min(1.0) } else { tangent(camera) / zoom };
         Self {
             eye,
             axes,

@@ -81,8 +81,10 @@ pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool, rea
         return Ok(Tree { nodes: NOTHING.to_vec(), corners: vec![0.0; corner::SIZE] });
     }
     let margin = reach.max(MARGIN);
-    let mut shapes: Vec<Shape> =
-        corners.chunks_exact(corner::SIZE).map(|triangle| Shape { bounds: bounds(triangle, margin), node: 0 }).collect();
+    let mut shapes: Vec<Shape> = corners
+        .chunks_exact(corner::SIZE)
+        .map(|triangle| Shape { bounds: bounds(triangle, margin), node: 0 })
+        .collect();
     let flat = Bvh::build(&mut shapes).flatten();
     Ok(Tree { nodes: threaded(&flat, &shapes), corners })
 }
