@@ -87,11 +87,10 @@ member_13: f32,
 member_14: type_5,
 member_15: type_5,
 member_16: type_6,
-member_17: type_5,
-member_18: type_9,
-member_19: type_11,
-member_20: type_5,
-member_21: type_12,
+member_17: type_9,
+member_18: type_11,
+member_19: type_5,
+member_20: type_12,
 }
 struct type_14 {
 member: type_13,
@@ -112,10 +111,9 @@ member_8: f32,
 member_9: f32,
 member_10: f32,
 member_11: f32,
-member_12: vec3<f32>,
+member_12: i32,
 member_13: i32,
-member_14: i32,
-member_15: f32,
+member_14: f32,
 }
 struct type_21 {
 member: array<u32>,
@@ -139,27 +137,26 @@ var<storage> global_6: type_21;
 @group(0) @binding(3)
 var<storage> global_7: type_16;
 fn function_() {
-var phi_697_: u32;
-var phi_777_: type_19;
-var phi_780_: i32;
-var phi_1399_: type_19;
-var phi_1112_: type_19;
-var phi_1400_: type_19;
-var phi_2210_: type_19;
-var phi_2541_: type_19;
-var phi_2594_: type_19;
-var phi_2608_: type_19;
-var phi_3053_: type_19;
-var phi_3054_: type_19;
-var phi_3034_: type_19;
-var phi_3055_: type_19;
-var phi_3063_: type_19;
-var phi_3064_: type_19;
-var phi_3065_: type_19;
-var phi_1732_: type_19;
-var phi_3066_: type_19;
-var phi_778_: type_19;
-var phi_781_: i32;
+var phi_640_: u32;
+var phi_719_: type_19;
+var phi_722_: i32;
+var phi_1341_: type_19;
+var phi_1054_: type_19;
+var phi_1342_: type_19;
+var phi_2146_: type_19;
+var phi_2199_: type_19;
+var phi_2213_: type_19;
+var phi_2657_: type_19;
+var phi_2658_: type_19;
+var phi_2638_: type_19;
+var phi_2659_: type_19;
+var phi_2668_: type_19;
+var phi_2669_: type_19;
+var phi_2670_: type_19;
+var phi_1674_: type_19;
+var phi_2671_: type_19;
+var phi_720_: type_19;
+var phi_723_: i32;
 var local: type_19;
 var local_1: type_19;
 var local_2: type_19;
@@ -184,624 +181,542 @@ var local_20: type_19;
 var local_21: type_19;
 var local_22: type_19;
 var local_23: type_19;
-var local_24: type_19;
-var local_25: type_19;
-var local_26: type_19;
-var local_27: f32;
-let _e83 = global;
-let _e91 = arrayLength((&global_2.member));
-let _e98 = global_1.member.member;
-if (_e83.x < _e98.member) {
-if (_e83.y < _e98.member_1) {
-let _e105 = (_e98.member * _e98.member_1);
-let _e107 = ((_e83.y * _e98.member) + _e83.x);
-let _e108 = bitcast<i32>(_e107);
-let _e110 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e112 = select(_e110, _e108, (_e108 < _e110));
-let _e118 = global_3.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
-let _e119 = (_e105 + _e107);
-let _e120 = bitcast<i32>(_e119);
-let _e122 = select(_e110, _e120, (_e120 < _e110));
-let _e128 = global_3.member[bitcast<u32>(select(0i, _e122, (_e122 > 0i)))];
-let _e130 = ((2u * _e105) + _e107);
-let _e131 = bitcast<i32>(_e130);
-let _e133 = select(_e110, _e131, (_e131 < _e110));
-let _e139 = global_3.member[bitcast<u32>(select(0i, _e133, (_e133 > 0i)))];
-let _e141 = ((3u * _e105) + _e107);
-let _e142 = bitcast<i32>(_e141);
-let _e144 = select(_e110, _e142, (_e142 < _e110));
-let _e150 = global_3.member[bitcast<u32>(select(0i, _e144, (_e144 > 0i)))];
-let _e152 = ((4u * _e105) + _e107);
-let _e153 = bitcast<i32>(_e152);
-let _e155 = select(_e110, _e153, (_e153 < _e110));
-let _e161 = global_3.member[bitcast<u32>(select(0i, _e155, (_e155 > 0i)))];
-let _e163 = ((5u * _e105) + _e107);
-let _e164 = bitcast<i32>(_e163);
-let _e166 = select(_e110, _e164, (_e164 < _e110));
-let _e172 = global_3.member[bitcast<u32>(select(0i, _e166, (_e166 > 0i)))];
-let _e174 = ((6u * _e105) + _e107);
-let _e175 = bitcast<i32>(_e174);
-let _e177 = select(_e110, _e175, (_e175 < _e110));
-let _e183 = global_3.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
-let _e185 = ((7u * _e105) + _e107);
-let _e186 = bitcast<i32>(_e185);
-let _e188 = select(_e110, _e186, (_e186 < _e110));
-let _e194 = global_3.member[bitcast<u32>(select(0i, _e188, (_e188 > 0i)))];
-let _e196 = ((8u * _e105) + _e107);
-let _e197 = bitcast<i32>(_e196);
-let _e199 = select(_e110, _e197, (_e197 < _e110));
-let _e205 = global_3.member[bitcast<u32>(select(0i, _e199, (_e199 > 0i)))];
-let _e207 = ((9u * _e105) + _e107);
-let _e208 = bitcast<i32>(_e207);
-let _e210 = select(_e110, _e208, (_e208 < _e110));
-let _e216 = global_3.member[bitcast<u32>(select(0i, _e210, (_e210 > 0i)))];
-let _e218 = ((10u * _e105) + _e107);
-let _e219 = bitcast<i32>(_e218);
-let _e221 = select(_e110, _e219, (_e219 < _e110));
-let _e227 = global_3.member[bitcast<u32>(select(0i, _e221, (_e221 > 0i)))];
-let _e229 = ((11u * _e105) + _e107);
-let _e230 = bitcast<i32>(_e229);
-let _e232 = select(_e110, _e230, (_e230 < _e110));
-let _e238 = global_3.member[bitcast<u32>(select(0i, _e232, (_e232 > 0i)))];
-let _e240 = ((12u * _e105) + _e107);
-let _e241 = bitcast<i32>(_e240);
-let _e243 = select(_e110, _e241, (_e241 < _e110));
-let _e249 = global_3.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
-let _e251 = ((13u * _e105) + _e107);
-let _e252 = bitcast<i32>(_e251);
-let _e254 = select(_e110, _e252, (_e252 < _e110));
-let _e260 = global_3.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
-let _e262 = ((14u * _e105) + _e107);
-let _e263 = bitcast<i32>(_e262);
-let _e265 = select(_e110, _e263, (_e263 < _e110));
-let _e271 = global_3.member[bitcast<u32>(select(0i, _e265, (_e265 > 0i)))];
-let _e273 = ((15u * _e105) + _e107);
-let _e274 = bitcast<i32>(_e273);
-let _e276 = select(_e110, _e274, (_e274 < _e110));
-let _e282 = global_3.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
-let _e284 = ((16u * _e105) + _e107);
-let _e285 = bitcast<i32>(_e284);
-let _e287 = select(_e110, _e285, (_e285 < _e110));
-let _e293 = global_3.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
-let _e295 = ((17u * _e105) + _e107);
-let _e296 = bitcast<i32>(_e295);
-let _e298 = select(_e110, _e296, (_e296 < _e110));
-let _e304 = global_3.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
-let _e306 = ((18u * _e105) + _e107);
-let _e307 = bitcast<i32>(_e306);
-let _e309 = select(_e110, _e307, (_e307 < _e110));
-let _e315 = global_3.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
-let _e317 = ((19u * _e105) + _e107);
-let _e318 = bitcast<i32>(_e317);
-let _e320 = select(_e110, _e318, (_e318 < _e110));
-let _e326 = global_3.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
-let _e328 = ((20u * _e105) + _e107);
-let _e329 = bitcast<i32>(_e328);
-let _e331 = select(_e110, _e329, (_e329 < _e110));
-let _e337 = global_3.member[bitcast<u32>(select(0i, _e331, (_e331 > 0i)))];
-let _e339 = ((21u * _e105) + _e107);
-let _e340 = bitcast<i32>(_e339);
-let _e342 = select(_e110, _e340, (_e340 < _e110));
-let _e348 = global_3.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
-let _e350 = ((22u * _e105) + _e107);
-let _e351 = bitcast<i32>(_e350);
-let _e353 = select(_e110, _e351, (_e351 < _e110));
-let _e359 = global_3.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
-let _e361 = ((23u * _e105) + _e107);
-let _e362 = bitcast<i32>(_e361);
-let _e364 = select(_e110, _e362, (_e362 < _e110));
-let _e370 = global_3.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
-let _e372 = ((24u * _e105) + _e107);
-let _e373 = bitcast<i32>(_e372);
-let _e375 = select(_e110, _e373, (_e373 < _e110));
-let _e381 = global_3.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
-let _e383 = ((25u * _e105) + _e107);
-let _e384 = bitcast<i32>(_e383);
-let _e386 = select(_e110, _e384, (_e384 < _e110));
-let _e392 = global_3.member[bitcast<u32>(select(0i, _e386, (_e386 > 0i)))];
-let _e394 = ((26u * _e105) + _e107);
-let _e395 = bitcast<i32>(_e394);
-let _e397 = select(_e110, _e395, (_e395 < _e110));
-let _e403 = global_3.member[bitcast<u32>(select(0i, _e397, (_e397 > 0i)))];
-let _e405 = ((27u * _e105) + _e107);
-let _e406 = bitcast<i32>(_e405);
-let _e408 = select(_e110, _e406, (_e406 < _e110));
-let _e414 = global_3.member[bitcast<u32>(select(0i, _e408, (_e408 > 0i)))];
-if (_e293 == 0f) {
-phi_697_ = 3u;
+var local_24: f32;
+let _e80 = global;
+let _e88 = arrayLength((&global_2.member));
+let _e95 = global_1.member.member;
+if (_e80.x < _e95.member) {
+if (_e80.y < _e95.member_1) {
+let _e102 = (_e95.member * _e95.member_1);
+let _e104 = ((_e80.y * _e95.member) + _e80.x);
+let _e105 = bitcast<i32>(_e104);
+let _e107 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e109 = select(_e107, _e105, (_e105 < _e107));
+let _e115 = global_3.member[bitcast<u32>(select(0i, _e109, (_e109 > 0i)))];
+let _e116 = (_e102 + _e104);
+let _e117 = bitcast<i32>(_e116);
+let _e119 = select(_e107, _e117, (_e117 < _e107));
+let _e125 = global_3.member[bitcast<u32>(select(0i, _e119, (_e119 > 0i)))];
+let _e127 = ((2u * _e102) + _e104);
+let _e128 = bitcast<i32>(_e127);
+let _e130 = select(_e107, _e128, (_e128 < _e107));
+let _e136 = global_3.member[bitcast<u32>(select(0i, _e130, (_e130 > 0i)))];
+let _e138 = ((3u * _e102) + _e104);
+let _e139 = bitcast<i32>(_e138);
+let _e141 = select(_e107, _e139, (_e139 < _e107));
+let _e147 = global_3.member[bitcast<u32>(select(0i, _e141, (_e141 > 0i)))];
+let _e149 = ((4u * _e102) + _e104);
+let _e150 = bitcast<i32>(_e149);
+let _e152 = select(_e107, _e150, (_e150 < _e107));
+let _e158 = global_3.member[bitcast<u32>(select(0i, _e152, (_e152 > 0i)))];
+let _e160 = ((5u * _e102) + _e104);
+let _e161 = bitcast<i32>(_e160);
+let _e163 = select(_e107, _e161, (_e161 < _e107));
+let _e169 = global_3.member[bitcast<u32>(select(0i, _e163, (_e163 > 0i)))];
+let _e171 = ((6u * _e102) + _e104);
+let _e172 = bitcast<i32>(_e171);
+let _e174 = select(_e107, _e172, (_e172 < _e107));
+let _e180 = global_3.member[bitcast<u32>(select(0i, _e174, (_e174 > 0i)))];
+let _e182 = ((7u * _e102) + _e104);
+let _e183 = bitcast<i32>(_e182);
+let _e185 = select(_e107, _e183, (_e183 < _e107));
+let _e191 = global_3.member[bitcast<u32>(select(0i, _e185, (_e185 > 0i)))];
+let _e193 = ((8u * _e102) + _e104);
+let _e194 = bitcast<i32>(_e193);
+let _e196 = select(_e107, _e194, (_e194 < _e107));
+let _e202 = global_3.member[bitcast<u32>(select(0i, _e196, (_e196 > 0i)))];
+let _e204 = ((9u * _e102) + _e104);
+let _e205 = bitcast<i32>(_e204);
+let _e207 = select(_e107, _e205, (_e205 < _e107));
+let _e213 = global_3.member[bitcast<u32>(select(0i, _e207, (_e207 > 0i)))];
+let _e215 = ((10u * _e102) + _e104);
+let _e216 = bitcast<i32>(_e215);
+let _e218 = select(_e107, _e216, (_e216 < _e107));
+let _e224 = global_3.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
+let _e226 = ((11u * _e102) + _e104);
+let _e227 = bitcast<i32>(_e226);
+let _e229 = select(_e107, _e227, (_e227 < _e107));
+let _e235 = global_3.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
+let _e237 = ((12u * _e102) + _e104);
+let _e238 = bitcast<i32>(_e237);
+let _e240 = select(_e107, _e238, (_e238 < _e107));
+let _e246 = global_3.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
+let _e248 = ((13u * _e102) + _e104);
+let _e249 = bitcast<i32>(_e248);
+let _e251 = select(_e107, _e249, (_e249 < _e107));
+let _e257 = global_3.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
+let _e259 = ((14u * _e102) + _e104);
+let _e260 = bitcast<i32>(_e259);
+let _e262 = select(_e107, _e260, (_e260 < _e107));
+let _e268 = global_3.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
+let _e270 = ((15u * _e102) + _e104);
+let _e271 = bitcast<i32>(_e270);
+let _e273 = select(_e107, _e271, (_e271 < _e107));
+let _e279 = global_3.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
+let _e281 = ((16u * _e102) + _e104);
+let _e282 = bitcast<i32>(_e281);
+let _e284 = select(_e107, _e282, (_e282 < _e107));
+let _e290 = global_3.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
+let _e292 = ((17u * _e102) + _e104);
+let _e293 = bitcast<i32>(_e292);
+let _e295 = select(_e107, _e293, (_e293 < _e107));
+let _e301 = global_3.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
+let _e303 = ((18u * _e102) + _e104);
+let _e304 = bitcast<i32>(_e303);
+let _e306 = select(_e107, _e304, (_e304 < _e107));
+let _e312 = global_3.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
+let _e314 = ((19u * _e102) + _e104);
+let _e315 = bitcast<i32>(_e314);
+let _e317 = select(_e107, _e315, (_e315 < _e107));
+let _e323 = global_3.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
+let _e325 = ((20u * _e102) + _e104);
+let _e326 = bitcast<i32>(_e325);
+let _e328 = select(_e107, _e326, (_e326 < _e107));
+let _e334 = global_3.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
+let _e336 = ((21u * _e102) + _e104);
+let _e337 = bitcast<i32>(_e336);
+let _e339 = select(_e107, _e337, (_e337 < _e107));
+let _e345 = global_3.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
+let _e347 = ((22u * _e102) + _e104);
+let _e348 = bitcast<i32>(_e347);
+let _e350 = select(_e107, _e348, (_e348 < _e107));
+let _e356 = global_3.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
+let _e358 = ((23u * _e102) + _e104);
+let _e359 = bitcast<i32>(_e358);
+let _e361 = select(_e107, _e359, (_e359 < _e107));
+let _e367 = global_3.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
+let _e369 = ((24u * _e102) + _e104);
+let _e370 = bitcast<i32>(_e369);
+let _e372 = select(_e107, _e370, (_e370 < _e107));
+let _e378 = global_3.member[bitcast<u32>(select(0i, _e372, (_e372 > 0i)))];
+if (_e290 == 0f) {
+phi_640_ = 3u;
 } else {
-phi_697_ = select(0u, 1u, (_e293 == 4f));
+phi_640_ = select(0u, 1u, (_e290 == 4f));
 }
-let _e419 = phi_697_;
-if (_e419 > 0u) {
+let _e383 = phi_640_;
+if (_e383 > 0u) {
 if (arrayLength((&global_4.member)) >= 3u) {
-let _e428 = atomicLoad((&global_4.member[0u]));
-if (_e428 == 0u) {
-atomicStore((&global_4.member[0u]), ((_e98.member + 7u) / 8u));
-atomicStore((&global_4.member[1u]), ((_e98.member_1 + 7u) / 8u));
+let _e392 = atomicLoad((&global_4.member[0u]));
+if (_e392 == 0u) {
+atomicStore((&global_4.member[0u]), ((_e95.member + 7u) / 8u));
+atomicStore((&global_4.member[1u]), ((_e95.member_1 + 7u) / 8u));
 atomicStore((&global_4.member[2u]), 1u);
 }
 }
 }
-if (_e419 > 1u) {
-let _e467 = global_1.member.member_2.member;
-let _e468 = bitcast<i32>(_e467);
-let _e472 = global_1.member.member_2.member_1;
-let _e473 = bitcast<i32>(_e472);
-let _e477 = global_1.member.member_2.member_2;
-let _e478 = bitcast<i32>(_e477);
-phi_777_ = type_19(vec3<f32>(_e118, _e128, _e139), vec3<f32>(_e150, _e161, _e172), vec3<f32>(_e183, _e194, _e205), vec3<f32>(_e216, _e227, _e238), vec3<f32>(_e249, _e260, _e271), _e282, _e293, select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < -2147483600f)), 2147483647i, (_e304 > 2147483500f)), (_e304 == _e304)), _e315, _e326, _e337, _e348, vec3<f32>(_e359, _e370, _e381), select(0i, select(select(i32(_e392), i32(-2147483648), (_e392 < -2147483600f)), 2147483647i, (_e392 > 2147483500f)), (_e392 == _e392)), select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < -2147483600f)), 2147483647i, (_e403 > 2147483500f)), (_e403 == _e403)), _e414);
-phi_780_ = 0i;
+if (_e383 > 1u) {
+let _e430 = global_1.member.member_2.member;
+let _e431 = bitcast<i32>(_e430);
+let _e435 = global_1.member.member_2.member_1;
+let _e436 = bitcast<i32>(_e435);
+let _e440 = global_1.member.member_2.member_2;
+let _e441 = bitcast<i32>(_e440);
+phi_719_ = type_19(vec3<f32>(_e115, _e125, _e136), vec3<f32>(_e147, _e158, _e169), vec3<f32>(_e180, _e191, _e202), vec3<f32>(_e213, _e224, _e235), vec3<f32>(_e246, _e257, _e268), _e279, _e290, select(0i, select(select(i32(_e301), i32(-2147483648), (_e301 < -2147483600f)), 2147483647i, (_e301 > 2147483500f)), (_e301 == _e301)), _e312, _e323, _e334, _e345, select(0i, select(select(i32(_e356), i32(-2147483648), (_e356 < -2147483600f)), 2147483647i, (_e356 > 2147483500f)), (_e356 == _e356)), select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < -2147483600f)), 2147483647i, (_e367 > 2147483500f)), (_e367 == _e367)), _e378);
+phi_722_ = 0i;
 loop {
-let _e483 = phi_777_;
-let _e485 = phi_780_;
-local = _e483;
-local_1 = _e483;
-local_2 = _e483;
-local_3 = _e483;
-local_4 = _e483;
-local_5 = _e483;
-local_6 = _e483;
-local_7 = _e483;
-local_8 = _e483;
-local_9 = _e483;
-local_10 = _e483;
-local_11 = _e483;
-local_12 = _e483;
-local_13 = _e483;
-local_14 = _e483;
-local_15 = _e483;
-local_16 = _e483;
-local_17 = _e483;
-local_18 = _e483;
-local_19 = _e483;
-local_20 = _e483;
-local_21 = _e483;
-local_22 = _e483;
-local_23 = _e483;
-local_24 = _e483;
-local_25 = _e483;
-local_26 = _e483;
-let _e489 = ((_e485 < 256i) && (_e483.member_6 == 0f));
-local_27 = _e483.member_6;
-if _e489 {
-let _e495 = bitcast<f32>((bitcast<u32>(_e483.member_1.x) & 2147483647u));
-let _e499 = bitcast<f32>((bitcast<u32>(_e483.member_1.y) & 2147483647u));
-let _e501 = select(_e499, _e495, (_e495 > _e499));
-let _e505 = bitcast<f32>((bitcast<u32>(_e483.member_1.z) & 2147483647u));
-let _e507 = select(_e505, _e501, (_e501 > _e505));
-let _e510 = (1f / select(0.5f, _e507, (_e507 > 0.5f)));
-let _e512 = (_e483.member_15 <= _e510);
-if _e512 {
-let _e849 = type_19(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e483.member_15)), (_e483.member.y + (_e483.member_1.y * _e483.member_15)), (_e483.member.z + (_e483.member_1.z * _e483.member_15))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15);
-let _e867 = type_19(_e849.member, _e849.member_1, _e849.member_2, _e849.member_3, _e849.member_4, (_e483.member_5 + _e483.member_15), _e849.member_6, _e849.member_7, _e849.member_8, _e849.member_9, _e849.member_10, _e849.member_11, _e849.member_12, _e849.member_13, _e849.member_14, _e849.member_15);
-let _e884 = type_19(_e867.member, _e867.member_1, _e867.member_2, _e867.member_3, _e867.member_4, _e867.member_5, _e867.member_6, _e867.member_7, _e867.member_8, _e867.member_9, _e867.member_10, _e867.member_11, _e867.member_12, _e867.member_13, _e867.member_14, (_e483.member_15 - _e483.member_15));
-let _e905 = type_19(_e884.member, _e884.member_1, _e884.member_2, _e884.member_3, _e884.member_4, _e884.member_5, _e884.member_6, _e884.member_7, _e884.member_8, _e884.member_9, (_e483.member_10 + select(0f, _e483.member_15, (_e483.member_8 == 0f))), _e884.member_11, _e884.member_12, _e884.member_13, _e884.member_14, _e884.member_15);
-if (_e483.member_7 != 16i) {
-let _e924 = type_19(_e905.member, _e905.member_1, _e905.member_2, _e905.member_3, _e905.member_4, _e905.member_5, _e905.member_6, _e905.member_7, _e905.member_8, (_e483.member_9 + _e483.member_15), _e905.member_10, _e905.member_11, _e905.member_12, _e905.member_13, _e905.member_14, _e905.member_15);
-let _e925 = (_e483.member_7 * 4i);
-let _e926 = (_e925 + 1i);
-let _e928 = (bitcast<i32>(_e91) - 1i);
-let _e930 = select(_e928, _e926, (_e926 < _e928));
-let _e936 = global_2.member[bitcast<u32>(select(0i, _e930, (_e930 > 0i)))];
-let _e938 = -((_e936 * _e483.member_15));
-let _e940 = select(-87f, _e938, (_e938 > -87f));
-let _e942 = select(88f, _e940, (_e940 < 88f));
-let _e944 = ((_e942 * 1.442695f) + 0.5f);
-let _e946 = select(-127f, _e944, (_e944 > -127f));
-let _e948 = select(128f, _e946, (_e946 < 128f));
-let _e955 = select(0i, select(select(i32(_e948), i32(-2147483648), (_e948 < -2147483600f)), 2147483647i, (_e948 > 2147483500f)), (_e948 == _e948));
-let _e959 = (_e955 - select(0i, 1i, (_e948 < f32(_e955))));
-let _e960 = f32(_e959);
-let _e964 = ((_e942 - (_e960 * 0.6933594f)) - (_e960 * -2.1219444e-4f));
-let _e985 = (_e925 + 2i);
-let _e987 = select(_e928, _e985, (_e985 < _e928));
-let _e993 = global_2.member[bitcast<u32>(select(0i, _e987, (_e987 > 0i)))];
-let _e995 = -((_e993 * _e483.member_15));
-let _e997 = select(-87f, _e995, (_e995 > -87f));
-let _e999 = select(88f, _e997, (_e997 < 88f));
-let _e1001 = ((_e999 * 1.442695f) + 0.5f);
-let _e1003 = select(-127f, _e1001, (_e1001 > -127f));
-let _e1005 = select(128f, _e1003, (_e1003 < 128f));
-let _e1012 = select(0i, select(select(i32(_e1005), i32(-2147483648), (_e1005 < -2147483600f)), 2147483647i, (_e1005 > 2147483500f)), (_e1005 == _e1005));
-let _e1016 = (_e1012 - select(0i, 1i, (_e1005 < f32(_e1012))));
-let _e1017 = f32(_e1016);
-let _e1021 = ((_e999 - (_e1017 * 0.6933594f)) - (_e1017 * -2.1219444e-4f));
-let _e1042 = (_e925 + 3i);
-let _e1044 = select(_e928, _e1042, (_e1042 < _e928));
-let _e1050 = global_2.member[bitcast<u32>(select(0i, _e1044, (_e1044 > 0i)))];
-let _e1052 = -((_e1050 * _e483.member_15));
-let _e1054 = select(-87f, _e1052, (_e1052 > -87f));
-let _e1056 = select(88f, _e1054, (_e1054 < 88f));
-let _e1058 = ((_e1056 * 1.442695f) + 0.5f);
-let _e1060 = select(-127f, _e1058, (_e1058 > -127f));
-let _e1062 = select(128f, _e1060, (_e1060 < 128f));
-let _e1069 = select(0i, select(select(i32(_e1062), i32(-2147483648), (_e1062 < -2147483600f)), 2147483647i, (_e1062 > 2147483500f)), (_e1062 == _e1062));
-let _e1073 = (_e1069 - select(0i, 1i, (_e1062 < f32(_e1069))));
-let _e1074 = f32(_e1073);
-let _e1078 = ((_e1056 - (_e1074 * 0.6933594f)) - (_e1074 * -2.1219444e-4f));
-phi_1112_ = type_19(_e924.member, _e924.member_1, vec3<f32>((_e483.member_2.x * ((1f + (_e964 * (1f + (_e964 * (0.5f + (_e964 * (0.16666667f + (_e964 * (0.041666668f + (_e964 * (0.008333334f + (_e964 * (0.001388889f + (_e964 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e959 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.y * ((1f + (_e1021 * (1f + (_e1021 * (0.5f + (_e1021 * (0.16666667f + (_e1021 * (0.041666668f + (_e1021 * (0.008333334f + (_e1021 * (0.001388889f + (_e1021 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1016 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.z * ((1f + (_e1078 * (1f + (_e1078 * (0.5f + (_e1078 * (0.16666667f + (_e1078 * (0.041666668f + (_e1078 * (0.008333334f + (_e1078 * (0.001388889f + (_e1078 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1073 + 127i)) << bitcast<u32>(23i)))))), _e924.member_3, _e924.member_4, _e924.member_5, _e924.member_6, _e924.member_7, _e924.member_8, _e924.member_9, _e924.member_10, _e924.member_11, _e924.member_12, _e924.member_13, _e924.member_14, _e924.member_15);
+let _e446 = phi_719_;
+let _e448 = phi_722_;
+local = _e446;
+local_1 = _e446;
+local_2 = _e446;
+local_3 = _e446;
+local_4 = _e446;
+local_5 = _e446;
+local_6 = _e446;
+local_7 = _e446;
+local_8 = _e446;
+local_9 = _e446;
+local_10 = _e446;
+local_11 = _e446;
+local_12 = _e446;
+local_13 = _e446;
+local_14 = _e446;
+local_15 = _e446;
+local_16 = _e446;
+local_17 = _e446;
+local_18 = _e446;
+local_19 = _e446;
+local_20 = _e446;
+local_21 = _e446;
+local_22 = _e446;
+local_23 = _e446;
+let _e452 = ((_e448 < 256i) && (_e446.member_6 == 0f));
+local_24 = _e446.member_6;
+if _e452 {
+let _e458 = bitcast<f32>((bitcast<u32>(_e446.member_1.x) & 2147483647u));
+let _e462 = bitcast<f32>((bitcast<u32>(_e446.member_1.y) & 2147483647u));
+let _e464 = select(_e462, _e458, (_e458 > _e462));
+let _e468 = bitcast<f32>((bitcast<u32>(_e446.member_1.z) & 2147483647u));
+let _e470 = select(_e468, _e464, (_e464 > _e468));
+let _e473 = (1f / select(0.5f, _e470, (_e470 > 0.5f)));
+let _e475 = (_e446.member_14 <= _e473);
+if _e475 {
+let _e805 = type_19(vec3<f32>((_e446.member.x + (_e446.member_1.x * _e446.member_14)), (_e446.member.y + (_e446.member_1.y * _e446.member_14)), (_e446.member.z + (_e446.member_1.z * _e446.member_14))), _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, _e446.member_6, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e446.member_14);
+let _e822 = type_19(_e805.member, _e805.member_1, _e805.member_2, _e805.member_3, _e805.member_4, (_e446.member_5 + _e446.member_14), _e805.member_6, _e805.member_7, _e805.member_8, _e805.member_9, _e805.member_10, _e805.member_11, _e805.member_12, _e805.member_13, _e805.member_14);
+let _e838 = type_19(_e822.member, _e822.member_1, _e822.member_2, _e822.member_3, _e822.member_4, _e822.member_5, _e822.member_6, _e822.member_7, _e822.member_8, _e822.member_9, _e822.member_10, _e822.member_11, _e822.member_12, _e822.member_13, (_e446.member_14 - _e446.member_14));
+let _e858 = type_19(_e838.member, _e838.member_1, _e838.member_2, _e838.member_3, _e838.member_4, _e838.member_5, _e838.member_6, _e838.member_7, _e838.member_8, _e838.member_9, (_e446.member_10 + select(0f, _e446.member_14, (_e446.member_8 == 0f))), _e838.member_11, _e838.member_12, _e838.member_13, _e838.member_14);
+if (_e446.member_7 != 16i) {
+let _e876 = type_19(_e858.member, _e858.member_1, _e858.member_2, _e858.member_3, _e858.member_4, _e858.member_5, _e858.member_6, _e858.member_7, _e858.member_8, (_e446.member_9 + _e446.member_14), _e858.member_10, _e858.member_11, _e858.member_12, _e858.member_13, _e858.member_14);
+let _e877 = (_e446.member_7 * 4i);
+let _e878 = (_e877 + 1i);
+let _e880 = (bitcast<i32>(_e88) - 1i);
+let _e882 = select(_e880, _e878, (_e878 < _e880));
+let _e888 = global_2.member[bitcast<u32>(select(0i, _e882, (_e882 > 0i)))];
+let _e890 = -((_e888 * _e446.member_14));
+let _e892 = select(-87f, _e890, (_e890 > -87f));
+let _e894 = select(88f, _e892, (_e892 < 88f));
+let _e896 = ((_e894 * 1.442695f) + 0.5f);
+let _e898 = select(-127f, _e896, (_e896 > -127f));
+let _e900 = select(128f, _e898, (_e898 < 128f));
+let _e907 = select(0i, select(select(i32(_e900), i32(-2147483648), (_e900 < -2147483600f)), 2147483647i, (_e900 > 2147483500f)), (_e900 == _e900));
+let _e911 = (_e907 - select(0i, 1i, (_e900 < f32(_e907))));
+let _e912 = f32(_e911);
+let _e916 = ((_e894 - (_e912 * 0.6933594f)) - (_e912 * -2.1219444e-4f));
+let _e940 = (_e877 + 2i);
+let _e942 = select(_e880, _e940, (_e940 < _e880));
+let _e948 = global_2.member[bitcast<u32>(select(0i, _e942, (_e942 > 0i)))];
+let _e950 = -((_e948 * _e446.member_14));
+let _e952 = select(-87f, _e950, (_e950 > -87f));
+let _e954 = select(88f, _e952, (_e952 < 88f));
+let _e956 = ((_e954 * 1.442695f) + 0.5f);
+let _e958 = select(-127f, _e956, (_e956 > -127f));
+let _e960 = select(128f, _e958, (_e958 < 128f));
+let _e967 = select(0i, select(select(i32(_e960), i32(-2147483648), (_e960 < -2147483600f)), 2147483647i, (_e960 > 2147483500f)), (_e960 == _e960));
+let _e971 = (_e967 - select(0i, 1i, (_e960 < f32(_e967))));
+let _e972 = f32(_e971);
+let _e976 = ((_e954 - (_e972 * 0.6933594f)) - (_e972 * -2.1219444e-4f));
+let _e1000 = (_e877 + 3i);
+let _e1002 = select(_e880, _e1000, (_e1000 < _e880));
+let _e1008 = global_2.member[bitcast<u32>(select(0i, _e1002, (_e1002 > 0i)))];
+let _e1010 = -((_e1008 * _e446.member_14));
+let _e1012 = select(-87f, _e1010, (_e1010 > -87f));
+let _e1014 = select(88f, _e1012, (_e1012 < 88f));
+let _e1016 = ((_e1014 * 1.442695f) + 0.5f);
+let _e1018 = select(-127f, _e1016, (_e1016 > -127f));
+let _e1020 = select(128f, _e1018, (_e1018 < 128f));
+let _e1027 = select(0i, select(select(i32(_e1020), i32(-2147483648), (_e1020 < -2147483600f)), 2147483647i, (_e1020 > 2147483500f)), (_e1020 == _e1020));
+let _e1031 = (_e1027 - select(0i, 1i, (_e1020 < f32(_e1027))));
+let _e1032 = f32(_e1031);
+let _e1036 = ((_e1014 - (_e1032 * 0.6933594f)) - (_e1032 * -2.1219444e-4f));
+phi_1054_ = type_19(_e876.member, _e876.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e916 * (1f + (_e916 * (0.5f + (_e916 * (0.16666667f + (_e916 * (0.041666668f + (_e916 * (0.008333334f + (_e916 * (0.001388889f + (_e916 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e911 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e976 * (1f + (_e976 * (0.5f + (_e976 * (0.16666667f + (_e976 * (0.041666668f + (_e976 * (0.008333334f + (_e976 * (0.001388889f + (_e976 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e971 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e1036 * (1f + (_e1036 * (0.5f + (_e1036 * (0.16666667f + (_e1036 * (0.041666668f + (_e1036 * (0.008333334f + (_e1036 * (0.001388889f + (_e1036 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1031 + 127i)) << bitcast<u32>(23i)))))), _e876.member_3, _e876.member_4, _e876.member_5, _e876.member_6, _e876.member_7, _e876.member_8, _e876.member_9, _e876.member_10, _e876.member_11, _e876.member_12, _e876.member_13, _e876.member_14);
 } else {
-phi_1112_ = _e905;
+phi_1054_ = _e858;
 }
-let _e1126 = phi_1112_;
-phi_1400_ = type_19(_e1126.member, _e1126.member_1, _e1126.member_2, _e1126.member_3, _e1126.member_4, _e1126.member_5, 3f, _e1126.member_7, _e1126.member_8, _e1126.member_9, _e1126.member_10, _e1126.member_11, _e1126.member_12, _e1126.member_13, _e1126.member_14, _e1126.member_15);
+let _e1077 = phi_1054_;
+phi_1342_ = type_19(_e1077.member, _e1077.member_1, _e1077.member_2, _e1077.member_3, _e1077.member_4, _e1077.member_5, 3f, _e1077.member_7, _e1077.member_8, _e1077.member_9, _e1077.member_10, _e1077.member_11, _e1077.member_12, _e1077.member_13, _e1077.member_14);
 } else {
-let _e542 = type_19(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e510)), (_e483.member.y + (_e483.member_1.y * _e510)), (_e483.member.z + (_e483.member_1.z * _e510))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15);
-let _e560 = type_19(_e542.member, _e542.member_1, _e542.member_2, _e542.member_3, _e542.member_4, (_e483.member_5 + _e510), _e542.member_6, _e542.member_7, _e542.member_8, _e542.member_9, _e542.member_10, _e542.member_11, _e542.member_12, _e542.member_13, _e542.member_14, _e542.member_15);
-let _e577 = type_19(_e560.member, _e560.member_1, _e560.member_2, _e560.member_3, _e560.member_4, _e560.member_5, _e560.member_6, _e560.member_7, _e560.member_8, _e560.member_9, _e560.member_10, _e560.member_11, _e560.member_12, _e560.member_13, _e560.member_14, (_e483.member_15 - _e510));
-let _e598 = type_19(_e577.member, _e577.member_1, _e577.member_2, _e577.member_3, _e577.member_4, _e577.member_5, _e577.member_6, _e577.member_7, _e577.member_8, _e577.member_9, (_e483.member_10 + select(0f, _e510, (_e483.member_8 == 0f))), _e577.member_11, _e577.member_12, _e577.member_13, _e577.member_14, _e577.member_15);
-if (_e483.member_7 != 16i) {
-let _e617 = type_19(_e598.member, _e598.member_1, _e598.member_2, _e598.member_3, _e598.member_4, _e598.member_5, _e598.member_6, _e598.member_7, _e598.member_8, (_e483.member_9 + _e510), _e598.member_10, _e598.member_11, _e598.member_12, _e598.member_13, _e598.member_14, _e598.member_15);
-let _e618 = (_e483.member_7 * 4i);
-let _e619 = (_e618 + 1i);
-let _e621 = (bitcast<i32>(_e91) - 1i);
-let _e623 = select(_e621, _e619, (_e619 < _e621));
-let _e629 = global_2.member[bitcast<u32>(select(0i, _e623, (_e623 > 0i)))];
-let _e631 = -((_e629 * _e510));
-let _e633 = select(-87f, _e631, (_e631 > -87f));
-let _e635 = select(88f, _e633, (_e633 < 88f));
-let _e637 = ((_e635 * 1.442695f) + 0.5f);
-let _e639 = select(-127f, _e637, (_e637 > -127f));
-let _e641 = select(128f, _e639, (_e639 < 128f));
-let _e648 = select(0i, select(select(i32(_e641), i32(-2147483648), (_e641 < -2147483600f)), 2147483647i, (_e641 > 2147483500f)), (_e641 == _e641));
-let _e652 = (_e648 - select(0i, 1i, (_e641 < f32(_e648))));
-let _e653 = f32(_e652);
-let _e657 = ((_e635 - (_e653 * 0.6933594f)) - (_e653 * -2.1219444e-4f));
-let _e678 = (_e618 + 2i);
-let _e680 = select(_e621, _e678, (_e678 < _e621));
-let _e686 = global_2.member[bitcast<u32>(select(0i, _e680, (_e680 > 0i)))];
-let _e688 = -((_e686 * _e510));
-let _e690 = select(-87f, _e688, (_e688 > -87f));
-let _e692 = select(88f, _e690, (_e690 < 88f));
-let _e694 = ((_e692 * 1.442695f) + 0.5f);
-let _e696 = select(-127f, _e694, (_e694 > -127f));
-let _e698 = select(128f, _e696, (_e696 < 128f));
-let _e705 = select(0i, select(select(i32(_e698), i32(-2147483648), (_e698 < -2147483600f)), 2147483647i, (_e698 > 2147483500f)), (_e698 == _e698));
-let _e709 = (_e705 - select(0i, 1i, (_e698 < f32(_e705))));
-let _e710 = f32(_e709);
-let _e714 = ((_e692 - (_e710 * 0.6933594f)) - (_e710 * -2.1219444e-4f));
-let _e735 = (_e618 + 3i);
-let _e737 = select(_e621, _e735, (_e735 < _e621));
-let _e743 = global_2.member[bitcast<u32>(select(0i, _e737, (_e737 > 0i)))];
-let _e745 = -((_e743 * _e510));
-let _e747 = select(-87f, _e745, (_e745 > -87f));
-let _e749 = select(88f, _e747, (_e747 < 88f));
-let _e751 = ((_e749 * 1.442695f) + 0.5f);
-let _e753 = select(-127f, _e751, (_e751 > -127f));
-let _e755 = select(128f, _e753, (_e753 < 128f));
-let _e762 = select(0i, select(select(i32(_e755), i32(-2147483648), (_e755 < -2147483600f)), 2147483647i, (_e755 > 2147483500f)), (_e755 == _e755));
-let _e766 = (_e762 - select(0i, 1i, (_e755 < f32(_e762))));
-let _e767 = f32(_e766);
-let _e771 = ((_e749 - (_e767 * 0.6933594f)) - (_e767 * -2.1219444e-4f));
-phi_1399_ = type_19(_e617.member, _e617.member_1, vec3<f32>((_e483.member_2.x * ((1f + (_e657 * (1f + (_e657 * (0.5f + (_e657 * (0.16666667f + (_e657 * (0.041666668f + (_e657 * (0.008333334f + (_e657 * (0.001388889f + (_e657 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e652 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.y * ((1f + (_e714 * (1f + (_e714 * (0.5f + (_e714 * (0.16666667f + (_e714 * (0.041666668f + (_e714 * (0.008333334f + (_e714 * (0.001388889f + (_e714 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e709 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.z * ((1f + (_e771 * (1f + (_e771 * (0.5f + (_e771 * (0.16666667f + (_e771 * (0.041666668f + (_e771 * (0.008333334f + (_e771 * (0.001388889f + (_e771 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e766 + 127i)) << bitcast<u32>(23i)))))), _e617.member_3, _e617.member_4, _e617.member_5, _e617.member_6, _e617.member_7, _e617.member_8, _e617.member_9, _e617.member_10, _e617.member_11, _e617.member_12, _e617.member_13, _e617.member_14, _e617.member_15);
+let _e504 = type_19(vec3<f32>((_e446.member.x + (_e446.member_1.x * _e473)), (_e446.member.y + (_e446.member_1.y * _e473)), (_e446.member.z + (_e446.member_1.z * _e473))), _e446.member_1, _e446.member_2, _e446.member_3, _e446.member_4, _e446.member_5, _e446.member_6, _e446.member_7, _e446.member_8, _e446.member_9, _e446.member_10, _e446.member_11, _e446.member_12, _e446.member_13, _e446.member_14);
+let _e521 = type_19(_e504.member, _e504.member_1, _e504.member_2, _e504.member_3, _e504.member_4, (_e446.member_5 + _e473), _e504.member_6, _e504.member_7, _e504.member_8, _e504.member_9, _e504.member_10, _e504.member_11, _e504.member_12, _e504.member_13, _e504.member_14);
+let _e537 = type_19(_e521.member, _e521.member_1, _e521.member_2, _e521.member_3, _e521.member_4, _e521.member_5, _e521.member_6, _e521.member_7, _e521.member_8, _e521.member_9, _e521.member_10, _e521.member_11, _e521.member_12, _e521.member_13, (_e446.member_14 - _e473));
+let _e557 = type_19(_e537.member, _e537.member_1, _e537.member_2, _e537.member_3, _e537.member_4, _e537.member_5, _e537.member_6, _e537.member_7, _e537.member_8, _e537.member_9, (_e446.member_10 + select(0f, _e473, (_e446.member_8 == 0f))), _e537.member_11, _e537.member_12, _e537.member_13, _e537.member_14);
+if (_e446.member_7 != 16i) {
+let _e575 = type_19(_e557.member, _e557.member_1, _e557.member_2, _e557.member_3, _e557.member_4, _e557.member_5, _e557.member_6, _e557.member_7, _e557.member_8, (_e446.member_9 + _e473), _e557.member_10, _e557.member_11, _e557.member_12, _e557.member_13, _e557.member_14);
+let _e576 = (_e446.member_7 * 4i);
+let _e577 = (_e576 + 1i);
+let _e579 = (bitcast<i32>(_e88) - 1i);
+let _e581 = select(_e579, _e577, (_e577 < _e579));
+let _e587 = global_2.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
+let _e589 = -((_e587 * _e473));
+let _e591 = select(-87f, _e589, (_e589 > -87f));
+let _e593 = select(88f, _e591, (_e591 < 88f));
+let _e595 = ((_e593 * 1.442695f) + 0.5f);
+let _e597 = select(-127f, _e595, (_e595 > -127f));
+let _e599 = select(128f, _e597, (_e597 < 128f));
+let _e606 = select(0i, select(select(i32(_e599), i32(-2147483648), (_e599 < -2147483600f)), 2147483647i, (_e599 > 2147483500f)), (_e599 == _e599));
+let _e610 = (_e606 - select(0i, 1i, (_e599 < f32(_e606))));
+let _e611 = f32(_e610);
+let _e615 = ((_e593 - (_e611 * 0.6933594f)) - (_e611 * -2.1219444e-4f));
+let _e639 = (_e576 + 2i);
+let _e641 = select(_e579, _e639, (_e639 < _e579));
+let _e647 = global_2.member[bitcast<u32>(select(0i, _e641, (_e641 > 0i)))];
+let _e649 = -((_e647 * _e473));
+let _e651 = select(-87f, _e649, (_e649 > -87f));
+let _e653 = select(88f, _e651, (_e651 < 88f));
+let _e655 = ((_e653 * 1.442695f) + 0.5f);
+let _e657 = select(-127f, _e655, (_e655 > -127f));
+let _e659 = select(128f, _e657, (_e657 < 128f));
+let _e666 = select(0i, select(select(i32(_e659), i32(-2147483648), (_e659 < -2147483600f)), 2147483647i, (_e659 > 2147483500f)), (_e659 == _e659));
+let _e670 = (_e666 - select(0i, 1i, (_e659 < f32(_e666))));
+let _e671 = f32(_e670);
+let _e675 = ((_e653 - (_e671 * 0.6933594f)) - (_e671 * -2.1219444e-4f));
+let _e699 = (_e576 + 3i);
+let _e701 = select(_e579, _e699, (_e699 < _e579));
+let _e707 = global_2.member[bitcast<u32>(select(0i, _e701, (_e701 > 0i)))];
+let _e709 = -((_e707 * _e473));
+let _e711 = select(-87f, _e709, (_e709 > -87f));
+let _e713 = select(88f, _e711, (_e711 < 88f));
+let _e715 = ((_e713 * 1.442695f) + 0.5f);
+let _e717 = select(-127f, _e715, (_e715 > -127f));
+let _e719 = select(128f, _e717, (_e717 < 128f));
+let _e726 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < -2147483600f)), 2147483647i, (_e719 > 2147483500f)), (_e719 == _e719));
+let _e730 = (_e726 - select(0i, 1i, (_e719 < f32(_e726))));
+let _e731 = f32(_e730);
+let _e735 = ((_e713 - (_e731 * 0.6933594f)) - (_e731 * -2.1219444e-4f));
+phi_1341_ = type_19(_e575.member, _e575.member_1, vec3<f32>((_e446.member_2.x * ((1f + (_e615 * (1f + (_e615 * (0.5f + (_e615 * (0.16666667f + (_e615 * (0.041666668f + (_e615 * (0.008333334f + (_e615 * (0.001388889f + (_e615 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e610 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.y * ((1f + (_e675 * (1f + (_e675 * (0.5f + (_e675 * (0.16666667f + (_e675 * (0.041666668f + (_e675 * (0.008333334f + (_e675 * (0.001388889f + (_e675 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e670 + 127i)) << bitcast<u32>(23i))))), (_e446.member_2.z * ((1f + (_e735 * (1f + (_e735 * (0.5f + (_e735 * (0.16666667f + (_e735 * (0.041666668f + (_e735 * (0.008333334f + (_e735 * (0.001388889f + (_e735 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e730 + 127i)) << bitcast<u32>(23i)))))), _e575.member_3, _e575.member_4, _e575.member_5, _e575.member_6, _e575.member_7, _e575.member_8, _e575.member_9, _e575.member_10, _e575.member_11, _e575.member_12, _e575.member_13, _e575.member_14);
 } else {
-phi_1399_ = _e598;
+phi_1341_ = _e557;
 }
-let _e819 = phi_1399_;
-phi_1400_ = _e819;
+let _e776 = phi_1341_;
+phi_1342_ = _e776;
 }
-let _e1144 = phi_1400_;
-if (!(_e512) && ((((((_e1144.member.x < 0f) || (_e1144.member.y < 0f)) || (_e1144.member.z < 0f)) || (_e1144.member.x >= f32(_e468))) || (_e1144.member.y >= f32(_e473))) || (_e1144.member.z >= f32(_e478)))) {
-if (_e1144.member_14 == -1i) {
-phi_1732_ = type_19(_e1144.member, _e1144.member_1, _e1144.member_2, _e1144.member_3, _e1144.member_4, _e1144.member_5, 1f, _e1144.member_7, _e1144.member_8, _e1144.member_9, _e1144.member_10, _e1144.member_11, _e1144.member_12, _e1144.member_13, _e1144.member_14, _e1144.member_15);
+let _e1094 = phi_1342_;
+if (!(_e475) && ((((((_e1094.member.x < 0f) || (_e1094.member.y < 0f)) || (_e1094.member.z < 0f)) || (_e1094.member.x >= f32(_e431))) || (_e1094.member.y >= f32(_e436))) || (_e1094.member.z >= f32(_e441)))) {
+if (_e1094.member_13 == -1i) {
+phi_1674_ = type_19(_e1094.member, _e1094.member_1, _e1094.member_2, _e1094.member_3, _e1094.member_4, _e1094.member_5, 1f, _e1094.member_7, _e1094.member_8, _e1094.member_9, _e1094.member_10, _e1094.member_11, _e1094.member_12, _e1094.member_13, _e1094.member_14);
 } else {
-let _e2250 = type_19(vec3<f32>((_e1144.member.x + (_e1144.member_1.x * _e1144.member_15)), (_e1144.member.y + (_e1144.member_1.y * _e1144.member_15)), (_e1144.member.z + (_e1144.member_1.z * _e1144.member_15))), _e1144.member_1, _e1144.member_2, _e1144.member_3, _e1144.member_4, _e1144.member_5, _e1144.member_6, _e1144.member_7, _e1144.member_8, _e1144.member_9, _e1144.member_10, _e1144.member_11, _e1144.member_12, _e1144.member_13, _e1144.member_14, _e1144.member_15);
-let _e2268 = type_19(_e2250.member, _e2250.member_1, _e2250.member_2, _e2250.member_3, _e2250.member_4, (_e1144.member_5 + _e1144.member_15), _e2250.member_6, _e2250.member_7, _e2250.member_8, _e2250.member_9, _e2250.member_10, _e2250.member_11, _e2250.member_12, _e2250.member_13, _e2250.member_14, _e2250.member_15);
-let _e2285 = type_19(_e2268.member, _e2268.member_1, _e2268.member_2, _e2268.member_3, _e2268.member_4, _e2268.member_5, _e2268.member_6, _e2268.member_7, _e2268.member_8, _e2268.member_9, _e2268.member_10, _e2268.member_11, _e2268.member_12, _e2268.member_13, _e2268.member_14, (_e1144.member_15 - _e1144.member_15));
-let _e2306 = type_19(_e2285.member, _e2285.member_1, _e2285.member_2, _e2285.member_3, _e2285.member_4, _e2285.member_5, _e2285.member_6, _e2285.member_7, _e2285.member_8, _e2285.member_9, (_e1144.member_10 + select(0f, _e1144.member_15, (_e1144.member_8 == 0f))), _e2285.member_11, _e2285.member_12, _e2285.member_13, _e2285.member_14, _e2285.member_15);
-phi_1732_ = type_19(_e2306.member, _e2306.member_1, _e2306.member_2, _e2306.member_3, _e2306.member_4, _e2306.member_5, 3f, _e2306.member_7, _e2306.member_8, _e2306.member_9, _e2306.member_10, _e2306.member_11, _e2306.member_12, _e2306.member_13, _e2306.member_14, _e2306.member_15);
+let _e1917 = type_19(vec3<f32>((_e1094.member.x + (_e1094.member_1.x * _e1094.member_14)), (_e1094.member.y + (_e1094.member_1.y * _e1094.member_14)), (_e1094.member.z + (_e1094.member_1.z * _e1094.member_14))), _e1094.member_1, _e1094.member_2, _e1094.member_3, _e1094.member_4, _e1094.member_5, _e1094.member_6, _e1094.member_7, _e1094.member_8, _e1094.member_9, _e1094.member_10, _e1094.member_11, _e1094.member_12, _e1094.member_13, _e1094.member_14);
+let _e1934 = type_19(_e1917.member, _e1917.member_1, _e1917.member_2, _e1917.member_3, _e1917.member_4, (_e1094.member_5 + _e1094.member_14), _e1917.member_6, _e1917.member_7, _e1917.member_8, _e1917.member_9, _e1917.member_10, _e1917.member_11, _e1917.member_12, _e1917.member_13, _e1917.member_14);
+let _e1950 = type_19(_e1934.member, _e1934.member_1, _e1934.member_2, _e1934.member_3, _e1934.member_4, _e1934.member_5, _e1934.member_6, _e1934.member_7, _e1934.member_8, _e1934.member_9, _e1934.member_10, _e1934.member_11, _e1934.member_12, _e1934.member_13, (_e1094.member_14 - _e1094.member_14));
+let _e1970 = type_19(_e1950.member, _e1950.member_1, _e1950.member_2, _e1950.member_3, _e1950.member_4, _e1950.member_5, _e1950.member_6, _e1950.member_7, _e1950.member_8, _e1950.member_9, (_e1094.member_10 + select(0f, _e1094.member_14, (_e1094.member_8 == 0f))), _e1950.member_11, _e1950.member_12, _e1950.member_13, _e1950.member_14);
+phi_1674_ = type_19(_e1970.member, _e1970.member_1, _e1970.member_2, _e1970.member_3, _e1970.member_4, _e1970.member_5, 3f, _e1970.member_7, _e1970.member_8, _e1970.member_9, _e1970.member_10, _e1970.member_11, _e1970.member_12, _e1970.member_13, _e1970.member_14);
 }
-let _e2340 = phi_1732_;
-phi_3066_ = _e2340;
+let _e2002 = phi_1674_;
+phi_2671_ = _e2002;
 } else {
-if _e512 {
-phi_3065_ = _e1144;
+if _e475 {
+phi_2670_ = _e1094;
 } else {
-let _e1166 = f32((_e468 - 1i));
-let _e1168 = select(0f, _e1144.member.x, (_e1144.member.x > 0f));
-let _e1170 = select(_e1166, _e1168, (_e1168 < _e1166));
-let _e1177 = select(0i, select(select(i32(_e1170), i32(-2147483648), (_e1170 < -2147483600f)), 2147483647i, (_e1170 > 2147483500f)), (_e1170 == _e1170));
-let _e1181 = (_e1177 - select(0i, 1i, (_e1170 < f32(_e1177))));
-let _e1183 = f32((_e473 - 1i));
-let _e1185 = select(0f, _e1144.member.y, (_e1144.member.y > 0f));
-let _e1187 = select(_e1183, _e1185, (_e1185 < _e1183));
-let _e1194 = select(0i, select(select(i32(_e1187), i32(-2147483648), (_e1187 < -2147483600f)), 2147483647i, (_e1187 > 2147483500f)), (_e1187 == _e1187));
-let _e1200 = f32((_e478 - 1i));
-let _e1202 = select(0f, _e1144.member.z, (_e1144.member.z > 0f));
-let _e1204 = select(_e1200, _e1202, (_e1202 < _e1200));
-let _e1211 = select(0i, select(select(i32(_e1204), i32(-2147483648), (_e1204 < -2147483600f)), 2147483647i, (_e1204 > 2147483500f)), (_e1204 == _e1204));
-let _e1221 = (((((_e1211 - select(0i, 1i, (_e1204 < f32(_e1211)))) * _e473) + (_e1194 - select(0i, 1i, (_e1187 < f32(_e1194))))) * ((_e468 + 31i) >> bitcast<u32>(5i))) + (_e1181 >> bitcast<u32>(5i)));
-let _e1223 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e1225 = select(_e1223, _e1221, (_e1221 < _e1223));
-let _e1231 = global_5.member[bitcast<u32>(select(0i, _e1225, (_e1225 > 0i)))];
-let _e1234 = (bitcast<u32>((_e1181 & 31i)) & 31u);
-if (((_e1231 >> bitcast<u32>(_e1234)) & 1u) == 1u) {
-let _e1240 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
-let _e1242 = select(_e1240, _e1221, (_e1221 < _e1240));
-let _e1248 = global_6.member[bitcast<u32>(select(0i, _e1242, (_e1242 > 0i)))];
-let _e1256 = (bitcast<i32>((_e1248 + countOneBits((_e1231 & ((1u << bitcast<u32>(_e1234)) - 1u))))) * 4i);
-let _e1258 = (bitcast<i32>(arrayLength((&global_7.member))) - 1i);
-let _e1260 = select(_e1258, _e1256, (_e1256 < _e1258));
-let _e1266 = global_7.member[bitcast<u32>(select(0i, _e1260, (_e1260 > 0i)))];
-let _e1267 = (_e1256 + 1i);
-let _e1269 = select(_e1258, _e1267, (_e1267 < _e1258));
-let _e1275 = global_7.member[bitcast<u32>(select(0i, _e1269, (_e1269 > 0i)))];
-let _e1276 = (_e1256 + 2i);
-let _e1278 = select(_e1258, _e1276, (_e1276 < _e1258));
-let _e1284 = global_7.member[bitcast<u32>(select(0i, _e1278, (_e1278 > 0i)))];
-let _e1285 = vec3<f32>(_e1266, _e1275, _e1284);
-let _e1286 = (_e1256 + 3i);
-let _e1288 = select(_e1258, _e1286, (_e1286 < _e1258));
-let _e1294 = global_7.member[bitcast<u32>(select(0i, _e1288, (_e1288 > 0i)))];
-let _e1296 = select(0f, _e1294, (_e1294 > 0f));
-let _e1298 = select(16f, _e1296, (_e1296 < 16f));
-let _e1305 = select(0i, select(select(i32(_e1298), i32(-2147483648), (_e1298 < -2147483600f)), 2147483647i, (_e1298 > 2147483500f)), (_e1298 == _e1298));
-let _e1314 = (((_e483.member_1.x * _e1266) + (_e483.member_1.y * _e1275)) + (_e483.member_1.z * _e1284));
-let _e1316 = select(16i, (_e1305 - select(0i, 1i, (_e1298 < f32(_e1305)))), (_e1314 < 0f));
-let _e1330 = global_1.member.member_12;
-if ((!(((_e1144.member_8 > 0f) && ((((_e1266 * _e1144.member_4.x) + (_e1275 * _e1144.member_4.y)) + (_e1284 * _e1144.member_4.z)) > _e1330))) && (_e1314 != 0f)) && (_e1316 != _e1144.member_7)) {
-let _e1340 = (_e1144.member_7 * 4i);
-let _e1342 = (bitcast<i32>(_e91) - 1i);
-let _e1344 = select(_e1342, _e1340, (_e1340 < _e1342));
-let _e1350 = global_2.member[bitcast<u32>(select(0i, _e1344, (_e1344 > 0i)))];
-let _e1351 = (_e1144.member_7 == 16i);
-let _e1352 = select(_e1350, 1f, _e1351);
-let _e1353 = (_e1316 * 4i);
-let _e1355 = select(_e1342, _e1353, (_e1353 < _e1342));
-let _e1361 = global_2.member[bitcast<u32>(select(0i, _e1355, (_e1355 > 0i)))];
-let _e1363 = select(_e1361, 1f, (_e1316 == 16i));
-let _e1373 = select(1f, -1f, ((((_e1144.member_1.x * _e1266) + (_e1144.member_1.y * _e1275)) + (_e1144.member_1.z * _e1284)) > 0f));
-let _e1374 = (_e1266 * _e1373);
-let _e1375 = (_e1275 * _e1373);
-let _e1376 = (_e1284 * _e1373);
-let _e1382 = -((((_e1144.member_1.x * _e1374) + (_e1144.member_1.y * _e1375)) + (_e1144.member_1.z * _e1376)));
-let _e1384 = select(0f, _e1382, (_e1382 > 0f));
-let _e1385 = (_e1352 / _e1363);
-let _e1387 = (_e1384 * _e1384);
-let _e1390 = (1f - ((_e1385 * _e1385) * (1f - _e1387)));
-let _e1391 = (_e1390 <= 0f);
-let _e1399 = ((_e1385 * _e1384) - sqrt(select(0f, _e1390, (_e1390 > 0f))));
-let _e1406 = (2f * _e1384);
-let _e1413 = select(((_e1144.member_1.x * _e1385) + (_e1374 * _e1399)), (_e1144.member_1.x + (_e1374 * _e1406)), _e1391);
-let _e1414 = select(((_e1144.member_1.y * _e1385) + (_e1375 * _e1399)), (_e1144.member_1.y + (_e1375 * _e1406)), _e1391);
-let _e1415 = select(((_e1144.member_1.z * _e1385) + (_e1376 * _e1399)), (_e1144.member_1.z + (_e1376 * _e1406)), _e1391);
-let _e1420 = (((_e1413 * _e1413) + (_e1414 * _e1414)) + (_e1415 * _e1415));
-let _e1423 = sqrt(select(0f, _e1420, (_e1420 > 0f)));
-let _e1426 = (1f / select(1e-20f, _e1423, (_e1423 > 1e-20f)));
-let _e1431 = (_e1363 / _e1352);
-let _e1434 = (((_e1431 * _e1431) - 1f) + _e1387);
-let _e1437 = sqrt(select(0f, _e1434, (_e1434 > 0f)));
-let _e1438 = (_e1437 - _e1384);
-let _e1439 = (_e1437 + _e1384);
-let _e1442 = (_e1438 / select(1e-6f, _e1439, (_e1439 > 1e-6f)));
-let _e1446 = ((_e1384 * _e1438) + 1f);
-let _e1449 = (((_e1384 * _e1439) - 1f) / select(1e-6f, _e1446, (_e1446 > 1e-6f)));
-let _e1459 = (_e1144.member_8 == 0f);
-let _e1462 = global_1.member.member_1;
-let _e1465 = select(0f, select(select((((0.5f * _e1442) * _e1442) * (1f + (_e1449 * _e1449))), 1f, (_e1434 <= 0f)), 0f, (_e1352 == _e1363)), ((_e1462 & 1u) != 0u));
-let _e1466 = (_e1459 && _e1351);
-if _e1459 {
-let _e1482 = type_19(_e1144.member, _e1144.member_1, _e1144.member_2, _e1285, _e1144.member_4, _e1144.member_5, _e1144.member_6, _e1144.member_7, _e1144.member_8, _e1144.member_9, _e1144.member_10, _e1144.member_11, _e1144.member_12, _e1144.member_13, _e1144.member_14, _e1144.member_15);
-phi_2210_ = type_19(_e1482.member, _e1482.member_1, _e1482.member_2, _e1482.member_3, _e1482.member_4, _e1482.member_5, _e1482.member_6, _e1482.member_7, _e1482.member_8, _e1482.member_9, _e1482.member_10, select(0f, _e1465, _e1466), _e1482.member_12, _e1482.member_13, _e1482.member_14, _e1482.member_15);
+let _e1116 = f32((_e431 - 1i));
+let _e1118 = select(0f, _e1094.member.x, (_e1094.member.x > 0f));
+let _e1120 = select(_e1116, _e1118, (_e1118 < _e1116));
+let _e1127 = select(0i, select(select(i32(_e1120), i32(-2147483648), (_e1120 < -2147483600f)), 2147483647i, (_e1120 > 2147483500f)), (_e1120 == _e1120));
+let _e1131 = (_e1127 - select(0i, 1i, (_e1120 < f32(_e1127))));
+let _e1133 = f32((_e436 - 1i));
+let _e1135 = select(0f, _e1094.member.y, (_e1094.member.y > 0f));
+let _e1137 = select(_e1133, _e1135, (_e1135 < _e1133));
+let _e1144 = select(0i, select(select(i32(_e1137), i32(-2147483648), (_e1137 < -2147483600f)), 2147483647i, (_e1137 > 2147483500f)), (_e1137 == _e1137));
+let _e1150 = f32((_e441 - 1i));
+let _e1152 = select(0f, _e1094.member.z, (_e1094.member.z > 0f));
+let _e1154 = select(_e1150, _e1152, (_e1152 < _e1150));
+let _e1161 = select(0i, select(select(i32(_e1154), i32(-2147483648), (_e1154 < -2147483600f)), 2147483647i, (_e1154 > 2147483500f)), (_e1154 == _e1154));
+let _e1171 = (((((_e1161 - select(0i, 1i, (_e1154 < f32(_e1161)))) * _e436) + (_e1144 - select(0i, 1i, (_e1137 < f32(_e1144))))) * ((_e431 + 31i) >> bitcast<u32>(5i))) + (_e1131 >> bitcast<u32>(5i)));
+let _e1173 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1175 = select(_e1173, _e1171, (_e1171 < _e1173));
+let _e1181 = global_5.member[bitcast<u32>(select(0i, _e1175, (_e1175 > 0i)))];
+let _e1184 = (bitcast<u32>((_e1131 & 31i)) & 31u);
+if (((_e1181 >> bitcast<u32>(_e1184)) & 1u) == 1u) {
+let _e1190 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e1192 = select(_e1190, _e1171, (_e1171 < _e1190));
+let _e1198 = global_6.member[bitcast<u32>(select(0i, _e1192, (_e1192 > 0i)))];
+let _e1206 = (bitcast<i32>((_e1198 + countOneBits((_e1181 & ((1u << bitcast<u32>(_e1184)) - 1u))))) * 4i);
+let _e1208 = (bitcast<i32>(arrayLength((&global_7.member))) - 1i);
+let _e1210 = select(_e1208, _e1206, (_e1206 < _e1208));
+let _e1216 = global_7.member[bitcast<u32>(select(0i, _e1210, (_e1210 > 0i)))];
+let _e1217 = (_e1206 + 1i);
+let _e1219 = select(_e1208, _e1217, (_e1217 < _e1208));
+let _e1225 = global_7.member[bitcast<u32>(select(0i, _e1219, (_e1219 > 0i)))];
+let _e1226 = (_e1206 + 2i);
+let _e1228 = select(_e1208, _e1226, (_e1226 < _e1208));
+let _e1234 = global_7.member[bitcast<u32>(select(0i, _e1228, (_e1228 > 0i)))];
+let _e1235 = vec3<f32>(_e1216, _e1225, _e1234);
+let _e1236 = (_e1206 + 3i);
+let _e1238 = select(_e1208, _e1236, (_e1236 < _e1208));
+let _e1244 = global_7.member[bitcast<u32>(select(0i, _e1238, (_e1238 > 0i)))];
+let _e1246 = select(0f, _e1244, (_e1244 > 0f));
+let _e1248 = select(16f, _e1246, (_e1246 < 16f));
+let _e1255 = select(0i, select(select(i32(_e1248), i32(-2147483648), (_e1248 < -2147483600f)), 2147483647i, (_e1248 > 2147483500f)), (_e1248 == _e1248));
+let _e1264 = (((_e446.member_1.x * _e1216) + (_e446.member_1.y * _e1225)) + (_e446.member_1.z * _e1234));
+let _e1266 = select(16i, (_e1255 - select(0i, 1i, (_e1248 < f32(_e1255)))), (_e1264 < 0f));
+let _e1280 = global_1.member.member_12;
+if ((!(((_e1094.member_8 > 0f) && ((((_e1216 * _e1094.member_4.x) + (_e1225 * _e1094.member_4.y)) + (_e1234 * _e1094.member_4.z)) > _e1280))) && (_e1264 != 0f)) && (_e1266 != _e1094.member_7)) {
+let _e1290 = (_e1094.member_7 * 4i);
+let _e1292 = (bitcast<i32>(_e88) - 1i);
+let _e1294 = select(_e1292, _e1290, (_e1290 < _e1292));
+let _e1300 = global_2.member[bitcast<u32>(select(0i, _e1294, (_e1294 > 0i)))];
+let _e1302 = select(_e1300, 1f, (_e1094.member_7 == 16i));
+let _e1303 = (_e1266 * 4i);
+let _e1305 = select(_e1292, _e1303, (_e1303 < _e1292));
+let _e1311 = global_2.member[bitcast<u32>(select(0i, _e1305, (_e1305 > 0i)))];
+let _e1313 = select(_e1311, 1f, (_e1266 == 16i));
+let _e1323 = select(1f, -1f, ((((_e1094.member_1.x * _e1216) + (_e1094.member_1.y * _e1225)) + (_e1094.member_1.z * _e1234)) > 0f));
+let _e1324 = (_e1216 * _e1323);
+let _e1325 = (_e1225 * _e1323);
+let _e1326 = (_e1234 * _e1323);
+let _e1332 = -((((_e1094.member_1.x * _e1324) + (_e1094.member_1.y * _e1325)) + (_e1094.member_1.z * _e1326)));
+let _e1334 = select(0f, _e1332, (_e1332 > 0f));
+let _e1335 = (_e1302 / _e1313);
+let _e1337 = (_e1334 * _e1334);
+let _e1340 = (1f - ((_e1335 * _e1335) * (1f - _e1337)));
+let _e1341 = (_e1340 <= 0f);
+let _e1349 = ((_e1335 * _e1334) - sqrt(select(0f, _e1340, (_e1340 > 0f))));
+let _e1356 = (2f * _e1334);
+let _e1363 = select(((_e1094.member_1.x * _e1335) + (_e1324 * _e1349)), (_e1094.member_1.x + (_e1324 * _e1356)), _e1341);
+let _e1364 = select(((_e1094.member_1.y * _e1335) + (_e1325 * _e1349)), (_e1094.member_1.y + (_e1325 * _e1356)), _e1341);
+let _e1365 = select(((_e1094.member_1.z * _e1335) + (_e1326 * _e1349)), (_e1094.member_1.z + (_e1326 * _e1356)), _e1341);
+let _e1370 = (((_e1363 * _e1363) + (_e1364 * _e1364)) + (_e1365 * _e1365));
+let _e1373 = sqrt(select(0f, _e1370, (_e1370 > 0f)));
+let _e1376 = (1f / select(1e-20f, _e1373, (_e1373 > 1e-20f)));
+let _e1381 = (_e1313 / _e1302);
+let _e1384 = (((_e1381 * _e1381) - 1f) + _e1337);
+let _e1387 = sqrt(select(0f, _e1384, (_e1384 > 0f)));
+let _e1388 = (_e1387 - _e1334);
+let _e1389 = (_e1387 + _e1334);
+let _e1392 = (_e1388 / select(1e-6f, _e1389, (_e1389 > 1e-6f)));
+let _e1396 = ((_e1334 * _e1388) + 1f);
+let _e1399 = (((_e1334 * _e1389) - 1f) / select(1e-6f, _e1396, (_e1396 > 1e-6f)));
+let _e1412 = global_1.member.member_1;
+let _e1415 = select(0f, select(select((((0.5f * _e1392) * _e1392) * (1f + (_e1399 * _e1399))), 1f, (_e1384 <= 0f)), 0f, (_e1302 == _e1313)), ((_e1412 & 1u) != 0u));
+if (_e1094.member_8 == 0f) {
+let _e1430 = type_19(_e1094.member, _e1094.member_1, _e1094.member_2, _e1235, _e1094.member_4, _e1094.member_5, _e1094.member_6, _e1094.member_7, _e1094.member_8, _e1094.member_9, _e1094.member_10, _e1094.member_11, _e1094.member_12, _e1094.member_13, _e1094.member_14);
+phi_2146_ = type_19(_e1430.member, _e1430.member_1, _e1430.member_2, _e1430.member_3, _e1430.member_4, _e1430.member_5, _e1430.member_6, _e1430.member_7, _e1430.member_8, _e1430.member_9, _e1430.member_10, _e1415, _e1430.member_12, _e1430.member_13, _e1430.member_14);
 } else {
-phi_2210_ = _e1144;
+phi_2146_ = _e1094;
 }
-let _e1501 = phi_2210_;
-let _e1503 = !(_e1391);
-if (!(_e1466) && _e1503) {
-let _e1509 = select(_e1501.member_5, _e1501.member_9, (_e1501.member_8 == 0f));
-let _e1510 = (_e1340 + 1i);
-let _e1512 = select(_e1342, _e1510, (_e1510 < _e1342));
-let _e1518 = global_2.member[bitcast<u32>(select(0i, _e1512, (_e1512 > 0i)))];
-let _e1520 = -((_e1518 * _e1509));
-let _e1522 = select(-87f, _e1520, (_e1520 > -87f));
-let _e1524 = select(88f, _e1522, (_e1522 < 88f));
-let _e1526 = ((_e1524 * 1.442695f) + 0.5f);
-let _e1528 = select(-127f, _e1526, (_e1526 > -127f));
-let _e1530 = select(128f, _e1528, (_e1528 < 128f));
-let _e1537 = select(0i, select(select(i32(_e1530), i32(-2147483648), (_e1530 < -2147483600f)), 2147483647i, (_e1530 > 2147483500f)), (_e1530 == _e1530));
-let _e1541 = (_e1537 - select(0i, 1i, (_e1530 < f32(_e1537))));
-let _e1542 = f32(_e1541);
-let _e1546 = ((_e1524 - (_e1542 * 0.6933594f)) - (_e1542 * -2.1219444e-4f));
-let _e1567 = (_e1340 + 2i);
-let _e1569 = select(_e1342, _e1567, (_e1567 < _e1342));
-let _e1575 = global_2.member[bitcast<u32>(select(0i, _e1569, (_e1569 > 0i)))];
-let _e1577 = -((_e1575 * _e1509));
-let _e1579 = select(-87f, _e1577, (_e1577 > -87f));
-let _e1581 = select(88f, _e1579, (_e1579 < 88f));
-let _e1583 = ((_e1581 * 1.442695f) + 0.5f);
-let _e1585 = select(-127f, _e1583, (_e1583 > -127f));
-let _e1587 = select(128f, _e1585, (_e1585 < 128f));
-let _e1594 = select(0i, select(select(i32(_e1587), i32(-2147483648), (_e1587 < -2147483600f)), 2147483647i, (_e1587 > 2147483500f)), (_e1587 == _e1587));
-let _e1598 = (_e1594 - select(0i, 1i, (_e1587 < f32(_e1594))));
-let _e1599 = f32(_e1598);
-let _e1603 = ((_e1581 - (_e1599 * 0.6933594f)) - (_e1599 * -2.1219444e-4f));
-let _e1624 = (_e1340 + 3i);
-let _e1626 = select(_e1342, _e1624, (_e1624 < _e1342));
-let _e1632 = global_2.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
-let _e1634 = -((_e1632 * _e1509));
-let _e1636 = select(-87f, _e1634, (_e1634 > -87f));
-let _e1638 = select(88f, _e1636, (_e1636 < 88f));
-let _e1640 = ((_e1638 * 1.442695f) + 0.5f);
-let _e1642 = select(-127f, _e1640, (_e1640 > -127f));
-let _e1644 = select(128f, _e1642, (_e1642 < 128f));
-let _e1651 = select(0i, select(select(i32(_e1644), i32(-2147483648), (_e1644 < -2147483600f)), 2147483647i, (_e1644 > 2147483500f)), (_e1644 == _e1644));
-let _e1655 = (_e1651 - select(0i, 1i, (_e1644 < f32(_e1651))));
-let _e1656 = f32(_e1655);
-let _e1660 = ((_e1638 - (_e1656 * 0.6933594f)) - (_e1656 * -2.1219444e-4f));
-let _e1682 = select(((1f + (_e1546 * (1f + (_e1546 * (0.5f + (_e1546 * (0.16666667f + (_e1546 * (0.041666668f + (_e1546 * (0.008333334f + (_e1546 * (0.001388889f + (_e1546 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1541 + 127i)) << bitcast<u32>(23i)))), 1f, _e1351);
-let _e1684 = (1f - (_e1465 * _e1682));
-let _e1686 = (1f - _e1465);
-let _e1692 = select(((1f + (_e1603 * (1f + (_e1603 * (0.5f + (_e1603 * (0.16666667f + (_e1603 * (0.041666668f + (_e1603 * (0.008333334f + (_e1603 * (0.001388889f + (_e1603 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1598 + 127i)) << bitcast<u32>(23i)))), 1f, _e1351);
-let _e1694 = (1f - (_e1465 * _e1692));
-let _e1701 = select(((1f + (_e1660 * (1f + (_e1660 * (0.5f + (_e1660 * (0.16666667f + (_e1660 * (0.041666668f + (_e1660 * (0.008333334f + (_e1660 * (0.001388889f + (_e1660 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1655 + 127i)) << bitcast<u32>(23i)))), 1f, _e1351);
-let _e1703 = (1f - (_e1465 * _e1701));
-phi_2541_ = type_19(_e1501.member, _e1501.member_1, _e1501.member_2, _e1501.member_3, _e1501.member_4, _e1501.member_5, _e1501.member_6, _e1501.member_7, _e1501.member_8, _e1501.member_9, _e1501.member_10, _e1501.member_11, vec3<f32>((_e1501.member_12.x + ((_e1501.member_2.x * select(1f, ((_e1686 * _e1682) / select(1e-9f, _e1684, (_e1684 > 1e-9f))), (_e1684 > 0f))) * _e1465)), (_e1501.member_12.y + ((_e1501.member_2.y * select(1f, ((_e1686 * _e1692) / select(1e-9f, _e1694, (_e1694 > 1e-9f))), (_e1694 > 0f))) * _e1465)), (_e1501.member_12.z + ((_e1501.member_2.z * select(1f, ((_e1686 * _e1701) / select(1e-9f, _e1703, (_e1703 > 1e-9f))), (_e1703 > 0f))) * _e1465))), _e1501.member_13, _e1501.member_14, _e1501.member_15);
+let _e1447 = phi_2146_;
+let _e1449 = (_e1447.member_8 + 1f);
+let _e1464 = type_19(_e1447.member, _e1447.member_1, _e1447.member_2, _e1447.member_3, _e1447.member_4, _e1447.member_5, _e1447.member_6, _e1447.member_7, _e1449, _e1447.member_9, _e1447.member_10, _e1447.member_11, _e1447.member_12, _e1447.member_13, _e1447.member_14);
+let _e1467 = ((_e95.member_2 == 0u) && (_e1449 >= 2f));
+if (_e1341 && _e1467) {
+let _e1492 = (((_e1447.member_1.x * _e1216) + (_e1447.member_1.y * _e1225)) + (_e1447.member_1.z * _e1234));
+let _e1496 = (_e1447.member_1.x - (_e1216 * _e1492));
+let _e1497 = (_e1447.member_1.y - (_e1225 * _e1492));
+let _e1498 = (_e1447.member_1.z - (_e1234 * _e1492));
+let _e1503 = (((_e1496 * _e1496) + (_e1497 * _e1497)) + (_e1498 * _e1498));
+let _e1506 = sqrt(select(0f, _e1503, (_e1503 > 0f)));
+let _e1509 = (1f / select(1e-20f, _e1506, (_e1506 > 1e-20f)));
+phi_2199_ = type_19(_e1464.member, vec3<f32>((_e1496 * _e1509), (_e1497 * _e1509), (_e1498 * _e1509)), _e1464.member_2, _e1464.member_3, _e1464.member_4, _e1464.member_5, _e1464.member_6, _e1464.member_7, _e1464.member_8, _e1464.member_9, _e1464.member_10, _e1464.member_11, _e1464.member_12, _e1464.member_13, _e1464.member_14);
 } else {
-phi_2541_ = _e1501;
+phi_2199_ = type_19(_e1464.member, vec3<f32>((_e1363 * _e1376), (_e1364 * _e1376), (_e1365 * _e1376)), _e1464.member_2, _e1464.member_3, _e1464.member_4, _e1464.member_5, _e1464.member_6, _e1464.member_7, _e1464.member_8, _e1464.member_9, _e1464.member_10, _e1464.member_11, _e1464.member_12, _e1464.member_13, _e1464.member_14);
 }
-let _e1746 = phi_2541_;
-let _e1748 = (_e1746.member_8 + 1f);
-let _e1764 = type_19(_e1746.member, _e1746.member_1, _e1746.member_2, _e1746.member_3, _e1746.member_4, _e1746.member_5, _e1746.member_6, _e1746.member_7, _e1748, _e1746.member_9, _e1746.member_10, _e1746.member_11, _e1746.member_12, _e1746.member_13, _e1746.member_14, _e1746.member_15);
-let _e1767 = ((_e98.member_2 == 0u) && (_e1748 >= 2f));
-if (_e1391 && _e1767) {
-let _e1793 = (((_e1746.member_1.x * _e1266) + (_e1746.member_1.y * _e1275)) + (_e1746.member_1.z * _e1284));
-let _e1797 = (_e1746.member_1.x - (_e1266 * _e1793));
-let _e1798 = (_e1746.member_1.y - (_e1275 * _e1793));
-let _e1799 = (_e1746.member_1.z - (_e1284 * _e1793));
-let _e1804 = (((_e1797 * _e1797) + (_e1798 * _e1798)) + (_e1799 * _e1799));
-let _e1807 = sqrt(select(0f, _e1804, (_e1804 > 0f)));
-let _e1810 = (1f / select(1e-20f, _e1807, (_e1807 > 1e-20f)));
-phi_2594_ = type_19(_e1764.member, vec3<f32>((_e1797 * _e1810), (_e1798 * _e1810), (_e1799 * _e1810)), _e1764.member_2, _e1764.member_3, _e1764.member_4, _e1764.member_5, _e1764.member_6, _e1764.member_7, _e1764.member_8, _e1764.member_9, _e1764.member_10, _e1764.member_11, _e1764.member_12, _e1764.member_13, _e1764.member_14, _e1764.member_15);
+let _e1530 = phi_2199_;
+if _e1341 {
+phi_2213_ = _e1530;
 } else {
-phi_2594_ = type_19(_e1764.member, vec3<f32>((_e1413 * _e1426), (_e1414 * _e1426), (_e1415 * _e1426)), _e1764.member_2, _e1764.member_3, _e1764.member_4, _e1764.member_5, _e1764.member_6, _e1764.member_7, _e1764.member_8, _e1764.member_9, _e1764.member_10, _e1764.member_11, _e1764.member_12, _e1764.member_13, _e1764.member_14, _e1764.member_15);
+let _e1531 = (1f - _e1415);
+phi_2213_ = type_19(_e1530.member, _e1530.member_1, vec3<f32>((_e1530.member_2.x * _e1531), (_e1530.member_2.y * _e1531), (_e1530.member_2.z * _e1531)), _e1530.member_3, _e1530.member_4, _e1530.member_5, _e1530.member_6, _e1530.member_7, _e1530.member_8, _e1530.member_9, _e1530.member_10, _e1530.member_11, _e1530.member_12, _e1530.member_13, _e1530.member_14);
 }
-let _e1832 = phi_2594_;
-if _e1391 {
-phi_2608_ = _e1832;
+let _e1558 = phi_2213_;
+let _e1565 = global_1.member.member_17.member.member;
+let _e1579 = ((((_e1565.member.member * _e1558.member.x) + (_e1565.member.member_1 * _e1558.member.y)) + (_e1565.member.member_2 * _e1558.member.z)) + _e1565.member_1);
+let _e1588 = -((((_e1565.member.member * _e1558.member_1.x) + (_e1565.member.member_1 * _e1558.member_1.y)) + (_e1565.member.member_2 * _e1558.member_1.z)));
+let _e1590 = (_e1588 > 1e-9f);
+let _e1594 = ((_e1579 / select(1e-9f, _e1588, _e1590)) - 0.015625f);
+let _e1597 = select(1e30f, select(0f, _e1594, (_e1594 > 0f)), ((_e1579 > 0f) && _e1590));
+let _e1602 = global_1.member.member_17.member_1.member;
+let _e1613 = ((((_e1602.member.member * _e1558.member.x) + (_e1602.member.member_1 * _e1558.member.y)) + (_e1602.member.member_2 * _e1558.member.z)) + _e1602.member_1);
+let _e1619 = -((((_e1602.member.member * _e1558.member_1.x) + (_e1602.member.member_1 * _e1558.member_1.y)) + (_e1602.member.member_2 * _e1558.member_1.z)));
+let _e1621 = (_e1619 > 1e-9f);
+let _e1625 = ((_e1613 / select(1e-9f, _e1619, _e1621)) - 0.015625f);
+let _e1628 = select(1e30f, select(0f, _e1625, (_e1625 > 0f)), ((_e1613 > 0f) && _e1621));
+let _e1632 = (_e1628 < _e1597);
+let _e1634 = select(select(-2i, -3i, _e1632), -1i, ((_e1597 >= 1e30f) && (_e1628 >= 1e30f)));
+let _e1635 = select(_e1597, _e1628, _e1632);
+let _e1650 = type_19(_e1558.member, _e1558.member_1, _e1558.member_2, _e1558.member_3, _e1558.member_4, _e1558.member_5, _e1558.member_6, _e1558.member_7, _e1558.member_8, _e1558.member_9, _e1558.member_10, _e1558.member_11, 0i, _e1558.member_13, _e1558.member_14);
+let _e1665 = type_19(_e1650.member, _e1650.member_1, _e1650.member_2, _e1650.member_3, _e1650.member_4, _e1650.member_5, _e1650.member_6, _e1650.member_7, _e1650.member_8, _e1650.member_9, _e1650.member_10, _e1650.member_11, _e1650.member_12, _e1634, _e1650.member_14);
+let _e1680 = type_19(_e1665.member, _e1665.member_1, _e1665.member_2, _e1665.member_3, _e1665.member_4, _e1665.member_5, _e1665.member_6, _e1665.member_7, _e1665.member_8, _e1665.member_9, _e1665.member_10, _e1665.member_11, _e1665.member_12, _e1665.member_13, _e1635);
+let _e1683 = ((_e1412 & 2u) != 0u);
+if (_e1467 && !(_e1683)) {
+if (_e1634 == -1i) {
+phi_2638_ = type_19(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 1f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
 } else {
-let _e1833 = (1f - _e1465);
-phi_2608_ = type_19(_e1832.member, _e1832.member_1, vec3<f32>((_e1832.member_2.x * _e1833), (_e1832.member_2.y * _e1833), (_e1832.member_2.z * _e1833)), _e1832.member_3, _e1832.member_4, _e1832.member_5, _e1832.member_6, _e1832.member_7, _e1832.member_8, _e1832.member_9, _e1832.member_10, _e1832.member_11, _e1832.member_12, _e1832.member_13, _e1832.member_14, _e1832.member_15);
+let _e1759 = type_19(vec3<f32>((_e1558.member.x + (_e1558.member_1.x * _e1635)), (_e1558.member.y + (_e1558.member_1.y * _e1635)), (_e1558.member.z + (_e1558.member_1.z * _e1635))), _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, _e1680.member_6, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
+let _e1775 = type_19(_e1759.member, _e1759.member_1, _e1759.member_2, _e1759.member_3, _e1759.member_4, _e1759.member_5, _e1759.member_6, _e1759.member_7, _e1759.member_8, _e1759.member_9, _e1759.member_10, _e1759.member_11, _e1759.member_12, _e1759.member_13, (_e1635 - _e1635));
+let _e1795 = type_19(_e1775.member, _e1775.member_1, _e1775.member_2, _e1775.member_3, _e1775.member_4, _e1775.member_5, _e1775.member_6, _e1775.member_7, _e1775.member_8, _e1775.member_9, (_e1558.member_10 + select(0f, _e1635, (_e1558.member_8 == 0f))), _e1775.member_11, _e1775.member_12, _e1775.member_13, _e1775.member_14);
+phi_2638_ = type_19(_e1795.member, _e1795.member_1, _e1795.member_2, _e1795.member_3, _e1795.member_4, _e1795.member_5, 3f, _e1795.member_7, _e1795.member_8, _e1795.member_9, _e1795.member_10, _e1795.member_11, _e1795.member_12, _e1795.member_13, _e1795.member_14);
 }
-let _e1861 = phi_2608_;
-let _e1877 = type_19(_e1861.member, _e1861.member_1, _e1861.member_2, _e1861.member_3, _e1861.member_4, 0f, _e1861.member_6, _e1861.member_7, _e1861.member_8, _e1861.member_9, _e1861.member_10, _e1861.member_11, _e1861.member_12, _e1861.member_13, _e1861.member_14, _e1861.member_15);
-let _e1884 = global_1.member.member_18.member.member;
-let _e1898 = ((((_e1884.member.member * _e1861.member.x) + (_e1884.member.member_1 * _e1861.member.y)) + (_e1884.member.member_2 * _e1861.member.z)) + _e1884.member_1);
-let _e1907 = -((((_e1884.member.member * _e1861.member_1.x) + (_e1884.member.member_1 * _e1861.member_1.y)) + (_e1884.member.member_2 * _e1861.member_1.z)));
-let _e1909 = (_e1907 > 1e-9f);
-let _e1913 = ((_e1898 / select(1e-9f, _e1907, _e1909)) - 0.015625f);
-let _e1916 = select(1e30f, select(0f, _e1913, (_e1913 > 0f)), ((_e1898 > 0f) && _e1909));
-let _e1921 = global_1.member.member_18.member_1.member;
-let _e1932 = ((((_e1921.member.member * _e1861.member.x) + (_e1921.member.member_1 * _e1861.member.y)) + (_e1921.member.member_2 * _e1861.member.z)) + _e1921.member_1);
-let _e1938 = -((((_e1921.member.member * _e1861.member_1.x) + (_e1921.member.member_1 * _e1861.member_1.y)) + (_e1921.member.member_2 * _e1861.member_1.z)));
-let _e1940 = (_e1938 > 1e-9f);
-let _e1944 = ((_e1932 / select(1e-9f, _e1938, _e1940)) - 0.015625f);
-let _e1947 = select(1e30f, select(0f, _e1944, (_e1944 > 0f)), ((_e1932 > 0f) && _e1940));
-let _e1951 = (_e1947 < _e1916);
-let _e1953 = select(select(-2i, -3i, _e1951), -1i, ((_e1916 >= 1e30f) && (_e1947 >= 1e30f)));
-let _e1954 = select(_e1916, _e1947, _e1951);
-let _e1970 = type_19(_e1877.member, _e1877.member_1, _e1877.member_2, _e1877.member_3, _e1877.member_4, _e1877.member_5, _e1877.member_6, _e1877.member_7, _e1877.member_8, _e1877.member_9, _e1877.member_10, _e1877.member_11, _e1877.member_12, 0i, _e1877.member_14, _e1877.member_15);
-let _e1986 = type_19(_e1970.member, _e1970.member_1, _e1970.member_2, _e1970.member_3, _e1970.member_4, _e1970.member_5, _e1970.member_6, _e1970.member_7, _e1970.member_8, _e1970.member_9, _e1970.member_10, _e1970.member_11, _e1970.member_12, _e1970.member_13, _e1953, _e1970.member_15);
-let _e2002 = type_19(_e1986.member, _e1986.member_1, _e1986.member_2, _e1986.member_3, _e1986.member_4, _e1986.member_5, _e1986.member_6, _e1986.member_7, _e1986.member_8, _e1986.member_9, _e1986.member_10, _e1986.member_11, _e1986.member_12, _e1986.member_13, _e1986.member_14, _e1954);
-let _e2005 = ((_e1462 & 2u) != 0u);
-if (_e1767 && !(_e2005)) {
-if (_e1953 == -1i) {
-phi_3034_ = type_19(_e2002.member, _e2002.member_1, _e2002.member_2, _e2002.member_3, _e2002.member_4, _e2002.member_5, 1f, _e2002.member_7, _e2002.member_8, _e2002.member_9, _e2002.member_10, _e2002.member_11, _e2002.member_12, _e2002.member_13, _e2002.member_14, _e2002.member_15);
+let _e1827 = phi_2638_;
+phi_2659_ = _e1827;
 } else {
-let _e2084 = type_19(vec3<f32>((_e1861.member.x + (_e1861.member_1.x * _e1954)), (_e1861.member.y + (_e1861.member_1.y * _e1954)), (_e1861.member.z + (_e1861.member_1.z * _e1954))), _e2002.member_1, _e2002.member_2, _e2002.member_3, _e2002.member_4, _e2002.member_5, _e2002.member_6, _e2002.member_7, _e2002.member_8, _e2002.member_9, _e2002.member_10, _e2002.member_11, _e2002.member_12, _e2002.member_13, _e2002.member_14, _e2002.member_15);
-let _e2101 = type_19(_e2084.member, _e2084.member_1, _e2084.member_2, _e2084.member_3, _e2084.member_4, (0f + _e1954), _e2084.member_6, _e2084.member_7, _e2084.member_8, _e2084.member_9, _e2084.member_10, _e2084.member_11, _e2084.member_12, _e2084.member_13, _e2084.member_14, _e2084.member_15);
-let _e2118 = type_19(_e2101.member, _e2101.member_1, _e2101.member_2, _e2101.member_3, _e2101.member_4, _e2101.member_5, _e2101.member_6, _e2101.member_7, _e2101.member_8, _e2101.member_9, _e2101.member_10, _e2101.member_11, _e2101.member_12, _e2101.member_13, _e2101.member_14, (_e1954 - _e1954));
-let _e2139 = type_19(_e2118.member, _e2118.member_1, _e2118.member_2, _e2118.member_3, _e2118.member_4, _e2118.member_5, _e2118.member_6, _e2118.member_7, _e2118.member_8, _e2118.member_9, (_e1861.member_10 + select(0f, _e1954, (_e1861.member_8 == 0f))), _e2118.member_11, _e2118.member_12, _e2118.member_13, _e2118.member_14, _e2118.member_15);
-phi_3034_ = type_19(_e2139.member, _e2139.member_1, _e2139.member_2, _e2139.member_3, _e2139.member_4, _e2139.member_5, 3f, _e2139.member_7, _e2139.member_8, _e2139.member_9, _e2139.member_10, _e2139.member_11, _e2139.member_12, _e2139.member_13, _e2139.member_14, _e2139.member_15);
-}
-let _e2173 = phi_3034_;
-phi_3055_ = _e2173;
+let _e1690 = global_1.member.member_5;
+if ((!(_e1467) && (_e1558.member_8 >= f32(bitcast<i32>(_e1690)))) && (select(_e1266, _e1094.member_7, _e1341) != 16i)) {
+phi_2658_ = type_19(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 2f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
 } else {
-let _e2012 = global_1.member.member_5;
-if ((!(_e1767) && (_e1861.member_8 >= f32(bitcast<i32>(_e2012)))) && (select(_e1316, _e1144.member_7, _e1391) != 16i)) {
-phi_3054_ = type_19(_e2002.member, _e2002.member_1, _e2002.member_2, _e2002.member_3, _e2002.member_4, _e2002.member_5, 2f, _e2002.member_7, _e2002.member_8, _e2002.member_9, _e2002.member_10, _e2002.member_11, _e2002.member_12, _e2002.member_13, _e2002.member_14, _e2002.member_15);
+if _e1683 {
+phi_2657_ = type_19(_e1680.member, _e1680.member_1, _e1680.member_2, _e1680.member_3, _e1680.member_4, _e1680.member_5, 4f, _e1680.member_7, _e1680.member_8, _e1680.member_9, _e1680.member_10, _e1680.member_11, _e1680.member_12, _e1680.member_13, _e1680.member_14);
 } else {
-if _e2005 {
-phi_3053_ = type_19(_e2002.member, _e2002.member_1, _e2002.member_2, _e2002.member_3, _e2002.member_4, _e2002.member_5, 4f, _e2002.member_7, _e2002.member_8, _e2002.member_9, _e2002.member_10, _e2002.member_11, _e2002.member_12, _e2002.member_13, _e2002.member_14, _e2002.member_15);
+phi_2657_ = _e1680;
+}
+let _e1713 = phi_2657_;
+phi_2658_ = _e1713;
+}
+let _e1730 = phi_2658_;
+phi_2659_ = _e1730;
+}
+let _e1829 = phi_2659_;
+let _e1846 = type_19(_e1829.member, _e1829.member_1, _e1829.member_2, _e1829.member_3, _e1829.member_4, _e1829.member_5, _e1829.member_6, select(_e1094.member_7, _e1266, !(_e1341)), _e1829.member_8, _e1829.member_9, _e1829.member_10, _e1829.member_11, _e1829.member_12, _e1829.member_13, _e1829.member_14);
+let _e1861 = type_19(_e1846.member, _e1846.member_1, _e1846.member_2, _e1846.member_3, _e1235, _e1846.member_5, _e1846.member_6, _e1846.member_7, _e1846.member_8, _e1846.member_9, _e1846.member_10, _e1846.member_11, _e1846.member_12, _e1846.member_13, _e1846.member_14);
+phi_2668_ = type_19(_e1861.member, _e1861.member_1, _e1861.member_2, _e1861.member_3, _e1861.member_4, 0f, _e1861.member_6, _e1861.member_7, _e1861.member_8, _e1861.member_9, _e1861.member_10, _e1861.member_11, _e1861.member_12, _e1861.member_13, _e1861.member_14);
 } else {
-phi_3053_ = _e2002;
+phi_2668_ = _e1094;
 }
-let _e2036 = phi_3053_;
-phi_3054_ = _e2036;
-}
-let _e2054 = phi_3054_;
-phi_3055_ = _e2054;
-}
-let _e2175 = phi_3055_;
-let _e2192 = type_19(_e2175.member, _e2175.member_1, _e2175.member_2, _e2175.member_3, _e2175.member_4, _e2175.member_5, _e2175.member_6, select(_e1144.member_7, _e1316, _e1503), _e2175.member_8, _e2175.member_9, _e2175.member_10, _e2175.member_11, _e2175.member_12, _e2175.member_13, _e2175.member_14, _e2175.member_15);
-phi_3063_ = type_19(_e2192.member, _e2192.member_1, _e2192.member_2, _e2192.member_3, _e1285, _e2192.member_5, _e2192.member_6, _e2192.member_7, _e2192.member_8, _e2192.member_9, _e2192.member_10, _e2192.member_11, _e2192.member_12, _e2192.member_13, _e2192.member_14, _e2192.member_15);
+let _e1878 = phi_2668_;
+phi_2669_ = _e1878;
 } else {
-phi_3063_ = _e1144;
+phi_2669_ = _e1094;
 }
-let _e2210 = phi_3063_;
-phi_3064_ = _e2210;
+let _e1880 = phi_2669_;
+phi_2670_ = _e1880;
+}
+let _e1882 = phi_2670_;
+phi_2671_ = _e1882;
+}
+let _e2004 = phi_2671_;
+phi_720_ = _e2004;
+phi_723_ = (_e448 + 1i);
 } else {
-phi_3064_ = _e1144;
+phi_720_ = type_19();
+phi_723_ = i32();
 }
-let _e2212 = phi_3064_;
-phi_3065_ = _e2212;
-}
-let _e2214 = phi_3065_;
-phi_3066_ = _e2214;
-}
-let _e2342 = phi_3066_;
-phi_778_ = _e2342;
-phi_781_ = (_e485 + 1i);
-} else {
-phi_778_ = type_19();
-phi_781_ = i32();
-}
-let _e2344 = phi_778_;
-let _e2346 = phi_781_;
+let _e2006 = phi_720_;
+let _e2008 = phi_723_;
 continue;
 continuing {
-phi_777_ = _e2344;
-phi_780_ = _e2346;
-break if !(_e489);
+phi_719_ = _e2006;
+phi_722_ = _e2008;
+break if !(_e452);
 }
 }
-let _e2349 = local;
-let _e2353 = local_1;
-let _e2357 = local_2;
-let _e2361 = local_3;
-let _e2365 = local_4;
-let _e2369 = local_5;
-let _e2373 = local_6;
-let _e2377 = local_7;
-let _e2381 = local_8;
-let _e2385 = local_9;
-let _e2389 = local_10;
-let _e2393 = local_11;
-let _e2397 = local_12;
-let _e2401 = local_13;
-let _e2405 = local_14;
-let _e2409 = local_15;
-let _e2412 = local_16;
-let _e2416 = local_17;
-let _e2419 = local_18;
-let _e2422 = local_19;
-let _e2425 = local_20;
-let _e2428 = local_21;
-let _e2432 = local_22;
-let _e2436 = local_23;
-let _e2440 = local_24;
-let _e2444 = local_25;
-let _e2448 = local_26;
-global_3.member[_e107] = _e2349.member.x;
-global_3.member[_e119] = _e2353.member.y;
-global_3.member[_e130] = _e2357.member.z;
-global_3.member[_e141] = _e2361.member_1.x;
-global_3.member[_e152] = _e2365.member_1.y;
-global_3.member[_e163] = _e2369.member_1.z;
-global_3.member[_e174] = _e2373.member_2.x;
-global_3.member[_e185] = _e2377.member_2.y;
-global_3.member[_e196] = _e2381.member_2.z;
-global_3.member[_e207] = _e2385.member_3.x;
-global_3.member[_e218] = _e2389.member_3.y;
-global_3.member[_e229] = _e2393.member_3.z;
-global_3.member[_e240] = _e2397.member_4.x;
-global_3.member[_e251] = _e2401.member_4.y;
-global_3.member[_e262] = _e2405.member_4.z;
-global_3.member[_e273] = _e2409.member_5;
-let _e2485 = local_27;
-global_3.member[_e284] = _e2485;
-global_3.member[_e295] = f32(_e2412.member_7);
-global_3.member[_e306] = _e2416.member_8;
-global_3.member[_e317] = _e2419.member_9;
-global_3.member[_e328] = _e2422.member_10;
-global_3.member[_e339] = _e2425.member_11;
-global_3.member[_e350] = _e2428.member_12.x;
-global_3.member[_e361] = _e2432.member_12.y;
-global_3.member[_e372] = _e2436.member_12.z;
-global_3.member[_e383] = f32(_e2440.member_13);
-global_3.member[_e394] = f32(_e2444.member_14);
-global_3.member[_e405] = _e2448.member_15;
+let _e2011 = local;
+let _e2015 = local_1;
+let _e2019 = local_2;
+let _e2023 = local_3;
+let _e2027 = local_4;
+let _e2031 = local_5;
+let _e2035 = local_6;
+let _e2039 = local_7;
+let _e2043 = local_8;
+let _e2047 = local_9;
+let _e2051 = local_10;
+let _e2055 = local_11;
+let _e2059 = local_12;
+let _e2063 = local_13;
+let _e2067 = local_14;
+let _e2071 = local_15;
+let _e2074 = local_16;
+let _e2078 = local_17;
+let _e2081 = local_18;
+let _e2084 = local_19;
+let _e2087 = local_20;
+let _e2090 = local_21;
+let _e2094 = local_22;
+let _e2098 = local_23;
+global_3.member[_e104] = _e2011.member.x;
+global_3.member[_e116] = _e2015.member.y;
+global_3.member[_e127] = _e2019.member.z;
+global_3.member[_e138] = _e2023.member_1.x;
+global_3.member[_e149] = _e2027.member_1.y;
+global_3.member[_e160] = _e2031.member_1.z;
+global_3.member[_e171] = _e2035.member_2.x;
+global_3.member[_e182] = _e2039.member_2.y;
+global_3.member[_e193] = _e2043.member_2.z;
+global_3.member[_e204] = _e2047.member_3.x;
+global_3.member[_e215] = _e2051.member_3.y;
+global_3.member[_e226] = _e2055.member_3.z;
+global_3.member[_e237] = _e2059.member_4.x;
+global_3.member[_e248] = _e2063.member_4.y;
+global_3.member[_e259] = _e2067.member_4.z;
+global_3.member[_e270] = _e2071.member_5;
+let _e2135 = local_24;
+global_3.member[_e281] = _e2135;
+global_3.member[_e292] = f32(_e2074.member_7);
+global_3.member[_e303] = _e2078.member_8;
+global_3.member[_e314] = _e2081.member_9;
+global_3.member[_e325] = _e2084.member_10;
+global_3.member[_e336] = _e2087.member_11;
+global_3.member[_e347] = f32(_e2090.member_12);
+global_3.member[_e358] = f32(_e2094.member_13);
+global_3.member[_e369] = _e2098.member_14;
 }
 }
 }

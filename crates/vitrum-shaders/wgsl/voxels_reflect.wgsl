@@ -87,11 +87,10 @@ member_13: f32,
 member_14: type_5,
 member_15: type_5,
 member_16: type_6,
-member_17: type_5,
-member_18: type_9,
-member_19: type_11,
-member_20: type_5,
-member_21: type_12,
+member_17: type_9,
+member_18: type_11,
+member_19: type_5,
+member_20: type_12,
 }
 struct type_14 {
 member: type_13,
@@ -112,10 +111,9 @@ member_8: f32,
 member_9: f32,
 member_10: f32,
 member_11: f32,
-member_12: vec3<f32>,
+member_12: i32,
 member_13: i32,
-member_14: i32,
-member_15: f32,
+member_14: f32,
 }
 struct type_24 {
 member: array<atomic<u32>>,
@@ -141,22 +139,22 @@ var local_1: i32;
 var phi_813_: type_20;
 var phi_828_: type_20;
 var phi_831_: i32;
-var phi_1451_: type_20;
-var phi_1452_: type_20;
-var phi_1484_: i32;
-var phi_1552_: type_20;
+var phi_1123_: i32;
+var phi_1490_: type_20;
+var phi_1491_: type_20;
+var phi_1558_: type_20;
 var phi_829_: type_20;
 var phi_832_: i32;
 var local_2: bool;
 var local_3: type_20;
 var local_4: type_20;
 var local_5: i32;
-var phi_1565_: array<f32, 4>;
-var phi_1566_: array<f32, 4>;
-var phi_1567_: array<f32, 4>;
-var phi_1568_: array<f32, 4>;
-var phi_1569_: bool;
+var phi_1571_: array<f32, 4>;
+var phi_1572_: array<f32, 4>;
 var phi_1573_: array<f32, 4>;
+var phi_1574_: array<f32, 4>;
+var phi_1575_: bool;
+var phi_1579_: array<f32, 4>;
 let _e61 = global;
 let _e68 = arrayLength((&global_4.member));
 let _e77 = global_1.member.member;
@@ -194,9 +192,9 @@ atomicStore((&global_7.member[2u]), 1u);
 }
 if (_e132 > 1u) {
 if _e131 {
-phi_1567_ = array<f32, 4>(_e97, _e107, _e118, _e129);
-phi_1568_ = array<f32, 4>();
-phi_1569_ = true;
+phi_1573_ = array<f32, 4>(_e97, _e107, _e118, _e129);
+phi_1574_ = array<f32, 4>();
+phi_1575_ = true;
 } else {
 let _e165 = global_1.member.member.member;
 let _e169 = global_1.member.member.member_1;
@@ -208,8 +206,8 @@ let _e180 = select(_e178, _e176, (_e176 < _e178));
 let _e186 = global_2.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
 let _e187 = (_e186 <= 0f);
 if _e187 {
-phi_1565_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
-phi_1566_ = array<f32, 4>();
+phi_1571_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
+phi_1572_ = array<f32, 4>();
 } else {
 let _e189 = ((20i * _e171) + _e175);
 let _e191 = select(_e178, _e189, (_e189 < _e178));
@@ -267,22 +265,22 @@ let _e342 = (_e288 - (_e320 * _e337));
 let _e343 = (_e289 - (_e331 * _e337));
 let _e344 = vec3<f32>(_e341, _e342, _e343);
 if (_e97 == 0f) {
-let _e351 = global_1.member.member_18.member.member;
+let _e351 = global_1.member.member_17.member.member;
 let _e362 = ((((_e351.member.member * _e293) + (_e351.member.member_1 * _e294)) + (_e351.member.member_2 * _e295)) + _e351.member_1);
 let _e368 = -((((_e351.member.member * _e341) + (_e351.member.member_1 * _e342)) + (_e351.member.member_2 * _e343)));
 let _e370 = (_e368 > 1e-9f);
 let _e374 = ((_e362 / select(1e-9f, _e368, _e370)) - 0.015625f);
 let _e377 = select(1e30f, select(0f, _e374, (_e374 > 0f)), ((_e362 > 0f) && _e370));
-let _e382 = global_1.member.member_18.member_1.member;
+let _e382 = global_1.member.member_17.member_1.member;
 let _e393 = ((((_e382.member.member * _e293) + (_e382.member.member_1 * _e294)) + (_e382.member.member_2 * _e295)) + _e382.member_1);
 let _e399 = -((((_e382.member.member * _e341) + (_e382.member.member_1 * _e342)) + (_e382.member.member_2 * _e343)));
 let _e401 = (_e399 > 1e-9f);
 let _e405 = ((_e393 / select(1e-9f, _e399, _e401)) - 0.015625f);
 let _e408 = select(1e30f, select(0f, _e405, (_e405 > 0f)), ((_e393 > 0f) && _e401));
 let _e412 = (_e408 < _e377);
-phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
+phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
 } else {
-phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
+phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
 }
 let _e418 = phi_813_;
 let _e419 = bitcast<i32>(arrayLength((&global_3.member)));
@@ -293,195 +291,195 @@ let _e422 = phi_828_;
 let _e424 = phi_831_;
 local_3 = _e422;
 local_4 = _e422;
-let _e427 = (_e422.member_13 < (_e419 / 8i));
+let _e427 = (_e422.member_12 < (_e419 / 8i));
 let _e428 = ((_e424 < 1024i) && _e427);
 local_2 = _e427;
-local_5 = _e422.member_13;
+local_5 = _e422.member_12;
 if _e428 {
-let _e433 = (_e422.member_13 * 8i);
-let _e437 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
-let _e442 = (1f / select(_e422.member_1.x, select(1e-12f, -1e-12f, (_e422.member_1.x < 0f)), (_e437 < 1e-12f)));
-let _e446 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
-let _e451 = (1f / select(_e422.member_1.y, select(1e-12f, -1e-12f, (_e422.member_1.y < 0f)), (_e446 < 1e-12f)));
-let _e455 = bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u));
-let _e460 = (1f / select(_e422.member_1.z, select(1e-12f, -1e-12f, (_e422.member_1.z < 0f)), (_e455 < 1e-12f)));
-let _e462 = (_e419 - 1i);
-let _e464 = select(_e462, _e433, (_e433 < _e462));
-let _e470 = global_3.member[bitcast<u32>(select(0i, _e464, (_e464 > 0i)))];
-let _e471 = (_e433 + 1i);
-let _e473 = select(_e462, _e471, (_e471 < _e462));
-let _e479 = global_3.member[bitcast<u32>(select(0i, _e473, (_e473 > 0i)))];
-let _e480 = (_e433 + 2i);
-let _e482 = select(_e462, _e480, (_e480 < _e462));
-let _e488 = global_3.member[bitcast<u32>(select(0i, _e482, (_e482 > 0i)))];
-let _e489 = (_e433 + 3i);
-let _e491 = select(_e462, _e489, (_e489 < _e462));
-let _e497 = global_3.member[bitcast<u32>(select(0i, _e491, (_e491 > 0i)))];
-let _e498 = (_e433 + 4i);
-let _e500 = select(_e462, _e498, (_e498 < _e462));
-let _e506 = global_3.member[bitcast<u32>(select(0i, _e500, (_e500 > 0i)))];
-let _e507 = (_e433 + 5i);
-let _e509 = select(_e462, _e507, (_e507 < _e462));
-let _e515 = global_3.member[bitcast<u32>(select(0i, _e509, (_e509 > 0i)))];
-let _e518 = ((_e470 - _e422.member.x) * _e442);
-let _e520 = ((_e497 - _e422.member.x) * _e442);
-let _e523 = ((_e479 - _e422.member.y) * _e451);
-let _e525 = ((_e506 - _e422.member.y) * _e451);
-let _e528 = ((_e488 - _e422.member.z) * _e460);
-let _e530 = ((_e515 - _e422.member.z) * _e460);
-let _e532 = select(_e520, _e518, (_e518 < _e520));
-let _e534 = select(_e525, _e523, (_e523 < _e525));
-let _e536 = select(_e534, _e532, (_e532 > _e534));
-let _e538 = select(_e530, _e528, (_e528 < _e530));
-let _e542 = select(_e520, _e518, (_e518 > _e520));
-let _e544 = select(_e525, _e523, (_e523 > _e525));
-let _e546 = select(_e544, _e542, (_e542 < _e544));
-let _e548 = select(_e530, _e528, (_e528 > _e530));
-let _e550 = select(_e548, _e546, (_e546 < _e548));
-let _e555 = ((select(_e538, _e536, (_e536 > _e538)) <= select(_e422.member_15, _e550, (_e550 < _e422.member_15))) && (_e550 >= 0f));
-let _e556 = (_e433 + 6i);
-let _e558 = select(_e462, _e556, (_e556 < _e462));
-let _e564 = global_3.member[bitcast<u32>(select(0i, _e558, (_e558 > 0i)))];
-let _e571 = select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564));
-if (_e555 && (_e571 >= 0i)) {
-let _e576 = ((_e437 >= _e446) && (_e437 >= _e455));
-let _e579 = (!(_e576) && (_e446 >= _e455));
-let _e586 = (1f / select(select(_e422.member_1.z, _e422.member_1.y, _e579), _e422.member_1.x, _e576));
-let _e587 = (select(select(_e422.member_1.x, _e422.member_1.z, _e579), _e422.member_1.y, _e576) * _e586);
-let _e588 = (select(select(_e422.member_1.y, _e422.member_1.x, _e579), _e422.member_1.z, _e576) * _e586);
-let _e589 = (_e571 * 19i);
-let _e591 = (bitcast<i32>(_e68) - 1i);
-let _e593 = select(_e591, _e589, (_e589 < _e591));
-let _e599 = global_4.member[bitcast<u32>(select(0i, _e593, (_e593 > 0i)))];
-let _e600 = (_e589 + 1i);
-let _e602 = select(_e591, _e600, (_e600 < _e591));
-let _e608 = global_4.member[bitcast<u32>(select(0i, _e602, (_e602 > 0i)))];
-let _e609 = (_e589 + 2i);
-let _e611 = select(_e591, _e609, (_e609 < _e591));
-let _e617 = global_4.member[bitcast<u32>(select(0i, _e611, (_e611 > 0i)))];
-let _e618 = (_e599 - _e422.member.x);
-let _e619 = (_e608 - _e422.member.y);
-let _e620 = (_e617 - _e422.member.z);
-let _e626 = select(select(_e620, _e619, _e579), _e618, _e576);
-let _e628 = (select(select(_e618, _e620, _e579), _e619, _e576) - (_e587 * _e626));
-let _e630 = (select(select(_e619, _e618, _e579), _e620, _e576) - (_e588 * _e626));
-let _e632 = (_e589 + 3i);
-let _e634 = select(_e591, _e632, (_e632 < _e591));
-let _e640 = global_4.member[bitcast<u32>(select(0i, _e634, (_e634 > 0i)))];
-let _e641 = (_e589 + 4i);
-let _e643 = select(_e591, _e641, (_e641 < _e591));
-let _e649 = global_4.member[bitcast<u32>(select(0i, _e643, (_e643 > 0i)))];
-let _e650 = (_e589 + 5i);
-let _e652 = select(_e591, _e650, (_e650 < _e591));
-let _e658 = global_4.member[bitcast<u32>(select(0i, _e652, (_e652 > 0i)))];
-let _e659 = (_e640 - _e422.member.x);
-let _e660 = (_e649 - _e422.member.y);
-let _e661 = (_e658 - _e422.member.z);
-let _e667 = select(select(_e661, _e660, _e579), _e659, _e576);
-let _e669 = (select(select(_e659, _e661, _e579), _e660, _e576) - (_e587 * _e667));
-let _e671 = (select(select(_e660, _e659, _e579), _e661, _e576) - (_e588 * _e667));
-let _e673 = (_e589 + 6i);
-let _e675 = select(_e591, _e673, (_e673 < _e591));
-let _e681 = global_4.member[bitcast<u32>(select(0i, _e675, (_e675 > 0i)))];
-let _e682 = (_e589 + 7i);
-let _e684 = select(_e591, _e682, (_e682 < _e591));
-let _e690 = global_4.member[bitcast<u32>(select(0i, _e684, (_e684 > 0i)))];
-let _e691 = (_e589 + 8i);
-let _e693 = select(_e591, _e691, (_e691 < _e591));
-let _e699 = global_4.member[bitcast<u32>(select(0i, _e693, (_e693 > 0i)))];
-let _e700 = (_e681 - _e422.member.x);
-let _e701 = (_e690 - _e422.member.y);
-let _e702 = (_e699 - _e422.member.z);
-let _e708 = select(select(_e702, _e701, _e579), _e700, _e576);
-let _e710 = (select(select(_e700, _e702, _e579), _e701, _e576) - (_e587 * _e708));
-let _e712 = (select(select(_e701, _e700, _e579), _e702, _e576) - (_e588 * _e708));
-let _e716 = ((_e710 * _e671) - (_e712 * _e669));
-let _e719 = ((_e628 * _e712) - (_e630 * _e710));
-let _e722 = ((_e669 * _e630) - (_e671 * _e628));
-let _e724 = ((_e716 + _e719) + _e722);
-let _e738 = (!(((((_e716 < 0f) || (_e719 < 0f)) || (_e722 < 0f)) && (((_e716 > 0f) || (_e719 > 0f)) || (_e722 > 0f)))) && (_e724 != 0f));
-let _e745 = ((((_e716 * (_e626 * _e586)) + (_e719 * (_e667 * _e586))) + (_e722 * (_e708 * _e586))) / select(1f, _e724, _e738));
-let _e748 = select(1e30f, _e745, (_e738 && (_e745 > 1e-3f)));
-if (_e748 < _e422.member_15) {
-let _e765 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e422.member_14, _e748);
-phi_1451_ = type_20(_e765.member, _e765.member_1, _e765.member_2, _e765.member_3, _e765.member_4, _e765.member_5, _e765.member_6, _e765.member_7, _e765.member_8, _e765.member_9, _e765.member_10, _e765.member_11, _e765.member_12, _e765.member_13, _e571, _e765.member_15);
+let _e438 = (_e422.member_12 * 8i);
+let _e446 = (1f / select(_e422.member_1.x, select(1e-12f, -1e-12f, (_e422.member_1.x < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u)) < 1e-12f)));
+let _e454 = (1f / select(_e422.member_1.y, select(1e-12f, -1e-12f, (_e422.member_1.y < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u)) < 1e-12f)));
+let _e462 = (1f / select(_e422.member_1.z, select(1e-12f, -1e-12f, (_e422.member_1.z < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u)) < 1e-12f)));
+let _e464 = (_e419 - 1i);
+let _e466 = select(_e464, _e438, (_e438 < _e464));
+let _e472 = global_3.member[bitcast<u32>(select(0i, _e466, (_e466 > 0i)))];
+let _e473 = (_e438 + 1i);
+let _e475 = select(_e464, _e473, (_e473 < _e464));
+let _e481 = global_3.member[bitcast<u32>(select(0i, _e475, (_e475 > 0i)))];
+let _e482 = (_e438 + 2i);
+let _e484 = select(_e464, _e482, (_e482 < _e464));
+let _e490 = global_3.member[bitcast<u32>(select(0i, _e484, (_e484 > 0i)))];
+let _e491 = (_e438 + 3i);
+let _e493 = select(_e464, _e491, (_e491 < _e464));
+let _e499 = global_3.member[bitcast<u32>(select(0i, _e493, (_e493 > 0i)))];
+let _e500 = (_e438 + 4i);
+let _e502 = select(_e464, _e500, (_e500 < _e464));
+let _e508 = global_3.member[bitcast<u32>(select(0i, _e502, (_e502 > 0i)))];
+let _e509 = (_e438 + 5i);
+let _e511 = select(_e464, _e509, (_e509 < _e464));
+let _e517 = global_3.member[bitcast<u32>(select(0i, _e511, (_e511 > 0i)))];
+let _e520 = ((_e472 - _e422.member.x) * _e446);
+let _e522 = ((_e499 - _e422.member.x) * _e446);
+let _e525 = ((_e481 - _e422.member.y) * _e454);
+let _e527 = ((_e508 - _e422.member.y) * _e454);
+let _e530 = ((_e490 - _e422.member.z) * _e462);
+let _e532 = ((_e517 - _e422.member.z) * _e462);
+let _e534 = select(_e522, _e520, (_e520 < _e522));
+let _e536 = select(_e527, _e525, (_e525 < _e527));
+let _e538 = select(_e536, _e534, (_e534 > _e536));
+let _e540 = select(_e532, _e530, (_e530 < _e532));
+let _e544 = select(_e522, _e520, (_e520 > _e522));
+let _e546 = select(_e527, _e525, (_e525 > _e527));
+let _e548 = select(_e546, _e544, (_e544 < _e546));
+let _e550 = select(_e532, _e530, (_e530 > _e532));
+let _e552 = select(_e550, _e548, (_e548 < _e550));
+let _e557 = ((select(_e540, _e538, (_e538 > _e540)) <= select(_e422.member_14, _e552, (_e552 < _e422.member_14))) && (_e552 >= 0f));
+let _e558 = (_e438 + 6i);
+let _e560 = select(_e464, _e558, (_e558 < _e464));
+let _e566 = global_3.member[bitcast<u32>(select(0i, _e560, (_e560 > 0i)))];
+if _e557 {
+phi_1123_ = (_e422.member_12 + 1i);
 } else {
-phi_1451_ = _e422;
+let _e574 = (_e438 + 7i);
+let _e576 = select(_e464, _e574, (_e574 < _e464));
+let _e582 = global_3.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
+phi_1123_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
 }
-let _e783 = phi_1451_;
-phi_1452_ = _e783;
+let _e592 = phi_1123_;
+let _e607 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e592, _e422.member_13, _e422.member_14);
+let _e608 = select(-1i, select(0i, select(select(i32(_e566), i32(-2147483648), (_e566 < -2147483600f)), 2147483647i, (_e566 > 2147483500f)), (_e566 == _e566)), _e557);
+if (_e608 >= 0i) {
+let _e614 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
+let _e618 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
+let _e622 = bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u));
+let _e625 = ((_e614 >= _e618) && (_e614 >= _e622));
+let _e628 = (!(_e625) && (_e618 >= _e622));
+let _e635 = (1f / select(select(_e422.member_1.z, _e422.member_1.y, _e628), _e422.member_1.x, _e625));
+let _e636 = (select(select(_e422.member_1.x, _e422.member_1.z, _e628), _e422.member_1.y, _e625) * _e635);
+let _e637 = (select(select(_e422.member_1.y, _e422.member_1.x, _e628), _e422.member_1.z, _e625) * _e635);
+let _e638 = (_e608 * 19i);
+let _e640 = (bitcast<i32>(_e68) - 1i);
+let _e642 = select(_e640, _e638, (_e638 < _e640));
+let _e648 = global_4.member[bitcast<u32>(select(0i, _e642, (_e642 > 0i)))];
+let _e649 = (_e638 + 1i);
+let _e651 = select(_e640, _e649, (_e649 < _e640));
+let _e657 = global_4.member[bitcast<u32>(select(0i, _e651, (_e651 > 0i)))];
+let _e658 = (_e638 + 2i);
+let _e660 = select(_e640, _e658, (_e658 < _e640));
+let _e666 = global_4.member[bitcast<u32>(select(0i, _e660, (_e660 > 0i)))];
+let _e667 = (_e648 - _e422.member.x);
+let _e668 = (_e657 - _e422.member.y);
+let _e669 = (_e666 - _e422.member.z);
+let _e675 = select(select(_e669, _e668, _e628), _e667, _e625);
+let _e677 = (select(select(_e667, _e669, _e628), _e668, _e625) - (_e636 * _e675));
+let _e679 = (select(select(_e668, _e667, _e628), _e669, _e625) - (_e637 * _e675));
+let _e681 = (_e638 + 3i);
+let _e683 = select(_e640, _e681, (_e681 < _e640));
+let _e689 = global_4.member[bitcast<u32>(select(0i, _e683, (_e683 > 0i)))];
+let _e690 = (_e638 + 4i);
+let _e692 = select(_e640, _e690, (_e690 < _e640));
+let _e698 = global_4.member[bitcast<u32>(select(0i, _e692, (_e692 > 0i)))];
+let _e699 = (_e638 + 5i);
+let _e701 = select(_e640, _e699, (_e699 < _e640));
+let _e707 = global_4.member[bitcast<u32>(select(0i, _e701, (_e701 > 0i)))];
+let _e708 = (_e689 - _e422.member.x);
+let _e709 = (_e698 - _e422.member.y);
+let _e710 = (_e707 - _e422.member.z);
+let _e716 = select(select(_e710, _e709, _e628), _e708, _e625);
+let _e718 = (select(select(_e708, _e710, _e628), _e709, _e625) - (_e636 * _e716));
+let _e720 = (select(select(_e709, _e708, _e628), _e710, _e625) - (_e637 * _e716));
+let _e722 = (_e638 + 6i);
+let _e724 = select(_e640, _e722, (_e722 < _e640));
+let _e730 = global_4.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
+let _e731 = (_e638 + 7i);
+let _e733 = select(_e640, _e731, (_e731 < _e640));
+let _e739 = global_4.member[bitcast<u32>(select(0i, _e733, (_e733 > 0i)))];
+let _e740 = (_e638 + 8i);
+let _e742 = select(_e640, _e740, (_e740 < _e640));
+let _e748 = global_4.member[bitcast<u32>(select(0i, _e742, (_e742 > 0i)))];
+let _e749 = (_e730 - _e422.member.x);
+let _e750 = (_e739 - _e422.member.y);
+let _e751 = (_e748 - _e422.member.z);
+let _e757 = select(select(_e751, _e750, _e628), _e749, _e625);
+let _e759 = (select(select(_e749, _e751, _e628), _e750, _e625) - (_e636 * _e757));
+let _e761 = (select(select(_e750, _e749, _e628), _e751, _e625) - (_e637 * _e757));
+let _e765 = ((_e759 * _e720) - (_e761 * _e718));
+let _e768 = ((_e677 * _e761) - (_e679 * _e759));
+let _e771 = ((_e718 * _e679) - (_e720 * _e677));
+let _e773 = ((_e765 + _e768) + _e771);
+let _e787 = (!(((((_e765 < 0f) || (_e768 < 0f)) || (_e771 < 0f)) && (((_e765 > 0f) || (_e768 > 0f)) || (_e771 > 0f)))) && (_e773 != 0f));
+let _e795 = select(1e30f, ((((_e765 * (_e675 * _e635)) + (_e768 * (_e716 * _e635))) + (_e771 * (_e757 * _e635))) / select(1f, _e773, _e787)), _e787);
+let _e797 = select(1e30f, _e795, (_e795 > 1e-3f));
+if (_e797 < _e422.member_14) {
+let _e813 = type_20(_e607.member, _e607.member_1, _e607.member_2, _e607.member_3, _e607.member_4, _e607.member_5, _e607.member_6, _e607.member_7, _e607.member_8, _e607.member_9, _e607.member_10, _e607.member_11, _e607.member_12, _e607.member_13, _e797);
+phi_1490_ = type_20(_e813.member, _e813.member_1, _e813.member_2, _e813.member_3, _e813.member_4, _e813.member_5, _e813.member_6, _e813.member_7, _e813.member_8, _e813.member_9, _e813.member_10, _e813.member_11, _e813.member_12, _e608, _e813.member_14);
 } else {
-phi_1452_ = _e422;
+phi_1490_ = _e607;
 }
-let _e785 = phi_1452_;
-if _e555 {
-phi_1484_ = (_e785.member_13 + 1i);
+let _e830 = phi_1490_;
+phi_1491_ = _e830;
 } else {
-let _e786 = (_e433 + 7i);
-let _e788 = select(_e462, _e786, (_e786 < _e462));
-let _e794 = global_3.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
-phi_1484_ = select(0i, select(select(i32(_e794), i32(-2147483648), (_e794 < -2147483600f)), 2147483647i, (_e794 > 2147483500f)), (_e794 == _e794));
+phi_1491_ = _e607;
 }
-let _e805 = phi_1484_;
-let _e821 = type_20(_e785.member, _e785.member_1, _e785.member_2, _e785.member_3, _e785.member_4, _e785.member_5, _e785.member_6, _e785.member_7, _e785.member_8, _e785.member_9, _e785.member_10, _e785.member_11, _e785.member_12, _e805, _e785.member_14, _e785.member_15);
-let _e823 = (_e785.member_14 != _e422.member_14);
-let _e826 = ((select(0i, _e785.member_14, _e823) * 19i) + 18i);
-let _e828 = (bitcast<i32>(_e68) - 1i);
-let _e830 = select(_e828, _e826, (_e826 < _e828));
-let _e836 = global_4.member[bitcast<u32>(select(0i, _e830, (_e830 > 0i)))];
-let _e843 = select(0i, select(select(i32(_e836), i32(-2147483648), (_e836 < -2147483600f)), 2147483647i, (_e836 > 2147483500f)), (_e836 == _e836));
-let _e844 = (_e843 * 4i);
-let _e846 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e848 = select(_e846, _e844, (_e844 < _e846));
-let _e854 = global_5.member[bitcast<u32>(select(0i, _e848, (_e848 > 0i)))];
-if (_e823 && (select(_e854, 1f, (_e843 == 16i)) != 0f)) {
-let _e874 = type_20(_e821.member, _e821.member_1, _e821.member_2, _e821.member_3, _e821.member_4, _e821.member_5, _e821.member_6, _e821.member_7, _e821.member_8, _e821.member_9, _e821.member_10, _e821.member_11, _e821.member_12, _e821.member_13, _e422.member_14, _e821.member_15);
-phi_1552_ = type_20(_e874.member, _e874.member_1, _e874.member_2, _e874.member_3, _e874.member_4, _e874.member_5, _e874.member_6, _e874.member_7, _e874.member_8, _e874.member_9, _e874.member_10, _e874.member_11, _e874.member_12, _e874.member_13, _e874.member_14, _e422.member_15);
+let _e832 = phi_1491_;
+let _e834 = (_e832.member_13 != _e422.member_13);
+let _e837 = ((select(0i, _e832.member_13, _e834) * 19i) + 18i);
+let _e839 = (bitcast<i32>(_e68) - 1i);
+let _e841 = select(_e839, _e837, (_e837 < _e839));
+let _e847 = global_4.member[bitcast<u32>(select(0i, _e841, (_e841 > 0i)))];
+let _e854 = select(0i, select(select(i32(_e847), i32(-2147483648), (_e847 < -2147483600f)), 2147483647i, (_e847 > 2147483500f)), (_e847 == _e847));
+let _e855 = (_e854 * 4i);
+let _e857 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e859 = select(_e857, _e855, (_e855 < _e857));
+let _e865 = global_5.member[bitcast<u32>(select(0i, _e859, (_e859 > 0i)))];
+if (_e834 && (select(_e865, 1f, (_e854 == 16i)) != 0f)) {
+let _e884 = type_20(_e832.member, _e832.member_1, _e832.member_2, _e832.member_3, _e832.member_4, _e832.member_5, _e832.member_6, _e832.member_7, _e832.member_8, _e832.member_9, _e832.member_10, _e832.member_11, _e832.member_12, _e422.member_13, _e832.member_14);
+phi_1558_ = type_20(_e884.member, _e884.member_1, _e884.member_2, _e884.member_3, _e884.member_4, _e884.member_5, _e884.member_6, _e884.member_7, _e884.member_8, _e884.member_9, _e884.member_10, _e884.member_11, _e884.member_12, _e884.member_13, _e422.member_14);
 } else {
-phi_1552_ = _e821;
+phi_1558_ = _e832;
 }
-let _e892 = phi_1552_;
-phi_829_ = _e892;
+let _e901 = phi_1558_;
+phi_829_ = _e901;
 phi_832_ = (_e424 + 1i);
 } else {
 phi_829_ = type_20();
 phi_832_ = i32();
 }
-let _e894 = phi_829_;
-let _e896 = phi_832_;
+let _e903 = phi_829_;
+let _e905 = phi_832_;
 continue;
 continuing {
-phi_828_ = _e894;
-phi_831_ = _e896;
+phi_828_ = _e903;
+phi_831_ = _e905;
 break if !(_e428);
 }
 }
-let _e899 = local_2;
-let _e902 = local_3;
-let _e905 = local_4;
-let _e908 = local_5;
-phi_1565_ = array<f32, 4>();
-phi_1566_ = array<f32, 4>(select(2f, 1f, _e899), f32(_e908), f32(_e902.member_14), _e905.member_15);
+let _e908 = local_2;
+let _e911 = local_3;
+let _e914 = local_4;
+let _e917 = local_5;
+phi_1571_ = array<f32, 4>();
+phi_1572_ = array<f32, 4>(select(2f, 1f, _e908), f32(_e917), f32(_e911.member_13), _e914.member_14);
 }
-let _e913 = phi_1565_;
-let _e915 = phi_1566_;
-phi_1567_ = _e913;
-phi_1568_ = _e915;
-phi_1569_ = _e187;
+let _e922 = phi_1571_;
+let _e924 = phi_1572_;
+phi_1573_ = _e922;
+phi_1574_ = _e924;
+phi_1575_ = _e187;
 }
-let _e917 = phi_1567_;
-let _e919 = phi_1568_;
-let _e921 = phi_1569_;
-if _e921 {
-phi_1573_ = _e917;
+let _e926 = phi_1573_;
+let _e928 = phi_1574_;
+let _e930 = phi_1575_;
+if _e930 {
+phi_1579_ = _e926;
 } else {
-phi_1573_ = _e919;
+phi_1579_ = _e928;
 }
-let _e923 = phi_1573_;
-global_6.member[_e86] = _e923[0];
-global_6.member[_e98] = _e923[1];
-global_6.member[_e109] = _e923[2];
-global_6.member[_e120] = _e923[3];
+let _e932 = phi_1579_;
+global_6.member[_e86] = _e932[0];
+global_6.member[_e98] = _e932[1];
+global_6.member[_e109] = _e932[2];
+global_6.member[_e120] = _e932[3];
 }
 }
 }

@@ -87,11 +87,10 @@ member_13: f32,
 member_14: type_5,
 member_15: type_5,
 member_16: type_6,
-member_17: type_5,
-member_18: type_9,
-member_19: type_11,
-member_20: type_5,
-member_21: type_12,
+member_17: type_9,
+member_18: type_11,
+member_19: type_5,
+member_20: type_12,
 }
 struct type_14 {
 member: type_13,
@@ -112,12 +111,18 @@ member_8: f32,
 member_9: f32,
 member_10: f32,
 member_11: f32,
-member_12: vec3<f32>,
+member_12: i32,
 member_13: i32,
-member_14: i32,
-member_15: f32,
+member_14: f32,
 }
-struct type_23 {
+struct type_21 {
+member: i32,
+member_1: i32,
+member_2: f32,
+member_3: f32,
+member_4: f32,
+}
+struct type_24 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
@@ -132,75 +137,100 @@ var<storage> global_4: type_16;
 @group(0) @binding(4)
 var<storage, read_write> global_5: type_16;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_23;
+var<storage, read_write> global_6: type_24;
 fn function_() {
-var phi_700_: u32;
-var phi_783_: i32;
-var phi_785_: type_20;
-var phi_788_: i32;
-var phi_790_: i32;
-var phi_2064_: i32;
-var phi_2067_: i32;
-var phi_2065_: i32;
-var phi_2068_: i32;
-var phi_3179_: i32;
-var phi_3181_: i32;
-var phi_3184_: i32;
-var phi_3182_: i32;
-var phi_3185_: i32;
+var phi_648_: u32;
+var phi_901_: f32;
+var phi_947_: i32;
+var phi_949_: type_21;
+var phi_952_: type_20;
+var phi_954_: i32;
+var phi_956_: i32;
+var phi_2045_: i32;
+var phi_2048_: i32;
+var phi_2046_: i32;
+var phi_2049_: i32;
+var phi_2079_: i32;
+var phi_2082_: i32;
+var phi_2080_: i32;
+var phi_2083_: i32;
 var local: i32;
 var local_1: i32;
-var phi_3486_: type_20;
 var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
+var phi_3715_: type_20;
+var phi_4215_: type_20;
+var phi_4268_: type_20;
+var phi_4282_: type_20;
 var local_7: i32;
-var phi_3827_: type_20;
-var phi_4158_: type_20;
-var phi_4211_: type_20;
-var phi_4225_: type_20;
 var local_8: i32;
+var phi_4726_: type_20;
+var phi_4727_: type_20;
+var phi_4707_: type_20;
+var phi_4728_: type_20;
 var local_9: i32;
-var phi_4670_: type_20;
-var phi_4671_: type_20;
-var phi_4651_: type_20;
-var phi_4672_: type_20;
-var phi_4677_: type_20;
-var phi_4678_: type_20;
-var phi_4679_: bool;
-var phi_4683_: type_20;
 var local_10: i32;
+var phi_2433_: type_20;
+var phi_4734_: type_21;
+var phi_4735_: type_20;
+var phi_4736_: i32;
+var phi_4737_: type_21;
+var phi_4738_: type_20;
+var phi_4739_: i32;
+var phi_4741_: type_21;
+var phi_4742_: type_20;
+var phi_4743_: i32;
+var phi_4745_: bool;
+var phi_4756_: type_21;
+var phi_4757_: type_20;
+var phi_4758_: i32;
+var phi_4760_: bool;
+var phi_4761_: bool;
+var phi_5058_: type_20;
+var phi_5059_: type_20;
 var local_11: i32;
-var phi_3159_: type_20;
-var phi_4685_: type_20;
-var phi_4686_: i32;
-var phi_1454_: i32;
-var phi_1457_: i32;
-var phi_1455_: i32;
-var phi_1458_: i32;
 var local_12: i32;
+var phi_5326_: type_20;
+var phi_5614_: type_21;
+var phi_5615_: type_20;
+var phi_5621_: type_21;
+var phi_5622_: type_20;
+var phi_1263_: i32;
+var phi_1877_: i32;
+var phi_2016_: type_21;
+var phi_2008_: bool;
+var phi_2009_: bool;
+var phi_2017_: type_21;
+var phi_2018_: bool;
+var phi_2025_: type_21;
+var phi_2026_: type_20;
+var phi_2027_: type_21;
+var phi_2028_: type_20;
+var phi_2030_: type_21;
+var phi_2031_: type_20;
+var phi_2032_: bool;
+var phi_2036_: type_21;
+var phi_2037_: type_20;
+var phi_2038_: bool;
+var phi_2042_: type_21;
+var phi_2043_: type_20;
+var phi_5624_: type_21;
+var phi_5625_: type_20;
+var phi_5626_: i32;
+var phi_950_: type_21;
+var phi_953_: type_20;
+var phi_955_: i32;
+var phi_957_: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_2060_: type_20;
-var phi_1774_: type_20;
-var phi_2062_: type_20;
-var phi_4687_: type_20;
-var phi_4688_: i32;
-var phi_1413_: type_20;
-var phi_1414_: type_20;
-var phi_1446_: i32;
-var phi_4689_: type_20;
-var phi_4690_: i32;
-var phi_786_: type_20;
-var phi_789_: i32;
-var phi_791_: i32;
-var local_15: i32;
-var local_16: i32;
-var phi_4696_: i32;
-var local_17: type_20;
-var local_18: type_20;
+var phi_5632_: i32;
+var local_15: type_21;
+var local_16: type_21;
+var local_17: type_21;
+var local_18: type_21;
 var local_19: type_20;
 var local_20: type_20;
 var local_21: type_20;
@@ -220,12 +250,7 @@ var local_34: type_20;
 var local_35: type_20;
 var local_36: type_20;
 var local_37: type_20;
-var local_38: type_20;
-var local_39: type_20;
-var local_40: type_20;
-var local_41: type_20;
-var local_42: type_20;
-var local_43: f32;
+var local_38: f32;
 let _e97 = global;
 let _e101 = arrayLength((&global_3.member));
 let _e103 = arrayLength((&global_4.member));
@@ -334,918 +359,1049 @@ let _e384 = ((24u * _e117) + _e119);
 let _e385 = bitcast<i32>(_e384);
 let _e387 = select(_e122, _e385, (_e385 < _e122));
 let _e393 = global_5.member[bitcast<u32>(select(0i, _e387, (_e387 > 0i)))];
-let _e395 = ((25u * _e117) + _e119);
-let _e396 = bitcast<i32>(_e395);
-let _e398 = select(_e122, _e396, (_e396 < _e122));
-let _e404 = global_5.member[bitcast<u32>(select(0i, _e398, (_e398 > 0i)))];
-let _e406 = ((26u * _e117) + _e119);
-let _e407 = bitcast<i32>(_e406);
-let _e409 = select(_e122, _e407, (_e407 < _e122));
-let _e415 = global_5.member[bitcast<u32>(select(0i, _e409, (_e409 > 0i)))];
-let _e417 = ((27u * _e117) + _e119);
-let _e418 = bitcast<i32>(_e417);
-let _e420 = select(_e122, _e418, (_e418 < _e122));
-let _e426 = global_5.member[bitcast<u32>(select(0i, _e420, (_e420 > 0i)))];
 if (_e305 == 0f) {
-phi_700_ = 3u;
+phi_648_ = 3u;
 } else {
-phi_700_ = select(0u, 1u, (_e305 == 4f));
+phi_648_ = select(0u, 1u, (_e305 == 4f));
 }
-let _e431 = phi_700_;
-if (_e431 > 0u) {
+let _e398 = phi_648_;
+if (_e398 > 0u) {
 if (arrayLength((&global_6.member)) >= 3u) {
-let _e440 = atomicLoad((&global_6.member[0u]));
-if (_e440 == 0u) {
+let _e407 = atomicLoad((&global_6.member[0u]));
+if (_e407 == 0u) {
 atomicStore((&global_6.member[0u]), ((_e110.member + 7u) / 8u));
 atomicStore((&global_6.member[1u]), ((_e110.member_1 + 7u) / 8u));
 atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
-if (_e431 > 1u) {
-let _e459 = select(0i, select(select(i32(_e316), i32(-2147483648), (_e316 < -2147483600f)), 2147483647i, (_e316 > 2147483500f)), (_e316 == _e316));
-let _e476 = bitcast<i32>(arrayLength((&global_2.member)));
-if (_e459 == 16i) {
-phi_783_ = 0i;
+if (_e398 > 1u) {
+let _e426 = select(0i, select(select(i32(_e316), i32(-2147483648), (_e316 < -2147483600f)), 2147483647i, (_e316 > 2147483500f)), (_e316 == _e316));
+let _e440 = select(0i, select(select(i32(_e382), i32(-2147483648), (_e382 < -2147483600f)), 2147483647i, (_e382 > 2147483500f)), (_e382 == _e382));
+if (_e440 >= 0i) {
+let _e443 = (_e440 * 19i);
+let _e445 = (bitcast<i32>(_e101) - 1i);
+let _e447 = select(_e445, _e443, (_e443 < _e445));
+let _e453 = global_3.member[bitcast<u32>(select(0i, _e447, (_e447 > 0i)))];
+let _e454 = (_e443 + 1i);
+let _e456 = select(_e445, _e454, (_e454 < _e445));
+let _e462 = global_3.member[bitcast<u32>(select(0i, _e456, (_e456 > 0i)))];
+let _e463 = (_e443 + 2i);
+let _e465 = select(_e445, _e463, (_e463 < _e445));
+let _e471 = global_3.member[bitcast<u32>(select(0i, _e465, (_e465 > 0i)))];
+let _e472 = (_e443 + 3i);
+let _e474 = select(_e445, _e472, (_e472 < _e445));
+let _e480 = global_3.member[bitcast<u32>(select(0i, _e474, (_e474 > 0i)))];
+let _e481 = (_e443 + 4i);
+let _e483 = select(_e445, _e481, (_e481 < _e445));
+let _e489 = global_3.member[bitcast<u32>(select(0i, _e483, (_e483 > 0i)))];
+let _e490 = (_e443 + 5i);
+let _e492 = select(_e445, _e490, (_e490 < _e445));
+let _e498 = global_3.member[bitcast<u32>(select(0i, _e492, (_e492 > 0i)))];
+let _e499 = (_e480 - _e453);
+let _e500 = (_e489 - _e462);
+let _e501 = (_e498 - _e471);
+let _e502 = (_e443 + 6i);
+let _e504 = select(_e445, _e502, (_e502 < _e445));
+let _e510 = global_3.member[bitcast<u32>(select(0i, _e504, (_e504 > 0i)))];
+let _e511 = (_e443 + 7i);
+let _e513 = select(_e445, _e511, (_e511 < _e445));
+let _e519 = global_3.member[bitcast<u32>(select(0i, _e513, (_e513 > 0i)))];
+let _e520 = (_e443 + 8i);
+let _e522 = select(_e445, _e520, (_e520 < _e445));
+let _e528 = global_3.member[bitcast<u32>(select(0i, _e522, (_e522 > 0i)))];
+let _e529 = (_e510 - _e453);
+let _e530 = (_e519 - _e462);
+let _e531 = (_e528 - _e471);
+let _e534 = ((_e500 * _e531) - (_e501 * _e530));
+let _e537 = ((_e501 * _e529) - (_e499 * _e531));
+let _e540 = ((_e499 * _e530) - (_e500 * _e529));
+let _e545 = (((_e534 * _e534) + (_e537 * _e537)) + (_e540 * _e540));
+let _e548 = sqrt(select(0f, _e545, (_e545 > 0f)));
+let _e551 = (1f / select(1e-20f, _e548, (_e548 > 1e-20f)));
+phi_901_ = (((_e162 * (_e534 * _e551)) + (_e173 * (_e537 * _e551))) + (_e184 * (_e540 * _e551)));
 } else {
-phi_783_ = -(_e459);
+phi_901_ = 1f;
 }
-let _e481 = phi_783_;
-phi_785_ = type_20(vec3<f32>(_e130, _e140, _e151), vec3<f32>(_e162, _e173, _e184), vec3<f32>(_e195, _e206, _e217), vec3<f32>(_e228, _e239, _e250), vec3<f32>(_e261, _e272, _e283), _e294, _e305, _e459, _e327, _e338, _e349, _e360, vec3<f32>(_e371, _e382, _e393), select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < -2147483600f)), 2147483647i, (_e404 > 2147483500f)), (_e404 == _e404)), select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < -2147483600f)), 2147483647i, (_e415 > 2147483500f)), (_e415 == _e415)), _e426);
-phi_788_ = 0i;
-phi_790_ = _e481;
+let _e561 = phi_901_;
+let _e578 = bitcast<f32>((bitcast<u32>(_e561) & 2147483647u));
+let _e582 = bitcast<i32>(arrayLength((&global_2.member)));
+if (_e426 == 16i) {
+phi_947_ = 0i;
+} else {
+phi_947_ = -(_e426);
+}
+let _e587 = phi_947_;
+phi_949_ = type_21(select(0i, select(select(i32(_e261), i32(-2147483648), (_e261 < -2147483600f)), 2147483647i, (_e261 > 2147483500f)), (_e261 == _e261)), select(0i, select(select(i32(_e272), i32(-2147483648), (_e272 < -2147483600f)), 2147483647i, (_e272 > 2147483500f)), (_e272 == _e272)), _e283, _e294, select(1e-3f, _e578, (_e578 > 1e-3f)));
+phi_952_ = type_20(vec3<f32>(_e130, _e140, _e151), vec3<f32>(_e162, _e173, _e184), vec3<f32>(_e195, _e206, _e217), vec3<f32>(_e228, _e239, _e250), vec3<f32>(_e261, _e272, _e283), _e294, _e305, _e426, _e327, _e338, _e349, _e360, select(0i, select(select(i32(_e371), i32(-2147483648), (_e371 < -2147483600f)), 2147483647i, (_e371 > 2147483500f)), (_e371 == _e371)), _e440, _e393);
+phi_954_ = 0i;
+phi_956_ = _e587;
 loop {
-let _e483 = phi_785_;
-let _e485 = phi_788_;
-let _e487 = phi_790_;
-local_15 = _e487;
-local_16 = _e487;
-local_17 = _e483;
-local_18 = _e483;
-local_19 = _e483;
-local_20 = _e483;
-local_21 = _e483;
-local_22 = _e483;
-local_23 = _e483;
-local_24 = _e483;
-local_25 = _e483;
-local_26 = _e483;
-local_27 = _e483;
-local_28 = _e483;
-local_29 = _e483;
-local_30 = _e483;
-local_31 = _e483;
-local_32 = _e483;
-local_33 = _e483;
-local_34 = _e483;
-local_35 = _e483;
-local_36 = _e483;
-local_37 = _e483;
-local_38 = _e483;
-local_39 = _e483;
-local_40 = _e483;
-local_41 = _e483;
-local_42 = _e483;
-let _e491 = ((_e485 < 1024i) && (_e483.member_6 == 0f));
-local_43 = _e483.member_6;
-if _e491 {
-if (_e483.member_13 < (_e476 / 8i)) {
-let _e2993 = (_e483.member_13 * 8i);
-let _e2997 = bitcast<f32>((bitcast<u32>(_e483.member_1.x) & 2147483647u));
-let _e3002 = (1f / select(_e483.member_1.x, select(1e-12f, -1e-12f, (_e483.member_1.x < 0f)), (_e2997 < 1e-12f)));
-let _e3006 = bitcast<f32>((bitcast<u32>(_e483.member_1.y) & 2147483647u));
-let _e3011 = (1f / select(_e483.member_1.y, select(1e-12f, -1e-12f, (_e483.member_1.y < 0f)), (_e3006 < 1e-12f)));
-let _e3015 = bitcast<f32>((bitcast<u32>(_e483.member_1.z) & 2147483647u));
-let _e3020 = (1f / select(_e483.member_1.z, select(1e-12f, -1e-12f, (_e483.member_1.z < 0f)), (_e3015 < 1e-12f)));
-let _e3022 = (_e476 - 1i);
-let _e3024 = select(_e3022, _e2993, (_e2993 < _e3022));
-let _e3030 = global_2.member[bitcast<u32>(select(0i, _e3024, (_e3024 > 0i)))];
-let _e3031 = (_e2993 + 1i);
-let _e3033 = select(_e3022, _e3031, (_e3031 < _e3022));
-let _e3039 = global_2.member[bitcast<u32>(select(0i, _e3033, (_e3033 > 0i)))];
-let _e3040 = (_e2993 + 2i);
-let _e3042 = select(_e3022, _e3040, (_e3040 < _e3022));
-let _e3048 = global_2.member[bitcast<u32>(select(0i, _e3042, (_e3042 > 0i)))];
-let _e3049 = (_e2993 + 3i);
-let _e3051 = select(_e3022, _e3049, (_e3049 < _e3022));
-let _e3057 = global_2.member[bitcast<u32>(select(0i, _e3051, (_e3051 > 0i)))];
-let _e3058 = (_e2993 + 4i);
-let _e3060 = select(_e3022, _e3058, (_e3058 < _e3022));
-let _e3066 = global_2.member[bitcast<u32>(select(0i, _e3060, (_e3060 > 0i)))];
-let _e3067 = (_e2993 + 5i);
-let _e3069 = select(_e3022, _e3067, (_e3067 < _e3022));
-let _e3075 = global_2.member[bitcast<u32>(select(0i, _e3069, (_e3069 > 0i)))];
-let _e3078 = ((_e3030 - _e483.member.x) * _e3002);
-let _e3080 = ((_e3057 - _e483.member.x) * _e3002);
-let _e3083 = ((_e3039 - _e483.member.y) * _e3011);
-let _e3085 = ((_e3066 - _e483.member.y) * _e3011);
-let _e3088 = ((_e3048 - _e483.member.z) * _e3020);
-let _e3090 = ((_e3075 - _e483.member.z) * _e3020);
-let _e3092 = select(_e3080, _e3078, (_e3078 < _e3080));
-let _e3094 = select(_e3085, _e3083, (_e3083 < _e3085));
-let _e3096 = select(_e3094, _e3092, (_e3092 > _e3094));
-let _e3098 = select(_e3090, _e3088, (_e3088 < _e3090));
-let _e3102 = select(_e3080, _e3078, (_e3078 > _e3080));
-let _e3104 = select(_e3085, _e3083, (_e3083 > _e3085));
-let _e3106 = select(_e3104, _e3102, (_e3102 < _e3104));
-let _e3108 = select(_e3090, _e3088, (_e3088 > _e3090));
-let _e3110 = select(_e3108, _e3106, (_e3106 < _e3108));
-let _e3116 = ((select(_e3098, _e3096, (_e3096 > _e3098)) <= select(_e483.member_15, _e3110, (_e3110 < _e483.member_15))) && (_e3110 >= 0f));
-let _e3117 = (_e2993 + 6i);
-let _e3119 = select(_e3022, _e3117, (_e3117 < _e3022));
-let _e3125 = global_2.member[bitcast<u32>(select(0i, _e3119, (_e3119 > 0i)))];
-let _e3132 = select(0i, select(select(i32(_e3125), i32(-2147483648), (_e3125 < -2147483600f)), 2147483647i, (_e3125 > 2147483500f)), (_e3125 == _e3125));
-if (_e3116 && (_e3132 >= 0i)) {
-let _e3137 = ((_e2997 >= _e3006) && (_e2997 >= _e3015));
-let _e3140 = (!(_e3137) && (_e3006 >= _e3015));
-let _e3147 = (1f / select(select(_e483.member_1.z, _e483.member_1.y, _e3140), _e483.member_1.x, _e3137));
-let _e3148 = (select(select(_e483.member_1.x, _e483.member_1.z, _e3140), _e483.member_1.y, _e3137) * _e3147);
-let _e3149 = (select(select(_e483.member_1.y, _e483.member_1.x, _e3140), _e483.member_1.z, _e3137) * _e3147);
-let _e3150 = (_e3132 * 19i);
-let _e3152 = (bitcast<i32>(_e101) - 1i);
-let _e3154 = select(_e3152, _e3150, (_e3150 < _e3152));
-let _e3160 = global_3.member[bitcast<u32>(select(0i, _e3154, (_e3154 > 0i)))];
-let _e3161 = (_e3150 + 1i);
-let _e3163 = select(_e3152, _e3161, (_e3161 < _e3152));
-let _e3169 = global_3.member[bitcast<u32>(select(0i, _e3163, (_e3163 > 0i)))];
-let _e3170 = (_e3150 + 2i);
-let _e3172 = select(_e3152, _e3170, (_e3170 < _e3152));
-let _e3178 = global_3.member[bitcast<u32>(select(0i, _e3172, (_e3172 > 0i)))];
-let _e3179 = (_e3160 - _e483.member.x);
-let _e3180 = (_e3169 - _e483.member.y);
-let _e3181 = (_e3178 - _e483.member.z);
-let _e3187 = select(select(_e3181, _e3180, _e3140), _e3179, _e3137);
-let _e3189 = (select(select(_e3179, _e3181, _e3140), _e3180, _e3137) - (_e3148 * _e3187));
-let _e3191 = (select(select(_e3180, _e3179, _e3140), _e3181, _e3137) - (_e3149 * _e3187));
-let _e3193 = (_e3150 + 3i);
-let _e3195 = select(_e3152, _e3193, (_e3193 < _e3152));
-let _e3201 = global_3.member[bitcast<u32>(select(0i, _e3195, (_e3195 > 0i)))];
-let _e3202 = (_e3150 + 4i);
-let _e3204 = select(_e3152, _e3202, (_e3202 < _e3152));
-let _e3210 = global_3.member[bitcast<u32>(select(0i, _e3204, (_e3204 > 0i)))];
-let _e3211 = (_e3150 + 5i);
-let _e3213 = select(_e3152, _e3211, (_e3211 < _e3152));
-let _e3219 = global_3.member[bitcast<u32>(select(0i, _e3213, (_e3213 > 0i)))];
-let _e3220 = (_e3201 - _e483.member.x);
-let _e3221 = (_e3210 - _e483.member.y);
-let _e3222 = (_e3219 - _e483.member.z);
-let _e3228 = select(select(_e3222, _e3221, _e3140), _e3220, _e3137);
-let _e3230 = (select(select(_e3220, _e3222, _e3140), _e3221, _e3137) - (_e3148 * _e3228));
-let _e3232 = (select(select(_e3221, _e3220, _e3140), _e3222, _e3137) - (_e3149 * _e3228));
-let _e3234 = (_e3150 + 6i);
-let _e3236 = select(_e3152, _e3234, (_e3234 < _e3152));
-let _e3242 = global_3.member[bitcast<u32>(select(0i, _e3236, (_e3236 > 0i)))];
-let _e3243 = (_e3150 + 7i);
-let _e3245 = select(_e3152, _e3243, (_e3243 < _e3152));
-let _e3251 = global_3.member[bitcast<u32>(select(0i, _e3245, (_e3245 > 0i)))];
-let _e3252 = (_e3150 + 8i);
-let _e3254 = select(_e3152, _e3252, (_e3252 < _e3152));
-let _e3260 = global_3.member[bitcast<u32>(select(0i, _e3254, (_e3254 > 0i)))];
-let _e3261 = (_e3242 - _e483.member.x);
-let _e3262 = (_e3251 - _e483.member.y);
-let _e3263 = (_e3260 - _e483.member.z);
-let _e3269 = select(select(_e3263, _e3262, _e3140), _e3261, _e3137);
-let _e3271 = (select(select(_e3261, _e3263, _e3140), _e3262, _e3137) - (_e3148 * _e3269));
-let _e3273 = (select(select(_e3262, _e3261, _e3140), _e3263, _e3137) - (_e3149 * _e3269));
-let _e3277 = ((_e3271 * _e3232) - (_e3273 * _e3230));
-let _e3280 = ((_e3189 * _e3273) - (_e3191 * _e3271));
-let _e3283 = ((_e3230 * _e3191) - (_e3232 * _e3189));
-let _e3285 = ((_e3277 + _e3280) + _e3283);
-let _e3299 = (!(((((_e3277 < 0f) || (_e3280 < 0f)) || (_e3283 < 0f)) && (((_e3277 > 0f) || (_e3280 > 0f)) || (_e3283 > 0f)))) && (_e3285 != 0f));
-let _e3306 = ((((_e3277 * (_e3187 * _e3147)) + (_e3280 * (_e3228 * _e3147))) + (_e3283 * (_e3269 * _e3147))) / select(1f, _e3285, _e3299));
-let _e3309 = select(1e30f, _e3306, (_e3299 && (_e3306 > 1e-3f)));
-if (_e3309 < _e483.member_15) {
-let _e3326 = type_20(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e3309);
-phi_1413_ = type_20(_e3326.member, _e3326.member_1, _e3326.member_2, _e3326.member_3, _e3326.member_4, _e3326.member_5, _e3326.member_6, _e3326.member_7, _e3326.member_8, _e3326.member_9, _e3326.member_10, _e3326.member_11, _e3326.member_12, _e3326.member_13, _e3132, _e3326.member_15);
+let _e589 = phi_949_;
+let _e591 = phi_952_;
+let _e593 = phi_954_;
+let _e595 = phi_956_;
+local_13 = _e595;
+local_14 = _e595;
+local_15 = _e589;
+local_16 = _e589;
+local_17 = _e589;
+local_18 = _e589;
+local_19 = _e591;
+local_20 = _e591;
+local_21 = _e591;
+local_22 = _e591;
+local_23 = _e591;
+local_24 = _e591;
+local_25 = _e591;
+local_26 = _e591;
+local_27 = _e591;
+local_28 = _e591;
+local_29 = _e591;
+local_30 = _e591;
+local_31 = _e591;
+local_32 = _e591;
+local_33 = _e591;
+local_34 = _e591;
+local_35 = _e591;
+local_36 = _e591;
+local_37 = _e591;
+let _e599 = ((_e593 < 1024i) && (_e591.member_6 == 0f));
+local_38 = _e591.member_6;
+if _e599 {
+if (_e591.member_12 < (_e582 / 8i)) {
+let _e2819 = global_1.member.member_13;
+let _e2821 = (_e591.member_13 >= 0i);
+let _e2826 = (_e591.member_14 + select(0f, (_e2819 / _e589.member_4), _e2821));
+let _e2834 = (_e591.member_12 * 8i);
+let _e2842 = (1f / select(_e591.member_1.x, select(1e-12f, -1e-12f, (_e591.member_1.x < 0f)), (bitcast<f32>((bitcast<u32>(_e591.member_1.x) & 2147483647u)) < 1e-12f)));
+let _e2850 = (1f / select(_e591.member_1.y, select(1e-12f, -1e-12f, (_e591.member_1.y < 0f)), (bitcast<f32>((bitcast<u32>(_e591.member_1.y) & 2147483647u)) < 1e-12f)));
+let _e2858 = (1f / select(_e591.member_1.z, select(1e-12f, -1e-12f, (_e591.member_1.z < 0f)), (bitcast<f32>((bitcast<u32>(_e591.member_1.z) & 2147483647u)) < 1e-12f)));
+let _e2860 = (_e582 - 1i);
+let _e2862 = select(_e2860, _e2834, (_e2834 < _e2860));
+let _e2868 = global_2.member[bitcast<u32>(select(0i, _e2862, (_e2862 > 0i)))];
+let _e2869 = (_e2834 + 1i);
+let _e2871 = select(_e2860, _e2869, (_e2869 < _e2860));
+let _e2877 = global_2.member[bitcast<u32>(select(0i, _e2871, (_e2871 > 0i)))];
+let _e2878 = (_e2834 + 2i);
+let _e2880 = select(_e2860, _e2878, (_e2878 < _e2860));
+let _e2886 = global_2.member[bitcast<u32>(select(0i, _e2880, (_e2880 > 0i)))];
+let _e2887 = (_e2834 + 3i);
+let _e2889 = select(_e2860, _e2887, (_e2887 < _e2860));
+let _e2895 = global_2.member[bitcast<u32>(select(0i, _e2889, (_e2889 > 0i)))];
+let _e2896 = (_e2834 + 4i);
+let _e2898 = select(_e2860, _e2896, (_e2896 < _e2860));
+let _e2904 = global_2.member[bitcast<u32>(select(0i, _e2898, (_e2898 > 0i)))];
+let _e2905 = (_e2834 + 5i);
+let _e2907 = select(_e2860, _e2905, (_e2905 < _e2860));
+let _e2913 = global_2.member[bitcast<u32>(select(0i, _e2907, (_e2907 > 0i)))];
+let _e2916 = ((_e2868 - _e591.member.x) * _e2842);
+let _e2918 = ((_e2895 - _e591.member.x) * _e2842);
+let _e2921 = ((_e2877 - _e591.member.y) * _e2850);
+let _e2923 = ((_e2904 - _e591.member.y) * _e2850);
+let _e2926 = ((_e2886 - _e591.member.z) * _e2858);
+let _e2928 = ((_e2913 - _e591.member.z) * _e2858);
+let _e2930 = select(_e2918, _e2916, (_e2916 < _e2918));
+let _e2932 = select(_e2923, _e2921, (_e2921 < _e2923));
+let _e2934 = select(_e2932, _e2930, (_e2930 > _e2932));
+let _e2936 = select(_e2928, _e2926, (_e2926 < _e2928));
+let _e2940 = select(_e2918, _e2916, (_e2916 > _e2918));
+let _e2942 = select(_e2923, _e2921, (_e2921 > _e2923));
+let _e2944 = select(_e2942, _e2940, (_e2940 < _e2942));
+let _e2946 = select(_e2928, _e2926, (_e2926 > _e2928));
+let _e2948 = select(_e2946, _e2944, (_e2944 < _e2946));
+let _e2953 = ((select(_e2936, _e2934, (_e2934 > _e2936)) <= select(_e2826, _e2948, (_e2948 < _e2826))) && (_e2948 >= _e589.member_2));
+let _e2954 = (_e2834 + 6i);
+let _e2956 = select(_e2860, _e2954, (_e2954 < _e2860));
+let _e2962 = global_2.member[bitcast<u32>(select(0i, _e2956, (_e2956 > 0i)))];
+if _e2953 {
+phi_1263_ = (_e591.member_12 + 1i);
 } else {
-phi_1413_ = _e483;
+let _e2970 = (_e2834 + 7i);
+let _e2972 = select(_e2860, _e2970, (_e2970 < _e2860));
+let _e2978 = global_2.member[bitcast<u32>(select(0i, _e2972, (_e2972 > 0i)))];
+phi_1263_ = select(0i, select(select(i32(_e2978), i32(-2147483648), (_e2978 < -2147483600f)), 2147483647i, (_e2978 > 2147483500f)), (_e2978 == _e2978));
 }
-let _e3344 = phi_1413_;
-phi_1414_ = _e3344;
+let _e2988 = phi_1263_;
+let _e3003 = type_20(_e591.member, _e591.member_1, _e591.member_2, _e591.member_3, _e591.member_4, _e591.member_5, _e591.member_6, _e591.member_7, _e591.member_8, _e591.member_9, _e591.member_10, _e591.member_11, _e2988, _e591.member_13, _e591.member_14);
+let _e3004 = select(-1i, select(0i, select(select(i32(_e2962), i32(-2147483648), (_e2962 < -2147483600f)), 2147483647i, (_e2962 > 2147483500f)), (_e2962 == _e2962)), _e2953);
+if (_e3004 < 0i) {
+phi_2036_ = type_21();
+phi_2037_ = type_20();
+phi_2038_ = true;
 } else {
-phi_1414_ = _e483;
+let _e3010 = bitcast<f32>((bitcast<u32>(_e591.member_1.x) & 2147483647u));
+let _e3014 = bitcast<f32>((bitcast<u32>(_e591.member_1.y) & 2147483647u));
+let _e3018 = bitcast<f32>((bitcast<u32>(_e591.member_1.z) & 2147483647u));
+let _e3021 = ((_e3010 >= _e3014) && (_e3010 >= _e3018));
+let _e3024 = (!(_e3021) && (_e3014 >= _e3018));
+let _e3031 = (1f / select(select(_e591.member_1.z, _e591.member_1.y, _e3024), _e591.member_1.x, _e3021));
+let _e3032 = (select(select(_e591.member_1.x, _e591.member_1.z, _e3024), _e591.member_1.y, _e3021) * _e3031);
+let _e3033 = (select(select(_e591.member_1.y, _e591.member_1.x, _e3024), _e591.member_1.z, _e3021) * _e3031);
+let _e3034 = (_e3004 * 19i);
+let _e3036 = (bitcast<i32>(_e101) - 1i);
+let _e3038 = select(_e3036, _e3034, (_e3034 < _e3036));
+let _e3044 = global_3.member[bitcast<u32>(select(0i, _e3038, (_e3038 > 0i)))];
+let _e3045 = (_e3034 + 1i);
+let _e3047 = select(_e3036, _e3045, (_e3045 < _e3036));
+let _e3053 = global_3.member[bitcast<u32>(select(0i, _e3047, (_e3047 > 0i)))];
+let _e3054 = (_e3034 + 2i);
+let _e3056 = select(_e3036, _e3054, (_e3054 < _e3036));
+let _e3062 = global_3.member[bitcast<u32>(select(0i, _e3056, (_e3056 > 0i)))];
+let _e3063 = (_e3044 - _e591.member.x);
+let _e3064 = (_e3053 - _e591.member.y);
+let _e3065 = (_e3062 - _e591.member.z);
+let _e3071 = select(select(_e3065, _e3064, _e3024), _e3063, _e3021);
+let _e3073 = (select(select(_e3063, _e3065, _e3024), _e3064, _e3021) - (_e3032 * _e3071));
+let _e3075 = (select(select(_e3064, _e3063, _e3024), _e3065, _e3021) - (_e3033 * _e3071));
+let _e3077 = (_e3034 + 3i);
+let _e3079 = select(_e3036, _e3077, (_e3077 < _e3036));
+let _e3085 = global_3.member[bitcast<u32>(select(0i, _e3079, (_e3079 > 0i)))];
+let _e3086 = (_e3034 + 4i);
+let _e3088 = select(_e3036, _e3086, (_e3086 < _e3036));
+let _e3094 = global_3.member[bitcast<u32>(select(0i, _e3088, (_e3088 > 0i)))];
+let _e3095 = (_e3034 + 5i);
+let _e3097 = select(_e3036, _e3095, (_e3095 < _e3036));
+let _e3103 = global_3.member[bitcast<u32>(select(0i, _e3097, (_e3097 > 0i)))];
+let _e3104 = (_e3085 - _e591.member.x);
+let _e3105 = (_e3094 - _e591.member.y);
+let _e3106 = (_e3103 - _e591.member.z);
+let _e3112 = select(select(_e3106, _e3105, _e3024), _e3104, _e3021);
+let _e3114 = (select(select(_e3104, _e3106, _e3024), _e3105, _e3021) - (_e3032 * _e3112));
+let _e3116 = (select(select(_e3105, _e3104, _e3024), _e3106, _e3021) - (_e3033 * _e3112));
+let _e3118 = (_e3034 + 6i);
+let _e3120 = select(_e3036, _e3118, (_e3118 < _e3036));
+let _e3126 = global_3.member[bitcast<u32>(select(0i, _e3120, (_e3120 > 0i)))];
+let _e3127 = (_e3034 + 7i);
+let _e3129 = select(_e3036, _e3127, (_e3127 < _e3036));
+let _e3135 = global_3.member[bitcast<u32>(select(0i, _e3129, (_e3129 > 0i)))];
+let _e3136 = (_e3034 + 8i);
+let _e3138 = select(_e3036, _e3136, (_e3136 < _e3036));
+let _e3144 = global_3.member[bitcast<u32>(select(0i, _e3138, (_e3138 > 0i)))];
+let _e3145 = (_e3126 - _e591.member.x);
+let _e3146 = (_e3135 - _e591.member.y);
+let _e3147 = (_e3144 - _e591.member.z);
+let _e3153 = select(select(_e3147, _e3146, _e3024), _e3145, _e3021);
+let _e3155 = (select(select(_e3145, _e3147, _e3024), _e3146, _e3021) - (_e3032 * _e3153));
+let _e3157 = (select(select(_e3146, _e3145, _e3024), _e3147, _e3021) - (_e3033 * _e3153));
+let _e3161 = ((_e3155 * _e3116) - (_e3157 * _e3114));
+let _e3164 = ((_e3073 * _e3157) - (_e3075 * _e3155));
+let _e3167 = ((_e3114 * _e3075) - (_e3116 * _e3073));
+let _e3169 = ((_e3161 + _e3164) + _e3167);
+let _e3183 = (!(((((_e3161 < 0f) || (_e3164 < 0f)) || (_e3167 < 0f)) && (((_e3161 > 0f) || (_e3164 > 0f)) || (_e3167 > 0f)))) && (_e3169 != 0f));
+let _e3191 = select(1e30f, ((((_e3161 * (_e3071 * _e3031)) + (_e3164 * (_e3112 * _e3031))) + (_e3167 * (_e3153 * _e3031))) / select(1f, _e3169, _e3183)), _e3183);
+if (_e3191 >= _e2826) {
+phi_2030_ = type_21();
+phi_2031_ = type_20();
+phi_2032_ = true;
+} else {
+let _e3193 = (_e3085 - _e3044);
+let _e3194 = (_e3094 - _e3053);
+let _e3195 = (_e3103 - _e3062);
+let _e3196 = (_e3126 - _e3044);
+let _e3197 = (_e3135 - _e3053);
+let _e3198 = (_e3144 - _e3062);
+let _e3201 = ((_e3194 * _e3198) - (_e3195 * _e3197));
+let _e3204 = ((_e3195 * _e3196) - (_e3193 * _e3198));
+let _e3207 = ((_e3193 * _e3197) - (_e3194 * _e3196));
+let _e3212 = (((_e3201 * _e3201) + (_e3204 * _e3204)) + (_e3207 * _e3207));
+let _e3215 = sqrt(select(0f, _e3212, (_e3212 > 0f)));
+let _e3218 = (1f / select(1e-20f, _e3215, (_e3215 > 1e-20f)));
+let _e3226 = (((_e591.member_1.x * (_e3201 * _e3218)) + (_e591.member_1.y * (_e3204 * _e3218))) + (_e591.member_1.z * (_e3207 * _e3218)));
+let _e3229 = bitcast<f32>((bitcast<u32>(_e3226) & 2147483647u));
+let _e3231 = select(1e-3f, _e3229, (_e3229 > 1e-3f));
+let _e3232 = (_e3034 + 18i);
+let _e3234 = select(_e3036, _e3232, (_e3232 < _e3036));
+let _e3240 = global_3.member[bitcast<u32>(select(0i, _e3234, (_e3234 > 0i)))];
+let _e3247 = select(0i, select(select(i32(_e3240), i32(-2147483648), (_e3240 < -2147483600f)), 2147483647i, (_e3240 > 2147483500f)), (_e3240 == _e3240));
+let _e3248 = (_e3247 * 4i);
+let _e3250 = (bitcast<i32>(_e103) - 1i);
+let _e3252 = select(_e3250, _e3248, (_e3248 < _e3250));
+let _e3258 = global_4.member[bitcast<u32>(select(0i, _e3252, (_e3252 > 0i)))];
+let _e3261 = (select(_e3258, 1f, (_e3247 == 16i)) == 0f);
+if _e3261 {
+phi_1877_ = 0i;
+} else {
+phi_1877_ = (1i << bitcast<u32>((_e3247 & 31i)));
 }
-let _e3346 = phi_1414_;
-if _e3116 {
-phi_1446_ = (_e3346.member_13 + 1i);
+let _e3266 = phi_1877_;
+let _e3267 = (_e3226 < 0f);
+let _e3268 = select(_e3266, 0i, _e3267);
+let _e3269 = select(0i, _e3266, _e3267);
+let _e3277 = (_e3191 * _e3231);
+let _e3290 = (((_e3191 > _e589.member_2) && (_e589.member_2 > 0f)) || (((_e3277 > (_e2819 * 2f)) || (((_e3261 || ((_e3269 & ~(_e595)) != 0i)) || ((_e3268 & _e595) != 0i)) && (_e3277 >= -((_e2819 * 0.5f))))) && (_e589.member_2 <= 0f)));
+if _e3290 {
+let _e3291 = (_e3191 < _e591.member_14);
+if (_e2821 && ((bitcast<f32>((bitcast<u32>((_e3191 - _e591.member_14)) & 2147483647u)) * select(_e589.member_4, _e3231, (_e3231 > _e589.member_4))) <= _e2819)) {
+let _e3324 = type_21((_e589.member | _e3269), _e589.member_1, _e589.member_2, _e589.member_3, _e589.member_4);
+let _e3331 = type_21(_e3324.member, (_e589.member_1 | _e3268), _e3324.member_2, _e3324.member_3, _e3324.member_4);
+let _e3341 = ((_e591.member_13 * 19i) + 18i);
+let _e3343 = select(_e3036, _e3341, (_e3341 < _e3036));
+let _e3349 = global_3.member[bitcast<u32>(select(0i, _e3343, (_e3343 > 0i)))];
+let _e3356 = select(0i, select(select(i32(_e3349), i32(-2147483648), (_e3349 < -2147483600f)), 2147483647i, (_e3349 > 2147483500f)), (_e3349 == _e3349));
+let _e3357 = (_e3356 * 4i);
+let _e3359 = select(_e3250, _e3357, (_e3357 < _e3250));
+let _e3365 = global_4.member[bitcast<u32>(select(0i, _e3359, (_e3359 > 0i)))];
+if (_e3261 != (select(_e3365, 1f, (_e3356 == 16i)) == 0f)) {
+phi_2009_ = _e3261;
 } else {
-let _e3347 = (_e2993 + 7i);
-let _e3349 = select(_e3022, _e3347, (_e3347 < _e3022));
-let _e3355 = global_2.member[bitcast<u32>(select(0i, _e3349, (_e3349 > 0i)))];
-phi_1446_ = select(0i, select(select(i32(_e3355), i32(-2147483648), (_e3355 < -2147483600f)), 2147483647i, (_e3355 > 2147483500f)), (_e3355 == _e3355));
+if (!(_e3261) && (_e3247 != _e3356)) {
+phi_2008_ = (_e3247 < _e3356);
+} else {
+phi_2008_ = _e3291;
 }
-let _e3366 = phi_1446_;
-phi_4689_ = type_20(_e3346.member, _e3346.member_1, _e3346.member_2, _e3346.member_3, _e3346.member_4, _e3346.member_5, _e3346.member_6, _e3346.member_7, _e3346.member_8, _e3346.member_9, _e3346.member_10, _e3346.member_11, _e3346.member_12, _e3366, _e3346.member_14, _e3346.member_15);
-phi_4690_ = _e487;
+let _e3375 = phi_2008_;
+phi_2009_ = _e3375;
+}
+let _e3377 = phi_2009_;
+phi_2017_ = type_21(_e3331.member, _e3331.member_1, _e3331.member_2, select(_e3191, _e589.member_3, (_e589.member_3 > _e3191)), _e3331.member_4);
+phi_2018_ = _e3377;
 } else {
-if (_e483.member_14 < 0i) {
-phi_1454_ = 15i;
-phi_1457_ = 16i;
+if _e3291 {
+let _e3305 = type_21(_e3269, _e589.member_1, _e589.member_2, _e589.member_3, _e589.member_4);
+let _e3310 = type_21(_e3305.member, _e3268, _e3305.member_2, _e3305.member_3, _e3305.member_4);
+phi_2016_ = type_21(_e3310.member, _e3310.member_1, _e3310.member_2, _e3191, _e3310.member_4);
+} else {
+phi_2016_ = _e589;
+}
+let _e3317 = phi_2016_;
+phi_2017_ = _e3317;
+phi_2018_ = _e3291;
+}
+let _e3379 = phi_2017_;
+let _e3381 = phi_2018_;
+if _e3381 {
+let _e3396 = type_20(_e3003.member, _e3003.member_1, _e3003.member_2, _e3003.member_3, _e3003.member_4, _e3003.member_5, _e3003.member_6, _e3003.member_7, _e3003.member_8, _e3003.member_9, _e3003.member_10, _e3003.member_11, _e3003.member_12, _e3004, _e3003.member_14);
+phi_2025_ = type_21(_e3379.member, _e3379.member_1, _e3379.member_2, _e3379.member_3, _e3231);
+phi_2026_ = type_20(_e3396.member, _e3396.member_1, _e3396.member_2, _e3396.member_3, _e3396.member_4, _e3396.member_5, _e3396.member_6, _e3396.member_7, _e3396.member_8, _e3396.member_9, _e3396.member_10, _e3396.member_11, _e3396.member_12, _e3396.member_13, _e3191);
+} else {
+phi_2025_ = _e3379;
+phi_2026_ = _e3003;
+}
+let _e3418 = phi_2025_;
+let _e3420 = phi_2026_;
+phi_2027_ = _e3418;
+phi_2028_ = _e3420;
+} else {
+phi_2027_ = type_21();
+phi_2028_ = type_20();
+}
+let _e3422 = phi_2027_;
+let _e3424 = phi_2028_;
+phi_2030_ = _e3422;
+phi_2031_ = _e3424;
+phi_2032_ = select(true, false, _e3290);
+}
+let _e3427 = phi_2030_;
+let _e3429 = phi_2031_;
+let _e3431 = phi_2032_;
+phi_2036_ = _e3427;
+phi_2037_ = _e3429;
+phi_2038_ = _e3431;
+}
+let _e3433 = phi_2036_;
+let _e3435 = phi_2037_;
+let _e3437 = phi_2038_;
+if _e3437 {
+phi_2042_ = _e589;
+phi_2043_ = _e3003;
+} else {
+phi_2042_ = _e3433;
+phi_2043_ = _e3435;
+}
+let _e3439 = phi_2042_;
+let _e3441 = phi_2043_;
+phi_5624_ = _e3439;
+phi_5625_ = _e3441;
+phi_5626_ = _e595;
+} else {
+phi_2045_ = 15i;
+phi_2048_ = 16i;
 loop {
-let _e2510 = phi_1454_;
-let _e2512 = phi_1457_;
-local_12 = _e2512;
-local_13 = _e2512;
-local_14 = _e2512;
-let _e2513 = (_e2510 >= 0i);
-if _e2513 {
-phi_1455_ = (_e2510 - 1i);
-phi_1458_ = select(_e2512, _e2510, (((_e487 >> bitcast<u32>((_e2510 & 31i))) & 1i) == 1i));
+let _e604 = phi_2045_;
+let _e606 = phi_2048_;
+local = _e606;
+local_1 = _e606;
+local_3 = _e606;
+local_6 = _e606;
+local_7 = _e606;
+local_9 = _e606;
+local_10 = _e606;
+local_11 = _e606;
+local_12 = _e606;
+let _e607 = (_e604 >= 0i);
+if _e607 {
+phi_2046_ = (_e604 - 1i);
+phi_2049_ = select(_e606, _e604, (((_e595 >> bitcast<u32>((_e604 & 31i))) & 1i) == 1i));
 } else {
-phi_1455_ = i32();
-phi_1458_ = i32();
+phi_2046_ = i32();
+phi_2049_ = i32();
 }
-let _e2522 = phi_1455_;
-let _e2524 = phi_1458_;
+let _e616 = phi_2046_;
+let _e618 = phi_2049_;
 continue;
 continuing {
-phi_1454_ = _e2522;
-phi_1457_ = _e2524;
-break if !(_e2513);
+phi_2045_ = _e616;
+phi_2048_ = _e618;
+break if !(_e607);
 }
 }
-let _e2526 = (_e483.member_14 == -1i);
-let _e2528 = local_12;
-if (_e2526 || (_e2528 == 16i)) {
-if _e2526 {
-phi_1774_ = type_20(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, 1f, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15);
-} else {
-let _e2895 = type_20(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e483.member_15)), (_e483.member.y + (_e483.member_1.y * _e483.member_15)), (_e483.member.z + (_e483.member_1.z * _e483.member_15))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15);
-let _e2913 = type_20(_e2895.member, _e2895.member_1, _e2895.member_2, _e2895.member_3, _e2895.member_4, (_e483.member_5 + _e483.member_15), _e2895.member_6, _e2895.member_7, _e2895.member_8, _e2895.member_9, _e2895.member_10, _e2895.member_11, _e2895.member_12, _e2895.member_13, _e2895.member_14, _e2895.member_15);
-let _e2930 = type_20(_e2913.member, _e2913.member_1, _e2913.member_2, _e2913.member_3, _e2913.member_4, _e2913.member_5, _e2913.member_6, _e2913.member_7, _e2913.member_8, _e2913.member_9, _e2913.member_10, _e2913.member_11, _e2913.member_12, _e2913.member_13, _e2913.member_14, (_e483.member_15 - _e483.member_15));
-let _e2951 = type_20(_e2930.member, _e2930.member_1, _e2930.member_2, _e2930.member_3, _e2930.member_4, _e2930.member_5, _e2930.member_6, _e2930.member_7, _e2930.member_8, _e2930.member_9, (_e483.member_10 + select(0f, _e483.member_15, (_e483.member_8 == 0f))), _e2930.member_11, _e2930.member_12, _e2930.member_13, _e2930.member_14, _e2930.member_15);
-phi_1774_ = type_20(_e2951.member, _e2951.member_1, _e2951.member_2, _e2951.member_3, _e2951.member_4, _e2951.member_5, 3f, _e2951.member_7, _e2951.member_8, _e2951.member_9, _e2951.member_10, _e2951.member_11, _e2951.member_12, _e2951.member_13, _e2951.member_14, _e2951.member_15);
-}
-let _e2985 = phi_1774_;
-phi_2062_ = _e2985;
-} else {
-let _e2564 = type_20(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e483.member_15)), (_e483.member.y + (_e483.member_1.y * _e483.member_15)), (_e483.member.z + (_e483.member_1.z * _e483.member_15))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15);
-let _e2582 = type_20(_e2564.member, _e2564.member_1, _e2564.member_2, _e2564.member_3, _e2564.member_4, (_e483.member_5 + _e483.member_15), _e2564.member_6, _e2564.member_7, _e2564.member_8, _e2564.member_9, _e2564.member_10, _e2564.member_11, _e2564.member_12, _e2564.member_13, _e2564.member_14, _e2564.member_15);
-let _e2599 = type_20(_e2582.member, _e2582.member_1, _e2582.member_2, _e2582.member_3, _e2582.member_4, _e2582.member_5, _e2582.member_6, _e2582.member_7, _e2582.member_8, _e2582.member_9, _e2582.member_10, _e2582.member_11, _e2582.member_12, _e2582.member_13, _e2582.member_14, (_e483.member_15 - _e483.member_15));
-let _e2620 = type_20(_e2599.member, _e2599.member_1, _e2599.member_2, _e2599.member_3, _e2599.member_4, _e2599.member_5, _e2599.member_6, _e2599.member_7, _e2599.member_8, _e2599.member_9, (_e483.member_10 + select(0f, _e483.member_15, (_e483.member_8 == 0f))), _e2599.member_11, _e2599.member_12, _e2599.member_13, _e2599.member_14, _e2599.member_15);
-let _e2622 = local_13;
-if (_e2622 != 16i) {
-let _e2641 = type_20(_e2620.member, _e2620.member_1, _e2620.member_2, _e2620.member_3, _e2620.member_4, _e2620.member_5, _e2620.member_6, _e2620.member_7, _e2620.member_8, (_e483.member_9 + _e483.member_15), _e2620.member_10, _e2620.member_11, _e2620.member_12, _e2620.member_13, _e2620.member_14, _e2620.member_15);
-let _e2643 = local_14;
-let _e2644 = (_e2643 * 4i);
-let _e2645 = (_e2644 + 1i);
-let _e2647 = (bitcast<i32>(_e103) - 1i);
-let _e2649 = select(_e2647, _e2645, (_e2645 < _e2647));
-let _e2655 = global_4.member[bitcast<u32>(select(0i, _e2649, (_e2649 > 0i)))];
-let _e2657 = -((_e2655 * _e483.member_15));
-let _e2659 = select(-87f, _e2657, (_e2657 > -87f));
-let _e2661 = select(88f, _e2659, (_e2659 < 88f));
-let _e2663 = ((_e2661 * 1.442695f) + 0.5f);
-let _e2665 = select(-127f, _e2663, (_e2663 > -127f));
-let _e2667 = select(128f, _e2665, (_e2665 < 128f));
-let _e2674 = select(0i, select(select(i32(_e2667), i32(-2147483648), (_e2667 < -2147483600f)), 2147483647i, (_e2667 > 2147483500f)), (_e2667 == _e2667));
-let _e2678 = (_e2674 - select(0i, 1i, (_e2667 < f32(_e2674))));
-let _e2679 = f32(_e2678);
-let _e2683 = ((_e2661 - (_e2679 * 0.6933594f)) - (_e2679 * -2.1219444e-4f));
-let _e2704 = (_e2644 + 2i);
-let _e2706 = select(_e2647, _e2704, (_e2704 < _e2647));
-let _e2712 = global_4.member[bitcast<u32>(select(0i, _e2706, (_e2706 > 0i)))];
-let _e2714 = -((_e2712 * _e483.member_15));
-let _e2716 = select(-87f, _e2714, (_e2714 > -87f));
-let _e2718 = select(88f, _e2716, (_e2716 < 88f));
-let _e2720 = ((_e2718 * 1.442695f) + 0.5f);
-let _e2722 = select(-127f, _e2720, (_e2720 > -127f));
-let _e2724 = select(128f, _e2722, (_e2722 < 128f));
-let _e2731 = select(0i, select(select(i32(_e2724), i32(-2147483648), (_e2724 < -2147483600f)), 2147483647i, (_e2724 > 2147483500f)), (_e2724 == _e2724));
-let _e2735 = (_e2731 - select(0i, 1i, (_e2724 < f32(_e2731))));
-let _e2736 = f32(_e2735);
-let _e2740 = ((_e2718 - (_e2736 * 0.6933594f)) - (_e2736 * -2.1219444e-4f));
-let _e2761 = (_e2644 + 3i);
-let _e2763 = select(_e2647, _e2761, (_e2761 < _e2647));
-let _e2769 = global_4.member[bitcast<u32>(select(0i, _e2763, (_e2763 > 0i)))];
-let _e2771 = -((_e2769 * _e483.member_15));
-let _e2773 = select(-87f, _e2771, (_e2771 > -87f));
-let _e2775 = select(88f, _e2773, (_e2773 < 88f));
-let _e2777 = ((_e2775 * 1.442695f) + 0.5f);
-let _e2779 = select(-127f, _e2777, (_e2777 > -127f));
-let _e2781 = select(128f, _e2779, (_e2779 < 128f));
-let _e2788 = select(0i, select(select(i32(_e2781), i32(-2147483648), (_e2781 < -2147483600f)), 2147483647i, (_e2781 > 2147483500f)), (_e2781 == _e2781));
-let _e2792 = (_e2788 - select(0i, 1i, (_e2781 < f32(_e2788))));
-let _e2793 = f32(_e2792);
-let _e2797 = ((_e2775 - (_e2793 * 0.6933594f)) - (_e2793 * -2.1219444e-4f));
-phi_2060_ = type_20(_e2641.member, _e2641.member_1, vec3<f32>((_e483.member_2.x * ((1f + (_e2683 * (1f + (_e2683 * (0.5f + (_e2683 * (0.16666667f + (_e2683 * (0.041666668f + (_e2683 * (0.008333334f + (_e2683 * (0.001388889f + (_e2683 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2678 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.y * ((1f + (_e2740 * (1f + (_e2740 * (0.5f + (_e2740 * (0.16666667f + (_e2740 * (0.041666668f + (_e2740 * (0.008333334f + (_e2740 * (0.001388889f + (_e2740 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2735 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.z * ((1f + (_e2797 * (1f + (_e2797 * (0.5f + (_e2797 * (0.16666667f + (_e2797 * (0.041666668f + (_e2797 * (0.008333334f + (_e2797 * (0.001388889f + (_e2797 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2792 + 127i)) << bitcast<u32>(23i)))))), _e2641.member_3, _e2641.member_4, _e2641.member_5, _e2641.member_6, _e2641.member_7, _e2641.member_8, _e2641.member_9, _e2641.member_10, _e2641.member_11, _e2641.member_12, _e2641.member_13, _e2641.member_14, _e2641.member_15);
-} else {
-phi_2060_ = _e2620;
-}
-let _e2845 = phi_2060_;
-phi_2062_ = type_20(_e2845.member, _e2845.member_1, _e2845.member_2, _e2845.member_3, _e2845.member_4, _e2845.member_5, 3f, _e2845.member_7, _e2845.member_8, _e2845.member_9, _e2845.member_10, _e2845.member_11, _e2845.member_12, _e2845.member_13, _e2845.member_14, _e2845.member_15);
-}
-let _e2987 = phi_2062_;
-phi_4687_ = _e2987;
-phi_4688_ = _e487;
-} else {
-phi_2064_ = 15i;
-phi_2067_ = 16i;
+let _e621 = (_e591.member_13 >= 0i);
+let _e630 = ((_e595 | (_e589.member & ~(_e589.member_1))) & ~((_e589.member_1 & ~(_e589.member))));
+phi_2079_ = 15i;
+phi_2082_ = 16i;
 loop {
-let _e498 = phi_2064_;
-let _e500 = phi_2067_;
-local = _e500;
-local_1 = _e500;
-local_2 = _e500;
-local_4 = _e500;
-local_5 = _e500;
-local_8 = _e500;
-local_10 = _e500;
-local_11 = _e500;
-let _e501 = (_e498 >= 0i);
-if _e501 {
-phi_2065_ = (_e498 - 1i);
-phi_2068_ = select(_e500, _e498, (((_e487 >> bitcast<u32>((_e498 & 31i))) & 1i) == 1i));
+let _e632 = phi_2079_;
+let _e634 = phi_2082_;
+local_2 = _e634;
+local_4 = _e634;
+local_5 = _e634;
+local_8 = _e634;
+let _e635 = (_e632 >= 0i);
+if _e635 {
+phi_2080_ = (_e632 - 1i);
+phi_2083_ = select(_e634, _e632, (((_e630 >> bitcast<u32>((_e632 & 31i))) & 1i) == 1i));
 } else {
-phi_2065_ = i32();
-phi_2068_ = i32();
+phi_2080_ = i32();
+phi_2083_ = i32();
 }
-let _e510 = phi_2065_;
-let _e512 = phi_2068_;
+let _e644 = phi_2080_;
+let _e646 = phi_2083_;
 continue;
 continuing {
-phi_2064_ = _e510;
-phi_2067_ = _e512;
-break if !(_e501);
+phi_2079_ = _e644;
+phi_2082_ = _e646;
+break if !(_e635);
 }
 }
-let _e514 = (_e483.member_14 * 19i);
-let _e516 = (bitcast<i32>(_e101) - 1i);
-let _e518 = select(_e516, _e514, (_e514 < _e516));
-let _e524 = global_3.member[bitcast<u32>(select(0i, _e518, (_e518 > 0i)))];
-let _e525 = (_e514 + 1i);
-let _e527 = select(_e516, _e525, (_e525 < _e516));
-let _e533 = global_3.member[bitcast<u32>(select(0i, _e527, (_e527 > 0i)))];
-let _e534 = (_e514 + 2i);
-let _e536 = select(_e516, _e534, (_e534 < _e516));
-let _e542 = global_3.member[bitcast<u32>(select(0i, _e536, (_e536 > 0i)))];
-let _e543 = (_e514 + 3i);
-let _e545 = select(_e516, _e543, (_e543 < _e516));
-let _e551 = global_3.member[bitcast<u32>(select(0i, _e545, (_e545 > 0i)))];
-let _e552 = (_e514 + 4i);
-let _e554 = select(_e516, _e552, (_e552 < _e516));
-let _e560 = global_3.member[bitcast<u32>(select(0i, _e554, (_e554 > 0i)))];
-let _e561 = (_e514 + 5i);
-let _e563 = select(_e516, _e561, (_e561 < _e516));
-let _e569 = global_3.member[bitcast<u32>(select(0i, _e563, (_e563 > 0i)))];
-let _e570 = (_e514 + 6i);
-let _e572 = select(_e516, _e570, (_e570 < _e516));
-let _e578 = global_3.member[bitcast<u32>(select(0i, _e572, (_e572 > 0i)))];
-let _e579 = (_e514 + 7i);
-let _e581 = select(_e516, _e579, (_e579 < _e516));
-let _e587 = global_3.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
-let _e588 = (_e514 + 8i);
-let _e590 = select(_e516, _e588, (_e588 < _e516));
-let _e596 = global_3.member[bitcast<u32>(select(0i, _e590, (_e590 > 0i)))];
-let _e597 = (_e551 - _e524);
-let _e598 = (_e560 - _e533);
-let _e599 = (_e569 - _e542);
-let _e600 = (_e578 - _e524);
-let _e601 = (_e587 - _e533);
-let _e602 = (_e596 - _e542);
-let _e605 = ((_e598 * _e602) - (_e599 * _e601));
-let _e608 = ((_e599 * _e600) - (_e597 * _e602));
-let _e611 = ((_e597 * _e601) - (_e598 * _e600));
-let _e616 = (((_e605 * _e605) + (_e608 * _e608)) + (_e611 * _e611));
-let _e619 = sqrt(select(0f, _e616, (_e616 > 0f)));
-let _e622 = (1f / select(1e-20f, _e619, (_e619 > 1e-20f)));
-let _e623 = (_e605 * _e622);
-let _e624 = (_e608 * _e622);
-let _e625 = (_e611 * _e622);
-let _e631 = bitcast<f32>((bitcast<u32>(_e483.member_1.x) & 2147483647u));
-let _e635 = bitcast<f32>((bitcast<u32>(_e483.member_1.y) & 2147483647u));
-let _e639 = bitcast<f32>((bitcast<u32>(_e483.member_1.z) & 2147483647u));
-let _e642 = ((_e631 >= _e635) && (_e631 >= _e639));
-let _e645 = (!(_e642) && (_e635 >= _e639));
-let _e652 = (1f / select(select(_e483.member_1.z, _e483.member_1.y, _e645), _e483.member_1.x, _e642));
-let _e653 = (select(select(_e483.member_1.x, _e483.member_1.z, _e645), _e483.member_1.y, _e642) * _e652);
-let _e654 = (select(select(_e483.member_1.y, _e483.member_1.x, _e645), _e483.member_1.z, _e642) * _e652);
-let _e656 = (_e524 - _e483.member.x);
-let _e658 = (_e533 - _e483.member.y);
-let _e660 = (_e542 - _e483.member.z);
-let _e666 = select(select(_e660, _e658, _e645), _e656, _e642);
-let _e668 = (select(select(_e656, _e660, _e645), _e658, _e642) - (_e653 * _e666));
-let _e670 = (select(select(_e658, _e656, _e645), _e660, _e642) - (_e654 * _e666));
-let _e671 = (_e551 - _e483.member.x);
-let _e672 = (_e560 - _e483.member.y);
-let _e673 = (_e569 - _e483.member.z);
-let _e679 = select(select(_e673, _e672, _e645), _e671, _e642);
-let _e681 = (select(select(_e671, _e673, _e645), _e672, _e642) - (_e653 * _e679));
-let _e683 = (select(select(_e672, _e671, _e645), _e673, _e642) - (_e654 * _e679));
-let _e684 = (_e578 - _e483.member.x);
-let _e685 = (_e587 - _e483.member.y);
-let _e686 = (_e596 - _e483.member.z);
-let _e692 = select(select(_e686, _e685, _e645), _e684, _e642);
-let _e694 = (select(select(_e684, _e686, _e645), _e685, _e642) - (_e653 * _e692));
-let _e696 = (select(select(_e685, _e684, _e645), _e686, _e642) - (_e654 * _e692));
-let _e699 = ((_e694 * _e683) - (_e696 * _e681));
-let _e702 = ((_e668 * _e696) - (_e670 * _e694));
-let _e705 = ((_e681 * _e670) - (_e683 * _e668));
-let _e707 = ((_e699 + _e702) + _e705);
-let _e710 = (1f / select(_e707, 1f, (_e707 == 0f)));
-let _e711 = (_e699 * _e710);
-let _e712 = (_e702 * _e710);
-let _e713 = (_e705 * _e710);
-let _e714 = (_e514 + 9i);
-let _e716 = select(_e516, _e714, (_e714 < _e516));
-let _e722 = global_3.member[bitcast<u32>(select(0i, _e716, (_e716 > 0i)))];
-let _e723 = (_e514 + 10i);
-let _e725 = select(_e516, _e723, (_e723 < _e516));
-let _e731 = global_3.member[bitcast<u32>(select(0i, _e725, (_e725 > 0i)))];
-let _e732 = (_e514 + 11i);
-let _e734 = select(_e516, _e732, (_e732 < _e516));
-let _e740 = global_3.member[bitcast<u32>(select(0i, _e734, (_e734 > 0i)))];
-let _e744 = (_e514 + 12i);
-let _e746 = select(_e516, _e744, (_e744 < _e516));
-let _e752 = global_3.member[bitcast<u32>(select(0i, _e746, (_e746 > 0i)))];
-let _e753 = (_e514 + 13i);
-let _e755 = select(_e516, _e753, (_e753 < _e516));
-let _e761 = global_3.member[bitcast<u32>(select(0i, _e755, (_e755 > 0i)))];
-let _e762 = (_e514 + 14i);
-let _e764 = select(_e516, _e762, (_e762 < _e516));
-let _e770 = global_3.member[bitcast<u32>(select(0i, _e764, (_e764 > 0i)))];
-let _e777 = (_e514 + 15i);
-let _e779 = select(_e516, _e777, (_e777 < _e516));
-let _e785 = global_3.member[bitcast<u32>(select(0i, _e779, (_e779 > 0i)))];
-let _e786 = (_e514 + 16i);
-let _e788 = select(_e516, _e786, (_e786 < _e516));
-let _e794 = global_3.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
-let _e795 = (_e514 + 17i);
-let _e797 = select(_e516, _e795, (_e795 < _e516));
-let _e803 = global_3.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
-let _e807 = (((_e722 * _e711) + (_e752 * _e712)) + (_e785 * _e713));
-let _e808 = (((_e731 * _e711) + (_e761 * _e712)) + (_e794 * _e713));
-let _e809 = (((_e740 * _e711) + (_e770 * _e712)) + (_e803 * _e713));
-let _e814 = (((_e807 * _e807) + (_e808 * _e808)) + (_e809 * _e809));
-let _e817 = sqrt(select(0f, _e814, (_e814 > 0f)));
-let _e820 = (1f / select(1e-20f, _e817, (_e817 > 1e-20f)));
-let _e821 = (_e807 * _e820);
-let _e822 = (_e808 * _e820);
-let _e823 = (_e809 * _e820);
-let _e835 = (((((_e821 * _e483.member_1.x) + (_e822 * _e483.member_1.y)) + (_e823 * _e483.member_1.z)) * (((_e623 * _e483.member_1.x) + (_e624 * _e483.member_1.y)) + (_e625 * _e483.member_1.z))) > 0f);
-let _e836 = select(_e623, _e821, _e835);
-let _e837 = select(_e624, _e822, _e835);
-let _e838 = select(_e625, _e823, _e835);
-let _e840 = (_e514 + 18i);
-let _e842 = select(_e516, _e840, (_e840 < _e516));
-let _e848 = global_3.member[bitcast<u32>(select(0i, _e842, (_e842 > 0i)))];
-let _e855 = select(0i, select(select(i32(_e848), i32(-2147483648), (_e848 < -2147483600f)), 2147483647i, (_e848 > 2147483500f)), (_e848 == _e848));
-let _e856 = (_e855 * 4i);
-let _e858 = (bitcast<i32>(_e103) - 1i);
-let _e860 = select(_e858, _e856, (_e856 < _e858));
-let _e866 = global_4.member[bitcast<u32>(select(0i, _e860, (_e860 > 0i)))];
-if (select(_e866, 1f, (_e855 == 16i)) == 0f) {
-let _e2209 = type_20(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e483.member_15)), (_e483.member.y + (_e483.member_1.y * _e483.member_15)), (_e483.member.z + (_e483.member_1.z * _e483.member_15))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15);
-let _e2227 = type_20(_e2209.member, _e2209.member_1, _e2209.member_2, _e2209.member_3, _e2209.member_4, (_e483.member_5 + _e483.member_15), _e2209.member_6, _e2209.member_7, _e2209.member_8, _e2209.member_9, _e2209.member_10, _e2209.member_11, _e2209.member_12, _e2209.member_13, _e2209.member_14, _e2209.member_15);
-let _e2244 = type_20(_e2227.member, _e2227.member_1, _e2227.member_2, _e2227.member_3, _e2227.member_4, _e2227.member_5, _e2227.member_6, _e2227.member_7, _e2227.member_8, _e2227.member_9, _e2227.member_10, _e2227.member_11, _e2227.member_12, _e2227.member_13, _e2227.member_14, (_e483.member_15 - _e483.member_15));
-let _e2265 = type_20(_e2244.member, _e2244.member_1, _e2244.member_2, _e2244.member_3, _e2244.member_4, _e2244.member_5, _e2244.member_6, _e2244.member_7, _e2244.member_8, _e2244.member_9, (_e483.member_10 + select(0f, _e483.member_15, (_e483.member_8 == 0f))), _e2244.member_11, _e2244.member_12, _e2244.member_13, _e2244.member_14, _e2244.member_15);
-let _e2267 = local_10;
-if (_e2267 != 16i) {
-let _e2286 = type_20(_e2265.member, _e2265.member_1, _e2265.member_2, _e2265.member_3, _e2265.member_4, _e2265.member_5, _e2265.member_6, _e2265.member_7, _e2265.member_8, (_e483.member_9 + _e483.member_15), _e2265.member_10, _e2265.member_11, _e2265.member_12, _e2265.member_13, _e2265.member_14, _e2265.member_15);
-let _e2288 = local_11;
-let _e2289 = (_e2288 * 4i);
-let _e2290 = (_e2289 + 1i);
-let _e2292 = select(_e858, _e2290, (_e2290 < _e858));
-let _e2298 = global_4.member[bitcast<u32>(select(0i, _e2292, (_e2292 > 0i)))];
-let _e2300 = -((_e2298 * _e483.member_15));
-let _e2302 = select(-87f, _e2300, (_e2300 > -87f));
-let _e2304 = select(88f, _e2302, (_e2302 < 88f));
-let _e2306 = ((_e2304 * 1.442695f) + 0.5f);
-let _e2308 = select(-127f, _e2306, (_e2306 > -127f));
-let _e2310 = select(128f, _e2308, (_e2308 < 128f));
-let _e2317 = select(0i, select(select(i32(_e2310), i32(-2147483648), (_e2310 < -2147483600f)), 2147483647i, (_e2310 > 2147483500f)), (_e2310 == _e2310));
-let _e2321 = (_e2317 - select(0i, 1i, (_e2310 < f32(_e2317))));
-let _e2322 = f32(_e2321);
-let _e2326 = ((_e2304 - (_e2322 * 0.6933594f)) - (_e2322 * -2.1219444e-4f));
-let _e2347 = (_e2289 + 2i);
-let _e2349 = select(_e858, _e2347, (_e2347 < _e858));
-let _e2355 = global_4.member[bitcast<u32>(select(0i, _e2349, (_e2349 > 0i)))];
-let _e2357 = -((_e2355 * _e483.member_15));
-let _e2359 = select(-87f, _e2357, (_e2357 > -87f));
-let _e2361 = select(88f, _e2359, (_e2359 < 88f));
-let _e2363 = ((_e2361 * 1.442695f) + 0.5f);
-let _e2365 = select(-127f, _e2363, (_e2363 > -127f));
-let _e2367 = select(128f, _e2365, (_e2365 < 128f));
-let _e2374 = select(0i, select(select(i32(_e2367), i32(-2147483648), (_e2367 < -2147483600f)), 2147483647i, (_e2367 > 2147483500f)), (_e2367 == _e2367));
-let _e2378 = (_e2374 - select(0i, 1i, (_e2367 < f32(_e2374))));
-let _e2379 = f32(_e2378);
-let _e2383 = ((_e2361 - (_e2379 * 0.6933594f)) - (_e2379 * -2.1219444e-4f));
-let _e2404 = (_e2289 + 3i);
-let _e2406 = select(_e858, _e2404, (_e2404 < _e858));
-let _e2412 = global_4.member[bitcast<u32>(select(0i, _e2406, (_e2406 > 0i)))];
-let _e2414 = -((_e2412 * _e483.member_15));
-let _e2416 = select(-87f, _e2414, (_e2414 > -87f));
-let _e2418 = select(88f, _e2416, (_e2416 < 88f));
-let _e2420 = ((_e2418 * 1.442695f) + 0.5f);
-let _e2422 = select(-127f, _e2420, (_e2420 > -127f));
-let _e2424 = select(128f, _e2422, (_e2422 < 128f));
-let _e2431 = select(0i, select(select(i32(_e2424), i32(-2147483648), (_e2424 < -2147483600f)), 2147483647i, (_e2424 > 2147483500f)), (_e2424 == _e2424));
-let _e2435 = (_e2431 - select(0i, 1i, (_e2424 < f32(_e2431))));
-let _e2436 = f32(_e2435);
-let _e2440 = ((_e2418 - (_e2436 * 0.6933594f)) - (_e2436 * -2.1219444e-4f));
-phi_3159_ = type_20(_e2286.member, _e2286.member_1, vec3<f32>((_e483.member_2.x * ((1f + (_e2326 * (1f + (_e2326 * (0.5f + (_e2326 * (0.16666667f + (_e2326 * (0.041666668f + (_e2326 * (0.008333334f + (_e2326 * (0.001388889f + (_e2326 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2321 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.y * ((1f + (_e2383 * (1f + (_e2383 * (0.5f + (_e2383 * (0.16666667f + (_e2383 * (0.041666668f + (_e2383 * (0.008333334f + (_e2383 * (0.001388889f + (_e2383 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2378 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.z * ((1f + (_e2440 * (1f + (_e2440 * (0.5f + (_e2440 * (0.16666667f + (_e2440 * (0.041666668f + (_e2440 * (0.008333334f + (_e2440 * (0.001388889f + (_e2440 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2435 + 127i)) << bitcast<u32>(23i)))))), _e2286.member_3, _e2286.member_4, _e2286.member_5, _e2286.member_6, _e2286.member_7, _e2286.member_8, _e2286.member_9, _e2286.member_10, _e2286.member_11, _e2286.member_12, _e2286.member_13, _e2286.member_14, _e2286.member_15);
+let _e649 = (_e591.member_13 == -1i);
+let _e651 = local;
+let _e652 = (_e651 == 16i);
+let _e654 = (!(_e621) && (_e649 || _e652));
+if _e621 {
+let _e656 = (_e591.member_13 * 19i);
+let _e657 = (_e656 + 18i);
+let _e659 = (bitcast<i32>(_e101) - 1i);
+let _e661 = select(_e659, _e657, (_e657 < _e659));
+let _e667 = global_3.member[bitcast<u32>(select(0i, _e661, (_e661 > 0i)))];
+let _e674 = select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < -2147483600f)), 2147483647i, (_e667 > 2147483500f)), (_e667 == _e667));
+let _e675 = (_e674 * 4i);
+let _e677 = (bitcast<i32>(_e103) - 1i);
+let _e679 = select(_e677, _e675, (_e675 < _e677));
+let _e685 = global_4.member[bitcast<u32>(select(0i, _e679, (_e679 > 0i)))];
+let _e688 = (select(_e685, 1f, (_e674 == 16i)) == 0f);
+if _e654 {
+phi_4741_ = type_21();
+phi_4742_ = type_20();
+phi_4743_ = i32();
+phi_4745_ = false;
 } else {
-phi_3159_ = _e2265;
-}
-let _e2488 = phi_3159_;
-phi_4685_ = type_20(_e2488.member, _e2488.member_1, _e2488.member_2, _e2488.member_3, _e2488.member_4, _e2488.member_5, 3f, _e2488.member_7, _e2488.member_8, _e2488.member_9, _e2488.member_10, _e2488.member_11, _e2488.member_12, _e2488.member_13, _e2488.member_14, _e2488.member_15);
-phi_4686_ = _e487;
+if _e688 {
+phi_4737_ = type_21();
+phi_4738_ = type_20();
+phi_4739_ = i32();
 } else {
-let _e872 = (1i << bitcast<u32>((_e855 & 31i)));
-if ((((_e483.member_1.x * _e623) + (_e483.member_1.y * _e624)) + (_e483.member_1.z * _e625)) < 0f) {
-phi_3179_ = (_e487 | _e872);
+let _e690 = local_1;
+let _e692 = local_2;
+if (_e690 == _e692) {
+let _e1960 = (_e589.member_3 - _e589.member_2);
+let _e1962 = select(0f, _e1960, (_e1960 > 0f));
+let _e1964 = local_9;
+if (_e1964 != 16i) {
+let _e1982 = type_20(_e591.member, _e591.member_1, _e591.member_2, _e591.member_3, _e591.member_4, _e591.member_5, _e591.member_6, _e591.member_7, _e591.member_8, (_e591.member_9 + _e1962), _e591.member_10, _e591.member_11, _e591.member_12, _e591.member_13, _e591.member_14);
+let _e1984 = local_10;
+let _e1985 = (_e1984 * 4i);
+let _e1986 = (_e1985 + 1i);
+let _e1988 = select(_e677, _e1986, (_e1986 < _e677));
+let _e1994 = global_4.member[bitcast<u32>(select(0i, _e1988, (_e1988 > 0i)))];
+let _e1996 = -((_e1994 * _e1962));
+let _e1998 = select(-87f, _e1996, (_e1996 > -87f));
+let _e2000 = select(88f, _e1998, (_e1998 < 88f));
+let _e2002 = ((_e2000 * 1.442695f) + 0.5f);
+let _e2004 = select(-127f, _e2002, (_e2002 > -127f));
+let _e2006 = select(128f, _e2004, (_e2004 < 128f));
+let _e2013 = select(0i, select(select(i32(_e2006), i32(-2147483648), (_e2006 < -2147483600f)), 2147483647i, (_e2006 > 2147483500f)), (_e2006 == _e2006));
+let _e2017 = (_e2013 - select(0i, 1i, (_e2006 < f32(_e2013))));
+let _e2018 = f32(_e2017);
+let _e2022 = ((_e2000 - (_e2018 * 0.6933594f)) - (_e2018 * -2.1219444e-4f));
+let _e2046 = (_e1985 + 2i);
+let _e2048 = select(_e677, _e2046, (_e2046 < _e677));
+let _e2054 = global_4.member[bitcast<u32>(select(0i, _e2048, (_e2048 > 0i)))];
+let _e2056 = -((_e2054 * _e1962));
+let _e2058 = select(-87f, _e2056, (_e2056 > -87f));
+let _e2060 = select(88f, _e2058, (_e2058 < 88f));
+let _e2062 = ((_e2060 * 1.442695f) + 0.5f);
+let _e2064 = select(-127f, _e2062, (_e2062 > -127f));
+let _e2066 = select(128f, _e2064, (_e2064 < 128f));
+let _e2073 = select(0i, select(select(i32(_e2066), i32(-2147483648), (_e2066 < -2147483600f)), 2147483647i, (_e2066 > 2147483500f)), (_e2066 == _e2066));
+let _e2077 = (_e2073 - select(0i, 1i, (_e2066 < f32(_e2073))));
+let _e2078 = f32(_e2077);
+let _e2082 = ((_e2060 - (_e2078 * 0.6933594f)) - (_e2078 * -2.1219444e-4f));
+let _e2106 = (_e1985 + 3i);
+let _e2108 = select(_e677, _e2106, (_e2106 < _e677));
+let _e2114 = global_4.member[bitcast<u32>(select(0i, _e2108, (_e2108 > 0i)))];
+let _e2116 = -((_e2114 * _e1962));
+let _e2118 = select(-87f, _e2116, (_e2116 > -87f));
+let _e2120 = select(88f, _e2118, (_e2118 < 88f));
+let _e2122 = ((_e2120 * 1.442695f) + 0.5f);
+let _e2124 = select(-127f, _e2122, (_e2122 > -127f));
+let _e2126 = select(128f, _e2124, (_e2124 < 128f));
+let _e2133 = select(0i, select(select(i32(_e2126), i32(-2147483648), (_e2126 < -2147483600f)), 2147483647i, (_e2126 > 2147483500f)), (_e2126 == _e2126));
+let _e2137 = (_e2133 - select(0i, 1i, (_e2126 < f32(_e2133))));
+let _e2138 = f32(_e2137);
+let _e2142 = ((_e2120 - (_e2138 * 0.6933594f)) - (_e2138 * -2.1219444e-4f));
+phi_2433_ = type_20(_e1982.member, _e1982.member_1, vec3<f32>((_e591.member_2.x * ((1f + (_e2022 * (1f + (_e2022 * (0.5f + (_e2022 * (0.16666667f + (_e2022 * (0.041666668f + (_e2022 * (0.008333334f + (_e2022 * (0.001388889f + (_e2022 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2017 + 127i)) << bitcast<u32>(23i))))), (_e591.member_2.y * ((1f + (_e2082 * (1f + (_e2082 * (0.5f + (_e2082 * (0.16666667f + (_e2082 * (0.041666668f + (_e2082 * (0.008333334f + (_e2082 * (0.001388889f + (_e2082 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2077 + 127i)) << bitcast<u32>(23i))))), (_e591.member_2.z * ((1f + (_e2142 * (1f + (_e2142 * (0.5f + (_e2142 * (0.16666667f + (_e2142 * (0.041666668f + (_e2142 * (0.008333334f + (_e2142 * (0.001388889f + (_e2142 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2137 + 127i)) << bitcast<u32>(23i)))))), _e1982.member_3, _e1982.member_4, _e1982.member_5, _e1982.member_6, _e1982.member_7, _e1982.member_8, _e1982.member_9, _e1982.member_10, _e1982.member_11, _e1982.member_12, _e1982.member_13, _e1982.member_14);
 } else {
-phi_3179_ = (_e487 & ~(_e872));
+phi_2433_ = _e591;
 }
-let _e883 = phi_3179_;
-phi_3181_ = 15i;
-phi_3184_ = 16i;
-loop {
-let _e885 = phi_3181_;
-let _e887 = phi_3184_;
-local_3 = _e887;
-local_6 = _e887;
-local_7 = _e887;
-local_9 = _e887;
-let _e888 = (_e885 >= 0i);
-if _e888 {
-phi_3182_ = (_e885 - 1i);
-phi_3185_ = select(_e887, _e885, (((_e883 >> bitcast<u32>((_e885 & 31i))) & 1i) == 1i));
+let _e2183 = phi_2433_;
+let _e2190 = type_21(0i, _e589.member_1, _e589.member_2, _e589.member_3, _e589.member_4);
+let _e2195 = type_21(_e2190.member, 0i, _e2190.member_2, _e2190.member_3, _e2190.member_4);
+let _e2207 = global_1.member.member_17.member.member;
+let _e2221 = ((((_e2207.member.member * _e2183.member.x) + (_e2207.member.member_1 * _e2183.member.y)) + (_e2207.member.member_2 * _e2183.member.z)) + _e2207.member_1);
+let _e2230 = -((((_e2207.member.member * _e2183.member_1.x) + (_e2207.member.member_1 * _e2183.member_1.y)) + (_e2207.member.member_2 * _e2183.member_1.z)));
+let _e2232 = (_e2230 > 1e-9f);
+let _e2236 = ((_e2221 / select(1e-9f, _e2230, _e2232)) - 0.015625f);
+let _e2239 = select(1e30f, select(0f, _e2236, (_e2236 > 0f)), ((_e2221 > 0f) && _e2232));
+let _e2244 = global_1.member.member_17.member_1.member;
+let _e2255 = ((((_e2244.member.member * _e2183.member.x) + (_e2244.member.member_1 * _e2183.member.y)) + (_e2244.member.member_2 * _e2183.member.z)) + _e2244.member_1);
+let _e2261 = -((((_e2244.member.member * _e2183.member_1.x) + (_e2244.member.member_1 * _e2183.member_1.y)) + (_e2244.member.member_2 * _e2183.member_1.z)));
+let _e2263 = (_e2261 > 1e-9f);
+let _e2267 = ((_e2255 / select(1e-9f, _e2261, _e2263)) - 0.015625f);
+let _e2270 = select(1e30f, select(0f, _e2267, (_e2267 > 0f)), ((_e2255 > 0f) && _e2263));
+let _e2274 = (_e2270 < _e2239);
+let _e2292 = type_20(_e2183.member, _e2183.member_1, _e2183.member_2, _e2183.member_3, _e2183.member_4, _e2183.member_5, _e2183.member_6, _e2183.member_7, _e2183.member_8, _e2183.member_9, _e2183.member_10, _e2183.member_11, 0i, _e2183.member_13, _e2183.member_14);
+let _e2307 = type_20(_e2292.member, _e2292.member_1, _e2292.member_2, _e2292.member_3, _e2292.member_4, _e2292.member_5, _e2292.member_6, _e2292.member_7, _e2292.member_8, _e2292.member_9, _e2292.member_10, _e2292.member_11, _e2292.member_12, select(select(-2i, -3i, _e2274), -1i, ((_e2239 >= 1e30f) && (_e2270 >= 1e30f))), _e2292.member_14);
+phi_4734_ = type_21(_e2195.member, _e2195.member_1, select(1.1754944e-38f, _e589.member_3, (_e589.member_3 > 1.1754944e-38f)), _e2195.member_3, _e2195.member_4);
+phi_4735_ = type_20(_e2307.member, _e2307.member_1, _e2307.member_2, _e2307.member_3, _e2307.member_4, _e2307.member_5, _e2307.member_6, _e2307.member_7, _e2307.member_8, _e2307.member_9, _e2307.member_10, _e2307.member_11, _e2307.member_12, _e2307.member_13, select(_e2239, _e2270, _e2274));
+phi_4736_ = _e630;
 } else {
-phi_3182_ = i32();
-phi_3185_ = i32();
+let _e695 = select(_e659, _e656, (_e656 < _e659));
+let _e701 = global_3.member[bitcast<u32>(select(0i, _e695, (_e695 > 0i)))];
+let _e702 = (_e656 + 1i);
+let _e704 = select(_e659, _e702, (_e702 < _e659));
+let _e710 = global_3.member[bitcast<u32>(select(0i, _e704, (_e704 > 0i)))];
+let _e711 = (_e656 + 2i);
+let _e713 = select(_e659, _e711, (_e711 < _e659));
+let _e719 = global_3.member[bitcast<u32>(select(0i, _e713, (_e713 > 0i)))];
+let _e720 = (_e656 + 3i);
+let _e722 = select(_e659, _e720, (_e720 < _e659));
+let _e728 = global_3.member[bitcast<u32>(select(0i, _e722, (_e722 > 0i)))];
+let _e729 = (_e656 + 4i);
+let _e731 = select(_e659, _e729, (_e729 < _e659));
+let _e737 = global_3.member[bitcast<u32>(select(0i, _e731, (_e731 > 0i)))];
+let _e738 = (_e656 + 5i);
+let _e740 = select(_e659, _e738, (_e738 < _e659));
+let _e746 = global_3.member[bitcast<u32>(select(0i, _e740, (_e740 > 0i)))];
+let _e747 = (_e728 - _e701);
+let _e748 = (_e737 - _e710);
+let _e749 = (_e746 - _e719);
+let _e750 = (_e656 + 6i);
+let _e752 = select(_e659, _e750, (_e750 < _e659));
+let _e758 = global_3.member[bitcast<u32>(select(0i, _e752, (_e752 > 0i)))];
+let _e759 = (_e656 + 7i);
+let _e761 = select(_e659, _e759, (_e759 < _e659));
+let _e767 = global_3.member[bitcast<u32>(select(0i, _e761, (_e761 > 0i)))];
+let _e768 = (_e656 + 8i);
+let _e770 = select(_e659, _e768, (_e768 < _e659));
+let _e776 = global_3.member[bitcast<u32>(select(0i, _e770, (_e770 > 0i)))];
+let _e777 = (_e758 - _e701);
+let _e778 = (_e767 - _e710);
+let _e779 = (_e776 - _e719);
+let _e782 = ((_e748 * _e779) - (_e749 * _e778));
+let _e785 = ((_e749 * _e777) - (_e747 * _e779));
+let _e788 = ((_e747 * _e778) - (_e748 * _e777));
+let _e793 = (((_e782 * _e782) + (_e785 * _e785)) + (_e788 * _e788));
+let _e796 = sqrt(select(0f, _e793, (_e793 > 0f)));
+let _e799 = (1f / select(1e-20f, _e796, (_e796 > 1e-20f)));
+let _e800 = (_e782 * _e799);
+let _e801 = (_e785 * _e799);
+let _e802 = (_e788 * _e799);
+let _e808 = bitcast<f32>((bitcast<u32>(_e591.member_1.x) & 2147483647u));
+let _e812 = bitcast<f32>((bitcast<u32>(_e591.member_1.y) & 2147483647u));
+let _e816 = bitcast<f32>((bitcast<u32>(_e591.member_1.z) & 2147483647u));
+let _e819 = ((_e808 >= _e812) && (_e808 >= _e816));
+let _e822 = (!(_e819) && (_e812 >= _e816));
+let _e829 = (1f / select(select(_e591.member_1.z, _e591.member_1.y, _e822), _e591.member_1.x, _e819));
+let _e830 = (select(select(_e591.member_1.x, _e591.member_1.z, _e822), _e591.member_1.y, _e819) * _e829);
+let _e831 = (select(select(_e591.member_1.y, _e591.member_1.x, _e822), _e591.member_1.z, _e819) * _e829);
+let _e833 = (_e701 - _e591.member.x);
+let _e835 = (_e710 - _e591.member.y);
+let _e837 = (_e719 - _e591.member.z);
+let _e843 = select(select(_e837, _e835, _e822), _e833, _e819);
+let _e845 = (select(select(_e833, _e837, _e822), _e835, _e819) - (_e830 * _e843));
+let _e847 = (select(select(_e835, _e833, _e822), _e837, _e819) - (_e831 * _e843));
+let _e848 = (_e728 - _e591.member.x);
+let _e849 = (_e737 - _e591.member.y);
+let _e850 = (_e746 - _e591.member.z);
+let _e856 = select(select(_e850, _e849, _e822), _e848, _e819);
+let _e858 = (select(select(_e848, _e850, _e822), _e849, _e819) - (_e830 * _e856));
+let _e860 = (select(select(_e849, _e848, _e822), _e850, _e819) - (_e831 * _e856));
+let _e861 = (_e758 - _e591.member.x);
+let _e862 = (_e767 - _e591.member.y);
+let _e863 = (_e776 - _e591.member.z);
+let _e869 = select(select(_e863, _e862, _e822), _e861, _e819);
+let _e871 = (select(select(_e861, _e863, _e822), _e862, _e819) - (_e830 * _e869));
+let _e873 = (select(select(_e862, _e861, _e822), _e863, _e819) - (_e831 * _e869));
+let _e876 = ((_e871 * _e860) - (_e873 * _e858));
+let _e879 = ((_e845 * _e873) - (_e847 * _e871));
+let _e882 = ((_e858 * _e847) - (_e860 * _e845));
+let _e884 = ((_e876 + _e879) + _e882);
+let _e887 = (1f / select(_e884, 1f, (_e884 == 0f)));
+let _e888 = (_e876 * _e887);
+let _e889 = (_e879 * _e887);
+let _e890 = (_e882 * _e887);
+let _e891 = (_e656 + 9i);
+let _e893 = select(_e659, _e891, (_e891 < _e659));
+let _e899 = global_3.member[bitcast<u32>(select(0i, _e893, (_e893 > 0i)))];
+let _e900 = (_e656 + 10i);
+let _e902 = select(_e659, _e900, (_e900 < _e659));
+let _e908 = global_3.member[bitcast<u32>(select(0i, _e902, (_e902 > 0i)))];
+let _e909 = (_e656 + 11i);
+let _e911 = select(_e659, _e909, (_e909 < _e659));
+let _e917 = global_3.member[bitcast<u32>(select(0i, _e911, (_e911 > 0i)))];
+let _e921 = (_e656 + 12i);
+let _e923 = select(_e659, _e921, (_e921 < _e659));
+let _e929 = global_3.member[bitcast<u32>(select(0i, _e923, (_e923 > 0i)))];
+let _e930 = (_e656 + 13i);
+let _e932 = select(_e659, _e930, (_e930 < _e659));
+let _e938 = global_3.member[bitcast<u32>(select(0i, _e932, (_e932 > 0i)))];
+let _e939 = (_e656 + 14i);
+let _e941 = select(_e659, _e939, (_e939 < _e659));
+let _e947 = global_3.member[bitcast<u32>(select(0i, _e941, (_e941 > 0i)))];
+let _e954 = (_e656 + 15i);
+let _e956 = select(_e659, _e954, (_e954 < _e659));
+let _e962 = global_3.member[bitcast<u32>(select(0i, _e956, (_e956 > 0i)))];
+let _e963 = (_e656 + 16i);
+let _e965 = select(_e659, _e963, (_e963 < _e659));
+let _e971 = global_3.member[bitcast<u32>(select(0i, _e965, (_e965 > 0i)))];
+let _e972 = (_e656 + 17i);
+let _e974 = select(_e659, _e972, (_e972 < _e659));
+let _e980 = global_3.member[bitcast<u32>(select(0i, _e974, (_e974 > 0i)))];
+let _e984 = (((_e899 * _e888) + (_e929 * _e889)) + (_e962 * _e890));
+let _e985 = (((_e908 * _e888) + (_e938 * _e889)) + (_e971 * _e890));
+let _e986 = (((_e917 * _e888) + (_e947 * _e889)) + (_e980 * _e890));
+let _e991 = (((_e984 * _e984) + (_e985 * _e985)) + (_e986 * _e986));
+let _e994 = sqrt(select(0f, _e991, (_e991 > 0f)));
+let _e997 = (1f / select(1e-20f, _e994, (_e994 > 1e-20f)));
+let _e998 = (_e984 * _e997);
+let _e999 = (_e985 * _e997);
+let _e1000 = (_e986 * _e997);
+let _e1002 = local_3;
+let _e1003 = (_e1002 * 4i);
+let _e1005 = select(_e677, _e1003, (_e1003 < _e677));
+let _e1011 = global_4.member[bitcast<u32>(select(0i, _e1005, (_e1005 > 0i)))];
+let _e1012 = select(_e1011, 1f, _e652);
+let _e1014 = local_4;
+let _e1015 = (_e1014 * 4i);
+let _e1017 = select(_e677, _e1015, (_e1015 < _e677));
+let _e1023 = global_4.member[bitcast<u32>(select(0i, _e1017, (_e1017 > 0i)))];
+let _e1025 = local_5;
+let _e1027 = select(_e1023, 1f, (_e1025 == 16i));
+let _e1034 = select(1f, -1f, ((((_e591.member_1.x * _e998) + (_e591.member_1.y * _e999)) + (_e591.member_1.z * _e1000)) > 0f));
+let _e1035 = (_e998 * _e1034);
+let _e1036 = (_e999 * _e1034);
+let _e1037 = (_e1000 * _e1034);
+let _e1043 = -((((_e591.member_1.x * _e1035) + (_e591.member_1.y * _e1036)) + (_e591.member_1.z * _e1037)));
+let _e1045 = select(0f, _e1043, (_e1043 > 0f));
+let _e1046 = (_e1012 / _e1027);
+let _e1047 = (_e1046 * _e1046);
+let _e1051 = (1f - (_e1047 * (1f - (_e1045 * _e1045))));
+let _e1052 = (_e1051 <= 0f);
+let _e1060 = ((_e1046 * _e1045) - sqrt(select(0f, _e1051, (_e1051 > 0f))));
+let _e1067 = (2f * _e1045);
+let _e1074 = select(((_e591.member_1.x * _e1046) + (_e1035 * _e1060)), (_e591.member_1.x + (_e1035 * _e1067)), _e1052);
+let _e1075 = select(((_e591.member_1.y * _e1046) + (_e1036 * _e1060)), (_e591.member_1.y + (_e1036 * _e1067)), _e1052);
+let _e1076 = select(((_e591.member_1.z * _e1046) + (_e1037 * _e1060)), (_e591.member_1.z + (_e1037 * _e1067)), _e1052);
+let _e1081 = (((_e1074 * _e1074) + (_e1075 * _e1075)) + (_e1076 * _e1076));
+let _e1084 = sqrt(select(0f, _e1081, (_e1081 > 0f)));
+let _e1087 = (1f / select(1e-20f, _e1084, (_e1084 > 1e-20f)));
+let _e1095 = (((_e591.member_1.x * _e800) + (_e591.member_1.y * _e801)) + (_e591.member_1.z * _e802));
+let _e1112 = ((((((_e998 * _e591.member_1.x) + (_e999 * _e591.member_1.y)) + (_e1000 * _e591.member_1.z)) * _e1095) > 0f) && (((((((_e1074 * _e1087) * _e800) + ((_e1075 * _e1087) * _e801)) + ((_e1076 * _e1087) * _e802)) * select(1f, -1f, _e1052)) * _e1095) > 0f));
+let _e1113 = select(_e800, _e998, _e1112);
+let _e1114 = select(_e801, _e999, _e1112);
+let _e1115 = select(_e802, _e1000, _e1112);
+let _e1119 = (_e591.member_14 - _e589.member_2);
+let _e1121 = select(0f, _e1119, (_e1119 > 0f));
+let _e1123 = local_6;
+if (_e1123 != 16i) {
+let _e1141 = type_20(_e591.member, _e591.member_1, _e591.member_2, _e591.member_3, _e591.member_4, _e591.member_5, _e591.member_6, _e591.member_7, _e591.member_8, (_e591.member_9 + _e1121), _e591.member_10, _e591.member_11, _e591.member_12, _e591.member_13, _e591.member_14);
+let _e1142 = (_e1003 + 1i);
+let _e1144 = select(_e677, _e1142, (_e1142 < _e677));
+let _e1150 = global_4.member[bitcast<u32>(select(0i, _e1144, (_e1144 > 0i)))];
+let _e1152 = -((_e1150 * _e1121));
+let _e1154 = select(-87f, _e1152, (_e1152 > -87f));
+let _e1156 = select(88f, _e1154, (_e1154 < 88f));
+let _e1158 = ((_e1156 * 1.442695f) + 0.5f);
+let _e1160 = select(-127f, _e1158, (_e1158 > -127f));
+let _e1162 = select(128f, _e1160, (_e1160 < 128f));
+let _e1169 = select(0i, select(select(i32(_e1162), i32(-2147483648), (_e1162 < -2147483600f)), 2147483647i, (_e1162 > 2147483500f)), (_e1162 == _e1162));
+let _e1173 = (_e1169 - select(0i, 1i, (_e1162 < f32(_e1169))));
+let _e1174 = f32(_e1173);
+let _e1178 = ((_e1156 - (_e1174 * 0.6933594f)) - (_e1174 * -2.1219444e-4f));
+let _e1202 = (_e1003 + 2i);
+let _e1204 = select(_e677, _e1202, (_e1202 < _e677));
+let _e1210 = global_4.member[bitcast<u32>(select(0i, _e1204, (_e1204 > 0i)))];
+let _e1212 = -((_e1210 * _e1121));
+let _e1214 = select(-87f, _e1212, (_e1212 > -87f));
+let _e1216 = select(88f, _e1214, (_e1214 < 88f));
+let _e1218 = ((_e1216 * 1.442695f) + 0.5f);
+let _e1220 = select(-127f, _e1218, (_e1218 > -127f));
+let _e1222 = select(128f, _e1220, (_e1220 < 128f));
+let _e1229 = select(0i, select(select(i32(_e1222), i32(-2147483648), (_e1222 < -2147483600f)), 2147483647i, (_e1222 > 2147483500f)), (_e1222 == _e1222));
+let _e1233 = (_e1229 - select(0i, 1i, (_e1222 < f32(_e1229))));
+let _e1234 = f32(_e1233);
+let _e1238 = ((_e1216 - (_e1234 * 0.6933594f)) - (_e1234 * -2.1219444e-4f));
+let _e1262 = (_e1003 + 3i);
+let _e1264 = select(_e677, _e1262, (_e1262 < _e677));
+let _e1270 = global_4.member[bitcast<u32>(select(0i, _e1264, (_e1264 > 0i)))];
+let _e1272 = -((_e1270 * _e1121));
+let _e1274 = select(-87f, _e1272, (_e1272 > -87f));
+let _e1276 = select(88f, _e1274, (_e1274 < 88f));
+let _e1278 = ((_e1276 * 1.442695f) + 0.5f);
+let _e1280 = select(-127f, _e1278, (_e1278 > -127f));
+let _e1282 = select(128f, _e1280, (_e1280 < 128f));
+let _e1289 = select(0i, select(select(i32(_e1282), i32(-2147483648), (_e1282 < -2147483600f)), 2147483647i, (_e1282 > 2147483500f)), (_e1282 == _e1282));
+let _e1293 = (_e1289 - select(0i, 1i, (_e1282 < f32(_e1289))));
+let _e1294 = f32(_e1293);
+let _e1298 = ((_e1276 - (_e1294 * 0.6933594f)) - (_e1294 * -2.1219444e-4f));
+phi_3715_ = type_20(_e1141.member, _e1141.member_1, vec3<f32>((_e591.member_2.x * ((1f + (_e1178 * (1f + (_e1178 * (0.5f + (_e1178 * (0.16666667f + (_e1178 * (0.041666668f + (_e1178 * (0.008333334f + (_e1178 * (0.001388889f + (_e1178 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1173 + 127i)) << bitcast<u32>(23i))))), (_e591.member_2.y * ((1f + (_e1238 * (1f + (_e1238 * (0.5f + (_e1238 * (0.16666667f + (_e1238 * (0.041666668f + (_e1238 * (0.008333334f + (_e1238 * (0.001388889f + (_e1238 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1233 + 127i)) << bitcast<u32>(23i))))), (_e591.member_2.z * ((1f + (_e1298 * (1f + (_e1298 * (0.5f + (_e1298 * (0.16666667f + (_e1298 * (0.041666668f + (_e1298 * (0.008333334f + (_e1298 * (0.001388889f + (_e1298 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1293 + 127i)) << bitcast<u32>(23i)))))), _e1141.member_3, _e1141.member_4, _e1141.member_5, _e1141.member_6, _e1141.member_7, _e1141.member_8, _e1141.member_9, _e1141.member_10, _e1141.member_11, _e1141.member_12, _e1141.member_13, _e1141.member_14);
+} else {
+phi_3715_ = _e591;
 }
-let _e897 = phi_3182_;
-let _e899 = phi_3185_;
+let _e1339 = phi_3715_;
+let _e1372 = type_20(vec3<f32>((_e1339.member.x + (_e1339.member_1.x * _e1339.member_14)), (_e1339.member.y + (_e1339.member_1.y * _e1339.member_14)), (_e1339.member.z + (_e1339.member_1.z * _e1339.member_14))), _e1339.member_1, _e1339.member_2, _e1339.member_3, _e1339.member_4, _e1339.member_5, _e1339.member_6, _e1339.member_7, _e1339.member_8, _e1339.member_9, _e1339.member_10, _e1339.member_11, _e1339.member_12, _e1339.member_13, _e1339.member_14);
+let _e1389 = type_20(_e1372.member, _e1372.member_1, _e1372.member_2, _e1372.member_3, _e1372.member_4, (_e1339.member_5 + _e1339.member_14), _e1372.member_6, _e1372.member_7, _e1372.member_8, _e1372.member_9, _e1372.member_10, _e1372.member_11, _e1372.member_12, _e1372.member_13, _e1372.member_14);
+let _e1391 = (_e1339.member_8 == 0f);
+let _e1409 = type_20(_e1389.member, _e1389.member_1, _e1389.member_2, _e1389.member_3, _e1389.member_4, _e1389.member_5, _e1389.member_6, _e1389.member_7, _e1389.member_8, _e1389.member_9, (_e1339.member_10 + select(0f, _e1339.member_14, _e1391)), _e1389.member_11, _e1389.member_12, _e1389.member_13, _e1389.member_14);
+let _e1414 = type_21(0i, _e589.member_1, _e589.member_2, _e589.member_3, _e589.member_4);
+let _e1419 = type_21(_e1414.member, 0i, _e1414.member_2, _e1414.member_3, _e1414.member_4);
+let _e1431 = select(1f, -1f, ((((_e1339.member_1.x * _e1113) + (_e1339.member_1.y * _e1114)) + (_e1339.member_1.z * _e1115)) > 0f));
+let _e1432 = (_e1113 * _e1431);
+let _e1433 = (_e1114 * _e1431);
+let _e1434 = (_e1115 * _e1431);
+let _e1440 = -((((_e1339.member_1.x * _e1432) + (_e1339.member_1.y * _e1433)) + (_e1339.member_1.z * _e1434)));
+let _e1442 = select(0f, _e1440, (_e1440 > 0f));
+let _e1443 = (_e1442 * _e1442);
+let _e1446 = (1f - (_e1047 * (1f - _e1443)));
+let _e1447 = (_e1446 <= 0f);
+let _e1455 = ((_e1046 * _e1442) - sqrt(select(0f, _e1446, (_e1446 > 0f))));
+let _e1462 = (2f * _e1442);
+let _e1469 = select(((_e1339.member_1.x * _e1046) + (_e1432 * _e1455)), (_e1339.member_1.x + (_e1432 * _e1462)), _e1447);
+let _e1470 = select(((_e1339.member_1.y * _e1046) + (_e1433 * _e1455)), (_e1339.member_1.y + (_e1433 * _e1462)), _e1447);
+let _e1471 = select(((_e1339.member_1.z * _e1046) + (_e1434 * _e1455)), (_e1339.member_1.z + (_e1434 * _e1462)), _e1447);
+let _e1476 = (((_e1469 * _e1469) + (_e1470 * _e1470)) + (_e1471 * _e1471));
+let _e1479 = sqrt(select(0f, _e1476, (_e1476 > 0f)));
+let _e1482 = (1f / select(1e-20f, _e1479, (_e1479 > 1e-20f)));
+let _e1487 = (_e1027 / _e1012);
+let _e1490 = (((_e1487 * _e1487) - 1f) + _e1443);
+let _e1493 = sqrt(select(0f, _e1490, (_e1490 > 0f)));
+let _e1494 = (_e1493 - _e1442);
+let _e1495 = (_e1493 + _e1442);
+let _e1498 = (_e1494 / select(1e-6f, _e1495, (_e1495 > 1e-6f)));
+let _e1502 = ((_e1442 * _e1494) + 1f);
+let _e1505 = (((_e1442 * _e1495) - 1f) / select(1e-6f, _e1502, (_e1502 > 1e-6f)));
+let _e1517 = global_1.member.member_1;
+let _e1520 = select(0f, select(select((((0.5f * _e1498) * _e1498) * (1f + (_e1505 * _e1505))), 1f, (_e1490 <= 0f)), 0f, (_e1012 == _e1027)), ((_e1517 & 1u) != 0u));
+if _e1391 {
+let _e1535 = type_20(_e1409.member, _e1409.member_1, _e1409.member_2, vec3<f32>(_e1113, _e1114, _e1115), _e1409.member_4, _e1409.member_5, _e1409.member_6, _e1409.member_7, _e1409.member_8, _e1409.member_9, _e1409.member_10, _e1409.member_11, _e1409.member_12, _e1409.member_13, _e1409.member_14);
+phi_4215_ = type_20(_e1535.member, _e1535.member_1, _e1535.member_2, _e1535.member_3, _e1535.member_4, _e1535.member_5, _e1535.member_6, _e1535.member_7, _e1535.member_8, _e1535.member_9, _e1535.member_10, _e1520, _e1535.member_12, _e1535.member_13, _e1535.member_14);
+} else {
+phi_4215_ = _e1409;
+}
+let _e1552 = phi_4215_;
+let _e1554 = (_e1552.member_8 + 1f);
+let _e1569 = type_20(_e1552.member, _e1552.member_1, _e1552.member_2, _e1552.member_3, _e1552.member_4, _e1552.member_5, _e1552.member_6, _e1552.member_7, _e1554, _e1552.member_9, _e1552.member_10, _e1552.member_11, _e1552.member_12, _e1552.member_13, _e1552.member_14);
+let _e1572 = ((_e110.member_2 == 0u) && (_e1554 >= 2f));
+if (_e1447 && _e1572) {
+let _e1597 = (((_e1552.member_1.x * _e1113) + (_e1552.member_1.y * _e1114)) + (_e1552.member_1.z * _e1115));
+let _e1601 = (_e1552.member_1.x - (_e1113 * _e1597));
+let _e1602 = (_e1552.member_1.y - (_e1114 * _e1597));
+let _e1603 = (_e1552.member_1.z - (_e1115 * _e1597));
+let _e1608 = (((_e1601 * _e1601) + (_e1602 * _e1602)) + (_e1603 * _e1603));
+let _e1611 = sqrt(select(0f, _e1608, (_e1608 > 0f)));
+let _e1614 = (1f / select(1e-20f, _e1611, (_e1611 > 1e-20f)));
+phi_4268_ = type_20(_e1569.member, vec3<f32>((_e1601 * _e1614), (_e1602 * _e1614), (_e1603 * _e1614)), _e1569.member_2, _e1569.member_3, _e1569.member_4, _e1569.member_5, _e1569.member_6, _e1569.member_7, _e1569.member_8, _e1569.member_9, _e1569.member_10, _e1569.member_11, _e1569.member_12, _e1569.member_13, _e1569.member_14);
+} else {
+phi_4268_ = type_20(_e1569.member, vec3<f32>((_e1469 * _e1482), (_e1470 * _e1482), (_e1471 * _e1482)), _e1569.member_2, _e1569.member_3, _e1569.member_4, _e1569.member_5, _e1569.member_6, _e1569.member_7, _e1569.member_8, _e1569.member_9, _e1569.member_10, _e1569.member_11, _e1569.member_12, _e1569.member_13, _e1569.member_14);
+}
+let _e1635 = phi_4268_;
+if _e1447 {
+phi_4282_ = _e1635;
+} else {
+let _e1636 = (1f - _e1520);
+phi_4282_ = type_20(_e1635.member, _e1635.member_1, vec3<f32>((_e1635.member_2.x * _e1636), (_e1635.member_2.y * _e1636), (_e1635.member_2.z * _e1636)), _e1635.member_3, _e1635.member_4, _e1635.member_5, _e1635.member_6, _e1635.member_7, _e1635.member_8, _e1635.member_9, _e1635.member_10, _e1635.member_11, _e1635.member_12, _e1635.member_13, _e1635.member_14);
+}
+let _e1663 = phi_4282_;
+let _e1670 = global_1.member.member_17.member.member;
+let _e1684 = ((((_e1670.member.member * _e1663.member.x) + (_e1670.member.member_1 * _e1663.member.y)) + (_e1670.member.member_2 * _e1663.member.z)) + _e1670.member_1);
+let _e1693 = -((((_e1670.member.member * _e1663.member_1.x) + (_e1670.member.member_1 * _e1663.member_1.y)) + (_e1670.member.member_2 * _e1663.member_1.z)));
+let _e1695 = (_e1693 > 1e-9f);
+let _e1699 = ((_e1684 / select(1e-9f, _e1693, _e1695)) - 0.015625f);
+let _e1702 = select(1e30f, select(0f, _e1699, (_e1699 > 0f)), ((_e1684 > 0f) && _e1695));
+let _e1707 = global_1.member.member_17.member_1.member;
+let _e1718 = ((((_e1707.member.member * _e1663.member.x) + (_e1707.member.member_1 * _e1663.member.y)) + (_e1707.member.member_2 * _e1663.member.z)) + _e1707.member_1);
+let _e1724 = -((((_e1707.member.member * _e1663.member_1.x) + (_e1707.member.member_1 * _e1663.member_1.y)) + (_e1707.member.member_2 * _e1663.member_1.z)));
+let _e1726 = (_e1724 > 1e-9f);
+let _e1730 = ((_e1718 / select(1e-9f, _e1724, _e1726)) - 0.015625f);
+let _e1733 = select(1e30f, select(0f, _e1730, (_e1730 > 0f)), ((_e1718 > 0f) && _e1726));
+let _e1737 = (_e1733 < _e1702);
+let _e1739 = select(select(-2i, -3i, _e1737), -1i, ((_e1702 >= 1e30f) && (_e1733 >= 1e30f)));
+let _e1740 = select(_e1702, _e1733, _e1737);
+let _e1755 = type_20(_e1663.member, _e1663.member_1, _e1663.member_2, _e1663.member_3, _e1663.member_4, _e1663.member_5, _e1663.member_6, _e1663.member_7, _e1663.member_8, _e1663.member_9, _e1663.member_10, _e1663.member_11, 0i, _e1663.member_13, _e1663.member_14);
+let _e1770 = type_20(_e1755.member, _e1755.member_1, _e1755.member_2, _e1755.member_3, _e1755.member_4, _e1755.member_5, _e1755.member_6, _e1755.member_7, _e1755.member_8, _e1755.member_9, _e1755.member_10, _e1755.member_11, _e1755.member_12, _e1739, _e1755.member_14);
+let _e1785 = type_20(_e1770.member, _e1770.member_1, _e1770.member_2, _e1770.member_3, _e1770.member_4, _e1770.member_5, _e1770.member_6, _e1770.member_7, _e1770.member_8, _e1770.member_9, _e1770.member_10, _e1770.member_11, _e1770.member_12, _e1770.member_13, _e1740);
+let _e1787 = local_7;
+let _e1789 = local_8;
+let _e1792 = ((_e1517 & 2u) != 0u);
+if (_e1572 && !(_e1792)) {
+if (_e1739 == -1i) {
+phi_4707_ = type_20(_e1785.member, _e1785.member_1, _e1785.member_2, _e1785.member_3, _e1785.member_4, _e1785.member_5, 1f, _e1785.member_7, _e1785.member_8, _e1785.member_9, _e1785.member_10, _e1785.member_11, _e1785.member_12, _e1785.member_13, _e1785.member_14);
+} else {
+let _e1868 = type_20(vec3<f32>((_e1663.member.x + (_e1663.member_1.x * _e1740)), (_e1663.member.y + (_e1663.member_1.y * _e1740)), (_e1663.member.z + (_e1663.member_1.z * _e1740))), _e1785.member_1, _e1785.member_2, _e1785.member_3, _e1785.member_4, _e1785.member_5, _e1785.member_6, _e1785.member_7, _e1785.member_8, _e1785.member_9, _e1785.member_10, _e1785.member_11, _e1785.member_12, _e1785.member_13, _e1785.member_14);
+let _e1885 = type_20(_e1868.member, _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, (_e1663.member_5 + _e1740), _e1868.member_6, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14);
+let _e1901 = type_20(_e1885.member, _e1885.member_1, _e1885.member_2, _e1885.member_3, _e1885.member_4, _e1885.member_5, _e1885.member_6, _e1885.member_7, _e1885.member_8, _e1885.member_9, _e1885.member_10, _e1885.member_11, _e1885.member_12, _e1885.member_13, (_e1740 - _e1740));
+let _e1921 = type_20(_e1901.member, _e1901.member_1, _e1901.member_2, _e1901.member_3, _e1901.member_4, _e1901.member_5, _e1901.member_6, _e1901.member_7, _e1901.member_8, _e1901.member_9, (_e1663.member_10 + select(0f, _e1740, (_e1663.member_8 == 0f))), _e1901.member_11, _e1901.member_12, _e1901.member_13, _e1901.member_14);
+phi_4707_ = type_20(_e1921.member, _e1921.member_1, _e1921.member_2, _e1921.member_3, _e1921.member_4, _e1921.member_5, 3f, _e1921.member_7, _e1921.member_8, _e1921.member_9, _e1921.member_10, _e1921.member_11, _e1921.member_12, _e1921.member_13, _e1921.member_14);
+}
+let _e1953 = phi_4707_;
+phi_4728_ = _e1953;
+} else {
+let _e1799 = global_1.member.member_5;
+if ((!(_e1572) && (_e1663.member_8 >= f32(bitcast<i32>(_e1799)))) && (select(_e1789, _e1787, _e1447) != 16i)) {
+phi_4727_ = type_20(_e1785.member, _e1785.member_1, _e1785.member_2, _e1785.member_3, _e1785.member_4, _e1785.member_5, 2f, _e1785.member_7, _e1785.member_8, _e1785.member_9, _e1785.member_10, _e1785.member_11, _e1785.member_12, _e1785.member_13, _e1785.member_14);
+} else {
+if _e1792 {
+phi_4726_ = type_20(_e1785.member, _e1785.member_1, _e1785.member_2, _e1785.member_3, _e1785.member_4, _e1785.member_5, 4f, _e1785.member_7, _e1785.member_8, _e1785.member_9, _e1785.member_10, _e1785.member_11, _e1785.member_12, _e1785.member_13, _e1785.member_14);
+} else {
+phi_4726_ = _e1785;
+}
+let _e1822 = phi_4726_;
+phi_4727_ = _e1822;
+}
+let _e1839 = phi_4727_;
+phi_4728_ = _e1839;
+}
+let _e1955 = phi_4728_;
+phi_4734_ = type_21(_e1419.member, _e1419.member_1, 0f, _e1419.member_3, _e1419.member_4);
+phi_4735_ = _e1955;
+phi_4736_ = select(_e595, _e630, !(_e1447));
+}
+let _e2324 = phi_4734_;
+let _e2326 = phi_4735_;
+let _e2328 = phi_4736_;
+phi_4737_ = _e2324;
+phi_4738_ = _e2326;
+phi_4739_ = _e2328;
+}
+let _e2330 = phi_4737_;
+let _e2332 = phi_4738_;
+let _e2334 = phi_4739_;
+phi_4741_ = _e2330;
+phi_4742_ = _e2332;
+phi_4743_ = _e2334;
+phi_4745_ = select(true, false, _e688);
+}
+let _e2337 = phi_4741_;
+let _e2339 = phi_4742_;
+let _e2341 = phi_4743_;
+let _e2343 = phi_4745_;
+phi_4756_ = _e2337;
+phi_4757_ = _e2339;
+phi_4758_ = _e2341;
+phi_4760_ = select(_e688, false, _e654);
+phi_4761_ = _e2343;
+} else {
+phi_4756_ = type_21();
+phi_4757_ = type_20();
+phi_4758_ = i32();
+phi_4760_ = select(true, false, _e654);
+phi_4761_ = false;
+}
+let _e2346 = phi_4756_;
+let _e2348 = phi_4757_;
+let _e2350 = phi_4758_;
+let _e2352 = phi_4760_;
+let _e2354 = phi_4761_;
+if _e654 {
+if _e649 {
+phi_5058_ = type_20(_e591.member, _e591.member_1, _e591.member_2, _e591.member_3, _e591.member_4, _e591.member_5, 1f, _e591.member_7, _e591.member_8, _e591.member_9, _e591.member_10, _e591.member_11, _e591.member_12, _e591.member_13, _e591.member_14);
+} else {
+let _e2387 = type_20(vec3<f32>((_e591.member.x + (_e591.member_1.x * _e591.member_14)), (_e591.member.y + (_e591.member_1.y * _e591.member_14)), (_e591.member.z + (_e591.member_1.z * _e591.member_14))), _e591.member_1, _e591.member_2, _e591.member_3, _e591.member_4, _e591.member_5, _e591.member_6, _e591.member_7, _e591.member_8, _e591.member_9, _e591.member_10, _e591.member_11, _e591.member_12, _e591.member_13, _e591.member_14);
+let _e2404 = type_20(_e2387.member, _e2387.member_1, _e2387.member_2, _e2387.member_3, _e2387.member_4, (_e591.member_5 + _e591.member_14), _e2387.member_6, _e2387.member_7, _e2387.member_8, _e2387.member_9, _e2387.member_10, _e2387.member_11, _e2387.member_12, _e2387.member_13, _e2387.member_14);
+let _e2420 = type_20(_e2404.member, _e2404.member_1, _e2404.member_2, _e2404.member_3, _e2404.member_4, _e2404.member_5, _e2404.member_6, _e2404.member_7, _e2404.member_8, _e2404.member_9, _e2404.member_10, _e2404.member_11, _e2404.member_12, _e2404.member_13, (_e591.member_14 - _e591.member_14));
+let _e2440 = type_20(_e2420.member, _e2420.member_1, _e2420.member_2, _e2420.member_3, _e2420.member_4, _e2420.member_5, _e2420.member_6, _e2420.member_7, _e2420.member_8, _e2420.member_9, (_e591.member_10 + select(0f, _e591.member_14, (_e591.member_8 == 0f))), _e2420.member_11, _e2420.member_12, _e2420.member_13, _e2420.member_14);
+phi_5058_ = type_20(_e2440.member, _e2440.member_1, _e2440.member_2, _e2440.member_3, _e2440.member_4, _e2440.member_5, 3f, _e2440.member_7, _e2440.member_8, _e2440.member_9, _e2440.member_10, _e2440.member_11, _e2440.member_12, _e2440.member_13, _e2440.member_14);
+}
+let _e2472 = phi_5058_;
+phi_5059_ = _e2472;
+} else {
+phi_5059_ = type_20();
+}
+let _e2474 = phi_5059_;
+let _e2475 = select(_e2352, false, _e654);
+if _e2475 {
+let _e2479 = (_e591.member_14 - _e589.member_2);
+let _e2481 = select(0f, _e2479, (_e2479 > 0f));
+let _e2483 = local_11;
+if (_e2483 != 16i) {
+let _e2501 = type_20(_e591.member, _e591.member_1, _e591.member_2, _e591.member_3, _e591.member_4, _e591.member_5, _e591.member_6, _e591.member_7, _e591.member_8, (_e591.member_9 + _e2481), _e591.member_10, _e591.member_11, _e591.member_12, _e591.member_13, _e591.member_14);
+let _e2503 = local_12;
+let _e2504 = (_e2503 * 4i);
+let _e2505 = (_e2504 + 1i);
+let _e2507 = (bitcast<i32>(_e103) - 1i);
+let _e2509 = select(_e2507, _e2505, (_e2505 < _e2507));
+let _e2515 = global_4.member[bitcast<u32>(select(0i, _e2509, (_e2509 > 0i)))];
+let _e2517 = -((_e2515 * _e2481));
+let _e2519 = select(-87f, _e2517, (_e2517 > -87f));
+let _e2521 = select(88f, _e2519, (_e2519 < 88f));
+let _e2523 = ((_e2521 * 1.442695f) + 0.5f);
+let _e2525 = select(-127f, _e2523, (_e2523 > -127f));
+let _e2527 = select(128f, _e2525, (_e2525 < 128f));
+let _e2534 = select(0i, select(select(i32(_e2527), i32(-2147483648), (_e2527 < -2147483600f)), 2147483647i, (_e2527 > 2147483500f)), (_e2527 == _e2527));
+let _e2538 = (_e2534 - select(0i, 1i, (_e2527 < f32(_e2534))));
+let _e2539 = f32(_e2538);
+let _e2543 = ((_e2521 - (_e2539 * 0.6933594f)) - (_e2539 * -2.1219444e-4f));
+let _e2567 = (_e2504 + 2i);
+let _e2569 = select(_e2507, _e2567, (_e2567 < _e2507));
+let _e2575 = global_4.member[bitcast<u32>(select(0i, _e2569, (_e2569 > 0i)))];
+let _e2577 = -((_e2575 * _e2481));
+let _e2579 = select(-87f, _e2577, (_e2577 > -87f));
+let _e2581 = select(88f, _e2579, (_e2579 < 88f));
+let _e2583 = ((_e2581 * 1.442695f) + 0.5f);
+let _e2585 = select(-127f, _e2583, (_e2583 > -127f));
+let _e2587 = select(128f, _e2585, (_e2585 < 128f));
+let _e2594 = select(0i, select(select(i32(_e2587), i32(-2147483648), (_e2587 < -2147483600f)), 2147483647i, (_e2587 > 2147483500f)), (_e2587 == _e2587));
+let _e2598 = (_e2594 - select(0i, 1i, (_e2587 < f32(_e2594))));
+let _e2599 = f32(_e2598);
+let _e2603 = ((_e2581 - (_e2599 * 0.6933594f)) - (_e2599 * -2.1219444e-4f));
+let _e2627 = (_e2504 + 3i);
+let _e2629 = select(_e2507, _e2627, (_e2627 < _e2507));
+let _e2635 = global_4.member[bitcast<u32>(select(0i, _e2629, (_e2629 > 0i)))];
+let _e2637 = -((_e2635 * _e2481));
+let _e2639 = select(-87f, _e2637, (_e2637 > -87f));
+let _e2641 = select(88f, _e2639, (_e2639 < 88f));
+let _e2643 = ((_e2641 * 1.442695f) + 0.5f);
+let _e2645 = select(-127f, _e2643, (_e2643 > -127f));
+let _e2647 = select(128f, _e2645, (_e2645 < 128f));
+let _e2654 = select(0i, select(select(i32(_e2647), i32(-2147483648), (_e2647 < -2147483600f)), 2147483647i, (_e2647 > 2147483500f)), (_e2647 == _e2647));
+let _e2658 = (_e2654 - select(0i, 1i, (_e2647 < f32(_e2654))));
+let _e2659 = f32(_e2658);
+let _e2663 = ((_e2641 - (_e2659 * 0.6933594f)) - (_e2659 * -2.1219444e-4f));
+phi_5326_ = type_20(_e2501.member, _e2501.member_1, vec3<f32>((_e591.member_2.x * ((1f + (_e2543 * (1f + (_e2543 * (0.5f + (_e2543 * (0.16666667f + (_e2543 * (0.041666668f + (_e2543 * (0.008333334f + (_e2543 * (0.001388889f + (_e2543 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2538 + 127i)) << bitcast<u32>(23i))))), (_e591.member_2.y * ((1f + (_e2603 * (1f + (_e2603 * (0.5f + (_e2603 * (0.16666667f + (_e2603 * (0.041666668f + (_e2603 * (0.008333334f + (_e2603 * (0.001388889f + (_e2603 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2598 + 127i)) << bitcast<u32>(23i))))), (_e591.member_2.z * ((1f + (_e2663 * (1f + (_e2663 * (0.5f + (_e2663 * (0.16666667f + (_e2663 * (0.041666668f + (_e2663 * (0.008333334f + (_e2663 * (0.001388889f + (_e2663 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2658 + 127i)) << bitcast<u32>(23i)))))), _e2501.member_3, _e2501.member_4, _e2501.member_5, _e2501.member_6, _e2501.member_7, _e2501.member_8, _e2501.member_9, _e2501.member_10, _e2501.member_11, _e2501.member_12, _e2501.member_13, _e2501.member_14);
+} else {
+phi_5326_ = _e591;
+}
+let _e2704 = phi_5326_;
+let _e2737 = type_20(vec3<f32>((_e2704.member.x + (_e2704.member_1.x * _e2704.member_14)), (_e2704.member.y + (_e2704.member_1.y * _e2704.member_14)), (_e2704.member.z + (_e2704.member_1.z * _e2704.member_14))), _e2704.member_1, _e2704.member_2, _e2704.member_3, _e2704.member_4, _e2704.member_5, _e2704.member_6, _e2704.member_7, _e2704.member_8, _e2704.member_9, _e2704.member_10, _e2704.member_11, _e2704.member_12, _e2704.member_13, _e2704.member_14);
+let _e2754 = type_20(_e2737.member, _e2737.member_1, _e2737.member_2, _e2737.member_3, _e2737.member_4, (_e2704.member_5 + _e2704.member_14), _e2737.member_6, _e2737.member_7, _e2737.member_8, _e2737.member_9, _e2737.member_10, _e2737.member_11, _e2737.member_12, _e2737.member_13, _e2737.member_14);
+let _e2770 = type_20(_e2754.member, _e2754.member_1, _e2754.member_2, _e2754.member_3, _e2754.member_4, _e2754.member_5, _e2754.member_6, _e2754.member_7, _e2754.member_8, _e2754.member_9, _e2754.member_10, _e2754.member_11, _e2754.member_12, _e2754.member_13, (_e2704.member_14 - _e2704.member_14));
+let _e2790 = type_20(_e2770.member, _e2770.member_1, _e2770.member_2, _e2770.member_3, _e2770.member_4, _e2770.member_5, _e2770.member_6, _e2770.member_7, _e2770.member_8, _e2770.member_9, (_e2704.member_10 + select(0f, _e2704.member_14, (_e2704.member_8 == 0f))), _e2770.member_11, _e2770.member_12, _e2770.member_13, _e2770.member_14);
+phi_5614_ = _e589;
+phi_5615_ = type_20(_e2790.member, _e2790.member_1, _e2790.member_2, _e2790.member_3, _e2790.member_4, _e2790.member_5, 3f, _e2790.member_7, _e2790.member_8, _e2790.member_9, _e2790.member_10, _e2790.member_11, _e2790.member_12, _e2790.member_13, _e2790.member_14);
+} else {
+phi_5614_ = _e2346;
+phi_5615_ = _e2348;
+}
+let _e2807 = phi_5614_;
+let _e2809 = phi_5615_;
+let _e2811 = select(select(_e2354, false, _e654), true, _e2475);
+if _e2811 {
+phi_5621_ = _e2807;
+phi_5622_ = _e2809;
+} else {
+phi_5621_ = _e589;
+phi_5622_ = _e2474;
+}
+let _e2813 = phi_5621_;
+let _e2815 = phi_5622_;
+phi_5624_ = _e2813;
+phi_5625_ = _e2815;
+phi_5626_ = select(_e595, select(_e2350, _e595, _e2475), _e2811);
+}
+let _e3443 = phi_5624_;
+let _e3445 = phi_5625_;
+let _e3447 = phi_5626_;
+phi_950_ = _e3443;
+phi_953_ = _e3445;
+phi_955_ = (_e593 + 1i);
+phi_957_ = _e3447;
+} else {
+phi_950_ = type_21();
+phi_953_ = type_20();
+phi_955_ = i32();
+phi_957_ = i32();
+}
+let _e3449 = phi_950_;
+let _e3451 = phi_953_;
+let _e3453 = phi_955_;
+let _e3455 = phi_957_;
 continue;
 continuing {
-phi_3181_ = _e897;
-phi_3184_ = _e899;
-break if !(_e888);
+phi_949_ = _e3449;
+phi_952_ = _e3451;
+phi_954_ = _e3453;
+phi_956_ = _e3455;
+break if !(_e599);
 }
 }
-let _e930 = type_20(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e483.member_15)), (_e483.member.y + (_e483.member_1.y * _e483.member_15)), (_e483.member.z + (_e483.member_1.z * _e483.member_15))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15);
-let _e948 = type_20(_e930.member, _e930.member_1, _e930.member_2, _e930.member_3, _e930.member_4, (_e483.member_5 + _e483.member_15), _e930.member_6, _e930.member_7, _e930.member_8, _e930.member_9, _e930.member_10, _e930.member_11, _e930.member_12, _e930.member_13, _e930.member_14, _e930.member_15);
-let _e969 = type_20(_e948.member, _e948.member_1, _e948.member_2, _e948.member_3, _e948.member_4, _e948.member_5, _e948.member_6, _e948.member_7, _e948.member_8, _e948.member_9, (_e483.member_10 + select(0f, _e483.member_15, (_e483.member_8 == 0f))), _e948.member_11, _e948.member_12, _e948.member_13, _e948.member_14, _e948.member_15);
-let _e971 = local;
-if (_e971 != 16i) {
-let _e990 = type_20(_e969.member, _e969.member_1, _e969.member_2, _e969.member_3, _e969.member_4, _e969.member_5, _e969.member_6, _e969.member_7, _e969.member_8, (_e483.member_9 + _e483.member_15), _e969.member_10, _e969.member_11, _e969.member_12, _e969.member_13, _e969.member_14, _e969.member_15);
-let _e992 = local_1;
-let _e993 = (_e992 * 4i);
-let _e994 = (_e993 + 1i);
-let _e996 = select(_e858, _e994, (_e994 < _e858));
-let _e1002 = global_4.member[bitcast<u32>(select(0i, _e996, (_e996 > 0i)))];
-let _e1004 = -((_e1002 * _e483.member_15));
-let _e1006 = select(-87f, _e1004, (_e1004 > -87f));
-let _e1008 = select(88f, _e1006, (_e1006 < 88f));
-let _e1010 = ((_e1008 * 1.442695f) + 0.5f);
-let _e1012 = select(-127f, _e1010, (_e1010 > -127f));
-let _e1014 = select(128f, _e1012, (_e1012 < 128f));
-let _e1021 = select(0i, select(select(i32(_e1014), i32(-2147483648), (_e1014 < -2147483600f)), 2147483647i, (_e1014 > 2147483500f)), (_e1014 == _e1014));
-let _e1025 = (_e1021 - select(0i, 1i, (_e1014 < f32(_e1021))));
-let _e1026 = f32(_e1025);
-let _e1030 = ((_e1008 - (_e1026 * 0.6933594f)) - (_e1026 * -2.1219444e-4f));
-let _e1051 = (_e993 + 2i);
-let _e1053 = select(_e858, _e1051, (_e1051 < _e858));
-let _e1059 = global_4.member[bitcast<u32>(select(0i, _e1053, (_e1053 > 0i)))];
-let _e1061 = -((_e1059 * _e483.member_15));
-let _e1063 = select(-87f, _e1061, (_e1061 > -87f));
-let _e1065 = select(88f, _e1063, (_e1063 < 88f));
-let _e1067 = ((_e1065 * 1.442695f) + 0.5f);
-let _e1069 = select(-127f, _e1067, (_e1067 > -127f));
-let _e1071 = select(128f, _e1069, (_e1069 < 128f));
-let _e1078 = select(0i, select(select(i32(_e1071), i32(-2147483648), (_e1071 < -2147483600f)), 2147483647i, (_e1071 > 2147483500f)), (_e1071 == _e1071));
-let _e1082 = (_e1078 - select(0i, 1i, (_e1071 < f32(_e1078))));
-let _e1083 = f32(_e1082);
-let _e1087 = ((_e1065 - (_e1083 * 0.6933594f)) - (_e1083 * -2.1219444e-4f));
-let _e1108 = (_e993 + 3i);
-let _e1110 = select(_e858, _e1108, (_e1108 < _e858));
-let _e1116 = global_4.member[bitcast<u32>(select(0i, _e1110, (_e1110 > 0i)))];
-let _e1118 = -((_e1116 * _e483.member_15));
-let _e1120 = select(-87f, _e1118, (_e1118 > -87f));
-let _e1122 = select(88f, _e1120, (_e1120 < 88f));
-let _e1124 = ((_e1122 * 1.442695f) + 0.5f);
-let _e1126 = select(-127f, _e1124, (_e1124 > -127f));
-let _e1128 = select(128f, _e1126, (_e1126 < 128f));
-let _e1135 = select(0i, select(select(i32(_e1128), i32(-2147483648), (_e1128 < -2147483600f)), 2147483647i, (_e1128 > 2147483500f)), (_e1128 == _e1128));
-let _e1139 = (_e1135 - select(0i, 1i, (_e1128 < f32(_e1135))));
-let _e1140 = f32(_e1139);
-let _e1144 = ((_e1122 - (_e1140 * 0.6933594f)) - (_e1140 * -2.1219444e-4f));
-phi_3486_ = type_20(_e990.member, _e990.member_1, vec3<f32>((_e483.member_2.x * ((1f + (_e1030 * (1f + (_e1030 * (0.5f + (_e1030 * (0.16666667f + (_e1030 * (0.041666668f + (_e1030 * (0.008333334f + (_e1030 * (0.001388889f + (_e1030 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1025 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.y * ((1f + (_e1087 * (1f + (_e1087 * (0.5f + (_e1087 * (0.16666667f + (_e1087 * (0.041666668f + (_e1087 * (0.008333334f + (_e1087 * (0.001388889f + (_e1087 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1082 + 127i)) << bitcast<u32>(23i))))), (_e483.member_2.z * ((1f + (_e1144 * (1f + (_e1144 * (0.5f + (_e1144 * (0.16666667f + (_e1144 * (0.041666668f + (_e1144 * (0.008333334f + (_e1144 * (0.001388889f + (_e1144 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1139 + 127i)) << bitcast<u32>(23i)))))), _e990.member_3, _e990.member_4, _e990.member_5, _e990.member_6, _e990.member_7, _e990.member_8, _e990.member_9, _e990.member_10, _e990.member_11, _e990.member_12, _e990.member_13, _e990.member_14, _e990.member_15);
+let _e3458 = local_13;
+if (_e3458 == 0i) {
+phi_5632_ = 16i;
 } else {
-phi_3486_ = _e969;
+let _e3461 = local_14;
+phi_5632_ = -(_e3461);
 }
-let _e1192 = phi_3486_;
-let _e1194 = local_2;
-let _e1196 = local_3;
-if (_e1194 == _e1196) {
-let _e2052 = global_1.member.member_18.member.member;
-let _e2066 = ((((_e2052.member.member * _e1192.member.x) + (_e2052.member.member_1 * _e1192.member.y)) + (_e2052.member.member_2 * _e1192.member.z)) + _e2052.member_1);
-let _e2075 = -((((_e2052.member.member * _e1192.member_1.x) + (_e2052.member.member_1 * _e1192.member_1.y)) + (_e2052.member.member_2 * _e1192.member_1.z)));
-let _e2077 = (_e2075 > 1e-9f);
-let _e2081 = ((_e2066 / select(1e-9f, _e2075, _e2077)) - 0.015625f);
-let _e2084 = select(1e30f, select(0f, _e2081, (_e2081 > 0f)), ((_e2066 > 0f) && _e2077));
-let _e2089 = global_1.member.member_18.member_1.member;
-let _e2100 = ((((_e2089.member.member * _e1192.member.x) + (_e2089.member.member_1 * _e1192.member.y)) + (_e2089.member.member_2 * _e1192.member.z)) + _e2089.member_1);
-let _e2106 = -((((_e2089.member.member * _e1192.member_1.x) + (_e2089.member.member_1 * _e1192.member_1.y)) + (_e2089.member.member_2 * _e1192.member_1.z)));
-let _e2108 = (_e2106 > 1e-9f);
-let _e2112 = ((_e2100 / select(1e-9f, _e2106, _e2108)) - 0.015625f);
-let _e2115 = select(1e30f, select(0f, _e2112, (_e2112 > 0f)), ((_e2100 > 0f) && _e2108));
-let _e2119 = (_e2115 < _e2084);
-let _e2138 = type_20(_e1192.member, _e1192.member_1, _e1192.member_2, _e1192.member_3, _e1192.member_4, _e1192.member_5, _e1192.member_6, _e1192.member_7, _e1192.member_8, _e1192.member_9, _e1192.member_10, _e1192.member_11, _e1192.member_12, 0i, _e1192.member_14, _e1192.member_15);
-let _e2154 = type_20(_e2138.member, _e2138.member_1, _e2138.member_2, _e2138.member_3, _e2138.member_4, _e2138.member_5, _e2138.member_6, _e2138.member_7, _e2138.member_8, _e2138.member_9, _e2138.member_10, _e2138.member_11, _e2138.member_12, _e2138.member_13, select(select(-2i, -3i, _e2119), -1i, ((_e2084 >= 1e30f) && (_e2115 >= 1e30f))), _e2138.member_15);
-phi_4677_ = type_20(_e2154.member, _e2154.member_1, _e2154.member_2, _e2154.member_3, _e2154.member_4, _e2154.member_5, _e2154.member_6, _e2154.member_7, _e2154.member_8, _e2154.member_9, _e2154.member_10, _e2154.member_11, _e2154.member_12, _e2154.member_13, _e2154.member_14, select(_e2084, _e2115, _e2119));
-phi_4678_ = type_20();
-phi_4679_ = true;
-} else {
-let _e1200 = local_4;
-let _e1201 = (_e1200 * 4i);
-let _e1203 = select(_e858, _e1201, (_e1201 < _e858));
-let _e1209 = global_4.member[bitcast<u32>(select(0i, _e1203, (_e1203 > 0i)))];
-let _e1211 = local_5;
-let _e1212 = (_e1211 == 16i);
-let _e1213 = select(_e1209, 1f, _e1212);
-let _e1215 = local_6;
-let _e1216 = (_e1215 * 4i);
-let _e1218 = select(_e858, _e1216, (_e1216 < _e858));
-let _e1224 = global_4.member[bitcast<u32>(select(0i, _e1218, (_e1218 > 0i)))];
-let _e1226 = local_7;
-let _e1228 = select(_e1224, 1f, (_e1226 == 16i));
-let _e1238 = select(1f, -1f, ((((_e1192.member_1.x * _e836) + (_e1192.member_1.y * _e837)) + (_e1192.member_1.z * _e838)) > 0f));
-let _e1239 = (_e836 * _e1238);
-let _e1240 = (_e837 * _e1238);
-let _e1241 = (_e838 * _e1238);
-let _e1247 = -((((_e1192.member_1.x * _e1239) + (_e1192.member_1.y * _e1240)) + (_e1192.member_1.z * _e1241)));
-let _e1249 = select(0f, _e1247, (_e1247 > 0f));
-let _e1250 = (_e1213 / _e1228);
-let _e1252 = (_e1249 * _e1249);
-let _e1255 = (1f - ((_e1250 * _e1250) * (1f - _e1252)));
-let _e1256 = (_e1255 <= 0f);
-let _e1264 = ((_e1250 * _e1249) - sqrt(select(0f, _e1255, (_e1255 > 0f))));
-let _e1271 = (2f * _e1249);
-let _e1278 = select(((_e1192.member_1.x * _e1250) + (_e1239 * _e1264)), (_e1192.member_1.x + (_e1239 * _e1271)), _e1256);
-let _e1279 = select(((_e1192.member_1.y * _e1250) + (_e1240 * _e1264)), (_e1192.member_1.y + (_e1240 * _e1271)), _e1256);
-let _e1280 = select(((_e1192.member_1.z * _e1250) + (_e1241 * _e1264)), (_e1192.member_1.z + (_e1241 * _e1271)), _e1256);
-let _e1285 = (((_e1278 * _e1278) + (_e1279 * _e1279)) + (_e1280 * _e1280));
-let _e1288 = sqrt(select(0f, _e1285, (_e1285 > 0f)));
-let _e1291 = (1f / select(1e-20f, _e1288, (_e1288 > 1e-20f)));
-let _e1296 = (_e1228 / _e1213);
-let _e1299 = (((_e1296 * _e1296) - 1f) + _e1252);
-let _e1302 = sqrt(select(0f, _e1299, (_e1299 > 0f)));
-let _e1303 = (_e1302 - _e1249);
-let _e1304 = (_e1302 + _e1249);
-let _e1307 = (_e1303 / select(1e-6f, _e1304, (_e1304 > 1e-6f)));
-let _e1311 = ((_e1249 * _e1303) + 1f);
-let _e1314 = (((_e1249 * _e1304) - 1f) / select(1e-6f, _e1311, (_e1311 > 1e-6f)));
-let _e1325 = (_e1192.member_8 == 0f);
-let _e1328 = global_1.member.member_1;
-let _e1331 = select(0f, select(select((((0.5f * _e1307) * _e1307) * (1f + (_e1314 * _e1314))), 1f, (_e1299 <= 0f)), 0f, (_e1213 == _e1228)), ((_e1328 & 1u) != 0u));
-let _e1332 = (_e1325 && _e1212);
-if _e1325 {
-let _e1348 = type_20(_e1192.member, _e1192.member_1, _e1192.member_2, vec3<f32>(_e836, _e837, _e838), _e1192.member_4, _e1192.member_5, _e1192.member_6, _e1192.member_7, _e1192.member_8, _e1192.member_9, _e1192.member_10, _e1192.member_11, _e1192.member_12, _e1192.member_13, _e1192.member_14, _e1192.member_15);
-phi_3827_ = type_20(_e1348.member, _e1348.member_1, _e1348.member_2, _e1348.member_3, _e1348.member_4, _e1348.member_5, _e1348.member_6, _e1348.member_7, _e1348.member_8, _e1348.member_9, _e1348.member_10, select(0f, _e1331, _e1332), _e1348.member_12, _e1348.member_13, _e1348.member_14, _e1348.member_15);
-} else {
-phi_3827_ = _e1192;
-}
-let _e1367 = phi_3827_;
-let _e1369 = !(_e1256);
-if (!(_e1332) && _e1369) {
-let _e1375 = select(_e1367.member_5, _e1367.member_9, (_e1367.member_8 == 0f));
-let _e1376 = (_e1201 + 1i);
-let _e1378 = select(_e858, _e1376, (_e1376 < _e858));
-let _e1384 = global_4.member[bitcast<u32>(select(0i, _e1378, (_e1378 > 0i)))];
-let _e1386 = -((_e1384 * _e1375));
-let _e1388 = select(-87f, _e1386, (_e1386 > -87f));
-let _e1390 = select(88f, _e1388, (_e1388 < 88f));
-let _e1392 = ((_e1390 * 1.442695f) + 0.5f);
-let _e1394 = select(-127f, _e1392, (_e1392 > -127f));
-let _e1396 = select(128f, _e1394, (_e1394 < 128f));
-let _e1403 = select(0i, select(select(i32(_e1396), i32(-2147483648), (_e1396 < -2147483600f)), 2147483647i, (_e1396 > 2147483500f)), (_e1396 == _e1396));
-let _e1407 = (_e1403 - select(0i, 1i, (_e1396 < f32(_e1403))));
-let _e1408 = f32(_e1407);
-let _e1412 = ((_e1390 - (_e1408 * 0.6933594f)) - (_e1408 * -2.1219444e-4f));
-let _e1433 = (_e1201 + 2i);
-let _e1435 = select(_e858, _e1433, (_e1433 < _e858));
-let _e1441 = global_4.member[bitcast<u32>(select(0i, _e1435, (_e1435 > 0i)))];
-let _e1443 = -((_e1441 * _e1375));
-let _e1445 = select(-87f, _e1443, (_e1443 > -87f));
-let _e1447 = select(88f, _e1445, (_e1445 < 88f));
-let _e1449 = ((_e1447 * 1.442695f) + 0.5f);
-let _e1451 = select(-127f, _e1449, (_e1449 > -127f));
-let _e1453 = select(128f, _e1451, (_e1451 < 128f));
-let _e1460 = select(0i, select(select(i32(_e1453), i32(-2147483648), (_e1453 < -2147483600f)), 2147483647i, (_e1453 > 2147483500f)), (_e1453 == _e1453));
-let _e1464 = (_e1460 - select(0i, 1i, (_e1453 < f32(_e1460))));
-let _e1465 = f32(_e1464);
-let _e1469 = ((_e1447 - (_e1465 * 0.6933594f)) - (_e1465 * -2.1219444e-4f));
-let _e1490 = (_e1201 + 3i);
-let _e1492 = select(_e858, _e1490, (_e1490 < _e858));
-let _e1498 = global_4.member[bitcast<u32>(select(0i, _e1492, (_e1492 > 0i)))];
-let _e1500 = -((_e1498 * _e1375));
-let _e1502 = select(-87f, _e1500, (_e1500 > -87f));
-let _e1504 = select(88f, _e1502, (_e1502 < 88f));
-let _e1506 = ((_e1504 * 1.442695f) + 0.5f);
-let _e1508 = select(-127f, _e1506, (_e1506 > -127f));
-let _e1510 = select(128f, _e1508, (_e1508 < 128f));
-let _e1517 = select(0i, select(select(i32(_e1510), i32(-2147483648), (_e1510 < -2147483600f)), 2147483647i, (_e1510 > 2147483500f)), (_e1510 == _e1510));
-let _e1521 = (_e1517 - select(0i, 1i, (_e1510 < f32(_e1517))));
-let _e1522 = f32(_e1521);
-let _e1526 = ((_e1504 - (_e1522 * 0.6933594f)) - (_e1522 * -2.1219444e-4f));
-let _e1548 = select(((1f + (_e1412 * (1f + (_e1412 * (0.5f + (_e1412 * (0.16666667f + (_e1412 * (0.041666668f + (_e1412 * (0.008333334f + (_e1412 * (0.001388889f + (_e1412 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1407 + 127i)) << bitcast<u32>(23i)))), 1f, _e1212);
-let _e1550 = (1f - (_e1331 * _e1548));
-let _e1552 = (1f - _e1331);
-let _e1558 = select(((1f + (_e1469 * (1f + (_e1469 * (0.5f + (_e1469 * (0.16666667f + (_e1469 * (0.041666668f + (_e1469 * (0.008333334f + (_e1469 * (0.001388889f + (_e1469 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1464 + 127i)) << bitcast<u32>(23i)))), 1f, _e1212);
-let _e1560 = (1f - (_e1331 * _e1558));
-let _e1567 = select(((1f + (_e1526 * (1f + (_e1526 * (0.5f + (_e1526 * (0.16666667f + (_e1526 * (0.041666668f + (_e1526 * (0.008333334f + (_e1526 * (0.001388889f + (_e1526 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1521 + 127i)) << bitcast<u32>(23i)))), 1f, _e1212);
-let _e1569 = (1f - (_e1331 * _e1567));
-phi_4158_ = type_20(_e1367.member, _e1367.member_1, _e1367.member_2, _e1367.member_3, _e1367.member_4, _e1367.member_5, _e1367.member_6, _e1367.member_7, _e1367.member_8, _e1367.member_9, _e1367.member_10, _e1367.member_11, vec3<f32>((_e1367.member_12.x + ((_e1367.member_2.x * select(1f, ((_e1552 * _e1548) / select(1e-9f, _e1550, (_e1550 > 1e-9f))), (_e1550 > 0f))) * _e1331)), (_e1367.member_12.y + ((_e1367.member_2.y * select(1f, ((_e1552 * _e1558) / select(1e-9f, _e1560, (_e1560 > 1e-9f))), (_e1560 > 0f))) * _e1331)), (_e1367.member_12.z + ((_e1367.member_2.z * select(1f, ((_e1552 * _e1567) / select(1e-9f, _e1569, (_e1569 > 1e-9f))), (_e1569 > 0f))) * _e1331))), _e1367.member_13, _e1367.member_14, _e1367.member_15);
-} else {
-phi_4158_ = _e1367;
-}
-let _e1612 = phi_4158_;
-let _e1614 = (_e1612.member_8 + 1f);
-let _e1630 = type_20(_e1612.member, _e1612.member_1, _e1612.member_2, _e1612.member_3, _e1612.member_4, _e1612.member_5, _e1612.member_6, _e1612.member_7, _e1614, _e1612.member_9, _e1612.member_10, _e1612.member_11, _e1612.member_12, _e1612.member_13, _e1612.member_14, _e1612.member_15);
-let _e1633 = ((_e110.member_2 == 0u) && (_e1614 >= 2f));
-if (_e1256 && _e1633) {
-let _e1659 = (((_e1612.member_1.x * _e836) + (_e1612.member_1.y * _e837)) + (_e1612.member_1.z * _e838));
-let _e1663 = (_e1612.member_1.x - (_e836 * _e1659));
-let _e1664 = (_e1612.member_1.y - (_e837 * _e1659));
-let _e1665 = (_e1612.member_1.z - (_e838 * _e1659));
-let _e1670 = (((_e1663 * _e1663) + (_e1664 * _e1664)) + (_e1665 * _e1665));
-let _e1673 = sqrt(select(0f, _e1670, (_e1670 > 0f)));
-let _e1676 = (1f / select(1e-20f, _e1673, (_e1673 > 1e-20f)));
-phi_4211_ = type_20(_e1630.member, vec3<f32>((_e1663 * _e1676), (_e1664 * _e1676), (_e1665 * _e1676)), _e1630.member_2, _e1630.member_3, _e1630.member_4, _e1630.member_5, _e1630.member_6, _e1630.member_7, _e1630.member_8, _e1630.member_9, _e1630.member_10, _e1630.member_11, _e1630.member_12, _e1630.member_13, _e1630.member_14, _e1630.member_15);
-} else {
-phi_4211_ = type_20(_e1630.member, vec3<f32>((_e1278 * _e1291), (_e1279 * _e1291), (_e1280 * _e1291)), _e1630.member_2, _e1630.member_3, _e1630.member_4, _e1630.member_5, _e1630.member_6, _e1630.member_7, _e1630.member_8, _e1630.member_9, _e1630.member_10, _e1630.member_11, _e1630.member_12, _e1630.member_13, _e1630.member_14, _e1630.member_15);
-}
-let _e1698 = phi_4211_;
-if _e1256 {
-phi_4225_ = _e1698;
-} else {
-let _e1699 = (1f - _e1331);
-phi_4225_ = type_20(_e1698.member, _e1698.member_1, vec3<f32>((_e1698.member_2.x * _e1699), (_e1698.member_2.y * _e1699), (_e1698.member_2.z * _e1699)), _e1698.member_3, _e1698.member_4, _e1698.member_5, _e1698.member_6, _e1698.member_7, _e1698.member_8, _e1698.member_9, _e1698.member_10, _e1698.member_11, _e1698.member_12, _e1698.member_13, _e1698.member_14, _e1698.member_15);
-}
-let _e1727 = phi_4225_;
-let _e1743 = type_20(_e1727.member, _e1727.member_1, _e1727.member_2, _e1727.member_3, _e1727.member_4, 0f, _e1727.member_6, _e1727.member_7, _e1727.member_8, _e1727.member_9, _e1727.member_10, _e1727.member_11, _e1727.member_12, _e1727.member_13, _e1727.member_14, _e1727.member_15);
-let _e1750 = global_1.member.member_18.member.member;
-let _e1764 = ((((_e1750.member.member * _e1727.member.x) + (_e1750.member.member_1 * _e1727.member.y)) + (_e1750.member.member_2 * _e1727.member.z)) + _e1750.member_1);
-let _e1773 = -((((_e1750.member.member * _e1727.member_1.x) + (_e1750.member.member_1 * _e1727.member_1.y)) + (_e1750.member.member_2 * _e1727.member_1.z)));
-let _e1775 = (_e1773 > 1e-9f);
-let _e1779 = ((_e1764 / select(1e-9f, _e1773, _e1775)) - 0.015625f);
-let _e1782 = select(1e30f, select(0f, _e1779, (_e1779 > 0f)), ((_e1764 > 0f) && _e1775));
-let _e1787 = global_1.member.member_18.member_1.member;
-let _e1798 = ((((_e1787.member.member * _e1727.member.x) + (_e1787.member.member_1 * _e1727.member.y)) + (_e1787.member.member_2 * _e1727.member.z)) + _e1787.member_1);
-let _e1804 = -((((_e1787.member.member * _e1727.member_1.x) + (_e1787.member.member_1 * _e1727.member_1.y)) + (_e1787.member.member_2 * _e1727.member_1.z)));
-let _e1806 = (_e1804 > 1e-9f);
-let _e1810 = ((_e1798 / select(1e-9f, _e1804, _e1806)) - 0.015625f);
-let _e1813 = select(1e30f, select(0f, _e1810, (_e1810 > 0f)), ((_e1798 > 0f) && _e1806));
-let _e1817 = (_e1813 < _e1782);
-let _e1819 = select(select(-2i, -3i, _e1817), -1i, ((_e1782 >= 1e30f) && (_e1813 >= 1e30f)));
-let _e1820 = select(_e1782, _e1813, _e1817);
-let _e1836 = type_20(_e1743.member, _e1743.member_1, _e1743.member_2, _e1743.member_3, _e1743.member_4, _e1743.member_5, _e1743.member_6, _e1743.member_7, _e1743.member_8, _e1743.member_9, _e1743.member_10, _e1743.member_11, _e1743.member_12, 0i, _e1743.member_14, _e1743.member_15);
-let _e1852 = type_20(_e1836.member, _e1836.member_1, _e1836.member_2, _e1836.member_3, _e1836.member_4, _e1836.member_5, _e1836.member_6, _e1836.member_7, _e1836.member_8, _e1836.member_9, _e1836.member_10, _e1836.member_11, _e1836.member_12, _e1836.member_13, _e1819, _e1836.member_15);
-let _e1868 = type_20(_e1852.member, _e1852.member_1, _e1852.member_2, _e1852.member_3, _e1852.member_4, _e1852.member_5, _e1852.member_6, _e1852.member_7, _e1852.member_8, _e1852.member_9, _e1852.member_10, _e1852.member_11, _e1852.member_12, _e1852.member_13, _e1852.member_14, _e1820);
-let _e1870 = local_8;
-let _e1872 = local_9;
-let _e1875 = ((_e1328 & 2u) != 0u);
-if (_e1633 && !(_e1875)) {
-if (_e1819 == -1i) {
-phi_4651_ = type_20(_e1868.member, _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, _e1868.member_5, 1f, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14, _e1868.member_15);
-} else {
-let _e1954 = type_20(vec3<f32>((_e1727.member.x + (_e1727.member_1.x * _e1820)), (_e1727.member.y + (_e1727.member_1.y * _e1820)), (_e1727.member.z + (_e1727.member_1.z * _e1820))), _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, _e1868.member_5, _e1868.member_6, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14, _e1868.member_15);
-let _e1971 = type_20(_e1954.member, _e1954.member_1, _e1954.member_2, _e1954.member_3, _e1954.member_4, (0f + _e1820), _e1954.member_6, _e1954.member_7, _e1954.member_8, _e1954.member_9, _e1954.member_10, _e1954.member_11, _e1954.member_12, _e1954.member_13, _e1954.member_14, _e1954.member_15);
-let _e1988 = type_20(_e1971.member, _e1971.member_1, _e1971.member_2, _e1971.member_3, _e1971.member_4, _e1971.member_5, _e1971.member_6, _e1971.member_7, _e1971.member_8, _e1971.member_9, _e1971.member_10, _e1971.member_11, _e1971.member_12, _e1971.member_13, _e1971.member_14, (_e1820 - _e1820));
-let _e2009 = type_20(_e1988.member, _e1988.member_1, _e1988.member_2, _e1988.member_3, _e1988.member_4, _e1988.member_5, _e1988.member_6, _e1988.member_7, _e1988.member_8, _e1988.member_9, (_e1727.member_10 + select(0f, _e1820, (_e1727.member_8 == 0f))), _e1988.member_11, _e1988.member_12, _e1988.member_13, _e1988.member_14, _e1988.member_15);
-phi_4651_ = type_20(_e2009.member, _e2009.member_1, _e2009.member_2, _e2009.member_3, _e2009.member_4, _e2009.member_5, 3f, _e2009.member_7, _e2009.member_8, _e2009.member_9, _e2009.member_10, _e2009.member_11, _e2009.member_12, _e2009.member_13, _e2009.member_14, _e2009.member_15);
-}
-let _e2043 = phi_4651_;
-phi_4672_ = _e2043;
-} else {
-let _e1882 = global_1.member.member_5;
-if ((!(_e1633) && (_e1727.member_8 >= f32(bitcast<i32>(_e1882)))) && (select(_e1872, _e1870, _e1256) != 16i)) {
-phi_4671_ = type_20(_e1868.member, _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, _e1868.member_5, 2f, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14, _e1868.member_15);
-} else {
-if _e1875 {
-phi_4670_ = type_20(_e1868.member, _e1868.member_1, _e1868.member_2, _e1868.member_3, _e1868.member_4, _e1868.member_5, 4f, _e1868.member_7, _e1868.member_8, _e1868.member_9, _e1868.member_10, _e1868.member_11, _e1868.member_12, _e1868.member_13, _e1868.member_14, _e1868.member_15);
-} else {
-phi_4670_ = _e1868;
-}
-let _e1906 = phi_4670_;
-phi_4671_ = _e1906;
-}
-let _e1924 = phi_4671_;
-phi_4672_ = _e1924;
-}
-let _e2045 = phi_4672_;
-phi_4677_ = _e2045;
-phi_4678_ = _e2045;
-phi_4679_ = _e1369;
-}
-let _e2172 = phi_4677_;
-let _e2174 = phi_4678_;
-let _e2176 = phi_4679_;
-if _e2176 {
-phi_4683_ = _e2172;
-} else {
-phi_4683_ = _e2174;
-}
-let _e2178 = phi_4683_;
-phi_4685_ = _e2178;
-phi_4686_ = select(_e487, _e883, _e2176);
-}
-let _e2506 = phi_4685_;
-let _e2508 = phi_4686_;
-phi_4687_ = _e2506;
-phi_4688_ = _e2508;
-}
-let _e2989 = phi_4687_;
-let _e2991 = phi_4688_;
-phi_4689_ = _e2989;
-phi_4690_ = _e2991;
-}
-let _e3384 = phi_4689_;
-let _e3386 = phi_4690_;
-phi_786_ = _e3384;
-phi_789_ = (_e485 + 1i);
-phi_791_ = _e3386;
-} else {
-phi_786_ = type_20();
-phi_789_ = i32();
-phi_791_ = i32();
-}
-let _e3388 = phi_786_;
-let _e3390 = phi_789_;
-let _e3392 = phi_791_;
-continue;
-continuing {
-phi_785_ = _e3388;
-phi_788_ = _e3390;
-phi_790_ = _e3392;
-break if !(_e491);
-}
-}
-let _e3395 = local_15;
-if (_e3395 == 0i) {
-phi_4696_ = 16i;
-} else {
-let _e3398 = local_16;
-phi_4696_ = -(_e3398);
-}
-let _e3401 = phi_4696_;
-let _e3403 = local_17;
-let _e3407 = local_18;
-let _e3411 = local_19;
-let _e3415 = local_20;
-let _e3419 = local_21;
-let _e3423 = local_22;
-let _e3427 = local_23;
-let _e3431 = local_24;
-let _e3435 = local_25;
-let _e3439 = local_26;
-let _e3443 = local_27;
-let _e3447 = local_28;
-let _e3451 = local_29;
-let _e3455 = local_30;
-let _e3459 = local_31;
-let _e3463 = local_32;
-let _e3467 = local_33;
-let _e3470 = local_34;
-let _e3473 = local_35;
-let _e3476 = local_36;
-let _e3479 = local_37;
-let _e3483 = local_38;
-let _e3487 = local_39;
-let _e3491 = local_40;
-let _e3495 = local_41;
-let _e3499 = local_42;
-global_5.member[_e119] = _e3403.member.x;
-global_5.member[_e131] = _e3407.member.y;
-global_5.member[_e142] = _e3411.member.z;
-global_5.member[_e153] = _e3415.member_1.x;
-global_5.member[_e164] = _e3419.member_1.y;
-global_5.member[_e175] = _e3423.member_1.z;
-global_5.member[_e186] = _e3427.member_2.x;
-global_5.member[_e197] = _e3431.member_2.y;
-global_5.member[_e208] = _e3435.member_2.z;
-global_5.member[_e219] = _e3439.member_3.x;
-global_5.member[_e230] = _e3443.member_3.y;
-global_5.member[_e241] = _e3447.member_3.z;
-global_5.member[_e252] = _e3451.member_4.x;
-global_5.member[_e263] = _e3455.member_4.y;
-global_5.member[_e274] = _e3459.member_4.z;
-global_5.member[_e285] = _e3463.member_5;
-let _e3536 = local_43;
-global_5.member[_e296] = _e3536;
-global_5.member[_e307] = f32(_e3401);
-global_5.member[_e318] = _e3467.member_8;
-global_5.member[_e329] = _e3470.member_9;
-global_5.member[_e340] = _e3473.member_10;
-global_5.member[_e351] = _e3476.member_11;
-global_5.member[_e362] = _e3479.member_12.x;
-global_5.member[_e373] = _e3483.member_12.y;
-global_5.member[_e384] = _e3487.member_12.z;
-global_5.member[_e395] = f32(_e3491.member_13);
-global_5.member[_e406] = f32(_e3495.member_14);
-global_5.member[_e417] = _e3499.member_15;
+let _e3464 = phi_5632_;
+let _e3466 = local_15;
+let _e3470 = local_16;
+let _e3474 = local_17;
+let _e3477 = local_18;
+let _e3480 = local_19;
+let _e3484 = local_20;
+let _e3488 = local_21;
+let _e3492 = local_22;
+let _e3496 = local_23;
+let _e3500 = local_24;
+let _e3504 = local_25;
+let _e3508 = local_26;
+let _e3512 = local_27;
+let _e3516 = local_28;
+let _e3520 = local_29;
+let _e3524 = local_30;
+let _e3529 = local_31;
+let _e3532 = local_32;
+let _e3535 = local_33;
+let _e3538 = local_34;
+let _e3541 = local_35;
+let _e3545 = local_36;
+let _e3549 = local_37;
+global_5.member[_e119] = _e3480.member.x;
+global_5.member[_e131] = _e3484.member.y;
+global_5.member[_e142] = _e3488.member.z;
+global_5.member[_e153] = _e3492.member_1.x;
+global_5.member[_e164] = _e3496.member_1.y;
+global_5.member[_e175] = _e3500.member_1.z;
+global_5.member[_e186] = _e3504.member_2.x;
+global_5.member[_e197] = _e3508.member_2.y;
+global_5.member[_e208] = _e3512.member_2.z;
+global_5.member[_e219] = _e3516.member_3.x;
+global_5.member[_e230] = _e3520.member_3.y;
+global_5.member[_e241] = _e3524.member_3.z;
+global_5.member[_e252] = f32(_e3466.member);
+global_5.member[_e263] = f32(_e3470.member_1);
+global_5.member[_e274] = _e3474.member_2;
+global_5.member[_e285] = _e3477.member_3;
+let _e3586 = local_38;
+global_5.member[_e296] = _e3586;
+global_5.member[_e307] = f32(_e3464);
+global_5.member[_e318] = _e3529.member_8;
+global_5.member[_e329] = _e3532.member_9;
+global_5.member[_e340] = _e3535.member_10;
+global_5.member[_e351] = _e3538.member_11;
+global_5.member[_e362] = f32(_e3541.member_12);
+global_5.member[_e373] = f32(_e3545.member_13);
+global_5.member[_e384] = _e3549.member_14;
 }
 }
 }
