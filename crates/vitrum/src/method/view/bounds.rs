@@ -17,7 +17,7 @@ pub struct Bounds {
 
 impl Bounds {
     /// The corners whose coordinate on axis `a` is the low or the high one of `ends(a)`, turned to the world by `point`.
-    fn new(ends: [[f64; 2]; 3], point: impl Fn(DVec3) -> DVec3) -> Self {
+    pub(super) fn new(ends: [[f64; 2]; 3], point: impl Fn(DVec3) -> DVec3) -> Self {
         let corner = |corner: usize| {
             let end = |axis: usize| ends[axis][corner >> axis & 1];
             point(DVec3::new(end(0), end(1), end(2)))
