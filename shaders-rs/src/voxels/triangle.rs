@@ -78,7 +78,7 @@ pub fn intersect(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
     Hit { distance: select(inside, distance, FAR), weights: Vec3::new(u, v, w) }
 }
 
-/// Intersection with triangle number `index`, at least [`NEAR`] ahead of the ray's start.
+/// Intersection with triangle number `index`, at least `NEAR` ahead of the ray's start.
 #[inline(always)]
 pub fn meet(ray: &Sheared, corners: &[f32], index: i32) -> Hit {
     let hit = intersect(ray, corners, index);
