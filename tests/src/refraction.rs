@@ -165,6 +165,10 @@ pub fn ball(latitudes: u32) -> Mesh {
     mesh
 }
 
+/// The faces of a box, outwards, by its corners: bit `a` of a corner's number says that it lies at the high end of axis `a`.
+#[rustfmt::skip]
+pub const BOX: [[u32; 4]; 6] = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+
 /// A box around the origin, its half edges `half`, turned by `turned`.
 ///
 /// # Panics
@@ -173,9 +177,7 @@ pub fn ball(latitudes: u32) -> Mesh {
 pub fn cuboid(half: DVec3, turned: DQuat) -> Mesh {
     let sign = |bits: usize, axis: usize| if bits >> axis & 1 == 1 { 1.0 } else { -1.0 };
     let corner = |bits: usize| turned * (half * DVec3::new(sign(bits, 0), sign(bits, 1), sign(bits, 2)));
-    #[rustfmt::skip]
-    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let triangles = BOX.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
     let positions = (0..8).map(|bits| corner(bits).as_vec3().to_array()).collect();
     Mesh::new("box", positions, triangles).expect("a valid mesh")
 }

@@ -6,7 +6,7 @@ use super::on_both;
 use vitrum::backend::Backend;
 use vitrum_conformance::Failure;
 use vitrum_conformance::closed_forms::table::{self, larger};
-use vitrum_conformance::refraction::{Traced, case, together, trace};
+use vitrum_conformance::refraction::{BOX, Traced, case, together, trace};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::fate;
 use vitrum_kernels::glam::{DQuat, DVec3};
@@ -21,10 +21,9 @@ const APART: f64 = 1e-5;
 /// The triangles of a box, whose corners are counted by x, then y, then z; `faces_in`: they face inwards; `across`: each quadrilateral is cut
 /// along its other diagonal.
 fn triangles(faces_in: bool, across: bool) -> Vec<[u32; 3]> {
-    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let cut = |[a, b, c, d]: [u32; 4]| if across { [[b, c, d], [b, d, a]] } else { [[a, b, c], [a, c, d]] };
     let turned = |[a, b, c]: [u32; 3]| if faces_in { [a, c, b] } else { [a, b, c] };
-    quads.into_iter().flat_map(cut).map(turned).collect()
+    BOX.into_iter().flat_map(cut).map(turned).collect()
 }
 
 /// A box between two corners, turned around the origin.
