@@ -3,7 +3,7 @@
 use vitrum::backend::Backend;
 use vitrum::method::voxels::{Rays, UploadedMesh};
 use vitrum::method::{Tools, View};
-use vitrum::scene::{MethodName, Scene};
+use vitrum::scene::{MethodName, Scene, Voxels};
 use vitrum::{Assets, Error, OutputRequest};
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::record::path;
@@ -23,6 +23,8 @@ pub struct Traced {
     pub left: DVec3,
     /// Its unit direction there.
     pub direction: DVec3,
+    /// The unit normal at its first surface, outwards; 0 if it met none.
+    pub normal: DVec3,
     /// What is left of its light, green.
     pub transmittance: f64,
     /// Surfaces.
@@ -48,12 +50,13 @@ pub fn case(name: &str, mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case
     Ok(Case { name, scene, assets: Assets::from(mesh), streamed: false, request: OutputRequest::default() })
 }
 
-/// Follows the rays of a case's pixels.
+/// Follows the rays of a case's pixels along their refracted ways.
 ///
 /// # Errors
 /// If the backend fails.
 pub fn trace(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Traced>, Failure> {
     let Case { scene, assets, .. } = case;
+    let scene = &Scene { voxels: Voxels { branches: 1, ..scene.voxels.clone() }, ..scene.clone() };
     let uploaded = UploadedMesh::new(scene, assets, &mut Tools { backend: &mut *backend, progress: &mut |_| true })?;
     let rays = Rays::prepare(scene, assets, &uploaded, backend)?;
     let run = rays.run(backend, &mut |_| true).and_then(|()| rays.records(backend));
@@ -79,6 +82,7 @@ pub fn trace(case: &Case, backend: &mut dyn Backend) -> Result<Vec<Traced>, Fail
             towards,
             left: DVec3::from_array(grid.origin) + vector(path::POSITION) * grid.voxel_size,
             direction: vector(path::DIRECTION).normalize(),
+            normal: vector(path::NORMAL),
             transmittance: component(path::TRANSMITTANCE + 1),
             bounces: component(path::BOUNCES) as u32,
             length: component(path::LENGTH) * grid.voxel_size,

@@ -70,7 +70,7 @@ fn passes_behind_one_without_work_run_no_workgroups() -> Result<(), Failure> {
                 })?;
                 let passes: Vec<Pass> = (0..marches).map(|_| march.clone()).chain([initialize.clone()]).collect();
                 let names = |pass: &Pass| pass.kernel.declaration.name;
-                let part = WhileBusy { kernel: names(march), passes: passes.iter().map(names).collect() };
+                let part = WhileBusy { kernel: names(march), passes: passes.iter().map(names).collect(), until: None };
                 let while_busy = if depends { vec![part] } else { Vec::new() };
                 backend.run(&PassList { passes, while_busy, ..PassList::default() }, &mut |_| true)?;
                 Ok(backend.read_all(&records)?)
@@ -114,6 +114,9 @@ fn needed(case: &Case) -> Result<BTreeMap<&'static str, u32>, Failure> {
     let (mut count, mut idle) = (BTreeMap::new(), Vec::new());
     for (number, pass) in rays.passes.passes.iter().enumerate() {
         let name = pass.kernel.declaration.name;
+        for part in rays.passes.while_busy.iter().filter(|part| part.until == Some(name)) {
+            idle.retain(|kernel| *kernel != part.kernel);
+        }
         let parts = rays.passes.while_busy.iter().filter(|part| idle.contains(&part.kernel));
         if parts.flat_map(|part| &part.passes).any(|other| *other == name) {
             continue;

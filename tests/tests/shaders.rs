@@ -77,7 +77,7 @@ fn of_dispatch() -> Vec<Field> {
 #[rustfmt::skip]
 fn of_grid() -> Vec<Field> {
     fields!(Grid {
-        row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), size: of_vec3(), reach, value_scale, value_offset,
+        row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), size: of_vec3(), reach, value_scale, value_origin,
         row_pitch, slice_pitch, bricks: of_counts(), first_brick, pages: of_counts(), brick_shift,
     })
 }
@@ -155,7 +155,8 @@ fn voxels_uniforms() -> Vec<Field> {
     fields!(VoxelsUniforms {
         dispatch: of_dispatch(), flags, size: of_counts(), materials, bricks: of_counts(), most_bounces, camera: of_camera(),
         right: of_vec3(), up: of_vec3(), away: of_vec3(), eye: of_vec3(), voxel, same_cosine, same_distance, low: of_vec3(), high: of_vec3(),
-        environment: of_environment(), receivers: of_receivers(), light: of_light_source(), ambient: of_vec3(), shadow: of_shadow,
+        environment: of_environment(), mean_radiance: of_vec3(), receivers: of_receivers(), light: of_light_source(), ambient: of_vec3(),
+        shadow: of_shadow,
     })
 }
 

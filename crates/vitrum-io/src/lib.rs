@@ -30,6 +30,7 @@
 
 mod arrays;
 mod atomic_write;
+mod common_range;
 mod detached;
 #[cfg(feature = "dicom")]
 mod dicom;

@@ -1,5 +1,6 @@
 //! A scalar volume in memory, as the kernels take it.
 
+use crate::common_range::common_extremes;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
 use crate::samples::SampleType;
@@ -161,17 +162,37 @@ impl Volume {
         self.voxels.stored(index).map_or(f32::NAN, |stored| stored * self.value_scale + self.value_offset)
     }
 
+    /// [`Self::range`] without outliers: up to a thousandth of the voxels at either end is left out, where it is farther away from the other
+    /// voxels' values than four times their range. Where nearly all voxels are equal, none is an outlier.
+    #[must_use]
+    pub fn common_range(&self) -> [f32; 2] {
+        let extremes = self.voxels.extremes().unwrap_or_default();
+        let common = common_extremes(&self.voxels, extremes);
+        if common == extremes {
+            return self.range;
+        }
+        let mut range = common.map(|end| end * self.value_scale + self.value_offset);
+        range.sort_by(f32::total_cmp);
+        range
+    }
+
     /// A histogram: the number of voxels in each of `bins` equal parts of [`Self::range`].
     ///
     /// The largest value counts to the last part. Where all voxels are equal, all count to the
     /// first.
     #[must_use]
     pub fn histogram(&self, bins: usize) -> Vec<u64> {
+        self.histogram_over(self.range, bins)
+    }
+
+    /// As [`Self::histogram`], over `range`: values below count to the first part, values above to the last.
+    #[must_use]
+    pub fn histogram_over(&self, range: [f32; 2], bins: usize) -> Vec<u64> {
         let mut counts = vec![0; bins];
         if bins == 0 {
             return counts;
         }
-        let [low, high] = self.range.map(f64::from);
+        let [low, high] = range.map(f64::from);
         let per_unit = if high > low { bins as f64 / (high - low) } else { 0.0 };
         let (scale, offset) = (f64::from(self.value_scale), f64::from(self.value_offset));
         // The cast saturates, so that rounding below the range still counts to the first part.

@@ -17,6 +17,14 @@ modules! {
     sweep_collect_light
     sweep_concentrate_light
     sweep_filter_light
+    sweep_follow_rays_f32
+    sweep_follow_rays_f32_paged
+    sweep_follow_rays_f32_with_ior
+    sweep_follow_rays_f32_with_ior_paged
+    sweep_follow_rays_u16
+    sweep_follow_rays_u16_paged
+    sweep_follow_rays_u8
+    sweep_follow_rays_u8_paged
     sweep_gather_light
     sweep_initialize_light
     sweep_initialize_rays
@@ -44,6 +52,8 @@ modules! {
     voxelize_fill_rows
     voxelize_mark_surface
     voxelize_sum_attributes
+    voxels_add_way
+    voxels_follow
     voxels_initialize_rays
     voxels_march
     voxels_march_paper

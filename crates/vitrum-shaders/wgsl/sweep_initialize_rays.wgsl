@@ -211,7 +211,7 @@ global_2.member[((12u * _e47) + _e49)] = _e308;
 global_2.member[((13u * _e47) + _e49)] = 1f;
 global_2.member[((14u * _e47) + _e49)] = 1f;
 global_2.member[((15u * _e47) + _e49)] = 1f;
-global_2.member[((16u * _e47) + _e49)] = 1f;
+global_2.member[((16u * _e47) + _e49)] = 0f;
 global_2.member[((17u * _e47) + _e49)] = -1.2676506e30f;
 }
 }

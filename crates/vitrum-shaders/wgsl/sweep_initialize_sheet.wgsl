@@ -133,43 +133,44 @@ var<storage> global_3: type_11;
 fn function_() {
 switch bitcast<i32>(0u) {
 default: {
-let _e20 = global;
-let _e25 = global_1.member.member_2;
-let _e28 = global_1.member.member;
-let _e36 = (_e20.x + _e25.member);
-let _e38 = (_e20.y + _e25.member_1);
-if (_e36 < _e25.member_2) {
-if (_e38 < _e25.member_3) {
-let _e41 = (_e28.member * _e28.member_1);
-let _e43 = ((_e38 * _e28.member) + _e36);
-let _e46 = global_1.member.member_10;
-let _e50 = global_1.member.member_8.member_1;
-let _e51 = (_e50 + 1u);
-let _e53 = select(1u, _e51, (_e51 > 0u));
-if (_e53 == 0u) {
+let _e21 = global;
+let _e26 = global_1.member.member_2;
+let _e29 = global_1.member.member;
+let _e37 = (_e21.x + _e26.member);
+let _e39 = (_e21.y + _e26.member_1);
+if (_e37 < _e26.member_2) {
+if (_e39 < _e26.member_3) {
+let _e42 = (_e29.member * _e29.member_1);
+let _e44 = ((_e39 * _e29.member) + _e37);
+let _e47 = global_1.member.member_10;
+let _e51 = global_1.member.member_8.member_1;
+let _e52 = (_e51 + 1u);
+let _e54 = select(1u, _e52, (_e52 > 0u));
+if (_e54 == 0u) {
 break;
 }
-let _e57 = bitcast<i32>(((_e38 / _e53) * 3u));
-let _e59 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e61 = select(_e59, _e57, (_e57 < _e59));
-let _e67 = global_3.member[bitcast<u32>(select(0i, _e61, (_e61 > 0i)))];
-let _e68 = (_e57 + 1i);
-let _e70 = select(_e59, _e68, (_e68 < _e59));
-let _e76 = global_3.member[bitcast<u32>(select(0i, _e70, (_e70 > 0i)))];
-let _e77 = (_e57 + 2i);
-let _e79 = select(_e59, _e77, (_e77 < _e59));
-let _e85 = global_3.member[bitcast<u32>(select(0i, _e79, (_e79 > 0i)))];
-global_2.member[_e43] = 0f;
-global_2.member[(_e41 + _e43)] = 0f;
-global_2.member[((2u * _e41) + _e43)] = 0f;
-global_2.member[((3u * _e41) + _e43)] = 0f;
-global_2.member[((4u * _e41) + _e43)] = _e67;
-global_2.member[((5u * _e41) + _e43)] = _e76;
-global_2.member[((6u * _e41) + _e43)] = _e85;
-global_2.member[((7u * _e41) + _e43)] = _e46;
-global_2.member[((8u * _e41) + _e43)] = _e46;
-global_2.member[((9u * _e41) + _e43)] = _e46;
-global_2.member[((10u * _e41) + _e43)] = 0f;
+let _e58 = bitcast<i32>(((_e39 / _e54) * 3u));
+let _e60 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e62 = select(_e60, _e58, (_e58 < _e60));
+let _e68 = global_3.member[bitcast<u32>(select(0i, _e62, (_e62 > 0i)))];
+let _e69 = (_e58 + 1i);
+let _e71 = select(_e60, _e69, (_e69 < _e60));
+let _e77 = global_3.member[bitcast<u32>(select(0i, _e71, (_e71 > 0i)))];
+let _e78 = (_e58 + 2i);
+let _e80 = select(_e60, _e78, (_e78 < _e60));
+let _e86 = global_3.member[bitcast<u32>(select(0i, _e80, (_e80 > 0i)))];
+global_2.member[_e44] = 0f;
+global_2.member[(_e42 + _e44)] = 0f;
+global_2.member[((2u * _e42) + _e44)] = 0f;
+global_2.member[((3u * _e42) + _e44)] = 0f;
+global_2.member[((4u * _e42) + _e44)] = _e68;
+global_2.member[((5u * _e42) + _e44)] = _e77;
+global_2.member[((6u * _e42) + _e44)] = _e86;
+global_2.member[((7u * _e42) + _e44)] = _e47;
+global_2.member[((8u * _e42) + _e44)] = _e47;
+global_2.member[((9u * _e42) + _e44)] = _e47;
+global_2.member[((10u * _e42) + _e44)] = 0f;
+global_2.member[((11u * _e42) + _e44)] = 0f;
 }
 }
 break;

@@ -87,10 +87,11 @@ member_13: f32,
 member_14: type_5,
 member_15: type_5,
 member_16: type_6,
-member_17: type_9,
-member_18: type_11,
-member_19: type_5,
-member_20: type_12,
+member_17: type_5,
+member_18: type_9,
+member_19: type_11,
+member_20: type_5,
+member_21: type_12,
 }
 struct type_14 {
 member: type_13,
@@ -111,9 +112,16 @@ member_8: f32,
 member_9: f32,
 member_10: f32,
 member_11: f32,
-member_12: i32,
-member_13: i32,
-member_14: f32,
+member_12: vec3<f32>,
+member_13: vec3<f32>,
+member_14: vec3<f32>,
+member_15: vec3<f32>,
+member_16: vec3<f32>,
+member_17: vec3<f32>,
+member_18: i32,
+member_19: i32,
+member_20: i32,
+member_21: f32,
 }
 struct type_24 {
 member: array<atomic<u32>>,
@@ -123,9 +131,9 @@ var<private> global: vec3<u32>;
 var<storage> global_1: type_14;
 @group(0) @binding(1)
 var<storage> global_2: type_16;
-@group(0) @binding(2)
-var<storage> global_3: type_16;
 @group(0) @binding(3)
+var<storage> global_3: type_16;
+@group(0) @binding(2)
 var<storage> global_4: type_16;
 @group(0) @binding(4)
 var<storage> global_5: type_16;
@@ -136,27 +144,27 @@ var<storage, read_write> global_7: type_24;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var phi_813_: type_20;
-var phi_828_: type_20;
-var phi_831_: i32;
-var phi_1123_: i32;
-var phi_1490_: type_20;
-var phi_1491_: type_20;
-var phi_1558_: type_20;
-var phi_829_: type_20;
-var phi_832_: i32;
+var phi_818_: type_20;
+var phi_833_: type_20;
+var phi_836_: i32;
+var phi_1128_: i32;
+var phi_1495_: type_20;
+var phi_1496_: type_20;
+var phi_1563_: type_20;
+var phi_834_: type_20;
+var phi_837_: i32;
 var local_2: bool;
 var local_3: type_20;
 var local_4: type_20;
 var local_5: i32;
-var phi_1571_: array<f32, 4>;
-var phi_1572_: array<f32, 4>;
-var phi_1573_: array<f32, 4>;
-var phi_1574_: array<f32, 4>;
-var phi_1575_: bool;
+var phi_1576_: array<f32, 4>;
+var phi_1577_: array<f32, 4>;
+var phi_1578_: array<f32, 4>;
 var phi_1579_: array<f32, 4>;
+var phi_1580_: bool;
+var phi_1584_: array<f32, 4>;
 let _e61 = global;
-let _e68 = arrayLength((&global_4.member));
+let _e68 = arrayLength((&global_3.member));
 let _e77 = global_1.member.member;
 if (_e61.x < _e77.member) {
 if (_e61.y < _e77.member_1) {
@@ -192,9 +200,9 @@ atomicStore((&global_7.member[2u]), 1u);
 }
 if (_e132 > 1u) {
 if _e131 {
-phi_1573_ = array<f32, 4>(_e97, _e107, _e118, _e129);
-phi_1574_ = array<f32, 4>();
-phi_1575_ = true;
+phi_1578_ = array<f32, 4>(_e97, _e107, _e118, _e129);
+phi_1579_ = array<f32, 4>();
+phi_1580_ = true;
 } else {
 let _e165 = global_1.member.member.member;
 let _e169 = global_1.member.member.member_1;
@@ -206,8 +214,8 @@ let _e180 = select(_e178, _e176, (_e176 < _e178));
 let _e186 = global_2.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
 let _e187 = (_e186 <= 0f);
 if _e187 {
-phi_1571_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
-phi_1572_ = array<f32, 4>();
+phi_1576_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
+phi_1577_ = array<f32, 4>();
 } else {
 let _e189 = ((20i * _e171) + _e175);
 let _e191 = select(_e178, _e189, (_e189 < _e178));
@@ -265,59 +273,59 @@ let _e342 = (_e288 - (_e320 * _e337));
 let _e343 = (_e289 - (_e331 * _e337));
 let _e344 = vec3<f32>(_e341, _e342, _e343);
 if (_e97 == 0f) {
-let _e351 = global_1.member.member_17.member.member;
+let _e351 = global_1.member.member_18.member.member;
 let _e362 = ((((_e351.member.member * _e293) + (_e351.member.member_1 * _e294)) + (_e351.member.member_2 * _e295)) + _e351.member_1);
 let _e368 = -((((_e351.member.member * _e341) + (_e351.member.member_1 * _e342)) + (_e351.member.member_2 * _e343)));
 let _e370 = (_e368 > 1e-9f);
 let _e374 = ((_e362 / select(1e-9f, _e368, _e370)) - 0.015625f);
 let _e377 = select(1e30f, select(0f, _e374, (_e374 > 0f)), ((_e362 > 0f) && _e370));
-let _e382 = global_1.member.member_17.member_1.member;
+let _e382 = global_1.member.member_18.member_1.member;
 let _e393 = ((((_e382.member.member * _e293) + (_e382.member.member_1 * _e294)) + (_e382.member.member_2 * _e295)) + _e382.member_1);
 let _e399 = -((((_e382.member.member * _e341) + (_e382.member.member_1 * _e342)) + (_e382.member.member_2 * _e343)));
 let _e401 = (_e399 > 1e-9f);
 let _e405 = ((_e393 / select(1e-9f, _e399, _e401)) - 0.015625f);
 let _e408 = select(1e30f, select(0f, _e405, (_e405 > 0f)), ((_e393 > 0f) && _e401));
 let _e412 = (_e408 < _e377);
-phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
+phi_818_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 16i, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
 } else {
-phi_813_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
+phi_818_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 16i, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
 }
-let _e418 = phi_813_;
-let _e419 = bitcast<i32>(arrayLength((&global_3.member)));
-phi_828_ = _e418;
-phi_831_ = 0i;
+let _e418 = phi_818_;
+let _e419 = bitcast<i32>(arrayLength((&global_4.member)));
+phi_833_ = _e418;
+phi_836_ = 0i;
 loop {
-let _e422 = phi_828_;
-let _e424 = phi_831_;
+let _e422 = phi_833_;
+let _e424 = phi_836_;
 local_3 = _e422;
 local_4 = _e422;
-let _e427 = (_e422.member_12 < (_e419 / 8i));
+let _e427 = (_e422.member_19 < (_e419 / 8i));
 let _e428 = ((_e424 < 1024i) && _e427);
 local_2 = _e427;
-local_5 = _e422.member_12;
+local_5 = _e422.member_19;
 if _e428 {
-let _e438 = (_e422.member_12 * 8i);
+let _e438 = (_e422.member_19 * 8i);
 let _e446 = (1f / select(_e422.member_1.x, select(1e-12f, -1e-12f, (_e422.member_1.x < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u)) < 1e-12f)));
 let _e454 = (1f / select(_e422.member_1.y, select(1e-12f, -1e-12f, (_e422.member_1.y < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u)) < 1e-12f)));
 let _e462 = (1f / select(_e422.member_1.z, select(1e-12f, -1e-12f, (_e422.member_1.z < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u)) < 1e-12f)));
 let _e464 = (_e419 - 1i);
 let _e466 = select(_e464, _e438, (_e438 < _e464));
-let _e472 = global_3.member[bitcast<u32>(select(0i, _e466, (_e466 > 0i)))];
+let _e472 = global_4.member[bitcast<u32>(select(0i, _e466, (_e466 > 0i)))];
 let _e473 = (_e438 + 1i);
 let _e475 = select(_e464, _e473, (_e473 < _e464));
-let _e481 = global_3.member[bitcast<u32>(select(0i, _e475, (_e475 > 0i)))];
+let _e481 = global_4.member[bitcast<u32>(select(0i, _e475, (_e475 > 0i)))];
 let _e482 = (_e438 + 2i);
 let _e484 = select(_e464, _e482, (_e482 < _e464));
-let _e490 = global_3.member[bitcast<u32>(select(0i, _e484, (_e484 > 0i)))];
+let _e490 = global_4.member[bitcast<u32>(select(0i, _e484, (_e484 > 0i)))];
 let _e491 = (_e438 + 3i);
 let _e493 = select(_e464, _e491, (_e491 < _e464));
-let _e499 = global_3.member[bitcast<u32>(select(0i, _e493, (_e493 > 0i)))];
+let _e499 = global_4.member[bitcast<u32>(select(0i, _e493, (_e493 > 0i)))];
 let _e500 = (_e438 + 4i);
 let _e502 = select(_e464, _e500, (_e500 < _e464));
-let _e508 = global_3.member[bitcast<u32>(select(0i, _e502, (_e502 > 0i)))];
+let _e508 = global_4.member[bitcast<u32>(select(0i, _e502, (_e502 > 0i)))];
 let _e509 = (_e438 + 5i);
 let _e511 = select(_e464, _e509, (_e509 < _e464));
-let _e517 = global_3.member[bitcast<u32>(select(0i, _e511, (_e511 > 0i)))];
+let _e517 = global_4.member[bitcast<u32>(select(0i, _e511, (_e511 > 0i)))];
 let _e520 = ((_e472 - _e422.member.x) * _e446);
 let _e522 = ((_e499 - _e422.member.x) * _e446);
 let _e525 = ((_e481 - _e422.member.y) * _e454);
@@ -333,153 +341,153 @@ let _e546 = select(_e527, _e525, (_e525 > _e527));
 let _e548 = select(_e546, _e544, (_e544 < _e546));
 let _e550 = select(_e532, _e530, (_e530 > _e532));
 let _e552 = select(_e550, _e548, (_e548 < _e550));
-let _e557 = ((select(_e540, _e538, (_e538 > _e540)) <= select(_e422.member_14, _e552, (_e552 < _e422.member_14))) && (_e552 >= 0f));
+let _e557 = ((select(_e540, _e538, (_e538 > _e540)) <= select(_e422.member_21, _e552, (_e552 < _e422.member_21))) && (_e552 >= 0f));
 let _e558 = (_e438 + 6i);
 let _e560 = select(_e464, _e558, (_e558 < _e464));
-let _e566 = global_3.member[bitcast<u32>(select(0i, _e560, (_e560 > 0i)))];
+let _e566 = global_4.member[bitcast<u32>(select(0i, _e560, (_e560 > 0i)))];
 if _e557 {
-phi_1123_ = (_e422.member_12 + 1i);
+phi_1128_ = (_e422.member_19 + 1i);
 } else {
 let _e574 = (_e438 + 7i);
 let _e576 = select(_e464, _e574, (_e574 < _e464));
-let _e582 = global_3.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
-phi_1123_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
+let _e582 = global_4.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
+phi_1128_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
 }
-let _e592 = phi_1123_;
-let _e607 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e592, _e422.member_13, _e422.member_14);
-let _e608 = select(-1i, select(0i, select(select(i32(_e566), i32(-2147483648), (_e566 < -2147483600f)), 2147483647i, (_e566 > 2147483500f)), (_e566 == _e566)), _e557);
-if (_e608 >= 0i) {
-let _e614 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
-let _e618 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
-let _e622 = bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u));
-let _e625 = ((_e614 >= _e618) && (_e614 >= _e622));
-let _e628 = (!(_e625) && (_e618 >= _e622));
-let _e635 = (1f / select(select(_e422.member_1.z, _e422.member_1.y, _e628), _e422.member_1.x, _e625));
-let _e636 = (select(select(_e422.member_1.x, _e422.member_1.z, _e628), _e422.member_1.y, _e625) * _e635);
-let _e637 = (select(select(_e422.member_1.y, _e422.member_1.x, _e628), _e422.member_1.z, _e625) * _e635);
-let _e638 = (_e608 * 19i);
-let _e640 = (bitcast<i32>(_e68) - 1i);
-let _e642 = select(_e640, _e638, (_e638 < _e640));
-let _e648 = global_4.member[bitcast<u32>(select(0i, _e642, (_e642 > 0i)))];
-let _e649 = (_e638 + 1i);
-let _e651 = select(_e640, _e649, (_e649 < _e640));
-let _e657 = global_4.member[bitcast<u32>(select(0i, _e651, (_e651 > 0i)))];
-let _e658 = (_e638 + 2i);
-let _e660 = select(_e640, _e658, (_e658 < _e640));
-let _e666 = global_4.member[bitcast<u32>(select(0i, _e660, (_e660 > 0i)))];
-let _e667 = (_e648 - _e422.member.x);
-let _e668 = (_e657 - _e422.member.y);
-let _e669 = (_e666 - _e422.member.z);
-let _e675 = select(select(_e669, _e668, _e628), _e667, _e625);
-let _e677 = (select(select(_e667, _e669, _e628), _e668, _e625) - (_e636 * _e675));
-let _e679 = (select(select(_e668, _e667, _e628), _e669, _e625) - (_e637 * _e675));
-let _e681 = (_e638 + 3i);
-let _e683 = select(_e640, _e681, (_e681 < _e640));
-let _e689 = global_4.member[bitcast<u32>(select(0i, _e683, (_e683 > 0i)))];
-let _e690 = (_e638 + 4i);
-let _e692 = select(_e640, _e690, (_e690 < _e640));
-let _e698 = global_4.member[bitcast<u32>(select(0i, _e692, (_e692 > 0i)))];
-let _e699 = (_e638 + 5i);
-let _e701 = select(_e640, _e699, (_e699 < _e640));
-let _e707 = global_4.member[bitcast<u32>(select(0i, _e701, (_e701 > 0i)))];
-let _e708 = (_e689 - _e422.member.x);
-let _e709 = (_e698 - _e422.member.y);
-let _e710 = (_e707 - _e422.member.z);
-let _e716 = select(select(_e710, _e709, _e628), _e708, _e625);
-let _e718 = (select(select(_e708, _e710, _e628), _e709, _e625) - (_e636 * _e716));
-let _e720 = (select(select(_e709, _e708, _e628), _e710, _e625) - (_e637 * _e716));
-let _e722 = (_e638 + 6i);
-let _e724 = select(_e640, _e722, (_e722 < _e640));
-let _e730 = global_4.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
-let _e731 = (_e638 + 7i);
-let _e733 = select(_e640, _e731, (_e731 < _e640));
-let _e739 = global_4.member[bitcast<u32>(select(0i, _e733, (_e733 > 0i)))];
-let _e740 = (_e638 + 8i);
-let _e742 = select(_e640, _e740, (_e740 < _e640));
-let _e748 = global_4.member[bitcast<u32>(select(0i, _e742, (_e742 > 0i)))];
-let _e749 = (_e730 - _e422.member.x);
-let _e750 = (_e739 - _e422.member.y);
-let _e751 = (_e748 - _e422.member.z);
-let _e757 = select(select(_e751, _e750, _e628), _e749, _e625);
-let _e759 = (select(select(_e749, _e751, _e628), _e750, _e625) - (_e636 * _e757));
-let _e761 = (select(select(_e750, _e749, _e628), _e751, _e625) - (_e637 * _e757));
-let _e765 = ((_e759 * _e720) - (_e761 * _e718));
-let _e768 = ((_e677 * _e761) - (_e679 * _e759));
-let _e771 = ((_e718 * _e679) - (_e720 * _e677));
-let _e773 = ((_e765 + _e768) + _e771);
-let _e787 = (!(((((_e765 < 0f) || (_e768 < 0f)) || (_e771 < 0f)) && (((_e765 > 0f) || (_e768 > 0f)) || (_e771 > 0f)))) && (_e773 != 0f));
-let _e795 = select(1e30f, ((((_e765 * (_e675 * _e635)) + (_e768 * (_e716 * _e635))) + (_e771 * (_e757 * _e635))) / select(1f, _e773, _e787)), _e787);
-let _e797 = select(1e30f, _e795, (_e795 > 1e-3f));
-if (_e797 < _e422.member_14) {
-let _e813 = type_20(_e607.member, _e607.member_1, _e607.member_2, _e607.member_3, _e607.member_4, _e607.member_5, _e607.member_6, _e607.member_7, _e607.member_8, _e607.member_9, _e607.member_10, _e607.member_11, _e607.member_12, _e607.member_13, _e797);
-phi_1490_ = type_20(_e813.member, _e813.member_1, _e813.member_2, _e813.member_3, _e813.member_4, _e813.member_5, _e813.member_6, _e813.member_7, _e813.member_8, _e813.member_9, _e813.member_10, _e813.member_11, _e813.member_12, _e608, _e813.member_14);
+let _e592 = phi_1128_;
+let _e614 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e422.member_14, _e422.member_15, _e422.member_16, _e422.member_17, _e422.member_18, _e592, _e422.member_20, _e422.member_21);
+let _e615 = select(-1i, select(0i, select(select(i32(_e566), i32(-2147483648), (_e566 < -2147483600f)), 2147483647i, (_e566 > 2147483500f)), (_e566 == _e566)), _e557);
+if (_e615 >= 0i) {
+let _e621 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
+let _e625 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
+let _e629 = bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u));
+let _e632 = ((_e621 >= _e625) && (_e621 >= _e629));
+let _e635 = (!(_e632) && (_e625 >= _e629));
+let _e642 = (1f / select(select(_e422.member_1.z, _e422.member_1.y, _e635), _e422.member_1.x, _e632));
+let _e643 = (select(select(_e422.member_1.x, _e422.member_1.z, _e635), _e422.member_1.y, _e632) * _e642);
+let _e644 = (select(select(_e422.member_1.y, _e422.member_1.x, _e635), _e422.member_1.z, _e632) * _e642);
+let _e645 = (_e615 * 19i);
+let _e647 = (bitcast<i32>(_e68) - 1i);
+let _e649 = select(_e647, _e645, (_e645 < _e647));
+let _e655 = global_3.member[bitcast<u32>(select(0i, _e649, (_e649 > 0i)))];
+let _e656 = (_e645 + 1i);
+let _e658 = select(_e647, _e656, (_e656 < _e647));
+let _e664 = global_3.member[bitcast<u32>(select(0i, _e658, (_e658 > 0i)))];
+let _e665 = (_e645 + 2i);
+let _e667 = select(_e647, _e665, (_e665 < _e647));
+let _e673 = global_3.member[bitcast<u32>(select(0i, _e667, (_e667 > 0i)))];
+let _e674 = (_e655 - _e422.member.x);
+let _e675 = (_e664 - _e422.member.y);
+let _e676 = (_e673 - _e422.member.z);
+let _e682 = select(select(_e676, _e675, _e635), _e674, _e632);
+let _e684 = (select(select(_e674, _e676, _e635), _e675, _e632) - (_e643 * _e682));
+let _e686 = (select(select(_e675, _e674, _e635), _e676, _e632) - (_e644 * _e682));
+let _e688 = (_e645 + 3i);
+let _e690 = select(_e647, _e688, (_e688 < _e647));
+let _e696 = global_3.member[bitcast<u32>(select(0i, _e690, (_e690 > 0i)))];
+let _e697 = (_e645 + 4i);
+let _e699 = select(_e647, _e697, (_e697 < _e647));
+let _e705 = global_3.member[bitcast<u32>(select(0i, _e699, (_e699 > 0i)))];
+let _e706 = (_e645 + 5i);
+let _e708 = select(_e647, _e706, (_e706 < _e647));
+let _e714 = global_3.member[bitcast<u32>(select(0i, _e708, (_e708 > 0i)))];
+let _e715 = (_e696 - _e422.member.x);
+let _e716 = (_e705 - _e422.member.y);
+let _e717 = (_e714 - _e422.member.z);
+let _e723 = select(select(_e717, _e716, _e635), _e715, _e632);
+let _e725 = (select(select(_e715, _e717, _e635), _e716, _e632) - (_e643 * _e723));
+let _e727 = (select(select(_e716, _e715, _e635), _e717, _e632) - (_e644 * _e723));
+let _e729 = (_e645 + 6i);
+let _e731 = select(_e647, _e729, (_e729 < _e647));
+let _e737 = global_3.member[bitcast<u32>(select(0i, _e731, (_e731 > 0i)))];
+let _e738 = (_e645 + 7i);
+let _e740 = select(_e647, _e738, (_e738 < _e647));
+let _e746 = global_3.member[bitcast<u32>(select(0i, _e740, (_e740 > 0i)))];
+let _e747 = (_e645 + 8i);
+let _e749 = select(_e647, _e747, (_e747 < _e647));
+let _e755 = global_3.member[bitcast<u32>(select(0i, _e749, (_e749 > 0i)))];
+let _e756 = (_e737 - _e422.member.x);
+let _e757 = (_e746 - _e422.member.y);
+let _e758 = (_e755 - _e422.member.z);
+let _e764 = select(select(_e758, _e757, _e635), _e756, _e632);
+let _e766 = (select(select(_e756, _e758, _e635), _e757, _e632) - (_e643 * _e764));
+let _e768 = (select(select(_e757, _e756, _e635), _e758, _e632) - (_e644 * _e764));
+let _e772 = ((_e766 * _e727) - (_e768 * _e725));
+let _e775 = ((_e684 * _e768) - (_e686 * _e766));
+let _e778 = ((_e725 * _e686) - (_e727 * _e684));
+let _e780 = ((_e772 + _e775) + _e778);
+let _e794 = (!(((((_e772 < 0f) || (_e775 < 0f)) || (_e778 < 0f)) && (((_e772 > 0f) || (_e775 > 0f)) || (_e778 > 0f)))) && (_e780 != 0f));
+let _e802 = select(1e30f, ((((_e772 * (_e682 * _e642)) + (_e775 * (_e723 * _e642))) + (_e778 * (_e764 * _e642))) / select(1f, _e780, _e794)), _e794);
+let _e804 = select(1e30f, _e802, (_e802 > 1e-3f));
+if (_e804 < _e422.member_21) {
+let _e827 = type_20(_e614.member, _e614.member_1, _e614.member_2, _e614.member_3, _e614.member_4, _e614.member_5, _e614.member_6, _e614.member_7, _e614.member_8, _e614.member_9, _e614.member_10, _e614.member_11, _e614.member_12, _e614.member_13, _e614.member_14, _e614.member_15, _e614.member_16, _e614.member_17, _e614.member_18, _e614.member_19, _e614.member_20, _e804);
+phi_1495_ = type_20(_e827.member, _e827.member_1, _e827.member_2, _e827.member_3, _e827.member_4, _e827.member_5, _e827.member_6, _e827.member_7, _e827.member_8, _e827.member_9, _e827.member_10, _e827.member_11, _e827.member_12, _e827.member_13, _e827.member_14, _e827.member_15, _e827.member_16, _e827.member_17, _e827.member_18, _e827.member_19, _e615, _e827.member_21);
 } else {
-phi_1490_ = _e607;
+phi_1495_ = _e614;
 }
-let _e830 = phi_1490_;
-phi_1491_ = _e830;
+let _e851 = phi_1495_;
+phi_1496_ = _e851;
 } else {
-phi_1491_ = _e607;
+phi_1496_ = _e614;
 }
-let _e832 = phi_1491_;
-let _e834 = (_e832.member_13 != _e422.member_13);
-let _e837 = ((select(0i, _e832.member_13, _e834) * 19i) + 18i);
-let _e839 = (bitcast<i32>(_e68) - 1i);
-let _e841 = select(_e839, _e837, (_e837 < _e839));
-let _e847 = global_4.member[bitcast<u32>(select(0i, _e841, (_e841 > 0i)))];
-let _e854 = select(0i, select(select(i32(_e847), i32(-2147483648), (_e847 < -2147483600f)), 2147483647i, (_e847 > 2147483500f)), (_e847 == _e847));
-let _e855 = (_e854 * 4i);
-let _e857 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e859 = select(_e857, _e855, (_e855 < _e857));
-let _e865 = global_5.member[bitcast<u32>(select(0i, _e859, (_e859 > 0i)))];
-if (_e834 && (select(_e865, 1f, (_e854 == 16i)) != 0f)) {
-let _e884 = type_20(_e832.member, _e832.member_1, _e832.member_2, _e832.member_3, _e832.member_4, _e832.member_5, _e832.member_6, _e832.member_7, _e832.member_8, _e832.member_9, _e832.member_10, _e832.member_11, _e832.member_12, _e422.member_13, _e832.member_14);
-phi_1558_ = type_20(_e884.member, _e884.member_1, _e884.member_2, _e884.member_3, _e884.member_4, _e884.member_5, _e884.member_6, _e884.member_7, _e884.member_8, _e884.member_9, _e884.member_10, _e884.member_11, _e884.member_12, _e884.member_13, _e422.member_14);
+let _e853 = phi_1496_;
+let _e855 = (_e853.member_20 != _e422.member_20);
+let _e858 = ((select(0i, _e853.member_20, _e855) * 19i) + 18i);
+let _e860 = (bitcast<i32>(_e68) - 1i);
+let _e862 = select(_e860, _e858, (_e858 < _e860));
+let _e868 = global_3.member[bitcast<u32>(select(0i, _e862, (_e862 > 0i)))];
+let _e875 = select(0i, select(select(i32(_e868), i32(-2147483648), (_e868 < -2147483600f)), 2147483647i, (_e868 > 2147483500f)), (_e868 == _e868));
+let _e876 = (_e875 * 4i);
+let _e878 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e880 = select(_e878, _e876, (_e876 < _e878));
+let _e886 = global_5.member[bitcast<u32>(select(0i, _e880, (_e880 > 0i)))];
+if (_e855 && (select(_e886, 1f, (_e875 == 16i)) != 0f)) {
+let _e912 = type_20(_e853.member, _e853.member_1, _e853.member_2, _e853.member_3, _e853.member_4, _e853.member_5, _e853.member_6, _e853.member_7, _e853.member_8, _e853.member_9, _e853.member_10, _e853.member_11, _e853.member_12, _e853.member_13, _e853.member_14, _e853.member_15, _e853.member_16, _e853.member_17, _e853.member_18, _e853.member_19, _e422.member_20, _e853.member_21);
+phi_1563_ = type_20(_e912.member, _e912.member_1, _e912.member_2, _e912.member_3, _e912.member_4, _e912.member_5, _e912.member_6, _e912.member_7, _e912.member_8, _e912.member_9, _e912.member_10, _e912.member_11, _e912.member_12, _e912.member_13, _e912.member_14, _e912.member_15, _e912.member_16, _e912.member_17, _e912.member_18, _e912.member_19, _e912.member_20, _e422.member_21);
 } else {
-phi_1558_ = _e832;
+phi_1563_ = _e853;
 }
-let _e901 = phi_1558_;
-phi_829_ = _e901;
-phi_832_ = (_e424 + 1i);
+let _e936 = phi_1563_;
+phi_834_ = _e936;
+phi_837_ = (_e424 + 1i);
 } else {
-phi_829_ = type_20();
-phi_832_ = i32();
+phi_834_ = type_20();
+phi_837_ = i32();
 }
-let _e903 = phi_829_;
-let _e905 = phi_832_;
+let _e938 = phi_834_;
+let _e940 = phi_837_;
 continue;
 continuing {
-phi_828_ = _e903;
-phi_831_ = _e905;
+phi_833_ = _e938;
+phi_836_ = _e940;
 break if !(_e428);
 }
 }
-let _e908 = local_2;
-let _e911 = local_3;
-let _e914 = local_4;
-let _e917 = local_5;
-phi_1571_ = array<f32, 4>();
-phi_1572_ = array<f32, 4>(select(2f, 1f, _e908), f32(_e917), f32(_e911.member_13), _e914.member_14);
+let _e943 = local_2;
+let _e946 = local_3;
+let _e949 = local_4;
+let _e952 = local_5;
+phi_1576_ = array<f32, 4>();
+phi_1577_ = array<f32, 4>(select(2f, 1f, _e943), f32(_e952), f32(_e946.member_20), _e949.member_21);
 }
-let _e922 = phi_1571_;
-let _e924 = phi_1572_;
-phi_1573_ = _e922;
-phi_1574_ = _e924;
-phi_1575_ = _e187;
+let _e957 = phi_1576_;
+let _e959 = phi_1577_;
+phi_1578_ = _e957;
+phi_1579_ = _e959;
+phi_1580_ = _e187;
 }
-let _e926 = phi_1573_;
-let _e928 = phi_1574_;
-let _e930 = phi_1575_;
-if _e930 {
-phi_1579_ = _e926;
+let _e961 = phi_1578_;
+let _e963 = phi_1579_;
+let _e965 = phi_1580_;
+if _e965 {
+phi_1584_ = _e961;
 } else {
-phi_1579_ = _e928;
+phi_1584_ = _e963;
 }
-let _e932 = phi_1579_;
-global_6.member[_e86] = _e932[0];
-global_6.member[_e98] = _e932[1];
-global_6.member[_e109] = _e932[2];
-global_6.member[_e120] = _e932[3];
+let _e967 = phi_1584_;
+global_6.member[_e86] = _e967[0];
+global_6.member[_e98] = _e967[1];
+global_6.member[_e109] = _e967[2];
+global_6.member[_e120] = _e967[3];
 }
 }
 }

@@ -17,10 +17,10 @@ pub struct Grid {
     pub size: Vec3,
     /// The farthest step, in voxels, over which a brick's range still holds.
     pub reach: f32,
-    /// Normalised scalar = stored · `value_scale` + `value_offset`, clamped to 0…1.
+    /// Normalised scalar = (stored − `value_origin`) · `value_scale`: from 0 to 1 the transfer functions change, beyond they are constant.
     pub value_scale: f32,
     /// See `value_scale`.
-    pub value_offset: f32,
+    pub value_origin: f32,
     /// Stored voxels in a row, of the grid or of a page.
     pub row_pitch: i32,
     /// Stored voxels in a slice, of the grid or of a page.

@@ -1,7 +1,12 @@
 //! Layout of the transfer function tables: one buffer of words.
 //!
 //! First the preintegration table over (front scalar, back scalar), [`SEGMENT_SIZE`]² entries of four words, each word two
-//! half floats; then η over the scalar: three floats ([`IOR_LEAST`], [`IOR_STEP`], [`IOR_RISE`]) and [`IOR_CELLS`] words.
+//! half floats; then η over the scalar: three floats ([`IOR_LEAST`], [`IOR_STEP`], [`IOR_RISE`]) and [`IOR_CELLS`] words; then the
+//! abscissae of both, [`SEGMENT_ABSCISSA`] and [`IOR_ABSCISSA`].
+//!
+//! An abscissa turns a scalar into a place in a table, in entries: a sum of pieces, each of which rises in a straight line over its part of the
+//! scalars, and is constant before and behind it. Three floats a piece: where it starts, entries per scalar, entries; then two floats,
+//! [`EXTENT_WORDS`], where the first piece starts and the last one ends. Beyond, the functions are constant.
 
 /// Entries along each axis of the preintegration table.
 pub const SEGMENT_SIZE: u32 = 256;
@@ -22,12 +27,25 @@ pub const IOR_STEP: u32 = IOR_LEAST + 1;
 pub const IOR_RISE: u32 = IOR_LEAST + 2;
 /// Where the η table starts, in words.
 pub const IOR_OFFSET: u32 = IOR_LEAST + 3;
-/// Cells of the η table, equal parts of 0…1. One word each, since a scattered read takes longer than what takes it apart: the level
+/// Cells of the η table, over its abscissa. One word each, since a scattered read takes longer than what takes it apart: the level
 /// in the upper [`IOR_LEVEL_BITS`] bits, in the lower ones the rise plus [`IOR_NO_RISE`].
 pub const IOR_CELLS: u32 = 1024;
 /// Bits of a level.
 pub const IOR_LEVEL_BITS: u32 = 20;
 /// The number of a cell without any rise.
 pub const IOR_NO_RISE: u32 = 1 << (31 - IOR_LEVEL_BITS);
+/// Words of a piece of an abscissa.
+pub const PIECE_WORDS: u32 = 3;
+/// Words of the two ends of an abscissa.
+pub const EXTENT_WORDS: u32 = 2;
+/// Pieces of the abscissa of the preintegration table. Pieces that are not needed start at [`f32::MAX`] and add nothing.
+pub const SEGMENT_PIECES: u32 = 8;
+/// Pieces of the abscissa of the η table.
+pub const IOR_PIECES: u32 = 4;
+/// Where the abscissa of the preintegration table stands, in words.
+pub const SEGMENT_ABSCISSA: u32 = IOR_OFFSET + IOR_CELLS;
+/// Where the abscissa of the η table stands, in words. Its ends are a rounding farther apart than the pieces', so that the scalars at the
+/// pieces' ends have the slopes of these.
+pub const IOR_ABSCISSA: u32 = SEGMENT_ABSCISSA + SEGMENT_PIECES * PIECE_WORDS + EXTENT_WORDS;
 /// Words of the whole buffer.
-pub const WORDS: u32 = IOR_OFFSET + IOR_CELLS;
+pub const WORDS: u32 = IOR_ABSCISSA + IOR_PIECES * PIECE_WORDS + EXTENT_WORDS;

@@ -51,6 +51,8 @@ pub struct VoxelsUniforms {
     pub high: Vec3,
     /// The environment.
     pub environment: Environment,
+    /// Mean radiance of the environment over all directions, linear RGB.
+    pub mean_radiance: Vec3,
     /// Ground and wall; distances in voxels.
     pub receivers: Receivers,
     /// The light.
@@ -138,6 +140,8 @@ pub mod flag {
     pub const SEEKS: u32 = 2;
     /// Looks belong to triangles; else to materials.
     pub const LOOK_OF_TRIANGLE: u32 = 4;
+    /// Rays keep their strongest reflection for a way that follows.
+    pub const KEEPS: u32 = 8;
 }
 
 /// The number of the air outside of all materials: higher than any material's.

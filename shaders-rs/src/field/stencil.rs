@@ -8,7 +8,7 @@ use crate::abi::grid::Grid;
 use crate::math::{affine, clamp, floor_to_int, lerp};
 use spirv_std::glam::Vec3;
 
-/// Scalars, normalised to 0…1, at a point and at one voxel's distance along each axis.
+/// Normalised scalars at a point and at one voxel's distance along each axis.
 #[derive(Clone, Copy)]
 pub struct Stencil {
     /// At the point.
@@ -65,7 +65,7 @@ pub fn scalar<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> f32 {
     };
     let near = lerp(along_x(z[1] + y[1]), along_x(z[1] + y[2]), fraction.y);
     let far = lerp(along_x(z[2] + y[1]), along_x(z[2] + y[2]), fraction.y);
-    normalise(grid, lerp(near, far, fraction.z))
+    normalised(grid, lerp(near, far, fraction.z))
 }
 
 /// The normalised scalars at voxel coordinates `at` and around it.
@@ -99,16 +99,25 @@ pub fn stencil<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> Stencil
     let before = lerp(lerp(before0, before1, f.y), near, f.z);
     let behind = lerp(far, lerp(behind0, behind1, f.y), f.z);
     Stencil {
-        centre: normalise(grid, lerp(near, far, f.z)),
-        x: (normalise(grid, left), normalise(grid, right)),
-        y: (normalise(grid, below), normalise(grid, above)),
-        z: (normalise(grid, before), normalise(grid, behind)),
+        centre: normalised(grid, lerp(near, far, f.z)),
+        x: (normalised(grid, left), normalised(grid, right)),
+        y: (normalised(grid, below), normalised(grid, above)),
+        z: (normalised(grid, before), normalised(grid, behind)),
     }
 }
 
+/// Normalised scalars are no further from 0: differences of such numbers and their squares are finite.
+const FARTHEST: f32 = 1e9;
+
+/// The normalised scalar of a stored value, as a [`Grid`] has its `value_origin` and `value_scale`.
 #[inline(always)]
-fn normalise(grid: &Grid, stored: f32) -> f32 {
-    clamp(stored * grid.value_scale + grid.value_offset, 0.0, 1.0)
+pub fn normalise(stored: f32, origin: f32, scale: f32) -> f32 {
+    clamp((stored - origin) * scale, -FARTHEST, FARTHEST)
+}
+
+#[inline(always)]
+fn normalised(grid: &Grid, stored: f32) -> f32 {
+    normalise(stored, grid.value_origin, grid.value_scale)
 }
 
 /// A gradient over voxel coordinates, turned into the view frame (per world unit).

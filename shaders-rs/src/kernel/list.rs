@@ -56,12 +56,14 @@ kernels! {
         concentrate_light(light: f32) writes irradiance,
             levels [INNER BORDER], skip [same];
         propagate_rays<V>(volume, irradiance: f32) updates ray,
-            levels [FULL MEETING],
+            levels [FULL MEETING BORDER],
             modes mode [STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],
             skip [until];
+        follow_rays<V>(volume) updates ray,
+            levels [WORK], modes mode [CENTRAL, CHAIN, CLEAR_CENTRAL = CENTRAL], reports work;
         initialize_sheet(sources: f32) writes sheet;
         advance_sheet<V>(volume, sources: f32) updates sheet,
-            levels [DRIFT FULL] few [FULL], modes mode [STRAIGHT, CENTRAL, CHAIN];
+            levels [DRIFT FULL BORDER] few [BORDER], modes mode [STRAIGHT, CENTRAL, CHAIN];
         clear_sums() writes sums;
         scatter_sheet(sheet: f32, sources: f32) adds sums;
         collect_light(sums: u32) writes light;
@@ -88,6 +90,10 @@ kernels! {
             levels [WORK], reports work;
         resolve(rays: f32, pictures: f32, corners: f32, looks: f32, shadow: u32, mirrors: f32) writes view,
             modes seen [ENVIRONMENT, SURFACES];
+        follow() updates path,
+            levels [WORK];
+        add_way(rays: f32, pictures: f32, corners: f32, looks: f32, shadow: u32) updates view,
+            levels [WORK], modes seen [ENVIRONMENT, SURFACES];
     }
     shadow: ShadowUniforms {
         count_crossings(casters: f32, items: u32) adds absorption;

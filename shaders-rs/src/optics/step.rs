@@ -23,13 +23,14 @@ pub fn flight(v: Vec3, distance: f32) -> f32 {
 }
 
 /// Kick–drift–kick, the kicks at one plane: the second half kick over `sigma_behind`, the first one of the step ahead, whose
-/// dσ solves distance = dσ v_z + ½ dσ² a_z, with the acceleration a = ½∇(η²).
+/// dσ solves distance = dσ v_z + ½ dσ² a_z, with the acceleration a = ½∇(η²). The share `ahead` of that step's kick is due here: ½, or
+/// all that happens inside the volume if the ray leaves it within the step.
 #[inline(always)]
-pub fn kick(v: Vec3, acceleration: Vec3, sigma_behind: f32, distance: f32, smallest_cosine: f32) -> Kicked {
+pub fn kick(v: Vec3, acceleration: Vec3, sigma_behind: f32, distance: f32, ahead: f32, smallest_cosine: f32) -> Kicked {
     let arrived = v + acceleration * (0.5 * sigma_behind);
     let discriminant = arrived.z * arrived.z + 2.0 * distance * acceleration.z;
     let sigma_ahead = 2.0 * distance / max(arrived.z + sqrt(discriminant), 1e-6);
-    let leaving = arrived + acceleration * (0.5 * sigma_ahead);
+    let leaving = arrived + acceleration * (ahead * sigma_ahead);
     let turned = (arrived.z <= 0.0) | (discriminant <= 0.0) | grazes(leaving, smallest_cosine);
     Kicked { direction: select_vector(turned, arrived, leaving), turned }
 }

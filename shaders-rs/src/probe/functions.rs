@@ -64,7 +64,7 @@ functions! {
     fresnel_reflectance(a) = one(fresnel(a[0], a[1], a[2]));
     reflected_radiance(a) = one(cook_torrance(first(a), second(a), Vec3::new(a[6], a[7], 1.0), 0.25, 1.0, 1.5));
     straight_flight(a) = one(flight(first(a), a[3]));
-    symplectic_kick(a) = kicked(&kick(first(a), second(a), a[6], a[7], 0.017_452));
+    symplectic_kick(a) = kicked(&kick(first(a), second(a), a[6], a[7], 0.5, 0.017_452));
     euler_kick(a) = kicked(&kick_euler(first(a), second(a), a[6], 0.017_452));
     segment_layer(a) = of_layer(&layer(&segment(a), a[6], a[7]));
     composited(a) = of_gathered(&over(gathered(a), &layer(&segment(a), 1.0, 1.0), second(a), first(a)));

@@ -9,7 +9,7 @@ use crate::field::tables::attenuation;
 use crate::math::{length, select, select_vector};
 use crate::optics::composite::layer;
 use crate::optics::medium::{medium, share_inside};
-use crate::optics::step::flight;
+use crate::sweep::border::{Crossing, MARGIN, Volumes, cross, is_far_inside, is_inside, meet, share_ahead};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::step_is_empty;
 use crate::sweep::light::look_up::{shift, texel_position};
@@ -25,8 +25,10 @@ pub mod level {
     pub const STILL: u32 = 1;
     /// It crosses empty space.
     pub const DRIFT: u32 = 3;
-    /// It may be attenuated and bent.
+    /// It may be attenuated and bent, far inside the border of the space in which the volume bends.
     pub const FULL: u32 = 7;
+    /// Its segment, or the one behind it, may be outside in part.
+    pub const BORDER: u32 = 15;
 }
 
 /// One plane's step.
@@ -62,7 +64,7 @@ pub fn level<V: VoxelFormat>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
-    _mode: u32,
+    chosen: u32,
     record: [f32; sheet::SIZE],
     _voxels: &[u32],
     _ior_voxels: &[u32],
@@ -74,7 +76,8 @@ pub fn level<V: VoxelFormat>(
     let step = drift(x, y, u, &node, sources);
     let still = (step.way.0 == 0.0) & (step.way.1 == 0.0) & (step.unrefracted.0 == 0.0) & (step.unrefracted.1 == 0.0);
     let moving = if still { level::STILL } else { level::DRIFT };
-    let needed = if step_is_empty::<V>(u, occupancy, step.from, step.to) { moving } else { level::FULL };
+    let crossing = if is_far_inside::<V>(u, chosen, step.from, step.to, MARGIN) { level::FULL } else { level::BORDER };
+    let needed = if step_is_empty::<V>(u, occupancy, step.from, step.to) { moving } else { crossing };
     if node.turned == 0.0 { needed } else { level::ENDED }
 }
 
@@ -97,33 +100,55 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let mut out = v;
     let mut left = node.flux;
     let mut turned = false;
-    if LEVEL == level::FULL {
+    let mut inside = node.inside;
+    let (mut across, mut up) = (node.displacement_x + way.0, node.displacement_y + way.1);
+    if LEVEL >= level::FULL {
         // A lane that drifts is carried along with its block.
         let skipped = step_is_empty::<V>(u, occupancy, from, to);
-        let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
+        let voxel_from = voxel_coordinates(&u.grid, from);
+        let mut crossing = Crossing::none(u, to, v, length(to - from));
+        if LEVEL >= level::BORDER {
+            if mode::bends(chosen) {
+                let meeting = meet::<V>(u, from, to);
+                let began_inside = is_inside(&meeting, node.inside != 0.0);
+                let volumes = Volumes { voxels, ior_voxels, tables };
+                crossing = cross::<V>(u, volumes, (from, to, v), &meeting, began_inside);
+            } else {
+                crossing.path *= share_inside(&u.grid, voxel_from, voxel_coordinates(&u.grid, to));
+            }
+        }
+        let aside = (crossing.to - to) * select(skipped | !crossing.bent, 0.0, u.light_grid.inverse_texel);
+        (across, up) = (across + aside.x, up + aside.y);
+        inside = select(skipped, node.inside, select(crossing.inside, 1.0, 0.0));
+        let to = crossing.to;
+        let voxel_to = voxel_coordinates(&u.grid, to);
         let ior_to = voxel_coordinates(&u.ior_grid, to);
         let grids = (&u.grid, &u.ior_grid);
         let here = medium::<V>(grids, chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
         let front = scalar::<V>(voxels, &u.grid, voxel_from);
         let kept = keep(u, from, to);
-        let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * u.step.inverse_reference_length;
+        let path = crossing.path * u.step.inverse_reference_length;
         let layer = layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium);
         let attenuated = left * (layer.medium * layer.clear);
         left = select_vector(skipped, left, attenuated);
         if mode::bends(chosen) {
-            let kicked = turn(u, v, &here, kept.refraction, flight(v, u.step.distance));
-            turned = kicked.turned & !skipped;
+            let arriving = crossing.direction;
+            let ahead = if LEVEL >= level::BORDER { share_ahead::<V>(u, to, arriving) } else { 0.5 };
+            let bends = kept.refraction * select(crossing.inside, 1.0, 0.0);
+            let kicked = turn(u, arriving, &here, bends, crossing.sigma, ahead);
+            turned = (kicked.turned | crossing.turned) & !skipped;
             out = select_vector(skipped, v, kicked.direction);
         }
     }
     let after = SheetNode {
-        displacement_x: node.displacement_x + way.0,
-        displacement_y: node.displacement_y + way.1,
+        displacement_x: across,
+        displacement_y: up,
         unrefracted_x: node.unrefracted_x + unrefracted.0,
         unrefracted_y: node.unrefracted_y + unrefracted.1,
         direction: out,
         flux: left,
         turned: select(turned, 1.0, node.turned),
+        inside,
     };
     after.store()
 }

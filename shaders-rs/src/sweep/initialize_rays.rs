@@ -19,7 +19,8 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE]
     let direction = Vec3::new(select(orthographic, 0.0, across), select(orthographic, 0.0, up), 1.0);
     let origin = Vec3::new(select(orthographic, across, 0.0), select(orthographic, up, 0.0), 0.0);
     let start = origin + direction * depth;
-    // Outside every volume η is 1: the optical direction has unit length.
+    // Outside every volume η is 1: the optical direction has unit length. A ray that begins inside one gets the length there with its first
+    // sample.
     let v = normalize(direction);
 
     let hit = first_between(&u.receivers, origin, start);
@@ -33,7 +34,7 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE]
         color: select_vector(hit.hit, seen, Vec3::new(0.0, 0.0, 0.0)),
         opacity: select(hit.hit, 1.0, 0.0),
         transmittance: Vec3::new(1.0, 1.0, 1.0),
-        ior: 1.0,
+        ior: 0.0,
         sampled: ray::NOWHERE,
     };
     ray.store()

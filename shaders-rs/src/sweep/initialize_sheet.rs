@@ -17,6 +17,7 @@ pub fn invoke(_x: u32, y: u32, u: &SweepUniforms, _mode: u32, sources: &[f32]) -
         direction: source(u, sources, y),
         flux: Vec3::new(flux, flux, flux),
         turned: 0.0,
+        inside: 0.0,
     };
     node.store()
 }

@@ -7,10 +7,11 @@ use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
 use crate::math::{length, lerp, max, min, select, select_vector, xyz};
 use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
-use crate::optics::medium::{is_well_inside, medium, share_inside};
+use crate::optics::medium::{medium, share_inside};
 use crate::optics::receiver::{Hit, first_between, free_steps};
 use crate::optics::specular::cook_torrance;
 use crate::optics::step::flight;
+use crate::sweep::border::{Crossing, MARGIN, Volumes, cross, is_far_inside, is_inside, meet, share_ahead};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
 use crate::sweep::light::look_up::{direction, light, radiance, shade, shift, texel_coordinates, unoccluded};
@@ -25,23 +26,22 @@ pub mod level {
     pub const EMPTY: u32 = 1;
     /// The scalar at its position is known, and its segment is well inside the grid.
     pub const FULL: u32 = 3;
-    /// Its segment may be outside in part.
-    pub const BORDER: u32 = 7;
     /// It comes from empty space, where its scalar was not sampled.
-    pub const ENTERING: u32 = 15;
+    pub const ENTERING: u32 = 7;
     /// It meets a receiver.
-    pub const MEETING: u32 = 31;
+    pub const MEETING: u32 = 15;
+    /// Its segment, or the one behind it, may be outside in part, or it may begin in a volume.
+    pub const BORDER: u32 = 31;
 }
 
 /// Rays that let less than this through have ended.
-const OPAQUE: f32 = 1.0 / 1024.0;
+pub(super) const OPAQUE: f32 = 1.0 / 1024.0;
 
 /// One plane's step.
 struct Flight {
     from: Vec3,
     to: Vec3,
     v: Vec3,
-    sigma: f32,
 }
 
 #[inline(always)]
@@ -51,7 +51,7 @@ fn fly(u: &SweepUniforms, ray: &Ray) -> Flight {
     let straight = flight(v, u.step.behind - last.z);
     let from = Vec3::new(last.x + v.x * straight, last.y + v.y * straight, u.step.behind);
     let to = Vec3::new(from.x + v.x * sigma, from.y + v.y * sigma, u.step.ahead);
-    Flight { from, to, v, sigma }
+    Flight { from, to, v }
 }
 
 /// Whether the scalar on the plane behind was not sampled.
@@ -66,7 +66,7 @@ pub fn level<V: VoxelFormat>(
     _x: u32,
     _y: u32,
     u: &SweepUniforms,
-    _mode: u32,
+    chosen: u32,
     record: [f32; ray::SIZE],
     _voxels: &[u32],
     _ior_voxels: &[u32],
@@ -78,12 +78,13 @@ pub fn level<V: VoxelFormat>(
     let flight = fly(u, &ray);
     let hit = first_between(&u.receivers, flight.from, flight.to);
     let empty = step_is_empty::<V>(u, occupancy, flight.from, flight.to);
-    let within =
-        is_well_inside(&u.grid, voxel_coordinates(&u.grid, flight.from), voxel_coordinates(&u.grid, flight.to));
-    let known = if within { level::FULL } else { level::BORDER };
-    let sampled = if is_unknown(u, &ray) { level::ENTERING } else { known };
-    let crossing = if empty { level::EMPTY } else { sampled };
-    let needed = if hit.hit { level::MEETING } else { crossing };
+    let within = is_far_inside::<V>(u, chosen, flight.from, flight.to, MARGIN);
+    let begins = mode::bends(chosen) & (ray.sampled == ray::NOWHERE);
+    let sampled = if is_unknown(u, &ray) { level::ENTERING } else { level::FULL };
+    let met = if hit.hit { level::MEETING } else { sampled };
+    let crossing = if within & !begins { met } else { level::BORDER };
+    let in_empty = if hit.hit { level::MEETING } else { level::EMPTY };
+    let needed = if empty { in_empty } else { crossing };
     if ray.status == status::ACTIVE { needed } else { level::ENDED }
 }
 
@@ -127,12 +128,10 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     irradiance_behind: &[f32],
 ) -> [f32; ray::SIZE] {
     let ray = Ray::load(&record);
-    let Flight { from, to, v, sigma } = fly(u, &ray);
+    let Flight { from, to, v } = fly(u, &ray);
     let none = Hit { hit: false, at: 1.0, normal: v, color: v };
-    let hit = if LEVEL == level::MEETING { first_between(&u.receivers, from, to) } else { none };
-    let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
-    let ior_to = voxel_coordinates(&u.ior_grid, to);
-    let here = medium::<V>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
+    let hit = if LEVEL >= level::MEETING { first_between(&u.receivers, from, to) } else { none };
+    let voxel_from = voxel_coordinates(&u.grid, from);
     let mut front = ray.scalar;
     let mut ior_front = ray.ior;
     if LEVEL >= level::ENTERING {
@@ -148,24 +147,44 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             ior_front = select(unknown, ior(tables, bending), ior_front);
         }
     }
+    let mut crossing = Crossing::none(u, to, v, length(to - from));
+    // The ray as it sets out from the plane behind.
+    let mut departing = v;
+    let mut began_inside = true;
+    if LEVEL >= level::MEETING {
+        crossing.path *= share_inside(&u.grid, voxel_from, voxel_coordinates(&u.grid, to));
+    }
+    if LEVEL >= level::BORDER && mode::bends(chosen) {
+        let meeting = meet::<V>(u, from, to);
+        began_inside = is_inside(&meeting, ray.ior != 0.0);
+        ior_front = select(began_inside, ior_front, 1.0);
+        // A ray that begins inside: |v| = η from there on.
+        let begins = (ray.sampled == ray::NOWHERE) & began_inside;
+        departing = v * select(begins, ior_front, 1.0);
+        let way = (from, to, departing);
+        crossing = cross::<V>(u, Volumes { voxels, ior_voxels, tables }, way, &meeting, began_inside);
+    }
+    let (to, arriving) = (crossing.to, crossing.direction);
+    let voxel_to = voxel_coordinates(&u.grid, to);
+    let ior_to = voxel_coordinates(&u.ior_grid, to);
+    let here = medium::<V>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
 
     // The segment ends on a receiver if it meets one.
     let part = select(hit.hit, min(hit.at, 1.0), 1.0);
     let kept = keep(u, from, to);
-    let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
-    let path = length(to - from) * inside * part * u.step.inverse_reference_length;
+    let path = crossing.path * part * u.step.inverse_reference_length;
     let layer = if mode::is_clear(chosen) {
         layer_of_particles(&segment_of_particles(tables, front, here.scalar), path * kept.particles)
     } else {
         layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium)
     };
 
-    let lit = if LEVEL == level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
+    let lit = if LEVEL >= level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
     let light = if chosen == mode::UNSHADED {
         unoccluded(u)
     } else {
         let (mut texel_x, mut texel_y) = texel_coordinates(u, lit);
-        if LEVEL == level::MEETING {
+        if LEVEL >= level::MEETING {
             // From the plane behind the light goes on to the receiver.
             let (x, y) = shift(u, direction(u, irradiance_behind, texel_x, texel_y), lit.z - from.z);
             (texel_x, texel_y) = (texel_x - x, texel_y - y);
@@ -175,29 +194,35 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
     if mode::bends(chosen) {
-        let reflected = cook_torrance(here.scalar_gradient, light.direction, v, u.roughness, ior_front, here.ior);
+        let surface = select_vector(crossing.bent, crossing.face, here.scalar_gradient);
+        let (before, behind) = if crossing.bent { crossing.iors } else { (ior_front, here.ior) };
+        let reflected = cook_torrance(surface, light.direction, v, u.roughness, before, behind);
         specular = radiance * (reflected * u.specular * select(hit.hit, 0.0, kept.refraction));
     }
     let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance };
     let after = over(before, &layer, radiance + xyz(u.ambient), specular);
     let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
-    let (after, depth) = if LEVEL == level::MEETING {
+    let (after, depth) = if LEVEL >= level::MEETING {
         end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &light), lit.z)
     } else {
         (after, depth)
     };
 
-    let mut out = v;
+    let mut out = arriving;
     let mut turned = false;
     if mode::bends(chosen) {
-        let kicked = turn(u, v, &here, kept.refraction, sigma);
-        turned = kicked.turned;
-        out = kicked.direction;
+        let ahead = if LEVEL >= level::BORDER { share_ahead::<V>(u, to, arriving) } else { 0.5 };
+        let bends = kept.refraction * select(crossing.inside, 1.0, 0.0);
+        let kicked = turn(u, arriving, &here, bends, crossing.sigma, ahead);
+        turned = kicked.turned | crossing.turned;
+        out = select_vector(crossing.turned, arriving, kicked.direction);
     }
-    let moved = hit.hit | (out.x != v.x) | (out.y != v.y) | (out.z != v.z);
+    let moved = hit.hit | crossing.bent | (out.x != v.x) | (out.y != v.y) | (out.z != v.z);
     let clearest = max(max(after.medium.x, after.medium.y), after.medium.z);
     let ended = hit.hit | ((1.0 - after.opacity) * clearest < OPAQUE);
     let fate = select(ended, status::ENDED, select(turned, status::TURNED, status::ACTIVE));
+    // A ray that this step turns stays on the plane behind, from where `follow_rays` takes it on.
+    let stays = (fate == status::TURNED) & !crossing.turned;
 
     let last = ray.position;
     let moved_to = Vec3::new(
@@ -205,17 +230,18 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         select(moved, stay(&hit, lit.y, to.y), last.y),
         select(moved, stay(&hit, lit.z, to.z), last.z),
     );
+    let ior_after = select(crossing.inside & !hit.hit, here.ior, 0.0);
     let after = Ray {
-        position: moved_to,
-        direction: out,
-        scalar: here.scalar,
+        position: select_vector(stays, from, moved_to),
+        direction: select_vector(stays, departing, out),
+        scalar: select(stays, front, here.scalar),
         status: fate,
-        depth,
-        color: after.color,
-        opacity: after.opacity,
-        transmittance: after.medium,
-        ior: here.ior,
-        sampled: to.z,
+        depth: select(stays, ray.depth, depth),
+        color: select_vector(stays, ray.color, after.color),
+        opacity: select(stays, ray.opacity, after.opacity),
+        transmittance: select_vector(stays, ray.transmittance, after.medium),
+        ior: select(stays, select(began_inside, ior_front, 0.0), ior_after),
+        sampled: select(stays, from.z, select(crossing.turned, ray::NOWHERE, to.z)),
     };
     after.store()
 }
@@ -228,7 +254,7 @@ fn stay(hit: &Hit, there: f32, next: f32) -> f32 {
 
 /// Composites a receiver, which is opaque, behind a ray that ends on it.
 #[inline(always)]
-fn end_on_receiver(hit: &Hit, g: Gathered, depth: f32, seen: Vec3, hit_depth: f32) -> (Gathered, f32) {
+pub(super) fn end_on_receiver(hit: &Hit, g: Gathered, depth: f32, seen: Vec3, hit_depth: f32) -> (Gathered, f32) {
     let clear = 1.0 - g.opacity;
     let color = g.color + (g.medium * seen) * clear;
     (

@@ -8,9 +8,10 @@ use crate::field::access::{read, read_inside};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::kernel::skip::{Reach, Same};
-use crate::math::{length, max, select, select_vector};
+use crate::math::{absolute, length, max, min, select, select_vector, xyz};
 use crate::optics::composite::{layer, layer_of_particles};
-use crate::optics::medium::{is_well_inside, medium, share_inside};
+use crate::optics::medium::{medium, share_inside};
+use crate::sweep::border::{MARGIN, bending_grid, border_ior, is_far_inside, meet, settle, share_ahead};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
 use crate::sweep::light::look_up::{holds, texel_position};
@@ -35,13 +36,22 @@ fn ends(u: &SweepUniforms, x: u32, y: u32, way: (f32, f32)) -> (Vec3, Vec3) {
     (texel_position(u, x - way.0, y - way.1, u.step.behind), texel_position(u, x, y, u.step.ahead))
 }
 
+/// The farthest distance from the border at which light is settled, in voxels: bricks that are farther inside may be skipped.
+const FARTHEST: f32 = 1.0;
+
+/// The distance from the border, in voxels, within which the light that arrives is a mixture: of that of texels on both sides of the border.
+#[inline(always)]
+fn mixed_within<V: VoxelFormat>(u: &SweepUniforms) -> f32 {
+    min(1.5 * u.light_grid.texel * length(xyz(bending_grid::<V>(u).row_x.factors)), FARTHEST)
+}
+
 /// The level that texel (x, y) needs.
 #[inline(always)]
 pub fn level<V: VoxelFormat>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
-    _mode: u32,
+    chosen: u32,
     _arrived: [f32; record::SIZE],
     _voxels: &[u32],
     _ior_voxels: &[u32],
@@ -57,7 +67,8 @@ pub fn level<V: VoxelFormat>(
     // SAFETY: (x, y) lies in the grid, and the grid in the buffer.
     let way = unsafe { (read_inside(trace, base, x), read_inside(trace, texels + base, x)) };
     let (from, to) = ends(u, x, y, way);
-    let within = is_well_inside(&u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
+    let margin = max(MARGIN, mixed_within::<V>(u) + 1.0 / 64.0);
+    let within = is_far_inside::<V>(u, chosen, from, to, margin);
     let crossing = if within { level::FULL } else { level::BORDER };
     if step_is_empty::<V>(u, occupancy, from, to) { level::EMPTY } else { crossing }
 }
@@ -130,11 +141,31 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let mut out = v;
     let mut lost = 1.0;
     if mode::bends(chosen) {
-        let sigma = u.step.distance / max(v.z, 1e-6);
-        let turn = turn(u, v, &here, kept.refraction, sigma);
+        let mut arriving = v;
+        let (mut behind, mut ahead) = (1.0, 0.5);
+        let mut reflected = false;
+        if LEVEL >= level::BORDER {
+            let meeting = meet::<V>(u, from, to);
+            let (inside, ends_inside) = (meeting.distance < 0.0, meeting.end < 0.0);
+            let crosses = inside != ends_inside;
+            let (share, face) = if inside { (meeting.leaves, meeting.left) } else { (meeting.enters, meeting.entered) };
+            let mixed = crosses | (absolute(meeting.distance) < mixed_within::<V>(u));
+            let at = from + (to - from) * select(crosses, share, 0.0);
+            let eta = border_ior::<V>(u, voxels, ior_voxels, tables, at);
+            let normal = select_vector(crosses, face, meeting.nearest);
+            let (settled, total) = settle(v, normal, select(ends_inside, eta, 1.0), crosses);
+            let changes = mixed & (eta != 1.0);
+            arriving = select_vector(changes, settled, v);
+            reflected = changes & (total | (crosses & (arriving.z <= 0.0)));
+            behind = select(crosses & ends_inside, 2.0 * (1.0 - share), 1.0);
+            ahead = share_ahead::<V>(u, to, arriving);
+        }
+        let sigma = u.step.distance / max(arriving.z, 1e-6) * behind;
+        let turn = turn(u, arriving, &here, kept.refraction, sigma, ahead);
         // Light that turns back is lost to the sweep; its texel keeps the direction it had.
-        lost = select(turn.turned, 0.0, 1.0);
-        out = select_vector(turn.turned, v, turn.direction);
+        let turned = turn.turned | reflected;
+        lost = select(turned, 0.0, 1.0);
+        out = select_vector(turned, v, turn.direction);
     }
     let flux = arrived.flux * (layer.medium * (layer.clear * lost));
     Light { flux, direction: out, ..arrived }.store()

@@ -5,7 +5,7 @@ use crate::abi::receivers::ahead;
 use crate::abi::record::{Pixel, film, ray, status};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
-use crate::math::{length, lerp, max, min, normalize, select};
+use crate::math::{length, lerp, max, normalize, select};
 use crate::optics::environment::{environment, in_environment};
 use crate::optics::receiver::{first_ahead, surface};
 use crate::optics::step::flight;
@@ -60,7 +60,7 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     let receiver = first_ahead(&u.receivers, position, unit, 0.0);
     let (normal, reflectance) = surface(&u.receivers, receiver.which == ahead::WALL);
     let seen = shade(u, normal, reflectance, &unoccluded(u));
-    let met = under_way & (receiver.which != ahead::NOTHING);
+    let met = (under_way | (fate == status::LEFT)) & (receiver.which != ahead::NOTHING);
     let clear = select(met, 1.0 - opacity, 0.0);
     color += (medium * seen) * clear;
     opacity += clear;
@@ -81,7 +81,7 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
         depth: depth_sum / max(opacity, 1e-12),
         direction: Vec3::new(unit.x, unit.y, -unit.z),
         position: Vec3::new(position.x, position.y, -position.z),
-        status: min(fate, status::TURNED),
+        status: select(fate == status::FOLLOWED, status::TURNED, fate),
     };
     pixel.store()
 }

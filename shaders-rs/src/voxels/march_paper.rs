@@ -85,7 +85,6 @@ pub fn invoke<const LEVEL: u32>(
                     let through = meet(&mut ray, u, mode, normal, from, to, materials);
                     ray.medium = if through { to } else { from };
                     ray.last_normal = normal;
-                    ray.since = 0.0;
                 }
             }
         }

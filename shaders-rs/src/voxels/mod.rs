@@ -7,7 +7,10 @@
 //! Opaque bodies are triangles to all of them: before a ray marches through voxels, [`seek`] finds the one ahead. Where rays end is
 //! shaded by [`resolve`] ([`shade`]).
 
+pub mod add_way;
 pub mod contact;
+pub mod ending;
+pub mod follow;
 pub mod initialize_rays;
 pub mod march;
 pub mod march_paper;

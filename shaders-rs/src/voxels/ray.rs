@@ -27,6 +27,13 @@ impl Ray {
             length: 0.0,
             depth: 0.0,
             reflectance: 0.0,
+            rest: Vec3::new(0.0, 0.0, 0.0),
+            kept_position: Vec3::new(0.0, 0.0, 0.0),
+            kept_direction: Vec3::new(0.0, 0.0, 0.0),
+            kept_normal: Vec3::new(0.0, 0.0, 0.0),
+            kept_transmittance: Vec3::new(0.0, 0.0, 0.0),
+            kept_rest: Vec3::new(0.0, 0.0, 0.0),
+            kept_medium: AIR,
             node: 0,
             triangle: ahead::NOTHING,
             distance: FAR,
@@ -49,10 +56,7 @@ impl Ray {
     pub fn attenuate(&mut self, distance: f32, medium: i32, materials: &[f32]) {
         if medium != AIR {
             self.length += distance;
-            let at = medium * material::SIZE as i32 + material::ABSORPTION as i32;
-            self.transmittance.x *= exp(-(read(materials, at) * distance));
-            self.transmittance.y *= exp(-(read(materials, at + 1) * distance));
-            self.transmittance.z *= exp(-(read(materials, at + 2) * distance));
+            self.transmittance *= attenuation(medium, distance, materials);
         }
     }
 
@@ -81,6 +85,17 @@ impl Ray {
         self.triangle = receiver.which;
         self.distance = receiver.distance;
     }
+}
+
+/// Transmittance e^(−σ d) of `distance` voxels of a material (Beer–Lambert).
+#[inline(always)]
+pub fn attenuation(medium: i32, distance: f32, materials: &[f32]) -> Vec3 {
+    let at = medium * material::SIZE as i32 + material::ABSORPTION as i32;
+    Vec3::new(
+        exp(-(read(materials, at) * distance)),
+        exp(-(read(materials, at + 1) * distance)),
+        exp(-(read(materials, at + 2) * distance)),
+    )
 }
 
 /// Levels of work of kernels that follow rays.

@@ -1,7 +1,7 @@
 //! Refraction at a surface: Snell's law, total reflection, and Fresnel reflectance (Chang et al. 2010, §4.1.1, ref() in Eq. 1;
 //! Fresnel's equations, Cook & Torrance 1982).
 
-use super::ray::Ray;
+use super::ray::{Ray, attenuation};
 use crate::abi::record::fate;
 use crate::abi::voxels::{AIR, VoxelsUniforms, flag, material, mode};
 use crate::field::access::read;
@@ -14,6 +14,8 @@ use spirv_std::glam::Vec3;
 pub struct Bent {
     /// Unit direction behind the surface.
     pub direction: Vec3,
+    /// Direction of what the surface reflects, of about unit length.
+    pub mirrored: Vec3,
     /// Whether the reflection is total.
     pub reflected: bool,
     /// Fresnel reflectance, 0 to 1.
@@ -33,7 +35,7 @@ pub fn bend(direction: Vec3, normal: Vec3, from: f32, to: f32) -> Bent {
     let passed = direction * ratio + n * (ratio * cosine - sqrt(squared));
     let mirrored = direction + n * (2.0 * cosine);
     let direction = normalize(select_vector(reflected, mirrored, passed));
-    Bent { direction, reflected, reflectance: fresnel(from, to, cosine) }
+    Bent { direction, mirrored, reflected, reflectance: fresnel(from, to, cosine) }
 }
 
 /// The index of refraction of a material, or of air.
@@ -43,6 +45,33 @@ pub fn ior(medium: i32, materials: &[f32]) -> f32 {
     select(medium == AIR, 1.0, index)
 }
 
+/// The share of the light from all sides that comes along the ray which a surface of reflectance `share` reflects, back into the medium
+/// `from` that the ray is in.
+///
+/// It is an estimate for a body whose surfaces are all alike: each further way through the body is as long as the one that the ray has just
+/// made, and has the transmittance t of that; at its end 1 − R leaves, and R goes on. With the ray's transmittance T up to here that is
+/// T R (1 − R) t (1 + R t + (R t)² + …) = T R (1 − R) t / (1 − R t), the series of a plate (Born & Wolf 1999, §7.6.1, with intensities
+/// in place of amplitudes). It is exact for a plate that is met straight on, and T R where nothing is absorbed. Air has t = 1.
+#[inline(always)]
+fn beyond(ray: &Ray, from: i32, share: f32, materials: &[f32]) -> Vec3 {
+    // Before the first surface all of the way is that of an eye within a body.
+    let way = select(ray.bounces == 0.0, ray.length, ray.since);
+    let t = attenuation(from, way, materials);
+    let leaves = |t: f32| {
+        let t = select(from == AIR, 1.0, t);
+        let room = 1.0 - share * t;
+        // 0 where all is reflected and nothing absorbed: after many ways all of it leaves.
+        select(room > 0.0, (1.0 - share) * t / max(room, 1e-9), 1.0)
+    };
+    ray.transmittance * Vec3::new(leaves(t.x), leaves(t.y), leaves(t.z)) * share
+}
+
+/// The sum of all channels.
+#[inline(always)]
+pub fn sum(color: Vec3) -> f32 {
+    color.x + color.y + color.z
+}
+
 /// Refracts or reflects the ray at a surface with outward unit normal `normal`, from medium `from` to `to`; the ray then has a new
 /// straight way. The result is whether the ray went through.
 #[inline(always)]
@@ -50,9 +79,26 @@ pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i3
     let bent = bend(ray.direction, normal, ior(from, materials), ior(to, materials));
     let first = ray.bounces == 0.0;
     let share = select(u.flags & flag::FRESNEL != 0, bent.reflectance, 0.0);
+    // What the first surface reflects to an eye in air is seen.
+    let seen = first & (from == AIR);
     if first {
         ray.normal = normal;
-        ray.reflectance = share;
+        ray.reflectance = select(seen, share, 0.0);
+    }
+    if !seen & !bent.reflected {
+        let rest = beyond(ray, from, share, materials);
+        let stronger = (u.flags & flag::KEEPS != 0) & (sum(rest) > sum(ray.kept_rest));
+        if stronger {
+            ray.rest += ray.kept_rest;
+            ray.kept_position = ray.position;
+            ray.kept_direction = bent.mirrored;
+            ray.kept_normal = normal;
+            ray.kept_transmittance = ray.transmittance * share;
+            ray.kept_rest = rest;
+            ray.kept_medium = ray.medium;
+        } else {
+            ray.rest += rest;
+        }
     }
     ray.bounces += 1.0;
     let second = (mode == mode::TWO_SURFACES) & (ray.bounces >= 2.0);
@@ -66,6 +112,7 @@ pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i3
     if !bent.reflected {
         ray.transmittance *= 1.0 - share;
     }
+    ray.since = 0.0;
     ray.turn(u);
     let inside = if bent.reflected { from } else { to };
     let seeks = u.flags & flag::SEEKS != 0;

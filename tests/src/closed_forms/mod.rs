@@ -4,6 +4,7 @@
 //! (`docs/accuracy.md`). A voxelized field is not the analytic one, so each set-up takes its grid.
 
 pub mod ball;
+pub mod border;
 pub mod curve;
 mod lines;
 pub mod luneburg;
@@ -11,6 +12,7 @@ pub mod saddle;
 pub mod slab;
 pub mod step;
 pub mod table;
+pub mod turned;
 
 use vitrum::Frame;
 use vitrum::backend::Backend;

@@ -19,7 +19,7 @@ fn antipode(h: f32, steps: u32, euler: bool) -> f32 {
         v = if euler {
             kick_euler(v, gradient, distance, 0.01).direction
         } else {
-            kick(v, acceleration, sigma, distance, 0.01).direction
+            kick(v, acceleration, sigma, distance, 0.5, 0.01).direction
         };
     }
     x.x

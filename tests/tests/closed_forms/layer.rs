@@ -3,7 +3,7 @@
 use crate::setup::{backends, cube, end, refracting, render};
 use vitrum_conformance::closed_forms::table::{self, larger};
 
-/// The angle between a ray and the layer's normal behind a layer from 1 to `ratio`, met at `degrees`.
+/// The angle between a ray and the layer's normal behind the box of a layer from 1 to `ratio`, met at `degrees`.
 fn behind_layer(degrees: f64, ratio: f64, backend: &mut dyn vitrum::backend::Backend) -> (f64, f32) {
     let (sin, cos) = degrees.to_radians().sin_cos();
     // Rays travel along −y; the normal points along them, tilted in x.
@@ -20,12 +20,19 @@ fn behind_layer(degrees: f64, ratio: f64, backend: &mut dyn vitrum::backend::Bac
     (cosine.clamp(-1.0, 1.0).acos().to_degrees(), middle.status)
 }
 
+/// That angle by Snell's law: at the layer, and at the far face of the box, which is across the view and lies in the layer's second index.
+fn expected_behind_layer(degrees: f64, ratio: f64) -> f64 {
+    let behind = (degrees.to_radians().sin() / ratio).asin();
+    let to_the_view = (ratio * (degrees.to_radians() - behind).sin()).asin();
+    degrees - to_the_view.to_degrees()
+}
+
 #[test]
 fn the_exit_angle_follows_snell() {
     for mut backend in backends() {
         let mut worst = 0.0f64;
         for (degrees, ratio) in [(10.0f64, 1.5f64), (30.0, 1.5), (60.0, 1.5), (20.0, 1.0 / 1.5), (35.0, 1.0 / 1.5)] {
-            let expected = (degrees.to_radians().sin() / ratio).asin().to_degrees();
+            let expected = expected_behind_layer(degrees, ratio);
             let (angle, status) = behind_layer(degrees, ratio, backend.as_mut());
             println!("{}: {degrees}° into {ratio:.3}: {angle:.3}°, Snell {expected:.3}°", backend.name());
             assert_eq!(status, 0.0, "the ray goes through");
@@ -42,16 +49,5 @@ fn beyond_the_critical_angle_rays_are_reflected() {
         let (angle, status) = behind_layer(50.0, 1.0 / 1.5, backend.as_mut());
         assert_eq!(status, 0.0);
         table::LAYER_REFLECTION.hold((angle - 130.0).abs(), backend.as_ref());
-    }
-}
-
-#[test]
-fn rays_that_turn_back_are_counted() {
-    // Mirrored at 43° they deviate by 94°, which no sweep over planes can follow.
-    for mut backend in backends() {
-        let (_, status) = behind_layer(43.0, 1.0 / 1.5, backend.as_mut());
-        assert_eq!(status, 2.0);
-        let (_, status) = behind_layer(40.0, 1.0 / 1.5, backend.as_mut());
-        assert_eq!(status, 0.0);
     }
 }

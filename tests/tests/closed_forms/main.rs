@@ -5,11 +5,13 @@
 
 mod attenuation;
 mod ball;
+mod border;
 mod flux;
 mod gradients;
 mod layer;
 mod lights;
 mod luneburg;
+mod outliers;
 mod porter_duff;
 mod prism;
 mod saddle;
@@ -17,3 +19,4 @@ mod setup;
 mod slab;
 mod spot;
 mod step;
+mod turned;

@@ -33,7 +33,7 @@ fn fisheye(degrees: f32, steps: u32) -> f32 {
     for _ in 0..steps {
         let sigma = flight(v, distance);
         x = Vec3::new(x.x + v.x * sigma, x.y, x.z + distance);
-        v = kick(v, acceleration(x), sigma, distance, 0.01).direction;
+        v = kick(v, acceleration(x), sigma, distance, 0.5, 0.01).direction;
     }
     x.x.abs()
 }

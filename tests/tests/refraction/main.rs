@@ -2,7 +2,9 @@
 
 mod ball;
 mod contact;
+mod faces;
 mod footprint;
+mod furnace;
 mod mirror;
 mod slab;
 mod sweep;

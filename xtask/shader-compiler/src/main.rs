@@ -14,8 +14,9 @@ mod output;
 
 use anyhow::{Context, Result, bail};
 use output::Output;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use vitrum_kernels::kernel::{ALL, Access, Declaration, Element};
 use vitrum_shader_manifest::{File, Manifest, Module};
 use vitrum_shader_translation::Translation;
@@ -56,13 +57,13 @@ fn main() -> Result<()> {
 }
 
 fn build(root: &Path) -> Result<BTreeMap<String, Vec<u32>>> {
-    let mut modules = BTreeMap::new();
-    for (name, path) in compile::compile(root)? {
+    let module = |(name, path): (String, PathBuf)| {
         let bytes = std::fs::read(&path).with_context(|| format!("{} cannot be read", path.display()))?;
         let exact = exact::pin(&bytes).with_context(|| format!("{name}: pinning the arithmetic"))?;
         let words = optimise::optimise(&exact).with_context(|| name.clone())?;
-        modules.insert(name, words);
-    }
+        Ok((name, words))
+    };
+    let modules = compile::compile(root)?.into_par_iter().map(module).collect::<Result<BTreeMap<_, _>>>()?;
     for kernel in ALL {
         let name = kernel.declaration.name;
         if !modules.contains_key(name) {

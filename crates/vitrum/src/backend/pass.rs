@@ -56,7 +56,7 @@ pub struct PassList {
 }
 
 /// Passes that only matter while some invocation of a kernel has work to do: once a pass of it was idle, a backend may leave the rest of
-/// them out. The results are the same. No host is asked: the CPU knows the answer from the kernel's return value, and on a GPU a pass with work
+/// them out, up to the next pass of a kernel that gives new work. The results are the same. No host is asked: the CPU knows the answer from the kernel's return value, and on a GPU a pass with work
 /// raises the numbers of workgroups of the next ones, where the kernel reports work and all the passes have the same size.
 #[derive(Clone)]
 pub struct WhileBusy {
@@ -64,6 +64,8 @@ pub struct WhileBusy {
     pub kernel: &'static str,
     /// The kernels of the passes.
     pub passes: Vec<&'static str>,
+    /// The kernel that gives new work: behind a pass of it the passes matter again.
+    pub until: Option<&'static str>,
 }
 
 impl PassList {

@@ -3,10 +3,11 @@
 use std::ops::Range;
 use vitrum_io::Volume;
 
-/// A histogram of a volume's values: the number of voxels in each of many equal steps of its range.
+/// A histogram of a volume's values: the number of voxels in each of many equal steps of its range without outliers.
 pub(super) struct Histogram {
     counts: Vec<u64>,
-    low: f32,
+    /// The range of the bins: outliers count to the first and the last.
+    pub range: [f32; 2],
     /// Values per bin.
     step: f32,
 }
@@ -17,10 +18,10 @@ impl Histogram {
 
     /// `None` where all values are equal.
     pub fn of(volume: &Volume) -> Option<Self> {
-        let [low, high] = volume.range;
-        let step = (high - low) / Self::BINS as f32;
-        let counts = volume.histogram(Self::BINS);
-        (step.is_normal() && step > 0.0).then_some(Self { counts, low, step })
+        let range = volume.common_range();
+        let step = (range[1] - range[0]) / Self::BINS as f32;
+        let counts = volume.histogram_over(range, Self::BINS);
+        (step.is_normal() && step > 0.0).then_some(Self { counts, range, step })
     }
 
     /// The range of all bins.
@@ -30,7 +31,7 @@ impl Histogram {
 
     /// The value at the lower edge of a bin.
     pub fn value(&self, bin: usize) -> f32 {
-        self.low + bin as f32 * self.step
+        self.range[0] + bin as f32 * self.step
     }
 
     /// Number of voxels in `bins`.
@@ -91,7 +92,7 @@ mod tests {
     use super::Histogram;
 
     fn histogram(counts: &[u64]) -> Histogram {
-        Histogram { counts: counts.to_vec(), low: 0.0, step: 1.0 }
+        Histogram { counts: counts.to_vec(), range: [0.0, counts.len() as f32], step: 1.0 }
     }
 
     #[test]

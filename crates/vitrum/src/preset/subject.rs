@@ -40,7 +40,7 @@ impl Subject {
         let [air, surface, soft, dense, bright] = Histogram::of(volume).map_or_else(
             // A homogeneous block: make it matter, and nothing of it dense.
             || [-1.0, -0.5, 0.0, 1.0, 2.0].map(|step| volume.range[0] + step * volume.range[0].abs().max(1.0)),
-            |histogram| landmarks(&histogram, volume.range),
+            |histogram| landmarks(&histogram),
         );
         let reference_length = longest / LAYERS;
         let digits = digits(bright - air);
@@ -74,7 +74,7 @@ impl Subject {
 }
 
 /// Air, surface, soft, dense and bright: Otsu's threshold parts matter from surroundings, and again within each.
-fn landmarks(histogram: &Histogram, range: [f32; 2]) -> [f32; 5] {
+fn landmarks(histogram: &Histogram) -> [f32; 5] {
     const OUTLIERS: f64 = 5e-4;
     let all = histogram.all();
     let end = all.end;
@@ -84,7 +84,7 @@ fn landmarks(histogram: &Histogram, range: [f32; 2]) -> [f32; 5] {
     let air = histogram.otsu(0..surface).unwrap_or(surface / 2);
     let trimmed = (histogram.quantile(surface..end, 1.0 - OUTLIERS) + 1).min(end);
     let split = histogram.otsu(surface..trimmed);
-    let [low, high] = range;
+    let [low, high] = histogram.range;
     let soft = histogram.value(histogram.quantile(surface..split.unwrap_or(end), 0.5));
     // Matter of one value, such as a mask, has nothing dense in it: the class begins beyond the range.
     let dense = split.map_or(high + 0.5 * (high - low), |bin| histogram.value(bin));

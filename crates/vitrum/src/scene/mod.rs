@@ -25,6 +25,7 @@ mod schema;
 mod set;
 mod shading;
 mod shadow;
+mod surroundings;
 mod sweep;
 mod transfer;
 mod validate;
@@ -48,6 +49,7 @@ pub use method::{Capabilities, MethodName};
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use shadow::{Coefficient, Shadow};
+pub use surroundings::Surroundings;
 pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
 pub use volume::VolumeSource;
@@ -101,6 +103,8 @@ pub struct Scene {
     pub shading: Shading,
     /// Radiance behind everything, by direction.
     pub environment: Environment,
+    /// The clear matter around what is shown.
+    pub surroundings: Surroundings,
     /// A participating medium.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub medium: Option<Medium>,
@@ -135,6 +139,7 @@ impl Default for Scene {
             sweep: Sweep::default(),
             shading: Shading::default(),
             environment: Environment::default(),
+            surroundings: Surroundings::default(),
             medium: None,
             ground: None,
             wall: None,

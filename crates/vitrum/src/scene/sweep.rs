@@ -79,6 +79,9 @@ pub struct Sweep {
     pub light_margin: f32,
     /// Whether indices of refraction bend rays; `false` keeps every ray straight.
     pub refraction: bool,
+    /// Whether rays that turn back or graze the planes are followed beyond the sweep, each by itself, until they leave the volume; `false`
+    /// ends them. The light on their way is taken to be unoccluded. Rays through streamed volumes end.
+    pub follow_turned_rays: bool,
     /// Number of wavelengths that are followed one after another where `transfer.ior` disperses; each takes the time of a
     /// frame. 3 are one for red, green and blue each, which shows as three colours in a wide spectrum.
     #[schemars(range(min = 3, max = 32), extend("x-unit" = "wavelengths"))]
@@ -99,6 +102,7 @@ impl Default for Sweep {
             intensity: Intensity::Jacobian,
             gradient: Gradient::Central,
             refraction: true,
+            follow_turned_rays: true,
             wavelengths: 3,
             empty_space_skipping: true,
         }

@@ -35,7 +35,7 @@ pub struct IorPoint {
     /// Scalar value, of `ior_volume` where there is one.
     #[schemars(extend("x-unit" = "the volume's"))]
     pub value: f32,
-    /// Index of refraction relative to the surroundings: 1 bends no light, water in air is 1.33, glass 1.5.
+    /// Index of refraction: 1 is air's, 1.33 water's, 1.5 that of glass. No light is bent where it is `surroundings.ior`.
     #[schemars(range(min = 0.2, max = 5))]
     pub ior: f32,
     /// Abbe number V_d: the smaller, the more blue bends than red, as crown glass (60) and flint glass (30) do. `ior` is
@@ -63,9 +63,9 @@ pub struct TransferFunction {
     pub reference_length: Option<f32>,
     /// Reflectance of particles; white if empty.
     pub color: Vec<ColorPoint>,
-    /// Opacity of particles; a ramp over the volume's range if empty.
+    /// Opacity of particles; a ramp over the volume's range, outliers left out, if empty.
     pub opacity: Vec<OpacityPoint>,
-    /// Index of refraction; 1 if empty.
+    /// Index of refraction; `surroundings.ior` if empty.
     pub ior: Vec<IorPoint>,
     /// Transmittance of the clear medium that particles float in; white if empty.
     pub filter: Vec<ColorPoint>,

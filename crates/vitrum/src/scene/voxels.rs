@@ -48,9 +48,14 @@ pub struct Voxels {
     /// voxels, or with the paper's normals anywhere.
     #[schemars(range(min = 0, max = 90), extend("x-unit" = "degrees"))]
     pub threshold: f32,
-    /// Whether surfaces reflect (Fresnel): of the first one the reflection is seen, of all the light that goes on is
-    /// less. `false` leaves total reflection alone.
+    /// Whether surfaces reflect (Fresnel): of the first one the reflection is seen, those of others along the ways that
+    /// `branches` counts. `false` leaves total reflection alone.
     pub reflection: bool,
+    /// Ways that each ray is followed along at most: the refracted one, and then each time the strongest reflection at
+    /// one of the surfaces behind the first. What is reflected and not followed is as bright as the environment on
+    /// average, so that no light is lost.
+    #[schemars(range(min = 1, max = 16), extend("x-unit" = "ways"))]
+    pub branches: u32,
 }
 
 impl Default for Voxels {
@@ -62,6 +67,7 @@ impl Default for Voxels {
             overlap: 0.0,
             threshold: 30.0,
             reflection: true,
+            branches: 2,
         }
     }
 }

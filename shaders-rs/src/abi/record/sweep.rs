@@ -55,6 +55,8 @@ record! {
         flux: Color,
         /// 1 if the light turned back: the plane sweep cannot follow.
         turned: f32,
+        /// 1 inside the space in which the volume bends, see [`border`](crate::sweep::border), as it was known last; else 0.
+        inside: f32,
     }
 }
 
@@ -77,7 +79,7 @@ record! {
         opacity: f32,
         /// Transmittance of the filter, the paper's medium colour M.
         transmittance: Color,
-        /// η on the plane at depth `sampled`.
+        /// η on the plane at depth `sampled`; 0 outside the space in which the volume bends, see [`border`](crate::sweep::border).
         ior: f32,
         /// Depth of the plane on which scalar and η were last sampled; [`NOWHERE`] if on none.
         sampled: f32,
@@ -93,8 +95,13 @@ pub mod status {
     pub const ACTIVE: f32 = 0.0;
     /// Opaque, or ended on a receiver.
     pub const ENDED: f32 = 1.0;
-    /// Its depth component reached ε: turned back or grazing; the plane sweep cannot follow.
+    /// Its depth component reached ε: turned back or grazing; the plane sweep cannot follow. The ray waits on the plane before, or at the
+    /// border of the volume, with the direction in which it would have gone on.
     pub const TURNED: f32 = 2.0;
+    /// Followed beyond the plane sweep ([`crate::sweep::follow_rays`]) until it left the volume.
+    pub const LEFT: f32 = 3.0;
+    /// Being followed beyond the plane sweep.
+    pub const FOLLOWED: f32 = 4.0;
 }
 
 record! {

@@ -28,8 +28,23 @@ record! {
         length: f32,
         /// Distance from the eye to the first surface, in voxels.
         depth: f32,
-        /// Share of the light that the first surface reflects.
+        /// Share of the light that the first surface reflects to an eye in air; 0 for an eye within a body.
         reflectance: f32,
+        /// Share of the light from all sides that rays would bring which surfaces behind the first one reflect, and which are not
+        /// followed, 0 to 1.
+        rest: Color,
+        /// The strongest of the reflections that a later way may follow: where it begins.
+        kept_position: Vec3,
+        /// Its direction; not of unit length.
+        kept_direction: Vec3,
+        /// Unit normal of the surface that reflects it, outwards.
+        kept_normal: Vec3,
+        /// Its transmittance at the beginning, 0 to 1; 0 if there is none.
+        kept_transmittance: Color,
+        /// What it would add to the rest if no way followed it.
+        kept_rest: Color,
+        /// Its medium, as `medium`.
+        kept_medium: i32,
         /// The node of the tree of triangles that is next.
         node: i32,
         /// The nearest triangle so far on the ray's straight way, or one of [`ahead`](crate::abi::receivers::ahead).
@@ -96,7 +111,7 @@ record! {
         direction: Vec3,
         /// Transmittance of absorption and reflection.
         transmittance: Color,
-        /// Share of the light that the first surface reflects.
+        /// Share of the light that the first surface reflects to an eye in air; 0 for an eye within a body.
         reflectance: f32,
         /// One of [`fate`](crate::abi::record::fate).
         status: f32,

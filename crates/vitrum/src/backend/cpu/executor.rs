@@ -28,6 +28,13 @@ pub(super) struct Executor<'a> {
     waiting: Vec<&'a Write>,
 }
 
+/// Takes the kernels out of `idle` to which a pass of `kernel` gives new work.
+fn wake(list: &PassList, kernel: &str, idle: &mut HashSet<&str>) {
+    for part in list.while_busy.iter().filter(|part| part.until == Some(kernel)) {
+        idle.remove(part.kernel);
+    }
+}
+
 impl<'a> Executor<'a> {
     /// The state before the first part.
     pub(super) fn new(passes: &'a PassList, set: InstructionSet) -> Self {
@@ -37,11 +44,17 @@ impl<'a> Executor<'a> {
     /// Runs a part, without the passes that may be left out.
     pub(super) fn run(&mut self, (writes, together): &Part<'a>, memory: &mut Memory) -> Result<(), BackendError> {
         self.waiting.extend(*writes);
-        let needed = |pass: &&Pass| {
-            let idle = self.passes.while_busy.iter().filter(|while_busy| self.idle.contains(while_busy.kernel));
-            !idle.flat_map(|while_busy| &while_busy.passes).any(|name| *name == pass.kernel.declaration.name)
-        };
-        let together: Vec<&Pass> = together.iter().filter(needed).collect();
+        let list = self.passes;
+        let mut idle = self.idle.clone();
+        let together: Vec<&Pass> = together
+            .iter()
+            .filter(|pass| {
+                let name = pass.kernel.declaration.name;
+                wake(list, name, &mut idle);
+                let parts = list.while_busy.iter().filter(|while_busy| idle.contains(while_busy.kernel));
+                !parts.flat_map(|while_busy| &while_busy.passes).any(|other| *other == name)
+            })
+            .collect();
         if together.is_empty() {
             return Ok(());
         }
@@ -53,8 +66,13 @@ impl<'a> Executor<'a> {
         }
         memory.write(now)?;
         let busy = memory.run_together(&together, self.set, &mut self.states)?;
-        let names = together.iter().map(|pass| pass.kernel.declaration.name);
-        self.idle.extend(names.zip(busy).filter(|(_, busy)| !busy).map(|(name, _)| name));
+        for (pass, busy) in together.iter().zip(busy) {
+            let name = pass.kernel.declaration.name;
+            wake(list, name, &mut self.idle);
+            if !busy {
+                self.idle.insert(name);
+            }
+        }
         Ok(())
     }
 

@@ -62,6 +62,9 @@ pub(super) fn plan<'a>(list: &PassList, dispatches: impl Iterator<Item = &'a [Pa
     let mut count = 1;
     let plan = dispatches.map(|dispatch| {
         let name = dispatch[0].kernel.declaration.name;
+        parts.iter().filter(|part| part.until == Some(name)).for_each(|part| {
+            last.remove(part.kernel);
+        });
         let part = parts.iter().find(|part| part.passes.contains(&name));
         let taken = part.and_then(|part| last.get(part.kernel).copied());
         let mut raised = Place { buffer: taken.map_or(0, |taken| 1 - taken.buffer), number: 0 };
@@ -145,8 +148,20 @@ mod tests {
         kernels: &[(&'static Kernel, u32)],
         while_busy: &[(&'static str, &[&'static str])],
     ) -> Vec<Option<(usize, u32)>> {
+        taken_until(kernels, while_busy, None)
+    }
+
+    /// As [`taken`], where passes matter again behind one of the kernel `until`.
+    fn taken_until(
+        kernels: &[(&'static Kernel, u32)],
+        while_busy: &[(&'static str, &[&'static str])],
+        until: Option<&'static str>,
+    ) -> Vec<Option<(usize, u32)>> {
         let passes = kernels.iter().map(|&(kernel, width)| pass(kernel, width)).collect();
-        let part = |&(kernel, passes): &(&'static str, &[&'static str])| WhileBusy { kernel, passes: passes.to_vec() };
+        let part = |&(kernel, passes): &(&'static str, &[&'static str])| {
+            let passes = passes.to_vec();
+            WhileBusy { kernel, passes, until }
+        };
         let list = PassList { passes, while_busy: while_busy.iter().map(part).collect(), ..PassList::default() };
         let (plan, _) = plan(&list, list.passes.chunks(1));
         for Workgroups { taken, raised } in &plan {
@@ -163,6 +178,15 @@ mod tests {
         let depends = taken(&list, &[("voxels_march", &["voxels_march", "voxels_seek"])]);
         assert_eq!(depends, [None, None, first, first, Some((1, 2)), None]);
         assert_eq!(taken(&list, &[]), [None; 6]);
+    }
+
+    #[test]
+    fn passes_behind_new_work_depend_on_none_before() {
+        let (march, follow) = (&kernels::voxels_march, &kernels::voxels_follow);
+        let list = [(march, 9), (march, 9), (follow, 9), (march, 9), (march, 9)];
+        let part: (&str, &[&str]) = ("voxels_march", &["voxels_march"]);
+        let found = taken_until(&list, &[part], Some("voxels_follow"));
+        assert_eq!(found, [None, Some((0, 1)), None, None, Some((0, 3))]);
     }
 
     #[test]

@@ -14,8 +14,8 @@ use crate::scene::{Scene, TransferFunction};
 use crate::subject::Volumes;
 use std::sync::Arc;
 
-/// The scene's values that tables depend on: the transfer functions, and whether rays are refracted.
-type TablesKey = (TransferFunction, bool);
+/// The scene's values that tables depend on: the transfer functions, whether rays are refracted, and the index of the surroundings.
+type TablesKey = (TransferFunction, bool, f32);
 
 /// Data of a sweep that the next frame of the same assets uses again.
 #[derive(Default)]
@@ -31,14 +31,14 @@ pub(super) struct FrameCache {
     uploaded: Memo<(), Arc<UploadedVolumes>>,
     tables: Memo<TablesKey, Arc<Tables>>,
     tables_buffer: Memo<TablesKey, Buffer>,
-    pub(super) occupancy: Memo<(TablesKey, [u32; 2]), Occupancy>,
+    pub(super) occupancy: Memo<(TablesKey, [u32; 2], bool), Occupancy>,
     pub(super) pictures: UploadedPictures,
     pub(super) scratch: Scratch,
 }
 
 /// The key of a scene's tables.
 pub(super) fn tables_key(scene: &Scene) -> TablesKey {
-    (scene.transfer.clone(), scene.sweep.refraction)
+    (scene.transfer.clone(), scene.sweep.refraction, scene.surroundings.ior)
 }
 
 impl SweepCache {
@@ -80,7 +80,10 @@ impl FrameCache {
 
     /// The tables of a scene's transfer functions.
     pub(super) fn tables(&mut self, scene: &Scene, volumes: Volumes<'_>) -> Arc<Tables> {
-        let make = || Tables::new(&scene.transfer, scene.sweep.refraction, volumes.shown, volumes.bending());
+        let make = || {
+            let (transfer, surroundings) = (&scene.transfer, scene.surroundings.ior);
+            Tables::new(transfer, scene.sweep.refraction, surroundings, volumes)
+        };
         Arc::clone(self.tables.of(tables_key(scene), || Arc::new(make())))
     }
 

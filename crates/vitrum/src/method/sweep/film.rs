@@ -32,7 +32,7 @@ pub(super) const OUTPUTS: &[Output] = &[
     Output::central(
         "status",
         &[("Y", film::STATUS)],
-        "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back or grazed",
+        "0 the ray went through, 1 it became opaque or met a receiver, 2 it turned back, 3 it turned back and was followed",
     ),
     Output::mean(
         "light",

@@ -100,6 +100,8 @@ impl MeshVolumes {
         let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
         let mut seen = scene.clone();
         seen.transfer = transfer(&materials, REFERENCE * longest_edge(mesh));
+        // The bodies' indices are over those of the surroundings already.
+        seen.surroundings.ior = 1.0;
         // The mesh's box decides what is in the picture, not that of voxels around it.
         let bounds = Bounds::from(mesh);
         let (centre, radius) = bounds.sphere();
@@ -151,8 +153,8 @@ fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
     filter.sort_by(|a, b| a.value.total_cmp(&b.value));
     let ior = match materials {
         [one] => vec![IorPoint::new(0.0, 1.0), IorPoint::new(1.0, one.ior)],
-        // The volume's scalar is the index.
-        _ => vec![IorPoint::new(1.0, 1.0), IorPoint::new(4.0, 4.0)],
+        // The volume's scalar is the index, over that of the surroundings.
+        _ => vec![IorPoint::new(0.04, 0.04), IorPoint::new(25.0, 25.0)],
     };
     TransferFunction {
         reference_length: Some(reference),

@@ -18,6 +18,7 @@ mod sheets;
 pub mod spectrum;
 mod tables;
 mod texels;
+mod transfer;
 mod uniforms;
 mod unoccluded;
 mod uploaded;

@@ -2,7 +2,8 @@
 
 use super::hull::hull;
 use super::tables::Tables;
-use super::voxels::{brick_shift, bricks, normalisation};
+use super::transfer::window::Window;
+use super::voxels::{brick_shift, bricks};
 use crate::backend::Buffer;
 use crate::method::brick_distances::spread;
 use crate::method::view::point_between_voxels;
@@ -10,6 +11,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::sync::Arc;
 use vitrum_io::{Volume, Voxels};
+use vitrum_kernels::field::tables::ior;
 
 /// The bricks of all volumes on a backend.
 #[derive(Debug, Clone)]
@@ -91,6 +93,8 @@ pub(super) struct OccupancyQuery<'a> {
     /// The longest step in voxels.
     pub(super) reach: u32,
     pub(super) role: VolumeRole,
+    /// Whether a clipping plane cuts through the space in which the volume bends.
+    pub(super) cut: bool,
 }
 
 impl OccupancyQuery<'_> {
@@ -137,9 +141,31 @@ impl OccupancyQuery<'_> {
         let beyond = (self.reach as usize + 2).div_ceil(1 << brick_shift(self.volume));
         let widened = widen(ranges, bricks, 0, beyond);
         let widened = (1..3).fold(widened, |ranges, axis| widen(&ranges, bricks, axis, beyond));
-        words.par_iter_mut().zip(widened).for_each(|(word, (low, high))| {
-            *word = if self.is_empty(f32::from(low), f32::from(high)) { farthest } else { 0 };
+        let edge = 1_usize << brick_shift(self.volume);
+        words.par_iter_mut().zip(widened).enumerate().for_each(|(index, (word, (low, high)))| {
+            let (low, high) = (f32::from(low), f32::from(high));
+            // A step of `reach` that ends in the brick may have begun outside, or where light is settled, a voxel inside.
+            let [x, y, z] = [index % bricks[0], index / bricks[0] % bricks[1], index / bricks[0] / bricks[1]];
+            let near_border = [x, y, z]
+                .iter()
+                .zip(bricks)
+                .any(|(&at, count)| at.min(count - 1 - at) * edge <= self.reach as usize + 1);
+            let empty = self.is_empty(low, high) && (!(self.cut || near_border) || self.is_like_outside(low, high));
+            *word = if empty { farthest } else { 0 };
         });
+    }
+
+    /// Whether stored values from `low` to `high` bend no light at the border of the volume: they have the index of the surroundings, 1.
+    fn is_like_outside(&self, low: f32, high: f32) -> bool {
+        let [lower, higher] = self.normalised(low, high);
+        let alike = |scalar: f32| ior(&self.tables.words, scalar) == 1.0;
+        // Between equal voxels there is just this scalar, and η may rise right next to it.
+        let all_alike = if low == high {
+            alike(self.scalar(low))
+        } else {
+            self.is_uniform(low, high) && alike(lower) && alike(higher)
+        };
+        self.role == VolumeRole::Shown || all_alike
     }
 
     /// Whether stored values from `low` to `high` are empty: without opacity, filter and change of η.
@@ -151,9 +177,7 @@ impl OccupancyQuery<'_> {
     fn is_clear(&self, low: f32, high: f32) -> bool {
         let [lower, higher] = self.normalised(low, high);
         // Between equal voxels there is just this scalar, and functions may rise right next to it.
-        let [factor, summand] = normalisation(self.volume);
-        (low == high && self.tables.is_clear_at((low * factor + summand).clamp(0.0, 1.0)))
-            || self.tables.is_clear(lower, higher)
+        (low == high && self.tables.is_clear_at(self.scalar(low))) || self.tables.is_clear(lower, higher)
     }
 
     fn is_uniform(&self, low: f32, high: f32) -> bool {
@@ -161,17 +185,20 @@ impl OccupancyQuery<'_> {
         low == high || self.tables.is_uniform(lower, higher)
     }
 
+    fn window(&self) -> Window {
+        if self.role == VolumeRole::Bending { self.tables.bending } else { self.tables.shown }
+    }
+
+    /// The normalised scalar of a stored value, as kernels have it.
+    fn scalar(&self, stored: f32) -> f32 {
+        self.window().normalised_as_kernels_do(stored, self.volume)
+    }
+
     /// The range of the normalised scalars of stored values from `low` to `high`, with a margin for the kernels' rounding.
     fn normalised(&self, low: f32, high: f32) -> [f32; 2] {
-        let volume = self.volume;
-        let scale = volume.range[1] - volume.range[0];
-        let normalise = |value: f32| {
-            if scale > 0.0 { ((value - volume.range[0]) / scale).clamp(0.0, 1.0) } else { 0.0 }
-        };
-        let physical = |stored: f32| stored * volume.value_scale + volume.value_offset;
-        let (a, b) = (physical(low), physical(high));
-        // A little wider: kernels normalise in single precision.
-        [normalise(a.min(b)) - 1e-5, normalise(a.max(b)) + 1e-5]
+        let (a, b) = (self.scalar(low), self.scalar(high));
+        // A little wider: kernels interpolate in single precision.
+        [a.min(b) - 1e-5, a.max(b) + 1e-5]
     }
 }
 

@@ -14,11 +14,16 @@ use super::voxels::bricks;
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
 use crate::request::OutputRequest;
-use crate::scene::Scene;
+use crate::scene::{Removes, Scene};
 use crate::subject::Volumes;
 use std::collections::BTreeSet;
 use vitrum_kernels::abi::record::{film, ray};
+use vitrum_kernels::abi::sweep::mode;
 use vitrum_kernels::kernel::kernels;
+use vitrum_kernels::sweep::follow_rays::STEPS;
+
+/// How far rays are followed beyond the sweep, over the volume's depth. Steps are up to sixteen times shorter where η changes fast.
+const FARTHEST: f64 = 32.0;
 
 /// Uploads the remaining data of a frame and lists its passes.
 pub(super) fn build(
@@ -35,15 +40,18 @@ pub(super) fn build(
     let tables = &*plan.tables;
     let second = volumes.ior.zip(ior_ranges.as_ref());
     let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
-    let mut queries = vec![OccupancyQuery { volume: shown, ranges, tables, reach: plan.reach[0], role }];
+    // A cut through matter of one index bends light, too.
+    let cut = scene.clip.iter().any(|clip| clip.removes == Removes::Everything);
+    let mut queries = vec![OccupancyQuery { volume: shown, ranges, tables, reach: plan.reach[0], role, cut }];
     queries.extend(second.map(|(volume, ranges)| OccupancyQuery {
         volume,
         ranges,
         tables,
         reach: plan.reach[1],
         role: VolumeRole::Bending,
+        cut,
     }));
-    let key = (tables_key(scene), plan.reach);
+    let key = (tables_key(scene), plan.reach, cut);
     let Occupancy { buffer: occupancy, occupied } = cache.occupancy.get(key, || occupancy(&queries, backend))?.clone();
     let tables = cache.tables_buffer(scene, tables, backend)?;
 
@@ -94,18 +102,38 @@ pub(super) fn build(
         light.advance(plan, plane, &mut passes);
     }
     passes.append(&mut waiting);
+    let followers = kernels::sweep_follow_rays.get(plan.format);
+    // Of streamed voxels only those around the latest planes are there.
+    if scene.sweep.follow_turned_rays && mode::bends(plan.mode) && !plan.format.is_paged() {
+        // The step of the planes within the volume.
+        let volumes = [voxels, ior_voxels, occupancy, tables, &rays];
+        let follow = || plan.pass(followers, pixels, plan.mode, plan.planes.behind, &volumes);
+        passes.extend((0..most_follow_passes(plan)).map(|_| follow()));
+    }
     let last = plan.planes.count - 1;
     passes.push(plan.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &finished]));
-    let (name, resolve) = (ray_kernel.declaration.name, kernels::sweep_resolve.declaration.name);
+    let (name, follow) = (ray_kernel.declaration.name, followers.declaration.name);
+    let after = [follow, kernels::sweep_resolve.declaration.name];
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
     writes.sort_by_key(|write| write.before);
     // Light goes on to the last plane only where what is there is an output, too.
     let names = passes.iter().map(|pass| pass.kernel.declaration.name);
-    let ends: BTreeSet<&str> = names.filter(|other| *other == name || !request.light && *other != resolve).collect();
-    let while_busy = vec![WhileBusy { kernel: name, passes: ends.into_iter().collect() }];
+    let idle = names.filter(|other| !request.light && !after.contains(other));
+    let ends: BTreeSet<&str> = idle.chain([name]).collect();
+    let while_busy = vec![
+        WhileBusy { kernel: name, passes: ends.into_iter().collect(), until: None },
+        WhileBusy { kernel: follow, passes: vec![follow], until: None },
+    ];
     let list = PassList { passes, writes, while_busy };
     let buffers = Buffers { irradiance: light.irradiance().clone(), film: finished };
     Ok((list, buffers))
+}
+
+/// The most passes that follow rays beyond the sweep. A ray that goes as far as [`FARTHEST`] times across the volume, in steps as long as the
+/// planes' distance, is done.
+fn most_follow_passes(plan: &FramePlan) -> u32 {
+    let [near, far] = plan.planes.volume_depths;
+    ((far - near) / plan.planes.distance * FARTHEST / f64::from(STEPS)).ceil() as u32
 }
 
 /// Occupancy of the bricks of all volumes, one volume after the other, and points in the world whose convex hull encloses the bricks

@@ -130,7 +130,7 @@ impl FramePlan {
         let mut block = SweepUniforms {
             flags: flags(scene),
             picture: Size { width: rays[0], height: rays[1] },
-            grid: grid(shown, format, &view, reach[0], 0),
+            grid: grid(shown, tables.shown, format, &view, (reach[0], 0)),
             light_grid: abi::LightGrid {
                 width: light_grid.size[0],
                 height: light_grid.size[1],
@@ -160,7 +160,8 @@ impl FramePlan {
             environment: environment.block,
             ..SweepUniforms::default()
         };
-        block.ior_grid = bending.map_or(block.grid, |volume| grid(volume, format, &view, reach[1], first_ior_brick));
+        block.ior_grid = bending
+            .map_or(block.grid, |volume| grid(volume, tables.bending, format, &view, (reach[1], first_ior_brick)));
         let sheets = (scene.sweep.light == Transport::Sheets).then(|| {
             let count = if scene.first_light().angular_radius > 0.0 { scene.sweep.sheets } else { 1 };
             sources(towards, scene.first_light().angular_radius, count)

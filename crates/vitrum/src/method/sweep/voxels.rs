@@ -1,5 +1,6 @@
 //! Volumes as kernels read them: the voxels as they were read from the file, x fastest, in words.
 
+use super::transfer::window::Window;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::view::{View, vector, voxel_steps};
 use crate::subject::Volumes;
@@ -78,19 +79,15 @@ pub(super) fn pages(dimensions: [u32; 3]) -> [u32; 3] {
     dimensions.map(|n| (n >> page::SHIFT) + 1)
 }
 
-/// Factor and summand that turn a stored value into the normalised scalar, 0 to 1.
-pub(super) fn normalisation(volume: &Volume) -> [f32; 2] {
-    let scale = f64::from(volume.range[1]) - f64::from(volume.range[0]);
-    let inverse_scale = if scale > 0.0 { 1.0 / scale } else { 0.0 };
-    [
-        (f64::from(volume.value_scale) * inverse_scale) as f32,
-        ((f64::from(volume.value_offset) - f64::from(volume.range[0])) * inverse_scale) as f32,
-    ]
-}
-
-/// The grid of a volume in the view frame, as kernels read it. `reach` is the step in voxels that a brick's range covers, `first_brick`
+/// The grid of a volume in the view frame, as kernels read it. `window` is that of its normalised scalars, `reach` the step in voxels that a brick's range covers, `first_brick`
 /// the index of the first brick in the occupancy buffer.
-pub(super) fn grid(volume: &Volume, stored: Format, view: &View, reach: u32, first_brick: u32) -> Grid {
+pub(super) fn grid(
+    volume: &Volume,
+    window: Window,
+    stored: Format,
+    view: &View,
+    (reach, first_brick): (u32, u32),
+) -> Grid {
     let inverse = voxel_steps(volume).inverse();
     let along = inverse * view.axes;
     let start = inverse * (view.eye - vector(volume.origin));
@@ -99,7 +96,7 @@ pub(super) fn grid(volume: &Volume, stored: Format, view: &View, reach: u32, fir
         Affine::from(row.as_vec3().extend(start[axis] as f32))
     };
     let [width, height, depth] = volume.dimensions;
-    let [factor, summand] = normalisation(volume);
+    let [value_origin, value_scale] = window.of_stored(volume);
     let [bx, by, bz] = bricks(volume);
     let [px, py, pz] = pages(volume.dimensions);
     let [row_pitch, slice_pitch] = if stored.is_paged() {
@@ -114,8 +111,8 @@ pub(super) fn grid(volume: &Volume, stored: Format, view: &View, reach: u32, fir
         row_z: row(2),
         size: Vec3::new(width as f32, height as f32, depth as f32),
         reach: reach as f32,
-        value_scale: factor,
-        value_offset: summand,
+        value_scale,
+        value_origin,
         row_pitch,
         slice_pitch,
         bricks: Counts::new(bx, by, bz),

@@ -11,6 +11,8 @@ use vitrum_kernels::abi::vector::Vec3;
 pub(in crate::method) struct EnvironmentMap {
     /// Width and height of the finest level, and the number of levels.
     size: [u32; 3],
+    /// Mean radiance of the map over all directions, linear RGB; 0 if there is no map.
+    mean: Rgb,
     /// RGB floats of all levels; one black texel if there is no map.
     pub(in crate::method) texels: Vec<f32>,
 }
@@ -18,11 +20,11 @@ pub(in crate::method) struct EnvironmentMap {
 impl EnvironmentMap {
     /// The map of an environment with the picture `picture`.
     pub(in crate::method) fn new(environment: &Environment, picture: Option<&Picture>) -> Self {
-        let (texels, width, height, levels) = match (environment.kind, picture) {
-            (EnvironmentKind::Map, Some(picture)) => chain(picture),
-            _ => (vec![0.0; 3], 1, 1, 1),
+        let (mean, (texels, width, height, levels)) = match (environment.kind, picture) {
+            (EnvironmentKind::Map, Some(picture)) => (mean(picture), chain(picture)),
+            _ => (Rgb::default(), (vec![0.0; 3], 1, 1, 1)),
         };
-        Self { size: [width, height, levels], texels }
+        Self { size: [width, height, levels], mean, texels }
     }
 }
 
@@ -32,6 +34,8 @@ pub(in crate::method) struct EnvironmentUniforms {
     pub(in crate::method) block: Block,
     /// The environment's axes in the world: its side, its middle, up.
     pub(in crate::method) axes: [DVec3; 3],
+    /// Mean radiance over all directions, linear RGB.
+    pub(in crate::method) mean: Rgb,
 }
 
 fn scaled(color: Rgb, factor: f32) -> Vec3 {
@@ -68,8 +72,39 @@ impl EnvironmentUniforms {
                 visible: if environment.visible { 1.0 } else { 0.0 },
             },
             axes: [side, facing, view.up],
+            mean: mean_radiance(environment, map),
         }
     }
+}
+
+/// The mean radiance of an environment over all directions.
+fn mean_radiance(environment: &Environment, map: &EnvironmentMap) -> Rgb {
+    let Environment { color, horizon, nadir, .. } = *environment;
+    let channel = |i: usize| match environment.kind {
+        EnvironmentKind::Color => color[i],
+        // Over all directions the mean of √|z| is ⅔.
+        EnvironmentKind::Gradient => (horizon[i] + color[i] + nadir[i]) / 3.0,
+        // What has one colour in one direction has the other one on the other side of a meridian.
+        EnvironmentKind::Checkerboard => 0.5 * (color[i] + horizon[i]),
+        EnvironmentKind::Map => map.mean[i],
+    };
+    std::array::from_fn(|i| channel(i) * environment.intensity)
+}
+
+/// The mean of an equirectangular picture over all directions: rows by the solid angle that they cover.
+fn mean(picture: &Picture) -> Rgb {
+    let texels = picture.color();
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let height_above = |row: usize| libm::cos(std::f64::consts::PI * row as f64 / height as f64);
+    let mut sum = [0.0f64; 3];
+    for (row, texels) in texels.chunks_exact(width).enumerate() {
+        // Archimedes: the area of a zone of the unit sphere is 2π times its height.
+        let share = 0.5 * (height_above(row) - height_above(row + 1)) / width as f64;
+        for (sum, channel) in sum.iter_mut().zip(0..) {
+            *sum += share * texels.iter().map(|texel| f64::from(texel[channel])).sum::<f64>();
+        }
+    }
+    sum.map(|channel| channel as f32)
 }
 
 /// The mip chain of a picture, each level the mean of the one before over 2 × 2 texels: (texels, width, height, levels).
@@ -95,4 +130,50 @@ fn chain(picture: &Picture) -> (Vec<f32>, u32, u32, u32) {
         levels += 1;
     }
     (all, picture.width, picture.height, levels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The mean of an environment's map whose texels are `gray`.
+    fn of_map(width: u32, height: u32, gray: impl Fn(u32, u32) -> f32) -> Rgb {
+        let texels = (0..width * height).map(|at| [gray(at % width, at / width); 3]);
+        mean(&Picture::rgb(width, height, texels.collect()))
+    }
+
+    #[test]
+    fn rows_count_by_the_solid_angle_that_they_cover() {
+        let near = |found: Rgb, expected: f32| found.iter().all(|channel| (channel - expected).abs() < 1e-6);
+        assert!(near(of_map(7, 5, |_, _| 0.75), 0.75));
+        assert!(near(of_map(8, 6, |_, y| if y < 3 { 1.0 } else { 0.0 }), 0.5), "the upper half");
+        assert!(near(of_map(8, 6, |x, _| if x < 2 { 1.0 } else { 0.0 }), 0.25), "a quarter of the longitudes");
+        // A cap of 30° around the zenith.
+        let cap = 0.5 * (1.0 - 0.75f32.sqrt());
+        assert!(near(of_map(3, 6, |_, y| if y == 0 { 1.0 } else { 0.0 }), cap));
+    }
+
+    #[test]
+    fn a_gradient_and_a_checkerboard_have_the_mean_of_their_directions() {
+        let (color, horizon, nadir) = ([0.9, 0.6, 0.3], [0.5, 0.1, 0.4], [0.2, 0.0, 0.8]);
+        let scene = |kind| Environment { kind, color, horizon, nadir, intensity: 2.0, ..Environment::default() };
+        let gradient = scene(EnvironmentKind::Gradient);
+        let checkerboard = scene(EnvironmentKind::Checkerboard);
+        let none = EnvironmentMap::new(&gradient, None);
+        let count = 10_000;
+        for i in 0..3 {
+            // Directions are uniform in z.
+            let heights = (0..count).map(|n| (2.0 * f64::from(n) + 1.0) / f64::from(count) - 1.0);
+            let sum: f64 = heights
+                .map(|z| {
+                    let end = f64::from(if z > 0.0 { color[i] } else { nadir[i] });
+                    let horizon = f64::from(horizon[i]);
+                    2.0 * (horizon + (end - horizon) * z.abs().sqrt())
+                })
+                .sum();
+            let found = f64::from(mean_radiance(&gradient, &none)[i]);
+            assert!((found - sum / f64::from(count)).abs() < 1e-5, "{found}");
+            assert_eq!(mean_radiance(&checkerboard, &none)[i], color[i] + horizon[i]);
+        }
+    }
 }

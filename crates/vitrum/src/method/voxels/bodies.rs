@@ -102,7 +102,7 @@ fn body(mesh: &Mesh, numbers: &[Option<u32>], opaque: bool) -> Body {
 /// Optical constants of a clear body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::method) struct Clear {
-    /// Index of refraction.
+    /// Index of refraction over that of the surroundings.
     pub(in crate::method) ior: f32,
     /// Absorption coefficient, RGB, per world unit.
     pub(in crate::method) absorption: [f64; 3],
@@ -114,7 +114,8 @@ pub(in crate::method) fn clear(bodies: &[Body], mesh: &Mesh, scene: &Scene) -> V
     let of_body = |body: &Body| {
         let found = chosen(&scene.material, of_mesh(mesh, body.material));
         let distance = found.attenuation_distance.map_or(longest, f64::from);
-        Clear { ior: found.ior, absorption: found.attenuation_color.map(|left| -libm::log(f64::from(left)) / distance) }
+        let absorption = found.attenuation_color.map(|left| -libm::log(f64::from(left)) / distance);
+        Clear { ior: found.ior / scene.surroundings.ior, absorption }
     };
     bodies.iter().map(of_body).collect()
 }

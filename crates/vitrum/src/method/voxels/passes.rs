@@ -91,6 +91,11 @@ fn searches(uploaded: &UploadedMesh) -> u32 {
     uploaded.nodes().div_ceil(4 * STEPS as u32)
 }
 
+/// The ways that rays are followed along: more than one only where surfaces reflect.
+fn ways(scene: &Scene, uploaded: &UploadedMesh) -> u32 {
+    if scene.voxels.reflection && uploaded.clear > 0 { scene.voxels.branches } else { 1 }
+}
+
 /// Uploads a frame's buffers and lists its passes.
 pub(super) fn list(
     scene: &Scene,
@@ -131,9 +136,13 @@ pub(super) fn list(
     let planes = |components: usize| u64::from(size[0]) * u64::from(size[1]) * components as u64 * 4;
     let rays = cache.scratch.zeros("rays", planes(path::SIZE), backend)?;
     let film = cache.scratch.zeros("film", planes(view::SIZE), backend)?;
-    let pass = |kernel: &'static Kernel, mode: u32, buffers: Vec<Buffer>| {
+    let (mode, ways) = (block.dispatch.mode, ways(scene, uploaded));
+    // Until the last way, rays keep a reflection for the next one.
+    let keeps = |way: u32| if way + 1 < ways { flag::KEEPS } else { 0 };
+    let pass = |way: u32, kernel: &'static Kernel, mode: u32, buffers: Vec<Buffer>| {
         let mut block = block;
         block.dispatch.mode = mode;
+        block.flags |= keeps(way);
         Pass {
             kernel,
             uniforms: bytes_of(&block).to_vec(),
@@ -148,30 +157,47 @@ pub(super) fn list(
     let tree = [nodes.clone(), corners.clone(), materials.clone(), rays.clone()];
     let marched = || uploaded.buffers.iter().cloned().chain([materials.clone(), rays.clone()]).collect();
     let through: Vec<Buffer> = if exact { tree.to_vec() } else { marched() };
-    let mode = block.dispatch.mode;
-    let mut passes = vec![pass(&kernels::voxels_initialize_rays, 0, vec![rays.clone()])];
-    for _ in 0..rounds(uploaded, &block) {
-        if seeks {
-            passes.push(pass(&kernels::voxels_seek, mode, tree.to_vec()));
-        }
-        passes.push(pass(uploaded.kernel, mode, through.clone()));
-    }
-    let (sees, mirrors) = if surfaces {
-        let mirrors = cache.scratch.zeros("mirrors", planes(mirror::SIZE), backend)?;
-        let reflected = vec![rays.clone(), nodes, corners.clone(), materials, mirrors.clone()];
-        passes.extend((0..searches(uploaded)).map(|_| pass(&kernels::voxels_reflect, 0, reflected.clone())));
-        (seen::SURFACES, mirrors)
+    let mut passes = vec![pass(0, &kernels::voxels_initialize_rays, 0, vec![rays.clone()])];
+    let sees = if surfaces { seen::SURFACES } else { seen::ENVIRONMENT };
+    let mirrors = if surfaces {
+        cache.scratch.zeros("mirrors", planes(mirror::SIZE), backend)?
     } else {
         // Nothing of it is read.
-        (seen::ENVIRONMENT, rays.clone())
+        rays.clone()
     };
-    let resolved = vec![rays.clone(), pictures.buffer, corners, looks, shadow, mirrors, film.clone()];
-    passes.push(pass(&kernels::voxels_resolve, sees, resolved));
+    for way in 0..ways {
+        if way > 0 {
+            passes.push(pass(way, &kernels::voxels_follow, 0, vec![rays.clone()]));
+        }
+        for _ in 0..rounds(uploaded, &block) {
+            if seeks {
+                passes.push(pass(way, &kernels::voxels_seek, mode, tree.to_vec()));
+            }
+            passes.push(pass(way, uploaded.kernel, mode, through.clone()));
+        }
+        let [pictures, shadow] = [&pictures.buffer, &shadow].map(Buffer::clone);
+        let mut ended = vec![rays.clone(), pictures, corners.clone(), looks.clone(), shadow];
+        if way > 0 {
+            ended.push(film.clone());
+            passes.push(pass(way, &kernels::voxels_add_way, sees, ended));
+            continue;
+        }
+        if surfaces {
+            let reflected = vec![rays.clone(), nodes.clone(), corners.clone(), materials.clone(), mirrors.clone()];
+            passes.extend((0..searches(uploaded)).map(|_| pass(way, &kernels::voxels_reflect, 0, reflected.clone())));
+        }
+        ended.extend([mirrors.clone(), film.clone()]);
+        passes.push(pass(way, &kernels::voxels_resolve, sees, ended));
+    }
     let name = uploaded.kernel.declaration.name;
     let searches = kernels::voxels_reflect.declaration.name;
     let while_busy = vec![
-        WhileBusy { kernel: name, passes: vec![name, kernels::voxels_seek.declaration.name] },
-        WhileBusy { kernel: searches, passes: vec![searches] },
+        WhileBusy {
+            kernel: name,
+            passes: vec![name, kernels::voxels_seek.declaration.name],
+            until: Some(kernels::voxels_follow.declaration.name),
+        },
+        WhileBusy { kernel: searches, passes: vec![searches], until: None },
     ];
     let passes = PassList { passes, while_busy, ..PassList::default() };
     Ok(Rays { passes, rays: size, records: rays, film, voxels: uploaded.voxels(), open_rows: uploaded.open_rows })

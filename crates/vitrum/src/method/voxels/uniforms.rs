@@ -100,6 +100,7 @@ pub(super) fn block(
         low: vector(bounds[0] - AROUND),
         high: vector(bounds[1] + AROUND),
         environment: Environment { row_x, row_y, row_z, ..environment.block },
+        mean_radiance: environment.mean.into(),
         receivers: receivers::Receivers {
             ground: receiver(surroundings.receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
             wall: receiver(surroundings.receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
