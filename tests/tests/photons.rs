@@ -15,7 +15,7 @@ fn photons_obey_snell() {
     let mut scene = case.scene.clone();
     scene.transfer.filter.clear();
     let view = View::new(&scene, case.volume());
-    let field = Field::new(case.volume(), &scene.transfer, &view);
+    let field = Field::new(case.volume(), &scene, &view);
     // Through the ball's centre nothing bends; beside it the ray crosses the axis where a ball lens has it.
     let (right, away) = (DVec3::X, DVec3::Z);
     let centre = view.point(DVec3::ZERO);
@@ -105,7 +105,7 @@ fn photons_have_the_spot_of_a_ball_lens() {
     let mut scene = case.scene.clone();
     scene.transfer.filter.clear();
     let view = View::new(&scene, case.volume());
-    let field = Field::new(case.volume(), &scene.transfer, &view);
+    let field = Field::new(case.volume(), &scene, &view);
     let centre = view.point(DVec3::ZERO);
     let depths = [centre.z + 1.5, centre.z + 2.0, centre.z + 3.0];
     let mut distances: [Vec<f64>; 3] = Default::default();

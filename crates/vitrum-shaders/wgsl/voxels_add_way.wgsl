@@ -1159,7 +1159,7 @@ let _e2108 = global_2.member[bitcast<u32>(select(0i, _e2103, (_e2103 > 0i)))];
 if ((_e157.member_2 == 1u) && (_e2108 == 3f)) {
 let _e2111 = local_8;
 let _e2113 = local_7;
-let _e2114 = ((42i * _e2111) + _e2113);
+let _e2114 = ((30i * _e2111) + _e2113);
 let _e2116 = select(_e382, _e2114, (_e2114 < _e382));
 let _e2121 = global_2.member[bitcast<u32>(select(0i, _e2116, (_e2116 > 0i)))];
 let _e2128 = select(0i, select(select(i32(_e2121), i32(-2147483648), (_e2121 < -2147483600f)), 2147483647i, (_e2121 > 2147483500f)), (_e2121 == _e2121));

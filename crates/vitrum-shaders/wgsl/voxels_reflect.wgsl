@@ -114,14 +114,10 @@ member_10: f32,
 member_11: f32,
 member_12: vec3<f32>,
 member_13: vec3<f32>,
-member_14: vec3<f32>,
-member_15: vec3<f32>,
-member_16: vec3<f32>,
-member_17: vec3<f32>,
-member_18: i32,
-member_19: i32,
-member_20: i32,
-member_21: f32,
+member_14: i32,
+member_15: i32,
+member_16: i32,
+member_17: f32,
 }
 struct type_24 {
 member: array<atomic<u32>>,
@@ -144,25 +140,25 @@ var<storage, read_write> global_7: type_24;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var phi_818_: type_20;
-var phi_833_: type_20;
-var phi_836_: i32;
-var phi_1128_: i32;
-var phi_1495_: type_20;
-var phi_1496_: type_20;
-var phi_1563_: type_20;
-var phi_834_: type_20;
-var phi_837_: i32;
+var phi_814_: type_20;
+var phi_829_: type_20;
+var phi_832_: i32;
+var phi_1124_: i32;
+var phi_1491_: type_20;
+var phi_1492_: type_20;
+var phi_1559_: type_20;
+var phi_830_: type_20;
+var phi_833_: i32;
 var local_2: bool;
 var local_3: type_20;
 var local_4: type_20;
 var local_5: i32;
-var phi_1576_: array<f32, 4>;
-var phi_1577_: array<f32, 4>;
-var phi_1578_: array<f32, 4>;
-var phi_1579_: array<f32, 4>;
-var phi_1580_: bool;
-var phi_1584_: array<f32, 4>;
+var phi_1572_: array<f32, 4>;
+var phi_1573_: array<f32, 4>;
+var phi_1574_: array<f32, 4>;
+var phi_1575_: array<f32, 4>;
+var phi_1576_: bool;
+var phi_1580_: array<f32, 4>;
 let _e61 = global;
 let _e68 = arrayLength((&global_3.member));
 let _e77 = global_1.member.member;
@@ -200,9 +196,9 @@ atomicStore((&global_7.member[2u]), 1u);
 }
 if (_e132 > 1u) {
 if _e131 {
-phi_1578_ = array<f32, 4>(_e97, _e107, _e118, _e129);
-phi_1579_ = array<f32, 4>();
-phi_1580_ = true;
+phi_1574_ = array<f32, 4>(_e97, _e107, _e118, _e129);
+phi_1575_ = array<f32, 4>();
+phi_1576_ = true;
 } else {
 let _e165 = global_1.member.member.member;
 let _e169 = global_1.member.member.member_1;
@@ -214,8 +210,8 @@ let _e180 = select(_e178, _e176, (_e176 < _e178));
 let _e186 = global_2.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
 let _e187 = (_e186 <= 0f);
 if _e187 {
-phi_1576_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
-phi_1577_ = array<f32, 4>();
+phi_1572_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
+phi_1573_ = array<f32, 4>();
 } else {
 let _e189 = ((20i * _e171) + _e175);
 let _e191 = select(_e178, _e189, (_e189 < _e178));
@@ -286,25 +282,25 @@ let _e401 = (_e399 > 1e-9f);
 let _e405 = ((_e393 / select(1e-9f, _e399, _e401)) - 0.015625f);
 let _e408 = select(1e30f, select(0f, _e405, (_e405 > 0f)), ((_e393 > 0f) && _e401));
 let _e412 = (_e408 < _e377);
-phi_818_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 16i, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
+phi_814_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
 } else {
-phi_818_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 16i, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
+phi_814_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
 }
-let _e418 = phi_818_;
+let _e418 = phi_814_;
 let _e419 = bitcast<i32>(arrayLength((&global_4.member)));
-phi_833_ = _e418;
-phi_836_ = 0i;
+phi_829_ = _e418;
+phi_832_ = 0i;
 loop {
-let _e422 = phi_833_;
-let _e424 = phi_836_;
+let _e422 = phi_829_;
+let _e424 = phi_832_;
 local_3 = _e422;
 local_4 = _e422;
-let _e427 = (_e422.member_19 < (_e419 / 8i));
+let _e427 = (_e422.member_15 < (_e419 / 8i));
 let _e428 = ((_e424 < 1024i) && _e427);
 local_2 = _e427;
-local_5 = _e422.member_19;
+local_5 = _e422.member_15;
 if _e428 {
-let _e438 = (_e422.member_19 * 8i);
+let _e438 = (_e422.member_15 * 8i);
 let _e446 = (1f / select(_e422.member_1.x, select(1e-12f, -1e-12f, (_e422.member_1.x < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u)) < 1e-12f)));
 let _e454 = (1f / select(_e422.member_1.y, select(1e-12f, -1e-12f, (_e422.member_1.y < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u)) < 1e-12f)));
 let _e462 = (1f / select(_e422.member_1.z, select(1e-12f, -1e-12f, (_e422.member_1.z < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u)) < 1e-12f)));
@@ -341,153 +337,153 @@ let _e546 = select(_e527, _e525, (_e525 > _e527));
 let _e548 = select(_e546, _e544, (_e544 < _e546));
 let _e550 = select(_e532, _e530, (_e530 > _e532));
 let _e552 = select(_e550, _e548, (_e548 < _e550));
-let _e557 = ((select(_e540, _e538, (_e538 > _e540)) <= select(_e422.member_21, _e552, (_e552 < _e422.member_21))) && (_e552 >= 0f));
+let _e557 = ((select(_e540, _e538, (_e538 > _e540)) <= select(_e422.member_17, _e552, (_e552 < _e422.member_17))) && (_e552 >= 0f));
 let _e558 = (_e438 + 6i);
 let _e560 = select(_e464, _e558, (_e558 < _e464));
 let _e566 = global_4.member[bitcast<u32>(select(0i, _e560, (_e560 > 0i)))];
 if _e557 {
-phi_1128_ = (_e422.member_19 + 1i);
+phi_1124_ = (_e422.member_15 + 1i);
 } else {
 let _e574 = (_e438 + 7i);
 let _e576 = select(_e464, _e574, (_e574 < _e464));
 let _e582 = global_4.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
-phi_1128_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
+phi_1124_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
 }
-let _e592 = phi_1128_;
-let _e614 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e422.member_14, _e422.member_15, _e422.member_16, _e422.member_17, _e422.member_18, _e592, _e422.member_20, _e422.member_21);
-let _e615 = select(-1i, select(0i, select(select(i32(_e566), i32(-2147483648), (_e566 < -2147483600f)), 2147483647i, (_e566 > 2147483500f)), (_e566 == _e566)), _e557);
-if (_e615 >= 0i) {
-let _e621 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
-let _e625 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
-let _e629 = bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u));
-let _e632 = ((_e621 >= _e625) && (_e621 >= _e629));
-let _e635 = (!(_e632) && (_e625 >= _e629));
-let _e642 = (1f / select(select(_e422.member_1.z, _e422.member_1.y, _e635), _e422.member_1.x, _e632));
-let _e643 = (select(select(_e422.member_1.x, _e422.member_1.z, _e635), _e422.member_1.y, _e632) * _e642);
-let _e644 = (select(select(_e422.member_1.y, _e422.member_1.x, _e635), _e422.member_1.z, _e632) * _e642);
-let _e645 = (_e615 * 19i);
-let _e647 = (bitcast<i32>(_e68) - 1i);
-let _e649 = select(_e647, _e645, (_e645 < _e647));
-let _e655 = global_3.member[bitcast<u32>(select(0i, _e649, (_e649 > 0i)))];
-let _e656 = (_e645 + 1i);
-let _e658 = select(_e647, _e656, (_e656 < _e647));
-let _e664 = global_3.member[bitcast<u32>(select(0i, _e658, (_e658 > 0i)))];
-let _e665 = (_e645 + 2i);
-let _e667 = select(_e647, _e665, (_e665 < _e647));
-let _e673 = global_3.member[bitcast<u32>(select(0i, _e667, (_e667 > 0i)))];
-let _e674 = (_e655 - _e422.member.x);
-let _e675 = (_e664 - _e422.member.y);
-let _e676 = (_e673 - _e422.member.z);
-let _e682 = select(select(_e676, _e675, _e635), _e674, _e632);
-let _e684 = (select(select(_e674, _e676, _e635), _e675, _e632) - (_e643 * _e682));
-let _e686 = (select(select(_e675, _e674, _e635), _e676, _e632) - (_e644 * _e682));
-let _e688 = (_e645 + 3i);
-let _e690 = select(_e647, _e688, (_e688 < _e647));
-let _e696 = global_3.member[bitcast<u32>(select(0i, _e690, (_e690 > 0i)))];
-let _e697 = (_e645 + 4i);
-let _e699 = select(_e647, _e697, (_e697 < _e647));
-let _e705 = global_3.member[bitcast<u32>(select(0i, _e699, (_e699 > 0i)))];
-let _e706 = (_e645 + 5i);
-let _e708 = select(_e647, _e706, (_e706 < _e647));
-let _e714 = global_3.member[bitcast<u32>(select(0i, _e708, (_e708 > 0i)))];
-let _e715 = (_e696 - _e422.member.x);
-let _e716 = (_e705 - _e422.member.y);
-let _e717 = (_e714 - _e422.member.z);
-let _e723 = select(select(_e717, _e716, _e635), _e715, _e632);
-let _e725 = (select(select(_e715, _e717, _e635), _e716, _e632) - (_e643 * _e723));
-let _e727 = (select(select(_e716, _e715, _e635), _e717, _e632) - (_e644 * _e723));
-let _e729 = (_e645 + 6i);
-let _e731 = select(_e647, _e729, (_e729 < _e647));
-let _e737 = global_3.member[bitcast<u32>(select(0i, _e731, (_e731 > 0i)))];
-let _e738 = (_e645 + 7i);
-let _e740 = select(_e647, _e738, (_e738 < _e647));
-let _e746 = global_3.member[bitcast<u32>(select(0i, _e740, (_e740 > 0i)))];
-let _e747 = (_e645 + 8i);
-let _e749 = select(_e647, _e747, (_e747 < _e647));
-let _e755 = global_3.member[bitcast<u32>(select(0i, _e749, (_e749 > 0i)))];
-let _e756 = (_e737 - _e422.member.x);
-let _e757 = (_e746 - _e422.member.y);
-let _e758 = (_e755 - _e422.member.z);
-let _e764 = select(select(_e758, _e757, _e635), _e756, _e632);
-let _e766 = (select(select(_e756, _e758, _e635), _e757, _e632) - (_e643 * _e764));
-let _e768 = (select(select(_e757, _e756, _e635), _e758, _e632) - (_e644 * _e764));
-let _e772 = ((_e766 * _e727) - (_e768 * _e725));
-let _e775 = ((_e684 * _e768) - (_e686 * _e766));
-let _e778 = ((_e725 * _e686) - (_e727 * _e684));
-let _e780 = ((_e772 + _e775) + _e778);
-let _e794 = (!(((((_e772 < 0f) || (_e775 < 0f)) || (_e778 < 0f)) && (((_e772 > 0f) || (_e775 > 0f)) || (_e778 > 0f)))) && (_e780 != 0f));
-let _e802 = select(1e30f, ((((_e772 * (_e682 * _e642)) + (_e775 * (_e723 * _e642))) + (_e778 * (_e764 * _e642))) / select(1f, _e780, _e794)), _e794);
-let _e804 = select(1e30f, _e802, (_e802 > 1e-3f));
-if (_e804 < _e422.member_21) {
-let _e827 = type_20(_e614.member, _e614.member_1, _e614.member_2, _e614.member_3, _e614.member_4, _e614.member_5, _e614.member_6, _e614.member_7, _e614.member_8, _e614.member_9, _e614.member_10, _e614.member_11, _e614.member_12, _e614.member_13, _e614.member_14, _e614.member_15, _e614.member_16, _e614.member_17, _e614.member_18, _e614.member_19, _e614.member_20, _e804);
-phi_1495_ = type_20(_e827.member, _e827.member_1, _e827.member_2, _e827.member_3, _e827.member_4, _e827.member_5, _e827.member_6, _e827.member_7, _e827.member_8, _e827.member_9, _e827.member_10, _e827.member_11, _e827.member_12, _e827.member_13, _e827.member_14, _e827.member_15, _e827.member_16, _e827.member_17, _e827.member_18, _e827.member_19, _e615, _e827.member_21);
+let _e592 = phi_1124_;
+let _e610 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e422.member_14, _e592, _e422.member_16, _e422.member_17);
+let _e611 = select(-1i, select(0i, select(select(i32(_e566), i32(-2147483648), (_e566 < -2147483600f)), 2147483647i, (_e566 > 2147483500f)), (_e566 == _e566)), _e557);
+if (_e611 >= 0i) {
+let _e617 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
+let _e621 = bitcast<f32>((bitcast<u32>(_e422.member_1.y) & 2147483647u));
+let _e625 = bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u));
+let _e628 = ((_e617 >= _e621) && (_e617 >= _e625));
+let _e631 = (!(_e628) && (_e621 >= _e625));
+let _e638 = (1f / select(select(_e422.member_1.z, _e422.member_1.y, _e631), _e422.member_1.x, _e628));
+let _e639 = (select(select(_e422.member_1.x, _e422.member_1.z, _e631), _e422.member_1.y, _e628) * _e638);
+let _e640 = (select(select(_e422.member_1.y, _e422.member_1.x, _e631), _e422.member_1.z, _e628) * _e638);
+let _e641 = (_e611 * 19i);
+let _e643 = (bitcast<i32>(_e68) - 1i);
+let _e645 = select(_e643, _e641, (_e641 < _e643));
+let _e651 = global_3.member[bitcast<u32>(select(0i, _e645, (_e645 > 0i)))];
+let _e652 = (_e641 + 1i);
+let _e654 = select(_e643, _e652, (_e652 < _e643));
+let _e660 = global_3.member[bitcast<u32>(select(0i, _e654, (_e654 > 0i)))];
+let _e661 = (_e641 + 2i);
+let _e663 = select(_e643, _e661, (_e661 < _e643));
+let _e669 = global_3.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
+let _e670 = (_e651 - _e422.member.x);
+let _e671 = (_e660 - _e422.member.y);
+let _e672 = (_e669 - _e422.member.z);
+let _e678 = select(select(_e672, _e671, _e631), _e670, _e628);
+let _e680 = (select(select(_e670, _e672, _e631), _e671, _e628) - (_e639 * _e678));
+let _e682 = (select(select(_e671, _e670, _e631), _e672, _e628) - (_e640 * _e678));
+let _e684 = (_e641 + 3i);
+let _e686 = select(_e643, _e684, (_e684 < _e643));
+let _e692 = global_3.member[bitcast<u32>(select(0i, _e686, (_e686 > 0i)))];
+let _e693 = (_e641 + 4i);
+let _e695 = select(_e643, _e693, (_e693 < _e643));
+let _e701 = global_3.member[bitcast<u32>(select(0i, _e695, (_e695 > 0i)))];
+let _e702 = (_e641 + 5i);
+let _e704 = select(_e643, _e702, (_e702 < _e643));
+let _e710 = global_3.member[bitcast<u32>(select(0i, _e704, (_e704 > 0i)))];
+let _e711 = (_e692 - _e422.member.x);
+let _e712 = (_e701 - _e422.member.y);
+let _e713 = (_e710 - _e422.member.z);
+let _e719 = select(select(_e713, _e712, _e631), _e711, _e628);
+let _e721 = (select(select(_e711, _e713, _e631), _e712, _e628) - (_e639 * _e719));
+let _e723 = (select(select(_e712, _e711, _e631), _e713, _e628) - (_e640 * _e719));
+let _e725 = (_e641 + 6i);
+let _e727 = select(_e643, _e725, (_e725 < _e643));
+let _e733 = global_3.member[bitcast<u32>(select(0i, _e727, (_e727 > 0i)))];
+let _e734 = (_e641 + 7i);
+let _e736 = select(_e643, _e734, (_e734 < _e643));
+let _e742 = global_3.member[bitcast<u32>(select(0i, _e736, (_e736 > 0i)))];
+let _e743 = (_e641 + 8i);
+let _e745 = select(_e643, _e743, (_e743 < _e643));
+let _e751 = global_3.member[bitcast<u32>(select(0i, _e745, (_e745 > 0i)))];
+let _e752 = (_e733 - _e422.member.x);
+let _e753 = (_e742 - _e422.member.y);
+let _e754 = (_e751 - _e422.member.z);
+let _e760 = select(select(_e754, _e753, _e631), _e752, _e628);
+let _e762 = (select(select(_e752, _e754, _e631), _e753, _e628) - (_e639 * _e760));
+let _e764 = (select(select(_e753, _e752, _e631), _e754, _e628) - (_e640 * _e760));
+let _e768 = ((_e762 * _e723) - (_e764 * _e721));
+let _e771 = ((_e680 * _e764) - (_e682 * _e762));
+let _e774 = ((_e721 * _e682) - (_e723 * _e680));
+let _e776 = ((_e768 + _e771) + _e774);
+let _e790 = (!(((((_e768 < 0f) || (_e771 < 0f)) || (_e774 < 0f)) && (((_e768 > 0f) || (_e771 > 0f)) || (_e774 > 0f)))) && (_e776 != 0f));
+let _e798 = select(1e30f, ((((_e768 * (_e678 * _e638)) + (_e771 * (_e719 * _e638))) + (_e774 * (_e760 * _e638))) / select(1f, _e776, _e790)), _e790);
+let _e800 = select(1e30f, _e798, (_e798 > 1e-3f));
+if (_e800 < _e422.member_17) {
+let _e819 = type_20(_e610.member, _e610.member_1, _e610.member_2, _e610.member_3, _e610.member_4, _e610.member_5, _e610.member_6, _e610.member_7, _e610.member_8, _e610.member_9, _e610.member_10, _e610.member_11, _e610.member_12, _e610.member_13, _e610.member_14, _e610.member_15, _e610.member_16, _e800);
+phi_1491_ = type_20(_e819.member, _e819.member_1, _e819.member_2, _e819.member_3, _e819.member_4, _e819.member_5, _e819.member_6, _e819.member_7, _e819.member_8, _e819.member_9, _e819.member_10, _e819.member_11, _e819.member_12, _e819.member_13, _e819.member_14, _e819.member_15, _e611, _e819.member_17);
 } else {
-phi_1495_ = _e614;
+phi_1491_ = _e610;
 }
-let _e851 = phi_1495_;
-phi_1496_ = _e851;
+let _e839 = phi_1491_;
+phi_1492_ = _e839;
 } else {
-phi_1496_ = _e614;
+phi_1492_ = _e610;
 }
-let _e853 = phi_1496_;
-let _e855 = (_e853.member_20 != _e422.member_20);
-let _e858 = ((select(0i, _e853.member_20, _e855) * 19i) + 18i);
-let _e860 = (bitcast<i32>(_e68) - 1i);
-let _e862 = select(_e860, _e858, (_e858 < _e860));
-let _e868 = global_3.member[bitcast<u32>(select(0i, _e862, (_e862 > 0i)))];
-let _e875 = select(0i, select(select(i32(_e868), i32(-2147483648), (_e868 < -2147483600f)), 2147483647i, (_e868 > 2147483500f)), (_e868 == _e868));
-let _e876 = (_e875 * 4i);
-let _e878 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e880 = select(_e878, _e876, (_e876 < _e878));
-let _e886 = global_5.member[bitcast<u32>(select(0i, _e880, (_e880 > 0i)))];
-if (_e855 && (select(_e886, 1f, (_e875 == 16i)) != 0f)) {
-let _e912 = type_20(_e853.member, _e853.member_1, _e853.member_2, _e853.member_3, _e853.member_4, _e853.member_5, _e853.member_6, _e853.member_7, _e853.member_8, _e853.member_9, _e853.member_10, _e853.member_11, _e853.member_12, _e853.member_13, _e853.member_14, _e853.member_15, _e853.member_16, _e853.member_17, _e853.member_18, _e853.member_19, _e422.member_20, _e853.member_21);
-phi_1563_ = type_20(_e912.member, _e912.member_1, _e912.member_2, _e912.member_3, _e912.member_4, _e912.member_5, _e912.member_6, _e912.member_7, _e912.member_8, _e912.member_9, _e912.member_10, _e912.member_11, _e912.member_12, _e912.member_13, _e912.member_14, _e912.member_15, _e912.member_16, _e912.member_17, _e912.member_18, _e912.member_19, _e912.member_20, _e422.member_21);
+let _e841 = phi_1492_;
+let _e843 = (_e841.member_16 != _e422.member_16);
+let _e846 = ((select(0i, _e841.member_16, _e843) * 19i) + 18i);
+let _e848 = (bitcast<i32>(_e68) - 1i);
+let _e850 = select(_e848, _e846, (_e846 < _e848));
+let _e856 = global_3.member[bitcast<u32>(select(0i, _e850, (_e850 > 0i)))];
+let _e863 = select(0i, select(select(i32(_e856), i32(-2147483648), (_e856 < -2147483600f)), 2147483647i, (_e856 > 2147483500f)), (_e856 == _e856));
+let _e864 = (_e863 * 4i);
+let _e866 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e868 = select(_e866, _e864, (_e864 < _e866));
+let _e874 = global_5.member[bitcast<u32>(select(0i, _e868, (_e868 > 0i)))];
+if (_e843 && (select(_e874, 1f, (_e863 == 16i)) != 0f)) {
+let _e896 = type_20(_e841.member, _e841.member_1, _e841.member_2, _e841.member_3, _e841.member_4, _e841.member_5, _e841.member_6, _e841.member_7, _e841.member_8, _e841.member_9, _e841.member_10, _e841.member_11, _e841.member_12, _e841.member_13, _e841.member_14, _e841.member_15, _e422.member_16, _e841.member_17);
+phi_1559_ = type_20(_e896.member, _e896.member_1, _e896.member_2, _e896.member_3, _e896.member_4, _e896.member_5, _e896.member_6, _e896.member_7, _e896.member_8, _e896.member_9, _e896.member_10, _e896.member_11, _e896.member_12, _e896.member_13, _e896.member_14, _e896.member_15, _e896.member_16, _e422.member_17);
 } else {
-phi_1563_ = _e853;
+phi_1559_ = _e841;
 }
-let _e936 = phi_1563_;
-phi_834_ = _e936;
-phi_837_ = (_e424 + 1i);
+let _e916 = phi_1559_;
+phi_830_ = _e916;
+phi_833_ = (_e424 + 1i);
 } else {
-phi_834_ = type_20();
-phi_837_ = i32();
+phi_830_ = type_20();
+phi_833_ = i32();
 }
-let _e938 = phi_834_;
-let _e940 = phi_837_;
+let _e918 = phi_830_;
+let _e920 = phi_833_;
 continue;
 continuing {
-phi_833_ = _e938;
-phi_836_ = _e940;
+phi_829_ = _e918;
+phi_832_ = _e920;
 break if !(_e428);
 }
 }
-let _e943 = local_2;
-let _e946 = local_3;
-let _e949 = local_4;
-let _e952 = local_5;
-phi_1576_ = array<f32, 4>();
-phi_1577_ = array<f32, 4>(select(2f, 1f, _e943), f32(_e952), f32(_e946.member_20), _e949.member_21);
+let _e923 = local_2;
+let _e926 = local_3;
+let _e929 = local_4;
+let _e932 = local_5;
+phi_1572_ = array<f32, 4>();
+phi_1573_ = array<f32, 4>(select(2f, 1f, _e923), f32(_e932), f32(_e926.member_16), _e929.member_17);
 }
-let _e957 = phi_1576_;
-let _e959 = phi_1577_;
-phi_1578_ = _e957;
-phi_1579_ = _e959;
-phi_1580_ = _e187;
+let _e937 = phi_1572_;
+let _e939 = phi_1573_;
+phi_1574_ = _e937;
+phi_1575_ = _e939;
+phi_1576_ = _e187;
 }
-let _e961 = phi_1578_;
-let _e963 = phi_1579_;
-let _e965 = phi_1580_;
-if _e965 {
-phi_1584_ = _e961;
+let _e941 = phi_1574_;
+let _e943 = phi_1575_;
+let _e945 = phi_1576_;
+if _e945 {
+phi_1580_ = _e941;
 } else {
-phi_1584_ = _e963;
+phi_1580_ = _e943;
 }
-let _e967 = phi_1584_;
-global_6.member[_e86] = _e967[0];
-global_6.member[_e98] = _e967[1];
-global_6.member[_e109] = _e967[2];
-global_6.member[_e120] = _e967[3];
+let _e947 = phi_1580_;
+global_6.member[_e86] = _e947[0];
+global_6.member[_e98] = _e947[1];
+global_6.member[_e109] = _e947[2];
+global_6.member[_e120] = _e947[3];
 }
 }
 }

@@ -1361,7 +1361,7 @@ let _e2267 = global_2.member[bitcast<u32>(select(0i, _e2262, (_e2262 > 0i)))];
 if (_e294 && (_e2267 == 3f)) {
 let _e2270 = local_13;
 let _e2272 = local_12;
-let _e2273 = ((42i * _e2270) + _e2272);
+let _e2273 = ((30i * _e2270) + _e2272);
 let _e2275 = select(_e208, _e2273, (_e2273 < _e208));
 let _e2280 = global_2.member[bitcast<u32>(select(0i, _e2275, (_e2275 > 0i)))];
 let _e2287 = select(0i, select(select(i32(_e2280), i32(-2147483648), (_e2280 < -2147483600f)), 2147483647i, (_e2280 > 2147483500f)), (_e2280 == _e2280));

@@ -48,7 +48,7 @@ pub fn invoke<const LEVEL: u32>(
         step += 1;
         if ray.node < count {
             tree::visit(&mut ray, nodes, corners);
-        } else if (mode == mode::TWO_SURFACES) & (ray.bounces >= 2.0) {
+        } else if (mode == mode::TWO_SURFACES) & (ray.bounces >= 2.0) & !ray.has_turned() {
             // There is no third surface.
             ray.end(materials);
         } else {

@@ -5,7 +5,7 @@ use super::ray::{Ray, attenuation};
 use crate::abi::record::fate;
 use crate::abi::voxels::{AIR, VoxelsUniforms, flag, material, mode};
 use crate::field::access::read;
-use crate::math::{dot, max, normalize, select, select_vector, sqrt};
+use crate::math::{dot, max, min, normalize, select, select_vector, sqrt};
 use crate::optics::specular::fresnel;
 use spirv_std::glam::Vec3;
 
@@ -72,6 +72,44 @@ pub fn sum(color: Vec3) -> f32 {
     color.x + color.y + color.z
 }
 
+/// Surfaces that have a bit in a ray's `turns`: all whole numbers of as many bits are exact floats.
+const COUNTED: i32 = 24;
+
+/// `bits` without the highest bit that is set.
+#[inline(always)]
+fn without_highest(bits: i32) -> i32 {
+    // The exponent of a float is the number of its highest bit.
+    let highest = ((bits as f32).to_bits() >> 23) as i32 - 127;
+    if bits == 0 { 0 } else { bits - (1 << highest) }
+}
+
+impl Ray {
+    /// Whether the ray was reflected at the last surface that it met where it could have been refracted.
+    #[inline(always)]
+    pub fn has_turned(&self) -> bool {
+        // Doubled, so that number 0 stands for no surface.
+        let last = (2 * self.turns) >> min(self.bounces, COUNTED as f32 + 1.0) as i32;
+        // While a reflection is kept, the highest bit is not a turn, and the last turn lies behind.
+        (sum(self.kept) <= 0.0) & (last & 1 == 1)
+    }
+
+    /// Leaves the share of the light that the next surface reflects to the rest, or, if it is the greatest so far, keeps it for the next way.
+    #[inline(always)]
+    fn leave(&mut self, u: &VoxelsUniforms, from: i32, share: f32, materials: &[f32]) {
+        let rest = beyond(self, from, share, materials);
+        let number = self.bounces as i32;
+        let keeps = (u.flags & flag::KEEPS != 0) & (number < COUNTED);
+        if keeps & (sum(rest) > sum(self.kept)) {
+            let turns = if sum(self.kept) > 0.0 { without_highest(self.turns) } else { self.turns };
+            self.turns = turns | (1 << number);
+            self.rest += self.kept;
+            self.kept = rest;
+        } else {
+            self.rest += rest;
+        }
+    }
+}
+
 /// Refracts or reflects the ray at a surface with outward unit normal `normal`, from medium `from` to `to`; the ray then has a new
 /// straight way. The result is whether the ray went through.
 #[inline(always)]
@@ -85,43 +123,38 @@ pub fn meet(ray: &mut Ray, u: &VoxelsUniforms, mode: u32, normal: Vec3, from: i3
         ray.normal = normal;
         ray.reflectance = select(seen, share, 0.0);
     }
-    if !seen & !bent.reflected {
-        let rest = beyond(ray, from, share, materials);
-        let stronger = (u.flags & flag::KEEPS != 0) & (sum(rest) > sum(ray.kept_rest));
-        if stronger {
-            ray.rest += ray.kept_rest;
-            ray.kept_position = ray.position;
-            ray.kept_direction = bent.mirrored;
-            ray.kept_normal = normal;
-            ray.kept_transmittance = ray.transmittance * share;
-            ray.kept_rest = rest;
-            ray.kept_medium = ray.medium;
-        } else {
-            ray.rest += rest;
-        }
+    // The bits of this surface and of those behind it: a reflection that is kept belongs to a surface before this one.
+    let ahead = ray.turns >> min(ray.bounces, COUNTED as f32) as i32;
+    let turns = ahead & 1 == 1;
+    // Ways before this one have counted the surfaces up to its last turn.
+    if !seen & !bent.reflected & (ahead == 0) {
+        ray.leave(u, from, share, materials);
     }
     ray.bounces += 1.0;
-    let second = (mode == mode::TWO_SURFACES) & (ray.bounces >= 2.0);
+    let second = (mode == mode::TWO_SURFACES) & (ray.bounces >= 2.0) & !turns;
     if bent.reflected & second {
         // Two surfaces have no place for a reflection in between: the ray leaves along the surface, as at the critical angle.
         let along = ray.direction - normal * dot(ray.direction, normal);
         ray.direction = normalize(along);
+    } else if turns {
+        ray.direction = normalize(bent.mirrored);
     } else {
         ray.direction = bent.direction;
     }
     if !bent.reflected {
-        ray.transmittance *= 1.0 - share;
+        ray.transmittance *= select(turns, share, 1.0 - share);
     }
     ray.since = 0.0;
     ray.turn(u);
-    let inside = if bent.reflected { from } else { to };
+    let stays = bent.reflected | turns;
+    let inside = if stays { from } else { to };
     let seeks = u.flags & flag::SEEKS != 0;
     if second & !seeks {
         ray.end(materials);
-    } else if !second & (ray.bounces >= u.most_bounces as i32 as f32) & (inside != AIR) {
+    } else if !second & !turns & (ray.bounces >= u.most_bounces as i32 as f32) & (inside != AIR) {
         ray.status = fate::TRAPPED;
     } else if seeks {
         ray.status = fate::SEEKS;
     }
-    !bent.reflected
+    !stays
 }

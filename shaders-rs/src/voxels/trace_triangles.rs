@@ -43,12 +43,6 @@ fn lowest(bits: i32) -> i32 {
     found
 }
 
-/// A record's medium for a ray that is in the materials whose bits are set.
-#[inline(always)]
-fn encoded(bits: i32) -> i32 {
-    if bits == 0 { AIR } else { -bits }
-}
-
 /// The unit normal between the corners of the triangle that a ray meets.
 #[inline(always)]
 fn between_corners(ray: &Ray, corners: &[f32]) -> Vec3 {
@@ -124,17 +118,13 @@ pub fn invoke<const LEVEL: u32>(
                 ray.attenuate(max(ray.distance - contact.start, 0.0), from, materials);
                 ray.advance(ray.distance, AIR, materials);
                 contact.seek(0.0);
-                // For a way that begins here.
-                ray.medium = encoded(bits);
                 if meet(&mut ray, u, mode, normal, from, to, materials) {
                     bits = beyond;
                 }
             }
         }
     }
-    ray.medium = encoded(bits);
+    ray.medium = if bits == 0 { AIR } else { -bits };
     contact.store(&mut ray);
-    // A way that begins at a surface begins without a contact.
-    ray.kept_normal = Vec3::new(0.0, 0.0, 0.0);
     ray.store()
 }

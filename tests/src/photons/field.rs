@@ -2,7 +2,7 @@
 
 use vitrum::io::Volume;
 use vitrum::method::View;
-use vitrum::scene::TransferFunction;
+use vitrum::scene::{Scene, TransferFunction};
 use vitrum_kernels::glam::{DMat3, DVec3};
 
 /// Half the distance, in voxels, over which the gradient is taken: small, since η between voxels is defined by interpolation.
@@ -18,12 +18,15 @@ pub struct Field<'a> {
     to_voxels: DMat3,
     offset: DVec3,
     reference_length: f64,
+    /// The index of refraction outside of the volume's box.
+    surroundings: f64,
 }
 
 impl<'a> Field<'a> {
-    /// The medium of a volume under a transfer function, seen from `view`.
+    /// The medium of a scene's volume, seen from `view`.
     #[must_use]
-    pub fn new(volume: &'a Volume, transfer: &'a TransferFunction, view: &View) -> Self {
+    pub fn new(volume: &'a Volume, scene: &'a Scene, view: &View) -> Self {
+        let transfer = &scene.transfer;
         let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
         let step = |axis: usize| vector(volume.axes[axis]) * f64::from(volume.spacing[axis]);
         let inverse = DMat3::from_cols(step(0), step(1), step(2)).inverse();
@@ -38,6 +41,7 @@ impl<'a> Field<'a> {
             to_voxels: inverse * view.axes,
             offset: inverse * (view.eye - vector(volume.origin)),
             reference_length: f64::from(transfer.reference_length.unwrap_or(finest)),
+            surroundings: f64::from(scene.surroundings.ior),
         }
     }
 
@@ -72,6 +76,35 @@ impl<'a> Field<'a> {
     pub fn contains(&self, point: DVec3) -> bool {
         let at = self.to_voxels * point + self.offset;
         (0..3).all(|axis| (-0.5..=f64::from(self.volume.dimensions[axis]) - 0.5).contains(&at[axis]))
+    }
+
+    /// The unit normal, on either side, of the face of the box that is nearest to a point on the box, in the view frame.
+    fn face(&self, point: DVec3) -> DVec3 {
+        let at = self.to_voxels * point + self.offset;
+        let beyond = |axis: usize| {
+            let half = 0.5 * f64::from(self.volume.dimensions[axis]);
+            (at[axis] + 0.5 - half).abs() - half
+        };
+        let axis = (0..3).max_by(|&a, &b| beyond(a).total_cmp(&beyond(b))).unwrap_or(0);
+        self.to_voxels.row(axis).normalize()
+    }
+
+    /// The optical direction behind the box's face at `point` (Snell's law), into the box if `enters`, else out of it; without its part along
+    /// the normal turned round if all is reflected.
+    #[must_use]
+    pub fn refracted(&self, point: DVec3, direction: DVec3, enters: bool) -> DVec3 {
+        let normal = self.face(point);
+        let across = normal * direction.dot(normal);
+        let along = direction - across;
+        let behind = if enters { self.ior(self.to_voxels * point + self.offset) } else { self.surroundings };
+        let square = behind * behind - along.length_squared();
+        along + if square > 0.0 { across.normalize() * square.sqrt() } else { -across }
+    }
+
+    /// The index of refraction outside of the box.
+    #[must_use]
+    pub fn surroundings(&self) -> f64 {
+        self.surroundings
     }
 
     /// The scalar at voxel coordinates: trilinear, beyond the outermost voxels' centres theirs.

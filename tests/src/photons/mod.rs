@@ -34,7 +34,7 @@ pub fn irradiance(field: &Field, grid: &LightGrid, planes: &Planes, at: &[u32], 
                 let texel = |index: u32| (f64::from(index) + 0.5) / f64::from(across) * grid.texel;
                 let photon = Photon {
                     position: DVec3::new(grid.corner.x + texel(column), grid.corner.y + texel(row), planes.depth(0)),
-                    direction: grid.direction,
+                    direction: grid.direction * field.surroundings(),
                     weight: DVec3::ONE,
                 };
                 photon.follow(field, &depths, |plane, position, weight| {

@@ -57,7 +57,7 @@ impl Subject {
     pub fn photons(&self, across: u32) -> Vec<Vec<f64>> {
         let volume = self.case.volume();
         let view = View::new(&self.case.scene, volume);
-        let field = Field::new(volume, &self.case.scene.transfer, &view);
+        let field = Field::new(volume, &self.case.scene, &view);
         irradiance(&field, &self.grid, &self.planes, &self.at, across)
     }
 

@@ -8,6 +8,8 @@ use super::field::Field;
 const TOLERANCE: f64 = 1e-3;
 /// The longest step, in voxels.
 const LONGEST: f64 = 1.0;
+/// The distance from a face of the box at which a photon goes on behind it, in voxels.
+const HAIR: f64 = 1e-6;
 /// Steps after which a photon counts as trapped.
 const MOST_STEPS: usize = 20_000;
 
@@ -34,11 +36,17 @@ impl Photon {
             }
             let before = self;
             match field.contains(self.position) {
-                true => step = self.advance(field, step),
+                true => {
+                    step = self.advance(field, step);
+                    if !field.contains(self.position) {
+                        self.leave(field, &before);
+                    }
+                }
                 false => {
                     let Some((enters, _)) = field.crossing(self.position, self.direction) else { break };
-                    // A hair's breadth inside.
-                    self.position += self.direction * enters + self.direction.normalize() * (1e-6 * field.voxel());
+                    let face = self.position + self.direction * enters;
+                    self.direction = field.refracted(face, self.direction, true);
+                    self.position = face + self.direction.normalize() * (HAIR * field.voxel());
                 }
             }
             while next < depths.len() && self.position.z >= depths[next] && self.direction.z > 0.0 {
@@ -53,6 +61,16 @@ impl Photon {
                 crosses(index, self.position + self.direction * along, self.weight);
             }
         }
+    }
+
+    /// Moves a photon that has left the box back to the face through which it left, on the way from `before`, and refracts it there.
+    fn leave(&mut self, field: &Field, before: &Self) {
+        let way = self.position - before.position;
+        let share = field.crossing(before.position, way).map_or(1.0, |(_, leaves)| leaves.clamp(0.0, 1.0));
+        let face = before.position + way * share;
+        self.direction = field.refracted(face, before.direction.lerp(self.direction, share), false);
+        self.weight = before.weight.lerp(self.weight, share);
+        self.position = face + self.direction.normalize() * (HAIR * field.voxel());
     }
 
     /// One accepted step of Bogacki & Shampine's pair of orders 3 and 2, over a length of about `step`; the next step's length.

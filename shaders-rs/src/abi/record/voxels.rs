@@ -33,18 +33,11 @@ record! {
         /// Share of the light from all sides that rays would bring which surfaces behind the first one reflect, and which are not
         /// followed, 0 to 1.
         rest: Color,
-        /// The strongest of the reflections that a later way may follow: where it begins.
-        kept_position: Vec3,
-        /// Its direction; not of unit length.
-        kept_direction: Vec3,
-        /// Unit normal of the surface that reflects it, outwards.
-        kept_normal: Vec3,
-        /// Its transmittance at the beginning, 0 to 1; 0 if there is none.
-        kept_transmittance: Color,
-        /// What it would add to the rest if no way followed it.
-        kept_rest: Color,
-        /// Its medium, as `medium`.
-        kept_medium: i32,
+        /// The share that the strongest of those reflections would add to the rest if the next way did not follow it. 0 if there is none.
+        kept: Color,
+        /// A bit for each surface, by its number on the way from 0 on, at which the ray is reflected where it could be refracted; and
+        /// above these the bit of the surface whose reflection is kept for the next way.
+        turns: i32,
         /// The node of the tree of triangles that is next.
         node: i32,
         /// The nearest triangle so far on the ray's straight way, or one of [`ahead`](crate::abi::receivers::ahead).

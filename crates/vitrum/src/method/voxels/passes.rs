@@ -74,10 +74,11 @@ impl Rays {
 
 /// The largest number of rounds of a frame: dispatches, each together with one of [`seek`](vitrum_kernels::voxels::seek) if rays seek.
 /// A ray that is under way after them has met more surfaces than allowed.
-fn rounds(uploaded: &UploadedMesh, block: &VoxelsUniforms) -> u32 {
+fn rounds(uploaded: &UploadedMesh, block: &VoxelsUniforms, way: u32) -> u32 {
     // Nodes of a tree, several times those of a ray.
     const NODES: u32 = 16 * STEPS as u32;
-    let crossings = block.most_bounces + 1;
+    // Where a way turns it may meet one surface more.
+    let crossings = block.most_bounces + way + 1;
     let steps = uploaded.voxels().map_or(NODES, |[x, y, z]| {
         // From end to end in half voxels, as if there were a surface all along the way.
         let march = 2 * (x + y + z);
@@ -169,7 +170,7 @@ pub(super) fn list(
         if way > 0 {
             passes.push(pass(way, &kernels::voxels_follow, 0, vec![rays.clone()]));
         }
-        for _ in 0..rounds(uploaded, &block) {
+        for _ in 0..rounds(uploaded, &block, way) {
             if seeks {
                 passes.push(pass(way, &kernels::voxels_seek, mode, tree.to_vec()));
             }
