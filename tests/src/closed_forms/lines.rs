@@ -132,15 +132,15 @@ lines! {
     BALL_THICK: BALL, "64³ voxels, surface eight voxels thick", CROSSING, 0.032, 0.064;
     BALL_THICK_FINE: BALL, "128³ voxels, surface eight voxels thick", CROSSING, 0.019, 0.025;
 
-    SLAB_QUARTER: SLAB, SLAB_SETUP, "the irradiance on axis at ¼ of the focal distance, relative", 0.0082, 0.01;
-    SLAB_HALF: SLAB, SLAB_SETUP, "the irradiance on axis at ½, relative", 0.018, 0.03;
-    SLAB_THREE_QUARTERS: SLAB, SLAB_SETUP, "the irradiance on axis at ¾, relative", 0.18, 0.2;
+    SLAB_QUARTER: SLAB, SLAB_SETUP, "the irradiance on axis at ¼ of the focal distance, relative", 0.0078, 0.01;
+    SLAB_HALF: SLAB, SLAB_SETUP, "the irradiance on axis at ½, relative", 0.019, 0.03;
+    SLAB_THREE_QUARTERS: SLAB, SLAB_SETUP, "the irradiance on axis at ¾, relative", 0.17, 0.2;
     SLAB_BESIDE: SLAB, SLAB_SETUP, "the irradiance half a period beside, relative", 0.011, 0.02;
     SLAB_MEAN: SLAB, SLAB_SETUP, "the mean over a period, relative", 0.0084, 0.016;
     SLAB_COARSE: SLAB, "the same, planes every four voxels", "the irradiance on axis at ¾, relative", 0.14, 0.2;
     SLAB_UNCORRECTED: SLAB, "49 light texels a period, without intensity correction", "an irradiance of 1 everywhere", 0.0, 0.0, elsewhere 1e-3;
     SLAB_FINE_HALF: SLAB, FINE_SLAB_SETUP, "the irradiance on axis at ½, relative", 0.0039, 0.0078;
-    SLAB_FINE_THREE_QUARTERS: SLAB, FINE_SLAB_SETUP, "the irradiance on axis at ¾, relative", 0.046, 0.06;
+    SLAB_FINE_THREE_QUARTERS: SLAB, FINE_SLAB_SETUP, "the irradiance on axis at ¾, relative", 0.044, 0.06;
 
     SHEAR_WEAK: SHEAR, "64 voxels a unit, shear 0.031 from plane to plane", "the flux, relative", 2.6e-4, 5.2e-4;
     SHEAR_MIDDLE: SHEAR, "64 voxels a unit, shear 0.063", "the flux, relative", 1.2e-3, 1.4e-3;

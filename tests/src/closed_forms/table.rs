@@ -53,7 +53,7 @@ impl ErrorBound {
     }
 
     fn hold_on(&self, error: f64, place: &str, is_exact: bool) {
-        println!("measured: {self}: {error:.3e} ({place})");
+        println!("measured: {self}: {error:.3e} ({place}), {:.1e} in the table", self.measured);
         if left_out::is_set(MEASURE) {
             return;
         }
