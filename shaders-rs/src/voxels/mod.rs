@@ -9,6 +9,7 @@
 
 pub mod add_way;
 pub mod contact;
+pub mod crease;
 pub mod ending;
 pub mod follow;
 pub mod initialize_rays;

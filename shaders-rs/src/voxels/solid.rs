@@ -3,11 +3,11 @@
 
 use crate::abi::voxels::{AIR, VoxelsUniforms, field};
 use crate::field::access::{read, read_bytes};
-use crate::math::{floor_to_int, length, max};
+use crate::math::floor_to_int;
 use spirv_std::glam::Vec3;
 
 /// The level of the surface, ½, as 16-bit integers have it.
-const LEVEL: f32 = 32767.5;
+pub const LEVEL: f32 = 32767.5;
 
 /// Two neighbours along x of a field, `t` of the way from the first to the second.
 #[inline(always)]
@@ -64,16 +64,4 @@ pub fn medium(u: &VoxelsUniforms, fields: &[u32], position: Vec3) -> i32 {
         number -= 1;
     }
     found
-}
-
-/// The unit normal of a material's surface, outwards: against the gradient by central differences over two voxels.
-#[inline(always)]
-pub fn normal(u: &VoxelsUniforms, fields: &[u32], number: i32, p: Vec3) -> Vec3 {
-    let at = |dx: f32, dy: f32, dz: f32| value(u, fields, number, Vec3::new(p.x + dx, p.y + dy, p.z + dz));
-    let gradient = Vec3::new(
-        at(-1.0, 0.0, 0.0) - at(1.0, 0.0, 0.0),
-        at(0.0, -1.0, 0.0) - at(0.0, 1.0, 0.0),
-        at(0.0, 0.0, -1.0) - at(0.0, 0.0, 1.0),
-    );
-    gradient * (1.0 / max(length(gradient), 1e-6))
 }

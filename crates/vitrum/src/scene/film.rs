@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use vitrum_kernels::abi::record::{path, ray};
 
-/// Size and exposure of the picture: at most 48806446 viewing rays, `width` · `height` · `supersampling`².
+/// Size and exposure of the picture: at most 67108863 viewing rays, `width` · `height` · `supersampling`².
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Film {
@@ -40,6 +40,6 @@ mod tests {
 
     #[test]
     fn documents_state_the_limit() {
-        assert_eq!(Film::MOST_RAYS, 48_806_446);
+        assert_eq!(Film::MOST_RAYS, 67_108_863);
     }
 }

@@ -4,11 +4,10 @@ use super::bodies::Body;
 use crate::method::voxelize::Grid;
 use glam::DVec3;
 use rayon::prelude::*;
+use vitrum_kernels::abi::voxels;
 
-/// The largest stored distance, in voxels. A normal at the surface depends on samples up to 2 voxels away along an axis and 1 along the
-/// others, and these after smoothing on distances 2 more along each: (4, 3, 3) is 5.8 from a plane across the cube's diagonal. A field that
-/// is cut off nearer has normals that lean, at any resolution.
-pub(in crate::method) const BAND: f64 = 6.0;
+/// The largest stored distance, in voxels.
+pub(in crate::method) const BAND: f64 = voxels::BAND as f64;
 /// Layers of the grid that are computed together.
 const LAYERS: usize = 4;
 /// Least difference, in voxels, between the distances to points of two triangles that count as different.
