@@ -146,7 +146,7 @@ pub fn meet<V: VoxelFormat>(u: &SweepUniforms, from: Vec3, to: Vec3) -> Meeting 
     meeting
 }
 
-/// Whether a ray is inside at the beginning of a way: by its position, and within [`RIM`] of the border as it was `known` before.
+/// Whether a ray is inside at the beginning of a way: by its position, and within `RIM` of the border as it was `known` before.
 #[inline(always)]
 pub fn is_inside(meeting: &Meeting, known: bool) -> bool {
     let near = (meeting.distance > -RIM) & (meeting.distance < RIM);

@@ -119,7 +119,7 @@ fn pack_indices(indices: &[f64]) -> Vec<u32> {
 }
 
 impl Tables {
-    /// The tables of `transfer` for `volumes`; see [`layers`] and [`indices`]. Their entries follow the functions, so that they are the same
+    /// The tables of `transfer` for `volumes`; see `layers` and `indices`. Their entries follow the functions, so that they are the same
     /// whatever else the volumes hold.
     pub fn new(transfer: &TransferFunction, refraction: bool, surroundings: f32, volumes: Volumes<'_>) -> Self {
         let layers = layers(transfer, volumes.shown);
