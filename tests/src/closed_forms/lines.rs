@@ -124,8 +124,8 @@ lines! {
 
     DENSE_BALL_WRONG: DENSE_BALL, DENSE_BALL_SETUP, "the share of rays that turn back or are off by more than 10°", 0.0, 0.0;
     DENSE_BALL_MEDIAN: DENSE_BALL, DENSE_BALL_SETUP, "the deviation of half the rays, degrees", 1.6, 3.2;
-    EATON_TURN: EATON, EATON_SETUP, "the direction, degrees", 1.09, 2.1;
-    EATON_SIDE: EATON, EATON_SETUP, "the place, radii", 0.018, 0.036;
+    EATON_TURN: EATON, EATON_SETUP, "the direction, degrees", 0.549, 1.0;
+    EATON_SIDE: EATON, EATON_SETUP, "the place, radii", 0.0088, 0.0175;
 
     BALL_THIN: BALL, "64³ voxels, surface four voxels thick", CROSSING, 0.041, 0.05;
     BALL_THIN_FINE: BALL, "128³ voxels, surface four voxels thick", CROSSING, 0.025, 0.05;

@@ -19,10 +19,7 @@ fn rays_through_a_ball_of_a_high_index_do_not_turn_back_falsely() {
 #[test]
 fn eatons_lens_sends_rays_back_to_where_they_come_from() {
     for mut backend in backends() {
-        for n in [64, 96, 192] {
-            println!("{n}: {:?}", eaton(n, backend.as_mut()));
-        }
-        let (turn, aside) = eaton(128, backend.as_mut());
+        let (turn, aside) = eaton(192, backend.as_mut());
         println!("{}: off by {turn:.3}°, {aside:.4} radii", backend.name());
         table::EATON_TURN.hold(turn, backend.as_ref());
         table::EATON_SIDE.hold(aside, backend.as_ref());
