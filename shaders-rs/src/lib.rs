@@ -6,6 +6,7 @@
 //! - [`voxelize`] holds those that turn triangles into voxels.
 //! - [`voxels`] holds those that follow rays through a mesh, clear and opaque, as voxels or as triangles.
 //! - [`shadow`] holds those that find how much light gets to where in a mesh.
+//! - [`beams`] holds those that follow light through meshes into a scattering medium (Hu et al. 2010).
 //! - [`probe`] applies building blocks by themselves, for the conformance suite.
 //! - [`kernel`] is the one place where a kernel is declared; the SPIR-V entry points and the CPU dispatch come from it.
 //!
@@ -14,6 +15,7 @@
 #![cfg_attr(target_arch = "spirv", no_std)]
 
 pub mod abi;
+pub mod beams;
 pub mod field;
 pub mod kernel;
 pub mod math;

@@ -163,9 +163,9 @@ pub const STEPS: i32 = 256;
 pub mod material {
     /// Floats.
     pub const SIZE: usize = 4;
-    /// Index of refraction; 0 for an opaque material.
+    /// Index of refraction; 0 for an opaque material, −1 for a mirror.
     pub const IOR: usize = 0;
-    /// Absorption coefficient a voxel's edge, red; green and blue follow.
+    /// Absorption coefficient a voxel's edge, red; green and blue follow. The reflectance of a mirror.
     pub const ABSORPTION: usize = 1;
 }
 

@@ -113,6 +113,21 @@ pub fn add<S: Sums + ?Sized>(sums: &mut S, index: i32, value: i32) {
     }
 }
 
+/// Adds `value`, in units, to the sum whose low word is at `index`, rounded to the nearest unit, or from 2³⁰ units on to the nearest 2²⁰;
+/// at most 2⁵⁰ units.
+#[inline(always)]
+pub fn add_large<S: Sums + ?Sized>(sums: &mut S, index: i32, value: f32) {
+    if absolute(value) < 1_073_741_824.0 {
+        add(sums, index, quantise(value, 1.0));
+    } else {
+        let parts = quantise(value, 1.0 / 1_048_576.0);
+        let low = (parts as u32) << 20;
+        let before = sums.add(index as usize, low);
+        let carry = (before.wrapping_add(low) < low) as u32;
+        sums.add(index as usize + 1, ((parts >> 12) as u32).wrapping_add(carry));
+    }
+}
+
 /// The sum whose low word is at `index`, in units.
 #[inline(always)]
 pub fn sum(sums: &[u32], index: i32) -> f32 {

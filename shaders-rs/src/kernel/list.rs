@@ -100,6 +100,17 @@ kernels! {
         absorb_solid(changes: u32) adds absorption;
         accumulate(depths: u32) adds word, modes mode [COUNTED, UNIFORM];
     }
+    beams: BeamsUniforms {
+        trace(nodes: f32, corners: f32, materials: f32) updates pencil,
+            levels [WORK], modes rays [LIGHT, VIEW], reports work;
+        store_beam(pencils: f32, pictures: f32) writes beam,
+            modes part [CAUSTIC, SHADOW];
+        see(pencils: f32, pictures: f32, corners: f32, looks: f32) updates sight,
+            levels [WORK];
+        find_depths(sights: f32) writes depths;
+        scatter_beam(beams: f32, sights: f32, depths: f32) adds inscattered;
+        resolve(sights: f32, caustics: u32, shadows: u32) writes beam_pixel;
+    }
     probe: ProbeUniforms {
         apply_function(arguments: f32) writes probe;
     }

@@ -8,7 +8,7 @@ use super::ray::Ray;
 use super::surface::ior;
 use super::tree;
 use super::triangle::{intersect, shear};
-use crate::abi::voxels::{VoxelsUniforms, corner};
+use crate::abi::voxels::corner;
 use crate::field::access::{read, read_vector};
 use crate::math::{absolute, cross, dot, max, normalize, select};
 use spirv_std::glam::Vec3;
@@ -37,10 +37,10 @@ pub struct Contact {
     cosine: f32,
 }
 
-/// Whether a material is opaque.
+/// Whether a material is opaque, diffuse or a mirror.
 #[inline(always)]
 pub fn is_opaque(material: i32, materials: &[f32]) -> bool {
-    ior(material, materials) == 0.0
+    ior(material, materials) <= 0.0
 }
 
 /// The number of a triangle's material.
@@ -102,18 +102,18 @@ impl Contact {
         (distance > self.start) & (self.start > 0.0) | (begins & (self.start <= 0.0))
     }
 
-    /// Visits the ray's next node of the tree, and moves on to the node behind. `bits` has a bit for each material around the ray.
+    /// Visits the ray's next node of the tree, and moves on to the node behind. `bits` has a bit for each material around the ray; `same` is
+    /// the distance up to which two surfaces are in contact, in voxels.
     #[inline(always)]
     pub fn visit(
         &mut self,
         ray: &mut Ray,
         bits: i32,
-        u: &VoxelsUniforms,
+        same: f32,
         nodes: &[f32],
         corners: &[f32],
         materials: &[f32],
     ) {
-        let same = u.same_distance;
         let found = ray.triangle >= 0;
         let reach = ray.distance + select(found, same / self.cosine, 0.0);
         let triangle = tree::step(ray, self.start, reach, nodes);

@@ -29,9 +29,9 @@ pub fn level(
     level_of(Ray::load(&before).status)
 }
 
-/// The lowest number of a material whose bit is set in `bits`.
+/// The lowest number of a material whose bit is set in `bits`, [`AIR`] if none is.
 #[inline(always)]
-fn lowest(bits: i32) -> i32 {
+pub fn lowest(bits: i32) -> i32 {
     let mut found = AIR;
     let mut number = AIR - 1;
     while number >= 0 {
@@ -90,7 +90,7 @@ pub fn invoke<const LEVEL: u32>(
     while (step < 4 * STEPS) & (ray.status == fate::ACTIVE) {
         step += 1;
         if ray.node < count {
-            contact.visit(&mut ray, bits, u, nodes, corners, materials);
+            contact.visit(&mut ray, bits, u.same_distance, nodes, corners, materials);
         } else {
             let from = lowest(bits);
             let met = ray.triangle >= 0;

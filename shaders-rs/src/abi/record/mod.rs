@@ -2,11 +2,13 @@
 
 #[macro_use]
 mod declare;
+mod beams;
 mod results;
 mod sweep;
 mod voxels;
 mod words;
 
+pub use beams::*;
 pub use results::*;
 pub use sweep::*;
 pub use voxels::*;

@@ -1,0 +1,174 @@
+//! The uniform block of the kernels of beams, and the constants that host and kernels share.
+
+use super::Dispatched;
+use super::camera::Camera;
+use super::dispatch::Dispatch;
+use super::environment::Environment;
+use super::light::LightSource;
+use super::receivers::Receivers;
+use super::vector::{Size, Vec3};
+
+/// Uniforms of the kernels in [`crate::beams`].
+///
+/// All of them work in the frame of the mesh's grid: lengths in voxels from its low corner, along the world's axes.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct BeamsUniforms {
+    /// Size of the dispatch, and mode.
+    pub dispatch: Dispatch,
+    /// Viewing rays across and down.
+    pub picture: Size,
+    /// The camera; lengths in voxels.
+    pub camera: Camera,
+    /// The view frame's x, right, as a unit vector.
+    pub right: Vec3,
+    /// The view frame's y, up.
+    pub up: Vec3,
+    /// The view frame's z, away from the eye.
+    pub away: Vec3,
+    /// The eye.
+    pub eye: Vec3,
+    /// Edge of a voxel, world units.
+    pub voxel: f32,
+    /// Low corner of the box that holds all surfaces.
+    pub low: Vec3,
+    /// High corner of that box.
+    pub high: Vec3,
+    /// The light.
+    pub light: LightSource,
+    /// The rays of the light.
+    pub lattice: Lattice,
+    /// How far rays are followed.
+    pub limits: Limits,
+    /// The scattering medium.
+    pub medium: Medium,
+    /// Ground and wall.
+    pub receivers: Receivers,
+    /// The environment.
+    pub environment: Environment,
+    /// Radiance from all sides that opaque surfaces reflect, linear RGB.
+    pub ambient: Vec3,
+    /// Switches, see [`flag`].
+    pub flags: u32,
+    /// The sums of in-scattered radiance.
+    pub sums: Sums,
+}
+
+/// The lattice of a light's rays (Hu et al. 2010, §4.1, the caustic buffer): a square of `count` × `count` texels.
+///
+/// Texel (i, j) has the ray through its centre. The rays of a distant light are parallel and start on a plane across it; those of a point
+/// go through texels of a plane at distance 1 from it, in voxels.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct Lattice {
+    /// Texels along each edge.
+    pub count: u32,
+    /// The first row of the band of rays that is followed at a time.
+    pub first_row: u32,
+    /// Unit vector along the light's middle.
+    pub axis: Vec3,
+    /// Unit vector along the rows of texels.
+    pub across: Vec3,
+    /// Unit vector along the columns of texels.
+    pub upwards: Vec3,
+    /// Position of a distant light's plane; the position of a point.
+    pub origin: Vec3,
+    /// The first corner, along the rows.
+    pub low_across: f32,
+    /// The first corner, along the columns.
+    pub low_upwards: f32,
+    /// Edge of a texel along the rows.
+    pub step_across: f32,
+    /// Edge of a texel along the columns.
+    pub step_upwards: f32,
+}
+
+/// How far rays are followed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct Limits {
+    /// Distance up to which two surfaces are in contact.
+    pub same_distance: f32,
+    /// Share of a ray's flux below which a part of it is not followed.
+    pub threshold: f32,
+    /// Surfaces that a ray may meet on one way.
+    pub bounces: u32,
+    /// Number of the straight piece in air, from 0 on over all ways of a ray, up to which rays are followed by a pass.
+    pub round: u32,
+}
+
+/// A homogeneous medium in a box.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct Medium {
+    /// Extinction coefficient σ_t, RGB, a voxel.
+    pub extinction: Vec3,
+    /// Scattering coefficient σ_s, RGB, a voxel.
+    pub scattering: Vec3,
+    /// Mean cosine g of Henyey and Greenstein's phase function.
+    pub anisotropy: f32,
+    /// The phase function, one of [`phase`].
+    pub phase: u32,
+    /// Low corner of the box.
+    pub low: Vec3,
+    /// High corner of the box.
+    pub high: Vec3,
+}
+
+/// Phase functions.
+pub mod phase {
+    /// Henyey and Greenstein 1941; isotropic where g is 0.
+    pub const HENYEY_GREENSTEIN: u32 = 0;
+    /// Rayleigh's.
+    pub const RAYLEIGH: u32 = 1;
+}
+
+/// The sums of in-scattered radiance: for each pixel of each level of a pyramid of pictures, three channels of 64 bits.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct Sums {
+    /// Units in a radiance of 1.
+    pub scale: f32,
+    /// Levels of the pyramid above the picture itself, at most [`LEVELS`].
+    pub levels: u32,
+}
+
+/// The most levels of the pyramid above the picture itself: level l has pixels of 2^l × 2^l viewing rays.
+pub const LEVELS: u32 = 4;
+
+/// Columns of the picture in which one invocation draws a beam.
+pub const BLOCK: u32 = 16;
+
+/// Switches that cost little at run time.
+pub mod flag {
+    /// Looks belong to triangles; else to materials.
+    pub const LOOK_OF_TRIANGLE: u32 = 1;
+}
+
+/// Modes of [`crate::beams::trace`]: whose rays it follows.
+pub mod rays {
+    /// The light's, one for each texel of the lattice.
+    pub const LIGHT: u32 = 0;
+    /// The viewer's, one for each pixel.
+    pub const VIEW: u32 = 1;
+}
+
+/// Modes of [`crate::beams::store_beam`].
+pub mod part {
+    /// Light behind the surfaces that it met.
+    pub const CAUSTIC: u32 = 0;
+    /// Light that a body takes out of what would be there without it.
+    pub const SHADOW: u32 = 1;
+}
+
+impl Dispatched for BeamsUniforms {
+    #[inline(always)]
+    fn dispatch(&self) -> Dispatch {
+        self.dispatch
+    }
+}

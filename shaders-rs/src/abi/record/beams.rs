@@ -1,0 +1,160 @@
+//! Records of beams.
+
+record! {
+    /// A pencil: a ray with its first derivatives by the two coordinates of the texel or pixel that it goes through the centre of (Igehy 1999).
+    /// It goes, one after the other, along all ways on which surfaces send its flux, by refraction or by reflection.
+    pencil: Pencil {
+        /// Position in voxels, where the present straight piece begins.
+        position: Vec3,
+        /// Unit direction.
+        direction: Vec3,
+        /// Change of the position over a texel along the first coordinate.
+        position_u: Vec3,
+        /// Change of the position over a texel along the second coordinate.
+        position_v: Vec3,
+        /// Change of the direction over a texel along the first coordinate.
+        direction_u: Vec3,
+        /// Change of the direction over a texel along the second coordinate.
+        direction_v: Vec3,
+        /// The share of the flux at the start that is left, 0 to 1.
+        transmittance: Color,
+        /// A bit for each material around the ray.
+        media: i32,
+        /// The node of the tree of triangles that is next.
+        node: i32,
+        /// The nearest triangle so far on the straight piece, or one of [`ahead`](crate::abi::receivers::ahead).
+        triangle: i32,
+        /// The distance of that triangle, in voxels.
+        distance: f32,
+        /// The number `enters` of a [`Contact`](crate::voxels::contact::Contact).
+        enters: i32,
+        /// The number `leaves` of a [`Contact`](crate::voxels::contact::Contact).
+        leaves: i32,
+        /// The number `start` of a [`Contact`](crate::voxels::contact::Contact).
+        start: f32,
+        /// The number `end` of a [`Contact`](crate::voxels::contact::Contact).
+        end: f32,
+        /// One of [`stage`].
+        stage: f32,
+        /// Surfaces that the present way has met.
+        bounces: i32,
+        /// A bit for each surface of the present way, by its number from 0 on, at which the ray is reflected where it could be refracted.
+        turns: i32,
+        /// A bit for each surface of the present way whose reflection is followed later.
+        pending: i32,
+        /// Surfaces up to which the present way is that of an earlier one.
+        shared: i32,
+        /// Straight pieces in air so far, over all ways, without those that ways share.
+        pieces: i32,
+        /// Share of the flux that has left all bodies and goes on, the mean of the channels.
+        escaped: f32,
+        /// Share that has met an opaque surface or a receiver.
+        received: f32,
+        /// Share that clear bodies and mirrors have absorbed.
+        absorbed: f32,
+        /// Share that the medium has absorbed or scattered.
+        extinguished: f32,
+        /// Share that was not followed.
+        lost: f32,
+    }
+
+    /// Stages of a pencil.
+    pub mod stage {
+        /// Not begun.
+        pub const NEW: f32 = 0.0;
+        /// Under way to the end of a straight piece.
+        pub const UNDER_WAY: f32 = 1.0;
+        /// At the beginning of a straight piece in air whose end is known.
+        pub const PAUSED: f32 = 2.0;
+        /// All ways have ended.
+        pub const DONE: f32 = 3.0;
+    }
+}
+
+record! {
+    /// A beam: the light of one texel of the lattice along a straight piece in air.
+    beam: Beam {
+        /// Position of its beginning, in voxels.
+        position: Vec3,
+        /// Unit direction.
+        direction: Vec3,
+        /// Change of the position over the texel along the first coordinate.
+        position_u: Vec3,
+        /// Change of the position over the texel along the second coordinate.
+        position_v: Vec3,
+        /// Change of the direction over the texel along the first coordinate.
+        direction_u: Vec3,
+        /// Change of the direction over the texel along the second coordinate.
+        direction_v: Vec3,
+        /// Flux at its beginning, RGB: irradiance over π times squared voxels. 0 if there is no beam.
+        flux: Color,
+        /// Length in the medium, in voxels.
+        length: f32,
+        /// Distance of the surface that ends it, in voxels.
+        reach: f32,
+        /// That surface: a triangle, or one of [`ahead`](crate::abi::receivers::ahead).
+        target: i32,
+    }
+}
+
+record! {
+    /// The depths of the viewing rays around a pixel of a level of the pyramid, over all rays of that pixel and of the eight beside it.
+    depths: Depths {
+        /// The least distance from the eye at which a ray ends, in voxels.
+        nearest: f32,
+        /// The greatest.
+        farthest: f32,
+        /// Distance from the eye at which rays enter the medium, the mean over the pixel.
+        enters: f32,
+    }
+}
+
+record! {
+    /// What a pixel sees so far, besides what beams bring to the first straight piece of its ray.
+    sight: Sight {
+        /// Distance from the eye at which the first straight piece ends, in voxels.
+        depth: f32,
+        /// Distance from the eye at which the ray enters the medium, in voxels.
+        enters: f32,
+        /// Radiance of surfaces and of the environment.
+        radiance: Color,
+        /// Radiance that the medium scatters out of the light of the source where nothing is in its way.
+        airlight: Color,
+        /// Volume caustics on the further pieces: in-scattered radiance.
+        caustics: Color,
+        /// Volumetric shadow on the further pieces: in-scattered radiance that bodies take away.
+        shadow: Color,
+        /// Coverage, 0 to 1.
+        coverage: f32,
+        /// Unit normal at the first surface, along the grid's axes; 0 if there is none.
+        normal: Vec3,
+    }
+}
+
+record! {
+    /// A finished pixel.
+    beam_pixel: BeamPixel {
+        /// Linear radiance.
+        color: Color,
+        /// Coverage, 0 to 1.
+        coverage: f32,
+        /// Radiance of surfaces and of the environment through bodies and medium.
+        surfaces: Color,
+        /// Airlight: in-scattered radiance of the source without any body.
+        airlight: Color,
+        /// Volume caustics: in-scattered radiance of light that bodies have refracted or reflected.
+        caustics: Color,
+        /// Volumetric shadow: the part of the airlight that bodies take away.
+        shadow: Color,
+        /// Depth of the first surface along the viewing direction, world units; 0 if there was none.
+        depth: f32,
+        /// Unit normal at the first surface in view space (looking along −z). 0 if there was none.
+        normal: Vec3,
+    }
+}
+
+/// Sums of in-scattered radiance: for each channel a low and a high word, next to each other (not planar).
+pub mod inscattered {
+    /// Words.
+    pub const SIZE: usize = 6;
+}

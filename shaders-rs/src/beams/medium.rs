@@ -1,0 +1,41 @@
+//! A homogeneous medium in a box: transmittance and phase functions.
+
+use crate::abi::beams::{Medium, phase};
+use crate::math::{PI, exp, max, min, select, sqrt, xyz};
+use crate::voxels::ray::{reciprocal, slab};
+use spirv_std::glam::Vec3;
+
+/// The part of a line that lies in the medium.
+#[derive(Clone, Copy)]
+pub struct Inside {
+    /// Distance at which the line enters.
+    pub enters: f32,
+    /// Distance at which it leaves, at least `enters`.
+    pub leaves: f32,
+}
+
+/// The part in the medium of the line from `from` along the unit vector `direction` between the distances `near` and `far`.
+#[inline(always)]
+pub fn inside(medium: &Medium, from: Vec3, direction: Vec3, near: f32, far: f32) -> Inside {
+    let inverse = Vec3::new(reciprocal(direction.x), reciprocal(direction.y), reciprocal(direction.z));
+    let (enters, leaves) = slab(from, inverse, xyz(medium.low), xyz(medium.high));
+    let enters = max(enters, near);
+    Inside { enters, leaves: max(min(leaves, far), enters) }
+}
+
+/// Transmittance of `length` voxels of the medium, RGB (Beer–Lambert).
+#[inline(always)]
+pub fn transmittance(medium: &Medium, length: f32) -> Vec3 {
+    let extinction = xyz(medium.extinction);
+    Vec3::new(exp(-(extinction.x * length)), exp(-(extinction.y * length)), exp(-(extinction.z * length)))
+}
+
+/// The phase function for light that is scattered by an angle of cosine `cosine`, per steradian: its integral over all directions is 1.
+#[inline(always)]
+pub fn phase(medium: &Medium, cosine: f32) -> f32 {
+    let g = medium.anisotropy;
+    let base = max(1.0 + g * g - 2.0 * g * cosine, 1e-9);
+    let henyey_greenstein = (1.0 - g * g) / (base * sqrt(base));
+    let rayleigh = 0.75 * (1.0 + cosine * cosine);
+    select(medium.phase == phase::RAYLEIGH, rayleigh, henyey_greenstein) * (0.25 / PI)
+}

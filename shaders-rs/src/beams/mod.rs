@@ -1,0 +1,22 @@
+//! Volume caustics: light that clear and mirroring bodies send through a scattering medium (Hu et al. 2010), by beams.
+//!
+//! [`trace`] follows pencils of light, and viewing rays, through the bodies: a pencil is a ray with its derivatives ([`emission`],
+//! [`viewing`], [`bend`], [`spread`]). Each straight piece in air becomes a beam ([`store_beam`]), and [`scatter_beam`] adds the light that
+//! the medium scatters out of it to the pixels that look through it. [`see`] adds up the rest of the picture, [`resolve`] composes it.
+
+pub mod airlight;
+pub mod bend;
+pub mod emission;
+pub mod facet;
+pub mod find_depths;
+pub mod medium;
+pub mod picture;
+pub mod pyramid;
+pub mod resolve;
+pub mod scatter_beam;
+pub mod see;
+pub mod spread;
+pub mod store_beam;
+pub mod trace;
+pub mod trapezoid;
+pub mod viewing;

@@ -1,0 +1,255 @@
+//! Pencils of light, and of viewing rays, through the triangles of meshes: from surface to surface along all ways on which a worthwhile part of
+//! the flux goes (Hu et al. 2010, §4.1; the tree of ways: Whitted 1980).
+//!
+//! At each surface a pencil goes on along the refracted ray, and the reflection waits as a bit in `pending`. Where a way ends, the next one starts
+//! at the source again and turns where the last waiting reflection is. A pencil pauses at the beginning of each straight piece in air, where
+//! other kernels take it.
+
+use super::bend::{facet_for, mean};
+use super::emission::{self, Start};
+use super::facet::Facet;
+use super::medium::{inside, transmittance};
+use super::viewing;
+use crate::abi::beams::{BeamsUniforms, rays};
+use crate::abi::light::kind;
+use crate::abi::receivers::ahead;
+use crate::abi::record::pencil::{SIZE, stage};
+use crate::abi::record::{Path, Pencil};
+use crate::abi::voxels::{AIR, STEPS};
+use crate::math::{max, min, xyz};
+use crate::optics::receiver::{FAR, first_ahead};
+use crate::voxels::contact::{Contact, is_opaque, material_of};
+use crate::voxels::ray::{attenuation, reciprocal, slab};
+use crate::voxels::surface::ior;
+use crate::voxels::trace_triangles::lowest;
+use crate::voxels::tree;
+use spirv_std::glam::Vec3;
+
+pub use crate::voxels::ray::level;
+
+/// Distance by which receivers are taken to be nearer, in voxels: a body that stands on one is in contact with it.
+const CONTACT: f32 = 1.0 / 64.0;
+
+/// The level of work: whether the pencil is to be followed in this round.
+#[inline(always)]
+pub fn level(
+    _x: u32,
+    _y: u32,
+    u: &BeamsUniforms,
+    _mode: u32,
+    before: [f32; SIZE],
+    _nodes: &[f32],
+    _corners: &[f32],
+    _materials: &[f32],
+) -> u32 {
+    let pencil = Pencil::load(&before);
+    let waits = (pencil.stage == stage::PAUSED) & (pencil.pieces > u.limits.round as i32);
+    if (pencil.stage == stage::DONE) | waits { level::ENDED } else { level::WORK }
+}
+
+/// The source's end of the ray of texel or pixel (x, y).
+#[inline(always)]
+fn start(x: u32, y: u32, u: &BeamsUniforms, mode: u32) -> Start {
+    if mode == rays::LIGHT {
+        emission::start(u, x as i32, y as i32 + u.lattice.first_row as i32)
+    } else {
+        viewing::start(u, x as i32, y as i32)
+    }
+}
+
+/// The pencil at the beginning of a way: before it enters the box of all surfaces.
+#[inline(always)]
+fn begin(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes: &[f32]) {
+    let Start { position, direction, spread } = start(x, y, u, mode);
+    let inverse = Vec3::new(reciprocal(direction.x), reciprocal(direction.y), reciprocal(direction.z));
+    let (enters, leaves) = slab(position, inverse, xyz(u.low), xyz(u.high));
+    // A distant light comes from any distance behind its plane.
+    let endless = (mode == rays::LIGHT) & (u.light.kind == kind::DISTANT);
+    let source = if endless { -FAR } else { 0.0 };
+    let enters = max(enters, source);
+    let misses = leaves <= enters;
+    let near = if misses { 0.0 } else { enters };
+    pencil.position = position + direction * near;
+    pencil.direction = direction;
+    pencil.set_spread(spread.moved(near));
+    pencil.transmittance = Vec3::new(1.0, 1.0, 1.0);
+    pencil.media = 0;
+    pencil.bounces = 0;
+    pencil.stage = stage::UNDER_WAY;
+    look_ahead(u, pencil);
+    pencil.start = 0.0;
+    pencil.enters = 0;
+    pencil.leaves = 0;
+    // The fog between the source and the box.
+    let fog = inside(&u.medium, position, direction, source, near);
+    pencil.extinguished += pencil.attenuate(transmittance(&u.medium, fog.leaves - fog.enters));
+    if misses {
+        pencil.node = tree::count(nodes);
+        // A light that meets no body has no beam.
+        if mode == rays::LIGHT {
+            pencil.stage = stage::DONE;
+        }
+    }
+}
+
+/// Looks for the receiver ahead; triangles are still to be looked for.
+#[inline(always)]
+fn look_ahead(u: &BeamsUniforms, pencil: &mut Pencil) {
+    let receiver = first_ahead(&u.receivers, pencil.position, pencil.direction, CONTACT);
+    pencil.node = 0;
+    pencil.triangle = receiver.which;
+    pencil.distance = receiver.distance;
+}
+
+/// The number of the highest bit that is set; `bits` must not be 0.
+#[inline(always)]
+fn highest_bit(bits: i32) -> i32 {
+    ((bits as f32).to_bits() >> 23) as i32 - 127
+}
+
+/// Ends a way, and begins the next one if a reflection waits.
+#[inline(always)]
+fn end(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes: &[f32]) {
+    if pencil.pending == 0 {
+        pencil.stage = stage::DONE;
+    } else {
+        let number = highest_bit(pencil.pending);
+        let below = (1 << number) - 1;
+        pencil.turns = (pencil.turns & below) | (1 << number);
+        pencil.pending &= below;
+        pencil.shared = number + 1;
+        begin(x, y, u, mode, pencil, nodes);
+    }
+}
+
+/// The pencil after some nodes.
+#[inline(always)]
+pub fn invoke<const LEVEL: u32>(
+    x: u32,
+    y: u32,
+    u: &BeamsUniforms,
+    mode: u32,
+    before: [f32; SIZE],
+    nodes: &[f32],
+    corners: &[f32],
+    materials: &[f32],
+) -> [f32; SIZE] {
+    let mut pencil = Pencil::load(&before);
+    if pencil.stage == stage::NEW {
+        begin(x, y, u, mode, &mut pencil, nodes);
+    }
+    let count = tree::count(nodes);
+    let mut paused = pencil.stage == stage::PAUSED;
+    if paused {
+        pencil.stage = stage::UNDER_WAY;
+    }
+    let mut step = 0;
+    while (step < 4 * STEPS) & (pencil.stage == stage::UNDER_WAY) {
+        step += 1;
+        if pencil.node < count {
+            visit(&mut pencil, u, nodes, corners, materials);
+        } else {
+            let from = lowest(pencil.media);
+            if (from == AIR) & pencil.is_new() & !paused {
+                pencil.stage = stage::PAUSED;
+                pencil.pieces += 1;
+            } else {
+                paused = false;
+                arrive(x, y, u, mode, &mut pencil, from, nodes, corners, materials);
+            }
+        }
+    }
+    pencil.store()
+}
+
+/// Visits the next node of the tree.
+#[inline(always)]
+fn visit(pencil: &mut Pencil, u: &BeamsUniforms, nodes: &[f32], corners: &[f32], materials: &[f32]) {
+    let mut ray = Path::straight(pencil.position, pencil.direction);
+    ray.node = pencil.node;
+    ray.triangle = pencil.triangle;
+    ray.distance = pencil.distance;
+    ray.last_normal = Vec3::new(pencil.enters as f32, pencil.leaves as f32, pencil.start);
+    ray.since = pencil.end;
+    let mut contact = Contact::load(&ray, corners);
+    contact.visit(&mut ray, pencil.media, u.limits.same_distance, nodes, corners, materials);
+    pencil.node = ray.node;
+    pencil.triangle = ray.triangle;
+    pencil.distance = ray.distance;
+    pencil.enters = contact.enters;
+    pencil.leaves = contact.leaves;
+    pencil.end = contact.end;
+}
+
+/// Takes the pencil to the end of its straight piece, and around the surface there.
+#[inline(always)]
+fn arrive(
+    x: u32,
+    y: u32,
+    u: &BeamsUniforms,
+    mode: u32,
+    pencil: &mut Pencil,
+    from: i32,
+    nodes: &[f32],
+    corners: &[f32],
+    materials: &[f32],
+) {
+    let met = pencil.triangle >= 0;
+    let way = max(pencil.distance - pencil.start, 0.0);
+    let material = material_of(if met { pencil.triangle } else { 0 }, corners);
+    let opaque = met & is_opaque(material, materials);
+    let beyond = (pencil.media | (pencil.enters & !pencil.leaves)) & !(pencil.leaves & !pencil.enters);
+    let to = lowest(beyond);
+    if from == AIR {
+        let fog = inside(&u.medium, pencil.position, pencil.direction, 0.0, pencil.distance);
+        let share = transmittance(&u.medium, fog.leaves - fog.enters);
+        let gone = pencil.attenuate(share);
+        pencil.extinguished += gone;
+    } else {
+        // Through the rest of a body whose surface has a hole, no light is taken to get.
+        let share = attenuation(from, min(way, 1e6), materials);
+        let gone = pencil.attenuate(share);
+        pencil.absorbed += gone;
+    }
+    if !met | (opaque & (ior(material, materials) == 0.0)) {
+        let left = if pencil.is_new() { mean(pencil.transmittance) } else { 0.0 };
+        if pencil.triangle == ahead::NOTHING {
+            pencil.escaped += left;
+        } else {
+            pencil.received += left;
+        }
+        end(x, y, u, mode, pencil, nodes);
+        return;
+    }
+    if !opaque & (from == to) {
+        // Surfaces within a material that lies above theirs are not seen, and the way goes straight on.
+        pencil.media = beyond;
+        pencil.start = max(pencil.end, f32::MIN_POSITIVE);
+        pencil.enters = 0;
+        pencil.leaves = 0;
+        let first = first_ahead(&u.receivers, pencil.position, pencil.direction, CONTACT);
+        pencil.node = 0;
+        pencil.triangle = first.which;
+        pencil.distance = first.distance;
+        return;
+    }
+    pencil.position += pencil.direction * pencil.distance;
+    let facet = Facet::new(corners, pencil.triangle, pencil.position);
+    let (index, other) = if opaque { (1.0, 1.0) } else { (ior(from, materials), ior(to, materials)) };
+    let facet = facet_for(facet, pencil.direction, index, other);
+    let spread = pencil.spread().moved(pencil.distance).on_plane(pencil.direction, facet.plane);
+    pencil.set_spread(spread);
+    if opaque {
+        pencil.reflect(&facet, material, materials);
+    } else if pencil.cross(u, &facet, from, to, materials) {
+        pencil.media = beyond;
+    }
+    pencil.start = 0.0;
+    pencil.enters = 0;
+    pencil.leaves = 0;
+    look_ahead(u, pencil);
+    if pencil.bounces > u.limits.bounces as i32 {
+        pencil.lost += if pencil.is_new() { mean(pencil.transmittance) } else { 0.0 };
+        end(x, y, u, mode, pencil, nodes);
+    }
+}
