@@ -78,7 +78,10 @@ fn wrong_flags_exit_2() {
             &["--set", "light.0.kind=spot", "--set", "light.0.position=[0, 0, 9]"],
             &["the method `sweep` renders distant lights alone", "by the method `voxels`, which renders spot lights"],
         ),
-        (&["--set", "medium.scattering=[1, 1, 1]"], &["no method renders a participating medium yet"]),
+        (
+            &["--set", "medium.scattering=[1, 1, 1]"],
+            &["the method `sweep` renders no participating medium", "set `method = \"beams\"`"],
+        ),
         (&["--set", "volume.file=x.nrrd"], &["both `file` and `builtin`"]),
         (&["--aov", "medium=m.exr"], &["the output `medium` is now `transmittance`"]),
         (&["--preset", "ambr"], &["no preset `ambr`", "did you mean `amber`?"]),

@@ -1,6 +1,6 @@
 //! Scene files and settings: accepted ones, and refused ones with their messages.
 
-use vitrum::scene::{Clip, EnvironmentKind, Ground, Removes, Scene, VolumeSource};
+use vitrum::scene::{Clip, EnvironmentKind, Ground, Phase, Removes, Scene, SceneError, VolumeSource};
 
 const BALL: &str = "volume.builtin = \"ball\"\n";
 
@@ -257,8 +257,8 @@ fn lights_that_a_method_does_not_have_are_refused_by_name() {
                 "{}",
                 error.help()
             );
-            if shown == mesh {
-                Scene::from_toml(&text("voxels"), "scene.toml").expect("rays through meshes have all kinds of lights");
+            for method in ["voxels", "beams"].iter().filter(|_| shown == mesh) {
+                Scene::from_toml(&text(method), "scene.toml").expect("rays through meshes have all kinds of lights");
             }
         }
     }
@@ -282,11 +282,71 @@ fn values_that_no_light_has_are_refused() {
 }
 
 #[test]
-fn a_medium_is_read_and_refused_by_name() {
+fn a_medium_is_for_beams_and_refused_by_name_elsewhere() {
     let text = "[medium]\nscattering = [0.1, 0.2, 0.3]\nanisotropy = 0.7\n";
-    assert!(refusal(text).contains("line 2: `medium`: no method renders a participating medium yet"));
-    assert!(refusal("[medium]\nanisotropy = 1\n").contains("a number from -0.99 to 0.99"));
-    assert!(refusal("[medium]\ndensity = {}\n").contains("`medium.density`: neither `file` nor `builtin` is given"));
+    assert!(refusal(text).contains("line 2: `medium`: the method `sweep` renders no participating medium"));
+    assert!(refusal(text).contains("set `method = \"beams\"`, or leave `medium` out"));
+    let voxels = Scene::from_toml(&format!("method = \"voxels\"\n{VASE}{text}"), "scene.toml").expect_err("voxels");
+    assert!(voxels.to_string().contains("the method `voxels` renders no participating medium"), "{voxels}");
+    let scene = beams(text).expect("beams render a medium");
+    let medium = scene.medium.expect("it was given");
+    assert_eq!((medium.scattering, medium.phase, medium.extent), ([0.1, 0.2, 0.3], Phase::HenyeyGreenstein, None));
+    beams("").expect("a vacuum has surface caustics");
+    beams("[medium]\n").expect("a medium may do nothing");
+    beams("[medium]\nphase = \"rayleigh\"\nextent = 40\n").expect("a clear sky");
+    for (text, words) in [
+        ("anisotropy = 1", "a number from -0.99 to 0.99"),
+        ("phase = \"mie\"", "one of henyey_greenstein, rayleigh"),
+        (
+            "phase = \"rayleigh\"\nanisotropy = 0.5",
+            "`medium.anisotropy`: the phase function `rayleigh` has the mean cosine 0",
+        ),
+        ("extent = 0", "above 0"),
+        ("density = {}", "`medium.density`: neither `file` nor `builtin` is given"),
+        ("extent = 3\ndensity = { builtin = \"ball\" }", "`medium.extent`: the medium fills the box of the volume"),
+        ("density = { builtin = \"ball\" }", "the method `beams` renders a homogeneous medium, and a density is given"),
+    ] {
+        let error = beams(&format!("[medium]\n{text}\n")).expect_err(text);
+        assert!(error.to_string().contains(words), "{error}");
+    }
+}
+
+#[test]
+fn beams_show_meshes_with_all_kinds_of_bodies_and_lights() {
+    let point = "[[light]]\nkind = \"point\"\nposition = [0, 0, 3]\n";
+    for text in [point, "[[material]]\nmirror = true\ncolor = [0.9, 0.8, 0.7]\n", "[[material]]\nopaque = true\n"] {
+        beams(text).expect(text);
+    }
+    let volume = Scene::from_toml(&format!("method = \"beams\"\n{BALL}"), "scene.toml").expect_err("a volume");
+    assert!(volume.to_string().contains("`beams` shows a mesh, and none is given"), "{volume}");
+    for (text, words) in [
+        ("[[clip]]\n", "the method `beams` does not clip a mesh"),
+        ("[beams]\nrays = 3\n", "found 3, expected a whole number from 4 to 1024"),
+        ("[beams]\nbounces = 17\n", "found 17, expected a whole number from 1 to 16"),
+        ("[[material]]\nmirror = true\nopaque = true\n", "given as diffuse by `opaque` and as a mirror"),
+        ("[[material]]\ncolor = [1, 1, 1]\n", "it is the colour of an opaque body, and the material is clear"),
+    ] {
+        let error = beams(text).expect_err(text);
+        assert!(error.to_string().contains(words), "{error}");
+    }
+}
+
+#[test]
+fn mirrors_are_refused_by_methods_that_have_none() {
+    for method in ["sweep", "voxels"] {
+        let text = format!("method = \"{method}\"\n{VASE}[[material]]\nmirror = true\n");
+        let error = Scene::from_toml(&text, "scene.toml").expect_err(method);
+        let words = format!("the method `{method}` renders no mirrors");
+        assert!(error.key == "material.0.mirror" && error.to_string().contains(&words), "{error}");
+        assert!(error.help().contains("set `method = \"beams\"`, or make the material clear"), "{}", error.help());
+    }
+}
+
+const VASE: &str = "mesh = [{ builtin = \"vase\" }]\n";
+
+/// A scene of beams around a vase, with more text behind.
+fn beams(text: &str) -> Result<Scene, SceneError> {
+    Scene::from_toml(&format!("method = \"beams\"\n{VASE}{text}"), "scene.toml")
 }
 
 #[test]

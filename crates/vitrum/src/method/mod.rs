@@ -3,6 +3,7 @@
 //! A [`Method`] turns a scene and its assets into a [`PreparedFrame`]: buffers on a backend, and a list of passes. [`ALL`] lists the
 //! methods; the renderer, the outputs, the statistics, the program's help and the conformance suite go through that list.
 
+pub mod beams;
 mod brick_distances;
 pub(crate) mod cache;
 mod lights;
@@ -25,7 +26,7 @@ use crate::scene::{MethodName, Scene};
 use vitrum_io::Picture;
 
 /// Every method.
-pub static ALL: [&dyn Method; 2] = [&sweep::PlaneSweep, &voxels::MeshRays];
+pub static ALL: [&dyn Method; 3] = [&sweep::PlaneSweep, &voxels::MeshRays, &beams::Beams];
 
 /// A way in which a scene becomes a picture.
 pub trait Method: Sync {
@@ -60,6 +61,7 @@ pub fn of(name: MethodName) -> &'static dyn Method {
     match name {
         MethodName::Sweep => &sweep::PlaneSweep,
         MethodName::Voxels => &voxels::MeshRays,
+        MethodName::Beams => &beams::Beams,
     }
 }
 

@@ -4,7 +4,7 @@ use super::Rgb;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A material, clear or opaque.
+/// A material, clear, opaque or mirroring.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Material {
@@ -14,8 +14,10 @@ pub struct Material {
     pub name: Option<String>,
     /// Whether the body is opaque and reflects light diffusely, on both sides of its surface, instead of being clear.
     pub opaque: bool,
+    /// Whether the body is opaque and reflects light like a polished metal.
+    pub mirror: bool,
     /// Diffuse reflectance of an opaque body, linear RGB; if absent that of the mesh's vertices, or of its material
-    /// (`Kd`, base colour), or a light grey.
+    /// (`Kd`, base colour), or a light grey. Specular reflectance of a mirror; if absent that of the mesh's material, or 0.95.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 1)), extend("x-unit" = "reflectance"))]
     pub color: Option<Rgb>,
@@ -42,6 +44,7 @@ impl Default for Material {
         Self {
             name: None,
             opaque: false,
+            mirror: false,
             color: None,
             density: 16.0,
             ior: 1.5,

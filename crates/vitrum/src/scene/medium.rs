@@ -4,7 +4,18 @@ use super::{Rgb, VolumeSource};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A participating medium: it absorbs light and scatters it into other directions. No method renders one yet.
+/// The phase function: the distribution of scattered light over the angle by which its direction changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Phase {
+    /// That of particles as large as the wavelength or larger, by their `anisotropy` (Henyey and Greenstein 1941).
+    #[default]
+    HenyeyGreenstein,
+    /// That of particles much smaller than the wavelength, such as air's molecules, whose `anisotropy` is 0.
+    Rayleigh,
+}
+
+/// A participating medium: it absorbs light and scatters it into other directions.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Medium {
@@ -14,10 +25,17 @@ pub struct Medium {
     /// Scattering coefficient σ_s, linear RGB, where the density is 1.
     #[schemars(inner(range(min = 0, max = 1e6)), extend("x-unit" = "1 / world unit"))]
     pub scattering: Rgb,
-    /// Mean cosine g of the angle that light is scattered by (Henyey and Greenstein 1941): 0 is equally to all sides, positive forward.
+    /// Phase function.
+    pub phase: Phase,
+    /// Mean cosine g of the angle that light is scattered by: 0 is equally to all sides, positive forward.
     #[schemars(range(min = -0.99, max = 0.99))]
     pub anisotropy: f32,
-    /// Volume whose scalar is the density, a factor on both coefficients; 1 everywhere if absent.
+    /// Half the edge of the cube that the medium fills, around the middle of the meshes; if absent 12 times the radius of the sphere around
+    /// the meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(max = 1e6), extend("x-unit" = "world units", "exclusiveMinimum" = 0))]
+    pub extent: Option<f32>,
+    /// Volume whose scalar is the density, a factor on both coefficients, and whose box the medium fills; 1 everywhere if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density: Option<VolumeSource>,
 }

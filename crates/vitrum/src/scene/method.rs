@@ -12,11 +12,13 @@ pub enum MethodName {
     Sweep,
     /// Rays through the voxels or triangles of meshes.
     Voxels,
+    /// Beams of light that clear and mirroring bodies send through a scattering medium.
+    Beams,
 }
 
 impl MethodName {
     /// Every name.
-    pub const ALL: [Self; 2] = [Self::Sweep, Self::Voxels];
+    pub const ALL: [Self; 3] = [Self::Sweep, Self::Voxels, Self::Beams];
 
     /// The name in scene files.
     #[must_use]
@@ -24,6 +26,7 @@ impl MethodName {
         match self {
             Self::Sweep => "sweep",
             Self::Voxels => "voxels",
+            Self::Beams => "beams",
         }
     }
 
@@ -31,13 +34,42 @@ impl MethodName {
     #[must_use]
     pub const fn capabilities(self) -> Capabilities {
         match self {
-            Self::Sweep => {
-                Capabilities { volumes: true, streaming: true, meshes: true, opaque_bodies: false, clipping: true }
-            }
-            Self::Voxels => {
-                Capabilities { volumes: false, streaming: false, meshes: true, opaque_bodies: true, clipping: false }
-            }
+            Self::Sweep => Capabilities {
+                volumes: true,
+                streaming: true,
+                meshes: true,
+                opaque_bodies: false,
+                mirrors: false,
+                clipping: true,
+                placed_lights: false,
+                medium: false,
+            },
+            Self::Voxels => Capabilities {
+                volumes: false,
+                streaming: false,
+                meshes: true,
+                opaque_bodies: true,
+                mirrors: false,
+                clipping: false,
+                placed_lights: true,
+                medium: false,
+            },
+            Self::Beams => Capabilities {
+                volumes: false,
+                streaming: false,
+                meshes: true,
+                opaque_bodies: true,
+                mirrors: true,
+                clipping: false,
+                placed_lights: true,
+                medium: true,
+            },
         }
+    }
+
+    /// The first method that renders what `part` picks; messages advise it.
+    pub(crate) fn that_renders(part: impl Fn(Capabilities) -> bool) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| part(method.capabilities()))
     }
 }
 
@@ -52,6 +84,12 @@ pub struct Capabilities {
     pub meshes: bool,
     /// Opaque bodies of a mesh.
     pub opaque_bodies: bool,
+    /// Mirroring bodies of a mesh.
+    pub mirrors: bool,
     /// Clipping planes.
     pub clipping: bool,
+    /// Lights that have a place: points and spots.
+    pub placed_lights: bool,
+    /// A participating medium.
+    pub medium: bool,
 }

@@ -4,6 +4,7 @@
 //! errors, and `docs/scene.md` documents each key. Lengths are world units (the volume's spacing gives them), angles are
 //! degrees, colours are linear RGB.
 
+mod beams;
 mod camera;
 mod check;
 mod clip;
@@ -34,6 +35,7 @@ mod voxelization;
 mod voxels;
 mod write;
 
+pub use beams::Beams;
 pub use camera::{Camera, Projection};
 pub use clip::{Clip, Removes};
 pub use dispersion::YELLOW;
@@ -43,7 +45,7 @@ pub use film::Film;
 pub use key_frames::KeyFrames;
 pub use light::{Attachment, Light, LightKind};
 pub use material::Material;
-pub use medium::Medium;
+pub use medium::{Medium, Phase};
 pub use mesh::MeshSource;
 pub use method::{Capabilities, MethodName};
 pub use receiver::{Ground, Wall};
@@ -95,6 +97,8 @@ pub struct Scene {
     pub voxelization: Voxelization,
     /// Rays through a mesh.
     pub voxels: Voxels,
+    /// Beams of light in a medium.
+    pub beams: Beams,
     /// The shadow that a mesh casts.
     pub shadow: Shadow,
     /// Transport of light and viewing rays from plane to plane.
@@ -135,6 +139,7 @@ impl Default for Scene {
             material: Vec::new(),
             voxelization: Voxelization::default(),
             voxels: Voxels::default(),
+            beams: Beams::default(),
             shadow: Shadow::default(),
             sweep: Sweep::default(),
             shading: Shading::default(),

@@ -1,18 +1,23 @@
 //! Bodies: the triangles of a mesh, divided by material.
 
 use crate::error::Error;
-use crate::scene::{Material, Scene};
+use crate::scene::{Material, Rgb, Scene};
 use crate::unrenderable::Unrenderable;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::{AIR, material};
+
+/// The specular reflectance of a mirror of which nothing is said.
+const MIRROR: Rgb = [0.95; 3];
 
 /// The triangles of one material, or of several that are alike.
 #[derive(Debug, Clone)]
 pub struct Body {
     /// Number of the material in the mesh, the lowest of several; `None` if the mesh has no materials.
     pub material: Option<u32>,
-    /// Whether the body is opaque: light ends at its surface.
+    /// Whether the body is opaque: light does not get into it. Mirrors are opaque.
     pub opaque: bool,
+    /// Whether the body's surface mirrors.
+    pub mirror: bool,
     /// The body's triangles; the surface of a clear body faces outwards as a whole.
     pub mesh: Mesh,
 }
@@ -32,32 +37,35 @@ fn numbers(mesh: &Mesh) -> Vec<Option<u32>> {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Group {
     pub(super) opaque: bool,
+    mirror: bool,
     /// Numbers of the materials; `None` if the mesh has no materials.
     numbers: Vec<Option<u32>>,
 }
 
-/// The groups of a mesh's materials: clear materials with the same constants together, each opaque one by itself. `listed` are the
+/// The groups of a mesh's materials: clear materials with the same constants together, each opaque or mirroring one by itself. `listed` are the
 /// scene's materials.
 pub(super) fn groups(mesh: &Mesh, listed: &[Material]) -> Vec<Group> {
     let mut groups: Vec<(Material, Group)> = Vec::new();
     for number in numbers(mesh) {
         let material = Material { name: None, ..chosen(listed, of_mesh(mesh, number)) };
-        match groups.iter_mut().find(|(known, _)| !material.opaque && *known == material) {
+        let mirror = material.mirror;
+        let opaque = material.opaque || mirror;
+        match groups.iter_mut().find(|(known, _)| !opaque && *known == material) {
             Some((_, group)) => group.numbers.push(number),
-            None => groups.push((material.clone(), Group { opaque: material.opaque, numbers: vec![number] })),
+            None => groups.push((material, Group { opaque, mirror, numbers: vec![number] })),
         }
     }
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// The bodies of a mesh: one for all clear materials with the same constants, and one for each opaque material. Clear bodies come
+/// The bodies of a mesh: one for all clear materials with the same constants, and one for each opaque or mirroring material. Clear bodies come
 /// first, those of the least volume before others: where two overlap, the smaller body fills the space. `listed` are the scene's
 /// materials.
 ///
 /// # Errors
 /// Where there are more clear materials than rays can tell apart.
 pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
-    let split = |group: Group| body(mesh, &group.numbers, group.opaque);
+    let split = |group: Group| body(mesh, &group);
     let (opaque, mut bodies): (Vec<Body>, Vec<Body>) =
         groups(mesh, listed).into_iter().map(split).partition(|body| body.opaque);
     if bodies.len() > AIR as usize {
@@ -69,7 +77,7 @@ pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
     Ok(bodies)
 }
 
-fn body(mesh: &Mesh, numbers: &[Option<u32>], opaque: bool) -> Body {
+fn body(mesh: &Mesh, &Group { opaque, mirror, ref numbers }: &Group) -> Body {
     let is_part = |index: &usize| numbers.contains(&mesh.triangle_materials.get(*index).copied());
     let triangles: Vec<[u32; 3]> =
         (0..mesh.triangles.len()).filter(is_part).map(|index| mesh.triangles[index]).collect();
@@ -96,7 +104,7 @@ fn body(mesh: &Mesh, numbers: &[Option<u32>], opaque: bool) -> Body {
         part.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         part.normals.iter_mut().flatten().for_each(|normal| *normal = normal.map(|component| -component));
     }
-    Body { material: numbers.first().copied().flatten(), opaque, mesh: part }
+    Body { material: numbers.first().copied().flatten(), opaque, mirror, mesh: part }
 }
 
 /// Optical constants of a clear body.
@@ -126,10 +134,22 @@ pub(in crate::method) fn longest_edge(mesh: &Mesh) -> f32 {
     (0..3).map(|axis| high[axis] - low[axis]).fold(f32::MIN_POSITIVE, f32::max)
 }
 
-/// The materials of bodies as kernels read them; absorption is per `voxel` of the length `voxel_size`.
+/// The specular reflectance of a mirror, linear RGB, 0 to 1: the scene's, else that of the mesh's material, else [`MIRROR`].
+fn reflectance(body: &Body, mesh: &Mesh, scene: &Scene) -> Rgb {
+    let own = of_mesh(mesh, body.material);
+    chosen(&scene.material, own).color.or_else(|| own?.base_color).unwrap_or(MIRROR)
+}
+
+/// The materials of bodies as kernels read them: the index of refraction, and the absorption per voxel of the length `voxel_size`. An
+/// opaque body has the index 0, a mirror -1, and a mirror has its reflectance in the place of the absorption.
 pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
     let mut floats = Vec::with_capacity(bodies.len() * material::SIZE);
     for (body, Clear { ior, absorption }) in bodies.iter().zip(clear(bodies, mesh, scene)) {
+        if body.mirror {
+            floats.push(-1.0);
+            floats.extend(reflectance(body, mesh, scene));
+            continue;
+        }
         floats.push(if body.opaque { 0.0 } else { ior });
         floats.extend(absorption.map(|coefficient| (coefficient * voxel_size) as f32));
     }
@@ -202,5 +222,20 @@ mod tests {
         let found = bodies(&mesh, &[]).unwrap();
         let sizes: Vec<(bool, usize)> = found.iter().map(|body| (body.opaque, body.mesh.triangles.len())).collect();
         assert_eq!(sizes, [(false, 20), (false, 2), (true, 1), (true, 1)]);
+    }
+
+    #[test]
+    fn a_mirror_is_an_opaque_body_with_a_reflectance() {
+        let silver = |name: &str| vitrum_io::Material { name: name.to_owned(), ..Default::default() };
+        let mesh =
+            mesh(vec![silver("a"), silver("b"), vitrum_io::Material { base_color: Some([0.5; 3]), ..silver("c") }]);
+        let mirror =
+            |name: &str, color| Material { name: Some(name.to_owned()), mirror: true, color, ..Material::default() };
+        let listed = vec![mirror("a", Some([0.9, 0.8, 0.7])), mirror("b", None), mirror("c", None)];
+        let found = bodies(&mesh, &listed).unwrap();
+        assert!(found.len() == 3 && found.iter().all(|body| body.opaque && body.mirror));
+        let scene = Scene { material: listed, ..Scene::default() };
+        let expected = [[-1.0, 0.9, 0.8, 0.7], [-1.0, 0.95, 0.95, 0.95], [-1.0, 0.5, 0.5, 0.5]];
+        assert_eq!(materials(&found, &mesh, &scene, 0.25), expected.as_flattened());
     }
 }

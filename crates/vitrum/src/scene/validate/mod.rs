@@ -1,5 +1,6 @@
 //! The rules that tie several keys of a scene together.
 
+mod medium;
 mod settings;
 mod sources;
 
@@ -50,7 +51,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// Where a material is opaque, a clear one has a colour, or there are transfer functions or clipping planes, and the method cannot
+    /// Where a material is opaque or a mirror, a clear one has a colour, or there are transfer functions or clipping planes, and the method cannot
     /// render it ([`MethodName::capabilities`](super::MethodName::capabilities)).
     pub(crate) fn check_for_mesh(&self) -> Result<(), SceneError> {
         settings::check_mesh(self).map_err(|fault| fault.from(Origin::Memory))

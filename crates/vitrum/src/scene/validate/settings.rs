@@ -2,10 +2,10 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Camera, Capabilities, Film, Intensity, Light, LightKind, MethodName, Scene, Sweep, TransferFunction, Transport,
-    Vector,
+    Camera, Capabilities, Film, Intensity, Light, LightKind, Material, MethodName, Scene, Sweep, TransferFunction,
+    Transport, Vector,
 };
-use super::refuse;
+use super::{medium, refuse};
 
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_method(scene)?;
@@ -24,12 +24,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
 
 /// Refuses a scene that its method cannot render.
 fn check_method(scene: &Scene) -> Result<(), Fault> {
-    if scene.medium.is_some() {
-        return Err(Fault::contradiction(
-            "medium",
-            "no method renders a participating medium yet, neither `sweep` nor `voxels`",
-            "leave `medium` out; a clear colour is `transfer.filter` of a volume, `attenuation_color` of a mesh's material",
-        ));
+    if let Some(medium) = &scene.medium {
+        medium::check(scene.method, medium)?;
     }
     // A method that shows volumes shows one where no mesh is named.
     if scene.mesh.is_empty() && scene.method.capabilities().volumes { Ok(()) } else { check_mesh(scene) }
@@ -37,11 +33,16 @@ fn check_method(scene: &Scene) -> Result<(), Fault> {
 
 /// Keys that the scene's method ignores, or cannot render, in a picture of a mesh are refused.
 pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
-    let Capabilities { volumes, opaque_bodies, clipping, .. } = scene.method.capabilities();
+    let Capabilities { volumes, opaque_bodies, mirrors, clipping, .. } = scene.method.capabilities();
     if !clipping {
         let problem = format!("the method `{}` does not clip a mesh, and `mesh` is given", scene.method.as_str());
-        let advice = format!("or take the method `{}`", MethodName::Sweep.as_str());
+        let clips = MethodName::that_renders(|shows| shows.clipping);
+        let advice =
+            clips.map_or("or show a volume".to_owned(), |name| format!("or take the method `{}`", name.as_str()));
         refuse(&[("clip", !scene.clip.is_empty())], &problem, &advice)?;
+    }
+    if !mirrors {
+        check_no_mirror(scene)?;
     }
     if opaque_bodies {
         check_materials(scene)?;
@@ -55,6 +56,26 @@ pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
     Ok(())
 }
 
+/// Refuses mirrors.
+fn check_no_mirror(scene: &Scene) -> Result<(), Fault> {
+    match scene.material.iter().position(|material| material.mirror) {
+        None => Ok(()),
+        Some(index) => Err(Fault::contradiction(
+            &format!("material.{index}.mirror"),
+            format!("the method `{}` renders no mirrors", scene.method.as_str()),
+            advised(|shows| shows.mirrors, "make the material clear"),
+        )),
+    }
+}
+
+/// The advice to take a method that renders what `part` picks, or else to do without.
+fn advised(part: impl Fn(Capabilities) -> bool, otherwise: &str) -> String {
+    match MethodName::that_renders(part) {
+        Some(method) => format!("set `method = \"{}\"`, or {otherwise}", method.as_str()),
+        None => otherwise.to_owned(),
+    }
+}
+
 /// Refuses opaque bodies.
 fn check_clear(scene: &Scene) -> Result<(), Fault> {
     match scene.material.iter().position(|material| material.opaque) {
@@ -62,14 +83,22 @@ fn check_clear(scene: &Scene) -> Result<(), Fault> {
         Some(index) => Err(Fault::contradiction(
             &format!("material.{index}.opaque"),
             format!("the method `{}` shows clear bodies of a mesh, and this one is opaque", scene.method.as_str()),
-            format!("set `method = \"{}\"`, or make the material clear", MethodName::Voxels.as_str()),
+            advised(|shows| shows.opaque_bodies, "make the material clear"),
         )),
     }
 }
 
-/// Only an opaque body has a colour.
+/// A body is either diffuse or a mirror, and only one of these has a colour.
 fn check_materials(scene: &Scene) -> Result<(), Fault> {
-    match scene.material.iter().position(|material| material.color.is_some() && !material.opaque) {
+    if let Some(index) = scene.material.iter().position(|material| material.mirror && material.opaque) {
+        return Err(Fault::contradiction(
+            &format!("material.{index}.mirror"),
+            "the material is given as diffuse by `opaque` and as a mirror",
+            "leave one of them out; a mirror is opaque without saying so",
+        ));
+    }
+    let clear = |material: &Material| !material.opaque && !material.mirror;
+    match scene.material.iter().position(|material| material.color.is_some() && clear(material)) {
         None => Ok(()),
         Some(index) => Err(Fault::contradiction(
             &format!("material.{index}.color"),
@@ -126,21 +155,23 @@ fn check_light(key: &str, light: &Light) -> Result<(), Fault> {
 
 /// The lights that the scene's method has.
 fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
-    if scene.method == MethodName::Voxels {
+    if scene.method.capabilities().placed_lights {
         return Ok(());
     }
-    let (method, other) = (scene.method.as_str(), MethodName::Voxels.as_str());
-    if let Some((index, light)) = scene.light.iter().enumerate().find(|(_, light)| light.kind != LightKind::Distant) {
-        let kind = light.kind.name();
-        return Err(Fault::contradiction(
-            &format!("light.{index}.kind"),
-            format!("the method `{method}` renders distant lights alone, and this is a {kind} light"),
-            format!(
-                "set `light.{index}.kind = \"distant\"`, or show a mesh by the method `{other}`, which renders {kind} lights"
-            ),
-        ));
-    }
-    Ok(())
+    let Some((index, light)) = scene.light.iter().enumerate().find(|(_, light)| light.kind != LightKind::Distant)
+    else {
+        return Ok(());
+    };
+    let (method, kind) = (scene.method.as_str(), light.kind.name());
+    let other = MethodName::that_renders(|shows| shows.placed_lights);
+    let other = other.map_or_else(String::new, |other| {
+        format!(", or show a mesh by the method `{}`, which renders {kind} lights", other.as_str())
+    });
+    Err(Fault::contradiction(
+        &format!("light.{index}.kind"),
+        format!("the method `{method}` renders distant lights alone, and this is a {kind} light"),
+        format!("set `light.{index}.kind = \"distant\"`{other}"),
+    ))
 }
 
 fn check_sweep(sweep: &Sweep) -> Result<(), Fault> {

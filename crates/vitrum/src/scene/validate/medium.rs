@@ -1,0 +1,46 @@
+//! Checks of a participating medium.
+
+use super::super::error::Fault;
+use super::super::{Medium, MethodName, Phase};
+
+/// Refuses a medium that the method cannot render, or whose keys contradict each other.
+pub(super) fn check(method: MethodName, medium: &Medium) -> Result<(), Fault> {
+    if !method.capabilities().medium {
+        let other = MethodName::that_renders(|shows| shows.medium);
+        let other = other.map_or_else(String::new, |other| format!("set `method = \"{}\"`, or ", other.as_str()));
+        return Err(Fault::contradiction(
+            "medium",
+            format!("the method `{}` renders no participating medium", method.as_str()),
+            format!(
+                "{other}leave `medium` out; a clear colour is `transfer.filter` of a volume, `attenuation_color` of a mesh's material"
+            ),
+        ));
+    }
+    if medium.phase == Phase::Rayleigh && medium.anisotropy != 0.0 {
+        return Err(Fault::contradiction(
+            "medium.anisotropy",
+            format!("the phase function `rayleigh` has the mean cosine 0, and {} is given", medium.anisotropy),
+            "leave `medium.anisotropy` out, or set `medium.phase = \"henyey_greenstein\"`",
+        ));
+    }
+    if medium.density.is_some() && medium.extent.is_some() {
+        return Err(Fault::contradiction(
+            "medium.extent",
+            "the medium fills the box of the volume `medium.density`, and an extent is given besides",
+            "leave `medium.extent` out, or leave `medium.density` out",
+        ));
+    }
+    check_homogeneous(method, medium)
+}
+
+/// Refuses a medium whose density varies.
+fn check_homogeneous(method: MethodName, medium: &Medium) -> Result<(), Fault> {
+    match medium.density {
+        None => Ok(()),
+        Some(_) => Err(Fault::contradiction(
+            "medium.density",
+            format!("the method `{}` renders a homogeneous medium, and a density is given", method.as_str()),
+            "leave `medium.density` out; `medium.extent` is the size of the medium",
+        )),
+    }
+}
