@@ -65,8 +65,6 @@ pub struct BeamsUniforms {
 pub struct Lattice {
     /// Texels along each edge.
     pub count: u32,
-    /// The first row of the band of rays that is followed at a time.
-    pub first_row: u32,
     /// Unit vector along the light's middle.
     pub axis: Vec3,
     /// Unit vector along the rows of texels.
@@ -98,6 +96,12 @@ pub struct Limits {
     pub bounces: u32,
     /// Number of the straight piece in air, from 0 on over all ways of a ray, up to which rays are followed by a pass.
     pub round: u32,
+    /// Floats from the beams of one round to those of the next.
+    pub pitch: u32,
+    /// Floats from the boxes of one round to those of the next.
+    pub bounds_pitch: u32,
+    /// The last round that has beams.
+    pub last: u32,
 }
 
 /// A homogeneous medium in a box.
@@ -141,6 +145,13 @@ pub struct Sums {
 /// The most levels of the pyramid above the picture itself: level l has pixels of 2^l × 2^l viewing rays.
 pub const LEVELS: u32 = 4;
 
+/// Pieces of equal length that a beam is cut into, each of which has a tree over all beams.
+pub const PIECES: u32 = 8;
+/// The number of the tree over the ends of beams on surfaces.
+pub const ENDS: u32 = PIECES;
+/// The trees over the beams of a round.
+pub const TREES: u32 = PIECES + 1;
+
 /// Columns of the picture in which one invocation draws a beam.
 pub const BLOCK: u32 = 16;
 
@@ -148,9 +159,13 @@ pub const BLOCK: u32 = 16;
 pub mod flag {
     /// Looks belong to triangles; else to materials.
     pub const LOOK_OF_TRIANGLE: u32 = 1;
+    /// The medium scatters light.
+    pub const SCATTERS: u32 = 2;
+    /// Bodies hide the source.
+    pub const SHADOWS: u32 = 4;
 }
 
-/// Modes of [`crate::beams::trace`]: whose rays it follows.
+/// Whose rays [`crate::beams::trace`] follows.
 pub mod rays {
     /// The light's, one for each texel of the lattice.
     pub const LIGHT: u32 = 0;

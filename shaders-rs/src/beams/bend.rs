@@ -6,7 +6,7 @@ use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::Pencil;
 use crate::abi::voxels::material;
 use crate::field::access::read_vector;
-use crate::math::{dot, max};
+use crate::math::{dot, max, min};
 use crate::voxels::surface::{Bent, bend, ior};
 use spirv_std::glam::Vec3;
 
@@ -43,14 +43,14 @@ impl Pencil {
         self.direction_v = spread.direction_v;
     }
 
-    /// Whether the present piece is one that no earlier way had.
+    /// Whether the present piece belongs to no way that was followed before: all turns of the way have been taken.
     #[inline(always)]
     pub fn is_new(&self) -> bool {
-        self.bounces >= self.shared
+        let behind = self.turns & ((1 << self.bounces) - 1);
+        behind.count_ones() as i32 == self.level
     }
 
-    /// Attenuates the light to `share` of it, and returns the mean share of the flux at the start that is gone, 0 on a piece that an
-    /// earlier way had.
+    /// Attenuates the light to `share` of it, and returns the mean share of the flux at the start that is gone, 0 on a piece that is not new.
     #[inline(always)]
     pub fn attenuate(&mut self, share: Vec3) -> f32 {
         let before = mean(self.transmittance);
@@ -76,26 +76,20 @@ impl Pencil {
         let (index, other) = (ior(from, materials), ior(to, materials));
         let Bent { direction, mirrored, reflected, reflectance } = bend(self.direction, facet.normal, index, other);
         let number = self.bounces;
-        // Whether a way that shares this surface has decided already.
-        let decided = number < self.shared;
-        let highest = highest(self.transmittance);
-        let small = |share: f32| highest * share < u.limits.threshold;
-        let turns = if decided {
-            (self.turns >> number) & 1 == 1
-        } else {
-            !reflected & small(1.0 - reflectance) & (reflectance > 0.5)
-        };
-        if !decided & !reflected {
-            let mean = mean(self.transmittance);
-            if turns {
-                self.turns |= 1 << number;
-                self.lost += mean * (1.0 - reflectance);
-            } else if small(reflectance) {
-                self.lost += mean * reflectance;
+        let reflects = reflectance > 0.5;
+        let weaker = min(reflectance, 1.0 - reflectance);
+        let turns = (number < self.decided) & ((self.turns >> number) & 1 == 1);
+        if !reflected & (number >= self.decided) {
+            let follows = highest(self.transmittance) * weaker >= u.limits.threshold;
+            if !self.is_new() {
+                self.pending |= if follows { 1 << number } else { 0 };
+            } else if follows {
+                self.deeper = 1;
             } else {
-                self.pending |= 1 << number;
+                self.lost += mean(self.transmittance) * weaker;
             }
         }
+        let turns = turns != reflects;
         let stays = reflected | turns;
         if !reflected {
             self.transmittance *= if turns { reflectance } else { 1.0 - reflectance };

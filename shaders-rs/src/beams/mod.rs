@@ -2,21 +2,29 @@
 //!
 //! [`trace`] follows pencils of light, and viewing rays, through the bodies: a pencil is a ray with its derivatives ([`emission`],
 //! [`viewing`], [`bend`], [`spread`]). Each straight piece in air becomes a beam ([`store_beam`]), and [`scatter_beam`] adds the light that
-//! the medium scatters out of it to the pixels that look through it. [`see`] adds up the rest of the picture, [`resolve`] composes it.
+//! the medium scatters out of it to the pixels that look through it. What viewing rays see behind the first surface, and
+//! the light that beams throw on surfaces, is gathered ([`gather`]). [`see`] adds up the rest of the picture, [`resolve`] composes it.
 
 pub mod airlight;
 pub mod bend;
+pub mod bound_beams;
 pub mod emission;
 pub mod facet;
 pub mod find_depths;
+pub mod find_light;
+pub mod gather;
 pub mod medium;
 pub mod picture;
 pub mod pyramid;
 pub mod resolve;
 pub mod scatter_beam;
 pub mod see;
+pub mod shade;
 pub mod spread;
 pub mod store_beam;
 pub mod trace;
+pub mod trace_light;
+pub mod trace_view;
 pub mod trapezoid;
+pub mod tree;
 pub mod viewing;

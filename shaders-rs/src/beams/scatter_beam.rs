@@ -13,7 +13,7 @@ use super::store_beam::{beam_of, has_flux};
 use super::trapezoid::filtered;
 use super::viewing::{on_plane, through};
 use crate::abi::beams::{BLOCK, BeamsUniforms};
-use crate::abi::record::{Beam, beam, sight};
+use crate::abi::record::{Beam, sight};
 use crate::field::access::read;
 use crate::field::sums::{Sums, add_large};
 use crate::math::{absolute, clamp, cross, dot, floor_to_int, length, max, min, select, xyz};
@@ -248,7 +248,7 @@ pub fn invoke<S: Sums + ?Sized>(
     sums: &mut S,
 ) {
     let count = u.dispatch.height as i32;
-    let first = u.limits.round as i32 * count * beam::SIZE as i32;
+    let first = (u.limits.round * u.limits.pitch) as i32;
     if !has_flux(beams, first, y as i32, count) {
         return;
     }

@@ -1,20 +1,59 @@
-//! What a viewing ray brings from its present straight piece in air: airlight, and where the piece ends its way, the radiance of the surface or
-//! of the environment there (composition: Hu et al. 2010, Fig. 2).
+//! Light on the present straight piece of a viewing ray, but for beams: airlight, and where the piece ends its way, the radiance of the surface in
+//! the light of the source, or of the environment (composition: Hu et al. 2010, Fig. 2).
 
 use super::airlight::airlight;
 use super::medium::{inside, transmittance};
+use super::shade::ending;
 use super::viewing;
-use crate::abi::beams::BeamsUniforms;
+use crate::abi::beams::{BeamsUniforms, flag};
 use crate::abi::receivers::ahead;
 use crate::abi::record::pencil::{self, stage};
-use crate::abi::record::{Pencil, Sight, sight};
+use crate::abi::record::{Pencil, Sight, search, sight};
 use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{dot, length, max, min, select, select_vector};
+use crate::math::{dot, length, max, min, select, select_vector, sqrt, xyz};
 use crate::optics::environment::{environment, in_environment};
+use crate::optics::light_source::arriving;
+use crate::optics::receiver::FAR;
+use crate::voxels::shade::{facing, share};
 use spirv_std::glam::Vec3;
 
 pub use crate::voxels::ray::level;
+
+/// A straight piece of a viewing ray.
+#[derive(Clone, Copy)]
+pub struct Piece {
+    /// Position at which it begins: the first one at the eye.
+    pub from: Vec3,
+    /// Distance from there at which it ends, in voxels.
+    pub far: f32,
+    /// Share of the light at its beginning that comes to the eye.
+    pub weight: Vec3,
+}
+
+/// The piece that the pencil of pixel (x, y) has come to.
+#[inline(always)]
+pub fn piece_of(x: u32, y: u32, u: &BeamsUniforms, pencil: &Pencil) -> Piece {
+    let first = pencil.bounces == 0;
+    let eye = viewing::start(u, x as i32, y as i32).position;
+    // The pencil begins where it comes to the box of all surfaces, and has the medium in front of it in its transmittance.
+    let before = select(first, dot(pencil.position - eye, pencil.direction), 0.0);
+    Piece {
+        from: select_vector(first, eye, pencil.position),
+        far: before + pencil.distance,
+        weight: select_vector(first, Vec3::new(1.0, 1.0, 1.0), pencil.transmittance),
+    }
+}
+
+/// The level of work of the pencil of pixel (x, y): whether it has come to a new piece in this round.
+#[inline(always)]
+pub fn level_of(x: u32, y: u32, u: &BeamsUniforms, pencils: &[f32]) -> u32 {
+    let count = (u.dispatch.width * u.dispatch.height) as i32;
+    let at = (y * u.dispatch.width + x) as i32;
+    let component = |component: usize| read(pencils, component as i32 * count + at);
+    let stands = component(pencil::STAGE) == stage::PAUSED;
+    if stands & (component(pencil::PIECES) as i32 == u.limits.round as i32 + 1) { level::WORK } else { level::ENDED }
+}
 
 /// The level of work: whether the ray has come to a new piece in this round.
 #[inline(always)]
@@ -28,12 +67,10 @@ pub fn level(
     _pictures: &[f32],
     _corners: &[f32],
     _looks: &[f32],
+    _materials: &[f32],
+    _searches: &[f32],
 ) -> u32 {
-    let count = (u.dispatch.width * u.dispatch.height) as i32;
-    let at = (y * u.dispatch.width + x) as i32;
-    let component = |component: usize| read(pencils, component as i32 * count + at);
-    let stands = component(pencil::STAGE) == stage::PAUSED;
-    if stands & (component(pencil::PIECES) as i32 == u.limits.round as i32 + 1) { level::WORK } else { level::ENDED }
+    level_of(x, y, u, pencils)
 }
 
 /// What the pixel sees, with the piece.
@@ -48,33 +85,46 @@ pub fn invoke<const LEVEL: u32>(
     pictures: &[f32],
     corners: &[f32],
     looks: &[f32],
+    materials: &[f32],
+    searches: &[f32],
 ) -> [f32; sight::SIZE] {
-    let _ = (corners, looks);
     let mut seen = Sight::load(&before);
     let count = u.dispatch.width * u.dispatch.height;
-    let pencil = Pencil::load(&record::load::<{ pencil::SIZE }>(pencils, y * u.dispatch.width + x, count));
+    let at = y * u.dispatch.width + x;
+    let pencil = Pencil::load(&record::load::<{ pencil::SIZE }>(pencils, at, count));
     let first = pencil.bounces == 0;
-    let eye = viewing::start(u, x as i32, y as i32).position;
-    // The first piece begins at the eye, and its pencil where it comes to the box of all surfaces.
-    let before = select(first, dot(pencil.position - eye, pencil.direction), 0.0);
-    let from = select_vector(first, eye, pencil.position);
-    let far = before + pencil.distance;
-    let fog = inside(&u.medium, from, pencil.direction, 0.0, far);
-    // The pencil's own transmittance has the medium in front of the box.
-    let weight = select_vector(first, Vec3::new(1.0, 1.0, 1.0), pencil.transmittance);
-    seen.airlight += airlight(u, pictures, from, pencil.direction, fog.enters, fog.leaves) * weight;
-    if first {
-        seen.depth = far;
-        seen.enters = min(fog.enters, far);
+    let piece = piece_of(x, y, u, &pencil);
+    let d = pencil.direction;
+    let fog = inside(&u.medium, piece.from, d, 0.0, piece.far);
+    let dimmed = transmittance(&u.medium, fog.leaves - fog.enters);
+    if u.flags & flag::SCATTERS != 0 {
+        seen.airlight += airlight(u, pictures, piece.from, d, fog.enters, fog.leaves) * piece.weight;
     }
-    if pencil.triangle == ahead::NOTHING {
-        let dimmed = transmittance(&u.medium, fog.leaves - fog.enters);
-        let direction = in_environment(&u.environment, pencil.direction);
+    let end = ending(u, &pencil, &piece, corners, looks, materials);
+    let nothing = pencil.triangle == ahead::NOTHING;
+    if first {
+        seen.depth = select(nothing, FAR, piece.far);
+        seen.enters = min(fog.enters, piece.far);
+        seen.normal = select_vector(nothing, Vec3::new(0.0, 0.0, 0.0), facing(&end.point, d));
+        // Without an environment the picture is transparent where there is neither a surface nor a medium.
+        let veil = 1.0 - ((dimmed.x + dimmed.y) + dimmed.z) * (1.0 / 3.0);
+        seen.coverage = select(nothing, max(u.environment.visible, veil), 1.0);
+    }
+    if nothing {
         let angle = max(length(pencil.direction_u), length(pencil.direction_v));
-        let radiance = environment(&u.environment, pictures, direction, angle);
-        // Without an environment the picture is transparent where there is no surface.
+        let radiance = environment(&u.environment, pictures, in_environment(&u.environment, d), angle);
         let visible = select(first, u.environment.visible, 1.0);
-        seen.radiance += radiance * dimmed * weight * visible;
+        seen.radiance += radiance * dimmed * piece.weight * visible;
+    } else if end.is_diffuse {
+        let light = arriving(&u.light, pictures, end.point.position);
+        let hidden = read(searches, (search::HIDDEN as u32 * count + at) as i32);
+        let to_source = xyz(u.light.position) - end.point.position;
+        let reach = select(u.light.kind == crate::abi::light::kind::DISTANT, FAR, sqrt(dot(to_source, to_source)));
+        let way = inside(&u.medium, end.point.position, -light.direction, 0.0, reach);
+        let arrives = transmittance(&u.medium, way.leaves - way.enters) * (1.0 - hidden);
+        let strength = share(&end.point, facing(&end.point, d), d, light.direction);
+        let sent = end.point.color * (light.radiance * arrives * strength + xyz(u.ambient));
+        seen.radiance += sent * dimmed * piece.weight;
     }
     seen.store()
 }

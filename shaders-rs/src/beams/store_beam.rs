@@ -34,7 +34,7 @@ pub fn invoke(
     let far = if shadow { FAR } else { pencil.distance };
     let fog = inside(&u.medium, pencil.position, pencil.direction, to_begin, far);
     let spread = pencil.spread().moved(fog.enters);
-    let start: Start = emission::start(u, x as i32, y as i32 + u.lattice.first_row as i32);
+    let start: Start = emission::start(u, x as i32, y as i32);
     let before = inside(&u.medium, pencil.position, pencil.direction, 0.0, fog.enters);
     let attenuated = transmittance(&u.medium, max(before.leaves - before.enters, 0.0));
     let flux = emission::flux(u, pictures, &start) * pencil.transmittance * attenuated;

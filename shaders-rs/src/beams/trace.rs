@@ -1,15 +1,17 @@
 //! Pencils of light, and of viewing rays, through the triangles of meshes: from surface to surface along all ways on which a worthwhile part of
 //! the flux goes (Hu et al. 2010, §4.1; the tree of ways: Whitted 1980).
 //!
-//! At each surface a pencil goes on along the refracted ray, and the reflection waits as a bit in `pending`. Where a way ends, the next one starts
-//! at the source again and turns where the last waiting reflection is. A pencil pauses at the beginning of each straight piece in air, where
-//! other kernels take it.
+//! At each surface light is refracted and reflected. A pencil first takes the stronger one everywhere; then all ways with one turn, on which it takes the
+//! weaker one once; then those with two turns, and so on, as long as there is a way with a worthwhile part of the flux. Each way starts at the
+//! source, and the state of the search is two sets of bits: `turns`, and in `pending` the surfaces at which a turn is still to be tried. A
+//! pencil pauses at the beginning of each straight piece in air that no way had before, where other kernels take it.
 
 use super::bend::{facet_for, mean};
 use super::emission::{self, Start};
 use super::facet::Facet;
 use super::medium::{inside, transmittance};
 use super::viewing;
+use crate::voxels::ray::level;
 use crate::abi::beams::{BeamsUniforms, rays};
 use crate::abi::light::kind;
 use crate::abi::receivers::ahead;
@@ -25,24 +27,13 @@ use crate::voxels::trace_triangles::lowest;
 use crate::voxels::tree;
 use spirv_std::glam::Vec3;
 
-pub use crate::voxels::ray::level;
-
 /// Distance by which receivers are taken to be nearer, in voxels: a body that stands on one is in contact with it.
 const CONTACT: f32 = 1.0 / 64.0;
 
-/// The level of work: whether the pencil is to be followed in this round.
+/// The level of work of a pencil: whether it is to be followed in this round.
 #[inline(always)]
-pub fn level(
-    _x: u32,
-    _y: u32,
-    u: &BeamsUniforms,
-    _mode: u32,
-    before: [f32; SIZE],
-    _nodes: &[f32],
-    _corners: &[f32],
-    _materials: &[f32],
-) -> u32 {
-    let pencil = Pencil::load(&before);
+pub fn level_of(u: &BeamsUniforms, before: &[f32; SIZE]) -> u32 {
+    let pencil = Pencil::load(before);
     let waits = (pencil.stage == stage::PAUSED) & (pencil.pieces > u.limits.round as i32);
     if (pencil.stage == stage::DONE) | waits { level::ENDED } else { level::WORK }
 }
@@ -51,7 +42,7 @@ pub fn level(
 #[inline(always)]
 fn start(x: u32, y: u32, u: &BeamsUniforms, mode: u32) -> Start {
     if mode == rays::LIGHT {
-        emission::start(u, x as i32, y as i32 + u.lattice.first_row as i32)
+        emission::start(u, x as i32, y as i32)
     } else {
         viewing::start(u, x as i32, y as i32)
     }
@@ -107,24 +98,31 @@ fn highest_bit(bits: i32) -> i32 {
     ((bits as f32).to_bits() >> 23) as i32 - 127
 }
 
-/// Ends a way, and begins the next one if a reflection waits.
+/// Ends a way, and begins the next one: the one that turns where the last weaker way waits, else the first of those with one turn more.
 #[inline(always)]
 fn end(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes: &[f32]) {
-    if pencil.pending == 0 {
+    if (pencil.pending == 0) & (pencil.deeper == 0) {
         pencil.stage = stage::DONE;
+        return;
+    }
+    if pencil.pending == 0 {
+        pencil.level += 1;
+        pencil.deeper = 0;
+        pencil.turns = 0;
+        pencil.decided = 0;
     } else {
         let number = highest_bit(pencil.pending);
         let below = (1 << number) - 1;
         pencil.turns = (pencil.turns & below) | (1 << number);
         pencil.pending &= below;
-        pencil.shared = number + 1;
-        begin(x, y, u, mode, pencil, nodes);
+        pencil.decided = number + 1;
     }
+    begin(x, y, u, mode, pencil, nodes);
 }
 
-/// The pencil after some nodes.
+/// The pencil after some nodes; `mode` is one of [`rays`].
 #[inline(always)]
-pub fn invoke<const LEVEL: u32>(
+pub fn follow(
     x: u32,
     y: u32,
     u: &BeamsUniforms,

@@ -101,11 +101,18 @@ kernels! {
         accumulate(depths: u32) adds word, modes mode [COUNTED, UNIFORM];
     }
     beams: BeamsUniforms {
-        trace(nodes: f32, corners: f32, materials: f32) updates pencil,
-            levels [WORK], modes rays [LIGHT, VIEW], reports work;
+        trace_light(nodes: f32, corners: f32, materials: f32) updates pencil,
+            levels [WORK], reports work;
+        trace_view(nodes: f32, corners: f32, materials: f32) updates pencil,
+            levels [WORK], reports work;
         store_beam(pencils: f32, pictures: f32) writes beam,
             modes part [CAUSTIC, SHADOW];
-        see(pencils: f32, pictures: f32, corners: f32, looks: f32) updates sight,
+        bound_beams(beams: f32) writes bounds;
+        find_light(pencils: f32, nodes: f32, corners: f32, looks: f32, materials: f32) updates search,
+            levels [WORK], reports work;
+        see(pencils: f32, pictures: f32, corners: f32, looks: f32, materials: f32, searches: f32) updates sight,
+            levels [WORK];
+        gather(pencils: f32, beams: f32, bounds: f32, corners: f32, looks: f32, materials: f32) updates sight,
             levels [WORK];
         find_depths(sights: f32) writes depths;
         scatter_beam(beams: f32, sights: f32, depths: f32) adds inscattered;

@@ -3,7 +3,7 @@
 //! Unrolled by hand: an array indexed by a variable would live in memory on the GPU.
 
 /// Components that [`load`] and [`store`] are unrolled for.
-pub const MOST: usize = 40;
+pub const MOST: usize = 44;
 
 /// Reads the record at `index`. One of more components than that does not compile.
 #[inline(always)]
@@ -17,7 +17,7 @@ pub fn load<const N: usize>(buffer: &[f32], index: u32, count: u32) -> [f32; N] 
             })*
         };
     }
-    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35 36 37 38 39);
+    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35 36 37 38 39 40 41 42 43);
     record
 }
 
@@ -32,7 +32,7 @@ pub fn store<const N: usize>(buffer: &mut [f32], index: u32, count: u32, record:
             })*
         };
     }
-    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35 36 37 38 39);
+    component!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32 33 34 35 36 37 38 39 40 41 42 43);
 }
 
 #[inline(always)]

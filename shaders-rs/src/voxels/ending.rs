@@ -3,7 +3,7 @@
 use super::mirror::{mirrored, vector, viewing};
 use super::shade::{Point, facing, on_receiver, on_triangle, shade};
 use crate::abi::record::{fate, path};
-use crate::abi::voxels::{VoxelsUniforms, seen};
+use crate::abi::voxels::{VoxelsUniforms, flag, seen};
 use crate::field::access::read;
 use crate::math::{length, max, select, xyz};
 use crate::optics::environment::{environment, in_environment};
@@ -55,7 +55,12 @@ pub fn surroundings(u: &VoxelsUniforms, pictures: &[f32], d: Vec3, angle: f32) -
 /// The point at which a ray ended.
 #[inline(always)]
 pub fn point(u: &VoxelsUniforms, corners: &[f32], looks: &[f32], triangle: i32, position: Vec3) -> Point {
-    if triangle < 0 { on_receiver(u, triangle, position) } else { on_triangle(u, corners, looks, triangle, position) }
+    if triangle < 0 {
+        on_receiver(&u.receivers, triangle, position)
+    } else {
+        let of_triangle = u.flags & flag::LOOK_OF_TRIANGLE != 0;
+        on_triangle(of_triangle, corners, looks, triangle, position)
+    }
 }
 
 /// The four pixels beside one.

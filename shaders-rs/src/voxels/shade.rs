@@ -1,7 +1,7 @@
 //! Shading of diffuse surfaces: opaque triangles and receivers in the light (Lambert's law; the shadow: Chang et al. 2010, §3).
 
-use crate::abi::receivers::ahead;
-use crate::abi::voxels::{VoxelsUniforms, corner, flag, look};
+use crate::abi::receivers::{Receivers, ahead};
+use crate::abi::voxels::{VoxelsUniforms, corner, look};
 use crate::field::access::{read, read_vector};
 use crate::math::{cross, dot, max, min, normalize, select, select_vector, xyz};
 use crate::optics::light_source::{Arriving, arriving};
@@ -34,9 +34,9 @@ fn mean(floats: &[f32], at: i32, weights: Vec3) -> Vec3 {
         + read_vector(floats, at + 6) * weights.z
 }
 
-/// The point at `position` of triangle number `index`.
+/// The point at `position` of triangle number `index`; `of_triangle` says whether looks belong to triangles, else to materials.
 #[inline(always)]
-pub fn on_triangle(u: &VoxelsUniforms, corners: &[f32], looks: &[f32], index: i32, position: Vec3) -> Point {
+pub fn on_triangle(of_triangle: bool, corners: &[f32], looks: &[f32], index: i32, position: Vec3) -> Point {
     let at = index * corner::SIZE as i32;
     let (a, b, c) = (read_vector(corners, at), read_vector(corners, at + 3), read_vector(corners, at + 6));
     let normal = cross(b - a, c - a);
@@ -47,7 +47,6 @@ pub fn on_triangle(u: &VoxelsUniforms, corners: &[f32], looks: &[f32], index: i3
     let weights = Vec3::new(first / sum, second / sum, third / sum);
     let plane = normalize(normal);
     let smooth = normalize(mean(corners, at + corner::NORMALS as i32, weights));
-    let of_triangle = u.flags & flag::LOOK_OF_TRIANGLE != 0;
     let material = read(corners, at + corner::MATERIAL as i32) as i32;
     let from = if of_triangle { index } else { material } * look::SIZE as i32;
     Point {
@@ -62,9 +61,9 @@ pub fn on_triangle(u: &VoxelsUniforms, corners: &[f32], looks: &[f32], index: i3
 
 /// The point at `position` of a receiver, one of [`ahead`].
 #[inline(always)]
-pub fn on_receiver(u: &VoxelsUniforms, which: i32, position: Vec3) -> Point {
+pub fn on_receiver(receivers: &Receivers, which: i32, position: Vec3) -> Point {
     let wall = which == ahead::WALL;
-    let (normal, color) = surface(&u.receivers, wall);
+    let (normal, color) = surface(receivers, wall);
     Point { position, plane: normal, normal, color, transmittance: 0.0, casts: false }
 }
 
@@ -79,18 +78,23 @@ pub fn facing(point: &Point, direction: Vec3) -> Vec3 {
     select_vector(beyond, plane, normal)
 }
 
+/// The share of the light along `light` that a point sends back to a ray along `direction`, over its reflectance (Lambert's law); `normal` is the one on
+/// the ray's side. By its plane a triangle is lit from the side that it is seen from, or from the other one.
+#[inline(always)]
+pub fn share(point: &Point, normal: Vec3, direction: Vec3, light: Vec3) -> f32 {
+    let cosine = -dot(normal, light);
+    let same = dot(point.plane, light) * dot(point.plane, direction) > 0.0;
+    select(same, max(cosine, 0.0), max(-cosine, 0.0) * point.transmittance)
+}
+
 /// Radiance along a ray that meets a point from direction `direction`: reflectance · (L cos θ + ambient), where a surface that is lit
 /// from its other side has the light that it lets through.
 #[inline(always)]
 pub fn shade(u: &VoxelsUniforms, pictures: &[f32], shadow: &[u32], point: &Point, direction: Vec3) -> Vec3 {
     let normal = facing(point, direction);
     let Arriving { direction: light, radiance } = arriving(&u.light, pictures, point.position);
-    let cosine = -dot(normal, light);
-    // By its plane a triangle is lit from the side that it is seen from, or from the other one.
+    let strength = share(point, normal, direction, light);
     let plane = -dot(point.plane, light);
-    let seen = -dot(point.plane, direction);
-    let same = plane * seen > 0.0;
-    let strength = select(same, max(cosine, 0.0), max(-cosine, 0.0) * point.transmittance);
     let slope = min(max(plane, -plane), 1.0);
     let bias = bias(&u.shadow, point.position, point.plane, slope);
     let above = point.plane * (select(plane < 0.0, -1.0, 1.0) * bias);

@@ -2,7 +2,7 @@
 
 record! {
     /// A pencil: a ray with its first derivatives by the two coordinates of the texel or pixel that it goes through the centre of (Igehy 1999).
-    /// It goes, one after the other, along all ways on which surfaces send its flux, by refraction or by reflection.
+    /// It goes, one after the other, along all ways on which surfaces send its flux, by refraction or by reflection, the strongest first.
     pencil: Pencil {
         /// Position in voxels, where the present straight piece begins.
         position: Vec3,
@@ -38,12 +38,16 @@ record! {
         stage: f32,
         /// Surfaces that the present way has met.
         bounces: i32,
-        /// A bit for each surface of the present way, by its number from 0 on, at which the ray is reflected where it could be refracted.
+        /// A bit for each surface of the present way, by its number from 0 on, at which the ray takes the weaker of two ways: a turn.
         turns: i32,
-        /// A bit for each surface of the present way whose reflection is followed later.
+        /// A bit for each surface of the present way whose weaker way is taken later.
         pending: i32,
-        /// Surfaces up to which the present way is that of an earlier one.
-        shared: i32,
+        /// Surfaces of the present way at which the way is decided by `turns`.
+        decided: i32,
+        /// Turns of the ways that are followed now: first all ways without a turn, then those with one, and so on.
+        level: i32,
+        /// 1 if there are ways with more turns, else 0.
+        deeper: i32,
         /// Straight pieces in air so far, over all ways, without those that ways share.
         pieces: i32,
         /// Share of the flux that has left all bodies and goes on, the mean of the channels.
@@ -106,6 +110,28 @@ record! {
         farthest: f32,
         /// Distance from the eye at which rays enter the medium, the mean over the pixel.
         enters: f32,
+    }
+}
+
+record! {
+    /// A box around a piece of beams.
+    bounds: Bounds {
+        /// Low corner, in voxels.
+        low: Vec3,
+        /// High corner; below the low one if the box holds nothing.
+        high: Vec3,
+    }
+}
+
+record! {
+    /// The search for a body between a diffuse surface and the source of light.
+    search: Search {
+        /// Number of the viewing ray's piece that ends at the surface, from 1 on.
+        piece: i32,
+        /// The node of the tree of triangles that is next.
+        node: i32,
+        /// 1 if there is a body, else 0.
+        hidden: f32,
     }
 }
 

@@ -1,17 +1,46 @@
-//! Beams of light that clear and mirroring bodies send through a scattering medium (Hu et al. 2010).
+//! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
+//!
+//! [`lattice`] places the rays of a light, [`uniforms`] describes a frame to the kernels, [`passes`] lists the passes: pencils of light become
+//! beams, beams are drawn, viewing rays see the rest.
+
+mod film;
+mod lattice;
+mod passes;
+mod uniforms;
 
 use crate::assets::Assets;
 use crate::error::Error;
-use crate::film::{Output, rgba};
-use crate::method::{Cache, Job, Method, PreparedFrame, Tools};
-use crate::scene::{MethodName, Scene};
+use crate::film::Output;
+use crate::method::voxels::cache::FrameCache;
+use crate::method::voxels::{UploadedMesh, check_mesh, light};
+use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, lights};
+use crate::scene::{MethodName, Scene, Surfaces};
 use crate::unrenderable::Unrenderable;
+use vitrum_io::Mesh;
 
 /// Beams of light in a medium.
 #[derive(Debug, Clone, Copy)]
 pub struct Beams;
 
-const OUTPUTS: &[Output] = &[Output::color(rgba!(0, 3))];
+/// Data that the next frame of the same assets uses again.
+#[derive(Default)]
+struct BeamsCache {
+    uploaded: Option<UploadedMesh>,
+    frame: FrameCache,
+}
+
+/// The scene of the bodies, as rays run through their triangles: without shadow maps.
+fn of_triangles(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    scene.voxels.surfaces = Surfaces::Exact;
+    scene.light.iter_mut().for_each(|light| light.shadows = false);
+    scene
+}
+
+/// The mesh that is the subject.
+fn shown(assets: &Assets) -> Result<&Mesh, Error> {
+    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Beams.as_str() }.into())
+}
 
 impl Method for Beams {
     fn name(&self) -> MethodName {
@@ -19,22 +48,39 @@ impl Method for Beams {
     }
 
     fn outputs(&self) -> &'static [Output] {
-        OUTPUTS
+        film::OUTPUTS
     }
 
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
-        match assets.subject.mesh() {
-            Some(_) => Ok(scene.check_for_mesh()?),
-            None => Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into()),
-        }
+        let mesh = shown(assets)?;
+        scene.check_for_mesh()?;
+        check_mesh(mesh)?;
+        light::check(scene, assets, mesh)
+    }
+
+    /// One exposure for each light, or for each of the crisp ones that a soft light is made of.
+    fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)))
     }
 
     fn prepare(
         &self,
-        _job: &Job<'_>,
-        _cache: &mut Cache,
-        _tools: &mut Tools<'_>,
+        job: &Job<'_>,
+        cache: &mut Cache,
+        tools: &mut Tools<'_>,
     ) -> Result<Box<dyn PreparedFrame>, Error> {
-        Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into())
+        let Job { scene, assets, .. } = *job;
+        let mesh = shown(assets)?;
+        let exact = of_triangles(scene);
+        let cache: &mut BeamsCache = cache.of();
+        if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(&exact, mesh)) {
+            *cache = BeamsCache::default();
+        }
+        let BeamsCache { uploaded, frame } = cache;
+        let uploaded = match uploaded {
+            Some(uploaded) => uploaded,
+            None => uploaded.insert(UploadedMesh::new(&exact, assets, tools)?),
+        };
+        Ok(Box::new(passes::list(scene, assets, uploaded, frame, tools.backend)?))
     }
 }

@@ -142,7 +142,7 @@ fn reflectance(body: &Body, mesh: &Mesh, scene: &Scene) -> Rgb {
 
 /// The materials of bodies as kernels read them: the index of refraction, and the absorption per voxel of the length `voxel_size`. An
 /// opaque body has the index 0, a mirror -1, and a mirror has its reflectance in the place of the absorption.
-pub(super) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
+pub(in crate::method) fn materials(bodies: &[Body], mesh: &Mesh, scene: &Scene, voxel_size: f64) -> Vec<f32> {
     let mut floats = Vec::with_capacity(bodies.len() * material::SIZE);
     for (body, Clear { ior, absorption }) in bodies.iter().zip(clear(bodies, mesh, scene)) {
         if body.mirror {

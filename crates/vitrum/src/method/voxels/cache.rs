@@ -22,12 +22,12 @@ pub(super) struct MeshCache {
 
 /// Data of a frame besides the mesh.
 #[derive(Default)]
-pub(super) struct FrameCache {
+pub(in crate::method) struct FrameCache {
     looks: Memo<LooksKey, Arc<Looks>>,
     looks_buffer: Memo<LooksKey, Buffer>,
     materials: Memo<Vec<f32>, Buffer>,
-    pub(super) pictures: UploadedPictures,
-    pub(super) scratch: Scratch,
+    pub(in crate::method) pictures: UploadedPictures,
+    pub(in crate::method) scratch: Scratch,
 }
 
 fn looks_key(scene: &Scene) -> LooksKey {
@@ -36,7 +36,7 @@ fn looks_key(scene: &Scene) -> LooksKey {
 
 impl FrameCache {
     /// The surface attributes of the bodies.
-    pub(super) fn looks(&mut self, scene: &Scene, mesh: &Mesh, uploaded: &UploadedMesh) -> Arc<Looks> {
+    pub(in crate::method) fn looks(&mut self, scene: &Scene, mesh: &Mesh, uploaded: &UploadedMesh) -> Arc<Looks> {
         let make = || looks(&uploaded.bodies, uploaded.first_in_tree(), mesh, scene);
         Arc::clone(self.looks.of(looks_key(scene), || Arc::new(make())))
     }
@@ -45,7 +45,7 @@ impl FrameCache {
     ///
     /// # Errors
     /// As [`Backend::create`].
-    pub(super) fn looks_buffer(
+    pub(in crate::method) fn looks_buffer(
         &mut self,
         scene: &Scene,
         looks: &Looks,
@@ -59,7 +59,7 @@ impl FrameCache {
     ///
     /// # Errors
     /// As [`Backend::create`].
-    pub(super) fn materials(&mut self, materials: Vec<f32>, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
+    pub(in crate::method) fn materials(&mut self, materials: Vec<f32>, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
         let floats = materials.clone();
         self.materials.get(materials, || backend.create("materials", Contents::Bytes(cast_slice(&floats)))).cloned()
     }

@@ -15,7 +15,7 @@ use vitrum_io::Mesh;
 use vitrum_kernels::abi::light::{Cone, LightSource, kind};
 
 /// The light of a source in a grid of voxels; `picture` is the place of the picture that a spot projects.
-pub(super) fn light_source(
+pub(in crate::method) fn light_source(
     light: &Light,
     source: &Source,
     view: &View,
@@ -63,7 +63,7 @@ pub(super) fn light_source(
 ///
 /// # Errors
 /// Where a light that casts shadows stands in the mesh's box, a light has no direction, or a spot's picture is not among the assets.
-pub(super) fn check(scene: &Scene, assets: &Assets, mesh: &Mesh) -> Result<(), Error> {
+pub(in crate::method) fn check(scene: &Scene, assets: &Assets, mesh: &Mesh) -> Result<(), Error> {
     let bounds = Bounds::from(mesh);
     let view = View::new(scene, bounds);
     let corners = mesh.bounds().map(|corner| glam::Vec3::from_array(corner).as_dvec3());

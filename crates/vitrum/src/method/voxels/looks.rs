@@ -9,7 +9,7 @@ use vitrum_kernels::abi::voxels::look;
 pub const GREY: Rgb = [0.7; 3];
 
 /// Surface attributes as kernels read them.
-pub(super) struct Looks {
+pub(in crate::method) struct Looks {
     pub floats: Vec<f32>,
     /// Whether each triangle has its own attributes, in the order of the tree's triangles; else each body has them.
     pub of_triangles: bool,

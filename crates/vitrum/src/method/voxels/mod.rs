@@ -6,20 +6,20 @@
 
 pub(in crate::method) mod bodies;
 mod bricks;
-mod cache;
+pub(in crate::method) mod cache;
 mod cropped;
 mod distances;
 mod fields;
 mod film;
-mod light;
+pub(in crate::method) mod light;
 mod looks;
 mod normals;
 mod passes;
-mod shadow;
+pub(in crate::method) mod shadow;
 pub(in crate::method) mod solids;
 mod tree;
-mod uniforms;
-mod uploaded;
+pub(in crate::method) mod uniforms;
+pub(in crate::method) mod uploaded;
 
 pub use bodies::{Body, bodies};
 pub(crate) use looks::GREY;

@@ -25,7 +25,7 @@ const AGAIN: f32 = 2.0;
 const CONTACT: f64 = 3e-6;
 
 /// The distance up to which surfaces of triangles are in contact, in voxels, where a mesh with these corners is in a grid.
-pub(super) fn contact(bounds: [[f32; 3]; 2], grid: Grid) -> f64 {
+pub(in crate::method) fn contact(bounds: [[f32; 3]; 2], grid: Grid) -> f64 {
     let [low, high] = bounds;
     let longest = (0..3).map(|axis| f64::from(high[axis]) - f64::from(low[axis])).fold(0.0, f64::max);
     CONTACT * longest / grid.voxel_size
@@ -44,7 +44,7 @@ pub(super) struct Surroundings {
 }
 
 /// A plane of the view frame in the frame of the grid, distances in voxels.
-fn plane(plane: DVec4, view: &View, grid: Grid) -> Affine {
+pub(in crate::method) fn plane(plane: DVec4, view: &View, grid: Grid) -> Affine {
     let normal = view.axes * plane.truncate();
     let origin = DVec3::from_array(grid.origin) - view.eye;
     normal.extend((normal.dot(origin) + plane.w) / grid.voxel_size).as_vec4().into()

@@ -51,9 +51,9 @@ pub struct UploadedMesh {
     /// The grid of the voxels, in whose units the triangles are, too.
     pub grid: Grid,
     /// Low and high corner of the mesh.
-    pub(super) bounds: [[f32; 3]; 2],
+    pub(in crate::method) bounds: [[f32; 3]; 2],
     /// The bodies, clear ones first.
-    pub(super) bodies: Vec<Body>,
+    pub(in crate::method) bodies: Vec<Body>,
     /// Number of clear bodies.
     pub(super) clear: usize,
     /// Rows of voxels that go through holes of the surface, over all clear bodies; they are left empty.
@@ -62,7 +62,7 @@ pub struct UploadedMesh {
     /// Buffers of voxels, in the order of the kernel's bindings.
     pub(super) buffers: Vec<Buffer>,
     /// Nodes and corners of the tree of triangles: all, or where rays march through voxels, those of opaque bodies.
-    pub(super) tree: Vec<Buffer>,
+    pub(in crate::method) tree: Vec<Buffer>,
     nodes: u32,
     pub(super) shadow: Option<ShadowMap>,
 }
@@ -135,8 +135,13 @@ impl UploadedMesh {
         self.clear < self.bodies.len()
     }
 
+    /// Whether the mesh has bodies with a diffuse surface.
+    pub(in crate::method) fn has_diffuse(&self) -> bool {
+        self.bodies.iter().any(|body| body.opaque && !body.mirror)
+    }
+
     /// The number of nodes of the tree.
-    pub(super) fn nodes(&self) -> u32 {
+    pub(in crate::method) fn nodes(&self) -> u32 {
         self.nodes
     }
 

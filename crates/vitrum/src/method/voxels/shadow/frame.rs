@@ -15,7 +15,7 @@ const FARTHEST: f64 = 1000.0;
 
 /// The frame of a light: its axes and origin, and the unit of lengths across.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(in crate::method) struct Frame {
     /// Axes of the frame in the world, as columns; x along the light.
     pub axes: DMat3,
     /// Origin of the frame in the world: the middle of the mesh, or the light's position.
@@ -29,7 +29,7 @@ impl Frame {
     ///
     /// # Errors
     /// As [`Source::check`].
-    pub(super) fn new(source: &Source, [low, high]: [DVec3; 2]) -> Result<Self, Error> {
+    pub(in crate::method) fn new(source: &Source, [low, high]: [DVec3; 2]) -> Result<Self, Error> {
         source.check([low, high])?;
         let centre = 0.5 * (low + high);
         let (direction, origin, unit_depth) = match *source {
@@ -44,7 +44,7 @@ impl Frame {
     }
 
     /// A point of the world: its depth, and its lengths or tangents across.
-    pub(super) fn turned(&self, world: DVec3) -> DVec3 {
+    pub(in crate::method) fn turned(&self, world: DVec3) -> DVec3 {
         let at = self.axes.transpose() * (world - self.origin);
         if self.unit_depth.is_some() { DVec3::new(at.x, at.y / at.x, at.z / at.x) } else { at }
     }
@@ -71,7 +71,7 @@ impl Frame {
     }
 
     /// The lit part of a box in the light's frame.
-    fn lit(&self, source: &Source, [low, high]: [DVec3; 2]) -> [DVec3; 2] {
+    pub(in crate::method) fn lit(&self, source: &Source, [low, high]: [DVec3; 2]) -> [DVec3; 2] {
         let Source::Spot { axis, tangent, .. } = *source else { return [low, high] };
         let (right, up) = axis.any_orthonormal_pair();
         // A polygon around the cone.

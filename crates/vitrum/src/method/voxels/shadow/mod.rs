@@ -1,9 +1,9 @@
 //! The transparent shadow map of a mesh (Chang et al. 2010, §3).
 
 mod casters;
-mod frame;
+pub(in crate::method) mod frame;
 mod passes;
-pub(super) mod source;
+pub(in crate::method) mod source;
 
 use super::bodies::Body;
 use crate::assets::Assets;

@@ -13,7 +13,7 @@ const NEAREST: f64 = 1.0 / 64.0;
 
 /// The source of the light that a shadow map follows, in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::method::voxels) enum Source {
+pub(in crate::method) enum Source {
     /// A distant source, with the unit direction of its light.
     Distant(DVec3),
     /// A point source, with its position.
@@ -33,7 +33,7 @@ impl Source {
     ///
     /// # Errors
     /// [`Unrenderable::NoDirection`] where a light has no direction.
-    pub(in crate::method::voxels) fn of(light: &Light, view: &View, bounds: Bounds) -> Result<Self, Error> {
+    pub(in crate::method) fn of(light: &Light, view: &View, bounds: Bounds) -> Result<Self, Error> {
         let distant = || Ok(Self::Distant(view.axes * direction_of_light(light, view)?));
         position(light, view).map_or_else(distant, |position| {
             Ok(match light.kind {
@@ -58,7 +58,7 @@ impl Source {
     ///
     /// # Errors
     /// [`Unrenderable::LightInMesh`] where the source stands inside the box, or next to it.
-    pub(in crate::method::voxels) fn check(&self, [low, high]: [DVec3; 2]) -> Result<(), Error> {
+    pub(in crate::method) fn check(&self, [low, high]: [DVec3; 2]) -> Result<(), Error> {
         let Some(position) = self.position() else { return Ok(()) };
         let least = NEAREST * (high - low).length();
         if (position.clamp(low, high) - position).length() >= least {

@@ -1,0 +1,136 @@
+//! The uniform block of a frame of beams, from the scene.
+
+use super::lattice::in_grid;
+use crate::method::view::environment::EnvironmentUniforms;
+use crate::method::view::receivers::Receivers;
+use crate::method::voxelize::Grid;
+use crate::method::voxels::uniforms::{contact, plane};
+use crate::method::voxels::UploadedMesh;
+use crate::method::{Bounds, View};
+use crate::scene::{Phase, Rgb, Scene};
+use glam::{DVec3, DVec4};
+use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Sums, phase};
+use vitrum_kernels::abi::camera::Camera;
+use vitrum_kernels::abi::environment::Environment;
+use vitrum_kernels::abi::light::{LightSource, kind};
+use vitrum_kernels::abi::receivers::{self, Receiver};
+use vitrum_kernels::abi::vector::{Size, Vec3};
+
+/// Distance from the triangles up to which their box reaches, in voxels.
+const AROUND: f64 = 0.5;
+/// Half the edge of the medium's cube over the radius of the sphere around the meshes, where the scene does not say.
+const EXTENT: f64 = 12.0;
+/// Units of the sums in what a beam one pixel wide adds to a pixel at the depth of the bodies: wide beams and dim ones have enough, and contributions
+/// up to 2²⁶ times as large fit (see [`vitrum_kernels::field::sums::add_large`]).
+const UNITS: f64 = 16_777_216.0;
+
+fn vector(v: DVec3) -> Vec3 {
+    v.as_vec3().into()
+}
+
+/// The surroundings of the bodies.
+pub(super) struct Surroundings {
+    pub(super) environment: EnvironmentUniforms,
+    pub(super) receivers: Receivers,
+    pub(super) light: LightSource,
+    pub(super) lattice: Lattice,
+}
+
+/// The medium in a grid's frame.
+fn medium(scene: &Scene, bounds: Bounds, grid: Grid) -> Medium {
+    let (centre, radius) = bounds.sphere();
+    let Some(medium) = &scene.medium else { return Medium::default() };
+    let half = medium.extent.map_or(EXTENT * radius, f64::from);
+    let voxel = grid.voxel_size as f32;
+    let scattering = medium.scattering;
+    let extinction: Rgb = std::array::from_fn(|channel| scattering[channel] + medium.absorption[channel]);
+    Medium {
+        extinction: extinction.map(|coefficient| coefficient * voxel).into(),
+        scattering: scattering.map(|coefficient| coefficient * voxel).into(),
+        anisotropy: medium.anisotropy,
+        phase: match medium.phase {
+            Phase::HenyeyGreenstein => phase::HENYEY_GREENSTEIN,
+            Phase::Rayleigh => phase::RAYLEIGH,
+        },
+        low: vector(in_grid(centre - half, grid)),
+        high: vector(in_grid(centre + half, grid)),
+    }
+}
+
+/// Units of the sums in a radiance of 1.
+fn scale(block: &BeamsUniforms, view: &View, bounds: Bounds, grid: Grid) -> f32 {
+    let (centre, radius) = bounds.sphere();
+    let lattice = &block.lattice;
+    let color = block.light.color;
+    let distance = if view.orthographic { 1.0 } else { (centre - view.eye).length().max(radius) / grid.voxel_size };
+    let pixel = 2.0 * f64::from(block.camera.half_height) / f64::from(block.picture.height);
+    let strongest = color.x.max(color.y).max(color.z);
+    let scattering = block.medium.scattering;
+    let most = scattering.x.max(scattering.y).max(scattering.z);
+    // π E A σ_s / (4 π f)
+    let texel = f64::from(lattice.step_across) * f64::from(lattice.step_upwards);
+    let usual = 0.25 * f64::from(strongest) * texel * f64::from(most) / (distance * pixel);
+    if usual > 0.0 { (UNITS / usual).min(1e30) as f32 } else { 1.0 }
+}
+
+/// The block of a frame; passes differ in their dispatch and their round.
+pub(super) fn block(
+    scene: &Scene,
+    uploaded: &UploadedMesh,
+    view: &View,
+    bounds: Bounds,
+    surroundings: &Surroundings,
+    flags: u32,
+) -> BeamsUniforms {
+    let grid = uploaded.grid;
+    let environment = &surroundings.environment;
+    let edge = scene.film.supersampling;
+    let [low, high] = uploaded.bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
+    let across = if view.orthographic { 1.0 / grid.voxel_size } else { 1.0 };
+    let [row_x, row_y, row_z] = environment.axes.map(vector);
+    let receiver = |equation: DVec4, color: Option<Rgb>| Receiver {
+        plane: plane(equation, view, grid),
+        color: color.map_or(Vec3::ZERO, Vec3::from),
+    };
+    let beams = &scene.beams;
+    let mut block = BeamsUniforms {
+        picture: Size { width: scene.film.width * edge, height: scene.film.height * edge },
+        camera: Camera {
+            half_width: (view.half_size[0] * across) as f32,
+            half_height: (view.half_size[1] * across) as f32,
+            start: 0.0,
+            orthographic: u32::from(view.orthographic),
+        },
+        right: vector(view.axes.x_axis),
+        up: vector(view.axes.y_axis),
+        away: vector(view.axes.z_axis),
+        eye: vector(in_grid(view.eye, grid)),
+        voxel: grid.voxel_size as f32,
+        low: vector(low - AROUND),
+        high: vector(high + AROUND),
+        light: surroundings.light,
+        lattice: surroundings.lattice,
+        limits: Limits {
+            same_distance: contact(uploaded.bounds, grid) as f32,
+            threshold: beams.threshold,
+            bounces: beams.bounces,
+            round: 0,
+            pitch: 0,
+            bounds_pitch: 0,
+            last: 0,
+        },
+        medium: medium(scene, bounds, grid),
+        receivers: receivers::Receivers {
+            ground: receiver(surroundings.receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
+            wall: receiver(surroundings.receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
+        },
+        environment: Environment { row_x, row_y, row_z, ..environment.block },
+        ambient: scene.shading.ambient.into(),
+        flags,
+        sums: Sums { scale: 1.0, levels: if beams.pyramid { LEVELS } else { 0 } },
+        ..BeamsUniforms::default()
+    };
+    debug_assert!(matches!(block.light.kind, kind::DISTANT | kind::POINT | kind::SPOT));
+    block.sums.scale = scale(&block, view, bounds, grid);
+    block
+}

@@ -1,0 +1,95 @@
+//! The trees over the beams of a round: one for each of the pieces that beams are cut into, and one for their ends on surfaces. A node stands for
+//! 2^l × 2^l texels of the lattice, and has a box around what they have. Nodes are found by their place alone, in the order of Morton's curve.
+
+use crate::abi::beams::{BeamsUniforms, TREES};
+use crate::field::access::read;
+use spirv_std::glam::Vec3;
+
+/// A node: its level, 0 for a single texel, and its number along Morton's curve of that level.
+#[derive(Clone, Copy)]
+pub struct Node {
+    /// log₂ of the texels along an edge.
+    pub level: u32,
+    /// The number.
+    pub number: u32,
+}
+
+/// Every other bit of `word`, from bit 0 on.
+#[inline(always)]
+fn every_other(word: u32) -> u32 {
+    let word = word & 0x5555_5555;
+    let word = (word | (word >> 1)) & 0x3333_3333;
+    let word = (word | (word >> 2)) & 0x0f0f_0f0f;
+    let word = (word | (word >> 4)) & 0x00ff_00ff;
+    (word | (word >> 8)) & 0x0000_ffff
+}
+
+impl Node {
+    /// Column and row of the node in its level.
+    #[inline(always)]
+    pub fn place(self) -> (u32, u32) {
+        (every_other(self.number), every_other(self.number >> 1))
+    }
+
+    /// The first of the four nodes below.
+    #[inline(always)]
+    #[must_use]
+    pub fn below(self) -> Self {
+        Self { level: self.level - 1, number: self.number << 2 }
+    }
+
+    /// The node behind all that are below this one: number 1 of the highest level, `top`, is behind all.
+    #[inline(always)]
+    #[must_use]
+    pub fn behind(self, top: u32) -> Self {
+        let mut next = Self { number: self.number + 1, ..self };
+        while (next.number & 3 == 0) & (next.level < top) {
+            next = Self { level: next.level + 1, number: next.number >> 2 };
+        }
+        next
+    }
+}
+
+/// The level of the root of a lattice of `count` × `count` texels: one node covers all.
+#[inline(always)]
+pub fn top(count: u32) -> u32 {
+    let mut level = 0;
+    while (1 << level) < count {
+        level += 1;
+    }
+    level
+}
+
+/// Nodes of the levels below `level` of a tree whose root is at level `top`: 4^top + 4^(top − 1) + ….
+#[inline(always)]
+pub fn nodes_below(top: u32, level: u32) -> u32 {
+    ((1 << (2 * top)) - (1 << (2 * (top - level)))) / 3 * 4
+}
+
+/// Nodes of a tree whose root is at level `top`.
+#[inline(always)]
+pub fn nodes(top: u32) -> u32 {
+    nodes_below(top, top) + 1
+}
+
+/// A box; one that is inside out holds nothing.
+#[derive(Clone, Copy)]
+pub struct Bounds {
+    /// Low corner, in voxels.
+    pub low: Vec3,
+    /// High corner.
+    pub high: Vec3,
+}
+
+/// The box of a node of one of a round's trees, whose root is at level `top`: `piece` is one of the pieces of beams, or [`ENDS`].
+#[inline(always)]
+pub fn bounds_of(u: &BeamsUniforms, records: &[f32], round: u32, piece: u32, top: u32, node: Node) -> Bounds {
+    let count = nodes(top);
+    let at = round * u.limits.bounds_pitch + piece * count + nodes_below(top, node.level) + node.number;
+    let plane = TREES * count;
+    let component = |component: u32| read(records, (at + component * plane) as i32);
+    Bounds {
+        low: Vec3::new(component(0), component(1), component(2)),
+        high: Vec3::new(component(3), component(4), component(5)),
+    }
+}
