@@ -8,7 +8,7 @@ use std::path::Path;
 use vitrum::composition::{Composed, Composition, Opened, open};
 use vitrum::io::{Mesh, OpenOptions, Up, Volume};
 use vitrum::scene::MeshSource;
-use vitrum::{load_mesh, load_meshes, load_volume};
+use vitrum::{load_mesh, load_meshes, load_volume, preset};
 
 /// The input and the flags that change its scene.
 #[derive(Debug, Args)]
@@ -24,7 +24,11 @@ pub struct SceneArguments {
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
 
-    /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset
+    /// Put meshes into a medium and show the beams of light in it
+    #[arg(long, value_name = "NAME", long_help = medium_help())]
+    pub medium: Option<String>,
+
+    /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset and --medium
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 
@@ -33,12 +37,25 @@ pub struct SceneArguments {
     pub size: Option<Size>,
 }
 
+/// The help of `--medium`, with the names and descriptions of all media.
+fn medium_help() -> String {
+    let mut text =
+        "Put meshes into a medium and show the beams of light in it (method beams). A scene with the default light gets a spot in the dark. \
+         The media:"
+            .to_owned();
+    for (name, description) in preset::medium_names() {
+        text.push_str(&format!("\n  {name:6} {}", description.trim_start_matches("a medium: ")));
+    }
+    text
+}
+
 impl SceneArguments {
     /// Reads the scene and its files, and applies the flags.
     pub fn compose(&self) -> Result<Composed, Failure> {
         let composition = Composition {
             input: self.input.clone(),
             preset: self.preset.clone(),
+            medium: self.medium.clone(),
             size: self.size.map(|Size { width, height }| [width, height]),
             source: self.volume.source(),
             settings: self.set.clone(),

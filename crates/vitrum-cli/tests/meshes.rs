@@ -197,3 +197,14 @@ fn several_meshes_are_shown_together() {
     render("gold.toml", "voxels", "gold.exr");
     assert_eq!(folder.vitrum(&["diff", "gold.exr", "apart.exr", "--max-abs", "1e-2"]).code, Some(1));
 }
+
+#[test]
+fn a_medium_gives_a_scene_of_beams_to_start_from() {
+    let folder = Folder::new();
+    let scene = folder.succeed(&["scene", "builtin:vase", "--medium", "sea", "--set", "medium.extent=20"]);
+    for words in ["method = \"beams\"\n", "[medium]\n", "extent = 20.0\n", "kind = \"spot\"\n", "anisotropy = 0.8\n"] {
+        assert!(scene.contains(words), "there is no `{words}`:\n{scene}");
+    }
+    let help = folder.succeed(&["render", "--help"]);
+    assert!(help.contains("fog    thin white fog") && help.contains("sea    clear sea water"), "{help}");
+}

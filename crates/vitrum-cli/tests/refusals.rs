@@ -192,6 +192,10 @@ fn help_names_what_the_command_has() {
     folder.refuse(&render("a.nrrd", "jade"), 2, &words);
     let words = ["`amber` is a preset of volumes, and none of meshes", "the presets of meshes are: glass, water"];
     folder.refuse(&render("a.obj", "amber"), 2, &words);
+    let medium = |input: &'static str, medium: &'static str| ["render", input, "-o", "b.png", "--medium", medium];
+    folder.refuse(&medium("a.obj", "zzz"), 2, &["there is no medium `zzz`", "the media are: fog, smoke, milk, sea"]);
+    folder.refuse(&medium("a.obj", "fogg"), 2, &["there is no medium `fogg`", "did you mean `fog`?"]);
+    folder.refuse(&medium("a.nrrd", "fog"), 2, &["`fog` is shown around meshes, and the scene shows a volume"]);
     folder.refuse(&render("a.obj", "jad"), 2, &["no preset `jad`", "did you mean `jade`?"]);
 }
 

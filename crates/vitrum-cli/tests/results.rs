@@ -248,7 +248,7 @@ fn info_describes_files_scenes_and_built_in_volumes() {
 #[test]
 fn lists_are_for_people_and_for_machines() {
     let folder = Folder::new();
-    for (command, name) in [("presets", "amber"), ("scenes", "ball"), ("devices", "CPU")] {
+    for (command, name) in [("presets", "amber"), ("presets", "fog"), ("scenes", "ball"), ("devices", "CPU")] {
         assert!(folder.succeed(&[command]).contains(name), "{command}");
         let listed = json(&folder.succeed(&[command, "--json"]));
         assert!(listed.as_array().into_iter().flatten().any(|entry| entry["name"] == name), "{command}: {listed}");

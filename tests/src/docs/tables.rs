@@ -11,9 +11,10 @@ use crate::closed_forms::table::{HEADER, cells};
 /// A table's name, and its Markdown.
 type Table = (&'static str, fn() -> String);
 
-const TABLES: [Table; 5] = [
+const TABLES: [Table; 6] = [
     ("outputs", outputs),
     ("presets", presets),
+    ("media", media),
     ("built-in scenes", scenes),
     ("closed forms", || table(HEADER, cells())),
     ("families", || bounds::markdown(&FAMILIES)),
@@ -46,6 +47,11 @@ fn presets() -> String {
     table(["preset", "of", "look"], rows("volumes", preset::names()).chain(rows("meshes", preset::mesh_names())))
 }
 
+fn media() -> String {
+    let row = |&(name, look): &(&str, &str)| [code(name), look.trim_start_matches("a medium: ").to_owned()];
+    table(["medium", "look"], preset::medium_names().iter().map(row))
+}
+
 fn scenes() -> String {
     let row = |&(name, description): &(&str, &str)| {
         let method = builtin::scene(name).map_or("", |scene| scene.method.as_str());
@@ -76,6 +82,7 @@ mod tests {
         let rows = |text: &str| text.lines().count() - 2;
         assert_eq!(rows(&outputs()), method::outputs().count());
         assert_eq!(rows(&presets()), preset::names().len() + preset::mesh_names().len());
+        assert_eq!(rows(&media()), preset::medium_names().len());
         assert_eq!(rows(&scenes()), builtin::names().len());
         assert!(outputs().contains("| `bounces` | `voxels` | surfaces at which"), "{}", outputs());
     }

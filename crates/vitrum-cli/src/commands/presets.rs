@@ -1,4 +1,4 @@
-//! `vitrum presets`: the looks that fit any volume.
+//! `vitrum presets`: the looks that fit any volume or mesh, and media.
 
 use crate::failure::Failure;
 use crate::output;
@@ -7,7 +7,7 @@ use serde_json::json;
 use std::process::ExitCode;
 use vitrum::preset;
 
-/// List the presets: looks that fit themselves to any volume, and materials of meshes
+/// List the presets: looks that fit themselves to any volume, materials of meshes, and media around them (--medium)
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// Print JSON
@@ -16,7 +16,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    print_names(&[preset::names(), preset::mesh_names()].concat(), arguments.json)
+    print_names(&[preset::names(), preset::mesh_names(), preset::medium_names()].concat(), arguments.json)
 }
 
 /// Prints names and descriptions, as a table or as JSON.

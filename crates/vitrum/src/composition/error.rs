@@ -2,7 +2,7 @@
 
 use crate::assets::made;
 use crate::error::Error;
-use crate::preset::PresetError;
+use crate::preset::{MediumError, PresetError};
 use crate::scene::SceneError;
 use crate::suggest::nearest;
 use std::path::PathBuf;
@@ -30,6 +30,9 @@ pub enum CompositionError {
     /// An unknown preset, for the input's kind.
     #[error(transparent)]
     Preset(#[from] PresetError),
+    /// An unknown medium, or a medium for a volume.
+    #[error(transparent)]
+    Medium(#[from] MediumError),
     /// The scene is not valid, or its data could not be read.
     #[error(transparent)]
     Scene(#[from] Error),
@@ -56,6 +59,7 @@ impl CompositionError {
             }
             Self::Text { advice, .. } => Some((*advice).to_owned()),
             Self::Preset(error) => Some(error.help()),
+            Self::Medium(error) => Some(error.help()),
             Self::Scene(_) => None,
         }
     }

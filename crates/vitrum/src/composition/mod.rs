@@ -7,9 +7,13 @@ pub use error::CompositionError;
 pub use input::{Opened, open, read_text};
 
 use crate::error::Error;
-use crate::scene::{Problem, Scene, SceneError, VolumeSource};
+use crate::scene::{Problem, Scene, SceneError, Vector, VolumeSource};
 use crate::{Assets, preset};
 use std::path::PathBuf;
+use vitrum_io::Mesh;
+
+/// Bounds of meshes whose size is not known yet.
+const UNIT: [Vector; 2] = [[-1.0; 3], [1.0; 3]];
 
 /// An input, and the changes to its scene. They are applied in the order of the fields.
 #[derive(Debug, Clone, Default)]
@@ -20,6 +24,8 @@ pub struct Composition {
     /// The name of a preset. If absent, a volume's file is shown by [`preset::DEFAULT`], a mesh's file by its own materials, or as
     /// glass.
     pub preset: Option<String>,
+    /// The name of a medium that meshes are put into, one of [`preset::medium_names`]. If absent the scene keeps its own, if any.
+    pub medium: Option<String>,
     /// Width and height of the film, in pixels.
     pub size: Option<[u32; 2]>,
     /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up`
@@ -46,7 +52,7 @@ impl Composition {
     /// Reads the scene and its files, and applies the changes.
     ///
     /// # Errors
-    /// [`CompositionError`] where the input cannot be read, there is no such preset, or the scene is not valid with a change. Names and
+    /// [`CompositionError`] where the input cannot be read, there is no such preset or medium, or the scene is not valid with a change. Names and
     /// values are checked before the volume is read.
     pub fn compose(&self) -> Result<Composed, CompositionError> {
         let Opened { mut scene, base, bare } = open(&self.input)?;
@@ -55,6 +61,10 @@ impl Composition {
         }
         if !scene.mesh.is_empty() {
             return self.compose_mesh(scene, base, bare);
+        }
+        if let Some(name) = &self.medium {
+            // It fails: without a mesh there is nothing to put into a medium.
+            preset::put_into_medium(name, UNIT, &mut scene)?;
         }
         // Names first: a slip should not cost the time to read a volume.
         self.preset.as_deref().map_or(Ok(()), preset::check)?;
@@ -77,8 +87,18 @@ impl Composition {
             None if bare => preset::surround_mesh(&mut scene),
             None => {}
         }
+        let Some(medium) = &self.medium else {
+            self.change(&mut scene, false)?;
+            let assets = Assets::load_within(&scene, &base, self.max_bytes)?;
+            return Ok(Composed { scene, base, assets });
+        };
+        // The density of a medium depends on the size of the meshes, and their size on the settings.
+        let mut before = scene.clone();
+        preset::put_into_medium(medium, UNIT, &mut before)?;
+        self.change(&mut before, false)?;
+        let assets = Assets::load_within(&before, &base, self.max_bytes)?;
+        preset::put_into_medium(medium, assets.subject.mesh().map_or(UNIT, Mesh::bounds), &mut scene)?;
         self.change(&mut scene, false)?;
-        let assets = Assets::load_within(&scene, &base, self.max_bytes)?;
         Ok(Composed { scene, base, assets })
     }
 
@@ -136,6 +156,29 @@ mod tests {
         let Composed { scene: plain, .. } = composed(None, &["volume.resolution=16"])?;
         assert_eq!([plain.film.width, plain.film.height], [32, 24]);
         assert_ne!(scene.transfer, plain.transfer, "the preset has a look of its own");
+        Ok(())
+    }
+
+    #[test]
+    fn a_medium_is_fitted_to_meshes_and_settings_come_after_it() -> Result<(), CompositionError> {
+        let composed = |input: &str, settings: &[&str]| {
+            let composition = Composition {
+                input: input.to_owned(),
+                medium: Some("fog".to_owned()),
+                settings: settings.iter().map(|&setting| setting.to_owned()).collect(),
+                ..Composition::default()
+            };
+            composition.compose()
+        };
+        let scattering = |scene: &Scene| scene.medium.as_ref().map_or(0.0, |medium| medium.scattering[0]);
+        let Composed { scene, .. } = composed("builtin:vase", &[])?;
+        let Composed { scene: large, .. } = composed("builtin:vase", &["mesh.0.scale=10", "medium.anisotropy=0"])?;
+        assert_eq!(
+            (scene.method.as_str(), large.medium.as_ref().map(|medium| medium.anisotropy)),
+            ("beams", Some(0.0))
+        );
+        assert!((scattering(&scene) / scattering(&large) - 10.0).abs() < 0.1, "{scene:?}");
+        assert!(matches!(composed("builtin:ball", &[]), Err(CompositionError::Medium(_))));
         Ok(())
     }
 

@@ -4,19 +4,21 @@
 //! view of it alone: `volume`, `camera`, `clip`, `sweep` (but for the grid of the light) and `film`. It is fitted to the volume's own values
 //! (`subject`), so that an 8-bit CT, a signed CT and a simulation between 0 and 1 each get thresholds of their own, and it states absorption
 //! for a share of the volume's size, so that 64³ and 512³ voxels look alike. A preset of a mesh (`mesh`) sets the materials of the bodies
-//! and their surroundings.
+//! and their surroundings. A preset of media (`medium`) puts meshes into fog, smoke or water.
 
 mod amber;
 mod bone;
 mod glass;
 mod haze;
 mod histogram;
+mod medium;
 mod mesh;
 mod plain;
 mod shape;
 mod subject;
 mod xray;
 
+pub use medium::{MediumError, medium_names, put_into_medium};
 pub use mesh::{apply_to_mesh, mesh_names, surround_mesh};
 
 use crate::scene::{Scene, Sweep};

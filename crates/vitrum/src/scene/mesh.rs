@@ -16,7 +16,8 @@ pub struct MeshSource {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-range" = "a path"))]
     pub file: Option<std::path::PathBuf>,
-    /// Procedural mesh: `vase`, `angel-ball`, `goblet`, `still-life`, `torus`, `tree`.
+    /// Procedural mesh: `vase`, `angel-ball`, `goblet`, `still-life`, `torus`, `tree`, `ball`, `ring`, `gem`,
+    /// `waves`, `statue`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-range" = "a name"))]
     pub builtin: Option<String>,

@@ -41,7 +41,7 @@ const FEATHERS: [([f32; 3], [f32; 3], f32); 6] = [
 ];
 
 /// Signed distance, about: it looks along +y.
-fn angel(position: Vec3) -> f32 {
+pub(super) fn angel(position: Vec3) -> f32 {
     // Both sides are alike.
     let p = Vec3::new(position.x.abs(), position.y, position.z);
     let robe = tube(p, (Vec3::new(0.0, 0.0, 0.22), 0.115), (Vec3::new(0.0, 0.0, -0.48), 0.245));

@@ -4,26 +4,43 @@
 //! additions, multiplications, divisions and square roots only, so that every machine makes the same.
 
 mod angel_ball;
+mod gem;
+mod glass_ball;
 mod goblet;
 mod growth;
 mod parts;
+mod patches;
 mod revolve;
+mod ring;
+mod statue;
 mod still_life;
 mod surface;
 mod torus;
 mod tree;
 mod vase;
+mod waves;
 
 use super::SceneEntry;
 use crate::preset::surround_mesh;
-use crate::scene::{Camera, MeshSource, MethodName, Scene};
+use crate::scene::{Camera, Environment, EnvironmentKind, Medium, MeshSource, MethodName, Scene, Shading};
 use vitrum_io::Mesh;
 
 /// Name and maker of a mesh.
 type MeshEntry = (&'static str, fn(&str) -> Mesh);
 
-pub(super) const SCENES: &[&[SceneEntry]] =
-    &[vase::SCENES, angel_ball::SCENES, goblet::SCENES, still_life::SCENES, torus::SCENES, tree::SCENES];
+pub(super) const SCENES: &[&[SceneEntry]] = &[
+    vase::SCENES,
+    angel_ball::SCENES,
+    goblet::SCENES,
+    still_life::SCENES,
+    torus::SCENES,
+    tree::SCENES,
+    glass_ball::SCENES,
+    ring::SCENES,
+    gem::SCENES,
+    waves::SCENES,
+    statue::SCENES,
+];
 
 pub(super) const MESHES: &[MeshEntry] = &[
     ("vase", vase::mesh),
@@ -32,6 +49,11 @@ pub(super) const MESHES: &[MeshEntry] = &[
     ("still-life", still_life::mesh),
     ("torus", torus::mesh),
     ("tree", tree::mesh),
+    ("ball", glass_ball::mesh),
+    ("ring", ring::mesh),
+    ("gem", gem::mesh),
+    ("waves", waves::mesh),
+    ("statue", statue::mesh),
 ];
 
 #[cfg(test)]
@@ -50,10 +72,23 @@ fn rays_through(name: &str) -> Scene {
     scene
 }
 
+/// Beams of light around the procedural mesh of that name, in a medium and in the dark.
+fn in_medium(name: &str, medium: Medium) -> Scene {
+    Scene {
+        method: MethodName::Beams,
+        mesh: vec![MeshSource { builtin: Some(name.to_owned()), ..MeshSource::default() }],
+        medium: Some(medium),
+        environment: Environment { kind: EnvironmentKind::Color, color: [0.0; 3], ..Environment::default() },
+        shading: Shading { ambient: [0.0; 3], ..Shading::default() },
+        ..Scene::default()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::method::voxels::bodies;
+    use glam::Vec3;
 
     #[test]
     fn bodies_are_closed_and_face_outwards() {
@@ -76,6 +111,24 @@ mod tests {
                 let corners = |mesh: &Mesh, index: usize| mesh.triangles[index].map(|at| mesh.positions[at as usize]);
                 let expected = corners(&mesh, first.unwrap());
                 assert_eq!(corners(&body.mesh, 0), expected, "{name}, {:?}", body.material);
+            }
+        }
+    }
+
+    #[test]
+    fn normals_are_unit_vectors_that_face_outwards() {
+        for (name, make) in MESHES {
+            let mesh = make(name);
+            let Some(normals) = &mesh.normals else { continue };
+            assert_eq!(normals.len(), mesh.positions.len(), "{name}");
+            for triangle in &mesh.triangles {
+                let [a, b, c] = triangle.map(|vertex| Vec3::from_array(mesh.positions[vertex as usize]));
+                let flat = (b - a).cross(c - a).normalize();
+                for vertex in triangle {
+                    let normal = Vec3::from_array(normals[*vertex as usize]);
+                    assert!((normal.length() - 1.0).abs() < 1e-5, "{name}: {normal}");
+                    assert!(flat.dot(normal) > 0.99, "{name}: {flat} and {normal}");
+                }
             }
         }
     }
