@@ -90,16 +90,18 @@ pub struct Lattice {
 pub struct Limits {
     /// Distance up to which two surfaces are in contact.
     pub same_distance: f32,
-    /// Share of a ray's flux below which a part of it is not followed.
+    /// Share of a light ray's flux below which a part of it is not followed.
     pub threshold: f32,
+    /// Share of a viewing ray's radiance below which a part of it is not followed.
+    pub view_threshold: f32,
     /// Surfaces that a ray may meet on one way.
     pub bounces: u32,
     /// Number of the straight piece in air, from 0 on over all ways of a ray, up to which rays are followed by a pass.
     pub round: u32,
     /// Floats from the beams of one round to those of the next.
     pub pitch: u32,
-    /// Floats from the boxes of one round to those of the next.
-    pub bounds_pitch: u32,
+    /// Floats from the bundles of one round to those of the next.
+    pub bundle_pitch: u32,
     /// The last round that has beams.
     pub last: u32,
 }
@@ -144,13 +146,6 @@ pub struct Sums {
 
 /// The most levels of the pyramid above the picture itself: level l has pixels of 2^l × 2^l viewing rays.
 pub const LEVELS: u32 = 4;
-
-/// Pieces of equal length that a beam is cut into, each of which has a tree over all beams.
-pub const PIECES: u32 = 8;
-/// The number of the tree over the ends of beams on surfaces.
-pub const ENDS: u32 = PIECES;
-/// The trees over the beams of a round.
-pub const TREES: u32 = PIECES + 1;
 
 /// Columns of the picture in which one invocation draws a beam.
 pub const BLOCK: u32 = 16;

@@ -2,7 +2,6 @@
 
 use super::facet::Facet;
 use super::spread::{Bending, Spread};
-use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::Pencil;
 use crate::abi::voxels::material;
 use crate::field::access::read_vector;
@@ -70,9 +69,10 @@ impl Pencil {
         self.bounces += 1;
     }
 
-    /// Refracts or reflects the pencil at a surface between the media `from` and `to`; the result is whether it goes through.
+    /// Refracts or reflects the pencil at a surface between the media `from` and `to`; the result is whether it goes through. Parts of the flux
+    /// below the share `threshold` are not followed.
     #[inline(always)]
-    pub fn cross(&mut self, u: &BeamsUniforms, facet: &Facet, from: i32, to: i32, materials: &[f32]) -> bool {
+    pub fn cross(&mut self, threshold: f32, facet: &Facet, from: i32, to: i32, materials: &[f32]) -> bool {
         let (index, other) = (ior(from, materials), ior(to, materials));
         let Bent { direction, mirrored, reflected, reflectance } = bend(self.direction, facet.normal, index, other);
         let number = self.bounces;
@@ -80,7 +80,7 @@ impl Pencil {
         let weaker = min(reflectance, 1.0 - reflectance);
         let turns = (number < self.decided) & ((self.turns >> number) & 1 == 1);
         if !reflected & (number >= self.decided) {
-            let follows = highest(self.transmittance) * weaker >= u.limits.threshold;
+            let follows = highest(self.transmittance) * weaker >= threshold;
             if !self.is_new() {
                 self.pending |= if follows { 1 << number } else { 0 };
             } else if follows {

@@ -5,12 +5,12 @@ use super::medium::{inside, phase, transmittance};
 use super::see::{level_of, piece_of};
 use super::shade::{Ending, ending};
 use super::store_beam::beam_of;
-use super::tree::{Bounds, Node, bounds_of, top};
+use super::tree::{Node, ROW, place_in, rows, top, vector};
 use super::trapezoid::filtered;
-use crate::abi::beams::{BeamsUniforms, ENDS, PIECES, TREES};
-use crate::abi::record::{Beam, Pencil, Sight, pencil, sight};
+use crate::abi::beams::BeamsUniforms;
+use crate::abi::record::{Beam, Pencil, Sight, bundle, pencil, sight};
 use crate::kernel::record;
-use crate::math::{PI, absolute, cross, dot, max, min, select, select_vector, xyz};
+use crate::math::{PI, absolute, cross, dot, length, max, min, select, select_vector, xyz};
 use crate::voxels::ray::{reciprocal, slab};
 use crate::voxels::shade::{facing, share};
 use spirv_std::glam::Vec3;
@@ -27,7 +27,7 @@ pub fn level(
     _before: [f32; sight::SIZE],
     pencils: &[f32],
     _beams: &[f32],
-    _bounds: &[f32],
+    _bundles: &[f32],
     _corners: &[f32],
     _looks: &[f32],
     _materials: &[f32],
@@ -43,28 +43,70 @@ struct Line {
     inverse: Vec3,
     near: f32,
     far: f32,
+    /// Half the width of the pixel's pencil where the piece begins, in voxels.
+    width: f32,
+    /// Half the angle by which it opens, radians.
+    opening: f32,
 }
 
-/// Whether a line comes through a box.
-#[inline(always)]
-fn comes_through(line: &Line, bounds: &Bounds) -> bool {
-    let (enters, leaves) = slab(line.from, line.inverse, bounds.low, bounds.high);
-    (bounds.low.x <= bounds.high.x) & (max(enters, line.near) <= min(leaves, line.far))
+/// The tree of a round.
+#[derive(Clone, Copy)]
+struct Tree {
+    /// The level of its root.
+    root: u32,
+    /// The first float of its records.
+    first: u32,
+    /// The number of its records.
+    count: u32,
 }
 
-/// Whether a box holds a point, or comes near it.
+/// Whether a line comes near any beam of a node, as far as boxes tell. The edge function w · ((P − O) × d) of a beam that begins at P must be within what it
+/// changes over the boxes of positions and directions.
 #[inline(always)]
-fn holds(bounds: &Bounds, point: Vec3, margin: f32) -> bool {
-    let (low, high) = (bounds.low, bounds.high);
+fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
+    let at = place_in(tree.root, node);
+    let of = |component: usize| vector(bundles, tree.first, tree.count, at, component);
+    let (low, high) = (of(bundle::LOW), of(bundle::HIGH));
+    let (enters, leaves) = slab(line.from, line.inverse, low, high);
+    let reached = (low.x <= high.x) & (max(enters, line.near) <= min(leaves, line.far));
+    if reached {
+        let (position, position_half) = (of(bundle::POSITION), of(bundle::POSITION_HALF));
+        let (direction, direction_half) = (of(bundle::DIRECTION), of(bundle::DIRECTION_HALF));
+        let offset = position - line.from;
+        let by_position = cross(direction, line.direction);
+        let by_direction = cross(line.direction, offset);
+        let edge = dot(offset, by_position);
+        let changes = dot(sizes(by_position), position_half)
+            + dot(sizes(by_direction), direction_half)
+            + length(position_half) * length(direction_half);
+        // The pixel's own width, as if the eye were as far away as the beams.
+        let pixel = line.width + line.opening * (length(offset) + length(position_half));
+        absolute(edge) <= changes + pixel
+    } else {
+        false
+    }
+}
+
+#[inline(always)]
+fn sizes(v: Vec3) -> Vec3 {
+    Vec3::new(absolute(v.x), absolute(v.y), absolute(v.z))
+}
+
+/// Whether the box of the ends of a node's beams holds a point, or comes near it.
+#[inline(always)]
+fn ends_at(bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -> bool {
+    let at = place_in(tree.root, node);
+    let of = |component: usize| vector(bundles, tree.first, tree.count, at, component);
+    let (low, high) = (of(bundle::END_LOW), of(bundle::END_HIGH));
     let x = (point.x >= low.x - margin) & (point.x <= high.x + margin);
     let y = (point.y >= low.y - margin) & (point.y <= high.y + margin);
     let z = (point.z >= low.z - margin) & (point.z <= high.z + margin);
     (low.x <= high.x) & x & y & z
 }
 
-/// Radiance that a beam's piece scatters into a line, RGB, dimmed from the line's beginning in the medium on.
+/// Radiance that a beam scatters into a line, RGB, dimmed from the line's beginning in the medium on.
 #[inline(always)]
-fn scattered(u: &BeamsUniforms, beam: &Beam, piece: u32, line: &Line, pencil: &Pencil) -> Vec3 {
+fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil) -> Vec3 {
     let offset = beam.position - line.from;
     let (w, d) = (line.direction, beam.direction);
     let moment = cross(offset, d);
@@ -88,9 +130,7 @@ fn scattered(u: &BeamsUniforms, beam: &Beam, piece: u32, line: &Line, pencil: &P
     let inverse = 1.0 / max(dot(normal, normal), 1e-9);
     let t = (along_view - cosine * along_light) * inverse;
     let s = (cosine * along_view - along_light) * inverse;
-    let length = beam.length * (1.0 / PIECES as f32);
-    let within = (s >= length * piece as f32) & (s < length * (piece + 1) as f32);
-    let meets = within & (t > line.near) & (t < line.far);
+    let meets = (s >= 0.0) & (s < beam.length) & (t > line.near) & (t < line.far);
     let dimmed = transmittance(&u.medium, s + (t - line.near));
     let strength = phase(&u.medium, -cosine) * filtered(edge, first, second, filter);
     select_vector(meets, beam.flux * dimmed * xyz(u.medium.scattering) * strength, none)
@@ -149,7 +189,7 @@ pub fn invoke<const LEVEL: u32>(
     before: [f32; sight::SIZE],
     pencils: &[f32],
     beams: &[f32],
-    bounds: &[f32],
+    bundles: &[f32],
     corners: &[f32],
     looks: &[f32],
     materials: &[f32],
@@ -166,6 +206,8 @@ pub fn invoke<const LEVEL: u32>(
         inverse: Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z)),
         near: fog.enters,
         far: fog.leaves,
+        width: 0.5 * (length(pencil.position_u) + length(pencil.position_v)),
+        opening: 0.5 * (length(pencil.direction_u) + length(pencil.direction_v)),
     };
     // The first piece's beams are drawn.
     let looks_through = (pencil.bounces > 0) & (fog.leaves > fog.enters);
@@ -180,18 +222,19 @@ pub fn invoke<const LEVEL: u32>(
     let mut round = 0;
     while round <= u.limits.last {
         let first = (round * u.limits.pitch) as i32;
+        let tree = Tree { root, first: round * u.limits.bundle_pitch, count: rows(root) * ROW };
         let is_shadow = round == 0;
-        let mut tree = if looks_through { 0 } else { ENDS };
-        while tree < TREES {
-            // A node behind the root ends the walk.
-            let outside = (tree == ENDS) & (!end.is_diffuse | is_shadow);
-            let mut node = Node { level: root, number: if outside { 1 } else { 0 } };
+        let mut walk = 0;
+        while walk < 2 {
+            // First along the piece, then at its end. A node behind the root ends a walk.
+            let along = walk == 0;
+            let wanted = if along { looks_through } else { end.is_diffuse & !is_shadow };
+            let mut node = Node { level: root, number: if wanted { 0 } else { 1 } };
             while (node.level < root) | (node.number == 0) {
-                let around = bounds_of(u, bounds, round, tree, root, node);
-                let met = if tree == ENDS {
-                    holds(&around, end.point.position, end.tolerance)
+                let met = if along {
+                    comes_near(bundles, &tree, node, &line)
                 } else {
-                    comes_through(&line, &around)
+                    ends_at(bundles, &tree, node, end.point.position, end.tolerance)
                 };
                 if met & (node.level > 0) {
                     node = node.below();
@@ -199,18 +242,18 @@ pub fn invoke<const LEVEL: u32>(
                     if met {
                         let (column, row) = node.place();
                         let beam = beam_of(beams, first, (row * u.lattice.count + column) as i32, texels);
-                        if tree == ENDS {
-                            surface += shining(u, &beam, &end, d, &at_end);
-                        } else {
-                            let light = scattered(u, &beam, tree, &line, &pencil);
+                        if along {
+                            let light = scattered(u, &beam, &line, &pencil);
                             caustics += light * select(is_shadow, 0.0, 1.0);
                             shadow += light * select(is_shadow, 1.0, 0.0);
+                        } else {
+                            surface += shining(u, &beam, &end, d, &at_end);
                         }
                     }
                     node = node.behind(root);
                 }
             }
-            tree += 1;
+            walk += 1;
         }
         round += 1;
     }

@@ -58,7 +58,9 @@ fn begin(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, node
     let endless = (mode == rays::LIGHT) & (u.light.kind == kind::DISTANT);
     let source = if endless { -FAR } else { 0.0 };
     let enters = max(enters, source);
-    let misses = leaves <= enters;
+    // A receiver in front of the box hides it.
+    let receiver = first_ahead(&u.receivers, position, direction, CONTACT);
+    let misses = (leaves <= enters) | ((mode == rays::VIEW) & (receiver.distance <= enters));
     let near = if misses { 0.0 } else { enters };
     pencil.position = position + direction * near;
     pencil.direction = direction;
@@ -239,8 +241,11 @@ fn arrive(
     pencil.set_spread(spread);
     if opaque {
         pencil.reflect(&facet, material, materials);
-    } else if pencil.cross(u, &facet, from, to, materials) {
-        pencil.media = beyond;
+    } else {
+        let threshold = if mode == rays::LIGHT { u.limits.threshold } else { u.limits.view_threshold };
+        if pencil.cross(threshold, &facet, from, to, materials) {
+            pencil.media = beyond;
+        }
     }
     pencil.start = 0.0;
     pencil.enters = 0;

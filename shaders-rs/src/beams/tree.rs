@@ -1,7 +1,6 @@
-//! The trees over the beams of a round: one for each of the pieces that beams are cut into, and one for their ends on surfaces. A node stands for
-//! 2^l × 2^l texels of the lattice, and has a box around what they have. Nodes are found by their place alone, in the order of Morton's curve.
+//! The tree over the beams of a round: a node stands for the beams of 2^l × 2^l texels of the lattice. Nodes are found by their place alone, in the
+//! order of Morton's curve.
 
-use crate::abi::beams::{BeamsUniforms, TREES};
 use crate::field::access::read;
 use spirv_std::glam::Vec3;
 
@@ -72,24 +71,25 @@ pub fn nodes(top: u32) -> u32 {
     nodes_below(top, top) + 1
 }
 
-/// A box; one that is inside out holds nothing.
-#[derive(Clone, Copy)]
-pub struct Bounds {
-    /// Low corner, in voxels.
-    pub low: Vec3,
-    /// High corner.
-    pub high: Vec3,
+/// Invocations in a row of the dispatch over the nodes.
+pub const ROW: u32 = 64;
+
+/// Rows of the dispatch over the nodes of a tree whose root is at level `top`; their records have room for whole rows.
+#[inline(always)]
+pub fn rows(top: u32) -> u32 {
+    (nodes(top) + ROW - 1) / ROW
 }
 
-/// The box of a node of one of a round's trees, whose root is at level `top`: `piece` is one of the pieces of beams, or [`ENDS`].
+/// The place of a node's record among those of its tree, whose root is at level `top`.
 #[inline(always)]
-pub fn bounds_of(u: &BeamsUniforms, records: &[f32], round: u32, piece: u32, top: u32, node: Node) -> Bounds {
-    let count = nodes(top);
-    let at = round * u.limits.bounds_pitch + piece * count + nodes_below(top, node.level) + node.number;
-    let plane = TREES * count;
-    let component = |component: u32| read(records, (at + component * plane) as i32);
-    Bounds {
-        low: Vec3::new(component(0), component(1), component(2)),
-        high: Vec3::new(component(3), component(4), component(5)),
-    }
+pub fn place_in(top: u32, node: Node) -> u32 {
+    nodes_below(top, node.level) + node.number
+}
+
+/// Three components of the record of a node from `component` on: `at` is the node's place, in the tree of `count` nodes that begins at float `first`.
+#[inline(always)]
+pub fn vector(records: &[f32], first: u32, count: u32, at: u32, component: usize) -> Vec3 {
+    let begin = first + component as u32 * count + at;
+    let of = |number: u32| read(records, (begin + number * count) as i32);
+    Vec3::new(of(0), of(1), of(2))
 }

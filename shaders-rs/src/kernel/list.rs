@@ -107,12 +107,12 @@ kernels! {
             levels [WORK], reports work;
         store_beam(pencils: f32, pictures: f32) writes beam,
             modes part [CAUSTIC, SHADOW];
-        bound_beams(beams: f32) writes bounds;
+        bound_beams(beams: f32) writes bundle;
         find_light(pencils: f32, nodes: f32, corners: f32, looks: f32, materials: f32) updates search,
             levels [WORK], reports work;
         see(pencils: f32, pictures: f32, corners: f32, looks: f32, materials: f32, searches: f32) updates sight,
             levels [WORK];
-        gather(pencils: f32, beams: f32, bounds: f32, corners: f32, looks: f32, materials: f32) updates sight,
+        gather(pencils: f32, beams: f32, bundles: f32, corners: f32, looks: f32, materials: f32) updates sight,
             levels [WORK];
         find_depths(sights: f32) writes depths;
         scatter_beam(beams: f32, sights: f32, depths: f32) adds inscattered;

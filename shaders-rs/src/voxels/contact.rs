@@ -130,7 +130,9 @@ impl Contact {
         let opaque = is_opaque(material, materials);
         let bit = if opaque { 0 } else { 1 << material };
         let (enters, leaves) = if along < 0.0 { (bit, 0) } else { (0, bit) };
-        let changes = opaque | (enters & !bits != 0) | (leaves & bits != 0);
+        // A mirror that has just reflected the ray is not met again.
+        let ends = ior(material, materials) == 0.0;
+        let changes = ends | (enters & !bits != 0) | (leaves & bits != 0);
         if !self.is_ahead(distance, cosine, same, changes) {
             return;
         }

@@ -114,12 +114,24 @@ record! {
 }
 
 record! {
-    /// A box around a piece of beams.
-    bounds: Bounds {
-        /// Low corner, in voxels.
+    /// A node of the tree over the beams of a round: boxes around all beams below it. Where there is none, the beams' box is inside out.
+    bundle: Bundle {
+        /// Low corner of the box of the beams in the medium, in voxels.
         low: Vec3,
-        /// High corner; below the low one if the box holds nothing.
+        /// High corner of that box.
         high: Vec3,
+        /// Middle of the box of the positions at which the beams begin, over their whole cross-sections.
+        position: Vec3,
+        /// Half the extent of that box.
+        position_half: Vec3,
+        /// Middle of the box of the beams' directions.
+        direction: Vec3,
+        /// Half the extent of that box.
+        direction_half: Vec3,
+        /// Low corner of the box of the beams' ends on surfaces.
+        end_low: Vec3,
+        /// High corner of that box.
+        end_high: Vec3,
     }
 }
 

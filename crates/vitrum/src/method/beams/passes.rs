@@ -16,13 +16,13 @@ use crate::method::voxels::shadow::source::Source;
 use crate::method::{Bounds, View};
 use crate::scene::Scene;
 use bytemuck::bytes_of;
-use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, TREES, flag, part};
+use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, flag, part};
 use vitrum_kernels::abi::dispatch::Dispatch;
-use vitrum_kernels::abi::record::{beam, beam_pixel, bounds, depths, inscattered, pencil, search, sight};
+use vitrum_kernels::abi::record::{beam, beam_pixel, bundle, depths, inscattered, pencil, search, sight};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::voxels::STEPS;
 use vitrum_kernels::beams::pyramid::{pixels_below, rows_before, size};
-use vitrum_kernels::beams::tree::{nodes, top};
+use vitrum_kernels::beams::tree::{ROW, rows, top};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Nodes of a tree on a straight piece of a ray, several times as many as usual.
@@ -121,12 +121,12 @@ pub(super) fn list(
     block.limits.pitch = (beam_bytes / 4) as u32;
     let pencils = scratch.zeros("pencils of light", bytes(texels, pencil::SIZE).max(4), backend)?;
     let beams = scratch.zeros("beams", (beam_bytes * u64::from(rounds)).max(4), backend)?;
-    // Nodes of all trees of a round, in rows of as many as suit a dispatch.
-    let trees = if casts { [TREES, nodes(top(texels[0]))] } else { [1, 1] };
-    let bounds_bytes = if casts { bytes(trees, bounds::SIZE).next_multiple_of(256) } else { 0 };
-    block.limits.bounds_pitch = (bounds_bytes / 4) as u32;
+    // The nodes of the tree of a round.
+    let tree = if casts { [ROW, rows(top(texels[0]))] } else { [1, 1] };
+    let bundle_bytes = if casts { bytes(tree, bundle::SIZE).next_multiple_of(256) } else { 0 };
+    block.limits.bundle_pitch = (bundle_bytes / 4) as u32;
     block.limits.last = rounds.saturating_sub(1);
-    let boxes = scratch.zeros("boxes of beams", (bounds_bytes * u64::from(rounds)).max(4), backend)?;
+    let bundles = scratch.zeros("bundles of beams", (bundle_bytes * u64::from(rounds)).max(4), backend)?;
     let searches = scratch.zeros("searches for light", bytes(picture, search::SIZE), backend)?;
     let rays = scratch.zeros("viewing rays", bytes(picture, pencil::SIZE), backend)?;
     let sights = scratch.zeros("sights", bytes(picture, sight::SIZE), backend)?;
@@ -147,8 +147,8 @@ pub(super) fn list(
         let mode = if round == 0 { part::SHADOW } else { part::CAUSTIC };
         let start = beam_bytes / 4 * u64::from(round);
         list.add(&kernels::beams_store_beam, texels, (mode, round), &[&pencils, &pictures.buffer, &beams], start);
-        let start = bounds_bytes / 4 * u64::from(round);
-        list.add(&kernels::beams_bound_beams, trees, (0, round), &[&beams, &boxes], start);
+        let start = bundle_bytes / 4 * u64::from(round);
+        list.add(&kernels::beams_bound_beams, tree, (0, round), &[&beams, &bundles], start);
     }
     for round in 0..scene.beams.views {
         for _ in 0..passes_of_round(&block) {
@@ -164,7 +164,7 @@ pub(super) fn list(
         list.add(&kernels::beams_see, picture, (0, round), &seen, 0);
         // The first pieces need no more than their surfaces.
         if casts && (round > 0 || surfaces) {
-            let gathered = [&rays, &beams, &boxes, &corners, &looks, &materials, &sights];
+            let gathered = [&rays, &beams, &bundles, &corners, &looks, &materials, &sights];
             list.add(&kernels::beams_gather, picture, (0, round), &gathered, 0);
         }
     }

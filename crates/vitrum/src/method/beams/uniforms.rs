@@ -24,6 +24,9 @@ const EXTENT: f64 = 12.0;
 /// up to 2²⁶ times as large fit (see [`vitrum_kernels::field::sums::add_large`]).
 const UNITS: f64 = 16_777_216.0;
 
+/// Share of a viewing ray's radiance below which a part of it is not followed: less than the eye sees.
+const VIEW_THRESHOLD: f32 = 0.005;
+
 fn vector(v: DVec3) -> Vec3 {
     v.as_vec3().into()
 }
@@ -113,10 +116,11 @@ pub(super) fn block(
         limits: Limits {
             same_distance: contact(uploaded.bounds, grid) as f32,
             threshold: beams.threshold,
+            view_threshold: VIEW_THRESHOLD.max(beams.threshold),
             bounces: beams.bounces,
             round: 0,
             pitch: 0,
-            bounds_pitch: 0,
+            bundle_pitch: 0,
             last: 0,
         },
         medium: medium(scene, bounds, grid),
