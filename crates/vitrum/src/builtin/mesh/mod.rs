@@ -156,12 +156,17 @@ mod tests {
         assert_eq!(found, FINGERPRINTS);
     }
 
-    const FINGERPRINTS: [(&str, u64); 6] = [
+    const FINGERPRINTS: [(&str, u64); 11] = [
         ("vase", 0x1aa4_d024_fddf_10d2),
         ("angel-ball", 0xa989_dc5d_3920_0e2c),
         ("goblet", 0xfda8_163f_a293_d318),
         ("still-life", 0x56ba_5299_03a5_8b73),
         ("torus", 0xd1f5_3093_de58_5ca5),
         ("tree", 0x4bc5_0515_ed77_e268),
+        ("ball", 0x723e_81ab_f9b3_ada5),
+        ("ring", 0x093c_890f_5396_8285),
+        ("gem", 0xb159_a9aa_6928_8c45),
+        ("waves", 0x13e1_e0aa_8915_9fa2),
+        ("statue", 0xca51_88b8_6848_15b7),
     ];
 }

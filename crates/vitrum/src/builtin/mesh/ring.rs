@@ -51,18 +51,21 @@ fn scene() -> Scene {
     scene
 }
 
+/// The normal at a turn of the circle.
+type Normal = fn(Vec2) -> Vec3;
+
 /// The band stands on z = 0. Its sides have the normals of cylinders, its edges are crisp.
 pub(in super::super) fn mesh(name: &str) -> Mesh {
     let mut turns = circle(8);
     turns.push(turns[0]);
     let outside = RADIUS + WALL;
     let at = |turn: &Vec2, radius: f32, height: f32| (*turn * radius).extend(height);
-    let row = |radius: f32, height: f32, normal: fn(Vec2) -> Vec3| -> Vec<(Vec3, Vec3)> {
+    let row = |radius: f32, height: f32, normal: Normal| -> Vec<(Vec3, Vec3)> {
         turns.iter().map(|turn| (at(turn, radius, height), normal(*turn))).collect()
     };
-    let (outwards, inwards): (fn(Vec2) -> Vec3, fn(Vec2) -> Vec3) =
-        (|turn| turn.extend(0.0), |turn| (-turn).extend(0.0));
-    let (up, down): (fn(Vec2) -> Vec3, fn(Vec2) -> Vec3) = (|_| Vec3::Z, |_| Vec3::NEG_Z);
+    let outwards: Normal = |turn| turn.extend(0.0);
+    let inwards: Normal = |turn| (-turn).extend(0.0);
+    let (up, down): (Normal, Normal) = (|_| Vec3::Z, |_| Vec3::NEG_Z);
     let mut patches = Patches::default();
     patches.grid(&[row(outside, 0.0, outwards), row(outside, HEIGHT, outwards)]);
     patches.grid(&[row(outside, HEIGHT, up), row(RADIUS, HEIGHT, up)]);

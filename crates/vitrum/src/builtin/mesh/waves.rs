@@ -78,6 +78,9 @@ fn surface(place: Vec2) -> (Vec3, Vec3) {
     (place.extend(height), (-slope).extend(1.0).normalize())
 }
 
+/// The place on an edge of the slab, by the way along it.
+type Edge = fn(f32) -> Vec2;
+
 /// A closed slab, 2 wide along x and y: flat below and at the sides, with waves around z = 0 on top.
 pub(in super::super) fn mesh(name: &str) -> Mesh {
     let at = |index: usize| EDGE * (2.0 * index as f32 / SQUARES as f32 - 1.0);
@@ -90,7 +93,7 @@ pub(in super::super) fn mesh(name: &str) -> Mesh {
     let bottom: Vec<Vec<(Vec3, Vec3)>> =
         all().map(|x| all().map(|y| (under(Vec2::new(x, y)), Vec3::NEG_Z)).collect()).collect();
     patches.grid(&bottom);
-    let sides: [(fn(f32) -> Vec2, Vec3); 4] = [
+    let sides: [(Edge, Vec3); 4] = [
         (|along| Vec2::new(along, -EDGE), Vec3::NEG_Y),
         (|along| Vec2::new(EDGE, along), Vec3::X),
         (|along| Vec2::new(-along, EDGE), Vec3::Y),
