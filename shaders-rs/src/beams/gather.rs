@@ -1,23 +1,26 @@
-//! Light of beams on the present straight piece of a viewing ray: what the medium scatters into the ray behind the first surface, where the pictures
-//! of beams are not straight, and surface caustics where the piece ends at a diffuse surface (gathered through the tree over beams).
+//! Light of beams behind the first surface of a viewing ray: what the medium scatters into the ray's present straight piece. The pictures of beams are
+//! not straight there, and the beams near the ray are found in a tree ([`super::tree`]).
 
+use super::bend::mean;
 use super::medium::{inside, phase, transmittance};
 use super::see::{level_of, piece_of};
-use super::shade::{Ending, ending};
 use super::store_beam::beam_of;
-use super::tree::{Node, ROW, place_in, rows, top, vector};
 use super::trapezoid::filtered;
+use super::tree::{Node, Tree};
 use crate::abi::beams::BeamsUniforms;
-use crate::abi::record::{Beam, Pencil, Sight, bundle, pencil, sight};
+use crate::abi::record::{Beam, Pencil, Sight, beam, bundle, pencil, sight};
+use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{PI, absolute, cross, dot, length, max, min, select, select_vector, xyz};
+use crate::math::{absolute, cross, dot, length, max, min, select, select_vector, xyz};
 use crate::voxels::ray::{reciprocal, slab};
-use crate::voxels::shade::{facing, share};
 use spirv_std::glam::Vec3;
 
 pub use crate::voxels::ray::level;
 
-/// The level of work: whether the ray has come to a new piece in this round.
+/// The least share of a piece's light that comes to the eye, below which beams are not looked for.
+const LEAST: f32 = 0.01;
+
+/// The level of work: whether the ray has come to a new piece in this round, behind a surface.
 #[inline(always)]
 pub fn level(
     x: u32,
@@ -28,9 +31,6 @@ pub fn level(
     pencils: &[f32],
     _beams: &[f32],
     _bundles: &[f32],
-    _corners: &[f32],
-    _looks: &[f32],
-    _materials: &[f32],
 ) -> u32 {
     level_of(x, y, u, pencils)
 }
@@ -49,23 +49,11 @@ struct Line {
     opening: f32,
 }
 
-/// The tree of a round.
-#[derive(Clone, Copy)]
-struct Tree {
-    /// The level of its root.
-    root: u32,
-    /// The first float of its records.
-    first: u32,
-    /// The number of its records.
-    count: u32,
-}
-
 /// Whether a line comes near any beam of a node, as far as boxes tell. The edge function w · ((P − O) × d) of a beam that begins at P must be within what it
 /// changes over the boxes of positions and directions.
 #[inline(always)]
 fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
-    let at = place_in(tree.root, node);
-    let of = |component: usize| vector(bundles, tree.first, tree.count, at, component);
+    let of = |component: usize| tree.vector(bundles, node, component);
     let (low, high) = (of(bundle::LOW), of(bundle::HIGH));
     let (enters, leaves) = slab(line.from, line.inverse, low, high);
     let reached = (low.x <= high.x) & (max(enters, line.near) <= min(leaves, line.far));
@@ -87,21 +75,23 @@ fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
     }
 }
 
+/// The absolute values of the components.
 #[inline(always)]
 fn sizes(v: Vec3) -> Vec3 {
     Vec3::new(absolute(v.x), absolute(v.y), absolute(v.z))
 }
 
-/// Whether the box of the ends of a node's beams holds a point, or comes near it.
+/// Whether a line comes near beam number `number` of `count`: as for a node, by a sphere and a cone around the beam.
 #[inline(always)]
-fn ends_at(bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -> bool {
-    let at = place_in(tree.root, node);
-    let of = |component: usize| vector(bundles, tree.first, tree.count, at, component);
-    let (low, high) = (of(bundle::END_LOW), of(bundle::END_HIGH));
-    let x = (point.x >= low.x - margin) & (point.x <= high.x + margin);
-    let y = (point.y >= low.y - margin) & (point.y <= high.y + margin);
-    let z = (point.z >= low.z - margin) & (point.z <= high.z + margin);
-    (low.x <= high.x) & x & y & z
+fn comes_near_beam(beams: &[f32], first: i32, number: i32, count: i32, line: &Line) -> bool {
+    let component = |component: usize| read(beams, first + component as i32 * count + number);
+    let vector = |at: usize| Vec3::new(component(at), component(at + 1), component(at + 2));
+    let (position, direction) = (vector(beam::POSITION), vector(beam::DIRECTION));
+    let offset = position - line.from;
+    let edge = dot(line.direction, cross(offset, direction));
+    let far = length(offset);
+    let radius = component(beam::RADIUS) + line.width;
+    absolute(edge) <= radius + (component(beam::OPENING) + line.opening) * far
 }
 
 /// Radiance that a beam scatters into a line, RGB, dimmed from the line's beginning in the medium on.
@@ -136,49 +126,6 @@ fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil) -> Ve
     select_vector(meets, beam.flux * dimmed * xyz(u.medium.scattering) * strength, none)
 }
 
-/// Irradiance over π of a point of a surface by a beam, RGB, times the share of it that the point sends back.
-#[inline(always)]
-fn shining(u: &BeamsUniforms, beam: &Beam, end: &Ending, direction: Vec3, pencil: &Pencil) -> Vec3 {
-    let none = Vec3::new(0.0, 0.0, 0.0);
-    let n = end.point.plane;
-    let d = beam.direction;
-    let facing_light = dot(n, d);
-    if absolute(facing_light) < 1e-6 {
-        return none;
-    }
-    let inverse = 1.0 / facing_light;
-    let s = dot(n, end.point.position - beam.position) * inverse;
-    let on_plane = |v: Vec3| v - d * (dot(n, v) * inverse);
-    let first = on_plane(beam.position_u + beam.direction_u * s);
-    let second = on_plane(beam.position_v + beam.direction_v * s);
-    // Across the beam the surface is nearer or farther by as much.
-    let deep = 0.5 * (absolute(dot(first, d)) + absolute(dot(second, d)));
-    if (s < -end.tolerance) | (absolute(s - beam.reach) > deep + end.tolerance) {
-        return none;
-    }
-    let area = dot(cross(first, second), n);
-    let wide = absolute(area);
-    if wide < 1e-12 {
-        return none;
-    }
-    let offset = end.point.position - (beam.position + d * s);
-    // Coordinates across the beam, in texels.
-    let across = |v: Vec3| (dot(cross(v, second), n) / area, dot(cross(first, v), n) / area);
-    let (x, y) = across(offset);
-    let (pixel_u, pixel_v) = (across(pencil.position_u), across(pencil.position_v));
-    let width_x = max(max(absolute(pixel_u.0), absolute(pixel_v.0)), 1e-3);
-    let width_y = max(max(absolute(pixel_u.1), absolute(pixel_v.1)), 1e-3);
-    if (absolute(x) > 0.5 * (1.0 + width_x)) | (absolute(y) > 0.5 * (1.0 + width_y)) {
-        return none;
-    }
-    let density = filtered(x, 1.0, 1e-4, width_x) * filtered(y, 1.0, 1e-4, width_y) / wide;
-    let fog = min(s, beam.length);
-    // At most four times as much as on the plane, where normals between corners lean to the light.
-    let cosine = max(absolute(facing_light), 0.25 * absolute(dot(end.point.normal, d)));
-    let strength = share(&end.point, facing(&end.point, direction), direction, d) / cosine;
-    beam.flux * transmittance(&u.medium, fog) * (density * strength * (1.0 / PI))
-}
-
 /// What the pixel sees, with the light of beams on the piece.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
@@ -190,16 +137,17 @@ pub fn invoke<const LEVEL: u32>(
     pencils: &[f32],
     beams: &[f32],
     bundles: &[f32],
-    corners: &[f32],
-    looks: &[f32],
-    materials: &[f32],
 ) -> [f32; sight::SIZE] {
     let mut seen = Sight::load(&before);
     let count = u.dispatch.width * u.dispatch.height;
     let pencil = Pencil::load(&record::load::<{ pencil::SIZE }>(pencils, y * u.dispatch.width + x, count));
     let piece = piece_of(x, y, u, &pencil);
-    let fog = inside(&u.medium, piece.from, pencil.direction, 0.0, piece.far);
     let d = pencil.direction;
+    let fog = inside(&u.medium, piece.from, d, 0.0, piece.far);
+    // The first piece's beams are drawn.
+    if (pencil.bounces == 0) | (fog.leaves <= fog.enters) | (mean(piece.weight) < LEAST) {
+        return before;
+    }
     let line = Line {
         from: piece.from,
         direction: d,
@@ -209,57 +157,38 @@ pub fn invoke<const LEVEL: u32>(
         width: 0.5 * (length(pencil.position_u) + length(pencil.position_v)),
         opening: 0.5 * (length(pencil.direction_u) + length(pencil.direction_v)),
     };
-    // The first piece's beams are drawn.
-    let looks_through = (pencil.bounces > 0) & (fog.leaves > fog.enters);
-    let end = ending(u, &pencil, &piece, corners, looks, materials);
     let texels = (u.lattice.count * u.lattice.count) as i32;
-    let root = top(u.lattice.count);
     let mut caustics = Vec3::new(0.0, 0.0, 0.0);
     let mut shadow = Vec3::new(0.0, 0.0, 0.0);
-    let mut surface = Vec3::new(0.0, 0.0, 0.0);
-    let mut at_end = pencil;
-    at_end.set_spread(pencil.spread().moved(pencil.distance).on_plane(d, end.point.plane));
     let mut round = 0;
     while round <= u.limits.last {
         let first = (round * u.limits.pitch) as i32;
-        let tree = Tree { root, first: round * u.limits.bundle_pitch, count: rows(root) * ROW };
+        let tree = Tree::of_round(u, round);
         let is_shadow = round == 0;
-        let mut walk = 0;
-        while walk < 2 {
-            // First along the piece, then at its end. A node behind the root ends a walk.
-            let along = walk == 0;
-            let wanted = if along { looks_through } else { end.is_diffuse & !is_shadow };
-            let mut node = Node { level: root, number: if wanted { 0 } else { 1 } };
-            while (node.level < root) | (node.number == 0) {
-                let met = if along {
-                    comes_near(bundles, &tree, node, &line)
-                } else {
-                    ends_at(bundles, &tree, node, end.point.position, end.tolerance)
-                };
-                if met & (node.level > 0) {
-                    node = node.below();
-                } else {
-                    if met {
-                        let (column, row) = node.place();
-                        let beam = beam_of(beams, first, (row * u.lattice.count + column) as i32, texels);
-                        if along {
-                            let light = scattered(u, &beam, &line, &pencil);
-                            caustics += light * select(is_shadow, 0.0, 1.0);
-                            shadow += light * select(is_shadow, 1.0, 0.0);
-                        } else {
-                            surface += shining(u, &beam, &end, d, &at_end);
-                        }
-                    }
-                    node = node.behind(root);
+        let mut node = Node { level: tree.root, number: 0 };
+        while (node.level < tree.root) | (node.number == 0) {
+            let (column, row) = node.place();
+            let there = (column < u.lattice.count) & (row < u.lattice.count);
+            let number = if there { (row * u.lattice.count + column) as i32 } else { 0 };
+            let met = if node.level > 0 {
+                comes_near(bundles, &tree, node, &line)
+            } else {
+                there & comes_near_beam(beams, first, number, texels, &line)
+            };
+            if met & (node.level > 0) {
+                node = node.below();
+            } else {
+                if met {
+                    let light = scattered(u, &beam_of(beams, first, number, texels), &line, &pencil);
+                    caustics += light * select(is_shadow, 0.0, 1.0);
+                    shadow += light * select(is_shadow, 1.0, 0.0);
                 }
+                node = node.behind(tree.root);
             }
-            walk += 1;
         }
         round += 1;
     }
     seen.caustics += caustics * piece.weight;
     seen.shadow += shadow * piece.weight;
-    let dimmed = transmittance(&u.medium, fog.leaves - fog.enters);
-    seen.radiance += surface * end.point.color * dimmed * piece.weight;
     seen.store()
 }

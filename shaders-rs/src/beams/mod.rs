@@ -3,7 +3,7 @@
 //! [`trace`] follows pencils of light, and viewing rays, through the bodies: a pencil is a ray with its derivatives ([`emission`],
 //! [`viewing`], [`bend`], [`spread`]). Each straight piece in air becomes a beam ([`store_beam`]), and [`scatter_beam`] adds the light that
 //! the medium scatters out of it to the pixels that look through it. What viewing rays see behind the first surface, and
-//! the light that beams throw on surfaces, is gathered ([`gather`]). [`see`] adds up the rest of the picture, [`resolve`] composes it.
+//! the light that beams throw on surfaces, is gathered ([`gather`], [`light_surface`]). [`see`] adds up the rest of the picture, [`resolve`] composes it.
 
 pub mod airlight;
 pub mod bend;
@@ -13,6 +13,7 @@ pub mod facet;
 pub mod find_depths;
 pub mod find_light;
 pub mod gather;
+pub mod light_surface;
 pub mod medium;
 pub mod picture;
 pub mod pyramid;

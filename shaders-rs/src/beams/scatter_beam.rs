@@ -21,6 +21,8 @@ use spirv_std::glam::Vec3;
 
 /// Depth in front of the eye from which on a beam is projected, in voxels.
 const NEAR: f32 = 1e-3;
+/// Width of a beam's picture in blocks that have an end of the beam, over the width for which its level is chosen, inverted.
+const AT_ENDS: f32 = 1.0 / 8.0;
 /// Farther columns than any picture has.
 const BEYOND: f32 = 1e6;
 
@@ -269,15 +271,16 @@ pub fn invoke<S: Sums + ?Sized>(
     if (finish < left as f32) | (begin > (right - 1) as f32) {
         return;
     }
-    // Blocks without an end of the beam may be drawn in coarse pixels.
+    // Coarse pixels do not show where exactly a beam ends: in blocks with an end they are finer.
     let backwards = b.major < a.major;
     let inner_begin = select(backwards, b.major + b.reach, a.major + a.reach);
     let inner_finish = select(backwards, a.major - a.reach, b.major - b.reach);
     let middle = drawn.section(left as f32 + 0.5 * (BLOCK as f32 - 1.0));
-    let level = level_for(2.0 * drawn.half_width(&middle, 1.0), u.sums.levels);
+    let width = 2.0 * drawn.half_width(&middle, 1.0);
+    let level = level_for(width, u.sums.levels);
     let margin = (1 << level) as f32;
     let within = (left as f32 - margin > inner_begin) & (right as f32 + margin < inner_finish);
-    let level = if within { level } else { 0 };
+    let level = if within { level } else { level_for(width * AT_ENDS, u.sums.levels) };
     let edge = 1 << level;
     let fine = edge as f32;
     let mut column = max(begin, left as f32) as i32 >> level;

@@ -1,7 +1,7 @@
 //! The derivatives of a ray: transfer along it, reflection and refraction (Igehy 1999).
 
 use super::facet::Facet;
-use crate::math::{dot, max, sqrt};
+use crate::math::{dot, length, max, min, sqrt};
 use spirv_std::glam::Vec3;
 
 /// Changes of a ray's position and direction over a texel of the lattice, or over a pixel, along its two coordinates.
@@ -48,7 +48,24 @@ impl Bending {
     }
 }
 
+/// The most by which a direction is taken to change over a texel, radians: where a surface bends more within a texel, its derivative tells little of where
+/// the texel's light goes, and the light is spread over this angle.
+const WIDEST: f32 = 0.5;
+
+/// A vector, no longer than [`WIDEST`].
+#[inline(always)]
+fn limited(v: Vec3) -> Vec3 {
+    v * min(1.0, WIDEST / max(length(v), 1e-20))
+}
+
 impl Spread {
+    /// The changes, of which those of the direction are limited to what a linear function of the texel describes.
+    #[inline(always)]
+    #[must_use]
+    pub fn limited(self) -> Self {
+        Self { direction_u: limited(self.direction_u), direction_v: limited(self.direction_v), ..self }
+    }
+
     /// The changes `distance` ahead, at the same distance from the start.
     #[inline(always)]
     #[must_use]

@@ -9,7 +9,7 @@ use crate::abi::record::pencil::{self, stage};
 use crate::abi::record::{Beam, Pencil, beam};
 use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{max, select_vector};
+use crate::math::{length, max, select_vector};
 use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
 
@@ -33,7 +33,7 @@ pub fn invoke(
     let to_begin = if shadow { pencil.distance } else { 0.0 };
     let far = if shadow { FAR } else { pencil.distance };
     let fog = inside(&u.medium, pencil.position, pencil.direction, to_begin, far);
-    let spread = pencil.spread().moved(fog.enters);
+    let spread = pencil.spread().limited().moved(fog.enters);
     let start: Start = emission::start(u, x as i32, y as i32);
     let before = inside(&u.medium, pencil.position, pencil.direction, 0.0, fog.enters);
     let attenuated = transmittance(&u.medium, max(before.leaves - before.enters, 0.0));
@@ -47,6 +47,8 @@ pub fn invoke(
         direction_u: spread.direction_u,
         direction_v: spread.direction_v,
         flux: select_vector(lit, flux, none),
+        radius: 0.5 * (length(spread.position_u) + length(spread.position_v)),
+        opening: 0.5 * (length(spread.direction_u) + length(spread.direction_v)),
         length: fog.leaves - fog.enters,
         reach: far - fog.enters,
         target: if shadow { ahead::NOTHING } else { pencil.triangle },
@@ -74,6 +76,8 @@ pub fn beam_of(beams: &[f32], first: i32, number: i32, count: i32) -> Beam {
         direction_u: vector(beam::DIRECTION_U),
         direction_v: vector(beam::DIRECTION_V),
         flux: vector(beam::FLUX),
+        radius: component(beam::RADIUS),
+        opening: component(beam::OPENING),
         length: component(beam::LENGTH),
         reach: component(beam::REACH),
         target: component(beam::TARGET) as i32,

@@ -1,6 +1,7 @@
 //! The tree over the beams of a round: a node stands for the beams of 2^l × 2^l texels of the lattice. Nodes are found by their place alone, in the
 //! order of Morton's curve.
 
+use crate::abi::beams::BeamsUniforms;
 use crate::field::access::read;
 use spirv_std::glam::Vec3;
 
@@ -80,16 +81,31 @@ pub fn rows(top: u32) -> u32 {
     (nodes(top) + ROW - 1) / ROW
 }
 
-/// The place of a node's record among those of its tree, whose root is at level `top`.
-#[inline(always)]
-pub fn place_in(top: u32, node: Node) -> u32 {
-    nodes_below(top, node.level) + node.number
+/// The tree of a round.
+#[derive(Clone, Copy)]
+pub struct Tree {
+    /// The level of its root.
+    pub root: u32,
+    /// The first float of its records.
+    pub first: u32,
+    /// The number of its records.
+    pub count: u32,
 }
 
-/// Three components of the record of a node from `component` on: `at` is the node's place, in the tree of `count` nodes that begins at float `first`.
-#[inline(always)]
-pub fn vector(records: &[f32], first: u32, count: u32, at: u32, component: usize) -> Vec3 {
-    let begin = first + component as u32 * count + at;
-    let of = |number: u32| read(records, (begin + number * count) as i32);
-    Vec3::new(of(0), of(1), of(2))
+impl Tree {
+    /// The tree over the beams of a round.
+    #[inline(always)]
+    pub fn of_round(u: &BeamsUniforms, round: u32) -> Self {
+        let root = top(u.lattice.count);
+        Self { root, first: round * u.limits.bundle_pitch, count: rows(root) * ROW }
+    }
+
+    /// Three components of the record of a node from `component` on.
+    #[inline(always)]
+    pub fn vector(&self, records: &[f32], node: Node, component: usize) -> Vec3 {
+        let at = nodes_below(self.root, node.level) + node.number;
+        let begin = self.first + component as u32 * self.count + at;
+        let of = |number: u32| read(records, (begin + number * self.count) as i32);
+        Vec3::new(of(0), of(1), of(2))
+    }
 }

@@ -112,7 +112,9 @@ kernels! {
             levels [WORK], reports work;
         see(pencils: f32, pictures: f32, corners: f32, looks: f32, materials: f32, searches: f32) updates sight,
             levels [WORK];
-        gather(pencils: f32, beams: f32, bundles: f32, corners: f32, looks: f32, materials: f32) updates sight,
+        gather(pencils: f32, beams: f32, bundles: f32) updates sight,
+            levels [WORK];
+        light_surface(pencils: f32, beams: f32, bundles: f32, corners: f32, looks: f32, materials: f32) updates sight,
             levels [WORK];
         find_depths(sights: f32) writes depths;
         scatter_beam(beams: f32, sights: f32, depths: f32) adds inscattered;

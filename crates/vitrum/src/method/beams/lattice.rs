@@ -48,3 +48,15 @@ pub(super) fn lattice(source: &Source, uploaded: &UploadedMesh, count: u32) -> R
 pub(super) fn in_grid(world: DVec3, grid: Grid) -> DVec3 {
     (world - DVec3::from_array(grid.origin)) / grid.voxel_size
 }
+
+/// The lattice with at most `most` rays along each edge, over the same bounds.
+pub(super) fn coarser(lattice: Lattice, most: u32) -> Lattice {
+    let count = lattice.count.min(most);
+    let factor = lattice.count as f32 / count.max(1) as f32;
+    Lattice {
+        count,
+        step_across: lattice.step_across * factor,
+        step_upwards: lattice.step_upwards * factor,
+        ..lattice
+    }
+}

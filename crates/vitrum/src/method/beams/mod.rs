@@ -8,7 +8,10 @@ mod lattice;
 mod passes;
 mod uniforms;
 
+pub use passes::Frame;
+
 use crate::assets::Assets;
+use crate::backend::Backend;
 use crate::error::Error;
 use crate::film::Output;
 use crate::method::voxels::cache::FrameCache;
@@ -35,6 +38,16 @@ fn of_triangles(scene: &Scene) -> Scene {
     scene.voxels.surfaces = Surfaces::Exact;
     scene.light.iter_mut().for_each(|light| light.shadows = false);
     scene
+}
+
+/// A frame of beams of a scene's first light, which is ready to run.
+///
+/// # Errors
+/// Those of [`Method::prepare`].
+pub fn prepare(scene: &Scene, assets: &Assets, backend: &mut dyn Backend) -> Result<Frame, Error> {
+    let mut tools = Tools { backend, progress: &mut |_| true };
+    let uploaded = UploadedMesh::new(&of_triangles(scene), assets, &mut tools)?;
+    passes::list(scene, assets, &uploaded, &mut FrameCache::default(), tools.backend)
 }
 
 /// The mesh that is the subject.

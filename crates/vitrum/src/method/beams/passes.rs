@@ -1,11 +1,12 @@
 //! The pass list of a frame of beams.
 
-use super::lattice::lattice;
+use super::lattice::{coarser, lattice};
 use super::uniforms::{self, Surroundings};
 use super::{of_triangles, shown};
 use crate::assets::Assets;
-use crate::backend::{Backend, Buffer, Pass, PassList, WhileBusy};
+use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, START_ALIGNMENT, WhileBusy};
 use crate::error::Error;
+use crate::method::cache::Scratch;
 use crate::method::view::environment::EnvironmentUniforms;
 use crate::method::view::receivers::Receivers;
 use crate::method::voxels::UploadedMesh;
@@ -16,7 +17,7 @@ use crate::method::voxels::shadow::source::Source;
 use crate::method::{Bounds, View};
 use crate::scene::Scene;
 use bytemuck::bytes_of;
-use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, flag, part};
+use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, Lattice, Limits, flag, part};
 use vitrum_kernels::abi::dispatch::Dispatch;
 use vitrum_kernels::abi::record::{beam, beam_pixel, bundle, depths, inscattered, pencil, search, sight};
 use vitrum_kernels::abi::vector::Size;
@@ -28,14 +29,28 @@ use vitrum_kernels::kernel::{Kernel, Window, kernels};
 /// Nodes of a tree on a straight piece of a ray, several times as many as usual.
 const NODES: u32 = 8 * STEPS as u32;
 
+/// Rays along each edge of the lattice whose beams are seen behind surfaces, at most.
+const VIEW_RAYS: u32 = 32;
+
 /// A frame of beams that is ready to run.
-pub(super) struct Frame {
-    pub(super) passes: PassList,
+pub struct Frame {
+    /// The passes.
+    pub passes: PassList,
     /// Viewing rays across and down.
-    pub(super) rays: [u32; 2],
+    pub rays: [u32; 2],
     pub(super) film: Buffer,
-    /// The pencils of light, planar records as [`pencil`] describes.
-    pub(super) pencils: Buffer,
+    pencils: Option<Buffer>,
+}
+
+impl Frame {
+    /// The pencils of light after the passes have run: planar records as [`pencil`] describes, one for each texel of the lattice. None if no light
+    /// casts shadows.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub fn pencils(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        self.pencils.as_ref().map_or(Ok(Vec::new()), |pencils| backend.read_all(pencils))
+    }
 }
 
 /// A list of passes that is being written.
@@ -69,9 +84,92 @@ impl List {
     }
 }
 
+/// The bodies as rays run through them.
+struct Bodies {
+    nodes: Buffer,
+    corners: Buffer,
+    materials: Buffer,
+    looks: Buffer,
+}
+
+/// The beams of a lattice of rays, in rounds: the first one has the shadow.
+struct Lit {
+    lattice: Lattice,
+    pencils: Buffer,
+    beams: Buffer,
+    bundles: Buffer,
+    limits: Limits,
+}
+
+/// Floats from one round's records to those of the next, for `size` records of `components`: a pass's records start at such a multiple.
+fn pitch([width, height]: [u32; 2], components: usize) -> u64 {
+    (u64::from(width) * u64::from(height) * components as u64).next_multiple_of(START_ALIGNMENT)
+}
+
+impl Lit {
+    /// Buffers for the beams of a lattice, number `number` of the frame's.
+    fn new(
+        lattice: Lattice,
+        rounds: u32,
+        limits: Limits,
+        number: usize,
+        scratch: &mut Scratch,
+        backend: &mut dyn Backend,
+    ) -> Result<Self, BackendError> {
+        let texels = [lattice.count; 2];
+        let [beams, bundles] = [pitch(texels, beam::SIZE), pitch(Self::tree(&lattice), bundle::SIZE)];
+        let mut zeros = |label, words: u64| scratch.zeros((label, number), words * 4, backend);
+        Ok(Self {
+            lattice,
+            pencils: zeros("pencils of light", pitch(texels, pencil::SIZE))?,
+            beams: zeros("beams", beams * u64::from(rounds))?,
+            bundles: zeros("bundles of beams", bundles * u64::from(rounds))?,
+            limits: Limits { pitch: beams as u32, bundle_pitch: bundles as u32, last: rounds - 1, ..limits },
+        })
+    }
+
+    /// Rows of the nodes of a round's tree.
+    fn tree(lattice: &Lattice) -> [u32; 2] {
+        [ROW, rows(top(lattice.count))]
+    }
+
+    /// Lists the passes in which pencils of light become beams, and beams bundles.
+    fn trace(&self, list: &mut List, bodies: &Bodies, pictures: &Buffer) {
+        self.describe(list);
+        let texels = [self.lattice.count; 2];
+        let traced = [&bodies.nodes, &bodies.corners, &bodies.materials, &self.pencils];
+        for round in 0..=self.limits.last {
+            for _ in 0..passes_of_round(&list.block) {
+                list.add(&kernels::beams_trace_light, texels, (0, round), &traced, 0);
+            }
+            let mode = if round == 0 { part::SHADOW } else { part::CAUSTIC };
+            let start = u64::from(self.limits.pitch) * u64::from(round);
+            list.add(&kernels::beams_store_beam, texels, (mode, round), &[&self.pencils, pictures, &self.beams], start);
+            let start = u64::from(self.limits.bundle_pitch) * u64::from(round);
+            let bound = [&self.beams, &self.bundles];
+            list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
+        }
+    }
+
+    /// Makes the passes that follow read these beams.
+    fn describe(&self, list: &mut List) {
+        list.block.lattice = self.lattice;
+        list.block.limits = self.limits;
+    }
+}
+
 /// The passes in which pencils get to their next piece in air, at most.
 fn passes_of_round(block: &BeamsUniforms) -> u32 {
     ((block.limits.bounces + 1) * NODES).div_ceil(4 * STEPS as u32)
+}
+
+/// The parts of a frame's work that its scene needs.
+#[derive(Clone, Copy)]
+struct Needs {
+    /// Light that the medium scatters out of beams.
+    scattering: bool,
+    /// Light on diffuse surfaces.
+    surfaces: bool,
 }
 
 /// Uploads a frame's buffers and lists its passes.
@@ -86,112 +184,137 @@ pub(super) fn list(
     let extent = Bounds::from(mesh);
     let view = View::new(scene, extent);
     let looks = cache.looks(scene, mesh, uploaded);
-    let mut flags = if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
     let pictures = cache.pictures.get(scene, assets.environment.as_deref(), &assets.textures, backend)?;
     let light = scene.first_light();
     let source = Source::of(light, &view, extent)?;
     let texture = light.texture.as_deref().and_then(|path| pictures.texture(path));
     let shines = light.intensity > 0.0 && light.color != [0.0; 3];
-    let casts = light.shadows && shines;
     let scatters = scene.medium.as_ref().is_some_and(|medium| medium.scattering != [0.0; 3]);
+    let needs = Needs {
+        scattering: scatters,
+        surfaces: uploaded.has_diffuse() || scene.ground.is_some() || scene.wall.is_some(),
+    };
+    let casts = light.shadows && shines && (needs.scattering || needs.surfaces);
+    let mut flags = if looks.of_triangles { flag::LOOK_OF_TRIANGLE } else { 0 };
     flags |= if scatters && shines { flag::SCATTERS } else { 0 };
     flags |= if casts { flag::SHADOWS } else { 0 };
-    // Beams light the medium, and diffuse surfaces.
-    let surfaces = uploaded.has_diffuse() || scene.ground.is_some() || scene.wall.is_some();
-    let casts = casts && (scatters || surfaces);
+    let count = scene.beams.rays;
+    let fine = if casts { lattice(&source, uploaded, count)? } else { Lattice::default() };
     let surroundings = Surroundings {
         environment: EnvironmentUniforms::new(&scene.environment, &pictures.environment, &view),
         receivers: Receivers::new(scene, &view, extent),
         light: light_source(light, &source, &view, uploaded.grid, texture),
-        lattice: if casts { lattice(&source, uploaded, scene.beams.rays)? } else { Default::default() },
+        lattice: fine,
     };
-    let mut block = uniforms::block(scene, uploaded, &view, extent, &surroundings, flags);
+    let block = uniforms::block(scene, uploaded, &view, extent, &surroundings, flags);
     let materials = materials(&uploaded.bodies, mesh, &of_triangles(scene), uploaded.grid.voxel_size);
-    let materials = cache.materials(materials, backend)?;
-    let looks = cache.looks_buffer(scene, &looks, backend)?;
-    let Size { width, height } = block.picture;
-    let picture = [width, height];
-    let texels = [block.lattice.count; 2];
-    let bytes = |[width, height]: [u32; 2], components: usize| {
-        u64::from(width) * u64::from(height) * components as u64 * 4
+    let bodies = Bodies {
+        nodes: uploaded.tree[0].clone(),
+        corners: uploaded.tree[1].clone(),
+        materials: cache.materials(materials, backend)?,
+        looks: cache.looks_buffer(scene, &looks, backend)?,
     };
     let scratch = &mut cache.scratch;
-    let rounds = if casts { scene.beams.segments + 1 } else { 0 };
-    let beam_bytes = bytes(texels, beam::SIZE).next_multiple_of(256);
-    block.limits.pitch = (beam_bytes / 4) as u32;
-    let pencils = scratch.zeros("pencils of light", bytes(texels, pencil::SIZE).max(4), backend)?;
-    let beams = scratch.zeros("beams", (beam_bytes * u64::from(rounds)).max(4), backend)?;
-    // The nodes of the tree of a round.
-    let tree = if casts { [ROW, rows(top(texels[0]))] } else { [1, 1] };
-    let bundle_bytes = if casts { bytes(tree, bundle::SIZE).next_multiple_of(256) } else { 0 };
-    block.limits.bundle_pitch = (bundle_bytes / 4) as u32;
-    block.limits.last = rounds.saturating_sub(1);
-    let bundles = scratch.zeros("bundles of beams", (bundle_bytes * u64::from(rounds)).max(4), backend)?;
-    let searches = scratch.zeros("searches for light", bytes(picture, search::SIZE), backend)?;
-    let rays = scratch.zeros("viewing rays", bytes(picture, pencil::SIZE), backend)?;
-    let sights = scratch.zeros("sights", bytes(picture, sight::SIZE), backend)?;
-    let levels = block.sums.levels;
-    let coarse = [size(block.picture, 1).width, rows_before(block.picture, levels + 1)];
-    let depths = scratch.zeros("depths", bytes(coarse, depths::SIZE).max(4), backend)?;
-    let words = u64::from(pixels_below(block.picture, levels + 1)) * inscattered::SIZE as u64;
-    let [caustics, shadows] = [0, 1].map(|number| ("sums", number));
-    let caustics = scratch.zeros(caustics, words * 4, backend)?;
-    let shadows = scratch.zeros(shadows, words * 4, backend)?;
-    let film = scratch.zeros("film", bytes(picture, beam_pixel::SIZE), backend)?;
-    let [nodes, corners] = [0, 1].map(|half| uploaded.tree[half].clone());
+    let rounds = scene.beams.segments + 1;
+    // Behind surfaces beams are looked for one by one: there a coarser lattice does.
+    let coarse = coarser(fine, VIEW_RAYS);
+    let mut lit = None;
+    if casts {
+        let first = Lit::new(fine, rounds, block.limits, 0, scratch, backend)?;
+        let second = (scatters && scene.beams.views > 1)
+            .then(|| Lit::new(coarse, rounds, block.limits, 1, scratch, backend))
+            .transpose()?;
+        lit = Some((first, second));
+    }
     let mut list = List { block, passes: Vec::new() };
-    for round in 0..rounds {
-        for _ in 0..passes_of_round(&block) {
-            list.add(&kernels::beams_trace_light, texels, (0, round), &[&nodes, &corners, &materials, &pencils], 0);
-        }
-        let mode = if round == 0 { part::SHADOW } else { part::CAUSTIC };
-        let start = beam_bytes / 4 * u64::from(round);
-        list.add(&kernels::beams_store_beam, texels, (mode, round), &[&pencils, &pictures.buffer, &beams], start);
-        let start = bundle_bytes / 4 * u64::from(round);
-        list.add(&kernels::beams_bound_beams, tree, (0, round), &[&beams, &bundles], start);
+    if let Some((first, second)) = &lit {
+        first.trace(&mut list, &bodies, &pictures.buffer);
+        second.iter().for_each(|second| second.trace(&mut list, &bodies, &pictures.buffer));
     }
-    for round in 0..scene.beams.views {
-        for _ in 0..passes_of_round(&block) {
-            list.add(&kernels::beams_trace_view, picture, (0, round), &[&nodes, &corners, &materials, &rays], 0);
-        }
-        if casts && surfaces {
-            let sought = [&rays, &nodes, &corners, &looks, &materials, &searches];
-            for _ in 0..uploaded.nodes().div_ceil(4 * STEPS as u32) {
-                list.add(&kernels::beams_find_light, picture, (0, round), &sought, 0);
-            }
-        }
-        let seen = [&rays, &pictures.buffer, &corners, &looks, &materials, &searches, &sights];
-        list.add(&kernels::beams_see, picture, (0, round), &seen, 0);
-        // The first pieces need no more than their surfaces.
-        if casts && (round > 0 || surfaces) {
-            let gathered = [&rays, &beams, &bundles, &corners, &looks, &materials, &sights];
-            list.add(&kernels::beams_gather, picture, (0, round), &gathered, 0);
-        }
-    }
-    if rounds > 0 && scatters {
-        if levels > 0 {
-            list.add(&kernels::beams_find_depths, coarse, (0, 0), &[&sights, &depths], 0);
-        }
-        let blocks = width.max(height).div_ceil(BLOCK);
-        for round in 0..rounds {
-            let sums = if round == 0 { &shadows } else { &caustics };
-            let drawn = [&beams, &sights, &depths, sums];
-            list.add(&kernels::beams_scatter_beam, [blocks, texels[0] * texels[1]], (0, round), &drawn, 0);
-        }
-    }
-    list.add(&kernels::beams_resolve, picture, (0, 0), &[&sights, &caustics, &shadows, &film], 0);
+    let film = picture(&mut list, &bodies, &pictures.buffer, lit.as_ref(), (scene, uploaded, needs), scratch, backend)?;
     let while_busy = |kernel: &'static Kernel, until: &'static Kernel| {
         let name = kernel.declaration.name;
         WhileBusy { kernel: name, passes: vec![name], until: Some(until.declaration.name) }
     };
-    let passes = PassList {
-        passes: list.passes,
-        while_busy: vec![
-            while_busy(&kernels::beams_trace_light, &kernels::beams_store_beam),
-            while_busy(&kernels::beams_trace_view, &kernels::beams_see),
-            while_busy(&kernels::beams_find_light, &kernels::beams_see),
-        ],
-        ..PassList::default()
-    };
-    Ok(Frame { passes, rays: picture, film, pencils })
+    let Size { width, height } = block.picture;
+    Ok(Frame {
+        passes: PassList {
+            passes: list.passes,
+            while_busy: vec![
+                while_busy(&kernels::beams_trace_light, &kernels::beams_store_beam),
+                while_busy(&kernels::beams_trace_view, &kernels::beams_see),
+                while_busy(&kernels::beams_find_light, &kernels::beams_see),
+            ],
+            ..PassList::default()
+        },
+        rays: [width, height],
+        film,
+        pencils: lit.map(|(first, _)| first.pencils),
+    })
+}
+
+/// Lists the passes of the picture, and gives the film.
+fn picture(
+    list: &mut List,
+    bodies: &Bodies,
+    pictures: &Buffer,
+    lit: Option<&(Lit, Option<Lit>)>,
+    (scene, uploaded, needs): (&Scene, &UploadedMesh, Needs),
+    scratch: &mut Scratch,
+    backend: &mut dyn Backend,
+) -> Result<Buffer, Error> {
+    let Bodies { nodes, corners, materials, looks } = bodies;
+    let of_picture = list.block.picture;
+    let Size { width, height } = of_picture;
+    let picture = [width, height];
+    let levels = list.block.sums.levels;
+    let coarse = [size(of_picture, 1).width, rows_before(of_picture, levels + 1)];
+    let words = u64::from(pixels_below(of_picture, levels + 1)) * inscattered::SIZE as u64;
+    let mut zeros = |label: &'static str, words: u64| scratch.zeros(label, words.max(1) * 4, backend);
+    let rays = zeros("viewing rays", pitch(picture, pencil::SIZE))?;
+    let sights = zeros("sights", pitch(picture, sight::SIZE))?;
+    let searches = zeros("searches for light", pitch(picture, search::SIZE))?;
+    let depths = zeros("depths", pitch(coarse, depths::SIZE))?;
+    let caustics = zeros("caustics", words)?;
+    let shadows = zeros("shadows", words)?;
+    let film = zeros("film", u64::from(width) * u64::from(height) * beam_pixel::SIZE as u64)?;
+    for round in 0..scene.beams.views {
+        let traced = [nodes, corners, materials, &rays];
+        for _ in 0..passes_of_round(&list.block) {
+            list.add(&kernels::beams_trace_view, picture, (0, round), &traced, 0);
+        }
+        if lit.is_some() && needs.surfaces {
+            let sought = [&rays, nodes, corners, looks, materials, &searches];
+            for _ in 0..uploaded.nodes().div_ceil(4 * STEPS as u32) {
+                list.add(&kernels::beams_find_light, picture, (0, round), &sought, 0);
+            }
+        }
+        let seen = [&rays, pictures, corners, looks, materials, &searches, &sights];
+        list.add(&kernels::beams_see, picture, (0, round), &seen, 0);
+        if let Some((first, second)) = lit {
+            if needs.surfaces {
+                first.describe(list);
+                let lights = [&rays, &first.beams, &first.bundles, corners, looks, materials, &sights];
+                list.add(&kernels::beams_light_surface, picture, (0, round), &lights, 0);
+            }
+            if let Some(second) = second.as_ref().filter(|_| round > 0) {
+                second.describe(list);
+                let gathered = [&rays, &second.beams, &second.bundles, &sights];
+                list.add(&kernels::beams_gather, picture, (0, round), &gathered, 0);
+            }
+        }
+    }
+    if let Some((first, _)) = lit.filter(|_| needs.scattering) {
+        first.describe(list);
+        if levels > 0 {
+            list.add(&kernels::beams_find_depths, coarse, (0, 0), &[&sights, &depths], 0);
+        }
+        let blocks = [width.max(height).div_ceil(BLOCK), first.lattice.count * first.lattice.count];
+        for round in 0..=first.limits.last {
+            let sums = if round == 0 { &shadows } else { &caustics };
+            list.add(&kernels::beams_scatter_beam, blocks, (0, round), &[&first.beams, &sights, &depths, sums], 0);
+        }
+    }
+    list.add(&kernels::beams_resolve, picture, (0, 0), &[&sights, &caustics, &shadows, &film], 0);
+    Ok(film)
 }
