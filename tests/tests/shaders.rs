@@ -6,6 +6,7 @@ use std::mem::{offset_of, size_of_val};
 use rspirv::dr::{Instruction, Module, Operand, load_words};
 use rspirv::spirv::{Decoration, Op, Word};
 use vitrum_conformance::root;
+use vitrum_kernels::abi::beams::{BeamsUniforms, Lattice, Limits, Medium, Sums};
 use vitrum_kernels::abi::camera::Camera;
 use vitrum_kernels::abi::clip::Clip;
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
@@ -160,6 +161,26 @@ fn voxels_uniforms() -> Vec<Field> {
     })
 }
 
+#[rustfmt::skip]
+fn beams_uniforms() -> Vec<Field> {
+    let of_lattice = fields!(Lattice {
+        count, axis: of_vec3(), across: of_vec3(), upwards: of_vec3(), origin: of_vec3(), low_across, low_upwards, step_across,
+        step_upwards,
+    });
+    let of_limits = fields!(Limits {
+        same_distance, threshold, view_threshold, bounces, round, pitch, bundle_pitch, last,
+    });
+    let of_medium = fields!(Medium {
+        extinction: of_vec3(), scattering: of_vec3(), anisotropy, phase, low: of_vec3(), high: of_vec3(),
+    });
+    fields!(BeamsUniforms {
+        dispatch: of_dispatch(), picture: fields!(Size { width, height }), camera: of_camera(), right: of_vec3(), up: of_vec3(),
+        away: of_vec3(), eye: of_vec3(), voxel, low: of_vec3(), high: of_vec3(), light: of_light_source(), lattice: of_lattice,
+        limits: of_limits, medium: of_medium, receivers: of_receivers(), environment: of_environment(), ambient: of_vec3(), flags,
+        sums: fields!(Sums { scale, levels }),
+    })
+}
+
 fn probe_uniforms() -> Vec<Field> {
     fields!(ProbeUniforms { dispatch: of_dispatch(), function })
 }
@@ -184,6 +205,7 @@ fn uniforms_are_laid_out_by_the_rules_of_std430() {
         ("ProbeUniforms", size_of::<ProbeUniforms>(), align_of::<ProbeUniforms>(), probe_uniforms()),
         ("ShadowUniforms", size_of::<ShadowUniforms>(), align_of::<ShadowUniforms>(), shadow_uniforms()),
         ("VoxelizeUniforms", size_of::<VoxelizeUniforms>(), align_of::<VoxelizeUniforms>(), voxelize_uniforms()),
+        ("BeamsUniforms", size_of::<BeamsUniforms>(), align_of::<BeamsUniforms>(), beams_uniforms()),
         ("VoxelsUniforms", size_of::<VoxelsUniforms>(), align_of::<VoxelsUniforms>(), voxels_uniforms()),
     ] {
         assert_eq!((size, alignment), (size_by_std430(name, &fields), 4), "{name}");
@@ -197,6 +219,7 @@ fn modules_read_uniforms_where_the_host_puts_them() {
         ("voxelize", voxelize_uniforms()),
         ("voxels", voxels_uniforms()),
         ("shadow", shadow_uniforms()),
+        ("beams", beams_uniforms()),
         ("probe", probe_uniforms()),
     ]);
     for kernel in ALL {

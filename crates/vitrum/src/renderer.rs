@@ -172,7 +172,7 @@ fn frame_here(
         sum.add(exposure, film, across as usize * down as usize, light);
         if index + 1 == whole {
             statistics = Statistics::of(scene, backend);
-            prepared.statistics(&sum.film, &mut statistics);
+            prepared.statistics(&sum.film, backend, &mut statistics)?;
         }
         dispatches += prepared.passes().passes.len() as u64;
     }

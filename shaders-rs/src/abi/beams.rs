@@ -55,7 +55,7 @@ pub struct BeamsUniforms {
     pub sums: Sums,
 }
 
-/// The lattice of a light's rays (Hu et al. 2010, §4.1, the caustic buffer): a square of `count` × `count` texels.
+/// The lattice of a light's rays (Hu et al. 2010, §5.1, the caustic buffer): a square of `count` × `count` texels.
 ///
 /// Texel (i, j) has the ray through its centre. The rays of a distant light are parallel and start on a plane across it; those of a point
 /// go through texels of a plane at distance 1 from it, in voxels.

@@ -49,10 +49,10 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
     let root = top(count);
     let index = y * u.dispatch.width + x;
     let mut level = 0;
-    while (level < root) & (index >= nodes_below(root, level + 1)) {
+    while (level < root) & (index >= nodes_below(count, level + 1)) {
         level += 1;
     }
-    let (column, row) = Node { level, number: index - nodes_below(root, level) }.place();
+    let (column, row) = Node { level, number: index - nodes_below(count, level) }.place();
     let size = 1 << level;
     let (first_column, first_row) = (column * size, row * size);
     let mut volume = Extent::NOTHING;
@@ -62,7 +62,7 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
     let records = (count * count) as i32;
     let first = (u.limits.round * u.limits.pitch) as i32;
     let mut j = first_row;
-    while (j < first_row + size) & (j < count) & (index < nodes(root)) {
+    while (j < first_row + size) & (j < count) & (index < nodes(count)) {
         let mut i = first_column;
         while (i < first_column + size) & (i < count) {
             let number = (j * count + i) as i32;
@@ -72,8 +72,7 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
                 volume = volume.with(beam.position, begins);
                 volume = volume.with(beam.position + beam.direction * beam.length, across(&beam, beam.length));
                 positions = positions.with(beam.position, begins);
-                directions =
-                    directions.with(beam.direction, (sizes(beam.direction_u) + sizes(beam.direction_v)) * 0.5);
+                directions = directions.with(beam.direction, (sizes(beam.direction_u) + sizes(beam.direction_v)) * 0.5);
                 if beam.reach < 0.5 * FAR {
                     let half = across(&beam, beam.reach);
                     // As deep along the beam as an oblique or curved surface may be.

@@ -1,4 +1,4 @@
-//! Rays of light as they start: from a distant light, a point or a spot, through the texels of the lattice (Hu et al. 2010, §4.1).
+//! Rays of light as they start: from a distant light, a point or a spot, through the texels of the lattice (Hu et al. 2010, §5.1).
 
 use super::spread::Spread;
 use crate::abi::beams::BeamsUniforms;

@@ -41,15 +41,7 @@ impl Facet {
         let offset = position - a;
         let mean = normal + second_normal * dot(second, offset) + third_normal * dot(third, offset);
         let inverse = 1.0 / max(length(mean), 1e-20);
-        Self {
-            plane: normalize(across),
-            normal: mean * inverse,
-            inverse,
-            second,
-            third,
-            second_normal,
-            third_normal,
-        }
+        Self { plane: normalize(across), normal: mean * inverse, inverse, second, third, second_normal, third_normal }
     }
 
     /// The triangle with its own normal everywhere.

@@ -32,7 +32,8 @@ pub fn level(
     let search = Search::load(&before);
     let count = (u.dispatch.width * u.dispatch.height) as i32;
     let target = read(pencils, pencil::TRIANGLE as i32 * count + (y * u.dispatch.width + x) as i32) as i32;
-    let done = (search.piece == u.limits.round as i32 + 1) & ((search.node >= tree::count(nodes)) | (search.hidden > 0.0));
+    let done =
+        (search.piece == u.limits.round as i32 + 1) & ((search.node >= tree::count(nodes)) | (search.hidden > 0.0));
     let seeks = !done & is_diffuse(target, corners, materials) & (u.flags & flag::SHADOWS != 0);
     if seeks { level_of(x, y, u, pencils) } else { level::ENDED }
 }

@@ -3,7 +3,7 @@
 
 use super::bend::mean;
 use super::medium::{inside, phase, transmittance};
-use super::see::{level_of, piece_of};
+use super::see::{LEAST, level_of, piece_of};
 use super::store_beam::beam_of;
 use super::trapezoid::filtered;
 use super::tree::{Node, Tree};
@@ -16,9 +16,6 @@ use crate::voxels::ray::{reciprocal, slab};
 use spirv_std::glam::Vec3;
 
 pub use crate::voxels::ray::level;
-
-/// The least share of a piece's light that comes to the eye, below which beams are not looked for.
-const LEAST: f32 = 0.01;
 
 /// The level of work: whether the ray has come to a new piece in this round, behind a surface.
 #[inline(always)]
@@ -165,8 +162,8 @@ pub fn invoke<const LEVEL: u32>(
         let first = (round * u.limits.pitch) as i32;
         let tree = Tree::of_round(u, round);
         let is_shadow = round == 0;
-        let mut node = Node { level: tree.root, number: 0 };
-        while (node.level < tree.root) | (node.number == 0) {
+        let mut node = tree.first();
+        while tree.holds(node) {
             let (column, row) = node.place();
             let there = (column < u.lattice.count) & (row < u.lattice.count);
             let number = if there { (row * u.lattice.count + column) as i32 } else { 0 };

@@ -121,8 +121,8 @@ pub fn invoke<const LEVEL: u32>(
     while round <= u.limits.last {
         let first = (round * u.limits.pitch) as i32;
         let tree = Tree::of_round(u, round);
-        let mut node = Node { level: tree.root, number: 0 };
-        while (node.level < tree.root) | (node.number == 0) {
+        let mut node = tree.first();
+        while tree.holds(node) {
             let met = ends_at(bundles, &tree, node, end.point.position, end.tolerance);
             if met & (node.level > 0) {
                 node = node.below();

@@ -14,6 +14,7 @@ pub mod find_depths;
 pub mod find_light;
 pub mod gather;
 pub mod light_surface;
+pub mod look_around;
 pub mod medium;
 pub mod picture;
 pub mod pyramid;

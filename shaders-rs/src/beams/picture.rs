@@ -40,7 +40,9 @@ fn edge(u: &BeamsUniforms, moment: Vec3, direction: Vec3) -> Edge {
     Edge {
         x: across * (2.0 * half_width / width),
         y: upwards * (-2.0 * half_height / height),
-        constant: constant + across * (half_width / width - half_width) + upwards * (half_height - half_height / height),
+        constant: constant
+            + across * (half_width / width - half_width)
+            + upwards * (half_height - half_height / height),
     }
 }
 

@@ -4,16 +4,20 @@
 //! A pixel gets Φ σ_s p(θ) τ_light τ_view |w'| K, where K is the flux's density across the beam's picture, averaged over the pixel: the edge function
 //! N' of the light ray is 0 on its picture, and spreads over the texel as the convolution of two boxes. Along the axis on which N' changes
 //! faster pixels are filtered one wide, so that the sum over them is the beam's flux, exactly, however narrow the beam is.
+//!
+//! A wide beam is drawn in coarse pixels of a pyramid, block by block of 16 columns, and [`super::resolve`] interpolates between their centres. Where coarse
+//! pixels end, at the border of a block of another level or where a surface stands in the beam, interpolation would spread light across the
+//! border: there the single rays get the rest of their light, which may be negative, so that levels add up to 1 everywhere.
 
-use super::find_depths::depths_around;
+use super::look_around::depths_around;
 use super::medium::{phase, transmittance};
 use super::picture::{Edge, Edges};
-use super::pyramid::sums_of;
+use super::pyramid::{size, sums_of};
 use super::store_beam::{beam_of, has_flux};
 use super::trapezoid::filtered;
 use super::viewing::{on_plane, through};
 use crate::abi::beams::{BLOCK, BeamsUniforms};
-use crate::abi::record::{Beam, sight};
+use crate::abi::record::{Around, Beam, sight};
 use crate::field::access::read;
 use crate::field::sums::{Sums, add_large};
 use crate::math::{absolute, clamp, cross, dot, floor_to_int, length, max, min, select, xyz};
@@ -37,11 +41,7 @@ struct Across {
 impl Across {
     #[inline(always)]
     fn new(edge: Edge, steep: bool) -> Self {
-        Self {
-            major: select(steep, edge.y, edge.x),
-            minor: select(steep, edge.x, edge.y),
-            constant: edge.constant,
-        }
+        Self { major: select(steep, edge.y, edge.x), minor: select(steep, edge.x, edge.y), constant: edge.constant }
     }
 
     #[inline(always)]
@@ -201,7 +201,7 @@ fn put<S: Sums + ?Sized>(u: &BeamsUniforms, level: u32, column: i32, row: i32, r
     add_large(sums, at + 4, radiance.z * u.sums.scale);
 }
 
-/// Adds the beam's light to a single viewing ray, if the ray does not end before it.
+/// Adds a share of the beam's light to a single viewing ray, if the ray does not end before it.
 #[inline(always)]
 fn draw_fine<S: Sums + ?Sized>(
     u: &BeamsUniforms,
@@ -210,6 +210,7 @@ fn draw_fine<S: Sums + ?Sized>(
     section: &Section,
     major: i32,
     minor: i32,
+    share: f32,
     sights: &[f32],
     sums: &mut S,
 ) {
@@ -220,7 +221,7 @@ fn draw_fine<S: Sums + ?Sized>(
         (read(sights, sight::DEPTH as i32 * count + at), read(sights, sight::ENTERS as i32 * count + at));
     let light = scattered(u, beam, column as f32, row as f32, enters);
     if (light.distance > 0.0) & (light.distance < depth) {
-        let density = drawn.density(section, minor as f32, 1.0);
+        let density = drawn.density(section, minor as f32, 1.0) * share;
         put(u, 0, column, row, light.radiance * density, sums);
     }
 }
@@ -235,6 +236,193 @@ fn level_for(width: f32, levels: u32) -> u32 {
         least *= 2.0;
     }
     level
+}
+
+/// The levels of a block of columns and of the blocks beside it.
+#[derive(Clone, Copy)]
+struct Levels {
+    /// The first column of the block.
+    first: i32,
+    left: u32,
+    own: u32,
+    right: u32,
+}
+
+impl Levels {
+    /// The level in which a column along the major axis is drawn; columns are at most one block away.
+    #[inline(always)]
+    fn at(&self, column: i32) -> u32 {
+        if column < self.first {
+            self.left
+        } else if column >= self.first + BLOCK as i32 {
+            self.right
+        } else {
+            self.own
+        }
+    }
+
+    /// Level number `number` of the three, or 0 if it is none of the pyramid or is another one of them.
+    #[inline(always)]
+    fn different(&self, number: u32) -> u32 {
+        if number == 0 {
+            self.own
+        } else if number == 1 {
+            if self.left == self.own { 0 } else { self.left }
+        } else if (self.right == self.own) | (self.right == self.left) {
+            0
+        } else {
+            self.right
+        }
+    }
+
+    /// Whether a column of single rays lies so near to a border that coarse pixels beyond it reach there.
+    #[inline(always)]
+    fn is_near_border(&self, column: i32) -> bool {
+        let (before, behind) = (column - self.first, self.first + BLOCK as i32 - 1 - column);
+        let reached = |beside: u32, distance: i32| (beside > 0) & (2 * distance < (1 << beside));
+        reached(self.left, before) | reached(self.right, behind)
+    }
+}
+
+/// A beam and what the passes of its drawing read.
+#[derive(Clone, Copy)]
+struct Drawing<'a> {
+    u: &'a BeamsUniforms,
+    beam: Beam,
+    drawn: Drawn,
+    levels: Levels,
+    /// Records of [`crate::abi::record::Sight`].
+    sights: &'a [f32],
+    /// Records of [`crate::abi::record::Around`].
+    depths: &'a [f32],
+}
+
+impl Drawing<'_> {
+    /// The light of the beam at the middle of a pixel of a level, by its place along the beam's axes, and the depths around it.
+    #[inline(always)]
+    fn look(&self, level: u32, major: i32, minor: i32) -> (Scattered, Around) {
+        let fine = (1 << level) as f32;
+        let (along, across) = ((major as f32 + 0.5) * fine - 0.5, (minor as f32 + 0.5) * fine - 0.5);
+        let (x, y) = self.drawn.place(along, across);
+        let (column, row) = if self.drawn.steep { (minor, major) } else { (major, minor) };
+        let around = depths_around(self.u, self.depths, level, column, row);
+        (scattered(self.u, &self.beam, x, y, around.enters), around)
+    }
+
+    /// Whether the beam is drawn in a pixel of a level.
+    #[inline(always)]
+    fn is_drawn(&self, level: u32, major: i32, minor: i32) -> bool {
+        let (light, around) = self.look(level, major, minor);
+        let of_level = self.levels.at(major << level) == level;
+        of_level & (light.distance > 0.0) & (light.distance < around.nearest)
+    }
+
+    /// The share of its light that a single ray does not get from coarse pixels.
+    #[inline(always)]
+    fn rest(&self, major: i32, minor: i32) -> f32 {
+        let mut rest = 1.0;
+        let mut number = 0;
+        while number < 3 {
+            let level = self.levels.different(number);
+            if level > 0 {
+                let of_level = size(self.u.picture, level);
+                let (columns, rows) = if self.drawn.steep {
+                    (of_level.height as i32, of_level.width as i32)
+                } else {
+                    (of_level.width as i32, of_level.height as i32)
+                };
+                let inverse = 1.0 / (1 << level) as f32;
+                let (x, y) = ((major as f32 + 0.5) * inverse - 0.5, (minor as f32 + 0.5) * inverse - 0.5);
+                let (left, top) = (floor_to_int(x, -1.0, 1e6), floor_to_int(y, -1.0, 1e6));
+                let (fx, fy) = (x - left as f32, y - top as f32);
+                let mut tap = 0;
+                while tap < 4 {
+                    let (i, j) = (left + (tap & 1), top + (tap >> 1));
+                    let weight = select(tap & 1 == 1, fx, 1.0 - fx) * select(tap >> 1 == 1, fy, 1.0 - fy);
+                    // As the look-up does.
+                    let (i, j) = (limit(i, columns), limit(j, rows));
+                    if self.is_drawn(level, i, j) {
+                        rest -= weight;
+                    }
+                    tap += 1;
+                }
+            }
+            number += 1;
+        }
+        rest
+    }
+
+    /// Draws the beam in a pixel of a coarse level of the block, and gives single rays of the pixel what interpolation leaves.
+    #[inline(always)]
+    fn draw_coarse<S: Sums + ?Sized>(&self, section: &Section, major: i32, minor: i32, sums: &mut S) {
+        let Self { u, drawn, .. } = self;
+        let level = self.levels.own;
+        let edge = 1 << level;
+        let (light, around) = self.look(level, major, minor);
+        if light.distance > around.farthest {
+            return;
+        }
+        let visible = (light.distance > 0.0) & (light.distance < around.nearest);
+        if visible {
+            let across = (minor as f32 + 0.5) * edge as f32 - 0.5;
+            let density = drawn.density(section, across, edge as f32);
+            let (column, row) = if drawn.steep { (minor, major) } else { (major, minor) };
+            put(u, level, column, row, light.radiance * density, sums);
+        }
+        // Beside pixels that are drawn, too, there is nothing left. Beams do not come twice as near from one of them to the next.
+        let first = major * edge == self.levels.first;
+        let last = (major + 1) * edge == self.levels.first + BLOCK as i32;
+        let alike = (!first | (self.levels.left == level)) & (!last | (self.levels.right == level));
+        if visible & alike & (2.0 * light.distance < around.least) {
+            return;
+        }
+        let (width, height) = (u.picture.width as i32, u.picture.height as i32);
+        let (columns, rows) = if drawn.steep { (height, width) } else { (width, height) };
+        let mut i = major * edge;
+        while (i < (major + 1) * edge) & (i < columns) {
+            let section = drawn.section(i as f32);
+            let mut j = minor * edge;
+            while (j < (minor + 1) * edge) & (j < rows) {
+                let rest = self.rest(i, j);
+                if absolute(rest) > 1e-6 {
+                    draw_fine(u, &self.beam, drawn, &section, i, j, rest, self.sights, sums);
+                }
+                j += 1;
+            }
+            i += 1;
+        }
+    }
+}
+
+/// `index` within 0…`count` − 1.
+#[inline(always)]
+fn limit(index: i32, count: i32) -> i32 {
+    let index = if index < count { index } else { count - 1 };
+    if index > 0 { index } else { 0 }
+}
+
+/// The part of the major axis that a beam covers: the columns of any of it, and the columns across which it has no end.
+#[derive(Clone, Copy)]
+struct Covered {
+    begin: f32,
+    end: f32,
+    inner_begin: f32,
+    inner_end: f32,
+}
+
+/// The level of the block whose first column is `left`; `own` for a block without any of the beam.
+#[inline(always)]
+fn level_of_block(u: &BeamsUniforms, drawn: &Drawn, covered: &Covered, left: i32, own: u32) -> u32 {
+    let right = left + BLOCK as i32;
+    let middle = drawn.section(left as f32 + 0.5 * (BLOCK as f32 - 1.0));
+    let width = 2.0 * drawn.half_width(&middle, 1.0);
+    let level = level_for(width, u.sums.levels);
+    let margin = (1 << level) as f32;
+    let within = (left as f32 - margin > covered.inner_begin) & (right as f32 + margin < covered.inner_end);
+    // Coarse pixels do not show where exactly a beam ends: in blocks with an end they are finer.
+    let level = if within { level } else { level_for(width * AT_ENDS, u.sums.levels) };
+    let missed = (covered.end < left as f32) | (covered.begin > (right - 1) as f32);
+    if missed { own } else { level }
 }
 
 /// Draws the beam number `y` in block number `x` of the columns along its major axis.
@@ -266,85 +454,47 @@ pub fn invoke<S: Sums + ?Sized>(
     let size_of_minor = if drawn.steep { u.picture.width } else { u.picture.height } as i32;
     let left = (x * BLOCK) as i32;
     let right = left + BLOCK as i32;
-    let begin = min(a.major - a.reach, b.major - b.reach);
-    let finish = max(a.major + a.reach, b.major + b.reach);
-    if (finish < left as f32) | (begin > (right - 1) as f32) {
+    let backwards = b.major < a.major;
+    let covered = Covered {
+        begin: min(a.major - a.reach, b.major - b.reach),
+        end: max(a.major + a.reach, b.major + b.reach),
+        inner_begin: select(backwards, b.major + b.reach, a.major + a.reach),
+        inner_end: select(backwards, a.major - a.reach, b.major - b.reach),
+    };
+    if (covered.end < left as f32) | (covered.begin > (right - 1) as f32) {
         return;
     }
-    // Coarse pixels do not show where exactly a beam ends: in blocks with an end they are finer.
-    let backwards = b.major < a.major;
-    let inner_begin = select(backwards, b.major + b.reach, a.major + a.reach);
-    let inner_finish = select(backwards, a.major - a.reach, b.major - b.reach);
-    let middle = drawn.section(left as f32 + 0.5 * (BLOCK as f32 - 1.0));
-    let width = 2.0 * drawn.half_width(&middle, 1.0);
-    let level = level_for(width, u.sums.levels);
-    let margin = (1 << level) as f32;
-    let within = (left as f32 - margin > inner_begin) & (right as f32 + margin < inner_finish);
-    let level = if within { level } else { level_for(width * AT_ENDS, u.sums.levels) };
-    let edge = 1 << level;
+    let own = level_of_block(u, &drawn, &covered, left, 0);
+    let levels = Levels {
+        first: left,
+        left: if left > 0 { level_of_block(u, &drawn, &covered, left - BLOCK as i32, own) } else { own },
+        own,
+        right: if right < size_of_major { level_of_block(u, &drawn, &covered, right, own) } else { own },
+    };
+    let drawing = Drawing { u, beam, drawn, levels, sights, depths };
+    let edge = 1 << own;
     let fine = edge as f32;
-    let mut column = max(begin, left as f32) as i32 >> level;
-    let last = ((if right < size_of_major { right } else { size_of_major }) - 1) >> level;
+    let mut column = max(covered.begin, left as f32) as i32 >> own;
+    let last = ((if right < size_of_major { right } else { size_of_major }) - 1) >> own;
+    let end = ((size_of_minor - 1) >> own) as f32;
     while column <= last {
         let major = (column as f32 + 0.5) * fine - 0.5;
         let section = drawn.section(major);
         let half = drawn.half_width(&section, fine);
         let lowest = (section.middle - half + 0.5) / fine - 0.5;
         let highest = (section.middle + half + 0.5) / fine - 0.5;
-        let end = ((size_of_minor - 1) >> level) as f32;
         let mut row = floor_to_int(lowest + 1.0, 0.0, end + 1.0);
         let stop = floor_to_int(highest, -1.0, end);
+        let shared = (own == 0) & levels.is_near_border(column);
         while row <= stop {
-            if level == 0 {
-                draw_fine(u, &beam, &drawn, &section, column, row, sights, sums);
+            if own == 0 {
+                let share = if shared { drawing.rest(column, row) } else { 1.0 };
+                draw_fine(u, &drawing.beam, &drawing.drawn, &section, column, row, share, sights, sums);
             } else {
-                draw_coarse(u, &beam, &drawn, &section, level, column, row, sights, depths, sums);
+                drawing.draw_coarse(&section, column, row, sums);
             }
             row += 1;
         }
         column += 1;
-    }
-}
-
-/// Adds the beam's light to a pixel of a coarse level; where some viewing rays around it end before the beam and some behind, to the single rays.
-#[inline(always)]
-fn draw_coarse<S: Sums + ?Sized>(
-    u: &BeamsUniforms,
-    beam: &Beam,
-    drawn: &Drawn,
-    section: &Section,
-    level: u32,
-    major: i32,
-    minor: i32,
-    sights: &[f32],
-    depths: &[f32],
-    sums: &mut S,
-) {
-    let edge = 1 << level;
-    let fine = edge as f32;
-    let (column, row) = if drawn.steep { (minor, major) } else { (major, minor) };
-    let around = depths_around(u, depths, level, column, row);
-    let (along, across) = ((major as f32 + 0.5) * fine - 0.5, (minor as f32 + 0.5) * fine - 0.5);
-    let (x, y) = drawn.place(along, across);
-    let light = scattered(u, beam, x, y, around.enters);
-    if (light.distance <= 0.0) | (light.distance > around.farthest) {
-        return;
-    }
-    if light.distance < around.nearest {
-        let density = drawn.density(section, across, fine);
-        put(u, level, column, row, light.radiance * density, sums);
-        return;
-    }
-    let (width, height) = (u.picture.width as i32, u.picture.height as i32);
-    let (columns, rows) = if drawn.steep { (height, width) } else { (width, height) };
-    let mut i = major * edge;
-    while (i < (major + 1) * edge) & (i < columns) {
-        let section = drawn.section(i as f32);
-        let mut j = minor * edge;
-        while (j < (minor + 1) * edge) & (j < rows) {
-            draw_fine(u, beam, drawn, &section, i, j, sights, sums);
-            j += 1;
-        }
-        i += 1;
     }
 }

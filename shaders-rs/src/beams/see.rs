@@ -2,6 +2,7 @@
 //! the light of the source, or of the environment (composition: Hu et al. 2010, Fig. 2).
 
 use super::airlight::airlight;
+use super::bend::mean;
 use super::medium::{inside, transmittance};
 use super::shade::ending;
 use super::viewing;
@@ -19,6 +20,9 @@ use crate::voxels::shade::{facing, share};
 use spirv_std::glam::Vec3;
 
 pub use crate::voxels::ray::level;
+
+/// The least share of a piece's light that comes to the eye, below which the medium's light on it is left out.
+pub const LEAST: f32 = 0.01;
 
 /// A straight piece of a viewing ray.
 #[derive(Clone, Copy)]
@@ -97,7 +101,7 @@ pub fn invoke<const LEVEL: u32>(
     let d = pencil.direction;
     let fog = inside(&u.medium, piece.from, d, 0.0, piece.far);
     let dimmed = transmittance(&u.medium, fog.leaves - fog.enters);
-    if u.flags & flag::SCATTERS != 0 {
+    if (u.flags & flag::SCATTERS != 0) & (mean(piece.weight) >= LEAST) {
         seen.airlight += airlight(u, pictures, piece.from, d, fog.enters, fog.leaves) * piece.weight;
     }
     let end = ending(u, &pencil, &piece, corners, looks, materials);

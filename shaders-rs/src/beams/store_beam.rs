@@ -15,14 +15,7 @@ use spirv_std::glam::Vec3;
 
 /// The beam of the pencil of texel (x, y); one without flux if it has none in this round.
 #[inline(always)]
-pub fn invoke(
-    x: u32,
-    y: u32,
-    u: &BeamsUniforms,
-    mode: u32,
-    pencils: &[f32],
-    pictures: &[f32],
-) -> [f32; beam::SIZE] {
+pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencils: &[f32], pictures: &[f32]) -> [f32; beam::SIZE] {
     let count = u.dispatch.width * u.dispatch.height;
     let pencil = Pencil::load(&record::load::<{ pencil::SIZE }>(pencils, y * u.dispatch.width + x, count));
     let is_first = pencil.bounces == 0;

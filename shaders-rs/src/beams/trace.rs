@@ -1,5 +1,5 @@
 //! Pencils of light, and of viewing rays, through the triangles of meshes: from surface to surface along all ways on which a worthwhile part of
-//! the flux goes (Hu et al. 2010, §4.1; the tree of ways: Whitted 1980).
+//! the flux goes (Hu et al. 2010, §5.1; the tree of ways: Whitted 1980).
 //!
 //! At each surface light is refracted and reflected. A pencil first takes the stronger one everywhere; then all ways with one turn, on which it takes the
 //! weaker one once; then those with two turns, and so on, as long as there is a way with a worthwhile part of the flux. Each way starts at the
@@ -11,7 +11,6 @@ use super::emission::{self, Start};
 use super::facet::Facet;
 use super::medium::{inside, transmittance};
 use super::viewing;
-use crate::voxels::ray::level;
 use crate::abi::beams::{BeamsUniforms, rays};
 use crate::abi::light::kind;
 use crate::abi::receivers::ahead;
@@ -21,6 +20,7 @@ use crate::abi::voxels::{AIR, STEPS};
 use crate::math::{max, min, xyz};
 use crate::optics::receiver::{FAR, first_ahead};
 use crate::voxels::contact::{Contact, is_opaque, material_of};
+use crate::voxels::ray::level;
 use crate::voxels::ray::{attenuation, reciprocal, slab};
 use crate::voxels::surface::ior;
 use crate::voxels::trace_triangles::lowest;
@@ -41,11 +41,7 @@ pub fn level_of(u: &BeamsUniforms, before: &[f32; SIZE]) -> u32 {
 /// The source's end of the ray of texel or pixel (x, y).
 #[inline(always)]
 fn start(x: u32, y: u32, u: &BeamsUniforms, mode: u32) -> Start {
-    if mode == rays::LIGHT {
-        emission::start(u, x as i32, y as i32)
-    } else {
-        viewing::start(u, x as i32, y as i32)
-    }
+    if mode == rays::LIGHT { emission::start(u, x as i32, y as i32) } else { viewing::start(u, x as i32, y as i32) }
 }
 
 /// The pencil at the beginning of a way: before it enters the box of all surfaces.

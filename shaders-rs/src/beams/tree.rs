@@ -38,7 +38,7 @@ impl Node {
         Self { level: self.level - 1, number: self.number << 2 }
     }
 
-    /// The node behind all that are below this one: number 1 of the highest level, `top`, is behind all.
+    /// The node behind all that are below this one, in a tree whose roots are at level `top`.
     #[inline(always)]
     #[must_use]
     pub fn behind(self, top: u32) -> Self {
@@ -50,9 +50,12 @@ impl Node {
     }
 }
 
-/// The level of the root of a lattice of `count` × `count` texels: one node covers all.
+/// The highest level of nodes: a node of more texels would take long to make, and tell little.
+const HIGHEST: u32 = 6;
+
+/// The level of a node that would cover all of a lattice of `count` × `count` texels.
 #[inline(always)]
-pub fn top(count: u32) -> u32 {
+fn whole(count: u32) -> u32 {
     let mut level = 0;
     while (1 << level) < count {
         level += 1;
@@ -60,32 +63,50 @@ pub fn top(count: u32) -> u32 {
     level
 }
 
-/// Nodes of the levels below `level` of a tree whose root is at level `top`: 4^top + 4^(top − 1) + ….
+/// The level of the roots of a lattice of `count` × `count` texels.
 #[inline(always)]
-pub fn nodes_below(top: u32, level: u32) -> u32 {
-    ((1 << (2 * top)) - (1 << (2 * (top - level)))) / 3 * 4
+pub fn top(count: u32) -> u32 {
+    let level = whole(count);
+    if level < HIGHEST { level } else { HIGHEST }
 }
 
-/// Nodes of a tree whose root is at level `top`.
+/// The number of roots.
 #[inline(always)]
-pub fn nodes(top: u32) -> u32 {
-    nodes_below(top, top) + 1
+pub fn roots(count: u32) -> u32 {
+    1 << (2 * (whole(count) - top(count)))
+}
+
+/// Nodes of the levels below `level`, over a lattice of `count` × `count` texels: 4^w + 4^(w − 1) + … of a tree that would have its root at level w.
+#[inline(always)]
+pub fn nodes_below(count: u32, level: u32) -> u32 {
+    let whole = whole(count);
+    ((1 << (2 * whole)) - (1 << (2 * (whole - level)))) / 3 * 4
+}
+
+/// Nodes over a lattice of `count` × `count` texels.
+#[inline(always)]
+pub fn nodes(count: u32) -> u32 {
+    nodes_below(count, top(count)) + roots(count)
 }
 
 /// Invocations in a row of the dispatch over the nodes.
 pub const ROW: u32 = 64;
 
-/// Rows of the dispatch over the nodes of a tree whose root is at level `top`; their records have room for whole rows.
+/// Rows of the dispatch over the nodes; their records have room for whole rows.
 #[inline(always)]
-pub fn rows(top: u32) -> u32 {
-    (nodes(top) + ROW - 1) / ROW
+pub fn rows(count: u32) -> u32 {
+    (nodes(count) + ROW - 1) / ROW
 }
 
 /// The tree of a round.
 #[derive(Clone, Copy)]
 pub struct Tree {
-    /// The level of its root.
+    /// Texels along each edge of the lattice.
+    pub texels: u32,
+    /// The level of its roots.
     pub root: u32,
+    /// Their number.
+    pub roots: u32,
     /// The first float of its records.
     pub first: u32,
     /// The number of its records.
@@ -96,14 +117,32 @@ impl Tree {
     /// The tree over the beams of a round.
     #[inline(always)]
     pub fn of_round(u: &BeamsUniforms, round: u32) -> Self {
-        let root = top(u.lattice.count);
-        Self { root, first: round * u.limits.bundle_pitch, count: rows(root) * ROW }
+        let texels = u.lattice.count;
+        Self {
+            texels,
+            root: top(texels),
+            roots: roots(texels),
+            first: round * u.limits.bundle_pitch,
+            count: rows(texels) * ROW,
+        }
+    }
+
+    /// The first node of a walk through all.
+    #[inline(always)]
+    pub fn first(&self) -> Node {
+        Node { level: self.root, number: 0 }
+    }
+
+    /// Whether a walk has not come to its end.
+    #[inline(always)]
+    pub fn holds(&self, node: Node) -> bool {
+        (node.level < self.root) | (node.number < self.roots)
     }
 
     /// Three components of the record of a node from `component` on.
     #[inline(always)]
     pub fn vector(&self, records: &[f32], node: Node, component: usize) -> Vec3 {
-        let at = nodes_below(self.root, node.level) + node.number;
+        let at = nodes_below(self.texels, node.level) + node.number;
         let begin = self.first + component as u32 * self.count + at;
         let of = |number: u32| read(records, (begin + number * self.count) as i32);
         Vec3::new(of(0), of(1), of(2))

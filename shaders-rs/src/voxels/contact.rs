@@ -105,15 +105,7 @@ impl Contact {
     /// Visits the ray's next node of the tree, and moves on to the node behind. `bits` has a bit for each material around the ray; `same` is
     /// the distance up to which two surfaces are in contact, in voxels.
     #[inline(always)]
-    pub fn visit(
-        &mut self,
-        ray: &mut Ray,
-        bits: i32,
-        same: f32,
-        nodes: &[f32],
-        corners: &[f32],
-        materials: &[f32],
-    ) {
+    pub fn visit(&mut self, ray: &mut Ray, bits: i32, same: f32, nodes: &[f32], corners: &[f32], materials: &[f32]) {
         let found = ray.triangle >= 0;
         let reach = ray.distance + select(found, same / self.cosine, 0.0);
         let triangle = tree::step(ray, self.start, reach, nodes);

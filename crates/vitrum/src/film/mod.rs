@@ -11,4 +11,4 @@ pub use frame::Frame;
 pub use output::Output;
 pub(crate) use output::{PixelFilter, rgb, rgba, xyz};
 pub(crate) use resolve::RayRecords;
-pub use statistics::Statistics;
+pub use statistics::{FluxShares, Statistics};

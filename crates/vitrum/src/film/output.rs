@@ -68,6 +68,15 @@ impl Output {
         Self { name, description, is_vector: false, channels, pixel: PixelFilter::Mean, blend: Blend::Sum }
     }
 
+    /// An output of radiance: the sum over exposures, those of further lights too.
+    pub(crate) const fn radiance(
+        name: &'static str,
+        channels: &'static [(&'static str, usize)],
+        description: &'static str,
+    ) -> Self {
+        Self { blend: Blend::Radiance, ..Self::mean(name, channels, description) }
+    }
+
     /// An output of vectors, of which a pixel shows the mean direction.
     pub(crate) const fn directions(
         name: &'static str,

@@ -4,6 +4,21 @@ use crate::backend::{Backend, KernelTime};
 use crate::scene::Scene;
 use serde::Serialize;
 
+/// The fate of the flux of light rays that meet a body, in shares of it whose sum is 1.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct FluxShares {
+    /// Share that left all bodies by refraction or reflection, and the medium.
+    pub escaped: f64,
+    /// Share that met an opaque surface or a receiver.
+    pub received: f64,
+    /// Share that clear bodies and mirrors absorbed.
+    pub absorbed: f64,
+    /// Share that the medium scattered or absorbed.
+    pub extinguished: f64,
+    /// Share that was not followed: weak parts, and ways beyond the limits.
+    pub lost: f64,
+}
+
 /// Statistics of a frame. An unknown value is `None`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Statistics {
@@ -31,6 +46,8 @@ pub struct Statistics {
     pub rays_terminated: Option<u64>,
     /// Rays that were still inside a mesh after as many surfaces as they may meet, of rays through a mesh.
     pub rays_trapped: Option<u64>,
+    /// The flux of the first light's rays that meet a body, by its fate, of beams.
+    pub flux: Option<FluxShares>,
     /// Time of each frame, without uploads, in milliseconds.
     pub frame_ms: Vec<f64>,
     /// Time to build tables and fill buffers, in milliseconds.

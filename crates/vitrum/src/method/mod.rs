@@ -153,8 +153,16 @@ pub trait PreparedFrame {
         None
     }
 
-    /// Fills in the statistics that are the method's own; `film` has the finished records.
-    fn statistics(&self, film: &[f32], statistics: &mut Statistics);
+    /// Fills in the statistics that are the method's own; `film` has the finished records, and buffers are as the passes have left them.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    fn statistics(
+        &self,
+        film: &[f32],
+        backend: &mut dyn Backend,
+        statistics: &mut Statistics,
+    ) -> Result<(), BackendError>;
 }
 
 #[cfg(test)]

@@ -106,13 +106,27 @@ record! {
 }
 
 record! {
-    /// The depths of the viewing rays around a pixel of a level of the pyramid, over all rays of that pixel and of the eight beside it.
+    /// The depths of the viewing rays of a pixel of a level of the pyramid.
     depths: Depths {
         /// The least distance from the eye at which a ray ends, in voxels.
         nearest: f32,
         /// The greatest.
         farthest: f32,
-        /// Distance from the eye at which rays enter the medium, the mean over the pixel.
+        /// Distance from the eye at which rays enter the medium, the mean.
+        enters: f32,
+    }
+}
+
+record! {
+    /// The depths of the viewing rays around a pixel of a level of the pyramid.
+    around: Around {
+        /// The least distance at which a ray of the pixel ends, or of the eight beside it, in voxels.
+        nearest: f32,
+        /// The greatest.
+        farthest: f32,
+        /// The least one up to two pixels away.
+        least: f32,
+        /// Distance from the eye at which the pixel's rays enter the medium, the mean.
         enters: f32,
     }
 }

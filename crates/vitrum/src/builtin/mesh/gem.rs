@@ -28,9 +28,11 @@ fn scene() -> Scene {
             ..Light::of_kind(LightKind::Spot)
         }],
         ground: Some(Ground { height: Some(-1.5), color: [0.7; 3] }),
-        ..in_medium("gem", Medium { absorption: [0.004; 3], scattering: [0.06; 3], ..Medium::default() })
+        ..in_medium("gem", Medium { absorption: [0.004; 3], scattering: [0.12; 3], ..Medium::default() })
     };
-    scene.environment.color = [0.004, 0.005, 0.008];
+    scene.environment.color = [0.02, 0.025, 0.04];
+    scene.beams.rays = 192;
+    scene.film.exposure = 2.5;
     scene
 }
 

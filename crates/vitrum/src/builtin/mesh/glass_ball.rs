@@ -5,7 +5,7 @@ use super::in_medium;
 use super::parts::clear;
 use super::patches::with_normals;
 use super::revolve;
-use crate::scene::{Camera, Light, LightKind, Medium, Scene};
+use crate::scene::{Camera, Film, Light, LightKind, Medium, Scene};
 use glam::Vec3;
 use vitrum_io::Mesh;
 
@@ -24,13 +24,14 @@ fn scene() -> Scene {
             ..Camera::default()
         },
         light: vec![Light { position: Some([0.0, 0.0, 4.0]), intensity: BULB, ..Light::of_kind(LightKind::Point) }],
+        film: Film { exposure: 4.5, ..Film::default() },
         ..in_medium("ball", Medium { absorption: [0.02; 3], scattering: [0.1; 3], ..Medium::default() })
     }
 }
 
 /// Radius 1. The normals are those of the sphere, so that caustics have no facets.
 pub(in super::super) fn mesh(name: &str) -> Mesh {
-    let part = revolve::ball(1.0, 7);
+    let part = revolve::ball(1.0, 6);
     let normals = part.positions.iter().map(|position| Vec3::from_array(*position).normalize()).collect();
     with_normals(part, normals, name, clear("glass", 1.5, [1.0; 3], 1.0))
 }

@@ -46,6 +46,7 @@ fn scene() -> Scene {
             Medium { absorption: [0.002; 3], scattering: [0.03; 3], extent: Some(3.0), ..Medium::default() },
         )
     };
+    scene.beams.rays = 256;
     scene.shading.ambient = [0.02; 3];
     scene.environment.color = [0.01, 0.012, 0.015];
     scene

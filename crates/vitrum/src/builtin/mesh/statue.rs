@@ -32,9 +32,11 @@ fn scene() -> Scene {
             ..Light::of_kind(LightKind::Spot)
         }],
         ground: Some(Ground { height: None, color: [0.6; 3] }),
-        ..in_medium("statue", Medium { absorption: [0.003; 3], scattering: [0.06; 3], ..Medium::default() })
+        ..in_medium("statue", Medium { absorption: [0.003; 3], scattering: [0.1; 3], ..Medium::default() })
     };
-    scene.environment.color = [0.004, 0.005, 0.008];
+    scene.environment.color = [0.01, 0.012, 0.018];
+    scene.beams.rays = 128;
+    scene.film.exposure = 1.7;
     scene
 }
 

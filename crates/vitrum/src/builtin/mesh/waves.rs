@@ -21,8 +21,8 @@ fn scene() -> Scene {
     };
     let mut scene = Scene {
         camera: Camera {
-            position: Some([0.3, -4.6, -4.4]),
-            target: Some([0.0, 0.0, -2.9]),
+            position: Some([0.4, -1.9, -4.6]),
+            target: Some([0.0, 0.3, -2.2]),
             field_of_view: 50.0,
             ..Camera::default()
         },
@@ -35,7 +35,8 @@ fn scene() -> Scene {
         }],
         ..in_medium("waves", sea)
     };
-    scene.mesh[0].scale = 2.0;
+    scene.mesh[0].scale = 5.0;
+    scene.beams.rays = 128;
     scene.environment.color = [0.004, 0.02, 0.035];
     scene
 }
@@ -44,7 +45,7 @@ fn scene() -> Scene {
 const EDGE: f32 = 1.0;
 const BOTTOM: f32 = -0.75;
 /// Squares along an edge: a power of two, so that coordinates are exact and sides meet.
-const SQUARES: usize = 256;
+const SQUARES: usize = 128;
 
 /// Waves in cycles per world unit along x and y, their phase in cycles, and their amplitude.
 const WAVES: [([f32; 2], f32, f32); 5] = [

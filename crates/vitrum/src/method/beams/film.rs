@@ -1,30 +1,34 @@
 //! The outputs of frames of beams.
 
 use super::passes::Frame;
-use crate::backend::{Buffer, PassList};
-use crate::film::{Output, PixelFilter, Statistics, rgb, rgba, xyz};
+use crate::backend::{Backend, BackendError, Buffer, PassList};
+use crate::film::{FluxShares, Output, PixelFilter, Statistics, rgb, rgba, xyz};
 use crate::method::PreparedFrame;
-use vitrum_kernels::abi::record::beam_pixel;
+use vitrum_kernels::abi::record::{beam_pixel, pencil};
 
 /// The outputs, by the components of [`beam_pixel`].
 pub(super) const OUTPUTS: &[Output] = &[
     Output::color(rgba!(beam_pixel::COLOR, beam_pixel::COVERAGE)),
-    Output::mean(
+    Output::radiance(
         "surfaces",
         rgb!(beam_pixel::SURFACES),
         "radiance of surfaces and of the environment, through bodies and medium",
     ),
-    Output::mean(
+    Output::radiance(
         "airlight",
         rgb!(beam_pixel::AIRLIGHT),
         "radiance that the medium scatters out of the sources' light as if there were no body",
     ),
-    Output::mean(
+    Output::radiance(
         "caustics",
         rgb!(beam_pixel::CAUSTICS),
         "volume caustics: radiance that the medium scatters out of light that bodies have refracted or reflected",
     ),
-    Output::mean("shadow", rgb!(beam_pixel::SHADOW), "volumetric shadow: the part of the airlight that bodies take away"),
+    Output::radiance(
+        "shadow",
+        rgb!(beam_pixel::SHADOW),
+        "volumetric shadow: the part of the airlight that bodies take away",
+    ),
     Output::mean(
         "depth",
         &[("Z", beam_pixel::DEPTH)],
@@ -51,5 +55,27 @@ impl PreparedFrame for Frame {
         &self.film
     }
 
-    fn statistics(&self, _film: &[f32], _statistics: &mut Statistics) {}
+    fn statistics(
+        &self,
+        _film: &[f32],
+        backend: &mut dyn Backend,
+        statistics: &mut Statistics,
+    ) -> Result<(), BackendError> {
+        statistics.flux = flux(&self.pencils(backend)?);
+        Ok(())
+    }
+}
+
+/// The shares of the flux of pencils, over those that have met a body; none if there are none.
+fn flux(pencils: &[f32]) -> Option<FluxShares> {
+    let count = pencils.len() / pencil::SIZE;
+    let component = |component: usize| &pencils[component * count..(component + 1) * count];
+    // A pencil that meets no body has no piece.
+    let met: Vec<usize> = (0..count).filter(|&at| component(pencil::PIECES)[at] > 0.0).collect();
+    let mean = |from: usize| met.iter().map(|&at| f64::from(component(from)[at])).sum::<f64>() / met.len() as f64;
+    let [escaped, received, absorbed, extinguished] =
+        [pencil::ESCAPED, pencil::RECEIVED, pencil::ABSORBED, pencil::EXTINGUISHED].map(mean);
+    // Ways that had not begun when the last piece was reached are lost, too.
+    let lost = 1.0 - (escaped + received + absorbed + extinguished);
+    (!met.is_empty()).then_some(FluxShares { escaped, received, absorbed, extinguished, lost })
 }

@@ -1,4 +1,4 @@
-//! The lattice of a light's rays over the bounds of all bodies (Hu et al. 2010, §4.1).
+//! The lattice of a light's rays over the bounds of all bodies (Hu et al. 2010, §5.1).
 
 use crate::error::Error;
 use crate::method::voxelize::Grid;
@@ -53,10 +53,5 @@ pub(super) fn in_grid(world: DVec3, grid: Grid) -> DVec3 {
 pub(super) fn coarser(lattice: Lattice, most: u32) -> Lattice {
     let count = lattice.count.min(most);
     let factor = lattice.count as f32 / count.max(1) as f32;
-    Lattice {
-        count,
-        step_across: lattice.step_across * factor,
-        step_upwards: lattice.step_upwards * factor,
-        ..lattice
-    }
+    Lattice { count, step_across: lattice.step_across * factor, step_upwards: lattice.step_upwards * factor, ..lattice }
 }

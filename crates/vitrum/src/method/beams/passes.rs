@@ -19,11 +19,11 @@ use crate::scene::Scene;
 use bytemuck::bytes_of;
 use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, Lattice, Limits, flag, part};
 use vitrum_kernels::abi::dispatch::Dispatch;
-use vitrum_kernels::abi::record::{beam, beam_pixel, bundle, depths, inscattered, pencil, search, sight};
+use vitrum_kernels::abi::record::{around, beam, beam_pixel, bundle, depths, inscattered, pencil, search, sight};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::voxels::STEPS;
 use vitrum_kernels::beams::pyramid::{pixels_below, rows_before, size};
-use vitrum_kernels::beams::tree::{ROW, rows, top};
+use vitrum_kernels::beams::tree::{ROW, rows};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Nodes of a tree on a straight piece of a ray, several times as many as usual.
@@ -121,7 +121,7 @@ impl Lit {
         let mut zeros = |label, words: u64| scratch.zeros((label, number), words * 4, backend);
         Ok(Self {
             lattice,
-            pencils: zeros("pencils of light", pitch(texels, pencil::SIZE))?,
+            pencils: zeros("pencils of light", u64::from(lattice.count).pow(2) * pencil::SIZE as u64)?,
             beams: zeros("beams", beams * u64::from(rounds))?,
             bundles: zeros("bundles of beams", bundles * u64::from(rounds))?,
             limits: Limits { pitch: beams as u32, bundle_pitch: bundles as u32, last: rounds - 1, ..limits },
@@ -130,7 +130,7 @@ impl Lit {
 
     /// Rows of the nodes of a round's tree.
     fn tree(lattice: &Lattice) -> [u32; 2] {
-        [ROW, rows(top(lattice.count))]
+        [ROW, rows(lattice.count)]
     }
 
     /// Lists the passes in which pencils of light become beams, and beams bundles.
@@ -275,6 +275,7 @@ fn picture(
     let sights = zeros("sights", pitch(picture, sight::SIZE))?;
     let searches = zeros("searches for light", pitch(picture, search::SIZE))?;
     let depths = zeros("depths", pitch(coarse, depths::SIZE))?;
+    let around = zeros("depths around", pitch(coarse, around::SIZE))?;
     let caustics = zeros("caustics", words)?;
     let shadows = zeros("shadows", words)?;
     let film = zeros("film", u64::from(width) * u64::from(height) * beam_pixel::SIZE as u64)?;
@@ -308,11 +309,12 @@ fn picture(
         first.describe(list);
         if levels > 0 {
             list.add(&kernels::beams_find_depths, coarse, (0, 0), &[&sights, &depths], 0);
+            list.add(&kernels::beams_look_around, coarse, (0, 0), &[&depths, &around], 0);
         }
         let blocks = [width.max(height).div_ceil(BLOCK), first.lattice.count * first.lattice.count];
         for round in 0..=first.limits.last {
             let sums = if round == 0 { &shadows } else { &caustics };
-            list.add(&kernels::beams_scatter_beam, blocks, (0, round), &[&first.beams, &sights, &depths, sums], 0);
+            list.add(&kernels::beams_scatter_beam, blocks, (0, round), &[&first.beams, &sights, &around, sums], 0);
         }
     }
     list.add(&kernels::beams_resolve, picture, (0, 0), &[&sights, &caustics, &shadows, &film], 0);

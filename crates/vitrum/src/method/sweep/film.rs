@@ -76,7 +76,12 @@ impl PreparedFrame for Sweep {
         (0..self.planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    fn statistics(&self, records: &[f32], statistics: &mut Statistics) {
+    fn statistics(
+        &self,
+        records: &[f32],
+        _backend: &mut dyn Backend,
+        statistics: &mut Statistics,
+    ) -> Result<(), BackendError> {
         let rays = self.rays[0] as usize * self.rays[1] as usize;
         let terminated = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
         statistics.planes = Some(self.planes.count);
@@ -85,6 +90,7 @@ impl PreparedFrame for Sweep {
         if let Some(Voxelized { dimensions, open_rows }) = self.voxelized {
             (statistics.voxels, statistics.open_rows) = (Some(dimensions), Some(open_rows));
         }
+        Ok(())
     }
 }
 

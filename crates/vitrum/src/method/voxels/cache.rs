@@ -59,7 +59,11 @@ impl FrameCache {
     ///
     /// # Errors
     /// As [`Backend::create`].
-    pub(in crate::method) fn materials(&mut self, materials: Vec<f32>, backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
+    pub(in crate::method) fn materials(
+        &mut self,
+        materials: Vec<f32>,
+        backend: &mut dyn Backend,
+    ) -> Result<Buffer, BackendError> {
         let floats = materials.clone();
         self.materials.get(materials, || backend.create("materials", Contents::Bytes(cast_slice(&floats)))).cloned()
     }
