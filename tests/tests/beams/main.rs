@@ -2,6 +2,8 @@
 
 mod ball;
 mod ball_table;
+mod picture;
+mod picture_table;
 mod thin;
 
 use vitrum::Frame;
