@@ -3,6 +3,7 @@
 mod airlight;
 mod ball;
 mod ball_table;
+mod flux;
 mod picture;
 mod picture_table;
 mod thin;
