@@ -6,6 +6,7 @@ mod ball_table;
 mod flux;
 mod picture;
 mod picture_table;
+mod shift;
 mod thin;
 
 use vitrum::Frame;
