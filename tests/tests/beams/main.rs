@@ -4,6 +4,8 @@ mod airlight;
 mod ball;
 mod ball_table;
 mod flux;
+mod mirror;
+mod mirror_table;
 mod picture;
 mod picture_table;
 mod shift;
