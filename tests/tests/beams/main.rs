@@ -4,6 +4,7 @@ mod airlight;
 mod ball;
 mod ball_table;
 mod flux;
+mod medium;
 mod mirror;
 mod mirror_table;
 mod picture;
