@@ -10,6 +10,7 @@ mod mirror_table;
 mod picture;
 mod picture_table;
 mod shift;
+mod surfaces;
 mod thin;
 
 use vitrum::Frame;
