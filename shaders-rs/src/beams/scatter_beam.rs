@@ -27,6 +27,9 @@ use spirv_std::glam::Vec3;
 const NEAR: f32 = 1e-3;
 /// Width of a beam's picture in blocks that have an end of the beam, over the width for which its level is chosen, inverted.
 const AT_ENDS: f32 = 1.0 / 8.0;
+/// Share by which a beam is taken to be farther from the eye a viewing ray beside, at most: where no surface comes so near, all coarse pixels around one are
+/// drawn.
+const FARTHER: f32 = 0.02;
 /// Farther columns than any picture has.
 const BEYOND: f32 = 1e6;
 
@@ -369,11 +372,11 @@ impl Drawing<'_> {
             let (column, row) = if drawn.steep { (minor, major) } else { (major, minor) };
             put(u, level, column, row, light.radiance * density, sums);
         }
-        // Beside pixels that are drawn, too, there is nothing left. Beams do not come twice as near from one of them to the next.
+        // Beside pixels that are drawn, too, there is nothing left.
         let first = major * edge == self.levels.first;
         let last = (major + 1) * edge == self.levels.first + BLOCK as i32;
         let alike = (!first | (self.levels.left == level)) & (!last | (self.levels.right == level));
-        if visible & alike & (2.0 * light.distance < around.least) {
+        if visible & alike & (light.distance * (1.0 + FARTHER * edge as f32) < around.least) {
             return;
         }
         let (width, height) = (u.picture.width as i32, u.picture.height as i32);

@@ -95,7 +95,7 @@ pub const ROW: u32 = 64;
 /// Rows of the dispatch over the nodes; their records have room for whole rows.
 #[inline(always)]
 pub fn rows(count: u32) -> u32 {
-    (nodes(count) + ROW - 1) / ROW
+    nodes(count).div_ceil(ROW)
 }
 
 /// The tree of a round.

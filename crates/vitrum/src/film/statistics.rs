@@ -4,7 +4,7 @@ use crate::backend::{Backend, KernelTime};
 use crate::scene::Scene;
 use serde::Serialize;
 
-/// The fate of the flux of light rays that meet a body, in shares of it whose sum is 1.
+/// The fate of the flux of the light rays that come into the box around all bodies, in shares of it whose sum is 1.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct FluxShares {
     /// Share that left all bodies by refraction or reflection, and the medium.
@@ -46,7 +46,7 @@ pub struct Statistics {
     pub rays_terminated: Option<u64>,
     /// Rays that were still inside a mesh after as many surfaces as they may meet, of rays through a mesh.
     pub rays_trapped: Option<u64>,
-    /// The flux of the first light's rays that meet a body, by its fate, of beams.
+    /// The flux of the first light's rays that come into the box around all bodies, by its fate, of beams.
     pub flux: Option<FluxShares>,
     /// Time of each frame, without uploads, in milliseconds.
     pub frame_ms: Vec<f64>,

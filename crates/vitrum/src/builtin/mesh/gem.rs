@@ -31,7 +31,7 @@ fn scene() -> Scene {
         ..in_medium("gem", Medium { absorption: [0.004; 3], scattering: [0.12; 3], ..Medium::default() })
     };
     scene.environment.color = [0.02, 0.025, 0.04];
-    scene.beams.rays = 192;
+    scene.beams.rays = 96;
     scene.film.exposure = 2.5;
     scene
 }

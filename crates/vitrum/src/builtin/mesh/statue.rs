@@ -35,7 +35,6 @@ fn scene() -> Scene {
         ..in_medium("statue", Medium { absorption: [0.003; 3], scattering: [0.1; 3], ..Medium::default() })
     };
     scene.environment.color = [0.01, 0.012, 0.018];
-    scene.beams.rays = 128;
     scene.film.exposure = 1.7;
     scene
 }

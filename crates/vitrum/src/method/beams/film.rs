@@ -66,11 +66,11 @@ impl PreparedFrame for Frame {
     }
 }
 
-/// The shares of the flux of pencils, over those that have met a body; none if there are none.
+/// The shares of the flux of pencils, over those that have come into the box around all bodies; none if there are none.
 fn flux(pencils: &[f32]) -> Option<FluxShares> {
     let count = pencils.len() / pencil::SIZE;
     let component = |component: usize| &pencils[component * count..(component + 1) * count];
-    // A pencil that meets no body has no piece.
+    // One that has not has no piece.
     let met: Vec<usize> = (0..count).filter(|&at| component(pencil::PIECES)[at] > 0.0).collect();
     let mean = |from: usize| met.iter().map(|&at| f64::from(component(from)[at])).sum::<f64>() / met.len() as f64;
     let [escaped, received, absorbed, extinguished] =

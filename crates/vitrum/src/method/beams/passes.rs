@@ -149,6 +149,10 @@ impl Lit {
             let bound = [&self.beams, &self.bundles];
             list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
         }
+        // To the end of the last piece, so that the fate of its light is known.
+        for _ in 0..passes_of_round(&list.block) {
+            list.add(&kernels::beams_trace_light, texels, (0, self.limits.last + 1), &traced, 0);
+        }
     }
 
     /// Makes the passes that follow read these beams.
