@@ -1,6 +1,18 @@
 //! The kernels that have modules. `cargo xtask shaders` writes this file.
 
 modules! {
+    beams_bound_beams
+    beams_find_depths
+    beams_find_light
+    beams_gather
+    beams_light_surface
+    beams_look_around
+    beams_resolve
+    beams_scatter_beam
+    beams_see
+    beams_store_beam
+    beams_trace_light
+    beams_trace_view
     probe_apply_function
     shadow_absorb_solid
     shadow_accumulate

@@ -40,27 +40,27 @@ var<storage> global_2: type_7;
 @group(0) @binding(2)
 var<storage, read_write> global_3: type_12;
 fn function_() {
-var phi_136_: i32;
-var phi_139_: i32;
-var phi_137_: i32;
-var phi_140_: i32;
+var phi_141_: i32;
+var phi_144_: i32;
+var phi_142_: i32;
+var phi_145_: i32;
 var local: i32;
 var local_1: i32;
-var phi_172_: i32;
-var phi_175_: type_2;
+var phi_177_: i32;
+var phi_180_: type_2;
 var local_2: i32;
 var local_3: i32;
-var phi_245_: u32;
-var phi_260_: u32;
-var phi_266_: u32;
-var phi_378_: type_2;
+var phi_250_: u32;
+var phi_265_: u32;
+var phi_271_: u32;
+var phi_383_: type_2;
 var local_4: i32;
-var phi_441_: u32;
-var phi_456_: u32;
-var phi_462_: u32;
-var phi_574_: type_2;
-var phi_173_: i32;
-var phi_176_: type_2;
+var phi_446_: u32;
+var phi_461_: u32;
+var phi_467_: u32;
+var phi_579_: type_2;
+var phi_178_: i32;
+var phi_181_: type_2;
 let _e42 = global;
 let _e49 = global_1.member.member;
 if (_e42.x < _e49.member) {
@@ -72,11 +72,11 @@ if (_e62 < _e65) {
 let _e69 = global_1.member.member_3;
 let _e72 = global_1.member.member_4;
 let _e74 = bitcast<i32>((_e69 * _e72));
-phi_136_ = bitcast<i32>(_e62);
-phi_139_ = 0i;
+phi_141_ = bitcast<i32>(_e62);
+phi_144_ = 0i;
 loop {
-let _e77 = phi_136_;
-let _e79 = phi_139_;
+let _e77 = phi_141_;
+let _e79 = phi_144_;
 local = _e79;
 local_1 = _e77;
 local_2 = _e77;
@@ -84,18 +84,18 @@ local_3 = _e79;
 local_4 = _e79;
 let _e80 = (_e77 >= _e74);
 if _e80 {
-phi_137_ = (_e77 - _e74);
-phi_140_ = (_e79 + 1i);
+phi_142_ = (_e77 - _e74);
+phi_145_ = (_e79 + 1i);
 } else {
-phi_137_ = i32();
-phi_140_ = i32();
+phi_142_ = i32();
+phi_145_ = i32();
 }
-let _e84 = phi_137_;
-let _e86 = phi_140_;
+let _e84 = phi_142_;
+let _e86 = phi_145_;
 continue;
 continuing {
-phi_136_ = _e84;
-phi_139_ = _e86;
+phi_141_ = _e84;
+phi_144_ = _e86;
 break if !(_e80);
 }
 }
@@ -106,11 +106,11 @@ let _e98 = global_1.member.member_6;
 let _e101 = local;
 let _e105 = global_1.member.member_5;
 let _e111 = local_1;
-phi_172_ = 0i;
-phi_175_ = type_2(0u, 0u, 65535u);
+phi_177_ = 0i;
+phi_180_ = type_2(0u, 0u, 65535u);
 loop {
-let _e115 = phi_172_;
-let _e117 = phi_175_;
+let _e115 = phi_177_;
+let _e117 = phi_180_;
 let _e118 = (_e115 < _e95);
 if _e118 {
 let _e119 = (2i * _e115);
@@ -130,26 +130,26 @@ if ((_e119 < _e91) && ((_e145 | _e154) != 0u)) {
 let _e159 = (_e49.member_2 == 1u);
 if _e159 {
 let _e162 = global_1.member.member_9;
-phi_245_ = _e162;
+phi_250_ = _e162;
 } else {
-phi_245_ = _e145;
+phi_250_ = _e145;
 }
-let _e164 = phi_245_;
+let _e164 = phi_250_;
 let _e166 = (_e117.member + _e164);
 let _e170 = ((_e117.member_1 + select(_e154, 0u, _e159)) + select(0u, 1u, (_e166 < _e117.member)));
 let _e173 = ((_e170 >> bitcast<u32>(31i)) != 0u);
 if _e173 {
-phi_260_ = (~(_e166) + 1u);
+phi_265_ = (~(_e166) + 1u);
 } else {
-phi_260_ = _e166;
+phi_265_ = _e166;
 }
-let _e179 = phi_260_;
+let _e179 = phi_265_;
 if _e173 {
-phi_266_ = (~(_e170) + select(0u, 1u, (_e166 == 0u)));
+phi_271_ = (~(_e170) + select(0u, 1u, (_e166 == 0u)));
 } else {
-phi_266_ = _e170;
+phi_271_ = _e170;
 }
-let _e183 = phi_266_;
+let _e183 = phi_271_;
 let _e205 = ((((f32(bitcast<i32>(((_e183 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e183 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e179 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e179 & 65535u)))));
 let _e213 = -((select(_e205, -(bitcast<f32>((bitcast<u32>(_e205) & 2147483647u))), _e173) * (1f / 16777216f)));
 let _e215 = select(-87f, _e213, (_e213 > -87f));
@@ -165,11 +165,11 @@ let _e261 = ((((1f + (_e239 * (1f + (_e239 * (0.5f + (_e239 * (0.16666667f + (_e
 let _e263 = select(0f, _e261, (_e261 > 0f));
 let _e265 = select(65535f, _e263, (_e263 < 65535f));
 let _e272 = select(0i, select(select(i32(_e265), i32(-2147483648), (_e265 < -2147483600f)), 2147483647i, (_e265 > 2147483500f)), (_e265 == _e265));
-phi_378_ = type_2(_e166, _e170, bitcast<u32>((_e272 - select(0i, 1i, (_e265 < f32(_e272))))));
+phi_383_ = type_2(_e166, _e170, bitcast<u32>((_e272 - select(0i, 1i, (_e265 < f32(_e272))))));
 } else {
-phi_378_ = _e117;
+phi_383_ = _e117;
 }
-let _e280 = phi_378_;
+let _e280 = phi_383_;
 let _e282 = (_e119 + 1i);
 let _e288 = local_4;
 let _e290 = ((((_e123 + _e282) * _e129) + _e288) * 2i);
@@ -182,26 +182,26 @@ if ((_e282 < _e91) && ((_e298 | _e307) != 0u)) {
 let _e312 = (_e49.member_2 == 1u);
 if _e312 {
 let _e315 = global_1.member.member_9;
-phi_441_ = _e315;
+phi_446_ = _e315;
 } else {
-phi_441_ = _e298;
+phi_446_ = _e298;
 }
-let _e317 = phi_441_;
+let _e317 = phi_446_;
 let _e319 = (_e280.member + _e317);
 let _e323 = ((_e280.member_1 + select(_e307, 0u, _e312)) + select(0u, 1u, (_e319 < _e280.member)));
 let _e326 = ((_e323 >> bitcast<u32>(31i)) != 0u);
 if _e326 {
-phi_456_ = (~(_e319) + 1u);
+phi_461_ = (~(_e319) + 1u);
 } else {
-phi_456_ = _e319;
+phi_461_ = _e319;
 }
-let _e332 = phi_456_;
+let _e332 = phi_461_;
 if _e326 {
-phi_462_ = (~(_e323) + select(0u, 1u, (_e319 == 0u)));
+phi_467_ = (~(_e323) + select(0u, 1u, (_e319 == 0u)));
 } else {
-phi_462_ = _e323;
+phi_467_ = _e323;
 }
-let _e336 = phi_462_;
+let _e336 = phi_467_;
 let _e358 = ((((f32(bitcast<i32>(((_e336 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e336 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e332 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e332 & 65535u)))));
 let _e366 = -((select(_e358, -(bitcast<f32>((bitcast<u32>(_e358) & 2147483647u))), _e326) * (1f / 16777216f)));
 let _e368 = select(-87f, _e366, (_e366 > -87f));
@@ -217,27 +217,27 @@ let _e414 = ((((1f + (_e392 * (1f + (_e392 * (0.5f + (_e392 * (0.16666667f + (_e
 let _e416 = select(0f, _e414, (_e414 > 0f));
 let _e418 = select(65535f, _e416, (_e416 < 65535f));
 let _e425 = select(0i, select(select(i32(_e418), i32(-2147483648), (_e418 < -2147483600f)), 2147483647i, (_e418 > 2147483500f)), (_e418 == _e418));
-phi_574_ = type_2(_e319, _e323, bitcast<u32>((_e425 - select(0i, 1i, (_e418 < f32(_e425))))));
+phi_579_ = type_2(_e319, _e323, bitcast<u32>((_e425 - select(0i, 1i, (_e418 < f32(_e425))))));
 } else {
-phi_574_ = _e280;
+phi_579_ = _e280;
 }
-let _e433 = phi_574_;
+let _e433 = phi_579_;
 let _e435 = bitcast<u32>(((((((_e101 * bitcast<i32>(_e98)) + bitcast<i32>(_e105)) * bitcast<i32>(_e69)) + _e111) * _e95) + _e115));
 if (_e435 < arrayLength((&global_3.member))) {
 let _e442 = atomicAdd((&global_3.member[_e435]), (_e117.member_2 | (_e280.member_2 << bitcast<u32>(16i))));
 }
-phi_173_ = (_e115 + 1i);
-phi_176_ = _e433;
+phi_178_ = (_e115 + 1i);
+phi_181_ = _e433;
 } else {
-phi_173_ = i32();
-phi_176_ = type_2();
+phi_178_ = i32();
+phi_181_ = type_2();
 }
-let _e445 = phi_173_;
-let _e447 = phi_176_;
+let _e445 = phi_178_;
+let _e447 = phi_181_;
 continue;
 continuing {
-phi_172_ = _e445;
-phi_175_ = _e447;
+phi_177_ = _e445;
+phi_180_ = _e447;
 break if !(_e118);
 }
 }

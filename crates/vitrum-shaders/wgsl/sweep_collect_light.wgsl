@@ -44,18 +44,18 @@ member_1: type_8,
 struct type_11 {
 member: array<f32>,
 }
-struct type_14 {
-member: array<u32>,
-}
-struct type_15 {
+struct type_13 {
 member: u32,
 member_1: u32,
-member_2: u32,
-member_3: u32,
+}
+struct type_15 {
+member: array<u32>,
 }
 struct type_16 {
 member: u32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
 }
 struct type_17 {
 member: f32,
@@ -102,8 +102,8 @@ member_1: u32,
 struct type_22 {
 member: type_2,
 member_1: u32,
-member_2: type_15,
-member_3: type_16,
+member_2: type_16,
+member_3: type_13,
 member_4: u32,
 member_5: type_17,
 member_6: type_18,
@@ -132,7 +132,7 @@ var<storage> global_1: type_23;
 @group(0) @binding(2)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
-var<storage> global_3: type_14;
+var<storage> global_3: type_15;
 fn function_() {
 var local: i32;
 var phi_183_: u32;

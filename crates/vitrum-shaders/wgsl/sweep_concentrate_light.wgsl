@@ -47,12 +47,12 @@ member: array<f32>,
 struct type_14 {
 member: u32,
 member_1: u32,
-member_2: u32,
-member_3: u32,
 }
 struct type_15 {
 member: u32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
 }
 struct type_16 {
 member: f32,
@@ -99,8 +99,8 @@ member_1: u32,
 struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_14,
-member_3: type_15,
+member_2: type_15,
+member_3: type_14,
 member_4: u32,
 member_5: type_16,
 member_6: type_17,
@@ -126,10 +126,10 @@ member: type_21,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_22;
-@group(0) @binding(1)
-var<storage> global_2: type_11;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_11;
+var<storage, read_write> global_2: type_11;
+@group(0) @binding(1)
+var<storage> global_3: type_11;
 fn function_() {
 var phi_891_: i32;
 let _e34 = global;
@@ -150,40 +150,40 @@ let _e70 = (6i * _e69);
 let _e71 = bitcast<i32>(_e63);
 let _e73 = (_e70 + (_e59 * _e71));
 let _e74 = (_e73 + _e58);
-let _e76 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e76 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e78 = select(_e76, _e74, (_e74 < _e76));
-let _e84 = global_2.member[bitcast<u32>(select(0i, _e78, (_e78 > 0i)))];
+let _e84 = global_3.member[bitcast<u32>(select(0i, _e78, (_e78 > 0i)))];
 let _e86 = ((_e73 + _e69) + _e58);
 let _e88 = select(_e76, _e86, (_e86 < _e76));
-let _e94 = global_2.member[bitcast<u32>(select(0i, _e88, (_e88 > 0i)))];
+let _e94 = global_3.member[bitcast<u32>(select(0i, _e88, (_e88 > 0i)))];
 let _e95 = (_e73 + -1i);
 let _e96 = (_e95 + _e58);
 let _e98 = select(_e76, _e96, (_e96 < _e76));
-let _e104 = global_2.member[bitcast<u32>(select(0i, _e98, (_e98 > 0i)))];
+let _e104 = global_3.member[bitcast<u32>(select(0i, _e98, (_e98 > 0i)))];
 let _e106 = ((_e95 + _e69) + _e58);
 let _e108 = select(_e76, _e106, (_e106 < _e76));
-let _e114 = global_2.member[bitcast<u32>(select(0i, _e108, (_e108 > 0i)))];
+let _e114 = global_3.member[bitcast<u32>(select(0i, _e108, (_e108 > 0i)))];
 let _e115 = (_e73 + 1i);
 let _e116 = (_e115 + _e58);
 let _e118 = select(_e76, _e116, (_e116 < _e76));
-let _e124 = global_2.member[bitcast<u32>(select(0i, _e118, (_e118 > 0i)))];
+let _e124 = global_3.member[bitcast<u32>(select(0i, _e118, (_e118 > 0i)))];
 let _e126 = ((_e115 + _e69) + _e58);
 let _e128 = select(_e76, _e126, (_e126 < _e76));
-let _e134 = global_2.member[bitcast<u32>(select(0i, _e128, (_e128 > 0i)))];
+let _e134 = global_3.member[bitcast<u32>(select(0i, _e128, (_e128 > 0i)))];
 let _e137 = (_e70 + ((_e59 - 1i) * _e71));
 let _e138 = (_e137 + _e58);
 let _e140 = select(_e76, _e138, (_e138 < _e76));
-let _e146 = global_2.member[bitcast<u32>(select(0i, _e140, (_e140 > 0i)))];
+let _e146 = global_3.member[bitcast<u32>(select(0i, _e140, (_e140 > 0i)))];
 let _e148 = ((_e137 + _e69) + _e58);
 let _e150 = select(_e76, _e148, (_e148 < _e76));
-let _e156 = global_2.member[bitcast<u32>(select(0i, _e150, (_e150 > 0i)))];
+let _e156 = global_3.member[bitcast<u32>(select(0i, _e150, (_e150 > 0i)))];
 let _e159 = (_e70 + ((_e59 + 1i) * _e71));
 let _e160 = (_e159 + _e58);
 let _e162 = select(_e76, _e160, (_e160 < _e76));
-let _e168 = global_2.member[bitcast<u32>(select(0i, _e162, (_e162 > 0i)))];
+let _e168 = global_3.member[bitcast<u32>(select(0i, _e162, (_e162 > 0i)))];
 let _e170 = ((_e159 + _e69) + _e58);
 let _e172 = select(_e76, _e170, (_e170 < _e76));
-let _e178 = global_2.member[bitcast<u32>(select(0i, _e172, (_e172 > 0i)))];
+let _e178 = global_3.member[bitcast<u32>(select(0i, _e172, (_e172 > 0i)))];
 let _e180 = select(0f, 1f, (_e58 > 0i));
 let _e183 = select(0f, 1f, (_e58 < (_e71 - 1i)));
 let _e186 = select(0f, 1f, (false || (_e59 > 0i)));
@@ -223,28 +223,28 @@ let _e293 = select(_e288, _e291, (_e291 < _e288));
 let _e304 = bitcast<i32>((_e52 * _e63));
 let _e306 = (((8i * _e69) + _e304) + _e58);
 let _e308 = select(_e76, _e306, (_e306 < _e76));
-let _e314 = global_2.member[bitcast<u32>(select(0i, _e308, (_e308 > 0i)))];
+let _e314 = global_3.member[bitcast<u32>(select(0i, _e308, (_e308 > 0i)))];
 let _e324 = ((bitcast<f32>((bitcast<u32>((((1f + select(_e197, select(0f, select(_e212, -(_e212), (_e197 < 0f)), ((_e193 * _e195) > 0f)), (_e197 > 0f))) * (1f + select(_e278, select(0f, select(_e293, -(_e293), (_e278 < 0f)), ((_e274 * _e276) > 0f)), (_e278 > 0f)))) - (select(0f, select(_e240, -(_e240), (_e226 < 0f)), ((_e222 * _e224) > 0f)) * select(0f, select(_e266, -(_e266), (_e252 < 0f)), ((_e248 * _e250) > 0f))))) & 2147483647u)) * 1.25f) / select(1e-20f, _e314, (_e314 > 1e-20f)));
 let _e329 = global_1.member.member_1;
 let _e332 = select(select(_e324, 1f, (1f < _e324)), 1f, ((_e329 & 6u) != 0u));
 let _e335 = (((3i * _e69) + _e304) + _e58);
 let _e337 = select(_e76, _e335, (_e335 < _e76));
-let _e343 = global_2.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
+let _e343 = global_3.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
 let _e346 = (((4i * _e69) + _e304) + _e58);
 let _e348 = select(_e76, _e346, (_e346 < _e76));
-let _e354 = global_2.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
+let _e354 = global_3.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
 let _e357 = (((5i * _e69) + _e304) + _e58);
 let _e359 = select(_e76, _e357, (_e357 < _e76));
-let _e365 = global_2.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
+let _e365 = global_3.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
 let _e366 = (_e304 + _e58);
 let _e368 = select(_e76, _e366, (_e366 < _e76));
-let _e374 = global_2.member[bitcast<u32>(select(0i, _e368, (_e368 > 0i)))];
+let _e374 = global_3.member[bitcast<u32>(select(0i, _e368, (_e368 > 0i)))];
 let _e376 = ((_e69 + _e304) + _e58);
 let _e378 = select(_e76, _e376, (_e376 < _e76));
-let _e384 = global_2.member[bitcast<u32>(select(0i, _e378, (_e378 > 0i)))];
+let _e384 = global_3.member[bitcast<u32>(select(0i, _e378, (_e378 > 0i)))];
 let _e387 = (((2i * _e69) + _e304) + _e58);
 let _e389 = select(_e76, _e387, (_e387 < _e76));
-let _e395 = global_2.member[bitcast<u32>(select(0i, _e389, (_e389 > 0i)))];
+let _e395 = global_3.member[bitcast<u32>(select(0i, _e389, (_e389 > 0i)))];
 let _e403 = (((_e343 * _e343) + (_e354 * _e354)) + (_e365 * _e365));
 let _e406 = sqrt(select(0f, _e403, (_e403 > 0f)));
 let _e409 = (1f / select(1e-20f, _e406, (_e406 > 1e-20f)));
@@ -272,10 +272,10 @@ let _e474 = (2f * 16255f);
 let _e476 = select(0f, _e473, (_e473 > 0f));
 let _e478 = select(_e474, _e476, (_e476 < _e474));
 let _e485 = select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < -2147483600f)), 2147483647i, (_e478 > 2147483500f)), (_e478 == _e478));
-global_3.member[_e57] = (_e374 * _e332);
-global_3.member[(_e55 + _e57)] = (_e384 * _e332);
-global_3.member[((2u * _e55) + _e57)] = (_e395 * _e332);
-global_3.member[((3u * _e55) + _e57)] = bitcast<f32>(((select(0u, 2147483648u, (_e419 < 0f)) | (bitcast<u32>(((_e485 - select(0i, 1i, (_e478 < f32(_e485)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e466)));
+global_2.member[_e57] = (_e374 * _e332);
+global_2.member[(_e55 + _e57)] = (_e384 * _e332);
+global_2.member[((2u * _e55) + _e57)] = (_e395 * _e332);
+global_2.member[((3u * _e55) + _e57)] = bitcast<f32>(((select(0u, 2147483648u, (_e419 < 0f)) | (bitcast<u32>(((_e485 - select(0i, 1i, (_e478 < f32(_e485)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e466)));
 }
 }
 return;

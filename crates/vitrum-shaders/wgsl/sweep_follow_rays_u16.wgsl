@@ -44,18 +44,18 @@ member_1: type_8,
 struct type_11 {
 member: array<f32>,
 }
-struct type_16 {
-member: array<u32>,
-}
-struct type_17 {
+struct type_15 {
 member: u32,
 member_1: u32,
-member_2: u32,
-member_3: u32,
+}
+struct type_17 {
+member: array<u32>,
 }
 struct type_18 {
 member: u32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
 }
 struct type_19 {
 member: f32,
@@ -102,8 +102,8 @@ member_1: u32,
 struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_17,
-member_3: type_18,
+member_2: type_18,
+member_3: type_15,
 member_4: u32,
 member_5: type_19,
 member_6: type_20,
@@ -174,9 +174,9 @@ var<storage, read_write> global_2: type_11;
 @group(0) @binding(6)
 var<storage, read_write> global_3: type_35;
 @group(0) @binding(1)
-var<storage> global_4: type_16;
+var<storage> global_4: type_17;
 @group(0) @binding(4)
-var<storage> global_5: type_16;
+var<storage> global_5: type_17;
 fn function_() {
 var local: f32;
 var local_1: f32;

@@ -47,12 +47,12 @@ member: array<f32>,
 struct type_14 {
 member: u32,
 member_1: u32,
-member_2: u32,
-member_3: u32,
 }
 struct type_15 {
 member: u32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
 }
 struct type_16 {
 member: f32,
@@ -99,8 +99,8 @@ member_1: u32,
 struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_14,
-member_3: type_15,
+member_2: type_15,
+member_3: type_14,
 member_4: u32,
 member_5: type_16,
 member_6: type_17,

@@ -47,12 +47,12 @@ member: array<f32>,
 struct type_13 {
 member: u32,
 member_1: u32,
-member_2: u32,
-member_3: u32,
 }
 struct type_14 {
 member: u32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
 }
 struct type_15 {
 member: f32,
@@ -99,8 +99,8 @@ member_1: u32,
 struct type_20 {
 member: type_2,
 member_1: u32,
-member_2: type_13,
-member_3: type_14,
+member_2: type_14,
+member_3: type_13,
 member_4: u32,
 member_5: type_15,
 member_6: type_16,
@@ -129,7 +129,7 @@ var<storage> global_1: type_21;
 @group(0) @binding(1)
 var<storage, read_write> global_2: type_11;
 fn function_() {
-var phi_146_: type_14;
+var phi_146_: type_13;
 let _e28 = global;
 let _e31 = global_1.member.member_2;
 let _e34 = global_1.member.member;
@@ -144,9 +144,9 @@ let _e57 = global_1.member.member_3.member_1;
 let _e58 = (_e42 % 16u);
 let _e59 = (_e44 % 4u);
 if ((_e42 < (_e53 - (_e53 % 16u))) && (_e44 < (_e57 - (_e57 % 4u)))) {
-phi_146_ = type_14((((_e42 - _e58) + (_e59 * 4u)) + (_e58 % 4u)), ((_e44 - _e59) + (_e58 / 4u)));
+phi_146_ = type_13((((_e42 - _e58) + (_e59 * 4u)) + (_e58 % 4u)), ((_e44 - _e59) + (_e58 / 4u)));
 } else {
-phi_146_ = type_14(_e42, _e44);
+phi_146_ = type_13(_e42, _e44);
 }
 let _e78 = phi_146_;
 let _e92 = global_1.member.member_12.member;

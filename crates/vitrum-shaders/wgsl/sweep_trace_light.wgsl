@@ -47,12 +47,12 @@ member: array<f32>,
 struct type_13 {
 member: u32,
 member_1: u32,
-member_2: u32,
-member_3: u32,
 }
 struct type_14 {
 member: u32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
 }
 struct type_15 {
 member: f32,
@@ -99,8 +99,8 @@ member_1: u32,
 struct type_20 {
 member: type_2,
 member_1: u32,
-member_2: type_13,
-member_3: type_14,
+member_2: type_14,
+member_3: type_13,
 member_4: u32,
 member_5: type_15,
 member_6: type_16,
@@ -132,10 +132,10 @@ member_3: f32,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_21;
-@group(0) @binding(1)
-var<storage> global_2: type_11;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_11;
+var<storage, read_write> global_2: type_11;
+@group(0) @binding(1)
+var<storage> global_3: type_11;
 fn function_() {
 var local: u32;
 var local_1: i32;
@@ -164,21 +164,21 @@ let _e62 = local_2;
 let _e64 = local_1;
 let _e66 = local;
 let _e68 = (((3i * _e62) + _e64) + bitcast<i32>(_e66));
-let _e70 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e70 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e72 = select(_e70, _e68, (_e68 < _e70));
-let _e77 = global_2.member[bitcast<u32>(select(0i, _e72, (_e72 > 0i)))];
+let _e77 = global_3.member[bitcast<u32>(select(0i, _e72, (_e72 > 0i)))];
 let _e78 = local_2;
 let _e80 = local_1;
 let _e82 = local;
 let _e84 = (((4i * _e78) + _e80) + bitcast<i32>(_e82));
 let _e86 = select(_e70, _e84, (_e84 < _e70));
-let _e91 = global_2.member[bitcast<u32>(select(0i, _e86, (_e86 > 0i)))];
+let _e91 = global_3.member[bitcast<u32>(select(0i, _e86, (_e86 > 0i)))];
 let _e92 = local_2;
 let _e94 = local_1;
 let _e96 = local;
 let _e98 = (((5i * _e92) + _e94) + bitcast<i32>(_e96));
 let _e100 = select(_e70, _e98, (_e98 < _e70));
-let _e105 = global_2.member[bitcast<u32>(select(0i, _e100, (_e100 > 0i)))];
+let _e105 = global_3.member[bitcast<u32>(select(0i, _e100, (_e100 > 0i)))];
 let _e109 = global_1.member.member_5.member_2;
 let _e112 = (1f / select(1e-6f, _e105, (_e105 > 1e-6f)));
 let _e116 = global_1.member.member_8.member_5;
@@ -230,18 +230,18 @@ let _e204 = phi_350_;
 let _e210 = local_3.member;
 let _e213 = (((_e156 + (_e204 * _e146)) + bitcast<i32>(_e210)) + _e179);
 let _e215 = select(_e70, _e213, (_e213 < _e70));
-let _e220 = global_2.member[bitcast<u32>(select(0i, _e215, (_e215 > 0i)))];
+let _e220 = global_3.member[bitcast<u32>(select(0i, _e215, (_e215 > 0i)))];
 let _e221 = (_e213 + _e180);
 let _e223 = select(_e70, _e221, (_e221 < _e70));
-let _e228 = global_2.member[bitcast<u32>(select(0i, _e223, (_e223 > 0i)))];
+let _e228 = global_3.member[bitcast<u32>(select(0i, _e223, (_e223 > 0i)))];
 let _e231 = (_e220 + ((_e228 - _e220) * _e182));
 let _e235 = local_3.member;
 let _e238 = (((_e156 + ((_e204 + select(1i, -1i, _e201)) * _e146)) + bitcast<i32>(_e235)) + _e179);
 let _e240 = select(_e70, _e238, (_e238 < _e70));
-let _e245 = global_2.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
+let _e245 = global_3.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
 let _e246 = (_e238 + _e180);
 let _e248 = select(_e70, _e246, (_e246 < _e70));
-let _e253 = global_2.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
+let _e253 = global_3.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
 let _e257 = local_3.member;
 let _e260 = local_3.member_2;
 let _e261 = (f32(bitcast<i32>(_e257)) + _e260);
@@ -284,18 +284,18 @@ let _e339 = phi_586_;
 let _e345 = local_3.member;
 let _e348 = (((_e292 + (_e339 * _e146)) + bitcast<i32>(_e345)) + _e314);
 let _e350 = select(_e70, _e348, (_e348 < _e70));
-let _e355 = global_2.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
+let _e355 = global_3.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
 let _e356 = (_e348 + _e315);
 let _e358 = select(_e70, _e356, (_e356 < _e70));
-let _e363 = global_2.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e363 = global_3.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
 let _e366 = (_e355 + ((_e363 - _e355) * _e317));
 let _e370 = local_3.member;
 let _e373 = (((_e292 + ((_e339 + select(1i, -1i, _e336)) * _e146)) + bitcast<i32>(_e370)) + _e314);
 let _e375 = select(_e70, _e373, (_e373 < _e70));
-let _e380 = global_2.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
+let _e380 = global_3.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
 let _e381 = (_e373 + _e315);
 let _e383 = select(_e70, _e381, (_e381 < _e70));
-let _e388 = global_2.member[bitcast<u32>(select(0i, _e383, (_e383 > 0i)))];
+let _e388 = global_3.member[bitcast<u32>(select(0i, _e383, (_e383 > 0i)))];
 let _e392 = local_3.member;
 let _e395 = local_3.member_2;
 let _e396 = (f32(bitcast<i32>(_e392)) + _e395);
@@ -336,18 +336,18 @@ let _e469 = phi_822_;
 let _e475 = local_3.member;
 let _e478 = (((_e422 + (_e469 * _e146)) + bitcast<i32>(_e475)) + _e444);
 let _e480 = select(_e70, _e478, (_e478 < _e70));
-let _e485 = global_2.member[bitcast<u32>(select(0i, _e480, (_e480 > 0i)))];
+let _e485 = global_3.member[bitcast<u32>(select(0i, _e480, (_e480 > 0i)))];
 let _e486 = (_e478 + _e445);
 let _e488 = select(_e70, _e486, (_e486 < _e70));
-let _e493 = global_2.member[bitcast<u32>(select(0i, _e488, (_e488 > 0i)))];
+let _e493 = global_3.member[bitcast<u32>(select(0i, _e488, (_e488 > 0i)))];
 let _e496 = (_e485 + ((_e493 - _e485) * _e447));
 let _e500 = local_3.member;
 let _e503 = (((_e422 + ((_e469 + select(1i, -1i, _e466)) * _e146)) + bitcast<i32>(_e500)) + _e444);
 let _e505 = select(_e70, _e503, (_e503 < _e70));
-let _e510 = global_2.member[bitcast<u32>(select(0i, _e505, (_e505 > 0i)))];
+let _e510 = global_3.member[bitcast<u32>(select(0i, _e505, (_e505 > 0i)))];
 let _e511 = (_e503 + _e445);
 let _e513 = select(_e70, _e511, (_e511 < _e70));
-let _e518 = global_2.member[bitcast<u32>(select(0i, _e513, (_e513 > 0i)))];
+let _e518 = global_3.member[bitcast<u32>(select(0i, _e513, (_e513 > 0i)))];
 let _e522 = local_3.member;
 let _e525 = local_3.member_2;
 let _e526 = (f32(bitcast<i32>(_e522)) + _e525);
@@ -358,8 +358,8 @@ let _e542 = select(_e417, (_e496 + (((_e510 + ((_e518 - _e510) * _e447)) - _e496
 let _e545 = (1f / select(1e-6f, _e542, (_e542 > 1e-6f)));
 let _e554 = global_1.member.member_1;
 let _e556 = ((_e554 & 1u) != 0u);
-global_3.member[_e49] = select((((select(_e142, (_e231 + (((_e245 + ((_e253 - _e245) * _e182)) - _e231) * select(_e200, (1f - _e200), _e201))), ((((_e261 >= 0f) && (_e261 <= _e268)) && (_e266 >= 0f)) && (_e266 <= _e271))) * _e545) - _e122) * _e117), _e124, _e556);
-global_3.member[((_e34.member * _e34.member_1) + _e49)] = select((((select(_e287, (_e366 + (((_e380 + ((_e388 - _e380) * _e317)) - _e366) * select(_e335, (1f - _e335), _e336))), ((((_e396 >= 0f) && (_e396 <= _e268)) && (_e401 >= 0f)) && (_e401 <= _e271))) * _e545) - _e129) * _e117), _e131, _e556);
+global_2.member[_e49] = select((((select(_e142, (_e231 + (((_e245 + ((_e253 - _e245) * _e182)) - _e231) * select(_e200, (1f - _e200), _e201))), ((((_e261 >= 0f) && (_e261 <= _e268)) && (_e266 >= 0f)) && (_e266 <= _e271))) * _e545) - _e122) * _e117), _e124, _e556);
+global_2.member[((_e34.member * _e34.member_1) + _e49)] = select((((select(_e287, (_e366 + (((_e380 + ((_e388 - _e380) * _e317)) - _e366) * select(_e335, (1f - _e335), _e336))), ((((_e396 >= 0f) && (_e396 <= _e268)) && (_e401 >= 0f)) && (_e401 <= _e271))) * _e545) - _e129) * _e117), _e131, _e556);
 }
 }
 return;

@@ -150,14 +150,14 @@ var phi_1094_: type_21;
 var phi_1097_: type_20;
 var phi_1099_: i32;
 var phi_1101_: i32;
-var phi_2190_: i32;
-var phi_2193_: i32;
-var phi_2191_: i32;
-var phi_2194_: i32;
-var phi_2224_: i32;
-var phi_2227_: i32;
-var phi_2225_: i32;
-var phi_2228_: i32;
+var phi_2215_: i32;
+var phi_2218_: i32;
+var phi_2216_: i32;
+var phi_2219_: i32;
+var phi_2249_: i32;
+var phi_2252_: i32;
+var phi_2250_: i32;
+var phi_2253_: i32;
 var local: i32;
 var local_1: i32;
 var local_2: i32;
@@ -165,77 +165,77 @@ var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
-var phi_3860_: type_20;
-var phi_4366_: type_20;
-var phi_4764_: i32;
-var phi_4766_: i32;
-var phi_4794_: type_20;
-var phi_4795_: type_20;
-var phi_4875_: type_20;
-var phi_4876_: type_20;
-var phi_4894_: type_20;
+var phi_3885_: type_20;
+var phi_4391_: type_20;
+var phi_4789_: i32;
+var phi_4791_: i32;
+var phi_4819_: type_20;
+var phi_4820_: type_20;
+var phi_4900_: type_20;
+var phi_4901_: type_20;
+var phi_4919_: type_20;
 var local_7: i32;
 var local_8: i32;
-var phi_5342_: type_20;
-var phi_5343_: type_20;
-var phi_5321_: type_20;
-var phi_5344_: type_20;
+var phi_5367_: type_20;
+var phi_5368_: type_20;
+var phi_5346_: type_20;
+var phi_5369_: type_20;
 var local_9: i32;
 var local_10: i32;
-var phi_2578_: type_20;
-var phi_5350_: type_21;
-var phi_5351_: type_20;
-var phi_5352_: i32;
-var phi_5353_: type_21;
-var phi_5354_: type_20;
-var phi_5355_: i32;
-var phi_5357_: type_21;
-var phi_5358_: type_20;
-var phi_5359_: i32;
-var phi_5361_: bool;
-var phi_5372_: type_21;
-var phi_5373_: type_20;
-var phi_5374_: i32;
-var phi_5376_: bool;
-var phi_5377_: bool;
-var phi_5674_: type_20;
-var phi_5675_: type_20;
+var phi_2603_: type_20;
+var phi_5375_: type_21;
+var phi_5376_: type_20;
+var phi_5377_: i32;
+var phi_5378_: type_21;
+var phi_5379_: type_20;
+var phi_5380_: i32;
+var phi_5382_: type_21;
+var phi_5383_: type_20;
+var phi_5384_: i32;
+var phi_5386_: bool;
+var phi_5397_: type_21;
+var phi_5398_: type_20;
+var phi_5399_: i32;
+var phi_5401_: bool;
+var phi_5402_: bool;
+var phi_5699_: type_20;
+var phi_5700_: type_20;
 var local_11: i32;
 var local_12: i32;
-var phi_5942_: type_20;
-var phi_6230_: type_21;
-var phi_6231_: type_20;
-var phi_6237_: type_21;
-var phi_6238_: type_20;
+var phi_5967_: type_20;
+var phi_6255_: type_21;
+var phi_6256_: type_20;
+var phi_6262_: type_21;
+var phi_6263_: type_20;
 var phi_1408_: i32;
 var phi_2022_: i32;
-var phi_2161_: type_21;
-var phi_2153_: bool;
-var phi_2154_: bool;
-var phi_2162_: type_21;
-var phi_2163_: bool;
-var phi_2170_: type_21;
-var phi_2171_: type_20;
-var phi_2172_: type_21;
-var phi_2173_: type_20;
-var phi_2175_: type_21;
-var phi_2176_: type_20;
-var phi_2177_: bool;
-var phi_2181_: type_21;
-var phi_2182_: type_20;
-var phi_2183_: bool;
+var phi_2186_: type_21;
+var phi_2178_: bool;
+var phi_2179_: bool;
 var phi_2187_: type_21;
-var phi_2188_: type_20;
-var phi_6240_: type_21;
-var phi_6241_: type_20;
-var phi_6242_: i32;
+var phi_2188_: bool;
+var phi_2195_: type_21;
+var phi_2196_: type_20;
+var phi_2197_: type_21;
+var phi_2198_: type_20;
+var phi_2200_: type_21;
+var phi_2201_: type_20;
+var phi_2202_: bool;
+var phi_2206_: type_21;
+var phi_2207_: type_20;
+var phi_2208_: bool;
+var phi_2212_: type_21;
+var phi_2213_: type_20;
+var phi_6265_: type_21;
+var phi_6266_: type_20;
+var phi_6267_: i32;
 var phi_1095_: type_21;
 var phi_1098_: type_20;
 var phi_1100_: i32;
 var phi_1102_: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_6248_: i32;
+var phi_6273_: i32;
 var local_15: type_21;
 var local_16: type_21;
 var local_17: type_21;
@@ -577,9 +577,9 @@ let _e3634 = phi_1408_;
 let _e3652 = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e3634, _e686.member_16, _e686.member_17);
 let _e3653 = select(-1i, select(0i, select(select(i32(_e3608), i32(-2147483648), (_e3608 < -2147483600f)), 2147483647i, (_e3608 > 2147483500f)), (_e3608 == _e3608)), _e3599);
 if (_e3653 < 0i) {
-phi_2181_ = type_21();
-phi_2182_ = type_20();
-phi_2183_ = true;
+phi_2206_ = type_21();
+phi_2207_ = type_20();
+phi_2208_ = true;
 } else {
 let _e3659 = bitcast<f32>((bitcast<u32>(_e686.member_1.x) & 2147483647u));
 let _e3663 = bitcast<f32>((bitcast<u32>(_e686.member_1.y) & 2147483647u));
@@ -642,9 +642,9 @@ let _e3818 = ((_e3810 + _e3813) + _e3816);
 let _e3832 = (!(((((_e3810 < 0f) || (_e3813 < 0f)) || (_e3816 < 0f)) && (((_e3810 > 0f) || (_e3813 > 0f)) || (_e3816 > 0f)))) && (_e3818 != 0f));
 let _e3840 = select(1e30f, ((((_e3810 * (_e3720 * _e3680)) + (_e3813 * (_e3761 * _e3680))) + (_e3816 * (_e3802 * _e3680))) / select(1f, _e3818, _e3832)), _e3832);
 if (_e3840 >= _e3472) {
-phi_2175_ = type_21();
-phi_2176_ = type_20();
-phi_2177_ = true;
+phi_2200_ = type_21();
+phi_2201_ = type_20();
+phi_2202_ = true;
 } else {
 let _e3842 = (_e3734 - _e3693);
 let _e3843 = (_e3743 - _e3702);
@@ -669,7 +669,8 @@ let _e3897 = (_e3896 * 4i);
 let _e3899 = (bitcast<i32>(_e112) - 1i);
 let _e3901 = select(_e3899, _e3897, (_e3897 < _e3899));
 let _e3907 = global_4.member[bitcast<u32>(select(0i, _e3901, (_e3901 > 0i)))];
-let _e3910 = (select(_e3907, 1f, (_e3896 == 16i)) == 0f);
+let _e3909 = select(_e3907, 1f, (_e3896 == 16i));
+let _e3910 = (_e3909 <= 0f);
 if _e3910 {
 phi_2022_ = 0i;
 } else {
@@ -679,98 +680,98 @@ let _e3915 = phi_2022_;
 let _e3916 = (_e3875 < 0f);
 let _e3917 = select(_e3915, 0i, _e3916);
 let _e3918 = select(0i, _e3915, _e3916);
-let _e3926 = (_e3840 * _e3880);
-let _e3939 = (((_e3840 > _e684.member_2) && (_e684.member_2 > 0f)) || (((_e3926 > (_e3465 * 2f)) || (((_e3910 || ((_e3918 & ~(_e690)) != 0i)) || ((_e3917 & _e690) != 0i)) && (_e3926 >= -((_e3465 * 0.5f))))) && (_e684.member_2 <= 0f)));
-if _e3939 {
-let _e3940 = (_e3840 < _e686.member_17);
-if (_e3467 && ((bitcast<f32>((bitcast<u32>((_e3840 - _e686.member_17)) & 2147483647u)) * select(_e684.member_4, _e3880, (_e3880 > _e684.member_4))) <= _e3465)) {
-let _e3973 = type_21((_e684.member | _e3918), _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
-let _e3980 = type_21(_e3973.member, (_e684.member_1 | _e3917), _e3973.member_2, _e3973.member_3, _e3973.member_4);
-let _e3990 = ((_e686.member_16 * 19i) + 18i);
-let _e3992 = select(_e3685, _e3990, (_e3990 < _e3685));
-let _e3998 = global_3.member[bitcast<u32>(select(0i, _e3992, (_e3992 > 0i)))];
-let _e4005 = select(0i, select(select(i32(_e3998), i32(-2147483648), (_e3998 < -2147483600f)), 2147483647i, (_e3998 > 2147483500f)), (_e3998 == _e3998));
-let _e4006 = (_e4005 * 4i);
-let _e4008 = select(_e3899, _e4006, (_e4006 < _e3899));
-let _e4014 = global_4.member[bitcast<u32>(select(0i, _e4008, (_e4008 > 0i)))];
-if (_e3910 != (select(_e4014, 1f, (_e4005 == 16i)) == 0f)) {
-phi_2154_ = _e3910;
-} else {
-if (!(_e3910) && (_e3896 != _e4005)) {
-phi_2153_ = (_e3896 < _e4005);
-} else {
-phi_2153_ = _e3940;
-}
-let _e4024 = phi_2153_;
-phi_2154_ = _e4024;
-}
-let _e4026 = phi_2154_;
-phi_2162_ = type_21(_e3980.member, _e3980.member_1, _e3980.member_2, select(_e3840, _e684.member_3, (_e684.member_3 > _e3840)), _e3980.member_4);
-phi_2163_ = _e4026;
-} else {
+let _e3927 = (_e3840 * _e3880);
+let _e3940 = (((_e3840 > _e684.member_2) && (_e684.member_2 > 0f)) || (((_e3927 > (_e3465 * 2f)) || ((((_e3909 == 0f) || ((_e3918 & ~(_e690)) != 0i)) || ((_e3917 & _e690) != 0i)) && (_e3927 >= -((_e3465 * 0.5f))))) && (_e684.member_2 <= 0f)));
 if _e3940 {
-let _e3954 = type_21(_e3918, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
-let _e3959 = type_21(_e3954.member, _e3917, _e3954.member_2, _e3954.member_3, _e3954.member_4);
-phi_2161_ = type_21(_e3959.member, _e3959.member_1, _e3959.member_2, _e3840, _e3959.member_4);
+let _e3941 = (_e3840 < _e686.member_17);
+if (_e3467 && ((bitcast<f32>((bitcast<u32>((_e3840 - _e686.member_17)) & 2147483647u)) * select(_e684.member_4, _e3880, (_e3880 > _e684.member_4))) <= _e3465)) {
+let _e3974 = type_21((_e684.member | _e3918), _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
+let _e3981 = type_21(_e3974.member, (_e684.member_1 | _e3917), _e3974.member_2, _e3974.member_3, _e3974.member_4);
+let _e3991 = ((_e686.member_16 * 19i) + 18i);
+let _e3993 = select(_e3685, _e3991, (_e3991 < _e3685));
+let _e3999 = global_3.member[bitcast<u32>(select(0i, _e3993, (_e3993 > 0i)))];
+let _e4006 = select(0i, select(select(i32(_e3999), i32(-2147483648), (_e3999 < -2147483600f)), 2147483647i, (_e3999 > 2147483500f)), (_e3999 == _e3999));
+let _e4007 = (_e4006 * 4i);
+let _e4009 = select(_e3899, _e4007, (_e4007 < _e3899));
+let _e4015 = global_4.member[bitcast<u32>(select(0i, _e4009, (_e4009 > 0i)))];
+if (_e3910 != (select(_e4015, 1f, (_e4006 == 16i)) <= 0f)) {
+phi_2179_ = _e3910;
 } else {
-phi_2161_ = _e684;
-}
-let _e3966 = phi_2161_;
-phi_2162_ = _e3966;
-phi_2163_ = _e3940;
-}
-let _e4028 = phi_2162_;
-let _e4030 = phi_2163_;
-if _e4030 {
-let _e4048 = type_20(_e3652.member, _e3652.member_1, _e3652.member_2, _e3652.member_3, _e3652.member_4, _e3652.member_5, _e3652.member_6, _e3652.member_7, _e3652.member_8, _e3652.member_9, _e3652.member_10, _e3652.member_11, _e3652.member_12, _e3652.member_13, _e3652.member_14, _e3652.member_15, _e3653, _e3652.member_17);
-phi_2170_ = type_21(_e4028.member, _e4028.member_1, _e4028.member_2, _e4028.member_3, _e3880);
-phi_2171_ = type_20(_e4048.member, _e4048.member_1, _e4048.member_2, _e4048.member_3, _e4048.member_4, _e4048.member_5, _e4048.member_6, _e4048.member_7, _e4048.member_8, _e4048.member_9, _e4048.member_10, _e4048.member_11, _e4048.member_12, _e4048.member_13, _e4048.member_14, _e4048.member_15, _e4048.member_16, _e3840);
+if (!(_e3910) && (_e3896 != _e4006)) {
+phi_2178_ = (_e3896 < _e4006);
 } else {
-phi_2170_ = _e4028;
-phi_2171_ = _e3652;
+phi_2178_ = _e3941;
 }
-let _e4073 = phi_2170_;
-let _e4075 = phi_2171_;
-phi_2172_ = _e4073;
-phi_2173_ = _e4075;
+let _e4025 = phi_2178_;
+phi_2179_ = _e4025;
+}
+let _e4027 = phi_2179_;
+phi_2187_ = type_21(_e3981.member, _e3981.member_1, _e3981.member_2, select(_e3840, _e684.member_3, (_e684.member_3 > _e3840)), _e3981.member_4);
+phi_2188_ = _e4027;
 } else {
-phi_2172_ = type_21();
-phi_2173_ = type_20();
-}
-let _e4077 = phi_2172_;
-let _e4079 = phi_2173_;
-phi_2175_ = _e4077;
-phi_2176_ = _e4079;
-phi_2177_ = select(true, false, _e3939);
-}
-let _e4082 = phi_2175_;
-let _e4084 = phi_2176_;
-let _e4086 = phi_2177_;
-phi_2181_ = _e4082;
-phi_2182_ = _e4084;
-phi_2183_ = _e4086;
-}
-let _e4088 = phi_2181_;
-let _e4090 = phi_2182_;
-let _e4092 = phi_2183_;
-if _e4092 {
-phi_2187_ = _e684;
-phi_2188_ = _e3652;
+if _e3941 {
+let _e3955 = type_21(_e3918, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
+let _e3960 = type_21(_e3955.member, _e3917, _e3955.member_2, _e3955.member_3, _e3955.member_4);
+phi_2186_ = type_21(_e3960.member, _e3960.member_1, _e3960.member_2, _e3840, _e3960.member_4);
 } else {
-phi_2187_ = _e4088;
-phi_2188_ = _e4090;
+phi_2186_ = _e684;
 }
-let _e4094 = phi_2187_;
-let _e4096 = phi_2188_;
-phi_6240_ = _e4094;
-phi_6241_ = _e4096;
-phi_6242_ = _e690;
+let _e3967 = phi_2186_;
+phi_2187_ = _e3967;
+phi_2188_ = _e3941;
+}
+let _e4029 = phi_2187_;
+let _e4031 = phi_2188_;
+if _e4031 {
+let _e4049 = type_20(_e3652.member, _e3652.member_1, _e3652.member_2, _e3652.member_3, _e3652.member_4, _e3652.member_5, _e3652.member_6, _e3652.member_7, _e3652.member_8, _e3652.member_9, _e3652.member_10, _e3652.member_11, _e3652.member_12, _e3652.member_13, _e3652.member_14, _e3652.member_15, _e3653, _e3652.member_17);
+phi_2195_ = type_21(_e4029.member, _e4029.member_1, _e4029.member_2, _e4029.member_3, _e3880);
+phi_2196_ = type_20(_e4049.member, _e4049.member_1, _e4049.member_2, _e4049.member_3, _e4049.member_4, _e4049.member_5, _e4049.member_6, _e4049.member_7, _e4049.member_8, _e4049.member_9, _e4049.member_10, _e4049.member_11, _e4049.member_12, _e4049.member_13, _e4049.member_14, _e4049.member_15, _e4049.member_16, _e3840);
 } else {
-phi_2190_ = 15i;
-phi_2193_ = 16i;
+phi_2195_ = _e4029;
+phi_2196_ = _e3652;
+}
+let _e4074 = phi_2195_;
+let _e4076 = phi_2196_;
+phi_2197_ = _e4074;
+phi_2198_ = _e4076;
+} else {
+phi_2197_ = type_21();
+phi_2198_ = type_20();
+}
+let _e4078 = phi_2197_;
+let _e4080 = phi_2198_;
+phi_2200_ = _e4078;
+phi_2201_ = _e4080;
+phi_2202_ = select(true, false, _e3940);
+}
+let _e4083 = phi_2200_;
+let _e4085 = phi_2201_;
+let _e4087 = phi_2202_;
+phi_2206_ = _e4083;
+phi_2207_ = _e4085;
+phi_2208_ = _e4087;
+}
+let _e4089 = phi_2206_;
+let _e4091 = phi_2207_;
+let _e4093 = phi_2208_;
+if _e4093 {
+phi_2212_ = _e684;
+phi_2213_ = _e3652;
+} else {
+phi_2212_ = _e4089;
+phi_2213_ = _e4091;
+}
+let _e4095 = phi_2212_;
+let _e4097 = phi_2213_;
+phi_6265_ = _e4095;
+phi_6266_ = _e4097;
+phi_6267_ = _e690;
+} else {
+phi_2215_ = 15i;
+phi_2218_ = 16i;
 loop {
-let _e699 = phi_2190_;
-let _e701 = phi_2193_;
+let _e699 = phi_2215_;
+let _e701 = phi_2218_;
 local = _e701;
 local_1 = _e701;
 local_3 = _e701;
@@ -782,46 +783,46 @@ local_11 = _e701;
 local_12 = _e701;
 let _e702 = (_e699 >= 0i);
 if _e702 {
-phi_2191_ = (_e699 - 1i);
-phi_2194_ = select(_e701, _e699, (((_e690 >> bitcast<u32>((_e699 & 31i))) & 1i) == 1i));
+phi_2216_ = (_e699 - 1i);
+phi_2219_ = select(_e701, _e699, (((_e690 >> bitcast<u32>((_e699 & 31i))) & 1i) == 1i));
 } else {
-phi_2191_ = i32();
-phi_2194_ = i32();
+phi_2216_ = i32();
+phi_2219_ = i32();
 }
-let _e711 = phi_2191_;
-let _e713 = phi_2194_;
+let _e711 = phi_2216_;
+let _e713 = phi_2219_;
 continue;
 continuing {
-phi_2190_ = _e711;
-phi_2193_ = _e713;
+phi_2215_ = _e711;
+phi_2218_ = _e713;
 break if !(_e702);
 }
 }
 let _e716 = (_e686.member_16 >= 0i);
 let _e725 = ((_e690 | (_e684.member & ~(_e684.member_1))) & ~((_e684.member_1 & ~(_e684.member))));
-phi_2224_ = 15i;
-phi_2227_ = 16i;
+phi_2249_ = 15i;
+phi_2252_ = 16i;
 loop {
-let _e727 = phi_2224_;
-let _e729 = phi_2227_;
+let _e727 = phi_2249_;
+let _e729 = phi_2252_;
 local_2 = _e729;
 local_4 = _e729;
 local_5 = _e729;
 local_8 = _e729;
 let _e730 = (_e727 >= 0i);
 if _e730 {
-phi_2225_ = (_e727 - 1i);
-phi_2228_ = select(_e729, _e727, (((_e725 >> bitcast<u32>((_e727 & 31i))) & 1i) == 1i));
+phi_2250_ = (_e727 - 1i);
+phi_2253_ = select(_e729, _e727, (((_e725 >> bitcast<u32>((_e727 & 31i))) & 1i) == 1i));
 } else {
-phi_2225_ = i32();
-phi_2228_ = i32();
+phi_2250_ = i32();
+phi_2253_ = i32();
 }
-let _e739 = phi_2225_;
-let _e741 = phi_2228_;
+let _e739 = phi_2250_;
+let _e741 = phi_2253_;
 continue;
 continuing {
-phi_2224_ = _e739;
-phi_2227_ = _e741;
+phi_2249_ = _e739;
+phi_2252_ = _e741;
 break if !(_e730);
 }
 }
@@ -840,17 +841,17 @@ let _e770 = (_e769 * 4i);
 let _e772 = (bitcast<i32>(_e112) - 1i);
 let _e774 = select(_e772, _e770, (_e770 < _e772));
 let _e780 = global_4.member[bitcast<u32>(select(0i, _e774, (_e774 > 0i)))];
-let _e783 = (select(_e780, 1f, (_e769 == 16i)) == 0f);
+let _e783 = (select(_e780, 1f, (_e769 == 16i)) <= 0f);
 if _e749 {
-phi_5357_ = type_21();
-phi_5358_ = type_20();
-phi_5359_ = i32();
-phi_5361_ = false;
+phi_5382_ = type_21();
+phi_5383_ = type_20();
+phi_5384_ = i32();
+phi_5386_ = false;
 } else {
 if _e783 {
-phi_5353_ = type_21();
-phi_5354_ = type_20();
-phi_5355_ = i32();
+phi_5378_ = type_21();
+phi_5379_ = type_20();
+phi_5380_ = i32();
 } else {
 let _e785 = local_1;
 let _e787 = local_2;
@@ -901,11 +902,11 @@ let _e2722 = select(0i, select(select(i32(_e2715), i32(-2147483648), (_e2715 < -
 let _e2726 = (_e2722 - select(0i, 1i, (_e2715 < f32(_e2722))));
 let _e2727 = f32(_e2726);
 let _e2731 = ((_e2709 - (_e2727 * 0.6933594f)) - (_e2727 * -2.1219444e-4f));
-phi_2578_ = type_20(_e2577.member, _e2577.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e2617 * (1f + (_e2617 * (0.5f + (_e2617 * (0.16666667f + (_e2617 * (0.041666668f + (_e2617 * (0.008333334f + (_e2617 * (0.001388889f + (_e2617 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2612 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e2674 * (1f + (_e2674 * (0.5f + (_e2674 * (0.16666667f + (_e2674 * (0.041666668f + (_e2674 * (0.008333334f + (_e2674 * (0.001388889f + (_e2674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2669 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e2731 * (1f + (_e2731 * (0.5f + (_e2731 * (0.16666667f + (_e2731 * (0.041666668f + (_e2731 * (0.008333334f + (_e2731 * (0.001388889f + (_e2731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2726 + 127i)) << bitcast<u32>(23i)))))), _e2577.member_3, _e2577.member_4, _e2577.member_5, _e2577.member_6, _e2577.member_7, _e2577.member_8, _e2577.member_9, _e2577.member_10, _e2577.member_11, _e2577.member_12, _e2577.member_13, _e2577.member_14, _e2577.member_15, _e2577.member_16, _e2577.member_17);
+phi_2603_ = type_20(_e2577.member, _e2577.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e2617 * (1f + (_e2617 * (0.5f + (_e2617 * (0.16666667f + (_e2617 * (0.041666668f + (_e2617 * (0.008333334f + (_e2617 * (0.001388889f + (_e2617 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2612 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e2674 * (1f + (_e2674 * (0.5f + (_e2674 * (0.16666667f + (_e2674 * (0.041666668f + (_e2674 * (0.008333334f + (_e2674 * (0.001388889f + (_e2674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2669 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e2731 * (1f + (_e2731 * (0.5f + (_e2731 * (0.16666667f + (_e2731 * (0.041666668f + (_e2731 * (0.008333334f + (_e2731 * (0.001388889f + (_e2731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2726 + 127i)) << bitcast<u32>(23i)))))), _e2577.member_3, _e2577.member_4, _e2577.member_5, _e2577.member_6, _e2577.member_7, _e2577.member_8, _e2577.member_9, _e2577.member_10, _e2577.member_11, _e2577.member_12, _e2577.member_13, _e2577.member_14, _e2577.member_15, _e2577.member_16, _e2577.member_17);
 } else {
-phi_2578_ = _e686;
+phi_2603_ = _e686;
 }
-let _e2781 = phi_2578_;
+let _e2781 = phi_2603_;
 let _e2788 = type_21(0i, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
 let _e2793 = type_21(_e2788.member, 0i, _e2788.member_2, _e2788.member_3, _e2788.member_4);
 let _e2805 = global_1.member.member_18.member.member;
@@ -923,9 +924,9 @@ let _e2868 = select(1e30f, select(0f, _e2865, (_e2865 > 0f)), ((_e2853 > 0f) && 
 let _e2872 = (_e2868 < _e2837);
 let _e2893 = type_20(_e2781.member, _e2781.member_1, _e2781.member_2, _e2781.member_3, _e2781.member_4, _e2781.member_5, _e2781.member_6, _e2781.member_7, _e2781.member_8, _e2781.member_9, _e2781.member_10, _e2781.member_11, _e2781.member_12, _e2781.member_13, _e2781.member_14, 0i, _e2781.member_16, _e2781.member_17);
 let _e2911 = type_20(_e2893.member, _e2893.member_1, _e2893.member_2, _e2893.member_3, _e2893.member_4, _e2893.member_5, _e2893.member_6, _e2893.member_7, _e2893.member_8, _e2893.member_9, _e2893.member_10, _e2893.member_11, _e2893.member_12, _e2893.member_13, _e2893.member_14, _e2893.member_15, select(select(-2i, -3i, _e2872), -1i, ((_e2837 >= 1e30f) && (_e2868 >= 1e30f))), _e2893.member_17);
-phi_5350_ = type_21(_e2793.member, _e2793.member_1, select(1.1754944e-38f, _e684.member_3, (_e684.member_3 > 1.1754944e-38f)), _e2793.member_3, _e2793.member_4);
-phi_5351_ = type_20(_e2911.member, _e2911.member_1, _e2911.member_2, _e2911.member_3, _e2911.member_4, _e2911.member_5, _e2911.member_6, _e2911.member_7, _e2911.member_8, _e2911.member_9, _e2911.member_10, _e2911.member_11, _e2911.member_12, _e2911.member_13, _e2911.member_14, _e2911.member_15, _e2911.member_16, select(_e2837, _e2868, _e2872));
-phi_5352_ = _e725;
+phi_5375_ = type_21(_e2793.member, _e2793.member_1, select(1.1754944e-38f, _e684.member_3, (_e684.member_3 > 1.1754944e-38f)), _e2793.member_3, _e2793.member_4);
+phi_5376_ = type_20(_e2911.member, _e2911.member_1, _e2911.member_2, _e2911.member_3, _e2911.member_4, _e2911.member_5, _e2911.member_6, _e2911.member_7, _e2911.member_8, _e2911.member_9, _e2911.member_10, _e2911.member_11, _e2911.member_12, _e2911.member_13, _e2911.member_14, _e2911.member_15, _e2911.member_16, select(_e2837, _e2868, _e2872));
+phi_5377_ = _e725;
 } else {
 let _e790 = select(_e754, _e751, (_e751 < _e754));
 let _e796 = global_3.member[bitcast<u32>(select(0i, _e790, (_e790 > 0i)))];
@@ -1116,11 +1117,11 @@ let _e1381 = select(0i, select(select(i32(_e1374), i32(-2147483648), (_e1374 < -
 let _e1385 = (_e1381 - select(0i, 1i, (_e1374 < f32(_e1381))));
 let _e1386 = f32(_e1385);
 let _e1390 = ((_e1368 - (_e1386 * 0.6933594f)) - (_e1386 * -2.1219444e-4f));
-phi_3860_ = type_20(_e1239.member, _e1239.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e1276 * (1f + (_e1276 * (0.5f + (_e1276 * (0.16666667f + (_e1276 * (0.041666668f + (_e1276 * (0.008333334f + (_e1276 * (0.001388889f + (_e1276 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1271 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e1333 * (1f + (_e1333 * (0.5f + (_e1333 * (0.16666667f + (_e1333 * (0.041666668f + (_e1333 * (0.008333334f + (_e1333 * (0.001388889f + (_e1333 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1328 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e1390 * (1f + (_e1390 * (0.5f + (_e1390 * (0.16666667f + (_e1390 * (0.041666668f + (_e1390 * (0.008333334f + (_e1390 * (0.001388889f + (_e1390 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1385 + 127i)) << bitcast<u32>(23i)))))), _e1239.member_3, _e1239.member_4, _e1239.member_5, _e1239.member_6, _e1239.member_7, _e1239.member_8, _e1239.member_9, _e1239.member_10, _e1239.member_11, _e1239.member_12, _e1239.member_13, _e1239.member_14, _e1239.member_15, _e1239.member_16, _e1239.member_17);
+phi_3885_ = type_20(_e1239.member, _e1239.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e1276 * (1f + (_e1276 * (0.5f + (_e1276 * (0.16666667f + (_e1276 * (0.041666668f + (_e1276 * (0.008333334f + (_e1276 * (0.001388889f + (_e1276 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1271 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e1333 * (1f + (_e1333 * (0.5f + (_e1333 * (0.16666667f + (_e1333 * (0.041666668f + (_e1333 * (0.008333334f + (_e1333 * (0.001388889f + (_e1333 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1328 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e1390 * (1f + (_e1390 * (0.5f + (_e1390 * (0.16666667f + (_e1390 * (0.041666668f + (_e1390 * (0.008333334f + (_e1390 * (0.001388889f + (_e1390 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1385 + 127i)) << bitcast<u32>(23i)))))), _e1239.member_3, _e1239.member_4, _e1239.member_5, _e1239.member_6, _e1239.member_7, _e1239.member_8, _e1239.member_9, _e1239.member_10, _e1239.member_11, _e1239.member_12, _e1239.member_13, _e1239.member_14, _e1239.member_15, _e1239.member_16, _e1239.member_17);
 } else {
-phi_3860_ = _e686;
+phi_3885_ = _e686;
 }
-let _e1440 = phi_3860_;
+let _e1440 = phi_3885_;
 let _e1476 = type_20(vec3<f32>((_e1440.member.x + (_e1440.member_1.x * _e1440.member_17)), (_e1440.member.y + (_e1440.member_1.y * _e1440.member_17)), (_e1440.member.z + (_e1440.member_1.z * _e1440.member_17))), _e1440.member_1, _e1440.member_2, _e1440.member_3, _e1440.member_4, _e1440.member_5, _e1440.member_6, _e1440.member_7, _e1440.member_8, _e1440.member_9, _e1440.member_10, _e1440.member_11, _e1440.member_12, _e1440.member_13, _e1440.member_14, _e1440.member_15, _e1440.member_16, _e1440.member_17);
 let _e1496 = type_20(_e1476.member, _e1476.member_1, _e1476.member_2, _e1476.member_3, _e1476.member_4, (_e1440.member_5 + _e1440.member_17), _e1476.member_6, _e1476.member_7, _e1476.member_8, _e1476.member_9, _e1476.member_10, _e1476.member_11, _e1476.member_12, _e1476.member_13, _e1476.member_14, _e1476.member_15, _e1476.member_16, _e1476.member_17);
 let _e1498 = (_e1440.member_8 == 0f);
@@ -1160,11 +1161,11 @@ let _e1630 = select(0f, select(select((((0.5f * _e1608) * _e1608) * (1f + (_e161
 let _e1631 = (_e1498 && _e747);
 if _e1498 {
 let _e1649 = type_20(_e1519.member, _e1519.member_1, _e1519.member_2, vec3<f32>(_e1208, _e1209, _e1210), _e1519.member_4, _e1519.member_5, _e1519.member_6, _e1519.member_7, _e1519.member_8, _e1519.member_9, _e1519.member_10, _e1519.member_11, _e1519.member_12, _e1519.member_13, _e1519.member_14, _e1519.member_15, _e1519.member_16, _e1519.member_17);
-phi_4366_ = type_20(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3, _e1649.member_4, _e1649.member_5, _e1649.member_6, _e1649.member_7, _e1649.member_8, _e1649.member_9, _e1649.member_10, select(0f, _e1630, _e1631), _e1649.member_12, _e1649.member_13, _e1649.member_14, _e1649.member_15, _e1649.member_16, _e1649.member_17);
+phi_4391_ = type_20(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3, _e1649.member_4, _e1649.member_5, _e1649.member_6, _e1649.member_7, _e1649.member_8, _e1649.member_9, _e1649.member_10, select(0f, _e1630, _e1631), _e1649.member_12, _e1649.member_13, _e1649.member_14, _e1649.member_15, _e1649.member_16, _e1649.member_17);
 } else {
-phi_4366_ = _e1519;
+phi_4391_ = _e1519;
 }
-let _e1670 = phi_4366_;
+let _e1670 = phi_4391_;
 let _e1674 = select(24f, _e1670.member_8, (_e1670.member_8 < 24f));
 let _e1684 = (_e1670.member_14 >> bitcast<u32>((select(0i, select(select(i32(_e1674), i32(-2147483648), (_e1674 < -2147483600f)), 2147483647i, (_e1674 > 2147483500f)), (_e1674 == _e1674)) & 31i)));
 let _e1686 = ((_e1684 & 1i) == 1i);
@@ -1224,28 +1225,28 @@ let _e1924 = ((_e1670.member_13.x + _e1670.member_13.y) + _e1670.member_13.z);
 if ((((_e1627 & 8u) != 0u) && (_e1912 < 24i)) && (((_e1902 + _e1903) + _e1904) > _e1924)) {
 if (_e1924 > 0f) {
 if (_e1670.member_14 == 0i) {
-phi_4764_ = 0i;
+phi_4789_ = 0i;
 } else {
-phi_4764_ = (_e1670.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1670.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
+phi_4789_ = (_e1670.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1670.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
 }
-let _e1968 = phi_4764_;
-phi_4766_ = _e1968;
+let _e1968 = phi_4789_;
+phi_4791_ = _e1968;
 } else {
-phi_4766_ = _e1670.member_14;
+phi_4791_ = _e1670.member_14;
 }
-let _e1970 = phi_4766_;
+let _e1970 = phi_4791_;
 let _e1992 = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, _e1670.member_12, _e1670.member_13, (_e1970 | (1i << bitcast<u32>((_e1912 & 31i)))), _e1670.member_15, _e1670.member_16, _e1670.member_17);
 let _e2020 = type_20(_e1992.member, _e1992.member_1, _e1992.member_2, _e1992.member_3, _e1992.member_4, _e1992.member_5, _e1992.member_6, _e1992.member_7, _e1992.member_8, _e1992.member_9, _e1992.member_10, _e1992.member_11, vec3<f32>((_e1670.member_12.x + _e1670.member_13.x), (_e1670.member_12.y + _e1670.member_13.y), (_e1670.member_12.z + _e1670.member_13.z)), _e1992.member_13, _e1992.member_14, _e1992.member_15, _e1992.member_16, _e1992.member_17);
-phi_4794_ = type_20(_e2020.member, _e2020.member_1, _e2020.member_2, _e2020.member_3, _e2020.member_4, _e2020.member_5, _e2020.member_6, _e2020.member_7, _e2020.member_8, _e2020.member_9, _e2020.member_10, _e2020.member_11, _e2020.member_12, vec3<f32>(_e1902, _e1903, _e1904), _e2020.member_14, _e2020.member_15, _e2020.member_16, _e2020.member_17);
+phi_4819_ = type_20(_e2020.member, _e2020.member_1, _e2020.member_2, _e2020.member_3, _e2020.member_4, _e2020.member_5, _e2020.member_6, _e2020.member_7, _e2020.member_8, _e2020.member_9, _e2020.member_10, _e2020.member_11, _e2020.member_12, vec3<f32>(_e1902, _e1903, _e1904), _e2020.member_14, _e2020.member_15, _e2020.member_16, _e2020.member_17);
 } else {
-phi_4794_ = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, vec3<f32>((_e1670.member_12.x + _e1902), (_e1670.member_12.y + _e1903), (_e1670.member_12.z + _e1904)), _e1670.member_13, _e1670.member_14, _e1670.member_15, _e1670.member_16, _e1670.member_17);
+phi_4819_ = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, vec3<f32>((_e1670.member_12.x + _e1902), (_e1670.member_12.y + _e1903), (_e1670.member_12.z + _e1904)), _e1670.member_13, _e1670.member_14, _e1670.member_15, _e1670.member_16, _e1670.member_17);
 }
-let _e2040 = phi_4794_;
-phi_4795_ = _e2040;
+let _e2040 = phi_4819_;
+phi_4820_ = _e2040;
 } else {
-phi_4795_ = _e1670;
+phi_4820_ = _e1670;
 }
-let _e2042 = phi_4795_;
+let _e2042 = phi_4820_;
 let _e2044 = (_e2042.member_8 + 1f);
 let _e2062 = type_20(_e2042.member, _e2042.member_1, _e2042.member_2, _e2042.member_3, _e2042.member_4, _e2042.member_5, _e2042.member_6, _e2042.member_7, _e2044, _e2042.member_9, _e2042.member_10, _e2042.member_11, _e2042.member_12, _e2042.member_13, _e2042.member_14, _e2042.member_15, _e2042.member_16, _e2042.member_17);
 let _e2066 = !(_e1686);
@@ -1258,27 +1259,27 @@ let _e2136 = (_e2042.member_1.z - (_e1210 * _e2130));
 let _e2141 = (((_e2134 * _e2134) + (_e2135 * _e2135)) + (_e2136 * _e2136));
 let _e2144 = sqrt(select(0f, _e2141, (_e2141 > 0f)));
 let _e2147 = (1f / select(1e-20f, _e2144, (_e2144 > 1e-20f)));
-phi_4876_ = type_20(_e2062.member, vec3<f32>((_e2134 * _e2147), (_e2135 * _e2147), (_e2136 * _e2147)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4901_ = type_20(_e2062.member, vec3<f32>((_e2134 * _e2147), (_e2135 * _e2147), (_e2136 * _e2147)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 } else {
 if _e1686 {
 let _e2091 = (((_e1576 * _e1576) + (_e1577 * _e1577)) + (_e1578 * _e1578));
 let _e2094 = sqrt(select(0f, _e2091, (_e2091 > 0f)));
 let _e2097 = (1f / select(1e-20f, _e2094, (_e2094 > 1e-20f)));
-phi_4875_ = type_20(_e2062.member, vec3<f32>((_e1576 * _e2097), (_e1577 * _e2097), (_e1578 * _e2097)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4900_ = type_20(_e2062.member, vec3<f32>((_e1576 * _e2097), (_e1577 * _e2097), (_e1578 * _e2097)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 } else {
-phi_4875_ = type_20(_e2062.member, vec3<f32>((_e1579 * _e1592), (_e1580 * _e1592), (_e1581 * _e1592)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4900_ = type_20(_e2062.member, vec3<f32>((_e1579 * _e1592), (_e1580 * _e1592), (_e1581 * _e1592)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 }
-let _e2121 = phi_4875_;
-phi_4876_ = _e2121;
+let _e2121 = phi_4900_;
+phi_4901_ = _e2121;
 }
-let _e2171 = phi_4876_;
+let _e2171 = phi_4901_;
 if _e1557 {
-phi_4894_ = _e2171;
+phi_4919_ = _e2171;
 } else {
 let _e2173 = select((1f - _e1630), _e1630, _e1686);
-phi_4894_ = type_20(_e2171.member, _e2171.member_1, vec3<f32>((_e2171.member_2.x * _e2173), (_e2171.member_2.y * _e2173), (_e2171.member_2.z * _e2173)), _e2171.member_3, _e2171.member_4, _e2171.member_5, _e2171.member_6, _e2171.member_7, _e2171.member_8, _e2171.member_9, _e2171.member_10, _e2171.member_11, _e2171.member_12, _e2171.member_13, _e2171.member_14, _e2171.member_15, _e2171.member_16, _e2171.member_17);
+phi_4919_ = type_20(_e2171.member, _e2171.member_1, vec3<f32>((_e2171.member_2.x * _e2173), (_e2171.member_2.y * _e2173), (_e2171.member_2.z * _e2173)), _e2171.member_3, _e2171.member_4, _e2171.member_5, _e2171.member_6, _e2171.member_7, _e2171.member_8, _e2171.member_9, _e2171.member_10, _e2171.member_11, _e2171.member_12, _e2171.member_13, _e2171.member_14, _e2171.member_15, _e2171.member_16, _e2171.member_17);
 }
-let _e2203 = phi_4894_;
+let _e2203 = phi_4919_;
 let _e2221 = type_20(_e2203.member, _e2203.member_1, _e2203.member_2, _e2203.member_3, _e2203.member_4, 0f, _e2203.member_6, _e2203.member_7, _e2203.member_8, _e2203.member_9, _e2203.member_10, _e2203.member_11, _e2203.member_12, _e2203.member_13, _e2203.member_14, _e2203.member_15, _e2203.member_16, _e2203.member_17);
 let _e2228 = global_1.member.member_18.member.member;
 let _e2242 = ((((_e2228.member.member * _e2203.member.x) + (_e2228.member.member_1 * _e2203.member.y)) + (_e2228.member.member_2 * _e2203.member.z)) + _e2228.member_1);
@@ -1304,89 +1305,89 @@ let _e2357 = local_8;
 let _e2360 = ((_e1627 & 2u) != 0u);
 if (_e2067 && !(_e2360)) {
 if (_e2297 == -1i) {
-phi_5321_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 1f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5346_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 1f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
 let _e2446 = type_20(vec3<f32>((_e2203.member.x + (_e2203.member_1.x * _e2298)), (_e2203.member.y + (_e2203.member_1.y * _e2298)), (_e2203.member.z + (_e2203.member_1.z * _e2298))), _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, _e2352.member_6, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 let _e2465 = type_20(_e2446.member, _e2446.member_1, _e2446.member_2, _e2446.member_3, _e2446.member_4, (0f + _e2298), _e2446.member_6, _e2446.member_7, _e2446.member_8, _e2446.member_9, _e2446.member_10, _e2446.member_11, _e2446.member_12, _e2446.member_13, _e2446.member_14, _e2446.member_15, _e2446.member_16, _e2446.member_17);
 let _e2484 = type_20(_e2465.member, _e2465.member_1, _e2465.member_2, _e2465.member_3, _e2465.member_4, _e2465.member_5, _e2465.member_6, _e2465.member_7, _e2465.member_8, _e2465.member_9, _e2465.member_10, _e2465.member_11, _e2465.member_12, _e2465.member_13, _e2465.member_14, _e2465.member_15, _e2465.member_16, (_e2298 - _e2298));
 let _e2507 = type_20(_e2484.member, _e2484.member_1, _e2484.member_2, _e2484.member_3, _e2484.member_4, _e2484.member_5, _e2484.member_6, _e2484.member_7, _e2484.member_8, _e2484.member_9, (_e2203.member_10 + select(0f, _e2298, (_e2203.member_8 == 0f))), _e2484.member_11, _e2484.member_12, _e2484.member_13, _e2484.member_14, _e2484.member_15, _e2484.member_16, _e2484.member_17);
-phi_5321_ = type_20(_e2507.member, _e2507.member_1, _e2507.member_2, _e2507.member_3, _e2507.member_4, _e2507.member_5, 3f, _e2507.member_7, _e2507.member_8, _e2507.member_9, _e2507.member_10, _e2507.member_11, _e2507.member_12, _e2507.member_13, _e2507.member_14, _e2507.member_15, _e2507.member_16, _e2507.member_17);
+phi_5346_ = type_20(_e2507.member, _e2507.member_1, _e2507.member_2, _e2507.member_3, _e2507.member_4, _e2507.member_5, 3f, _e2507.member_7, _e2507.member_8, _e2507.member_9, _e2507.member_10, _e2507.member_11, _e2507.member_12, _e2507.member_13, _e2507.member_14, _e2507.member_15, _e2507.member_16, _e2507.member_17);
 }
-let _e2545 = phi_5321_;
-phi_5344_ = _e2545;
+let _e2545 = phi_5346_;
+phi_5369_ = _e2545;
 } else {
 let _e2368 = global_1.member.member_5;
 if (((!(_e2067) && _e2066) && (_e2203.member_8 >= f32(bitcast<i32>(_e2368)))) && (select(_e2357, _e2355, _e2353) != 16i)) {
-phi_5343_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 2f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5368_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 2f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
 if _e2360 {
-phi_5342_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 4f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5367_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 4f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
-phi_5342_ = _e2352;
+phi_5367_ = _e2352;
 }
-let _e2394 = phi_5342_;
-phi_5343_ = _e2394;
+let _e2394 = phi_5367_;
+phi_5368_ = _e2394;
 }
-let _e2414 = phi_5343_;
-phi_5344_ = _e2414;
+let _e2414 = phi_5368_;
+phi_5369_ = _e2414;
 }
-let _e2547 = phi_5344_;
-phi_5350_ = type_21(_e1529.member, _e1529.member_1, 0f, _e1529.member_3, _e1529.member_4);
-phi_5351_ = _e2547;
-phi_5352_ = select(_e690, _e725, !(_e2353));
+let _e2547 = phi_5369_;
+phi_5375_ = type_21(_e1529.member, _e1529.member_1, 0f, _e1529.member_3, _e1529.member_4);
+phi_5376_ = _e2547;
+phi_5377_ = select(_e690, _e725, !(_e2353));
 }
-let _e2931 = phi_5350_;
-let _e2933 = phi_5351_;
-let _e2935 = phi_5352_;
-phi_5353_ = _e2931;
-phi_5354_ = _e2933;
-phi_5355_ = _e2935;
+let _e2931 = phi_5375_;
+let _e2933 = phi_5376_;
+let _e2935 = phi_5377_;
+phi_5378_ = _e2931;
+phi_5379_ = _e2933;
+phi_5380_ = _e2935;
 }
-let _e2937 = phi_5353_;
-let _e2939 = phi_5354_;
-let _e2941 = phi_5355_;
-phi_5357_ = _e2937;
-phi_5358_ = _e2939;
-phi_5359_ = _e2941;
-phi_5361_ = select(true, false, _e783);
+let _e2937 = phi_5378_;
+let _e2939 = phi_5379_;
+let _e2941 = phi_5380_;
+phi_5382_ = _e2937;
+phi_5383_ = _e2939;
+phi_5384_ = _e2941;
+phi_5386_ = select(true, false, _e783);
 }
-let _e2944 = phi_5357_;
-let _e2946 = phi_5358_;
-let _e2948 = phi_5359_;
-let _e2950 = phi_5361_;
-phi_5372_ = _e2944;
-phi_5373_ = _e2946;
-phi_5374_ = _e2948;
-phi_5376_ = select(_e783, false, _e749);
-phi_5377_ = _e2950;
+let _e2944 = phi_5382_;
+let _e2946 = phi_5383_;
+let _e2948 = phi_5384_;
+let _e2950 = phi_5386_;
+phi_5397_ = _e2944;
+phi_5398_ = _e2946;
+phi_5399_ = _e2948;
+phi_5401_ = select(_e783, false, _e749);
+phi_5402_ = _e2950;
 } else {
-phi_5372_ = type_21();
-phi_5373_ = type_20();
-phi_5374_ = i32();
-phi_5376_ = select(true, false, _e749);
-phi_5377_ = false;
+phi_5397_ = type_21();
+phi_5398_ = type_20();
+phi_5399_ = i32();
+phi_5401_ = select(true, false, _e749);
+phi_5402_ = false;
 }
-let _e2953 = phi_5372_;
-let _e2955 = phi_5373_;
-let _e2957 = phi_5374_;
-let _e2959 = phi_5376_;
-let _e2961 = phi_5377_;
+let _e2953 = phi_5397_;
+let _e2955 = phi_5398_;
+let _e2957 = phi_5399_;
+let _e2959 = phi_5401_;
+let _e2961 = phi_5402_;
 if _e749 {
 if _e744 {
-phi_5674_ = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, 1f, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
+phi_5699_ = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, 1f, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 } else {
 let _e2997 = type_20(vec3<f32>((_e686.member.x + (_e686.member_1.x * _e686.member_17)), (_e686.member.y + (_e686.member_1.y * _e686.member_17)), (_e686.member.z + (_e686.member_1.z * _e686.member_17))), _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 let _e3017 = type_20(_e2997.member, _e2997.member_1, _e2997.member_2, _e2997.member_3, _e2997.member_4, (_e686.member_5 + _e686.member_17), _e2997.member_6, _e2997.member_7, _e2997.member_8, _e2997.member_9, _e2997.member_10, _e2997.member_11, _e2997.member_12, _e2997.member_13, _e2997.member_14, _e2997.member_15, _e2997.member_16, _e2997.member_17);
 let _e3036 = type_20(_e3017.member, _e3017.member_1, _e3017.member_2, _e3017.member_3, _e3017.member_4, _e3017.member_5, _e3017.member_6, _e3017.member_7, _e3017.member_8, _e3017.member_9, _e3017.member_10, _e3017.member_11, _e3017.member_12, _e3017.member_13, _e3017.member_14, _e3017.member_15, _e3017.member_16, (_e686.member_17 - _e686.member_17));
 let _e3059 = type_20(_e3036.member, _e3036.member_1, _e3036.member_2, _e3036.member_3, _e3036.member_4, _e3036.member_5, _e3036.member_6, _e3036.member_7, _e3036.member_8, _e3036.member_9, (_e686.member_10 + select(0f, _e686.member_17, (_e686.member_8 == 0f))), _e3036.member_11, _e3036.member_12, _e3036.member_13, _e3036.member_14, _e3036.member_15, _e3036.member_16, _e3036.member_17);
-phi_5674_ = type_20(_e3059.member, _e3059.member_1, _e3059.member_2, _e3059.member_3, _e3059.member_4, _e3059.member_5, 3f, _e3059.member_7, _e3059.member_8, _e3059.member_9, _e3059.member_10, _e3059.member_11, _e3059.member_12, _e3059.member_13, _e3059.member_14, _e3059.member_15, _e3059.member_16, _e3059.member_17);
+phi_5699_ = type_20(_e3059.member, _e3059.member_1, _e3059.member_2, _e3059.member_3, _e3059.member_4, _e3059.member_5, 3f, _e3059.member_7, _e3059.member_8, _e3059.member_9, _e3059.member_10, _e3059.member_11, _e3059.member_12, _e3059.member_13, _e3059.member_14, _e3059.member_15, _e3059.member_16, _e3059.member_17);
 }
-let _e3097 = phi_5674_;
-phi_5675_ = _e3097;
+let _e3097 = phi_5699_;
+phi_5700_ = _e3097;
 } else {
-phi_5675_ = type_20();
+phi_5700_ = type_20();
 }
-let _e3099 = phi_5675_;
+let _e3099 = phi_5700_;
 let _e3100 = select(_e2959, false, _e749);
 if _e3100 {
 let _e3104 = (_e686.member_17 - _e684.member_2);
@@ -1436,134 +1437,134 @@ let _e3276 = select(0i, select(select(i32(_e3269), i32(-2147483648), (_e3269 < -
 let _e3280 = (_e3276 - select(0i, 1i, (_e3269 < f32(_e3276))));
 let _e3281 = f32(_e3280);
 let _e3285 = ((_e3263 - (_e3281 * 0.6933594f)) - (_e3281 * -2.1219444e-4f));
-phi_5942_ = type_20(_e3129.member, _e3129.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e3171 * (1f + (_e3171 * (0.5f + (_e3171 * (0.16666667f + (_e3171 * (0.041666668f + (_e3171 * (0.008333334f + (_e3171 * (0.001388889f + (_e3171 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3166 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e3228 * (1f + (_e3228 * (0.5f + (_e3228 * (0.16666667f + (_e3228 * (0.041666668f + (_e3228 * (0.008333334f + (_e3228 * (0.001388889f + (_e3228 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3223 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e3285 * (1f + (_e3285 * (0.5f + (_e3285 * (0.16666667f + (_e3285 * (0.041666668f + (_e3285 * (0.008333334f + (_e3285 * (0.001388889f + (_e3285 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3280 + 127i)) << bitcast<u32>(23i)))))), _e3129.member_3, _e3129.member_4, _e3129.member_5, _e3129.member_6, _e3129.member_7, _e3129.member_8, _e3129.member_9, _e3129.member_10, _e3129.member_11, _e3129.member_12, _e3129.member_13, _e3129.member_14, _e3129.member_15, _e3129.member_16, _e3129.member_17);
+phi_5967_ = type_20(_e3129.member, _e3129.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e3171 * (1f + (_e3171 * (0.5f + (_e3171 * (0.16666667f + (_e3171 * (0.041666668f + (_e3171 * (0.008333334f + (_e3171 * (0.001388889f + (_e3171 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3166 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e3228 * (1f + (_e3228 * (0.5f + (_e3228 * (0.16666667f + (_e3228 * (0.041666668f + (_e3228 * (0.008333334f + (_e3228 * (0.001388889f + (_e3228 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3223 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e3285 * (1f + (_e3285 * (0.5f + (_e3285 * (0.16666667f + (_e3285 * (0.041666668f + (_e3285 * (0.008333334f + (_e3285 * (0.001388889f + (_e3285 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3280 + 127i)) << bitcast<u32>(23i)))))), _e3129.member_3, _e3129.member_4, _e3129.member_5, _e3129.member_6, _e3129.member_7, _e3129.member_8, _e3129.member_9, _e3129.member_10, _e3129.member_11, _e3129.member_12, _e3129.member_13, _e3129.member_14, _e3129.member_15, _e3129.member_16, _e3129.member_17);
 } else {
-phi_5942_ = _e686;
+phi_5967_ = _e686;
 }
-let _e3335 = phi_5942_;
+let _e3335 = phi_5967_;
 let _e3371 = type_20(vec3<f32>((_e3335.member.x + (_e3335.member_1.x * _e3335.member_17)), (_e3335.member.y + (_e3335.member_1.y * _e3335.member_17)), (_e3335.member.z + (_e3335.member_1.z * _e3335.member_17))), _e3335.member_1, _e3335.member_2, _e3335.member_3, _e3335.member_4, _e3335.member_5, _e3335.member_6, _e3335.member_7, _e3335.member_8, _e3335.member_9, _e3335.member_10, _e3335.member_11, _e3335.member_12, _e3335.member_13, _e3335.member_14, _e3335.member_15, _e3335.member_16, _e3335.member_17);
 let _e3391 = type_20(_e3371.member, _e3371.member_1, _e3371.member_2, _e3371.member_3, _e3371.member_4, (_e3335.member_5 + _e3335.member_17), _e3371.member_6, _e3371.member_7, _e3371.member_8, _e3371.member_9, _e3371.member_10, _e3371.member_11, _e3371.member_12, _e3371.member_13, _e3371.member_14, _e3371.member_15, _e3371.member_16, _e3371.member_17);
 let _e3410 = type_20(_e3391.member, _e3391.member_1, _e3391.member_2, _e3391.member_3, _e3391.member_4, _e3391.member_5, _e3391.member_6, _e3391.member_7, _e3391.member_8, _e3391.member_9, _e3391.member_10, _e3391.member_11, _e3391.member_12, _e3391.member_13, _e3391.member_14, _e3391.member_15, _e3391.member_16, (_e3335.member_17 - _e3335.member_17));
 let _e3433 = type_20(_e3410.member, _e3410.member_1, _e3410.member_2, _e3410.member_3, _e3410.member_4, _e3410.member_5, _e3410.member_6, _e3410.member_7, _e3410.member_8, _e3410.member_9, (_e3335.member_10 + select(0f, _e3335.member_17, (_e3335.member_8 == 0f))), _e3410.member_11, _e3410.member_12, _e3410.member_13, _e3410.member_14, _e3410.member_15, _e3410.member_16, _e3410.member_17);
-phi_6230_ = _e684;
-phi_6231_ = type_20(_e3433.member, _e3433.member_1, _e3433.member_2, _e3433.member_3, _e3433.member_4, _e3433.member_5, 3f, _e3433.member_7, _e3433.member_8, _e3433.member_9, _e3433.member_10, _e3433.member_11, _e3433.member_12, _e3433.member_13, _e3433.member_14, _e3433.member_15, _e3433.member_16, _e3433.member_17);
+phi_6255_ = _e684;
+phi_6256_ = type_20(_e3433.member, _e3433.member_1, _e3433.member_2, _e3433.member_3, _e3433.member_4, _e3433.member_5, 3f, _e3433.member_7, _e3433.member_8, _e3433.member_9, _e3433.member_10, _e3433.member_11, _e3433.member_12, _e3433.member_13, _e3433.member_14, _e3433.member_15, _e3433.member_16, _e3433.member_17);
 } else {
-phi_6230_ = _e2953;
-phi_6231_ = _e2955;
+phi_6255_ = _e2953;
+phi_6256_ = _e2955;
 }
-let _e3453 = phi_6230_;
-let _e3455 = phi_6231_;
+let _e3453 = phi_6255_;
+let _e3455 = phi_6256_;
 let _e3457 = select(select(_e2961, false, _e749), true, _e3100);
 if _e3457 {
-phi_6237_ = _e3453;
-phi_6238_ = _e3455;
+phi_6262_ = _e3453;
+phi_6263_ = _e3455;
 } else {
-phi_6237_ = _e684;
-phi_6238_ = _e3099;
+phi_6262_ = _e684;
+phi_6263_ = _e3099;
 }
-let _e3459 = phi_6237_;
-let _e3461 = phi_6238_;
-phi_6240_ = _e3459;
-phi_6241_ = _e3461;
-phi_6242_ = select(_e690, select(_e2957, _e690, _e3100), _e3457);
+let _e3459 = phi_6262_;
+let _e3461 = phi_6263_;
+phi_6265_ = _e3459;
+phi_6266_ = _e3461;
+phi_6267_ = select(_e690, select(_e2957, _e690, _e3100), _e3457);
 }
-let _e4098 = phi_6240_;
-let _e4100 = phi_6241_;
-let _e4102 = phi_6242_;
-phi_1095_ = _e4098;
-phi_1098_ = _e4100;
+let _e4099 = phi_6265_;
+let _e4101 = phi_6266_;
+let _e4103 = phi_6267_;
+phi_1095_ = _e4099;
+phi_1098_ = _e4101;
 phi_1100_ = (_e688 + 1i);
-phi_1102_ = _e4102;
+phi_1102_ = _e4103;
 } else {
 phi_1095_ = type_21();
 phi_1098_ = type_20();
 phi_1100_ = i32();
 phi_1102_ = i32();
 }
-let _e4104 = phi_1095_;
-let _e4106 = phi_1098_;
-let _e4108 = phi_1100_;
-let _e4110 = phi_1102_;
+let _e4105 = phi_1095_;
+let _e4107 = phi_1098_;
+let _e4109 = phi_1100_;
+let _e4111 = phi_1102_;
 continue;
 continuing {
-phi_1094_ = _e4104;
-phi_1097_ = _e4106;
-phi_1099_ = _e4108;
-phi_1101_ = _e4110;
+phi_1094_ = _e4105;
+phi_1097_ = _e4107;
+phi_1099_ = _e4109;
+phi_1101_ = _e4111;
 break if !(_e694);
 }
 }
-let _e4113 = local_13;
-if (_e4113 == 0i) {
-phi_6248_ = 16i;
+let _e4114 = local_13;
+if (_e4114 == 0i) {
+phi_6273_ = 16i;
 } else {
-let _e4116 = local_14;
-phi_6248_ = -(_e4116);
+let _e4117 = local_14;
+phi_6273_ = -(_e4117);
 }
-let _e4119 = phi_6248_;
-let _e4121 = local_15;
-let _e4125 = local_16;
-let _e4129 = local_17;
-let _e4132 = local_18;
-let _e4135 = local_19;
-let _e4139 = local_20;
-let _e4143 = local_21;
-let _e4147 = local_22;
-let _e4151 = local_23;
-let _e4155 = local_24;
-let _e4159 = local_25;
-let _e4163 = local_26;
-let _e4167 = local_27;
-let _e4171 = local_28;
-let _e4175 = local_29;
-let _e4179 = local_30;
-let _e4184 = local_31;
-let _e4187 = local_32;
-let _e4190 = local_33;
-let _e4193 = local_34;
-let _e4196 = local_35;
-let _e4200 = local_36;
-let _e4204 = local_37;
-let _e4208 = local_38;
-let _e4212 = local_39;
-let _e4216 = local_40;
-let _e4220 = local_41;
-let _e4224 = local_42;
-let _e4228 = local_43;
-let _e4232 = local_44;
-global_5.member[_e128] = _e4135.member.x;
-global_5.member[_e140] = _e4139.member.y;
-global_5.member[_e151] = _e4143.member.z;
-global_5.member[_e162] = _e4147.member_1.x;
-global_5.member[_e173] = _e4151.member_1.y;
-global_5.member[_e184] = _e4155.member_1.z;
-global_5.member[_e195] = _e4159.member_2.x;
-global_5.member[_e206] = _e4163.member_2.y;
-global_5.member[_e217] = _e4167.member_2.z;
-global_5.member[_e228] = _e4171.member_3.x;
-global_5.member[_e239] = _e4175.member_3.y;
-global_5.member[_e250] = _e4179.member_3.z;
-global_5.member[_e261] = f32(_e4121.member);
-global_5.member[_e272] = f32(_e4125.member_1);
-global_5.member[_e283] = _e4129.member_2;
-global_5.member[_e294] = _e4132.member_3;
-let _e4269 = local_45;
-global_5.member[_e305] = _e4269;
-global_5.member[_e316] = f32(_e4119);
-global_5.member[_e327] = _e4184.member_8;
-global_5.member[_e338] = _e4187.member_9;
-global_5.member[_e349] = _e4190.member_10;
-global_5.member[_e360] = _e4193.member_11;
-global_5.member[_e371] = _e4196.member_12.x;
-global_5.member[_e382] = _e4200.member_12.y;
-global_5.member[_e393] = _e4204.member_12.z;
-global_5.member[_e404] = _e4208.member_13.x;
-global_5.member[_e415] = _e4212.member_13.y;
-global_5.member[_e426] = _e4216.member_13.z;
-global_5.member[_e437] = f32(_e4220.member_14);
-global_5.member[_e448] = f32(_e4224.member_15);
-global_5.member[_e459] = f32(_e4228.member_16);
-global_5.member[_e470] = _e4232.member_17;
+let _e4120 = phi_6273_;
+let _e4122 = local_15;
+let _e4126 = local_16;
+let _e4130 = local_17;
+let _e4133 = local_18;
+let _e4136 = local_19;
+let _e4140 = local_20;
+let _e4144 = local_21;
+let _e4148 = local_22;
+let _e4152 = local_23;
+let _e4156 = local_24;
+let _e4160 = local_25;
+let _e4164 = local_26;
+let _e4168 = local_27;
+let _e4172 = local_28;
+let _e4176 = local_29;
+let _e4180 = local_30;
+let _e4185 = local_31;
+let _e4188 = local_32;
+let _e4191 = local_33;
+let _e4194 = local_34;
+let _e4197 = local_35;
+let _e4201 = local_36;
+let _e4205 = local_37;
+let _e4209 = local_38;
+let _e4213 = local_39;
+let _e4217 = local_40;
+let _e4221 = local_41;
+let _e4225 = local_42;
+let _e4229 = local_43;
+let _e4233 = local_44;
+global_5.member[_e128] = _e4136.member.x;
+global_5.member[_e140] = _e4140.member.y;
+global_5.member[_e151] = _e4144.member.z;
+global_5.member[_e162] = _e4148.member_1.x;
+global_5.member[_e173] = _e4152.member_1.y;
+global_5.member[_e184] = _e4156.member_1.z;
+global_5.member[_e195] = _e4160.member_2.x;
+global_5.member[_e206] = _e4164.member_2.y;
+global_5.member[_e217] = _e4168.member_2.z;
+global_5.member[_e228] = _e4172.member_3.x;
+global_5.member[_e239] = _e4176.member_3.y;
+global_5.member[_e250] = _e4180.member_3.z;
+global_5.member[_e261] = f32(_e4122.member);
+global_5.member[_e272] = f32(_e4126.member_1);
+global_5.member[_e283] = _e4130.member_2;
+global_5.member[_e294] = _e4133.member_3;
+let _e4270 = local_45;
+global_5.member[_e305] = _e4270;
+global_5.member[_e316] = f32(_e4120);
+global_5.member[_e327] = _e4185.member_8;
+global_5.member[_e338] = _e4188.member_9;
+global_5.member[_e349] = _e4191.member_10;
+global_5.member[_e360] = _e4194.member_11;
+global_5.member[_e371] = _e4197.member_12.x;
+global_5.member[_e382] = _e4201.member_12.y;
+global_5.member[_e393] = _e4205.member_12.z;
+global_5.member[_e404] = _e4209.member_13.x;
+global_5.member[_e415] = _e4213.member_13.y;
+global_5.member[_e426] = _e4217.member_13.z;
+global_5.member[_e437] = f32(_e4221.member_14);
+global_5.member[_e448] = f32(_e4225.member_15);
+global_5.member[_e459] = f32(_e4229.member_16);
+global_5.member[_e470] = _e4233.member_17;
 }
 }
 }
