@@ -1291,7 +1291,7 @@ global_1.member[((15u * _e69) + _e71)] = _e2562;
 global_1.member[((16u * _e69) + _e71)] = select(0f, ((_e93 * ((((_e2622.member * _e2629) + (_e2622.member_1 * _e2630)) + (_e2622.member_2 * _e2631)) / sqrt(select(0f, _e2641, (_e2641 > 0f))))) * _e2677), (_e93 < (0.5f * 1e30f)));
 global_1.member[((17u * _e69) + _e71)] = (((_e2596.member * _e247) + (_e2596.member_1 * _e258)) + (_e2596.member_2 * _e269));
 global_1.member[((18u * _e69) + _e71)] = (((_e2605.member * _e247) + (_e2605.member_1 * _e258)) + (_e2605.member_2 * _e269));
-global_1.member[((19u * _e69) + _e71)] = (0f - (((_e2622.member * _e247) + (_e2622.member_1 * _e258)) + (_e2622.member_2 * _e269)));
+global_1.member[((19u * _e69) + _e71)] = -((((_e2622.member * _e247) + (_e2622.member_1 * _e258)) + (_e2622.member_2 * _e269)));
 }
 }
 return;

@@ -62,8 +62,7 @@ pub fn invoke(
     let (across, upwards) = super::viewing::on_plane(u, x as i32 as f32, y as i32 as f32);
     let (_, aim) = super::viewing::through(u, across, upwards);
     let cosine = dot(xyz(u.away), aim) / length(aim);
-    let normal =
-        Vec3::new(dot(xyz(u.right), seen.normal), dot(xyz(u.up), seen.normal), 0.0 - dot(xyz(u.away), seen.normal));
+    let normal = Vec3::new(dot(xyz(u.right), seen.normal), dot(xyz(u.up), seen.normal), -dot(xyz(u.away), seen.normal));
     BeamPixel {
         color: seen.radiance + lit + caustics,
         coverage: clamp(seen.coverage, 0.0, 1.0),

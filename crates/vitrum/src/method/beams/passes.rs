@@ -149,9 +149,15 @@ impl Lit {
             let bound = [&self.beams, &self.bundles];
             list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
         }
-        // To the end of the last piece, so that the fate of its light is known.
+    }
+
+    /// Lists the passes that follow pencils to the end of the last piece, so that the fate of its light is known. They leave pencils without work: no
+    /// other lattice is traced behind them.
+    fn finish(&self, list: &mut List, bodies: &Bodies) {
+        self.describe(list);
+        let traced = [&bodies.nodes, &bodies.corners, &bodies.materials, &self.pencils];
         for _ in 0..passes_of_round(&list.block) {
-            list.add(&kernels::beams_trace_light, texels, (0, self.limits.last + 1), &traced, 0);
+            list.add(&kernels::beams_trace_light, [self.lattice.count; 2], (0, self.limits.last + 1), &traced, 0);
         }
     }
 
@@ -232,8 +238,9 @@ pub(super) fn list(
     }
     let mut list = List { block, passes: Vec::new() };
     if let Some((first, second)) = &lit {
-        first.trace(&mut list, &bodies, &pictures.buffer);
         second.iter().for_each(|second| second.trace(&mut list, &bodies, &pictures.buffer));
+        first.trace(&mut list, &bodies, &pictures.buffer);
+        first.finish(&mut list, &bodies);
     }
     let film = picture(&mut list, &bodies, &pictures.buffer, lit.as_ref(), (scene, uploaded, needs), scratch, backend)?;
     let while_busy = |kernel: &'static Kernel, until: &'static Kernel| {
