@@ -177,7 +177,7 @@ fn beams_uniforms() -> Vec<Field> {
         dispatch: of_dispatch(), picture: fields!(Size { width, height }), camera: of_camera(), right: of_vec3(), up: of_vec3(),
         away: of_vec3(), eye: of_vec3(), voxel, low: of_vec3(), high: of_vec3(), light: of_light_source(), lattice: of_lattice,
         limits: of_limits, medium: of_medium, receivers: of_receivers(), environment: of_environment(), ambient: of_vec3(), flags,
-        sums: fields!(Sums { scale, levels }),
+        sums: fields!(Sums { scale, levels, pixels_1, pixels_2, pixels_3, pixels_4, rows_2, rows_3, rows_4, rows }),
     })
 }
 

@@ -142,6 +142,22 @@ pub struct Sums {
     pub scale: f32,
     /// Levels of the pyramid above the picture itself, at most [`LEVELS`].
     pub levels: u32,
+    /// Pixels below level 1, and so on.
+    pub pixels_1: u32,
+    /// Pixels below level 2.
+    pub pixels_2: u32,
+    /// Pixels below level 3.
+    pub pixels_3: u32,
+    /// Pixels below level 4.
+    pub pixels_4: u32,
+    /// Rows of the levels from 1 on before level 2.
+    pub rows_2: u32,
+    /// Rows before level 3.
+    pub rows_3: u32,
+    /// Rows before level 4.
+    pub rows_4: u32,
+    /// Rows of all levels from 1 on.
+    pub rows: u32,
 }
 
 /// The most levels of the pyramid above the picture itself: level l has pixels of 2^l × 2^l viewing rays.

@@ -1,6 +1,6 @@
 //! The depths of the viewing rays of the pixels of the pyramid's levels.
 
-use super::pyramid::{rows_before, size};
+use super::pyramid::{first_row, size};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Depths, depths, sight};
 use crate::field::access::read;
@@ -11,7 +11,7 @@ use crate::optics::receiver::FAR;
 #[inline(always)]
 pub fn level_of_row(u: &BeamsUniforms, y: u32) -> u32 {
     let mut level = 1;
-    while (level < u.sums.levels) & (y >= rows_before(u.picture, level + 1)) {
+    while (level < u.sums.levels) & (y >= first_row(u, level + 1)) {
         level += 1;
     }
     level
@@ -21,7 +21,7 @@ pub fn level_of_row(u: &BeamsUniforms, y: u32) -> u32 {
 #[inline(always)]
 pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, sights: &[f32]) -> [f32; depths::SIZE] {
     let level = level_of_row(u, y);
-    let row = (y - rows_before(u.picture, level)) as i32;
+    let row = (y - first_row(u, level)) as i32;
     let edge = 1 << level;
     let (width, height) = (u.picture.width as i32, u.picture.height as i32);
     let count = width * height;
@@ -48,6 +48,6 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, sights: &[f32]) -> 
 #[inline(always)]
 pub fn place(u: &BeamsUniforms, level: u32, column: i32, row: i32) -> (i32, i32) {
     let columns = size(u.picture, 1).width as i32;
-    let count = columns * rows_before(u.picture, u.sums.levels + 1) as i32;
-    ((rows_before(u.picture, level) as i32 + row) * columns + column, count)
+    let count = columns * u.sums.rows as i32;
+    ((first_row(u, level) as i32 + row) * columns + column, count)
 }

@@ -2,7 +2,7 @@
 //! there in coarse pixels.
 
 use super::find_depths::{level_of_row, place};
-use super::pyramid::{rows_before, size};
+use super::pyramid::{first_row, size};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Around, around, depths};
 use crate::field::access::read;
@@ -13,7 +13,7 @@ use crate::optics::receiver::FAR;
 #[inline(always)]
 pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, records: &[f32]) -> [f32; around::SIZE] {
     let level = level_of_row(u, y);
-    let (column, row) = (x as i32, (y - rows_before(u.picture, level)) as i32);
+    let (column, row) = (x as i32, (y - first_row(u, level)) as i32);
     let of_level = size(u.picture, level);
     let (width, height) = (of_level.width as i32, of_level.height as i32);
     let mut found = Around { nearest: FAR, farthest: 0.0, least: FAR, enters: 0.0 };

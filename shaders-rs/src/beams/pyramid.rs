@@ -1,6 +1,6 @@
 //! The pyramid of pictures in which beams are drawn: level l has pixels of 2^l × 2^l viewing rays. Level 0 is the picture itself.
 
-use crate::abi::beams::BeamsUniforms;
+use crate::abi::beams::{BeamsUniforms, Sums};
 use crate::abi::record::inscattered;
 use crate::abi::vector::Size;
 
@@ -32,11 +32,37 @@ pub fn pixels_below(picture: Size, level: u32) -> u32 {
 /// The index of the first word of a pixel's sums.
 #[inline(always)]
 pub fn sums_of(u: &BeamsUniforms, level: u32, column: i32, row: i32) -> i32 {
-    let number = pixels_below(u.picture, level) as i32 + row * size(u.picture, level).width as i32 + column;
+    let Sums { pixels_1, pixels_2, pixels_3, pixels_4, .. } = u.sums;
+    // From the uniform block, where a loop would count among those of which drivers end long ones.
+    let first = of_level(level, [0, pixels_1, pixels_2, pixels_3, pixels_4]);
+    let number = first as i32 + row * size(u.picture, level).width as i32 + column;
     number * inscattered::SIZE as i32
 }
 
-/// Rows of the levels from 1 on before `level`, one below the other: records of depths have as many columns as level 1.
+/// The first of the rows of a level among those of all levels from 1 on, one below the other: records of depths have as many columns as level 1.
+#[inline(always)]
+pub fn first_row(u: &BeamsUniforms, level: u32) -> u32 {
+    let Sums { rows_2, rows_3, rows_4, .. } = u.sums;
+    of_level(level, [0, 0, rows_2, rows_3, rows_4])
+}
+
+/// The number of a level out of those of all.
+#[inline(always)]
+fn of_level(level: u32, [own, first, second, third, fourth]: [u32; 5]) -> u32 {
+    if level == 0 {
+        own
+    } else if level == 1 {
+        first
+    } else if level == 2 {
+        second
+    } else if level == 3 {
+        third
+    } else {
+        fourth
+    }
+}
+
+/// Rows of the levels from 1 on before `level`.
 #[inline(always)]
 pub fn rows_before(picture: Size, level: u32) -> u32 {
     let mut sum = 0;

@@ -76,11 +76,16 @@ pub fn roots(count: u32) -> u32 {
     1 << (2 * (whole(count) - top(count)))
 }
 
-/// Nodes of the levels below `level`, over a lattice of `count` × `count` texels: 4^w + 4^(w − 1) + … of a tree that would have its root at level w.
+/// Nodes of the levels below `level` of a tree that would have its root at level `whole`: 4^whole + 4^(whole − 1) + ….
+#[inline(always)]
+fn below(whole: u32, level: u32) -> u32 {
+    ((1 << (2 * whole)) - (1 << (2 * (whole - level)))) / 3 * 4
+}
+
+/// Nodes of the levels below `level`, over a lattice of `count` × `count` texels.
 #[inline(always)]
 pub fn nodes_below(count: u32, level: u32) -> u32 {
-    let whole = whole(count);
-    ((1 << (2 * whole)) - (1 << (2 * (whole - level)))) / 3 * 4
+    below(whole(count), level)
 }
 
 /// Nodes over a lattice of `count` × `count` texels.
@@ -101,8 +106,8 @@ pub fn rows(count: u32) -> u32 {
 /// The tree of a round.
 #[derive(Clone, Copy)]
 pub struct Tree {
-    /// Texels along each edge of the lattice.
-    pub texels: u32,
+    /// The level of a node that would cover all of the lattice.
+    pub whole: u32,
     /// The level of its roots.
     pub root: u32,
     /// Their number.
@@ -119,7 +124,7 @@ impl Tree {
     pub fn of_round(u: &BeamsUniforms, round: u32) -> Self {
         let texels = u.lattice.count;
         Self {
-            texels,
+            whole: whole(texels),
             root: top(texels),
             roots: roots(texels),
             first: round * u.limits.bundle_pitch,
@@ -142,7 +147,7 @@ impl Tree {
     /// Three components of the record of a node from `component` on.
     #[inline(always)]
     pub fn vector(&self, records: &[f32], node: Node, component: usize) -> Vec3 {
-        let at = nodes_below(self.texels, node.level) + node.number;
+        let at = below(self.whole, node.level) + node.number;
         let begin = self.first + component as u32 * self.count + at;
         let of = |number: u32| read(records, (begin + number * self.count) as i32);
         Vec3::new(of(0), of(1), of(2))

@@ -1,6 +1,6 @@
 //! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
 //!
-//! [`lattice`] places the rays of a light, [`uniforms`] describes a frame to the kernels, [`passes`] lists the passes: pencils of light become
+//! `lattice.rs` places the rays of a light, `uniforms.rs` describes a frame to the kernels, `passes.rs` lists the passes: pencils of light become
 //! beams, beams are drawn, viewing rays see the rest.
 
 mod film;

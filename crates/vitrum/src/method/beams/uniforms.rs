@@ -15,6 +15,7 @@ use vitrum_kernels::abi::environment::Environment;
 use vitrum_kernels::abi::light::{LightSource, kind};
 use vitrum_kernels::abi::receivers::{self, Receiver};
 use vitrum_kernels::abi::vector::{Size, Vec3};
+use vitrum_kernels::beams::pyramid::{pixels_below, rows_before};
 
 /// Distance from the triangles up to which their box reaches, in voxels.
 const AROUND: f64 = 0.5;
@@ -76,6 +77,13 @@ fn scale(block: &BeamsUniforms, view: &View, bounds: Bounds, grid: Grid) -> f32 
     if usual > 0.0 { (UNITS / usual).min(1e30) as f32 } else { 1.0 }
 }
 
+/// The places of the levels of a picture's pyramid among their sums and their depths.
+fn sums(picture: Size, levels: u32) -> Sums {
+    let [pixels_1, pixels_2, pixels_3, pixels_4] = [1, 2, 3, 4].map(|level| pixels_below(picture, level));
+    let [rows_2, rows_3, rows_4, rows] = [2, 3, 4, levels + 1].map(|level| rows_before(picture, level));
+    Sums { scale: 1.0, levels, pixels_1, pixels_2, pixels_3, pixels_4, rows_2, rows_3, rows_4, rows }
+}
+
 /// The block of a frame; passes differ in their dispatch and their round.
 pub(super) fn block(
     scene: &Scene,
@@ -131,10 +139,10 @@ pub(super) fn block(
         environment: Environment { row_x, row_y, row_z, ..environment.block },
         ambient: scene.shading.ambient.into(),
         flags,
-        sums: Sums { scale: 1.0, levels: if beams.pyramid { LEVELS } else { 0 } },
         ..BeamsUniforms::default()
     };
     debug_assert!(matches!(block.light.kind, kind::DISTANT | kind::POINT | kind::SPOT));
+    block.sums = sums(block.picture, if beams.pyramid { LEVELS } else { 0 });
     block.sums.scale = scale(&block, view, bounds, grid);
     block
 }
