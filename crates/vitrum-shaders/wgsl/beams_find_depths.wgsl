@@ -96,6 +96,14 @@ member_5: type_5,
 struct type_19 {
 member: f32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
 }
 struct type_20 {
 member: type_2,
@@ -129,204 +137,201 @@ var<storage> global_2: type_13;
 @group(0) @binding(2)
 var<storage, read_write> global_3: type_13;
 fn function_() {
-var phi_97_: u32;
-var phi_113_: u32;
-var phi_116_: u32;
-var phi_114_: u32;
-var phi_117_: u32;
+var phi_101_: u32;
+var phi_137_: u32;
+var phi_138_: u32;
+var phi_139_: u32;
 var local: u32;
-var phi_144_: u32;
-var phi_147_: u32;
 var local_1: u32;
 var local_2: u32;
-var phi_145_: u32;
-var phi_148_: u32;
 var local_3: u32;
 var local_4: u32;
 var local_5: u32;
-var phi_179_: i32;
-var phi_182_: f32;
-var phi_184_: type_5;
-var phi_199_: i32;
-var phi_202_: f32;
-var phi_204_: type_5;
-var phi_200_: i32;
-var phi_203_: f32;
-var phi_205_: type_5;
-var phi_180_: i32;
-var phi_183_: f32;
-var phi_185_: type_5;
-var local_6: f32;
+var phi_172_: u32;
+var phi_173_: u32;
+var phi_174_: u32;
+var local_6: u32;
+var phi_191_: i32;
+var phi_194_: f32;
+var phi_196_: type_5;
+var phi_211_: i32;
+var phi_214_: f32;
+var phi_216_: type_5;
+var phi_212_: i32;
+var phi_215_: f32;
+var phi_217_: type_5;
+var phi_192_: i32;
+var phi_195_: f32;
+var phi_197_: type_5;
 var local_7: f32;
-var local_8: type_5;
+var local_8: f32;
 var local_9: type_5;
 var local_10: type_5;
-var local_11: f32;
-var local_12: type_5;
-let _e17 = global;
-let _e22 = global_1.member.member;
-if (_e17.x < _e22.member) {
-if (_e17.y < _e22.member_1) {
-let _e29 = (_e22.member * _e22.member_1);
-let _e31 = ((_e17.y * _e22.member) + _e17.x);
-phi_97_ = 1u;
+var local_11: type_5;
+var local_12: u32;
+var local_13: f32;
+var local_14: type_5;
+let _e18 = global;
+let _e23 = global_1.member.member;
+if (_e18.x < _e23.member) {
+if (_e18.y < _e23.member_1) {
+let _e30 = (_e23.member * _e23.member_1);
+let _e32 = ((_e18.y * _e23.member) + _e18.x);
+phi_101_ = 1u;
 loop {
-let _e33 = phi_97_;
-let _e37 = global_1.member.member_18.member_1;
-let _e42 = global_1.member.member_1.member_1;
-let _e43 = (_e33 + 1u);
-phi_113_ = 1u;
-phi_116_ = 0u;
-local_1 = _e33;
-local_2 = _e42;
-local_4 = _e33;
-local_5 = _e42;
-loop {
-let _e45 = phi_113_;
-let _e47 = phi_116_;
-local = _e47;
-let _e48 = (_e45 < _e43);
-if _e48 {
-let _e49 = (_e45 & 31u);
-phi_114_ = (_e45 + 1u);
-phi_117_ = (_e47 + (((_e42 + (1u << bitcast<u32>(_e49))) - 1u) >> bitcast<u32>(_e49)));
+let _e34 = phi_101_;
+local = _e34;
+local_1 = _e34;
+local_2 = _e34;
+local_3 = _e34;
+local_6 = _e34;
+let _e38 = global_1.member.member_18.member_1;
+let _e40 = (_e34 + 1u);
+let _e44 = global_1.member.member_18.member_6;
+let _e48 = global_1.member.member_18.member_7;
+let _e52 = global_1.member.member_18.member_8;
+local_4 = _e48;
+local_5 = _e52;
+local_12 = _e44;
+if (_e40 == 0u) {
+phi_139_ = 0u;
 } else {
-phi_114_ = u32();
-phi_117_ = u32();
-}
-let _e59 = phi_114_;
-let _e61 = phi_117_;
-continue;
-continuing {
-phi_113_ = _e59;
-phi_116_ = _e61;
-break if !(_e48);
-}
-}
-let _e64 = local;
-let _e66 = ((_e33 < _e37) && (_e17.y >= _e64));
-continue;
-continuing {
-phi_97_ = select(u32(), _e43, _e66);
-break if !(_e66);
-}
-}
-phi_144_ = 1u;
-phi_147_ = 0u;
-loop {
-let _e70 = phi_144_;
-let _e72 = phi_147_;
-local_3 = _e72;
-let _e74 = local_1;
-let _e75 = (_e70 < _e74);
-if _e75 {
-let _e76 = (_e70 & 31u);
-let _e80 = local_2;
-phi_145_ = (_e70 + 1u);
-phi_148_ = (_e72 + (((_e80 + (1u << bitcast<u32>(_e76))) - 1u) >> bitcast<u32>(_e76)));
+if (_e40 == 1u) {
+phi_138_ = 0u;
 } else {
-phi_145_ = u32();
-phi_148_ = u32();
-}
-let _e88 = phi_145_;
-let _e90 = phi_148_;
-continue;
-continuing {
-phi_144_ = _e88;
-phi_147_ = _e90;
-break if !(_e75);
-}
-}
-let _e93 = local_3;
-let _e95 = bitcast<i32>((_e17.y - _e93));
-let _e97 = local_4;
-let _e100 = (1i << bitcast<u32>((_e97 & 31u)));
-let _e104 = global_1.member.member_1.member;
-let _e105 = bitcast<i32>(_e104);
-let _e107 = local_5;
-let _e108 = bitcast<i32>(_e107);
-phi_179_ = (_e95 * _e100);
-phi_182_ = 0f;
-phi_184_ = type_5(1e30f, 0f, 0f);
-loop {
-let _e112 = phi_179_;
-let _e114 = phi_182_;
-let _e116 = phi_184_;
-local_6 = _e114;
-local_7 = _e114;
-local_8 = _e116;
-local_9 = _e116;
-local_10 = _e116;
-let _e121 = ((_e112 < ((_e95 + 1i) * _e100)) && (_e112 < _e108));
-if _e121 {
-let _e122 = bitcast<i32>(_e17.x);
-phi_199_ = (_e122 * _e100);
-phi_202_ = _e114;
-phi_204_ = _e116;
-loop {
-let _e125 = phi_199_;
-let _e127 = phi_202_;
-let _e129 = phi_204_;
-local_11 = _e127;
-local_12 = _e129;
-let _e134 = ((_e125 < ((_e122 + 1i) * _e100)) && (_e125 < _e105));
-if _e134 {
-let _e135 = (_e112 * _e105);
-let _e136 = (_e135 + _e125);
-let _e138 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
-let _e140 = select(_e138, _e136, (_e136 < _e138));
-let _e146 = global_2.member[bitcast<u32>(select(0i, _e140, (_e140 > 0i)))];
-let _e154 = (((_e105 * _e108) + _e135) + _e125);
-let _e156 = select(_e138, _e154, (_e154 < _e138));
-let _e162 = global_2.member[bitcast<u32>(select(0i, _e156, (_e156 > 0i)))];
-phi_200_ = (_e125 + 1i);
-phi_203_ = (_e127 + 1f);
-phi_205_ = type_5(select(_e146, _e129.member, (_e129.member < _e146)), select(_e146, _e129.member_1, (_e129.member_1 > _e146)), (_e129.member_2 + _e162));
+if (_e40 == 2u) {
+phi_137_ = _e44;
 } else {
-phi_200_ = i32();
-phi_203_ = f32();
-phi_205_ = type_5();
+phi_137_ = select(_e52, _e48, (_e40 == 3u));
 }
-let _e169 = phi_200_;
-let _e171 = phi_203_;
-let _e173 = phi_205_;
+let _e59 = phi_137_;
+phi_138_ = _e59;
+}
+let _e61 = phi_138_;
+phi_139_ = _e61;
+}
+let _e63 = phi_139_;
+let _e65 = ((_e34 < _e38) && (_e18.y >= _e63));
 continue;
 continuing {
-phi_199_ = _e169;
-phi_202_ = _e171;
-phi_204_ = _e173;
-break if !(_e134);
+phi_101_ = select(u32(), _e40, _e65);
+break if !(_e65);
 }
 }
-phi_180_ = (_e112 + 1i);
-let _e236 = local_11;
-phi_183_ = _e236;
-let _e239 = local_12;
-phi_185_ = _e239;
+let _e69 = local;
+if (_e69 == 0u) {
+phi_174_ = 0u;
 } else {
-phi_180_ = i32();
-phi_183_ = f32();
-phi_185_ = type_5();
+let _e72 = local_1;
+if (_e72 == 1u) {
+phi_173_ = 0u;
+} else {
+let _e75 = local_2;
+if (_e75 == 2u) {
+let _e220 = local_12;
+phi_172_ = _e220;
+} else {
+let _e78 = local_3;
+let _e81 = local_4;
+let _e83 = local_5;
+phi_172_ = select(_e83, _e81, (_e78 == 3u));
 }
-let _e177 = phi_180_;
-let _e179 = phi_183_;
-let _e181 = phi_185_;
+let _e86 = phi_172_;
+phi_173_ = _e86;
+}
+let _e88 = phi_173_;
+phi_174_ = _e88;
+}
+let _e90 = phi_174_;
+let _e92 = bitcast<i32>((_e18.y - _e90));
+let _e94 = local_6;
+let _e97 = (1i << bitcast<u32>((_e94 & 31u)));
+let _e101 = global_1.member.member_1.member;
+let _e102 = bitcast<i32>(_e101);
+let _e106 = global_1.member.member_1.member_1;
+let _e107 = bitcast<i32>(_e106);
+phi_191_ = (_e92 * _e97);
+phi_194_ = 0f;
+phi_196_ = type_5(1e30f, 0f, 0f);
+loop {
+let _e111 = phi_191_;
+let _e113 = phi_194_;
+let _e115 = phi_196_;
+local_7 = _e113;
+local_8 = _e113;
+local_9 = _e115;
+local_10 = _e115;
+local_11 = _e115;
+let _e120 = ((_e111 < ((_e92 + 1i) * _e97)) && (_e111 < _e107));
+if _e120 {
+let _e121 = bitcast<i32>(_e18.x);
+phi_211_ = (_e121 * _e97);
+phi_214_ = _e113;
+phi_216_ = _e115;
+loop {
+let _e124 = phi_211_;
+let _e126 = phi_214_;
+let _e128 = phi_216_;
+local_13 = _e126;
+local_14 = _e128;
+let _e133 = ((_e124 < ((_e121 + 1i) * _e97)) && (_e124 < _e102));
+if _e133 {
+let _e134 = (_e111 * _e102);
+let _e135 = (_e134 + _e124);
+let _e137 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e139 = select(_e137, _e135, (_e135 < _e137));
+let _e145 = global_2.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
+let _e153 = (((_e102 * _e107) + _e134) + _e124);
+let _e155 = select(_e137, _e153, (_e153 < _e137));
+let _e161 = global_2.member[bitcast<u32>(select(0i, _e155, (_e155 > 0i)))];
+phi_212_ = (_e124 + 1i);
+phi_215_ = (_e126 + 1f);
+phi_217_ = type_5(select(_e145, _e128.member, (_e128.member < _e145)), select(_e145, _e128.member_1, (_e128.member_1 > _e145)), (_e128.member_2 + _e161));
+} else {
+phi_212_ = i32();
+phi_215_ = f32();
+phi_217_ = type_5();
+}
+let _e168 = phi_212_;
+let _e170 = phi_215_;
+let _e172 = phi_217_;
 continue;
 continuing {
-phi_179_ = _e177;
-phi_182_ = _e179;
-phi_184_ = _e181;
-break if !(_e121);
+phi_211_ = _e168;
+phi_214_ = _e170;
+phi_216_ = _e172;
+break if !(_e133);
 }
 }
-let _e184 = local_6;
-let _e187 = local_7;
-let _e191 = local_8;
-let _e195 = local_9;
-let _e198 = local_10;
-global_3.member[_e31] = _e195.member;
-global_3.member[(_e29 + _e31)] = _e198.member_1;
-global_3.member[((2u * _e29) + _e31)] = (_e191.member_2 * (1f / select(1f, _e187, (_e184 > 1f))));
+phi_192_ = (_e111 + 1i);
+let _e236 = local_13;
+phi_195_ = _e236;
+let _e239 = local_14;
+phi_197_ = _e239;
+} else {
+phi_192_ = i32();
+phi_195_ = f32();
+phi_197_ = type_5();
+}
+let _e176 = phi_192_;
+let _e178 = phi_195_;
+let _e180 = phi_197_;
+continue;
+continuing {
+phi_191_ = _e176;
+phi_194_ = _e178;
+phi_196_ = _e180;
+break if !(_e120);
+}
+}
+let _e183 = local_7;
+let _e186 = local_8;
+let _e190 = local_9;
+let _e194 = local_10;
+let _e197 = local_11;
+global_3.member[_e32] = _e194.member;
+global_3.member[(_e30 + _e32)] = _e197.member_1;
+global_3.member[((2u * _e30) + _e32)] = (_e190.member_2 * (1f / select(1f, _e186, (_e183 > 1f))));
 }
 }
 return;

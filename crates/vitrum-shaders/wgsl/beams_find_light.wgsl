@@ -116,6 +116,14 @@ member_5: type_5,
 struct type_22 {
 member: f32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
 }
 struct type_23 {
 member: type_2,

@@ -96,6 +96,14 @@ member_5: type_5,
 struct type_19 {
 member: f32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
 }
 struct type_20 {
 member: type_2,
@@ -135,62 +143,52 @@ var<storage, read_write> global_2: type_13;
 @group(0) @binding(1)
 var<storage> global_3: type_13;
 fn function_() {
-var phi_99_: u32;
-var phi_115_: u32;
-var phi_118_: u32;
-var phi_116_: u32;
-var phi_119_: u32;
+var phi_103_: u32;
+var phi_139_: u32;
+var phi_140_: u32;
+var phi_141_: u32;
 var local: u32;
-var phi_147_: u32;
-var phi_150_: u32;
 var local_1: u32;
 var local_2: u32;
-var phi_148_: u32;
-var phi_151_: u32;
 var local_3: u32;
 var local_4: u32;
 var local_5: u32;
-var phi_190_: i32;
-var phi_193_: type_22;
-var phi_204_: i32;
-var phi_207_: type_22;
+var phi_175_: u32;
+var phi_176_: u32;
+var phi_177_: u32;
 var local_6: u32;
-var phi_248_: u32;
-var phi_251_: u32;
+var phi_202_: i32;
+var phi_205_: type_22;
+var phi_216_: i32;
+var phi_219_: type_22;
 var local_7: u32;
-var phi_249_: u32;
-var phi_252_: u32;
 var local_8: u32;
-var phi_275_: u32;
-var phi_278_: u32;
 var local_9: u32;
 var local_10: u32;
-var phi_276_: u32;
-var phi_279_: u32;
 var local_11: u32;
-var phi_374_: type_22;
-var phi_205_: i32;
-var phi_208_: type_22;
-var phi_191_: i32;
-var phi_194_: type_22;
+var phi_281_: u32;
+var phi_282_: u32;
+var phi_283_: u32;
+var phi_364_: type_22;
+var phi_217_: i32;
+var phi_220_: type_22;
+var phi_203_: i32;
+var phi_206_: type_22;
 var local_12: u32;
-var phi_399_: u32;
-var phi_402_: u32;
 var local_13: u32;
-var phi_400_: u32;
-var phi_403_: u32;
 var local_14: u32;
-var phi_426_: u32;
-var phi_429_: u32;
 var local_15: u32;
 var local_16: u32;
-var phi_427_: u32;
-var phi_430_: u32;
-var local_17: u32;
+var phi_410_: u32;
+var phi_411_: u32;
+var phi_412_: u32;
+var local_17: type_22;
 var local_18: type_22;
 var local_19: type_22;
-var local_20: type_22;
-var local_21: type_22;
+var local_20: u32;
+var local_21: u32;
+var local_22: type_22;
+var local_23: u32;
 let _e18 = global;
 let _e20 = arrayLength((&global_3.member));
 let _e23 = global_1.member.member;
@@ -198,278 +196,222 @@ if (_e18.x < _e23.member) {
 if (_e18.y < _e23.member_1) {
 let _e30 = (_e23.member * _e23.member_1);
 let _e32 = ((_e18.y * _e23.member) + _e18.x);
-phi_99_ = 1u;
+phi_103_ = 1u;
 loop {
-let _e34 = phi_99_;
-let _e38 = global_1.member.member_18.member_1;
-let _e43 = global_1.member.member_1.member_1;
-let _e44 = (_e34 + 1u);
-phi_115_ = 1u;
-phi_118_ = 0u;
+let _e34 = phi_103_;
+local = _e34;
 local_1 = _e34;
-local_2 = _e43;
-local_4 = _e34;
-local_5 = _e43;
-local_6 = _e38;
-local_7 = _e43;
+local_2 = _e34;
+local_3 = _e34;
+local_6 = _e34;
+local_7 = _e34;
+local_8 = _e34;
 local_9 = _e34;
-local_10 = _e43;
-local_12 = _e38;
-local_13 = _e43;
-local_15 = _e34;
-local_16 = _e43;
-loop {
-let _e46 = phi_115_;
-let _e48 = phi_118_;
-local = _e48;
-let _e49 = (_e46 < _e44);
-if _e49 {
-let _e50 = (_e46 & 31u);
-phi_116_ = (_e46 + 1u);
-phi_119_ = (_e48 + (((_e43 + (1u << bitcast<u32>(_e50))) - 1u) >> bitcast<u32>(_e50)));
+local_12 = _e34;
+local_13 = _e34;
+local_14 = _e34;
+let _e38 = global_1.member.member_18.member_1;
+let _e40 = (_e34 + 1u);
+let _e44 = global_1.member.member_18.member_6;
+let _e48 = global_1.member.member_18.member_7;
+let _e52 = global_1.member.member_18.member_8;
+local_4 = _e48;
+local_5 = _e52;
+local_20 = _e44;
+local_10 = _e48;
+local_11 = _e52;
+local_21 = _e44;
+local_15 = _e48;
+local_16 = _e52;
+local_23 = _e44;
+if (_e40 == 0u) {
+phi_141_ = 0u;
 } else {
-phi_116_ = u32();
-phi_119_ = u32();
-}
-let _e60 = phi_116_;
-let _e62 = phi_119_;
-continue;
-continuing {
-phi_115_ = _e60;
-phi_118_ = _e62;
-break if !(_e49);
-}
-}
-let _e65 = local;
-let _e67 = ((_e34 < _e38) && (_e18.y >= _e65));
-continue;
-continuing {
-phi_99_ = select(u32(), _e44, _e67);
-break if !(_e67);
-}
-}
-let _e70 = bitcast<i32>(_e18.x);
-phi_147_ = 1u;
-phi_150_ = 0u;
-loop {
-let _e72 = phi_147_;
-let _e74 = phi_150_;
-local_3 = _e74;
-let _e76 = local_1;
-let _e77 = (_e72 < _e76);
-if _e77 {
-let _e78 = (_e72 & 31u);
-let _e82 = local_2;
-phi_148_ = (_e72 + 1u);
-phi_151_ = (_e74 + (((_e82 + (1u << bitcast<u32>(_e78))) - 1u) >> bitcast<u32>(_e78)));
+if (_e40 == 1u) {
+phi_140_ = 0u;
 } else {
-phi_148_ = u32();
-phi_151_ = u32();
+if (_e40 == 2u) {
+phi_139_ = _e44;
+} else {
+phi_139_ = select(_e52, _e48, (_e40 == 3u));
 }
-let _e90 = phi_148_;
-let _e92 = phi_151_;
+let _e59 = phi_139_;
+phi_140_ = _e59;
+}
+let _e61 = phi_140_;
+phi_141_ = _e61;
+}
+let _e63 = phi_141_;
+let _e65 = ((_e34 < _e38) && (_e18.y >= _e63));
 continue;
 continuing {
-phi_147_ = _e90;
-phi_150_ = _e92;
-break if !(_e77);
+phi_103_ = select(u32(), _e40, _e65);
+break if !(_e65);
 }
 }
-let _e95 = local_3;
-let _e97 = bitcast<i32>((_e18.y - _e95));
-let _e101 = global_1.member.member_1.member;
-let _e103 = local_4;
+let _e68 = bitcast<i32>(_e18.x);
+let _e70 = local;
+let _e71 = (_e70 == 0u);
+if _e71 {
+phi_177_ = 0u;
+} else {
+let _e73 = local_1;
+if (_e73 == 1u) {
+phi_176_ = 0u;
+} else {
+let _e76 = local_2;
+if (_e76 == 2u) {
+let _e319 = local_20;
+phi_175_ = _e319;
+} else {
+let _e79 = local_3;
+let _e82 = local_4;
+let _e84 = local_5;
+phi_175_ = select(_e84, _e82, (_e79 == 3u));
+}
+let _e87 = phi_175_;
+phi_176_ = _e87;
+}
+let _e89 = phi_176_;
+phi_177_ = _e89;
+}
+let _e91 = phi_177_;
+let _e93 = bitcast<i32>((_e18.y - _e91));
+let _e97 = global_1.member.member_1.member;
+let _e101 = global_1.member.member_1.member_1;
+let _e103 = local_6;
 let _e104 = (_e103 & 31u);
 let _e106 = (1u << bitcast<u32>(_e104));
-let _e112 = local_5;
-phi_190_ = (_e97 - 2i);
-phi_193_ = type_22(1e30f, 0f, 1e30f, 0f);
+phi_202_ = (_e93 - 2i);
+phi_205_ = type_22(1e30f, 0f, 1e30f, 0f);
 loop {
-let _e121 = phi_190_;
-let _e123 = phi_193_;
-local_18 = _e123;
-local_19 = _e123;
-local_20 = _e123;
-let _e125 = (_e121 <= (_e97 + 2i));
-if _e125 {
-phi_204_ = (_e70 - 2i);
-phi_207_ = _e123;
+let _e119 = phi_202_;
+let _e121 = phi_205_;
+local_17 = _e121;
+local_18 = _e121;
+local_19 = _e121;
+let _e123 = (_e119 <= (_e93 + 2i));
+if _e123 {
+phi_216_ = (_e68 - 2i);
+phi_219_ = _e121;
 loop {
-let _e128 = phi_204_;
-let _e130 = phi_207_;
-local_21 = _e130;
-let _e132 = (_e128 <= (_e70 + 2i));
-if _e132 {
-if ((((_e128 >= 0i) && (_e128 < bitcast<i32>((((_e101 + _e106) - 1u) >> bitcast<u32>(_e104))))) && (_e121 >= 0i)) && (_e121 < bitcast<i32>((((_e112 + _e106) - 1u) >> bitcast<u32>(_e104))))) {
-let _e143 = bitcast<i32>(((_e101 + 1u) >> bitcast<u32>(1u)));
-let _e145 = local_6;
-phi_248_ = 1u;
-phi_251_ = 0u;
-loop {
-let _e148 = phi_248_;
-let _e150 = phi_251_;
-local_8 = _e150;
-let _e151 = (_e148 < (_e145 + 1u));
-if _e151 {
-let _e152 = (_e148 & 31u);
-let _e156 = local_7;
-phi_249_ = (_e148 + 1u);
-phi_252_ = (_e150 + (((_e156 + (1u << bitcast<u32>(_e152))) - 1u) >> bitcast<u32>(_e152)));
+let _e126 = phi_216_;
+let _e128 = phi_219_;
+local_22 = _e128;
+let _e130 = (_e126 <= (_e68 + 2i));
+if _e130 {
+if ((((_e126 >= 0i) && (_e126 < bitcast<i32>((((_e97 + _e106) - 1u) >> bitcast<u32>(_e104))))) && (_e119 >= 0i)) && (_e119 < bitcast<i32>((((_e101 + _e106) - 1u) >> bitcast<u32>(_e104))))) {
+let _e141 = bitcast<i32>(((_e97 + 1u) >> bitcast<u32>(1u)));
+let _e145 = global_1.member.member_18.member_9;
+if _e71 {
+phi_283_ = 0u;
 } else {
-phi_249_ = u32();
-phi_252_ = u32();
+let _e149 = local_7;
+if (_e149 == 1u) {
+phi_282_ = 0u;
+} else {
+let _e152 = local_8;
+if (_e152 == 2u) {
+let _e334 = local_21;
+phi_281_ = _e334;
+} else {
+let _e155 = local_9;
+let _e158 = local_10;
+let _e160 = local_11;
+phi_281_ = select(_e160, _e158, (_e155 == 3u));
 }
-let _e164 = phi_249_;
-let _e166 = phi_252_;
+let _e163 = phi_281_;
+phi_282_ = _e163;
+}
+let _e165 = phi_282_;
+phi_283_ = _e165;
+}
+let _e167 = phi_283_;
+let _e171 = (((bitcast<i32>(_e167) + _e119) * _e141) + _e126);
+let _e173 = (bitcast<i32>(_e20) - 1i);
+let _e175 = select(_e173, _e171, (_e171 < _e173));
+let _e181 = global_3.member[bitcast<u32>(select(0i, _e175, (_e175 > 0i)))];
+let _e182 = ((_e141 * bitcast<i32>(_e145)) + _e171);
+let _e184 = select(_e173, _e182, (_e182 < _e173));
+let _e190 = global_3.member[bitcast<u32>(select(0i, _e184, (_e184 > 0i)))];
+let _e201 = ((((_e126 >= (_e68 - 1i)) && (_e126 <= (_e68 + 1i))) && (_e119 >= (_e93 - 1i))) && (_e119 <= (_e93 + 1i)));
+let _e208 = type_22(_e128.member, _e128.member_1, select(_e181, _e128.member_2, (_e128.member_2 < _e181)), _e128.member_3);
+let _e210 = select(1e30f, _e181, _e201);
+let _e216 = type_22(select(_e210, _e128.member, (_e128.member < _e210)), _e208.member_1, _e208.member_2, _e208.member_3);
+let _e218 = select(0f, _e190, _e201);
+phi_364_ = type_22(_e216.member, select(_e218, _e128.member_1, (_e128.member_1 > _e218)), _e216.member_2, _e216.member_3);
+} else {
+phi_364_ = _e128;
+}
+let _e226 = phi_364_;
+phi_217_ = (_e126 + 1i);
+phi_220_ = _e226;
+} else {
+phi_217_ = i32();
+phi_220_ = type_22();
+}
+let _e229 = phi_217_;
+let _e231 = phi_220_;
 continue;
 continuing {
-phi_248_ = _e164;
-phi_251_ = _e166;
-break if !(_e151);
+phi_216_ = _e229;
+phi_219_ = _e231;
+break if !(_e130);
 }
 }
-let _e169 = local_8;
-phi_275_ = 1u;
-phi_278_ = 0u;
-loop {
-let _e173 = phi_275_;
-let _e175 = phi_278_;
-local_11 = _e175;
-let _e177 = local_9;
-let _e178 = (_e173 < _e177);
-if _e178 {
-let _e179 = (_e173 & 31u);
-let _e183 = local_10;
-phi_276_ = (_e173 + 1u);
-phi_279_ = (_e175 + (((_e183 + (1u << bitcast<u32>(_e179))) - 1u) >> bitcast<u32>(_e179)));
+phi_203_ = (_e119 + 1i);
+let _e343 = local_22;
+phi_206_ = _e343;
 } else {
-phi_276_ = u32();
-phi_279_ = u32();
+phi_203_ = i32();
+phi_206_ = type_22();
 }
-let _e191 = phi_276_;
-let _e193 = phi_279_;
+let _e235 = phi_203_;
+let _e237 = phi_206_;
 continue;
 continuing {
-phi_275_ = _e191;
-phi_278_ = _e193;
-break if !(_e178);
+phi_202_ = _e235;
+phi_205_ = _e237;
+break if !(_e123);
 }
 }
-let _e196 = local_11;
-let _e200 = (((bitcast<i32>(_e196) + _e121) * _e143) + _e128);
-let _e202 = (bitcast<i32>(_e20) - 1i);
-let _e204 = select(_e202, _e200, (_e200 < _e202));
-let _e210 = global_3.member[bitcast<u32>(select(0i, _e204, (_e204 > 0i)))];
-let _e211 = ((_e143 * bitcast<i32>(_e169)) + _e200);
-let _e213 = select(_e202, _e211, (_e211 < _e202));
-let _e219 = global_3.member[bitcast<u32>(select(0i, _e213, (_e213 > 0i)))];
-let _e230 = ((((_e128 >= (_e70 - 1i)) && (_e128 <= (_e70 + 1i))) && (_e121 >= (_e97 - 1i))) && (_e121 <= (_e97 + 1i)));
-let _e237 = type_22(_e130.member, _e130.member_1, select(_e210, _e130.member_2, (_e130.member_2 < _e210)), _e130.member_3);
-let _e239 = select(1e30f, _e210, _e230);
-let _e245 = type_22(select(_e239, _e130.member, (_e130.member < _e239)), _e237.member_1, _e237.member_2, _e237.member_3);
-let _e247 = select(0f, _e219, _e230);
-phi_374_ = type_22(_e245.member, select(_e247, _e130.member_1, (_e130.member_1 > _e247)), _e245.member_2, _e245.member_3);
+let _e242 = bitcast<i32>(((_e97 + 1u) >> bitcast<u32>(1u)));
+let _e246 = global_1.member.member_18.member_9;
+if _e71 {
+phi_412_ = 0u;
 } else {
-phi_374_ = _e130;
-}
-let _e255 = phi_374_;
-phi_205_ = (_e128 + 1i);
-phi_208_ = _e255;
+let _e250 = local_12;
+if (_e250 == 1u) {
+phi_411_ = 0u;
 } else {
-phi_205_ = i32();
-phi_208_ = type_22();
-}
-let _e258 = phi_205_;
-let _e260 = phi_208_;
-continue;
-continuing {
-phi_204_ = _e258;
-phi_207_ = _e260;
-break if !(_e132);
-}
-}
-phi_191_ = (_e121 + 1i);
-let _e402 = local_21;
-phi_194_ = _e402;
+let _e253 = local_13;
+if (_e253 == 2u) {
+let _e351 = local_23;
+phi_410_ = _e351;
 } else {
-phi_191_ = i32();
-phi_194_ = type_22();
+let _e256 = local_14;
+let _e259 = local_15;
+let _e261 = local_16;
+phi_410_ = select(_e261, _e259, (_e256 == 3u));
 }
-let _e264 = phi_191_;
-let _e266 = phi_194_;
-continue;
-continuing {
-phi_190_ = _e264;
-phi_193_ = _e266;
-break if !(_e125);
+let _e264 = phi_410_;
+phi_411_ = _e264;
 }
+let _e266 = phi_411_;
+phi_412_ = _e266;
 }
-let _e271 = bitcast<i32>(((_e101 + 1u) >> bitcast<u32>(1u)));
-let _e273 = local_12;
-phi_399_ = 1u;
-phi_402_ = 0u;
-loop {
-let _e276 = phi_399_;
-let _e278 = phi_402_;
-local_14 = _e278;
-let _e279 = (_e276 < (_e273 + 1u));
-if _e279 {
-let _e280 = (_e276 & 31u);
-let _e284 = local_13;
-phi_400_ = (_e276 + 1u);
-phi_403_ = (_e278 + (((_e284 + (1u << bitcast<u32>(_e280))) - 1u) >> bitcast<u32>(_e280)));
-} else {
-phi_400_ = u32();
-phi_403_ = u32();
-}
-let _e292 = phi_400_;
-let _e294 = phi_403_;
-continue;
-continuing {
-phi_399_ = _e292;
-phi_402_ = _e294;
-break if !(_e279);
-}
-}
-let _e297 = local_14;
-phi_426_ = 1u;
-phi_429_ = 0u;
-loop {
-let _e301 = phi_426_;
-let _e303 = phi_429_;
-local_17 = _e303;
-let _e305 = local_15;
-let _e306 = (_e301 < _e305);
-if _e306 {
-let _e307 = (_e301 & 31u);
-let _e311 = local_16;
-phi_427_ = (_e301 + 1u);
-phi_430_ = (_e303 + (((_e311 + (1u << bitcast<u32>(_e307))) - 1u) >> bitcast<u32>(_e307)));
-} else {
-phi_427_ = u32();
-phi_430_ = u32();
-}
-let _e319 = phi_427_;
-let _e321 = phi_430_;
-continue;
-continuing {
-phi_426_ = _e319;
-phi_429_ = _e321;
-break if !(_e306);
-}
-}
-let _e324 = local_17;
-let _e330 = ((2i * (_e271 * bitcast<i32>(_e297))) + (((bitcast<i32>(_e324) + _e97) * _e271) + _e70));
-let _e332 = (bitcast<i32>(_e20) - 1i);
-let _e334 = select(_e332, _e330, (_e330 < _e332));
-let _e340 = global_3.member[bitcast<u32>(select(0i, _e334, (_e334 > 0i)))];
-let _e342 = local_18;
-let _e345 = local_19;
-let _e348 = local_20;
-global_2.member[_e32] = _e342.member;
-global_2.member[(_e30 + _e32)] = _e345.member_1;
-global_2.member[((2u * _e30) + _e32)] = _e348.member_2;
-global_2.member[((3u * _e30) + _e32)] = _e340;
+let _e268 = phi_412_;
+let _e274 = ((2i * (_e242 * bitcast<i32>(_e246))) + (((bitcast<i32>(_e268) + _e93) * _e242) + _e68));
+let _e276 = (bitcast<i32>(_e20) - 1i);
+let _e278 = select(_e276, _e274, (_e274 < _e276));
+let _e284 = global_3.member[bitcast<u32>(select(0i, _e278, (_e278 > 0i)))];
+let _e286 = local_17;
+let _e289 = local_18;
+let _e292 = local_19;
+global_2.member[_e32] = _e286.member;
+global_2.member[(_e30 + _e32)] = _e289.member_1;
+global_2.member[((2u * _e30) + _e32)] = _e292.member_2;
+global_2.member[((3u * _e30) + _e32)] = _e284;
 }
 }
 return;

@@ -96,6 +96,14 @@ member_5: type_5,
 struct type_20 {
 member: f32,
 member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: u32,
+member_5: u32,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
 }
 struct type_21 {
 member: type_2,
@@ -144,44 +152,36 @@ var phi_752_: u32;
 var phi_758_: u32;
 var phi_781_: vec3<f32>;
 var phi_784_: u32;
-var phi_904_: u32;
-var phi_907_: u32;
-var phi_905_: u32;
-var phi_908_: u32;
-var local: u32;
+var phi_927_: u32;
+var phi_928_: u32;
+var phi_929_: u32;
 var phi_988_: u32;
 var phi_994_: u32;
 var phi_1056_: u32;
 var phi_1062_: u32;
 var phi_1124_: u32;
 var phi_1130_: u32;
-var phi_1203_: u32;
-var phi_1206_: u32;
-var phi_1204_: u32;
-var phi_1207_: u32;
-var local_1: u32;
+var phi_1226_: u32;
+var phi_1227_: u32;
+var phi_1228_: u32;
 var phi_1287_: u32;
 var phi_1293_: u32;
 var phi_1355_: u32;
 var phi_1361_: u32;
 var phi_1423_: u32;
 var phi_1429_: u32;
-var phi_1504_: u32;
-var phi_1507_: u32;
-var phi_1505_: u32;
-var phi_1508_: u32;
-var local_2: u32;
+var phi_1527_: u32;
+var phi_1528_: u32;
+var phi_1529_: u32;
 var phi_1588_: u32;
 var phi_1594_: u32;
 var phi_1656_: u32;
 var phi_1662_: u32;
 var phi_1724_: u32;
 var phi_1730_: u32;
-var phi_1804_: u32;
-var phi_1807_: u32;
-var phi_1805_: u32;
-var phi_1808_: u32;
-var local_3: u32;
+var phi_1827_: u32;
+var phi_1828_: u32;
+var phi_1829_: u32;
 var phi_1888_: u32;
 var phi_1894_: u32;
 var phi_1956_: u32;
@@ -190,9 +190,9 @@ var phi_2024_: u32;
 var phi_2030_: u32;
 var phi_782_: vec3<f32>;
 var phi_785_: u32;
-var local_4: vec3<f32>;
-var local_5: vec3<f32>;
-var local_6: vec3<f32>;
+var local: vec3<f32>;
+var local_1: vec3<f32>;
+var local_2: vec3<f32>;
 var phi_2223_: u32;
 var phi_2229_: u32;
 var phi_2291_: u32;
@@ -201,45 +201,37 @@ var phi_2359_: u32;
 var phi_2365_: u32;
 var phi_2388_: vec3<f32>;
 var phi_2391_: u32;
-var local_7: u32;
-var phi_2511_: u32;
-var phi_2514_: u32;
-var phi_2512_: u32;
-var phi_2515_: u32;
-var local_8: u32;
+var local_3: u32;
+var phi_2534_: u32;
+var phi_2535_: u32;
+var phi_2536_: u32;
 var phi_2595_: u32;
 var phi_2601_: u32;
 var phi_2663_: u32;
 var phi_2669_: u32;
 var phi_2731_: u32;
 var phi_2737_: u32;
-var phi_2810_: u32;
-var phi_2813_: u32;
-var phi_2811_: u32;
-var phi_2814_: u32;
-var local_9: u32;
+var phi_2833_: u32;
+var phi_2834_: u32;
+var phi_2835_: u32;
 var phi_2894_: u32;
 var phi_2900_: u32;
 var phi_2962_: u32;
 var phi_2968_: u32;
 var phi_3030_: u32;
 var phi_3036_: u32;
-var phi_3111_: u32;
-var phi_3114_: u32;
-var phi_3112_: u32;
-var phi_3115_: u32;
-var local_10: u32;
+var phi_3134_: u32;
+var phi_3135_: u32;
+var phi_3136_: u32;
 var phi_3195_: u32;
 var phi_3201_: u32;
 var phi_3263_: u32;
 var phi_3269_: u32;
 var phi_3331_: u32;
 var phi_3337_: u32;
-var phi_3411_: u32;
-var phi_3414_: u32;
-var phi_3412_: u32;
-var phi_3415_: u32;
-var local_11: u32;
+var phi_3434_: u32;
+var phi_3435_: u32;
+var phi_3436_: u32;
 var phi_3495_: u32;
 var phi_3501_: u32;
 var phi_3563_: u32;
@@ -248,9 +240,9 @@ var phi_3631_: u32;
 var phi_3637_: u32;
 var phi_2389_: vec3<f32>;
 var phi_2392_: u32;
-var local_12: vec3<f32>;
-var local_13: vec3<f32>;
-var local_14: vec3<f32>;
+var local_4: vec3<f32>;
+var local_5: vec3<f32>;
+var local_6: vec3<f32>;
 let _e53 = global;
 let _e62 = global_2.member.member;
 if (_e53.x < _e62.member) {
@@ -389,12 +381,12 @@ phi_784_ = 1u;
 loop {
 let _e472 = phi_781_;
 let _e474 = phi_784_;
-local_4 = _e472;
-local_5 = _e472;
-local_6 = _e472;
+local = _e472;
+local_1 = _e472;
+local_2 = _e472;
 let _e478 = global_2.member.member_18.member_1;
 let _e479 = (_e474 <= _e478);
-local_7 = _e478;
+local_3 = _e478;
 if _e479 {
 let _e480 = (_e474 & 31u);
 let _e484 = (1f / f32((1i << bitcast<u32>(_e480))));
@@ -417,881 +409,827 @@ let _e540 = (bitcast<i32>((((_e279 + _e528) - 1u) >> bitcast<u32>(_e480))) - 1i)
 let _e542 = select(_e538, _e507, (_e507 < _e538));
 let _e544 = select(_e540, _e522, (_e522 < _e540));
 let _e546 = select(0i, _e542, (_e542 > 0i));
-phi_904_ = 0u;
-phi_907_ = 0u;
-loop {
-let _e550 = phi_904_;
-let _e552 = phi_907_;
-local = _e552;
-let _e553 = (_e550 < _e474);
-if _e553 {
-let _e554 = (_e550 & 31u);
-let _e556 = (1u << bitcast<u32>(_e554));
-phi_905_ = (_e550 + 1u);
-phi_908_ = (_e552 + ((((_e275 + _e556) - 1u) >> bitcast<u32>(_e554)) * (((_e279 + _e556) - 1u) >> bitcast<u32>(_e554))));
+let _e552 = global_2.member.member_18.member_2;
+let _e556 = global_2.member.member_18.member_3;
+let _e560 = global_2.member.member_18.member_4;
+let _e564 = global_2.member.member_18.member_5;
+let _e565 = (_e474 == 0u);
+if _e565 {
+phi_929_ = 0u;
 } else {
-phi_905_ = u32();
-phi_908_ = u32();
-}
-let _e569 = phi_905_;
-let _e571 = phi_908_;
-continue;
-continuing {
-phi_904_ = _e569;
-phi_907_ = _e571;
-break if !(_e553);
-}
-}
-let _e574 = local;
-let _e576 = (select(0i, _e544, (_e544 > 0i)) * _e537);
-let _e579 = (((bitcast<i32>(_e574) + _e576) + _e546) * 6i);
-let _e581 = select(_e296, _e579, (_e579 < _e296));
-let _e587 = global_4.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
-let _e588 = (_e579 + 1i);
-let _e590 = select(_e296, _e588, (_e588 < _e296));
-let _e596 = global_4.member[bitcast<u32>(select(0i, _e590, (_e590 > 0i)))];
-let _e599 = ((_e596 >> bitcast<u32>(31i)) != 0u);
-if _e599 {
-phi_988_ = (~(_e587) + 1u);
+if (_e474 == 1u) {
+phi_928_ = _e552;
 } else {
-phi_988_ = _e587;
-}
-let _e605 = phi_988_;
-if _e599 {
-phi_994_ = (~(_e596) + select(0u, 1u, (_e587 == 0u)));
+if (_e474 == 2u) {
+phi_927_ = _e556;
 } else {
-phi_994_ = _e596;
+phi_927_ = select(_e564, _e560, (_e474 == 3u));
 }
-let _e609 = phi_994_;
-let _e631 = ((((f32(bitcast<i32>(((_e609 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e609 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e605 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e605 & 65535u)))));
-let _e637 = (_e579 + 2i);
-let _e639 = select(_e296, _e637, (_e637 < _e296));
-let _e645 = global_4.member[bitcast<u32>(select(0i, _e639, (_e639 > 0i)))];
-let _e646 = (_e579 + 3i);
-let _e648 = select(_e296, _e646, (_e646 < _e296));
-let _e654 = global_4.member[bitcast<u32>(select(0i, _e648, (_e648 > 0i)))];
-let _e657 = ((_e654 >> bitcast<u32>(31i)) != 0u);
-if _e657 {
-phi_1056_ = (~(_e645) + 1u);
+let _e571 = phi_927_;
+phi_928_ = _e571;
+}
+let _e573 = phi_928_;
+phi_929_ = _e573;
+}
+let _e575 = phi_929_;
+let _e577 = (select(0i, _e544, (_e544 > 0i)) * _e537);
+let _e580 = (((bitcast<i32>(_e575) + _e577) + _e546) * 6i);
+let _e582 = select(_e296, _e580, (_e580 < _e296));
+let _e588 = global_4.member[bitcast<u32>(select(0i, _e582, (_e582 > 0i)))];
+let _e589 = (_e580 + 1i);
+let _e591 = select(_e296, _e589, (_e589 < _e296));
+let _e597 = global_4.member[bitcast<u32>(select(0i, _e591, (_e591 > 0i)))];
+let _e600 = ((_e597 >> bitcast<u32>(31i)) != 0u);
+if _e600 {
+phi_988_ = (~(_e588) + 1u);
 } else {
-phi_1056_ = _e645;
+phi_988_ = _e588;
 }
-let _e663 = phi_1056_;
-if _e657 {
-phi_1062_ = (~(_e654) + select(0u, 1u, (_e645 == 0u)));
+let _e606 = phi_988_;
+if _e600 {
+phi_994_ = (~(_e597) + select(0u, 1u, (_e588 == 0u)));
 } else {
-phi_1062_ = _e654;
+phi_994_ = _e597;
 }
-let _e667 = phi_1062_;
-let _e689 = ((((f32(bitcast<i32>(((_e667 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e667 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e663 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e663 & 65535u)))));
-let _e695 = (_e579 + 4i);
-let _e697 = select(_e296, _e695, (_e695 < _e296));
-let _e703 = global_4.member[bitcast<u32>(select(0i, _e697, (_e697 > 0i)))];
-let _e704 = (_e579 + 5i);
-let _e706 = select(_e296, _e704, (_e704 < _e296));
-let _e712 = global_4.member[bitcast<u32>(select(0i, _e706, (_e706 > 0i)))];
-let _e715 = ((_e712 >> bitcast<u32>(31i)) != 0u);
-if _e715 {
-phi_1124_ = (~(_e703) + 1u);
+let _e610 = phi_994_;
+let _e632 = ((((f32(bitcast<i32>(((_e610 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e610 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e606 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e606 & 65535u)))));
+let _e638 = (_e580 + 2i);
+let _e640 = select(_e296, _e638, (_e638 < _e296));
+let _e646 = global_4.member[bitcast<u32>(select(0i, _e640, (_e640 > 0i)))];
+let _e647 = (_e580 + 3i);
+let _e649 = select(_e296, _e647, (_e647 < _e296));
+let _e655 = global_4.member[bitcast<u32>(select(0i, _e649, (_e649 > 0i)))];
+let _e658 = ((_e655 >> bitcast<u32>(31i)) != 0u);
+if _e658 {
+phi_1056_ = (~(_e646) + 1u);
 } else {
-phi_1124_ = _e703;
+phi_1056_ = _e646;
 }
-let _e721 = phi_1124_;
-if _e715 {
-phi_1130_ = (~(_e712) + select(0u, 1u, (_e703 == 0u)));
+let _e664 = phi_1056_;
+if _e658 {
+phi_1062_ = (~(_e655) + select(0u, 1u, (_e646 == 0u)));
 } else {
-phi_1130_ = _e712;
+phi_1062_ = _e655;
 }
-let _e725 = phi_1130_;
-let _e747 = ((((f32(bitcast<i32>(((_e725 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e725 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e721 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e721 & 65535u)))));
-let _e753 = (1f - _e524);
-let _e757 = (_e507 + 1i);
-let _e759 = select(_e538, _e757, (_e757 < _e538));
-let _e761 = select(0i, _e759, (_e759 > 0i));
-phi_1203_ = 0u;
-phi_1206_ = 0u;
-loop {
-let _e763 = phi_1203_;
-let _e765 = phi_1206_;
-local_1 = _e765;
-let _e766 = (_e763 < _e474);
-if _e766 {
-let _e767 = (_e763 & 31u);
-let _e769 = (1u << bitcast<u32>(_e767));
-phi_1204_ = (_e763 + 1u);
-phi_1207_ = (_e765 + ((((_e275 + _e769) - 1u) >> bitcast<u32>(_e767)) * (((_e279 + _e769) - 1u) >> bitcast<u32>(_e767))));
+let _e668 = phi_1062_;
+let _e690 = ((((f32(bitcast<i32>(((_e668 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e668 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e664 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e664 & 65535u)))));
+let _e696 = (_e580 + 4i);
+let _e698 = select(_e296, _e696, (_e696 < _e296));
+let _e704 = global_4.member[bitcast<u32>(select(0i, _e698, (_e698 > 0i)))];
+let _e705 = (_e580 + 5i);
+let _e707 = select(_e296, _e705, (_e705 < _e296));
+let _e713 = global_4.member[bitcast<u32>(select(0i, _e707, (_e707 > 0i)))];
+let _e716 = ((_e713 >> bitcast<u32>(31i)) != 0u);
+if _e716 {
+phi_1124_ = (~(_e704) + 1u);
 } else {
-phi_1204_ = u32();
-phi_1207_ = u32();
+phi_1124_ = _e704;
 }
-let _e782 = phi_1204_;
-let _e784 = phi_1207_;
-continue;
-continuing {
-phi_1203_ = _e782;
-phi_1206_ = _e784;
-break if !(_e766);
-}
-}
-let _e787 = local_1;
-let _e791 = (((bitcast<i32>(_e787) + _e576) + _e761) * 6i);
-let _e793 = select(_e296, _e791, (_e791 < _e296));
-let _e799 = global_4.member[bitcast<u32>(select(0i, _e793, (_e793 > 0i)))];
-let _e800 = (_e791 + 1i);
-let _e802 = select(_e296, _e800, (_e800 < _e296));
-let _e808 = global_4.member[bitcast<u32>(select(0i, _e802, (_e802 > 0i)))];
-let _e811 = ((_e808 >> bitcast<u32>(31i)) != 0u);
-if _e811 {
-phi_1287_ = (~(_e799) + 1u);
+let _e722 = phi_1124_;
+if _e716 {
+phi_1130_ = (~(_e713) + select(0u, 1u, (_e704 == 0u)));
 } else {
-phi_1287_ = _e799;
+phi_1130_ = _e713;
 }
-let _e817 = phi_1287_;
-if _e811 {
-phi_1293_ = (~(_e808) + select(0u, 1u, (_e799 == 0u)));
+let _e726 = phi_1130_;
+let _e748 = ((((f32(bitcast<i32>(((_e726 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e726 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e722 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e722 & 65535u)))));
+let _e754 = (1f - _e524);
+let _e758 = (_e507 + 1i);
+let _e760 = select(_e538, _e758, (_e758 < _e538));
+let _e762 = select(0i, _e760, (_e760 > 0i));
+if _e565 {
+phi_1228_ = 0u;
 } else {
-phi_1293_ = _e808;
-}
-let _e821 = phi_1293_;
-let _e843 = ((((f32(bitcast<i32>(((_e821 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e821 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e817 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e817 & 65535u)))));
-let _e849 = (_e791 + 2i);
-let _e851 = select(_e296, _e849, (_e849 < _e296));
-let _e857 = global_4.member[bitcast<u32>(select(0i, _e851, (_e851 > 0i)))];
-let _e858 = (_e791 + 3i);
-let _e860 = select(_e296, _e858, (_e858 < _e296));
-let _e866 = global_4.member[bitcast<u32>(select(0i, _e860, (_e860 > 0i)))];
-let _e869 = ((_e866 >> bitcast<u32>(31i)) != 0u);
-if _e869 {
-phi_1355_ = (~(_e857) + 1u);
+if (_e474 == 1u) {
+phi_1227_ = _e552;
 } else {
-phi_1355_ = _e857;
-}
-let _e875 = phi_1355_;
-if _e869 {
-phi_1361_ = (~(_e866) + select(0u, 1u, (_e857 == 0u)));
+if (_e474 == 2u) {
+phi_1226_ = _e556;
 } else {
-phi_1361_ = _e866;
+phi_1226_ = select(_e564, _e560, (_e474 == 3u));
 }
-let _e879 = phi_1361_;
-let _e901 = ((((f32(bitcast<i32>(((_e879 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e879 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e875 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e875 & 65535u)))));
-let _e907 = (_e791 + 4i);
-let _e909 = select(_e296, _e907, (_e907 < _e296));
-let _e915 = global_4.member[bitcast<u32>(select(0i, _e909, (_e909 > 0i)))];
-let _e916 = (_e791 + 5i);
-let _e918 = select(_e296, _e916, (_e916 < _e296));
-let _e924 = global_4.member[bitcast<u32>(select(0i, _e918, (_e918 > 0i)))];
-let _e927 = ((_e924 >> bitcast<u32>(31i)) != 0u);
-if _e927 {
-phi_1423_ = (~(_e915) + 1u);
+let _e768 = phi_1226_;
+phi_1227_ = _e768;
+}
+let _e770 = phi_1227_;
+phi_1228_ = _e770;
+}
+let _e772 = phi_1228_;
+let _e776 = (((bitcast<i32>(_e772) + _e577) + _e762) * 6i);
+let _e778 = select(_e296, _e776, (_e776 < _e296));
+let _e784 = global_4.member[bitcast<u32>(select(0i, _e778, (_e778 > 0i)))];
+let _e785 = (_e776 + 1i);
+let _e787 = select(_e296, _e785, (_e785 < _e296));
+let _e793 = global_4.member[bitcast<u32>(select(0i, _e787, (_e787 > 0i)))];
+let _e796 = ((_e793 >> bitcast<u32>(31i)) != 0u);
+if _e796 {
+phi_1287_ = (~(_e784) + 1u);
 } else {
-phi_1423_ = _e915;
+phi_1287_ = _e784;
 }
-let _e933 = phi_1423_;
-if _e927 {
-phi_1429_ = (~(_e924) + select(0u, 1u, (_e915 == 0u)));
+let _e802 = phi_1287_;
+if _e796 {
+phi_1293_ = (~(_e793) + select(0u, 1u, (_e784 == 0u)));
 } else {
-phi_1429_ = _e924;
+phi_1293_ = _e793;
 }
-let _e937 = phi_1429_;
-let _e959 = ((((f32(bitcast<i32>(((_e937 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e937 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e933 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e933 & 65535u)))));
-let _e971 = (_e522 + 1i);
-let _e973 = select(_e540, _e971, (_e971 < _e540));
-phi_1504_ = 0u;
-phi_1507_ = 0u;
-loop {
-let _e977 = phi_1504_;
-let _e979 = phi_1507_;
-local_2 = _e979;
-let _e980 = (_e977 < _e474);
-if _e980 {
-let _e981 = (_e977 & 31u);
-let _e983 = (1u << bitcast<u32>(_e981));
-phi_1505_ = (_e977 + 1u);
-phi_1508_ = (_e979 + ((((_e275 + _e983) - 1u) >> bitcast<u32>(_e981)) * (((_e279 + _e983) - 1u) >> bitcast<u32>(_e981))));
+let _e806 = phi_1293_;
+let _e828 = ((((f32(bitcast<i32>(((_e806 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e806 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e802 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e802 & 65535u)))));
+let _e834 = (_e776 + 2i);
+let _e836 = select(_e296, _e834, (_e834 < _e296));
+let _e842 = global_4.member[bitcast<u32>(select(0i, _e836, (_e836 > 0i)))];
+let _e843 = (_e776 + 3i);
+let _e845 = select(_e296, _e843, (_e843 < _e296));
+let _e851 = global_4.member[bitcast<u32>(select(0i, _e845, (_e845 > 0i)))];
+let _e854 = ((_e851 >> bitcast<u32>(31i)) != 0u);
+if _e854 {
+phi_1355_ = (~(_e842) + 1u);
 } else {
-phi_1505_ = u32();
-phi_1508_ = u32();
+phi_1355_ = _e842;
 }
-let _e996 = phi_1505_;
-let _e998 = phi_1508_;
-continue;
-continuing {
-phi_1504_ = _e996;
-phi_1507_ = _e998;
-break if !(_e980);
-}
-}
-let _e1001 = local_2;
-let _e1003 = (select(0i, _e973, (_e973 > 0i)) * _e537);
-let _e1006 = (((bitcast<i32>(_e1001) + _e1003) + _e546) * 6i);
-let _e1008 = select(_e296, _e1006, (_e1006 < _e296));
-let _e1014 = global_4.member[bitcast<u32>(select(0i, _e1008, (_e1008 > 0i)))];
-let _e1015 = (_e1006 + 1i);
-let _e1017 = select(_e296, _e1015, (_e1015 < _e296));
-let _e1023 = global_4.member[bitcast<u32>(select(0i, _e1017, (_e1017 > 0i)))];
-let _e1026 = ((_e1023 >> bitcast<u32>(31i)) != 0u);
-if _e1026 {
-phi_1588_ = (~(_e1014) + 1u);
+let _e860 = phi_1355_;
+if _e854 {
+phi_1361_ = (~(_e851) + select(0u, 1u, (_e842 == 0u)));
 } else {
-phi_1588_ = _e1014;
+phi_1361_ = _e851;
 }
-let _e1032 = phi_1588_;
-if _e1026 {
-phi_1594_ = (~(_e1023) + select(0u, 1u, (_e1014 == 0u)));
+let _e864 = phi_1361_;
+let _e886 = ((((f32(bitcast<i32>(((_e864 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e864 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e860 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e860 & 65535u)))));
+let _e892 = (_e776 + 4i);
+let _e894 = select(_e296, _e892, (_e892 < _e296));
+let _e900 = global_4.member[bitcast<u32>(select(0i, _e894, (_e894 > 0i)))];
+let _e901 = (_e776 + 5i);
+let _e903 = select(_e296, _e901, (_e901 < _e296));
+let _e909 = global_4.member[bitcast<u32>(select(0i, _e903, (_e903 > 0i)))];
+let _e912 = ((_e909 >> bitcast<u32>(31i)) != 0u);
+if _e912 {
+phi_1423_ = (~(_e900) + 1u);
 } else {
-phi_1594_ = _e1023;
+phi_1423_ = _e900;
 }
-let _e1036 = phi_1594_;
-let _e1058 = ((((f32(bitcast<i32>(((_e1036 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1036 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1032 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1032 & 65535u)))));
-let _e1064 = (_e1006 + 2i);
-let _e1066 = select(_e296, _e1064, (_e1064 < _e296));
-let _e1072 = global_4.member[bitcast<u32>(select(0i, _e1066, (_e1066 > 0i)))];
-let _e1073 = (_e1006 + 3i);
-let _e1075 = select(_e296, _e1073, (_e1073 < _e296));
-let _e1081 = global_4.member[bitcast<u32>(select(0i, _e1075, (_e1075 > 0i)))];
-let _e1084 = ((_e1081 >> bitcast<u32>(31i)) != 0u);
-if _e1084 {
-phi_1656_ = (~(_e1072) + 1u);
+let _e918 = phi_1423_;
+if _e912 {
+phi_1429_ = (~(_e909) + select(0u, 1u, (_e900 == 0u)));
 } else {
-phi_1656_ = _e1072;
+phi_1429_ = _e909;
 }
-let _e1090 = phi_1656_;
-if _e1084 {
-phi_1662_ = (~(_e1081) + select(0u, 1u, (_e1072 == 0u)));
+let _e922 = phi_1429_;
+let _e944 = ((((f32(bitcast<i32>(((_e922 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e922 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e918 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e918 & 65535u)))));
+let _e956 = (_e522 + 1i);
+let _e958 = select(_e540, _e956, (_e956 < _e540));
+if _e565 {
+phi_1529_ = 0u;
 } else {
-phi_1662_ = _e1081;
-}
-let _e1094 = phi_1662_;
-let _e1116 = ((((f32(bitcast<i32>(((_e1094 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1094 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1090 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1090 & 65535u)))));
-let _e1122 = (_e1006 + 4i);
-let _e1124 = select(_e296, _e1122, (_e1122 < _e296));
-let _e1130 = global_4.member[bitcast<u32>(select(0i, _e1124, (_e1124 > 0i)))];
-let _e1131 = (_e1006 + 5i);
-let _e1133 = select(_e296, _e1131, (_e1131 < _e296));
-let _e1139 = global_4.member[bitcast<u32>(select(0i, _e1133, (_e1133 > 0i)))];
-let _e1142 = ((_e1139 >> bitcast<u32>(31i)) != 0u);
-if _e1142 {
-phi_1724_ = (~(_e1130) + 1u);
+if (_e474 == 1u) {
+phi_1528_ = _e552;
 } else {
-phi_1724_ = _e1130;
-}
-let _e1148 = phi_1724_;
-if _e1142 {
-phi_1730_ = (~(_e1139) + select(0u, 1u, (_e1130 == 0u)));
+if (_e474 == 2u) {
+phi_1527_ = _e556;
 } else {
-phi_1730_ = _e1139;
+phi_1527_ = select(_e564, _e560, (_e474 == 3u));
 }
-let _e1152 = phi_1730_;
-let _e1174 = ((((f32(bitcast<i32>(((_e1152 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1152 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1148 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1148 & 65535u)))));
-phi_1804_ = 0u;
-phi_1807_ = 0u;
-loop {
-let _e1184 = phi_1804_;
-let _e1186 = phi_1807_;
-local_3 = _e1186;
-let _e1187 = (_e1184 < _e474);
-if _e1187 {
-let _e1188 = (_e1184 & 31u);
-let _e1190 = (1u << bitcast<u32>(_e1188));
-phi_1805_ = (_e1184 + 1u);
-phi_1808_ = (_e1186 + ((((_e275 + _e1190) - 1u) >> bitcast<u32>(_e1188)) * (((_e279 + _e1190) - 1u) >> bitcast<u32>(_e1188))));
+let _e966 = phi_1527_;
+phi_1528_ = _e966;
+}
+let _e968 = phi_1528_;
+phi_1529_ = _e968;
+}
+let _e970 = phi_1529_;
+let _e972 = (select(0i, _e958, (_e958 > 0i)) * _e537);
+let _e975 = (((bitcast<i32>(_e970) + _e972) + _e546) * 6i);
+let _e977 = select(_e296, _e975, (_e975 < _e296));
+let _e983 = global_4.member[bitcast<u32>(select(0i, _e977, (_e977 > 0i)))];
+let _e984 = (_e975 + 1i);
+let _e986 = select(_e296, _e984, (_e984 < _e296));
+let _e992 = global_4.member[bitcast<u32>(select(0i, _e986, (_e986 > 0i)))];
+let _e995 = ((_e992 >> bitcast<u32>(31i)) != 0u);
+if _e995 {
+phi_1588_ = (~(_e983) + 1u);
 } else {
-phi_1805_ = u32();
-phi_1808_ = u32();
+phi_1588_ = _e983;
 }
-let _e1203 = phi_1805_;
-let _e1205 = phi_1808_;
-continue;
-continuing {
-phi_1804_ = _e1203;
-phi_1807_ = _e1205;
-break if !(_e1187);
-}
-}
-let _e1208 = local_3;
-let _e1212 = (((bitcast<i32>(_e1208) + _e1003) + _e761) * 6i);
-let _e1214 = select(_e296, _e1212, (_e1212 < _e296));
-let _e1220 = global_4.member[bitcast<u32>(select(0i, _e1214, (_e1214 > 0i)))];
-let _e1221 = (_e1212 + 1i);
-let _e1223 = select(_e296, _e1221, (_e1221 < _e296));
-let _e1229 = global_4.member[bitcast<u32>(select(0i, _e1223, (_e1223 > 0i)))];
-let _e1232 = ((_e1229 >> bitcast<u32>(31i)) != 0u);
-if _e1232 {
-phi_1888_ = (~(_e1220) + 1u);
+let _e1001 = phi_1588_;
+if _e995 {
+phi_1594_ = (~(_e992) + select(0u, 1u, (_e983 == 0u)));
 } else {
-phi_1888_ = _e1220;
+phi_1594_ = _e992;
 }
-let _e1238 = phi_1888_;
-if _e1232 {
-phi_1894_ = (~(_e1229) + select(0u, 1u, (_e1220 == 0u)));
+let _e1005 = phi_1594_;
+let _e1027 = ((((f32(bitcast<i32>(((_e1005 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1005 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1001 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1001 & 65535u)))));
+let _e1033 = (_e975 + 2i);
+let _e1035 = select(_e296, _e1033, (_e1033 < _e296));
+let _e1041 = global_4.member[bitcast<u32>(select(0i, _e1035, (_e1035 > 0i)))];
+let _e1042 = (_e975 + 3i);
+let _e1044 = select(_e296, _e1042, (_e1042 < _e296));
+let _e1050 = global_4.member[bitcast<u32>(select(0i, _e1044, (_e1044 > 0i)))];
+let _e1053 = ((_e1050 >> bitcast<u32>(31i)) != 0u);
+if _e1053 {
+phi_1656_ = (~(_e1041) + 1u);
 } else {
-phi_1894_ = _e1229;
+phi_1656_ = _e1041;
 }
-let _e1242 = phi_1894_;
-let _e1264 = ((((f32(bitcast<i32>(((_e1242 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1242 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1238 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1238 & 65535u)))));
-let _e1270 = (_e1212 + 2i);
-let _e1272 = select(_e296, _e1270, (_e1270 < _e296));
-let _e1278 = global_4.member[bitcast<u32>(select(0i, _e1272, (_e1272 > 0i)))];
-let _e1279 = (_e1212 + 3i);
-let _e1281 = select(_e296, _e1279, (_e1279 < _e296));
-let _e1287 = global_4.member[bitcast<u32>(select(0i, _e1281, (_e1281 > 0i)))];
-let _e1290 = ((_e1287 >> bitcast<u32>(31i)) != 0u);
-if _e1290 {
-phi_1956_ = (~(_e1278) + 1u);
+let _e1059 = phi_1656_;
+if _e1053 {
+phi_1662_ = (~(_e1050) + select(0u, 1u, (_e1041 == 0u)));
 } else {
-phi_1956_ = _e1278;
+phi_1662_ = _e1050;
 }
-let _e1296 = phi_1956_;
-if _e1290 {
-phi_1962_ = (~(_e1287) + select(0u, 1u, (_e1278 == 0u)));
+let _e1063 = phi_1662_;
+let _e1085 = ((((f32(bitcast<i32>(((_e1063 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1063 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1059 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1059 & 65535u)))));
+let _e1091 = (_e975 + 4i);
+let _e1093 = select(_e296, _e1091, (_e1091 < _e296));
+let _e1099 = global_4.member[bitcast<u32>(select(0i, _e1093, (_e1093 > 0i)))];
+let _e1100 = (_e975 + 5i);
+let _e1102 = select(_e296, _e1100, (_e1100 < _e296));
+let _e1108 = global_4.member[bitcast<u32>(select(0i, _e1102, (_e1102 > 0i)))];
+let _e1111 = ((_e1108 >> bitcast<u32>(31i)) != 0u);
+if _e1111 {
+phi_1724_ = (~(_e1099) + 1u);
 } else {
-phi_1962_ = _e1287;
+phi_1724_ = _e1099;
 }
-let _e1300 = phi_1962_;
-let _e1322 = ((((f32(bitcast<i32>(((_e1300 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1300 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1296 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1296 & 65535u)))));
-let _e1328 = (_e1212 + 4i);
-let _e1330 = select(_e296, _e1328, (_e1328 < _e296));
-let _e1336 = global_4.member[bitcast<u32>(select(0i, _e1330, (_e1330 > 0i)))];
-let _e1337 = (_e1212 + 5i);
-let _e1339 = select(_e296, _e1337, (_e1337 < _e296));
-let _e1345 = global_4.member[bitcast<u32>(select(0i, _e1339, (_e1339 > 0i)))];
-let _e1348 = ((_e1345 >> bitcast<u32>(31i)) != 0u);
-if _e1348 {
-phi_2024_ = (~(_e1336) + 1u);
+let _e1117 = phi_1724_;
+if _e1111 {
+phi_1730_ = (~(_e1108) + select(0u, 1u, (_e1099 == 0u)));
 } else {
-phi_2024_ = _e1336;
+phi_1730_ = _e1108;
 }
-let _e1354 = phi_2024_;
-if _e1348 {
-phi_2030_ = (~(_e1345) + select(0u, 1u, (_e1336 == 0u)));
+let _e1121 = phi_1730_;
+let _e1143 = ((((f32(bitcast<i32>(((_e1121 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1121 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1117 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1117 & 65535u)))));
+if _e565 {
+phi_1829_ = 0u;
 } else {
-phi_2030_ = _e1345;
+if (_e474 == 1u) {
+phi_1828_ = _e552;
+} else {
+if (_e474 == 2u) {
+phi_1827_ = _e556;
+} else {
+phi_1827_ = select(_e564, _e560, (_e474 == 3u));
 }
-let _e1358 = phi_2030_;
-let _e1380 = ((((f32(bitcast<i32>(((_e1358 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1358 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1354 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1354 & 65535u)))));
-let _e1392 = (1f - _e526);
-phi_782_ = vec3<f32>((_e472.x + ((((select(_e631, -(bitcast<f32>((bitcast<u32>(_e631) & 2147483647u))), _e599) * _e753) + (select(_e843, -(bitcast<f32>((bitcast<u32>(_e843) & 2147483647u))), _e811) * _e524)) * _e1392) + (((select(_e1058, -(bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u))), _e1026) * _e753) + (select(_e1264, -(bitcast<f32>((bitcast<u32>(_e1264) & 2147483647u))), _e1232) * _e524)) * _e526))), (_e472.y + ((((select(_e689, -(bitcast<f32>((bitcast<u32>(_e689) & 2147483647u))), _e657) * _e753) + (select(_e901, -(bitcast<f32>((bitcast<u32>(_e901) & 2147483647u))), _e869) * _e524)) * _e1392) + (((select(_e1116, -(bitcast<f32>((bitcast<u32>(_e1116) & 2147483647u))), _e1084) * _e753) + (select(_e1322, -(bitcast<f32>((bitcast<u32>(_e1322) & 2147483647u))), _e1290) * _e524)) * _e526))), (_e472.z + ((((select(_e747, -(bitcast<f32>((bitcast<u32>(_e747) & 2147483647u))), _e715) * _e753) + (select(_e959, -(bitcast<f32>((bitcast<u32>(_e959) & 2147483647u))), _e927) * _e524)) * _e1392) + (((select(_e1174, -(bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u))), _e1142) * _e753) + (select(_e1380, -(bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u))), _e1348) * _e524)) * _e526))));
+let _e1157 = phi_1827_;
+phi_1828_ = _e1157;
+}
+let _e1159 = phi_1828_;
+phi_1829_ = _e1159;
+}
+let _e1161 = phi_1829_;
+let _e1165 = (((bitcast<i32>(_e1161) + _e972) + _e762) * 6i);
+let _e1167 = select(_e296, _e1165, (_e1165 < _e296));
+let _e1173 = global_4.member[bitcast<u32>(select(0i, _e1167, (_e1167 > 0i)))];
+let _e1174 = (_e1165 + 1i);
+let _e1176 = select(_e296, _e1174, (_e1174 < _e296));
+let _e1182 = global_4.member[bitcast<u32>(select(0i, _e1176, (_e1176 > 0i)))];
+let _e1185 = ((_e1182 >> bitcast<u32>(31i)) != 0u);
+if _e1185 {
+phi_1888_ = (~(_e1173) + 1u);
+} else {
+phi_1888_ = _e1173;
+}
+let _e1191 = phi_1888_;
+if _e1185 {
+phi_1894_ = (~(_e1182) + select(0u, 1u, (_e1173 == 0u)));
+} else {
+phi_1894_ = _e1182;
+}
+let _e1195 = phi_1894_;
+let _e1217 = ((((f32(bitcast<i32>(((_e1195 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1195 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1191 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1191 & 65535u)))));
+let _e1223 = (_e1165 + 2i);
+let _e1225 = select(_e296, _e1223, (_e1223 < _e296));
+let _e1231 = global_4.member[bitcast<u32>(select(0i, _e1225, (_e1225 > 0i)))];
+let _e1232 = (_e1165 + 3i);
+let _e1234 = select(_e296, _e1232, (_e1232 < _e296));
+let _e1240 = global_4.member[bitcast<u32>(select(0i, _e1234, (_e1234 > 0i)))];
+let _e1243 = ((_e1240 >> bitcast<u32>(31i)) != 0u);
+if _e1243 {
+phi_1956_ = (~(_e1231) + 1u);
+} else {
+phi_1956_ = _e1231;
+}
+let _e1249 = phi_1956_;
+if _e1243 {
+phi_1962_ = (~(_e1240) + select(0u, 1u, (_e1231 == 0u)));
+} else {
+phi_1962_ = _e1240;
+}
+let _e1253 = phi_1962_;
+let _e1275 = ((((f32(bitcast<i32>(((_e1253 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1253 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1249 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1249 & 65535u)))));
+let _e1281 = (_e1165 + 4i);
+let _e1283 = select(_e296, _e1281, (_e1281 < _e296));
+let _e1289 = global_4.member[bitcast<u32>(select(0i, _e1283, (_e1283 > 0i)))];
+let _e1290 = (_e1165 + 5i);
+let _e1292 = select(_e296, _e1290, (_e1290 < _e296));
+let _e1298 = global_4.member[bitcast<u32>(select(0i, _e1292, (_e1292 > 0i)))];
+let _e1301 = ((_e1298 >> bitcast<u32>(31i)) != 0u);
+if _e1301 {
+phi_2024_ = (~(_e1289) + 1u);
+} else {
+phi_2024_ = _e1289;
+}
+let _e1307 = phi_2024_;
+if _e1301 {
+phi_2030_ = (~(_e1298) + select(0u, 1u, (_e1289 == 0u)));
+} else {
+phi_2030_ = _e1298;
+}
+let _e1311 = phi_2030_;
+let _e1333 = ((((f32(bitcast<i32>(((_e1311 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1311 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1307 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1307 & 65535u)))));
+let _e1345 = (1f - _e526);
+phi_782_ = vec3<f32>((_e472.x + ((((select(_e632, -(bitcast<f32>((bitcast<u32>(_e632) & 2147483647u))), _e600) * _e754) + (select(_e828, -(bitcast<f32>((bitcast<u32>(_e828) & 2147483647u))), _e796) * _e524)) * _e1345) + (((select(_e1027, -(bitcast<f32>((bitcast<u32>(_e1027) & 2147483647u))), _e995) * _e754) + (select(_e1217, -(bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u))), _e1185) * _e524)) * _e526))), (_e472.y + ((((select(_e690, -(bitcast<f32>((bitcast<u32>(_e690) & 2147483647u))), _e658) * _e754) + (select(_e886, -(bitcast<f32>((bitcast<u32>(_e886) & 2147483647u))), _e854) * _e524)) * _e1345) + (((select(_e1085, -(bitcast<f32>((bitcast<u32>(_e1085) & 2147483647u))), _e1053) * _e754) + (select(_e1275, -(bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u))), _e1243) * _e524)) * _e526))), (_e472.z + ((((select(_e748, -(bitcast<f32>((bitcast<u32>(_e748) & 2147483647u))), _e716) * _e754) + (select(_e944, -(bitcast<f32>((bitcast<u32>(_e944) & 2147483647u))), _e912) * _e524)) * _e1345) + (((select(_e1143, -(bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u))), _e1111) * _e754) + (select(_e1333, -(bitcast<f32>((bitcast<u32>(_e1333) & 2147483647u))), _e1301) * _e524)) * _e526))));
 phi_785_ = (_e474 + 1u);
 } else {
 phi_782_ = vec3<f32>();
 phi_785_ = u32();
 }
-let _e1411 = phi_782_;
-let _e1413 = phi_785_;
+let _e1364 = phi_782_;
+let _e1366 = phi_785_;
 continue;
 continuing {
-phi_781_ = _e1411;
-phi_784_ = _e1413;
+phi_781_ = _e1364;
+phi_784_ = _e1366;
 break if !(_e479);
 }
 }
-let _e1418 = global_2.member.member_18.member;
-let _e1419 = (1f / _e1418);
-let _e1421 = local_4;
-let _e1425 = local_5;
-let _e1429 = local_6;
-let _e1432 = ((_e1421.x * _e1419) + _e170);
-let _e1433 = ((_e1425.y * _e1419) + _e181);
-let _e1434 = ((_e1429.z * _e1419) + _e192);
-let _e1436 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e1438 = select(_e1436, _e294, (_e294 < _e1436));
-let _e1444 = global_5.member[bitcast<u32>(select(0i, _e1438, (_e1438 > 0i)))];
-let _e1446 = select(_e1436, _e305, (_e305 < _e1436));
-let _e1452 = global_5.member[bitcast<u32>(select(0i, _e1446, (_e1446 > 0i)))];
-let _e1455 = ((_e1452 >> bitcast<u32>(31i)) != 0u);
-if _e1455 {
-phi_2223_ = (~(_e1444) + 1u);
+let _e1371 = global_2.member.member_18.member;
+let _e1372 = (1f / _e1371);
+let _e1374 = local;
+let _e1378 = local_1;
+let _e1382 = local_2;
+let _e1385 = ((_e1374.x * _e1372) + _e170);
+let _e1386 = ((_e1378.y * _e1372) + _e181);
+let _e1387 = ((_e1382.z * _e1372) + _e192);
+let _e1389 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1391 = select(_e1389, _e294, (_e294 < _e1389));
+let _e1397 = global_5.member[bitcast<u32>(select(0i, _e1391, (_e1391 > 0i)))];
+let _e1399 = select(_e1389, _e305, (_e305 < _e1389));
+let _e1405 = global_5.member[bitcast<u32>(select(0i, _e1399, (_e1399 > 0i)))];
+let _e1408 = ((_e1405 >> bitcast<u32>(31i)) != 0u);
+if _e1408 {
+phi_2223_ = (~(_e1397) + 1u);
 } else {
-phi_2223_ = _e1444;
+phi_2223_ = _e1397;
 }
-let _e1461 = phi_2223_;
-if _e1455 {
-phi_2229_ = (~(_e1452) + select(0u, 1u, (_e1444 == 0u)));
+let _e1414 = phi_2223_;
+if _e1408 {
+phi_2229_ = (~(_e1405) + select(0u, 1u, (_e1397 == 0u)));
 } else {
-phi_2229_ = _e1452;
+phi_2229_ = _e1405;
 }
-let _e1465 = phi_2229_;
-let _e1487 = ((((f32(bitcast<i32>(((_e1465 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1465 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1461 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1461 & 65535u)))));
-let _e1494 = select(_e1436, _e354, (_e354 < _e1436));
-let _e1500 = global_5.member[bitcast<u32>(select(0i, _e1494, (_e1494 > 0i)))];
-let _e1502 = select(_e1436, _e363, (_e363 < _e1436));
-let _e1508 = global_5.member[bitcast<u32>(select(0i, _e1502, (_e1502 > 0i)))];
-let _e1511 = ((_e1508 >> bitcast<u32>(31i)) != 0u);
-if _e1511 {
-phi_2291_ = (~(_e1500) + 1u);
+let _e1418 = phi_2229_;
+let _e1440 = ((((f32(bitcast<i32>(((_e1418 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1418 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1414 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1414 & 65535u)))));
+let _e1447 = select(_e1389, _e354, (_e354 < _e1389));
+let _e1453 = global_5.member[bitcast<u32>(select(0i, _e1447, (_e1447 > 0i)))];
+let _e1455 = select(_e1389, _e363, (_e363 < _e1389));
+let _e1461 = global_5.member[bitcast<u32>(select(0i, _e1455, (_e1455 > 0i)))];
+let _e1464 = ((_e1461 >> bitcast<u32>(31i)) != 0u);
+if _e1464 {
+phi_2291_ = (~(_e1453) + 1u);
 } else {
-phi_2291_ = _e1500;
+phi_2291_ = _e1453;
 }
-let _e1517 = phi_2291_;
-if _e1511 {
-phi_2297_ = (~(_e1508) + select(0u, 1u, (_e1500 == 0u)));
+let _e1470 = phi_2291_;
+if _e1464 {
+phi_2297_ = (~(_e1461) + select(0u, 1u, (_e1453 == 0u)));
 } else {
-phi_2297_ = _e1508;
+phi_2297_ = _e1461;
 }
-let _e1521 = phi_2297_;
-let _e1543 = ((((f32(bitcast<i32>(((_e1521 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1521 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1517 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1517 & 65535u)))));
-let _e1550 = select(_e1436, _e412, (_e412 < _e1436));
-let _e1556 = global_5.member[bitcast<u32>(select(0i, _e1550, (_e1550 > 0i)))];
-let _e1558 = select(_e1436, _e421, (_e421 < _e1436));
-let _e1564 = global_5.member[bitcast<u32>(select(0i, _e1558, (_e1558 > 0i)))];
-let _e1567 = ((_e1564 >> bitcast<u32>(31i)) != 0u);
-if _e1567 {
-phi_2359_ = (~(_e1556) + 1u);
+let _e1474 = phi_2297_;
+let _e1496 = ((((f32(bitcast<i32>(((_e1474 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1474 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1470 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1470 & 65535u)))));
+let _e1503 = select(_e1389, _e412, (_e412 < _e1389));
+let _e1509 = global_5.member[bitcast<u32>(select(0i, _e1503, (_e1503 > 0i)))];
+let _e1511 = select(_e1389, _e421, (_e421 < _e1389));
+let _e1517 = global_5.member[bitcast<u32>(select(0i, _e1511, (_e1511 > 0i)))];
+let _e1520 = ((_e1517 >> bitcast<u32>(31i)) != 0u);
+if _e1520 {
+phi_2359_ = (~(_e1509) + 1u);
 } else {
-phi_2359_ = _e1556;
+phi_2359_ = _e1509;
 }
-let _e1573 = phi_2359_;
-if _e1567 {
-phi_2365_ = (~(_e1564) + select(0u, 1u, (_e1556 == 0u)));
+let _e1526 = phi_2359_;
+if _e1520 {
+phi_2365_ = (~(_e1517) + select(0u, 1u, (_e1509 == 0u)));
 } else {
-phi_2365_ = _e1564;
+phi_2365_ = _e1517;
 }
-let _e1577 = phi_2365_;
-let _e1599 = ((((f32(bitcast<i32>(((_e1577 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1577 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1573 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1573 & 65535u)))));
-phi_2388_ = vec3<f32>(select(_e1487, -(bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u))), _e1455), select(_e1543, -(bitcast<f32>((bitcast<u32>(_e1543) & 2147483647u))), _e1511), select(_e1599, -(bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u))), _e1567));
+let _e1530 = phi_2365_;
+let _e1552 = ((((f32(bitcast<i32>(((_e1530 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1530 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1526 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1526 & 65535u)))));
+phi_2388_ = vec3<f32>(select(_e1440, -(bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u))), _e1408), select(_e1496, -(bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u))), _e1464), select(_e1552, -(bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u))), _e1520));
 phi_2391_ = 1u;
 loop {
-let _e1607 = phi_2388_;
-let _e1609 = phi_2391_;
-local_12 = _e1607;
-local_13 = _e1607;
-local_14 = _e1607;
-let _e1611 = local_7;
-let _e1612 = (_e1609 <= _e1611);
-if _e1612 {
-let _e1613 = (_e1609 & 31u);
-let _e1617 = (1f / f32((1i << bitcast<u32>(_e1613))));
-let _e1621 = (((f32(_e270) + 0.5f) * _e1617) - 0.5f);
-let _e1625 = (((f32(_e271) + 0.5f) * _e1617) - 0.5f);
-let _e1627 = select(-1f, _e1621, (_e1621 > -1f));
-let _e1629 = select(1e6f, _e1627, (_e1627 < 1e6f));
-let _e1636 = select(0i, select(select(i32(_e1629), i32(-2147483648), (_e1629 < -2147483600f)), 2147483647i, (_e1629 > 2147483500f)), (_e1629 == _e1629));
-let _e1640 = (_e1636 - select(0i, 1i, (_e1629 < f32(_e1636))));
-let _e1642 = select(-1f, _e1625, (_e1625 > -1f));
-let _e1644 = select(1e6f, _e1642, (_e1642 < 1e6f));
-let _e1651 = select(0i, select(select(i32(_e1644), i32(-2147483648), (_e1644 < -2147483600f)), 2147483647i, (_e1644 > 2147483500f)), (_e1644 == _e1644));
-let _e1655 = (_e1651 - select(0i, 1i, (_e1644 < f32(_e1651))));
-let _e1657 = (_e1621 - f32(_e1640));
-let _e1659 = (_e1625 - f32(_e1655));
-let _e1661 = (1u << bitcast<u32>(_e1613));
-let _e1670 = bitcast<i32>((((_e275 + _e1661) - 1u) >> bitcast<u32>(_e1613)));
-let _e1671 = (_e1670 - 1i);
-let _e1673 = (bitcast<i32>((((_e279 + _e1661) - 1u) >> bitcast<u32>(_e1613))) - 1i);
-let _e1675 = select(_e1671, _e1640, (_e1640 < _e1671));
-let _e1677 = select(_e1673, _e1655, (_e1655 < _e1673));
-let _e1679 = select(0i, _e1675, (_e1675 > 0i));
-phi_2511_ = 0u;
-phi_2514_ = 0u;
-loop {
-let _e1683 = phi_2511_;
-let _e1685 = phi_2514_;
-local_8 = _e1685;
-let _e1686 = (_e1683 < _e1609);
+let _e1560 = phi_2388_;
+let _e1562 = phi_2391_;
+local_4 = _e1560;
+local_5 = _e1560;
+local_6 = _e1560;
+let _e1564 = local_3;
+let _e1565 = (_e1562 <= _e1564);
+if _e1565 {
+let _e1566 = (_e1562 & 31u);
+let _e1570 = (1f / f32((1i << bitcast<u32>(_e1566))));
+let _e1574 = (((f32(_e270) + 0.5f) * _e1570) - 0.5f);
+let _e1578 = (((f32(_e271) + 0.5f) * _e1570) - 0.5f);
+let _e1580 = select(-1f, _e1574, (_e1574 > -1f));
+let _e1582 = select(1e6f, _e1580, (_e1580 < 1e6f));
+let _e1589 = select(0i, select(select(i32(_e1582), i32(-2147483648), (_e1582 < -2147483600f)), 2147483647i, (_e1582 > 2147483500f)), (_e1582 == _e1582));
+let _e1593 = (_e1589 - select(0i, 1i, (_e1582 < f32(_e1589))));
+let _e1595 = select(-1f, _e1578, (_e1578 > -1f));
+let _e1597 = select(1e6f, _e1595, (_e1595 < 1e6f));
+let _e1604 = select(0i, select(select(i32(_e1597), i32(-2147483648), (_e1597 < -2147483600f)), 2147483647i, (_e1597 > 2147483500f)), (_e1597 == _e1597));
+let _e1608 = (_e1604 - select(0i, 1i, (_e1597 < f32(_e1604))));
+let _e1610 = (_e1574 - f32(_e1593));
+let _e1612 = (_e1578 - f32(_e1608));
+let _e1614 = (1u << bitcast<u32>(_e1566));
+let _e1623 = bitcast<i32>((((_e275 + _e1614) - 1u) >> bitcast<u32>(_e1566)));
+let _e1624 = (_e1623 - 1i);
+let _e1626 = (bitcast<i32>((((_e279 + _e1614) - 1u) >> bitcast<u32>(_e1566))) - 1i);
+let _e1628 = select(_e1624, _e1593, (_e1593 < _e1624));
+let _e1630 = select(_e1626, _e1608, (_e1608 < _e1626));
+let _e1632 = select(0i, _e1628, (_e1628 > 0i));
+let _e1638 = global_2.member.member_18.member_2;
+let _e1642 = global_2.member.member_18.member_3;
+let _e1646 = global_2.member.member_18.member_4;
+let _e1650 = global_2.member.member_18.member_5;
+let _e1651 = (_e1562 == 0u);
+if _e1651 {
+phi_2536_ = 0u;
+} else {
+if (_e1562 == 1u) {
+phi_2535_ = _e1638;
+} else {
+if (_e1562 == 2u) {
+phi_2534_ = _e1642;
+} else {
+phi_2534_ = select(_e1650, _e1646, (_e1562 == 3u));
+}
+let _e1657 = phi_2534_;
+phi_2535_ = _e1657;
+}
+let _e1659 = phi_2535_;
+phi_2536_ = _e1659;
+}
+let _e1661 = phi_2536_;
+let _e1663 = (select(0i, _e1630, (_e1630 > 0i)) * _e1623);
+let _e1666 = (((bitcast<i32>(_e1661) + _e1663) + _e1632) * 6i);
+let _e1668 = select(_e1389, _e1666, (_e1666 < _e1389));
+let _e1674 = global_5.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
+let _e1675 = (_e1666 + 1i);
+let _e1677 = select(_e1389, _e1675, (_e1675 < _e1389));
+let _e1683 = global_5.member[bitcast<u32>(select(0i, _e1677, (_e1677 > 0i)))];
+let _e1686 = ((_e1683 >> bitcast<u32>(31i)) != 0u);
 if _e1686 {
-let _e1687 = (_e1683 & 31u);
-let _e1689 = (1u << bitcast<u32>(_e1687));
-phi_2512_ = (_e1683 + 1u);
-phi_2515_ = (_e1685 + ((((_e275 + _e1689) - 1u) >> bitcast<u32>(_e1687)) * (((_e279 + _e1689) - 1u) >> bitcast<u32>(_e1687))));
+phi_2595_ = (~(_e1674) + 1u);
 } else {
-phi_2512_ = u32();
-phi_2515_ = u32();
+phi_2595_ = _e1674;
 }
-let _e1702 = phi_2512_;
-let _e1704 = phi_2515_;
-continue;
-continuing {
-phi_2511_ = _e1702;
-phi_2514_ = _e1704;
-break if !(_e1686);
-}
-}
-let _e1707 = local_8;
-let _e1709 = (select(0i, _e1677, (_e1677 > 0i)) * _e1670);
-let _e1712 = (((bitcast<i32>(_e1707) + _e1709) + _e1679) * 6i);
-let _e1714 = select(_e1436, _e1712, (_e1712 < _e1436));
-let _e1720 = global_5.member[bitcast<u32>(select(0i, _e1714, (_e1714 > 0i)))];
-let _e1721 = (_e1712 + 1i);
-let _e1723 = select(_e1436, _e1721, (_e1721 < _e1436));
-let _e1729 = global_5.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
-let _e1732 = ((_e1729 >> bitcast<u32>(31i)) != 0u);
-if _e1732 {
-phi_2595_ = (~(_e1720) + 1u);
+let _e1692 = phi_2595_;
+if _e1686 {
+phi_2601_ = (~(_e1683) + select(0u, 1u, (_e1674 == 0u)));
 } else {
-phi_2595_ = _e1720;
+phi_2601_ = _e1683;
 }
-let _e1738 = phi_2595_;
-if _e1732 {
-phi_2601_ = (~(_e1729) + select(0u, 1u, (_e1720 == 0u)));
+let _e1696 = phi_2601_;
+let _e1718 = ((((f32(bitcast<i32>(((_e1696 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1696 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1692 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1692 & 65535u)))));
+let _e1724 = (_e1666 + 2i);
+let _e1726 = select(_e1389, _e1724, (_e1724 < _e1389));
+let _e1732 = global_5.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
+let _e1733 = (_e1666 + 3i);
+let _e1735 = select(_e1389, _e1733, (_e1733 < _e1389));
+let _e1741 = global_5.member[bitcast<u32>(select(0i, _e1735, (_e1735 > 0i)))];
+let _e1744 = ((_e1741 >> bitcast<u32>(31i)) != 0u);
+if _e1744 {
+phi_2663_ = (~(_e1732) + 1u);
 } else {
-phi_2601_ = _e1729;
+phi_2663_ = _e1732;
 }
-let _e1742 = phi_2601_;
-let _e1764 = ((((f32(bitcast<i32>(((_e1742 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1742 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1738 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1738 & 65535u)))));
-let _e1770 = (_e1712 + 2i);
-let _e1772 = select(_e1436, _e1770, (_e1770 < _e1436));
-let _e1778 = global_5.member[bitcast<u32>(select(0i, _e1772, (_e1772 > 0i)))];
-let _e1779 = (_e1712 + 3i);
-let _e1781 = select(_e1436, _e1779, (_e1779 < _e1436));
-let _e1787 = global_5.member[bitcast<u32>(select(0i, _e1781, (_e1781 > 0i)))];
-let _e1790 = ((_e1787 >> bitcast<u32>(31i)) != 0u);
-if _e1790 {
-phi_2663_ = (~(_e1778) + 1u);
+let _e1750 = phi_2663_;
+if _e1744 {
+phi_2669_ = (~(_e1741) + select(0u, 1u, (_e1732 == 0u)));
 } else {
-phi_2663_ = _e1778;
+phi_2669_ = _e1741;
 }
-let _e1796 = phi_2663_;
-if _e1790 {
-phi_2669_ = (~(_e1787) + select(0u, 1u, (_e1778 == 0u)));
+let _e1754 = phi_2669_;
+let _e1776 = ((((f32(bitcast<i32>(((_e1754 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1754 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1750 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1750 & 65535u)))));
+let _e1782 = (_e1666 + 4i);
+let _e1784 = select(_e1389, _e1782, (_e1782 < _e1389));
+let _e1790 = global_5.member[bitcast<u32>(select(0i, _e1784, (_e1784 > 0i)))];
+let _e1791 = (_e1666 + 5i);
+let _e1793 = select(_e1389, _e1791, (_e1791 < _e1389));
+let _e1799 = global_5.member[bitcast<u32>(select(0i, _e1793, (_e1793 > 0i)))];
+let _e1802 = ((_e1799 >> bitcast<u32>(31i)) != 0u);
+if _e1802 {
+phi_2731_ = (~(_e1790) + 1u);
 } else {
-phi_2669_ = _e1787;
+phi_2731_ = _e1790;
 }
-let _e1800 = phi_2669_;
-let _e1822 = ((((f32(bitcast<i32>(((_e1800 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1800 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1796 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1796 & 65535u)))));
-let _e1828 = (_e1712 + 4i);
-let _e1830 = select(_e1436, _e1828, (_e1828 < _e1436));
-let _e1836 = global_5.member[bitcast<u32>(select(0i, _e1830, (_e1830 > 0i)))];
-let _e1837 = (_e1712 + 5i);
-let _e1839 = select(_e1436, _e1837, (_e1837 < _e1436));
-let _e1845 = global_5.member[bitcast<u32>(select(0i, _e1839, (_e1839 > 0i)))];
-let _e1848 = ((_e1845 >> bitcast<u32>(31i)) != 0u);
-if _e1848 {
-phi_2731_ = (~(_e1836) + 1u);
+let _e1808 = phi_2731_;
+if _e1802 {
+phi_2737_ = (~(_e1799) + select(0u, 1u, (_e1790 == 0u)));
 } else {
-phi_2731_ = _e1836;
+phi_2737_ = _e1799;
 }
-let _e1854 = phi_2731_;
-if _e1848 {
-phi_2737_ = (~(_e1845) + select(0u, 1u, (_e1836 == 0u)));
+let _e1812 = phi_2737_;
+let _e1834 = ((((f32(bitcast<i32>(((_e1812 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1812 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1808 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1808 & 65535u)))));
+let _e1840 = (1f - _e1610);
+let _e1844 = (_e1593 + 1i);
+let _e1846 = select(_e1624, _e1844, (_e1844 < _e1624));
+let _e1848 = select(0i, _e1846, (_e1846 > 0i));
+if _e1651 {
+phi_2835_ = 0u;
 } else {
-phi_2737_ = _e1845;
-}
-let _e1858 = phi_2737_;
-let _e1880 = ((((f32(bitcast<i32>(((_e1858 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1858 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1854 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1854 & 65535u)))));
-let _e1886 = (1f - _e1657);
-let _e1890 = (_e1640 + 1i);
-let _e1892 = select(_e1671, _e1890, (_e1890 < _e1671));
-let _e1894 = select(0i, _e1892, (_e1892 > 0i));
-phi_2810_ = 0u;
-phi_2813_ = 0u;
-loop {
-let _e1896 = phi_2810_;
-let _e1898 = phi_2813_;
-local_9 = _e1898;
-let _e1899 = (_e1896 < _e1609);
-if _e1899 {
-let _e1900 = (_e1896 & 31u);
-let _e1902 = (1u << bitcast<u32>(_e1900));
-phi_2811_ = (_e1896 + 1u);
-phi_2814_ = (_e1898 + ((((_e275 + _e1902) - 1u) >> bitcast<u32>(_e1900)) * (((_e279 + _e1902) - 1u) >> bitcast<u32>(_e1900))));
+if (_e1562 == 1u) {
+phi_2834_ = _e1638;
 } else {
-phi_2811_ = u32();
-phi_2814_ = u32();
-}
-let _e1915 = phi_2811_;
-let _e1917 = phi_2814_;
-continue;
-continuing {
-phi_2810_ = _e1915;
-phi_2813_ = _e1917;
-break if !(_e1899);
-}
-}
-let _e1920 = local_9;
-let _e1924 = (((bitcast<i32>(_e1920) + _e1709) + _e1894) * 6i);
-let _e1926 = select(_e1436, _e1924, (_e1924 < _e1436));
-let _e1932 = global_5.member[bitcast<u32>(select(0i, _e1926, (_e1926 > 0i)))];
-let _e1933 = (_e1924 + 1i);
-let _e1935 = select(_e1436, _e1933, (_e1933 < _e1436));
-let _e1941 = global_5.member[bitcast<u32>(select(0i, _e1935, (_e1935 > 0i)))];
-let _e1944 = ((_e1941 >> bitcast<u32>(31i)) != 0u);
-if _e1944 {
-phi_2894_ = (~(_e1932) + 1u);
+if (_e1562 == 2u) {
+phi_2833_ = _e1642;
 } else {
-phi_2894_ = _e1932;
+phi_2833_ = select(_e1650, _e1646, (_e1562 == 3u));
 }
-let _e1950 = phi_2894_;
-if _e1944 {
-phi_2900_ = (~(_e1941) + select(0u, 1u, (_e1932 == 0u)));
+let _e1854 = phi_2833_;
+phi_2834_ = _e1854;
+}
+let _e1856 = phi_2834_;
+phi_2835_ = _e1856;
+}
+let _e1858 = phi_2835_;
+let _e1862 = (((bitcast<i32>(_e1858) + _e1663) + _e1848) * 6i);
+let _e1864 = select(_e1389, _e1862, (_e1862 < _e1389));
+let _e1870 = global_5.member[bitcast<u32>(select(0i, _e1864, (_e1864 > 0i)))];
+let _e1871 = (_e1862 + 1i);
+let _e1873 = select(_e1389, _e1871, (_e1871 < _e1389));
+let _e1879 = global_5.member[bitcast<u32>(select(0i, _e1873, (_e1873 > 0i)))];
+let _e1882 = ((_e1879 >> bitcast<u32>(31i)) != 0u);
+if _e1882 {
+phi_2894_ = (~(_e1870) + 1u);
 } else {
-phi_2900_ = _e1941;
+phi_2894_ = _e1870;
 }
-let _e1954 = phi_2900_;
-let _e1976 = ((((f32(bitcast<i32>(((_e1954 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1954 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1950 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1950 & 65535u)))));
-let _e1982 = (_e1924 + 2i);
-let _e1984 = select(_e1436, _e1982, (_e1982 < _e1436));
-let _e1990 = global_5.member[bitcast<u32>(select(0i, _e1984, (_e1984 > 0i)))];
-let _e1991 = (_e1924 + 3i);
-let _e1993 = select(_e1436, _e1991, (_e1991 < _e1436));
-let _e1999 = global_5.member[bitcast<u32>(select(0i, _e1993, (_e1993 > 0i)))];
-let _e2002 = ((_e1999 >> bitcast<u32>(31i)) != 0u);
-if _e2002 {
-phi_2962_ = (~(_e1990) + 1u);
+let _e1888 = phi_2894_;
+if _e1882 {
+phi_2900_ = (~(_e1879) + select(0u, 1u, (_e1870 == 0u)));
 } else {
-phi_2962_ = _e1990;
+phi_2900_ = _e1879;
 }
-let _e2008 = phi_2962_;
-if _e2002 {
-phi_2968_ = (~(_e1999) + select(0u, 1u, (_e1990 == 0u)));
+let _e1892 = phi_2900_;
+let _e1914 = ((((f32(bitcast<i32>(((_e1892 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1892 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1888 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1888 & 65535u)))));
+let _e1920 = (_e1862 + 2i);
+let _e1922 = select(_e1389, _e1920, (_e1920 < _e1389));
+let _e1928 = global_5.member[bitcast<u32>(select(0i, _e1922, (_e1922 > 0i)))];
+let _e1929 = (_e1862 + 3i);
+let _e1931 = select(_e1389, _e1929, (_e1929 < _e1389));
+let _e1937 = global_5.member[bitcast<u32>(select(0i, _e1931, (_e1931 > 0i)))];
+let _e1940 = ((_e1937 >> bitcast<u32>(31i)) != 0u);
+if _e1940 {
+phi_2962_ = (~(_e1928) + 1u);
 } else {
-phi_2968_ = _e1999;
+phi_2962_ = _e1928;
 }
-let _e2012 = phi_2968_;
-let _e2034 = ((((f32(bitcast<i32>(((_e2012 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2012 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2008 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2008 & 65535u)))));
-let _e2040 = (_e1924 + 4i);
-let _e2042 = select(_e1436, _e2040, (_e2040 < _e1436));
-let _e2048 = global_5.member[bitcast<u32>(select(0i, _e2042, (_e2042 > 0i)))];
-let _e2049 = (_e1924 + 5i);
-let _e2051 = select(_e1436, _e2049, (_e2049 < _e1436));
-let _e2057 = global_5.member[bitcast<u32>(select(0i, _e2051, (_e2051 > 0i)))];
-let _e2060 = ((_e2057 >> bitcast<u32>(31i)) != 0u);
-if _e2060 {
-phi_3030_ = (~(_e2048) + 1u);
+let _e1946 = phi_2962_;
+if _e1940 {
+phi_2968_ = (~(_e1937) + select(0u, 1u, (_e1928 == 0u)));
 } else {
-phi_3030_ = _e2048;
+phi_2968_ = _e1937;
 }
-let _e2066 = phi_3030_;
-if _e2060 {
-phi_3036_ = (~(_e2057) + select(0u, 1u, (_e2048 == 0u)));
+let _e1950 = phi_2968_;
+let _e1972 = ((((f32(bitcast<i32>(((_e1950 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1950 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1946 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1946 & 65535u)))));
+let _e1978 = (_e1862 + 4i);
+let _e1980 = select(_e1389, _e1978, (_e1978 < _e1389));
+let _e1986 = global_5.member[bitcast<u32>(select(0i, _e1980, (_e1980 > 0i)))];
+let _e1987 = (_e1862 + 5i);
+let _e1989 = select(_e1389, _e1987, (_e1987 < _e1389));
+let _e1995 = global_5.member[bitcast<u32>(select(0i, _e1989, (_e1989 > 0i)))];
+let _e1998 = ((_e1995 >> bitcast<u32>(31i)) != 0u);
+if _e1998 {
+phi_3030_ = (~(_e1986) + 1u);
 } else {
-phi_3036_ = _e2057;
+phi_3030_ = _e1986;
 }
-let _e2070 = phi_3036_;
-let _e2092 = ((((f32(bitcast<i32>(((_e2070 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2070 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2066 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2066 & 65535u)))));
-let _e2104 = (_e1655 + 1i);
-let _e2106 = select(_e1673, _e2104, (_e2104 < _e1673));
-phi_3111_ = 0u;
-phi_3114_ = 0u;
-loop {
-let _e2110 = phi_3111_;
-let _e2112 = phi_3114_;
-local_10 = _e2112;
-let _e2113 = (_e2110 < _e1609);
-if _e2113 {
-let _e2114 = (_e2110 & 31u);
-let _e2116 = (1u << bitcast<u32>(_e2114));
-phi_3112_ = (_e2110 + 1u);
-phi_3115_ = (_e2112 + ((((_e275 + _e2116) - 1u) >> bitcast<u32>(_e2114)) * (((_e279 + _e2116) - 1u) >> bitcast<u32>(_e2114))));
+let _e2004 = phi_3030_;
+if _e1998 {
+phi_3036_ = (~(_e1995) + select(0u, 1u, (_e1986 == 0u)));
 } else {
-phi_3112_ = u32();
-phi_3115_ = u32();
+phi_3036_ = _e1995;
 }
-let _e2129 = phi_3112_;
-let _e2131 = phi_3115_;
-continue;
-continuing {
-phi_3111_ = _e2129;
-phi_3114_ = _e2131;
-break if !(_e2113);
-}
-}
-let _e2134 = local_10;
-let _e2136 = (select(0i, _e2106, (_e2106 > 0i)) * _e1670);
-let _e2139 = (((bitcast<i32>(_e2134) + _e2136) + _e1679) * 6i);
-let _e2141 = select(_e1436, _e2139, (_e2139 < _e1436));
-let _e2147 = global_5.member[bitcast<u32>(select(0i, _e2141, (_e2141 > 0i)))];
-let _e2148 = (_e2139 + 1i);
-let _e2150 = select(_e1436, _e2148, (_e2148 < _e1436));
-let _e2156 = global_5.member[bitcast<u32>(select(0i, _e2150, (_e2150 > 0i)))];
-let _e2159 = ((_e2156 >> bitcast<u32>(31i)) != 0u);
-if _e2159 {
-phi_3195_ = (~(_e2147) + 1u);
+let _e2008 = phi_3036_;
+let _e2030 = ((((f32(bitcast<i32>(((_e2008 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2008 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2004 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2004 & 65535u)))));
+let _e2042 = (_e1608 + 1i);
+let _e2044 = select(_e1626, _e2042, (_e2042 < _e1626));
+if _e1651 {
+phi_3136_ = 0u;
 } else {
-phi_3195_ = _e2147;
-}
-let _e2165 = phi_3195_;
-if _e2159 {
-phi_3201_ = (~(_e2156) + select(0u, 1u, (_e2147 == 0u)));
+if (_e1562 == 1u) {
+phi_3135_ = _e1638;
 } else {
-phi_3201_ = _e2156;
-}
-let _e2169 = phi_3201_;
-let _e2191 = ((((f32(bitcast<i32>(((_e2169 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2169 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2165 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2165 & 65535u)))));
-let _e2197 = (_e2139 + 2i);
-let _e2199 = select(_e1436, _e2197, (_e2197 < _e1436));
-let _e2205 = global_5.member[bitcast<u32>(select(0i, _e2199, (_e2199 > 0i)))];
-let _e2206 = (_e2139 + 3i);
-let _e2208 = select(_e1436, _e2206, (_e2206 < _e1436));
-let _e2214 = global_5.member[bitcast<u32>(select(0i, _e2208, (_e2208 > 0i)))];
-let _e2217 = ((_e2214 >> bitcast<u32>(31i)) != 0u);
-if _e2217 {
-phi_3263_ = (~(_e2205) + 1u);
+if (_e1562 == 2u) {
+phi_3134_ = _e1642;
 } else {
-phi_3263_ = _e2205;
+phi_3134_ = select(_e1650, _e1646, (_e1562 == 3u));
 }
-let _e2223 = phi_3263_;
-if _e2217 {
-phi_3269_ = (~(_e2214) + select(0u, 1u, (_e2205 == 0u)));
+let _e2052 = phi_3134_;
+phi_3135_ = _e2052;
+}
+let _e2054 = phi_3135_;
+phi_3136_ = _e2054;
+}
+let _e2056 = phi_3136_;
+let _e2058 = (select(0i, _e2044, (_e2044 > 0i)) * _e1623);
+let _e2061 = (((bitcast<i32>(_e2056) + _e2058) + _e1632) * 6i);
+let _e2063 = select(_e1389, _e2061, (_e2061 < _e1389));
+let _e2069 = global_5.member[bitcast<u32>(select(0i, _e2063, (_e2063 > 0i)))];
+let _e2070 = (_e2061 + 1i);
+let _e2072 = select(_e1389, _e2070, (_e2070 < _e1389));
+let _e2078 = global_5.member[bitcast<u32>(select(0i, _e2072, (_e2072 > 0i)))];
+let _e2081 = ((_e2078 >> bitcast<u32>(31i)) != 0u);
+if _e2081 {
+phi_3195_ = (~(_e2069) + 1u);
 } else {
-phi_3269_ = _e2214;
+phi_3195_ = _e2069;
 }
-let _e2227 = phi_3269_;
-let _e2249 = ((((f32(bitcast<i32>(((_e2227 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2227 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2223 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2223 & 65535u)))));
-let _e2255 = (_e2139 + 4i);
-let _e2257 = select(_e1436, _e2255, (_e2255 < _e1436));
-let _e2263 = global_5.member[bitcast<u32>(select(0i, _e2257, (_e2257 > 0i)))];
-let _e2264 = (_e2139 + 5i);
-let _e2266 = select(_e1436, _e2264, (_e2264 < _e1436));
-let _e2272 = global_5.member[bitcast<u32>(select(0i, _e2266, (_e2266 > 0i)))];
-let _e2275 = ((_e2272 >> bitcast<u32>(31i)) != 0u);
-if _e2275 {
-phi_3331_ = (~(_e2263) + 1u);
+let _e2087 = phi_3195_;
+if _e2081 {
+phi_3201_ = (~(_e2078) + select(0u, 1u, (_e2069 == 0u)));
 } else {
-phi_3331_ = _e2263;
+phi_3201_ = _e2078;
 }
-let _e2281 = phi_3331_;
-if _e2275 {
-phi_3337_ = (~(_e2272) + select(0u, 1u, (_e2263 == 0u)));
+let _e2091 = phi_3201_;
+let _e2113 = ((((f32(bitcast<i32>(((_e2091 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2091 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2087 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2087 & 65535u)))));
+let _e2119 = (_e2061 + 2i);
+let _e2121 = select(_e1389, _e2119, (_e2119 < _e1389));
+let _e2127 = global_5.member[bitcast<u32>(select(0i, _e2121, (_e2121 > 0i)))];
+let _e2128 = (_e2061 + 3i);
+let _e2130 = select(_e1389, _e2128, (_e2128 < _e1389));
+let _e2136 = global_5.member[bitcast<u32>(select(0i, _e2130, (_e2130 > 0i)))];
+let _e2139 = ((_e2136 >> bitcast<u32>(31i)) != 0u);
+if _e2139 {
+phi_3263_ = (~(_e2127) + 1u);
 } else {
-phi_3337_ = _e2272;
+phi_3263_ = _e2127;
 }
-let _e2285 = phi_3337_;
-let _e2307 = ((((f32(bitcast<i32>(((_e2285 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2285 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2281 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2281 & 65535u)))));
-phi_3411_ = 0u;
-phi_3414_ = 0u;
-loop {
-let _e2317 = phi_3411_;
-let _e2319 = phi_3414_;
-local_11 = _e2319;
-let _e2320 = (_e2317 < _e1609);
-if _e2320 {
-let _e2321 = (_e2317 & 31u);
-let _e2323 = (1u << bitcast<u32>(_e2321));
-phi_3412_ = (_e2317 + 1u);
-phi_3415_ = (_e2319 + ((((_e275 + _e2323) - 1u) >> bitcast<u32>(_e2321)) * (((_e279 + _e2323) - 1u) >> bitcast<u32>(_e2321))));
+let _e2145 = phi_3263_;
+if _e2139 {
+phi_3269_ = (~(_e2136) + select(0u, 1u, (_e2127 == 0u)));
 } else {
-phi_3412_ = u32();
-phi_3415_ = u32();
+phi_3269_ = _e2136;
 }
-let _e2336 = phi_3412_;
-let _e2338 = phi_3415_;
-continue;
-continuing {
-phi_3411_ = _e2336;
-phi_3414_ = _e2338;
-break if !(_e2320);
-}
-}
-let _e2341 = local_11;
-let _e2345 = (((bitcast<i32>(_e2341) + _e2136) + _e1894) * 6i);
-let _e2347 = select(_e1436, _e2345, (_e2345 < _e1436));
-let _e2353 = global_5.member[bitcast<u32>(select(0i, _e2347, (_e2347 > 0i)))];
-let _e2354 = (_e2345 + 1i);
-let _e2356 = select(_e1436, _e2354, (_e2354 < _e1436));
-let _e2362 = global_5.member[bitcast<u32>(select(0i, _e2356, (_e2356 > 0i)))];
-let _e2365 = ((_e2362 >> bitcast<u32>(31i)) != 0u);
-if _e2365 {
-phi_3495_ = (~(_e2353) + 1u);
+let _e2149 = phi_3269_;
+let _e2171 = ((((f32(bitcast<i32>(((_e2149 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2149 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2145 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2145 & 65535u)))));
+let _e2177 = (_e2061 + 4i);
+let _e2179 = select(_e1389, _e2177, (_e2177 < _e1389));
+let _e2185 = global_5.member[bitcast<u32>(select(0i, _e2179, (_e2179 > 0i)))];
+let _e2186 = (_e2061 + 5i);
+let _e2188 = select(_e1389, _e2186, (_e2186 < _e1389));
+let _e2194 = global_5.member[bitcast<u32>(select(0i, _e2188, (_e2188 > 0i)))];
+let _e2197 = ((_e2194 >> bitcast<u32>(31i)) != 0u);
+if _e2197 {
+phi_3331_ = (~(_e2185) + 1u);
 } else {
-phi_3495_ = _e2353;
+phi_3331_ = _e2185;
 }
-let _e2371 = phi_3495_;
-if _e2365 {
-phi_3501_ = (~(_e2362) + select(0u, 1u, (_e2353 == 0u)));
+let _e2203 = phi_3331_;
+if _e2197 {
+phi_3337_ = (~(_e2194) + select(0u, 1u, (_e2185 == 0u)));
 } else {
-phi_3501_ = _e2362;
+phi_3337_ = _e2194;
 }
-let _e2375 = phi_3501_;
-let _e2397 = ((((f32(bitcast<i32>(((_e2375 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2375 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2371 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2371 & 65535u)))));
-let _e2403 = (_e2345 + 2i);
-let _e2405 = select(_e1436, _e2403, (_e2403 < _e1436));
-let _e2411 = global_5.member[bitcast<u32>(select(0i, _e2405, (_e2405 > 0i)))];
-let _e2412 = (_e2345 + 3i);
-let _e2414 = select(_e1436, _e2412, (_e2412 < _e1436));
-let _e2420 = global_5.member[bitcast<u32>(select(0i, _e2414, (_e2414 > 0i)))];
-let _e2423 = ((_e2420 >> bitcast<u32>(31i)) != 0u);
-if _e2423 {
-phi_3563_ = (~(_e2411) + 1u);
+let _e2207 = phi_3337_;
+let _e2229 = ((((f32(bitcast<i32>(((_e2207 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2207 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2203 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2203 & 65535u)))));
+if _e1651 {
+phi_3436_ = 0u;
 } else {
-phi_3563_ = _e2411;
-}
-let _e2429 = phi_3563_;
-if _e2423 {
-phi_3569_ = (~(_e2420) + select(0u, 1u, (_e2411 == 0u)));
+if (_e1562 == 1u) {
+phi_3435_ = _e1638;
 } else {
-phi_3569_ = _e2420;
-}
-let _e2433 = phi_3569_;
-let _e2455 = ((((f32(bitcast<i32>(((_e2433 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2433 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2429 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2429 & 65535u)))));
-let _e2461 = (_e2345 + 4i);
-let _e2463 = select(_e1436, _e2461, (_e2461 < _e1436));
-let _e2469 = global_5.member[bitcast<u32>(select(0i, _e2463, (_e2463 > 0i)))];
-let _e2470 = (_e2345 + 5i);
-let _e2472 = select(_e1436, _e2470, (_e2470 < _e1436));
-let _e2478 = global_5.member[bitcast<u32>(select(0i, _e2472, (_e2472 > 0i)))];
-let _e2481 = ((_e2478 >> bitcast<u32>(31i)) != 0u);
-if _e2481 {
-phi_3631_ = (~(_e2469) + 1u);
+if (_e1562 == 2u) {
+phi_3434_ = _e1642;
 } else {
-phi_3631_ = _e2469;
+phi_3434_ = select(_e1650, _e1646, (_e1562 == 3u));
 }
-let _e2487 = phi_3631_;
-if _e2481 {
-phi_3637_ = (~(_e2478) + select(0u, 1u, (_e2469 == 0u)));
+let _e2243 = phi_3434_;
+phi_3435_ = _e2243;
+}
+let _e2245 = phi_3435_;
+phi_3436_ = _e2245;
+}
+let _e2247 = phi_3436_;
+let _e2251 = (((bitcast<i32>(_e2247) + _e2058) + _e1848) * 6i);
+let _e2253 = select(_e1389, _e2251, (_e2251 < _e1389));
+let _e2259 = global_5.member[bitcast<u32>(select(0i, _e2253, (_e2253 > 0i)))];
+let _e2260 = (_e2251 + 1i);
+let _e2262 = select(_e1389, _e2260, (_e2260 < _e1389));
+let _e2268 = global_5.member[bitcast<u32>(select(0i, _e2262, (_e2262 > 0i)))];
+let _e2271 = ((_e2268 >> bitcast<u32>(31i)) != 0u);
+if _e2271 {
+phi_3495_ = (~(_e2259) + 1u);
 } else {
-phi_3637_ = _e2478;
+phi_3495_ = _e2259;
 }
-let _e2491 = phi_3637_;
-let _e2513 = ((((f32(bitcast<i32>(((_e2491 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2491 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2487 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2487 & 65535u)))));
-let _e2525 = (1f - _e1659);
-phi_2389_ = vec3<f32>((_e1607.x + ((((select(_e1764, -(bitcast<f32>((bitcast<u32>(_e1764) & 2147483647u))), _e1732) * _e1886) + (select(_e1976, -(bitcast<f32>((bitcast<u32>(_e1976) & 2147483647u))), _e1944) * _e1657)) * _e2525) + (((select(_e2191, -(bitcast<f32>((bitcast<u32>(_e2191) & 2147483647u))), _e2159) * _e1886) + (select(_e2397, -(bitcast<f32>((bitcast<u32>(_e2397) & 2147483647u))), _e2365) * _e1657)) * _e1659))), (_e1607.y + ((((select(_e1822, -(bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u))), _e1790) * _e1886) + (select(_e2034, -(bitcast<f32>((bitcast<u32>(_e2034) & 2147483647u))), _e2002) * _e1657)) * _e2525) + (((select(_e2249, -(bitcast<f32>((bitcast<u32>(_e2249) & 2147483647u))), _e2217) * _e1886) + (select(_e2455, -(bitcast<f32>((bitcast<u32>(_e2455) & 2147483647u))), _e2423) * _e1657)) * _e1659))), (_e1607.z + ((((select(_e1880, -(bitcast<f32>((bitcast<u32>(_e1880) & 2147483647u))), _e1848) * _e1886) + (select(_e2092, -(bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u))), _e2060) * _e1657)) * _e2525) + (((select(_e2307, -(bitcast<f32>((bitcast<u32>(_e2307) & 2147483647u))), _e2275) * _e1886) + (select(_e2513, -(bitcast<f32>((bitcast<u32>(_e2513) & 2147483647u))), _e2481) * _e1657)) * _e1659))));
-phi_2392_ = (_e1609 + 1u);
+let _e2277 = phi_3495_;
+if _e2271 {
+phi_3501_ = (~(_e2268) + select(0u, 1u, (_e2259 == 0u)));
+} else {
+phi_3501_ = _e2268;
+}
+let _e2281 = phi_3501_;
+let _e2303 = ((((f32(bitcast<i32>(((_e2281 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2281 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2277 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2277 & 65535u)))));
+let _e2309 = (_e2251 + 2i);
+let _e2311 = select(_e1389, _e2309, (_e2309 < _e1389));
+let _e2317 = global_5.member[bitcast<u32>(select(0i, _e2311, (_e2311 > 0i)))];
+let _e2318 = (_e2251 + 3i);
+let _e2320 = select(_e1389, _e2318, (_e2318 < _e1389));
+let _e2326 = global_5.member[bitcast<u32>(select(0i, _e2320, (_e2320 > 0i)))];
+let _e2329 = ((_e2326 >> bitcast<u32>(31i)) != 0u);
+if _e2329 {
+phi_3563_ = (~(_e2317) + 1u);
+} else {
+phi_3563_ = _e2317;
+}
+let _e2335 = phi_3563_;
+if _e2329 {
+phi_3569_ = (~(_e2326) + select(0u, 1u, (_e2317 == 0u)));
+} else {
+phi_3569_ = _e2326;
+}
+let _e2339 = phi_3569_;
+let _e2361 = ((((f32(bitcast<i32>(((_e2339 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2339 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2335 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2335 & 65535u)))));
+let _e2367 = (_e2251 + 4i);
+let _e2369 = select(_e1389, _e2367, (_e2367 < _e1389));
+let _e2375 = global_5.member[bitcast<u32>(select(0i, _e2369, (_e2369 > 0i)))];
+let _e2376 = (_e2251 + 5i);
+let _e2378 = select(_e1389, _e2376, (_e2376 < _e1389));
+let _e2384 = global_5.member[bitcast<u32>(select(0i, _e2378, (_e2378 > 0i)))];
+let _e2387 = ((_e2384 >> bitcast<u32>(31i)) != 0u);
+if _e2387 {
+phi_3631_ = (~(_e2375) + 1u);
+} else {
+phi_3631_ = _e2375;
+}
+let _e2393 = phi_3631_;
+if _e2387 {
+phi_3637_ = (~(_e2384) + select(0u, 1u, (_e2375 == 0u)));
+} else {
+phi_3637_ = _e2384;
+}
+let _e2397 = phi_3637_;
+let _e2419 = ((((f32(bitcast<i32>(((_e2397 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2397 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2393 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2393 & 65535u)))));
+let _e2431 = (1f - _e1612);
+phi_2389_ = vec3<f32>((_e1560.x + ((((select(_e1718, -(bitcast<f32>((bitcast<u32>(_e1718) & 2147483647u))), _e1686) * _e1840) + (select(_e1914, -(bitcast<f32>((bitcast<u32>(_e1914) & 2147483647u))), _e1882) * _e1610)) * _e2431) + (((select(_e2113, -(bitcast<f32>((bitcast<u32>(_e2113) & 2147483647u))), _e2081) * _e1840) + (select(_e2303, -(bitcast<f32>((bitcast<u32>(_e2303) & 2147483647u))), _e2271) * _e1610)) * _e1612))), (_e1560.y + ((((select(_e1776, -(bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u))), _e1744) * _e1840) + (select(_e1972, -(bitcast<f32>((bitcast<u32>(_e1972) & 2147483647u))), _e1940) * _e1610)) * _e2431) + (((select(_e2171, -(bitcast<f32>((bitcast<u32>(_e2171) & 2147483647u))), _e2139) * _e1840) + (select(_e2361, -(bitcast<f32>((bitcast<u32>(_e2361) & 2147483647u))), _e2329) * _e1610)) * _e1612))), (_e1560.z + ((((select(_e1834, -(bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u))), _e1802) * _e1840) + (select(_e2030, -(bitcast<f32>((bitcast<u32>(_e2030) & 2147483647u))), _e1998) * _e1610)) * _e2431) + (((select(_e2229, -(bitcast<f32>((bitcast<u32>(_e2229) & 2147483647u))), _e2197) * _e1840) + (select(_e2419, -(bitcast<f32>((bitcast<u32>(_e2419) & 2147483647u))), _e2387) * _e1610)) * _e1612))));
+phi_2392_ = (_e1562 + 1u);
 } else {
 phi_2389_ = vec3<f32>();
 phi_2392_ = u32();
 }
-let _e2544 = phi_2389_;
-let _e2546 = phi_2392_;
+let _e2450 = phi_2389_;
+let _e2452 = phi_2392_;
 continue;
 continuing {
-phi_2388_ = _e2544;
-phi_2391_ = _e2546;
-break if !(_e1612);
+phi_2388_ = _e2450;
+phi_2391_ = _e2452;
+break if !(_e1565);
 }
 }
-let _e2549 = local_12;
-let _e2553 = local_13;
-let _e2557 = local_14;
-let _e2560 = ((_e2549.x * _e1419) + _e203);
-let _e2561 = ((_e2553.y * _e1419) + _e214);
-let _e2562 = ((_e2557.z * _e1419) + _e225);
-let _e2563 = (_e137 - _e2560);
-let _e2564 = (_e148 - _e2561);
-let _e2565 = (_e159 - _e2562);
-let _e2583 = global_2.member.member_2.member;
-let _e2584 = (((((f32(_e270) + 0.5f) / f32(_e280)) * 2f) - 1f) * _e2583);
-let _e2592 = global_2.member.member_2.member_1;
-let _e2593 = ((1f - (((f32(_e271) + 0.5f) / f32(_e282)) * 2f)) * _e2592);
-let _e2596 = global_2.member.member_3;
-let _e2605 = global_2.member.member_4;
-let _e2618 = global_2.member.member_2.member_3;
-let _e2619 = (_e2618 != 0u);
-let _e2622 = global_2.member.member_5;
-let _e2629 = select((_e2622.member + ((_e2596.member * _e2584) + (_e2605.member * _e2593))), _e2622.member, _e2619);
-let _e2630 = select((_e2622.member_1 + ((_e2596.member_1 * _e2584) + (_e2605.member_1 * _e2593))), _e2622.member_1, _e2619);
-let _e2631 = select((_e2622.member_2 + ((_e2596.member_2 * _e2584) + (_e2605.member_2 * _e2593))), _e2622.member_2, _e2619);
-let _e2641 = (((_e2629 * _e2629) + (_e2630 * _e2630)) + (_e2631 * _e2631));
-let _e2669 = select(0f, _e236, (_e236 > 0f));
-let _e2677 = global_2.member.member_7;
-global_1.member[_e71] = ((_e104 + select(0f, _e2563, (_e2563 > 0f))) + _e1432);
-global_1.member[(_e69 + _e71)] = ((_e115 + select(0f, _e2564, (_e2564 > 0f))) + _e1433);
-global_1.member[((2u * _e69) + _e71)] = ((_e126 + select(0f, _e2565, (_e2565 > 0f))) + _e1434);
-global_1.member[((3u * _e69) + _e71)] = select(1f, _e2669, (_e2669 < 1f));
+let _e2455 = local_4;
+let _e2459 = local_5;
+let _e2463 = local_6;
+let _e2466 = ((_e2455.x * _e1372) + _e203);
+let _e2467 = ((_e2459.y * _e1372) + _e214);
+let _e2468 = ((_e2463.z * _e1372) + _e225);
+let _e2469 = (_e137 - _e2466);
+let _e2470 = (_e148 - _e2467);
+let _e2471 = (_e159 - _e2468);
+let _e2489 = global_2.member.member_2.member;
+let _e2490 = (((((f32(_e270) + 0.5f) / f32(_e280)) * 2f) - 1f) * _e2489);
+let _e2498 = global_2.member.member_2.member_1;
+let _e2499 = ((1f - (((f32(_e271) + 0.5f) / f32(_e282)) * 2f)) * _e2498);
+let _e2502 = global_2.member.member_3;
+let _e2511 = global_2.member.member_4;
+let _e2524 = global_2.member.member_2.member_3;
+let _e2525 = (_e2524 != 0u);
+let _e2528 = global_2.member.member_5;
+let _e2535 = select((_e2528.member + ((_e2502.member * _e2490) + (_e2511.member * _e2499))), _e2528.member, _e2525);
+let _e2536 = select((_e2528.member_1 + ((_e2502.member_1 * _e2490) + (_e2511.member_1 * _e2499))), _e2528.member_1, _e2525);
+let _e2537 = select((_e2528.member_2 + ((_e2502.member_2 * _e2490) + (_e2511.member_2 * _e2499))), _e2528.member_2, _e2525);
+let _e2547 = (((_e2535 * _e2535) + (_e2536 * _e2536)) + (_e2537 * _e2537));
+let _e2575 = select(0f, _e236, (_e236 > 0f));
+let _e2583 = global_2.member.member_7;
+global_1.member[_e71] = ((_e104 + select(0f, _e2469, (_e2469 > 0f))) + _e1385);
+global_1.member[(_e69 + _e71)] = ((_e115 + select(0f, _e2470, (_e2470 > 0f))) + _e1386);
+global_1.member[((2u * _e69) + _e71)] = ((_e126 + select(0f, _e2471, (_e2471 > 0f))) + _e1387);
+global_1.member[((3u * _e69) + _e71)] = select(1f, _e2575, (_e2575 < 1f));
 global_1.member[((4u * _e69) + _e71)] = _e104;
 global_1.member[((5u * _e69) + _e71)] = _e115;
 global_1.member[((6u * _e69) + _e71)] = _e126;
 global_1.member[((7u * _e69) + _e71)] = _e137;
 global_1.member[((8u * _e69) + _e71)] = _e148;
 global_1.member[((9u * _e69) + _e71)] = _e159;
-global_1.member[((10u * _e69) + _e71)] = _e1432;
-global_1.member[((11u * _e69) + _e71)] = _e1433;
-global_1.member[((12u * _e69) + _e71)] = _e1434;
-global_1.member[((13u * _e69) + _e71)] = _e2560;
-global_1.member[((14u * _e69) + _e71)] = _e2561;
-global_1.member[((15u * _e69) + _e71)] = _e2562;
-global_1.member[((16u * _e69) + _e71)] = select(0f, ((_e93 * ((((_e2622.member * _e2629) + (_e2622.member_1 * _e2630)) + (_e2622.member_2 * _e2631)) / sqrt(select(0f, _e2641, (_e2641 > 0f))))) * _e2677), (_e93 < (0.5f * 1e30f)));
-global_1.member[((17u * _e69) + _e71)] = (((_e2596.member * _e247) + (_e2596.member_1 * _e258)) + (_e2596.member_2 * _e269));
-global_1.member[((18u * _e69) + _e71)] = (((_e2605.member * _e247) + (_e2605.member_1 * _e258)) + (_e2605.member_2 * _e269));
-global_1.member[((19u * _e69) + _e71)] = -((((_e2622.member * _e247) + (_e2622.member_1 * _e258)) + (_e2622.member_2 * _e269)));
+global_1.member[((10u * _e69) + _e71)] = _e1385;
+global_1.member[((11u * _e69) + _e71)] = _e1386;
+global_1.member[((12u * _e69) + _e71)] = _e1387;
+global_1.member[((13u * _e69) + _e71)] = _e2466;
+global_1.member[((14u * _e69) + _e71)] = _e2467;
+global_1.member[((15u * _e69) + _e71)] = _e2468;
+global_1.member[((16u * _e69) + _e71)] = select(0f, ((_e93 * ((((_e2528.member * _e2535) + (_e2528.member_1 * _e2536)) + (_e2528.member_2 * _e2537)) / sqrt(select(0f, _e2547, (_e2547 > 0f))))) * _e2583), (_e93 < (0.5f * 1e30f)));
+global_1.member[((17u * _e69) + _e71)] = (((_e2502.member * _e247) + (_e2502.member_1 * _e258)) + (_e2502.member_2 * _e269));
+global_1.member[((18u * _e69) + _e71)] = (((_e2511.member * _e247) + (_e2511.member_1 * _e258)) + (_e2511.member_2 * _e269));
+global_1.member[((19u * _e69) + _e71)] = -((((_e2528.member * _e247) + (_e2528.member_1 * _e258)) + (_e2528.member_2 * _e269)));
 }
 }
 return;
