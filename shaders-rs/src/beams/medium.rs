@@ -10,7 +10,7 @@ use spirv_std::glam::Vec3;
 pub struct Inside {
     /// Distance at which the line enters.
     pub enters: f32,
-    /// Distance at which it leaves, at least `enters`.
+    /// Distance at which it leaves. A line that does not come into the medium enters and leaves it where it begins.
     pub leaves: f32,
 }
 
@@ -19,8 +19,9 @@ pub struct Inside {
 pub fn inside(medium: &Medium, from: Vec3, direction: Vec3, near: f32, far: f32) -> Inside {
     let inverse = Vec3::new(reciprocal(direction.x), reciprocal(direction.y), reciprocal(direction.z));
     let (enters, leaves) = slab(from, inverse, xyz(medium.low), xyz(medium.high));
-    let enters = max(enters, near);
-    Inside { enters, leaves: max(min(leaves, far), enters) }
+    let (enters, leaves) = (max(enters, near), min(leaves, far));
+    let crosses = leaves > enters;
+    Inside { enters: select(crosses, enters, near), leaves: select(crosses, leaves, near) }
 }
 
 /// Transmittance of `length` voxels of the medium, RGB (Beer–Lambert).
