@@ -105,7 +105,7 @@ const SCATTERING: f64 = 1e-6;
 /// The sum of the caustics over the pixels of a parallel projection, times a pixel's area, for a body in light straight down; the camera is turned, so that
 /// beams end at all places between pixels.
 fn in_picture(mesh: Mesh, material: &str, eye: &str, backend: &mut dyn Backend) -> Result<f64, Failure> {
-    const EDGE: u32 = 128;
+    const EDGE: u32 = 384;
     let medium = format!("medium={{scattering={:?},extent={HALF}}}", [SCATTERING; 3]);
     let settings = [
         SUN,

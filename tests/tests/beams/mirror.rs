@@ -16,7 +16,7 @@ const BY_SUN: &str = "light.0={kind='distant',attachment='world',angular_radius=
 /// A lamp of intensity 10, which is 10 / π for a scene, above the rim.
 const BY_LAMP: &str = "light.0={kind='point',position=[-1,0,1.5],intensity=3.183098861837907}";
 
-/// The largest error with 256 rays of light along an edge, as a share. At the rim beams have all of a texel's light or none, and nearest the cusp
+/// The largest error with 512 rays of light along an edge, as a share. At the rim beams have all of a texel's light or none, and nearest the cusp
 /// beams are the least linear.
 const LARGEST: f64 = 0.02;
 
@@ -50,7 +50,7 @@ fn scene(light: &str, floor: f64, settings: &[&str]) -> Result<Case, Failure> {
     let usual = [
         light,
         &ground,
-        "beams.rays=256",
+        "beams.rays=512",
         "beams.bounces=1",
         "beams.pyramid=false",
         "material=[{mirror=true,color=[0.9,0.9,0.9]}]",
