@@ -163,10 +163,10 @@ mod tests {
         ("still-life", 0x56ba_5299_03a5_8b73),
         ("torus", 0xd1f5_3093_de58_5ca5),
         ("tree", 0x4bc5_0515_ed77_e268),
-        ("ball", 0x723e_81ab_f9b3_ada5),
+        ("ball", 0x8e76_49fd_b83c_dbc5),
         ("ring", 0x093c_890f_5396_8285),
         ("gem", 0xb159_a9aa_6928_8c45),
-        ("waves", 0x13e1_e0aa_8915_9fa2),
+        ("waves", 0xbde2_f338_1f09_a8f7),
         ("statue", 0xca51_88b8_6848_15b7),
     ];
 }
