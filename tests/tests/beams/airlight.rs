@@ -1,7 +1,7 @@
 //! Airlight of a lamp in fog, and the shadows of opaque bodies in it, along single viewing rays.
 
 use super::thin::Thin;
-use super::{LAMP, case, on_both, sheet};
+use super::{LAMP, case, on_the_cpu, sheet};
 use vitrum_conformance::Failure;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::refraction::ball;
@@ -107,7 +107,7 @@ fn wall(body: &Mesh, through: DVec3) -> String {
 }
 
 fn hold(body: &Mesh, rows: &[Row]) -> Result<(), Failure> {
-    on_both(|backend| {
+    on_the_cpu(|backend| {
         for (number, anisotropy) in ANISOTROPIES.into_iter().enumerate() {
             let mut thin = Thin::new(in_fog(body, anisotropy)?, backend);
             for (through, values) in rows {

@@ -28,6 +28,12 @@ fn on_both(check: impl Fn(&mut dyn Backend) -> Result<(), Failure>) -> Result<()
     adapter::for_test().map_or(Ok(()), |mut gpu| check(&mut gpu))
 }
 
+/// Runs a check of many frames on the CPU alone: kernels write the same bits on both backends, as the conformance suite holds, and a software adapter takes
+/// minutes for them.
+fn on_the_cpu(check: impl Fn(&mut dyn Backend) -> Result<(), Failure>) -> Result<(), Failure> {
+    check(&mut CpuBackend::new(None)?)
+}
+
 /// A case in which nothing shines but its light. Viewing rays end at the first surface, whatever it is.
 fn case(mesh: Mesh, edge: u32, settings: &[&str]) -> Result<Case, Failure> {
     let usual = [

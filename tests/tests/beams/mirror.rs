@@ -2,7 +2,7 @@
 
 use super::mirror_table::{EYE, FLOOR, FLOOR_BY_LAMP, LAMP, Place, Row, SUN};
 use super::thin::Thin;
-use super::{case, on_both, rms};
+use super::{case, on_the_cpu, rms};
 use std::f64::consts::{PI, TAU};
 use vitrum_conformance::Failure;
 use vitrum_conformance::case::Case;
@@ -70,7 +70,7 @@ fn fog(anisotropy: f64) -> String {
 #[test]
 fn a_ring_throws_light_through_fog() -> Result<(), Failure> {
     let all: [(&str, &[Row]); 2] = [(BY_SUN, &SUN), (BY_LAMP, &LAMP)];
-    on_both(|backend| {
+    on_the_cpu(|backend| {
         for (light, rows) in all {
             for (number, anisotropy) in [0.0, 0.7].into_iter().enumerate() {
                 let mut thin = Thin::new(scene(light, 0.0, &[&fog(anisotropy)])?, backend);
@@ -100,7 +100,7 @@ fn hold_floor(
     fog: f64,
 ) -> Result<(), Failure> {
     let case = scene(light, 1.0, settings)?;
-    on_both(|backend| {
+    on_the_cpu(|backend| {
         let mut thin = Thin::new(case.clone(), backend);
         for &([x, y], expected) in places {
             let (eye, point) = (DVec3::from_array(EYE), DVec3::new(x, y, 0.0));
