@@ -35,7 +35,7 @@ fn scene() -> Scene {
         }],
         ..in_medium("waves", sea)
     };
-    scene.mesh[0].scale = 2.0;
+    scene.mesh[0].scale = 5.0;
     scene.beams.rays = 128;
     scene.environment.color = [0.004, 0.02, 0.035];
     scene
