@@ -164,66 +164,66 @@ var local_12: u32;
 var local_13: type_24;
 var local_14: i32;
 var local_15: i32;
-var phi_1842_: vec3<f32>;
-var phi_1845_: vec3<f32>;
-var phi_1847_: u32;
-var phi_1867_: u32;
-var phi_1868_: u32;
-var phi_1880_: u32;
-var phi_1881_: u32;
-var local_16: u32;
-var local_17: u32;
-var phi_1898_: u32;
-var phi_1899_: u32;
-var phi_1911_: u32;
-var phi_1912_: u32;
-var local_18: u32;
-var local_19: u32;
-var local_20: u32;
-var phi_1937_: u32;
-var phi_1938_: u32;
-var local_21: u32;
-var local_22: u32;
-var phi_1955_: u32;
-var phi_1956_: u32;
-var local_23: u32;
-var local_24: u32;
-var phi_1978_: u32;
-var phi_1979_: u32;
-var phi_1991_: u32;
-var phi_1992_: u32;
-var local_25: u32;
-var local_26: u32;
-var local_27: u32;
-var phi_2028_: u32;
-var local_28: u32;
-var phi_2042_: vec3<f32>;
-var phi_2045_: vec3<f32>;
-var phi_2047_: type_17;
-var phi_2109_: i32;
-var phi_2910_: bool;
-var phi_3149_: bool;
-var phi_4356_: vec3<f32>;
-var phi_4395_: vec3<f32>;
-var phi_4396_: vec3<f32>;
-var phi_4404_: type_17;
-var phi_4405_: type_17;
-var phi_4426_: vec3<f32>;
-var phi_4427_: vec3<f32>;
-var phi_4428_: type_17;
-var phi_2043_: vec3<f32>;
-var phi_2046_: vec3<f32>;
-var phi_2048_: type_17;
 var phi_1843_: vec3<f32>;
 var phi_1846_: vec3<f32>;
 var phi_1848_: u32;
+var phi_1868_: u32;
+var phi_1869_: u32;
+var phi_1881_: u32;
+var phi_1882_: u32;
+var local_16: u32;
+var local_17: u32;
+var phi_1899_: u32;
+var phi_1900_: u32;
+var phi_1912_: u32;
+var phi_1913_: u32;
+var local_18: u32;
+var local_19: u32;
+var local_20: u32;
+var phi_1938_: u32;
+var phi_1939_: u32;
+var local_21: u32;
+var local_22: u32;
+var phi_1956_: u32;
+var phi_1957_: u32;
+var local_23: u32;
+var local_24: u32;
+var phi_1979_: u32;
+var phi_1980_: u32;
+var phi_1992_: u32;
+var phi_1993_: u32;
+var local_25: u32;
+var local_26: u32;
+var local_27: u32;
+var phi_2029_: u32;
+var local_28: u32;
+var phi_2043_: vec3<f32>;
+var phi_2046_: vec3<f32>;
+var phi_2048_: type_17;
+var phi_2110_: i32;
+var phi_2911_: bool;
+var phi_3150_: bool;
+var phi_4357_: vec3<f32>;
+var phi_4396_: vec3<f32>;
+var phi_4397_: vec3<f32>;
+var phi_4405_: type_17;
+var phi_4406_: type_17;
+var phi_4427_: vec3<f32>;
+var phi_4428_: vec3<f32>;
+var phi_4429_: type_17;
+var phi_2044_: vec3<f32>;
+var phi_2047_: vec3<f32>;
+var phi_2049_: type_17;
+var phi_1844_: vec3<f32>;
+var phi_1847_: vec3<f32>;
+var phi_1849_: u32;
 var local_29: vec3<f32>;
 var local_30: vec3<f32>;
 var local_31: vec3<f32>;
 var local_32: vec3<f32>;
 var local_33: vec3<f32>;
 var local_34: vec3<f32>;
-var phi_4478_: array<f32, 18>;
+var phi_4479_: array<f32, 18>;
 var local_35: type_17;
 var local_36: vec3<f32>;
 var local_37: vec3<f32>;
@@ -443,7 +443,7 @@ let _e810 = (_e809 > _e807);
 let _e811 = select(0f, _e807, _e810);
 let _e812 = select(0f, _e809, _e810);
 if ((_e647 || (_e812 <= _e811)) || ((((_e733 + _e734) + _e735) * (1f / 3f)) < 0.01f)) {
-phi_4478_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, _e235, _e246, _e257, _e268, _e279, _e290, _e301, _e312, _e323, _e334);
+phi_4479_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, _e235, _e246, _e257, _e268, _e279, _e290, _e301, _e312, _e323, _e334);
 } else {
 let _e825 = (((_e463 * _e463) + (_e474 * _e474)) + (_e485 * _e485));
 let _e833 = (((_e496 * _e496) + (_e507 * _e507)) + (_e518 * _e518));
@@ -453,13 +453,13 @@ let _e851 = (((_e562 * _e562) + (_e573 * _e573)) + (_e584 * _e584));
 let _e856 = (0.5f * (sqrt(select(0f, _e843, (_e843 > 0f))) + sqrt(select(0f, _e851, (_e851 > 0f)))));
 let _e860 = global_2.member.member_11.member;
 let _e862 = bitcast<i32>((_e860 * _e860));
-phi_1842_ = vec3<f32>(0f, 0f, 0f);
-phi_1845_ = vec3<f32>(0f, 0f, 0f);
-phi_1847_ = 0u;
+phi_1843_ = vec3<f32>(0f, 0f, 0f);
+phi_1846_ = vec3<f32>(0f, 0f, 0f);
+phi_1848_ = 0u;
 loop {
-let _e864 = phi_1842_;
-let _e866 = phi_1845_;
-let _e868 = phi_1847_;
+let _e864 = phi_1843_;
+let _e866 = phi_1846_;
+let _e868 = phi_1848_;
 local_29 = _e866;
 local_30 = _e866;
 local_31 = _e866;
@@ -471,75 +471,75 @@ let _e873 = (_e868 <= _e872);
 if _e873 {
 let _e877 = global_2.member.member_12.member_5;
 let _e879 = bitcast<i32>((_e868 * _e877));
-phi_1867_ = 0u;
+phi_1868_ = 0u;
 loop {
-let _e881 = phi_1867_;
+let _e881 = phi_1868_;
 local_28 = _e881;
 let _e885 = ((1u << bitcast<u32>((_e881 & 31u))) < _e860);
 if _e885 {
-phi_1868_ = (_e881 + 1u);
+phi_1869_ = (_e881 + 1u);
 } else {
-phi_1868_ = u32();
+phi_1869_ = u32();
 }
-let _e888 = phi_1868_;
+let _e888 = phi_1869_;
 continue;
 continuing {
-phi_1867_ = _e888;
+phi_1868_ = _e888;
 break if !(_e885);
 }
 }
-phi_1880_ = 0u;
+phi_1881_ = 0u;
 loop {
-let _e891 = phi_1880_;
+let _e891 = phi_1881_;
 local_16 = _e891;
 local_17 = _e891;
 let _e895 = ((1u << bitcast<u32>((_e891 & 31u))) < _e860);
 if _e895 {
-phi_1881_ = (_e891 + 1u);
+phi_1882_ = (_e891 + 1u);
 } else {
-phi_1881_ = u32();
+phi_1882_ = u32();
 }
-let _e898 = phi_1881_;
+let _e898 = phi_1882_;
 continue;
 continuing {
-phi_1880_ = _e898;
+phi_1881_ = _e898;
 break if !(_e895);
 }
 }
 let _e901 = local_16;
 let _e904 = local_17;
-phi_1898_ = 0u;
+phi_1899_ = 0u;
 loop {
-let _e907 = phi_1898_;
+let _e907 = phi_1899_;
 local_20 = _e907;
 let _e911 = ((1u << bitcast<u32>((_e907 & 31u))) < _e860);
 if _e911 {
-phi_1899_ = (_e907 + 1u);
+phi_1900_ = (_e907 + 1u);
 } else {
-phi_1899_ = u32();
+phi_1900_ = u32();
 }
-let _e914 = phi_1899_;
+let _e914 = phi_1900_;
 continue;
 continuing {
-phi_1898_ = _e914;
+phi_1899_ = _e914;
 break if !(_e911);
 }
 }
-phi_1911_ = 0u;
+phi_1912_ = 0u;
 loop {
-let _e917 = phi_1911_;
+let _e917 = phi_1912_;
 local_18 = _e917;
 local_19 = _e917;
 let _e921 = ((1u << bitcast<u32>((_e917 & 31u))) < _e860);
 if _e921 {
-phi_1912_ = (_e917 + 1u);
+phi_1913_ = (_e917 + 1u);
 } else {
-phi_1912_ = u32();
+phi_1913_ = u32();
 }
-let _e924 = phi_1912_;
+let _e924 = phi_1913_;
 continue;
 continuing {
-phi_1911_ = _e924;
+phi_1912_ = _e924;
 break if !(_e921);
 }
 }
@@ -547,78 +547,78 @@ let _e927 = local_18;
 let _e930 = local_19;
 let _e933 = local_20;
 let _e942 = global_2.member.member_12.member_6;
-phi_1937_ = 0u;
+phi_1938_ = 0u;
 loop {
-let _e945 = phi_1937_;
+let _e945 = phi_1938_;
 local_21 = _e945;
 local_22 = _e945;
 let _e949 = ((1u << bitcast<u32>((_e945 & 31u))) < _e860);
 if _e949 {
-phi_1938_ = (_e945 + 1u);
+phi_1939_ = (_e945 + 1u);
 } else {
-phi_1938_ = u32();
+phi_1939_ = u32();
 }
-let _e952 = phi_1938_;
+let _e952 = phi_1939_;
 continue;
 continuing {
-phi_1937_ = _e952;
+phi_1938_ = _e952;
 break if !(_e949);
 }
 }
 let _e955 = local_21;
 let _e958 = local_22;
-phi_1955_ = 0u;
+phi_1956_ = 0u;
 loop {
-let _e961 = phi_1955_;
+let _e961 = phi_1956_;
 local_23 = _e961;
 local_24 = _e961;
 let _e965 = ((1u << bitcast<u32>((_e961 & 31u))) < _e860);
 if _e965 {
-phi_1956_ = (_e961 + 1u);
+phi_1957_ = (_e961 + 1u);
 } else {
-phi_1956_ = u32();
+phi_1957_ = u32();
 }
-let _e968 = phi_1956_;
+let _e968 = phi_1957_;
 continue;
 continuing {
-phi_1955_ = _e968;
+phi_1956_ = _e968;
 break if !(_e965);
 }
 }
 let _e971 = local_23;
 let _e977 = local_24;
-phi_1978_ = 0u;
+phi_1979_ = 0u;
 loop {
-let _e987 = phi_1978_;
+let _e987 = phi_1979_;
 local_27 = _e987;
 let _e991 = ((1u << bitcast<u32>((_e987 & 31u))) < _e860);
 if _e991 {
-phi_1979_ = (_e987 + 1u);
+phi_1980_ = (_e987 + 1u);
 } else {
-phi_1979_ = u32();
+phi_1980_ = u32();
 }
-let _e994 = phi_1979_;
+let _e994 = phi_1980_;
 continue;
 continuing {
-phi_1978_ = _e994;
+phi_1979_ = _e994;
 break if !(_e991);
 }
 }
-phi_1991_ = 0u;
+phi_1992_ = 0u;
 loop {
-let _e997 = phi_1991_;
+let _e997 = phi_1992_;
 local_25 = _e997;
 local_26 = _e997;
 let _e1001 = ((1u << bitcast<u32>((_e997 & 31u))) < _e860);
 if _e1001 {
-phi_1992_ = (_e997 + 1u);
+phi_1993_ = (_e997 + 1u);
 } else {
-phi_1992_ = u32();
+phi_1993_ = u32();
 }
-let _e1004 = phi_1992_;
+let _e1004 = phi_1993_;
 continue;
 continuing {
-phi_1991_ = _e1004;
+phi_1992_ = _e1004;
 break if !(_e1001);
 }
 }
@@ -628,22 +628,22 @@ let _e1013 = local_27;
 let _e1019 = (((((1u << bitcast<u32>(((2u * _e971) & 31u))) - (1u << bitcast<u32>(((2u * (_e977 - select(6u, _e958, (_e955 < 6u)))) & 31u)))) / 3u) * 4u) + (1u << bitcast<u32>(((2u * (_e1013 - select(6u, _e1010, (_e1007 < 6u)))) & 31u))));
 let _e1020 = (_e1019 / 64u);
 if ((_e1019 % 64u) > 0u) {
-phi_2028_ = (_e1020 + 1u);
+phi_2029_ = (_e1020 + 1u);
 } else {
-phi_2028_ = _e1020;
+phi_2029_ = _e1020;
 }
-let _e1025 = phi_2028_;
+let _e1025 = phi_2029_;
 let _e1028 = local_28;
 local_13 = type_24(_e1028, select(6u, _e904, (_e901 < 6u)), (1u << bitcast<u32>(((2u * (_e933 - select(6u, _e930, (_e927 < 6u)))) & 31u))), (_e868 * _e942), (_e1025 * 64u));
 let _e1030 = (_e868 == 0u);
 let _e1032 = local_13.member_1;
-phi_2042_ = _e864;
-phi_2045_ = _e866;
-phi_2047_ = type_17(_e1032, 0u);
+phi_2043_ = _e864;
+phi_2046_ = _e866;
+phi_2048_ = type_17(_e1032, 0u);
 loop {
-let _e1035 = phi_2042_;
-let _e1037 = phi_2045_;
-let _e1039 = phi_2047_;
+let _e1035 = phi_2043_;
+let _e1037 = phi_2046_;
+let _e1039 = phi_2048_;
 local_36 = _e1035;
 local_37 = _e1037;
 let _e1042 = local_13.member_1;
@@ -662,11 +662,11 @@ let _e1079 = ((_e1075 | (_e1075 >> bitcast<u32>(4i))) & 16711935u);
 let _e1083 = ((_e1079 | (_e1079 >> bitcast<u32>(8i))) & 65535u);
 let _e1086 = ((_e1064 < _e860) && (_e1083 < _e860));
 if _e1086 {
-phi_2109_ = bitcast<i32>(((_e1083 * _e860) + _e1064));
+phi_2110_ = bitcast<i32>(((_e1083 * _e860) + _e1064));
 } else {
-phi_2109_ = 0i;
+phi_2110_ = 0i;
 }
-let _e1091 = phi_2109_;
+let _e1091 = phi_2110_;
 let _e1092 = (_e1039.member > 0u);
 if _e1092 {
 local_11.member = _e1039.member;
@@ -818,12 +818,12 @@ let _e1649 = (((_e1460 * _e1460) + (_e1471 * _e1471)) + (_e1483 * _e1483));
 let _e1652 = sqrt(select(0f, _e1649, (_e1649 > 0f)));
 let _e1657 = (((_e1566 * _e1566) + (_e1577 * _e1577)) + (_e1589 * _e1589));
 let _e1667 = (((_e1590 * _e1590) + (_e1591 * _e1591)) + (_e1592 * _e1592));
-phi_2910_ = (bitcast<f32>((bitcast<u32>((((_e1590 * _e1595) + (_e1591 * _e1598)) + (_e1592 * _e1601))) & 2147483647u)) <= ((((((bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u)) * _e1460) + (bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u)) * _e1471)) + (bitcast<f32>((bitcast<u32>(_e1601) & 2147483647u)) * _e1483)) + (((bitcast<f32>((bitcast<u32>(((_e441 * _e1592) - (_e452 * _e1591))) & 2147483647u)) * _e1566) + (bitcast<f32>((bitcast<u32>(((_e452 * _e1590) - (_e430 * _e1592))) & 2147483647u)) * _e1577)) + (bitcast<f32>((bitcast<u32>(((_e430 * _e1591) - (_e441 * _e1590))) & 2147483647u)) * _e1589))) + (_e1652 * sqrt(select(0f, _e1657, (_e1657 > 0f))))) + (_e838 + (_e856 * (sqrt(select(0f, _e1667, (_e1667 > 0f))) + _e1652)))));
+phi_2911_ = (bitcast<f32>((bitcast<u32>((((_e1590 * _e1595) + (_e1591 * _e1598)) + (_e1592 * _e1601))) & 2147483647u)) <= ((((((bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u)) * _e1460) + (bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u)) * _e1471)) + (bitcast<f32>((bitcast<u32>(_e1601) & 2147483647u)) * _e1483)) + (((bitcast<f32>((bitcast<u32>(((_e441 * _e1592) - (_e452 * _e1591))) & 2147483647u)) * _e1566) + (bitcast<f32>((bitcast<u32>(((_e452 * _e1590) - (_e430 * _e1592))) & 2147483647u)) * _e1577)) + (bitcast<f32>((bitcast<u32>(((_e430 * _e1591) - (_e441 * _e1590))) & 2147483647u)) * _e1589))) + (_e1652 * sqrt(select(0f, _e1657, (_e1657 > 0f))))) + (_e838 + (_e856 * (sqrt(select(0f, _e1667, (_e1667 > 0f))) + _e1652)))));
 } else {
-phi_2910_ = false;
+phi_2911_ = false;
 }
-let _e1680 = phi_2910_;
-phi_3149_ = _e1680;
+let _e1680 = phi_2911_;
+phi_3150_ = _e1680;
 } else {
 local_3 = _e879;
 local_4 = _e1091;
@@ -880,13 +880,13 @@ let _e1215 = local_4;
 let _e1216 = ((_e1211 + (22i * _e1212)) + _e1215);
 let _e1218 = select(_e1097, _e1216, (_e1216 < _e1097));
 let _e1223 = global_4.member[bitcast<u32>(select(0i, _e1218, (_e1218 > 0i)))];
-phi_3149_ = (_e1086 && (bitcast<f32>((bitcast<u32>((((_e430 * ((_e1170 * _e1168) - (_e1171 * _e1155))) + (_e441 * ((_e1171 * _e1142) - (_e1169 * _e1168)))) + (_e452 * ((_e1169 * _e1155) - (_e1170 * _e1142))))) & 2147483647u)) <= ((_e1206 + _e838) + ((_e1223 + _e856) * sqrt(select(0f, _e1190, (_e1190 > 0f)))))));
+phi_3150_ = (_e1086 && (bitcast<f32>((bitcast<u32>((((_e430 * ((_e1170 * _e1168) - (_e1171 * _e1155))) + (_e441 * ((_e1171 * _e1142) - (_e1169 * _e1168)))) + (_e452 * ((_e1169 * _e1155) - (_e1170 * _e1142))))) & 2147483647u)) <= ((_e1206 + _e838) + ((_e1223 + _e856) * sqrt(select(0f, _e1190, (_e1190 > 0f)))))));
 }
-let _e1682 = phi_3149_;
+let _e1682 = phi_3150_;
 if (_e1682 && _e1092) {
-phi_4426_ = _e1035;
-phi_4427_ = _e1037;
-phi_4428_ = type_17((_e1039.member - 1u), (_e1039.member_1 << bitcast<u32>(2i)));
+phi_4427_ = _e1035;
+phi_4428_ = _e1037;
+phi_4429_ = type_17((_e1039.member - 1u), (_e1039.member_1 << bitcast<u32>(2i)));
 } else {
 if _e1682 {
 local = _e879;
@@ -1038,7 +1038,7 @@ let _e2088 = bitcast<f32>((bitcast<u32>(((((_e562 * _e1973) + (_e573 * _e1976)) 
 let _e2090 = select(_e2088, _e2065, (_e2065 > _e2088));
 let _e2092 = select(1e-12f, _e2090, (_e2090 > 1e-12f));
 if (bitcast<f32>((bitcast<u32>(_e1984) & 2147483647u)) > (0.5f * ((_e2013 + _e2042) + _e2092))) {
-phi_4356_ = vec3<f32>(0f, 0f, 0f);
+phi_4357_ = vec3<f32>(0f, 0f, 0f);
 } else {
 let _e2104 = (((_e1968 * _e430) + (_e1969 * _e441)) + (_e1970 * _e452));
 let _e2109 = (((_e1968 * _e1733) + (_e1969 * _e1746)) + (_e1970 * _e1759));
@@ -1112,82 +1112,82 @@ let _e2371 = (_e2363 - _e2335);
 let _e2375 = ((((_e2367 * (_e2367 / _e2335)) * 0.5f) + select(0f, _e2371, (_e2371 > 0f))) / _e2331);
 let _e2381 = ((select(((1f - _e2303) / (_e2309 * sqrt(select(0f, _e2309, (_e2309 > 0f))))), (0.75f * (1f + (_e2298 * _e2298))), (_e2322 == 1u)) * (0.25f / 3.1415927f)) * ((select(_e2355, (1f - _e2355), (_e2337 >= 0f)) - select(_e2375, (1f - _e2375), (_e2359 >= 0f))) / _e2092));
 let _e2388 = global_2.member.member_13.member_1;
-phi_4356_ = vec3<f32>(select(0f, (((_e1928 * ((1f + (_e2181 * (1f + (_e2181 * (0.5f + (_e2181 * (0.16666667f + (_e2181 * (0.041666668f + (_e2181 * (0.008333334f + (_e2181 * (0.001388889f + (_e2181 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2176 + 127i)) << bitcast<u32>(23i))))) * _e2388.member) * _e2381), _e2144), select(0f, (((_e1941 * ((1f + (_e2229 * (1f + (_e2229 * (0.5f + (_e2229 * (0.16666667f + (_e2229 * (0.041666668f + (_e2229 * (0.008333334f + (_e2229 * (0.001388889f + (_e2229 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2224 + 127i)) << bitcast<u32>(23i))))) * _e2388.member_1) * _e2381), _e2144), select(0f, (((_e1954 * ((1f + (_e2277 * (1f + (_e2277 * (0.5f + (_e2277 * (0.16666667f + (_e2277 * (0.041666668f + (_e2277 * (0.008333334f + (_e2277 * (0.001388889f + (_e2277 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2272 + 127i)) << bitcast<u32>(23i))))) * _e2388.member_2) * _e2381), _e2144));
+phi_4357_ = vec3<f32>(select(0f, (((_e1928 * ((1f + (_e2181 * (1f + (_e2181 * (0.5f + (_e2181 * (0.16666667f + (_e2181 * (0.041666668f + (_e2181 * (0.008333334f + (_e2181 * (0.001388889f + (_e2181 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2176 + 127i)) << bitcast<u32>(23i))))) * _e2388.member) * _e2381), _e2144), select(0f, (((_e1941 * ((1f + (_e2229 * (1f + (_e2229 * (0.5f + (_e2229 * (0.16666667f + (_e2229 * (0.041666668f + (_e2229 * (0.008333334f + (_e2229 * (0.001388889f + (_e2229 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2224 + 127i)) << bitcast<u32>(23i))))) * _e2388.member_1) * _e2381), _e2144), select(0f, (((_e1954 * ((1f + (_e2277 * (1f + (_e2277 * (0.5f + (_e2277 * (0.16666667f + (_e2277 * (0.041666668f + (_e2277 * (0.008333334f + (_e2277 * (0.001388889f + (_e2277 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2272 + 127i)) << bitcast<u32>(23i))))) * _e2388.member_2) * _e2381), _e2144));
 }
-let _e2403 = phi_4356_;
+let _e2403 = phi_4357_;
 let _e2404 = select(1f, 0f, _e1030);
 let _e2418 = select(0f, 1f, _e1030);
-phi_4395_ = vec3<f32>((_e1035.x + (_e2403.x * _e2418)), (_e1035.y + (_e2403.y * _e2418)), (_e1035.z + (_e2403.z * _e2418)));
-phi_4396_ = vec3<f32>((_e1037.x + (_e2403.x * _e2404)), (_e1037.y + (_e2403.y * _e2404)), (_e1037.z + (_e2403.z * _e2404)));
+phi_4396_ = vec3<f32>((_e1035.x + (_e2403.x * _e2418)), (_e1035.y + (_e2403.y * _e2418)), (_e1035.z + (_e2403.z * _e2418)));
+phi_4397_ = vec3<f32>((_e1037.x + (_e2403.x * _e2404)), (_e1037.y + (_e2403.y * _e2404)), (_e1037.z + (_e2403.z * _e2404)));
 } else {
-phi_4395_ = _e1035;
-phi_4396_ = _e1037;
+phi_4396_ = _e1035;
+phi_4397_ = _e1037;
 }
-let _e2430 = phi_4395_;
-let _e2432 = phi_4396_;
+let _e2430 = phi_4396_;
+let _e2432 = phi_4397_;
 let _e2433 = local_13.member_1;
-phi_4404_ = type_17(_e1039.member, (_e1039.member_1 + 1u));
+phi_4405_ = type_17(_e1039.member, (_e1039.member_1 + 1u));
 loop {
-let _e2437 = phi_4404_;
+let _e2437 = phi_4405_;
 local_35 = _e2437;
 let _e2443 = (((_e2437.member_1 & 3u) == 0u) && (_e2437.member < _e2433));
 if _e2443 {
-phi_4405_ = type_17((_e2437.member + 1u), (_e2437.member_1 >> bitcast<u32>(2i)));
+phi_4406_ = type_17((_e2437.member + 1u), (_e2437.member_1 >> bitcast<u32>(2i)));
 } else {
-phi_4405_ = type_17();
+phi_4406_ = type_17();
 }
-let _e2449 = phi_4405_;
+let _e2449 = phi_4406_;
 continue;
 continuing {
-phi_4404_ = _e2449;
+phi_4405_ = _e2449;
 break if !(_e2443);
 }
 }
-phi_4426_ = _e2430;
-phi_4427_ = _e2432;
+phi_4427_ = _e2430;
+phi_4428_ = _e2432;
 let _e2611 = local_35;
-phi_4428_ = _e2611;
+phi_4429_ = _e2611;
 }
-let _e2456 = phi_4426_;
-let _e2458 = phi_4427_;
-let _e2460 = phi_4428_;
-phi_2043_ = _e2456;
-phi_2046_ = _e2458;
-phi_2048_ = _e2460;
+let _e2456 = phi_4427_;
+let _e2458 = phi_4428_;
+let _e2460 = phi_4429_;
+phi_2044_ = _e2456;
+phi_2047_ = _e2458;
+phi_2049_ = _e2460;
 } else {
-phi_2043_ = vec3<f32>();
-phi_2046_ = vec3<f32>();
-phi_2048_ = type_17();
+phi_2044_ = vec3<f32>();
+phi_2047_ = vec3<f32>();
+phi_2049_ = type_17();
 }
-let _e2462 = phi_2043_;
-let _e2464 = phi_2046_;
-let _e2466 = phi_2048_;
+let _e2462 = phi_2044_;
+let _e2464 = phi_2047_;
+let _e2466 = phi_2049_;
 continue;
 continuing {
-phi_2042_ = _e2462;
-phi_2045_ = _e2464;
-phi_2047_ = _e2466;
+phi_2043_ = _e2462;
+phi_2046_ = _e2464;
+phi_2048_ = _e2466;
 break if !(_e1047);
 }
 }
 let _e2617 = local_36;
-phi_1843_ = _e2617;
+phi_1844_ = _e2617;
 let _e2620 = local_37;
-phi_1846_ = _e2620;
-phi_1848_ = (_e868 + 1u);
+phi_1847_ = _e2620;
+phi_1849_ = (_e868 + 1u);
 } else {
-phi_1843_ = vec3<f32>();
-phi_1846_ = vec3<f32>();
-phi_1848_ = u32();
+phi_1844_ = vec3<f32>();
+phi_1847_ = vec3<f32>();
+phi_1849_ = u32();
 }
-let _e2470 = phi_1843_;
-let _e2472 = phi_1846_;
-let _e2474 = phi_1848_;
+let _e2470 = phi_1844_;
+let _e2472 = phi_1847_;
+let _e2474 = phi_1849_;
 continue;
 continuing {
-phi_1842_ = _e2470;
-phi_1845_ = _e2472;
-phi_1847_ = _e2474;
+phi_1843_ = _e2470;
+phi_1846_ = _e2472;
+phi_1848_ = _e2474;
 break if !(_e873);
 }
 }
@@ -1197,9 +1197,9 @@ let _e2485 = local_31;
 let _e2492 = local_32;
 let _e2496 = local_33;
 let _e2500 = local_34;
-phi_4478_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, (_e235 + (_e2477.x * _e733)), (_e246 + (_e2481.y * _e734)), (_e257 + (_e2485.z * _e735)), (_e268 + (_e2492.x * _e733)), (_e279 + (_e2496.y * _e734)), (_e290 + (_e2500.z * _e735)), _e301, _e312, _e323, _e334);
+phi_4479_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, (_e235 + (_e2477.x * _e733)), (_e246 + (_e2481.y * _e734)), (_e257 + (_e2485.z * _e735)), (_e268 + (_e2492.x * _e733)), (_e279 + (_e2496.y * _e734)), (_e290 + (_e2500.z * _e735)), _e301, _e312, _e323, _e334);
 }
-let _e2508 = phi_4478_;
+let _e2508 = phi_4479_;
 global_1.member[_e137] = _e2508[0];
 global_1.member[_e149] = _e2508[1];
 global_1.member[_e160] = _e2508[2];

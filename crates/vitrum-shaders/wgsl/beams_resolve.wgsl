@@ -144,6 +144,8 @@ var<storage> global_4: type_24;
 @group(0) @binding(3)
 var<storage> global_5: type_24;
 fn function_() {
+var phi_513_: i32;
+var phi_525_: i32;
 var phi_616_: u32;
 var phi_622_: u32;
 var phi_684_: u32;
@@ -152,6 +154,8 @@ var phi_752_: u32;
 var phi_758_: u32;
 var phi_781_: vec3<f32>;
 var phi_784_: u32;
+var phi_885_: i32;
+var phi_897_: i32;
 var phi_927_: u32;
 var phi_928_: u32;
 var phi_929_: u32;
@@ -161,6 +165,8 @@ var phi_1056_: u32;
 var phi_1062_: u32;
 var phi_1124_: u32;
 var phi_1130_: u32;
+var phi_1184_: i32;
+var phi_1196_: i32;
 var phi_1226_: u32;
 var phi_1227_: u32;
 var phi_1228_: u32;
@@ -170,6 +176,8 @@ var phi_1355_: u32;
 var phi_1361_: u32;
 var phi_1423_: u32;
 var phi_1429_: u32;
+var phi_1485_: i32;
+var phi_1497_: i32;
 var phi_1527_: u32;
 var phi_1528_: u32;
 var phi_1529_: u32;
@@ -179,6 +187,8 @@ var phi_1656_: u32;
 var phi_1662_: u32;
 var phi_1724_: u32;
 var phi_1730_: u32;
+var phi_1785_: i32;
+var phi_1797_: i32;
 var phi_1827_: u32;
 var phi_1828_: u32;
 var phi_1829_: u32;
@@ -193,6 +203,8 @@ var phi_785_: u32;
 var local: vec3<f32>;
 var local_1: vec3<f32>;
 var local_2: vec3<f32>;
+var phi_2120_: i32;
+var phi_2132_: i32;
 var phi_2223_: u32;
 var phi_2229_: u32;
 var phi_2291_: u32;
@@ -202,6 +214,8 @@ var phi_2365_: u32;
 var phi_2388_: vec3<f32>;
 var phi_2391_: u32;
 var local_3: u32;
+var phi_2492_: i32;
+var phi_2504_: i32;
 var phi_2534_: u32;
 var phi_2535_: u32;
 var phi_2536_: u32;
@@ -211,6 +225,8 @@ var phi_2663_: u32;
 var phi_2669_: u32;
 var phi_2731_: u32;
 var phi_2737_: u32;
+var phi_2791_: i32;
+var phi_2803_: i32;
 var phi_2833_: u32;
 var phi_2834_: u32;
 var phi_2835_: u32;
@@ -220,6 +236,8 @@ var phi_2962_: u32;
 var phi_2968_: u32;
 var phi_3030_: u32;
 var phi_3036_: u32;
+var phi_3092_: i32;
+var phi_3104_: i32;
 var phi_3134_: u32;
 var phi_3135_: u32;
 var phi_3136_: u32;
@@ -229,6 +247,8 @@ var phi_3263_: u32;
 var phi_3269_: u32;
 var phi_3331_: u32;
 var phi_3337_: u32;
+var phi_3392_: i32;
+var phi_3404_: i32;
 var phi_3434_: u32;
 var phi_3435_: u32;
 var phi_3436_: u32;
@@ -310,926 +330,1050 @@ let _e271 = bitcast<i32>(_e53.y);
 let _e275 = global_2.member.member_1.member;
 let _e279 = global_2.member.member_1.member_1;
 let _e280 = bitcast<i32>(_e275);
-let _e281 = (_e280 - 1i);
-let _e282 = bitcast<i32>(_e279);
-let _e283 = (_e282 - 1i);
-let _e285 = select(_e281, _e270, (_e270 < _e281));
-let _e287 = select(_e283, _e271, (_e271 < _e283));
-let _e294 = (((select(0i, _e287, (_e287 > 0i)) * _e280) + select(0i, _e285, (_e285 > 0i))) * 6i);
-let _e296 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
-let _e298 = select(_e296, _e294, (_e294 < _e296));
-let _e304 = global_4.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
-let _e305 = (_e294 + 1i);
-let _e307 = select(_e296, _e305, (_e305 < _e296));
-let _e313 = global_4.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
-let _e316 = ((_e313 >> bitcast<u32>(31i)) != 0u);
-if _e316 {
-phi_616_ = (~(_e304) + 1u);
+let _e282 = select(_e270, 0i, (_e270 < 0i));
+let _e283 = (_e282 >= _e280);
+if _e283 {
+phi_513_ = (_e280 - 1i);
 } else {
-phi_616_ = _e304;
+phi_513_ = _e282;
 }
-let _e322 = phi_616_;
-if _e316 {
-phi_622_ = (~(_e313) + select(0u, 1u, (_e304 == 0u)));
+let _e286 = phi_513_;
+let _e287 = bitcast<i32>(_e279);
+let _e289 = select(_e271, 0i, (_e271 < 0i));
+let _e290 = (_e289 >= _e287);
+if _e290 {
+phi_525_ = (_e287 - 1i);
 } else {
-phi_622_ = _e313;
+phi_525_ = _e289;
 }
-let _e326 = phi_622_;
-let _e348 = ((((f32(bitcast<i32>(((_e326 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e326 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e322 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e322 & 65535u)))));
-let _e354 = (_e294 + 2i);
-let _e356 = select(_e296, _e354, (_e354 < _e296));
-let _e362 = global_4.member[bitcast<u32>(select(0i, _e356, (_e356 > 0i)))];
-let _e363 = (_e294 + 3i);
-let _e365 = select(_e296, _e363, (_e363 < _e296));
-let _e371 = global_4.member[bitcast<u32>(select(0i, _e365, (_e365 > 0i)))];
-let _e374 = ((_e371 >> bitcast<u32>(31i)) != 0u);
-if _e374 {
-phi_684_ = (~(_e362) + 1u);
+let _e293 = phi_525_;
+let _e296 = (((_e293 * _e280) + _e286) * 6i);
+let _e298 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e300 = select(_e298, _e296, (_e296 < _e298));
+let _e306 = global_4.member[bitcast<u32>(select(0i, _e300, (_e300 > 0i)))];
+let _e307 = (_e296 + 1i);
+let _e309 = select(_e298, _e307, (_e307 < _e298));
+let _e315 = global_4.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
+let _e318 = ((_e315 >> bitcast<u32>(31i)) != 0u);
+if _e318 {
+phi_616_ = (~(_e306) + 1u);
 } else {
-phi_684_ = _e362;
+phi_616_ = _e306;
 }
-let _e380 = phi_684_;
-if _e374 {
-phi_690_ = (~(_e371) + select(0u, 1u, (_e362 == 0u)));
+let _e324 = phi_616_;
+if _e318 {
+phi_622_ = (~(_e315) + select(0u, 1u, (_e306 == 0u)));
 } else {
-phi_690_ = _e371;
+phi_622_ = _e315;
 }
-let _e384 = phi_690_;
-let _e406 = ((((f32(bitcast<i32>(((_e384 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e384 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e380 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e380 & 65535u)))));
-let _e412 = (_e294 + 4i);
-let _e414 = select(_e296, _e412, (_e412 < _e296));
-let _e420 = global_4.member[bitcast<u32>(select(0i, _e414, (_e414 > 0i)))];
-let _e421 = (_e294 + 5i);
-let _e423 = select(_e296, _e421, (_e421 < _e296));
-let _e429 = global_4.member[bitcast<u32>(select(0i, _e423, (_e423 > 0i)))];
-let _e432 = ((_e429 >> bitcast<u32>(31i)) != 0u);
-if _e432 {
-phi_752_ = (~(_e420) + 1u);
+let _e328 = phi_622_;
+let _e350 = ((((f32(bitcast<i32>(((_e328 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e328 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e324 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e324 & 65535u)))));
+let _e356 = (_e296 + 2i);
+let _e358 = select(_e298, _e356, (_e356 < _e298));
+let _e364 = global_4.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e365 = (_e296 + 3i);
+let _e367 = select(_e298, _e365, (_e365 < _e298));
+let _e373 = global_4.member[bitcast<u32>(select(0i, _e367, (_e367 > 0i)))];
+let _e376 = ((_e373 >> bitcast<u32>(31i)) != 0u);
+if _e376 {
+phi_684_ = (~(_e364) + 1u);
 } else {
-phi_752_ = _e420;
+phi_684_ = _e364;
 }
-let _e438 = phi_752_;
-if _e432 {
-phi_758_ = (~(_e429) + select(0u, 1u, (_e420 == 0u)));
+let _e382 = phi_684_;
+if _e376 {
+phi_690_ = (~(_e373) + select(0u, 1u, (_e364 == 0u)));
 } else {
-phi_758_ = _e429;
+phi_690_ = _e373;
 }
-let _e442 = phi_758_;
-let _e464 = ((((f32(bitcast<i32>(((_e442 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e442 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e438 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e438 & 65535u)))));
-phi_781_ = vec3<f32>(select(_e348, -(bitcast<f32>((bitcast<u32>(_e348) & 2147483647u))), _e316), select(_e406, -(bitcast<f32>((bitcast<u32>(_e406) & 2147483647u))), _e374), select(_e464, -(bitcast<f32>((bitcast<u32>(_e464) & 2147483647u))), _e432));
+let _e386 = phi_690_;
+let _e408 = ((((f32(bitcast<i32>(((_e386 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e386 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e382 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e382 & 65535u)))));
+let _e414 = (_e296 + 4i);
+let _e416 = select(_e298, _e414, (_e414 < _e298));
+let _e422 = global_4.member[bitcast<u32>(select(0i, _e416, (_e416 > 0i)))];
+let _e423 = (_e296 + 5i);
+let _e425 = select(_e298, _e423, (_e423 < _e298));
+let _e431 = global_4.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
+let _e434 = ((_e431 >> bitcast<u32>(31i)) != 0u);
+if _e434 {
+phi_752_ = (~(_e422) + 1u);
+} else {
+phi_752_ = _e422;
+}
+let _e440 = phi_752_;
+if _e434 {
+phi_758_ = (~(_e431) + select(0u, 1u, (_e422 == 0u)));
+} else {
+phi_758_ = _e431;
+}
+let _e444 = phi_758_;
+let _e466 = ((((f32(bitcast<i32>(((_e444 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e444 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e440 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e440 & 65535u)))));
+phi_781_ = vec3<f32>(select(_e350, -(bitcast<f32>((bitcast<u32>(_e350) & 2147483647u))), _e318), select(_e408, -(bitcast<f32>((bitcast<u32>(_e408) & 2147483647u))), _e376), select(_e466, -(bitcast<f32>((bitcast<u32>(_e466) & 2147483647u))), _e434));
 phi_784_ = 1u;
 loop {
-let _e472 = phi_781_;
-let _e474 = phi_784_;
-local = _e472;
-local_1 = _e472;
-local_2 = _e472;
-let _e478 = global_2.member.member_18.member_1;
-let _e479 = (_e474 <= _e478);
-local_3 = _e478;
-if _e479 {
-let _e480 = (_e474 & 31u);
-let _e484 = (1f / f32((1i << bitcast<u32>(_e480))));
-let _e488 = (((f32(_e270) + 0.5f) * _e484) - 0.5f);
-let _e492 = (((f32(_e271) + 0.5f) * _e484) - 0.5f);
-let _e494 = select(-1f, _e488, (_e488 > -1f));
-let _e496 = select(1e6f, _e494, (_e494 < 1e6f));
-let _e503 = select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < -2147483600f)), 2147483647i, (_e496 > 2147483500f)), (_e496 == _e496));
-let _e507 = (_e503 - select(0i, 1i, (_e496 < f32(_e503))));
-let _e509 = select(-1f, _e492, (_e492 > -1f));
-let _e511 = select(1e6f, _e509, (_e509 < 1e6f));
-let _e518 = select(0i, select(select(i32(_e511), i32(-2147483648), (_e511 < -2147483600f)), 2147483647i, (_e511 > 2147483500f)), (_e511 == _e511));
-let _e522 = (_e518 - select(0i, 1i, (_e511 < f32(_e518))));
-let _e524 = (_e488 - f32(_e507));
-let _e526 = (_e492 - f32(_e522));
-let _e528 = (1u << bitcast<u32>(_e480));
-let _e537 = bitcast<i32>((((_e275 + _e528) - 1u) >> bitcast<u32>(_e480)));
-let _e538 = (_e537 - 1i);
-let _e540 = (bitcast<i32>((((_e279 + _e528) - 1u) >> bitcast<u32>(_e480))) - 1i);
-let _e542 = select(_e538, _e507, (_e507 < _e538));
-let _e544 = select(_e540, _e522, (_e522 < _e540));
-let _e546 = select(0i, _e542, (_e542 > 0i));
-let _e552 = global_2.member.member_18.member_2;
-let _e556 = global_2.member.member_18.member_3;
-let _e560 = global_2.member.member_18.member_4;
-let _e564 = global_2.member.member_18.member_5;
-let _e565 = (_e474 == 0u);
-if _e565 {
+let _e474 = phi_781_;
+let _e476 = phi_784_;
+local = _e474;
+local_1 = _e474;
+local_2 = _e474;
+let _e480 = global_2.member.member_18.member_1;
+let _e481 = (_e476 <= _e480);
+local_3 = _e480;
+if _e481 {
+let _e482 = (_e476 & 31u);
+let _e486 = (1f / f32((1i << bitcast<u32>(_e482))));
+let _e490 = (((f32(_e270) + 0.5f) * _e486) - 0.5f);
+let _e494 = (((f32(_e271) + 0.5f) * _e486) - 0.5f);
+let _e496 = select(-1f, _e490, (_e490 > -1f));
+let _e498 = select(1e6f, _e496, (_e496 < 1e6f));
+let _e505 = select(0i, select(select(i32(_e498), i32(-2147483648), (_e498 < -2147483600f)), 2147483647i, (_e498 > 2147483500f)), (_e498 == _e498));
+let _e509 = (_e505 - select(0i, 1i, (_e498 < f32(_e505))));
+let _e511 = select(-1f, _e494, (_e494 > -1f));
+let _e513 = select(1e6f, _e511, (_e511 < 1e6f));
+let _e520 = select(0i, select(select(i32(_e513), i32(-2147483648), (_e513 < -2147483600f)), 2147483647i, (_e513 > 2147483500f)), (_e513 == _e513));
+let _e524 = (_e520 - select(0i, 1i, (_e513 < f32(_e520))));
+let _e526 = (_e490 - f32(_e509));
+let _e528 = (_e494 - f32(_e524));
+let _e530 = (1u << bitcast<u32>(_e482));
+let _e539 = bitcast<i32>((((_e275 + _e530) - 1u) >> bitcast<u32>(_e482)));
+let _e541 = select(_e509, 0i, (_e509 < 0i));
+let _e542 = (_e541 >= _e539);
+if _e542 {
+phi_885_ = (_e539 - 1i);
+} else {
+phi_885_ = _e541;
+}
+let _e545 = phi_885_;
+let _e546 = bitcast<i32>((((_e279 + _e530) - 1u) >> bitcast<u32>(_e482)));
+let _e548 = select(_e524, 0i, (_e524 < 0i));
+let _e549 = (_e548 >= _e546);
+if _e549 {
+phi_897_ = (_e546 - 1i);
+} else {
+phi_897_ = _e548;
+}
+let _e552 = phi_897_;
+let _e556 = global_2.member.member_18.member_2;
+let _e560 = global_2.member.member_18.member_3;
+let _e564 = global_2.member.member_18.member_4;
+let _e568 = global_2.member.member_18.member_5;
+let _e569 = (_e476 == 0u);
+if _e569 {
 phi_929_ = 0u;
 } else {
-if (_e474 == 1u) {
-phi_928_ = _e552;
+if (_e476 == 1u) {
+phi_928_ = _e556;
 } else {
-if (_e474 == 2u) {
-phi_927_ = _e556;
+if (_e476 == 2u) {
+phi_927_ = _e560;
 } else {
-phi_927_ = select(_e564, _e560, (_e474 == 3u));
+phi_927_ = select(_e568, _e564, (_e476 == 3u));
 }
-let _e571 = phi_927_;
-phi_928_ = _e571;
+let _e575 = phi_927_;
+phi_928_ = _e575;
 }
-let _e573 = phi_928_;
-phi_929_ = _e573;
+let _e577 = phi_928_;
+phi_929_ = _e577;
 }
-let _e575 = phi_929_;
-let _e577 = (select(0i, _e544, (_e544 > 0i)) * _e537);
-let _e580 = (((bitcast<i32>(_e575) + _e577) + _e546) * 6i);
-let _e582 = select(_e296, _e580, (_e580 < _e296));
-let _e588 = global_4.member[bitcast<u32>(select(0i, _e582, (_e582 > 0i)))];
-let _e589 = (_e580 + 1i);
-let _e591 = select(_e296, _e589, (_e589 < _e296));
-let _e597 = global_4.member[bitcast<u32>(select(0i, _e591, (_e591 > 0i)))];
-let _e600 = ((_e597 >> bitcast<u32>(31i)) != 0u);
-if _e600 {
-phi_988_ = (~(_e588) + 1u);
+let _e579 = phi_929_;
+let _e584 = (((bitcast<i32>(_e579) + (_e552 * _e539)) + _e545) * 6i);
+let _e586 = select(_e298, _e584, (_e584 < _e298));
+let _e592 = global_4.member[bitcast<u32>(select(0i, _e586, (_e586 > 0i)))];
+let _e593 = (_e584 + 1i);
+let _e595 = select(_e298, _e593, (_e593 < _e298));
+let _e601 = global_4.member[bitcast<u32>(select(0i, _e595, (_e595 > 0i)))];
+let _e604 = ((_e601 >> bitcast<u32>(31i)) != 0u);
+if _e604 {
+phi_988_ = (~(_e592) + 1u);
 } else {
-phi_988_ = _e588;
+phi_988_ = _e592;
 }
-let _e606 = phi_988_;
-if _e600 {
-phi_994_ = (~(_e597) + select(0u, 1u, (_e588 == 0u)));
+let _e610 = phi_988_;
+if _e604 {
+phi_994_ = (~(_e601) + select(0u, 1u, (_e592 == 0u)));
 } else {
-phi_994_ = _e597;
+phi_994_ = _e601;
 }
-let _e610 = phi_994_;
-let _e632 = ((((f32(bitcast<i32>(((_e610 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e610 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e606 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e606 & 65535u)))));
-let _e638 = (_e580 + 2i);
-let _e640 = select(_e296, _e638, (_e638 < _e296));
-let _e646 = global_4.member[bitcast<u32>(select(0i, _e640, (_e640 > 0i)))];
-let _e647 = (_e580 + 3i);
-let _e649 = select(_e296, _e647, (_e647 < _e296));
-let _e655 = global_4.member[bitcast<u32>(select(0i, _e649, (_e649 > 0i)))];
-let _e658 = ((_e655 >> bitcast<u32>(31i)) != 0u);
-if _e658 {
-phi_1056_ = (~(_e646) + 1u);
+let _e614 = phi_994_;
+let _e636 = ((((f32(bitcast<i32>(((_e614 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e614 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e610 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e610 & 65535u)))));
+let _e642 = (_e584 + 2i);
+let _e644 = select(_e298, _e642, (_e642 < _e298));
+let _e650 = global_4.member[bitcast<u32>(select(0i, _e644, (_e644 > 0i)))];
+let _e651 = (_e584 + 3i);
+let _e653 = select(_e298, _e651, (_e651 < _e298));
+let _e659 = global_4.member[bitcast<u32>(select(0i, _e653, (_e653 > 0i)))];
+let _e662 = ((_e659 >> bitcast<u32>(31i)) != 0u);
+if _e662 {
+phi_1056_ = (~(_e650) + 1u);
 } else {
-phi_1056_ = _e646;
+phi_1056_ = _e650;
 }
-let _e664 = phi_1056_;
-if _e658 {
-phi_1062_ = (~(_e655) + select(0u, 1u, (_e646 == 0u)));
+let _e668 = phi_1056_;
+if _e662 {
+phi_1062_ = (~(_e659) + select(0u, 1u, (_e650 == 0u)));
 } else {
-phi_1062_ = _e655;
+phi_1062_ = _e659;
 }
-let _e668 = phi_1062_;
-let _e690 = ((((f32(bitcast<i32>(((_e668 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e668 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e664 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e664 & 65535u)))));
-let _e696 = (_e580 + 4i);
-let _e698 = select(_e296, _e696, (_e696 < _e296));
-let _e704 = global_4.member[bitcast<u32>(select(0i, _e698, (_e698 > 0i)))];
-let _e705 = (_e580 + 5i);
-let _e707 = select(_e296, _e705, (_e705 < _e296));
-let _e713 = global_4.member[bitcast<u32>(select(0i, _e707, (_e707 > 0i)))];
-let _e716 = ((_e713 >> bitcast<u32>(31i)) != 0u);
-if _e716 {
-phi_1124_ = (~(_e704) + 1u);
+let _e672 = phi_1062_;
+let _e694 = ((((f32(bitcast<i32>(((_e672 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e672 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e668 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e668 & 65535u)))));
+let _e700 = (_e584 + 4i);
+let _e702 = select(_e298, _e700, (_e700 < _e298));
+let _e708 = global_4.member[bitcast<u32>(select(0i, _e702, (_e702 > 0i)))];
+let _e709 = (_e584 + 5i);
+let _e711 = select(_e298, _e709, (_e709 < _e298));
+let _e717 = global_4.member[bitcast<u32>(select(0i, _e711, (_e711 > 0i)))];
+let _e720 = ((_e717 >> bitcast<u32>(31i)) != 0u);
+if _e720 {
+phi_1124_ = (~(_e708) + 1u);
 } else {
-phi_1124_ = _e704;
+phi_1124_ = _e708;
 }
-let _e722 = phi_1124_;
-if _e716 {
-phi_1130_ = (~(_e713) + select(0u, 1u, (_e704 == 0u)));
+let _e726 = phi_1124_;
+if _e720 {
+phi_1130_ = (~(_e717) + select(0u, 1u, (_e708 == 0u)));
 } else {
-phi_1130_ = _e713;
+phi_1130_ = _e717;
 }
-let _e726 = phi_1130_;
-let _e748 = ((((f32(bitcast<i32>(((_e726 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e726 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e722 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e722 & 65535u)))));
-let _e754 = (1f - _e524);
-let _e758 = (_e507 + 1i);
-let _e760 = select(_e538, _e758, (_e758 < _e538));
-let _e762 = select(0i, _e760, (_e760 > 0i));
-if _e565 {
+let _e730 = phi_1130_;
+let _e752 = ((((f32(bitcast<i32>(((_e730 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e730 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e726 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e726 & 65535u)))));
+let _e758 = (1f - _e526);
+let _e762 = (_e509 + 1i);
+let _e764 = select(_e762, 0i, (_e762 < 0i));
+let _e765 = (_e764 >= _e539);
+if _e765 {
+phi_1184_ = (_e539 - 1i);
+} else {
+phi_1184_ = _e764;
+}
+let _e768 = phi_1184_;
+if _e549 {
+phi_1196_ = (_e546 - 1i);
+} else {
+phi_1196_ = _e548;
+}
+let _e771 = phi_1196_;
+if _e569 {
 phi_1228_ = 0u;
 } else {
-if (_e474 == 1u) {
-phi_1227_ = _e552;
+if (_e476 == 1u) {
+phi_1227_ = _e556;
 } else {
-if (_e474 == 2u) {
-phi_1226_ = _e556;
+if (_e476 == 2u) {
+phi_1226_ = _e560;
 } else {
-phi_1226_ = select(_e564, _e560, (_e474 == 3u));
+phi_1226_ = select(_e568, _e564, (_e476 == 3u));
 }
-let _e768 = phi_1226_;
-phi_1227_ = _e768;
+let _e777 = phi_1226_;
+phi_1227_ = _e777;
 }
-let _e770 = phi_1227_;
-phi_1228_ = _e770;
+let _e779 = phi_1227_;
+phi_1228_ = _e779;
 }
-let _e772 = phi_1228_;
-let _e776 = (((bitcast<i32>(_e772) + _e577) + _e762) * 6i);
-let _e778 = select(_e296, _e776, (_e776 < _e296));
-let _e784 = global_4.member[bitcast<u32>(select(0i, _e778, (_e778 > 0i)))];
-let _e785 = (_e776 + 1i);
-let _e787 = select(_e296, _e785, (_e785 < _e296));
-let _e793 = global_4.member[bitcast<u32>(select(0i, _e787, (_e787 > 0i)))];
-let _e796 = ((_e793 >> bitcast<u32>(31i)) != 0u);
-if _e796 {
-phi_1287_ = (~(_e784) + 1u);
+let _e781 = phi_1228_;
+let _e786 = (((bitcast<i32>(_e781) + (_e771 * _e539)) + _e768) * 6i);
+let _e788 = select(_e298, _e786, (_e786 < _e298));
+let _e794 = global_4.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
+let _e795 = (_e786 + 1i);
+let _e797 = select(_e298, _e795, (_e795 < _e298));
+let _e803 = global_4.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
+let _e806 = ((_e803 >> bitcast<u32>(31i)) != 0u);
+if _e806 {
+phi_1287_ = (~(_e794) + 1u);
 } else {
-phi_1287_ = _e784;
+phi_1287_ = _e794;
 }
-let _e802 = phi_1287_;
-if _e796 {
-phi_1293_ = (~(_e793) + select(0u, 1u, (_e784 == 0u)));
+let _e812 = phi_1287_;
+if _e806 {
+phi_1293_ = (~(_e803) + select(0u, 1u, (_e794 == 0u)));
 } else {
-phi_1293_ = _e793;
+phi_1293_ = _e803;
 }
-let _e806 = phi_1293_;
-let _e828 = ((((f32(bitcast<i32>(((_e806 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e806 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e802 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e802 & 65535u)))));
-let _e834 = (_e776 + 2i);
-let _e836 = select(_e296, _e834, (_e834 < _e296));
-let _e842 = global_4.member[bitcast<u32>(select(0i, _e836, (_e836 > 0i)))];
-let _e843 = (_e776 + 3i);
-let _e845 = select(_e296, _e843, (_e843 < _e296));
-let _e851 = global_4.member[bitcast<u32>(select(0i, _e845, (_e845 > 0i)))];
-let _e854 = ((_e851 >> bitcast<u32>(31i)) != 0u);
-if _e854 {
-phi_1355_ = (~(_e842) + 1u);
+let _e816 = phi_1293_;
+let _e838 = ((((f32(bitcast<i32>(((_e816 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e816 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e812 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e812 & 65535u)))));
+let _e844 = (_e786 + 2i);
+let _e846 = select(_e298, _e844, (_e844 < _e298));
+let _e852 = global_4.member[bitcast<u32>(select(0i, _e846, (_e846 > 0i)))];
+let _e853 = (_e786 + 3i);
+let _e855 = select(_e298, _e853, (_e853 < _e298));
+let _e861 = global_4.member[bitcast<u32>(select(0i, _e855, (_e855 > 0i)))];
+let _e864 = ((_e861 >> bitcast<u32>(31i)) != 0u);
+if _e864 {
+phi_1355_ = (~(_e852) + 1u);
 } else {
-phi_1355_ = _e842;
+phi_1355_ = _e852;
 }
-let _e860 = phi_1355_;
-if _e854 {
-phi_1361_ = (~(_e851) + select(0u, 1u, (_e842 == 0u)));
+let _e870 = phi_1355_;
+if _e864 {
+phi_1361_ = (~(_e861) + select(0u, 1u, (_e852 == 0u)));
 } else {
-phi_1361_ = _e851;
+phi_1361_ = _e861;
 }
-let _e864 = phi_1361_;
-let _e886 = ((((f32(bitcast<i32>(((_e864 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e864 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e860 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e860 & 65535u)))));
-let _e892 = (_e776 + 4i);
-let _e894 = select(_e296, _e892, (_e892 < _e296));
-let _e900 = global_4.member[bitcast<u32>(select(0i, _e894, (_e894 > 0i)))];
-let _e901 = (_e776 + 5i);
-let _e903 = select(_e296, _e901, (_e901 < _e296));
-let _e909 = global_4.member[bitcast<u32>(select(0i, _e903, (_e903 > 0i)))];
-let _e912 = ((_e909 >> bitcast<u32>(31i)) != 0u);
-if _e912 {
-phi_1423_ = (~(_e900) + 1u);
+let _e874 = phi_1361_;
+let _e896 = ((((f32(bitcast<i32>(((_e874 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e874 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e870 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e870 & 65535u)))));
+let _e902 = (_e786 + 4i);
+let _e904 = select(_e298, _e902, (_e902 < _e298));
+let _e910 = global_4.member[bitcast<u32>(select(0i, _e904, (_e904 > 0i)))];
+let _e911 = (_e786 + 5i);
+let _e913 = select(_e298, _e911, (_e911 < _e298));
+let _e919 = global_4.member[bitcast<u32>(select(0i, _e913, (_e913 > 0i)))];
+let _e922 = ((_e919 >> bitcast<u32>(31i)) != 0u);
+if _e922 {
+phi_1423_ = (~(_e910) + 1u);
 } else {
-phi_1423_ = _e900;
+phi_1423_ = _e910;
 }
-let _e918 = phi_1423_;
-if _e912 {
-phi_1429_ = (~(_e909) + select(0u, 1u, (_e900 == 0u)));
+let _e928 = phi_1423_;
+if _e922 {
+phi_1429_ = (~(_e919) + select(0u, 1u, (_e910 == 0u)));
 } else {
-phi_1429_ = _e909;
+phi_1429_ = _e919;
 }
-let _e922 = phi_1429_;
-let _e944 = ((((f32(bitcast<i32>(((_e922 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e922 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e918 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e918 & 65535u)))));
-let _e956 = (_e522 + 1i);
-let _e958 = select(_e540, _e956, (_e956 < _e540));
-if _e565 {
+let _e932 = phi_1429_;
+let _e954 = ((((f32(bitcast<i32>(((_e932 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e932 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e928 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e928 & 65535u)))));
+let _e966 = (_e524 + 1i);
+if _e542 {
+phi_1485_ = (_e539 - 1i);
+} else {
+phi_1485_ = _e541;
+}
+let _e969 = phi_1485_;
+let _e971 = select(_e966, 0i, (_e966 < 0i));
+let _e972 = (_e971 >= _e546);
+if _e972 {
+phi_1497_ = (_e546 - 1i);
+} else {
+phi_1497_ = _e971;
+}
+let _e975 = phi_1497_;
+if _e569 {
 phi_1529_ = 0u;
 } else {
-if (_e474 == 1u) {
-phi_1528_ = _e552;
+if (_e476 == 1u) {
+phi_1528_ = _e556;
 } else {
-if (_e474 == 2u) {
-phi_1527_ = _e556;
+if (_e476 == 2u) {
+phi_1527_ = _e560;
 } else {
-phi_1527_ = select(_e564, _e560, (_e474 == 3u));
+phi_1527_ = select(_e568, _e564, (_e476 == 3u));
 }
-let _e966 = phi_1527_;
-phi_1528_ = _e966;
+let _e981 = phi_1527_;
+phi_1528_ = _e981;
 }
-let _e968 = phi_1528_;
-phi_1529_ = _e968;
+let _e983 = phi_1528_;
+phi_1529_ = _e983;
 }
-let _e970 = phi_1529_;
-let _e972 = (select(0i, _e958, (_e958 > 0i)) * _e537);
-let _e975 = (((bitcast<i32>(_e970) + _e972) + _e546) * 6i);
-let _e977 = select(_e296, _e975, (_e975 < _e296));
-let _e983 = global_4.member[bitcast<u32>(select(0i, _e977, (_e977 > 0i)))];
-let _e984 = (_e975 + 1i);
-let _e986 = select(_e296, _e984, (_e984 < _e296));
-let _e992 = global_4.member[bitcast<u32>(select(0i, _e986, (_e986 > 0i)))];
-let _e995 = ((_e992 >> bitcast<u32>(31i)) != 0u);
-if _e995 {
-phi_1588_ = (~(_e983) + 1u);
+let _e985 = phi_1529_;
+let _e990 = (((bitcast<i32>(_e985) + (_e975 * _e539)) + _e969) * 6i);
+let _e992 = select(_e298, _e990, (_e990 < _e298));
+let _e998 = global_4.member[bitcast<u32>(select(0i, _e992, (_e992 > 0i)))];
+let _e999 = (_e990 + 1i);
+let _e1001 = select(_e298, _e999, (_e999 < _e298));
+let _e1007 = global_4.member[bitcast<u32>(select(0i, _e1001, (_e1001 > 0i)))];
+let _e1010 = ((_e1007 >> bitcast<u32>(31i)) != 0u);
+if _e1010 {
+phi_1588_ = (~(_e998) + 1u);
 } else {
-phi_1588_ = _e983;
+phi_1588_ = _e998;
 }
-let _e1001 = phi_1588_;
-if _e995 {
-phi_1594_ = (~(_e992) + select(0u, 1u, (_e983 == 0u)));
+let _e1016 = phi_1588_;
+if _e1010 {
+phi_1594_ = (~(_e1007) + select(0u, 1u, (_e998 == 0u)));
 } else {
-phi_1594_ = _e992;
+phi_1594_ = _e1007;
 }
-let _e1005 = phi_1594_;
-let _e1027 = ((((f32(bitcast<i32>(((_e1005 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1005 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1001 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1001 & 65535u)))));
-let _e1033 = (_e975 + 2i);
-let _e1035 = select(_e296, _e1033, (_e1033 < _e296));
-let _e1041 = global_4.member[bitcast<u32>(select(0i, _e1035, (_e1035 > 0i)))];
-let _e1042 = (_e975 + 3i);
-let _e1044 = select(_e296, _e1042, (_e1042 < _e296));
-let _e1050 = global_4.member[bitcast<u32>(select(0i, _e1044, (_e1044 > 0i)))];
-let _e1053 = ((_e1050 >> bitcast<u32>(31i)) != 0u);
-if _e1053 {
-phi_1656_ = (~(_e1041) + 1u);
+let _e1020 = phi_1594_;
+let _e1042 = ((((f32(bitcast<i32>(((_e1020 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1020 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1016 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1016 & 65535u)))));
+let _e1048 = (_e990 + 2i);
+let _e1050 = select(_e298, _e1048, (_e1048 < _e298));
+let _e1056 = global_4.member[bitcast<u32>(select(0i, _e1050, (_e1050 > 0i)))];
+let _e1057 = (_e990 + 3i);
+let _e1059 = select(_e298, _e1057, (_e1057 < _e298));
+let _e1065 = global_4.member[bitcast<u32>(select(0i, _e1059, (_e1059 > 0i)))];
+let _e1068 = ((_e1065 >> bitcast<u32>(31i)) != 0u);
+if _e1068 {
+phi_1656_ = (~(_e1056) + 1u);
 } else {
-phi_1656_ = _e1041;
+phi_1656_ = _e1056;
 }
-let _e1059 = phi_1656_;
-if _e1053 {
-phi_1662_ = (~(_e1050) + select(0u, 1u, (_e1041 == 0u)));
+let _e1074 = phi_1656_;
+if _e1068 {
+phi_1662_ = (~(_e1065) + select(0u, 1u, (_e1056 == 0u)));
 } else {
-phi_1662_ = _e1050;
+phi_1662_ = _e1065;
 }
-let _e1063 = phi_1662_;
-let _e1085 = ((((f32(bitcast<i32>(((_e1063 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1063 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1059 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1059 & 65535u)))));
-let _e1091 = (_e975 + 4i);
-let _e1093 = select(_e296, _e1091, (_e1091 < _e296));
-let _e1099 = global_4.member[bitcast<u32>(select(0i, _e1093, (_e1093 > 0i)))];
-let _e1100 = (_e975 + 5i);
-let _e1102 = select(_e296, _e1100, (_e1100 < _e296));
-let _e1108 = global_4.member[bitcast<u32>(select(0i, _e1102, (_e1102 > 0i)))];
-let _e1111 = ((_e1108 >> bitcast<u32>(31i)) != 0u);
-if _e1111 {
-phi_1724_ = (~(_e1099) + 1u);
+let _e1078 = phi_1662_;
+let _e1100 = ((((f32(bitcast<i32>(((_e1078 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1078 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1074 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1074 & 65535u)))));
+let _e1106 = (_e990 + 4i);
+let _e1108 = select(_e298, _e1106, (_e1106 < _e298));
+let _e1114 = global_4.member[bitcast<u32>(select(0i, _e1108, (_e1108 > 0i)))];
+let _e1115 = (_e990 + 5i);
+let _e1117 = select(_e298, _e1115, (_e1115 < _e298));
+let _e1123 = global_4.member[bitcast<u32>(select(0i, _e1117, (_e1117 > 0i)))];
+let _e1126 = ((_e1123 >> bitcast<u32>(31i)) != 0u);
+if _e1126 {
+phi_1724_ = (~(_e1114) + 1u);
 } else {
-phi_1724_ = _e1099;
+phi_1724_ = _e1114;
 }
-let _e1117 = phi_1724_;
-if _e1111 {
-phi_1730_ = (~(_e1108) + select(0u, 1u, (_e1099 == 0u)));
+let _e1132 = phi_1724_;
+if _e1126 {
+phi_1730_ = (~(_e1123) + select(0u, 1u, (_e1114 == 0u)));
 } else {
-phi_1730_ = _e1108;
+phi_1730_ = _e1123;
 }
-let _e1121 = phi_1730_;
-let _e1143 = ((((f32(bitcast<i32>(((_e1121 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1121 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1117 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1117 & 65535u)))));
-if _e565 {
+let _e1136 = phi_1730_;
+let _e1158 = ((((f32(bitcast<i32>(((_e1136 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1136 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1132 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1132 & 65535u)))));
+if _e765 {
+phi_1785_ = (_e539 - 1i);
+} else {
+phi_1785_ = _e764;
+}
+let _e1169 = phi_1785_;
+if _e972 {
+phi_1797_ = (_e546 - 1i);
+} else {
+phi_1797_ = _e971;
+}
+let _e1172 = phi_1797_;
+if _e569 {
 phi_1829_ = 0u;
 } else {
-if (_e474 == 1u) {
-phi_1828_ = _e552;
+if (_e476 == 1u) {
+phi_1828_ = _e556;
 } else {
-if (_e474 == 2u) {
-phi_1827_ = _e556;
+if (_e476 == 2u) {
+phi_1827_ = _e560;
 } else {
-phi_1827_ = select(_e564, _e560, (_e474 == 3u));
+phi_1827_ = select(_e568, _e564, (_e476 == 3u));
 }
-let _e1157 = phi_1827_;
-phi_1828_ = _e1157;
+let _e1178 = phi_1827_;
+phi_1828_ = _e1178;
 }
-let _e1159 = phi_1828_;
-phi_1829_ = _e1159;
+let _e1180 = phi_1828_;
+phi_1829_ = _e1180;
 }
-let _e1161 = phi_1829_;
-let _e1165 = (((bitcast<i32>(_e1161) + _e972) + _e762) * 6i);
-let _e1167 = select(_e296, _e1165, (_e1165 < _e296));
-let _e1173 = global_4.member[bitcast<u32>(select(0i, _e1167, (_e1167 > 0i)))];
-let _e1174 = (_e1165 + 1i);
-let _e1176 = select(_e296, _e1174, (_e1174 < _e296));
-let _e1182 = global_4.member[bitcast<u32>(select(0i, _e1176, (_e1176 > 0i)))];
-let _e1185 = ((_e1182 >> bitcast<u32>(31i)) != 0u);
-if _e1185 {
-phi_1888_ = (~(_e1173) + 1u);
+let _e1182 = phi_1829_;
+let _e1187 = (((bitcast<i32>(_e1182) + (_e1172 * _e539)) + _e1169) * 6i);
+let _e1189 = select(_e298, _e1187, (_e1187 < _e298));
+let _e1195 = global_4.member[bitcast<u32>(select(0i, _e1189, (_e1189 > 0i)))];
+let _e1196 = (_e1187 + 1i);
+let _e1198 = select(_e298, _e1196, (_e1196 < _e298));
+let _e1204 = global_4.member[bitcast<u32>(select(0i, _e1198, (_e1198 > 0i)))];
+let _e1207 = ((_e1204 >> bitcast<u32>(31i)) != 0u);
+if _e1207 {
+phi_1888_ = (~(_e1195) + 1u);
 } else {
-phi_1888_ = _e1173;
+phi_1888_ = _e1195;
 }
-let _e1191 = phi_1888_;
-if _e1185 {
-phi_1894_ = (~(_e1182) + select(0u, 1u, (_e1173 == 0u)));
+let _e1213 = phi_1888_;
+if _e1207 {
+phi_1894_ = (~(_e1204) + select(0u, 1u, (_e1195 == 0u)));
 } else {
-phi_1894_ = _e1182;
+phi_1894_ = _e1204;
 }
-let _e1195 = phi_1894_;
-let _e1217 = ((((f32(bitcast<i32>(((_e1195 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1195 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1191 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1191 & 65535u)))));
-let _e1223 = (_e1165 + 2i);
-let _e1225 = select(_e296, _e1223, (_e1223 < _e296));
-let _e1231 = global_4.member[bitcast<u32>(select(0i, _e1225, (_e1225 > 0i)))];
-let _e1232 = (_e1165 + 3i);
-let _e1234 = select(_e296, _e1232, (_e1232 < _e296));
-let _e1240 = global_4.member[bitcast<u32>(select(0i, _e1234, (_e1234 > 0i)))];
-let _e1243 = ((_e1240 >> bitcast<u32>(31i)) != 0u);
-if _e1243 {
-phi_1956_ = (~(_e1231) + 1u);
+let _e1217 = phi_1894_;
+let _e1239 = ((((f32(bitcast<i32>(((_e1217 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1217 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1213 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1213 & 65535u)))));
+let _e1245 = (_e1187 + 2i);
+let _e1247 = select(_e298, _e1245, (_e1245 < _e298));
+let _e1253 = global_4.member[bitcast<u32>(select(0i, _e1247, (_e1247 > 0i)))];
+let _e1254 = (_e1187 + 3i);
+let _e1256 = select(_e298, _e1254, (_e1254 < _e298));
+let _e1262 = global_4.member[bitcast<u32>(select(0i, _e1256, (_e1256 > 0i)))];
+let _e1265 = ((_e1262 >> bitcast<u32>(31i)) != 0u);
+if _e1265 {
+phi_1956_ = (~(_e1253) + 1u);
 } else {
-phi_1956_ = _e1231;
+phi_1956_ = _e1253;
 }
-let _e1249 = phi_1956_;
-if _e1243 {
-phi_1962_ = (~(_e1240) + select(0u, 1u, (_e1231 == 0u)));
+let _e1271 = phi_1956_;
+if _e1265 {
+phi_1962_ = (~(_e1262) + select(0u, 1u, (_e1253 == 0u)));
 } else {
-phi_1962_ = _e1240;
+phi_1962_ = _e1262;
 }
-let _e1253 = phi_1962_;
-let _e1275 = ((((f32(bitcast<i32>(((_e1253 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1253 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1249 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1249 & 65535u)))));
-let _e1281 = (_e1165 + 4i);
-let _e1283 = select(_e296, _e1281, (_e1281 < _e296));
-let _e1289 = global_4.member[bitcast<u32>(select(0i, _e1283, (_e1283 > 0i)))];
-let _e1290 = (_e1165 + 5i);
-let _e1292 = select(_e296, _e1290, (_e1290 < _e296));
-let _e1298 = global_4.member[bitcast<u32>(select(0i, _e1292, (_e1292 > 0i)))];
-let _e1301 = ((_e1298 >> bitcast<u32>(31i)) != 0u);
-if _e1301 {
-phi_2024_ = (~(_e1289) + 1u);
+let _e1275 = phi_1962_;
+let _e1297 = ((((f32(bitcast<i32>(((_e1275 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1275 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1271 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1271 & 65535u)))));
+let _e1303 = (_e1187 + 4i);
+let _e1305 = select(_e298, _e1303, (_e1303 < _e298));
+let _e1311 = global_4.member[bitcast<u32>(select(0i, _e1305, (_e1305 > 0i)))];
+let _e1312 = (_e1187 + 5i);
+let _e1314 = select(_e298, _e1312, (_e1312 < _e298));
+let _e1320 = global_4.member[bitcast<u32>(select(0i, _e1314, (_e1314 > 0i)))];
+let _e1323 = ((_e1320 >> bitcast<u32>(31i)) != 0u);
+if _e1323 {
+phi_2024_ = (~(_e1311) + 1u);
 } else {
-phi_2024_ = _e1289;
+phi_2024_ = _e1311;
 }
-let _e1307 = phi_2024_;
-if _e1301 {
-phi_2030_ = (~(_e1298) + select(0u, 1u, (_e1289 == 0u)));
+let _e1329 = phi_2024_;
+if _e1323 {
+phi_2030_ = (~(_e1320) + select(0u, 1u, (_e1311 == 0u)));
 } else {
-phi_2030_ = _e1298;
+phi_2030_ = _e1320;
 }
-let _e1311 = phi_2030_;
-let _e1333 = ((((f32(bitcast<i32>(((_e1311 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1311 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1307 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1307 & 65535u)))));
-let _e1345 = (1f - _e526);
-phi_782_ = vec3<f32>((_e472.x + ((((select(_e632, -(bitcast<f32>((bitcast<u32>(_e632) & 2147483647u))), _e600) * _e754) + (select(_e828, -(bitcast<f32>((bitcast<u32>(_e828) & 2147483647u))), _e796) * _e524)) * _e1345) + (((select(_e1027, -(bitcast<f32>((bitcast<u32>(_e1027) & 2147483647u))), _e995) * _e754) + (select(_e1217, -(bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u))), _e1185) * _e524)) * _e526))), (_e472.y + ((((select(_e690, -(bitcast<f32>((bitcast<u32>(_e690) & 2147483647u))), _e658) * _e754) + (select(_e886, -(bitcast<f32>((bitcast<u32>(_e886) & 2147483647u))), _e854) * _e524)) * _e1345) + (((select(_e1085, -(bitcast<f32>((bitcast<u32>(_e1085) & 2147483647u))), _e1053) * _e754) + (select(_e1275, -(bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u))), _e1243) * _e524)) * _e526))), (_e472.z + ((((select(_e748, -(bitcast<f32>((bitcast<u32>(_e748) & 2147483647u))), _e716) * _e754) + (select(_e944, -(bitcast<f32>((bitcast<u32>(_e944) & 2147483647u))), _e912) * _e524)) * _e1345) + (((select(_e1143, -(bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u))), _e1111) * _e754) + (select(_e1333, -(bitcast<f32>((bitcast<u32>(_e1333) & 2147483647u))), _e1301) * _e524)) * _e526))));
-phi_785_ = (_e474 + 1u);
+let _e1333 = phi_2030_;
+let _e1355 = ((((f32(bitcast<i32>(((_e1333 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1333 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1329 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1329 & 65535u)))));
+let _e1367 = (1f - _e528);
+phi_782_ = vec3<f32>((_e474.x + ((((select(_e636, -(bitcast<f32>((bitcast<u32>(_e636) & 2147483647u))), _e604) * _e758) + (select(_e838, -(bitcast<f32>((bitcast<u32>(_e838) & 2147483647u))), _e806) * _e526)) * _e1367) + (((select(_e1042, -(bitcast<f32>((bitcast<u32>(_e1042) & 2147483647u))), _e1010) * _e758) + (select(_e1239, -(bitcast<f32>((bitcast<u32>(_e1239) & 2147483647u))), _e1207) * _e526)) * _e528))), (_e474.y + ((((select(_e694, -(bitcast<f32>((bitcast<u32>(_e694) & 2147483647u))), _e662) * _e758) + (select(_e896, -(bitcast<f32>((bitcast<u32>(_e896) & 2147483647u))), _e864) * _e526)) * _e1367) + (((select(_e1100, -(bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u))), _e1068) * _e758) + (select(_e1297, -(bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u))), _e1265) * _e526)) * _e528))), (_e474.z + ((((select(_e752, -(bitcast<f32>((bitcast<u32>(_e752) & 2147483647u))), _e720) * _e758) + (select(_e954, -(bitcast<f32>((bitcast<u32>(_e954) & 2147483647u))), _e922) * _e526)) * _e1367) + (((select(_e1158, -(bitcast<f32>((bitcast<u32>(_e1158) & 2147483647u))), _e1126) * _e758) + (select(_e1355, -(bitcast<f32>((bitcast<u32>(_e1355) & 2147483647u))), _e1323) * _e526)) * _e528))));
+phi_785_ = (_e476 + 1u);
 } else {
 phi_782_ = vec3<f32>();
 phi_785_ = u32();
 }
-let _e1364 = phi_782_;
-let _e1366 = phi_785_;
+let _e1386 = phi_782_;
+let _e1388 = phi_785_;
 continue;
 continuing {
-phi_781_ = _e1364;
-phi_784_ = _e1366;
-break if !(_e479);
+phi_781_ = _e1386;
+phi_784_ = _e1388;
+break if !(_e481);
 }
 }
-let _e1371 = global_2.member.member_18.member;
-let _e1372 = (1f / _e1371);
-let _e1374 = local;
-let _e1378 = local_1;
-let _e1382 = local_2;
-let _e1385 = ((_e1374.x * _e1372) + _e170);
-let _e1386 = ((_e1378.y * _e1372) + _e181);
-let _e1387 = ((_e1382.z * _e1372) + _e192);
-let _e1389 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e1391 = select(_e1389, _e294, (_e294 < _e1389));
-let _e1397 = global_5.member[bitcast<u32>(select(0i, _e1391, (_e1391 > 0i)))];
-let _e1399 = select(_e1389, _e305, (_e305 < _e1389));
-let _e1405 = global_5.member[bitcast<u32>(select(0i, _e1399, (_e1399 > 0i)))];
-let _e1408 = ((_e1405 >> bitcast<u32>(31i)) != 0u);
-if _e1408 {
-phi_2223_ = (~(_e1397) + 1u);
+let _e1393 = global_2.member.member_18.member;
+let _e1394 = (1f / _e1393);
+let _e1396 = local;
+let _e1400 = local_1;
+let _e1404 = local_2;
+let _e1407 = ((_e1396.x * _e1394) + _e170);
+let _e1408 = ((_e1400.y * _e1394) + _e181);
+let _e1409 = ((_e1404.z * _e1394) + _e192);
+if _e283 {
+phi_2120_ = (_e280 - 1i);
 } else {
-phi_2223_ = _e1397;
+phi_2120_ = _e282;
 }
-let _e1414 = phi_2223_;
-if _e1408 {
-phi_2229_ = (~(_e1405) + select(0u, 1u, (_e1397 == 0u)));
+let _e1412 = phi_2120_;
+if _e290 {
+phi_2132_ = (_e287 - 1i);
 } else {
-phi_2229_ = _e1405;
+phi_2132_ = _e289;
 }
-let _e1418 = phi_2229_;
-let _e1440 = ((((f32(bitcast<i32>(((_e1418 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1418 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1414 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1414 & 65535u)))));
-let _e1447 = select(_e1389, _e354, (_e354 < _e1389));
-let _e1453 = global_5.member[bitcast<u32>(select(0i, _e1447, (_e1447 > 0i)))];
-let _e1455 = select(_e1389, _e363, (_e363 < _e1389));
-let _e1461 = global_5.member[bitcast<u32>(select(0i, _e1455, (_e1455 > 0i)))];
-let _e1464 = ((_e1461 >> bitcast<u32>(31i)) != 0u);
-if _e1464 {
-phi_2291_ = (~(_e1453) + 1u);
+let _e1415 = phi_2132_;
+let _e1418 = (((_e1415 * _e280) + _e1412) * 6i);
+let _e1420 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1422 = select(_e1420, _e1418, (_e1418 < _e1420));
+let _e1428 = global_5.member[bitcast<u32>(select(0i, _e1422, (_e1422 > 0i)))];
+let _e1429 = (_e1418 + 1i);
+let _e1431 = select(_e1420, _e1429, (_e1429 < _e1420));
+let _e1437 = global_5.member[bitcast<u32>(select(0i, _e1431, (_e1431 > 0i)))];
+let _e1440 = ((_e1437 >> bitcast<u32>(31i)) != 0u);
+if _e1440 {
+phi_2223_ = (~(_e1428) + 1u);
 } else {
-phi_2291_ = _e1453;
+phi_2223_ = _e1428;
 }
-let _e1470 = phi_2291_;
-if _e1464 {
-phi_2297_ = (~(_e1461) + select(0u, 1u, (_e1453 == 0u)));
+let _e1446 = phi_2223_;
+if _e1440 {
+phi_2229_ = (~(_e1437) + select(0u, 1u, (_e1428 == 0u)));
 } else {
-phi_2297_ = _e1461;
+phi_2229_ = _e1437;
 }
-let _e1474 = phi_2297_;
-let _e1496 = ((((f32(bitcast<i32>(((_e1474 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1474 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1470 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1470 & 65535u)))));
-let _e1503 = select(_e1389, _e412, (_e412 < _e1389));
-let _e1509 = global_5.member[bitcast<u32>(select(0i, _e1503, (_e1503 > 0i)))];
-let _e1511 = select(_e1389, _e421, (_e421 < _e1389));
-let _e1517 = global_5.member[bitcast<u32>(select(0i, _e1511, (_e1511 > 0i)))];
-let _e1520 = ((_e1517 >> bitcast<u32>(31i)) != 0u);
-if _e1520 {
-phi_2359_ = (~(_e1509) + 1u);
+let _e1450 = phi_2229_;
+let _e1472 = ((((f32(bitcast<i32>(((_e1450 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1450 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1446 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1446 & 65535u)))));
+let _e1478 = (_e1418 + 2i);
+let _e1480 = select(_e1420, _e1478, (_e1478 < _e1420));
+let _e1486 = global_5.member[bitcast<u32>(select(0i, _e1480, (_e1480 > 0i)))];
+let _e1487 = (_e1418 + 3i);
+let _e1489 = select(_e1420, _e1487, (_e1487 < _e1420));
+let _e1495 = global_5.member[bitcast<u32>(select(0i, _e1489, (_e1489 > 0i)))];
+let _e1498 = ((_e1495 >> bitcast<u32>(31i)) != 0u);
+if _e1498 {
+phi_2291_ = (~(_e1486) + 1u);
 } else {
-phi_2359_ = _e1509;
+phi_2291_ = _e1486;
 }
-let _e1526 = phi_2359_;
-if _e1520 {
-phi_2365_ = (~(_e1517) + select(0u, 1u, (_e1509 == 0u)));
+let _e1504 = phi_2291_;
+if _e1498 {
+phi_2297_ = (~(_e1495) + select(0u, 1u, (_e1486 == 0u)));
 } else {
-phi_2365_ = _e1517;
+phi_2297_ = _e1495;
 }
-let _e1530 = phi_2365_;
-let _e1552 = ((((f32(bitcast<i32>(((_e1530 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1530 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1526 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1526 & 65535u)))));
-phi_2388_ = vec3<f32>(select(_e1440, -(bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u))), _e1408), select(_e1496, -(bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u))), _e1464), select(_e1552, -(bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u))), _e1520));
+let _e1508 = phi_2297_;
+let _e1530 = ((((f32(bitcast<i32>(((_e1508 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1508 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1504 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1504 & 65535u)))));
+let _e1536 = (_e1418 + 4i);
+let _e1538 = select(_e1420, _e1536, (_e1536 < _e1420));
+let _e1544 = global_5.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
+let _e1545 = (_e1418 + 5i);
+let _e1547 = select(_e1420, _e1545, (_e1545 < _e1420));
+let _e1553 = global_5.member[bitcast<u32>(select(0i, _e1547, (_e1547 > 0i)))];
+let _e1556 = ((_e1553 >> bitcast<u32>(31i)) != 0u);
+if _e1556 {
+phi_2359_ = (~(_e1544) + 1u);
+} else {
+phi_2359_ = _e1544;
+}
+let _e1562 = phi_2359_;
+if _e1556 {
+phi_2365_ = (~(_e1553) + select(0u, 1u, (_e1544 == 0u)));
+} else {
+phi_2365_ = _e1553;
+}
+let _e1566 = phi_2365_;
+let _e1588 = ((((f32(bitcast<i32>(((_e1566 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1566 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1562 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1562 & 65535u)))));
+phi_2388_ = vec3<f32>(select(_e1472, -(bitcast<f32>((bitcast<u32>(_e1472) & 2147483647u))), _e1440), select(_e1530, -(bitcast<f32>((bitcast<u32>(_e1530) & 2147483647u))), _e1498), select(_e1588, -(bitcast<f32>((bitcast<u32>(_e1588) & 2147483647u))), _e1556));
 phi_2391_ = 1u;
 loop {
-let _e1560 = phi_2388_;
-let _e1562 = phi_2391_;
-local_4 = _e1560;
-local_5 = _e1560;
-local_6 = _e1560;
-let _e1564 = local_3;
-let _e1565 = (_e1562 <= _e1564);
-if _e1565 {
-let _e1566 = (_e1562 & 31u);
-let _e1570 = (1f / f32((1i << bitcast<u32>(_e1566))));
-let _e1574 = (((f32(_e270) + 0.5f) * _e1570) - 0.5f);
-let _e1578 = (((f32(_e271) + 0.5f) * _e1570) - 0.5f);
-let _e1580 = select(-1f, _e1574, (_e1574 > -1f));
-let _e1582 = select(1e6f, _e1580, (_e1580 < 1e6f));
-let _e1589 = select(0i, select(select(i32(_e1582), i32(-2147483648), (_e1582 < -2147483600f)), 2147483647i, (_e1582 > 2147483500f)), (_e1582 == _e1582));
-let _e1593 = (_e1589 - select(0i, 1i, (_e1582 < f32(_e1589))));
-let _e1595 = select(-1f, _e1578, (_e1578 > -1f));
-let _e1597 = select(1e6f, _e1595, (_e1595 < 1e6f));
-let _e1604 = select(0i, select(select(i32(_e1597), i32(-2147483648), (_e1597 < -2147483600f)), 2147483647i, (_e1597 > 2147483500f)), (_e1597 == _e1597));
-let _e1608 = (_e1604 - select(0i, 1i, (_e1597 < f32(_e1604))));
-let _e1610 = (_e1574 - f32(_e1593));
-let _e1612 = (_e1578 - f32(_e1608));
-let _e1614 = (1u << bitcast<u32>(_e1566));
-let _e1623 = bitcast<i32>((((_e275 + _e1614) - 1u) >> bitcast<u32>(_e1566)));
-let _e1624 = (_e1623 - 1i);
-let _e1626 = (bitcast<i32>((((_e279 + _e1614) - 1u) >> bitcast<u32>(_e1566))) - 1i);
-let _e1628 = select(_e1624, _e1593, (_e1593 < _e1624));
-let _e1630 = select(_e1626, _e1608, (_e1608 < _e1626));
-let _e1632 = select(0i, _e1628, (_e1628 > 0i));
-let _e1638 = global_2.member.member_18.member_2;
-let _e1642 = global_2.member.member_18.member_3;
-let _e1646 = global_2.member.member_18.member_4;
-let _e1650 = global_2.member.member_18.member_5;
-let _e1651 = (_e1562 == 0u);
-if _e1651 {
+let _e1596 = phi_2388_;
+let _e1598 = phi_2391_;
+local_4 = _e1596;
+local_5 = _e1596;
+local_6 = _e1596;
+let _e1600 = local_3;
+let _e1601 = (_e1598 <= _e1600);
+if _e1601 {
+let _e1602 = (_e1598 & 31u);
+let _e1606 = (1f / f32((1i << bitcast<u32>(_e1602))));
+let _e1610 = (((f32(_e270) + 0.5f) * _e1606) - 0.5f);
+let _e1614 = (((f32(_e271) + 0.5f) * _e1606) - 0.5f);
+let _e1616 = select(-1f, _e1610, (_e1610 > -1f));
+let _e1618 = select(1e6f, _e1616, (_e1616 < 1e6f));
+let _e1625 = select(0i, select(select(i32(_e1618), i32(-2147483648), (_e1618 < -2147483600f)), 2147483647i, (_e1618 > 2147483500f)), (_e1618 == _e1618));
+let _e1629 = (_e1625 - select(0i, 1i, (_e1618 < f32(_e1625))));
+let _e1631 = select(-1f, _e1614, (_e1614 > -1f));
+let _e1633 = select(1e6f, _e1631, (_e1631 < 1e6f));
+let _e1640 = select(0i, select(select(i32(_e1633), i32(-2147483648), (_e1633 < -2147483600f)), 2147483647i, (_e1633 > 2147483500f)), (_e1633 == _e1633));
+let _e1644 = (_e1640 - select(0i, 1i, (_e1633 < f32(_e1640))));
+let _e1646 = (_e1610 - f32(_e1629));
+let _e1648 = (_e1614 - f32(_e1644));
+let _e1650 = (1u << bitcast<u32>(_e1602));
+let _e1659 = bitcast<i32>((((_e275 + _e1650) - 1u) >> bitcast<u32>(_e1602)));
+let _e1661 = select(_e1629, 0i, (_e1629 < 0i));
+let _e1662 = (_e1661 >= _e1659);
+if _e1662 {
+phi_2492_ = (_e1659 - 1i);
+} else {
+phi_2492_ = _e1661;
+}
+let _e1665 = phi_2492_;
+let _e1666 = bitcast<i32>((((_e279 + _e1650) - 1u) >> bitcast<u32>(_e1602)));
+let _e1668 = select(_e1644, 0i, (_e1644 < 0i));
+let _e1669 = (_e1668 >= _e1666);
+if _e1669 {
+phi_2504_ = (_e1666 - 1i);
+} else {
+phi_2504_ = _e1668;
+}
+let _e1672 = phi_2504_;
+let _e1676 = global_2.member.member_18.member_2;
+let _e1680 = global_2.member.member_18.member_3;
+let _e1684 = global_2.member.member_18.member_4;
+let _e1688 = global_2.member.member_18.member_5;
+let _e1689 = (_e1598 == 0u);
+if _e1689 {
 phi_2536_ = 0u;
 } else {
-if (_e1562 == 1u) {
-phi_2535_ = _e1638;
+if (_e1598 == 1u) {
+phi_2535_ = _e1676;
 } else {
-if (_e1562 == 2u) {
-phi_2534_ = _e1642;
+if (_e1598 == 2u) {
+phi_2534_ = _e1680;
 } else {
-phi_2534_ = select(_e1650, _e1646, (_e1562 == 3u));
+phi_2534_ = select(_e1688, _e1684, (_e1598 == 3u));
 }
-let _e1657 = phi_2534_;
-phi_2535_ = _e1657;
+let _e1695 = phi_2534_;
+phi_2535_ = _e1695;
 }
-let _e1659 = phi_2535_;
-phi_2536_ = _e1659;
+let _e1697 = phi_2535_;
+phi_2536_ = _e1697;
 }
-let _e1661 = phi_2536_;
-let _e1663 = (select(0i, _e1630, (_e1630 > 0i)) * _e1623);
-let _e1666 = (((bitcast<i32>(_e1661) + _e1663) + _e1632) * 6i);
-let _e1668 = select(_e1389, _e1666, (_e1666 < _e1389));
-let _e1674 = global_5.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
-let _e1675 = (_e1666 + 1i);
-let _e1677 = select(_e1389, _e1675, (_e1675 < _e1389));
-let _e1683 = global_5.member[bitcast<u32>(select(0i, _e1677, (_e1677 > 0i)))];
-let _e1686 = ((_e1683 >> bitcast<u32>(31i)) != 0u);
-if _e1686 {
-phi_2595_ = (~(_e1674) + 1u);
+let _e1699 = phi_2536_;
+let _e1704 = (((bitcast<i32>(_e1699) + (_e1672 * _e1659)) + _e1665) * 6i);
+let _e1706 = select(_e1420, _e1704, (_e1704 < _e1420));
+let _e1712 = global_5.member[bitcast<u32>(select(0i, _e1706, (_e1706 > 0i)))];
+let _e1713 = (_e1704 + 1i);
+let _e1715 = select(_e1420, _e1713, (_e1713 < _e1420));
+let _e1721 = global_5.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
+let _e1724 = ((_e1721 >> bitcast<u32>(31i)) != 0u);
+if _e1724 {
+phi_2595_ = (~(_e1712) + 1u);
 } else {
-phi_2595_ = _e1674;
+phi_2595_ = _e1712;
 }
-let _e1692 = phi_2595_;
-if _e1686 {
-phi_2601_ = (~(_e1683) + select(0u, 1u, (_e1674 == 0u)));
+let _e1730 = phi_2595_;
+if _e1724 {
+phi_2601_ = (~(_e1721) + select(0u, 1u, (_e1712 == 0u)));
 } else {
-phi_2601_ = _e1683;
+phi_2601_ = _e1721;
 }
-let _e1696 = phi_2601_;
-let _e1718 = ((((f32(bitcast<i32>(((_e1696 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1696 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1692 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1692 & 65535u)))));
-let _e1724 = (_e1666 + 2i);
-let _e1726 = select(_e1389, _e1724, (_e1724 < _e1389));
-let _e1732 = global_5.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
-let _e1733 = (_e1666 + 3i);
-let _e1735 = select(_e1389, _e1733, (_e1733 < _e1389));
-let _e1741 = global_5.member[bitcast<u32>(select(0i, _e1735, (_e1735 > 0i)))];
-let _e1744 = ((_e1741 >> bitcast<u32>(31i)) != 0u);
-if _e1744 {
-phi_2663_ = (~(_e1732) + 1u);
+let _e1734 = phi_2601_;
+let _e1756 = ((((f32(bitcast<i32>(((_e1734 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1734 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1730 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1730 & 65535u)))));
+let _e1762 = (_e1704 + 2i);
+let _e1764 = select(_e1420, _e1762, (_e1762 < _e1420));
+let _e1770 = global_5.member[bitcast<u32>(select(0i, _e1764, (_e1764 > 0i)))];
+let _e1771 = (_e1704 + 3i);
+let _e1773 = select(_e1420, _e1771, (_e1771 < _e1420));
+let _e1779 = global_5.member[bitcast<u32>(select(0i, _e1773, (_e1773 > 0i)))];
+let _e1782 = ((_e1779 >> bitcast<u32>(31i)) != 0u);
+if _e1782 {
+phi_2663_ = (~(_e1770) + 1u);
 } else {
-phi_2663_ = _e1732;
+phi_2663_ = _e1770;
 }
-let _e1750 = phi_2663_;
-if _e1744 {
-phi_2669_ = (~(_e1741) + select(0u, 1u, (_e1732 == 0u)));
+let _e1788 = phi_2663_;
+if _e1782 {
+phi_2669_ = (~(_e1779) + select(0u, 1u, (_e1770 == 0u)));
 } else {
-phi_2669_ = _e1741;
+phi_2669_ = _e1779;
 }
-let _e1754 = phi_2669_;
-let _e1776 = ((((f32(bitcast<i32>(((_e1754 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1754 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1750 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1750 & 65535u)))));
-let _e1782 = (_e1666 + 4i);
-let _e1784 = select(_e1389, _e1782, (_e1782 < _e1389));
-let _e1790 = global_5.member[bitcast<u32>(select(0i, _e1784, (_e1784 > 0i)))];
-let _e1791 = (_e1666 + 5i);
-let _e1793 = select(_e1389, _e1791, (_e1791 < _e1389));
-let _e1799 = global_5.member[bitcast<u32>(select(0i, _e1793, (_e1793 > 0i)))];
-let _e1802 = ((_e1799 >> bitcast<u32>(31i)) != 0u);
-if _e1802 {
-phi_2731_ = (~(_e1790) + 1u);
+let _e1792 = phi_2669_;
+let _e1814 = ((((f32(bitcast<i32>(((_e1792 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1792 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1788 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1788 & 65535u)))));
+let _e1820 = (_e1704 + 4i);
+let _e1822 = select(_e1420, _e1820, (_e1820 < _e1420));
+let _e1828 = global_5.member[bitcast<u32>(select(0i, _e1822, (_e1822 > 0i)))];
+let _e1829 = (_e1704 + 5i);
+let _e1831 = select(_e1420, _e1829, (_e1829 < _e1420));
+let _e1837 = global_5.member[bitcast<u32>(select(0i, _e1831, (_e1831 > 0i)))];
+let _e1840 = ((_e1837 >> bitcast<u32>(31i)) != 0u);
+if _e1840 {
+phi_2731_ = (~(_e1828) + 1u);
 } else {
-phi_2731_ = _e1790;
+phi_2731_ = _e1828;
 }
-let _e1808 = phi_2731_;
-if _e1802 {
-phi_2737_ = (~(_e1799) + select(0u, 1u, (_e1790 == 0u)));
+let _e1846 = phi_2731_;
+if _e1840 {
+phi_2737_ = (~(_e1837) + select(0u, 1u, (_e1828 == 0u)));
 } else {
-phi_2737_ = _e1799;
+phi_2737_ = _e1837;
 }
-let _e1812 = phi_2737_;
-let _e1834 = ((((f32(bitcast<i32>(((_e1812 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1812 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1808 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1808 & 65535u)))));
-let _e1840 = (1f - _e1610);
-let _e1844 = (_e1593 + 1i);
-let _e1846 = select(_e1624, _e1844, (_e1844 < _e1624));
-let _e1848 = select(0i, _e1846, (_e1846 > 0i));
-if _e1651 {
+let _e1850 = phi_2737_;
+let _e1872 = ((((f32(bitcast<i32>(((_e1850 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1850 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1846 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1846 & 65535u)))));
+let _e1878 = (1f - _e1646);
+let _e1882 = (_e1629 + 1i);
+let _e1884 = select(_e1882, 0i, (_e1882 < 0i));
+let _e1885 = (_e1884 >= _e1659);
+if _e1885 {
+phi_2791_ = (_e1659 - 1i);
+} else {
+phi_2791_ = _e1884;
+}
+let _e1888 = phi_2791_;
+if _e1669 {
+phi_2803_ = (_e1666 - 1i);
+} else {
+phi_2803_ = _e1668;
+}
+let _e1891 = phi_2803_;
+if _e1689 {
 phi_2835_ = 0u;
 } else {
-if (_e1562 == 1u) {
-phi_2834_ = _e1638;
+if (_e1598 == 1u) {
+phi_2834_ = _e1676;
 } else {
-if (_e1562 == 2u) {
-phi_2833_ = _e1642;
+if (_e1598 == 2u) {
+phi_2833_ = _e1680;
 } else {
-phi_2833_ = select(_e1650, _e1646, (_e1562 == 3u));
+phi_2833_ = select(_e1688, _e1684, (_e1598 == 3u));
 }
-let _e1854 = phi_2833_;
-phi_2834_ = _e1854;
+let _e1897 = phi_2833_;
+phi_2834_ = _e1897;
 }
-let _e1856 = phi_2834_;
-phi_2835_ = _e1856;
+let _e1899 = phi_2834_;
+phi_2835_ = _e1899;
 }
-let _e1858 = phi_2835_;
-let _e1862 = (((bitcast<i32>(_e1858) + _e1663) + _e1848) * 6i);
-let _e1864 = select(_e1389, _e1862, (_e1862 < _e1389));
-let _e1870 = global_5.member[bitcast<u32>(select(0i, _e1864, (_e1864 > 0i)))];
-let _e1871 = (_e1862 + 1i);
-let _e1873 = select(_e1389, _e1871, (_e1871 < _e1389));
-let _e1879 = global_5.member[bitcast<u32>(select(0i, _e1873, (_e1873 > 0i)))];
-let _e1882 = ((_e1879 >> bitcast<u32>(31i)) != 0u);
-if _e1882 {
-phi_2894_ = (~(_e1870) + 1u);
+let _e1901 = phi_2835_;
+let _e1906 = (((bitcast<i32>(_e1901) + (_e1891 * _e1659)) + _e1888) * 6i);
+let _e1908 = select(_e1420, _e1906, (_e1906 < _e1420));
+let _e1914 = global_5.member[bitcast<u32>(select(0i, _e1908, (_e1908 > 0i)))];
+let _e1915 = (_e1906 + 1i);
+let _e1917 = select(_e1420, _e1915, (_e1915 < _e1420));
+let _e1923 = global_5.member[bitcast<u32>(select(0i, _e1917, (_e1917 > 0i)))];
+let _e1926 = ((_e1923 >> bitcast<u32>(31i)) != 0u);
+if _e1926 {
+phi_2894_ = (~(_e1914) + 1u);
 } else {
-phi_2894_ = _e1870;
+phi_2894_ = _e1914;
 }
-let _e1888 = phi_2894_;
-if _e1882 {
-phi_2900_ = (~(_e1879) + select(0u, 1u, (_e1870 == 0u)));
+let _e1932 = phi_2894_;
+if _e1926 {
+phi_2900_ = (~(_e1923) + select(0u, 1u, (_e1914 == 0u)));
 } else {
-phi_2900_ = _e1879;
+phi_2900_ = _e1923;
 }
-let _e1892 = phi_2900_;
-let _e1914 = ((((f32(bitcast<i32>(((_e1892 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1892 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1888 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1888 & 65535u)))));
-let _e1920 = (_e1862 + 2i);
-let _e1922 = select(_e1389, _e1920, (_e1920 < _e1389));
-let _e1928 = global_5.member[bitcast<u32>(select(0i, _e1922, (_e1922 > 0i)))];
-let _e1929 = (_e1862 + 3i);
-let _e1931 = select(_e1389, _e1929, (_e1929 < _e1389));
-let _e1937 = global_5.member[bitcast<u32>(select(0i, _e1931, (_e1931 > 0i)))];
-let _e1940 = ((_e1937 >> bitcast<u32>(31i)) != 0u);
-if _e1940 {
-phi_2962_ = (~(_e1928) + 1u);
+let _e1936 = phi_2900_;
+let _e1958 = ((((f32(bitcast<i32>(((_e1936 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1936 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1932 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1932 & 65535u)))));
+let _e1964 = (_e1906 + 2i);
+let _e1966 = select(_e1420, _e1964, (_e1964 < _e1420));
+let _e1972 = global_5.member[bitcast<u32>(select(0i, _e1966, (_e1966 > 0i)))];
+let _e1973 = (_e1906 + 3i);
+let _e1975 = select(_e1420, _e1973, (_e1973 < _e1420));
+let _e1981 = global_5.member[bitcast<u32>(select(0i, _e1975, (_e1975 > 0i)))];
+let _e1984 = ((_e1981 >> bitcast<u32>(31i)) != 0u);
+if _e1984 {
+phi_2962_ = (~(_e1972) + 1u);
 } else {
-phi_2962_ = _e1928;
+phi_2962_ = _e1972;
 }
-let _e1946 = phi_2962_;
-if _e1940 {
-phi_2968_ = (~(_e1937) + select(0u, 1u, (_e1928 == 0u)));
+let _e1990 = phi_2962_;
+if _e1984 {
+phi_2968_ = (~(_e1981) + select(0u, 1u, (_e1972 == 0u)));
 } else {
-phi_2968_ = _e1937;
+phi_2968_ = _e1981;
 }
-let _e1950 = phi_2968_;
-let _e1972 = ((((f32(bitcast<i32>(((_e1950 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1950 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1946 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1946 & 65535u)))));
-let _e1978 = (_e1862 + 4i);
-let _e1980 = select(_e1389, _e1978, (_e1978 < _e1389));
-let _e1986 = global_5.member[bitcast<u32>(select(0i, _e1980, (_e1980 > 0i)))];
-let _e1987 = (_e1862 + 5i);
-let _e1989 = select(_e1389, _e1987, (_e1987 < _e1389));
-let _e1995 = global_5.member[bitcast<u32>(select(0i, _e1989, (_e1989 > 0i)))];
-let _e1998 = ((_e1995 >> bitcast<u32>(31i)) != 0u);
-if _e1998 {
-phi_3030_ = (~(_e1986) + 1u);
+let _e1994 = phi_2968_;
+let _e2016 = ((((f32(bitcast<i32>(((_e1994 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1994 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1990 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1990 & 65535u)))));
+let _e2022 = (_e1906 + 4i);
+let _e2024 = select(_e1420, _e2022, (_e2022 < _e1420));
+let _e2030 = global_5.member[bitcast<u32>(select(0i, _e2024, (_e2024 > 0i)))];
+let _e2031 = (_e1906 + 5i);
+let _e2033 = select(_e1420, _e2031, (_e2031 < _e1420));
+let _e2039 = global_5.member[bitcast<u32>(select(0i, _e2033, (_e2033 > 0i)))];
+let _e2042 = ((_e2039 >> bitcast<u32>(31i)) != 0u);
+if _e2042 {
+phi_3030_ = (~(_e2030) + 1u);
 } else {
-phi_3030_ = _e1986;
+phi_3030_ = _e2030;
 }
-let _e2004 = phi_3030_;
-if _e1998 {
-phi_3036_ = (~(_e1995) + select(0u, 1u, (_e1986 == 0u)));
+let _e2048 = phi_3030_;
+if _e2042 {
+phi_3036_ = (~(_e2039) + select(0u, 1u, (_e2030 == 0u)));
 } else {
-phi_3036_ = _e1995;
+phi_3036_ = _e2039;
 }
-let _e2008 = phi_3036_;
-let _e2030 = ((((f32(bitcast<i32>(((_e2008 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2008 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2004 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2004 & 65535u)))));
-let _e2042 = (_e1608 + 1i);
-let _e2044 = select(_e1626, _e2042, (_e2042 < _e1626));
-if _e1651 {
+let _e2052 = phi_3036_;
+let _e2074 = ((((f32(bitcast<i32>(((_e2052 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2052 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2048 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2048 & 65535u)))));
+let _e2086 = (_e1644 + 1i);
+if _e1662 {
+phi_3092_ = (_e1659 - 1i);
+} else {
+phi_3092_ = _e1661;
+}
+let _e2089 = phi_3092_;
+let _e2091 = select(_e2086, 0i, (_e2086 < 0i));
+let _e2092 = (_e2091 >= _e1666);
+if _e2092 {
+phi_3104_ = (_e1666 - 1i);
+} else {
+phi_3104_ = _e2091;
+}
+let _e2095 = phi_3104_;
+if _e1689 {
 phi_3136_ = 0u;
 } else {
-if (_e1562 == 1u) {
-phi_3135_ = _e1638;
+if (_e1598 == 1u) {
+phi_3135_ = _e1676;
 } else {
-if (_e1562 == 2u) {
-phi_3134_ = _e1642;
+if (_e1598 == 2u) {
+phi_3134_ = _e1680;
 } else {
-phi_3134_ = select(_e1650, _e1646, (_e1562 == 3u));
+phi_3134_ = select(_e1688, _e1684, (_e1598 == 3u));
 }
-let _e2052 = phi_3134_;
-phi_3135_ = _e2052;
+let _e2101 = phi_3134_;
+phi_3135_ = _e2101;
 }
-let _e2054 = phi_3135_;
-phi_3136_ = _e2054;
+let _e2103 = phi_3135_;
+phi_3136_ = _e2103;
 }
-let _e2056 = phi_3136_;
-let _e2058 = (select(0i, _e2044, (_e2044 > 0i)) * _e1623);
-let _e2061 = (((bitcast<i32>(_e2056) + _e2058) + _e1632) * 6i);
-let _e2063 = select(_e1389, _e2061, (_e2061 < _e1389));
-let _e2069 = global_5.member[bitcast<u32>(select(0i, _e2063, (_e2063 > 0i)))];
-let _e2070 = (_e2061 + 1i);
-let _e2072 = select(_e1389, _e2070, (_e2070 < _e1389));
-let _e2078 = global_5.member[bitcast<u32>(select(0i, _e2072, (_e2072 > 0i)))];
-let _e2081 = ((_e2078 >> bitcast<u32>(31i)) != 0u);
-if _e2081 {
-phi_3195_ = (~(_e2069) + 1u);
-} else {
-phi_3195_ = _e2069;
-}
-let _e2087 = phi_3195_;
-if _e2081 {
-phi_3201_ = (~(_e2078) + select(0u, 1u, (_e2069 == 0u)));
-} else {
-phi_3201_ = _e2078;
-}
-let _e2091 = phi_3201_;
-let _e2113 = ((((f32(bitcast<i32>(((_e2091 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2091 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2087 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2087 & 65535u)))));
-let _e2119 = (_e2061 + 2i);
-let _e2121 = select(_e1389, _e2119, (_e2119 < _e1389));
+let _e2105 = phi_3136_;
+let _e2110 = (((bitcast<i32>(_e2105) + (_e2095 * _e1659)) + _e2089) * 6i);
+let _e2112 = select(_e1420, _e2110, (_e2110 < _e1420));
+let _e2118 = global_5.member[bitcast<u32>(select(0i, _e2112, (_e2112 > 0i)))];
+let _e2119 = (_e2110 + 1i);
+let _e2121 = select(_e1420, _e2119, (_e2119 < _e1420));
 let _e2127 = global_5.member[bitcast<u32>(select(0i, _e2121, (_e2121 > 0i)))];
-let _e2128 = (_e2061 + 3i);
-let _e2130 = select(_e1389, _e2128, (_e2128 < _e1389));
-let _e2136 = global_5.member[bitcast<u32>(select(0i, _e2130, (_e2130 > 0i)))];
-let _e2139 = ((_e2136 >> bitcast<u32>(31i)) != 0u);
-if _e2139 {
-phi_3263_ = (~(_e2127) + 1u);
+let _e2130 = ((_e2127 >> bitcast<u32>(31i)) != 0u);
+if _e2130 {
+phi_3195_ = (~(_e2118) + 1u);
 } else {
-phi_3263_ = _e2127;
+phi_3195_ = _e2118;
 }
-let _e2145 = phi_3263_;
-if _e2139 {
-phi_3269_ = (~(_e2136) + select(0u, 1u, (_e2127 == 0u)));
+let _e2136 = phi_3195_;
+if _e2130 {
+phi_3201_ = (~(_e2127) + select(0u, 1u, (_e2118 == 0u)));
 } else {
-phi_3269_ = _e2136;
+phi_3201_ = _e2127;
 }
-let _e2149 = phi_3269_;
-let _e2171 = ((((f32(bitcast<i32>(((_e2149 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2149 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2145 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2145 & 65535u)))));
-let _e2177 = (_e2061 + 4i);
-let _e2179 = select(_e1389, _e2177, (_e2177 < _e1389));
+let _e2140 = phi_3201_;
+let _e2162 = ((((f32(bitcast<i32>(((_e2140 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2140 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2136 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2136 & 65535u)))));
+let _e2168 = (_e2110 + 2i);
+let _e2170 = select(_e1420, _e2168, (_e2168 < _e1420));
+let _e2176 = global_5.member[bitcast<u32>(select(0i, _e2170, (_e2170 > 0i)))];
+let _e2177 = (_e2110 + 3i);
+let _e2179 = select(_e1420, _e2177, (_e2177 < _e1420));
 let _e2185 = global_5.member[bitcast<u32>(select(0i, _e2179, (_e2179 > 0i)))];
-let _e2186 = (_e2061 + 5i);
-let _e2188 = select(_e1389, _e2186, (_e2186 < _e1389));
-let _e2194 = global_5.member[bitcast<u32>(select(0i, _e2188, (_e2188 > 0i)))];
-let _e2197 = ((_e2194 >> bitcast<u32>(31i)) != 0u);
-if _e2197 {
-phi_3331_ = (~(_e2185) + 1u);
+let _e2188 = ((_e2185 >> bitcast<u32>(31i)) != 0u);
+if _e2188 {
+phi_3263_ = (~(_e2176) + 1u);
 } else {
-phi_3331_ = _e2185;
+phi_3263_ = _e2176;
 }
-let _e2203 = phi_3331_;
-if _e2197 {
-phi_3337_ = (~(_e2194) + select(0u, 1u, (_e2185 == 0u)));
+let _e2194 = phi_3263_;
+if _e2188 {
+phi_3269_ = (~(_e2185) + select(0u, 1u, (_e2176 == 0u)));
 } else {
-phi_3337_ = _e2194;
+phi_3269_ = _e2185;
 }
-let _e2207 = phi_3337_;
-let _e2229 = ((((f32(bitcast<i32>(((_e2207 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2207 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2203 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2203 & 65535u)))));
-if _e1651 {
+let _e2198 = phi_3269_;
+let _e2220 = ((((f32(bitcast<i32>(((_e2198 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2198 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2194 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2194 & 65535u)))));
+let _e2226 = (_e2110 + 4i);
+let _e2228 = select(_e1420, _e2226, (_e2226 < _e1420));
+let _e2234 = global_5.member[bitcast<u32>(select(0i, _e2228, (_e2228 > 0i)))];
+let _e2235 = (_e2110 + 5i);
+let _e2237 = select(_e1420, _e2235, (_e2235 < _e1420));
+let _e2243 = global_5.member[bitcast<u32>(select(0i, _e2237, (_e2237 > 0i)))];
+let _e2246 = ((_e2243 >> bitcast<u32>(31i)) != 0u);
+if _e2246 {
+phi_3331_ = (~(_e2234) + 1u);
+} else {
+phi_3331_ = _e2234;
+}
+let _e2252 = phi_3331_;
+if _e2246 {
+phi_3337_ = (~(_e2243) + select(0u, 1u, (_e2234 == 0u)));
+} else {
+phi_3337_ = _e2243;
+}
+let _e2256 = phi_3337_;
+let _e2278 = ((((f32(bitcast<i32>(((_e2256 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2256 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2252 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2252 & 65535u)))));
+if _e1885 {
+phi_3392_ = (_e1659 - 1i);
+} else {
+phi_3392_ = _e1884;
+}
+let _e2289 = phi_3392_;
+if _e2092 {
+phi_3404_ = (_e1666 - 1i);
+} else {
+phi_3404_ = _e2091;
+}
+let _e2292 = phi_3404_;
+if _e1689 {
 phi_3436_ = 0u;
 } else {
-if (_e1562 == 1u) {
-phi_3435_ = _e1638;
+if (_e1598 == 1u) {
+phi_3435_ = _e1676;
 } else {
-if (_e1562 == 2u) {
-phi_3434_ = _e1642;
+if (_e1598 == 2u) {
+phi_3434_ = _e1680;
 } else {
-phi_3434_ = select(_e1650, _e1646, (_e1562 == 3u));
+phi_3434_ = select(_e1688, _e1684, (_e1598 == 3u));
 }
-let _e2243 = phi_3434_;
-phi_3435_ = _e2243;
+let _e2298 = phi_3434_;
+phi_3435_ = _e2298;
 }
-let _e2245 = phi_3435_;
-phi_3436_ = _e2245;
+let _e2300 = phi_3435_;
+phi_3436_ = _e2300;
 }
-let _e2247 = phi_3436_;
-let _e2251 = (((bitcast<i32>(_e2247) + _e2058) + _e1848) * 6i);
-let _e2253 = select(_e1389, _e2251, (_e2251 < _e1389));
-let _e2259 = global_5.member[bitcast<u32>(select(0i, _e2253, (_e2253 > 0i)))];
-let _e2260 = (_e2251 + 1i);
-let _e2262 = select(_e1389, _e2260, (_e2260 < _e1389));
-let _e2268 = global_5.member[bitcast<u32>(select(0i, _e2262, (_e2262 > 0i)))];
-let _e2271 = ((_e2268 >> bitcast<u32>(31i)) != 0u);
-if _e2271 {
-phi_3495_ = (~(_e2259) + 1u);
+let _e2302 = phi_3436_;
+let _e2307 = (((bitcast<i32>(_e2302) + (_e2292 * _e1659)) + _e2289) * 6i);
+let _e2309 = select(_e1420, _e2307, (_e2307 < _e1420));
+let _e2315 = global_5.member[bitcast<u32>(select(0i, _e2309, (_e2309 > 0i)))];
+let _e2316 = (_e2307 + 1i);
+let _e2318 = select(_e1420, _e2316, (_e2316 < _e1420));
+let _e2324 = global_5.member[bitcast<u32>(select(0i, _e2318, (_e2318 > 0i)))];
+let _e2327 = ((_e2324 >> bitcast<u32>(31i)) != 0u);
+if _e2327 {
+phi_3495_ = (~(_e2315) + 1u);
 } else {
-phi_3495_ = _e2259;
+phi_3495_ = _e2315;
 }
-let _e2277 = phi_3495_;
-if _e2271 {
-phi_3501_ = (~(_e2268) + select(0u, 1u, (_e2259 == 0u)));
+let _e2333 = phi_3495_;
+if _e2327 {
+phi_3501_ = (~(_e2324) + select(0u, 1u, (_e2315 == 0u)));
 } else {
-phi_3501_ = _e2268;
+phi_3501_ = _e2324;
 }
-let _e2281 = phi_3501_;
-let _e2303 = ((((f32(bitcast<i32>(((_e2281 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2281 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2277 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2277 & 65535u)))));
-let _e2309 = (_e2251 + 2i);
-let _e2311 = select(_e1389, _e2309, (_e2309 < _e1389));
-let _e2317 = global_5.member[bitcast<u32>(select(0i, _e2311, (_e2311 > 0i)))];
-let _e2318 = (_e2251 + 3i);
-let _e2320 = select(_e1389, _e2318, (_e2318 < _e1389));
-let _e2326 = global_5.member[bitcast<u32>(select(0i, _e2320, (_e2320 > 0i)))];
-let _e2329 = ((_e2326 >> bitcast<u32>(31i)) != 0u);
-if _e2329 {
-phi_3563_ = (~(_e2317) + 1u);
+let _e2337 = phi_3501_;
+let _e2359 = ((((f32(bitcast<i32>(((_e2337 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2337 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2333 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2333 & 65535u)))));
+let _e2365 = (_e2307 + 2i);
+let _e2367 = select(_e1420, _e2365, (_e2365 < _e1420));
+let _e2373 = global_5.member[bitcast<u32>(select(0i, _e2367, (_e2367 > 0i)))];
+let _e2374 = (_e2307 + 3i);
+let _e2376 = select(_e1420, _e2374, (_e2374 < _e1420));
+let _e2382 = global_5.member[bitcast<u32>(select(0i, _e2376, (_e2376 > 0i)))];
+let _e2385 = ((_e2382 >> bitcast<u32>(31i)) != 0u);
+if _e2385 {
+phi_3563_ = (~(_e2373) + 1u);
 } else {
-phi_3563_ = _e2317;
+phi_3563_ = _e2373;
 }
-let _e2335 = phi_3563_;
-if _e2329 {
-phi_3569_ = (~(_e2326) + select(0u, 1u, (_e2317 == 0u)));
+let _e2391 = phi_3563_;
+if _e2385 {
+phi_3569_ = (~(_e2382) + select(0u, 1u, (_e2373 == 0u)));
 } else {
-phi_3569_ = _e2326;
+phi_3569_ = _e2382;
 }
-let _e2339 = phi_3569_;
-let _e2361 = ((((f32(bitcast<i32>(((_e2339 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2339 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2335 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2335 & 65535u)))));
-let _e2367 = (_e2251 + 4i);
-let _e2369 = select(_e1389, _e2367, (_e2367 < _e1389));
-let _e2375 = global_5.member[bitcast<u32>(select(0i, _e2369, (_e2369 > 0i)))];
-let _e2376 = (_e2251 + 5i);
-let _e2378 = select(_e1389, _e2376, (_e2376 < _e1389));
-let _e2384 = global_5.member[bitcast<u32>(select(0i, _e2378, (_e2378 > 0i)))];
-let _e2387 = ((_e2384 >> bitcast<u32>(31i)) != 0u);
-if _e2387 {
-phi_3631_ = (~(_e2375) + 1u);
+let _e2395 = phi_3569_;
+let _e2417 = ((((f32(bitcast<i32>(((_e2395 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2395 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2391 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2391 & 65535u)))));
+let _e2423 = (_e2307 + 4i);
+let _e2425 = select(_e1420, _e2423, (_e2423 < _e1420));
+let _e2431 = global_5.member[bitcast<u32>(select(0i, _e2425, (_e2425 > 0i)))];
+let _e2432 = (_e2307 + 5i);
+let _e2434 = select(_e1420, _e2432, (_e2432 < _e1420));
+let _e2440 = global_5.member[bitcast<u32>(select(0i, _e2434, (_e2434 > 0i)))];
+let _e2443 = ((_e2440 >> bitcast<u32>(31i)) != 0u);
+if _e2443 {
+phi_3631_ = (~(_e2431) + 1u);
 } else {
-phi_3631_ = _e2375;
+phi_3631_ = _e2431;
 }
-let _e2393 = phi_3631_;
-if _e2387 {
-phi_3637_ = (~(_e2384) + select(0u, 1u, (_e2375 == 0u)));
+let _e2449 = phi_3631_;
+if _e2443 {
+phi_3637_ = (~(_e2440) + select(0u, 1u, (_e2431 == 0u)));
 } else {
-phi_3637_ = _e2384;
+phi_3637_ = _e2440;
 }
-let _e2397 = phi_3637_;
-let _e2419 = ((((f32(bitcast<i32>(((_e2397 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2397 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2393 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2393 & 65535u)))));
-let _e2431 = (1f - _e1612);
-phi_2389_ = vec3<f32>((_e1560.x + ((((select(_e1718, -(bitcast<f32>((bitcast<u32>(_e1718) & 2147483647u))), _e1686) * _e1840) + (select(_e1914, -(bitcast<f32>((bitcast<u32>(_e1914) & 2147483647u))), _e1882) * _e1610)) * _e2431) + (((select(_e2113, -(bitcast<f32>((bitcast<u32>(_e2113) & 2147483647u))), _e2081) * _e1840) + (select(_e2303, -(bitcast<f32>((bitcast<u32>(_e2303) & 2147483647u))), _e2271) * _e1610)) * _e1612))), (_e1560.y + ((((select(_e1776, -(bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u))), _e1744) * _e1840) + (select(_e1972, -(bitcast<f32>((bitcast<u32>(_e1972) & 2147483647u))), _e1940) * _e1610)) * _e2431) + (((select(_e2171, -(bitcast<f32>((bitcast<u32>(_e2171) & 2147483647u))), _e2139) * _e1840) + (select(_e2361, -(bitcast<f32>((bitcast<u32>(_e2361) & 2147483647u))), _e2329) * _e1610)) * _e1612))), (_e1560.z + ((((select(_e1834, -(bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u))), _e1802) * _e1840) + (select(_e2030, -(bitcast<f32>((bitcast<u32>(_e2030) & 2147483647u))), _e1998) * _e1610)) * _e2431) + (((select(_e2229, -(bitcast<f32>((bitcast<u32>(_e2229) & 2147483647u))), _e2197) * _e1840) + (select(_e2419, -(bitcast<f32>((bitcast<u32>(_e2419) & 2147483647u))), _e2387) * _e1610)) * _e1612))));
-phi_2392_ = (_e1562 + 1u);
+let _e2453 = phi_3637_;
+let _e2475 = ((((f32(bitcast<i32>(((_e2453 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2453 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e2449 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e2449 & 65535u)))));
+let _e2487 = (1f - _e1648);
+phi_2389_ = vec3<f32>((_e1596.x + ((((select(_e1756, -(bitcast<f32>((bitcast<u32>(_e1756) & 2147483647u))), _e1724) * _e1878) + (select(_e1958, -(bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u))), _e1926) * _e1646)) * _e2487) + (((select(_e2162, -(bitcast<f32>((bitcast<u32>(_e2162) & 2147483647u))), _e2130) * _e1878) + (select(_e2359, -(bitcast<f32>((bitcast<u32>(_e2359) & 2147483647u))), _e2327) * _e1646)) * _e1648))), (_e1596.y + ((((select(_e1814, -(bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u))), _e1782) * _e1878) + (select(_e2016, -(bitcast<f32>((bitcast<u32>(_e2016) & 2147483647u))), _e1984) * _e1646)) * _e2487) + (((select(_e2220, -(bitcast<f32>((bitcast<u32>(_e2220) & 2147483647u))), _e2188) * _e1878) + (select(_e2417, -(bitcast<f32>((bitcast<u32>(_e2417) & 2147483647u))), _e2385) * _e1646)) * _e1648))), (_e1596.z + ((((select(_e1872, -(bitcast<f32>((bitcast<u32>(_e1872) & 2147483647u))), _e1840) * _e1878) + (select(_e2074, -(bitcast<f32>((bitcast<u32>(_e2074) & 2147483647u))), _e2042) * _e1646)) * _e2487) + (((select(_e2278, -(bitcast<f32>((bitcast<u32>(_e2278) & 2147483647u))), _e2246) * _e1878) + (select(_e2475, -(bitcast<f32>((bitcast<u32>(_e2475) & 2147483647u))), _e2443) * _e1646)) * _e1648))));
+phi_2392_ = (_e1598 + 1u);
 } else {
 phi_2389_ = vec3<f32>();
 phi_2392_ = u32();
 }
-let _e2450 = phi_2389_;
-let _e2452 = phi_2392_;
+let _e2506 = phi_2389_;
+let _e2508 = phi_2392_;
 continue;
 continuing {
-phi_2388_ = _e2450;
-phi_2391_ = _e2452;
-break if !(_e1565);
+phi_2388_ = _e2506;
+phi_2391_ = _e2508;
+break if !(_e1601);
 }
 }
-let _e2455 = local_4;
-let _e2459 = local_5;
-let _e2463 = local_6;
-let _e2466 = ((_e2455.x * _e1372) + _e203);
-let _e2467 = ((_e2459.y * _e1372) + _e214);
-let _e2468 = ((_e2463.z * _e1372) + _e225);
-let _e2469 = (_e137 - _e2466);
-let _e2470 = (_e148 - _e2467);
-let _e2471 = (_e159 - _e2468);
-let _e2489 = global_2.member.member_2.member;
-let _e2490 = (((((f32(_e270) + 0.5f) / f32(_e280)) * 2f) - 1f) * _e2489);
-let _e2498 = global_2.member.member_2.member_1;
-let _e2499 = ((1f - (((f32(_e271) + 0.5f) / f32(_e282)) * 2f)) * _e2498);
-let _e2502 = global_2.member.member_3;
-let _e2511 = global_2.member.member_4;
-let _e2524 = global_2.member.member_2.member_3;
-let _e2525 = (_e2524 != 0u);
-let _e2528 = global_2.member.member_5;
-let _e2535 = select((_e2528.member + ((_e2502.member * _e2490) + (_e2511.member * _e2499))), _e2528.member, _e2525);
-let _e2536 = select((_e2528.member_1 + ((_e2502.member_1 * _e2490) + (_e2511.member_1 * _e2499))), _e2528.member_1, _e2525);
-let _e2537 = select((_e2528.member_2 + ((_e2502.member_2 * _e2490) + (_e2511.member_2 * _e2499))), _e2528.member_2, _e2525);
-let _e2547 = (((_e2535 * _e2535) + (_e2536 * _e2536)) + (_e2537 * _e2537));
-let _e2575 = select(0f, _e236, (_e236 > 0f));
-let _e2583 = global_2.member.member_7;
-global_1.member[_e71] = ((_e104 + select(0f, _e2469, (_e2469 > 0f))) + _e1385);
-global_1.member[(_e69 + _e71)] = ((_e115 + select(0f, _e2470, (_e2470 > 0f))) + _e1386);
-global_1.member[((2u * _e69) + _e71)] = ((_e126 + select(0f, _e2471, (_e2471 > 0f))) + _e1387);
-global_1.member[((3u * _e69) + _e71)] = select(1f, _e2575, (_e2575 < 1f));
+let _e2511 = local_4;
+let _e2515 = local_5;
+let _e2519 = local_6;
+let _e2522 = ((_e2511.x * _e1394) + _e203);
+let _e2523 = ((_e2515.y * _e1394) + _e214);
+let _e2524 = ((_e2519.z * _e1394) + _e225);
+let _e2525 = (_e137 - _e2522);
+let _e2526 = (_e148 - _e2523);
+let _e2527 = (_e159 - _e2524);
+let _e2545 = global_2.member.member_2.member;
+let _e2546 = (((((f32(_e270) + 0.5f) / f32(_e280)) * 2f) - 1f) * _e2545);
+let _e2554 = global_2.member.member_2.member_1;
+let _e2555 = ((1f - (((f32(_e271) + 0.5f) / f32(_e287)) * 2f)) * _e2554);
+let _e2558 = global_2.member.member_3;
+let _e2567 = global_2.member.member_4;
+let _e2580 = global_2.member.member_2.member_3;
+let _e2581 = (_e2580 != 0u);
+let _e2584 = global_2.member.member_5;
+let _e2591 = select((_e2584.member + ((_e2558.member * _e2546) + (_e2567.member * _e2555))), _e2584.member, _e2581);
+let _e2592 = select((_e2584.member_1 + ((_e2558.member_1 * _e2546) + (_e2567.member_1 * _e2555))), _e2584.member_1, _e2581);
+let _e2593 = select((_e2584.member_2 + ((_e2558.member_2 * _e2546) + (_e2567.member_2 * _e2555))), _e2584.member_2, _e2581);
+let _e2603 = (((_e2591 * _e2591) + (_e2592 * _e2592)) + (_e2593 * _e2593));
+let _e2631 = select(0f, _e236, (_e236 > 0f));
+let _e2639 = global_2.member.member_7;
+global_1.member[_e71] = ((_e104 + select(0f, _e2525, (_e2525 > 0f))) + _e1407);
+global_1.member[(_e69 + _e71)] = ((_e115 + select(0f, _e2526, (_e2526 > 0f))) + _e1408);
+global_1.member[((2u * _e69) + _e71)] = ((_e126 + select(0f, _e2527, (_e2527 > 0f))) + _e1409);
+global_1.member[((3u * _e69) + _e71)] = select(1f, _e2631, (_e2631 < 1f));
 global_1.member[((4u * _e69) + _e71)] = _e104;
 global_1.member[((5u * _e69) + _e71)] = _e115;
 global_1.member[((6u * _e69) + _e71)] = _e126;
 global_1.member[((7u * _e69) + _e71)] = _e137;
 global_1.member[((8u * _e69) + _e71)] = _e148;
 global_1.member[((9u * _e69) + _e71)] = _e159;
-global_1.member[((10u * _e69) + _e71)] = _e1385;
-global_1.member[((11u * _e69) + _e71)] = _e1386;
-global_1.member[((12u * _e69) + _e71)] = _e1387;
-global_1.member[((13u * _e69) + _e71)] = _e2466;
-global_1.member[((14u * _e69) + _e71)] = _e2467;
-global_1.member[((15u * _e69) + _e71)] = _e2468;
-global_1.member[((16u * _e69) + _e71)] = select(0f, ((_e93 * ((((_e2528.member * _e2535) + (_e2528.member_1 * _e2536)) + (_e2528.member_2 * _e2537)) / sqrt(select(0f, _e2547, (_e2547 > 0f))))) * _e2583), (_e93 < (0.5f * 1e30f)));
-global_1.member[((17u * _e69) + _e71)] = (((_e2502.member * _e247) + (_e2502.member_1 * _e258)) + (_e2502.member_2 * _e269));
-global_1.member[((18u * _e69) + _e71)] = (((_e2511.member * _e247) + (_e2511.member_1 * _e258)) + (_e2511.member_2 * _e269));
-global_1.member[((19u * _e69) + _e71)] = -((((_e2528.member * _e247) + (_e2528.member_1 * _e258)) + (_e2528.member_2 * _e269)));
+global_1.member[((10u * _e69) + _e71)] = _e1407;
+global_1.member[((11u * _e69) + _e71)] = _e1408;
+global_1.member[((12u * _e69) + _e71)] = _e1409;
+global_1.member[((13u * _e69) + _e71)] = _e2522;
+global_1.member[((14u * _e69) + _e71)] = _e2523;
+global_1.member[((15u * _e69) + _e71)] = _e2524;
+global_1.member[((16u * _e69) + _e71)] = select(0f, ((_e93 * ((((_e2584.member * _e2591) + (_e2584.member_1 * _e2592)) + (_e2584.member_2 * _e2593)) / sqrt(select(0f, _e2603, (_e2603 > 0f))))) * _e2639), (_e93 < (0.5f * 1e30f)));
+global_1.member[((17u * _e69) + _e71)] = (((_e2558.member * _e247) + (_e2558.member_1 * _e258)) + (_e2558.member_2 * _e269));
+global_1.member[((18u * _e69) + _e71)] = (((_e2567.member * _e247) + (_e2567.member_1 * _e258)) + (_e2567.member_2 * _e269));
+global_1.member[((19u * _e69) + _e71)] = -((((_e2584.member * _e247) + (_e2584.member_1 * _e258)) + (_e2584.member_2 * _e269)));
 }
 }
 return;

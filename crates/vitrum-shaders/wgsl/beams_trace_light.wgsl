@@ -216,55 +216,55 @@ var phi_3777_: i32;
 var phi_3775_: i32;
 var phi_3778_: i32;
 var local: i32;
-var phi_3898_: i32;
-var phi_3901_: i32;
+var phi_3896_: i32;
 var phi_3899_: i32;
-var phi_3902_: i32;
+var phi_3897_: i32;
+var phi_3900_: i32;
 var local_1: i32;
-var phi_4587_: f32;
-var phi_4301_: f32;
-var phi_4591_: type_25;
+var phi_4585_: f32;
+var phi_4299_: f32;
+var phi_4589_: type_25;
 var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
-var phi_6583_: f32;
-var phi_6584_: f32;
-var phi_6817_: f32;
+var phi_6581_: f32;
+var phi_6582_: f32;
+var phi_6815_: f32;
 var local_7: i32;
 var local_8: i32;
 var local_9: i32;
-var phi_7621_: type_25;
-var phi_7631_: type_25;
-var phi_7632_: type_25;
-var phi_7652_: type_25;
-var phi_7807_: vec3<f32>;
-var phi_7933_: vec3<f32>;
-var phi_7951_: type_25;
-var phi_6948_: f32;
-var phi_7952_: type_25;
-var phi_8107_: f32;
-var phi_8151_: type_25;
-var phi_8735_: f32;
-var phi_9386_: f32;
+var phi_7619_: type_25;
+var phi_7629_: type_25;
+var phi_7630_: type_25;
+var phi_7650_: type_25;
+var phi_7805_: vec3<f32>;
+var phi_7931_: vec3<f32>;
+var phi_7949_: type_25;
+var phi_6946_: f32;
+var phi_7950_: type_25;
+var phi_8105_: f32;
+var phi_8149_: type_25;
+var phi_8733_: f32;
+var phi_9384_: f32;
+var phi_9411_: type_25;
+var phi_9412_: type_25;
 var phi_9413_: type_25;
 var phi_9414_: type_25;
 var phi_9415_: type_25;
+var phi_4643_: f32;
+var phi_4655_: type_25;
+var phi_4696_: type_25;
+var phi_5280_: f32;
+var phi_5931_: f32;
+var phi_5958_: type_25;
+var phi_5959_: type_25;
 var phi_9416_: type_25;
 var phi_9417_: type_25;
-var phi_4645_: f32;
-var phi_4657_: type_25;
-var phi_4698_: type_25;
-var phi_5282_: f32;
-var phi_5933_: f32;
-var phi_5960_: type_25;
-var phi_5961_: type_25;
-var phi_9418_: type_25;
-var phi_9419_: type_25;
-var phi_9420_: bool;
-var phi_9424_: type_25;
-var phi_9425_: type_25;
+var phi_9418_: bool;
+var phi_9422_: type_25;
+var phi_9423_: type_25;
 var phi_2659_: f32;
 var phi_2972_: i32;
 var phi_3583_: i32;
@@ -284,8 +284,8 @@ var phi_3753_: type_17;
 var phi_3754_: bool;
 var phi_3758_: type_26;
 var phi_3759_: type_17;
-var phi_9427_: type_25;
-var phi_9428_: bool;
+var phi_9425_: type_25;
+var phi_9426_: bool;
 var phi_2429_: type_25;
 var phi_2432_: i32;
 var phi_2434_: bool;
@@ -1048,8 +1048,8 @@ let _e8002 = type_25(_e7973.member, _e7973.member_1, _e7973.member_2, _e7973.mem
 let _e8031 = type_25(_e8002.member, _e8002.member_1, _e8002.member_2, _e8002.member_3, _e8002.member_4, _e8002.member_5, _e8002.member_6, _e8002.member_7, _e8002.member_8, _e8002.member_9, _e7944.member_17, _e8002.member_11, _e8002.member_12, _e8002.member_13, _e8002.member_14, _e8002.member_15, _e8002.member_16, _e8002.member_17, _e8002.member_18, _e8002.member_19, _e8002.member_20, _e8002.member_21, _e8002.member_22, _e8002.member_23, _e8002.member_24, _e8002.member_25, _e8002.member_26, _e8002.member_27);
 let _e8060 = type_25(_e8031.member, _e8031.member_1, _e8031.member_2, _e8031.member_3, _e8031.member_4, _e8031.member_5, _e8031.member_6, _e8031.member_7, _e8031.member_8, _e8031.member_9, _e8031.member_10, _e7942.member, _e8031.member_12, _e8031.member_13, _e8031.member_14, _e8031.member_15, _e8031.member_16, _e8031.member_17, _e8031.member_18, _e8031.member_19, _e8031.member_20, _e8031.member_21, _e8031.member_22, _e8031.member_23, _e8031.member_24, _e8031.member_25, _e8031.member_26, _e8031.member_27);
 let _e8089 = type_25(_e8060.member, _e8060.member_1, _e8060.member_2, _e8060.member_3, _e8060.member_4, _e8060.member_5, _e8060.member_6, _e8060.member_7, _e8060.member_8, _e8060.member_9, _e8060.member_10, _e8060.member_11, _e7942.member_1, _e8060.member_13, _e8060.member_14, _e8060.member_15, _e8060.member_16, _e8060.member_17, _e8060.member_18, _e8060.member_19, _e8060.member_20, _e8060.member_21, _e8060.member_22, _e8060.member_23, _e8060.member_24, _e8060.member_25, _e8060.member_26, _e8060.member_27);
-phi_9427_ = type_25(_e8089.member, _e8089.member_1, _e8089.member_2, _e8089.member_3, _e8089.member_4, _e8089.member_5, _e8089.member_6, _e8089.member_7, _e8089.member_8, _e8089.member_9, _e8089.member_10, _e8089.member_11, _e8089.member_12, _e8089.member_13, _e7942.member_3, _e8089.member_15, _e8089.member_16, _e8089.member_17, _e8089.member_18, _e8089.member_19, _e8089.member_20, _e8089.member_21, _e8089.member_22, _e8089.member_23, _e8089.member_24, _e8089.member_25, _e8089.member_26, _e8089.member_27);
-phi_9428_ = _e1412;
+phi_9425_ = type_25(_e8089.member, _e8089.member_1, _e8089.member_2, _e8089.member_3, _e8089.member_4, _e8089.member_5, _e8089.member_6, _e8089.member_7, _e8089.member_8, _e8089.member_9, _e8089.member_10, _e8089.member_11, _e8089.member_12, _e8089.member_13, _e7942.member_3, _e8089.member_15, _e8089.member_16, _e8089.member_17, _e8089.member_18, _e8089.member_19, _e8089.member_20, _e8089.member_21, _e8089.member_22, _e8089.member_23, _e8089.member_24, _e8089.member_25, _e8089.member_26, _e8089.member_27);
+phi_9426_ = _e1412;
 } else {
 phi_3774_ = 15i;
 phi_3777_ = 16i;
@@ -1084,7 +1084,7 @@ let _e1452 = (bitcast<i32>(countOneBits(bitcast<u32>((_e1408.member_17 & ((1i <<
 let _e1455 = ((_e1440 && _e1452) && !(_e1412));
 if _e1455 {
 let _e7232 = type_25(_e1408.member, _e1408.member_1, _e1408.member_2, _e1408.member_3, _e1408.member_4, _e1408.member_5, _e1408.member_6, _e1408.member_7, _e1408.member_8, _e1408.member_9, _e1408.member_10, _e1408.member_11, _e1408.member_12, _e1408.member_13, _e1408.member_14, 2f, _e1408.member_16, _e1408.member_17, _e1408.member_18, _e1408.member_19, _e1408.member_20, _e1408.member_21, _e1408.member_22, _e1408.member_23, _e1408.member_24, _e1408.member_25, _e1408.member_26, _e1408.member_27);
-phi_9425_ = type_25(_e7232.member, _e7232.member_1, _e7232.member_2, _e7232.member_3, _e7232.member_4, _e7232.member_5, _e7232.member_6, _e7232.member_7, _e7232.member_8, _e7232.member_9, _e7232.member_10, _e7232.member_11, _e7232.member_12, _e7232.member_13, _e7232.member_14, _e7232.member_15, _e7232.member_16, _e7232.member_17, _e7232.member_18, _e7232.member_19, _e7232.member_20, _e7232.member_21, (_e1408.member_22 + 1i), _e7232.member_23, _e7232.member_24, _e7232.member_25, _e7232.member_26, _e7232.member_27);
+phi_9423_ = type_25(_e7232.member, _e7232.member_1, _e7232.member_2, _e7232.member_3, _e7232.member_4, _e7232.member_5, _e7232.member_6, _e7232.member_7, _e7232.member_8, _e7232.member_9, _e7232.member_10, _e7232.member_11, _e7232.member_12, _e7232.member_13, _e7232.member_14, _e7232.member_15, _e7232.member_16, _e7232.member_17, _e7232.member_18, _e7232.member_19, _e7232.member_20, _e7232.member_21, (_e1408.member_22 + 1i), _e7232.member_23, _e7232.member_24, _e7232.member_25, _e7232.member_26, _e7232.member_27);
 } else {
 let _e1457 = (_e1408.member_9 >= 0i);
 let _e1460 = (_e1408.member_10 - _e1408.member_13);
@@ -1101,11 +1101,11 @@ let _e1493 = global_3.member[bitcast<u32>(select(0i, _e1487, (_e1487 > 0i)))];
 let _e1495 = select(_e1493, 1f, (_e1482 == 16i));
 let _e1497 = (_e1457 && (_e1495 <= 0f));
 let _e1506 = ((_e1408.member_7 | (_e1408.member_11 & ~(_e1408.member_12))) & ~((_e1408.member_12 & ~(_e1408.member_11))));
-phi_3898_ = 15i;
-phi_3901_ = 16i;
+phi_3896_ = 15i;
+phi_3899_ = 16i;
 loop {
-let _e1508 = phi_3898_;
-let _e1510 = phi_3901_;
+let _e1508 = phi_3896_;
+let _e1510 = phi_3899_;
 local_3 = _e1510;
 local_5 = _e1510;
 local_6 = _e1510;
@@ -1113,18 +1113,18 @@ local_8 = _e1510;
 local_9 = _e1510;
 let _e1511 = (_e1508 >= 0i);
 if _e1511 {
-phi_3899_ = (_e1508 - 1i);
-phi_3902_ = select(_e1510, _e1508, (((_e1506 >> bitcast<u32>((_e1508 & 31i))) & 1i) == 1i));
+phi_3897_ = (_e1508 - 1i);
+phi_3900_ = select(_e1510, _e1508, (((_e1506 >> bitcast<u32>((_e1508 & 31i))) & 1i) == 1i));
 } else {
-phi_3899_ = i32();
-phi_3902_ = i32();
+phi_3897_ = i32();
+phi_3900_ = i32();
 }
-let _e1520 = phi_3899_;
-let _e1522 = phi_3902_;
+let _e1520 = phi_3897_;
+let _e1522 = phi_3900_;
 continue;
 continuing {
-phi_3898_ = _e1520;
-phi_3901_ = _e1522;
+phi_3896_ = _e1520;
+phi_3899_ = _e1522;
 break if !(_e1511);
 }
 }
@@ -1191,12 +1191,12 @@ let _e2032 = (_e1408.member_6.y * ((1f + (_e1950 * (1f + (_e1950 * (0.5f + (_e19
 let _e2035 = (_e1408.member_6.z * ((1f + (_e1998 * (1f + (_e1998 * (0.5f + (_e1998 * (0.16666667f + (_e1998 * (0.041666668f + (_e1998 * (0.008333334f + (_e1998 * (0.001388889f + (_e1998 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1993 + 127i)) << bitcast<u32>(23i)))));
 let _e2064 = type_25(_e1408.member, _e1408.member_1, _e1408.member_2, _e1408.member_3, _e1408.member_4, _e1408.member_5, vec3<f32>(_e2029, _e2032, _e2035), _e1408.member_7, _e1408.member_8, _e1408.member_9, _e1408.member_10, _e1408.member_11, _e1408.member_12, _e1408.member_13, _e1408.member_14, _e1408.member_15, _e1408.member_16, _e1408.member_17, _e1408.member_18, _e1408.member_19, _e1408.member_20, _e1408.member_21, _e1408.member_22, _e1408.member_23, _e1408.member_24, _e1408.member_25, _e1408.member_26, _e1408.member_27);
 if _e1452 {
-phi_4301_ = ((((_e1408.member_6.x + _e1408.member_6.y) + _e1408.member_6.z) * _e2025) - (((_e2029 + _e2032) + _e2035) * _e2025));
+phi_4299_ = ((((_e1408.member_6.x + _e1408.member_6.y) + _e1408.member_6.z) * _e2025) - (((_e2029 + _e2032) + _e2035) * _e2025));
 } else {
-phi_4301_ = 0f;
+phi_4299_ = 0f;
 }
-let _e2070 = phi_4301_;
-phi_4591_ = type_25(_e2064.member, _e2064.member_1, _e2064.member_2, _e2064.member_3, _e2064.member_4, _e2064.member_5, _e2064.member_6, _e2064.member_7, _e2064.member_8, _e2064.member_9, _e2064.member_10, _e2064.member_11, _e2064.member_12, _e2064.member_13, _e2064.member_14, _e2064.member_15, _e2064.member_16, _e2064.member_17, _e2064.member_18, _e2064.member_19, _e2064.member_20, _e2064.member_21, _e2064.member_22, _e2064.member_23, _e2064.member_24, _e2064.member_25, (_e1408.member_26 + _e2070), _e2064.member_27);
+let _e2070 = phi_4299_;
+phi_4589_ = type_25(_e2064.member, _e2064.member_1, _e2064.member_2, _e2064.member_3, _e2064.member_4, _e2064.member_5, _e2064.member_6, _e2064.member_7, _e2064.member_8, _e2064.member_9, _e2064.member_10, _e2064.member_11, _e2064.member_12, _e2064.member_13, _e2064.member_14, _e2064.member_15, _e2064.member_16, _e2064.member_17, _e2064.member_18, _e2064.member_19, _e2064.member_20, _e2064.member_21, _e2064.member_22, _e2064.member_23, _e2064.member_24, _e2064.member_25, (_e1408.member_26 + _e2070), _e2064.member_27);
 } else {
 let _e1525 = select(1e6f, _e1462, (_e1462 < 1e6f));
 let _e1527 = local_1;
@@ -1246,45 +1246,45 @@ let _e1713 = (_e1408.member_6.y * ((1f + (_e1622 * (1f + (_e1622 * (0.5f + (_e16
 let _e1716 = (_e1408.member_6.z * ((1f + (_e1679 * (1f + (_e1679 * (0.5f + (_e1679 * (0.16666667f + (_e1679 * (0.041666668f + (_e1679 * (0.008333334f + (_e1679 * (0.001388889f + (_e1679 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1674 + 127i)) << bitcast<u32>(23i)))));
 let _e1745 = type_25(_e1408.member, _e1408.member_1, _e1408.member_2, _e1408.member_3, _e1408.member_4, _e1408.member_5, vec3<f32>(_e1710, _e1713, _e1716), _e1408.member_7, _e1408.member_8, _e1408.member_9, _e1408.member_10, _e1408.member_11, _e1408.member_12, _e1408.member_13, _e1408.member_14, _e1408.member_15, _e1408.member_16, _e1408.member_17, _e1408.member_18, _e1408.member_19, _e1408.member_20, _e1408.member_21, _e1408.member_22, _e1408.member_23, _e1408.member_24, _e1408.member_25, _e1408.member_26, _e1408.member_27);
 if _e1452 {
-phi_4587_ = ((((_e1408.member_6.x + _e1408.member_6.y) + _e1408.member_6.z) * _e1706) - (((_e1710 + _e1713) + _e1716) * _e1706));
+phi_4585_ = ((((_e1408.member_6.x + _e1408.member_6.y) + _e1408.member_6.z) * _e1706) - (((_e1710 + _e1713) + _e1716) * _e1706));
 } else {
-phi_4587_ = 0f;
+phi_4585_ = 0f;
 }
-let _e1751 = phi_4587_;
-phi_4591_ = type_25(_e1745.member, _e1745.member_1, _e1745.member_2, _e1745.member_3, _e1745.member_4, _e1745.member_5, _e1745.member_6, _e1745.member_7, _e1745.member_8, _e1745.member_9, _e1745.member_10, _e1745.member_11, _e1745.member_12, _e1745.member_13, _e1745.member_14, _e1745.member_15, _e1745.member_16, _e1745.member_17, _e1745.member_18, _e1745.member_19, _e1745.member_20, _e1745.member_21, _e1745.member_22, _e1745.member_23, _e1745.member_24, (_e1408.member_25 + _e1751), _e1745.member_26, _e1745.member_27);
+let _e1751 = phi_4585_;
+phi_4589_ = type_25(_e1745.member, _e1745.member_1, _e1745.member_2, _e1745.member_3, _e1745.member_4, _e1745.member_5, _e1745.member_6, _e1745.member_7, _e1745.member_8, _e1745.member_9, _e1745.member_10, _e1745.member_11, _e1745.member_12, _e1745.member_13, _e1745.member_14, _e1745.member_15, _e1745.member_16, _e1745.member_17, _e1745.member_18, _e1745.member_19, _e1745.member_20, _e1745.member_21, _e1745.member_22, _e1745.member_23, _e1745.member_24, (_e1408.member_25 + _e1751), _e1745.member_26, _e1745.member_27);
 }
-let _e2102 = phi_4591_;
+let _e2102 = phi_4589_;
 if (!(_e1457) || (_e1497 && (_e1495 == 0f))) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e2102.member_17 & ((1i << bitcast<u32>((_e2102.member_16 & 31i))) - 1i))))) == _e2102.member_20) {
-phi_4645_ = (((_e2102.member_6.x + _e2102.member_6.y) + _e2102.member_6.z) * (1f / 3f));
+phi_4643_ = (((_e2102.member_6.x + _e2102.member_6.y) + _e2102.member_6.z) * (1f / 3f));
 } else {
-phi_4645_ = 0f;
+phi_4643_ = 0f;
 }
-let _e5815 = phi_4645_;
+let _e5815 = phi_4643_;
 if (_e2102.member_9 == -1i) {
-phi_4657_ = type_25(_e2102.member, _e2102.member_1, _e2102.member_2, _e2102.member_3, _e2102.member_4, _e2102.member_5, _e2102.member_6, _e2102.member_7, _e2102.member_8, _e2102.member_9, _e2102.member_10, _e2102.member_11, _e2102.member_12, _e2102.member_13, _e2102.member_14, _e2102.member_15, _e2102.member_16, _e2102.member_17, _e2102.member_18, _e2102.member_19, _e2102.member_20, _e2102.member_21, _e2102.member_22, (_e2102.member_23 + _e5815), _e2102.member_24, _e2102.member_25, _e2102.member_26, _e2102.member_27);
+phi_4655_ = type_25(_e2102.member, _e2102.member_1, _e2102.member_2, _e2102.member_3, _e2102.member_4, _e2102.member_5, _e2102.member_6, _e2102.member_7, _e2102.member_8, _e2102.member_9, _e2102.member_10, _e2102.member_11, _e2102.member_12, _e2102.member_13, _e2102.member_14, _e2102.member_15, _e2102.member_16, _e2102.member_17, _e2102.member_18, _e2102.member_19, _e2102.member_20, _e2102.member_21, _e2102.member_22, (_e2102.member_23 + _e5815), _e2102.member_24, _e2102.member_25, _e2102.member_26, _e2102.member_27);
 } else {
-phi_4657_ = type_25(_e2102.member, _e2102.member_1, _e2102.member_2, _e2102.member_3, _e2102.member_4, _e2102.member_5, _e2102.member_6, _e2102.member_7, _e2102.member_8, _e2102.member_9, _e2102.member_10, _e2102.member_11, _e2102.member_12, _e2102.member_13, _e2102.member_14, _e2102.member_15, _e2102.member_16, _e2102.member_17, _e2102.member_18, _e2102.member_19, _e2102.member_20, _e2102.member_21, _e2102.member_22, _e2102.member_23, (_e2102.member_24 + _e5815), _e2102.member_25, _e2102.member_26, _e2102.member_27);
+phi_4655_ = type_25(_e2102.member, _e2102.member_1, _e2102.member_2, _e2102.member_3, _e2102.member_4, _e2102.member_5, _e2102.member_6, _e2102.member_7, _e2102.member_8, _e2102.member_9, _e2102.member_10, _e2102.member_11, _e2102.member_12, _e2102.member_13, _e2102.member_14, _e2102.member_15, _e2102.member_16, _e2102.member_17, _e2102.member_18, _e2102.member_19, _e2102.member_20, _e2102.member_21, _e2102.member_22, _e2102.member_23, (_e2102.member_24 + _e5815), _e2102.member_25, _e2102.member_26, _e2102.member_27);
 }
-let _e5879 = phi_4657_;
+let _e5879 = phi_4655_;
 let _e5881 = (_e5879.member_18 == 0i);
 if (_e5881 && (_e5879.member_21 == 0i)) {
-phi_5961_ = type_25(_e5879.member, _e5879.member_1, _e5879.member_2, _e5879.member_3, _e5879.member_4, _e5879.member_5, _e5879.member_6, _e5879.member_7, _e5879.member_8, _e5879.member_9, _e5879.member_10, _e5879.member_11, _e5879.member_12, _e5879.member_13, _e5879.member_14, 3f, _e5879.member_16, _e5879.member_17, _e5879.member_18, _e5879.member_19, _e5879.member_20, _e5879.member_21, _e5879.member_22, _e5879.member_23, _e5879.member_24, _e5879.member_25, _e5879.member_26, _e5879.member_27);
+phi_5959_ = type_25(_e5879.member, _e5879.member_1, _e5879.member_2, _e5879.member_3, _e5879.member_4, _e5879.member_5, _e5879.member_6, _e5879.member_7, _e5879.member_8, _e5879.member_9, _e5879.member_10, _e5879.member_11, _e5879.member_12, _e5879.member_13, _e5879.member_14, 3f, _e5879.member_16, _e5879.member_17, _e5879.member_18, _e5879.member_19, _e5879.member_20, _e5879.member_21, _e5879.member_22, _e5879.member_23, _e5879.member_24, _e5879.member_25, _e5879.member_26, _e5879.member_27);
 } else {
 if _e5881 {
 let _e6013 = type_25(_e5879.member, _e5879.member_1, _e5879.member_2, _e5879.member_3, _e5879.member_4, _e5879.member_5, _e5879.member_6, _e5879.member_7, _e5879.member_8, _e5879.member_9, _e5879.member_10, _e5879.member_11, _e5879.member_12, _e5879.member_13, _e5879.member_14, _e5879.member_15, _e5879.member_16, _e5879.member_17, _e5879.member_18, _e5879.member_19, (_e5879.member_20 + 1i), _e5879.member_21, _e5879.member_22, _e5879.member_23, _e5879.member_24, _e5879.member_25, _e5879.member_26, _e5879.member_27);
 let _e6041 = type_25(_e6013.member, _e6013.member_1, _e6013.member_2, _e6013.member_3, _e6013.member_4, _e6013.member_5, _e6013.member_6, _e6013.member_7, _e6013.member_8, _e6013.member_9, _e6013.member_10, _e6013.member_11, _e6013.member_12, _e6013.member_13, _e6013.member_14, _e6013.member_15, _e6013.member_16, _e6013.member_17, _e6013.member_18, _e6013.member_19, _e6013.member_20, 0i, _e6013.member_22, _e6013.member_23, _e6013.member_24, _e6013.member_25, _e6013.member_26, _e6013.member_27);
 let _e6069 = type_25(_e6041.member, _e6041.member_1, _e6041.member_2, _e6041.member_3, _e6041.member_4, _e6041.member_5, _e6041.member_6, _e6041.member_7, _e6041.member_8, _e6041.member_9, _e6041.member_10, _e6041.member_11, _e6041.member_12, _e6041.member_13, _e6041.member_14, _e6041.member_15, _e6041.member_16, 0i, _e6041.member_18, _e6041.member_19, _e6041.member_20, _e6041.member_21, _e6041.member_22, _e6041.member_23, _e6041.member_24, _e6041.member_25, _e6041.member_26, _e6041.member_27);
-phi_4698_ = type_25(_e6069.member, _e6069.member_1, _e6069.member_2, _e6069.member_3, _e6069.member_4, _e6069.member_5, _e6069.member_6, _e6069.member_7, _e6069.member_8, _e6069.member_9, _e6069.member_10, _e6069.member_11, _e6069.member_12, _e6069.member_13, _e6069.member_14, _e6069.member_15, _e6069.member_16, _e6069.member_17, _e6069.member_18, 0i, _e6069.member_20, _e6069.member_21, _e6069.member_22, _e6069.member_23, _e6069.member_24, _e6069.member_25, _e6069.member_26, _e6069.member_27);
+phi_4696_ = type_25(_e6069.member, _e6069.member_1, _e6069.member_2, _e6069.member_3, _e6069.member_4, _e6069.member_5, _e6069.member_6, _e6069.member_7, _e6069.member_8, _e6069.member_9, _e6069.member_10, _e6069.member_11, _e6069.member_12, _e6069.member_13, _e6069.member_14, _e6069.member_15, _e6069.member_16, _e6069.member_17, _e6069.member_18, 0i, _e6069.member_20, _e6069.member_21, _e6069.member_22, _e6069.member_23, _e6069.member_24, _e6069.member_25, _e6069.member_26, _e6069.member_27);
 } else {
 let _e5889 = bitcast<i32>((bitcast<u32>(f32(_e5879.member_18)) >> bitcast<u32>(23i)));
 let _e5893 = (1i << bitcast<u32>(((_e5889 - 127i) & 31i)));
 let _e5894 = (_e5893 - 1i);
 let _e5925 = type_25(_e5879.member, _e5879.member_1, _e5879.member_2, _e5879.member_3, _e5879.member_4, _e5879.member_5, _e5879.member_6, _e5879.member_7, _e5879.member_8, _e5879.member_9, _e5879.member_10, _e5879.member_11, _e5879.member_12, _e5879.member_13, _e5879.member_14, _e5879.member_15, _e5879.member_16, ((_e5879.member_17 & _e5894) | _e5893), _e5879.member_18, _e5879.member_19, _e5879.member_20, _e5879.member_21, _e5879.member_22, _e5879.member_23, _e5879.member_24, _e5879.member_25, _e5879.member_26, _e5879.member_27);
 let _e5954 = type_25(_e5925.member, _e5925.member_1, _e5925.member_2, _e5925.member_3, _e5925.member_4, _e5925.member_5, _e5925.member_6, _e5925.member_7, _e5925.member_8, _e5925.member_9, _e5925.member_10, _e5925.member_11, _e5925.member_12, _e5925.member_13, _e5925.member_14, _e5925.member_15, _e5925.member_16, _e5925.member_17, (_e5879.member_18 & _e5894), _e5925.member_19, _e5925.member_20, _e5925.member_21, _e5925.member_22, _e5925.member_23, _e5925.member_24, _e5925.member_25, _e5925.member_26, _e5925.member_27);
-phi_4698_ = type_25(_e5954.member, _e5954.member_1, _e5954.member_2, _e5954.member_3, _e5954.member_4, _e5954.member_5, _e5954.member_6, _e5954.member_7, _e5954.member_8, _e5954.member_9, _e5954.member_10, _e5954.member_11, _e5954.member_12, _e5954.member_13, _e5954.member_14, _e5954.member_15, _e5954.member_16, _e5954.member_17, _e5954.member_18, (_e5889 + -126i), _e5954.member_20, _e5954.member_21, _e5954.member_22, _e5954.member_23, _e5954.member_24, _e5954.member_25, _e5954.member_26, _e5954.member_27);
+phi_4696_ = type_25(_e5954.member, _e5954.member_1, _e5954.member_2, _e5954.member_3, _e5954.member_4, _e5954.member_5, _e5954.member_6, _e5954.member_7, _e5954.member_8, _e5954.member_9, _e5954.member_10, _e5954.member_11, _e5954.member_12, _e5954.member_13, _e5954.member_14, _e5954.member_15, _e5954.member_16, _e5954.member_17, _e5954.member_18, (_e5889 + -126i), _e5954.member_20, _e5954.member_21, _e5954.member_22, _e5954.member_23, _e5954.member_24, _e5954.member_25, _e5954.member_26, _e5954.member_27);
 }
-let _e6099 = phi_4698_;
+let _e6099 = phi_4696_;
 let _e6105 = global_5.member.member_11.member_2;
 let _e6112 = global_5.member.member_11.member_3;
 let _e6119 = global_5.member.member_11.member_5;
@@ -1346,11 +1346,11 @@ let _e6305 = select(_e6287, _e6285, (_e6285 > _e6287));
 let _e6307 = select(_e6305, _e6303, (_e6303 < _e6305));
 let _e6309 = select(_e6291, _e6289, (_e6289 > _e6291));
 if (true && _e6173) {
-phi_5282_ = -(1e30f);
+phi_5280_ = -(1e30f);
 } else {
-phi_5282_ = 0f;
+phi_5280_ = 0f;
 }
-let _e6315 = phi_5282_;
+let _e6315 = phi_5280_;
 let _e6317 = select(_e6315, _e6301, (_e6301 > _e6315));
 let _e6319 = ((select(_e6309, _e6307, (_e6307 < _e6309)) <= _e6317) || false);
 let _e6320 = select(_e6317, 0f, _e6319);
@@ -1369,25 +1369,25 @@ let _e6506 = type_25(_e6478.member, _e6478.member_1, _e6478.member_2, _e6478.mem
 let _e6534 = type_25(_e6506.member, _e6506.member_1, _e6506.member_2, _e6506.member_3, _e6506.member_4, _e6506.member_5, _e6506.member_6, 0i, _e6506.member_8, _e6506.member_9, _e6506.member_10, _e6506.member_11, _e6506.member_12, _e6506.member_13, _e6506.member_14, _e6506.member_15, _e6506.member_16, _e6506.member_17, _e6506.member_18, _e6506.member_19, _e6506.member_20, _e6506.member_21, _e6506.member_22, _e6506.member_23, _e6506.member_24, _e6506.member_25, _e6506.member_26, _e6506.member_27);
 let _e6562 = type_25(_e6534.member, _e6534.member_1, _e6534.member_2, _e6534.member_3, _e6534.member_4, _e6534.member_5, _e6534.member_6, _e6534.member_7, _e6534.member_8, _e6534.member_9, _e6534.member_10, _e6534.member_11, _e6534.member_12, _e6534.member_13, _e6534.member_14, _e6534.member_15, 0i, _e6534.member_17, _e6534.member_18, _e6534.member_19, _e6534.member_20, _e6534.member_21, _e6534.member_22, _e6534.member_23, _e6534.member_24, _e6534.member_25, _e6534.member_26, _e6534.member_27);
 let _e6590 = type_25(_e6562.member, _e6562.member_1, _e6562.member_2, _e6562.member_3, _e6562.member_4, _e6562.member_5, _e6562.member_6, _e6562.member_7, _e6562.member_8, _e6562.member_9, _e6562.member_10, _e6562.member_11, _e6562.member_12, _e6562.member_13, _e6562.member_14, 1f, _e6562.member_16, _e6562.member_17, _e6562.member_18, _e6562.member_19, _e6562.member_20, _e6562.member_21, _e6562.member_22, _e6562.member_23, _e6562.member_24, _e6562.member_25, _e6562.member_26, _e6562.member_27);
-let _e6595 = global_5.member.member_14.member.member;
-let _e6606 = ((((_e6595.member.member * _e6324) + (_e6595.member.member_1 * _e6325)) + (_e6595.member.member_2 * _e6326)) + _e6595.member_1);
-let _e6612 = -((((_e6595.member.member * _e6189) + (_e6595.member.member_1 * _e6190)) + (_e6595.member.member_2 * _e6191)));
-let _e6614 = (_e6612 > 1e-9f);
-let _e6618 = ((_e6606 / select(1e-9f, _e6612, _e6614)) - 0.015625f);
-let _e6621 = select(1e30f, select(0f, _e6618, (_e6618 > 0f)), ((_e6606 > 0f) && _e6614));
-let _e6626 = global_5.member.member_14.member_1.member;
-let _e6637 = ((((_e6626.member.member * _e6324) + (_e6626.member.member_1 * _e6325)) + (_e6626.member.member_2 * _e6326)) + _e6626.member_1);
-let _e6643 = -((((_e6626.member.member * _e6189) + (_e6626.member.member_1 * _e6190)) + (_e6626.member.member_2 * _e6191)));
-let _e6645 = (_e6643 > 1e-9f);
-let _e6649 = ((_e6637 / select(1e-9f, _e6643, _e6645)) - 0.015625f);
-let _e6652 = select(1e30f, select(0f, _e6649, (_e6649 > 0f)), ((_e6637 > 0f) && _e6645));
-let _e6656 = (_e6652 < _e6621);
-let _e6687 = type_25(_e6590.member, _e6590.member_1, _e6590.member_2, _e6590.member_3, _e6590.member_4, _e6590.member_5, _e6590.member_6, _e6590.member_7, 0i, _e6590.member_9, _e6590.member_10, _e6590.member_11, _e6590.member_12, _e6590.member_13, _e6590.member_14, _e6590.member_15, _e6590.member_16, _e6590.member_17, _e6590.member_18, _e6590.member_19, _e6590.member_20, _e6590.member_21, _e6590.member_22, _e6590.member_23, _e6590.member_24, _e6590.member_25, _e6590.member_26, _e6590.member_27);
-let _e6715 = type_25(_e6687.member, _e6687.member_1, _e6687.member_2, _e6687.member_3, _e6687.member_4, _e6687.member_5, _e6687.member_6, _e6687.member_7, _e6687.member_8, select(select(-2i, -3i, _e6656), -1i, ((_e6621 >= 1e30f) && (_e6652 >= 1e30f))), _e6687.member_10, _e6687.member_11, _e6687.member_12, _e6687.member_13, _e6687.member_14, _e6687.member_15, _e6687.member_16, _e6687.member_17, _e6687.member_18, _e6687.member_19, _e6687.member_20, _e6687.member_21, _e6687.member_22, _e6687.member_23, _e6687.member_24, _e6687.member_25, _e6687.member_26, _e6687.member_27);
-let _e6743 = type_25(_e6715.member, _e6715.member_1, _e6715.member_2, _e6715.member_3, _e6715.member_4, _e6715.member_5, _e6715.member_6, _e6715.member_7, _e6715.member_8, _e6715.member_9, select(_e6621, _e6652, _e6656), _e6715.member_11, _e6715.member_12, _e6715.member_13, _e6715.member_14, _e6715.member_15, _e6715.member_16, _e6715.member_17, _e6715.member_18, _e6715.member_19, _e6715.member_20, _e6715.member_21, _e6715.member_22, _e6715.member_23, _e6715.member_24, _e6715.member_25, _e6715.member_26, _e6715.member_27);
-let _e6771 = type_25(_e6743.member, _e6743.member_1, _e6743.member_2, _e6743.member_3, _e6743.member_4, _e6743.member_5, _e6743.member_6, _e6743.member_7, _e6743.member_8, _e6743.member_9, _e6743.member_10, _e6743.member_11, _e6743.member_12, 0f, _e6743.member_14, _e6743.member_15, _e6743.member_16, _e6743.member_17, _e6743.member_18, _e6743.member_19, _e6743.member_20, _e6743.member_21, _e6743.member_22, _e6743.member_23, _e6743.member_24, _e6743.member_25, _e6743.member_26, _e6743.member_27);
-let _e6799 = type_25(_e6771.member, _e6771.member_1, _e6771.member_2, _e6771.member_3, _e6771.member_4, _e6771.member_5, _e6771.member_6, _e6771.member_7, _e6771.member_8, _e6771.member_9, _e6771.member_10, 0i, _e6771.member_12, _e6771.member_13, _e6771.member_14, _e6771.member_15, _e6771.member_16, _e6771.member_17, _e6771.member_18, _e6771.member_19, _e6771.member_20, _e6771.member_21, _e6771.member_22, _e6771.member_23, _e6771.member_24, _e6771.member_25, _e6771.member_26, _e6771.member_27);
-let _e6827 = type_25(_e6799.member, _e6799.member_1, _e6799.member_2, _e6799.member_3, _e6799.member_4, _e6799.member_5, _e6799.member_6, _e6799.member_7, _e6799.member_8, _e6799.member_9, _e6799.member_10, _e6799.member_11, 0i, _e6799.member_13, _e6799.member_14, _e6799.member_15, _e6799.member_16, _e6799.member_17, _e6799.member_18, _e6799.member_19, _e6799.member_20, _e6799.member_21, _e6799.member_22, _e6799.member_23, _e6799.member_24, _e6799.member_25, _e6799.member_26, _e6799.member_27);
+let _e6618 = type_25(_e6590.member, _e6590.member_1, _e6590.member_2, _e6590.member_3, _e6590.member_4, _e6590.member_5, _e6590.member_6, _e6590.member_7, _e6590.member_8, _e6590.member_9, _e6590.member_10, _e6590.member_11, _e6590.member_12, 0f, _e6590.member_14, _e6590.member_15, _e6590.member_16, _e6590.member_17, _e6590.member_18, _e6590.member_19, _e6590.member_20, _e6590.member_21, _e6590.member_22, _e6590.member_23, _e6590.member_24, _e6590.member_25, _e6590.member_26, _e6590.member_27);
+let _e6646 = type_25(_e6618.member, _e6618.member_1, _e6618.member_2, _e6618.member_3, _e6618.member_4, _e6618.member_5, _e6618.member_6, _e6618.member_7, _e6618.member_8, _e6618.member_9, _e6618.member_10, 0i, _e6618.member_12, _e6618.member_13, _e6618.member_14, _e6618.member_15, _e6618.member_16, _e6618.member_17, _e6618.member_18, _e6618.member_19, _e6618.member_20, _e6618.member_21, _e6618.member_22, _e6618.member_23, _e6618.member_24, _e6618.member_25, _e6618.member_26, _e6618.member_27);
+let _e6674 = type_25(_e6646.member, _e6646.member_1, _e6646.member_2, _e6646.member_3, _e6646.member_4, _e6646.member_5, _e6646.member_6, _e6646.member_7, _e6646.member_8, _e6646.member_9, _e6646.member_10, _e6646.member_11, 0i, _e6646.member_13, _e6646.member_14, _e6646.member_15, _e6646.member_16, _e6646.member_17, _e6646.member_18, _e6646.member_19, _e6646.member_20, _e6646.member_21, _e6646.member_22, _e6646.member_23, _e6646.member_24, _e6646.member_25, _e6646.member_26, _e6646.member_27);
+let _e6679 = global_5.member.member_14.member.member;
+let _e6690 = ((((_e6679.member.member * _e6324) + (_e6679.member.member_1 * _e6325)) + (_e6679.member.member_2 * _e6326)) + _e6679.member_1);
+let _e6696 = -((((_e6679.member.member * _e6189) + (_e6679.member.member_1 * _e6190)) + (_e6679.member.member_2 * _e6191)));
+let _e6698 = (_e6696 > 1e-9f);
+let _e6702 = ((_e6690 / select(1e-9f, _e6696, _e6698)) - 0.015625f);
+let _e6705 = select(1e30f, select(0f, _e6702, (_e6702 > 0f)), ((_e6690 > 0f) && _e6698));
+let _e6710 = global_5.member.member_14.member_1.member;
+let _e6721 = ((((_e6710.member.member * _e6324) + (_e6710.member.member_1 * _e6325)) + (_e6710.member.member_2 * _e6326)) + _e6710.member_1);
+let _e6727 = -((((_e6710.member.member * _e6189) + (_e6710.member.member_1 * _e6190)) + (_e6710.member.member_2 * _e6191)));
+let _e6729 = (_e6727 > 1e-9f);
+let _e6733 = ((_e6721 / select(1e-9f, _e6727, _e6729)) - 0.015625f);
+let _e6736 = select(1e30f, select(0f, _e6733, (_e6733 > 0f)), ((_e6721 > 0f) && _e6729));
+let _e6740 = (_e6736 < _e6705);
+let _e6771 = type_25(_e6674.member, _e6674.member_1, _e6674.member_2, _e6674.member_3, _e6674.member_4, _e6674.member_5, _e6674.member_6, _e6674.member_7, 0i, _e6674.member_9, _e6674.member_10, _e6674.member_11, _e6674.member_12, _e6674.member_13, _e6674.member_14, _e6674.member_15, _e6674.member_16, _e6674.member_17, _e6674.member_18, _e6674.member_19, _e6674.member_20, _e6674.member_21, _e6674.member_22, _e6674.member_23, _e6674.member_24, _e6674.member_25, _e6674.member_26, _e6674.member_27);
+let _e6799 = type_25(_e6771.member, _e6771.member_1, _e6771.member_2, _e6771.member_3, _e6771.member_4, _e6771.member_5, _e6771.member_6, _e6771.member_7, _e6771.member_8, select(select(-2i, -3i, _e6740), -1i, ((_e6705 >= 1e30f) && (_e6736 >= 1e30f))), _e6771.member_10, _e6771.member_11, _e6771.member_12, _e6771.member_13, _e6771.member_14, _e6771.member_15, _e6771.member_16, _e6771.member_17, _e6771.member_18, _e6771.member_19, _e6771.member_20, _e6771.member_21, _e6771.member_22, _e6771.member_23, _e6771.member_24, _e6771.member_25, _e6771.member_26, _e6771.member_27);
+let _e6827 = type_25(_e6799.member, _e6799.member_1, _e6799.member_2, _e6799.member_3, _e6799.member_4, _e6799.member_5, _e6799.member_6, _e6799.member_7, _e6799.member_8, _e6799.member_9, select(_e6705, _e6736, _e6740), _e6799.member_11, _e6799.member_12, _e6799.member_13, _e6799.member_14, _e6799.member_15, _e6799.member_16, _e6799.member_17, _e6799.member_18, _e6799.member_19, _e6799.member_20, _e6799.member_21, _e6799.member_22, _e6799.member_23, _e6799.member_24, _e6799.member_25, _e6799.member_26, _e6799.member_27);
 let _e6831 = global_5.member.member_13.member_4;
 let _e6838 = global_5.member.member_13.member_5;
 let _e6843 = ((_e6831.member - _e6196) * _e6251);
@@ -1447,25 +1447,25 @@ let _e7038 = (1f * ((1f + (_e6964 * (1f + (_e6964 * (0.5f + (_e6964 * (0.1666666
 let _e7039 = (1f * ((1f + (_e7012 * (1f + (_e7012 * (0.5f + (_e7012 * (0.16666667f + (_e7012 * (0.041666668f + (_e7012 * (0.008333334f + (_e7012 * (0.001388889f + (_e7012 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7007 + 127i)) << bitcast<u32>(23i)))));
 let _e7068 = type_25(_e6827.member, _e6827.member_1, _e6827.member_2, _e6827.member_3, _e6827.member_4, _e6827.member_5, vec3<f32>(_e7037, _e7038, _e7039), _e6827.member_7, _e6827.member_8, _e6827.member_9, _e6827.member_10, _e6827.member_11, _e6827.member_12, _e6827.member_13, _e6827.member_14, _e6827.member_15, _e6827.member_16, _e6827.member_17, _e6827.member_18, _e6827.member_19, _e6827.member_20, _e6827.member_21, _e6827.member_22, _e6827.member_23, _e6827.member_24, _e6827.member_25, _e6827.member_26, _e6827.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e6099.member_20) {
-phi_5933_ = ((((1f + 1f) + 1f) * _e7035) - (((_e7037 + _e7038) + _e7039) * _e7035));
+phi_5931_ = ((((1f + 1f) + 1f) * _e7035) - (((_e7037 + _e7038) + _e7039) * _e7035));
 } else {
-phi_5933_ = 0f;
+phi_5931_ = 0f;
 }
-let _e7078 = phi_5933_;
+let _e7078 = phi_5931_;
 let _e7108 = type_25(_e7068.member, _e7068.member_1, _e7068.member_2, _e7068.member_3, _e7068.member_4, _e7068.member_5, _e7068.member_6, _e7068.member_7, _e7068.member_8, _e7068.member_9, _e7068.member_10, _e7068.member_11, _e7068.member_12, _e7068.member_13, _e7068.member_14, _e7068.member_15, _e7068.member_16, _e7068.member_17, _e7068.member_18, _e7068.member_19, _e7068.member_20, _e7068.member_21, _e7068.member_22, _e7068.member_23, _e7068.member_24, _e7068.member_25, (_e6099.member_26 + _e7078), _e7068.member_27);
 if _e6319 {
 let _e7136 = type_25(_e7108.member, _e7108.member_1, _e7108.member_2, _e7108.member_3, _e7108.member_4, _e7108.member_5, _e7108.member_6, _e7108.member_7, _e1374, _e7108.member_9, _e7108.member_10, _e7108.member_11, _e7108.member_12, _e7108.member_13, _e7108.member_14, _e7108.member_15, _e7108.member_16, _e7108.member_17, _e7108.member_18, _e7108.member_19, _e7108.member_20, _e7108.member_21, _e7108.member_22, _e7108.member_23, _e7108.member_24, _e7108.member_25, _e7108.member_26, _e7108.member_27);
-phi_5960_ = type_25(_e7136.member, _e7136.member_1, _e7136.member_2, _e7136.member_3, _e7136.member_4, _e7136.member_5, _e7136.member_6, _e7136.member_7, _e7136.member_8, _e7136.member_9, _e7136.member_10, _e7136.member_11, _e7136.member_12, _e7136.member_13, _e7136.member_14, 3f, _e7136.member_16, _e7136.member_17, _e7136.member_18, _e7136.member_19, _e7136.member_20, _e7136.member_21, _e7136.member_22, _e7136.member_23, _e7136.member_24, _e7136.member_25, _e7136.member_26, _e7136.member_27);
+phi_5958_ = type_25(_e7136.member, _e7136.member_1, _e7136.member_2, _e7136.member_3, _e7136.member_4, _e7136.member_5, _e7136.member_6, _e7136.member_7, _e7136.member_8, _e7136.member_9, _e7136.member_10, _e7136.member_11, _e7136.member_12, _e7136.member_13, _e7136.member_14, 3f, _e7136.member_16, _e7136.member_17, _e7136.member_18, _e7136.member_19, _e7136.member_20, _e7136.member_21, _e7136.member_22, _e7136.member_23, _e7136.member_24, _e7136.member_25, _e7136.member_26, _e7136.member_27);
 } else {
-phi_5960_ = _e7108;
+phi_5958_ = _e7108;
 }
-let _e7166 = phi_5960_;
-phi_5961_ = _e7166;
+let _e7166 = phi_5958_;
+phi_5959_ = _e7166;
 }
-let _e7196 = phi_5961_;
-phi_9418_ = _e7196;
-phi_9419_ = type_25();
-phi_9420_ = true;
+let _e7196 = phi_5959_;
+phi_9416_ = _e7196;
+phi_9417_ = type_25();
+phi_9418_ = true;
 } else {
 let _e2109 = local_2;
 let _e2111 = local_3;
@@ -1490,8 +1490,8 @@ let _e5698 = select(1e30f, select(0f, _e5695, (_e5695 > 0f)), ((_e5683 > 0f) && 
 let _e5702 = (_e5698 < _e5667);
 let _e5733 = type_25(_e5628.member, _e5628.member_1, _e5628.member_2, _e5628.member_3, _e5628.member_4, _e5628.member_5, _e5628.member_6, _e5628.member_7, 0i, _e5628.member_9, _e5628.member_10, _e5628.member_11, _e5628.member_12, _e5628.member_13, _e5628.member_14, _e5628.member_15, _e5628.member_16, _e5628.member_17, _e5628.member_18, _e5628.member_19, _e5628.member_20, _e5628.member_21, _e5628.member_22, _e5628.member_23, _e5628.member_24, _e5628.member_25, _e5628.member_26, _e5628.member_27);
 let _e5761 = type_25(_e5733.member, _e5733.member_1, _e5733.member_2, _e5733.member_3, _e5733.member_4, _e5733.member_5, _e5733.member_6, _e5733.member_7, _e5733.member_8, select(select(-2i, -3i, _e5702), -1i, ((_e5667 >= 1e30f) && (_e5698 >= 1e30f))), _e5733.member_10, _e5733.member_11, _e5733.member_12, _e5733.member_13, _e5733.member_14, _e5733.member_15, _e5733.member_16, _e5733.member_17, _e5733.member_18, _e5733.member_19, _e5733.member_20, _e5733.member_21, _e5733.member_22, _e5733.member_23, _e5733.member_24, _e5733.member_25, _e5733.member_26, _e5733.member_27);
-phi_9416_ = type_25(_e5761.member, _e5761.member_1, _e5761.member_2, _e5761.member_3, _e5761.member_4, _e5761.member_5, _e5761.member_6, _e5761.member_7, _e5761.member_8, _e5761.member_9, select(_e5667, _e5698, _e5702), _e5761.member_11, _e5761.member_12, _e5761.member_13, _e5761.member_14, _e5761.member_15, _e5761.member_16, _e5761.member_17, _e5761.member_18, _e5761.member_19, _e5761.member_20, _e5761.member_21, _e5761.member_22, _e5761.member_23, _e5761.member_24, _e5761.member_25, _e5761.member_26, _e5761.member_27);
-phi_9417_ = type_25();
+phi_9414_ = type_25(_e5761.member, _e5761.member_1, _e5761.member_2, _e5761.member_3, _e5761.member_4, _e5761.member_5, _e5761.member_6, _e5761.member_7, _e5761.member_8, _e5761.member_9, select(_e5667, _e5698, _e5702), _e5761.member_11, _e5761.member_12, _e5761.member_13, _e5761.member_14, _e5761.member_15, _e5761.member_16, _e5761.member_17, _e5761.member_18, _e5761.member_19, _e5761.member_20, _e5761.member_21, _e5761.member_22, _e5761.member_23, _e5761.member_24, _e5761.member_25, _e5761.member_26, _e5761.member_27);
+phi_9415_ = type_25();
 } else {
 let _e2124 = (_e2102.member.x + (_e2102.member_1.x * _e2102.member_10));
 let _e2127 = (_e2102.member.y + (_e2102.member_1.y * _e2102.member_10));
@@ -1594,8 +1594,8 @@ let _e2421 = (_e2398 * _e2411);
 let _e2422 = (_e2399 * _e2411);
 let _e2423 = (_e2400 * _e2411);
 if _e1497 {
-phi_6583_ = 1f;
-phi_6584_ = 1f;
+phi_6581_ = 1f;
+phi_6582_ = 1f;
 } else {
 let _e2425 = local_4;
 let _e2426 = (_e2425 * 4i);
@@ -1606,11 +1606,11 @@ let _e2438 = (_e2437 * 4i);
 let _e2440 = select(_e1485, _e2438, (_e2438 < _e1485));
 let _e2446 = global_3.member[bitcast<u32>(select(0i, _e2440, (_e2440 > 0i)))];
 let _e2448 = local_6;
-phi_6583_ = select(_e2446, 1f, (_e2448 == 16i));
-phi_6584_ = select(_e2434, 1f, _e1440);
+phi_6581_ = select(_e2446, 1f, (_e2448 == 16i));
+phi_6582_ = select(_e2434, 1f, _e1440);
 }
-let _e2452 = phi_6583_;
-let _e2454 = phi_6584_;
+let _e2452 = phi_6581_;
+let _e2454 = phi_6582_;
 let _e2461 = select(1f, -1f, ((((_e2102.member_1.x * _e2421) + (_e2102.member_1.y * _e2422)) + (_e2102.member_1.z * _e2423)) > 0f));
 let _e2462 = (_e2421 * _e2461);
 let _e2463 = (_e2422 * _e2461);
@@ -1649,11 +1649,11 @@ let _e2582 = (_e2102.member_3.x + (_e2102.member_5.x * _e2102.member_10));
 let _e2584 = (_e2102.member_3.y + (_e2102.member_5.y * _e2102.member_10));
 let _e2586 = (_e2102.member_3.z + (_e2102.member_5.z * _e2102.member_10));
 if ((_e2522 * _e2522) > 1e-12f) {
-phi_6817_ = (1f / _e2522);
+phi_6815_ = (1f / _e2522);
 } else {
-phi_6817_ = 0f;
+phi_6815_ = 0f;
 }
-let _e2591 = phi_6817_;
+let _e2591 = phi_6815_;
 let _e2597 = ((((_e2570 * _e2418) + (_e2572 * _e2419)) + (_e2574 * _e2420)) * _e2591);
 let _e2601 = (_e2570 - (_e2102.member_1.x * _e2597));
 let _e2602 = (_e2572 - (_e2102.member_1.y * _e2597));
@@ -1684,11 +1684,11 @@ let _e3503 = (_e2102.member_6.y * _e3480);
 let _e3506 = (_e2102.member_6.z * _e3489);
 let _e3535 = type_25(_e2729.member, _e2729.member_1, _e2729.member_2, _e2729.member_3, _e2729.member_4, _e2729.member_5, vec3<f32>(_e3500, _e3503, _e3506), _e2729.member_7, _e2729.member_8, _e2729.member_9, _e2729.member_10, _e2729.member_11, _e2729.member_12, _e2729.member_13, _e2729.member_14, _e2729.member_15, _e2729.member_16, _e2729.member_17, _e2729.member_18, _e2729.member_19, _e2729.member_20, _e2729.member_21, _e2729.member_22, _e2729.member_23, _e2729.member_24, _e2729.member_25, _e2729.member_26, _e2729.member_27);
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e2102.member_17 & ((1i << bitcast<u32>((_e2102.member_16 & 31i))) - 1i))))) == _e2102.member_20) {
-phi_6948_ = ((((_e2102.member_6.x + _e2102.member_6.y) + _e2102.member_6.z) * _e3496) - (((_e3500 + _e3503) + _e3506) * _e3496));
+phi_6946_ = ((((_e2102.member_6.x + _e2102.member_6.y) + _e2102.member_6.z) * _e3496) - (((_e3500 + _e3503) + _e3506) * _e3496));
 } else {
-phi_6948_ = 0f;
+phi_6946_ = 0f;
 }
-let _e3553 = phi_6948_;
+let _e3553 = phi_6946_;
 let _e3583 = type_25(_e3535.member, _e3535.member_1, _e3535.member_2, _e3535.member_3, _e3535.member_4, _e3535.member_5, _e3535.member_6, _e3535.member_7, _e3535.member_8, _e3535.member_9, _e3535.member_10, _e3535.member_11, _e3535.member_12, _e3535.member_13, _e3535.member_14, _e3535.member_15, _e3535.member_16, _e3535.member_17, _e3535.member_18, _e3535.member_19, _e3535.member_20, _e3535.member_21, _e3535.member_22, _e3535.member_23, _e3535.member_24, (_e2102.member_25 + _e3553), _e3535.member_26, _e3535.member_27);
 let _e3590 = select(1f, -1f, ((((_e2550 * _e2102.member_1.x) + (_e2551 * _e2102.member_1.y)) + (_e2552 * _e2102.member_1.z)) > 0f));
 let _e3591 = (_e2550 * _e3590);
@@ -1733,7 +1733,7 @@ let _e3840 = (_e3593 * _e3837);
 let _e3846 = -((((_e2102.member_1.x * _e3838) + (_e2102.member_1.y * _e3839)) + (_e2102.member_1.z * _e3840)));
 let _e3849 = (2f * select(0f, _e3846, (_e3846 > 0f)));
 let _e3882 = type_25(_e3835.member, (_e2102.member_1 + vec3<f32>((_e3838 * _e3849), (_e3839 * _e3849), (_e3840 * _e3849))), _e3835.member_2, _e3835.member_3, _e3835.member_4, _e3835.member_5, _e3835.member_6, _e3835.member_7, _e3835.member_8, _e3835.member_9, _e3835.member_10, _e3835.member_11, _e3835.member_12, _e3835.member_13, _e3835.member_14, _e3835.member_15, _e3835.member_16, _e3835.member_17, _e3835.member_18, _e3835.member_19, _e3835.member_20, _e3835.member_21, _e3835.member_22, _e3835.member_23, _e3835.member_24, _e3835.member_25, _e3835.member_26, _e3835.member_27);
-phi_7952_ = type_25(_e3882.member, _e3882.member_1, _e3882.member_2, _e3882.member_3, _e3882.member_4, _e3882.member_5, _e3882.member_6, _e3882.member_7, _e3882.member_8, _e3882.member_9, _e3882.member_10, _e3882.member_11, _e3882.member_12, _e3882.member_13, _e3882.member_14, _e3882.member_15, (_e2102.member_16 + 1i), _e3882.member_17, _e3882.member_18, _e3882.member_19, _e3882.member_20, _e3882.member_21, _e3882.member_22, _e3882.member_23, _e3882.member_24, _e3882.member_25, _e3882.member_26, _e3882.member_27);
+phi_7950_ = type_25(_e3882.member, _e3882.member_1, _e3882.member_2, _e3882.member_3, _e3882.member_4, _e3882.member_5, _e3882.member_6, _e3882.member_7, _e3882.member_8, _e3882.member_9, _e3882.member_10, _e3882.member_11, _e3882.member_12, _e3882.member_13, _e3882.member_14, _e3882.member_15, (_e2102.member_16 + 1i), _e3882.member_17, _e3882.member_18, _e3882.member_19, _e3882.member_20, _e3882.member_21, _e3882.member_22, _e3882.member_23, _e3882.member_24, _e3882.member_25, _e3882.member_26, _e3882.member_27);
 } else {
 let _e2733 = global_5.member.member_12.member_1;
 let _e2735 = local_7;
@@ -1787,30 +1787,30 @@ let _e2881 = ((select(_e2102.member_6.z, _e2876, (_e2876 > _e2102.member_6.z)) *
 let _e2883 = (1i << bitcast<u32>(_e2863));
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e2102.member_17 & (_e2883 - 1i))))) == _e2102.member_20) {
 if _e2881 {
-phi_7621_ = type_25(_e2729.member, _e2729.member_1, _e2729.member_2, _e2729.member_3, _e2729.member_4, _e2729.member_5, _e2729.member_6, _e2729.member_7, _e2729.member_8, _e2729.member_9, _e2729.member_10, _e2729.member_11, _e2729.member_12, _e2729.member_13, _e2729.member_14, _e2729.member_15, _e2729.member_16, _e2729.member_17, _e2729.member_18, _e2729.member_19, _e2729.member_20, 1i, _e2729.member_22, _e2729.member_23, _e2729.member_24, _e2729.member_25, _e2729.member_26, _e2729.member_27);
+phi_7619_ = type_25(_e2729.member, _e2729.member_1, _e2729.member_2, _e2729.member_3, _e2729.member_4, _e2729.member_5, _e2729.member_6, _e2729.member_7, _e2729.member_8, _e2729.member_9, _e2729.member_10, _e2729.member_11, _e2729.member_12, _e2729.member_13, _e2729.member_14, _e2729.member_15, _e2729.member_16, _e2729.member_17, _e2729.member_18, _e2729.member_19, _e2729.member_20, 1i, _e2729.member_22, _e2729.member_23, _e2729.member_24, _e2729.member_25, _e2729.member_26, _e2729.member_27);
 } else {
-phi_7621_ = type_25(_e2729.member, _e2729.member_1, _e2729.member_2, _e2729.member_3, _e2729.member_4, _e2729.member_5, _e2729.member_6, _e2729.member_7, _e2729.member_8, _e2729.member_9, _e2729.member_10, _e2729.member_11, _e2729.member_12, _e2729.member_13, _e2729.member_14, _e2729.member_15, _e2729.member_16, _e2729.member_17, _e2729.member_18, _e2729.member_19, _e2729.member_20, _e2729.member_21, _e2729.member_22, _e2729.member_23, _e2729.member_24, _e2729.member_25, _e2729.member_26, (_e2102.member_27 + ((((_e2102.member_6.x + _e2102.member_6.y) + _e2102.member_6.z) * (1f / 3f)) * _e2859)));
+phi_7619_ = type_25(_e2729.member, _e2729.member_1, _e2729.member_2, _e2729.member_3, _e2729.member_4, _e2729.member_5, _e2729.member_6, _e2729.member_7, _e2729.member_8, _e2729.member_9, _e2729.member_10, _e2729.member_11, _e2729.member_12, _e2729.member_13, _e2729.member_14, _e2729.member_15, _e2729.member_16, _e2729.member_17, _e2729.member_18, _e2729.member_19, _e2729.member_20, _e2729.member_21, _e2729.member_22, _e2729.member_23, _e2729.member_24, _e2729.member_25, _e2729.member_26, (_e2102.member_27 + ((((_e2102.member_6.x + _e2102.member_6.y) + _e2102.member_6.z) * (1f / 3f)) * _e2859)));
 }
-let _e2986 = phi_7621_;
-phi_7631_ = _e2986;
+let _e2986 = phi_7619_;
+phi_7629_ = _e2986;
 } else {
-phi_7631_ = type_25(_e2729.member, _e2729.member_1, _e2729.member_2, _e2729.member_3, _e2729.member_4, _e2729.member_5, _e2729.member_6, _e2729.member_7, _e2729.member_8, _e2729.member_9, _e2729.member_10, _e2729.member_11, _e2729.member_12, _e2729.member_13, _e2729.member_14, _e2729.member_15, _e2729.member_16, _e2729.member_17, (_e2102.member_18 | select(0i, _e2883, _e2881)), _e2729.member_19, _e2729.member_20, _e2729.member_21, _e2729.member_22, _e2729.member_23, _e2729.member_24, _e2729.member_25, _e2729.member_26, _e2729.member_27);
+phi_7629_ = type_25(_e2729.member, _e2729.member_1, _e2729.member_2, _e2729.member_3, _e2729.member_4, _e2729.member_5, _e2729.member_6, _e2729.member_7, _e2729.member_8, _e2729.member_9, _e2729.member_10, _e2729.member_11, _e2729.member_12, _e2729.member_13, _e2729.member_14, _e2729.member_15, _e2729.member_16, _e2729.member_17, (_e2102.member_18 | select(0i, _e2883, _e2881)), _e2729.member_19, _e2729.member_20, _e2729.member_21, _e2729.member_22, _e2729.member_23, _e2729.member_24, _e2729.member_25, _e2729.member_26, _e2729.member_27);
 }
-let _e2988 = phi_7631_;
-phi_7632_ = _e2988;
+let _e2988 = phi_7629_;
+phi_7630_ = _e2988;
 } else {
-phi_7632_ = _e2729;
+phi_7630_ = _e2729;
 }
-let _e2990 = phi_7632_;
+let _e2990 = phi_7630_;
 let _e2991 = (((_e2102.member_16 < _e2102.member_19) && (((_e2102.member_17 >> bitcast<u32>(_e2863)) & 1i) == 1i)) != (_e2854 > 0.5f));
 let _e2992 = (_e2785 || _e2991);
 if _e2785 {
-phi_7652_ = _e2990;
+phi_7650_ = _e2990;
 } else {
 let _e2993 = select(_e2857, _e2854, _e2991);
-phi_7652_ = type_25(_e2990.member, _e2990.member_1, _e2990.member_2, _e2990.member_3, _e2990.member_4, _e2990.member_5, vec3<f32>((_e2990.member_6.x * _e2993), (_e2990.member_6.y * _e2993), (_e2990.member_6.z * _e2993)), _e2990.member_7, _e2990.member_8, _e2990.member_9, _e2990.member_10, _e2990.member_11, _e2990.member_12, _e2990.member_13, _e2990.member_14, _e2990.member_15, _e2990.member_16, _e2990.member_17, _e2990.member_18, _e2990.member_19, _e2990.member_20, _e2990.member_21, _e2990.member_22, _e2990.member_23, _e2990.member_24, _e2990.member_25, _e2990.member_26, _e2990.member_27);
+phi_7650_ = type_25(_e2990.member, _e2990.member_1, _e2990.member_2, _e2990.member_3, _e2990.member_4, _e2990.member_5, vec3<f32>((_e2990.member_6.x * _e2993), (_e2990.member_6.y * _e2993), (_e2990.member_6.z * _e2993)), _e2990.member_7, _e2990.member_8, _e2990.member_9, _e2990.member_10, _e2990.member_11, _e2990.member_12, _e2990.member_13, _e2990.member_14, _e2990.member_15, _e2990.member_16, _e2990.member_17, _e2990.member_18, _e2990.member_19, _e2990.member_20, _e2990.member_21, _e2990.member_22, _e2990.member_23, _e2990.member_24, _e2990.member_25, _e2990.member_26, _e2990.member_27);
 }
-let _e3033 = phi_7652_;
+let _e3033 = phi_7650_;
 let _e3044 = select(1f, -1f, ((((_e2550 * _e3033.member_1.x) + (_e2551 * _e3033.member_1.y)) + (_e2552 * _e3033.member_1.z)) > 0f));
 let _e3045 = (_e2550 * _e3044);
 let _e3046 = (_e2551 * _e3044);
@@ -1833,16 +1833,16 @@ let _e3093 = (_e3082 - (_e3047 * _e3087));
 let _e3099 = -((((_e3033.member_1.x * _e3045) + (_e3033.member_1.y * _e3046)) + (_e3033.member_1.z * _e3047)));
 let _e3114 = -(((((_e3033.member_4.x * _e3045) + (_e3033.member_4.y * _e3046)) + (_e3033.member_4.z * _e3047)) + (((_e3033.member_1.x * _e3091) + (_e3033.member_1.y * _e3092)) + (_e3033.member_1.z * _e3093))));
 if _e2992 {
-phi_7807_ = (_e3033.member_4 + vec3<f32>((((_e3091 * _e3099) + (_e3045 * _e3114)) * 2f), (((_e3092 * _e3099) + (_e3046 * _e3114)) * 2f), (((_e3093 * _e3099) + (_e3047 * _e3114)) * 2f)));
+phi_7805_ = (_e3033.member_4 + vec3<f32>((((_e3091 * _e3099) + (_e3045 * _e3114)) * 2f), (((_e3092 * _e3099) + (_e3046 * _e3114)) * 2f), (((_e3093 * _e3099) + (_e3047 * _e3114)) * 2f)));
 } else {
 let _e3118 = (1f - (_e2780 * (1f - (_e3099 * _e3099))));
 let _e3120 = select(1e-12f, _e3118, (_e3118 > 1e-12f));
 let _e3123 = sqrt(select(0f, _e3120, (_e3120 > 0f)));
 let _e3125 = ((_e2779 * _e3099) - _e3123);
 let _e3129 = ((_e2779 - ((_e2780 * _e3099) / _e3123)) * _e3114);
-phi_7807_ = vec3<f32>((((_e3033.member_4.x * _e2779) + (_e3091 * _e3125)) + (_e3045 * _e3129)), (((_e3033.member_4.y * _e2779) + (_e3092 * _e3125)) + (_e3046 * _e3129)), (((_e3033.member_4.z * _e2779) + (_e3093 * _e3125)) + (_e3047 * _e3129)));
+phi_7805_ = vec3<f32>((((_e3033.member_4.x * _e2779) + (_e3091 * _e3125)) + (_e3045 * _e3129)), (((_e3033.member_4.y * _e2779) + (_e3092 * _e3125)) + (_e3046 * _e3129)), (((_e3033.member_4.z * _e2779) + (_e3093 * _e3125)) + (_e3047 * _e3129)));
 }
-let _e3161 = phi_7807_;
+let _e3161 = phi_7805_;
 let _e3169 = (((_e2553 * _e3033.member_3.x) + (_e2554 * _e3033.member_3.y)) + (_e2555 * _e3033.member_3.z));
 let _e3177 = (((_e2556 * _e3033.member_3.x) + (_e2557 * _e3033.member_3.y)) + (_e2558 * _e3033.member_3.z));
 let _e3184 = (((_e3048 * _e3169) + (_e3051 * _e3177)) * _e2411);
@@ -1854,16 +1854,16 @@ let _e3196 = (_e3185 - (_e3046 * _e3191));
 let _e3197 = (_e3186 - (_e3047 * _e3191));
 let _e3212 = -(((((_e3033.member_5.x * _e3045) + (_e3033.member_5.y * _e3046)) + (_e3033.member_5.z * _e3047)) + (((_e3033.member_1.x * _e3195) + (_e3033.member_1.y * _e3196)) + (_e3033.member_1.z * _e3197))));
 if _e2992 {
-phi_7933_ = (_e3033.member_5 + vec3<f32>((((_e3195 * _e3099) + (_e3045 * _e3212)) * 2f), (((_e3196 * _e3099) + (_e3046 * _e3212)) * 2f), (((_e3197 * _e3099) + (_e3047 * _e3212)) * 2f)));
+phi_7931_ = (_e3033.member_5 + vec3<f32>((((_e3195 * _e3099) + (_e3045 * _e3212)) * 2f), (((_e3196 * _e3099) + (_e3046 * _e3212)) * 2f), (((_e3197 * _e3099) + (_e3047 * _e3212)) * 2f)));
 } else {
 let _e3216 = (1f - (_e2780 * (1f - (_e3099 * _e3099))));
 let _e3218 = select(1e-12f, _e3216, (_e3216 > 1e-12f));
 let _e3221 = sqrt(select(0f, _e3218, (_e3218 > 0f)));
 let _e3223 = ((_e2779 * _e3099) - _e3221);
 let _e3227 = ((_e2779 - ((_e2780 * _e3099) / _e3221)) * _e3212);
-phi_7933_ = vec3<f32>((((_e3033.member_5.x * _e2779) + (_e3195 * _e3223)) + (_e3045 * _e3227)), (((_e3033.member_5.y * _e2779) + (_e3196 * _e3223)) + (_e3046 * _e3227)), (((_e3033.member_5.z * _e2779) + (_e3197 * _e3223)) + (_e3047 * _e3227)));
+phi_7931_ = vec3<f32>((((_e3033.member_5.x * _e2779) + (_e3195 * _e3223)) + (_e3045 * _e3227)), (((_e3033.member_5.y * _e2779) + (_e3196 * _e3223)) + (_e3046 * _e3227)), (((_e3033.member_5.z * _e2779) + (_e3197 * _e3223)) + (_e3047 * _e3227)));
 }
-let _e3259 = phi_7933_;
+let _e3259 = phi_7931_;
 let _e3287 = type_25(_e3033.member, _e3033.member_1, _e3033.member_2, _e3033.member_3, _e3033.member_4, _e3033.member_5, _e3033.member_6, _e3033.member_7, _e3033.member_8, _e3033.member_9, _e3033.member_10, _e3033.member_11, _e3033.member_12, _e3033.member_13, _e3033.member_14, _e3033.member_15, _e3033.member_16, _e3033.member_17, _e3033.member_18, _e3033.member_19, _e3033.member_20, _e3033.member_21, _e3033.member_22, _e3033.member_23, _e3033.member_24, _e3033.member_25, _e3033.member_26, _e3033.member_27);
 let _e3315 = type_25(_e3287.member, _e3287.member_1, _e3287.member_2, _e3033.member_3, _e3287.member_4, _e3287.member_5, _e3287.member_6, _e3287.member_7, _e3287.member_8, _e3287.member_9, _e3287.member_10, _e3287.member_11, _e3287.member_12, _e3287.member_13, _e3287.member_14, _e3287.member_15, _e3287.member_16, _e3287.member_17, _e3287.member_18, _e3287.member_19, _e3287.member_20, _e3287.member_21, _e3287.member_22, _e3287.member_23, _e3287.member_24, _e3287.member_25, _e3287.member_26, _e3287.member_27);
 let _e3343 = type_25(_e3315.member, _e3315.member_1, _e3315.member_2, _e3315.member_3, _e3161, _e3315.member_5, _e3315.member_6, _e3315.member_7, _e3315.member_8, _e3315.member_9, _e3315.member_10, _e3315.member_11, _e3315.member_12, _e3315.member_13, _e3315.member_14, _e3315.member_15, _e3315.member_16, _e3315.member_17, _e3315.member_18, _e3315.member_19, _e3315.member_20, _e3315.member_21, _e3315.member_22, _e3315.member_23, _e3315.member_24, _e3315.member_25, _e3315.member_26, _e3315.member_27);
@@ -1871,14 +1871,14 @@ let _e3371 = type_25(_e3343.member, _e3343.member_1, _e3343.member_2, _e3343.mem
 let _e3401 = type_25(_e3371.member, select(vec3<f32>((_e2809 * _e2822), (_e2810 * _e2822), (_e2811 * _e2822)), (_e2102.member_1 + vec3<f32>(_e2801, _e2802, _e2803)), vec3(_e2992)), _e3371.member_2, _e3371.member_3, _e3371.member_4, _e3371.member_5, _e3371.member_6, _e3371.member_7, _e3371.member_8, _e3371.member_9, _e3371.member_10, _e3371.member_11, _e3371.member_12, _e3371.member_13, _e3371.member_14, _e3371.member_15, _e3371.member_16, _e3371.member_17, _e3371.member_18, _e3371.member_19, _e3371.member_20, _e3371.member_21, _e3371.member_22, _e3371.member_23, _e3371.member_24, _e3371.member_25, _e3371.member_26, _e3371.member_27);
 let _e3431 = type_25(_e3401.member, _e3401.member_1, _e3401.member_2, _e3401.member_3, _e3401.member_4, _e3401.member_5, _e3401.member_6, _e3401.member_7, _e3401.member_8, _e3401.member_9, _e3401.member_10, _e3401.member_11, _e3401.member_12, _e3401.member_13, _e3401.member_14, _e3401.member_15, (_e3033.member_16 + 1i), _e3401.member_17, _e3401.member_18, _e3401.member_19, _e3401.member_20, _e3401.member_21, _e3401.member_22, _e3401.member_23, _e3401.member_24, _e3401.member_25, _e3401.member_26, _e3401.member_27);
 if !(_e2992) {
-phi_7951_ = type_25(_e3431.member, _e3431.member_1, _e3431.member_2, _e3431.member_3, _e3431.member_4, _e3431.member_5, _e3431.member_6, _e1506, _e3431.member_8, _e3431.member_9, _e3431.member_10, _e3431.member_11, _e3431.member_12, _e3431.member_13, _e3431.member_14, _e3431.member_15, _e3431.member_16, _e3431.member_17, _e3431.member_18, _e3431.member_19, _e3431.member_20, _e3431.member_21, _e3431.member_22, _e3431.member_23, _e3431.member_24, _e3431.member_25, _e3431.member_26, _e3431.member_27);
+phi_7949_ = type_25(_e3431.member, _e3431.member_1, _e3431.member_2, _e3431.member_3, _e3431.member_4, _e3431.member_5, _e3431.member_6, _e1506, _e3431.member_8, _e3431.member_9, _e3431.member_10, _e3431.member_11, _e3431.member_12, _e3431.member_13, _e3431.member_14, _e3431.member_15, _e3431.member_16, _e3431.member_17, _e3431.member_18, _e3431.member_19, _e3431.member_20, _e3431.member_21, _e3431.member_22, _e3431.member_23, _e3431.member_24, _e3431.member_25, _e3431.member_26, _e3431.member_27);
 } else {
-phi_7951_ = _e3431;
+phi_7949_ = _e3431;
 }
-let _e3462 = phi_7951_;
-phi_7952_ = _e3462;
+let _e3462 = phi_7949_;
+phi_7950_ = _e3462;
 }
-let _e3913 = phi_7952_;
+let _e3913 = phi_7950_;
 let _e3941 = type_25(_e3913.member, _e3913.member_1, _e3913.member_2, _e3913.member_3, _e3913.member_4, _e3913.member_5, _e3913.member_6, _e3913.member_7, _e3913.member_8, _e3913.member_9, _e3913.member_10, _e3913.member_11, _e3913.member_12, 0f, _e3913.member_14, _e3913.member_15, _e3913.member_16, _e3913.member_17, _e3913.member_18, _e3913.member_19, _e3913.member_20, _e3913.member_21, _e3913.member_22, _e3913.member_23, _e3913.member_24, _e3913.member_25, _e3913.member_26, _e3913.member_27);
 let _e3969 = type_25(_e3941.member, _e3941.member_1, _e3941.member_2, _e3941.member_3, _e3941.member_4, _e3941.member_5, _e3941.member_6, _e3941.member_7, _e3941.member_8, _e3941.member_9, _e3941.member_10, 0i, _e3941.member_12, _e3941.member_13, _e3941.member_14, _e3941.member_15, _e3941.member_16, _e3941.member_17, _e3941.member_18, _e3941.member_19, _e3941.member_20, _e3941.member_21, _e3941.member_22, _e3941.member_23, _e3941.member_24, _e3941.member_25, _e3941.member_26, _e3941.member_27);
 let _e3997 = type_25(_e3969.member, _e3969.member_1, _e3969.member_2, _e3969.member_3, _e3969.member_4, _e3969.member_5, _e3969.member_6, _e3969.member_7, _e3969.member_8, _e3969.member_9, _e3969.member_10, _e3969.member_11, 0i, _e3969.member_13, _e3969.member_14, _e3969.member_15, _e3969.member_16, _e3969.member_17, _e3969.member_18, _e3969.member_19, _e3969.member_20, _e3969.member_21, _e3969.member_22, _e3969.member_23, _e3969.member_24, _e3969.member_25, _e3969.member_26, _e3969.member_27);
@@ -1901,30 +1901,30 @@ let _e4158 = type_25(_e4130.member, _e4130.member_1, _e4130.member_2, _e4130.mem
 let _e4163 = global_5.member.member_12.member_3;
 if (_e3913.member_16 > bitcast<i32>(_e4163)) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3913.member_17 & ((1i << bitcast<u32>((_e3913.member_16 & 31i))) - 1i))))) == _e3913.member_20) {
-phi_8107_ = (((_e3913.member_6.x + _e3913.member_6.y) + _e3913.member_6.z) * (1f / 3f));
+phi_8105_ = (((_e3913.member_6.x + _e3913.member_6.y) + _e3913.member_6.z) * (1f / 3f));
 } else {
-phi_8107_ = 0f;
+phi_8105_ = 0f;
 }
-let _e4186 = phi_8107_;
+let _e4186 = phi_8105_;
 let _e4216 = type_25(_e4158.member, _e4158.member_1, _e4158.member_2, _e4158.member_3, _e4158.member_4, _e4158.member_5, _e4158.member_6, _e4158.member_7, _e4158.member_8, _e4158.member_9, _e4158.member_10, _e4158.member_11, _e4158.member_12, _e4158.member_13, _e4158.member_14, _e4158.member_15, _e4158.member_16, _e4158.member_17, _e4158.member_18, _e4158.member_19, _e4158.member_20, _e4158.member_21, _e4158.member_22, _e4158.member_23, _e4158.member_24, _e4158.member_25, _e4158.member_26, (_e3913.member_27 + _e4186));
 let _e4218 = (_e3913.member_18 == 0i);
 if (_e4218 && (_e3913.member_21 == 0i)) {
-phi_9414_ = type_25(_e4216.member, _e4216.member_1, _e4216.member_2, _e4216.member_3, _e4216.member_4, _e4216.member_5, _e4216.member_6, _e4216.member_7, _e4216.member_8, _e4216.member_9, _e4216.member_10, _e4216.member_11, _e4216.member_12, _e4216.member_13, _e4216.member_14, 3f, _e4216.member_16, _e4216.member_17, _e4216.member_18, _e4216.member_19, _e4216.member_20, _e4216.member_21, _e4216.member_22, _e4216.member_23, _e4216.member_24, _e4216.member_25, _e4216.member_26, _e4216.member_27);
+phi_9412_ = type_25(_e4216.member, _e4216.member_1, _e4216.member_2, _e4216.member_3, _e4216.member_4, _e4216.member_5, _e4216.member_6, _e4216.member_7, _e4216.member_8, _e4216.member_9, _e4216.member_10, _e4216.member_11, _e4216.member_12, _e4216.member_13, _e4216.member_14, 3f, _e4216.member_16, _e4216.member_17, _e4216.member_18, _e4216.member_19, _e4216.member_20, _e4216.member_21, _e4216.member_22, _e4216.member_23, _e4216.member_24, _e4216.member_25, _e4216.member_26, _e4216.member_27);
 } else {
 if _e4218 {
 let _e4348 = type_25(_e4216.member, _e4216.member_1, _e4216.member_2, _e4216.member_3, _e4216.member_4, _e4216.member_5, _e4216.member_6, _e4216.member_7, _e4216.member_8, _e4216.member_9, _e4216.member_10, _e4216.member_11, _e4216.member_12, _e4216.member_13, _e4216.member_14, _e4216.member_15, _e4216.member_16, _e4216.member_17, _e4216.member_18, _e4216.member_19, (_e3913.member_20 + 1i), _e4216.member_21, _e4216.member_22, _e4216.member_23, _e4216.member_24, _e4216.member_25, _e4216.member_26, _e4216.member_27);
 let _e4376 = type_25(_e4348.member, _e4348.member_1, _e4348.member_2, _e4348.member_3, _e4348.member_4, _e4348.member_5, _e4348.member_6, _e4348.member_7, _e4348.member_8, _e4348.member_9, _e4348.member_10, _e4348.member_11, _e4348.member_12, _e4348.member_13, _e4348.member_14, _e4348.member_15, _e4348.member_16, _e4348.member_17, _e4348.member_18, _e4348.member_19, _e4348.member_20, 0i, _e4348.member_22, _e4348.member_23, _e4348.member_24, _e4348.member_25, _e4348.member_26, _e4348.member_27);
 let _e4404 = type_25(_e4376.member, _e4376.member_1, _e4376.member_2, _e4376.member_3, _e4376.member_4, _e4376.member_5, _e4376.member_6, _e4376.member_7, _e4376.member_8, _e4376.member_9, _e4376.member_10, _e4376.member_11, _e4376.member_12, _e4376.member_13, _e4376.member_14, _e4376.member_15, _e4376.member_16, 0i, _e4376.member_18, _e4376.member_19, _e4376.member_20, _e4376.member_21, _e4376.member_22, _e4376.member_23, _e4376.member_24, _e4376.member_25, _e4376.member_26, _e4376.member_27);
-phi_8151_ = type_25(_e4404.member, _e4404.member_1, _e4404.member_2, _e4404.member_3, _e4404.member_4, _e4404.member_5, _e4404.member_6, _e4404.member_7, _e4404.member_8, _e4404.member_9, _e4404.member_10, _e4404.member_11, _e4404.member_12, _e4404.member_13, _e4404.member_14, _e4404.member_15, _e4404.member_16, _e4404.member_17, _e4404.member_18, 0i, _e4404.member_20, _e4404.member_21, _e4404.member_22, _e4404.member_23, _e4404.member_24, _e4404.member_25, _e4404.member_26, _e4404.member_27);
+phi_8149_ = type_25(_e4404.member, _e4404.member_1, _e4404.member_2, _e4404.member_3, _e4404.member_4, _e4404.member_5, _e4404.member_6, _e4404.member_7, _e4404.member_8, _e4404.member_9, _e4404.member_10, _e4404.member_11, _e4404.member_12, _e4404.member_13, _e4404.member_14, _e4404.member_15, _e4404.member_16, _e4404.member_17, _e4404.member_18, 0i, _e4404.member_20, _e4404.member_21, _e4404.member_22, _e4404.member_23, _e4404.member_24, _e4404.member_25, _e4404.member_26, _e4404.member_27);
 } else {
 let _e4226 = bitcast<i32>((bitcast<u32>(f32(_e3913.member_18)) >> bitcast<u32>(23i)));
 let _e4230 = (1i << bitcast<u32>(((_e4226 - 127i) & 31i)));
 let _e4231 = (_e4230 - 1i);
 let _e4261 = type_25(_e4216.member, _e4216.member_1, _e4216.member_2, _e4216.member_3, _e4216.member_4, _e4216.member_5, _e4216.member_6, _e4216.member_7, _e4216.member_8, _e4216.member_9, _e4216.member_10, _e4216.member_11, _e4216.member_12, _e4216.member_13, _e4216.member_14, _e4216.member_15, _e4216.member_16, ((_e3913.member_17 & _e4231) | _e4230), _e4216.member_18, _e4216.member_19, _e4216.member_20, _e4216.member_21, _e4216.member_22, _e4216.member_23, _e4216.member_24, _e4216.member_25, _e4216.member_26, _e4216.member_27);
 let _e4290 = type_25(_e4261.member, _e4261.member_1, _e4261.member_2, _e4261.member_3, _e4261.member_4, _e4261.member_5, _e4261.member_6, _e4261.member_7, _e4261.member_8, _e4261.member_9, _e4261.member_10, _e4261.member_11, _e4261.member_12, _e4261.member_13, _e4261.member_14, _e4261.member_15, _e4261.member_16, _e4261.member_17, (_e3913.member_18 & _e4231), _e4261.member_19, _e4261.member_20, _e4261.member_21, _e4261.member_22, _e4261.member_23, _e4261.member_24, _e4261.member_25, _e4261.member_26, _e4261.member_27);
-phi_8151_ = type_25(_e4290.member, _e4290.member_1, _e4290.member_2, _e4290.member_3, _e4290.member_4, _e4290.member_5, _e4290.member_6, _e4290.member_7, _e4290.member_8, _e4290.member_9, _e4290.member_10, _e4290.member_11, _e4290.member_12, _e4290.member_13, _e4290.member_14, _e4290.member_15, _e4290.member_16, _e4290.member_17, _e4290.member_18, (_e4226 + -126i), _e4290.member_20, _e4290.member_21, _e4290.member_22, _e4290.member_23, _e4290.member_24, _e4290.member_25, _e4290.member_26, _e4290.member_27);
+phi_8149_ = type_25(_e4290.member, _e4290.member_1, _e4290.member_2, _e4290.member_3, _e4290.member_4, _e4290.member_5, _e4290.member_6, _e4290.member_7, _e4290.member_8, _e4290.member_9, _e4290.member_10, _e4290.member_11, _e4290.member_12, _e4290.member_13, _e4290.member_14, _e4290.member_15, _e4290.member_16, _e4290.member_17, _e4290.member_18, (_e4226 + -126i), _e4290.member_20, _e4290.member_21, _e4290.member_22, _e4290.member_23, _e4290.member_24, _e4290.member_25, _e4290.member_26, _e4290.member_27);
 }
-let _e4434 = phi_8151_;
+let _e4434 = phi_8149_;
 let _e4440 = global_5.member.member_11.member_2;
 let _e4447 = global_5.member.member_11.member_3;
 let _e4454 = global_5.member.member_11.member_5;
@@ -1986,11 +1986,11 @@ let _e4640 = select(_e4622, _e4620, (_e4620 > _e4622));
 let _e4642 = select(_e4640, _e4638, (_e4638 < _e4640));
 let _e4644 = select(_e4626, _e4624, (_e4624 > _e4626));
 if (true && _e4508) {
-phi_8735_ = -(1e30f);
+phi_8733_ = -(1e30f);
 } else {
-phi_8735_ = 0f;
+phi_8733_ = 0f;
 }
-let _e4650 = phi_8735_;
+let _e4650 = phi_8733_;
 let _e4652 = select(_e4650, _e4636, (_e4636 > _e4650));
 let _e4654 = ((select(_e4644, _e4642, (_e4642 < _e4644)) <= _e4652) || false);
 let _e4655 = select(_e4652, 0f, _e4654);
@@ -2009,23 +2009,23 @@ let _e4841 = type_25(_e4813.member, _e4813.member_1, _e4813.member_2, _e4813.mem
 let _e4869 = type_25(_e4841.member, _e4841.member_1, _e4841.member_2, _e4841.member_3, _e4841.member_4, _e4841.member_5, _e4841.member_6, 0i, _e4841.member_8, _e4841.member_9, _e4841.member_10, _e4841.member_11, _e4841.member_12, _e4841.member_13, _e4841.member_14, _e4841.member_15, _e4841.member_16, _e4841.member_17, _e4841.member_18, _e4841.member_19, _e4841.member_20, _e4841.member_21, _e4841.member_22, _e4841.member_23, _e4841.member_24, _e4841.member_25, _e4841.member_26, _e4841.member_27);
 let _e4897 = type_25(_e4869.member, _e4869.member_1, _e4869.member_2, _e4869.member_3, _e4869.member_4, _e4869.member_5, _e4869.member_6, _e4869.member_7, _e4869.member_8, _e4869.member_9, _e4869.member_10, _e4869.member_11, _e4869.member_12, _e4869.member_13, _e4869.member_14, _e4869.member_15, 0i, _e4869.member_17, _e4869.member_18, _e4869.member_19, _e4869.member_20, _e4869.member_21, _e4869.member_22, _e4869.member_23, _e4869.member_24, _e4869.member_25, _e4869.member_26, _e4869.member_27);
 let _e4925 = type_25(_e4897.member, _e4897.member_1, _e4897.member_2, _e4897.member_3, _e4897.member_4, _e4897.member_5, _e4897.member_6, _e4897.member_7, _e4897.member_8, _e4897.member_9, _e4897.member_10, _e4897.member_11, _e4897.member_12, _e4897.member_13, _e4897.member_14, 1f, _e4897.member_16, _e4897.member_17, _e4897.member_18, _e4897.member_19, _e4897.member_20, _e4897.member_21, _e4897.member_22, _e4897.member_23, _e4897.member_24, _e4897.member_25, _e4897.member_26, _e4897.member_27);
-let _e4931 = ((((_e4004.member.member * _e4659) + (_e4004.member.member_1 * _e4660)) + (_e4004.member.member_2 * _e4661)) + _e4004.member_1);
-let _e4937 = -((((_e4004.member.member * _e4524) + (_e4004.member.member_1 * _e4525)) + (_e4004.member.member_2 * _e4526)));
-let _e4939 = (_e4937 > 1e-9f);
-let _e4943 = ((_e4931 / select(1e-9f, _e4937, _e4939)) - 0.015625f);
-let _e4946 = select(1e30f, select(0f, _e4943, (_e4943 > 0f)), ((_e4931 > 0f) && _e4939));
-let _e4952 = ((((_e4041.member.member * _e4659) + (_e4041.member.member_1 * _e4660)) + (_e4041.member.member_2 * _e4661)) + _e4041.member_1);
-let _e4958 = -((((_e4041.member.member * _e4524) + (_e4041.member.member_1 * _e4525)) + (_e4041.member.member_2 * _e4526)));
-let _e4960 = (_e4958 > 1e-9f);
-let _e4964 = ((_e4952 / select(1e-9f, _e4958, _e4960)) - 0.015625f);
-let _e4967 = select(1e30f, select(0f, _e4964, (_e4964 > 0f)), ((_e4952 > 0f) && _e4960));
-let _e4971 = (_e4967 < _e4946);
-let _e5002 = type_25(_e4925.member, _e4925.member_1, _e4925.member_2, _e4925.member_3, _e4925.member_4, _e4925.member_5, _e4925.member_6, _e4925.member_7, 0i, _e4925.member_9, _e4925.member_10, _e4925.member_11, _e4925.member_12, _e4925.member_13, _e4925.member_14, _e4925.member_15, _e4925.member_16, _e4925.member_17, _e4925.member_18, _e4925.member_19, _e4925.member_20, _e4925.member_21, _e4925.member_22, _e4925.member_23, _e4925.member_24, _e4925.member_25, _e4925.member_26, _e4925.member_27);
-let _e5030 = type_25(_e5002.member, _e5002.member_1, _e5002.member_2, _e5002.member_3, _e5002.member_4, _e5002.member_5, _e5002.member_6, _e5002.member_7, _e5002.member_8, select(select(-2i, -3i, _e4971), -1i, ((_e4946 >= 1e30f) && (_e4967 >= 1e30f))), _e5002.member_10, _e5002.member_11, _e5002.member_12, _e5002.member_13, _e5002.member_14, _e5002.member_15, _e5002.member_16, _e5002.member_17, _e5002.member_18, _e5002.member_19, _e5002.member_20, _e5002.member_21, _e5002.member_22, _e5002.member_23, _e5002.member_24, _e5002.member_25, _e5002.member_26, _e5002.member_27);
-let _e5058 = type_25(_e5030.member, _e5030.member_1, _e5030.member_2, _e5030.member_3, _e5030.member_4, _e5030.member_5, _e5030.member_6, _e5030.member_7, _e5030.member_8, _e5030.member_9, select(_e4946, _e4967, _e4971), _e5030.member_11, _e5030.member_12, _e5030.member_13, _e5030.member_14, _e5030.member_15, _e5030.member_16, _e5030.member_17, _e5030.member_18, _e5030.member_19, _e5030.member_20, _e5030.member_21, _e5030.member_22, _e5030.member_23, _e5030.member_24, _e5030.member_25, _e5030.member_26, _e5030.member_27);
-let _e5086 = type_25(_e5058.member, _e5058.member_1, _e5058.member_2, _e5058.member_3, _e5058.member_4, _e5058.member_5, _e5058.member_6, _e5058.member_7, _e5058.member_8, _e5058.member_9, _e5058.member_10, _e5058.member_11, _e5058.member_12, 0f, _e5058.member_14, _e5058.member_15, _e5058.member_16, _e5058.member_17, _e5058.member_18, _e5058.member_19, _e5058.member_20, _e5058.member_21, _e5058.member_22, _e5058.member_23, _e5058.member_24, _e5058.member_25, _e5058.member_26, _e5058.member_27);
-let _e5114 = type_25(_e5086.member, _e5086.member_1, _e5086.member_2, _e5086.member_3, _e5086.member_4, _e5086.member_5, _e5086.member_6, _e5086.member_7, _e5086.member_8, _e5086.member_9, _e5086.member_10, 0i, _e5086.member_12, _e5086.member_13, _e5086.member_14, _e5086.member_15, _e5086.member_16, _e5086.member_17, _e5086.member_18, _e5086.member_19, _e5086.member_20, _e5086.member_21, _e5086.member_22, _e5086.member_23, _e5086.member_24, _e5086.member_25, _e5086.member_26, _e5086.member_27);
-let _e5142 = type_25(_e5114.member, _e5114.member_1, _e5114.member_2, _e5114.member_3, _e5114.member_4, _e5114.member_5, _e5114.member_6, _e5114.member_7, _e5114.member_8, _e5114.member_9, _e5114.member_10, _e5114.member_11, 0i, _e5114.member_13, _e5114.member_14, _e5114.member_15, _e5114.member_16, _e5114.member_17, _e5114.member_18, _e5114.member_19, _e5114.member_20, _e5114.member_21, _e5114.member_22, _e5114.member_23, _e5114.member_24, _e5114.member_25, _e5114.member_26, _e5114.member_27);
+let _e4953 = type_25(_e4925.member, _e4925.member_1, _e4925.member_2, _e4925.member_3, _e4925.member_4, _e4925.member_5, _e4925.member_6, _e4925.member_7, _e4925.member_8, _e4925.member_9, _e4925.member_10, _e4925.member_11, _e4925.member_12, 0f, _e4925.member_14, _e4925.member_15, _e4925.member_16, _e4925.member_17, _e4925.member_18, _e4925.member_19, _e4925.member_20, _e4925.member_21, _e4925.member_22, _e4925.member_23, _e4925.member_24, _e4925.member_25, _e4925.member_26, _e4925.member_27);
+let _e4981 = type_25(_e4953.member, _e4953.member_1, _e4953.member_2, _e4953.member_3, _e4953.member_4, _e4953.member_5, _e4953.member_6, _e4953.member_7, _e4953.member_8, _e4953.member_9, _e4953.member_10, 0i, _e4953.member_12, _e4953.member_13, _e4953.member_14, _e4953.member_15, _e4953.member_16, _e4953.member_17, _e4953.member_18, _e4953.member_19, _e4953.member_20, _e4953.member_21, _e4953.member_22, _e4953.member_23, _e4953.member_24, _e4953.member_25, _e4953.member_26, _e4953.member_27);
+let _e5009 = type_25(_e4981.member, _e4981.member_1, _e4981.member_2, _e4981.member_3, _e4981.member_4, _e4981.member_5, _e4981.member_6, _e4981.member_7, _e4981.member_8, _e4981.member_9, _e4981.member_10, _e4981.member_11, 0i, _e4981.member_13, _e4981.member_14, _e4981.member_15, _e4981.member_16, _e4981.member_17, _e4981.member_18, _e4981.member_19, _e4981.member_20, _e4981.member_21, _e4981.member_22, _e4981.member_23, _e4981.member_24, _e4981.member_25, _e4981.member_26, _e4981.member_27);
+let _e5015 = ((((_e4004.member.member * _e4659) + (_e4004.member.member_1 * _e4660)) + (_e4004.member.member_2 * _e4661)) + _e4004.member_1);
+let _e5021 = -((((_e4004.member.member * _e4524) + (_e4004.member.member_1 * _e4525)) + (_e4004.member.member_2 * _e4526)));
+let _e5023 = (_e5021 > 1e-9f);
+let _e5027 = ((_e5015 / select(1e-9f, _e5021, _e5023)) - 0.015625f);
+let _e5030 = select(1e30f, select(0f, _e5027, (_e5027 > 0f)), ((_e5015 > 0f) && _e5023));
+let _e5036 = ((((_e4041.member.member * _e4659) + (_e4041.member.member_1 * _e4660)) + (_e4041.member.member_2 * _e4661)) + _e4041.member_1);
+let _e5042 = -((((_e4041.member.member * _e4524) + (_e4041.member.member_1 * _e4525)) + (_e4041.member.member_2 * _e4526)));
+let _e5044 = (_e5042 > 1e-9f);
+let _e5048 = ((_e5036 / select(1e-9f, _e5042, _e5044)) - 0.015625f);
+let _e5051 = select(1e30f, select(0f, _e5048, (_e5048 > 0f)), ((_e5036 > 0f) && _e5044));
+let _e5055 = (_e5051 < _e5030);
+let _e5086 = type_25(_e5009.member, _e5009.member_1, _e5009.member_2, _e5009.member_3, _e5009.member_4, _e5009.member_5, _e5009.member_6, _e5009.member_7, 0i, _e5009.member_9, _e5009.member_10, _e5009.member_11, _e5009.member_12, _e5009.member_13, _e5009.member_14, _e5009.member_15, _e5009.member_16, _e5009.member_17, _e5009.member_18, _e5009.member_19, _e5009.member_20, _e5009.member_21, _e5009.member_22, _e5009.member_23, _e5009.member_24, _e5009.member_25, _e5009.member_26, _e5009.member_27);
+let _e5114 = type_25(_e5086.member, _e5086.member_1, _e5086.member_2, _e5086.member_3, _e5086.member_4, _e5086.member_5, _e5086.member_6, _e5086.member_7, _e5086.member_8, select(select(-2i, -3i, _e5055), -1i, ((_e5030 >= 1e30f) && (_e5051 >= 1e30f))), _e5086.member_10, _e5086.member_11, _e5086.member_12, _e5086.member_13, _e5086.member_14, _e5086.member_15, _e5086.member_16, _e5086.member_17, _e5086.member_18, _e5086.member_19, _e5086.member_20, _e5086.member_21, _e5086.member_22, _e5086.member_23, _e5086.member_24, _e5086.member_25, _e5086.member_26, _e5086.member_27);
+let _e5142 = type_25(_e5114.member, _e5114.member_1, _e5114.member_2, _e5114.member_3, _e5114.member_4, _e5114.member_5, _e5114.member_6, _e5114.member_7, _e5114.member_8, _e5114.member_9, select(_e5030, _e5051, _e5055), _e5114.member_11, _e5114.member_12, _e5114.member_13, _e5114.member_14, _e5114.member_15, _e5114.member_16, _e5114.member_17, _e5114.member_18, _e5114.member_19, _e5114.member_20, _e5114.member_21, _e5114.member_22, _e5114.member_23, _e5114.member_24, _e5114.member_25, _e5114.member_26, _e5114.member_27);
 let _e5146 = global_5.member.member_13.member_4;
 let _e5153 = global_5.member.member_13.member_5;
 let _e5158 = ((_e5146.member - _e4531) * _e4586);
@@ -2085,53 +2085,53 @@ let _e5353 = (1f * ((1f + (_e5279 * (1f + (_e5279 * (0.5f + (_e5279 * (0.1666666
 let _e5354 = (1f * ((1f + (_e5327 * (1f + (_e5327 * (0.5f + (_e5327 * (0.16666667f + (_e5327 * (0.041666668f + (_e5327 * (0.008333334f + (_e5327 * (0.001388889f + (_e5327 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5322 + 127i)) << bitcast<u32>(23i)))));
 let _e5383 = type_25(_e5142.member, _e5142.member_1, _e5142.member_2, _e5142.member_3, _e5142.member_4, _e5142.member_5, vec3<f32>(_e5352, _e5353, _e5354), _e5142.member_7, _e5142.member_8, _e5142.member_9, _e5142.member_10, _e5142.member_11, _e5142.member_12, _e5142.member_13, _e5142.member_14, _e5142.member_15, _e5142.member_16, _e5142.member_17, _e5142.member_18, _e5142.member_19, _e5142.member_20, _e5142.member_21, _e5142.member_22, _e5142.member_23, _e5142.member_24, _e5142.member_25, _e5142.member_26, _e5142.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e4434.member_20) {
-phi_9386_ = ((((1f + 1f) + 1f) * _e5350) - (((_e5352 + _e5353) + _e5354) * _e5350));
+phi_9384_ = ((((1f + 1f) + 1f) * _e5350) - (((_e5352 + _e5353) + _e5354) * _e5350));
 } else {
-phi_9386_ = 0f;
+phi_9384_ = 0f;
 }
-let _e5393 = phi_9386_;
+let _e5393 = phi_9384_;
 let _e5423 = type_25(_e5383.member, _e5383.member_1, _e5383.member_2, _e5383.member_3, _e5383.member_4, _e5383.member_5, _e5383.member_6, _e5383.member_7, _e5383.member_8, _e5383.member_9, _e5383.member_10, _e5383.member_11, _e5383.member_12, _e5383.member_13, _e5383.member_14, _e5383.member_15, _e5383.member_16, _e5383.member_17, _e5383.member_18, _e5383.member_19, _e5383.member_20, _e5383.member_21, _e5383.member_22, _e5383.member_23, _e5383.member_24, _e5383.member_25, (_e4434.member_26 + _e5393), _e5383.member_27);
 if _e4654 {
 let _e5451 = type_25(_e5423.member, _e5423.member_1, _e5423.member_2, _e5423.member_3, _e5423.member_4, _e5423.member_5, _e5423.member_6, _e5423.member_7, _e1374, _e5423.member_9, _e5423.member_10, _e5423.member_11, _e5423.member_12, _e5423.member_13, _e5423.member_14, _e5423.member_15, _e5423.member_16, _e5423.member_17, _e5423.member_18, _e5423.member_19, _e5423.member_20, _e5423.member_21, _e5423.member_22, _e5423.member_23, _e5423.member_24, _e5423.member_25, _e5423.member_26, _e5423.member_27);
-phi_9413_ = type_25(_e5451.member, _e5451.member_1, _e5451.member_2, _e5451.member_3, _e5451.member_4, _e5451.member_5, _e5451.member_6, _e5451.member_7, _e5451.member_8, _e5451.member_9, _e5451.member_10, _e5451.member_11, _e5451.member_12, _e5451.member_13, _e5451.member_14, 3f, _e5451.member_16, _e5451.member_17, _e5451.member_18, _e5451.member_19, _e5451.member_20, _e5451.member_21, _e5451.member_22, _e5451.member_23, _e5451.member_24, _e5451.member_25, _e5451.member_26, _e5451.member_27);
+phi_9411_ = type_25(_e5451.member, _e5451.member_1, _e5451.member_2, _e5451.member_3, _e5451.member_4, _e5451.member_5, _e5451.member_6, _e5451.member_7, _e5451.member_8, _e5451.member_9, _e5451.member_10, _e5451.member_11, _e5451.member_12, _e5451.member_13, _e5451.member_14, 3f, _e5451.member_16, _e5451.member_17, _e5451.member_18, _e5451.member_19, _e5451.member_20, _e5451.member_21, _e5451.member_22, _e5451.member_23, _e5451.member_24, _e5451.member_25, _e5451.member_26, _e5451.member_27);
 } else {
-phi_9413_ = _e5423;
+phi_9411_ = _e5423;
 }
-let _e5481 = phi_9413_;
-phi_9414_ = _e5481;
+let _e5481 = phi_9411_;
+phi_9412_ = _e5481;
 }
-let _e5511 = phi_9414_;
-phi_9415_ = _e5511;
+let _e5511 = phi_9412_;
+phi_9413_ = _e5511;
 } else {
-phi_9415_ = _e4158;
+phi_9413_ = _e4158;
 }
-let _e5513 = phi_9415_;
-phi_9416_ = type_25();
-phi_9417_ = _e5513;
+let _e5513 = phi_9413_;
+phi_9414_ = type_25();
+phi_9415_ = _e5513;
 }
-let _e5791 = phi_9416_;
-let _e5793 = phi_9417_;
-phi_9418_ = _e5791;
-phi_9419_ = _e5793;
-phi_9420_ = _e2113;
+let _e5791 = phi_9414_;
+let _e5793 = phi_9415_;
+phi_9416_ = _e5791;
+phi_9417_ = _e5793;
+phi_9418_ = _e2113;
 }
-let _e7198 = phi_9418_;
-let _e7200 = phi_9419_;
-let _e7202 = phi_9420_;
+let _e7198 = phi_9416_;
+let _e7200 = phi_9417_;
+let _e7202 = phi_9418_;
 if _e7202 {
-phi_9424_ = _e7198;
+phi_9422_ = _e7198;
 } else {
-phi_9424_ = _e7200;
+phi_9422_ = _e7200;
 }
-let _e7204 = phi_9424_;
-phi_9425_ = _e7204;
+let _e7204 = phi_9422_;
+phi_9423_ = _e7204;
 }
-let _e7264 = phi_9425_;
-phi_9427_ = _e7264;
-phi_9428_ = select(false, _e1412, _e1455);
+let _e7264 = phi_9423_;
+phi_9425_ = _e7264;
+phi_9426_ = select(false, _e1412, _e1455);
 }
-let _e8120 = phi_9427_;
-let _e8122 = phi_9428_;
+let _e8120 = phi_9425_;
+let _e8122 = phi_9426_;
 phi_2429_ = _e8120;
 phi_2432_ = (_e1410 + 1i);
 phi_2434_ = _e8122;

@@ -215,53 +215,53 @@ var phi_3777_: i32;
 var phi_3775_: i32;
 var phi_3778_: i32;
 var local: i32;
-var phi_3898_: i32;
-var phi_3901_: i32;
+var phi_3896_: i32;
 var phi_3899_: i32;
-var phi_3902_: i32;
+var phi_3897_: i32;
+var phi_3900_: i32;
 var local_1: i32;
-var phi_4587_: f32;
-var phi_4301_: f32;
-var phi_4591_: type_25;
+var phi_4585_: f32;
+var phi_4299_: f32;
+var phi_4589_: type_25;
 var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
-var phi_6583_: f32;
-var phi_6584_: f32;
-var phi_6817_: f32;
+var phi_6581_: f32;
+var phi_6582_: f32;
+var phi_6815_: f32;
 var local_7: i32;
 var local_8: i32;
 var local_9: i32;
-var phi_7621_: type_25;
-var phi_7631_: type_25;
-var phi_7632_: type_25;
-var phi_7652_: type_25;
-var phi_7807_: vec3<f32>;
-var phi_7933_: vec3<f32>;
-var phi_7951_: type_25;
-var phi_6948_: f32;
-var phi_7952_: type_25;
-var phi_8107_: f32;
-var phi_8151_: type_25;
-var phi_9386_: f32;
+var phi_7619_: type_25;
+var phi_7629_: type_25;
+var phi_7630_: type_25;
+var phi_7650_: type_25;
+var phi_7805_: vec3<f32>;
+var phi_7931_: vec3<f32>;
+var phi_7949_: type_25;
+var phi_6946_: f32;
+var phi_7950_: type_25;
+var phi_8105_: f32;
+var phi_8149_: type_25;
+var phi_9384_: f32;
+var phi_9411_: type_25;
+var phi_9412_: type_25;
 var phi_9413_: type_25;
 var phi_9414_: type_25;
 var phi_9415_: type_25;
+var phi_4643_: f32;
+var phi_4655_: type_25;
+var phi_4696_: type_25;
+var phi_5931_: f32;
+var phi_5958_: type_25;
+var phi_5959_: type_25;
 var phi_9416_: type_25;
 var phi_9417_: type_25;
-var phi_4645_: f32;
-var phi_4657_: type_25;
-var phi_4698_: type_25;
-var phi_5933_: f32;
-var phi_5960_: type_25;
-var phi_5961_: type_25;
-var phi_9418_: type_25;
-var phi_9419_: type_25;
-var phi_9420_: bool;
-var phi_9424_: type_25;
-var phi_9425_: type_25;
+var phi_9418_: bool;
+var phi_9422_: type_25;
+var phi_9423_: type_25;
 var phi_2659_: f32;
 var phi_2972_: i32;
 var phi_3583_: i32;
@@ -281,8 +281,8 @@ var phi_3753_: type_17;
 var phi_3754_: bool;
 var phi_3758_: type_26;
 var phi_3759_: type_17;
-var phi_9427_: type_25;
-var phi_9428_: bool;
+var phi_9425_: type_25;
+var phi_9426_: bool;
 var phi_2429_: type_25;
 var phi_2432_: i32;
 var phi_2434_: bool;
@@ -1050,8 +1050,8 @@ let _e8021 = type_25(_e7992.member, _e7992.member_1, _e7992.member_2, _e7992.mem
 let _e8050 = type_25(_e8021.member, _e8021.member_1, _e8021.member_2, _e8021.member_3, _e8021.member_4, _e8021.member_5, _e8021.member_6, _e8021.member_7, _e8021.member_8, _e8021.member_9, _e7963.member_17, _e8021.member_11, _e8021.member_12, _e8021.member_13, _e8021.member_14, _e8021.member_15, _e8021.member_16, _e8021.member_17, _e8021.member_18, _e8021.member_19, _e8021.member_20, _e8021.member_21, _e8021.member_22, _e8021.member_23, _e8021.member_24, _e8021.member_25, _e8021.member_26, _e8021.member_27);
 let _e8079 = type_25(_e8050.member, _e8050.member_1, _e8050.member_2, _e8050.member_3, _e8050.member_4, _e8050.member_5, _e8050.member_6, _e8050.member_7, _e8050.member_8, _e8050.member_9, _e8050.member_10, _e7961.member, _e8050.member_12, _e8050.member_13, _e8050.member_14, _e8050.member_15, _e8050.member_16, _e8050.member_17, _e8050.member_18, _e8050.member_19, _e8050.member_20, _e8050.member_21, _e8050.member_22, _e8050.member_23, _e8050.member_24, _e8050.member_25, _e8050.member_26, _e8050.member_27);
 let _e8108 = type_25(_e8079.member, _e8079.member_1, _e8079.member_2, _e8079.member_3, _e8079.member_4, _e8079.member_5, _e8079.member_6, _e8079.member_7, _e8079.member_8, _e8079.member_9, _e8079.member_10, _e8079.member_11, _e7961.member_1, _e8079.member_13, _e8079.member_14, _e8079.member_15, _e8079.member_16, _e8079.member_17, _e8079.member_18, _e8079.member_19, _e8079.member_20, _e8079.member_21, _e8079.member_22, _e8079.member_23, _e8079.member_24, _e8079.member_25, _e8079.member_26, _e8079.member_27);
-phi_9427_ = type_25(_e8108.member, _e8108.member_1, _e8108.member_2, _e8108.member_3, _e8108.member_4, _e8108.member_5, _e8108.member_6, _e8108.member_7, _e8108.member_8, _e8108.member_9, _e8108.member_10, _e8108.member_11, _e8108.member_12, _e8108.member_13, _e7961.member_3, _e8108.member_15, _e8108.member_16, _e8108.member_17, _e8108.member_18, _e8108.member_19, _e8108.member_20, _e8108.member_21, _e8108.member_22, _e8108.member_23, _e8108.member_24, _e8108.member_25, _e8108.member_26, _e8108.member_27);
-phi_9428_ = _e1419;
+phi_9425_ = type_25(_e8108.member, _e8108.member_1, _e8108.member_2, _e8108.member_3, _e8108.member_4, _e8108.member_5, _e8108.member_6, _e8108.member_7, _e8108.member_8, _e8108.member_9, _e8108.member_10, _e8108.member_11, _e8108.member_12, _e8108.member_13, _e7961.member_3, _e8108.member_15, _e8108.member_16, _e8108.member_17, _e8108.member_18, _e8108.member_19, _e8108.member_20, _e8108.member_21, _e8108.member_22, _e8108.member_23, _e8108.member_24, _e8108.member_25, _e8108.member_26, _e8108.member_27);
+phi_9426_ = _e1419;
 } else {
 phi_3774_ = 15i;
 phi_3777_ = 16i;
@@ -1086,7 +1086,7 @@ let _e1459 = (bitcast<i32>(countOneBits(bitcast<u32>((_e1415.member_17 & ((1i <<
 let _e1462 = ((_e1447 && _e1459) && !(_e1419));
 if _e1462 {
 let _e7251 = type_25(_e1415.member, _e1415.member_1, _e1415.member_2, _e1415.member_3, _e1415.member_4, _e1415.member_5, _e1415.member_6, _e1415.member_7, _e1415.member_8, _e1415.member_9, _e1415.member_10, _e1415.member_11, _e1415.member_12, _e1415.member_13, _e1415.member_14, 2f, _e1415.member_16, _e1415.member_17, _e1415.member_18, _e1415.member_19, _e1415.member_20, _e1415.member_21, _e1415.member_22, _e1415.member_23, _e1415.member_24, _e1415.member_25, _e1415.member_26, _e1415.member_27);
-phi_9425_ = type_25(_e7251.member, _e7251.member_1, _e7251.member_2, _e7251.member_3, _e7251.member_4, _e7251.member_5, _e7251.member_6, _e7251.member_7, _e7251.member_8, _e7251.member_9, _e7251.member_10, _e7251.member_11, _e7251.member_12, _e7251.member_13, _e7251.member_14, _e7251.member_15, _e7251.member_16, _e7251.member_17, _e7251.member_18, _e7251.member_19, _e7251.member_20, _e7251.member_21, (_e1415.member_22 + 1i), _e7251.member_23, _e7251.member_24, _e7251.member_25, _e7251.member_26, _e7251.member_27);
+phi_9423_ = type_25(_e7251.member, _e7251.member_1, _e7251.member_2, _e7251.member_3, _e7251.member_4, _e7251.member_5, _e7251.member_6, _e7251.member_7, _e7251.member_8, _e7251.member_9, _e7251.member_10, _e7251.member_11, _e7251.member_12, _e7251.member_13, _e7251.member_14, _e7251.member_15, _e7251.member_16, _e7251.member_17, _e7251.member_18, _e7251.member_19, _e7251.member_20, _e7251.member_21, (_e1415.member_22 + 1i), _e7251.member_23, _e7251.member_24, _e7251.member_25, _e7251.member_26, _e7251.member_27);
 } else {
 let _e1464 = (_e1415.member_9 >= 0i);
 let _e1467 = (_e1415.member_10 - _e1415.member_13);
@@ -1103,11 +1103,11 @@ let _e1500 = global_3.member[bitcast<u32>(select(0i, _e1494, (_e1494 > 0i)))];
 let _e1502 = select(_e1500, 1f, (_e1489 == 16i));
 let _e1504 = (_e1464 && (_e1502 <= 0f));
 let _e1513 = ((_e1415.member_7 | (_e1415.member_11 & ~(_e1415.member_12))) & ~((_e1415.member_12 & ~(_e1415.member_11))));
-phi_3898_ = 15i;
-phi_3901_ = 16i;
+phi_3896_ = 15i;
+phi_3899_ = 16i;
 loop {
-let _e1515 = phi_3898_;
-let _e1517 = phi_3901_;
+let _e1515 = phi_3896_;
+let _e1517 = phi_3899_;
 local_3 = _e1517;
 local_5 = _e1517;
 local_6 = _e1517;
@@ -1115,18 +1115,18 @@ local_8 = _e1517;
 local_9 = _e1517;
 let _e1518 = (_e1515 >= 0i);
 if _e1518 {
-phi_3899_ = (_e1515 - 1i);
-phi_3902_ = select(_e1517, _e1515, (((_e1513 >> bitcast<u32>((_e1515 & 31i))) & 1i) == 1i));
+phi_3897_ = (_e1515 - 1i);
+phi_3900_ = select(_e1517, _e1515, (((_e1513 >> bitcast<u32>((_e1515 & 31i))) & 1i) == 1i));
 } else {
-phi_3899_ = i32();
-phi_3902_ = i32();
+phi_3897_ = i32();
+phi_3900_ = i32();
 }
-let _e1527 = phi_3899_;
-let _e1529 = phi_3902_;
+let _e1527 = phi_3897_;
+let _e1529 = phi_3900_;
 continue;
 continuing {
-phi_3898_ = _e1527;
-phi_3901_ = _e1529;
+phi_3896_ = _e1527;
+phi_3899_ = _e1529;
 break if !(_e1518);
 }
 }
@@ -1193,12 +1193,12 @@ let _e2039 = (_e1415.member_6.y * ((1f + (_e1957 * (1f + (_e1957 * (0.5f + (_e19
 let _e2042 = (_e1415.member_6.z * ((1f + (_e2005 * (1f + (_e2005 * (0.5f + (_e2005 * (0.16666667f + (_e2005 * (0.041666668f + (_e2005 * (0.008333334f + (_e2005 * (0.001388889f + (_e2005 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2000 + 127i)) << bitcast<u32>(23i)))));
 let _e2071 = type_25(_e1415.member, _e1415.member_1, _e1415.member_2, _e1415.member_3, _e1415.member_4, _e1415.member_5, vec3<f32>(_e2036, _e2039, _e2042), _e1415.member_7, _e1415.member_8, _e1415.member_9, _e1415.member_10, _e1415.member_11, _e1415.member_12, _e1415.member_13, _e1415.member_14, _e1415.member_15, _e1415.member_16, _e1415.member_17, _e1415.member_18, _e1415.member_19, _e1415.member_20, _e1415.member_21, _e1415.member_22, _e1415.member_23, _e1415.member_24, _e1415.member_25, _e1415.member_26, _e1415.member_27);
 if _e1459 {
-phi_4301_ = ((((_e1415.member_6.x + _e1415.member_6.y) + _e1415.member_6.z) * _e2032) - (((_e2036 + _e2039) + _e2042) * _e2032));
+phi_4299_ = ((((_e1415.member_6.x + _e1415.member_6.y) + _e1415.member_6.z) * _e2032) - (((_e2036 + _e2039) + _e2042) * _e2032));
 } else {
-phi_4301_ = 0f;
+phi_4299_ = 0f;
 }
-let _e2077 = phi_4301_;
-phi_4591_ = type_25(_e2071.member, _e2071.member_1, _e2071.member_2, _e2071.member_3, _e2071.member_4, _e2071.member_5, _e2071.member_6, _e2071.member_7, _e2071.member_8, _e2071.member_9, _e2071.member_10, _e2071.member_11, _e2071.member_12, _e2071.member_13, _e2071.member_14, _e2071.member_15, _e2071.member_16, _e2071.member_17, _e2071.member_18, _e2071.member_19, _e2071.member_20, _e2071.member_21, _e2071.member_22, _e2071.member_23, _e2071.member_24, _e2071.member_25, (_e1415.member_26 + _e2077), _e2071.member_27);
+let _e2077 = phi_4299_;
+phi_4589_ = type_25(_e2071.member, _e2071.member_1, _e2071.member_2, _e2071.member_3, _e2071.member_4, _e2071.member_5, _e2071.member_6, _e2071.member_7, _e2071.member_8, _e2071.member_9, _e2071.member_10, _e2071.member_11, _e2071.member_12, _e2071.member_13, _e2071.member_14, _e2071.member_15, _e2071.member_16, _e2071.member_17, _e2071.member_18, _e2071.member_19, _e2071.member_20, _e2071.member_21, _e2071.member_22, _e2071.member_23, _e2071.member_24, _e2071.member_25, (_e1415.member_26 + _e2077), _e2071.member_27);
 } else {
 let _e1532 = select(1e6f, _e1469, (_e1469 < 1e6f));
 let _e1534 = local_1;
@@ -1248,45 +1248,45 @@ let _e1720 = (_e1415.member_6.y * ((1f + (_e1629 * (1f + (_e1629 * (0.5f + (_e16
 let _e1723 = (_e1415.member_6.z * ((1f + (_e1686 * (1f + (_e1686 * (0.5f + (_e1686 * (0.16666667f + (_e1686 * (0.041666668f + (_e1686 * (0.008333334f + (_e1686 * (0.001388889f + (_e1686 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1681 + 127i)) << bitcast<u32>(23i)))));
 let _e1752 = type_25(_e1415.member, _e1415.member_1, _e1415.member_2, _e1415.member_3, _e1415.member_4, _e1415.member_5, vec3<f32>(_e1717, _e1720, _e1723), _e1415.member_7, _e1415.member_8, _e1415.member_9, _e1415.member_10, _e1415.member_11, _e1415.member_12, _e1415.member_13, _e1415.member_14, _e1415.member_15, _e1415.member_16, _e1415.member_17, _e1415.member_18, _e1415.member_19, _e1415.member_20, _e1415.member_21, _e1415.member_22, _e1415.member_23, _e1415.member_24, _e1415.member_25, _e1415.member_26, _e1415.member_27);
 if _e1459 {
-phi_4587_ = ((((_e1415.member_6.x + _e1415.member_6.y) + _e1415.member_6.z) * _e1713) - (((_e1717 + _e1720) + _e1723) * _e1713));
+phi_4585_ = ((((_e1415.member_6.x + _e1415.member_6.y) + _e1415.member_6.z) * _e1713) - (((_e1717 + _e1720) + _e1723) * _e1713));
 } else {
-phi_4587_ = 0f;
+phi_4585_ = 0f;
 }
-let _e1758 = phi_4587_;
-phi_4591_ = type_25(_e1752.member, _e1752.member_1, _e1752.member_2, _e1752.member_3, _e1752.member_4, _e1752.member_5, _e1752.member_6, _e1752.member_7, _e1752.member_8, _e1752.member_9, _e1752.member_10, _e1752.member_11, _e1752.member_12, _e1752.member_13, _e1752.member_14, _e1752.member_15, _e1752.member_16, _e1752.member_17, _e1752.member_18, _e1752.member_19, _e1752.member_20, _e1752.member_21, _e1752.member_22, _e1752.member_23, _e1752.member_24, (_e1415.member_25 + _e1758), _e1752.member_26, _e1752.member_27);
+let _e1758 = phi_4585_;
+phi_4589_ = type_25(_e1752.member, _e1752.member_1, _e1752.member_2, _e1752.member_3, _e1752.member_4, _e1752.member_5, _e1752.member_6, _e1752.member_7, _e1752.member_8, _e1752.member_9, _e1752.member_10, _e1752.member_11, _e1752.member_12, _e1752.member_13, _e1752.member_14, _e1752.member_15, _e1752.member_16, _e1752.member_17, _e1752.member_18, _e1752.member_19, _e1752.member_20, _e1752.member_21, _e1752.member_22, _e1752.member_23, _e1752.member_24, (_e1415.member_25 + _e1758), _e1752.member_26, _e1752.member_27);
 }
-let _e2109 = phi_4591_;
+let _e2109 = phi_4589_;
 if (!(_e1464) || (_e1504 && (_e1502 == 0f))) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e2109.member_17 & ((1i << bitcast<u32>((_e2109.member_16 & 31i))) - 1i))))) == _e2109.member_20) {
-phi_4645_ = (((_e2109.member_6.x + _e2109.member_6.y) + _e2109.member_6.z) * (1f / 3f));
+phi_4643_ = (((_e2109.member_6.x + _e2109.member_6.y) + _e2109.member_6.z) * (1f / 3f));
 } else {
-phi_4645_ = 0f;
+phi_4643_ = 0f;
 }
-let _e5828 = phi_4645_;
+let _e5828 = phi_4643_;
 if (_e2109.member_9 == -1i) {
-phi_4657_ = type_25(_e2109.member, _e2109.member_1, _e2109.member_2, _e2109.member_3, _e2109.member_4, _e2109.member_5, _e2109.member_6, _e2109.member_7, _e2109.member_8, _e2109.member_9, _e2109.member_10, _e2109.member_11, _e2109.member_12, _e2109.member_13, _e2109.member_14, _e2109.member_15, _e2109.member_16, _e2109.member_17, _e2109.member_18, _e2109.member_19, _e2109.member_20, _e2109.member_21, _e2109.member_22, (_e2109.member_23 + _e5828), _e2109.member_24, _e2109.member_25, _e2109.member_26, _e2109.member_27);
+phi_4655_ = type_25(_e2109.member, _e2109.member_1, _e2109.member_2, _e2109.member_3, _e2109.member_4, _e2109.member_5, _e2109.member_6, _e2109.member_7, _e2109.member_8, _e2109.member_9, _e2109.member_10, _e2109.member_11, _e2109.member_12, _e2109.member_13, _e2109.member_14, _e2109.member_15, _e2109.member_16, _e2109.member_17, _e2109.member_18, _e2109.member_19, _e2109.member_20, _e2109.member_21, _e2109.member_22, (_e2109.member_23 + _e5828), _e2109.member_24, _e2109.member_25, _e2109.member_26, _e2109.member_27);
 } else {
-phi_4657_ = type_25(_e2109.member, _e2109.member_1, _e2109.member_2, _e2109.member_3, _e2109.member_4, _e2109.member_5, _e2109.member_6, _e2109.member_7, _e2109.member_8, _e2109.member_9, _e2109.member_10, _e2109.member_11, _e2109.member_12, _e2109.member_13, _e2109.member_14, _e2109.member_15, _e2109.member_16, _e2109.member_17, _e2109.member_18, _e2109.member_19, _e2109.member_20, _e2109.member_21, _e2109.member_22, _e2109.member_23, (_e2109.member_24 + _e5828), _e2109.member_25, _e2109.member_26, _e2109.member_27);
+phi_4655_ = type_25(_e2109.member, _e2109.member_1, _e2109.member_2, _e2109.member_3, _e2109.member_4, _e2109.member_5, _e2109.member_6, _e2109.member_7, _e2109.member_8, _e2109.member_9, _e2109.member_10, _e2109.member_11, _e2109.member_12, _e2109.member_13, _e2109.member_14, _e2109.member_15, _e2109.member_16, _e2109.member_17, _e2109.member_18, _e2109.member_19, _e2109.member_20, _e2109.member_21, _e2109.member_22, _e2109.member_23, (_e2109.member_24 + _e5828), _e2109.member_25, _e2109.member_26, _e2109.member_27);
 }
-let _e5892 = phi_4657_;
+let _e5892 = phi_4655_;
 let _e5894 = (_e5892.member_18 == 0i);
 if (_e5894 && (_e5892.member_21 == 0i)) {
-phi_5961_ = type_25(_e5892.member, _e5892.member_1, _e5892.member_2, _e5892.member_3, _e5892.member_4, _e5892.member_5, _e5892.member_6, _e5892.member_7, _e5892.member_8, _e5892.member_9, _e5892.member_10, _e5892.member_11, _e5892.member_12, _e5892.member_13, _e5892.member_14, 3f, _e5892.member_16, _e5892.member_17, _e5892.member_18, _e5892.member_19, _e5892.member_20, _e5892.member_21, _e5892.member_22, _e5892.member_23, _e5892.member_24, _e5892.member_25, _e5892.member_26, _e5892.member_27);
+phi_5959_ = type_25(_e5892.member, _e5892.member_1, _e5892.member_2, _e5892.member_3, _e5892.member_4, _e5892.member_5, _e5892.member_6, _e5892.member_7, _e5892.member_8, _e5892.member_9, _e5892.member_10, _e5892.member_11, _e5892.member_12, _e5892.member_13, _e5892.member_14, 3f, _e5892.member_16, _e5892.member_17, _e5892.member_18, _e5892.member_19, _e5892.member_20, _e5892.member_21, _e5892.member_22, _e5892.member_23, _e5892.member_24, _e5892.member_25, _e5892.member_26, _e5892.member_27);
 } else {
 if _e5894 {
 let _e6026 = type_25(_e5892.member, _e5892.member_1, _e5892.member_2, _e5892.member_3, _e5892.member_4, _e5892.member_5, _e5892.member_6, _e5892.member_7, _e5892.member_8, _e5892.member_9, _e5892.member_10, _e5892.member_11, _e5892.member_12, _e5892.member_13, _e5892.member_14, _e5892.member_15, _e5892.member_16, _e5892.member_17, _e5892.member_18, _e5892.member_19, (_e5892.member_20 + 1i), _e5892.member_21, _e5892.member_22, _e5892.member_23, _e5892.member_24, _e5892.member_25, _e5892.member_26, _e5892.member_27);
 let _e6054 = type_25(_e6026.member, _e6026.member_1, _e6026.member_2, _e6026.member_3, _e6026.member_4, _e6026.member_5, _e6026.member_6, _e6026.member_7, _e6026.member_8, _e6026.member_9, _e6026.member_10, _e6026.member_11, _e6026.member_12, _e6026.member_13, _e6026.member_14, _e6026.member_15, _e6026.member_16, _e6026.member_17, _e6026.member_18, _e6026.member_19, _e6026.member_20, 0i, _e6026.member_22, _e6026.member_23, _e6026.member_24, _e6026.member_25, _e6026.member_26, _e6026.member_27);
 let _e6082 = type_25(_e6054.member, _e6054.member_1, _e6054.member_2, _e6054.member_3, _e6054.member_4, _e6054.member_5, _e6054.member_6, _e6054.member_7, _e6054.member_8, _e6054.member_9, _e6054.member_10, _e6054.member_11, _e6054.member_12, _e6054.member_13, _e6054.member_14, _e6054.member_15, _e6054.member_16, 0i, _e6054.member_18, _e6054.member_19, _e6054.member_20, _e6054.member_21, _e6054.member_22, _e6054.member_23, _e6054.member_24, _e6054.member_25, _e6054.member_26, _e6054.member_27);
-phi_4698_ = type_25(_e6082.member, _e6082.member_1, _e6082.member_2, _e6082.member_3, _e6082.member_4, _e6082.member_5, _e6082.member_6, _e6082.member_7, _e6082.member_8, _e6082.member_9, _e6082.member_10, _e6082.member_11, _e6082.member_12, _e6082.member_13, _e6082.member_14, _e6082.member_15, _e6082.member_16, _e6082.member_17, _e6082.member_18, 0i, _e6082.member_20, _e6082.member_21, _e6082.member_22, _e6082.member_23, _e6082.member_24, _e6082.member_25, _e6082.member_26, _e6082.member_27);
+phi_4696_ = type_25(_e6082.member, _e6082.member_1, _e6082.member_2, _e6082.member_3, _e6082.member_4, _e6082.member_5, _e6082.member_6, _e6082.member_7, _e6082.member_8, _e6082.member_9, _e6082.member_10, _e6082.member_11, _e6082.member_12, _e6082.member_13, _e6082.member_14, _e6082.member_15, _e6082.member_16, _e6082.member_17, _e6082.member_18, 0i, _e6082.member_20, _e6082.member_21, _e6082.member_22, _e6082.member_23, _e6082.member_24, _e6082.member_25, _e6082.member_26, _e6082.member_27);
 } else {
 let _e5902 = bitcast<i32>((bitcast<u32>(f32(_e5892.member_18)) >> bitcast<u32>(23i)));
 let _e5906 = (1i << bitcast<u32>(((_e5902 - 127i) & 31i)));
 let _e5907 = (_e5906 - 1i);
 let _e5938 = type_25(_e5892.member, _e5892.member_1, _e5892.member_2, _e5892.member_3, _e5892.member_4, _e5892.member_5, _e5892.member_6, _e5892.member_7, _e5892.member_8, _e5892.member_9, _e5892.member_10, _e5892.member_11, _e5892.member_12, _e5892.member_13, _e5892.member_14, _e5892.member_15, _e5892.member_16, ((_e5892.member_17 & _e5907) | _e5906), _e5892.member_18, _e5892.member_19, _e5892.member_20, _e5892.member_21, _e5892.member_22, _e5892.member_23, _e5892.member_24, _e5892.member_25, _e5892.member_26, _e5892.member_27);
 let _e5967 = type_25(_e5938.member, _e5938.member_1, _e5938.member_2, _e5938.member_3, _e5938.member_4, _e5938.member_5, _e5938.member_6, _e5938.member_7, _e5938.member_8, _e5938.member_9, _e5938.member_10, _e5938.member_11, _e5938.member_12, _e5938.member_13, _e5938.member_14, _e5938.member_15, _e5938.member_16, _e5938.member_17, (_e5892.member_18 & _e5907), _e5938.member_19, _e5938.member_20, _e5938.member_21, _e5938.member_22, _e5938.member_23, _e5938.member_24, _e5938.member_25, _e5938.member_26, _e5938.member_27);
-phi_4698_ = type_25(_e5967.member, _e5967.member_1, _e5967.member_2, _e5967.member_3, _e5967.member_4, _e5967.member_5, _e5967.member_6, _e5967.member_7, _e5967.member_8, _e5967.member_9, _e5967.member_10, _e5967.member_11, _e5967.member_12, _e5967.member_13, _e5967.member_14, _e5967.member_15, _e5967.member_16, _e5967.member_17, _e5967.member_18, (_e5902 + -126i), _e5967.member_20, _e5967.member_21, _e5967.member_22, _e5967.member_23, _e5967.member_24, _e5967.member_25, _e5967.member_26, _e5967.member_27);
+phi_4696_ = type_25(_e5967.member, _e5967.member_1, _e5967.member_2, _e5967.member_3, _e5967.member_4, _e5967.member_5, _e5967.member_6, _e5967.member_7, _e5967.member_8, _e5967.member_9, _e5967.member_10, _e5967.member_11, _e5967.member_12, _e5967.member_13, _e5967.member_14, _e5967.member_15, _e5967.member_16, _e5967.member_17, _e5967.member_18, (_e5902 + -126i), _e5967.member_20, _e5967.member_21, _e5967.member_22, _e5967.member_23, _e5967.member_24, _e5967.member_25, _e5967.member_26, _e5967.member_27);
 }
-let _e6112 = phi_4698_;
+let _e6112 = phi_4696_;
 let _e6118 = global_5.member.member_1.member;
 let _e6120 = f32(bitcast<i32>(_e6118));
 let _e6124 = global_5.member.member_1.member_1;
@@ -1383,19 +1383,19 @@ let _e6589 = type_25(_e6561.member, _e6561.member_1, _e6561.member_2, _e6561.mem
 let _e6617 = type_25(_e6589.member, _e6589.member_1, _e6589.member_2, _e6589.member_3, _e6589.member_4, _e6589.member_5, _e6589.member_6, 0i, _e6589.member_8, _e6589.member_9, _e6589.member_10, _e6589.member_11, _e6589.member_12, _e6589.member_13, _e6589.member_14, _e6589.member_15, _e6589.member_16, _e6589.member_17, _e6589.member_18, _e6589.member_19, _e6589.member_20, _e6589.member_21, _e6589.member_22, _e6589.member_23, _e6589.member_24, _e6589.member_25, _e6589.member_26, _e6589.member_27);
 let _e6645 = type_25(_e6617.member, _e6617.member_1, _e6617.member_2, _e6617.member_3, _e6617.member_4, _e6617.member_5, _e6617.member_6, _e6617.member_7, _e6617.member_8, _e6617.member_9, _e6617.member_10, _e6617.member_11, _e6617.member_12, _e6617.member_13, _e6617.member_14, _e6617.member_15, 0i, _e6617.member_17, _e6617.member_18, _e6617.member_19, _e6617.member_20, _e6617.member_21, _e6617.member_22, _e6617.member_23, _e6617.member_24, _e6617.member_25, _e6617.member_26, _e6617.member_27);
 let _e6673 = type_25(_e6645.member, _e6645.member_1, _e6645.member_2, _e6645.member_3, _e6645.member_4, _e6645.member_5, _e6645.member_6, _e6645.member_7, _e6645.member_8, _e6645.member_9, _e6645.member_10, _e6645.member_11, _e6645.member_12, _e6645.member_13, _e6645.member_14, 1f, _e6645.member_16, _e6645.member_17, _e6645.member_18, _e6645.member_19, _e6645.member_20, _e6645.member_21, _e6645.member_22, _e6645.member_23, _e6645.member_24, _e6645.member_25, _e6645.member_26, _e6645.member_27);
-let _e6679 = ((((_e6339.member.member * _e6407) + (_e6339.member.member_1 * _e6408)) + (_e6339.member.member_2 * _e6409)) + _e6339.member_1);
-let _e6683 = ((_e6679 / _e6360) - 0.015625f);
-let _e6686 = select(1e30f, select(0f, _e6683, (_e6683 > 0f)), ((_e6679 > 0f) && _e6358));
-let _e6692 = ((((_e6370.member.member * _e6407) + (_e6370.member.member_1 * _e6408)) + (_e6370.member.member_2 * _e6409)) + _e6370.member_1);
-let _e6696 = ((_e6692 / _e6391) - 0.015625f);
-let _e6699 = select(1e30f, select(0f, _e6696, (_e6696 > 0f)), ((_e6692 > 0f) && _e6389));
-let _e6703 = (_e6699 < _e6686);
-let _e6734 = type_25(_e6673.member, _e6673.member_1, _e6673.member_2, _e6673.member_3, _e6673.member_4, _e6673.member_5, _e6673.member_6, _e6673.member_7, 0i, _e6673.member_9, _e6673.member_10, _e6673.member_11, _e6673.member_12, _e6673.member_13, _e6673.member_14, _e6673.member_15, _e6673.member_16, _e6673.member_17, _e6673.member_18, _e6673.member_19, _e6673.member_20, _e6673.member_21, _e6673.member_22, _e6673.member_23, _e6673.member_24, _e6673.member_25, _e6673.member_26, _e6673.member_27);
-let _e6762 = type_25(_e6734.member, _e6734.member_1, _e6734.member_2, _e6734.member_3, _e6734.member_4, _e6734.member_5, _e6734.member_6, _e6734.member_7, _e6734.member_8, select(select(-2i, -3i, _e6703), -1i, ((_e6686 >= 1e30f) && (_e6699 >= 1e30f))), _e6734.member_10, _e6734.member_11, _e6734.member_12, _e6734.member_13, _e6734.member_14, _e6734.member_15, _e6734.member_16, _e6734.member_17, _e6734.member_18, _e6734.member_19, _e6734.member_20, _e6734.member_21, _e6734.member_22, _e6734.member_23, _e6734.member_24, _e6734.member_25, _e6734.member_26, _e6734.member_27);
-let _e6790 = type_25(_e6762.member, _e6762.member_1, _e6762.member_2, _e6762.member_3, _e6762.member_4, _e6762.member_5, _e6762.member_6, _e6762.member_7, _e6762.member_8, _e6762.member_9, select(_e6686, _e6699, _e6703), _e6762.member_11, _e6762.member_12, _e6762.member_13, _e6762.member_14, _e6762.member_15, _e6762.member_16, _e6762.member_17, _e6762.member_18, _e6762.member_19, _e6762.member_20, _e6762.member_21, _e6762.member_22, _e6762.member_23, _e6762.member_24, _e6762.member_25, _e6762.member_26, _e6762.member_27);
-let _e6818 = type_25(_e6790.member, _e6790.member_1, _e6790.member_2, _e6790.member_3, _e6790.member_4, _e6790.member_5, _e6790.member_6, _e6790.member_7, _e6790.member_8, _e6790.member_9, _e6790.member_10, _e6790.member_11, _e6790.member_12, 0f, _e6790.member_14, _e6790.member_15, _e6790.member_16, _e6790.member_17, _e6790.member_18, _e6790.member_19, _e6790.member_20, _e6790.member_21, _e6790.member_22, _e6790.member_23, _e6790.member_24, _e6790.member_25, _e6790.member_26, _e6790.member_27);
-let _e6846 = type_25(_e6818.member, _e6818.member_1, _e6818.member_2, _e6818.member_3, _e6818.member_4, _e6818.member_5, _e6818.member_6, _e6818.member_7, _e6818.member_8, _e6818.member_9, _e6818.member_10, 0i, _e6818.member_12, _e6818.member_13, _e6818.member_14, _e6818.member_15, _e6818.member_16, _e6818.member_17, _e6818.member_18, _e6818.member_19, _e6818.member_20, _e6818.member_21, _e6818.member_22, _e6818.member_23, _e6818.member_24, _e6818.member_25, _e6818.member_26, _e6818.member_27);
-let _e6874 = type_25(_e6846.member, _e6846.member_1, _e6846.member_2, _e6846.member_3, _e6846.member_4, _e6846.member_5, _e6846.member_6, _e6846.member_7, _e6846.member_8, _e6846.member_9, _e6846.member_10, _e6846.member_11, 0i, _e6846.member_13, _e6846.member_14, _e6846.member_15, _e6846.member_16, _e6846.member_17, _e6846.member_18, _e6846.member_19, _e6846.member_20, _e6846.member_21, _e6846.member_22, _e6846.member_23, _e6846.member_24, _e6846.member_25, _e6846.member_26, _e6846.member_27);
+let _e6701 = type_25(_e6673.member, _e6673.member_1, _e6673.member_2, _e6673.member_3, _e6673.member_4, _e6673.member_5, _e6673.member_6, _e6673.member_7, _e6673.member_8, _e6673.member_9, _e6673.member_10, _e6673.member_11, _e6673.member_12, 0f, _e6673.member_14, _e6673.member_15, _e6673.member_16, _e6673.member_17, _e6673.member_18, _e6673.member_19, _e6673.member_20, _e6673.member_21, _e6673.member_22, _e6673.member_23, _e6673.member_24, _e6673.member_25, _e6673.member_26, _e6673.member_27);
+let _e6729 = type_25(_e6701.member, _e6701.member_1, _e6701.member_2, _e6701.member_3, _e6701.member_4, _e6701.member_5, _e6701.member_6, _e6701.member_7, _e6701.member_8, _e6701.member_9, _e6701.member_10, 0i, _e6701.member_12, _e6701.member_13, _e6701.member_14, _e6701.member_15, _e6701.member_16, _e6701.member_17, _e6701.member_18, _e6701.member_19, _e6701.member_20, _e6701.member_21, _e6701.member_22, _e6701.member_23, _e6701.member_24, _e6701.member_25, _e6701.member_26, _e6701.member_27);
+let _e6757 = type_25(_e6729.member, _e6729.member_1, _e6729.member_2, _e6729.member_3, _e6729.member_4, _e6729.member_5, _e6729.member_6, _e6729.member_7, _e6729.member_8, _e6729.member_9, _e6729.member_10, _e6729.member_11, 0i, _e6729.member_13, _e6729.member_14, _e6729.member_15, _e6729.member_16, _e6729.member_17, _e6729.member_18, _e6729.member_19, _e6729.member_20, _e6729.member_21, _e6729.member_22, _e6729.member_23, _e6729.member_24, _e6729.member_25, _e6729.member_26, _e6729.member_27);
+let _e6763 = ((((_e6339.member.member * _e6407) + (_e6339.member.member_1 * _e6408)) + (_e6339.member.member_2 * _e6409)) + _e6339.member_1);
+let _e6767 = ((_e6763 / _e6360) - 0.015625f);
+let _e6770 = select(1e30f, select(0f, _e6767, (_e6767 > 0f)), ((_e6763 > 0f) && _e6358));
+let _e6776 = ((((_e6370.member.member * _e6407) + (_e6370.member.member_1 * _e6408)) + (_e6370.member.member_2 * _e6409)) + _e6370.member_1);
+let _e6780 = ((_e6776 / _e6391) - 0.015625f);
+let _e6783 = select(1e30f, select(0f, _e6780, (_e6780 > 0f)), ((_e6776 > 0f) && _e6389));
+let _e6787 = (_e6783 < _e6770);
+let _e6818 = type_25(_e6757.member, _e6757.member_1, _e6757.member_2, _e6757.member_3, _e6757.member_4, _e6757.member_5, _e6757.member_6, _e6757.member_7, 0i, _e6757.member_9, _e6757.member_10, _e6757.member_11, _e6757.member_12, _e6757.member_13, _e6757.member_14, _e6757.member_15, _e6757.member_16, _e6757.member_17, _e6757.member_18, _e6757.member_19, _e6757.member_20, _e6757.member_21, _e6757.member_22, _e6757.member_23, _e6757.member_24, _e6757.member_25, _e6757.member_26, _e6757.member_27);
+let _e6846 = type_25(_e6818.member, _e6818.member_1, _e6818.member_2, _e6818.member_3, _e6818.member_4, _e6818.member_5, _e6818.member_6, _e6818.member_7, _e6818.member_8, select(select(-2i, -3i, _e6787), -1i, ((_e6770 >= 1e30f) && (_e6783 >= 1e30f))), _e6818.member_10, _e6818.member_11, _e6818.member_12, _e6818.member_13, _e6818.member_14, _e6818.member_15, _e6818.member_16, _e6818.member_17, _e6818.member_18, _e6818.member_19, _e6818.member_20, _e6818.member_21, _e6818.member_22, _e6818.member_23, _e6818.member_24, _e6818.member_25, _e6818.member_26, _e6818.member_27);
+let _e6874 = type_25(_e6846.member, _e6846.member_1, _e6846.member_2, _e6846.member_3, _e6846.member_4, _e6846.member_5, _e6846.member_6, _e6846.member_7, _e6846.member_8, _e6846.member_9, select(_e6770, _e6783, _e6787), _e6846.member_11, _e6846.member_12, _e6846.member_13, _e6846.member_14, _e6846.member_15, _e6846.member_16, _e6846.member_17, _e6846.member_18, _e6846.member_19, _e6846.member_20, _e6846.member_21, _e6846.member_22, _e6846.member_23, _e6846.member_24, _e6846.member_25, _e6846.member_26, _e6846.member_27);
 let _e6878 = global_5.member.member_13.member_4;
 let _e6885 = global_5.member.member_13.member_5;
 let _e6890 = ((_e6878.member - _e6194) * _e6272);
@@ -1455,24 +1455,24 @@ let _e7085 = (1f * ((1f + (_e7011 * (1f + (_e7011 * (0.5f + (_e7011 * (0.1666666
 let _e7086 = (1f * ((1f + (_e7059 * (1f + (_e7059 * (0.5f + (_e7059 * (0.16666667f + (_e7059 * (0.041666668f + (_e7059 * (0.008333334f + (_e7059 * (0.001388889f + (_e7059 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7054 + 127i)) << bitcast<u32>(23i)))));
 let _e7115 = type_25(_e6874.member, _e6874.member_1, _e6874.member_2, _e6874.member_3, _e6874.member_4, _e6874.member_5, vec3<f32>(_e7084, _e7085, _e7086), _e6874.member_7, _e6874.member_8, _e6874.member_9, _e6874.member_10, _e6874.member_11, _e6874.member_12, _e6874.member_13, _e6874.member_14, _e6874.member_15, _e6874.member_16, _e6874.member_17, _e6874.member_18, _e6874.member_19, _e6874.member_20, _e6874.member_21, _e6874.member_22, _e6874.member_23, _e6874.member_24, _e6874.member_25, _e6874.member_26, _e6874.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e6112.member_20) {
-phi_5933_ = ((((1f + 1f) + 1f) * _e7082) - (((_e7084 + _e7085) + _e7086) * _e7082));
+phi_5931_ = ((((1f + 1f) + 1f) * _e7082) - (((_e7084 + _e7085) + _e7086) * _e7082));
 } else {
-phi_5933_ = 0f;
+phi_5931_ = 0f;
 }
-let _e7125 = phi_5933_;
+let _e7125 = phi_5931_;
 let _e7155 = type_25(_e7115.member, _e7115.member_1, _e7115.member_2, _e7115.member_3, _e7115.member_4, _e7115.member_5, _e7115.member_6, _e7115.member_7, _e7115.member_8, _e7115.member_9, _e7115.member_10, _e7115.member_11, _e7115.member_12, _e7115.member_13, _e7115.member_14, _e7115.member_15, _e7115.member_16, _e7115.member_17, _e7115.member_18, _e7115.member_19, _e7115.member_20, _e7115.member_21, _e7115.member_22, _e7115.member_23, _e7115.member_24, _e7115.member_25, (_e6112.member_26 + _e7125), _e7115.member_27);
 if _e6402 {
-phi_5960_ = type_25(_e7155.member, _e7155.member_1, _e7155.member_2, _e7155.member_3, _e7155.member_4, _e7155.member_5, _e7155.member_6, _e7155.member_7, _e1381, _e7155.member_9, _e7155.member_10, _e7155.member_11, _e7155.member_12, _e7155.member_13, _e7155.member_14, _e7155.member_15, _e7155.member_16, _e7155.member_17, _e7155.member_18, _e7155.member_19, _e7155.member_20, _e7155.member_21, _e7155.member_22, _e7155.member_23, _e7155.member_24, _e7155.member_25, _e7155.member_26, _e7155.member_27);
+phi_5958_ = type_25(_e7155.member, _e7155.member_1, _e7155.member_2, _e7155.member_3, _e7155.member_4, _e7155.member_5, _e7155.member_6, _e7155.member_7, _e1381, _e7155.member_9, _e7155.member_10, _e7155.member_11, _e7155.member_12, _e7155.member_13, _e7155.member_14, _e7155.member_15, _e7155.member_16, _e7155.member_17, _e7155.member_18, _e7155.member_19, _e7155.member_20, _e7155.member_21, _e7155.member_22, _e7155.member_23, _e7155.member_24, _e7155.member_25, _e7155.member_26, _e7155.member_27);
 } else {
-phi_5960_ = _e7155;
+phi_5958_ = _e7155;
 }
-let _e7185 = phi_5960_;
-phi_5961_ = _e7185;
+let _e7185 = phi_5958_;
+phi_5959_ = _e7185;
 }
-let _e7215 = phi_5961_;
-phi_9418_ = _e7215;
-phi_9419_ = type_25();
-phi_9420_ = true;
+let _e7215 = phi_5959_;
+phi_9416_ = _e7215;
+phi_9417_ = type_25();
+phi_9418_ = true;
 } else {
 let _e2116 = local_2;
 let _e2118 = local_3;
@@ -1497,8 +1497,8 @@ let _e5711 = select(1e30f, select(0f, _e5708, (_e5708 > 0f)), ((_e5696 > 0f) && 
 let _e5715 = (_e5711 < _e5680);
 let _e5746 = type_25(_e5641.member, _e5641.member_1, _e5641.member_2, _e5641.member_3, _e5641.member_4, _e5641.member_5, _e5641.member_6, _e5641.member_7, 0i, _e5641.member_9, _e5641.member_10, _e5641.member_11, _e5641.member_12, _e5641.member_13, _e5641.member_14, _e5641.member_15, _e5641.member_16, _e5641.member_17, _e5641.member_18, _e5641.member_19, _e5641.member_20, _e5641.member_21, _e5641.member_22, _e5641.member_23, _e5641.member_24, _e5641.member_25, _e5641.member_26, _e5641.member_27);
 let _e5774 = type_25(_e5746.member, _e5746.member_1, _e5746.member_2, _e5746.member_3, _e5746.member_4, _e5746.member_5, _e5746.member_6, _e5746.member_7, _e5746.member_8, select(select(-2i, -3i, _e5715), -1i, ((_e5680 >= 1e30f) && (_e5711 >= 1e30f))), _e5746.member_10, _e5746.member_11, _e5746.member_12, _e5746.member_13, _e5746.member_14, _e5746.member_15, _e5746.member_16, _e5746.member_17, _e5746.member_18, _e5746.member_19, _e5746.member_20, _e5746.member_21, _e5746.member_22, _e5746.member_23, _e5746.member_24, _e5746.member_25, _e5746.member_26, _e5746.member_27);
-phi_9416_ = type_25(_e5774.member, _e5774.member_1, _e5774.member_2, _e5774.member_3, _e5774.member_4, _e5774.member_5, _e5774.member_6, _e5774.member_7, _e5774.member_8, _e5774.member_9, select(_e5680, _e5711, _e5715), _e5774.member_11, _e5774.member_12, _e5774.member_13, _e5774.member_14, _e5774.member_15, _e5774.member_16, _e5774.member_17, _e5774.member_18, _e5774.member_19, _e5774.member_20, _e5774.member_21, _e5774.member_22, _e5774.member_23, _e5774.member_24, _e5774.member_25, _e5774.member_26, _e5774.member_27);
-phi_9417_ = type_25();
+phi_9414_ = type_25(_e5774.member, _e5774.member_1, _e5774.member_2, _e5774.member_3, _e5774.member_4, _e5774.member_5, _e5774.member_6, _e5774.member_7, _e5774.member_8, _e5774.member_9, select(_e5680, _e5711, _e5715), _e5774.member_11, _e5774.member_12, _e5774.member_13, _e5774.member_14, _e5774.member_15, _e5774.member_16, _e5774.member_17, _e5774.member_18, _e5774.member_19, _e5774.member_20, _e5774.member_21, _e5774.member_22, _e5774.member_23, _e5774.member_24, _e5774.member_25, _e5774.member_26, _e5774.member_27);
+phi_9415_ = type_25();
 } else {
 let _e2131 = (_e2109.member.x + (_e2109.member_1.x * _e2109.member_10));
 let _e2134 = (_e2109.member.y + (_e2109.member_1.y * _e2109.member_10));
@@ -1601,8 +1601,8 @@ let _e2428 = (_e2405 * _e2418);
 let _e2429 = (_e2406 * _e2418);
 let _e2430 = (_e2407 * _e2418);
 if _e1504 {
-phi_6583_ = 1f;
-phi_6584_ = 1f;
+phi_6581_ = 1f;
+phi_6582_ = 1f;
 } else {
 let _e2432 = local_4;
 let _e2433 = (_e2432 * 4i);
@@ -1613,11 +1613,11 @@ let _e2445 = (_e2444 * 4i);
 let _e2447 = select(_e1492, _e2445, (_e2445 < _e1492));
 let _e2453 = global_3.member[bitcast<u32>(select(0i, _e2447, (_e2447 > 0i)))];
 let _e2455 = local_6;
-phi_6583_ = select(_e2453, 1f, (_e2455 == 16i));
-phi_6584_ = select(_e2441, 1f, _e1447);
+phi_6581_ = select(_e2453, 1f, (_e2455 == 16i));
+phi_6582_ = select(_e2441, 1f, _e1447);
 }
-let _e2459 = phi_6583_;
-let _e2461 = phi_6584_;
+let _e2459 = phi_6581_;
+let _e2461 = phi_6582_;
 let _e2468 = select(1f, -1f, ((((_e2109.member_1.x * _e2428) + (_e2109.member_1.y * _e2429)) + (_e2109.member_1.z * _e2430)) > 0f));
 let _e2469 = (_e2428 * _e2468);
 let _e2470 = (_e2429 * _e2468);
@@ -1656,11 +1656,11 @@ let _e2589 = (_e2109.member_3.x + (_e2109.member_5.x * _e2109.member_10));
 let _e2591 = (_e2109.member_3.y + (_e2109.member_5.y * _e2109.member_10));
 let _e2593 = (_e2109.member_3.z + (_e2109.member_5.z * _e2109.member_10));
 if ((_e2529 * _e2529) > 1e-12f) {
-phi_6817_ = (1f / _e2529);
+phi_6815_ = (1f / _e2529);
 } else {
-phi_6817_ = 0f;
+phi_6815_ = 0f;
 }
-let _e2598 = phi_6817_;
+let _e2598 = phi_6815_;
 let _e2604 = ((((_e2577 * _e2425) + (_e2579 * _e2426)) + (_e2581 * _e2427)) * _e2598);
 let _e2608 = (_e2577 - (_e2109.member_1.x * _e2604));
 let _e2609 = (_e2579 - (_e2109.member_1.y * _e2604));
@@ -1691,11 +1691,11 @@ let _e3510 = (_e2109.member_6.y * _e3487);
 let _e3513 = (_e2109.member_6.z * _e3496);
 let _e3542 = type_25(_e2736.member, _e2736.member_1, _e2736.member_2, _e2736.member_3, _e2736.member_4, _e2736.member_5, vec3<f32>(_e3507, _e3510, _e3513), _e2736.member_7, _e2736.member_8, _e2736.member_9, _e2736.member_10, _e2736.member_11, _e2736.member_12, _e2736.member_13, _e2736.member_14, _e2736.member_15, _e2736.member_16, _e2736.member_17, _e2736.member_18, _e2736.member_19, _e2736.member_20, _e2736.member_21, _e2736.member_22, _e2736.member_23, _e2736.member_24, _e2736.member_25, _e2736.member_26, _e2736.member_27);
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e2109.member_17 & ((1i << bitcast<u32>((_e2109.member_16 & 31i))) - 1i))))) == _e2109.member_20) {
-phi_6948_ = ((((_e2109.member_6.x + _e2109.member_6.y) + _e2109.member_6.z) * _e3503) - (((_e3507 + _e3510) + _e3513) * _e3503));
+phi_6946_ = ((((_e2109.member_6.x + _e2109.member_6.y) + _e2109.member_6.z) * _e3503) - (((_e3507 + _e3510) + _e3513) * _e3503));
 } else {
-phi_6948_ = 0f;
+phi_6946_ = 0f;
 }
-let _e3560 = phi_6948_;
+let _e3560 = phi_6946_;
 let _e3590 = type_25(_e3542.member, _e3542.member_1, _e3542.member_2, _e3542.member_3, _e3542.member_4, _e3542.member_5, _e3542.member_6, _e3542.member_7, _e3542.member_8, _e3542.member_9, _e3542.member_10, _e3542.member_11, _e3542.member_12, _e3542.member_13, _e3542.member_14, _e3542.member_15, _e3542.member_16, _e3542.member_17, _e3542.member_18, _e3542.member_19, _e3542.member_20, _e3542.member_21, _e3542.member_22, _e3542.member_23, _e3542.member_24, (_e2109.member_25 + _e3560), _e3542.member_26, _e3542.member_27);
 let _e3597 = select(1f, -1f, ((((_e2557 * _e2109.member_1.x) + (_e2558 * _e2109.member_1.y)) + (_e2559 * _e2109.member_1.z)) > 0f));
 let _e3598 = (_e2557 * _e3597);
@@ -1740,7 +1740,7 @@ let _e3847 = (_e3600 * _e3844);
 let _e3853 = -((((_e2109.member_1.x * _e3845) + (_e2109.member_1.y * _e3846)) + (_e2109.member_1.z * _e3847)));
 let _e3856 = (2f * select(0f, _e3853, (_e3853 > 0f)));
 let _e3889 = type_25(_e3842.member, (_e2109.member_1 + vec3<f32>((_e3845 * _e3856), (_e3846 * _e3856), (_e3847 * _e3856))), _e3842.member_2, _e3842.member_3, _e3842.member_4, _e3842.member_5, _e3842.member_6, _e3842.member_7, _e3842.member_8, _e3842.member_9, _e3842.member_10, _e3842.member_11, _e3842.member_12, _e3842.member_13, _e3842.member_14, _e3842.member_15, _e3842.member_16, _e3842.member_17, _e3842.member_18, _e3842.member_19, _e3842.member_20, _e3842.member_21, _e3842.member_22, _e3842.member_23, _e3842.member_24, _e3842.member_25, _e3842.member_26, _e3842.member_27);
-phi_7952_ = type_25(_e3889.member, _e3889.member_1, _e3889.member_2, _e3889.member_3, _e3889.member_4, _e3889.member_5, _e3889.member_6, _e3889.member_7, _e3889.member_8, _e3889.member_9, _e3889.member_10, _e3889.member_11, _e3889.member_12, _e3889.member_13, _e3889.member_14, _e3889.member_15, (_e2109.member_16 + 1i), _e3889.member_17, _e3889.member_18, _e3889.member_19, _e3889.member_20, _e3889.member_21, _e3889.member_22, _e3889.member_23, _e3889.member_24, _e3889.member_25, _e3889.member_26, _e3889.member_27);
+phi_7950_ = type_25(_e3889.member, _e3889.member_1, _e3889.member_2, _e3889.member_3, _e3889.member_4, _e3889.member_5, _e3889.member_6, _e3889.member_7, _e3889.member_8, _e3889.member_9, _e3889.member_10, _e3889.member_11, _e3889.member_12, _e3889.member_13, _e3889.member_14, _e3889.member_15, (_e2109.member_16 + 1i), _e3889.member_17, _e3889.member_18, _e3889.member_19, _e3889.member_20, _e3889.member_21, _e3889.member_22, _e3889.member_23, _e3889.member_24, _e3889.member_25, _e3889.member_26, _e3889.member_27);
 } else {
 let _e2740 = global_5.member.member_12.member_2;
 let _e2742 = local_7;
@@ -1794,30 +1794,30 @@ let _e2888 = ((select(_e2109.member_6.z, _e2883, (_e2883 > _e2109.member_6.z)) *
 let _e2890 = (1i << bitcast<u32>(_e2870));
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e2109.member_17 & (_e2890 - 1i))))) == _e2109.member_20) {
 if _e2888 {
-phi_7621_ = type_25(_e2736.member, _e2736.member_1, _e2736.member_2, _e2736.member_3, _e2736.member_4, _e2736.member_5, _e2736.member_6, _e2736.member_7, _e2736.member_8, _e2736.member_9, _e2736.member_10, _e2736.member_11, _e2736.member_12, _e2736.member_13, _e2736.member_14, _e2736.member_15, _e2736.member_16, _e2736.member_17, _e2736.member_18, _e2736.member_19, _e2736.member_20, 1i, _e2736.member_22, _e2736.member_23, _e2736.member_24, _e2736.member_25, _e2736.member_26, _e2736.member_27);
+phi_7619_ = type_25(_e2736.member, _e2736.member_1, _e2736.member_2, _e2736.member_3, _e2736.member_4, _e2736.member_5, _e2736.member_6, _e2736.member_7, _e2736.member_8, _e2736.member_9, _e2736.member_10, _e2736.member_11, _e2736.member_12, _e2736.member_13, _e2736.member_14, _e2736.member_15, _e2736.member_16, _e2736.member_17, _e2736.member_18, _e2736.member_19, _e2736.member_20, 1i, _e2736.member_22, _e2736.member_23, _e2736.member_24, _e2736.member_25, _e2736.member_26, _e2736.member_27);
 } else {
-phi_7621_ = type_25(_e2736.member, _e2736.member_1, _e2736.member_2, _e2736.member_3, _e2736.member_4, _e2736.member_5, _e2736.member_6, _e2736.member_7, _e2736.member_8, _e2736.member_9, _e2736.member_10, _e2736.member_11, _e2736.member_12, _e2736.member_13, _e2736.member_14, _e2736.member_15, _e2736.member_16, _e2736.member_17, _e2736.member_18, _e2736.member_19, _e2736.member_20, _e2736.member_21, _e2736.member_22, _e2736.member_23, _e2736.member_24, _e2736.member_25, _e2736.member_26, (_e2109.member_27 + ((((_e2109.member_6.x + _e2109.member_6.y) + _e2109.member_6.z) * (1f / 3f)) * _e2866)));
+phi_7619_ = type_25(_e2736.member, _e2736.member_1, _e2736.member_2, _e2736.member_3, _e2736.member_4, _e2736.member_5, _e2736.member_6, _e2736.member_7, _e2736.member_8, _e2736.member_9, _e2736.member_10, _e2736.member_11, _e2736.member_12, _e2736.member_13, _e2736.member_14, _e2736.member_15, _e2736.member_16, _e2736.member_17, _e2736.member_18, _e2736.member_19, _e2736.member_20, _e2736.member_21, _e2736.member_22, _e2736.member_23, _e2736.member_24, _e2736.member_25, _e2736.member_26, (_e2109.member_27 + ((((_e2109.member_6.x + _e2109.member_6.y) + _e2109.member_6.z) * (1f / 3f)) * _e2866)));
 }
-let _e2993 = phi_7621_;
-phi_7631_ = _e2993;
+let _e2993 = phi_7619_;
+phi_7629_ = _e2993;
 } else {
-phi_7631_ = type_25(_e2736.member, _e2736.member_1, _e2736.member_2, _e2736.member_3, _e2736.member_4, _e2736.member_5, _e2736.member_6, _e2736.member_7, _e2736.member_8, _e2736.member_9, _e2736.member_10, _e2736.member_11, _e2736.member_12, _e2736.member_13, _e2736.member_14, _e2736.member_15, _e2736.member_16, _e2736.member_17, (_e2109.member_18 | select(0i, _e2890, _e2888)), _e2736.member_19, _e2736.member_20, _e2736.member_21, _e2736.member_22, _e2736.member_23, _e2736.member_24, _e2736.member_25, _e2736.member_26, _e2736.member_27);
+phi_7629_ = type_25(_e2736.member, _e2736.member_1, _e2736.member_2, _e2736.member_3, _e2736.member_4, _e2736.member_5, _e2736.member_6, _e2736.member_7, _e2736.member_8, _e2736.member_9, _e2736.member_10, _e2736.member_11, _e2736.member_12, _e2736.member_13, _e2736.member_14, _e2736.member_15, _e2736.member_16, _e2736.member_17, (_e2109.member_18 | select(0i, _e2890, _e2888)), _e2736.member_19, _e2736.member_20, _e2736.member_21, _e2736.member_22, _e2736.member_23, _e2736.member_24, _e2736.member_25, _e2736.member_26, _e2736.member_27);
 }
-let _e2995 = phi_7631_;
-phi_7632_ = _e2995;
+let _e2995 = phi_7629_;
+phi_7630_ = _e2995;
 } else {
-phi_7632_ = _e2736;
+phi_7630_ = _e2736;
 }
-let _e2997 = phi_7632_;
+let _e2997 = phi_7630_;
 let _e2998 = (((_e2109.member_16 < _e2109.member_19) && (((_e2109.member_17 >> bitcast<u32>(_e2870)) & 1i) == 1i)) != (_e2861 > 0.5f));
 let _e2999 = (_e2792 || _e2998);
 if _e2792 {
-phi_7652_ = _e2997;
+phi_7650_ = _e2997;
 } else {
 let _e3000 = select(_e2864, _e2861, _e2998);
-phi_7652_ = type_25(_e2997.member, _e2997.member_1, _e2997.member_2, _e2997.member_3, _e2997.member_4, _e2997.member_5, vec3<f32>((_e2997.member_6.x * _e3000), (_e2997.member_6.y * _e3000), (_e2997.member_6.z * _e3000)), _e2997.member_7, _e2997.member_8, _e2997.member_9, _e2997.member_10, _e2997.member_11, _e2997.member_12, _e2997.member_13, _e2997.member_14, _e2997.member_15, _e2997.member_16, _e2997.member_17, _e2997.member_18, _e2997.member_19, _e2997.member_20, _e2997.member_21, _e2997.member_22, _e2997.member_23, _e2997.member_24, _e2997.member_25, _e2997.member_26, _e2997.member_27);
+phi_7650_ = type_25(_e2997.member, _e2997.member_1, _e2997.member_2, _e2997.member_3, _e2997.member_4, _e2997.member_5, vec3<f32>((_e2997.member_6.x * _e3000), (_e2997.member_6.y * _e3000), (_e2997.member_6.z * _e3000)), _e2997.member_7, _e2997.member_8, _e2997.member_9, _e2997.member_10, _e2997.member_11, _e2997.member_12, _e2997.member_13, _e2997.member_14, _e2997.member_15, _e2997.member_16, _e2997.member_17, _e2997.member_18, _e2997.member_19, _e2997.member_20, _e2997.member_21, _e2997.member_22, _e2997.member_23, _e2997.member_24, _e2997.member_25, _e2997.member_26, _e2997.member_27);
 }
-let _e3040 = phi_7652_;
+let _e3040 = phi_7650_;
 let _e3051 = select(1f, -1f, ((((_e2557 * _e3040.member_1.x) + (_e2558 * _e3040.member_1.y)) + (_e2559 * _e3040.member_1.z)) > 0f));
 let _e3052 = (_e2557 * _e3051);
 let _e3053 = (_e2558 * _e3051);
@@ -1840,16 +1840,16 @@ let _e3100 = (_e3089 - (_e3054 * _e3094));
 let _e3106 = -((((_e3040.member_1.x * _e3052) + (_e3040.member_1.y * _e3053)) + (_e3040.member_1.z * _e3054)));
 let _e3121 = -(((((_e3040.member_4.x * _e3052) + (_e3040.member_4.y * _e3053)) + (_e3040.member_4.z * _e3054)) + (((_e3040.member_1.x * _e3098) + (_e3040.member_1.y * _e3099)) + (_e3040.member_1.z * _e3100))));
 if _e2999 {
-phi_7807_ = (_e3040.member_4 + vec3<f32>((((_e3098 * _e3106) + (_e3052 * _e3121)) * 2f), (((_e3099 * _e3106) + (_e3053 * _e3121)) * 2f), (((_e3100 * _e3106) + (_e3054 * _e3121)) * 2f)));
+phi_7805_ = (_e3040.member_4 + vec3<f32>((((_e3098 * _e3106) + (_e3052 * _e3121)) * 2f), (((_e3099 * _e3106) + (_e3053 * _e3121)) * 2f), (((_e3100 * _e3106) + (_e3054 * _e3121)) * 2f)));
 } else {
 let _e3125 = (1f - (_e2787 * (1f - (_e3106 * _e3106))));
 let _e3127 = select(1e-12f, _e3125, (_e3125 > 1e-12f));
 let _e3130 = sqrt(select(0f, _e3127, (_e3127 > 0f)));
 let _e3132 = ((_e2786 * _e3106) - _e3130);
 let _e3136 = ((_e2786 - ((_e2787 * _e3106) / _e3130)) * _e3121);
-phi_7807_ = vec3<f32>((((_e3040.member_4.x * _e2786) + (_e3098 * _e3132)) + (_e3052 * _e3136)), (((_e3040.member_4.y * _e2786) + (_e3099 * _e3132)) + (_e3053 * _e3136)), (((_e3040.member_4.z * _e2786) + (_e3100 * _e3132)) + (_e3054 * _e3136)));
+phi_7805_ = vec3<f32>((((_e3040.member_4.x * _e2786) + (_e3098 * _e3132)) + (_e3052 * _e3136)), (((_e3040.member_4.y * _e2786) + (_e3099 * _e3132)) + (_e3053 * _e3136)), (((_e3040.member_4.z * _e2786) + (_e3100 * _e3132)) + (_e3054 * _e3136)));
 }
-let _e3168 = phi_7807_;
+let _e3168 = phi_7805_;
 let _e3176 = (((_e2560 * _e3040.member_3.x) + (_e2561 * _e3040.member_3.y)) + (_e2562 * _e3040.member_3.z));
 let _e3184 = (((_e2563 * _e3040.member_3.x) + (_e2564 * _e3040.member_3.y)) + (_e2565 * _e3040.member_3.z));
 let _e3191 = (((_e3055 * _e3176) + (_e3058 * _e3184)) * _e2418);
@@ -1861,16 +1861,16 @@ let _e3203 = (_e3192 - (_e3053 * _e3198));
 let _e3204 = (_e3193 - (_e3054 * _e3198));
 let _e3219 = -(((((_e3040.member_5.x * _e3052) + (_e3040.member_5.y * _e3053)) + (_e3040.member_5.z * _e3054)) + (((_e3040.member_1.x * _e3202) + (_e3040.member_1.y * _e3203)) + (_e3040.member_1.z * _e3204))));
 if _e2999 {
-phi_7933_ = (_e3040.member_5 + vec3<f32>((((_e3202 * _e3106) + (_e3052 * _e3219)) * 2f), (((_e3203 * _e3106) + (_e3053 * _e3219)) * 2f), (((_e3204 * _e3106) + (_e3054 * _e3219)) * 2f)));
+phi_7931_ = (_e3040.member_5 + vec3<f32>((((_e3202 * _e3106) + (_e3052 * _e3219)) * 2f), (((_e3203 * _e3106) + (_e3053 * _e3219)) * 2f), (((_e3204 * _e3106) + (_e3054 * _e3219)) * 2f)));
 } else {
 let _e3223 = (1f - (_e2787 * (1f - (_e3106 * _e3106))));
 let _e3225 = select(1e-12f, _e3223, (_e3223 > 1e-12f));
 let _e3228 = sqrt(select(0f, _e3225, (_e3225 > 0f)));
 let _e3230 = ((_e2786 * _e3106) - _e3228);
 let _e3234 = ((_e2786 - ((_e2787 * _e3106) / _e3228)) * _e3219);
-phi_7933_ = vec3<f32>((((_e3040.member_5.x * _e2786) + (_e3202 * _e3230)) + (_e3052 * _e3234)), (((_e3040.member_5.y * _e2786) + (_e3203 * _e3230)) + (_e3053 * _e3234)), (((_e3040.member_5.z * _e2786) + (_e3204 * _e3230)) + (_e3054 * _e3234)));
+phi_7931_ = vec3<f32>((((_e3040.member_5.x * _e2786) + (_e3202 * _e3230)) + (_e3052 * _e3234)), (((_e3040.member_5.y * _e2786) + (_e3203 * _e3230)) + (_e3053 * _e3234)), (((_e3040.member_5.z * _e2786) + (_e3204 * _e3230)) + (_e3054 * _e3234)));
 }
-let _e3266 = phi_7933_;
+let _e3266 = phi_7931_;
 let _e3294 = type_25(_e3040.member, _e3040.member_1, _e3040.member_2, _e3040.member_3, _e3040.member_4, _e3040.member_5, _e3040.member_6, _e3040.member_7, _e3040.member_8, _e3040.member_9, _e3040.member_10, _e3040.member_11, _e3040.member_12, _e3040.member_13, _e3040.member_14, _e3040.member_15, _e3040.member_16, _e3040.member_17, _e3040.member_18, _e3040.member_19, _e3040.member_20, _e3040.member_21, _e3040.member_22, _e3040.member_23, _e3040.member_24, _e3040.member_25, _e3040.member_26, _e3040.member_27);
 let _e3322 = type_25(_e3294.member, _e3294.member_1, _e3294.member_2, _e3040.member_3, _e3294.member_4, _e3294.member_5, _e3294.member_6, _e3294.member_7, _e3294.member_8, _e3294.member_9, _e3294.member_10, _e3294.member_11, _e3294.member_12, _e3294.member_13, _e3294.member_14, _e3294.member_15, _e3294.member_16, _e3294.member_17, _e3294.member_18, _e3294.member_19, _e3294.member_20, _e3294.member_21, _e3294.member_22, _e3294.member_23, _e3294.member_24, _e3294.member_25, _e3294.member_26, _e3294.member_27);
 let _e3350 = type_25(_e3322.member, _e3322.member_1, _e3322.member_2, _e3322.member_3, _e3168, _e3322.member_5, _e3322.member_6, _e3322.member_7, _e3322.member_8, _e3322.member_9, _e3322.member_10, _e3322.member_11, _e3322.member_12, _e3322.member_13, _e3322.member_14, _e3322.member_15, _e3322.member_16, _e3322.member_17, _e3322.member_18, _e3322.member_19, _e3322.member_20, _e3322.member_21, _e3322.member_22, _e3322.member_23, _e3322.member_24, _e3322.member_25, _e3322.member_26, _e3322.member_27);
@@ -1878,14 +1878,14 @@ let _e3378 = type_25(_e3350.member, _e3350.member_1, _e3350.member_2, _e3350.mem
 let _e3408 = type_25(_e3378.member, select(vec3<f32>((_e2816 * _e2829), (_e2817 * _e2829), (_e2818 * _e2829)), (_e2109.member_1 + vec3<f32>(_e2808, _e2809, _e2810)), vec3(_e2999)), _e3378.member_2, _e3378.member_3, _e3378.member_4, _e3378.member_5, _e3378.member_6, _e3378.member_7, _e3378.member_8, _e3378.member_9, _e3378.member_10, _e3378.member_11, _e3378.member_12, _e3378.member_13, _e3378.member_14, _e3378.member_15, _e3378.member_16, _e3378.member_17, _e3378.member_18, _e3378.member_19, _e3378.member_20, _e3378.member_21, _e3378.member_22, _e3378.member_23, _e3378.member_24, _e3378.member_25, _e3378.member_26, _e3378.member_27);
 let _e3438 = type_25(_e3408.member, _e3408.member_1, _e3408.member_2, _e3408.member_3, _e3408.member_4, _e3408.member_5, _e3408.member_6, _e3408.member_7, _e3408.member_8, _e3408.member_9, _e3408.member_10, _e3408.member_11, _e3408.member_12, _e3408.member_13, _e3408.member_14, _e3408.member_15, (_e3040.member_16 + 1i), _e3408.member_17, _e3408.member_18, _e3408.member_19, _e3408.member_20, _e3408.member_21, _e3408.member_22, _e3408.member_23, _e3408.member_24, _e3408.member_25, _e3408.member_26, _e3408.member_27);
 if !(_e2999) {
-phi_7951_ = type_25(_e3438.member, _e3438.member_1, _e3438.member_2, _e3438.member_3, _e3438.member_4, _e3438.member_5, _e3438.member_6, _e1513, _e3438.member_8, _e3438.member_9, _e3438.member_10, _e3438.member_11, _e3438.member_12, _e3438.member_13, _e3438.member_14, _e3438.member_15, _e3438.member_16, _e3438.member_17, _e3438.member_18, _e3438.member_19, _e3438.member_20, _e3438.member_21, _e3438.member_22, _e3438.member_23, _e3438.member_24, _e3438.member_25, _e3438.member_26, _e3438.member_27);
+phi_7949_ = type_25(_e3438.member, _e3438.member_1, _e3438.member_2, _e3438.member_3, _e3438.member_4, _e3438.member_5, _e3438.member_6, _e1513, _e3438.member_8, _e3438.member_9, _e3438.member_10, _e3438.member_11, _e3438.member_12, _e3438.member_13, _e3438.member_14, _e3438.member_15, _e3438.member_16, _e3438.member_17, _e3438.member_18, _e3438.member_19, _e3438.member_20, _e3438.member_21, _e3438.member_22, _e3438.member_23, _e3438.member_24, _e3438.member_25, _e3438.member_26, _e3438.member_27);
 } else {
-phi_7951_ = _e3438;
+phi_7949_ = _e3438;
 }
-let _e3469 = phi_7951_;
-phi_7952_ = _e3469;
+let _e3469 = phi_7949_;
+phi_7950_ = _e3469;
 }
-let _e3920 = phi_7952_;
+let _e3920 = phi_7950_;
 let _e3948 = type_25(_e3920.member, _e3920.member_1, _e3920.member_2, _e3920.member_3, _e3920.member_4, _e3920.member_5, _e3920.member_6, _e3920.member_7, _e3920.member_8, _e3920.member_9, _e3920.member_10, _e3920.member_11, _e3920.member_12, 0f, _e3920.member_14, _e3920.member_15, _e3920.member_16, _e3920.member_17, _e3920.member_18, _e3920.member_19, _e3920.member_20, _e3920.member_21, _e3920.member_22, _e3920.member_23, _e3920.member_24, _e3920.member_25, _e3920.member_26, _e3920.member_27);
 let _e3976 = type_25(_e3948.member, _e3948.member_1, _e3948.member_2, _e3948.member_3, _e3948.member_4, _e3948.member_5, _e3948.member_6, _e3948.member_7, _e3948.member_8, _e3948.member_9, _e3948.member_10, 0i, _e3948.member_12, _e3948.member_13, _e3948.member_14, _e3948.member_15, _e3948.member_16, _e3948.member_17, _e3948.member_18, _e3948.member_19, _e3948.member_20, _e3948.member_21, _e3948.member_22, _e3948.member_23, _e3948.member_24, _e3948.member_25, _e3948.member_26, _e3948.member_27);
 let _e4004 = type_25(_e3976.member, _e3976.member_1, _e3976.member_2, _e3976.member_3, _e3976.member_4, _e3976.member_5, _e3976.member_6, _e3976.member_7, _e3976.member_8, _e3976.member_9, _e3976.member_10, _e3976.member_11, 0i, _e3976.member_13, _e3976.member_14, _e3976.member_15, _e3976.member_16, _e3976.member_17, _e3976.member_18, _e3976.member_19, _e3976.member_20, _e3976.member_21, _e3976.member_22, _e3976.member_23, _e3976.member_24, _e3976.member_25, _e3976.member_26, _e3976.member_27);
@@ -1908,30 +1908,30 @@ let _e4165 = type_25(_e4137.member, _e4137.member_1, _e4137.member_2, _e4137.mem
 let _e4170 = global_5.member.member_12.member_3;
 if (_e3920.member_16 > bitcast<i32>(_e4170)) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3920.member_17 & ((1i << bitcast<u32>((_e3920.member_16 & 31i))) - 1i))))) == _e3920.member_20) {
-phi_8107_ = (((_e3920.member_6.x + _e3920.member_6.y) + _e3920.member_6.z) * (1f / 3f));
+phi_8105_ = (((_e3920.member_6.x + _e3920.member_6.y) + _e3920.member_6.z) * (1f / 3f));
 } else {
-phi_8107_ = 0f;
+phi_8105_ = 0f;
 }
-let _e4193 = phi_8107_;
+let _e4193 = phi_8105_;
 let _e4223 = type_25(_e4165.member, _e4165.member_1, _e4165.member_2, _e4165.member_3, _e4165.member_4, _e4165.member_5, _e4165.member_6, _e4165.member_7, _e4165.member_8, _e4165.member_9, _e4165.member_10, _e4165.member_11, _e4165.member_12, _e4165.member_13, _e4165.member_14, _e4165.member_15, _e4165.member_16, _e4165.member_17, _e4165.member_18, _e4165.member_19, _e4165.member_20, _e4165.member_21, _e4165.member_22, _e4165.member_23, _e4165.member_24, _e4165.member_25, _e4165.member_26, (_e3920.member_27 + _e4193));
 let _e4225 = (_e3920.member_18 == 0i);
 if (_e4225 && (_e3920.member_21 == 0i)) {
-phi_9414_ = type_25(_e4223.member, _e4223.member_1, _e4223.member_2, _e4223.member_3, _e4223.member_4, _e4223.member_5, _e4223.member_6, _e4223.member_7, _e4223.member_8, _e4223.member_9, _e4223.member_10, _e4223.member_11, _e4223.member_12, _e4223.member_13, _e4223.member_14, 3f, _e4223.member_16, _e4223.member_17, _e4223.member_18, _e4223.member_19, _e4223.member_20, _e4223.member_21, _e4223.member_22, _e4223.member_23, _e4223.member_24, _e4223.member_25, _e4223.member_26, _e4223.member_27);
+phi_9412_ = type_25(_e4223.member, _e4223.member_1, _e4223.member_2, _e4223.member_3, _e4223.member_4, _e4223.member_5, _e4223.member_6, _e4223.member_7, _e4223.member_8, _e4223.member_9, _e4223.member_10, _e4223.member_11, _e4223.member_12, _e4223.member_13, _e4223.member_14, 3f, _e4223.member_16, _e4223.member_17, _e4223.member_18, _e4223.member_19, _e4223.member_20, _e4223.member_21, _e4223.member_22, _e4223.member_23, _e4223.member_24, _e4223.member_25, _e4223.member_26, _e4223.member_27);
 } else {
 if _e4225 {
 let _e4355 = type_25(_e4223.member, _e4223.member_1, _e4223.member_2, _e4223.member_3, _e4223.member_4, _e4223.member_5, _e4223.member_6, _e4223.member_7, _e4223.member_8, _e4223.member_9, _e4223.member_10, _e4223.member_11, _e4223.member_12, _e4223.member_13, _e4223.member_14, _e4223.member_15, _e4223.member_16, _e4223.member_17, _e4223.member_18, _e4223.member_19, (_e3920.member_20 + 1i), _e4223.member_21, _e4223.member_22, _e4223.member_23, _e4223.member_24, _e4223.member_25, _e4223.member_26, _e4223.member_27);
 let _e4383 = type_25(_e4355.member, _e4355.member_1, _e4355.member_2, _e4355.member_3, _e4355.member_4, _e4355.member_5, _e4355.member_6, _e4355.member_7, _e4355.member_8, _e4355.member_9, _e4355.member_10, _e4355.member_11, _e4355.member_12, _e4355.member_13, _e4355.member_14, _e4355.member_15, _e4355.member_16, _e4355.member_17, _e4355.member_18, _e4355.member_19, _e4355.member_20, 0i, _e4355.member_22, _e4355.member_23, _e4355.member_24, _e4355.member_25, _e4355.member_26, _e4355.member_27);
 let _e4411 = type_25(_e4383.member, _e4383.member_1, _e4383.member_2, _e4383.member_3, _e4383.member_4, _e4383.member_5, _e4383.member_6, _e4383.member_7, _e4383.member_8, _e4383.member_9, _e4383.member_10, _e4383.member_11, _e4383.member_12, _e4383.member_13, _e4383.member_14, _e4383.member_15, _e4383.member_16, 0i, _e4383.member_18, _e4383.member_19, _e4383.member_20, _e4383.member_21, _e4383.member_22, _e4383.member_23, _e4383.member_24, _e4383.member_25, _e4383.member_26, _e4383.member_27);
-phi_8151_ = type_25(_e4411.member, _e4411.member_1, _e4411.member_2, _e4411.member_3, _e4411.member_4, _e4411.member_5, _e4411.member_6, _e4411.member_7, _e4411.member_8, _e4411.member_9, _e4411.member_10, _e4411.member_11, _e4411.member_12, _e4411.member_13, _e4411.member_14, _e4411.member_15, _e4411.member_16, _e4411.member_17, _e4411.member_18, 0i, _e4411.member_20, _e4411.member_21, _e4411.member_22, _e4411.member_23, _e4411.member_24, _e4411.member_25, _e4411.member_26, _e4411.member_27);
+phi_8149_ = type_25(_e4411.member, _e4411.member_1, _e4411.member_2, _e4411.member_3, _e4411.member_4, _e4411.member_5, _e4411.member_6, _e4411.member_7, _e4411.member_8, _e4411.member_9, _e4411.member_10, _e4411.member_11, _e4411.member_12, _e4411.member_13, _e4411.member_14, _e4411.member_15, _e4411.member_16, _e4411.member_17, _e4411.member_18, 0i, _e4411.member_20, _e4411.member_21, _e4411.member_22, _e4411.member_23, _e4411.member_24, _e4411.member_25, _e4411.member_26, _e4411.member_27);
 } else {
 let _e4233 = bitcast<i32>((bitcast<u32>(f32(_e3920.member_18)) >> bitcast<u32>(23i)));
 let _e4237 = (1i << bitcast<u32>(((_e4233 - 127i) & 31i)));
 let _e4238 = (_e4237 - 1i);
 let _e4268 = type_25(_e4223.member, _e4223.member_1, _e4223.member_2, _e4223.member_3, _e4223.member_4, _e4223.member_5, _e4223.member_6, _e4223.member_7, _e4223.member_8, _e4223.member_9, _e4223.member_10, _e4223.member_11, _e4223.member_12, _e4223.member_13, _e4223.member_14, _e4223.member_15, _e4223.member_16, ((_e3920.member_17 & _e4238) | _e4237), _e4223.member_18, _e4223.member_19, _e4223.member_20, _e4223.member_21, _e4223.member_22, _e4223.member_23, _e4223.member_24, _e4223.member_25, _e4223.member_26, _e4223.member_27);
 let _e4297 = type_25(_e4268.member, _e4268.member_1, _e4268.member_2, _e4268.member_3, _e4268.member_4, _e4268.member_5, _e4268.member_6, _e4268.member_7, _e4268.member_8, _e4268.member_9, _e4268.member_10, _e4268.member_11, _e4268.member_12, _e4268.member_13, _e4268.member_14, _e4268.member_15, _e4268.member_16, _e4268.member_17, (_e3920.member_18 & _e4238), _e4268.member_19, _e4268.member_20, _e4268.member_21, _e4268.member_22, _e4268.member_23, _e4268.member_24, _e4268.member_25, _e4268.member_26, _e4268.member_27);
-phi_8151_ = type_25(_e4297.member, _e4297.member_1, _e4297.member_2, _e4297.member_3, _e4297.member_4, _e4297.member_5, _e4297.member_6, _e4297.member_7, _e4297.member_8, _e4297.member_9, _e4297.member_10, _e4297.member_11, _e4297.member_12, _e4297.member_13, _e4297.member_14, _e4297.member_15, _e4297.member_16, _e4297.member_17, _e4297.member_18, (_e4233 + -126i), _e4297.member_20, _e4297.member_21, _e4297.member_22, _e4297.member_23, _e4297.member_24, _e4297.member_25, _e4297.member_26, _e4297.member_27);
+phi_8149_ = type_25(_e4297.member, _e4297.member_1, _e4297.member_2, _e4297.member_3, _e4297.member_4, _e4297.member_5, _e4297.member_6, _e4297.member_7, _e4297.member_8, _e4297.member_9, _e4297.member_10, _e4297.member_11, _e4297.member_12, _e4297.member_13, _e4297.member_14, _e4297.member_15, _e4297.member_16, _e4297.member_17, _e4297.member_18, (_e4233 + -126i), _e4297.member_20, _e4297.member_21, _e4297.member_22, _e4297.member_23, _e4297.member_24, _e4297.member_25, _e4297.member_26, _e4297.member_27);
 }
-let _e4441 = phi_8151_;
+let _e4441 = phi_8149_;
 let _e4447 = global_5.member.member_1.member;
 let _e4449 = f32(bitcast<i32>(_e4447));
 let _e4453 = global_5.member.member_1.member_1;
@@ -2026,19 +2026,19 @@ let _e4898 = type_25(_e4870.member, _e4870.member_1, _e4870.member_2, _e4870.mem
 let _e4926 = type_25(_e4898.member, _e4898.member_1, _e4898.member_2, _e4898.member_3, _e4898.member_4, _e4898.member_5, _e4898.member_6, 0i, _e4898.member_8, _e4898.member_9, _e4898.member_10, _e4898.member_11, _e4898.member_12, _e4898.member_13, _e4898.member_14, _e4898.member_15, _e4898.member_16, _e4898.member_17, _e4898.member_18, _e4898.member_19, _e4898.member_20, _e4898.member_21, _e4898.member_22, _e4898.member_23, _e4898.member_24, _e4898.member_25, _e4898.member_26, _e4898.member_27);
 let _e4954 = type_25(_e4926.member, _e4926.member_1, _e4926.member_2, _e4926.member_3, _e4926.member_4, _e4926.member_5, _e4926.member_6, _e4926.member_7, _e4926.member_8, _e4926.member_9, _e4926.member_10, _e4926.member_11, _e4926.member_12, _e4926.member_13, _e4926.member_14, _e4926.member_15, 0i, _e4926.member_17, _e4926.member_18, _e4926.member_19, _e4926.member_20, _e4926.member_21, _e4926.member_22, _e4926.member_23, _e4926.member_24, _e4926.member_25, _e4926.member_26, _e4926.member_27);
 let _e4982 = type_25(_e4954.member, _e4954.member_1, _e4954.member_2, _e4954.member_3, _e4954.member_4, _e4954.member_5, _e4954.member_6, _e4954.member_7, _e4954.member_8, _e4954.member_9, _e4954.member_10, _e4954.member_11, _e4954.member_12, _e4954.member_13, _e4954.member_14, 1f, _e4954.member_16, _e4954.member_17, _e4954.member_18, _e4954.member_19, _e4954.member_20, _e4954.member_21, _e4954.member_22, _e4954.member_23, _e4954.member_24, _e4954.member_25, _e4954.member_26, _e4954.member_27);
-let _e4988 = ((((_e4011.member.member * _e4716) + (_e4011.member.member_1 * _e4717)) + (_e4011.member.member_2 * _e4718)) + _e4011.member_1);
-let _e4992 = ((_e4988 / _e4679) - 0.015625f);
-let _e4995 = select(1e30f, select(0f, _e4992, (_e4992 > 0f)), ((_e4988 > 0f) && _e4677));
-let _e5001 = ((((_e4048.member.member * _e4716) + (_e4048.member.member_1 * _e4717)) + (_e4048.member.member_2 * _e4718)) + _e4048.member_1);
-let _e5005 = ((_e5001 / _e4700) - 0.015625f);
-let _e5008 = select(1e30f, select(0f, _e5005, (_e5005 > 0f)), ((_e5001 > 0f) && _e4698));
-let _e5012 = (_e5008 < _e4995);
-let _e5043 = type_25(_e4982.member, _e4982.member_1, _e4982.member_2, _e4982.member_3, _e4982.member_4, _e4982.member_5, _e4982.member_6, _e4982.member_7, 0i, _e4982.member_9, _e4982.member_10, _e4982.member_11, _e4982.member_12, _e4982.member_13, _e4982.member_14, _e4982.member_15, _e4982.member_16, _e4982.member_17, _e4982.member_18, _e4982.member_19, _e4982.member_20, _e4982.member_21, _e4982.member_22, _e4982.member_23, _e4982.member_24, _e4982.member_25, _e4982.member_26, _e4982.member_27);
-let _e5071 = type_25(_e5043.member, _e5043.member_1, _e5043.member_2, _e5043.member_3, _e5043.member_4, _e5043.member_5, _e5043.member_6, _e5043.member_7, _e5043.member_8, select(select(-2i, -3i, _e5012), -1i, ((_e4995 >= 1e30f) && (_e5008 >= 1e30f))), _e5043.member_10, _e5043.member_11, _e5043.member_12, _e5043.member_13, _e5043.member_14, _e5043.member_15, _e5043.member_16, _e5043.member_17, _e5043.member_18, _e5043.member_19, _e5043.member_20, _e5043.member_21, _e5043.member_22, _e5043.member_23, _e5043.member_24, _e5043.member_25, _e5043.member_26, _e5043.member_27);
-let _e5099 = type_25(_e5071.member, _e5071.member_1, _e5071.member_2, _e5071.member_3, _e5071.member_4, _e5071.member_5, _e5071.member_6, _e5071.member_7, _e5071.member_8, _e5071.member_9, select(_e4995, _e5008, _e5012), _e5071.member_11, _e5071.member_12, _e5071.member_13, _e5071.member_14, _e5071.member_15, _e5071.member_16, _e5071.member_17, _e5071.member_18, _e5071.member_19, _e5071.member_20, _e5071.member_21, _e5071.member_22, _e5071.member_23, _e5071.member_24, _e5071.member_25, _e5071.member_26, _e5071.member_27);
-let _e5127 = type_25(_e5099.member, _e5099.member_1, _e5099.member_2, _e5099.member_3, _e5099.member_4, _e5099.member_5, _e5099.member_6, _e5099.member_7, _e5099.member_8, _e5099.member_9, _e5099.member_10, _e5099.member_11, _e5099.member_12, 0f, _e5099.member_14, _e5099.member_15, _e5099.member_16, _e5099.member_17, _e5099.member_18, _e5099.member_19, _e5099.member_20, _e5099.member_21, _e5099.member_22, _e5099.member_23, _e5099.member_24, _e5099.member_25, _e5099.member_26, _e5099.member_27);
-let _e5155 = type_25(_e5127.member, _e5127.member_1, _e5127.member_2, _e5127.member_3, _e5127.member_4, _e5127.member_5, _e5127.member_6, _e5127.member_7, _e5127.member_8, _e5127.member_9, _e5127.member_10, 0i, _e5127.member_12, _e5127.member_13, _e5127.member_14, _e5127.member_15, _e5127.member_16, _e5127.member_17, _e5127.member_18, _e5127.member_19, _e5127.member_20, _e5127.member_21, _e5127.member_22, _e5127.member_23, _e5127.member_24, _e5127.member_25, _e5127.member_26, _e5127.member_27);
-let _e5183 = type_25(_e5155.member, _e5155.member_1, _e5155.member_2, _e5155.member_3, _e5155.member_4, _e5155.member_5, _e5155.member_6, _e5155.member_7, _e5155.member_8, _e5155.member_9, _e5155.member_10, _e5155.member_11, 0i, _e5155.member_13, _e5155.member_14, _e5155.member_15, _e5155.member_16, _e5155.member_17, _e5155.member_18, _e5155.member_19, _e5155.member_20, _e5155.member_21, _e5155.member_22, _e5155.member_23, _e5155.member_24, _e5155.member_25, _e5155.member_26, _e5155.member_27);
+let _e5010 = type_25(_e4982.member, _e4982.member_1, _e4982.member_2, _e4982.member_3, _e4982.member_4, _e4982.member_5, _e4982.member_6, _e4982.member_7, _e4982.member_8, _e4982.member_9, _e4982.member_10, _e4982.member_11, _e4982.member_12, 0f, _e4982.member_14, _e4982.member_15, _e4982.member_16, _e4982.member_17, _e4982.member_18, _e4982.member_19, _e4982.member_20, _e4982.member_21, _e4982.member_22, _e4982.member_23, _e4982.member_24, _e4982.member_25, _e4982.member_26, _e4982.member_27);
+let _e5038 = type_25(_e5010.member, _e5010.member_1, _e5010.member_2, _e5010.member_3, _e5010.member_4, _e5010.member_5, _e5010.member_6, _e5010.member_7, _e5010.member_8, _e5010.member_9, _e5010.member_10, 0i, _e5010.member_12, _e5010.member_13, _e5010.member_14, _e5010.member_15, _e5010.member_16, _e5010.member_17, _e5010.member_18, _e5010.member_19, _e5010.member_20, _e5010.member_21, _e5010.member_22, _e5010.member_23, _e5010.member_24, _e5010.member_25, _e5010.member_26, _e5010.member_27);
+let _e5066 = type_25(_e5038.member, _e5038.member_1, _e5038.member_2, _e5038.member_3, _e5038.member_4, _e5038.member_5, _e5038.member_6, _e5038.member_7, _e5038.member_8, _e5038.member_9, _e5038.member_10, _e5038.member_11, 0i, _e5038.member_13, _e5038.member_14, _e5038.member_15, _e5038.member_16, _e5038.member_17, _e5038.member_18, _e5038.member_19, _e5038.member_20, _e5038.member_21, _e5038.member_22, _e5038.member_23, _e5038.member_24, _e5038.member_25, _e5038.member_26, _e5038.member_27);
+let _e5072 = ((((_e4011.member.member * _e4716) + (_e4011.member.member_1 * _e4717)) + (_e4011.member.member_2 * _e4718)) + _e4011.member_1);
+let _e5076 = ((_e5072 / _e4679) - 0.015625f);
+let _e5079 = select(1e30f, select(0f, _e5076, (_e5076 > 0f)), ((_e5072 > 0f) && _e4677));
+let _e5085 = ((((_e4048.member.member * _e4716) + (_e4048.member.member_1 * _e4717)) + (_e4048.member.member_2 * _e4718)) + _e4048.member_1);
+let _e5089 = ((_e5085 / _e4700) - 0.015625f);
+let _e5092 = select(1e30f, select(0f, _e5089, (_e5089 > 0f)), ((_e5085 > 0f) && _e4698));
+let _e5096 = (_e5092 < _e5079);
+let _e5127 = type_25(_e5066.member, _e5066.member_1, _e5066.member_2, _e5066.member_3, _e5066.member_4, _e5066.member_5, _e5066.member_6, _e5066.member_7, 0i, _e5066.member_9, _e5066.member_10, _e5066.member_11, _e5066.member_12, _e5066.member_13, _e5066.member_14, _e5066.member_15, _e5066.member_16, _e5066.member_17, _e5066.member_18, _e5066.member_19, _e5066.member_20, _e5066.member_21, _e5066.member_22, _e5066.member_23, _e5066.member_24, _e5066.member_25, _e5066.member_26, _e5066.member_27);
+let _e5155 = type_25(_e5127.member, _e5127.member_1, _e5127.member_2, _e5127.member_3, _e5127.member_4, _e5127.member_5, _e5127.member_6, _e5127.member_7, _e5127.member_8, select(select(-2i, -3i, _e5096), -1i, ((_e5079 >= 1e30f) && (_e5092 >= 1e30f))), _e5127.member_10, _e5127.member_11, _e5127.member_12, _e5127.member_13, _e5127.member_14, _e5127.member_15, _e5127.member_16, _e5127.member_17, _e5127.member_18, _e5127.member_19, _e5127.member_20, _e5127.member_21, _e5127.member_22, _e5127.member_23, _e5127.member_24, _e5127.member_25, _e5127.member_26, _e5127.member_27);
+let _e5183 = type_25(_e5155.member, _e5155.member_1, _e5155.member_2, _e5155.member_3, _e5155.member_4, _e5155.member_5, _e5155.member_6, _e5155.member_7, _e5155.member_8, _e5155.member_9, select(_e5079, _e5092, _e5096), _e5155.member_11, _e5155.member_12, _e5155.member_13, _e5155.member_14, _e5155.member_15, _e5155.member_16, _e5155.member_17, _e5155.member_18, _e5155.member_19, _e5155.member_20, _e5155.member_21, _e5155.member_22, _e5155.member_23, _e5155.member_24, _e5155.member_25, _e5155.member_26, _e5155.member_27);
 let _e5187 = global_5.member.member_13.member_4;
 let _e5194 = global_5.member.member_13.member_5;
 let _e5199 = ((_e5187.member - _e4523) * _e4601);
@@ -2098,52 +2098,52 @@ let _e5394 = (1f * ((1f + (_e5320 * (1f + (_e5320 * (0.5f + (_e5320 * (0.1666666
 let _e5395 = (1f * ((1f + (_e5368 * (1f + (_e5368 * (0.5f + (_e5368 * (0.16666667f + (_e5368 * (0.041666668f + (_e5368 * (0.008333334f + (_e5368 * (0.001388889f + (_e5368 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5363 + 127i)) << bitcast<u32>(23i)))));
 let _e5424 = type_25(_e5183.member, _e5183.member_1, _e5183.member_2, _e5183.member_3, _e5183.member_4, _e5183.member_5, vec3<f32>(_e5393, _e5394, _e5395), _e5183.member_7, _e5183.member_8, _e5183.member_9, _e5183.member_10, _e5183.member_11, _e5183.member_12, _e5183.member_13, _e5183.member_14, _e5183.member_15, _e5183.member_16, _e5183.member_17, _e5183.member_18, _e5183.member_19, _e5183.member_20, _e5183.member_21, _e5183.member_22, _e5183.member_23, _e5183.member_24, _e5183.member_25, _e5183.member_26, _e5183.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e4441.member_20) {
-phi_9386_ = ((((1f + 1f) + 1f) * _e5391) - (((_e5393 + _e5394) + _e5395) * _e5391));
+phi_9384_ = ((((1f + 1f) + 1f) * _e5391) - (((_e5393 + _e5394) + _e5395) * _e5391));
 } else {
-phi_9386_ = 0f;
+phi_9384_ = 0f;
 }
-let _e5434 = phi_9386_;
+let _e5434 = phi_9384_;
 let _e5464 = type_25(_e5424.member, _e5424.member_1, _e5424.member_2, _e5424.member_3, _e5424.member_4, _e5424.member_5, _e5424.member_6, _e5424.member_7, _e5424.member_8, _e5424.member_9, _e5424.member_10, _e5424.member_11, _e5424.member_12, _e5424.member_13, _e5424.member_14, _e5424.member_15, _e5424.member_16, _e5424.member_17, _e5424.member_18, _e5424.member_19, _e5424.member_20, _e5424.member_21, _e5424.member_22, _e5424.member_23, _e5424.member_24, _e5424.member_25, (_e4441.member_26 + _e5434), _e5424.member_27);
 if _e4711 {
-phi_9413_ = type_25(_e5464.member, _e5464.member_1, _e5464.member_2, _e5464.member_3, _e5464.member_4, _e5464.member_5, _e5464.member_6, _e5464.member_7, _e1381, _e5464.member_9, _e5464.member_10, _e5464.member_11, _e5464.member_12, _e5464.member_13, _e5464.member_14, _e5464.member_15, _e5464.member_16, _e5464.member_17, _e5464.member_18, _e5464.member_19, _e5464.member_20, _e5464.member_21, _e5464.member_22, _e5464.member_23, _e5464.member_24, _e5464.member_25, _e5464.member_26, _e5464.member_27);
+phi_9411_ = type_25(_e5464.member, _e5464.member_1, _e5464.member_2, _e5464.member_3, _e5464.member_4, _e5464.member_5, _e5464.member_6, _e5464.member_7, _e1381, _e5464.member_9, _e5464.member_10, _e5464.member_11, _e5464.member_12, _e5464.member_13, _e5464.member_14, _e5464.member_15, _e5464.member_16, _e5464.member_17, _e5464.member_18, _e5464.member_19, _e5464.member_20, _e5464.member_21, _e5464.member_22, _e5464.member_23, _e5464.member_24, _e5464.member_25, _e5464.member_26, _e5464.member_27);
 } else {
-phi_9413_ = _e5464;
+phi_9411_ = _e5464;
 }
-let _e5494 = phi_9413_;
-phi_9414_ = _e5494;
+let _e5494 = phi_9411_;
+phi_9412_ = _e5494;
 }
-let _e5524 = phi_9414_;
-phi_9415_ = _e5524;
+let _e5524 = phi_9412_;
+phi_9413_ = _e5524;
 } else {
-phi_9415_ = _e4165;
+phi_9413_ = _e4165;
 }
-let _e5526 = phi_9415_;
-phi_9416_ = type_25();
-phi_9417_ = _e5526;
+let _e5526 = phi_9413_;
+phi_9414_ = type_25();
+phi_9415_ = _e5526;
 }
-let _e5804 = phi_9416_;
-let _e5806 = phi_9417_;
-phi_9418_ = _e5804;
-phi_9419_ = _e5806;
-phi_9420_ = _e2120;
+let _e5804 = phi_9414_;
+let _e5806 = phi_9415_;
+phi_9416_ = _e5804;
+phi_9417_ = _e5806;
+phi_9418_ = _e2120;
 }
-let _e7217 = phi_9418_;
-let _e7219 = phi_9419_;
-let _e7221 = phi_9420_;
+let _e7217 = phi_9416_;
+let _e7219 = phi_9417_;
+let _e7221 = phi_9418_;
 if _e7221 {
-phi_9424_ = _e7217;
+phi_9422_ = _e7217;
 } else {
-phi_9424_ = _e7219;
+phi_9422_ = _e7219;
 }
-let _e7223 = phi_9424_;
-phi_9425_ = _e7223;
+let _e7223 = phi_9422_;
+phi_9423_ = _e7223;
 }
-let _e7283 = phi_9425_;
-phi_9427_ = _e7283;
-phi_9428_ = select(false, _e1419, _e1462);
+let _e7283 = phi_9423_;
+phi_9425_ = _e7283;
+phi_9426_ = select(false, _e1419, _e1462);
 }
-let _e8139 = phi_9427_;
-let _e8141 = phi_9428_;
+let _e8139 = phi_9425_;
+let _e8141 = phi_9426_;
 phi_2429_ = _e8139;
 phi_2432_ = (_e1417 + 1i);
 phi_2434_ = _e8141;

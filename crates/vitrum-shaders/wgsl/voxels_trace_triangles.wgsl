@@ -154,10 +154,10 @@ var phi_2215_: i32;
 var phi_2218_: i32;
 var phi_2216_: i32;
 var phi_2219_: i32;
-var phi_2249_: i32;
-var phi_2252_: i32;
+var phi_2247_: i32;
 var phi_2250_: i32;
-var phi_2253_: i32;
+var phi_2248_: i32;
+var phi_2251_: i32;
 var local: i32;
 var local_1: i32;
 var local_2: i32;
@@ -165,48 +165,48 @@ var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
-var phi_3885_: type_20;
-var phi_4391_: type_20;
+var phi_3883_: type_20;
+var phi_4389_: type_20;
+var phi_4787_: i32;
 var phi_4789_: i32;
-var phi_4791_: i32;
-var phi_4819_: type_20;
-var phi_4820_: type_20;
-var phi_4900_: type_20;
-var phi_4901_: type_20;
-var phi_4919_: type_20;
+var phi_4817_: type_20;
+var phi_4818_: type_20;
+var phi_4898_: type_20;
+var phi_4899_: type_20;
+var phi_4917_: type_20;
 var local_7: i32;
 var local_8: i32;
+var phi_5365_: type_20;
+var phi_5366_: type_20;
+var phi_5344_: type_20;
 var phi_5367_: type_20;
-var phi_5368_: type_20;
-var phi_5346_: type_20;
-var phi_5369_: type_20;
 var local_9: i32;
 var local_10: i32;
-var phi_2603_: type_20;
-var phi_5375_: type_21;
-var phi_5376_: type_20;
-var phi_5377_: i32;
-var phi_5378_: type_21;
-var phi_5379_: type_20;
-var phi_5380_: i32;
-var phi_5382_: type_21;
-var phi_5383_: type_20;
-var phi_5384_: i32;
-var phi_5386_: bool;
-var phi_5397_: type_21;
-var phi_5398_: type_20;
-var phi_5399_: i32;
-var phi_5401_: bool;
-var phi_5402_: bool;
-var phi_5699_: type_20;
-var phi_5700_: type_20;
+var phi_2601_: type_20;
+var phi_5373_: type_21;
+var phi_5374_: type_20;
+var phi_5375_: i32;
+var phi_5376_: type_21;
+var phi_5377_: type_20;
+var phi_5378_: i32;
+var phi_5380_: type_21;
+var phi_5381_: type_20;
+var phi_5382_: i32;
+var phi_5384_: bool;
+var phi_5395_: type_21;
+var phi_5396_: type_20;
+var phi_5397_: i32;
+var phi_5399_: bool;
+var phi_5400_: bool;
+var phi_5697_: type_20;
+var phi_5698_: type_20;
 var local_11: i32;
 var local_12: i32;
-var phi_5967_: type_20;
-var phi_6255_: type_21;
-var phi_6256_: type_20;
-var phi_6262_: type_21;
-var phi_6263_: type_20;
+var phi_5965_: type_20;
+var phi_6253_: type_21;
+var phi_6254_: type_20;
+var phi_6260_: type_21;
+var phi_6261_: type_20;
 var phi_1408_: i32;
 var phi_2022_: i32;
 var phi_2186_: type_21;
@@ -226,16 +226,16 @@ var phi_2207_: type_20;
 var phi_2208_: bool;
 var phi_2212_: type_21;
 var phi_2213_: type_20;
-var phi_6265_: type_21;
-var phi_6266_: type_20;
-var phi_6267_: i32;
+var phi_6263_: type_21;
+var phi_6264_: type_20;
+var phi_6265_: i32;
 var phi_1095_: type_21;
 var phi_1098_: type_20;
 var phi_1100_: i32;
 var phi_1102_: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_6273_: i32;
+var phi_6271_: i32;
 var local_15: type_21;
 var local_16: type_21;
 var local_17: type_21;
@@ -763,9 +763,9 @@ phi_2213_ = _e4091;
 }
 let _e4095 = phi_2212_;
 let _e4097 = phi_2213_;
-phi_6265_ = _e4095;
-phi_6266_ = _e4097;
-phi_6267_ = _e690;
+phi_6263_ = _e4095;
+phi_6264_ = _e4097;
+phi_6265_ = _e690;
 } else {
 phi_2215_ = 15i;
 phi_2218_ = 16i;
@@ -800,29 +800,29 @@ break if !(_e702);
 }
 let _e716 = (_e686.member_16 >= 0i);
 let _e725 = ((_e690 | (_e684.member & ~(_e684.member_1))) & ~((_e684.member_1 & ~(_e684.member))));
-phi_2249_ = 15i;
-phi_2252_ = 16i;
+phi_2247_ = 15i;
+phi_2250_ = 16i;
 loop {
-let _e727 = phi_2249_;
-let _e729 = phi_2252_;
+let _e727 = phi_2247_;
+let _e729 = phi_2250_;
 local_2 = _e729;
 local_4 = _e729;
 local_5 = _e729;
 local_8 = _e729;
 let _e730 = (_e727 >= 0i);
 if _e730 {
-phi_2250_ = (_e727 - 1i);
-phi_2253_ = select(_e729, _e727, (((_e725 >> bitcast<u32>((_e727 & 31i))) & 1i) == 1i));
+phi_2248_ = (_e727 - 1i);
+phi_2251_ = select(_e729, _e727, (((_e725 >> bitcast<u32>((_e727 & 31i))) & 1i) == 1i));
 } else {
-phi_2250_ = i32();
-phi_2253_ = i32();
+phi_2248_ = i32();
+phi_2251_ = i32();
 }
-let _e739 = phi_2250_;
-let _e741 = phi_2253_;
+let _e739 = phi_2248_;
+let _e741 = phi_2251_;
 continue;
 continuing {
-phi_2249_ = _e739;
-phi_2252_ = _e741;
+phi_2247_ = _e739;
+phi_2250_ = _e741;
 break if !(_e730);
 }
 }
@@ -843,15 +843,15 @@ let _e774 = select(_e772, _e770, (_e770 < _e772));
 let _e780 = global_4.member[bitcast<u32>(select(0i, _e774, (_e774 > 0i)))];
 let _e783 = (select(_e780, 1f, (_e769 == 16i)) <= 0f);
 if _e749 {
-phi_5382_ = type_21();
-phi_5383_ = type_20();
-phi_5384_ = i32();
-phi_5386_ = false;
+phi_5380_ = type_21();
+phi_5381_ = type_20();
+phi_5382_ = i32();
+phi_5384_ = false;
 } else {
 if _e783 {
-phi_5378_ = type_21();
-phi_5379_ = type_20();
-phi_5380_ = i32();
+phi_5376_ = type_21();
+phi_5377_ = type_20();
+phi_5378_ = i32();
 } else {
 let _e785 = local_1;
 let _e787 = local_2;
@@ -902,11 +902,11 @@ let _e2722 = select(0i, select(select(i32(_e2715), i32(-2147483648), (_e2715 < -
 let _e2726 = (_e2722 - select(0i, 1i, (_e2715 < f32(_e2722))));
 let _e2727 = f32(_e2726);
 let _e2731 = ((_e2709 - (_e2727 * 0.6933594f)) - (_e2727 * -2.1219444e-4f));
-phi_2603_ = type_20(_e2577.member, _e2577.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e2617 * (1f + (_e2617 * (0.5f + (_e2617 * (0.16666667f + (_e2617 * (0.041666668f + (_e2617 * (0.008333334f + (_e2617 * (0.001388889f + (_e2617 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2612 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e2674 * (1f + (_e2674 * (0.5f + (_e2674 * (0.16666667f + (_e2674 * (0.041666668f + (_e2674 * (0.008333334f + (_e2674 * (0.001388889f + (_e2674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2669 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e2731 * (1f + (_e2731 * (0.5f + (_e2731 * (0.16666667f + (_e2731 * (0.041666668f + (_e2731 * (0.008333334f + (_e2731 * (0.001388889f + (_e2731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2726 + 127i)) << bitcast<u32>(23i)))))), _e2577.member_3, _e2577.member_4, _e2577.member_5, _e2577.member_6, _e2577.member_7, _e2577.member_8, _e2577.member_9, _e2577.member_10, _e2577.member_11, _e2577.member_12, _e2577.member_13, _e2577.member_14, _e2577.member_15, _e2577.member_16, _e2577.member_17);
+phi_2601_ = type_20(_e2577.member, _e2577.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e2617 * (1f + (_e2617 * (0.5f + (_e2617 * (0.16666667f + (_e2617 * (0.041666668f + (_e2617 * (0.008333334f + (_e2617 * (0.001388889f + (_e2617 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2612 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e2674 * (1f + (_e2674 * (0.5f + (_e2674 * (0.16666667f + (_e2674 * (0.041666668f + (_e2674 * (0.008333334f + (_e2674 * (0.001388889f + (_e2674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2669 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e2731 * (1f + (_e2731 * (0.5f + (_e2731 * (0.16666667f + (_e2731 * (0.041666668f + (_e2731 * (0.008333334f + (_e2731 * (0.001388889f + (_e2731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2726 + 127i)) << bitcast<u32>(23i)))))), _e2577.member_3, _e2577.member_4, _e2577.member_5, _e2577.member_6, _e2577.member_7, _e2577.member_8, _e2577.member_9, _e2577.member_10, _e2577.member_11, _e2577.member_12, _e2577.member_13, _e2577.member_14, _e2577.member_15, _e2577.member_16, _e2577.member_17);
 } else {
-phi_2603_ = _e686;
+phi_2601_ = _e686;
 }
-let _e2781 = phi_2603_;
+let _e2781 = phi_2601_;
 let _e2788 = type_21(0i, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
 let _e2793 = type_21(_e2788.member, 0i, _e2788.member_2, _e2788.member_3, _e2788.member_4);
 let _e2805 = global_1.member.member_18.member.member;
@@ -924,9 +924,9 @@ let _e2868 = select(1e30f, select(0f, _e2865, (_e2865 > 0f)), ((_e2853 > 0f) && 
 let _e2872 = (_e2868 < _e2837);
 let _e2893 = type_20(_e2781.member, _e2781.member_1, _e2781.member_2, _e2781.member_3, _e2781.member_4, _e2781.member_5, _e2781.member_6, _e2781.member_7, _e2781.member_8, _e2781.member_9, _e2781.member_10, _e2781.member_11, _e2781.member_12, _e2781.member_13, _e2781.member_14, 0i, _e2781.member_16, _e2781.member_17);
 let _e2911 = type_20(_e2893.member, _e2893.member_1, _e2893.member_2, _e2893.member_3, _e2893.member_4, _e2893.member_5, _e2893.member_6, _e2893.member_7, _e2893.member_8, _e2893.member_9, _e2893.member_10, _e2893.member_11, _e2893.member_12, _e2893.member_13, _e2893.member_14, _e2893.member_15, select(select(-2i, -3i, _e2872), -1i, ((_e2837 >= 1e30f) && (_e2868 >= 1e30f))), _e2893.member_17);
-phi_5375_ = type_21(_e2793.member, _e2793.member_1, select(1.1754944e-38f, _e684.member_3, (_e684.member_3 > 1.1754944e-38f)), _e2793.member_3, _e2793.member_4);
-phi_5376_ = type_20(_e2911.member, _e2911.member_1, _e2911.member_2, _e2911.member_3, _e2911.member_4, _e2911.member_5, _e2911.member_6, _e2911.member_7, _e2911.member_8, _e2911.member_9, _e2911.member_10, _e2911.member_11, _e2911.member_12, _e2911.member_13, _e2911.member_14, _e2911.member_15, _e2911.member_16, select(_e2837, _e2868, _e2872));
-phi_5377_ = _e725;
+phi_5373_ = type_21(_e2793.member, _e2793.member_1, select(1.1754944e-38f, _e684.member_3, (_e684.member_3 > 1.1754944e-38f)), _e2793.member_3, _e2793.member_4);
+phi_5374_ = type_20(_e2911.member, _e2911.member_1, _e2911.member_2, _e2911.member_3, _e2911.member_4, _e2911.member_5, _e2911.member_6, _e2911.member_7, _e2911.member_8, _e2911.member_9, _e2911.member_10, _e2911.member_11, _e2911.member_12, _e2911.member_13, _e2911.member_14, _e2911.member_15, _e2911.member_16, select(_e2837, _e2868, _e2872));
+phi_5375_ = _e725;
 } else {
 let _e790 = select(_e754, _e751, (_e751 < _e754));
 let _e796 = global_3.member[bitcast<u32>(select(0i, _e790, (_e790 > 0i)))];
@@ -1117,11 +1117,11 @@ let _e1381 = select(0i, select(select(i32(_e1374), i32(-2147483648), (_e1374 < -
 let _e1385 = (_e1381 - select(0i, 1i, (_e1374 < f32(_e1381))));
 let _e1386 = f32(_e1385);
 let _e1390 = ((_e1368 - (_e1386 * 0.6933594f)) - (_e1386 * -2.1219444e-4f));
-phi_3885_ = type_20(_e1239.member, _e1239.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e1276 * (1f + (_e1276 * (0.5f + (_e1276 * (0.16666667f + (_e1276 * (0.041666668f + (_e1276 * (0.008333334f + (_e1276 * (0.001388889f + (_e1276 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1271 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e1333 * (1f + (_e1333 * (0.5f + (_e1333 * (0.16666667f + (_e1333 * (0.041666668f + (_e1333 * (0.008333334f + (_e1333 * (0.001388889f + (_e1333 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1328 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e1390 * (1f + (_e1390 * (0.5f + (_e1390 * (0.16666667f + (_e1390 * (0.041666668f + (_e1390 * (0.008333334f + (_e1390 * (0.001388889f + (_e1390 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1385 + 127i)) << bitcast<u32>(23i)))))), _e1239.member_3, _e1239.member_4, _e1239.member_5, _e1239.member_6, _e1239.member_7, _e1239.member_8, _e1239.member_9, _e1239.member_10, _e1239.member_11, _e1239.member_12, _e1239.member_13, _e1239.member_14, _e1239.member_15, _e1239.member_16, _e1239.member_17);
+phi_3883_ = type_20(_e1239.member, _e1239.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e1276 * (1f + (_e1276 * (0.5f + (_e1276 * (0.16666667f + (_e1276 * (0.041666668f + (_e1276 * (0.008333334f + (_e1276 * (0.001388889f + (_e1276 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1271 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e1333 * (1f + (_e1333 * (0.5f + (_e1333 * (0.16666667f + (_e1333 * (0.041666668f + (_e1333 * (0.008333334f + (_e1333 * (0.001388889f + (_e1333 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1328 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e1390 * (1f + (_e1390 * (0.5f + (_e1390 * (0.16666667f + (_e1390 * (0.041666668f + (_e1390 * (0.008333334f + (_e1390 * (0.001388889f + (_e1390 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1385 + 127i)) << bitcast<u32>(23i)))))), _e1239.member_3, _e1239.member_4, _e1239.member_5, _e1239.member_6, _e1239.member_7, _e1239.member_8, _e1239.member_9, _e1239.member_10, _e1239.member_11, _e1239.member_12, _e1239.member_13, _e1239.member_14, _e1239.member_15, _e1239.member_16, _e1239.member_17);
 } else {
-phi_3885_ = _e686;
+phi_3883_ = _e686;
 }
-let _e1440 = phi_3885_;
+let _e1440 = phi_3883_;
 let _e1476 = type_20(vec3<f32>((_e1440.member.x + (_e1440.member_1.x * _e1440.member_17)), (_e1440.member.y + (_e1440.member_1.y * _e1440.member_17)), (_e1440.member.z + (_e1440.member_1.z * _e1440.member_17))), _e1440.member_1, _e1440.member_2, _e1440.member_3, _e1440.member_4, _e1440.member_5, _e1440.member_6, _e1440.member_7, _e1440.member_8, _e1440.member_9, _e1440.member_10, _e1440.member_11, _e1440.member_12, _e1440.member_13, _e1440.member_14, _e1440.member_15, _e1440.member_16, _e1440.member_17);
 let _e1496 = type_20(_e1476.member, _e1476.member_1, _e1476.member_2, _e1476.member_3, _e1476.member_4, (_e1440.member_5 + _e1440.member_17), _e1476.member_6, _e1476.member_7, _e1476.member_8, _e1476.member_9, _e1476.member_10, _e1476.member_11, _e1476.member_12, _e1476.member_13, _e1476.member_14, _e1476.member_15, _e1476.member_16, _e1476.member_17);
 let _e1498 = (_e1440.member_8 == 0f);
@@ -1161,11 +1161,11 @@ let _e1630 = select(0f, select(select((((0.5f * _e1608) * _e1608) * (1f + (_e161
 let _e1631 = (_e1498 && _e747);
 if _e1498 {
 let _e1649 = type_20(_e1519.member, _e1519.member_1, _e1519.member_2, vec3<f32>(_e1208, _e1209, _e1210), _e1519.member_4, _e1519.member_5, _e1519.member_6, _e1519.member_7, _e1519.member_8, _e1519.member_9, _e1519.member_10, _e1519.member_11, _e1519.member_12, _e1519.member_13, _e1519.member_14, _e1519.member_15, _e1519.member_16, _e1519.member_17);
-phi_4391_ = type_20(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3, _e1649.member_4, _e1649.member_5, _e1649.member_6, _e1649.member_7, _e1649.member_8, _e1649.member_9, _e1649.member_10, select(0f, _e1630, _e1631), _e1649.member_12, _e1649.member_13, _e1649.member_14, _e1649.member_15, _e1649.member_16, _e1649.member_17);
+phi_4389_ = type_20(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3, _e1649.member_4, _e1649.member_5, _e1649.member_6, _e1649.member_7, _e1649.member_8, _e1649.member_9, _e1649.member_10, select(0f, _e1630, _e1631), _e1649.member_12, _e1649.member_13, _e1649.member_14, _e1649.member_15, _e1649.member_16, _e1649.member_17);
 } else {
-phi_4391_ = _e1519;
+phi_4389_ = _e1519;
 }
-let _e1670 = phi_4391_;
+let _e1670 = phi_4389_;
 let _e1674 = select(24f, _e1670.member_8, (_e1670.member_8 < 24f));
 let _e1684 = (_e1670.member_14 >> bitcast<u32>((select(0i, select(select(i32(_e1674), i32(-2147483648), (_e1674 < -2147483600f)), 2147483647i, (_e1674 > 2147483500f)), (_e1674 == _e1674)) & 31i)));
 let _e1686 = ((_e1684 & 1i) == 1i);
@@ -1225,28 +1225,28 @@ let _e1924 = ((_e1670.member_13.x + _e1670.member_13.y) + _e1670.member_13.z);
 if ((((_e1627 & 8u) != 0u) && (_e1912 < 24i)) && (((_e1902 + _e1903) + _e1904) > _e1924)) {
 if (_e1924 > 0f) {
 if (_e1670.member_14 == 0i) {
-phi_4789_ = 0i;
+phi_4787_ = 0i;
 } else {
-phi_4789_ = (_e1670.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1670.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
+phi_4787_ = (_e1670.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1670.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
 }
-let _e1968 = phi_4789_;
-phi_4791_ = _e1968;
+let _e1968 = phi_4787_;
+phi_4789_ = _e1968;
 } else {
-phi_4791_ = _e1670.member_14;
+phi_4789_ = _e1670.member_14;
 }
-let _e1970 = phi_4791_;
+let _e1970 = phi_4789_;
 let _e1992 = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, _e1670.member_12, _e1670.member_13, (_e1970 | (1i << bitcast<u32>((_e1912 & 31i)))), _e1670.member_15, _e1670.member_16, _e1670.member_17);
 let _e2020 = type_20(_e1992.member, _e1992.member_1, _e1992.member_2, _e1992.member_3, _e1992.member_4, _e1992.member_5, _e1992.member_6, _e1992.member_7, _e1992.member_8, _e1992.member_9, _e1992.member_10, _e1992.member_11, vec3<f32>((_e1670.member_12.x + _e1670.member_13.x), (_e1670.member_12.y + _e1670.member_13.y), (_e1670.member_12.z + _e1670.member_13.z)), _e1992.member_13, _e1992.member_14, _e1992.member_15, _e1992.member_16, _e1992.member_17);
-phi_4819_ = type_20(_e2020.member, _e2020.member_1, _e2020.member_2, _e2020.member_3, _e2020.member_4, _e2020.member_5, _e2020.member_6, _e2020.member_7, _e2020.member_8, _e2020.member_9, _e2020.member_10, _e2020.member_11, _e2020.member_12, vec3<f32>(_e1902, _e1903, _e1904), _e2020.member_14, _e2020.member_15, _e2020.member_16, _e2020.member_17);
+phi_4817_ = type_20(_e2020.member, _e2020.member_1, _e2020.member_2, _e2020.member_3, _e2020.member_4, _e2020.member_5, _e2020.member_6, _e2020.member_7, _e2020.member_8, _e2020.member_9, _e2020.member_10, _e2020.member_11, _e2020.member_12, vec3<f32>(_e1902, _e1903, _e1904), _e2020.member_14, _e2020.member_15, _e2020.member_16, _e2020.member_17);
 } else {
-phi_4819_ = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, vec3<f32>((_e1670.member_12.x + _e1902), (_e1670.member_12.y + _e1903), (_e1670.member_12.z + _e1904)), _e1670.member_13, _e1670.member_14, _e1670.member_15, _e1670.member_16, _e1670.member_17);
+phi_4817_ = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, vec3<f32>((_e1670.member_12.x + _e1902), (_e1670.member_12.y + _e1903), (_e1670.member_12.z + _e1904)), _e1670.member_13, _e1670.member_14, _e1670.member_15, _e1670.member_16, _e1670.member_17);
 }
-let _e2040 = phi_4819_;
-phi_4820_ = _e2040;
+let _e2040 = phi_4817_;
+phi_4818_ = _e2040;
 } else {
-phi_4820_ = _e1670;
+phi_4818_ = _e1670;
 }
-let _e2042 = phi_4820_;
+let _e2042 = phi_4818_;
 let _e2044 = (_e2042.member_8 + 1f);
 let _e2062 = type_20(_e2042.member, _e2042.member_1, _e2042.member_2, _e2042.member_3, _e2042.member_4, _e2042.member_5, _e2042.member_6, _e2042.member_7, _e2044, _e2042.member_9, _e2042.member_10, _e2042.member_11, _e2042.member_12, _e2042.member_13, _e2042.member_14, _e2042.member_15, _e2042.member_16, _e2042.member_17);
 let _e2066 = !(_e1686);
@@ -1259,27 +1259,27 @@ let _e2136 = (_e2042.member_1.z - (_e1210 * _e2130));
 let _e2141 = (((_e2134 * _e2134) + (_e2135 * _e2135)) + (_e2136 * _e2136));
 let _e2144 = sqrt(select(0f, _e2141, (_e2141 > 0f)));
 let _e2147 = (1f / select(1e-20f, _e2144, (_e2144 > 1e-20f)));
-phi_4901_ = type_20(_e2062.member, vec3<f32>((_e2134 * _e2147), (_e2135 * _e2147), (_e2136 * _e2147)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4899_ = type_20(_e2062.member, vec3<f32>((_e2134 * _e2147), (_e2135 * _e2147), (_e2136 * _e2147)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 } else {
 if _e1686 {
 let _e2091 = (((_e1576 * _e1576) + (_e1577 * _e1577)) + (_e1578 * _e1578));
 let _e2094 = sqrt(select(0f, _e2091, (_e2091 > 0f)));
 let _e2097 = (1f / select(1e-20f, _e2094, (_e2094 > 1e-20f)));
-phi_4900_ = type_20(_e2062.member, vec3<f32>((_e1576 * _e2097), (_e1577 * _e2097), (_e1578 * _e2097)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4898_ = type_20(_e2062.member, vec3<f32>((_e1576 * _e2097), (_e1577 * _e2097), (_e1578 * _e2097)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 } else {
-phi_4900_ = type_20(_e2062.member, vec3<f32>((_e1579 * _e1592), (_e1580 * _e1592), (_e1581 * _e1592)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4898_ = type_20(_e2062.member, vec3<f32>((_e1579 * _e1592), (_e1580 * _e1592), (_e1581 * _e1592)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 }
-let _e2121 = phi_4900_;
-phi_4901_ = _e2121;
+let _e2121 = phi_4898_;
+phi_4899_ = _e2121;
 }
-let _e2171 = phi_4901_;
+let _e2171 = phi_4899_;
 if _e1557 {
-phi_4919_ = _e2171;
+phi_4917_ = _e2171;
 } else {
 let _e2173 = select((1f - _e1630), _e1630, _e1686);
-phi_4919_ = type_20(_e2171.member, _e2171.member_1, vec3<f32>((_e2171.member_2.x * _e2173), (_e2171.member_2.y * _e2173), (_e2171.member_2.z * _e2173)), _e2171.member_3, _e2171.member_4, _e2171.member_5, _e2171.member_6, _e2171.member_7, _e2171.member_8, _e2171.member_9, _e2171.member_10, _e2171.member_11, _e2171.member_12, _e2171.member_13, _e2171.member_14, _e2171.member_15, _e2171.member_16, _e2171.member_17);
+phi_4917_ = type_20(_e2171.member, _e2171.member_1, vec3<f32>((_e2171.member_2.x * _e2173), (_e2171.member_2.y * _e2173), (_e2171.member_2.z * _e2173)), _e2171.member_3, _e2171.member_4, _e2171.member_5, _e2171.member_6, _e2171.member_7, _e2171.member_8, _e2171.member_9, _e2171.member_10, _e2171.member_11, _e2171.member_12, _e2171.member_13, _e2171.member_14, _e2171.member_15, _e2171.member_16, _e2171.member_17);
 }
-let _e2203 = phi_4919_;
+let _e2203 = phi_4917_;
 let _e2221 = type_20(_e2203.member, _e2203.member_1, _e2203.member_2, _e2203.member_3, _e2203.member_4, 0f, _e2203.member_6, _e2203.member_7, _e2203.member_8, _e2203.member_9, _e2203.member_10, _e2203.member_11, _e2203.member_12, _e2203.member_13, _e2203.member_14, _e2203.member_15, _e2203.member_16, _e2203.member_17);
 let _e2228 = global_1.member.member_18.member.member;
 let _e2242 = ((((_e2228.member.member * _e2203.member.x) + (_e2228.member.member_1 * _e2203.member.y)) + (_e2228.member.member_2 * _e2203.member.z)) + _e2228.member_1);
@@ -1305,89 +1305,89 @@ let _e2357 = local_8;
 let _e2360 = ((_e1627 & 2u) != 0u);
 if (_e2067 && !(_e2360)) {
 if (_e2297 == -1i) {
-phi_5346_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 1f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5344_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 1f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
 let _e2446 = type_20(vec3<f32>((_e2203.member.x + (_e2203.member_1.x * _e2298)), (_e2203.member.y + (_e2203.member_1.y * _e2298)), (_e2203.member.z + (_e2203.member_1.z * _e2298))), _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, _e2352.member_6, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 let _e2465 = type_20(_e2446.member, _e2446.member_1, _e2446.member_2, _e2446.member_3, _e2446.member_4, (0f + _e2298), _e2446.member_6, _e2446.member_7, _e2446.member_8, _e2446.member_9, _e2446.member_10, _e2446.member_11, _e2446.member_12, _e2446.member_13, _e2446.member_14, _e2446.member_15, _e2446.member_16, _e2446.member_17);
 let _e2484 = type_20(_e2465.member, _e2465.member_1, _e2465.member_2, _e2465.member_3, _e2465.member_4, _e2465.member_5, _e2465.member_6, _e2465.member_7, _e2465.member_8, _e2465.member_9, _e2465.member_10, _e2465.member_11, _e2465.member_12, _e2465.member_13, _e2465.member_14, _e2465.member_15, _e2465.member_16, (_e2298 - _e2298));
 let _e2507 = type_20(_e2484.member, _e2484.member_1, _e2484.member_2, _e2484.member_3, _e2484.member_4, _e2484.member_5, _e2484.member_6, _e2484.member_7, _e2484.member_8, _e2484.member_9, (_e2203.member_10 + select(0f, _e2298, (_e2203.member_8 == 0f))), _e2484.member_11, _e2484.member_12, _e2484.member_13, _e2484.member_14, _e2484.member_15, _e2484.member_16, _e2484.member_17);
-phi_5346_ = type_20(_e2507.member, _e2507.member_1, _e2507.member_2, _e2507.member_3, _e2507.member_4, _e2507.member_5, 3f, _e2507.member_7, _e2507.member_8, _e2507.member_9, _e2507.member_10, _e2507.member_11, _e2507.member_12, _e2507.member_13, _e2507.member_14, _e2507.member_15, _e2507.member_16, _e2507.member_17);
+phi_5344_ = type_20(_e2507.member, _e2507.member_1, _e2507.member_2, _e2507.member_3, _e2507.member_4, _e2507.member_5, 3f, _e2507.member_7, _e2507.member_8, _e2507.member_9, _e2507.member_10, _e2507.member_11, _e2507.member_12, _e2507.member_13, _e2507.member_14, _e2507.member_15, _e2507.member_16, _e2507.member_17);
 }
-let _e2545 = phi_5346_;
-phi_5369_ = _e2545;
+let _e2545 = phi_5344_;
+phi_5367_ = _e2545;
 } else {
 let _e2368 = global_1.member.member_5;
 if (((!(_e2067) && _e2066) && (_e2203.member_8 >= f32(bitcast<i32>(_e2368)))) && (select(_e2357, _e2355, _e2353) != 16i)) {
-phi_5368_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 2f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5366_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 2f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
 if _e2360 {
-phi_5367_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 4f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5365_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 4f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
-phi_5367_ = _e2352;
+phi_5365_ = _e2352;
 }
-let _e2394 = phi_5367_;
-phi_5368_ = _e2394;
+let _e2394 = phi_5365_;
+phi_5366_ = _e2394;
 }
-let _e2414 = phi_5368_;
-phi_5369_ = _e2414;
+let _e2414 = phi_5366_;
+phi_5367_ = _e2414;
 }
-let _e2547 = phi_5369_;
-phi_5375_ = type_21(_e1529.member, _e1529.member_1, 0f, _e1529.member_3, _e1529.member_4);
-phi_5376_ = _e2547;
-phi_5377_ = select(_e690, _e725, !(_e2353));
+let _e2547 = phi_5367_;
+phi_5373_ = type_21(_e1529.member, _e1529.member_1, 0f, _e1529.member_3, _e1529.member_4);
+phi_5374_ = _e2547;
+phi_5375_ = select(_e690, _e725, !(_e2353));
 }
-let _e2931 = phi_5375_;
-let _e2933 = phi_5376_;
-let _e2935 = phi_5377_;
-phi_5378_ = _e2931;
-phi_5379_ = _e2933;
-phi_5380_ = _e2935;
+let _e2931 = phi_5373_;
+let _e2933 = phi_5374_;
+let _e2935 = phi_5375_;
+phi_5376_ = _e2931;
+phi_5377_ = _e2933;
+phi_5378_ = _e2935;
 }
-let _e2937 = phi_5378_;
-let _e2939 = phi_5379_;
-let _e2941 = phi_5380_;
-phi_5382_ = _e2937;
-phi_5383_ = _e2939;
-phi_5384_ = _e2941;
-phi_5386_ = select(true, false, _e783);
+let _e2937 = phi_5376_;
+let _e2939 = phi_5377_;
+let _e2941 = phi_5378_;
+phi_5380_ = _e2937;
+phi_5381_ = _e2939;
+phi_5382_ = _e2941;
+phi_5384_ = select(true, false, _e783);
 }
-let _e2944 = phi_5382_;
-let _e2946 = phi_5383_;
-let _e2948 = phi_5384_;
-let _e2950 = phi_5386_;
-phi_5397_ = _e2944;
-phi_5398_ = _e2946;
-phi_5399_ = _e2948;
-phi_5401_ = select(_e783, false, _e749);
-phi_5402_ = _e2950;
+let _e2944 = phi_5380_;
+let _e2946 = phi_5381_;
+let _e2948 = phi_5382_;
+let _e2950 = phi_5384_;
+phi_5395_ = _e2944;
+phi_5396_ = _e2946;
+phi_5397_ = _e2948;
+phi_5399_ = select(_e783, false, _e749);
+phi_5400_ = _e2950;
 } else {
-phi_5397_ = type_21();
-phi_5398_ = type_20();
-phi_5399_ = i32();
-phi_5401_ = select(true, false, _e749);
-phi_5402_ = false;
+phi_5395_ = type_21();
+phi_5396_ = type_20();
+phi_5397_ = i32();
+phi_5399_ = select(true, false, _e749);
+phi_5400_ = false;
 }
-let _e2953 = phi_5397_;
-let _e2955 = phi_5398_;
-let _e2957 = phi_5399_;
-let _e2959 = phi_5401_;
-let _e2961 = phi_5402_;
+let _e2953 = phi_5395_;
+let _e2955 = phi_5396_;
+let _e2957 = phi_5397_;
+let _e2959 = phi_5399_;
+let _e2961 = phi_5400_;
 if _e749 {
 if _e744 {
-phi_5699_ = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, 1f, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
+phi_5697_ = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, 1f, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 } else {
 let _e2997 = type_20(vec3<f32>((_e686.member.x + (_e686.member_1.x * _e686.member_17)), (_e686.member.y + (_e686.member_1.y * _e686.member_17)), (_e686.member.z + (_e686.member_1.z * _e686.member_17))), _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 let _e3017 = type_20(_e2997.member, _e2997.member_1, _e2997.member_2, _e2997.member_3, _e2997.member_4, (_e686.member_5 + _e686.member_17), _e2997.member_6, _e2997.member_7, _e2997.member_8, _e2997.member_9, _e2997.member_10, _e2997.member_11, _e2997.member_12, _e2997.member_13, _e2997.member_14, _e2997.member_15, _e2997.member_16, _e2997.member_17);
 let _e3036 = type_20(_e3017.member, _e3017.member_1, _e3017.member_2, _e3017.member_3, _e3017.member_4, _e3017.member_5, _e3017.member_6, _e3017.member_7, _e3017.member_8, _e3017.member_9, _e3017.member_10, _e3017.member_11, _e3017.member_12, _e3017.member_13, _e3017.member_14, _e3017.member_15, _e3017.member_16, (_e686.member_17 - _e686.member_17));
 let _e3059 = type_20(_e3036.member, _e3036.member_1, _e3036.member_2, _e3036.member_3, _e3036.member_4, _e3036.member_5, _e3036.member_6, _e3036.member_7, _e3036.member_8, _e3036.member_9, (_e686.member_10 + select(0f, _e686.member_17, (_e686.member_8 == 0f))), _e3036.member_11, _e3036.member_12, _e3036.member_13, _e3036.member_14, _e3036.member_15, _e3036.member_16, _e3036.member_17);
-phi_5699_ = type_20(_e3059.member, _e3059.member_1, _e3059.member_2, _e3059.member_3, _e3059.member_4, _e3059.member_5, 3f, _e3059.member_7, _e3059.member_8, _e3059.member_9, _e3059.member_10, _e3059.member_11, _e3059.member_12, _e3059.member_13, _e3059.member_14, _e3059.member_15, _e3059.member_16, _e3059.member_17);
+phi_5697_ = type_20(_e3059.member, _e3059.member_1, _e3059.member_2, _e3059.member_3, _e3059.member_4, _e3059.member_5, 3f, _e3059.member_7, _e3059.member_8, _e3059.member_9, _e3059.member_10, _e3059.member_11, _e3059.member_12, _e3059.member_13, _e3059.member_14, _e3059.member_15, _e3059.member_16, _e3059.member_17);
 }
-let _e3097 = phi_5699_;
-phi_5700_ = _e3097;
+let _e3097 = phi_5697_;
+phi_5698_ = _e3097;
 } else {
-phi_5700_ = type_20();
+phi_5698_ = type_20();
 }
-let _e3099 = phi_5700_;
+let _e3099 = phi_5698_;
 let _e3100 = select(_e2959, false, _e749);
 if _e3100 {
 let _e3104 = (_e686.member_17 - _e684.member_2);
@@ -1437,40 +1437,40 @@ let _e3276 = select(0i, select(select(i32(_e3269), i32(-2147483648), (_e3269 < -
 let _e3280 = (_e3276 - select(0i, 1i, (_e3269 < f32(_e3276))));
 let _e3281 = f32(_e3280);
 let _e3285 = ((_e3263 - (_e3281 * 0.6933594f)) - (_e3281 * -2.1219444e-4f));
-phi_5967_ = type_20(_e3129.member, _e3129.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e3171 * (1f + (_e3171 * (0.5f + (_e3171 * (0.16666667f + (_e3171 * (0.041666668f + (_e3171 * (0.008333334f + (_e3171 * (0.001388889f + (_e3171 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3166 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e3228 * (1f + (_e3228 * (0.5f + (_e3228 * (0.16666667f + (_e3228 * (0.041666668f + (_e3228 * (0.008333334f + (_e3228 * (0.001388889f + (_e3228 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3223 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e3285 * (1f + (_e3285 * (0.5f + (_e3285 * (0.16666667f + (_e3285 * (0.041666668f + (_e3285 * (0.008333334f + (_e3285 * (0.001388889f + (_e3285 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3280 + 127i)) << bitcast<u32>(23i)))))), _e3129.member_3, _e3129.member_4, _e3129.member_5, _e3129.member_6, _e3129.member_7, _e3129.member_8, _e3129.member_9, _e3129.member_10, _e3129.member_11, _e3129.member_12, _e3129.member_13, _e3129.member_14, _e3129.member_15, _e3129.member_16, _e3129.member_17);
+phi_5965_ = type_20(_e3129.member, _e3129.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e3171 * (1f + (_e3171 * (0.5f + (_e3171 * (0.16666667f + (_e3171 * (0.041666668f + (_e3171 * (0.008333334f + (_e3171 * (0.001388889f + (_e3171 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3166 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e3228 * (1f + (_e3228 * (0.5f + (_e3228 * (0.16666667f + (_e3228 * (0.041666668f + (_e3228 * (0.008333334f + (_e3228 * (0.001388889f + (_e3228 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3223 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e3285 * (1f + (_e3285 * (0.5f + (_e3285 * (0.16666667f + (_e3285 * (0.041666668f + (_e3285 * (0.008333334f + (_e3285 * (0.001388889f + (_e3285 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3280 + 127i)) << bitcast<u32>(23i)))))), _e3129.member_3, _e3129.member_4, _e3129.member_5, _e3129.member_6, _e3129.member_7, _e3129.member_8, _e3129.member_9, _e3129.member_10, _e3129.member_11, _e3129.member_12, _e3129.member_13, _e3129.member_14, _e3129.member_15, _e3129.member_16, _e3129.member_17);
 } else {
-phi_5967_ = _e686;
+phi_5965_ = _e686;
 }
-let _e3335 = phi_5967_;
+let _e3335 = phi_5965_;
 let _e3371 = type_20(vec3<f32>((_e3335.member.x + (_e3335.member_1.x * _e3335.member_17)), (_e3335.member.y + (_e3335.member_1.y * _e3335.member_17)), (_e3335.member.z + (_e3335.member_1.z * _e3335.member_17))), _e3335.member_1, _e3335.member_2, _e3335.member_3, _e3335.member_4, _e3335.member_5, _e3335.member_6, _e3335.member_7, _e3335.member_8, _e3335.member_9, _e3335.member_10, _e3335.member_11, _e3335.member_12, _e3335.member_13, _e3335.member_14, _e3335.member_15, _e3335.member_16, _e3335.member_17);
 let _e3391 = type_20(_e3371.member, _e3371.member_1, _e3371.member_2, _e3371.member_3, _e3371.member_4, (_e3335.member_5 + _e3335.member_17), _e3371.member_6, _e3371.member_7, _e3371.member_8, _e3371.member_9, _e3371.member_10, _e3371.member_11, _e3371.member_12, _e3371.member_13, _e3371.member_14, _e3371.member_15, _e3371.member_16, _e3371.member_17);
 let _e3410 = type_20(_e3391.member, _e3391.member_1, _e3391.member_2, _e3391.member_3, _e3391.member_4, _e3391.member_5, _e3391.member_6, _e3391.member_7, _e3391.member_8, _e3391.member_9, _e3391.member_10, _e3391.member_11, _e3391.member_12, _e3391.member_13, _e3391.member_14, _e3391.member_15, _e3391.member_16, (_e3335.member_17 - _e3335.member_17));
 let _e3433 = type_20(_e3410.member, _e3410.member_1, _e3410.member_2, _e3410.member_3, _e3410.member_4, _e3410.member_5, _e3410.member_6, _e3410.member_7, _e3410.member_8, _e3410.member_9, (_e3335.member_10 + select(0f, _e3335.member_17, (_e3335.member_8 == 0f))), _e3410.member_11, _e3410.member_12, _e3410.member_13, _e3410.member_14, _e3410.member_15, _e3410.member_16, _e3410.member_17);
-phi_6255_ = _e684;
-phi_6256_ = type_20(_e3433.member, _e3433.member_1, _e3433.member_2, _e3433.member_3, _e3433.member_4, _e3433.member_5, 3f, _e3433.member_7, _e3433.member_8, _e3433.member_9, _e3433.member_10, _e3433.member_11, _e3433.member_12, _e3433.member_13, _e3433.member_14, _e3433.member_15, _e3433.member_16, _e3433.member_17);
+phi_6253_ = _e684;
+phi_6254_ = type_20(_e3433.member, _e3433.member_1, _e3433.member_2, _e3433.member_3, _e3433.member_4, _e3433.member_5, 3f, _e3433.member_7, _e3433.member_8, _e3433.member_9, _e3433.member_10, _e3433.member_11, _e3433.member_12, _e3433.member_13, _e3433.member_14, _e3433.member_15, _e3433.member_16, _e3433.member_17);
 } else {
-phi_6255_ = _e2953;
-phi_6256_ = _e2955;
+phi_6253_ = _e2953;
+phi_6254_ = _e2955;
 }
-let _e3453 = phi_6255_;
-let _e3455 = phi_6256_;
+let _e3453 = phi_6253_;
+let _e3455 = phi_6254_;
 let _e3457 = select(select(_e2961, false, _e749), true, _e3100);
 if _e3457 {
-phi_6262_ = _e3453;
-phi_6263_ = _e3455;
+phi_6260_ = _e3453;
+phi_6261_ = _e3455;
 } else {
-phi_6262_ = _e684;
-phi_6263_ = _e3099;
+phi_6260_ = _e684;
+phi_6261_ = _e3099;
 }
-let _e3459 = phi_6262_;
-let _e3461 = phi_6263_;
-phi_6265_ = _e3459;
-phi_6266_ = _e3461;
-phi_6267_ = select(_e690, select(_e2957, _e690, _e3100), _e3457);
+let _e3459 = phi_6260_;
+let _e3461 = phi_6261_;
+phi_6263_ = _e3459;
+phi_6264_ = _e3461;
+phi_6265_ = select(_e690, select(_e2957, _e690, _e3100), _e3457);
 }
-let _e4099 = phi_6265_;
-let _e4101 = phi_6266_;
-let _e4103 = phi_6267_;
+let _e4099 = phi_6263_;
+let _e4101 = phi_6264_;
+let _e4103 = phi_6265_;
 phi_1095_ = _e4099;
 phi_1098_ = _e4101;
 phi_1100_ = (_e688 + 1i);
@@ -1496,12 +1496,12 @@ break if !(_e694);
 }
 let _e4114 = local_13;
 if (_e4114 == 0i) {
-phi_6273_ = 16i;
+phi_6271_ = 16i;
 } else {
 let _e4117 = local_14;
-phi_6273_ = -(_e4117);
+phi_6271_ = -(_e4117);
 }
-let _e4120 = phi_6273_;
+let _e4120 = phi_6271_;
 let _e4122 = local_15;
 let _e4126 = local_16;
 let _e4130 = local_17;

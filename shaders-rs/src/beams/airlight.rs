@@ -1,12 +1,11 @@
 //! Airlight: the light of the source that the medium scatters into a viewing ray where nothing is in its way (Sun et al. 2005), by Gauss's
 //! quadrature for any phase function.
 
-use super::medium::{inside, phase, transmittance};
+use super::medium::{phase, transmittance, way_from};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::light::{LightSource, kind};
 use crate::math::{PI, dot, max, min, select, sqrt, xyz};
 use crate::optics::light_source::arriving;
-use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
 
 /// Parts of the ray, each with the four points of Gauss and Legendre. The faces of the medium's box leave kinks between which the rule is of
@@ -91,10 +90,8 @@ fn at(u: &BeamsUniforms, pictures: &[f32], from: Vec3, w: Vec3, enters: f32, see
     let (t, derivative) = seen.distance(m);
     let position = from + w * t;
     let light = arriving(&u.light, pictures, position);
-    let to_source = xyz(u.light.position) - position;
-    let reach = select(seen.distant, FAR, sqrt(dot(to_source, to_source)));
-    let way = inside(&u.medium, position, -light.direction, 0.0, reach);
-    let dimmed = transmittance(&u.medium, (way.leaves - way.enters) + max(t - enters, 0.0));
+    let way = way_from(&u.medium, &u.light, position, light.direction);
+    let dimmed = transmittance(&u.medium, way + max(t - enters, 0.0));
     let strength = PI * phase(&u.medium, -dot(light.direction, w)) * derivative;
     light.radiance * dimmed * xyz(u.medium.scattering) * strength
 }

@@ -4,14 +4,9 @@ use super::store_beam::{beam_of, has_flux};
 use super::tree::{Node, nodes, nodes_below, top};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Bundle, bundle};
-use crate::math::{absolute, max, min};
+use crate::math::{absolute_vector, max, min};
 use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
-
-#[inline(always)]
-fn sizes(v: Vec3) -> Vec3 {
-    Vec3::new(absolute(v.x), absolute(v.y), absolute(v.z))
-}
 
 /// A box; one that is inside out holds nothing.
 #[derive(Clone, Copy)]
@@ -39,7 +34,7 @@ impl Extent {
 fn across(beam: &Beam, distance: f32) -> Vec3 {
     let first = beam.position_u + beam.direction_u * distance;
     let second = beam.position_v + beam.direction_v * distance;
-    (sizes(first) + sizes(second)) * 0.5
+    (absolute_vector(first) + absolute_vector(second)) * 0.5
 }
 
 /// The node's record: invocations count the nodes of the tree, row by row.
@@ -72,11 +67,14 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
                 volume = volume.with(beam.position, begins);
                 volume = volume.with(beam.position + beam.direction * beam.length, across(&beam, beam.length));
                 positions = positions.with(beam.position, begins);
-                directions = directions.with(beam.direction, (sizes(beam.direction_u) + sizes(beam.direction_v)) * 0.5);
+                directions = directions.with(
+                    beam.direction,
+                    (absolute_vector(beam.direction_u) + absolute_vector(beam.direction_v)) * 0.5,
+                );
                 if beam.reach < 0.5 * FAR {
                     let half = across(&beam, beam.reach);
                     // As deep along the beam as an oblique or curved surface may be.
-                    let deep = sizes(beam.direction) * ((half.x + half.y) + half.z);
+                    let deep = absolute_vector(beam.direction) * ((half.x + half.y) + half.z);
                     ends = ends.with(beam.position + beam.direction * beam.reach, half + deep);
                 }
             }

@@ -2,7 +2,7 @@
 //! or throw there comes by beams.
 
 use super::see::{level_of, piece_of};
-use super::shade::{ending, is_diffuse};
+use super::shade::{SAME, ending, is_diffuse};
 use crate::abi::beams::{BeamsUniforms, flag};
 use crate::abi::light::kind;
 use crate::abi::record::{Path, Pencil, Search, pencil, search};
@@ -64,7 +64,7 @@ pub fn invoke<const LEVEL: u32>(
     let distance = length(way);
     let towards = if distant { -xyz(u.light.direction) } else { way * (1.0 / distance) };
     // From the side that the light comes to.
-    let side = select(dot(end.point.plane, towards) < 0.0, -end.tolerance, end.tolerance);
+    let side = select(dot(end.point.plane, towards) < 0.0, -SAME, SAME);
     let mut ray = Path::straight(end.point.position + end.point.plane * side, towards);
     let reach = select(distant, FAR, distance);
     ray.distance = reach;

@@ -3,6 +3,7 @@
 
 use super::bend::mean;
 use super::medium::{inside, phase, transmittance};
+use super::nearest::Nearest;
 use super::see::{LEAST, level_of, piece_of};
 use super::store_beam::beam_of;
 use super::trapezoid::filtered;
@@ -11,7 +12,7 @@ use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Pencil, Sight, beam, bundle, pencil, sight};
 use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{absolute, cross, dot, length, max, min, select, select_vector, xyz};
+use crate::math::{absolute, absolute_vector, cross, dot, length, max, min, select, select_vector, xyz};
 use crate::voxels::ray::{reciprocal, slab};
 use spirv_std::glam::Vec3;
 
@@ -61,8 +62,8 @@ fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
         let by_position = cross(direction, line.direction);
         let by_direction = cross(line.direction, offset);
         let edge = dot(offset, by_position);
-        let changes = dot(sizes(by_position), position_half)
-            + dot(sizes(by_direction), direction_half)
+        let changes = dot(absolute_vector(by_position), position_half)
+            + dot(absolute_vector(by_direction), direction_half)
             + length(position_half) * length(direction_half);
         // The pixel's own width, as if the eye were as far away as the beams.
         let pixel = line.width + line.opening * (length(offset) + length(position_half));
@@ -70,12 +71,6 @@ fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
     } else {
         false
     }
-}
-
-/// The absolute values of the components.
-#[inline(always)]
-fn sizes(v: Vec3) -> Vec3 {
-    Vec3::new(absolute(v.x), absolute(v.y), absolute(v.z))
 }
 
 /// Whether a line comes near beam number `number` of `count`: as for a node, by a sphere and a cone around the beam.
@@ -112,11 +107,7 @@ fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil) -> Ve
     if absolute(edge) > 0.5 * (first + second + filter) {
         return none;
     }
-    let (along_view, along_light, cosine) = (dot(offset, w), dot(offset, d), dot(w, d));
-    let normal = cross(w, d);
-    let inverse = 1.0 / max(dot(normal, normal), 1e-9);
-    let t = (along_view - cosine * along_light) * inverse;
-    let s = (cosine * along_view - along_light) * inverse;
+    let Nearest { t, s, cosine } = Nearest::new(offset, w, d);
     let meets = (s >= 0.0) & (s < beam.length) & (t > line.near) & (t < line.far);
     let dimmed = transmittance(&u.medium, s + (t - line.near));
     let strength = phase(&u.medium, -cosine) * filtered(edge, first, second, filter);

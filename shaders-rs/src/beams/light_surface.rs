@@ -3,7 +3,7 @@
 
 use super::medium::{inside, transmittance};
 use super::see::{level_of, piece_of};
-use super::shade::{Ending, ending};
+use super::shade::{Ending, SAME, ending};
 use super::store_beam::beam_of;
 use super::trapezoid::filtered;
 use super::tree::{Node, Tree};
@@ -62,7 +62,7 @@ fn shining(u: &BeamsUniforms, beam: &Beam, end: &Ending, direction: Vec3, pencil
     let second = on_plane(beam.position_v + beam.direction_v * s);
     // Across the beam the surface is nearer or farther by as much.
     let deep = 0.5 * (absolute(dot(first, d)) + absolute(dot(second, d)));
-    if (s < -end.tolerance) | (absolute(s - beam.reach) > deep + end.tolerance) {
+    if (s < -SAME) | (absolute(s - beam.reach) > deep + SAME) {
         return none;
     }
     let area = dot(cross(first, second), n);
@@ -123,7 +123,7 @@ pub fn invoke<const LEVEL: u32>(
         let tree = Tree::of_round(u, round);
         let mut node = tree.first();
         while tree.holds(node) {
-            let met = ends_at(bundles, &tree, node, end.point.position, end.tolerance);
+            let met = ends_at(bundles, &tree, node, end.point.position, SAME);
             if met & (node.level > 0) {
                 node = node.below();
             } else {

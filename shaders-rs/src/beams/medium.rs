@@ -1,7 +1,9 @@
 //! A homogeneous medium in a box: transmittance and phase functions.
 
 use crate::abi::beams::{Medium, phase};
-use crate::math::{PI, exp, max, min, select, sqrt, xyz};
+use crate::abi::light::{LightSource, kind};
+use crate::math::{PI, dot, exp, max, min, select, sqrt, xyz};
+use crate::optics::receiver::FAR;
 use crate::voxels::ray::{reciprocal, slab};
 use spirv_std::glam::Vec3;
 
@@ -22,6 +24,15 @@ pub fn inside(medium: &Medium, from: Vec3, direction: Vec3, near: f32, far: f32)
     let (enters, leaves) = (max(enters, near), min(leaves, far));
     let crosses = leaves > enters;
     Inside { enters: select(crosses, enters, near), leaves: select(crosses, leaves, near) }
+}
+
+/// The length in the medium, in voxels, of the light's way from a source to `position`, where it arrives along the unit vector `direction`.
+#[inline(always)]
+pub fn way_from(medium: &Medium, source: &LightSource, position: Vec3, direction: Vec3) -> f32 {
+    let to_source = xyz(source.position) - position;
+    let reach = select(source.kind == kind::DISTANT, FAR, sqrt(dot(to_source, to_source)));
+    let way = inside(medium, position, -direction, 0.0, reach);
+    way.leaves - way.enters
 }
 
 /// Transmittance of `length` voxels of the medium, RGB (Beer–Lambert).

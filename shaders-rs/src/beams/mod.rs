@@ -16,6 +16,7 @@ pub mod gather;
 pub mod light_surface;
 pub mod look_around;
 pub mod medium;
+pub mod nearest;
 pub mod picture;
 pub mod pyramid;
 pub mod resolve;

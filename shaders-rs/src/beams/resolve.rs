@@ -7,7 +7,7 @@ use crate::abi::record::{BeamPixel, Sight, beam_pixel, sight};
 use crate::abi::vector::Size;
 use crate::field::sums::sum;
 use crate::kernel::record;
-use crate::math::{clamp, dot, floor_to_int, length, max, select, xyz};
+use crate::math::{clamp, dot, floor_to_int, length, limit, max, select, xyz};
 use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
 
@@ -15,10 +15,7 @@ use spirv_std::glam::Vec3;
 #[inline(always)]
 fn level_at(u: &BeamsUniforms, sums: &[u32], level: u32, column: i32, row: i32) -> Vec3 {
     let Size { width, height } = size(u.picture, level);
-    let (right, bottom) = (width as i32 - 1, height as i32 - 1);
-    let column = if column < right { column } else { right };
-    let row = if row < bottom { row } else { bottom };
-    let at = sums_of(u, level, if column > 0 { column } else { 0 }, if row > 0 { row } else { 0 });
+    let at = sums_of(u, level, limit(column, width as i32), limit(row, height as i32));
     Vec3::new(sum(sums, at), sum(sums, at + 2), sum(sums, at + 4))
 }
 

@@ -11,6 +11,7 @@
 
 use super::look_around::depths_around;
 use super::medium::{phase, transmittance};
+use super::nearest::Nearest;
 use super::picture::{Edge, Edges};
 use super::pyramid::{size, sums_of};
 use super::store_beam::{beam_of, has_flux};
@@ -20,7 +21,7 @@ use crate::abi::beams::{BLOCK, BeamsUniforms};
 use crate::abi::record::{Around, Beam, sight};
 use crate::field::access::read;
 use crate::field::sums::{Sums, add_large};
-use crate::math::{absolute, clamp, cross, dot, floor_to_int, length, max, min, select, xyz};
+use crate::math::{absolute, clamp, dot, floor_to_int, length, limit, max, min, select, xyz};
 use spirv_std::glam::Vec3;
 
 /// Depth in front of the eye from which on a beam is projected, in voxels.
@@ -181,13 +182,7 @@ fn scattered(u: &BeamsUniforms, beam: &Beam, column: f32, row: f32, enters: f32)
     let (from, aim) = through(u, across, upwards);
     let size = length(aim);
     let w = aim * (1.0 / size);
-    let offset = beam.position - from;
-    let (along_view, along_light) = (dot(offset, w), dot(offset, beam.direction));
-    let cosine = dot(w, beam.direction);
-    let normal = cross(w, beam.direction);
-    let inverse = 1.0 / max(dot(normal, normal), 1e-9);
-    let t = (along_view - cosine * along_light) * inverse;
-    let s = (cosine * along_view - along_light) * inverse;
+    let Nearest { t, s, cosine } = Nearest::new(beam.position - from, w, beam.direction);
     let meets = (s >= 0.0) & (s < beam.length) & (t > 0.0);
     let dimmed = transmittance(&u.medium, s + max(t - enters, 0.0));
     let strength = size * phase(&u.medium, -cosine);
@@ -264,20 +259,6 @@ impl Levels {
         }
     }
 
-    /// Level number `number` of the three, or 0 if it is none of the pyramid or is another one of them.
-    #[inline(always)]
-    fn different(&self, number: u32) -> u32 {
-        if number == 0 {
-            self.own
-        } else if number == 1 {
-            if self.left == self.own { 0 } else { self.left }
-        } else if (self.right == self.own) | (self.right == self.left) {
-            0
-        } else {
-            self.right
-        }
-    }
-
     /// Whether a column of single rays lies so near to a border that coarse pixels beyond it reach there.
     #[inline(always)]
     fn is_near_border(&self, column: i32) -> bool {
@@ -320,88 +301,88 @@ impl Drawing<'_> {
         of_level & (light.distance > 0.0) & (light.distance < around.nearest)
     }
 
+    /// The weight that interpolation gives a pixel of a level, if the beam is drawn there. The pixel is limited to the level as the look-up limits it.
+    #[inline(always)]
+    fn tap(&self, level: u32, columns: i32, rows: i32, major: i32, minor: i32, weight: f32) -> f32 {
+        if self.is_drawn(level, limit(major, columns), limit(minor, rows)) { weight } else { 0.0 }
+    }
+
+    /// `share` without the share of its light that a single ray gets from the pixels of a coarse level. Without a loop: drivers that end long
+    /// ones count this one in all loops around it.
+    #[inline(always)]
+    fn without(&self, share: f32, level: u32, major: i32, minor: i32) -> f32 {
+        if level == 0 {
+            return share;
+        }
+        let of_level = size(self.u.picture, level);
+        let (columns, rows) = if self.drawn.steep {
+            (of_level.height as i32, of_level.width as i32)
+        } else {
+            (of_level.width as i32, of_level.height as i32)
+        };
+        let inverse = 1.0 / (1 << level) as f32;
+        let (x, y) = ((major as f32 + 0.5) * inverse - 0.5, (minor as f32 + 0.5) * inverse - 0.5);
+        let (left, top) = (floor_to_int(x, -1.0, 1e6), floor_to_int(y, -1.0, 1e6));
+        let (fx, fy) = (x - left as f32, y - top as f32);
+        let share = share - self.tap(level, columns, rows, left, top, (1.0 - fx) * (1.0 - fy));
+        let share = share - self.tap(level, columns, rows, left + 1, top, fx * (1.0 - fy));
+        let share = share - self.tap(level, columns, rows, left, top + 1, (1.0 - fx) * fy);
+        share - self.tap(level, columns, rows, left + 1, top + 1, fx * fy)
+    }
+
     /// The share of its light that a single ray does not get from coarse pixels.
     #[inline(always)]
     fn rest(&self, major: i32, minor: i32) -> f32 {
-        let mut rest = 1.0;
-        let mut number = 0;
-        while number < 3 {
-            let level = self.levels.different(number);
-            if level > 0 {
-                let of_level = size(self.u.picture, level);
-                let (columns, rows) = if self.drawn.steep {
-                    (of_level.height as i32, of_level.width as i32)
-                } else {
-                    (of_level.width as i32, of_level.height as i32)
-                };
-                let inverse = 1.0 / (1 << level) as f32;
-                let (x, y) = ((major as f32 + 0.5) * inverse - 0.5, (minor as f32 + 0.5) * inverse - 0.5);
-                let (left, top) = (floor_to_int(x, -1.0, 1e6), floor_to_int(y, -1.0, 1e6));
-                let (fx, fy) = (x - left as f32, y - top as f32);
-                let mut tap = 0;
-                while tap < 4 {
-                    let (i, j) = (left + (tap & 1), top + (tap >> 1));
-                    let weight = select(tap & 1 == 1, fx, 1.0 - fx) * select(tap >> 1 == 1, fy, 1.0 - fy);
-                    // As the look-up does.
-                    let (i, j) = (limit(i, columns), limit(j, rows));
-                    if self.is_drawn(level, i, j) {
-                        rest -= weight;
-                    }
-                    tap += 1;
-                }
-            }
-            number += 1;
-        }
-        rest
+        let Levels { left, own, right, .. } = self.levels;
+        let share = self.without(1.0, own, major, minor);
+        let share = self.without(share, if left == own { 0 } else { left }, major, minor);
+        self.without(share, if (right == own) | (right == left) { 0 } else { right }, major, minor)
     }
 
-    /// Draws the beam in a pixel of a coarse level of the block, and gives single rays of the pixel what interpolation leaves.
+    /// Draws the beam in a pixel of the block's level, and gives single rays of the pixel what interpolation leaves them.
     #[inline(always)]
-    fn draw_coarse<S: Sums + ?Sized>(&self, section: &Section, major: i32, minor: i32, sums: &mut S) {
+    fn draw<S: Sums + ?Sized>(&self, section: &Section, major: i32, minor: i32, sums: &mut S) {
         let Self { u, drawn, .. } = self;
         let level = self.levels.own;
         let edge = 1 << level;
-        let (light, around) = self.look(level, major, minor);
-        if light.distance > around.farthest {
-            return;
-        }
-        let visible = (light.distance > 0.0) & (light.distance < around.nearest);
-        if visible {
-            let across = (minor as f32 + 0.5) * edge as f32 - 0.5;
-            let density = drawn.density(section, across, edge as f32);
-            let (column, row) = if drawn.steep { (minor, major) } else { (major, minor) };
-            put(u, level, column, row, light.radiance * density, sums);
-        }
-        // Beside pixels that are drawn, too, there is nothing left.
-        let first = major * edge == self.levels.first;
-        let last = (major + 1) * edge == self.levels.first + BLOCK as i32;
-        let alike = (!first | (self.levels.left == level)) & (!last | (self.levels.right == level));
-        if visible & alike & (light.distance * (1.0 + FARTHER * edge as f32) < around.least) {
-            return;
+        let mut shared = self.levels.is_near_border(major);
+        if level > 0 {
+            let (light, around) = self.look(level, major, minor);
+            if light.distance > around.farthest {
+                return;
+            }
+            let visible = (light.distance > 0.0) & (light.distance < around.nearest);
+            if visible {
+                let across = (minor as f32 + 0.5) * edge as f32 - 0.5;
+                let density = drawn.density(section, across, edge as f32);
+                let (column, row) = if drawn.steep { (minor, major) } else { (major, minor) };
+                put(u, level, column, row, light.radiance * density, sums);
+            }
+            // Beside pixels that are drawn, too, there is nothing left.
+            let first = major * edge == self.levels.first;
+            let last = (major + 1) * edge == self.levels.first + BLOCK as i32;
+            let alike = (!first | (self.levels.left == level)) & (!last | (self.levels.right == level));
+            if visible & alike & (light.distance * (1.0 + FARTHER * edge as f32) < around.least) {
+                return;
+            }
+            shared = true;
         }
         let (width, height) = (u.picture.width as i32, u.picture.height as i32);
         let (columns, rows) = if drawn.steep { (height, width) } else { (width, height) };
         let mut i = major * edge;
         while (i < (major + 1) * edge) & (i < columns) {
-            let section = drawn.section(i as f32);
+            let section = if level == 0 { *section } else { drawn.section(i as f32) };
             let mut j = minor * edge;
             while (j < (minor + 1) * edge) & (j < rows) {
-                let rest = self.rest(i, j);
-                if absolute(rest) > 1e-6 {
-                    draw_fine(u, &self.beam, drawn, &section, i, j, rest, self.sights, sums);
+                let share = if shared { self.rest(i, j) } else { 1.0 };
+                if (level == 0) | (absolute(share) > 1e-6) {
+                    draw_fine(u, &self.beam, drawn, &section, i, j, share, self.sights, sums);
                 }
                 j += 1;
             }
             i += 1;
         }
     }
-}
-
-/// `index` within 0…`count` − 1.
-#[inline(always)]
-fn limit(index: i32, count: i32) -> i32 {
-    let index = if index < count { index } else { count - 1 };
-    if index > 0 { index } else { 0 }
 }
 
 /// The part of the major axis that a beam covers: the columns of any of it, and the columns across which it has no end.
@@ -488,14 +469,8 @@ pub fn invoke<S: Sums + ?Sized>(
         let highest = (section.middle + half + 0.5) / fine - 0.5;
         let mut row = floor_to_int(lowest + 1.0, 0.0, end + 1.0);
         let stop = floor_to_int(highest, -1.0, end);
-        let shared = (own == 0) & levels.is_near_border(column);
         while row <= stop {
-            if own == 0 {
-                let share = if shared { drawing.rest(column, row) } else { 1.0 };
-                draw_fine(u, &drawing.beam, &drawing.drawn, &section, column, row, share, sights, sums);
-            } else {
-                drawing.draw_coarse(&section, column, row, sums);
-            }
+            drawing.draw(&section, column, row, sums);
             row += 1;
         }
         column += 1;

@@ -3,7 +3,7 @@
 
 use super::airlight::airlight;
 use super::bend::mean;
-use super::medium::{inside, transmittance};
+use super::medium::{inside, transmittance, way_from};
 use super::shade::ending;
 use super::viewing;
 use crate::abi::beams::{BeamsUniforms, flag};
@@ -12,7 +12,7 @@ use crate::abi::record::pencil::{self, stage};
 use crate::abi::record::{Pencil, Sight, search, sight};
 use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{dot, length, max, min, select, select_vector, sqrt, xyz};
+use crate::math::{dot, length, max, min, select, select_vector, xyz};
 use crate::optics::environment::{environment, in_environment};
 use crate::optics::light_source::arriving;
 use crate::optics::receiver::FAR;
@@ -111,7 +111,7 @@ pub fn invoke<const LEVEL: u32>(
         seen.enters = min(fog.enters, piece.far);
         seen.normal = select_vector(nothing, Vec3::new(0.0, 0.0, 0.0), facing(&end.point, d));
         // Without an environment the picture is transparent where there is neither a surface nor a medium.
-        let veil = 1.0 - ((dimmed.x + dimmed.y) + dimmed.z) * (1.0 / 3.0);
+        let veil = 1.0 - mean(dimmed);
         seen.coverage = select(nothing, max(u.environment.visible, veil), 1.0);
     }
     if nothing {
@@ -122,10 +122,8 @@ pub fn invoke<const LEVEL: u32>(
     } else if end.is_diffuse {
         let light = arriving(&u.light, pictures, end.point.position);
         let hidden = read(searches, (search::HIDDEN as u32 * count + at) as i32);
-        let to_source = xyz(u.light.position) - end.point.position;
-        let reach = select(u.light.kind == crate::abi::light::kind::DISTANT, FAR, sqrt(dot(to_source, to_source)));
-        let way = inside(&u.medium, end.point.position, -light.direction, 0.0, reach);
-        let arrives = transmittance(&u.medium, way.leaves - way.enters) * (1.0 - hidden);
+        let way = way_from(&u.medium, &u.light, end.point.position, light.direction);
+        let arrives = transmittance(&u.medium, way) * (1.0 - hidden);
         let strength = share(&end.point, facing(&end.point, d), d, light.direction);
         let sent = end.point.color * (light.radiance * arrives * strength + xyz(u.ambient));
         seen.radiance += sent * dimmed * piece.weight;

@@ -10,7 +10,7 @@ use crate::voxels::shade::{Point, on_receiver, on_triangle};
 use crate::voxels::surface::ior;
 
 /// Distance within which points of surfaces are taken for one, in voxels.
-const SAME: f32 = 0.05;
+pub const SAME: f32 = 0.05;
 
 /// The end of a straight piece.
 #[derive(Clone, Copy)]
@@ -19,8 +19,6 @@ pub struct Ending {
     pub is_diffuse: bool,
     /// The surface.
     pub point: Point,
-    /// Distance within which points of surfaces are taken for one, in voxels.
-    pub tolerance: f32,
 }
 
 /// Whether the piece of a ray that has come to the triangle or receiver `target` ends at a diffuse surface.
@@ -49,5 +47,5 @@ pub fn ending(
     } else {
         on_receiver(&u.receivers, pencil.triangle, position)
     };
-    Ending { is_diffuse: is_diffuse(pencil.triangle, corners, materials), point, tolerance: SAME }
+    Ending { is_diffuse: is_diffuse(pencil.triangle, corners, materials), point }
 }

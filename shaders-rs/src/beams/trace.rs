@@ -19,16 +19,12 @@ use crate::abi::record::{Path, Pencil};
 use crate::abi::voxels::{AIR, STEPS};
 use crate::math::{max, min, xyz};
 use crate::optics::receiver::{FAR, first_ahead};
-use crate::voxels::contact::{Contact, is_opaque, material_of};
-use crate::voxels::ray::level;
-use crate::voxels::ray::{attenuation, reciprocal, slab};
+use crate::voxels::contact::{Contact, beyond, is_opaque, material_of};
+use crate::voxels::ray::{CONTACT, attenuation, level, reciprocal, slab};
 use crate::voxels::surface::ior;
 use crate::voxels::trace_triangles::lowest;
 use crate::voxels::tree;
 use spirv_std::glam::Vec3;
-
-/// Distance by which receivers are taken to be nearer, in voxels: a body that stands on one is in contact with it.
-const CONTACT: f32 = 1.0 / 64.0;
 
 /// The level of work of a pencil: whether it is to be followed in this round.
 #[inline(always)]
@@ -65,10 +61,7 @@ fn begin(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, node
     pencil.media = 0;
     pencil.bounces = 0;
     pencil.stage = stage::UNDER_WAY;
-    look_ahead(u, pencil);
-    pencil.start = 0.0;
-    pencil.enters = 0;
-    pencil.leaves = 0;
+    look_ahead(u, pencil, 0.0);
     // The fog between the source and the box.
     let fog = inside(&u.medium, position, direction, source, near);
     pencil.extinguished += pencil.attenuate(transmittance(&u.medium, fog.leaves - fog.enters));
@@ -81,9 +74,12 @@ fn begin(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, node
     }
 }
 
-/// Looks for the receiver ahead; triangles are still to be looked for.
+/// Looks for the receiver ahead; triangles behind the distance `start` are still to be looked for.
 #[inline(always)]
-fn look_ahead(u: &BeamsUniforms, pencil: &mut Pencil) {
+fn look_ahead(u: &BeamsUniforms, pencil: &mut Pencil, start: f32) {
+    pencil.start = start;
+    pencil.enters = 0;
+    pencil.leaves = 0;
     let receiver = first_ahead(&u.receivers, pencil.position, pencil.direction, CONTACT);
     pencil.node = 0;
     pencil.triangle = receiver.which;
@@ -194,18 +190,14 @@ fn arrive(
     let way = max(pencil.distance - pencil.start, 0.0);
     let material = material_of(if met { pencil.triangle } else { 0 }, corners);
     let opaque = met & is_opaque(material, materials);
-    let beyond = (pencil.media | (pencil.enters & !pencil.leaves)) & !(pencil.leaves & !pencil.enters);
+    let beyond = beyond(pencil.media, pencil.enters, pencil.leaves);
     let to = lowest(beyond);
     if from == AIR {
         let fog = inside(&u.medium, pencil.position, pencil.direction, 0.0, pencil.distance);
-        let share = transmittance(&u.medium, fog.leaves - fog.enters);
-        let gone = pencil.attenuate(share);
-        pencil.extinguished += gone;
+        pencil.extinguished += pencil.attenuate(transmittance(&u.medium, fog.leaves - fog.enters));
     } else {
         // Through the rest of a body whose surface has a hole, no light is taken to get.
-        let share = attenuation(from, min(way, 1e6), materials);
-        let gone = pencil.attenuate(share);
-        pencil.absorbed += gone;
+        pencil.absorbed += pencil.attenuate(attenuation(from, min(way, 1e6), materials));
     }
     if !met | (opaque & (ior(material, materials) == 0.0)) {
         let left = if pencil.is_new() { mean(pencil.transmittance) } else { 0.0 };
@@ -220,13 +212,8 @@ fn arrive(
     if !opaque & (from == to) {
         // Surfaces within a material that lies above theirs are not seen, and the way goes straight on.
         pencil.media = beyond;
-        pencil.start = max(pencil.end, f32::MIN_POSITIVE);
-        pencil.enters = 0;
-        pencil.leaves = 0;
-        let first = first_ahead(&u.receivers, pencil.position, pencil.direction, CONTACT);
-        pencil.node = 0;
-        pencil.triangle = first.which;
-        pencil.distance = first.distance;
+        let behind = max(pencil.end, f32::MIN_POSITIVE);
+        look_ahead(u, pencil, behind);
         return;
     }
     pencil.position += pencil.direction * pencil.distance;
@@ -243,10 +230,7 @@ fn arrive(
             pencil.media = beyond;
         }
     }
-    pencil.start = 0.0;
-    pencil.enters = 0;
-    pencil.leaves = 0;
-    look_ahead(u, pencil);
+    look_ahead(u, pencil, 0.0);
     if pencil.bounces > u.limits.bounces as i32 {
         pencil.lost += if pencil.is_new() { mean(pencil.transmittance) } else { 0.0 };
         end(x, y, u, mode, pencil, nodes);

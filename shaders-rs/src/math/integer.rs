@@ -10,6 +10,13 @@ pub fn floor_to_int(x: f32, low: f32, high: f32) -> i32 {
     truncated - (limited < truncated as f32) as i32
 }
 
+/// `index` limited to 0…`count` − 1; `count` must be positive.
+#[inline(always)]
+pub fn limit(index: i32, count: i32) -> i32 {
+    let index = if index < 0 { 0 } else { index };
+    if index >= count { count - 1 } else { index }
+}
+
 /// Rounds towards zero; |x| must be below 2³¹ and not NaN, which [`floor_to_int`]'s clamp guarantees.
 #[inline(always)]
 fn truncate(x: f32) -> i32 {

@@ -12,10 +12,10 @@ mod vector;
 
 pub use arctangent::{asin, atan2};
 pub use exponential::exp;
-pub use integer::{floor_to_int, half_to_f32};
+pub use integer::{floor_to_int, half_to_f32, limit};
 pub use logarithm::log2;
 pub use select::{absolute, clamp, lerp, max, min, select, sqrt};
-pub use vector::{affine, cross, dot, length, normalize, select_vector, xyz};
+pub use vector::{absolute_vector, affine, cross, dot, length, normalize, select_vector, xyz};
 
 /// π.
 pub const PI: f32 = core::f32::consts::PI;

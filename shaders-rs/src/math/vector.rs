@@ -1,6 +1,6 @@
 //! Sums in a fixed order (a SIMD `dot` sums in another order than SPIR-V does).
 
-use super::select;
+use super::{absolute, select};
 use crate::abi::vector::{self, Affine};
 use spirv_std::glam::Vec3;
 
@@ -38,6 +38,12 @@ pub fn select_vector(condition: bool, yes: Vec3, no: Vec3) -> Vec3 {
 #[inline(always)]
 pub fn affine(of: Affine, point: Vec3) -> f32 {
     dot(xyz(of.factors), point) + of.constant
+}
+
+/// The absolute values of the components.
+#[inline(always)]
+pub fn absolute_vector(v: Vec3) -> Vec3 {
+    Vec3::new(absolute(v.x), absolute(v.y), absolute(v.z))
 }
 
 /// A uniform block's vector.

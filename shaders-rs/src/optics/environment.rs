@@ -2,7 +2,7 @@
 
 use crate::abi::environment::{Environment, kind};
 use crate::field::access::read_vector;
-use crate::math::{PI, absolute, asin, atan2, clamp, dot, floor_to_int, log2, max, select, sqrt, xyz};
+use crate::math::{PI, absolute, asin, atan2, clamp, dot, floor_to_int, limit, log2, max, select, sqrt, xyz};
 use spirv_std::glam::Vec3;
 
 /// A direction in the environment's frame (z up).
@@ -70,13 +70,6 @@ fn equirectangular(u: &Environment, map: &[f32], d: Vec3, angle: f32) -> Vec3 {
 fn wrap(x: i32, width: i32) -> i32 {
     let x = if x < 0 { x + width } else { x };
     if x >= width { x - width } else { x }
-}
-
-/// A row of a map `height` texels high.
-#[inline(always)]
-fn limit(y: i32, height: i32) -> i32 {
-    let y = if y < 0 { 0 } else { y };
-    if y >= height { height - 1 } else { y }
 }
 
 /// Bilinear look-up in one level; longitude wraps around.

@@ -57,6 +57,13 @@ pub fn plane(triangle: i32, corners: &[f32]) -> Vec3 {
     normalize(cross(read_vector(corners, at + 3) - a, read_vector(corners, at + 6) - a))
 }
 
+/// The materials around a ray behind a place, a bit each, where `bits` are around it before, and the ray enters and leaves materials with the bits of
+/// `enters` and `leaves`. A body that the ray enters and leaves at one place, along an edge or where two of its parts touch, stays as it is.
+#[inline(always)]
+pub fn beyond(bits: i32, enters: i32, leaves: i32) -> i32 {
+    (bits | (enters & !leaves)) & !(leaves & !enters)
+}
+
 impl Contact {
     /// From the ray's record.
     #[inline(always)]
@@ -84,13 +91,6 @@ impl Contact {
         self.enters = 0;
         self.leaves = 0;
         self.start = start;
-    }
-
-    /// The materials around the ray behind that place, a bit each, where `bits` are around it before. A body that the ray enters and
-    /// leaves at one place, along an edge or where two of its parts touch, stays as it is.
-    #[inline(always)]
-    pub fn beyond(&self, bits: i32) -> i32 {
-        (bits | (self.enters & !self.leaves)) & !(self.leaves & !self.enters)
     }
 
     /// Whether the ray may meet a surface at `distance`. Where the way begins, those that it has just crossed or was reflected by are left

@@ -118,7 +118,7 @@ pub fn level_of(status: f32) -> u32 {
 
 /// Distance by which receivers are taken to be nearer, in voxels: a body that stands on one is in contact with it, and no ray inside of
 /// the body gets between them.
-const CONTACT: f32 = 1.0 / 64.0;
+pub const CONTACT: f32 = 1.0 / 64.0;
 
 /// The first receiver from `position` along `direction`, with its distance in voxels.
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! Rays through the triangles of a mesh, for comparison with voxels (watertight intersection: Woop, Benthin & Wald 2013).
 
-use super::contact::{Contact, is_opaque, material_of, plane};
+use super::contact::{Contact, beyond, is_opaque, material_of, plane};
 use super::ray::{Ray, level_of};
 use super::surface::{bend, ior, meet};
 use super::tree;
@@ -94,7 +94,7 @@ pub fn invoke<const LEVEL: u32>(
         } else {
             let from = lowest(bits);
             let met = ray.triangle >= 0;
-            let beyond = contact.beyond(bits);
+            let beyond = beyond(bits, contact.enters, contact.leaves);
             let to = lowest(beyond);
             let ends = if met {
                 is_opaque(material_of(ray.triangle, corners), materials)

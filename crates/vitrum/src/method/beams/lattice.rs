@@ -1,7 +1,6 @@
 //! The lattice of a light's rays over the bounds of all bodies (Hu et al. 2010, §5.1).
 
 use crate::error::Error;
-use crate::method::voxelize::Grid;
 use crate::method::voxels::UploadedMesh;
 use crate::method::voxels::shadow::frame::Frame;
 use crate::method::voxels::shadow::source::Source;
@@ -36,17 +35,12 @@ pub(super) fn lattice(source: &Source, uploaded: &UploadedMesh, count: u32) -> R
         axis: vector(frame.axes.x_axis),
         across: vector(frame.axes.y_axis),
         upwards: vector(frame.axes.z_axis),
-        origin: vector(in_grid(frame.origin, grid)),
+        origin: vector(grid.at(frame.origin)),
         low_across: (low.y / unit) as f32,
         low_upwards: (low.z / unit) as f32,
         step_across: step.y as f32,
         step_upwards: step.z as f32,
     })
-}
-
-/// A point of the world in voxels from the grid's low corner.
-pub(super) fn in_grid(world: DVec3, grid: Grid) -> DVec3 {
-    (world - DVec3::from_array(grid.origin)) / grid.voxel_size
 }
 
 /// The lattice with at most `most` rays along each edge, over the same bounds.

@@ -15,11 +15,10 @@ use crate::backend::Backend;
 use crate::error::Error;
 use crate::film::Output;
 use crate::method::voxels::cache::FrameCache;
-use crate::method::voxels::{UploadedMesh, check_mesh, light};
-use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, lights};
+use crate::method::voxels::uploaded::shown;
+use crate::method::voxels::{self, UploadedMesh};
+use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools};
 use crate::scene::{MethodName, Scene, Surfaces};
-use crate::unrenderable::Unrenderable;
-use vitrum_io::Mesh;
 
 /// Beams of light in a medium.
 #[derive(Debug, Clone, Copy)]
@@ -50,11 +49,6 @@ pub fn prepare(scene: &Scene, assets: &Assets, backend: &mut dyn Backend) -> Res
     passes::list(scene, assets, &uploaded, &mut FrameCache::default(), tools.backend)
 }
 
-/// The mesh that is the subject.
-fn shown(assets: &Assets) -> Result<&Mesh, Error> {
-    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Beams.as_str() }.into())
-}
-
 impl Method for Beams {
     fn name(&self) -> MethodName {
         MethodName::Beams
@@ -65,15 +59,11 @@ impl Method for Beams {
     }
 
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
-        let mesh = shown(assets)?;
-        scene.check_for_mesh()?;
-        check_mesh(mesh)?;
-        light::check(scene, assets, mesh)
+        voxels::check(scene, assets, self.name())
     }
 
-    /// One exposure for each light, or for each of the crisp ones that a soft light is made of.
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
-        lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)))
+        voxels::exposures(scene, assets)
     }
 
     fn prepare(
@@ -83,7 +73,7 @@ impl Method for Beams {
         tools: &mut Tools<'_>,
     ) -> Result<Box<dyn PreparedFrame>, Error> {
         let Job { scene, assets, .. } = *job;
-        let mesh = shown(assets)?;
+        let mesh = shown(assets, self.name())?;
         let exact = of_triangles(scene);
         let cache: &mut BeamsCache = cache.of();
         if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(&exact, mesh)) {

@@ -1,8 +1,8 @@
 //! The pass list of a frame of beams.
 
 use super::lattice::{coarser, lattice};
+use super::of_triangles;
 use super::uniforms::{self, Surroundings};
-use super::{of_triangles, shown};
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, START_ALIGNMENT, WhileBusy};
 use crate::error::Error;
@@ -14,8 +14,9 @@ use crate::method::voxels::bodies::materials;
 use crate::method::voxels::cache::FrameCache;
 use crate::method::voxels::light::light_source;
 use crate::method::voxels::shadow::source::Source;
+use crate::method::voxels::uploaded::shown;
 use crate::method::{Bounds, View};
-use crate::scene::Scene;
+use crate::scene::{MethodName, Scene};
 use bytemuck::bytes_of;
 use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, Lattice, Limits, flag, part};
 use vitrum_kernels::abi::dispatch::Dispatch;
@@ -190,7 +191,7 @@ pub(super) fn list(
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<Frame, Error> {
-    let mesh = shown(assets)?;
+    let mesh = shown(assets, MethodName::Beams)?;
     let extent = Bounds::from(mesh);
     let view = View::new(scene, extent);
     let looks = cache.looks(scene, mesh, uploaded);

@@ -1,19 +1,16 @@
 //! The uniform block of a frame of beams, from the scene.
 
-use super::lattice::in_grid;
 use crate::method::view::environment::EnvironmentUniforms;
 use crate::method::view::receivers::Receivers;
 use crate::method::voxelize::Grid;
 use crate::method::voxels::UploadedMesh;
-use crate::method::voxels::uniforms::{contact, plane};
+use crate::method::voxels::uniforms::{camera_in, contact, receivers_in};
 use crate::method::{Bounds, View};
 use crate::scene::{Phase, Rgb, Scene};
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Sums, phase};
-use vitrum_kernels::abi::camera::Camera;
 use vitrum_kernels::abi::environment::Environment;
-use vitrum_kernels::abi::light::{LightSource, kind};
-use vitrum_kernels::abi::receivers::{self, Receiver};
+use vitrum_kernels::abi::light::LightSource;
 use vitrum_kernels::abi::vector::{Size, Vec3};
 use vitrum_kernels::beams::pyramid::{pixels_below, rows_before};
 
@@ -56,8 +53,8 @@ fn medium(scene: &Scene, bounds: Bounds, grid: Grid) -> Medium {
             Phase::HenyeyGreenstein => phase::HENYEY_GREENSTEIN,
             Phase::Rayleigh => phase::RAYLEIGH,
         },
-        low: vector(in_grid(centre - half, grid)),
-        high: vector(in_grid(centre + half, grid)),
+        low: vector(grid.at(centre - half)),
+        high: vector(grid.at(centre + half)),
     }
 }
 
@@ -97,25 +94,15 @@ pub(super) fn block(
     let environment = &surroundings.environment;
     let edge = scene.film.supersampling;
     let [low, high] = uploaded.bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
-    let across = if view.orthographic { 1.0 / grid.voxel_size } else { 1.0 };
     let [row_x, row_y, row_z] = environment.axes.map(vector);
-    let receiver = |equation: DVec4, color: Option<Rgb>| Receiver {
-        plane: plane(equation, view, grid),
-        color: color.map_or(Vec3::ZERO, Vec3::from),
-    };
     let beams = &scene.beams;
     let mut block = BeamsUniforms {
         picture: Size { width: scene.film.width * edge, height: scene.film.height * edge },
-        camera: Camera {
-            half_width: (view.half_size[0] * across) as f32,
-            half_height: (view.half_size[1] * across) as f32,
-            start: 0.0,
-            orthographic: u32::from(view.orthographic),
-        },
+        camera: camera_in(grid, view),
         right: vector(view.axes.x_axis),
         up: vector(view.axes.y_axis),
         away: vector(view.axes.z_axis),
-        eye: vector(in_grid(view.eye, grid)),
+        eye: vector(grid.at(view.eye)),
         voxel: grid.voxel_size as f32,
         low: vector(low - AROUND),
         high: vector(high + AROUND),
@@ -126,22 +113,15 @@ pub(super) fn block(
             threshold: beams.threshold,
             view_threshold: VIEW_THRESHOLD.max(beams.threshold),
             bounces: beams.bounces,
-            round: 0,
-            pitch: 0,
-            bundle_pitch: 0,
-            last: 0,
+            ..Limits::default()
         },
         medium: medium(scene, bounds, grid),
-        receivers: receivers::Receivers {
-            ground: receiver(surroundings.receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
-            wall: receiver(surroundings.receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
-        },
+        receivers: receivers_in(grid, &surroundings.receivers, scene, view),
         environment: Environment { row_x, row_y, row_z, ..environment.block },
         ambient: scene.shading.ambient.into(),
         flags,
         ..BeamsUniforms::default()
     };
-    debug_assert!(matches!(block.light.kind, kind::DISTANT | kind::POINT | kind::SPOT));
     block.sums = sums(block.picture, if beams.pyramid { LEVELS } else { 0 });
     block.sums.scale = scale(&block, view, bounds, grid);
     block

@@ -3,6 +3,7 @@
 use super::settings::Settings;
 use crate::error::Error;
 use crate::unrenderable::Unrenderable;
+use glam::DVec3;
 use vitrum_io::Mesh;
 
 /// The most voxels along a mesh's longest edge.
@@ -59,6 +60,11 @@ impl Grid {
         let origin =
             std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]) - 0.5 * f64::from(dimensions[axis]) * voxel_size);
         Ok(Self { dimensions, origin, voxel_size })
+    }
+
+    /// A point of the world in voxels from the grid's low corner.
+    pub(in crate::method) fn at(self, world: DVec3) -> DVec3 {
+        (world - DVec3::from_array(self.origin)) / self.voxel_size
     }
 
     /// A position in voxels from the grid's low corner.

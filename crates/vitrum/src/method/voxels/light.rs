@@ -23,7 +23,7 @@ pub(in crate::method) fn light_source(
     picture: Option<Placed>,
 ) -> LightSource {
     let vector = |v: DVec3| v.as_vec3().into();
-    let at = |world: DVec3| vector((world - DVec3::from_array(grid.origin)) / grid.voxel_size);
+    let at = |world: DVec3| vector(grid.at(world));
     // At a distance of one voxel.
     let near = light.color.map(|channel| {
         let strength = f64::from(channel) * f64::from(light.intensity);

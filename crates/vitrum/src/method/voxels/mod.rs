@@ -50,6 +50,22 @@ pub(in crate::method) fn check_mesh(mesh: &Mesh) -> Result<(), Error> {
     Err(Unrenderable::NoSurface { name: mesh.name.clone(), count: mesh.triangles.len() }.into())
 }
 
+/// Checks that `method` can show a scene's mesh in its lights.
+///
+/// # Errors
+/// Where the subject is a volume, the mesh has no surface, or [`light::check`] or the scene's checks for meshes fail.
+pub(in crate::method) fn check(scene: &Scene, assets: &Assets, method: MethodName) -> Result<(), Error> {
+    let mesh = uploaded::shown(assets, method)?;
+    scene.check_for_mesh()?;
+    check_mesh(mesh)?;
+    light::check(scene, assets, mesh)
+}
+
+/// The exposures of a scene of meshes: one for each light, or for each of the crisp ones that a soft light is made of.
+pub(in crate::method) fn exposures(scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+    lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)))
+}
+
 impl Method for MeshRays {
     fn name(&self) -> MethodName {
         MethodName::Voxels
@@ -60,19 +76,11 @@ impl Method for MeshRays {
     }
 
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
-        match assets.subject.mesh() {
-            Some(mesh) => {
-                scene.check_for_mesh()?;
-                check_mesh(mesh)?;
-                light::check(scene, assets, mesh)
-            }
-            None => Err(Unrenderable::NeedsMesh { method: self.name().as_str() }.into()),
-        }
+        check(scene, assets, self.name())
     }
 
-    /// One exposure for each light, or for each of the crisp ones that a soft light is made of.
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
-        lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)))
+        exposures(scene, assets)
     }
 
     fn prepare(
@@ -82,7 +90,7 @@ impl Method for MeshRays {
         tools: &mut Tools<'_>,
     ) -> Result<Box<dyn PreparedFrame>, Error> {
         let Job { scene, assets, .. } = *job;
-        let mesh = uploaded::shown(assets)?;
+        let mesh = uploaded::shown(assets, self.name())?;
         let cache: &mut MeshCache = cache.of();
         if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(scene, mesh)) {
             *cache = MeshCache::default();

@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::method::view::environment::EnvironmentUniforms;
 use crate::method::view::receivers::Receivers;
 use crate::method::view::{Bounds, View};
-use crate::scene::Scene;
+use crate::scene::{MethodName, Scene};
 use bytemuck::bytes_of;
 use vitrum_kernels::abi::record::{mirror, path, view};
 use vitrum_kernels::abi::voxels::{STEPS, VoxelsUniforms, flag, seen};
@@ -105,7 +105,7 @@ pub(super) fn list(
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<Rays, Error> {
-    let mesh = shown(assets)?;
+    let mesh = shown(assets, MethodName::Voxels)?;
     let bounds = Bounds::from(mesh);
     let eye = View::new(scene, bounds);
     let looks = cache.looks(scene, mesh, uploaded);

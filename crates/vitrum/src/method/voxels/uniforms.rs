@@ -44,10 +44,38 @@ pub(super) struct Surroundings {
 }
 
 /// A plane of the view frame in the frame of the grid, distances in voxels.
-pub(in crate::method) fn plane(plane: DVec4, view: &View, grid: Grid) -> Affine {
+fn plane(plane: DVec4, view: &View, grid: Grid) -> Affine {
     let normal = view.axes * plane.truncate();
     let origin = DVec3::from_array(grid.origin) - view.eye;
     normal.extend((normal.dot(origin) + plane.w) / grid.voxel_size).as_vec4().into()
+}
+
+/// The camera of a view, lengths in voxels of a grid.
+pub(in crate::method) fn camera_in(grid: Grid, view: &View) -> Camera {
+    let across = if view.orthographic { 1.0 / grid.voxel_size } else { 1.0 };
+    Camera {
+        half_width: (view.half_size[0] * across) as f32,
+        half_height: (view.half_size[1] * across) as f32,
+        start: 0.0,
+        orthographic: u32::from(view.orthographic),
+    }
+}
+
+/// The receivers of a scene in the frame of a grid.
+pub(in crate::method) fn receivers_in(
+    grid: Grid,
+    of_view: &Receivers,
+    scene: &Scene,
+    view: &View,
+) -> receivers::Receivers {
+    let receiver = |equation: DVec4, color: Option<Rgb>| Receiver {
+        plane: plane(equation, view, grid),
+        color: color.map_or(Vec3::ZERO, Vec3::from),
+    };
+    receivers::Receivers {
+        ground: receiver(of_view.ground, scene.ground.as_ref().map(|ground| ground.color)),
+        wall: receiver(of_view.wall, scene.wall.as_ref().map(|wall| wall.color)),
+    }
 }
 
 /// The block of a frame; dispatches differ in their mode alone.
@@ -61,7 +89,7 @@ pub(super) fn block(
     let grid = uploaded.grid;
     let environment = &surroundings.environment;
     let edge = scene.film.supersampling;
-    let eye = (view.eye - DVec3::from_array(grid.origin)) / grid.voxel_size;
+    let eye = grid.at(view.eye);
     let bounds = uploaded.bounds.map(|corner| DVec3::from_array(grid.to_voxels(corner)));
     let [x, y, z] = grid.dimensions;
     let [bx, by, bz] = super::bricks::count(grid.dimensions);
@@ -71,12 +99,7 @@ pub(super) fn block(
     let bounces = if two { 2 } else { voxels.bounces };
     let mode = if two { mode::TWO_SURFACES } else { mode::MULTI_SURFACE };
     let flags = if voxels.reflection { flags | flag::FRESNEL } else { flags };
-    let across = if view.orthographic { 1.0 / grid.voxel_size } else { 1.0 };
     let [row_x, row_y, row_z] = environment.axes.map(vector);
-    let receiver = |equation: DVec4, color: Option<Rgb>| Receiver {
-        plane: plane(equation, view, grid),
-        color: color.map_or(Vec3::ZERO, Vec3::from),
-    };
     VoxelsUniforms {
         dispatch: Dispatch { width: scene.film.width * edge, height: scene.film.height * edge, mode },
         flags,
@@ -84,12 +107,7 @@ pub(super) fn block(
         materials: uploaded.clear as u32,
         bricks: Counts::new(bx, by, bz),
         most_bounces: bounces,
-        camera: Camera {
-            half_width: (view.half_size[0] * across) as f32,
-            half_height: (view.half_size[1] * across) as f32,
-            start: 0.0,
-            orthographic: u32::from(view.orthographic),
-        },
+        camera: camera_in(grid, view),
         right: vector(view.axes.x_axis),
         up: vector(view.axes.y_axis),
         away: vector(view.axes.z_axis),
@@ -101,10 +119,7 @@ pub(super) fn block(
         high: vector(bounds[1] + AROUND),
         environment: Environment { row_x, row_y, row_z, ..environment.block },
         mean_radiance: environment.mean.into(),
-        receivers: receivers::Receivers {
-            ground: receiver(surroundings.receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
-            wall: receiver(surroundings.receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
-        },
+        receivers: receivers_in(grid, &surroundings.receivers, scene, view),
         light: surroundings.light,
         ambient: scene.shading.ambient.into(),
         shadow: surroundings.shadow,

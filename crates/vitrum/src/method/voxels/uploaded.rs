@@ -73,7 +73,7 @@ impl UploadedMesh {
     /// # Errors
     /// If the subject is no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
     pub fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
-        let mesh = shown(assets)?;
+        let mesh = shown(assets, MethodName::Voxels)?;
         let kind = Kind::of(scene, mesh);
         let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
         let mesh = deformed.as_ref().unwrap_or(mesh);
@@ -205,9 +205,12 @@ impl UploadedMesh {
     }
 }
 
-/// The mesh that is the subject.
-pub(super) fn shown(assets: &Assets) -> Result<&Mesh, Error> {
-    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Voxels.as_str() }.into())
+/// The mesh that is the subject, which `method` shows.
+///
+/// # Errors
+/// [`Unrenderable::NeedsMesh`] where the subject is a volume.
+pub(in crate::method) fn shown(assets: &Assets, method: MethodName) -> Result<&Mesh, Error> {
+    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: method.as_str() }.into())
 }
 
 /// One mesh of several bodies, each with its number as its material.
