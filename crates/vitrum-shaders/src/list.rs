@@ -7,6 +7,7 @@ modules! {
     beams_gather
     beams_light_surface
     beams_look_around
+    beams_project_beam
     beams_resolve
     beams_scatter_beam
     beams_see

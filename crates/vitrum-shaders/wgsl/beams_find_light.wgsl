@@ -104,6 +104,7 @@ member_4: u32,
 member_5: u32,
 member_6: u32,
 member_7: u32,
+member_8: u32,
 }
 struct type_21 {
 member: type_5,

@@ -84,6 +84,7 @@ member_4: u32,
 member_5: u32,
 member_6: u32,
 member_7: u32,
+member_8: u32,
 }
 struct type_20 {
 member: type_5,
@@ -203,14 +204,14 @@ var phi_2048_: type_17;
 var phi_2110_: i32;
 var phi_2911_: bool;
 var phi_3150_: bool;
-var phi_4357_: vec3<f32>;
-var phi_4396_: vec3<f32>;
-var phi_4397_: vec3<f32>;
-var phi_4405_: type_17;
-var phi_4406_: type_17;
-var phi_4427_: vec3<f32>;
-var phi_4428_: vec3<f32>;
-var phi_4429_: type_17;
+var phi_4354_: vec3<f32>;
+var phi_4393_: vec3<f32>;
+var phi_4394_: vec3<f32>;
+var phi_4402_: type_17;
+var phi_4403_: type_17;
+var phi_4424_: vec3<f32>;
+var phi_4425_: vec3<f32>;
+var phi_4426_: type_17;
 var phi_2044_: vec3<f32>;
 var phi_2047_: vec3<f32>;
 var phi_2049_: type_17;
@@ -223,7 +224,7 @@ var local_31: vec3<f32>;
 var local_32: vec3<f32>;
 var local_33: vec3<f32>;
 var local_34: vec3<f32>;
-var phi_4479_: array<f32, 18>;
+var phi_4476_: array<f32, 18>;
 var local_35: type_17;
 var local_36: vec3<f32>;
 var local_37: vec3<f32>;
@@ -443,7 +444,7 @@ let _e810 = (_e809 > _e807);
 let _e811 = select(0f, _e807, _e810);
 let _e812 = select(0f, _e809, _e810);
 if ((_e647 || (_e812 <= _e811)) || ((((_e733 + _e734) + _e735) * (1f / 3f)) < 0.01f)) {
-phi_4479_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, _e235, _e246, _e257, _e268, _e279, _e290, _e301, _e312, _e323, _e334);
+phi_4476_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, _e235, _e246, _e257, _e268, _e279, _e290, _e301, _e312, _e323, _e334);
 } else {
 let _e825 = (((_e463 * _e463) + (_e474 * _e474)) + (_e485 * _e485));
 let _e833 = (((_e496 * _e496) + (_e507 * _e507)) + (_e518 * _e518));
@@ -466,7 +467,7 @@ local_31 = _e866;
 local_32 = _e864;
 local_33 = _e864;
 local_34 = _e864;
-let _e872 = global_2.member.member_12.member_7;
+let _e872 = global_2.member.member_12.member_8;
 let _e873 = (_e868 <= _e872);
 if _e873 {
 let _e877 = global_2.member.member_12.member_5;
@@ -546,7 +547,7 @@ break if !(_e921);
 let _e927 = local_18;
 let _e930 = local_19;
 let _e933 = local_20;
-let _e942 = global_2.member.member_12.member_6;
+let _e942 = global_2.member.member_12.member_7;
 phi_1938_ = 0u;
 loop {
 let _e945 = phi_1938_;
@@ -884,9 +885,9 @@ phi_3150_ = (_e1086 && (bitcast<f32>((bitcast<u32>((((_e430 * ((_e1170 * _e1168)
 }
 let _e1682 = phi_3150_;
 if (_e1682 && _e1092) {
-phi_4427_ = _e1035;
-phi_4428_ = _e1037;
-phi_4429_ = type_17((_e1039.member - 1u), (_e1039.member_1 << bitcast<u32>(2i)));
+phi_4424_ = _e1035;
+phi_4425_ = _e1037;
+phi_4426_ = type_17((_e1039.member - 1u), (_e1039.member_1 << bitcast<u32>(2i)));
 } else {
 if _e1682 {
 local = _e879;
@@ -1038,7 +1039,7 @@ let _e2088 = bitcast<f32>((bitcast<u32>(((((_e562 * _e1973) + (_e573 * _e1976)) 
 let _e2090 = select(_e2088, _e2065, (_e2065 > _e2088));
 let _e2092 = select(1e-12f, _e2090, (_e2090 > 1e-12f));
 if (bitcast<f32>((bitcast<u32>(_e1984) & 2147483647u)) > (0.5f * ((_e2013 + _e2042) + _e2092))) {
-phi_4357_ = vec3<f32>(0f, 0f, 0f);
+phi_4354_ = vec3<f32>(0f, 0f, 0f);
 } else {
 let _e2104 = (((_e1968 * _e430) + (_e1969 * _e441)) + (_e1970 * _e452));
 let _e2109 = (((_e1968 * _e1733) + (_e1969 * _e1746)) + (_e1970 * _e1759));
@@ -1094,130 +1095,132 @@ let _e2329 = select(_e2042, _e2013, (_e2013 > _e2042));
 let _e2331 = select(_e2327, _e2329, (_e2329 > _e2327));
 let _e2333 = select(_e2042, _e2013, (_e2013 < _e2042));
 let _e2335 = select(_e2327, _e2333, (_e2333 > _e2327));
-let _e2336 = (0.5f * _e2092);
-let _e2337 = (_e1984 + _e2336);
-let _e2338 = -(_e2337);
-let _e2342 = (0.5f * (_e2331 + _e2335));
-let _e2343 = (_e2342 - select(_e2338, _e2337, (_e2337 > _e2338)));
-let _e2345 = select(0f, _e2343, (_e2343 > 0f));
-let _e2347 = select(_e2335, _e2345, (_e2345 < _e2335));
-let _e2351 = (_e2343 - _e2335);
-let _e2355 = ((((_e2347 * (_e2347 / _e2335)) * 0.5f) + select(0f, _e2351, (_e2351 > 0f))) / _e2331);
-let _e2359 = (_e1984 - _e2336);
-let _e2360 = -(_e2359);
-let _e2363 = (_e2342 - select(_e2360, _e2359, (_e2359 > _e2360)));
-let _e2365 = select(0f, _e2363, (_e2363 > 0f));
-let _e2367 = select(_e2335, _e2365, (_e2365 < _e2335));
-let _e2371 = (_e2363 - _e2335);
-let _e2375 = ((((_e2367 * (_e2367 / _e2335)) * 0.5f) + select(0f, _e2371, (_e2371 > 0f))) / _e2331);
-let _e2381 = ((select(((1f - _e2303) / (_e2309 * sqrt(select(0f, _e2309, (_e2309 > 0f))))), (0.75f * (1f + (_e2298 * _e2298))), (_e2322 == 1u)) * (0.25f / 3.1415927f)) * ((select(_e2355, (1f - _e2355), (_e2337 >= 0f)) - select(_e2375, (1f - _e2375), (_e2359 >= 0f))) / _e2092));
-let _e2388 = global_2.member.member_13.member_1;
-phi_4357_ = vec3<f32>(select(0f, (((_e1928 * ((1f + (_e2181 * (1f + (_e2181 * (0.5f + (_e2181 * (0.16666667f + (_e2181 * (0.041666668f + (_e2181 * (0.008333334f + (_e2181 * (0.001388889f + (_e2181 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2176 + 127i)) << bitcast<u32>(23i))))) * _e2388.member) * _e2381), _e2144), select(0f, (((_e1941 * ((1f + (_e2229 * (1f + (_e2229 * (0.5f + (_e2229 * (0.16666667f + (_e2229 * (0.041666668f + (_e2229 * (0.008333334f + (_e2229 * (0.001388889f + (_e2229 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2224 + 127i)) << bitcast<u32>(23i))))) * _e2388.member_1) * _e2381), _e2144), select(0f, (((_e1954 * ((1f + (_e2277 * (1f + (_e2277 * (0.5f + (_e2277 * (0.16666667f + (_e2277 * (0.041666668f + (_e2277 * (0.008333334f + (_e2277 * (0.001388889f + (_e2277 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2272 + 127i)) << bitcast<u32>(23i))))) * _e2388.member_2) * _e2381), _e2144));
+let _e2337 = (0.5f * (_e2331 + _e2335));
+let _e2338 = (0.5f / _e2335);
+let _e2339 = (1f / _e2331);
+let _e2341 = (0.5f * _e2092);
+let _e2342 = (_e1984 + _e2341);
+let _e2343 = -(_e2342);
+let _e2346 = (_e2337 - select(_e2343, _e2342, (_e2342 > _e2343)));
+let _e2348 = select(0f, _e2346, (_e2346 > 0f));
+let _e2350 = select(_e2335, _e2348, (_e2348 < _e2335));
+let _e2353 = (_e2346 - _e2335);
+let _e2357 = (((_e2350 * (_e2350 * _e2338)) + select(0f, _e2353, (_e2353 > 0f))) * _e2339);
+let _e2361 = (_e1984 - _e2341);
+let _e2362 = -(_e2361);
+let _e2365 = (_e2337 - select(_e2362, _e2361, (_e2361 > _e2362)));
+let _e2367 = select(0f, _e2365, (_e2365 > 0f));
+let _e2369 = select(_e2335, _e2367, (_e2367 < _e2335));
+let _e2372 = (_e2365 - _e2335);
+let _e2376 = (((_e2369 * (_e2369 * _e2338)) + select(0f, _e2372, (_e2372 > 0f))) * _e2339);
+let _e2382 = ((select(((1f - _e2303) / (_e2309 * sqrt(select(0f, _e2309, (_e2309 > 0f))))), (0.75f * (1f + (_e2298 * _e2298))), (_e2322 == 1u)) * (0.25f / 3.1415927f)) * ((select(_e2357, (1f - _e2357), (_e2342 >= 0f)) - select(_e2376, (1f - _e2376), (_e2361 >= 0f))) * (1f / _e2092)));
+let _e2389 = global_2.member.member_13.member_1;
+phi_4354_ = vec3<f32>(select(0f, (((_e1928 * ((1f + (_e2181 * (1f + (_e2181 * (0.5f + (_e2181 * (0.16666667f + (_e2181 * (0.041666668f + (_e2181 * (0.008333334f + (_e2181 * (0.001388889f + (_e2181 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2176 + 127i)) << bitcast<u32>(23i))))) * _e2389.member) * _e2382), _e2144), select(0f, (((_e1941 * ((1f + (_e2229 * (1f + (_e2229 * (0.5f + (_e2229 * (0.16666667f + (_e2229 * (0.041666668f + (_e2229 * (0.008333334f + (_e2229 * (0.001388889f + (_e2229 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2224 + 127i)) << bitcast<u32>(23i))))) * _e2389.member_1) * _e2382), _e2144), select(0f, (((_e1954 * ((1f + (_e2277 * (1f + (_e2277 * (0.5f + (_e2277 * (0.16666667f + (_e2277 * (0.041666668f + (_e2277 * (0.008333334f + (_e2277 * (0.001388889f + (_e2277 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2272 + 127i)) << bitcast<u32>(23i))))) * _e2389.member_2) * _e2382), _e2144));
 }
-let _e2403 = phi_4357_;
-let _e2404 = select(1f, 0f, _e1030);
-let _e2418 = select(0f, 1f, _e1030);
-phi_4396_ = vec3<f32>((_e1035.x + (_e2403.x * _e2418)), (_e1035.y + (_e2403.y * _e2418)), (_e1035.z + (_e2403.z * _e2418)));
-phi_4397_ = vec3<f32>((_e1037.x + (_e2403.x * _e2404)), (_e1037.y + (_e2403.y * _e2404)), (_e1037.z + (_e2403.z * _e2404)));
+let _e2404 = phi_4354_;
+let _e2405 = select(1f, 0f, _e1030);
+let _e2419 = select(0f, 1f, _e1030);
+phi_4393_ = vec3<f32>((_e1035.x + (_e2404.x * _e2419)), (_e1035.y + (_e2404.y * _e2419)), (_e1035.z + (_e2404.z * _e2419)));
+phi_4394_ = vec3<f32>((_e1037.x + (_e2404.x * _e2405)), (_e1037.y + (_e2404.y * _e2405)), (_e1037.z + (_e2404.z * _e2405)));
 } else {
-phi_4396_ = _e1035;
-phi_4397_ = _e1037;
+phi_4393_ = _e1035;
+phi_4394_ = _e1037;
 }
-let _e2430 = phi_4396_;
-let _e2432 = phi_4397_;
-let _e2433 = local_13.member_1;
-phi_4405_ = type_17(_e1039.member, (_e1039.member_1 + 1u));
+let _e2431 = phi_4393_;
+let _e2433 = phi_4394_;
+let _e2434 = local_13.member_1;
+phi_4402_ = type_17(_e1039.member, (_e1039.member_1 + 1u));
 loop {
-let _e2437 = phi_4405_;
-local_35 = _e2437;
-let _e2443 = (((_e2437.member_1 & 3u) == 0u) && (_e2437.member < _e2433));
-if _e2443 {
-phi_4406_ = type_17((_e2437.member + 1u), (_e2437.member_1 >> bitcast<u32>(2i)));
+let _e2438 = phi_4402_;
+local_35 = _e2438;
+let _e2444 = (((_e2438.member_1 & 3u) == 0u) && (_e2438.member < _e2434));
+if _e2444 {
+phi_4403_ = type_17((_e2438.member + 1u), (_e2438.member_1 >> bitcast<u32>(2i)));
 } else {
-phi_4406_ = type_17();
+phi_4403_ = type_17();
 }
-let _e2449 = phi_4406_;
+let _e2450 = phi_4403_;
 continue;
 continuing {
-phi_4405_ = _e2449;
-break if !(_e2443);
+phi_4402_ = _e2450;
+break if !(_e2444);
 }
 }
-phi_4427_ = _e2430;
-phi_4428_ = _e2432;
-let _e2611 = local_35;
-phi_4429_ = _e2611;
+phi_4424_ = _e2431;
+phi_4425_ = _e2433;
+let _e2612 = local_35;
+phi_4426_ = _e2612;
 }
-let _e2456 = phi_4427_;
-let _e2458 = phi_4428_;
-let _e2460 = phi_4429_;
-phi_2044_ = _e2456;
-phi_2047_ = _e2458;
-phi_2049_ = _e2460;
+let _e2457 = phi_4424_;
+let _e2459 = phi_4425_;
+let _e2461 = phi_4426_;
+phi_2044_ = _e2457;
+phi_2047_ = _e2459;
+phi_2049_ = _e2461;
 } else {
 phi_2044_ = vec3<f32>();
 phi_2047_ = vec3<f32>();
 phi_2049_ = type_17();
 }
-let _e2462 = phi_2044_;
-let _e2464 = phi_2047_;
-let _e2466 = phi_2049_;
+let _e2463 = phi_2044_;
+let _e2465 = phi_2047_;
+let _e2467 = phi_2049_;
 continue;
 continuing {
-phi_2043_ = _e2462;
-phi_2046_ = _e2464;
-phi_2048_ = _e2466;
+phi_2043_ = _e2463;
+phi_2046_ = _e2465;
+phi_2048_ = _e2467;
 break if !(_e1047);
 }
 }
-let _e2617 = local_36;
-phi_1844_ = _e2617;
-let _e2620 = local_37;
-phi_1847_ = _e2620;
+let _e2618 = local_36;
+phi_1844_ = _e2618;
+let _e2621 = local_37;
+phi_1847_ = _e2621;
 phi_1849_ = (_e868 + 1u);
 } else {
 phi_1844_ = vec3<f32>();
 phi_1847_ = vec3<f32>();
 phi_1849_ = u32();
 }
-let _e2470 = phi_1844_;
-let _e2472 = phi_1847_;
-let _e2474 = phi_1849_;
+let _e2471 = phi_1844_;
+let _e2473 = phi_1847_;
+let _e2475 = phi_1849_;
 continue;
 continuing {
-phi_1843_ = _e2470;
-phi_1846_ = _e2472;
-phi_1848_ = _e2474;
+phi_1843_ = _e2471;
+phi_1846_ = _e2473;
+phi_1848_ = _e2475;
 break if !(_e873);
 }
 }
-let _e2477 = local_29;
-let _e2481 = local_30;
-let _e2485 = local_31;
-let _e2492 = local_32;
-let _e2496 = local_33;
-let _e2500 = local_34;
-phi_4479_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, (_e235 + (_e2477.x * _e733)), (_e246 + (_e2481.y * _e734)), (_e257 + (_e2485.z * _e735)), (_e268 + (_e2492.x * _e733)), (_e279 + (_e2496.y * _e734)), (_e290 + (_e2500.z * _e735)), _e301, _e312, _e323, _e334);
+let _e2478 = local_29;
+let _e2482 = local_30;
+let _e2486 = local_31;
+let _e2493 = local_32;
+let _e2497 = local_33;
+let _e2501 = local_34;
+phi_4476_ = array<f32, 18>(_e148, _e158, _e169, _e180, _e191, _e202, _e213, _e224, (_e235 + (_e2478.x * _e733)), (_e246 + (_e2482.y * _e734)), (_e257 + (_e2486.z * _e735)), (_e268 + (_e2493.x * _e733)), (_e279 + (_e2497.y * _e734)), (_e290 + (_e2501.z * _e735)), _e301, _e312, _e323, _e334);
 }
-let _e2508 = phi_4479_;
-global_1.member[_e137] = _e2508[0];
-global_1.member[_e149] = _e2508[1];
-global_1.member[_e160] = _e2508[2];
-global_1.member[_e171] = _e2508[3];
-global_1.member[_e182] = _e2508[4];
-global_1.member[_e193] = _e2508[5];
-global_1.member[_e204] = _e2508[6];
-global_1.member[_e215] = _e2508[7];
-global_1.member[_e226] = _e2508[8];
-global_1.member[_e237] = _e2508[9];
-global_1.member[_e248] = _e2508[10];
-global_1.member[_e259] = _e2508[11];
-global_1.member[_e270] = _e2508[12];
-global_1.member[_e281] = _e2508[13];
-global_1.member[_e292] = _e2508[14];
-global_1.member[_e303] = _e2508[15];
-global_1.member[_e314] = _e2508[16];
-global_1.member[_e325] = _e2508[17];
+let _e2509 = phi_4476_;
+global_1.member[_e137] = _e2509[0];
+global_1.member[_e149] = _e2509[1];
+global_1.member[_e160] = _e2509[2];
+global_1.member[_e171] = _e2509[3];
+global_1.member[_e182] = _e2509[4];
+global_1.member[_e193] = _e2509[5];
+global_1.member[_e204] = _e2509[6];
+global_1.member[_e215] = _e2509[7];
+global_1.member[_e226] = _e2509[8];
+global_1.member[_e237] = _e2509[9];
+global_1.member[_e248] = _e2509[10];
+global_1.member[_e259] = _e2509[11];
+global_1.member[_e270] = _e2509[12];
+global_1.member[_e281] = _e2509[13];
+global_1.member[_e292] = _e2509[14];
+global_1.member[_e303] = _e2509[15];
+global_1.member[_e314] = _e2509[16];
+global_1.member[_e325] = _e2509[17];
 }
 }
 }

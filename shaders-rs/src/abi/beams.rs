@@ -100,6 +100,8 @@ pub struct Limits {
     pub round: u32,
     /// Floats from the beams of one round to those of the next.
     pub pitch: u32,
+    /// Floats from the projections of one round to those of the next.
+    pub projection_pitch: u32,
     /// Floats from the bundles of one round to those of the next.
     pub bundle_pitch: u32,
     /// The last round that has beams.
@@ -190,6 +192,14 @@ pub mod part {
     pub const CAUSTIC: u32 = 0;
     /// Light that a body takes out of what would be there without it.
     pub const SHADOW: u32 = 1;
+}
+
+/// Modes of [`crate::beams::scatter_beam`]: the major axis of the beams that are drawn.
+pub mod axis {
+    /// To the right.
+    pub const ACROSS: u32 = 0;
+    /// Downwards.
+    pub const DOWNWARDS: u32 = 1;
 }
 
 impl Dispatched for BeamsUniforms {

@@ -116,9 +116,11 @@ kernels! {
             levels [WORK];
         light_surface(pencils: f32, beams: f32, bundles: f32, corners: f32, looks: f32, materials: f32) updates sight,
             levels [WORK];
+        project_beam(beams: f32) writes projection;
         find_depths(sights: f32) writes depths;
         look_around(depths: f32) writes around;
-        scatter_beam(beams: f32, sights: f32, depths: f32) adds inscattered;
+        scatter_beam(beams: f32, projections: f32, sights: f32, depths: f32) adds inscattered,
+            modes axis [ACROSS, DOWNWARDS];
         resolve(sights: f32, caustics: u32, shadows: u32) writes beam_pixel;
     }
     probe: ProbeUniforms {

@@ -18,9 +18,11 @@ use crate::method::voxels::uploaded::shown;
 use crate::method::{Bounds, View};
 use crate::scene::{MethodName, Scene};
 use bytemuck::bytes_of;
-use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, Lattice, Limits, flag, part};
+use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, Lattice, Limits, axis, flag, part};
 use vitrum_kernels::abi::dispatch::Dispatch;
-use vitrum_kernels::abi::record::{around, beam, beam_pixel, bundle, depths, inscattered, pencil, search, sight};
+use vitrum_kernels::abi::record::{
+    around, beam, beam_pixel, bundle, depths, inscattered, pencil, projection, search, sight,
+};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::voxels::STEPS;
 use vitrum_kernels::beams::pyramid::{pixels_below, rows_before, size};
@@ -32,6 +34,9 @@ const NODES: u32 = 8 * STEPS as u32;
 
 /// Rays along each edge of the lattice whose beams are seen behind surfaces, at most.
 const VIEW_RAYS: u32 = 32;
+
+/// Columns of a dispatch at most: devices have a limit of 65,535 workgroups along each axis.
+const COLUMNS: u32 = 1 << 18;
 
 /// A frame of beams that is ready to run.
 pub struct Frame {
@@ -73,15 +78,17 @@ impl List {
         let mut block = self.block;
         block.dispatch = Dispatch { width, height, mode };
         block.limits.round = round;
-        self.passes.push(Pass {
-            kernel,
-            uniforms: bytes_of(&block).to_vec(),
-            buffers: buffers.iter().map(|&buffer| buffer.clone()).collect(),
-            width,
-            height,
-            start,
-            window: Window::whole(width, height),
-        });
+        for first in (0..width).step_by(COLUMNS as usize) {
+            self.passes.push(Pass {
+                kernel,
+                uniforms: bytes_of(&block).to_vec(),
+                buffers: buffers.iter().map(|&buffer| buffer.clone()).collect(),
+                width,
+                height,
+                start,
+                window: Window { first: [first, 0], end: [width.min(first + COLUMNS), height] },
+            });
+        }
     }
 }
 
@@ -125,7 +132,13 @@ impl Lit {
             pencils: zeros("pencils of light", u64::from(lattice.count).pow(2) * pencil::SIZE as u64)?,
             beams: zeros("beams", beams * u64::from(rounds))?,
             bundles: zeros("bundles of beams", bundles * u64::from(rounds))?,
-            limits: Limits { pitch: beams as u32, bundle_pitch: bundles as u32, last: rounds - 1, ..limits },
+            limits: Limits {
+                pitch: beams as u32,
+                projection_pitch: pitch(texels, projection::SIZE) as u32,
+                bundle_pitch: bundles as u32,
+                last: rounds - 1,
+                ..limits
+            },
         })
     }
 
@@ -290,6 +303,9 @@ fn picture(
     let around = zeros("depths around", pitch(coarse, around::SIZE))?;
     let caustics = zeros("caustics", words)?;
     let shadows = zeros("shadows", words)?;
+    let projected =
+        lit.map_or(0, |(first, _)| u64::from(first.limits.projection_pitch) * u64::from(first.limits.last + 1));
+    let projections = zeros("projections of beams", projected)?;
     let film = zeros("film", u64::from(width) * u64::from(height) * beam_pixel::SIZE as u64)?;
     for round in 0..scene.beams.views {
         let traced = [nodes, corners, materials, &rays];
@@ -323,10 +339,16 @@ fn picture(
             list.add(&kernels::beams_find_depths, coarse, (0, 0), &[&sights, &depths], 0);
             list.add(&kernels::beams_look_around, coarse, (0, 0), &[&depths, &around], 0);
         }
-        let blocks = [width.max(height).div_ceil(BLOCK), first.lattice.count * first.lattice.count];
+        let beams = first.lattice.count * first.lattice.count;
         for round in 0..=first.limits.last {
+            let start = u64::from(first.limits.projection_pitch) * u64::from(round);
+            let projected = [&first.beams, &projections];
+            list.add(&kernels::beams_project_beam, [first.lattice.count; 2], (0, round), &projected, start);
             let sums = if round == 0 { &shadows } else { &caustics };
-            list.add(&kernels::beams_scatter_beam, blocks, (0, round), &[&first.beams, &sights, &around, sums], 0);
+            for (axis, length) in [(axis::ACROSS, width), (axis::DOWNWARDS, height)] {
+                let drawn = [&first.beams, &projections, &sights, &around, sums];
+                list.add(&kernels::beams_scatter_beam, [beams, length.div_ceil(BLOCK)], (axis, round), &drawn, 0);
+            }
         }
     }
     list.add(&kernels::beams_resolve, picture, (0, 0), &[&sights, &caustics, &shadows, &film], 0);

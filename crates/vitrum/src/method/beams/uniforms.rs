@@ -19,7 +19,7 @@ const AROUND: f64 = 0.5;
 /// Half the edge of the medium's cube over the radius of the sphere around the meshes, where the scene does not say.
 const EXTENT: f64 = 12.0;
 /// Units of the sums in what a beam one pixel wide adds to a pixel at the depth of the bodies: wide beams and dim ones have enough, and contributions
-/// up to 2²⁶ times as large fit (see [`vitrum_kernels::field::sums::add_large`]).
+/// up to 2²⁶ times as large fit (see [`vitrum_kernels::field::sums::words`]).
 const UNITS: f64 = 16_777_216.0;
 
 /// Share of a viewing ray's radiance below which a part of it is not followed: less than the eye sees.
