@@ -85,6 +85,9 @@ member_5: u32,
 member_6: u32,
 member_7: u32,
 member_8: u32,
+member_9: u32,
+member_10: u32,
+member_11: u32,
 }
 struct type_18 {
 member: type_5,
@@ -93,6 +96,11 @@ member_2: f32,
 member_3: u32,
 member_4: type_5,
 member_5: type_5,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
 }
 struct type_19 {
 member: f32,
@@ -137,10 +145,10 @@ member_1: f32,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_21;
-@group(0) @binding(1)
-var<storage> global_2: type_13;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_13;
+var<storage, read_write> global_2: type_13;
+@group(0) @binding(1)
+var<storage> global_3: type_13;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -168,117 +176,117 @@ local_5 = _e80;
 let _e94 = local_3;
 let _e95 = local_4;
 let _e96 = (_e94 + _e95);
-let _e98 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e98 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e100 = select(_e98, _e96, (_e96 < _e98));
-let _e105 = global_2.member[bitcast<u32>(select(0i, _e100, (_e100 > 0i)))];
+let _e105 = global_3.member[bitcast<u32>(select(0i, _e100, (_e100 > 0i)))];
 let _e106 = local_3;
 let _e107 = local_5;
 let _e109 = local_4;
 let _e110 = ((_e106 + _e107) + _e109);
 let _e112 = select(_e98, _e110, (_e110 < _e98));
-let _e117 = global_2.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
+let _e117 = global_3.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
 let _e118 = local_3;
 let _e119 = local_5;
 let _e122 = local_4;
 let _e123 = ((_e118 + (2i * _e119)) + _e122);
 let _e125 = select(_e98, _e123, (_e123 < _e98));
-let _e130 = global_2.member[bitcast<u32>(select(0i, _e125, (_e125 > 0i)))];
+let _e130 = global_3.member[bitcast<u32>(select(0i, _e125, (_e125 > 0i)))];
 let _e131 = local_3;
 let _e132 = local_5;
 let _e135 = local_4;
 let _e136 = ((_e131 + (3i * _e132)) + _e135);
 let _e138 = select(_e98, _e136, (_e136 < _e98));
-let _e143 = global_2.member[bitcast<u32>(select(0i, _e138, (_e138 > 0i)))];
+let _e143 = global_3.member[bitcast<u32>(select(0i, _e138, (_e138 > 0i)))];
 let _e144 = local_3;
 let _e145 = local_5;
 let _e148 = local_4;
 let _e149 = ((_e144 + (4i * _e145)) + _e148);
 let _e151 = select(_e98, _e149, (_e149 < _e98));
-let _e156 = global_2.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
+let _e156 = global_3.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
 let _e157 = local_3;
 let _e158 = local_5;
 let _e161 = local_4;
 let _e162 = ((_e157 + (5i * _e158)) + _e161);
 let _e164 = select(_e98, _e162, (_e162 < _e98));
-let _e169 = global_2.member[bitcast<u32>(select(0i, _e164, (_e164 > 0i)))];
+let _e169 = global_3.member[bitcast<u32>(select(0i, _e164, (_e164 > 0i)))];
 let _e170 = local_3;
 let _e171 = local_5;
 let _e174 = local_4;
 let _e175 = ((_e170 + (6i * _e171)) + _e174);
 let _e177 = select(_e98, _e175, (_e175 < _e98));
-let _e182 = global_2.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
+let _e182 = global_3.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
 let _e183 = local_3;
 let _e184 = local_5;
 let _e187 = local_4;
 let _e188 = ((_e183 + (7i * _e184)) + _e187);
 let _e190 = select(_e98, _e188, (_e188 < _e98));
-let _e195 = global_2.member[bitcast<u32>(select(0i, _e190, (_e190 > 0i)))];
+let _e195 = global_3.member[bitcast<u32>(select(0i, _e190, (_e190 > 0i)))];
 let _e196 = local_3;
 let _e197 = local_5;
 let _e200 = local_4;
 let _e201 = ((_e196 + (8i * _e197)) + _e200);
 let _e203 = select(_e98, _e201, (_e201 < _e98));
-let _e208 = global_2.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
+let _e208 = global_3.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
 let _e209 = local_3;
 let _e210 = local_5;
 let _e213 = local_4;
 let _e214 = ((_e209 + (9i * _e210)) + _e213);
 let _e216 = select(_e98, _e214, (_e214 < _e98));
-let _e221 = global_2.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
+let _e221 = global_3.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
 let _e222 = local_3;
 let _e223 = local_5;
 let _e226 = local_4;
 let _e227 = ((_e222 + (10i * _e223)) + _e226);
 let _e229 = select(_e98, _e227, (_e227 < _e98));
-let _e234 = global_2.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
+let _e234 = global_3.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
 let _e235 = local_3;
 let _e236 = local_5;
 let _e239 = local_4;
 let _e240 = ((_e235 + (11i * _e236)) + _e239);
 let _e242 = select(_e98, _e240, (_e240 < _e98));
-let _e247 = global_2.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
+let _e247 = global_3.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
 let _e248 = local_3;
 let _e249 = local_5;
 let _e252 = local_4;
 let _e253 = ((_e248 + (12i * _e249)) + _e252);
 let _e255 = select(_e98, _e253, (_e253 < _e98));
-let _e260 = global_2.member[bitcast<u32>(select(0i, _e255, (_e255 > 0i)))];
+let _e260 = global_3.member[bitcast<u32>(select(0i, _e255, (_e255 > 0i)))];
 let _e261 = local_3;
 let _e262 = local_5;
 let _e265 = local_4;
 let _e266 = ((_e261 + (13i * _e262)) + _e265);
 let _e268 = select(_e98, _e266, (_e266 < _e98));
-let _e273 = global_2.member[bitcast<u32>(select(0i, _e268, (_e268 > 0i)))];
+let _e273 = global_3.member[bitcast<u32>(select(0i, _e268, (_e268 > 0i)))];
 let _e274 = local_3;
 let _e275 = local_5;
 let _e278 = local_4;
 let _e279 = ((_e274 + (14i * _e275)) + _e278);
 let _e281 = select(_e98, _e279, (_e279 < _e98));
-let _e286 = global_2.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
+let _e286 = global_3.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
 let _e287 = local_3;
 let _e288 = local_5;
 let _e291 = local_4;
 let _e292 = ((_e287 + (15i * _e288)) + _e291);
 let _e294 = select(_e98, _e292, (_e292 < _e98));
-let _e299 = global_2.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
+let _e299 = global_3.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
 let _e300 = local_3;
 let _e301 = local_5;
 let _e304 = local_4;
 let _e305 = ((_e300 + (16i * _e301)) + _e304);
 let _e307 = select(_e98, _e305, (_e305 < _e98));
-let _e312 = global_2.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e312 = global_3.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e313 = local_3;
 let _e314 = local_5;
 let _e317 = local_4;
 let _e318 = ((_e313 + (17i * _e314)) + _e317);
 let _e320 = select(_e98, _e318, (_e318 < _e98));
-let _e325 = global_2.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
+let _e325 = global_3.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
 let _e326 = local_3;
 let _e327 = local_5;
 let _e330 = local_4;
 let _e331 = ((_e326 + (23i * _e327)) + _e330);
 let _e333 = select(_e98, _e331, (_e331 < _e98));
-let _e338 = global_2.member[bitcast<u32>(select(0i, _e333, (_e333 > 0i)))];
+let _e338 = global_3.member[bitcast<u32>(select(0i, _e333, (_e333 > 0i)))];
 let _e341 = global_1.member.member_6;
 let _e345 = (_e105 - _e341.member);
 let _e346 = (_e117 - _e341.member_1);
@@ -363,64 +371,64 @@ let _e671 = select(_e666, _e670, _e579);
 let _e672 = select(_e670, _e666, _e579);
 let _e690 = (bitcast<f32>((bitcast<u32>(_e580) & 2147483647u)) / _e588);
 let _e694 = (0.5f * 1f);
-let _e696 = ((((0.5f * (bitcast<f32>((bitcast<u32>(((_e582 * _e671) + ((_e583 * _e672) + _e516))) & 2147483647u)) + bitcast<f32>((bitcast<u32>(((_e584 * _e671) + ((_e585 * _e672) + _e572))) & 2147483647u)))) / _e588) + _e694) * _e690);
-let _e699 = (select(1e6f, _e696, (_e696 < 1e6f)) + 1f);
-let _e706 = ((_e105 + (_e143 * _e619.member_1)) - _e341.member);
-let _e707 = ((_e117 + (_e156 * _e619.member_1)) - _e341.member_1);
-let _e708 = ((_e130 + (_e169 * _e619.member_1)) - _e341.member_2);
-let _e713 = (((_e371.member * _e706) + (_e371.member_1 * _e707)) + (_e371.member_2 * _e708));
-let _e717 = select((1f / select(1e-3f, _e713, (_e713 > 1e-3f))), 1f, _e379);
-let _e727 = ((((((((_e359.member * _e706) + (_e359.member_1 * _e707)) + (_e359.member_2 * _e708)) * _e717) / _e442) + 1f) * _e648) - 0.5f);
-let _e737 = (((1f - (((((_e365.member * _e706) + (_e365.member_1 * _e707)) + (_e365.member_2 * _e708)) * _e717) / _e446)) * _e659) - 0.5f);
-let _e739 = select(_e662, _e727, (_e727 > _e662));
-let _e741 = select(1e6f, _e739, (_e739 < 1e6f));
-let _e743 = select(_e662, _e737, (_e737 > _e662));
-let _e745 = select(1e6f, _e743, (_e743 < 1e6f));
-let _e746 = select(_e741, _e745, _e579);
-let _e747 = select(_e745, _e741, _e579);
-let _e766 = ((((0.5f * (bitcast<f32>((bitcast<u32>(((_e582 * _e746) + ((_e583 * _e747) + _e516))) & 2147483647u)) + bitcast<f32>((bitcast<u32>(((_e584 * _e746) + ((_e585 * _e747) + _e572))) & 2147483647u)))) / _e588) + _e694) * _e690);
-let _e769 = (select(1e6f, _e766, (_e766 < 1e6f)) + 1f);
-let _e770 = (_e746 < _e671);
-let _e771 = (_e671 - _e699);
-let _e772 = (_e746 - _e769);
-let _e775 = (_e671 + _e699);
-let _e776 = (_e746 + _e769);
+let _e697 = ((2f * (((0.5f * (bitcast<f32>((bitcast<u32>(((_e582 * _e671) + ((_e583 * _e672) + _e516))) & 2147483647u)) + bitcast<f32>((bitcast<u32>(((_e584 * _e671) + ((_e585 * _e672) + _e572))) & 2147483647u)))) / _e588) + _e694)) * _e690);
+let _e700 = (select(1e6f, _e697, (_e697 < 1e6f)) + 1f);
+let _e707 = ((_e105 + (_e143 * _e619.member_1)) - _e341.member);
+let _e708 = ((_e117 + (_e156 * _e619.member_1)) - _e341.member_1);
+let _e709 = ((_e130 + (_e169 * _e619.member_1)) - _e341.member_2);
+let _e714 = (((_e371.member * _e707) + (_e371.member_1 * _e708)) + (_e371.member_2 * _e709));
+let _e718 = select((1f / select(1e-3f, _e714, (_e714 > 1e-3f))), 1f, _e379);
+let _e728 = ((((((((_e359.member * _e707) + (_e359.member_1 * _e708)) + (_e359.member_2 * _e709)) * _e718) / _e442) + 1f) * _e648) - 0.5f);
+let _e738 = (((1f - (((((_e365.member * _e707) + (_e365.member_1 * _e708)) + (_e365.member_2 * _e709)) * _e718) / _e446)) * _e659) - 0.5f);
+let _e740 = select(_e662, _e728, (_e728 > _e662));
+let _e742 = select(1e6f, _e740, (_e740 < 1e6f));
+let _e744 = select(_e662, _e738, (_e738 > _e662));
+let _e746 = select(1e6f, _e744, (_e744 < 1e6f));
+let _e747 = select(_e742, _e746, _e579);
+let _e748 = select(_e746, _e742, _e579);
+let _e768 = ((2f * (((0.5f * (bitcast<f32>((bitcast<u32>(((_e582 * _e747) + ((_e583 * _e748) + _e516))) & 2147483647u)) + bitcast<f32>((bitcast<u32>(((_e584 * _e747) + ((_e585 * _e748) + _e572))) & 2147483647u)))) / _e588) + _e694)) * _e690);
+let _e771 = (select(1e6f, _e768, (_e768 < 1e6f)) + 1f);
+let _e772 = (_e747 < _e671);
+let _e773 = (_e671 - _e700);
+let _e774 = (_e747 - _e771);
+let _e777 = (_e671 + _e700);
+let _e778 = (_e747 + _e771);
 local = _e90;
 local_1 = _e93;
 local_2 = _e80;
-let _e779 = local;
-let _e780 = local_2;
-let _e783 = local_1;
-let _e784 = ((_e779 + (18i * _e780)) + _e783);
-let _e786 = select(_e98, _e784, (_e784 < _e98));
-let _e791 = global_2.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
-let _e792 = local;
-let _e793 = local_2;
-let _e796 = local_1;
-let _e797 = ((_e792 + (19i * _e793)) + _e796);
-let _e799 = select(_e98, _e797, (_e797 < _e98));
-let _e804 = global_2.member[bitcast<u32>(select(0i, _e799, (_e799 > 0i)))];
-let _e806 = local;
-let _e807 = local_2;
-let _e810 = local_1;
-let _e811 = ((_e806 + (20i * _e807)) + _e810);
-let _e813 = select(_e98, _e811, (_e811 < _e98));
-let _e818 = global_2.member[bitcast<u32>(select(0i, _e813, (_e813 > 0i)))];
-let _e824 = (((((_e791 + _e804) + _e818) > 0f) && (_e588 > 0f)) && (_e619.member_1 > _e619.member));
-global_3.member[_e70] = select(0f, 1f, _e579);
-global_3.member[(_e68 + _e70)] = _e580;
-global_3.member[((2u * _e68) + _e70)] = _e581;
-global_3.member[((3u * _e68) + _e70)] = (((((_e371.member * _e350) + (_e371.member_1 * _e353)) + (_e371.member_2 * _e356)) + (_e400 * _e454)) + (_e421 * _e458));
-global_3.member[((4u * _e68) + _e70)] = _e582;
-global_3.member[((5u * _e68) + _e70)] = _e583;
-global_3.member[((6u * _e68) + _e70)] = _e516;
-global_3.member[((7u * _e68) + _e70)] = _e584;
-global_3.member[((8u * _e68) + _e70)] = _e585;
-global_3.member[((9u * _e68) + _e70)] = _e572;
-global_3.member[((10u * _e68) + _e70)] = select(0f, select(_e772, _e771, (_e771 < _e772)), _e824);
-global_3.member[((11u * _e68) + _e70)] = select(-1f, select(_e776, _e775, (_e775 > _e776)), _e824);
-global_3.member[((12u * _e68) + _e70)] = select(_e775, _e776, _e770);
-global_3.member[((13u * _e68) + _e70)] = select(_e772, _e771, _e770);
+let _e781 = local;
+let _e782 = local_2;
+let _e785 = local_1;
+let _e786 = ((_e781 + (18i * _e782)) + _e785);
+let _e788 = select(_e98, _e786, (_e786 < _e98));
+let _e793 = global_3.member[bitcast<u32>(select(0i, _e788, (_e788 > 0i)))];
+let _e794 = local;
+let _e795 = local_2;
+let _e798 = local_1;
+let _e799 = ((_e794 + (19i * _e795)) + _e798);
+let _e801 = select(_e98, _e799, (_e799 < _e98));
+let _e806 = global_3.member[bitcast<u32>(select(0i, _e801, (_e801 > 0i)))];
+let _e808 = local;
+let _e809 = local_2;
+let _e812 = local_1;
+let _e813 = ((_e808 + (20i * _e809)) + _e812);
+let _e815 = select(_e98, _e813, (_e813 < _e98));
+let _e820 = global_3.member[bitcast<u32>(select(0i, _e815, (_e815 > 0i)))];
+let _e826 = (((((_e793 + _e806) + _e820) > 0f) && (_e588 > 0f)) && (_e619.member_1 > _e619.member));
+global_2.member[_e70] = select(0f, 1f, _e579);
+global_2.member[(_e68 + _e70)] = _e580;
+global_2.member[((2u * _e68) + _e70)] = _e581;
+global_2.member[((3u * _e68) + _e70)] = (((((_e371.member * _e350) + (_e371.member_1 * _e353)) + (_e371.member_2 * _e356)) + (_e400 * _e454)) + (_e421 * _e458));
+global_2.member[((4u * _e68) + _e70)] = _e582;
+global_2.member[((5u * _e68) + _e70)] = _e583;
+global_2.member[((6u * _e68) + _e70)] = _e516;
+global_2.member[((7u * _e68) + _e70)] = _e584;
+global_2.member[((8u * _e68) + _e70)] = _e585;
+global_2.member[((9u * _e68) + _e70)] = _e572;
+global_2.member[((10u * _e68) + _e70)] = select(0f, select(_e774, _e773, (_e773 < _e774)), _e826);
+global_2.member[((11u * _e68) + _e70)] = select(-1f, select(_e778, _e777, (_e777 > _e778)), _e826);
+global_2.member[((12u * _e68) + _e70)] = select(_e777, _e778, _e772);
+global_2.member[((13u * _e68) + _e70)] = select(_e774, _e773, _e772);
 }
 }
 return;

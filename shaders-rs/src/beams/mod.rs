@@ -5,16 +5,20 @@
 //! the medium scatters out of it to the pixels that look through it. What viewing rays see behind the first surface, and
 //! the light that beams throw on surfaces, is gathered ([`gather`], [`light_surface`]). [`see`] adds up the rest of the picture, [`resolve`] composes it.
 
+pub mod add_depths;
 pub mod airlight;
 pub mod bend;
 pub mod bound_beams;
 pub mod covered;
+pub mod density;
 pub mod drawn;
 pub mod emission;
 pub mod facet;
 pub mod find_depths;
 pub mod find_light;
 pub mod gather;
+pub mod integrate_beam;
+pub mod integrate_view;
 pub mod light_surface;
 pub mod look_around;
 pub mod medium;

@@ -15,7 +15,7 @@ const BEYOND: f32 = 1e6;
 #[derive(Clone, Copy)]
 struct End {
     major: f32,
-    /// How much farther its edges reach than its middle.
+    /// How much farther its edges reach than its middle, at most.
     reach: f32,
 }
 
@@ -32,7 +32,8 @@ fn end(u: &BeamsUniforms, beam: &Beam, drawn: &Drawn, along: f32) -> End {
     let (major, minor) = (select(drawn.steep, row, column), select(drawn.steep, column, row));
     let section = drawn.section_at(major, minor);
     let slope = absolute(drawn.middle.major) / drawn.filter;
-    End { major, reach: min(drawn.half_width(&section, 1.0) * slope, BEYOND) + 1.0 }
+    // Across the beam its end is a line at right angles to it where the eye is far away; near the eye the line is curved, and reaches farther.
+    End { major, reach: min(2.0 * drawn.half_width(&section, 1.0) * slope, BEYOND) + 1.0 }
 }
 
 /// The part of a beam in front of the eye: distances along it.

@@ -10,13 +10,10 @@
 use super::covered::{Covered, Levels, reaches_block};
 use super::drawn::Drawn;
 use super::pyramid::size;
-use super::scattered::scattered;
 use super::shares::Drawing;
 use super::store_beam::beam_of;
 use super::strip::{Light, Lit, Rows, Shared};
-use crate::abi::beams::{BLOCK, BeamsUniforms, axis};
-use crate::abi::record::sight;
-use crate::field::access::read;
+use crate::abi::beams::{BLOCK, BeamsUniforms, axis, medium};
 use crate::field::sums::Sums;
 use crate::math::{absolute, floor_to_int, max, min};
 
@@ -27,33 +24,29 @@ const FARTHER: f32 = 0.02;
 const NOTHING: f32 = 1e-6;
 
 /// Single rays, which get what at most `COARSE` coarse levels leave them.
-struct Single<const COARSE: u32>;
+struct Single<const COARSE: u32, const VARYING: bool>;
 
-impl<const COARSE: u32> Lit for Single<COARSE> {
+impl<const COARSE: u32, const VARYING: bool> Lit for Single<COARSE, VARYING> {
     #[inline(always)]
     fn light(&self, drawing: &Drawing<'_>, major: i32, minor: i32) -> Light {
-        let Drawing { u, beam, drawn, sights, .. } = drawing;
-        let (column, row) = drawn.pixel(major, minor);
-        let count = (u.picture.width * u.picture.height) as i32;
-        let at = row * u.picture.width as i32 + column;
-        let depth = read(sights, sight::DEPTH as i32 * count + at);
-        let enters = read(sights, sight::ENTERS as i32 * count + at);
-        let light = scattered(u, beam, column as f32, row as f32, enters);
+        let (column, row) = drawing.drawn.pixel(major, minor);
+        let line = drawing.sightline(column, row);
+        let light = drawing.scattered::<VARYING>(column as f32, row as f32, &line);
         let share = drawing.rest::<COARSE>(major, minor);
-        let is_seen = (light.distance > 0.0) & (light.distance < depth) & (absolute(share) > NOTHING);
+        let is_seen = (light.distance > 0.0) & (light.distance < line.depth) & (absolute(share) > NOTHING);
         Light { is_seen, radiance: light.radiance * share, is_shared: false }
     }
 }
 
 /// Coarse pixels.
-struct Coarse;
+struct Coarse<const VARYING: bool>;
 
-impl Lit for Coarse {
+impl<const VARYING: bool> Lit for Coarse<VARYING> {
     #[inline(always)]
     fn light(&self, drawing: &Drawing<'_>, major: i32, minor: i32) -> Light {
         let levels = &drawing.levels;
         let edge = 1 << levels.own;
-        let (light, around) = drawing.look(levels.own, major, minor);
+        let (light, around) = drawing.look::<VARYING>(levels.own, major, minor);
         let meets = light.distance > 0.0;
         let is_seen = meets & (light.distance < around.nearest);
         // Beside pixels that are drawn, too, there is nothing left.
@@ -85,19 +78,36 @@ fn rows(drawing: &Drawing<'_>, covered: &Covered, level: u32) -> Rows {
 
 /// Gives single rays what coarse pixels leave them.
 #[inline(always)]
-fn draw_single<S: Sums + ?Sized>(drawing: &Drawing<'_>, rows: &Rows, sums: &mut S) {
+fn draw_single<const VARYING: bool, S: Sums + ?Sized>(drawing: &Drawing<'_>, rows: &Rows, sums: &mut S) {
     let [first, second, third] = drawing.levels.coarse();
     let coarse = (first > 0) as u32 + (second > 0) as u32 + (third > 0) as u32;
     if coarse == 0 {
-        rows.draw(drawing, &Single::<0>, sums);
+        rows.draw(drawing, &Single::<0, VARYING>, sums);
     } else if coarse == 1 {
-        rows.draw(drawing, &Single::<1>, sums);
+        rows.draw(drawing, &Single::<1, VARYING>, sums);
     } else {
-        rows.draw(drawing, &Single::<3>, sums);
+        rows.draw(drawing, &Single::<3, VARYING>, sums);
     }
 }
 
-/// Draws the beam number `x` in block number `y` of the columns along its major axis, if that is the axis of the mode. So no two rows of invocations
+/// Draws the beam in a block of columns.
+#[inline(always)]
+fn draw<const VARYING: bool, S: Sums + ?Sized>(drawing: &Drawing<'_>, covered: &Covered, sums: &mut S) {
+    let own = drawing.levels.own;
+    let fine = rows(drawing, covered, 0);
+    if own == 0 {
+        draw_single::<VARYING, S>(drawing, &fine, sums);
+        return;
+    }
+    let Shared { first, last } = rows(drawing, covered, own).draw(drawing, &Coarse::<VARYING>, sums);
+    if first <= last {
+        let end = (last + 1) << own;
+        let high = if end <= fine.high { end - 1 } else { fine.high };
+        draw_single::<VARYING, S>(drawing, &Rows { low: first << own, high, ..fine }, sums);
+    }
+}
+
+/// Draws the beam number `x` in block number `y` of the columns along its major axis, if that is the axis of the pass. So no two rows of invocations
 /// draw in the same pixels, and beams that lie side by side are drawn in the same pixels one soon after the other.
 #[inline(always)]
 pub fn invoke<S: Sums + ?Sized>(
@@ -109,6 +119,8 @@ pub fn invoke<S: Sums + ?Sized>(
     projections: &[f32],
     sights: &[f32],
     depths: &[f32],
+    materials: &[f32],
+    optical_depths: &[f32],
     sums: &mut S,
 ) {
     let (number, count) = (x as i32, u.dispatch.width as i32);
@@ -121,21 +133,15 @@ pub fn invoke<S: Sums + ?Sized>(
     let covered = Covered::of(projections, start, number, count);
     let drawn = Drawn::of(projections, start, number, count);
     let (columns, _) = drawn.along_axes(u.picture);
-    if (drawn.steep != (mode == axis::DOWNWARDS)) | (first >= columns) {
+    if (drawn.steep != (u.limits.axis == axis::DOWNWARDS)) | (first >= columns) {
         return;
     }
     let beam = beam_of(beams, (round * u.limits.pitch) as i32, number, count);
     let levels = Levels::new(u, &drawn, &covered, first, columns);
-    let drawing = Drawing { u, beam, drawn, levels, sights, depths };
-    let fine = rows(&drawing, &covered, 0);
-    if levels.own == 0 {
-        draw_single(&drawing, &fine, sums);
-        return;
-    }
-    let Shared { first, last } = rows(&drawing, &covered, levels.own).draw(&drawing, &Coarse, sums);
-    if first <= last {
-        let end = (last + 1) << levels.own;
-        let high = if end <= fine.high { end - 1 } else { fine.high };
-        draw_single(&drawing, &Rows { low: first << levels.own, high, ..fine }, sums);
+    let drawing = Drawing { u, beam, drawn, levels, sights, depths, number, materials, optical_depths };
+    if mode == medium::VARYING {
+        draw::<true, S>(&drawing, &covered, sums);
+    } else {
+        draw::<false, S>(&drawing, &covered, sums);
     }
 }

@@ -8,7 +8,7 @@ use super::covered::Levels;
 use super::drawn::Drawn;
 use super::look_around::depths_around;
 use super::pyramid::size;
-use super::scattered::{Scattered, scattered};
+use super::scattered::Scattered;
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Around, Beam};
 use crate::math::{floor_to_int, limit, select};
@@ -28,24 +28,34 @@ pub struct Drawing<'a> {
     pub sights: &'a [f32],
     /// Records of [`crate::abi::record::Around`].
     pub depths: &'a [f32],
+    /// The beam's number.
+    pub number: i32,
+    /// Records of materials, and behind them the medium's density.
+    pub materials: &'a [f32],
+    /// Optical depths at the nodes of viewing rays, and behind them at the nodes of beams.
+    pub optical_depths: &'a [f32],
 }
 
 impl Drawing<'_> {
     /// The light of the beam at the middle of a pixel of a level, by its place along the beam's axes, and the depths around it.
     #[inline(always)]
-    pub fn look(&self, level: u32, major: i32, minor: i32) -> (Scattered, Around) {
+    pub fn look<const VARYING: bool>(&self, level: u32, major: i32, minor: i32) -> (Scattered, Around) {
         let fine = (1 << level) as f32;
         let (along, across) = ((major as f32 + 0.5) * fine - 0.5, (minor as f32 + 0.5) * fine - 0.5);
         let (x, y) = self.drawn.place(along, across);
         let (column, row) = self.drawn.pixel(major, minor);
         let around = depths_around(self.u, self.depths, level, column, row);
-        (scattered(self.u, &self.beam, x, y, around.enters), around)
+        let middle = (1 << level) >> 1;
+        let (width, height) = (self.u.picture.width as i32, self.u.picture.height as i32);
+        let (inner_column, inner_row) = ((column << level) + middle, (row << level) + middle);
+        let line = self.sightline(limit(inner_column, width), limit(inner_row, height));
+        (self.scattered::<VARYING>(x, y, &line), around)
     }
 
     /// Whether the beam is drawn in a pixel of a level.
     #[inline(always)]
     fn is_drawn(&self, level: u32, major: i32, minor: i32) -> bool {
-        let (light, around) = self.look(level, major, minor);
+        let (light, around) = self.look::<false>(level, major, minor);
         let of_level = self.levels.at(major << level) == level;
         of_level & (light.distance > 0.0) & (light.distance < around.nearest)
     }

@@ -195,6 +195,8 @@ record! {
         depth: f32,
         /// Distance from the eye at which the ray enters the medium, in voxels.
         enters: f32,
+        /// Distance from the eye at which the first straight piece leaves the medium, or ends in it, in voxels.
+        leaves: f32,
         /// Radiance of surfaces and of the environment.
         radiance: Color,
         /// Radiance that the medium scatters out of the light of the source where nothing is in its way.
@@ -207,6 +209,15 @@ record! {
         coverage: f32,
         /// Unit normal at the first surface, along the grid's axes; 0 if there is none.
         normal: Vec3,
+    }
+}
+
+record! {
+    /// Optical depth at a node of a straight piece, over the extinction coefficient where the density is 1: the integral of the density along the
+    /// piece, in voxels.
+    optical_depth: OpticalDepth {
+        /// Up to the node, or over the part between it and the node before.
+        depth: f32,
     }
 }
 
