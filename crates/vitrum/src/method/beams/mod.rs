@@ -1,8 +1,10 @@
 //! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
 //!
-//! `lattice.rs` places the rays of a light, `uniforms.rs` describes a frame to the kernels, `passes.rs` lists the passes: pencils of light become
+//! `density.rs` reads the medium's density, `lattice.rs` places the rays of a light, `uniforms.rs` describes a frame to the kernels, `passes.rs` lists the passes: pencils of light become
 //! beams, beams are drawn, viewing rays see the rest.
 
+#[cfg_attr(not(test), expect(dead_code, reason = "no kernel reads a density yet"))]
+mod density;
 mod film;
 mod lattice;
 mod passes;
@@ -59,7 +61,8 @@ impl Method for Beams {
     }
 
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
-        voxels::check(scene, assets, self.name())
+        voxels::check(scene, assets, self.name())?;
+        density::check(scene, assets)
     }
 
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
