@@ -75,7 +75,7 @@ fn what_is_not_known_is_refused_with_what_is() {
         (&["--method", "beems"], "sweep"),
         (
             &["--tier", "t3", "--scene", "ball", "--scene", "bell"],
-            "angel-ball, ball, ball-in-fog, combustion, gem, glass, goblet, head, luneburg, ocean, phantom, prism, ring, statue, still-life, supernova, torus, tree, vase",
+            "angel-ball, ball, ball-in-fog, combustion, gem, glass, goblet, head, luneburg, ocean, phantom, prism, ring, smoke, statue, still-life, supernova, torus, tree, vase",
         ),
         (&["--tier", "t1", "--scene", "bell"], "head all"),
     ] {

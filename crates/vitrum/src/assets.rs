@@ -19,11 +19,13 @@ pub struct Assets {
     pub environment: Option<Arc<Picture>>,
     /// The pictures that spots project, by the paths that the scene gives them (`light.N.texture`).
     pub textures: BTreeMap<PathBuf, Arc<Picture>>,
+    /// The volume of the medium's density, if the scene has one (`medium.density`).
+    pub density: Option<Arc<Volume>>,
 }
 
 impl<S: Into<Subject>> From<S> for Assets {
     fn from(subject: S) -> Self {
-        Self { subject: subject.into(), environment: None, textures: BTreeMap::new() }
+        Self { subject: subject.into(), environment: None, textures: BTreeMap::new(), density: None }
     }
 }
 
@@ -51,8 +53,11 @@ impl Assets {
         let read = |path: &PathBuf| Ok((path.clone(), Arc::new(vitrum_io::read_picture(&base.join(path))?)));
         let named = scene.light.iter().filter_map(|light| light.texture.as_ref()).collect::<BTreeSet<_>>();
         let textures = named.into_iter().map(read).collect::<Result<_, Error>>()?;
+        let density = scene.medium.as_ref().and_then(|medium| medium.density.as_ref());
+        let density = density.map(|source| load_volume(source, base, max_bytes)).transpose()?.map(Arc::new);
         if !scene.mesh.is_empty() {
-            return Ok(Self { subject: load_meshes(&scene.mesh, base, max_bytes)?.into(), environment, textures });
+            let subject = load_meshes(&scene.mesh, base, max_bytes)?.into();
+            return Ok(Self { subject, environment, textures, density });
         }
         let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
         let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
@@ -60,7 +65,7 @@ impl Assets {
             None => Subject::Volume(shown),
             Some(ior) => Subject::Volumes { shown, ior: Arc::new(ior) },
         };
-        Ok(Self { subject, environment, textures })
+        Ok(Self { subject, environment, textures, density })
     }
 }
 

@@ -212,6 +212,42 @@ pub enum Unrenderable {
         /// The path by which the scene names the picture.
         path: PathBuf,
     },
+    /// The volume of a medium's density is not among the assets.
+    #[error("medium.density is given, and the assets have no volume for it")]
+    NoDensity,
+    /// The volume of a medium's density has an axis that is along none of the world's.
+    #[error("medium.density: {name}: an axis of the volume is {angle:.2}° off the world's axes")]
+    ObliqueDensity {
+        /// The volume.
+        name: String,
+        /// The angle, in degrees.
+        angle: f64,
+    },
+    /// The volume of a medium's density has a value that is NaN or infinite.
+    #[error("medium.density: {name}: the value at voxel ({}, {}, {}) is {value}, expected a finite number", voxel[0], voxel[1], voxel[2])]
+    DensityNotFinite {
+        /// The volume.
+        name: String,
+        /// The first such voxel.
+        voxel: [u32; 3],
+        /// Its value.
+        value: f32,
+    },
+    /// A medium's density is below 0.
+    #[error(
+        "medium.density: {name}: the value at voxel ({}, {}, {}) is {value}, and a density is at least 0; the values are from {} to {}",
+        voxel[0], voxel[1], voxel[2], range[0], range[1]
+    )]
+    NegativeDensity {
+        /// The volume.
+        name: String,
+        /// The first such voxel.
+        voxel: [u32; 3],
+        /// Its value.
+        value: f32,
+        /// The least and the greatest value of all voxels.
+        range: [f32; 2],
+    },
     /// The environment's picture and those that spots project are larger together than kernels can address.
     #[error("{}: with it the pictures of the environment and of spots have {texels} texels, kernels can address 715827882", path.display())]
     PicturesTooLarge {
@@ -272,6 +308,17 @@ impl Unrenderable {
             }
             Self::NoTexture { .. } => {
                 "add the picture to `Assets::textures`, or read the assets by `Assets::load`".to_owned()
+            }
+            Self::NoDensity => "set `Assets::density`, or read the assets by `Assets::load`".to_owned(),
+            Self::ObliqueDensity { .. } => {
+                "resample the volume along the world's axes, or save it without its directions".to_owned()
+            }
+            Self::DensityNotFinite { .. } => "replace it by a finite value, such as the background's".to_owned(),
+            Self::NegativeDensity { range: [low, high], .. } => {
+                let high = high.max(0.0);
+                format!(
+                    "say at which values the density is 0 and 1, as in `medium.density_window = [{low:?}, {high:?}]`"
+                )
             }
             Self::PicturesTooLarge { .. } => "make it smaller".to_owned(),
             Self::ObliqueLight { index, .. } => {

@@ -294,6 +294,10 @@ fn a_medium_is_for_beams_and_refused_by_name_elsewhere() {
     beams("").expect("a vacuum has surface caustics");
     beams("[medium]\n").expect("a medium may do nothing");
     beams("[medium]\nphase = \"rayleigh\"\nextent = 40\n").expect("a clear sky");
+    beams("[medium]\ndensity = { builtin = \"ball\" }\n").expect("a density of its own");
+    let windowed = beams("[medium]\ndensity = { file = \"head.nrrd\" }\ndensity_window = [-1000, 400.5]\n");
+    let medium = windowed.expect("a window").medium.expect("it was given");
+    assert_eq!(medium.density_window, Some([-1000.0, 400.5]));
     for (text, words) in [
         ("anisotropy = 1", "a number from -0.99 to 0.99"),
         ("phase = \"mie\"", "one of henyey_greenstein, rayleigh"),
@@ -304,7 +308,13 @@ fn a_medium_is_for_beams_and_refused_by_name_elsewhere() {
         ("extent = 0", "above 0"),
         ("density = {}", "`medium.density`: neither `file` nor `builtin` is given"),
         ("extent = 3\ndensity = { builtin = \"ball\" }", "`medium.extent`: the medium fills the box of the volume"),
-        ("density = { builtin = \"ball\" }", "the method `beams` renders a homogeneous medium, and a density is given"),
+        ("density_window = [0, 1]", "`medium.density_window`: it maps the values of a volume to densities"),
+        ("density_window = [0]\ndensity = { builtin = \"ball\" }", "a list of 2 items, each a finite number"),
+        ("density_window = [0, inf]\ndensity = { builtin = \"ball\" }", "a finite number"),
+        (
+            "density_window = [1, 1]\ndensity = { builtin = \"ball\" }",
+            "the density is 0 at 1 and 1 at 1, and the first is not below the second",
+        ),
     ] {
         let error = beams(&format!("[medium]\n{text}\n")).expect_err(text);
         assert!(error.to_string().contains(words), "{error}");

@@ -16,6 +16,7 @@ mod noise;
 mod phantom;
 mod prism;
 mod shapes;
+mod smoke;
 mod supernova;
 
 use crate::scene::Scene;
@@ -49,6 +50,7 @@ const VOLUMES: &[VolumeEntry] = &[
     ("luneburg", 160, luneburg::volume),
     ("prism", 160, prism::volume),
     ("phantom", 256, phantom::volume),
+    ("smoke", 96, smoke::volume),
 ];
 
 /// The built-in scenes and what each shows; a variant is named `SCENE/VARIANT`.
@@ -118,6 +120,8 @@ mod tests {
             if !scene.mesh.is_empty() {
                 let known = |source: &MeshSource| mesh_names().any(|known| Some(known) == source.builtin.as_deref());
                 assert!(scene.mesh.iter().all(known), "{name}");
+                let density = scene.medium.as_ref().and_then(|medium| medium.density.as_ref()?.builtin.as_deref());
+                assert!(density.is_none_or(|density| volume_names().any(|known| known == density)), "{name}");
                 continue;
             }
             for source in [Some(&scene.volume), scene.ior_volume.as_ref()].into_iter().flatten() {
@@ -181,7 +185,7 @@ mod tests {
         assert_eq!(found, FINGERPRINTS);
     }
 
-    const FINGERPRINTS: [(&str, u64); 9] = [
+    const FINGERPRINTS: [(&str, u64); 10] = [
         ("glass", 0x2170_4c9c_b50d_546f),
         ("supernova", 0x1f29_ef4f_7f37_1fdf),
         ("head", 0x5842_7ca0_ae6e_edb2),
@@ -191,5 +195,6 @@ mod tests {
         ("luneburg", 0xdeed_63e6_1164_11d5),
         ("prism", 0x5e6e_1461_ee60_44ad),
         ("phantom", 0x6d39_e3a0_86f9_3ec5),
+        ("smoke", 0xe5a4_11af_93c4_10e0),
     ];
 }

@@ -38,4 +38,10 @@ pub struct Medium {
     /// Volume whose scalar is the density, a factor on both coefficients, and whose box the medium fills; 1 everywhere if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density: Option<VolumeSource>,
+    /// Values of the volume's scalar at which the density is 0 and 1, the lower one first: between them it is linear, beyond them it stays 0 or 1.
+    /// If absent the scalar is the density itself. A CT scan from 0 to 4095 would be thousands of times as dense as the coefficients say: give
+    /// its window.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "two numbers, the second above the first"))]
+    pub density_window: Option<[f32; 2]>,
 }

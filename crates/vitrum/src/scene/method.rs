@@ -43,6 +43,7 @@ impl MethodName {
                 clipping: true,
                 placed_lights: false,
                 medium: false,
+                medium_density: false,
             },
             Self::Voxels => Capabilities {
                 volumes: false,
@@ -53,6 +54,7 @@ impl MethodName {
                 clipping: false,
                 placed_lights: true,
                 medium: false,
+                medium_density: false,
             },
             Self::Beams => Capabilities {
                 volumes: false,
@@ -63,6 +65,7 @@ impl MethodName {
                 clipping: false,
                 placed_lights: true,
                 medium: true,
+                medium_density: true,
             },
         }
     }
@@ -92,4 +95,6 @@ pub struct Capabilities {
     pub placed_lights: bool,
     /// A participating medium.
     pub medium: bool,
+    /// A participating medium whose density is a volume.
+    pub medium_density: bool,
 }

@@ -1,7 +1,7 @@
 //! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
 //!
-//! `lattice.rs` places the rays of a light, `uniforms.rs` describes a frame to the kernels, `passes.rs` lists the passes: pencils of light become
-//! beams, beams are drawn, viewing rays see the rest.
+//! `density.rs` reads the medium's density, `medium.rs` describes the medium to the kernels, `lattice.rs` places the rays of a light, `uniforms.rs` describes
+//! the rest of a frame, `passes.rs` and `drawing.rs` list the passes: pencils of light become beams, beams are drawn, viewing rays see the rest.
 
 mod density;
 mod drawing;
@@ -65,7 +65,8 @@ impl Method for Beams {
     }
 
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
-        voxels::check(scene, assets, self.name())
+        voxels::check(scene, assets, self.name())?;
+        density::check(scene, assets)
     }
 
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {

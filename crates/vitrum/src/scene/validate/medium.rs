@@ -30,17 +30,35 @@ pub(super) fn check(method: MethodName, medium: &Medium) -> Result<(), Fault> {
             "leave `medium.extent` out, or leave `medium.density` out",
         ));
     }
-    check_homogeneous(method, medium)
+    check_density(method, medium)
 }
 
-/// Refuses a medium whose density varies.
-fn check_homogeneous(method: MethodName, medium: &Medium) -> Result<(), Fault> {
-    match medium.density {
-        None => Ok(()),
-        Some(_) => Err(Fault::contradiction(
+/// Refuses a density that the method cannot render, and a window that makes none.
+fn check_density(method: MethodName, medium: &Medium) -> Result<(), Fault> {
+    if medium.density.is_some() && !method.capabilities().medium_density {
+        let other = MethodName::that_renders(|shows| shows.medium_density);
+        let other = other.map_or_else(String::new, |other| format!("set `method = \"{}\"`, or ", other.as_str()));
+        return Err(Fault::contradiction(
             "medium.density",
             format!("the method `{}` renders a homogeneous medium, and a density is given", method.as_str()),
-            "leave `medium.density` out; `medium.extent` is the size of the medium",
-        )),
+            format!("{other}leave `medium.density` out; `medium.extent` is the size of the medium"),
+        ));
     }
+    let Some([low, high]) = medium.density_window else { return Ok(()) };
+    if medium.density.is_none() {
+        return Err(Fault::contradiction(
+            "medium.density_window",
+            "it maps the values of a volume to densities, and `medium.density` is not given",
+            "name a volume in `medium.density`, or leave `medium.density_window` out",
+        ));
+    }
+    // NaN is not below anything.
+    if !(low < high && low.is_finite() && high.is_finite()) {
+        return Err(Fault::contradiction(
+            "medium.density_window",
+            format!("the density is 0 at {low} and 1 at {high}, and the first is not below the second"),
+            "give two finite numbers, the lower one first",
+        ));
+    }
+    Ok(())
 }
