@@ -44,7 +44,7 @@ pub use assets::{Assets, load_volume};
 pub use error::Error;
 pub use film::{Frame, Output, Statistics};
 pub use meshes::{load_mesh, load_meshes};
-pub use method::sweep::spectrum;
+pub use method::spectrum;
 pub use renderer::{Fallback, Renderer, check, frame, render, render_requested};
 pub use request::{OutputRequest, Progress, Stage};
 pub use subject::{Subject, Volumes};

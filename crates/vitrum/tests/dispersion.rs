@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use vitrum::backend::CpuBackend;
-use vitrum::scene::{Light, Scene};
+use vitrum::scene::{Camera, Light, Material, MethodName, Scene};
 use vitrum::spectrum::bands;
 use vitrum::{Assets, Frame, builtin};
 
@@ -16,7 +16,7 @@ fn scene(abbe: Option<f32>, wavelengths: u32) -> Scene {
 }
 
 fn render(scene: &Scene) -> Frame {
-    let assets = Assets::load(scene, Path::new("")).expect("the volume can be made");
+    let assets = Assets::load(scene, Path::new("")).expect("the volume or mesh can be made");
     vitrum::render(scene, &assets, &mut CpuBackend::new(None).expect("it opens"), &mut |_| true).expect("it renders")
 }
 
@@ -97,4 +97,105 @@ fn light_of_several_sources_disperses_alike() {
         assert_eq!(layer, alone, "{}", layer.name);
     }
     assert_eq!(both.light, first.light);
+}
+
+/// A gem in thin fog on the ground, by each method that shows meshes. Two lights shine on it.
+fn gems(material: &Material, wavelengths: u32) -> [Scene; 3] {
+    let mut scene = builtin::scene("gem").expect("it exists");
+    scene.camera = Camera { position: Some([0.0, -6.0, 2.0]), ..Camera::default() };
+    scene.environment.color = [0.2, 0.3, 0.4];
+    scene.light = vec![Light { azimuth: 30.0, ..Light::default() }, Light { intensity: 0.5, ..Light::default() }];
+    scene.material = vec![material.clone()];
+    (scene.film.width, scene.film.height) = (24, 24);
+    scene.voxelization.resolution = 24;
+    scene.beams.rays = 12;
+    (scene.voxels.wavelengths, scene.beams.wavelengths, scene.sweep.wavelengths) =
+        (wavelengths, wavelengths, wavelengths);
+    let without_medium = Scene { medium: None, ..scene.clone() };
+    [
+        Scene { method: MethodName::Beams, ..scene },
+        Scene { method: MethodName::Voxels, ..without_medium.clone() },
+        Scene { method: MethodName::Sweep, ..without_medium },
+    ]
+}
+
+const DIAMOND: Material = Material {
+    name: None,
+    opaque: false,
+    mirror: false,
+    color: None,
+    density: 16.0,
+    ior: 2.417,
+    abbe: None,
+    cauchy_b: None,
+    attenuation_color: [0.9, 0.95, 1.0],
+    attenuation_distance: Some(2.0),
+};
+
+#[test]
+fn each_channel_of_a_mesh_is_that_of_its_wavelength() {
+    for scene in gems(&Material { abbe: Some(20.0), ..DIAMOND }, 3) {
+        let (method, whole) = (scene.method.as_str(), render(&scene));
+        let parts = bands(3).into_iter().map(|band| render(&scene.at_wavelength(band.wavelength)));
+        let parts: Vec<Frame> = parts.collect();
+        for (one, channel) in parts.iter().zip(["R", "G", "B"]) {
+            assert_eq!(difference(&whole, one, "color", channel), 0.0, "{method}, {channel}");
+        }
+        assert!(difference(&parts[0], &parts[2], "color", "R") > 0.01, "{method}: red is not bent as blue is");
+    }
+}
+
+/// Cauchy's B of 10⁻⁹ µm² changes no index that f32 can tell: the wavelengths' frames are the same, and their sum is each of them.
+#[test]
+fn wavelengths_of_a_mesh_that_does_not_disperse_add_up_to_its_picture() {
+    for (wavelengths, share) in [(3, 0.0), (7, 2e-6)] {
+        let dispersing = gems(&Material { cauchy_b: Some(1e-9), ..DIAMOND }, wavelengths);
+        for (none, one) in gems(&DIAMOND, wavelengths).iter().zip(&dispersing) {
+            let method = one.method.as_str();
+            let [none, one] = [none, one].map(render);
+            // Three weights are 0 or 1. Seven are rounded, as products and sums are, and their absolute values add up to less than 2.
+            for (layer, other) in none.layers.iter().zip(&one.layers) {
+                for (a, b) in layer.channels.iter().zip(&other.channels) {
+                    let most = a.data.iter().copied().map(f32::abs).fold(0.0, f32::max);
+                    let off = a.data.iter().zip(&b.data).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+                    assert!(off <= share * most, "{method}, {}, {}: {off} of {most}", layer.name, a.name);
+                }
+            }
+        }
+    }
+}
+
+/// A mesh's frame has exposures of wavelengths only where a material of one of its bodies disperses.
+#[test]
+fn a_mesh_without_dispersion_has_an_exposure_for_each_light() {
+    for (material, count) in [
+        (DIAMOND, 2),
+        (Material { abbe: Some(55.3), ..DIAMOND }, 10),
+        (Material { cauchy_b: Some(0.0), ..DIAMOND }, 2),
+        (Material { name: Some("of no body".to_owned()), abbe: Some(55.3), ..DIAMOND }, 2),
+    ] {
+        for scene in gems(&material, 5) {
+            let assets = Assets::load(&scene, Path::new("")).expect("the mesh can be made");
+            let exposures = vitrum::method::of(scene.method).exposures(&scene, &assets);
+            assert_eq!(exposures.len(), count, "{}, {material:?}", scene.method.as_str());
+        }
+    }
+}
+
+#[test]
+fn contradictory_materials_are_refused() {
+    let both = Material { abbe: Some(60.0), cauchy_b: Some(0.004), ..DIAMOND };
+    let opaque = Material { opaque: true, abbe: Some(60.0), ..DIAMOND };
+    let mirror = Material { mirror: true, cauchy_b: Some(0.004), ..DIAMOND };
+    for (material, words) in [
+        (both, ["material.0.abbe", "both `abbe` and `cauchy_b`"]),
+        (opaque, ["material.0.abbe", "the material is opaque"]),
+        (mirror, ["material.0.cauchy_b", "the material is a mirror"]),
+    ] {
+        let [beams, voxels, _] = gems(&material, 3);
+        for scene in [beams, voxels] {
+            let error = scene.validate().expect_err("it is a contradiction").to_string();
+            assert!(words.iter().all(|word| error.contains(word)), "{error}");
+        }
+    }
 }

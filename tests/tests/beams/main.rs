@@ -3,6 +3,7 @@
 mod airlight;
 mod ball;
 mod ball_table;
+mod dispersion;
 mod flux;
 mod medium;
 mod mirror;

@@ -4,7 +4,7 @@ use super::on_both;
 use vitrum::backend::Backend;
 use vitrum_conformance::Failure;
 use vitrum_conformance::closed_forms::table::{self, larger};
-use vitrum_conformance::refraction::{Traced, case, cuboid, refract, trace};
+use vitrum_conformance::refraction::{Traced, case, cuboid, prism, refract, trace};
 use vitrum_io::Mesh;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
 
@@ -54,26 +54,6 @@ fn the_normal_of_a_tilted_face_converges() -> Result<(), Failure> {
         assert!(middling < coarse && fine < 5e-3, "{coarse}°, {middling}°, {fine}°");
         Ok(())
     })
-}
-
-/// A prism of 60° around the z axis, and the outward normals of the two faces that light along −y meets. Turned by −0.325, its least deviation.
-fn prism(turned: f64) -> (Mesh, [DVec3; 2]) {
-    let corner = |degrees: f64, z: f64| {
-        let (sin, cos) = (degrees.to_radians() + turned).sin_cos();
-        [cos as f32, sin as f32, z as f32]
-    };
-    let positions: Vec<[f32; 3]> =
-        [-0.6, 0.6].iter().flat_map(|&z| [0.0, 120.0, 240.0].map(|degrees| corner(degrees, z))).collect();
-    #[rustfmt::skip]
-    let triangles = vec![
-        [0, 2, 1], [3, 4, 5],
-        [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5],
-    ];
-    let normal = |degrees: f64| {
-        let (sin, cos) = (degrees.to_radians() + turned).sin_cos();
-        DVec3::new(cos, sin, 0.0)
-    };
-    (Mesh::new("prism", positions, triangles).expect("a valid mesh"), [normal(60.0), normal(-60.0)])
 }
 
 #[test]

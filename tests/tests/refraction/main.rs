@@ -2,6 +2,7 @@
 
 mod ball;
 mod contact;
+mod dispersion;
 mod faces;
 mod footprint;
 mod furnace;

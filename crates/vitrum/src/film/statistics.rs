@@ -46,7 +46,7 @@ pub struct Statistics {
     pub rays_terminated: Option<u64>,
     /// Rays that were still inside a mesh after as many surfaces as they may meet, of rays through a mesh.
     pub rays_trapped: Option<u64>,
-    /// The flux of the first light's rays that come into the box around all bodies, by its fate, of beams.
+    /// The flux of the first light's rays that come into the box around all bodies, at the last wavelength, by its fate, of beams.
     pub flux: Option<FluxShares>,
     /// Time of each frame, without uploads, in milliseconds.
     pub frame_ms: Vec<f64>,

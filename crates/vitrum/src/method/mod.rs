@@ -8,6 +8,7 @@ mod brick_distances;
 pub(crate) mod cache;
 mod lights;
 mod sources;
+pub mod spectrum;
 pub mod sweep;
 mod twist;
 mod view;

@@ -9,6 +9,8 @@ struct Look {
     description: &'static str,
     /// 0 for an opaque one.
     ior: f32,
+    /// See [`Material::abbe`].
+    abbe: Option<f32>,
     color: Rgb,
 }
 
@@ -17,25 +19,29 @@ const LOOKS: [Look; 5] = [
         name: "glass",
         description: "of a mesh: crown glass, index of refraction 1.52, a trace of green",
         ior: 1.52,
+        abbe: None,
         color: [0.86, 0.95, 0.90],
     },
-    Look { name: "water", description: "of a mesh: water, 1.333", ior: 1.333, color: [0.72, 0.93, 0.97] },
+    Look { name: "water", description: "of a mesh: water, 1.333", ior: 1.333, abbe: None, color: [0.72, 0.93, 0.97] },
     Look {
         name: "diamond",
-        description: "of a mesh: diamond, 2.417, without dispersion",
+        description: "of a mesh: diamond, 2.417, which disperses (Abbe number 55.3)",
         ior: 2.417,
+        abbe: Some(55.3),
         color: [0.97; 3],
     },
     Look {
         name: "jade",
         description: "of a mesh: clear jade, 1.66, deep green where it is thick",
         ior: 1.66,
+        abbe: None,
         color: [0.03, 0.40, 0.12],
     },
     Look {
         name: "clay",
         description: "of a mesh: opaque pale clay on the ground",
         ior: 0.0,
+        abbe: None,
         color: [0.72, 0.66, 0.58],
     },
 ];
@@ -82,7 +88,8 @@ pub fn apply_to_mesh(name: &str, scene: &mut Scene) -> Result<(), PresetError> {
         scene.material = vec![Material { opaque: true, color: Some(look.color), ..Material::default() }];
         scene.ground.get_or_insert_default();
     } else {
-        scene.material = vec![Material { ior: look.ior, attenuation_color: look.color, ..Material::default() }];
+        let (ior, abbe, attenuation_color) = (look.ior, look.abbe, look.color);
+        scene.material = vec![Material { ior, abbe, attenuation_color, ..Material::default() }];
     }
     Ok(())
 }

@@ -22,6 +22,11 @@ pub struct Beams {
     /// Straight pieces between bodies of a viewing ray's ways that are followed at most.
     #[schemars(range(min = 1, max = 32), extend("x-unit" = "pieces"))]
     pub views: u32,
+    /// Number of wavelengths that are followed one after another where a material disperses; each takes the time of a frame
+    /// for each light. 3 are one for red, green and blue each, which shows as three colours in a wide spectrum. Each method
+    /// has its own number, as of bounces: a frame's time differs a lot between methods.
+    #[schemars(range(min = 3, max = 32), extend("x-unit" = "wavelengths"))]
+    pub wavelengths: u32,
     /// Nodes of each straight piece at which the optical depth of a medium of varying density (`medium.density`) is known; between them it is taken to
     /// grow evenly.
     #[schemars(range(min = 2, max = 64), extend("x-unit" = "nodes"))]
@@ -32,6 +37,15 @@ pub struct Beams {
 
 impl Default for Beams {
     fn default() -> Self {
-        Self { rays: 64, segments: 8, bounces: 16, threshold: 0.001, views: 6, nodes: 16, pyramid: true }
+        Self {
+            rays: 64,
+            segments: 8,
+            bounces: 16,
+            threshold: 0.001,
+            views: 6,
+            wavelengths: 3,
+            nodes: 16,
+            pyramid: true,
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Indices of refraction that depend on the wavelength.
 
-use super::{IorPoint, Scene};
+use super::{IorPoint, Material, Scene};
 
 /// The wavelength, in micrometres, for which indices of refraction are stated: helium's d line.
 pub const YELLOW: f64 = 0.587_56;
@@ -9,16 +9,17 @@ const BLUE: f64 = 0.486_13;
 /// Hydrogen's C line, in micrometres.
 const RED: f64 = 0.656_27;
 
-impl IorPoint {
-    /// A point of which all colours bend alike.
-    #[must_use]
-    pub const fn new(value: f32, ior: f32) -> Self {
-        Self { value, ior, abbe: None, cauchy_b: None }
-    }
+/// An index of refraction for yellow light, and one of the two measures of its dispersion, or none.
+#[derive(Clone, Copy)]
+struct Dispersion {
+    ior: f32,
+    abbe: Option<f32>,
+    cauchy_b: Option<f32>,
+}
 
+impl Dispersion {
     /// Cauchy's B in µm². Of an Abbe number V = (η_d − 1) / (η_F − η_C) it is (η_d − 1) / (V (1/λ_F² − 1/λ_C²)).
-    #[must_use]
-    pub fn cauchy_coefficient(&self) -> f64 {
+    fn cauchy_coefficient(self) -> f64 {
         match (self.cauchy_b, self.abbe) {
             (Some(b), _) => f64::from(b),
             (None, Some(abbe)) => {
@@ -30,20 +31,72 @@ impl IorPoint {
     }
 
     /// η for light of a wavelength in micrometres: Cauchy's η(λ) = A + B/λ².
-    #[must_use]
-    pub fn ior_at(&self, wavelength: f64) -> f64 {
+    fn ior_at(self, wavelength: f64) -> f64 {
         let difference = 1.0 / (wavelength * wavelength) - 1.0 / (YELLOW * YELLOW);
         f64::from(self.ior) + self.cauchy_coefficient() * difference
     }
 }
 
+impl IorPoint {
+    /// A point of which all colours bend alike.
+    #[must_use]
+    pub const fn new(value: f32, ior: f32) -> Self {
+        Self { value, ior, abbe: None, cauchy_b: None }
+    }
+
+    const fn dispersion(&self) -> Dispersion {
+        Dispersion { ior: self.ior, abbe: self.abbe, cauchy_b: self.cauchy_b }
+    }
+
+    /// Cauchy's B in µm².
+    #[must_use]
+    pub fn cauchy_coefficient(&self) -> f64 {
+        self.dispersion().cauchy_coefficient()
+    }
+
+    /// η for light of a wavelength in micrometres.
+    #[must_use]
+    pub fn ior_at(&self, wavelength: f64) -> f64 {
+        self.dispersion().ior_at(wavelength)
+    }
+}
+
+impl Material {
+    const fn dispersion(&self) -> Dispersion {
+        Dispersion { ior: self.ior, abbe: self.abbe, cauchy_b: self.cauchy_b }
+    }
+
+    /// Cauchy's B in µm².
+    #[must_use]
+    pub fn cauchy_coefficient(&self) -> f64 {
+        self.dispersion().cauchy_coefficient()
+    }
+
+    /// η for light of a wavelength in micrometres.
+    #[must_use]
+    pub fn ior_at(&self, wavelength: f64) -> f64 {
+        self.dispersion().ior_at(wavelength)
+    }
+
+    /// Whether a clear body of it bends colours differently.
+    #[must_use]
+    pub fn disperses(&self) -> bool {
+        !self.opaque && !self.mirror && self.cauchy_coefficient() != 0.0
+    }
+}
+
 impl Scene {
-    /// The scene as light of one wavelength, in micrometres, meets it: the same with other indices of refraction, and no dispersion.
+    /// The scene as light of one wavelength, in micrometres, meets it: the same with other indices of refraction of the volume and of
+    /// meshes, and no dispersion.
     #[must_use]
     pub fn at_wavelength(&self, wavelength: f64) -> Self {
         let mut scene = self.clone();
         for point in &mut scene.transfer.ior {
             *point = IorPoint::new(point.value, point.ior_at(wavelength) as f32);
+        }
+        for material in &mut scene.material {
+            material.ior = material.ior_at(wavelength) as f32;
+            (material.abbe, material.cauchy_b) = (None, None);
         }
         scene
     }
@@ -71,5 +124,23 @@ mod tests {
         let point = IorPoint::new(1.0, 1.5);
         assert_eq!(point.ior_at(0.4), 1.5);
         assert_eq!(IorPoint { cauchy_b: Some(0.004), ..point }.ior_at(YELLOW), 1.5);
+    }
+
+    #[test]
+    fn materials_of_a_mesh_disperse_as_a_volume_does() {
+        let diamond = Material { ior: 2.417, abbe: Some(55.3), ..Material::default() };
+        let point = IorPoint { abbe: Some(55.3), ..IorPoint::new(1.0, 2.417) };
+        let glass = Material { cauchy_b: Some(0.004), ..Material::default() };
+        let mirror = Material { mirror: true, ..diamond.clone() };
+        assert!(diamond.disperses() && glass.disperses() && !mirror.disperses() && !Material::default().disperses());
+        let scene = Scene { material: vec![diamond, glass, Material::default()], ..Scene::default() };
+        let blue = scene.at_wavelength(BLUE);
+        assert_eq!(blue.material[0].ior, point.ior_at(BLUE) as f32);
+        assert_eq!(
+            blue.material[1].ior,
+            IorPoint { cauchy_b: Some(0.004), ..IorPoint::new(1.0, 1.5) }.ior_at(BLUE) as f32
+        );
+        assert_eq!(blue.material[2], Material::default());
+        assert!(blue.material.iter().all(|material| !material.disperses()));
     }
 }

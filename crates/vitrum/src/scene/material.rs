@@ -29,6 +29,16 @@ pub struct Material {
     /// Index of refraction of a clear body.
     #[schemars(range(min = 1, max = 4))]
     pub ior: f32,
+    /// Abbe number V_d of a clear body: the smaller, the more blue bends than red, as crown glass (60), diamond (55) and
+    /// flint glass (30) do. `ior` is then that of yellow light (587.6 nm), and the picture takes the time of one frame for
+    /// each of `voxels.wavelengths`, `beams.wavelengths` or `sweep.wavelengths`. All colours bend alike if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 5, max = 1000))]
+    pub abbe: Option<f32>,
+    /// Coefficient B of Cauchy's η(λ) = A + B/λ², instead of `abbe`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 0.1), extend("x-unit" = "µm²"))]
+    pub cauchy_b: Option<f32>,
     /// Transmittance of a clear body `attenuation_distance` thick, linear RGB.
     #[schemars(inner(range(min = 0.001, max = 1)), extend("x-unit" = "transmittance"))]
     pub attenuation_color: Rgb,
@@ -48,6 +58,8 @@ impl Default for Material {
             color: None,
             density: 16.0,
             ior: 1.5,
+            abbe: None,
+            cauchy_b: None,
             attenuation_color: [1.0; 3],
             attenuation_distance: None,
         }

@@ -82,8 +82,8 @@ pub struct Sweep {
     /// Whether rays that turn back or graze the planes are followed beyond the sweep, each by itself, until they leave the volume; `false`
     /// ends them. The light on their way is taken to be unoccluded. Rays through streamed volumes end.
     pub follow_turned_rays: bool,
-    /// Number of wavelengths that are followed one after another where `transfer.ior` disperses; each takes the time of a
-    /// frame. 3 are one for red, green and blue each, which shows as three colours in a wide spectrum.
+    /// Number of wavelengths that are followed one after another where `transfer.ior` or a mesh's material disperses; each
+    /// takes the time of a frame. 3 are one for red, green and blue each, which shows as three colours in a wide spectrum.
     #[schemars(range(min = 3, max = 32), extend("x-unit" = "wavelengths"))]
     pub wavelengths: u32,
     /// Whether space that the transfer functions leave empty is skipped. The picture is the same.

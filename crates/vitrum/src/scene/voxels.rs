@@ -56,6 +56,11 @@ pub struct Voxels {
     /// average, so that no light is lost.
     #[schemars(range(min = 1, max = 16), extend("x-unit" = "ways"))]
     pub branches: u32,
+    /// Number of wavelengths that are followed one after another where a material disperses; each takes the time of a frame
+    /// for each light. 3 are one for red, green and blue each, which shows as three colours in a wide spectrum. Each method
+    /// has its own number, as of bounces: a frame's time differs a lot between methods.
+    #[schemars(range(min = 3, max = 32), extend("x-unit" = "wavelengths"))]
+    pub wavelengths: u32,
 }
 
 impl Default for Voxels {
@@ -68,6 +73,7 @@ impl Default for Voxels {
             threshold: 30.0,
             reflection: true,
             branches: 2,
+            wavelengths: 3,
         }
     }
 }

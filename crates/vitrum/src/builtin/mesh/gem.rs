@@ -5,12 +5,15 @@ use super::in_medium;
 use super::parts::clear;
 use super::patches::Patches;
 use super::revolve::circle;
-use crate::scene::{Camera, Ground, Light, LightKind, Medium, Scene};
+use crate::scene::{Camera, Ground, Light, LightKind, Material, Medium, Scene};
 use glam::Vec2;
 use vitrum_io::Mesh;
 
-pub(in super::super) const SCENES: &[SceneEntry] =
-    &[("gem", "the sparks of a round brilliant in fog and on the ground, in the light of a spot", scene)];
+pub(in super::super) const SCENES: &[SceneEntry] = &[(
+    "gem",
+    "the colourful sparks of a diamond, a round brilliant, in fog and on the ground, in the light of a spot",
+    scene,
+)];
 
 fn scene() -> Scene {
     let mut scene = Scene {
@@ -27,6 +30,14 @@ fn scene() -> Scene {
             penumbra: 0.15,
             ..Light::of_kind(LightKind::Spot)
         }],
+        material: vec![Material {
+            name: Some("diamond".to_owned()),
+            ior: IOR,
+            abbe: Some(55.3),
+            attenuation_color: COLOR,
+            attenuation_distance: Some(THICKNESS),
+            ..Material::default()
+        }],
         ground: Some(Ground { height: Some(-1.5), color: [0.7; 3] }),
         ..in_medium("gem", Medium { absorption: [0.004; 3], scattering: [0.12; 3], ..Medium::default() })
     };
@@ -36,6 +47,12 @@ fn scene() -> Scene {
     scene
 }
 
+/// Index of refraction of diamond for yellow light.
+const IOR: f32 = 2.417;
+/// Transmittance of [`THICKNESS`] of the stone.
+const COLOR: [f32; 3] = [0.97; 3];
+/// Thickness that [`COLOR`] is stated for, in world units.
+const THICKNESS: f32 = 2.0;
 /// Diameter of the table over that of the girdle.
 const TABLE: f32 = 0.53;
 /// Tangent of 34.5°, the slope of the crown's main facets.
@@ -84,7 +101,7 @@ pub(in super::super) fn mesh(name: &str) -> Mesh {
             patches.polygon(&[lower(side), lower(side + 1), upper(side + 1), upper(side)]);
         }
     }
-    patches.into_mesh(name, clear("diamond", 2.4, [0.97; 3], 2.0))
+    patches.into_mesh(name, clear("diamond", IOR, COLOR, THICKNESS))
 }
 
 #[cfg(test)]

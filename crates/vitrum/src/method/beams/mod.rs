@@ -70,7 +70,7 @@ impl Method for Beams {
     }
 
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
-        voxels::exposures(scene, assets)
+        voxels::exposures(scene, assets, scene.beams.wavelengths)
     }
 
     fn prepare(

@@ -15,7 +15,6 @@ mod paging;
 mod passes;
 mod planes;
 mod sheets;
-pub mod spectrum;
 mod tables;
 mod texels;
 mod transfer;
@@ -33,7 +32,8 @@ use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, PassList, ReadBack as _};
 use crate::error::Error;
 use crate::film::Output;
-use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights};
+use crate::method::voxels::bodies;
+use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights, spectrum};
 use crate::request::OutputRequest;
 use crate::scene::{MethodName, Scene};
 use crate::subject::{Subject, Volumes};
@@ -74,9 +74,10 @@ impl Method for PlaneSweep {
 
     /// One exposure for each light, and of each for each wavelength where indices of refraction depend on it.
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
-        let lights = lights::exposures(scene);
-        // The materials of a mesh do not disperse.
-        if assets.subject.mesh().is_some() { lights } else { lights.into_iter().flat_map(spectrum::split).collect() }
+        let disperses =
+            assets.subject.mesh().map_or(scene.transfer.disperses(), |mesh| bodies::disperse(mesh, &scene.material));
+        let wavelengths = (scene.sweep.refraction && disperses).then_some(scene.sweep.wavelengths);
+        spectrum::split(lights::exposures(scene), wavelengths)
     }
 
     fn prepare(

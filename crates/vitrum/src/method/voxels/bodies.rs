@@ -77,6 +77,13 @@ pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
     Ok(bodies)
 }
 
+/// Whether a clear body of a mesh bends colours differently. `listed` are the scene's materials.
+pub(in crate::method) fn disperse(mesh: &Mesh, listed: &[Material]) -> bool {
+    // A mesh's own materials do not.
+    listed.iter().any(Material::disperses)
+        && numbers(mesh).into_iter().any(|number| chosen(listed, of_mesh(mesh, number)).disperses())
+}
+
 fn body(mesh: &Mesh, &Group { opaque, mirror, ref numbers }: &Group) -> Body {
     let is_part = |index: &usize| numbers.contains(&mesh.triangle_materials.get(*index).copied());
     let triangles: Vec<[u32; 3]> =

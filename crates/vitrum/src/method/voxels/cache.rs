@@ -10,7 +10,8 @@ use bytemuck::cast_slice;
 use std::sync::Arc;
 use vitrum_io::Mesh;
 
-/// The scene's values on which surface attributes depend: the materials, and the optical depth of an opaque triangle of density 1.
+/// The scene's values on which surface attributes depend: the materials, without their indices of refraction, and the optical depth of an opaque
+/// triangle of density 1.
 type LooksKey = (Vec<Material>, f32);
 
 /// Data of rays through a mesh that the next frame of the same assets uses again.
@@ -31,7 +32,9 @@ pub(in crate::method) struct FrameCache {
 }
 
 fn looks_key(scene: &Scene) -> LooksKey {
-    (scene.material.clone(), scene.shadow.optical_depth)
+    let Material { ior, abbe, cauchy_b, .. } = Material::default();
+    let without_index = |material: &Material| Material { ior, abbe, cauchy_b, ..material.clone() };
+    (scene.material.iter().map(without_index).collect(), scene.shadow.optical_depth)
 }
 
 impl FrameCache {

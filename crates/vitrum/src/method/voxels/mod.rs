@@ -29,7 +29,7 @@ pub use uploaded::UploadedMesh;
 use crate::assets::Assets;
 use crate::error::Error;
 use crate::film::Output;
-use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, lights};
+use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, lights, spectrum};
 use crate::scene::{MethodName, Scene};
 use crate::unrenderable::Unrenderable;
 use cache::MeshCache;
@@ -61,9 +61,12 @@ pub(in crate::method) fn check(scene: &Scene, assets: &Assets, method: MethodNam
     light::check(scene, assets, mesh)
 }
 
-/// The exposures of a scene of meshes: one for each light, or for each of the crisp ones that a soft light is made of.
-pub(in crate::method) fn exposures(scene: &Scene, assets: &Assets) -> Vec<Exposure> {
-    lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)))
+/// The exposures of a scene of meshes: one for each light, or for each of the crisp ones that a soft light is made of, and of each for
+/// each of `wavelengths` wavelengths where the mesh's bodies disperse.
+pub(in crate::method) fn exposures(scene: &Scene, assets: &Assets, wavelengths: u32) -> Vec<Exposure> {
+    let lights = lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)));
+    let disperse = assets.subject.mesh().is_some_and(|mesh| bodies::disperse(mesh, &scene.material));
+    spectrum::split(lights, disperse.then_some(wavelengths))
 }
 
 impl Method for MeshRays {
@@ -80,7 +83,7 @@ impl Method for MeshRays {
     }
 
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
-        exposures(scene, assets)
+        exposures(scene, assets, scene.voxels.wavelengths)
     }
 
     fn prepare(

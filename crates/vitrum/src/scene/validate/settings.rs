@@ -18,6 +18,9 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         check_direction(&format!("clip.{index}.normal"), clip.normal)?;
     }
     check_transfer(&scene.transfer)?;
+    for (index, material) in scene.material.iter().enumerate() {
+        check_dispersion(&format!("material.{index}"), material.abbe, material.cauchy_b)?;
+    }
     check_sweep(&scene.sweep)?;
     check_film(&scene.film)
 }
@@ -49,6 +52,7 @@ pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
     } else {
         check_clear(scene)?;
     }
+    check_dispersing(scene)?;
     if volumes {
         let given = [("transfer", scene.transfer != TransferFunction::default())];
         refuse(&given, "a mesh has no scalar, and `mesh` is given", "and say in `material` what bodies are made of")?;
@@ -106,6 +110,35 @@ fn check_materials(scene: &Scene) -> Result<(), Fault> {
             format!("set `material.{index}.opaque = true`, or give a clear material an `attenuation_color`"),
         )),
     }
+}
+
+/// Only clear bodies disperse.
+fn check_dispersing(scene: &Scene) -> Result<(), Fault> {
+    for (index, material) in scene.material.iter().enumerate() {
+        let kind = match (material.opaque, material.mirror) {
+            (false, false) => continue,
+            (_, true) => "a mirror",
+            (true, false) => "opaque",
+        };
+        for (name, given) in [("abbe", material.abbe), ("cauchy_b", material.cauchy_b)] {
+            if given.is_some() {
+                return Err(Fault::contradiction(
+                    &format!("material.{index}.{name}"),
+                    format!("it is the dispersion of a clear body, and the material is {kind}"),
+                    "leave it out, or make the material clear",
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// An index of refraction has one measure of dispersion; `key` is the table of both.
+fn check_dispersion(key: &str, abbe: Option<f32>, cauchy_b: Option<f32>) -> Result<(), Fault> {
+    if abbe.is_none() || cauchy_b.is_none() {
+        return Ok(());
+    }
+    Err(Fault::contradiction(&format!("{key}.abbe"), "both `abbe` and `cauchy_b` are given", "leave one of them out"))
 }
 
 fn check_camera(camera: &Camera) -> Result<(), Fault> {
@@ -186,12 +219,8 @@ fn check_sweep(sweep: &Sweep) -> Result<(), Fault> {
 }
 
 fn check_transfer(transfer: &TransferFunction) -> Result<(), Fault> {
-    if let Some(index) = transfer.ior.iter().position(|point| point.abbe.is_some() && point.cauchy_b.is_some()) {
-        return Err(Fault::contradiction(
-            &format!("transfer.ior.{index}.abbe"),
-            "both `abbe` and `cauchy_b` are given",
-            "leave one of them out",
-        ));
+    for (index, point) in transfer.ior.iter().enumerate() {
+        check_dispersion(&format!("transfer.ior.{index}"), point.abbe, point.cauchy_b)?;
     }
     check_sorted("transfer.color", transfer.color.iter().map(|point| point.value))?;
     check_sorted("transfer.opacity", transfer.opacity.iter().map(|point| point.value))?;

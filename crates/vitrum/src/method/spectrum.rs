@@ -46,20 +46,18 @@ pub fn bands(count: u32) -> Vec<Band> {
     bands
 }
 
-/// One exposure for each band of the spectrum, or the exposure itself if the index of refraction is the same for all wavelengths.
-pub(super) fn split(exposure: Exposure) -> Vec<Exposure> {
-    let Exposure { scene, part, .. } = &exposure;
-    if !(scene.sweep.refraction && scene.transfer.disperses()) {
-        return vec![exposure];
-    }
-    let of_band = |Band { wavelength, weights }: Band| Exposure {
-        scene: scene.at_wavelength(wavelength),
-        weights: weights.map(|weight| weight as f32),
+/// Of each exposure of a light one for each of `wavelengths` bands of the spectrum; the exposures as they are if there is no number,
+/// since indices of refraction are the same for all wavelengths.
+pub(super) fn split(exposures: Vec<Exposure>, wavelengths: Option<u32>) -> Vec<Exposure> {
+    let Some(bands) = wavelengths.map(bands) else { return exposures };
+    let of_band = |exposure: &Exposure, band: &Band| Exposure {
+        scene: exposure.scene.at_wavelength(band.wavelength),
+        weights: band.weights.map(|weight| weight as f32),
         // Indices are stated for yellow light.
-        distance: (wavelength - YELLOW).abs(),
-        part: *part,
+        distance: (band.wavelength - YELLOW).abs(),
+        part: exposure.part,
     };
-    bands(scene.sweep.wavelengths).into_iter().map(of_band).collect()
+    exposures.iter().flat_map(|exposure| bands.iter().map(move |band| of_band(exposure, band))).collect()
 }
 
 /// Linear sRGB of spectral light, from the fit of Wyman, Sloan and Shirley (2013, JCGT 2:2, Eq. 4) to the CIE's functions of 1931.
