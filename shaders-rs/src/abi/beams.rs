@@ -108,6 +108,8 @@ pub struct Limits {
     pub last: u32,
     /// The major axis of the beams that are drawn, one of [`axis`].
     pub axis: u32,
+    /// How beams are drawn, one of [`estimator`].
+    pub estimator: u32,
     /// Floats before the optical depths along beams.
     pub depth_start: u32,
     /// Floats from the optical depths along the beams of one round to those of the next.
@@ -141,7 +143,12 @@ pub struct Medium {
     pub layers: u32,
     /// Floats in front of the volume in the buffer of materials.
     pub first: u32,
+    /// Floats in front of a tabulated phase function in the buffer of materials.
+    pub first_phase: u32,
 }
+
+/// Places of a tabulated phase function: even steps of the sine of half the angle, from forward to back.
+pub const PHASES: u32 = 256;
 
 /// Phase functions.
 pub mod phase {
@@ -149,6 +156,8 @@ pub mod phase {
     pub const HENYEY_GREENSTEIN: u32 = 0;
     /// Rayleigh's.
     pub const RAYLEIGH: u32 = 1;
+    /// A table.
+    pub const TABULATED: u32 = 2;
 }
 
 /// The sums of in-scattered radiance: for each pixel of each level of a pyramid of pictures, three channels of 64 bits.
@@ -216,6 +225,14 @@ pub mod medium {
     pub const HOMOGENEOUS: u32 = 0;
     /// The density is given by a volume.
     pub const VARYING: u32 = 1;
+}
+
+/// How wide beams are drawn.
+pub mod estimator {
+    /// As wide as they are.
+    pub const BEAMS: u32 = 0;
+    /// One pixel wide.
+    pub const LINES: u32 = 1;
 }
 
 /// Major axes of the beams that a pass of [`crate::beams::scatter_beam`] draws.

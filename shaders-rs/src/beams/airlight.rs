@@ -126,8 +126,9 @@ impl Ray<'_> {
         let light = arriving(&u.light, self.pictures, point.position);
         let way = depth_from(&u.medium, self.materials, &u.light, point.position, light.direction);
         let dimmed = transmittance(&u.medium, way + depth);
-        let strength =
-            PI * phase(&u.medium, -dot(light.direction, self.direction)) * (point.derivative * point.density);
+        let strength = PI
+            * phase(&u.medium, self.materials, -dot(light.direction, self.direction))
+            * (point.derivative * point.density);
         light.radiance * dimmed * xyz(u.medium.scattering) * strength
     }
 }

@@ -8,7 +8,7 @@ use super::nearest::Nearest;
 use super::see::{LEAST, level_of, piece_of};
 use super::store_beam::beam_of;
 use super::trapezoid::filtered;
-use super::tree::{Node, Tree};
+use super::tree::{Node, Tree, lanes};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Pencil, Sight, beam, bundle, pencil, sight};
 use crate::field::access::read;
@@ -75,6 +75,22 @@ fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
     }
 }
 
+/// A bit for each texel of a node of the tree's lowest level whose beam a line comes near.
+#[inline(always)]
+fn near_beams(u: &BeamsUniforms, beams: &[f32], first: i32, tree: &Tree, node: Node, line: &Line) -> u32 {
+    let count = (u.lattice.count * u.lattice.count) as i32;
+    let mut near = 0;
+    let lanes = lanes();
+    let mut lane = 0;
+    while lane < lanes {
+        let texel = tree.texel(node, lane, u.lattice.count);
+        let is_near = texel.is_texel & comes_near_beam(beams, first, texel.number, count, line);
+        near |= (is_near as u32) << lane;
+        lane += 1;
+    }
+    near
+}
+
 /// Whether a line comes near beam number `number` of `count`: as for a node, by a sphere and a cone around the beam.
 #[inline(always)]
 fn comes_near_beam(beams: &[f32], first: i32, number: i32, count: i32, line: &Line) -> bool {
@@ -119,7 +135,7 @@ fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil, mater
     let behind = depth_within(medium, materials, line.from, w, line.near, t);
     let dense = if medium.nodes == 0 { 1.0 } else { density_at(medium, materials, line.from + w * t) };
     let dimmed = transmittance(medium, before + behind);
-    let strength = phase(medium, -cosine) * filtered(edge, first, second, filter) * dense;
+    let strength = phase(medium, materials, -cosine) * filtered(edge, first, second, filter) * dense;
     beam.flux * dimmed * xyz(u.medium.scattering) * strength
 }
 
@@ -165,21 +181,21 @@ pub fn invoke<const LEVEL: u32>(
         let is_shadow = round == 0;
         let mut node = tree.first();
         while tree.holds(node) {
-            let (column, row) = node.place();
-            let there = (column < u.lattice.count) & (row < u.lattice.count);
-            let number = if there { (row * u.lattice.count + column) as i32 } else { 0 };
-            let met = if node.level > 0 {
-                comes_near(bundles, &tree, node, &line)
-            } else {
-                there & comes_near_beam(beams, first, number, texels, &line)
-            };
-            if met & (node.level > 0) {
+            let met = comes_near(bundles, &tree, node, &line);
+            if met & (node.level > tree.lowest()) {
                 node = node.below();
             } else {
-                if met {
-                    let light = scattered(u, &beam_of(beams, first, number, texels), &line, &pencil, materials);
-                    caustics += light * select(is_shadow, 0.0, 1.0);
-                    shadow += light * select(is_shadow, 1.0, 0.0);
+                let near = if met { near_beams(u, beams, first, &tree, node, &line) } else { 0 };
+                let mut lane = 0;
+                while near >> lane != 0 {
+                    if (near >> lane) & 1 != 0 {
+                        let texel = tree.texel(node, lane, u.lattice.count);
+                        let beam = beam_of(beams, first, texel.number, texels);
+                        let light = scattered(u, &beam, &line, &pencil, materials);
+                        caustics += light * select(is_shadow, 0.0, 1.0);
+                        shadow += light * select(is_shadow, 1.0, 0.0);
+                    }
+                    lane += 1;
                 }
                 node = node.behind(tree.root);
             }

@@ -7,7 +7,7 @@ use super::see::{level_of, piece_of};
 use super::shade::{Ending, SAME, ending};
 use super::store_beam::beam_of;
 use super::trapezoid::filtered;
-use super::tree::{Node, Tree};
+use super::tree::{Node, Tree, lanes};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Pencil, Sight, bundle, pencil, sight};
 use crate::kernel::record;
@@ -44,6 +44,21 @@ fn ends_at(bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -
     let y = (point.y >= low.y - margin) & (point.y <= high.y + margin);
     let z = (point.z >= low.z - margin) & (point.z <= high.z + margin);
     (low.x <= high.x) & x & y & z
+}
+
+/// A bit for each texel of a node of the tree's lowest level whose beam may end at a point.
+#[inline(always)]
+fn ending_at(u: &BeamsUniforms, bundles: &[f32], tree: &Tree, node: Node, point: Vec3) -> u32 {
+    let mut near = 0;
+    let lanes = lanes();
+    let mut lane = 0;
+    while lane < lanes {
+        let texel = tree.texel(node, lane, u.lattice.count);
+        let is_near = texel.is_texel & ends_at(bundles, tree, texel.leaf, point, SAME);
+        near |= (is_near as u32) << lane;
+        lane += 1;
+    }
+    near
 }
 
 /// Irradiance over π of a point of a surface by a beam, RGB, times the share of it that the point sends back.
@@ -125,13 +140,17 @@ pub fn invoke<const LEVEL: u32>(
         let mut node = tree.first();
         while tree.holds(node) {
             let met = ends_at(bundles, &tree, node, end.point.position, SAME);
-            if met & (node.level > 0) {
+            if met & (node.level > tree.lowest()) {
                 node = node.below();
             } else {
-                if met {
-                    let (column, row) = node.place();
-                    let beam = beam_of(beams, first, (row * u.lattice.count + column) as i32, texels);
-                    light += shining(u, &beam, &end, d, &at_end, materials);
+                let near = if met { ending_at(u, bundles, &tree, node, end.point.position) } else { 0 };
+                let mut lane = 0;
+                while near >> lane != 0 {
+                    if (near >> lane) & 1 != 0 {
+                        let beam = beam_of(beams, first, tree.texel(node, lane, u.lattice.count).number, texels);
+                        light += shining(u, &beam, &end, d, &at_end, materials);
+                    }
+                    lane += 1;
                 }
                 node = node.behind(tree.root);
             }

@@ -1,9 +1,10 @@
 //! A medium in a box: transmittance and phase functions.
 
 use super::density::optical_depth;
-use crate::abi::beams::{Medium, phase};
+use crate::abi::beams::{Medium, PHASES, phase};
 use crate::abi::light::{LightSource, kind};
-use crate::math::{PI, dot, exp, max, min, select, sqrt, xyz};
+use crate::field::access::read;
+use crate::math::{PI, dot, exp, floor_to_int, max, min, select, sqrt, xyz};
 use crate::optics::receiver::FAR;
 use crate::voxels::ray::{reciprocal, slab};
 use spirv_std::glam::Vec3;
@@ -45,10 +46,22 @@ pub fn transmittance(medium: &Medium, depth: f32) -> Vec3 {
 
 /// The phase function for light that is scattered by an angle of cosine `cosine`, per steradian: its integral over all directions is 1.
 #[inline(always)]
-pub fn phase(medium: &Medium, cosine: f32) -> f32 {
+pub fn phase(medium: &Medium, materials: &[f32], cosine: f32) -> f32 {
     let g = medium.anisotropy;
     let base = max(1.0 + g * g - 2.0 * g * cosine, 1e-9);
     let henyey_greenstein = (1.0 - g * g) / (base * sqrt(base));
     let rayleigh = 0.75 * (1.0 + cosine * cosine);
-    select(medium.phase == phase::RAYLEIGH, rayleigh, henyey_greenstein) * (0.25 / PI)
+    let found = select(medium.phase == phase::RAYLEIGH, rayleigh, henyey_greenstein);
+    let found = if medium.phase == phase::TABULATED { tabulated(medium, materials, cosine) } else { found };
+    found * (0.25 / PI)
+}
+
+/// A tabulated phase function over the isotropic one. The table's places are even in the sine of half the angle, so that a narrow peak forward has many.
+#[inline(always)]
+fn tabulated(medium: &Medium, materials: &[f32], cosine: f32) -> f32 {
+    let last = (PHASES - 1) as f32;
+    let place = sqrt(max(0.5 - 0.5 * cosine, 0.0)) * last;
+    let at = floor_to_int(place, 0.0, last - 1.0);
+    let value = |number: i32| read(materials, medium.first_phase as i32 + number);
+    value(at) + (value(at + 1) - value(at)) * (place - at as f32)
 }

@@ -2,9 +2,10 @@
 
 use super::drawn::Drawn;
 use super::store_beam::{beam_of, has_flux};
-use crate::abi::beams::BeamsUniforms;
+use crate::abi::beams::{BeamsUniforms, estimator};
 use crate::abi::record::{Beam, Projection, projection};
 use crate::math::{absolute, clamp, dot, max, min, select, xyz};
+use spirv_std::glam::Vec3;
 
 /// Depth in front of the eye from which on a beam is projected, in voxels.
 const NEAR: f32 = 1e-3;
@@ -57,7 +58,11 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
     let count = (u.dispatch.width * u.dispatch.height) as i32;
     let first = (u.limits.round * u.limits.pitch) as i32;
     let number = (y * u.dispatch.width + x) as i32;
-    let beam = beam_of(beams, first, number, count);
+    let mut beam = beam_of(beams, first, number, count);
+    if u.limits.estimator == estimator::LINES {
+        let none = Vec3::new(0.0, 0.0, 0.0);
+        beam = Beam { position_u: none, position_v: none, direction_u: none, direction_v: none, ..beam };
+    }
     let drawn = Drawn::new(u, &beam);
     let (low, high) = in_front(u, &beam);
     let (a, b) = (end(u, &beam, &drawn, low), end(u, &beam, &drawn, high));

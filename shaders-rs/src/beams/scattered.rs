@@ -71,7 +71,7 @@ impl Drawing<'_> {
         let w = aim * (1.0 / size);
         let Nearest { t, s, cosine } = Nearest::new(beam.position - from, w, beam.direction);
         let meets = (s >= 0.0) & (s < beam.length) & (t > 0.0);
-        let strength = size * phase(&u.medium, -cosine);
+        let strength = size * phase(&u.medium, materials, -cosine);
         let (depth, strength) = if VARYING {
             let (along, towards) = self.depths_at(s, t, line);
             (along + towards, strength * density_at(&u.medium, materials, from + w * t))

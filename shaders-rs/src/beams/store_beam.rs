@@ -10,7 +10,7 @@ use crate::abi::record::pencil::{self, stage};
 use crate::abi::record::{Beam, Pencil, beam};
 use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{length, max, select_vector};
+use crate::math::{length, max, select, select_vector};
 use crate::optics::receiver::FAR;
 use spirv_std::glam::Vec3;
 
@@ -49,7 +49,7 @@ pub fn invoke(
         direction_u: spread.direction_u,
         direction_v: spread.direction_v,
         flux: select_vector(lit, flux, none),
-        radius: 0.5 * (length(spread.position_u) + length(spread.position_v)),
+        radius: select(lit, 0.5 * (length(spread.position_u) + length(spread.position_v)), -FAR),
         opening: 0.5 * (length(spread.direction_u) + length(spread.direction_v)),
         length: fog.leaves - fog.enters,
         reach: far - fog.enters,

@@ -103,6 +103,34 @@ pub fn rows(count: u32) -> u32 {
     nodes(count).div_ceil(ROW)
 }
 
+/// Level of the nodes whose texels are looked at together: 16 texels, as many as the processor's vectors have lanes.
+const GROUP: u32 = 2;
+
+/// Lanes for the texels of a node of the lowest level.
+#[inline(always)]
+pub fn lanes() -> u32 {
+    #[cfg(target_arch = "spirv")]
+    {
+        1 << (2 * GROUP)
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        const { assert!(1 << (2 * GROUP) == crate::kernel::LANES) };
+        crate::kernel::lanes::whole() as u32
+    }
+}
+
+/// A texel of a node of the lowest level.
+#[derive(Clone, Copy)]
+pub struct Texel {
+    /// Its own node.
+    pub leaf: Node,
+    /// Its number in the lattice, row by row.
+    pub number: i32,
+    /// Whether there is one.
+    pub is_texel: bool,
+}
+
 /// The tree of a round.
 #[derive(Clone, Copy)]
 pub struct Tree {
@@ -130,6 +158,22 @@ impl Tree {
             first: round * u.limits.bundle_pitch,
             count: rows(texels) * ROW,
         }
+    }
+
+    /// The level of the lowest nodes of a walk: their texels are looked at together.
+    #[inline(always)]
+    pub fn lowest(&self) -> u32 {
+        if self.root < GROUP { self.root } else { GROUP }
+    }
+
+    /// The texel of a lane in a node of the lowest level; none if `is_texel` is not set.
+    #[inline(always)]
+    pub fn texel(&self, node: Node, lane: u32, count: u32) -> Texel {
+        let lowest = self.lowest();
+        let leaf = Node { level: 0, number: (node.number << (2 * lowest)) + lane };
+        let (column, row) = leaf.place();
+        let is_texel = (lane < 1 << (2 * lowest)) & (column < count) & (row < count);
+        Texel { leaf, number: if is_texel { (row * count + column) as i32 } else { 0 }, is_texel }
     }
 
     /// The first node of a walk through all.

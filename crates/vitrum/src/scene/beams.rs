@@ -3,6 +3,17 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+/// The estimator: how the light of a beam is spread over the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Estimator {
+    /// Over the beam's own cross-section, the parallelogram that its texel's derivatives span.
+    #[default]
+    Beams,
+    /// Over lines one pixel wide, with the same flux, as Hu et al. (2010) draw: for comparison. They need many more rays for the same error.
+    Lines,
+}
+
 /// Beams of light in a medium.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -31,6 +42,8 @@ pub struct Beams {
     /// grow evenly.
     #[schemars(range(min = 2, max = 64), extend("x-unit" = "nodes"))]
     pub nodes: u32,
+    /// Estimator.
+    pub estimator: Estimator,
     /// Whether wide beams are drawn in coarser pictures and interpolated.
     pub pyramid: bool,
 }
@@ -45,6 +58,7 @@ impl Default for Beams {
             views: 6,
             wavelengths: 3,
             nodes: 16,
+            estimator: Estimator::Beams,
             pyramid: true,
         }
     }

@@ -13,6 +13,8 @@ pub enum Phase {
     HenyeyGreenstein,
     /// That of particles much smaller than the wavelength, such as air's molecules, whose `anisotropy` is 0.
     Rayleigh,
+    /// Any, by its values in `phase_values`, such as measured ones.
+    Tabulated,
 }
 
 /// A participating medium: it absorbs light and scatters it into other directions.
@@ -27,6 +29,11 @@ pub struct Medium {
     pub scattering: Rgb,
     /// Phase function.
     pub phase: Phase,
+    /// Values of a `tabulated` phase function at even steps of the angle, from 0° (forward) to 180°, linear in between and in any unit: they are
+    /// scaled so that the integral over all directions is 1.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(inner(range(min = 0, max = 1e30)), length(max = 100_000), extend("x-unit" = "any"))]
+    pub phase_values: Vec<f32>,
     /// Mean cosine g of the angle that light is scattered by: 0 is equally to all sides, positive forward.
     #[schemars(range(min = -0.99, max = 0.99))]
     pub anisotropy: f32,

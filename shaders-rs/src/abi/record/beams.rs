@@ -92,7 +92,8 @@ record! {
         direction_v: Vec3,
         /// Flux at its beginning, RGB: irradiance over π times squared voxels. 0 if there is no beam.
         flux: Color,
-        /// Half the sum of the lengths of the changes of the position: the radius of a sphere around the cross-section at the beginning.
+        /// Half the sum of the lengths of the changes of the position: the radius of a sphere around the cross-section at the beginning;
+        /// negative if there is no beam.
         radius: f32,
         /// Half the sum of the lengths of the changes of the direction, radians.
         opening: f32,

@@ -1,6 +1,7 @@
 //! The participating medium of a frame: its uniforms, and the buffer that has the records of materials and its density behind them.
 
 use super::density::{Density, density};
+use super::phase::table;
 use crate::assets::Assets;
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
@@ -26,7 +27,7 @@ pub(super) struct MediumCache {
 /// A frame's medium.
 pub(super) struct FrameMedium {
     pub(super) uniforms: Medium,
-    /// Records of materials, and behind them the density.
+    /// Records of materials, and behind them a tabulated phase function and the density.
     pub(super) materials: Buffer,
 }
 
@@ -37,13 +38,17 @@ impl MediumCache {
         scene: &Scene,
         assets: &Assets,
         (bounds, grid): (Bounds, Grid),
-        materials: Vec<f32>,
+        mut materials: Vec<f32>,
         backend: &mut dyn Backend,
     ) -> Result<FrameMedium, Error> {
         // A cache belongs to one set of assets: what the scene says of the medium is all that can change.
         let medium = scene.medium.clone();
         let density = self.density.get(medium, || Ok::<_, Error>(density(scene, assets)?.map(Arc::new)))?.clone();
         let mut uniforms = uniforms(scene, density.as_deref(), bounds, grid);
+        uniforms.first_phase = materials.len() as u32;
+        if uniforms.phase == phase::TABULATED {
+            materials.extend(table(scene.medium.as_ref().map_or(&[], |medium| &medium.phase_values)));
+        }
         uniforms.first = materials.len() as u32;
         let key = (materials, density.as_ref().map(|density| Arc::as_ptr(density).addr()));
         let records = key.0.clone();
@@ -81,6 +86,7 @@ fn uniforms(scene: &Scene, density: Option<&Density>, bounds: Bounds, grid: Grid
         phase: match medium.phase {
             Phase::HenyeyGreenstein => phase::HENYEY_GREENSTEIN,
             Phase::Rayleigh => phase::RAYLEIGH,
+            Phase::Tabulated => phase::TABULATED,
         },
         low: corner(low),
         high: corner(high),
@@ -89,5 +95,6 @@ fn uniforms(scene: &Scene, density: Option<&Density>, bounds: Bounds, grid: Grid
         rows,
         layers,
         first: 0,
+        first_phase: 0,
     }
 }

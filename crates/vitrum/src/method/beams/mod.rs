@@ -1,6 +1,6 @@
 //! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
 //!
-//! `density.rs` reads the medium's density, `medium.rs` describes the medium to the kernels, `lattice.rs` places the rays of a light, `uniforms.rs` describes
+//! `density.rs` reads the medium's density, `medium.rs` describes the medium to the kernels (`phase.rs`: its phase function), `lattice.rs` places the rays of a light, `uniforms.rs` describes
 //! the rest of a frame, `passes.rs` and `drawing.rs` list the passes: pencils of light become beams, beams are drawn, viewing rays see the rest.
 
 mod density;
@@ -9,6 +9,7 @@ mod film;
 mod lattice;
 mod medium;
 mod passes;
+mod phase;
 mod uniforms;
 
 pub use passes::Frame;

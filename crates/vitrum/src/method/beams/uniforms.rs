@@ -6,9 +6,9 @@ use crate::method::voxelize::Grid;
 use crate::method::voxels::UploadedMesh;
 use crate::method::voxels::uniforms::{camera_in, contact, receivers_in};
 use crate::method::{Bounds, View};
-use crate::scene::Scene;
+use crate::scene::{Estimator, Scene};
 use glam::DVec3;
-use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Sums};
+use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Sums, estimator};
 use vitrum_kernels::abi::environment::Environment;
 use vitrum_kernels::abi::light::LightSource;
 use vitrum_kernels::abi::vector::{Size, Vec3};
@@ -91,6 +91,10 @@ pub(super) fn block(
             threshold: beams.threshold,
             view_threshold: VIEW_THRESHOLD.max(beams.threshold),
             bounces: beams.bounces,
+            estimator: match beams.estimator {
+                Estimator::Beams => estimator::BEAMS,
+                Estimator::Lines => estimator::LINES,
+            },
             ..Limits::default()
         },
         medium: surroundings.medium,

@@ -16,13 +16,7 @@ pub(super) fn check(method: MethodName, medium: &Medium) -> Result<(), Fault> {
             ),
         ));
     }
-    if medium.phase == Phase::Rayleigh && medium.anisotropy != 0.0 {
-        return Err(Fault::contradiction(
-            "medium.anisotropy",
-            format!("the phase function `rayleigh` has the mean cosine 0, and {} is given", medium.anisotropy),
-            "leave `medium.anisotropy` out, or set `medium.phase = \"henyey_greenstein\"`",
-        ));
-    }
+    check_phase(medium)?;
     if medium.density.is_some() && medium.extent.is_some() {
         return Err(Fault::contradiction(
             "medium.extent",
@@ -31,6 +25,50 @@ pub(super) fn check(method: MethodName, medium: &Medium) -> Result<(), Fault> {
         ));
     }
     check_density(method, medium)
+}
+
+/// Refuses a phase function that its keys do not describe, or describe twice.
+fn check_phase(medium: &Medium) -> Result<(), Fault> {
+    let has_own_mean = match medium.phase {
+        Phase::HenyeyGreenstein => None,
+        Phase::Rayleigh => Some("the phase function `rayleigh` has the mean cosine 0"),
+        Phase::Tabulated => Some("the mean cosine of a `tabulated` phase function follows from its values"),
+    };
+    if let Some(why) = has_own_mean.filter(|_| medium.anisotropy != 0.0) {
+        return Err(Fault::contradiction(
+            "medium.anisotropy",
+            format!("{why}, and {} is given", medium.anisotropy),
+            "leave `medium.anisotropy` out, or set `medium.phase = \"henyey_greenstein\"`",
+        ));
+    }
+    let values = &medium.phase_values;
+    if medium.phase != Phase::Tabulated {
+        return if values.is_empty() {
+            Ok(())
+        } else {
+            Err(Fault::contradiction(
+                "medium.phase_values",
+                "values are given of a phase function that is not `tabulated`",
+                "set `medium.phase = \"tabulated\"`, or leave `medium.phase_values` out",
+            ))
+        };
+    }
+    // NaN is not at least anything.
+    if let Some(index) = values.iter().position(|&value| !(value >= 0.0 && value.is_finite())) {
+        return Err(Fault::contradiction(
+            &format!("medium.phase_values.{index}"),
+            format!("a phase function is at least 0 everywhere, and here it is {}", values[index]),
+            "give finite numbers that are not negative",
+        ));
+    }
+    if values.len() < 2 || values.iter().all(|&value| value == 0.0) {
+        return Err(Fault::contradiction(
+            "medium.phase_values",
+            "a tabulated phase function needs two values or more, for 0° and for 180°, of which one is not 0",
+            "give its values at even steps of the angle",
+        ));
+    }
+    Ok(())
 }
 
 /// Refuses a density that the method cannot render, and a window that makes none.
