@@ -88,6 +88,7 @@ member_8: u32,
 member_9: u32,
 member_10: u32,
 member_11: u32,
+member_12: u32,
 }
 struct type_18 {
 member: type_5,
@@ -101,6 +102,7 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 member_10: u32,
+member_11: u32,
 }
 struct type_19 {
 member: f32,

@@ -108,6 +108,7 @@ member_8: u32,
 member_9: u32,
 member_10: u32,
 member_11: u32,
+member_12: u32,
 }
 struct type_21 {
 member: type_5,
@@ -121,6 +122,7 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 member_10: u32,
+member_11: u32,
 }
 struct type_22 {
 member: f32,
