@@ -1,7 +1,7 @@
 //! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
 //!
-//! `density.rs` reads the medium's density, `lattice.rs` places the rays of a light, `uniforms.rs` describes a frame to the kernels, `passes.rs` lists the passes: pencils of light become
-//! beams, beams are drawn, viewing rays see the rest.
+//! `density.rs` reads the medium's density, `lattice.rs` places the rays of a light, `uniforms.rs` describes a frame to the kernels, `passes.rs`
+//! lists the passes: pencils of light become beams, beams are drawn, viewing rays see the rest.
 
 #[cfg_attr(not(test), expect(dead_code, reason = "no kernel reads a density yet"))]
 mod density;
