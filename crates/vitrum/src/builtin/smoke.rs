@@ -21,7 +21,7 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
 
 fn plume(position: Vec3) -> f32 {
     let height = 0.5 + position.z / EXTENT.z;
-    // Eddies grow with the height; the shift along z keeps the source away from the lattice points of the noise, which stay in place.
+    // Eddies grow with the height. Without the shift large ones would leave the middle, a point of the noise's lattice, in place.
     let eddies = 0.26 * vector(position * 1.7 + Vec3::new(0.37, 0.61, 0.23), 71) + 0.09 * vector(position * 4.9, 73);
     let folded = position + height * eddies;
     let width = 0.2 + 0.5 * height;

@@ -36,7 +36,7 @@ fn scene() -> Scene {
 /// apart from the plume's own axis.
 fn smoke() -> Scene {
     let medium =
-        Medium { absorption: [0.1; 3], scattering: [1.0; 3], density: Some(procedural("smoke")), ..Medium::default() };
+        Medium { absorption: [0.15; 3], scattering: [1.5; 3], density: Some(procedural("smoke")), ..Medium::default() };
     let mut scene = Scene {
         camera: Camera {
             position: Some([0.0, -5.0, 0.35]),
@@ -47,7 +47,7 @@ fn smoke() -> Scene {
         light: vec![Light {
             position: Some([0.9, -0.6, 3.2]),
             direction: Some([-0.9, 0.6, -2.85]),
-            intensity: 30.0,
+            intensity: 12.0,
             cone_angle: 16.0,
             penumbra: 0.3,
             color: [1.0, 0.93, 0.82],

@@ -104,8 +104,7 @@ impl Order {
             let nearest = (0..3).min_by(|&a, &b| off(a, world).total_cmp(&off(b, world)));
             *found = nearest.unwrap_or(world);
             let angle = off(*found, world);
-            // NaN is not at most anything.
-            if !(angle <= ACROSS) {
+            if angle.is_nan() || angle > ACROSS {
                 return Err(
                     Unrenderable::ObliqueDensity { name: volume.name.clone(), angle: angle.to_degrees() }.into()
                 );
