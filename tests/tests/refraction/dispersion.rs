@@ -19,7 +19,7 @@ const DIRECTION: f64 = 1e-4;
 
 /// The largest error of radiance: that of a white furnace without dispersion (`furnace.rs`), and of the weights of seven wavelengths, whose absolute
 /// values add up to less than 2.
-const RADIANCE: f64 = 4e-6;
+const RADIANCE: f64 = 1e-6;
 
 /// The angle between the lines C and F behind the prism, and the largest error, in degrees.
 fn spread(backend: &mut dyn Backend) -> Result<(f64, f64), Failure> {
