@@ -224,17 +224,17 @@ def main():
             if lamp.radius:
                 row(name + ", through the ball", output, found[output][covered], pictures[:, covered])
             if arguments.pictures:
-                keep(arguments.pictures, f"{name} {output}", found[output], pictures.mean(axis=0))
+                keep(arguments.pictures, f"{name} {output}", found[output], pictures.mean(axis=0), covered)
         print(f"{name}: Vitrum {middle - begin:.1f} s, Mitsuba {end - middle:.1f} s", flush=True)
 
 
-def keep(folder, name, found, expected):
+def keep(folder, name, found, expected, covered):
     """Writes the two pictures and their difference, ten times as bright, side by side."""
     folder.mkdir(parents=True, exist_ok=True)
     scale = 0.5 / max(np.quantile(expected, 0.98), 1e-9)
     pictures = scale * np.concatenate([found, expected, 0.05 / scale + 10 * (found - expected)], axis=1)
     mi.util.write_bitmap(str(folder / (name.replace(" ", "_").replace(",", "") + ".png")), pictures.astype(np.float32))
-    np.savez(str(folder / (name.replace(" ", "_").replace(",", "") + ".npz")), found=found, expected=expected)
+    np.savez(str(folder / (name.replace(" ", "_").replace(",", "") + ".npz")), found=found, expected=expected, covered=covered)
 
 
 if __name__ == "__main__":
