@@ -5,9 +5,9 @@ and that of the opaque ball by Mitsuba's own `volpath` as well. Usage:
 
     beams.py --vitrum target/release/vitrum [--size 64] [--passes 8] [--only SCENE] [--pictures FOLDER]
 
-It needs what `requirements.txt` lists, OpenEXR and mitsuba with an LLVM that Dr.Jit finds (14 and 15 cannot compile these kernels, 19 can; `DRJIT_LIBLLVM_PATH` names it), and prints a table: for each scene and output the mean
-radiance of Vitrum over that of Mitsuba with the standard error that Mitsuba's passes have, the root mean square of the difference over the mean
-radiance, and that of Mitsuba's noise, by the two halves of its passes.
+It needs what `requirements.txt` lists, and an LLVM that Dr.Jit finds: 14 and 15 cannot compile these kernels, 19 can, and `DRJIT_LIBLLVM_PATH`
+names it. It prints a table: for each scene and output the mean radiance of Vitrum over that of Mitsuba with the standard error that Mitsuba's
+passes have, the root mean square of the difference over the mean radiance, and that of Mitsuba's noise, by the two halves of its passes.
 
 Pixels that show a clear body or a mirror are left out, but for the soft lamp, where they are a row of their own: light traced from a
 point is not seen through glass.
