@@ -1,13 +1,13 @@
 """Beams of light beside Mitsuba 3: volume caustics, shadows and surface caustics, radiance against radiance, no exposure fitted.
 
 Both programs get the same triangles with the same normals, the same lamp, medium and camera; Mitsuba's light by `single_scattering.py`,
-but for the opaque ball, which is Mitsuba's own `volpath`. Usage:
+and that of the opaque ball by Mitsuba's own `volpath` as well. Usage:
 
     beams.py --vitrum target/release/vitrum [--size 64] [--passes 8] [--only SCENE] [--pictures FOLDER]
 
-It needs what `requirements.txt` lists, OpenEXR and mitsuba with an LLVM that Dr.Jit finds, and prints a table: for each scene and output the mean
-radiance of Vitrum over that of Mitsuba with the standard error that Mitsuba's passes have, the root mean square of the difference over the mean
-radiance, and that of Mitsuba's noise, by the two halves of its passes.
+It needs what `requirements.txt` lists, and an LLVM that Dr.Jit finds: 14 and 15 cannot compile these kernels, 19 can, and `DRJIT_LIBLLVM_PATH`
+names it. It prints a table: for each scene and output the mean radiance of Vitrum over that of Mitsuba with the standard error that Mitsuba's
+passes have, the root mean square of the difference over the mean radiance, and that of Mitsuba's noise, by the two halves of its passes.
 
 Pixels that show a clear body or a mirror are left out, but for the soft lamp, where they are a row of their own: light traced from a
 point is not seen through glass.
@@ -61,10 +61,12 @@ def scenes(size):
     over_ring = Pinhole((-1.7, -3.3, 2.6), (0.05, 0.0, 0.12), 36.0, size)
     sun = Lamp(np.pi, direction=(0.7660444, 0.0, -0.6427876))
     thin = Medium((0.002,) * 3, (0.03,) * 3, 0.0, (0, 0, 0.35), 3.0)
+    # Half as many pixels, for as many samples a picture.
+    softly = Pinhole((0.0, -9.0, 0.5), (0.0, 0.0, -0.8), 34.0, size // 2)
     soft = Lamp(3.0, place=(0.3, 0.4, 3.5), radius=0.4)
     return {
         "glass ball in fog": (ball(1.0), "glass", None, FOG, BULB, from_front, (0, 0, 0), 1.02),
-        "glass ball in fog, soft lamp": (ball(1.0), "glass", None, FOG, soft, from_front, (0, 0, 0), 1.02),
+        "glass ball in fog, soft lamp": (ball(1.0), "glass", None, FOG, soft, softly, (0, 0, 0), 1.02),
         "glass ball above a floor": (ball(1.0), "glass", -1.2, CLEAR, BULB, from_above, (0, 0, 0), 1.02),
         "glass ball, its focus on a floor": (ball(1.0), "glass", -2.0, CLEAR, BULB, from_above, (0, 0, 0), 1.02),
         "silver ring in fog": (band(), "silver", 0.0, thin, sun, over_ring, (0, 0, 0.35), 1.1),
@@ -117,7 +119,7 @@ def mitsuba(made_of, shapes, medium, lamp, camera, target, reach, passes, factor
     scene = mi.load_dict(shapes)
     found, covered = [], np.zeros((camera.size, camera.size))
     for seed in range(passes):
-        airlight, surfaces, caustics, specular = traced_views(scene, medium, lamp, camera, target, reach, int(64 * factor), 2 * seed)
+        airlight, surfaces, caustics, specular = traced_views(scene, medium, lamp, camera, target, reach, int((1024 if lamp.radius else 64) * factor), 2 * seed)
         if not lamp.radius:
             caustics, lit = traced_light(scene, medium, lamp, camera, target, reach, int(factor * 2**21), 2 * seed + 1)
             surfaces = surfaces + lit

@@ -80,12 +80,11 @@ class Lamp:
         return along, far, dr.select(hidden | ~active, 0.0, light)
 
     def meets(self, ray):
-        """Distance at which a ray meets the ball, infinite if never."""
+        """Distance at which a ray comes past the middle of the ball, which the medium fills as well; infinite if it misses the ball."""
         way = mi.Point3f(*self.place) - ray.o
         along = dr.dot(way, ray.d)
         inside = self.radius**2 - dr.squared_norm(way - along * ray.d)
-        near = along - dr.sqrt(dr.maximum(inside, 0))
-        return dr.select((inside > 0) & (near > 0), near, dr.inf)
+        return dr.select((inside > 0) & (along > 0), along, dr.inf)
 
 
 @dataclass
