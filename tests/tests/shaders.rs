@@ -168,10 +168,12 @@ fn beams_uniforms() -> Vec<Field> {
         step_upwards,
     });
     let of_limits = fields!(Limits {
-        same_distance, threshold, view_threshold, bounces, round, pitch, bundle_pitch, last,
+        same_distance, threshold, view_threshold, bounces, round, pitch, projection_pitch, bundle_pitch, last, axis,
+        estimator, depth_start, depth_pitch,
     });
     let of_medium = fields!(Medium {
         extinction: of_vec3(), scattering: of_vec3(), anisotropy, phase, low: of_vec3(), high: of_vec3(),
+        nodes, columns, rows, layers, first, first_phase,
     });
     fields!(BeamsUniforms {
         dispatch: of_dispatch(), picture: fields!(Size { width, height }), camera: of_camera(), right: of_vec3(), up: of_vec3(),

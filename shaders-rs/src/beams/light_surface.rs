@@ -11,11 +11,18 @@ use super::tree::{Node, Tree, lanes};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Pencil, Sight, bundle, pencil, sight};
 use crate::kernel::record;
-use crate::math::{PI, absolute, cross, dot, max, min};
+use crate::math::{PI, absolute, cross, dot, length, max, min, select_vector};
 use crate::voxels::shade::{facing, share};
 use spirv_std::glam::Vec3;
 
 pub use crate::voxels::ray::level;
+
+/// The least sine of the angle between the edges of a cross-section in whose coordinates it is filtered.
+const WELL_SHAPED: f32 = 0.5;
+/// How far a pixel's filter reaches from its middle, over its longer edge: half an edge over [`WELL_SHAPED`], along two axes.
+const REACH: f32 = 1.0 / WELL_SHAPED;
+/// The least width of a pixel's filter, over that of the cross-section.
+const NARROW: f32 = 1e-3;
 
 /// The level of work: whether the ray has come to a new piece in this round.
 #[inline(always)]
@@ -48,17 +55,46 @@ fn ends_at(bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -
 
 /// A bit for each texel of a node of the tree's lowest level whose beam may end at a point.
 #[inline(always)]
-fn ending_at(u: &BeamsUniforms, bundles: &[f32], tree: &Tree, node: Node, point: Vec3) -> u32 {
+fn ending_at(u: &BeamsUniforms, bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -> u32 {
     let mut near = 0;
     let lanes = lanes();
     let mut lane = 0;
     while lane < lanes {
         let texel = tree.texel(node, lane, u.lattice.count);
-        let is_near = texel.is_texel & ends_at(bundles, tree, texel.leaf, point, SAME);
+        let is_near = texel.is_texel & ends_at(bundles, tree, texel.leaf, point, margin);
         near |= (is_near as u32) << lane;
         lane += 1;
     }
     near
+}
+
+/// The density of a beam's flux on a surface, averaged over a pixel: the cross-section on the surface, a parallelogram with the edges `first` and `second`
+/// around 0, filtered by the pixel's own around `offset`, whose edges are `u` and `v`.
+#[inline(always)]
+fn density(n: Vec3, first: Vec3, second: Vec3, offset: Vec3, u: Vec3, v: Vec3) -> f32 {
+    let area = dot(cross(first, second), n);
+    let wide = absolute(area);
+    let (length_first, length_second) = (length(first), length(second));
+    if wide > WELL_SHAPED * length_first * length_second {
+        // Coordinates in texels, in which the cross-section is a square: those of neighbours meet without a gap.
+        let inverse = 1.0 / area;
+        let across = |v: Vec3| (dot(cross(v, second), n) * inverse, dot(cross(first, v), n) * inverse);
+        let ((x, y), (u_x, u_y), (v_x, v_y)) = (across(offset), across(u), across(v));
+        let width_x = max(max(absolute(u_x), absolute(v_x)), NARROW);
+        let width_y = max(max(absolute(u_y), absolute(v_y)), NARROW);
+        filtered(x, 1.0, 0.0, width_x) * filtered(y, 1.0, 0.0, width_y) * absolute(inverse)
+    } else {
+        // At a caustic's edge the cross-section is a thin line: along it and across.
+        let is_first = length_first >= length_second;
+        let (long, other) = (select_vector(is_first, first, second), select_vector(is_first, second, first));
+        let size = length(long);
+        let along = long * (1.0 / max(size, 1e-30));
+        let across = cross(n, along);
+        let width_x = max(max(absolute(dot(u, along)), absolute(dot(v, along))), NARROW * size);
+        let width_y = max(max(absolute(dot(u, across)), absolute(dot(v, across))), NARROW * size);
+        filtered(dot(offset, along), size, absolute(dot(other, along)), width_x)
+            * filtered(dot(offset, across), absolute(dot(other, across)), 0.0, width_y)
+    }
 }
 
 /// Irradiance over π of a point of a surface by a beam, RGB, times the share of it that the point sends back.
@@ -76,27 +112,19 @@ fn shining(u: &BeamsUniforms, beam: &Beam, end: &Ending, direction: Vec3, pencil
     let on_plane = |v: Vec3| v - d * (dot(n, v) * inverse);
     let first = on_plane(beam.position_u + beam.direction_u * s);
     let second = on_plane(beam.position_v + beam.direction_v * s);
-    // Across the beam the surface is nearer or farther by as much.
-    let deep = 0.5 * (absolute(dot(first, d)) + absolute(dot(second, d)));
-    if (s < -SAME) | (absolute(s - beam.reach) > deep + SAME) {
-        return none;
-    }
-    let area = dot(cross(first, second), n);
-    let wide = absolute(area);
-    if wide < 1e-12 {
+    let (u_edge, v_edge) = (pencil.position_u, pencil.position_v);
+    // Across the beam and the pixel the surface is nearer or farther by as much.
+    let deep = 0.5 * (absolute(dot(first, d)) + absolute(dot(second, d)))
+        + absolute(dot(u_edge, d))
+        + absolute(dot(v_edge, d));
+    if (s < -SAME - deep) | (absolute(s - beam.reach) > deep + SAME) {
         return none;
     }
     let offset = end.point.position - (beam.position + d * s);
-    // Coordinates across the beam, in texels.
-    let across = |v: Vec3| (dot(cross(v, second), n) / area, dot(cross(first, v), n) / area);
-    let (x, y) = across(offset);
-    let (pixel_u, pixel_v) = (across(pencil.position_u), across(pencil.position_v));
-    let width_x = max(max(absolute(pixel_u.0), absolute(pixel_v.0)), 1e-3);
-    let width_y = max(max(absolute(pixel_u.1), absolute(pixel_v.1)), 1e-3);
-    if (absolute(x) > 0.5 * (1.0 + width_x)) | (absolute(y) > 0.5 * (1.0 + width_y)) {
+    let density = density(n, first, second, offset, u_edge, v_edge);
+    if density <= 0.0 {
         return none;
     }
-    let density = filtered(x, 1.0, 1e-4, width_x) * filtered(y, 1.0, 1e-4, width_y) / wide;
     let fog = depth_within(&u.medium, materials, beam.position, d, 0.0, min(s, beam.length));
     // At most four times as much as on the plane, where normals between corners lean to the light.
     let cosine = max(absolute(facing_light), 0.25 * absolute(dot(end.point.normal, d)));
@@ -130,6 +158,8 @@ pub fn invoke<const LEVEL: u32>(
     }
     let mut at_end = pencil;
     at_end.set_spread(pencil.spread().moved(pencil.distance).on_plane(d, end.point.plane));
+    // A beam shines on the pixel where any of the pixel is in its cross-section, as wide as the filter makes it.
+    let margin = SAME + REACH * max(length(at_end.position_u), length(at_end.position_v));
     let texels = (u.lattice.count * u.lattice.count) as i32;
     let mut light = Vec3::new(0.0, 0.0, 0.0);
     // Round 0 has the shadow, which the search for light finds sharper.
@@ -139,11 +169,11 @@ pub fn invoke<const LEVEL: u32>(
         let tree = Tree::of_round(u, round);
         let mut node = tree.first();
         while tree.holds(node) {
-            let met = ends_at(bundles, &tree, node, end.point.position, SAME);
+            let met = ends_at(bundles, &tree, node, end.point.position, margin);
             if met & (node.level > tree.lowest()) {
                 node = node.below();
             } else {
-                let near = if met { ending_at(u, bundles, &tree, node, end.point.position) } else { 0 };
+                let near = if met { ending_at(u, bundles, &tree, node, end.point.position, margin) } else { 0 };
                 let mut lane = 0;
                 while near >> lane != 0 {
                     if (near >> lane) & 1 != 0 {

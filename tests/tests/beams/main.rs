@@ -3,6 +3,7 @@
 mod airlight;
 mod ball;
 mod ball_table;
+mod density;
 mod dispersion;
 mod flux;
 mod medium;

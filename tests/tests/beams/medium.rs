@@ -98,7 +98,7 @@ fn phase_functions_scatter_all_light() {
         let (mut whole, mut mean) = (0.0, 0.0);
         for number in 0..STEPS {
             let cosine = (f64::from(number) + 0.5) / f64::from(STEPS) * 2.0 - 1.0;
-            let share = f64::from(phase(&medium, cosine as f32)) * 4.0 * PI / f64::from(STEPS);
+            let share = f64::from(phase(&medium, &[], cosine as f32)) * 4.0 * PI / f64::from(STEPS);
             (whole, mean) = (whole + share, mean + share * cosine);
         }
         // Where g is 0.95 the peak is as sharp as f32's rounding of 1 + g² − 2 g cos θ.

@@ -1,8 +1,8 @@
 //! Surfaces in a vacuum: light that nothing hides, shadows, and light through a plate.
 
 use super::thin::Thin;
-use super::{case, on_both, red};
-use vitrum_conformance::refraction::cuboid;
+use super::{case, on_both, on_the_cpu, red};
+use vitrum_conformance::refraction::{ball, cuboid};
 use vitrum_conformance::shadow::{seen_on_plane, view};
 use vitrum_conformance::{Failure, frames};
 use vitrum_kernels::glam::{DQuat, DVec3};
@@ -18,6 +18,10 @@ const FREE: f64 = 1e-5;
 
 /// The largest error of light through a plate, as a share: f32 rounds cross-sections of beams to 10⁻⁴ of their area.
 const THROUGH: f64 = 0.01;
+
+/// The largest error of the mean over a picture of a caustic, as a share: each pixel looks at its middle's neighbourhood alone, and the focus is a few
+/// pixels wide.
+const LARGE: f64 = 0.01;
 
 fn light() -> String {
     let [x, y, z] = LIGHT.to_array();
@@ -78,6 +82,35 @@ fn a_cube_casts_a_shadow_on_the_ground() -> Result<(), Failure> {
         }
         println!("{lit} pixels are lit, {dark} dark");
         assert!(lit > 2000 && dark > 100, "{lit} pixels are lit, {dark} dark");
+        Ok(())
+    })
+}
+
+/// A floor under a ball gets the same light in the mean, however large pixels are beside the texels of the light's rays.
+#[test]
+fn large_pixels_lose_no_light() -> Result<(), Failure> {
+    let settings = [
+        "light.0={kind='point',position=[0,0,4],intensity=1}",
+        "ground={height=-3,color=[0.7,0.7,0.7]}",
+        "material=[{ior=1.5}]",
+        "camera.position=[0,-9,3]",
+        "camera.target=[0,0,-3]",
+        "camera.field_of_view=24",
+    ];
+    on_the_cpu(|backend| {
+        let mut mean = |rays: u32, edge: u32| {
+            let rays = format!("beams.rays={rays}");
+            let case = case(ball(64), edge, &[&settings[..], &[&*rays]].concat())?;
+            let surfaces = red(&frames::render(&case, backend)?, "surfaces");
+            Ok::<f64, Failure>(surfaces.iter().sum::<f64>() / surfaces.len() as f64)
+        };
+        // Texels of 32 rays are wider than these pixels nearly everywhere.
+        let expected = mean(32, 256)?;
+        for (rays, edge) in [(32, 64), (128, 64), (256, 32)] {
+            let found = mean(rays, edge)? / expected - 1.0;
+            println!("{rays} rays, {edge} pixels: {found:.2e}");
+            assert!(found.abs() <= LARGE, "{rays} rays, {edge} pixels: off by {found:.2e}");
+        }
         Ok(())
     })
 }
