@@ -168,19 +168,22 @@ pub fn airlight(
             let middle = begin + half * (2.0 * part as f32 + 1.0);
             let at = |point: f32| ray.point(middle + half * point);
             let (first, second, third, fourth) = (at(-OUTER), at(-INNER), at(INNER), at(OUTER));
-            let measure = |point: &Point| point.density * point.derivative;
-            let over = half
-                * (OUTER_WEIGHT * (measure(&first) + measure(&fourth))
-                    + INNER_WEIGHT * (measure(&second) + measure(&third)));
-            // Within the part the depth grows in proportion to the coordinate.
-            let depth = |point: &Point, place: f32| {
-                select(homogeneous, max(point.t - near, 0.0), before + over * (0.5 + 0.5 * place))
-            };
-            let outer = ray.scattered(&first, depth(&first, -OUTER)) + ray.scattered(&fourth, depth(&fourth, OUTER));
-            let inner = ray.scattered(&second, depth(&second, -INNER)) + ray.scattered(&third, depth(&third, INNER));
+            // Optical depths up to the points, by trapezoids between them.
+            let (part_near, _) = seen.distance(middle - half);
+            let (part_far, _) = seen.distance(middle + half);
+            let between = |a: &Point, b: &Point| 0.5 * (a.density + b.density) * (b.t - a.t);
+            let to_first = before + first.density * (first.t - part_near);
+            let to_second = to_first + between(&first, &second);
+            let to_third = to_second + between(&second, &third);
+            let to_fourth = to_third + between(&third, &fourth);
+            let depth = |point: &Point, depth: f32| select(homogeneous, max(point.t - near, 0.0), depth);
+            let outer =
+                ray.scattered(&first, depth(&first, to_first)) + ray.scattered(&fourth, depth(&fourth, to_fourth));
+            let inner =
+                ray.scattered(&second, depth(&second, to_second)) + ray.scattered(&third, depth(&third, to_third));
             sum += outer * (half * OUTER_WEIGHT);
             sum += inner * (half * INNER_WEIGHT);
-            before += over;
+            before = to_fourth + fourth.density * (part_far - fourth.t);
             part += 1;
         }
     }

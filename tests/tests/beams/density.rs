@@ -26,7 +26,8 @@ const ALIKE: f64 = 1e-4;
 /// proportion, it is curved.
 const LARGEST: f64 = 1e-3;
 
-/// The largest part of airlight that is left where a plate hides the lamp, as a share: beams are drawn by nodes, airlight is summed by points.
+/// The largest part of airlight that is left where a plate hides the lamp, as a share: a thin ray crosses single beams, whose light is linear over their
+/// cross-sections. With 64 rays along an edge instead of 256 it is 0.025, in a homogeneous medium as well.
 const LEFT: f64 = 0.01;
 
 /// The density at x, before it is limited to the middles of the outer voxels: from 0 to 2.
@@ -39,7 +40,7 @@ fn volume(density: impl Fn(f64) -> f64) -> Result<Arc<Volume>, Failure> {
     let spacing = 2.0 * HALF / f64::from(VOXELS);
     let row: Vec<f32> = (0..VOXELS).map(|i| density((f64::from(i) + 0.5) * spacing - HALF) as f32).collect();
     let values = row.repeat((VOXELS * VOXELS) as usize);
-    Ok(Arc::new(Volume::new("density", [VOXELS; 3], [spacing as f32; 3], Voxels::F32(values))?))
+    Ok(Arc::new(Volume::new("density", [VOXELS; 3], [spacing as f32; 3], Voxels::F32(values.into()))?))
 }
 
 /// Gives a case's medium a density, in place of its extent.
@@ -133,7 +134,8 @@ fn airlight_of_a_density_that_grows_evenly() -> Result<(), Failure> {
 #[test]
 fn a_plate_takes_all_light_away() -> Result<(), Failure> {
     on_both(|backend| {
-        let mut thin = Thin::new(growing(DVec3::new(9.0, 9.0, 0.1), &["beams.pyramid=false"])?, backend);
+        let settings = ["beams.rays=256", "beams.pyramid=false"];
+        let mut thin = Thin::new(growing(DVec3::new(9.0, 9.0, 0.1), &settings)?, backend);
         for through in [DVec3::new(0.0, 0.0, -3.0), DVec3::new(3.0, 1.0, -2.0), DVec3::new(-2.0, 2.0, -4.0)] {
             let seen = thin.look(DVec3::new(0.5, -5.0, -3.5), through)?;
             let (airlight, shadow) = (seen.airlight[0], seen.shadow[0]);
