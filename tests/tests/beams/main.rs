@@ -4,12 +4,15 @@ mod airlight;
 mod ball;
 mod ball_table;
 mod flux;
+mod inside;
+mod lights;
 mod medium;
 mod mirror;
 mod mirror_table;
 mod picture;
 mod picture_table;
 mod shift;
+mod soft;
 mod surfaces;
 mod thin;
 
