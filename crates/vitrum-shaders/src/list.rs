@@ -1,12 +1,16 @@
 //! The kernels that have modules. `cargo xtask shaders` writes this file.
 
 modules! {
+    beams_add_depths
     beams_bound_beams
     beams_find_depths
     beams_find_light
     beams_gather
+    beams_integrate_beam
+    beams_integrate_view
     beams_light_surface
     beams_look_around
+    beams_project_beam
     beams_resolve
     beams_scatter_beam
     beams_see

@@ -84,6 +84,10 @@ member_4: u32,
 member_5: u32,
 member_6: u32,
 member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
+member_11: u32,
 }
 struct type_19 {
 member: type_5,
@@ -92,6 +96,11 @@ member_2: f32,
 member_3: u32,
 member_4: type_5,
 member_5: type_5,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
 }
 struct type_20 {
 member: f32,
@@ -136,10 +145,10 @@ member_1: vec3<f32>,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_22;
-@group(0) @binding(1)
-var<storage> global_2: type_13;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_13;
+var<storage, read_write> global_2: type_13;
+@group(0) @binding(1)
+var<storage> global_3: type_13;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -438,21 +447,21 @@ let _e339 = local_3;
 let _e340 = local_5;
 let _e343 = local_4;
 let _e344 = ((_e339 + (18i * _e340)) + _e343);
-let _e346 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e346 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e348 = select(_e346, _e344, (_e344 < _e346));
-let _e353 = global_2.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
+let _e353 = global_3.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
 let _e354 = local_3;
 let _e355 = local_5;
 let _e358 = local_4;
 let _e359 = ((_e354 + (19i * _e355)) + _e358);
 let _e361 = select(_e346, _e359, (_e359 < _e346));
-let _e366 = global_2.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
+let _e366 = global_3.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
 let _e368 = local_3;
 let _e369 = local_5;
 let _e372 = local_4;
 let _e373 = ((_e368 + (20i * _e369)) + _e372);
 let _e375 = select(_e346, _e373, (_e373 < _e346));
-let _e380 = global_2.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
+let _e380 = global_3.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
 if (((_e353 + _e366) + _e380) > 0f) {
 local = _e229;
 local_1 = _e338;
@@ -461,121 +470,121 @@ let _e383 = local;
 let _e384 = local_1;
 let _e385 = (_e383 + _e384);
 let _e387 = select(_e346, _e385, (_e385 < _e346));
-let _e392 = global_2.member[bitcast<u32>(select(0i, _e387, (_e387 > 0i)))];
+let _e392 = global_3.member[bitcast<u32>(select(0i, _e387, (_e387 > 0i)))];
 let _e393 = local;
 let _e394 = local_2;
 let _e396 = local_1;
 let _e397 = ((_e393 + _e394) + _e396);
 let _e399 = select(_e346, _e397, (_e397 < _e346));
-let _e404 = global_2.member[bitcast<u32>(select(0i, _e399, (_e399 > 0i)))];
+let _e404 = global_3.member[bitcast<u32>(select(0i, _e399, (_e399 > 0i)))];
 let _e405 = local;
 let _e406 = local_2;
 let _e409 = local_1;
 let _e410 = ((_e405 + (2i * _e406)) + _e409);
 let _e412 = select(_e346, _e410, (_e410 < _e346));
-let _e417 = global_2.member[bitcast<u32>(select(0i, _e412, (_e412 > 0i)))];
+let _e417 = global_3.member[bitcast<u32>(select(0i, _e412, (_e412 > 0i)))];
 let _e418 = local;
 let _e419 = local_2;
 let _e422 = local_1;
 let _e423 = ((_e418 + (3i * _e419)) + _e422);
 let _e425 = select(_e346, _e423, (_e423 < _e346));
-let _e430 = global_2.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
+let _e430 = global_3.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
 let _e431 = local;
 let _e432 = local_2;
 let _e435 = local_1;
 let _e436 = ((_e431 + (4i * _e432)) + _e435);
 let _e438 = select(_e346, _e436, (_e436 < _e346));
-let _e443 = global_2.member[bitcast<u32>(select(0i, _e438, (_e438 > 0i)))];
+let _e443 = global_3.member[bitcast<u32>(select(0i, _e438, (_e438 > 0i)))];
 let _e444 = local;
 let _e445 = local_2;
 let _e448 = local_1;
 let _e449 = ((_e444 + (5i * _e445)) + _e448);
 let _e451 = select(_e346, _e449, (_e449 < _e346));
-let _e456 = global_2.member[bitcast<u32>(select(0i, _e451, (_e451 > 0i)))];
+let _e456 = global_3.member[bitcast<u32>(select(0i, _e451, (_e451 > 0i)))];
 let _e457 = local;
 let _e458 = local_2;
 let _e461 = local_1;
 let _e462 = ((_e457 + (6i * _e458)) + _e461);
 let _e464 = select(_e346, _e462, (_e462 < _e346));
-let _e469 = global_2.member[bitcast<u32>(select(0i, _e464, (_e464 > 0i)))];
+let _e469 = global_3.member[bitcast<u32>(select(0i, _e464, (_e464 > 0i)))];
 let _e470 = local;
 let _e471 = local_2;
 let _e474 = local_1;
 let _e475 = ((_e470 + (7i * _e471)) + _e474);
 let _e477 = select(_e346, _e475, (_e475 < _e346));
-let _e482 = global_2.member[bitcast<u32>(select(0i, _e477, (_e477 > 0i)))];
+let _e482 = global_3.member[bitcast<u32>(select(0i, _e477, (_e477 > 0i)))];
 let _e483 = local;
 let _e484 = local_2;
 let _e487 = local_1;
 let _e488 = ((_e483 + (8i * _e484)) + _e487);
 let _e490 = select(_e346, _e488, (_e488 < _e346));
-let _e495 = global_2.member[bitcast<u32>(select(0i, _e490, (_e490 > 0i)))];
+let _e495 = global_3.member[bitcast<u32>(select(0i, _e490, (_e490 > 0i)))];
 let _e496 = local;
 let _e497 = local_2;
 let _e500 = local_1;
 let _e501 = ((_e496 + (9i * _e497)) + _e500);
 let _e503 = select(_e346, _e501, (_e501 < _e346));
-let _e508 = global_2.member[bitcast<u32>(select(0i, _e503, (_e503 > 0i)))];
+let _e508 = global_3.member[bitcast<u32>(select(0i, _e503, (_e503 > 0i)))];
 let _e509 = local;
 let _e510 = local_2;
 let _e513 = local_1;
 let _e514 = ((_e509 + (10i * _e510)) + _e513);
 let _e516 = select(_e346, _e514, (_e514 < _e346));
-let _e521 = global_2.member[bitcast<u32>(select(0i, _e516, (_e516 > 0i)))];
+let _e521 = global_3.member[bitcast<u32>(select(0i, _e516, (_e516 > 0i)))];
 let _e522 = local;
 let _e523 = local_2;
 let _e526 = local_1;
 let _e527 = ((_e522 + (11i * _e523)) + _e526);
 let _e529 = select(_e346, _e527, (_e527 < _e346));
-let _e534 = global_2.member[bitcast<u32>(select(0i, _e529, (_e529 > 0i)))];
+let _e534 = global_3.member[bitcast<u32>(select(0i, _e529, (_e529 > 0i)))];
 let _e535 = local;
 let _e536 = local_2;
 let _e539 = local_1;
 let _e540 = ((_e535 + (12i * _e536)) + _e539);
 let _e542 = select(_e346, _e540, (_e540 < _e346));
-let _e547 = global_2.member[bitcast<u32>(select(0i, _e542, (_e542 > 0i)))];
+let _e547 = global_3.member[bitcast<u32>(select(0i, _e542, (_e542 > 0i)))];
 let _e548 = local;
 let _e549 = local_2;
 let _e552 = local_1;
 let _e553 = ((_e548 + (13i * _e549)) + _e552);
 let _e555 = select(_e346, _e553, (_e553 < _e346));
-let _e560 = global_2.member[bitcast<u32>(select(0i, _e555, (_e555 > 0i)))];
+let _e560 = global_3.member[bitcast<u32>(select(0i, _e555, (_e555 > 0i)))];
 let _e561 = local;
 let _e562 = local_2;
 let _e565 = local_1;
 let _e566 = ((_e561 + (14i * _e562)) + _e565);
 let _e568 = select(_e346, _e566, (_e566 < _e346));
-let _e573 = global_2.member[bitcast<u32>(select(0i, _e568, (_e568 > 0i)))];
+let _e573 = global_3.member[bitcast<u32>(select(0i, _e568, (_e568 > 0i)))];
 let _e574 = local;
 let _e575 = local_2;
 let _e578 = local_1;
 let _e579 = ((_e574 + (15i * _e575)) + _e578);
 let _e581 = select(_e346, _e579, (_e579 < _e346));
-let _e586 = global_2.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
+let _e586 = global_3.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
 let _e587 = local;
 let _e588 = local_2;
 let _e591 = local_1;
 let _e592 = ((_e587 + (16i * _e588)) + _e591);
 let _e594 = select(_e346, _e592, (_e592 < _e346));
-let _e599 = global_2.member[bitcast<u32>(select(0i, _e594, (_e594 > 0i)))];
+let _e599 = global_3.member[bitcast<u32>(select(0i, _e594, (_e594 > 0i)))];
 let _e600 = local;
 let _e601 = local_2;
 let _e604 = local_1;
 let _e605 = ((_e600 + (17i * _e601)) + _e604);
 let _e607 = select(_e346, _e605, (_e605 < _e346));
-let _e612 = global_2.member[bitcast<u32>(select(0i, _e607, (_e607 > 0i)))];
+let _e612 = global_3.member[bitcast<u32>(select(0i, _e607, (_e607 > 0i)))];
 let _e613 = local;
 let _e614 = local_2;
 let _e617 = local_1;
 let _e618 = ((_e613 + (23i * _e614)) + _e617);
 let _e620 = select(_e346, _e618, (_e618 < _e346));
-let _e625 = global_2.member[bitcast<u32>(select(0i, _e620, (_e620 > 0i)))];
+let _e625 = global_3.member[bitcast<u32>(select(0i, _e620, (_e620 > 0i)))];
 let _e626 = local;
 let _e627 = local_2;
 let _e630 = local_1;
 let _e631 = ((_e626 + (24i * _e627)) + _e630);
 let _e633 = select(_e346, _e631, (_e631 < _e346));
-let _e638 = global_2.member[bitcast<u32>(select(0i, _e633, (_e633 > 0i)))];
+let _e638 = global_3.member[bitcast<u32>(select(0i, _e633, (_e633 > 0i)))];
 let _e672 = ((bitcast<f32>((bitcast<u32>((_e469 + (_e547 * 0f))) & 2147483647u)) + bitcast<f32>((bitcast<u32>((_e508 + (_e586 * 0f))) & 2147483647u))) * 0.5f);
 let _e673 = ((bitcast<f32>((bitcast<u32>((_e482 + (_e560 * 0f))) & 2147483647u)) + bitcast<f32>((bitcast<u32>((_e521 + (_e599 * 0f))) & 2147483647u))) * 0.5f);
 let _e674 = ((bitcast<f32>((bitcast<u32>((_e495 + (_e573 * 0f))) & 2147483647u)) + bitcast<f32>((bitcast<u32>((_e534 + (_e612 * 0f))) & 2147483647u))) * 0.5f);
@@ -714,30 +723,30 @@ let _e1011 = local_25;
 let _e1014 = local_26;
 let _e1035 = local_27;
 let _e1038 = local_28;
-global_3.member[_e85] = _e981.member.x;
-global_3.member[(_e83 + _e85)] = _e981.member.y;
-global_3.member[((2u * _e83) + _e85)] = _e981.member.z;
-global_3.member[((3u * _e83) + _e85)] = _e984.member_1.x;
-global_3.member[((4u * _e83) + _e85)] = _e984.member_1.y;
-global_3.member[((5u * _e83) + _e85)] = _e984.member_1.z;
-global_3.member[((6u * _e83) + _e85)] = ((_e987.member.x + _e990.member_1.x) * 0.5f);
-global_3.member[((7u * _e83) + _e85)] = ((_e987.member.y + _e990.member_1.y) * 0.5f);
-global_3.member[((8u * _e83) + _e85)] = ((_e987.member.z + _e990.member_1.z) * 0.5f);
-global_3.member[((9u * _e83) + _e85)] = ((_e990.member_1.x - _e987.member.x) * 0.5f);
-global_3.member[((10u * _e83) + _e85)] = ((_e990.member_1.y - _e987.member.y) * 0.5f);
-global_3.member[((11u * _e83) + _e85)] = ((_e990.member_1.z - _e987.member.z) * 0.5f);
-global_3.member[((12u * _e83) + _e85)] = ((_e1011.member.x + _e1014.member_1.x) * 0.5f);
-global_3.member[((13u * _e83) + _e85)] = ((_e1011.member.y + _e1014.member_1.y) * 0.5f);
-global_3.member[((14u * _e83) + _e85)] = ((_e1011.member.z + _e1014.member_1.z) * 0.5f);
-global_3.member[((15u * _e83) + _e85)] = ((_e1014.member_1.x - _e1011.member.x) * 0.5f);
-global_3.member[((16u * _e83) + _e85)] = ((_e1014.member_1.y - _e1011.member.y) * 0.5f);
-global_3.member[((17u * _e83) + _e85)] = ((_e1014.member_1.z - _e1011.member.z) * 0.5f);
-global_3.member[((18u * _e83) + _e85)] = _e1035.member.x;
-global_3.member[((19u * _e83) + _e85)] = _e1035.member.y;
-global_3.member[((20u * _e83) + _e85)] = _e1035.member.z;
-global_3.member[((21u * _e83) + _e85)] = _e1038.member_1.x;
-global_3.member[((22u * _e83) + _e85)] = _e1038.member_1.y;
-global_3.member[((23u * _e83) + _e85)] = _e1038.member_1.z;
+global_2.member[_e85] = _e981.member.x;
+global_2.member[(_e83 + _e85)] = _e981.member.y;
+global_2.member[((2u * _e83) + _e85)] = _e981.member.z;
+global_2.member[((3u * _e83) + _e85)] = _e984.member_1.x;
+global_2.member[((4u * _e83) + _e85)] = _e984.member_1.y;
+global_2.member[((5u * _e83) + _e85)] = _e984.member_1.z;
+global_2.member[((6u * _e83) + _e85)] = ((_e987.member.x + _e990.member_1.x) * 0.5f);
+global_2.member[((7u * _e83) + _e85)] = ((_e987.member.y + _e990.member_1.y) * 0.5f);
+global_2.member[((8u * _e83) + _e85)] = ((_e987.member.z + _e990.member_1.z) * 0.5f);
+global_2.member[((9u * _e83) + _e85)] = ((_e990.member_1.x - _e987.member.x) * 0.5f);
+global_2.member[((10u * _e83) + _e85)] = ((_e990.member_1.y - _e987.member.y) * 0.5f);
+global_2.member[((11u * _e83) + _e85)] = ((_e990.member_1.z - _e987.member.z) * 0.5f);
+global_2.member[((12u * _e83) + _e85)] = ((_e1011.member.x + _e1014.member_1.x) * 0.5f);
+global_2.member[((13u * _e83) + _e85)] = ((_e1011.member.y + _e1014.member_1.y) * 0.5f);
+global_2.member[((14u * _e83) + _e85)] = ((_e1011.member.z + _e1014.member_1.z) * 0.5f);
+global_2.member[((15u * _e83) + _e85)] = ((_e1014.member_1.x - _e1011.member.x) * 0.5f);
+global_2.member[((16u * _e83) + _e85)] = ((_e1014.member_1.y - _e1011.member.y) * 0.5f);
+global_2.member[((17u * _e83) + _e85)] = ((_e1014.member_1.z - _e1011.member.z) * 0.5f);
+global_2.member[((18u * _e83) + _e85)] = _e1035.member.x;
+global_2.member[((19u * _e83) + _e85)] = _e1035.member.y;
+global_2.member[((20u * _e83) + _e85)] = _e1035.member.z;
+global_2.member[((21u * _e83) + _e85)] = _e1038.member_1.x;
+global_2.member[((22u * _e83) + _e85)] = _e1038.member_1.y;
+global_2.member[((23u * _e83) + _e85)] = _e1038.member_1.z;
 }
 }
 return;

@@ -104,6 +104,10 @@ member_4: u32,
 member_5: u32,
 member_6: u32,
 member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
+member_11: u32,
 }
 struct type_21 {
 member: type_5,
@@ -112,6 +116,11 @@ member_2: f32,
 member_3: u32,
 member_4: type_5,
 member_5: type_5,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
 }
 struct type_22 {
 member: f32,

@@ -84,6 +84,10 @@ member_4: u32,
 member_5: u32,
 member_6: u32,
 member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
+member_11: u32,
 }
 struct type_18 {
 member: type_5,
@@ -92,6 +96,11 @@ member_2: f32,
 member_3: u32,
 member_4: type_5,
 member_5: type_5,
+member_6: u32,
+member_7: u32,
+member_8: u32,
+member_9: u32,
+member_10: u32,
 }
 struct type_19 {
 member: f32,

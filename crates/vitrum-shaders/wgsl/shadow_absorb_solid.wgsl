@@ -48,9 +48,9 @@ var local: u32;
 var phi_229_: i32;
 var phi_232_: u32;
 var phi_267_: i32;
-var phi_323_: u32;
-var phi_388_: u32;
-var phi_449_: u32;
+var phi_326_: u32;
+var phi_391_: u32;
+var phi_452_: u32;
 var phi_230_: i32;
 var phi_233_: u32;
 let _e24 = global;
@@ -145,76 +145,79 @@ let _e195 = select(-1073741800f, _e193, (_e193 > -1073741800f));
 let _e197 = select(1073741800f, _e195, (_e195 < 1073741800f));
 let _e204 = select(0i, select(select(i32(_e197), i32(-2147483648), (_e197 < -2147483600f)), 2147483647i, (_e197 > 2147483500f)), (_e197 == _e197));
 let _e208 = (_e204 - select(0i, 1i, (_e197 < f32(_e204))));
-if (_e208 == 0i) {
+let _e209 = bitcast<u32>(_e208);
+let _e212 = bitcast<u32>((_e208 >> bitcast<u32>(31i)));
+if ((_e209 | _e212) == 0u) {
 } else {
-let _e210 = bitcast<u32>(_e208);
-let _e211 = bitcast<u32>(_e186);
-if (_e211 < _e28) {
-let _e215 = atomicAdd((&global_2.member[_e211]), _e210);
-phi_323_ = _e215;
+let _e215 = bitcast<u32>(_e186);
+if (_e215 < _e28) {
+let _e219 = atomicAdd((&global_2.member[_e215]), _e209);
+phi_326_ = _e219;
 } else {
-phi_323_ = 0u;
+phi_326_ = 0u;
 }
-let _e217 = phi_323_;
-let _e224 = (bitcast<u32>((_e208 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e217 + _e210) < _e210)));
-if (_e224 == 0u) {
+let _e221 = phi_326_;
+let _e225 = (_e212 + select(0u, 1u, ((_e221 + _e209) < _e209)));
+if (_e225 == 0u) {
 } else {
-let _e226 = (_e211 + 1u);
-if (_e226 < _e28) {
-let _e230 = atomicAdd((&global_2.member[_e226]), _e224);
+let _e227 = (_e215 + 1u);
+if (_e227 < _e28) {
+let _e231 = atomicAdd((&global_2.member[_e227]), _e225);
 }
 }
 }
 if (_e154 > 1i) {
-let _e236 = global_1.member.member_10.member_1;
-let _e239 = (((_e236 * _e182) * 16777216f) + 0.5f);
-let _e241 = select(-1073741800f, _e239, (_e239 > -1073741800f));
-let _e243 = select(1073741800f, _e241, (_e241 < 1073741800f));
-let _e250 = select(0i, select(select(i32(_e243), i32(-2147483648), (_e243 < -2147483600f)), 2147483647i, (_e243 > 2147483500f)), (_e243 == _e243));
-let _e254 = (_e250 - select(0i, 1i, (_e243 < f32(_e250))));
-if (_e254 == 0i) {
+let _e237 = global_1.member.member_10.member_1;
+let _e240 = (((_e237 * _e182) * 16777216f) + 0.5f);
+let _e242 = select(-1073741800f, _e240, (_e240 > -1073741800f));
+let _e244 = select(1073741800f, _e242, (_e242 < 1073741800f));
+let _e251 = select(0i, select(select(i32(_e244), i32(-2147483648), (_e244 < -2147483600f)), 2147483647i, (_e244 > 2147483500f)), (_e244 == _e244));
+let _e255 = (_e251 - select(0i, 1i, (_e244 < f32(_e251))));
+let _e256 = bitcast<u32>(_e255);
+let _e259 = bitcast<u32>((_e255 >> bitcast<u32>(31i)));
+if ((_e256 | _e259) == 0u) {
 } else {
-let _e256 = bitcast<u32>(_e254);
-let _e257 = bitcast<u32>((_e186 + 2i));
-if (_e257 < _e28) {
-let _e261 = atomicAdd((&global_2.member[_e257]), _e256);
-phi_388_ = _e261;
+let _e262 = bitcast<u32>((_e186 + 2i));
+if (_e262 < _e28) {
+let _e266 = atomicAdd((&global_2.member[_e262]), _e256);
+phi_391_ = _e266;
 } else {
-phi_388_ = 0u;
+phi_391_ = 0u;
 }
-let _e263 = phi_388_;
-let _e270 = (bitcast<u32>((_e254 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e263 + _e256) < _e256)));
-if (_e270 == 0u) {
+let _e268 = phi_391_;
+let _e272 = (_e259 + select(0u, 1u, ((_e268 + _e256) < _e256)));
+if (_e272 == 0u) {
 } else {
-let _e272 = (_e257 + 1u);
-if (_e272 < _e28) {
-let _e276 = atomicAdd((&global_2.member[_e272]), _e270);
+let _e274 = (_e262 + 1u);
+if (_e274 < _e28) {
+let _e278 = atomicAdd((&global_2.member[_e274]), _e272);
 }
 }
 }
-let _e281 = global_1.member.member_10.member_2;
-let _e284 = (((_e281 * _e182) * 16777216f) + 0.5f);
-let _e286 = select(-1073741800f, _e284, (_e284 > -1073741800f));
-let _e288 = select(1073741800f, _e286, (_e286 < 1073741800f));
-let _e295 = select(0i, select(select(i32(_e288), i32(-2147483648), (_e288 < -2147483600f)), 2147483647i, (_e288 > 2147483500f)), (_e288 == _e288));
-let _e299 = (_e295 - select(0i, 1i, (_e288 < f32(_e295))));
-if (_e299 == 0i) {
+let _e283 = global_1.member.member_10.member_2;
+let _e286 = (((_e283 * _e182) * 16777216f) + 0.5f);
+let _e288 = select(-1073741800f, _e286, (_e286 > -1073741800f));
+let _e290 = select(1073741800f, _e288, (_e288 < 1073741800f));
+let _e297 = select(0i, select(select(i32(_e290), i32(-2147483648), (_e290 < -2147483600f)), 2147483647i, (_e290 > 2147483500f)), (_e290 == _e290));
+let _e301 = (_e297 - select(0i, 1i, (_e290 < f32(_e297))));
+let _e302 = bitcast<u32>(_e301);
+let _e305 = bitcast<u32>((_e301 >> bitcast<u32>(31i)));
+if ((_e302 | _e305) == 0u) {
 } else {
-let _e301 = bitcast<u32>(_e299);
-let _e302 = bitcast<u32>((_e186 + 4i));
-if (_e302 < _e28) {
-let _e306 = atomicAdd((&global_2.member[_e302]), _e301);
-phi_449_ = _e306;
+let _e308 = bitcast<u32>((_e186 + 4i));
+if (_e308 < _e28) {
+let _e312 = atomicAdd((&global_2.member[_e308]), _e302);
+phi_452_ = _e312;
 } else {
-phi_449_ = 0u;
+phi_452_ = 0u;
 }
-let _e308 = phi_449_;
-let _e315 = (bitcast<u32>((_e299 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e308 + _e301) < _e301)));
-if (_e315 == 0u) {
+let _e314 = phi_452_;
+let _e318 = (_e305 + select(0u, 1u, ((_e314 + _e302) < _e302)));
+if (_e318 == 0u) {
 } else {
-let _e317 = (_e302 + 1u);
-if (_e317 < _e28) {
-let _e321 = atomicAdd((&global_2.member[_e317]), _e315);
+let _e320 = (_e308 + 1u);
+if (_e320 < _e28) {
+let _e324 = atomicAdd((&global_2.member[_e320]), _e318);
 }
 }
 }
@@ -226,12 +229,12 @@ phi_233_ = _e171;
 phi_230_ = i32();
 phi_233_ = u32();
 }
-let _e324 = phi_230_;
-let _e326 = phi_233_;
+let _e327 = phi_230_;
+let _e329 = phi_233_;
 continue;
 continuing {
-phi_229_ = _e324;
-phi_232_ = _e326;
+phi_229_ = _e327;
+phi_232_ = _e329;
 break if !(_e159);
 }
 }

@@ -49,7 +49,7 @@ var phi_148_: i32;
 var phi_367_: i32;
 var phi_621_: i32;
 var phi_702_: i32;
-var phi_727_: u32;
+var phi_730_: u32;
 var phi_703_: i32;
 var phi_622_: i32;
 var phi_368_: i32;
@@ -191,23 +191,24 @@ loop {
 let _e392 = phi_702_;
 let _e393 = (_e392 < _e215);
 if _e393 {
-if (_e201 == 0i) {
+let _e397 = bitcast<u32>(_e201);
+let _e400 = bitcast<u32>((_e201 >> bitcast<u32>(31i)));
+if ((_e397 | _e400) == 0u) {
 } else {
-let _e398 = bitcast<u32>(_e201);
-let _e399 = bitcast<u32>(((((((((_e217 - bitcast<i32>(_e384)) * _e210) + _e342) * _e205) + (_e377 - select(0i, 1i, (_e370 < f32(_e377))))) * _e215) + _e392) * 2i));
-if (_e399 < _e37) {
-let _e403 = atomicAdd((&global_2.member[_e399]), _e398);
-phi_727_ = _e403;
+let _e403 = bitcast<u32>(((((((((_e217 - bitcast<i32>(_e384)) * _e210) + _e342) * _e205) + (_e377 - select(0i, 1i, (_e370 < f32(_e377))))) * _e215) + _e392) * 2i));
+if (_e403 < _e37) {
+let _e407 = atomicAdd((&global_2.member[_e403]), _e397);
+phi_730_ = _e407;
 } else {
-phi_727_ = 0u;
+phi_730_ = 0u;
 }
-let _e405 = phi_727_;
-let _e412 = (bitcast<u32>((_e201 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e405 + _e398) < _e398)));
-if (_e412 == 0u) {
+let _e409 = phi_730_;
+let _e413 = (_e400 + select(0u, 1u, ((_e409 + _e397) < _e397)));
+if (_e413 == 0u) {
 } else {
-let _e414 = (_e399 + 1u);
-if (_e414 < _e37) {
-let _e418 = atomicAdd((&global_2.member[_e414]), _e412);
+let _e415 = (_e403 + 1u);
+if (_e415 < _e37) {
+let _e419 = atomicAdd((&global_2.member[_e415]), _e413);
 }
 }
 }
@@ -215,10 +216,10 @@ phi_703_ = (_e392 + 1i);
 } else {
 phi_703_ = i32();
 }
-let _e421 = phi_703_;
+let _e422 = phi_703_;
 continue;
 continuing {
-phi_702_ = _e421;
+phi_702_ = _e422;
 break if !(_e393);
 }
 }
@@ -226,10 +227,10 @@ phi_622_ = (_e342 + 1i);
 } else {
 phi_622_ = i32();
 }
-let _e425 = phi_622_;
+let _e426 = phi_622_;
 continue;
 continuing {
-phi_621_ = _e425;
+phi_621_ = _e426;
 break if !(_e343);
 }
 }
@@ -238,10 +239,10 @@ phi_368_ = (_e217 + 1i);
 } else {
 phi_368_ = i32();
 }
-let _e429 = phi_368_;
+let _e430 = phi_368_;
 continue;
 continuing {
-phi_367_ = _e429;
+phi_367_ = _e430;
 break if !(_e218);
 }
 }

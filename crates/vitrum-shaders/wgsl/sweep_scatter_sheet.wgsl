@@ -153,11 +153,11 @@ var local_6: u32;
 var local_7: u32;
 var phi_1725_: i32;
 var phi_1757_: i32;
-var phi_1838_: u32;
-var phi_1899_: u32;
-var phi_1960_: u32;
-var phi_2021_: u32;
-var phi_2083_: u32;
+var phi_1841_: u32;
+var phi_1902_: u32;
+var phi_1963_: u32;
+var phi_2024_: u32;
+var phi_2086_: u32;
 var phi_1758_: i32;
 var phi_1726_: i32;
 var phi_2135_: type_25;
@@ -178,11 +178,11 @@ var phi_2395_: i32;
 var phi_2426_: i32;
 var phi_2709_: i32;
 var phi_2741_: i32;
-var phi_2822_: u32;
-var phi_2883_: u32;
-var phi_2944_: u32;
-var phi_3005_: u32;
-var phi_3067_: u32;
+var phi_2825_: u32;
+var phi_2886_: u32;
+var phi_2947_: u32;
+var phi_3008_: u32;
+var phi_3070_: u32;
 var phi_2742_: i32;
 var phi_2710_: i32;
 var phi_2427_: i32;
@@ -556,115 +556,116 @@ let _e923 = select(-1073741800f, _e921, (_e921 > -1073741800f));
 let _e925 = select(1073741800f, _e923, (_e923 < 1073741800f));
 let _e932 = select(0i, select(select(i32(_e925), i32(-2147483648), (_e925 < -2147483600f)), 2147483647i, (_e925 > 2147483500f)), (_e925 == _e925));
 let _e936 = (_e932 - select(0i, 1i, (_e925 < f32(_e932))));
-let _e937 = (_e936 == 0i);
-if _e937 {
+let _e937 = bitcast<u32>(_e936);
+let _e940 = bitcast<u32>((_e936 >> bitcast<u32>(31i)));
+let _e942 = ((_e937 | _e940) == 0u);
+if _e942 {
 } else {
-let _e938 = bitcast<u32>(_e936);
-let _e939 = bitcast<u32>(_e918);
-if (_e939 < _e62) {
-let _e943 = atomicAdd((&global_4.member[_e939]), _e938);
-phi_1838_ = _e943;
+let _e943 = bitcast<u32>(_e918);
+if (_e943 < _e62) {
+let _e947 = atomicAdd((&global_4.member[_e943]), _e937);
+phi_1841_ = _e947;
 } else {
-phi_1838_ = 0u;
+phi_1841_ = 0u;
 }
-let _e945 = phi_1838_;
-let _e952 = (bitcast<u32>((_e936 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e945 + _e938) < _e938)));
-if (_e952 == 0u) {
+let _e949 = phi_1841_;
+let _e953 = (_e940 + select(0u, 1u, ((_e949 + _e937) < _e937)));
+if (_e953 == 0u) {
 } else {
-let _e954 = (_e939 + 1u);
-if (_e954 < _e62) {
-let _e958 = atomicAdd((&global_4.member[_e954]), _e952);
+let _e955 = (_e943 + 1u);
+if (_e955 < _e62) {
+let _e959 = atomicAdd((&global_4.member[_e955]), _e953);
 }
 }
 }
-if _e937 {
+if _e942 {
 } else {
-let _e960 = bitcast<u32>(_e936);
 let _e961 = bitcast<u32>((_e918 + 2i));
 if (_e961 < _e62) {
-let _e965 = atomicAdd((&global_4.member[_e961]), _e960);
-phi_1899_ = _e965;
+let _e965 = atomicAdd((&global_4.member[_e961]), _e937);
+phi_1902_ = _e965;
 } else {
-phi_1899_ = 0u;
+phi_1902_ = 0u;
 }
-let _e967 = phi_1899_;
-let _e974 = (bitcast<u32>((_e936 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e967 + _e960) < _e960)));
-if (_e974 == 0u) {
+let _e967 = phi_1902_;
+let _e971 = (_e940 + select(0u, 1u, ((_e967 + _e937) < _e937)));
+if (_e971 == 0u) {
 } else {
-let _e976 = (_e961 + 1u);
-if (_e976 < _e62) {
-let _e980 = atomicAdd((&global_4.member[_e976]), _e974);
+let _e973 = (_e961 + 1u);
+if (_e973 < _e62) {
+let _e977 = atomicAdd((&global_4.member[_e973]), _e971);
 }
 }
 }
-if _e937 {
+if _e942 {
 } else {
-let _e982 = bitcast<u32>(_e936);
-let _e983 = bitcast<u32>((_e918 + 4i));
-if (_e983 < _e62) {
-let _e987 = atomicAdd((&global_4.member[_e983]), _e982);
-phi_1960_ = _e987;
+let _e979 = bitcast<u32>((_e918 + 4i));
+if (_e979 < _e62) {
+let _e983 = atomicAdd((&global_4.member[_e979]), _e937);
+phi_1963_ = _e983;
 } else {
-phi_1960_ = 0u;
+phi_1963_ = 0u;
 }
-let _e989 = phi_1960_;
-let _e996 = (bitcast<u32>((_e936 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e989 + _e982) < _e982)));
-if (_e996 == 0u) {
+let _e985 = phi_1963_;
+let _e989 = (_e940 + select(0u, 1u, ((_e985 + _e937) < _e937)));
+if (_e989 == 0u) {
 } else {
-let _e998 = (_e983 + 1u);
-if (_e998 < _e62) {
-let _e1002 = atomicAdd((&global_4.member[_e998]), _e996);
+let _e991 = (_e979 + 1u);
+if (_e991 < _e62) {
+let _e995 = atomicAdd((&global_4.member[_e991]), _e989);
 }
 }
 }
-let _e1004 = ((((_e799 + _e799) + _e799) * (1f / 3f)) * _e914);
-let _e1007 = (((_e1004 * ((_e780 * _e802) - _e757)) * 8388608f) + 0.5f);
-let _e1009 = select(-1073741800f, _e1007, (_e1007 > -1073741800f));
-let _e1011 = select(1073741800f, _e1009, (_e1009 < 1073741800f));
-let _e1018 = select(0i, select(select(i32(_e1011), i32(-2147483648), (_e1011 < -2147483600f)), 2147483647i, (_e1011 > 2147483500f)), (_e1011 == _e1011));
-let _e1022 = (_e1018 - select(0i, 1i, (_e1011 < f32(_e1018))));
-if (_e1022 == 0i) {
+let _e997 = ((((_e799 + _e799) + _e799) * (1f / 3f)) * _e914);
+let _e1000 = (((_e997 * ((_e780 * _e802) - _e757)) * 8388608f) + 0.5f);
+let _e1002 = select(-1073741800f, _e1000, (_e1000 > -1073741800f));
+let _e1004 = select(1073741800f, _e1002, (_e1002 < 1073741800f));
+let _e1011 = select(0i, select(select(i32(_e1004), i32(-2147483648), (_e1004 < -2147483600f)), 2147483647i, (_e1004 > 2147483500f)), (_e1004 == _e1004));
+let _e1015 = (_e1011 - select(0i, 1i, (_e1004 < f32(_e1011))));
+let _e1016 = bitcast<u32>(_e1015);
+let _e1019 = bitcast<u32>((_e1015 >> bitcast<u32>(31i)));
+if ((_e1016 | _e1019) == 0u) {
 } else {
-let _e1024 = bitcast<u32>(_e1022);
-let _e1025 = bitcast<u32>((_e918 + 6i));
-if (_e1025 < _e62) {
-let _e1029 = atomicAdd((&global_4.member[_e1025]), _e1024);
-phi_2021_ = _e1029;
+let _e1022 = bitcast<u32>((_e918 + 6i));
+if (_e1022 < _e62) {
+let _e1026 = atomicAdd((&global_4.member[_e1022]), _e1016);
+phi_2024_ = _e1026;
 } else {
-phi_2021_ = 0u;
+phi_2024_ = 0u;
 }
-let _e1031 = phi_2021_;
-let _e1038 = (bitcast<u32>((_e1022 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1031 + _e1024) < _e1024)));
-if (_e1038 == 0u) {
+let _e1028 = phi_2024_;
+let _e1032 = (_e1019 + select(0u, 1u, ((_e1028 + _e1016) < _e1016)));
+if (_e1032 == 0u) {
 } else {
-let _e1040 = (_e1025 + 1u);
-if (_e1040 < _e62) {
-let _e1044 = atomicAdd((&global_4.member[_e1040]), _e1038);
-}
+let _e1034 = (_e1022 + 1u);
+if (_e1034 < _e62) {
+let _e1038 = atomicAdd((&global_4.member[_e1034]), _e1032);
 }
 }
-let _e1048 = (((_e1004 * ((_e789 * _e802) - _e758)) * 8388608f) + 0.5f);
-let _e1050 = select(-1073741800f, _e1048, (_e1048 > -1073741800f));
-let _e1052 = select(1073741800f, _e1050, (_e1050 < 1073741800f));
-let _e1059 = select(0i, select(select(i32(_e1052), i32(-2147483648), (_e1052 < -2147483600f)), 2147483647i, (_e1052 > 2147483500f)), (_e1052 == _e1052));
-let _e1063 = (_e1059 - select(0i, 1i, (_e1052 < f32(_e1059))));
-if (_e1063 == 0i) {
-} else {
-let _e1065 = bitcast<u32>(_e1063);
-let _e1066 = bitcast<u32>((_e918 + 8i));
-if (_e1066 < _e62) {
-let _e1070 = atomicAdd((&global_4.member[_e1066]), _e1065);
-phi_2083_ = _e1070;
-} else {
-phi_2083_ = 0u;
 }
-let _e1072 = phi_2083_;
-let _e1079 = (bitcast<u32>((_e1063 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1072 + _e1065) < _e1065)));
-if (_e1079 == 0u) {
+let _e1042 = (((_e997 * ((_e789 * _e802) - _e758)) * 8388608f) + 0.5f);
+let _e1044 = select(-1073741800f, _e1042, (_e1042 > -1073741800f));
+let _e1046 = select(1073741800f, _e1044, (_e1044 < 1073741800f));
+let _e1053 = select(0i, select(select(i32(_e1046), i32(-2147483648), (_e1046 < -2147483600f)), 2147483647i, (_e1046 > 2147483500f)), (_e1046 == _e1046));
+let _e1057 = (_e1053 - select(0i, 1i, (_e1046 < f32(_e1053))));
+let _e1058 = bitcast<u32>(_e1057);
+let _e1061 = bitcast<u32>((_e1057 >> bitcast<u32>(31i)));
+if ((_e1058 | _e1061) == 0u) {
 } else {
-let _e1081 = (_e1066 + 1u);
-if (_e1081 < _e62) {
-let _e1085 = atomicAdd((&global_4.member[_e1081]), _e1079);
+let _e1064 = bitcast<u32>((_e918 + 8i));
+if (_e1064 < _e62) {
+let _e1068 = atomicAdd((&global_4.member[_e1064]), _e1058);
+phi_2086_ = _e1068;
+} else {
+phi_2086_ = 0u;
+}
+let _e1070 = phi_2086_;
+let _e1074 = (_e1061 + select(0u, 1u, ((_e1070 + _e1058) < _e1058)));
+if (_e1074 == 0u) {
+} else {
+let _e1076 = (_e1064 + 1u);
+if (_e1076 < _e62) {
+let _e1080 = atomicAdd((&global_4.member[_e1076]), _e1074);
 }
 }
 }
@@ -673,10 +674,10 @@ phi_1758_ = (_e901 + 1i);
 } else {
 phi_1758_ = i32();
 }
-let _e1088 = phi_1758_;
+let _e1083 = phi_1758_;
 continue;
 continuing {
-phi_1757_ = _e1088;
+phi_1757_ = _e1083;
 break if !(_e902);
 }
 }
@@ -684,347 +685,352 @@ phi_1726_ = (_e887 + 1i);
 } else {
 phi_1726_ = i32();
 }
-let _e1092 = phi_1726_;
+let _e1087 = phi_1726_;
 continue;
 continuing {
-phi_1725_ = _e1092;
+phi_1725_ = _e1087;
 break if !(_e888);
 }
 }
 }
-let _e1104 = (((select(0f, 1f, !(_e249)) + select(0f, 1f, !(_e397))) + select(0f, 1f, !(_e547))) + select(0f, 1f, !(_e691)));
-if (_e738 && (_e1104 > 0f)) {
+let _e1099 = (((select(0f, 1f, !(_e249)) + select(0f, 1f, !(_e397))) + select(0f, 1f, !(_e547))) + select(0f, 1f, !(_e691)));
+if (_e738 && (_e1099 > 0f)) {
 if _e249 {
 phi_2135_ = _e551;
 } else {
 phi_2135_ = _e253;
 }
-let _e1108 = phi_2135_;
+let _e1103 = phi_2135_;
 if _e397 {
 phi_2139_ = _e695;
 } else {
 phi_2139_ = _e401;
 }
-let _e1110 = phi_2139_;
-if _e1108.member_4 {
-phi_2144_ = _e1110;
+let _e1105 = phi_2139_;
+if _e1103.member_4 {
+phi_2144_ = _e1105;
 } else {
-phi_2144_ = _e1108;
+phi_2144_ = _e1103;
 }
-let _e1113 = phi_2144_;
+let _e1108 = phi_2144_;
 if _e397 {
-phi_2148_ = _e1113;
+phi_2148_ = _e1108;
 } else {
 phi_2148_ = _e401;
 }
-let _e1115 = phi_2148_;
+let _e1110 = phi_2148_;
 if _e249 {
-phi_2152_ = _e1115;
+phi_2152_ = _e1110;
 } else {
 phi_2152_ = _e253;
 }
-let _e1117 = phi_2152_;
-if _e1110.member_4 {
-phi_2157_ = _e1108;
+let _e1112 = phi_2152_;
+if _e1105.member_4 {
+phi_2157_ = _e1103;
 } else {
-phi_2157_ = _e1110;
+phi_2157_ = _e1105;
 }
-let _e1120 = phi_2157_;
-if _e1117.member_4 {
-phi_2162_ = _e1120;
+let _e1115 = phi_2157_;
+if _e1112.member_4 {
+phi_2162_ = _e1115;
 } else {
-phi_2162_ = _e1117;
+phi_2162_ = _e1112;
 }
-let _e1123 = phi_2162_;
+let _e1118 = phi_2162_;
 if _e397 {
-phi_2166_ = _e1123;
+phi_2166_ = _e1118;
 } else {
 phi_2166_ = _e401;
 }
-let _e1125 = phi_2166_;
-if _e1108.member_4 {
-phi_2171_ = _e1110;
+let _e1120 = phi_2166_;
+if _e1103.member_4 {
+phi_2171_ = _e1105;
 } else {
-phi_2171_ = _e1108;
+phi_2171_ = _e1103;
 }
-let _e1127 = phi_2171_;
+let _e1122 = phi_2171_;
 if _e691 {
-phi_2175_ = _e1127;
+phi_2175_ = _e1122;
 } else {
 phi_2175_ = _e695;
 }
-let _e1129 = phi_2175_;
+let _e1124 = phi_2175_;
 if _e547 {
-phi_2179_ = _e1129;
+phi_2179_ = _e1124;
 } else {
 phi_2179_ = _e551;
 }
-let _e1131 = phi_2179_;
-if _e1110.member_4 {
-phi_2184_ = _e1108;
+let _e1126 = phi_2179_;
+if _e1105.member_4 {
+phi_2184_ = _e1103;
 } else {
-phi_2184_ = _e1110;
+phi_2184_ = _e1105;
 }
-let _e1133 = phi_2184_;
-if _e1131.member_4 {
-phi_2189_ = _e1133;
+let _e1128 = phi_2184_;
+if _e1126.member_4 {
+phi_2189_ = _e1128;
 } else {
-phi_2189_ = _e1131;
+phi_2189_ = _e1126;
 }
-let _e1136 = phi_2189_;
+let _e1131 = phi_2189_;
 if _e691 {
-phi_2193_ = _e1136;
+phi_2193_ = _e1131;
 } else {
 phi_2193_ = _e695;
 }
-let _e1138 = phi_2193_;
-let _e1147 = (_e1125.member.x - _e1117.member.x);
-let _e1148 = (_e1125.member.y - _e1117.member.y);
-let _e1151 = bitcast<f32>((bitcast<u32>(_e1147) & 2147483647u));
-let _e1154 = bitcast<f32>((bitcast<u32>(_e1148) & 2147483647u));
-let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
-let _e1165 = (_e1138.member.x - _e1131.member.x);
-let _e1166 = (_e1138.member.y - _e1131.member.y);
-let _e1169 = bitcast<f32>((bitcast<u32>(_e1165) & 2147483647u));
-let _e1172 = bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u));
-let _e1174 = select(_e1172, _e1169, (_e1169 > _e1172));
-let _e1177 = (select(_e1174, _e1156, (_e1156 > _e1174)) - 1e-3f);
-let _e1178 = (64f - 1f);
-let _e1180 = select(0f, _e1177, (_e1177 > 0f));
-let _e1182 = select(_e1178, _e1180, (_e1180 < _e1178));
-let _e1189 = select(0i, select(select(i32(_e1182), i32(-2147483648), (_e1182 < -2147483600f)), 2147483647i, (_e1182 > 2147483500f)), (_e1182 == _e1182));
-let _e1195 = f32((1i + (_e1189 - select(0i, 1i, (_e1182 < f32(_e1189))))));
-let _e1196 = (_e1131.member.x - _e1117.member.x);
-let _e1197 = (_e1131.member.y - _e1117.member.y);
-let _e1200 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
-let _e1203 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
-let _e1205 = select(_e1203, _e1200, (_e1200 > _e1203));
-let _e1206 = (_e1138.member.x - _e1125.member.x);
-let _e1207 = (_e1138.member.y - _e1125.member.y);
-let _e1210 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
-let _e1213 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
-let _e1218 = (select(_e1215, _e1205, (_e1205 > _e1215)) - 1e-3f);
-let _e1220 = select(0f, _e1218, (_e1218 > 0f));
-let _e1222 = select(_e1178, _e1220, (_e1220 < _e1178));
-let _e1229 = select(0i, select(select(i32(_e1222), i32(-2147483648), (_e1222 < -2147483600f)), 2147483647i, (_e1222 > 2147483500f)), (_e1222 == _e1222));
-let _e1235 = f32((1i + (_e1229 - select(0i, 1i, (_e1222 < f32(_e1229))))));
-let _e1237 = (64f / (_e1195 * _e1235));
-let _e1239 = select(_e1237, 1f, (1f < _e1237));
-let _e1242 = sqrt(select(0f, _e1239, (_e1239 > 0f)));
-let _e1243 = (_e1195 * _e1242);
-let _e1245 = select(1f, _e1243, (_e1243 > 1f));
-let _e1247 = select(64f, _e1245, (_e1245 < 64f));
-let _e1254 = select(0i, select(select(i32(_e1247), i32(-2147483648), (_e1247 < -2147483600f)), 2147483647i, (_e1247 > 2147483500f)), (_e1247 == _e1247));
-let _e1258 = (_e1254 - select(0i, 1i, (_e1247 < f32(_e1254))));
-let _e1259 = (_e1235 * _e1242);
-let _e1261 = select(1f, _e1259, (_e1259 > 1f));
-let _e1263 = select(64f, _e1261, (_e1261 < 64f));
-let _e1270 = select(0i, select(select(i32(_e1263), i32(-2147483648), (_e1263 < -2147483600f)), 2147483647i, (_e1263 > 2147483500f)), (_e1263 == _e1263));
-let _e1274 = (_e1270 - select(0i, 1i, (_e1263 < f32(_e1270))));
-let _e1276 = (1f / f32(_e1258));
-let _e1278 = (1f / f32(_e1274));
-let _e1281 = ((_e1276 * _e1278) * (_e1104 * 0.25f));
+let _e1133 = phi_2193_;
+let _e1142 = (_e1120.member.x - _e1112.member.x);
+let _e1143 = (_e1120.member.y - _e1112.member.y);
+let _e1146 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
+let _e1149 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
+let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
+let _e1160 = (_e1133.member.x - _e1126.member.x);
+let _e1161 = (_e1133.member.y - _e1126.member.y);
+let _e1164 = bitcast<f32>((bitcast<u32>(_e1160) & 2147483647u));
+let _e1167 = bitcast<f32>((bitcast<u32>(_e1161) & 2147483647u));
+let _e1169 = select(_e1167, _e1164, (_e1164 > _e1167));
+let _e1172 = (select(_e1169, _e1151, (_e1151 > _e1169)) - 1e-3f);
+let _e1173 = (64f - 1f);
+let _e1175 = select(0f, _e1172, (_e1172 > 0f));
+let _e1177 = select(_e1173, _e1175, (_e1175 < _e1173));
+let _e1184 = select(0i, select(select(i32(_e1177), i32(-2147483648), (_e1177 < -2147483600f)), 2147483647i, (_e1177 > 2147483500f)), (_e1177 == _e1177));
+let _e1190 = f32((1i + (_e1184 - select(0i, 1i, (_e1177 < f32(_e1184))))));
+let _e1191 = (_e1126.member.x - _e1112.member.x);
+let _e1192 = (_e1126.member.y - _e1112.member.y);
+let _e1195 = bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u));
+let _e1198 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
+let _e1200 = select(_e1198, _e1195, (_e1195 > _e1198));
+let _e1201 = (_e1133.member.x - _e1120.member.x);
+let _e1202 = (_e1133.member.y - _e1120.member.y);
+let _e1205 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
+let _e1208 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
+let _e1210 = select(_e1208, _e1205, (_e1205 > _e1208));
+let _e1213 = (select(_e1210, _e1200, (_e1200 > _e1210)) - 1e-3f);
+let _e1215 = select(0f, _e1213, (_e1213 > 0f));
+let _e1217 = select(_e1173, _e1215, (_e1215 < _e1173));
+let _e1224 = select(0i, select(select(i32(_e1217), i32(-2147483648), (_e1217 < -2147483600f)), 2147483647i, (_e1217 > 2147483500f)), (_e1217 == _e1217));
+let _e1230 = f32((1i + (_e1224 - select(0i, 1i, (_e1217 < f32(_e1224))))));
+let _e1232 = (64f / (_e1190 * _e1230));
+let _e1234 = select(_e1232, 1f, (1f < _e1232));
+let _e1237 = sqrt(select(0f, _e1234, (_e1234 > 0f)));
+let _e1238 = (_e1190 * _e1237);
+let _e1240 = select(1f, _e1238, (_e1238 > 1f));
+let _e1242 = select(64f, _e1240, (_e1240 < 64f));
+let _e1249 = select(0i, select(select(i32(_e1242), i32(-2147483648), (_e1242 < -2147483600f)), 2147483647i, (_e1242 > 2147483500f)), (_e1242 == _e1242));
+let _e1253 = (_e1249 - select(0i, 1i, (_e1242 < f32(_e1249))));
+let _e1254 = (_e1230 * _e1237);
+let _e1256 = select(1f, _e1254, (_e1254 > 1f));
+let _e1258 = select(64f, _e1256, (_e1256 < 64f));
+let _e1265 = select(0i, select(select(i32(_e1258), i32(-2147483648), (_e1258 < -2147483600f)), 2147483647i, (_e1258 > 2147483500f)), (_e1258 == _e1258));
+let _e1269 = (_e1265 - select(0i, 1i, (_e1258 < f32(_e1265))));
+let _e1271 = (1f / f32(_e1253));
+let _e1273 = (1f / f32(_e1269));
+let _e1276 = ((_e1271 * _e1273) * (_e1099 * 0.25f));
 phi_2395_ = 0i;
 loop {
-let _e1283 = phi_2395_;
-let _e1284 = (_e1283 < _e1274);
-if _e1284 {
-let _e1287 = ((f32(_e1283) + 0.5f) * _e1278);
+let _e1278 = phi_2395_;
+let _e1279 = (_e1278 < _e1269);
+if _e1279 {
+let _e1282 = ((f32(_e1278) + 0.5f) * _e1273);
 phi_2426_ = 0i;
 loop {
-let _e1295 = phi_2426_;
-let _e1296 = (_e1295 < _e1258);
-if _e1296 {
-let _e1299 = ((f32(_e1295) + 0.5f) * _e1276);
-let _e1314 = ((bitcast<f32>((bitcast<u32>((_e1147 + ((_e1165 - _e1147) * _e1287))) & 2147483647u)) * _e1276) + (bitcast<f32>((bitcast<u32>((_e1196 + ((_e1206 - _e1196) * _e1299))) & 2147483647u)) * _e1278));
-let _e1323 = ((bitcast<f32>((bitcast<u32>((_e1148 + ((_e1166 - _e1148) * _e1287))) & 2147483647u)) * _e1276) + (bitcast<f32>((bitcast<u32>((_e1197 + ((_e1207 - _e1197) * _e1299))) & 2147483647u)) * _e1278));
-let _e1325 = (_e1117.member.x + (_e1147 * _e1299));
-let _e1332 = (_e1117.member.y + (_e1148 * _e1299));
-let _e1348 = (_e1117.member_3.x + ((_e1125.member_3.x - _e1117.member_3.x) * _e1299));
-let _e1355 = ((_e1348 + (((_e1131.member_3.x + ((_e1138.member_3.x - _e1131.member_3.x) * _e1299)) - _e1348) * _e1287)) * _e1281);
-let _e1366 = (_e1117.member_3.y + ((_e1125.member_3.y - _e1117.member_3.y) * _e1299));
-let _e1373 = ((_e1366 + (((_e1131.member_3.y + ((_e1138.member_3.y - _e1131.member_3.y) * _e1299)) - _e1366) * _e1287)) * _e1281);
-let _e1384 = (_e1117.member_3.z + ((_e1125.member_3.z - _e1117.member_3.z) * _e1299));
-let _e1391 = ((_e1384 + (((_e1131.member_3.z + ((_e1138.member_3.z - _e1131.member_3.z) * _e1299)) - _e1384) * _e1287)) * _e1281);
-let _e1402 = (_e1117.member_2.x + ((_e1125.member_2.x - _e1117.member_2.x) * _e1299));
-let _e1419 = (_e1117.member_2.y + ((_e1125.member_2.y - _e1117.member_2.y) * _e1299));
-let _e1428 = bitcast<i32>(_e92);
-let _e1431 = select(9.765625e-4f, _e1314, (_e1314 > 9.765625e-4f));
-let _e1433 = select(4f, _e1431, (_e1431 < 4f));
-let _e1435 = select(9.765625e-4f, _e1323, (_e1323 > 9.765625e-4f));
-let _e1437 = select(4f, _e1435, (_e1435 < 4f));
-let _e1439 = ((_e1325 + (((_e1131.member.x + (_e1165 * _e1299)) - _e1325) * _e1287)) - (0.5f * _e1433));
-let _e1441 = ((_e1332 + (((_e1131.member.y + (_e1166 * _e1299)) - _e1332) * _e1287)) - (0.5f * _e1437));
-let _e1446 = (_e1439 + 0.5f);
-let _e1448 = select(0f, _e1446, (_e1446 > 0f));
-let _e1450 = select(65536f, _e1448, (_e1448 < 65536f));
-let _e1457 = select(0i, select(select(i32(_e1450), i32(-2147483648), (_e1450 < -2147483600f)), 2147483647i, (_e1450 > 2147483500f)), (_e1450 == _e1450));
-let _e1462 = (_e1439 + _e1433);
-let _e1463 = (_e1462 + 0.5f);
-let _e1465 = f32((_e1428 - 1i));
-let _e1467 = select(-1f, _e1463, (_e1463 > -1f));
-let _e1469 = select(_e1465, _e1467, (_e1467 < _e1465));
-let _e1476 = select(0i, select(select(i32(_e1469), i32(-2147483648), (_e1469 < -2147483600f)), 2147483647i, (_e1469 > 2147483500f)), (_e1469 == _e1469));
-let _e1481 = (_e1441 + _e1437);
-let _e1482 = (_e1481 + 0.5f);
-let _e1484 = f32((bitcast<i32>(_e79) - 1i));
-let _e1486 = select(-1f, _e1482, (_e1482 > -1f));
-let _e1488 = select(_e1484, _e1486, (_e1486 < _e1484));
-let _e1495 = select(0i, select(select(i32(_e1488), i32(-2147483648), (_e1488 < -2147483600f)), 2147483647i, (_e1488 > 2147483500f)), (_e1488 == _e1488));
-let _e1500 = (_e1441 + 0.5f);
-let _e1502 = select(0f, _e1500, (_e1500 > 0f));
-let _e1504 = select(65536f, _e1502, (_e1502 < 65536f));
-let _e1511 = select(0i, select(select(i32(_e1504), i32(-2147483648), (_e1504 < -2147483600f)), 2147483647i, (_e1504 > 2147483500f)), (_e1504 == _e1504));
-phi_2709_ = (_e1511 - select(0i, 1i, (_e1504 < f32(_e1511))));
+let _e1290 = phi_2426_;
+let _e1291 = (_e1290 < _e1253);
+if _e1291 {
+let _e1294 = ((f32(_e1290) + 0.5f) * _e1271);
+let _e1309 = ((bitcast<f32>((bitcast<u32>((_e1142 + ((_e1160 - _e1142) * _e1282))) & 2147483647u)) * _e1271) + (bitcast<f32>((bitcast<u32>((_e1191 + ((_e1201 - _e1191) * _e1294))) & 2147483647u)) * _e1273));
+let _e1318 = ((bitcast<f32>((bitcast<u32>((_e1143 + ((_e1161 - _e1143) * _e1282))) & 2147483647u)) * _e1271) + (bitcast<f32>((bitcast<u32>((_e1192 + ((_e1202 - _e1192) * _e1294))) & 2147483647u)) * _e1273));
+let _e1320 = (_e1112.member.x + (_e1142 * _e1294));
+let _e1327 = (_e1112.member.y + (_e1143 * _e1294));
+let _e1343 = (_e1112.member_3.x + ((_e1120.member_3.x - _e1112.member_3.x) * _e1294));
+let _e1350 = ((_e1343 + (((_e1126.member_3.x + ((_e1133.member_3.x - _e1126.member_3.x) * _e1294)) - _e1343) * _e1282)) * _e1276);
+let _e1361 = (_e1112.member_3.y + ((_e1120.member_3.y - _e1112.member_3.y) * _e1294));
+let _e1368 = ((_e1361 + (((_e1126.member_3.y + ((_e1133.member_3.y - _e1126.member_3.y) * _e1294)) - _e1361) * _e1282)) * _e1276);
+let _e1379 = (_e1112.member_3.z + ((_e1120.member_3.z - _e1112.member_3.z) * _e1294));
+let _e1386 = ((_e1379 + (((_e1126.member_3.z + ((_e1133.member_3.z - _e1126.member_3.z) * _e1294)) - _e1379) * _e1282)) * _e1276);
+let _e1397 = (_e1112.member_2.x + ((_e1120.member_2.x - _e1112.member_2.x) * _e1294));
+let _e1414 = (_e1112.member_2.y + ((_e1120.member_2.y - _e1112.member_2.y) * _e1294));
+let _e1423 = bitcast<i32>(_e92);
+let _e1426 = select(9.765625e-4f, _e1309, (_e1309 > 9.765625e-4f));
+let _e1428 = select(4f, _e1426, (_e1426 < 4f));
+let _e1430 = select(9.765625e-4f, _e1318, (_e1318 > 9.765625e-4f));
+let _e1432 = select(4f, _e1430, (_e1430 < 4f));
+let _e1434 = ((_e1320 + (((_e1126.member.x + (_e1160 * _e1294)) - _e1320) * _e1282)) - (0.5f * _e1428));
+let _e1436 = ((_e1327 + (((_e1126.member.y + (_e1161 * _e1294)) - _e1327) * _e1282)) - (0.5f * _e1432));
+let _e1441 = (_e1434 + 0.5f);
+let _e1443 = select(0f, _e1441, (_e1441 > 0f));
+let _e1445 = select(65536f, _e1443, (_e1443 < 65536f));
+let _e1452 = select(0i, select(select(i32(_e1445), i32(-2147483648), (_e1445 < -2147483600f)), 2147483647i, (_e1445 > 2147483500f)), (_e1445 == _e1445));
+let _e1457 = (_e1434 + _e1428);
+let _e1458 = (_e1457 + 0.5f);
+let _e1460 = f32((_e1423 - 1i));
+let _e1462 = select(-1f, _e1458, (_e1458 > -1f));
+let _e1464 = select(_e1460, _e1462, (_e1462 < _e1460));
+let _e1471 = select(0i, select(select(i32(_e1464), i32(-2147483648), (_e1464 < -2147483600f)), 2147483647i, (_e1464 > 2147483500f)), (_e1464 == _e1464));
+let _e1476 = (_e1436 + _e1432);
+let _e1477 = (_e1476 + 0.5f);
+let _e1479 = f32((bitcast<i32>(_e79) - 1i));
+let _e1481 = select(-1f, _e1477, (_e1477 > -1f));
+let _e1483 = select(_e1479, _e1481, (_e1481 < _e1479));
+let _e1490 = select(0i, select(select(i32(_e1483), i32(-2147483648), (_e1483 < -2147483600f)), 2147483647i, (_e1483 > 2147483500f)), (_e1483 == _e1483));
+let _e1495 = (_e1436 + 0.5f);
+let _e1497 = select(0f, _e1495, (_e1495 > 0f));
+let _e1499 = select(65536f, _e1497, (_e1497 < 65536f));
+let _e1506 = select(0i, select(select(i32(_e1499), i32(-2147483648), (_e1499 < -2147483600f)), 2147483647i, (_e1499 > 2147483500f)), (_e1499 == _e1499));
+phi_2709_ = (_e1506 - select(0i, 1i, (_e1499 < f32(_e1506))));
 loop {
-let _e1517 = phi_2709_;
-let _e1518 = (_e1517 <= (_e1495 - select(0i, 1i, (_e1488 < f32(_e1495)))));
-if _e1518 {
-let _e1519 = f32(_e1517);
-let _e1520 = (_e1519 - 0.5f);
-let _e1523 = (_e1519 + 0.5f);
-let _e1526 = (select(_e1523, _e1481, (_e1481 < _e1523)) - select(_e1520, _e1441, (_e1441 > _e1520)));
-phi_2741_ = (_e1457 - select(0i, 1i, (_e1450 < f32(_e1457))));
+let _e1512 = phi_2709_;
+let _e1513 = (_e1512 <= (_e1490 - select(0i, 1i, (_e1483 < f32(_e1490)))));
+if _e1513 {
+let _e1514 = f32(_e1512);
+let _e1515 = (_e1514 - 0.5f);
+let _e1518 = (_e1514 + 0.5f);
+let _e1521 = (select(_e1518, _e1476, (_e1476 < _e1518)) - select(_e1515, _e1436, (_e1436 > _e1515)));
+phi_2741_ = (_e1452 - select(0i, 1i, (_e1445 < f32(_e1452))));
 loop {
-let _e1531 = phi_2741_;
-let _e1532 = (_e1531 <= (_e1476 - select(0i, 1i, (_e1469 < f32(_e1476)))));
-if _e1532 {
-let _e1533 = f32(_e1531);
-let _e1534 = (_e1533 - 0.5f);
-let _e1537 = (_e1533 + 0.5f);
-let _e1540 = (select(_e1537, _e1462, (_e1462 < _e1537)) - select(_e1534, _e1439, (_e1439 > _e1534)));
-let _e1544 = ((select(0f, _e1540, (_e1540 > 0f)) / _e1433) * (select(0f, _e1526, (_e1526 > 0f)) / _e1437));
-if (_e1544 > 0f) {
-let _e1548 = (((_e1517 * _e1428) + _e1531) * 10i);
-let _e1551 = (((_e1355 * _e1544) * 16777216f) + 0.5f);
-let _e1553 = select(-1073741800f, _e1551, (_e1551 > -1073741800f));
-let _e1555 = select(1073741800f, _e1553, (_e1553 < 1073741800f));
-let _e1562 = select(0i, select(select(i32(_e1555), i32(-2147483648), (_e1555 < -2147483600f)), 2147483647i, (_e1555 > 2147483500f)), (_e1555 == _e1555));
-let _e1566 = (_e1562 - select(0i, 1i, (_e1555 < f32(_e1562))));
-if (_e1566 == 0i) {
+let _e1526 = phi_2741_;
+let _e1527 = (_e1526 <= (_e1471 - select(0i, 1i, (_e1464 < f32(_e1471)))));
+if _e1527 {
+let _e1528 = f32(_e1526);
+let _e1529 = (_e1528 - 0.5f);
+let _e1532 = (_e1528 + 0.5f);
+let _e1535 = (select(_e1532, _e1457, (_e1457 < _e1532)) - select(_e1529, _e1434, (_e1434 > _e1529)));
+let _e1539 = ((select(0f, _e1535, (_e1535 > 0f)) / _e1428) * (select(0f, _e1521, (_e1521 > 0f)) / _e1432));
+if (_e1539 > 0f) {
+let _e1543 = (((_e1512 * _e1423) + _e1526) * 10i);
+let _e1546 = (((_e1350 * _e1539) * 16777216f) + 0.5f);
+let _e1548 = select(-1073741800f, _e1546, (_e1546 > -1073741800f));
+let _e1550 = select(1073741800f, _e1548, (_e1548 < 1073741800f));
+let _e1557 = select(0i, select(select(i32(_e1550), i32(-2147483648), (_e1550 < -2147483600f)), 2147483647i, (_e1550 > 2147483500f)), (_e1550 == _e1550));
+let _e1561 = (_e1557 - select(0i, 1i, (_e1550 < f32(_e1557))));
+let _e1562 = bitcast<u32>(_e1561);
+let _e1565 = bitcast<u32>((_e1561 >> bitcast<u32>(31i)));
+if ((_e1562 | _e1565) == 0u) {
 } else {
-let _e1568 = bitcast<u32>(_e1566);
-let _e1569 = bitcast<u32>(_e1548);
-if (_e1569 < _e62) {
-let _e1573 = atomicAdd((&global_4.member[_e1569]), _e1568);
-phi_2822_ = _e1573;
+let _e1568 = bitcast<u32>(_e1543);
+if (_e1568 < _e62) {
+let _e1572 = atomicAdd((&global_4.member[_e1568]), _e1562);
+phi_2825_ = _e1572;
 } else {
-phi_2822_ = 0u;
+phi_2825_ = 0u;
 }
-let _e1575 = phi_2822_;
-let _e1582 = (bitcast<u32>((_e1566 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1575 + _e1568) < _e1568)));
-if (_e1582 == 0u) {
+let _e1574 = phi_2825_;
+let _e1578 = (_e1565 + select(0u, 1u, ((_e1574 + _e1562) < _e1562)));
+if (_e1578 == 0u) {
 } else {
-let _e1584 = (_e1569 + 1u);
-if (_e1584 < _e62) {
-let _e1588 = atomicAdd((&global_4.member[_e1584]), _e1582);
+let _e1580 = (_e1568 + 1u);
+if (_e1580 < _e62) {
+let _e1584 = atomicAdd((&global_4.member[_e1580]), _e1578);
 }
 }
 }
-let _e1592 = (((_e1373 * _e1544) * 16777216f) + 0.5f);
-let _e1594 = select(-1073741800f, _e1592, (_e1592 > -1073741800f));
-let _e1596 = select(1073741800f, _e1594, (_e1594 < 1073741800f));
-let _e1603 = select(0i, select(select(i32(_e1596), i32(-2147483648), (_e1596 < -2147483600f)), 2147483647i, (_e1596 > 2147483500f)), (_e1596 == _e1596));
-let _e1607 = (_e1603 - select(0i, 1i, (_e1596 < f32(_e1603))));
-if (_e1607 == 0i) {
+let _e1588 = (((_e1368 * _e1539) * 16777216f) + 0.5f);
+let _e1590 = select(-1073741800f, _e1588, (_e1588 > -1073741800f));
+let _e1592 = select(1073741800f, _e1590, (_e1590 < 1073741800f));
+let _e1599 = select(0i, select(select(i32(_e1592), i32(-2147483648), (_e1592 < -2147483600f)), 2147483647i, (_e1592 > 2147483500f)), (_e1592 == _e1592));
+let _e1603 = (_e1599 - select(0i, 1i, (_e1592 < f32(_e1599))));
+let _e1604 = bitcast<u32>(_e1603);
+let _e1607 = bitcast<u32>((_e1603 >> bitcast<u32>(31i)));
+if ((_e1604 | _e1607) == 0u) {
 } else {
-let _e1609 = bitcast<u32>(_e1607);
-let _e1610 = bitcast<u32>((_e1548 + 2i));
+let _e1610 = bitcast<u32>((_e1543 + 2i));
 if (_e1610 < _e62) {
-let _e1614 = atomicAdd((&global_4.member[_e1610]), _e1609);
-phi_2883_ = _e1614;
+let _e1614 = atomicAdd((&global_4.member[_e1610]), _e1604);
+phi_2886_ = _e1614;
 } else {
-phi_2883_ = 0u;
+phi_2886_ = 0u;
 }
-let _e1616 = phi_2883_;
-let _e1623 = (bitcast<u32>((_e1607 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1616 + _e1609) < _e1609)));
-if (_e1623 == 0u) {
+let _e1616 = phi_2886_;
+let _e1620 = (_e1607 + select(0u, 1u, ((_e1616 + _e1604) < _e1604)));
+if (_e1620 == 0u) {
 } else {
-let _e1625 = (_e1610 + 1u);
-if (_e1625 < _e62) {
-let _e1629 = atomicAdd((&global_4.member[_e1625]), _e1623);
+let _e1622 = (_e1610 + 1u);
+if (_e1622 < _e62) {
+let _e1626 = atomicAdd((&global_4.member[_e1622]), _e1620);
 }
 }
 }
-let _e1633 = (((_e1391 * _e1544) * 16777216f) + 0.5f);
-let _e1635 = select(-1073741800f, _e1633, (_e1633 > -1073741800f));
-let _e1637 = select(1073741800f, _e1635, (_e1635 < 1073741800f));
-let _e1644 = select(0i, select(select(i32(_e1637), i32(-2147483648), (_e1637 < -2147483600f)), 2147483647i, (_e1637 > 2147483500f)), (_e1637 == _e1637));
-let _e1648 = (_e1644 - select(0i, 1i, (_e1637 < f32(_e1644))));
-if (_e1648 == 0i) {
+let _e1630 = (((_e1386 * _e1539) * 16777216f) + 0.5f);
+let _e1632 = select(-1073741800f, _e1630, (_e1630 > -1073741800f));
+let _e1634 = select(1073741800f, _e1632, (_e1632 < 1073741800f));
+let _e1641 = select(0i, select(select(i32(_e1634), i32(-2147483648), (_e1634 < -2147483600f)), 2147483647i, (_e1634 > 2147483500f)), (_e1634 == _e1634));
+let _e1645 = (_e1641 - select(0i, 1i, (_e1634 < f32(_e1641))));
+let _e1646 = bitcast<u32>(_e1645);
+let _e1649 = bitcast<u32>((_e1645 >> bitcast<u32>(31i)));
+if ((_e1646 | _e1649) == 0u) {
 } else {
-let _e1650 = bitcast<u32>(_e1648);
-let _e1651 = bitcast<u32>((_e1548 + 4i));
-if (_e1651 < _e62) {
-let _e1655 = atomicAdd((&global_4.member[_e1651]), _e1650);
-phi_2944_ = _e1655;
+let _e1652 = bitcast<u32>((_e1543 + 4i));
+if (_e1652 < _e62) {
+let _e1656 = atomicAdd((&global_4.member[_e1652]), _e1646);
+phi_2947_ = _e1656;
 } else {
-phi_2944_ = 0u;
+phi_2947_ = 0u;
 }
-let _e1657 = phi_2944_;
-let _e1664 = (bitcast<u32>((_e1648 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1657 + _e1650) < _e1650)));
-if (_e1664 == 0u) {
+let _e1658 = phi_2947_;
+let _e1662 = (_e1649 + select(0u, 1u, ((_e1658 + _e1646) < _e1646)));
+if (_e1662 == 0u) {
 } else {
-let _e1666 = (_e1651 + 1u);
-if (_e1666 < _e62) {
-let _e1670 = atomicAdd((&global_4.member[_e1666]), _e1664);
+let _e1664 = (_e1652 + 1u);
+if (_e1664 < _e62) {
+let _e1668 = atomicAdd((&global_4.member[_e1664]), _e1662);
 }
 }
 }
-let _e1672 = ((((_e1355 + _e1373) + _e1391) * (1f / 3f)) * _e1544);
-let _e1675 = (((_e1672 * ((_e1402 + (((_e1131.member_2.x + ((_e1138.member_2.x - _e1131.member_2.x) * _e1299)) - _e1402) * _e1287)) - _e757)) * 8388608f) + 0.5f);
-let _e1677 = select(-1073741800f, _e1675, (_e1675 > -1073741800f));
-let _e1679 = select(1073741800f, _e1677, (_e1677 < 1073741800f));
-let _e1686 = select(0i, select(select(i32(_e1679), i32(-2147483648), (_e1679 < -2147483600f)), 2147483647i, (_e1679 > 2147483500f)), (_e1679 == _e1679));
-let _e1690 = (_e1686 - select(0i, 1i, (_e1679 < f32(_e1686))));
-if (_e1690 == 0i) {
+let _e1670 = ((((_e1350 + _e1368) + _e1386) * (1f / 3f)) * _e1539);
+let _e1673 = (((_e1670 * ((_e1397 + (((_e1126.member_2.x + ((_e1133.member_2.x - _e1126.member_2.x) * _e1294)) - _e1397) * _e1282)) - _e757)) * 8388608f) + 0.5f);
+let _e1675 = select(-1073741800f, _e1673, (_e1673 > -1073741800f));
+let _e1677 = select(1073741800f, _e1675, (_e1675 < 1073741800f));
+let _e1684 = select(0i, select(select(i32(_e1677), i32(-2147483648), (_e1677 < -2147483600f)), 2147483647i, (_e1677 > 2147483500f)), (_e1677 == _e1677));
+let _e1688 = (_e1684 - select(0i, 1i, (_e1677 < f32(_e1684))));
+let _e1689 = bitcast<u32>(_e1688);
+let _e1692 = bitcast<u32>((_e1688 >> bitcast<u32>(31i)));
+if ((_e1689 | _e1692) == 0u) {
 } else {
-let _e1692 = bitcast<u32>(_e1690);
-let _e1693 = bitcast<u32>((_e1548 + 6i));
-if (_e1693 < _e62) {
-let _e1697 = atomicAdd((&global_4.member[_e1693]), _e1692);
-phi_3005_ = _e1697;
+let _e1695 = bitcast<u32>((_e1543 + 6i));
+if (_e1695 < _e62) {
+let _e1699 = atomicAdd((&global_4.member[_e1695]), _e1689);
+phi_3008_ = _e1699;
 } else {
-phi_3005_ = 0u;
+phi_3008_ = 0u;
 }
-let _e1699 = phi_3005_;
-let _e1706 = (bitcast<u32>((_e1690 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1699 + _e1692) < _e1692)));
-if (_e1706 == 0u) {
+let _e1701 = phi_3008_;
+let _e1705 = (_e1692 + select(0u, 1u, ((_e1701 + _e1689) < _e1689)));
+if (_e1705 == 0u) {
 } else {
-let _e1708 = (_e1693 + 1u);
-if (_e1708 < _e62) {
-let _e1712 = atomicAdd((&global_4.member[_e1708]), _e1706);
+let _e1707 = (_e1695 + 1u);
+if (_e1707 < _e62) {
+let _e1711 = atomicAdd((&global_4.member[_e1707]), _e1705);
 }
 }
 }
-let _e1716 = (((_e1672 * ((_e1419 + (((_e1131.member_2.y + ((_e1138.member_2.y - _e1131.member_2.y) * _e1299)) - _e1419) * _e1287)) - _e758)) * 8388608f) + 0.5f);
-let _e1718 = select(-1073741800f, _e1716, (_e1716 > -1073741800f));
-let _e1720 = select(1073741800f, _e1718, (_e1718 < 1073741800f));
-let _e1727 = select(0i, select(select(i32(_e1720), i32(-2147483648), (_e1720 < -2147483600f)), 2147483647i, (_e1720 > 2147483500f)), (_e1720 == _e1720));
-let _e1731 = (_e1727 - select(0i, 1i, (_e1720 < f32(_e1727))));
-if (_e1731 == 0i) {
+let _e1715 = (((_e1670 * ((_e1414 + (((_e1126.member_2.y + ((_e1133.member_2.y - _e1126.member_2.y) * _e1294)) - _e1414) * _e1282)) - _e758)) * 8388608f) + 0.5f);
+let _e1717 = select(-1073741800f, _e1715, (_e1715 > -1073741800f));
+let _e1719 = select(1073741800f, _e1717, (_e1717 < 1073741800f));
+let _e1726 = select(0i, select(select(i32(_e1719), i32(-2147483648), (_e1719 < -2147483600f)), 2147483647i, (_e1719 > 2147483500f)), (_e1719 == _e1719));
+let _e1730 = (_e1726 - select(0i, 1i, (_e1719 < f32(_e1726))));
+let _e1731 = bitcast<u32>(_e1730);
+let _e1734 = bitcast<u32>((_e1730 >> bitcast<u32>(31i)));
+if ((_e1731 | _e1734) == 0u) {
 } else {
-let _e1733 = bitcast<u32>(_e1731);
-let _e1734 = bitcast<u32>((_e1548 + 8i));
-if (_e1734 < _e62) {
-let _e1738 = atomicAdd((&global_4.member[_e1734]), _e1733);
-phi_3067_ = _e1738;
+let _e1737 = bitcast<u32>((_e1543 + 8i));
+if (_e1737 < _e62) {
+let _e1741 = atomicAdd((&global_4.member[_e1737]), _e1731);
+phi_3070_ = _e1741;
 } else {
-phi_3067_ = 0u;
+phi_3070_ = 0u;
 }
-let _e1740 = phi_3067_;
-let _e1747 = (bitcast<u32>((_e1731 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e1740 + _e1733) < _e1733)));
+let _e1743 = phi_3070_;
+let _e1747 = (_e1734 + select(0u, 1u, ((_e1743 + _e1731) < _e1731)));
 if (_e1747 == 0u) {
 } else {
-let _e1749 = (_e1734 + 1u);
+let _e1749 = (_e1737 + 1u);
 if (_e1749 < _e62) {
 let _e1753 = atomicAdd((&global_4.member[_e1749]), _e1747);
 }
 }
 }
 }
-phi_2742_ = (_e1531 + 1i);
+phi_2742_ = (_e1526 + 1i);
 } else {
 phi_2742_ = i32();
 }
@@ -1032,10 +1038,10 @@ let _e1756 = phi_2742_;
 continue;
 continuing {
 phi_2741_ = _e1756;
-break if !(_e1532);
+break if !(_e1527);
 }
 }
-phi_2710_ = (_e1517 + 1i);
+phi_2710_ = (_e1512 + 1i);
 } else {
 phi_2710_ = i32();
 }
@@ -1043,10 +1049,10 @@ let _e1760 = phi_2710_;
 continue;
 continuing {
 phi_2709_ = _e1760;
-break if !(_e1518);
+break if !(_e1513);
 }
 }
-phi_2427_ = (_e1295 + 1i);
+phi_2427_ = (_e1290 + 1i);
 } else {
 phi_2427_ = i32();
 }
@@ -1054,10 +1060,10 @@ let _e1764 = phi_2427_;
 continue;
 continuing {
 phi_2426_ = _e1764;
-break if !(_e1296);
+break if !(_e1291);
 }
 }
-phi_2396_ = (_e1283 + 1i);
+phi_2396_ = (_e1278 + 1i);
 } else {
 phi_2396_ = i32();
 }
@@ -1065,7 +1071,7 @@ let _e1768 = phi_2396_;
 continue;
 continuing {
 phi_2395_ = _e1768;
-break if !(_e1284);
+break if !(_e1279);
 }
 }
 }

@@ -255,12 +255,12 @@ var phi_26001_: i32;
 var phi_26016_: i32;
 var phi_26136_: i32;
 var phi_26374_: i32;
-var phi_26902_: u32;
-var phi_26959_: u32;
-var phi_27016_: u32;
-var phi_27074_: u32;
-var phi_27131_: u32;
-var phi_27188_: u32;
+var phi_26905_: u32;
+var phi_26962_: u32;
+var phi_27019_: u32;
+var phi_27077_: u32;
+var phi_27134_: u32;
+var phi_27191_: u32;
 var phi_26375_: i32;
 var phi_26137_: i32;
 var phi_26002_: i32;
@@ -268,12 +268,12 @@ var phi_21027_: i32;
 var phi_21042_: i32;
 var phi_21044_: i32;
 var phi_21171_: i32;
-var phi_21699_: u32;
-var phi_21756_: u32;
-var phi_21813_: u32;
-var phi_21871_: u32;
-var phi_21928_: u32;
-var phi_21985_: u32;
+var phi_21702_: u32;
+var phi_21759_: u32;
+var phi_21816_: u32;
+var phi_21874_: u32;
+var phi_21931_: u32;
+var phi_21988_: u32;
 var phi_21172_: i32;
 var phi_21045_: i32;
 var phi_21028_: i32;
@@ -281,12 +281,12 @@ var phi_16049_: i32;
 var phi_16064_: i32;
 var phi_16066_: i32;
 var phi_16193_: i32;
-var phi_16721_: u32;
-var phi_16778_: u32;
-var phi_16835_: u32;
-var phi_16893_: u32;
-var phi_16950_: u32;
-var phi_17007_: u32;
+var phi_16724_: u32;
+var phi_16781_: u32;
+var phi_16838_: u32;
+var phi_16896_: u32;
+var phi_16953_: u32;
+var phi_17010_: u32;
 var phi_16194_: i32;
 var phi_16067_: i32;
 var phi_16050_: i32;
@@ -295,12 +295,12 @@ var phi_11050_: i32;
 var phi_11065_: i32;
 var phi_11185_: i32;
 var phi_11215_: i32;
-var phi_11743_: u32;
-var phi_11800_: u32;
-var phi_11857_: u32;
-var phi_11915_: u32;
-var phi_11972_: u32;
-var phi_12029_: u32;
+var phi_11746_: u32;
+var phi_11803_: u32;
+var phi_11860_: u32;
+var phi_11918_: u32;
+var phi_11975_: u32;
+var phi_12032_: u32;
 var phi_11216_: i32;
 var phi_11186_: i32;
 var phi_11051_: i32;
@@ -308,12 +308,12 @@ var phi_6169_: i32;
 var phi_6184_: i32;
 var phi_6186_: i32;
 var phi_6216_: i32;
-var phi_6744_: u32;
-var phi_6801_: u32;
-var phi_6858_: u32;
-var phi_6916_: u32;
-var phi_6973_: u32;
-var phi_7030_: u32;
+var phi_6747_: u32;
+var phi_6804_: u32;
+var phi_6861_: u32;
+var phi_6919_: u32;
+var phi_6976_: u32;
+var phi_7033_: u32;
 var phi_6217_: i32;
 var phi_6187_: i32;
 var phi_6170_: i32;
@@ -769,3245 +769,3269 @@ phi_2170_ = _e950;
 }
 let _e952 = phi_2170_;
 if (_e952 == 0u) {
-let _e7000 = (_e926.member_1.member_6 & 31u);
-let _e7002 = (_e926.member_1.member_3.x << bitcast<u32>(_e7000));
-let _e7005 = (_e926.member_1.member_7 & 31u);
-let _e7009 = ((1i << bitcast<u32>(_e7005)) >> bitcast<u32>(1i));
-let _e7015 = bitcast<i32>(_e926.member_1.member_6);
-let _e7021 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e7015))) << bitcast<u32>(23i)));
-let _e7022 = (f32((((_e926.member_1.member.x - _e7002) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7027 = (_e926.member_1.member_3.y << bitcast<u32>(_e7000));
-let _e7033 = (f32((((_e926.member_1.member.y - _e7027) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7038 = (_e926.member_1.member_3.z << bitcast<u32>(_e7000));
-let _e7044 = (f32((((_e926.member_1.member.z - _e7038) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7052 = (f32((((_e926.member_1.member_1.x - _e7002) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7059 = (f32((((_e926.member_1.member_1.y - _e7027) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7066 = (f32((((_e926.member_1.member_1.z - _e7038) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7074 = (f32((((_e926.member_1.member_2.x - _e7002) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7081 = (f32((((_e926.member_1.member_2.y - _e7027) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7088 = (f32((((_e926.member_1.member_2.z - _e7038) + _e7009) >> bitcast<u32>(_e7005))) * _e7021);
-let _e7096 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e7015)) << bitcast<u32>(23i))));
-let _e7097 = (_e7052 - _e7022);
-let _e7098 = (_e7059 - _e7033);
-let _e7099 = (_e7066 - _e7044);
-let _e7100 = (_e7074 - _e7052);
-let _e7101 = (_e7081 - _e7059);
-let _e7102 = (_e7088 - _e7066);
-let _e7105 = ((_e7098 * _e7102) - (_e7099 * _e7101));
-let _e7112 = (1f + _e7096);
-let _e7115 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
-if _e7115 {
-let _e7209 = select(1f, -1f, (_e7105 < 0f));
-let _e7214 = ((_e7044 - _e7066) * _e7209);
-let _e7215 = ((_e7066 - _e7088) * _e7209);
-let _e7216 = ((_e7088 - _e7044) * _e7209);
-let _e7217 = ((0f - 0f) * _e7209);
-let _e7219 = (_e7098 * _e7209);
-let _e7220 = (_e7101 * _e7209);
-let _e7221 = ((_e7033 - _e7081) * _e7209);
-if (select(0u, 1u, ((_e7214 * _e7112) > -((_e7214 * _e7096)))) < 2u) {
+let _e7024 = (_e926.member_1.member_6 & 31u);
+let _e7026 = (_e926.member_1.member_3.x << bitcast<u32>(_e7024));
+let _e7029 = (_e926.member_1.member_7 & 31u);
+let _e7033 = ((1i << bitcast<u32>(_e7029)) >> bitcast<u32>(1i));
+let _e7039 = bitcast<i32>(_e926.member_1.member_6);
+let _e7045 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e7039))) << bitcast<u32>(23i)));
+let _e7046 = (f32((((_e926.member_1.member.x - _e7026) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7051 = (_e926.member_1.member_3.y << bitcast<u32>(_e7024));
+let _e7057 = (f32((((_e926.member_1.member.y - _e7051) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7062 = (_e926.member_1.member_3.z << bitcast<u32>(_e7024));
+let _e7068 = (f32((((_e926.member_1.member.z - _e7062) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7076 = (f32((((_e926.member_1.member_1.x - _e7026) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7083 = (f32((((_e926.member_1.member_1.y - _e7051) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7090 = (f32((((_e926.member_1.member_1.z - _e7062) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7098 = (f32((((_e926.member_1.member_2.x - _e7026) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7105 = (f32((((_e926.member_1.member_2.y - _e7051) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7112 = (f32((((_e926.member_1.member_2.z - _e7062) + _e7033) >> bitcast<u32>(_e7029))) * _e7045);
+let _e7120 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e7039)) << bitcast<u32>(23i))));
+let _e7121 = (_e7076 - _e7046);
+let _e7122 = (_e7083 - _e7057);
+let _e7123 = (_e7090 - _e7068);
+let _e7124 = (_e7098 - _e7076);
+let _e7125 = (_e7105 - _e7083);
+let _e7126 = (_e7112 - _e7090);
+let _e7129 = ((_e7122 * _e7126) - (_e7123 * _e7125));
+let _e7136 = (1f + _e7120);
+let _e7139 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e7139 {
+let _e7233 = select(1f, -1f, (_e7129 < 0f));
+let _e7238 = ((_e7068 - _e7090) * _e7233);
+let _e7239 = ((_e7090 - _e7112) * _e7233);
+let _e7240 = ((_e7112 - _e7068) * _e7233);
+let _e7241 = ((0f - 0f) * _e7233);
+let _e7243 = (_e7122 * _e7233);
+let _e7244 = (_e7125 * _e7233);
+let _e7245 = ((_e7057 - _e7105) * _e7233);
+if (select(0u, 1u, ((_e7238 * _e7136) > -((_e7238 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7215 * _e7112) > -((_e7215 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7239 * _e7136) > -((_e7239 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7216 * _e7112) > -((_e7216 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7240 * _e7136) > -((_e7240 * _e7120)))) < 2u) {
 } else {
 break;
 }
-let _e7245 = (select(0u, 1u, ((_e7217 * _e7112) > -((_e7217 * _e7096)))) < 2u);
-if _e7245 {
+let _e7269 = (select(0u, 1u, ((_e7241 * _e7136) > -((_e7241 * _e7120)))) < 2u);
+if _e7269 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7219 * _e7112) > -((_e7219 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7243 * _e7136) > -((_e7243 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7220 * _e7112) > -((_e7220 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7244 * _e7136) > -((_e7244 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7221 * _e7112) > -((_e7221 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7245 * _e7136) > -((_e7245 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if _e7245 {
+if _e7269 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7214 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7238 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7215 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7239 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7216 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7240 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7217 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7241 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7214 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7238 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7215 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7239 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7216 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7240 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7217 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7241 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7214 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7238 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7215 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7239 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7216 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7240 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7217 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7241 < 0f)) < 2u) {
 } else {
 break;
 }
 } else {
-let _e7117 = select(1f, -1f, (-(_e7105) < 0f));
-let _e7122 = ((_e7033 - _e7059) * _e7117);
-let _e7123 = ((_e7059 - _e7081) * _e7117);
-let _e7124 = ((_e7081 - _e7033) * _e7117);
-let _e7125 = ((0f - 0f) * _e7117);
-let _e7127 = (_e7099 * _e7117);
-let _e7128 = (_e7102 * _e7117);
-let _e7129 = ((_e7044 - _e7088) * _e7117);
-if (select(0u, 1u, ((_e7122 * _e7112) > -((_e7122 * _e7096)))) < 2u) {
+let _e7141 = select(1f, -1f, (-(_e7129) < 0f));
+let _e7146 = ((_e7057 - _e7083) * _e7141);
+let _e7147 = ((_e7083 - _e7105) * _e7141);
+let _e7148 = ((_e7105 - _e7057) * _e7141);
+let _e7149 = ((0f - 0f) * _e7141);
+let _e7151 = (_e7123 * _e7141);
+let _e7152 = (_e7126 * _e7141);
+let _e7153 = ((_e7068 - _e7112) * _e7141);
+if (select(0u, 1u, ((_e7146 * _e7136) > -((_e7146 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7123 * _e7112) > -((_e7123 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7147 * _e7136) > -((_e7147 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7124 * _e7112) > -((_e7124 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7148 * _e7136) > -((_e7148 * _e7120)))) < 2u) {
 } else {
 break;
 }
-let _e7153 = (select(0u, 1u, ((_e7125 * _e7112) > -((_e7125 * _e7096)))) < 2u);
-if _e7153 {
+let _e7177 = (select(0u, 1u, ((_e7149 * _e7136) > -((_e7149 * _e7120)))) < 2u);
+if _e7177 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7127 * _e7112) > -((_e7127 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7151 * _e7136) > -((_e7151 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7128 * _e7112) > -((_e7128 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7152 * _e7136) > -((_e7152 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7129 * _e7112) > -((_e7129 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7153 * _e7136) > -((_e7153 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if _e7153 {
+if _e7177 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7122 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7146 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7123 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7147 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7124 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7148 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7125 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7149 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7122 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7146 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7123 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7147 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7124 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7148 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7125 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7149 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7122 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7146 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7123 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7147 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7124 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7148 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7125 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7149 < 0f)) < 2u) {
 } else {
 break;
 }
 }
-let _e7302 = select(1f, -1f, (((_e7097 * _e7101) - (_e7098 * _e7100)) < 0f));
-let _e7305 = (_e7081 - _e7033);
-let _e7306 = (0f - 0f);
-let _e7307 = ((_e7033 - _e7059) * _e7302);
-let _e7308 = ((_e7059 - _e7081) * _e7302);
-let _e7309 = (_e7305 * _e7302);
-let _e7310 = (_e7306 * _e7302);
-let _e7311 = (_e7022 - _e7074);
-let _e7312 = (_e7097 * _e7302);
-let _e7313 = (_e7100 * _e7302);
-let _e7314 = (_e7311 * _e7302);
-if (select(0u, 1u, ((_e7307 * _e7112) > -((_e7307 * _e7096)))) < 2u) {
+let _e7326 = select(1f, -1f, (((_e7121 * _e7125) - (_e7122 * _e7124)) < 0f));
+let _e7329 = (_e7105 - _e7057);
+let _e7330 = (0f - 0f);
+let _e7331 = ((_e7057 - _e7083) * _e7326);
+let _e7332 = ((_e7083 - _e7105) * _e7326);
+let _e7333 = (_e7329 * _e7326);
+let _e7334 = (_e7330 * _e7326);
+let _e7335 = (_e7046 - _e7098);
+let _e7336 = (_e7121 * _e7326);
+let _e7337 = (_e7124 * _e7326);
+let _e7338 = (_e7335 * _e7326);
+if (select(0u, 1u, ((_e7331 * _e7136) > -((_e7331 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7308 * _e7112) > -((_e7308 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7332 * _e7136) > -((_e7332 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7309 * _e7112) > -((_e7309 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7333 * _e7136) > -((_e7333 * _e7120)))) < 2u) {
 } else {
 break;
 }
-let _e7338 = (select(0u, 1u, ((_e7310 * _e7112) > -((_e7310 * _e7096)))) < 2u);
-if _e7338 {
+let _e7362 = (select(0u, 1u, ((_e7334 * _e7136) > -((_e7334 * _e7120)))) < 2u);
+if _e7362 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7312 * _e7112) > -((_e7312 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7336 * _e7136) > -((_e7336 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7313 * _e7112) > -((_e7313 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7337 * _e7136) > -((_e7337 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7314 * _e7112) > -((_e7314 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7338 * _e7136) > -((_e7338 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if _e7338 {
+if _e7362 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7307 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7331 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7308 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7332 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7309 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7333 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7310 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7334 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7307 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7331 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7308 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7332 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7309 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7333 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7310 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7334 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7307 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7331 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7308 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7332 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7309 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7333 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7310 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7334 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e7394 = select(1f, -1f, (-(((_e7099 * _e7100) - (_e7097 * _e7102))) < 0f));
-let _e7397 = (_e7088 - _e7044);
-let _e7398 = ((_e7044 - _e7066) * _e7394);
-let _e7399 = ((_e7066 - _e7088) * _e7394);
-let _e7400 = (_e7397 * _e7394);
-let _e7401 = (_e7306 * _e7394);
-let _e7402 = (_e7097 * _e7394);
-let _e7403 = (_e7100 * _e7394);
-let _e7404 = (_e7311 * _e7394);
-if (select(0u, 1u, ((_e7398 * _e7112) > -((_e7398 * _e7096)))) < 2u) {
+let _e7418 = select(1f, -1f, (-(((_e7123 * _e7124) - (_e7121 * _e7126))) < 0f));
+let _e7421 = (_e7112 - _e7068);
+let _e7422 = ((_e7068 - _e7090) * _e7418);
+let _e7423 = ((_e7090 - _e7112) * _e7418);
+let _e7424 = (_e7421 * _e7418);
+let _e7425 = (_e7330 * _e7418);
+let _e7426 = (_e7121 * _e7418);
+let _e7427 = (_e7124 * _e7418);
+let _e7428 = (_e7335 * _e7418);
+if (select(0u, 1u, ((_e7422 * _e7136) > -((_e7422 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7399 * _e7112) > -((_e7399 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7423 * _e7136) > -((_e7423 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7400 * _e7112) > -((_e7400 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7424 * _e7136) > -((_e7424 * _e7120)))) < 2u) {
 } else {
 break;
 }
-let _e7428 = (select(0u, 1u, ((_e7401 * _e7112) > -((_e7401 * _e7096)))) < 2u);
-if _e7428 {
+let _e7452 = (select(0u, 1u, ((_e7425 * _e7136) > -((_e7425 * _e7120)))) < 2u);
+if _e7452 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7402 * _e7112) > -((_e7402 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7426 * _e7136) > -((_e7426 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7403 * _e7112) > -((_e7403 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7427 * _e7136) > -((_e7427 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e7404 * _e7112) > -((_e7404 * _e7096)))) < 2u) {
+if (select(0u, 1u, ((_e7428 * _e7136) > -((_e7428 * _e7120)))) < 2u) {
 } else {
 break;
 }
-if _e7428 {
+if _e7452 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7398 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7422 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7399 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7423 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7400 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7424 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7401 == 0f)) < 2u) {
+if (select(0u, 1u, (_e7425 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7398 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7422 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7399 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7423 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7400 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7424 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7401 > 0f)) < 2u) {
+if (select(0u, 1u, (_e7425 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7398 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7422 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7399 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7423 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7400 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7424 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e7401 < 0f)) < 2u) {
+if (select(0u, 1u, (_e7425 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e7483 = (_e7074 - _e7022);
-let _e7485 = (_e926.member.member * 19i);
-let _e7486 = (_e7485 + 18i);
-let _e7488 = (bitcast<i32>(_e214) - 1i);
-let _e7490 = select(_e7488, _e7486, (_e7486 < _e7488));
-let _e7496 = global_4.member[bitcast<u32>(select(0i, _e7490, (_e7490 > 0i)))];
-let _e7498 = select(0f, _e7496, (_e7496 > 0f));
-let _e7500 = select(16777216f, _e7498, (_e7498 < 16777216f));
-let _e7507 = select(0i, select(select(i32(_e7500), i32(-2147483648), (_e7500 < -2147483600f)), 2147483647i, (_e7500 > 2147483500f)), (_e7500 == _e7500));
+let _e7507 = (_e7098 - _e7046);
+let _e7509 = (_e926.member.member * 19i);
+let _e7510 = (_e7509 + 18i);
+let _e7512 = (bitcast<i32>(_e214) - 1i);
+let _e7514 = select(_e7512, _e7510, (_e7510 < _e7512));
+let _e7520 = global_4.member[bitcast<u32>(select(0i, _e7514, (_e7514 > 0i)))];
+let _e7522 = select(0f, _e7520, (_e7520 > 0f));
+let _e7524 = select(16777216f, _e7522, (_e7522 < 16777216f));
+let _e7531 = select(0i, select(select(i32(_e7524), i32(-2147483648), (_e7524 < -2147483600f)), 2147483647i, (_e7524 > 2147483500f)), (_e7524 == _e7524));
 phi_6169_ = _e926.member.member_1;
 loop {
-let _e7514 = phi_6169_;
-let _e7515 = (_e7514 < _e926.member.member_2);
-if _e7515 {
-if _e7115 {
+let _e7538 = phi_6169_;
+let _e7539 = (_e7538 < _e926.member.member_2);
+if _e7539 {
+if _e7139 {
 phi_6184_ = _e926.member_1.member_4.y;
 } else {
 phi_6184_ = _e926.member_1.member_4.z;
 }
-let _e7519 = phi_6184_;
+let _e7543 = phi_6184_;
 phi_6186_ = 0i;
 loop {
-let _e7521 = phi_6186_;
-let _e7522 = (_e7521 <= _e7519);
-if _e7522 {
-let _e7523 = select(_e7521, _e7514, _e7115);
-let _e7524 = select(_e7514, _e7521, _e7115);
-let _e7530 = global_1.member.member_2.member_1;
-let _e7537 = global_1.member.member_3;
+let _e7545 = phi_6186_;
+let _e7546 = (_e7545 <= _e7543);
+if _e7546 {
+let _e7547 = select(_e7545, _e7538, _e7139);
+let _e7548 = select(_e7538, _e7545, _e7139);
+let _e7554 = global_1.member.member_2.member_1;
+let _e7561 = global_1.member.member_3;
 phi_6216_ = 0i;
 loop {
-let _e7541 = phi_6216_;
-let _e7542 = (_e7541 <= _e926.member_1.member_4.x);
-if _e7542 {
-let _e7549 = ((f32(_e7541) + 0.5f) - _e7022);
-let _e7550 = ((f32(_e7524) + 0.5f) - _e7033);
-let _e7551 = ((f32(_e7523) + 0.5f) - _e7044);
-let _e7556 = (((_e7097 * _e7097) + (_e7098 * _e7098)) + (_e7099 * _e7099));
-let _e7561 = (((_e7097 * _e7483) + (_e7098 * _e7305)) + (_e7099 * _e7397));
-let _e7566 = (((_e7483 * _e7483) + (_e7305 * _e7305)) + (_e7397 * _e7397));
-let _e7571 = (((_e7549 * _e7097) + (_e7550 * _e7098)) + (_e7551 * _e7099));
-let _e7576 = (((_e7549 * _e7483) + (_e7550 * _e7305)) + (_e7551 * _e7397));
-let _e7579 = ((_e7556 * _e7566) - (_e7561 * _e7561));
-let _e7580 = (_e7579 > 0f);
-let _e7583 = select(0f, (1f / select(1f, _e7579, _e7580)), _e7580);
-let _e7587 = (((_e7566 * _e7571) - (_e7561 * _e7576)) * _e7583);
-let _e7591 = (((_e7556 * _e7576) - (_e7561 * _e7571)) * _e7583);
-let _e7593 = ((1f - _e7587) - _e7591);
-let _e7595 = select(0f, _e7593, (_e7593 > 0f));
-let _e7597 = select(16777216f, _e7595, (_e7595 < 16777216f));
-let _e7599 = select(0f, _e7587, (_e7587 > 0f));
-let _e7601 = select(16777216f, _e7599, (_e7599 < 16777216f));
-let _e7603 = select(0f, _e7591, (_e7591 > 0f));
-let _e7605 = select(16777216f, _e7603, (_e7603 < 16777216f));
-let _e7607 = ((_e7597 + _e7601) + _e7605);
-let _e7610 = (1f / select(0.5f, _e7607, (_e7607 > 0.5f)));
-let _e7611 = (_e7597 * _e7610);
-let _e7612 = (_e7601 * _e7610);
-let _e7613 = (_e7605 * _e7610);
-let _e7615 = select(_e7488, _e7485, (_e7485 < _e7488));
-let _e7621 = global_4.member[bitcast<u32>(select(0i, _e7615, (_e7615 > 0i)))];
-let _e7622 = (_e7485 + 1i);
-let _e7624 = select(_e7488, _e7622, (_e7622 < _e7488));
-let _e7630 = global_4.member[bitcast<u32>(select(0i, _e7624, (_e7624 > 0i)))];
-let _e7631 = (_e7485 + 2i);
-let _e7633 = select(_e7488, _e7631, (_e7631 < _e7488));
-let _e7639 = global_4.member[bitcast<u32>(select(0i, _e7633, (_e7633 > 0i)))];
-let _e7640 = (_e7485 + 3i);
-let _e7642 = select(_e7488, _e7640, (_e7640 < _e7488));
-let _e7648 = global_4.member[bitcast<u32>(select(0i, _e7642, (_e7642 > 0i)))];
-let _e7649 = (_e7485 + 4i);
-let _e7651 = select(_e7488, _e7649, (_e7649 < _e7488));
-let _e7657 = global_4.member[bitcast<u32>(select(0i, _e7651, (_e7651 > 0i)))];
-let _e7658 = (_e7485 + 5i);
-let _e7660 = select(_e7488, _e7658, (_e7658 < _e7488));
-let _e7666 = global_4.member[bitcast<u32>(select(0i, _e7660, (_e7660 > 0i)))];
-let _e7667 = (_e7485 + 6i);
-let _e7669 = select(_e7488, _e7667, (_e7667 < _e7488));
-let _e7675 = global_4.member[bitcast<u32>(select(0i, _e7669, (_e7669 > 0i)))];
-let _e7676 = (_e7485 + 7i);
-let _e7678 = select(_e7488, _e7676, (_e7676 < _e7488));
-let _e7684 = global_4.member[bitcast<u32>(select(0i, _e7678, (_e7678 > 0i)))];
-let _e7685 = (_e7485 + 8i);
-let _e7687 = select(_e7488, _e7685, (_e7685 < _e7488));
-let _e7693 = global_4.member[bitcast<u32>(select(0i, _e7687, (_e7687 > 0i)))];
-let _e7698 = (((_e7621 * _e7611) + (_e7648 * _e7612)) + (_e7675 * _e7613));
-let _e7703 = (((_e7630 * _e7611) + (_e7657 * _e7612)) + (_e7684 * _e7613));
-let _e7708 = (((_e7639 * _e7611) + (_e7666 * _e7612)) + (_e7693 * _e7613));
-let _e7713 = (((_e7698 * _e7698) + (_e7703 * _e7703)) + (_e7708 * _e7708));
-let _e7716 = sqrt(select(0f, _e7713, (_e7713 > 0f)));
-let _e7717 = (_e7716 > 1e-6f);
-let _e7720 = select(0f, (1f / select(1e-6f, _e7716, _e7717)), _e7717);
-let _e7721 = (_e7485 + 9i);
-let _e7723 = select(_e7488, _e7721, (_e7721 < _e7488));
-let _e7729 = global_4.member[bitcast<u32>(select(0i, _e7723, (_e7723 > 0i)))];
-let _e7730 = (_e7485 + 10i);
-let _e7732 = select(_e7488, _e7730, (_e7730 < _e7488));
-let _e7738 = global_4.member[bitcast<u32>(select(0i, _e7732, (_e7732 > 0i)))];
-let _e7739 = (_e7485 + 11i);
-let _e7741 = select(_e7488, _e7739, (_e7739 < _e7488));
-let _e7747 = global_4.member[bitcast<u32>(select(0i, _e7741, (_e7741 > 0i)))];
-let _e7748 = (_e7485 + 12i);
-let _e7750 = select(_e7488, _e7748, (_e7748 < _e7488));
-let _e7756 = global_4.member[bitcast<u32>(select(0i, _e7750, (_e7750 > 0i)))];
-let _e7757 = (_e7485 + 13i);
-let _e7759 = select(_e7488, _e7757, (_e7757 < _e7488));
-let _e7765 = global_4.member[bitcast<u32>(select(0i, _e7759, (_e7759 > 0i)))];
-let _e7766 = (_e7485 + 14i);
-let _e7768 = select(_e7488, _e7766, (_e7766 < _e7488));
-let _e7774 = global_4.member[bitcast<u32>(select(0i, _e7768, (_e7768 > 0i)))];
-let _e7775 = (_e7485 + 15i);
-let _e7777 = select(_e7488, _e7775, (_e7775 < _e7488));
-let _e7783 = global_4.member[bitcast<u32>(select(0i, _e7777, (_e7777 > 0i)))];
-let _e7784 = (_e7485 + 16i);
-let _e7786 = select(_e7488, _e7784, (_e7784 < _e7488));
-let _e7792 = global_4.member[bitcast<u32>(select(0i, _e7786, (_e7786 > 0i)))];
-let _e7793 = (_e7485 + 17i);
-let _e7795 = select(_e7488, _e7793, (_e7793 < _e7488));
-let _e7801 = global_4.member[bitcast<u32>(select(0i, _e7795, (_e7795 > 0i)))];
-let _e7817 = (_e926.member_1.member_3.x + _e7541);
-let _e7820 = ((((((_e926.member_1.member_3.z + _e7523) * bitcast<i32>(_e7530)) + _e926.member_1.member_3.y) + _e7524) * bitcast<i32>(_e7537)) + (_e7817 >> bitcast<u32>(5i)));
-let _e7824 = (bitcast<i32>(_e218) - 1i);
-let _e7826 = select(_e7824, _e7820, (_e7820 < _e7824));
-let _e7832 = global_6.member[bitcast<u32>(select(0i, _e7826, (_e7826 > 0i)))];
-let _e7834 = (bitcast<i32>(_e216) - 1i);
-let _e7836 = select(_e7834, _e7820, (_e7820 < _e7834));
-let _e7842 = global_5.member[bitcast<u32>(select(0i, _e7836, (_e7836 > 0i)))];
-let _e7851 = (bitcast<i32>((_e7832 + countOneBits((_e7842 & ((1u << bitcast<u32>((bitcast<u32>((_e7817 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e7852 = bitcast<u32>(_e7851);
-if (_e7852 < _e220) {
-let _e7856 = atomicAdd((&global_7.member[_e7852]), 1u);
+let _e7565 = phi_6216_;
+let _e7566 = (_e7565 <= _e926.member_1.member_4.x);
+if _e7566 {
+let _e7573 = ((f32(_e7565) + 0.5f) - _e7046);
+let _e7574 = ((f32(_e7548) + 0.5f) - _e7057);
+let _e7575 = ((f32(_e7547) + 0.5f) - _e7068);
+let _e7580 = (((_e7121 * _e7121) + (_e7122 * _e7122)) + (_e7123 * _e7123));
+let _e7585 = (((_e7121 * _e7507) + (_e7122 * _e7329)) + (_e7123 * _e7421));
+let _e7590 = (((_e7507 * _e7507) + (_e7329 * _e7329)) + (_e7421 * _e7421));
+let _e7595 = (((_e7573 * _e7121) + (_e7574 * _e7122)) + (_e7575 * _e7123));
+let _e7600 = (((_e7573 * _e7507) + (_e7574 * _e7329)) + (_e7575 * _e7421));
+let _e7603 = ((_e7580 * _e7590) - (_e7585 * _e7585));
+let _e7604 = (_e7603 > 0f);
+let _e7607 = select(0f, (1f / select(1f, _e7603, _e7604)), _e7604);
+let _e7611 = (((_e7590 * _e7595) - (_e7585 * _e7600)) * _e7607);
+let _e7615 = (((_e7580 * _e7600) - (_e7585 * _e7595)) * _e7607);
+let _e7617 = ((1f - _e7611) - _e7615);
+let _e7619 = select(0f, _e7617, (_e7617 > 0f));
+let _e7621 = select(16777216f, _e7619, (_e7619 < 16777216f));
+let _e7623 = select(0f, _e7611, (_e7611 > 0f));
+let _e7625 = select(16777216f, _e7623, (_e7623 < 16777216f));
+let _e7627 = select(0f, _e7615, (_e7615 > 0f));
+let _e7629 = select(16777216f, _e7627, (_e7627 < 16777216f));
+let _e7631 = ((_e7621 + _e7625) + _e7629);
+let _e7634 = (1f / select(0.5f, _e7631, (_e7631 > 0.5f)));
+let _e7635 = (_e7621 * _e7634);
+let _e7636 = (_e7625 * _e7634);
+let _e7637 = (_e7629 * _e7634);
+let _e7639 = select(_e7512, _e7509, (_e7509 < _e7512));
+let _e7645 = global_4.member[bitcast<u32>(select(0i, _e7639, (_e7639 > 0i)))];
+let _e7646 = (_e7509 + 1i);
+let _e7648 = select(_e7512, _e7646, (_e7646 < _e7512));
+let _e7654 = global_4.member[bitcast<u32>(select(0i, _e7648, (_e7648 > 0i)))];
+let _e7655 = (_e7509 + 2i);
+let _e7657 = select(_e7512, _e7655, (_e7655 < _e7512));
+let _e7663 = global_4.member[bitcast<u32>(select(0i, _e7657, (_e7657 > 0i)))];
+let _e7664 = (_e7509 + 3i);
+let _e7666 = select(_e7512, _e7664, (_e7664 < _e7512));
+let _e7672 = global_4.member[bitcast<u32>(select(0i, _e7666, (_e7666 > 0i)))];
+let _e7673 = (_e7509 + 4i);
+let _e7675 = select(_e7512, _e7673, (_e7673 < _e7512));
+let _e7681 = global_4.member[bitcast<u32>(select(0i, _e7675, (_e7675 > 0i)))];
+let _e7682 = (_e7509 + 5i);
+let _e7684 = select(_e7512, _e7682, (_e7682 < _e7512));
+let _e7690 = global_4.member[bitcast<u32>(select(0i, _e7684, (_e7684 > 0i)))];
+let _e7691 = (_e7509 + 6i);
+let _e7693 = select(_e7512, _e7691, (_e7691 < _e7512));
+let _e7699 = global_4.member[bitcast<u32>(select(0i, _e7693, (_e7693 > 0i)))];
+let _e7700 = (_e7509 + 7i);
+let _e7702 = select(_e7512, _e7700, (_e7700 < _e7512));
+let _e7708 = global_4.member[bitcast<u32>(select(0i, _e7702, (_e7702 > 0i)))];
+let _e7709 = (_e7509 + 8i);
+let _e7711 = select(_e7512, _e7709, (_e7709 < _e7512));
+let _e7717 = global_4.member[bitcast<u32>(select(0i, _e7711, (_e7711 > 0i)))];
+let _e7722 = (((_e7645 * _e7635) + (_e7672 * _e7636)) + (_e7699 * _e7637));
+let _e7727 = (((_e7654 * _e7635) + (_e7681 * _e7636)) + (_e7708 * _e7637));
+let _e7732 = (((_e7663 * _e7635) + (_e7690 * _e7636)) + (_e7717 * _e7637));
+let _e7737 = (((_e7722 * _e7722) + (_e7727 * _e7727)) + (_e7732 * _e7732));
+let _e7740 = sqrt(select(0f, _e7737, (_e7737 > 0f)));
+let _e7741 = (_e7740 > 1e-6f);
+let _e7744 = select(0f, (1f / select(1e-6f, _e7740, _e7741)), _e7741);
+let _e7745 = (_e7509 + 9i);
+let _e7747 = select(_e7512, _e7745, (_e7745 < _e7512));
+let _e7753 = global_4.member[bitcast<u32>(select(0i, _e7747, (_e7747 > 0i)))];
+let _e7754 = (_e7509 + 10i);
+let _e7756 = select(_e7512, _e7754, (_e7754 < _e7512));
+let _e7762 = global_4.member[bitcast<u32>(select(0i, _e7756, (_e7756 > 0i)))];
+let _e7763 = (_e7509 + 11i);
+let _e7765 = select(_e7512, _e7763, (_e7763 < _e7512));
+let _e7771 = global_4.member[bitcast<u32>(select(0i, _e7765, (_e7765 > 0i)))];
+let _e7772 = (_e7509 + 12i);
+let _e7774 = select(_e7512, _e7772, (_e7772 < _e7512));
+let _e7780 = global_4.member[bitcast<u32>(select(0i, _e7774, (_e7774 > 0i)))];
+let _e7781 = (_e7509 + 13i);
+let _e7783 = select(_e7512, _e7781, (_e7781 < _e7512));
+let _e7789 = global_4.member[bitcast<u32>(select(0i, _e7783, (_e7783 > 0i)))];
+let _e7790 = (_e7509 + 14i);
+let _e7792 = select(_e7512, _e7790, (_e7790 < _e7512));
+let _e7798 = global_4.member[bitcast<u32>(select(0i, _e7792, (_e7792 > 0i)))];
+let _e7799 = (_e7509 + 15i);
+let _e7801 = select(_e7512, _e7799, (_e7799 < _e7512));
+let _e7807 = global_4.member[bitcast<u32>(select(0i, _e7801, (_e7801 > 0i)))];
+let _e7808 = (_e7509 + 16i);
+let _e7810 = select(_e7512, _e7808, (_e7808 < _e7512));
+let _e7816 = global_4.member[bitcast<u32>(select(0i, _e7810, (_e7810 > 0i)))];
+let _e7817 = (_e7509 + 17i);
+let _e7819 = select(_e7512, _e7817, (_e7817 < _e7512));
+let _e7825 = global_4.member[bitcast<u32>(select(0i, _e7819, (_e7819 > 0i)))];
+let _e7841 = (_e926.member_1.member_3.x + _e7565);
+let _e7844 = ((((((_e926.member_1.member_3.z + _e7547) * bitcast<i32>(_e7554)) + _e926.member_1.member_3.y) + _e7548) * bitcast<i32>(_e7561)) + (_e7841 >> bitcast<u32>(5i)));
+let _e7848 = (bitcast<i32>(_e218) - 1i);
+let _e7850 = select(_e7848, _e7844, (_e7844 < _e7848));
+let _e7856 = global_6.member[bitcast<u32>(select(0i, _e7850, (_e7850 > 0i)))];
+let _e7858 = (bitcast<i32>(_e216) - 1i);
+let _e7860 = select(_e7858, _e7844, (_e7844 < _e7858));
+let _e7866 = global_5.member[bitcast<u32>(select(0i, _e7860, (_e7860 > 0i)))];
+let _e7875 = (bitcast<i32>((_e7856 + countOneBits((_e7866 & ((1u << bitcast<u32>((bitcast<u32>((_e7841 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e7876 = bitcast<u32>(_e7875);
+if (_e7876 < _e220) {
+let _e7880 = atomicAdd((&global_7.member[_e7876]), 1u);
 }
-let _e7858 = bitcast<u32>((_e7851 + 1i));
-if (_e7858 < _e220) {
-let _e7862 = atomicMax((&global_7.member[_e7858]), bitcast<u32>((_e7507 - select(0i, 1i, (_e7500 < f32(_e7507))))));
+let _e7882 = bitcast<u32>((_e7875 + 1i));
+if (_e7882 < _e220) {
+let _e7886 = atomicMax((&global_7.member[_e7882]), bitcast<u32>((_e7531 - select(0i, 1i, (_e7524 < f32(_e7531))))));
 }
-let _e7868 = (((_e7698 * _e7720) * 65536f) + 0.5f);
-let _e7870 = select(-1073741800f, _e7868, (_e7868 > -1073741800f));
-let _e7872 = select(1073741800f, _e7870, (_e7870 < 1073741800f));
-let _e7879 = select(0i, select(select(i32(_e7872), i32(-2147483648), (_e7872 < -2147483600f)), 2147483647i, (_e7872 > 2147483500f)), (_e7872 == _e7872));
-let _e7883 = (_e7879 - select(0i, 1i, (_e7872 < f32(_e7879))));
-if (_e7883 == 0i) {
+let _e7892 = (((_e7722 * _e7744) * 65536f) + 0.5f);
+let _e7894 = select(-1073741800f, _e7892, (_e7892 > -1073741800f));
+let _e7896 = select(1073741800f, _e7894, (_e7894 < 1073741800f));
+let _e7903 = select(0i, select(select(i32(_e7896), i32(-2147483648), (_e7896 < -2147483600f)), 2147483647i, (_e7896 > 2147483500f)), (_e7896 == _e7896));
+let _e7907 = (_e7903 - select(0i, 1i, (_e7896 < f32(_e7903))));
+let _e7908 = bitcast<u32>(_e7907);
+let _e7911 = bitcast<u32>((_e7907 >> bitcast<u32>(31i)));
+if ((_e7908 | _e7911) == 0u) {
 } else {
-let _e7885 = bitcast<u32>(_e7883);
-let _e7886 = bitcast<u32>((_e7851 + 2i));
-if (_e7886 < _e220) {
-let _e7890 = atomicAdd((&global_7.member[_e7886]), _e7885);
-phi_6744_ = _e7890;
+let _e7914 = bitcast<u32>((_e7875 + 2i));
+if (_e7914 < _e220) {
+let _e7918 = atomicAdd((&global_7.member[_e7914]), _e7908);
+phi_6747_ = _e7918;
 } else {
-phi_6744_ = 0u;
+phi_6747_ = 0u;
 }
-let _e7892 = phi_6744_;
-let _e7899 = (bitcast<u32>((_e7883 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7892 + _e7885) < _e7885)));
-if (_e7899 == 0u) {
+let _e7920 = phi_6747_;
+let _e7924 = (_e7911 + select(0u, 1u, ((_e7920 + _e7908) < _e7908)));
+if (_e7924 == 0u) {
 } else {
-let _e7901 = (_e7886 + 1u);
-if (_e7901 < _e220) {
-let _e7905 = atomicAdd((&global_7.member[_e7901]), _e7899);
-}
-}
-}
-let _e7908 = (((_e7703 * _e7720) * 65536f) + 0.5f);
-let _e7910 = select(-1073741800f, _e7908, (_e7908 > -1073741800f));
-let _e7912 = select(1073741800f, _e7910, (_e7910 < 1073741800f));
-let _e7919 = select(0i, select(select(i32(_e7912), i32(-2147483648), (_e7912 < -2147483600f)), 2147483647i, (_e7912 > 2147483500f)), (_e7912 == _e7912));
-let _e7923 = (_e7919 - select(0i, 1i, (_e7912 < f32(_e7919))));
-if (_e7923 == 0i) {
-} else {
-let _e7925 = bitcast<u32>(_e7923);
-let _e7926 = bitcast<u32>((_e7851 + 4i));
+let _e7926 = (_e7914 + 1u);
 if (_e7926 < _e220) {
-let _e7930 = atomicAdd((&global_7.member[_e7926]), _e7925);
-phi_6801_ = _e7930;
+let _e7930 = atomicAdd((&global_7.member[_e7926]), _e7924);
+}
+}
+}
+let _e7933 = (((_e7727 * _e7744) * 65536f) + 0.5f);
+let _e7935 = select(-1073741800f, _e7933, (_e7933 > -1073741800f));
+let _e7937 = select(1073741800f, _e7935, (_e7935 < 1073741800f));
+let _e7944 = select(0i, select(select(i32(_e7937), i32(-2147483648), (_e7937 < -2147483600f)), 2147483647i, (_e7937 > 2147483500f)), (_e7937 == _e7937));
+let _e7948 = (_e7944 - select(0i, 1i, (_e7937 < f32(_e7944))));
+let _e7949 = bitcast<u32>(_e7948);
+let _e7952 = bitcast<u32>((_e7948 >> bitcast<u32>(31i)));
+if ((_e7949 | _e7952) == 0u) {
 } else {
-phi_6801_ = 0u;
-}
-let _e7932 = phi_6801_;
-let _e7939 = (bitcast<u32>((_e7923 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7932 + _e7925) < _e7925)));
-if (_e7939 == 0u) {
+let _e7955 = bitcast<u32>((_e7875 + 4i));
+if (_e7955 < _e220) {
+let _e7959 = atomicAdd((&global_7.member[_e7955]), _e7949);
+phi_6804_ = _e7959;
 } else {
-let _e7941 = (_e7926 + 1u);
-if (_e7941 < _e220) {
-let _e7945 = atomicAdd((&global_7.member[_e7941]), _e7939);
+phi_6804_ = 0u;
 }
-}
-}
-let _e7948 = (((_e7708 * _e7720) * 65536f) + 0.5f);
-let _e7950 = select(-1073741800f, _e7948, (_e7948 > -1073741800f));
-let _e7952 = select(1073741800f, _e7950, (_e7950 < 1073741800f));
-let _e7959 = select(0i, select(select(i32(_e7952), i32(-2147483648), (_e7952 < -2147483600f)), 2147483647i, (_e7952 > 2147483500f)), (_e7952 == _e7952));
-let _e7963 = (_e7959 - select(0i, 1i, (_e7952 < f32(_e7959))));
-if (_e7963 == 0i) {
+let _e7961 = phi_6804_;
+let _e7965 = (_e7952 + select(0u, 1u, ((_e7961 + _e7949) < _e7949)));
+if (_e7965 == 0u) {
 } else {
-let _e7965 = bitcast<u32>(_e7963);
-let _e7966 = bitcast<u32>((_e7851 + 6i));
-if (_e7966 < _e220) {
-let _e7970 = atomicAdd((&global_7.member[_e7966]), _e7965);
-phi_6858_ = _e7970;
+let _e7967 = (_e7955 + 1u);
+if (_e7967 < _e220) {
+let _e7971 = atomicAdd((&global_7.member[_e7967]), _e7965);
+}
+}
+}
+let _e7974 = (((_e7732 * _e7744) * 65536f) + 0.5f);
+let _e7976 = select(-1073741800f, _e7974, (_e7974 > -1073741800f));
+let _e7978 = select(1073741800f, _e7976, (_e7976 < 1073741800f));
+let _e7985 = select(0i, select(select(i32(_e7978), i32(-2147483648), (_e7978 < -2147483600f)), 2147483647i, (_e7978 > 2147483500f)), (_e7978 == _e7978));
+let _e7989 = (_e7985 - select(0i, 1i, (_e7978 < f32(_e7985))));
+let _e7990 = bitcast<u32>(_e7989);
+let _e7993 = bitcast<u32>((_e7989 >> bitcast<u32>(31i)));
+if ((_e7990 | _e7993) == 0u) {
 } else {
-phi_6858_ = 0u;
-}
-let _e7972 = phi_6858_;
-let _e7979 = (bitcast<u32>((_e7963 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e7972 + _e7965) < _e7965)));
-if (_e7979 == 0u) {
+let _e7996 = bitcast<u32>((_e7875 + 6i));
+if (_e7996 < _e220) {
+let _e8000 = atomicAdd((&global_7.member[_e7996]), _e7990);
+phi_6861_ = _e8000;
 } else {
-let _e7981 = (_e7966 + 1u);
-if (_e7981 < _e220) {
-let _e7985 = atomicAdd((&global_7.member[_e7981]), _e7979);
+phi_6861_ = 0u;
 }
-}
-}
-let _e7988 = (((((_e7729 * _e7611) + (_e7756 * _e7612)) + (_e7783 * _e7613)) * 65536f) + 0.5f);
-let _e7990 = select(-1073741800f, _e7988, (_e7988 > -1073741800f));
-let _e7992 = select(1073741800f, _e7990, (_e7990 < 1073741800f));
-let _e7999 = select(0i, select(select(i32(_e7992), i32(-2147483648), (_e7992 < -2147483600f)), 2147483647i, (_e7992 > 2147483500f)), (_e7992 == _e7992));
-let _e8003 = (_e7999 - select(0i, 1i, (_e7992 < f32(_e7999))));
-if (_e8003 == 0i) {
+let _e8002 = phi_6861_;
+let _e8006 = (_e7993 + select(0u, 1u, ((_e8002 + _e7990) < _e7990)));
+if (_e8006 == 0u) {
 } else {
-let _e8005 = bitcast<u32>(_e8003);
-let _e8006 = bitcast<u32>((_e7851 + 8i));
-if (_e8006 < _e220) {
-let _e8010 = atomicAdd((&global_7.member[_e8006]), _e8005);
-phi_6916_ = _e8010;
+let _e8008 = (_e7996 + 1u);
+if (_e8008 < _e220) {
+let _e8012 = atomicAdd((&global_7.member[_e8008]), _e8006);
+}
+}
+}
+let _e8015 = (((((_e7753 * _e7635) + (_e7780 * _e7636)) + (_e7807 * _e7637)) * 65536f) + 0.5f);
+let _e8017 = select(-1073741800f, _e8015, (_e8015 > -1073741800f));
+let _e8019 = select(1073741800f, _e8017, (_e8017 < 1073741800f));
+let _e8026 = select(0i, select(select(i32(_e8019), i32(-2147483648), (_e8019 < -2147483600f)), 2147483647i, (_e8019 > 2147483500f)), (_e8019 == _e8019));
+let _e8030 = (_e8026 - select(0i, 1i, (_e8019 < f32(_e8026))));
+let _e8031 = bitcast<u32>(_e8030);
+let _e8034 = bitcast<u32>((_e8030 >> bitcast<u32>(31i)));
+if ((_e8031 | _e8034) == 0u) {
 } else {
-phi_6916_ = 0u;
-}
-let _e8012 = phi_6916_;
-let _e8019 = (bitcast<u32>((_e8003 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8012 + _e8005) < _e8005)));
-if (_e8019 == 0u) {
+let _e8037 = bitcast<u32>((_e7875 + 8i));
+if (_e8037 < _e220) {
+let _e8041 = atomicAdd((&global_7.member[_e8037]), _e8031);
+phi_6919_ = _e8041;
 } else {
-let _e8021 = (_e8006 + 1u);
-if (_e8021 < _e220) {
-let _e8025 = atomicAdd((&global_7.member[_e8021]), _e8019);
+phi_6919_ = 0u;
 }
-}
-}
-let _e8028 = (((((_e7738 * _e7611) + (_e7765 * _e7612)) + (_e7792 * _e7613)) * 65536f) + 0.5f);
-let _e8030 = select(-1073741800f, _e8028, (_e8028 > -1073741800f));
-let _e8032 = select(1073741800f, _e8030, (_e8030 < 1073741800f));
-let _e8039 = select(0i, select(select(i32(_e8032), i32(-2147483648), (_e8032 < -2147483600f)), 2147483647i, (_e8032 > 2147483500f)), (_e8032 == _e8032));
-let _e8043 = (_e8039 - select(0i, 1i, (_e8032 < f32(_e8039))));
-if (_e8043 == 0i) {
+let _e8043 = phi_6919_;
+let _e8047 = (_e8034 + select(0u, 1u, ((_e8043 + _e8031) < _e8031)));
+if (_e8047 == 0u) {
 } else {
-let _e8045 = bitcast<u32>(_e8043);
-let _e8046 = bitcast<u32>((_e7851 + 10i));
-if (_e8046 < _e220) {
-let _e8050 = atomicAdd((&global_7.member[_e8046]), _e8045);
-phi_6973_ = _e8050;
+let _e8049 = (_e8037 + 1u);
+if (_e8049 < _e220) {
+let _e8053 = atomicAdd((&global_7.member[_e8049]), _e8047);
+}
+}
+}
+let _e8056 = (((((_e7762 * _e7635) + (_e7789 * _e7636)) + (_e7816 * _e7637)) * 65536f) + 0.5f);
+let _e8058 = select(-1073741800f, _e8056, (_e8056 > -1073741800f));
+let _e8060 = select(1073741800f, _e8058, (_e8058 < 1073741800f));
+let _e8067 = select(0i, select(select(i32(_e8060), i32(-2147483648), (_e8060 < -2147483600f)), 2147483647i, (_e8060 > 2147483500f)), (_e8060 == _e8060));
+let _e8071 = (_e8067 - select(0i, 1i, (_e8060 < f32(_e8067))));
+let _e8072 = bitcast<u32>(_e8071);
+let _e8075 = bitcast<u32>((_e8071 >> bitcast<u32>(31i)));
+if ((_e8072 | _e8075) == 0u) {
 } else {
-phi_6973_ = 0u;
-}
-let _e8052 = phi_6973_;
-let _e8059 = (bitcast<u32>((_e8043 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8052 + _e8045) < _e8045)));
-if (_e8059 == 0u) {
+let _e8078 = bitcast<u32>((_e7875 + 10i));
+if (_e8078 < _e220) {
+let _e8082 = atomicAdd((&global_7.member[_e8078]), _e8072);
+phi_6976_ = _e8082;
 } else {
-let _e8061 = (_e8046 + 1u);
-if (_e8061 < _e220) {
-let _e8065 = atomicAdd((&global_7.member[_e8061]), _e8059);
+phi_6976_ = 0u;
 }
-}
-}
-let _e8068 = (((((_e7747 * _e7611) + (_e7774 * _e7612)) + (_e7801 * _e7613)) * 65536f) + 0.5f);
-let _e8070 = select(-1073741800f, _e8068, (_e8068 > -1073741800f));
-let _e8072 = select(1073741800f, _e8070, (_e8070 < 1073741800f));
-let _e8079 = select(0i, select(select(i32(_e8072), i32(-2147483648), (_e8072 < -2147483600f)), 2147483647i, (_e8072 > 2147483500f)), (_e8072 == _e8072));
-let _e8083 = (_e8079 - select(0i, 1i, (_e8072 < f32(_e8079))));
-if (_e8083 == 0i) {
+let _e8084 = phi_6976_;
+let _e8088 = (_e8075 + select(0u, 1u, ((_e8084 + _e8072) < _e8072)));
+if (_e8088 == 0u) {
 } else {
-let _e8085 = bitcast<u32>(_e8083);
-let _e8086 = bitcast<u32>((_e7851 + 12i));
-if (_e8086 < _e220) {
-let _e8090 = atomicAdd((&global_7.member[_e8086]), _e8085);
-phi_7030_ = _e8090;
+let _e8090 = (_e8078 + 1u);
+if (_e8090 < _e220) {
+let _e8094 = atomicAdd((&global_7.member[_e8090]), _e8088);
+}
+}
+}
+let _e8097 = (((((_e7771 * _e7635) + (_e7798 * _e7636)) + (_e7825 * _e7637)) * 65536f) + 0.5f);
+let _e8099 = select(-1073741800f, _e8097, (_e8097 > -1073741800f));
+let _e8101 = select(1073741800f, _e8099, (_e8099 < 1073741800f));
+let _e8108 = select(0i, select(select(i32(_e8101), i32(-2147483648), (_e8101 < -2147483600f)), 2147483647i, (_e8101 > 2147483500f)), (_e8101 == _e8101));
+let _e8112 = (_e8108 - select(0i, 1i, (_e8101 < f32(_e8108))));
+let _e8113 = bitcast<u32>(_e8112);
+let _e8116 = bitcast<u32>((_e8112 >> bitcast<u32>(31i)));
+if ((_e8113 | _e8116) == 0u) {
 } else {
-phi_7030_ = 0u;
-}
-let _e8092 = phi_7030_;
-let _e8099 = (bitcast<u32>((_e8083 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e8092 + _e8085) < _e8085)));
-if (_e8099 == 0u) {
+let _e8119 = bitcast<u32>((_e7875 + 12i));
+if (_e8119 < _e220) {
+let _e8123 = atomicAdd((&global_7.member[_e8119]), _e8113);
+phi_7033_ = _e8123;
 } else {
-let _e8101 = (_e8086 + 1u);
-if (_e8101 < _e220) {
-let _e8105 = atomicAdd((&global_7.member[_e8101]), _e8099);
+phi_7033_ = 0u;
+}
+let _e8125 = phi_7033_;
+let _e8129 = (_e8116 + select(0u, 1u, ((_e8125 + _e8113) < _e8113)));
+if (_e8129 == 0u) {
+} else {
+let _e8131 = (_e8119 + 1u);
+if (_e8131 < _e220) {
+let _e8135 = atomicAdd((&global_7.member[_e8131]), _e8129);
 }
 }
 }
-phi_6217_ = (_e7541 + 1i);
+phi_6217_ = (_e7565 + 1i);
 } else {
 phi_6217_ = i32();
 }
-let _e8108 = phi_6217_;
+let _e8138 = phi_6217_;
 continue;
 continuing {
-phi_6216_ = _e8108;
-break if !(_e7542);
+phi_6216_ = _e8138;
+break if !(_e7566);
 }
 }
-phi_6187_ = (_e7521 + 1i);
+phi_6187_ = (_e7545 + 1i);
 } else {
 phi_6187_ = i32();
 }
-let _e8112 = phi_6187_;
+let _e8142 = phi_6187_;
 continue;
 continuing {
-phi_6186_ = _e8112;
-break if !(_e7522);
+phi_6186_ = _e8142;
+break if !(_e7546);
 }
 }
-phi_6170_ = (_e7514 + 1i);
+phi_6170_ = (_e7538 + 1i);
 } else {
 phi_6170_ = i32();
 }
-let _e8116 = phi_6170_;
+let _e8146 = phi_6170_;
 continue;
 continuing {
-phi_6169_ = _e8116;
-break if !(_e7515);
+phi_6169_ = _e8146;
+break if !(_e7539);
 }
 }
 } else {
 if (_e952 == 1u) {
-let _e5488 = (_e926.member_1.member_6 & 31u);
-let _e5490 = (_e926.member_1.member_3.x << bitcast<u32>(_e5488));
-let _e5493 = (_e926.member_1.member_7 & 31u);
-let _e5497 = ((1i << bitcast<u32>(_e5493)) >> bitcast<u32>(1i));
-let _e5503 = bitcast<i32>(_e926.member_1.member_6);
-let _e5509 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e5503))) << bitcast<u32>(23i)));
-let _e5510 = (f32((((_e926.member_1.member.x - _e5490) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5515 = (_e926.member_1.member_3.y << bitcast<u32>(_e5488));
-let _e5521 = (f32((((_e926.member_1.member.y - _e5515) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5526 = (_e926.member_1.member_3.z << bitcast<u32>(_e5488));
-let _e5532 = (f32((((_e926.member_1.member.z - _e5526) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5540 = (f32((((_e926.member_1.member_1.x - _e5490) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5547 = (f32((((_e926.member_1.member_1.y - _e5515) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5554 = (f32((((_e926.member_1.member_1.z - _e5526) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5562 = (f32((((_e926.member_1.member_2.x - _e5490) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5569 = (f32((((_e926.member_1.member_2.y - _e5515) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5576 = (f32((((_e926.member_1.member_2.z - _e5526) + _e5497) >> bitcast<u32>(_e5493))) * _e5509);
-let _e5584 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e5503)) << bitcast<u32>(23i))));
-let _e5585 = (_e5540 - _e5510);
-let _e5586 = (_e5547 - _e5521);
-let _e5587 = (_e5554 - _e5532);
-let _e5588 = (_e5562 - _e5540);
-let _e5589 = (_e5569 - _e5547);
-let _e5590 = (_e5576 - _e5554);
-let _e5591 = (_e5586 * _e5590);
-let _e5592 = (_e5587 * _e5589);
-let _e5593 = (_e5591 - _e5592);
-let _e5607 = ((bitcast<f32>((bitcast<u32>(_e5591) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e5592) & 2147483647u))) * 2.3841858e-7f);
-let _e5608 = f32(_e926.member_1.member_4.y);
-let _e5609 = f32(_e926.member_1.member_4.z);
-let _e5610 = (1f + _e5584);
-let _e5611 = -(_e5593);
-let _e5613 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
-if _e5613 {
-let _e5854 = select(1f, -1f, (_e5593 < 0f));
-let _e5860 = select(0f, (2f * _e5607), (bitcast<f32>((bitcast<u32>(_e5593) & 2147483647u)) <= _e5607));
-let _e5865 = ((_e5532 - _e5554) * _e5854);
-let _e5866 = ((_e5554 - _e5576) * _e5854);
-let _e5867 = ((_e5576 - _e5532) * _e5854);
-let _e5868 = ((0f - 0f) * _e5854);
-let _e5870 = (_e5586 * _e5854);
-let _e5871 = (_e5589 * _e5854);
-let _e5872 = ((_e5521 - _e5569) * _e5854);
-let _e5874 = (_e5865 * _e5610);
-let _e5875 = (_e5866 * _e5610);
-let _e5876 = (_e5867 * _e5610);
-let _e5877 = (_e5868 * _e5610);
-let _e5882 = -((_e5865 * _e5584));
-let _e5883 = -((_e5866 * _e5584));
-let _e5884 = -((_e5867 * _e5584));
-let _e5885 = -((_e5868 * _e5584));
+let _e5506 = (_e926.member_1.member_6 & 31u);
+let _e5508 = (_e926.member_1.member_3.x << bitcast<u32>(_e5506));
+let _e5511 = (_e926.member_1.member_7 & 31u);
+let _e5515 = ((1i << bitcast<u32>(_e5511)) >> bitcast<u32>(1i));
+let _e5521 = bitcast<i32>(_e926.member_1.member_6);
+let _e5527 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e5521))) << bitcast<u32>(23i)));
+let _e5528 = (f32((((_e926.member_1.member.x - _e5508) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5533 = (_e926.member_1.member_3.y << bitcast<u32>(_e5506));
+let _e5539 = (f32((((_e926.member_1.member.y - _e5533) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5544 = (_e926.member_1.member_3.z << bitcast<u32>(_e5506));
+let _e5550 = (f32((((_e926.member_1.member.z - _e5544) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5558 = (f32((((_e926.member_1.member_1.x - _e5508) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5565 = (f32((((_e926.member_1.member_1.y - _e5533) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5572 = (f32((((_e926.member_1.member_1.z - _e5544) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5580 = (f32((((_e926.member_1.member_2.x - _e5508) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5587 = (f32((((_e926.member_1.member_2.y - _e5533) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5594 = (f32((((_e926.member_1.member_2.z - _e5544) + _e5515) >> bitcast<u32>(_e5511))) * _e5527);
+let _e5602 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e5521)) << bitcast<u32>(23i))));
+let _e5603 = (_e5558 - _e5528);
+let _e5604 = (_e5565 - _e5539);
+let _e5605 = (_e5572 - _e5550);
+let _e5606 = (_e5580 - _e5558);
+let _e5607 = (_e5587 - _e5565);
+let _e5608 = (_e5594 - _e5572);
+let _e5609 = (_e5604 * _e5608);
+let _e5610 = (_e5605 * _e5607);
+let _e5611 = (_e5609 - _e5610);
+let _e5625 = ((bitcast<f32>((bitcast<u32>(_e5609) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e5610) & 2147483647u))) * 2.3841858e-7f);
+let _e5626 = f32(_e926.member_1.member_4.y);
+let _e5627 = f32(_e926.member_1.member_4.z);
+let _e5628 = (1f + _e5602);
+let _e5629 = -(_e5611);
+let _e5631 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e5631 {
+let _e5872 = select(1f, -1f, (_e5611 < 0f));
+let _e5878 = select(0f, (2f * _e5625), (bitcast<f32>((bitcast<u32>(_e5611) & 2147483647u)) <= _e5625));
+let _e5883 = ((_e5550 - _e5572) * _e5872);
+let _e5884 = ((_e5572 - _e5594) * _e5872);
+let _e5885 = ((_e5594 - _e5550) * _e5872);
+let _e5886 = ((0f - 0f) * _e5872);
+let _e5888 = (_e5604 * _e5872);
+let _e5889 = (_e5607 * _e5872);
+let _e5890 = ((_e5539 - _e5587) * _e5872);
+let _e5892 = (_e5883 * _e5628);
+let _e5893 = (_e5884 * _e5628);
+let _e5894 = (_e5885 * _e5628);
+let _e5895 = (_e5886 * _e5628);
+let _e5900 = -((_e5883 * _e5602));
+let _e5901 = -((_e5884 * _e5602));
+let _e5902 = -((_e5885 * _e5602));
+let _e5903 = -((_e5886 * _e5602));
 local_136 = array<u32, 2>(0u, 4294967295u);
-let _e5890 = select(0u, 1u, (_e5874 > _e5882));
-if (_e5890 < 2u) {
+let _e5908 = select(0u, 1u, (_e5892 > _e5900));
+if (_e5908 < 2u) {
 } else {
 break;
 }
-let _e5893 = local_136[_e5890];
+let _e5911 = local_136[_e5908];
 local_137 = array<u32, 2>(0u, 4294967295u);
-let _e5894 = select(0u, 1u, (_e5875 > _e5883));
-if (_e5894 < 2u) {
+let _e5912 = select(0u, 1u, (_e5893 > _e5901));
+if (_e5912 < 2u) {
 } else {
 break;
 }
-let _e5897 = local_137[_e5894];
+let _e5915 = local_137[_e5912];
 local_138 = array<u32, 2>(0u, 4294967295u);
-let _e5898 = select(0u, 1u, (_e5876 > _e5884));
-if (_e5898 < 2u) {
+let _e5916 = select(0u, 1u, (_e5894 > _e5902));
+if (_e5916 < 2u) {
 } else {
 break;
 }
-let _e5901 = local_138[_e5898];
+let _e5919 = local_138[_e5916];
 local_139 = array<u32, 2>(0u, 4294967295u);
-let _e5902 = select(0u, 1u, (_e5877 > _e5885));
-let _e5903 = (_e5902 < 2u);
-if _e5903 {
+let _e5920 = select(0u, 1u, (_e5895 > _e5903));
+let _e5921 = (_e5920 < 2u);
+if _e5921 {
 } else {
 break;
 }
-let _e5905 = local_139[_e5902];
-let _e5921 = (_e5868 * 0f);
-let _e5926 = (_e5870 * _e5610);
-let _e5927 = (_e5871 * _e5610);
-let _e5928 = (_e5872 * _e5610);
-let _e5932 = -((_e5870 * _e5584));
-let _e5933 = -((_e5871 * _e5584));
-let _e5934 = -((_e5872 * _e5584));
+let _e5923 = local_139[_e5920];
+let _e5939 = (_e5886 * 0f);
+let _e5944 = (_e5888 * _e5628);
+let _e5945 = (_e5889 * _e5628);
+let _e5946 = (_e5890 * _e5628);
+let _e5950 = -((_e5888 * _e5602));
+let _e5951 = -((_e5889 * _e5602));
+let _e5952 = -((_e5890 * _e5602));
 local_132 = array<u32, 2>(0u, 4294967295u);
-let _e5938 = select(0u, 1u, (_e5926 > _e5932));
-if (_e5938 < 2u) {
+let _e5956 = select(0u, 1u, (_e5944 > _e5950));
+if (_e5956 < 2u) {
 } else {
 break;
 }
-let _e5941 = local_132[_e5938];
+let _e5959 = local_132[_e5956];
 local_133 = array<u32, 2>(0u, 4294967295u);
-let _e5942 = select(0u, 1u, (_e5927 > _e5933));
-if (_e5942 < 2u) {
+let _e5960 = select(0u, 1u, (_e5945 > _e5951));
+if (_e5960 < 2u) {
 } else {
 break;
 }
-let _e5945 = local_133[_e5942];
+let _e5963 = local_133[_e5960];
 local_134 = array<u32, 2>(0u, 4294967295u);
-let _e5946 = select(0u, 1u, (_e5928 > _e5934));
-if (_e5946 < 2u) {
+let _e5964 = select(0u, 1u, (_e5946 > _e5952));
+if (_e5964 < 2u) {
 } else {
 break;
 }
-let _e5949 = local_134[_e5946];
+let _e5967 = local_134[_e5964];
 local_135 = array<u32, 2>(0u, 4294967295u);
-if _e5903 {
+if _e5921 {
 } else {
 break;
 }
-let _e5951 = local_135[_e5902];
+let _e5969 = local_135[_e5920];
 local_128 = array<u32, 2>(0u, 4294967295u);
-let _e5984 = select(0u, 1u, (_e5865 == 0f));
-if (_e5984 < 2u) {
+let _e6002 = select(0u, 1u, (_e5883 == 0f));
+if (_e6002 < 2u) {
 } else {
 break;
 }
-let _e5987 = local_128[_e5984];
+let _e6005 = local_128[_e6002];
 local_129 = array<u32, 2>(0u, 4294967295u);
-let _e5988 = select(0u, 1u, (_e5866 == 0f));
-if (_e5988 < 2u) {
+let _e6006 = select(0u, 1u, (_e5884 == 0f));
+if (_e6006 < 2u) {
 } else {
 break;
 }
-let _e5991 = local_129[_e5988];
+let _e6009 = local_129[_e6006];
 local_130 = array<u32, 2>(0u, 4294967295u);
-let _e5992 = select(0u, 1u, (_e5867 == 0f));
-if (_e5992 < 2u) {
+let _e6010 = select(0u, 1u, (_e5885 == 0f));
+if (_e6010 < 2u) {
 } else {
 break;
 }
-let _e5995 = local_130[_e5992];
+let _e6013 = local_130[_e6010];
 local_131 = array<u32, 2>(0u, 4294967295u);
-let _e5996 = select(0u, 1u, (_e5868 == 0f));
-if (_e5996 < 2u) {
+let _e6014 = select(0u, 1u, (_e5886 == 0f));
+if (_e6014 < 2u) {
 } else {
 break;
 }
-let _e5999 = local_131[_e5996];
-let _e6001 = ((_e5987 & 1u) != 0u);
-let _e6004 = ((_e5991 & 1u) != 0u);
-let _e6007 = ((_e5995 & 1u) != 0u);
-let _e6010 = ((_e5999 & 1u) != 0u);
-let _e6012 = (-1f / select(_e5865, 1f, _e6001));
-let _e6013 = (-1f / select(_e5866, 1f, _e6004));
-let _e6014 = (-1f / select(_e5867, 1f, _e6007));
-let _e6015 = (-1f / select(_e5868, 1f, _e6010));
+let _e6017 = local_131[_e6014];
+let _e6019 = ((_e6005 & 1u) != 0u);
+let _e6022 = ((_e6009 & 1u) != 0u);
+let _e6025 = ((_e6013 & 1u) != 0u);
+let _e6028 = ((_e6017 & 1u) != 0u);
+let _e6030 = (-1f / select(_e5883, 1f, _e6019));
+let _e6031 = (-1f / select(_e5884, 1f, _e6022));
+let _e6032 = (-1f / select(_e5885, 1f, _e6025));
+let _e6033 = (-1f / select(_e5886, 1f, _e6028));
 local_124 = array<u32, 2>(0u, 4294967295u);
-let _e6020 = select(0u, 1u, (_e5865 > 0f));
-if (_e6020 < 2u) {
+let _e6038 = select(0u, 1u, (_e5883 > 0f));
+if (_e6038 < 2u) {
 } else {
 break;
 }
-let _e6023 = local_124[_e6020];
+let _e6041 = local_124[_e6038];
 local_125 = array<u32, 2>(0u, 4294967295u);
-let _e6024 = select(0u, 1u, (_e5866 > 0f));
-if (_e6024 < 2u) {
+let _e6042 = select(0u, 1u, (_e5884 > 0f));
+if (_e6042 < 2u) {
 } else {
 break;
 }
-let _e6027 = local_125[_e6024];
+let _e6045 = local_125[_e6042];
 local_126 = array<u32, 2>(0u, 4294967295u);
-let _e6028 = select(0u, 1u, (_e5867 > 0f));
-if (_e6028 < 2u) {
+let _e6046 = select(0u, 1u, (_e5885 > 0f));
+if (_e6046 < 2u) {
 } else {
 break;
 }
-let _e6031 = local_126[_e6028];
+let _e6049 = local_126[_e6046];
 local_127 = array<u32, 2>(0u, 4294967295u);
-let _e6032 = select(0u, 1u, (_e5868 > 0f));
-if (_e6032 < 2u) {
+let _e6050 = select(0u, 1u, (_e5886 > 0f));
+if (_e6050 < 2u) {
 } else {
 break;
 }
-let _e6035 = local_127[_e6032];
+let _e6053 = local_127[_e6050];
 local_120 = array<u32, 2>(0u, 4294967295u);
-let _e6040 = select(0u, 1u, (_e5865 < 0f));
-if (_e6040 < 2u) {
+let _e6058 = select(0u, 1u, (_e5883 < 0f));
+if (_e6058 < 2u) {
 } else {
 break;
 }
-let _e6043 = local_120[_e6040];
+let _e6061 = local_120[_e6058];
 local_121 = array<u32, 2>(0u, 4294967295u);
-let _e6044 = select(0u, 1u, (_e5866 < 0f));
-if (_e6044 < 2u) {
+let _e6062 = select(0u, 1u, (_e5884 < 0f));
+if (_e6062 < 2u) {
 } else {
 break;
 }
-let _e6047 = local_121[_e6044];
+let _e6065 = local_121[_e6062];
 local_122 = array<u32, 2>(0u, 4294967295u);
-let _e6048 = select(0u, 1u, (_e5867 < 0f));
-if (_e6048 < 2u) {
+let _e6066 = select(0u, 1u, (_e5885 < 0f));
+if (_e6066 < 2u) {
 } else {
 break;
 }
-let _e6051 = local_122[_e6048];
+let _e6069 = local_122[_e6066];
 local_123 = array<u32, 2>(0u, 4294967295u);
-let _e6052 = select(0u, 1u, (_e5868 < 0f));
-if (_e6052 < 2u) {
+let _e6070 = select(0u, 1u, (_e5886 < 0f));
+if (_e6070 < 2u) {
 } else {
 break;
 }
-let _e6055 = local_123[_e6052];
-let _e6074 = ((_e6043 & 1u) != 0u);
-let _e6077 = ((_e6047 & 1u) != 0u);
-let _e6080 = ((_e6051 & 1u) != 0u);
-let _e6083 = ((_e6055 & 1u) != 0u);
-phi_9093_ = type_18(vec4<f32>(_e5870, _e5871, _e5872, _e5868), vec4<f32>((((select(_e5882, _e5874, ((_e5893 & 1u) != 0u)) - (_e5865 * _e5521)) + (select(_e5932, _e5926, ((_e5941 & 1u) != 0u)) - (_e5870 * _e5532))) + _e5860), (((select(_e5883, _e5875, ((_e5897 & 1u) != 0u)) - (_e5866 * _e5547)) + (select(_e5933, _e5927, ((_e5945 & 1u) != 0u)) - (_e5871 * _e5554))) + _e5860), (((select(_e5884, _e5876, ((_e5901 & 1u) != 0u)) - (_e5867 * _e5569)) + (select(_e5934, _e5928, ((_e5949 & 1u) != 0u)) - (_e5872 * _e5576))) + _e5860), (((select(_e5885, _e5877, ((_e5905 & 1u) != 0u)) - _e5921) + (select(_e5885, _e5877, ((_e5951 & 1u) != 0u)) - _e5921)) + _e5860)), vec4<f32>(select(0f, _e6012, ((_e6023 & 1u) != 0u)), select(0f, _e6013, ((_e6027 & 1u) != 0u)), select(0f, _e6014, ((_e6031 & 1u) != 0u)), select(0f, _e6015, ((_e6035 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e6001), _e6012, _e6074), select(select(0f, 1e20f, _e6004), _e6013, _e6077), select(select(0f, 1e20f, _e6007), _e6014, _e6080), select(select(0f, 1e20f, _e6010), _e6015, _e6083)), vec4<f32>(select(_e5608, 0f, _e6074), select(_e5608, 0f, _e6077), select(_e5608, 0f, _e6080), select(_e5608, 0f, _e6083)));
+let _e6073 = local_123[_e6070];
+let _e6092 = ((_e6061 & 1u) != 0u);
+let _e6095 = ((_e6065 & 1u) != 0u);
+let _e6098 = ((_e6069 & 1u) != 0u);
+let _e6101 = ((_e6073 & 1u) != 0u);
+phi_9093_ = type_18(vec4<f32>(_e5888, _e5889, _e5890, _e5886), vec4<f32>((((select(_e5900, _e5892, ((_e5911 & 1u) != 0u)) - (_e5883 * _e5539)) + (select(_e5950, _e5944, ((_e5959 & 1u) != 0u)) - (_e5888 * _e5550))) + _e5878), (((select(_e5901, _e5893, ((_e5915 & 1u) != 0u)) - (_e5884 * _e5565)) + (select(_e5951, _e5945, ((_e5963 & 1u) != 0u)) - (_e5889 * _e5572))) + _e5878), (((select(_e5902, _e5894, ((_e5919 & 1u) != 0u)) - (_e5885 * _e5587)) + (select(_e5952, _e5946, ((_e5967 & 1u) != 0u)) - (_e5890 * _e5594))) + _e5878), (((select(_e5903, _e5895, ((_e5923 & 1u) != 0u)) - _e5939) + (select(_e5903, _e5895, ((_e5969 & 1u) != 0u)) - _e5939)) + _e5878)), vec4<f32>(select(0f, _e6030, ((_e6041 & 1u) != 0u)), select(0f, _e6031, ((_e6045 & 1u) != 0u)), select(0f, _e6032, ((_e6049 & 1u) != 0u)), select(0f, _e6033, ((_e6053 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e6019), _e6030, _e6092), select(select(0f, 1e20f, _e6022), _e6031, _e6095), select(select(0f, 1e20f, _e6025), _e6032, _e6098), select(select(0f, 1e20f, _e6028), _e6033, _e6101)), vec4<f32>(select(_e5626, 0f, _e6092), select(_e5626, 0f, _e6095), select(_e5626, 0f, _e6098), select(_e5626, 0f, _e6101)));
 } else {
-let _e5615 = select(1f, -1f, (_e5611 < 0f));
-let _e5621 = select(0f, (2f * _e5607), (bitcast<f32>((bitcast<u32>(_e5611) & 2147483647u)) <= _e5607));
-let _e5626 = ((_e5521 - _e5547) * _e5615);
-let _e5627 = ((_e5547 - _e5569) * _e5615);
-let _e5628 = ((_e5569 - _e5521) * _e5615);
-let _e5629 = ((0f - 0f) * _e5615);
-let _e5631 = (_e5587 * _e5615);
-let _e5632 = (_e5590 * _e5615);
-let _e5633 = ((_e5532 - _e5576) * _e5615);
-let _e5635 = (_e5626 * _e5610);
-let _e5636 = (_e5627 * _e5610);
-let _e5637 = (_e5628 * _e5610);
-let _e5638 = (_e5629 * _e5610);
-let _e5643 = -((_e5626 * _e5584));
-let _e5644 = -((_e5627 * _e5584));
-let _e5645 = -((_e5628 * _e5584));
-let _e5646 = -((_e5629 * _e5584));
+let _e5633 = select(1f, -1f, (_e5629 < 0f));
+let _e5639 = select(0f, (2f * _e5625), (bitcast<f32>((bitcast<u32>(_e5629) & 2147483647u)) <= _e5625));
+let _e5644 = ((_e5539 - _e5565) * _e5633);
+let _e5645 = ((_e5565 - _e5587) * _e5633);
+let _e5646 = ((_e5587 - _e5539) * _e5633);
+let _e5647 = ((0f - 0f) * _e5633);
+let _e5649 = (_e5605 * _e5633);
+let _e5650 = (_e5608 * _e5633);
+let _e5651 = ((_e5550 - _e5594) * _e5633);
+let _e5653 = (_e5644 * _e5628);
+let _e5654 = (_e5645 * _e5628);
+let _e5655 = (_e5646 * _e5628);
+let _e5656 = (_e5647 * _e5628);
+let _e5661 = -((_e5644 * _e5602));
+let _e5662 = -((_e5645 * _e5602));
+let _e5663 = -((_e5646 * _e5602));
+let _e5664 = -((_e5647 * _e5602));
 local_116 = array<u32, 2>(0u, 4294967295u);
-let _e5651 = select(0u, 1u, (_e5635 > _e5643));
-if (_e5651 < 2u) {
+let _e5669 = select(0u, 1u, (_e5653 > _e5661));
+if (_e5669 < 2u) {
 } else {
 break;
 }
-let _e5654 = local_116[_e5651];
+let _e5672 = local_116[_e5669];
 local_117 = array<u32, 2>(0u, 4294967295u);
-let _e5655 = select(0u, 1u, (_e5636 > _e5644));
-if (_e5655 < 2u) {
+let _e5673 = select(0u, 1u, (_e5654 > _e5662));
+if (_e5673 < 2u) {
 } else {
 break;
 }
-let _e5658 = local_117[_e5655];
+let _e5676 = local_117[_e5673];
 local_118 = array<u32, 2>(0u, 4294967295u);
-let _e5659 = select(0u, 1u, (_e5637 > _e5645));
-if (_e5659 < 2u) {
+let _e5677 = select(0u, 1u, (_e5655 > _e5663));
+if (_e5677 < 2u) {
 } else {
 break;
 }
-let _e5662 = local_118[_e5659];
+let _e5680 = local_118[_e5677];
 local_119 = array<u32, 2>(0u, 4294967295u);
-let _e5663 = select(0u, 1u, (_e5638 > _e5646));
-let _e5664 = (_e5663 < 2u);
-if _e5664 {
+let _e5681 = select(0u, 1u, (_e5656 > _e5664));
+let _e5682 = (_e5681 < 2u);
+if _e5682 {
 } else {
 break;
 }
-let _e5666 = local_119[_e5663];
-let _e5682 = (_e5629 * 0f);
-let _e5687 = (_e5631 * _e5610);
-let _e5688 = (_e5632 * _e5610);
-let _e5689 = (_e5633 * _e5610);
-let _e5693 = -((_e5631 * _e5584));
-let _e5694 = -((_e5632 * _e5584));
-let _e5695 = -((_e5633 * _e5584));
+let _e5684 = local_119[_e5681];
+let _e5700 = (_e5647 * 0f);
+let _e5705 = (_e5649 * _e5628);
+let _e5706 = (_e5650 * _e5628);
+let _e5707 = (_e5651 * _e5628);
+let _e5711 = -((_e5649 * _e5602));
+let _e5712 = -((_e5650 * _e5602));
+let _e5713 = -((_e5651 * _e5602));
 local_112 = array<u32, 2>(0u, 4294967295u);
-let _e5699 = select(0u, 1u, (_e5687 > _e5693));
-if (_e5699 < 2u) {
+let _e5717 = select(0u, 1u, (_e5705 > _e5711));
+if (_e5717 < 2u) {
 } else {
 break;
 }
-let _e5702 = local_112[_e5699];
+let _e5720 = local_112[_e5717];
 local_113 = array<u32, 2>(0u, 4294967295u);
-let _e5703 = select(0u, 1u, (_e5688 > _e5694));
-if (_e5703 < 2u) {
+let _e5721 = select(0u, 1u, (_e5706 > _e5712));
+if (_e5721 < 2u) {
 } else {
 break;
 }
-let _e5706 = local_113[_e5703];
+let _e5724 = local_113[_e5721];
 local_114 = array<u32, 2>(0u, 4294967295u);
-let _e5707 = select(0u, 1u, (_e5689 > _e5695));
-if (_e5707 < 2u) {
+let _e5725 = select(0u, 1u, (_e5707 > _e5713));
+if (_e5725 < 2u) {
 } else {
 break;
 }
-let _e5710 = local_114[_e5707];
+let _e5728 = local_114[_e5725];
 local_115 = array<u32, 2>(0u, 4294967295u);
-if _e5664 {
+if _e5682 {
 } else {
 break;
 }
-let _e5712 = local_115[_e5663];
+let _e5730 = local_115[_e5681];
 local_108 = array<u32, 2>(0u, 4294967295u);
-let _e5745 = select(0u, 1u, (_e5626 == 0f));
-if (_e5745 < 2u) {
+let _e5763 = select(0u, 1u, (_e5644 == 0f));
+if (_e5763 < 2u) {
 } else {
 break;
 }
-let _e5748 = local_108[_e5745];
+let _e5766 = local_108[_e5763];
 local_109 = array<u32, 2>(0u, 4294967295u);
-let _e5749 = select(0u, 1u, (_e5627 == 0f));
-if (_e5749 < 2u) {
+let _e5767 = select(0u, 1u, (_e5645 == 0f));
+if (_e5767 < 2u) {
 } else {
 break;
 }
-let _e5752 = local_109[_e5749];
+let _e5770 = local_109[_e5767];
 local_110 = array<u32, 2>(0u, 4294967295u);
-let _e5753 = select(0u, 1u, (_e5628 == 0f));
-if (_e5753 < 2u) {
+let _e5771 = select(0u, 1u, (_e5646 == 0f));
+if (_e5771 < 2u) {
 } else {
 break;
 }
-let _e5756 = local_110[_e5753];
+let _e5774 = local_110[_e5771];
 local_111 = array<u32, 2>(0u, 4294967295u);
-let _e5757 = select(0u, 1u, (_e5629 == 0f));
-if (_e5757 < 2u) {
+let _e5775 = select(0u, 1u, (_e5647 == 0f));
+if (_e5775 < 2u) {
 } else {
 break;
 }
-let _e5760 = local_111[_e5757];
-let _e5762 = ((_e5748 & 1u) != 0u);
-let _e5765 = ((_e5752 & 1u) != 0u);
-let _e5768 = ((_e5756 & 1u) != 0u);
-let _e5771 = ((_e5760 & 1u) != 0u);
-let _e5773 = (-1f / select(_e5626, 1f, _e5762));
-let _e5774 = (-1f / select(_e5627, 1f, _e5765));
-let _e5775 = (-1f / select(_e5628, 1f, _e5768));
-let _e5776 = (-1f / select(_e5629, 1f, _e5771));
+let _e5778 = local_111[_e5775];
+let _e5780 = ((_e5766 & 1u) != 0u);
+let _e5783 = ((_e5770 & 1u) != 0u);
+let _e5786 = ((_e5774 & 1u) != 0u);
+let _e5789 = ((_e5778 & 1u) != 0u);
+let _e5791 = (-1f / select(_e5644, 1f, _e5780));
+let _e5792 = (-1f / select(_e5645, 1f, _e5783));
+let _e5793 = (-1f / select(_e5646, 1f, _e5786));
+let _e5794 = (-1f / select(_e5647, 1f, _e5789));
 local_104 = array<u32, 2>(0u, 4294967295u);
-let _e5781 = select(0u, 1u, (_e5626 > 0f));
-if (_e5781 < 2u) {
+let _e5799 = select(0u, 1u, (_e5644 > 0f));
+if (_e5799 < 2u) {
 } else {
 break;
 }
-let _e5784 = local_104[_e5781];
+let _e5802 = local_104[_e5799];
 local_105 = array<u32, 2>(0u, 4294967295u);
-let _e5785 = select(0u, 1u, (_e5627 > 0f));
-if (_e5785 < 2u) {
+let _e5803 = select(0u, 1u, (_e5645 > 0f));
+if (_e5803 < 2u) {
 } else {
 break;
 }
-let _e5788 = local_105[_e5785];
+let _e5806 = local_105[_e5803];
 local_106 = array<u32, 2>(0u, 4294967295u);
-let _e5789 = select(0u, 1u, (_e5628 > 0f));
-if (_e5789 < 2u) {
+let _e5807 = select(0u, 1u, (_e5646 > 0f));
+if (_e5807 < 2u) {
 } else {
 break;
 }
-let _e5792 = local_106[_e5789];
+let _e5810 = local_106[_e5807];
 local_107 = array<u32, 2>(0u, 4294967295u);
-let _e5793 = select(0u, 1u, (_e5629 > 0f));
-if (_e5793 < 2u) {
+let _e5811 = select(0u, 1u, (_e5647 > 0f));
+if (_e5811 < 2u) {
 } else {
 break;
 }
-let _e5796 = local_107[_e5793];
+let _e5814 = local_107[_e5811];
 local_100 = array<u32, 2>(0u, 4294967295u);
-let _e5801 = select(0u, 1u, (_e5626 < 0f));
-if (_e5801 < 2u) {
+let _e5819 = select(0u, 1u, (_e5644 < 0f));
+if (_e5819 < 2u) {
 } else {
 break;
 }
-let _e5804 = local_100[_e5801];
+let _e5822 = local_100[_e5819];
 local_101 = array<u32, 2>(0u, 4294967295u);
-let _e5805 = select(0u, 1u, (_e5627 < 0f));
-if (_e5805 < 2u) {
+let _e5823 = select(0u, 1u, (_e5645 < 0f));
+if (_e5823 < 2u) {
 } else {
 break;
 }
-let _e5808 = local_101[_e5805];
+let _e5826 = local_101[_e5823];
 local_102 = array<u32, 2>(0u, 4294967295u);
-let _e5809 = select(0u, 1u, (_e5628 < 0f));
-if (_e5809 < 2u) {
+let _e5827 = select(0u, 1u, (_e5646 < 0f));
+if (_e5827 < 2u) {
 } else {
 break;
 }
-let _e5812 = local_102[_e5809];
+let _e5830 = local_102[_e5827];
 local_103 = array<u32, 2>(0u, 4294967295u);
-let _e5813 = select(0u, 1u, (_e5629 < 0f));
-if (_e5813 < 2u) {
+let _e5831 = select(0u, 1u, (_e5647 < 0f));
+if (_e5831 < 2u) {
 } else {
 break;
 }
-let _e5816 = local_103[_e5813];
-let _e5835 = ((_e5804 & 1u) != 0u);
-let _e5838 = ((_e5808 & 1u) != 0u);
-let _e5841 = ((_e5812 & 1u) != 0u);
-let _e5844 = ((_e5816 & 1u) != 0u);
-phi_9093_ = type_18(vec4<f32>(_e5631, _e5632, _e5633, _e5629), vec4<f32>((((select(_e5643, _e5635, ((_e5654 & 1u) != 0u)) - (_e5626 * _e5532)) + (select(_e5693, _e5687, ((_e5702 & 1u) != 0u)) - (_e5631 * _e5521))) + _e5621), (((select(_e5644, _e5636, ((_e5658 & 1u) != 0u)) - (_e5627 * _e5554)) + (select(_e5694, _e5688, ((_e5706 & 1u) != 0u)) - (_e5632 * _e5547))) + _e5621), (((select(_e5645, _e5637, ((_e5662 & 1u) != 0u)) - (_e5628 * _e5576)) + (select(_e5695, _e5689, ((_e5710 & 1u) != 0u)) - (_e5633 * _e5569))) + _e5621), (((select(_e5646, _e5638, ((_e5666 & 1u) != 0u)) - _e5682) + (select(_e5646, _e5638, ((_e5712 & 1u) != 0u)) - _e5682)) + _e5621)), vec4<f32>(select(0f, _e5773, ((_e5784 & 1u) != 0u)), select(0f, _e5774, ((_e5788 & 1u) != 0u)), select(0f, _e5775, ((_e5792 & 1u) != 0u)), select(0f, _e5776, ((_e5796 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e5762), _e5773, _e5835), select(select(0f, 1e20f, _e5765), _e5774, _e5838), select(select(0f, 1e20f, _e5768), _e5775, _e5841), select(select(0f, 1e20f, _e5771), _e5776, _e5844)), vec4<f32>(select(_e5609, 0f, _e5835), select(_e5609, 0f, _e5838), select(_e5609, 0f, _e5841), select(_e5609, 0f, _e5844)));
+let _e5834 = local_103[_e5831];
+let _e5853 = ((_e5822 & 1u) != 0u);
+let _e5856 = ((_e5826 & 1u) != 0u);
+let _e5859 = ((_e5830 & 1u) != 0u);
+let _e5862 = ((_e5834 & 1u) != 0u);
+phi_9093_ = type_18(vec4<f32>(_e5649, _e5650, _e5651, _e5647), vec4<f32>((((select(_e5661, _e5653, ((_e5672 & 1u) != 0u)) - (_e5644 * _e5550)) + (select(_e5711, _e5705, ((_e5720 & 1u) != 0u)) - (_e5649 * _e5539))) + _e5639), (((select(_e5662, _e5654, ((_e5676 & 1u) != 0u)) - (_e5645 * _e5572)) + (select(_e5712, _e5706, ((_e5724 & 1u) != 0u)) - (_e5650 * _e5565))) + _e5639), (((select(_e5663, _e5655, ((_e5680 & 1u) != 0u)) - (_e5646 * _e5594)) + (select(_e5713, _e5707, ((_e5728 & 1u) != 0u)) - (_e5651 * _e5587))) + _e5639), (((select(_e5664, _e5656, ((_e5684 & 1u) != 0u)) - _e5700) + (select(_e5664, _e5656, ((_e5730 & 1u) != 0u)) - _e5700)) + _e5639)), vec4<f32>(select(0f, _e5791, ((_e5802 & 1u) != 0u)), select(0f, _e5792, ((_e5806 & 1u) != 0u)), select(0f, _e5793, ((_e5810 & 1u) != 0u)), select(0f, _e5794, ((_e5814 & 1u) != 0u))), vec4<f32>(select(select(0f, 1e20f, _e5780), _e5791, _e5853), select(select(0f, 1e20f, _e5783), _e5792, _e5856), select(select(0f, 1e20f, _e5786), _e5793, _e5859), select(select(0f, 1e20f, _e5789), _e5794, _e5862)), vec4<f32>(select(_e5627, 0f, _e5853), select(_e5627, 0f, _e5856), select(_e5627, 0f, _e5859), select(_e5627, 0f, _e5862)));
 }
-let _e6093 = phi_9093_;
-let _e6096 = select(1f, -1f, (((_e5585 * _e5589) - (_e5586 * _e5588)) < 0f));
-let _e6099 = (_e5569 - _e5521);
-let _e6100 = (0f - 0f);
-let _e6101 = ((_e5521 - _e5547) * _e6096);
-let _e6102 = ((_e5547 - _e5569) * _e6096);
-let _e6103 = (_e6099 * _e6096);
-let _e6104 = (_e6100 * _e6096);
-let _e6105 = (_e5510 - _e5562);
-let _e6106 = (_e5585 * _e6096);
-let _e6107 = (_e5588 * _e6096);
-let _e6108 = (_e6105 * _e6096);
-if (select(0u, 1u, ((_e6101 * _e5610) > -((_e6101 * _e5584)))) < 2u) {
+let _e6111 = phi_9093_;
+let _e6114 = select(1f, -1f, (((_e5603 * _e5607) - (_e5604 * _e5606)) < 0f));
+let _e6117 = (_e5587 - _e5539);
+let _e6118 = (0f - 0f);
+let _e6119 = ((_e5539 - _e5565) * _e6114);
+let _e6120 = ((_e5565 - _e5587) * _e6114);
+let _e6121 = (_e6117 * _e6114);
+let _e6122 = (_e6118 * _e6114);
+let _e6123 = (_e5528 - _e5580);
+let _e6124 = (_e5603 * _e6114);
+let _e6125 = (_e5606 * _e6114);
+let _e6126 = (_e6123 * _e6114);
+if (select(0u, 1u, ((_e6119 * _e5628) > -((_e6119 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6102 * _e5610) > -((_e6102 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6120 * _e5628) > -((_e6120 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6103 * _e5610) > -((_e6103 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6121 * _e5628) > -((_e6121 * _e5602)))) < 2u) {
 } else {
 break;
 }
-let _e6132 = (select(0u, 1u, ((_e6104 * _e5610) > -((_e6104 * _e5584)))) < 2u);
-if _e6132 {
+let _e6150 = (select(0u, 1u, ((_e6122 * _e5628) > -((_e6122 * _e5602)))) < 2u);
+if _e6150 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6106 * _e5610) > -((_e6106 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6124 * _e5628) > -((_e6124 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6107 * _e5610) > -((_e6107 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6125 * _e5628) > -((_e6125 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6108 * _e5610) > -((_e6108 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6126 * _e5628) > -((_e6126 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if _e6132 {
+if _e6150 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6101 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6119 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6102 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6120 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6103 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6121 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6104 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6122 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6101 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6119 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6102 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6120 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6103 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6121 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6104 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6122 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6101 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6119 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6102 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6120 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6103 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6121 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6104 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6122 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e6188 = select(1f, -1f, (-(((_e5587 * _e5588) - (_e5585 * _e5590))) < 0f));
-let _e6191 = (_e5576 - _e5532);
-let _e6192 = ((_e5532 - _e5554) * _e6188);
-let _e6193 = ((_e5554 - _e5576) * _e6188);
-let _e6194 = (_e6191 * _e6188);
-let _e6195 = (_e6100 * _e6188);
-let _e6196 = (_e5585 * _e6188);
-let _e6197 = (_e5588 * _e6188);
-let _e6198 = (_e6105 * _e6188);
-if (select(0u, 1u, ((_e6192 * _e5610) > -((_e6192 * _e5584)))) < 2u) {
+let _e6206 = select(1f, -1f, (-(((_e5605 * _e5606) - (_e5603 * _e5608))) < 0f));
+let _e6209 = (_e5594 - _e5550);
+let _e6210 = ((_e5550 - _e5572) * _e6206);
+let _e6211 = ((_e5572 - _e5594) * _e6206);
+let _e6212 = (_e6209 * _e6206);
+let _e6213 = (_e6118 * _e6206);
+let _e6214 = (_e5603 * _e6206);
+let _e6215 = (_e5606 * _e6206);
+let _e6216 = (_e6123 * _e6206);
+if (select(0u, 1u, ((_e6210 * _e5628) > -((_e6210 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6193 * _e5610) > -((_e6193 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6211 * _e5628) > -((_e6211 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6194 * _e5610) > -((_e6194 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6212 * _e5628) > -((_e6212 * _e5602)))) < 2u) {
 } else {
 break;
 }
-let _e6222 = (select(0u, 1u, ((_e6195 * _e5610) > -((_e6195 * _e5584)))) < 2u);
-if _e6222 {
+let _e6240 = (select(0u, 1u, ((_e6213 * _e5628) > -((_e6213 * _e5602)))) < 2u);
+if _e6240 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6196 * _e5610) > -((_e6196 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6214 * _e5628) > -((_e6214 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6197 * _e5610) > -((_e6197 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6215 * _e5628) > -((_e6215 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e6198 * _e5610) > -((_e6198 * _e5584)))) < 2u) {
+if (select(0u, 1u, ((_e6216 * _e5628) > -((_e6216 * _e5602)))) < 2u) {
 } else {
 break;
 }
-if _e6222 {
+if _e6240 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6192 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6210 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6193 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6211 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6194 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6212 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6195 == 0f)) < 2u) {
+if (select(0u, 1u, (_e6213 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6192 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6210 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6193 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6211 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6194 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6212 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6195 > 0f)) < 2u) {
+if (select(0u, 1u, (_e6213 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6192 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6210 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6193 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6211 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6194 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6212 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e6195 < 0f)) < 2u) {
+if (select(0u, 1u, (_e6213 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e6277 = (_e5562 - _e5510);
-let _e6279 = (_e926.member.member * 19i);
-let _e6280 = (_e6279 + 18i);
-let _e6282 = (bitcast<i32>(_e214) - 1i);
-let _e6284 = select(_e6282, _e6280, (_e6280 < _e6282));
-let _e6290 = global_4.member[bitcast<u32>(select(0i, _e6284, (_e6284 > 0i)))];
-let _e6292 = select(0f, _e6290, (_e6290 > 0f));
-let _e6294 = select(16777216f, _e6292, (_e6292 < 16777216f));
-let _e6301 = select(0i, select(select(i32(_e6294), i32(-2147483648), (_e6294 < -2147483600f)), 2147483647i, (_e6294 > 2147483500f)), (_e6294 == _e6294));
+let _e6295 = (_e5580 - _e5528);
+let _e6297 = (_e926.member.member * 19i);
+let _e6298 = (_e6297 + 18i);
+let _e6300 = (bitcast<i32>(_e214) - 1i);
+let _e6302 = select(_e6300, _e6298, (_e6298 < _e6300));
+let _e6308 = global_4.member[bitcast<u32>(select(0i, _e6302, (_e6302 > 0i)))];
+let _e6310 = select(0f, _e6308, (_e6308 > 0f));
+let _e6312 = select(16777216f, _e6310, (_e6310 < 16777216f));
+let _e6319 = select(0i, select(select(i32(_e6312), i32(-2147483648), (_e6312 < -2147483600f)), 2147483647i, (_e6312 > 2147483500f)), (_e6312 == _e6312));
 phi_11050_ = _e926.member.member_1;
 loop {
-let _e6308 = phi_11050_;
-let _e6309 = (_e6308 < _e926.member.member_2);
-if _e6309 {
-if _e5613 {
+let _e6326 = phi_11050_;
+let _e6327 = (_e6326 < _e926.member.member_2);
+if _e6327 {
+if _e5631 {
 phi_11065_ = _e926.member_1.member_4.y;
 } else {
 phi_11065_ = _e926.member_1.member_4.z;
 }
-let _e6313 = phi_11065_;
-let _e6314 = f32(_e6313);
-let _e6315 = f32(_e6308);
-let _e6325 = ((_e6093.member.x * _e6315) + _e6093.member_1.x);
-let _e6327 = ((_e6093.member.y * _e6315) + _e6093.member_1.y);
-let _e6329 = ((_e6093.member.z * _e6315) + _e6093.member_1.z);
-let _e6332 = (_e6325 * _e6093.member_2.x);
-let _e6334 = (_e6327 * _e6093.member_2.y);
-let _e6336 = (_e6329 * _e6093.member_2.z);
-let _e6346 = ((_e6325 * _e6093.member_3.x) + _e6093.member_4.x);
-let _e6348 = ((_e6327 * _e6093.member_3.y) + _e6093.member_4.y);
-let _e6350 = ((_e6329 * _e6093.member_3.z) + _e6093.member_4.z);
-let _e6352 = select(_e6332, 0f, (0f > _e6332));
-let _e6354 = select(_e6336, _e6334, (_e6334 > _e6336));
-let _e6358 = select(_e6346, _e6314, (_e6314 < _e6346));
-let _e6360 = select(_e6350, _e6348, (_e6348 < _e6350));
-let _e6362 = select(_e6360, _e6358, (_e6358 < _e6360));
-let _e6363 = -(select(_e6354, _e6352, (_e6352 > _e6354)));
-let _e6365 = (-(_e6314) - 1f);
-let _e6367 = select(_e6365, _e6363, (_e6363 > _e6365));
-let _e6369 = select(0f, _e6367, (_e6367 < 0f));
-let _e6376 = select(0i, select(select(i32(_e6369), i32(-2147483648), (_e6369 < -2147483600f)), 2147483647i, (_e6369 > 2147483500f)), (_e6369 == _e6369));
-let _e6383 = select(-1f, _e6362, (_e6362 > -1f));
-let _e6385 = select(_e6314, _e6383, (_e6383 < _e6314));
-let _e6392 = select(0i, select(select(i32(_e6385), i32(-2147483648), (_e6385 < -2147483600f)), 2147483647i, (_e6385 > 2147483500f)), (_e6385 == _e6385));
-phi_11185_ = -((_e6376 - select(0i, 1i, (_e6369 < f32(_e6376)))));
+let _e6331 = phi_11065_;
+let _e6332 = f32(_e6331);
+let _e6333 = f32(_e6326);
+let _e6343 = ((_e6111.member.x * _e6333) + _e6111.member_1.x);
+let _e6345 = ((_e6111.member.y * _e6333) + _e6111.member_1.y);
+let _e6347 = ((_e6111.member.z * _e6333) + _e6111.member_1.z);
+let _e6350 = (_e6343 * _e6111.member_2.x);
+let _e6352 = (_e6345 * _e6111.member_2.y);
+let _e6354 = (_e6347 * _e6111.member_2.z);
+let _e6364 = ((_e6343 * _e6111.member_3.x) + _e6111.member_4.x);
+let _e6366 = ((_e6345 * _e6111.member_3.y) + _e6111.member_4.y);
+let _e6368 = ((_e6347 * _e6111.member_3.z) + _e6111.member_4.z);
+let _e6370 = select(_e6350, 0f, (0f > _e6350));
+let _e6372 = select(_e6354, _e6352, (_e6352 > _e6354));
+let _e6376 = select(_e6364, _e6332, (_e6332 < _e6364));
+let _e6378 = select(_e6368, _e6366, (_e6366 < _e6368));
+let _e6380 = select(_e6378, _e6376, (_e6376 < _e6378));
+let _e6381 = -(select(_e6372, _e6370, (_e6370 > _e6372)));
+let _e6383 = (-(_e6332) - 1f);
+let _e6385 = select(_e6383, _e6381, (_e6381 > _e6383));
+let _e6387 = select(0f, _e6385, (_e6385 < 0f));
+let _e6394 = select(0i, select(select(i32(_e6387), i32(-2147483648), (_e6387 < -2147483600f)), 2147483647i, (_e6387 > 2147483500f)), (_e6387 == _e6387));
+let _e6401 = select(-1f, _e6380, (_e6380 > -1f));
+let _e6403 = select(_e6332, _e6401, (_e6401 < _e6332));
+let _e6410 = select(0i, select(select(i32(_e6403), i32(-2147483648), (_e6403 < -2147483600f)), 2147483647i, (_e6403 > 2147483500f)), (_e6403 == _e6403));
+phi_11185_ = -((_e6394 - select(0i, 1i, (_e6387 < f32(_e6394)))));
 loop {
-let _e6398 = phi_11185_;
-let _e6399 = (_e6398 <= (_e6392 - select(0i, 1i, (_e6385 < f32(_e6392)))));
-if _e6399 {
-let _e6400 = select(_e6398, _e6308, _e5613);
-let _e6401 = select(_e6308, _e6398, _e5613);
-let _e6407 = global_1.member.member_2.member_1;
-let _e6414 = global_1.member.member_3;
+let _e6416 = phi_11185_;
+let _e6417 = (_e6416 <= (_e6410 - select(0i, 1i, (_e6403 < f32(_e6410)))));
+if _e6417 {
+let _e6418 = select(_e6416, _e6326, _e5631);
+let _e6419 = select(_e6326, _e6416, _e5631);
+let _e6425 = global_1.member.member_2.member_1;
+let _e6432 = global_1.member.member_3;
 phi_11215_ = 0i;
 loop {
-let _e6418 = phi_11215_;
-let _e6419 = (_e6418 <= _e926.member_1.member_4.x);
-if _e6419 {
-let _e6426 = ((f32(_e6418) + 0.5f) - _e5510);
-let _e6427 = ((f32(_e6401) + 0.5f) - _e5521);
-let _e6428 = ((f32(_e6400) + 0.5f) - _e5532);
-let _e6433 = (((_e5585 * _e5585) + (_e5586 * _e5586)) + (_e5587 * _e5587));
-let _e6438 = (((_e5585 * _e6277) + (_e5586 * _e6099)) + (_e5587 * _e6191));
-let _e6443 = (((_e6277 * _e6277) + (_e6099 * _e6099)) + (_e6191 * _e6191));
-let _e6448 = (((_e6426 * _e5585) + (_e6427 * _e5586)) + (_e6428 * _e5587));
-let _e6453 = (((_e6426 * _e6277) + (_e6427 * _e6099)) + (_e6428 * _e6191));
-let _e6456 = ((_e6433 * _e6443) - (_e6438 * _e6438));
-let _e6457 = (_e6456 > 0f);
-let _e6460 = select(0f, (1f / select(1f, _e6456, _e6457)), _e6457);
-let _e6464 = (((_e6443 * _e6448) - (_e6438 * _e6453)) * _e6460);
-let _e6468 = (((_e6433 * _e6453) - (_e6438 * _e6448)) * _e6460);
-let _e6470 = ((1f - _e6464) - _e6468);
-let _e6472 = select(0f, _e6470, (_e6470 > 0f));
-let _e6474 = select(16777216f, _e6472, (_e6472 < 16777216f));
-let _e6476 = select(0f, _e6464, (_e6464 > 0f));
-let _e6478 = select(16777216f, _e6476, (_e6476 < 16777216f));
-let _e6480 = select(0f, _e6468, (_e6468 > 0f));
-let _e6482 = select(16777216f, _e6480, (_e6480 < 16777216f));
-let _e6484 = ((_e6474 + _e6478) + _e6482);
-let _e6487 = (1f / select(0.5f, _e6484, (_e6484 > 0.5f)));
-let _e6488 = (_e6474 * _e6487);
-let _e6489 = (_e6478 * _e6487);
-let _e6490 = (_e6482 * _e6487);
-let _e6492 = select(_e6282, _e6279, (_e6279 < _e6282));
-let _e6498 = global_4.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
-let _e6499 = (_e6279 + 1i);
-let _e6501 = select(_e6282, _e6499, (_e6499 < _e6282));
-let _e6507 = global_4.member[bitcast<u32>(select(0i, _e6501, (_e6501 > 0i)))];
-let _e6508 = (_e6279 + 2i);
-let _e6510 = select(_e6282, _e6508, (_e6508 < _e6282));
+let _e6436 = phi_11215_;
+let _e6437 = (_e6436 <= _e926.member_1.member_4.x);
+if _e6437 {
+let _e6444 = ((f32(_e6436) + 0.5f) - _e5528);
+let _e6445 = ((f32(_e6419) + 0.5f) - _e5539);
+let _e6446 = ((f32(_e6418) + 0.5f) - _e5550);
+let _e6451 = (((_e5603 * _e5603) + (_e5604 * _e5604)) + (_e5605 * _e5605));
+let _e6456 = (((_e5603 * _e6295) + (_e5604 * _e6117)) + (_e5605 * _e6209));
+let _e6461 = (((_e6295 * _e6295) + (_e6117 * _e6117)) + (_e6209 * _e6209));
+let _e6466 = (((_e6444 * _e5603) + (_e6445 * _e5604)) + (_e6446 * _e5605));
+let _e6471 = (((_e6444 * _e6295) + (_e6445 * _e6117)) + (_e6446 * _e6209));
+let _e6474 = ((_e6451 * _e6461) - (_e6456 * _e6456));
+let _e6475 = (_e6474 > 0f);
+let _e6478 = select(0f, (1f / select(1f, _e6474, _e6475)), _e6475);
+let _e6482 = (((_e6461 * _e6466) - (_e6456 * _e6471)) * _e6478);
+let _e6486 = (((_e6451 * _e6471) - (_e6456 * _e6466)) * _e6478);
+let _e6488 = ((1f - _e6482) - _e6486);
+let _e6490 = select(0f, _e6488, (_e6488 > 0f));
+let _e6492 = select(16777216f, _e6490, (_e6490 < 16777216f));
+let _e6494 = select(0f, _e6482, (_e6482 > 0f));
+let _e6496 = select(16777216f, _e6494, (_e6494 < 16777216f));
+let _e6498 = select(0f, _e6486, (_e6486 > 0f));
+let _e6500 = select(16777216f, _e6498, (_e6498 < 16777216f));
+let _e6502 = ((_e6492 + _e6496) + _e6500);
+let _e6505 = (1f / select(0.5f, _e6502, (_e6502 > 0.5f)));
+let _e6506 = (_e6492 * _e6505);
+let _e6507 = (_e6496 * _e6505);
+let _e6508 = (_e6500 * _e6505);
+let _e6510 = select(_e6300, _e6297, (_e6297 < _e6300));
 let _e6516 = global_4.member[bitcast<u32>(select(0i, _e6510, (_e6510 > 0i)))];
-let _e6517 = (_e6279 + 3i);
-let _e6519 = select(_e6282, _e6517, (_e6517 < _e6282));
+let _e6517 = (_e6297 + 1i);
+let _e6519 = select(_e6300, _e6517, (_e6517 < _e6300));
 let _e6525 = global_4.member[bitcast<u32>(select(0i, _e6519, (_e6519 > 0i)))];
-let _e6526 = (_e6279 + 4i);
-let _e6528 = select(_e6282, _e6526, (_e6526 < _e6282));
+let _e6526 = (_e6297 + 2i);
+let _e6528 = select(_e6300, _e6526, (_e6526 < _e6300));
 let _e6534 = global_4.member[bitcast<u32>(select(0i, _e6528, (_e6528 > 0i)))];
-let _e6535 = (_e6279 + 5i);
-let _e6537 = select(_e6282, _e6535, (_e6535 < _e6282));
+let _e6535 = (_e6297 + 3i);
+let _e6537 = select(_e6300, _e6535, (_e6535 < _e6300));
 let _e6543 = global_4.member[bitcast<u32>(select(0i, _e6537, (_e6537 > 0i)))];
-let _e6544 = (_e6279 + 6i);
-let _e6546 = select(_e6282, _e6544, (_e6544 < _e6282));
+let _e6544 = (_e6297 + 4i);
+let _e6546 = select(_e6300, _e6544, (_e6544 < _e6300));
 let _e6552 = global_4.member[bitcast<u32>(select(0i, _e6546, (_e6546 > 0i)))];
-let _e6553 = (_e6279 + 7i);
-let _e6555 = select(_e6282, _e6553, (_e6553 < _e6282));
+let _e6553 = (_e6297 + 5i);
+let _e6555 = select(_e6300, _e6553, (_e6553 < _e6300));
 let _e6561 = global_4.member[bitcast<u32>(select(0i, _e6555, (_e6555 > 0i)))];
-let _e6562 = (_e6279 + 8i);
-let _e6564 = select(_e6282, _e6562, (_e6562 < _e6282));
+let _e6562 = (_e6297 + 6i);
+let _e6564 = select(_e6300, _e6562, (_e6562 < _e6300));
 let _e6570 = global_4.member[bitcast<u32>(select(0i, _e6564, (_e6564 > 0i)))];
-let _e6575 = (((_e6498 * _e6488) + (_e6525 * _e6489)) + (_e6552 * _e6490));
-let _e6580 = (((_e6507 * _e6488) + (_e6534 * _e6489)) + (_e6561 * _e6490));
-let _e6585 = (((_e6516 * _e6488) + (_e6543 * _e6489)) + (_e6570 * _e6490));
-let _e6590 = (((_e6575 * _e6575) + (_e6580 * _e6580)) + (_e6585 * _e6585));
-let _e6593 = sqrt(select(0f, _e6590, (_e6590 > 0f)));
-let _e6594 = (_e6593 > 1e-6f);
-let _e6597 = select(0f, (1f / select(1e-6f, _e6593, _e6594)), _e6594);
-let _e6598 = (_e6279 + 9i);
-let _e6600 = select(_e6282, _e6598, (_e6598 < _e6282));
-let _e6606 = global_4.member[bitcast<u32>(select(0i, _e6600, (_e6600 > 0i)))];
-let _e6607 = (_e6279 + 10i);
-let _e6609 = select(_e6282, _e6607, (_e6607 < _e6282));
-let _e6615 = global_4.member[bitcast<u32>(select(0i, _e6609, (_e6609 > 0i)))];
-let _e6616 = (_e6279 + 11i);
-let _e6618 = select(_e6282, _e6616, (_e6616 < _e6282));
+let _e6571 = (_e6297 + 7i);
+let _e6573 = select(_e6300, _e6571, (_e6571 < _e6300));
+let _e6579 = global_4.member[bitcast<u32>(select(0i, _e6573, (_e6573 > 0i)))];
+let _e6580 = (_e6297 + 8i);
+let _e6582 = select(_e6300, _e6580, (_e6580 < _e6300));
+let _e6588 = global_4.member[bitcast<u32>(select(0i, _e6582, (_e6582 > 0i)))];
+let _e6593 = (((_e6516 * _e6506) + (_e6543 * _e6507)) + (_e6570 * _e6508));
+let _e6598 = (((_e6525 * _e6506) + (_e6552 * _e6507)) + (_e6579 * _e6508));
+let _e6603 = (((_e6534 * _e6506) + (_e6561 * _e6507)) + (_e6588 * _e6508));
+let _e6608 = (((_e6593 * _e6593) + (_e6598 * _e6598)) + (_e6603 * _e6603));
+let _e6611 = sqrt(select(0f, _e6608, (_e6608 > 0f)));
+let _e6612 = (_e6611 > 1e-6f);
+let _e6615 = select(0f, (1f / select(1e-6f, _e6611, _e6612)), _e6612);
+let _e6616 = (_e6297 + 9i);
+let _e6618 = select(_e6300, _e6616, (_e6616 < _e6300));
 let _e6624 = global_4.member[bitcast<u32>(select(0i, _e6618, (_e6618 > 0i)))];
-let _e6625 = (_e6279 + 12i);
-let _e6627 = select(_e6282, _e6625, (_e6625 < _e6282));
+let _e6625 = (_e6297 + 10i);
+let _e6627 = select(_e6300, _e6625, (_e6625 < _e6300));
 let _e6633 = global_4.member[bitcast<u32>(select(0i, _e6627, (_e6627 > 0i)))];
-let _e6634 = (_e6279 + 13i);
-let _e6636 = select(_e6282, _e6634, (_e6634 < _e6282));
+let _e6634 = (_e6297 + 11i);
+let _e6636 = select(_e6300, _e6634, (_e6634 < _e6300));
 let _e6642 = global_4.member[bitcast<u32>(select(0i, _e6636, (_e6636 > 0i)))];
-let _e6643 = (_e6279 + 14i);
-let _e6645 = select(_e6282, _e6643, (_e6643 < _e6282));
+let _e6643 = (_e6297 + 12i);
+let _e6645 = select(_e6300, _e6643, (_e6643 < _e6300));
 let _e6651 = global_4.member[bitcast<u32>(select(0i, _e6645, (_e6645 > 0i)))];
-let _e6652 = (_e6279 + 15i);
-let _e6654 = select(_e6282, _e6652, (_e6652 < _e6282));
+let _e6652 = (_e6297 + 13i);
+let _e6654 = select(_e6300, _e6652, (_e6652 < _e6300));
 let _e6660 = global_4.member[bitcast<u32>(select(0i, _e6654, (_e6654 > 0i)))];
-let _e6661 = (_e6279 + 16i);
-let _e6663 = select(_e6282, _e6661, (_e6661 < _e6282));
+let _e6661 = (_e6297 + 14i);
+let _e6663 = select(_e6300, _e6661, (_e6661 < _e6300));
 let _e6669 = global_4.member[bitcast<u32>(select(0i, _e6663, (_e6663 > 0i)))];
-let _e6670 = (_e6279 + 17i);
-let _e6672 = select(_e6282, _e6670, (_e6670 < _e6282));
+let _e6670 = (_e6297 + 15i);
+let _e6672 = select(_e6300, _e6670, (_e6670 < _e6300));
 let _e6678 = global_4.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
-let _e6694 = (_e926.member_1.member_3.x + _e6418);
-let _e6697 = ((((((_e926.member_1.member_3.z + _e6400) * bitcast<i32>(_e6407)) + _e926.member_1.member_3.y) + _e6401) * bitcast<i32>(_e6414)) + (_e6694 >> bitcast<u32>(5i)));
-let _e6701 = (bitcast<i32>(_e218) - 1i);
-let _e6703 = select(_e6701, _e6697, (_e6697 < _e6701));
-let _e6709 = global_6.member[bitcast<u32>(select(0i, _e6703, (_e6703 > 0i)))];
-let _e6711 = (bitcast<i32>(_e216) - 1i);
-let _e6713 = select(_e6711, _e6697, (_e6697 < _e6711));
-let _e6719 = global_5.member[bitcast<u32>(select(0i, _e6713, (_e6713 > 0i)))];
-let _e6728 = (bitcast<i32>((_e6709 + countOneBits((_e6719 & ((1u << bitcast<u32>((bitcast<u32>((_e6694 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e6729 = bitcast<u32>(_e6728);
-if (_e6729 < _e220) {
-let _e6733 = atomicAdd((&global_7.member[_e6729]), 1u);
+let _e6679 = (_e6297 + 16i);
+let _e6681 = select(_e6300, _e6679, (_e6679 < _e6300));
+let _e6687 = global_4.member[bitcast<u32>(select(0i, _e6681, (_e6681 > 0i)))];
+let _e6688 = (_e6297 + 17i);
+let _e6690 = select(_e6300, _e6688, (_e6688 < _e6300));
+let _e6696 = global_4.member[bitcast<u32>(select(0i, _e6690, (_e6690 > 0i)))];
+let _e6712 = (_e926.member_1.member_3.x + _e6436);
+let _e6715 = ((((((_e926.member_1.member_3.z + _e6418) * bitcast<i32>(_e6425)) + _e926.member_1.member_3.y) + _e6419) * bitcast<i32>(_e6432)) + (_e6712 >> bitcast<u32>(5i)));
+let _e6719 = (bitcast<i32>(_e218) - 1i);
+let _e6721 = select(_e6719, _e6715, (_e6715 < _e6719));
+let _e6727 = global_6.member[bitcast<u32>(select(0i, _e6721, (_e6721 > 0i)))];
+let _e6729 = (bitcast<i32>(_e216) - 1i);
+let _e6731 = select(_e6729, _e6715, (_e6715 < _e6729));
+let _e6737 = global_5.member[bitcast<u32>(select(0i, _e6731, (_e6731 > 0i)))];
+let _e6746 = (bitcast<i32>((_e6727 + countOneBits((_e6737 & ((1u << bitcast<u32>((bitcast<u32>((_e6712 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e6747 = bitcast<u32>(_e6746);
+if (_e6747 < _e220) {
+let _e6751 = atomicAdd((&global_7.member[_e6747]), 1u);
 }
-let _e6735 = bitcast<u32>((_e6728 + 1i));
-if (_e6735 < _e220) {
-let _e6739 = atomicMax((&global_7.member[_e6735]), bitcast<u32>((_e6301 - select(0i, 1i, (_e6294 < f32(_e6301))))));
+let _e6753 = bitcast<u32>((_e6746 + 1i));
+if (_e6753 < _e220) {
+let _e6757 = atomicMax((&global_7.member[_e6753]), bitcast<u32>((_e6319 - select(0i, 1i, (_e6312 < f32(_e6319))))));
 }
-let _e6745 = (((_e6575 * _e6597) * 65536f) + 0.5f);
-let _e6747 = select(-1073741800f, _e6745, (_e6745 > -1073741800f));
-let _e6749 = select(1073741800f, _e6747, (_e6747 < 1073741800f));
-let _e6756 = select(0i, select(select(i32(_e6749), i32(-2147483648), (_e6749 < -2147483600f)), 2147483647i, (_e6749 > 2147483500f)), (_e6749 == _e6749));
-let _e6760 = (_e6756 - select(0i, 1i, (_e6749 < f32(_e6756))));
-if (_e6760 == 0i) {
+let _e6763 = (((_e6593 * _e6615) * 65536f) + 0.5f);
+let _e6765 = select(-1073741800f, _e6763, (_e6763 > -1073741800f));
+let _e6767 = select(1073741800f, _e6765, (_e6765 < 1073741800f));
+let _e6774 = select(0i, select(select(i32(_e6767), i32(-2147483648), (_e6767 < -2147483600f)), 2147483647i, (_e6767 > 2147483500f)), (_e6767 == _e6767));
+let _e6778 = (_e6774 - select(0i, 1i, (_e6767 < f32(_e6774))));
+let _e6779 = bitcast<u32>(_e6778);
+let _e6782 = bitcast<u32>((_e6778 >> bitcast<u32>(31i)));
+if ((_e6779 | _e6782) == 0u) {
 } else {
-let _e6762 = bitcast<u32>(_e6760);
-let _e6763 = bitcast<u32>((_e6728 + 2i));
-if (_e6763 < _e220) {
-let _e6767 = atomicAdd((&global_7.member[_e6763]), _e6762);
-phi_11743_ = _e6767;
+let _e6785 = bitcast<u32>((_e6746 + 2i));
+if (_e6785 < _e220) {
+let _e6789 = atomicAdd((&global_7.member[_e6785]), _e6779);
+phi_11746_ = _e6789;
 } else {
-phi_11743_ = 0u;
+phi_11746_ = 0u;
 }
-let _e6769 = phi_11743_;
-let _e6776 = (bitcast<u32>((_e6760 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6769 + _e6762) < _e6762)));
-if (_e6776 == 0u) {
+let _e6791 = phi_11746_;
+let _e6795 = (_e6782 + select(0u, 1u, ((_e6791 + _e6779) < _e6779)));
+if (_e6795 == 0u) {
 } else {
-let _e6778 = (_e6763 + 1u);
-if (_e6778 < _e220) {
-let _e6782 = atomicAdd((&global_7.member[_e6778]), _e6776);
+let _e6797 = (_e6785 + 1u);
+if (_e6797 < _e220) {
+let _e6801 = atomicAdd((&global_7.member[_e6797]), _e6795);
 }
 }
 }
-let _e6785 = (((_e6580 * _e6597) * 65536f) + 0.5f);
-let _e6787 = select(-1073741800f, _e6785, (_e6785 > -1073741800f));
-let _e6789 = select(1073741800f, _e6787, (_e6787 < 1073741800f));
-let _e6796 = select(0i, select(select(i32(_e6789), i32(-2147483648), (_e6789 < -2147483600f)), 2147483647i, (_e6789 > 2147483500f)), (_e6789 == _e6789));
-let _e6800 = (_e6796 - select(0i, 1i, (_e6789 < f32(_e6796))));
-if (_e6800 == 0i) {
+let _e6804 = (((_e6598 * _e6615) * 65536f) + 0.5f);
+let _e6806 = select(-1073741800f, _e6804, (_e6804 > -1073741800f));
+let _e6808 = select(1073741800f, _e6806, (_e6806 < 1073741800f));
+let _e6815 = select(0i, select(select(i32(_e6808), i32(-2147483648), (_e6808 < -2147483600f)), 2147483647i, (_e6808 > 2147483500f)), (_e6808 == _e6808));
+let _e6819 = (_e6815 - select(0i, 1i, (_e6808 < f32(_e6815))));
+let _e6820 = bitcast<u32>(_e6819);
+let _e6823 = bitcast<u32>((_e6819 >> bitcast<u32>(31i)));
+if ((_e6820 | _e6823) == 0u) {
 } else {
-let _e6802 = bitcast<u32>(_e6800);
-let _e6803 = bitcast<u32>((_e6728 + 4i));
-if (_e6803 < _e220) {
-let _e6807 = atomicAdd((&global_7.member[_e6803]), _e6802);
-phi_11800_ = _e6807;
+let _e6826 = bitcast<u32>((_e6746 + 4i));
+if (_e6826 < _e220) {
+let _e6830 = atomicAdd((&global_7.member[_e6826]), _e6820);
+phi_11803_ = _e6830;
 } else {
-phi_11800_ = 0u;
+phi_11803_ = 0u;
 }
-let _e6809 = phi_11800_;
-let _e6816 = (bitcast<u32>((_e6800 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6809 + _e6802) < _e6802)));
-if (_e6816 == 0u) {
+let _e6832 = phi_11803_;
+let _e6836 = (_e6823 + select(0u, 1u, ((_e6832 + _e6820) < _e6820)));
+if (_e6836 == 0u) {
 } else {
-let _e6818 = (_e6803 + 1u);
-if (_e6818 < _e220) {
-let _e6822 = atomicAdd((&global_7.member[_e6818]), _e6816);
+let _e6838 = (_e6826 + 1u);
+if (_e6838 < _e220) {
+let _e6842 = atomicAdd((&global_7.member[_e6838]), _e6836);
 }
 }
 }
-let _e6825 = (((_e6585 * _e6597) * 65536f) + 0.5f);
-let _e6827 = select(-1073741800f, _e6825, (_e6825 > -1073741800f));
-let _e6829 = select(1073741800f, _e6827, (_e6827 < 1073741800f));
-let _e6836 = select(0i, select(select(i32(_e6829), i32(-2147483648), (_e6829 < -2147483600f)), 2147483647i, (_e6829 > 2147483500f)), (_e6829 == _e6829));
-let _e6840 = (_e6836 - select(0i, 1i, (_e6829 < f32(_e6836))));
-if (_e6840 == 0i) {
+let _e6845 = (((_e6603 * _e6615) * 65536f) + 0.5f);
+let _e6847 = select(-1073741800f, _e6845, (_e6845 > -1073741800f));
+let _e6849 = select(1073741800f, _e6847, (_e6847 < 1073741800f));
+let _e6856 = select(0i, select(select(i32(_e6849), i32(-2147483648), (_e6849 < -2147483600f)), 2147483647i, (_e6849 > 2147483500f)), (_e6849 == _e6849));
+let _e6860 = (_e6856 - select(0i, 1i, (_e6849 < f32(_e6856))));
+let _e6861 = bitcast<u32>(_e6860);
+let _e6864 = bitcast<u32>((_e6860 >> bitcast<u32>(31i)));
+if ((_e6861 | _e6864) == 0u) {
 } else {
-let _e6842 = bitcast<u32>(_e6840);
-let _e6843 = bitcast<u32>((_e6728 + 6i));
-if (_e6843 < _e220) {
-let _e6847 = atomicAdd((&global_7.member[_e6843]), _e6842);
-phi_11857_ = _e6847;
+let _e6867 = bitcast<u32>((_e6746 + 6i));
+if (_e6867 < _e220) {
+let _e6871 = atomicAdd((&global_7.member[_e6867]), _e6861);
+phi_11860_ = _e6871;
 } else {
-phi_11857_ = 0u;
+phi_11860_ = 0u;
 }
-let _e6849 = phi_11857_;
-let _e6856 = (bitcast<u32>((_e6840 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6849 + _e6842) < _e6842)));
-if (_e6856 == 0u) {
+let _e6873 = phi_11860_;
+let _e6877 = (_e6864 + select(0u, 1u, ((_e6873 + _e6861) < _e6861)));
+if (_e6877 == 0u) {
 } else {
-let _e6858 = (_e6843 + 1u);
-if (_e6858 < _e220) {
-let _e6862 = atomicAdd((&global_7.member[_e6858]), _e6856);
+let _e6879 = (_e6867 + 1u);
+if (_e6879 < _e220) {
+let _e6883 = atomicAdd((&global_7.member[_e6879]), _e6877);
 }
 }
 }
-let _e6865 = (((((_e6606 * _e6488) + (_e6633 * _e6489)) + (_e6660 * _e6490)) * 65536f) + 0.5f);
-let _e6867 = select(-1073741800f, _e6865, (_e6865 > -1073741800f));
-let _e6869 = select(1073741800f, _e6867, (_e6867 < 1073741800f));
-let _e6876 = select(0i, select(select(i32(_e6869), i32(-2147483648), (_e6869 < -2147483600f)), 2147483647i, (_e6869 > 2147483500f)), (_e6869 == _e6869));
-let _e6880 = (_e6876 - select(0i, 1i, (_e6869 < f32(_e6876))));
-if (_e6880 == 0i) {
+let _e6886 = (((((_e6624 * _e6506) + (_e6651 * _e6507)) + (_e6678 * _e6508)) * 65536f) + 0.5f);
+let _e6888 = select(-1073741800f, _e6886, (_e6886 > -1073741800f));
+let _e6890 = select(1073741800f, _e6888, (_e6888 < 1073741800f));
+let _e6897 = select(0i, select(select(i32(_e6890), i32(-2147483648), (_e6890 < -2147483600f)), 2147483647i, (_e6890 > 2147483500f)), (_e6890 == _e6890));
+let _e6901 = (_e6897 - select(0i, 1i, (_e6890 < f32(_e6897))));
+let _e6902 = bitcast<u32>(_e6901);
+let _e6905 = bitcast<u32>((_e6901 >> bitcast<u32>(31i)));
+if ((_e6902 | _e6905) == 0u) {
 } else {
-let _e6882 = bitcast<u32>(_e6880);
-let _e6883 = bitcast<u32>((_e6728 + 8i));
-if (_e6883 < _e220) {
-let _e6887 = atomicAdd((&global_7.member[_e6883]), _e6882);
-phi_11915_ = _e6887;
+let _e6908 = bitcast<u32>((_e6746 + 8i));
+if (_e6908 < _e220) {
+let _e6912 = atomicAdd((&global_7.member[_e6908]), _e6902);
+phi_11918_ = _e6912;
 } else {
-phi_11915_ = 0u;
+phi_11918_ = 0u;
 }
-let _e6889 = phi_11915_;
-let _e6896 = (bitcast<u32>((_e6880 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6889 + _e6882) < _e6882)));
-if (_e6896 == 0u) {
+let _e6914 = phi_11918_;
+let _e6918 = (_e6905 + select(0u, 1u, ((_e6914 + _e6902) < _e6902)));
+if (_e6918 == 0u) {
 } else {
-let _e6898 = (_e6883 + 1u);
-if (_e6898 < _e220) {
-let _e6902 = atomicAdd((&global_7.member[_e6898]), _e6896);
+let _e6920 = (_e6908 + 1u);
+if (_e6920 < _e220) {
+let _e6924 = atomicAdd((&global_7.member[_e6920]), _e6918);
 }
 }
 }
-let _e6905 = (((((_e6615 * _e6488) + (_e6642 * _e6489)) + (_e6669 * _e6490)) * 65536f) + 0.5f);
-let _e6907 = select(-1073741800f, _e6905, (_e6905 > -1073741800f));
-let _e6909 = select(1073741800f, _e6907, (_e6907 < 1073741800f));
-let _e6916 = select(0i, select(select(i32(_e6909), i32(-2147483648), (_e6909 < -2147483600f)), 2147483647i, (_e6909 > 2147483500f)), (_e6909 == _e6909));
-let _e6920 = (_e6916 - select(0i, 1i, (_e6909 < f32(_e6916))));
-if (_e6920 == 0i) {
+let _e6927 = (((((_e6633 * _e6506) + (_e6660 * _e6507)) + (_e6687 * _e6508)) * 65536f) + 0.5f);
+let _e6929 = select(-1073741800f, _e6927, (_e6927 > -1073741800f));
+let _e6931 = select(1073741800f, _e6929, (_e6929 < 1073741800f));
+let _e6938 = select(0i, select(select(i32(_e6931), i32(-2147483648), (_e6931 < -2147483600f)), 2147483647i, (_e6931 > 2147483500f)), (_e6931 == _e6931));
+let _e6942 = (_e6938 - select(0i, 1i, (_e6931 < f32(_e6938))));
+let _e6943 = bitcast<u32>(_e6942);
+let _e6946 = bitcast<u32>((_e6942 >> bitcast<u32>(31i)));
+if ((_e6943 | _e6946) == 0u) {
 } else {
-let _e6922 = bitcast<u32>(_e6920);
-let _e6923 = bitcast<u32>((_e6728 + 10i));
-if (_e6923 < _e220) {
-let _e6927 = atomicAdd((&global_7.member[_e6923]), _e6922);
-phi_11972_ = _e6927;
+let _e6949 = bitcast<u32>((_e6746 + 10i));
+if (_e6949 < _e220) {
+let _e6953 = atomicAdd((&global_7.member[_e6949]), _e6943);
+phi_11975_ = _e6953;
 } else {
-phi_11972_ = 0u;
+phi_11975_ = 0u;
 }
-let _e6929 = phi_11972_;
-let _e6936 = (bitcast<u32>((_e6920 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6929 + _e6922) < _e6922)));
-if (_e6936 == 0u) {
+let _e6955 = phi_11975_;
+let _e6959 = (_e6946 + select(0u, 1u, ((_e6955 + _e6943) < _e6943)));
+if (_e6959 == 0u) {
 } else {
-let _e6938 = (_e6923 + 1u);
-if (_e6938 < _e220) {
-let _e6942 = atomicAdd((&global_7.member[_e6938]), _e6936);
+let _e6961 = (_e6949 + 1u);
+if (_e6961 < _e220) {
+let _e6965 = atomicAdd((&global_7.member[_e6961]), _e6959);
 }
 }
 }
-let _e6945 = (((((_e6624 * _e6488) + (_e6651 * _e6489)) + (_e6678 * _e6490)) * 65536f) + 0.5f);
-let _e6947 = select(-1073741800f, _e6945, (_e6945 > -1073741800f));
-let _e6949 = select(1073741800f, _e6947, (_e6947 < 1073741800f));
-let _e6956 = select(0i, select(select(i32(_e6949), i32(-2147483648), (_e6949 < -2147483600f)), 2147483647i, (_e6949 > 2147483500f)), (_e6949 == _e6949));
-let _e6960 = (_e6956 - select(0i, 1i, (_e6949 < f32(_e6956))));
-if (_e6960 == 0i) {
+let _e6968 = (((((_e6642 * _e6506) + (_e6669 * _e6507)) + (_e6696 * _e6508)) * 65536f) + 0.5f);
+let _e6970 = select(-1073741800f, _e6968, (_e6968 > -1073741800f));
+let _e6972 = select(1073741800f, _e6970, (_e6970 < 1073741800f));
+let _e6979 = select(0i, select(select(i32(_e6972), i32(-2147483648), (_e6972 < -2147483600f)), 2147483647i, (_e6972 > 2147483500f)), (_e6972 == _e6972));
+let _e6983 = (_e6979 - select(0i, 1i, (_e6972 < f32(_e6979))));
+let _e6984 = bitcast<u32>(_e6983);
+let _e6987 = bitcast<u32>((_e6983 >> bitcast<u32>(31i)));
+if ((_e6984 | _e6987) == 0u) {
 } else {
-let _e6962 = bitcast<u32>(_e6960);
-let _e6963 = bitcast<u32>((_e6728 + 12i));
-if (_e6963 < _e220) {
-let _e6967 = atomicAdd((&global_7.member[_e6963]), _e6962);
-phi_12029_ = _e6967;
+let _e6990 = bitcast<u32>((_e6746 + 12i));
+if (_e6990 < _e220) {
+let _e6994 = atomicAdd((&global_7.member[_e6990]), _e6984);
+phi_12032_ = _e6994;
 } else {
-phi_12029_ = 0u;
+phi_12032_ = 0u;
 }
-let _e6969 = phi_12029_;
-let _e6976 = (bitcast<u32>((_e6960 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e6969 + _e6962) < _e6962)));
-if (_e6976 == 0u) {
+let _e6996 = phi_12032_;
+let _e7000 = (_e6987 + select(0u, 1u, ((_e6996 + _e6984) < _e6984)));
+if (_e7000 == 0u) {
 } else {
-let _e6978 = (_e6963 + 1u);
-if (_e6978 < _e220) {
-let _e6982 = atomicAdd((&global_7.member[_e6978]), _e6976);
+let _e7002 = (_e6990 + 1u);
+if (_e7002 < _e220) {
+let _e7006 = atomicAdd((&global_7.member[_e7002]), _e7000);
 }
 }
 }
-phi_11216_ = (_e6418 + 1i);
+phi_11216_ = (_e6436 + 1i);
 } else {
 phi_11216_ = i32();
 }
-let _e6985 = phi_11216_;
+let _e7009 = phi_11216_;
 continue;
 continuing {
-phi_11215_ = _e6985;
-break if !(_e6419);
+phi_11215_ = _e7009;
+break if !(_e6437);
 }
 }
-phi_11186_ = (_e6398 + 1i);
+phi_11186_ = (_e6416 + 1i);
 } else {
 phi_11186_ = i32();
 }
-let _e6989 = phi_11186_;
+let _e7013 = phi_11186_;
 continue;
 continuing {
-phi_11185_ = _e6989;
-break if !(_e6399);
+phi_11185_ = _e7013;
+break if !(_e6417);
 }
 }
-phi_11051_ = (_e6308 + 1i);
+phi_11051_ = (_e6326 + 1i);
 } else {
 phi_11051_ = i32();
 }
-let _e6993 = phi_11051_;
+let _e7017 = phi_11051_;
 continue;
 continuing {
-phi_11050_ = _e6993;
-break if !(_e6309);
+phi_11050_ = _e7017;
+break if !(_e6327);
 }
 }
 } else {
 if (_e952 == 2u) {
-let _e4186 = (_e926.member_1.member_6 & 31u);
-let _e4188 = (_e926.member_1.member_3.x << bitcast<u32>(_e4186));
-let _e4191 = (_e926.member_1.member_7 & 31u);
-let _e4195 = ((1i << bitcast<u32>(_e4191)) >> bitcast<u32>(1i));
-let _e4201 = bitcast<i32>(_e926.member_1.member_6);
-let _e4207 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e4201))) << bitcast<u32>(23i)));
-let _e4208 = (f32((((_e926.member_1.member.x - _e4188) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4213 = (_e926.member_1.member_3.y << bitcast<u32>(_e4186));
-let _e4219 = (f32((((_e926.member_1.member.y - _e4213) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4224 = (_e926.member_1.member_3.z << bitcast<u32>(_e4186));
-let _e4230 = (f32((((_e926.member_1.member.z - _e4224) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4238 = (f32((((_e926.member_1.member_1.x - _e4188) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4245 = (f32((((_e926.member_1.member_1.y - _e4213) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4252 = (f32((((_e926.member_1.member_1.z - _e4224) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4260 = (f32((((_e926.member_1.member_2.x - _e4188) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4267 = (f32((((_e926.member_1.member_2.y - _e4213) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4274 = (f32((((_e926.member_1.member_2.z - _e4224) + _e4195) >> bitcast<u32>(_e4191))) * _e4207);
-let _e4282 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e4201)) << bitcast<u32>(23i))));
-let _e4283 = (_e4238 - _e4208);
-let _e4284 = (_e4245 - _e4219);
-let _e4285 = (_e4252 - _e4230);
-let _e4286 = (_e4260 - _e4238);
-let _e4287 = (_e4267 - _e4245);
-let _e4288 = (_e4274 - _e4252);
-let _e4291 = ((_e4284 * _e4288) - (_e4285 * _e4287));
-let _e4292 = (_e4285 * _e4286);
-let _e4293 = (_e4283 * _e4288);
-let _e4305 = ((bitcast<f32>((bitcast<u32>(_e4292) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e4293) & 2147483647u))) * 2.3841858e-7f);
-let _e4306 = f32(_e926.member_1.member_4.x);
-let _e4307 = (1f + _e4282);
-let _e4309 = -((_e4292 - _e4293));
-let _e4310 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
-if _e4310 {
-let _e4404 = select(1f, -1f, (_e4291 < 0f));
-let _e4409 = ((_e4230 - _e4252) * _e4404);
-let _e4410 = ((_e4252 - _e4274) * _e4404);
-let _e4411 = ((_e4274 - _e4230) * _e4404);
-let _e4412 = ((0f - 0f) * _e4404);
-let _e4414 = (_e4284 * _e4404);
-let _e4415 = (_e4287 * _e4404);
-let _e4416 = ((_e4219 - _e4267) * _e4404);
-if (select(0u, 1u, ((_e4409 * _e4307) > -((_e4409 * _e4282)))) < 2u) {
+let _e4198 = (_e926.member_1.member_6 & 31u);
+let _e4200 = (_e926.member_1.member_3.x << bitcast<u32>(_e4198));
+let _e4203 = (_e926.member_1.member_7 & 31u);
+let _e4207 = ((1i << bitcast<u32>(_e4203)) >> bitcast<u32>(1i));
+let _e4213 = bitcast<i32>(_e926.member_1.member_6);
+let _e4219 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e4213))) << bitcast<u32>(23i)));
+let _e4220 = (f32((((_e926.member_1.member.x - _e4200) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4225 = (_e926.member_1.member_3.y << bitcast<u32>(_e4198));
+let _e4231 = (f32((((_e926.member_1.member.y - _e4225) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4236 = (_e926.member_1.member_3.z << bitcast<u32>(_e4198));
+let _e4242 = (f32((((_e926.member_1.member.z - _e4236) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4250 = (f32((((_e926.member_1.member_1.x - _e4200) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4257 = (f32((((_e926.member_1.member_1.y - _e4225) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4264 = (f32((((_e926.member_1.member_1.z - _e4236) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4272 = (f32((((_e926.member_1.member_2.x - _e4200) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4279 = (f32((((_e926.member_1.member_2.y - _e4225) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4286 = (f32((((_e926.member_1.member_2.z - _e4236) + _e4207) >> bitcast<u32>(_e4203))) * _e4219);
+let _e4294 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e4213)) << bitcast<u32>(23i))));
+let _e4295 = (_e4250 - _e4220);
+let _e4296 = (_e4257 - _e4231);
+let _e4297 = (_e4264 - _e4242);
+let _e4298 = (_e4272 - _e4250);
+let _e4299 = (_e4279 - _e4257);
+let _e4300 = (_e4286 - _e4264);
+let _e4303 = ((_e4296 * _e4300) - (_e4297 * _e4299));
+let _e4304 = (_e4297 * _e4298);
+let _e4305 = (_e4295 * _e4300);
+let _e4317 = ((bitcast<f32>((bitcast<u32>(_e4304) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e4305) & 2147483647u))) * 2.3841858e-7f);
+let _e4318 = f32(_e926.member_1.member_4.x);
+let _e4319 = (1f + _e4294);
+let _e4321 = -((_e4304 - _e4305));
+let _e4322 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e4322 {
+let _e4416 = select(1f, -1f, (_e4303 < 0f));
+let _e4421 = ((_e4242 - _e4264) * _e4416);
+let _e4422 = ((_e4264 - _e4286) * _e4416);
+let _e4423 = ((_e4286 - _e4242) * _e4416);
+let _e4424 = ((0f - 0f) * _e4416);
+let _e4426 = (_e4296 * _e4416);
+let _e4427 = (_e4299 * _e4416);
+let _e4428 = ((_e4231 - _e4279) * _e4416);
+if (select(0u, 1u, ((_e4421 * _e4319) > -((_e4421 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4410 * _e4307) > -((_e4410 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4422 * _e4319) > -((_e4422 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4411 * _e4307) > -((_e4411 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4423 * _e4319) > -((_e4423 * _e4294)))) < 2u) {
 } else {
 break;
 }
-let _e4440 = (select(0u, 1u, ((_e4412 * _e4307) > -((_e4412 * _e4282)))) < 2u);
-if _e4440 {
+let _e4452 = (select(0u, 1u, ((_e4424 * _e4319) > -((_e4424 * _e4294)))) < 2u);
+if _e4452 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4414 * _e4307) > -((_e4414 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4426 * _e4319) > -((_e4426 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4415 * _e4307) > -((_e4415 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4427 * _e4319) > -((_e4427 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4416 * _e4307) > -((_e4416 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4428 * _e4319) > -((_e4428 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if _e4440 {
+if _e4452 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4409 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4421 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4410 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4422 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4411 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4423 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4412 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4424 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4409 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4421 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4410 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4422 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4411 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4423 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4412 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4424 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4409 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4421 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4410 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4422 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4411 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4423 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4412 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4424 < 0f)) < 2u) {
 } else {
 break;
 }
 } else {
-let _e4312 = select(1f, -1f, (-(_e4291) < 0f));
-let _e4317 = ((_e4219 - _e4245) * _e4312);
-let _e4318 = ((_e4245 - _e4267) * _e4312);
-let _e4319 = ((_e4267 - _e4219) * _e4312);
-let _e4320 = ((0f - 0f) * _e4312);
-let _e4322 = (_e4285 * _e4312);
-let _e4323 = (_e4288 * _e4312);
-let _e4324 = ((_e4230 - _e4274) * _e4312);
-if (select(0u, 1u, ((_e4317 * _e4307) > -((_e4317 * _e4282)))) < 2u) {
+let _e4324 = select(1f, -1f, (-(_e4303) < 0f));
+let _e4329 = ((_e4231 - _e4257) * _e4324);
+let _e4330 = ((_e4257 - _e4279) * _e4324);
+let _e4331 = ((_e4279 - _e4231) * _e4324);
+let _e4332 = ((0f - 0f) * _e4324);
+let _e4334 = (_e4297 * _e4324);
+let _e4335 = (_e4300 * _e4324);
+let _e4336 = ((_e4242 - _e4286) * _e4324);
+if (select(0u, 1u, ((_e4329 * _e4319) > -((_e4329 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4318 * _e4307) > -((_e4318 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4330 * _e4319) > -((_e4330 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4319 * _e4307) > -((_e4319 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4331 * _e4319) > -((_e4331 * _e4294)))) < 2u) {
 } else {
 break;
 }
-let _e4348 = (select(0u, 1u, ((_e4320 * _e4307) > -((_e4320 * _e4282)))) < 2u);
-if _e4348 {
+let _e4360 = (select(0u, 1u, ((_e4332 * _e4319) > -((_e4332 * _e4294)))) < 2u);
+if _e4360 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4322 * _e4307) > -((_e4322 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4334 * _e4319) > -((_e4334 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4323 * _e4307) > -((_e4323 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4335 * _e4319) > -((_e4335 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4324 * _e4307) > -((_e4324 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4336 * _e4319) > -((_e4336 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if _e4348 {
+if _e4360 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4317 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4329 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4318 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4330 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4319 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4331 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4320 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4332 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4317 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4329 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4318 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4330 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4319 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4331 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4320 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4332 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4317 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4329 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4318 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4330 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4319 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4331 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4320 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4332 < 0f)) < 2u) {
 } else {
 break;
 }
 }
-let _e4497 = select(1f, -1f, (((_e4283 * _e4287) - (_e4284 * _e4286)) < 0f));
-let _e4500 = (_e4267 - _e4219);
-let _e4501 = (0f - 0f);
-let _e4502 = ((_e4219 - _e4245) * _e4497);
-let _e4503 = ((_e4245 - _e4267) * _e4497);
-let _e4504 = (_e4500 * _e4497);
-let _e4505 = (_e4501 * _e4497);
-let _e4506 = (_e4208 - _e4260);
-let _e4507 = (_e4283 * _e4497);
-let _e4508 = (_e4286 * _e4497);
-let _e4509 = (_e4506 * _e4497);
-if (select(0u, 1u, ((_e4502 * _e4307) > -((_e4502 * _e4282)))) < 2u) {
+let _e4509 = select(1f, -1f, (((_e4295 * _e4299) - (_e4296 * _e4298)) < 0f));
+let _e4512 = (_e4279 - _e4231);
+let _e4513 = (0f - 0f);
+let _e4514 = ((_e4231 - _e4257) * _e4509);
+let _e4515 = ((_e4257 - _e4279) * _e4509);
+let _e4516 = (_e4512 * _e4509);
+let _e4517 = (_e4513 * _e4509);
+let _e4518 = (_e4220 - _e4272);
+let _e4519 = (_e4295 * _e4509);
+let _e4520 = (_e4298 * _e4509);
+let _e4521 = (_e4518 * _e4509);
+if (select(0u, 1u, ((_e4514 * _e4319) > -((_e4514 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4503 * _e4307) > -((_e4503 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4515 * _e4319) > -((_e4515 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4504 * _e4307) > -((_e4504 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4516 * _e4319) > -((_e4516 * _e4294)))) < 2u) {
 } else {
 break;
 }
-let _e4533 = (select(0u, 1u, ((_e4505 * _e4307) > -((_e4505 * _e4282)))) < 2u);
-if _e4533 {
+let _e4545 = (select(0u, 1u, ((_e4517 * _e4319) > -((_e4517 * _e4294)))) < 2u);
+if _e4545 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4507 * _e4307) > -((_e4507 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4519 * _e4319) > -((_e4519 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4508 * _e4307) > -((_e4508 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4520 * _e4319) > -((_e4520 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e4509 * _e4307) > -((_e4509 * _e4282)))) < 2u) {
+if (select(0u, 1u, ((_e4521 * _e4319) > -((_e4521 * _e4294)))) < 2u) {
 } else {
 break;
 }
-if _e4533 {
+if _e4545 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4502 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4514 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4503 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4515 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4504 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4516 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4505 == 0f)) < 2u) {
+if (select(0u, 1u, (_e4517 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4502 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4514 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4503 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4515 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4504 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4516 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4505 > 0f)) < 2u) {
+if (select(0u, 1u, (_e4517 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4502 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4514 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4503 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4515 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4504 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4516 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e4505 < 0f)) < 2u) {
+if (select(0u, 1u, (_e4517 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e4589 = select(1f, -1f, (_e4309 < 0f));
-let _e4595 = select(0f, (2f * _e4305), (bitcast<f32>((bitcast<u32>(_e4309) & 2147483647u)) <= _e4305));
-let _e4598 = (_e4274 - _e4230);
-let _e4599 = ((_e4230 - _e4252) * _e4589);
-let _e4600 = ((_e4252 - _e4274) * _e4589);
-let _e4601 = (_e4598 * _e4589);
-let _e4602 = (_e4501 * _e4589);
-let _e4603 = (_e4283 * _e4589);
-let _e4604 = (_e4286 * _e4589);
-let _e4605 = (_e4506 * _e4589);
-let _e4606 = (_e4599 * _e4307);
-let _e4607 = (_e4600 * _e4307);
-let _e4608 = (_e4601 * _e4307);
-let _e4614 = -((_e4599 * _e4282));
-let _e4615 = -((_e4600 * _e4282));
-let _e4616 = -((_e4601 * _e4282));
+let _e4601 = select(1f, -1f, (_e4321 < 0f));
+let _e4607 = select(0f, (2f * _e4317), (bitcast<f32>((bitcast<u32>(_e4321) & 2147483647u)) <= _e4317));
+let _e4610 = (_e4286 - _e4242);
+let _e4611 = ((_e4242 - _e4264) * _e4601);
+let _e4612 = ((_e4264 - _e4286) * _e4601);
+let _e4613 = (_e4610 * _e4601);
+let _e4614 = (_e4513 * _e4601);
+let _e4615 = (_e4295 * _e4601);
+let _e4616 = (_e4298 * _e4601);
+let _e4617 = (_e4518 * _e4601);
+let _e4618 = (_e4611 * _e4319);
+let _e4619 = (_e4612 * _e4319);
+let _e4620 = (_e4613 * _e4319);
+let _e4626 = -((_e4611 * _e4294));
+let _e4627 = -((_e4612 * _e4294));
+let _e4628 = -((_e4613 * _e4294));
 local_97 = array<u32, 2>(0u, 4294967295u);
-let _e4622 = select(0u, 1u, (_e4606 > _e4614));
-if (_e4622 < 2u) {
+let _e4634 = select(0u, 1u, (_e4618 > _e4626));
+if (_e4634 < 2u) {
 } else {
 break;
 }
-let _e4625 = local_97[_e4622];
+let _e4637 = local_97[_e4634];
 local_98 = array<u32, 2>(0u, 4294967295u);
-let _e4626 = select(0u, 1u, (_e4607 > _e4615));
-if (_e4626 < 2u) {
+let _e4638 = select(0u, 1u, (_e4619 > _e4627));
+if (_e4638 < 2u) {
 } else {
 break;
 }
-let _e4629 = local_98[_e4626];
+let _e4641 = local_98[_e4638];
 local_99 = array<u32, 2>(0u, 4294967295u);
-let _e4630 = select(0u, 1u, (_e4608 > _e4616));
-if (_e4630 < 2u) {
+let _e4642 = select(0u, 1u, (_e4620 > _e4628));
+if (_e4642 < 2u) {
 } else {
 break;
 }
-let _e4633 = local_99[_e4630];
-let _e4635 = (select(0u, 1u, ((_e4602 * _e4307) > -((_e4602 * _e4282)))) < 2u);
-if _e4635 {
+let _e4645 = local_99[_e4642];
+let _e4647 = (select(0u, 1u, ((_e4614 * _e4319) > -((_e4614 * _e4294)))) < 2u);
+if _e4647 {
 } else {
 break;
 }
-let _e4651 = (_e4603 * _e4307);
-let _e4652 = (_e4604 * _e4307);
-let _e4653 = (_e4605 * _e4307);
-let _e4657 = -((_e4603 * _e4282));
-let _e4658 = -((_e4604 * _e4282));
-let _e4659 = -((_e4605 * _e4282));
+let _e4663 = (_e4615 * _e4319);
+let _e4664 = (_e4616 * _e4319);
+let _e4665 = (_e4617 * _e4319);
+let _e4669 = -((_e4615 * _e4294));
+let _e4670 = -((_e4616 * _e4294));
+let _e4671 = -((_e4617 * _e4294));
 local_94 = array<u32, 2>(0u, 4294967295u);
-let _e4663 = select(0u, 1u, (_e4651 > _e4657));
-if (_e4663 < 2u) {
+let _e4675 = select(0u, 1u, (_e4663 > _e4669));
+if (_e4675 < 2u) {
 } else {
 break;
 }
-let _e4666 = local_94[_e4663];
+let _e4678 = local_94[_e4675];
 local_95 = array<u32, 2>(0u, 4294967295u);
-let _e4667 = select(0u, 1u, (_e4652 > _e4658));
-if (_e4667 < 2u) {
+let _e4679 = select(0u, 1u, (_e4664 > _e4670));
+if (_e4679 < 2u) {
 } else {
 break;
 }
-let _e4670 = local_95[_e4667];
+let _e4682 = local_95[_e4679];
 local_96 = array<u32, 2>(0u, 4294967295u);
-let _e4671 = select(0u, 1u, (_e4653 > _e4659));
-if (_e4671 < 2u) {
+let _e4683 = select(0u, 1u, (_e4665 > _e4671));
+if (_e4683 < 2u) {
 } else {
 break;
 }
-let _e4674 = local_96[_e4671];
-if _e4635 {
+let _e4686 = local_96[_e4683];
+if _e4647 {
 } else {
 break;
 }
 local_91 = array<u32, 2>(0u, 4294967295u);
-let _e4700 = select(0u, 1u, (_e4599 == 0f));
-if (_e4700 < 2u) {
+let _e4712 = select(0u, 1u, (_e4611 == 0f));
+if (_e4712 < 2u) {
 } else {
 break;
 }
-let _e4703 = local_91[_e4700];
+let _e4715 = local_91[_e4712];
 local_92 = array<u32, 2>(0u, 4294967295u);
-let _e4704 = select(0u, 1u, (_e4600 == 0f));
-if (_e4704 < 2u) {
+let _e4716 = select(0u, 1u, (_e4612 == 0f));
+if (_e4716 < 2u) {
 } else {
 break;
 }
-let _e4707 = local_92[_e4704];
+let _e4719 = local_92[_e4716];
 local_93 = array<u32, 2>(0u, 4294967295u);
-let _e4708 = select(0u, 1u, (_e4601 == 0f));
-if (_e4708 < 2u) {
+let _e4720 = select(0u, 1u, (_e4613 == 0f));
+if (_e4720 < 2u) {
 } else {
 break;
 }
-let _e4711 = local_93[_e4708];
-if (select(0u, 1u, (_e4602 == 0f)) < 2u) {
+let _e4723 = local_93[_e4720];
+if (select(0u, 1u, (_e4614 == 0f)) < 2u) {
 } else {
 break;
 }
-let _e4715 = ((_e4703 & 1u) != 0u);
-let _e4718 = ((_e4707 & 1u) != 0u);
-let _e4721 = ((_e4711 & 1u) != 0u);
-let _e4723 = (-1f / select(_e4599, 1f, _e4715));
-let _e4724 = (-1f / select(_e4600, 1f, _e4718));
-let _e4725 = (-1f / select(_e4601, 1f, _e4721));
+let _e4727 = ((_e4715 & 1u) != 0u);
+let _e4730 = ((_e4719 & 1u) != 0u);
+let _e4733 = ((_e4723 & 1u) != 0u);
+let _e4735 = (-1f / select(_e4611, 1f, _e4727));
+let _e4736 = (-1f / select(_e4612, 1f, _e4730));
+let _e4737 = (-1f / select(_e4613, 1f, _e4733));
 local_88 = array<u32, 2>(0u, 4294967295u);
-let _e4730 = select(0u, 1u, (_e4599 > 0f));
-if (_e4730 < 2u) {
+let _e4742 = select(0u, 1u, (_e4611 > 0f));
+if (_e4742 < 2u) {
 } else {
 break;
 }
-let _e4733 = local_88[_e4730];
+let _e4745 = local_88[_e4742];
 local_89 = array<u32, 2>(0u, 4294967295u);
-let _e4734 = select(0u, 1u, (_e4600 > 0f));
-if (_e4734 < 2u) {
+let _e4746 = select(0u, 1u, (_e4612 > 0f));
+if (_e4746 < 2u) {
 } else {
 break;
 }
-let _e4737 = local_89[_e4734];
+let _e4749 = local_89[_e4746];
 local_90 = array<u32, 2>(0u, 4294967295u);
-let _e4738 = select(0u, 1u, (_e4601 > 0f));
-if (_e4738 < 2u) {
+let _e4750 = select(0u, 1u, (_e4613 > 0f));
+if (_e4750 < 2u) {
 } else {
 break;
 }
-let _e4741 = local_90[_e4738];
-if (select(0u, 1u, (_e4602 > 0f)) < 2u) {
+let _e4753 = local_90[_e4750];
+if (select(0u, 1u, (_e4614 > 0f)) < 2u) {
 } else {
 break;
 }
 local_85 = array<u32, 2>(0u, 4294967295u);
-let _e4748 = select(0u, 1u, (_e4599 < 0f));
-if (_e4748 < 2u) {
+let _e4760 = select(0u, 1u, (_e4611 < 0f));
+if (_e4760 < 2u) {
 } else {
 break;
 }
-let _e4751 = local_85[_e4748];
+let _e4763 = local_85[_e4760];
 local_86 = array<u32, 2>(0u, 4294967295u);
-let _e4752 = select(0u, 1u, (_e4600 < 0f));
-if (_e4752 < 2u) {
+let _e4764 = select(0u, 1u, (_e4612 < 0f));
+if (_e4764 < 2u) {
 } else {
 break;
 }
-let _e4755 = local_86[_e4752];
+let _e4767 = local_86[_e4764];
 local_87 = array<u32, 2>(0u, 4294967295u);
-let _e4756 = select(0u, 1u, (_e4601 < 0f));
-if (_e4756 < 2u) {
+let _e4768 = select(0u, 1u, (_e4613 < 0f));
+if (_e4768 < 2u) {
 } else {
 break;
 }
-let _e4759 = local_87[_e4756];
-if (select(0u, 1u, (_e4602 < 0f)) < 2u) {
+let _e4771 = local_87[_e4768];
+if (select(0u, 1u, (_e4614 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e4775 = ((_e4751 & 1u) != 0u);
-let _e4778 = ((_e4755 & 1u) != 0u);
-let _e4781 = ((_e4759 & 1u) != 0u);
-let _e4786 = (_e4260 - _e4208);
-let _e4788 = (_e926.member.member * 19i);
-let _e4789 = (_e4788 + 18i);
-let _e4791 = (bitcast<i32>(_e214) - 1i);
-let _e4793 = select(_e4791, _e4789, (_e4789 < _e4791));
-let _e4799 = global_4.member[bitcast<u32>(select(0i, _e4793, (_e4793 > 0i)))];
-let _e4801 = select(0f, _e4799, (_e4799 > 0f));
-let _e4803 = select(16777216f, _e4801, (_e4801 < 16777216f));
-let _e4810 = select(0i, select(select(i32(_e4803), i32(-2147483648), (_e4803 < -2147483600f)), 2147483647i, (_e4803 > 2147483500f)), (_e4803 == _e4803));
+let _e4787 = ((_e4763 & 1u) != 0u);
+let _e4790 = ((_e4767 & 1u) != 0u);
+let _e4793 = ((_e4771 & 1u) != 0u);
+let _e4798 = (_e4272 - _e4220);
+let _e4800 = (_e926.member.member * 19i);
+let _e4801 = (_e4800 + 18i);
+let _e4803 = (bitcast<i32>(_e214) - 1i);
+let _e4805 = select(_e4803, _e4801, (_e4801 < _e4803));
+let _e4811 = global_4.member[bitcast<u32>(select(0i, _e4805, (_e4805 > 0i)))];
+let _e4813 = select(0f, _e4811, (_e4811 > 0f));
+let _e4815 = select(16777216f, _e4813, (_e4813 < 16777216f));
+let _e4822 = select(0i, select(select(i32(_e4815), i32(-2147483648), (_e4815 < -2147483600f)), 2147483647i, (_e4815 > 2147483500f)), (_e4815 == _e4815));
 phi_16049_ = _e926.member.member_1;
 loop {
-let _e4817 = phi_16049_;
-let _e4818 = (_e4817 < _e926.member.member_2);
-if _e4818 {
-if _e4310 {
+let _e4829 = phi_16049_;
+let _e4830 = (_e4829 < _e926.member.member_2);
+if _e4830 {
+if _e4322 {
 phi_16064_ = _e926.member_1.member_4.y;
 } else {
 phi_16064_ = _e926.member_1.member_4.z;
 }
-let _e4822 = phi_16064_;
+let _e4834 = phi_16064_;
 phi_16066_ = 0i;
 loop {
-let _e4824 = phi_16066_;
-let _e4825 = (_e4824 <= _e4822);
-if _e4825 {
-let _e4826 = select(_e4824, _e4817, _e4310);
-let _e4827 = select(_e4817, _e4824, _e4310);
-let _e4828 = f32(_e4826);
-let _e4830 = f32(_e926.member_1.member_4.x);
-let _e4834 = ((_e4603 * _e4828) + (((select(_e4614, _e4606, ((_e4625 & 1u) != 0u)) - (_e4599 * _e4208)) + (select(_e4657, _e4651, ((_e4666 & 1u) != 0u)) - (_e4603 * _e4230))) + _e4595));
-let _e4835 = ((_e4604 * _e4828) + (((select(_e4615, _e4607, ((_e4629 & 1u) != 0u)) - (_e4600 * _e4238)) + (select(_e4658, _e4652, ((_e4670 & 1u) != 0u)) - (_e4604 * _e4252))) + _e4595));
-let _e4836 = ((_e4605 * _e4828) + (((select(_e4616, _e4608, ((_e4633 & 1u) != 0u)) - (_e4601 * _e4260)) + (select(_e4659, _e4653, ((_e4674 & 1u) != 0u)) - (_e4605 * _e4274))) + _e4595));
-let _e4837 = (_e4834 * select(0f, _e4723, ((_e4733 & 1u) != 0u)));
-let _e4838 = (_e4835 * select(0f, _e4724, ((_e4737 & 1u) != 0u)));
-let _e4839 = (_e4836 * select(0f, _e4725, ((_e4741 & 1u) != 0u)));
-let _e4843 = ((_e4834 * select(select(0f, 1e20f, _e4715), _e4723, _e4775)) + select(_e4306, 0f, _e4775));
-let _e4844 = ((_e4835 * select(select(0f, 1e20f, _e4718), _e4724, _e4778)) + select(_e4306, 0f, _e4778));
-let _e4845 = ((_e4836 * select(select(0f, 1e20f, _e4721), _e4725, _e4781)) + select(_e4306, 0f, _e4781));
-let _e4847 = select(_e4837, 0f, (0f > _e4837));
-let _e4849 = select(_e4839, _e4838, (_e4838 > _e4839));
-let _e4853 = select(_e4843, _e4830, (_e4830 < _e4843));
-let _e4855 = select(_e4845, _e4844, (_e4844 < _e4845));
-let _e4857 = select(_e4855, _e4853, (_e4853 < _e4855));
-let _e4858 = -(select(_e4849, _e4847, (_e4847 > _e4849)));
-let _e4860 = (-(_e4830) - 1f);
-let _e4862 = select(_e4860, _e4858, (_e4858 > _e4860));
-let _e4864 = select(0f, _e4862, (_e4862 < 0f));
-let _e4871 = select(0i, select(select(i32(_e4864), i32(-2147483648), (_e4864 < -2147483600f)), 2147483647i, (_e4864 > 2147483500f)), (_e4864 == _e4864));
-let _e4878 = select(-1f, _e4857, (_e4857 > -1f));
-let _e4880 = select(_e4830, _e4878, (_e4878 < _e4830));
-let _e4887 = select(0i, select(select(i32(_e4880), i32(-2147483648), (_e4880 < -2147483600f)), 2147483647i, (_e4880 > 2147483500f)), (_e4880 == _e4880));
-let _e4896 = global_1.member.member_2.member_1;
-let _e4903 = global_1.member.member_3;
-phi_16193_ = -((_e4871 - select(0i, 1i, (_e4864 < f32(_e4871)))));
+let _e4836 = phi_16066_;
+let _e4837 = (_e4836 <= _e4834);
+if _e4837 {
+let _e4838 = select(_e4836, _e4829, _e4322);
+let _e4839 = select(_e4829, _e4836, _e4322);
+let _e4840 = f32(_e4838);
+let _e4842 = f32(_e926.member_1.member_4.x);
+let _e4846 = ((_e4615 * _e4840) + (((select(_e4626, _e4618, ((_e4637 & 1u) != 0u)) - (_e4611 * _e4220)) + (select(_e4669, _e4663, ((_e4678 & 1u) != 0u)) - (_e4615 * _e4242))) + _e4607));
+let _e4847 = ((_e4616 * _e4840) + (((select(_e4627, _e4619, ((_e4641 & 1u) != 0u)) - (_e4612 * _e4250)) + (select(_e4670, _e4664, ((_e4682 & 1u) != 0u)) - (_e4616 * _e4264))) + _e4607));
+let _e4848 = ((_e4617 * _e4840) + (((select(_e4628, _e4620, ((_e4645 & 1u) != 0u)) - (_e4613 * _e4272)) + (select(_e4671, _e4665, ((_e4686 & 1u) != 0u)) - (_e4617 * _e4286))) + _e4607));
+let _e4849 = (_e4846 * select(0f, _e4735, ((_e4745 & 1u) != 0u)));
+let _e4850 = (_e4847 * select(0f, _e4736, ((_e4749 & 1u) != 0u)));
+let _e4851 = (_e4848 * select(0f, _e4737, ((_e4753 & 1u) != 0u)));
+let _e4855 = ((_e4846 * select(select(0f, 1e20f, _e4727), _e4735, _e4787)) + select(_e4318, 0f, _e4787));
+let _e4856 = ((_e4847 * select(select(0f, 1e20f, _e4730), _e4736, _e4790)) + select(_e4318, 0f, _e4790));
+let _e4857 = ((_e4848 * select(select(0f, 1e20f, _e4733), _e4737, _e4793)) + select(_e4318, 0f, _e4793));
+let _e4859 = select(_e4849, 0f, (0f > _e4849));
+let _e4861 = select(_e4851, _e4850, (_e4850 > _e4851));
+let _e4865 = select(_e4855, _e4842, (_e4842 < _e4855));
+let _e4867 = select(_e4857, _e4856, (_e4856 < _e4857));
+let _e4869 = select(_e4867, _e4865, (_e4865 < _e4867));
+let _e4870 = -(select(_e4861, _e4859, (_e4859 > _e4861)));
+let _e4872 = (-(_e4842) - 1f);
+let _e4874 = select(_e4872, _e4870, (_e4870 > _e4872));
+let _e4876 = select(0f, _e4874, (_e4874 < 0f));
+let _e4883 = select(0i, select(select(i32(_e4876), i32(-2147483648), (_e4876 < -2147483600f)), 2147483647i, (_e4876 > 2147483500f)), (_e4876 == _e4876));
+let _e4890 = select(-1f, _e4869, (_e4869 > -1f));
+let _e4892 = select(_e4842, _e4890, (_e4890 < _e4842));
+let _e4899 = select(0i, select(select(i32(_e4892), i32(-2147483648), (_e4892 < -2147483600f)), 2147483647i, (_e4892 > 2147483500f)), (_e4892 == _e4892));
+let _e4908 = global_1.member.member_2.member_1;
+let _e4915 = global_1.member.member_3;
+phi_16193_ = -((_e4883 - select(0i, 1i, (_e4876 < f32(_e4883)))));
 loop {
-let _e4907 = phi_16193_;
-let _e4908 = (_e4907 <= (_e4887 - select(0i, 1i, (_e4880 < f32(_e4887)))));
-if _e4908 {
-let _e4914 = ((f32(_e4907) + 0.5f) - _e4208);
-let _e4915 = ((f32(_e4827) + 0.5f) - _e4219);
-let _e4916 = ((_e4828 + 0.5f) - _e4230);
-let _e4921 = (((_e4283 * _e4283) + (_e4284 * _e4284)) + (_e4285 * _e4285));
-let _e4926 = (((_e4283 * _e4786) + (_e4284 * _e4500)) + (_e4285 * _e4598));
-let _e4931 = (((_e4786 * _e4786) + (_e4500 * _e4500)) + (_e4598 * _e4598));
-let _e4936 = (((_e4914 * _e4283) + (_e4915 * _e4284)) + (_e4916 * _e4285));
-let _e4941 = (((_e4914 * _e4786) + (_e4915 * _e4500)) + (_e4916 * _e4598));
-let _e4944 = ((_e4921 * _e4931) - (_e4926 * _e4926));
-let _e4945 = (_e4944 > 0f);
-let _e4948 = select(0f, (1f / select(1f, _e4944, _e4945)), _e4945);
-let _e4952 = (((_e4931 * _e4936) - (_e4926 * _e4941)) * _e4948);
-let _e4956 = (((_e4921 * _e4941) - (_e4926 * _e4936)) * _e4948);
-let _e4958 = ((1f - _e4952) - _e4956);
-let _e4960 = select(0f, _e4958, (_e4958 > 0f));
-let _e4962 = select(16777216f, _e4960, (_e4960 < 16777216f));
-let _e4964 = select(0f, _e4952, (_e4952 > 0f));
-let _e4966 = select(16777216f, _e4964, (_e4964 < 16777216f));
-let _e4968 = select(0f, _e4956, (_e4956 > 0f));
-let _e4970 = select(16777216f, _e4968, (_e4968 < 16777216f));
-let _e4972 = ((_e4962 + _e4966) + _e4970);
-let _e4975 = (1f / select(0.5f, _e4972, (_e4972 > 0.5f)));
-let _e4976 = (_e4962 * _e4975);
-let _e4977 = (_e4966 * _e4975);
-let _e4978 = (_e4970 * _e4975);
-let _e4980 = select(_e4791, _e4788, (_e4788 < _e4791));
-let _e4986 = global_4.member[bitcast<u32>(select(0i, _e4980, (_e4980 > 0i)))];
-let _e4987 = (_e4788 + 1i);
-let _e4989 = select(_e4791, _e4987, (_e4987 < _e4791));
-let _e4995 = global_4.member[bitcast<u32>(select(0i, _e4989, (_e4989 > 0i)))];
-let _e4996 = (_e4788 + 2i);
-let _e4998 = select(_e4791, _e4996, (_e4996 < _e4791));
-let _e5004 = global_4.member[bitcast<u32>(select(0i, _e4998, (_e4998 > 0i)))];
-let _e5005 = (_e4788 + 3i);
-let _e5007 = select(_e4791, _e5005, (_e5005 < _e4791));
-let _e5013 = global_4.member[bitcast<u32>(select(0i, _e5007, (_e5007 > 0i)))];
-let _e5014 = (_e4788 + 4i);
-let _e5016 = select(_e4791, _e5014, (_e5014 < _e4791));
-let _e5022 = global_4.member[bitcast<u32>(select(0i, _e5016, (_e5016 > 0i)))];
-let _e5023 = (_e4788 + 5i);
-let _e5025 = select(_e4791, _e5023, (_e5023 < _e4791));
-let _e5031 = global_4.member[bitcast<u32>(select(0i, _e5025, (_e5025 > 0i)))];
-let _e5032 = (_e4788 + 6i);
-let _e5034 = select(_e4791, _e5032, (_e5032 < _e4791));
-let _e5040 = global_4.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
-let _e5041 = (_e4788 + 7i);
-let _e5043 = select(_e4791, _e5041, (_e5041 < _e4791));
-let _e5049 = global_4.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
-let _e5050 = (_e4788 + 8i);
-let _e5052 = select(_e4791, _e5050, (_e5050 < _e4791));
-let _e5058 = global_4.member[bitcast<u32>(select(0i, _e5052, (_e5052 > 0i)))];
-let _e5063 = (((_e4986 * _e4976) + (_e5013 * _e4977)) + (_e5040 * _e4978));
-let _e5068 = (((_e4995 * _e4976) + (_e5022 * _e4977)) + (_e5049 * _e4978));
-let _e5073 = (((_e5004 * _e4976) + (_e5031 * _e4977)) + (_e5058 * _e4978));
-let _e5078 = (((_e5063 * _e5063) + (_e5068 * _e5068)) + (_e5073 * _e5073));
-let _e5081 = sqrt(select(0f, _e5078, (_e5078 > 0f)));
-let _e5082 = (_e5081 > 1e-6f);
-let _e5085 = select(0f, (1f / select(1e-6f, _e5081, _e5082)), _e5082);
-let _e5086 = (_e4788 + 9i);
-let _e5088 = select(_e4791, _e5086, (_e5086 < _e4791));
-let _e5094 = global_4.member[bitcast<u32>(select(0i, _e5088, (_e5088 > 0i)))];
-let _e5095 = (_e4788 + 10i);
-let _e5097 = select(_e4791, _e5095, (_e5095 < _e4791));
-let _e5103 = global_4.member[bitcast<u32>(select(0i, _e5097, (_e5097 > 0i)))];
-let _e5104 = (_e4788 + 11i);
-let _e5106 = select(_e4791, _e5104, (_e5104 < _e4791));
-let _e5112 = global_4.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
-let _e5113 = (_e4788 + 12i);
-let _e5115 = select(_e4791, _e5113, (_e5113 < _e4791));
-let _e5121 = global_4.member[bitcast<u32>(select(0i, _e5115, (_e5115 > 0i)))];
-let _e5122 = (_e4788 + 13i);
-let _e5124 = select(_e4791, _e5122, (_e5122 < _e4791));
-let _e5130 = global_4.member[bitcast<u32>(select(0i, _e5124, (_e5124 > 0i)))];
-let _e5131 = (_e4788 + 14i);
-let _e5133 = select(_e4791, _e5131, (_e5131 < _e4791));
-let _e5139 = global_4.member[bitcast<u32>(select(0i, _e5133, (_e5133 > 0i)))];
-let _e5140 = (_e4788 + 15i);
-let _e5142 = select(_e4791, _e5140, (_e5140 < _e4791));
-let _e5148 = global_4.member[bitcast<u32>(select(0i, _e5142, (_e5142 > 0i)))];
-let _e5149 = (_e4788 + 16i);
-let _e5151 = select(_e4791, _e5149, (_e5149 < _e4791));
-let _e5157 = global_4.member[bitcast<u32>(select(0i, _e5151, (_e5151 > 0i)))];
-let _e5158 = (_e4788 + 17i);
-let _e5160 = select(_e4791, _e5158, (_e5158 < _e4791));
-let _e5166 = global_4.member[bitcast<u32>(select(0i, _e5160, (_e5160 > 0i)))];
-let _e5182 = (_e926.member_1.member_3.x + _e4907);
-let _e5185 = ((((((_e926.member_1.member_3.z + _e4826) * bitcast<i32>(_e4896)) + _e926.member_1.member_3.y) + _e4827) * bitcast<i32>(_e4903)) + (_e5182 >> bitcast<u32>(5i)));
-let _e5189 = (bitcast<i32>(_e218) - 1i);
-let _e5191 = select(_e5189, _e5185, (_e5185 < _e5189));
-let _e5197 = global_6.member[bitcast<u32>(select(0i, _e5191, (_e5191 > 0i)))];
-let _e5199 = (bitcast<i32>(_e216) - 1i);
-let _e5201 = select(_e5199, _e5185, (_e5185 < _e5199));
-let _e5207 = global_5.member[bitcast<u32>(select(0i, _e5201, (_e5201 > 0i)))];
-let _e5216 = (bitcast<i32>((_e5197 + countOneBits((_e5207 & ((1u << bitcast<u32>((bitcast<u32>((_e5182 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e5217 = bitcast<u32>(_e5216);
-if (_e5217 < _e220) {
-let _e5221 = atomicAdd((&global_7.member[_e5217]), 1u);
+let _e4919 = phi_16193_;
+let _e4920 = (_e4919 <= (_e4899 - select(0i, 1i, (_e4892 < f32(_e4899)))));
+if _e4920 {
+let _e4926 = ((f32(_e4919) + 0.5f) - _e4220);
+let _e4927 = ((f32(_e4839) + 0.5f) - _e4231);
+let _e4928 = ((_e4840 + 0.5f) - _e4242);
+let _e4933 = (((_e4295 * _e4295) + (_e4296 * _e4296)) + (_e4297 * _e4297));
+let _e4938 = (((_e4295 * _e4798) + (_e4296 * _e4512)) + (_e4297 * _e4610));
+let _e4943 = (((_e4798 * _e4798) + (_e4512 * _e4512)) + (_e4610 * _e4610));
+let _e4948 = (((_e4926 * _e4295) + (_e4927 * _e4296)) + (_e4928 * _e4297));
+let _e4953 = (((_e4926 * _e4798) + (_e4927 * _e4512)) + (_e4928 * _e4610));
+let _e4956 = ((_e4933 * _e4943) - (_e4938 * _e4938));
+let _e4957 = (_e4956 > 0f);
+let _e4960 = select(0f, (1f / select(1f, _e4956, _e4957)), _e4957);
+let _e4964 = (((_e4943 * _e4948) - (_e4938 * _e4953)) * _e4960);
+let _e4968 = (((_e4933 * _e4953) - (_e4938 * _e4948)) * _e4960);
+let _e4970 = ((1f - _e4964) - _e4968);
+let _e4972 = select(0f, _e4970, (_e4970 > 0f));
+let _e4974 = select(16777216f, _e4972, (_e4972 < 16777216f));
+let _e4976 = select(0f, _e4964, (_e4964 > 0f));
+let _e4978 = select(16777216f, _e4976, (_e4976 < 16777216f));
+let _e4980 = select(0f, _e4968, (_e4968 > 0f));
+let _e4982 = select(16777216f, _e4980, (_e4980 < 16777216f));
+let _e4984 = ((_e4974 + _e4978) + _e4982);
+let _e4987 = (1f / select(0.5f, _e4984, (_e4984 > 0.5f)));
+let _e4988 = (_e4974 * _e4987);
+let _e4989 = (_e4978 * _e4987);
+let _e4990 = (_e4982 * _e4987);
+let _e4992 = select(_e4803, _e4800, (_e4800 < _e4803));
+let _e4998 = global_4.member[bitcast<u32>(select(0i, _e4992, (_e4992 > 0i)))];
+let _e4999 = (_e4800 + 1i);
+let _e5001 = select(_e4803, _e4999, (_e4999 < _e4803));
+let _e5007 = global_4.member[bitcast<u32>(select(0i, _e5001, (_e5001 > 0i)))];
+let _e5008 = (_e4800 + 2i);
+let _e5010 = select(_e4803, _e5008, (_e5008 < _e4803));
+let _e5016 = global_4.member[bitcast<u32>(select(0i, _e5010, (_e5010 > 0i)))];
+let _e5017 = (_e4800 + 3i);
+let _e5019 = select(_e4803, _e5017, (_e5017 < _e4803));
+let _e5025 = global_4.member[bitcast<u32>(select(0i, _e5019, (_e5019 > 0i)))];
+let _e5026 = (_e4800 + 4i);
+let _e5028 = select(_e4803, _e5026, (_e5026 < _e4803));
+let _e5034 = global_4.member[bitcast<u32>(select(0i, _e5028, (_e5028 > 0i)))];
+let _e5035 = (_e4800 + 5i);
+let _e5037 = select(_e4803, _e5035, (_e5035 < _e4803));
+let _e5043 = global_4.member[bitcast<u32>(select(0i, _e5037, (_e5037 > 0i)))];
+let _e5044 = (_e4800 + 6i);
+let _e5046 = select(_e4803, _e5044, (_e5044 < _e4803));
+let _e5052 = global_4.member[bitcast<u32>(select(0i, _e5046, (_e5046 > 0i)))];
+let _e5053 = (_e4800 + 7i);
+let _e5055 = select(_e4803, _e5053, (_e5053 < _e4803));
+let _e5061 = global_4.member[bitcast<u32>(select(0i, _e5055, (_e5055 > 0i)))];
+let _e5062 = (_e4800 + 8i);
+let _e5064 = select(_e4803, _e5062, (_e5062 < _e4803));
+let _e5070 = global_4.member[bitcast<u32>(select(0i, _e5064, (_e5064 > 0i)))];
+let _e5075 = (((_e4998 * _e4988) + (_e5025 * _e4989)) + (_e5052 * _e4990));
+let _e5080 = (((_e5007 * _e4988) + (_e5034 * _e4989)) + (_e5061 * _e4990));
+let _e5085 = (((_e5016 * _e4988) + (_e5043 * _e4989)) + (_e5070 * _e4990));
+let _e5090 = (((_e5075 * _e5075) + (_e5080 * _e5080)) + (_e5085 * _e5085));
+let _e5093 = sqrt(select(0f, _e5090, (_e5090 > 0f)));
+let _e5094 = (_e5093 > 1e-6f);
+let _e5097 = select(0f, (1f / select(1e-6f, _e5093, _e5094)), _e5094);
+let _e5098 = (_e4800 + 9i);
+let _e5100 = select(_e4803, _e5098, (_e5098 < _e4803));
+let _e5106 = global_4.member[bitcast<u32>(select(0i, _e5100, (_e5100 > 0i)))];
+let _e5107 = (_e4800 + 10i);
+let _e5109 = select(_e4803, _e5107, (_e5107 < _e4803));
+let _e5115 = global_4.member[bitcast<u32>(select(0i, _e5109, (_e5109 > 0i)))];
+let _e5116 = (_e4800 + 11i);
+let _e5118 = select(_e4803, _e5116, (_e5116 < _e4803));
+let _e5124 = global_4.member[bitcast<u32>(select(0i, _e5118, (_e5118 > 0i)))];
+let _e5125 = (_e4800 + 12i);
+let _e5127 = select(_e4803, _e5125, (_e5125 < _e4803));
+let _e5133 = global_4.member[bitcast<u32>(select(0i, _e5127, (_e5127 > 0i)))];
+let _e5134 = (_e4800 + 13i);
+let _e5136 = select(_e4803, _e5134, (_e5134 < _e4803));
+let _e5142 = global_4.member[bitcast<u32>(select(0i, _e5136, (_e5136 > 0i)))];
+let _e5143 = (_e4800 + 14i);
+let _e5145 = select(_e4803, _e5143, (_e5143 < _e4803));
+let _e5151 = global_4.member[bitcast<u32>(select(0i, _e5145, (_e5145 > 0i)))];
+let _e5152 = (_e4800 + 15i);
+let _e5154 = select(_e4803, _e5152, (_e5152 < _e4803));
+let _e5160 = global_4.member[bitcast<u32>(select(0i, _e5154, (_e5154 > 0i)))];
+let _e5161 = (_e4800 + 16i);
+let _e5163 = select(_e4803, _e5161, (_e5161 < _e4803));
+let _e5169 = global_4.member[bitcast<u32>(select(0i, _e5163, (_e5163 > 0i)))];
+let _e5170 = (_e4800 + 17i);
+let _e5172 = select(_e4803, _e5170, (_e5170 < _e4803));
+let _e5178 = global_4.member[bitcast<u32>(select(0i, _e5172, (_e5172 > 0i)))];
+let _e5194 = (_e926.member_1.member_3.x + _e4919);
+let _e5197 = ((((((_e926.member_1.member_3.z + _e4838) * bitcast<i32>(_e4908)) + _e926.member_1.member_3.y) + _e4839) * bitcast<i32>(_e4915)) + (_e5194 >> bitcast<u32>(5i)));
+let _e5201 = (bitcast<i32>(_e218) - 1i);
+let _e5203 = select(_e5201, _e5197, (_e5197 < _e5201));
+let _e5209 = global_6.member[bitcast<u32>(select(0i, _e5203, (_e5203 > 0i)))];
+let _e5211 = (bitcast<i32>(_e216) - 1i);
+let _e5213 = select(_e5211, _e5197, (_e5197 < _e5211));
+let _e5219 = global_5.member[bitcast<u32>(select(0i, _e5213, (_e5213 > 0i)))];
+let _e5228 = (bitcast<i32>((_e5209 + countOneBits((_e5219 & ((1u << bitcast<u32>((bitcast<u32>((_e5194 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e5229 = bitcast<u32>(_e5228);
+if (_e5229 < _e220) {
+let _e5233 = atomicAdd((&global_7.member[_e5229]), 1u);
 }
-let _e5223 = bitcast<u32>((_e5216 + 1i));
-if (_e5223 < _e220) {
-let _e5227 = atomicMax((&global_7.member[_e5223]), bitcast<u32>((_e4810 - select(0i, 1i, (_e4803 < f32(_e4810))))));
+let _e5235 = bitcast<u32>((_e5228 + 1i));
+if (_e5235 < _e220) {
+let _e5239 = atomicMax((&global_7.member[_e5235]), bitcast<u32>((_e4822 - select(0i, 1i, (_e4815 < f32(_e4822))))));
 }
-let _e5233 = (((_e5063 * _e5085) * 65536f) + 0.5f);
-let _e5235 = select(-1073741800f, _e5233, (_e5233 > -1073741800f));
-let _e5237 = select(1073741800f, _e5235, (_e5235 < 1073741800f));
-let _e5244 = select(0i, select(select(i32(_e5237), i32(-2147483648), (_e5237 < -2147483600f)), 2147483647i, (_e5237 > 2147483500f)), (_e5237 == _e5237));
-let _e5248 = (_e5244 - select(0i, 1i, (_e5237 < f32(_e5244))));
-if (_e5248 == 0i) {
+let _e5245 = (((_e5075 * _e5097) * 65536f) + 0.5f);
+let _e5247 = select(-1073741800f, _e5245, (_e5245 > -1073741800f));
+let _e5249 = select(1073741800f, _e5247, (_e5247 < 1073741800f));
+let _e5256 = select(0i, select(select(i32(_e5249), i32(-2147483648), (_e5249 < -2147483600f)), 2147483647i, (_e5249 > 2147483500f)), (_e5249 == _e5249));
+let _e5260 = (_e5256 - select(0i, 1i, (_e5249 < f32(_e5256))));
+let _e5261 = bitcast<u32>(_e5260);
+let _e5264 = bitcast<u32>((_e5260 >> bitcast<u32>(31i)));
+if ((_e5261 | _e5264) == 0u) {
 } else {
-let _e5250 = bitcast<u32>(_e5248);
-let _e5251 = bitcast<u32>((_e5216 + 2i));
-if (_e5251 < _e220) {
-let _e5255 = atomicAdd((&global_7.member[_e5251]), _e5250);
-phi_16721_ = _e5255;
+let _e5267 = bitcast<u32>((_e5228 + 2i));
+if (_e5267 < _e220) {
+let _e5271 = atomicAdd((&global_7.member[_e5267]), _e5261);
+phi_16724_ = _e5271;
 } else {
-phi_16721_ = 0u;
+phi_16724_ = 0u;
 }
-let _e5257 = phi_16721_;
-let _e5264 = (bitcast<u32>((_e5248 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5257 + _e5250) < _e5250)));
-if (_e5264 == 0u) {
+let _e5273 = phi_16724_;
+let _e5277 = (_e5264 + select(0u, 1u, ((_e5273 + _e5261) < _e5261)));
+if (_e5277 == 0u) {
 } else {
-let _e5266 = (_e5251 + 1u);
-if (_e5266 < _e220) {
-let _e5270 = atomicAdd((&global_7.member[_e5266]), _e5264);
+let _e5279 = (_e5267 + 1u);
+if (_e5279 < _e220) {
+let _e5283 = atomicAdd((&global_7.member[_e5279]), _e5277);
 }
 }
 }
-let _e5273 = (((_e5068 * _e5085) * 65536f) + 0.5f);
-let _e5275 = select(-1073741800f, _e5273, (_e5273 > -1073741800f));
-let _e5277 = select(1073741800f, _e5275, (_e5275 < 1073741800f));
-let _e5284 = select(0i, select(select(i32(_e5277), i32(-2147483648), (_e5277 < -2147483600f)), 2147483647i, (_e5277 > 2147483500f)), (_e5277 == _e5277));
-let _e5288 = (_e5284 - select(0i, 1i, (_e5277 < f32(_e5284))));
-if (_e5288 == 0i) {
+let _e5286 = (((_e5080 * _e5097) * 65536f) + 0.5f);
+let _e5288 = select(-1073741800f, _e5286, (_e5286 > -1073741800f));
+let _e5290 = select(1073741800f, _e5288, (_e5288 < 1073741800f));
+let _e5297 = select(0i, select(select(i32(_e5290), i32(-2147483648), (_e5290 < -2147483600f)), 2147483647i, (_e5290 > 2147483500f)), (_e5290 == _e5290));
+let _e5301 = (_e5297 - select(0i, 1i, (_e5290 < f32(_e5297))));
+let _e5302 = bitcast<u32>(_e5301);
+let _e5305 = bitcast<u32>((_e5301 >> bitcast<u32>(31i)));
+if ((_e5302 | _e5305) == 0u) {
 } else {
-let _e5290 = bitcast<u32>(_e5288);
-let _e5291 = bitcast<u32>((_e5216 + 4i));
-if (_e5291 < _e220) {
-let _e5295 = atomicAdd((&global_7.member[_e5291]), _e5290);
-phi_16778_ = _e5295;
+let _e5308 = bitcast<u32>((_e5228 + 4i));
+if (_e5308 < _e220) {
+let _e5312 = atomicAdd((&global_7.member[_e5308]), _e5302);
+phi_16781_ = _e5312;
 } else {
-phi_16778_ = 0u;
+phi_16781_ = 0u;
 }
-let _e5297 = phi_16778_;
-let _e5304 = (bitcast<u32>((_e5288 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5297 + _e5290) < _e5290)));
-if (_e5304 == 0u) {
+let _e5314 = phi_16781_;
+let _e5318 = (_e5305 + select(0u, 1u, ((_e5314 + _e5302) < _e5302)));
+if (_e5318 == 0u) {
 } else {
-let _e5306 = (_e5291 + 1u);
-if (_e5306 < _e220) {
-let _e5310 = atomicAdd((&global_7.member[_e5306]), _e5304);
+let _e5320 = (_e5308 + 1u);
+if (_e5320 < _e220) {
+let _e5324 = atomicAdd((&global_7.member[_e5320]), _e5318);
 }
 }
 }
-let _e5313 = (((_e5073 * _e5085) * 65536f) + 0.5f);
-let _e5315 = select(-1073741800f, _e5313, (_e5313 > -1073741800f));
-let _e5317 = select(1073741800f, _e5315, (_e5315 < 1073741800f));
-let _e5324 = select(0i, select(select(i32(_e5317), i32(-2147483648), (_e5317 < -2147483600f)), 2147483647i, (_e5317 > 2147483500f)), (_e5317 == _e5317));
-let _e5328 = (_e5324 - select(0i, 1i, (_e5317 < f32(_e5324))));
-if (_e5328 == 0i) {
+let _e5327 = (((_e5085 * _e5097) * 65536f) + 0.5f);
+let _e5329 = select(-1073741800f, _e5327, (_e5327 > -1073741800f));
+let _e5331 = select(1073741800f, _e5329, (_e5329 < 1073741800f));
+let _e5338 = select(0i, select(select(i32(_e5331), i32(-2147483648), (_e5331 < -2147483600f)), 2147483647i, (_e5331 > 2147483500f)), (_e5331 == _e5331));
+let _e5342 = (_e5338 - select(0i, 1i, (_e5331 < f32(_e5338))));
+let _e5343 = bitcast<u32>(_e5342);
+let _e5346 = bitcast<u32>((_e5342 >> bitcast<u32>(31i)));
+if ((_e5343 | _e5346) == 0u) {
 } else {
-let _e5330 = bitcast<u32>(_e5328);
-let _e5331 = bitcast<u32>((_e5216 + 6i));
-if (_e5331 < _e220) {
-let _e5335 = atomicAdd((&global_7.member[_e5331]), _e5330);
-phi_16835_ = _e5335;
+let _e5349 = bitcast<u32>((_e5228 + 6i));
+if (_e5349 < _e220) {
+let _e5353 = atomicAdd((&global_7.member[_e5349]), _e5343);
+phi_16838_ = _e5353;
 } else {
-phi_16835_ = 0u;
+phi_16838_ = 0u;
 }
-let _e5337 = phi_16835_;
-let _e5344 = (bitcast<u32>((_e5328 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5337 + _e5330) < _e5330)));
-if (_e5344 == 0u) {
+let _e5355 = phi_16838_;
+let _e5359 = (_e5346 + select(0u, 1u, ((_e5355 + _e5343) < _e5343)));
+if (_e5359 == 0u) {
 } else {
-let _e5346 = (_e5331 + 1u);
-if (_e5346 < _e220) {
-let _e5350 = atomicAdd((&global_7.member[_e5346]), _e5344);
+let _e5361 = (_e5349 + 1u);
+if (_e5361 < _e220) {
+let _e5365 = atomicAdd((&global_7.member[_e5361]), _e5359);
 }
 }
 }
-let _e5353 = (((((_e5094 * _e4976) + (_e5121 * _e4977)) + (_e5148 * _e4978)) * 65536f) + 0.5f);
-let _e5355 = select(-1073741800f, _e5353, (_e5353 > -1073741800f));
-let _e5357 = select(1073741800f, _e5355, (_e5355 < 1073741800f));
-let _e5364 = select(0i, select(select(i32(_e5357), i32(-2147483648), (_e5357 < -2147483600f)), 2147483647i, (_e5357 > 2147483500f)), (_e5357 == _e5357));
-let _e5368 = (_e5364 - select(0i, 1i, (_e5357 < f32(_e5364))));
-if (_e5368 == 0i) {
+let _e5368 = (((((_e5106 * _e4988) + (_e5133 * _e4989)) + (_e5160 * _e4990)) * 65536f) + 0.5f);
+let _e5370 = select(-1073741800f, _e5368, (_e5368 > -1073741800f));
+let _e5372 = select(1073741800f, _e5370, (_e5370 < 1073741800f));
+let _e5379 = select(0i, select(select(i32(_e5372), i32(-2147483648), (_e5372 < -2147483600f)), 2147483647i, (_e5372 > 2147483500f)), (_e5372 == _e5372));
+let _e5383 = (_e5379 - select(0i, 1i, (_e5372 < f32(_e5379))));
+let _e5384 = bitcast<u32>(_e5383);
+let _e5387 = bitcast<u32>((_e5383 >> bitcast<u32>(31i)));
+if ((_e5384 | _e5387) == 0u) {
 } else {
-let _e5370 = bitcast<u32>(_e5368);
-let _e5371 = bitcast<u32>((_e5216 + 8i));
-if (_e5371 < _e220) {
-let _e5375 = atomicAdd((&global_7.member[_e5371]), _e5370);
-phi_16893_ = _e5375;
+let _e5390 = bitcast<u32>((_e5228 + 8i));
+if (_e5390 < _e220) {
+let _e5394 = atomicAdd((&global_7.member[_e5390]), _e5384);
+phi_16896_ = _e5394;
 } else {
-phi_16893_ = 0u;
+phi_16896_ = 0u;
 }
-let _e5377 = phi_16893_;
-let _e5384 = (bitcast<u32>((_e5368 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5377 + _e5370) < _e5370)));
-if (_e5384 == 0u) {
+let _e5396 = phi_16896_;
+let _e5400 = (_e5387 + select(0u, 1u, ((_e5396 + _e5384) < _e5384)));
+if (_e5400 == 0u) {
 } else {
-let _e5386 = (_e5371 + 1u);
-if (_e5386 < _e220) {
-let _e5390 = atomicAdd((&global_7.member[_e5386]), _e5384);
+let _e5402 = (_e5390 + 1u);
+if (_e5402 < _e220) {
+let _e5406 = atomicAdd((&global_7.member[_e5402]), _e5400);
 }
 }
 }
-let _e5393 = (((((_e5103 * _e4976) + (_e5130 * _e4977)) + (_e5157 * _e4978)) * 65536f) + 0.5f);
-let _e5395 = select(-1073741800f, _e5393, (_e5393 > -1073741800f));
-let _e5397 = select(1073741800f, _e5395, (_e5395 < 1073741800f));
-let _e5404 = select(0i, select(select(i32(_e5397), i32(-2147483648), (_e5397 < -2147483600f)), 2147483647i, (_e5397 > 2147483500f)), (_e5397 == _e5397));
-let _e5408 = (_e5404 - select(0i, 1i, (_e5397 < f32(_e5404))));
-if (_e5408 == 0i) {
+let _e5409 = (((((_e5115 * _e4988) + (_e5142 * _e4989)) + (_e5169 * _e4990)) * 65536f) + 0.5f);
+let _e5411 = select(-1073741800f, _e5409, (_e5409 > -1073741800f));
+let _e5413 = select(1073741800f, _e5411, (_e5411 < 1073741800f));
+let _e5420 = select(0i, select(select(i32(_e5413), i32(-2147483648), (_e5413 < -2147483600f)), 2147483647i, (_e5413 > 2147483500f)), (_e5413 == _e5413));
+let _e5424 = (_e5420 - select(0i, 1i, (_e5413 < f32(_e5420))));
+let _e5425 = bitcast<u32>(_e5424);
+let _e5428 = bitcast<u32>((_e5424 >> bitcast<u32>(31i)));
+if ((_e5425 | _e5428) == 0u) {
 } else {
-let _e5410 = bitcast<u32>(_e5408);
-let _e5411 = bitcast<u32>((_e5216 + 10i));
-if (_e5411 < _e220) {
-let _e5415 = atomicAdd((&global_7.member[_e5411]), _e5410);
-phi_16950_ = _e5415;
+let _e5431 = bitcast<u32>((_e5228 + 10i));
+if (_e5431 < _e220) {
+let _e5435 = atomicAdd((&global_7.member[_e5431]), _e5425);
+phi_16953_ = _e5435;
 } else {
-phi_16950_ = 0u;
+phi_16953_ = 0u;
 }
-let _e5417 = phi_16950_;
-let _e5424 = (bitcast<u32>((_e5408 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5417 + _e5410) < _e5410)));
-if (_e5424 == 0u) {
+let _e5437 = phi_16953_;
+let _e5441 = (_e5428 + select(0u, 1u, ((_e5437 + _e5425) < _e5425)));
+if (_e5441 == 0u) {
 } else {
-let _e5426 = (_e5411 + 1u);
-if (_e5426 < _e220) {
-let _e5430 = atomicAdd((&global_7.member[_e5426]), _e5424);
+let _e5443 = (_e5431 + 1u);
+if (_e5443 < _e220) {
+let _e5447 = atomicAdd((&global_7.member[_e5443]), _e5441);
 }
 }
 }
-let _e5433 = (((((_e5112 * _e4976) + (_e5139 * _e4977)) + (_e5166 * _e4978)) * 65536f) + 0.5f);
-let _e5435 = select(-1073741800f, _e5433, (_e5433 > -1073741800f));
-let _e5437 = select(1073741800f, _e5435, (_e5435 < 1073741800f));
-let _e5444 = select(0i, select(select(i32(_e5437), i32(-2147483648), (_e5437 < -2147483600f)), 2147483647i, (_e5437 > 2147483500f)), (_e5437 == _e5437));
-let _e5448 = (_e5444 - select(0i, 1i, (_e5437 < f32(_e5444))));
-if (_e5448 == 0i) {
+let _e5450 = (((((_e5124 * _e4988) + (_e5151 * _e4989)) + (_e5178 * _e4990)) * 65536f) + 0.5f);
+let _e5452 = select(-1073741800f, _e5450, (_e5450 > -1073741800f));
+let _e5454 = select(1073741800f, _e5452, (_e5452 < 1073741800f));
+let _e5461 = select(0i, select(select(i32(_e5454), i32(-2147483648), (_e5454 < -2147483600f)), 2147483647i, (_e5454 > 2147483500f)), (_e5454 == _e5454));
+let _e5465 = (_e5461 - select(0i, 1i, (_e5454 < f32(_e5461))));
+let _e5466 = bitcast<u32>(_e5465);
+let _e5469 = bitcast<u32>((_e5465 >> bitcast<u32>(31i)));
+if ((_e5466 | _e5469) == 0u) {
 } else {
-let _e5450 = bitcast<u32>(_e5448);
-let _e5451 = bitcast<u32>((_e5216 + 12i));
-if (_e5451 < _e220) {
-let _e5455 = atomicAdd((&global_7.member[_e5451]), _e5450);
-phi_17007_ = _e5455;
+let _e5472 = bitcast<u32>((_e5228 + 12i));
+if (_e5472 < _e220) {
+let _e5476 = atomicAdd((&global_7.member[_e5472]), _e5466);
+phi_17010_ = _e5476;
 } else {
-phi_17007_ = 0u;
+phi_17010_ = 0u;
 }
-let _e5457 = phi_17007_;
-let _e5464 = (bitcast<u32>((_e5448 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e5457 + _e5450) < _e5450)));
-if (_e5464 == 0u) {
+let _e5478 = phi_17010_;
+let _e5482 = (_e5469 + select(0u, 1u, ((_e5478 + _e5466) < _e5466)));
+if (_e5482 == 0u) {
 } else {
-let _e5466 = (_e5451 + 1u);
-if (_e5466 < _e220) {
-let _e5470 = atomicAdd((&global_7.member[_e5466]), _e5464);
+let _e5484 = (_e5472 + 1u);
+if (_e5484 < _e220) {
+let _e5488 = atomicAdd((&global_7.member[_e5484]), _e5482);
 }
 }
 }
-phi_16194_ = (_e4907 + 1i);
+phi_16194_ = (_e4919 + 1i);
 } else {
 phi_16194_ = i32();
 }
-let _e5473 = phi_16194_;
+let _e5491 = phi_16194_;
 continue;
 continuing {
-phi_16193_ = _e5473;
-break if !(_e4908);
+phi_16193_ = _e5491;
+break if !(_e4920);
 }
 }
-phi_16067_ = (_e4824 + 1i);
+phi_16067_ = (_e4836 + 1i);
 } else {
 phi_16067_ = i32();
 }
-let _e5477 = phi_16067_;
+let _e5495 = phi_16067_;
 continue;
 continuing {
-phi_16066_ = _e5477;
-break if !(_e4825);
+phi_16066_ = _e5495;
+break if !(_e4837);
 }
 }
-phi_16050_ = (_e4817 + 1i);
+phi_16050_ = (_e4829 + 1i);
 } else {
 phi_16050_ = i32();
 }
-let _e5481 = phi_16050_;
+let _e5499 = phi_16050_;
 continue;
 continuing {
-phi_16049_ = _e5481;
-break if !(_e4818);
+phi_16049_ = _e5499;
+break if !(_e4830);
 }
 }
 } else {
 if (_e952 == 3u) {
-let _e2884 = (_e926.member_1.member_6 & 31u);
-let _e2886 = (_e926.member_1.member_3.x << bitcast<u32>(_e2884));
-let _e2889 = (_e926.member_1.member_7 & 31u);
-let _e2893 = ((1i << bitcast<u32>(_e2889)) >> bitcast<u32>(1i));
-let _e2899 = bitcast<i32>(_e926.member_1.member_6);
-let _e2905 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e2899))) << bitcast<u32>(23i)));
-let _e2906 = (f32((((_e926.member_1.member.x - _e2886) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2911 = (_e926.member_1.member_3.y << bitcast<u32>(_e2884));
-let _e2917 = (f32((((_e926.member_1.member.y - _e2911) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2922 = (_e926.member_1.member_3.z << bitcast<u32>(_e2884));
-let _e2928 = (f32((((_e926.member_1.member.z - _e2922) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2936 = (f32((((_e926.member_1.member_1.x - _e2886) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2943 = (f32((((_e926.member_1.member_1.y - _e2911) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2950 = (f32((((_e926.member_1.member_1.z - _e2922) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2958 = (f32((((_e926.member_1.member_2.x - _e2886) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2965 = (f32((((_e926.member_1.member_2.y - _e2911) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2972 = (f32((((_e926.member_1.member_2.z - _e2922) + _e2893) >> bitcast<u32>(_e2889))) * _e2905);
-let _e2980 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e2899)) << bitcast<u32>(23i))));
-let _e2981 = (_e2936 - _e2906);
-let _e2982 = (_e2943 - _e2917);
-let _e2983 = (_e2950 - _e2928);
-let _e2984 = (_e2958 - _e2936);
-let _e2985 = (_e2965 - _e2943);
-let _e2986 = (_e2972 - _e2950);
-let _e2989 = ((_e2982 * _e2986) - (_e2983 * _e2985));
-let _e2993 = (_e2981 * _e2985);
-let _e2994 = (_e2982 * _e2984);
-let _e2995 = (_e2993 - _e2994);
-let _e3003 = ((bitcast<f32>((bitcast<u32>(_e2993) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2994) & 2147483647u))) * 2.3841858e-7f);
-let _e3004 = f32(_e926.member_1.member_4.x);
-let _e3005 = (1f + _e2980);
-let _e3008 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
-if _e3008 {
-let _e3102 = select(1f, -1f, (_e2989 < 0f));
-let _e3107 = ((_e2928 - _e2950) * _e3102);
-let _e3108 = ((_e2950 - _e2972) * _e3102);
-let _e3109 = ((_e2972 - _e2928) * _e3102);
-let _e3110 = ((0f - 0f) * _e3102);
-let _e3112 = (_e2982 * _e3102);
-let _e3113 = (_e2985 * _e3102);
-let _e3114 = ((_e2917 - _e2965) * _e3102);
-if (select(0u, 1u, ((_e3107 * _e3005) > -((_e3107 * _e2980)))) < 2u) {
+let _e2890 = (_e926.member_1.member_6 & 31u);
+let _e2892 = (_e926.member_1.member_3.x << bitcast<u32>(_e2890));
+let _e2895 = (_e926.member_1.member_7 & 31u);
+let _e2899 = ((1i << bitcast<u32>(_e2895)) >> bitcast<u32>(1i));
+let _e2905 = bitcast<i32>(_e926.member_1.member_6);
+let _e2911 = bitcast<f32>((bitcast<u32>((127i + (bitcast<i32>(_e926.member_1.member_7) - _e2905))) << bitcast<u32>(23i)));
+let _e2912 = (f32((((_e926.member_1.member.x - _e2892) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2917 = (_e926.member_1.member_3.y << bitcast<u32>(_e2890));
+let _e2923 = (f32((((_e926.member_1.member.y - _e2917) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2928 = (_e926.member_1.member_3.z << bitcast<u32>(_e2890));
+let _e2934 = (f32((((_e926.member_1.member.z - _e2928) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2942 = (f32((((_e926.member_1.member_1.x - _e2892) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2949 = (f32((((_e926.member_1.member_1.y - _e2917) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2956 = (f32((((_e926.member_1.member_1.z - _e2928) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2964 = (f32((((_e926.member_1.member_2.x - _e2892) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2971 = (f32((((_e926.member_1.member_2.y - _e2917) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2978 = (f32((((_e926.member_1.member_2.z - _e2928) + _e2899) >> bitcast<u32>(_e2895))) * _e2911);
+let _e2986 = (f32(_e926.member_1.member_5) * bitcast<f32>((bitcast<u32>((127i - _e2905)) << bitcast<u32>(23i))));
+let _e2987 = (_e2942 - _e2912);
+let _e2988 = (_e2949 - _e2923);
+let _e2989 = (_e2956 - _e2934);
+let _e2990 = (_e2964 - _e2942);
+let _e2991 = (_e2971 - _e2949);
+let _e2992 = (_e2978 - _e2956);
+let _e2995 = ((_e2988 * _e2992) - (_e2989 * _e2991));
+let _e2999 = (_e2987 * _e2991);
+let _e3000 = (_e2988 * _e2990);
+let _e3001 = (_e2999 - _e3000);
+let _e3009 = ((bitcast<f32>((bitcast<u32>(_e2999) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e3000) & 2147483647u))) * 2.3841858e-7f);
+let _e3010 = f32(_e926.member_1.member_4.x);
+let _e3011 = (1f + _e2986);
+let _e3014 = (_e926.member_1.member_4.z >= _e926.member_1.member_4.y);
+if _e3014 {
+let _e3108 = select(1f, -1f, (_e2995 < 0f));
+let _e3113 = ((_e2934 - _e2956) * _e3108);
+let _e3114 = ((_e2956 - _e2978) * _e3108);
+let _e3115 = ((_e2978 - _e2934) * _e3108);
+let _e3116 = ((0f - 0f) * _e3108);
+let _e3118 = (_e2988 * _e3108);
+let _e3119 = (_e2991 * _e3108);
+let _e3120 = ((_e2923 - _e2971) * _e3108);
+if (select(0u, 1u, ((_e3113 * _e3011) > -((_e3113 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3108 * _e3005) > -((_e3108 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3114 * _e3011) > -((_e3114 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3109 * _e3005) > -((_e3109 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3115 * _e3011) > -((_e3115 * _e2986)))) < 2u) {
 } else {
 break;
 }
-let _e3138 = (select(0u, 1u, ((_e3110 * _e3005) > -((_e3110 * _e2980)))) < 2u);
-if _e3138 {
+let _e3144 = (select(0u, 1u, ((_e3116 * _e3011) > -((_e3116 * _e2986)))) < 2u);
+if _e3144 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3112 * _e3005) > -((_e3112 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3118 * _e3011) > -((_e3118 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3113 * _e3005) > -((_e3113 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3119 * _e3011) > -((_e3119 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3114 * _e3005) > -((_e3114 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3120 * _e3011) > -((_e3120 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if _e3138 {
+if _e3144 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3107 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3113 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3108 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3114 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3109 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3115 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3110 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3116 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3107 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3113 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3108 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3114 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3109 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3115 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3110 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3116 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3107 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3113 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3108 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3114 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3109 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3115 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3110 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3116 < 0f)) < 2u) {
 } else {
 break;
 }
 } else {
-let _e3010 = select(1f, -1f, (-(_e2989) < 0f));
-let _e3015 = ((_e2917 - _e2943) * _e3010);
-let _e3016 = ((_e2943 - _e2965) * _e3010);
-let _e3017 = ((_e2965 - _e2917) * _e3010);
-let _e3018 = ((0f - 0f) * _e3010);
-let _e3020 = (_e2983 * _e3010);
-let _e3021 = (_e2986 * _e3010);
-let _e3022 = ((_e2928 - _e2972) * _e3010);
-if (select(0u, 1u, ((_e3015 * _e3005) > -((_e3015 * _e2980)))) < 2u) {
+let _e3016 = select(1f, -1f, (-(_e2995) < 0f));
+let _e3021 = ((_e2923 - _e2949) * _e3016);
+let _e3022 = ((_e2949 - _e2971) * _e3016);
+let _e3023 = ((_e2971 - _e2923) * _e3016);
+let _e3024 = ((0f - 0f) * _e3016);
+let _e3026 = (_e2989 * _e3016);
+let _e3027 = (_e2992 * _e3016);
+let _e3028 = ((_e2934 - _e2978) * _e3016);
+if (select(0u, 1u, ((_e3021 * _e3011) > -((_e3021 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3016 * _e3005) > -((_e3016 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3022 * _e3011) > -((_e3022 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3017 * _e3005) > -((_e3017 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3023 * _e3011) > -((_e3023 * _e2986)))) < 2u) {
 } else {
 break;
 }
-let _e3046 = (select(0u, 1u, ((_e3018 * _e3005) > -((_e3018 * _e2980)))) < 2u);
-if _e3046 {
+let _e3052 = (select(0u, 1u, ((_e3024 * _e3011) > -((_e3024 * _e2986)))) < 2u);
+if _e3052 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3020 * _e3005) > -((_e3020 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3026 * _e3011) > -((_e3026 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3021 * _e3005) > -((_e3021 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3027 * _e3011) > -((_e3027 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3022 * _e3005) > -((_e3022 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3028 * _e3011) > -((_e3028 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if _e3046 {
+if _e3052 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3015 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3021 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3016 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3022 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3017 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3023 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3018 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3024 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3015 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3021 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3016 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3022 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3017 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3023 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3018 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3024 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3015 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3021 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3016 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3022 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3017 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3023 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3018 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3024 < 0f)) < 2u) {
 } else {
 break;
 }
 }
-let _e3195 = select(1f, -1f, (_e2995 < 0f));
-let _e3201 = select(0f, (2f * _e3003), (bitcast<f32>((bitcast<u32>(_e2995) & 2147483647u)) <= _e3003));
-let _e3204 = (_e2965 - _e2917);
-let _e3205 = (0f - 0f);
-let _e3206 = ((_e2917 - _e2943) * _e3195);
-let _e3207 = ((_e2943 - _e2965) * _e3195);
-let _e3208 = (_e3204 * _e3195);
-let _e3209 = (_e3205 * _e3195);
-let _e3210 = (_e2906 - _e2958);
-let _e3211 = (_e2981 * _e3195);
-let _e3212 = (_e2984 * _e3195);
-let _e3213 = (_e3210 * _e3195);
-let _e3214 = (_e3206 * _e3005);
-let _e3215 = (_e3207 * _e3005);
-let _e3216 = (_e3208 * _e3005);
-let _e3222 = -((_e3206 * _e2980));
-let _e3223 = -((_e3207 * _e2980));
-let _e3224 = -((_e3208 * _e2980));
+let _e3201 = select(1f, -1f, (_e3001 < 0f));
+let _e3207 = select(0f, (2f * _e3009), (bitcast<f32>((bitcast<u32>(_e3001) & 2147483647u)) <= _e3009));
+let _e3210 = (_e2971 - _e2923);
+let _e3211 = (0f - 0f);
+let _e3212 = ((_e2923 - _e2949) * _e3201);
+let _e3213 = ((_e2949 - _e2971) * _e3201);
+let _e3214 = (_e3210 * _e3201);
+let _e3215 = (_e3211 * _e3201);
+let _e3216 = (_e2912 - _e2964);
+let _e3217 = (_e2987 * _e3201);
+let _e3218 = (_e2990 * _e3201);
+let _e3219 = (_e3216 * _e3201);
+let _e3220 = (_e3212 * _e3011);
+let _e3221 = (_e3213 * _e3011);
+let _e3222 = (_e3214 * _e3011);
+let _e3228 = -((_e3212 * _e2986));
+let _e3229 = -((_e3213 * _e2986));
+let _e3230 = -((_e3214 * _e2986));
 local_82 = array<u32, 2>(0u, 4294967295u);
-let _e3230 = select(0u, 1u, (_e3214 > _e3222));
-if (_e3230 < 2u) {
+let _e3236 = select(0u, 1u, (_e3220 > _e3228));
+if (_e3236 < 2u) {
 } else {
 break;
 }
-let _e3233 = local_82[_e3230];
+let _e3239 = local_82[_e3236];
 local_83 = array<u32, 2>(0u, 4294967295u);
-let _e3234 = select(0u, 1u, (_e3215 > _e3223));
-if (_e3234 < 2u) {
+let _e3240 = select(0u, 1u, (_e3221 > _e3229));
+if (_e3240 < 2u) {
 } else {
 break;
 }
-let _e3237 = local_83[_e3234];
+let _e3243 = local_83[_e3240];
 local_84 = array<u32, 2>(0u, 4294967295u);
-let _e3238 = select(0u, 1u, (_e3216 > _e3224));
-if (_e3238 < 2u) {
+let _e3244 = select(0u, 1u, (_e3222 > _e3230));
+if (_e3244 < 2u) {
 } else {
 break;
 }
-let _e3241 = local_84[_e3238];
-let _e3243 = (select(0u, 1u, ((_e3209 * _e3005) > -((_e3209 * _e2980)))) < 2u);
-if _e3243 {
+let _e3247 = local_84[_e3244];
+let _e3249 = (select(0u, 1u, ((_e3215 * _e3011) > -((_e3215 * _e2986)))) < 2u);
+if _e3249 {
 } else {
 break;
 }
-let _e3259 = (_e3211 * _e3005);
-let _e3260 = (_e3212 * _e3005);
-let _e3261 = (_e3213 * _e3005);
-let _e3265 = -((_e3211 * _e2980));
-let _e3266 = -((_e3212 * _e2980));
-let _e3267 = -((_e3213 * _e2980));
+let _e3265 = (_e3217 * _e3011);
+let _e3266 = (_e3218 * _e3011);
+let _e3267 = (_e3219 * _e3011);
+let _e3271 = -((_e3217 * _e2986));
+let _e3272 = -((_e3218 * _e2986));
+let _e3273 = -((_e3219 * _e2986));
 local_79 = array<u32, 2>(0u, 4294967295u);
-let _e3271 = select(0u, 1u, (_e3259 > _e3265));
-if (_e3271 < 2u) {
+let _e3277 = select(0u, 1u, (_e3265 > _e3271));
+if (_e3277 < 2u) {
 } else {
 break;
 }
-let _e3274 = local_79[_e3271];
+let _e3280 = local_79[_e3277];
 local_80 = array<u32, 2>(0u, 4294967295u);
-let _e3275 = select(0u, 1u, (_e3260 > _e3266));
-if (_e3275 < 2u) {
+let _e3281 = select(0u, 1u, (_e3266 > _e3272));
+if (_e3281 < 2u) {
 } else {
 break;
 }
-let _e3278 = local_80[_e3275];
+let _e3284 = local_80[_e3281];
 local_81 = array<u32, 2>(0u, 4294967295u);
-let _e3279 = select(0u, 1u, (_e3261 > _e3267));
-if (_e3279 < 2u) {
+let _e3285 = select(0u, 1u, (_e3267 > _e3273));
+if (_e3285 < 2u) {
 } else {
 break;
 }
-let _e3282 = local_81[_e3279];
-if _e3243 {
+let _e3288 = local_81[_e3285];
+if _e3249 {
 } else {
 break;
 }
 local_76 = array<u32, 2>(0u, 4294967295u);
-let _e3308 = select(0u, 1u, (_e3206 == 0f));
-if (_e3308 < 2u) {
+let _e3314 = select(0u, 1u, (_e3212 == 0f));
+if (_e3314 < 2u) {
 } else {
 break;
 }
-let _e3311 = local_76[_e3308];
+let _e3317 = local_76[_e3314];
 local_77 = array<u32, 2>(0u, 4294967295u);
-let _e3312 = select(0u, 1u, (_e3207 == 0f));
-if (_e3312 < 2u) {
+let _e3318 = select(0u, 1u, (_e3213 == 0f));
+if (_e3318 < 2u) {
 } else {
 break;
 }
-let _e3315 = local_77[_e3312];
+let _e3321 = local_77[_e3318];
 local_78 = array<u32, 2>(0u, 4294967295u);
-let _e3316 = select(0u, 1u, (_e3208 == 0f));
-if (_e3316 < 2u) {
+let _e3322 = select(0u, 1u, (_e3214 == 0f));
+if (_e3322 < 2u) {
 } else {
 break;
 }
-let _e3319 = local_78[_e3316];
-if (select(0u, 1u, (_e3209 == 0f)) < 2u) {
+let _e3325 = local_78[_e3322];
+if (select(0u, 1u, (_e3215 == 0f)) < 2u) {
 } else {
 break;
 }
-let _e3323 = ((_e3311 & 1u) != 0u);
-let _e3326 = ((_e3315 & 1u) != 0u);
-let _e3329 = ((_e3319 & 1u) != 0u);
-let _e3331 = (-1f / select(_e3206, 1f, _e3323));
-let _e3332 = (-1f / select(_e3207, 1f, _e3326));
-let _e3333 = (-1f / select(_e3208, 1f, _e3329));
+let _e3329 = ((_e3317 & 1u) != 0u);
+let _e3332 = ((_e3321 & 1u) != 0u);
+let _e3335 = ((_e3325 & 1u) != 0u);
+let _e3337 = (-1f / select(_e3212, 1f, _e3329));
+let _e3338 = (-1f / select(_e3213, 1f, _e3332));
+let _e3339 = (-1f / select(_e3214, 1f, _e3335));
 local_73 = array<u32, 2>(0u, 4294967295u);
-let _e3338 = select(0u, 1u, (_e3206 > 0f));
-if (_e3338 < 2u) {
+let _e3344 = select(0u, 1u, (_e3212 > 0f));
+if (_e3344 < 2u) {
 } else {
 break;
 }
-let _e3341 = local_73[_e3338];
+let _e3347 = local_73[_e3344];
 local_74 = array<u32, 2>(0u, 4294967295u);
-let _e3342 = select(0u, 1u, (_e3207 > 0f));
-if (_e3342 < 2u) {
+let _e3348 = select(0u, 1u, (_e3213 > 0f));
+if (_e3348 < 2u) {
 } else {
 break;
 }
-let _e3345 = local_74[_e3342];
+let _e3351 = local_74[_e3348];
 local_75 = array<u32, 2>(0u, 4294967295u);
-let _e3346 = select(0u, 1u, (_e3208 > 0f));
-if (_e3346 < 2u) {
+let _e3352 = select(0u, 1u, (_e3214 > 0f));
+if (_e3352 < 2u) {
 } else {
 break;
 }
-let _e3349 = local_75[_e3346];
-if (select(0u, 1u, (_e3209 > 0f)) < 2u) {
+let _e3355 = local_75[_e3352];
+if (select(0u, 1u, (_e3215 > 0f)) < 2u) {
 } else {
 break;
 }
 local_70 = array<u32, 2>(0u, 4294967295u);
-let _e3356 = select(0u, 1u, (_e3206 < 0f));
-if (_e3356 < 2u) {
+let _e3362 = select(0u, 1u, (_e3212 < 0f));
+if (_e3362 < 2u) {
 } else {
 break;
 }
-let _e3359 = local_70[_e3356];
+let _e3365 = local_70[_e3362];
 local_71 = array<u32, 2>(0u, 4294967295u);
-let _e3360 = select(0u, 1u, (_e3207 < 0f));
-if (_e3360 < 2u) {
+let _e3366 = select(0u, 1u, (_e3213 < 0f));
+if (_e3366 < 2u) {
 } else {
 break;
 }
-let _e3363 = local_71[_e3360];
+let _e3369 = local_71[_e3366];
 local_72 = array<u32, 2>(0u, 4294967295u);
-let _e3364 = select(0u, 1u, (_e3208 < 0f));
-if (_e3364 < 2u) {
+let _e3370 = select(0u, 1u, (_e3214 < 0f));
+if (_e3370 < 2u) {
 } else {
 break;
 }
-let _e3367 = local_72[_e3364];
-if (select(0u, 1u, (_e3209 < 0f)) < 2u) {
+let _e3373 = local_72[_e3370];
+if (select(0u, 1u, (_e3215 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e3383 = ((_e3359 & 1u) != 0u);
-let _e3386 = ((_e3363 & 1u) != 0u);
-let _e3389 = ((_e3367 & 1u) != 0u);
-let _e3395 = select(1f, -1f, (-(((_e2983 * _e2984) - (_e2981 * _e2986))) < 0f));
-let _e3398 = (_e2972 - _e2928);
-let _e3399 = ((_e2928 - _e2950) * _e3395);
-let _e3400 = ((_e2950 - _e2972) * _e3395);
-let _e3401 = (_e3398 * _e3395);
-let _e3402 = (_e3205 * _e3395);
-let _e3403 = (_e2981 * _e3395);
-let _e3404 = (_e2984 * _e3395);
-let _e3405 = (_e3210 * _e3395);
-if (select(0u, 1u, ((_e3399 * _e3005) > -((_e3399 * _e2980)))) < 2u) {
+let _e3389 = ((_e3365 & 1u) != 0u);
+let _e3392 = ((_e3369 & 1u) != 0u);
+let _e3395 = ((_e3373 & 1u) != 0u);
+let _e3401 = select(1f, -1f, (-(((_e2989 * _e2990) - (_e2987 * _e2992))) < 0f));
+let _e3404 = (_e2978 - _e2934);
+let _e3405 = ((_e2934 - _e2956) * _e3401);
+let _e3406 = ((_e2956 - _e2978) * _e3401);
+let _e3407 = (_e3404 * _e3401);
+let _e3408 = (_e3211 * _e3401);
+let _e3409 = (_e2987 * _e3401);
+let _e3410 = (_e2990 * _e3401);
+let _e3411 = (_e3216 * _e3401);
+if (select(0u, 1u, ((_e3405 * _e3011) > -((_e3405 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3400 * _e3005) > -((_e3400 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3406 * _e3011) > -((_e3406 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3401 * _e3005) > -((_e3401 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3407 * _e3011) > -((_e3407 * _e2986)))) < 2u) {
 } else {
 break;
 }
-let _e3429 = (select(0u, 1u, ((_e3402 * _e3005) > -((_e3402 * _e2980)))) < 2u);
-if _e3429 {
+let _e3435 = (select(0u, 1u, ((_e3408 * _e3011) > -((_e3408 * _e2986)))) < 2u);
+if _e3435 {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3403 * _e3005) > -((_e3403 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3409 * _e3011) > -((_e3409 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3404 * _e3005) > -((_e3404 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3410 * _e3011) > -((_e3410 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, ((_e3405 * _e3005) > -((_e3405 * _e2980)))) < 2u) {
+if (select(0u, 1u, ((_e3411 * _e3011) > -((_e3411 * _e2986)))) < 2u) {
 } else {
 break;
 }
-if _e3429 {
+if _e3435 {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3399 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3405 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3400 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3406 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3401 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3407 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3402 == 0f)) < 2u) {
+if (select(0u, 1u, (_e3408 == 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3399 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3405 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3400 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3406 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3401 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3407 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3402 > 0f)) < 2u) {
+if (select(0u, 1u, (_e3408 > 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3399 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3405 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3400 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3406 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3401 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3407 < 0f)) < 2u) {
 } else {
 break;
 }
-if (select(0u, 1u, (_e3402 < 0f)) < 2u) {
+if (select(0u, 1u, (_e3408 < 0f)) < 2u) {
 } else {
 break;
 }
-let _e3484 = (_e2958 - _e2906);
-let _e3486 = (_e926.member.member * 19i);
-let _e3487 = (_e3486 + 18i);
-let _e3489 = (bitcast<i32>(_e214) - 1i);
-let _e3491 = select(_e3489, _e3487, (_e3487 < _e3489));
-let _e3497 = global_4.member[bitcast<u32>(select(0i, _e3491, (_e3491 > 0i)))];
-let _e3499 = select(0f, _e3497, (_e3497 > 0f));
-let _e3501 = select(16777216f, _e3499, (_e3499 < 16777216f));
-let _e3508 = select(0i, select(select(i32(_e3501), i32(-2147483648), (_e3501 < -2147483600f)), 2147483647i, (_e3501 > 2147483500f)), (_e3501 == _e3501));
+let _e3490 = (_e2964 - _e2912);
+let _e3492 = (_e926.member.member * 19i);
+let _e3493 = (_e3492 + 18i);
+let _e3495 = (bitcast<i32>(_e214) - 1i);
+let _e3497 = select(_e3495, _e3493, (_e3493 < _e3495));
+let _e3503 = global_4.member[bitcast<u32>(select(0i, _e3497, (_e3497 > 0i)))];
+let _e3505 = select(0f, _e3503, (_e3503 > 0f));
+let _e3507 = select(16777216f, _e3505, (_e3505 < 16777216f));
+let _e3514 = select(0i, select(select(i32(_e3507), i32(-2147483648), (_e3507 < -2147483600f)), 2147483647i, (_e3507 > 2147483500f)), (_e3507 == _e3507));
 phi_21027_ = _e926.member.member_1;
 loop {
-let _e3515 = phi_21027_;
-let _e3516 = (_e3515 < _e926.member.member_2);
-if _e3516 {
-if _e3008 {
+let _e3521 = phi_21027_;
+let _e3522 = (_e3521 < _e926.member.member_2);
+if _e3522 {
+if _e3014 {
 phi_21042_ = _e926.member_1.member_4.y;
 } else {
 phi_21042_ = _e926.member_1.member_4.z;
 }
-let _e3520 = phi_21042_;
+let _e3526 = phi_21042_;
 phi_21044_ = 0i;
 loop {
-let _e3522 = phi_21044_;
-let _e3523 = (_e3522 <= _e3520);
-if _e3523 {
-let _e3524 = select(_e3522, _e3515, _e3008);
-let _e3525 = select(_e3515, _e3522, _e3008);
-let _e3526 = f32(_e3525);
-let _e3528 = f32(_e926.member_1.member_4.x);
-let _e3532 = ((_e3211 * _e3526) + (((select(_e3222, _e3214, ((_e3233 & 1u) != 0u)) - (_e3206 * _e2906)) + (select(_e3265, _e3259, ((_e3274 & 1u) != 0u)) - (_e3211 * _e2917))) + _e3201));
-let _e3533 = ((_e3212 * _e3526) + (((select(_e3223, _e3215, ((_e3237 & 1u) != 0u)) - (_e3207 * _e2936)) + (select(_e3266, _e3260, ((_e3278 & 1u) != 0u)) - (_e3212 * _e2943))) + _e3201));
-let _e3534 = ((_e3213 * _e3526) + (((select(_e3224, _e3216, ((_e3241 & 1u) != 0u)) - (_e3208 * _e2958)) + (select(_e3267, _e3261, ((_e3282 & 1u) != 0u)) - (_e3213 * _e2965))) + _e3201));
-let _e3535 = (_e3532 * select(0f, _e3331, ((_e3341 & 1u) != 0u)));
-let _e3536 = (_e3533 * select(0f, _e3332, ((_e3345 & 1u) != 0u)));
-let _e3537 = (_e3534 * select(0f, _e3333, ((_e3349 & 1u) != 0u)));
-let _e3541 = ((_e3532 * select(select(0f, 1e20f, _e3323), _e3331, _e3383)) + select(_e3004, 0f, _e3383));
-let _e3542 = ((_e3533 * select(select(0f, 1e20f, _e3326), _e3332, _e3386)) + select(_e3004, 0f, _e3386));
-let _e3543 = ((_e3534 * select(select(0f, 1e20f, _e3329), _e3333, _e3389)) + select(_e3004, 0f, _e3389));
-let _e3545 = select(_e3535, 0f, (0f > _e3535));
-let _e3547 = select(_e3537, _e3536, (_e3536 > _e3537));
-let _e3551 = select(_e3541, _e3528, (_e3528 < _e3541));
-let _e3553 = select(_e3543, _e3542, (_e3542 < _e3543));
-let _e3555 = select(_e3553, _e3551, (_e3551 < _e3553));
-let _e3556 = -(select(_e3547, _e3545, (_e3545 > _e3547)));
-let _e3558 = (-(_e3528) - 1f);
-let _e3560 = select(_e3558, _e3556, (_e3556 > _e3558));
-let _e3562 = select(0f, _e3560, (_e3560 < 0f));
-let _e3569 = select(0i, select(select(i32(_e3562), i32(-2147483648), (_e3562 < -2147483600f)), 2147483647i, (_e3562 > 2147483500f)), (_e3562 == _e3562));
-let _e3576 = select(-1f, _e3555, (_e3555 > -1f));
-let _e3578 = select(_e3528, _e3576, (_e3576 < _e3528));
-let _e3585 = select(0i, select(select(i32(_e3578), i32(-2147483648), (_e3578 < -2147483600f)), 2147483647i, (_e3578 > 2147483500f)), (_e3578 == _e3578));
-let _e3594 = global_1.member.member_2.member_1;
-let _e3601 = global_1.member.member_3;
-phi_21171_ = -((_e3569 - select(0i, 1i, (_e3562 < f32(_e3569)))));
+let _e3528 = phi_21044_;
+let _e3529 = (_e3528 <= _e3526);
+if _e3529 {
+let _e3530 = select(_e3528, _e3521, _e3014);
+let _e3531 = select(_e3521, _e3528, _e3014);
+let _e3532 = f32(_e3531);
+let _e3534 = f32(_e926.member_1.member_4.x);
+let _e3538 = ((_e3217 * _e3532) + (((select(_e3228, _e3220, ((_e3239 & 1u) != 0u)) - (_e3212 * _e2912)) + (select(_e3271, _e3265, ((_e3280 & 1u) != 0u)) - (_e3217 * _e2923))) + _e3207));
+let _e3539 = ((_e3218 * _e3532) + (((select(_e3229, _e3221, ((_e3243 & 1u) != 0u)) - (_e3213 * _e2942)) + (select(_e3272, _e3266, ((_e3284 & 1u) != 0u)) - (_e3218 * _e2949))) + _e3207));
+let _e3540 = ((_e3219 * _e3532) + (((select(_e3230, _e3222, ((_e3247 & 1u) != 0u)) - (_e3214 * _e2964)) + (select(_e3273, _e3267, ((_e3288 & 1u) != 0u)) - (_e3219 * _e2971))) + _e3207));
+let _e3541 = (_e3538 * select(0f, _e3337, ((_e3347 & 1u) != 0u)));
+let _e3542 = (_e3539 * select(0f, _e3338, ((_e3351 & 1u) != 0u)));
+let _e3543 = (_e3540 * select(0f, _e3339, ((_e3355 & 1u) != 0u)));
+let _e3547 = ((_e3538 * select(select(0f, 1e20f, _e3329), _e3337, _e3389)) + select(_e3010, 0f, _e3389));
+let _e3548 = ((_e3539 * select(select(0f, 1e20f, _e3332), _e3338, _e3392)) + select(_e3010, 0f, _e3392));
+let _e3549 = ((_e3540 * select(select(0f, 1e20f, _e3335), _e3339, _e3395)) + select(_e3010, 0f, _e3395));
+let _e3551 = select(_e3541, 0f, (0f > _e3541));
+let _e3553 = select(_e3543, _e3542, (_e3542 > _e3543));
+let _e3557 = select(_e3547, _e3534, (_e3534 < _e3547));
+let _e3559 = select(_e3549, _e3548, (_e3548 < _e3549));
+let _e3561 = select(_e3559, _e3557, (_e3557 < _e3559));
+let _e3562 = -(select(_e3553, _e3551, (_e3551 > _e3553)));
+let _e3564 = (-(_e3534) - 1f);
+let _e3566 = select(_e3564, _e3562, (_e3562 > _e3564));
+let _e3568 = select(0f, _e3566, (_e3566 < 0f));
+let _e3575 = select(0i, select(select(i32(_e3568), i32(-2147483648), (_e3568 < -2147483600f)), 2147483647i, (_e3568 > 2147483500f)), (_e3568 == _e3568));
+let _e3582 = select(-1f, _e3561, (_e3561 > -1f));
+let _e3584 = select(_e3534, _e3582, (_e3582 < _e3534));
+let _e3591 = select(0i, select(select(i32(_e3584), i32(-2147483648), (_e3584 < -2147483600f)), 2147483647i, (_e3584 > 2147483500f)), (_e3584 == _e3584));
+let _e3600 = global_1.member.member_2.member_1;
+let _e3607 = global_1.member.member_3;
+phi_21171_ = -((_e3575 - select(0i, 1i, (_e3568 < f32(_e3575)))));
 loop {
-let _e3605 = phi_21171_;
-let _e3606 = (_e3605 <= (_e3585 - select(0i, 1i, (_e3578 < f32(_e3585)))));
-if _e3606 {
-let _e3612 = ((f32(_e3605) + 0.5f) - _e2906);
-let _e3613 = ((_e3526 + 0.5f) - _e2917);
-let _e3614 = ((f32(_e3524) + 0.5f) - _e2928);
-let _e3619 = (((_e2981 * _e2981) + (_e2982 * _e2982)) + (_e2983 * _e2983));
-let _e3624 = (((_e2981 * _e3484) + (_e2982 * _e3204)) + (_e2983 * _e3398));
-let _e3629 = (((_e3484 * _e3484) + (_e3204 * _e3204)) + (_e3398 * _e3398));
-let _e3634 = (((_e3612 * _e2981) + (_e3613 * _e2982)) + (_e3614 * _e2983));
-let _e3639 = (((_e3612 * _e3484) + (_e3613 * _e3204)) + (_e3614 * _e3398));
-let _e3642 = ((_e3619 * _e3629) - (_e3624 * _e3624));
-let _e3643 = (_e3642 > 0f);
-let _e3646 = select(0f, (1f / select(1f, _e3642, _e3643)), _e3643);
-let _e3650 = (((_e3629 * _e3634) - (_e3624 * _e3639)) * _e3646);
-let _e3654 = (((_e3619 * _e3639) - (_e3624 * _e3634)) * _e3646);
-let _e3656 = ((1f - _e3650) - _e3654);
-let _e3658 = select(0f, _e3656, (_e3656 > 0f));
-let _e3660 = select(16777216f, _e3658, (_e3658 < 16777216f));
-let _e3662 = select(0f, _e3650, (_e3650 > 0f));
-let _e3664 = select(16777216f, _e3662, (_e3662 < 16777216f));
-let _e3666 = select(0f, _e3654, (_e3654 > 0f));
-let _e3668 = select(16777216f, _e3666, (_e3666 < 16777216f));
-let _e3670 = ((_e3660 + _e3664) + _e3668);
-let _e3673 = (1f / select(0.5f, _e3670, (_e3670 > 0.5f)));
-let _e3674 = (_e3660 * _e3673);
-let _e3675 = (_e3664 * _e3673);
-let _e3676 = (_e3668 * _e3673);
-let _e3678 = select(_e3489, _e3486, (_e3486 < _e3489));
-let _e3684 = global_4.member[bitcast<u32>(select(0i, _e3678, (_e3678 > 0i)))];
-let _e3685 = (_e3486 + 1i);
-let _e3687 = select(_e3489, _e3685, (_e3685 < _e3489));
-let _e3693 = global_4.member[bitcast<u32>(select(0i, _e3687, (_e3687 > 0i)))];
-let _e3694 = (_e3486 + 2i);
-let _e3696 = select(_e3489, _e3694, (_e3694 < _e3489));
-let _e3702 = global_4.member[bitcast<u32>(select(0i, _e3696, (_e3696 > 0i)))];
-let _e3703 = (_e3486 + 3i);
-let _e3705 = select(_e3489, _e3703, (_e3703 < _e3489));
-let _e3711 = global_4.member[bitcast<u32>(select(0i, _e3705, (_e3705 > 0i)))];
-let _e3712 = (_e3486 + 4i);
-let _e3714 = select(_e3489, _e3712, (_e3712 < _e3489));
-let _e3720 = global_4.member[bitcast<u32>(select(0i, _e3714, (_e3714 > 0i)))];
-let _e3721 = (_e3486 + 5i);
-let _e3723 = select(_e3489, _e3721, (_e3721 < _e3489));
-let _e3729 = global_4.member[bitcast<u32>(select(0i, _e3723, (_e3723 > 0i)))];
-let _e3730 = (_e3486 + 6i);
-let _e3732 = select(_e3489, _e3730, (_e3730 < _e3489));
-let _e3738 = global_4.member[bitcast<u32>(select(0i, _e3732, (_e3732 > 0i)))];
-let _e3739 = (_e3486 + 7i);
-let _e3741 = select(_e3489, _e3739, (_e3739 < _e3489));
-let _e3747 = global_4.member[bitcast<u32>(select(0i, _e3741, (_e3741 > 0i)))];
-let _e3748 = (_e3486 + 8i);
-let _e3750 = select(_e3489, _e3748, (_e3748 < _e3489));
-let _e3756 = global_4.member[bitcast<u32>(select(0i, _e3750, (_e3750 > 0i)))];
-let _e3761 = (((_e3684 * _e3674) + (_e3711 * _e3675)) + (_e3738 * _e3676));
-let _e3766 = (((_e3693 * _e3674) + (_e3720 * _e3675)) + (_e3747 * _e3676));
-let _e3771 = (((_e3702 * _e3674) + (_e3729 * _e3675)) + (_e3756 * _e3676));
-let _e3776 = (((_e3761 * _e3761) + (_e3766 * _e3766)) + (_e3771 * _e3771));
-let _e3779 = sqrt(select(0f, _e3776, (_e3776 > 0f)));
-let _e3780 = (_e3779 > 1e-6f);
-let _e3783 = select(0f, (1f / select(1e-6f, _e3779, _e3780)), _e3780);
-let _e3784 = (_e3486 + 9i);
-let _e3786 = select(_e3489, _e3784, (_e3784 < _e3489));
-let _e3792 = global_4.member[bitcast<u32>(select(0i, _e3786, (_e3786 > 0i)))];
-let _e3793 = (_e3486 + 10i);
-let _e3795 = select(_e3489, _e3793, (_e3793 < _e3489));
-let _e3801 = global_4.member[bitcast<u32>(select(0i, _e3795, (_e3795 > 0i)))];
-let _e3802 = (_e3486 + 11i);
-let _e3804 = select(_e3489, _e3802, (_e3802 < _e3489));
-let _e3810 = global_4.member[bitcast<u32>(select(0i, _e3804, (_e3804 > 0i)))];
-let _e3811 = (_e3486 + 12i);
-let _e3813 = select(_e3489, _e3811, (_e3811 < _e3489));
-let _e3819 = global_4.member[bitcast<u32>(select(0i, _e3813, (_e3813 > 0i)))];
-let _e3820 = (_e3486 + 13i);
-let _e3822 = select(_e3489, _e3820, (_e3820 < _e3489));
-let _e3828 = global_4.member[bitcast<u32>(select(0i, _e3822, (_e3822 > 0i)))];
-let _e3829 = (_e3486 + 14i);
-let _e3831 = select(_e3489, _e3829, (_e3829 < _e3489));
-let _e3837 = global_4.member[bitcast<u32>(select(0i, _e3831, (_e3831 > 0i)))];
-let _e3838 = (_e3486 + 15i);
-let _e3840 = select(_e3489, _e3838, (_e3838 < _e3489));
-let _e3846 = global_4.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
-let _e3847 = (_e3486 + 16i);
-let _e3849 = select(_e3489, _e3847, (_e3847 < _e3489));
-let _e3855 = global_4.member[bitcast<u32>(select(0i, _e3849, (_e3849 > 0i)))];
-let _e3856 = (_e3486 + 17i);
-let _e3858 = select(_e3489, _e3856, (_e3856 < _e3489));
-let _e3864 = global_4.member[bitcast<u32>(select(0i, _e3858, (_e3858 > 0i)))];
-let _e3880 = (_e926.member_1.member_3.x + _e3605);
-let _e3883 = ((((((_e926.member_1.member_3.z + _e3524) * bitcast<i32>(_e3594)) + _e926.member_1.member_3.y) + _e3525) * bitcast<i32>(_e3601)) + (_e3880 >> bitcast<u32>(5i)));
-let _e3887 = (bitcast<i32>(_e218) - 1i);
-let _e3889 = select(_e3887, _e3883, (_e3883 < _e3887));
-let _e3895 = global_6.member[bitcast<u32>(select(0i, _e3889, (_e3889 > 0i)))];
-let _e3897 = (bitcast<i32>(_e216) - 1i);
-let _e3899 = select(_e3897, _e3883, (_e3883 < _e3897));
-let _e3905 = global_5.member[bitcast<u32>(select(0i, _e3899, (_e3899 > 0i)))];
-let _e3914 = (bitcast<i32>((_e3895 + countOneBits((_e3905 & ((1u << bitcast<u32>((bitcast<u32>((_e3880 & 31i)) & 31u))) - 1u))))) * 14i);
-let _e3915 = bitcast<u32>(_e3914);
-if (_e3915 < _e220) {
-let _e3919 = atomicAdd((&global_7.member[_e3915]), 1u);
-}
-let _e3921 = bitcast<u32>((_e3914 + 1i));
+let _e3611 = phi_21171_;
+let _e3612 = (_e3611 <= (_e3591 - select(0i, 1i, (_e3584 < f32(_e3591)))));
+if _e3612 {
+let _e3618 = ((f32(_e3611) + 0.5f) - _e2912);
+let _e3619 = ((_e3532 + 0.5f) - _e2923);
+let _e3620 = ((f32(_e3530) + 0.5f) - _e2934);
+let _e3625 = (((_e2987 * _e2987) + (_e2988 * _e2988)) + (_e2989 * _e2989));
+let _e3630 = (((_e2987 * _e3490) + (_e2988 * _e3210)) + (_e2989 * _e3404));
+let _e3635 = (((_e3490 * _e3490) + (_e3210 * _e3210)) + (_e3404 * _e3404));
+let _e3640 = (((_e3618 * _e2987) + (_e3619 * _e2988)) + (_e3620 * _e2989));
+let _e3645 = (((_e3618 * _e3490) + (_e3619 * _e3210)) + (_e3620 * _e3404));
+let _e3648 = ((_e3625 * _e3635) - (_e3630 * _e3630));
+let _e3649 = (_e3648 > 0f);
+let _e3652 = select(0f, (1f / select(1f, _e3648, _e3649)), _e3649);
+let _e3656 = (((_e3635 * _e3640) - (_e3630 * _e3645)) * _e3652);
+let _e3660 = (((_e3625 * _e3645) - (_e3630 * _e3640)) * _e3652);
+let _e3662 = ((1f - _e3656) - _e3660);
+let _e3664 = select(0f, _e3662, (_e3662 > 0f));
+let _e3666 = select(16777216f, _e3664, (_e3664 < 16777216f));
+let _e3668 = select(0f, _e3656, (_e3656 > 0f));
+let _e3670 = select(16777216f, _e3668, (_e3668 < 16777216f));
+let _e3672 = select(0f, _e3660, (_e3660 > 0f));
+let _e3674 = select(16777216f, _e3672, (_e3672 < 16777216f));
+let _e3676 = ((_e3666 + _e3670) + _e3674);
+let _e3679 = (1f / select(0.5f, _e3676, (_e3676 > 0.5f)));
+let _e3680 = (_e3666 * _e3679);
+let _e3681 = (_e3670 * _e3679);
+let _e3682 = (_e3674 * _e3679);
+let _e3684 = select(_e3495, _e3492, (_e3492 < _e3495));
+let _e3690 = global_4.member[bitcast<u32>(select(0i, _e3684, (_e3684 > 0i)))];
+let _e3691 = (_e3492 + 1i);
+let _e3693 = select(_e3495, _e3691, (_e3691 < _e3495));
+let _e3699 = global_4.member[bitcast<u32>(select(0i, _e3693, (_e3693 > 0i)))];
+let _e3700 = (_e3492 + 2i);
+let _e3702 = select(_e3495, _e3700, (_e3700 < _e3495));
+let _e3708 = global_4.member[bitcast<u32>(select(0i, _e3702, (_e3702 > 0i)))];
+let _e3709 = (_e3492 + 3i);
+let _e3711 = select(_e3495, _e3709, (_e3709 < _e3495));
+let _e3717 = global_4.member[bitcast<u32>(select(0i, _e3711, (_e3711 > 0i)))];
+let _e3718 = (_e3492 + 4i);
+let _e3720 = select(_e3495, _e3718, (_e3718 < _e3495));
+let _e3726 = global_4.member[bitcast<u32>(select(0i, _e3720, (_e3720 > 0i)))];
+let _e3727 = (_e3492 + 5i);
+let _e3729 = select(_e3495, _e3727, (_e3727 < _e3495));
+let _e3735 = global_4.member[bitcast<u32>(select(0i, _e3729, (_e3729 > 0i)))];
+let _e3736 = (_e3492 + 6i);
+let _e3738 = select(_e3495, _e3736, (_e3736 < _e3495));
+let _e3744 = global_4.member[bitcast<u32>(select(0i, _e3738, (_e3738 > 0i)))];
+let _e3745 = (_e3492 + 7i);
+let _e3747 = select(_e3495, _e3745, (_e3745 < _e3495));
+let _e3753 = global_4.member[bitcast<u32>(select(0i, _e3747, (_e3747 > 0i)))];
+let _e3754 = (_e3492 + 8i);
+let _e3756 = select(_e3495, _e3754, (_e3754 < _e3495));
+let _e3762 = global_4.member[bitcast<u32>(select(0i, _e3756, (_e3756 > 0i)))];
+let _e3767 = (((_e3690 * _e3680) + (_e3717 * _e3681)) + (_e3744 * _e3682));
+let _e3772 = (((_e3699 * _e3680) + (_e3726 * _e3681)) + (_e3753 * _e3682));
+let _e3777 = (((_e3708 * _e3680) + (_e3735 * _e3681)) + (_e3762 * _e3682));
+let _e3782 = (((_e3767 * _e3767) + (_e3772 * _e3772)) + (_e3777 * _e3777));
+let _e3785 = sqrt(select(0f, _e3782, (_e3782 > 0f)));
+let _e3786 = (_e3785 > 1e-6f);
+let _e3789 = select(0f, (1f / select(1e-6f, _e3785, _e3786)), _e3786);
+let _e3790 = (_e3492 + 9i);
+let _e3792 = select(_e3495, _e3790, (_e3790 < _e3495));
+let _e3798 = global_4.member[bitcast<u32>(select(0i, _e3792, (_e3792 > 0i)))];
+let _e3799 = (_e3492 + 10i);
+let _e3801 = select(_e3495, _e3799, (_e3799 < _e3495));
+let _e3807 = global_4.member[bitcast<u32>(select(0i, _e3801, (_e3801 > 0i)))];
+let _e3808 = (_e3492 + 11i);
+let _e3810 = select(_e3495, _e3808, (_e3808 < _e3495));
+let _e3816 = global_4.member[bitcast<u32>(select(0i, _e3810, (_e3810 > 0i)))];
+let _e3817 = (_e3492 + 12i);
+let _e3819 = select(_e3495, _e3817, (_e3817 < _e3495));
+let _e3825 = global_4.member[bitcast<u32>(select(0i, _e3819, (_e3819 > 0i)))];
+let _e3826 = (_e3492 + 13i);
+let _e3828 = select(_e3495, _e3826, (_e3826 < _e3495));
+let _e3834 = global_4.member[bitcast<u32>(select(0i, _e3828, (_e3828 > 0i)))];
+let _e3835 = (_e3492 + 14i);
+let _e3837 = select(_e3495, _e3835, (_e3835 < _e3495));
+let _e3843 = global_4.member[bitcast<u32>(select(0i, _e3837, (_e3837 > 0i)))];
+let _e3844 = (_e3492 + 15i);
+let _e3846 = select(_e3495, _e3844, (_e3844 < _e3495));
+let _e3852 = global_4.member[bitcast<u32>(select(0i, _e3846, (_e3846 > 0i)))];
+let _e3853 = (_e3492 + 16i);
+let _e3855 = select(_e3495, _e3853, (_e3853 < _e3495));
+let _e3861 = global_4.member[bitcast<u32>(select(0i, _e3855, (_e3855 > 0i)))];
+let _e3862 = (_e3492 + 17i);
+let _e3864 = select(_e3495, _e3862, (_e3862 < _e3495));
+let _e3870 = global_4.member[bitcast<u32>(select(0i, _e3864, (_e3864 > 0i)))];
+let _e3886 = (_e926.member_1.member_3.x + _e3611);
+let _e3889 = ((((((_e926.member_1.member_3.z + _e3530) * bitcast<i32>(_e3600)) + _e926.member_1.member_3.y) + _e3531) * bitcast<i32>(_e3607)) + (_e3886 >> bitcast<u32>(5i)));
+let _e3893 = (bitcast<i32>(_e218) - 1i);
+let _e3895 = select(_e3893, _e3889, (_e3889 < _e3893));
+let _e3901 = global_6.member[bitcast<u32>(select(0i, _e3895, (_e3895 > 0i)))];
+let _e3903 = (bitcast<i32>(_e216) - 1i);
+let _e3905 = select(_e3903, _e3889, (_e3889 < _e3903));
+let _e3911 = global_5.member[bitcast<u32>(select(0i, _e3905, (_e3905 > 0i)))];
+let _e3920 = (bitcast<i32>((_e3901 + countOneBits((_e3911 & ((1u << bitcast<u32>((bitcast<u32>((_e3886 & 31i)) & 31u))) - 1u))))) * 14i);
+let _e3921 = bitcast<u32>(_e3920);
 if (_e3921 < _e220) {
-let _e3925 = atomicMax((&global_7.member[_e3921]), bitcast<u32>((_e3508 - select(0i, 1i, (_e3501 < f32(_e3508))))));
+let _e3925 = atomicAdd((&global_7.member[_e3921]), 1u);
 }
-let _e3931 = (((_e3761 * _e3783) * 65536f) + 0.5f);
-let _e3933 = select(-1073741800f, _e3931, (_e3931 > -1073741800f));
-let _e3935 = select(1073741800f, _e3933, (_e3933 < 1073741800f));
-let _e3942 = select(0i, select(select(i32(_e3935), i32(-2147483648), (_e3935 < -2147483600f)), 2147483647i, (_e3935 > 2147483500f)), (_e3935 == _e3935));
-let _e3946 = (_e3942 - select(0i, 1i, (_e3935 < f32(_e3942))));
-if (_e3946 == 0i) {
+let _e3927 = bitcast<u32>((_e3920 + 1i));
+if (_e3927 < _e220) {
+let _e3931 = atomicMax((&global_7.member[_e3927]), bitcast<u32>((_e3514 - select(0i, 1i, (_e3507 < f32(_e3514))))));
+}
+let _e3937 = (((_e3767 * _e3789) * 65536f) + 0.5f);
+let _e3939 = select(-1073741800f, _e3937, (_e3937 > -1073741800f));
+let _e3941 = select(1073741800f, _e3939, (_e3939 < 1073741800f));
+let _e3948 = select(0i, select(select(i32(_e3941), i32(-2147483648), (_e3941 < -2147483600f)), 2147483647i, (_e3941 > 2147483500f)), (_e3941 == _e3941));
+let _e3952 = (_e3948 - select(0i, 1i, (_e3941 < f32(_e3948))));
+let _e3953 = bitcast<u32>(_e3952);
+let _e3956 = bitcast<u32>((_e3952 >> bitcast<u32>(31i)));
+if ((_e3953 | _e3956) == 0u) {
 } else {
-let _e3948 = bitcast<u32>(_e3946);
-let _e3949 = bitcast<u32>((_e3914 + 2i));
-if (_e3949 < _e220) {
-let _e3953 = atomicAdd((&global_7.member[_e3949]), _e3948);
-phi_21699_ = _e3953;
+let _e3959 = bitcast<u32>((_e3920 + 2i));
+if (_e3959 < _e220) {
+let _e3963 = atomicAdd((&global_7.member[_e3959]), _e3953);
+phi_21702_ = _e3963;
 } else {
-phi_21699_ = 0u;
+phi_21702_ = 0u;
 }
-let _e3955 = phi_21699_;
-let _e3962 = (bitcast<u32>((_e3946 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e3955 + _e3948) < _e3948)));
-if (_e3962 == 0u) {
+let _e3965 = phi_21702_;
+let _e3969 = (_e3956 + select(0u, 1u, ((_e3965 + _e3953) < _e3953)));
+if (_e3969 == 0u) {
 } else {
-let _e3964 = (_e3949 + 1u);
-if (_e3964 < _e220) {
-let _e3968 = atomicAdd((&global_7.member[_e3964]), _e3962);
+let _e3971 = (_e3959 + 1u);
+if (_e3971 < _e220) {
+let _e3975 = atomicAdd((&global_7.member[_e3971]), _e3969);
 }
 }
 }
-let _e3971 = (((_e3766 * _e3783) * 65536f) + 0.5f);
-let _e3973 = select(-1073741800f, _e3971, (_e3971 > -1073741800f));
-let _e3975 = select(1073741800f, _e3973, (_e3973 < 1073741800f));
-let _e3982 = select(0i, select(select(i32(_e3975), i32(-2147483648), (_e3975 < -2147483600f)), 2147483647i, (_e3975 > 2147483500f)), (_e3975 == _e3975));
-let _e3986 = (_e3982 - select(0i, 1i, (_e3975 < f32(_e3982))));
-if (_e3986 == 0i) {
+let _e3978 = (((_e3772 * _e3789) * 65536f) + 0.5f);
+let _e3980 = select(-1073741800f, _e3978, (_e3978 > -1073741800f));
+let _e3982 = select(1073741800f, _e3980, (_e3980 < 1073741800f));
+let _e3989 = select(0i, select(select(i32(_e3982), i32(-2147483648), (_e3982 < -2147483600f)), 2147483647i, (_e3982 > 2147483500f)), (_e3982 == _e3982));
+let _e3993 = (_e3989 - select(0i, 1i, (_e3982 < f32(_e3989))));
+let _e3994 = bitcast<u32>(_e3993);
+let _e3997 = bitcast<u32>((_e3993 >> bitcast<u32>(31i)));
+if ((_e3994 | _e3997) == 0u) {
 } else {
-let _e3988 = bitcast<u32>(_e3986);
-let _e3989 = bitcast<u32>((_e3914 + 4i));
-if (_e3989 < _e220) {
-let _e3993 = atomicAdd((&global_7.member[_e3989]), _e3988);
-phi_21756_ = _e3993;
+let _e4000 = bitcast<u32>((_e3920 + 4i));
+if (_e4000 < _e220) {
+let _e4004 = atomicAdd((&global_7.member[_e4000]), _e3994);
+phi_21759_ = _e4004;
 } else {
-phi_21756_ = 0u;
+phi_21759_ = 0u;
 }
-let _e3995 = phi_21756_;
-let _e4002 = (bitcast<u32>((_e3986 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e3995 + _e3988) < _e3988)));
-if (_e4002 == 0u) {
+let _e4006 = phi_21759_;
+let _e4010 = (_e3997 + select(0u, 1u, ((_e4006 + _e3994) < _e3994)));
+if (_e4010 == 0u) {
 } else {
-let _e4004 = (_e3989 + 1u);
-if (_e4004 < _e220) {
-let _e4008 = atomicAdd((&global_7.member[_e4004]), _e4002);
+let _e4012 = (_e4000 + 1u);
+if (_e4012 < _e220) {
+let _e4016 = atomicAdd((&global_7.member[_e4012]), _e4010);
 }
 }
 }
-let _e4011 = (((_e3771 * _e3783) * 65536f) + 0.5f);
-let _e4013 = select(-1073741800f, _e4011, (_e4011 > -1073741800f));
-let _e4015 = select(1073741800f, _e4013, (_e4013 < 1073741800f));
-let _e4022 = select(0i, select(select(i32(_e4015), i32(-2147483648), (_e4015 < -2147483600f)), 2147483647i, (_e4015 > 2147483500f)), (_e4015 == _e4015));
-let _e4026 = (_e4022 - select(0i, 1i, (_e4015 < f32(_e4022))));
-if (_e4026 == 0i) {
+let _e4019 = (((_e3777 * _e3789) * 65536f) + 0.5f);
+let _e4021 = select(-1073741800f, _e4019, (_e4019 > -1073741800f));
+let _e4023 = select(1073741800f, _e4021, (_e4021 < 1073741800f));
+let _e4030 = select(0i, select(select(i32(_e4023), i32(-2147483648), (_e4023 < -2147483600f)), 2147483647i, (_e4023 > 2147483500f)), (_e4023 == _e4023));
+let _e4034 = (_e4030 - select(0i, 1i, (_e4023 < f32(_e4030))));
+let _e4035 = bitcast<u32>(_e4034);
+let _e4038 = bitcast<u32>((_e4034 >> bitcast<u32>(31i)));
+if ((_e4035 | _e4038) == 0u) {
 } else {
-let _e4028 = bitcast<u32>(_e4026);
-let _e4029 = bitcast<u32>((_e3914 + 6i));
-if (_e4029 < _e220) {
-let _e4033 = atomicAdd((&global_7.member[_e4029]), _e4028);
-phi_21813_ = _e4033;
+let _e4041 = bitcast<u32>((_e3920 + 6i));
+if (_e4041 < _e220) {
+let _e4045 = atomicAdd((&global_7.member[_e4041]), _e4035);
+phi_21816_ = _e4045;
 } else {
-phi_21813_ = 0u;
+phi_21816_ = 0u;
 }
-let _e4035 = phi_21813_;
-let _e4042 = (bitcast<u32>((_e4026 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4035 + _e4028) < _e4028)));
-if (_e4042 == 0u) {
+let _e4047 = phi_21816_;
+let _e4051 = (_e4038 + select(0u, 1u, ((_e4047 + _e4035) < _e4035)));
+if (_e4051 == 0u) {
 } else {
-let _e4044 = (_e4029 + 1u);
-if (_e4044 < _e220) {
-let _e4048 = atomicAdd((&global_7.member[_e4044]), _e4042);
+let _e4053 = (_e4041 + 1u);
+if (_e4053 < _e220) {
+let _e4057 = atomicAdd((&global_7.member[_e4053]), _e4051);
 }
 }
 }
-let _e4051 = (((((_e3792 * _e3674) + (_e3819 * _e3675)) + (_e3846 * _e3676)) * 65536f) + 0.5f);
-let _e4053 = select(-1073741800f, _e4051, (_e4051 > -1073741800f));
-let _e4055 = select(1073741800f, _e4053, (_e4053 < 1073741800f));
-let _e4062 = select(0i, select(select(i32(_e4055), i32(-2147483648), (_e4055 < -2147483600f)), 2147483647i, (_e4055 > 2147483500f)), (_e4055 == _e4055));
-let _e4066 = (_e4062 - select(0i, 1i, (_e4055 < f32(_e4062))));
-if (_e4066 == 0i) {
+let _e4060 = (((((_e3798 * _e3680) + (_e3825 * _e3681)) + (_e3852 * _e3682)) * 65536f) + 0.5f);
+let _e4062 = select(-1073741800f, _e4060, (_e4060 > -1073741800f));
+let _e4064 = select(1073741800f, _e4062, (_e4062 < 1073741800f));
+let _e4071 = select(0i, select(select(i32(_e4064), i32(-2147483648), (_e4064 < -2147483600f)), 2147483647i, (_e4064 > 2147483500f)), (_e4064 == _e4064));
+let _e4075 = (_e4071 - select(0i, 1i, (_e4064 < f32(_e4071))));
+let _e4076 = bitcast<u32>(_e4075);
+let _e4079 = bitcast<u32>((_e4075 >> bitcast<u32>(31i)));
+if ((_e4076 | _e4079) == 0u) {
 } else {
-let _e4068 = bitcast<u32>(_e4066);
-let _e4069 = bitcast<u32>((_e3914 + 8i));
-if (_e4069 < _e220) {
-let _e4073 = atomicAdd((&global_7.member[_e4069]), _e4068);
-phi_21871_ = _e4073;
+let _e4082 = bitcast<u32>((_e3920 + 8i));
+if (_e4082 < _e220) {
+let _e4086 = atomicAdd((&global_7.member[_e4082]), _e4076);
+phi_21874_ = _e4086;
 } else {
-phi_21871_ = 0u;
+phi_21874_ = 0u;
 }
-let _e4075 = phi_21871_;
-let _e4082 = (bitcast<u32>((_e4066 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4075 + _e4068) < _e4068)));
-if (_e4082 == 0u) {
+let _e4088 = phi_21874_;
+let _e4092 = (_e4079 + select(0u, 1u, ((_e4088 + _e4076) < _e4076)));
+if (_e4092 == 0u) {
 } else {
-let _e4084 = (_e4069 + 1u);
-if (_e4084 < _e220) {
-let _e4088 = atomicAdd((&global_7.member[_e4084]), _e4082);
+let _e4094 = (_e4082 + 1u);
+if (_e4094 < _e220) {
+let _e4098 = atomicAdd((&global_7.member[_e4094]), _e4092);
 }
 }
 }
-let _e4091 = (((((_e3801 * _e3674) + (_e3828 * _e3675)) + (_e3855 * _e3676)) * 65536f) + 0.5f);
-let _e4093 = select(-1073741800f, _e4091, (_e4091 > -1073741800f));
-let _e4095 = select(1073741800f, _e4093, (_e4093 < 1073741800f));
-let _e4102 = select(0i, select(select(i32(_e4095), i32(-2147483648), (_e4095 < -2147483600f)), 2147483647i, (_e4095 > 2147483500f)), (_e4095 == _e4095));
-let _e4106 = (_e4102 - select(0i, 1i, (_e4095 < f32(_e4102))));
-if (_e4106 == 0i) {
+let _e4101 = (((((_e3807 * _e3680) + (_e3834 * _e3681)) + (_e3861 * _e3682)) * 65536f) + 0.5f);
+let _e4103 = select(-1073741800f, _e4101, (_e4101 > -1073741800f));
+let _e4105 = select(1073741800f, _e4103, (_e4103 < 1073741800f));
+let _e4112 = select(0i, select(select(i32(_e4105), i32(-2147483648), (_e4105 < -2147483600f)), 2147483647i, (_e4105 > 2147483500f)), (_e4105 == _e4105));
+let _e4116 = (_e4112 - select(0i, 1i, (_e4105 < f32(_e4112))));
+let _e4117 = bitcast<u32>(_e4116);
+let _e4120 = bitcast<u32>((_e4116 >> bitcast<u32>(31i)));
+if ((_e4117 | _e4120) == 0u) {
 } else {
-let _e4108 = bitcast<u32>(_e4106);
-let _e4109 = bitcast<u32>((_e3914 + 10i));
-if (_e4109 < _e220) {
-let _e4113 = atomicAdd((&global_7.member[_e4109]), _e4108);
-phi_21928_ = _e4113;
+let _e4123 = bitcast<u32>((_e3920 + 10i));
+if (_e4123 < _e220) {
+let _e4127 = atomicAdd((&global_7.member[_e4123]), _e4117);
+phi_21931_ = _e4127;
 } else {
-phi_21928_ = 0u;
+phi_21931_ = 0u;
 }
-let _e4115 = phi_21928_;
-let _e4122 = (bitcast<u32>((_e4106 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4115 + _e4108) < _e4108)));
-if (_e4122 == 0u) {
+let _e4129 = phi_21931_;
+let _e4133 = (_e4120 + select(0u, 1u, ((_e4129 + _e4117) < _e4117)));
+if (_e4133 == 0u) {
 } else {
-let _e4124 = (_e4109 + 1u);
-if (_e4124 < _e220) {
-let _e4128 = atomicAdd((&global_7.member[_e4124]), _e4122);
-}
+let _e4135 = (_e4123 + 1u);
+if (_e4135 < _e220) {
+let _e4139 = atomicAdd((&global_7.member[_e4135]), _e4133);
 }
 }
-let _e4131 = (((((_e3810 * _e3674) + (_e3837 * _e3675)) + (_e3864 * _e3676)) * 65536f) + 0.5f);
-let _e4133 = select(-1073741800f, _e4131, (_e4131 > -1073741800f));
-let _e4135 = select(1073741800f, _e4133, (_e4133 < 1073741800f));
-let _e4142 = select(0i, select(select(i32(_e4135), i32(-2147483648), (_e4135 < -2147483600f)), 2147483647i, (_e4135 > 2147483500f)), (_e4135 == _e4135));
-let _e4146 = (_e4142 - select(0i, 1i, (_e4135 < f32(_e4142))));
-if (_e4146 == 0i) {
-} else {
-let _e4148 = bitcast<u32>(_e4146);
-let _e4149 = bitcast<u32>((_e3914 + 12i));
-if (_e4149 < _e220) {
-let _e4153 = atomicAdd((&global_7.member[_e4149]), _e4148);
-phi_21985_ = _e4153;
-} else {
-phi_21985_ = 0u;
 }
-let _e4155 = phi_21985_;
-let _e4162 = (bitcast<u32>((_e4146 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e4155 + _e4148) < _e4148)));
-if (_e4162 == 0u) {
+let _e4142 = (((((_e3816 * _e3680) + (_e3843 * _e3681)) + (_e3870 * _e3682)) * 65536f) + 0.5f);
+let _e4144 = select(-1073741800f, _e4142, (_e4142 > -1073741800f));
+let _e4146 = select(1073741800f, _e4144, (_e4144 < 1073741800f));
+let _e4153 = select(0i, select(select(i32(_e4146), i32(-2147483648), (_e4146 < -2147483600f)), 2147483647i, (_e4146 > 2147483500f)), (_e4146 == _e4146));
+let _e4157 = (_e4153 - select(0i, 1i, (_e4146 < f32(_e4153))));
+let _e4158 = bitcast<u32>(_e4157);
+let _e4161 = bitcast<u32>((_e4157 >> bitcast<u32>(31i)));
+if ((_e4158 | _e4161) == 0u) {
 } else {
-let _e4164 = (_e4149 + 1u);
+let _e4164 = bitcast<u32>((_e3920 + 12i));
 if (_e4164 < _e220) {
-let _e4168 = atomicAdd((&global_7.member[_e4164]), _e4162);
+let _e4168 = atomicAdd((&global_7.member[_e4164]), _e4158);
+phi_21988_ = _e4168;
+} else {
+phi_21988_ = 0u;
+}
+let _e4170 = phi_21988_;
+let _e4174 = (_e4161 + select(0u, 1u, ((_e4170 + _e4158) < _e4158)));
+if (_e4174 == 0u) {
+} else {
+let _e4176 = (_e4164 + 1u);
+if (_e4176 < _e220) {
+let _e4180 = atomicAdd((&global_7.member[_e4176]), _e4174);
 }
 }
 }
-phi_21172_ = (_e3605 + 1i);
+phi_21172_ = (_e3611 + 1i);
 } else {
 phi_21172_ = i32();
 }
-let _e4171 = phi_21172_;
+let _e4183 = phi_21172_;
 continue;
 continuing {
-phi_21171_ = _e4171;
-break if !(_e3606);
+phi_21171_ = _e4183;
+break if !(_e3612);
 }
 }
-phi_21045_ = (_e3522 + 1i);
+phi_21045_ = (_e3528 + 1i);
 } else {
 phi_21045_ = i32();
 }
-let _e4175 = phi_21045_;
+let _e4187 = phi_21045_;
 continue;
 continuing {
-phi_21044_ = _e4175;
-break if !(_e3523);
+phi_21044_ = _e4187;
+break if !(_e3529);
 }
 }
-phi_21028_ = (_e3515 + 1i);
+phi_21028_ = (_e3521 + 1i);
 } else {
 phi_21028_ = i32();
 }
-let _e4179 = phi_21028_;
+let _e4191 = phi_21028_;
 continue;
 continuing {
-phi_21027_ = _e4179;
-break if !(_e3516);
+phi_21027_ = _e4191;
+break if !(_e3522);
 }
 }
 } else {
@@ -4960,148 +4984,154 @@ let _e2631 = select(-1073741800f, _e2629, (_e2629 > -1073741800f));
 let _e2633 = select(1073741800f, _e2631, (_e2631 < 1073741800f));
 let _e2640 = select(0i, select(select(i32(_e2633), i32(-2147483648), (_e2633 < -2147483600f)), 2147483647i, (_e2633 > 2147483500f)), (_e2633 == _e2633));
 let _e2644 = (_e2640 - select(0i, 1i, (_e2633 < f32(_e2640))));
-if (_e2644 == 0i) {
+let _e2645 = bitcast<u32>(_e2644);
+let _e2648 = bitcast<u32>((_e2644 >> bitcast<u32>(31i)));
+if ((_e2645 | _e2648) == 0u) {
 } else {
-let _e2646 = bitcast<u32>(_e2644);
-let _e2647 = bitcast<u32>((_e2612 + 2i));
-if (_e2647 < _e220) {
-let _e2651 = atomicAdd((&global_7.member[_e2647]), _e2646);
-phi_26902_ = _e2651;
+let _e2651 = bitcast<u32>((_e2612 + 2i));
+if (_e2651 < _e220) {
+let _e2655 = atomicAdd((&global_7.member[_e2651]), _e2645);
+phi_26905_ = _e2655;
 } else {
-phi_26902_ = 0u;
+phi_26905_ = 0u;
 }
-let _e2653 = phi_26902_;
-let _e2660 = (bitcast<u32>((_e2644 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2653 + _e2646) < _e2646)));
-if (_e2660 == 0u) {
+let _e2657 = phi_26905_;
+let _e2661 = (_e2648 + select(0u, 1u, ((_e2657 + _e2645) < _e2645)));
+if (_e2661 == 0u) {
 } else {
-let _e2662 = (_e2647 + 1u);
-if (_e2662 < _e220) {
-let _e2666 = atomicAdd((&global_7.member[_e2662]), _e2660);
+let _e2663 = (_e2651 + 1u);
+if (_e2663 < _e220) {
+let _e2667 = atomicAdd((&global_7.member[_e2663]), _e2661);
 }
 }
 }
-let _e2669 = (((_e2464 * _e2481) * 65536f) + 0.5f);
-let _e2671 = select(-1073741800f, _e2669, (_e2669 > -1073741800f));
-let _e2673 = select(1073741800f, _e2671, (_e2671 < 1073741800f));
-let _e2680 = select(0i, select(select(i32(_e2673), i32(-2147483648), (_e2673 < -2147483600f)), 2147483647i, (_e2673 > 2147483500f)), (_e2673 == _e2673));
-let _e2684 = (_e2680 - select(0i, 1i, (_e2673 < f32(_e2680))));
-if (_e2684 == 0i) {
+let _e2670 = (((_e2464 * _e2481) * 65536f) + 0.5f);
+let _e2672 = select(-1073741800f, _e2670, (_e2670 > -1073741800f));
+let _e2674 = select(1073741800f, _e2672, (_e2672 < 1073741800f));
+let _e2681 = select(0i, select(select(i32(_e2674), i32(-2147483648), (_e2674 < -2147483600f)), 2147483647i, (_e2674 > 2147483500f)), (_e2674 == _e2674));
+let _e2685 = (_e2681 - select(0i, 1i, (_e2674 < f32(_e2681))));
+let _e2686 = bitcast<u32>(_e2685);
+let _e2689 = bitcast<u32>((_e2685 >> bitcast<u32>(31i)));
+if ((_e2686 | _e2689) == 0u) {
 } else {
-let _e2686 = bitcast<u32>(_e2684);
-let _e2687 = bitcast<u32>((_e2612 + 4i));
-if (_e2687 < _e220) {
-let _e2691 = atomicAdd((&global_7.member[_e2687]), _e2686);
-phi_26959_ = _e2691;
+let _e2692 = bitcast<u32>((_e2612 + 4i));
+if (_e2692 < _e220) {
+let _e2696 = atomicAdd((&global_7.member[_e2692]), _e2686);
+phi_26962_ = _e2696;
 } else {
-phi_26959_ = 0u;
+phi_26962_ = 0u;
 }
-let _e2693 = phi_26959_;
-let _e2700 = (bitcast<u32>((_e2684 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2693 + _e2686) < _e2686)));
-if (_e2700 == 0u) {
+let _e2698 = phi_26962_;
+let _e2702 = (_e2689 + select(0u, 1u, ((_e2698 + _e2686) < _e2686)));
+if (_e2702 == 0u) {
 } else {
-let _e2702 = (_e2687 + 1u);
-if (_e2702 < _e220) {
-let _e2706 = atomicAdd((&global_7.member[_e2702]), _e2700);
+let _e2704 = (_e2692 + 1u);
+if (_e2704 < _e220) {
+let _e2708 = atomicAdd((&global_7.member[_e2704]), _e2702);
 }
 }
 }
-let _e2709 = (((_e2469 * _e2481) * 65536f) + 0.5f);
-let _e2711 = select(-1073741800f, _e2709, (_e2709 > -1073741800f));
-let _e2713 = select(1073741800f, _e2711, (_e2711 < 1073741800f));
-let _e2720 = select(0i, select(select(i32(_e2713), i32(-2147483648), (_e2713 < -2147483600f)), 2147483647i, (_e2713 > 2147483500f)), (_e2713 == _e2713));
-let _e2724 = (_e2720 - select(0i, 1i, (_e2713 < f32(_e2720))));
-if (_e2724 == 0i) {
+let _e2711 = (((_e2469 * _e2481) * 65536f) + 0.5f);
+let _e2713 = select(-1073741800f, _e2711, (_e2711 > -1073741800f));
+let _e2715 = select(1073741800f, _e2713, (_e2713 < 1073741800f));
+let _e2722 = select(0i, select(select(i32(_e2715), i32(-2147483648), (_e2715 < -2147483600f)), 2147483647i, (_e2715 > 2147483500f)), (_e2715 == _e2715));
+let _e2726 = (_e2722 - select(0i, 1i, (_e2715 < f32(_e2722))));
+let _e2727 = bitcast<u32>(_e2726);
+let _e2730 = bitcast<u32>((_e2726 >> bitcast<u32>(31i)));
+if ((_e2727 | _e2730) == 0u) {
 } else {
-let _e2726 = bitcast<u32>(_e2724);
-let _e2727 = bitcast<u32>((_e2612 + 6i));
-if (_e2727 < _e220) {
-let _e2731 = atomicAdd((&global_7.member[_e2727]), _e2726);
-phi_27016_ = _e2731;
+let _e2733 = bitcast<u32>((_e2612 + 6i));
+if (_e2733 < _e220) {
+let _e2737 = atomicAdd((&global_7.member[_e2733]), _e2727);
+phi_27019_ = _e2737;
 } else {
-phi_27016_ = 0u;
+phi_27019_ = 0u;
 }
-let _e2733 = phi_27016_;
-let _e2740 = (bitcast<u32>((_e2724 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2733 + _e2726) < _e2726)));
-if (_e2740 == 0u) {
+let _e2739 = phi_27019_;
+let _e2743 = (_e2730 + select(0u, 1u, ((_e2739 + _e2727) < _e2727)));
+if (_e2743 == 0u) {
 } else {
-let _e2742 = (_e2727 + 1u);
-if (_e2742 < _e220) {
-let _e2746 = atomicAdd((&global_7.member[_e2742]), _e2740);
+let _e2745 = (_e2733 + 1u);
+if (_e2745 < _e220) {
+let _e2749 = atomicAdd((&global_7.member[_e2745]), _e2743);
 }
 }
 }
-let _e2749 = (((((_e2490 * _e2372) + (_e2517 * _e2373)) + (_e2544 * _e2374)) * 65536f) + 0.5f);
-let _e2751 = select(-1073741800f, _e2749, (_e2749 > -1073741800f));
-let _e2753 = select(1073741800f, _e2751, (_e2751 < 1073741800f));
-let _e2760 = select(0i, select(select(i32(_e2753), i32(-2147483648), (_e2753 < -2147483600f)), 2147483647i, (_e2753 > 2147483500f)), (_e2753 == _e2753));
-let _e2764 = (_e2760 - select(0i, 1i, (_e2753 < f32(_e2760))));
-if (_e2764 == 0i) {
+let _e2752 = (((((_e2490 * _e2372) + (_e2517 * _e2373)) + (_e2544 * _e2374)) * 65536f) + 0.5f);
+let _e2754 = select(-1073741800f, _e2752, (_e2752 > -1073741800f));
+let _e2756 = select(1073741800f, _e2754, (_e2754 < 1073741800f));
+let _e2763 = select(0i, select(select(i32(_e2756), i32(-2147483648), (_e2756 < -2147483600f)), 2147483647i, (_e2756 > 2147483500f)), (_e2756 == _e2756));
+let _e2767 = (_e2763 - select(0i, 1i, (_e2756 < f32(_e2763))));
+let _e2768 = bitcast<u32>(_e2767);
+let _e2771 = bitcast<u32>((_e2767 >> bitcast<u32>(31i)));
+if ((_e2768 | _e2771) == 0u) {
 } else {
-let _e2766 = bitcast<u32>(_e2764);
-let _e2767 = bitcast<u32>((_e2612 + 8i));
-if (_e2767 < _e220) {
-let _e2771 = atomicAdd((&global_7.member[_e2767]), _e2766);
-phi_27074_ = _e2771;
+let _e2774 = bitcast<u32>((_e2612 + 8i));
+if (_e2774 < _e220) {
+let _e2778 = atomicAdd((&global_7.member[_e2774]), _e2768);
+phi_27077_ = _e2778;
 } else {
-phi_27074_ = 0u;
+phi_27077_ = 0u;
 }
-let _e2773 = phi_27074_;
-let _e2780 = (bitcast<u32>((_e2764 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2773 + _e2766) < _e2766)));
-if (_e2780 == 0u) {
+let _e2780 = phi_27077_;
+let _e2784 = (_e2771 + select(0u, 1u, ((_e2780 + _e2768) < _e2768)));
+if (_e2784 == 0u) {
 } else {
-let _e2782 = (_e2767 + 1u);
-if (_e2782 < _e220) {
-let _e2786 = atomicAdd((&global_7.member[_e2782]), _e2780);
+let _e2786 = (_e2774 + 1u);
+if (_e2786 < _e220) {
+let _e2790 = atomicAdd((&global_7.member[_e2786]), _e2784);
 }
 }
 }
-let _e2789 = (((((_e2499 * _e2372) + (_e2526 * _e2373)) + (_e2553 * _e2374)) * 65536f) + 0.5f);
-let _e2791 = select(-1073741800f, _e2789, (_e2789 > -1073741800f));
-let _e2793 = select(1073741800f, _e2791, (_e2791 < 1073741800f));
-let _e2800 = select(0i, select(select(i32(_e2793), i32(-2147483648), (_e2793 < -2147483600f)), 2147483647i, (_e2793 > 2147483500f)), (_e2793 == _e2793));
-let _e2804 = (_e2800 - select(0i, 1i, (_e2793 < f32(_e2800))));
-if (_e2804 == 0i) {
+let _e2793 = (((((_e2499 * _e2372) + (_e2526 * _e2373)) + (_e2553 * _e2374)) * 65536f) + 0.5f);
+let _e2795 = select(-1073741800f, _e2793, (_e2793 > -1073741800f));
+let _e2797 = select(1073741800f, _e2795, (_e2795 < 1073741800f));
+let _e2804 = select(0i, select(select(i32(_e2797), i32(-2147483648), (_e2797 < -2147483600f)), 2147483647i, (_e2797 > 2147483500f)), (_e2797 == _e2797));
+let _e2808 = (_e2804 - select(0i, 1i, (_e2797 < f32(_e2804))));
+let _e2809 = bitcast<u32>(_e2808);
+let _e2812 = bitcast<u32>((_e2808 >> bitcast<u32>(31i)));
+if ((_e2809 | _e2812) == 0u) {
 } else {
-let _e2806 = bitcast<u32>(_e2804);
-let _e2807 = bitcast<u32>((_e2612 + 10i));
-if (_e2807 < _e220) {
-let _e2811 = atomicAdd((&global_7.member[_e2807]), _e2806);
-phi_27131_ = _e2811;
+let _e2815 = bitcast<u32>((_e2612 + 10i));
+if (_e2815 < _e220) {
+let _e2819 = atomicAdd((&global_7.member[_e2815]), _e2809);
+phi_27134_ = _e2819;
 } else {
-phi_27131_ = 0u;
+phi_27134_ = 0u;
 }
-let _e2813 = phi_27131_;
-let _e2820 = (bitcast<u32>((_e2804 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2813 + _e2806) < _e2806)));
-if (_e2820 == 0u) {
+let _e2821 = phi_27134_;
+let _e2825 = (_e2812 + select(0u, 1u, ((_e2821 + _e2809) < _e2809)));
+if (_e2825 == 0u) {
 } else {
-let _e2822 = (_e2807 + 1u);
-if (_e2822 < _e220) {
-let _e2826 = atomicAdd((&global_7.member[_e2822]), _e2820);
-}
+let _e2827 = (_e2815 + 1u);
+if (_e2827 < _e220) {
+let _e2831 = atomicAdd((&global_7.member[_e2827]), _e2825);
 }
 }
-let _e2829 = (((((_e2508 * _e2372) + (_e2535 * _e2373)) + (_e2562 * _e2374)) * 65536f) + 0.5f);
-let _e2831 = select(-1073741800f, _e2829, (_e2829 > -1073741800f));
-let _e2833 = select(1073741800f, _e2831, (_e2831 < 1073741800f));
-let _e2840 = select(0i, select(select(i32(_e2833), i32(-2147483648), (_e2833 < -2147483600f)), 2147483647i, (_e2833 > 2147483500f)), (_e2833 == _e2833));
-let _e2844 = (_e2840 - select(0i, 1i, (_e2833 < f32(_e2840))));
-if (_e2844 == 0i) {
-} else {
-let _e2846 = bitcast<u32>(_e2844);
-let _e2847 = bitcast<u32>((_e2612 + 12i));
-if (_e2847 < _e220) {
-let _e2851 = atomicAdd((&global_7.member[_e2847]), _e2846);
-phi_27188_ = _e2851;
-} else {
-phi_27188_ = 0u;
 }
-let _e2853 = phi_27188_;
-let _e2860 = (bitcast<u32>((_e2844 >> bitcast<u32>(31i))) + select(0u, 1u, ((_e2853 + _e2846) < _e2846)));
-if (_e2860 == 0u) {
+let _e2834 = (((((_e2508 * _e2372) + (_e2535 * _e2373)) + (_e2562 * _e2374)) * 65536f) + 0.5f);
+let _e2836 = select(-1073741800f, _e2834, (_e2834 > -1073741800f));
+let _e2838 = select(1073741800f, _e2836, (_e2836 < 1073741800f));
+let _e2845 = select(0i, select(select(i32(_e2838), i32(-2147483648), (_e2838 < -2147483600f)), 2147483647i, (_e2838 > 2147483500f)), (_e2838 == _e2838));
+let _e2849 = (_e2845 - select(0i, 1i, (_e2838 < f32(_e2845))));
+let _e2850 = bitcast<u32>(_e2849);
+let _e2853 = bitcast<u32>((_e2849 >> bitcast<u32>(31i)));
+if ((_e2850 | _e2853) == 0u) {
 } else {
-let _e2862 = (_e2847 + 1u);
-if (_e2862 < _e220) {
-let _e2866 = atomicAdd((&global_7.member[_e2862]), _e2860);
+let _e2856 = bitcast<u32>((_e2612 + 12i));
+if (_e2856 < _e220) {
+let _e2860 = atomicAdd((&global_7.member[_e2856]), _e2850);
+phi_27191_ = _e2860;
+} else {
+phi_27191_ = 0u;
+}
+let _e2862 = phi_27191_;
+let _e2866 = (_e2853 + select(0u, 1u, ((_e2862 + _e2850) < _e2850)));
+if (_e2866 == 0u) {
+} else {
+let _e2868 = (_e2856 + 1u);
+if (_e2868 < _e220) {
+let _e2872 = atomicAdd((&global_7.member[_e2868]), _e2866);
 }
 }
 }
@@ -5109,10 +5139,10 @@ phi_26375_ = (_e2304 + 1i);
 } else {
 phi_26375_ = i32();
 }
-let _e2869 = phi_26375_;
+let _e2875 = phi_26375_;
 continue;
 continuing {
-phi_26374_ = _e2869;
+phi_26374_ = _e2875;
 break if !(_e2305);
 }
 }
@@ -5120,10 +5150,10 @@ phi_26137_ = (_e2160 + 1i);
 } else {
 phi_26137_ = i32();
 }
-let _e2873 = phi_26137_;
+let _e2879 = phi_26137_;
 continue;
 continuing {
-phi_26136_ = _e2873;
+phi_26136_ = _e2879;
 break if !(_e2161);
 }
 }
@@ -5131,10 +5161,10 @@ phi_26002_ = (_e2070 + 1i);
 } else {
 phi_26002_ = i32();
 }
-let _e2877 = phi_26002_;
+let _e2883 = phi_26002_;
 continue;
 continuing {
-phi_26001_ = _e2877;
+phi_26001_ = _e2883;
 break if !(_e2071);
 }
 }

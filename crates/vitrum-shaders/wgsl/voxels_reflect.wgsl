@@ -125,16 +125,16 @@ member: array<atomic<u32>>,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_14;
-@group(0) @binding(1)
-var<storage> global_2: type_16;
-@group(0) @binding(3)
-var<storage> global_3: type_16;
-@group(0) @binding(2)
-var<storage> global_4: type_16;
 @group(0) @binding(4)
-var<storage> global_5: type_16;
+var<storage> global_2: type_16;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_16;
+var<storage, read_write> global_3: type_16;
+@group(0) @binding(1)
+var<storage> global_4: type_16;
+@group(0) @binding(3)
+var<storage> global_5: type_16;
+@group(0) @binding(2)
+var<storage> global_6: type_16;
 @group(0) @binding(6)
 var<storage, read_write> global_7: type_24;
 fn function_() {
@@ -160,28 +160,28 @@ var phi_1575_: array<f32, 4>;
 var phi_1576_: bool;
 var phi_1580_: array<f32, 4>;
 let _e61 = global;
-let _e68 = arrayLength((&global_3.member));
+let _e68 = arrayLength((&global_5.member));
 let _e77 = global_1.member.member;
 if (_e61.x < _e77.member) {
 if (_e61.y < _e77.member_1) {
 let _e84 = (_e77.member * _e77.member_1);
 let _e86 = ((_e61.y * _e77.member) + _e61.x);
 let _e87 = bitcast<i32>(_e86);
-let _e89 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e89 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e91 = select(_e89, _e87, (_e87 < _e89));
-let _e97 = global_6.member[bitcast<u32>(select(0i, _e91, (_e91 > 0i)))];
+let _e97 = global_3.member[bitcast<u32>(select(0i, _e91, (_e91 > 0i)))];
 let _e98 = (_e84 + _e86);
 let _e99 = bitcast<i32>(_e98);
 let _e101 = select(_e89, _e99, (_e99 < _e89));
-let _e107 = global_6.member[bitcast<u32>(select(0i, _e101, (_e101 > 0i)))];
+let _e107 = global_3.member[bitcast<u32>(select(0i, _e101, (_e101 > 0i)))];
 let _e109 = ((2u * _e84) + _e86);
 let _e110 = bitcast<i32>(_e109);
 let _e112 = select(_e89, _e110, (_e110 < _e89));
-let _e118 = global_6.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
+let _e118 = global_3.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
 let _e120 = ((3u * _e84) + _e86);
 let _e121 = bitcast<i32>(_e120);
 let _e123 = select(_e89, _e121, (_e121 < _e89));
-let _e129 = global_6.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
+let _e129 = global_3.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
 let _e131 = (_e97 == 2f);
 let _e132 = select(3u, 0u, _e131);
 if (_e132 > 0u) {
@@ -205,9 +205,9 @@ let _e169 = global_1.member.member.member_1;
 let _e171 = bitcast<i32>((_e165 * _e169));
 let _e175 = bitcast<i32>(((_e61.y * _e165) + _e61.x));
 let _e176 = ((21i * _e171) + _e175);
-let _e178 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e178 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e180 = select(_e178, _e176, (_e176 < _e178));
-let _e186 = global_2.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
+let _e186 = global_4.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
 let _e187 = (_e186 <= 0f);
 if _e187 {
 phi_1572_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
@@ -215,7 +215,7 @@ phi_1573_ = array<f32, 4>();
 } else {
 let _e189 = ((20i * _e171) + _e175);
 let _e191 = select(_e178, _e189, (_e189 < _e178));
-let _e197 = global_2.member[bitcast<u32>(select(0i, _e191, (_e191 > 0i)))];
+let _e197 = global_4.member[bitcast<u32>(select(0i, _e191, (_e191 > 0i)))];
 let _e198 = bitcast<i32>(_e61.x);
 let _e199 = bitcast<i32>(_e61.y);
 let _e200 = bitcast<i32>(_e165);
@@ -252,17 +252,17 @@ let _e299 = local_1;
 let _e301 = local;
 let _e302 = ((9i * _e299) + _e301);
 let _e304 = select(_e178, _e302, (_e302 < _e178));
-let _e309 = global_2.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
+let _e309 = global_4.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
 let _e310 = local_1;
 let _e312 = local;
 let _e313 = ((10i * _e310) + _e312);
 let _e315 = select(_e178, _e313, (_e313 < _e178));
-let _e320 = global_2.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
+let _e320 = global_4.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
 let _e321 = local_1;
 let _e323 = local;
 let _e324 = ((11i * _e321) + _e323);
 let _e326 = select(_e178, _e324, (_e324 < _e178));
-let _e331 = global_2.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
+let _e331 = global_4.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
 let _e337 = (2f * (((_e287 * _e309) + (_e288 * _e320)) + (_e289 * _e331)));
 let _e341 = (_e287 - (_e309 * _e337));
 let _e342 = (_e288 - (_e320 * _e337));
@@ -287,7 +287,7 @@ phi_814_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), v
 phi_814_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
 }
 let _e418 = phi_814_;
-let _e419 = bitcast<i32>(arrayLength((&global_4.member)));
+let _e419 = bitcast<i32>(arrayLength((&global_6.member)));
 phi_829_ = _e418;
 phi_832_ = 0i;
 loop {
@@ -306,22 +306,22 @@ let _e454 = (1f / select(_e422.member_1.y, select(1e-12f, -1e-12f, (_e422.member
 let _e462 = (1f / select(_e422.member_1.z, select(1e-12f, -1e-12f, (_e422.member_1.z < 0f)), (bitcast<f32>((bitcast<u32>(_e422.member_1.z) & 2147483647u)) < 1e-12f)));
 let _e464 = (_e419 - 1i);
 let _e466 = select(_e464, _e438, (_e438 < _e464));
-let _e472 = global_4.member[bitcast<u32>(select(0i, _e466, (_e466 > 0i)))];
+let _e472 = global_6.member[bitcast<u32>(select(0i, _e466, (_e466 > 0i)))];
 let _e473 = (_e438 + 1i);
 let _e475 = select(_e464, _e473, (_e473 < _e464));
-let _e481 = global_4.member[bitcast<u32>(select(0i, _e475, (_e475 > 0i)))];
+let _e481 = global_6.member[bitcast<u32>(select(0i, _e475, (_e475 > 0i)))];
 let _e482 = (_e438 + 2i);
 let _e484 = select(_e464, _e482, (_e482 < _e464));
-let _e490 = global_4.member[bitcast<u32>(select(0i, _e484, (_e484 > 0i)))];
+let _e490 = global_6.member[bitcast<u32>(select(0i, _e484, (_e484 > 0i)))];
 let _e491 = (_e438 + 3i);
 let _e493 = select(_e464, _e491, (_e491 < _e464));
-let _e499 = global_4.member[bitcast<u32>(select(0i, _e493, (_e493 > 0i)))];
+let _e499 = global_6.member[bitcast<u32>(select(0i, _e493, (_e493 > 0i)))];
 let _e500 = (_e438 + 4i);
 let _e502 = select(_e464, _e500, (_e500 < _e464));
-let _e508 = global_4.member[bitcast<u32>(select(0i, _e502, (_e502 > 0i)))];
+let _e508 = global_6.member[bitcast<u32>(select(0i, _e502, (_e502 > 0i)))];
 let _e509 = (_e438 + 5i);
 let _e511 = select(_e464, _e509, (_e509 < _e464));
-let _e517 = global_4.member[bitcast<u32>(select(0i, _e511, (_e511 > 0i)))];
+let _e517 = global_6.member[bitcast<u32>(select(0i, _e511, (_e511 > 0i)))];
 let _e520 = ((_e472 - _e422.member.x) * _e446);
 let _e522 = ((_e499 - _e422.member.x) * _e446);
 let _e525 = ((_e481 - _e422.member.y) * _e454);
@@ -340,13 +340,13 @@ let _e552 = select(_e550, _e548, (_e548 < _e550));
 let _e557 = ((select(_e540, _e538, (_e538 > _e540)) <= select(_e422.member_17, _e552, (_e552 < _e422.member_17))) && (_e552 >= 0f));
 let _e558 = (_e438 + 6i);
 let _e560 = select(_e464, _e558, (_e558 < _e464));
-let _e566 = global_4.member[bitcast<u32>(select(0i, _e560, (_e560 > 0i)))];
+let _e566 = global_6.member[bitcast<u32>(select(0i, _e560, (_e560 > 0i)))];
 if _e557 {
 phi_1124_ = (_e422.member_15 + 1i);
 } else {
 let _e574 = (_e438 + 7i);
 let _e576 = select(_e464, _e574, (_e574 < _e464));
-let _e582 = global_4.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
+let _e582 = global_6.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
 phi_1124_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
 }
 let _e592 = phi_1124_;
@@ -364,13 +364,13 @@ let _e640 = (select(select(_e422.member_1.y, _e422.member_1.x, _e631), _e422.mem
 let _e641 = (_e611 * 19i);
 let _e643 = (bitcast<i32>(_e68) - 1i);
 let _e645 = select(_e643, _e641, (_e641 < _e643));
-let _e651 = global_3.member[bitcast<u32>(select(0i, _e645, (_e645 > 0i)))];
+let _e651 = global_5.member[bitcast<u32>(select(0i, _e645, (_e645 > 0i)))];
 let _e652 = (_e641 + 1i);
 let _e654 = select(_e643, _e652, (_e652 < _e643));
-let _e660 = global_3.member[bitcast<u32>(select(0i, _e654, (_e654 > 0i)))];
+let _e660 = global_5.member[bitcast<u32>(select(0i, _e654, (_e654 > 0i)))];
 let _e661 = (_e641 + 2i);
 let _e663 = select(_e643, _e661, (_e661 < _e643));
-let _e669 = global_3.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
+let _e669 = global_5.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
 let _e670 = (_e651 - _e422.member.x);
 let _e671 = (_e660 - _e422.member.y);
 let _e672 = (_e669 - _e422.member.z);
@@ -379,13 +379,13 @@ let _e680 = (select(select(_e670, _e672, _e631), _e671, _e628) - (_e639 * _e678)
 let _e682 = (select(select(_e671, _e670, _e631), _e672, _e628) - (_e640 * _e678));
 let _e684 = (_e641 + 3i);
 let _e686 = select(_e643, _e684, (_e684 < _e643));
-let _e692 = global_3.member[bitcast<u32>(select(0i, _e686, (_e686 > 0i)))];
+let _e692 = global_5.member[bitcast<u32>(select(0i, _e686, (_e686 > 0i)))];
 let _e693 = (_e641 + 4i);
 let _e695 = select(_e643, _e693, (_e693 < _e643));
-let _e701 = global_3.member[bitcast<u32>(select(0i, _e695, (_e695 > 0i)))];
+let _e701 = global_5.member[bitcast<u32>(select(0i, _e695, (_e695 > 0i)))];
 let _e702 = (_e641 + 5i);
 let _e704 = select(_e643, _e702, (_e702 < _e643));
-let _e710 = global_3.member[bitcast<u32>(select(0i, _e704, (_e704 > 0i)))];
+let _e710 = global_5.member[bitcast<u32>(select(0i, _e704, (_e704 > 0i)))];
 let _e711 = (_e692 - _e422.member.x);
 let _e712 = (_e701 - _e422.member.y);
 let _e713 = (_e710 - _e422.member.z);
@@ -394,13 +394,13 @@ let _e721 = (select(select(_e711, _e713, _e631), _e712, _e628) - (_e639 * _e719)
 let _e723 = (select(select(_e712, _e711, _e631), _e713, _e628) - (_e640 * _e719));
 let _e725 = (_e641 + 6i);
 let _e727 = select(_e643, _e725, (_e725 < _e643));
-let _e733 = global_3.member[bitcast<u32>(select(0i, _e727, (_e727 > 0i)))];
+let _e733 = global_5.member[bitcast<u32>(select(0i, _e727, (_e727 > 0i)))];
 let _e734 = (_e641 + 7i);
 let _e736 = select(_e643, _e734, (_e734 < _e643));
-let _e742 = global_3.member[bitcast<u32>(select(0i, _e736, (_e736 > 0i)))];
+let _e742 = global_5.member[bitcast<u32>(select(0i, _e736, (_e736 > 0i)))];
 let _e743 = (_e641 + 8i);
 let _e745 = select(_e643, _e743, (_e743 < _e643));
-let _e751 = global_3.member[bitcast<u32>(select(0i, _e745, (_e745 > 0i)))];
+let _e751 = global_5.member[bitcast<u32>(select(0i, _e745, (_e745 > 0i)))];
 let _e752 = (_e733 - _e422.member.x);
 let _e753 = (_e742 - _e422.member.y);
 let _e754 = (_e751 - _e422.member.z);
@@ -430,12 +430,12 @@ let _e843 = (_e841.member_16 != _e422.member_16);
 let _e846 = ((select(0i, _e841.member_16, _e843) * 19i) + 18i);
 let _e848 = (bitcast<i32>(_e68) - 1i);
 let _e850 = select(_e848, _e846, (_e846 < _e848));
-let _e856 = global_3.member[bitcast<u32>(select(0i, _e850, (_e850 > 0i)))];
+let _e856 = global_5.member[bitcast<u32>(select(0i, _e850, (_e850 > 0i)))];
 let _e863 = select(0i, select(select(i32(_e856), i32(-2147483648), (_e856 < -2147483600f)), 2147483647i, (_e856 > 2147483500f)), (_e856 == _e856));
 let _e864 = (_e863 * 4i);
-let _e866 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e866 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
 let _e868 = select(_e866, _e864, (_e864 < _e866));
-let _e874 = global_5.member[bitcast<u32>(select(0i, _e868, (_e868 > 0i)))];
+let _e874 = global_2.member[bitcast<u32>(select(0i, _e868, (_e868 > 0i)))];
 if (_e843 && (select(_e874, 1f, (_e863 == 16i)) != 0f)) {
 let _e896 = type_20(_e841.member, _e841.member_1, _e841.member_2, _e841.member_3, _e841.member_4, _e841.member_5, _e841.member_6, _e841.member_7, _e841.member_8, _e841.member_9, _e841.member_10, _e841.member_11, _e841.member_12, _e841.member_13, _e841.member_14, _e841.member_15, _e422.member_16, _e841.member_17);
 phi_1559_ = type_20(_e896.member, _e896.member_1, _e896.member_2, _e896.member_3, _e896.member_4, _e896.member_5, _e896.member_6, _e896.member_7, _e896.member_8, _e896.member_9, _e896.member_10, _e896.member_11, _e896.member_12, _e896.member_13, _e896.member_14, _e896.member_15, _e896.member_16, _e422.member_17);
@@ -480,10 +480,10 @@ phi_1580_ = _e941;
 phi_1580_ = _e943;
 }
 let _e947 = phi_1580_;
-global_6.member[_e86] = _e947[0];
-global_6.member[_e98] = _e947[1];
-global_6.member[_e109] = _e947[2];
-global_6.member[_e120] = _e947[3];
+global_3.member[_e86] = _e947[0];
+global_3.member[_e98] = _e947[1];
+global_3.member[_e109] = _e947[2];
+global_3.member[_e120] = _e947[3];
 }
 }
 }

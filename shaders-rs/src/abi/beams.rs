@@ -100,20 +100,28 @@ pub struct Limits {
     pub round: u32,
     /// Floats from the beams of one round to those of the next.
     pub pitch: u32,
+    /// Floats from the projections of one round to those of the next.
+    pub projection_pitch: u32,
     /// Floats from the bundles of one round to those of the next.
     pub bundle_pitch: u32,
     /// The last round that has beams.
     pub last: u32,
+    /// The major axis of the beams that are drawn, one of [`axis`].
+    pub axis: u32,
+    /// Floats before the optical depths along beams.
+    pub depth_start: u32,
+    /// Floats from the optical depths along the beams of one round to those of the next.
+    pub depth_pitch: u32,
 }
 
-/// A homogeneous medium in a box.
+/// A medium in a box, homogeneous or with a density from a volume.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
 pub struct Medium {
-    /// Extinction coefficient σ_t, RGB, a voxel.
+    /// Extinction coefficient σ_t where the density is 1, RGB, a voxel.
     pub extinction: Vec3,
-    /// Scattering coefficient σ_s, RGB, a voxel.
+    /// Scattering coefficient σ_s where the density is 1, RGB, a voxel.
     pub scattering: Vec3,
     /// Mean cosine g of Henyey and Greenstein's phase function.
     pub anisotropy: f32,
@@ -123,6 +131,16 @@ pub struct Medium {
     pub low: Vec3,
     /// High corner of the box.
     pub high: Vec3,
+    /// Nodes of a straight piece at which its optical depth is known, evenly spaced (Hu et al. 2010, §5.2); 0 in a homogeneous medium.
+    pub nodes: u32,
+    /// Voxels of the density's volume along x.
+    pub columns: u32,
+    /// Voxels along y.
+    pub rows: u32,
+    /// Voxels along z.
+    pub layers: u32,
+    /// Floats in front of the volume in the buffer of materials.
+    pub first: u32,
 }
 
 /// Phase functions.
@@ -190,6 +208,22 @@ pub mod part {
     pub const CAUSTIC: u32 = 0;
     /// Light that a body takes out of what would be there without it.
     pub const SHADOW: u32 = 1;
+}
+
+/// Modes of [`crate::beams::scatter_beam`].
+pub mod medium {
+    /// The density is 1 everywhere.
+    pub const HOMOGENEOUS: u32 = 0;
+    /// The density is given by a volume.
+    pub const VARYING: u32 = 1;
+}
+
+/// Major axes of the beams that a pass of [`crate::beams::scatter_beam`] draws.
+pub mod axis {
+    /// To the right.
+    pub const ACROSS: u32 = 0;
+    /// Downwards.
+    pub const DOWNWARDS: u32 = 1;
 }
 
 impl Dispatched for BeamsUniforms {

@@ -1,7 +1,8 @@
 //! Airlight: the light of the source that the medium scatters into a viewing ray where nothing is in its way (Sun et al. 2005), by Gauss's
 //! quadrature for any phase function.
 
-use super::medium::{phase, transmittance, way_from};
+use super::density::{density_at, optical_depth};
+use super::medium::{depth_from, phase, transmittance};
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::light::{LightSource, kind};
 use crate::math::{PI, dot, max, min, select, sqrt, xyz};
@@ -84,22 +85,65 @@ impl Seen {
     }
 }
 
-/// Radiance scattered into the ray at the coordinate `m`, by `m`, of a ray from `from` along `w` that enters the medium at the distance `enters`.
-#[inline(always)]
-fn at(u: &BeamsUniforms, pictures: &[f32], from: Vec3, w: Vec3, enters: f32, seen: &Seen, m: f32) -> Vec3 {
-    let (t, derivative) = seen.distance(m);
-    let position = from + w * t;
-    let light = arriving(&u.light, pictures, position);
-    let way = way_from(&u.medium, &u.light, position, light.direction);
-    let dimmed = transmittance(&u.medium, way + max(t - enters, 0.0));
-    let strength = PI * phase(&u.medium, -dot(light.direction, w)) * derivative;
-    light.radiance * dimmed * xyz(u.medium.scattering) * strength
+/// A point of a ray.
+#[derive(Clone, Copy)]
+struct Point {
+    /// Distance along the ray.
+    t: f32,
+    /// Its derivative by the ray's coordinate.
+    derivative: f32,
+    position: Vec3,
+    /// The medium's density.
+    density: f32,
+}
+
+/// A ray through the medium, and what its points are computed from.
+#[derive(Clone, Copy)]
+struct Ray<'a> {
+    u: &'a BeamsUniforms,
+    pictures: &'a [f32],
+    materials: &'a [f32],
+    from: Vec3,
+    direction: Vec3,
+    seen: Seen,
+}
+
+impl Ray<'_> {
+    /// The point at the coordinate `m`.
+    #[inline(always)]
+    fn point(&self, m: f32) -> Point {
+        let (t, derivative) = self.seen.distance(m);
+        let position = self.from + self.direction * t;
+        let medium = &self.u.medium;
+        let density = if medium.nodes == 0 { 1.0 } else { density_at(medium, self.materials, position) };
+        Point { t, derivative, position, density }
+    }
+
+    /// Radiance scattered into the ray at a point, by the coordinate; `depth` is the ray's optical depth up to there.
+    #[inline(always)]
+    fn scattered(&self, point: &Point, depth: f32) -> Vec3 {
+        let Self { u, .. } = self;
+        let light = arriving(&u.light, self.pictures, point.position);
+        let way = depth_from(&u.medium, self.materials, &u.light, point.position, light.direction);
+        let dimmed = transmittance(&u.medium, way + depth);
+        let strength =
+            PI * phase(&u.medium, -dot(light.direction, self.direction)) * (point.derivative * point.density);
+        light.radiance * dimmed * xyz(u.medium.scattering) * strength
+    }
 }
 
 /// Airlight of the ray from `from` along the unit vector `w` between the distances `near` and `far`, which both are in the medium: radiance, dimmed by
 /// the medium from the distance `near` on.
 #[inline(always)]
-pub fn airlight(u: &BeamsUniforms, pictures: &[f32], from: Vec3, w: Vec3, near: f32, far: f32) -> Vec3 {
+pub fn airlight(
+    u: &BeamsUniforms,
+    pictures: &[f32],
+    materials: &[f32],
+    from: Vec3,
+    w: Vec3,
+    near: f32,
+    far: f32,
+) -> Vec3 {
     let mut range = Range { near, far };
     if u.light.kind == kind::SPOT {
         range = in_cone(&u.light, from, w, range);
@@ -111,14 +155,31 @@ pub fn airlight(u: &BeamsUniforms, pictures: &[f32], from: Vec3, w: Vec3, near: 
         let across = offset - w * foot;
         let height = max(sqrt(dot(across, across)), 1e-6);
         let seen = Seen { distant: u.light.kind == kind::DISTANT, foot, height };
+        let ray = Ray { u, pictures, materials, from, direction: w, seen };
+        let homogeneous = u.medium.nodes == 0;
         let (begin, end) = (seen.coordinate(range.near), seen.coordinate(range.far));
-        let half = (end - begin) * (0.5 / PARTS as f32);
+        let parts = if 2 * PARTS < u.medium.nodes as i32 { u.medium.nodes as i32 / 2 } else { PARTS };
+        let half = (end - begin) * (0.5 / parts as f32);
+        // In a medium of varying density: the optical depth up to the part.
+        let mut before = optical_depth(&u.medium, materials, from, w, near, range.near);
         let mut part = 0;
-        while part < PARTS {
+        while part < parts {
             let middle = begin + half * (2.0 * part as f32 + 1.0);
-            let value = |point: f32| at(u, pictures, from, w, near, &seen, middle + half * point);
-            sum += (value(-OUTER) + value(OUTER)) * (half * OUTER_WEIGHT);
-            sum += (value(-INNER) + value(INNER)) * (half * INNER_WEIGHT);
+            let at = |point: f32| ray.point(middle + half * point);
+            let (first, second, third, fourth) = (at(-OUTER), at(-INNER), at(INNER), at(OUTER));
+            let measure = |point: &Point| point.density * point.derivative;
+            let over = half
+                * (OUTER_WEIGHT * (measure(&first) + measure(&fourth))
+                    + INNER_WEIGHT * (measure(&second) + measure(&third)));
+            // Within the part the depth grows in proportion to the coordinate.
+            let depth = |point: &Point, place: f32| {
+                select(homogeneous, max(point.t - near, 0.0), before + over * (0.5 + 0.5 * place))
+            };
+            let outer = ray.scattered(&first, depth(&first, -OUTER)) + ray.scattered(&fourth, depth(&fourth, OUTER));
+            let inner = ray.scattered(&second, depth(&second, -INNER)) + ray.scattered(&third, depth(&third, INNER));
+            sum += outer * (half * OUTER_WEIGHT);
+            sum += inner * (half * INNER_WEIGHT);
+            before += over;
             part += 1;
         }
     }

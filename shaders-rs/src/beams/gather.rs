@@ -2,6 +2,7 @@
 //! not straight there, and the beams near the ray are found in a tree ([`super::tree`]).
 
 use super::bend::mean;
+use super::density::{density_at, depth_within};
 use super::medium::{inside, phase, transmittance};
 use super::nearest::Nearest;
 use super::see::{LEAST, level_of, piece_of};
@@ -12,7 +13,7 @@ use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Pencil, Sight, beam, bundle, pencil, sight};
 use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{absolute, absolute_vector, cross, dot, length, max, min, select, select_vector, xyz};
+use crate::math::{absolute, absolute_vector, cross, dot, length, max, min, select, xyz};
 use crate::voxels::ray::{reciprocal, slab};
 use spirv_std::glam::Vec3;
 
@@ -29,6 +30,7 @@ pub fn level(
     pencils: &[f32],
     _beams: &[f32],
     _bundles: &[f32],
+    _materials: &[f32],
 ) -> u32 {
     level_of(x, y, u, pencils)
 }
@@ -88,7 +90,7 @@ fn comes_near_beam(beams: &[f32], first: i32, number: i32, count: i32, line: &Li
 
 /// Radiance that a beam scatters into a line, RGB, dimmed from the line's beginning in the medium on.
 #[inline(always)]
-fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil) -> Vec3 {
+fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil, materials: &[f32]) -> Vec3 {
     let offset = beam.position - line.from;
     let (w, d) = (line.direction, beam.direction);
     let moment = cross(offset, d);
@@ -109,9 +111,16 @@ fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil) -> Ve
     }
     let Nearest { t, s, cosine } = Nearest::new(offset, w, d);
     let meets = (s >= 0.0) & (s < beam.length) & (t > line.near) & (t < line.far);
-    let dimmed = transmittance(&u.medium, s + (t - line.near));
-    let strength = phase(&u.medium, -cosine) * filtered(edge, first, second, filter);
-    select_vector(meets, beam.flux * dimmed * xyz(u.medium.scattering) * strength, none)
+    if !meets {
+        return none;
+    }
+    let medium = &u.medium;
+    let before = depth_within(medium, materials, beam.position, d, 0.0, s);
+    let behind = depth_within(medium, materials, line.from, w, line.near, t);
+    let dense = if medium.nodes == 0 { 1.0 } else { density_at(medium, materials, line.from + w * t) };
+    let dimmed = transmittance(medium, before + behind);
+    let strength = phase(medium, -cosine) * filtered(edge, first, second, filter) * dense;
+    beam.flux * dimmed * xyz(u.medium.scattering) * strength
 }
 
 /// What the pixel sees, with the light of beams on the piece.
@@ -125,6 +134,7 @@ pub fn invoke<const LEVEL: u32>(
     pencils: &[f32],
     beams: &[f32],
     bundles: &[f32],
+    materials: &[f32],
 ) -> [f32; sight::SIZE] {
     let mut seen = Sight::load(&before);
     let count = u.dispatch.width * u.dispatch.height;
@@ -167,7 +177,7 @@ pub fn invoke<const LEVEL: u32>(
                 node = node.below();
             } else {
                 if met {
-                    let light = scattered(u, &beam_of(beams, first, number, texels), &line, &pencil);
+                    let light = scattered(u, &beam_of(beams, first, number, texels), &line, &pencil, materials);
                     caustics += light * select(is_shadow, 0.0, 1.0);
                     shadow += light * select(is_shadow, 1.0, 0.0);
                 }

@@ -1,7 +1,8 @@
 //! Surface caustics: light of beams on the diffuse surface at the end of a viewing ray's present straight piece. The beams that end there are found in a
 //! tree ([`super::tree`]).
 
-use super::medium::{inside, transmittance};
+use super::density::{depth_within, optical_depth};
+use super::medium::transmittance;
 use super::see::{level_of, piece_of};
 use super::shade::{Ending, SAME, ending};
 use super::store_beam::beam_of;
@@ -47,7 +48,7 @@ fn ends_at(bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -
 
 /// Irradiance over π of a point of a surface by a beam, RGB, times the share of it that the point sends back.
 #[inline(always)]
-fn shining(u: &BeamsUniforms, beam: &Beam, end: &Ending, direction: Vec3, pencil: &Pencil) -> Vec3 {
+fn shining(u: &BeamsUniforms, beam: &Beam, end: &Ending, direction: Vec3, pencil: &Pencil, materials: &[f32]) -> Vec3 {
     let none = Vec3::new(0.0, 0.0, 0.0);
     let n = end.point.plane;
     let d = beam.direction;
@@ -81,7 +82,7 @@ fn shining(u: &BeamsUniforms, beam: &Beam, end: &Ending, direction: Vec3, pencil
         return none;
     }
     let density = filtered(x, 1.0, 1e-4, width_x) * filtered(y, 1.0, 1e-4, width_y) / wide;
-    let fog = min(s, beam.length);
+    let fog = depth_within(&u.medium, materials, beam.position, d, 0.0, min(s, beam.length));
     // At most four times as much as on the plane, where normals between corners lean to the light.
     let cosine = max(absolute(facing_light), 0.25 * absolute(dot(end.point.normal, d)));
     let strength = share(&end.point, facing(&end.point, direction), direction, d) / cosine;
@@ -130,15 +131,14 @@ pub fn invoke<const LEVEL: u32>(
                 if met {
                     let (column, row) = node.place();
                     let beam = beam_of(beams, first, (row * u.lattice.count + column) as i32, texels);
-                    light += shining(u, &beam, &end, d, &at_end);
+                    light += shining(u, &beam, &end, d, &at_end, materials);
                 }
                 node = node.behind(tree.root);
             }
         }
         round += 1;
     }
-    let fog = inside(&u.medium, piece.from, d, 0.0, piece.far);
-    let dimmed = transmittance(&u.medium, fog.leaves - fog.enters);
+    let dimmed = transmittance(&u.medium, optical_depth(&u.medium, materials, piece.from, d, 0.0, piece.far));
     seen.radiance += light * end.point.color * dimmed * piece.weight;
     seen.store()
 }

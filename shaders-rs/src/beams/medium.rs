@@ -1,5 +1,6 @@
-//! A homogeneous medium in a box: transmittance and phase functions.
+//! A medium in a box: transmittance and phase functions.
 
+use super::density::optical_depth;
 use crate::abi::beams::{Medium, phase};
 use crate::abi::light::{LightSource, kind};
 use crate::math::{PI, dot, exp, max, min, select, sqrt, xyz};
@@ -26,20 +27,20 @@ pub fn inside(medium: &Medium, from: Vec3, direction: Vec3, near: f32, far: f32)
     Inside { enters: select(crosses, enters, near), leaves: select(crosses, leaves, near) }
 }
 
-/// The length in the medium, in voxels, of the light's way from a source to `position`, where it arrives along the unit vector `direction`.
+/// The optical depth, over the extinction coefficient where the density is 1, of the light's way from a source to `position`, where it arrives along the
+/// unit vector `direction`: in voxels.
 #[inline(always)]
-pub fn way_from(medium: &Medium, source: &LightSource, position: Vec3, direction: Vec3) -> f32 {
+pub fn depth_from(medium: &Medium, materials: &[f32], source: &LightSource, position: Vec3, direction: Vec3) -> f32 {
     let to_source = xyz(source.position) - position;
     let reach = select(source.kind == kind::DISTANT, FAR, sqrt(dot(to_source, to_source)));
-    let way = inside(medium, position, -direction, 0.0, reach);
-    way.leaves - way.enters
+    optical_depth(medium, materials, position, -direction, 0.0, reach)
 }
 
-/// Transmittance of `length` voxels of the medium, RGB (Beer–Lambert).
+/// Transmittance of an optical depth over the extinction coefficient where the density is 1, in voxels, RGB (Beer–Lambert).
 #[inline(always)]
-pub fn transmittance(medium: &Medium, length: f32) -> Vec3 {
+pub fn transmittance(medium: &Medium, depth: f32) -> Vec3 {
     let extinction = xyz(medium.extinction);
-    Vec3::new(exp(-(extinction.x * length)), exp(-(extinction.y * length)), exp(-(extinction.z * length)))
+    Vec3::new(exp(-(extinction.x * depth)), exp(-(extinction.y * depth)), exp(-(extinction.z * depth)))
 }
 
 /// The phase function for light that is scattered by an angle of cosine `cosine`, per steradian: its integral over all directions is 1.

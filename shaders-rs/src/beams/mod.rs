@@ -5,26 +5,36 @@
 //! the medium scatters out of it to the pixels that look through it. What viewing rays see behind the first surface, and
 //! the light that beams throw on surfaces, is gathered ([`gather`], [`light_surface`]). [`see`] adds up the rest of the picture, [`resolve`] composes it.
 
+pub mod add_depths;
 pub mod airlight;
 pub mod bend;
 pub mod bound_beams;
+pub mod covered;
+pub mod density;
+pub mod drawn;
 pub mod emission;
 pub mod facet;
 pub mod find_depths;
 pub mod find_light;
 pub mod gather;
+pub mod integrate_beam;
+pub mod integrate_view;
 pub mod light_surface;
 pub mod look_around;
 pub mod medium;
 pub mod nearest;
 pub mod picture;
+pub mod project_beam;
 pub mod pyramid;
 pub mod resolve;
 pub mod scatter_beam;
+pub mod scattered;
 pub mod see;
 pub mod shade;
+pub mod shares;
 pub mod spread;
 pub mod store_beam;
+pub mod strip;
 pub mod trace;
 pub mod trace_light;
 pub mod trace_view;

@@ -3,7 +3,8 @@
 
 use super::airlight::airlight;
 use super::bend::mean;
-use super::medium::{inside, transmittance, way_from};
+use super::density::optical_depth;
+use super::medium::{depth_from, inside, transmittance};
 use super::shade::ending;
 use super::viewing;
 use crate::abi::beams::{BeamsUniforms, flag};
@@ -100,15 +101,16 @@ pub fn invoke<const LEVEL: u32>(
     let piece = piece_of(x, y, u, &pencil);
     let d = pencil.direction;
     let fog = inside(&u.medium, piece.from, d, 0.0, piece.far);
-    let dimmed = transmittance(&u.medium, fog.leaves - fog.enters);
+    let dimmed = transmittance(&u.medium, optical_depth(&u.medium, materials, piece.from, d, 0.0, piece.far));
     if (u.flags & flag::SCATTERS != 0) & (mean(piece.weight) >= LEAST) {
-        seen.airlight += airlight(u, pictures, piece.from, d, fog.enters, fog.leaves) * piece.weight;
+        seen.airlight += airlight(u, pictures, materials, piece.from, d, fog.enters, fog.leaves) * piece.weight;
     }
     let end = ending(u, &pencil, &piece, corners, looks, materials);
     let nothing = pencil.triangle == ahead::NOTHING;
     if first {
         seen.depth = select(nothing, FAR, piece.far);
         seen.enters = min(fog.enters, piece.far);
+        seen.leaves = min(fog.leaves, piece.far);
         seen.normal = select_vector(nothing, Vec3::new(0.0, 0.0, 0.0), facing(&end.point, d));
         // Without an environment the picture is transparent where there is neither a surface nor a medium.
         let veil = 1.0 - mean(dimmed);
@@ -122,7 +124,7 @@ pub fn invoke<const LEVEL: u32>(
     } else if end.is_diffuse {
         let light = arriving(&u.light, pictures, end.point.position);
         let hidden = read(searches, (search::HIDDEN as u32 * count + at) as i32);
-        let way = way_from(&u.medium, &u.light, end.point.position, light.direction);
+        let way = depth_from(&u.medium, materials, &u.light, end.point.position, light.direction);
         let arrives = transmittance(&u.medium, way) * (1.0 - hidden);
         let strength = share(&end.point, facing(&end.point, d), d, light.direction);
         let sent = end.point.color * (light.radiance * arrives * strength + xyz(u.ambient));

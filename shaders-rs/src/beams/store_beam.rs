@@ -1,6 +1,7 @@
 //! Beams of the straight pieces that pencils of light have just come to: behind the surfaces that they met, or for the shadow, the light that
 //! would go on behind the first surface if no body were there (a beam whose flux is taken away).
 
+use super::density::optical_depth;
 use super::emission::{self, Start};
 use super::medium::{inside, transmittance};
 use crate::abi::beams::{BeamsUniforms, part};
@@ -15,7 +16,15 @@ use spirv_std::glam::Vec3;
 
 /// The beam of the pencil of texel (x, y); one without flux if it has none in this round.
 #[inline(always)]
-pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencils: &[f32], pictures: &[f32]) -> [f32; beam::SIZE] {
+pub fn invoke(
+    x: u32,
+    y: u32,
+    u: &BeamsUniforms,
+    mode: u32,
+    pencils: &[f32],
+    pictures: &[f32],
+    materials: &[f32],
+) -> [f32; beam::SIZE] {
     let count = u.dispatch.width * u.dispatch.height;
     let pencil = Pencil::load(&record::load::<{ pencil::SIZE }>(pencils, y * u.dispatch.width + x, count));
     let is_first = pencil.bounces == 0;
@@ -28,8 +37,8 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencils: &[f32], pic
     let fog = inside(&u.medium, pencil.position, pencil.direction, to_begin, far);
     let spread = pencil.spread().limited().moved(fog.enters);
     let start: Start = emission::start(u, x as i32, y as i32);
-    let before = inside(&u.medium, pencil.position, pencil.direction, 0.0, fog.enters);
-    let attenuated = transmittance(&u.medium, max(before.leaves - before.enters, 0.0));
+    let before = optical_depth(&u.medium, materials, pencil.position, pencil.direction, 0.0, fog.enters);
+    let attenuated = transmittance(&u.medium, max(before, 0.0));
     let flux = emission::flux(u, pictures, &start) * pencil.transmittance * attenuated;
     let none = Vec3::new(0.0, 0.0, 0.0);
     Beam {

@@ -7,9 +7,10 @@
 //! pencil pauses at the beginning of each straight piece in air that no way had before, where other kernels take it.
 
 use super::bend::{facet_for, mean};
+use super::density::optical_depth;
 use super::emission::{self, Start};
 use super::facet::Facet;
-use super::medium::{inside, transmittance};
+use super::medium::transmittance;
 use super::viewing;
 use crate::abi::beams::{BeamsUniforms, rays};
 use crate::abi::light::kind;
@@ -42,7 +43,7 @@ fn start(x: u32, y: u32, u: &BeamsUniforms, mode: u32) -> Start {
 
 /// The pencil at the beginning of a way: before it enters the box of all surfaces.
 #[inline(always)]
-fn begin(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes: &[f32]) {
+fn begin(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes: &[f32], materials: &[f32]) {
     let Start { position, direction, spread } = start(x, y, u, mode);
     let inverse = Vec3::new(reciprocal(direction.x), reciprocal(direction.y), reciprocal(direction.z));
     let (enters, leaves) = slab(position, inverse, xyz(u.low), xyz(u.high));
@@ -63,8 +64,8 @@ fn begin(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, node
     pencil.stage = stage::UNDER_WAY;
     look_ahead(u, pencil, 0.0);
     // The fog between the source and the box.
-    let fog = inside(&u.medium, position, direction, source, near);
-    pencil.extinguished += pencil.attenuate(transmittance(&u.medium, fog.leaves - fog.enters));
+    let fog = optical_depth(&u.medium, materials, position, direction, source, near);
+    pencil.extinguished += pencil.attenuate(transmittance(&u.medium, fog));
     if misses {
         pencil.node = tree::count(nodes);
         // A light that meets no body has no beam.
@@ -94,7 +95,7 @@ fn highest_bit(bits: i32) -> i32 {
 
 /// Ends a way, and begins the next one: the one that turns where the last weaker way waits, else the first of those with one turn more.
 #[inline(always)]
-fn end(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes: &[f32]) {
+fn end(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes: &[f32], materials: &[f32]) {
     if (pencil.pending == 0) & (pencil.deeper == 0) {
         pencil.stage = stage::DONE;
         return;
@@ -111,7 +112,7 @@ fn end(x: u32, y: u32, u: &BeamsUniforms, mode: u32, pencil: &mut Pencil, nodes:
         pencil.pending &= below;
         pencil.decided = number + 1;
     }
-    begin(x, y, u, mode, pencil, nodes);
+    begin(x, y, u, mode, pencil, nodes, materials);
 }
 
 /// The pencil after some nodes; `mode` is one of [`rays`].
@@ -128,7 +129,7 @@ pub fn follow(
 ) -> [f32; SIZE] {
     let mut pencil = Pencil::load(&before);
     if pencil.stage == stage::NEW {
-        begin(x, y, u, mode, &mut pencil, nodes);
+        begin(x, y, u, mode, &mut pencil, nodes, materials);
     }
     let count = tree::count(nodes);
     let mut paused = pencil.stage == stage::PAUSED;
@@ -193,8 +194,8 @@ fn arrive(
     let beyond = beyond(pencil.media, pencil.enters, pencil.leaves);
     let to = lowest(beyond);
     if from == AIR {
-        let fog = inside(&u.medium, pencil.position, pencil.direction, 0.0, pencil.distance);
-        pencil.extinguished += pencil.attenuate(transmittance(&u.medium, fog.leaves - fog.enters));
+        let fog = optical_depth(&u.medium, materials, pencil.position, pencil.direction, 0.0, pencil.distance);
+        pencil.extinguished += pencil.attenuate(transmittance(&u.medium, fog));
     } else {
         // Through the rest of a body whose surface has a hole, no light is taken to get.
         pencil.absorbed += pencil.attenuate(attenuation(from, min(way, 1e6), materials));
@@ -206,7 +207,7 @@ fn arrive(
         } else {
             pencil.received += left;
         }
-        end(x, y, u, mode, pencil, nodes);
+        end(x, y, u, mode, pencil, nodes, materials);
         return;
     }
     if !opaque & (from == to) {
@@ -233,6 +234,6 @@ fn arrive(
     look_ahead(u, pencil, 0.0);
     if pencil.bounces > u.limits.bounces as i32 {
         pencil.lost += if pencil.is_new() { mean(pencil.transmittance) } else { 0.0 };
-        end(x, y, u, mode, pencil, nodes);
+        end(x, y, u, mode, pencil, nodes, materials);
     }
 }

@@ -3,28 +3,50 @@
 
 use crate::math::{clamp, max, min, select};
 
-/// The share of the flux beyond `x` ≥ 0, of a trapezoid around 0 that is the convolution of boxes of the widths `wide` ≥ `narrow` > 0.
-#[inline(always)]
-fn tail(x: f32, wide: f32, narrow: f32) -> f32 {
-    let edge = 0.5 * (wide + narrow);
-    let slope = clamp(edge - x, 0.0, narrow);
-    (slope * (slope / narrow) * 0.5 + max(edge - x - narrow, 0.0)) / wide
+/// A trapezoid around 0 of area 1.
+#[derive(Clone, Copy)]
+pub struct Trapezoid {
+    /// Half its width.
+    pub half: f32,
+    /// Width of the narrower of the two boxes.
+    pub narrow: f32,
+    /// 1 / (2 · `narrow`).
+    pub slope: f32,
+    /// 1 / width of the wider box.
+    pub height: f32,
 }
 
-/// The share of the flux below `x`, 0 to 1, of a trapezoid around 0 that is the convolution of boxes of the widths `wide` ≥ `narrow` > 0.
-#[inline(always)]
-pub fn distribution(x: f32, wide: f32, narrow: f32) -> f32 {
-    let beyond = tail(max(x, -x), wide, narrow);
-    select(x >= 0.0, 1.0 - beyond, beyond)
+impl Trapezoid {
+    /// The convolution of boxes of the widths `first` and `second`; no box is taken to be narrower than `least`.
+    #[inline(always)]
+    pub fn new(first: f32, second: f32, least: f32) -> Self {
+        let (wide, narrow) = (max(max(first, second), least), max(min(first, second), least));
+        Self { half: 0.5 * (wide + narrow), narrow, slope: 0.5 / narrow, height: 1.0 / wide }
+    }
+
+    /// The share of the area below `x`, 0 to 1.
+    #[inline(always)]
+    fn distribution(&self, x: f32) -> f32 {
+        let within = self.half - max(x, -x);
+        let edge = clamp(within, 0.0, self.narrow);
+        let beyond = (edge * (edge * self.slope) + max(within - self.narrow, 0.0)) * self.height;
+        select(x >= 0.0, 1.0 - beyond, beyond)
+    }
+
+    /// The mean density over a pixel of width `filter` around `x`.
+    #[inline(always)]
+    pub fn filtered(&self, x: f32, filter: f32, inverse_filter: f32) -> f32 {
+        let half = 0.5 * filter;
+        (self.distribution(x + half) - self.distribution(x - half)) * inverse_filter
+    }
 }
+
+/// Width of the narrowest box, over the width of a pixel.
+pub const LEAST: f32 = 1e-4;
 
 /// The mean density of the flux over a pixel of width `filter` around `x`: the density of a beam's flux whose cross-section is projected to boxes
-/// of the widths `first` and `second`, in any order, filtered by the pixel. No box is taken to be narrower than a ten-thousandth of the
-/// pixel.
+/// of the widths `first` and `second`, in any order, filtered by the pixel.
 #[inline(always)]
 pub fn filtered(x: f32, first: f32, second: f32, filter: f32) -> f32 {
-    let least = 1e-4 * filter;
-    let (wide, narrow) = (max(max(first, second), least), max(min(first, second), least));
-    let half = 0.5 * filter;
-    (distribution(x + half, wide, narrow) - distribution(x - half, wide, narrow)) / filter
+    Trapezoid::new(first, second, LEAST * filter).filtered(x, filter, 1.0 / filter)
 }

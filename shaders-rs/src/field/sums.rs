@@ -6,6 +6,8 @@
 //! A sum has two words, 64 bits in two's complement: what the low word cannot hold is carried to the high one, so that no number
 //! of contributions makes it wrap.
 
+#[cfg(all(not(target_arch = "spirv"), target_has_atomic = "64"))]
+use core::sync::atomic::AtomicU64;
 #[cfg(not(target_arch = "spirv"))]
 use core::sync::atomic::Ordering;
 
@@ -16,6 +18,22 @@ use crate::math::{absolute, floor_to_int, select};
 pub trait Sums {
     /// Adds `value` to the word at `index` and returns the word before that; does nothing beyond the end.
     fn add(&mut self, index: usize, value: u32) -> u32;
+
+    /// Adds a number of 64 bits to the one whose low word is at `index`, which is even; does nothing beyond the end.
+    #[inline(always)]
+    fn add_pair(&mut self, index: usize, low: u32, high: u32) {
+        let before = self.add(index, low);
+        let high = high.wrapping_add((before.wrapping_add(low) < low) as u32);
+        if high != 0 {
+            self.add(index + 1, high);
+        }
+    }
+
+    /// As [`Self::add_pair`], for a number to which only invocations of one row of the dispatch add: a processor runs these one after the other.
+    #[inline(always)]
+    fn add_pair_of_row(&mut self, index: usize, low: u32, high: u32) {
+        self.add_pair(index, low, high);
+    }
 
     /// Sets the bits of `value` in the word at `index`; does nothing beyond the end.
     fn set(&mut self, index: usize, value: u32);
@@ -73,6 +91,37 @@ impl Sums for SharedSums<'_> {
         self.0.get(index).map_or(0, |word| word.fetch_add(value, Ordering::Relaxed))
     }
 
+    #[cfg(target_has_atomic = "64")]
+    #[inline(always)]
+    fn add_pair(&mut self, index: usize, low: u32, high: u32) {
+        let Some(words) = self.0.get(index..).and_then(|words| words.first_chunk::<2>()) else { return };
+        let pair = core::ptr::from_ref(words).cast::<AtomicU64>();
+        if pair.is_aligned() {
+            // SAFETY: the two words are alive for as long as the slice, aligned, and have the size of the pair; while the kernel runs all threads
+            // change them as the same pair. Little-endian hosts, which `kernel` asserts, have the low word first. One locked instruction
+            // instead of two or three.
+            unsafe { &*pair }.fetch_add((u64::from(high) << 32) | u64::from(low), Ordering::Relaxed);
+            return;
+        }
+        let before = self.add(index, low);
+        self.add(index + 1, high.wrapping_add(u32::from(before.wrapping_add(low) < low)));
+    }
+
+    #[cfg(target_has_atomic = "64")]
+    #[inline(always)]
+    fn add_pair_of_row(&mut self, index: usize, low: u32, high: u32) {
+        let Some(words) = self.0.get(index..).and_then(|words| words.first_chunk::<2>()) else { return };
+        let pair = core::ptr::from_ref(words).cast::<AtomicU64>();
+        if pair.is_aligned() {
+            // SAFETY: as in `add_pair`. Without a locked instruction, which takes longer than all the arithmetic of a beam's pixel.
+            let pair = unsafe { &*pair };
+            let value = (u64::from(high) << 32) | u64::from(low);
+            pair.store(pair.load(Ordering::Relaxed).wrapping_add(value), Ordering::Relaxed);
+        } else {
+            self.add_pair(index, low, high);
+        }
+    }
+
     #[inline(always)]
     fn set(&mut self, index: usize, value: u32) {
         // A look first: most bits are set more than once, and a locked instruction costs ten loads.
@@ -102,29 +151,33 @@ pub fn quantise(x: f32, scale: f32) -> i32 {
 /// Adds `value` to the sum whose low word is at `index`.
 #[inline(always)]
 pub fn add<S: Sums + ?Sized>(sums: &mut S, index: i32, value: i32) {
-    if value != 0 {
-        let low = value as u32;
-        let before = sums.add(index as usize, low);
-        let carry = (before.wrapping_add(low) < low) as u32;
-        let high = ((value >> 31) as u32).wrapping_add(carry);
-        if high != 0 {
-            sums.add(index as usize + 1, high);
-        }
+    add_words(sums, index, value as u32, (value >> 31) as u32);
+}
+
+/// The two words, the low one first, that `value` units add to a sum: rounded to the nearest unit, or from 2³⁰ units on to the nearest 2²⁰; at most
+/// 2⁵⁰ units.
+#[inline(always)]
+pub fn words(value: f32) -> (u32, u32) {
+    let large = absolute(value) >= 1_073_741_824.0;
+    let number = quantise(value, select(large, 1.0 / 1_048_576.0, 1.0));
+    let shift = if large { 20 } else { 0 };
+    // Two shifts, since a shift by 32 is undefined.
+    ((number as u32) << shift, ((number >> 1) >> (31 - shift)) as u32)
+}
+
+/// Adds a number of two words to the sum whose low word is at `index`, to which only invocations of one row of the dispatch add.
+#[inline(always)]
+pub fn add_words_of_row<S: Sums + ?Sized>(sums: &mut S, index: i32, low: u32, high: u32) {
+    if (low | high) != 0 {
+        sums.add_pair_of_row(index as usize, low, high);
     }
 }
 
-/// Adds `value`, in units, to the sum whose low word is at `index`, rounded to the nearest unit, or from 2³⁰ units on to the nearest 2²⁰;
-/// at most 2⁵⁰ units.
+/// Adds a number of two words to the sum whose low word is at `index`.
 #[inline(always)]
-pub fn add_large<S: Sums + ?Sized>(sums: &mut S, index: i32, value: f32) {
-    if absolute(value) < 1_073_741_824.0 {
-        add(sums, index, quantise(value, 1.0));
-    } else {
-        let parts = quantise(value, 1.0 / 1_048_576.0);
-        let low = (parts as u32) << 20;
-        let before = sums.add(index as usize, low);
-        let carry = (before.wrapping_add(low) < low) as u32;
-        sums.add(index as usize + 1, ((parts >> 12) as u32).wrapping_add(carry));
+pub fn add_words<S: Sums + ?Sized>(sums: &mut S, index: i32, low: u32, high: u32) {
+    if (low | high) != 0 {
+        sums.add_pair(index as usize, low, high);
     }
 }
 

@@ -72,16 +72,6 @@ pub(super) struct Block<const N: usize> {
     records: Records<N>,
 }
 
-/// The lanes of a block in rows of [`LANES`] columns or more: [`LANES`], of which the compiler can tell no more than that it is that number or 0.
-///
-/// Knowing the number, the compiler would unroll short loops instead of making vector code of them. Not knowing that there is at most one round
-/// of vector code, it would keep a loop around that round, and put every constant of the loop on the stack before it.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn whole() -> usize {
-    (usize::from(core::hint::black_box(1u16)) & 1) * LANES
-}
-
 /// The lanes of a block in rows of `width` columns.
 #[inline(always)]
 pub(super) fn lanes_in(width: u32) -> usize {

@@ -103,7 +103,8 @@ macro_rules! host {
                 // that is derived from uniforms is computed anew for every block.
                 let u: &Uniforms = bytemuck::from_bytes(chunk.uniforms);
                 match set {
-                    _ if (chunk.width as usize) < LANES => baseline(u, chunk),
+                    // Kernels that add have lanes of their own, if any.
+                    _ if (chunk.width as usize) < LANES && chunk.sums.is_empty() => baseline(u, chunk),
                     #[cfg(target_arch = "x86_64")]
                     // SAFETY: the machine has the instruction set, by the assertion above.
                     InstructionSet::Avx512 => unsafe { avx512(u, chunk) },
@@ -132,14 +133,14 @@ macro_rules! host {
     // Modes; a kernel without has the mode 0.
     (@modes $folder:ident []) => { &[0] };
     (@modes $folder:ident [$group:ident [$($mode:ident $(= $general:ident)?),*]]) => { &[$(crate::abi::$folder::$group::$mode),*] };
-    (@many $folder:ident [], $name:ident, $u:ident, $chunk:ident) => { rows::<false>($u, $chunk, 0, drive::whole()) };
+    (@many $folder:ident [], $name:ident, $u:ident, $chunk:ident) => { rows::<false>($u, $chunk, 0, crate::kernel::lanes::whole()) };
     (@many $folder:ident [$group:ident [$($mode:ident $(= $general:ident)?),*]], $name:ident, $u:ident, $chunk:ident) => {
         match $u.dispatch().mode {
-            $(crate::abi::$folder::$group::$mode => rows::<false>($u, $chunk, crate::abi::$folder::$group::$mode, drive::whole()),)*
+            $(crate::abi::$folder::$group::$mode => rows::<false>($u, $chunk, crate::abi::$folder::$group::$mode, crate::kernel::lanes::whole()),)*
             other => unreachable!("{} has no mode {other}", stringify!($name)),
         }
     };
-    (@few $folder:ident [], $name:ident, $u:ident, $chunk:ident) => { rows::<true>($u, $chunk, 0, drive::whole()) };
+    (@few $folder:ident [], $name:ident, $u:ident, $chunk:ident) => { rows::<true>($u, $chunk, 0, crate::kernel::lanes::whole()) };
     (@few $folder:ident [$group:ident [$($mode:ident $(= $general:ident)?),*]], $name:ident, $u:ident, $chunk:ident) => {{
         let general = match $u.dispatch().mode {
             $(crate::abi::$folder::$group::$mode => host!(@general $folder $group $mode $($general)?),)*
@@ -147,7 +148,7 @@ macro_rules! host {
         };
         match general {
             $(host!(@general $folder $group $mode $($general)?) =>
-                rows::<true>($u, $chunk, host!(@general $folder $group $mode $($general)?), drive::whole()),)*
+                rows::<true>($u, $chunk, host!(@general $folder $group $mode $($general)?), crate::kernel::lanes::whole()),)*
             other => unreachable!("{} has no mode {other}", stringify!($name)),
         }
     }};

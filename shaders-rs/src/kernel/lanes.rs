@@ -3,6 +3,15 @@
 use super::chunk::{Chunk, LANES};
 use crate::math::select;
 
+/// The lanes of a block in rows of [`LANES`] columns or more: [`LANES`], of which the compiler can tell no more than that it is that number or 0.
+///
+/// Knowing the number, the compiler would unroll short loops instead of making vector code of them. Not knowing that there is at most one round
+/// of vector code, it would keep a loop around that round, and put every constant of the loop on the stack before it.
+#[inline(always)]
+pub(crate) fn whole() -> usize {
+    (usize::from(core::hint::black_box(1u16)) & 1) * LANES
+}
+
 /// The column of a lane.
 #[inline(always)]
 pub(super) fn column(x: u32, lane: usize) -> u32 {

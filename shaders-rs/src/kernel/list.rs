@@ -105,20 +105,25 @@ kernels! {
             levels [WORK], reports work;
         trace_view(nodes: f32, corners: f32, materials: f32) updates pencil,
             levels [WORK], reports work;
-        store_beam(pencils: f32, pictures: f32) writes beam,
+        store_beam(pencils: f32, pictures: f32, materials: f32) writes beam,
             modes part [CAUSTIC, SHADOW];
         bound_beams(beams: f32) writes bundle;
         find_light(pencils: f32, nodes: f32, corners: f32, looks: f32, materials: f32) updates search,
             levels [WORK], reports work;
         see(pencils: f32, pictures: f32, corners: f32, looks: f32, materials: f32, searches: f32) updates sight,
             levels [WORK];
-        gather(pencils: f32, beams: f32, bundles: f32) updates sight,
+        gather(pencils: f32, beams: f32, bundles: f32, materials: f32) updates sight,
             levels [WORK];
         light_surface(pencils: f32, beams: f32, bundles: f32, corners: f32, looks: f32, materials: f32) updates sight,
             levels [WORK];
+        project_beam(beams: f32) writes projection;
         find_depths(sights: f32) writes depths;
         look_around(depths: f32) writes around;
-        scatter_beam(beams: f32, sights: f32, depths: f32) adds inscattered;
+        integrate_beam(beams: f32, materials: f32) writes optical_depth;
+        integrate_view(sights: f32, materials: f32) writes optical_depth;
+        add_depths(parts: f32) writes optical_depth;
+        scatter_beam(beams: f32, projections: f32, sights: f32, depths: f32, materials: f32, optical_depths: f32) adds inscattered,
+            modes medium [HOMOGENEOUS, VARYING];
         resolve(sights: f32, caustics: u32, shadows: u32) writes beam_pixel;
     }
     probe: ProbeUniforms {

@@ -30,7 +30,7 @@ mod drive;
 #[cfg(not(target_arch = "spirv"))]
 mod instruction_set;
 #[cfg(not(target_arch = "spirv"))]
-mod lanes;
+pub(crate) mod lanes;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use chunk::{Chunk, LANES, Window};

@@ -120,6 +120,11 @@ impl Pass {
         u64::from(end[0] - first[0]) * u64::from(end[1] - first[1])
     }
 
+    /// Whether its kernel adds to sums.
+    pub(super) fn adds(&self) -> bool {
+        self.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Add)
+    }
+
     /// The buffer that the pass writes.
     pub fn output(&self) -> Option<&Buffer> {
         let writes = |access: Access| matches!(access, Access::Write | Access::Update | Access::Add);

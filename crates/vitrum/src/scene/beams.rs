@@ -22,12 +22,16 @@ pub struct Beams {
     /// Straight pieces between bodies of a viewing ray's ways that are followed at most.
     #[schemars(range(min = 1, max = 32), extend("x-unit" = "pieces"))]
     pub views: u32,
+    /// Nodes of each straight piece at which the optical depth of a medium of varying density (`medium.density`) is known; between them it is taken to
+    /// grow evenly.
+    #[schemars(range(min = 2, max = 64), extend("x-unit" = "nodes"))]
+    pub nodes: u32,
     /// Whether wide beams are drawn in coarser pictures and interpolated.
     pub pyramid: bool,
 }
 
 impl Default for Beams {
     fn default() -> Self {
-        Self { rays: 64, segments: 8, bounces: 16, threshold: 0.001, views: 6, pyramid: true }
+        Self { rays: 64, segments: 8, bounces: 16, threshold: 0.001, views: 6, nodes: 16, pyramid: true }
     }
 }

@@ -106,6 +106,29 @@ record! {
 }
 
 record! {
+    /// The projection of a beam: its edge functions over the picture's pixels by the axes along which it is drawn, and the part of the major axis that it
+    /// covers, along which the middle's edge function changes more slowly.
+    projection: Projection {
+        /// 1 if the major axis points downwards, 0 if it points to the right.
+        steep: f32,
+        /// The edge function of the beam's middle, 0 on it: its factors along the major and the minor axis, and its constant.
+        middle: Vec3,
+        /// Change of the edge function over the texel along its first coordinate.
+        change_u: Vec3,
+        /// Change along its second coordinate.
+        change_v: Vec3,
+        /// The first column with any of the beam.
+        begin: f32,
+        /// The last column with any of the beam; before the first one where the beam does not show.
+        end: f32,
+        /// The first column across which the beam has no end.
+        inner_begin: f32,
+        /// The last one.
+        inner_end: f32,
+    }
+}
+
+record! {
     /// The depths of the viewing rays of a pixel of a level of the pyramid.
     depths: Depths {
         /// The least distance from the eye at which a ray ends, in voxels.
@@ -172,6 +195,8 @@ record! {
         depth: f32,
         /// Distance from the eye at which the ray enters the medium, in voxels.
         enters: f32,
+        /// Distance from the eye at which the first straight piece leaves the medium, or ends in it, in voxels.
+        leaves: f32,
         /// Radiance of surfaces and of the environment.
         radiance: Color,
         /// Radiance that the medium scatters out of the light of the source where nothing is in its way.
@@ -184,6 +209,15 @@ record! {
         coverage: f32,
         /// Unit normal at the first surface, along the grid's axes; 0 if there is none.
         normal: Vec3,
+    }
+}
+
+record! {
+    /// Optical depth at a node of a straight piece, over the extinction coefficient where the density is 1: the integral of the density along the
+    /// piece, in voxels.
+    optical_depth: OpticalDepth {
+        /// Up to the node, or over the part between it and the node before.
+        depth: f32,
     }
 }
 

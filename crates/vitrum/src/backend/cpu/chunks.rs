@@ -7,6 +7,9 @@ use vitrum_kernels::kernel::skip::Marks;
 use vitrum_kernels::kernel::{Access, Chunk, Element, InstructionSet, LANES, Skip, Window};
 use web_time::Instant;
 
+/// Invocations in a chunk of work of a kernel that adds, if rows are long.
+const CHUNK_INVOCATIONS: u32 = 1 << 13;
+
 /// Rows in a chunk of work: small enough to balance, large enough that handing it out costs nothing.
 const CHUNK_ROWS: u32 = 8;
 
@@ -103,7 +106,13 @@ pub(super) fn most_together(pass: &Pass) -> usize {
 fn chunk_rows(passes: &[PreparedPass]) -> u32 {
     let pass = passes[0].pass;
     let row = pass.width as usize * pass.kernel.declaration.components * 4;
-    if passes.len() > 1 { (CACHED_BYTES / row.max(1)).clamp(1, CHUNK_ROWS as usize) as u32 } else { CHUNK_ROWS }
+    if passes.len() > 1 {
+        (CACHED_BYTES / row.max(1)).clamp(1, CHUNK_ROWS as usize) as u32
+    } else if pass.adds() {
+        (CHUNK_INVOCATIONS / pass.width.max(1)).clamp(1, CHUNK_ROWS)
+    } else {
+        CHUNK_ROWS
+    }
 }
 
 /// Runs passes over all their rows, chunk by chunk.
@@ -117,7 +126,7 @@ pub(super) fn rows(passes: &[PreparedPass], set: InstructionSet, output: &mut [u
     }
     let chunk_rows = chunk_rows(passes);
     let chunk_len = width as usize * chunk_rows as usize;
-    let adds = pass.kernel.declaration.bindings.iter().any(|binding| binding.access == Access::Add);
+    let adds = pass.adds();
     let output = &mut output[pass.start as usize..];
     let (sums, output): (&[AtomicU32], &mut [u32]) = if adds { (shared(output), &mut []) } else { (&[], output) };
     let components = if adds { 0 } else { pass.kernel.declaration.components };

@@ -3,8 +3,11 @@
 //! `lattice.rs` places the rays of a light, `uniforms.rs` describes a frame to the kernels, `passes.rs` lists the passes: pencils of light become
 //! beams, beams are drawn, viewing rays see the rest.
 
+mod density;
+mod drawing;
 mod film;
 mod lattice;
+mod medium;
 mod passes;
 mod uniforms;
 
@@ -20,6 +23,7 @@ use crate::method::voxels::{self, UploadedMesh};
 use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools};
 use crate::scene::{MethodName, Scene, Surfaces};
 use crate::unrenderable::Unrenderable;
+use medium::MediumCache;
 use vitrum_kernels::abi::record::{beam, bundle};
 use vitrum_kernels::beams::tree::{ROW, rows};
 
@@ -32,6 +36,7 @@ pub struct Beams;
 struct BeamsCache {
     uploaded: Option<UploadedMesh>,
     frame: FrameCache,
+    medium: MediumCache,
 }
 
 /// The scene of the bodies, as rays run through their triangles: without shadow maps.
@@ -49,7 +54,8 @@ fn of_triangles(scene: &Scene) -> Scene {
 pub fn prepare(scene: &Scene, assets: &Assets, backend: &mut dyn Backend) -> Result<Frame, Error> {
     let mut tools = Tools { backend, progress: &mut |_| true };
     let uploaded = UploadedMesh::new(&of_triangles(scene), assets, &mut tools)?;
-    passes::list(scene, assets, &uploaded, &mut FrameCache::default(), tools.backend)
+    let mut cache = BeamsCache::default();
+    passes::list(scene, assets, &uploaded, &mut cache.frame, &mut cache.medium, tools.backend)
 }
 
 /// Checks that kernels can address the beams of a light, and the trees over them: they count words by a signed number.
@@ -99,11 +105,11 @@ impl Method for Beams {
         if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(&exact, mesh)) {
             *cache = BeamsCache::default();
         }
-        let BeamsCache { uploaded, frame } = cache;
+        let BeamsCache { uploaded, frame, medium } = cache;
         let uploaded = match uploaded {
             Some(uploaded) => uploaded,
             None => uploaded.insert(UploadedMesh::new(&exact, assets, tools)?),
         };
-        Ok(Box::new(passes::list(scene, assets, uploaded, frame, tools.backend)?))
+        Ok(Box::new(passes::list(scene, assets, uploaded, frame, medium, tools.backend)?))
     }
 }

@@ -1,6 +1,8 @@
 //! The pass list of a frame of beams.
 
+use super::drawing::{self, Picture};
 use super::lattice::{coarser, lattice};
+use super::medium::MediumCache;
 use super::of_triangles;
 use super::uniforms::{self, Surroundings};
 use crate::assets::Assets;
@@ -18,12 +20,12 @@ use crate::method::voxels::uploaded::shown;
 use crate::method::{Bounds, View};
 use crate::scene::{MethodName, Scene};
 use bytemuck::bytes_of;
-use vitrum_kernels::abi::beams::{BLOCK, BeamsUniforms, Lattice, Limits, flag, part};
+use vitrum_kernels::abi::beams::{BeamsUniforms, Lattice, Limits, flag, part};
 use vitrum_kernels::abi::dispatch::Dispatch;
-use vitrum_kernels::abi::record::{around, beam, beam_pixel, bundle, depths, inscattered, pencil, search, sight};
+use vitrum_kernels::abi::record::{beam, beam_pixel, bundle, inscattered, pencil, search, sight};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::voxels::STEPS;
-use vitrum_kernels::beams::pyramid::{pixels_below, rows_before, size};
+use vitrum_kernels::beams::pyramid::pixels_below;
 use vitrum_kernels::beams::tree::{ROW, rows};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
@@ -32,6 +34,9 @@ const NODES: u32 = 8 * STEPS as u32;
 
 /// Rays along each edge of the lattice whose beams are seen behind surfaces, at most.
 const VIEW_RAYS: u32 = 32;
+
+/// Columns of a dispatch at most: devices have a limit of 65,535 workgroups along each axis.
+const COLUMNS: u32 = 1 << 18;
 
 /// A frame of beams that is ready to run.
 pub struct Frame {
@@ -55,14 +60,14 @@ impl Frame {
 }
 
 /// A list of passes that is being written.
-struct List {
-    block: BeamsUniforms,
+pub(super) struct List {
+    pub(super) block: BeamsUniforms,
     passes: Vec<Pass>,
 }
 
 impl List {
     /// Adds a pass over `size` invocations, in a round; records are written from word `start` on.
-    fn add(
+    pub(super) fn add(
         &mut self,
         kernel: &'static Kernel,
         [width, height]: [u32; 2],
@@ -73,15 +78,17 @@ impl List {
         let mut block = self.block;
         block.dispatch = Dispatch { width, height, mode };
         block.limits.round = round;
-        self.passes.push(Pass {
-            kernel,
-            uniforms: bytes_of(&block).to_vec(),
-            buffers: buffers.iter().map(|&buffer| buffer.clone()).collect(),
-            width,
-            height,
-            start,
-            window: Window::whole(width, height),
-        });
+        for first in (0..width).step_by(COLUMNS as usize) {
+            self.passes.push(Pass {
+                kernel,
+                uniforms: bytes_of(&block).to_vec(),
+                buffers: buffers.iter().map(|&buffer| buffer.clone()).collect(),
+                width,
+                height,
+                start,
+                window: Window { first: [first, 0], end: [width.min(first + COLUMNS), height] },
+            });
+        }
     }
 }
 
@@ -94,16 +101,16 @@ struct Bodies {
 }
 
 /// The beams of a lattice of rays, in rounds: the first one has the shadow.
-struct Lit {
-    lattice: Lattice,
+pub(super) struct Lit {
+    pub(super) lattice: Lattice,
     pencils: Buffer,
-    beams: Buffer,
+    pub(super) beams: Buffer,
     bundles: Buffer,
-    limits: Limits,
+    pub(super) limits: Limits,
 }
 
 /// Floats from one round's records to those of the next, for `size` records of `components`: a pass's records start at such a multiple.
-fn pitch([width, height]: [u32; 2], components: usize) -> u64 {
+pub(super) fn pitch([width, height]: [u32; 2], components: usize) -> u64 {
     (u64::from(width) * u64::from(height) * components as u64).next_multiple_of(START_ALIGNMENT)
 }
 
@@ -145,7 +152,8 @@ impl Lit {
             }
             let mode = if round == 0 { part::SHADOW } else { part::CAUSTIC };
             let start = u64::from(self.limits.pitch) * u64::from(round);
-            list.add(&kernels::beams_store_beam, texels, (mode, round), &[&self.pencils, pictures, &self.beams], start);
+            let stored = [&self.pencils, pictures, &bodies.materials, &self.beams];
+            list.add(&kernels::beams_store_beam, texels, (mode, round), &stored, start);
             let start = u64::from(self.limits.bundle_pitch) * u64::from(round);
             let bound = [&self.beams, &self.bundles];
             list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
@@ -189,6 +197,7 @@ pub(super) fn list(
     assets: &Assets,
     uploaded: &UploadedMesh,
     cache: &mut FrameCache,
+    media: &mut MediumCache,
     backend: &mut dyn Backend,
 ) -> Result<Frame, Error> {
     let mesh = shown(assets, MethodName::Beams)?;
@@ -211,18 +220,20 @@ pub(super) fn list(
     flags |= if casts { flag::SHADOWS } else { 0 };
     let count = scene.beams.rays;
     let fine = if casts { lattice(&source, uploaded, count)? } else { Lattice::default() };
+    let materials = materials(&uploaded.bodies, mesh, &of_triangles(scene), uploaded.grid.voxel_size);
+    let medium = media.medium(scene, assets, (extent, uploaded.grid), materials, backend)?;
     let surroundings = Surroundings {
         environment: EnvironmentUniforms::new(&scene.environment, &pictures.environment, &view),
         receivers: Receivers::new(scene, &view, extent),
         light: light_source(light, &source, &view, uploaded.grid, texture),
         lattice: fine,
+        medium: medium.uniforms,
     };
     let block = uniforms::block(scene, uploaded, &view, extent, &surroundings, flags);
-    let materials = materials(&uploaded.bodies, mesh, &of_triangles(scene), uploaded.grid.voxel_size);
     let bodies = Bodies {
         nodes: uploaded.tree[0].clone(),
         corners: uploaded.tree[1].clone(),
-        materials: cache.materials(materials, backend)?,
+        materials: medium.materials,
         looks: cache.looks_buffer(scene, &looks, backend)?,
     };
     let scratch = &mut cache.scratch;
@@ -280,14 +291,11 @@ fn picture(
     let Size { width, height } = of_picture;
     let picture = [width, height];
     let levels = list.block.sums.levels;
-    let coarse = [size(of_picture, 1).width, rows_before(of_picture, levels + 1)];
     let words = u64::from(pixels_below(of_picture, levels + 1)) * inscattered::SIZE as u64;
     let mut zeros = |label: &'static str, words: u64| scratch.zeros(label, words.max(1) * 4, backend);
     let rays = zeros("viewing rays", pitch(picture, pencil::SIZE))?;
     let sights = zeros("sights", pitch(picture, sight::SIZE))?;
     let searches = zeros("searches for light", pitch(picture, search::SIZE))?;
-    let depths = zeros("depths", pitch(coarse, depths::SIZE))?;
-    let around = zeros("depths around", pitch(coarse, around::SIZE))?;
     let caustics = zeros("caustics", words)?;
     let shadows = zeros("shadows", words)?;
     let film = zeros("film", u64::from(width) * u64::from(height) * beam_pixel::SIZE as u64)?;
@@ -312,22 +320,21 @@ fn picture(
             }
             if let Some(second) = second.as_ref().filter(|_| round > 0) {
                 second.describe(list);
-                let gathered = [&rays, &second.beams, &second.bundles, &sights];
+                let gathered = [&rays, &second.beams, &second.bundles, materials, &sights];
                 list.add(&kernels::beams_gather, picture, (0, round), &gathered, 0);
             }
         }
     }
     if let Some((first, _)) = lit.filter(|_| needs.scattering) {
         first.describe(list);
-        if levels > 0 {
-            list.add(&kernels::beams_find_depths, coarse, (0, 0), &[&sights, &depths], 0);
-            list.add(&kernels::beams_look_around, coarse, (0, 0), &[&depths, &around], 0);
-        }
-        let blocks = [width.max(height).div_ceil(BLOCK), first.lattice.count * first.lattice.count];
-        for round in 0..=first.limits.last {
-            let sums = if round == 0 { &shadows } else { &caustics };
-            list.add(&kernels::beams_scatter_beam, blocks, (0, round), &[&first.beams, &sights, &around, sums], 0);
-        }
+        drawing::draw(
+            list,
+            first,
+            &Picture { sights: &sights, caustics: &caustics, shadows: &shadows },
+            materials,
+            scratch,
+            backend,
+        )?;
     }
     list.add(&kernels::beams_resolve, picture, (0, 0), &[&sights, &caustics, &shadows, &film], 0);
     Ok(film)

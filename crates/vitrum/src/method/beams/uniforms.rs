@@ -6,9 +6,9 @@ use crate::method::voxelize::Grid;
 use crate::method::voxels::UploadedMesh;
 use crate::method::voxels::uniforms::{camera_in, contact, receivers_in};
 use crate::method::{Bounds, View};
-use crate::scene::{Phase, Rgb, Scene};
+use crate::scene::Scene;
 use glam::DVec3;
-use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Sums, phase};
+use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Sums};
 use vitrum_kernels::abi::environment::Environment;
 use vitrum_kernels::abi::light::LightSource;
 use vitrum_kernels::abi::vector::{Size, Vec3};
@@ -16,10 +16,8 @@ use vitrum_kernels::beams::pyramid::{pixels_below, rows_before};
 
 /// Distance from the triangles up to which their box reaches, in voxels.
 const AROUND: f64 = 0.5;
-/// Half the edge of the medium's cube over the radius of the sphere around the meshes, where the scene does not say.
-const EXTENT: f64 = 12.0;
 /// Units of the sums in what a beam one pixel wide adds to a pixel at the depth of the bodies: wide beams and dim ones have enough, and contributions
-/// up to 2²⁶ times as large fit (see [`vitrum_kernels::field::sums::add_large`]).
+/// up to 2²⁶ times as large fit (see [`vitrum_kernels::field::sums::words`]).
 const UNITS: f64 = 16_777_216.0;
 
 /// Share of a viewing ray's radiance below which a part of it is not followed: less than the eye sees.
@@ -35,27 +33,7 @@ pub(super) struct Surroundings {
     pub(super) receivers: Receivers,
     pub(super) light: LightSource,
     pub(super) lattice: Lattice,
-}
-
-/// The medium in a grid's frame.
-fn medium(scene: &Scene, bounds: Bounds, grid: Grid) -> Medium {
-    let (centre, radius) = bounds.sphere();
-    let Some(medium) = &scene.medium else { return Medium::default() };
-    let half = medium.extent.map_or(EXTENT * radius, f64::from);
-    let voxel = grid.voxel_size as f32;
-    let scattering = medium.scattering;
-    let extinction: Rgb = std::array::from_fn(|channel| scattering[channel] + medium.absorption[channel]);
-    Medium {
-        extinction: extinction.map(|coefficient| coefficient * voxel).into(),
-        scattering: scattering.map(|coefficient| coefficient * voxel).into(),
-        anisotropy: medium.anisotropy,
-        phase: match medium.phase {
-            Phase::HenyeyGreenstein => phase::HENYEY_GREENSTEIN,
-            Phase::Rayleigh => phase::RAYLEIGH,
-        },
-        low: vector(grid.at(centre - half)),
-        high: vector(grid.at(centre + half)),
-    }
+    pub(super) medium: Medium,
 }
 
 /// Units of the sums in a radiance of 1.
@@ -115,7 +93,7 @@ pub(super) fn block(
             bounces: beams.bounces,
             ..Limits::default()
         },
-        medium: medium(scene, bounds, grid),
+        medium: surroundings.medium,
         receivers: receivers_in(grid, &surroundings.receivers, scene, view),
         environment: Environment { row_x, row_y, row_z, ..environment.block },
         ambient: scene.shading.ambient.into(),
