@@ -163,7 +163,7 @@ pub enum Unrenderable {
         /// The most voxels.
         limit: i32,
     },
-    /// The beams of a light, or the tree over them, are larger than a kernel can address.
+    /// The beams of a light, the tree over them, or optical depths along them are larger than a kernel can address.
     #[error(
         "beams.rays = {rays} and beams.segments = {segments} make records of beams of {bytes} bytes, kernels can address 2^33"
     )]
@@ -172,7 +172,7 @@ pub enum Unrenderable {
         rays: u32,
         /// Straight pieces of a ray's ways that become beams.
         segments: u32,
-        /// Bytes of the larger of the two.
+        /// Bytes of the largest of these.
         bytes: u64,
     },
     /// More clipping planes than a sweep can have.

@@ -152,11 +152,10 @@ fn of_paper(paper: Paper, arguments: &Arguments) -> Result<bool, Failure> {
         None => Box::new(adapter::open(&GpuOptions::new(arguments.adapter.as_deref()))?),
     };
     println!("{}\n- {}: {}\n", machine::description(), backend.name(), backend.adapter());
-    let text = match paper {
+    match paper {
         Paper::Sweep => of_sweep(arguments, backend.as_mut())?,
         Paper::Beams => of_beams(arguments, backend.as_mut())?,
-    };
-    println!("{text}");
+    }
     Ok(true)
 }
 
@@ -168,7 +167,7 @@ fn wants(arguments: &Arguments, name: &str) -> bool {
 const NO_ROW: &str = "the paper's table has no row of such a name";
 
 /// The table of the plane sweep's paper.
-fn of_sweep(arguments: &Arguments, backend: &mut dyn Backend) -> Result<String, Failure> {
+fn of_sweep(arguments: &Arguments, backend: &mut dyn Backend) -> Result<(), Failure> {
     let mut rows = Vec::new();
     for set in DATA_SETS.iter().filter(|set: &&DataSet| wants(arguments, set.name)) {
         let mut case = set.case(arguments.sizes()[0])?;
@@ -181,21 +180,22 @@ fn of_sweep(arguments: &Arguments, backend: &mut dyn Backend) -> Result<String, 
     if rows.is_empty() {
         return Err(Failure::Setup(NO_ROW.to_owned()));
     }
-    Ok(sweep::markdown(&rows))
+    println!("{}", sweep::markdown(&rows));
+    Ok(())
 }
 
-/// The tables of the beams' paper.
-fn of_beams(arguments: &Arguments, backend: &mut dyn Backend) -> Result<String, Failure> {
+/// The tables of the beams' paper, each as soon as it is there.
+fn of_beams(arguments: &Arguments, backend: &mut dyn Backend) -> Result<(), Failure> {
     let subjects: Vec<&OfBeams> = SUBJECTS.iter().filter(|subject| wants(arguments, subject.scene)).collect();
     if subjects.is_empty() {
         return Err(Failure::Setup(NO_ROW.to_owned()));
     }
     let sizes =
         Sizes { edges: arguments.sizes().to_vec(), rays: arguments.rays().to_vec(), frames: arguments.frames.into() };
-    let stages = beams::stages(&subjects, &sizes, backend)?;
-    let lights = beams::lights(&subjects, &sizes, backend)?;
-    let sizes = beams::sizes(&sizes, backend)?;
-    Ok(format!("Table 1\n\n{stages}\n\nTable 2\n\n{sizes}\n\nOne to four lights\n\n{lights}"))
+    println!("Table 1\n\n{}\n", beams::stages(&subjects, &sizes, backend)?);
+    println!("Table 2\n\n{}\n", beams::sizes(&sizes, backend)?);
+    println!("One to four lights\n\n{}", beams::lights(&subjects, &sizes, backend)?);
+    Ok(())
 }
 
 /// Writes the section of docs/benchmarks.md.

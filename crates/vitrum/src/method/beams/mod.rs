@@ -58,7 +58,7 @@ pub fn prepare(scene: &Scene, assets: &Assets, backend: &mut dyn Backend) -> Res
     passes::list(scene, assets, &uploaded, &mut cache.frame, &mut cache.medium, tools.backend)
 }
 
-/// Checks that kernels can address the beams of a light, and the trees over them: they count words by a signed number.
+/// Checks that kernels can address the beams of a light, the trees over them, and the optical depths along them: they count words by a signed number.
 ///
 /// # Errors
 /// [`Unrenderable::TooManyBeams`].
@@ -66,8 +66,10 @@ fn check_size(scene: &Scene) -> Result<(), Error> {
     let (rays, segments) = (scene.beams.rays, scene.beams.segments);
     let beams = u64::from(rays) * u64::from(rays) * beam::SIZE as u64;
     let tree = u64::from(rows(rays) * ROW) * bundle::SIZE as u64;
+    let varying = scene.medium.as_ref().is_some_and(|medium| medium.density.is_some());
+    let depths = if varying { u64::from(rays) * u64::from(rays) * u64::from(scene.beams.nodes) } else { 0 };
     // The shadow is a round of its own.
-    let words = beams.max(tree) * u64::from(segments + 1);
+    let words = beams.max(tree).max(depths) * u64::from(segments + 1);
     if words <= i32::MAX as u64 {
         return Ok(());
     }
