@@ -55,10 +55,7 @@ fn mistakes_in_scene_files_exit_3_and_name_the_line() {
         ("[beams]\nthreshold = -0.1", &["line 4", "`beams.threshold`", "found -0.1", "0 to 1"]),
         ("[beams]\nthreshold = nan", &["line 4", "`beams.threshold`", "found nan"]),
         ("[beams]\npyramid = 1", &["line 4", "`beams.pyramid`", "found 1"]),
-        (
-            "[beams]\nrays = 1024\nsegments = 64",
-            &["beams.rays = 1024", "beams.segments = 64", "lower `beams.segments`"],
-        ),
+        ("[beams]\nnodes = 1", &["line 4", "`beams.nodes`", "found 1", "2 to 64"]),
         ("[[material]]\nmirror = true\nopaque = true", &["`material.0.mirror`", "leave one of them out"]),
         ("[[material]]\nior = 0.5", &["line 4", "`material.0.ior`", "found 0.5", "1 to 4"]),
         ("[[clip]]\nnormal = [0, 0, 1]", &["`clip`", "leave `clip` out"]),
@@ -66,6 +63,10 @@ fn mistakes_in_scene_files_exit_3_and_name_the_line() {
         folder.write("scene.toml", scene(lines));
         folder.refuse(&["render", "scene.toml", "-o", "out.png"], 3, &[&["scene.toml"], words].concat());
     }
+    // Each is within its range, and both together are more than kernels can address.
+    folder.write("scene.toml", scene("[beams]\nrays = 1024\nsegments = 64"));
+    let words = ["beams.rays = 1024", "beams.segments = 64", "lower `beams.segments` or `beams.rays`"];
+    folder.refuse(&["render", "scene.toml", "-o", "out.png"], 3, &words);
 }
 
 #[test]
