@@ -232,17 +232,17 @@ lines! {
     SWEEP_BALL_MOST: "a ball swept as a volume bends rays by Snell's law", "96 voxels, rays inside 0.75 radii", "the direction of 98 % of rays, degrees", 0.788, 1.5;
     SWEEP_PLATES: "two plates swept as volumes: Beer–Lambert", "64 voxels", "the transmittance", 0.0044, 0.0083;
 
-    BEAMS_AIRLIGHT: AIRLIGHT, "three rays of length 20, as near to the lamp as 1", "the radiance, relative", 1e-5, 2e-5;
-    BEAMS_SHADOW_OF_DISKS: VOLUME_SHADOW, "level and tilted disks, 256² rays of light", "what the shadow takes away, relative", 1e-2, 2e-2;
-    BEAMS_SHADOW_OF_A_BALL: VOLUME_SHADOW, "a ball, 256² rays of light", "what the shadow takes away, relative", 1e-2, 2e-2;
-    BEAMS_SHARES: SHARES, "balls and a cube, clear, absorbing and mirroring, 48² rays of light", "the sum", 1e-4, 2e-4;
-    BEAMS_PLATE: PLATE_IN_FOG, "a plate of index 1.5, 64² rays of light, 384² pixels", "the flux, relative", 1e-4, 2e-4;
-    BEAMS_MIRROR: PLATE_IN_FOG, "a tilted mirror, 64² rays of light, 384² pixels", "the flux, relative", 1e-4, 2e-4;
-    BEAMS_BALL: BALL_IN_FOG, "g = 0, a lamp, 256² rays of light", RADIANCE_RMS, 1e-3, 2e-3;
-    BEAMS_BALL_FORWARD: BALL_IN_FOG, "g = 0.7, a lamp, 256² rays of light", RADIANCE_RMS, 1e-3, 2e-3;
-    BEAMS_PICTURE_32: PICTURE_IN_FOG, "32² rays of light", OF_BRIGHTEST, 1e-3, 2e-3;
-    BEAMS_PICTURE_64: PICTURE_IN_FOG, "64² rays of light", OF_BRIGHTEST, 1e-3, 2e-3;
-    BEAMS_NEPHROID: RING, "512² rays of light, viewing rays 10⁻⁴ wide", "the irradiance, relative", 1e-2, 2e-2;
-    BEAMS_RING: RING_IN_FOG, "parallel light, g = 0, 512² rays of light", RADIANCE_RMS, 1e-3, 2e-3;
-    BEAMS_SHIFT: "a lattice of light that is moved by a quarter of a texel shows the same picture of a ball's caustic", "64² rays of light, 128² pixels", OF_BRIGHTEST, 1e-3, 2e-3;
+    BEAMS_AIRLIGHT: AIRLIGHT, "three rays of length 20, as near to the lamp as 1", "the radiance, relative", 3.1e-5, 6.1e-5, elsewhere 1e-4;
+    BEAMS_SHADOW_OF_DISKS: VOLUME_SHADOW, "level and tilted disks, 256² rays of light", "what the shadow takes away, relative", 0.013, 0.015;
+    BEAMS_SHADOW_OF_A_BALL: VOLUME_SHADOW, "a ball, 256² rays of light", "what the shadow takes away, relative", 0.0057, 0.011;
+    BEAMS_SHARES: SHARES, "balls and a cube, clear, absorbing and mirroring, 48² rays of light", "the sum", 2.1e-7, 4.2e-7, elsewhere 1e-5;
+    BEAMS_PLATE: PLATE_IN_FOG, "a plate of index 1.5, 64² rays of light, 384² pixels", "the flux, relative", 2.6e-4, 5.1e-4;
+    BEAMS_MIRROR: PLATE_IN_FOG, "a tilted mirror, 64² rays of light, 384² pixels", "the flux, relative", 9.9e-5, 1.9e-4;
+    BEAMS_BALL: BALL_IN_FOG, "g = 0, a lamp, 256² rays of light", RADIANCE_RMS, 0.0017, 0.0034;
+    BEAMS_BALL_FORWARD: BALL_IN_FOG, "g = 0.7, a lamp, 256² rays of light", RADIANCE_RMS, 0.0044, 0.0088;
+    BEAMS_PICTURE_32: PICTURE_IN_FOG, "32² rays of light", OF_BRIGHTEST, 8.5e-4, 1.7e-3;
+    BEAMS_PICTURE_64: PICTURE_IN_FOG, "64² rays of light", OF_BRIGHTEST, 3.9e-4, 7.8e-4;
+    BEAMS_NEPHROID: RING, "512² rays of light, viewing rays 10⁻⁴ wide", "the irradiance, relative", 0.027, 0.03;
+    BEAMS_RING: RING_IN_FOG, "parallel light, g = 0, 512² rays of light", RADIANCE_RMS, 0.0051, 0.01;
+    BEAMS_SHIFT: "a lattice of light that is moved by a quarter of a texel shows the same picture of a ball's caustic", "64² rays of light, 128² pixels", OF_BRIGHTEST, 1.7e-4, 3.3e-4;
 }

@@ -13,7 +13,7 @@ const RADII: [f64; 3] = [0.2, 0.05, 0.0125];
 
 /// The least factor by which the difference from a crisp light falls when the source becomes a quarter as large. Samples lie evenly around the middle, so that the
 /// picture is of second order in the size where it is smooth. A texel at a body's outline is lit or not, and the outline's edge in the picture is a pixel wide:
-/// there squares are of first order, and the root of their mean of the order ½, by which the factor is 2. Found are 2.05 to 12.
+/// there squares are of first order, and the root of their mean of the order ½, by which the factor is 2. Found are 2.2 to 12.
 const LEAST: f64 = 1.8;
 
 /// The largest difference of the smallest source, over the brightest pixel, root mean square. Found are up to 4 · 10⁻⁴: the outline, see [`LEAST`].
