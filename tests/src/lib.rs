@@ -14,7 +14,7 @@
 //! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
 //! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome, [`refraction`]
 //! rays through meshes, [`shadow`] their shadows;
-//! [`accuracy`] makes tables and plots of both, [`docs`] what documents take from the code. [`bench`](mod@bench) times frames instead, [`paper`] those of the paper's table.
+//! [`accuracy`] makes tables and plots of both, [`docs`] what documents take from the code. [`bench`](mod@bench) times frames instead, [`paper`] those of the papers' tables.
 
 pub mod accuracy;
 pub mod adapter;

@@ -12,9 +12,9 @@ pub fn on_backend(error: &BackendError) -> Option<&'static str> {
         BackendError::Unsupported { .. } | BackendError::DeviceLost { .. } => {
             Some("use --backend cpu, or another adapter (--adapter)")
         }
-        BackendError::TooLarge { .. } | BackendError::OutOfMemory { .. } => {
-            Some("use --backend cpu, a smaller picture (--size) or a smaller volume")
-        }
+        BackendError::TooLarge { .. } | BackendError::OutOfMemory { .. } => Some(
+            "use --backend cpu, a smaller picture (--size), a smaller volume, or fewer `beams.rays` and `beams.segments`",
+        ),
         BackendError::VolumeLimit { asked_for: true, .. } => Some("allow as much (--memory-limit), or set no limit"),
         BackendError::VolumeLimit { asked_for: false, .. } => Some("use --backend cpu, or a smaller volume"),
         BackendError::Threads { .. } => Some("ask for fewer (--threads)"),

@@ -163,6 +163,18 @@ pub enum Unrenderable {
         /// The most voxels.
         limit: i32,
     },
+    /// The beams of a light, the tree over them, or optical depths along them are larger than a kernel can address.
+    #[error(
+        "beams.rays = {rays} and beams.segments = {segments} make records of beams of {bytes} bytes, kernels can address 2^33"
+    )]
+    TooManyBeams {
+        /// Rays of light along each edge of the lattice.
+        rays: u32,
+        /// Straight pieces of a ray's ways that become beams.
+        segments: u32,
+        /// Bytes of the largest of these.
+        bytes: u64,
+    },
     /// More clipping planes than a sweep can have.
     #[error("{count} clipping planes are given, at most {limit} are possible")]
     TooManyClips {
@@ -190,11 +202,14 @@ pub enum Unrenderable {
     /// A volume that is behind the camera as a whole.
     #[error("the whole volume is behind the camera")]
     BehindCamera,
-    /// A point or spot that casts shadows stands in the box around the mesh.
+    /// A point or spot that casts shadows stands in the box around the mesh, and perhaps in a body.
     #[error(
-        "the light at {position:?} stands inside the box around the mesh, from {low:?} to {high:?}, or less than {distance:.2e} away from it: its shadow map begins outside"
+        "{} at {position:?} stands inside the box around the mesh, from {low:?} to {high:?}, or less than {distance:.2e} away from it: light that casts shadows comes from outside",
+        light(.index)
     )]
     LightInMesh {
+        /// The number of the light, where it is known.
+        index: Option<usize>,
         /// The light's position, in the world.
         position: [f32; 3],
         /// The low corner of the box.
@@ -298,13 +313,14 @@ impl Unrenderable {
             Self::TooManyVoxels { .. } => "lower `voxelization.resolution`".to_owned(),
             Self::ShadowMapTooLarge { .. } => "lower `shadow.resolution`".to_owned(),
             Self::ShadowTooSoft { .. } => "lower `shadow.resolution`, of which a soft shadow needs less".to_owned(),
+            Self::TooManyBeams { .. } => "lower `beams.segments` or `beams.rays`".to_owned(),
             Self::TooManyClips { .. } => "leave some out".to_owned(),
             Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),
             Self::TooManyPlanes { .. } => "make it larger".to_owned(),
             Self::BehindCamera => "move camera.position or camera.target".to_owned(),
-            Self::LightInMesh { .. } => {
-                "move the light out of the box, or set its `shadows = false`: it then shines through the mesh"
-                    .to_owned()
+            Self::LightInMesh { index, .. } => {
+                let key = index.map_or("its `".to_owned(), |index| format!("`light.{index}."));
+                format!("move the light out of the box, or set {key}shadows = false`: it then shines through the mesh")
             }
             Self::NoTexture { .. } => {
                 "add the picture to `Assets::textures`, or read the assets by `Assets::load`".to_owned()
@@ -327,6 +343,11 @@ impl Unrenderable {
             }
         }
     }
+}
+
+/// A light, by its key where its number is known.
+fn light(index: &Option<usize>) -> String {
+    index.map_or("the light".to_owned(), |index| format!("light.{index}"))
 }
 
 /// The angle, in degrees, with as many decimals as show that it is not `limit`, and at least one.

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 use vitrum::backend::{Backend, CpuBackend, GpuOptions};
 use vitrum::preset;
 use vitrum_conformance::accuracy::{rewrite, write};
 use vitrum_conformance::bench::{self, Contender};
 use vitrum_conformance::case::Case;
-use vitrum_conformance::paper::{self, DATA_SETS, DataSet};
+use vitrum_conformance::paper::beams::{self, SUBJECTS, Sizes, Subject as OfBeams};
+use vitrum_conformance::paper::sweep::{self, DATA_SETS, DataSet};
 use vitrum_conformance::roofline::{Ceilings, markdown};
 use vitrum_conformance::{Failure, adapter, failure, golden, machine, root, scaling};
 use vitrum_kernels::kernel::InstructionSet;
@@ -37,9 +38,8 @@ struct Arguments {
     #[arg(long, value_name = "SUBSTRING")]
     scene: Vec<String>,
 
-    /// Pixels along each side of the picture
-    #[arg(long, value_name = "PIXELS", value_delimiter = ',', default_value = "512,1024",
-          value_parser = clap::value_parser!(u32).range(1..=16384))]
+    /// Pixels along each side of the picture; 512 and 1024 if absent
+    #[arg(long, value_name = "PIXELS", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=16384))]
     sizes: Vec<u32>,
 
     /// Frames that are timed, after one that is not
@@ -63,14 +63,52 @@ struct Arguments {
     #[arg(long, conflicts_with = "roofline")]
     scaling: bool,
 
-    /// Instead, Table 1 of the plane sweep's paper with stand-ins of the same dimensions, on the graphics adapter, or on the CPU where
-    /// --threads is given; `--sizes 512,768,1024` are its columns. --scene picks rows by the paper's names
-    #[arg(long, conflicts_with_all = ["roofline", "scaling", "builds", "volumes"])]
-    paper: bool,
+    /// Instead, the tables of a method's paper, on the graphics adapter, or on the CPU where --threads is given; of `sweep` if absent. --scene picks
+    /// rows. The sweep's has stand-ins of the same dimensions, and `--sizes 512,768,1024` are its columns; `--sizes 256,512,1024` are those of beams
+    #[arg(long, value_name = "METHOD", num_args = 0..=1, default_missing_value = "sweep", value_enum,
+          conflicts_with_all = ["roofline", "scaling", "builds", "volumes"])]
+    paper: Option<Paper>,
+
+    /// Rays of light along each edge of the caustics buffer, with `--paper beams`; 64 to 1024 if absent
+    #[arg(long, value_name = "RAYS", value_delimiter = ',', requires = "paper",
+          value_parser = clap::value_parser!(u32).range(4..=1024))]
+    rays: Vec<u32>,
+
+    /// With `--paper beams`, pictures of 256 x 256 pixels and buffers up to 256 x 256 rays where none are given: some minutes on two cores
+    #[arg(long, requires = "paper")]
+    quick: bool,
 
     /// Take the adapter whose name has this text in it (`vitrum devices` lists them)
     #[arg(long, value_name = "SUBSTRING")]
     adapter: Option<String>,
+}
+
+/// The papers whose tables are taken anew, by their methods.
+#[derive(Clone, Copy, ValueEnum)]
+enum Paper {
+    Sweep,
+    Beams,
+}
+
+impl Arguments {
+    /// Pixels along each side of the picture.
+    fn sizes(&self) -> &[u32] {
+        match (&self.sizes[..], self.paper) {
+            ([], Some(Paper::Beams)) if self.quick => &[256],
+            ([], Some(Paper::Beams)) => &[256, 512, 1024],
+            ([], _) => &[512, 1024],
+            (given, _) => given,
+        }
+    }
+
+    /// Rays along each edge of the caustics buffer.
+    fn rays(&self) -> &[u32] {
+        match &self.rays[..] {
+            [] if self.quick => &[64, 128, 256],
+            [] => &[64, 128, 256, 512, 1024],
+            given => given,
+        }
+    }
 }
 
 fn main() -> ExitCode {
@@ -81,8 +119,8 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     if arguments.scaling {
         return scaling(arguments);
     }
-    if arguments.paper {
-        return paper(arguments);
+    if let Some(paper) = arguments.paper {
+        return of_paper(paper, arguments);
     }
     let subjects = subjects(arguments)?;
     if arguments.roofline {
@@ -97,7 +135,7 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     let mut timings = Vec::new();
     for subject in subjects {
         let mut case = subject.open(arguments)?;
-        for &edge in &arguments.sizes {
+        for &edge in arguments.sizes() {
             case.resize(edge);
             eprintln!("{} at {edge} x {edge}", case.name);
             timings.extend(bench::measure(&case, &mut contenders, arguments.frames.into())?);
@@ -107,29 +145,57 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     Ok(timings.iter().all(bench::Timing::passed))
 }
 
-/// Prints the paper's table, taken anew.
-fn paper(arguments: &Arguments) -> Result<bool, Failure> {
+/// Prints a paper's tables, taken anew.
+fn of_paper(paper: Paper, arguments: &Arguments) -> Result<bool, Failure> {
     let mut backend: Box<dyn Backend> = match arguments.threads.first() {
         Some(&threads) => Box::new(CpuBackend::new(Some(threads.into()))?),
         None => Box::new(adapter::open(&GpuOptions::new(arguments.adapter.as_deref()))?),
     };
     println!("{}\n- {}: {}\n", machine::description(), backend.name(), backend.adapter());
-    let wants =
-        |set: &&DataSet| arguments.scene.is_empty() || arguments.scene.iter().any(|wanted| set.name.contains(wanted));
+    match paper {
+        Paper::Sweep => of_sweep(arguments, backend.as_mut())?,
+        Paper::Beams => of_beams(arguments, backend.as_mut())?,
+    }
+    Ok(true)
+}
+
+/// Whether a row of that name is wanted.
+fn wants(arguments: &Arguments, name: &str) -> bool {
+    arguments.scene.is_empty() || arguments.scene.iter().any(|wanted| name.contains(wanted))
+}
+
+const NO_ROW: &str = "the paper's table has no row of such a name";
+
+/// The table of the plane sweep's paper.
+fn of_sweep(arguments: &Arguments, backend: &mut dyn Backend) -> Result<(), Failure> {
     let mut rows = Vec::new();
-    for set in DATA_SETS.iter().filter(wants) {
-        let mut case = set.case(arguments.sizes[0])?;
-        for &edge in &arguments.sizes {
+    for set in DATA_SETS.iter().filter(|set: &&DataSet| wants(arguments, set.name)) {
+        let mut case = set.case(arguments.sizes()[0])?;
+        for &edge in arguments.sizes() {
             case.resize(edge);
             eprintln!("{} at {edge} x {edge}", case.name);
-            rows.push(paper::measure(set, &case, backend.as_mut(), arguments.frames.into())?);
+            rows.push(sweep::measure(set, &case, backend, arguments.frames.into())?);
         }
     }
     if rows.is_empty() {
-        return Err(Failure::Setup("the paper's table has no row of such a name".to_owned()));
+        return Err(Failure::Setup(NO_ROW.to_owned()));
     }
-    println!("{}", paper::markdown(&rows));
-    Ok(true)
+    println!("{}", sweep::markdown(&rows));
+    Ok(())
+}
+
+/// The tables of the beams' paper, each as soon as it is there.
+fn of_beams(arguments: &Arguments, backend: &mut dyn Backend) -> Result<(), Failure> {
+    let subjects: Vec<&OfBeams> = SUBJECTS.iter().filter(|subject| wants(arguments, subject.scene)).collect();
+    if subjects.is_empty() {
+        return Err(Failure::Setup(NO_ROW.to_owned()));
+    }
+    let sizes =
+        Sizes { edges: arguments.sizes().to_vec(), rays: arguments.rays().to_vec(), frames: arguments.frames.into() };
+    println!("Table 1\n\n{}\n", beams::stages(&subjects, &sizes, backend)?);
+    println!("Table 2\n\n{}\n", beams::sizes(&sizes, backend)?);
+    println!("One to four lights\n\n{}", beams::lights(&subjects, &sizes, backend)?);
+    Ok(())
 }
 
 /// Writes the section of docs/benchmarks.md.
@@ -156,7 +222,7 @@ fn roofline(arguments: &Arguments, subjects: Vec<Subject>) -> Result<bool, Failu
     for subject in subjects {
         let case = subject.open(arguments)?;
         let mut backend = CpuBackend::new(Some(threads))?;
-        println!("\n{} at {} x {}\n", case.name, arguments.sizes[0], arguments.sizes[0]);
+        println!("\n{} at {} x {}\n", case.name, arguments.sizes()[0], arguments.sizes()[0]);
         println!("{}", markdown(&case, &mut backend, ceilings)?);
     }
     Ok(true)
@@ -186,7 +252,7 @@ enum Subject {
 
 impl Subject {
     fn open(&self, arguments: &Arguments) -> Result<Case, Failure> {
-        let edge = arguments.sizes[0];
+        let edge = arguments.sizes()[0];
         match self {
             Self::Scene(name) => Case::builtin(name, edge, None, &[]).map(Case::without_light),
             Self::File(path) => Case::file(path, &arguments.preset, edge).map(Case::without_light),

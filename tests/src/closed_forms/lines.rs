@@ -94,6 +94,17 @@ const INTERREFLECTION: &str =
 const RADIANCE: &str = "the radiance of each pixel";
 const EXACT: &str = "triangles themselves";
 
+const AIRLIGHT: &str = "airlight of a lamp in fog, g = 0, ±0.7: σ_s I / h ∫ p(−sin q) exp(−σ_t (t + h / cos q)) dq";
+const VOLUME_SHADOW: &str = "volumetric shadows: the same over the part of the ray that a body hides";
+const SHARES: &str = "flux: escaped, received, absorbed, extinguished and lost light of a texel add up to 1, by Fresnel, and Beer and Lambert";
+const PLATE_IN_FOG: &str = "flux: light that a plate and a mirror send through fog, summed over the picture";
+const BALL_IN_FOG: &str = "single scattering behind a clear ball in fog, n = 1.5, along single rays, to nine digits";
+const PICTURE_IN_FOG: &str = "single scattering behind a clear ball in fog, n = 1.5, as a picture of 32² blocks";
+const RING: &str = "the nephroid of a mirroring ring on the floor: ρ E₀ sin e · R cos a / |R cos a − 2 s| for each ray";
+const RING_IN_FOG: &str = "single scattering of a mirroring ring's light in fog, along single rays";
+const RADIANCE_RMS: &str = "the radiance, relative, root mean square";
+const OF_BRIGHTEST: &str = "the radiance over the brightest, root mean square";
+
 #[rustfmt::skip]
 lines! {
     PARABOLA_POSITION: PARABOLA, CURVES, POSITION, 3.2e-6, 6.4e-6, elsewhere 2e-3;
@@ -220,4 +231,18 @@ lines! {
     SWEEP_BALL: "a ball swept as a volume bends rays by Snell's law", "96 voxels, rays inside 0.75 radii", "the direction of half the rays, degrees", 0.101, 0.2;
     SWEEP_BALL_MOST: "a ball swept as a volume bends rays by Snell's law", "96 voxels, rays inside 0.75 radii", "the direction of 98 % of rays, degrees", 0.788, 1.5;
     SWEEP_PLATES: "two plates swept as volumes: Beer–Lambert", "64 voxels", "the transmittance", 0.0044, 0.0083;
+
+    BEAMS_AIRLIGHT: AIRLIGHT, "three rays of length 20, as near to the lamp as 1", "the radiance, relative", 3.1e-5, 6.1e-5, elsewhere 1e-4;
+    BEAMS_SHADOW_OF_DISKS: VOLUME_SHADOW, "level and tilted disks, 256² rays of light", "what the shadow takes away, relative", 0.013, 0.015;
+    BEAMS_SHADOW_OF_A_BALL: VOLUME_SHADOW, "a ball, 256² rays of light", "what the shadow takes away, relative", 0.0057, 0.011;
+    BEAMS_SHARES: SHARES, "balls and a cube, clear, absorbing and mirroring, 48² rays of light", "the sum", 2.1e-7, 4.2e-7, elsewhere 1e-5;
+    BEAMS_PLATE: PLATE_IN_FOG, "a plate of index 1.5, 64² rays of light, 384² pixels", "the flux, relative", 2.6e-4, 5.1e-4;
+    BEAMS_MIRROR: PLATE_IN_FOG, "a tilted mirror, 64² rays of light, 384² pixels", "the flux, relative", 9.9e-5, 1.9e-4;
+    BEAMS_BALL: BALL_IN_FOG, "g = 0, a lamp, 256² rays of light", RADIANCE_RMS, 0.0017, 0.0034;
+    BEAMS_BALL_FORWARD: BALL_IN_FOG, "g = 0.7, a lamp, 256² rays of light", RADIANCE_RMS, 0.0044, 0.0088;
+    BEAMS_PICTURE_32: PICTURE_IN_FOG, "32² rays of light", OF_BRIGHTEST, 8.5e-4, 1.7e-3;
+    BEAMS_PICTURE_64: PICTURE_IN_FOG, "64² rays of light", OF_BRIGHTEST, 3.9e-4, 7.8e-4;
+    BEAMS_NEPHROID: RING, "512² rays of light, viewing rays 10⁻⁴ wide", "the irradiance, relative", 0.027, 0.03;
+    BEAMS_RING: RING_IN_FOG, "parallel light, g = 0, 512² rays of light", RADIANCE_RMS, 0.0051, 0.01;
+    BEAMS_SHIFT: "a lattice of light that is moved by a quarter of a texel shows the same picture of a ball's caustic", "64² rays of light, 128² pixels", OF_BRIGHTEST, 1.7e-4, 3.3e-4;
 }

@@ -2,7 +2,7 @@
 //!
 //! This table is the source of the first table of `docs/accuracy.md` (`cargo xtask docs`). No bound is more than twice the measured value. To
 //! refresh a value, take it from the failure's message, or list them all; nothing is held to the table then:
-//! `VITRUM_MEASURE=1 cargo test --release -p vitrum-conformance --test closed_forms --test refraction -- --nocapture | grep measured`.
+//! `VITRUM_MEASURE=1 cargo test --release -p vitrum-conformance --test closed_forms --test refraction --test beams -- --nocapture | grep measured`.
 
 use std::fmt;
 

@@ -6,12 +6,15 @@ mod ball_table;
 mod density;
 mod dispersion;
 mod flux;
+mod inside;
+mod lights;
 mod medium;
 mod mirror;
 mod mirror_table;
 mod picture;
 mod picture_table;
 mod shift;
+mod soft;
 mod surfaces;
 mod thin;
 

@@ -23,7 +23,10 @@ use crate::method::voxels::uploaded::shown;
 use crate::method::voxels::{self, UploadedMesh};
 use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools};
 use crate::scene::{MethodName, Scene, Surfaces};
+use crate::unrenderable::Unrenderable;
 use medium::MediumCache;
+use vitrum_kernels::abi::record::{beam, bundle};
+use vitrum_kernels::beams::tree::{ROW, rows};
 
 /// Beams of light in a medium.
 #[derive(Debug, Clone, Copy)]
@@ -56,6 +59,24 @@ pub fn prepare(scene: &Scene, assets: &Assets, backend: &mut dyn Backend) -> Res
     passes::list(scene, assets, &uploaded, &mut cache.frame, &mut cache.medium, tools.backend)
 }
 
+/// Checks that kernels can address the beams of a light, the trees over them, and the optical depths along them: they count words by a signed number.
+///
+/// # Errors
+/// [`Unrenderable::TooManyBeams`].
+fn check_size(scene: &Scene) -> Result<(), Error> {
+    let (rays, segments) = (scene.beams.rays, scene.beams.segments);
+    let beams = u64::from(rays) * u64::from(rays) * beam::SIZE as u64;
+    let tree = u64::from(rows(rays) * ROW) * bundle::SIZE as u64;
+    let varying = scene.medium.as_ref().is_some_and(|medium| medium.density.is_some());
+    let depths = if varying { u64::from(rays) * u64::from(rays) * u64::from(scene.beams.nodes) } else { 0 };
+    // The shadow is a round of its own.
+    let words = beams.max(tree).max(depths) * u64::from(segments + 1);
+    if words <= i32::MAX as u64 {
+        return Ok(());
+    }
+    Err(Unrenderable::TooManyBeams { rays, segments, bytes: words * 4 }.into())
+}
+
 impl Method for Beams {
     fn name(&self) -> MethodName {
         MethodName::Beams
@@ -66,6 +87,7 @@ impl Method for Beams {
     }
 
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error> {
+        check_size(scene)?;
         voxels::check(scene, assets, self.name())?;
         density::check(scene, assets)
     }

@@ -73,8 +73,11 @@ pub(in crate::method) fn check(scene: &Scene, assets: &Assets, mesh: &Mesh) -> R
             return Err(Unrenderable::NoTexture { index, path: path.clone() }.into());
         }
     }
-    for light in lights::crisp(scene, bounds).light.iter().filter(|light| light.shadows) {
-        Source::of(light, &view, bounds)?.check(corners)?;
+    for (index, light) in scene.light.iter().enumerate().filter(|(_, light)| light.shadows) {
+        let alone = Scene { light: vec![light.clone()], ..scene.clone() };
+        for sample in &lights::crisp(&alone, bounds).light {
+            Source::of(sample, &view, bounds)?.check(corners, Some(index))?;
+        }
     }
     Ok(())
 }

@@ -30,7 +30,7 @@ impl Frame {
     /// # Errors
     /// As [`Source::check`].
     pub(in crate::method) fn new(source: &Source, [low, high]: [DVec3; 2]) -> Result<Self, Error> {
-        source.check([low, high])?;
+        source.check([low, high], None)?;
         let centre = 0.5 * (low + high);
         let (direction, origin, unit_depth) = match *source {
             Source::Distant(direction) => (direction, centre, None),

@@ -54,17 +54,17 @@ impl Source {
         }
     }
 
-    /// Checks that all of a box can be seen from the source through a plane.
+    /// Checks that all of a box can be seen from the source through a plane. `index` is the number of the light, where it is known.
     ///
     /// # Errors
     /// [`Unrenderable::LightInMesh`] where the source stands inside the box, or next to it.
-    pub(in crate::method) fn check(&self, [low, high]: [DVec3; 2]) -> Result<(), Error> {
+    pub(in crate::method) fn check(&self, [low, high]: [DVec3; 2], index: Option<usize>) -> Result<(), Error> {
         let Some(position) = self.position() else { return Ok(()) };
         let least = NEAREST * (high - low).length();
         if (position.clamp(low, high) - position).length() >= least {
             return Ok(());
         }
         let [position, low, high] = [position, low, high].map(|point| point.as_vec3().to_array());
-        Err(Unrenderable::LightInMesh { position, low, high, distance: least as f32 }.into())
+        Err(Unrenderable::LightInMesh { index, position, low, high, distance: least as f32 }.into())
     }
 }

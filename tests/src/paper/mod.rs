@@ -1,0 +1,5 @@
+//! Tables of the papers that methods are made after, taken anew.
+
+pub mod beams;
+pub mod stages;
+pub mod sweep;
