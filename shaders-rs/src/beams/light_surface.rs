@@ -19,8 +19,6 @@ pub use crate::voxels::ray::level;
 
 /// The least sine of the angle between the edges of a cross-section in whose coordinates it is filtered.
 const WELL_SHAPED: f32 = 0.5;
-/// How far a pixel's filter reaches from its middle, over its longer edge: half an edge over [`WELL_SHAPED`], along two axes.
-const REACH: f32 = 1.0 / WELL_SHAPED;
 /// The least width of a pixel's filter, over that of the cross-section.
 const NARROW: f32 = 1e-3;
 
@@ -68,21 +66,52 @@ fn ending_at(u: &BeamsUniforms, bundles: &[f32], tree: &Tree, node: Node, point:
     near
 }
 
+/// A parallelogram on a surface, and coordinates in it, along its two edges.
+#[derive(Clone, Copy)]
+struct Frame {
+    normal: Vec3,
+    first: Vec3,
+    second: Vec3,
+    /// 1 / area, with the sign of the edges' orientation.
+    inverse: f32,
+}
+
+impl Frame {
+    #[inline(always)]
+    fn new(normal: Vec3, first: Vec3, second: Vec3) -> Self {
+        Self { normal, first, second, inverse: 1.0 / dot(cross(first, second), normal) }
+    }
+
+    /// The coordinates of a vector on the surface.
+    #[inline(always)]
+    fn of(&self, v: Vec3) -> (f32, f32) {
+        let along = dot(cross(v, self.second), self.normal) * self.inverse;
+        (along, dot(cross(self.first, v), self.normal) * self.inverse)
+    }
+}
+
 /// The density of a beam's flux on a surface, averaged over a pixel: the cross-section on the surface, a parallelogram with the edges `first` and `second`
 /// around 0, filtered by the pixel's own around `offset`, whose edges are `u` and `v`.
 #[inline(always)]
 fn density(n: Vec3, first: Vec3, second: Vec3, offset: Vec3, u: Vec3, v: Vec3) -> f32 {
-    let area = dot(cross(first, second), n);
-    let wide = absolute(area);
     let (length_first, length_second) = (length(first), length(second));
-    if wide > WELL_SHAPED * length_first * length_second {
+    let pixel = Frame::new(n, u, v);
+    let ((first_x, first_y), (second_x, second_y)) = (pixel.of(first), pixel.of(second));
+    let (across_x, across_y) = (absolute(first_x) + absolute(second_x), absolute(first_y) + absolute(second_y));
+    if (across_x < 1.0) & (across_y < 1.0) {
+        // Smaller than a pixel: the shares of neighbouring pixels add up to 1.
+        let (x, y) = pixel.of(offset);
+        let shares = filtered(x, absolute(first_x), absolute(second_x), 1.0)
+            * filtered(y, absolute(first_y), absolute(second_y), 1.0);
+        return shares * absolute(pixel.inverse);
+    }
+    let texel = Frame::new(n, first, second);
+    if absolute(dot(cross(first, second), n)) > WELL_SHAPED * length_first * length_second {
         // Coordinates in texels, in which the cross-section is a square: those of neighbours meet without a gap.
-        let inverse = 1.0 / area;
-        let across = |v: Vec3| (dot(cross(v, second), n) * inverse, dot(cross(first, v), n) * inverse);
-        let ((x, y), (u_x, u_y), (v_x, v_y)) = (across(offset), across(u), across(v));
+        let ((x, y), (u_x, u_y), (v_x, v_y)) = (texel.of(offset), texel.of(u), texel.of(v));
         let width_x = max(max(absolute(u_x), absolute(v_x)), NARROW);
         let width_y = max(max(absolute(u_y), absolute(v_y)), NARROW);
-        filtered(x, 1.0, 0.0, width_x) * filtered(y, 1.0, 0.0, width_y) * absolute(inverse)
+        filtered(x, 1.0, 0.0, width_x) * filtered(y, 1.0, 0.0, width_y) * absolute(texel.inverse)
     } else {
         // At a caustic's edge the cross-section is a thin line: along it and across.
         let is_first = length_first >= length_second;
@@ -158,8 +187,8 @@ pub fn invoke<const LEVEL: u32>(
     }
     let mut at_end = pencil;
     at_end.set_spread(pencil.spread().moved(pencil.distance).on_plane(d, end.point.plane));
-    // A beam shines on the pixel where any of the pixel is in its cross-section, as wide as the filter makes it.
-    let margin = SAME + REACH * max(length(at_end.position_u), length(at_end.position_v));
+    // A beam shines on the pixel where any of the pixel is in its cross-section.
+    let margin = SAME + 0.5 * (length(at_end.position_u) + length(at_end.position_v));
     let texels = (u.lattice.count * u.lattice.count) as i32;
     let mut light = Vec3::new(0.0, 0.0, 0.0);
     // Round 0 has the shadow, which the search for light finds sharper.
