@@ -168,7 +168,7 @@ fn beams_uniforms() -> Vec<Field> {
         step_upwards,
     });
     let of_limits = fields!(Limits {
-        same_distance, threshold, view_threshold, bounces, round, pitch, projection_pitch, bundle_pitch, last, axis,
+        same_distance, threshold, view_threshold, bounces, round, lit, pitch, projection_pitch, bundle_pitch, last, axis,
         estimator, depth_start, depth_pitch,
     });
     let of_medium = fields!(Medium {

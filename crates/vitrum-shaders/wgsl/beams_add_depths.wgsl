@@ -89,6 +89,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 member_12: u32,
+member_13: u32,
 }
 struct type_18 {
 member: type_5,

@@ -89,6 +89,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 member_12: u32,
+member_13: u32,
 }
 struct type_19 {
 member: type_5,
@@ -323,7 +324,7 @@ let _e216 = (((_e187 | (_e187 >> bitcast<u32>(8i))) & 65535u) * _e215);
 let _e217 = (((_e206 | (_e206 >> bitcast<u32>(8i))) & 65535u) * _e215);
 let _e219 = bitcast<i32>((_e89 * _e89));
 let _e223 = global_1.member.member_12.member_4;
-let _e227 = global_1.member.member_12.member_5;
+let _e227 = global_1.member.member_12.member_6;
 let _e229 = bitcast<i32>((_e223 * _e227));
 phi_274_ = _e217;
 phi_277_ = type_23(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));

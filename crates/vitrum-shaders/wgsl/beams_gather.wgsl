@@ -89,6 +89,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 member_12: u32,
+member_13: u32,
 }
 struct type_20 {
 member: type_5,
@@ -542,10 +543,10 @@ local_41 = _e896;
 local_42 = _e894;
 local_43 = _e894;
 local_44 = _e894;
-let _e902 = global_1.member.member_12.member_8;
+let _e902 = global_1.member.member_12.member_9;
 let _e903 = (_e898 <= _e902);
 if _e903 {
-let _e907 = global_1.member.member_12.member_5;
+let _e907 = global_1.member.member_12.member_6;
 let _e909 = bitcast<i32>((_e898 * _e907));
 phi_1912_ = 0u;
 loop {
@@ -622,7 +623,7 @@ break if !(_e951);
 let _e957 = local_28;
 let _e960 = local_29;
 let _e963 = local_30;
-let _e972 = global_1.member.member_12.member_7;
+let _e972 = global_1.member.member_12.member_8;
 phi_1982_ = 0u;
 loop {
 let _e975 = phi_1982_;

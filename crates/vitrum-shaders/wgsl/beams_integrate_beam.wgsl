@@ -89,6 +89,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 member_12: u32,
+member_13: u32,
 }
 struct type_18 {
 member: type_5,
@@ -172,7 +173,7 @@ let _e43 = global_1.member.member;
 if (_e34.x < _e43.member) {
 if (_e34.y < _e43.member_1) {
 let _e55 = global_1.member.member_12.member_4;
-let _e59 = global_1.member.member_12.member_5;
+let _e59 = global_1.member.member_12.member_6;
 let _e61 = bitcast<i32>((_e55 * _e59));
 let _e62 = bitcast<i32>(_e34.x);
 let _e66 = global_1.member.member.member;

@@ -89,6 +89,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 member_12: u32,
+member_13: u32,
 }
 struct type_19 {
 member: type_5,
@@ -184,7 +185,7 @@ let _e84 = global_1.member.member.member;
 let _e88 = global_1.member.member.member_1;
 let _e90 = bitcast<i32>((_e84 * _e88));
 let _e94 = global_1.member.member_12.member_4;
-let _e98 = global_1.member.member_12.member_5;
+let _e98 = global_1.member.member_12.member_6;
 let _e100 = bitcast<i32>((_e94 * _e98));
 let _e103 = bitcast<i32>(((_e65.y * _e84) + _e65.x));
 local_3 = _e100;
@@ -350,7 +351,7 @@ let _e439 = ((_e434 + (25i * _e435)) + _e438);
 let _e441 = select(_e108, _e439, (_e439 < _e108));
 let _e446 = global_3.member[bitcast<u32>(select(0i, _e441, (_e441 > 0i)))];
 let _e453 = select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < -2147483600f)), 2147483647i, (_e446 > 2147483500f)), (_e446 == _e446));
-let _e458 = global_1.member.member_12.member_10;
+let _e458 = global_1.member.member_12.member_11;
 if (_e458 == 1u) {
 phi_828_ = type_23(_e141, _e181, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), _e381, _e394, _e407, _e420, _e433, _e453);
 } else {

@@ -98,6 +98,8 @@ pub struct Limits {
     pub bounces: u32,
     /// Number of the straight piece in air, from 0 on over all ways of a ray, up to which rays are followed by a pass.
     pub round: u32,
+    /// The round of beams that light surfaces in a pass of [`crate::beams::light_surface`]: one at a time, since drivers end long loops.
+    pub lit: u32,
     /// Floats from the beams of one round to those of the next.
     pub pitch: u32,
     /// Floats from the projections of one round to those of the next.

@@ -96,11 +96,13 @@ impl Levels {
     #[inline(always)]
     pub fn new(u: &BeamsUniforms, drawn: &Drawn, covered: &Covered, first: i32, columns: i32) -> Self {
         let own = covered.level(u, drawn, first);
-        let beside = |first: i32| {
-            let is_block = (first >= 0) & (first < columns);
-            if is_block & covered.is_in_block(first) { covered.level(u, drawn, first) } else { own }
-        };
-        Self { first, left: beside(first - BLOCK as i32), own, right: beside(first + BLOCK as i32) }
+        let (left, right) = (first - BLOCK as i32, first + BLOCK as i32);
+        Self {
+            first,
+            left: if (left >= 0) & covered.is_in_block(left) { covered.level(u, drawn, left) } else { own },
+            own,
+            right: if (right < columns) & covered.is_in_block(right) { covered.level(u, drawn, right) } else { own },
+        }
     }
 
     /// The level in which a column along the major axis is drawn; columns are at most one block away.

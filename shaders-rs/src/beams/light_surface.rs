@@ -161,7 +161,7 @@ fn shining(u: &BeamsUniforms, beam: &Beam, end: &Ending, direction: Vec3, pencil
     beam.flux * transmittance(&u.medium, fog) * (density * strength * (1.0 / PI))
 }
 
-/// What the pixel sees, with the light of beams on the surface.
+/// What the pixel sees, with the light of a round's beams on the surface.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     x: u32,
@@ -191,30 +191,25 @@ pub fn invoke<const LEVEL: u32>(
     let margin = SAME + 0.5 * (length(at_end.position_u) + length(at_end.position_v));
     let texels = (u.lattice.count * u.lattice.count) as i32;
     let mut light = Vec3::new(0.0, 0.0, 0.0);
-    // Round 0 has the shadow, which the search for light finds sharper.
-    let mut round = 1;
-    while round <= u.limits.last {
-        let first = (round * u.limits.pitch) as i32;
-        let tree = Tree::of_round(u, round);
-        let mut node = tree.first();
-        while tree.holds(node) {
-            let met = ends_at(bundles, &tree, node, end.point.position, margin);
-            if met & (node.level > tree.lowest()) {
-                node = node.below();
-            } else {
-                let near = if met { ending_at(u, bundles, &tree, node, end.point.position, margin) } else { 0 };
-                let mut lane = 0;
-                while near >> lane != 0 {
-                    if (near >> lane) & 1 != 0 {
-                        let beam = beam_of(beams, first, tree.texel(node, lane, u.lattice.count).number, texels);
-                        light += shining(u, &beam, &end, d, &at_end, materials);
-                    }
-                    lane += 1;
+    let first = (u.limits.lit * u.limits.pitch) as i32;
+    let tree = Tree::of_round(u, u.limits.lit);
+    let mut node = tree.first();
+    while tree.holds(node) {
+        let met = ends_at(bundles, &tree, node, end.point.position, margin);
+        if met & (node.level > tree.lowest()) {
+            node = node.below();
+        } else {
+            let near = if met { ending_at(u, bundles, &tree, node, end.point.position, margin) } else { 0 };
+            let mut lane = 0;
+            while near >> lane != 0 {
+                if (near >> lane) & 1 != 0 {
+                    let beam = beam_of(beams, first, tree.texel(node, lane, u.lattice.count).number, texels);
+                    light += shining(u, &beam, &end, d, &at_end, materials);
                 }
-                node = node.behind(tree.root);
+                lane += 1;
             }
+            node = node.behind(tree.root);
         }
-        round += 1;
     }
     let dimmed = transmittance(&u.medium, optical_depth(&u.medium, materials, piece.from, d, 0.0, piece.far));
     seen.radiance += light * end.point.color * dimmed * piece.weight;

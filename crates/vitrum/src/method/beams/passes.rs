@@ -316,7 +316,11 @@ fn picture(
             if needs.surfaces {
                 first.describe(list);
                 let lights = [&rays, &first.beams, &first.bundles, corners, looks, materials, &sights];
-                list.add(&kernels::beams_light_surface, picture, (0, round), &lights, 0);
+                // The first round is the shadow, which the search for light finds sharper.
+                for lit in 1..=first.limits.last {
+                    list.block.limits.lit = lit;
+                    list.add(&kernels::beams_light_surface, picture, (0, round), &lights, 0);
+                }
             }
             if let Some(second) = second.as_ref().filter(|_| round > 0) {
                 second.describe(list);
