@@ -12,7 +12,7 @@ use vitrum::Assets;
 use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::sweep::Sweep;
 use vitrum::method::{self, Cache, Job, PreparedFrame, Tools};
-use vitrum_io::{Mesh, Picture};
+use vitrum_io::{Mesh, Picture, Volume, Voxels};
 use vitrum_kernels::abi::record::{inscattered, sums};
 use vitrum_kernels::field::sums::to_number;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
@@ -202,8 +202,33 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
                 ],
             )?
         },
+        // A clear ball in a medium whose density is a volume.
+        Case {
+            assets: Assets { density: Some(Arc::new(cloud()?)), ..Assets::from(ball.clone()) },
+            ..case(
+                "mesh beams density",
+                &ball,
+                &[
+                    "method=beams",
+                    "light.0={kind='point',position=[2,-1,3],intensity=20}",
+                    "medium={scattering=[0.3,0.4,0.5],absorption=[0.1,0.05,0.02],phase='tabulated',phase_values=[4,2,1,1.5]}",
+                    "medium.density.builtin='smoke'",
+                    "beams.rays=12",
+                    "beams.segments=4",
+                    "beams.nodes=5",
+                ],
+            )?
+        },
         case("mesh nested exact", &nested, &["voxels.surfaces=exact", "voxels.reflection=false"])?,
     ])
+}
+
+/// A density of another number of voxels along each axis, around the origin.
+fn cloud() -> Result<Volume, Failure> {
+    let density = |[x, y, z]: [u8; 3]| f32::from((x * 7 + y * 5 + z * 3) % 11) / 10.0;
+    let values =
+        (0..9u8).flat_map(|z| (0..8).flat_map(move |y| (0..7).map(move |x| density([x, y, z])))).collect::<Vec<_>>();
+    Ok(Volume::new("cloud", [7, 8, 9], [0.5, 0.45, 0.4], Voxels::F32(values.into()))?)
 }
 
 /// A mesh, and the picture `slide.png` for a spot to project.

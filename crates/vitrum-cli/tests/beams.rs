@@ -81,7 +81,7 @@ fn settings_with_mistakes_exit_2() {
         ("medium.scattering=[-1,0,0]", &["`medium.scattering.0`", "found -1"][..]),
         ("medium.anisotropy=1", &["`medium.anisotropy`", "found 1", "-0.99 to 0.99"]),
         ("medium.anisotropy=nan", &["`medium.anisotropy`", "found nan"]),
-        ("medium.density={builtin='bal'}", &["`medium.density", "bal"]),
+        ("medium.density_window=[0,1]", &["`medium.density_window`", "`medium.density` is not given"]),
         ("beams.rays=31623", &["`beams.rays`", "found 31623", "4 to 1024"]),
         ("beams.ray=64", &["did you mean `beams.rays`?"]),
         ("method=voxels", &["`medium`", "the method `voxels` renders no participating medium", "method = \"beams\""]),

@@ -4,7 +4,7 @@ use super::drawn::Drawn;
 use super::store_beam::{beam_of, has_flux};
 use crate::abi::beams::{BeamsUniforms, estimator};
 use crate::abi::record::{Beam, Projection, projection};
-use crate::math::{absolute, clamp, dot, max, min, select, xyz};
+use crate::math::{absolute, clamp, dot, max, min, select, select_vector, xyz};
 use spirv_std::glam::Vec3;
 
 /// Depth in front of the eye from which on a beam is projected, in voxels.
@@ -71,15 +71,17 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
     let end = max(a.major + a.reach, b.major + b.reach);
     // A ray of light that goes through the eye is a point in the picture.
     let shows = has_flux(beams, first, number, count) & (drawn.filter > 0.0) & (high > low);
+    // A beam without flux has no place either, and its edge functions may be any numbers.
+    let none = Vec3::new(0.0, 0.0, 0.0);
     Projection {
-        steep: select(drawn.steep, 1.0, 0.0),
-        middle: drawn.middle.vector(),
-        change_u: drawn.change_u.vector(),
-        change_v: drawn.change_v.vector(),
+        steep: select(shows & drawn.steep, 1.0, 0.0),
+        middle: select_vector(shows, drawn.middle.vector(), none),
+        change_u: select_vector(shows, drawn.change_u.vector(), none),
+        change_v: select_vector(shows, drawn.change_v.vector(), none),
         begin: select(shows, begin, 0.0),
         end: select(shows, end, -1.0),
-        inner_begin: select(backwards, b.major + b.reach, a.major + a.reach),
-        inner_end: select(backwards, a.major - a.reach, b.major - b.reach),
+        inner_begin: select(shows, select(backwards, b.major + b.reach, a.major + a.reach), 0.0),
+        inner_end: select(shows, select(backwards, a.major - a.reach, b.major - b.reach), 0.0),
     }
     .store()
 }
