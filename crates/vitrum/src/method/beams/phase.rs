@@ -40,7 +40,8 @@ mod tests {
 
     /// Henyey and Greenstein's function over the isotropic one, at the cosine `cosine`.
     fn henyey_greenstein(g: f64, cosine: f64) -> f64 {
-        (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5)
+        let base = 1.0 + g * g - 2.0 * g * cosine;
+        (1.0 - g * g) / (base * base.sqrt())
     }
 
     #[test]
