@@ -202,6 +202,35 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
                 ],
             )?
         },
+        // The same by the estimator for comparison.
+        case(
+            "mesh beams march",
+            &ball,
+            &[
+                "method=beams",
+                "light.0={kind='point',position=[2,-1,3],intensity=20}",
+                "medium={scattering=[0.1,0.2,0.3],absorption=[0.03,0.02,0.01]}",
+                "beams.rays=12",
+                "beams.segments=2",
+                "beams.estimator=hu2010",
+                "beams.filter_radius=1.5",
+            ],
+        )?,
+        // Light that is scattered up to three times.
+        case(
+            "mesh beams multiple",
+            &nested,
+            &[
+                "method=beams",
+                "material=[{name=\"m1\",mirror=true,color=[0.9,0.8,0.7]},{ior=1.4,attenuation_color=[0.5,0.7,0.9]}]",
+                "light.0={kind='point',position=[2,-1,3],intensity=20}",
+                "medium={scattering=[0.4,0.5,0.6],absorption=[0.03,0.02,0.01],anisotropy=0.5,extent=4}",
+                "ground={}",
+                "beams.rays=12",
+                "beams.segments=3",
+                "beams.orders=3",
+            ],
+        )?,
         // A clear ball in a medium whose density is a volume.
         Case {
             assets: Assets { density: Some(Arc::new(cloud()?)), ..Assets::from(ball.clone()) },
@@ -216,6 +245,7 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
                     "beams.rays=12",
                     "beams.segments=4",
                     "beams.nodes=5",
+                    "beams.orders=2",
                 ],
             )?
         },

@@ -3,17 +3,21 @@
 modules! {
     beams_add_depths
     beams_bound_beams
+    beams_deposit_beam
+    beams_exchange_light
     beams_find_depths
     beams_find_light
     beams_gather
     beams_integrate_beam
     beams_integrate_view
+    beams_light_cell
     beams_light_surface
     beams_look_around
     beams_project_beam
     beams_resolve
     beams_scatter_beam
     beams_see
+    beams_see_cells
     beams_store_beam
     beams_trace_light
     beams_trace_view

@@ -90,6 +90,9 @@ member_10: u32,
 member_11: u32,
 member_12: u32,
 member_13: u32,
+member_14: f32,
+member_15: f32,
+member_16: f32,
 }
 struct type_18 {
 member: type_5,
@@ -118,6 +121,12 @@ member_8: u32,
 member_9: u32,
 }
 struct type_20 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_21 {
 member: type_2,
 member_1: type_15,
 member_2: type_4,
@@ -137,32 +146,33 @@ member_15: type_6,
 member_16: type_5,
 member_17: u32,
 member_18: type_19,
+member_19: type_20,
 }
-struct type_21 {
-member: type_20,
+struct type_22 {
+member: type_21,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_21;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
 var<storage> global_2: type_13;
 @group(0) @binding(2)
 var<storage, read_write> global_3: type_13;
 fn function_() {
-var phi_85_: u32;
-var phi_88_: f32;
 var phi_86_: u32;
 var phi_89_: f32;
+var phi_87_: u32;
+var phi_90_: f32;
 var local: f32;
 let _e11 = global;
 let _e16 = global_1.member.member;
 if (_e11.x < _e16.member) {
 if (_e11.y < _e16.member_1) {
-phi_85_ = 0u;
-phi_88_ = 0f;
+phi_86_ = 0u;
+phi_89_ = 0f;
 loop {
-let _e26 = phi_85_;
-let _e28 = phi_88_;
+let _e26 = phi_86_;
+let _e28 = phi_89_;
 local = _e28;
 let _e29 = (_e26 <= _e11.y);
 if _e29 {
@@ -171,18 +181,18 @@ let _e36 = bitcast<i32>(((_e26 * _e33) + _e11.x));
 let _e38 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
 let _e40 = select(_e38, _e36, (_e36 < _e38));
 let _e46 = global_2.member[bitcast<u32>(select(0i, _e40, (_e40 > 0i)))];
-phi_86_ = (_e26 + 1u);
-phi_89_ = (_e28 + _e46);
+phi_87_ = (_e26 + 1u);
+phi_90_ = (_e28 + _e46);
 } else {
-phi_86_ = u32();
-phi_89_ = f32();
+phi_87_ = u32();
+phi_90_ = f32();
 }
-let _e50 = phi_86_;
-let _e52 = phi_89_;
+let _e50 = phi_87_;
+let _e52 = phi_90_;
 continue;
 continuing {
-phi_85_ = _e50;
-phi_88_ = _e52;
+phi_86_ = _e50;
+phi_89_ = _e52;
 break if !(_e29);
 }
 }

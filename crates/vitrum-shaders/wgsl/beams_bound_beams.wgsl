@@ -90,6 +90,9 @@ member_10: u32,
 member_11: u32,
 member_12: u32,
 member_13: u32,
+member_14: f32,
+member_15: f32,
+member_16: f32,
 }
 struct type_19 {
 member: type_5,
@@ -118,6 +121,12 @@ member_8: u32,
 member_9: u32,
 }
 struct type_21 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_22 {
 member: type_2,
 member_1: type_16,
 member_2: type_4,
@@ -137,17 +146,18 @@ member_15: type_6,
 member_16: type_5,
 member_17: u32,
 member_18: type_20,
-}
-struct type_22 {
-member: type_21,
+member_19: type_21,
 }
 struct type_23 {
+member: type_22,
+}
+struct type_24 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_22;
+var<storage> global_1: type_23;
 @group(0) @binding(2)
 var<storage, read_write> global_2: type_13;
 @group(0) @binding(1)
@@ -159,73 +169,73 @@ var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
-var phi_150_: u32;
 var phi_151_: u32;
+var phi_152_: u32;
 var local_6: u32;
 var local_7: u32;
-var phi_172_: u32;
-var phi_180_: u32;
+var phi_173_: u32;
 var phi_181_: u32;
+var phi_182_: u32;
 var local_8: u32;
 var local_9: u32;
-var phi_209_: u32;
 var phi_210_: u32;
+var phi_211_: u32;
 var local_10: u32;
 var local_11: u32;
 var local_12: u32;
 var local_13: u32;
-var phi_274_: u32;
-var phi_277_: type_23;
-var phi_279_: type_23;
-var phi_281_: type_23;
-var phi_283_: type_23;
-var phi_292_: u32;
+var phi_275_: u32;
+var phi_278_: type_24;
+var phi_280_: type_24;
+var phi_282_: type_24;
+var phi_284_: type_24;
 var phi_293_: u32;
+var phi_294_: u32;
 var local_14: u32;
 var local_15: u32;
-var phi_310_: u32;
 var phi_311_: u32;
+var phi_312_: u32;
 var local_16: u32;
 var local_17: u32;
-var phi_333_: u32;
 var phi_334_: u32;
-var phi_346_: u32;
+var phi_335_: u32;
 var phi_347_: u32;
+var phi_348_: u32;
 var local_18: u32;
 var local_19: u32;
 var local_20: u32;
-var phi_374_: u32;
-var phi_377_: type_23;
-var phi_379_: type_23;
-var phi_381_: type_23;
-var phi_383_: type_23;
-var phi_1508_: type_23;
-var phi_1509_: type_23;
-var phi_1510_: type_23;
-var phi_1511_: type_23;
-var phi_1512_: type_23;
 var phi_375_: u32;
-var phi_378_: type_23;
-var phi_380_: type_23;
-var phi_382_: type_23;
-var phi_384_: type_23;
-var phi_275_: u32;
-var phi_278_: type_23;
-var phi_280_: type_23;
-var phi_282_: type_23;
-var phi_284_: type_23;
-var local_21: type_23;
-var local_22: type_23;
-var local_23: type_23;
-var local_24: type_23;
-var local_25: type_23;
-var local_26: type_23;
-var local_27: type_23;
-var local_28: type_23;
-var local_29: type_23;
-var local_30: type_23;
-var local_31: type_23;
-var local_32: type_23;
+var phi_378_: type_24;
+var phi_380_: type_24;
+var phi_382_: type_24;
+var phi_384_: type_24;
+var phi_1509_: type_24;
+var phi_1510_: type_24;
+var phi_1511_: type_24;
+var phi_1512_: type_24;
+var phi_1513_: type_24;
+var phi_376_: u32;
+var phi_379_: type_24;
+var phi_381_: type_24;
+var phi_383_: type_24;
+var phi_385_: type_24;
+var phi_276_: u32;
+var phi_279_: type_24;
+var phi_281_: type_24;
+var phi_283_: type_24;
+var phi_285_: type_24;
+var local_21: type_24;
+var local_22: type_24;
+var local_23: type_24;
+var local_24: type_24;
+var local_25: type_24;
+var local_26: type_24;
+var local_27: type_24;
+var local_28: type_24;
+var local_29: type_24;
+var local_30: type_24;
+var local_31: type_24;
+var local_32: type_24;
 let _e70 = global;
 let _e76 = global_1.member.member;
 if (_e70.x < _e76.member) {
@@ -233,21 +243,21 @@ if (_e70.y < _e76.member_1) {
 let _e83 = (_e76.member * _e76.member_1);
 let _e85 = ((_e70.y * _e76.member) + _e70.x);
 let _e89 = global_1.member.member_11.member;
-phi_150_ = 0u;
+phi_151_ = 0u;
 loop {
-let _e91 = phi_150_;
+let _e91 = phi_151_;
 local_6 = _e91;
 local_7 = _e91;
 let _e95 = ((1u << bitcast<u32>((_e91 & 31u))) < _e89);
 if _e95 {
-phi_151_ = (_e91 + 1u);
+phi_152_ = (_e91 + 1u);
 } else {
-phi_151_ = u32();
+phi_152_ = u32();
 }
-let _e98 = phi_151_;
+let _e98 = phi_152_;
 continue;
 continuing {
-phi_150_ = _e98;
+phi_151_ = _e98;
 break if !(_e95);
 }
 }
@@ -255,27 +265,27 @@ let _e101 = local_6;
 let _e104 = local_7;
 let _e109 = global_1.member.member.member;
 let _e111 = ((_e70.y * _e109) + _e70.x);
-phi_172_ = 0u;
+phi_173_ = 0u;
 loop {
-let _e113 = phi_172_;
+let _e113 = phi_173_;
 let _e115 = (_e113 + 1u);
-phi_180_ = 0u;
+phi_181_ = 0u;
 local_12 = _e113;
 local_13 = _e113;
 loop {
-let _e117 = phi_180_;
+let _e117 = phi_181_;
 local_8 = _e117;
 local_9 = _e117;
 let _e121 = ((1u << bitcast<u32>((_e117 & 31u))) < _e89);
 if _e121 {
-phi_181_ = (_e117 + 1u);
+phi_182_ = (_e117 + 1u);
 } else {
-phi_181_ = u32();
+phi_182_ = u32();
 }
-let _e124 = phi_181_;
+let _e124 = phi_182_;
 continue;
 continuing {
-phi_180_ = _e124;
+phi_181_ = _e124;
 break if !(_e121);
 }
 }
@@ -284,25 +294,25 @@ let _e133 = local_9;
 let _e143 = ((_e113 < select(6u, _e104, (_e101 < 6u))) && (_e111 >= ((((1u << bitcast<u32>(((2u * _e127) & 31u))) - (1u << bitcast<u32>(((2u * (_e133 - _e115)) & 31u)))) / 3u) * 4u)));
 continue;
 continuing {
-phi_172_ = select(u32(), _e115, _e143);
+phi_173_ = select(u32(), _e115, _e143);
 break if !(_e143);
 }
 }
-phi_209_ = 0u;
+phi_210_ = 0u;
 loop {
-let _e147 = phi_209_;
+let _e147 = phi_210_;
 local_10 = _e147;
 local_11 = _e147;
 let _e151 = ((1u << bitcast<u32>((_e147 & 31u))) < _e89);
 if _e151 {
-phi_210_ = (_e147 + 1u);
+phi_211_ = (_e147 + 1u);
 } else {
-phi_210_ = u32();
+phi_211_ = u32();
 }
-let _e154 = phi_210_;
+let _e154 = phi_211_;
 continue;
 continuing {
-phi_209_ = _e154;
+phi_210_ = _e154;
 break if !(_e151);
 }
 }
@@ -326,18 +336,18 @@ let _e219 = bitcast<i32>((_e89 * _e89));
 let _e223 = global_1.member.member_12.member_4;
 let _e227 = global_1.member.member_12.member_6;
 let _e229 = bitcast<i32>((_e223 * _e227));
-phi_274_ = _e217;
-phi_277_ = type_23(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
-phi_279_ = type_23(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
-phi_281_ = type_23(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
-phi_283_ = type_23(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_275_ = _e217;
+phi_278_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_280_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_282_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_284_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
 loop {
-let _e231 = phi_274_;
-let _e233 = phi_277_;
-let _e235 = phi_279_;
-let _e237 = phi_281_;
-let _e239 = phi_283_;
-phi_292_ = 0u;
+let _e231 = phi_275_;
+let _e233 = phi_278_;
+let _e235 = phi_280_;
+let _e237 = phi_282_;
+let _e239 = phi_284_;
+phi_293_ = 0u;
 local_21 = _e239;
 local_22 = _e239;
 local_23 = _e237;
@@ -347,76 +357,76 @@ local_26 = _e235;
 local_27 = _e233;
 local_28 = _e233;
 loop {
-let _e245 = phi_292_;
+let _e245 = phi_293_;
 local_14 = _e245;
 local_15 = _e245;
 let _e249 = ((1u << bitcast<u32>((_e245 & 31u))) < _e89);
 if _e249 {
-phi_293_ = (_e245 + 1u);
+phi_294_ = (_e245 + 1u);
 } else {
-phi_293_ = u32();
+phi_294_ = u32();
 }
-let _e252 = phi_293_;
+let _e252 = phi_294_;
 continue;
 continuing {
-phi_292_ = _e252;
+phi_293_ = _e252;
 break if !(_e249);
 }
 }
 let _e255 = local_14;
 let _e258 = local_15;
-phi_310_ = 0u;
+phi_311_ = 0u;
 loop {
-let _e261 = phi_310_;
+let _e261 = phi_311_;
 local_16 = _e261;
 local_17 = _e261;
 let _e265 = ((1u << bitcast<u32>((_e261 & 31u))) < _e89);
 if _e265 {
-phi_311_ = (_e261 + 1u);
+phi_312_ = (_e261 + 1u);
 } else {
-phi_311_ = u32();
+phi_312_ = u32();
 }
-let _e268 = phi_311_;
+let _e268 = phi_312_;
 continue;
 continuing {
-phi_310_ = _e268;
+phi_311_ = _e268;
 break if !(_e265);
 }
 }
 let _e271 = local_16;
 let _e277 = local_17;
-phi_333_ = 0u;
+phi_334_ = 0u;
 loop {
-let _e287 = phi_333_;
+let _e287 = phi_334_;
 local_20 = _e287;
 let _e291 = ((1u << bitcast<u32>((_e287 & 31u))) < _e89);
 if _e291 {
-phi_334_ = (_e287 + 1u);
+phi_335_ = (_e287 + 1u);
 } else {
-phi_334_ = u32();
+phi_335_ = u32();
 }
-let _e294 = phi_334_;
+let _e294 = phi_335_;
 continue;
 continuing {
-phi_333_ = _e294;
+phi_334_ = _e294;
 break if !(_e291);
 }
 }
-phi_346_ = 0u;
+phi_347_ = 0u;
 loop {
-let _e297 = phi_346_;
+let _e297 = phi_347_;
 local_18 = _e297;
 local_19 = _e297;
 let _e301 = ((1u << bitcast<u32>((_e297 & 31u))) < _e89);
 if _e301 {
-phi_347_ = (_e297 + 1u);
+phi_348_ = (_e297 + 1u);
 } else {
-phi_347_ = u32();
+phi_348_ = u32();
 }
-let _e304 = phi_347_;
+let _e304 = phi_348_;
 continue;
 continuing {
-phi_346_ = _e304;
+phi_347_ = _e304;
 break if !(_e301);
 }
 }
@@ -425,17 +435,17 @@ let _e310 = local_19;
 let _e313 = local_20;
 let _e321 = (((_e231 < (_e217 + _e215)) && (_e231 < _e89)) && (_e111 < (((((1u << bitcast<u32>(((2u * _e271) & 31u))) - (1u << bitcast<u32>(((2u * (_e277 - select(6u, _e258, (_e255 < 6u)))) & 31u)))) / 3u) * 4u) + (1u << bitcast<u32>(((2u * (_e313 - select(6u, _e310, (_e307 < 6u)))) & 31u))))));
 if _e321 {
-phi_374_ = _e216;
-phi_377_ = _e233;
-phi_379_ = _e235;
-phi_381_ = _e237;
-phi_383_ = _e239;
+phi_375_ = _e216;
+phi_378_ = _e233;
+phi_380_ = _e235;
+phi_382_ = _e237;
+phi_384_ = _e239;
 loop {
-let _e323 = phi_374_;
-let _e325 = phi_377_;
-let _e327 = phi_379_;
-let _e329 = phi_381_;
-let _e331 = phi_383_;
+let _e323 = phi_375_;
+let _e325 = phi_378_;
+let _e327 = phi_380_;
+let _e329 = phi_382_;
+let _e331 = phi_384_;
 local_29 = _e325;
 local_30 = _e327;
 local_31 = _e329;
@@ -641,80 +651,80 @@ let _e915 = (_e909 - _e912);
 let _e916 = (_e907 + _e910);
 let _e917 = (_e908 + _e911);
 let _e918 = (_e909 + _e912);
-phi_1508_ = type_23(vec3<f32>(select(_e913, _e325.member.x, (_e325.member.x < _e913)), select(_e914, _e325.member.y, (_e325.member.y < _e914)), select(_e915, _e325.member.z, (_e325.member.z < _e915))), vec3<f32>(select(_e916, _e325.member_1.x, (_e325.member_1.x > _e916)), select(_e917, _e325.member_1.y, (_e325.member_1.y > _e917)), select(_e918, _e325.member_1.z, (_e325.member_1.z > _e918))));
-} else {
-phi_1508_ = _e325;
-}
-let _e947 = phi_1508_;
-phi_1509_ = _e947;
-phi_1510_ = type_23(vec3<f32>(select(_e819, _e327.member.x, (_e327.member.x < _e819)), select(_e820, _e327.member.y, (_e327.member.y < _e820)), select(_e821, _e327.member.z, (_e327.member.z < _e821))), vec3<f32>(select(_e822, _e327.member_1.x, (_e327.member_1.x > _e822)), select(_e823, _e327.member_1.y, (_e327.member_1.y > _e823)), select(_e824, _e327.member_1.z, (_e327.member_1.z > _e824))));
-phi_1511_ = type_23(vec3<f32>(select(_e675, _e329.member.x, (_e329.member.x < _e675)), select(_e676, _e329.member.y, (_e329.member.y < _e676)), select(_e677, _e329.member.z, (_e329.member.z < _e677))), vec3<f32>(select(_e678, _e329.member_1.x, (_e329.member_1.x > _e678)), select(_e679, _e329.member_1.y, (_e329.member_1.y > _e679)), select(_e680, _e329.member_1.z, (_e329.member_1.z > _e680))));
-phi_1512_ = type_23(vec3<f32>(select(_e747, _e684, (_e684 < _e747)), select(_e748, _e688, (_e688 < _e748)), select(_e749, _e692, (_e692 < _e749))), vec3<f32>(select(_e750, _e696, (_e696 > _e750)), select(_e751, _e700, (_e700 > _e751)), select(_e752, _e704, (_e704 > _e752))));
+phi_1509_ = type_24(vec3<f32>(select(_e913, _e325.member.x, (_e325.member.x < _e913)), select(_e914, _e325.member.y, (_e325.member.y < _e914)), select(_e915, _e325.member.z, (_e325.member.z < _e915))), vec3<f32>(select(_e916, _e325.member_1.x, (_e325.member_1.x > _e916)), select(_e917, _e325.member_1.y, (_e325.member_1.y > _e917)), select(_e918, _e325.member_1.z, (_e325.member_1.z > _e918))));
 } else {
 phi_1509_ = _e325;
-phi_1510_ = _e327;
-phi_1511_ = _e329;
-phi_1512_ = _e331;
 }
-let _e949 = phi_1509_;
-let _e951 = phi_1510_;
-let _e953 = phi_1511_;
-let _e955 = phi_1512_;
-phi_375_ = (_e323 + 1u);
-phi_378_ = _e949;
-phi_380_ = _e951;
-phi_382_ = _e953;
-phi_384_ = _e955;
+let _e947 = phi_1509_;
+phi_1510_ = _e947;
+phi_1511_ = type_24(vec3<f32>(select(_e819, _e327.member.x, (_e327.member.x < _e819)), select(_e820, _e327.member.y, (_e327.member.y < _e820)), select(_e821, _e327.member.z, (_e327.member.z < _e821))), vec3<f32>(select(_e822, _e327.member_1.x, (_e327.member_1.x > _e822)), select(_e823, _e327.member_1.y, (_e327.member_1.y > _e823)), select(_e824, _e327.member_1.z, (_e327.member_1.z > _e824))));
+phi_1512_ = type_24(vec3<f32>(select(_e675, _e329.member.x, (_e329.member.x < _e675)), select(_e676, _e329.member.y, (_e329.member.y < _e676)), select(_e677, _e329.member.z, (_e329.member.z < _e677))), vec3<f32>(select(_e678, _e329.member_1.x, (_e329.member_1.x > _e678)), select(_e679, _e329.member_1.y, (_e329.member_1.y > _e679)), select(_e680, _e329.member_1.z, (_e329.member_1.z > _e680))));
+phi_1513_ = type_24(vec3<f32>(select(_e747, _e684, (_e684 < _e747)), select(_e748, _e688, (_e688 < _e748)), select(_e749, _e692, (_e692 < _e749))), vec3<f32>(select(_e750, _e696, (_e696 > _e750)), select(_e751, _e700, (_e700 > _e751)), select(_e752, _e704, (_e704 > _e752))));
 } else {
-phi_375_ = u32();
-phi_378_ = type_23();
-phi_380_ = type_23();
-phi_382_ = type_23();
-phi_384_ = type_23();
+phi_1510_ = _e325;
+phi_1511_ = _e327;
+phi_1512_ = _e329;
+phi_1513_ = _e331;
 }
-let _e958 = phi_375_;
-let _e960 = phi_378_;
-let _e962 = phi_380_;
-let _e964 = phi_382_;
-let _e966 = phi_384_;
+let _e949 = phi_1510_;
+let _e951 = phi_1511_;
+let _e953 = phi_1512_;
+let _e955 = phi_1513_;
+phi_376_ = (_e323 + 1u);
+phi_379_ = _e949;
+phi_381_ = _e951;
+phi_383_ = _e953;
+phi_385_ = _e955;
+} else {
+phi_376_ = u32();
+phi_379_ = type_24();
+phi_381_ = type_24();
+phi_383_ = type_24();
+phi_385_ = type_24();
+}
+let _e958 = phi_376_;
+let _e960 = phi_379_;
+let _e962 = phi_381_;
+let _e964 = phi_383_;
+let _e966 = phi_385_;
 continue;
 continuing {
-phi_374_ = _e958;
-phi_377_ = _e960;
-phi_379_ = _e962;
-phi_381_ = _e964;
-phi_383_ = _e966;
+phi_375_ = _e958;
+phi_378_ = _e960;
+phi_380_ = _e962;
+phi_382_ = _e964;
+phi_384_ = _e966;
 break if !(_e335);
 }
 }
-phi_275_ = (_e231 + 1u);
+phi_276_ = (_e231 + 1u);
 let _e1198 = local_29;
-phi_278_ = _e1198;
+phi_279_ = _e1198;
 let _e1201 = local_30;
-phi_280_ = _e1201;
+phi_281_ = _e1201;
 let _e1204 = local_31;
-phi_282_ = _e1204;
+phi_283_ = _e1204;
 let _e1207 = local_32;
-phi_284_ = _e1207;
+phi_285_ = _e1207;
 } else {
-phi_275_ = u32();
-phi_278_ = type_23();
-phi_280_ = type_23();
-phi_282_ = type_23();
-phi_284_ = type_23();
+phi_276_ = u32();
+phi_279_ = type_24();
+phi_281_ = type_24();
+phi_283_ = type_24();
+phi_285_ = type_24();
 }
-let _e970 = phi_275_;
-let _e972 = phi_278_;
-let _e974 = phi_280_;
-let _e976 = phi_282_;
-let _e978 = phi_284_;
+let _e970 = phi_276_;
+let _e972 = phi_279_;
+let _e974 = phi_281_;
+let _e976 = phi_283_;
+let _e978 = phi_285_;
 continue;
 continuing {
-phi_274_ = _e970;
-phi_277_ = _e972;
-phi_279_ = _e974;
-phi_281_ = _e976;
-phi_283_ = _e978;
+phi_275_ = _e970;
+phi_278_ = _e972;
+phi_280_ = _e974;
+phi_282_ = _e976;
+phi_284_ = _e978;
 break if !(_e321);
 }
 }

@@ -90,6 +90,9 @@ member_10: u32,
 member_11: u32,
 member_12: u32,
 member_13: u32,
+member_14: f32,
+member_15: f32,
+member_16: f32,
 }
 struct type_18 {
 member: type_5,
@@ -118,6 +121,12 @@ member_8: u32,
 member_9: u32,
 }
 struct type_20 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_21 {
 member: type_2,
 member_1: type_15,
 member_2: type_4,
@@ -137,13 +146,14 @@ member_15: type_6,
 member_16: type_5,
 member_17: u32,
 member_18: type_19,
+member_19: type_20,
 }
-struct type_21 {
-member: type_20,
+struct type_22 {
+member: type_21,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_21;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
 var<storage> global_2: type_13;
 @group(0) @binding(3)
@@ -156,12 +166,12 @@ var local_1: i32;
 var local_2: f32;
 var local_3: i32;
 var local_4: u32;
-var phi_488_: i32;
-var phi_501_: i32;
-var phi_515_: i32;
-var phi_831_: i32;
-var phi_844_: i32;
-var phi_858_: i32;
+var phi_489_: i32;
+var phi_502_: i32;
+var phi_516_: i32;
+var phi_832_: i32;
+var phi_845_: i32;
+var phi_859_: i32;
 switch bitcast<i32>(0u) {
 default: {
 let _e25 = global;
@@ -266,29 +276,29 @@ local_2 = (_e232 - f32(_e269));
 let _e306 = (_e269 + 1i);
 let _e308 = select(_e306, 0i, (_e306 < 0i));
 if (_e308 >= _e197) {
-phi_488_ = (_e197 - 1i);
+phi_489_ = (_e197 - 1i);
 } else {
-phi_488_ = _e308;
+phi_489_ = _e308;
 }
-let _e312 = phi_488_;
+let _e312 = phi_489_;
 local_3 = (_e312 - _e269);
 let _e314 = (_e284 + 1i);
 let _e316 = select(_e314, 0i, (_e314 < 0i));
 if (_e316 >= _e202) {
-phi_501_ = (_e202 - 1i);
+phi_502_ = (_e202 - 1i);
 } else {
-phi_501_ = _e316;
+phi_502_ = _e316;
 }
-let _e320 = phi_501_;
+let _e320 = phi_502_;
 let _e322 = ((_e320 - _e284) * _e197);
 let _e323 = (_e299 + 1i);
 let _e325 = select(_e323, 0i, (_e323 < 0i));
 if (_e325 >= _e207) {
-phi_515_ = (_e207 - 1i);
+phi_516_ = (_e207 - 1i);
 } else {
-phi_515_ = _e325;
+phi_516_ = _e325;
 }
-let _e329 = phi_515_;
+let _e329 = phi_516_;
 let _e336 = global_1.member.member_13.member_10;
 let _e337 = bitcast<i32>(_e336);
 let _e342 = ((_e337 + (((_e299 * _e202) + _e284) * _e197)) + _e269);
@@ -357,29 +367,29 @@ local = (_e461 - f32(_e492));
 let _e529 = (_e492 + 1i);
 let _e531 = select(_e529, 0i, (_e529 < 0i));
 if (_e531 >= _e197) {
-phi_831_ = (_e197 - 1i);
+phi_832_ = (_e197 - 1i);
 } else {
-phi_831_ = _e531;
+phi_832_ = _e531;
 }
-let _e535 = phi_831_;
+let _e535 = phi_832_;
 local_1 = (_e535 - _e492);
 let _e537 = (_e507 + 1i);
 let _e539 = select(_e537, 0i, (_e537 < 0i));
 if (_e539 >= _e202) {
-phi_844_ = (_e202 - 1i);
+phi_845_ = (_e202 - 1i);
 } else {
-phi_844_ = _e539;
+phi_845_ = _e539;
 }
-let _e543 = phi_844_;
+let _e543 = phi_845_;
 let _e545 = ((_e543 - _e507) * _e197);
 let _e546 = (_e522 + 1i);
 let _e548 = select(_e546, 0i, (_e546 < 0i));
 if (_e548 >= _e207) {
-phi_858_ = (_e207 - 1i);
+phi_859_ = (_e207 - 1i);
 } else {
-phi_858_ = _e548;
+phi_859_ = _e548;
 }
-let _e552 = phi_858_;
+let _e552 = phi_859_;
 let _e560 = ((_e337 + (((_e522 * _e202) + _e507) * _e197)) + _e492);
 let _e562 = select(_e344, _e560, (_e560 < _e344));
 let _e567 = global_4.member[bitcast<u32>(select(0i, _e562, (_e562 > 0i)))];

@@ -136,12 +136,12 @@ member: array<atomic<u32>>,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_23;
-@group(0) @binding(1)
-var<storage> global_2: type_11;
-@group(0) @binding(2)
-var<storage> global_3: type_11;
 @group(0) @binding(3)
-var<storage, read_write> global_4: type_28;
+var<storage, read_write> global_2: type_28;
+@group(0) @binding(1)
+var<storage> global_3: type_11;
+@group(0) @binding(2)
+var<storage> global_4: type_11;
 fn function_() {
 var local: u32;
 var local_1: u32;
@@ -190,7 +190,7 @@ var phi_2396_: i32;
 switch bitcast<i32>(0u) {
 default: {
 let _e55 = global;
-let _e62 = arrayLength((&global_4.member));
+let _e62 = arrayLength((&global_2.member));
 let _e65 = global_1.member.member_2;
 let _e71 = (_e55.x + _e65.member);
 let _e73 = (_e55.y + _e65.member_1);
@@ -220,64 +220,64 @@ let _e105 = (f32(bitcast<i32>(_e71)) - 0.5f);
 let _e108 = (f32(bitcast<i32>(_e83)) - 0.5f);
 let _e109 = local_7;
 let _e110 = bitcast<i32>(_e109);
-let _e112 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e112 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e114 = select(_e112, _e110, (_e110 < _e112));
-let _e119 = global_2.member[bitcast<u32>(select(0i, _e114, (_e114 > 0i)))];
+let _e119 = global_3.member[bitcast<u32>(select(0i, _e114, (_e114 > 0i)))];
 let _e120 = local_6;
 let _e121 = local_7;
 let _e123 = bitcast<i32>((_e120 + _e121));
 let _e125 = select(_e112, _e123, (_e123 < _e112));
-let _e130 = global_2.member[bitcast<u32>(select(0i, _e125, (_e125 > 0i)))];
+let _e130 = global_3.member[bitcast<u32>(select(0i, _e125, (_e125 > 0i)))];
 let _e131 = (_e105 + _e119);
 let _e132 = (_e108 + _e130);
 let _e133 = local_6;
 let _e135 = local_7;
 let _e137 = bitcast<i32>(((2u * _e133) + _e135));
 let _e139 = select(_e112, _e137, (_e137 < _e112));
-let _e144 = global_2.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
+let _e144 = global_3.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
 let _e145 = local_6;
 let _e147 = local_7;
 let _e149 = bitcast<i32>(((3u * _e145) + _e147));
 let _e151 = select(_e112, _e149, (_e149 < _e112));
-let _e156 = global_2.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
+let _e156 = global_3.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
 let _e157 = (_e105 + _e144);
 let _e158 = (_e108 + _e156);
 let _e159 = local_6;
 let _e161 = local_7;
 let _e163 = bitcast<i32>(((4u * _e159) + _e161));
 let _e165 = select(_e112, _e163, (_e163 < _e112));
-let _e170 = global_2.member[bitcast<u32>(select(0i, _e165, (_e165 > 0i)))];
+let _e170 = global_3.member[bitcast<u32>(select(0i, _e165, (_e165 > 0i)))];
 let _e171 = local_6;
 let _e173 = local_7;
 let _e175 = bitcast<i32>(((5u * _e171) + _e173));
 let _e177 = select(_e112, _e175, (_e175 < _e112));
-let _e182 = global_2.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
+let _e182 = global_3.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
 let _e183 = local_6;
 let _e185 = local_7;
 let _e187 = bitcast<i32>(((6u * _e183) + _e185));
 let _e189 = select(_e112, _e187, (_e187 < _e112));
-let _e194 = global_2.member[bitcast<u32>(select(0i, _e189, (_e189 > 0i)))];
+let _e194 = global_3.member[bitcast<u32>(select(0i, _e189, (_e189 > 0i)))];
 let _e197 = (1f / select(1e-6f, _e194, (_e194 > 1e-6f)));
 let _e200 = local_6;
 let _e202 = local_7;
 let _e204 = bitcast<i32>(((7u * _e200) + _e202));
 let _e206 = select(_e112, _e204, (_e204 < _e112));
-let _e211 = global_2.member[bitcast<u32>(select(0i, _e206, (_e206 > 0i)))];
+let _e211 = global_3.member[bitcast<u32>(select(0i, _e206, (_e206 > 0i)))];
 let _e212 = local_6;
 let _e214 = local_7;
 let _e216 = bitcast<i32>(((8u * _e212) + _e214));
 let _e218 = select(_e112, _e216, (_e216 < _e112));
-let _e223 = global_2.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
+let _e223 = global_3.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
 let _e224 = local_6;
 let _e226 = local_7;
 let _e228 = bitcast<i32>(((9u * _e224) + _e226));
 let _e230 = select(_e112, _e228, (_e228 < _e112));
-let _e235 = global_2.member[bitcast<u32>(select(0i, _e230, (_e230 > 0i)))];
+let _e235 = global_3.member[bitcast<u32>(select(0i, _e230, (_e230 > 0i)))];
 let _e237 = local_6;
 let _e239 = local_7;
 let _e241 = bitcast<i32>(((10u * _e237) + _e239));
 let _e243 = select(_e112, _e241, (_e241 < _e112));
-let _e248 = global_2.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
+let _e248 = global_3.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
 let _e249 = (_e248 != 0f);
 let _e253 = type_25(vec2<f32>(_e131, _e132), vec2<f32>(_e157, _e158), vec2<f32>((_e170 * _e197), (_e182 * _e197)), vec3<f32>(_e211, _e223, _e235), _e249);
 let _e254 = (_e71 + 1u);
@@ -290,62 +290,62 @@ let _e258 = (f32(bitcast<i32>(_e254)) - 0.5f);
 let _e259 = local_5;
 let _e260 = bitcast<i32>(_e259);
 let _e262 = select(_e112, _e260, (_e260 < _e112));
-let _e267 = global_2.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
+let _e267 = global_3.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
 let _e268 = local_4;
 let _e269 = local_5;
 let _e271 = bitcast<i32>((_e268 + _e269));
 let _e273 = select(_e112, _e271, (_e271 < _e112));
-let _e278 = global_2.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
+let _e278 = global_3.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
 let _e279 = (_e258 + _e267);
 let _e280 = (_e108 + _e278);
 let _e281 = local_4;
 let _e283 = local_5;
 let _e285 = bitcast<i32>(((2u * _e281) + _e283));
 let _e287 = select(_e112, _e285, (_e285 < _e112));
-let _e292 = global_2.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
+let _e292 = global_3.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
 let _e293 = local_4;
 let _e295 = local_5;
 let _e297 = bitcast<i32>(((3u * _e293) + _e295));
 let _e299 = select(_e112, _e297, (_e297 < _e112));
-let _e304 = global_2.member[bitcast<u32>(select(0i, _e299, (_e299 > 0i)))];
+let _e304 = global_3.member[bitcast<u32>(select(0i, _e299, (_e299 > 0i)))];
 let _e305 = (_e258 + _e292);
 let _e306 = (_e108 + _e304);
 let _e307 = local_4;
 let _e309 = local_5;
 let _e311 = bitcast<i32>(((4u * _e307) + _e309));
 let _e313 = select(_e112, _e311, (_e311 < _e112));
-let _e318 = global_2.member[bitcast<u32>(select(0i, _e313, (_e313 > 0i)))];
+let _e318 = global_3.member[bitcast<u32>(select(0i, _e313, (_e313 > 0i)))];
 let _e319 = local_4;
 let _e321 = local_5;
 let _e323 = bitcast<i32>(((5u * _e319) + _e321));
 let _e325 = select(_e112, _e323, (_e323 < _e112));
-let _e330 = global_2.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
+let _e330 = global_3.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
 let _e331 = local_4;
 let _e333 = local_5;
 let _e335 = bitcast<i32>(((6u * _e331) + _e333));
 let _e337 = select(_e112, _e335, (_e335 < _e112));
-let _e342 = global_2.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
+let _e342 = global_3.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
 let _e345 = (1f / select(1e-6f, _e342, (_e342 > 1e-6f)));
 let _e348 = local_4;
 let _e350 = local_5;
 let _e352 = bitcast<i32>(((7u * _e348) + _e350));
 let _e354 = select(_e112, _e352, (_e352 < _e112));
-let _e359 = global_2.member[bitcast<u32>(select(0i, _e354, (_e354 > 0i)))];
+let _e359 = global_3.member[bitcast<u32>(select(0i, _e354, (_e354 > 0i)))];
 let _e360 = local_4;
 let _e362 = local_5;
 let _e364 = bitcast<i32>(((8u * _e360) + _e362));
 let _e366 = select(_e112, _e364, (_e364 < _e112));
-let _e371 = global_2.member[bitcast<u32>(select(0i, _e366, (_e366 > 0i)))];
+let _e371 = global_3.member[bitcast<u32>(select(0i, _e366, (_e366 > 0i)))];
 let _e372 = local_4;
 let _e374 = local_5;
 let _e376 = bitcast<i32>(((9u * _e372) + _e374));
 let _e378 = select(_e112, _e376, (_e376 < _e112));
-let _e383 = global_2.member[bitcast<u32>(select(0i, _e378, (_e378 > 0i)))];
+let _e383 = global_3.member[bitcast<u32>(select(0i, _e378, (_e378 > 0i)))];
 let _e385 = local_4;
 let _e387 = local_5;
 let _e389 = bitcast<i32>(((10u * _e385) + _e387));
 let _e391 = select(_e112, _e389, (_e389 < _e112));
-let _e396 = global_2.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
+let _e396 = global_3.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
 let _e397 = (_e396 != 0f);
 let _e401 = type_25(vec2<f32>(_e279, _e280), vec2<f32>(_e305, _e306), vec2<f32>((_e318 * _e345), (_e330 * _e345)), vec3<f32>(_e359, _e371, _e383), _e397);
 if _e80 {
@@ -358,62 +358,62 @@ let _e408 = (f32(bitcast<i32>((_e83 + 1u))) - 0.5f);
 let _e409 = local_3;
 let _e410 = bitcast<i32>(_e409);
 let _e412 = select(_e112, _e410, (_e410 < _e112));
-let _e417 = global_2.member[bitcast<u32>(select(0i, _e412, (_e412 > 0i)))];
+let _e417 = global_3.member[bitcast<u32>(select(0i, _e412, (_e412 > 0i)))];
 let _e418 = local_2;
 let _e419 = local_3;
 let _e421 = bitcast<i32>((_e418 + _e419));
 let _e423 = select(_e112, _e421, (_e421 < _e112));
-let _e428 = global_2.member[bitcast<u32>(select(0i, _e423, (_e423 > 0i)))];
+let _e428 = global_3.member[bitcast<u32>(select(0i, _e423, (_e423 > 0i)))];
 let _e429 = (_e105 + _e417);
 let _e430 = (_e408 + _e428);
 let _e431 = local_2;
 let _e433 = local_3;
 let _e435 = bitcast<i32>(((2u * _e431) + _e433));
 let _e437 = select(_e112, _e435, (_e435 < _e112));
-let _e442 = global_2.member[bitcast<u32>(select(0i, _e437, (_e437 > 0i)))];
+let _e442 = global_3.member[bitcast<u32>(select(0i, _e437, (_e437 > 0i)))];
 let _e443 = local_2;
 let _e445 = local_3;
 let _e447 = bitcast<i32>(((3u * _e443) + _e445));
 let _e449 = select(_e112, _e447, (_e447 < _e112));
-let _e454 = global_2.member[bitcast<u32>(select(0i, _e449, (_e449 > 0i)))];
+let _e454 = global_3.member[bitcast<u32>(select(0i, _e449, (_e449 > 0i)))];
 let _e455 = (_e105 + _e442);
 let _e456 = (_e408 + _e454);
 let _e457 = local_2;
 let _e459 = local_3;
 let _e461 = bitcast<i32>(((4u * _e457) + _e459));
 let _e463 = select(_e112, _e461, (_e461 < _e112));
-let _e468 = global_2.member[bitcast<u32>(select(0i, _e463, (_e463 > 0i)))];
+let _e468 = global_3.member[bitcast<u32>(select(0i, _e463, (_e463 > 0i)))];
 let _e469 = local_2;
 let _e471 = local_3;
 let _e473 = bitcast<i32>(((5u * _e469) + _e471));
 let _e475 = select(_e112, _e473, (_e473 < _e112));
-let _e480 = global_2.member[bitcast<u32>(select(0i, _e475, (_e475 > 0i)))];
+let _e480 = global_3.member[bitcast<u32>(select(0i, _e475, (_e475 > 0i)))];
 let _e481 = local_2;
 let _e483 = local_3;
 let _e485 = bitcast<i32>(((6u * _e481) + _e483));
 let _e487 = select(_e112, _e485, (_e485 < _e112));
-let _e492 = global_2.member[bitcast<u32>(select(0i, _e487, (_e487 > 0i)))];
+let _e492 = global_3.member[bitcast<u32>(select(0i, _e487, (_e487 > 0i)))];
 let _e495 = (1f / select(1e-6f, _e492, (_e492 > 1e-6f)));
 let _e498 = local_2;
 let _e500 = local_3;
 let _e502 = bitcast<i32>(((7u * _e498) + _e500));
 let _e504 = select(_e112, _e502, (_e502 < _e112));
-let _e509 = global_2.member[bitcast<u32>(select(0i, _e504, (_e504 > 0i)))];
+let _e509 = global_3.member[bitcast<u32>(select(0i, _e504, (_e504 > 0i)))];
 let _e510 = local_2;
 let _e512 = local_3;
 let _e514 = bitcast<i32>(((8u * _e510) + _e512));
 let _e516 = select(_e112, _e514, (_e514 < _e112));
-let _e521 = global_2.member[bitcast<u32>(select(0i, _e516, (_e516 > 0i)))];
+let _e521 = global_3.member[bitcast<u32>(select(0i, _e516, (_e516 > 0i)))];
 let _e522 = local_2;
 let _e524 = local_3;
 let _e526 = bitcast<i32>(((9u * _e522) + _e524));
 let _e528 = select(_e112, _e526, (_e526 < _e112));
-let _e533 = global_2.member[bitcast<u32>(select(0i, _e528, (_e528 > 0i)))];
+let _e533 = global_3.member[bitcast<u32>(select(0i, _e528, (_e528 > 0i)))];
 let _e535 = local_2;
 let _e537 = local_3;
 let _e539 = bitcast<i32>(((10u * _e535) + _e537));
 let _e541 = select(_e112, _e539, (_e539 < _e112));
-let _e546 = global_2.member[bitcast<u32>(select(0i, _e541, (_e541 > 0i)))];
+let _e546 = global_3.member[bitcast<u32>(select(0i, _e541, (_e541 > 0i)))];
 let _e547 = (_e546 != 0f);
 let _e551 = type_25(vec2<f32>(_e429, _e430), vec2<f32>(_e455, _e456), vec2<f32>((_e468 * _e495), (_e480 * _e495)), vec3<f32>(_e509, _e521, _e533), _e547);
 if _e80 {
@@ -424,62 +424,62 @@ local_1 = (_e404 + _e254);
 let _e553 = local_1;
 let _e554 = bitcast<i32>(_e553);
 let _e556 = select(_e112, _e554, (_e554 < _e112));
-let _e561 = global_2.member[bitcast<u32>(select(0i, _e556, (_e556 > 0i)))];
+let _e561 = global_3.member[bitcast<u32>(select(0i, _e556, (_e556 > 0i)))];
 let _e562 = local;
 let _e563 = local_1;
 let _e565 = bitcast<i32>((_e562 + _e563));
 let _e567 = select(_e112, _e565, (_e565 < _e112));
-let _e572 = global_2.member[bitcast<u32>(select(0i, _e567, (_e567 > 0i)))];
+let _e572 = global_3.member[bitcast<u32>(select(0i, _e567, (_e567 > 0i)))];
 let _e573 = (_e258 + _e561);
 let _e574 = (_e408 + _e572);
 let _e575 = local;
 let _e577 = local_1;
 let _e579 = bitcast<i32>(((2u * _e575) + _e577));
 let _e581 = select(_e112, _e579, (_e579 < _e112));
-let _e586 = global_2.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
+let _e586 = global_3.member[bitcast<u32>(select(0i, _e581, (_e581 > 0i)))];
 let _e587 = local;
 let _e589 = local_1;
 let _e591 = bitcast<i32>(((3u * _e587) + _e589));
 let _e593 = select(_e112, _e591, (_e591 < _e112));
-let _e598 = global_2.member[bitcast<u32>(select(0i, _e593, (_e593 > 0i)))];
+let _e598 = global_3.member[bitcast<u32>(select(0i, _e593, (_e593 > 0i)))];
 let _e599 = (_e258 + _e586);
 let _e600 = (_e408 + _e598);
 let _e601 = local;
 let _e603 = local_1;
 let _e605 = bitcast<i32>(((4u * _e601) + _e603));
 let _e607 = select(_e112, _e605, (_e605 < _e112));
-let _e612 = global_2.member[bitcast<u32>(select(0i, _e607, (_e607 > 0i)))];
+let _e612 = global_3.member[bitcast<u32>(select(0i, _e607, (_e607 > 0i)))];
 let _e613 = local;
 let _e615 = local_1;
 let _e617 = bitcast<i32>(((5u * _e613) + _e615));
 let _e619 = select(_e112, _e617, (_e617 < _e112));
-let _e624 = global_2.member[bitcast<u32>(select(0i, _e619, (_e619 > 0i)))];
+let _e624 = global_3.member[bitcast<u32>(select(0i, _e619, (_e619 > 0i)))];
 let _e625 = local;
 let _e627 = local_1;
 let _e629 = bitcast<i32>(((6u * _e625) + _e627));
 let _e631 = select(_e112, _e629, (_e629 < _e112));
-let _e636 = global_2.member[bitcast<u32>(select(0i, _e631, (_e631 > 0i)))];
+let _e636 = global_3.member[bitcast<u32>(select(0i, _e631, (_e631 > 0i)))];
 let _e639 = (1f / select(1e-6f, _e636, (_e636 > 1e-6f)));
 let _e642 = local;
 let _e644 = local_1;
 let _e646 = bitcast<i32>(((7u * _e642) + _e644));
 let _e648 = select(_e112, _e646, (_e646 < _e112));
-let _e653 = global_2.member[bitcast<u32>(select(0i, _e648, (_e648 > 0i)))];
+let _e653 = global_3.member[bitcast<u32>(select(0i, _e648, (_e648 > 0i)))];
 let _e654 = local;
 let _e656 = local_1;
 let _e658 = bitcast<i32>(((8u * _e654) + _e656));
 let _e660 = select(_e112, _e658, (_e658 < _e112));
-let _e665 = global_2.member[bitcast<u32>(select(0i, _e660, (_e660 > 0i)))];
+let _e665 = global_3.member[bitcast<u32>(select(0i, _e660, (_e660 > 0i)))];
 let _e666 = local;
 let _e668 = local_1;
 let _e670 = bitcast<i32>(((9u * _e666) + _e668));
 let _e672 = select(_e112, _e670, (_e670 < _e112));
-let _e677 = global_2.member[bitcast<u32>(select(0i, _e672, (_e672 > 0i)))];
+let _e677 = global_3.member[bitcast<u32>(select(0i, _e672, (_e672 > 0i)))];
 let _e679 = local;
 let _e681 = local_1;
 let _e683 = bitcast<i32>(((10u * _e679) + _e681));
 let _e685 = select(_e112, _e683, (_e683 < _e112));
-let _e690 = global_2.member[bitcast<u32>(select(0i, _e685, (_e685 > 0i)))];
+let _e690 = global_3.member[bitcast<u32>(select(0i, _e685, (_e685 > 0i)))];
 let _e691 = (_e690 != 0f);
 let _e695 = type_25(vec2<f32>(_e573, _e574), vec2<f32>(_e599, _e600), vec2<f32>((_e612 * _e639), (_e624 * _e639)), vec3<f32>(_e653, _e665, _e677), _e691);
 let _e698 = global_1.member.member_10;
@@ -495,15 +495,15 @@ if (_e86 == 0u) {
 break;
 }
 let _e770 = bitcast<i32>(((_e88 / _e86) * 3u));
-let _e772 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e772 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e774 = select(_e772, _e770, (_e770 < _e772));
-let _e780 = global_3.member[bitcast<u32>(select(0i, _e774, (_e774 > 0i)))];
+let _e780 = global_4.member[bitcast<u32>(select(0i, _e774, (_e774 > 0i)))];
 let _e781 = (_e770 + 1i);
 let _e783 = select(_e772, _e781, (_e781 < _e772));
-let _e789 = global_3.member[bitcast<u32>(select(0i, _e783, (_e783 > 0i)))];
+let _e789 = global_4.member[bitcast<u32>(select(0i, _e783, (_e783 > 0i)))];
 let _e790 = (_e770 + 2i);
 let _e792 = select(_e772, _e790, (_e790 < _e772));
-let _e798 = global_3.member[bitcast<u32>(select(0i, _e792, (_e792 > 0i)))];
+let _e798 = global_4.member[bitcast<u32>(select(0i, _e792, (_e792 > 0i)))];
 let _e799 = -(_e698);
 let _e802 = (1f / select(1e-6f, _e798, (_e798 > 1e-6f)));
 let _e807 = bitcast<i32>(_e92);
@@ -563,7 +563,7 @@ if _e942 {
 } else {
 let _e943 = bitcast<u32>(_e918);
 if (_e943 < _e62) {
-let _e947 = atomicAdd((&global_4.member[_e943]), _e937);
+let _e947 = atomicAdd((&global_2.member[_e943]), _e937);
 phi_1841_ = _e947;
 } else {
 phi_1841_ = 0u;
@@ -574,7 +574,7 @@ if (_e953 == 0u) {
 } else {
 let _e955 = (_e943 + 1u);
 if (_e955 < _e62) {
-let _e959 = atomicAdd((&global_4.member[_e955]), _e953);
+let _e959 = atomicAdd((&global_2.member[_e955]), _e953);
 }
 }
 }
@@ -582,7 +582,7 @@ if _e942 {
 } else {
 let _e961 = bitcast<u32>((_e918 + 2i));
 if (_e961 < _e62) {
-let _e965 = atomicAdd((&global_4.member[_e961]), _e937);
+let _e965 = atomicAdd((&global_2.member[_e961]), _e937);
 phi_1902_ = _e965;
 } else {
 phi_1902_ = 0u;
@@ -593,7 +593,7 @@ if (_e971 == 0u) {
 } else {
 let _e973 = (_e961 + 1u);
 if (_e973 < _e62) {
-let _e977 = atomicAdd((&global_4.member[_e973]), _e971);
+let _e977 = atomicAdd((&global_2.member[_e973]), _e971);
 }
 }
 }
@@ -601,7 +601,7 @@ if _e942 {
 } else {
 let _e979 = bitcast<u32>((_e918 + 4i));
 if (_e979 < _e62) {
-let _e983 = atomicAdd((&global_4.member[_e979]), _e937);
+let _e983 = atomicAdd((&global_2.member[_e979]), _e937);
 phi_1963_ = _e983;
 } else {
 phi_1963_ = 0u;
@@ -612,7 +612,7 @@ if (_e989 == 0u) {
 } else {
 let _e991 = (_e979 + 1u);
 if (_e991 < _e62) {
-let _e995 = atomicAdd((&global_4.member[_e991]), _e989);
+let _e995 = atomicAdd((&global_2.member[_e991]), _e989);
 }
 }
 }
@@ -628,7 +628,7 @@ if ((_e1016 | _e1019) == 0u) {
 } else {
 let _e1022 = bitcast<u32>((_e918 + 6i));
 if (_e1022 < _e62) {
-let _e1026 = atomicAdd((&global_4.member[_e1022]), _e1016);
+let _e1026 = atomicAdd((&global_2.member[_e1022]), _e1016);
 phi_2024_ = _e1026;
 } else {
 phi_2024_ = 0u;
@@ -639,7 +639,7 @@ if (_e1032 == 0u) {
 } else {
 let _e1034 = (_e1022 + 1u);
 if (_e1034 < _e62) {
-let _e1038 = atomicAdd((&global_4.member[_e1034]), _e1032);
+let _e1038 = atomicAdd((&global_2.member[_e1034]), _e1032);
 }
 }
 }
@@ -654,7 +654,7 @@ if ((_e1058 | _e1061) == 0u) {
 } else {
 let _e1064 = bitcast<u32>((_e918 + 8i));
 if (_e1064 < _e62) {
-let _e1068 = atomicAdd((&global_4.member[_e1064]), _e1058);
+let _e1068 = atomicAdd((&global_2.member[_e1064]), _e1058);
 phi_2086_ = _e1068;
 } else {
 phi_2086_ = 0u;
@@ -665,7 +665,7 @@ if (_e1074 == 0u) {
 } else {
 let _e1076 = (_e1064 + 1u);
 if (_e1076 < _e62) {
-let _e1080 = atomicAdd((&global_4.member[_e1076]), _e1074);
+let _e1080 = atomicAdd((&global_2.member[_e1076]), _e1074);
 }
 }
 }
@@ -909,7 +909,7 @@ if ((_e1562 | _e1565) == 0u) {
 } else {
 let _e1568 = bitcast<u32>(_e1543);
 if (_e1568 < _e62) {
-let _e1572 = atomicAdd((&global_4.member[_e1568]), _e1562);
+let _e1572 = atomicAdd((&global_2.member[_e1568]), _e1562);
 phi_2825_ = _e1572;
 } else {
 phi_2825_ = 0u;
@@ -920,7 +920,7 @@ if (_e1578 == 0u) {
 } else {
 let _e1580 = (_e1568 + 1u);
 if (_e1580 < _e62) {
-let _e1584 = atomicAdd((&global_4.member[_e1580]), _e1578);
+let _e1584 = atomicAdd((&global_2.member[_e1580]), _e1578);
 }
 }
 }
@@ -935,7 +935,7 @@ if ((_e1604 | _e1607) == 0u) {
 } else {
 let _e1610 = bitcast<u32>((_e1543 + 2i));
 if (_e1610 < _e62) {
-let _e1614 = atomicAdd((&global_4.member[_e1610]), _e1604);
+let _e1614 = atomicAdd((&global_2.member[_e1610]), _e1604);
 phi_2886_ = _e1614;
 } else {
 phi_2886_ = 0u;
@@ -946,7 +946,7 @@ if (_e1620 == 0u) {
 } else {
 let _e1622 = (_e1610 + 1u);
 if (_e1622 < _e62) {
-let _e1626 = atomicAdd((&global_4.member[_e1622]), _e1620);
+let _e1626 = atomicAdd((&global_2.member[_e1622]), _e1620);
 }
 }
 }
@@ -961,7 +961,7 @@ if ((_e1646 | _e1649) == 0u) {
 } else {
 let _e1652 = bitcast<u32>((_e1543 + 4i));
 if (_e1652 < _e62) {
-let _e1656 = atomicAdd((&global_4.member[_e1652]), _e1646);
+let _e1656 = atomicAdd((&global_2.member[_e1652]), _e1646);
 phi_2947_ = _e1656;
 } else {
 phi_2947_ = 0u;
@@ -972,7 +972,7 @@ if (_e1662 == 0u) {
 } else {
 let _e1664 = (_e1652 + 1u);
 if (_e1664 < _e62) {
-let _e1668 = atomicAdd((&global_4.member[_e1664]), _e1662);
+let _e1668 = atomicAdd((&global_2.member[_e1664]), _e1662);
 }
 }
 }
@@ -988,7 +988,7 @@ if ((_e1689 | _e1692) == 0u) {
 } else {
 let _e1695 = bitcast<u32>((_e1543 + 6i));
 if (_e1695 < _e62) {
-let _e1699 = atomicAdd((&global_4.member[_e1695]), _e1689);
+let _e1699 = atomicAdd((&global_2.member[_e1695]), _e1689);
 phi_3008_ = _e1699;
 } else {
 phi_3008_ = 0u;
@@ -999,7 +999,7 @@ if (_e1705 == 0u) {
 } else {
 let _e1707 = (_e1695 + 1u);
 if (_e1707 < _e62) {
-let _e1711 = atomicAdd((&global_4.member[_e1707]), _e1705);
+let _e1711 = atomicAdd((&global_2.member[_e1707]), _e1705);
 }
 }
 }
@@ -1014,7 +1014,7 @@ if ((_e1731 | _e1734) == 0u) {
 } else {
 let _e1737 = bitcast<u32>((_e1543 + 8i));
 if (_e1737 < _e62) {
-let _e1741 = atomicAdd((&global_4.member[_e1737]), _e1731);
+let _e1741 = atomicAdd((&global_2.member[_e1737]), _e1731);
 phi_3070_ = _e1741;
 } else {
 phi_3070_ = 0u;
@@ -1025,7 +1025,7 @@ if (_e1747 == 0u) {
 } else {
 let _e1749 = (_e1737 + 1u);
 if (_e1749 < _e62) {
-let _e1753 = atomicAdd((&global_4.member[_e1749]), _e1747);
+let _e1753 = atomicAdd((&global_2.member[_e1749]), _e1747);
 }
 }
 }

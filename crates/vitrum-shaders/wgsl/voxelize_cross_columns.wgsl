@@ -30,10 +30,10 @@ struct type_13 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(0)
-var<storage> global_1: type_10;
 @group(0) @binding(3)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_1: type_13;
+@group(0) @binding(0)
+var<storage> global_2: type_10;
 @group(0) @binding(2)
 var<storage> global_3: type_8;
 @group(0) @binding(1)
@@ -47,13 +47,13 @@ var phi_729_: i32;
 var phi_592_: i32;
 var phi_325_: i32;
 let _e27 = global;
-let _e33 = arrayLength((&global_2.member));
-let _e36 = global_1.member.member;
+let _e33 = arrayLength((&global_1.member));
+let _e36 = global_2.member.member;
 if (_e27.x < _e36.member) {
 if (_e27.y < _e36.member_1) {
-let _e46 = global_1.member.member.member;
+let _e46 = global_2.member.member.member;
 let _e48 = ((_e27.y * _e46) + _e27.x);
-let _e51 = global_1.member.member_1;
+let _e51 = global_2.member.member_1;
 let _e53 = bitcast<i32>((_e48 * 3u));
 let _e54 = (_e53 + 1i);
 let _e56 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
@@ -99,13 +99,13 @@ let _e162 = global_4.member[bitcast<u32>(select(0i, _e156, (_e156 > 0i)))];
 let _e163 = (_e89 + 8i);
 let _e165 = select(_e91, _e163, (_e163 < _e91));
 let _e171 = global_4.member[bitcast<u32>(select(0i, _e165, (_e165 > 0i)))];
-let _e174 = global_1.member.member_4;
+let _e174 = global_2.member.member_4;
 let _e175 = (_e174 & 31u);
 let _e178 = f32((1u << bitcast<u32>(_e175)));
 let _e179 = (1f / _e178);
-let _e182 = global_1.member.member_6;
+let _e182 = global_2.member.member_6;
 let _e186 = f32((1u << bitcast<u32>((_e182 & 31u))));
-let _e190 = global_1.member.member_2.member;
+let _e190 = global_2.member.member_2.member;
 let _e191 = f32(_e190);
 phi_324_ = _e65;
 loop {
@@ -147,7 +147,7 @@ let _e266 = select(select(_e257, _e238, _e224), _e217, _e203);
 let _e268 = select(select(_e260, _e241, _e224), _e220, _e203);
 let _e271 = (_e264 > _e268);
 if ((_e200 || _e222) || _e242) {
-let _e282 = global_1.member.member_2.member_1;
+let _e282 = global_2.member.member_2.member_1;
 let _e287 = -(((select(_e268, _e264, _e271) * _e178) - 0.5f));
 let _e288 = -((f32(_e282) * _e178));
 let _e290 = select(_e288, _e287, (_e287 > _e288));
@@ -157,7 +157,7 @@ let _e307 = -(((select(_e268, _e264, (_e264 < _e268)) * _e178) - 0.5f));
 let _e309 = select(_e288, _e307, (_e307 > _e288));
 let _e311 = select(0f, _e309, (_e309 < 0f));
 let _e318 = select(0i, select(select(i32(_e311), i32(-2147483648), (_e311 < -2147483600f)), 2147483647i, (_e311 > 2147483500f)), (_e311 == _e311));
-let _e328 = global_1.member.member_5;
+let _e328 = global_2.member.member_5;
 phi_591_ = -((_e318 - select(0i, 1i, (_e311 < f32(_e318)))));
 loop {
 let _e332 = phi_591_;
@@ -166,7 +166,7 @@ if _e333 {
 let _e338 = ((((f32(_e332) + 0.5f) * _e179) - _e268) * (1f / select((_e264 - _e268), 1f, (_e264 == _e268))));
 let _e340 = select(0f, _e338, (_e338 > 0f));
 let _e345 = (_e266 + ((select(select(_e257, _e238, _e222), _e217, _e200) - _e266) * select(1f, _e340, (_e340 < 1f))));
-let _e348 = global_1.member.member_11;
+let _e348 = global_2.member.member_11;
 let _e352 = (_e345 / (1f + (_e348 * (_e191 - _e345))));
 let _e354 = select(0f, _e352, (_e352 > 0f));
 let _e356 = select(_e191, _e354, (_e354 < _e191));
@@ -184,7 +184,7 @@ let _e395 = select(_e186, _e393, (_e393 < _e186));
 let _e402 = select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < -2147483600f)), 2147483647i, (_e395 > 2147483500f)), (_e395 == _e395));
 let _e406 = (_e402 - select(0i, 1i, (_e395 < f32(_e402))));
 let _e407 = ((_e383 - select(0i, 1i, (_e376 < f32(_e383)))) - _e406);
-let _e415 = global_1.member.member_3;
+let _e415 = global_2.member.member_3;
 let _e419 = bitcast<u32>(((((((_e193 >> bitcast<u32>(_e175)) - bitcast<i32>(_e328)) * bitcast<i32>(_e282)) + (_e332 >> bitcast<u32>(_e175))) * bitcast<i32>(_e415)) + _e372));
 if _e271 {
 phi_728_ = -(_e406);
@@ -198,14 +198,14 @@ let _e425 = phi_729_;
 if (_e425 == 0i) {
 } else {
 if (_e419 < _e33) {
-let _e431 = atomicAdd((&global_2.member[_e419]), bitcast<u32>(_e425));
+let _e431 = atomicAdd((&global_1.member[_e419]), bitcast<u32>(_e425));
 }
 }
 if (_e423 == 0i) {
 } else {
 let _e433 = (_e419 + 1u);
 if (_e433 < _e33) {
-let _e438 = atomicAdd((&global_2.member[_e433]), bitcast<u32>(_e423));
+let _e438 = atomicAdd((&global_1.member[_e433]), bitcast<u32>(_e423));
 }
 }
 phi_592_ = (_e332 + 1i);

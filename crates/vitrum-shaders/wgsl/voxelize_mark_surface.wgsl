@@ -53,10 +53,10 @@ struct type_19 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(0)
-var<storage> global_1: type_9;
 @group(0) @binding(3)
-var<storage, read_write> global_2: type_19;
+var<storage, read_write> global_1: type_19;
+@group(0) @binding(0)
+var<storage> global_2: type_9;
 @group(0) @binding(1)
 var<storage> global_3: type_7;
 @group(0) @binding(2)
@@ -292,12 +292,12 @@ switch bitcast<i32>(0u) {
 default: {
 let _e191 = global;
 let _e194 = arrayLength((&global_3.member));
-let _e198 = arrayLength((&global_2.member));
-let _e201 = global_1.member.member;
+let _e198 = arrayLength((&global_1.member));
+let _e201 = global_2.member.member;
 if (_e191.x < _e201.member) {
 if (_e191.y < _e201.member_1) {
 if (_e201.member_2 == 0u) {
-let _e571 = global_1.member.member.member;
+let _e571 = global_2.member.member.member;
 let _e573 = ((_e191.y * _e571) + _e191.x);
 let _e574 = bitcast<i32>(_e573);
 let _e575 = (_e574 * 9i);
@@ -309,8 +309,8 @@ local_141 = _e577;
 }
 let _e579 = local_141;
 if (_e579 < 0i) {
-let _e786 = global_1.member.member_8;
-let _e789 = global_1.member.member_9;
+let _e786 = global_2.member.member_8;
+let _e789 = global_2.member.member_9;
 let _e790 = bitcast<i32>(_e789);
 let _e792 = (_e786 & 31u);
 let _e795 = ((2i * _e790) + (2i << bitcast<u32>(_e792)));
@@ -324,11 +324,11 @@ phi_794_ = ((((bitcast<u32>(f32(select(_e800, _e795, _e801))) >> bitcast<u32>(23
 let _e812 = phi_794_;
 let _e822 = (((_e790 + 1i) + ((1i << bitcast<u32>((_e812 & 31u))) >> bitcast<u32>(1i))) + (_e795 >> bitcast<u32>(19i)));
 let _e823 = (_e822 + 1i);
-let _e827 = global_1.member.member_2.member;
+let _e827 = global_2.member.member_2.member;
 let _e828 = bitcast<i32>(_e827);
-let _e832 = global_1.member.member_2.member_1;
+let _e832 = global_2.member.member_2.member_1;
 let _e833 = bitcast<i32>(_e832);
-let _e837 = global_1.member.member_2.member_2;
+let _e837 = global_2.member.member_2.member_2;
 let _e838 = bitcast<i32>(_e837);
 let _e841 = ((-1i - _e822) >> bitcast<u32>(_e792));
 let _e843 = select(0i, _e841, (_e841 > 0i));
@@ -399,8 +399,8 @@ let _e629 = bitcast<i32>(_e628);
 let _e630 = local_141;
 let _e634 = global_3.member[bitcast<u32>((_e630 + 8i))];
 let _e635 = bitcast<i32>(_e634);
-let _e639 = global_1.member.member_8;
-let _e642 = global_1.member.member_9;
+let _e639 = global_2.member.member_8;
+let _e642 = global_2.member.member_9;
 let _e643 = bitcast<i32>(_e642);
 let _e645 = select(_e604, _e585, (_e585 < _e604));
 let _e647 = select(_e610, _e591, (_e591 < _e610));
@@ -429,11 +429,11 @@ phi_1146_ = ((((bitcast<u32>(f32(select(_e685, _e680, _e686))) >> bitcast<u32>(2
 }
 let _e697 = phi_1146_;
 let _e708 = ((((_e643 + 1i) + ((1i << bitcast<u32>((_e697 & 31u))) >> bitcast<u32>(1i))) + (_e680 >> bitcast<u32>(19i))) + 1i);
-let _e712 = global_1.member.member_2.member;
+let _e712 = global_2.member.member_2.member;
 let _e713 = bitcast<i32>(_e712);
-let _e717 = global_1.member.member_2.member_1;
+let _e717 = global_2.member.member_2.member_1;
 let _e718 = bitcast<i32>(_e717);
-let _e722 = global_1.member.member_2.member_2;
+let _e722 = global_2.member.member_2.member_2;
 let _e723 = bitcast<i32>(_e722);
 let _e726 = ((_e651 - _e708) >> bitcast<u32>(_e677));
 let _e728 = select(0i, _e726, (_e726 > 0i));
@@ -486,7 +486,7 @@ let _e778 = phi_1251_;
 phi_1257_ = type_12(vec3<i32>(_e585, _e591, _e597), vec3<i32>(_e604, _e610, _e616), vec3<i32>(_e623, _e629, _e635), vec3<i32>(_e732, _e741, _e750), vec3<i32>((_e760 - _e732), (_e769 - _e741), (_e778 - _e750)), _e708, _e639, _e697);
 }
 let _e879 = phi_1257_;
-let _e882 = global_1.member.member_1;
+let _e882 = global_2.member.member_1;
 let _e888 = (_e879.member_4.z >= _e879.member_4.y);
 let _e890 = (1i + select(_e879.member_4.y, _e879.member_4.z, _e888));
 if (_e890 == 1i) {
@@ -503,9 +503,9 @@ phi_1313_ = 0i;
 let _e900 = phi_1313_;
 phi_2103_ = type_14(type_13(_e574, 0i, _e900), _e879);
 } else {
-let _e213 = global_1.member.member.member;
+let _e213 = global_2.member.member.member;
 let _e215 = ((_e191.y * _e213) + _e191.x);
-let _e218 = global_1.member.member_1;
+let _e218 = global_2.member.member_1;
 let _e220 = bitcast<i32>((_e215 * 3u));
 let _e221 = (_e220 + 1i);
 let _e223 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
@@ -523,7 +523,7 @@ phi_1364_ = 0i;
 let _e245 = phi_1364_;
 let _e247 = select(_e223, _e220, (_e220 < _e223));
 let _e253 = global_4.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
-let _e258 = global_1.member.member_10;
+let _e258 = global_2.member.member_10;
 let _e260 = (bitcast<i32>(_e253) + bitcast<i32>(_e258));
 let _e262 = (_e260 * 9i);
 let _e264 = (bitcast<i32>(_e194) - 9i);
@@ -534,8 +534,8 @@ local_140 = _e264;
 }
 let _e266 = local_140;
 if (_e266 < 0i) {
-let _e473 = global_1.member.member_8;
-let _e476 = global_1.member.member_9;
+let _e473 = global_2.member.member_8;
+let _e476 = global_2.member.member_9;
 let _e477 = bitcast<i32>(_e476);
 let _e479 = (_e473 & 31u);
 let _e482 = ((2i * _e477) + (2i << bitcast<u32>(_e479)));
@@ -549,11 +549,11 @@ phi_1638_ = ((((bitcast<u32>(f32(select(_e487, _e482, _e488))) >> bitcast<u32>(2
 let _e499 = phi_1638_;
 let _e509 = (((_e477 + 1i) + ((1i << bitcast<u32>((_e499 & 31u))) >> bitcast<u32>(1i))) + (_e482 >> bitcast<u32>(19i)));
 let _e510 = (_e509 + 1i);
-let _e514 = global_1.member.member_2.member;
+let _e514 = global_2.member.member_2.member;
 let _e515 = bitcast<i32>(_e514);
-let _e519 = global_1.member.member_2.member_1;
+let _e519 = global_2.member.member_2.member_1;
 let _e520 = bitcast<i32>(_e519);
-let _e524 = global_1.member.member_2.member_2;
+let _e524 = global_2.member.member_2.member_2;
 let _e525 = bitcast<i32>(_e524);
 let _e528 = ((-1i - _e509) >> bitcast<u32>(_e479));
 let _e530 = select(0i, _e528, (_e528 > 0i));
@@ -624,8 +624,8 @@ let _e316 = bitcast<i32>(_e315);
 let _e317 = local_140;
 let _e321 = global_3.member[bitcast<u32>((_e317 + 8i))];
 let _e322 = bitcast<i32>(_e321);
-let _e326 = global_1.member.member_8;
-let _e329 = global_1.member.member_9;
+let _e326 = global_2.member.member_8;
+let _e329 = global_2.member.member_9;
 let _e330 = bitcast<i32>(_e329);
 let _e332 = select(_e291, _e272, (_e272 < _e291));
 let _e334 = select(_e297, _e278, (_e278 < _e297));
@@ -654,11 +654,11 @@ phi_1990_ = ((((bitcast<u32>(f32(select(_e372, _e367, _e373))) >> bitcast<u32>(2
 }
 let _e384 = phi_1990_;
 let _e395 = ((((_e330 + 1i) + ((1i << bitcast<u32>((_e384 & 31u))) >> bitcast<u32>(1i))) + (_e367 >> bitcast<u32>(19i))) + 1i);
-let _e399 = global_1.member.member_2.member;
+let _e399 = global_2.member.member_2.member;
 let _e400 = bitcast<i32>(_e399);
-let _e404 = global_1.member.member_2.member_1;
+let _e404 = global_2.member.member_2.member_1;
 let _e405 = bitcast<i32>(_e404);
-let _e409 = global_1.member.member_2.member_2;
+let _e409 = global_2.member.member_2.member_2;
 let _e410 = bitcast<i32>(_e409);
 let _e413 = ((_e338 - _e395) >> bitcast<u32>(_e364));
 let _e415 = select(0i, _e413, (_e413 > 0i));
@@ -1142,8 +1142,8 @@ let _e5224 = phi_5876_;
 let _e5225 = (_e5224 <= _e5222);
 if _e5225 {
 if (0i <= _e904.member_1.member_4.x) {
-let _e5234 = global_1.member.member_2.member_1;
-let _e5241 = global_1.member.member_3;
+let _e5234 = global_2.member.member_2.member_1;
+let _e5241 = global_2.member.member_3;
 let _e5244 = (_e904.member_1.member_3.x + _e904.member_1.member_4.x);
 let _e5246 = (_e904.member_1.member_3.x >> bitcast<u32>(5i));
 phi_5915_ = _e5246;
@@ -1166,7 +1166,7 @@ phi_5945_ = 4294967295u;
 let _e5268 = phi_5945_;
 let _e5270 = bitcast<u32>(((((((_e904.member_1.member_3.z + select(_e5224, _e5217, _e4848)) * bitcast<i32>(_e5234)) + _e904.member_1.member_3.y) + select(_e5217, _e5224, _e4848)) * bitcast<i32>(_e5241)) + _e5248));
 if (_e5270 < _e198) {
-let _e5275 = atomicOr((&global_2.member[_e5270]), (_e5259 & _e5268));
+let _e5275 = atomicOr((&global_1.member[_e5270]), (_e5259 & _e5268));
 }
 phi_5916_ = (_e5248 + 1i);
 } else {
@@ -1816,8 +1816,8 @@ let _e4664 = phi_9813_;
 let _e4665 = (_e4664 <= (_e4658 - select(0i, 1i, (_e4651 < f32(_e4658)))));
 if _e4665 {
 if (0i <= _e904.member_1.member_4.x) {
-let _e4674 = global_1.member.member_2.member_1;
-let _e4681 = global_1.member.member_3;
+let _e4674 = global_2.member.member_2.member_1;
+let _e4681 = global_2.member.member_3;
 let _e4684 = (_e904.member_1.member_3.x + _e904.member_1.member_4.x);
 let _e4686 = (_e904.member_1.member_3.x >> bitcast<u32>(5i));
 phi_9852_ = _e4686;
@@ -1840,7 +1840,7 @@ phi_9882_ = 4294967295u;
 let _e4708 = phi_9882_;
 let _e4710 = bitcast<u32>(((((((_e904.member_1.member_3.z + select(_e4664, _e4574, _e3909)) * bitcast<i32>(_e4674)) + _e904.member_1.member_3.y) + select(_e4574, _e4664, _e3909)) * bitcast<i32>(_e4681)) + _e4688));
 if (_e4710 < _e198) {
-let _e4715 = atomicOr((&global_2.member[_e4710]), (_e4699 & _e4708));
+let _e4715 = atomicOr((&global_1.member[_e4710]), (_e4699 & _e4708));
 }
 phi_9853_ = (_e4688 + 1i);
 } else {
@@ -2382,8 +2382,8 @@ let _e3707 = select(_e3657, _e3705, (_e3705 < _e3657));
 let _e3714 = select(0i, select(select(i32(_e3707), i32(-2147483648), (_e3707 < -2147483600f)), 2147483647i, (_e3707 > 2147483500f)), (_e3707 == _e3707));
 let _e3718 = (_e3714 - select(0i, 1i, (_e3707 < f32(_e3714))));
 if (_e3703 <= _e3718) {
-let _e3724 = global_1.member.member_2.member_1;
-let _e3731 = global_1.member.member_3;
+let _e3724 = global_2.member.member_2.member_1;
+let _e3731 = global_2.member.member_3;
 let _e3734 = (_e904.member_1.member_3.x + _e3703);
 let _e3735 = (_e904.member_1.member_3.x + _e3718);
 let _e3737 = (_e3734 >> bitcast<u32>(5i));
@@ -2407,7 +2407,7 @@ phi_13798_ = 4294967295u;
 let _e3759 = phi_13798_;
 let _e3761 = bitcast<u32>(((((((_e904.member_1.member_3.z + _e3653) * bitcast<i32>(_e3724)) + _e904.member_1.member_3.y) + select(_e3644, _e3651, _e3167)) * bitcast<i32>(_e3731)) + _e3739));
 if (_e3761 < _e198) {
-let _e3766 = atomicOr((&global_2.member[_e3761]), (_e3750 & _e3759));
+let _e3766 = atomicOr((&global_1.member[_e3761]), (_e3750 & _e3759));
 }
 phi_13769_ = (_e3739 + 1i);
 } else {
@@ -2949,8 +2949,8 @@ let _e2966 = select(_e2916, _e2964, (_e2964 < _e2916));
 let _e2973 = select(0i, select(select(i32(_e2966), i32(-2147483648), (_e2966 < -2147483600f)), 2147483647i, (_e2966 > 2147483500f)), (_e2966 == _e2966));
 let _e2977 = (_e2973 - select(0i, 1i, (_e2966 < f32(_e2973))));
 if (_e2962 <= _e2977) {
-let _e2983 = global_1.member.member_2.member_1;
-let _e2990 = global_1.member.member_3;
+let _e2983 = global_2.member.member_2.member_1;
+let _e2990 = global_2.member.member_3;
 let _e2993 = (_e904.member_1.member_3.x + _e2962);
 let _e2994 = (_e904.member_1.member_3.x + _e2977);
 let _e2996 = (_e2993 >> bitcast<u32>(5i));
@@ -2974,7 +2974,7 @@ phi_17714_ = 4294967295u;
 let _e3018 = phi_17714_;
 let _e3020 = bitcast<u32>(((((((_e904.member_1.member_3.z + select(_e2910, _e2903, _e2426)) * bitcast<i32>(_e2983)) + _e904.member_1.member_3.y) + _e2913) * bitcast<i32>(_e2990)) + _e2998));
 if (_e3020 < _e198) {
-let _e3025 = atomicOr((&global_2.member[_e3020]), (_e3009 & _e3018));
+let _e3025 = atomicOr((&global_1.member[_e3020]), (_e3009 & _e3018));
 }
 phi_17685_ = (_e2998 + 1i);
 } else {
@@ -3838,8 +3838,8 @@ let _e2225 = select(_e2115, _e2223, (_e2223 < _e2115));
 let _e2232 = select(0i, select(select(i32(_e2225), i32(-2147483648), (_e2225 < -2147483600f)), 2147483647i, (_e2225 > 2147483500f)), (_e2225 == _e2225));
 let _e2236 = (_e2232 - select(0i, 1i, (_e2225 < f32(_e2232))));
 if (_e2221 <= _e2236) {
-let _e2242 = global_1.member.member_2.member_1;
-let _e2249 = global_1.member.member_3;
+let _e2242 = global_2.member.member_2.member_1;
+let _e2249 = global_2.member.member_3;
 let _e2252 = (_e904.member_1.member_3.x + _e2221);
 let _e2253 = (_e904.member_1.member_3.x + _e2236);
 let _e2255 = (_e2252 >> bitcast<u32>(5i));
@@ -3863,7 +3863,7 @@ phi_21855_ = 4294967295u;
 let _e2277 = phi_21855_;
 let _e2279 = bitcast<u32>(((((((_e904.member_1.member_3.z + _e2110) * bitcast<i32>(_e2242)) + _e904.member_1.member_3.y) + _e2111) * bitcast<i32>(_e2249)) + _e2257));
 if (_e2279 < _e198) {
-let _e2284 = atomicOr((&global_2.member[_e2279]), (_e2268 & _e2277));
+let _e2284 = atomicOr((&global_1.member[_e2279]), (_e2268 & _e2277));
 }
 phi_21826_ = (_e2257 + 1i);
 } else {

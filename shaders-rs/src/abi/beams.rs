@@ -53,6 +53,8 @@ pub struct BeamsUniforms {
     pub flags: u32,
     /// The sums of in-scattered radiance.
     pub sums: Sums,
+    /// The cells of the medium.
+    pub cells: Cells,
 }
 
 /// The lattice of a light's rays (Hu et al. 2010, §5.1, the caustic buffer): a square of `count` × `count` texels.
@@ -116,6 +118,12 @@ pub struct Limits {
     pub depth_start: u32,
     /// Floats from the optical depths along the beams of one round to those of the next.
     pub depth_pitch: u32,
+    /// Step Δx of a march along viewing rays, in voxels.
+    pub step: f32,
+    /// Radius r of the support of its filter, in voxels; at most [`FILTER_STEPS`] steps.
+    pub filter_radius: f32,
+    /// 1 over the width of a pixel at the distance of the bodies, a voxel: the constant of a march.
+    pub line_weight: f32,
 }
 
 /// A medium in a box, homogeneous or with a density from a volume.
@@ -189,6 +197,32 @@ pub struct Sums {
     pub rows: u32,
 }
 
+/// Cells of the medium's box along each of its edges, between which light that is scattered more than once is exchanged.
+pub const CELLS: u32 = 16;
+
+/// The cells of the medium's box.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct Cells {
+    /// Edges of a cell, in voxels.
+    pub edge: Vec3,
+    /// Units in a sum of light, as [`crate::abi::record::deposit`] has, of 1.
+    pub scale: f32,
+    /// Mean cosine of the phase function.
+    pub mean_cosine: f32,
+    /// Floats in front of the table of what cells exchange in the buffer of materials.
+    pub first: u32,
+}
+
+/// Modes of [`crate::beams::exchange_light`]: where light arrives.
+pub mod target {
+    /// At cells.
+    pub const CELLS: u32 = 0;
+    /// At the eye, by way of a cell.
+    pub const EYE: u32 = 1;
+}
+
 /// The most levels of the pyramid above the picture itself: level l has pixels of 2^l × 2^l viewing rays.
 pub const LEVELS: u32 = 4;
 
@@ -227,7 +261,12 @@ pub mod medium {
     pub const HOMOGENEOUS: u32 = 0;
     /// The density is given by a volume.
     pub const VARYING: u32 = 1;
+    /// Of either kind, by a march along viewing rays, for comparison.
+    pub const MARCHED: u32 = 2;
 }
+
+/// Steps in the radius of the support of a march's filter, at most.
+pub const FILTER_STEPS: i32 = 2;
 
 /// How wide beams are drawn.
 pub mod estimator {
@@ -235,6 +274,8 @@ pub mod estimator {
     pub const BEAMS: u32 = 0;
     /// One pixel wide.
     pub const LINES: u32 = 1;
+    /// One pixel wide, with the same weight everywhere, gathered by a march along viewing rays.
+    pub const MARCH: u32 = 2;
 }
 
 /// Major axes of the beams that a pass of [`crate::beams::scatter_beam`] draws.

@@ -59,7 +59,7 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
     let first = (u.limits.round * u.limits.pitch) as i32;
     let number = (y * u.dispatch.width + x) as i32;
     let mut beam = beam_of(beams, first, number, count);
-    if u.limits.estimator == estimator::LINES {
+    if u.limits.estimator != estimator::BEAMS {
         let none = Vec3::new(0.0, 0.0, 0.0);
         beam = Beam { position_u: none, position_v: none, direction_u: none, direction_v: none, ..beam };
     }

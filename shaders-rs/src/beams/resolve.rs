@@ -61,12 +61,13 @@ pub fn invoke(
     let cosine = dot(xyz(u.away), aim) / length(aim);
     let normal = Vec3::new(dot(xyz(u.right), seen.normal), dot(xyz(u.up), seen.normal), -dot(xyz(u.away), seen.normal));
     BeamPixel {
-        color: seen.radiance + lit + caustics,
+        color: seen.radiance + lit + caustics + seen.multiple,
         coverage: clamp(seen.coverage, 0.0, 1.0),
         surfaces: seen.radiance,
         airlight: seen.airlight,
         caustics,
         shadow,
+        multiple: seen.multiple,
         depth: select(seen.depth < 0.5 * FAR, seen.depth * cosine * u.voxel, 0.0),
         normal,
     }

@@ -24,14 +24,14 @@ const FARTHER: f32 = 0.02;
 const NOTHING: f32 = 1e-6;
 
 /// Single rays, which get what at most `COARSE` coarse levels leave them.
-struct Single<const COARSE: u32, const VARYING: bool>;
+struct Single<const COARSE: u32, const MODE: u32>;
 
-impl<const COARSE: u32, const VARYING: bool> Lit for Single<COARSE, VARYING> {
+impl<const COARSE: u32, const MODE: u32> Lit for Single<COARSE, MODE> {
     #[inline(always)]
     fn light(&self, drawing: &Drawing<'_>, major: i32, minor: i32) -> Light {
         let (column, row) = drawing.drawn.pixel(major, minor);
         let line = drawing.sightline(column, row);
-        let light = drawing.scattered::<VARYING>(column as f32, row as f32, &line);
+        let light = drawing.scattered::<MODE>(column as f32, row as f32, &line);
         let share = drawing.rest::<COARSE>(major, minor);
         let is_seen = (light.distance > 0.0) & (light.distance < line.depth) & (absolute(share) > NOTHING);
         Light { is_seen, radiance: light.radiance * share, is_shared: false }
@@ -39,14 +39,14 @@ impl<const COARSE: u32, const VARYING: bool> Lit for Single<COARSE, VARYING> {
 }
 
 /// Coarse pixels.
-struct Coarse<const VARYING: bool>;
+struct Coarse<const MODE: u32>;
 
-impl<const VARYING: bool> Lit for Coarse<VARYING> {
+impl<const MODE: u32> Lit for Coarse<MODE> {
     #[inline(always)]
     fn light(&self, drawing: &Drawing<'_>, major: i32, minor: i32) -> Light {
         let levels = &drawing.levels;
         let edge = 1 << levels.own;
-        let (light, around) = drawing.look::<VARYING>(levels.own, major, minor);
+        let (light, around) = drawing.look::<MODE>(levels.own, major, minor);
         let meets = light.distance > 0.0;
         let is_seen = meets & (light.distance < around.nearest);
         // Beside pixels that are drawn, too, there is nothing left.
@@ -78,32 +78,32 @@ fn rows(drawing: &Drawing<'_>, covered: &Covered, level: u32) -> Rows {
 
 /// Gives single rays what coarse pixels leave them.
 #[inline(always)]
-fn draw_single<const VARYING: bool, S: Sums + ?Sized>(drawing: &Drawing<'_>, rows: &Rows, sums: &mut S) {
+fn draw_single<const MODE: u32, S: Sums + ?Sized>(drawing: &Drawing<'_>, rows: &Rows, sums: &mut S) {
     let [first, second, third] = drawing.levels.coarse();
     let coarse = (first > 0) as u32 + (second > 0) as u32 + (third > 0) as u32;
     if coarse == 0 {
-        rows.draw(drawing, &Single::<0, VARYING>, sums);
+        rows.draw(drawing, &Single::<0, MODE>, sums);
     } else if coarse == 1 {
-        rows.draw(drawing, &Single::<1, VARYING>, sums);
+        rows.draw(drawing, &Single::<1, MODE>, sums);
     } else {
-        rows.draw(drawing, &Single::<3, VARYING>, sums);
+        rows.draw(drawing, &Single::<3, MODE>, sums);
     }
 }
 
 /// Draws the beam in a block of columns.
 #[inline(always)]
-fn draw<const VARYING: bool, S: Sums + ?Sized>(drawing: &Drawing<'_>, covered: &Covered, sums: &mut S) {
+fn draw<const MODE: u32, S: Sums + ?Sized>(drawing: &Drawing<'_>, covered: &Covered, sums: &mut S) {
     let own = drawing.levels.own;
     let fine = rows(drawing, covered, 0);
     if own == 0 {
-        draw_single::<VARYING, S>(drawing, &fine, sums);
+        draw_single::<MODE, S>(drawing, &fine, sums);
         return;
     }
-    let Shared { first, last } = rows(drawing, covered, own).draw(drawing, &Coarse::<VARYING>, sums);
+    let Shared { first, last } = rows(drawing, covered, own).draw(drawing, &Coarse::<MODE>, sums);
     if first <= last {
         let end = (last + 1) << own;
         let high = if end <= fine.high { end - 1 } else { fine.high };
-        draw_single::<VARYING, S>(drawing, &Rows { low: first << own, high, ..fine }, sums);
+        draw_single::<MODE, S>(drawing, &Rows { low: first << own, high, ..fine }, sums);
     }
 }
 
@@ -139,9 +139,12 @@ pub fn invoke<S: Sums + ?Sized>(
     let beam = beam_of(beams, (round * u.limits.pitch) as i32, number, count);
     let levels = Levels::new(u, &drawn, &covered, first, columns);
     let drawing = Drawing { u, beam, drawn, levels, sights, depths, number, materials, optical_depths };
-    if mode == medium::VARYING {
-        draw::<true, S>(&drawing, &covered, sums);
+    if mode == medium::MARCHED {
+        // Lines are as wide as a pixel: none is drawn in coarse ones.
+        rows(&drawing, &covered, 0).draw(&drawing, &Single::<0, { medium::MARCHED }>, sums);
+    } else if mode == medium::VARYING {
+        draw::<{ medium::VARYING }, S>(&drawing, &covered, sums);
     } else {
-        draw::<false, S>(&drawing, &covered, sums);
+        draw::<{ medium::HOMOGENEOUS }, S>(&drawing, &covered, sums);
     }
 }

@@ -5,6 +5,7 @@ use super::medium::{phase, transmittance};
 use super::nearest::Nearest;
 use super::shares::Drawing;
 use super::viewing::{on_plane, through};
+use crate::abi::beams::medium;
 use crate::abi::record::sight;
 use crate::field::access::read;
 use crate::math::{length, max, select, xyz};
@@ -27,7 +28,7 @@ pub struct Sightline {
     /// Distance from the eye at which it enters the medium, in voxels.
     pub enters: f32,
     /// Distance at which it leaves it.
-    leaves: f32,
+    pub leaves: f32,
     /// Distance at which it ends.
     pub depth: f32,
 }
@@ -50,7 +51,7 @@ impl Drawing<'_> {
 
     /// Optical depths, over the extinction coefficient where the density is 1: of the beam up to the distance `s`, and of the viewing ray up to `t`.
     #[inline(always)]
-    fn depths_at(&self, s: f32, t: f32, line: &Sightline) -> (f32, f32) {
+    pub(super) fn depths_at(&self, s: f32, t: f32, line: &Sightline) -> (f32, f32) {
         let Self { u, beam, optical_depths, number, .. } = self;
         let first = (u.limits.depth_start + u.limits.round * u.limits.depth_pitch) as i32;
         let count = u.dispatch.width as i32;
@@ -60,25 +61,31 @@ impl Drawing<'_> {
         (along, depth_on_piece(&u.medium, optical_depths, 0, line.pixel, pixels, share))
     }
 
-    /// The light that the beam sends along the viewing ray through the place (`column`, `row`) of the picture, in a medium of `VARYING` density or a
-    /// homogeneous one.
+    /// The light that the beam sends along the viewing ray through the place (`column`, `row`) of the picture; `MODE` is one of [`medium`].
     #[inline(always)]
-    pub fn scattered<const VARYING: bool>(&self, column: f32, row: f32, line: &Sightline) -> Scattered {
+    pub fn scattered<const MODE: u32>(&self, column: f32, row: f32, line: &Sightline) -> Scattered {
         let Self { u, beam, materials, .. } = self;
         let (across, upwards) = on_plane(u, column, row);
         let (from, aim) = through(u, across, upwards);
         let size = length(aim);
         let w = aim * (1.0 / size);
-        let Nearest { t, s, cosine } = Nearest::new(beam.position - from, w, beam.direction);
+        let nearest = Nearest::new(beam.position - from, w, beam.direction);
+        let Nearest { t, s, cosine } = nearest;
         let meets = (s >= 0.0) & (s < beam.length) & (t > 0.0);
+        // Lines of a march have one weight in all of the picture, in place of 1 over the width of a pixel where they are.
+        let size = if MODE == medium::MARCHED { self.drawn.filter * u.limits.line_weight } else { size };
         let strength = size * phase(&u.medium, materials, -cosine);
-        let (depth, strength) = if VARYING {
+        let varies = (MODE == medium::VARYING) | ((MODE == medium::MARCHED) & (u.medium.nodes > 0));
+        let strength = if varies { strength * density_at(&u.medium, materials, from + w * t) } else { strength };
+        let dimmed = if MODE == medium::MARCHED {
+            self.marched(&nearest, line)
+        } else if MODE == medium::VARYING {
             let (along, towards) = self.depths_at(s, t, line);
-            (along + towards, strength * density_at(&u.medium, materials, from + w * t))
+            transmittance(&u.medium, along + towards)
         } else {
-            (s + max(t - line.enters, 0.0), strength)
+            transmittance(&u.medium, s + max(t - line.enters, 0.0))
         };
-        let radiance = beam.flux * xyz(u.medium.scattering) * transmittance(&u.medium, depth) * strength;
+        let radiance = beam.flux * xyz(u.medium.scattering) * dimmed * strength;
         Scattered { distance: select(meets, t, 0.0), radiance }
     }
 }

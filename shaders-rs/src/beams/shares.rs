@@ -9,7 +9,7 @@ use super::drawn::Drawn;
 use super::look_around::depths_around;
 use super::pyramid::size;
 use super::scattered::Scattered;
-use crate::abi::beams::BeamsUniforms;
+use crate::abi::beams::{BeamsUniforms, medium};
 use crate::abi::record::{Around, Beam};
 use crate::math::{floor_to_int, limit, select};
 
@@ -37,9 +37,10 @@ pub struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    /// The light of the beam at the middle of a pixel of a level, by its place along the beam's axes, and the depths around it.
+    /// The light of the beam at the middle of a pixel of a level, by its place along the beam's axes, and the depths around it; `MODE` is one
+    /// of [`medium`].
     #[inline(always)]
-    pub fn look<const VARYING: bool>(&self, level: u32, major: i32, minor: i32) -> (Scattered, Around) {
+    pub fn look<const MODE: u32>(&self, level: u32, major: i32, minor: i32) -> (Scattered, Around) {
         let fine = (1 << level) as f32;
         let (along, across) = ((major as f32 + 0.5) * fine - 0.5, (minor as f32 + 0.5) * fine - 0.5);
         let (x, y) = self.drawn.place(along, across);
@@ -49,13 +50,13 @@ impl Drawing<'_> {
         let (width, height) = (self.u.picture.width as i32, self.u.picture.height as i32);
         let (inner_column, inner_row) = ((column << level) + middle, (row << level) + middle);
         let line = self.sightline(limit(inner_column, width), limit(inner_row, height));
-        (self.scattered::<VARYING>(x, y, &line), around)
+        (self.scattered::<MODE>(x, y, &line), around)
     }
 
     /// Whether the beam is drawn in a pixel of a level.
     #[inline(always)]
     fn is_drawn(&self, level: u32, major: i32, minor: i32) -> bool {
-        let (light, around) = self.look::<false>(level, major, minor);
+        let (light, around) = self.look::<{ medium::HOMOGENEOUS }>(level, major, minor);
         let of_level = self.levels.at(major << level) == level;
         of_level & (light.distance > 0.0) & (light.distance < around.nearest)
     }

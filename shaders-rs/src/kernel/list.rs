@@ -123,7 +123,13 @@ kernels! {
         integrate_view(sights: f32, materials: f32) writes optical_depth;
         add_depths(parts: f32) writes optical_depth;
         scatter_beam(beams: f32, projections: f32, sights: f32, depths: f32, materials: f32, optical_depths: f32) adds inscattered,
-            modes medium [HOMOGENEOUS, VARYING];
+            modes medium [HOMOGENEOUS, VARYING, MARCHED];
+        deposit_beam(beams: f32, materials: f32) adds deposit;
+        light_cell(sums: u32, pictures: f32, materials: f32) writes cell;
+        exchange_light(direct: f32, scattered: f32, materials: f32) writes cell,
+            modes target [CELLS, EYE];
+        see_cells(pencils: f32, cells: f32, materials: f32) updates sight,
+            levels [WORK];
         resolve(sights: f32, caustics: u32, shadows: u32) writes beam_pixel;
     }
     probe: ProbeUniforms {

@@ -8,6 +8,7 @@ mod dispersion;
 mod flux;
 mod inside;
 mod lights;
+mod march;
 mod medium;
 mod mirror;
 mod mirror_table;

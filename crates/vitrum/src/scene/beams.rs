@@ -12,6 +12,10 @@ pub enum Estimator {
     Beams,
     /// Over lines one pixel wide, with the same flux, as Hu et al. (2010) draw: for comparison. They need many more rays for the same error.
     Lines,
+    /// As Hu et al. (2010, Eq. 3) add them up: lines one pixel wide, all with the same weight in the whole picture, which is right for light that crosses
+    /// the view at a right angle at the distance of the bodies, gathered by a march in even steps of `step`: for comparison. Light that is nearer, farther or
+    /// oblique is too bright or too dim. Light seen through bodies, and shadows, are those of `beams`.
+    Hu2010,
 }
 
 /// Beams of light in a medium.
@@ -44,6 +48,17 @@ pub struct Beams {
     pub nodes: u32,
     /// Estimator.
     pub estimator: Estimator,
+    /// Step Δx of the march along viewing rays of the estimator `hu2010`; if absent 0.2 times the radius of the sphere around the bodies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(max = 1e6), extend("x-unit" = "world units", "exclusiveMinimum" = 0))]
+    pub step: Option<f32>,
+    /// Radius r of the support of the filter that hands the light of a line to the steps of that march. Where it is below half a step, lines are missing.
+    #[schemars(range(min = 0.01, max = 2), extend("x-unit" = "steps"))]
+    pub filter_radius: f32,
+    /// Times that light is scattered at most. 1 is single scattering, which is exact but for what `rays` leaves. More add an estimate of the light that the medium
+    /// scatters several times, by its exchange between 16 × 16 × 16 cells of the medium; bodies do not stand in the way of this light, and surfaces are not lit by it.
+    #[schemars(range(min = 1, max = 64), extend("x-unit" = "times"))]
+    pub orders: u32,
     /// Whether wide beams are drawn in coarser pictures and interpolated.
     pub pyramid: bool,
 }
@@ -59,6 +74,9 @@ impl Default for Beams {
             wavelengths: 3,
             nodes: 16,
             estimator: Estimator::Beams,
+            step: None,
+            filter_radius: 1.0,
+            orders: 1,
             pyramid: true,
         }
     }

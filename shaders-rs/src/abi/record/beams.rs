@@ -206,6 +206,8 @@ record! {
         caustics: Color,
         /// Volumetric shadow on the further pieces: in-scattered radiance that bodies take away.
         shadow: Color,
+        /// Radiance that the medium has scattered more than once.
+        multiple: Color,
         /// Coverage, 0 to 1.
         coverage: f32,
         /// Unit normal at the first surface, along the grid's axes; 0 if there is none.
@@ -237,11 +239,34 @@ record! {
         caustics: Color,
         /// Volumetric shadow: the part of the airlight that bodies take away.
         shadow: Color,
+        /// Radiance that the medium has scattered more than once.
+        multiple: Color,
         /// Depth of the first surface along the viewing direction, world units; 0 if there was none.
         depth: f32,
         /// Unit normal at the first surface in view space (looking along −z). 0 if there was none.
         normal: Vec3,
     }
+}
+
+record! {
+    /// A cell of the medium: the light that arrives in it.
+    cell: Cell {
+        /// Fluence rate over π, RGB: the integral of the radiance over all directions.
+        fluence: Color,
+        /// Unit vector along the mean of the light's directions, each by its fluence.
+        direction: Vec3,
+        /// Length of that mean, 0 to 1: 1 if all light goes the same way.
+        directed: f32,
+        /// The medium's density, 0 behind the ground and the wall.
+        density: f32,
+    }
+}
+
+/// Sums of light in the cells of the medium: the flux of beams over π, in squared voxels, times the length of their ways in a cell, in voxels, RGB, and the mean of
+/// the channels along the three axes. A low and a high word each, next to each other (not planar).
+pub mod deposit {
+    /// Words.
+    pub const SIZE: usize = 12;
 }
 
 /// Sums of in-scattered radiance: for each channel a low and a high word, next to each other (not planar).

@@ -3,7 +3,7 @@
 use super::passes::{List, Lit, pitch};
 use crate::backend::{Backend, BackendError, Buffer};
 use crate::method::cache::Scratch;
-use vitrum_kernels::abi::beams::{BLOCK, axis, medium};
+use vitrum_kernels::abi::beams::{BLOCK, axis, estimator, medium};
 use vitrum_kernels::abi::record::{around, depths, optical_depth, projection};
 use vitrum_kernels::beams::pyramid::{rows_before, size};
 use vitrum_kernels::kernel::kernels;
@@ -30,6 +30,8 @@ pub(super) fn draw(
     let nodes = list.block.medium.nodes;
     let [beams, pixels] = [lit.lattice.count * lit.lattice.count, width * height];
     let rounds = lit.limits.last + 1;
+    let of_caustics = list.block.limits.estimator;
+    let kind = if nodes > 0 { medium::VARYING } else { medium::HOMOGENEOUS };
     let coarse = [size(size_of_picture, 1).width, rows_before(size_of_picture, levels + 1)];
     let mut zeros = |label: &'static str, words: u64| scratch.zeros(label, words.max(1) * 4, backend);
     let near = zeros("depths", pitch(coarse, depths::SIZE))?;
@@ -52,6 +54,10 @@ pub(super) fn draw(
         list.add(&kernels::beams_add_depths, [pixels, nodes], (0, 0), &[&parts, &optical_depths], 0);
     }
     for round in 0..rounds {
+        // Lines of a march have another weight than airlight: what bodies take out of that stays in beams.
+        let marches = of_caustics == estimator::MARCH && round > 0;
+        let of_shadow = if of_caustics == estimator::MARCH { estimator::BEAMS } else { of_caustics };
+        list.block.limits.estimator = if round == 0 { of_shadow } else { of_caustics };
         let projected = [&lit.beams, &projections];
         let start = of_round * u64::from(round);
         list.add(&kernels::beams_project_beam, [lit.lattice.count; 2], (0, round), &projected, start);
@@ -61,7 +67,7 @@ pub(super) fn draw(
             list.add(&kernels::beams_add_depths, [beams, nodes], (0, round), &[&parts, &optical_depths], start);
         }
         let sums = if round == 0 { picture.shadows } else { picture.caustics };
-        let mode = if nodes > 0 { medium::VARYING } else { medium::HOMOGENEOUS };
+        let mode = if marches { medium::MARCHED } else { kind };
         for (axis, length) in [(axis::ACROSS, width), (axis::DOWNWARDS, height)] {
             list.block.limits.axis = axis;
             let drawn = [&lit.beams, &projections, picture.sights, &around, materials, &optical_depths, sums];

@@ -29,6 +29,11 @@ pub(super) const OUTPUTS: &[Output] = &[
         rgb!(beam_pixel::SHADOW),
         "volumetric shadow: the part of the airlight that bodies take away",
     ),
+    Output::radiance(
+        "multiple",
+        rgb!(beam_pixel::MULTIPLE),
+        "multiple scattering: radiance that the medium scatters out of light that it has scattered before, an estimate",
+    ),
     Output::mean(
         "depth",
         &[("Z", beam_pixel::DEPTH)],

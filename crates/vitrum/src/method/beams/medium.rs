@@ -1,7 +1,8 @@
 //! The participating medium of a frame: its uniforms, and the buffer that has the records of materials and its density behind them.
 
 use super::density::{Density, density};
-use super::phase::table;
+use super::exchange;
+use super::phase::{self as tabulated, table};
 use crate::assets::Assets;
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
@@ -13,6 +14,7 @@ use bytemuck::cast_slice;
 use glam::DVec3;
 use std::sync::Arc;
 use vitrum_kernels::abi::beams::{Medium, phase};
+use vitrum_kernels::abi::vector::Vec3;
 
 /// Half the edge of the medium's cube over the radius of the sphere around the meshes, where the scene does not say.
 const EXTENT: f64 = 12.0;
@@ -22,12 +24,17 @@ const EXTENT: f64 = 12.0;
 pub(super) struct MediumCache {
     density: Memo<Option<scene::Medium>, Option<Arc<Density>>>,
     materials: Memo<(Vec<f32>, Option<usize>), Buffer>,
+    exchange: Memo<[Vec3; 3], Vec<f32>>,
 }
 
 /// A frame's medium.
 pub(super) struct FrameMedium {
     pub(super) uniforms: Medium,
-    /// Records of materials, and behind them a tabulated phase function and the density.
+    /// Mean cosine of its phase function.
+    pub(super) mean_cosine: f64,
+    /// Floats in front of the table of what its cells exchange in the buffer of materials, where light is scattered more than once.
+    pub(super) first_exchange: u32,
+    /// Records of materials, and behind them a tabulated phase function, what cells exchange, and the density.
     pub(super) materials: Buffer,
 }
 
@@ -46,8 +53,17 @@ impl MediumCache {
         let density = self.density.get(medium, || Ok::<_, Error>(density(scene, assets)?.map(Arc::new)))?.clone();
         let mut uniforms = uniforms(scene, density.as_deref(), bounds, grid);
         uniforms.first_phase = materials.len() as u32;
+        let mut mean_cosine =
+            if uniforms.phase == phase::HENYEY_GREENSTEIN { f64::from(uniforms.anisotropy) } else { 0.0 };
         if uniforms.phase == phase::TABULATED {
-            materials.extend(table(scene.medium.as_ref().map_or(&[], |medium| &medium.phase_values)));
+            let table = table(scene.medium.as_ref().map_or(&[], |medium| &medium.phase_values));
+            mean_cosine = tabulated::mean_cosine(&table);
+            materials.extend(table);
+        }
+        let first_exchange = materials.len() as u32;
+        if scene.beams.orders > 1 && scene.medium.is_some() {
+            let key = [uniforms.extinction, uniforms.low, uniforms.high];
+            materials.extend(self.exchange.get(key, || Ok::<_, Error>(exchange::table(&uniforms)))?.iter());
         }
         uniforms.first = materials.len() as u32;
         let key = (materials, density.as_ref().map(|density| Arc::as_ptr(density).addr()));
@@ -64,7 +80,7 @@ impl MediumCache {
                 backend.create("materials and density", Contents::Written(words as u64 * 4, fill))
             }
         })?;
-        Ok(FrameMedium { uniforms, materials: buffer.clone() })
+        Ok(FrameMedium { uniforms, mean_cosine, first_exchange, materials: buffer.clone() })
     }
 }
 

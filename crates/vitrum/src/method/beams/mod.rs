@@ -6,6 +6,7 @@
 
 mod density;
 mod drawing;
+mod exchange;
 mod film;
 mod lattice;
 mod medium;

@@ -1,6 +1,7 @@
 //! The pass list of a frame of beams.
 
 use super::drawing::{self, Picture};
+use super::exchange;
 use super::lattice::{coarser, lattice};
 use super::medium::MediumCache;
 use super::of_triangles;
@@ -171,7 +172,7 @@ impl Lit {
     }
 
     /// Makes the passes that follow read these beams.
-    fn describe(&self, list: &mut List) {
+    pub(super) fn describe(&self, list: &mut List) {
         list.block.lattice = self.lattice;
         list.block.limits = self.limits;
     }
@@ -180,6 +181,16 @@ impl Lit {
 /// The passes in which pencils get to their next piece in air, at most.
 fn passes_of_round(block: &BeamsUniforms) -> u32 {
     ((block.limits.bounces + 1) * NODES).div_ceil(4 * STEPS as u32)
+}
+
+/// The light of a frame.
+struct Lights<'a> {
+    /// Textures, and the environment's.
+    pictures: &'a Buffer,
+    /// Beams, and coarser ones for pieces of viewing rays behind surfaces.
+    lit: Option<&'a (Lit, Option<Lit>)>,
+    /// Light of the medium's cells towards the eye, where light is scattered more than once.
+    cells: Option<Buffer>,
 }
 
 /// The parts of a frame's work that its scene needs.
@@ -229,7 +240,8 @@ pub(super) fn list(
         lattice: fine,
         medium: medium.uniforms,
     };
-    let block = uniforms::block(scene, uploaded, &view, extent, &surroundings, flags);
+    let mut block = uniforms::block(scene, uploaded, &view, extent, &surroundings, flags);
+    block.cells = exchange::cells(&block, medium.mean_cosine, medium.first_exchange);
     let bodies = Bodies {
         nodes: uploaded.tree[0].clone(),
         corners: uploaded.tree[1].clone(),
@@ -254,7 +266,16 @@ pub(super) fn list(
         first.trace(&mut list, &bodies, &pictures.buffer);
         first.finish(&mut list, &bodies);
     }
-    let film = picture(&mut list, &bodies, &pictures.buffer, lit.as_ref(), (scene, uploaded, needs), scratch, backend)?;
+    let lights = Lights { pictures: &pictures.buffer, lit: lit.as_ref(), cells: None };
+    let lights = if scatters && shines && scene.beams.orders > 1 {
+        let beams = lit.as_ref().map(|(first, second)| second.as_ref().unwrap_or(first));
+        let buffers = [&pictures.buffer, &bodies.materials];
+        let cells = exchange::list(&mut list, beams, buffers, scene.beams.orders, scratch, backend)?;
+        Lights { cells: Some(cells), ..lights }
+    } else {
+        lights
+    };
+    let film = picture(&mut list, &bodies, &lights, (scene, uploaded, needs), scratch, backend)?;
     let while_busy = |kernel: &'static Kernel, until: &'static Kernel| {
         let name = kernel.declaration.name;
         WhileBusy { kernel: name, passes: vec![name], until: Some(until.declaration.name) }
@@ -280,13 +301,13 @@ pub(super) fn list(
 fn picture(
     list: &mut List,
     bodies: &Bodies,
-    pictures: &Buffer,
-    lit: Option<&(Lit, Option<Lit>)>,
+    lights: &Lights<'_>,
     (scene, uploaded, needs): (&Scene, &UploadedMesh, Needs),
     scratch: &mut Scratch,
     backend: &mut dyn Backend,
 ) -> Result<Buffer, Error> {
     let Bodies { nodes, corners, materials, looks } = bodies;
+    let Lights { pictures, lit, cells } = lights;
     let of_picture = list.block.picture;
     let Size { width, height } = of_picture;
     let picture = [width, height];
@@ -312,6 +333,9 @@ fn picture(
         }
         let seen = [&rays, pictures, corners, looks, materials, &searches, &sights];
         list.add(&kernels::beams_see, picture, (0, round), &seen, 0);
+        if let Some(cells) = cells {
+            list.add(&kernels::beams_see_cells, picture, (0, round), &[&rays, cells, materials, &sights], 0);
+        }
         if let Some((first, second)) = lit {
             if needs.surfaces {
                 first.describe(list);

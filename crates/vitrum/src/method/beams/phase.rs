@@ -34,6 +34,19 @@ pub(super) fn table(values: &[f32]) -> Vec<f32> {
     sampled.iter().map(|value| (value / (2.0 * integral)) as f32).collect()
 }
 
+/// The mean cosine of the angle that light is scattered by, of a phase function as [`table`] gives it.
+pub(super) fn mean_cosine(table: &[f32]) -> f64 {
+    let last = (table.len() - 1) as f64;
+    let (mut whole, mut along) = (0.0, 0.0);
+    for (index, &value) in table.iter().enumerate() {
+        let x = index as f64 / last;
+        // cos θ = 1 − 2 sin²(θ/2), and ∫ p dω = 8 π ∫ p x dx.
+        whole += f64::from(value) * x;
+        along += f64::from(value) * x * (1.0 - 2.0 * x * x);
+    }
+    if whole > 0.0 { along / whole } else { 0.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -62,6 +75,16 @@ mod tests {
                     "g = {g}, x = {x}: {found}, and {right} is right"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn the_mean_cosine_of_a_known_function_is_known() {
+        for g in [-0.5, 0.0, 0.8] {
+            let angle = |step: u16| f64::from(step) / 3600.0 * std::f64::consts::PI;
+            let values: Vec<f32> = (0..=3600).map(|step| henyey_greenstein(g, libm::cos(angle(step))) as f32).collect();
+            // The table's steps leave 10⁻³ of a peak as narrow as 0.1 in x.
+            assert!((mean_cosine(&table(&values)) - g).abs() < 2e-3, "{g}: {}", mean_cosine(&table(&values)));
         }
     }
 

@@ -20,6 +20,10 @@ const AROUND: f64 = 0.5;
 /// up to 2²⁶ times as large fit (see [`vitrum_kernels::field::sums::words`]).
 const UNITS: f64 = 16_777_216.0;
 
+/// Step of a march along viewing rays over the radius of the sphere around the bodies, where the scene does not say: the paper's, whose bodies are about as
+/// large as their unit.
+const STEP: f64 = 0.2;
+
 /// Share of a viewing ray's radiance below which a part of it is not followed: less than the eye sees.
 const VIEW_THRESHOLD: f32 = 0.005;
 
@@ -36,19 +40,23 @@ pub(super) struct Surroundings {
     pub(super) medium: Medium,
 }
 
+/// The width of a pixel at the distance of the bodies, in voxels.
+fn pixel(block: &BeamsUniforms, view: &View, bounds: Bounds, grid: Grid) -> f64 {
+    let (centre, radius) = bounds.sphere();
+    let distance = if view.orthographic { 1.0 } else { (centre - view.eye).length().max(radius) / grid.voxel_size };
+    distance * (2.0 * f64::from(block.camera.half_height) / f64::from(block.picture.height))
+}
+
 /// Units of the sums in a radiance of 1.
 fn scale(block: &BeamsUniforms, view: &View, bounds: Bounds, grid: Grid) -> f32 {
-    let (centre, radius) = bounds.sphere();
     let lattice = &block.lattice;
     let color = block.light.color;
-    let distance = if view.orthographic { 1.0 } else { (centre - view.eye).length().max(radius) / grid.voxel_size };
-    let pixel = 2.0 * f64::from(block.camera.half_height) / f64::from(block.picture.height);
     let strongest = color.x.max(color.y).max(color.z);
     let scattering = block.medium.scattering;
     let most = scattering.x.max(scattering.y).max(scattering.z);
     // π E A σ_s / (4 π f)
     let texel = f64::from(lattice.step_across) * f64::from(lattice.step_upwards);
-    let usual = 0.25 * f64::from(strongest) * texel * f64::from(most) / (distance * pixel);
+    let usual = 0.25 * f64::from(strongest) * texel * f64::from(most) / pixel(block, view, bounds, grid);
     if usual > 0.0 { (UNITS / usual).min(1e30) as f32 } else { 1.0 }
 }
 
@@ -94,6 +102,7 @@ pub(super) fn block(
             estimator: match beams.estimator {
                 Estimator::Beams => estimator::BEAMS,
                 Estimator::Lines => estimator::LINES,
+                Estimator::Hu2010 => estimator::MARCH,
             },
             ..Limits::default()
         },
@@ -104,6 +113,10 @@ pub(super) fn block(
         flags,
         ..BeamsUniforms::default()
     };
+    let step = beams.step.map_or(STEP * bounds.sphere().1, f64::from) / grid.voxel_size;
+    block.limits.step = step as f32;
+    block.limits.filter_radius = (step * f64::from(beams.filter_radius)) as f32;
+    block.limits.line_weight = (1.0 / pixel(&block, view, bounds, grid)) as f32;
     block.sums = sums(block.picture, if beams.pyramid { LEVELS } else { 0 });
     block.sums.scale = scale(&block, view, bounds, grid);
     block
