@@ -10,8 +10,7 @@ use super::store_beam::beam_of;
 use super::trapezoid::filtered;
 use super::tree::{Node, Tree, lanes};
 use crate::abi::beams::BeamsUniforms;
-use crate::abi::record::{Beam, Pencil, Sight, beam, bundle, pencil, sight};
-use crate::field::access::read;
+use crate::abi::record::{Beam, Pencil, Sight, bundle, pencil, sight};
 use crate::kernel::record;
 use crate::math::{absolute, absolute_vector, cross, dot, length, max, min, select, xyz};
 use crate::voxels::ray::{reciprocal, slab};
@@ -49,19 +48,60 @@ struct Line {
     opening: f32,
 }
 
-/// Whether a line comes near any beam of a node, as far as boxes tell. The edge function w · ((P − O) × d) of a beam that begins at P must be within what it
-/// changes over the boxes of positions and directions.
-#[inline(always)]
-fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
-    let of = |component: usize| tree.vector(bundles, node, component);
-    let (low, high) = (of(bundle::LOW), of(bundle::HIGH));
-    let (enters, leaves) = slab(line.from, line.inverse, low, high);
-    let reached = (low.x <= high.x) & (max(enters, line.near) <= min(leaves, line.far));
-    if reached {
-        let (position, position_half) = (of(bundle::POSITION), of(bundle::POSITION_HALF));
-        let (direction, direction_half) = (of(bundle::DIRECTION), of(bundle::DIRECTION_HALF));
-        let offset = position - line.from;
-        let by_position = cross(direction, line.direction);
+/// Boxes around the beams of a node.
+struct Bounds {
+    low: Vec3,
+    high: Vec3,
+    position: Vec3,
+    position_half: Vec3,
+    direction: Vec3,
+    direction_half: Vec3,
+}
+
+impl Bounds {
+    /// The bounds of a node.
+    #[inline(always)]
+    fn of_node(bundles: &[f32], tree: &Tree, node: Node) -> Self {
+        let of = |component: usize| tree.vector(bundles, node, component);
+        Self {
+            low: of(bundle::LOW),
+            high: of(bundle::HIGH),
+            position: of(bundle::POSITION),
+            position_half: of(bundle::POSITION_HALF),
+            direction: of(bundle::DIRECTION),
+            direction_half: of(bundle::DIRECTION_HALF),
+        }
+    }
+
+    /// The bounds of a texel, by its lane in a node of the lowest level, for all of which there are records.
+    #[inline(always)]
+    fn of_lane(bundles: &[f32], tree: &Tree, node: Node, lane: u32) -> Self {
+        // SAFETY: there are records for all lanes, and all components are those of a record.
+        let of = |component: usize| unsafe { tree.vector_of_lane(bundles, node, lane, component) };
+        Self {
+            low: of(bundle::LOW),
+            high: of(bundle::HIGH),
+            position: of(bundle::POSITION),
+            position_half: of(bundle::POSITION_HALF),
+            direction: of(bundle::DIRECTION),
+            direction_half: of(bundle::DIRECTION_HALF),
+        }
+    }
+
+    /// Whether a line comes into the box of the beams.
+    #[inline(always)]
+    fn is_reached(&self, line: &Line) -> bool {
+        let (enters, leaves) = slab(line.from, line.inverse, self.low, self.high);
+        (self.low.x <= self.high.x) & (max(enters, line.near) <= min(leaves, line.far))
+    }
+
+    /// Whether a line comes near any of the beams, as far as boxes tell. The edge function w · ((P − O) × d) of a beam that begins at P must be within what it
+    /// changes over the boxes of positions and directions.
+    #[inline(always)]
+    fn comes_near(&self, line: &Line) -> bool {
+        let (position_half, direction_half) = (self.position_half, self.direction_half);
+        let offset = self.position - line.from;
+        let by_position = cross(self.direction, line.direction);
         let by_direction = cross(line.direction, offset);
         let edge = dot(offset, by_position);
         let changes = dot(absolute_vector(by_position), position_half)
@@ -70,66 +110,102 @@ fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
         // The pixel's own width, as if the eye were as far away as the beams.
         let pixel = line.width + line.opening * (length(offset) + length(position_half));
         absolute(edge) <= changes + pixel
-    } else {
-        false
     }
+}
+
+/// Whether a line comes near any beam of a node.
+#[inline(always)]
+fn comes_near(bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> bool {
+    let bounds = Bounds::of_node(bundles, tree, node);
+    if bounds.is_reached(line) { bounds.comes_near(line) } else { false }
 }
 
 /// A bit for each texel of a node of the tree's lowest level whose beam a line comes near.
 #[inline(always)]
-fn near_beams(u: &BeamsUniforms, beams: &[f32], first: i32, tree: &Tree, node: Node, line: &Line) -> u32 {
-    let count = (u.lattice.count * u.lattice.count) as i32;
+fn near_beams(u: &BeamsUniforms, bundles: &[f32], tree: &Tree, node: Node, line: &Line) -> u32 {
     let mut near = 0;
-    let lanes = lanes();
+    let lanes = if tree.has_lanes(bundles, node) { lanes() } else { 0 };
     let mut lane = 0;
     while lane < lanes {
-        let texel = tree.texel(node, lane, u.lattice.count);
-        let is_near = texel.is_texel & comes_near_beam(beams, first, texel.number, count, line);
+        let bounds = Bounds::of_lane(bundles, tree, node, lane);
+        let is_texel = tree.texel(node, lane, u.lattice.count).is_texel;
+        let is_near = is_texel & bounds.is_reached(line) & bounds.comes_near(line);
         near |= (is_near as u32) << lane;
         lane += 1;
     }
     near
 }
 
-/// Whether a line comes near beam number `number` of `count`: as for a node, by a sphere and a cone around the beam.
+/// Of the beams of a node of the tree's lowest level that a line comes near, by their bits, those that it meets: each of the others would be looked at alone.
+#[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
-fn comes_near_beam(beams: &[f32], first: i32, number: i32, count: i32, line: &Line) -> bool {
-    let component = |component: usize| read(beams, first + component as i32 * count + number);
-    let vector = |at: usize| Vec3::new(component(at), component(at + 1), component(at + 2));
-    let (position, direction) = (vector(beam::POSITION), vector(beam::DIRECTION));
-    let offset = position - line.from;
-    let edge = dot(line.direction, cross(offset, direction));
-    let far = length(offset);
-    let radius = component(beam::RADIUS) + line.width;
-    absolute(edge) <= radius + (component(beam::OPENING) + line.opening) * far
+fn met_beams(
+    u: &BeamsUniforms,
+    beams: &[f32],
+    first: i32,
+    (tree, node): (&Tree, Node),
+    line: &Line,
+    pencil: &Pencil,
+) -> u32 {
+    let count = (u.lattice.count * u.lattice.count) as i32;
+    let mut met = 0;
+    let lanes = lanes();
+    let mut lane = 0;
+    while lane < lanes {
+        let beam = beam_of(beams, first, tree.texel(node, lane, u.lattice.count).number, count);
+        met |= (Crossing::new(&beam, line, pencil).is_met as u32) << lane;
+        lane += 1;
+    }
+    met
+}
+
+/// A line's place in a beam.
+struct Crossing {
+    /// Whether the pixel of the line sees any of the beam.
+    is_met: bool,
+    edge: f32,
+    /// Widths of the beam's cross-section across the line.
+    first: f32,
+    second: f32,
+    /// Width of the pixel.
+    filter: f32,
+    nearest: Nearest,
+}
+
+impl Crossing {
+    #[inline(always)]
+    fn new(beam: &Beam, line: &Line, pencil: &Pencil) -> Self {
+        let offset = beam.position - line.from;
+        let (w, d) = (line.direction, beam.direction);
+        let moment = cross(offset, d);
+        let edge = dot(w, moment);
+        let change = |position: Vec3, direction: Vec3| dot(w, cross(position, d) + cross(offset, direction));
+        let first = absolute(change(beam.position_u, beam.direction_u));
+        let second = absolute(change(beam.position_v, beam.direction_v));
+        // The change of the edge function from pixel to pixel.
+        let moved = |position: Vec3, direction: Vec3| dot(direction, moment) - dot(w, cross(position, d));
+        let filter = max(
+            absolute(moved(pencil.position_u, pencil.direction_u)),
+            absolute(moved(pencil.position_v, pencil.direction_v)),
+        );
+        let filter = max(filter, 1e-12);
+        let nearest = Nearest::new(offset, w, d);
+        let Nearest { t, s, .. } = nearest;
+        let meets = (s >= 0.0) & (s < beam.length) & (t > line.near) & (t < line.far);
+        let is_met = (absolute(edge) <= 0.5 * (first + second + filter)) & meets;
+        Self { is_met, edge, first, second, filter, nearest }
+    }
 }
 
 /// Radiance that a beam scatters into a line, RGB, dimmed from the line's beginning in the medium on.
 #[inline(always)]
 fn scattered(u: &BeamsUniforms, beam: &Beam, line: &Line, pencil: &Pencil, materials: &[f32]) -> Vec3 {
-    let offset = beam.position - line.from;
     let (w, d) = (line.direction, beam.direction);
-    let moment = cross(offset, d);
-    let edge = dot(w, moment);
-    let change = |position: Vec3, direction: Vec3| dot(w, cross(position, d) + cross(offset, direction));
-    let first = absolute(change(beam.position_u, beam.direction_u));
-    let second = absolute(change(beam.position_v, beam.direction_v));
-    // The change of the edge function from pixel to pixel.
-    let moved = |position: Vec3, direction: Vec3| dot(direction, moment) - dot(w, cross(position, d));
-    let filter = max(
-        absolute(moved(pencil.position_u, pencil.direction_u)),
-        absolute(moved(pencil.position_v, pencil.direction_v)),
-    );
-    let filter = max(filter, 1e-12);
-    let none = Vec3::new(0.0, 0.0, 0.0);
-    if absolute(edge) > 0.5 * (first + second + filter) {
-        return none;
+    let Crossing { is_met, edge, first, second, filter, nearest } = Crossing::new(beam, line, pencil);
+    if !is_met {
+        return Vec3::new(0.0, 0.0, 0.0);
     }
-    let Nearest { t, s, cosine } = Nearest::new(offset, w, d);
-    let meets = (s >= 0.0) & (s < beam.length) & (t > line.near) & (t < line.far);
-    if !meets {
-        return none;
-    }
+    let Nearest { t, s, cosine } = nearest;
     let medium = &u.medium;
     let before = depth_within(medium, materials, beam.position, d, 0.0, s);
     let behind = depth_within(medium, materials, line.from, w, line.near, t);
@@ -185,7 +261,9 @@ pub fn invoke<const LEVEL: u32>(
             if met & (node.level > tree.lowest()) {
                 node = node.below();
             } else {
-                let near = if met { near_beams(u, beams, first, &tree, node, &line) } else { 0 };
+                let near = if met { near_beams(u, bundles, &tree, node, &line) } else { 0 };
+                #[cfg(not(target_arch = "spirv"))]
+                let near = if near == 0 { 0 } else { near & met_beams(u, beams, first, (&tree, node), &line, &pencil) };
                 let mut lane = 0;
                 while near >> lane != 0 {
                     if (near >> lane) & 1 != 0 {

@@ -44,7 +44,12 @@ pub fn level(
 #[inline(always)]
 fn ends_at(bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -> bool {
     let of = |component: usize| tree.vector(bundles, node, component);
-    let (low, high) = (of(bundle::END_LOW), of(bundle::END_HIGH));
+    is_near(of(bundle::END_LOW), of(bundle::END_HIGH), point, margin)
+}
+
+/// Whether a box holds a point, or comes near it.
+#[inline(always)]
+fn is_near(low: Vec3, high: Vec3, point: Vec3, margin: f32) -> bool {
     let x = (point.x >= low.x - margin) & (point.x <= high.x + margin);
     let y = (point.y >= low.y - margin) & (point.y <= high.y + margin);
     let z = (point.z >= low.z - margin) & (point.z <= high.z + margin);
@@ -55,12 +60,14 @@ fn ends_at(bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -
 #[inline(always)]
 fn ending_at(u: &BeamsUniforms, bundles: &[f32], tree: &Tree, node: Node, point: Vec3, margin: f32) -> u32 {
     let mut near = 0;
-    let lanes = lanes();
+    let lanes = if tree.has_lanes(bundles, node) { lanes() } else { 0 };
     let mut lane = 0;
     while lane < lanes {
-        let texel = tree.texel(node, lane, u.lattice.count);
-        let is_near = texel.is_texel & ends_at(bundles, tree, texel.leaf, point, margin);
-        near |= (is_near as u32) << lane;
+        // SAFETY: there are records for all lanes, and both components are those of a record.
+        let of = |component: usize| unsafe { tree.vector_of_lane(bundles, node, lane, component) };
+        let is_near = is_near(of(bundle::END_LOW), of(bundle::END_HIGH), point, margin);
+        let is_texel = tree.texel(node, lane, u.lattice.count).is_texel;
+        near |= ((is_texel & is_near) as u32) << lane;
         lane += 1;
     }
     near

@@ -2,7 +2,8 @@
 //! order of Morton's curve.
 
 use crate::abi::beams::BeamsUniforms;
-use crate::field::access::read;
+use crate::abi::record::bundle;
+use crate::field::access::{read, read_inside};
 use spirv_std::glam::Vec3;
 
 /// A node: its level, 0 for a single texel, and its number along Morton's curve of that level.
@@ -123,8 +124,6 @@ pub fn lanes() -> u32 {
 /// A texel of a node of the lowest level.
 #[derive(Clone, Copy)]
 pub struct Texel {
-    /// Its own node.
-    pub leaf: Node,
     /// Its number in the lattice, row by row.
     pub number: i32,
     /// Whether there is one.
@@ -173,7 +172,7 @@ impl Tree {
         let leaf = Node { level: 0, number: (node.number << (2 * lowest)) + lane };
         let (column, row) = leaf.place();
         let is_texel = (lane < 1 << (2 * lowest)) & (column < count) & (row < count);
-        Texel { leaf, number: if is_texel { (row * count + column) as i32 } else { 0 }, is_texel }
+        Texel { number: if is_texel { (row * count + column) as i32 } else { 0 }, is_texel }
     }
 
     /// The first node of a walk through all.
@@ -194,6 +193,27 @@ impl Tree {
         let at = below(self.whole, node.level) + node.number;
         let begin = self.first + component as u32 * self.count + at;
         let of = |number: u32| read(records, (begin + number * self.count) as i32);
+        Vec3::new(of(0), of(1), of(2))
+    }
+
+    /// Whether there are records for all lanes of a node of the lowest level, as [`Self::vector_of_lane`] reads them.
+    #[inline(always)]
+    pub fn has_lanes(&self, records: &[f32], node: Node) -> bool {
+        let end = (node.number << (2 * self.lowest())) + (1 << (2 * GROUP));
+        let last = self.first as usize + bundle::SIZE * self.count as usize;
+        (end <= self.count) & (last <= records.len())
+    }
+
+    /// Three components, from `component` on, of the record of a texel's own node, by its lane in a node of the lowest level: records of lanes
+    /// follow one another.
+    ///
+    /// # Safety
+    /// [`Self::has_lanes`] must hold, and `component` must be three below the number of components at most.
+    #[inline(always)]
+    pub unsafe fn vector_of_lane(&self, records: &[f32], node: Node, lane: u32, component: usize) -> Vec3 {
+        let begin = self.first + component as u32 * self.count + (node.number << (2 * self.lowest()));
+        // SAFETY: the caller's promise.
+        let of = |number: u32| unsafe { read_inside(records, (begin + number * self.count) as i32, lane) };
         Vec3::new(of(0), of(1), of(2))
     }
 }
