@@ -26,6 +26,7 @@ mod photon;
 mod picture;
 mod radiance;
 mod random;
+pub mod table;
 
 pub use ball::Ball;
 pub use camera::Camera;

@@ -5,6 +5,8 @@ mod airlight;
 mod half_space;
 mod picture;
 mod picture_table;
+mod table;
+mod twice;
 mod walk;
 
 use vitrum_conformance::scattering::{Camera, Lamp, Medium, Scene};
