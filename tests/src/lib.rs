@@ -13,7 +13,8 @@
 //! Each takes a [`case::Case`], turns what it compares into [`raster`]s and gives them to a [`run::Run`], which holds them
 //! to one of the [`bounds`], keeps a row of the [`table`] and leaves [`evidence`] of a breach; [`report`] makes a page of it.
 //! [`photons`] are an independent reference for light, [`closed_forms`] set-ups of which physics knows the outcome, [`refraction`]
-//! rays through meshes, [`shadow`] their shadows;
+//! rays through meshes, [`shadow`] their shadows, [`scattering`] an independent reference for light that a medium scatters
+//! once and more than once;
 //! [`accuracy`] makes tables and plots of both, [`docs`] what documents take from the code. [`bench`](mod@bench) times frames instead, [`paper`] those of the papers' tables.
 
 pub mod accuracy;
@@ -41,6 +42,7 @@ pub mod report;
 pub mod roofline;
 pub mod run;
 pub mod scaling;
+pub mod scattering;
 pub mod shadow;
 pub mod table;
 
