@@ -88,10 +88,14 @@ impl Bounds {
         }
     }
 
-    /// Whether a line comes into the box of the beams.
+    /// Whether a line comes into the box of the beams, or passes it within the pixel's own width.
     #[inline(always)]
     fn is_reached(&self, line: &Line) -> bool {
-        let (enters, leaves) = slab(line.from, line.inverse, self.low, self.high);
+        let half = (self.high - self.low) * 0.5;
+        let away = length(self.low + half - line.from) + length(half);
+        let margin = line.width + line.opening * away;
+        let margin = Vec3::new(margin, margin, margin);
+        let (enters, leaves) = slab(line.from, line.inverse, self.low - margin, self.high + margin);
         (self.low.x <= self.high.x) & (max(enters, line.near) <= min(leaves, line.far))
     }
 

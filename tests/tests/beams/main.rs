@@ -12,6 +12,7 @@ mod march;
 mod medium;
 mod mirror;
 mod mirror_table;
+mod multiple;
 mod picture;
 mod picture_table;
 mod shift;

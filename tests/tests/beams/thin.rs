@@ -25,6 +25,7 @@ pub struct Look {
     pub caustics: [f64; 3],
     pub shadow: [f64; 3],
     pub surfaces: [f64; 3],
+    pub multiple: [f64; 3],
 }
 
 /// A case on a backend, at which one looks along thin rays.
@@ -61,6 +62,7 @@ impl<'a> Thin<'a> {
             caustics: color("caustics"),
             shadow: color("shadow"),
             surfaces: color("surfaces"),
+            multiple: color("multiple"),
         })
     }
 
