@@ -64,8 +64,12 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, beams: &[f32]) -> [
             if has_flux(beams, first, number, records) {
                 let beam = beam_of(beams, first, number, records);
                 let begins = across(&beam, 0.0);
-                volume = volume.with(beam.position, begins);
-                volume = volume.with(beam.position + beam.direction * beam.length, across(&beam, beam.length));
+                // A ray sees a point of the cross-section where it comes nearest to the middle, up to the point's distance times the change of direction
+                // farther on.
+                let wider = 1.0 / (1.0 - min(beam.opening, 0.5));
+                volume = volume.with(beam.position, begins * wider);
+                let at_end = across(&beam, beam.length) * wider;
+                volume = volume.with(beam.position + beam.direction * beam.length, at_end);
                 positions = positions.with(beam.position, begins);
                 directions = directions.with(
                     beam.direction,
