@@ -11,6 +11,7 @@ mod lights;
 mod medium;
 mod mirror;
 mod mirror_table;
+mod moving;
 mod picture;
 mod picture_table;
 mod shift;
