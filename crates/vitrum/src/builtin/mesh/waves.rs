@@ -141,7 +141,7 @@ mod tests {
     fn waves_travel_at_the_speed_of_deep_water() {
         for (cycles, ..) in WAVES {
             for metres in [1.0, 5.0] {
-                let wavelength = metres / f64::from(cycles[0]).hypot(f64::from(cycles[1]));
+                let wavelength = metres / libm::hypot(f64::from(cycles[0]), f64::from(cycles[1]));
                 let speed = (9.81 / (TAU / wavelength)).sqrt();
                 for seconds in [0.1, 0.7, -3.0, 100.0] {
                     let lengths = speed * seconds / wavelength;
@@ -163,7 +163,7 @@ mod tests {
             let [x, y, _] = before.positions[vertex].map(f64::from);
             let expected: f64 = WAVES.into_iter().fold(0.0, |sum, (cycles, phase, amplitude)| {
                 let [across, along] = cycles.map(f64::from);
-                let frequency = (9.81 * across.hypot(along) / metres / TAU).sqrt();
+                let frequency = (9.81 * libm::hypot(across, along) / metres / TAU).sqrt();
                 let cycles = across * x + along * y + f64::from(phase) - frequency * seconds;
                 let [_, slope] = wave((cycles - cycles.floor()) as f32);
                 sum - frequency * f64::from(amplitude) * f64::from(slope)
