@@ -81,7 +81,8 @@ pub fn mesh(name: &str) -> Option<Mesh> {
     mesh::MESHES.iter().find(|entry| entry.0 == name).map(|entry| entry.1(name))
 }
 
-/// As [`mesh`], of one that moves at a moment of `seconds` ([`crate::scene::MeshSource::time`]), where its unit is `metres` long; `None` for one that does not move, too.
+/// As [`mesh`], of one that moves, at a moment of `seconds` ([`crate::scene::MeshSource::time`]), where its unit is `metres` long; `None` for one that
+/// does not move, too.
 #[must_use]
 pub fn moving_mesh(name: &str, seconds: f64, metres: f64) -> Option<Mesh> {
     mesh::MOVING.iter().find(|entry| entry.0 == name).map(|entry| entry.1(name, seconds, metres))
