@@ -40,6 +40,57 @@ fn key_frames_make_the_pictures_that_settings_make() {
     assert_eq!(picture("long/frame-00006.png"), picture("animation/frame-00004.png"));
 }
 
+/// A scene of the sea whose pictures take a moment.
+const SEA: [&str; 9] =
+    ["builtin:ocean", "--set", "beams.rays=16", "--set", "beams.views=1", "--size", "16x12", "--backend", "cpu"];
+
+#[test]
+fn waves_move_along_key_frames() {
+    let folder = Folder::new();
+    folder.write("sea.toml", "[[key]]\ntime = 0\nmesh.0.time = 0\n[[key]]\ntime = 1\nmesh.0.time = 2\n");
+    let animation = [&["turntable"], &SEA[..], &["-o", "animation", "--keys", "sea.toml", "--rate", "2"]].concat();
+    folder.succeed(&animation);
+    let render = [&["render"], &SEA[..], &["-o", "still.png"]].concat();
+    let picture = |name: &str| read_picture(&folder.file(name)).expect("a picture").color();
+    let mut still = Vec::new();
+    for (frame, settings) in [(0, &[][..]), (0, &["--set", "mesh.0.time=0"]), (1, &["--set", "mesh.0.time=1"])] {
+        folder.succeed(&[&render[..], settings].concat());
+        still.push(picture("still.png"));
+        let name = format!("animation/frame-0000{frame}.png");
+        assert_eq!(still.last(), Some(&picture(&name)), "frame {frame}, {settings:?}");
+    }
+    assert_ne!(still[0], still[2], "nothing moves");
+}
+
+#[test]
+fn moments_that_a_mesh_does_not_have_are_refused() {
+    let folder = Folder::new();
+    let still = "`waves`";
+    for (mesh, words) in [
+        ("builtin = \"waves\"\ntime = nan", &["scene.toml, line 4", "`mesh.0.time`", "found nan", "finite"][..]),
+        ("builtin = \"waves\"\ntime = inf", &["scene.toml, line 4", "`mesh.0.time`", "found inf", "finite"]),
+        ("builtin = \"waves\"\ntime = 1e39", &["scene.toml, line 4", "`mesh.0.time`", "finite"]),
+        ("builtin = \"waves\"\ntime = \"noon\"", &["scene.toml, line 4", "`mesh.0.time`", "noon", "number"]),
+        ("file = \"sea.obj\"\ntime = 0", &["scene.toml, line 4", "`mesh.0.time`", "from a file does not move", still]),
+        ("builtin = \"torus\"\ntime = 1", &["scene.toml, line 4", "`mesh.0.time`", "`torus` does not move", still]),
+        ("builtin = \"wave\"\ntime = 1", &["no built-in mesh `wave`"]),
+    ] {
+        folder.write("scene.toml", format!("method = \"beams\"\n[[mesh]]\n{mesh}\n"));
+        folder.refuse(&["render", "scene.toml", "-o", "out.png"], 3, words);
+    }
+    for (input, time, words) in [
+        ("builtin:ocean", "nan", &["keys.toml, line 3", "mesh.0.time", "found nan"][..]),
+        ("builtin:ocean", "-inf", &["keys.toml, line 3", "mesh.0.time", "found -inf"]),
+        ("builtin:torus", "1", &["keys.toml, frame 0", "`mesh.0.time`", "`torus` does not move"]),
+    ] {
+        folder.write("keys.toml", format!("[[key]]\nframe = 0\nmesh.0.time = {time}\n"));
+        folder.refuse(&["turntable", input, "-o", "animation.gif", "--keys", "keys.toml"], 3, words);
+    }
+    // A time however far away is one.
+    let far = [&["render"], &SEA[..], &["-o", "far.png", "--set", "mesh.0.time=-3e38"]].concat();
+    folder.succeed(&far);
+}
+
 #[test]
 fn wrong_key_frames_are_refused_before_any_work() {
     let folder = Folder::new();

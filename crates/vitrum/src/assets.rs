@@ -86,10 +86,24 @@ pub(crate) mod made {
         builtin::names().iter().map(|&(name, _)| name)
     }
 
-    pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
+    fn mesh(name: &str) -> Result<Mesh, Error> {
         let known = || builtin::mesh_names().collect();
         let unknown = || Unrenderable::UnknownBuiltin { kind: "mesh", name: name.to_owned(), known: known() };
         Ok(builtin::mesh(name).ok_or_else(unknown)?)
+    }
+
+    /// As [`mesh`], at a moment of `seconds`, where the mesh's unit is `metres` long; one that does not move is as always.
+    pub(crate) fn mesh_at(name: &str, seconds: f64, metres: f64) -> Result<Mesh, Error> {
+        builtin::moving_mesh(name, seconds, metres).map_or_else(|| mesh(name), Ok)
+    }
+
+    pub(crate) fn moving_meshes() -> impl Iterator<Item = &'static str> {
+        builtin::moving_mesh_names()
+    }
+
+    /// Whether a mesh moves, as far as is known: what there is no mesh of that name is for its loader to say.
+    pub(crate) fn may_move(name: &str) -> bool {
+        moving_meshes().any(|moving| moving == name) || builtin::mesh_names().all(|known| known != name)
     }
 
     pub(super) fn volume(name: &str, resolution: Option<u32>) -> Result<Volume, Error> {
@@ -115,8 +129,16 @@ pub(crate) mod made {
         std::iter::empty()
     }
 
-    pub(crate) fn mesh(name: &str) -> Result<Mesh, Error> {
+    pub(crate) fn mesh_at(name: &str, _seconds: f64, _metres: f64) -> Result<Mesh, Error> {
         Err(left_out("mesh", name))
+    }
+
+    pub(crate) fn moving_meshes() -> impl Iterator<Item = &'static str> {
+        std::iter::empty()
+    }
+
+    pub(crate) fn may_move(_name: &str) -> bool {
+        true
     }
 
     pub(super) fn volume(name: &str, _resolution: Option<u32>) -> Result<Volume, Error> {

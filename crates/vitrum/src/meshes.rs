@@ -27,13 +27,17 @@ pub fn load_meshes(sources: &[MeshSource], base: &Path, max_bytes: Option<u64>) 
 ///
 /// Those of [`vitrum_io::open_mesh`]; where `source` would not pass [`crate::scene::Scene::validate`], or its built-in mesh does not exist.
 pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Result<Mesh, Error> {
+    check_time(source)?;
     let (mut mesh, usual) = match (&source.file, &source.builtin) {
         (Some(file), None) => {
             let path = base.join(file);
             let options = OpenOptions { max_bytes, ..OpenOptions::default() };
             (vitrum_io::open_mesh(&path, &options)?, usual_up(&path))
         }
-        (None, Some(name)) => (made::mesh(name)?, Up::Superior),
+        (None, Some(name)) => {
+            let seconds = f64::from(source.time.unwrap_or(0.0));
+            (made::mesh_at(name, seconds, f64::from(source.scale))?, Up::Superior)
+        }
         (Some(_), Some(_)) => return Err(Unrenderable::TwoSources { kind: "mesh" }.into()),
         (None, None) => return Err(Unrenderable::NoSource { kind: "mesh" }.into()),
     };
@@ -49,6 +53,19 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
         mesh.triangle_materials = vec![0; mesh.triangles.len()];
     }
     placed(mesh, source)
+}
+
+/// A moment that a mesh does not have would pass unnoticed.
+fn check_time(source: &MeshSource) -> Result<(), Error> {
+    let Some(time) = source.time else { return Ok(()) };
+    let problem = if !time.is_finite() {
+        format!("mesh.time = {time}, expected a finite number of seconds")
+    } else if source.builtin.as_deref().is_some_and(made::may_move) {
+        return Ok(());
+    } else {
+        "mesh.time is given, and the mesh does not move".to_owned()
+    };
+    Err(syntax(problem))
 }
 
 /// glTF says that y is up, OBJ files follow that; the others say nothing, and most come from makers for whom it is z.
@@ -91,7 +108,7 @@ fn rotation_of(degrees: [f32; 3]) -> DMat3 {
 }
 
 /// The meshes as one, whose materials are those of the first, then those of the second, and so on.
-fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
+pub(crate) fn joined(meshes: Vec<Mesh>) -> Result<Mesh, Error> {
     let mut meshes = meshes;
     if meshes.len() < 2 {
         return meshes.pop().ok_or_else(|| Unrenderable::NoSource { kind: "mesh" }.into());

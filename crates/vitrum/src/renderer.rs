@@ -7,6 +7,9 @@ use crate::film::{Accumulator, Frame, RayRecords, Statistics};
 use crate::method::{self, Cache, Job, Part, Tools};
 use crate::request::{OutputRequest, Progress, Stage};
 use crate::scene::Scene;
+use crate::subject::Subject;
+use std::sync::Arc;
+use vitrum_io::Mesh;
 use web_time::Instant;
 
 /// Opens another backend after a failure of the first one's device.
@@ -44,6 +47,16 @@ impl Renderer {
     pub fn show(&mut self, assets: impl Into<Assets>) {
         self.assets = assets.into();
         self.cache = Cache::default();
+    }
+
+    /// Renders the mesh in another shape from now on, such as that of a later moment ([`crate::MovingMeshes`]). What does not depend on a mesh's
+    /// shape stays on the backend; of a mesh with the same triangles, materials and colours, so does the tree that exact surfaces and beams
+    /// are looked for in, which is refitted.
+    pub fn deform(&mut self, mesh: Arc<Mesh>) {
+        if self.assets.subject.mesh().is_none() {
+            self.cache = Cache::default();
+        }
+        self.assets.subject = Subject::Mesh(mesh);
     }
 
     /// The backend.

@@ -61,6 +61,11 @@ impl Subject {
     /// The mesh; `None` for volumes.
     #[must_use]
     pub fn mesh(&self) -> Option<&Mesh> {
+        self.shared_mesh().map(|mesh| &**mesh)
+    }
+
+    /// As [`Self::mesh`], shared.
+    pub(crate) fn shared_mesh(&self) -> Option<&Arc<Mesh>> {
         match self {
             Self::Mesh(mesh) => Some(mesh),
             Self::Volume(_) | Self::Volumes { .. } => None,

@@ -13,6 +13,7 @@ mod medium;
 mod mirror;
 mod mirror_table;
 mod multiple;
+mod moving;
 mod picture;
 mod picture_table;
 mod shift;

@@ -81,6 +81,18 @@ pub fn mesh(name: &str) -> Option<Mesh> {
     mesh::MESHES.iter().find(|entry| entry.0 == name).map(|entry| entry.1(name))
 }
 
+/// As [`mesh`], of one that moves, at a moment of `seconds` ([`crate::scene::MeshSource::time`]), where its unit is `metres` long; `None` for one that
+/// does not move, too.
+#[must_use]
+pub fn moving_mesh(name: &str, seconds: f64, metres: f64) -> Option<Mesh> {
+    mesh::MOVING.iter().find(|entry| entry.0 == name).map(|entry| entry.1(name, seconds, metres))
+}
+
+/// The names of the procedural meshes that move.
+pub fn moving_mesh_names() -> impl Iterator<Item = &'static str> {
+    mesh::MOVING.iter().map(|entry| entry.0)
+}
+
 /// The names of the procedural meshes.
 pub fn mesh_names() -> impl Iterator<Item = &'static str> {
     mesh::MESHES.iter().map(|entry| entry.0)

@@ -45,6 +45,12 @@ pub struct MeshSource {
     /// be twisted.
     #[schemars(range(min = -3600, max = 3600), extend("x-unit" = "degrees"))]
     pub twist: f32,
+    /// Moment at which a built-in mesh that moves is shown, 0 if absent; other meshes have none. `waves` moves: its waves travel as waves of gravity
+    /// in deep water do, ω² = g k with g = 9.81 m/s², where a world unit is a metre, so that at a larger `scale` they are longer and
+    /// slower. It may change from frame to frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-unit" = "seconds"))]
+    pub time: Option<f32>,
 }
 
 impl Default for MeshSource {
@@ -58,6 +64,7 @@ impl Default for MeshSource {
             position: [0.0; 3],
             material: None,
             twist: 0.0,
+            time: None,
         }
     }
 }

@@ -15,8 +15,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use target::Target;
 use timeline::Timeline;
-use vitrum::OutputRequest;
 use vitrum::composition::Composed;
+use vitrum::{MovingMeshes, OutputRequest};
 
 /// Render an animation of the camera going round, or of a scene that changes along key frames
 #[derive(Debug, Args)]
@@ -82,8 +82,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.device.limit_threads()?;
     // Before the volume: a slip in it should not cost the time to read one.
     let keys = arguments.keys.as_deref().map(|path| timeline::read_keys(path, arguments.rate)).transpose()?;
-    let Composed { scene, assets, .. } = arguments.scene.compose()?;
-    let timeline = Timeline::new(arguments, scene, &assets, keys)?;
+    let Composed { scene, assets, base } = arguments.scene.compose()?;
+    let mut meshes = MovingMeshes::new(base, arguments.scene.volume.limit());
+    let timeline = Timeline::new(arguments, scene, &assets, &mut meshes, keys)?;
     arguments.memory.check(timeline.start())?;
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;
     let mut target = Target::open(arguments, timeline.start(), timeline.frames())?;
@@ -94,7 +95,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         if arguments.resume && target.file(index).is_some_and(|file| file.exists()) {
             continue;
         }
-        let frame = renderer.render(&timeline.scene(index)?, OutputRequest { light: false }, &mut |progress| {
+        let scene = timeline.scene(index)?;
+        if timeline.moves_meshes() {
+            renderer.deform(meshes.at(&scene.mesh)?);
+        }
+        let frame = renderer.render(&scene, OutputRequest { light: false }, &mut |progress| {
             bar.update(index, &progress);
             !interrupt::requested()
         })?;

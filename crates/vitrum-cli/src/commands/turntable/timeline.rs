@@ -3,9 +3,9 @@
 use super::Arguments;
 use crate::failure::{Failure, Status};
 use std::path::Path;
-use vitrum::Assets;
 use vitrum::composition::read_text;
 use vitrum::scene::{KeyFrames, Scene};
+use vitrum::{Assets, MovingMeshes, Subject};
 
 /// Pictures of a whole turn.
 const TURN: u32 = 72;
@@ -31,7 +31,13 @@ pub fn read_keys(path: &Path, rate: u16) -> Result<KeyFrames, Failure> {
 
 impl Timeline {
     /// Fails where a frame has no valid scene of these assets, so that no animation breaks off at it.
-    pub fn new(arguments: &Arguments, start: Scene, assets: &Assets, keys: Option<KeyFrames>) -> Result<Self, Failure> {
+    pub fn new(
+        arguments: &Arguments,
+        start: Scene,
+        assets: &Assets,
+        meshes: &mut MovingMeshes,
+        keys: Option<KeyFrames>,
+    ) -> Result<Self, Failure> {
         let (motion, frames) = match keys {
             Some(keys) => {
                 let all = keys.last_frame().floor() as u32 + 1;
@@ -45,8 +51,13 @@ impl Timeline {
             None => (Motion::Turn(arguments.turn), arguments.frames.unwrap_or(TURN)),
         };
         let timeline = Self { start, frames, motion };
+        let mut assets = assets.clone();
         for index in 0..frames {
-            vitrum::check(&timeline.scene(index)?, assets)
+            let scene = timeline.scene(index)?;
+            if timeline.moves_meshes() {
+                assets.subject = Subject::Mesh(meshes.at(&scene.mesh)?);
+            }
+            vitrum::check(&scene, &assets)
                 .map_err(|error| Failure::from(error).at(&format!("frame {index} of {frames}")))?;
         }
         Ok(timeline)
@@ -59,6 +70,12 @@ impl Timeline {
 
     pub fn frames(&self) -> u32 {
         self.frames
+    }
+
+    /// Whether the meshes of one frame are in other places than those of another.
+    pub fn moves_meshes(&self) -> bool {
+        let Motion::Keys(keys) = &self.motion else { return false };
+        (0..self.start.mesh.len()).any(|index| keys.set(&format!("mesh.{index}.time")))
     }
 
     pub fn scene(&self, index: u32) -> Result<Scene, Failure> {

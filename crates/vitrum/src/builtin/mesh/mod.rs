@@ -28,6 +28,9 @@ use vitrum_io::Mesh;
 /// Name and maker of a mesh.
 type MeshEntry = (&'static str, fn(&str) -> Mesh);
 
+/// Name and maker of a mesh that moves: a moment in seconds, and how many metres the mesh's unit is.
+type MovingEntry = (&'static str, fn(&str, f64, f64) -> Mesh);
+
 pub(super) const SCENES: &[&[SceneEntry]] = &[
     vase::SCENES,
     angel_ball::SCENES,
@@ -55,6 +58,9 @@ pub(super) const MESHES: &[MeshEntry] = &[
     ("waves", waves::mesh),
     ("statue", statue::mesh),
 ];
+
+/// The meshes of [`MESHES`] that move; there they are at 0 seconds.
+pub(super) const MOVING: &[MovingEntry] = &[("waves", waves::at)];
 
 #[cfg(test)]
 /// Meshes whose bodies are not meant to be clear, and need not be closed.

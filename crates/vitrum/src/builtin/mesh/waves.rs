@@ -67,10 +67,26 @@ fn wave(cycles: f32) -> [f32; 2] {
     [value, slope]
 }
 
+/// Acceleration of gravity, in metres per second squared.
+const GRAVITY: f64 = 9.81;
+
+/// The way that a wave has gone after so many seconds, in its own lengths, without the whole ones. Its frequency is that of waves in deep water,
+/// ω² = g k: the bottom is a wavelength below and changes it by less than a hundred-thousandth.
+fn gone(cycles: [f32; 2], seconds: f64, metres: f64) -> f32 {
+    let [x, y] = cycles.map(f64::from);
+    let wavelength = metres / (x * x + y * y).sqrt();
+    let periods = seconds * (GRAVITY / (std::f64::consts::TAU * wavelength)).sqrt();
+    // Neither a time nor a size that is infinite makes a place.
+    if periods.is_finite() { (periods - periods.floor()) as f32 } else { 0.0 }
+}
+
+/// The phase of each wave, in cycles.
+type Phases = [f32; WAVES.len()];
+
 /// The surface at a place: the point and its normal.
-fn surface(place: Vec2) -> (Vec3, Vec3) {
+fn surface(place: Vec2, phases: &Phases) -> (Vec3, Vec3) {
     let (mut height, mut slope) = (0.0, Vec2::ZERO);
-    for (cycles, phase, amplitude) in WAVES {
+    for ((cycles, _, amplitude), phase) in WAVES.into_iter().zip(phases) {
         let along = Vec2::from_array(cycles);
         let [value, steepness] = wave(along.x * place.x + along.y * place.y + phase);
         height += amplitude * value;
@@ -84,6 +100,13 @@ type Edge = fn(f32) -> Vec2;
 
 /// A closed slab, 2 wide along x and y: flat below and at the sides, with waves around z = 0 on top.
 pub(in super::super) fn mesh(name: &str) -> Mesh {
+    at(name, 0.0, 1.0)
+}
+
+/// The slab at a moment, where its unit is `metres` long. Each wave travels along its own direction and keeps its shape.
+pub(in super::super) fn at(name: &str, seconds: f64, metres: f64) -> Mesh {
+    let phases = WAVES.map(|(cycles, phase, _)| phase - gone(cycles, seconds, metres));
+    let surface = |place| surface(place, &phases);
     let at = |index: usize| EDGE * (2.0 * index as f32 / SQUARES as f32 - 1.0);
     let all = || (0..=SQUARES).map(at);
     let under = |place: Vec2| place.extend(BOTTOM);
@@ -111,6 +134,56 @@ pub(in super::super) fn mesh(name: &str) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
+
+    /// Waves four times as long take twice the time.
+    #[test]
+    fn waves_travel_at_the_speed_of_deep_water() {
+        for (cycles, ..) in WAVES {
+            for metres in [1.0, 5.0] {
+                let wavelength = metres / libm::hypot(f64::from(cycles[0]), f64::from(cycles[1]));
+                let speed = (9.81 / (TAU / wavelength)).sqrt();
+                for seconds in [0.1, 0.7, -3.0, 100.0] {
+                    let lengths = speed * seconds / wavelength;
+                    let off = f64::from(gone(cycles, seconds, metres)) - lengths;
+                    assert!((off - off.round()).abs() < 1e-6, "{cycles:?}, {seconds} s: {off}");
+                    assert_eq!(gone(cycles, seconds, metres), gone(cycles, 2.0 * seconds, 4.0 * metres));
+                }
+            }
+        }
+    }
+
+    /// By the derivative of each wave: what is at x goes on along the wave's direction, ∂z/∂t = -f a w'(k x + φ - f t).
+    #[test]
+    fn the_surface_rises_where_crests_come() {
+        let (seconds, step, metres) = (0.6, 2e-3, 2.0);
+        let [before, after] = [-step, step].map(|by| at("waves", seconds + by, metres));
+        let mut fastest = 0.0_f64;
+        for vertex in (0..(SQUARES + 1).pow(2)).step_by(37) {
+            let [x, y, _] = before.positions[vertex].map(f64::from);
+            let expected: f64 = WAVES.into_iter().fold(0.0, |sum, (cycles, phase, amplitude)| {
+                let [across, along] = cycles.map(f64::from);
+                let frequency = (9.81 * libm::hypot(across, along) / metres / TAU).sqrt();
+                let cycles = across * x + along * y + f64::from(phase) - frequency * seconds;
+                let [_, slope] = wave((cycles - cycles.floor()) as f32);
+                sum - frequency * f64::from(amplitude) * f64::from(slope)
+            });
+            let rise = f64::from(after.positions[vertex][2]) - f64::from(before.positions[vertex][2]);
+            // Coordinates are rounded to 10⁻⁸, over 4 ms; the curve of a wave is the rest.
+            assert!((rise / (2.0 * step) - expected).abs() < 1e-3, "{x}, {y}: {rise} and {expected}");
+            fastest = fastest.max(expected.abs());
+        }
+        assert!(fastest > 0.05, "{fastest}");
+    }
+
+    #[test]
+    fn a_moment_is_another_sea_of_the_same_triangles() {
+        let still = mesh("waves");
+        let moved = at("waves", 0.3, 1.0);
+        assert!(still.positions != moved.positions && still.triangles == moved.triangles);
+        assert_eq!(still, at("waves", 0.0, 7.0));
+        assert!((moved.signed_volume() / still.signed_volume() - 1.0).abs() < 1e-3);
+    }
 
     #[test]
     fn a_wave_is_smooth_and_its_slope_is_that_of_its_values() {

@@ -21,7 +21,6 @@ use crate::backend::Backend;
 use crate::error::Error;
 use crate::film::Output;
 use crate::method::voxels::cache::FrameCache;
-use crate::method::voxels::uploaded::shown;
 use crate::method::voxels::{self, UploadedMesh};
 use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools};
 use crate::scene::{MethodName, Scene, Surfaces};
@@ -105,10 +104,12 @@ impl Method for Beams {
         tools: &mut Tools<'_>,
     ) -> Result<Box<dyn PreparedFrame>, Error> {
         let Job { scene, assets, .. } = *job;
-        let mesh = shown(assets, self.name())?;
         let exact = of_triangles(scene);
         let cache: &mut BeamsCache = cache.of();
-        if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(&exact, mesh)) {
+        if let Some(last) = cache.uploaded.take() {
+            cache.uploaded = last.followed(&exact, assets, tools)?;
+        }
+        if cache.uploaded.is_none() {
             *cache = BeamsCache::default();
         }
         let BeamsCache { uploaded, frame, medium } = cache;

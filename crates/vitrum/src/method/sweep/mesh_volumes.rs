@@ -19,6 +19,7 @@ use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
+use std::sync::Arc;
 use vitrum_io::{Mesh, Volume, Voxels};
 
 /// Width of a body's edge, in voxels, over which its coverage falls from 1 to 0.
@@ -48,6 +49,8 @@ impl Kind {
 /// The volumes that the sweep renders in place of a mesh.
 pub(super) struct MeshVolumes {
     kind: Kind,
+    /// The mesh that they were made of: while it is kept, no other takes its place.
+    mesh: Arc<Mesh>,
     shown: Volume,
     ior: Option<Volume>,
     /// See [`Solids::open_rows`].
@@ -76,7 +79,7 @@ impl MeshVolumes {
                 (shares.mixed(&mesh.name, &numbers, 0.0)?, Some(shares.mixed(&mesh.name, &indices, 1.0)?))
             }
         };
-        Ok(Self { kind, shown, ior, open_rows: solids.open_rows })
+        Ok(Self { kind, mesh: Arc::clone(mesh), shown, ior, open_rows: solids.open_rows })
     }
 
     /// The volumes.
@@ -84,10 +87,11 @@ impl MeshVolumes {
         Volumes { shown: &self.shown, ior: self.ior.as_ref() }
     }
 
-    /// Whether a scene of the same mesh has the same volumes.
+    /// Whether a scene has the same volumes.
     pub(super) fn fits(&self, scene: &Scene, assets: &Assets) -> Result<bool, Error> {
         let mesh = mesh_of(assets)?;
-        Ok(self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
+        Ok(Arc::ptr_eq(mesh, &self.mesh)
+            && self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
     }
 
     /// The scene that renders these volumes: materials become transfer functions, and camera, ground and wall stay where the mesh alone
@@ -103,7 +107,7 @@ impl MeshVolumes {
         // The bodies' indices are over those of the surroundings already.
         seen.surroundings.ior = 1.0;
         // The mesh's box decides what is in the picture, not that of voxels around it.
-        let bounds = Bounds::from(mesh);
+        let bounds = Bounds::from(&**mesh);
         let (centre, radius) = bounds.sphere();
         let (_, padded) = Bounds::from(&self.shown).sphere();
         let at = centre.as_vec3().to_array();
@@ -127,8 +131,8 @@ impl MeshVolumes {
     }
 }
 
-fn mesh_of(assets: &Assets) -> Result<&Mesh, Error> {
-    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Sweep.as_str() }.into())
+fn mesh_of(assets: &Assets) -> Result<&Arc<Mesh>, Error> {
+    assets.subject.shared_mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: MethodName::Sweep.as_str() }.into())
 }
 
 /// The scalar of each material: its rank from the clearest, above 0, to the darkest, 1; 0 is air.

@@ -15,6 +15,7 @@ pub(in crate::method) mod light;
 mod looks;
 mod normals;
 mod passes;
+mod refit;
 pub(in crate::method) mod shadow;
 pub(in crate::method) mod solids;
 mod tree;
@@ -93,9 +94,11 @@ impl Method for MeshRays {
         tools: &mut Tools<'_>,
     ) -> Result<Box<dyn PreparedFrame>, Error> {
         let Job { scene, assets, .. } = *job;
-        let mesh = uploaded::shown(assets, self.name())?;
         let cache: &mut MeshCache = cache.of();
-        if cache.uploaded.as_ref().is_some_and(|uploaded| !uploaded.fits(scene, mesh)) {
+        if let Some(last) = cache.uploaded.take() {
+            cache.uploaded = last.followed(scene, assets, tools)?;
+        }
+        if cache.uploaded.is_none() {
             *cache = MeshCache::default();
         }
         let MeshCache { uploaded, frame } = cache;

@@ -10,10 +10,11 @@ use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::Bvh;
 use bvh::flat_bvh::FlatNode;
 use nalgebra::Point3;
+use rayon::prelude::*;
 use vitrum_kernels::abi::voxels::{corner, node};
 
 /// Least margin of a box around its triangles, in voxels: above the rounding errors of rays.
-const MARGIN: f32 = 2e-3;
+pub(super) const MARGIN: f32 = 2e-3;
 
 /// The only node of a tree without triangles: a box that no ray enters.
 const NOTHING: [f32; node::SIZE] = [1e30, 1e30, 1e30, -1e30, -1e30, -1e30, -1.0, 1.0];
@@ -56,6 +57,11 @@ impl Tree {
     }
 }
 
+/// The margin around triangles where rays look for them up to `reach` voxels beside their boxes.
+pub(super) fn margin(reach: f32) -> f32 {
+    reach.max(MARGIN)
+}
+
 /// Checks the number of triangles against [`MOST_TRIANGLES`].
 fn check(triangles: usize) -> Result<(), Error> {
     if triangles < MOST_TRIANGLES {
@@ -71,16 +77,11 @@ fn check(triangles: usize) -> Result<(), Error> {
 /// If there are too many.
 pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool, reach: f32) -> Result<Tree, Error> {
     check(bodies.iter().skip(first).map(|body| body.mesh.triangles.len()).sum())?;
-    let mut corners = Vec::new();
-    for (number, body) in bodies.iter().enumerate().skip(first) {
-        for (triangle, normals) in body.mesh.triangles.iter().zip(of_corners(&body.mesh, smooth)) {
-            corners.extend(of_triangle(body, triangle, &normals, grid, number));
-        }
-    }
+    let corners = corners(bodies, first, grid, smooth);
     if corners.is_empty() {
         return Ok(Tree { nodes: NOTHING.to_vec(), corners: vec![0.0; corner::SIZE] });
     }
-    let margin = reach.max(MARGIN);
+    let margin = margin(reach);
     let mut shapes: Vec<Shape> = corners
         .chunks_exact(corner::SIZE)
         .map(|triangle| Shape { bounds: bounds(triangle, margin), node: 0 })
@@ -89,22 +90,26 @@ pub(super) fn build(bodies: &[Body], first: usize, grid: Grid, smooth: bool, rea
     Ok(Tree { nodes: threaded(&flat, &shapes), corners })
 }
 
-fn of_triangle(
-    body: &Body,
-    triangle: &[u32; 3],
-    normals: &[[f32; 3]; 3],
-    grid: Grid,
-    number: usize,
-) -> [f32; corner::SIZE] {
-    let positions = triangle.map(|vertex| grid.to_voxels(body.mesh.positions[vertex as usize]).map(|x| x as f32));
-    let mut floats = [0.0; corner::SIZE];
-    floats[corner::POSITIONS..][..9].copy_from_slice(positions.as_flattened());
-    floats[corner::NORMALS..][..9].copy_from_slice(normals.as_flattened());
-    floats[corner::MATERIAL] = number as f32;
+/// The records of the triangles of `bodies` from number `first` on, in the order of the bodies' triangles.
+pub(super) fn corners(bodies: &[Body], first: usize, grid: Grid, smooth: bool) -> Vec<f32> {
+    let mut floats = Vec::new();
+    for (number, body) in bodies.iter().enumerate().skip(first) {
+        let begin = floats.len();
+        floats.resize(begin + body.mesh.triangles.len() * corner::SIZE, 0.0);
+        let records = floats[begin..].par_chunks_exact_mut(corner::SIZE);
+        let normals = of_corners(&body.mesh, smooth);
+        records.zip(&body.mesh.triangles).zip(&normals).for_each(|((record, triangle), normals)| {
+            let at = |vertex: u32| grid.to_voxels(body.mesh.positions[vertex as usize]).map(|x| x as f32);
+            record[corner::POSITIONS..][..9].copy_from_slice(triangle.map(at).as_flattened());
+            record[corner::NORMALS..][..9].copy_from_slice(normals.as_flattened());
+            record[corner::MATERIAL] = number as f32;
+        });
+    }
     floats
 }
 
-fn bounds(triangle: &[f32], margin: f32) -> Aabb<f32, 3> {
+/// The box around the triangle of a record, and `margin` voxels around it.
+pub(super) fn bounds(triangle: &[f32], margin: f32) -> Aabb<f32, 3> {
     let mut bounds = Aabb::empty();
     for corner in triangle[..9].chunks_exact(3) {
         bounds.grow_mut(&Point3::new(corner[0] - margin, corner[1] - margin, corner[2] - margin));

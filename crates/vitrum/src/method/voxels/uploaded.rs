@@ -3,9 +3,9 @@
 use super::bodies::{Body, Group, bodies, groups};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
-use super::{bricks, cropped, tree, uniforms};
+use super::{bricks, cropped, refit, tree, uniforms};
 use crate::assets::Assets;
-use crate::backend::{Backend, Buffer, Contents};
+use crate::backend::{Backend, Buffer, Contents, ReadBack as _};
 use crate::error::Error;
 use crate::method::Tools;
 use crate::method::twist::twisted;
@@ -13,6 +13,8 @@ use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
 use crate::scene::{MethodName, Normals, Scene, Surfaces};
 use crate::unrenderable::Unrenderable;
 use bytemuck::cast_slice;
+use std::borrow::Cow;
+use std::sync::Arc;
 use vitrum_io::Mesh;
 use vitrum_kernels::abi::voxels::surface;
 use vitrum_kernels::kernel::{Kernel, kernels};
@@ -20,11 +22,13 @@ use vitrum_kernels::kernel::{Kernel, kernels};
 /// Empty voxels around the mesh: the reach of the filter and of the gradient at a ray.
 const PADDING: u32 = 5;
 
+/// A refitted tree is built anew when a ray has so many times as many steps through it as when it was built.
+const WORN: f64 = 1.5;
+
 /// The key of an uploaded mesh: the representation, and its resolution.
 #[derive(Debug, Clone, PartialEq)]
 struct Kind {
     resolution: u32,
-    twist: f32,
     exact: bool,
     paper: bool,
     /// Overlap of the paper's voxels; 0 for other representations.
@@ -34,20 +38,49 @@ struct Kind {
 }
 
 impl Kind {
+    fn settings(&self) -> Settings {
+        Settings { padding: PADDING, overlap: self.overlap, ..Settings::new(self.resolution) }
+    }
+
     fn of(scene: &Scene, mesh: &Mesh) -> Self {
         let groups = groups(mesh, &scene.material);
         // Opaque bodies are triangles always.
         let exact = scene.voxels.surfaces == Surfaces::Exact || groups.iter().all(|group| group.opaque);
         let paper = scene.voxels.normals == Normals::Paper;
-        let twist = scene.mesh.first().map_or(0.0, |mesh| mesh.twist);
         let overlap = if paper { scene.voxels.overlap } else { 0.0 };
-        Self { resolution: scene.voxelization.resolution, twist, exact, paper, overlap, groups }
+        Self { resolution: scene.voxelization.resolution, exact, paper, overlap, groups }
+    }
+}
+
+/// The shape of an uploaded mesh.
+#[derive(Debug, Clone)]
+struct Shape {
+    /// The mesh as it was loaded.
+    mesh: Arc<Mesh>,
+    twist: f32,
+}
+
+impl Shape {
+    fn of(scene: &Scene, assets: &Assets) -> Result<Self, Error> {
+        let twist = scene.mesh.first().map_or(0.0, |mesh| mesh.twist);
+        Ok(Self { mesh: Arc::clone(shared(assets, MethodName::Voxels)?), twist })
+    }
+
+    /// Whether both are the same, by the identity of the mesh: while one is kept, no other takes its place.
+    fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.mesh, &other.mesh) && self.twist == other.twist
+    }
+
+    /// The mesh, deformed.
+    fn deformed(&self) -> Cow<'_, Mesh> {
+        if self.twist == 0.0 { Cow::Borrowed(&self.mesh) } else { Cow::Owned(twisted(&self.mesh, self.twist)) }
     }
 }
 
 /// A mesh on a backend, which stays the same while camera and materials change.
 pub struct UploadedMesh {
     kind: Kind,
+    shape: Shape,
     /// The grid of the voxels, in whose units the triangles are, too.
     pub grid: Grid,
     /// Low and high corner of the mesh.
@@ -64,6 +97,8 @@ pub struct UploadedMesh {
     /// Nodes and corners of the tree of triangles: all, or where rays march through voxels, those of opaque bodies.
     pub(in crate::method) tree: Vec<Buffer>,
     nodes: u32,
+    /// [`refit::steps`] of the tree when it was built.
+    steps: f64,
     pub(super) shadow: Option<ShadowMap>,
 }
 
@@ -73,24 +108,25 @@ impl UploadedMesh {
     /// # Errors
     /// If the subject is no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
     pub fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
-        let mesh = shown(assets, MethodName::Voxels)?;
-        let kind = Kind::of(scene, mesh);
-        let deformed = (kind.twist != 0.0).then(|| twisted(mesh, kind.twist));
-        let mesh = deformed.as_ref().unwrap_or(mesh);
-        let settings = Settings { padding: PADDING, overlap: kind.overlap, ..Settings::new(kind.resolution) };
-        let grid = Grid::around(mesh, &settings)?;
-        let bodies = bodies(mesh, &scene.material)?;
+        let shape = Shape::of(scene, assets)?;
+        let kind = Kind::of(scene, &shape.mesh);
+        let mesh = shape.deformed();
+        let settings = kind.settings();
+        let grid = Grid::around(&mesh, &settings)?;
+        let bodies = bodies(&mesh, &scene.material)?;
         let mut uploaded = Self {
             clear: bodies.iter().filter(|body| !body.opaque).count(),
             kind,
             grid,
             bounds: mesh.bounds(),
+            shape: shape.clone(),
             bodies,
             open_rows: 0,
             kernel: &kernels::voxels_march,
             buffers: Vec::new(),
             tree: Vec::new(),
             nodes: 0,
+            steps: 0.0,
             shadow: None,
         };
         uploaded.fill(&settings, tools)?;
@@ -98,10 +134,34 @@ impl UploadedMesh {
         Ok(uploaded)
     }
 
-    /// Whether a scene's rays run through the same representation.
-    #[must_use]
-    pub fn fits(&self, scene: &Scene, mesh: &Mesh) -> bool {
-        self.kind == Kind::of(scene, mesh)
+    /// What rays of a scene run through: this where it is of the same shape, and where rays run through triangles of which nothing but the corners
+    /// has changed, this with its tree refitted; else `None`, and it has to be made anew.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn followed(mut self, scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Option<Self>, Error> {
+        let shape = Shape::of(scene, assets)?;
+        if self.kind != Kind::of(scene, &shape.mesh) {
+            return Ok(None);
+        }
+        if self.shape.is(&shape) {
+            return Ok(Some(self));
+        }
+        // Looks and materials are kept for the scene alone.
+        if !self.kind.exact || self.shape.mesh.materials != shape.mesh.materials {
+            return Ok(None);
+        }
+        let mesh = shape.deformed();
+        let bodies = bodies(&mesh, &scene.material)?;
+        if !same_triangles(&self.bodies, &bodies) {
+            return Ok(None);
+        }
+        self.bounds = mesh.bounds();
+        self.grid = Grid::around(&mesh, &self.kind.settings())?;
+        drop(mesh);
+        (self.shape, self.bodies, self.shadow) = (shape, bodies, None);
+        self.refit(tools)?;
+        Ok(Some(self))
     }
 
     /// Voxels along x, y and z; `None` where rays run through the triangles.
@@ -145,10 +205,35 @@ impl UploadedMesh {
         self.nodes
     }
 
+    /// The distance beside boxes at which rays look for triangles, in voxels.
+    fn reach(&self) -> f32 {
+        if self.kind.exact { uniforms::contact(self.bounds, self.grid) as f32 } else { 0.0 }
+    }
+
+    /// Refits the tree to the bodies, or builds it anew where that has worn it out.
+    fn refit(&mut self, tools: &mut Tools<'_>) -> Result<(), Error> {
+        let corners = tree::corners(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper);
+        if corners.is_empty() {
+            return Ok(());
+        }
+        // The host keeps no copy.
+        let mut nodes: Vec<f32> = tools.backend.read_all(&self.tree[0])?;
+        refit::refit(&mut nodes, &corners, tree::margin(self.reach()));
+        if refit::steps(&nodes) > WORN * self.steps {
+            self.tree.clear();
+            return self.fill(&self.kind.settings(), tools);
+        }
+        for (buffer, floats) in self.tree.iter().zip([&nodes, &corners]) {
+            let words = cast_slice(floats);
+            tools.backend.write(buffer, words.len(), &mut |all: &mut [u32]| all.copy_from_slice(words))?;
+        }
+        Ok(())
+    }
+
     fn fill(&mut self, settings: &Settings, tools: &mut Tools<'_>) -> Result<(), Error> {
-        let reach = if self.kind.exact { uniforms::contact(self.bounds, self.grid) as f32 } else { 0.0 };
-        let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper, reach)?;
+        let tree = tree::build(&self.bodies, self.first_in_tree(), self.grid, !self.kind.paper, self.reach())?;
         self.nodes = tree.count();
+        self.steps = refit::steps(&tree.nodes);
         for (label, floats) in [("nodes of the tree", &tree.nodes), ("corners of triangles", &tree.corners)] {
             self.tree.push(tools.backend.create(label, Contents::Bytes(cast_slice(floats)))?);
         }
@@ -210,7 +295,22 @@ impl UploadedMesh {
 /// # Errors
 /// [`Unrenderable::NeedsMesh`] where the subject is a volume.
 pub(in crate::method) fn shown(assets: &Assets, method: MethodName) -> Result<&Mesh, Error> {
-    assets.subject.mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: method.as_str() }.into())
+    shared(assets, method).map(|mesh| &**mesh)
+}
+
+/// As [`shown`], shared.
+fn shared(assets: &Assets, method: MethodName) -> Result<&Arc<Mesh>, Error> {
+    assets.subject.shared_mesh().ok_or_else(|| Unrenderable::NeedsMesh { method: method.as_str() }.into())
+}
+
+/// Whether bodies differ in nothing but the places and normals of their vertices.
+fn same_triangles(before: &[Body], after: &[Body]) -> bool {
+    let same = |(one, other): (&Body, &Body)| {
+        (one.material, one.opaque, one.mirror) == (other.material, other.opaque, other.mirror)
+            && one.mesh.triangles == other.mesh.triangles
+            && one.mesh.colors == other.mesh.colors
+    };
+    before.len() == after.len() && before.iter().zip(after).all(same)
 }
 
 /// One mesh of several bodies, each with its number as its material.

@@ -3,6 +3,7 @@
 use super::super::error::Fault;
 use super::super::{Environment, EnvironmentKind, MeshSource, Scene, VolumeSource};
 use super::refuse;
+use crate::assets::made;
 use vitrum_io::{RawLayout, Up};
 
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
@@ -48,6 +49,17 @@ fn check_mesh(scene: &Scene, key: &str, mesh: &MeshSource) -> Result<(), Fault> 
             &format!("{key}.twist"),
             format!("only a mesh that is alone can be twisted, and there are {}", scene.mesh.len()),
             "leave it out, or leave the other meshes out",
+        ));
+    }
+    if mesh.time.is_some() && !mesh.builtin.as_deref().is_some_and(made::may_move) {
+        let moving = made::moving_meshes().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        return Err(Fault::contradiction(
+            &format!("{key}.time"),
+            match &mesh.builtin {
+                Some(name) => format!("the mesh `{name}` does not move"),
+                None => "a mesh from a file does not move".to_owned(),
+            },
+            format!("leave it out, or show a built-in mesh that moves: {moving}"),
         ));
     }
     let named = |name: &String| scene.material.iter().any(|material| material.name.as_ref() == Some(name));
