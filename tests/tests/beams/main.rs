@@ -8,6 +8,8 @@ mod dispersion;
 mod flux;
 mod inside;
 mod lights;
+mod map_table;
+mod maps;
 mod medium;
 mod mirror;
 mod mirror_table;
