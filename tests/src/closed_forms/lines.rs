@@ -236,7 +236,7 @@ lines! {
     BEAMS_SHADOW_OF_DISKS: VOLUME_SHADOW, "level and tilted disks, 256² rays of light", "what the shadow takes away, relative", 0.013, 0.015;
     BEAMS_SHADOW_OF_A_BALL: VOLUME_SHADOW, "a ball, 256² rays of light", "what the shadow takes away, relative", 0.0057, 0.011;
     BEAMS_SHARES: SHARES, "balls and a cube, clear, absorbing and mirroring, 48² rays of light", "the sum", 2.1e-7, 4.2e-7, elsewhere 1e-5;
-    BEAMS_MAPS_SHARES: SHARES, "the same by depth maps, and balls behind one another, in a box, and with hollows", "the sum", 2.0e-7, 4.0e-7, elsewhere 1e-5;
+    BEAMS_MAPS_SHARES: SHARES, "the same by depth maps, and balls behind one another, in a box, and with hollows", "the sum", 1.9e-7, 3.7e-7, elsewhere 1e-5;
     BEAMS_PLATE: PLATE_IN_FOG, "a plate of index 1.5, 64² rays of light, 384² pixels", "the flux, relative", 2.6e-4, 5.1e-4;
     BEAMS_MIRROR: PLATE_IN_FOG, "a tilted mirror, 64² rays of light, 384² pixels", "the flux, relative", 9.9e-5, 1.9e-4;
     BEAMS_BALL: BALL_IN_FOG, "g = 0, a lamp, 256² rays of light", RADIANCE_RMS, 0.0017, 0.0034;
