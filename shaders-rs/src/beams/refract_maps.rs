@@ -1,9 +1,9 @@
 //! Light through clear bodies by maps ([`super::maps`]): refracted by the front map and again by the back map, to the position p₁ and the direction of Hu
 //! et al. (2010, §5.1).
 //!
-//! Where a refracted ray comes to the back is found in the back map alone (Hu & Qin 2007): points of the ray are projected into the lattice, and their distances
-//! from the light are compared with the map's. [`MARCH`] even steps to the end of the box look for the first point behind the map, [`HALVINGS`] halvings and a
-//! linear step between its two sides for the place.
+//! Where a refracted ray comes to the back is found in the back map alone (Hu & Qin 2007): points of the ray are projected into the lattice, and their
+//! distances from the light are compared with the map's. [`MARCH`] even steps to the end of the box look for the first point behind the map, [`HALVINGS`]
+//! halvings and a linear step between its two sides for the place.
 
 use super::maps::{Back, Front, Line};
 use crate::abi::beams::BeamsUniforms;

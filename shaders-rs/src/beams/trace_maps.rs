@@ -21,7 +21,8 @@ use crate::voxels::ray::{CONTACT, attenuation};
 use crate::voxels::surface::{bend, ior};
 use spirv_std::glam::Vec3;
 
-/// The pencil of texel (x, y) at the beginning of the piece of a round: its shares of the flux are those of all pieces before, and those that follow are lost so far.
+/// The pencil of texel (x, y) at the beginning of the piece of a round: its shares of the flux are those of all pieces before, and those that follow are
+/// lost so far.
 #[inline(always)]
 pub fn invoke(
     x: u32,

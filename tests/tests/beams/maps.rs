@@ -98,9 +98,9 @@ fn maps_of_a_ball_are_a_spheres() -> Result<(), Failure> {
     })
 }
 
-/// The largest error of the light that a ball refracts twice, along a ray, with 256 rays of light along an edge, and the largest root mean square: those of light
-/// through triangles. All of it leaves the ball within 12° of its lower pole, where the back map is even and bends by 8 · 10⁻⁶ within a texel: interpolation
-/// adds next to nothing.
+/// The largest error of the light that a ball refracts twice, along a ray, with 256 rays of light along an edge, and the largest root mean square: those
+/// of light through triangles. All of it leaves the ball within 12° of its lower pole, where the back map is even and bends by 8 · 10⁻⁶ within a texel:
+/// interpolation adds next to nothing.
 const LARGEST: f64 = 0.02;
 const LARGEST_RMS: f64 = 0.01;
 
@@ -272,8 +272,8 @@ fn beside_triangles(mesh: Mesh, backend: &mut dyn Backend) -> Result<[f64; 2], F
     Ok([difference, by_maps.iter().sum::<f64>() / by_triangles.iter().sum::<f64>()])
 }
 
-/// The largest difference of a ball's caustics, over the brightest pixel, and of their sum, as a share: by triangles there is light that is mirrored within the ball near
-/// its outline, too. Found are 2.3 · 10⁻⁴ and 4.3 · 10⁻³.
+/// The largest difference of a ball's caustics, over the brightest pixel, and of their sum, as a share: by triangles there is light that is mirrored
+/// within the ball near its outline, too. Found are 2.3 · 10⁻⁴ and 4.3 · 10⁻³.
 const ALIKE: [f64; 2] = [1e-3, 0.01];
 
 /// The least difference where maps mistake a body for another, and the most light that is left: theirs misses its focus. Found are 0.022 and 0.90, and more.
