@@ -171,6 +171,34 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
                 "beams.segments=4",
             ],
         )?,
+        // The same by maps: the light that the box's front reflects is a piece of its own.
+        case(
+            "mesh beams maps",
+            &nested,
+            &[
+                "method=beams",
+                "material=[{name=\"m1\",mirror=true,color=[0.9,0.8,0.7]},{ior=1.4,attenuation_color=[0.5,0.7,0.9]}]",
+                "light.0={kind='point',position=[2,-1,3],intensity=20}",
+                "medium={scattering=[0.1,0.2,0.3],absorption=[0.03,0.02,0.01],anisotropy=0.6}",
+                "ground={}",
+                "beams.rays=12",
+                "beams.tracer='depth-map'",
+            ],
+        )?,
+        // A mirror by maps, in parallel light.
+        case(
+            "mesh beams maps distant",
+            &ball,
+            &[
+                "method=beams",
+                "material=[{mirror=true,color=[0.9,0.8,0.7]}]",
+                "light.0={attachment='world',elevation=50,azimuth=20}",
+                "medium={scattering=[0.2,0.2,0.2],extent=2}",
+                "beams.rays=17",
+                "beams.segments=1",
+                "beams.tracer='depth-map'",
+            ],
+        )?,
         // An opaque ball in a clear box, in a medium that ends within the picture.
         case(
             "mesh beams distant",

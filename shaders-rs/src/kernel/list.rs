@@ -105,6 +105,10 @@ kernels! {
             levels [WORK], reports work;
         trace_view(nodes: f32, corners: f32, materials: f32) updates pencil,
             levels [WORK], reports work;
+        map_faces(nodes: f32, corners: f32, materials: f32) updates faces,
+            levels [WORK], reports work;
+        refract_maps(faces: f32, materials: f32) writes way;
+        trace_maps(faces: f32, ways: f32, materials: f32) writes pencil;
         store_beam(pencils: f32, pictures: f32, materials: f32) writes beam,
             modes part [CAUSTIC, SHADOW];
         bound_beams(beams: f32) writes bundle;

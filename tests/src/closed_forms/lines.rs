@@ -236,10 +236,13 @@ lines! {
     BEAMS_SHADOW_OF_DISKS: VOLUME_SHADOW, "level and tilted disks, 256² rays of light", "what the shadow takes away, relative", 0.013, 0.015;
     BEAMS_SHADOW_OF_A_BALL: VOLUME_SHADOW, "a ball, 256² rays of light", "what the shadow takes away, relative", 0.0057, 0.011;
     BEAMS_SHARES: SHARES, "balls and a cube, clear, absorbing and mirroring, 48² rays of light", "the sum", 2.1e-7, 4.2e-7, elsewhere 1e-5;
+    BEAMS_MAPS_SHARES: SHARES, "the same by depth maps, and balls behind one another, in a box, and with hollows", "the sum", 1.9e-7, 3.7e-7, elsewhere 1e-5;
     BEAMS_PLATE: PLATE_IN_FOG, "a plate of index 1.5, 64² rays of light, 384² pixels", "the flux, relative", 2.6e-4, 5.1e-4;
     BEAMS_MIRROR: PLATE_IN_FOG, "a tilted mirror, 64² rays of light, 384² pixels", "the flux, relative", 9.9e-5, 1.9e-4;
     BEAMS_BALL: BALL_IN_FOG, "g = 0, a lamp, 256² rays of light", RADIANCE_RMS, 0.0017, 0.0034;
     BEAMS_BALL_FORWARD: BALL_IN_FOG, "g = 0.7, a lamp, 256² rays of light", RADIANCE_RMS, 0.0044, 0.0088;
+    BEAMS_MAPS: BALL_IN_FOG, "g = 0, a lamp, 256² rays of light by depth maps, light that is refracted twice", RADIANCE_RMS, 0.0019, 0.0038;
+    BEAMS_MAPS_FORWARD: BALL_IN_FOG, "g = 0.7, light straight down, the same", RADIANCE_RMS, 0.0053, 0.01;
     BEAMS_PICTURE_32: PICTURE_IN_FOG, "32² rays of light", OF_BRIGHTEST, 8.5e-4, 1.7e-3;
     BEAMS_PICTURE_64: PICTURE_IN_FOG, "64² rays of light", OF_BRIGHTEST, 3.9e-4, 7.8e-4;
     BEAMS_NEPHROID: RING, "512² rays of light, viewing rays 10⁻⁴ wide", "the irradiance, relative", 0.027, 0.03;

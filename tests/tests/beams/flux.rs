@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-5;
 const PICTURE: f64 = 1e-3;
 
 /// The sums of the shares of all texels whose ray comes to the bodies' box, and the shares: escaped, received, absorbed, extinguished, lost.
-fn shares(case: &Case, backend: &mut dyn Backend) -> Result<Vec<[f64; 5]>, Failure> {
+pub fn shares(case: &Case, backend: &mut dyn Backend) -> Result<Vec<[f64; 5]>, Failure> {
     let frame = beams::prepare(&case.scene, &case.assets, backend).map_err(Failure::from)?;
     frame.run(backend, &mut |_, _| true)?;
     let records = frame.pencils(backend)?;

@@ -8,6 +8,8 @@ mod dispersion;
 mod flux;
 mod inside;
 mod lights;
+mod map_table;
+mod maps;
 mod march;
 mod medium;
 mod mirror;

@@ -11,7 +11,7 @@ use vitrum_io::Mesh;
 use vitrum_kernels::glam::DVec3;
 
 /// Light along (cos 40°, 0, −sin 40°), of an irradiance of 1.
-const BY_SUN: &str = "light.0={kind='distant',attachment='world',angular_radius=0,intensity=0.3183098861837907,\
+pub const BY_SUN: &str = "light.0={kind='distant',attachment='world',angular_radius=0,intensity=0.3183098861837907,\
                       direction=[0.766044443118978,0,-0.6427876096865394]}";
 
 /// A lamp of intensity 10, which is 10 / π for a scene, above the rim.
@@ -50,7 +50,7 @@ fn ring() -> Mesh {
 }
 
 /// The ring on a floor of a reflectance. Light is mirrored once.
-fn scene(light: &str, floor: f64, settings: &[&str]) -> Result<Case, Failure> {
+pub fn scene(light: &str, floor: f64, settings: &[&str]) -> Result<Case, Failure> {
     let ground = format!("ground={{height=0,color={:?}}}", [floor; 3]);
     let usual = [
         light,
@@ -64,7 +64,7 @@ fn scene(light: &str, floor: f64, settings: &[&str]) -> Result<Case, Failure> {
     case(ring(), 1, &[&usual, settings].concat())
 }
 
-fn fog(anisotropy: f64) -> String {
+pub fn fog(anisotropy: f64) -> String {
     format!("medium={{absorption=[0.02,0.02,0.02],scattering=[0.1,0.1,0.1],anisotropy={anisotropy},extent=3}}")
 }
 

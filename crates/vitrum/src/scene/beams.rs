@@ -18,6 +18,19 @@ pub enum Estimator {
     Hu2010,
 }
 
+/// The tracer: how rays of light find their ways through bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Tracer {
+    /// Through the tree of triangles, along all ways on which a worthwhile part of the flux goes.
+    #[default]
+    Tree,
+    /// Through maps of the depths and the normals of the bodies' fronts and backs as the light sees them, as Hu et al. (2010) trace: for comparison. Light is
+    /// refracted by the front and the back, or reflected once by the front, and goes on to the ground or the wall; all else is lost, and of `segments` two are
+    /// used at most. Viewing rays go through triangles all the same.
+    DepthMap,
+}
+
 /// Beams of light in a medium.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -59,6 +72,8 @@ pub struct Beams {
     /// scatters several times, by its exchange between 16 × 16 × 16 cells of the medium; bodies do not stand in the way of this light, and surfaces are not lit by it.
     #[schemars(range(min = 1, max = 64), extend("x-unit" = "times"))]
     pub orders: u32,
+    /// Tracer.
+    pub tracer: Tracer,
     /// Whether wide beams are drawn in coarser pictures and interpolated.
     pub pyramid: bool,
 }
@@ -77,6 +92,7 @@ impl Default for Beams {
             step: None,
             filter_radius: 1.0,
             orders: 1,
+            tracer: Tracer::Tree,
             pyramid: true,
         }
     }

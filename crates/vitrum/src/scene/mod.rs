@@ -35,7 +35,7 @@ mod voxelization;
 mod voxels;
 mod write;
 
-pub use beams::{Beams, Estimator};
+pub use beams::{Beams, Estimator, Tracer};
 pub use camera::{Camera, Projection};
 pub use clip::{Clip, Removes};
 pub use dispersion::YELLOW;

@@ -76,6 +76,62 @@ record! {
 }
 
 record! {
+    /// The maps of the bodies at a texel of the lattice (Hu et al. 2010, §5.1), and the search for them. Distances are along the texel's ray, in voxels.
+    faces: Faces {
+        /// One of [`stage`].
+        stage: f32,
+        /// The node of the tree of triangles that is next.
+        node: i32,
+        /// The nearest triangle so far, or one of [`ahead`](crate::abi::receivers::ahead).
+        triangle: i32,
+        /// Its distance from where the search begins.
+        distance: f32,
+        /// Distance of the first surface from the light, or from the plane on which the rays of a distant light start.
+        front_distance: f32,
+        /// Unit normal there, on the side that the light comes from.
+        front_normal: Vec3,
+        /// Its triangle, or one of [`ahead`](crate::abi::receivers::ahead).
+        front_triangle: i32,
+        /// The number of its material, −1 if there is no surface.
+        front_material: i32,
+        /// Distance of the last surface by which light leaves a clear body.
+        back_distance: f32,
+        /// Unit normal there, on the side that the light goes to.
+        back_normal: Vec3,
+        /// The number of its material, −1 if there is none.
+        back_material: i32,
+    }
+
+    /// Stages of the search.
+    pub mod stage {
+        /// Not begun.
+        pub const NEW: f32 = 0.0;
+        /// Looks for the front.
+        pub const FRONT: f32 = 1.0;
+        /// Looks for the back.
+        pub const BACK: f32 = 2.0;
+        /// Both are known.
+        pub const DONE: f32 = 3.0;
+    }
+}
+
+record! {
+    /// The light of a texel where it leaves a clear body, by the maps of the body.
+    way: Way {
+        /// Position on the back, in voxels.
+        position: Vec3,
+        /// Unit direction behind it.
+        direction: Vec3,
+        /// Unit normal of the back, on the side that the light goes to.
+        normal: Vec3,
+        /// Share of the light that the back reflects, 0 to 1; 1 where no light gets through.
+        reflectance: f32,
+        /// Length of the way within the body, in voxels.
+        length: f32,
+    }
+}
+
+record! {
     /// A beam: the light of one texel of the lattice along a straight piece in air.
     beam: Beam {
         /// Position of its beginning, in voxels.

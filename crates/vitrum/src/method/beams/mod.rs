@@ -1,14 +1,15 @@
 //! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
 //!
 //! `density.rs` reads the medium's density, `medium.rs` describes the medium to the kernels (`phase.rs`: its phase function), `lattice.rs`
-//! places the rays of a light, `uniforms.rs` describes the rest of a frame, `passes.rs` and `drawing.rs` list the passes: pencils of light become
-//! beams, beams are drawn, viewing rays see the rest.
+//! places the rays of a light, `uniforms.rs` describes the rest of a frame, `passes.rs`, `maps.rs` and `drawing.rs` list the passes: pencils of light, through
+//! triangles or by maps, become beams, beams are drawn, viewing rays see the rest.
 
 mod density;
 mod drawing;
 mod exchange;
 mod film;
 mod lattice;
+mod maps;
 mod medium;
 mod passes;
 mod phase;

@@ -3,6 +3,7 @@
 use super::drawing::{self, Picture};
 use super::exchange;
 use super::lattice::{coarser, lattice};
+use super::maps::{self, Maps};
 use super::medium::MediumCache;
 use super::of_triangles;
 use super::uniforms::{self, Surroundings};
@@ -19,7 +20,7 @@ use crate::method::voxels::light::light_source;
 use crate::method::voxels::shadow::source::Source;
 use crate::method::voxels::uploaded::shown;
 use crate::method::{Bounds, View};
-use crate::scene::{MethodName, Scene};
+use crate::scene::{MethodName, Scene, Tracer};
 use bytemuck::bytes_of;
 use vitrum_kernels::abi::beams::{BeamsUniforms, Lattice, Limits, flag, part};
 use vitrum_kernels::abi::dispatch::Dispatch;
@@ -47,6 +48,7 @@ pub struct Frame {
     pub rays: [u32; 2],
     pub(super) film: Buffer,
     pencils: Option<Buffer>,
+    maps: Option<Buffer>,
 }
 
 impl Frame {
@@ -57,6 +59,15 @@ impl Frame {
     /// As [`Backend::read`].
     pub fn pencils(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         self.pencils.as_ref().map_or(Ok(Vec::new()), |pencils| backend.read_all(pencils))
+    }
+
+    /// The maps of the bodies as the light sees them, after the passes have run: planar records as [`faces`](vitrum_kernels::abi::record::faces) describes,
+    /// one for each texel of the lattice. None if no light casts shadows, or goes through triangles.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub fn maps(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        self.maps.as_ref().map_or(Ok(Vec::new()), |maps| backend.read_all(maps))
     }
 }
 
@@ -94,10 +105,10 @@ impl List {
 }
 
 /// The bodies as rays run through them.
-struct Bodies {
-    nodes: Buffer,
-    corners: Buffer,
-    materials: Buffer,
+pub(super) struct Bodies {
+    pub(super) nodes: Buffer,
+    pub(super) corners: Buffer,
+    pub(super) materials: Buffer,
     looks: Buffer,
 }
 
@@ -108,6 +119,8 @@ pub(super) struct Lit {
     pub(super) beams: Buffer,
     bundles: Buffer,
     pub(super) limits: Limits,
+    /// The maps that light is traced by, and the nodes of the tree that they are made from; none if light goes through triangles.
+    maps: Option<(Maps, u32)>,
 }
 
 /// Floats from one round's records to those of the next, for `size` records of `components`: a pass's records start at such a multiple.
@@ -134,6 +147,7 @@ impl Lit {
             beams: zeros("beams", beams * u64::from(rounds))?,
             bundles: zeros("bundles of beams", bundles * u64::from(rounds))?,
             limits: Limits { pitch: beams as u32, bundle_pitch: bundles as u32, last: rounds - 1, ..limits },
+            maps: None,
         })
     }
 
@@ -146,11 +160,11 @@ impl Lit {
     fn trace(&self, list: &mut List, bodies: &Bodies, pictures: &Buffer) {
         self.describe(list);
         let texels = [self.lattice.count; 2];
-        let traced = [&bodies.nodes, &bodies.corners, &bodies.materials, &self.pencils];
+        if let Some((maps, nodes)) = &self.maps {
+            maps.make(list, bodies, *nodes);
+        }
         for round in 0..=self.limits.last {
-            for _ in 0..passes_of_round(&list.block) {
-                list.add(&kernels::beams_trace_light, texels, (0, round), &traced, 0);
-            }
+            self.follow(list, bodies, round);
             let mode = if round == 0 { part::SHADOW } else { part::CAUSTIC };
             let start = u64::from(self.limits.pitch) * u64::from(round);
             let stored = [&self.pencils, pictures, &bodies.materials, &self.beams];
@@ -165,9 +179,18 @@ impl Lit {
     /// other lattice is traced behind them.
     fn finish(&self, list: &mut List, bodies: &Bodies) {
         self.describe(list);
+        self.follow(list, bodies, self.limits.last + 1);
+    }
+
+    /// Lists the passes that follow pencils to the piece of a round.
+    fn follow(&self, list: &mut List, bodies: &Bodies, round: u32) {
+        if let Some((maps, _)) = &self.maps {
+            maps.trace(list, bodies, &self.pencils, round);
+            return;
+        }
         let traced = [&bodies.nodes, &bodies.corners, &bodies.materials, &self.pencils];
         for _ in 0..passes_of_round(&list.block) {
-            list.add(&kernels::beams_trace_light, [self.lattice.count; 2], (0, self.limits.last + 1), &traced, 0);
+            list.add(&kernels::beams_trace_light, [self.lattice.count; 2], (0, round), &traced, 0);
         }
     }
 
@@ -249,15 +272,20 @@ pub(super) fn list(
         looks: cache.looks_buffer(scene, &looks, backend)?,
     };
     let scratch = &mut cache.scratch;
-    let rounds = scene.beams.segments + 1;
+    let by_maps = scene.beams.tracer == Tracer::DepthMap;
+    let most = if by_maps { maps::ROUNDS } else { u32::MAX };
+    let rounds = (scene.beams.segments + 1).min(most);
     // Behind surfaces beams are looked for one by one: there a coarser lattice does.
     let coarse = coarser(fine, VIEW_RAYS);
     let mut lit = None;
     if casts {
-        let first = Lit::new(fine, rounds, block.limits, 0, scratch, backend)?;
-        let second = (scatters && scene.beams.views > 1)
-            .then(|| Lit::new(coarse, rounds, block.limits, 1, scratch, backend))
-            .transpose()?;
+        let mut beams = |lattice: Lattice, number: usize| -> Result<Lit, BackendError> {
+            let maps = by_maps.then(|| Maps::new(&lattice, number, scratch, backend)).transpose()?;
+            let lit = Lit::new(lattice, rounds, block.limits, number, scratch, backend)?;
+            Ok(Lit { maps: maps.map(|maps| (maps, uploaded.nodes())), ..lit })
+        };
+        let first = beams(fine, 0)?;
+        let second = (scatters && scene.beams.views > 1).then(|| beams(coarse, 1)).transpose()?;
         lit = Some((first, second));
     }
     let mut list = List { block, passes: Vec::new() };
@@ -286,6 +314,7 @@ pub(super) fn list(
             passes: list.passes,
             while_busy: vec![
                 while_busy(&kernels::beams_trace_light, &kernels::beams_store_beam),
+                while_busy(&kernels::beams_map_faces, &kernels::beams_refract_maps),
                 while_busy(&kernels::beams_trace_view, &kernels::beams_see),
                 while_busy(&kernels::beams_find_light, &kernels::beams_see),
             ],
@@ -293,6 +322,7 @@ pub(super) fn list(
         },
         rays: [width, height],
         film,
+        maps: lit.as_ref().and_then(|(first, _)| first.maps.as_ref()).map(|(maps, _)| maps.faces.clone()),
         pencils: lit.map(|(first, _)| first.pencils),
     })
 }
