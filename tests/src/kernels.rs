@@ -216,6 +216,7 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
                     "beams.rays=12",
                     "beams.segments=4",
                     "beams.nodes=5",
+                    "beams.adaptive=true",
                 ],
             )?
         },

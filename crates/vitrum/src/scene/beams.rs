@@ -42,6 +42,8 @@ pub struct Beams {
     /// grow evenly.
     #[schemars(range(min = 2, max = 64), extend("x-unit" = "nodes"))]
     pub nodes: u32,
+    /// Whether the squares of that grid are split into four where the curvature of their light shows in the medium. Beams then take five times the memory.
+    pub adaptive: bool,
     /// Estimator.
     pub estimator: Estimator,
     /// Whether wide beams are drawn in coarser pictures and interpolated.
@@ -58,6 +60,7 @@ impl Default for Beams {
             views: 6,
             wavelengths: 3,
             nodes: 16,
+            adaptive: false,
             estimator: Estimator::Beams,
             pyramid: true,
         }

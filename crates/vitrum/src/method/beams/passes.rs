@@ -4,6 +4,7 @@ use super::drawing::{self, Picture};
 use super::lattice::{coarser, lattice};
 use super::medium::MediumCache;
 use super::of_triangles;
+use super::split::Split;
 use super::uniforms::{self, Surroundings};
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, START_ALIGNMENT, WhileBusy};
@@ -45,7 +46,7 @@ pub struct Frame {
     /// Viewing rays across and down.
     pub rays: [u32; 2],
     pub(super) film: Buffer,
-    pencils: Option<Buffer>,
+    lights: Option<Lights>,
 }
 
 impl Frame {
@@ -55,8 +56,41 @@ impl Frame {
     /// # Errors
     /// As [`Backend::read`].
     pub fn pencils(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        self.pencils.as_ref().map_or(Ok(Vec::new()), |pencils| backend.read_all(pencils))
+        self.lights.as_ref().map_or(Ok(Vec::new()), |lights| backend.read_all(&lights.first.pencils))
     }
+
+    /// The beams that are drawn after the passes have run, of the light's lattice and of the one whose texels are parts of its split ones.
+    /// None if no light casts shadows.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub fn beams(&self, backend: &mut dyn Backend) -> Result<Vec<Drawn>, BackendError> {
+        let of = |lit: &Lit| {
+            let records = backend.read_all(&lit.beams)?;
+            Ok(Drawn { count: lit.lattice.count, pitch: lit.limits.pitch as usize, records })
+        };
+        self.lights.iter().flat_map(Lights::drawn).map(of).collect()
+    }
+
+    /// Records of [`curved`](vitrum_kernels::abi::record::curved) after the passes have run, one for each texel of the lattice. None if texels are not
+    /// split.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub fn curved(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        let split = self.lights.as_ref().and_then(|lights| lights.split.as_ref());
+        split.map_or(Ok(Vec::new()), |split| backend.read_all(&split.curved))
+    }
+}
+
+/// Beams of a lattice.
+pub struct Drawn {
+    /// Texels along each edge.
+    pub count: u32,
+    /// Floats from the records of one round to those of the next.
+    pub pitch: usize,
+    /// Planar records of [`beam`], one for each texel, round by round: the first one has the shadow.
+    pub records: Vec<f32>,
 }
 
 /// A list of passes that is being written.
@@ -93,7 +127,7 @@ impl List {
 }
 
 /// The bodies as rays run through them.
-struct Bodies {
+pub(super) struct Bodies {
     nodes: Buffer,
     corners: Buffer,
     materials: Buffer,
@@ -103,10 +137,12 @@ struct Bodies {
 /// The beams of a lattice of rays, in rounds: the first one has the shadow.
 pub(super) struct Lit {
     pub(super) lattice: Lattice,
-    pencils: Buffer,
+    pub(super) pencils: Buffer,
     pub(super) beams: Buffer,
     bundles: Buffer,
     pub(super) limits: Limits,
+    /// Whether beams go once all are traced.
+    pub(super) loses_beams: bool,
 }
 
 /// Floats from one round's records to those of the next, for `size` records of `components`: a pass's records start at such a multiple.
@@ -116,7 +152,7 @@ pub(super) fn pitch([width, height]: [u32; 2], components: usize) -> u64 {
 
 impl Lit {
     /// Buffers for the beams of a lattice, number `number` of the frame's.
-    fn new(
+    pub(super) fn new(
         lattice: Lattice,
         rounds: u32,
         limits: Limits,
@@ -133,6 +169,7 @@ impl Lit {
             beams: zeros("beams", beams * u64::from(rounds))?,
             bundles: zeros("bundles of beams", bundles * u64::from(rounds))?,
             limits: Limits { pitch: beams as u32, bundle_pitch: bundles as u32, last: rounds - 1, ..limits },
+            loses_beams: false,
         })
     }
 
@@ -141,8 +178,8 @@ impl Lit {
         [ROW, rows(lattice.count)]
     }
 
-    /// Lists the passes in which pencils of light become beams, and beams bundles.
-    fn trace(&self, list: &mut List, bodies: &Bodies, pictures: &Buffer) {
+    /// Lists the passes in which pencils of light become beams, and beams bundles, unless some of them are to go before.
+    pub(super) fn trace(&self, list: &mut List, bodies: &Bodies, pictures: &Buffer) {
         self.describe(list);
         let texels = [self.lattice.count; 2];
         let traced = [&bodies.nodes, &bodies.corners, &bodies.materials, &self.pencils];
@@ -154,10 +191,17 @@ impl Lit {
             let start = u64::from(self.limits.pitch) * u64::from(round);
             let stored = [&self.pencils, pictures, &bodies.materials, &self.beams];
             list.add(&kernels::beams_store_beam, texels, (mode, round), &stored, start);
-            let start = u64::from(self.limits.bundle_pitch) * u64::from(round);
-            let bound = [&self.beams, &self.bundles];
-            list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
+            if !self.loses_beams {
+                self.bound(list, round);
+            }
         }
+    }
+
+    /// Lists the pass in which the beams of a round become bundles.
+    pub(super) fn bound(&self, list: &mut List, round: u32) {
+        let start = u64::from(self.limits.bundle_pitch) * u64::from(round);
+        let bound = [&self.beams, &self.bundles];
+        list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
     }
 
     /// Lists the passes that follow pencils to the end of the last piece, so that the fate of its light is known. They leave pencils without work: no
@@ -171,9 +215,26 @@ impl Lit {
     }
 
     /// Makes the passes that follow read these beams.
-    fn describe(&self, list: &mut List) {
+    pub(super) fn describe(&self, list: &mut List) {
         list.block.lattice = self.lattice;
         list.block.limits = self.limits;
+    }
+}
+
+/// The beams of a frame's light.
+struct Lights {
+    /// Those that are drawn and light surfaces.
+    first: Lit,
+    /// Those that are seen behind surfaces.
+    second: Option<Lit>,
+    /// Those that are drawn in place of some of the first ones.
+    split: Option<Split>,
+}
+
+impl Lights {
+    /// The beams that are drawn and light surfaces.
+    fn drawn(&self) -> impl Iterator<Item = &Lit> {
+        std::iter::once(&self.first).chain(self.split.as_ref().map(|split| &split.lit))
     }
 }
 
@@ -242,16 +303,20 @@ pub(super) fn list(
     let coarse = coarser(fine, VIEW_RAYS);
     let mut lit = None;
     if casts {
-        let first = Lit::new(fine, rounds, block.limits, 0, scratch, backend)?;
+        let mut first = Lit::new(fine, rounds, block.limits, 0, scratch, backend)?;
         let second = (scatters && scene.beams.views > 1)
             .then(|| Lit::new(coarse, rounds, block.limits, 1, scratch, backend))
             .transpose()?;
-        lit = Some((first, second));
+        let split = (scatters && scene.beams.adaptive)
+            .then(|| Split::new(&mut first, block.limits, 2, scratch, backend))
+            .transpose()?;
+        lit = Some(Lights { first, second, split });
     }
     let mut list = List { block, passes: Vec::new() };
-    if let Some((first, second)) = &lit {
+    if let Some(Lights { first, second, split }) = &lit {
         second.iter().for_each(|second| second.trace(&mut list, &bodies, &pictures.buffer));
         first.trace(&mut list, &bodies, &pictures.buffer);
+        split.iter().for_each(|split| split.trace(&mut list, first, &bodies, &pictures.buffer));
         first.finish(&mut list, &bodies);
     }
     let film = picture(&mut list, &bodies, &pictures.buffer, lit.as_ref(), (scene, uploaded, needs), scratch, backend)?;
@@ -272,7 +337,7 @@ pub(super) fn list(
         },
         rays: [width, height],
         film,
-        pencils: lit.map(|(first, _)| first.pencils),
+        lights: lit,
     })
 }
 
@@ -281,7 +346,7 @@ fn picture(
     list: &mut List,
     bodies: &Bodies,
     pictures: &Buffer,
-    lit: Option<&(Lit, Option<Lit>)>,
+    lit: Option<&Lights>,
     (scene, uploaded, needs): (&Scene, &UploadedMesh, Needs),
     scratch: &mut Scratch,
     backend: &mut dyn Backend,
@@ -312,28 +377,27 @@ fn picture(
         }
         let seen = [&rays, pictures, corners, looks, materials, &searches, &sights];
         list.add(&kernels::beams_see, picture, (0, round), &seen, 0);
-        if let Some((first, second)) = lit {
-            if needs.surfaces {
-                first.describe(list);
-                let lights = [&rays, &first.beams, &first.bundles, corners, looks, materials, &sights];
+        if let Some(lights) = lit {
+            for drawn in lights.drawn().filter(|_| needs.surfaces) {
+                drawn.describe(list);
+                let lights = [&rays, &drawn.beams, &drawn.bundles, corners, looks, materials, &sights];
                 // The first round is the shadow, which the search for light finds sharper.
-                for lit in 1..=first.limits.last {
+                for lit in 1..=drawn.limits.last {
                     list.block.limits.lit = lit;
                     list.add(&kernels::beams_light_surface, picture, (0, round), &lights, 0);
                 }
             }
-            if let Some(second) = second.as_ref().filter(|_| round > 0) {
+            if let Some(second) = lights.second.as_ref().filter(|_| round > 0) {
                 second.describe(list);
                 let gathered = [&rays, &second.beams, &second.bundles, materials, &sights];
                 list.add(&kernels::beams_gather, picture, (0, round), &gathered, 0);
             }
         }
     }
-    if let Some((first, _)) = lit.filter(|_| needs.scattering) {
-        first.describe(list);
+    if let Some(lights) = lit.filter(|_| needs.scattering) {
         drawing::draw(
             list,
-            first,
+            &lights.drawn().collect::<Vec<_>>(),
             &Picture { sights: &sights, caustics: &caustics, shadows: &shadows },
             materials,
             scratch,
