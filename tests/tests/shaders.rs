@@ -6,7 +6,7 @@ use std::mem::{offset_of, size_of_val};
 use rspirv::dr::{Instruction, Module, Operand, load_words};
 use rspirv::spirv::{Decoration, Op, Word};
 use vitrum_conformance::root;
-use vitrum_kernels::abi::beams::{BeamsUniforms, Lattice, Limits, Medium, Splitting, Sums};
+use vitrum_kernels::abi::beams::{BeamsUniforms, Lattice, Limits, Medium, Sums};
 use vitrum_kernels::abi::camera::Camera;
 use vitrum_kernels::abi::clip::Clip;
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
@@ -180,7 +180,6 @@ fn beams_uniforms() -> Vec<Field> {
         away: of_vec3(), eye: of_vec3(), voxel, low: of_vec3(), high: of_vec3(), light: of_light_source(), lattice: of_lattice,
         limits: of_limits, medium: of_medium, receivers: of_receivers(), environment: of_environment(), ambient: of_vec3(), flags,
         sums: fields!(Sums { scale, levels, pixels_1, pixels_2, pixels_3, pixels_4, rows_2, rows_3, rows_4, rows }),
-        splitting: fields!(Splitting { curved, bent, bent_wide }),
     })
 }
 

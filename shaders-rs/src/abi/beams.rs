@@ -53,8 +53,6 @@ pub struct BeamsUniforms {
     pub flags: u32,
     /// The sums of in-scattered radiance.
     pub sums: Sums,
-    /// Which texels are split.
-    pub splitting: Splitting,
 }
 
 /// The lattice of a light's rays (Hu et al. 2010, §5.1, the caustic buffer): a square of `count` × `count` texels.
@@ -189,20 +187,6 @@ pub struct Sums {
     pub rows_4: u32,
     /// Rows of all levels from 1 on.
     pub rows: u32,
-}
-
-/// How much a texel's light is curved that [`crate::beams::find_curved`] finds to be: the difference from what derivatives predict a texel away, of the edge
-/// function. The texel's own edges are off by a quarter of it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
-pub struct Splitting {
-    /// The least curvature, in pixels.
-    pub curved: f32,
-    /// The least curvature over the beam's width, times the beam's share of the light.
-    pub bent: f32,
-    /// What is added to that, times the root of the width in pixels.
-    pub bent_wide: f32,
 }
 
 /// The most levels of the pyramid above the picture itself: level l has pixels of 2^l × 2^l viewing rays.

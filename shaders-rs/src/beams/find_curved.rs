@@ -8,15 +8,20 @@ use super::drawn::{Across, Drawn};
 use super::picture::Edges;
 use super::project_beam::{end, in_front};
 use super::store_beam::{beam_of, has_flux};
-use crate::abi::beams::{BeamsUniforms, Splitting};
+use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Curved, curved};
-use crate::math::{absolute, max, min, select, sqrt};
+use crate::math::{absolute, max, min, select};
 use spirv_std::glam::Vec3;
 
 pub use crate::voxels::ray::level;
 
 /// Places along a beam at which its curvature is looked at, evenly spaced.
 const PLACES: i32 = 5;
+/// The least curvature of a texel that is split, in pixels: the difference from the prediction a texel away. The beam's own edges are off by a quarter of
+/// it.
+const CURVED: f32 = 0.5;
+/// The least curvature over the beam's width, times the beam's share of the light.
+const BENT: f32 = 0.1;
 /// The largest difference from the prediction on one way, in widths of the two beams.
 const SAME_WAY: f32 = 2.0;
 
@@ -65,19 +70,9 @@ struct Step {
 }
 
 /// Whether the beam beside, `towards` (1 or −1) along the first of the two changes, shows that the beam is curved at a place; `share` is the beam's share
-/// of the light that came to the texel's first surface. The error of a pixel grows with that and with the curvature over the width, and falls
-/// with the width, over which the light is spread.
+/// of the light that came to the texel's first surface.
 #[inline(always)]
-fn bends(
-    splitting: &Splitting,
-    drawn: &Drawn,
-    own: Step,
-    middle: Across,
-    beside: Step,
-    towards: f32,
-    share: f32,
-    major: f32,
-) -> bool {
+fn bends(drawn: &Drawn, own: Step, middle: Across, beside: Step, towards: f32, share: f32, major: f32) -> bool {
     let section = drawn.section(major);
     let at = |across: &Across| across.at(major, section.middle);
     let (along, other) = (at(&own.along), at(&own.other));
@@ -89,9 +84,8 @@ fn bends(
     let widths = width + absolute(along_beside) + absolute(other_beside);
     let curvature = max(difference, twist);
     let wide = max(width, pixel);
-    let bent = splitting.bent + splitting.bent_wide * sqrt(wide / pixel);
     let is_same_way = difference <= SAME_WAY * (widths + pixel);
-    is_same_way & (curvature > splitting.curved * pixel) & (share * curvature > bent * wide)
+    is_same_way & (curvature > CURVED * pixel) & (share * curvature > BENT * wide)
 }
 
 /// The sum of the channels.
@@ -141,7 +135,7 @@ pub fn invoke<const LEVEL: u32>(
                 while place < PLACES {
                     let along = place as f32 / (PLACES - 1) as f32;
                     let major = visible.begin + (visible.end - visible.begin) * along;
-                    is_curved |= bends(&u.splitting, &drawn, own, middle, beside, sign, share, major);
+                    is_curved |= bends(&drawn, own, middle, beside, sign, share, major);
                     place += 1;
                 }
             }

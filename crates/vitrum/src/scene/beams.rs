@@ -42,7 +42,8 @@ pub struct Beams {
     /// grow evenly.
     #[schemars(range(min = 2, max = 64), extend("x-unit" = "nodes"))]
     pub nodes: u32,
-    /// Whether the squares of that grid are split into four where the curvature of their light shows in the medium. Beams then take five times the memory.
+    /// Whether squares of the grid of `rays` are split into four where the curvature of their light shows in the medium. Beams then take five times the
+    /// memory.
     pub adaptive: bool,
     /// Estimator.
     pub estimator: Estimator,

@@ -8,7 +8,7 @@ use crate::method::voxels::uniforms::{camera_in, contact, receivers_in};
 use crate::method::{Bounds, View};
 use crate::scene::{Estimator, Scene};
 use glam::DVec3;
-use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Splitting, Sums, estimator};
+use vitrum_kernels::abi::beams::{BeamsUniforms, LEVELS, Lattice, Limits, Medium, Sums, estimator};
 use vitrum_kernels::abi::environment::Environment;
 use vitrum_kernels::abi::light::LightSource;
 use vitrum_kernels::abi::vector::{Size, Vec3};
@@ -22,9 +22,6 @@ const UNITS: f64 = 16_777_216.0;
 
 /// Share of a viewing ray's radiance below which a part of it is not followed: less than the eye sees.
 const VIEW_THRESHOLD: f32 = 0.005;
-
-/// Which texels are split.
-const SPLITTING: Splitting = Splitting { curved: 0.5, bent: 0.1, bent_wide: 0.0 };
 
 fn vector(v: DVec3) -> Vec3 {
     v.as_vec3().into()
@@ -105,7 +102,6 @@ pub(super) fn block(
         environment: Environment { row_x, row_y, row_z, ..environment.block },
         ambient: scene.shading.ambient.into(),
         flags,
-        splitting: SPLITTING,
         ..BeamsUniforms::default()
     };
     block.sums = sums(block.picture, if beams.pyramid { LEVELS } else { 0 });
