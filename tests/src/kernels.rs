@@ -274,6 +274,7 @@ pub fn meshes(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
                     "beams.segments=4",
                     "beams.nodes=5",
                     "beams.orders=2",
+                    "beams.adaptive=true",
                 ],
             )?
         },

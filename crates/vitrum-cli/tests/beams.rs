@@ -72,6 +72,10 @@ fn mistakes_in_scene_files_exit_3_and_name_the_line() {
     folder.write("scene.toml", scene("[beams]\nrays = 1024\nsegments = 64"));
     let words = ["beams.rays = 1024", "beams.segments = 64", "lower `beams.segments` or `beams.rays`"];
     folder.refuse(&["render", "scene.toml", "-o", "out.png"], 3, &words);
+    // So are those of a lattice twice as fine.
+    folder.write("scene.toml", scene("[beams]\nrays = 1024\nsegments = 30\nadaptive = true"));
+    let words = ["beams.rays = 1024", "beams.segments = 30", "set `beams.adaptive = false`"];
+    folder.refuse(&["render", "scene.toml", "-o", "out.png"], 3, &words);
 }
 
 #[test]

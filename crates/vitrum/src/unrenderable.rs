@@ -165,13 +165,15 @@ pub enum Unrenderable {
     },
     /// The beams of a light, the tree over them, or optical depths along them are larger than a kernel can address.
     #[error(
-        "beams.rays = {rays} and beams.segments = {segments} make records of beams of {bytes} bytes, kernels can address 2^33"
+        "beams.rays = {rays}, beams.segments = {segments} and beams.adaptive = {adaptive} make records of beams of {bytes} bytes, kernels can address 2^33"
     )]
     TooManyBeams {
         /// Rays of light along each edge of the lattice.
         rays: u32,
         /// Straight pieces of a ray's ways that become beams.
         segments: u32,
+        /// Whether texels of the lattice are split, which takes four times as much.
+        adaptive: bool,
         /// Bytes of the largest of these.
         bytes: u64,
     },
@@ -313,6 +315,9 @@ impl Unrenderable {
             Self::TooManyVoxels { .. } => "lower `voxelization.resolution`".to_owned(),
             Self::ShadowMapTooLarge { .. } => "lower `shadow.resolution`".to_owned(),
             Self::ShadowTooSoft { .. } => "lower `shadow.resolution`, of which a soft shadow needs less".to_owned(),
+            Self::TooManyBeams { adaptive: true, .. } => {
+                "set `beams.adaptive = false`, or lower `beams.segments` or `beams.rays`".to_owned()
+            }
             Self::TooManyBeams { .. } => "lower `beams.segments` or `beams.rays`".to_owned(),
             Self::TooManyClips { .. } => "leave some out".to_owned(),
             Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),

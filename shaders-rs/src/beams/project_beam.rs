@@ -14,15 +14,16 @@ const BEYOND: f32 = 1e6;
 
 /// An end of a beam along the major axis.
 #[derive(Clone, Copy)]
-struct End {
-    major: f32,
+pub struct End {
+    /// The place of the middle.
+    pub major: f32,
     /// How much farther its edges reach than its middle, at most.
-    reach: f32,
+    pub reach: f32,
 }
 
 /// Projects the point of a beam `along` it.
 #[inline(always)]
-fn end(u: &BeamsUniforms, beam: &Beam, drawn: &Drawn, along: f32) -> End {
+pub fn end(u: &BeamsUniforms, beam: &Beam, drawn: &Drawn, along: f32) -> End {
     let offset = beam.position + beam.direction * along - xyz(u.eye);
     let depth = max(dot(xyz(u.away), offset), NEAR);
     let inverse = select(u.camera.orthographic != 0, 1.0, 1.0 / depth);
@@ -39,7 +40,7 @@ fn end(u: &BeamsUniforms, beam: &Beam, drawn: &Drawn, along: f32) -> End {
 
 /// The part of a beam in front of the eye: distances along it.
 #[inline(always)]
-fn in_front(u: &BeamsUniforms, beam: &Beam) -> (f32, f32) {
+pub fn in_front(u: &BeamsUniforms, beam: &Beam) -> (f32, f32) {
     let depth = dot(xyz(u.away), beam.position - xyz(u.eye)) - NEAR;
     let speed = dot(xyz(u.away), beam.direction);
     if u.camera.orthographic != 0 {

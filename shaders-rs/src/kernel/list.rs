@@ -112,6 +112,11 @@ kernels! {
         store_beam(pencils: f32, pictures: f32, materials: f32) writes beam,
             modes part [CAUSTIC, SHADOW];
         bound_beams(beams: f32) writes bundle;
+        find_curved(beams: f32) updates curved,
+            levels [WORK];
+        split_texels(curved: f32, beams: f32) writes pencil;
+        drop_beam(curved: f32) updates beam,
+            levels [WORK];
         find_light(pencils: f32, nodes: f32, corners: f32, looks: f32, materials: f32) updates search,
             levels [WORK], reports work;
         see(pencils: f32, pictures: f32, corners: f32, looks: f32, materials: f32, searches: f32) updates sight,

@@ -39,6 +39,7 @@ impl Stage {
         Some(match kernel.strip_prefix("beams_")? {
             "trace_light" | "store_beam" | "bound_beams" => Self::Trace,
             "map_faces" | "refract_maps" | "trace_maps" => Self::Trace,
+            "find_curved" | "split_texels" | "drop_beam" => Self::Trace,
             "project_beam" | "scatter_beam" | "find_depths" | "look_around" => Self::Scatter,
             "integrate_beam" | "integrate_view" | "add_depths" => Self::Scatter,
             "trace_view" | "see" | "gather" => Self::View,

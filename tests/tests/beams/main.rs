@@ -1,5 +1,6 @@
 //! Beams of light in a medium, against single scattering to nine digits and closed forms, on both backends.
 
+mod adaptive;
 mod airlight;
 mod ball;
 mod ball_table;

@@ -3,6 +3,7 @@
 use super::ball::in_fog;
 use super::picture_table::{BLOCKS, LEFT, UNIT};
 use super::{LAMP, on_both, red, rms};
+use vitrum::backend::Backend;
 use vitrum::method::View;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::closed_forms::table::{self, ErrorBound};
@@ -25,7 +26,8 @@ const LARGEST_MEAN: f64 = 0.005;
 /// Distances from the ball's outline, in radii, from which on a block is seen clear of it: half a pixel is 0.025.
 const CLEAR: f64 = 0.03;
 
-fn picture(rays: u32) -> Result<Case, Failure> {
+/// The table's picture, with as many pixels.
+pub fn picture(rays: u32) -> Result<Case, Failure> {
     let mut case = in_fog(LAMP, 0.0, 0.0, rays)?;
     case.resize(EDGE as u32);
     for setting in
@@ -61,21 +63,26 @@ fn mean(pixels: &[f64], [column, row]: [usize; 2]) -> f64 {
     sum / (BLOCK * BLOCK) as f64
 }
 
-#[test]
-fn the_picture_of_a_ball_is_that_of_single_scattering() -> Result<(), Failure> {
+/// The error over the brightest block, root mean square over the blocks that are clear of the outline, and the error of their sum.
+pub fn errors(case: &Case, backend: &mut dyn Backend) -> Result<[f64; 2], Failure> {
     let left = |[column, row]: [usize; 2]| f64::from(LEFT[row][column.min(BLOCKS - 1 - column)]) * UNIT;
     let brightest = LEFT.as_flattened().iter().copied().map(f64::from).fold(0.0, f64::max) * UNIT;
+    let view = view(case);
+    let all = (0..BLOCKS).flat_map(|row| (0..BLOCKS).map(move |column| [column, row]));
+    let blocks: Vec<_> = all.filter(|block| !has_outline(&view, *block)).collect();
+    assert!(blocks.len() > BLOCKS * BLOCKS * 9 / 10, "{} blocks", blocks.len());
+    let found = red(&frames::render(case, backend)?, "caustics");
+    let error = rms(blocks.iter().map(|&block| mean(&found, block) - left(block))) / brightest;
+    let sum = |of: &dyn Fn([usize; 2]) -> f64| blocks.iter().map(|block| of(*block)).sum::<f64>();
+    Ok([error, sum(&|block| mean(&found, block)) / sum(&left) - 1.0])
+}
+
+#[test]
+fn the_picture_of_a_ball_is_that_of_single_scattering() -> Result<(), Failure> {
     for (rays, largest, line) in LARGEST_RMS {
         let case = picture(rays)?;
-        let view = view(&case);
-        let all = (0..BLOCKS).flat_map(|row| (0..BLOCKS).map(move |column| [column, row]));
-        let blocks: Vec<_> = all.filter(|block| !has_outline(&view, *block)).collect();
-        assert!(blocks.len() > BLOCKS * BLOCKS * 9 / 10, "{} blocks", blocks.len());
         on_both(|backend| {
-            let found = red(&frames::render(&case, backend)?, "caustics");
-            let error = rms(blocks.iter().map(|&block| mean(&found, block) - left(block))) / brightest;
-            let sum = |of: &dyn Fn([usize; 2]) -> f64| blocks.iter().map(|block| of(*block)).sum::<f64>();
-            let whole = sum(&|block| mean(&found, block)) / sum(&left) - 1.0;
+            let [error, whole] = errors(&case, backend)?;
             println!("{rays} rays: {error:.2e}, the mean {whole:.2e} ({})", backend.name());
             assert!(error <= largest, "{rays} rays: off by {error:.2e} of the brightest block");
             line.hold(error, backend);

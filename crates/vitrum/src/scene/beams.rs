@@ -59,6 +59,9 @@ pub struct Beams {
     /// grow evenly.
     #[schemars(range(min = 2, max = 64), extend("x-unit" = "nodes"))]
     pub nodes: u32,
+    /// Whether squares of the grid of `rays` are split into four where the curvature of their light shows in the medium. Beams then take five times the
+    /// memory.
+    pub adaptive: bool,
     /// Estimator.
     pub estimator: Estimator,
     /// Step Δx of the march along viewing rays of the estimator `hu2010`; if absent 0.2 times the radius of the sphere around the bodies.
@@ -88,6 +91,7 @@ impl Default for Beams {
             views: 6,
             wavelengths: 3,
             nodes: 16,
+            adaptive: false,
             estimator: Estimator::Beams,
             step: None,
             filter_radius: 1.0,

@@ -330,3 +330,11 @@ pub mod inscattered {
     /// Words.
     pub const SIZE: usize = 6;
 }
+
+record! {
+    /// Whether a texel of the lattice is split into four.
+    curved: Curved {
+        /// 1 if it is, because its light's wavefront bends so much that the beam shows it in the picture, else 0.
+        is_curved: f32,
+    }
+}

@@ -106,7 +106,7 @@ pub(super) fn table(medium: &Medium) -> Vec<f32> {
 /// Lists the passes in which the medium's cells exchange light, `orders` − 1 times, and gives the buffer of the cells' light towards the eye.
 pub(super) fn list(
     list: &mut List,
-    lit: Option<&Lit>,
+    lights: &[&Lit],
     [pictures, materials]: [&Buffer; 2],
     orders: u32,
     scratch: &mut Scratch,
@@ -120,7 +120,7 @@ pub(super) fn list(
     let direct = zeros("cells of the medium", cell::SIZE)?;
     let [first, second] = [zeros("light of cells", cell::SIZE)?, zeros("further light of cells", cell::SIZE)?];
     let towards_eye = zeros("light of cells towards the eye", cell::SIZE)?;
-    if let Some(lit) = lit {
+    for lit in lights {
         lit.describe(list);
         let beams = [lit.lattice.count * lit.lattice.count, 1];
         for round in 0..=lit.limits.last {

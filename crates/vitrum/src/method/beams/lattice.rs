@@ -49,3 +49,9 @@ pub(super) fn coarser(lattice: Lattice, most: u32) -> Lattice {
     let factor = lattice.count as f32 / count.max(1) as f32;
     Lattice { count, step_across: lattice.step_across * factor, step_upwards: lattice.step_upwards * factor, ..lattice }
 }
+
+/// The lattice with twice as many rays along each edge, over the same bounds.
+pub(super) fn finer(lattice: Lattice) -> Lattice {
+    let [step_across, step_upwards] = [lattice.step_across, lattice.step_upwards].map(|step| 0.5 * step);
+    Lattice { count: 2 * lattice.count, step_across, step_upwards, ..lattice }
+}

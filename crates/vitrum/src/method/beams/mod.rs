@@ -13,9 +13,10 @@ mod maps;
 mod medium;
 mod passes;
 mod phase;
+mod split;
 mod uniforms;
 
-pub use passes::Frame;
+pub use passes::{Drawn, Frame};
 
 use crate::assets::Assets;
 use crate::backend::Backend;
@@ -66,17 +67,22 @@ pub fn prepare(scene: &Scene, assets: &Assets, backend: &mut dyn Backend) -> Res
 /// # Errors
 /// [`Unrenderable::TooManyBeams`].
 fn check_size(scene: &Scene) -> Result<(), Error> {
-    let (rays, segments) = (scene.beams.rays, scene.beams.segments);
-    let beams = u64::from(rays) * u64::from(rays) * beam::SIZE as u64;
-    let tree = u64::from(rows(rays) * ROW) * bundle::SIZE as u64;
+    let (rays, segments, adaptive) = (scene.beams.rays, scene.beams.segments, scene.beams.adaptive);
+    // Split texels have a lattice of their own, with four texels for each.
+    let finest = if adaptive { 2 * rays } else { rays };
+    let texels = u64::from(finest) * u64::from(finest);
+    let beams = texels * beam::SIZE as u64;
+    let tree = u64::from(rows(finest) * ROW) * bundle::SIZE as u64;
     let varying = scene.medium.as_ref().is_some_and(|medium| medium.density.is_some());
-    let depths = if varying { u64::from(rays) * u64::from(rays) * u64::from(scene.beams.nodes) } else { 0 };
+    // The optical depths of both lattices are in one buffer.
+    let all = if adaptive { texels + texels / 4 } else { texels };
+    let depths = if varying { all * u64::from(scene.beams.nodes) } else { 0 };
     // The shadow is a round of its own.
     let words = beams.max(tree).max(depths) * u64::from(segments + 1);
     if words <= i32::MAX as u64 {
         return Ok(());
     }
-    Err(Unrenderable::TooManyBeams { rays, segments, bytes: words * 4 }.into())
+    Err(Unrenderable::TooManyBeams { rays, segments, adaptive, bytes: words * 4 }.into())
 }
 
 impl Method for Beams {

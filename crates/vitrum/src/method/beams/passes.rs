@@ -6,6 +6,7 @@ use super::lattice::{coarser, lattice};
 use super::maps::{self, Maps};
 use super::medium::MediumCache;
 use super::of_triangles;
+use super::split::Split;
 use super::uniforms::{self, Surroundings};
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, START_ALIGNMENT, WhileBusy};
@@ -47,8 +48,7 @@ pub struct Frame {
     /// Viewing rays across and down.
     pub rays: [u32; 2],
     pub(super) film: Buffer,
-    pencils: Option<Buffer>,
-    maps: Option<Buffer>,
+    lights: Option<Lights>,
 }
 
 impl Frame {
@@ -58,7 +58,7 @@ impl Frame {
     /// # Errors
     /// As [`Backend::read`].
     pub fn pencils(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        self.pencils.as_ref().map_or(Ok(Vec::new()), |pencils| backend.read_all(pencils))
+        self.lights.as_ref().map_or(Ok(Vec::new()), |lights| backend.read_all(&lights.first.pencils))
     }
 
     /// The maps of the bodies as the light sees them, after the passes have run: planar records as [`faces`](vitrum_kernels::abi::record::faces) describes,
@@ -67,8 +67,41 @@ impl Frame {
     /// # Errors
     /// As [`Backend::read`].
     pub fn maps(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        self.maps.as_ref().map_or(Ok(Vec::new()), |maps| backend.read_all(maps))
+        let maps = self.lights.as_ref().and_then(|lights| lights.first.maps.as_ref());
+        maps.map_or(Ok(Vec::new()), |(maps, _)| backend.read_all(&maps.faces))
     }
+    /// The beams that are drawn after the passes have run, of the light's lattice and of the one whose texels are parts of its split ones.
+    /// None if no light casts shadows.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub fn beams(&self, backend: &mut dyn Backend) -> Result<Vec<Drawn>, BackendError> {
+        let of = |lit: &Lit| {
+            let records = backend.read_all(&lit.beams)?;
+            Ok(Drawn { count: lit.lattice.count, pitch: lit.limits.pitch as usize, records })
+        };
+        self.lights.iter().flat_map(Lights::drawn).map(of).collect()
+    }
+
+    /// Records of [`curved`](vitrum_kernels::abi::record::curved) after the passes have run, one for each texel of the lattice. None if texels are not
+    /// split.
+    ///
+    /// # Errors
+    /// As [`Backend::read`].
+    pub fn curved(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
+        let split = self.lights.as_ref().and_then(|lights| lights.split.as_ref());
+        split.map_or(Ok(Vec::new()), |split| backend.read_all(&split.curved))
+    }
+}
+
+/// Beams of a lattice.
+pub struct Drawn {
+    /// Texels along each edge.
+    pub count: u32,
+    /// Floats from the records of one round to those of the next.
+    pub pitch: usize,
+    /// Planar records of [`beam`], one for each texel, round by round: the first one has the shadow.
+    pub records: Vec<f32>,
 }
 
 /// A list of passes that is being written.
@@ -115,12 +148,14 @@ pub(super) struct Bodies {
 /// The beams of a lattice of rays, in rounds: the first one has the shadow.
 pub(super) struct Lit {
     pub(super) lattice: Lattice,
-    pencils: Buffer,
+    pub(super) pencils: Buffer,
     pub(super) beams: Buffer,
     bundles: Buffer,
     pub(super) limits: Limits,
     /// The maps that light is traced by, and the nodes of the tree that they are made from; none if light goes through triangles.
     maps: Option<(Maps, u32)>,
+    /// Whether beams go once all are traced.
+    pub(super) loses_beams: bool,
 }
 
 /// Floats from one round's records to those of the next, for `size` records of `components`: a pass's records start at such a multiple.
@@ -130,7 +165,7 @@ pub(super) fn pitch([width, height]: [u32; 2], components: usize) -> u64 {
 
 impl Lit {
     /// Buffers for the beams of a lattice, number `number` of the frame's.
-    fn new(
+    pub(super) fn new(
         lattice: Lattice,
         rounds: u32,
         limits: Limits,
@@ -148,6 +183,7 @@ impl Lit {
             bundles: zeros("bundles of beams", bundles * u64::from(rounds))?,
             limits: Limits { pitch: beams as u32, bundle_pitch: bundles as u32, last: rounds - 1, ..limits },
             maps: None,
+            loses_beams: false,
         })
     }
 
@@ -156,8 +192,8 @@ impl Lit {
         [ROW, rows(lattice.count)]
     }
 
-    /// Lists the passes in which pencils of light become beams, and beams bundles.
-    fn trace(&self, list: &mut List, bodies: &Bodies, pictures: &Buffer) {
+    /// Lists the passes in which pencils of light become beams, and beams bundles, unless some of them are to go before.
+    pub(super) fn trace(&self, list: &mut List, bodies: &Bodies, pictures: &Buffer) {
         self.describe(list);
         let texels = [self.lattice.count; 2];
         if let Some((maps, nodes)) = &self.maps {
@@ -169,10 +205,17 @@ impl Lit {
             let start = u64::from(self.limits.pitch) * u64::from(round);
             let stored = [&self.pencils, pictures, &bodies.materials, &self.beams];
             list.add(&kernels::beams_store_beam, texels, (mode, round), &stored, start);
-            let start = u64::from(self.limits.bundle_pitch) * u64::from(round);
-            let bound = [&self.beams, &self.bundles];
-            list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
+            if !self.loses_beams {
+                self.bound(list, round);
+            }
         }
+    }
+
+    /// Lists the pass in which the beams of a round become bundles.
+    pub(super) fn bound(&self, list: &mut List, round: u32) {
+        let start = u64::from(self.limits.bundle_pitch) * u64::from(round);
+        let bound = [&self.beams, &self.bundles];
+        list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
     }
 
     /// Lists the passes that follow pencils to the end of the last piece, so that the fate of its light is known. They leave pencils without work: no
@@ -201,19 +244,31 @@ impl Lit {
     }
 }
 
+/// The beams of a frame's light.
+struct Lights {
+    /// Those that are drawn and light surfaces.
+    first: Lit,
+    /// Those that are seen behind surfaces.
+    second: Option<Lit>,
+    /// Those that are drawn in place of some of the first ones.
+    split: Option<Split>,
+}
+
+impl Lights {
+    /// The beams that are drawn and light surfaces.
+    fn drawn(&self) -> impl Iterator<Item = &Lit> {
+        std::iter::once(&self.first).chain(self.split.as_ref().map(|split| &split.lit))
+    }
+
+    /// All light of the frame in as few beams as there are.
+    fn fewest(&self) -> Vec<&Lit> {
+        self.second.as_ref().map_or_else(|| self.drawn().collect(), |second| vec![second])
+    }
+}
+
 /// The passes in which pencils get to their next piece in air, at most.
 fn passes_of_round(block: &BeamsUniforms) -> u32 {
     ((block.limits.bounces + 1) * NODES).div_ceil(4 * STEPS as u32)
-}
-
-/// The light of a frame.
-struct Lights<'a> {
-    /// Textures, and the environment's.
-    pictures: &'a Buffer,
-    /// Beams, and coarser ones for pieces of viewing rays behind surfaces.
-    lit: Option<&'a (Lit, Option<Lit>)>,
-    /// Light of the medium's cells towards the eye, where light is scattered more than once.
-    cells: Option<Buffer>,
 }
 
 /// The parts of a frame's work that its scene needs.
@@ -284,26 +339,31 @@ pub(super) fn list(
             let lit = Lit::new(lattice, rounds, block.limits, number, scratch, backend)?;
             Ok(Lit { maps: maps.map(|maps| (maps, uploaded.nodes())), ..lit })
         };
-        let first = beams(fine, 0)?;
+        let mut first = beams(fine, 0)?;
         let second = (scatters && scene.beams.views > 1).then(|| beams(coarse, 1)).transpose()?;
-        lit = Some((first, second));
+        let split = (scatters && scene.beams.adaptive)
+            .then(|| Split::new(&mut first, block.limits, 2, scratch, backend))
+            .transpose()?;
+        lit = Some(Lights { first, second, split });
     }
     let mut list = List { block, passes: Vec::new() };
-    if let Some((first, second)) = &lit {
+    if let Some(Lights { first, second, split }) = &lit {
         second.iter().for_each(|second| second.trace(&mut list, &bodies, &pictures.buffer));
         first.trace(&mut list, &bodies, &pictures.buffer);
+        split.iter().for_each(|split| split.trace(&mut list, first, &bodies, &pictures.buffer));
         first.finish(&mut list, &bodies);
     }
-    let lights = Lights { pictures: &pictures.buffer, lit: lit.as_ref(), cells: None };
-    let lights = if scatters && shines && scene.beams.orders > 1 {
-        let beams = lit.as_ref().map(|(first, second)| second.as_ref().unwrap_or(first));
-        let buffers = [&pictures.buffer, &bodies.materials];
-        let cells = exchange::list(&mut list, beams, buffers, scene.beams.orders, scratch, backend)?;
-        Lights { cells: Some(cells), ..lights }
-    } else {
-        lights
-    };
-    let film = picture(&mut list, &bodies, &lights, (scene, uploaded, needs), scratch, backend)?;
+    let multiple = scatters && shines && scene.beams.orders > 1;
+    let cells = multiple
+        .then(|| {
+            // Smooth light has enough of the coarser beams.
+            let beams: Vec<&Lit> = lit.iter().flat_map(Lights::fewest).collect();
+            let buffers = [&pictures.buffer, &bodies.materials];
+            exchange::list(&mut list, &beams, buffers, scene.beams.orders, scratch, backend)
+        })
+        .transpose()?;
+    let lights = (&pictures.buffer, lit.as_ref(), cells.as_ref());
+    let film = picture(&mut list, &bodies, lights, (scene, uploaded, needs), scratch, backend)?;
     let while_busy = |kernel: &'static Kernel, until: &'static Kernel| {
         let name = kernel.declaration.name;
         WhileBusy { kernel: name, passes: vec![name], until: Some(until.declaration.name) }
@@ -322,8 +382,7 @@ pub(super) fn list(
         },
         rays: [width, height],
         film,
-        maps: lit.as_ref().and_then(|(first, _)| first.maps.as_ref()).map(|(maps, _)| maps.faces.clone()),
-        pencils: lit.map(|(first, _)| first.pencils),
+        lights: lit,
     })
 }
 
@@ -331,13 +390,12 @@ pub(super) fn list(
 fn picture(
     list: &mut List,
     bodies: &Bodies,
-    lights: &Lights<'_>,
+    (pictures, lights, cells): (&Buffer, Option<&Lights>, Option<&Buffer>),
     (scene, uploaded, needs): (&Scene, &UploadedMesh, Needs),
     scratch: &mut Scratch,
     backend: &mut dyn Backend,
 ) -> Result<Buffer, Error> {
     let Bodies { nodes, corners, materials, looks } = bodies;
-    let Lights { pictures, lit, cells } = lights;
     let of_picture = list.block.picture;
     let Size { width, height } = of_picture;
     let picture = [width, height];
@@ -355,7 +413,7 @@ fn picture(
         for _ in 0..passes_of_round(&list.block) {
             list.add(&kernels::beams_trace_view, picture, (0, round), &traced, 0);
         }
-        if lit.is_some() && needs.surfaces {
+        if lights.is_some() && needs.surfaces {
             let sought = [&rays, nodes, corners, looks, materials, &searches];
             for _ in 0..uploaded.nodes().div_ceil(4 * STEPS as u32) {
                 list.add(&kernels::beams_find_light, picture, (0, round), &sought, 0);
@@ -366,28 +424,27 @@ fn picture(
         if let Some(cells) = cells {
             list.add(&kernels::beams_see_cells, picture, (0, round), &[&rays, cells, materials, &sights], 0);
         }
-        if let Some((first, second)) = lit {
-            if needs.surfaces {
-                first.describe(list);
-                let lights = [&rays, &first.beams, &first.bundles, corners, looks, materials, &sights];
+        if let Some(lights) = lights {
+            for drawn in lights.drawn().filter(|_| needs.surfaces) {
+                drawn.describe(list);
+                let lights = [&rays, &drawn.beams, &drawn.bundles, corners, looks, materials, &sights];
                 // The first round is the shadow, which the search for light finds sharper.
-                for lit in 1..=first.limits.last {
+                for lit in 1..=drawn.limits.last {
                     list.block.limits.lit = lit;
                     list.add(&kernels::beams_light_surface, picture, (0, round), &lights, 0);
                 }
             }
-            if let Some(second) = second.as_ref().filter(|_| round > 0) {
+            if let Some(second) = lights.second.as_ref().filter(|_| round > 0) {
                 second.describe(list);
                 let gathered = [&rays, &second.beams, &second.bundles, materials, &sights];
                 list.add(&kernels::beams_gather, picture, (0, round), &gathered, 0);
             }
         }
     }
-    if let Some((first, _)) = lit.filter(|_| needs.scattering) {
-        first.describe(list);
+    if let Some(lights) = lights.filter(|_| needs.scattering) {
         drawing::draw(
             list,
-            first,
+            &lights.drawn().collect::<Vec<_>>(),
             &Picture { sights: &sights, caustics: &caustics, shadows: &shadows },
             materials,
             scratch,

@@ -1,0 +1,30 @@
+//! Pencils of light of the finer lattice: those of texels whose parent is curved begin ([`super::find_curved`]), those of all others have ended.
+//!
+//! Along the outline of the bodies the middles of some texels miss them though a part of the texel does not, and the middles of others do not though a
+//! part does: over many texels this adds up to nothing. Split texels know better. So that it still does, the texels that miss the bodies are split
+//! where they touch a curved one.
+
+use super::store_beam::has_flux;
+use crate::abi::beams::BeamsUniforms;
+use crate::abi::record::pencil::{self, stage};
+use crate::field::access::read;
+
+/// The pencil of texel (x, y) of a lattice with twice as many texels along each edge as that of `curved` and `beams`.
+#[inline(always)]
+pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, curved: &[f32], beams: &[f32]) -> [f32; pencil::SIZE] {
+    let (width, height) = ((u.dispatch.width >> 1) as i32, (u.dispatch.height >> 1) as i32);
+    let (column, row) = ((x >> 1) as i32, (y >> 1) as i32);
+    // The parents that the texel touches, on the side on which it lies in its own.
+    let (beside, above) = (column + 2 * (x & 1) as i32 - 1, row + 2 * (y & 1) as i32 - 1);
+    let is_curved = |column: i32, row: i32| {
+        let is_texel = (column >= 0) & (column < width) & (row >= 0) & (row < height);
+        is_texel & (read(curved, if is_texel { row * width + column } else { 0 }) > 0.0)
+    };
+    let touches = is_curved(beside, row) | is_curved(column, above) | is_curved(beside, above);
+    // The first round has the shadow of whatever meets a body.
+    let misses = !has_flux(beams, 0, row * width + column, width * height);
+    let begins = is_curved(column, row) | (misses & touches);
+    let mut pencil = [0.0; pencil::SIZE];
+    pencil[pencil::STAGE] = if begins { stage::NEW } else { stage::DONE };
+    pencil
+}
