@@ -89,6 +89,15 @@ fn settings_with_mistakes_exit_2() {
         ("beams.rays=31623", &["`beams.rays`", "found 31623", "4 to 1024"]),
         ("beams.ray=64", &["did you mean `beams.rays`?"]),
         ("method=voxels", &["`medium`", "the method `voxels` renders no participating medium", "method = \"beams\""]),
+        ("beams.orders=0", &["`beams.orders`", "found 0", "1 to 64"]),
+        ("beams.filter_radius=3", &["`beams.filter_radius`", "found 3"]),
+        ("beams.step=0", &["`beams.step`", "found 0"]),
+        ("beams.estimator=hu", &["`beams.estimator`", "hu2010"]),
+        ("beams.tracer=maps", &["`beams.tracer`", "depth-map"]),
+        (
+            "beams={tracer='depth-map',adaptive=true}",
+            &["`beams.adaptive`", "one texel for each ray", "tracer = \"tree\""],
+        ),
     ] {
         folder.refuse(&ball(&[setting]), 2, words);
     }

@@ -52,7 +52,7 @@ impl Receiver<'_> {
 
     /// The light from the cell in column `i` of row number `row`, by its way on `TARGET`.
     #[inline(always)]
-    fn from_cell<const TARGET: u32>(&self, row: u32, i: u32) -> Arriving {
+    fn arriving_from<const TARGET: u32>(&self, row: u32, i: u32) -> Arriving {
         let u = self.u;
         let (j, k) = (row % CELLS, row / CELLS);
         let number = (row * CELLS + i) as i32;
@@ -84,14 +84,14 @@ impl Receiver<'_> {
     /// The light from all cells: sums over the rows for each column, and then over the columns.
     #[cfg(target_arch = "spirv")]
     #[inline(always)]
-    fn from_all<const TARGET: u32>(&self) -> Arriving {
+    fn arriving_from_all<const TARGET: u32>(&self) -> Arriving {
         let mut all = [0.0; 6];
         let mut i = 0;
         while i < CELLS {
             let mut sums = [0.0; 6];
             let mut row = 0;
             while row < ROWS {
-                add(&mut sums, self.from_cell::<TARGET>(row, i));
+                add(&mut sums, self.arriving_from::<TARGET>(row, i));
                 row += 1;
             }
             add(&mut all, sums);
@@ -103,12 +103,12 @@ impl Receiver<'_> {
     /// The light from all cells: sums over the rows for each column, and then over the columns. The loop over columns is vector code.
     #[cfg(not(target_arch = "spirv"))]
     #[inline(always)]
-    fn from_all<const TARGET: u32>(&self) -> Arriving {
+    fn arriving_from_all<const TARGET: u32>(&self) -> Arriving {
         let mut sums = [[0.0f32; CELLS as usize]; 6];
         for row in 0..ROWS {
             let mut of_row = [[0.0f32; CELLS as usize]; 6];
             for i in 0..whole() {
-                let arrives = self.from_cell::<TARGET>(row, i as u32);
+                let arrives = self.arriving_from::<TARGET>(row, i as u32);
                 for (of_row, arrives) in of_row.iter_mut().zip(arrives) {
                     // SAFETY: lanes are counted to at most the number of columns.
                     unsafe { *of_row.get_unchecked_mut(i) = arrives };
@@ -121,8 +121,8 @@ impl Receiver<'_> {
             }
         }
         let mut all = [0.0; 6];
-        for i in 0..CELLS as usize {
-            add(&mut all, core::array::from_fn(|component| sums[component][i]));
+        for i in 0..CELLS {
+            add(&mut all, core::array::from_fn(|component| sums[component][i as usize]));
         }
         all
     }
@@ -157,9 +157,9 @@ pub fn invoke(
     let to_eye = select_vector(orthographic, -xyz(u.away), way * (1.0 / max(length(way), 1e-20)));
     let receiver = Receiver { u, direct, scattered, materials, i: x, j, k, middle, density: own.density, to_eye };
     let [r, g, b, flow_x, flow_y, flow_z] = if mode == target::EYE {
-        receiver.from_all::<{ target::EYE }>()
+        receiver.arriving_from_all::<{ target::EYE }>()
     } else {
-        receiver.from_all::<{ target::CELLS }>()
+        receiver.arriving_from_all::<{ target::CELLS }>()
     };
     directed(Vec3::new(r, g, b), Vec3::new(flow_x, flow_y, flow_z), own.density).store()
 }

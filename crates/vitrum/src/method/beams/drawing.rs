@@ -1,6 +1,7 @@
 //! The passes that draw beams into the picture.
 
-use super::passes::{List, Lit, pitch};
+use super::list::{List, pitch};
+use super::lit::Lit;
 use crate::backend::{Backend, BackendError, Buffer};
 use crate::method::cache::Scratch;
 use vitrum_kernels::abi::beams::{BLOCK, axis, estimator, medium};

@@ -1,6 +1,7 @@
 //! Light that the medium scatters more than once: the table of what its cells exchange, and the passes.
 
-use super::passes::{List, Lit};
+use super::list::List;
+use super::lit::Lit;
 use crate::backend::{Backend, BackendError, Buffer};
 use crate::method::cache::Scratch;
 use vitrum_kernels::abi::beams::{BeamsUniforms, CELLS, Cells, Medium, target};

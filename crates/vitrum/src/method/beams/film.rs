@@ -1,6 +1,6 @@
 //! The outputs of frames of beams.
 
-use super::passes::Frame;
+use super::frame::Frame;
 use crate::backend::{Backend, BackendError, Buffer, PassList};
 use crate::film::{FluxShares, Output, PixelFilter, Statistics, rgb, rgba, xyz};
 use crate::method::PreparedFrame;

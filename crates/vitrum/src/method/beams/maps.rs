@@ -1,6 +1,7 @@
 //! Maps of the bodies as a light sees them, in place of their triangles (`beams.tracer = "depth-map"`; Hu et al. 2010, §5.1).
 
-use super::passes::{Bodies, List};
+use super::list::List;
+use super::lit::Bodies;
 use crate::backend::{Backend, BackendError, Buffer};
 use crate::method::cache::Scratch;
 use vitrum_kernels::abi::beams::Lattice;

@@ -1,14 +1,18 @@
 //! Beams: volume caustics of clear and mirroring bodies in a participating medium (Hu et al. 2010).
 //!
 //! `density.rs` reads the medium's density, `medium.rs` describes the medium to the kernels (`phase.rs`: its phase function), `lattice.rs`
-//! places the rays of a light, `uniforms.rs` describes the rest of a frame, `passes.rs`, `maps.rs` and `drawing.rs` list the passes: pencils of light, through
-//! triangles or by maps, become beams, beams are drawn, viewing rays see the rest.
+//! places the rays of a light, `uniforms.rs` describes the rest of a frame. `passes.rs` lists the passes: pencils of light become beams (`lit.rs`, by maps
+//! `maps.rs`, split `split.rs`), beams are drawn (`drawing.rs`), cells of the medium exchange light (`exchange.rs`), viewing rays see the rest. `frame.rs` is
+//! the frame, `film.rs` its outputs.
 
 mod density;
 mod drawing;
 mod exchange;
 mod film;
+mod frame;
 mod lattice;
+mod list;
+mod lit;
 mod maps;
 mod medium;
 mod passes;
@@ -16,7 +20,7 @@ mod phase;
 mod split;
 mod uniforms;
 
-pub use passes::{Drawn, Frame};
+pub use frame::{Drawn, Frame};
 
 use crate::assets::Assets;
 use crate::backend::Backend;

@@ -1,15 +1,18 @@
-//! The pass list of a frame of beams.
+//! The passes of a frame of beams, from its scene.
 
 use super::drawing::{self, Picture};
 use super::exchange;
+use super::frame::Frame;
 use super::lattice::{coarser, lattice};
+use super::list::{List, pitch};
+use super::lit::{Bodies, Lights, Lit, passes_of_round};
 use super::maps::{self, Maps};
 use super::medium::MediumCache;
 use super::of_triangles;
 use super::split::Split;
 use super::uniforms::{self, Surroundings};
 use crate::assets::Assets;
-use crate::backend::{Backend, BackendError, Buffer, Pass, PassList, ReadBack as _, START_ALIGNMENT, WhileBusy};
+use crate::backend::{Backend, BackendError, Buffer, PassList, WhileBusy};
 use crate::error::Error;
 use crate::method::cache::Scratch;
 use crate::method::view::environment::EnvironmentUniforms;
@@ -22,254 +25,15 @@ use crate::method::voxels::shadow::source::Source;
 use crate::method::voxels::uploaded::shown;
 use crate::method::{Bounds, View};
 use crate::scene::{MethodName, Scene, Tracer};
-use bytemuck::bytes_of;
-use vitrum_kernels::abi::beams::{BeamsUniforms, Lattice, Limits, flag, part};
-use vitrum_kernels::abi::dispatch::Dispatch;
-use vitrum_kernels::abi::record::{beam, beam_pixel, bundle, inscattered, pencil, search, sight};
+use vitrum_kernels::abi::beams::{Lattice, flag};
+use vitrum_kernels::abi::record::{beam_pixel, inscattered, pencil, search, sight};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::voxels::STEPS;
 use vitrum_kernels::beams::pyramid::pixels_below;
-use vitrum_kernels::beams::tree::{ROW, rows};
-use vitrum_kernels::kernel::{Kernel, Window, kernels};
-
-/// Nodes of a tree on a straight piece of a ray, several times as many as usual.
-const NODES: u32 = 8 * STEPS as u32;
+use vitrum_kernels::kernel::{Kernel, kernels};
 
 /// Rays along each edge of the lattice whose beams are seen behind surfaces, at most.
 const VIEW_RAYS: u32 = 32;
-
-/// Columns of a dispatch at most: devices have a limit of 65,535 workgroups along each axis.
-const COLUMNS: u32 = 1 << 18;
-
-/// A frame of beams that is ready to run.
-pub struct Frame {
-    /// The passes.
-    pub passes: PassList,
-    /// Viewing rays across and down.
-    pub rays: [u32; 2],
-    pub(super) film: Buffer,
-    lights: Option<Lights>,
-}
-
-impl Frame {
-    /// The pencils of light after the passes have run: planar records as [`pencil`] describes, one for each texel of the lattice. None if no light
-    /// casts shadows.
-    ///
-    /// # Errors
-    /// As [`Backend::read`].
-    pub fn pencils(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        self.lights.as_ref().map_or(Ok(Vec::new()), |lights| backend.read_all(&lights.first.pencils))
-    }
-
-    /// The maps of the bodies as the light sees them, after the passes have run: planar records as [`faces`](vitrum_kernels::abi::record::faces) describes,
-    /// one for each texel of the lattice. None if no light casts shadows, or goes through triangles.
-    ///
-    /// # Errors
-    /// As [`Backend::read`].
-    pub fn maps(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        let maps = self.lights.as_ref().and_then(|lights| lights.first.maps.as_ref());
-        maps.map_or(Ok(Vec::new()), |(maps, _)| backend.read_all(&maps.faces))
-    }
-    /// The beams that are drawn after the passes have run, of the light's lattice and of the one whose texels are parts of its split ones.
-    /// None if no light casts shadows.
-    ///
-    /// # Errors
-    /// As [`Backend::read`].
-    pub fn beams(&self, backend: &mut dyn Backend) -> Result<Vec<Drawn>, BackendError> {
-        let of = |lit: &Lit| {
-            let records = backend.read_all(&lit.beams)?;
-            Ok(Drawn { count: lit.lattice.count, pitch: lit.limits.pitch as usize, records })
-        };
-        self.lights.iter().flat_map(Lights::drawn).map(of).collect()
-    }
-
-    /// Records of [`curved`](vitrum_kernels::abi::record::curved) after the passes have run, one for each texel of the lattice. None if texels are not
-    /// split.
-    ///
-    /// # Errors
-    /// As [`Backend::read`].
-    pub fn curved(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        let split = self.lights.as_ref().and_then(|lights| lights.split.as_ref());
-        split.map_or(Ok(Vec::new()), |split| backend.read_all(&split.curved))
-    }
-}
-
-/// Beams of a lattice.
-pub struct Drawn {
-    /// Texels along each edge.
-    pub count: u32,
-    /// Floats from the records of one round to those of the next.
-    pub pitch: usize,
-    /// Planar records of [`beam`], one for each texel, round by round: the first one has the shadow.
-    pub records: Vec<f32>,
-}
-
-/// A list of passes that is being written.
-pub(super) struct List {
-    pub(super) block: BeamsUniforms,
-    passes: Vec<Pass>,
-}
-
-impl List {
-    /// Adds a pass over `size` invocations, in a round; records are written from word `start` on.
-    pub(super) fn add(
-        &mut self,
-        kernel: &'static Kernel,
-        [width, height]: [u32; 2],
-        (mode, round): (u32, u32),
-        buffers: &[&Buffer],
-        start: u64,
-    ) {
-        let mut block = self.block;
-        block.dispatch = Dispatch { width, height, mode };
-        block.limits.round = round;
-        for first in (0..width).step_by(COLUMNS as usize) {
-            self.passes.push(Pass {
-                kernel,
-                uniforms: bytes_of(&block).to_vec(),
-                buffers: buffers.iter().map(|&buffer| buffer.clone()).collect(),
-                width,
-                height,
-                start,
-                window: Window { first: [first, 0], end: [width.min(first + COLUMNS), height] },
-            });
-        }
-    }
-}
-
-/// The bodies as rays run through them.
-pub(super) struct Bodies {
-    pub(super) nodes: Buffer,
-    pub(super) corners: Buffer,
-    pub(super) materials: Buffer,
-    looks: Buffer,
-}
-
-/// The beams of a lattice of rays, in rounds: the first one has the shadow.
-pub(super) struct Lit {
-    pub(super) lattice: Lattice,
-    pub(super) pencils: Buffer,
-    pub(super) beams: Buffer,
-    bundles: Buffer,
-    pub(super) limits: Limits,
-    /// The maps that light is traced by, and the nodes of the tree that they are made from; none if light goes through triangles.
-    maps: Option<(Maps, u32)>,
-    /// Whether beams go once all are traced.
-    pub(super) loses_beams: bool,
-}
-
-/// Floats from one round's records to those of the next, for `size` records of `components`: a pass's records start at such a multiple.
-pub(super) fn pitch([width, height]: [u32; 2], components: usize) -> u64 {
-    (u64::from(width) * u64::from(height) * components as u64).next_multiple_of(START_ALIGNMENT)
-}
-
-impl Lit {
-    /// Buffers for the beams of a lattice, number `number` of the frame's.
-    pub(super) fn new(
-        lattice: Lattice,
-        rounds: u32,
-        limits: Limits,
-        number: usize,
-        scratch: &mut Scratch,
-        backend: &mut dyn Backend,
-    ) -> Result<Self, BackendError> {
-        let texels = [lattice.count; 2];
-        let [beams, bundles] = [pitch(texels, beam::SIZE), pitch(Self::tree(&lattice), bundle::SIZE)];
-        let mut zeros = |label, words: u64| scratch.zeros((label, number), words * 4, backend);
-        Ok(Self {
-            lattice,
-            pencils: zeros("pencils of light", u64::from(lattice.count).pow(2) * pencil::SIZE as u64)?,
-            beams: zeros("beams", beams * u64::from(rounds))?,
-            bundles: zeros("bundles of beams", bundles * u64::from(rounds))?,
-            limits: Limits { pitch: beams as u32, bundle_pitch: bundles as u32, last: rounds - 1, ..limits },
-            maps: None,
-            loses_beams: false,
-        })
-    }
-
-    /// Rows of the nodes of a round's tree.
-    fn tree(lattice: &Lattice) -> [u32; 2] {
-        [ROW, rows(lattice.count)]
-    }
-
-    /// Lists the passes in which pencils of light become beams, and beams bundles, unless some of them are to go before.
-    pub(super) fn trace(&self, list: &mut List, bodies: &Bodies, pictures: &Buffer) {
-        self.describe(list);
-        let texels = [self.lattice.count; 2];
-        if let Some((maps, nodes)) = &self.maps {
-            maps.make(list, bodies, *nodes);
-        }
-        for round in 0..=self.limits.last {
-            self.follow(list, bodies, round);
-            let mode = if round == 0 { part::SHADOW } else { part::CAUSTIC };
-            let start = u64::from(self.limits.pitch) * u64::from(round);
-            let stored = [&self.pencils, pictures, &bodies.materials, &self.beams];
-            list.add(&kernels::beams_store_beam, texels, (mode, round), &stored, start);
-            if !self.loses_beams {
-                self.bound(list, round);
-            }
-        }
-    }
-
-    /// Lists the pass in which the beams of a round become bundles.
-    pub(super) fn bound(&self, list: &mut List, round: u32) {
-        let start = u64::from(self.limits.bundle_pitch) * u64::from(round);
-        let bound = [&self.beams, &self.bundles];
-        list.add(&kernels::beams_bound_beams, Self::tree(&self.lattice), (0, round), &bound, start);
-    }
-
-    /// Lists the passes that follow pencils to the end of the last piece, so that the fate of its light is known. They leave pencils without work: no
-    /// other lattice is traced behind them.
-    fn finish(&self, list: &mut List, bodies: &Bodies) {
-        self.describe(list);
-        self.follow(list, bodies, self.limits.last + 1);
-    }
-
-    /// Lists the passes that follow pencils to the piece of a round.
-    fn follow(&self, list: &mut List, bodies: &Bodies, round: u32) {
-        if let Some((maps, _)) = &self.maps {
-            maps.trace(list, bodies, &self.pencils, round);
-            return;
-        }
-        let traced = [&bodies.nodes, &bodies.corners, &bodies.materials, &self.pencils];
-        for _ in 0..passes_of_round(&list.block) {
-            list.add(&kernels::beams_trace_light, [self.lattice.count; 2], (0, round), &traced, 0);
-        }
-    }
-
-    /// Makes the passes that follow read these beams.
-    pub(super) fn describe(&self, list: &mut List) {
-        list.block.lattice = self.lattice;
-        list.block.limits = self.limits;
-    }
-}
-
-/// The beams of a frame's light.
-struct Lights {
-    /// Those that are drawn and light surfaces.
-    first: Lit,
-    /// Those that are seen behind surfaces.
-    second: Option<Lit>,
-    /// Those that are drawn in place of some of the first ones.
-    split: Option<Split>,
-}
-
-impl Lights {
-    /// The beams that are drawn and light surfaces.
-    fn drawn(&self) -> impl Iterator<Item = &Lit> {
-        std::iter::once(&self.first).chain(self.split.as_ref().map(|split| &split.lit))
-    }
-
-    /// All light of the frame in as few beams as there are.
-    fn fewest(&self) -> Vec<&Lit> {
-        self.second.as_ref().map_or_else(|| self.drawn().collect(), |second| vec![second])
-    }
-}
-
-/// The passes in which pencils get to their next piece in air, at most.
-fn passes_of_round(block: &BeamsUniforms) -> u32 {
-    ((block.limits.bounces + 1) * NODES).div_ceil(4 * STEPS as u32)
-}
 
 /// The parts of a frame's work that its scene needs.
 #[derive(Clone, Copy)]

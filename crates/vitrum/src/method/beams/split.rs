@@ -1,7 +1,8 @@
 //! The passes that split texels of the light's lattice where curvature shows in the picture (`beams.adaptive`).
 
 use super::lattice::finer;
-use super::passes::{Bodies, List, Lit};
+use super::list::List;
+use super::lit::{Bodies, Lit};
 use crate::backend::{Backend, BackendError, Buffer};
 use crate::method::cache::Scratch;
 use vitrum_kernels::abi::beams::Limits;

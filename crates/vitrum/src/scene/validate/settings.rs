@@ -2,8 +2,8 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Camera, Capabilities, Film, Intensity, Light, LightKind, Material, MethodName, Scene, Sweep, TransferFunction,
-    Transport, Vector,
+    Beams, Camera, Capabilities, Film, Intensity, Light, LightKind, Material, MethodName, Scene, Sweep, Tracer,
+    TransferFunction, Transport, Vector,
 };
 use super::{medium, refuse};
 
@@ -22,7 +22,15 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         check_dispersion(&format!("material.{index}"), material.abbe, material.cauchy_b)?;
     }
     check_sweep(&scene.sweep)?;
+    check_beams(&scene.beams)?;
     check_film(&scene.film)
+}
+
+/// Refuses settings of beams that exclude each other.
+fn check_beams(beams: &Beams) -> Result<(), Fault> {
+    let problem = "`beams.tracer` is `depth-map`, whose maps have one texel for each ray of light, and `beams.adaptive` splits texels";
+    let splits = beams.tracer == Tracer::DepthMap && beams.adaptive;
+    refuse(&[("beams.adaptive", splits)], problem, "or set `beams.tracer = \"tree\"`")
 }
 
 /// Refuses a scene that its method cannot render.
