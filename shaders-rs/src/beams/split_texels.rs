@@ -7,7 +7,16 @@
 use super::store_beam::has_flux;
 use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::pencil::{self, stage};
+use crate::abi::vector::Size;
 use crate::field::access::read;
+
+/// Whether a texel of a lattice is curved; none is beyond its edges.
+#[inline(always)]
+fn is_curved(curved: &[f32], lattice: Size, column: i32, row: i32) -> bool {
+    let (width, height) = (lattice.width as i32, lattice.height as i32);
+    let is_texel = (column >= 0) & (column < width) & (row >= 0) & (row < height);
+    is_texel & (read(curved, if is_texel { row * width + column } else { 0 }) > 0.0)
+}
 
 /// The pencil of texel (x, y) of a lattice with twice as many texels along each edge as that of `curved` and `beams`.
 #[inline(always)]
@@ -16,14 +25,13 @@ pub fn invoke(x: u32, y: u32, u: &BeamsUniforms, _mode: u32, curved: &[f32], bea
     let (column, row) = ((x >> 1) as i32, (y >> 1) as i32);
     // The parents that the texel touches, on the side on which it lies in its own.
     let (beside, above) = (column + 2 * (x & 1) as i32 - 1, row + 2 * (y & 1) as i32 - 1);
-    let is_curved = |column: i32, row: i32| {
-        let is_texel = (column >= 0) & (column < width) & (row >= 0) & (row < height);
-        is_texel & (read(curved, if is_texel { row * width + column } else { 0 }) > 0.0)
-    };
-    let touches = is_curved(beside, row) | is_curved(column, above) | is_curved(beside, above);
+    let lattice = Size { width: u.dispatch.width >> 1, height: u.dispatch.height >> 1 };
+    let touches = is_curved(curved, lattice, beside, row)
+        | is_curved(curved, lattice, column, above)
+        | is_curved(curved, lattice, beside, above);
     // The first round has the shadow of whatever meets a body.
     let misses = !has_flux(beams, 0, row * width + column, width * height);
-    let begins = is_curved(column, row) | (misses & touches);
+    let begins = is_curved(curved, lattice, column, row) | (misses & touches);
     let mut pencil = [0.0; pencil::SIZE];
     pencil[pencil::STAGE] = if begins { stage::NEW } else { stage::DONE };
     pencil
